@@ -1,0 +1,17 @@
+#include "core/base/counters.h"
+
+namespace lentray::core {
+
+void Counters::merge(const Counters& other) {
+  camera_rays += other.camera_rays;
+  reflected_rays += other.reflected_rays;
+  refracted_rays += other.refracted_rays;
+  dark_pixels += other.dark_pixels;
+  bounds_tests += other.bounds_tests;
+  primitive_tests += other.primitive_tests;
+  for (const auto& [type, count] : other.tests_by_type) tests_by_type[type] += count;
+  if (lights.size() < other.lights.size()) lights.resize(other.lights.size());
+  for (std::size_t i = 0; i < other.lights.size(); ++i) lights[i].add(other.lights[i]);
+}
+
+}  // namespace lentray::core

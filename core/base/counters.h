@@ -1,0 +1,29 @@
+// Event counts. One Counters a thread, merged once at the end of a frame; no locks, no atomics.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace lentray::core {
+
+struct ShadowCounts {
+  std::uint64_t rays = 0;     ///< searches towards a light, cache hits included
+  std::uint64_t blocked = 0;  ///< ended by an opaque blocker
+  std::uint64_t probes = 0, hits = 0, misses = 0;  ///< of the shadow cache
+  void add(const ShadowCounts& o) {
+    rays += o.rays; blocked += o.blocked; probes += o.probes; hits += o.hits; misses += o.misses;
+  }
+};
+
+struct Counters {
+  std::uint64_t camera_rays = 0, reflected_rays = 0, refracted_rays = 0;
+  std::uint64_t dark_pixels = 0;  ///< camera gave no ray (total internal reflection in the sheet)
+  std::uint64_t bounds_tests = 0, primitive_tests = 0;
+  std::map<std::string, std::uint64_t, std::less<>> tests_by_type;  ///< filled when merging
+  std::vector<ShadowCounts> lights;  ///< one a light of the scene
+  void merge(const Counters& other);
+};
+
+}  // namespace lentray::core

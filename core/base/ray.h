@@ -1,0 +1,15 @@
+// A ray: points origin + t * direction. World space unless said otherwise.
+// The direction need not be unit; t is in multiples of it.
+#pragma once
+
+#include "core/base/vec3.h"
+
+namespace lentray::core {
+
+struct Ray {
+  Vec3 origin;
+  Vec3 direction;
+  Vec3 at(double t) const { return origin + direction * t; }
+};
+
+}  // namespace lentray::core

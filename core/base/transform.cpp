@@ -1,0 +1,140 @@
+#include "core/base/transform.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace lentray::core {
+namespace {
+
+constexpr Matrix kIdentity = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}}};
+
+Vec3 apply_point(const Matrix& m, const Vec3& p) {
+  return {p.x * m[0][0] + p.y * m[1][0] + p.z * m[2][0] + m[3][0],
+          p.x * m[0][1] + p.y * m[1][1] + p.z * m[2][1] + m[3][1],
+          p.x * m[0][2] + p.y * m[1][2] + p.z * m[2][2] + m[3][2]};
+}
+
+Vec3 apply_vector(const Matrix& m, const Vec3& v) {
+  return {v.x * m[0][0] + v.y * m[1][0] + v.z * m[2][0],
+          v.x * m[0][1] + v.y * m[1][1] + v.z * m[2][1],
+          v.x * m[0][2] + v.y * m[1][2] + v.z * m[2][2]};
+}
+
+Vec3 apply_transposed(const Matrix& m, const Vec3& n) {
+  return {n.x * m[0][0] + n.y * m[0][1] + n.z * m[0][2],
+          n.x * m[1][0] + n.y * m[1][1] + n.z * m[1][2],
+          n.x * m[2][0] + n.y * m[2][1] + n.z * m[2][2]};
+}
+
+Matrix product(const Matrix& a, const Matrix& b) {
+  Matrix r;
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      r[i][j] = a[i][0] * b[0][j] + a[i][1] * b[1][j] + a[i][2] * b[2][j] + (i == 3 ? b[3][j] : 0.0);
+    }
+  }
+  return r;
+}
+
+bool invert(const Matrix& m, Matrix& out) {
+  const Vec3 a{m[0][0], m[0][1], m[0][2]}, b{m[1][0], m[1][1], m[1][2]}, c{m[2][0], m[2][1], m[2][2]};
+  const Vec3 bc = cross(b, c), ca = cross(c, a), ab = cross(a, b);
+  const double det = dot(a, bc);
+  if (det == 0.0 || !std::isfinite(1.0 / det)) return false;
+  const double s = 1.0 / det;
+  for (int i = 0; i < 3; ++i) {
+    out[i] = {bc[i] * s, ca[i] * s, ab[i] * s};
+  }
+  const Vec3 t = apply_vector(out, {m[3][0], m[3][1], m[3][2]});
+  out[3] = {-t.x, -t.y, -t.z};
+  return true;
+}
+
+}  // namespace
+
+Transform::Transform() : m_rows(kIdentity), m_inverse(kIdentity) {}
+
+Transform Transform::translation(const Vec3& by) {
+  Transform t;
+  t.m_rows[3] = {by.x, by.y, by.z};
+  t.m_inverse[3] = {-by.x, -by.y, -by.z};
+  return t;
+}
+
+Transform Transform::scaling(const Vec3& by) {
+  Transform t;
+  for (int i = 0; i < 3; ++i) {
+    t.m_rows[i][i] = by[i];
+    t.m_inverse[i][i] = 1.0 / by[i];
+  }
+  return t;
+}
+
+Transform Transform::rotation(const Vec3& degrees) {
+  constexpr double rad = std::numbers::pi / 180.0;
+  Transform t;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (degrees[axis] == 0.0) continue;
+    const double c = std::cos(degrees[axis] * rad), s = std::sin(degrees[axis] * rad);
+    const int j = (axis + 1) % 3, k = (axis + 2) % 3;
+    Transform one;
+    one.m_rows[j][j] = c;
+    one.m_rows[j][k] = s;
+    one.m_rows[k][j] = -s;
+    one.m_rows[k][k] = c;
+    for (int a = 0; a < 3; ++a) {
+      for (int b = 0; b < 3; ++b) one.m_inverse[a][b] = one.m_rows[b][a];
+    }
+    t = t.then(one);
+  }
+  return t;
+}
+
+Transform Transform::axis_rotation(const Vec3& axis, double radians) {
+  const Vec3 a = normalized(axis);
+  Transform t;
+  if (a == Vec3{}) return t;
+  const double c = std::cos(radians), s = std::sin(radians);
+  for (int i = 0; i < 3; ++i) {
+    const Vec3 e{i == 0 ? 1.0 : 0.0, i == 1 ? 1.0 : 0.0, i == 2 ? 1.0 : 0.0};
+    const Vec3 image = e * c + cross(a, e) * s + a * (dot(a, e) * (1.0 - c));
+    t.m_rows[i] = {image.x, image.y, image.z};
+    for (int j = 0; j < 3; ++j) t.m_inverse[j][i] = t.m_rows[i][j];
+  }
+  return t;
+}
+
+Transform Transform::matrix(const Matrix& rows) {
+  Transform t;
+  t.m_rows = rows;
+  t.m_singular = !invert(rows, t.m_inverse);
+  if (t.m_singular) t.m_inverse = kIdentity;
+  return t;
+}
+
+Transform Transform::then(const Transform& next) const {
+  Transform t;
+  t.m_rows = product(m_rows, next.m_rows);
+  t.m_inverse = product(next.m_inverse, m_inverse);
+  t.m_singular = m_singular || next.m_singular;
+  return t;
+}
+
+Transform Transform::inverse() const {
+  Transform t;
+  t.m_rows = m_inverse;
+  t.m_inverse = m_rows;
+  t.m_singular = m_singular;
+  return t;
+}
+
+Vec3 Transform::point(const Vec3& p) const { return apply_point(m_rows, p); }
+Vec3 Transform::vector(const Vec3& v) const { return apply_vector(m_rows, v); }
+Vec3 Transform::normal(const Vec3& n) const { return apply_transposed(m_inverse, n); }
+Vec3 Transform::inverse_point(const Vec3& p) const { return apply_point(m_inverse, p); }
+Vec3 Transform::inverse_vector(const Vec3& v) const { return apply_vector(m_inverse, v); }
+Vec3 Transform::inverse_normal(const Vec3& n) const { return apply_transposed(m_rows, n); }
+
+bool Transform::is_identity() const { return m_rows == kIdentity; }
+
+}  // namespace lentray::core

@@ -1,0 +1,142 @@
+// Objects of a compiled scene: shapes placed in the world with their looks, and CSG of them.
+// Space: world. Immutable while rendering; scratch memory comes from the caller's HitArena.
+// Source: reference manual 3.7, "Objects", "Object Modifiers", "Constructive Solid Geometry".
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "core/base/bounds.h"
+#include "core/base/ray.h"
+#include "core/geometry/shape.h"
+
+namespace lentray::core {
+
+class Texture;
+struct Interior;
+class Leaf;
+class Object;
+
+/// Looks and switches of an object, after inheritance through CSG is resolved.
+struct Attributes {
+  const Texture* texture = nullptr;           ///< owned by the scene; never null after compiling
+  const Texture* interior_texture = nullptr;  ///< null: the same as `texture`
+  const Interior* interior = nullptr;         ///< null: none was given
+  bool no_shadow = false, no_image = false, no_reflection = false;
+  bool hollow = false, double_illuminate = false;
+};
+
+/// A crossing of a ray with an object.
+struct Hit {
+  double t = Bounds::kInf;
+  const Leaf* leaf = nullptr;     ///< whose surface it is: gives normal and looks
+  const Object* object = nullptr; ///< the object of the scene's list that it belongs to
+  ShapeHit shape;                 ///< in the leaf's space
+};
+
+/// Scratch lists of hits for nested CSG; one a thread; lists are reused, never shrunk.
+class HitArena {
+ public:
+  std::vector<Hit>& acquire();
+  void release() { --m_used; }
+  ShapeHits shape_hits;
+
+ private:
+  std::vector<std::unique_ptr<std::vector<Hit>>> m_lists;
+  std::size_t m_used = 0;
+};
+
+class Object {
+ public:
+  virtual ~Object() = default;
+  virtual std::string_view name() const = 0;
+  virtual Bounds bounds() const = 0;
+  /// Nearest crossing with t_min < t < t_max; fills t, leaf and shape, not `object`.
+  virtual bool nearest(const Ray& ray, double t_min, double t_max, Hit& hit, HitArena& arena) const = 0;
+  /// Appends all crossings, in any order.
+  virtual void all(const Ray& ray, double t_min, double t_max, std::vector<Hit>& hits, HitArena& arena) const = 0;
+  virtual bool any(const Ray& ray, double t_min, double t_max, HitArena& arena) const {
+    Hit hit;
+    return nearest(ray, t_min, t_max, hit, arena);
+  }
+  /// As SDL's inside(): clipping and `inverse` count.
+  virtual bool inside(const Vec3& p) const = 0;
+  /// Every primitive below, itself included (for what looks and types occur).
+  virtual void leaves(std::vector<const Leaf*>& out) const = 0;
+
+  const Attributes& attributes() const { return m_attributes; }
+  void set_attributes(const Attributes& a) { m_attributes = a; }
+  void set_inverse(bool inverse) { m_inverse = inverse; }
+  bool is_inverse() const { return m_inverse; }
+  /// Surfaces are kept where they are inside every clipping object.
+  void set_clips(std::vector<std::shared_ptr<const Object>> clips) { m_clips = std::move(clips); }
+  const std::vector<std::shared_ptr<const Object>>& clips() const { return m_clips; }
+  /// bounded_by: rays that miss one of these, starting outside it, miss the object.
+  void set_bounding(std::vector<std::shared_ptr<const Object>> b) { m_bounding = std::move(b); }
+  const std::vector<std::shared_ptr<const Object>>& bounding() const { return m_bounding; }
+  /// True when every leaf's textures are fully opaque (set by the scene compiler).
+  bool is_opaque() const { return m_opaque; }
+  void set_opaque(bool opaque) { m_opaque = opaque; }
+
+ protected:
+  bool passes_clips(const Vec3& p) const;
+  bool passes_bounding(const Ray& ray, HitArena& arena) const;
+
+ private:
+  Attributes m_attributes;
+  std::vector<std::shared_ptr<const Object>> m_clips, m_bounding;
+  bool m_inverse = false;
+  bool m_opaque = false;
+};
+
+/// A shape in the world.
+class Leaf final : public Object {
+ public:
+  /// The shape is baked into world space where it can be; otherwise the transform is kept.
+  Leaf(std::unique_ptr<Shape> shape, const Transform& to_world);
+  std::string_view name() const override { return m_shape->name(); }
+  Bounds bounds() const override;
+  bool nearest(const Ray&, double t_min, double t_max, Hit&, HitArena&) const override;
+  void all(const Ray&, double t_min, double t_max, std::vector<Hit>&, HitArena&) const override;
+  bool any(const Ray&, double t_min, double t_max, HitArena&) const override;
+  bool inside(const Vec3& p) const override;
+  void leaves(std::vector<const Leaf*>& out) const override { out.push_back(this); }
+
+  const Shape& shape() const { return *m_shape; }
+  const std::optional<Transform>& transform() const { return m_transform; }  ///< null: shape is in world space
+  /// Unit shading normal at a hit of this leaf, world space, as stock orients it.
+  Vec3 normal(const Vec3& world_point, const ShapeHit& hit) const;
+  Vec2 uv(const Vec3& world_point, const ShapeHit& hit) const;
+
+ private:
+  std::unique_ptr<Shape> m_shape;
+  std::optional<Transform> m_transform;
+};
+
+enum class CsgKind { kUnion, kIntersection, kDifference, kMerge };
+
+/// Difference keeps its first child and the outside of the others, as stock does.
+class Csg final : public Object {
+ public:
+  Csg(CsgKind kind, std::vector<std::unique_ptr<Object>> children);
+  std::string_view name() const override;
+  Bounds bounds() const override;
+  bool nearest(const Ray&, double t_min, double t_max, Hit&, HitArena&) const override;
+  void all(const Ray&, double t_min, double t_max, std::vector<Hit>&, HitArena&) const override;
+  bool inside(const Vec3& p) const override;
+  void leaves(std::vector<const Leaf*>& out) const override;
+
+  CsgKind kind() const { return m_kind; }
+  const std::vector<std::unique_ptr<Object>>& children() const { return m_children; }
+  /// For the scene compiler, which hands an unclipped top-level union's parts to the hierarchy.
+  std::vector<std::unique_ptr<Object>> take_children() { return std::move(m_children); }
+
+ private:
+  CsgKind m_kind;
+  std::vector<std::unique_ptr<Object>> m_children;
+};
+
+}  // namespace lentray::core

@@ -1,0 +1,57 @@
+// A primitive's geometry alone: where a ray meets it, what is inside, which way it faces.
+// Space: the shape's own (object space); `baked` moves it into another. Immutable; any number
+// of threads may ask at once. Hits have t_min < t < t_max; t in multiples of ray.direction.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "core/base/bounds.h"
+#include "core/base/ray.h"
+
+namespace lentray::core {
+
+/// One crossing of a ray with a shape, in the shape's space.
+struct ShapeHit {
+  double t = 0.0;
+  std::uint32_t element = 0;  ///< which face of the shape (triangle of a mesh, side of a box ...)
+  double u = 0.0, v = 0.0;    ///< where on that face, as the shape itself defines it
+};
+using ShapeHits = std::vector<ShapeHit>;
+
+class Shape {
+ public:
+  virtual ~Shape() = default;
+
+  /// SDL keyword of the statement, for statistics and messages ("sphere").
+  virtual std::string_view name() const = 0;
+  /// Everything of the surface; of the solid too where that is finite. May be infinite.
+  virtual Bounds bounds() const = 0;
+
+  /// Nearest crossing.
+  virtual bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const = 0;
+  /// Appends every crossing, in any order (CSG and clipping need them all).
+  virtual void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const = 0;
+  /// Whether there is any crossing. The answer is the same as that of nearest().
+  virtual bool any(const Ray& ray, double t_min, double t_max) const {
+    ShapeHit hit;
+    return nearest(ray, t_min, t_max, hit);
+  }
+
+  /// As `inside` in SDL, before any `inverse`. Shapes without a solid answer false.
+  virtual bool inside(const Vec3& p) const = 0;
+  /// Shading normal, not necessarily unit, pointing as stock's does (outwards for solids).
+  virtual Vec3 normal(const Vec3& p, const ShapeHit& hit) const = 0;
+  /// Texture coordinates for uv_mapping.
+  virtual Vec2 uv(const Vec3& p, const ShapeHit& hit) const { (void)hit; return {p.x, p.y}; }
+
+  /// The same shape in the space `t` leads to, or null if this kind cannot hold it
+  /// (then the object keeps the transform and moves the rays).
+  virtual std::unique_ptr<Shape> baked(const Transform& t) const { (void)t; return nullptr; }
+  /// Bytes held, for the memory statistics.
+  virtual std::size_t memory() const { return sizeof(*this); }
+};
+
+}  // namespace lentray::core

@@ -1,0 +1,34 @@
+// A light source, compiled. World space. Source: reference manual 3.7, "Light Source".
+#pragma once
+
+#include "core/base/color.h"
+#include "core/base/vec3.h"
+
+namespace lentray::core {
+
+struct AreaLight {
+  Vec3 axis1, axis2;
+  int size1 = 1, size2 = 1;
+  int adaptive = -1;         ///< -1: every sample is tested
+  bool jitter = false, circular = false, orient = false;
+  bool area_illumination = false;  ///< kept; rendered later
+};
+
+struct Light {
+  enum class Kind { kPoint, kSpot, kCylinder };
+  Kind kind = Kind::kPoint;
+  Vec3 position;
+  Rgb colour;
+  Vec3 point_at{0.0, 0.0, 1.0};
+  Vec3 direction;             ///< unit, from position to point_at (spot, cylinder, parallel)
+  bool parallel = false;
+  double radius = 0.0, falloff = 0.0;  ///< spot: cosines of the angles; cylinder: scene units
+  double tightness = 0.0;
+  bool has_area = false;
+  AreaLight area;
+  double fade_distance = 0.0, fade_power = 0.0;
+  bool shadowless = false;    ///< fill light: no shadows and no highlights
+  bool interaction = true;    ///< media_interaction, kept
+};
+
+}  // namespace lentray::core

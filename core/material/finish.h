@@ -1,0 +1,26 @@
+// How a surface answers light. Defaults are stock's for `#version 3.7`.
+// Source: reference manual 3.7, "Finish"; linear colours, angles' cosines without unit.
+#pragma once
+
+#include "core/base/color.h"
+
+namespace lentray::core {
+
+struct Finish {
+  Rgb ambient{0.1f, 0.1f, 0.1f};
+  Rgb emission;
+  double diffuse = 0.6, diffuse_back = 0.0;  ///< `diffuse f, b`
+  double brilliance = 1.0;
+  double phong = 0.0, phong_size = 40.0;
+  double specular = 0.0, roughness_exponent = 20.0;  ///< exponent is 1 / roughness
+  double metallic = 0.0;
+  Rgb reflection_min, reflection_max;
+  double reflection_falloff = 1.0, reflection_exponent = 1.0, reflection_metallic = 0.0;
+  bool reflection_fresnel = false;
+  bool reflection_variable = false;  ///< reflection {} block was used: min and max vary by angle
+  bool conserve_energy = false;
+  double crand = 0.0;
+  double irid = 0.0, irid_thickness = 0.0, irid_turbulence = 0.0;  ///< kept; rendered later
+};
+
+}  // namespace lentray::core

@@ -1,0 +1,54 @@
+// A texture: for each point a list of layered textures with weights (one, unless texture maps
+// blend), each a stack of layers, topmost last as in SDL. Immutable while rendering.
+// Source: reference manual 3.7, "Texture".
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/material/finish.h"
+#include "core/material/pigment.h"
+
+namespace lentray::core {
+
+class LayeredTexture;
+
+struct WeightedTexture {
+  const LayeredTexture* texture = nullptr;
+  double weight = 1.0;
+};
+/// Reused by the tracer; cleared by the caller.
+using WeightedTextures = std::vector<WeightedTexture>;
+
+class Texture {
+ public:
+  virtual ~Texture() = default;
+  /// Appends the layered textures that hold at a point; the weights added sum to `weight`.
+  virtual void resolve(const Vec3& world_point, double weight, WeightedTextures& out) const = 0;
+  virtual bool is_opaque() const = 0;
+  /// Every layered texture that resolve() can give.
+  virtual void collect(std::vector<const LayeredTexture*>& out) const = 0;
+};
+
+struct TextureLayer {
+  std::shared_ptr<const Pigment> pigment;
+  Finish finish;
+  // Normal perturbation is a later part; descriptions keep it.
+};
+
+class LayeredTexture final : public Texture {
+ public:
+  explicit LayeredTexture(std::vector<TextureLayer> layers) : m_layers(std::move(layers)) {}
+  void resolve(const Vec3&, double weight, WeightedTextures& out) const override {
+    out.push_back({this, weight});
+  }
+  /// A stack is opaque if one of its layers is.
+  bool is_opaque() const override;
+  void collect(std::vector<const LayeredTexture*>& out) const override { out.push_back(this); }
+  const std::vector<TextureLayer>& layers() const { return m_layers; }
+
+ private:
+  std::vector<TextureLayer> m_layers;
+};
+
+}  // namespace lentray::core
