@@ -1,0 +1,52 @@
+// The bounding hierarchy over a scene's finite objects, plus the list of infinite ones.
+// World space. Conservative: a box test never loses a hit the object itself would report,
+// whatever the scale (stored boxes are floats rounded outwards, tests allow for every rounding).
+// Immutable; any number of threads. Queries are templates on the counting policy, so that not
+// counting costs nothing.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/base/counters.h"
+#include "core/geometry/object.h"
+
+namespace lentray::core {
+
+/// Which objects a ray passes by unseen.
+enum class RayKind : std::uint8_t {
+  kCamera,      ///< skips no_image
+  kReflection,  ///< skips no_reflection
+  kShadow,      ///< skips no_shadow
+};
+
+class Hierarchy {
+ public:
+  /// Borrows the objects. `linear` makes it a plain list (for comparison and tests).
+  Hierarchy(const std::vector<std::unique_ptr<Object>>& objects, bool linear);
+  ~Hierarchy();
+
+  /// Nearest hit with t_min < t < t_max. Ties (equal t) go to the object first in the scene, so
+  /// that the answer does not depend on the order of traversal.
+  bool nearest(const Ray& ray, double t_min, double t_max, RayKind kind, Hit& hit, HitArena& arena,
+               Counters* counters) const;
+
+  /// Any opaque object (Object::is_opaque) hit with t_min < t < t_max, or null. Shadow rays.
+  const Object* any_opaque(const Ray& ray, double t_min, double t_max, HitArena& arena,
+                           Counters* counters) const;
+
+  /// Every hit of objects that are not opaque, unsorted; shadow rays filtering coloured shadows.
+  void all_transparent(const Ray& ray, double t_min, double t_max, std::vector<Hit>& hits,
+                       HitArena& arena, Counters* counters) const;
+
+  std::size_t memory() const;
+  struct Shape { std::size_t nodes = 0, leaves = 0, objects = 0, infinite = 0; int depth = 0; };
+  Shape statistics() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> m_impl;
+};
+
+}  // namespace lentray::core

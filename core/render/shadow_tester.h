@@ -1,0 +1,56 @@
+// The question the light loop asks: what of a light reaches a point. World space.
+// One tester a thread; the plain one searches, shadow/ decorates it with caches. Every tester
+// must give the same answer to the same query, whatever was asked before.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "core/base/color.h"
+#include "core/base/counters.h"
+#include "core/geometry/object.h"
+
+namespace lentray::core {
+
+class Scene;
+
+struct ShadowQuery {
+  Ray ray;                    ///< from the shaded point towards the light, unit direction
+  double distance = 0.0;      ///< to the light (or its plane, if parallel)
+  std::uint32_t light = 0;    ///< index into Scene::lights()
+  std::uint32_t sample = 0;   ///< of an area light, 0 otherwise
+  int depth = 1;              ///< trace level of the ray that is shaded, 1: camera ray
+  std::uint32_t column = 0, row = 0;  ///< of the pixel, for caches that follow the image
+};
+
+struct Visibility {
+  Rgb filter{1.0f, 1.0f, 1.0f};      ///< 0 when blocked, else the product of the filters passed
+  const Object* blocker = nullptr;   ///< the opaque blocker, if that is what ended the search
+};
+
+class ShadowTester {
+ public:
+  virtual ~ShadowTester() = default;
+  virtual Visibility visibility(const ShadowQuery& query) = 0;
+};
+
+/// What a thread's tester works with; outlives it.
+struct ShadowContext {
+  const Scene* scene = nullptr;
+  HitArena* arena = nullptr;
+  Counters* counters = nullptr;  ///< never null; tests by type only if count_tests
+  bool count_tests = false;
+};
+
+/// Makes one tester a thread (const: called from many threads).
+class ShadowTesterFactory {
+ public:
+  virtual ~ShadowTesterFactory() = default;
+  virtual std::unique_ptr<ShadowTester> make(const ShadowContext& context) const = 0;
+};
+
+/// Blockers nearer than this to the point, or to the light, do not count. Stock's tolerance;
+/// the cached test uses the same one.
+inline constexpr double kShadowTolerance = 1e-3;
+
+}  // namespace lentray::core

@@ -1,0 +1,36 @@
+// Colours of rays: Whitted ray tracing with POV-Ray's shading model. One Tracer a thread.
+// Space: world; colours linear. Source: reference manual 3.7, "Finish", "Interior",
+// "Global Settings"; constants measured on stock with tests/image.
+#pragma once
+
+#include <memory>
+
+#include "core/base/color.h"
+#include "core/base/counters.h"
+#include "core/base/ray.h"
+#include "core/render/pixel_order.h"
+#include "core/render/shadow_tester.h"
+#include "core/scene/scene.h"
+
+namespace lentray::core {
+
+/// Hits nearer than this to a ray's start are not seen (stock's value, any ray but shadow rays).
+inline constexpr double kMinHitDistance = 1e-4;
+
+struct Radiance {
+  Rgb rgb;
+  float transmit = 0.0f;  ///< 1: nothing was hit and the background is seen through (alpha = 1 - this)
+};
+
+class Tracer {
+ public:
+  virtual ~Tracer() = default;
+  /// The colour along a camera ray of a pixel.
+  virtual Radiance trace(const Ray& ray, Pixel pixel) = 0;
+  /// Picks the specialised tracer that scene.needs() allows (the general one if the scene was
+  /// compiled with general_path). All give the same bits.
+  static std::unique_ptr<Tracer> make(const Scene& scene, ShadowTester& shadows, HitArena& arena,
+                                      Counters& counters, bool count_tests);
+};
+
+}  // namespace lentray::core

@@ -1,0 +1,30 @@
+// What a scene needs of the kernel, found once when it is compiled: the kernel takes paths
+// specialised on it, and `lentray --explain` prints it. Features are conservative: `false`
+// means certainly absent.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+
+namespace lentray::core {
+
+struct Needs {
+  std::map<std::string, std::size_t> primitives;  ///< by SDL keyword, after splitting unions
+  bool infinite_objects = false;
+  bool csg = false;
+  bool clipping = false;
+  bool transparency = false;         ///< any texture with filter or transmit
+  bool transparent_shadows = false;  ///< any shadow caster that is not opaque
+  bool refraction = false;           ///< any interior with ior != 1 that can be seen through
+  bool interiors = false;
+  bool reflection = false;
+  bool layered_textures = false, textures_by_place = false, interior_textures = false;
+  bool highlights = false;           ///< phong or specular
+  bool area_lights = false, spot_lights = false, fading_lights = false, shadowless_lights = false;
+  bool visibility_flags = false;     ///< no_image, no_reflection, no_shadow
+  bool sky_sphere = false;
+  int greatest_depth = 1;            ///< deepest useful trace level (1: camera rays alone)
+};
+
+}  // namespace lentray::core

@@ -1,0 +1,79 @@
+// The compiled scene: immutable, flat, everything the kernel asks while rendering.
+// World space. Built once (scene_compiler), then shared const by all threads.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/base/color.h"
+#include "core/geometry/object.h"
+#include "core/light/light.h"
+#include "core/material/interior.h"
+#include "core/material/texture.h"
+#include "core/scene/needs.h"
+
+namespace lentray::core {
+
+class Hierarchy;
+
+/// From global_settings and the atmosphere; defaults are stock's under `#version 3.7`.
+struct SceneSettings {
+  int max_trace_level = 5;
+  double adc_bailout = 1.0 / 255.0;
+  Rgb ambient_light{1.0f, 1.0f, 1.0f};
+  double assumed_gamma = 1.0;      ///< 1: linear; scene colours are decoded by the parser already
+  bool assumed_gamma_set = false;
+  Colour background;               ///< black, opaque unless the scene says otherwise
+  double atmosphere_ior = 1.0;
+  int language_version = 370;      ///< #version x 100, for the few renderings that depend on it
+};
+
+/// sky_sphere: pigments over the unit sphere of directions, later ones on top.
+struct SkySphere {
+  std::vector<std::shared_ptr<const Pigment>> pigments;
+  Rgb emission{1.0f, 1.0f, 1.0f};
+};
+
+/// What a scene is made of, before compiling: the parser's build step fills this.
+struct SceneParts {
+  SceneSettings settings;
+  std::vector<std::unique_ptr<Object>> objects;      ///< the top level, in scene order
+  std::vector<Light> lights;
+  std::unique_ptr<SkySphere> sky_sphere;             ///< null: none
+  std::vector<std::shared_ptr<const Texture>> textures;    ///< owners of what Attributes point at
+  std::vector<std::shared_ptr<const Interior>> interiors;
+  std::vector<std::string> not_rendered;             ///< features parsed and kept but not rendered yet
+};
+
+struct CompileOptions {
+  bool general_path = false;  ///< no specialisation: for the test that both give the same bits
+  bool linear_search = false; ///< Accelerator=list
+};
+
+class Scene {
+ public:
+  Scene(SceneParts parts, const CompileOptions& options);  ///< compiles: splits unions, builds the hierarchy
+  ~Scene();
+  Scene(const Scene&) = delete;
+  Scene& operator=(const Scene&) = delete;
+
+  const SceneSettings& settings() const { return m_parts.settings; }
+  const std::vector<Light>& lights() const { return m_parts.lights; }
+  const SkySphere* sky_sphere() const { return m_parts.sky_sphere.get(); }
+  const Hierarchy& hierarchy() const { return *m_hierarchy; }
+  const Needs& needs() const { return m_needs; }
+  /// Objects after splitting top-level unions; the hierarchy and the cache speak of these.
+  const std::vector<std::unique_ptr<Object>>& objects() const { return m_parts.objects; }
+  /// Objects with an interior that contain the point (a ray may start inside), scene order.
+  void containing(const Vec3& p, std::vector<const Object*>& out) const;
+
+ private:
+  SceneParts m_parts;
+  std::vector<const Object*> m_with_interior;
+  std::unique_ptr<Hierarchy> m_hierarchy;
+  Needs m_needs;
+};
+
+}  // namespace lentray::core
