@@ -1,0 +1,124 @@
+// The SDL interpreter's face to the productions: tokens with directives already executed,
+// expressions, symbols, messages. One Parser reads one scene, on one thread.
+//
+// How a scene becomes descriptions: sources -> tokens (each file and macro tokenised once) ->
+// token stream (files, macros and loops replay tokens) -> directives executed on the way ->
+// productions (parser/grammar) -> descriptions (parser/descriptions) -> build (parser/build).
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/transform.h"
+#include "parser/diagnostics.h"
+#include "parser/source.h"
+#include "parser/token.h"
+#include "parser/value.h"
+
+namespace lentray::parser {
+
+class Parser;
+
+/// The statements of the language, implemented in parser/grammar. Directives and expressions call
+/// back through this, so that the interpreter does not depend on the statements.
+class Productions {
+ public:
+  virtual ~Productions() = default;
+  /// The right side of #declare/#local, an array element or a macro argument, when the next token
+  /// starts something that is not an expression (`pigment {`, `sphere {`, `camera {` ...) or names
+  /// such a value with modifiers to follow. Nothing consumed and nullopt if it is none of these.
+  virtual std::optional<Value> rvalue(Parser& parser) = 0;
+  /// The block of #default { ... }.
+  virtual void set_default(Parser& parser) = 0;
+  /// trace(), inside(), min_extent(), max_extent() of an object, compiled alone.
+  virtual bool inside(const ObjectDesc& object, const core::Vec3& point) = 0;
+  virtual bool trace(const ObjectDesc& object, const core::Vec3& origin, const core::Vec3& direction,
+                     core::Vec3& point, core::Vec3& normal) = 0;
+  virtual void extent(const ObjectDesc& object, core::Vec3& lo, core::Vec3& hi) = 0;
+  /// A function of a pigment or pattern (`function { pigment {...} }`): colours by point.
+  virtual Value pigment_function(Parser& parser) = 0;
+};
+
+struct ParserOptions {
+  std::vector<std::string> library_paths;                      ///< +L, in order
+  std::vector<std::pair<std::string, std::string>> declares;   ///< Declare=NAME=VALUE, VALUE float or string
+  double clock = 0.0;
+  int frame_number = 1;                                        ///< stock: 1 initial, 0 for a still (see manual)
+  int image_width = 160, image_height = 120;
+  int language_version = 0;                                    ///< Version=, x 100; 0: the scene decides
+};
+
+class Parser {
+ public:
+  Parser(SourceManager& sources, Diagnostics& diagnostics, const ParserOptions& options,
+         Productions& productions);
+  ~Parser();
+
+  /// Makes the file the one being read. Throws ParseError if it is missing.
+  void open(const std::string& path);
+
+  // Tokens. Directives, macros, loops and includes have been dealt with; `#` is never seen here.
+  const Token& peek();
+  Token next();
+  bool at_end();                          ///< end of the scene
+  bool at(Keyword keyword);
+  bool at(Punct punct);
+  bool accept(Keyword keyword);           ///< consume if it is next
+  bool accept(Punct punct);
+  void expect(Keyword keyword);           ///< consume or fail naming what was expected
+  void expect(Punct punct);
+  /// If the next token names a symbol (or array element, or macro parameter) that holds a T,
+  /// consumes the reference with its subscripts and returns the value.
+  template <typename T> std::optional<T> accept_value();
+  /// Looks without consuming: the value the next identifier token refers to, or null.
+  const Value* peek_value();
+
+  // Expressions, as the manual's sections of these names; each fails with a message.
+  double parse_float();
+  bool parse_bool();                      ///< optional in SDL: `on`, `off`, a float; nothing means true
+  int parse_int();
+  core::Vec3 parse_vector();              ///< full expression; a float is promoted
+  Number parse_number(int min_size = 1, int max_size = 5);  ///< expression of any size
+  Number parse_colour();                  ///< colour expression incl. `rgb`, `color red 1 ...`
+  bool at_colour();                       ///< the next token can start a colour
+  bool at_expression();                   ///< the next token can start a float or vector expression
+  std::string parse_string();
+  void parse_comma();                     ///< optional comma
+
+  /// Reads transform statements (translate rotate scale matrix transform) while they last.
+  /// nullopt if none is next.
+  std::optional<core::Transform> accept_transforms();
+  /// One such statement.
+  std::optional<core::Transform> accept_transform();
+
+  /// `function { ... }` or the name of one, body braces included; the keyword is consumed already.
+  Ref<FunctionDesc> parse_function_body();
+
+  // Messages.
+  [[noreturn]] void fail(const std::string& message);                     ///< at the next token
+  [[noreturn]] void fail_expected(std::string_view what);                 ///< "expected X but found Y"
+  [[noreturn]] void fail_at(const Location& where, const std::string& message);
+  void warn(const std::string& message);
+  void warn_at(const Location& where, const std::string& message);
+  /// A feature that is parsed and kept but not rendered yet: one warning at the end names all
+  /// that the scene really uses (the build step calls this, not the productions).
+  Location location();
+
+  int language_version() const;           ///< x 100: 370
+  bool language_version_set() const;      ///< false: the scene has no #version yet
+  const ParserOptions& options() const;
+  Diagnostics& diagnostics();
+  SourceManager& sources();
+  /// Finds a file as `#include` does (current folder, folder of the scene, library paths).
+  std::optional<std::string> find_file(const std::string& name);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> m_impl;
+};
+
+}  // namespace lentray::parser

@@ -1,0 +1,81 @@
+// A value of SDL: what an identifier, an array element or a macro argument can hold.
+// Descriptions are shared and never changed once made; a modifier copies first.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/base/transform.h"
+#include "core/base/vec3.h"
+#include "core/function/function.h"
+
+namespace lentray::parser {
+
+struct PigmentDesc;
+struct NormalDesc;
+struct FinishDesc;
+struct TextureDesc;
+struct InteriorDesc;
+struct MaterialDesc;
+struct MediaDesc;
+struct DensityDesc;
+struct ObjectDesc;    // light sources too
+struct CameraDesc;
+struct FogDesc;
+struct RainbowDesc;
+struct SkySphereDesc;
+struct SplineDesc;
+struct ColourMapDesc;
+struct PigmentMapDesc;
+struct NormalMapDesc;
+struct SlopeMapDesc;
+struct TextureMapDesc;
+struct DensityMapDesc;
+struct FunctionDesc;
+struct ArrayValue;
+
+/// A vector of 1 to 5 components, or a colour (r, g, b, filter, transmit: always 5).
+/// A float is a Number of size 1. Promotion rules are those of the manual, "Vector Expressions".
+struct Number {
+  std::array<double, 5> v{};
+  int size = 1;
+  bool is_colour = false;
+
+  static Number scalar(double x) { return {{x, 0, 0, 0, 0}, 1, false}; }
+  static Number vector(const core::Vec3& p) { return {{p.x, p.y, p.z, 0, 0}, 3, false}; }
+  double as_float() const { return v[0]; }
+  core::Vec3 xyz() const {
+    return size == 1 ? core::Vec3(v[0]) : core::Vec3(v[0], v[1], v[2]);
+  }
+};
+
+template <typename Desc>
+using Ref = std::shared_ptr<const Desc>;
+
+using Value = std::variant<std::monostate,  // declared, not set (array element)
+                           Number, std::string, std::shared_ptr<ArrayValue>, core::Transform,
+                           Ref<FunctionDesc>, Ref<SplineDesc>, Ref<PigmentDesc>, Ref<NormalDesc>,
+                           Ref<FinishDesc>, Ref<TextureDesc>, Ref<InteriorDesc>, Ref<MaterialDesc>,
+                           Ref<MediaDesc>, Ref<DensityDesc>, Ref<ObjectDesc>, Ref<CameraDesc>,
+                           Ref<FogDesc>, Ref<RainbowDesc>, Ref<SkySphereDesc>, Ref<ColourMapDesc>,
+                           Ref<PigmentMapDesc>, Ref<NormalMapDesc>, Ref<SlopeMapDesc>,
+                           Ref<TextureMapDesc>, Ref<DensityMapDesc>>;
+
+/// What a value is, in the words of a message ("float", "pigment").
+const char* kind_name(const Value& value);
+
+struct ArrayValue {
+  std::vector<int> sizes;        ///< one a dimension
+  std::vector<Value> elements;   ///< row major
+};
+
+/// A function as declared: its compiled form, its text's place, and its name for messages.
+struct FunctionDesc {
+  std::string name;
+  std::shared_ptr<const core::Function> function;
+};
+
+}  // namespace lentray::parser
