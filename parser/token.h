@@ -16,7 +16,7 @@ enum class Keyword : std::uint16_t {
 #define LENTRAY_KEYWORD(name, spelling) name,
 #include "parser/keywords.def"
 #undef LENTRAY_KEYWORD
-  kCount
+  kEndOfKeywords
 };
 
 enum class Punct : std::uint8_t {
