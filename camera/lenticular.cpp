@@ -15,8 +15,8 @@ Lenticular::Lenticular(const LensParameters& lens, const SheetPlacement& placeme
       m_scale(placement.width / m_sheet.sheet_width()),
       m_inverse_distance(1.0 / (lens.view_distance * m_scale)) {
   if (m_place.front * m_inverse_distance > 1.0) {
+    m_clamped = m_place.front * m_inverse_distance > 1.0 + 1e-9;  // more than rounding
     m_place.front = lens.view_distance * m_scale;
-    m_clamped = true;
   }
   m_columns.reserve(width);
   for (std::uint32_t k = 0; k < width; ++k) m_columns.push_back(make_column(m_sheet.column(k)));
@@ -96,6 +96,12 @@ Properties Lenticular::describe() const {
           {"lens.print_dpi_y", print_dpi_y()},
           {"lens.scene_units_per_mm", m_scale},
           {"lens.front", m_place.front},
+          {"sheet.centre", text_of(m_place.centre)},
+          {"sheet.right", text_of(m_place.right * m_place.width)},
+          {"sheet.up", text_of(m_place.up * m_place.height)},
+          {"sheet.direction", text_of(m_place.normal)},
+          {"sheet.eye_slope_x", m_place.eye_slope_x},
+          {"sheet.eye_slope_y", m_place.eye_slope_y},
           {"lens.dark_pixels", static_cast<double>(dark_pixels())}};
 }
 
