@@ -7,6 +7,7 @@
 #include "camera/perspective.h"
 #include "camera/sheet_report.h"
 #include "camera/text.h"
+#include "core/base/bounds.h"
 
 namespace lentray::camera {
 namespace {

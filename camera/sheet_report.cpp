@@ -6,6 +6,7 @@
 #include <set>
 
 #include "camera/text.h"
+#include "core/base/bounds.h"
 
 namespace lentray::camera {
 namespace {
