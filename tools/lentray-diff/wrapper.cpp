@@ -212,7 +212,7 @@ std::string mesh_scene(const Sheet& s, const Included& scene) {
     out << "triangle { " << text_of(a) << ", " << text_of(b) << ", " << text_of(last) << " }\n";
   }
   const double inverse = s.is_finite() ? 1.0 / (s.view_distance * units) : 0.0;
-  out << "}\ncamera {\n  mesh_camera { 1 0\n    #for (Lentray_Diff_K, 0, " << s.rows - 1 << ")\n"
+  out << "}\ncamera {\n  mesh_camera { 1 1\n    #for (Lentray_Diff_K, 0, " << s.rows - 1 << ")\n"
       << "      #local Lentray_Diff_Y = (0.5 - (Lentray_Diff_K + 0.5)/" << s.rows << ")*"
       << text_of(s.height) << ";\n"
       << "      #local Lentray_Diff_S = Lentray_Diff_Y*" << text_of(inverse) << " + "
