@@ -1,0 +1,44 @@
+// Descriptions of looks -> what the kernel evaluates. One compiler a scene; the same Ref gives the
+// same compiled object. Not thread-safe; what it makes is immutable and shared by all threads.
+#pragma once
+
+#include <memory>
+#include <set>
+#include <string>
+
+#include "core/material/interior.h"
+#include "core/material/pigment.h"
+#include "core/material/texture.h"
+#include "parser/descriptions/interior.h"
+#include "parser/descriptions/texture.h"
+
+namespace lentray::parser {
+
+struct TextureSettings {
+  int quality = 9;            ///< +Q; 5 and below use quick_color
+  int noise_generator = 2;    ///< global_settings; 3.7's default is 2
+  int language_version = 370;
+};
+
+class TextureCompiler {
+ public:
+  explicit TextureCompiler(const TextureSettings& settings);
+  ~TextureCompiler();
+
+  /// Null gives the `fallback`, which then must not be null.
+  std::shared_ptr<const core::Texture> texture(const Ref<TextureDesc>& texture,
+                                               const Ref<TextureDesc>& fallback);
+  std::shared_ptr<const core::Pigment> pigment(const Ref<PigmentDesc>& pigment);
+  /// Null gives null, unless the texture bears an old scene's `ior`.
+  std::shared_ptr<const core::Interior> interior(const Ref<InteriorDesc>& interior,
+                                                 const Ref<TextureDesc>& texture = nullptr);
+
+  /// Names of what was asked for and is not rendered yet ("pattern crackle", "media").
+  const std::set<std::string>& not_yet() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> m_impl;
+};
+
+}  // namespace lentray::parser

@@ -1,0 +1,37 @@
+// Textures as written: a list of layers, topmost last. Immutable; shared by Ref.
+// Source: reference manual 3.7, "Texture".
+#pragma once
+
+#include <vector>
+
+#include "parser/descriptions/finish.h"
+#include "parser/descriptions/normal.h"
+#include "parser/descriptions/pigment.h"
+
+namespace lentray::parser {
+
+/// One layer: plain (pigment, normal, finish), or patterned (texture map, material_map, tiles).
+struct TextureLayerDesc {
+  Location where;
+  Ref<PigmentDesc> pigment;  ///< never null in a plain layer
+  Ref<NormalDesc> normal;    ///< null: the surface's own
+  Ref<FinishDesc> finish;    ///< never null in a plain layer
+  /// Patterned when `map` is set; the three above are unused then.
+  PatternDesc pattern;
+  Ref<TextureMapDesc> map;
+  bool is_patterned() const { return map != nullptr; }
+};
+
+struct TextureDesc {
+  Location where;
+  std::vector<TextureLayerDesc> layers;
+};
+
+/// The texture after one more transform, pigments and normals included.
+Ref<TextureDesc> transformed(const Ref<TextureDesc>& texture, const core::Transform& transform);
+/// The layers of `above` over those of `below`; either may be null.
+Ref<TextureDesc> layered(const Ref<TextureDesc>& below, const Ref<TextureDesc>& above);
+/// The default texture of a scene that has no #default: black pigment, default finish.
+Ref<TextureDesc> standard_texture();
+
+}  // namespace lentray::parser
