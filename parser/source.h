@@ -1,9 +1,14 @@
 // Source texts and places in them. A SourceManager owns every file read in a run.
-// Lines and columns count from 1; columns in bytes.
+// Lines and columns count from 1; columns in bytes. One thread.
+//
+// Texts are kept as bytes: a UTF-8 mark at the start is dropped, CR LF and a lone CR become LF,
+// Latin-1 and UTF-8 pass through untouched (they can only matter in strings).
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,6 +20,30 @@ struct Location {
   std::uint32_t file = 0;
   std::uint32_t line = 0;
   std::uint32_t column = 0;
+};
+
+class SourceManager {
+ public:
+  /// Reads a file; its number, or nullopt if it cannot be read. Every call reads anew: a scene may
+  /// write a file and include it again.
+  std::optional<std::uint32_t> load(const std::string& path);
+  /// A text that is no file (tests, Declare=); `name` appears in messages.
+  std::uint32_t add(std::string name, std::string text);
+
+  const std::string& name(std::uint32_t file) const;  ///< "" for file 0
+  std::string_view text(std::uint32_t file) const;
+  /// A line without its end; empty if there is none.
+  std::string_view line(std::uint32_t file, std::uint32_t number) const;
+  std::size_t files() const { return m_files.size(); }
+
+ private:
+  struct File {
+    std::string name;
+    std::string text;
+    mutable std::vector<std::size_t> line_starts;  ///< found when a message first asks
+  };
+  const File* find(std::uint32_t file) const;
+  std::deque<File> m_files;  // number - 1; views into texts stay valid
 };
 
 }  // namespace lentray::parser

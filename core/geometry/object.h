@@ -53,7 +53,10 @@ class Object {
  public:
   virtual ~Object() = default;
   virtual std::string_view name() const = 0;
+  /// Everything of the surface that rays can meet, clipping counted. May be infinite.
   virtual Bounds bounds() const = 0;
+  /// Everything that inside() can answer true for; infinite for most inverse objects.
+  virtual Bounds solid_bounds() const = 0;
   /// Nearest crossing with t_min < t < t_max; fills t, leaf and shape, not `object`.
   virtual bool nearest(const Ray& ray, double t_min, double t_max, Hit& hit, HitArena& arena) const = 0;
   /// Appends all crossings, in any order.
@@ -69,7 +72,9 @@ class Object {
 
   const Attributes& attributes() const { return m_attributes; }
   void set_attributes(const Attributes& a) { m_attributes = a; }
-  void set_inverse(bool inverse) { m_inverse = inverse; }
+  /// As `inverse` in SDL. Shapes without a solid stay as they are; CSG turns into its complement
+  /// (union to intersection, intersection to merge, of inverse parts), as stock does it.
+  virtual void set_inverse(bool inverse) { m_inverse = inverse; }
   bool is_inverse() const { return m_inverse; }
   /// Surfaces are kept where they are inside every clipping object.
   void set_clips(std::vector<std::shared_ptr<const Object>> clips) { m_clips = std::move(clips); }
@@ -84,6 +89,8 @@ class Object {
  protected:
   bool passes_clips(const Vec3& p) const;
   bool passes_bounding(const Ray& ray, HitArena& arena) const;
+  /// `b` cut by the boxes of the clipping objects, and of bounded_by where it is infinite.
+  Bounds limited(Bounds b) const;
 
  private:
   Attributes m_attributes;
@@ -99,6 +106,7 @@ class Leaf final : public Object {
   Leaf(std::unique_ptr<Shape> shape, const Transform& to_world);
   std::string_view name() const override { return m_shape->name(); }
   Bounds bounds() const override;
+  Bounds solid_bounds() const override;
   bool nearest(const Ray&, double t_min, double t_max, Hit&, HitArena&) const override;
   void all(const Ray&, double t_min, double t_max, std::vector<Hit>&, HitArena&) const override;
   bool any(const Ray&, double t_min, double t_max, HitArena&) const override;
@@ -112,13 +120,17 @@ class Leaf final : public Object {
   Vec2 uv(const Vec3& world_point, const ShapeHit& hit) const;
 
  private:
+  bool clipped_nearest(const Ray&, double t_min, double t_max, Hit&, HitArena&) const;
+
   std::unique_ptr<Shape> m_shape;
   std::optional<Transform> m_transform;
 };
 
 enum class CsgKind { kUnion, kIntersection, kDifference, kMerge };
 
-/// Difference keeps its first child and the outside of the others, as stock does.
+/// A difference is the intersection of its first child with the inverses of the others (which
+/// the constructor inverts); bounds of children are taken when it is built, so children come
+/// complete: their inverse, clips and bounding set before.
 class Csg final : public Object {
  public:
   Csg(CsgKind kind, std::vector<std::unique_ptr<Object>> children);
@@ -128,14 +140,24 @@ class Csg final : public Object {
   void all(const Ray&, double t_min, double t_max, std::vector<Hit>&, HitArena&) const override;
   bool inside(const Vec3& p) const override;
   void leaves(std::vector<const Leaf*>& out) const override;
+  void set_inverse(bool inverse) override;
+  Bounds solid_bounds() const override;
 
+  /// After `inverse`: what it works as. Only kUnion may be split into its parts.
   CsgKind kind() const { return m_kind; }
   const std::vector<std::unique_ptr<Object>>& children() const { return m_children; }
   /// For the scene compiler, which hands an unclipped top-level union's parts to the hierarchy.
   std::vector<std::unique_ptr<Object>> take_children() { return std::move(m_children); }
 
  private:
+  bool keeps(std::size_t child, const Vec3& p) const;
+  bool gather_nearest(const Ray&, double t_min, double t_max, Hit&, HitArena&) const;
+  void update_bounds();
+
   CsgKind m_kind;
+  std::string_view m_name;
+  Bounds m_solid, m_surface;             ///< before own clips
+  std::vector<Bounds> m_child_bounds;    ///< of surfaces, cut by what siblings leave of them
   std::vector<std::unique_ptr<Object>> m_children;
 };
 

@@ -42,6 +42,13 @@ class Shape {
 
   /// As `inside` in SDL, before any `inverse`. Shapes without a solid answer false.
   virtual bool inside(const Vec3& p) const = 0;
+  /// As `inside` of the inverse. Not always the opposite: a point on a surface may be in both or
+  /// neither, and shapes without a solid answer false again.
+  virtual bool outside(const Vec3& p) const { return !inside(p); }
+  /// True where bounds() holds the surface alone and inside() is true beyond it.
+  virtual bool solid_is_unbounded() const { return false; }
+  /// False for patches, which `inverse` does not change.
+  virtual bool is_solid() const { return true; }
   /// Shading normal, not necessarily unit, pointing as stock's does (outwards for solids).
   virtual Vec3 normal(const Vec3& p, const ShapeHit& hit) const = 0;
   /// Texture coordinates for uv_mapping.

@@ -13,6 +13,7 @@
 namespace lentray::core {
 
 class Scene;
+class InteriorStack;
 
 struct ShadowQuery {
   Ray ray;                    ///< from the shaded point towards the light, unit direction
@@ -21,6 +22,7 @@ struct ShadowQuery {
   std::uint32_t sample = 0;   ///< of an area light, 0 otherwise
   int depth = 1;              ///< trace level of the ray that is shaded, 1: camera ray
   std::uint32_t column = 0, row = 0;  ///< of the pixel, for caches that follow the image
+  const InteriorStack* inside = nullptr;  ///< of the ray that is shaded; null: nowhere special
 };
 
 struct Visibility {

@@ -1,0 +1,158 @@
+#include "camera/conversion.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "camera/orthographic.h"
+#include "camera/perspective.h"
+#include "camera/sheet_report.h"
+#include "camera/text.h"
+#include "core/base/bounds.h"
+
+namespace lentray::camera {
+namespace {
+
+using core::Vec3;
+
+/// The sheet's axes from a camera's vectors; the normal is on direction's side.
+SheetPlacement placement_of(const Projection& p) {
+  const double width = core::length(p.right), height = core::length(p.up);
+  if (!(width > 0.0) || !(height > 0.0) || !std::isfinite(width) || !std::isfinite(height)) {
+    throw CameraError("a lens sheet needs `right` and `up` vectors of some length");
+  }
+  SheetPlacement place;
+  place.right = p.right / width;
+  place.up = p.up / height;
+  if (std::fabs(core::dot(place.right, place.up)) > 1e-6) {
+    throw CameraError("`right` is not perpendicular to `up`, so this camera has no lens sheet");
+  }
+  const Vec3 across = core::normalized(core::cross(place.right, place.up));
+  const double along = core::dot(across, p.direction);
+  if (std::fabs(along) <= 1e-9 * core::length(p.direction)) {
+    throw CameraError("`direction` lies in the picture plane, so this camera has no lens sheet");
+  }
+  place.normal = along > 0.0 ? across : -across;
+  place.centre = p.location;
+  place.width = width;
+  place.height = height;
+  place.eye_slope_x = core::dot(p.direction, place.right) / std::fabs(along);
+  place.eye_slope_y = core::dot(p.direction, place.up) / std::fabs(along);
+  // A camera set up by look_at is straight up to rounding; its sheet is exactly so.
+  if (std::fabs(place.eye_slope_x) < 1e-12) place.eye_slope_x = 0.0;
+  if (std::fabs(place.eye_slope_y) < 1e-12) place.eye_slope_y = 0.0;
+  return place;
+}
+
+/// Median depth, in multiples of `direction`, of what a coarse grid of the camera's rays meets.
+std::optional<double> median_depth(const Projection& p, const Vec3& normal,
+                                   const SceneProbe& probe) {
+  constexpr std::uint32_t kColumns = 32, kRows = 24;
+  if (!probe) return std::nullopt;
+  const Perspective camera(p, kColumns, kRows);
+  std::vector<double> depths;
+  for (std::uint32_t row = 0; row < kRows; ++row) {
+    for (std::uint32_t column = 0; column < kColumns; ++column) {
+      core::Ray ray;
+      camera.ray(column + 0.5, row + 0.5, ray);
+      if (const auto hit = probe(ray, core::Bounds::kInf)) {
+        depths.push_back(hit->distance * core::dot(ray.direction, normal) /
+                         core::dot(p.direction, normal));
+      }
+    }
+  }
+  if (depths.empty()) return std::nullopt;
+  const auto middle = depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 2);
+  std::nth_element(depths.begin(), middle, depths.end());
+  return *middle;
+}
+
+/// The sheet's distance along direction, in scene units, and a line that says where it is from.
+double sheet_distance(const Projection& p, const Conversion& conversion, const Vec3& normal,
+                      const SceneProbe& probe, std::vector<std::string>& report) {
+  double distance = 0.0;
+  if (conversion.sheet_distance) {
+    distance = *conversion.sheet_distance;
+    report.push_back("Sheet distance " + format(distance) + ", as asked for");
+  } else if (p.look_at_distance && *p.look_at_distance > 0.0) {
+    distance = *p.look_at_distance;
+    report.push_back("Sheet distance " + format(distance) + ", where the camera looks at");
+  } else if (const auto depth = median_depth(p, normal, probe)) {
+    distance = *depth * core::length(p.direction);
+    report.push_back("Sheet distance " + format(distance) +
+                     ", the median depth of what the camera sees (it has no look_at)");
+  } else {
+    throw CameraError("the camera has no look_at and sees nothing, so the sheet's distance is "
+                      "unknown: give Sheet_Distance");
+  }
+  if (!(distance > 0.0) || !std::isfinite(distance)) {
+    throw CameraError("Sheet_Distance must be greater than 0");
+  }
+  return distance;
+}
+
+Sheet finish(const LensParameters& lens, const SheetPlacement& place, std::uint32_t width,
+             std::uint32_t height, std::vector<std::string> report, const SceneProbe& probe) {
+  Sheet sheet;
+  sheet.camera = std::make_unique<Lenticular>(lens, place, width, height);
+  sheet.report = std::move(report);
+  for (std::string& line : report_of(*sheet.camera, probe)) sheet.report.push_back(std::move(line));
+  sheet.warnings = sheet.camera->warnings();
+  for (std::string& line : collisions_of(*sheet.camera, probe)) {
+    sheet.warnings.push_back(std::move(line));
+  }
+  return sheet;
+}
+
+double eye_in_scene(const LensParameters& lens, const SheetPlacement& place, std::uint32_t width) {
+  return lens.view_distance * place.width / (width / lens.pixels * lens.pitch);
+}
+
+}  // namespace
+
+Sheet sheet_of_statement(const Projection& projection, const LensRequest& request,
+                         std::uint32_t width, std::uint32_t height, const SceneProbe& probe) {
+  SheetPlacement place = placement_of(projection);
+  LensRequest asked = request;
+  if (!asked.view_distance) asked.view_distance = 0.0;
+  if (!asked.model) asked.model = LensModel::kPinhole;
+  const LensParameters lens = resolve(asked, width, nullptr);
+  place.front =
+      asked.front.value_or(std::min(place.width, eye_in_scene(lens, place, width)));
+  return finish(lens, place, width, height, {}, probe);
+}
+
+Sheet sheet_of_camera(std::string_view kind, const Projection& projection,
+                      const Conversion& conversion, std::uint32_t width, std::uint32_t height,
+                      const SceneProbe& probe) {
+  if (kind != "perspective" && kind != "orthographic") {
+    throw CameraError("a `" + std::string(kind) +
+                      "` camera has no lens sheet: only perspective and orthographic ones have");
+  }
+  SheetPlacement place = placement_of(projection);
+  const double size = core::length(projection.direction);
+  std::vector<std::string> report;
+  double distance = 0.0;  // along direction
+  LensParameters lens;
+  if (kind == "orthographic") {
+    distance = conversion.sheet_distance.value_or(0.0);
+    if (distance < 0.0) throw CameraError("Sheet_Distance must not be negative");
+    LensRequest asked = conversion.lens;
+    if (!asked.view_distance) asked.view_distance = 0.0;
+    lens = resolve(asked, width, nullptr);
+  } else {
+    distance = sheet_distance(projection, conversion, place.normal, probe, report);
+    place.width *= distance / size;
+    place.height *= distance / size;
+  }
+  place.centre = projection.location + projection.direction * (distance / size);
+  const double depth = core::dot(place.centre - projection.location, place.normal);
+  if (kind == "perspective") {
+    const EyeInScene eye{depth, place.width};
+    lens = resolve(conversion.lens, width, &eye);
+  }
+  place.front =
+      conversion.lens.front.value_or(std::min(depth, eye_in_scene(lens, place, width)));
+  return finish(lens, place, width, height, std::move(report), probe);
+}
+
+}  // namespace lentray::camera

@@ -1,0 +1,47 @@
+// Lens sheets out of camera statements: `camera { lenticular ... }` as it stands, or the camera an
+// existing scene has (`Lenticular=On`), with the report that goes with it. World space.
+// Errors: CameraError. One thread.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "camera/lens_request.h"
+#include "camera/lenticular.h"
+#include "camera/projection.h"
+#include "camera/scene_probe.h"
+
+namespace lentray::camera {
+
+/// A sheet and what is to be said about it: report lines and warnings.
+struct Sheet {
+  std::unique_ptr<Lenticular> camera;
+  std::vector<std::string> report;
+  std::vector<std::string> warnings;
+};
+
+/// `camera { lenticular }`: location is the sheet's middle, right and up its size. A direction
+/// oblique to the sheet is that of the middle of the viewing zone. lens_front defaults to the
+/// sheet's width, or to the eye where that is nearer.
+Sheet sheet_of_statement(const Projection& projection, const LensRequest& request,
+                         std::uint32_t width, std::uint32_t height, const SceneProbe& probe);
+
+struct Conversion {
+  LensRequest lens;
+  std::optional<double> sheet_distance;  ///< scene units along the camera's direction
+};
+
+/// The sheet of an ordinary camera. `kind` is SDL's word: "perspective" and "orthographic" have a
+/// sheet, all others are refused by name. Perspective: the sheet stands where it is asked to, or
+/// at look_at, or at the median depth of what a coarse grid of rays meets; the eye becomes the
+/// viewing distance, so the middle view is the scene's ordinary picture. Orthographic: the sheet
+/// is the picture plane and V infinite.
+Sheet sheet_of_camera(std::string_view kind, const Projection& projection,
+                      const Conversion& conversion, std::uint32_t width, std::uint32_t height,
+                      const SceneProbe& probe);
+
+}  // namespace lentray::camera

@@ -1,0 +1,130 @@
+#include "camera/lens_sheet.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lentray::camera {
+
+const char* name_of(LensModel model) {
+  return model == LensModel::kParaxial ? "paraxial" : "pinhole";
+}
+
+double LensParameters::print_pitch() const {
+  // f/(nV) is 0 for an infinite V.
+  return pitch * (1.0 + focal_length / (ior * view_distance));
+}
+
+std::string complaint(const LensParameters& lens) {
+  const auto positive = [](double value) { return std::isfinite(value) && value > 0.0; };
+  if (!positive(lens.pitch)) return "the lens pitch must be greater than 0 mm";
+  if (!positive(lens.focal_length)) return "the lens focal length must be greater than 0 mm";
+  if (!(std::isfinite(lens.ior) && lens.ior >= 1.0)) {
+    return "the refractive index of the lens must be at least 1";
+  }
+  if (!(std::isfinite(lens.pixels) && lens.pixels >= 1.0)) {
+    return "a lens must be at least one pixel wide";
+  }
+  if (!(lens.view_distance > 0.0)) return "the viewing distance must be greater than 0 mm";
+  return {};
+}
+
+double pixels_for_dpi(const LensParameters& lens, double dpi) {
+  return lens.print_pitch() * dpi / 25.4;
+}
+
+bool slope_of(const LensParameters& lens, double lens_offset, double& slope) {
+  const double inside = lens_offset / lens.focal_length;  // tan t_in
+  if (lens.model == LensModel::kParaxial) {
+    slope = lens.ior * inside;
+    return true;
+  }
+  // With s = sin t_in = q/sqrt(1+q^2): tan t = n s / sqrt(1 - n^2 s^2)
+  //                                          = n q / sqrt(1 + q^2 (1 - n^2)).
+  const double under = 1.0 + inside * inside * (1.0 - lens.ior * lens.ior);
+  if (!(under > 0.0)) {
+    slope = 0.0;
+    return false;
+  }
+  slope = lens.ior * inside / std::sqrt(under);
+  return true;
+}
+
+double offset_of(const LensParameters& lens, double slope) {
+  if (lens.model == LensModel::kParaxial) return slope * lens.focal_length / lens.ior;
+  const double n2 = lens.ior * lens.ior;
+  return lens.focal_length * slope / std::sqrt(n2 + slope * slope * (n2 - 1.0));
+}
+
+LensSheet::LensSheet(const LensParameters& lens, std::uint32_t width, double eye_slope)
+    : m_lens(lens), m_eye_slope(eye_slope), m_lenses(width / lens.pixels) {
+  m_columns.reserve(width);
+  for (std::uint32_t k = 0; k < width; ++k) {
+    // Not through lengths: rounding there would move whole pixels at fractional N.
+    const auto i = static_cast<std::uint32_t>(std::floor((k + 0.5) / m_lens.pixels));
+    m_columns.push_back(place(k + 0.5, i));
+    if (m_columns.back().dark) ++m_dark;
+  }
+}
+
+LensColumn LensSheet::place(double column, std::uint32_t lens) const {
+  const double print_pitch = m_lens.print_pitch();
+  const double shift = m_eye_slope * m_lens.focal_length / m_lens.ior;
+  // e first, in cells: the difference of two lengths would lose digits on a wide sheet.
+  const double cells = column / m_lens.pixels - lens - 0.5;
+  LensColumn c;
+  c.lens = lens;
+  c.axis = (lens + 0.5 - m_lenses / 2.0) * m_lens.pitch;
+  c.cell_centre = c.axis * (1.0 + m_lens.focal_length / (m_lens.ior * m_lens.view_distance)) + shift;
+  c.cell_offset = cells * print_pitch;
+  c.centre = c.cell_centre + c.cell_offset;
+  c.lens_offset = c.cell_offset + shift +
+                  c.axis * m_lens.focal_length / (m_lens.ior * m_lens.view_distance);
+  c.dark = !slope_of(m_lens, c.lens_offset, c.slope);
+  return c;
+}
+
+std::uint32_t LensSheet::views() const {
+  return std::floor(m_lens.pixels) == m_lens.pixels ? static_cast<std::uint32_t>(m_lens.pixels) : 0;
+}
+
+bool LensSheet::view_column(std::uint32_t view, std::uint32_t lens, std::uint32_t& column) const {
+  const std::uint64_t k = std::uint64_t{lens} * views() + view;
+  if (view >= views() || k >= width()) return false;
+  column = static_cast<std::uint32_t>(k);
+  return true;
+}
+
+std::uint32_t LensSheet::view_width(std::uint32_t view) const {
+  const std::uint32_t n = views();
+  if (view >= n || view >= width()) return 0;
+  return (width() - 1 - view) / n + 1;
+}
+
+double LensSheet::widest_pitch() const {
+  if (m_lens.model == LensModel::kParaxial || m_lens.ior == 1.0) return LensParameters::kInfinity;
+  const double limit = m_lens.focal_length / std::sqrt(m_lens.ior * m_lens.ior - 1.0);
+  const double shift = m_eye_slope * m_lens.focal_length / m_lens.ior;
+  double widest = LensParameters::kInfinity;
+  for (const LensColumn& c : m_columns) {
+    // Offsets grow linearly with the pitch: o = a P + shift.
+    const double a = (c.lens_offset - shift) / m_lens.pitch;
+    if (a == 0.0) continue;
+    widest = std::min(widest, std::max(0.0, (limit - (a > 0.0 ? shift : -shift)) / std::fabs(a)));
+  }
+  return widest;
+}
+
+double LensSheet::largest_eye_miss() const {
+  if (!m_lens.is_finite() || m_lens.model == LensModel::kParaxial) return 0.0;
+  const double shift = m_eye_slope * m_lens.focal_length / m_lens.ior;
+  double largest = 0.0;
+  for (const LensColumn& c : m_columns) {
+    double middle = 0.0;  // slope of the same view's ray through the sheet's middle
+    if (c.dark || !slope_of(m_lens, c.cell_offset + shift, middle)) continue;
+    const double wanted = offset_of(m_lens, middle + c.axis / m_lens.view_distance);
+    largest = std::max(largest, std::fabs(c.lens_offset - wanted) / m_lens.pixel_size());
+  }
+  return largest;
+}
+
+}  // namespace lentray::camera

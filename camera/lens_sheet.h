@@ -1,0 +1,112 @@
+// A lenticular sheet: which lens a pixel lies behind, where under it, and the direction in which
+// that pixel is seen. One dimensional; rows and the place in the world are the camera's affair.
+//
+// Units: millimetres on the sheet, slopes (tangents against the sheet's normal) for directions.
+// Positive offsets look towards +right: the picture is orthoscopic, ready for display.
+// Immutable. Source: the optics of a plano-convex lens sheet; tests/unit/camera_lens_sheet_test
+// holds every formula, tests/image/rays_test the rays against stock.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace lentray::camera {
+
+enum class LensModel {
+  kParaxial,  ///< tan t = n o/f: slopes linear in the offset
+  kPinhole,   ///< sin t = n sin t_in: Snell's law through a pinhole
+};
+const char* name_of(LensModel model);
+
+/// A sheet as its maker describes it.
+struct LensParameters {
+  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  double pitch = 1.124;             ///< P, mm
+  double focal_length = 3.03;       ///< f, mm, measured in the lens material
+  double ior = 1.6;                 ///< n; 1: no refraction
+  double pixels = 15.0;             ///< N, pixels a lens; may be fractional
+  double view_distance = kInfinity; ///< V, mm
+  LensModel model = LensModel::kPinhole;
+
+  bool is_finite() const { return view_distance < kInfinity; }
+  /// P' = P (1 + f/(nV)): the pitch of the printed strips.
+  double print_pitch() const;
+  /// Pixel size P'/N in mm.
+  double pixel_size() const { return print_pitch() / pixels; }
+  /// Pixels an inch of the print, along a row.
+  double print_dpi() const { return 25.4 / pixel_size(); }
+  double lenses_per_inch() const { return 25.4 / pitch; }
+};
+
+/// Why the parameters describe no sheet, or empty. Lenses must be at least a pixel wide.
+std::string complaint(const LensParameters& lens);
+
+/// N for a print resolution: N = P' DPI / 25.4.
+double pixels_for_dpi(const LensParameters& lens, double dpi);
+
+/// Where a pixel column lies under its lens.
+struct LensColumn {
+  std::uint32_t lens = 0;    ///< i = floor((k + 1/2)/N)
+  double axis = 0.0;         ///< x_i, mm from the sheet's middle
+  double cell_centre = 0.0;  ///< c_i, in the print
+  double centre = 0.0;       ///< X_k, in the print
+  double cell_offset = 0.0;  ///< e = X_k - c_i
+  double lens_offset = 0.0;  ///< o = X_k - x_i
+  double slope = 0.0;        ///< tan t; 0 when dark
+  bool dark = false;         ///< total internal reflection: the pixel shows nothing
+};
+
+class LensSheet {
+ public:
+  /// `eye_slope`: horizontal slope of the line from the eye (finite or not) to the sheet's middle,
+  /// -e_x/V for an eye whose foot is e_x beside the middle. The print shifts along with the eye.
+  /// The parameters must be valid (complaint() empty) and width > 0.
+  LensSheet(const LensParameters& lens, std::uint32_t width, double eye_slope = 0.0);
+
+  const LensParameters& lens() const { return m_lens; }
+  double eye_slope() const { return m_eye_slope; }
+  std::uint32_t width() const { return static_cast<std::uint32_t>(m_columns.size()); }
+  /// L = W/N: fractional when the last lens is cut.
+  double lenses() const { return m_lenses; }
+  /// Lenses that own at least one pixel.
+  std::uint32_t lens_count() const { return m_columns.back().lens + 1; }
+  /// L P: the sheet's width in mm.
+  double sheet_width() const { return m_lenses * m_lens.pitch; }
+  /// L P': the print's width in mm.
+  double print_width() const { return m_lenses * m_lens.print_pitch(); }
+
+  const LensColumn& column(std::uint32_t k) const { return m_columns[k]; }
+  /// A place that need not be a pixel's centre, under a given lens (for finer sampling).
+  LensColumn place(double column, std::uint32_t lens) const;
+
+  /// Whole N: the number of views; 0 when N is fractional.
+  std::uint32_t views() const;
+  /// The column of view j behind a lens; false when the lens is cut there. Whole N only.
+  bool view_column(std::uint32_t view, std::uint32_t lens, std::uint32_t& column) const;
+  /// Lenses that have the view.
+  std::uint32_t view_width(std::uint32_t view) const;
+
+  std::uint32_t dark_columns() const { return m_dark; }
+  /// The widest pitch that leaves no column of this sheet dark, all else equal, in mm.
+  /// Infinite when no pitch does (n = 1, or the paraxial model).
+  double widest_pitch() const;
+  /// How far, in print pixels, a column's ray misses the eye of its view: 0 for the paraxial
+  /// model; with Snell's law the rays of a view meet only nearly. 0 when V is infinite.
+  double largest_eye_miss() const;
+
+ private:
+  LensParameters m_lens;
+  double m_eye_slope;
+  double m_lenses;
+  std::vector<LensColumn> m_columns;
+  std::uint32_t m_dark = 0;
+};
+
+/// tan t of a lens offset o (mm). False on total internal reflection.
+bool slope_of(const LensParameters& lens, double lens_offset, double& slope);
+/// The lens offset that is seen at a slope: the inverse of slope_of.
+double offset_of(const LensParameters& lens, double slope);
+
+}  // namespace lentray::camera

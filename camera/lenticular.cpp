@@ -1,0 +1,125 @@
+#include "camera/lenticular.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "camera/text.h"
+
+namespace lentray::camera {
+
+Lenticular::Lenticular(const LensParameters& lens, const SheetPlacement& placement,
+                       std::uint32_t width, std::uint32_t height)
+    : m_sheet(lens, width, placement.eye_slope_x),
+      m_place(placement),
+      m_height(height),
+      m_scale(placement.width / m_sheet.sheet_width()),
+      m_inverse_distance(1.0 / (lens.view_distance * m_scale)) {
+  if (m_place.front * m_inverse_distance > 1.0) {
+    m_clamped = m_place.front * m_inverse_distance > 1.0 + 1e-9;  // more than rounding
+    m_place.front = lens.view_distance * m_scale;
+  }
+  m_columns.reserve(width);
+  for (std::uint32_t k = 0; k < width; ++k) m_columns.push_back(make_column(m_sheet.column(k)));
+}
+
+Lenticular::Column Lenticular::make_column(const LensColumn& c) const {
+  Column out;
+  out.dark = c.dark;
+  out.axis = m_place.centre + m_place.right * (c.axis * m_scale);
+  out.slope = m_place.right * c.slope + m_place.normal + m_place.up * m_place.eye_slope_y;
+  out.start = out.axis - out.slope * m_place.front;
+  out.unit = core::normalized(out.slope);
+  return out;
+}
+
+bool Lenticular::aim(const Column& c, double row, core::Ray& ray) const {
+  if (c.dark) return false;
+  const double y = row_height(row);
+  if (m_inverse_distance == 0.0) {
+    ray.origin = c.start + m_place.up * y;
+    ray.direction = c.unit;
+    return true;
+  }
+  const core::Vec3 v = c.slope + m_place.up * (y * m_inverse_distance);
+  ray.origin = c.axis + m_place.up * y - v * m_place.front;
+  ray.direction = core::normalized(v);
+  return true;
+}
+
+bool Lenticular::ray(double column, double row, core::Ray& ray) const {
+  const double last = static_cast<double>(m_columns.size() - 1);
+  const double whole = std::clamp(std::floor(column), 0.0, last);
+  const auto k = static_cast<std::uint32_t>(whole);
+  if (column == whole + 0.5) return aim(m_columns[k], row, ray);
+  // Between centres a place stays under the lens its pixel belongs to.
+  return aim(make_column(m_sheet.place(column, m_sheet.column(k).lens)), row, ray);
+}
+
+double Lenticular::print_height() const {
+  const LensParameters& lens = m_sheet.lens();
+  return m_place.height / m_scale * (lens.print_pitch() / lens.pitch);
+}
+
+std::vector<std::string> Lenticular::warnings() const {
+  std::vector<std::string> out;
+  if (m_clamped) {
+    out.push_back("lens_front reaches beyond the eye, where the rays cross: it is set to the viewing "
+                  "distance, " + format(m_place.front) + " scene units");
+  }
+  if (m_sheet.dark_columns() > 0) {
+    out.push_back(std::to_string(dark_pixels()) + " pixels (" +
+                  std::to_string(m_sheet.dark_columns()) +
+                  " columns) show nothing, for their light is totally reflected inside the sheet; "
+                  "the widest usable lens pitch is " + format(m_sheet.widest_pitch()) + " mm");
+  }
+  return out;
+}
+
+Properties Lenticular::describe() const {
+  const LensParameters& lens = m_sheet.lens();
+  return {{"camera", std::string("lenticular")},
+          {"lens.pitch_mm", lens.pitch},
+          {"lens.focal_length_mm", lens.focal_length},
+          {"lens.ior", lens.ior},
+          {"lens.pixels", lens.pixels},
+          {"lens.view_distance_mm", lens.is_finite() ? lens.view_distance : 0.0},
+          {"lens.model", std::string(name_of(lens.model))},
+          {"lens.print_pitch_mm", lens.print_pitch()},
+          {"lens.lpi", lens.lenses_per_inch()},
+          {"lens.lenses", m_sheet.lenses()},
+          {"lens.views", static_cast<double>(m_sheet.views())},
+          {"lens.sheet_width_mm", m_sheet.sheet_width()},
+          {"lens.sheet_height_mm", m_place.height / m_scale},
+          {"lens.print_width_mm", print_width()},
+          {"lens.print_height_mm", print_height()},
+          {"lens.print_dpi_x", print_dpi_x()},
+          {"lens.print_dpi_y", print_dpi_y()},
+          {"lens.scene_units_per_mm", m_scale},
+          {"lens.front", m_place.front},
+          {"sheet.centre", text_of(m_place.centre)},
+          {"sheet.right", text_of(m_place.right * m_place.width)},
+          {"sheet.up", text_of(m_place.up * m_place.height)},
+          {"sheet.direction", text_of(m_place.normal)},
+          {"sheet.eye_slope_x", m_place.eye_slope_x},
+          {"sheet.eye_slope_y", m_place.eye_slope_y},
+          {"lens.dark_pixels", static_cast<double>(dark_pixels())}};
+}
+
+SheetView::SheetView(const Lenticular& lenticular, std::uint32_t view)
+    : m_lenticular(lenticular), m_view(view), m_width(lenticular.sheet().view_width(view)) {}
+
+bool SheetView::ray(double column, double row, core::Ray& ray) const {
+  const double last = static_cast<double>(m_width - 1);
+  const double lens = std::clamp(std::floor(column), 0.0, last);
+  // Within a pixel the view's picture runs across the lens's N pixels' worth of sheet; only the
+  // centre is a ray of the sheet, so finer places fall on it.
+  return m_lenticular.ray(lens * m_lenticular.sheet().views() + m_view + 0.5, row, ray);
+}
+
+Properties SheetView::describe() const {
+  Properties out = m_lenticular.describe();
+  out.emplace_back("lens.view", static_cast<double>(m_view));
+  return out;
+}
+
+}  // namespace lentray::camera

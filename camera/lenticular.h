@@ -1,0 +1,95 @@
+// The lenticular camera: the sheet placed in the world. World space, unit directions.
+//
+// Through row height Y the ray of a column runs along v = tan t r + d + (Y/V) u and passes through
+// C + x_i r + Y u; it starts lens_front scene units before the sheet, measured along d, so objects
+// in front of the sheet are recorded too. With a finite V the sheet has no power vertically, so
+// there the eye's own perspective holds.
+// Everything that depends on the column alone lies in a table.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "camera/camera.h"
+#include "camera/lens_sheet.h"
+#include "core/base/vec3.h"
+
+namespace lentray::camera {
+
+/// The sheet in the world. Axes unit, right perpendicular to up, normal perpendicular to both.
+struct SheetPlacement {
+  core::Vec3 centre;
+  core::Vec3 right{1.0, 0.0, 0.0};
+  core::Vec3 up{0.0, 1.0, 0.0};
+  core::Vec3 normal{0.0, 0.0, 1.0};  ///< d, from the viewer into the display
+  double width = 1.0, height = 1.0;  ///< scene units
+  /// Slopes of the line eye - sheet's middle: -e_x/V, -e_y/V for an eye whose foot is (e_x, e_y).
+  double eye_slope_x = 0.0, eye_slope_y = 0.0;
+  double front = 0.0;                ///< lens_front, scene units
+};
+
+class Lenticular final : public Camera {
+ public:
+  /// lens_front beyond the eye is clamped to it; front_was_clamped() tells.
+  Lenticular(const LensParameters& lens, const SheetPlacement& placement, std::uint32_t width,
+             std::uint32_t height);
+  bool ray(double column, double row, core::Ray& ray) const override;
+  std::string_view name() const override { return "lenticular"; }
+  std::uint32_t width() const override { return m_sheet.width(); }
+  std::uint32_t height() const override { return m_height; }
+  Properties describe() const override;
+
+  const LensSheet& sheet() const { return m_sheet; }
+  const SheetPlacement& placement() const { return m_place; }
+  bool front_was_clamped() const { return m_clamped; }
+  /// s: scene units a millimetre.
+  double scale() const { return m_scale; }
+  /// Height Y of a place in the image's rows, scene units from the sheet's middle.
+  double row_height(double row) const { return (0.5 - row / m_height) * m_place.height; }
+  /// Pixels that show nothing.
+  std::uint64_t dark_pixels() const { return std::uint64_t{m_sheet.dark_columns()} * m_height; }
+  /// The print's size in mm, and its resolution in pixels an inch both ways.
+  double print_width() const { return m_sheet.print_width(); }
+  double print_height() const;
+  double print_dpi_x() const { return m_sheet.lens().print_dpi(); }
+  double print_dpi_y() const { return m_height * 25.4 / print_height(); }
+  /// What a user should be told: clamped front, dark pixels.
+  std::vector<std::string> warnings() const;
+
+ private:
+  struct Column {
+    core::Vec3 axis;   ///< C + x_i s r
+    core::Vec3 slope;  ///< tan t r + d + eye_slope_y u
+    core::Vec3 start;  ///< V infinite: axis - front slope
+    core::Vec3 unit;   ///< V infinite: slope, unit
+    bool dark = false;
+  };
+  Column make_column(const LensColumn& c) const;
+  bool aim(const Column& c, double row, core::Ray& ray) const;
+
+  LensSheet m_sheet;
+  SheetPlacement m_place;
+  std::uint32_t m_height;
+  double m_scale;
+  double m_inverse_distance;  ///< 1/V in scene units, 0: infinite
+  bool m_clamped = false;
+  std::vector<Column> m_columns;
+};
+
+/// One view of a sheet: pixel i is what lens i shows in view j. Whole N only.
+class SheetView final : public Camera {
+ public:
+  /// The sheet must outlive the view and must have it (j < views()).
+  SheetView(const Lenticular& lenticular, std::uint32_t view);
+  bool ray(double column, double row, core::Ray& ray) const override;
+  std::string_view name() const override { return "lenticular"; }
+  std::uint32_t width() const override { return m_width; }
+  std::uint32_t height() const override { return m_lenticular.height(); }
+  Properties describe() const override;
+
+ private:
+  const Lenticular& m_lenticular;
+  std::uint32_t m_view, m_width;
+};
+
+}  // namespace lentray::camera

@@ -1,0 +1,23 @@
+#include "camera/scene_probe.h"
+
+#include <memory>
+
+#include "core/accel/hierarchy.h"
+#include "core/render/tracer.h"
+#include "core/scene/scene.h"
+
+namespace lentray::camera {
+
+SceneProbe probe_of(const core::Scene& scene) {
+  auto arena = std::make_shared<core::HitArena>();
+  return [&scene, arena](const core::Ray& ray, double limit) -> std::optional<ProbeHit> {
+    core::Hit hit;
+    if (!scene.hierarchy().nearest(ray, core::kMinHitDistance, limit, core::RayKind::kCamera, hit,
+                                   *arena, nullptr)) {
+      return std::nullopt;
+    }
+    return ProbeHit{hit.t, std::string(hit.object ? hit.object->name() : hit.leaf->name())};
+  };
+}
+
+}  // namespace lentray::camera

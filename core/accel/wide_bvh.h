@@ -1,0 +1,333 @@
+// A bounding hierarchy over anything that has boxes: 8 boxes a node, tested at once, leaves
+// answered by the caller. Used by the scene's Hierarchy and by shapes of many parts (meshes,
+// large unions). Space: the boxes' own.
+//
+// Conservative: a leaf is visited whenever the ray, for some t in [t_min, t_max], comes within
+// the rounding of the numbers involved (2^-46 of the whole, 2^-23 of the coordinate counted from
+// the middle of all boxes) of one of its boxes. Boxes are floats in the tree's own frame (middle
+// of all boxes 0, half size 1), rounded outwards; far origins are first moved to the boxes in
+// double; origin, limits and distances carry their rounding outwards. So neither coordinates of
+// 1e7, rays along an axis or in the plane of a box's side, nor flat boxes lose a hit.
+//
+// Immutable once built; any number of threads. AVX2 is used where the processor has it; the
+// order of the leaves visited may differ then, the set of hits found does not.
+#pragma once
+
+#include <immintrin.h>
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/base/bounds.h"
+#include "core/base/ray.h"
+
+#define LENTRAY_AVX2 __attribute__((target("avx2,fma")))
+
+namespace lentray::core {
+
+/// Eight children. A child is a node's index, or kLeaf + count * 2^27 + first place.
+struct alignas(64) WideNode {
+  static constexpr int kWidth = 8;
+  static constexpr std::uint32_t kLeaf = 0x80000000u;
+  static constexpr std::uint32_t kFirstBits = 27, kMaxCount = 15;
+
+  float planes[3][2][kWidth];  ///< axis; 0 low, 1 high; empty slots are inside out
+  std::uint32_t child[kWidth];
+  std::uint32_t used = 0;      ///< slots 0 .. used - 1 are taken
+};
+
+/// Maps the boxes' space to the tree's: p' = (p - offset) * scale, scale a power of two.
+struct WideFrame {
+  Vec3 offset;
+  double scale = 1.0;
+  double pad = 0.0;  ///< rounding to allow for, in the tree's units
+  Vec3 point(const Vec3& p) const { return (p - offset) * scale; }
+};
+
+/// A ray as the box tests see it: in the tree's frame, largest component of the direction 1,
+/// origin near the boxes, everything rounded outwards.
+struct WideRay {
+  float inverse[3];       ///< 1 / direction, finite
+  float near_product[3];  ///< origin * inverse, rounded so that entries come early (AVX2)
+  float far_product[3];   ///< ... and exits late
+  float near_origin[3];   ///< the same for the origin itself (portable)
+  float far_origin[3];
+  int entry[3];           ///< 0: the low plane is entered first, 1: the high one
+  bool misses = false;    ///< cannot meet any box
+  double start = 0.0;     ///< the tree's t' = (t - start) * rate
+  double rate = 1.0;
+  double slack = 0.0;     ///< rounding of t', absolute
+
+  WideRay(const Ray& ray, const WideFrame& frame);
+  /// Limits of t as the box tests use them, rounded outwards.
+  float upper(double t) const { return up((t - start) * rate + slack); }
+  float lower(double t) const { return down((t - start) * rate - slack); }
+
+  static float up(double x) {
+    const float f = static_cast<float>(x < -1e36 ? -1e36 : x > 1e36 ? 1e36 : x);
+    return f + __builtin_fabsf(f) * 0x1p-22f;
+  }
+  static float down(double x) { return -up(-x); }
+};
+
+/// Boxes tested by a traversal, or nothing at all.
+struct CountBoxes {
+  std::uint64_t boxes = 0;
+  void add(const WideNode& node) { boxes += node.used; }
+};
+struct CountNothing {
+  void add(const WideNode&) {}
+};
+
+class WideBvh {
+ public:
+  struct Options {
+    int pack = 1;           ///< parts a leaf tests in the time of one (SIMD)
+    double cost = 1.0;      ///< of such a test, in node tests
+    int max_leaf = 8;       ///< parts a leaf, at most 15
+    /// If not empty: one kind a part; leaves are then of one kind each, with that kind's costs.
+    std::span<const std::uint8_t> kinds;
+    struct Kind { int pack = 1; double cost = 1.0; int max_leaf = 4; };
+    std::span<const Kind> kind_costs;
+  };
+  struct Statistics { std::size_t nodes = 0, leaves = 0, parts = 0; int depth = 0; };
+
+  WideBvh() = default;
+  /// Boxes must be finite. Parts with an empty box are left out.
+  explicit WideBvh(std::span<const Bounds> boxes) { build(boxes, Options{}); }
+  WideBvh(std::span<const Bounds> boxes, const Options& options) { build(boxes, options); }
+
+  /// order()[place] is the part (its index among the boxes given) at a place of a leaf. Callers
+  /// may keep their parts in that order and use places directly.
+  const std::vector<std::uint32_t>& order() const { return m_order; }
+  const Bounds& bounds() const { return m_bounds; }
+  bool empty() const { return m_nodes.empty(); }
+  std::size_t memory() const;
+  const Statistics& statistics() const { return m_statistics; }
+
+  /// Calls leaf(first, count, t_max) for the leaves the ray may meet, near ones first. The leaf
+  /// tests the parts at places first .. first + count - 1, lowers t_max (double&) to what is
+  /// still of interest, and returns true to end the search. Returns whether a leaf ended it.
+  template <class Leaf>
+  bool traverse(const Ray& ray, double t_min, double t_max, Leaf&& leaf) const {
+    CountNothing nothing;
+    return traverse(ray, t_min, t_max, leaf, nothing);
+  }
+  template <class Leaf, class Count>
+  bool traverse(const Ray& ray, double t_min, double t_max, Leaf&& leaf, Count& count) const {
+    return has_avx2() ? traverse_avx2<true>(ray, t_min, t_max, leaf, count)
+                      : traverse_portable(ray, t_min, t_max, leaf, count);
+  }
+  /// Calls leaf(first, count), true to end, for the leaves with a box that may hold the point.
+  template <class Leaf>
+  bool at_point(const Vec3& point, Leaf&& leaf) const;
+
+  /// Calls visit(first, count) for every leaf, once.
+  template <class Visit>
+  void for_each_leaf(Visit&& visit) const {
+    for (const WideNode& node : m_nodes) {
+      for (std::uint32_t i = 0; i < node.used; ++i) {
+        if (node.child[i] & WideNode::kLeaf) visit(leaf_first(node.child[i]), leaf_count(node.child[i]));
+      }
+    }
+  }
+
+  /// The two ways of traverse(), for callers with leaves of their own for each. kOrdered: near
+  /// children first; else as they come (any-hit searches).
+  template <bool kOrdered, class Leaf, class Count>
+  LENTRAY_AVX2 bool traverse_avx2(const Ray& ray, double t_min, double t_max, Leaf& leaf,
+                                  Count& count) const;
+  template <class Leaf, class Count>
+  bool traverse_portable(const Ray& ray, double t_min, double t_max, Leaf& leaf,
+                         Count& count) const;
+  static bool has_avx2() {
+    return __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0;
+  }
+
+ private:
+  /// A child to visit, and where its box is entered.
+  struct Entry { float t; std::uint32_t child; };
+  static constexpr int kMaxDepth = 80;
+  static constexpr int kStack = kMaxDepth * (WideNode::kWidth - 1) + WideNode::kWidth;
+  /// Widens distances for the three roundings of a slab test (3 * 2^-24).
+  static constexpr float kDistanceSlack = 0x1p-22f;
+
+  void build(std::span<const Bounds> boxes, const Options& options);
+  static void sort_far_first(Entry* first, Entry* last) {
+    for (Entry* i = first + 1; i < last; ++i) {
+      const Entry e = *i;
+      Entry* j = i;
+      for (; j > first && j[-1].t < e.t; --j) *j = j[-1];
+      *j = e;
+    }
+  }
+  static std::uint32_t leaf_first(std::uint32_t c) {
+    return c & ((1u << WideNode::kFirstBits) - 1);
+  }
+  static std::uint32_t leaf_count(std::uint32_t c) {
+    return (c >> WideNode::kFirstBits) & WideNode::kMaxCount;
+  }
+
+  std::vector<WideNode> m_nodes;  ///< the root first
+  std::vector<std::uint32_t> m_order;
+  WideFrame m_frame;
+  Bounds m_bounds;
+  Statistics m_statistics;
+};
+
+template <bool kOrdered, class Leaf, class Count>
+LENTRAY_AVX2 bool WideBvh::traverse_avx2(const Ray& world, double t_min, double t_max, Leaf& leaf,
+                                         Count& count) const {
+  if (m_nodes.empty()) return false;
+  const WideRay ray(world, m_frame);
+  if (ray.misses) return false;
+  const __m256 ix = _mm256_set1_ps(ray.inverse[0]), iy = _mm256_set1_ps(ray.inverse[1]),
+               iz = _mm256_set1_ps(ray.inverse[2]);
+  const __m256 nx = _mm256_set1_ps(ray.near_product[0]), ny = _mm256_set1_ps(ray.near_product[1]),
+               nz = _mm256_set1_ps(ray.near_product[2]);
+  const __m256 fx = _mm256_set1_ps(ray.far_product[0]), fy = _mm256_set1_ps(ray.far_product[1]),
+               fz = _mm256_set1_ps(ray.far_product[2]);
+  const int ex = ray.entry[0], ey = ray.entry[1], ez = ray.entry[2];
+  const __m256 slack = _mm256_set1_ps(kDistanceSlack);
+  const __m256 no_sign = _mm256_castsi256_ps(_mm256_set1_epi32(0x7fffffff));
+  const __m256 from = _mm256_set1_ps(ray.lower(t_min));
+  float to = ray.upper(t_max);
+  Entry stack[kStack];
+  int top = 0;
+  std::uint32_t at = 0;
+  alignas(32) float entered[WideNode::kWidth];
+  for (;;) {
+    if (at & WideNode::kLeaf) {
+      const double before = t_max;
+      if (leaf(leaf_first(at), leaf_count(at), t_max)) return true;
+      if (t_max < before) to = ray.upper(t_max);
+    } else {
+      const WideNode& node = m_nodes[at];
+      count.add(node);
+      const auto& p = node.planes;
+      const __m256 t1x = _mm256_fmsub_ps(_mm256_load_ps(p[0][ex]), ix, nx);
+      const __m256 t1y = _mm256_fmsub_ps(_mm256_load_ps(p[1][ey]), iy, ny);
+      const __m256 t1z = _mm256_fmsub_ps(_mm256_load_ps(p[2][ez]), iz, nz);
+      const __m256 t2x = _mm256_fmsub_ps(_mm256_load_ps(p[0][ex ^ 1]), ix, fx);
+      const __m256 t2y = _mm256_fmsub_ps(_mm256_load_ps(p[1][ey ^ 1]), iy, fy);
+      const __m256 t2z = _mm256_fmsub_ps(_mm256_load_ps(p[2][ez ^ 1]), iz, fz);
+      __m256 t1 = _mm256_max_ps(_mm256_max_ps(t1x, t1y), t1z);
+      __m256 t2 = _mm256_min_ps(_mm256_min_ps(t2x, t2y), t2z);
+      t1 = _mm256_fnmadd_ps(_mm256_and_ps(t1, no_sign), slack, t1);
+      t2 = _mm256_fmadd_ps(_mm256_and_ps(t2, no_sign), slack, t2);
+      t1 = _mm256_max_ps(t1, from);
+      t2 = _mm256_min_ps(t2, _mm256_set1_ps(to));
+      std::uint32_t hit = static_cast<std::uint32_t>(
+          _mm256_movemask_ps(_mm256_cmp_ps(t1, t2, _CMP_LE_OQ)));
+      if (hit != 0) {
+        const int first = std::countr_zero(hit);
+        hit &= hit - 1;
+        if (hit == 0) {
+          at = node.child[first];
+          continue;
+        }
+        _mm256_store_ps(entered, t1);
+        const int base = top;
+        stack[top++] = {entered[first], node.child[first]};
+        do {
+          const int i = std::countr_zero(hit);
+          hit &= hit - 1;
+          stack[top++] = {entered[i], node.child[i]};
+        } while (hit != 0);
+        if constexpr (kOrdered) sort_far_first(stack + base, stack + top);
+        at = stack[--top].child;
+        continue;
+      }
+    }
+    do {
+      if (top == 0) return false;
+      --top;
+    } while (stack[top].t > to);
+    at = stack[top].child;
+  }
+}
+
+template <class Leaf, class Count>
+bool WideBvh::traverse_portable(const Ray& world, double t_min, double t_max, Leaf& leaf,
+                                Count& count) const {
+  if (m_nodes.empty()) return false;
+  const WideRay ray(world, m_frame);
+  if (ray.misses) return false;
+  const float from = ray.lower(t_min);
+  float to = ray.upper(t_max);
+  Entry stack[kStack];
+  int top = 0;
+  std::uint32_t at = 0;
+  for (;;) {
+    if (at & WideNode::kLeaf) {
+      const double before = t_max;
+      if (leaf(leaf_first(at), leaf_count(at), t_max)) return true;
+      if (t_max < before) to = ray.upper(t_max);
+    } else {
+      const WideNode& node = m_nodes[at];
+      count.add(node);
+      float t1[WideNode::kWidth], t2[WideNode::kWidth];
+      for (int i = 0; i < WideNode::kWidth; ++i) {
+        t1[i] = from;
+        t2[i] = to;
+      }
+      for (int a = 0; a < 3; ++a) {
+        const float* enter = node.planes[a][ray.entry[a]];
+        const float* leave = node.planes[a][ray.entry[a] ^ 1];
+        for (int i = 0; i < WideNode::kWidth; ++i) {
+          const float n = (enter[i] - ray.near_origin[a]) * ray.inverse[a];
+          const float f = (leave[i] - ray.far_origin[a]) * ray.inverse[a];
+          const float wide_n = n - __builtin_fabsf(n) * kDistanceSlack;
+          const float wide_f = f + __builtin_fabsf(f) * kDistanceSlack;
+          t1[i] = t1[i] > wide_n ? t1[i] : wide_n;
+          t2[i] = t2[i] < wide_f ? t2[i] : wide_f;
+        }
+      }
+      const int base = top;
+      for (int i = 0; i < WideNode::kWidth; ++i) {
+        if (t1[i] <= t2[i]) stack[top++] = {t1[i], node.child[i]};
+      }
+      sort_far_first(stack + base, stack + top);
+    }
+    do {
+      if (top == 0) return false;
+      --top;
+    } while (stack[top].t > to);
+    at = stack[top].child;
+  }
+}
+
+template <class Leaf>
+bool WideBvh::at_point(const Vec3& point, Leaf&& leaf) const {
+  if (m_nodes.empty()) return false;
+  const Vec3 p = m_frame.point(point);
+  float low[3], high[3];
+  for (int a = 0; a < 3; ++a) {
+    low[a] = WideRay::down(p[a] - m_frame.pad);
+    high[a] = WideRay::up(p[a] + m_frame.pad);
+  }
+  std::uint32_t stack[kStack];
+  int top = 0;
+  stack[top++] = 0;
+  while (top != 0) {
+    const std::uint32_t at = stack[--top];
+    if (at & WideNode::kLeaf) {
+      if (leaf(leaf_first(at), leaf_count(at))) return true;
+      continue;
+    }
+    const WideNode& node = m_nodes[at];
+    for (int i = WideNode::kWidth - 1; i >= 0; --i) {
+      bool in = true;
+      for (int a = 0; a < 3; ++a) {
+        in = in && node.planes[a][0][i] <= high[a] && node.planes[a][1][i] >= low[a];
+      }
+      if (in) stack[top++] = node.child[i];
+    }
+  }
+  return false;
+}
+
+}  // namespace lentray::core

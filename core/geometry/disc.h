@@ -1,0 +1,29 @@
+// disc { centre, normal, radius [, hole radius] }. Space: object, or world once baked.
+// Source: reference manual 3.7, "Disc": flat, yet in CSG a half-space as a plane is.
+#pragma once
+
+#include "core/geometry/shape.h"
+
+namespace lentray::core {
+
+class Disc final : public Shape {
+ public:
+  Disc(const Vec3& centre, const Vec3& normal, double radius, double hole = 0.0);
+
+  std::string_view name() const override { return "disc"; }
+  /// Of the surface alone.
+  Bounds bounds() const override;
+  bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
+  void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
+  bool inside(const Vec3& p) const override;
+  bool solid_is_unbounded() const override { return true; }
+  Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
+  /// Under similarities.
+  std::unique_ptr<Shape> baked(const Transform& t) const override;
+
+ private:
+  Vec3 m_centre, m_normal;  ///< unit
+  double m_radius, m_hole;
+};
+
+}  // namespace lentray::core

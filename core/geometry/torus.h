@@ -1,0 +1,32 @@
+// torus { major, minor [sturm] }, around the y axis. Space: object.
+// Source: reference manual 3.7, "Torus".
+#pragma once
+
+#include "core/geometry/shape.h"
+
+namespace lentray::core {
+
+class Torus final : public Shape {
+ public:
+  /// `sturm` takes the slower bracketing root finder.
+  Torus(double major, double minor, bool sturm = false);
+
+  double major_radius() const { return m_major; }
+  double minor_radius() const { return m_minor; }
+
+  std::string_view name() const override { return "torus"; }
+  Bounds bounds() const override;
+  bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
+  void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
+  /// Where minor > major (a spindle) all within the outer surface is inside.
+  bool inside(const Vec3& p) const override;
+  Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
+  Vec2 uv(const Vec3& p, const ShapeHit& hit) const override;
+
+ private:
+  int crossings(const Ray& ray, double t_min, double t_max, double out[4]) const;
+  double m_major, m_minor;
+  bool m_sturm;
+};
+
+}  // namespace lentray::core

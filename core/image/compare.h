@@ -1,0 +1,73 @@
+// How far two pictures of the same size differ, and the grade that earns.
+//
+// Unit of every difference: 1/255 of full scale, whatever the bits of the files. The difference of
+// a pixel is the largest over R, G and B (grey counts as all three); alpha is not compared.
+// Grades, from what stock POV-Ray renders reproduce of each other:
+//   exact  at least 99.9 % of the pixels within 1/255
+//   match  at least 99 % within 2/255 (of a single lens: or all but 30 pixels), and PSNR >= 40 dB
+//   close  PSNR >= 30 dB after an 8 x 8 box filter on both, for scenes that are noisy in stock too
+//   fails  the rest
+// Errors: std::invalid_argument for pictures of different size. Threads: any number.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "core/image/reader.h"
+
+namespace lentray::core {
+
+enum class Grade { fails, close, match, exact };  ///< ordered: worse < better
+std::string_view name_of(Grade grade);
+std::optional<Grade> grade_named(std::string_view name);
+
+/// Columns first, first + step, ... (count of them), all rows. A view of an interlaced picture
+/// has the step N, a lens the step 1.
+struct Columns {
+  std::vector<std::uint32_t> list;
+  static Columns all(std::uint32_t width);
+  static Columns range(std::uint32_t begin, std::uint32_t end);             ///< [begin, end)
+  static Columns every(std::uint32_t first, std::uint32_t step, std::uint32_t width);
+};
+
+struct Comparison {
+  std::uint64_t pixels = 0;
+  std::uint64_t beyond_1 = 0, beyond_2 = 0;  ///< pixels that differ by more than 1/255, 2/255
+  double largest = 0.0, mean = 0.0;          ///< of the pixels' differences, in 1/255
+  double psnr = 0.0;                         ///< dB over all channels; infinite when equal
+  double smooth_psnr = 0.0;                  ///< the same after the box filter
+  Grade grade = Grade::fails;
+  double share_beyond_1() const { return pixels ? double(beyond_1) / double(pixels) : 0.0; }
+  double share_beyond_2() const { return pixels ? double(beyond_2) / double(pixels) : 0.0; }
+};
+
+/// Pixels a single lens may have beyond 2/255 and still match.
+inline constexpr std::uint64_t kLensAllowance = 30;
+
+/// R, G, B of a pixel on the scale 0 .. 255.
+std::array<double, 3> level(const StoredImage& image, std::uint32_t column, std::uint32_t row);
+/// The largest difference over R, G and B, in 1/255.
+double pixel_difference(const StoredImage& a, const StoredImage& b, std::uint32_t column,
+                        std::uint32_t row);
+
+/// `columns` side by side are taken for a picture (that matters to the box filter alone).
+Comparison compare(const StoredImage& a, const StoredImage& b, const Columns& columns,
+                   std::uint64_t allowance = 0);
+
+/// An integral image: whole, behind each lens, and each view if N is whole.
+struct LensComparison {
+  Comparison whole;
+  std::vector<Comparison> lenses;
+  std::vector<Comparison> views;  ///< empty at fractional N
+};
+/// Lens of a column: floor((k + 1/2) / lens_pixels). Throws std::invalid_argument for
+/// lens_pixels < 1.
+LensComparison compare_lenses(const StoredImage& a, const StoredImage& b, double lens_pixels);
+
+/// The whole reaches `asked`, and every lens and view reaches the lesser of `asked` and match.
+bool reaches(const LensComparison& result, Grade asked);
+
+}  // namespace lentray::core

@@ -1,0 +1,61 @@
+// Pictures to files: PNG and TIFF (8 or 16 bit), OpenEXR (float), by OpenImageIO.
+//
+// Units: the picture holds linear light; integer files hold clip(floor(v * max + 0.5)) of the
+// encoded value, OpenEXR holds linear float with premultiplied alpha. dpi is pixels an inch.
+// Errors: ImageError, with the path and the reason; the file that stood at the path before is
+// then still whole, for a picture is written beside its place and renamed.
+// Threads: any number, on different paths. Source: measured on stock, tests/unit/image_*.
+#pragma once
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/image/image.h"
+
+namespace lentray::core {
+
+class ImageError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+enum class FileType { png, tiff, exr };
+
+struct ImageFormat {
+  FileType type = FileType::png;
+  int bits = 8;                ///< 8 or 16; OpenEXR always has 32-bit float
+  bool srgb = true;            ///< File_Gamma=sRGB, the default
+  double file_gamma = 1.0;     ///< power law, used unless srgb; 1 stores linear values
+  double working_gamma = 1.0;  ///< the picture's own gamma (assumed_gamma if rendered in it)
+  bool alpha = false;          ///< store the alpha channel
+};
+
+struct ImageMetadata {
+  double dpi_x = 0.0, dpi_y = 0.0;  ///< 0: unknown, nothing is stored
+  std::string software, description;
+  /// Name and value of what is to be found in the file later, such as "lentray:lens_pitch".
+  /// PNG: text chunks; OpenEXR: attributes; TIFF: lines "name=value" of the description.
+  std::vector<std::pair<std::string, std::string>> fields;
+};
+
+/// By the extension, letter case ignored. Throws ImageError that lists what there is.
+FileType file_type_of(const std::filesystem::path& path);
+
+/// ".png", ".tif" or ".exr".
+std::string extension_of(FileType type);
+
+/// Throws ImageError if a picture of that size could not be put there: no folder, no
+/// permission, a folder of that name, or a size of 0. To be asked before rendering.
+void check_writable(const std::filesystem::path& path);
+
+void write_image(const Image& image, const std::filesystem::path& path, const ImageFormat& format,
+                 const ImageMetadata& metadata = {});
+
+/// One linear value as the file's integer: encoded, scaled to 2^bits - 1, rounded, clipped.
+/// A NaN becomes 0.
+unsigned quantised(float linear, const ImageFormat& format);
+
+}  // namespace lentray::core

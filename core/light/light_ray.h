@@ -1,0 +1,32 @@
+// The way from a point to a light, and how much of the light's colour goes that way before
+// anything stands in it. World space. Pure functions of their arguments.
+// Source: reference manual 3.7, "Light Source" (spotlights, cylinders, parallel, fading);
+// signs and limits as measured on stock (tests/image/shading_lights_test.cpp).
+#pragma once
+
+#include "core/base/vec3.h"
+#include "core/light/light.h"
+
+namespace lentray::core {
+
+struct LightRay {
+  Vec3 direction;         ///< unit, towards the light
+  double distance = 0.0;  ///< to the light, or to its plane; negative behind a parallel light
+};
+
+/// Ray from `from` to the light's position moved by `offset` (a sample of an area light).
+LightRay light_ray(const Light& light, const Vec3& from, const Vec3& offset = {});
+
+/// Factor of the cone, the cylinder and of fading; 0 outside.
+double light_attenuation(const Light& light, const Vec3& from, const LightRay& ray);
+
+/// The light's colour at `from`, unobstructed.
+Rgb light_colour(const Light& light, const Vec3& from, const LightRay& ray);
+
+/// Nothing worth tracing a shadow for (stock's threshold).
+inline bool is_dark(const Rgb& c) {
+  constexpr float kDark = 1e-10f;
+  return c.r < kDark && c.r > -kDark && c.g < kDark && c.g > -kDark && c.b < kDark && c.b > -kDark;
+}
+
+}  // namespace lentray::core

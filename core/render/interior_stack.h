@@ -1,0 +1,73 @@
+// The interiors a ray travels in, innermost last. Every object has one: without an `interior`
+// statement it is a plain one with the ior of the atmosphere, told apart by the object.
+// Source: reference manual 3.7, "Interior"; the order of nested and overlapping ones is stock's.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "core/geometry/object.h"
+#include "core/material/interior.h"
+
+namespace lentray::core {
+
+struct InteriorEntry {
+  const void* key = nullptr;           ///< identity: the interior, or the object that has none
+  const Interior* interior = nullptr;  ///< null: plain
+  double ior(double atmosphere_ior) const { return interior ? interior->ior : atmosphere_ior; }
+};
+
+/// The interior of a surface: `attributes` are those of the leaf, `object` is the scene's.
+inline InteriorEntry interior_of(const Attributes& attributes, const Object* object) {
+  if (attributes.interior) return {attributes.interior, attributes.interior};
+  return {object, nullptr};
+}
+
+/// Deeper nesting than kCapacity is not followed: what is pushed beyond is forgotten.
+class InteriorStack {
+ public:
+  static constexpr std::size_t kCapacity = 24;
+
+  InteriorStack() = default;
+  InteriorStack(const InteriorStack& o) { copy(o); }
+  InteriorStack& operator=(const InteriorStack& o) {
+    if (this != &o) copy(o);
+    return *this;
+  }
+
+  bool empty() const { return m_size == 0; }
+  std::size_t size() const { return m_size; }
+  const InteriorEntry& back() const { return m_entries[m_size - 1]; }
+  void clear() { m_size = 0; }
+  void push(const InteriorEntry& entry) {
+    if (m_size < kCapacity) m_entries[m_size++] = entry;
+  }
+  bool contains(const void* key) const {
+    for (std::size_t i = 0; i < m_size; ++i) {
+      if (m_entries[i].key == key) return true;
+    }
+    return false;
+  }
+  /// Removes the outermost entry of that key; false if there is none.
+  bool remove(const void* key) {
+    std::size_t i = 0;
+    while (i < m_size && m_entries[i].key != key) ++i;
+    if (i == m_size) return false;
+    for (; i + 1 < m_size; ++i) m_entries[i] = m_entries[i + 1];
+    --m_size;
+    return true;
+  }
+
+ private:
+  void copy(const InteriorStack& o) {
+    m_size = o.m_size;
+    for (std::size_t i = 0; i < m_size; ++i) m_entries[i] = o.m_entries[i];
+  }
+  std::size_t m_size = 0;
+  std::array<InteriorEntry, kCapacity> m_entries;
+};
+
+/// What is left of light after `depth` in an interior, as seen by rays (shadows need a fade power).
+Rgb fade_in_interior(const Interior& interior, double depth);
+
+}  // namespace lentray::core

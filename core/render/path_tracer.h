@@ -1,0 +1,148 @@
+// The tracer behind Tracer::make, specialised by what a scene can hold: a path leaves out what
+// certainly never happens, so every path gives the same bits where it may be used.
+// World space. One a thread; no allocation per ray once its buffers have grown.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/accel/hierarchy.h"
+#include "core/light/area_light.h"
+#include "core/light/light_ray.h"
+#include "core/render/interior_stack.h"
+#include "core/render/reflectance.h"
+#include "core/render/sky.h"
+#include "core/render/start_interiors.h"
+#include "core/render/tracer.h"
+
+namespace lentray::core {
+
+/// What a path can do; bits of PathTracer's argument.
+enum PathFeature : unsigned {
+  kPathTransparency = 1,  ///< filter, transmit, refraction, interiors
+  kPathReflection = 2,
+  kPathLayers = 4,        ///< layered textures, textures by place, interior textures
+  kPathArea = 8,          ///< area lights
+};
+inline constexpr unsigned kAllPaths = 16;
+
+/// A ray on its way, with what it carries.
+struct RayState {
+  Ray ray;
+  InteriorStack inside;
+  bool reflected = false;  ///< once reflected, `no_reflection` counts and `no_image` does not
+};
+
+template <unsigned kFeatures>
+class PathTracer final : public Tracer {
+ public:
+  PathTracer(const Scene& scene, ShadowTester& shadows, HitArena& arena, Counters& counters,
+             bool count_tests)
+      : m_scene(scene),
+        m_hierarchy(scene.hierarchy()),
+        m_shadows(shadows),
+        m_arena(arena),
+        m_counters(counters),
+        m_test_counters(count_tests ? &counters : nullptr),
+        m_max_level(scene.settings().max_trace_level),
+        m_bailout(scene.settings().adc_bailout),
+        m_atmosphere_ior(scene.settings().atmosphere_ior),
+        m_legacy_opacity(scene.settings().language_version < 370) {
+    if (scene.needs().interiors) {
+      m_start_interiors = std::make_unique<StartInteriors>(scene);
+    }
+  }
+
+  Radiance trace(const Ray& ray, Pixel pixel) override;
+
+ private:
+  static constexpr bool kTransparency = (kFeatures & kPathTransparency) != 0;
+  static constexpr bool kReflection = (kFeatures & kPathReflection) != 0;
+  static constexpr bool kLayers = (kFeatures & kPathLayers) != 0;
+  static constexpr bool kArea = (kFeatures & kPathArea) != 0;
+
+  /// A place on a surface that is being shaded.
+  struct Surface {
+    const RayState* state = nullptr;
+    const Attributes* looks = nullptr;
+    InteriorEntry interior;
+    Vec3 point;
+    Vec3 normal;           ///< unit, facing the ray
+    double depth = 0.0;    ///< way of the ray to here
+    float weight = 1.0f;   ///< the ray's share of the pixel
+    int level = 1;
+  };
+  /// What a layer leaves for the mirror image that is traced after all layers.
+  struct Mirror {
+    Vec3 normal;
+    Rgb colour;
+    float weight = 0.0f;
+    double exponent = 1.0;
+  };
+  /// Buffers of one level of recursion.
+  struct Frame {
+    WeightedTextures textures;
+    std::vector<Mirror> mirrors;
+    std::vector<Rgb> light;             ///< what arrives of each light: layers share it
+    std::vector<std::uint8_t> light_known;
+  };
+  /// Sum over the layers of a texture, and what goes on behind them.
+  struct Stack {
+    Rgb sum;
+    Rgb filter{1.0f, 1.0f, 1.0f};
+    double transparency = 1.0;
+    Vec3 top_normal;
+    std::size_t mirrors = 0;
+  };
+
+  /// `level` counts the levels above this ray; one that goes straight on takes none itself.
+  Radiance follow(const RayState& state, float weight, int level, bool straight_on = false);
+  Radiance shade(const RayState& state, const Hit& hit, float weight, int level);
+  Radiance shade_texture(const LayeredTexture& texture, const Surface& at, Frame& frame);
+  void shade_layer(const TextureLayer& layer, const Surface& at, Stack& stack, Mirror& mirror,
+                   Frame& frame);
+  Rgb lit(const Finish& finish, const Rgb& pigment, const Vec3& normal, double opacity,
+          const Surface& at, Frame& frame);
+  Rgb arriving(std::uint32_t light, const Rgb& colour, const LightRay& ray, const Surface& at,
+               Frame& frame);
+  Rgb shadowed(std::uint32_t light, const Rgb& colour, const LightRay& ray, const Surface& at);
+  Rgb area_shadowed(std::uint32_t light, const Rgb& colour, const LightRay& ray,
+                    const Surface& at);
+  Rgb mirror_image(const Vec3& normal, float weight, const Surface& at);
+  /// Adds what is seen through the surface; true on total internal reflection.
+  bool add_transmitted(const Stack& stack, const Surface& at, Radiance& result);
+  double enter(const InteriorEntry& entry, InteriorStack& inside) const;
+  double relative_ior(const InteriorEntry& entry, const InteriorStack& inside) const;
+  /// Where the normal perturbation of a layer belongs.
+  static Vec3 layer_normal(const TextureLayer&, const Surface& at) { return at.normal; }
+  double random();
+  Frame& enter_frame();
+
+  const Scene& m_scene;
+  const Hierarchy& m_hierarchy;
+  ShadowTester& m_shadows;
+  HitArena& m_arena;
+  Counters& m_counters;
+  Counters* m_test_counters;
+  const int m_max_level;
+  const double m_bailout;
+  const double m_atmosphere_ior;
+  const bool m_legacy_opacity;
+  std::unique_ptr<StartInteriors> m_start_interiors;
+  std::vector<std::unique_ptr<Frame>> m_frames;
+  std::size_t m_depth = 0;
+  AreaScratch m_area;
+  Pixel m_pixel;
+  std::uint64_t m_random_state = 0;
+};
+
+/// The path of exactly these features (a superset of what the scene needs); for Tracer::make and
+/// for the test that paths agree.
+std::unique_ptr<Tracer> make_path_tracer(unsigned features, const Scene& scene,
+                                         ShadowTester& shadows, HitArena& arena,
+                                         Counters& counters, bool count_tests);
+/// What Tracer::make chooses.
+unsigned path_features(const Needs& needs);
+
+}  // namespace lentray::core

@@ -1,0 +1,88 @@
+#include "core/render/plain_shadow_tester.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/accel/hierarchy.h"
+#include "core/render/interior_stack.h"
+#include "core/render/reflectance.h"
+#include "core/scene/scene.h"
+
+namespace lentray::core {
+
+PlainShadowTester::PlainShadowTester(const ShadowContext& context)
+    : m_context(context),
+      m_hierarchy(context.scene->hierarchy()),
+      m_test_counters(context.count_tests ? context.counters : nullptr),
+      m_any_transparent(context.scene->needs().transparent_shadows) {
+  const std::size_t lights = context.scene->lights().size();
+  if (context.counters->lights.size() < lights) context.counters->lights.resize(lights);
+}
+
+Visibility PlainShadowTester::search(const ShadowQuery& query) {
+  const double reach = query.distance - kShadowTolerance;
+  if (!(reach > kShadowTolerance)) return {};
+  const Object* blocker = m_hierarchy.any_opaque(query.ray, kShadowTolerance, reach,
+                                                 *m_context.arena, m_test_counters);
+  if (blocker) return {Rgb(0.0f), blocker};
+  if (!m_any_transparent) return {};
+  return {filter_through(query, reach), nullptr};
+}
+
+Rgb PlainShadowTester::filter_through(const ShadowQuery& query, double reach) {
+  Rgb filter(1.0f);
+  m_hits.clear();
+  m_hierarchy.all_transparent(query.ray, kShadowTolerance, reach, m_hits, *m_context.arena,
+                              m_test_counters);
+  if (m_hits.empty()) return filter;
+  m_order.clear();
+  for (std::size_t i = 0; i < m_hits.size(); ++i) m_order.emplace_back(m_hits[i].t, i);
+  std::sort(m_order.begin(), m_order.end());
+  // A surface that follows the one before within the tolerance does not count.
+  double last = 0.0;
+  for (const auto& [t, index] : m_order) {
+    if (!(t - last > kShadowTolerance)) continue;
+    filter *= surface_filter(m_hits[index], t - last, query);
+    if (filter.is_black()) break;
+    last = t;
+  }
+  return filter;
+}
+
+// Texture maps blend what their textures let through.
+Rgb PlainShadowTester::surface_filter(const Hit& hit, double depth, const ShadowQuery& query) {
+  const Attributes& looks = hit.leaf->attributes();
+  const Vec3 point = query.ray.at(hit.t);
+  const Interior* interior = looks.interior;
+  const bool caustics = interior && interior->caustics != 0.0;
+  const Texture* texture = looks.texture;
+  double cosine = 0.0;
+  if (caustics || looks.interior_texture) {
+    Vec3 normal = hit.leaf->normal(point, hit.shape);
+    if (hit.leaf->is_inverse()) normal = -normal;
+    cosine = dot(normal, query.ray.direction);
+    if (cosine > 0.0 && looks.interior_texture) texture = looks.interior_texture;
+  }
+
+  m_textures.clear();
+  texture->resolve(point, 1.0, m_textures);
+  Rgb sum;
+  for (const WeightedTexture& weighted : m_textures) {
+    Rgb through(1.0f);
+    for (const TextureLayer& layer : weighted.texture->layers()) {
+      const Colour* constant = layer.pigment->constant();
+      through *= passed(constant ? *constant : layer.pigment->colour(point));
+      if (caustics) {
+        through = times(through, 1.0 + std::pow(std::fabs(cosine), interior->caustics));
+      }
+    }
+    sum += times(through, weighted.weight);
+  }
+  if (interior && interior->fade_power > 0.0 && query.inside &&
+      query.inside->contains(interior)) {
+    sum *= fade_in_interior(*interior, depth);
+  }
+  return sum;
+}
+
+}  // namespace lentray::core

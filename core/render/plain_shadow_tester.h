@@ -1,0 +1,59 @@
+// The shadow tester without a cache: one search for an opaque blocker, then, where the scene has
+// any, one for what filters the light. World space. One a thread.
+// Source: reference manual 3.7, "Filter", "Caustics", "Attenuation"; the sequence of filters and
+// their spacing as measured on stock (tests/image/shading_shadows_test.cpp).
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "core/material/texture.h"
+#include "core/render/shadow_tester.h"
+
+namespace lentray::core {
+
+class Hierarchy;
+
+class PlainShadowTester final : public ShadowTester {
+ public:
+  explicit PlainShadowTester(const ShadowContext& context);
+
+  Visibility visibility(const ShadowQuery& query) override {
+    ShadowCounts& counts = m_context.counters->lights[query.light];
+    ++counts.rays;
+    const Visibility seen = search(query);
+    if (seen.blocker) ++counts.blocked;
+    return seen;
+  }
+
+  /// The full search, not counted as a ray.
+  Visibility search(const ShadowQuery& query);
+  /// The same test against one opaque object of the scene: whether it alone blocks the query.
+  bool blocks(const Object& object, const ShadowQuery& query) const {
+    const double reach = query.distance - kShadowTolerance;
+    return reach > kShadowTolerance &&
+           object.any(query.ray, kShadowTolerance, reach, *m_context.arena);
+  }
+  const ShadowContext& context() const { return m_context; }
+
+ private:
+  Rgb filter_through(const ShadowQuery& query, double reach);
+  Rgb surface_filter(const Hit& hit, double depth, const ShadowQuery& query);
+
+  ShadowContext m_context;
+  const Hierarchy& m_hierarchy;
+  Counters* m_test_counters;
+  bool m_any_transparent;
+  std::vector<Hit> m_hits;
+  std::vector<std::pair<double, std::size_t>> m_order;
+  WeightedTextures m_textures;
+};
+
+class PlainShadowTesterFactory final : public ShadowTesterFactory {
+ public:
+  std::unique_ptr<ShadowTester> make(const ShadowContext& context) const override {
+    return std::make_unique<PlainShadowTester>(context);
+  }
+};
+
+}  // namespace lentray::core

@@ -1,0 +1,112 @@
+#include "core/render/reflectance.h"
+
+#include <algorithm>
+#include <numbers>
+
+namespace lentray::core {
+namespace {
+
+constexpr double kTiny = 1e-10;
+
+double square(double x) { return x * x; }
+
+// How much a metal keeps the light's own colour, 0 face on .. 1 grazing: POV-Ray's rational fit
+// of a Fresnel curve over the angle as a part of the right angle.
+double grazing(double cosine) {
+  const double angle = std::fabs(std::acos(cosine)) / (std::numbers::pi / 2.0);
+  const double fit = 0.014567225 / square(angle - 1.12) - 0.011612903;
+  return std::min(1.0, std::max(0.0, fit));  // an angle that is not a number gives 0
+}
+
+Rgb metal_tint(double metallic, double cosine, const Rgb& pigment) {
+  const double k = metallic * (1.0 - grazing(cosine));
+  return {static_cast<float>(1.0 + k * (pigment.r - 1.0f)),
+          static_cast<float>(1.0 + k * (pigment.g - 1.0f)),
+          static_cast<float>(1.0 + k * (pigment.b - 1.0f))};
+}
+
+Rgb mix(const Rgb& from, const Rgb& to, double part) {
+  return times(to, part) + times(from, 1.0 - part);
+}
+
+// Unpolarised light at a dielectric; 1 beyond the critical angle.
+double fresnel(double cosine, double relative_ior) {
+  const double under_root = square(relative_ior) + square(cosine) - 1.0;
+  if (!(under_root > 0.0)) return 1.0;
+  const double g = std::sqrt(under_root);
+  const double sum = g + cosine, difference = g - cosine;
+  const double across = 0.5 * (square(difference) / square(sum));
+  const double f =
+      across * (1.0 + square(cosine * sum - 1.0) / square(cosine * difference + 1.0));
+  return std::min(1.0, std::max(0.0, f));
+}
+
+double phong_intensity(const Finish& finish, const Illumination& on) {
+  const Vec3 mirrored = on.eye + on.normal * (-2.0 * dot(on.eye, on.normal));
+  const double cosine = dot(mirrored, on.towards_light);
+  if (!(cosine > 0.0)) return 0.0;
+  // Below 0.0008 a high power underflows; stock cuts it there.
+  if (finish.phong_size >= 60.0 && cosine <= 0.0008) return 0.0;
+  return finish.phong * std::pow(cosine, finish.phong_size);
+}
+
+double specular_intensity(const Finish& finish, const Illumination& on) {
+  const Vec3 halfway = (on.towards_light - on.eye) * 0.5;
+  const double size = length(halfway);
+  if (!(size > 0.0)) return 0.0;
+  const double cosine = dot(halfway, on.normal) / size;
+  if (!(cosine > 0.0)) return 0.0;
+  return finish.specular * std::pow(cosine, finish.roughness_exponent);
+}
+
+}  // namespace
+
+Rgb diffuse_light(const Finish& finish, const Illumination& on, double amount, double random) {
+  if (!(amount > 0.0)) return {};
+  const double cosine = std::fabs(dot(on.normal, on.towards_light));
+  double intensity = finish.brilliance == 1.0 ? cosine : std::pow(cosine, finish.brilliance);
+  intensity *= amount * on.opacity;
+  if (finish.crand > 0.0) intensity -= random * finish.crand;
+  return times(on.pigment, intensity) * on.light;
+}
+
+Rgb highlights(const Finish& finish, const Illumination& on) {
+  Rgb sum;
+  if (!(finish.phong > 0.0) && !(finish.specular > 0.0)) return sum;
+  Rgb light = on.light;
+  if (finish.metallic > 0.0) {
+    light *= metal_tint(finish.metallic, dot(on.normal, on.towards_light), on.pigment);
+  }
+  if (finish.phong > 0.0) sum += times(light, phong_intensity(finish, on));
+  if (finish.specular > 0.0) sum += times(light, specular_intensity(finish, on));
+  return sum;
+}
+
+Reflectivity reflectivity(const Finish& finish, double cosine, double relative_ior,
+                          const Rgb& pigment) {
+  Reflectivity result;
+  if (finish.reflection_fresnel) {
+    result.colour =
+        mix(finish.reflection_min, finish.reflection_max, fresnel(cosine, relative_ior));
+    result.weight = greatest(result.colour);
+  } else {
+    const double grazing_part = finish.reflection_falloff == 1.0
+                                    ? 1.0 - cosine
+                                    : std::pow(1.0 - cosine, finish.reflection_falloff);
+    if (std::fabs(grazing_part) < kTiny) {
+      result.colour = finish.reflection_min;
+    } else if (std::fabs(grazing_part - 1.0) < kTiny ||
+               finish.reflection_min == finish.reflection_max) {
+      result.colour = finish.reflection_max;
+    } else {
+      result.colour = mix(finish.reflection_min, finish.reflection_max, grazing_part);
+    }
+    result.weight = std::max(greatest(finish.reflection_min), greatest(finish.reflection_max));
+  }
+  if (finish.reflection_metallic != 0.0 && !result.colour.is_black()) {
+    result.colour *= metal_tint(finish.reflection_metallic, cosine, pigment);
+  }
+  return result;
+}
+
+}  // namespace lentray::core

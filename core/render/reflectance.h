@@ -1,0 +1,54 @@
+// What a finish does with light: diffuse, highlights, mirror strength. World space, unit
+// vectors unless said otherwise. Pure functions.
+// Source: reference manual 3.7, "Finish"; formulae held against stock by
+// tests/image/shading_finish_test.cpp.
+#pragma once
+
+#include <cmath>
+
+#include "core/base/color.h"
+#include "core/base/vec3.h"
+#include "core/material/finish.h"
+
+namespace lentray::core {
+
+inline Rgb times(const Rgb& c, double s) {
+  return {static_cast<float>(c.r * s), static_cast<float>(c.g * s), static_cast<float>(c.b * s)};
+}
+
+inline float greatest(const Rgb& c) {
+  const float rg = c.r > c.g ? c.r : c.g;
+  return rg > c.b ? rg : c.b;
+}
+
+/// What passes through a pigment: filtered and unfiltered together.
+inline Rgb passed(const Colour& c) {
+  return {c.rgb.r * c.filter + c.transmit, c.rgb.g * c.filter + c.transmit,
+          c.rgb.b * c.filter + c.transmit};
+}
+
+/// One light on one layer.
+struct Illumination {
+  Vec3 towards_light;
+  Vec3 eye;            ///< direction of the ray that looks
+  Vec3 normal;         ///< of the layer, facing the eye
+  Rgb light;           ///< what arrives of the light
+  Rgb pigment;
+  double opacity = 1.0;  ///< of the layer: its share of the diffuse light
+};
+
+/// `random` in [0, 1) is used by crand alone; `amount` is `diffuse` or its value for the back.
+Rgb diffuse_light(const Finish& finish, const Illumination& on, double amount, double random);
+/// phong and specular, metallic or not.
+Rgb highlights(const Finish& finish, const Illumination& on);
+
+/// Ratio of interiors as the Fresnel formula takes it: beyond the surface over before it.
+struct Reflectivity {
+  Rgb colour;
+  float weight = 0.0f;  ///< the greatest share of any channel, for adc_bailout
+};
+/// `cosine` is that of the angle of incidence, positive on the side of the eye.
+Reflectivity reflectivity(const Finish& finish, double cosine, double relative_ior,
+                          const Rgb& pigment);
+
+}  // namespace lentray::core

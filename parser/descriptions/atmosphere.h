@@ -1,0 +1,46 @@
+// Fog, rainbow, sky_sphere, background: what surrounds a scene.
+// Source: reference manual 3.7, "Atmospheric Effects".
+#pragma once
+
+#include <vector>
+
+#include "core/base/color.h"
+#include "core/base/transform.h"
+#include "core/base/vec3.h"
+#include "parser/source.h"
+#include "parser/value.h"
+
+namespace lentray::parser {
+
+/// Kept; rendered later.
+struct FogDesc {
+  Location where;
+  int type = 1;                        ///< 1 constant, 2 ground
+  double distance = 0.0;
+  core::Colour colour;
+  double turb_depth = 0.5;
+  core::Vec3 turbulence;
+  int octaves = 6;
+  double lambda = 2.0, omega = 0.5;
+  double fog_offset = 0.0, fog_alt = 0.0;
+  core::Vec3 up{0.0, 1.0, 0.0};
+  core::Transform transform;
+};
+
+/// Kept; rendered later.
+struct RainbowDesc {
+  Location where;
+  core::Vec3 direction, up{0.0, 1.0, 0.0};
+  double angle = 0.0, width = 0.0, distance = 0.0, jitter = 0.0;  ///< angles in degrees
+  double arc_angle = 180.0, falloff_angle = 180.0;
+  Ref<ColourMapDesc> colour_map;
+};
+
+struct SkySphereDesc {
+  Location where;
+  std::vector<Ref<PigmentDesc>> pigments;   ///< later ones lie on top
+  core::Transform transform;
+  core::Rgb emission{1.0f, 1.0f, 1.0f};
+};
+
+}  // namespace lentray::parser

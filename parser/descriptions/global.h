@@ -1,0 +1,57 @@
+// global_settings, read. Values the scene did not set keep stock's defaults.
+// Source: reference manual 3.7, "Global Settings".
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/base/color.h"
+#include "core/base/vec3.h"
+#include "parser/source.h"
+
+namespace lentray::parser {
+
+/// Kept; rendered later.
+struct RadiositySettings {
+  double adc_bailout = 0.01, brightness = 1.0, error_bound = 1.8, gray_threshold = 0.0;
+  double low_error_factor = 0.5, maximum_reuse = 0.2, minimum_reuse = 0.015, max_sample = -1.0;
+  double pretrace_start = 0.08, pretrace_end = 0.04;
+  int count = 35, direction_pool = 1600, nearest_count = 5, nearest_count_adaptive = 0;
+  int recursion_limit = 2;
+  bool always_sample = false, media = false, normal = false, subsurface = false;
+};
+
+/// Kept; rendered later.
+struct PhotonSettings {
+  double spacing = 1.0, jitter = 0.4, autostop = 0.0, expand_increase = 0.2;
+  double adc_bailout = -1.0, radius = -1.0, radius_multiplier = 1.0;
+  double media_radius = -1.0, media_radius_multiplier = 1.0, media_factor = 1.0;
+  int count = 0, gather_min = 20, gather_max = 100, expand_min = 40, media_steps = 0;
+  int max_trace_level = -1;
+  std::string load_file, save_file;
+};
+
+/// Kept; rendered later.
+struct SubsurfaceSettings {
+  int samples_diffuse = 50, samples_single = 50;
+  bool radiosity = false;
+};
+
+struct GlobalDesc {
+  Location where;
+  std::optional<double> assumed_gamma;   ///< a number; see gamma_is_srgb
+  bool gamma_is_srgb = false;            ///< `assumed_gamma srgb`
+  int assumed_gamma_version = 370;       ///< #version x 100 where it stood
+  std::optional<int> max_trace_level;
+  std::optional<double> adc_bailout;
+  std::optional<core::Rgb> ambient_light;
+  core::Vec3 irid_wavelength{0.25, 0.18, 0.14};
+  int number_of_waves = 10;
+  std::optional<int> noise_generator;    ///< 1..3
+  double mm_per_unit = 10.0;
+  std::optional<RadiositySettings> radiosity;
+  std::optional<PhotonSettings> photons;
+  std::optional<SubsurfaceSettings> subsurface;
+};
+
+}  // namespace lentray::parser

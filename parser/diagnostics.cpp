@@ -1,0 +1,125 @@
+#include "parser/diagnostics.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdio>
+#include <numeric>
+
+namespace lentray::parser {
+namespace {
+
+void to_standard_error(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); }
+
+std::string place(const SourceManager& sources, const Location& where) {
+  if (where.file == 0) return "lentray";
+  return sources.name(where.file) + ":" + std::to_string(where.line) + ":" +
+         std::to_string(where.column);
+}
+
+// The line and a caret under the column; tabs stay tabs so that the caret lines up.
+std::string excerpt(const SourceManager& sources, const Location& where) {
+  const std::string_view line = sources.line(where.file, where.line);
+  if (line.empty()) return {};
+  std::string caret = "  ";
+  for (std::size_t i = 0; i + 1 < where.column; ++i) {
+    caret += i < line.size() && line[i] == '\t' ? '\t' : ' ';
+  }
+  return "  " + std::string(line) + "\n" + caret + "^\n";
+}
+
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const auto lower = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };
+      const std::size_t change = lower(a[i - 1]) == lower(b[j - 1]) ? 0 : 1;
+      const std::size_t best = std::min({row[j] + 1, row[j - 1] + 1, diagonal + change});
+      diagonal = row[j];
+      row[j] = best;
+    }
+  }
+  return row.back();
+}
+
+// Deep recursion would bury the message: the ends of a long stack are enough.
+constexpr std::size_t kStackShown = 12;
+
+}  // namespace
+
+Diagnostics::Diagnostics(const SourceManager& sources) : m_sources(sources) {
+  for (Sink& sink : m_sinks) sink = to_standard_error;
+}
+
+void Diagnostics::connect(Stream stream, Sink sink) {
+  m_sinks[static_cast<std::size_t>(stream)] = std::move(sink);
+}
+
+void Diagnostics::write(Stream stream, std::string_view text) {
+  const Sink& sink = m_sinks[static_cast<std::size_t>(stream)];
+  if (sink) sink(text);
+}
+
+std::string Diagnostics::format(const Location& where, std::string_view severity,
+                                std::string_view message,
+                                std::span<const StackEntry> stack) const {
+  std::string text = place(m_sources, where) + ": " + std::string(severity) + ": " +
+                     std::string(message) + "\n" + excerpt(m_sources, where);
+  for (std::size_t i = 0; i < stack.size(); ++i) {
+    if (stack.size() > kStackShown && i == kStackShown / 2) {
+      const std::size_t skipped = stack.size() - kStackShown;
+      text += "  ... " + std::to_string(skipped) + " more\n";
+      i += skipped;
+    }
+    text += "  " + stack[i].what;
+    if (stack[i].where.file != 0) text += " " + place(m_sources, stack[i].where);
+    text += "\n";
+  }
+  return text;
+}
+
+void Diagnostics::warn(const Location& where, const std::string& message,
+                       std::vector<StackEntry> stack) {
+  std::string text = format(where, "warning", message, stack);
+  write(Stream::kWarning, text);
+  m_warnings.push_back({where, message, std::move(stack), std::move(text)});
+}
+
+void Diagnostics::fail(const Location& where, const std::string& message,
+                       std::vector<StackEntry> stack) {
+  std::string text = format(where, "error", message, stack);
+  throw ParseError({where, message, std::move(stack), std::move(text)});
+}
+
+void Diagnostics::not_yet(const std::string& feature, const Location& where) {
+  if (m_not_yet.empty()) m_first_not_yet = where;
+  m_not_yet.insert(feature);
+}
+
+void Diagnostics::report_not_yet() {
+  if (m_not_yet.empty()) return;
+  std::string list;
+  for (const std::string& feature : m_not_yet) list += (list.empty() ? "" : ", ") + feature;
+  m_not_yet.clear();
+  warn(m_first_not_yet, "not rendered yet, left out of the picture: " + list);
+}
+
+std::string_view nearest_name(std::string_view name, std::span<const std::string_view> names) {
+  std::string_view best;
+  std::size_t best_distance = std::max<std::size_t>(1, name.size() / 3) + 1;
+  for (const std::string_view candidate : names) {
+    const std::size_t longer = std::max(candidate.size(), name.size());
+    const std::size_t shorter = std::min(candidate.size(), name.size());
+    if (candidate == name || longer - shorter >= best_distance) continue;
+    const std::size_t distance = edit_distance(name, candidate);
+    if (distance < best_distance && distance < shorter) {
+      best = candidate;
+      best_distance = distance;
+    }
+  }
+  return best;
+}
+
+}  // namespace lentray::parser

@@ -1,0 +1,17 @@
+// What the productions share besides the Parser: the defaults in force while a scene is read.
+// One Context a scene; every production takes (Parser&, Context&).
+#pragma once
+
+#include "parser/descriptions/camera.h"
+#include "parser/grammar/material.h"
+
+namespace lentray::parser {
+
+struct Context {
+  /// Looks: `#default { texture / pigment / normal / finish }` and what patterns need of objects.
+  MaterialContext materials;
+  /// `#default { camera { ... } }`: where later camera statements start from.
+  CameraDesc default_camera;
+};
+
+}  // namespace lentray::parser

@@ -1,0 +1,119 @@
+#include "tools/lentray-diff/process.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <chrono>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+#include <system_error>
+
+namespace lentray::diff {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// In the child, after fork: only async-signal-safe calls.
+[[noreturn]] void become(char* const* arguments, const char* folder, int output) {
+  const int nothing = ::open("/dev/null", O_RDONLY);
+  ::dup2(nothing, STDIN_FILENO);
+  ::dup2(output, STDOUT_FILENO);
+  ::dup2(output, STDERR_FILENO);
+  if (*folder != '\0' && ::chdir(folder) != 0) ::_exit(127);
+  ::execvp(arguments[0], arguments);
+  ::_exit(127);
+}
+
+/// Reads until the other end closes; false when the time is over.
+bool read_all(int from, double seconds, std::string& into) {
+  using Clock = std::chrono::steady_clock;
+  const auto start = Clock::now();
+  char buffer[4096];
+  for (;;) {
+    int wait_ms = -1;
+    if (seconds > 0.0) {
+      const double left = seconds - std::chrono::duration<double>(Clock::now() - start).count();
+      if (left <= 0.0) return false;
+      wait_ms = static_cast<int>(left * 1000.0) + 1;
+    }
+    pollfd ready{from, POLLIN, 0};
+    const int count = ::poll(&ready, 1, wait_ms);
+    if (count == 0) return false;
+    if (count < 0 && errno == EINTR) continue;
+    const ssize_t got = ::read(from, buffer, sizeof buffer);
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) return true;
+    into.append(buffer, static_cast<std::size_t>(got));
+  }
+}
+
+}  // namespace
+
+RunResult run(const std::vector<std::string>& command, const fs::path& folder, double seconds) {
+  std::vector<std::string> words = command;
+  std::vector<char*> arguments;
+  for (std::string& w : words) arguments.push_back(w.data());
+  arguments.push_back(nullptr);
+  const std::string folder_name = folder.string();
+  int ends[2];
+  if (::pipe2(ends, O_CLOEXEC) != 0) {
+    throw std::runtime_error(std::string("cannot make a pipe: ") + std::strerror(errno));
+  }
+  const pid_t child = ::fork();
+  if (child == 0) become(arguments.data(), folder_name.c_str(), ends[1]);
+  ::close(ends[1]);
+  if (child < 0) {
+    ::close(ends[0]);
+    throw std::runtime_error("cannot start '" + command[0] + "': " + std::strerror(errno));
+  }
+  RunResult result;
+  result.timed_out = !read_all(ends[0], seconds, result.output);
+  if (result.timed_out) ::kill(child, SIGKILL);
+  ::close(ends[0]);
+  int status = 0;
+  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  result.status = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+  if (result.status == 127 && result.output.empty()) {
+    throw std::runtime_error("cannot start '" + command[0] + "': is it installed?");
+  }
+  return result;
+}
+
+TemporaryFolder::TemporaryFolder() {
+  std::string pattern = (fs::temp_directory_path() / "lentray-XXXXXX").string();
+  if (::mkdtemp(pattern.data()) == nullptr) {
+    throw std::runtime_error("cannot make a folder like " + pattern + ": " + std::strerror(errno));
+  }
+  m_path = pattern;
+}
+
+TemporaryFolder::~TemporaryFolder() {
+  std::error_code ignored;
+  fs::remove_all(m_path, ignored);
+}
+
+std::string read_text(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  if (!file || fs::is_directory(path)) {
+    throw std::runtime_error("cannot read '" + path.string() + "'");
+  }
+  text << file.rdbuf();
+  return text.str();
+}
+
+void write_text(const fs::path& path, const std::string& text) {
+  std::ofstream file(path, std::ios::binary);
+  file << text;
+  if (!file.flush()) throw std::runtime_error("cannot write '" + path.string() + "'");
+}
+
+}  // namespace lentray::diff

@@ -1,0 +1,40 @@
+// Other programs: run one, wait, keep what it says. POSIX.
+// Errors: std::runtime_error if the program cannot be started. Threads: any number.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace lentray::diff {
+
+struct RunResult {
+  int status = 0;           ///< exit status; 128 + n when ended by signal n
+  bool timed_out = false;
+  std::string output;       ///< standard output and error, in the order they came
+};
+
+/// `command[0]` is looked for along PATH. The current folder of the child is `folder`
+/// (empty: ours). seconds 0: no limit.
+RunResult run(const std::vector<std::string>& command, const std::filesystem::path& folder = {},
+              double seconds = 0.0);
+
+/// A new empty folder that goes away, with all it holds, with the object.
+class TemporaryFolder {
+ public:
+  TemporaryFolder();
+  ~TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  const std::filesystem::path& path() const { return m_path; }
+  std::filesystem::path operator/(const std::string& name) const { return m_path / name; }
+
+ private:
+  std::filesystem::path m_path;
+};
+
+/// Whole text files. std::runtime_error if that fails.
+std::string read_text(const std::filesystem::path& path);
+void write_text(const std::filesystem::path& path, const std::string& text);
+
+}  // namespace lentray::diff

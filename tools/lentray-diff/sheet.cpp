@@ -1,0 +1,112 @@
+#include "tools/lentray-diff/sheet.h"
+
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string>
+
+namespace lentray::diff {
+
+using core::Vec3;
+using nlohmann::json;
+
+bool Sheet::is_finite() const { return std::isfinite(view_distance); }
+bool Sheet::has_views() const { return pixels == std::floor(pixels); }
+std::uint32_t Sheet::views() const { return has_views() ? static_cast<std::uint32_t>(pixels) : 0; }
+
+double Sheet::print_pitch() const {
+  return is_finite() ? pitch * (1.0 + focal_length / (ior * view_distance)) : pitch;
+}
+
+std::uint32_t Sheet::lens_of(std::uint32_t column) const {
+  return static_cast<std::uint32_t>(std::floor((column + 0.5) / pixels));
+}
+
+double Sheet::cell_offset(std::uint32_t view) const {
+  return ((view + 0.5) / pixels - 0.5) * print_pitch();
+}
+
+std::optional<double> Sheet::slope(std::uint32_t column) const {
+  const std::uint32_t lens = lens_of(column);
+  const double cell = ((column + 0.5) / pixels - (lens + 0.5)) * print_pitch();
+  const double along = is_finite() ? axis(lens) * focal_length / (ior * view_distance) : 0.0;
+  const double offset = cell + along + eye_slope_x * focal_length / ior;
+  if (paraxial) return ior * offset / focal_length;
+  const double sine = ior * std::sin(std::atan(offset / focal_length));
+  if (std::abs(sine) >= 1.0) return std::nullopt;
+  return std::tan(std::asin(sine));
+}
+
+std::uint32_t Sheet::view_width(std::uint32_t view) const {
+  return view < columns ? (columns - 1 - view) / views() + 1 : 0;
+}
+
+namespace {
+
+const json& member(const json& lens, const char* key) {
+  const auto found = lens.find(key);
+  if (found == lens.end()) {
+    throw std::runtime_error(std::string("lentray's statistics have no \"lens.") + key + "\"");
+  }
+  return *found;
+}
+
+double number(const json& lens, const char* key) {
+  const json& value = member(lens, key);
+  if (!value.is_number()) {
+    throw std::runtime_error(std::string("\"lens.") + key + "\" is no number");
+  }
+  return value.get<double>();
+}
+
+Vec3 vector(const json& lens, const char* key) {
+  const json& v = member(lens, key);
+  if (!v.is_array() || v.size() != 3) {
+    throw std::runtime_error(std::string("\"lens.") + key + "\" is no vector");
+  }
+  return {v[0].get<double>(), v[1].get<double>(), v[2].get<double>()};
+}
+
+/// The viewing distance: null and 0 stand for infinity.
+double distance(const json& lens, const char* key) {
+  const json& value = member(lens, key);
+  const double v = value.is_null() ? 0.0 : number(lens, key);
+  return v > 0.0 ? v : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
+
+std::optional<Sheet> sheet_of(const json& statistics) {
+  if (!statistics.contains("lens")) return std::nullopt;
+  const json& lens = statistics["lens"];
+  const json& image = statistics.at("image");
+  Sheet s;
+  s.centre = vector(lens, "centre");
+  s.right = vector(lens, "right");
+  s.up = vector(lens, "up");
+  s.width = length(s.right);
+  s.height = length(s.up);
+  s.right = normalized(s.right);
+  s.up = normalized(s.up);
+  s.direction = normalized(vector(lens, "direction"));
+  s.pitch = number(lens, "pitch_mm");
+  s.focal_length = number(lens, "focal_length_mm");
+  s.ior = number(lens, "ior");
+  s.pixels = number(lens, "pixels");
+  s.view_distance = distance(lens, "view_distance_mm");
+  s.front = number(lens, "front");
+  s.paraxial = member(lens, "model").get<std::string>() == "paraxial";
+  if (const auto slope = lens.find("eye_slope"); slope != lens.end()) {
+    s.eye_slope_x = slope->at(0).get<double>();
+    s.eye_slope_y = slope->at(1).get<double>();
+  }
+  s.columns = image.at("width").get<std::uint32_t>();
+  s.rows = image.at("height").get<std::uint32_t>();
+  if (std::abs(dot(s.right, s.direction)) > 1e-9 || std::abs(dot(s.up, s.direction)) > 1e-9) {
+    throw std::runtime_error("\"lens.direction\" is not perpendicular to the sheet");
+  }
+  return s;
+}
+
+}  // namespace lentray::diff

@@ -1,0 +1,230 @@
+#include "tools/lentray-diff/wrapper.h"
+
+#include <cctype>
+#include <cmath>
+#include <cstdio>
+#include <sstream>
+#include <stdexcept>
+
+namespace lentray::diff {
+
+using core::Vec3;
+
+namespace {
+
+std::string text_of(double value) {
+  char buffer[40];
+  std::snprintf(buffer, sizeof buffer, "%.17g", value);
+  return buffer;
+}
+
+std::string text_of(const Vec3& v) {
+  return "<" + text_of(v.x) + "," + text_of(v.y) + "," + text_of(v.z) + ">";
+}
+
+std::string head(const Included& scene) {
+  return scene.version + "\n#include \"" + scene.path + "\"\n";
+}
+
+/// Steps over SDL text token by token, as far as needed to find words and braces.
+class Scanner {
+ public:
+  explicit Scanner(const std::string& text) : m_text(text) {}
+
+  /// The next word or single character outside comments and strings; empty at the end.
+  std::string next() {
+    skip_unseen();
+    m_begin = m_at;
+    if (m_at >= m_text.size()) return {};
+    if (!is_word(m_text[m_at])) return std::string(1, m_text[m_at++]);
+    while (m_at < m_text.size() && is_word(m_text[m_at])) ++m_at;
+    return m_text.substr(m_begin, m_at - m_begin);
+  }
+  std::size_t begin() const { return m_begin; }  ///< of the last token
+  std::size_t end() const { return m_at; }
+
+ private:
+  static bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
+  bool sees(const char* two) const { return m_text.compare(m_at, 2, two) == 0; }
+
+  void skip_unseen() {
+    while (m_at < m_text.size()) {
+      if (std::isspace(static_cast<unsigned char>(m_text[m_at]))) {
+        ++m_at;
+      } else if (sees("//")) {
+        while (m_at < m_text.size() && m_text[m_at] != '\n') ++m_at;
+      } else if (sees("/*")) {
+        skip_block_comment();
+      } else if (m_text[m_at] == '"') {
+        skip_string();
+      } else {
+        return;
+      }
+    }
+  }
+  void skip_block_comment() {  // they nest
+    int depth = 0;
+    while (m_at < m_text.size()) {
+      if (sees("/*")) {
+        ++depth;
+        m_at += 2;
+      } else if (sees("*/")) {
+        m_at += 2;
+        if (--depth == 0) return;
+      } else {
+        ++m_at;
+      }
+    }
+  }
+  void skip_string() {
+    for (++m_at; m_at < m_text.size() && m_text[m_at] != '"'; ++m_at) {
+      if (m_text[m_at] == '\\') ++m_at;
+    }
+    if (m_at < m_text.size()) ++m_at;
+  }
+
+  const std::string& m_text;
+  std::size_t m_at = 0, m_begin = 0;
+};
+
+struct Block {
+  std::size_t open = 0, close = 0;  ///< of the braces
+  bool lenticular = false;
+};
+
+/// A camera's braces; the scanner stands behind the word `camera`. False if none follow.
+bool camera_block(Scanner& scanner, Block& block) {
+  if (scanner.next() != "{") return false;
+  block.open = scanner.begin();
+  int depth = 1;
+  for (std::string token = scanner.next(); !token.empty(); token = scanner.next()) {
+    if (token == "{") ++depth;
+    if (token == "}" && --depth == 0) {
+      block.close = scanner.begin();
+      return true;
+    }
+    if (token == "lenticular" && depth == 1) block.lenticular = true;
+  }
+  return false;
+}
+
+/// Views of a cut last lens have fewer pixels: where their middle lies, scene units along r.
+double middle_of_view(const Sheet& s, std::uint32_t width) {
+  return (width - s.lenses()) / 2.0 * s.pitch * s.scale();
+}
+
+std::string camera(const char* kind, const Vec3& location, const Vec3& direction, const Vec3& right,
+                   const Vec3& up) {
+  return std::string("camera {\n  ") + kind + "\n  location " + text_of(location) +
+         "\n  direction " + text_of(direction) + "\n  right " + text_of(right) + "\n  up " +
+         text_of(up) + "\n}\n";
+}
+
+}  // namespace
+
+const char* name_of(Way way) {
+  switch (way) {
+    case Way::orthographic_views: return "oblique orthographic views";
+    case Way::perspective_views: return "oblique perspective views";
+    case Way::mesh_camera: break;
+  }
+  return "mesh_camera";
+}
+
+Way best_way(const Sheet& s) {
+  if (!s.has_views()) return Way::mesh_camera;
+  if (!s.is_finite()) return Way::orthographic_views;
+  // Stock starts at the eye: only then does it see the same things.
+  const double eye = s.view_distance * s.scale();
+  const bool from_eye = std::abs(s.front - eye) <= 1e-9 * eye;
+  return s.paraxial && from_eye ? Way::perspective_views : Way::mesh_camera;
+}
+
+std::string version_directive(const std::string& scene) {
+  Scanner scanner(scene);
+  for (std::string token = scanner.next(); !token.empty(); token = scanner.next()) {
+    if (token != "#") continue;
+    const std::size_t begin = scanner.begin();
+    if (scanner.next() != "version") continue;
+    const std::size_t end = scene.find_first_of(";\n", scanner.end());
+    const std::string value = scene.substr(scanner.end(), end - scanner.end());
+    // An expression over identifiers cannot be asked before the scene is read.
+    const bool plain = value.find_first_not_of("0123456789. \t\r") == std::string::npos;
+    return plain ? scene.substr(begin, end - begin) + ";" : std::string();
+  }
+  return {};
+}
+
+std::string without_lenticular(const std::string& scene, bool& changed) {
+  changed = false;
+  std::string out = scene;
+  Scanner scanner(scene);
+  std::size_t shift = 0;
+  for (std::string token = scanner.next(); !token.empty(); token = scanner.next()) {
+    Block block;
+    if (token != "camera" || !camera_block(scanner, block) || !block.lenticular) continue;
+    std::string replacement = " orthographic ";
+    for (std::size_t i = block.open; i < block.close; ++i) {
+      if (scene[i] == '\n') replacement += '\n';
+    }
+    const std::size_t length = block.close - block.open - 1;
+    out.replace(block.open + 1 + shift, length, replacement);
+    shift += replacement.size() - length;  // wraps round when shorter, and back when added
+    changed = true;
+  }
+  return out;
+}
+
+std::string view_scene(const Sheet& s, std::uint32_t view, Way way, const Included& scene) {
+  const std::uint32_t width = s.view_width(view);
+  const Vec3 middle = s.centre + s.right * middle_of_view(s, width);
+  const Vec3 right = s.right * (width * s.pitch * s.scale());
+  const Vec3 up = s.up * s.height;
+  if (way == Way::orthographic_views) {
+    const auto slope = s.slope(view);
+    if (!slope) throw std::logic_error("a dark view has no camera");
+    const Vec3 v = s.right * *slope + s.direction + s.up * s.eye_slope_y;
+    return head(scene) + camera("orthographic", middle - v * s.front, normalized(v), right, up);
+  }
+  if (way != Way::perspective_views) throw std::logic_error("a mesh_camera shows no single view");
+  const double distance = s.view_distance * s.scale();
+  const double slope = s.ior * s.cell_offset(view) / s.focal_length + s.eye_slope_x;
+  const Vec3 eye = s.centre - (s.right * slope + s.up * s.eye_slope_y + s.direction) * distance;
+  return head(scene) + camera("perspective", eye, middle - eye, right, up);
+}
+
+std::string mesh_scene(const Sheet& s, const Included& scene) {
+  // One row of triangles in the sheet's own axes, instanced for each row: its vertices are
+  // floats, so places come from transforms. A face's ray starts at its centroid and runs along
+  // (P3 - P1) x (P2 - P1), transformed as a normal: that holds for mirrored sheets too.
+  std::ostringstream out;
+  out << head(scene) << "#declare Lentray_Diff_Row = mesh {\n";
+  const double units = s.scale();
+  for (std::uint32_t k = 0; k < s.columns; ++k) {
+    const double t = s.slope(k).value_or(0.0);
+    const double cosine = 1.0 / std::sqrt(1.0 + t * t);
+    const double size = 0.01 * units * s.pitch;
+    const Vec3 c{s.axis(s.lens_of(k)) * units - s.front * t, 0.0, 0.0};
+    const Vec3 across = Vec3{cosine, 0.0, -t * cosine} * size, upwards = Vec3{0.0, size, 0.0};
+    const Vec3 a = c - across + upwards, b = c + across + upwards, last = c - upwards * 2.0;
+    out << "triangle { " << text_of(a) << ", " << text_of(b) << ", " << text_of(last) << " }\n";
+  }
+  const double inverse = s.is_finite() ? 1.0 / (s.view_distance * units) : 0.0;
+  out << "}\ncamera {\n  mesh_camera { 1 1\n    #for (Lentray_Diff_K, 0, " << s.rows - 1 << ")\n"
+      << "      #local Lentray_Diff_Y = (0.5 - (Lentray_Diff_K + 0.5)/" << s.rows << ")*"
+      << text_of(s.height) << ";\n"
+      << "      #local Lentray_Diff_S = Lentray_Diff_Y*" << text_of(inverse) << " + "
+      << text_of(s.eye_slope_y) << ";\n"
+      << "      mesh { Lentray_Diff_Row\n"
+      << "        matrix <1,0,0, 0,1,-Lentray_Diff_S, 0,0,1, 0,0,0>\n"
+      << "        translate <0, Lentray_Diff_Y - " << text_of(s.front) << "*Lentray_Diff_S, "
+      << text_of(-s.front) << ">\n"
+      << "        matrix <" << text_of(s.right.x) << "," << text_of(s.right.y) << ","
+      << text_of(s.right.z) << ", " << text_of(s.up.x) << "," << text_of(s.up.y) << ","
+      << text_of(s.up.z) << ", " << text_of(s.direction.x) << "," << text_of(s.direction.y) << ","
+      << text_of(s.direction.z) << ", " << text_of(s.centre.x) << "," << text_of(s.centre.y) << ","
+      << text_of(s.centre.z) << ">\n      }\n    #end\n  }\n  location <0,0,0>\n}\n";
+  return out.str();
+}
+
+}  // namespace lentray::diff
