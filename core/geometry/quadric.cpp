@@ -19,10 +19,12 @@ double Quadric::value(const Vec3& p) const {
          p.z * (m_sq.z * p.z + m_mix.y * p.x + m_lin.z) + m_const;
 }
 
-bool Quadric::inside(const Vec3& p) const { return value(p) <= 0.0; }
-bool Quadric::outside(const Vec3& p) const { return value(p) >= 0.0; }
+bool Quadric::inside(const Vec3& p) const { return value(p - m_origin) <= 0.0; }
+bool Quadric::outside(const Vec3& p) const { return value(p - m_origin) >= 0.0; }
 
-Vec3 Quadric::normal(const Vec3& p, const ShapeHit&) const {
+Vec3 Quadric::normal(const Vec3& p, const ShapeHit&) const { return gradient(p - m_origin); }
+
+Vec3 Quadric::gradient(const Vec3& p) const {
   return {2.0 * m_sq.x * p.x + m_mix.x * p.y + m_mix.y * p.z + m_lin.x,
           m_mix.x * p.x + 2.0 * m_sq.y * p.y + m_mix.z * p.z + m_lin.y,
           m_mix.y * p.x + m_mix.z * p.y + 2.0 * m_sq.z * p.z + m_lin.z};
@@ -33,13 +35,14 @@ int Quadric::crossings(const Ray& ray, double out[2]) const {
   const Vec3& d = ray.direction;
   const double a = d.x * (m_sq.x * d.x + m_mix.x * d.y) + d.y * (m_sq.y * d.y + m_mix.z * d.z) +
                    d.z * (m_sq.z * d.z + m_mix.y * d.x);
-  const double b = dot(normal(ray.origin, {}), d);
-  const double c = value(ray.origin);
+  const Vec3 o = ray.origin - m_origin;
+  const double b = dot(gradient(o), d);
+  const double c = value(o);
   if (a == 0.0 || !(b * b - 4.0 * a * c < 0.25 * (b * b))) return solve_quadratic(a, b, c, out);
   // The roots are close to each other seen from here, or there is none: decide it at the point
   // midway between them, where the terms are small.
   const double middle = -0.5 * b / a;
-  const double h = -value(ray.at(middle)) / a;
+  const double h = -value(o + d * middle) / a;
   if (!(h >= 0.0)) return 0;
   const double half = std::sqrt(h);
   out[0] = middle - half;
@@ -134,31 +137,30 @@ void Quadric::find_bounds() {
 }
 
 std::unique_ptr<Shape> Quadric::baked(const Transform& t) const {
-  // q'(p) = q(p M) with M the inverse transform, as a symmetric form in (x, y, z, 1).
-  const double q[4][4] = {{m_sq.x, 0.5 * m_mix.x, 0.5 * m_mix.y, 0.5 * m_lin.x},
-                          {0.5 * m_mix.x, m_sq.y, 0.5 * m_mix.z, 0.5 * m_lin.y},
-                          {0.5 * m_mix.y, 0.5 * m_mix.z, m_sq.z, 0.5 * m_lin.z},
-                          {0.5 * m_lin.x, 0.5 * m_lin.y, 0.5 * m_lin.z, m_const}};
-  double m[4][4], half[4][4], r[4][4];
-  for (int i = 0; i < 4; ++i) {
-    for (int j = 0; j < 4; ++j) {
-      const auto row = static_cast<std::size_t>(i), column = static_cast<std::size_t>(j);
-      m[i][j] = j < 3 ? t.inverse_rows()[row][column] : i == 3 ? 1.0 : 0.0;
-    }
+  // q'(p) = q(p M) with M the inverse of the linear part; the translation moves the origin.
+  const double q[3][3] = {{m_sq.x, 0.5 * m_mix.x, 0.5 * m_mix.y},
+                          {0.5 * m_mix.x, m_sq.y, 0.5 * m_mix.z},
+                          {0.5 * m_mix.y, 0.5 * m_mix.z, m_sq.z}};
+  const Matrix& m = t.inverse_rows();
+  double r[3][3];
+  Vec3 linear;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3 row{m[i][0], m[i][1], m[i][2]};
+    const Vec3 half{row.x * q[0][0] + row.y * q[1][0] + row.z * q[2][0],
+                    row.x * q[0][1] + row.y * q[1][1] + row.z * q[2][1],
+                    row.x * q[0][2] + row.y * q[1][2] + row.z * q[2][2]};
+    for (std::size_t j = 0; j < 3; ++j) r[i][j] = dot(half, Vec3{m[j][0], m[j][1], m[j][2]});
+    linear[static_cast<int>(i)] = dot(row, m_lin);
   }
-  for (int i = 0; i < 4; ++i) {
-    for (int j = 0; j < 4; ++j) {
-      half[i][j] = m[i][0] * q[0][j] + m[i][1] * q[1][j] + m[i][2] * q[2][j] + m[i][3] * q[3][j];
-    }
+  auto moved = std::make_unique<Quadric>(Vec3{r[0][0], r[1][1], r[2][2]},
+                                         Vec3{2.0 * r[0][1], 2.0 * r[0][2], 2.0 * r[1][2]}, linear, m_const);
+  moved->m_origin = t.point(m_origin);
+  if (!moved->m_bounds.is_empty()) {
+    moved->m_bounds.lo += moved->m_origin;
+    moved->m_bounds.hi += moved->m_origin;
+    moved->m_bounds = padded(moved->m_bounds);
   }
-  for (int i = 0; i < 4; ++i) {
-    for (int j = 0; j < 4; ++j) {
-      r[i][j] = half[i][0] * m[j][0] + half[i][1] * m[j][1] + half[i][2] * m[j][2] + half[i][3] * m[j][3];
-    }
-  }
-  return std::make_unique<Quadric>(Vec3{r[0][0], r[1][1], r[2][2]},
-                                   Vec3{2.0 * r[0][1], 2.0 * r[0][2], 2.0 * r[1][2]},
-                                   Vec3{2.0 * r[0][3], 2.0 * r[1][3], 2.0 * r[2][3]}, r[3][3]);
+  return moved;
 }
 
 }  // namespace lentray::core
