@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/render/path_tracer.h"
+#include "core/render/surface_textures.h"
 
 namespace lentray::core {
 namespace {
@@ -94,13 +95,15 @@ Radiance PathTracer<kFeatures>::shade(const RayState& state, const Hit& hit, flo
   if (kLayers && hit.leaf->is_inverse()) at.normal = -at.normal;
   const bool from_behind = dot(at.normal, state.ray.direction) > 0.0;
   if (from_behind) at.normal = -at.normal;
-  const Texture* texture = at.looks->texture;
-  if (kLayers && from_behind && at.looks->interior_texture) texture = at.looks->interior_texture;
 
   Frame& frame = enter_frame();
-  texture->resolve(at.point, 1.0, frame.textures);
+  if constexpr (kLayers) {
+    textures_at(hit, at.point, from_behind, m_bailout, frame.textures);
+  } else {
+    at.looks->texture->resolve(at.point, 1.0, frame.textures);
+  }
   Radiance sum;
-  if (frame.textures.size() == 1) {
+  if (frame.textures.size() == 1 && frame.textures.front().weight == 1.0) {
     sum = shade_texture(*frame.textures.front().texture, at, frame);
   } else {
     for (const WeightedTexture& part : frame.textures) {
