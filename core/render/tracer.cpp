@@ -201,14 +201,16 @@ Rgb PathTracer<kFeatures>::lit(const Finish& finish, const Rgb& pigment, const V
     return sum;
   }
   const std::vector<Light>& lights = m_scene.lights();
+  const bool front_only = !at.looks->double_illuminate && finish.diffuse_back == 0.0;
   for (std::uint32_t i = 0; i < lights.size(); ++i) {
     const Light& light = lights[i];
+    if (front_only && surely_behind(light, at.point, normal)) continue;
     const LightRay ray = light_ray(light, at.point);
     Rgb colour = light_colour(light, at.point, ray);
     if (is_dark(colour)) continue;
     bool behind = false;
     if (!at.looks->double_illuminate && dot(normal, ray.direction) < kTiny) {
-      if (finish.diffuse_back == 0.0) continue;
+      if (front_only) continue;
       behind = true;
     }
     if (!light.shadowless) {
