@@ -42,8 +42,6 @@ std::uint32_t Sheet::view_width(std::uint32_t view) const {
   return view < columns ? (columns - 1 - view) / views() + 1 : 0;
 }
 
-bool Sheet::is_mirrored() const { return dot(cross(right, up), direction) < 0.0; }
-
 namespace {
 
 const json& member(const json& lens, const char* key) {

@@ -42,7 +42,6 @@ struct Sheet {
   std::optional<double> slope(std::uint32_t column) const;
   /// Lenses that have view j.
   std::uint32_t view_width(std::uint32_t view) const;
-  bool is_mirrored() const;                         ///< (r, u, d) turn the other way than (x, y, z)
 };
 
 /// From the statistics of lentray. Nothing if the picture is no integral image.

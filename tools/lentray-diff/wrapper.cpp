@@ -196,7 +196,7 @@ std::string view_scene(const Sheet& s, std::uint32_t view, Way way, const Includ
 std::string mesh_scene(const Sheet& s, const Included& scene) {
   // One row of triangles in the sheet's own axes, instanced for each row: its vertices are
   // floats, so places come from transforms. A face's ray starts at its centroid and runs along
-  // (P3 - P1) x (P2 - P1); a mirrored sheet turns that round, so there two vertices change places.
+  // (P3 - P1) x (P2 - P1), transformed as a normal: that holds for mirrored sheets too.
   std::ostringstream out;
   out << head(scene) << "#declare Lentray_Diff_Row = mesh {\n";
   const double units = s.scale();
@@ -206,9 +206,7 @@ std::string mesh_scene(const Sheet& s, const Included& scene) {
     const double size = 0.01 * units * s.pitch;
     const Vec3 c{s.axis(s.lens_of(k)) * units - s.front * t, 0.0, 0.0};
     const Vec3 across = Vec3{cosine, 0.0, -t * cosine} * size, upwards = Vec3{0.0, size, 0.0};
-    Vec3 a = c - across + upwards, b = c + across + upwards;
-    const Vec3 last = c - upwards * 2.0;
-    if (s.is_mirrored()) std::swap(a, b);
+    const Vec3 a = c - across + upwards, b = c + across + upwards, last = c - upwards * 2.0;
     out << "triangle { " << text_of(a) << ", " << text_of(b) << ", " << text_of(last) << " }\n";
   }
   const double inverse = s.is_finite() ? 1.0 / (s.view_distance * units) : 0.0;

@@ -1,0 +1,200 @@
+// Pictures to files and back: quantisation, metadata, and that a good file survives.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+
+#include "core/image/file_swap.h"
+#include "core/image/reader.h"
+#include "core/image/writer.h"
+#include "tools/lentray-diff/process.h"
+
+namespace lentray::core {
+namespace {
+
+namespace fs = std::filesystem;
+using diff::TemporaryFolder;
+
+Image ramp(std::uint32_t width, std::uint32_t height) {
+  Image image(width, height);
+  for (std::size_t i = 0; i < image.rgba.size(); ++i) {
+    image.rgba[i] = i % 4 == 3 ? 0.5f : static_cast<float>(i) / static_cast<float>(image.rgba.size());
+  }
+  return image;
+}
+
+ImageFormat format_of(FileType type, int bits) {
+  ImageFormat format;
+  format.type = type;
+  format.bits = bits;
+  return format;
+}
+
+TEST(UnitImageQuantised, LinearRoundsHalfUpAndClips) {
+  ImageFormat linear;
+  linear.srgb = false;
+  EXPECT_EQ(quantised(-0.1f, linear), 0u);
+  EXPECT_EQ(quantised(0.0f, linear), 0u);
+  EXPECT_EQ(quantised(0.49f / 255.0f, linear), 0u);
+  EXPECT_EQ(quantised(0.51f / 255.0f, linear), 1u);
+  EXPECT_EQ(quantised(0.5f, linear), 128u);
+  EXPECT_EQ(quantised(1.0f, linear), 255u);
+  EXPECT_EQ(quantised(7.0f, linear), 255u);
+  EXPECT_EQ(quantised(std::nanf(""), linear), 0u);
+  linear.bits = 16;
+  EXPECT_EQ(quantised(0.5f, linear), 32768u);
+  EXPECT_EQ(quantised(1.0f, linear), 65535u);
+}
+
+TEST(UnitImageQuantised, SrgbCurve) {
+  // Reference values of IEC 61966-2-1, in double.
+  for (const int bits : {8, 16}) {
+    const ImageFormat format = format_of(FileType::png, bits);
+    const double max = std::pow(2.0, bits) - 1.0;
+    for (const double v : {0.001, 0.0031308, 0.01, 0.1, 0.2140, 0.5, 0.73, 0.999}) {
+      const double e = v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055;
+      EXPECT_NEAR(quantised(static_cast<float>(v), format), e * max, 0.51) << v << " " << bits;
+    }
+  }
+}
+
+TEST(UnitImageQuantised, PowerLaw) {
+  ImageFormat format;
+  format.srgb = false;
+  format.file_gamma = 2.2;
+  EXPECT_EQ(quantised(0.5f, format), static_cast<unsigned>(255 * std::pow(0.5, 1 / 2.2) + 0.5));
+  format.working_gamma = 2.2;  // undone and put on again
+  EXPECT_EQ(quantised(0.5f, format), 128u);
+}
+
+TEST(UnitImageFiles, IntegersComeBack) {
+  const TemporaryFolder folder;
+  const Image image = ramp(7, 5);
+  for (const char* name : {"a.png", "a.tif"}) {
+    for (const int bits : {8, 16}) {
+      for (const bool alpha : {false, true}) {
+        ImageFormat format = format_of(file_type_of(name), bits);
+        format.alpha = alpha;
+        write_image(image, folder / name, format);
+        const StoredImage back = read_image(folder / name);
+        ASSERT_EQ(back.width, 7u);
+        ASSERT_EQ(back.height, 5u);
+        ASSERT_EQ(back.channels, alpha ? 4 : 3);
+        ASSERT_EQ(back.bits, bits);
+        for (std::uint32_t y = 0; y < 5; ++y) {
+          for (std::uint32_t x = 0; x < 7; ++x) {
+            for (int c = 0; c < 3; ++c) {
+              ASSERT_EQ(back.at(x, y, c), quantised(image.pixel(x, y)[c], format)) << name;
+            }
+            if (alpha) { ASSERT_EQ(back.at(x, y, 3), bits == 8 ? 128 : 32768); }
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(UnitImageFiles, OpenExrKeepsFloats) {
+  const TemporaryFolder folder;
+  const Image image = ramp(6, 3);
+  write_image(image, folder / "a.exr", format_of(FileType::exr, 8));
+  const StoredImage back = read_image(folder / "a.exr");
+  EXPECT_EQ(back.bits, 32);
+  EXPECT_EQ(back.at(4, 2, 1), image.pixel(4, 2)[1]);
+}
+
+TEST(UnitImageFiles, MetadataComesBack) {
+  const TemporaryFolder folder;
+  ImageMetadata metadata;
+  metadata.dpi_x = 339.0;
+  metadata.dpi_y = 170.5;
+  metadata.software = "lentray";
+  metadata.description = "a sheet";
+  metadata.fields = {{"lentray:lens_pitch", "1.124"}};
+  for (const char* name : {"a.png", "a.tif", "a.exr"}) {
+    write_image(ramp(4, 4), folder / name, format_of(file_type_of(name), 8), metadata);
+    const auto attributes = read_image(folder / name).attributes;
+    ASSERT_TRUE(attributes.count("XResolution")) << name;
+    EXPECT_NEAR(std::stod(attributes.at("XResolution")), 339.0, 0.02) << name;
+    EXPECT_NEAR(std::stod(attributes.at("YResolution")), 170.5, 0.02) << name;
+    EXPECT_EQ(attributes.at("Software"), "lentray") << name;
+    if (std::string(name) == "a.tif") {
+      EXPECT_EQ(attributes.at("ImageDescription"), "a sheet\nlentray:lens_pitch=1.124");
+    } else {
+      EXPECT_EQ(attributes.at("lentray:lens_pitch"), "1.124") << name;
+      EXPECT_EQ(attributes.at("ImageDescription"), "a sheet") << name;
+    }
+  }
+}
+
+TEST(UnitImageFiles, SamePictureSameBytes) {
+  const TemporaryFolder folder;
+  write_image(ramp(9, 9), folder / "a.png", {});
+  write_image(ramp(9, 9), folder / "b.png", {});
+  EXPECT_EQ(diff::read_text(folder / "a.png"), diff::read_text(folder / "b.png"));
+}
+
+TEST(UnitImageFiles, NoPartIsLeftBehind) {
+  const TemporaryFolder folder;
+  write_image(ramp(9, 9), folder / "a.png", {});
+  {
+    FileSwap swap(folder / "b.png");
+    std::ofstream(swap.temporary()) << "half";
+    EXPECT_TRUE(fs::exists(swap.temporary()));
+  }
+  std::size_t files = 0;
+  for (const auto& entry : fs::directory_iterator(folder.path())) {
+    ++files;
+    EXPECT_EQ(entry.path().filename(), "a.png");
+  }
+  EXPECT_EQ(files, 1u);
+}
+
+TEST(UnitImageFiles, LinksAreFollowed) {
+  const TemporaryFolder folder;
+  fs::create_directory(folder / "real");
+  diff::write_text(folder / "real/a.png", "old");
+  fs::create_symlink("real/a.png", folder / "link.png");
+  write_image(ramp(3, 3), folder / "link.png", {});
+  EXPECT_TRUE(fs::is_symlink(folder / "link.png"));
+  EXPECT_EQ(read_image(folder / "real/a.png").width, 3u);
+}
+
+std::string message_of(const fs::path& path, const Image& image, const ImageFormat& format) {
+  try {
+    write_image(image, path, format);
+  } catch (const ImageError& e) {
+    return e.what();
+  }
+  return "no error";
+}
+
+TEST(ErrorImage, EachSaysWhatIsWrong) {
+  const TemporaryFolder folder;
+  const Image image = ramp(3, 3);
+  EXPECT_NE(message_of(folder / "none/a.png", image, {}).find("does not exist"), std::string::npos);
+  fs::create_directory(folder / "taken.png");
+  EXPECT_NE(message_of(folder / "taken.png", image, {}).find("a folder has that name"),
+            std::string::npos);
+  diff::write_text(folder / "file", "x");
+  EXPECT_NE(message_of(folder / "file/a.png", image, {}).find("is not a folder"), std::string::npos);
+  EXPECT_NE(message_of(folder / "a.png", Image(), {}).find("empty"), std::string::npos);
+  EXPECT_NE(message_of(folder / "a.png", image, format_of(FileType::png, 12)).find("8 and 16"),
+            std::string::npos);
+  EXPECT_THROW(file_type_of("a.jpg"), ImageError);
+  EXPECT_EQ(file_type_of("A.TIFF"), FileType::tiff);
+  EXPECT_THROW(read_image(folder / "nothing.png"), ImageError);
+  EXPECT_THROW(read_image(folder / "file"), ImageError);
+}
+
+TEST(ErrorImage, GoodFileSurvivesFailure) {
+  const TemporaryFolder folder;
+  write_image(ramp(3, 3), folder / "a.png", {});
+  const std::string before = diff::read_text(folder / "a.png");
+  EXPECT_NE(message_of(folder / "a.png", Image(), {}), "no error");
+  EXPECT_NE(message_of(folder / "a.png", ramp(4, 4), format_of(FileType::png, 7)), "no error");
+  EXPECT_EQ(diff::read_text(folder / "a.png"), before);
+}
+
+}  // namespace
+}  // namespace lentray::core
