@@ -101,7 +101,10 @@ std::optional<Sheet> sheet_of(const json& statistics) {
     s.eye_slope_x = slope->at(0).get<double>();
     s.eye_slope_y = slope->at(1).get<double>();
   }
-  s.columns = image.at("width").get<std::uint32_t>();
+  // A view alone is as wide as it has lenses; the sheet is still the whole one.
+  s.columns = lens.contains("view")
+                  ? static_cast<std::uint32_t>(std::lround(number(lens, "lenses") * s.pixels))
+                  : image.at("width").get<std::uint32_t>();
   s.rows = image.at("height").get<std::uint32_t>();
   if (std::abs(dot(s.right, s.direction)) > 1e-9 || std::abs(dot(s.up, s.direction)) > 1e-9) {
     throw std::runtime_error("\"lens.direction\" is not perpendicular to the sheet");
