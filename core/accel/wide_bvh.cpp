@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <cstring>
-#include <limits>
+#include <stdexcept>
 
 namespace lentray::core {
 namespace {
@@ -351,6 +350,9 @@ void WideBvh::build(std::span<const Bounds> boxes, const Options& options) {
     m_bounds.include(boxes[i]);
   }
   if (m_order.empty()) return;
+  if (m_order.size() >> WideNode::kFirstBits != 0) {
+    throw std::length_error("more parts than a bounding hierarchy holds");
+  }
   m_frame = frame_of(m_bounds);
   BinaryBuilder builder(boxes, options, m_order);
   const std::uint32_t root = builder.run();

@@ -125,6 +125,16 @@ class WideBvh {
   template <class Leaf>
   bool at_point(const Vec3& point, Leaf&& leaf) const;
 
+  /// Calls visit(first, count) for every leaf, once.
+  template <class Visit>
+  void for_each_leaf(Visit&& visit) const {
+    for (const WideNode& node : m_nodes) {
+      for (std::uint32_t i = 0; i < node.used; ++i) {
+        if (node.child[i] & WideNode::kLeaf) visit(leaf_first(node.child[i]), leaf_count(node.child[i]));
+      }
+    }
+  }
+
   /// The two ways of traverse(), for callers with leaves of their own for each. kOrdered: near
   /// children first; else as they come (any-hit searches).
   template <bool kOrdered, class Leaf, class Count>
@@ -140,7 +150,7 @@ class WideBvh {
  private:
   /// A child to visit, and where its box is entered.
   struct Entry { float t; std::uint32_t child; };
-  static constexpr int kMaxDepth = 64;
+  static constexpr int kMaxDepth = 80;
   static constexpr int kStack = kMaxDepth * (WideNode::kWidth - 1) + WideNode::kWidth;
   /// Widens distances for the three roundings of a slab test (3 * 2^-24).
   static constexpr float kDistanceSlack = 0x1p-22f;

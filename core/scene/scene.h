@@ -17,6 +17,7 @@
 namespace lentray::core {
 
 class Hierarchy;
+class SolidIndex;
 
 /// From global_settings and the atmosphere; defaults are stock's under `#version 3.7`.
 struct SceneSettings {
@@ -66,12 +67,14 @@ class Scene {
   const Needs& needs() const { return m_needs; }
   /// Objects after splitting top-level unions; the hierarchy and the cache speak of these.
   const std::vector<std::unique_ptr<Object>>& objects() const { return m_parts.objects; }
-  /// Objects with an interior that contain the point (a ray may start inside), scene order.
+  /// Objects whose inside holds the point (a ray may start there), scene order. Every solid
+  /// counts, hollow ones and ones without an `interior` too, as in stock; of the parts of one
+  /// union that share an interior only the first.
   void containing(const Vec3& p, std::vector<const Object*>& out) const;
 
  private:
   SceneParts m_parts;
-  std::vector<const Object*> m_with_interior;
+  std::unique_ptr<SolidIndex> m_solids;
   std::unique_ptr<Hierarchy> m_hierarchy;
   Needs m_needs;
 };

@@ -1,4 +1,5 @@
-// A finish as written; scaling by `albedo`, metallic and the like is done by the build.
+// A finish as written. `albedo` is applied when its block ends, as stock does: the numbers here are
+// those that shade.
 // Source: reference manual 3.7, "Finish".
 #pragma once
 
@@ -17,7 +18,7 @@ struct ReflectionDesc {
 };
 
 struct SubsurfaceDesc {
-  core::Rgb translucency;
+  core::Rgb translucency, anisotropy;
 };
 
 struct FinishDesc {
@@ -25,20 +26,18 @@ struct FinishDesc {
   core::Rgb ambient{0.1f, 0.1f, 0.1f};
   core::Rgb emission;
   double diffuse = 0.6, diffuse_back = 0.0;
-  bool diffuse_albedo = false;
+  bool diffuse_albedo = false;    ///< only while the block is read; so the two below
   double brilliance = 1.0;
   double phong = 0.0, phong_size = 40.0;
   bool phong_albedo = false;
   double specular = 0.0, roughness = 0.05;
   bool specular_albedo = false;
   double metallic = 0.0;
-  bool fresnel = false;           ///< finish-wide `fresnel` (3.8)
   ReflectionDesc reflection;
   double reflection_exponent = 1.0;
   bool conserve_energy = false;
   double crand = 0.0;
   double irid = 0.0, irid_thickness = 0.0, irid_turbulence = 0.0;
-  bool use_alpha = false;
   std::optional<SubsurfaceDesc> subsurface;
   /// Old scenes give refraction here; they go to the interior of what bears the texture.
   std::optional<double> ior, caustics, fade_distance, fade_power, refraction;

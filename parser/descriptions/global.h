@@ -12,7 +12,7 @@
 namespace lentray::parser {
 
 /// Kept; rendered later.
-struct RadiosityDesc {
+struct RadiositySettings {
   double adc_bailout = 0.01, brightness = 1.0, error_bound = 1.8, gray_threshold = 0.0;
   double low_error_factor = 0.5, maximum_reuse = 0.2, minimum_reuse = 0.015, max_sample = -1.0;
   double pretrace_start = 0.08, pretrace_end = 0.04;
@@ -22,7 +22,7 @@ struct RadiosityDesc {
 };
 
 /// Kept; rendered later.
-struct PhotonsDesc {
+struct PhotonSettings {
   double spacing = 1.0, jitter = 0.4, autostop = 0.0, expand_increase = 0.2;
   double adc_bailout = -1.0, radius = -1.0, radius_multiplier = 1.0;
   double media_radius = -1.0, media_radius_multiplier = 1.0, media_factor = 1.0;
@@ -32,7 +32,7 @@ struct PhotonsDesc {
 };
 
 /// Kept; rendered later.
-struct SubsurfaceDesc {
+struct SubsurfaceSettings {
   int samples_diffuse = 50, samples_single = 50;
   bool radiosity = false;
 };
@@ -49,9 +49,9 @@ struct GlobalDesc {
   int number_of_waves = 10;
   std::optional<int> noise_generator;    ///< 1..3
   double mm_per_unit = 10.0;
-  std::optional<RadiosityDesc> radiosity;
-  std::optional<PhotonsDesc> photons;
-  std::optional<SubsurfaceDesc> subsurface;
+  std::optional<RadiositySettings> radiosity;
+  std::optional<PhotonSettings> photons;
+  std::optional<SubsurfaceSettings> subsurface;
 };
 
 }  // namespace lentray::parser

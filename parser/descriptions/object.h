@@ -32,7 +32,7 @@ struct BoxShape { Vec3 corner1, corner2; };
 struct PlaneShape { Vec3 normal; double distance = 0.0; };   ///< normal as written
 struct CylinderShape { Vec3 base, cap; double radius = 1.0; bool open = false; };
 struct ConeShape { Vec3 base, cap; double base_radius = 1.0, cap_radius = 0.0; bool open = false; };
-struct TorusShape { double major = 1.0, minor = 0.25; bool sturm = false; };
+struct TorusShape { double major = 1.0, minor = 0.25; };
 struct DiscShape { Vec3 centre, normal{0, 0, 1}; double radius = 1.0, hole = 0.0; };
 struct TriangleShape { std::array<Vec3, 3> p; };
 struct SmoothTriangleShape { std::array<Vec3, 3> p, n; };
@@ -75,7 +75,7 @@ struct BlobElement {
   core::Transform transform;
   Ref<TextureDesc> texture;
 };
-struct BlobShape { double threshold = 1.0; std::vector<BlobElement> elements; bool sturm = false; };
+struct BlobShape { double threshold = 1.0; std::vector<BlobElement> elements; };
 struct BicubicPatchShape {
   int type = 0, u_steps = 0, v_steps = 0;
   double flatness = 0.0;
@@ -110,8 +110,8 @@ struct JuliaFractalShape {
   std::string function = "sqr";
 };
 enum class SplineKind { kLinear, kQuadratic, kCubic, kBezier, kB, kNatural };
-struct LatheShape { SplineKind spline = SplineKind::kLinear; std::vector<Vec2> points; bool sturm = false; };
-struct OvusShape { double bottom = 1.0, top = 0.5; bool sturm = false; };
+struct LatheShape { SplineKind spline = SplineKind::kLinear; std::vector<Vec2> points; };
+struct OvusShape { double bottom = 1.0, top = 0.5; };
 struct ParametricShape {
   std::array<Ref<FunctionDesc>, 3> functions;
   Vec2 lo, hi;
@@ -121,14 +121,14 @@ struct ParametricShape {
   std::array<bool, 3> precompute{false, false, false};
 };
 /// Coefficients in the order of the manual, "Poly, Cubic and Quartic".
-struct PolyShape { int order = 2; std::vector<double> coefficients; bool sturm = false; };
+struct PolyShape { int order = 2; std::vector<double> coefficients; };
 struct PrismShape {
   SplineKind spline = SplineKind::kLinear;
-  bool conic_sweep = false, open = false, sturm = false;
+  bool conic_sweep = false, open = false;
   double height1 = 0.0, height2 = 1.0;
   std::vector<Vec2> points;
 };
-struct SorShape { std::vector<Vec2> points; bool open = false, sturm = false; };
+struct SorShape { std::vector<Vec2> points; bool open = false; };
 struct SphereSweepShape {
   SplineKind spline = SplineKind::kLinear;
   std::vector<Vec3> centres;
@@ -160,29 +160,22 @@ struct CompiledSlot {
   CompiledSlot& operator=(const CompiledSlot&) { object.reset(); return *this; }
 };
 
-/// One layer of an object's looks: transforms that followed it in the statement move it.
-struct TextureLayerRef {
-  Ref<TextureDesc> texture;
-  core::Transform transform;
-};
-
 struct ObjectDesc {
   Location where;
   std::string keyword;                  ///< of the statement, for messages
   ShapeDesc shape;
   core::Transform transform;
 
-  std::vector<TextureLayerRef> textures, interior_textures;  ///< later ones lie on top; empty: inherited
+  // Looks and bounds have been moved by the transforms that followed them in the statement.
+  Ref<TextureDesc> texture;             ///< null: inherited, at last the default texture
+  Ref<TextureDesc> interior_texture;    ///< null: the same as `texture`
   Ref<InteriorDesc> interior;           ///< null: inherited
-  core::Transform interior_transform;
-
   std::vector<Ref<ObjectDesc>> clipped_by, bounded_by;
-  core::Transform clip_transform;       ///< object transforms that came after clipped_by; same for:
-  core::Transform bound_transform;
+  bool bounds_are_clips = false;        ///< bounded_by { clipped_by } or the other way round
 
   bool inverse = false;
   bool no_shadow = false, no_image = false, no_reflection = false, no_radiosity = false;
-  bool double_illuminate = false;
+  std::optional<bool> double_illuminate;   ///< of a CSG: holds for everything in it
   std::optional<bool> hollow;           ///< unset: a surrounding CSG may set it
   bool sturm = false, hierarchy = true, uv_mapping = false;
   std::optional<double> radiosity_importance;

@@ -1,6 +1,8 @@
 // A pattern with its modifiers as written, shared by pigments, normals, textures and densities.
-// `placement` keeps warps, turbulence and transforms in the order of the text: a point of the world
-// goes through it backwards, last statement first, before the pattern looks at it.
+// `placement` keeps warps, turbulence and transforms from the pattern outwards: a point of the world
+// goes through it backwards, last entry first, before the pattern looks at it. Statements append to
+// it in the order of the text, except turbulence outside a warp, which is one entry in front, wherever
+// it was written (measured on stock: `scale 2 turbulence 1` is `turbulence 1 scale 2`).
 // Source: reference manual 3.7, "Patterns", "Pattern Modifiers", "Warps".
 #pragma once
 
@@ -91,9 +93,9 @@ struct PatternDesc {
   core::Vec3 brick_size{8, 3, 4.5};
   double mortar = 0.5;
   double agate_turbulence = 1.0;
-  int arms = 0;                   ///< of a spiral; number of a tiling; exponent of pavement's sides
+  int arms = 0;                   ///< of a spiral
   double quilt0 = 1.0, quilt1 = 1.0;
-  double facets_coords = 0.0, facets_size = 0.0;
+  double facets_coords = 0.0, facets_size = 0.1, facets_metric = 2.0;
   core::Vec3 crackle_form{-1, 1, 0};
   double crackle_metric = 2.0, crackle_offset = 0.0;
   bool crackle_solid = false;
@@ -106,8 +108,9 @@ struct PatternDesc {
   core::Vec3 altitude;
   double slope_low = 0.0, slope_high = 0.0, altitude_low = 0.0, altitude_high = 0.0;
   bool slope_point_at = false;
+  int tiling = 1;
   // pavement
-  int pavement_sides = 3, pavement_tiles = 3, pavement_pattern = 1;
+  int pavement_sides = 3, pavement_tiles = 1, pavement_pattern = 1;
   int pavement_exterior = 0, pavement_interior = 0, pavement_form = 0;
 
   Ref<FunctionDesc> function;
@@ -115,8 +118,12 @@ struct PatternDesc {
   Ref<ObjectDesc> object;         ///< object, potential
   bool potential_threshold = false;
   Ref<PigmentDesc> pigment;       ///< pigment_pattern
-  std::string density_file;
+  std::string density_file, density_path;
   int density_interpolate = 0;
+
+  /// The one turbulence outside warps, made if there is none yet.
+  TurbulenceDesc& classic_turbulence();
+  void transform(const core::Transform& by);
 };
 
 }  // namespace lentray::parser

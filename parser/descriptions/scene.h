@@ -23,12 +23,14 @@ struct SceneDesc {
   GlobalDesc global;
   core::Colour background;            ///< black and opaque unless the scene says otherwise
   bool has_background = false;
+  int background_version = 370;       ///< #version x 100 where it stood: before 3.7 it is opaque
   std::vector<FogDesc> fogs;
   std::vector<RainbowDesc> rainbows;
   std::optional<SkySphereDesc> sky_sphere;
   std::vector<Ref<MediaDesc>> atmosphere_media;
   double atmosphere_ior = 1.0;
   int language_version = 370;         ///< x 100, at the end of the text
+  bool language_version_set = false;
 };
 
 }  // namespace lentray::parser

@@ -2,18 +2,14 @@
 // One Context a scene; every production takes (Parser&, Context&).
 #pragma once
 
-#include <optional>
-
 #include "parser/descriptions/camera.h"
-#include "parser/value.h"
+#include "parser/grammar/material.h"
 
 namespace lentray::parser {
 
 struct Context {
-  /// What `#default { texture / pigment / normal / finish }` has made so far; null: the built-in
-  /// default. A texture, pigment ... statement starts from it; an object without a texture takes
-  /// the one in force when its outermost statement ends.
-  Ref<TextureDesc> default_texture;
+  /// Looks: `#default { texture / pigment / normal / finish }` and what patterns need of objects.
+  MaterialContext materials;
   /// `#default { camera { ... } }`: where later camera statements start from.
   CameraDesc default_camera;
 };

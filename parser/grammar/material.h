@@ -27,8 +27,10 @@ Ref<FinishDesc> parse_finish(Parser& parser, MaterialContext& context);
 /// One `texture {}` (its identifier may bring several layers).
 Ref<TextureDesc> parse_texture(Parser& parser, MaterialContext& context);
 Ref<InteriorDesc> parse_interior(Parser& parser, MaterialContext& context);
+/// The same, changing the interior that is there already (null: none).
+Ref<InteriorDesc> parse_interior(Parser& parser, MaterialContext& context,
+                                 const Ref<InteriorDesc>& below);
 Ref<MaterialDesc> parse_material(Parser& parser, MaterialContext& context);
-/// `below` is modified where the object already has an interior, material ...: null if none.
 Ref<MediaDesc> parse_media(Parser& parser, MaterialContext& context);
 Ref<DensityDesc> parse_density(Parser& parser, MaterialContext& context);
 

@@ -1,8 +1,6 @@
 // Object statements: text -> ObjectDesc.
 #pragma once
 
-#include <vector>
-
 #include "parser/descriptions/object.h"
 #include "parser/grammar/context.h"
 #include "parser/parser.h"
@@ -14,5 +12,9 @@ namespace lentray::parser {
 Ref<ObjectDesc> accept_object(Parser& parser, Context& context);
 /// The same, and a message if there is none.
 Ref<ObjectDesc> expect_object(Parser& parser, Context& context);
+/// Whether the next token starts an object statement.
+bool at_object(Parser& parser);
+/// The words that start one, for messages.
+std::string object_words();
 
 }  // namespace lentray::parser

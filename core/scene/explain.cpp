@@ -1,0 +1,109 @@
+#include "core/scene/explain.h"
+
+#include <cstddef>
+#include <iomanip>
+#include <sstream>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/accel/hierarchy.h"
+
+namespace lentray::core {
+namespace {
+
+using Feature = std::pair<std::string_view, bool Needs::*>;
+
+constexpr Feature kFeatures[] = {
+    {"infinite objects", &Needs::infinite_objects},
+    {"constructive solid geometry", &Needs::csg},
+    {"clipping", &Needs::clipping},
+    {"transparency", &Needs::transparency},
+    {"transparent shadows", &Needs::transparent_shadows},
+    {"refraction", &Needs::refraction},
+    {"interiors", &Needs::interiors},
+    {"reflection", &Needs::reflection},
+    {"layered textures", &Needs::layered_textures},
+    {"textures by place", &Needs::textures_by_place},
+    {"interior textures", &Needs::interior_textures},
+    {"highlights", &Needs::highlights},
+    {"area lights", &Needs::area_lights},
+    {"spot and cylindrical lights", &Needs::spot_lights},
+    {"fading lights", &Needs::fading_lights},
+    {"shadowless lights", &Needs::shadowless_lights},
+    {"no_image, no_reflection, no_shadow", &Needs::visibility_flags},
+    {"sky sphere", &Needs::sky_sphere},
+};
+
+constexpr int kColumn = 22;
+
+std::ostream& line(std::ostream& out, std::string_view label) {
+  return out << "  " << std::left << std::setw(kColumn) << label;
+}
+
+/// Comma-separated, broken into lines under the label's column.
+void list(std::ostream& out, std::string_view label, const std::vector<std::string>& items) {
+  constexpr std::size_t kWidth = 96;
+  line(out, label);
+  std::size_t used = kColumn + 2;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const std::string text = items[i] + (i + 1 < items.size() ? "," : "");
+    if (used + text.size() + 1 > kWidth) {
+      out << '\n' << std::string(kColumn + 2, ' ');
+      used = kColumn + 2;
+    }
+    out << text << ' ';
+    used += text.size() + 1;
+  }
+  if (items.empty()) out << "none";
+  out << '\n';
+}
+
+std::string size_text(std::size_t bytes) {
+  std::ostringstream out;
+  out << std::fixed << std::setprecision(1);
+  if (bytes < 10 * 1024) {
+    out << bytes << " bytes";
+  } else if (bytes < 10 * 1024 * 1024) {
+    out << static_cast<double>(bytes) / 1024.0 << " KiB";
+  } else {
+    out << static_cast<double>(bytes) / (1024.0 * 1024.0) << " MiB";
+  }
+  return out.str();
+}
+
+}  // namespace
+
+std::string explain(const Scene& scene) {
+  const Needs& needs = scene.needs();
+  std::ostringstream out;
+  out << "Scene\n";
+  line(out, "objects") << scene.objects().size() << " after splitting unions\n";
+  std::vector<std::string> primitives;
+  for (const auto& [name, count] : needs.primitives) {
+    primitives.push_back(std::to_string(count) + " " + name);
+  }
+  list(out, "primitives", primitives);
+  line(out, "lights") << scene.lights().size() << '\n';
+
+  out << "Needs\n";
+  std::vector<std::string> present, absent;
+  for (const auto& [name, member] : kFeatures) {
+    (needs.*member ? present : absent).emplace_back(name);
+  }
+  list(out, "used", present);
+  list(out, "left out", absent);
+  line(out, "trace level") << needs.greatest_depth << " at most (max_trace_level "
+                           << scene.settings().max_trace_level << ")\n";
+
+  const Hierarchy::Shape shape = scene.hierarchy().statistics();
+  out << "Bounding hierarchy\n";
+  line(out, "bounded objects") << shape.objects - shape.infinite << '\n';
+  line(out, "infinite objects") << shape.infinite << '\n';
+  line(out, "nodes of 8 boxes") << shape.nodes << ", depth " << shape.depth << '\n';
+  line(out, "leaves") << shape.leaves << '\n';
+  line(out, "memory") << size_text(scene.hierarchy().memory()) << '\n';
+  return out.str();
+}
+
+}  // namespace lentray::core

@@ -1,0 +1,143 @@
+#include "core/scene/needs_finder.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "core/geometry/mesh.h"
+
+namespace lentray::core {
+namespace {
+
+/// Every texture that a leaf's surface may show.
+template <class Visit>
+void visit_textures(const Leaf& leaf, Visit&& visit) {
+  const Attributes& looks = leaf.attributes();
+  if (looks.texture) visit(*looks.texture);
+  if (looks.interior_texture) visit(*looks.interior_texture);
+  if (const auto* mesh = dynamic_cast<const Mesh*>(&leaf.shape())) {
+    for (const Texture* texture : mesh->textures()) {
+      if (texture) visit(*texture);
+    }
+  }
+}
+
+std::vector<const Leaf*> leaves_of(const Object& object) {
+  std::vector<const Leaf*> leaves;
+  object.leaves(leaves);
+  return leaves;
+}
+
+bool is_opaque(const Leaf& leaf) {
+  bool opaque = true;
+  visit_textures(leaf, [&](const Texture& texture) { opaque = opaque && texture.is_opaque(); });
+  return opaque;
+}
+
+class Finder {
+ public:
+  explicit Finder(const SceneParts& parts) : m_parts(parts) {}
+
+  Needs run() {
+    for (const auto& object : m_parts.objects) look_at_object(*object);
+    for (const Light& light : m_parts.lights) look_at_light(light);
+    m_needs.sky_sphere = m_parts.sky_sphere && !m_parts.sky_sphere->pigments.empty();
+    if (m_parts.settings.atmosphere_ior != 1.0 && m_needs.transparency) m_needs.refraction = true;
+    m_needs.greatest_depth = m_needs.reflection || m_needs.transparency
+                                 ? std::max(1, m_parts.settings.max_trace_level)
+                                 : 1;
+    return std::move(m_needs);
+  }
+
+ private:
+  void look_at_object(const Object& object) {
+    const Attributes& a = object.attributes();
+    if (a.no_image || a.no_reflection || a.no_shadow) m_needs.visibility_flags = true;
+    if (!object.bounds().is_finite() && !object.bounds().is_empty()) {
+      m_needs.infinite_objects = true;
+    }
+    if (!object.is_opaque() && !a.no_shadow) m_needs.transparent_shadows = true;
+    look_at_structure(object);
+    for (const Leaf* leaf : leaves_of(object)) look_at_leaf(*leaf);
+  }
+
+  void look_at_structure(const Object& object) {
+    if (!object.clips().empty()) m_needs.clipping = true;
+    if (const auto* csg = dynamic_cast<const Csg*>(&object)) {
+      m_needs.csg = true;
+      for (const auto& child : csg->children()) look_at_structure(*child);
+    }
+    if (object.attributes().interior) m_needs.interiors = true;
+  }
+
+  void look_at_leaf(const Leaf& leaf) {
+    ++m_needs.primitives[std::string(leaf.name())];
+    const Attributes& a = leaf.attributes();
+    if (a.interior) m_needs.interiors = true;
+    if (a.interior_texture && a.interior_texture != a.texture) m_needs.interior_textures = true;
+    const bool opaque = is_opaque(leaf);
+    if (!opaque) {
+      m_needs.transparency = true;
+      if (a.interior && a.interior->ior != 1.0) m_needs.refraction = true;
+    }
+    if (const auto* mesh = dynamic_cast<const Mesh*>(&leaf.shape())) {
+      if (mesh->has_textures()) m_needs.textures_by_place = true;
+    }
+    visit_textures(leaf, [&](const Texture& texture) { look_at_texture(texture); });
+  }
+
+  void look_at_texture(const Texture& texture) {
+    if (!m_seen.insert(&texture).second) return;
+    if (!dynamic_cast<const LayeredTexture*>(&texture)) m_needs.textures_by_place = true;
+    std::vector<const LayeredTexture*> stacks;
+    texture.collect(stacks);
+    for (const LayeredTexture* stack : stacks) {
+      if (stack->layers().size() > 1) m_needs.layered_textures = true;
+      for (const TextureLayer& layer : stack->layers()) look_at_finish(layer.finish);
+    }
+  }
+
+  void look_at_finish(const Finish& finish) {
+    if (!finish.reflection_max.is_black() || !finish.reflection_min.is_black()) {
+      m_needs.reflection = true;
+    }
+    if (finish.phong != 0.0 || finish.specular != 0.0) m_needs.highlights = true;
+  }
+
+  void look_at_light(const Light& light) {
+    if (light.has_area) m_needs.area_lights = true;
+    if (light.kind != Light::Kind::kPoint) m_needs.spot_lights = true;
+    if (light.fade_power != 0.0 && light.fade_distance != 0.0) m_needs.fading_lights = true;
+    if (light.shadowless) m_needs.shadowless_lights = true;
+  }
+
+  const SceneParts& m_parts;
+  std::set<const Texture*> m_seen;
+  Needs m_needs;
+};
+
+}  // namespace
+
+bool all_opaque(const Object& object) {
+  const std::vector<const Leaf*> leaves = leaves_of(object);
+  return std::all_of(leaves.begin(), leaves.end(), [](const Leaf* l) { return is_opaque(*l); });
+}
+
+Needs find_needs(const SceneParts& parts) { return Finder(parts).run(); }
+
+Needs everything_needed(Needs found, const SceneSettings& settings) {
+  Needs all;
+  all.primitives = std::move(found.primitives);
+  for (bool Needs::*feature :
+       {&Needs::infinite_objects, &Needs::csg, &Needs::clipping, &Needs::transparency,
+        &Needs::transparent_shadows, &Needs::refraction, &Needs::interiors, &Needs::reflection,
+        &Needs::layered_textures, &Needs::textures_by_place, &Needs::interior_textures,
+        &Needs::highlights, &Needs::area_lights, &Needs::spot_lights, &Needs::fading_lights,
+        &Needs::shadowless_lights, &Needs::visibility_flags, &Needs::sky_sphere}) {
+    all.*feature = true;
+  }
+  all.greatest_depth = std::max(1, settings.max_trace_level);
+  return all;
+}
+
+}  // namespace lentray::core

@@ -1,0 +1,53 @@
+#include "core/scene/solid_index.h"
+
+#include <algorithm>
+
+namespace lentray::core {
+
+SolidIndex::SolidIndex(const std::vector<std::unique_ptr<Object>>& objects,
+                       const std::vector<std::uint32_t>& groups) {
+  std::vector<Solid> bounded;
+  std::vector<Bounds> boxes;
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    const Object& object = *objects[i];
+    const Solid solid{&object, object.solid_bounds(), static_cast<std::uint32_t>(i), groups[i]};
+    if (solid.bounds.is_empty()) continue;
+    if (solid.bounds.is_finite()) {
+      bounded.push_back(solid);
+      boxes.push_back(solid.bounds);
+    } else {
+      m_unbounded.push_back(solid);
+    }
+  }
+  m_tree = WideBvh(boxes);
+  m_bounded.reserve(m_tree.order().size());
+  for (const std::uint32_t part : m_tree.order()) m_bounded.push_back(bounded[part]);
+}
+
+void SolidIndex::containing(const Vec3& p, std::vector<const Object*>& out) const {
+  out.clear();
+  std::vector<const Solid*> found;  // no memory unless there are any
+  const auto test = [&](const Solid& solid) {
+    if (solid.bounds.contains(p) && solid.object->inside(p)) found.push_back(&solid);
+  };
+  for (const Solid& solid : m_unbounded) test(solid);
+  m_tree.at_point(p, [&](std::uint32_t first, std::uint32_t count) {
+    for (std::uint32_t i = 0; i < count; ++i) test(m_bounded[first + i]);
+    return false;
+  });
+  if (found.empty()) return;
+  std::sort(found.begin(), found.end(),
+            [](const Solid* a, const Solid* b) { return a->index < b->index; });
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const Solid& s = *found[i];
+    const bool counted = std::any_of(found.begin(), found.begin() + static_cast<long>(i),
+                                     [&](const Solid* o) {
+                                       return o->group == s.group &&
+                                              o->object->attributes().interior ==
+                                                  s.object->attributes().interior;
+                                     });
+    if (!counted) out.push_back(s.object);
+  }
+}
+
+}  // namespace lentray::core

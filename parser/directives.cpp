@@ -1,0 +1,134 @@
+#include "parser/directives.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "parser/interpreter.h"
+
+namespace lentray::parser {
+namespace {
+
+// Deeper than any scene nests on purpose; what goes on longer does not end.
+constexpr std::size_t kDeepest = 10000;
+
+// Stock cuts long messages; scenes are not known to rely on it, comparisons of output are.
+std::string cut(std::string text, std::size_t longest, std::size_t kept) {
+  if (text.size() <= longest) return text;
+  return text.substr(0, kept - 3) + "...";
+}
+
+}  // namespace
+
+void Directives::execute(const Token& directive) {
+  switch (directive.keyword) {
+    case Keyword::kIf: case Keyword::kIfdef: case Keyword::kIfndef:
+      return if_directive(directive);
+    case Keyword::kElse: case Keyword::kElseif: return else_part(directive);
+    case Keyword::kEnd: return end_part(directive);
+    case Keyword::kSwitch: return switch_directive(directive);
+    case Keyword::kCase: case Keyword::kRange: return case_part(directive);
+    case Keyword::kWhile: return while_directive(directive);
+    case Keyword::kFor: return for_directive(directive);
+    case Keyword::kBreak: return break_directive(directive);
+    case Keyword::kMacro: return define_macro(directive);
+    case Keyword::kDeclare: return declare(directive, false);
+    case Keyword::kLocal: return declare(directive, true);
+    case Keyword::kUndef: return undef();
+    case Keyword::kInclude: return include_directive();
+    case Keyword::kVersion: return version();
+    case Keyword::kDefault: return m_in.productions.set_default(m_in.parser);
+    case Keyword::kDebug: case Keyword::kWarning: case Keyword::kError: case Keyword::kRender:
+    case Keyword::kStatistics: return message(directive);
+    case Keyword::kFopen: return m_in.files.open();
+    case Keyword::kFclose: return m_in.files.close();
+    case Keyword::kRead: return m_in.files.read();
+    case Keyword::kWrite: return m_in.files.write();
+    default: break;
+  }
+  static constexpr std::string_view kNames[] = {
+      "if", "ifdef", "ifndef", "else", "elseif", "end", "switch", "case", "range", "while", "for",
+      "break", "macro", "declare", "local", "undef", "include", "version", "default", "debug",
+      "warning", "error", "render", "statistics", "fopen", "fclose", "read", "write"};
+  const std::string_view word = m_in.names.text(directive.name);
+  const std::string_view near = nearest_name(word, kNames);
+  m_in.fail(directive.where, "unknown directive #" + std::string(word) +
+                                 (near.empty() ? "" : ", did you mean #" + std::string(near) + "?"));
+}
+
+void Directives::execute_unmarked(const Token& word) {
+  m_in.warn(word.where, "expected '#' before '" + std::string(m_in.names.text(word.name)) + "'");
+  execute(word);
+}
+
+bool Directives::leave_frame() {
+  Frame& frame = m_in.stream.top();
+  if (m_blocks.size() > frame.blocks) missing_end(*m_blocks.back().opener);
+  if (frame.kind == FrameKind::kScene) return false;
+  // Scopes hold symbols a description may still need nowhere: values are copied when read.
+  m_in.symbols.pop_scope();
+  m_in.stream.pop();
+  return true;
+}
+
+void Directives::include_directive() {
+  const Location where = m_in.tokens.peek_operand().where;
+  include(m_in.expressions.parse_path(), where);
+}
+
+void Directives::include(const std::string& name, const Location& where) {
+  if (m_in.stream.depth() >= kDeepest) m_in.fail(where, "includes and macros nest too deeply");
+  const std::optional<std::string> path = m_in.find_file(name);
+  const auto list = path ? m_in.load(*path) : nullptr;
+  if (!list) {
+    std::string message = "cannot find the include file '" + name + "', looked in: .";
+    if (!m_in.scene_folder.empty()) message += ", " + m_in.scene_folder;
+    for (const std::string& folder : m_in.options.library_paths) message += ", " + folder;
+    m_in.fail(where, message);
+  }
+  Frame frame;
+  frame.kind = FrameKind::kInclude;
+  frame.list = list;
+  frame.cursor = list->tokens.data();
+  frame.end = frame.cursor + list->tokens.size();
+  frame.call = where;
+  frame.blocks = m_blocks.size();
+  m_in.stream.push(std::move(frame));
+  m_in.symbols.push_scope();
+}
+
+void Directives::message(const Token& directive) {
+  const std::string text = m_in.expressions.parse_string();
+  switch (directive.keyword) {
+    case Keyword::kDebug:
+      return m_in.diagnostics.write(Stream::kDebug, cut(text, 200, 159));
+    case Keyword::kRender: return m_in.diagnostics.write(Stream::kRender, cut(text, 200, 159));
+    case Keyword::kStatistics:
+      return m_in.diagnostics.write(Stream::kStatistics, cut(text, 200, 159));
+    case Keyword::kWarning: return m_in.warn(directive.where, text);
+    default: m_in.fail(directive.where, "parse halted by #error: " + text);
+  }
+}
+
+void Directives::version() {
+  const Location where = m_in.tokens.peek_operand().where;
+  double number = 0.0;
+  {
+    const TokenReader::Hold hold(m_in.tokens);
+    number = m_in.expressions.parse_float();
+    if (!m_in.tokens.accept(Punct::kSemicolon)) {
+      m_in.warn(where, "#version should end with a semicolon");
+    }
+  }
+  const int version = static_cast<int>(std::lround(number * 100.0));
+  if (version < 100 || version > 9900) {
+    m_in.fail(where, "#version " + std::to_string(number) + " is no version of the language");
+  }
+  if (version > 370) {
+    m_in.warn(where, "#version " + std::to_string(version / 100) + "." +
+                         std::to_string(version % 100) + " is newer than 3.7, read as 3.7");
+  }
+  m_in.version = std::min(version, 370);
+  m_in.version_set = true;
+}
+
+}  // namespace lentray::parser

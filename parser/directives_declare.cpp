@@ -1,0 +1,211 @@
+// #declare, #local, #undef, arrays, and what may stand on their right side.
+// Source: reference manual 3.7, "Identifiers", "Arrays"; semicolons and scopes measured on stock.
+#include "parser/interpreter.h"
+
+namespace lentray::parser {
+
+Value copy_value(const Value& value) {
+  const auto* array = std::get_if<std::shared_ptr<ArrayValue>>(&value);
+  if (!array) return value;
+  auto copy = std::make_shared<ArrayValue>(**array);
+  for (Value& element : copy->elements) element = copy_value(element);
+  return copy;
+}
+
+bool Directives::parse_defined() {
+  TokenReader& tokens = m_in.tokens;
+  tokens.expect(Punct::kLeftParen);
+  const bool before = tokens.plain_names;
+  tokens.plain_names = true;
+  bool defined = true;  // a reserved word is
+  const Token& token = tokens.peek();
+  if (token.kind == TokenKind::kIdentifier) {
+    Symbol* symbol = tokens.symbol();
+    defined = tokens.element_array()
+                  ? !std::holds_alternative<std::monostate>(
+                        tokens.element_array()->elements[tokens.element_index()])
+                  : symbol && symbol->is_set();
+  } else if (token.kind != TokenKind::kKeyword) {
+    tokens.fail_expected("a name");
+  }
+  tokens.skip();
+  tokens.plain_names = before;
+  tokens.expect(Punct::kRightParen);
+  return defined;
+}
+
+void Directives::deprecation(std::string& text, bool& once) {
+  if (!m_in.tokens.accept(Keyword::kDeprecated)) return;
+  once = m_in.tokens.accept(Keyword::kOnce);
+  text = m_in.tokens.peek().kind == TokenKind::kString ? m_in.expressions.parse_string()
+                                                       : std::string("deprecated identifier");
+}
+
+// The place is found again after the right side has been read: that may have made or removed
+// symbols. An array element is held by its array.
+void Directives::declare(const Token& directive, bool local) {
+  TokenReader& tokens = m_in.tokens;
+  std::string deprecated;
+  bool once = false;
+  tokens.plain_names = true;
+  deprecation(deprecated, once);
+  const Token name = tokens.read_name("an identifier");
+  const std::shared_ptr<ArrayValue> array = tokens.element_array();
+  const std::size_t index = tokens.element_index();
+  // #local belongs to the scope the directive stands in, whatever the right side does.
+  const Symbol* visible = tokens.symbol();
+  const bool own_macro = visible && visible->macro && !array;
+  tokens.plain_names = false;
+  if (own_macro) m_in.fail(name.where, "'" + std::string(m_in.names.text(name.name)) +
+                                           "' is a macro: #undef it before declaring it anew");
+  tokens.skip();
+  tokens.expect(Punct::kEqual);
+
+  Value value;
+  {
+    const TokenReader::Hold hold(tokens);
+    value = parse_rvalue();
+    end_of_declaration(value, directive.where);
+  }
+  if (array) {
+    array->elements[index] = std::move(value);
+    return;
+  }
+  Symbol& symbol = local ? m_in.symbols.declare_local(name.name)
+                         : m_in.symbols.declare_global(name.name);
+  if (symbol.alias || symbol.alias_array) {
+    symbol.resolve() = std::move(value);
+  } else {
+    symbol.reset(std::move(value));
+  }
+  if (!deprecated.empty()) {
+    symbol.deprecated = true;
+    symbol.deprecated_once = once;
+    symbol.deprecation = std::move(deprecated);
+  }
+}
+
+void Directives::end_of_declaration(const Value& value, const Location& where) {
+  if (m_in.tokens.accept(Punct::kSemicolon)) return;
+  if (!std::holds_alternative<Number>(value)) return;
+  const std::string rule =
+      "a #declare or #local of a float, vector or colour must end with a semicolon";
+  if (m_in.version >= 350) {
+    const Token& next = m_in.tokens.peek();
+    std::string found = next.kind == TokenKind::kEnd ? "the end of the scene"
+                                                     : m_in.tokens.describe(next);
+    m_in.fail(where, rule + " since version 3.5 (found " + found + " instead)");
+  }
+  m_in.warn(where, rule);
+}
+
+void Directives::undef() {
+  const Token name = m_in.tokens.read_name("an identifier");
+  const std::shared_ptr<ArrayValue> array = m_in.tokens.element_array();
+  const std::size_t index = m_in.tokens.element_index();
+  m_in.tokens.skip();
+  if (array) {
+    array->elements[index] = std::monostate{};
+  } else if (!m_in.symbols.find(name.name)) {
+    m_in.warn(name.where, "#undef of '" + std::string(m_in.names.text(name.name)) +
+                              "', which is not declared");
+  } else {
+    m_in.symbols.remove(name.name);
+  }
+}
+
+Value Directives::parse_rvalue() {
+  TokenReader& tokens = m_in.tokens;
+  const Token first = tokens.peek_operand();
+  switch (first.kind) {
+    case TokenKind::kNumber: return m_in.expressions.parse_additive();
+    case TokenKind::kString: return m_in.expressions.parse_string();
+    default: break;
+  }
+  if (first.is(Keyword::kArray)) {
+    tokens.skip();
+    return array_value();
+  }
+  if (first.is(Keyword::kFunction)) {
+    tokens.skip();
+    return m_in.functions.parse_body();
+  }
+  if (first.is(Keyword::kSpline)) {
+    tokens.skip();
+    return m_in.expressions.parse_spline();
+  }
+  if (first.is(Keyword::kTransform)) {
+    return m_in.expressions.parse_transform_statement();
+  }
+  if (m_in.expressions.at_string()) return m_in.expressions.parse_string();
+  if (m_in.expressions.at_colour_keyword()) return m_in.expressions.parse_colour();
+  if (Value* value = tokens.value()) {
+    const bool callable = std::holds_alternative<Ref<FunctionDesc>>(*value) ||
+                          std::holds_alternative<Ref<SplineDesc>>(*value);
+    const Token* after = tokens.following();
+    const bool called = callable && after && after->is(Punct::kLeftParen);
+    if (callable && !called) {
+      Value copy = *value;
+      tokens.skip();
+      return copy;
+    }
+    if (std::holds_alternative<Number>(*value) || called) {
+      const Number n = m_in.expressions.parse_additive();
+      return n;
+    }
+    if (std::optional<Value> made = m_in.productions.rvalue(m_in.parser)) return std::move(*made);
+    Value copy = copy_value(*tokens.value());
+    tokens.skip();
+    return copy;
+  }
+  if (std::optional<Value> made = m_in.productions.rvalue(m_in.parser)) return std::move(*made);
+  if (m_in.expressions.at_expression()) return m_in.expressions.parse_additive();
+  tokens.fail_expected("a value");
+}
+
+Value Directives::array_value() {
+  TokenReader& tokens = m_in.tokens;
+  auto array = std::make_shared<ArrayValue>();
+  double count = 1.0;
+  while (tokens.accept(Punct::kLeftSquare)) {
+    const Location where = tokens.peek_operand().where;
+    const double size = m_in.expressions.parse_float();
+    count *= std::floor(size + 1e-10);
+    if (!(size + 1e-10 >= 1.0) || count > 1e9) {
+      m_in.fail(where, "an array cannot have " + std::to_string(size) + " elements");
+    }
+    array->sizes.push_back(static_cast<int>(size + 1e-10));
+    tokens.expect(Punct::kRightSquare);
+  }
+  if (array->sizes.empty()) tokens.fail_expected("'[' and the size of the array");
+  array->elements.resize(static_cast<std::size_t>(count));
+  if (tokens.at(Punct::kLeftCurly)) array_initialiser(*array, 0, 0);
+  return array;
+}
+
+void Directives::array_initialiser(ArrayValue& array, std::size_t dimension, std::size_t base) {
+  TokenReader& tokens = m_in.tokens;
+  const std::size_t size = static_cast<std::size_t>(array.sizes[dimension]);
+  std::size_t stride = 1;
+  for (std::size_t d = dimension + 1; d < array.sizes.size(); ++d) {
+    stride *= static_cast<std::size_t>(array.sizes[d]);
+  }
+  tokens.expect(Punct::kLeftCurly);
+  for (std::size_t i = 0; i < size; ++i) {
+    if (tokens.at(Punct::kRightCurly)) {
+      tokens.fail_expected("value " + std::to_string(i + 1) + " of the array's " +
+                           std::to_string(size));
+    }
+    if (dimension + 1 < array.sizes.size()) {
+      array_initialiser(array, dimension + 1, base + i * stride);
+    } else {
+      array.elements[base + i] = parse_rvalue();
+    }
+    tokens.comma();
+  }
+  if (!tokens.accept(Punct::kRightCurly)) {
+    tokens.fail_expected("'}' after the " + std::to_string(size) + " values of the array");
+  }
+}
+
+}  // namespace lentray::parser

@@ -1,0 +1,107 @@
+// Expressions: floats, vectors of 2 to 5 components, colours, strings, transforms, splines.
+// Evaluated while they are read. Components promote as stock does: a float fills all of them, a
+// shorter vector is padded with zeros.
+// Source: reference manual 3.7, "Float Expressions", "Vector Expressions", "Specifying Colors",
+// "Strings"; precision, promotion and error cases as measured on stock.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/transform.h"
+#include "parser/token.h"
+#include "parser/value.h"
+
+namespace lentray::parser {
+
+struct Interpreter;
+
+/// Stock's idea of zero when it compares (=, <=, !=, conditions).
+inline constexpr double kCompareEpsilon = 1e-10;
+
+/// Grows n to `size` components: a float repeats, a vector gets zeros.
+void promote(Number& n, int size);
+/// As stock keeps colours (five components): in single precision.
+Number stored(Number n);
+
+class Expressions {
+ public:
+  explicit Expressions(Interpreter& in) : m_in(in) {}
+
+  // expressions.cpp: operators
+  Number parse_expression();        ///< everything: ?:, logic, comparison, arithmetic
+  Number parse_additive();          ///< arithmetic only: what stands where no parentheses do
+  double parse_float();             ///< arithmetic, one component
+  double parse_scalar_expression(); ///< everything, one component
+  core::Vec3 parse_vector();
+  Number parse_number(int min_size, int max_size);
+  bool at_expression();
+
+  // expressions_colour.cpp
+  Number parse_colour();
+  bool at_colour_keyword();
+  bool at_colour();
+
+  // expressions_string.cpp
+  bool at_string();
+  std::string parse_string();
+  std::string parse_path();         ///< a file name: backslashes stay
+
+  // expressions_transform.cpp
+  std::optional<core::Transform> accept_transform();
+  core::Transform parse_transform_statement();  ///< at `transform`
+
+  // expressions_spline.cpp
+  Ref<SplineDesc> parse_spline();   ///< after `spline`
+
+  /// Turns an sRGB component into the scene's working space; assumed_gamma sets it.
+  double (*srgb_to_linear)(double);
+
+ private:
+  Number parse_logical();
+  Number parse_relational();
+  Number parse_term();
+  Number parse_factor();
+  Number primary();
+  Number vector_literal();
+  Number identifier();
+  void member(Number& n);
+  double string_comparison();
+  void warn_division();
+
+  // expressions_float.cpp, expressions_vector.cpp: keyword functions
+  bool keyword_float(Keyword keyword, double& value);
+  bool float_function(Keyword keyword, double& value);
+  double float_argument();
+  std::array<double, 2> two_floats();
+  template <typename Fold> double fold(Fold fold);
+  double select();
+  double next_random(double stream);
+  double array_dimension(bool size);
+  bool vector_function(Keyword keyword, Number& value);
+  core::Vec3 vector_argument();
+  core::Vec3 trace();
+  core::Vec3 extent(bool upper);
+  Ref<ObjectDesc> object_argument();
+  core::Vec3 turbulence();
+
+  // functions_call.cpp
+  Number call_function(const Ref<FunctionDesc>& function, std::string_view name);
+  Number call_spline(const Ref<SplineDesc>& spline);
+
+  void trailing_components(Number& colour);
+  Number colour_from(Keyword keyword);
+  std::string string_function(Keyword keyword, bool path);
+  std::string one_string(bool path);
+  std::string format_number(const char* format, double value);
+  std::string number_format();
+  core::Transform transform_block();
+  core::Matrix matrix_rows();
+
+  Interpreter& m_in;
+  int m_depth = 0;
+};
+
+}  // namespace lentray::parser

@@ -1,0 +1,154 @@
+// String expressions. Strings are bytes; what counts characters takes them for UTF-8.
+#include <algorithm>
+#include <ctime>
+
+#include "parser/interpreter.h"
+#include "parser/text.h"
+
+namespace lentray::parser {
+
+bool Expressions::at_string() {
+  const Token& t = m_in.tokens.peek_operand();
+  switch (t.kind) {
+    case TokenKind::kString: return true;
+    case TokenKind::kKeyword:
+      switch (t.keyword) {
+        case Keyword::kStr: case Keyword::kVstr: case Keyword::kConcat: case Keyword::kChr:
+        case Keyword::kDatetime: case Keyword::kSubstr: case Keyword::kStrupr:
+        case Keyword::kStrlwr: return true;
+        default: return false;
+      }
+    case TokenKind::kIdentifier: {
+      const Value* value = m_in.tokens.value();
+      return value && std::holds_alternative<std::string>(*value);
+    }
+    default: return false;
+  }
+}
+
+std::string Expressions::parse_string() { return one_string(false); }
+std::string Expressions::parse_path() { return one_string(true); }
+
+std::string Expressions::one_string(bool path) {
+  TokenReader& tokens = m_in.tokens;
+  const Token t = tokens.peek_operand();
+  if (t.kind == TokenKind::kString) {
+    tokens.skip();
+    if (path) return m_in.names.raw_string(t.name);
+    if (t.keyword == Keyword::kError) {
+      m_in.fail(t.where, "a string has an escape that does not exist; known are \\a \\b \\f \\n \\r "
+                         "\\t \\v \\\\ \\\" \\' \\uXXXX");
+    }
+    return m_in.names.string(t.name);
+  }
+  if (!at_string()) tokens.fail_expected("a string");
+  if (t.kind == TokenKind::kIdentifier) {
+    std::string text = std::get<std::string>(*tokens.value());
+    tokens.skip();
+    return text;
+  }
+  tokens.skip();
+  tokens.expect(Punct::kLeftParen);
+  std::string text = string_function(t.keyword, path);
+  tokens.expect(Punct::kRightParen);
+  return text;
+}
+
+// What a number is printed with: width (negative: zeros in front) and digits, as str() takes them.
+std::string Expressions::number_format() {
+  m_in.tokens.comma();
+  const int width = static_cast<int>(parse_float());
+  m_in.tokens.comma();
+  const int digits = static_cast<int>(parse_float());
+  std::string format = "%";
+  if (width > 0) format += std::to_string(width);
+  if (width < 0) format += "0" + std::to_string(-width);
+  if (digits >= 0) format += "." + std::to_string(digits);
+  return format;
+}
+
+std::string Expressions::format_number(const char* format, double value) {
+  // Numbers too long for this come in exponents, as in stock.
+  char text[256];
+  const int length = std::snprintf(text, sizeof text, (std::string(format) + "f").c_str(), value);
+  if (length < 0 || length >= static_cast<int>(sizeof text)) {
+    std::snprintf(text, sizeof text, (std::string(format) + "g").c_str(), value);
+  }
+  return text;
+}
+
+std::string Expressions::string_function(Keyword keyword, bool path) {
+  TokenReader& tokens = m_in.tokens;
+  const Location where = tokens.location();
+  switch (keyword) {
+    case Keyword::kStr: {
+      const double value = parse_scalar_expression();
+      return format_number(number_format().c_str(), value);
+    }
+    case Keyword::kVstr: {
+      const int count = std::clamp(static_cast<int>(parse_float()), 2, 5);
+      tokens.comma();
+      const Number n = parse_additive();
+      tokens.comma();
+      const std::string separator = one_string(path);
+      const std::string format = number_format();
+      std::string text;
+      for (int i = 0; i < count; ++i) {
+        const double value = i < n.size ? n.v[static_cast<std::size_t>(i)] : 0.0;
+        text += (i ? separator : "") + format_number(format.c_str(), value);
+      }
+      return text;
+    }
+    case Keyword::kConcat: {
+      std::string text = one_string(path);
+      while (!tokens.at(Punct::kRightParen)) {
+        tokens.comma();
+        text += one_string(path);
+      }
+      return text;
+    }
+    case Keyword::kChr: {
+      const double code = parse_scalar_expression();
+      if (!(code >= 0.0 && code < 65536.0)) {
+        m_in.fail(where, "chr() takes 0 to 65535, not " + std::to_string(code));
+      }
+      return encode_character(static_cast<unsigned>(code));
+    }
+    case Keyword::kSubstr: {
+      const std::string text = one_string(path);
+      tokens.comma();
+      const int first = static_cast<int>(parse_float());
+      tokens.comma();
+      const int count = static_cast<int>(parse_float());
+      const int length = static_cast<int>(count_characters(text));
+      if (first < 1 || count < 0 || first + count - 1 > length) {
+        m_in.fail(where, "substr() of " + std::to_string(count) + " characters from " +
+                             std::to_string(first) + " in a string of " + std::to_string(length));
+      }
+      return substring(text, static_cast<std::size_t>(first - 1), static_cast<std::size_t>(count));
+    }
+    case Keyword::kStrupr: case Keyword::kStrlwr: {
+      std::string text = one_string(path);
+      for (char& c : text) {
+        if (keyword == Keyword::kStrupr && c >= 'a' && c <= 'z') c = static_cast<char>(c - 32);
+        if (keyword == Keyword::kStrlwr && c >= 'A' && c <= 'Z') c = static_cast<char>(c + 32);
+      }
+      return text;
+    }
+    default: {  // datetime (days since 2000 [, format])
+      const double days = parse_scalar_expression();
+      std::string format = "%Y-%m-%d %H:%M:%SZ";
+      if (tokens.accept(Punct::kComma)) format = one_string(path);
+      const auto seconds = static_cast<std::time_t>(days * 86400.0 + 946684800.5);
+      std::tm parts{};
+      gmtime_r(&seconds, &parts);
+      char text[256];
+      if (format.empty() || std::strftime(text, sizeof text, format.c_str(), &parts) == 0) {
+        m_in.fail(where, "datetime() cannot use the format \"" + format + "\"");
+      }
+      return text;
+    }
+  }
+}
+
+}  // namespace lentray::parser

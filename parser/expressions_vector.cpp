@@ -1,0 +1,134 @@
+// The vector functions and constants of the language, and the questions asked of live objects.
+#include <numbers>
+
+#include "parser/interpreter.h"
+
+namespace lentray::parser {
+
+core::Vec3 Expressions::vector_argument() {
+  m_in.tokens.expect(Punct::kLeftParen);
+  const core::Vec3 v = parse_vector();
+  m_in.tokens.expect(Punct::kRightParen);
+  return v;
+}
+
+Ref<ObjectDesc> Expressions::object_argument() {
+  TokenReader& tokens = m_in.tokens;
+  const Value* value = tokens.peek_operand().kind == TokenKind::kIdentifier ? tokens.value() : nullptr;
+  const auto* object = value ? std::get_if<Ref<ObjectDesc>>(value) : nullptr;
+  if (!object) tokens.fail_expected("the identifier of an object");
+  const Ref<ObjectDesc> copy = *object;
+  tokens.skip();
+  return copy;
+}
+
+// trace (OBJECT, origin, direction [, identifier for the normal])
+core::Vec3 Expressions::trace() {
+  TokenReader& tokens = m_in.tokens;
+  tokens.expect(Punct::kLeftParen);
+  const Ref<ObjectDesc> object = object_argument();
+  tokens.comma();
+  const core::Vec3 origin = parse_vector();
+  tokens.comma();
+  const core::Vec3 direction = core::normalized(parse_vector());
+  tokens.comma();
+  core::Vec3 point, normal;
+  if (!m_in.productions.trace(*object, origin, direction, point, normal)) {
+    point = {};
+    normal = {};
+  }
+  if (tokens.peek().kind == TokenKind::kIdentifier) {
+    Value* value = tokens.value();
+    const Number* old = value ? std::get_if<Number>(value) : nullptr;
+    if (!old || old->size != 3) tokens.fail_expected("the identifier of a vector");
+    *value = Number::vector(normal);
+    tokens.skip();
+  }
+  tokens.expect(Punct::kRightParen);
+  return point;
+}
+
+core::Vec3 Expressions::extent(bool upper) {
+  TokenReader& tokens = m_in.tokens;
+  tokens.expect(Punct::kLeftParen);
+  const Value* value = tokens.peek_operand().kind == TokenKind::kIdentifier ? tokens.value() : nullptr;
+  const bool image = value && (std::holds_alternative<Ref<PigmentDesc>>(*value) ||
+                               std::holds_alternative<Ref<NormalDesc>>(*value) ||
+                               std::holds_alternative<Ref<TextureDesc>>(*value) ||
+                               std::holds_alternative<Ref<DensityDesc>>(*value));
+  core::Vec3 lo, hi;
+  if (image && upper) {
+    m_in.diagnostics.not_yet("max_extent() of an image", tokens.location());
+    tokens.skip();
+  } else {
+    const Ref<ObjectDesc> object = object_argument();
+    m_in.productions.extent(*object, lo, hi);
+  }
+  tokens.expect(Punct::kRightParen);
+  return upper ? hi : lo;
+}
+
+// Read in full; turbulence is not evaluated while parsing yet.
+core::Vec3 Expressions::turbulence() {
+  m_in.diagnostics.not_yet("vturbulence() in expressions", m_in.tokens.location());
+  m_in.tokens.expect(Punct::kLeftParen);
+  for (int i = 0; i < 3; ++i) {
+    parse_float();
+    m_in.tokens.comma();
+  }
+  parse_vector();
+  m_in.tokens.comma();
+  m_in.tokens.expect(Punct::kRightParen);
+  return {};
+}
+
+// After the keyword. False if it is no vector function.
+bool Expressions::vector_function(Keyword keyword, Number& value) {
+  TokenReader& tokens = m_in.tokens;
+  const Location where = tokens.location();
+  switch (keyword) {
+    case Keyword::kX: value = Number::vector({1, 0, 0}); return true;
+    case Keyword::kY: value = Number::vector({0, 1, 0}); return true;
+    case Keyword::kZ: value = Number::vector({0, 0, 1}); return true;
+    case Keyword::kT: value = Number{{0, 0, 0, 1, 0}, 4, false}; return true;
+    case Keyword::kU: value = Number{{1, 0, 0, 0, 0}, 2, false}; return true;
+    case Keyword::kV: value = Number{{0, 1, 0, 0, 0}, 2, false}; return true;
+    case Keyword::kVcross: case Keyword::kVrotate: {
+      tokens.expect(Punct::kLeftParen);
+      const core::Vec3 a = parse_vector();
+      tokens.comma();
+      const core::Vec3 b = parse_vector();
+      tokens.expect(Punct::kRightParen);
+      value = Number::vector(keyword == Keyword::kVcross
+                                 ? core::cross(a, b)
+                                 : core::Transform::rotation(b).point(a));
+      return true;
+    }
+    case Keyword::kVaxisRotate: {
+      tokens.expect(Punct::kLeftParen);
+      const core::Vec3 a = parse_vector();
+      tokens.comma();
+      const core::Vec3 axis = parse_vector();
+      tokens.comma();
+      const double radians = parse_float() * (std::numbers::pi / 180.0);
+      tokens.expect(Punct::kRightParen);
+      value = Number::vector(core::Transform::axis_rotation(axis, radians).point(a));
+      return true;
+    }
+    case Keyword::kVnormalize: {
+      const core::Vec3 a = vector_argument();
+      if (a == core::Vec3{} && m_in.version >= 350) {
+        m_in.warn(where, "vnormalize() of a vector of length zero");
+      }
+      value = Number::vector(core::normalized(a));
+      return true;
+    }
+    case Keyword::kTrace: value = Number::vector(trace()); return true;
+    case Keyword::kMinExtent: value = Number::vector(extent(false)); return true;
+    case Keyword::kMaxExtent: value = Number::vector(extent(true)); return true;
+    case Keyword::kVturbulence: value = Number::vector(turbulence()); return true;
+    default: return false;
+  }
+}
+
+}  // namespace lentray::parser

@@ -1,0 +1,198 @@
+#include "parser/descriptions/finish.h"
+
+#include <cmath>
+
+#include "parser/grammar/pattern.h"
+
+namespace lentray::parser {
+namespace {
+
+void parse_reflection_block(Parser& parser, FinishDesc& finish) {
+  ReflectionDesc& reflection = finish.reflection;
+  parser.expect(Punct::kLeftCurly);
+  reflection.block = true;
+  reflection.minimum = parse_rgb(parser);
+  parser.parse_comma();
+  const bool second = parser.at_colour() || parser.at_expression();
+  reflection.maximum = second ? parse_rgb(parser) : reflection.minimum;
+  for (;;) {
+    if (parser.accept(Keyword::kFresnel)) {
+      const int fresnel = static_cast<int>(parse_optional_float(parser, 1.0));
+      if (fresnel != 0 && fresnel != 1) parser.fail("fresnel is on or off");
+      reflection.fresnel = fresnel == 1;
+      // With one colour, fresnel goes from nothing to it: otherwise it would change nothing.
+      if (reflection.fresnel && !second) reflection.minimum = {};
+    } else if (parser.accept(Keyword::kFalloff)) {
+      reflection.falloff = parser.parse_float();
+    } else if (parser.accept(Keyword::kExponent)) {
+      finish.reflection_exponent = parser.parse_float();
+    } else if (parser.accept(Keyword::kMetallic)) {
+      reflection.metallic = parse_optional_float(parser, 1.0);
+    } else {
+      break;
+    }
+  }
+  parser.expect(Punct::kRightCurly);
+}
+
+void parse_reflection(Parser& parser, FinishDesc& finish) {
+  if (parser.at(Punct::kLeftCurly)) {
+    parse_reflection_block(parser, finish);
+    return;
+  }
+  if (!parser.at_colour() && !parser.at_expression()) return;  // stock lets it be empty
+  ReflectionDesc& reflection = finish.reflection;
+  reflection.maximum = parse_rgb(parser);
+  reflection.minimum = reflection.maximum;
+  reflection.falloff = 1.0;
+  reflection.fresnel = false;
+  reflection.block = false;
+}
+
+void parse_irid(Parser& parser, FinishDesc& finish) {
+  parser.expect(Punct::kLeftCurly);
+  finish.irid = parser.parse_float();
+  for (;;) {
+    if (parser.accept(Keyword::kThickness)) {
+      finish.irid_thickness = parser.parse_float();
+    } else if (parser.accept(Keyword::kTurbulence)) {
+      finish.irid_turbulence = parser.parse_vector().x;
+    } else {
+      break;
+    }
+  }
+  parser.expect(Punct::kRightCurly);
+}
+
+void parse_subsurface(Parser& parser, FinishDesc& finish) {
+  parser.expect(Punct::kLeftCurly);
+  SubsurfaceDesc subsurface;
+  for (;;) {
+    if (parser.accept(Keyword::kTranslucency)) {
+      subsurface.translucency = parse_rgb(parser);
+    } else if (parser.accept(Keyword::kAnisotropy)) {
+      subsurface.anisotropy = parse_rgb(parser);
+    } else {
+      break;
+    }
+  }
+  finish.subsurface = subsurface;
+  parser.expect(Punct::kRightCurly);
+}
+
+bool accept_diffuse_word(Parser& parser, FinishDesc& finish) {
+  if (parser.accept(Keyword::kAmbient)) {
+    finish.ambient = parse_rgb(parser);
+  } else if (parser.accept(Keyword::kEmission)) {
+    finish.emission = parse_rgb(parser);
+  } else if (parser.accept(Keyword::kDiffuse)) {
+    finish.diffuse_albedo = parser.accept(Keyword::kAlbedo) || finish.diffuse_albedo;
+    finish.diffuse = parser.parse_float();
+    parser.parse_comma();
+    finish.diffuse_back = parse_optional_float(parser, 0.0);
+  } else if (parser.accept(Keyword::kBrilliance)) {
+    finish.brilliance = parser.parse_float();
+  } else if (parser.accept(Keyword::kCrand)) {
+    finish.crand = parser.parse_float();
+  } else {
+    return false;
+  }
+  return true;
+}
+
+bool accept_highlight_word(Parser& parser, FinishDesc& finish) {
+  if (parser.accept(Keyword::kPhong)) {
+    finish.phong_albedo = parser.accept(Keyword::kAlbedo) || finish.phong_albedo;
+    finish.phong = parser.parse_float();
+  } else if (parser.accept(Keyword::kPhongSize)) {
+    finish.phong_size = parser.parse_float();
+  } else if (parser.accept(Keyword::kSpecular)) {
+    finish.specular_albedo = parser.accept(Keyword::kAlbedo) || finish.specular_albedo;
+    finish.specular = parser.parse_float();
+  } else if (parser.accept(Keyword::kRoughness)) {
+    finish.roughness = parser.parse_float();
+    if (finish.roughness == 0.0) parser.warn("roughness is 0");
+  } else if (parser.accept(Keyword::kMetallic)) {
+    finish.metallic = parse_optional_float(parser, 1.0);
+  } else {
+    return false;
+  }
+  return true;
+}
+
+/// Words that belong to the interior since POV-Ray 3.1.
+bool accept_interior_word(Parser& parser, FinishDesc& finish) {
+  if (parser.accept(Keyword::kIor)) {
+    finish.ior = parser.parse_float();
+  } else if (parser.accept(Keyword::kCaustics)) {
+    finish.caustics = parser.parse_float();
+  } else if (parser.accept(Keyword::kRefraction)) {
+    finish.refraction = parser.parse_float();
+  } else if (parser.accept(Keyword::kFadeDistance)) {
+    finish.fade_distance = parser.parse_float();
+  } else if (parser.accept(Keyword::kFadePower)) {
+    finish.fade_power = parser.parse_float();
+  } else {
+    return false;
+  }
+  return true;
+}
+
+bool accept_other_word(Parser& parser, FinishDesc& finish) {
+  if (parser.accept(Keyword::kReflection)) {
+    parse_reflection(parser, finish);
+  } else if (parser.accept(Keyword::kReflectionExponent)) {
+    finish.reflection_exponent = parser.parse_float();
+  } else if (parser.accept(Keyword::kConserveEnergy)) {
+    finish.conserve_energy = true;
+  } else if (parser.accept(Keyword::kIrid)) {
+    parse_irid(parser, finish);
+  } else if (parser.accept(Keyword::kSubsurface)) {
+    parse_subsurface(parser, finish);
+  } else {
+    return false;
+  }
+  return true;
+}
+
+/// What `albedo` asked for holds for the numbers of this block only: an identifier with
+/// modifications starts from the scaled numbers.
+void apply_albedo(FinishDesc& finish) {
+  if (finish.diffuse_albedo) {
+    const double factor = (finish.brilliance + 1.0) / 2.0;
+    finish.diffuse *= factor;
+    finish.diffuse_back *= factor;
+  }
+  if (finish.phong_albedo) finish.phong *= (finish.phong_size + 1.0) / 2.0;
+  if (finish.specular_albedo && finish.roughness != 0.0) {
+    const double exponent = 1.0 / finish.roughness;
+    finish.specular *= (exponent + 2.0) / (4.0 * (2.0 - std::pow(2.0, -exponent / 2.0)));
+  }
+  finish.diffuse_albedo = finish.phong_albedo = finish.specular_albedo = false;
+}
+
+}  // namespace
+
+Ref<FinishDesc> parse_finish_block(Parser& parser, const Ref<FinishDesc>& base) {
+  auto finish = std::make_shared<FinishDesc>();
+  const Location where = parser.location();
+  parser.expect(Punct::kLeftCurly);
+  if (const auto known = parser.accept_value<Ref<FinishDesc>>()) {
+    *finish = **known;
+  } else if (base) {
+    *finish = *base;
+  }
+  finish->where = where;
+  while (accept_diffuse_word(parser, *finish) || accept_highlight_word(parser, *finish) ||
+         accept_interior_word(parser, *finish) || accept_other_word(parser, *finish)) {
+  }
+  apply_albedo(*finish);
+  parser.expect(Punct::kRightCurly);
+  return finish;
+}
+
+Ref<FinishDesc> parse_finish(Parser& parser, MaterialContext& context) {
+  return parse_finish_block(parser, default_layer(context).finish);
+}
+
+}  // namespace lentray::parser

@@ -1,0 +1,238 @@
+#include "parser/grammar/global.h"
+
+#include <algorithm>
+
+#include "parser/grammar/helpers.h"
+
+namespace lentray::parser {
+namespace {
+
+constexpr int kTraceLevelLimit = 256;  ///< stock's
+
+using Setting = void (*)(Parser&, GlobalDesc&);
+struct SettingEntry {
+  Keyword keyword;
+  Setting read;
+};
+
+void check(Parser& parser, bool good, const char* message) {
+  if (!good) parser.fail(message);
+}
+
+void parse_assumed_gamma(Parser& parser, GlobalDesc& global) {
+  const bool again = global.assumed_gamma || global.gamma_is_srgb;
+  if (again) parser.warn("New instance of assumed_gamma ignored.");
+  if (parser.accept(Keyword::kSrgb)) {
+    if (!again) global.gamma_is_srgb = true;
+    return;
+  }
+  const double gamma = parser.parse_float();
+  check(parser, gamma > 0.0, "assumed_gamma must be greater than 0.");
+  if (again) return;
+  global.assumed_gamma = gamma;
+}
+
+void parse_noise_generator(Parser& parser, GlobalDesc& global) {
+  global.noise_generator = parser.parse_int();
+  check(parser, *global.noise_generator >= 0 && *global.noise_generator <= 3,
+        "noise_generator must be 1, 2 or 3.");
+}
+
+void parse_number_of_waves(Parser& parser, GlobalDesc& global) {
+  global.number_of_waves = parser.parse_int();
+  if (global.number_of_waves <= 0) {
+    parser.warn("number_of_waves must be greater than 0; changed to 1.");
+    global.number_of_waves = 1;
+  }
+}
+
+void parse_charset(Parser& parser, GlobalDesc&) {
+  if (!parser.accept(Keyword::kAscii) && !parser.accept(Keyword::kUtf8) &&
+      !parser.accept(Keyword::kSys)) {
+    parser.fail_expected("ascii, utf8 or sys");
+  }
+}
+
+void parse_hf_gray_16(Parser& parser, GlobalDesc&) {
+  (void)optional_switch(parser);
+  parser.warn("hf_gray_16 is an option of the command line now and has no effect in a scene.");
+}
+
+/// Settings of radiosity that are one float.
+struct RadiosityFloat {
+  Keyword keyword;
+  double RadiositySettings::*value;
+};
+constexpr std::array kRadiosityFloats{
+    RadiosityFloat{Keyword::kAdcBailout, &RadiositySettings::adc_bailout},
+    RadiosityFloat{Keyword::kBrightness, &RadiositySettings::brightness},
+    RadiosityFloat{Keyword::kErrorBound, &RadiositySettings::error_bound},
+    RadiosityFloat{Keyword::kGrayThreshold, &RadiositySettings::gray_threshold},
+    RadiosityFloat{Keyword::kLowErrorFactor, &RadiositySettings::low_error_factor},
+    RadiosityFloat{Keyword::kMaxSample, &RadiositySettings::max_sample},
+    RadiosityFloat{Keyword::kMaximumReuse, &RadiositySettings::maximum_reuse},
+    RadiosityFloat{Keyword::kMinimumReuse, &RadiositySettings::minimum_reuse},
+    RadiosityFloat{Keyword::kPretraceEnd, &RadiositySettings::pretrace_end},
+    RadiosityFloat{Keyword::kPretraceStart, &RadiositySettings::pretrace_start},
+};
+struct RadiositySwitch {
+  Keyword keyword;
+  bool RadiositySettings::*value;
+};
+constexpr std::array kRadiositySwitches{
+    RadiositySwitch{Keyword::kAlwaysSample, &RadiositySettings::always_sample},
+    RadiositySwitch{Keyword::kMedia, &RadiositySettings::media},
+    RadiositySwitch{Keyword::kNormal, &RadiositySettings::normal},
+    RadiositySwitch{Keyword::kSubsurface, &RadiositySettings::subsurface},
+};
+
+void parse_radiosity(Parser& parser, GlobalDesc& global) {
+  if (!global.radiosity) global.radiosity.emplace();
+  RadiositySettings& r = *global.radiosity;
+  parser.expect(Punct::kLeftCurly);
+  while (!parser.accept(Punct::kRightCurly)) {
+    if (const auto* item = find_entry(kRadiosityFloats, parser.peek())) {
+      parser.next();
+      r.*(item->value) = parser.parse_float();
+    } else if (const auto* flag = find_entry(kRadiositySwitches, parser.peek())) {
+      parser.next();
+      r.*(flag->value) = parser.parse_float() != 0.0;
+    } else if (parser.accept(Keyword::kCount)) {
+      r.count = parser.parse_int();
+      check(parser, r.count > 0, "Radiosity count must be a positive number.");
+      parser.parse_comma();
+      r.direction_pool = static_cast<int>(optional_float(parser, std::max(1600, r.count)));
+    } else if (parser.accept(Keyword::kNearestCount)) {
+      r.nearest_count = parser.parse_int();
+      parser.parse_comma();
+      r.nearest_count_adaptive = static_cast<int>(optional_float(parser, 0.0));
+    } else if (parser.accept(Keyword::kRecursionLimit)) {
+      r.recursion_limit = parser.parse_int();
+      check(parser, r.recursion_limit >= 1, "Radiosity recursion limit must be 1 or more.");
+    } else if (parser.accept(Keyword::kLoadFile) || parser.accept(Keyword::kSaveFile)) {
+      (void)parser.parse_string();
+      parser.warn("Radiosity files are options of the command line now; ignored here.");
+    } else {
+      parser.fail_expected("one of count, nearest_count, recursion_limit, " +
+                           word_list(kRadiosityFloats) + ", " + word_list(kRadiositySwitches) + " or }");
+    }
+  }
+}
+
+bool accept_photon_setting(Parser& parser, PhotonSettings& p) {
+  if (parser.accept(Keyword::kRadius)) {
+    p.radius = optional_float(parser, -1.0);
+    parser.parse_comma();
+    p.radius_multiplier = optional_float(parser, 1.0);
+    parser.parse_comma();
+    p.media_radius = optional_float(parser, -1.0);
+    parser.parse_comma();
+    p.media_radius_multiplier = optional_float(parser, 1.0);
+  } else if (parser.accept(Keyword::kSpacing)) {
+    p.spacing = parser.parse_float();
+  } else if (parser.accept(Keyword::kExpandThresholds)) {
+    p.expand_increase = parser.parse_float();
+    parser.parse_comma();
+    p.expand_min = parser.parse_int();
+  } else if (parser.accept(Keyword::kGather)) {
+    p.gather_min = parser.parse_int();
+    parser.parse_comma();
+    p.gather_max = parser.parse_int();
+  } else if (parser.accept(Keyword::kJitter)) {
+    p.jitter = parser.parse_float();
+  } else if (parser.accept(Keyword::kCount)) {
+    p.count = parser.parse_int();
+  } else if (parser.accept(Keyword::kAutostop)) {
+    p.autostop = parser.parse_float();
+  } else if (parser.accept(Keyword::kAdcBailout)) {
+    p.adc_bailout = parser.parse_float();
+  } else if (parser.accept(Keyword::kMaxTraceLevel)) {
+    p.max_trace_level = parser.parse_int();
+  } else if (parser.accept(Keyword::kLoadFile)) {
+    p.load_file = parser.parse_string();
+  } else if (parser.accept(Keyword::kSaveFile)) {
+    p.save_file = parser.parse_string();
+  } else if (parser.accept(Keyword::kMedia)) {
+    p.media_steps = parser.parse_int();
+    parser.parse_comma();
+    p.media_factor = optional_float(parser, 1.0);
+  } else {
+    return false;
+  }
+  return true;
+}
+
+void parse_photons(Parser& parser, GlobalDesc& global) {
+  global.photons.emplace();
+  parser.expect(Punct::kLeftCurly);
+  while (!parser.accept(Punct::kRightCurly)) {
+    if (!accept_photon_setting(parser, *global.photons)) {
+      parser.fail_expected("one of radius, spacing, expand_thresholds, gather, jitter, count, autostop, "
+                           "adc_bailout, max_trace_level, load_file, save_file, media or }");
+    }
+  }
+}
+
+void parse_subsurface(Parser& parser, GlobalDesc& global) {
+  global.subsurface.emplace();
+  parser.expect(Punct::kLeftCurly);
+  while (!parser.accept(Punct::kRightCurly)) {
+    if (parser.accept(Keyword::kSamples)) {
+      global.subsurface->samples_diffuse = parser.parse_int();
+      parser.parse_comma();
+      global.subsurface->samples_single = parser.parse_int();
+    } else if (parser.accept(Keyword::kRadiosity)) {
+      global.subsurface->radiosity = parser.parse_float() != 0.0;
+    } else {
+      parser.fail_expected("samples, radiosity or }");
+    }
+  }
+}
+
+const std::array kSettings{
+    SettingEntry{Keyword::kAdcBailout,
+                 [](Parser& p, GlobalDesc& g) { g.adc_bailout = p.parse_float(); }},
+    SettingEntry{Keyword::kAmbientLight,
+                 [](Parser& p, GlobalDesc& g) { g.ambient_light = to_colour(p.parse_colour()).rgb; }},
+    SettingEntry{Keyword::kAssumedGamma, parse_assumed_gamma},
+    SettingEntry{Keyword::kCharset, parse_charset},
+    SettingEntry{Keyword::kHfGray16, parse_hf_gray_16},
+    SettingEntry{Keyword::kIridWavelength,
+                 [](Parser& p, GlobalDesc& g) {
+                   const core::Rgb c = to_colour(p.parse_colour()).rgb;
+                   g.irid_wavelength = {c.r, c.g, c.b};
+                 }},
+    SettingEntry{Keyword::kMaxIntersections, [](Parser& p, GlobalDesc&) { (void)p.parse_float(); }},
+    SettingEntry{Keyword::kMaxTraceLevel, parse_max_trace_level},
+    SettingEntry{Keyword::kMmPerUnit,
+                 [](Parser& p, GlobalDesc& g) { g.mm_per_unit = p.parse_float(); }},
+    SettingEntry{Keyword::kNoiseGenerator, parse_noise_generator},
+    SettingEntry{Keyword::kNumberOfWaves, parse_number_of_waves},
+    SettingEntry{Keyword::kPhotons, parse_photons},
+    SettingEntry{Keyword::kRadiosity, parse_radiosity},
+    SettingEntry{Keyword::kSubsurface, parse_subsurface},
+};
+
+}  // namespace
+
+void parse_max_trace_level(Parser& parser, GlobalDesc& global) {
+  const int level = parser.parse_int();
+  if (level > kTraceLevelLimit) {
+    parser.warn("max_trace_level " + std::to_string(level) + " is more than " +
+                std::to_string(kTraceLevelLimit) + "; using that.");
+  }
+  global.max_trace_level = std::clamp(level, 1, kTraceLevelLimit);
+}
+
+void parse_global_settings(Parser& parser, Context&, GlobalDesc& global) {
+  global.where = parser.location();
+  parser.expect(Punct::kLeftCurly);
+  while (!parser.accept(Punct::kRightCurly)) {
+    const SettingEntry* entry = find_entry(kSettings, parser.peek());
+    if (!entry) parser.fail_expected("one of " + word_list(kSettings) + " or }");
+    parser.next();
+    entry->read(parser, global);
+  }
+}
+
+}  // namespace lentray::parser

@@ -1,0 +1,58 @@
+// Small readers that many productions share.
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+
+#include "parser/keywords.h"
+#include "parser/parser.h"
+
+namespace lentray::parser {
+
+/// True if a float may start here: the next token starts an expression and is not a vector's "<".
+inline bool at_float(Parser& parser) { return parser.at_expression() && !parser.at(Punct::kLess); }
+
+/// A float if one is next, the default otherwise.
+inline double optional_float(Parser& parser, double otherwise) {
+  return at_float(parser) ? parser.parse_float() : otherwise;
+}
+
+/// A switch that says "on" by standing alone.
+inline bool optional_switch(Parser& parser) { return optional_float(parser, 1.0) > 0.0; }
+
+/// A vector of two components; a float stands for both.
+inline core::Vec2 parse_uv(Parser& parser) {
+  const Number n = parser.parse_number(1, 5);
+  return n.size == 1 ? core::Vec2{n.v[0], n.v[0]} : core::Vec2{n.v[0], n.v[1]};
+}
+
+/// A vector of four components; a float stands for all.
+inline std::array<double, 4> parse_vector4(Parser& parser) {
+  const Number n = parser.parse_number(1, 5);
+  if (n.size == 1) return {n.v[0], n.v[0], n.v[0], n.v[0]};
+  return {n.v[0], n.v[1], n.v[2], n.v[3]};
+}
+
+/// "a, b, c" of the words of a table whose entries have a `keyword`.
+template <typename Table>
+std::string word_list(const Table& table) {
+  std::string list;
+  for (const auto& entry : table) {
+    if (!list.empty()) list += ", ";
+    list += spelling(entry.keyword);
+  }
+  return list;
+}
+
+/// The entry of a table for the next token, or null.
+template <typename Table>
+auto find_entry(const Table& table, const Token& token) -> const typename Table::value_type* {
+  if (token.kind != TokenKind::kKeyword) return nullptr;
+  for (const auto& entry : table) {
+    if (entry.keyword == token.keyword) return &entry;
+  }
+  return nullptr;
+}
+
+}  // namespace lentray::parser

@@ -1,0 +1,55 @@
+#include "parser/descriptions/interior.h"
+
+#include "parser/grammar/material.h"
+#include "parser/grammar/pattern.h"
+
+namespace lentray::parser {
+namespace {
+
+bool accept_interior_word(Parser& parser, MaterialContext& context, InteriorDesc& interior) {
+  if (parser.accept(Keyword::kIor)) {
+    interior.ior = parser.parse_float();
+    interior.ior_given = true;
+  } else if (parser.accept(Keyword::kDispersion)) {
+    interior.dispersion = parser.parse_float();
+  } else if (parser.accept(Keyword::kDispersionSamples)) {
+    interior.dispersion_samples = parser.parse_int();
+    if (interior.dispersion_samples < 2) parser.fail("dispersion_samples must be at least 2");
+  } else if (parser.accept(Keyword::kCaustics)) {
+    interior.caustics = parser.parse_float();
+  } else if (parser.accept(Keyword::kFadeColor)) {
+    interior.fade_colour = parse_rgb(parser);
+  } else if (parser.accept(Keyword::kFadeDistance)) {
+    interior.fade_distance = parser.parse_float();
+  } else if (parser.accept(Keyword::kFadePower)) {
+    interior.fade_power = parser.parse_float();
+  } else if (parser.accept(Keyword::kMedia)) {
+    interior.media.push_back(parse_media(parser, context));
+  } else if (parser.accept(Keyword::kRefraction)) {
+    parser.parse_float();  // without effect since POV-Ray 3.1
+  } else {
+    return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+Ref<InteriorDesc> parse_interior(Parser& parser, MaterialContext& context,
+                                 const Ref<InteriorDesc>& below) {
+  auto interior = std::make_shared<InteriorDesc>();
+  const Location where = parser.location();
+  parser.expect(Punct::kLeftCurly);
+  if (const auto known = parser.accept_value<Ref<InteriorDesc>>()) {
+    *interior = **known;
+  } else if (below) {
+    *interior = *below;
+  }
+  interior->where = where;
+  while (accept_interior_word(parser, context, *interior)) {
+  }
+  parser.expect(Punct::kRightCurly);
+  return interior;
+}
+
+}  // namespace lentray::parser

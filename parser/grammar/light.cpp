@@ -1,0 +1,215 @@
+#include "parser/grammar/light.h"
+
+#include <cmath>
+
+#include "parser/grammar/helpers.h"
+#include "parser/grammar/object.h"
+#include "parser/grammar/object_modifiers.h"
+#include "parser/grammar/object_shapes.h"
+#include "parser/grammar/transform.h"
+
+namespace lentray::parser {
+namespace {
+
+using LightWord = void (*)(Parser&, Context&, LightDesc&);
+
+bool is_beam(const LightDesc& light) {
+  return light.kind == LightKind::kSpot || light.kind == LightKind::kCylinder;
+}
+
+void need_beam(Parser& parser, const LightDesc& light, const char* word) {
+  if (!is_beam(light)) {
+    parser.fail(std::string(word) + " needs spotlight or cylinder before it in a light_source.");
+  }
+}
+
+void parse_looks_like(Parser& parser, Context& context, LightDesc& light) {
+  if (light.looks_like) parser.fail("Only one looks_like allowed per light_source.");
+  parser.expect(Punct::kLeftCurly);
+  auto object = std::make_shared<ObjectDesc>(*expect_object(parser, context));
+  apply_transform(*object, core::Transform::translation(light.position));
+  parse_object_modifiers(parser, context, *object);
+  object->no_shadow = true;
+  light.looks_like = std::move(object);
+}
+
+void parse_projected_through(Parser& parser, Context& context, LightDesc& light) {
+  if (light.projected_through) parser.fail("Only one projected_through allowed per light_source.");
+  parser.expect(Punct::kLeftCurly);
+  auto object = std::make_shared<ObjectDesc>(*expect_object(parser, context));
+  parse_object_modifiers(parser, context, *object);
+  light.projected_through = std::move(object);
+}
+
+void parse_spotlight(Parser&, Context&, LightDesc& light) {
+  light.kind = LightKind::kSpot;
+  light.radius = 30.0;
+  light.falloff = 45.0;
+  light.tightness = 0.0;
+}
+
+void parse_cylinder_light(Parser&, Context&, LightDesc& light) {
+  light.kind = LightKind::kCylinder;
+  light.radius = 0.75;
+  light.falloff = 1.0;
+  light.tightness = 0.0;
+  light.parallel = true;
+}
+
+void parse_point_at(Parser& parser, Context&, LightDesc& light) {
+  if (!is_beam(light) && !light.parallel) {
+    parser.fail("point_at needs spotlight, cylinder or parallel before it in a light_source.");
+  }
+  light.point_at = parser.parse_vector();
+}
+
+void parse_area_light(Parser& parser, Context&, LightDesc& light) {
+  light.has_area = true;
+  light.axis1 = parser.parse_vector();
+  parser.parse_comma();
+  light.axis2 = parser.parse_vector();
+  parser.parse_comma();
+  light.size1 = parser.parse_int();
+  parser.parse_comma();
+  light.size2 = parser.parse_int();
+  if (light.size1 <= 0 || light.size2 <= 0) {
+    parser.fail("The numbers of lights of an area_light must be greater than zero.");
+  }
+}
+
+void warn_without_area(Parser& parser, const LightDesc& light, const char* word) {
+  if (!light.has_area) parser.warn(std::string(word) + " only affects an area_light.");
+}
+
+struct LightEntry {
+  Keyword keyword;
+  LightWord read;
+};
+
+const std::array kLightWords{
+    LightEntry{Keyword::kAdaptive, [](Parser& p, Context&, LightDesc& l) {
+                 l.adaptive = p.parse_int();
+                 l.has_adaptive = true;
+               }},
+    LightEntry{Keyword::kAreaIllumination, [](Parser& p, Context&, LightDesc& l) {
+                 l.area_illumination = optional_switch(p);
+                 warn_without_area(p, l, "area_illumination");
+               }},
+    LightEntry{Keyword::kAreaLight, parse_area_light},
+    LightEntry{Keyword::kCircular, [](Parser& p, Context&, LightDesc& l) {
+                 l.circular = true;
+                 warn_without_area(p, l, "circular");
+               }},
+    LightEntry{Keyword::kCylinder, parse_cylinder_light},
+    LightEntry{Keyword::kFadeDistance,
+               [](Parser& p, Context&, LightDesc& l) { l.fade_distance = p.parse_float(); }},
+    LightEntry{Keyword::kFadePower,
+               [](Parser& p, Context&, LightDesc& l) { l.fade_power = p.parse_float(); }},
+    LightEntry{Keyword::kFalloff, [](Parser& p, Context&, LightDesc& l) {
+                 need_beam(p, l, "falloff");
+                 l.falloff = p.parse_float();
+               }},
+    LightEntry{Keyword::kJitter, [](Parser&, Context&, LightDesc& l) { l.jitter = true; }},
+    LightEntry{Keyword::kLooksLike, parse_looks_like},
+    LightEntry{Keyword::kMediaAttenuation,
+               [](Parser& p, Context&, LightDesc& l) { l.media_attenuation = optional_switch(p); }},
+    LightEntry{Keyword::kMediaInteraction,
+               [](Parser& p, Context&, LightDesc& l) { l.media_interaction = optional_switch(p); }},
+    LightEntry{Keyword::kOrient, [](Parser& p, Context&, LightDesc& l) {
+                 l.orient = true;
+                 warn_without_area(p, l, "orient");
+               }},
+    LightEntry{Keyword::kParallel, [](Parser&, Context&, LightDesc& l) { l.parallel = true; }},
+    LightEntry{Keyword::kPhotons,
+               [](Parser& p, Context&, LightDesc& l) { parse_photon_flags(p, l.photons); }},
+    LightEntry{Keyword::kPointAt, parse_point_at},
+    LightEntry{Keyword::kProjectedThrough, parse_projected_through},
+    LightEntry{Keyword::kRadius, [](Parser& p, Context&, LightDesc& l) {
+                 need_beam(p, l, "radius");
+                 l.radius = p.parse_float();
+               }},
+    LightEntry{Keyword::kShadowless,
+               [](Parser&, Context&, LightDesc& l) { l.kind = LightKind::kShadowless; }},
+    LightEntry{Keyword::kSpotlight, parse_spotlight},
+    LightEntry{Keyword::kTightness, [](Parser& p, Context&, LightDesc& l) {
+                 need_beam(p, l, "tightness");
+                 l.tightness = p.parse_float();
+               }},
+};
+
+void parse_light_words(Parser& parser, Context& context, LightDesc& light) {
+  while (!parser.accept(Punct::kRightCurly)) {
+    if (const auto transform = parser.accept_transforms()) {
+      light.apply(*transform);
+    } else if (const LightEntry* entry = find_entry(kLightWords, parser.peek())) {
+      parser.next();
+      entry->read(parser, context, light);
+    } else if (parser.accept(Keyword::kColorMap)) {
+      (void)parse_colour_map(parser, context.materials);  // undocumented; stock ignores it too
+    } else {
+      parser.fail_expected("one of translate, rotate, scale, matrix, transform, " +
+                           word_list(kLightWords) + " or }");
+    }
+  }
+}
+
+/// What stock checks when the block is read.
+void check_light(Parser& parser, LightDesc& light) {
+  if (light.fade_power != 0.0 && std::abs(light.fade_distance) < 1e-10) {
+    light.fade_power = 0.0;
+    light.fade_distance = 0.0;
+  }
+  if (light.orient && !light.circular) {
+    light.circular = true;
+    parser.warn_at(light.where, "orient needs a circular area_light: this one is circular now.");
+  }
+  if (light.circular && light.has_area && (light.size1 <= 1 || light.size2 <= 1)) {
+    parser.fail_at(light.where, "A circular area_light must have more than one light along each axis.");
+  }
+}
+
+}  // namespace
+
+Ref<ObjectDesc> parse_light_source(Parser& parser, Context& context, const Location& where) {
+  parser.expect(Punct::kLeftCurly);
+  if (auto named = parser.accept_value<Ref<ObjectDesc>>()) {
+    auto object = std::make_shared<ObjectDesc>(**named);
+    object->where = where;
+    parse_object_modifiers(parser, context, *object);
+    return object;
+  }
+  auto light = std::make_shared<LightDesc>();
+  light->where = where;
+  light->position = parser.parse_vector();
+  parser.parse_comma();
+  light->colour = to_colour(parser.parse_colour());
+  parse_light_words(parser, context, *light);
+  check_light(parser, *light);
+  auto object = std::make_shared<ObjectDesc>();
+  object->where = where;
+  object->keyword = "light_source";
+  object->shape = LightShape{std::move(light)};
+  return object;
+}
+
+Ref<ObjectDesc> parse_light_group(Parser& parser, Context& context, const Location& where) {
+  parser.expect(Punct::kLeftCurly);
+  auto object = std::make_shared<ObjectDesc>();
+  object->where = where;
+  object->keyword = "light_group";
+  object->shape = parse_csg(parser, context, CsgOperation::kLightGroup);
+  while (!parser.accept(Punct::kRightCurly)) {
+    if (const auto transform = parser.accept_transforms()) {
+      apply_transform(*object, *transform);
+    } else if (parser.accept(Keyword::kGlobalLights)) {
+      std::get<CsgShape>(object->shape).global_lights = optional_float(parser, 1.0) > 0.5;
+    } else if (parser.accept(Keyword::kPhotons)) {
+      parse_photon_flags(parser, object->photons);
+    } else {
+      parser.fail_expected("an object, a transform, global_lights, photons or }");
+    }
+  }
+  return object;
+}
+
+}  // namespace lentray::parser

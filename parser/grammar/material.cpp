@@ -1,0 +1,177 @@
+#include "parser/grammar/material.h"
+
+#include "parser/grammar/pattern.h"
+
+namespace lentray::parser {
+namespace {
+
+bool is_layerable(const Ref<TextureDesc>& texture) {
+  return !texture || !texture->layers.back().is_patterned();
+}
+
+/// A texture over what is there. Patterned textures cannot be layered.
+void add_texture(Parser& parser, Ref<TextureDesc>& below, const Ref<TextureDesc>& above) {
+  if (below && (!is_layerable(below) || !is_layerable(above))) {
+    parser.fail("a texture with a texture_map, tiles or material_map cannot be layered");
+  }
+  below = layered(below, above);
+}
+
+/// The topmost layer of an object's own texture, which starts as the default.
+TextureLayerDesc& top_layer(Parser& parser, MaterialContext& context, Ref<TextureDesc>& texture,
+                            std::shared_ptr<TextureDesc>& copy) {
+  copy = std::make_shared<TextureDesc>(texture ? *texture : *context.default_texture);
+  if (copy->layers.back().is_patterned()) {
+    parser.fail("a texture with a texture_map, tiles or material_map has no single part to change");
+  }
+  return copy->layers.back();
+}
+
+bool accept_part(Parser& parser, MaterialContext& context, Ref<TextureDesc>& texture) {
+  std::shared_ptr<TextureDesc> copy;
+  if (parser.accept(Keyword::kPigment)) {
+    TextureLayerDesc& layer = top_layer(parser, context, texture, copy);
+    parser.expect(Punct::kLeftCurly);
+    layer.pigment = parse_pigment_body(parser, context, layer.pigment);
+    parser.expect(Punct::kRightCurly);
+  } else if (parser.accept(Keyword::kNormal)) {
+    TextureLayerDesc& layer = top_layer(parser, context, texture, copy);
+    parser.expect(Punct::kLeftCurly);
+    layer.normal = parse_normal_body(parser, context, layer.normal);
+    parser.expect(Punct::kRightCurly);
+  } else if (parser.accept(Keyword::kFinish)) {
+    TextureLayerDesc& layer = top_layer(parser, context, texture, copy);
+    layer.finish = parse_finish_block(parser, layer.finish);
+  } else {
+    return false;
+  }
+  texture = copy;
+  return true;
+}
+
+/// A colour directly in an object: before 1.5 its colour in quick renders, without meaning since.
+void accept_object_colour(Parser& parser, Looks& looks) {
+  const core::Colour colour = to_colour(parser.parse_colour());
+  if (parser.language_version() >= 150 || !looks.texture ||
+      looks.texture->layers.back().is_patterned()) {
+    parser.warn("a color in an object is ignored; it belongs in a pigment");
+    return;
+  }
+  auto texture = std::make_shared<TextureDesc>(*looks.texture);
+  auto pigment = std::make_shared<PigmentDesc>(*texture->layers.back().pigment);
+  pigment->quick_colour = colour;
+  texture->layers.back().pigment = pigment;
+  looks.texture = texture;
+}
+
+template <typename Desc>
+std::optional<Value> as_value(const Ref<Desc>& desc) {
+  return Value(desc);
+}
+
+Ref<TextureDesc> parse_texture_layers(Parser& parser, MaterialContext& context) {
+  Ref<TextureDesc> layers = parse_texture(parser, context);
+  while (parser.accept(Keyword::kTexture)) {
+    add_texture(parser, layers, parse_texture(parser, context));
+  }
+  return layers;
+}
+
+}  // namespace
+
+Ref<InteriorDesc> parse_interior(Parser& parser, MaterialContext& context) {
+  return parse_interior(parser, context, nullptr);
+}
+
+Ref<MaterialDesc> parse_material(Parser& parser, MaterialContext& context) {
+  auto material = std::make_shared<MaterialDesc>();
+  const Location where = parser.location();
+  parser.expect(Punct::kLeftCurly);
+  if (const auto known = parser.accept_value<Ref<MaterialDesc>>()) *material = **known;
+  material->where = where;
+  for (;;) {
+    if (parser.accept(Keyword::kTexture)) {
+      add_texture(parser, material->texture, parse_texture(parser, context));
+    } else if (parser.accept(Keyword::kInteriorTexture)) {
+      add_texture(parser, material->interior_texture, parse_texture(parser, context));
+    } else if (parser.accept(Keyword::kInterior)) {
+      material->interior = parse_interior(parser, context, material->interior);
+    } else if (const auto transform = parser.accept_transforms()) {
+      // Stock leaves the interior texture where it is.
+      material->texture = transformed(material->texture, *transform);
+      material->interior = transformed(material->interior, *transform);
+    } else {
+      break;
+    }
+  }
+  parser.expect(Punct::kRightCurly);
+  return material;
+}
+
+bool accept_looks(Parser& parser, MaterialContext& context, Looks& looks) {
+  if (parser.accept(Keyword::kTexture)) {
+    add_texture(parser, looks.texture, parse_texture(parser, context));
+  } else if (parser.accept(Keyword::kInteriorTexture)) {
+    add_texture(parser, looks.interior_texture, parse_texture(parser, context));
+  } else if (parser.accept(Keyword::kInterior)) {
+    looks.interior = parse_interior(parser, context, looks.interior);
+  } else if (parser.accept(Keyword::kMaterial)) {
+    const Ref<MaterialDesc> material = parse_material(parser, context);
+    if (material->texture) add_texture(parser, looks.texture, material->texture);
+    if (material->interior_texture) {
+      add_texture(parser, looks.interior_texture, material->interior_texture);
+    }
+    if (material->interior) looks.interior = material->interior;
+  } else if (parser.accept(Keyword::kMedia)) {
+    auto interior = looks.interior ? std::make_shared<InteriorDesc>(*looks.interior)
+                                   : std::make_shared<InteriorDesc>();
+    interior->media.push_back(parse_media(parser, context));
+    looks.interior = interior;
+  } else if (accept_part(parser, context, looks.texture)) {
+    return true;
+  } else if (parser.at_colour()) {
+    accept_object_colour(parser, looks);
+  } else {
+    return false;
+  }
+  return true;
+}
+
+void transform_looks(Looks& looks, const core::Transform& transform) {
+  looks.texture = transformed(looks.texture, transform);
+  looks.interior_texture = transformed(looks.interior_texture, transform);
+  looks.interior = transformed(looks.interior, transform);
+}
+
+std::optional<Value> accept_material_value(Parser& parser, MaterialContext& context) {
+  if (parser.accept(Keyword::kPigment)) return as_value(parse_pigment(parser, context));
+  if (parser.accept(Keyword::kNormal)) return as_value(parse_normal(parser, context));
+  if (parser.accept(Keyword::kFinish)) return as_value(parse_finish(parser, context));
+  if (parser.accept(Keyword::kTexture)) return as_value(parse_texture_layers(parser, context));
+  if (parser.accept(Keyword::kInterior)) return as_value(parse_interior(parser, context));
+  if (parser.accept(Keyword::kMaterial)) return as_value(parse_material(parser, context));
+  if (parser.accept(Keyword::kMedia)) return as_value(parse_media(parser, context));
+  if (parser.accept(Keyword::kDensity)) return as_value(parse_density(parser, context));
+  if (parser.accept(Keyword::kColorMap)) return as_value(parse_colour_map(parser, context));
+  if (parser.accept(Keyword::kPigmentMap)) return as_value(parse_pigment_map(parser, context));
+  if (parser.accept(Keyword::kNormalMap)) return as_value(parse_normal_map(parser, context));
+  if (parser.accept(Keyword::kSlopeMap)) return as_value(parse_slope_map(parser, context));
+  if (parser.accept(Keyword::kTextureMap)) return as_value(parse_texture_map(parser, context));
+  if (parser.accept(Keyword::kDensityMap)) return as_value(parse_density_map(parser, context));
+  return std::nullopt;
+}
+
+bool accept_material_default(Parser& parser, MaterialContext& context) {
+  if (parser.accept(Keyword::kTexture)) {
+    const Ref<TextureDesc> texture = parse_texture(parser, context);
+    if (texture->layers.back().is_patterned()) {
+      parser.fail("the default texture cannot be a map of textures");
+    }
+    if (texture->layers.size() > 1) parser.fail("the default texture cannot be layered");
+    context.default_texture = texture;
+    return true;
+  }
+  return accept_part(parser, context, context.default_texture);
+}
+
+}  // namespace lentray::parser

@@ -1,0 +1,191 @@
+#include "parser/descriptions/media.h"
+
+#include "parser/grammar/pattern.h"
+
+namespace lentray::parser {
+namespace {
+
+class DensityTarget final : public PatternTarget {
+ public:
+  DensityTarget(DensityDesc& density, MaterialContext& context)
+      : m_density(density), m_context(context) {}
+
+  std::string_view statement() const override { return "density"; }
+  PatternDesc& pattern() override { return m_density.pattern; }
+  bool has_map() const override { return m_density.density_map != nullptr; }
+
+  bool accept_plain(Parser& parser) override {
+    if (!parser.at_colour()) return false;
+    m_density.colour = to_colour(parser.parse_colour());
+    return true;
+  }
+
+  void read_list(Parser& parser, int count) override {
+    auto map = std::make_shared<DensityMapDesc>();
+    map->where = parser.location();
+    for (int i = 0; i < count; ++i) {
+      Ref<DensityDesc> item = std::make_shared<const DensityDesc>();
+      if (parser.accept(Keyword::kDensity)) {
+        item = parse_density(parser, m_context);
+        parser.parse_comma();
+      }
+      map->entries.push_back({static_cast<double>(i), item});
+    }
+    m_density.density_map = map;
+    m_density.colour_map = nullptr;
+  }
+
+  void read_item(Parser& parser) override {
+    auto map = std::make_shared<DensityMapDesc>();
+    map->entries.push_back({0.0, parse_density_body(parser, m_context)});
+    m_density.density_map = map;
+    m_density.colour_map = nullptr;
+  }
+
+  bool accept_own_modifier(Parser& parser) override {
+    if (parser.at(Keyword::kColorMap)) {
+      check_map_allowed(parser, m_density.pattern, "color_map", false);
+      parser.next();
+      m_density.colour_map = parse_colour_map(parser, m_context);
+      m_density.density_map = nullptr;
+    } else if (parser.at(Keyword::kDensityMap)) {
+      check_map_allowed(parser, m_density.pattern, "density_map", true);
+      parser.next();
+      m_density.density_map = parse_density_map(
+          parser, m_context, m_density.pattern.kind == PatternKind::kAverage);
+      m_density.colour_map = nullptr;
+    } else {
+      return false;
+    }
+    return true;
+  }
+
+ private:
+  DensityDesc& m_density;
+  MaterialContext& m_context;
+};
+
+void parse_samples(Parser& parser, MediaDesc& media) {
+  media.min_samples = parser.parse_int();
+  parser.parse_comma();
+  media.max_samples = static_cast<int>(parse_optional_float(parser, media.min_samples));
+  if (media.min_samples < 1) parser.fail("media needs at least one sample an interval");
+  if (media.max_samples < media.min_samples) {
+    parser.fail("the most samples of media are fewer than the least");
+  }
+}
+
+bool accept_sampling_word(Parser& parser, MediaDesc& media) {
+  if (parser.accept(Keyword::kIntervals)) {
+    media.intervals = parser.parse_int();
+    if (media.intervals < 1) parser.fail("media needs at least one interval");
+  } else if (parser.accept(Keyword::kSamples)) {
+    parse_samples(parser, media);
+  } else if (parser.accept(Keyword::kMethod)) {
+    media.method = parser.parse_int();
+    if (media.method < 1 || media.method > 3) parser.fail("the method of media is 1, 2 or 3");
+  } else if (parser.accept(Keyword::kJitter)) {
+    media.jitter = parser.parse_float();
+  } else if (parser.accept(Keyword::kAaThreshold)) {
+    media.aa_threshold = parser.parse_float();
+    if (media.aa_threshold <= 0.0) parser.fail("aa_threshold of media must be greater than 0");
+  } else if (parser.accept(Keyword::kAaLevel)) {
+    media.aa_level = parser.parse_int();
+    if (media.aa_level < 1) parser.fail("aa_level of media must be at least 1");
+  } else if (parser.accept(Keyword::kConfidence)) {
+    media.confidence = parser.parse_float();
+    if (media.confidence < 0.0 || media.confidence >= 1.0) {
+      parser.fail("confidence of media is at least 0 and less than 1");
+    }
+  } else if (parser.accept(Keyword::kVariance)) {
+    media.variance = parser.parse_float();
+  } else if (parser.accept(Keyword::kRatio)) {
+    media.ratio = parser.parse_float();
+  } else {
+    return false;
+  }
+  return true;
+}
+
+void parse_scattering(Parser& parser, ScatteringDesc& scattering) {
+  parser.expect(Punct::kLeftCurly);
+  scattering.type = parser.parse_int();
+  if (scattering.type < 1 || scattering.type > 5) parser.warn("scattering types go from 1 to 5");
+  parser.parse_comma();
+  scattering.colour = parse_rgb(parser);
+  for (;;) {
+    if (parser.at(Keyword::kEccentricity)) {
+      if (scattering.type != 5) parser.fail("eccentricity goes with scattering type 5 only");
+      parser.next();
+      scattering.eccentricity = parser.parse_float();
+    } else if (parser.accept(Keyword::kExtinction)) {
+      scattering.extinction = parser.parse_float();
+    } else {
+      break;
+    }
+  }
+  parser.expect(Punct::kRightCurly);
+}
+
+bool accept_media_word(Parser& parser, MaterialContext& context, MediaDesc& media) {
+  if (accept_sampling_word(parser, media)) return true;
+  if (parser.accept(Keyword::kAbsorption)) {
+    media.absorption = parse_rgb(parser);
+  } else if (parser.accept(Keyword::kEmission)) {
+    media.emission = parse_rgb(parser);
+  } else if (parser.accept(Keyword::kScattering)) {
+    parse_scattering(parser, media.scattering);
+  } else if (parser.accept(Keyword::kCollect)) {
+    media.ignore_photons = !(parse_optional_float(parser, 1.0) > 0.0);
+  } else if (parser.accept(Keyword::kDensity)) {
+    media.densities.push_back(parse_density(parser, context));
+  } else if (const auto transform = parser.accept_transforms()) {
+    for (Ref<DensityDesc>& density : media.densities) density = transformed(density, *transform);
+  } else {
+    return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+Ref<DensityDesc> parse_density_body(Parser& parser, MaterialContext& context) {
+  auto density = std::make_shared<DensityDesc>();
+  const Location where = parser.location();
+  if (const auto known = parser.accept_value<Ref<DensityDesc>>()) *density = **known;
+  density->where = where;
+  DensityTarget target(*density, context);
+  parse_pattern_body(parser, context, target);
+  return density;
+}
+
+Ref<DensityDesc> parse_density(Parser& parser, MaterialContext& context) {
+  parser.expect(Punct::kLeftCurly);
+  auto density = parse_density_body(parser, context);
+  parser.expect(Punct::kRightCurly);
+  return density;
+}
+
+Ref<MediaDesc> parse_media(Parser& parser, MaterialContext& context) {
+  auto media = std::make_shared<MediaDesc>();
+  const Location where = parser.location();
+  parser.expect(Punct::kLeftCurly);
+  if (const auto known = parser.accept_value<Ref<MediaDesc>>()) {
+    *media = **known;
+  } else if (parser.language_version() >= 350) {
+    media->method = 3;
+    media->intervals = 1;
+    media->min_samples = media->max_samples = 10;
+  } else {
+    media->method = 1;
+    media->intervals = 10;
+    media->min_samples = media->max_samples = 1;
+  }
+  media->where = where;
+  while (accept_media_word(parser, context, *media)) {
+  }
+  parser.expect(Punct::kRightCurly);
+  return media;
+}
+
+}  // namespace lentray::parser

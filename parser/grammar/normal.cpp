@@ -1,0 +1,108 @@
+#include "parser/descriptions/normal.h"
+
+#include "parser/grammar/pattern.h"
+
+namespace lentray::parser {
+namespace {
+
+class NormalTarget final : public PatternTarget {
+ public:
+  NormalTarget(NormalDesc& normal, MaterialContext& context)
+      : m_normal(normal), m_context(context) {}
+
+  std::string_view statement() const override { return "normal"; }
+  PatternDesc& pattern() override { return m_normal.pattern; }
+  bool has_map() const override { return m_normal.normal_map != nullptr; }
+
+  void read_list(Parser& parser, int count) override {
+    m_normal.accuracy = 0.02;
+    m_normal.slope_map = nullptr;
+    m_normal.normal_map = nullptr;
+    if (!parser.at(Keyword::kNormal)) return;
+    auto map = std::make_shared<NormalMapDesc>();
+    map->where = parser.location();
+    for (int i = 0; i < count; ++i) {
+      Ref<NormalDesc> item = default_layer(m_context).normal;
+      if (parser.accept(Keyword::kNormal)) {
+        item = parse_normal(parser, m_context);
+        parser.parse_comma();
+      }
+      map->entries.push_back({static_cast<double>(i), item});
+    }
+    m_normal.normal_map = map;
+  }
+
+  void read_item(Parser& parser) override {
+    auto map = std::make_shared<NormalMapDesc>();
+    map->entries.push_back(
+        {0.0, parse_normal_body(parser, m_context, default_layer(m_context).normal)});
+    m_normal.normal_map = map;
+    m_normal.slope_map = nullptr;
+  }
+
+  void after_pattern(Parser& parser) override {
+    parser.parse_comma();
+    m_normal.amount = parse_optional_float(parser, m_normal.amount);
+  }
+
+  bool accept_own_modifier(Parser& parser) override {
+    PatternDesc& pattern = m_normal.pattern;
+    if (parser.accept(Keyword::kBumpMap)) {
+      pattern.kind = PatternKind::kBumpMap;
+      pattern.frequency = 0.0;
+      pattern.image = parse_bump_map(parser, m_normal.amount);
+      after_pattern(parser);
+    } else if (parser.accept(Keyword::kBumpSize)) {
+      m_normal.amount = parser.parse_float();
+    } else if (parser.accept(Keyword::kAccuracy)) {
+      m_normal.accuracy = parser.parse_float();
+    } else if (parser.accept(Keyword::kNoBumpScale)) {
+      m_normal.no_bump_scale = true;
+    } else if (parser.at(Keyword::kSlopeMap)) {
+      check_map_allowed(parser, pattern, "slope_map", false);
+      parser.next();
+      m_normal.slope_map = parse_slope_map(parser, m_context);
+      m_normal.normal_map = nullptr;
+    } else if (parser.at(Keyword::kNormalMap)) {
+      check_map_allowed(parser, pattern, "normal_map", true);
+      if (pattern.kind == PatternKind::kFacets) parser.fail("cannot use normal_map with facets");
+      parser.next();
+      m_normal.normal_map =
+          parse_normal_map(parser, m_context, pattern.kind == PatternKind::kAverage);
+      m_normal.slope_map = nullptr;
+    } else {
+      return false;
+    }
+    return true;
+  }
+
+ private:
+  NormalDesc& m_normal;
+  MaterialContext& m_context;
+};
+
+}  // namespace
+
+Ref<NormalDesc> parse_normal_body(Parser& parser, MaterialContext& context,
+                                  const Ref<NormalDesc>& base) {
+  auto normal = std::make_shared<NormalDesc>();
+  const Location where = parser.location();
+  if (const auto known = parser.accept_value<Ref<NormalDesc>>()) {
+    *normal = **known;
+  } else if (base) {
+    *normal = *base;
+  }
+  normal->where = where;
+  NormalTarget target(*normal, context);
+  parse_pattern_body(parser, context, target);
+  return normal;
+}
+
+Ref<NormalDesc> parse_normal(Parser& parser, MaterialContext& context) {
+  parser.expect(Punct::kLeftCurly);
+  auto normal = parse_normal_body(parser, context, default_layer(context).normal);
+  parser.expect(Punct::kRightCurly);
+  return normal;
+}
+
+}  // namespace lentray::parser

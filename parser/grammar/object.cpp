@@ -1,0 +1,121 @@
+#include "parser/grammar/object.h"
+
+#include "parser/grammar/helpers.h"
+#include "parser/grammar/light.h"
+#include "parser/grammar/object_modifiers.h"
+#include "parser/grammar/object_shapes.h"
+
+namespace lentray::parser {
+namespace {
+
+struct ShapeEntry {
+  Keyword keyword;
+  ShapeDesc (*read)(Parser&, Context&) = nullptr;
+  std::optional<CsgOperation> csg = std::nullopt;  ///< instead of `read`
+};
+
+template <int kOrder>
+ShapeDesc read_poly(Parser& parser, Context& context) {
+  return parse_poly(parser, context, kOrder);
+}
+
+const std::array kShapes{
+    ShapeEntry{Keyword::kBicubicPatch, parse_bicubic_patch},
+    ShapeEntry{Keyword::kBlob, parse_blob},
+    ShapeEntry{Keyword::kBox, parse_box},
+    ShapeEntry{Keyword::kComposite, nullptr, CsgOperation::kUnion},
+    ShapeEntry{Keyword::kCone, parse_cone},
+    ShapeEntry{Keyword::kCubic, read_poly<3>},
+    ShapeEntry{Keyword::kCylinder, parse_cylinder},
+    ShapeEntry{Keyword::kDifference, nullptr, CsgOperation::kDifference},
+    ShapeEntry{Keyword::kDisc, parse_disc},
+    ShapeEntry{Keyword::kHeightField, parse_height_field},
+    ShapeEntry{Keyword::kIntersection, nullptr, CsgOperation::kIntersection},
+    ShapeEntry{Keyword::kIsosurface, parse_isosurface},
+    ShapeEntry{Keyword::kJuliaFractal, parse_julia_fractal},
+    ShapeEntry{Keyword::kLathe, parse_lathe},
+    ShapeEntry{Keyword::kMerge, nullptr, CsgOperation::kMerge},
+    ShapeEntry{Keyword::kMesh, parse_mesh},
+    ShapeEntry{Keyword::kMesh2, parse_mesh2},
+    ShapeEntry{Keyword::kOvus, parse_ovus},
+    ShapeEntry{Keyword::kParametric, parse_parametric},
+    ShapeEntry{Keyword::kPlane, parse_plane},
+    ShapeEntry{Keyword::kPoly, read_poly<0>},
+    ShapeEntry{Keyword::kPolygon, parse_polygon},
+    ShapeEntry{Keyword::kPolynomial, parse_polynomial},
+    ShapeEntry{Keyword::kPrism, parse_prism},
+    ShapeEntry{Keyword::kQuadric, parse_quadric},
+    ShapeEntry{Keyword::kQuartic, read_poly<4>},
+    ShapeEntry{Keyword::kSmoothTriangle, parse_smooth_triangle},
+    ShapeEntry{Keyword::kSor, parse_sor},
+    ShapeEntry{Keyword::kSphere, parse_sphere},
+    ShapeEntry{Keyword::kSphereSweep, parse_sphere_sweep},
+    ShapeEntry{Keyword::kSuperellipsoid, parse_superellipsoid},
+    ShapeEntry{Keyword::kText, parse_text},
+    ShapeEntry{Keyword::kTorus, parse_torus},
+    ShapeEntry{Keyword::kTriangle, parse_triangle},
+    ShapeEntry{Keyword::kUnion, nullptr, CsgOperation::kUnion},
+};
+
+/// `{ shape modifiers }` or `{ identifier modifiers }`, the keyword consumed.
+Ref<ObjectDesc> parse_shape_block(Parser& parser, Context& context, const ShapeEntry& entry,
+                                  const Location& where) {
+  parser.expect(Punct::kLeftCurly);
+  auto object = std::make_shared<ObjectDesc>();
+  // An identifier alone is the object itself; in a CSG more objects may follow it.
+  Ref<ObjectDesc> named;
+  if (auto value = parser.accept_value<Ref<ObjectDesc>>()) named = *value;
+  if (named && !(entry.csg && at_object(parser))) {
+    *object = *named;
+  } else {
+    object->keyword = spelling(entry.keyword);
+    object->shape = entry.csg ? parse_csg(parser, context, *entry.csg, named)
+                                 : entry.read(parser, context);
+  }
+  object->where = where;
+  parse_object_modifiers(parser, context, *object);
+  return object;
+}
+
+/// `{ object modifiers }` behind `object`.
+Ref<ObjectDesc> parse_object_block(Parser& parser, Context& context, const Location& where) {
+  parser.expect(Punct::kLeftCurly);
+  auto object = std::make_shared<ObjectDesc>(*expect_object(parser, context));
+  object->where = where;
+  parse_object_modifiers(parser, context, *object);
+  return object;
+}
+
+}  // namespace
+
+bool at_object(Parser& parser) {
+  if (parser.at(Keyword::kObject) || parser.at(Keyword::kLightSource) ||
+      parser.at(Keyword::kLightGroup) || find_entry(kShapes, parser.peek())) {
+    return true;
+  }
+  const Value* value = parser.peek_value();
+  return value && std::holds_alternative<Ref<ObjectDesc>>(*value);
+}
+
+std::string object_words() { return "object, light_source, light_group, " + word_list(kShapes); }
+
+Ref<ObjectDesc> accept_object(Parser& parser, Context& context) {
+  const Location where = parser.location();
+  if (const ShapeEntry* entry = find_entry(kShapes, parser.peek())) {
+    parser.next();
+    return parse_shape_block(parser, context, *entry, where);
+  }
+  if (parser.accept(Keyword::kObject)) return parse_object_block(parser, context, where);
+  if (parser.accept(Keyword::kLightSource)) return parse_light_source(parser, context, where);
+  if (parser.accept(Keyword::kLightGroup)) return parse_light_group(parser, context, where);
+  if (auto named = parser.accept_value<Ref<ObjectDesc>>()) return *named;
+  return nullptr;
+}
+
+Ref<ObjectDesc> expect_object(Parser& parser, Context& context) {
+  Ref<ObjectDesc> object = accept_object(parser, context);
+  if (!object) parser.fail_expected("an object: one of " + object_words() + " or an object identifier");
+  return object;
+}
+
+}  // namespace lentray::parser

@@ -1,0 +1,237 @@
+// mesh and mesh2. Source: reference manual 3.7, "Mesh", "Mesh2".
+#include <cstdint>
+#include <cstring>
+#include <unordered_map>
+
+#include "parser/grammar/helpers.h"
+#include "parser/grammar/object_shapes.h"
+
+namespace lentray::parser {
+namespace {
+
+struct BitsHash {
+  template <std::size_t kCount>
+  std::size_t operator()(const std::array<std::uint64_t, kCount>& bits) const {
+    std::uint64_t h = 0x9e3779b97f4a7c15u;
+    for (const std::uint64_t b : bits) h = (h ^ b) * 0xff51afd7ed558ccdu ^ (h >> 29);
+    return h;
+  }
+};
+
+std::uint64_t bits_of(double x) {
+  if (x == 0.0) x = 0.0;  // -0 is 0
+  std::uint64_t bits;
+  std::memcpy(&bits, &x, sizeof bits);
+  return bits;
+}
+
+/// Gives equal points of a mesh one index.
+class PointPool {
+ public:
+  explicit PointPool(std::vector<Vec3>& points) : m_points(points) {}
+  int index(const Vec3& p) {
+    const auto [it, fresh] = m_index.try_emplace(
+        std::array{bits_of(p.x), bits_of(p.y), bits_of(p.z)}, static_cast<int>(m_points.size()));
+    if (fresh) m_points.push_back(p);
+    return it->second;
+  }
+
+ private:
+  std::vector<Vec3>& m_points;
+  std::unordered_map<std::array<std::uint64_t, 3>, int, BitsHash> m_index;
+};
+
+class TexturePool {
+ public:
+  explicit TexturePool(std::vector<Ref<TextureDesc>>& textures) : m_textures(textures) {}
+  int index(const Ref<TextureDesc>& texture) {
+    const auto [it, fresh] = m_index.try_emplace(texture.get(), static_cast<int>(m_textures.size()));
+    if (fresh) m_textures.push_back(texture);
+    return it->second;
+  }
+
+ private:
+  std::vector<Ref<TextureDesc>>& m_textures;
+  std::unordered_map<const TextureDesc*, int> m_index;
+};
+
+/// What is under construction while a `mesh` is read.
+struct MeshReader {
+  MeshShape mesh;
+  PointPool vertices{mesh.vertices}, normals{mesh.normals};
+  TexturePool textures{mesh.textures};
+
+  void parse_face(Parser& parser, Context& context, bool smooth) {
+    parser.expect(Punct::kLeftCurly);
+    MeshFace face;
+    for (int i = 0; i < 3; ++i) {
+      face.vertex[i] = vertices.index(parser.parse_vector());
+      parser.parse_comma();
+      if (!smooth) continue;
+      face.normal[i] = normals.index(parser.parse_vector());
+      parser.parse_comma();
+    }
+    if (parser.accept(Keyword::kUvVectors)) {
+      for (int i = 0; i < 3; ++i) {
+        face.uv[i] = static_cast<int>(mesh.uvs.size());
+        mesh.uvs.push_back(parse_uv(parser));
+        parser.parse_comma();
+      }
+    }
+    int count = 0;
+    while (count < 3 && parser.accept(Keyword::kTexture)) {
+      face.texture[count++] = textures.index(parse_texture(parser, context.materials));
+      parser.parse_comma();
+    }
+    for (int i = count; count > 0 && i < 3; ++i) face.texture[i] = face.texture[0];
+    parser.expect(Punct::kRightCurly);
+    if (face.vertex[0] == face.vertex[1] || face.vertex[1] == face.vertex[2] ||
+        face.vertex[2] == face.vertex[0]) {
+      return;  // degenerate: stock leaves it out
+    }
+    mesh.faces.push_back(face);
+  }
+};
+
+void check_index(Parser& parser, int index, std::size_t size, const char* what) {
+  if (index < 0 || static_cast<std::size_t>(index) >= size) {
+    parser.fail(std::string(what) + " index " + std::to_string(index) + " is out of range: there are " +
+                std::to_string(size) + ".");
+  }
+}
+
+/// `{ count, items }` where `item` reads one.
+template <typename Item>
+void parse_counted(Parser& parser, Item item) {
+  parser.expect(Punct::kLeftCurly);
+  const int count = parser.parse_int();
+  parser.parse_comma();
+  for (int i = 0; i < count; ++i) {
+    item(i);
+    parser.parse_comma();
+  }
+  parser.expect(Punct::kRightCurly);
+}
+
+std::array<int, 3> parse_triple(Parser& parser) {
+  const Vec3 v = parser.parse_vector();
+  return {static_cast<int>(v.x), static_cast<int>(v.y), static_cast<int>(v.z)};
+}
+
+/// A face of mesh2: three vertices and up to three textures.
+MeshFace parse_indexed_face(Parser& parser, const MeshShape& mesh) {
+  MeshFace face;
+  face.vertex = parse_triple(parser);
+  for (const int i : face.vertex) check_index(parser, i, mesh.vertices.size(), "Mesh vertex");
+  parser.parse_comma();
+  int count = 0;
+  while (count < 3 && at_float(parser)) {
+    const int t = parser.parse_int();
+    check_index(parser, t, mesh.textures.size(), "Mesh texture");
+    face.texture[count++] = t;
+    parser.parse_comma();
+  }
+  for (int i = count; count > 0 && i < 3; ++i) face.texture[i] = face.texture[0];
+  return face;
+}
+
+struct Mesh2Reader {
+  MeshShape mesh;
+  std::vector<std::array<int, 3>> normal_indices, uv_indices;
+  bool has_normal_indices = false, has_uv_indices = false;
+
+  /// One block of the mesh; false if the next token starts none.
+  bool accept_block(Parser& parser, Context& context) {
+    if (parser.accept(Keyword::kVertexVectors)) {
+      parse_counted(parser, [&](int) { mesh.vertices.push_back(parser.parse_vector()); });
+      if (mesh.vertices.empty()) parser.fail("No vertices in triangle mesh.");
+    } else if (parser.accept(Keyword::kNormalVectors)) {
+      parse_counted(parser, [&](int) { mesh.normals.push_back(parser.parse_vector()); });
+    } else if (parser.accept(Keyword::kUvVectors)) {
+      parse_counted(parser, [&](int) { mesh.uvs.push_back(parse_uv(parser)); });
+    } else if (parser.accept(Keyword::kTextureList)) {
+      parse_counted(parser, [&](int) {
+        Ref<TextureDesc> texture;
+        if (parser.accept(Keyword::kTexture)) {
+          texture = parse_texture(parser, context.materials);
+        } else if (auto named = parser.accept_value<Ref<TextureDesc>>()) {
+          texture = *named;
+        } else {
+          parser.fail_expected("texture");
+        }
+        mesh.textures.push_back(texture);
+      });
+    } else if (parser.accept(Keyword::kFaceIndices)) {
+      parse_counted(parser, [&](int) { mesh.faces.push_back(parse_indexed_face(parser, mesh)); });
+      if (mesh.faces.empty()) parser.fail("No triangles in triangle mesh.");
+    } else if (parser.accept(Keyword::kNormalIndices)) {
+      has_normal_indices = true;
+      parse_counted(parser, [&](int) { normal_indices.push_back(parse_triple(parser)); });
+    } else if (parser.accept(Keyword::kUvIndices)) {
+      has_uv_indices = true;
+      parse_counted(parser, [&](int) { uv_indices.push_back(parse_triple(parser)); });
+    } else if (parser.accept(Keyword::kInsideVector)) {
+      mesh.inside_vector = parser.parse_vector();
+    } else {
+      return false;
+    }
+    return true;
+  }
+
+  /// Gives the faces their normals and uv coordinates: without own indices those of the vertices.
+  void connect(Parser& parser) {
+    if (mesh.vertices.empty()) parser.fail_expected("vertex_vectors");
+    if (mesh.faces.empty()) parser.fail_expected("face_indices");
+    for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
+      MeshFace& face = mesh.faces[i];
+      if (!mesh.normals.empty()) {
+        if (has_normal_indices) {
+          if (i < normal_indices.size()) face.normal = normal_indices[i];
+        } else {
+          face.normal = face.vertex;
+        }
+        if (face.normal[0] >= 0) {
+          for (const int n : face.normal) check_index(parser, n, mesh.normals.size(), "Mesh normal");
+        }
+      }
+      if (!mesh.uvs.empty()) {
+        if (has_uv_indices) {
+          if (i < uv_indices.size()) face.uv = uv_indices[i];
+        } else {
+          face.uv = face.vertex;
+        }
+        if (face.uv[0] >= 0) {
+          for (const int n : face.uv) check_index(parser, n, mesh.uvs.size(), "Mesh uv");
+        }
+      }
+    }
+  }
+};
+
+}  // namespace
+
+ShapeDesc parse_mesh(Parser& parser, Context& context) {
+  MeshReader reader;
+  while (true) {
+    if (parser.accept(Keyword::kTriangle)) {
+      reader.parse_face(parser, context, false);
+    } else if (parser.accept(Keyword::kSmoothTriangle)) {
+      reader.parse_face(parser, context, true);
+    } else if (parser.accept(Keyword::kInsideVector)) {
+      reader.mesh.inside_vector = parser.parse_vector();
+    } else {
+      break;
+    }
+  }
+  if (reader.mesh.faces.empty()) parser.fail_expected("triangle or smooth_triangle");
+  return std::make_shared<const MeshShape>(std::move(reader.mesh));
+}
+
+ShapeDesc parse_mesh2(Parser& parser, Context& context) {
+  Mesh2Reader reader;
+  while (reader.accept_block(parser, context)) {}
+  reader.connect(parser);
+  return std::make_shared<const MeshShape>(std::move(reader.mesh));
+}
+
+}  // namespace lentray::parser

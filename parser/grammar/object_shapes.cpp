@@ -1,0 +1,151 @@
+#include "parser/grammar/object_shapes.h"
+
+#include <cmath>
+
+#include "parser/grammar/helpers.h"
+#include "parser/grammar/object.h"
+
+namespace lentray::parser {
+namespace {
+
+constexpr double kTiny = 1e-10;  ///< stock's measure of "nothing" in lengths
+
+bool is_degenerate(const std::array<Vec3, 3>& p) {
+  return length_squared(cross(p[1] - p[0], p[2] - p[0])) == 0.0;
+}
+
+}  // namespace
+
+ShapeDesc parse_sphere(Parser& parser, Context&) {
+  SphereShape s;
+  s.centre = parser.parse_vector();
+  parser.parse_comma();
+  s.radius = parser.parse_float();
+  return s;
+}
+
+ShapeDesc parse_box(Parser& parser, Context&) {
+  BoxShape s;
+  s.corner1 = parser.parse_vector();
+  parser.parse_comma();
+  s.corner2 = parser.parse_vector();
+  return s;
+}
+
+ShapeDesc parse_plane(Parser& parser, Context&) {
+  PlaneShape s;
+  s.normal = parser.parse_vector();
+  parser.parse_comma();
+  if (length(s.normal) < kTiny) parser.fail("Degenerate plane normal.");
+  s.distance = parser.parse_float();
+  return s;
+}
+
+ShapeDesc parse_cylinder(Parser& parser, Context&) {
+  CylinderShape s;
+  s.base = parser.parse_vector();
+  parser.parse_comma();
+  s.cap = parser.parse_vector();
+  parser.parse_comma();
+  s.radius = parser.parse_float();
+  s.open = parser.accept(Keyword::kOpen);
+  if (length(s.cap - s.base) < kTiny) parser.fail("Degenerate cylinder, base point = apex point.");
+  return s;
+}
+
+ShapeDesc parse_cone(Parser& parser, Context&) {
+  ConeShape s;
+  s.base = parser.parse_vector();
+  parser.parse_comma();
+  s.base_radius = parser.parse_float();
+  parser.parse_comma();
+  s.cap = parser.parse_vector();
+  parser.parse_comma();
+  s.cap_radius = parser.parse_float();
+  s.open = parser.accept(Keyword::kOpen);
+  if (length(s.cap - s.base) < kTiny) parser.fail("Degenerate cone, base point = apex point.");
+  return s;
+}
+
+ShapeDesc parse_torus(Parser& parser, Context&) {
+  TorusShape s;
+  s.major = parser.parse_float();
+  parser.parse_comma();
+  s.minor = parser.parse_float();
+  return s;
+}
+
+ShapeDesc parse_disc(Parser& parser, Context&) {
+  DiscShape s;
+  s.centre = parser.parse_vector();
+  parser.parse_comma();
+  s.normal = parser.parse_vector();
+  parser.parse_comma();
+  if (length(s.normal) < kTiny) parser.fail("Degenerate disc normal.");
+  s.radius = parser.parse_float();
+  parser.parse_comma();
+  s.hole = optional_float(parser, 0.0);
+  return s;
+}
+
+ShapeDesc parse_triangle(Parser& parser, Context&) {
+  const Location where = parser.location();
+  TriangleShape s;
+  for (Vec3& p : s.p) {
+    p = parser.parse_vector();
+    parser.parse_comma();
+  }
+  if (is_degenerate(s.p)) parser.warn_at(where, "Degenerate triangle: it has no area.");
+  return s;
+}
+
+ShapeDesc parse_smooth_triangle(Parser& parser, Context&) {
+  const Location where = parser.location();
+  SmoothTriangleShape s;
+  for (int i = 0; i < 3; ++i) {
+    s.p[i] = parser.parse_vector();
+    parser.parse_comma();
+    s.n[i] = parser.parse_vector();
+    parser.parse_comma();
+  }
+  if (is_degenerate(s.p)) parser.warn_at(where, "Degenerate triangle: it has no area.");
+  return s;
+}
+
+ShapeDesc parse_polygon(Parser& parser, Context&) {
+  const int count = parser.parse_int();
+  if (count < 3) parser.fail("Polygon needs at least three points.");
+  PolygonShape s;
+  s.points.reserve(count);
+  for (int i = 0; i < count; ++i) {
+    parser.parse_comma();
+    s.points.push_back(parser.parse_vector());
+  }
+  return s;
+}
+
+ShapeDesc parse_quadric(Parser& parser, Context&) {
+  QuadricShape s;
+  for (int group = 0; group < 3; ++group) {
+    const Vec3 v = parser.parse_vector();
+    parser.parse_comma();
+    for (int i = 0; i < 3; ++i) s.c[group * 3 + i] = v[i];
+  }
+  s.c[9] = parser.parse_float();
+  return s;
+}
+
+ShapeDesc parse_csg(Parser& parser, Context& context, CsgOperation operation,
+                    const Ref<ObjectDesc>& first) {
+  auto children = std::make_shared<Children>();
+  if (first) children->push_back(first);
+  while (Ref<ObjectDesc> child = accept_object(parser, context)) {
+    children->push_back(std::move(child));
+  }
+  CsgShape s;
+  s.operation = operation;
+  s.children = std::move(children);
+  return s;
+}
+
+}  // namespace lentray::parser

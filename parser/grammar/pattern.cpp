@@ -1,0 +1,350 @@
+#include "parser/grammar/pattern.h"
+
+#include <algorithm>
+#include <string>
+
+#include "core/base/vec3.h"
+
+namespace lentray::parser {
+namespace {
+
+/// What reads the arguments that stand right after a pattern's keyword.
+struct Reader {
+  Parser& parser;
+  MaterialContext& context;
+  PatternTarget& target;
+  PatternDesc& pattern;
+};
+using ReadArguments = void (*)(const Reader&);
+
+struct PatternRule {
+  Keyword keyword;
+  PatternKind kind;
+  ReadArguments read = nullptr;
+};
+
+template <int Count>
+void read_items(const Reader& r) {
+  r.pattern.frequency = 0.0;
+  r.target.read_list(r.parser, Count);
+}
+
+void read_triangle_wave(const Reader& r) { r.pattern.wave = WaveForm::kTriangle; }
+
+void read_no_frequency(const Reader& r) { r.pattern.frequency = 0.0; }
+
+void read_agate(const Reader& r) { r.pattern.classic_turbulence(); }
+
+void read_function(const Reader& r) { r.pattern.function = r.parser.parse_function_body(); }
+
+void read_gradient(const Reader& r) {
+  r.pattern.vector = core::normalized(r.parser.parse_vector());
+}
+
+void read_spiral(const Reader& r) {
+  r.pattern.arms = r.parser.parse_int();
+  read_triangle_wave(r);
+}
+
+void read_quilted(const Reader& r) {
+  r.pattern.quilt0 = r.pattern.quilt1 = 1.0;
+  read_no_frequency(r);
+}
+
+void read_crackle(const Reader& r) {
+  r.pattern.crackle_form = {-1, 1, 0};
+  r.pattern.crackle_metric = 2.0;
+  r.pattern.crackle_offset = 0.0;
+  r.pattern.crackle_solid = false;
+}
+
+void read_facets(const Reader& r) {
+  if (r.target.statement() != "normal") r.parser.fail("facets can only be used in a normal");
+  r.pattern.facets_size = 0.1;
+  r.pattern.facets_coords = 0.0;
+  r.pattern.facets_metric = 2.0;
+}
+
+int read_iterations(Parser& parser) {
+  const int iterations = parser.parse_int();
+  if (iterations < 1) parser.fail("a fractal pattern needs at least one iteration");
+  return iterations;
+}
+
+void reset_fractal(PatternDesc& pattern) {
+  pattern.exponent = 2;
+  pattern.exterior_type = 1;
+  pattern.interior_type = 0;
+  pattern.exterior_factor = pattern.interior_factor = 1.0;
+}
+
+void read_mandel(const Reader& r) {
+  reset_fractal(r.pattern);
+  r.pattern.iterations = read_iterations(r.parser);
+}
+
+void read_julia(const Reader& r) {
+  reset_fractal(r.pattern);
+  r.pattern.julia = parse_vec2(r.parser);
+  r.parser.parse_comma();
+  r.pattern.iterations = read_iterations(r.parser);
+}
+
+void read_magnet(const Reader& r) {
+  reset_fractal(r.pattern);
+  r.pattern.magnet = r.parser.parse_int();
+  if (r.pattern.magnet != 1 && r.pattern.magnet != 2) {
+    r.parser.fail("the magnet pattern is of type 1 or 2");
+  }
+  if (r.parser.accept(Keyword::kMandel)) {
+    r.pattern.kind = PatternKind::kMagnetMandel;
+  } else if (r.parser.accept(Keyword::kJulia)) {
+    r.pattern.kind = PatternKind::kMagnetJulia;
+    r.pattern.julia = parse_vec2(r.parser);
+    r.parser.parse_comma();
+  } else {
+    r.parser.fail_expected("mandel or julia");
+  }
+  r.pattern.iterations = read_iterations(r.parser);
+}
+
+void read_pigment_pattern(const Reader& r) {
+  r.parser.expect(Punct::kLeftCurly);
+  r.pattern.pigment =
+      parse_pigment_body(r.parser, r.context, std::make_shared<const PigmentDesc>());
+  r.parser.expect(Punct::kRightCurly);
+}
+
+void read_object(const Reader& r) {
+  r.parser.expect(Punct::kLeftCurly);
+  if (r.context.parse_object) r.pattern.object = r.context.parse_object(r.parser);
+  if (!r.pattern.object) r.parser.fail_expected("an object");
+  r.parser.parse_comma();
+  read_items<2>(r);
+  r.parser.expect(Punct::kRightCurly);
+}
+
+void read_uv_mapping(const Reader& r) { r.target.read_item(r.parser); }
+
+void read_image_map(const Reader& r) {
+  if (r.target.statement() != "pigment") r.parser.fail("image_map can only be used in a pigment");
+  read_no_frequency(r);
+  r.pattern.image = parse_image_map(r.parser);
+}
+
+void read_image_pattern(const Reader& r) {
+  read_no_frequency(r);
+  r.parser.expect(Punct::kLeftCurly);
+  auto image = parse_image_source(r.parser);
+  while (accept_image_modifier(r.parser, *image)) {
+  }
+  r.parser.expect(Punct::kRightCurly);
+  r.pattern.image = image;
+}
+
+void read_density_file(const Reader& r) {
+  r.parser.expect(Keyword::kDf3);
+  r.pattern.density_file = r.parser.parse_string();
+  r.pattern.density_path = r.parser.find_file(r.pattern.density_file).value_or("");
+}
+
+void read_range(Parser& parser, double& low, double& high) {
+  parser.parse_comma();
+  low = parse_optional_float(parser, 0.0);
+  parser.parse_comma();
+  high = parse_optional_float(parser, 0.0);
+  if (high != 0.0 && high == low) {
+    parser.warn("the range is empty; it is ignored");
+    low = high = 0.0;
+  }
+}
+
+void read_slope(const Reader& r) {
+  PatternDesc& p = r.pattern;
+  p.slope_point_at = false;
+  p.altitude = {};
+  p.slope_low = p.slope_high = p.altitude_low = p.altitude_high = 0.0;
+  if (!r.parser.accept(Punct::kLeftCurly)) {
+    p.vector = r.parser.parse_vector();
+  } else {
+    p.slope_point_at = r.parser.accept(Keyword::kPointAt);
+    p.vector = r.parser.parse_vector();
+    read_range(r.parser, p.slope_low, p.slope_high);
+    while (r.parser.at(Keyword::kAltitude)) {
+      if (p.slope_point_at) r.parser.fail("altitude cannot be used with point_at");
+      r.parser.next();
+      p.altitude = r.parser.parse_vector();
+      read_range(r.parser, p.altitude_low, p.altitude_high);
+    }
+    r.parser.expect(Punct::kRightCurly);
+  }
+  if (!p.slope_point_at && core::length(p.vector) + core::length(p.altitude) == 0.0) {
+    r.parser.fail("both vectors of the slope pattern are null");
+  }
+}
+
+void read_pavement(const Reader& r) {
+  r.pattern.pavement_sides = 3;
+  r.pattern.pavement_tiles = r.pattern.pavement_pattern = 1;
+  r.pattern.pavement_exterior = r.pattern.pavement_interior = r.pattern.pavement_form = 0;
+}
+
+void read_tiling(const Reader& r) {
+  r.pattern.tiling = r.parser.parse_int();
+  if (r.pattern.tiling < 1 || r.pattern.tiling > 27) {
+    r.parser.fail("the number of a tiling is between 1 and 27");
+  }
+}
+
+constexpr PatternRule kRules[] = {
+    {Keyword::kAgate, PatternKind::kAgate, read_agate},
+    {Keyword::kAoi, PatternKind::kAoi},
+    {Keyword::kAverage, PatternKind::kAverage},
+    {Keyword::kBoxed, PatternKind::kBoxed},
+    {Keyword::kBozo, PatternKind::kBozo},
+    {Keyword::kBrick, PatternKind::kBrick, read_items<2>},
+    {Keyword::kBumps, PatternKind::kBumps},
+    {Keyword::kCells, PatternKind::kCells},
+    {Keyword::kChecker, PatternKind::kChecker, read_items<2>},
+    {Keyword::kCrackle, PatternKind::kCrackle, read_crackle},
+    {Keyword::kCubic, PatternKind::kCubic, read_items<6>},
+    {Keyword::kCylindrical, PatternKind::kCylindrical},
+    {Keyword::kDensityFile, PatternKind::kDensityFile, read_density_file},
+    {Keyword::kDents, PatternKind::kDents},
+    {Keyword::kFacets, PatternKind::kFacets, read_facets},
+    {Keyword::kFunction, PatternKind::kFunction, read_function},
+    {Keyword::kGradient, PatternKind::kGradient, read_gradient},
+    {Keyword::kGranite, PatternKind::kGranite},
+    {Keyword::kHexagon, PatternKind::kHexagon, read_items<3>},
+    {Keyword::kImageMap, PatternKind::kImageMap, read_image_map},
+    {Keyword::kImagePattern, PatternKind::kImagePattern, read_image_pattern},
+    {Keyword::kJulia, PatternKind::kJulia, read_julia},
+    {Keyword::kLeopard, PatternKind::kLeopard},
+    {Keyword::kMagnet, PatternKind::kMagnetMandel, read_magnet},
+    {Keyword::kMandel, PatternKind::kMandel, read_mandel},
+    {Keyword::kMarble, PatternKind::kMarble, read_triangle_wave},
+    {Keyword::kObject, PatternKind::kObject, read_object},
+    {Keyword::kOnion, PatternKind::kOnion},
+    {Keyword::kPavement, PatternKind::kPavement, read_pavement},
+    {Keyword::kPigmentPattern, PatternKind::kPigmentPattern, read_pigment_pattern},
+    {Keyword::kPlanar, PatternKind::kPlanar},
+    {Keyword::kQuilted, PatternKind::kQuilted, read_quilted},
+    {Keyword::kRadial, PatternKind::kRadial},
+    {Keyword::kRipples, PatternKind::kRipples},
+    {Keyword::kSlope, PatternKind::kSlope, read_slope},
+    {Keyword::kSpherical, PatternKind::kSpherical},
+    {Keyword::kSpiral1, PatternKind::kSpiral1, read_spiral},
+    {Keyword::kSpiral2, PatternKind::kSpiral2, read_spiral},
+    {Keyword::kSpotted, PatternKind::kSpotted},
+    {Keyword::kSquare, PatternKind::kSquare, read_items<4>},
+    {Keyword::kTiling, PatternKind::kTiling, read_tiling},
+    {Keyword::kTriangular, PatternKind::kTriangular, read_items<6>},
+    {Keyword::kUvMapping, PatternKind::kUvMapping, read_uv_mapping},
+    {Keyword::kWaves, PatternKind::kWaves},
+    {Keyword::kWood, PatternKind::kWood, read_triangle_wave},
+    {Keyword::kWrinkles, PatternKind::kWrinkles},
+};
+
+const PatternRule* find_rule(const Token& token) {
+  if (token.kind != TokenKind::kKeyword) return nullptr;
+  const auto found = std::find_if(std::begin(kRules), std::end(kRules), [&](const PatternRule& r) {
+    return r.keyword == token.keyword;
+  });
+  return found == std::end(kRules) ? nullptr : found;
+}
+
+void check_pavement(Parser& parser, const PatternDesc& p) {
+  static constexpr int kTriangles[] = {1, 1, 1, 3, 4, 12};
+  static constexpr int kSquares[] = {1, 1, 2, 5, 12, 35};
+  static constexpr int kHexagons[] = {1, 1, 3, 7, 22};
+  const int* counts = kTriangles;
+  int most = 6;
+  if (p.pavement_sides == 4) {
+    counts = kSquares;
+  } else if (p.pavement_sides == 6) {
+    counts = kHexagons;
+    most = 5;
+  } else if (p.pavement_sides != 3) {
+    parser.fail("number_of_sides of pavement is 3, 4 or 6");
+  }
+  if (p.pavement_tiles < 1 || p.pavement_tiles > most) {
+    parser.fail("number_of_tiles of this pavement is between 1 and " + std::to_string(most));
+  }
+  const int patterns = counts[p.pavement_tiles - 1];
+  if (p.pavement_pattern < 1 || p.pavement_pattern > patterns) {
+    parser.fail("pattern of this pavement is between 1 and " + std::to_string(patterns));
+  }
+}
+
+}  // namespace
+
+bool has_item_list(PatternKind kind) {
+  switch (kind) {
+    case PatternKind::kBrick: case PatternKind::kChecker: case PatternKind::kCubic:
+    case PatternKind::kHexagon: case PatternKind::kObject: case PatternKind::kSquare:
+    case PatternKind::kTriangular:
+      return true;
+    default:
+      return false;
+  }
+}
+
+void check_map_allowed(Parser& parser, const PatternDesc& pattern, std::string_view map,
+                       bool average_allowed) {
+  const PatternKind kind = pattern.kind;
+  if (has_item_list(kind) || kind == PatternKind::kPlain || kind == PatternKind::kImageMap ||
+      kind == PatternKind::kBumpMap || (kind == PatternKind::kAverage && !average_allowed)) {
+    const std::string what =
+        kind == PatternKind::kPlain ? "no pattern" : std::string(pattern_name(kind));
+    parser.fail("cannot use " + std::string(map) + " with " + what);
+  }
+}
+
+bool accept_pattern(Parser& parser, MaterialContext& context, PatternTarget& target) {
+  PatternDesc& pattern = target.pattern();
+  if (target.accept_plain(parser)) {
+    pattern.kind = PatternKind::kPlain;
+    return true;
+  }
+  const Location where = parser.location();
+  const PatternRule* rule = find_rule(parser.peek());
+  if (!rule) return false;
+  parser.next();
+  pattern.kind = rule->kind;
+  pattern.where = where;
+  if (rule->read) rule->read({parser, context, target, pattern});
+  return true;
+}
+
+void parse_pattern_body(Parser& parser, MaterialContext& context, PatternTarget& target) {
+  bool found = accept_pattern(parser, context, target);
+  target.after_pattern(parser);
+  for (;;) {
+    if (target.accept_own_modifier(parser) || accept_pattern_modifier(parser, target)) continue;
+    // Stock wants the pattern first; scenes from before 3.0 have it anywhere.
+    if (!found && (found = accept_pattern(parser, context, target))) {
+      target.after_pattern(parser);
+      continue;
+    }
+    break;
+  }
+  const PatternDesc& pattern = target.pattern();
+  if (pattern.kind == PatternKind::kAverage && !target.has_map()) {
+    parser.fail("average needs a map of " + std::string(target.statement()) + "s");
+  }
+  if (pattern.kind == PatternKind::kPavement) check_pavement(parser, pattern);
+}
+
+core::Rgb parse_rgb(Parser& parser) { return to_colour(parser.parse_colour()).rgb; }
+
+core::Vec2 parse_vec2(Parser& parser) {
+  const Number number = parser.parse_number(1, 5);
+  return number.size == 1 ? core::Vec2{number.v[0], number.v[0]}
+                          : core::Vec2{number.v[0], number.v[1]};
+}
+
+double parse_optional_float(Parser& parser, double otherwise) {
+  return parser.at_expression() ? parser.parse_float() : otherwise;
+}
+
+}  // namespace lentray::parser

@@ -1,0 +1,89 @@
+// The part that pigment, normal, texture and density statements share: one pattern, then its
+// modifiers. Internal to the grammar of looks.
+// Source: reference manual 3.7, "Patterns"; which words go together: measured on stock.
+#pragma once
+
+#include <string_view>
+
+#include "parser/descriptions/pattern.h"
+#include "parser/grammar/material.h"
+#include "parser/parser.h"
+
+namespace lentray::parser {
+
+/// The statement around a pattern: where its description lies and what only it may hold.
+class PatternTarget {
+ public:
+  virtual ~PatternTarget() = default;
+  /// "pigment", "normal", "texture" or "density".
+  virtual std::string_view statement() const = 0;
+  virtual PatternDesc& pattern() = 0;
+  /// A colour instead of a pattern; only where that has a meaning.
+  virtual bool accept_plain(Parser&) { return false; }
+  /// The items of checker, brick ...: as many as are there; the rest of `count` are defaults.
+  virtual void read_list(Parser& parser, int count) = 0;
+  /// The one item of uv_mapping.
+  virtual void read_item(Parser& parser) = 0;
+  /// What follows the pattern before its modifiers.
+  virtual void after_pattern(Parser&) {}
+  /// One modifier that only this statement has.
+  virtual bool accept_own_modifier(Parser& parser) = 0;
+  virtual bool has_map() const = 0;
+};
+
+/// A pattern (or none), then modifiers while they last.
+void parse_pattern_body(Parser& parser, MaterialContext& context, PatternTarget& target);
+/// A pattern keyword with its arguments, if one is next.
+bool accept_pattern(Parser& parser, MaterialContext& context, PatternTarget& target);
+/// One modifier of any pattern, if one is next.
+bool accept_pattern_modifier(Parser& parser, PatternTarget& target);
+/// `warp { ... }`, the keyword consumed.
+WarpDesc parse_warp(Parser& parser);
+/// turbulence, octaves, omega and lambda outside a warp.
+bool accept_turbulence_word(Parser& parser, PatternDesc& pattern);
+
+/// True for patterns with a list of items, which take no map.
+bool has_item_list(PatternKind kind);
+/// Fails unless a map (keyword `map`) can go with the target's pattern.
+void check_map_allowed(Parser& parser, const PatternDesc& pattern, std::string_view map,
+                       bool average_allowed);
+
+/// What stands between the braces of an image: file, gamma, and what all uses of images share.
+std::shared_ptr<ImageDesc> parse_image_source(Parser& parser);
+/// once, map_type, interpolate, use_color ..., repeat, offset.
+bool accept_image_modifier(Parser& parser, ImageDesc& image);
+/// image_map { ... } of a pigment, keyword consumed.
+std::shared_ptr<const ImageDesc> parse_image_map(Parser& parser);
+/// bump_map { ... }; bump_size goes to `amount`.
+std::shared_ptr<const ImageDesc> parse_bump_map(Parser& parser, double& amount);
+
+// Bodies: what stands between braces, or in an entry of a map.
+Ref<PigmentDesc> parse_pigment_body(Parser& parser, MaterialContext& context,
+                                    const Ref<PigmentDesc>& base);
+Ref<NormalDesc> parse_normal_body(Parser& parser, MaterialContext& context,
+                                  const Ref<NormalDesc>& base);
+Ref<TextureDesc> parse_texture_body(Parser& parser, MaterialContext& context);
+/// The language before 3.0: words of pigment, normal and finish directly in the texture.
+Ref<TextureDesc> parse_old_texture_body(Parser& parser, MaterialContext& context);
+/// The patterned kinds of texture.
+TextureLayerDesc parse_tiles(Parser& parser, MaterialContext& context);
+TextureLayerDesc parse_material_map(Parser& parser, MaterialContext& context);
+Ref<FinishDesc> parse_finish_block(Parser& parser, const Ref<FinishDesc>& base);
+Ref<DensityDesc> parse_density_body(Parser& parser, MaterialContext& context);
+/// The default of pigment, normal and finish in force.
+const TextureLayerDesc& default_layer(const MaterialContext& context);
+
+// Maps whose entries' values are weights.
+Ref<PigmentMapDesc> parse_pigment_map(Parser& parser, MaterialContext& context, bool average);
+Ref<NormalMapDesc> parse_normal_map(Parser& parser, MaterialContext& context, bool average);
+Ref<TextureMapDesc> parse_texture_map(Parser& parser, MaterialContext& context, bool average);
+Ref<DensityMapDesc> parse_density_map(Parser& parser, MaterialContext& context, bool average);
+/// A list of colours for the pattern: what is missing is filled with the pattern's defaults.
+Ref<ColourMapDesc> parse_colour_list(Parser& parser, PatternKind kind, int count);
+
+core::Rgb parse_rgb(Parser& parser);
+core::Vec2 parse_vec2(Parser& parser);
+/// A float if one is next, else `otherwise`.
+double parse_optional_float(Parser& parser, double otherwise);
+
+}  // namespace lentray::parser

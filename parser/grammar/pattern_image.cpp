@@ -1,0 +1,146 @@
+#include <algorithm>
+#include <filesystem>
+#include <string>
+
+#include "parser/grammar/pattern.h"
+
+namespace lentray::parser {
+namespace {
+
+struct ImageType {
+  Keyword keyword;
+  const char* extension;
+};
+constexpr ImageType kTypes[] = {
+    {Keyword::kIff, "iff"},   {Keyword::kGif, "gif"}, {Keyword::kPot, "pot"},
+    {Keyword::kSys, "sys"},   {Keyword::kTga, "tga"}, {Keyword::kPng, "png"},
+    {Keyword::kPgm, "pgm"},   {Keyword::kPpm, "ppm"}, {Keyword::kJpeg, "jpg"},
+    {Keyword::kTiff, "tif"},  {Keyword::kBmp, "bmp"}, {Keyword::kExr, "exr"},
+    {Keyword::kHdr, "hdr"},
+};
+
+std::string lower(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+void find_image(Parser& parser, ImageDesc& image) {
+  image.path = parser.find_file(image.name).value_or("");
+  if (image.path.empty() && !std::filesystem::path(image.name).has_extension()) {
+    image.path = parser.find_file(image.name + "." + image.type).value_or("");
+  }
+}
+
+void parse_image_function(Parser& parser, ImageDesc& image) {
+  image.type = "function";
+  image.function_width = static_cast<int>(parser.parse_float() + 0.5);
+  parser.parse_comma();
+  image.function_height = static_cast<int>(parser.parse_float() + 0.5);
+  if (!parser.at(Punct::kLeftCurly)) parser.fail_expected("{ after the size of the image");
+  image.function = parser.parse_function_body();
+}
+
+/// `filter all f`, `filter index, f` and the same of transmit.
+void parse_transparency(Parser& parser, std::optional<double>& all,
+                        std::vector<std::pair<int, double>>& entries) {
+  if (parser.accept(Keyword::kAll)) {
+    all = parser.parse_float();
+    return;
+  }
+  const int index = static_cast<int>(parser.parse_float() + 0.01);
+  parser.parse_comma();
+  entries.emplace_back(index, parser.parse_float());
+}
+
+}  // namespace
+
+std::shared_ptr<ImageDesc> parse_image_source(Parser& parser) {
+  auto image = std::make_shared<ImageDesc>();
+  // POV-Ray 1 wrote the orientation of the image first.
+  if (parser.at_expression()) parser.parse_vector();
+  const Keyword word = parser.peek().kind == TokenKind::kKeyword ? parser.peek().keyword
+                                                                 : Keyword::kNone;
+  const auto type = std::find_if(std::begin(kTypes), std::end(kTypes),
+                                 [&](const ImageType& t) { return t.keyword == word; });
+  if (type != std::end(kTypes)) {
+    parser.next();
+    image->type = type->extension;
+    image->name = parser.parse_string();
+  } else if (parser.accept(Keyword::kFunction)) {
+    parse_image_function(parser, *image);
+    return image;
+  } else {
+    if (parser.at(Punct::kRightCurly)) parser.fail_expected("an image file");
+    image->name = parser.parse_string();
+    const std::string extension = std::filesystem::path(image->name).extension().string();
+    image->type = extension.empty() ? "png" : lower(extension.substr(1));
+  }
+  find_image(parser, *image);
+  for (;;) {
+    if (parser.accept(Keyword::kGamma)) {
+      image->gamma = parser.accept(Keyword::kSrgb) ? -1.0 : parser.parse_float();
+    } else if (parser.accept(Keyword::kPremultiplied)) {
+      image->premultiplied = parser.parse_bool();
+    } else {
+      return image;
+    }
+  }
+}
+
+bool accept_image_modifier(Parser& parser, ImageDesc& image) {
+  if (parser.accept(Keyword::kOnce)) {
+    image.once = true;
+  } else if (parser.accept(Keyword::kMapType)) {
+    image.map_type = parser.parse_int();
+  } else if (parser.accept(Keyword::kInterpolate)) {
+    image.interpolate = parser.parse_int();
+  } else if (parser.accept(Keyword::kUseColor)) {
+    image.use = ImageDesc::Use::kColour;
+  } else if (parser.accept(Keyword::kUseIndex)) {
+    image.use = ImageDesc::Use::kIndex;
+  } else if (parser.accept(Keyword::kUseAlpha)) {
+    image.use = ImageDesc::Use::kAlpha;
+  } else if (parser.accept(Keyword::kRepeat)) {
+    image.repeat = parse_vec2(parser);
+    if (image.repeat.u <= 0.0 || image.repeat.v <= 0.0) {
+      parser.fail("the repeat of an image must be greater than 0 both ways");
+    }
+  } else if (parser.accept(Keyword::kOffset)) {
+    image.offset = parse_vec2(parser);
+  } else {
+    return false;
+  }
+  return true;
+}
+
+std::shared_ptr<const ImageDesc> parse_image_map(Parser& parser) {
+  parser.expect(Punct::kLeftCurly);
+  auto image = parse_image_source(parser);
+  for (;;) {
+    if (accept_image_modifier(parser, *image)) continue;
+    if (parser.accept(Keyword::kFilter) || parser.accept(Keyword::kAlpha)) {
+      parse_transparency(parser, image->filter_all, image->filters);
+    } else if (parser.accept(Keyword::kTransmit)) {
+      parse_transparency(parser, image->transmit_all, image->transmits);
+    } else {
+      break;
+    }
+  }
+  parser.expect(Punct::kRightCurly);
+  return image;
+}
+
+std::shared_ptr<const ImageDesc> parse_bump_map(Parser& parser, double& amount) {
+  parser.expect(Punct::kLeftCurly);
+  auto image = parse_image_source(parser);
+  for (;;) {
+    if (accept_image_modifier(parser, *image)) continue;
+    if (!parser.accept(Keyword::kBumpSize)) break;
+    amount = parser.parse_float();
+  }
+  parser.expect(Punct::kRightCurly);
+  return image;
+}
+
+}  // namespace lentray::parser

@@ -1,0 +1,320 @@
+#include <algorithm>
+#include <string>
+
+#include "parser/grammar/pattern.h"
+
+namespace lentray::parser {
+namespace {
+
+void only_in(Parser& parser, bool right, std::string_view word, std::string_view where) {
+  if (!right) {
+    parser.fail("'" + std::string(word) + "' can only be used with " + std::string(where));
+  }
+}
+
+bool is_fractal(PatternKind kind) {
+  return kind == PatternKind::kMandel || kind == PatternKind::kJulia ||
+         kind == PatternKind::kMagnetMandel || kind == PatternKind::kMagnetJulia;
+}
+
+int parse_octaves(Parser& parser) { return std::clamp(parser.parse_int(), 1, 10); }
+
+bool accept_wave(Parser& parser, PatternDesc& pattern) {
+  static constexpr std::pair<Keyword, WaveForm> kWords[] = {
+      {Keyword::kRampWave, WaveForm::kRamp},       {Keyword::kTriangleWave, WaveForm::kTriangle},
+      {Keyword::kSineWave, WaveForm::kSine},       {Keyword::kScallopWave, WaveForm::kScallop},
+      {Keyword::kCubicWave, WaveForm::kCubic},     {Keyword::kPolyWave, WaveForm::kPoly}};
+  for (const auto& [word, form] : kWords) {
+    if (!parser.accept(word)) continue;
+    pattern.wave = form;
+    if (form == WaveForm::kPoly) {
+      pattern.wave_exponent = parse_optional_float(parser, pattern.wave_exponent);
+    }
+    return true;
+  }
+  if (parser.accept(Keyword::kFrequency)) {
+    pattern.frequency = parser.parse_float();
+  } else if (parser.accept(Keyword::kPhase)) {
+    pattern.phase = parser.parse_float();
+  } else {
+    return false;
+  }
+  return true;
+}
+
+bool accept_crackle_word(Parser& parser, PatternDesc& p) {
+  const bool crackle = p.kind == PatternKind::kCrackle;
+  const bool facets = p.kind == PatternKind::kFacets;
+  if (parser.accept(Keyword::kSolid)) {
+    only_in(parser, crackle, "solid", "crackle");
+    p.crackle_solid = true;
+  } else if (parser.accept(Keyword::kForm)) {
+    only_in(parser, crackle || p.kind == PatternKind::kPavement, "form", "crackle or pavement");
+    if (crackle) {
+      p.crackle_form = parser.parse_vector();
+    } else {
+      p.pavement_form = parser.parse_int();
+    }
+  } else if (parser.accept(Keyword::kMetric)) {
+    only_in(parser, crackle || facets, "metric", "crackle or facets");
+    (crackle ? p.crackle_metric : p.facets_metric) = parser.parse_vector().x;
+  } else if (parser.accept(Keyword::kOffset)) {
+    only_in(parser, crackle, "offset", "crackle");
+    p.crackle_offset = parser.parse_float();
+  } else if (parser.accept(Keyword::kCoords)) {
+    only_in(parser, facets, "coords", "facets");
+    p.facets_coords = parser.parse_float();
+  } else if (parser.accept(Keyword::kSize)) {
+    only_in(parser, facets, "size", "facets");
+    p.facets_size = parser.parse_float();
+  } else {
+    return false;
+  }
+  return true;
+}
+
+bool accept_fractal_word(Parser& parser, PatternDesc& p) {
+  const bool pavement = p.kind == PatternKind::kPavement;
+  const auto read = [&](std::string_view word, int most, int& type, double& factor, int& paving) {
+    only_in(parser, pavement || is_fractal(p.kind), word, "mandel, julia, magnet or pavement");
+    const int number = parser.parse_int();
+    if (pavement) {
+      paving = number;
+      return;
+    }
+    if (number < 0 || number > most) {
+      parser.fail("the " + std::string(word) + " type of a fractal pattern is between 0 and " +
+                  std::to_string(most));
+    }
+    type = number;
+    parser.parse_comma();
+    factor = parser.parse_float();
+  };
+  if (parser.accept(Keyword::kExterior)) {
+    read("exterior", 8, p.exterior_type, p.exterior_factor, p.pavement_exterior);
+  } else if (parser.accept(Keyword::kInterior)) {
+    read("interior", 6, p.interior_type, p.interior_factor, p.pavement_interior);
+  } else if (parser.accept(Keyword::kExponent)) {
+    only_in(parser, p.kind == PatternKind::kMandel || p.kind == PatternKind::kJulia, "exponent",
+            "mandel or julia");
+    p.exponent = parser.parse_int();
+    if (p.exponent < 2 || p.exponent > 33) {
+      parser.warn("exponents of mandel and julia go from 2 to 33; 2 is taken");
+      p.exponent = 2;
+    }
+  } else if (parser.accept(Keyword::kNumberOfSides)) {
+    only_in(parser, pavement, "number_of_sides", "pavement");
+    p.pavement_sides = parser.parse_int();
+  } else if (parser.accept(Keyword::kNumberOfTiles)) {
+    only_in(parser, pavement, "number_of_tiles", "pavement");
+    p.pavement_tiles = parser.parse_int();
+  } else if (parser.accept(Keyword::kPattern)) {
+    only_in(parser, pavement, "pattern", "pavement");
+    p.pavement_pattern = parser.parse_int();
+  } else {
+    return false;
+  }
+  return true;
+}
+
+bool accept_special_word(Parser& parser, PatternDesc& p) {
+  if (parser.accept(Keyword::kControl0)) {
+    only_in(parser, p.kind == PatternKind::kQuilted, "control0", "quilted");
+    p.quilt0 = parser.parse_float();
+  } else if (parser.accept(Keyword::kControl1)) {
+    only_in(parser, p.kind == PatternKind::kQuilted, "control1", "quilted");
+    p.quilt1 = parser.parse_float();
+  } else if (parser.accept(Keyword::kAgateTurb)) {
+    only_in(parser, p.kind == PatternKind::kAgate, "agate_turb", "agate");
+    p.agate_turbulence = parser.parse_float();
+  } else if (parser.accept(Keyword::kBrickSize)) {
+    only_in(parser, p.kind == PatternKind::kBrick, "brick_size", "brick");
+    p.brick_size = parser.parse_vector();
+  } else if (parser.accept(Keyword::kMortar)) {
+    only_in(parser, p.kind == PatternKind::kBrick, "mortar", "brick");
+    p.mortar = parser.parse_float();
+  } else if (parser.accept(Keyword::kInterpolate)) {
+    only_in(parser, p.kind == PatternKind::kDensityFile, "interpolate", "density_file");
+    p.density_interpolate = parser.parse_int();
+  } else if (parser.accept(Keyword::kNoiseGenerator)) {
+    p.noise_generator = parser.parse_int();
+    if (p.noise_generator < 0 || p.noise_generator > 3) {
+      parser.fail("noise_generator is 0, 1, 2 or 3");
+    }
+  } else {
+    return false;
+  }
+  return true;
+}
+
+/// Words of another statement: a message that says where they belong.
+void refuse_foreign_word(Parser& parser) {
+  static constexpr std::pair<Keyword, const char*> kHomes[] = {
+      {Keyword::kColorMap, "color_map can only be used in a pigment or density"},
+      {Keyword::kPigmentMap, "pigment_map can only be used in a pigment"},
+      {Keyword::kDensityMap, "density_map can only be used in a density"},
+      {Keyword::kSlopeMap, "slope_map can only be used in a normal"},
+      {Keyword::kNormalMap, "normal_map can only be used in a normal"},
+      {Keyword::kTextureMap, "texture_map can only be used in a texture"},
+      {Keyword::kQuickColor, "quick_color can only be used in a pigment"},
+      {Keyword::kBumpSize, "bump_size can only be used in a normal"},
+      {Keyword::kAccuracy, "accuracy can only be used in a normal"},
+  };
+  for (const auto& [word, message] : kHomes) {
+    if (parser.at(word)) parser.fail(message);
+  }
+}
+
+/// `orientation` and `dist_exp` of a mapping warp.
+bool accept_mapping_word(Parser& parser, WarpDesc& warp) {
+  if (parser.accept(Keyword::kOrientation)) {
+    warp.orientation = core::normalized(parser.parse_vector());
+  } else if (parser.accept(Keyword::kDistExp)) {
+    warp.distance_exponent = parser.parse_float();
+  } else if (warp.kind == WarpDesc::Kind::kToroidal && parser.accept(Keyword::kMajorRadius)) {
+    warp.major_radius = parser.parse_float();
+  } else {
+    return false;
+  }
+  return true;
+}
+
+void parse_repeat(Parser& parser, WarpDesc& warp) {
+  const core::Vec3 step = parser.parse_vector();
+  int axes = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (step[axis] == 0.0) continue;
+    warp.axis = axis;
+    ++axes;
+  }
+  if (axes == 0) parser.fail("repeat needs an axis");
+  if (axes > 1) parser.fail("repeat goes along one axis only");
+  warp.width = step[warp.axis];
+  for (;;) {
+    if (parser.accept(Keyword::kOffset)) {
+      warp.offset = parser.parse_vector();
+    } else if (parser.accept(Keyword::kFlip)) {
+      const core::Vec3 flip = parser.parse_vector();
+      for (int axis = 0; axis < 3; ++axis) warp.flip[axis] = flip[axis] != 0.0 ? -1.0 : 1.0;
+    } else {
+      return;
+    }
+  }
+}
+
+void parse_black_hole(Parser& parser, WarpDesc& warp) {
+  warp.centre = parser.parse_vector();
+  parser.parse_comma();
+  warp.radius = parser.parse_float();
+  for (;;) {
+    if (parser.accept(Keyword::kStrength)) {
+      warp.strength = parser.parse_float();
+    } else if (parser.accept(Keyword::kFalloff)) {
+      warp.power = parser.parse_float();
+    } else if (parser.accept(Keyword::kInverse)) {
+      warp.inverse = true;
+    } else if (parser.accept(Keyword::kType)) {
+      parser.parse_float();
+    } else if (parser.accept(Keyword::kRepeat)) {
+      warp.repeat = parser.parse_vector();
+      warp.repeats = true;
+    } else if (parser.accept(Keyword::kTurbulence)) {
+      warp.uncertainty = parser.parse_vector();
+      warp.uncertain = true;
+    } else {
+      return;
+    }
+  }
+}
+
+void parse_warp_turbulence(Parser& parser, WarpDesc& warp) {
+  warp.turbulence.amount = parser.parse_vector();
+  for (;;) {
+    if (parser.accept(Keyword::kOctaves)) {
+      warp.turbulence.octaves = parse_octaves(parser);
+    } else if (parser.accept(Keyword::kOmega)) {
+      warp.turbulence.omega = parser.parse_float();
+    } else if (parser.accept(Keyword::kLambda)) {
+      warp.turbulence.lambda = parser.parse_float();
+    } else {
+      return;
+    }
+  }
+}
+
+}  // namespace
+
+WarpDesc parse_warp(Parser& parser) {
+  WarpDesc warp;
+  parser.expect(Punct::kLeftCurly);
+  if (parser.accept(Keyword::kTurbulence)) {
+    warp.kind = WarpDesc::Kind::kTurbulence;
+    parse_warp_turbulence(parser, warp);
+  } else if (parser.accept(Keyword::kRepeat)) {
+    warp.kind = WarpDesc::Kind::kRepeat;
+    parse_repeat(parser, warp);
+  } else if (parser.accept(Keyword::kBlackHole)) {
+    warp.kind = WarpDesc::Kind::kBlackHole;
+    parse_black_hole(parser, warp);
+  } else if (parser.accept(Keyword::kPlanar)) {
+    warp.kind = WarpDesc::Kind::kPlanar;
+    if (parser.at_expression()) {
+      warp.orientation = core::normalized(parser.parse_vector());
+      parser.parse_comma();
+      warp.plane_offset = parser.parse_float();
+    }
+  } else if (parser.accept(Keyword::kCubic)) {
+    warp.kind = WarpDesc::Kind::kCubic;
+  } else {
+    if (parser.accept(Keyword::kCylindrical)) {
+      warp.kind = WarpDesc::Kind::kCylindrical;
+    } else if (parser.accept(Keyword::kSpherical)) {
+      warp.kind = WarpDesc::Kind::kSpherical;
+    } else if (parser.accept(Keyword::kToroidal)) {
+      warp.kind = WarpDesc::Kind::kToroidal;
+    } else {
+      parser.fail_expected("a kind of warp");
+    }
+    while (accept_mapping_word(parser, warp)) {
+    }
+  }
+  parser.expect(Punct::kRightCurly);
+  return warp;
+}
+
+bool accept_turbulence_word(Parser& parser, PatternDesc& pattern) {
+  if (parser.accept(Keyword::kTurbulence)) {
+    const core::Vec3 amount = parser.parse_vector();
+    pattern.classic_turbulence().amount = amount;
+  } else if (parser.accept(Keyword::kOctaves)) {
+    pattern.classic_turbulence().octaves = parse_octaves(parser);
+  } else if (parser.accept(Keyword::kOmega)) {
+    pattern.classic_turbulence().omega = parser.parse_float();
+  } else if (parser.accept(Keyword::kLambda)) {
+    pattern.classic_turbulence().lambda = parser.parse_float();
+  } else {
+    return false;
+  }
+  return true;
+}
+
+bool accept_pattern_modifier(Parser& parser, PatternTarget& target) {
+  PatternDesc& pattern = target.pattern();
+  if (accept_turbulence_word(parser, pattern) || accept_wave(parser, pattern) ||
+      accept_crackle_word(parser, pattern) || accept_fractal_word(parser, pattern) ||
+      accept_special_word(parser, pattern)) {
+    return true;
+  }
+  if (parser.accept(Keyword::kWarp)) {
+    pattern.placement.push_back(parse_warp(parser));
+    return true;
+  }
+  if (const auto transform = parser.accept_transforms()) {
+    pattern.transform(*transform);
+    return true;
+  }
+  refuse_foreign_word(parser);
+  return false;
+}
+
+}  // namespace lentray::parser

@@ -1,0 +1,104 @@
+#include "parser/descriptions/pigment.h"
+
+#include "parser/grammar/pattern.h"
+
+namespace lentray::parser {
+namespace {
+
+class PigmentTarget final : public PatternTarget {
+ public:
+  PigmentTarget(PigmentDesc& pigment, MaterialContext& context)
+      : m_pigment(pigment), m_context(context) {}
+
+  std::string_view statement() const override { return "pigment"; }
+  PatternDesc& pattern() override { return m_pigment.pattern; }
+  bool has_map() const override { return m_pigment.pigment_map != nullptr; }
+
+  bool accept_plain(Parser& parser) override {
+    if (!parser.at_colour()) return false;
+    m_pigment.colour = to_colour(parser.parse_colour());
+    return true;
+  }
+
+  void read_list(Parser& parser, int count) override {
+    if (!parser.at(Keyword::kPigment)) {
+      m_pigment.colour_map = parse_colour_list(parser, m_pigment.pattern.kind, count);
+      m_pigment.pigment_map = nullptr;
+      return;
+    }
+    auto map = std::make_shared<PigmentMapDesc>();
+    map->where = parser.location();
+    for (int i = 0; i < count; ++i) {
+      Ref<PigmentDesc> item = default_layer(m_context).pigment;
+      if (parser.accept(Keyword::kPigment)) {
+        item = parse_pigment(parser, m_context);
+        parser.parse_comma();
+      }
+      map->entries.push_back({static_cast<double>(i), item});
+    }
+    m_pigment.pigment_map = map;
+    m_pigment.colour_map = nullptr;
+  }
+
+  void read_item(Parser& parser) override {
+    auto map = std::make_shared<PigmentMapDesc>();
+    map->entries.push_back(
+        {0.0, parse_pigment_body(parser, m_context, default_layer(m_context).pigment)});
+    m_pigment.pigment_map = map;
+    m_pigment.colour_map = nullptr;
+  }
+
+  bool accept_own_modifier(Parser& parser) override {
+    if (parser.at(Keyword::kColorMap)) {
+      check_map_allowed(parser, m_pigment.pattern, "color_map", false);
+      parser.next();
+      m_pigment.colour_map = parse_colour_map(parser, m_context);
+      m_pigment.pigment_map = nullptr;
+    } else if (parser.at(Keyword::kPigmentMap)) {
+      check_map_allowed(parser, m_pigment.pattern, "pigment_map", true);
+      parser.next();
+      m_pigment.pigment_map = parse_pigment_map(
+          parser, m_context, m_pigment.pattern.kind == PatternKind::kAverage);
+      m_pigment.colour_map = nullptr;
+    } else if (parser.accept(Keyword::kQuickColor)) {
+      m_pigment.quick_colour = to_colour(parser.parse_colour());
+    } else {
+      return false;
+    }
+    return true;
+  }
+
+ private:
+  PigmentDesc& m_pigment;
+  MaterialContext& m_context;
+};
+
+}  // namespace
+
+const TextureLayerDesc& default_layer(const MaterialContext& context) {
+  return context.default_texture->layers.back();
+}
+
+Ref<PigmentDesc> parse_pigment_body(Parser& parser, MaterialContext& context,
+                                    const Ref<PigmentDesc>& base) {
+  auto pigment = std::make_shared<PigmentDesc>();
+  const Location where = parser.location();
+  if (const auto known = parser.accept_value<Ref<PigmentDesc>>()) {
+    *pigment = **known;
+  } else if (base) {
+    *pigment = *base;
+  }
+  pigment->where = where;
+  PigmentTarget target(*pigment, context);
+  parse_pattern_body(parser, context, target);
+  return pigment;
+}
+
+Ref<PigmentDesc> parse_pigment(Parser& parser, MaterialContext& context) {
+  parser.expect(Punct::kLeftCurly);
+  auto pigment = parse_pigment_body(parser, context, default_layer(context).pigment);
+  parser.expect(Punct::kRightCurly);
+  return pigment;
+}
+
+}  // namespace lentray::parser

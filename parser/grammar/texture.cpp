@@ -1,0 +1,215 @@
+#include "parser/descriptions/texture.h"
+
+#include "parser/grammar/pattern.h"
+
+namespace lentray::parser {
+namespace {
+
+class TextureTarget final : public PatternTarget {
+ public:
+  TextureTarget(TextureLayerDesc& layer, MaterialContext& context)
+      : m_layer(layer), m_context(context) {}
+
+  std::string_view statement() const override { return "texture"; }
+  PatternDesc& pattern() override { return m_layer.pattern; }
+  bool has_map() const override { return m_layer.map != nullptr; }
+
+  void read_list(Parser& parser, int count) override {
+    auto map = std::make_shared<TextureMapDesc>();
+    map->where = parser.location();
+    for (int i = 0; i < count; ++i) {
+      Ref<TextureDesc> item = m_context.default_texture;
+      if (parser.accept(Keyword::kTexture)) {
+        item = parse_texture(parser, m_context);
+        parser.parse_comma();
+      }
+      map->entries.push_back({static_cast<double>(i), item});
+    }
+    m_layer.map = map;
+  }
+
+  void read_item(Parser& parser) override {
+    auto map = std::make_shared<TextureMapDesc>();
+    map->entries.push_back({0.0, parse_texture_body(parser, m_context)});
+    m_layer.map = map;
+  }
+
+  bool accept_own_modifier(Parser& parser) override {
+    if (!parser.at(Keyword::kTextureMap)) return false;
+    check_map_allowed(parser, m_layer.pattern, "texture_map", true);
+    parser.next();
+    m_layer.map = parse_texture_map(parser, m_context,
+                                    m_layer.pattern.kind == PatternKind::kAverage);
+    return true;
+  }
+
+ private:
+  TextureLayerDesc& m_layer;
+  MaterialContext& m_context;
+};
+
+/// Names of a pigment, normal or finish standing for the statement itself.
+bool accept_part_names(Parser& parser, TextureLayerDesc& layer) {
+  bool any = false;
+  for (;;) {
+    if (const auto pigment = parser.accept_value<Ref<PigmentDesc>>()) {
+      layer.pigment = *pigment;
+    } else if (const auto normal = parser.accept_value<Ref<NormalDesc>>()) {
+      layer.normal = *normal;
+    } else if (const auto finish = parser.accept_value<Ref<FinishDesc>>()) {
+      layer.finish = *finish;
+    } else {
+      return any;
+    }
+    any = true;
+  }
+}
+
+bool accept_part(Parser& parser, MaterialContext& context, TextureLayerDesc& layer) {
+  if (parser.accept(Keyword::kPigment)) {
+    parser.expect(Punct::kLeftCurly);
+    layer.pigment = parse_pigment_body(parser, context, layer.pigment);
+    parser.expect(Punct::kRightCurly);
+  } else if (parser.accept(Keyword::kNormal)) {
+    parser.expect(Punct::kLeftCurly);
+    const Ref<NormalDesc>& base = layer.normal ? layer.normal : default_layer(context).normal;
+    layer.normal = parse_normal_body(parser, context, base);
+    parser.expect(Punct::kRightCurly);
+  } else if (parser.accept(Keyword::kFinish)) {
+    layer.finish = parse_finish_block(parser, layer.finish);
+  } else {
+    return false;
+  }
+  return true;
+}
+
+void keep_bump_scale(TextureDesc& texture) {
+  for (TextureLayerDesc& layer : texture.layers) {
+    if (!layer.normal) continue;
+    auto normal = std::make_shared<NormalDesc>(*layer.normal);
+    normal->no_bump_scale = true;
+    layer.normal = normal;
+  }
+}
+
+void parse_transforms(Parser& parser, Ref<TextureDesc>& texture) {
+  while (const auto transform = parser.accept_transforms()) {
+    texture = transformed(texture, *transform);
+  }
+}
+
+/// tiles, material_map, or a pattern with its texture_map; nullptr if none of these is next.
+Ref<TextureDesc> parse_patterned(Parser& parser, MaterialContext& context) {
+  auto texture = std::make_shared<TextureDesc>();
+  texture->where = parser.location();
+  TextureLayerDesc layer;
+  if (parser.accept(Keyword::kTiles)) {
+    layer = parse_tiles(parser, context);
+  } else if (parser.accept(Keyword::kMaterialMap)) {
+    layer = parse_material_map(parser, context);
+  } else {
+    TextureTarget target(layer, context);
+    parse_pattern_body(parser, context, target);
+    if (layer.pattern.kind == PatternKind::kPlain) return nullptr;
+    if (!layer.map) parser.fail("a texture with a pattern needs a texture_map");
+  }
+  layer.where = texture->where;
+  texture->layers.push_back(std::move(layer));
+  Ref<TextureDesc> result = texture;
+  parse_transforms(parser, result);
+  return result;
+}
+
+}  // namespace
+
+Ref<TextureDesc> parse_texture_body(Parser& parser, MaterialContext& context) {
+  if (parser.language_version() < 300) return parse_old_texture_body(parser, context);
+  const Location where = parser.location();
+  Ref<TextureDesc> texture = context.default_texture;
+  bool modified = false;
+  if (const auto known = parser.accept_value<Ref<TextureDesc>>()) {
+    texture = *known;
+    modified = true;
+  }
+  if (texture->layers.back().is_patterned()) {
+    parse_transforms(parser, texture);
+    return texture;
+  }
+  auto copy = std::make_shared<TextureDesc>(*texture);
+  copy->where = where;
+  // Parts replace those of the topmost layer; transforms reach all of them.
+  modified |= accept_part_names(parser, copy->layers.back());
+  bool keep_bumps = false;
+  for (;;) {
+    if (accept_part(parser, context, copy->layers.back())) {
+      modified = true;
+    } else if (const auto transform = parser.accept_transforms()) {
+      copy = std::make_shared<TextureDesc>(*transformed(copy, *transform));
+      modified = true;
+    } else if (parser.accept(Keyword::kNoBumpScale)) {
+      keep_bumps = true;
+    } else {
+      break;
+    }
+  }
+  if (keep_bumps) keep_bump_scale(*copy);
+  if (!modified) {
+    if (auto patterned = parse_patterned(parser, context)) return patterned;
+  }
+  return copy;
+}
+
+Ref<TextureDesc> parse_texture(Parser& parser, MaterialContext& context) {
+  parser.expect(Punct::kLeftCurly);
+  auto texture = parse_texture_body(parser, context);
+  parser.expect(Punct::kRightCurly);
+  return texture;
+}
+
+TextureLayerDesc parse_tiles(Parser& parser, MaterialContext& context) {
+  TextureLayerDesc layer;
+  layer.pattern.kind = PatternKind::kTiles;
+  layer.pattern.where = parser.location();
+  layer.pattern.frequency = 0.0;
+  parser.expect(Punct::kLeftCurly);
+  const auto read_layers = [&] {
+    Ref<TextureDesc> tile;
+    while (parser.accept(Keyword::kTexture)) tile = layered(tile, parse_texture(parser, context));
+    if (!tile) parser.fail_expected("the texture of a tile");
+    return tile;
+  };
+  // The first tile lies where the checker pattern is 1.
+  const Ref<TextureDesc> first = read_layers();
+  parser.expect(Keyword::kTile2);
+  const Ref<TextureDesc> second = read_layers();
+  parser.expect(Punct::kRightCurly);
+  auto map = std::make_shared<TextureMapDesc>();
+  map->where = layer.pattern.where;
+  map->entries = {{0.0, second}, {1.0, first}};
+  layer.map = map;
+  return layer;
+}
+
+TextureLayerDesc parse_material_map(Parser& parser, MaterialContext& context) {
+  TextureLayerDesc layer;
+  layer.pattern.kind = PatternKind::kMaterialMap;
+  layer.pattern.where = parser.location();
+  layer.pattern.frequency = 0.0;
+  parser.expect(Punct::kLeftCurly);
+  auto image = parse_image_source(parser);
+  while (accept_image_modifier(parser, *image)) {
+  }
+  layer.pattern.image = image;
+  auto map = std::make_shared<TextureMapDesc>();
+  map->where = layer.pattern.where;
+  do {
+    parser.expect(Keyword::kTexture);
+    map->entries.push_back(
+        {static_cast<double>(map->entries.size()), parse_texture(parser, context)});
+  } while (parser.at(Keyword::kTexture));
+  parser.expect(Punct::kRightCurly);
+  layer.map = map;
+  return layer;
+}
+
+}  // namespace lentray::parser

@@ -1,0 +1,40 @@
+#include "parser/grammar/transform.h"
+
+#include "parser/descriptions/interior.h"
+#include "parser/descriptions/texture.h"
+
+namespace lentray::parser {
+
+void apply_transform(ObjectDesc& object, const core::Transform& transform) {
+  if (transform.is_identity()) return;
+  object.transform = object.transform.then(transform);
+  if (!object.uv_mapping) {
+    if (object.texture) object.texture = transformed(object.texture, transform);
+    if (object.interior_texture) {
+      object.interior_texture = transformed(object.interior_texture, transform);
+    }
+  }
+  if (object.interior && !object.interior->media.empty()) {
+    object.interior = transformed(object.interior, transform);
+  }
+  for (Ref<ObjectDesc>& clip : object.clipped_by) clip = transformed(clip, transform);
+  for (Ref<ObjectDesc>& bound : object.bounded_by) bound = transformed(bound, transform);
+}
+
+Ref<ObjectDesc> transformed(const Ref<ObjectDesc>& object, const core::Transform& transform) {
+  if (!object || transform.is_identity()) return object;
+  auto copy = std::make_shared<ObjectDesc>(*object);
+  apply_transform(*copy, transform);
+  return copy;
+}
+
+void LightDesc::apply(const core::Transform& t) {
+  position = t.point(position);
+  point_at = t.point(point_at);
+  axis1 = t.vector(axis1);
+  axis2 = t.vector(axis2);
+  looks_like = transformed(looks_like, t);
+  projected_through = transformed(projected_through, t);
+}
+
+}  // namespace lentray::parser

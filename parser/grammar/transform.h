@@ -1,0 +1,16 @@
+// Transforms of descriptions: an object takes its looks, clips and bounds along, as in stock.
+#pragma once
+
+#include "core/base/transform.h"
+#include "parser/descriptions/object.h"
+
+namespace lentray::parser {
+
+/// Moves everything the object has been given so far: shape, looks, interior, clips, bounds.
+/// Textures stay where uv_mapping holds them to the surface.
+void apply_transform(ObjectDesc& object, const core::Transform& transform);
+
+/// A moved copy; the same object if the transform is the identity.
+Ref<ObjectDesc> transformed(const Ref<ObjectDesc>& object, const core::Transform& transform);
+
+}  // namespace lentray::parser

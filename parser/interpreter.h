@@ -1,0 +1,70 @@
+// The parts of the SDL interpreter and how they reach each other. Private to parser/*.cpp of the
+// front end; productions see parser.h only. One Interpreter a scene, one thread.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+
+#include "parser/directives.h"
+#include "parser/expressions.h"
+#include "parser/function_parser.h"
+#include "parser/names.h"
+#include "parser/parser.h"
+#include "parser/script_files.h"
+#include "parser/symbols.h"
+#include "parser/token_reader.h"
+#include "parser/token_stream.h"
+
+namespace lentray::parser {
+
+struct Interpreter {
+  Interpreter(SourceManager& sources_, Diagnostics& diagnostics_, const ParserOptions& options_,
+              Productions& productions_, Parser& parser_);
+
+  SourceManager& sources;
+  Diagnostics& diagnostics;
+  const ParserOptions options;
+  Productions& productions;
+  Parser& parser;
+
+  NameTable names;
+  TokenStream stream;
+  SymbolTable symbols;
+  TokenReader tokens;
+  Expressions expressions;
+  FunctionParser functions;
+  Directives directives;
+  ScriptFiles files;
+
+  int version = 370;          ///< x 100
+  bool version_set = false;
+  std::vector<std::uint32_t> random;   ///< states of the streams of seed()
+
+  std::string scene_folder;
+  std::map<std::string, std::shared_ptr<const TokenList>> texts;  ///< by path
+
+  [[noreturn]] void fail(const Location& where, const std::string& message);
+  void warn(const Location& where, const std::string& message);
+
+  /// Reads a file as tokens, once; null if it cannot be read.
+  std::shared_ptr<const TokenList> load(const std::string& path);
+  std::optional<std::string> find_file(const std::string& name) const;
+
+  /// Defines what every scene finds declared, and the Declare= options.
+  void declare_constants();
+
+  /// The nearest known name, as the end of a message (", did you mean ...?") or "".
+  std::string suggestion(std::string_view name) const;
+
+  /// Fails when the program's own stack gets short: endless recursion through statements.
+  void guard_stack();
+
+ private:
+  const char* m_stack_base;
+};
+
+/// Replaces what a declaration of an array shares by a copy of its own.
+Value copy_value(const Value& value);
+
+}  // namespace lentray::parser

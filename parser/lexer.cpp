@@ -1,0 +1,313 @@
+#include "parser/lexer.h"
+
+#include <charconv>
+#include <string>
+
+#include "parser/keywords.h"
+#include "parser/text.h"
+
+namespace lentray::parser {
+namespace {
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_word_start(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+}
+bool is_word(char c) { return is_word_start(c) || is_digit(c); }
+bool is_space(char c) {
+  return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f' || c == '\v' || c == '\0' ||
+         c == '\x1a';  // the end mark of DOS files
+}
+
+// The character a one-letter escape stands for; 0 if there is no such escape.
+char simple_escape(char c) {
+  switch (c) {
+    case 'a': return '\a';
+    case 'b': return '\b';
+    case 'f': return '\f';
+    case 'n': return '\n';
+    case 'r': return '\r';
+    case 't': return '\t';
+    case 'v': return '\v';
+    case '\\': case '"': case '\'': return c;
+    default: return 0;
+  }
+}
+
+class Lexer {
+ public:
+  Lexer(std::uint32_t file, std::string_view text, NameTable& names, std::vector<Token>& tokens)
+      : m_file(file), m_text(text), m_names(names), m_tokens(tokens) {}
+
+  void run() {
+    while (skip_space()) one();
+    link_directives();
+  }
+
+ private:
+  char at(std::size_t i) const { return i < m_text.size() ? m_text[i] : '\0'; }
+  char here() const { return at(m_pos); }
+
+  Location location() const {
+    return {m_file, m_line, static_cast<std::uint32_t>(m_pos - m_line_start + 1)};
+  }
+
+  void new_line(std::size_t next_start) {
+    ++m_line;
+    m_line_start = next_start;
+  }
+
+  Token token(TokenKind kind) const {
+    Token t;
+    t.kind = kind;
+    t.where = location();
+    return t;
+  }
+
+  void bad(const Location& where, std::string message) {
+    Token t;
+    t.kind = TokenKind::kBad;
+    t.where = where;
+    t.name = m_names.add_string({}, std::move(message));
+    m_tokens.push_back(t);
+  }
+
+  // Past spaces and comments; false at the end of the text.
+  bool skip_space() {
+    for (;;) {
+      if (m_pos >= m_text.size()) return false;
+      const char c = m_text[m_pos];
+      if (c == '\n') {
+        ++m_pos;
+        new_line(m_pos);
+      } else if (is_space(c)) {
+        ++m_pos;
+      } else if (c == '/' && at(m_pos + 1) == '/') {
+        const std::size_t end = m_text.find('\n', m_pos);
+        m_pos = end == std::string_view::npos ? m_text.size() : end;
+      } else if (c == '/' && at(m_pos + 1) == '*') {
+        skip_comment();
+      } else {
+        return true;
+      }
+    }
+  }
+
+  void skip_comment() {
+    const Location start = location();
+    int depth = 1;
+    m_pos += 2;
+    while (depth > 0) {
+      if (m_pos >= m_text.size()) {
+        bad(start, "comment without its end: expected */");
+        return;
+      }
+      const char c = m_text[m_pos];
+      if (c == '\n') {
+        ++m_pos;
+        new_line(m_pos);
+      } else if (c == '/' && at(m_pos + 1) == '*') {
+        ++depth;
+        m_pos += 2;
+      } else if (c == '*' && at(m_pos + 1) == '/') {
+        --depth;
+        m_pos += 2;
+      } else {
+        ++m_pos;
+      }
+    }
+  }
+
+  void one() {
+    const char c = here();
+    if (is_word_start(c)) return word();
+    if (is_digit(c) || (c == '.' && is_digit(at(m_pos + 1)))) return number();
+    if (c == '"') return string();
+    if (c == '#') return directive();
+    punct();
+  }
+
+  std::string_view read_word() {
+    const std::size_t start = m_pos;
+    while (is_word(here())) ++m_pos;
+    return m_text.substr(start, m_pos - start);
+  }
+
+  void word() {
+    Token t = token(TokenKind::kIdentifier);
+    t.name = m_names.intern(read_word());
+    t.keyword = m_names.keyword(t.name);
+    if (t.keyword != Keyword::kNone) t.kind = TokenKind::kKeyword;
+    m_tokens.push_back(t);
+  }
+
+  void number() {
+    Token t = token(TokenKind::kNumber);
+    const std::size_t start = m_pos;
+    while (is_digit(here())) ++m_pos;
+    if (here() == '.') {
+      ++m_pos;
+      while (is_digit(here())) ++m_pos;
+    }
+    if (here() == 'e' || here() == 'E') {
+      std::size_t end = m_pos + 1;
+      if (at(end) == '+' || at(end) == '-') ++end;
+      if (is_digit(at(end))) {
+        while (is_digit(at(end))) ++end;
+        m_pos = end;
+      }
+    }
+    // from_chars wants a digit before the point; the value is the same with a 0 put there.
+    std::string digits(m_text.substr(start, m_pos - start));
+    if (digits.front() == '.') digits.insert(digits.begin(), '0');
+    const auto result = std::from_chars(digits.data(), digits.data() + digits.size(), t.number);
+    if (result.ec == std::errc::result_out_of_range) {
+      return bad(t.where, "number out of range: " + digits);
+    }
+    m_tokens.push_back(t);
+  }
+
+  void string() {
+    Token t = token(TokenKind::kString);
+    ++m_pos;
+    const std::size_t start = m_pos;
+    std::string cooked;
+    std::string wrong;  // first illegal escape
+    for (;;) {
+      if (m_pos >= m_text.size()) return bad(t.where, "string without its end: expected \"");
+      const char c = m_text[m_pos];
+      if (c == '"') break;
+      if (c == '\n') new_line(m_pos + 1);
+      if (c == '\\' && !(m_pos + 1 < m_text.size() && escape(cooked, wrong))) {
+        cooked += c;
+        ++m_pos;
+      } else if (c != '\\') {
+        cooked += c;
+        ++m_pos;
+      }
+    }
+    std::string raw(m_text.substr(start, m_pos - start));
+    ++m_pos;
+    // A wrong escape is no error in a file name, where backslashes are left as they are.
+    t.keyword = wrong.empty() ? Keyword::kNone : Keyword::kError;
+    t.name = m_names.add_string(std::move(raw), std::move(cooked));
+    m_tokens.push_back(t);
+  }
+
+  // At a backslash: appends what it stands for and moves past it. False if it stands for nothing.
+  bool escape(std::string& cooked, std::string& wrong) {
+    const char c = at(m_pos + 1);
+    if (const char plain = simple_escape(c)) {
+      cooked += plain;
+      m_pos += 2;
+      return true;
+    }
+    unsigned code = 0;
+    const std::size_t digits = m_pos + 2;
+    if (c == 'u' && digits + 4 <= m_text.size() &&
+        std::from_chars(m_text.data() + digits, m_text.data() + digits + 4, code, 16).ptr ==
+            m_text.data() + digits + 4) {
+      cooked += encode_character(code);
+      m_pos += 6;
+      return true;
+    }
+    if (wrong.empty()) wrong = std::string("\\") + c;
+    return false;
+  }
+
+  void directive() {
+    Token t = token(TokenKind::kDirective);
+    t.jump = 0;
+    ++m_pos;
+    if (!skip_space() || !is_word_start(here())) {
+      return bad(t.where, "# without a directive: expected declare, if, while, macro, include ...");
+    }
+    t.name = m_names.intern(read_word());
+    t.keyword = m_names.keyword(t.name);
+    m_tokens.push_back(t);
+  }
+
+  void punct() {
+    Token t = token(TokenKind::kPunct);
+    const char c = m_text[m_pos];
+    const bool equal_follows = at(m_pos + 1) == '=';
+    if (equal_follows && (c == '<' || c == '>' || c == '!')) {
+      t.punct = c == '<' ? Punct::kLessEqual : c == '>' ? Punct::kGreaterEqual : Punct::kNotEqual;
+      m_pos += 2;
+      m_tokens.push_back(t);
+      return;
+    }
+    for (std::size_t i = 1; i <= static_cast<std::size_t>(Punct::kBackquote); ++i) {
+      const Punct candidate = static_cast<Punct>(i);
+      if (spelling(candidate) != m_text.substr(m_pos, 1)) continue;
+      t.punct = candidate;
+      ++m_pos;
+      m_tokens.push_back(t);
+      return;
+    }
+    static constexpr char kHex[] = "0123456789ABCDEF";
+    const unsigned byte = static_cast<unsigned char>(c);
+    bad(t.where, std::string("unknown character 0x") + kHex[byte >> 4] + kHex[byte & 15] +
+                     " outside a string or comment");
+    ++m_pos;
+  }
+
+  // Gives every part of a conditional, loop or macro the place of the next part or of its #end,
+  // and every #end the place of its opening. What stays open ends with the text.
+  void link_directives() {
+    struct Open {
+      std::size_t first, last;
+    };
+    std::vector<Open> open;
+    for (std::size_t i = 0; i < m_tokens.size(); ++i) {
+      Token& t = m_tokens[i];
+      if (t.kind != TokenKind::kDirective) continue;
+      switch (t.keyword) {
+        case Keyword::kIf: case Keyword::kIfdef: case Keyword::kIfndef: case Keyword::kWhile:
+        case Keyword::kFor: case Keyword::kSwitch: case Keyword::kMacro:
+          open.push_back({i, i});
+          t.jump = m_tokens.size();
+          break;
+        case Keyword::kElse: case Keyword::kElseif: case Keyword::kCase: case Keyword::kRange:
+          t.jump = m_tokens.size();
+          if (!open.empty()) {
+            m_tokens[open.back().last].jump = i;
+            open.back().last = i;
+          }
+          break;
+        case Keyword::kEnd:
+          if (!open.empty()) {
+            m_tokens[open.back().last].jump = i;
+            t.jump = open.back().first;
+            open.pop_back();
+          } else {
+            t.jump = i;
+          }
+          break;
+        default: break;
+      }
+    }
+  }
+
+  const std::uint32_t m_file;
+  const std::string_view m_text;
+  NameTable& m_names;
+  std::vector<Token>& m_tokens;
+  std::size_t m_pos = 0;
+  std::size_t m_line_start = 0;
+  std::uint32_t m_line = 1;
+};
+
+}  // namespace
+
+std::shared_ptr<const TokenList> tokenise(std::uint32_t file, std::string_view text,
+                                          NameTable& names) {
+  auto list = std::make_shared<TokenList>();
+  list->file = file;
+  list->tokens.reserve(text.size() / 4);
+  Lexer(file, text, names, list->tokens).run();
+  list->tokens.shrink_to_fit();
+  return list;
+}
+
+}  // namespace lentray::parser

@@ -1,0 +1,26 @@
+// Turns a source text into tokens, once. Comments nest; strings may span lines; a directive is one
+// token (# and its word) that knows where its part ends, so that skipping is a jump.
+// What is wrong in a text (an unknown character, an open string) becomes a kBad token and fails
+// only if it is read: the text between #if (0) and #end may be anything.
+// Source: reference manual 3.7, "Language Basics"; strings as measured on stock.
+#pragma once
+
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "parser/names.h"
+#include "parser/token.h"
+
+namespace lentray::parser {
+
+/// The tokens of one text. Shared by everything that replays parts of it (macros, loops).
+struct TokenList {
+  std::uint32_t file = 0;
+  std::vector<Token> tokens;
+};
+
+std::shared_ptr<const TokenList> tokenise(std::uint32_t file, std::string_view text,
+                                          NameTable& names);
+
+}  // namespace lentray::parser

@@ -1,0 +1,41 @@
+// Interned names and string literals of a scene. Two names are the same if their ids are; ids up
+// to reserved() are reserved words. One thread; texts stay valid as long as the table.
+#pragma once
+
+#include <deque>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "parser/token.h"
+
+namespace lentray::parser {
+
+class NameTable {
+ public:
+  NameTable();
+
+  NameId intern(std::string_view name);
+  std::string_view text(NameId id) const { return m_texts[id]; }
+  /// The reserved word a name is, or kNone.
+  Keyword keyword(NameId id) const { return id < m_keywords.size() ? m_keywords[id] : Keyword::kNone; }
+  std::size_t size() const { return m_texts.size(); }
+
+  /// String literals: `raw` is what stands between the quotes (file names take it so), `cooked`
+  /// has the escapes replaced.
+  NameId add_string(std::string raw, std::string cooked);
+  const std::string& raw_string(NameId id) const { return m_strings[id].raw; }
+  const std::string& string(NameId id) const { return m_strings[id].cooked; }
+
+ private:
+  struct Literal {
+    std::string raw, cooked;
+  };
+  std::deque<std::string> m_texts;
+  std::unordered_map<std::string_view, NameId> m_ids;
+  std::vector<Keyword> m_keywords;  // by name id, the reserved words only
+  std::deque<Literal> m_strings;
+};
+
+}  // namespace lentray::parser

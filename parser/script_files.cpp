@@ -1,0 +1,199 @@
+#include "parser/script_files.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "parser/interpreter.h"
+
+namespace lentray::parser {
+namespace {
+
+struct BinaryFormat {
+  Keyword keyword;
+  double lowest, highest;
+  int bytes;
+  bool big_endian;
+};
+
+constexpr BinaryFormat kFormats[] = {
+    {Keyword::kSint8, -128, 127, 1, false},
+    {Keyword::kUint8, 0, 255, 1, false},
+    {Keyword::kSint16be, -32768, 32767, 2, true},
+    {Keyword::kSint16le, -32768, 32767, 2, false},
+    {Keyword::kUint16be, 0, 65535, 2, true},
+    {Keyword::kUint16le, 0, 65535, 2, false},
+    {Keyword::kSint32be, -2147483648.0, 2147483647.0, 4, true},
+    {Keyword::kSint32le, -2147483648.0, 2147483647.0, 4, false},
+};
+
+}  // namespace
+
+void ScriptFiles::open() {
+  TokenReader& tokens = m_in.tokens;
+  const Token name = tokens.read_name("an identifier for the file");
+  tokens.skip();
+  const Location where = tokens.peek_operand().where;
+  auto file = std::make_shared<ScriptFile>();
+  file->path = m_in.expressions.parse_path();
+  if (tokens.accept(Keyword::kRead)) {
+    const auto found = m_in.find_file(file->path);
+    // Always read anew: this scene may have written it.
+    const auto number = found ? m_in.sources.load(*found) : std::nullopt;
+    if (!number) m_in.fail(where, "cannot open '" + file->path + "' for reading");
+    file->in = tokenise(*number, m_in.sources.text(*number), m_in.names);
+  } else {
+    const bool append = tokens.accept(Keyword::kAppend);
+    if (!append) tokens.expect(Keyword::kWrite);
+    file->out.reset(std::fopen(file->path.c_str(), append ? "ab" : "wb"));
+    if (!file->out) m_in.fail(where, "cannot open '" + file->path + "' for writing");
+    m_in.texts.erase(file->path);
+  }
+  Symbol& symbol = m_in.symbols.declare_global(name.name);
+  symbol.reset({});
+  symbol.file = std::move(file);
+}
+
+std::shared_ptr<ScriptFile> ScriptFiles::file(bool closing) {
+  const Token name = m_in.tokens.read_name("the identifier of an open file");
+  Symbol* symbol = m_in.tokens.symbol();
+  if (!symbol || !symbol->file) {
+    m_in.fail(name.where, "'" + std::string(m_in.names.text(name.name)) + "' is not an open file");
+  }
+  auto file = symbol->file;
+  m_in.tokens.skip();
+  if (closing) {
+    m_in.texts.erase(file->path);
+    symbol->file.reset();
+    m_in.symbols.remove(name.name);
+  }
+  return file;
+}
+
+void ScriptFiles::close() { file(true); }
+
+void ScriptFiles::write() {
+  TokenReader& tokens = m_in.tokens;
+  tokens.expect(Punct::kLeftParen);
+  const Location where = tokens.peek_operand().where;
+  const auto out = file(false);
+  if (!out->out) m_in.fail(where, "'" + out->path + "' is open for reading, not for writing");
+  for (;;) {
+    if (tokens.accept(Punct::kComma)) continue;
+    if (tokens.accept(Punct::kRightParen)) break;
+    const auto* format = std::find_if(std::begin(kFormats), std::end(kFormats),
+                                      [&](const BinaryFormat& f) { return tokens.at(f.keyword); });
+    if (format != std::end(kFormats)) {
+      tokens.skip();
+      write_binary(*out, format->keyword);
+    } else if (m_in.expressions.at_string()) {
+      const std::string text = m_in.expressions.parse_string();
+      std::fwrite(text.data(), 1, text.size(), out->out.get());
+    } else if (m_in.expressions.at_expression()) {
+      const Number n = m_in.expressions.parse_additive();
+      std::string text;
+      for (int i = 0; i < n.size; ++i) {
+        char digits[64];
+        std::snprintf(digits, sizeof digits, "%g", n.v[static_cast<std::size_t>(i)]);
+        text += (i ? "," : "") + std::string(digits);
+      }
+      if (n.size > 1) text = "<" + text + "> ";
+      std::fwrite(text.data(), 1, text.size(), out->out.get());
+    } else {
+      tokens.fail_expected("a string, float or vector to write");
+    }
+  }
+}
+
+void ScriptFiles::write_binary(ScriptFile& file, Keyword keyword) {
+  const auto& format = *std::find_if(std::begin(kFormats), std::end(kFormats),
+                                     [&](const BinaryFormat& f) { return f.keyword == keyword; });
+  m_in.tokens.comma();
+  while (m_in.expressions.at_expression()) {
+    const Number n = m_in.expressions.parse_additive();
+    for (int i = 0; i < n.size; ++i) {
+      const double value = std::clamp(std::floor(n.v[static_cast<std::size_t>(i)] + 0.5),
+                                      format.lowest, format.highest);
+      const auto bits = static_cast<std::uint64_t>(static_cast<std::int64_t>(value));
+      for (int b = 0; b < format.bytes; ++b) {
+        const int shift = 8 * (format.big_endian ? format.bytes - 1 - b : b);
+        std::fputc(static_cast<int>((bits >> shift) & 0xFF), file.out.get());
+      }
+    }
+    m_in.tokens.comma();
+  }
+}
+
+double ScriptFiles::read_number(ScriptFile& file) {
+  double sign = 1.0;
+  const auto& all = file.in->tokens;
+  for (; file.position < all.size(); ++file.position) {
+    const Token& t = all[file.position];
+    if (t.is(Punct::kMinus)) sign = -sign;
+    else if (!t.is(Punct::kPlus)) break;
+  }
+  if (file.position >= all.size() || all[file.position].kind != TokenKind::kNumber) {
+    m_in.fail(m_in.tokens.location(), "expected a number in '" + file.path + "'");
+  }
+  return sign * all[file.position++].number;
+}
+
+// False at the end of the file.
+bool ScriptFiles::read_value(ScriptFile& file, Value& value) {
+  const auto& all = file.in->tokens;
+  if (file.position >= all.size()) return false;
+  const Token& t = all[file.position];
+  const auto at = [&](Punct p) { return file.position < all.size() && all[file.position].is(p); };
+  if (t.kind == TokenKind::kString) {
+    value = m_in.names.string(t.name);
+    ++file.position;
+  } else if (t.is(Punct::kLess)) {
+    ++file.position;
+    Number n;
+    n.size = 0;
+    while (!at(Punct::kGreater)) {
+      if (n.size == 5) m_in.fail(t.where, "a vector has at most 5 components");
+      n.v[static_cast<std::size_t>(n.size++)] = read_number(file);
+      if (at(Punct::kComma)) ++file.position;
+    }
+    ++file.position;
+    if (n.size < 2) m_in.fail(t.where, "a vector has at least 2 components");
+    n.is_colour = n.size == 5;
+    value = n;
+  } else if (t.kind == TokenKind::kNumber || t.is(Punct::kMinus) || t.is(Punct::kPlus)) {
+    value = Number::scalar(read_number(file));
+  } else {
+    m_in.fail(t.where, "expected a float, vector or string in a file read by #read");
+  }
+  if (at(Punct::kComma)) ++file.position;
+  return true;
+}
+
+void ScriptFiles::read() {
+  TokenReader& tokens = m_in.tokens;
+  tokens.expect(Punct::kLeftParen);
+  const Token name = tokens.peek_operand();
+  const auto in = file(false);
+  if (!in->in) m_in.fail(name.where, "'" + in->path + "' is open for writing, not for reading");
+  bool more = true;
+  while (!tokens.accept(Punct::kRightParen)) {
+    if (tokens.accept(Punct::kComma)) continue;
+    const Token target = tokens.read_name("an identifier to read into");
+    const auto array = tokens.element_array();
+    const std::size_t index = tokens.element_index();
+    tokens.skip();
+    Value value;
+    if (more) more = read_value(*in, value);
+    if (!more) continue;
+    if (array) {
+      array->elements[index] = std::move(value);
+      continue;
+    }
+    Symbol& symbol = m_in.symbols.declare_global(target.name);
+    if (symbol.alias || symbol.alias_array) symbol.resolve() = std::move(value);
+    else symbol.reset(std::move(value));
+  }
+  // At the end of the file its identifier is gone, so that `#while (defined(File))` ends.
+  if (in->position >= in->in->tokens.size()) m_in.symbols.remove(name.name);
+}
+
+}  // namespace lentray::parser

@@ -1,0 +1,39 @@
+// The files a scene opens for itself: #fopen, #fclose, #read, #write.
+// Source: reference manual 3.7, "File I/O"; number formats measured on stock (%g).
+#pragma once
+
+#include <cstdio>
+#include <memory>
+#include <string>
+
+#include "parser/lexer.h"
+#include "parser/value.h"
+
+namespace lentray::parser {
+
+struct Interpreter;
+
+struct ScriptFile {
+  std::string path;
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> out{nullptr, &std::fclose};
+  std::shared_ptr<const TokenList> in;
+  std::size_t position = 0;   ///< in the tokens read
+};
+
+class ScriptFiles {
+ public:
+  explicit ScriptFiles(Interpreter& in) : m_in(in) {}
+  void open();
+  void close();
+  void read();
+  void write();
+
+ private:
+  std::shared_ptr<ScriptFile> file(bool closing);
+  bool read_value(ScriptFile& file, Value& value);
+  double read_number(ScriptFile& file);
+  void write_binary(ScriptFile& file, Keyword format);
+  Interpreter& m_in;
+};
+
+}  // namespace lentray::parser

@@ -1,0 +1,63 @@
+#include "parser/symbols.h"
+
+namespace lentray::parser {
+
+void SymbolTable::pop_scope() {
+  const std::size_t start = m_scopes.back();
+  while (m_hidden.size() > start) {
+    m_visible[m_hidden.back().name] = std::move(m_hidden.back().outer);
+    m_hidden.pop_back();
+  }
+  m_scopes.pop_back();
+}
+
+Symbol& SymbolTable::declare_global(NameId name) {
+  SymbolPtr& visible = slot(name);
+  if (!visible) visible = std::make_shared<Symbol>();
+  return *visible;
+}
+
+Symbol& SymbolTable::declare_local(NameId name) {
+  SymbolPtr& visible = slot(name);
+  if (visible && visible->level == level()) return *visible;
+  bind_local(name, std::make_shared<Symbol>());
+  return *m_visible[name];
+}
+
+void SymbolTable::bind_local(NameId name, SymbolPtr symbol) {
+  SymbolPtr& visible = slot(name);
+  if (symbol) symbol->level = level();
+  if (level() > 0) m_hidden.push_back({name, std::move(visible)});
+  visible = std::move(symbol);
+}
+
+void SymbolTable::remove(NameId name) {
+  SymbolPtr& visible = slot(name);
+  if (!visible) return;
+  const std::uint32_t home = visible->level;
+  if (home == 0) {
+    visible.reset();
+    return;
+  }
+  const std::size_t start = m_scopes[home - 1];
+  const std::size_t end = home < m_scopes.size() ? m_scopes[home] : m_hidden.size();
+  for (std::size_t i = end; i-- > start;) {
+    if (m_hidden[i].name != name) continue;
+    visible = std::move(m_hidden[i].outer);
+    m_hidden[i].outer.reset();
+    // The entry stays for the scope's end: it must then restore what shows now.
+    m_hidden[i].outer = visible;
+    return;
+  }
+  visible.reset();
+}
+
+std::vector<NameId> SymbolTable::visible_names() const {
+  std::vector<NameId> names;
+  for (std::size_t i = 0; i < m_visible.size(); ++i) {
+    if (m_visible[i]) names.push_back(static_cast<NameId>(i));
+  }
+  return names;
+}
+
+}  // namespace lentray::parser

@@ -1,0 +1,104 @@
+// What names mean. Scopes nest as files and macros do, and a name is looked up through all of them
+// (dynamic scoping, as POV-Ray has it): #local makes a symbol in the innermost scope, #declare sets
+// the visible one or makes a global one. A look-up is one index: names are interned.
+// Source: reference manual 3.7, "Identifiers" under #declare and #local; order measured on stock.
+#pragma once
+
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "parser/lexer.h"
+#include "parser/value.h"
+
+namespace lentray::parser {
+
+struct MacroParameter {
+  NameId name = 0;
+  bool optional = false;
+};
+
+/// A macro: a range of tokens of the text it stands in.
+struct Macro {
+  NameId name = 0;
+  Location where;
+  std::vector<MacroParameter> parameters;
+  std::shared_ptr<const TokenList> list;
+  std::size_t begin = 0, end = 0;
+};
+
+struct ScriptFile;  // of #fopen
+
+struct Symbol : std::enable_shared_from_this<Symbol> {
+  Value value;
+  std::shared_ptr<const Macro> macro;
+  std::shared_ptr<ScriptFile> file;
+  std::shared_ptr<Symbol> alias;             ///< a parameter: the symbol passed by reference
+  std::shared_ptr<ArrayValue> alias_array;   ///< ... or the array one of whose elements was
+  std::size_t alias_index = 0;
+  bool deprecated = false, deprecated_once = false;
+  std::string deprecation;
+  std::uint32_t level = 0;                   ///< scope it lives in; 0: global
+
+  /// Makes it hold this value and nothing else; it stays in its scope.
+  void reset(Value new_value) {
+    value = std::move(new_value);
+    macro.reset();
+    file.reset();
+    alias.reset();
+    alias_array.reset();
+    deprecated = false;
+  }
+
+  /// The symbol itself behind references.
+  Symbol& target() {
+    Symbol* s = this;
+    while (s->alias) s = s->alias.get();
+    return *s;
+  }
+  Value& resolve() {
+    Symbol& s = target();
+    return s.alias_array ? s.alias_array->elements[s.alias_index] : s.value;
+  }
+  bool is_set() {
+    Symbol& s = target();
+    return s.macro || s.file || !std::holds_alternative<std::monostate>(s.resolve());
+  }
+};
+
+using SymbolPtr = std::shared_ptr<Symbol>;
+
+class SymbolTable {
+ public:
+  /// The visible symbol of a name, or null.
+  Symbol* find(NameId name) const {
+    return name < m_visible.size() ? m_visible[name].get() : nullptr;
+  }
+  std::uint32_t level() const { return static_cast<std::uint32_t>(m_scopes.size()); }
+
+  void push_scope() { m_scopes.push_back(m_hidden.size()); }
+  void pop_scope();
+
+  Symbol& declare_global(NameId name);  ///< the visible symbol, or a new global one
+  Symbol& declare_local(NameId name);   ///< the innermost scope's own symbol, made if need be
+  void bind_local(NameId name, SymbolPtr symbol);
+  void remove(NameId name);             ///< forgets the visible symbol; an outer one shows again
+
+  /// Every visible name, for messages.
+  std::vector<NameId> visible_names() const;
+
+ private:
+  struct Hidden {
+    NameId name;
+    SymbolPtr outer;  // what the scope's own symbol hides; may be null
+  };
+  SymbolPtr& slot(NameId name) {
+    if (name >= m_visible.size()) m_visible.resize(name + 64);
+    return m_visible[name];
+  }
+  std::vector<SymbolPtr> m_visible;    // by name
+  std::vector<Hidden> m_hidden;        // of all scopes, innermost last
+  std::vector<std::size_t> m_scopes;   // where a scope's part of m_hidden starts
+};
+
+}  // namespace lentray::parser

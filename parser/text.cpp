@@ -1,0 +1,56 @@
+#include "parser/text.h"
+
+namespace lentray::parser {
+namespace {
+
+bool continues(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
+
+}  // namespace
+
+std::size_t count_characters(std::string_view text) {
+  std::size_t count = 0;
+  for (const char c : text) count += continues(c) ? 0 : 1;
+  return count;
+}
+
+std::string substring(std::string_view text, std::size_t first, std::size_t count) {
+  const auto offset = [&](std::size_t character) {
+    std::size_t i = 0;
+    for (std::size_t seen = 0; i < text.size(); ++i) {
+      if (!continues(text[i]) && seen++ == character) break;
+    }
+    return i;
+  };
+  const std::size_t begin = offset(first);
+  return std::string(text.substr(begin, offset(first + count) - begin));
+}
+
+double first_character(std::string_view text) {
+  if (text.empty()) return 0.0;
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned lead = byte(0);
+  if (lead >= 0xE0 && lead < 0xF0 && text.size() > 2 && continues(text[1]) && continues(text[2])) {
+    return ((lead & 0x0Fu) << 12) | ((byte(1) & 0x3Fu) << 6) | (byte(2) & 0x3Fu);
+  }
+  if (lead >= 0xC0 && lead < 0xE0 && text.size() > 1 && continues(text[1])) {
+    return ((lead & 0x1Fu) << 6) | (byte(1) & 0x3Fu);
+  }
+  return lead;
+}
+
+std::string encode_character(unsigned code) {
+  std::string out;
+  if (code < 0x80) {
+    out += static_cast<char>(code);
+  } else if (code < 0x800) {
+    out += static_cast<char>(0xC0 | (code >> 6));
+    out += static_cast<char>(0x80 | (code & 0x3F));
+  } else {
+    out += static_cast<char>(0xE0 | (code >> 12));
+    out += static_cast<char>(0x80 | ((code >> 6) & 0x3F));
+    out += static_cast<char>(0x80 | (code & 0x3F));
+  }
+  return out;
+}
+
+}  // namespace lentray::parser

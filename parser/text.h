@@ -1,0 +1,17 @@
+// Characters of UTF-8 strings: counting, cutting, codes. Bytes that are no UTF-8 count as they come.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace lentray::parser {
+
+std::size_t count_characters(std::string_view text);
+/// `count` characters from number `first` (from 0); both must lie in the text.
+std::string substring(std::string_view text, std::size_t first, std::size_t count);
+/// The code of the first character; 0 if there is none.
+double first_character(std::string_view text);
+std::string encode_character(unsigned code);
+
+}  // namespace lentray::parser

@@ -1,0 +1,253 @@
+#include "parser/token_reader.h"
+
+#include "parser/interpreter.h"
+#include "parser/keywords.h"
+
+namespace lentray::parser {
+
+Token TokenReader::next() {
+  if (!m_ready) fetch();
+  const Token token = m_token;
+  consume();
+  return token;
+}
+
+void TokenReader::consume() {
+  m_last = m_token.where;
+  if (m_token.kind == TokenKind::kEnd) return;  // it stays: the end can be asked for again
+  m_ready = false;
+  if (m_token.kind != TokenKind::kPunct) return;
+  switch (m_token.punct) {
+    case Punct::kLeftCurly: case Punct::kLeftParen: case Punct::kLeftSquare: ++m_nesting; break;
+    case Punct::kRightCurly: case Punct::kRightParen: case Punct::kRightSquare: --m_nesting; break;
+    default: break;
+  }
+}
+
+bool TokenReader::accept(Keyword k) {
+  if (!peek().is(k)) return false;
+  consume();
+  return true;
+}
+
+bool TokenReader::accept(Punct p) {
+  if (!peek().is(p)) return false;
+  consume();
+  return true;
+}
+
+void TokenReader::expect(Keyword k) {
+  if (!accept(k)) fail_expected(spelling(k));
+}
+
+void TokenReader::expect(Punct p) {
+  if (!accept(p)) fail_expected(spelling(p));
+}
+
+const Token* TokenReader::following() const { return m_in.stream.look(); }
+
+void TokenReader::fetch_or_hold() {
+  m_held = false;
+  if (m_holding && m_nesting == m_hold_nesting) {
+    // A macro whose text ends here gives way to the text that invoked it.
+    while (m_in.stream.depth() > m_hold_depth && !m_in.stream.look() &&
+           m_in.stream.top().kind == FrameKind::kMacro) {
+      m_in.directives.leave_frame();
+    }
+    const Token* raw = m_in.stream.look();
+    if (m_in.stream.depth() == m_hold_depth && raw) {
+      const bool directive = raw->kind == TokenKind::kDirective;
+      const Symbol* symbol =
+          raw->kind == TokenKind::kIdentifier ? m_in.symbols.find(raw->name) : nullptr;
+      if (directive || (symbol && symbol->macro)) {
+        m_held = true;
+        m_boundary.where = raw->where;
+        return;
+      }
+    }
+  }
+  fetch();
+}
+
+void TokenReader::fetch() {
+  m_held = false;
+  for (;;) {
+    const Token* raw = m_in.stream.empty() ? nullptr : m_in.stream.read();
+    if (!raw) {
+      if (m_in.stream.empty() || !m_in.directives.leave_frame()) {
+        Token end;
+        end.where = m_last;
+        return show(end);
+      }
+      continue;
+    }
+    switch (raw->kind) {
+      case TokenKind::kDirective:
+        m_in.directives.execute(*raw);
+        if (m_ready) return;
+        continue;
+      case TokenKind::kIdentifier:
+        if (identifier(*raw)) return;
+        continue;
+      case TokenKind::kKeyword:
+        // The oldest dialects have directives without the #.
+        if (raw->keyword == Keyword::kDeclare || raw->keyword == Keyword::kInclude ||
+            (raw->keyword == Keyword::kDefault && m_in.stream.look() &&
+             m_in.stream.look()->is(Punct::kLeftCurly))) {
+          m_in.directives.execute_unmarked(*raw);
+          if (m_ready) return;
+          continue;
+        }
+        break;
+      case TokenKind::kBad:
+        m_last = raw->where;
+        m_in.fail(raw->where, m_in.names.string(raw->name));
+      default: break;
+    }
+    return show(*raw);
+  }
+}
+
+// False if it was a macro and has been invoked.
+bool TokenReader::identifier(const Token& raw) {
+  m_array.reset();
+  const Symbol* found = m_in.symbols.find(raw.name);
+  if (found) {
+    Symbol& symbol = const_cast<Symbol*>(found)->target();
+    const Token* after = m_in.stream.look();
+    if (symbol.macro && !plain_names && after && after->is(Punct::kLeftParen)) {
+      const auto macro = symbol.macro;
+      m_last = raw.where;
+      m_in.directives.invoke(*macro, raw);
+      return false;
+    }
+    if (after && after->is(Punct::kLeftSquare)) {
+      Value& value = symbol.resolve();
+      if (auto* array = std::get_if<std::shared_ptr<ArrayValue>>(&value)) {
+        subscripts(raw, *array);
+        return true;
+      }
+    }
+    if (symbol.deprecated && !plain_names) {
+      m_in.warn(raw.where, symbol.deprecation);
+      if (symbol.deprecated_once) symbol.deprecated = false;
+    }
+  }
+  show(raw);
+  return true;
+}
+
+// Reads [i][j]... and shows the identifier as the element it names. The raw token is copied: the
+// subscripts may end the frame it stands in.
+void TokenReader::subscripts(const Token& raw, std::shared_ptr<ArrayValue> array) {
+  const Token token = raw;
+  const bool before = plain_names;
+  plain_names = false;
+  std::size_t index = 0;
+  for (;;) {
+    index = 0;
+    for (std::size_t dimension = 0; dimension < array->sizes.size(); ++dimension) {
+      expect(Punct::kLeftSquare);
+      const Location where = peek_operand().where;
+      const double subscript = m_in.expressions.parse_float();
+      const int size = array->sizes[dimension];
+      // Stock adds this before it cuts off the fraction.
+      const int i = static_cast<int>(subscript + 1e-10);
+      if (!(subscript > -1.0) || i < 0 || i >= size) {
+        m_in.fail(where, "array subscript " + std::to_string(i) + " out of range: " +
+                             std::string(m_in.names.text(token.name)) + " has " +
+                             std::to_string(size) + " elements in this dimension");
+      }
+      index = index * static_cast<std::size_t>(size) + static_cast<std::size_t>(i);
+      expect(Punct::kRightSquare);
+    }
+    // An element that is itself an array goes on.
+    const auto* inner = std::get_if<std::shared_ptr<ArrayValue>>(&array->elements[index]);
+    const Token* after = m_in.stream.look();
+    if (!inner || !after || !after->is(Punct::kLeftSquare)) break;
+    array = std::shared_ptr<ArrayValue>(*inner);
+  }
+  plain_names = before;
+  m_array = std::move(array);
+  m_index = index;
+  show(token);
+}
+
+Symbol* TokenReader::symbol() {
+  if (m_token.kind != TokenKind::kIdentifier) return nullptr;
+  Symbol* found = m_in.symbols.find(m_token.name);
+  return found ? &found->target() : nullptr;
+}
+
+Value* TokenReader::value() {
+  if (m_held || m_token.kind != TokenKind::kIdentifier) return nullptr;
+  Value* found = nullptr;
+  if (m_array) {
+    found = &m_array->elements[m_index];
+  } else if (Symbol* s = symbol()) {
+    found = &s->resolve();
+  }
+  return found && std::holds_alternative<std::monostate>(*found) ? nullptr : found;
+}
+
+Token TokenReader::read_name(std::string_view what) {
+  const bool before = plain_names;
+  plain_names = true;
+  const Token token = peek_operand();
+  plain_names = before;
+  if (token.kind == TokenKind::kKeyword) {
+    m_in.fail(token.where, "expected " + std::string(what) + " but found the reserved word '" +
+                               std::string(spelling(token.keyword)) + "'");
+  }
+  if (token.kind != TokenKind::kIdentifier) fail_expected(what);
+  return token;
+}
+
+std::string TokenReader::describe(const Token& token) const {
+  switch (token.kind) {
+    case TokenKind::kEnd: return "the end of the scene";
+    case TokenKind::kKeyword: return "'" + std::string(m_in.names.text(token.name)) + "'";
+    case TokenKind::kPunct:
+      return token.punct == Punct::kNone ? "a directive"
+                                         : "'" + std::string(spelling(token.punct)) + "'";
+    case TokenKind::kNumber: return "a number";
+    case TokenKind::kString: return "a string";
+    case TokenKind::kDirective: return "#" + std::string(m_in.names.text(token.name));
+    case TokenKind::kIdentifier: {
+      const std::string name(m_in.names.text(token.name));
+      Symbol* s = m_in.symbols.find(token.name);
+      if (!s) return "the undeclared identifier '" + name + "'";
+      if (s->target().macro) return "the macro '" + name + "'";
+      if (m_array && m_ready) return std::string(kind_name(m_array->elements[m_index])) +
+                                     " element of '" + name + "'";
+      return std::string(kind_name(s->resolve())) + " '" + name + "'";
+    }
+    default: return "something unreadable";
+  }
+}
+
+void TokenReader::fail_expected(std::string_view what) {
+  const Token token = peek();
+  std::string message = "expected " + std::string(what) + " but found " + describe(token);
+  if (token.kind == TokenKind::kIdentifier && !m_in.symbols.find(token.name)) {
+    message += m_in.suggestion(m_in.names.text(token.name));
+  }
+  m_in.fail(token.kind == TokenKind::kEnd ? m_last : token.where, message);
+}
+
+TokenReader::Hold::Hold(TokenReader& reader)
+    : m_reader(reader), m_active(reader.m_holding), m_nesting(reader.m_hold_nesting),
+      m_depth(reader.m_hold_depth) {
+  reader.m_holding = true;
+  reader.m_hold_nesting = reader.m_nesting;
+  reader.m_hold_depth = reader.m_in.stream.depth();
+}
+
+TokenReader::Hold::~Hold() {
+  m_reader.m_holding = m_active;
+  m_reader.m_hold_nesting = m_nesting;
+  m_reader.m_hold_depth = m_depth;
+  m_reader.m_held = false;
+}
+
+}  // namespace lentray::parser

@@ -1,0 +1,113 @@
+// Tokens as the grammar sees them: directives executed, macros invoked, array elements resolved,
+// files and macro bodies left at their ends. One token of look-ahead.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "parser/symbols.h"
+#include "parser/token.h"
+
+namespace lentray::parser {
+
+struct Interpreter;
+
+class TokenReader {
+ public:
+  explicit TokenReader(Interpreter& in) : m_in(in) { m_boundary.kind = TokenKind::kPunct; }
+
+  const Token& peek() {
+    if (!m_ready) fetch_or_hold();
+    return m_held ? m_boundary : m_token;
+  }
+  /// Where an operand must follow: a statement cannot end here, so nothing is held back.
+  const Token& peek_operand() {
+    if (!m_ready) fetch();
+    return m_token;
+  }
+  Token next();
+  void skip() {
+    if (!m_ready) fetch();
+    consume();
+  }
+
+  bool at(Keyword k) { return peek().is(k); }
+  bool at(Punct p) { return peek().is(p); }
+  bool accept(Keyword k);
+  bool accept(Punct p);
+  void expect(Keyword k);
+  void expect(Punct p);
+  void comma() { accept(Punct::kComma); }
+
+  /// Of the identifier that peek() shows: its symbol (null if it has none), and the value it or its
+  /// array element holds (null if there is none). Valid until the next token is asked for.
+  Symbol* symbol();
+  Value* value();
+  /// If the identifier shown is an element of an array: that array and the index.
+  const std::shared_ptr<ArrayValue>& element_array() const { return m_array; }
+  std::size_t element_index() const { return m_index; }
+
+  /// The next token as it stands in the text, no macro invoked, for #declare, #ifdef and the like:
+  /// an identifier, or fails with what was expected.
+  Token read_name(std::string_view what);
+  /// The token after the one shown, as it stands in the text; null at the end of the frame.
+  const Token* following() const;
+
+  /// Where a message about "here" points: the token shown, else the last one read.
+  Location location() const { return m_ready ? m_token.where : m_last; }
+  std::string describe(const Token& token) const;
+  [[noreturn]] void fail_expected(std::string_view what);
+
+  /// While one lives, a directive or macro that follows a complete value on the same level is left
+  /// for later, so that `#declare A = 1` without a semicolon ends there.
+  class Hold {
+   public:
+    explicit Hold(TokenReader& reader);
+    ~Hold();
+    Hold(const Hold&) = delete;
+    Hold& operator=(const Hold&) = delete;
+
+   private:
+    TokenReader& m_reader;
+    const bool m_active;
+    const int m_nesting;
+    const std::size_t m_depth;
+  };
+
+  /// Forgets the token shown (the cursor is about to be moved).
+  void drop() { m_ready = false; m_held = false; }
+  bool ready() const { return m_ready; }
+  /// No macro is invoked while true.
+  bool plain_names = false;
+
+  /// `<` and `>` of a vector nest as parentheses do, but only the grammar knows which these are.
+  void enter() { ++m_nesting; }
+  void leave() { --m_nesting; }
+
+ private:
+  friend class Hold;
+  void fetch();
+  void fetch_or_hold();
+  void consume();
+  bool identifier(const Token& token);
+  void subscripts(const Token& token, std::shared_ptr<ArrayValue> array);
+  void show(const Token& token) {
+    m_token = token;
+    m_ready = true;
+  }
+
+  Interpreter& m_in;
+  Token m_token;
+  Token m_boundary;            ///< shown while a directive is held back: equals no token
+  bool m_ready = false;
+  bool m_held = false;
+  std::shared_ptr<ArrayValue> m_array;
+  std::size_t m_index = 0;
+  Location m_last;
+  int m_nesting = 0;           ///< brackets of all kinds consumed and not closed
+  bool m_holding = false;
+  int m_hold_nesting = 0;
+  std::size_t m_hold_depth = 0;
+};
+
+}  // namespace lentray::parser

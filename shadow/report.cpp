@@ -1,0 +1,80 @@
+#include "shadow/report.h"
+
+#include <utility>
+
+namespace lentray::shadow {
+namespace {
+
+using nlohmann::json;
+
+json counts_json(const core::ShadowCounts& counts) {
+  return {{"rays", counts.rays},
+          {"blocked", counts.blocked},
+          {"cache", {{"probes", counts.probes}, {"hits", counts.hits}, {"misses", counts.misses}}}};
+}
+
+json lens_json(const LensReport& lens) {
+  const camera::LensParameters& p = lens.parameters;
+  json out{{"pitch_mm", p.pitch},
+           {"focal_length_mm", p.focal_length},
+           {"ior", p.ior},
+           {"pixels", p.pixels},
+           {"model", camera::name_of(p.model)},
+           {"print_pitch_mm", p.print_pitch()},
+           {"pixel_size_mm", p.pixel_size()},
+           {"print_dpi", p.print_dpi()},
+           {"lenses_per_inch", p.lenses_per_inch()},
+           {"lenses", lens.lenses},
+           {"views", lens.views},
+           {"lens_front", lens.lens_front},
+           {"scene_units_per_mm", lens.scene_units_per_mm},
+           {"sheet_width_mm", lens.sheet_width},
+           {"sheet_height_mm", lens.sheet_height}};
+  // JSON has no infinity: null is the paper's camera.
+  out["view_distance_mm"] = p.is_finite() ? json(p.view_distance) : json(nullptr);
+  return out;
+}
+
+json tests_json(const RunReport& report) {
+  json by_type = json::object();
+  for (const auto& [type, count] : report.counters.tests_by_type) by_type[type] = count;
+  return {{"bounds", report.counters.bounds_tests},
+          {"primitives", report.counters.primitive_tests},
+          {"by_type", std::move(by_type)}};
+}
+
+}  // namespace
+
+json to_json(const RunReport& report) {
+  const core::Counters& c = report.counters;
+  core::ShadowCounts all;
+  json lights = json::array();
+  for (std::size_t i = 0; i < c.lights.size(); ++i) {
+    all.add(c.lights[i]);
+    lights.push_back({{"index", i}, {"shadow", counts_json(c.lights[i])}});
+  }
+  json out;
+  out["scene"] = report.scene;
+  out["image"] = {{"width", report.width}, {"height", report.height}};
+  out["options"] = {{"pixel_order", report.pixel_order},
+                    {"shadow_cache", report.shadow_cache},
+                    {"accelerator", report.accelerator}};
+  if (report.lens) out["lens"] = lens_json(*report.lens);
+  out["rays"] = {{"camera", c.camera_rays},
+                 {"reflected", c.reflected_rays},
+                 {"refracted", c.refracted_rays},
+                 {"shadow", all.rays}};
+  out["pixels"] = {{"dark", c.dark_pixels}};
+  out["shadow"] = counts_json(all);
+  out["lights"] = std::move(lights);
+  if (report.tests_counted) out["tests"] = tests_json(report);
+  out["time"] = {{"parse_cpu_s", report.parse_cpu_s},
+                 {"compile_cpu_s", report.compile_cpu_s},
+                 {"render_cpu_s", report.render_cpu_s},
+                 {"wall_s", report.wall_s}};
+  out["threads"] = report.threads;
+  out["memory"] = {{"peak_bytes", report.peak_bytes}};
+  return out;
+}
+
+}  // namespace lentray::shadow

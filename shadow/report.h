@@ -1,0 +1,39 @@
+// The statistics of one run as JSON (`Statistics_File=`). The keys are documented in
+// docs/statistics.md. Reports are made once, after the frame, by one thread.
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "camera/lens_sheet.h"
+#include "core/base/counters.h"
+
+namespace lentray::shadow {
+
+/// What is said about the lens sheet; lengths in mm.
+struct LensReport {
+  camera::LensParameters parameters;
+  double lenses = 0.0;               ///< L, fractional when the last lens is cut
+  std::uint32_t views = 0;           ///< 0: N is not whole
+  double lens_front = 0.0;           ///< scene units
+  double scene_units_per_mm = 0.0;
+  double sheet_width = 0.0, sheet_height = 0.0;
+};
+
+struct RunReport {
+  std::string scene;                 ///< as it was named
+  std::uint32_t width = 0, height = 0;
+  std::string pixel_order = "rows", shadow_cache = "off", accelerator = "bvh";
+  std::optional<LensReport> lens;    ///< none for an ordinary camera
+  core::Counters counters;           ///< merged over the threads
+  bool tests_counted = false;        ///< counters' tests are filled
+  double parse_cpu_s = 0.0, compile_cpu_s = 0.0, render_cpu_s = 0.0, wall_s = 0.0;
+  int threads = 1;
+  std::uint64_t peak_bytes = 0;
+};
+
+nlohmann::json to_json(const RunReport& report);
+
+}  // namespace lentray::shadow

@@ -1,0 +1,85 @@
+#include "core/render/reflectance.h"
+
+#include <gtest/gtest.h>
+
+using namespace lentray::core;
+
+namespace {
+
+Illumination face_on() {
+  Illumination on;
+  on.towards_light = {0, 1, 0};
+  on.eye = {0, -1, 0};
+  on.normal = {0, 1, 0};
+  on.light = Rgb(1.0f);
+  on.pigment = {1.0f, 0.5f, 0.0f};
+  return on;
+}
+
+TEST(UnitCoreReflectance, DiffuseFollowsTheCosineAndBrilliance) {
+  Illumination on = face_on();
+  on.towards_light = {0.6, 0.8, 0};
+  Finish finish;
+  EXPECT_NEAR(diffuse_light(finish, on, 0.5, 0).r, 0.4, 1e-6);
+  finish.brilliance = 3;
+  EXPECT_NEAR(diffuse_light(finish, on, 0.5, 0).r, 0.5 * 0.512, 1e-6);
+  EXPECT_NEAR(diffuse_light(finish, on, 0.5, 0).g, 0.25 * 0.512, 1e-6);
+  finish.crand = 0.2;
+  EXPECT_NEAR(diffuse_light(finish, on, 0.5, 0.5).r, 0.5 * 0.512 - 0.1, 1e-6);
+}
+
+TEST(UnitCoreReflectance, PhongIsAPowerOfTheMirrorAngle) {
+  Illumination on = face_on();
+  on.towards_light = {0.6, 0.8, 0};
+  Finish finish;
+  finish.phong = 0.5;
+  finish.phong_size = 4;
+  EXPECT_NEAR(highlights(finish, on).r, 0.5 * 0.4096, 1e-6);
+}
+
+TEST(UnitCoreReflectance, SpecularUsesTheHalfwayVector) {
+  Illumination on = face_on();
+  on.towards_light = {0.6, 0.8, 0};
+  Finish finish;
+  finish.specular = 1.0;
+  finish.roughness_exponent = 2;
+  EXPECT_NEAR(highlights(finish, on).r, 0.9, 1e-6) << "cos^2 of half of acos 0.8";
+}
+
+TEST(UnitCoreReflectance, MetallicTintsTheHighlightFaceOn) {
+  Illumination on = face_on();
+  Finish finish;
+  finish.specular = 1.0;
+  finish.metallic = 1.0;
+  const Rgb tinted = highlights(finish, on);
+  EXPECT_NEAR(tinted.r, 1.0, 1e-5);
+  EXPECT_NEAR(tinted.g, 0.5, 1e-5);
+  EXPECT_NEAR(tinted.b, 0.0, 1e-5);
+  on.towards_light = normalized(Vec3{1, 0.001, 0});
+  on.eye = normalized(Vec3{1, -0.001, 0});
+  EXPECT_GT(highlights(finish, on).b, 0.9) << "at grazing angles the light keeps its colour";
+}
+
+TEST(UnitCoreReflectance, ReflectionVariesFromMinimumToMaximum) {
+  Finish finish;
+  finish.reflection_variable = true;
+  finish.reflection_min = Rgb(0.1f);
+  finish.reflection_max = Rgb(0.9f);
+  EXPECT_FLOAT_EQ(reflectivity(finish, 1.0, 1.0, {}).colour.r, 0.1f);
+  EXPECT_FLOAT_EQ(reflectivity(finish, 0.0, 1.0, {}).colour.r, 0.9f);
+  EXPECT_NEAR(reflectivity(finish, 0.5, 1.0, {}).colour.r, 0.5, 1e-6);
+  finish.reflection_falloff = 2.0;
+  EXPECT_NEAR(reflectivity(finish, 0.5, 1.0, {}).colour.r, 0.3, 1e-6);
+  EXPECT_FLOAT_EQ(reflectivity(finish, 0.5, 1.0, {}).weight, 0.9f);
+}
+
+TEST(UnitCoreReflectance, FresnelAtNormalIncidenceAndBeyondTheCriticalAngle) {
+  Finish finish;
+  finish.reflection_fresnel = true;
+  finish.reflection_max = Rgb(1.0f);
+  EXPECT_NEAR(reflectivity(finish, 1.0, 1.5, {}).colour.r, 0.04, 1e-6);
+  EXPECT_FLOAT_EQ(reflectivity(finish, 0.5, 1.0 / 1.5, {}).colour.r, 1.0f);
+  EXPECT_NEAR(reflectivity(finish, 0.5, 1.0, {}).colour.r, 0.0, 1e-6) << "same interior";
+}
+
+}  // namespace

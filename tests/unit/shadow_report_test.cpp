@@ -1,0 +1,80 @@
+#include "shadow/report.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "shadow/tester_factory.h"
+
+using namespace lentray;
+
+namespace {
+
+shadow::RunReport sample() {
+  shadow::RunReport r;
+  r.scene = "a.pov";
+  r.width = 30;
+  r.height = 20;
+  r.counters.camera_rays = 600;
+  r.counters.reflected_rays = 5;
+  r.counters.refracted_rays = 7;
+  r.counters.bounds_tests = 11;
+  r.counters.primitive_tests = 13;
+  r.counters.tests_by_type["sphere"] = 13;
+  r.counters.lights = {{100, 40, 50, 30, 20}, {10, 4, 5, 3, 2}};
+  r.tests_counted = true;
+  r.threads = 2;
+  r.peak_bytes = 1 << 20;
+  r.wall_s = 1.5;
+  return r;
+}
+
+TEST(UnitShadowReport, HasTheKeysOfTheStatistics) {
+  const nlohmann::json j = shadow::to_json(sample());
+  EXPECT_EQ(j["image"]["width"], 30);
+  EXPECT_EQ(j["image"]["height"], 20);
+  EXPECT_EQ(j["rays"]["camera"], 600);
+  EXPECT_EQ(j["rays"]["reflected"], 5);
+  EXPECT_EQ(j["rays"]["refracted"], 7);
+  EXPECT_EQ(j["rays"]["shadow"], 110);
+  EXPECT_EQ(j["shadow"]["rays"], 110);
+  EXPECT_EQ(j["shadow"]["blocked"], 44);
+  EXPECT_EQ(j["shadow"]["cache"]["probes"], 55);
+  EXPECT_EQ(j["shadow"]["cache"]["hits"], 33);
+  EXPECT_EQ(j["shadow"]["cache"]["misses"], 22);
+  ASSERT_EQ(j["lights"].size(), 2u);
+  EXPECT_EQ(j["lights"][1]["shadow"]["cache"]["hits"], 3);
+  EXPECT_EQ(j["tests"]["bounds"], 11);
+  EXPECT_EQ(j["tests"]["primitives"], 13);
+  EXPECT_EQ(j["tests"]["by_type"]["sphere"], 13);
+  EXPECT_EQ(j["threads"], 2);
+  EXPECT_EQ(j["memory"]["peak_bytes"], 1 << 20);
+  for (const char* key : {"parse_cpu_s", "compile_cpu_s", "render_cpu_s", "wall_s"}) {
+    EXPECT_TRUE(j["time"][key].is_number()) << key;
+  }
+  EXPECT_FALSE(j.contains("lens"));
+}
+
+TEST(UnitShadowReport, LensKeysAndTheInfiniteViewingDistance) {
+  shadow::RunReport r = sample();
+  r.lens.emplace();
+  r.lens->lenses = 2.0;
+  nlohmann::json j = shadow::to_json(r);
+  EXPECT_DOUBLE_EQ(j["lens"]["pitch_mm"], 1.124);
+  EXPECT_DOUBLE_EQ(j["lens"]["pixels"], 15.0);
+  EXPECT_TRUE(j["lens"]["view_distance_mm"].is_null());
+  r.lens->parameters.view_distance = 400;
+  j = shadow::to_json(r);
+  EXPECT_DOUBLE_EQ(j["lens"]["view_distance_mm"], 400.0);
+}
+
+TEST(ErrorShadowTesters, UnknownNameListsWhatThereIs) {
+  try {
+    shadow::make_tester_factory("magic");
+    FAIL() << "no exception";
+  } catch (const std::invalid_argument& e) {
+    EXPECT_STREQ(e.what(), "unknown shadow cache 'magic': there are off, last, depth");
+  }
+}
+
+}  // namespace
