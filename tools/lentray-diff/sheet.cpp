@@ -95,7 +95,7 @@ std::optional<Sheet> sheet_of(const json& statistics) {
   s.ior = number(lens, "ior");
   s.pixels = number(lens, "pixels");
   s.view_distance = distance(lens, "view_distance_mm");
-  s.front = number(lens, "front");
+  s.front = number(lens, lens.contains("front") ? "front" : "lens_front");
   s.paraxial = member(lens, "model").get<std::string>() == "paraxial";
   if (const auto slope = lens.find("eye_slope"); slope != lens.end()) {
     s.eye_slope_x = slope->at(0).get<double>();
