@@ -172,7 +172,7 @@ struct AllSearch {
 }  // namespace
 
 struct Hierarchy::Impl {
-  Impl(const std::vector<std::unique_ptr<Object>>& objects, bool linear);
+  Impl(const std::vector<std::unique_ptr<Object>>& objects, bool linear, bool portable);
 
   /// What a leaf's first place leads to.
   struct LeafStart {
@@ -192,6 +192,7 @@ struct Hierarchy::Impl {
   std::uint8_t any_flags = 0;  ///< of any object
   bool has_opaque = false;
   std::size_t infinite = 0;
+  bool avx2;
   WideBvh tree;
 
   template <bool kOrdered, class Search, class T>
@@ -283,7 +284,7 @@ bool Hierarchy::Impl::search(const Query& query, Search& what, T& tally) const {
   }
   if (tree.empty()) return false;
   const PackRay ray(query.ray, !triangles.empty());
-  if (WideBvh::has_avx2()) {
+  if (avx2) {
     PackLeafAvx2<Search> leaf{*this, what, ray};
     return tree.traverse_avx2<kOrdered>(query.ray, query.t_min, what.limit(), leaf, tally);
   }
@@ -336,7 +337,9 @@ std::uint8_t Hierarchy::Impl::type_of(std::string_view name) {
   return static_cast<std::uint8_t>(types.size() - 1);
 }
 
-Hierarchy::Impl::Impl(const std::vector<std::unique_ptr<Object>>& objects, bool linear) {
+Hierarchy::Impl::Impl(const std::vector<std::unique_ptr<Object>>& objects, bool linear,
+                      bool portable)
+    : avx2(!portable && WideBvh::has_avx2()) {
   std::vector<Entry> bounded;
   std::vector<Bounds> boxes;
   std::vector<std::uint8_t> kinds;
@@ -401,8 +404,9 @@ void Hierarchy::Impl::fill_packs(const std::vector<std::uint8_t>& kinds) {
   triangles.shrink_to_fit();
 }
 
-Hierarchy::Hierarchy(const std::vector<std::unique_ptr<Object>>& objects, bool linear)
-    : m_impl(std::make_unique<Impl>(objects, linear)) {}
+Hierarchy::Hierarchy(const std::vector<std::unique_ptr<Object>>& objects, bool linear,
+                     bool portable)
+    : m_impl(std::make_unique<Impl>(objects, linear, portable)) {}
 
 Hierarchy::~Hierarchy() = default;
 
