@@ -15,8 +15,11 @@ namespace {
 struct Visited {
   const WideBvh& bvh;
   std::set<std::uint32_t> parts;
-  bool operator()(std::uint32_t first, std::uint32_t count, double&) {
-    for (std::uint32_t i = 0; i < count; ++i) parts.insert(bvh.order()[first + i]);
+  bool operator()(std::uint32_t code, double&) {
+    const std::uint32_t first = WideBvh::first_of(code);
+    for (std::uint32_t i = 0; i < WideBvh::count_of(code); ++i) {
+      parts.insert(bvh.order()[first + i]);
+    }
     return false;
   }
 };
@@ -120,6 +123,40 @@ INSTANTIATE_TEST_SUITE_P(
                       TestBoxes{"WideRange", 1e6, 1e-2, {}, 1e3}),
     [](const auto& tested) { return std::string(tested.param.name); });
 
+TEST(UnitCoreWideBvhShape, RaysInThePlanesOfFlatBoxesMeetThem) {
+  // Everything on a lattice about the origin, where relative roundings are nothing.
+  std::vector<Bounds> boxes;
+  for (int x = -4; x < 4; ++x) {
+    for (int y = -4; y < 4; ++y) {
+      boxes.push_back({{x * 1.0, y * 1.0, 0}, {x + 1.0, y + 1.0, 0}});
+      boxes.push_back({{x * 1.0, 0, y * 1.0}, {x + 1.0, 0, y + 1.0}});
+    }
+  }
+  const WideBvh bvh(boxes);
+  for (int axis = 0; axis < 3; ++axis) {
+    for (int i = 0; i < 81; ++i) {
+      Ray ray;
+      ray.origin[axis] = -9;
+      ray.origin[(axis + 1) % 3] = i % 9 - 4;
+      ray.origin[(axis + 2) % 3] = i / 9 - 4;
+      ray.direction[axis] = i % 2 ? 1.0 : 1e-9;
+      Visited portable{bvh, {}}, avx2{bvh, {}};
+      CountNothing nothing;
+      bvh.traverse_portable(ray, 0, Bounds::kInf, portable, nothing);
+      if (WideBvh::has_avx2()) bvh.traverse_avx2<true>(ray, 0, Bounds::kInf, avx2, nothing);
+      for (std::uint32_t b = 0; b < boxes.size(); ++b) {
+        Bounds line{ray.origin, ray.origin};
+        line.lo[axis] = -9;
+        line.hi[axis] = 9;
+        line.intersect(boxes[b]);
+        if (line.is_empty()) continue;
+        ASSERT_TRUE(portable.parts.count(b)) << axis << ' ' << i << ' ' << b;
+        if (WideBvh::has_avx2()) { ASSERT_TRUE(avx2.parts.count(b)) << axis << ' ' << i; }
+      }
+    }
+  }
+}
+
 TEST(UnitCoreWideBvhShape, NearBoxesComeFirstAndTheLimitCutsTheRest) {
   std::vector<Bounds> boxes;
   for (int i = 0; i < 1000; ++i) boxes.push_back({{i * 2.0, -1, -1}, {i * 2.0 + 1, 1, 1}});
@@ -164,15 +201,16 @@ TEST(UnitCoreWideBvhShape, EveryPartHasOnePlaceAndLeavesAreOfOneKind) {
   WideBvh::Options options;
   options.kinds = kinds;
   options.kind_costs = costs;
-  const WideBvh bvh(boxes, options);
+  WideBvh bvh(boxes, options);
   std::vector<int> seen(boxes.size(), 0);
-  bvh.for_each_leaf([&](std::uint32_t first, std::uint32_t count) {
+  bvh.relabel([&](std::uint32_t first, std::uint32_t count) {
     const std::uint8_t kind = kinds[bvh.order()[first]];
     EXPECT_LE(count, static_cast<std::uint32_t>(costs[kind].max_leaf));
     for (std::uint32_t i = first; i < first + count; ++i) {
       EXPECT_EQ(kinds[bvh.order()[i]], kind);
       ++seen[bvh.order()[i]];
     }
+    return 0u;
   });
   for (std::size_t i = 0; i < seen.size(); ++i) ASSERT_EQ(seen[i], i == 77 ? 0 : 1) << i;
   EXPECT_EQ(bvh.statistics().parts, boxes.size() - 1);
@@ -229,7 +267,8 @@ TEST(UnitCoreWideBvhShape, UnevenlySpreadBoxesStayWithinTheStack) {
   const WideBvh bvh(boxes);
   EXPECT_LT(bvh.statistics().depth, 80);
   Visited all{bvh, {}};
-  bvh.traverse({{0, 0, 0}, {1, 1, 1}}, 0.0, Bounds::kInf, all);
+  CountNothing nothing;
+  bvh.traverse_portable({{0, 0, 0}, {1, 1, 1}}, 0.0, Bounds::kInf, all, nothing);
   EXPECT_EQ(all.parts.size(), boxes.size());
 }
 
