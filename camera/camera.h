@@ -9,13 +9,14 @@
 #include <variant>
 #include <vector>
 
+#include "core/base/vec3.h"
 #include "core/render/ray_source.h"
 
 namespace lentray::camera {
 
 /// One thing to know about a camera, for file metadata, statistics and `--explain`.
 /// Keys are dotted names such as "lens.pitch_mm"; docs/statistics.md lists them.
-using Property = std::pair<std::string, std::variant<double, std::string>>;
+using Property = std::pair<std::string, std::variant<double, std::string, core::Vec3>>;
 using Properties = std::vector<Property>;
 
 class Camera : public core::RaySource {

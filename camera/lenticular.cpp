@@ -96,12 +96,11 @@ Properties Lenticular::describe() const {
           {"lens.print_dpi_y", print_dpi_y()},
           {"lens.scene_units_per_mm", m_scale},
           {"lens.front", m_place.front},
-          {"sheet.centre", text_of(m_place.centre)},
-          {"sheet.right", text_of(m_place.right * m_place.width)},
-          {"sheet.up", text_of(m_place.up * m_place.height)},
-          {"sheet.direction", text_of(m_place.normal)},
-          {"sheet.eye_slope_x", m_place.eye_slope_x},
-          {"sheet.eye_slope_y", m_place.eye_slope_y},
+          {"lens.centre", m_place.centre},
+          {"lens.right", m_place.right * m_place.width},
+          {"lens.up", m_place.up * m_place.height},
+          {"lens.direction", m_place.normal},
+          {"lens.eye_slope", core::Vec3(m_place.eye_slope_x, m_place.eye_slope_y, 0.0)},
           {"lens.dark_pixels", static_cast<double>(dark_pixels())}};
 }
 

@@ -1,0 +1,339 @@
+#include "parser/options.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+
+#include "parser/options_table.h"
+
+namespace lentray::parser {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kNesting = 10;  // levels of INI files inside INI files
+
+bool ends_with(std::string_view text, std::string_view end) {
+  return text.size() >= end.size() && same_word(text.substr(text.size() - end.size()), end);
+}
+
+bool is_file(const fs::path& path) {
+  std::error_code error;
+  return fs::is_regular_file(path, error);
+}
+
+/// Slips of the pen between two names, letter case ignored: letters missing, added, changed, or
+/// two neighbours exchanged.
+std::size_t slips(std::string_view a, std::string_view b) {
+  const auto same = [&](std::size_t i, std::size_t j) {
+    return same_word(a.substr(i, 1), b.substr(j, 1));
+  };
+  std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+  for (std::size_t i = 0; i <= a.size(); ++i) {
+    for (std::size_t j = 0; j <= b.size(); ++j) {
+      if (i == 0 || j == 0) {
+        d[i][j] = i + j;
+        continue;
+      }
+      d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1,
+                          d[i - 1][j - 1] + (same(i - 1, j - 1) ? 0 : 1)});
+      if (i > 1 && j > 1 && same(i - 1, j - 2) && same(i - 2, j - 1)) {
+        d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
+      }
+    }
+  }
+  return d[a.size()][b.size()];
+}
+
+/// The option's name that is nearest, if it is near at all.
+std::string_view near_name(std::string_view name) {
+  std::string_view best;
+  std::size_t fewest = std::max<std::size_t>(1, name.size() / 4) + 1;
+  for (const OptionRow& row : option_table()) {
+    const std::size_t n = slips(name, row.name);
+    if (n >= fewest) continue;
+    fewest = n;
+    best = row.name;
+  }
+  return best;
+}
+
+class Reader {
+ public:
+  explicit Reader(RenderOptions& options) : m_options(options) {}
+
+  void named(const std::string& name, GivenOption given);
+  void switched(const std::string& text, GivenOption given);
+  void file(const IniName& name, const std::string& path, GivenOption given, int depth);
+  void bare(const std::string& text, const GivenOption& given, int depth);
+
+ private:
+  std::string find(const std::string& name) const;
+  RenderOptions& m_options;
+};
+
+void Reader::named(const std::string& name, GivenOption given) {
+  for (const OptionRow& row : option_table()) {
+    if (!row.name.empty() && same_word(row.name, name)) return row.apply(m_options, given);
+  }
+  const std::string_view near = near_name(name);
+  const std::string message = given.where + "unknown option '" + name + "'" +
+                              (near.empty() ? "" : "; did you mean " + std::string(near) + "?");
+  if (!given.from_defaults) throw OptionError(message);
+  m_options.warnings.push_back(message);
+}
+
+void Reader::switched(const std::string& text, GivenOption given) {
+  given.sign = text.front();
+  const std::string_view body = std::string_view(text).substr(1);
+  const OptionRow* best = nullptr;
+  for (const OptionRow& row : option_table()) {
+    const std::size_t size = row.switch_name.size();
+    if (size == 0 || size > body.size() || !same_word(row.switch_name, body.substr(0, size))) {
+      continue;
+    }
+    if (!best || size > best->switch_name.size()) best = &row;
+  }
+  if (!best) {
+    throw OptionError(given.where + "unknown switch '" + text +
+                      "'; a scene file is named as +Ifile or by its name alone");
+  }
+  given.value = unquoted(body.substr(best->switch_name.size()));
+  best->apply(m_options, given);
+}
+
+/// An INI file is looked for as it is named, with .ini added, and then along the library paths.
+std::string Reader::find(const std::string& name) const {
+  std::vector<std::string> folders{""};
+  if (fs::path(name).is_relative()) {
+    folders.insert(folders.end(), m_options.library_paths.begin(), m_options.library_paths.end());
+  }
+  for (const std::string& folder : folders) {
+    for (const char* end : {"", ".ini", ".INI"}) {
+      const fs::path path = folder.empty() ? fs::path(name + end) : fs::path(folder) / (name + end);
+      if (is_file(path)) return path.string();
+    }
+  }
+  return {};
+}
+
+void Reader::file(const IniName& name, const std::string& path, GivenOption given, int depth) {
+  if (depth > kNesting) {
+    throw OptionError(given.where + "INI files are nested more than " + std::to_string(kNesting) +
+                      " deep");
+  }
+  for (const IniLine& line : read_ini(path, name)) {
+    GivenOption next;
+    next.from_defaults = given.from_defaults;
+    next.where = path + ":" + std::to_string(line.line) + ": ";
+    switch (line.kind) {
+      case IniLine::Kind::kOption:
+        next.shown = line.text + "=" + line.value;
+        next.value = line.value;
+        named(line.text, next);
+        break;
+      case IniLine::Kind::kSwitch:
+        next.shown = line.text;
+        switched(line.text, next);
+        break;
+      case IniLine::Kind::kNested:
+        bare(line.text, next, depth + 1);
+        break;
+    }
+  }
+}
+
+/// A name without a switch: a scene, or an INI file with or without a section.
+void Reader::bare(const std::string& text, const GivenOption& given, int depth) {
+  const IniName name = ini_name(text);
+  if (!name.has_label && ends_with(name.file, ".pov")) {
+    m_options.input = name.file;
+    return;
+  }
+  const std::string path = find(name.file);
+  if (!path.empty()) return file(name, path, given, depth);
+  if (!name.has_label) {
+    for (const char* end : {".pov", ".POV"}) {
+      if (!is_file(name.file + end)) continue;
+      m_options.input = name.file + end;
+      return;
+    }
+  }
+  throw OptionError(given.where + "there is no INI file '" + name.file + "'" +
+                    (name.has_label ? "" : " and no scene of that name"));
+}
+
+/// `--name`, `--name VALUE` and `--name=VALUE`; true if it was one.
+bool long_option(std::span<const std::string> arguments, std::size_t& at, RenderOptions& options) {
+  const std::string& text = arguments[at];
+  if (text == "-?" || text == "--help" || same_word(text, "-help")) return options.help = true;
+  if (text == "--version") return options.version = true;
+  if (text.rfind("--", 0) != 0) return false;
+  const std::size_t equals = text.find('=');
+  const std::string name = text.substr(0, equals);
+  if (name == "--explain") return options.explain = true;
+  if (name == "--dump-rays") {
+    if (equals != std::string::npos) {
+      options.dump_rays = text.substr(equals + 1);
+    } else if (at + 1 < arguments.size()) {
+      options.dump_rays = arguments[++at];
+    }
+    if (options.dump_rays.empty()) throw OptionError("--dump-rays needs the name of a file");
+    return true;
+  }
+  throw OptionError("unknown option '" + text +
+                    "'; there are --help, --version, --explain and --dump-rays FILE");
+}
+
+bool looks_like_option(const std::string& text, std::size_t& equals) {
+  equals = text.find('=');
+  if (equals == std::string::npos || equals == 0) return false;
+  for (std::size_t i = 0; i < equals; ++i) {
+    if (!std::isalnum(static_cast<unsigned char>(text[i])) && text[i] != '_') return false;
+  }
+  return true;
+}
+
+std::string memory_text(double bytes) {
+  char buffer[32];
+  const char* unit = "MB";
+  double value = bytes / 1e6;
+  for (const char* next : {"GB", "TB", "PB"}) {
+    if (value < 1000.0) break;
+    value /= 1000.0;
+    unit = next;
+  }
+  std::snprintf(buffer, sizeof buffer, "%.3g %s", value, unit);
+  return buffer;
+}
+
+const char* extension(OutputType type) {
+  return type == OutputType::kPng ? ".png" : type == OutputType::kTiff ? ".tif" : ".exr";
+}
+
+}  // namespace
+
+OptionSources installed_sources() {
+  OptionSources sources;
+  if (const char* file = std::getenv("POVINI")) sources.default_ini_files.emplace_back(file);
+  sources.default_ini_files.emplace_back("povray.ini");
+  if (const char* home = std::getenv("HOME")) {
+    sources.default_ini_files.push_back(std::string(home) + "/.povray/3.7/povray.ini");
+  }
+  sources.default_ini_files.emplace_back("/usr/local/etc/povray/3.7/povray.ini");
+  sources.default_ini_files.emplace_back("/etc/povray/3.7/povray.ini");
+  sources.standard_libraries = {"/usr/local/share/povray-3.7/include",
+                                "/usr/share/povray-3.7/include"};
+  return sources;
+}
+
+RenderOptions read_options(std::span<const std::string> arguments, const OptionSources& sources) {
+  RenderOptions options;
+  Reader reader(options);
+  for (const std::string& ini : sources.default_ini_files) {
+    if (!is_file(ini)) continue;
+    GivenOption given;
+    given.from_defaults = true;
+    reader.file({ini, "", false}, ini, given, 1);
+    break;
+  }
+  for (std::size_t at = 0; at < arguments.size(); ++at) {
+    const std::string text = arguments[at];
+    GivenOption given;
+    given.shown = text;
+    std::size_t equals = 0;
+    if (text.empty()) continue;
+    if (arguments.size() == 1 && (text == "+H" || text == "+h" || text == "-h")) {
+      options.help = true;
+    } else if (long_option(arguments, at, options)) {
+      continue;
+    } else if ((text.front() == '+' || text.front() == '-') && text.size() > 1) {
+      reader.switched(text, given);
+    } else if (looks_like_option(text, equals)) {
+      given.value = unquoted(text.substr(equals + 1));
+      reader.named(text.substr(0, equals), given);
+    } else {
+      reader.bare(text, given, 1);
+    }
+  }
+  for (const std::string& folder : sources.standard_libraries) {
+    std::error_code error;
+    if (!fs::is_directory(folder, error)) continue;
+    std::string clean = folder;
+    bool known = false;
+    for (const std::string& path : options.library_paths) known = known || path == clean;
+    if (!known) options.library_paths.push_back(std::move(clean));
+  }
+  return options;
+}
+
+std::string output_path(const RenderOptions& options, OutputType& type) {
+  type = options.type;
+  if (options.output == "-") return "-";
+  std::string out = options.output;
+  std::error_code error;
+  const bool folder = !out.empty() && (out.back() == '/' || fs::is_directory(out, error));
+  if (folder && out.back() != '/') out += '/';
+  if (out.empty() || folder) {
+    return out + (options.input == "-" ? "stdin" : fs::path(options.input).stem().string()) +
+           extension(type);
+  }
+  // A device takes the bytes as they come.
+  if (fs::exists(out, error) && !fs::is_regular_file(out, error)) return out;
+  if (!options.type_given) {
+    if (ends_with(out, ".png")) type = OutputType::kPng;
+    if (ends_with(out, ".tif") || ends_with(out, ".tiff")) type = OutputType::kTiff;
+    if (ends_with(out, ".exr")) type = OutputType::kExr;
+  }
+  const bool has_it = ends_with(out, extension(type)) ||
+                      (type == OutputType::kTiff && ends_with(out, ".tiff"));
+  return has_it ? out : out + extension(type);
+}
+
+double picture_bytes(std::int64_t width, std::int64_t height) {
+  // Four floats a pixel, and once more what the file's encoder holds.
+  return 32.0 * static_cast<double>(width) * static_cast<double>(height);
+}
+
+void check_picture_size(std::int64_t width, std::int64_t height, double memory) {
+  const double bytes = picture_bytes(width, height);
+  if (bytes <= memory) return;
+  throw OptionError("a picture of " + std::to_string(width) + " x " + std::to_string(height) +
+                    " pixels needs " + memory_text(bytes) + " of memory; there are " +
+                    memory_text(memory));
+}
+
+std::string help_text() {
+  return R"(usage: lentray [options] scene.pov
+
+Renders POV-Ray scenes, also as integral images for lenticular sheets. Options are POV-Ray's;
+they may stand in INI files (file.ini, file.ini[section]) or on the command line as Name=Value.
+
+  +Ifile  +Ofile       scene and picture (- for standard input and output)
+  +Wn  +Hn             size of the picture in pixels
+  +FN8 +FN16 +FE       PNG of 8 or 16 bits, OpenEXR; TIFF by a name that ends in .tif; -F: no file
+  +Lfolder             where include files are
+  +Qn                  quality, 0 to 11
+  +WTn                 threads
+  -V                   no progress
+  Declare=NAME=VALUE   an identifier of the scene
+  File_Gamma=n         sRGB, or the exponent (1: linear)
+
+Lens sheet (lengths in mm):
+  Lenticular=On        make a sheet of the scene's camera
+  Lens_Pitch= | Lens_LPI=   Lens_Focal_Length=   Lens_IOR=   Lens_Pixels= | Print_DPI=
+  View_Distance=n|inf  Lens_Model=paraxial|pinhole
+  Sheet_Distance=n     Lens_Front=n            (scene units)
+  View=j               that view alone
+
+  Pixel_Order=rows|columns   Shadow_Cache=off|last|depth   Accelerator=bvh|list
+  Statistics_File=x.json     what the run did (docs/statistics.md)
+  --explain            what the scene needs of the renderer; renders nothing
+  --dump-rays FILE     every camera ray (docs/lens.md); renders nothing
+  --help  --version
+)";
+}
+
+}  // namespace lentray::parser

@@ -1,0 +1,93 @@
+// What a run was asked to do: POV-Ray's command line, its INI files, and lentray's own names.
+// Switches (`+W640`), `Name=Value` and INI files are read left to right, later ones override
+// earlier ones, library paths add up. Letter case of names does not matter.
+// Source: reference manual 3.7, "Command-Line and INI-File Options"; measured on stock.
+// Errors: OptionError, worded for the user: unknown names (with the nearest one), values that
+// cannot be, and what is known but not implemented yet. One thread.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "camera/lens_request.h"
+#include "parser/ini.h"
+
+namespace lentray::parser {
+
+enum class OutputType { kPng, kTiff, kExr };
+
+struct RenderOptions {
+  // Scene.
+  std::string input;                      ///< "-": standard input; empty: none was named
+  std::string include_header;             ///< read before the scene
+  std::vector<std::string> library_paths; ///< as given, in order, no doubles
+  std::vector<std::pair<std::string, std::string>> declares;
+  double clock = 0.0;
+  int language_version = 0;               ///< x 100; 0: the scene decides
+
+  // Picture.
+  std::int64_t width = 160, height = 120;
+  int quality = 9;
+  int threads = 0;                        ///< 0: all of the machine
+  std::string output;                     ///< as given; see output_path()
+  bool output_to_file = true;
+  OutputType type = OutputType::kPng;
+  bool type_given = false;                ///< not only by a default INI file
+  int bits = 8;                           ///< 8 or 16 a channel; OpenEXR always has float
+  bool srgb = true;                       ///< File_Gamma=sRGB
+  double file_gamma = 2.2;                ///< unless srgb
+  bool alpha = false;
+
+  // Messages.
+  bool verbose = true;                    ///< progress
+  int warning_level = 10;                 ///< 0: no warnings
+  bool debug_console = true, warning_console = true, statistic_console = true,
+       render_console = true, fatal_console = true;
+
+  // Lens sheet.
+  bool lenticular = false;                ///< make a sheet of the scene's camera
+  camera::LensRequest lens;
+  std::optional<double> sheet_distance;   ///< scene units
+  std::optional<std::uint32_t> view;      ///< that view alone
+
+  // Ours besides.
+  std::string pixel_order = "rows", shadow_cache = "off", accelerator = "bvh";
+  std::string statistics_file, dump_rays;
+  bool explain = false, help = false, version = false;
+
+  std::vector<std::string> warnings;      ///< about the options themselves
+};
+
+struct OptionSources {
+  /// INI files read before the command line (the first that exists); usually default_ini_files().
+  std::vector<std::string> default_ini_files;
+  /// Folders that end the list of library paths where they exist: POV-Ray's own include files.
+  std::vector<std::string> standard_libraries;
+};
+
+/// POVINI, ./povray.ini, ~/.povray/3.7/povray.ini, /etc/povray/3.7/povray.ini; and where packages
+/// put POV-Ray's include files.
+OptionSources installed_sources();
+
+/// argv without the program's name.
+RenderOptions read_options(std::span<const std::string> arguments, const OptionSources& sources);
+
+/// Where the picture goes: stock's rules (no name: the scene's, in the current folder; a folder,
+/// ending with / : the scene's name there; the type's extension is added unless it is there),
+/// except that .png, .tif, .tiff and .exr choose the type when no option did.
+/// "-": standard output. Sets `type` to what the file will be.
+std::string output_path(const RenderOptions& options, OutputType& type);
+
+/// Bytes a picture of that size takes while it is rendered.
+double picture_bytes(std::int64_t width, std::int64_t height);
+/// Throws OptionError that names the memory needed if the picture does not fit into `memory` bytes.
+void check_picture_size(std::int64_t width, std::int64_t height, double memory);
+
+/// The text of --help.
+std::string help_text();
+
+}  // namespace lentray::parser

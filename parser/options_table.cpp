@@ -1,0 +1,443 @@
+#include "parser/options_table.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+
+namespace lentray::parser {
+namespace {
+
+using Options = RenderOptions;
+using Given = GivenOption;
+
+void ignore(Options&, const Given&) {}
+
+/// Off is what happens anyway; on is not there yet.
+template <int N>
+struct Word {
+  char text[N]{};
+  constexpr Word(const char (&t)[N]) { std::copy_n(t, N, text); }
+};
+template <Word what>
+void only_off(Options& o, const Given& g) {
+  if (truth(o, g)) not_yet(o, g, what.text);
+}
+template <Word what>
+void later(Options& o, const Given& g) { not_yet(o, g, what.text); }
+
+template <bool Options::*member>
+void set_bool(Options& o, const Given& g) { o.*member = truth(o, g); }
+
+/// Console switches also take a file name, which is not written yet.
+template <bool Options::*member>
+void set_console(Options& o, const Given& g) {
+  if (g.sign != 0 && !g.value.empty()) not_yet(o, g, "text streams to files");
+  o.*member = truth(o, g);
+}
+void set_all_consoles(Options& o, const Given& g) {
+  if (g.sign != 0 && !g.value.empty()) not_yet(o, g, "text streams to files");
+  const bool on = truth(o, g);
+  o.debug_console = o.warning_console = o.statistic_console = o.render_console = o.fatal_console = on;
+}
+void set_stream_file(Options& o, const Given& g) {
+  for (const char* word : {"false", "no", "off", "0"}) {
+    if (same_word(g.value, word)) return;
+  }
+  not_yet(o, g, "text streams to files");
+}
+
+void set_antialias(Options& o, const Given& g) {
+  if (g.sign != 0 && !g.value.empty()) (void)number(g);
+  if (g.sign != 0 ? g.sign == '+' : truth(o, g)) not_yet(o, g, "antialiasing");
+}
+void set_dither(Options& o, const Given& g) {
+  if (g.sign != 0 ? g.sign == '+' : truth(o, g)) not_yet(o, g, "dithering");
+}
+
+void add_library(Options& o, const Given& g) {
+  if (g.value.empty()) refuse(g, "a folder is expected");
+  if (std::find(o.library_paths.begin(), o.library_paths.end(), g.value) == o.library_paths.end()) {
+    o.library_paths.push_back(g.value);
+  }
+}
+
+void add_declare(Options& o, const Given& g) {
+  const std::size_t equals = g.value.find('=');
+  if (equals == std::string::npos) refuse(g, "Declare=NAME=VALUE is expected");
+  const std::string name = unquoted(g.value.substr(0, equals));
+  const std::string value = g.value.substr(equals + 1);
+  const bool is_name =
+      !name.empty() && !std::isdigit(static_cast<unsigned char>(name.front())) &&
+      std::all_of(name.begin(), name.end(),
+                  [](unsigned char c) { return std::isalnum(c) || c == '_'; });
+  if (!is_name) refuse(g, "'" + name + "' cannot be the name of an identifier");
+  Given only = g;
+  only.value = value;
+  const bool is_text = value.size() >= 2 && value.front() == '"' && value.back() == '"';
+  if (!is_text) (void)number(only);
+  std::erase_if(o.declares, [&](const auto& d) { return d.first == name; });
+  o.declares.emplace_back(name, is_text ? value.substr(1, value.size() - 2) : value);
+}
+
+struct TypeWord { std::string_view word; OutputType type; };
+constexpr TypeWord kTypes[] = {{"N", OutputType::kPng},    {"PNG", OutputType::kPng},
+                               {"TIFF", OutputType::kTiff}, {"TIF", OutputType::kTiff},
+                               {"E", OutputType::kExr},    {"EXR", OutputType::kExr}};
+struct OtherType { char letter; std::string_view name; };
+constexpr OtherType kOtherTypes[] = {{'B', "BMP"},  {'C', "compressed Targa"}, {'H', "Radiance HDR"},
+                                     {'J', "JPEG"}, {'P', "PPM"},  {'S', "the system's own format"},
+                                     {'T', "Targa"}};
+
+void set_bits(Options& o, const Given& g, std::string_view digits) {
+  Given only = g;
+  only.value = std::string(digits);
+  const std::int64_t bits = whole_number(only, 1, 64);
+  if (bits != 8 && bits != 16) {
+    not_yet(o, g, "a file of " + std::to_string(bits) + " bits a channel (there are 8 and 16)");
+    return;
+  }
+  o.bits = static_cast<int>(bits);
+}
+
+void set_type(Options& o, const Given& g) {
+  std::string_view text = g.value;
+  const std::size_t letters = std::find_if(text.begin(), text.end(), [](unsigned char c) {
+    return !std::isalpha(c);
+  }) - text.begin();
+  const std::string_view word = text.substr(0, letters), digits = text.substr(letters);
+  if (!word.empty()) {
+    const auto* row = std::find_if(std::begin(kTypes), std::end(kTypes),
+                                   [&](const TypeWord& t) { return same_word(t.word, word); });
+    if (row != std::end(kTypes)) {
+      o.type = row->type;
+      o.type_given = !g.from_defaults;
+    } else {
+      for (const OtherType& other : kOtherTypes) {
+        if (word.size() == 1 && same_word(word, std::string_view(&other.letter, 1))) {
+          not_yet(o, g, "the output type " + std::string(other.name) +
+                            " (there are N: PNG, E: OpenEXR, TIFF)");
+          return;
+        }
+      }
+      refuse(g, "unknown output type: there are N (PNG), E (OpenEXR) and TIFF");
+    }
+  }
+  if (!digits.empty()) set_bits(o, g, digits);
+}
+
+void set_output(Options& o, const Given& g) {
+  if (g.sign == 0) {
+    o.output_to_file = truth(o, g);
+    return;
+  }
+  o.output_to_file = g.sign == '+';
+  set_type(o, g);
+}
+
+void set_gamma(Options& o, const Given& g) {
+  if (same_word(g.value, "sRGB")) {
+    o.srgb = true;
+    return;
+  }
+  o.file_gamma = positive(g);
+  o.srgb = false;
+}
+
+void set_version(Options& o, const Given& g) {
+  const double v = number(g);
+  if (!(v >= 1.0 && v < 10.0)) refuse(g, "a language version such as 3.7 is expected");
+  o.language_version = static_cast<int>(std::lround(v * 100.0));
+}
+
+template <std::string Options::*member>
+void set_text(Options& o, const Given& g) {
+  if (g.value.empty()) refuse(g, "a name is expected");
+  o.*member = g.value;
+}
+
+/// A name of a list; names that come later answer "not yet".
+void choose(Options& o, const Given& g, std::string& out, const char* what,
+            std::span<const std::string_view> there, std::span<const std::string_view> coming) {
+  std::string known;
+  for (const std::string_view name : there) {
+    if (same_word(name, g.value)) {
+      out = std::string(name);
+      return;
+    }
+    known += (known.empty() ? "" : ", ") + std::string(name);
+  }
+  for (const std::string_view name : coming) {
+    if (!same_word(name, g.value)) continue;
+    not_yet(o, g, std::string(what) + " '" + std::string(name) + "' (there are " + known + ")");
+    return;
+  }
+  refuse(g, std::string("unknown ") + what + ": there are " + known);
+}
+
+void set_order(Options& o, const Given& g) {
+  constexpr std::string_view kThere[] = {"rows", "columns"};
+  constexpr std::string_view kComing[] = {"views",   "combined", "strips",
+                                          "tiles",   "hilbert",  "adaptive"};
+  choose(o, g, o.pixel_order, "pixel order", kThere, kComing);
+}
+void set_cache(Options& o, const Given& g) {
+  constexpr std::string_view kThere[] = {"off", "last", "depth"};
+  choose(o, g, o.shadow_cache, "shadow cache", kThere, {});
+}
+void set_accelerator(Options& o, const Given& g) {
+  constexpr std::string_view kThere[] = {"bvh", "list"};
+  constexpr std::string_view kComing[] = {"grid"};
+  choose(o, g, o.accelerator, "accelerator", kThere, kComing);
+}
+void set_model(Options& o, const Given& g) {
+  constexpr std::string_view kThere[] = {"paraxial", "pinhole"};
+  constexpr std::string_view kComing[] = {"thick"};
+  std::string name;
+  choose(o, g, name, "lens model", kThere, kComing);
+  if (!name.empty()) {
+    o.lens.model =
+        name == "paraxial" ? camera::LensModel::kParaxial : camera::LensModel::kPinhole;
+  }
+}
+
+void set_view_distance(Options& o, const Given& g) {
+  const bool infinite = same_word(g.value, "inf") || same_word(g.value, "infinity") ||
+                        same_word(g.value, "infinite");
+  const double v = infinite ? 0.0 : number(g);
+  if (v < 0.0) refuse(g, "a distance in mm, 0 or inf is expected");
+  o.lens.view_distance = v;
+}
+void set_pitch(Options& o, const Given& g) { o.lens.pitch = positive(g); }
+void set_lpi(Options& o, const Given& g) { o.lens.lpi = positive(g); }
+void set_focal(Options& o, const Given& g) { o.lens.focal_length = positive(g); }
+void set_ior(Options& o, const Given& g) {
+  o.lens.ior = number(g);
+  if (*o.lens.ior < 1.0) refuse(g, "a refractive index of at least 1 is expected");
+}
+void set_pixels(Options& o, const Given& g) {
+  o.lens.pixels = number(g);
+  if (*o.lens.pixels < 1.0) refuse(g, "at least one pixel a lens is expected");
+}
+void set_dpi(Options& o, const Given& g) { o.lens.print_dpi = positive(g); }
+void set_front(Options& o, const Given& g) {
+  o.lens.front = number(g);
+  if (*o.lens.front < 0.0) refuse(g, "a distance of 0 or more is expected");
+}
+void set_sheet(Options& o, const Given& g) {
+  o.sheet_distance = number(g);
+  if (*o.sheet_distance < 0.0) refuse(g, "a distance of 0 or more is expected");
+}
+void set_view(Options& o, const Given& g) {
+  o.view = static_cast<std::uint32_t>(whole_number(g, 0, 1'000'000));
+}
+void set_width(Options& o, const Given& g) { o.width = whole_number(g, 1, 2'147'483'647); }
+void set_height(Options& o, const Given& g) { o.height = whole_number(g, 1, 2'147'483'647); }
+void set_quality(Options& o, const Given& g) {
+  o.quality = static_cast<int>(whole_number(g, 0, 11));
+}
+void set_threads(Options& o, const Given& g) {
+  o.threads = static_cast<int>(whole_number(g, 1, 512));
+}
+void set_clock(Options& o, const Given& g) { o.clock = number(g); }
+void set_depth(Options&, const Given& g) { (void)whole_number(g, 1, 9); }
+void set_level(Options& o, const Given& g) {
+  o.warning_level = static_cast<int>(whole_number(g, 0, 10));
+}
+void set_file_bits(Options& o, const Given& g) { set_bits(o, g, g.value); }
+void set_display(Options&, const Given& g) {
+  if (g.sign != 0 && g.value.size() > 2) refuse(g, "unknown switch");
+}
+
+constexpr OptionRow kTable[] = {
+    // Scene.
+    {"Input_File_Name", "I", set_text<&Options::input>},
+    {"Include_Header", "HI", set_text<&Options::include_header>},
+    {"Library_Path", "L", add_library},
+    {"Declare", "", add_declare},
+    {"Version", "MV", set_version},
+    {"Clock", "K", set_clock},
+    {"Initial_Frame", "KFI", later<"animation">},
+    {"Final_Frame", "KFF", later<"animation">},
+    {"Initial_Clock", "KI", later<"animation">},
+    {"Final_Clock", "KF", later<"animation">},
+    {"Subset_Start_Frame", "SF", later<"animation">},
+    {"Subset_End_Frame", "EF", later<"animation">},
+    {"Frame_Step", "STP", later<"animation">},
+    {"Cyclic_Animation", "KC", only_off<"animation">},
+    {"Field_Render", "UF", only_off<"field rendering">},
+    {"Odd_Field", "UO", only_off<"field rendering">},
+    // Picture.
+    {"Width", "W", set_width},
+    {"Height", "H", set_height},
+    {"Start_Column", "SC", later<"rendering a part of the picture">},
+    {"Start_Row", "SR", later<"rendering a part of the picture">},
+    {"End_Column", "EC", later<"rendering a part of the picture">},
+    {"End_Row", "ER", later<"rendering a part of the picture">},
+    {"Continue_Trace", "C", only_off<"continuing a picture">},
+    {"Create_Ini", "GI", set_stream_file},
+    {"Output_to_File", "F", set_output},
+    {"Output_File_Type", "", set_type},
+    {"Output_File_Name", "O", set_text<&Options::output>},
+    {"Output_Alpha", "UA", set_bool<&Options::alpha>},
+    {"Bits_Per_Color", "", set_file_bits},
+    {"Bits_Per_Colour", "", set_file_bits},
+    {"Compression", "", ignore},
+    {"File_Gamma", "", set_gamma},
+    {"Dither", "TH", set_dither},
+    {"Dither_Method", "", ignore},
+    {"Quality", "Q", set_quality},
+    {"Work_Threads", "WT", set_threads},
+    {"Antialias", "A", set_antialias},
+    {"Sampling_Method", "AM", later<"antialiasing">},
+    {"Antialias_Threshold", "", ignore},
+    {"Antialias_Depth", "R", set_depth},
+    {"Antialias_Gamma", "AG", ignore},
+    {"Jitter", "J", ignore},
+    {"Jitter_Amount", "", ignore},
+    {"Radiosity_File_Name", "RF", later<"radiosity">},
+    {"Radiosity_From_File", "RFI", only_off<"radiosity">},
+    {"Radiosity_To_File", "RFO", only_off<"radiosity">},
+    {"Radiosity_Vain_Pretrace", "RVP", ignore},
+    {"High_Reproducibility", "HR", ignore},
+    // How stock works inside: no such things here, and no effect on the picture.
+    {"Display", "D", set_display},
+    {"Video_Mode", "", ignore},
+    {"Palette", "", ignore},
+    {"Display_Gamma", "", ignore},
+    {"Pause_When_Done", "P", ignore},
+    {"Preview_Start_Size", "SP", ignore},
+    {"Preview_End_Size", "EP", ignore},
+    {"Draw_Vistas", "UD", ignore},
+    {"Test_Abort", "X", ignore},
+    {"Test_Abort_Count", "", ignore},
+    {"Buffer_Output", "B", ignore},
+    {"Buffer_Size", "", ignore},
+    {"Max_Image_Buffer_Memory", "MI", ignore},
+    {"Render_Block_Size", "BS", ignore},
+    {"Render_Pattern", "RP", ignore},
+    {"Render_Block_Step", "RS", ignore},
+    {"Bounding", "MB", ignore},
+    {"Bounding_Threshold", "", ignore},
+    {"Bounding_Method", "BM", ignore},
+    {"BSP_MaxDepth", "", ignore},
+    {"BSP_BaseAccessCost", "", ignore},
+    {"BSP_ChildAccessCost", "", ignore},
+    {"BSP_IsectCost", "", ignore},
+    {"BSP_MissChance", "", ignore},
+    {"Light_Buffer", "UL", ignore},
+    {"Vista_Buffer", "UV", ignore},
+    {"Remove_Bounds", "UR", ignore},
+    {"Split_Unions", "SU", ignore},
+    // Messages.
+    {"Verbose", "V", set_bool<&Options::verbose>},
+    {"Warning_Level", "WL", set_level},
+    {"Debug_Console", "GD", set_console<&Options::debug_console>},
+    {"Fatal_Console", "GF", set_console<&Options::fatal_console>},
+    {"Render_Console", "GR", set_console<&Options::render_console>},
+    {"Statistic_Console", "GS", set_console<&Options::statistic_console>},
+    {"Warning_Console", "GW", set_console<&Options::warning_console>},
+    {"All_Console", "GA", set_all_consoles},
+    {"Debug_File", "", set_stream_file},
+    {"Fatal_File", "", set_stream_file},
+    {"Render_File", "", set_stream_file},
+    {"Statistic_File", "", set_stream_file},
+    {"Warning_File", "", set_stream_file},
+    {"All_File", "", set_stream_file},
+    {"Append_File", "GP", ignore},
+    // Programs to run: not from a renderer that reads other people's files.
+    {"Pre_Scene_Command", "", later<"running commands">},
+    {"Pre_Frame_Command", "", later<"running commands">},
+    {"Post_Scene_Command", "", later<"running commands">},
+    {"Post_Frame_Command", "", later<"running commands">},
+    {"User_Abort_Command", "", later<"running commands">},
+    {"Fatal_Error_Command", "", later<"running commands">},
+    {"Pre_Scene_Return", "", ignore},
+    {"Pre_Frame_Return", "", ignore},
+    {"Post_Scene_Return", "", ignore},
+    {"Post_Frame_Return", "", ignore},
+    {"User_Abort_Return", "", ignore},
+    {"Fatal_Error_Return", "", ignore},
+    // Lentray's own.
+    {"Lenticular", "", set_bool<&Options::lenticular>},
+    {"Lens_Pitch", "", set_pitch},
+    {"Lens_LPI", "", set_lpi},
+    {"Lens_Focal_Length", "", set_focal},
+    {"Lens_IOR", "", set_ior},
+    {"Lens_Pixels", "", set_pixels},
+    {"Print_DPI", "", set_dpi},
+    {"View_Distance", "", set_view_distance},
+    {"Sheet_Distance", "", set_sheet},
+    {"Lens_Front", "", set_front},
+    {"Lens_Model", "", set_model},
+    {"View", "", set_view},
+    {"Pixel_Order", "", set_order},
+    {"Shadow_Cache", "", set_cache},
+    {"Accelerator", "", set_accelerator},
+    {"Statistics_File", "", set_text<&Options::statistics_file>},
+};
+
+}  // namespace
+
+std::span<const OptionRow> option_table() { return kTable; }
+
+void refuse(const GivenOption& given, const std::string& why) {
+  throw OptionError(given.where + "option " + given.shown + ": " + why);
+}
+
+bool truth(RenderOptions& options, const GivenOption& given) {
+  if (given.sign != 0) return given.sign == '+';
+  for (const char* word : {"true", "yes", "on", "1"}) {
+    if (same_word(given.value, word)) return true;
+  }
+  for (const char* word : {"false", "no", "off", "0"}) {
+    if (same_word(given.value, word)) return false;
+  }
+  // As in stock, whatever is not on is off; that deserves a word.
+  options.warnings.push_back(given.where + "option " + given.shown +
+                             ": neither on nor off, taken as off");
+  return false;
+}
+
+std::int64_t whole_number(const GivenOption& given, std::int64_t least, std::int64_t most) {
+  std::string_view text = given.value;
+  if (!text.empty() && text.front() == '+') text.remove_prefix(1);
+  std::int64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool range_error = error == std::errc::result_out_of_range;
+  if (text.empty() || (error != std::errc() && !range_error) || end != text.data() + text.size()) {
+    refuse(given, "a whole number is expected");
+  }
+  if (range_error || value < least || value > most) {
+    refuse(given, "a whole number from " + std::to_string(least) + " to " + std::to_string(most) +
+                      " is expected");
+  }
+  return value;
+}
+
+double number(const GivenOption& given) {
+  std::string_view text = given.value;
+  if (!text.empty() && text.front() == '+') text.remove_prefix(1);
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (text.empty() || error != std::errc() || end != text.data() + text.size() ||
+      !std::isfinite(value)) {
+    refuse(given, "a number is expected");
+  }
+  return value;
+}
+
+double positive(const GivenOption& given) {
+  const double value = number(given);
+  if (!(value > 0.0)) refuse(given, "a number greater than 0 is expected");
+  return value;
+}
+
+void not_yet(RenderOptions& options, const GivenOption& given, const std::string& what) {
+  const std::string text = given.where + "option " + given.shown + ": not yet: " + what;
+  if (!given.from_defaults) throw OptionError(text);
+  options.warnings.push_back(text);
+}
+
+}  // namespace lentray::parser

@@ -1,0 +1,297 @@
+// The command line and INI files: precedence, forms, sections, and every message.
+#include "parser/options.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace lentray::parser {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder to write INI files and scenes into; also the current one while the test runs.
+class UnitParserOptions : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    m_before = fs::current_path();
+    std::string name = (fs::temp_directory_path() / "lentray-options-XXXXXX").string();
+    ASSERT_NE(mkdtemp(name.data()), nullptr);
+    m_folder = name;
+    fs::current_path(m_folder);
+  }
+  void TearDown() override {
+    fs::current_path(m_before);
+    fs::remove_all(m_folder);
+  }
+  static void write(const std::string& name, const std::string& text) {
+    std::ofstream(name) << text;
+  }
+  static RenderOptions read(const std::vector<std::string>& arguments,
+                            const OptionSources& sources = {}) {
+    return read_options(arguments, sources);
+  }
+  /// The message that these arguments meet, or "" if there is none.
+  static std::string message(const std::vector<std::string>& arguments) {
+    try {
+      (void)read(arguments);
+    } catch (const OptionError& error) {
+      return error.what();
+    }
+    return {};
+  }
+  static void expect_message(const std::vector<std::string>& arguments, const std::string& part) {
+    const std::string text = message(arguments);
+    EXPECT_NE(text.find(part), std::string::npos) << "got: " << text << "\nwanted: " << part;
+  }
+
+ private:
+  fs::path m_before, m_folder;
+};
+using ErrorParserOptions = UnitParserOptions;
+
+TEST_F(UnitParserOptions, DefaultsAreStocks) {
+  const RenderOptions o = read({});
+  EXPECT_EQ(o.width, 160);
+  EXPECT_EQ(o.height, 120);
+  EXPECT_EQ(o.quality, 9);
+  EXPECT_EQ(o.bits, 8);
+  EXPECT_TRUE(o.srgb);
+  EXPECT_TRUE(o.output_to_file);
+  EXPECT_EQ(o.type, OutputType::kPng);
+  EXPECT_FALSE(o.lenticular);
+}
+
+TEST_F(UnitParserOptions, SwitchesInEitherCaseAndSign) {
+  const RenderOptions o =
+      read({"+Ia b.pov", "-W640", "+h480", "+fn16", "+wt3", "+q5", "-V", "-A0.3", "+R4", "-J", "-D",
+            "+P", "+L/tmp", "+L/usr", "+L/tmp"});
+  EXPECT_EQ(o.input, "a b.pov");
+  EXPECT_EQ(o.width, 640);
+  EXPECT_EQ(o.height, 480);
+  EXPECT_EQ(o.bits, 16);
+  EXPECT_EQ(o.threads, 3);
+  EXPECT_EQ(o.quality, 5);
+  EXPECT_FALSE(o.verbose);
+  EXPECT_EQ(o.library_paths, (std::vector<std::string>{"/tmp", "/usr"}));
+}
+
+TEST_F(UnitParserOptions, LaterOptionsOverrideEarlierOnes) {
+  write("a.ini", "Width=11\nHeight=12\n");
+  EXPECT_EQ(read({"+W5", "a.ini"}).width, 11);
+  EXPECT_EQ(read({"a.ini", "+W5"}).width, 5);
+  EXPECT_EQ(read({"Width=7", "a", "Width=9"}).width, 9);
+  EXPECT_EQ(read({"a.ini", "+W5"}).height, 12);
+}
+
+TEST_F(UnitParserOptions, TheFirstDefaultIniIsReadBeforeTheCommandLine) {
+  write("first.ini", "Width=11\nAntialias=On\n");
+  write("second.ini", "Width=22\nHeight=33\n");
+  OptionSources sources;
+  sources.default_ini_files = {"missing.ini", "first.ini", "second.ini"};
+  const RenderOptions o = read({"+H44"}, sources);
+  EXPECT_EQ(o.width, 11);
+  EXPECT_EQ(o.height, 44);
+  // What a system-wide file asks for and is not there yet must not stop a run.
+  ASSERT_EQ(o.warnings.size(), 1u);
+  EXPECT_NE(o.warnings[0].find("first.ini:2: option Antialias=On: not yet"), std::string::npos);
+}
+
+TEST_F(UnitParserOptions, IniSections) {
+  write("res.ini",
+        "; a comment\n"
+        "Input_File_Name=\"my scene.pov\" ; trailing\n"
+        "+W120 +H100\n"
+        "[Low]\n"
+        " Width = 80 \n"
+        "[Really High]\r\n"
+        "+W800 +H600\r\n");
+  EXPECT_EQ(read({"res"}).width, 120);
+  EXPECT_EQ(read({"res"}).height, 100);
+  EXPECT_EQ(read({"res"}).input, "my scene.pov");
+  EXPECT_EQ(read({"res.ini[low]"}).width, 80);
+  EXPECT_EQ(read({"res.ini[low]"}).height, 120);
+  EXPECT_EQ(read({"res.ini[low]"}).input, "");
+  EXPECT_EQ(read({"res[REALLY HIGH]"}).width, 800);
+}
+
+TEST_F(UnitParserOptions, IniFilesNestAndLieOnLibraryPaths) {
+  fs::create_directory("lib");
+  write("lib/more.ini", "Height=77\n[x]\nHeight=78\n");
+  write("outer.ini", "Library_Path=lib\nmore\nWidth=9\n");
+  write("deep.ini", "Library_Path=lib\nmore[x]\n");
+  EXPECT_EQ(read({"outer"}).height, 77);
+  EXPECT_EQ(read({"outer"}).width, 9);
+  EXPECT_EQ(read({"deep"}).height, 78);
+}
+
+TEST_F(UnitParserOptions, ScenesMayBeNamedBare) {
+  write("plain.pov", "");
+  EXPECT_EQ(read({"missing.POV"}).input, "missing.POV");
+  EXPECT_EQ(read({"plain"}).input, "plain.pov");
+  EXPECT_EQ(read({"+I-"}).input, "-");
+}
+
+TEST_F(UnitParserOptions, Declares) {
+  const RenderOptions o = read({"Declare=A=1.5", "declare=b_2=-3e2", "Declare=A=7",
+                                "Declare=S=\"text\""});
+  ASSERT_EQ(o.declares.size(), 3u);
+  EXPECT_EQ(o.declares[0], (std::pair<std::string, std::string>("b_2", "-3e2")));
+  EXPECT_EQ(o.declares[1], (std::pair<std::string, std::string>("A", "7")));
+  EXPECT_EQ(o.declares[2], (std::pair<std::string, std::string>("S", "text")));
+}
+
+TEST_F(UnitParserOptions, OutputTypes) {
+  EXPECT_EQ(read({"+FE"}).type, OutputType::kExr);
+  EXPECT_EQ(read({"Output_File_Type=TIFF"}).type, OutputType::kTiff);
+  EXPECT_EQ(read({"+FN16"}).bits, 16);
+  EXPECT_EQ(read({"Bits_Per_Color=16"}).bits, 16);
+  const RenderOptions off = read({"-FN16"});
+  EXPECT_FALSE(off.output_to_file);
+  EXPECT_EQ(off.bits, 16);
+  EXPECT_FALSE(read({"Output_to_File=off"}).output_to_file);
+  EXPECT_FALSE(read({"File_Gamma=1.0"}).srgb);
+  EXPECT_EQ(read({"File_Gamma=1.8"}).file_gamma, 1.8);
+  EXPECT_TRUE(read({"File_Gamma=2", "File_Gamma=srgb"}).srgb);
+}
+
+TEST_F(UnitParserOptions, LensOptions) {
+  const RenderOptions o =
+      read({"Lenticular=On", "Lens_Pitch=0.9", "Lens_Focal_Length=2.5", "lens_ior=1.5",
+            "Lens_Pixels=7.37", "View_Distance=inf", "Sheet_Distance=12", "Lens_Front=0",
+            "Lens_Model=Pinhole", "View=3", "Pixel_Order=Columns", "Shadow_Cache=depth",
+            "Accelerator=list", "Statistics_File=s.json", "--dump-rays", "r.txt"});
+  EXPECT_TRUE(o.lenticular);
+  EXPECT_EQ(o.lens.pitch, 0.9);
+  EXPECT_EQ(o.lens.focal_length, 2.5);
+  EXPECT_EQ(o.lens.ior, 1.5);
+  EXPECT_EQ(o.lens.pixels, 7.37);
+  EXPECT_EQ(o.lens.view_distance, 0.0);
+  EXPECT_EQ(o.sheet_distance, 12.0);
+  EXPECT_EQ(o.lens.front, 0.0);
+  EXPECT_EQ(o.lens.model, camera::LensModel::kPinhole);
+  EXPECT_EQ(o.view, 3u);
+  EXPECT_EQ(o.pixel_order, "columns");
+  EXPECT_EQ(o.shadow_cache, "depth");
+  EXPECT_EQ(o.accelerator, "list");
+  EXPECT_EQ(o.statistics_file, "s.json");
+  EXPECT_EQ(o.dump_rays, "r.txt");
+  EXPECT_EQ(read({"Lens_LPI=20", "Print_DPI=300"}).lens.lpi, 20.0);
+  EXPECT_EQ(read({"--dump-rays=x"}).dump_rays, "x");
+}
+
+TEST_F(UnitParserOptions, OutputPaths) {
+  fs::create_directory("out");
+  const auto path = [](const std::vector<std::string>& arguments) {
+    OutputType type;
+    return output_path(read(arguments), type);
+  };
+  EXPECT_EQ(path({"+Idir/scene.pov"}), "scene.png");
+  EXPECT_EQ(path({"+Idir/scene.pov", "+FE"}), "scene.exr");
+  EXPECT_EQ(path({"+Iscene.pov", "+Oout/"}), "out/scene.png");
+  EXPECT_EQ(path({"+Iscene.pov", "+Oout"}), "out/scene.png");
+  EXPECT_EQ(path({"+Iscene.pov", "+Ofoo"}), "foo.png");
+  EXPECT_EQ(path({"+Iscene.pov", "+Ofoo.v2"}), "foo.v2.png");
+  EXPECT_EQ(path({"+Iscene.pov", "+Ofoo.png", "+FE"}), "foo.png.exr");
+  EXPECT_EQ(path({"+Iscene.pov", "+Ofoo.tif"}), "foo.tif");
+  EXPECT_EQ(path({"+Iscene.pov", "+Ofoo.exr"}), "foo.exr");
+  EXPECT_EQ(path({"+Iscene.pov", "+O/dev/null"}), "/dev/null");
+  EXPECT_EQ(path({"+I-"}), "stdin.png");
+  EXPECT_EQ(path({"+Iscene.pov", "+O-"}), "-");
+  OutputType type;
+  (void)output_path(read({"+Ofoo.EXR"}), type);
+  EXPECT_EQ(type, OutputType::kExr);
+}
+
+TEST_F(UnitParserOptions, StandardLibrariesComeLast) {
+  fs::create_directory("lib");
+  OptionSources sources;
+  sources.standard_libraries = {"lib", "none"};
+  EXPECT_EQ(read({"+Lmine"}, sources).library_paths, (std::vector<std::string>{"mine", "lib"}));
+}
+
+TEST_F(ErrorParserOptions, UnknownNames) {
+  expect_message({"Witdh=3"}, "unknown option 'Witdh'; did you mean Width?");
+  expect_message({"Lens_Pixel=3"}, "did you mean Lens_Pixels?");
+  expect_message({"+ZZ"}, "unknown switch '+ZZ'");
+  expect_message({"--frobnicate"}, "unknown option '--frobnicate'");
+  expect_message({"nothing_here"}, "there is no INI file 'nothing_here' and no scene of that name");
+}
+
+TEST_F(ErrorParserOptions, BadValues) {
+  expect_message({"+Wabc"}, "option +Wabc: a whole number is expected");
+  expect_message({"+W40+H30"}, "option +W40+H30: a whole number is expected");
+  expect_message({"+W0"}, "a whole number from 1 to 2147483647");
+  expect_message({"Height=-3"}, "option Height=-3: a whole number from 1");
+  expect_message({"Width=99999999999999999999"}, "a whole number from 1");
+  expect_message({"Width="}, "a whole number is expected");
+  expect_message({"+I"}, "a name is expected");
+  expect_message({"+Q12"}, "from 0 to 11");
+  expect_message({"+WT0"}, "from 1 to 512");
+  expect_message({"+FX"}, "unknown output type");
+  expect_message({"File_Gamma=0"}, "greater than 0");
+  expect_message({"Lens_Pitch=-1"}, "greater than 0");
+  expect_message({"Lens_IOR=0.5"}, "at least 1");
+  expect_message({"Lens_Pixels=0.5"}, "at least one pixel");
+  expect_message({"Lens_Model=fancy"}, "unknown lens model: there are paraxial, pinhole");
+  expect_message({"Shadow_Cache=big"}, "unknown shadow cache: there are off, last, depth");
+  expect_message({"View_Distance=near"}, "a number is expected");
+  expect_message({"Declare=X"}, "NAME=VALUE");
+  expect_message({"Declare=1X=2"}, "cannot be the name");
+  expect_message({"Declare=X=abc"}, "a number is expected");
+  expect_message({"--dump-rays"}, "needs the name of a file");
+}
+
+TEST_F(ErrorParserOptions, NotYetByName) {
+  expect_message({"+A"}, "option +A: not yet: antialiasing");
+  expect_message({"+A0.1"}, "not yet: antialiasing");
+  expect_message({"Antialias=On"}, "not yet: antialiasing");
+  EXPECT_EQ(message({"-A", "Antialias=Off"}), "");
+  expect_message({"+AM2"}, "not yet: antialiasing");
+  expect_message({"+SR0.5"}, "not yet: rendering a part of the picture");
+  expect_message({"+C"}, "not yet: continuing a picture");
+  expect_message({"+KFF10"}, "not yet: animation");
+  expect_message({"+FT"}, "not yet: the output type Targa");
+  expect_message({"Lens_Model=thick"}, "not yet: lens model 'thick' (there are paraxial, pinhole)");
+  expect_message({"Pixel_Order=hilbert"}, "not yet: pixel order 'hilbert' (there are rows, columns)");
+  expect_message({"Accelerator=grid"}, "not yet: accelerator 'grid' (there are bvh, list)");
+  expect_message({"Post_Scene_Command=rm"}, "not yet: running commands");
+}
+
+TEST_F(ErrorParserOptions, IniMessagesNameFileAndLine) {
+  write("a.ini", "\n; x\nWidht=3\n");
+  expect_message({"a.ini"}, "a.ini:3: unknown option 'Widht'; did you mean Width?");
+  write("b.ini", "+W4 +Hx\n");
+  expect_message({"b.ini"}, "b.ini:1: option +Hx: a whole number is expected");
+  write("c.ini", "[one]\n[two words]\n");
+  expect_message({"c.ini[three]"}, "'c.ini' has no section [three]: there are one, two words");
+  write("d.ini", "[open\n");
+  expect_message({"d.ini"}, "d.ini:1: a section label lacks its ]");
+  write("self.ini", "self\n");
+  expect_message({"self.ini"}, "nested more than 10 deep");
+}
+
+TEST_F(ErrorParserOptions, AbsurdSizesNameTheMemory) {
+  EXPECT_NO_THROW(check_picture_size(1995, 2000, 1e9));
+  try {
+    check_picture_size(1'000'000, 2'000'000, 16e9);
+    FAIL() << "no message";
+  } catch (const OptionError& error) {
+    const std::string text = error.what();
+    EXPECT_NE(text.find("1000000 x 2000000"), std::string::npos) << text;
+    EXPECT_NE(text.find("64 TB"), std::string::npos) << text;
+    EXPECT_NE(text.find("16 GB"), std::string::npos) << text;
+  }
+}
+
+TEST_F(UnitParserOptions, OddBooleansAreOffWithAWarning) {
+  const RenderOptions o = read({"Lenticular=maybe"});
+  EXPECT_FALSE(o.lenticular);
+  ASSERT_EQ(o.warnings.size(), 1u);
+  EXPECT_NE(o.warnings[0].find("neither on nor off"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace lentray::parser
