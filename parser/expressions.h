@@ -26,6 +26,9 @@ void promote(Number& n, int size);
 /// As stock keeps colours (five components): in single precision.
 Number stored(Number n);
 
+/// The sRGB transfer curve, towards linear light.
+double decode_srgb(double component);
+
 class Expressions {
  public:
   explicit Expressions(Interpreter& in) : m_in(in) {}
@@ -38,6 +41,10 @@ class Expressions {
   core::Vec3 parse_vector();
   Number parse_number(int min_size, int max_size);
   bool at_expression();
+  Number parse_operand() { return parse_factor(); }       ///< one operand with its .member
+  Number parse_vector_literal() { return vector_literal(); }
+  /// A keyword that is a float by itself (pi, on, clock ...); nothing is consumed.
+  bool keyword_float(Keyword keyword, double& value);
 
   // expressions_colour.cpp
   Number parse_colour();
@@ -57,7 +64,7 @@ class Expressions {
   Ref<SplineDesc> parse_spline();   ///< after `spline`
 
   /// Turns an sRGB component into the scene's working space; assumed_gamma sets it.
-  double (*srgb_to_linear)(double);
+  double (*srgb_to_linear)(double) = decode_srgb;
 
  private:
   Number parse_logical();
@@ -71,8 +78,7 @@ class Expressions {
   double string_comparison();
   void warn_division();
 
-  // expressions_float.cpp, expressions_vector.cpp: keyword functions
-  bool keyword_float(Keyword keyword, double& value);
+  // expressions_float.cpp, expressions_vector.cpp: what keywords stand for
   bool float_function(Keyword keyword, double& value);
   double float_argument();
   std::array<double, 2> two_floats();

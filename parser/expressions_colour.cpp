@@ -28,6 +28,10 @@ int component(Keyword k) {
 
 }  // namespace
 
+double decode_srgb(double c) {
+  return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+}
+
 bool Expressions::at_colour_keyword() {
   const Token& t = m_in.tokens.peek();
   return t.kind == TokenKind::kKeyword &&

@@ -61,7 +61,7 @@ struct Interpreter {
   void guard_stack();
 
  private:
-  const char* m_stack_base;
+  std::uintptr_t m_stack_base;
 };
 
 /// Replaces what a declaration of an array shares by a copy of its own.

@@ -32,14 +32,16 @@ class Productions {
   /// starts something that is not an expression (`pigment {`, `sphere {`, `camera {` ...) or names
   /// such a value with modifiers to follow. Nothing consumed and nullopt if it is none of these.
   virtual std::optional<Value> rvalue(Parser& parser) = 0;
-  /// The block of #default { ... }.
+  /// The block of #default { ... }, braces included.
   virtual void set_default(Parser& parser) = 0;
   /// trace(), inside(), min_extent(), max_extent() of an object, compiled alone.
   virtual bool inside(const ObjectDesc& object, const core::Vec3& point) = 0;
   virtual bool trace(const ObjectDesc& object, const core::Vec3& origin, const core::Vec3& direction,
                      core::Vec3& point, core::Vec3& normal) = 0;
   virtual void extent(const ObjectDesc& object, core::Vec3& lo, core::Vec3& hi) = 0;
-  /// A function of a pigment or pattern (`function { pigment {...} }`): colours by point.
+  /// A function of a pigment or pattern (`function { pigment {...} }`): colours by point. Called at
+  /// `pigment`; the function's own braces are not its business. Gives a Ref<FunctionDesc>, or a
+  /// Ref<PigmentDesc> that is kept as FunctionDesc::pigment.
   virtual Value pigment_function(Parser& parser) = 0;
 };
 
@@ -69,6 +71,10 @@ class Parser {
   bool at(Punct punct);
   bool accept(Keyword keyword);           ///< consume if it is next
   bool accept(Punct punct);
+  /// Words that are no keywords, by their spelling, whatever the scene has declared by that name.
+  bool at_word(std::string_view word);
+  bool accept_word(std::string_view word);
+  std::string_view spelling(const Token& token);  ///< of an identifier or keyword; "" for others
   void expect(Keyword keyword);           ///< consume or fail naming what was expected
   void expect(Punct punct);
   /// If the next token names a symbol (or array element, or macro parameter) that holds a T,
@@ -87,6 +93,7 @@ class Parser {
   bool at_colour();                       ///< the next token can start a colour
   bool at_expression();                   ///< the next token can start a float or vector expression
   std::string parse_string();
+  std::string parse_path();               ///< a file name: its backslashes are no escapes
   void parse_comma();                     ///< optional comma
 
   /// Reads transform statements (translate rotate scale matrix transform) while they last.
@@ -113,6 +120,8 @@ class Parser {
   const ParserOptions& options() const;
   Diagnostics& diagnostics();
   SourceManager& sources();
+  /// How srgb colours become linear; the statement that reads assumed_gamma may change it.
+  void set_srgb_decoder(double (*decoder)(double));
   /// Finds a file as `#include` does (current folder, folder of the scene, library paths).
   std::optional<std::string> find_file(const std::string& name);
 

@@ -75,7 +75,8 @@ struct ArrayValue {
 /// A function as declared: its compiled form, its text's place, and its name for messages.
 struct FunctionDesc {
   std::string name;
-  std::shared_ptr<const core::Function> function;
+  std::shared_ptr<const core::Function> function;  ///< never null
+  Ref<PigmentDesc> pigment;  ///< of `function { pigment {...} }`: what is evaluated, else null
 };
 
 }  // namespace lentray::parser

@@ -17,6 +17,17 @@ class Function {
   virtual double evaluate(std::span<const double> arguments) const = 0;
   /// Names what makes it impossible to evaluate yet (an internal f_* function, say); empty if it can be.
   virtual std::string not_yet() const = 0;
+
+  /// Components of the result: 1, or 2 to 5 for a function of a transform, spline or pigment.
+  virtual std::size_t results() const { return 1; }
+  /// All of them; `result` has at least results() elements. evaluate() gives the first.
+  virtual void evaluate_all(std::span<const double> arguments, std::span<double> result) const {
+    result[0] = evaluate(arguments);
+  }
 };
+
+/// Most parameters a function has, and most components a result.
+inline constexpr std::size_t kMostParameters = 56;
+inline constexpr std::size_t kMostResults = 5;
 
 }  // namespace lentray::core

@@ -19,13 +19,13 @@ class Cylinder final : public Shape {
 
   std::string_view name() const override { return "cylinder"; }
   Bounds bounds() const override;
+  Bounds bounds_in(const Transform& t) const override;
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
   /// An open one is as solid as a closed one.
   bool inside(const Vec3& p) const override;
   /// ShapeHit::element: 0 side, 1 base, 2 cap.
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
-  Vec2 uv(const Vec3& p, const ShapeHit& hit) const override;
   /// Under similarities.
   std::unique_ptr<Shape> baked(const Transform& t) const override;
 

@@ -40,6 +40,7 @@ class Mesh final : public Shape {
 
   std::string_view name() const override { return m_is_mesh2 ? "mesh2" : "mesh"; }
   Bounds bounds() const override { return m_triangles->bounds(); }
+  Bounds bounds_in(const Transform& t) const override;
   /// ShapeHit::element is the face, u and v the weights of its corners b and c.
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
@@ -48,8 +49,9 @@ class Mesh final : public Shape {
   bool outside(const Vec3& p) const override;
   bool is_solid() const override { return m_inside_vector.has_value(); }
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
+  bool has_uv() const override { return true; }
   Vec2 uv(const Vec3& p, const ShapeHit& hit) const override;
-  /// Unless its triangles are shared: then the object keeps the transform.
+  /// Small ones whose triangles are not shared; else the object keeps the transform.
   std::unique_ptr<Shape> baked(const Transform& t) const override;
   std::size_t memory() const override;
 
@@ -58,6 +60,7 @@ class Mesh final : public Shape {
   std::optional<Vec3> m_inside_vector;  ///< unit
   std::vector<const Texture*> m_textures;
   bool m_is_mesh2;
+  bool m_mirrored = false;  ///< baked through a mirror: the corners' order is the other way round
 };
 
 }  // namespace lentray::core

@@ -57,6 +57,8 @@ class Object {
   virtual Bounds bounds() const = 0;
   /// Everything that inside() can answer true for; infinite for most inverse objects.
   virtual Bounds solid_bounds() const = 0;
+  /// Everything that inside() can answer false for; infinite for most objects but inverse ones.
+  virtual Bounds void_bounds() const = 0;
   /// Nearest crossing with t_min < t < t_max; fills t, leaf and shape, not `object`.
   virtual bool nearest(const Ray& ray, double t_min, double t_max, Hit& hit, HitArena& arena) const = 0;
   /// Appends all crossings, in any order.
@@ -107,6 +109,7 @@ class Leaf final : public Object {
   std::string_view name() const override { return m_shape->name(); }
   Bounds bounds() const override;
   Bounds solid_bounds() const override;
+  Bounds void_bounds() const override;
   bool nearest(const Ray&, double t_min, double t_max, Hit&, HitArena&) const override;
   void all(const Ray&, double t_min, double t_max, std::vector<Hit>&, HitArena&) const override;
   bool any(const Ray&, double t_min, double t_max, HitArena&) const override;
@@ -118,9 +121,11 @@ class Leaf final : public Object {
   /// Unit shading normal at a hit of this leaf, world space, as stock orients it.
   Vec3 normal(const Vec3& world_point, const ShapeHit& hit) const;
   Vec2 uv(const Vec3& world_point, const ShapeHit& hit) const;
+  void set_inverse(bool inverse) override;
 
  private:
-  bool clipped_nearest(const Ray&, double t_min, double t_max, Hit&, HitArena&) const;
+  bool shape_nearest(const Ray&, double t_min, double t_max, ShapeHit&) const;
+  Ray to_shape(const Ray& ray) const;
 
   std::unique_ptr<Shape> m_shape;
   std::optional<Transform> m_transform;
@@ -134,14 +139,17 @@ enum class CsgKind { kUnion, kIntersection, kDifference, kMerge };
 class Csg final : public Object {
  public:
   Csg(CsgKind kind, std::vector<std::unique_ptr<Object>> children);
+  ~Csg() override;
   std::string_view name() const override;
   Bounds bounds() const override;
   bool nearest(const Ray&, double t_min, double t_max, Hit&, HitArena&) const override;
   void all(const Ray&, double t_min, double t_max, std::vector<Hit>&, HitArena&) const override;
+  bool any(const Ray&, double t_min, double t_max, HitArena&) const override;
   bool inside(const Vec3& p) const override;
   void leaves(std::vector<const Leaf*>& out) const override;
   void set_inverse(bool inverse) override;
   Bounds solid_bounds() const override;
+  Bounds void_bounds() const override;
 
   /// After `inverse`: what it works as. Only kUnion may be split into its parts.
   CsgKind kind() const { return m_kind; }
@@ -150,14 +158,30 @@ class Csg final : public Object {
   std::vector<std::unique_ptr<Object>> take_children() { return std::move(m_children); }
 
  private:
+  /// A child's boxes, so that most rays and points need not ask it.
+  struct Fence {
+    Bounds surface;  ///< of its surface, cut by what the siblings leave of it
+    Bounds decide;   ///< where inside() must be asked; elsewhere the answer is `beyond`
+    bool beyond = false;
+  };
+  struct Search;
+  static constexpr std::size_t kNobody = ~std::size_t{0};
+
+  template <class Visit>
+  void for_children_met(const Ray& ray, double t_min, double t_max, Visit&& visit) const;
+  bool child_inside(std::size_t child, const Vec3& p) const;
+  bool any_inside(const Vec3& p, std::size_t except) const;
+  bool every_inside(const Vec3& p, std::size_t except) const;
   bool keeps(std::size_t child, const Vec3& p) const;
-  bool gather_nearest(const Ray&, double t_min, double t_max, Hit&, HitArena&) const;
-  void update_bounds();
+  bool kept_nearest(const Ray&, double t_min, double t_max, Hit&, HitArena&) const;
+  void fence_children();
+  void build_search();
 
   CsgKind m_kind;
   std::string_view m_name;
-  Bounds m_solid, m_surface;             ///< before own clips
-  std::vector<Bounds> m_child_bounds;    ///< of surfaces, cut by what siblings leave of them
+  Bounds m_surface, m_solid, m_void;  ///< before own clips
+  std::vector<Fence> m_fences;        ///< one a child
+  std::unique_ptr<Search> m_search;   ///< where there are many children
   std::vector<std::unique_ptr<Object>> m_children;
 };
 

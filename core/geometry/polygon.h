@@ -3,34 +3,43 @@
 // Space: object, or world once baked. Source: reference manual 3.7, "Polygon".
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "core/geometry/shape.h"
 
 namespace lentray::core {
 
-/// Even-odd test in the plane with the rule: an edge counts if one end has v >= the point's and
-/// the other has not, and the edge is at or right of the point. Edges sorted into bands of v.
+/// Even-odd test in the plane. Rule, stock's: an edge counts if one end has v >= the point's and
+/// the other has not, and the edge is at or right of the point. Edges are sorted into bands of v.
 class EvenOdd {
  public:
   struct Edge {
-    double u0, v0, u1, v1;  ///< v0 < v1
+    double u0, v0, u1, v1;  ///< v0 < v1, so that both neighbours of an edge compute the same bits
   };
+  EvenOdd() = default;
   explicit EvenOdd(std::vector<Edge> edges);
   bool contains(double u, double v) const;
   std::size_t memory() const;
 
+  static bool crosses(const Edge& e, double u, double v) {
+    return (e.v0 >= v) != (e.v1 >= v) && (u - e.u1) * (e.v1 - e.v0) <= (e.v1 - v) * (e.u0 - e.u1);
+  }
+
  private:
-  static bool crosses(const Edge& e, double u, double v);
-  double m_lo_u, m_hi_u, m_lo_v, m_hi_v, m_scale;
+  int band(double v) const;
+
+  double m_lo_v = 0.0, m_per_band = 0.0;
+  int m_bands = 0;
   std::vector<std::uint32_t> m_first;  ///< of each band, in m_edges; one more at the end
   std::vector<Edge> m_edges;           ///< by band; an edge occurs in every band it touches
 };
 
 class Polygon final : public Shape {
  public:
-  /// Points as SDL lists them. An unclosed last contour is closed. A degenerate polygon (fewer
-  /// than three points, in a line, or out of its plane by 1e-10) is allowed: nothing meets it.
+  /// Points as SDL lists them; a point within 1e-10 of a contour's first closes it, an unclosed
+  /// last contour is closed. A degenerate polygon is allowed: nothing meets it. Degenerate, as
+  /// in stock: all sides' cross products shorter than 1e-5, or a point out of plane by 1e-10.
   explicit Polygon(std::vector<Vec3> points);
 
   const std::vector<Vec3>& points() const { return m_points; }
@@ -48,15 +57,21 @@ class Polygon final : public Shape {
   std::size_t memory() const override;
 
  private:
-  Polygon(std::vector<Vec3> points, bool degenerate, const Vec3& normal);
-  void build(bool check_flatness);
+  static constexpr std::uint32_t kFew = 4;  ///< edges that are simply looked through
 
-  std::vector<Vec3> m_points;
-  Vec3 m_normal;             ///< unit, as stock orients it
-  double m_offset = 0.0;     ///< of the plane, along the normal
-  int m_u = 0, m_v = 1;      ///< the axes of the projection that the 2D test works in
+  std::vector<EvenOdd::Edge> edges() const;
+  void orient();
+  void flatten();
+
+  Vec3 m_normal;                ///< unit, as stock orients it
+  double m_offset = 0.0;        ///< of the plane, along the normal
+  double m_lo_u = 0.0, m_hi_u = 0.0, m_lo_v = 0.0, m_hi_v = 0.0;
+  int m_u = 0, m_v = 1;         ///< the axes of the projection that the test in 2D works in
   bool m_degenerate = false;
-  std::vector<EvenOdd> m_test;  ///< one, none if degenerate
+  std::uint32_t m_few_edges = 0;
+  std::array<EvenOdd::Edge, kFew> m_few{};
+  EvenOdd m_many;               ///< used where there are more edges than kFew
+  std::vector<Vec3> m_points;   ///< the first of a contour repeated at its end, exactly
 };
 
 }  // namespace lentray::core

@@ -27,12 +27,14 @@ class Quadric final : public Shape {
   std::unique_ptr<Shape> baked(const Transform& t) const override;
 
  private:
-  double value(const Vec3& p) const;
+  double value(const Vec3& from_origin) const;
+  Vec3 gradient(const Vec3& from_origin) const;
   int crossings(const Ray& ray, double out[2]) const;
   void find_bounds();
 
   Vec3 m_sq, m_mix, m_lin;  ///< m_mix: xy, xz, yz
   double m_const;
+  Vec3 m_origin;            ///< of the equation: moves do not mix into its coefficients
   Bounds m_bounds;
   bool m_solid_unbounded = false;
 };

@@ -1,6 +1,8 @@
-// Real roots of polynomials up to order 4. Coefficients from the highest power down.
-// Closed forms, then polished by Newton steps on the polynomial itself; a leading coefficient 0
-// lowers the order. Roots come ascending; a double root comes once or twice.
+// Real roots of polynomials up to order 4. Coefficients from the highest power down; a leading
+// coefficient 0 lowers the order. Roots come ascending, a double root once or twice.
+// Order 2 in closed form without cancellation; above, the derivative's roots split the interval
+// into monotonic pieces and each root is bracketed there, then found by Newton steps that never
+// leave the bracket. That finds every simple root, as a Sturm chain would, for less.
 #pragma once
 
 namespace lentray::core {
@@ -11,8 +13,7 @@ int solve_quadratic(double a, double b, double c, double roots[2]);
 int solve_cubic(double a, double b, double c, double d, double roots[3]);
 /// c[0] x4 + ... + c[4].
 int solve_quartic(const double c[5], double roots[4]);
-/// All roots in [lo, hi] of c[0] x^order + ... + c[order], order <= 4, by a Sturm chain and
-/// bracketing: slower, and safe where roots nearly coincide. A double root comes once.
-int solve_sturm(const double* c, int order, double lo, double hi, double roots[4]);
+/// The roots in [lo, hi], both finite, of c[0] x^order + ... + c[order], order 1 to 4.
+int solve_between(const double* c, int order, double lo, double hi, double roots[4]);
 
 }  // namespace lentray::core

@@ -29,6 +29,8 @@ class Shape {
   virtual std::string_view name() const = 0;
   /// Everything of the surface; of the solid too where that is finite. May be infinite.
   virtual Bounds bounds() const = 0;
+  /// The same after a transform; shapes override it where the box of the box is not tight.
+  virtual Bounds bounds_in(const Transform& t) const { return transformed(bounds(), t); }
 
   /// Nearest crossing.
   virtual bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const = 0;
@@ -51,7 +53,9 @@ class Shape {
   virtual bool is_solid() const { return true; }
   /// Shading normal, not necessarily unit, pointing as stock's does (outwards for solids).
   virtual Vec3 normal(const Vec3& p, const ShapeHit& hit) const = 0;
-  /// Texture coordinates for uv_mapping.
+  /// Texture coordinates for uv_mapping. Kinds without any of their own (has_uv) take x and y of
+  /// the world point, as stock does.
+  virtual bool has_uv() const { return false; }
   virtual Vec2 uv(const Vec3& p, const ShapeHit& hit) const { (void)hit; return {p.x, p.y}; }
 
   /// The same shape in the space `t` leads to, or null if this kind cannot hold it

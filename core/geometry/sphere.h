@@ -36,12 +36,14 @@ class Sphere final : public Shape {
 
   std::string_view name() const override { return "sphere"; }
   Bounds bounds() const override;
+  Bounds bounds_in(const Transform& t) const override;
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
   bool any(const Ray& ray, double t_min, double t_max) const override;
   bool inside(const Vec3& p) const override;
   bool outside(const Vec3& p) const override;
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
+  bool has_uv() const override { return true; }
   Vec2 uv(const Vec3& p, const ShapeHit& hit) const override;
   /// Under similarities.
   std::unique_ptr<Shape> baked(const Transform& t) const override;

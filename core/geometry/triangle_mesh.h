@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/accel/wide_bvh.h"
 #include "core/base/bounds.h"
 #include "core/geometry/triangle_test.h"
 
@@ -22,28 +23,42 @@ struct MeshFace {
   std::array<std::uint32_t, 3> texture{kNone, kNone, kNone};
 };
 
-/// What the parser fills; indices are into these lists.
+/// What the parser fills; indices are into these lists (texture: into the Mesh's own list).
 struct MeshData {
   std::vector<Vec3> vertices;
-  std::vector<Vec3> normals;   ///< need not be unit
+  std::vector<Vec3> normals;   ///< unit
   std::vector<Vec2> uvs;
   std::vector<MeshFace> faces;
 };
 
 class TriangleMesh {
  public:
-  /// Drops degenerate faces. Throws std::out_of_range if an index is beyond its list.
+  /// Drops degenerate faces and reorders the rest. Throws std::out_of_range if an index is
+  /// beyond its list.
   explicit TriangleMesh(MeshData data);
 
   struct FaceHit {
     double t = 0.0, wb = 0.0, wc = 0.0;
     std::uint32_t face = kNone;
   };
+  /// Of hits at equal t the one on the face first in order.
   bool nearest(const Ray& ray, double t_min, double t_max, FaceHit& hit) const;
   bool any(const Ray& ray, double t_min, double t_max) const;
   /// Calls `visit(const FaceHit&)` for every face that the ray meets, in any order.
   template <class Visit>
-  void all(const Ray& ray, double t_min, double t_max, Visit&& visit) const;
+  void all(const Ray& ray, double t_min, double t_max, Visit&& visit) const {
+    const ShearedRay sheared(ray);
+    m_bvh.traverse(ray, t_min, t_max, [&](std::uint32_t first, std::uint32_t count, double&) {
+      for (std::uint32_t i = first; i < first + count; ++i) {
+        FaceHit hit;
+        if (meets(sheared, i, hit) && hit.t > t_min && hit.t < t_max) visit(hit);
+      }
+      return false;
+    });
+  }
+  /// Whether the ray crosses the surface an odd number of times beyond t_min. Edges and corners
+  /// count once, so that the answer is right there too.
+  bool odd_crossings(const Ray& ray, double t_min) const;
 
   const MeshData& data() const { return m_data; }
   std::size_t dropped() const { return m_dropped; }  ///< degenerate faces left out
@@ -51,25 +66,17 @@ class TriangleMesh {
   std::size_t memory() const;
 
  private:
-  static constexpr int kWidth = 4;
-  /// Boxes of up to four children, floats rounded outwards. child >= 0: inner node; child < 0:
-  /// leaf, faces from ~child on, `count` of them (0: no child).
-  struct alignas(64) Node {
-    float lo[3][kWidth], hi[3][kWidth];
-    std::int32_t child[kWidth];
-    std::uint32_t count[kWidth];
-  };
-  struct Builder;
-  struct NodeRay;
-  template <class Leaf>
-  void traverse(const Ray& ray, double t_min, double t_max, Leaf&& leaf) const;
-  static int hit_boxes(const Node& node, const NodeRay& ray, double t_min, double t_max,
-                       double entry[kWidth]);
-  void test_faces(const ShearedRay& ray, std::uint32_t first, std::uint32_t count, double t_min,
-                  double& t_max, FaceHit& hit) const;
+  bool meets(const ShearedRay& ray, std::uint32_t face, FaceHit& hit) const {
+    const auto& v = m_data.faces[face].vertex;
+    TriangleHit found;
+    if (!intersect_triangle(ray, m_data.vertices[v[0]], m_data.vertices[v[1]], m_data.vertices[v[2]], found))
+      return false;
+    hit = {found.t, found.wb, found.wc, face};
+    return true;
+  }
 
-  MeshData m_data;                     ///< faces in the hierarchy's order
-  std::vector<Node> m_nodes;
+  MeshData m_data;  ///< faces in the hierarchy's order
+  WideBvh m_bvh;
   Bounds m_bounds;
   std::size_t m_dropped = 0;
 };

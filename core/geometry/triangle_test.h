@@ -58,8 +58,7 @@ inline bool intersect_triangle(const ShearedRay& ray, const Vec3& a, const Vec3&
   return true;
 }
 
-/// Stock ignores triangles whose corners are nearly in a line or together: the cross product of
-/// two sides shorter than 1e-10. Fact measured on stock.
+/// No area at all: stock ignores such triangles, so do all shapes here.
 bool triangle_is_degenerate(const Vec3& a, const Vec3& b, const Vec3& c);
 
 }  // namespace lentray::core

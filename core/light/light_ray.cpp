@@ -42,7 +42,7 @@ double cylinder_factor(const Light& light, const Vec3& from) {
 
 }  // namespace
 
-LightRay light_ray(const Light& light, const Vec3& from, const Vec3& offset) {
+LightRay directed_light_ray(const Light& light, const Vec3& from, const Vec3& offset) {
   const Vec3 centre = light.position + offset;
   LightRay ray;
   if (light.kind == Light::Kind::kCylinder) {
@@ -57,8 +57,7 @@ LightRay light_ray(const Light& light, const Vec3& from, const Vec3& offset) {
   }
   if (!light.parallel) return ray;
   // All rays of a parallel light are one direction; the length is that of the projection.
-  const Vec3 back =
-      light.has_area ? normalized(centre - light.point_at) : -light.direction;
+  const Vec3 back = light.has_area ? normalized(centre - light.point_at) : -light.direction;
   ray.distance *= dot(back, ray.direction);
   ray.direction = back;
   return ray;
@@ -72,10 +71,6 @@ double light_attenuation(const Light& light, const Vec3& from, const LightRay& r
     factor *= 2.0 / (1.0 + std::pow(ray.distance / light.fade_distance, light.fade_power));
   }
   return factor;
-}
-
-Rgb light_colour(const Light& light, const Vec3& from, const LightRay& ray) {
-  return light.colour * static_cast<float>(light_attenuation(light, from, ray));
 }
 
 }  // namespace lentray::core

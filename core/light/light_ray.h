@@ -14,14 +14,33 @@ struct LightRay {
   double distance = 0.0;  ///< to the light, or to its plane; negative behind a parallel light
 };
 
+/// For lights whose rays do not all go to its position: parallel ones and cylinders.
+LightRay directed_light_ray(const Light& light, const Vec3& from, const Vec3& offset);
+
 /// Ray from `from` to the light's position moved by `offset` (a sample of an area light).
-LightRay light_ray(const Light& light, const Vec3& from, const Vec3& offset = {});
+inline LightRay light_ray(const Light& light, const Vec3& from, const Vec3& offset = {}) {
+  if (light.parallel || light.kind == Light::Kind::kCylinder) {
+    return directed_light_ray(light, from, offset);
+  }
+  const Vec3 to = light.position + offset - from;
+  const double distance = length(to);
+  return {to / distance, distance};
+}
 
 /// Factor of the cone, the cylinder and of fading; 0 outside.
 double light_attenuation(const Light& light, const Vec3& from, const LightRay& ray);
 
 /// The light's colour at `from`, unobstructed.
-Rgb light_colour(const Light& light, const Vec3& from, const LightRay& ray);
+inline Rgb light_colour(const Light& light, const Vec3& from, const LightRay& ray) {
+  if (light.kind == Light::Kind::kPoint && !(light.fade_power > 0.0)) return light.colour;
+  return light.colour * static_cast<float>(light_attenuation(light, from, ray));
+}
+
+/// Certain without a square root that the light is behind the surface; if false, it may be.
+inline bool surely_behind(const Light& light, const Vec3& from, const Vec3& normal) {
+  return !light.parallel && light.kind != Light::Kind::kCylinder &&
+         dot(normal, light.position - from) < 0.0;
+}
 
 /// Nothing worth tracing a shadow for (stock's threshold).
 inline bool is_dark(const Rgb& c) {

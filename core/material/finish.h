@@ -15,7 +15,8 @@ struct Finish {
   double specular = 0.0, roughness_exponent = 20.0;  ///< exponent is 1 / roughness
   double metallic = 0.0;
   Rgb reflection_min, reflection_max;
-  double reflection_falloff = 1.0, reflection_exponent = 1.0, reflection_metallic = 0.0;
+  double reflection_falloff = 1.0, reflection_metallic = 0.0;
+  double reflection_exponent = 1.0;  ///< as written: reflected light is raised to 1 / exponent
   bool reflection_fresnel = false;
   bool reflection_variable = false;  ///< reflection {} block was used: min and max vary by angle
   bool conserve_energy = false;

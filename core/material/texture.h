@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/material/finish.h"
+#include "core/material/normal.h"
 #include "core/material/pigment.h"
 
 namespace lentray::core {
@@ -33,7 +34,7 @@ class Texture {
 struct TextureLayer {
   std::shared_ptr<const Pigment> pigment;
   Finish finish;
-  // Normal perturbation is a later part; descriptions keep it.
+  std::shared_ptr<const NormalPerturbation> normal;  ///< null: the surface's own normal
 };
 
 class LayeredTexture final : public Texture {

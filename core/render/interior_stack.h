@@ -11,9 +11,10 @@
 
 namespace lentray::core {
 
+/// Without initialisers on purpose: a stack is copied with every ray and mostly empty.
 struct InteriorEntry {
-  const void* key = nullptr;           ///< identity: the interior, or the object that has none
-  const Interior* interior = nullptr;  ///< null: plain
+  const void* key;           ///< identity: the interior, or the object that has none
+  const Interior* interior;  ///< null: plain
   double ior(double atmosphere_ior) const { return interior ? interior->ior : atmosphere_ior; }
 };
 
@@ -28,7 +29,7 @@ class InteriorStack {
  public:
   static constexpr std::size_t kCapacity = 24;
 
-  InteriorStack() = default;
+  InteriorStack() {}  // not defaulted: that would clear all entries
   InteriorStack(const InteriorStack& o) { copy(o); }
   InteriorStack& operator=(const InteriorStack& o) {
     if (this != &o) copy(o);

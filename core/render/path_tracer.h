@@ -66,7 +66,7 @@ class PathTracer final : public Tracer {
   struct Surface {
     const RayState* state = nullptr;
     const Attributes* looks = nullptr;
-    InteriorEntry interior;
+    InteriorEntry interior{};
     Vec3 point;
     Vec3 normal;           ///< unit, facing the ray
     double depth = 0.0;    ///< way of the ray to here

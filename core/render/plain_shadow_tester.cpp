@@ -6,6 +6,7 @@
 #include "core/accel/hierarchy.h"
 #include "core/render/interior_stack.h"
 #include "core/render/reflectance.h"
+#include "core/render/surface_textures.h"
 #include "core/scene/scene.h"
 
 namespace lentray::core {
@@ -14,7 +15,8 @@ PlainShadowTester::PlainShadowTester(const ShadowContext& context)
     : m_context(context),
       m_hierarchy(context.scene->hierarchy()),
       m_test_counters(context.count_tests ? context.counters : nullptr),
-      m_any_transparent(context.scene->needs().transparent_shadows) {
+      m_any_transparent(context.scene->needs().transparent_shadows),
+      m_bailout(context.scene->settings().adc_bailout) {
   const std::size_t lights = context.scene->lights().size();
   if (context.counters->lights.size() < lights) context.counters->lights.resize(lights);
 }
@@ -55,17 +57,15 @@ Rgb PlainShadowTester::surface_filter(const Hit& hit, double depth, const Shadow
   const Vec3 point = query.ray.at(hit.t);
   const Interior* interior = looks.interior;
   const bool caustics = interior && interior->caustics != 0.0;
-  const Texture* texture = looks.texture;
   double cosine = 0.0;
   if (caustics || looks.interior_texture) {
     Vec3 normal = hit.leaf->normal(point, hit.shape);
     if (hit.leaf->is_inverse()) normal = -normal;
     cosine = dot(normal, query.ray.direction);
-    if (cosine > 0.0 && looks.interior_texture) texture = looks.interior_texture;
   }
 
   m_textures.clear();
-  texture->resolve(point, 1.0, m_textures);
+  textures_at(hit, point, cosine > 0.0, m_bailout, m_textures);
   Rgb sum;
   for (const WeightedTexture& weighted : m_textures) {
     Rgb through(1.0f);

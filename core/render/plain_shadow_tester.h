@@ -44,6 +44,7 @@ class PlainShadowTester final : public ShadowTester {
   const Hierarchy& m_hierarchy;
   Counters* m_test_counters;
   bool m_any_transparent;
+  double m_bailout;
   std::vector<Hit> m_hits;
   std::vector<std::pair<double, std::size_t>> m_order;
   WeightedTextures m_textures;

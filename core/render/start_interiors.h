@@ -6,7 +6,6 @@
 
 #include <vector>
 
-#include "core/base/bounds.h"
 #include "core/render/interior_stack.h"
 #include "core/scene/scene.h"
 
@@ -14,20 +13,23 @@ namespace lentray::core {
 
 class StartInteriors {
  public:
-  explicit StartInteriors(const Scene& scene);
-  const InteriorStack& at(const Vec3& start);
+  explicit StartInteriors(const Scene& scene) : m_scene(scene) {}
+
+  const InteriorStack& at(const Vec3& start) {
+    if (m_known && start == m_start) return m_inside;
+    m_start = start;
+    m_known = true;
+    m_inside.clear();
+    m_scene.containing(start, m_objects);
+    for (const Object* object : m_objects) {
+      m_inside.push(interior_of(object->attributes(), object));
+    }
+    return m_inside;
+  }
 
  private:
-  struct Group {
-    Bounds bounds;
-    std::size_t first = 0, last = 0;  ///< of m_candidates
-  };
-  struct Candidate {
-    Bounds bounds;
-    const Object* object = nullptr;
-  };
-  std::vector<Candidate> m_candidates;
-  std::vector<Group> m_groups;
+  const Scene& m_scene;
+  std::vector<const Object*> m_objects;
   Vec3 m_start;
   bool m_known = false;
   InteriorStack m_inside;

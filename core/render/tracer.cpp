@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/render/path_tracer.h"
+#include "core/render/surface_textures.h"
 
 namespace lentray::core {
 namespace {
@@ -94,13 +95,15 @@ Radiance PathTracer<kFeatures>::shade(const RayState& state, const Hit& hit, flo
   if (kLayers && hit.leaf->is_inverse()) at.normal = -at.normal;
   const bool from_behind = dot(at.normal, state.ray.direction) > 0.0;
   if (from_behind) at.normal = -at.normal;
-  const Texture* texture = at.looks->texture;
-  if (kLayers && from_behind && at.looks->interior_texture) texture = at.looks->interior_texture;
 
   Frame& frame = enter_frame();
-  texture->resolve(at.point, 1.0, frame.textures);
+  if constexpr (kLayers) {
+    textures_at(hit, at.point, from_behind, m_bailout, frame.textures);
+  } else {
+    at.looks->texture->resolve(at.point, 1.0, frame.textures);
+  }
   Radiance sum;
-  if (frame.textures.size() == 1) {
+  if (frame.textures.size() == 1 && frame.textures.front().weight == 1.0) {
     sum = shade_texture(*frame.textures.front().texture, at, frame);
   } else {
     for (const WeightedTexture& part : frame.textures) {
@@ -198,14 +201,16 @@ Rgb PathTracer<kFeatures>::lit(const Finish& finish, const Rgb& pigment, const V
     return sum;
   }
   const std::vector<Light>& lights = m_scene.lights();
+  const bool front_only = !at.looks->double_illuminate && finish.diffuse_back == 0.0;
   for (std::uint32_t i = 0; i < lights.size(); ++i) {
     const Light& light = lights[i];
+    if (front_only && surely_behind(light, at.point, normal)) continue;
     const LightRay ray = light_ray(light, at.point);
     Rgb colour = light_colour(light, at.point, ray);
     if (is_dark(colour)) continue;
     bool behind = false;
     if (!at.looks->double_illuminate && dot(normal, ray.direction) < kTiny) {
-      if (finish.diffuse_back == 0.0) continue;
+      if (front_only) continue;
       behind = true;
     }
     if (!light.shadowless) {

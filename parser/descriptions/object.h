@@ -18,7 +18,10 @@
 #include "parser/source.h"
 #include "parser/value.h"
 
-namespace lentray::core { class Object; }
+namespace lentray::core {
+class Object;
+class TriangleMesh;
+}
 
 namespace lentray::parser {
 
@@ -53,6 +56,8 @@ struct MeshShape {
   std::vector<Ref<TextureDesc>> textures;
   std::vector<MeshFace> faces;
   std::optional<Vec3> inside_vector;
+  /// The triangles as the kernel has them, made when first asked; placed copies share them.
+  mutable std::shared_ptr<const core::TriangleMesh> compiled;
 };
 
 enum class CsgOperation { kUnion, kMerge, kIntersection, kDifference, kLightGroup };

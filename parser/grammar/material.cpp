@@ -9,12 +9,41 @@ bool is_layerable(const Ref<TextureDesc>& texture) {
   return !texture || !texture->layers.back().is_patterned();
 }
 
+core::Colour filter_as_transmit(const core::Colour& colour) {
+  return {colour.rgb, 0.0f, colour.transmit + colour.filter};
+}
+
+Ref<PigmentDesc> filter_as_transmit(const Ref<PigmentDesc>& pigment) {
+  auto copy = std::make_shared<PigmentDesc>(*pigment);
+  copy->colour = filter_as_transmit(pigment->colour);
+  if (pigment->colour_map) {
+    auto map = std::make_shared<ColourMapDesc>(*pigment->colour_map);
+    for (auto& entry : map->entries) entry.item = filter_as_transmit(entry.item);
+    copy->colour_map = map;
+  }
+  if (pigment->pigment_map) {
+    auto map = std::make_shared<PigmentMapDesc>(*pigment->pigment_map);
+    for (auto& entry : map->entries) entry.item = filter_as_transmit(entry.item);
+    copy->pigment_map = map;
+  }
+  return copy;
+}
+
 /// A texture over what is there. Patterned textures cannot be layered.
 void add_texture(Parser& parser, Ref<TextureDesc>& below, const Ref<TextureDesc>& above) {
   if (below && (!is_layerable(below) || !is_layerable(above))) {
     parser.fail("a texture with a texture_map, tiles or material_map cannot be layered");
   }
   below = layered(below, above);
+  if (parser.language_version() > 310 || below->layers.size() < 2) return;
+  // Until 3.1 the layers above another let light through untinted.
+  auto copy = std::make_shared<TextureDesc>(*below);
+  for (std::size_t i = 1; i < copy->layers.size(); ++i) {
+    if (copy->layers[i].pigment) {
+      copy->layers[i].pigment = filter_as_transmit(copy->layers[i].pigment);
+    }
+  }
+  below = copy;
 }
 
 /// The topmost layer of an object's own texture, which starts as the default.

@@ -95,13 +95,16 @@ std::optional<Sheet> sheet_of(const json& statistics) {
   s.ior = number(lens, "ior");
   s.pixels = number(lens, "pixels");
   s.view_distance = distance(lens, "view_distance_mm");
-  s.front = number(lens, "front");
+  s.front = number(lens, lens.contains("front") ? "front" : "lens_front");
   s.paraxial = member(lens, "model").get<std::string>() == "paraxial";
   if (const auto slope = lens.find("eye_slope"); slope != lens.end()) {
     s.eye_slope_x = slope->at(0).get<double>();
     s.eye_slope_y = slope->at(1).get<double>();
   }
-  s.columns = image.at("width").get<std::uint32_t>();
+  // A view alone is as wide as it has lenses; the sheet is still the whole one.
+  s.columns = lens.contains("view")
+                  ? static_cast<std::uint32_t>(std::lround(number(lens, "lenses") * s.pixels))
+                  : image.at("width").get<std::uint32_t>();
   s.rows = image.at("height").get<std::uint32_t>();
   if (std::abs(dot(s.right, s.direction)) > 1e-9 || std::abs(dot(s.up, s.direction)) > 1e-9) {
     throw std::runtime_error("\"lens.direction\" is not perpendicular to the sheet");

@@ -194,6 +194,19 @@ StoredImage stock_view(const fs::path& scene, const Sheet& sheet, std::uint32_t 
   return image;
 }
 
+void write_wrappers(const fs::path& scene, const Sheet& sheet, const fs::path& folder) {
+  StockOptions options;
+  options.keep = folder;
+  const Included included = Workshop(scene, options).included();
+  write_text(folder / "mesh.pov", mesh_scene(sheet, included));
+  const Way way = best_way(sheet);
+  if (way == Way::mesh_camera) return;
+  for (std::uint32_t j = 0; j < std::min(sheet.views(), sheet.columns); ++j) {
+    if (way == Way::orthographic_views && !sheet.slope(j)) continue;
+    write_text(folder / ("view" + std::to_string(j) + ".pov"), view_scene(sheet, j, way, included));
+  }
+}
+
 StoredImage interlaced(const std::vector<StoredImage>& views, std::uint32_t columns) {
   if (views.empty()) throw std::invalid_argument("no views to interlace");
   StoredImage image = black(columns, views[0].height, views[0].bits);

@@ -35,6 +35,10 @@ core::StoredImage stock_integral(const std::filesystem::path& scene, const Sheet
 core::StoredImage stock_view(const std::filesystem::path& scene, const Sheet& sheet,
                              std::uint32_t view, const StockOptions& options);
 
+/// All wrapper scenes the sheet has, as view0.pov ..., mesh.pov.
+void write_wrappers(const std::filesystem::path& scene, const Sheet& sheet,
+                    const std::filesystem::path& folder);
+
 /// Column i*N + j of the result is column i of views[j].
 core::StoredImage interlaced(const std::vector<core::StoredImage>& views, std::uint32_t columns);
 

@@ -1,0 +1,192 @@
+// From the tree of a function to its program. Registers of intermediate values are used as a stack:
+// what an operand needed is free again once the operation is done.
+#include <algorithm>
+#include <stdexcept>
+
+#include "core/function/program.h"
+
+namespace lentray::core {
+namespace {
+
+class Compiler {
+ public:
+  Compiler(std::size_t parameters, std::size_t locals)
+      : m_parameters(parameters), m_next(parameters + locals), m_used(m_next) {}
+
+  std::shared_ptr<const Function> run(const FunctionNode& root) {
+    const std::int16_t result = operand(root);
+    return std::make_shared<Program>(std::move(m_code), std::move(m_constants),
+                                     std::move(m_callees), m_parameters, m_used, result);
+  }
+
+ private:
+  std::int16_t allocate() {
+    const std::size_t r = m_next++;
+    m_used = std::max(m_used, m_next);
+    if (m_used > Program::kLargestFrame) throw std::length_error("function too complex");
+    return static_cast<std::int16_t>(r);
+  }
+
+  std::int16_t constant(double value) {
+    // Compared as bits would be: 0 and -0 stay apart.
+    for (std::size_t i = 0; i < m_constants.size(); ++i) {
+      if (m_constants[i] == value && 1.0 / m_constants[i] == 1.0 / value) {
+        return static_cast<std::int16_t>(-static_cast<int>(i) - 1);
+      }
+    }
+    if (m_constants.size() >= 32000) throw std::length_error("function too complex");
+    m_constants.push_back(value);
+    return static_cast<std::int16_t>(-static_cast<int>(m_constants.size()));
+  }
+
+  std::size_t emit(ProgramOp kind, std::int16_t target, std::int16_t a, std::int16_t b = 0,
+                   FunctionOp op = FunctionOp::kConstant) {
+    if (m_code.size() >= 65000) throw std::length_error("function too complex");
+    m_code.push_back({kind, op, target, a, b, 0});
+    return m_code.size() - 1;
+  }
+
+  void land(std::size_t jump) { m_code[jump].jump = static_cast<std::uint16_t>(m_code.size()); }
+
+  // Where the value of a node can be read: its own place if it is a leaf, else a new register.
+  std::int16_t operand(const FunctionNode& node) {
+    switch (node.op) {
+      case FunctionOp::kConstant: return constant(node.value);
+      case FunctionOp::kParameter: return static_cast<std::int16_t>(node.index);
+      case FunctionOp::kLocal: return local(node.index);
+      default: {
+        double value = 0.0;
+        if (fold(node, value)) return constant(value);
+        const std::int16_t target = allocate();
+        into(node, target);
+        return target;
+      }
+    }
+  }
+
+  std::int16_t local(std::size_t index) const {
+    return static_cast<std::int16_t>(m_parameters + index);
+  }
+
+  static bool is_arithmetic(FunctionOp op) {
+    return op >= FunctionOp::kNegate && op <= FunctionOp::kMin;
+  }
+
+  static bool fold(const FunctionNode& node, double& value) {
+    if (node.op == FunctionOp::kConstant) {
+      value = node.value;
+      return true;
+    }
+    if (!is_arithmetic(node.op)) return false;
+    double a = 0.0, b = 0.0;
+    if (!fold(*node.operands[0], a)) return false;
+    if (node.operands.size() > 1 && !fold(*node.operands[1], b)) return false;
+    value = apply(node.op, a, b);
+    return true;
+  }
+
+  void into(const FunctionNode& node, std::int16_t target) {
+    const std::size_t mark = m_next;
+    if (is_arithmetic(node.op)) {
+      const std::int16_t a = operand(*node.operands[0]);
+      const std::int16_t b = node.operands.size() > 1 ? operand(*node.operands[1]) : a;
+      emit(ProgramOp::kArithmetic, target, a, b, node.op);
+    } else if (node.op == FunctionOp::kSelect) {
+      select(node, target);
+    } else if (node.op == FunctionOp::kChoose) {
+      const std::size_t no = emit(ProgramOp::kJumpFalse, 0, operand(*node.operands[0]));
+      into(*node.operands[1], target);
+      const std::size_t end = emit(ProgramOp::kJump, 0, 0);
+      land(no);
+      into(*node.operands[2], target);
+      land(end);
+    } else if (node.op == FunctionOp::kCall) {
+      call(node, target);
+    } else if (node.op == FunctionOp::kSum || node.op == FunctionOp::kProd) {
+      series(node, target);
+    } else {
+      emit(ProgramOp::kMove, target, operand(node));
+    }
+    m_next = mark;
+  }
+
+  void select(const FunctionNode& node, std::int16_t target) {
+    const std::int16_t x = operand(*node.operands[0]);
+    const bool three = node.operands.size() > 3;
+    std::vector<std::size_t> ends;
+    const std::size_t not_negative = emit(ProgramOp::kJumpNotNegative, 0, x);
+    into(*node.operands[1], target);
+    ends.push_back(emit(ProgramOp::kJump, 0, 0));
+    land(not_negative);
+    if (three) {
+      const std::size_t not_zero = emit(ProgramOp::kJumpNotZero, 0, x);
+      into(*node.operands[2], target);
+      ends.push_back(emit(ProgramOp::kJump, 0, 0));
+      land(not_zero);
+    }
+    into(*node.operands[three ? 3 : 2], target);
+    for (const std::size_t end : ends) land(end);
+  }
+
+  void call(const FunctionNode& node, std::int16_t target) {
+    const std::size_t first = m_next;
+    for (std::size_t i = 0; i < node.operands.size(); ++i) allocate();
+    for (std::size_t i = 0; i < node.operands.size(); ++i) {
+      into(*node.operands[i], static_cast<std::int16_t>(first + i));
+    }
+    const std::size_t at = emit(ProgramOp::kCall, target, static_cast<std::int16_t>(node.index),
+                                static_cast<std::int16_t>(first));
+    m_callees.push_back(node.callee);
+    m_code[at].jump = static_cast<std::uint16_t>(m_callees.size() - 1);
+  }
+
+  // From the first to the last value in steps of one, as long as it is not beyond the last.
+  void series(const FunctionNode& node, std::int16_t target) {
+    const bool sum = node.op == FunctionOp::kSum;
+    const std::int16_t variable = local(node.index);
+    into(*node.operands[0], variable);
+    const std::int16_t last = operand(*node.operands[1]);
+    const std::int16_t total = allocate();
+    emit(ProgramOp::kMove, total, constant(sum ? 0.0 : 1.0));
+    const std::size_t loop = m_code.size();
+    const std::size_t end = emit(ProgramOp::kJumpGreater, 0, variable, last);
+    const std::int16_t term = operand(*node.operands[2]);
+    emit(ProgramOp::kArithmetic, total, total, term,
+         sum ? FunctionOp::kAdd : FunctionOp::kMultiply);
+    emit(ProgramOp::kArithmetic, variable, variable, constant(1.0), FunctionOp::kAdd);
+    const std::size_t back = emit(ProgramOp::kJump, 0, 0);
+    m_code[back].jump = static_cast<std::uint16_t>(loop);
+    land(end);
+    emit(ProgramOp::kMove, target, total);
+  }
+
+  const std::size_t m_parameters;
+  std::size_t m_next, m_used;
+  std::vector<Instruction> m_code;
+  std::vector<double> m_constants;
+  std::vector<std::shared_ptr<const Function>> m_callees;
+};
+
+}  // namespace
+
+FunctionNodePtr constant_node(double value) {
+  auto node = std::make_unique<FunctionNode>();
+  node->value = value;
+  return node;
+}
+
+FunctionNodePtr make_node(FunctionOp op, FunctionNodePtr a, FunctionNodePtr b, FunctionNodePtr c) {
+  auto node = std::make_unique<FunctionNode>();
+  node->op = op;
+  for (FunctionNodePtr* operand : {&a, &b, &c}) {
+    if (*operand) node->operands.push_back(std::move(*operand));
+  }
+  return node;
+}
+
+std::shared_ptr<const Function> compile_function(const FunctionNode& root, std::size_t parameters,
+                                                 std::size_t locals) {
+  return Compiler(parameters, locals).run(root);
+}
+
+}  // namespace lentray::core

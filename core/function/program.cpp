@@ -1,0 +1,120 @@
+#include "core/function/program.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace lentray::core {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+
+}  // namespace
+
+double apply(FunctionOp op, double a, double b) {
+  switch (op) {
+    case FunctionOp::kAdd: return a + b;
+    case FunctionOp::kSubtract: return a - b;
+    case FunctionOp::kMultiply: return a * b;
+    case FunctionOp::kDivide: return a / b;
+    case FunctionOp::kNegate: return -a;
+    case FunctionOp::kNot: return a == 0.0;
+    case FunctionOp::kLess: return a < b;
+    case FunctionOp::kLessEqual: return a <= b;
+    case FunctionOp::kEqual: return a == b;
+    case FunctionOp::kNotEqual: return a != b;
+    case FunctionOp::kGreaterEqual: return a >= b;
+    case FunctionOp::kGreater: return a > b;
+    case FunctionOp::kAnd: return a != 0.0 && b != 0.0;
+    case FunctionOp::kOr: return a != 0.0 || b != 0.0;
+    case FunctionOp::kAbs: return std::fabs(a);
+    case FunctionOp::kAcos: return std::acos(a);
+    case FunctionOp::kAcosh: return std::acosh(a);
+    case FunctionOp::kAsin: return std::asin(a);
+    case FunctionOp::kAsinh: return std::asinh(a);
+    case FunctionOp::kAtan: return std::atan(a);
+    case FunctionOp::kAtanh: return std::atanh(a);
+    case FunctionOp::kAtan2: return std::atan2(a, b);
+    case FunctionOp::kCeil: return std::ceil(a);
+    case FunctionOp::kCos: return std::cos(a);
+    case FunctionOp::kCosh: return std::cosh(a);
+    case FunctionOp::kDegrees: return a / kDegree;
+    case FunctionOp::kExp: return std::exp(a);
+    case FunctionOp::kFloor: return std::floor(a);
+    case FunctionOp::kInt: return std::trunc(a);
+    case FunctionOp::kLn: return std::log(a);
+    case FunctionOp::kLog: return std::log10(a);
+    case FunctionOp::kRadians: return a * kDegree;
+    case FunctionOp::kSin: return std::sin(a);
+    case FunctionOp::kSinh: return std::sinh(a);
+    case FunctionOp::kSqr: return a * a;
+    case FunctionOp::kSqrt: return std::sqrt(a);
+    case FunctionOp::kTan: return std::tan(a);
+    case FunctionOp::kTanh: return std::tanh(a);
+    case FunctionOp::kMod: return std::fmod(a, b);
+    case FunctionOp::kPow: return std::pow(a, b);
+    case FunctionOp::kMax: return a < b ? b : a;
+    case FunctionOp::kMin: return b < a ? b : a;
+    default: return 0.0;
+  }
+}
+
+Program::Program(std::vector<Instruction> code, std::vector<double> constants,
+                 std::vector<std::shared_ptr<const Function>> callees, std::size_t parameters,
+                 std::size_t frame, std::int16_t result)
+    : m_code(std::move(code)), m_constants(std::move(constants)), m_callees(std::move(callees)),
+      m_parameters(parameters), m_frame(frame), m_result(result) {}
+
+double Program::evaluate(std::span<const double> arguments) const {
+  // Not initialised: a program writes every register before it reads it.
+  if (m_frame <= kSmallFrame) {
+    std::array<double, kSmallFrame> frame;
+    return run(frame.data(), arguments);
+  }
+  std::array<double, kLargestFrame> frame;
+  return run(frame.data(), arguments);
+}
+
+double Program::run(double* frame, std::span<const double> arguments) const {
+  std::copy_n(arguments.data(), m_parameters, frame);
+  const double* constants = m_constants.data();
+  const auto value = [&](std::int16_t i) { return i >= 0 ? frame[i] : constants[-i - 1]; };
+  const std::size_t count = m_code.size();
+  for (std::size_t pc = 0; pc < count;) {
+    const Instruction& i = m_code[pc++];
+    switch (i.kind) {
+      case ProgramOp::kArithmetic: frame[i.target] = apply(i.op, value(i.a), value(i.b)); break;
+      case ProgramOp::kMove: frame[i.target] = value(i.a); break;
+      case ProgramOp::kJump: pc = i.jump; break;
+      case ProgramOp::kJumpFalse: if (value(i.a) == 0.0) pc = i.jump; break;
+      case ProgramOp::kJumpNotNegative: if (!(value(i.a) < 0.0)) pc = i.jump; break;
+      case ProgramOp::kJumpNotZero: if (value(i.a) != 0.0) pc = i.jump; break;
+      case ProgramOp::kJumpGreater: if (value(i.a) > value(i.b)) pc = i.jump; break;
+      case ProgramOp::kCall: {
+        const Function& callee = *m_callees[i.jump];
+        const std::span<const double> given(frame + i.b, callee.parameters());
+        if (callee.results() == 1) {
+          frame[i.target] = callee.evaluate(given);
+        } else {
+          std::array<double, kMostResults> result{};
+          callee.evaluate_all(given, result);
+          frame[i.target] = result[static_cast<std::size_t>(i.a)];
+        }
+        break;
+      }
+    }
+  }
+  return value(m_result);
+}
+
+std::string Program::not_yet() const {
+  std::string all;
+  for (const auto& callee : m_callees) {
+    const std::string one = callee->not_yet();
+    if (!one.empty() && all.find(one) == std::string::npos) all += (all.empty() ? "" : ", ") + one;
+  }
+  return all;
+}
+
+}  // namespace lentray::core

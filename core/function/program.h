@@ -1,0 +1,62 @@
+// A compiled function: instructions on registers, run by a loop. Constant after construction, so
+// any thread may run it; registers live on the caller's stack.
+//
+// An operand is a register if it is not negative (arguments first, then variables and intermediate
+// values), else the constant number -operand-1.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/function/node.h"
+
+namespace lentray::core {
+
+/// What one instruction does: the arithmetic of FunctionOp, and control.
+enum class ProgramOp : std::uint8_t {
+  kArithmetic,   ///< target = op(a, b)
+  kMove,         ///< target = a
+  kJump,         ///< to `jump`
+  kJumpFalse,    ///< to `jump` if a is 0
+  kJumpNotNegative,
+  kJumpNotZero,
+  kJumpGreater,  ///< to `jump` if a > b
+  kCall,         ///< target = component `a` of callee number `jump` called with registers from b
+};
+
+struct Instruction {
+  ProgramOp kind = ProgramOp::kMove;
+  FunctionOp op = FunctionOp::kConstant;
+  std::int16_t target = 0, a = 0, b = 0;
+  std::uint16_t jump = 0;
+};
+
+class Program final : public Function {
+ public:
+  static constexpr std::size_t kSmallFrame = 48;
+  static constexpr std::size_t kLargestFrame = 2048;
+
+  Program(std::vector<Instruction> code, std::vector<double> constants,
+          std::vector<std::shared_ptr<const Function>> callees, std::size_t parameters,
+          std::size_t frame, std::int16_t result);
+
+  std::size_t parameters() const override { return m_parameters; }
+  double evaluate(std::span<const double> arguments) const override;
+  std::string not_yet() const override;
+
+ private:
+  double run(double* frame, std::span<const double> arguments) const;
+
+  std::vector<Instruction> m_code;
+  std::vector<double> m_constants;
+  std::vector<std::shared_ptr<const Function>> m_callees;
+  std::size_t m_parameters, m_frame;
+  std::int16_t m_result;
+};
+
+/// The arithmetic of one operation; b is ignored by those of one operand.
+double apply(FunctionOp op, double a, double b);
+
+}  // namespace lentray::core

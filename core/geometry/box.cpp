@@ -1,0 +1,90 @@
+#include "core/geometry/box.h"
+
+namespace lentray::core {
+
+Box::Box(const Vec3& corner1, const Vec3& corner2) {
+  Bounds b;
+  b.include(corner1);
+  b.include(corner2);
+  m_lo = b.lo;
+  m_hi = b.hi;
+}
+
+/// Where the ray's line enters and leaves; false if it misses.
+bool Box::interval(const Ray& ray, ShapeHit& in, ShapeHit& out) const {
+  in.t = -Bounds::kInf;
+  out.t = Bounds::kInf;
+  for (std::uint32_t axis = 0; axis < 3; ++axis) {
+    const int i = static_cast<int>(axis);
+    const double o = ray.origin[i], d = ray.direction[i];
+    if (d == 0.0) {
+      if (o < m_lo[i] || o > m_hi[i]) return false;
+      continue;
+    }
+    const double lower = (m_lo[i] - o) / d, upper = (m_hi[i] - o) / d;
+    const bool forward = d > 0.0;
+    const double t0 = forward ? lower : upper, t1 = forward ? upper : lower;
+    if (t0 > in.t) {
+      in.t = t0;
+      in.element = 2 * axis + (forward ? 0u : 1u);
+    }
+    if (t1 < out.t) {
+      out.t = t1;
+      out.element = 2 * axis + (forward ? 1u : 0u);
+    }
+    if (in.t > out.t) return false;
+  }
+  return true;
+}
+
+bool Box::nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const {
+  ShapeHit in, out;
+  if (!interval(ray, in, out)) return false;
+  const ShapeHit& first = in.t > t_min ? in : out;
+  if (!(first.t > t_min && first.t < t_max)) return false;
+  hit = first;
+  return true;
+}
+
+void Box::all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const {
+  ShapeHit in, out;
+  if (!interval(ray, in, out)) return;
+  if (in.t > t_min && in.t < t_max) hits.push_back(in);
+  if (out.t > t_min && out.t < t_max) hits.push_back(out);
+}
+
+bool Box::inside(const Vec3& p) const { return bounds().contains(p); }
+
+Vec3 Box::normal(const Vec3&, const ShapeHit& hit) const {
+  Vec3 n;
+  n[static_cast<int>(hit.element / 2)] = hit.element & 1u ? 1.0 : -1.0;
+  return n;
+}
+
+Vec2 Box::uv(const Vec3& p, const ShapeHit& hit) const {
+  const Vec3 size = m_hi - m_lo;
+  const Vec3 q{(p.x - m_lo.x) / size.x, (p.y - m_lo.y) / size.y, (p.z - m_lo.z) / size.z};
+  // The sides lie in a cross, four wide and three high (manual, "UV Mapping", box).
+  switch (hit.element) {
+    case 0: return {q.z / 4.0, 1.0 / 3.0 + q.y / 3.0};
+    case 1: return {3.0 / 4.0 - q.z / 4.0, 1.0 / 3.0 + q.y / 3.0};
+    case 2: return {1.0 / 4.0 + q.x / 4.0, q.z / 3.0};
+    case 3: return {1.0 / 4.0 + q.x / 4.0, 1.0 - q.z / 3.0};
+    case 4: return {1.0 - q.x / 4.0, 1.0 / 3.0 + q.y / 3.0};
+    default: return {1.0 / 4.0 + q.x / 4.0, 1.0 / 3.0 + q.y / 3.0};
+  }
+}
+
+std::unique_ptr<Shape> Box::baked(const Transform& t) const {
+  for (int i = 0; i < 3; ++i) {
+    Vec3 e;
+    e[i] = 1.0;
+    Vec3 image = t.vector(e);
+    if (!(image[i] > 0.0)) return nullptr;  // mirrored sides would change places
+    image[i] = 0.0;
+    if (!(image == Vec3{})) return nullptr;
+  }
+  return std::make_unique<Box>(t.point(m_lo), t.point(m_hi));
+}
+
+}  // namespace lentray::core

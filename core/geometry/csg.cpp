@@ -1,0 +1,332 @@
+#include <algorithm>
+
+#include "core/accel/wide_bvh.h"
+#include "core/geometry/object.h"
+
+namespace lentray::core {
+namespace {
+
+constexpr std::size_t kMany = 9;  // children from which a hierarchy over them pays
+
+std::string_view keyword(CsgKind kind) {
+  switch (kind) {
+    case CsgKind::kUnion: return "union";
+    case CsgKind::kIntersection: return "intersection";
+    case CsgKind::kDifference: return "difference";
+    default: return "merge";
+  }
+}
+
+bool joins(CsgKind kind) { return kind == CsgKind::kUnion || kind == CsgKind::kMerge; }
+
+/// A ray for box tests that allow for the rounding of their numbers.
+struct BoxRay {
+  explicit BoxRay(const Ray& ray)
+      : origin(ray.origin),
+        inverse{1.0 / ray.direction.x, 1.0 / ray.direction.y, 1.0 / ray.direction.z} {}
+
+  bool meets(const Bounds& b, double t_min, double t_max) const {
+    constexpr double kSlack = 2e-15;
+    double from = t_min, to = t_max;
+    for (int i = 0; i < 3; ++i) {
+      const bool forward = inverse[i] > 0.0;
+      const double near = ((forward ? b.lo[i] : b.hi[i]) - origin[i]) * inverse[i];
+      const double far = ((forward ? b.hi[i] : b.lo[i]) - origin[i]) * inverse[i];
+      from = near > from ? near : from;  // not a number (along a side): the axis does not cut
+      to = far < to ? far : to;
+    }
+    return from - std::fabs(from) * kSlack <= to + std::fabs(to) * kSlack;
+  }
+
+  Vec3 origin, inverse;
+};
+
+/// A list of the arena, for as long as it is needed.
+class ScratchHits {
+ public:
+  explicit ScratchHits(HitArena& arena) : m_arena(arena), m_list(arena.acquire()) {}
+  ~ScratchHits() { m_arena.release(); }
+  ScratchHits(const ScratchHits&) = delete;
+  ScratchHits& operator=(const ScratchHits&) = delete;
+  std::vector<Hit>& operator*() { return m_list; }
+
+ private:
+  HitArena& m_arena;
+  std::vector<Hit>& m_list;
+};
+
+}  // namespace
+
+/// Hierarchies over the children's boxes; those with infinite ones are listed apart.
+struct Csg::Search {
+  WideBvh surfaces, solids;
+  std::vector<std::uint32_t> open_surfaces, open_solids;
+  std::size_t in_beyond = 0;   ///< children in `solids` that are inside beyond their box
+  std::size_t out_beyond = 0;  ///< ... outside beyond it
+};
+
+Csg::Csg(CsgKind kind, std::vector<std::unique_ptr<Object>> children)
+    : m_kind(kind), m_name(keyword(kind)), m_children(std::move(children)) {
+  if (kind == CsgKind::kDifference) {
+    for (std::size_t i = 1; i < m_children.size(); ++i) {
+      m_children[i]->set_inverse(!m_children[i]->is_inverse());
+    }
+  }
+  fence_children();
+}
+
+Csg::~Csg() = default;
+
+std::string_view Csg::name() const { return m_name; }
+
+void Csg::set_inverse(bool inverse) {
+  if (inverse == is_inverse()) return;
+  Object::set_inverse(inverse);
+  for (auto& child : m_children) child->set_inverse(!child->is_inverse());
+  m_kind = joins(m_kind) ? CsgKind::kIntersection : CsgKind::kMerge;
+  fence_children();
+}
+
+/// Boxes from those of the children: what is kept of a child's surface lies in all siblings
+/// (intersection); what is kept of a union lies in one of them.
+void Csg::fence_children() {
+  const std::size_t n = m_children.size();
+  m_fences.assign(n, {});
+  const bool join = joins(m_kind);
+  m_surface = Bounds();
+  m_solid = join ? Bounds() : Bounds::everything();
+  m_void = join ? Bounds::everything() : Bounds();
+  std::vector<Bounds> before(n + 1, Bounds::everything());
+  for (std::size_t i = 0; i < n; ++i) {
+    const Bounds solid = m_children[i]->solid_bounds(), hollow = m_children[i]->void_bounds();
+    Fence& fence = m_fences[i];
+    fence.surface = m_children[i]->bounds();
+    fence.beyond = !hollow.is_empty() ? hollow.is_finite() : true;
+    fence.decide = fence.beyond ? hollow : solid;
+    before[i + 1] = before[i];
+    before[i + 1].intersect(solid);
+    if (join) {
+      m_solid.include(solid);
+      m_void.intersect(hollow);
+    } else {
+      m_solid.intersect(solid);
+      m_void.include(hollow);
+    }
+  }
+  Bounds after = Bounds::everything();
+  for (std::size_t i = n; i-- > 0;) {
+    if (!join) {
+      m_fences[i].surface.intersect(before[i]);
+      m_fences[i].surface.intersect(after);
+      if (m_fences[i].surface.is_empty()) m_fences[i].surface = Bounds();
+    }
+    after.intersect(m_children[i]->solid_bounds());
+    m_surface.include(m_fences[i].surface);
+  }
+  if (m_solid.is_empty()) m_solid = Bounds();
+  if (m_void.is_empty()) m_void = Bounds();
+  build_search();
+}
+
+void Csg::build_search() {
+  m_search.reset();
+  if (m_children.size() < kMany) return;
+  m_search = std::make_unique<Search>();
+  std::vector<Bounds> surfaces(m_children.size()), solids(m_children.size());
+  for (std::size_t i = 0; i < m_children.size(); ++i) {
+    const Fence& fence = m_fences[i];
+    const auto index = static_cast<std::uint32_t>(i);
+    if (fence.surface.is_finite()) {
+      surfaces[i] = fence.surface;
+    } else if (!fence.surface.is_empty()) {
+      m_search->open_surfaces.push_back(index);
+    }
+    if (!fence.decide.is_finite() && !fence.decide.is_empty()) {
+      m_search->open_solids.push_back(index);
+      continue;
+    }
+    solids[i] = fence.decide;
+    ++(fence.beyond ? m_search->in_beyond : m_search->out_beyond);
+  }
+  m_search->surfaces = WideBvh(surfaces);
+  m_search->solids = WideBvh(solids);
+}
+
+Bounds Csg::bounds() const { return limited(m_surface); }
+
+Bounds Csg::solid_bounds() const {
+  Bounds b = m_solid;
+  for (const auto& clip : clips()) b.intersect(clip->solid_bounds());
+  return b.is_empty() ? Bounds() : b;
+}
+
+Bounds Csg::void_bounds() const { return clips().empty() ? m_void : Bounds::everything(); }
+
+void Csg::leaves(std::vector<const Leaf*>& out) const {
+  for (const auto& child : m_children) child->leaves(out);
+}
+
+bool Csg::child_inside(std::size_t child, const Vec3& p) const {
+  const Fence& fence = m_fences[child];
+  return fence.decide.contains(p) ? m_children[child]->inside(p) : fence.beyond;
+}
+
+bool Csg::any_inside(const Vec3& p, std::size_t except) const {
+  if (!m_search) {
+    for (std::size_t i = 0; i < m_children.size(); ++i) {
+      if (i != except && child_inside(i, p)) return true;
+    }
+    return false;
+  }
+  for (const std::uint32_t i : m_search->open_solids) {
+    if (i != except && m_children[i]->inside(p)) return true;
+  }
+  std::size_t beyond = m_search->in_beyond;  // of those whose box p turns out to be outside of
+  if (except < m_fences.size() && m_fences[except].beyond && !m_fences[except].decide.contains(p)) --beyond;
+  const bool found = m_search->solids.at_point(p, [&](std::uint32_t first, std::uint32_t count) {
+    for (std::uint32_t place = first; place < first + count; ++place) {
+      const std::uint32_t i = m_search->solids.order()[place];
+      if (!m_fences[i].decide.contains(p)) continue;
+      if (m_fences[i].beyond) --beyond;
+      if (i != except && m_children[i]->inside(p)) return true;
+    }
+    return false;
+  });
+  return found || beyond > 0;
+}
+
+bool Csg::every_inside(const Vec3& p, std::size_t except) const {
+  if (!m_search) {
+    for (std::size_t i = 0; i < m_children.size(); ++i) {
+      if (i != except && !child_inside(i, p)) return false;
+    }
+    return true;
+  }
+  for (const std::uint32_t i : m_search->open_solids) {
+    if (i != except && !m_children[i]->inside(p)) return false;
+  }
+  std::size_t beyond = m_search->out_beyond;
+  if (except < m_fences.size() && !m_fences[except].beyond && m_fences[except].decide.is_finite() &&
+      !m_fences[except].decide.contains(p)) {
+    --beyond;
+  } else if (except < m_fences.size() && !m_fences[except].beyond && m_fences[except].decide.is_empty()) {
+    --beyond;
+  }
+  const bool missing = m_search->solids.at_point(p, [&](std::uint32_t first, std::uint32_t count) {
+    for (std::uint32_t place = first; place < first + count; ++place) {
+      const std::uint32_t i = m_search->solids.order()[place];
+      if (!m_fences[i].decide.contains(p)) continue;
+      if (!m_fences[i].beyond) --beyond;
+      if (i != except && !m_children[i]->inside(p)) return true;
+    }
+    return false;
+  });
+  return !missing && beyond == 0;
+}
+
+bool Csg::inside(const Vec3& p) const {
+  if (!clips().empty() && !passes_clips(p)) return false;
+  return joins(m_kind) ? any_inside(p, kNobody) : every_inside(p, kNobody);
+}
+
+/// Whether a point of a child's surface belongs to the whole's.
+bool Csg::keeps(std::size_t child, const Vec3& p) const {
+  if (m_kind == CsgKind::kUnion) return true;
+  return m_kind == CsgKind::kMerge ? !any_inside(p, child) : every_inside(p, child);
+}
+
+/// Calls visit(child, t_max&) for the children whose box the ray meets, the last child first
+/// where they are few; visit may lower t_max, and answers true to end.
+template <class Visit>
+void Csg::for_children_met(const Ray& ray, double t_min, double t_max, Visit&& visit) const {
+  if (!m_search) {
+    const BoxRay box_ray(ray);
+    for (std::size_t i = m_children.size(); i-- > 0;) {
+      if (box_ray.meets(m_fences[i].surface, t_min, t_max) && visit(i, t_max)) return;
+    }
+    return;
+  }
+  for (const std::uint32_t i : m_search->open_surfaces) {
+    if (visit(i, t_max)) return;
+  }
+  m_search->surfaces.traverse(
+      ray, t_min, t_max, [&](std::uint32_t first, std::uint32_t count, double& limit) {
+        for (std::uint32_t place = first; place < first + count; ++place) {
+          if (visit(m_search->surfaces.order()[place], limit)) return true;
+        }
+        return false;
+      });
+}
+
+bool Csg::nearest(const Ray& ray, double t_min, double t_max, Hit& hit, HitArena& arena) const {
+  if (!bounding().empty() && !passes_bounding(ray, arena)) return false;
+  if (clips().empty()) return kept_nearest(ray, t_min, t_max, hit, arena);
+  while (kept_nearest(ray, t_min, t_max, hit, arena)) {
+    if (passes_clips(ray.at(hit.t))) return true;
+    t_min = hit.t;
+  }
+  return false;
+}
+
+/// Nearest before own clips. Where surfaces coincide the last child's counts, as in stock.
+bool Csg::kept_nearest(const Ray& ray, double t_min, double t_max, Hit& hit, HitArena& arena) const {
+  const bool keep_all = m_kind == CsgKind::kUnion;
+  std::size_t owner = kNobody;
+  ScratchHits scratch(arena);
+  for_children_met(ray, t_min, t_max, [&](std::size_t i, double& limit) {
+    const bool wins_ties = owner != kNobody && i > owner;
+    const double to = wins_ties ? std::nextafter(limit, Bounds::kInf) : limit;
+    if (keep_all) {
+      Hit next;
+      if (!m_children[i]->nearest(ray, t_min, to, next, arena)) return false;
+      hit = next;
+      limit = next.t;
+      owner = i;
+      return false;
+    }
+    (*scratch).clear();
+    m_children[i]->all(ray, t_min, to, *scratch, arena);
+    double best = to;
+    for (const Hit& next : *scratch) {
+      if (!(next.t < best) || !keeps(i, ray.at(next.t))) continue;
+      hit = next;
+      best = limit = next.t;
+      owner = i;
+    }
+    return false;
+  });
+  return owner != kNobody;
+}
+
+bool Csg::any(const Ray& ray, double t_min, double t_max, HitArena& arena) const {
+  if (m_kind != CsgKind::kUnion || !clips().empty()) {
+    Hit hit;
+    return Csg::nearest(ray, t_min, t_max, hit, arena);
+  }
+  if (!bounding().empty() && !passes_bounding(ray, arena)) return false;
+  bool found = false;
+  for_children_met(ray, t_min, t_max, [&](std::size_t i, double&) {
+    return found = m_children[i]->any(ray, t_min, t_max, arena);
+  });
+  return found;
+}
+
+void Csg::all(const Ray& ray, double t_min, double t_max, std::vector<Hit>& hits,
+              HitArena& arena) const {
+  if (!bounding().empty() && !passes_bounding(ray, arena)) return;
+  for_children_met(ray, t_min, t_max, [&](std::size_t i, double&) {
+    // Where nothing can be dropped the child's hits need no list of their own.
+    const std::size_t first = hits.size();
+    m_children[i]->all(ray, t_min, t_max, hits, arena);
+    if (m_kind == CsgKind::kUnion && clips().empty()) return false;
+    const auto drop = [&](const Hit& h) {
+      const Vec3 p = ray.at(h.t);
+      return !keeps(i, p) || (!clips().empty() && !passes_clips(p));
+    };
+    hits.erase(std::remove_if(hits.begin() + static_cast<std::ptrdiff_t>(first), hits.end(), drop),
+               hits.end());
+    return false;
+  });
+}
+
+}  // namespace lentray::core

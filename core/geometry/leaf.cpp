@@ -1,0 +1,101 @@
+#include "core/geometry/object.h"
+
+namespace lentray::core {
+
+Leaf::Leaf(std::unique_ptr<Shape> shape, const Transform& to_world) : m_shape(std::move(shape)) {
+  if (to_world.is_identity()) return;
+  if (auto moved = m_shape->baked(to_world)) {
+    m_shape = std::move(moved);
+  } else {
+    m_transform = to_world;
+  }
+}
+
+Bounds Leaf::bounds() const {
+  return limited(m_transform ? m_shape->bounds_in(*m_transform) : m_shape->bounds());
+}
+
+Bounds Leaf::solid_bounds() const {
+  Bounds b;
+  if (is_inverse() || m_shape->solid_is_unbounded()) {
+    b = Bounds::everything();
+  } else if (m_shape->is_solid()) {
+    b = m_transform ? m_shape->bounds_in(*m_transform) : m_shape->bounds();
+  }
+  for (const auto& clip : clips()) b.intersect(clip->solid_bounds());
+  return b.is_empty() ? Bounds() : b;
+}
+
+Bounds Leaf::void_bounds() const {
+  if (!is_inverse() || !clips().empty() || m_shape->solid_is_unbounded()) return Bounds::everything();
+  return m_transform ? m_shape->bounds_in(*m_transform) : m_shape->bounds();
+}
+
+void Leaf::set_inverse(bool inverse) {
+  if (m_shape->is_solid()) Object::set_inverse(inverse);
+}
+
+/// The direction keeps its length, so that t is the same in both spaces.
+Ray Leaf::to_shape(const Ray& ray) const {
+  return {m_transform->inverse_point(ray.origin), m_transform->inverse_vector(ray.direction)};
+}
+
+bool Leaf::shape_nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const {
+  if (!m_transform) return m_shape->nearest(ray, t_min, t_max, hit);
+  return m_shape->nearest(to_shape(ray), t_min, t_max, hit);
+}
+
+bool Leaf::nearest(const Ray& ray, double t_min, double t_max, Hit& hit, HitArena& arena) const {
+  if (!bounding().empty() && !passes_bounding(ray, arena)) return false;
+  ShapeHit found;
+  while (shape_nearest(ray, t_min, t_max, found)) {
+    if (clips().empty() || passes_clips(ray.at(found.t))) {
+      hit.t = found.t;
+      hit.leaf = this;
+      hit.shape = found;
+      return true;
+    }
+    t_min = found.t;
+  }
+  return false;
+}
+
+bool Leaf::any(const Ray& ray, double t_min, double t_max, HitArena& arena) const {
+  if (!clips().empty() || !bounding().empty()) {
+    Hit hit;
+    return Leaf::nearest(ray, t_min, t_max, hit, arena);
+  }
+  if (!m_transform) return m_shape->any(ray, t_min, t_max);
+  return m_shape->any(to_shape(ray), t_min, t_max);
+}
+
+void Leaf::all(const Ray& ray, double t_min, double t_max, std::vector<Hit>& hits,
+               HitArena& arena) const {
+  if (!bounding().empty() && !passes_bounding(ray, arena)) return;
+  arena.shape_hits.clear();
+  m_shape->all(m_transform ? to_shape(ray) : ray, t_min, t_max, arena.shape_hits);
+  for (const ShapeHit& found : arena.shape_hits) {
+    if (!clips().empty() && !passes_clips(ray.at(found.t))) continue;
+    hits.push_back({found.t, this, nullptr, found});
+  }
+}
+
+bool Leaf::inside(const Vec3& p) const {
+  if (!clips().empty() && !passes_clips(p)) return false;
+  const Vec3 q = m_transform ? m_transform->inverse_point(p) : p;
+  return is_inverse() ? m_shape->outside(q) : m_shape->inside(q);
+}
+
+Vec3 Leaf::normal(const Vec3& world_point, const ShapeHit& hit) const {
+  const Vec3 n = m_transform
+                     ? m_transform->normal(m_shape->normal(m_transform->inverse_point(world_point), hit))
+                     : m_shape->normal(world_point, hit);
+  return normalized(is_inverse() ? -n : n);
+}
+
+Vec2 Leaf::uv(const Vec3& world_point, const ShapeHit& hit) const {
+  if (!m_shape->has_uv() || !m_transform) return m_shape->uv(world_point, hit);
+  return m_shape->uv(m_transform->inverse_point(world_point), hit);
+}
+
+}  // namespace lentray::core

@@ -1,0 +1,38 @@
+#include "core/geometry/object.h"
+
+namespace lentray::core {
+
+std::vector<Hit>& HitArena::acquire() {
+  if (m_used == m_lists.size()) m_lists.push_back(std::make_unique<std::vector<Hit>>());
+  std::vector<Hit>& list = *m_lists[m_used++];
+  list.clear();
+  return list;
+}
+
+bool Object::passes_clips(const Vec3& p) const {
+  for (const auto& clip : m_clips) {
+    if (!clip->inside(p)) return false;
+  }
+  return true;
+}
+
+bool Object::passes_bounding(const Ray& ray, HitArena& arena) const {
+  for (const auto& bound : m_bounding) {
+    if (!bound->inside(ray.origin) && !bound->any(ray, 0.0, Bounds::kInf, arena)) return false;
+  }
+  return true;
+}
+
+Bounds Object::limited(Bounds b) const {
+  for (const auto& clip : m_clips) b.intersect(clip->solid_bounds());
+  if (b.is_empty()) return Bounds();
+  if (b.is_finite()) return b;
+  for (const auto& bound : m_bounding) {
+    Bounds box = bound->solid_bounds();
+    box.include(bound->bounds());
+    b.intersect(box);
+  }
+  return b.is_empty() ? Bounds() : b;
+}
+
+}  // namespace lentray::core

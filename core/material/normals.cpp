@@ -1,0 +1,175 @@
+#include "core/material/normals.h"
+
+#include <cmath>
+
+namespace lentray::core {
+namespace {
+
+/// Takes a normal into a pattern's space and back. Unless the scale is kept, its length is made 1
+/// at each crossing, so that bumps look as deep in a scaled pattern.
+class Frame {
+ public:
+  Frame(Placement placement, bool keep_scale)
+      : m_placement(std::move(placement)), m_keep_scale(keep_scale) {}
+  Vec3 inwards(const Vec3& point) const { return m_placement.inwards(point); }
+  Vec3 enter(const Vec3& normal) const {
+    if (m_keep_scale) return m_placement.normal_inwards(normal);
+    return normalized(m_placement.normal_inwards(normalized(normal)));
+  }
+  Vec3 leave(const Vec3& normal) const {
+    if (m_keep_scale) return m_placement.normal_outwards(normal);
+    return normalized(m_placement.normal_outwards(normalized(normal)));
+  }
+
+ private:
+  Placement m_placement;
+  bool m_keep_scale;
+};
+
+class DisplacedNormal final : public NormalPerturbation {
+ public:
+  DisplacedNormal(Frame frame, DisplacementPtr displacement)
+      : m_frame(std::move(frame)), m_displacement(std::move(displacement)) {}
+  Vec3 perturb(const Vec3& point, const Vec3& normal) const override {
+    const Vec3 inner = m_displacement->displaced(m_frame.inwards(point), m_frame.enter(normal));
+    return m_frame.leave(inner);
+  }
+
+ private:
+  Frame m_frame;
+  DisplacementPtr m_displacement;
+};
+
+/// Cubic through both points of a slope map, with their slopes.
+double hermite(double t, const SlopePoint& a, const SlopePoint& b) {
+  const double rise = a.height - b.height;
+  return t * t * t * (a.slope + b.slope + 2.0 * rise) -
+         t * t * (2.0 * a.slope + b.slope + 3.0 * rise) + t * a.slope + a.height;
+}
+
+class SlopeNormal final : public NormalPerturbation {
+ public:
+  SlopeNormal(PlacedPattern pattern, double amount, double accuracy,
+              std::optional<BlendMap<SlopePoint>> slopes, bool keep_scale)
+      : m_frame(pattern.placement, keep_scale),
+        m_pattern(std::move(pattern)),
+        m_slopes(std::move(slopes)),
+        m_factor(amount * -5.0 * (0.02 / accuracy)),
+        m_accuracy(accuracy) {}
+
+  Vec3 perturb(const Vec3& point, const Vec3& normal) const override {
+    // Samples at the corners of a tetrahedron: its vectors, weighted by the heights there.
+    static constexpr Vec3 kCorners[] = {{0.942809041, -0.333333333, 0.0},
+                                        {-0.471404521, -0.333333333, 0.816496581},
+                                        {-0.471404521, -0.333333333, -0.816496581},
+                                        {0.0, 1.0, 0.0}};
+    const Vec3 local = m_frame.inwards(point);
+    Vec3 inner = m_frame.enter(normal);
+    for (const Vec3& corner : kCorners) {
+      inner += corner * (height(local + corner * m_accuracy) * m_factor);
+    }
+    return m_frame.leave(inner);
+  }
+
+ private:
+  double height(const Vec3& local) const {
+    const double value = m_pattern.value(local);
+    if (!m_slopes) return value;
+    const auto place = m_slopes->find(value);
+    if (place.before == place.after) return place.after->height;
+    return hermite(place.fraction, *place.before, *place.after);
+  }
+
+  Frame m_frame;
+  PlacedPattern m_pattern;
+  std::optional<BlendMap<SlopePoint>> m_slopes;
+  double m_factor, m_accuracy;
+};
+
+Vec3 perturbed(const NormalPtr& perturbation, const Vec3& point, const Vec3& normal) {
+  return perturbation ? perturbation->perturb(point, normal) : normal;
+}
+
+class NormalMap final : public NormalPerturbation {
+ public:
+  NormalMap(PlacedPattern pattern, BlendMap<NormalPtr> map, bool keep_scale)
+      : m_frame(pattern.placement, keep_scale),
+        m_pattern(std::move(pattern)),
+        m_map(std::move(map)) {}
+  Vec3 perturb(const Vec3& point, const Vec3& normal) const override {
+    const Vec3 local = m_frame.inwards(point);
+    const auto place = m_map.find(m_pattern.value(local));
+    const Vec3 entered = m_frame.enter(normal);
+    Vec3 inner = perturbed(*place.after, local, entered);
+    if (place.before != place.after) {
+      inner = perturbed(*place.before, local, entered) * (1.0 - place.fraction) +
+              inner * place.fraction;
+    }
+    return normalized(m_frame.leave(inner));
+  }
+
+ private:
+  Frame m_frame;
+  PlacedPattern m_pattern;
+  BlendMap<NormalPtr> m_map;
+};
+
+class AverageNormal final : public NormalPerturbation {
+ public:
+  AverageNormal(Frame frame, std::vector<std::pair<double, NormalPtr>> entries)
+      : m_frame(std::move(frame)), m_entries(std::move(entries)) {
+    for (const auto& [weight, normal] : m_entries) m_total += weight;
+  }
+  Vec3 perturb(const Vec3& point, const Vec3& normal) const override {
+    const Vec3 local = m_frame.inwards(point);
+    const Vec3 entered = m_frame.enter(normal);
+    Vec3 sum;
+    for (const auto& [weight, one] : m_entries) sum += perturbed(one, local, entered) * weight;
+    return m_frame.leave(sum / m_total);
+  }
+
+ private:
+  Frame m_frame;
+  std::vector<std::pair<double, NormalPtr>> m_entries;
+  double m_total = 0.0;
+};
+
+class PlacedNormal final : public NormalPerturbation {
+ public:
+  PlacedNormal(Frame frame, NormalPtr normal)
+      : m_frame(std::move(frame)), m_normal(std::move(normal)) {}
+  Vec3 perturb(const Vec3& point, const Vec3& normal) const override {
+    return m_frame.leave(m_normal->perturb(m_frame.inwards(point), m_frame.enter(normal)));
+  }
+
+ private:
+  Frame m_frame;
+  NormalPtr m_normal;
+};
+
+}  // namespace
+
+NormalPtr make_displaced_normal(Placement placement, DisplacementPtr displacement,
+                                bool keep_scale) {
+  return std::make_shared<DisplacedNormal>(Frame(std::move(placement), keep_scale),
+                                           std::move(displacement));
+}
+NormalPtr make_slope_normal(PlacedPattern pattern, double amount, double accuracy,
+                            std::optional<BlendMap<SlopePoint>> slopes, bool keep_scale) {
+  return std::make_shared<SlopeNormal>(std::move(pattern), amount, accuracy, std::move(slopes),
+                                       keep_scale);
+}
+NormalPtr make_normal_map(PlacedPattern pattern, BlendMap<NormalPtr> map, bool keep_scale) {
+  return std::make_shared<NormalMap>(std::move(pattern), std::move(map), keep_scale);
+}
+NormalPtr make_average_normal(Placement placement, std::vector<std::pair<double, NormalPtr>> entries,
+                              bool keep_scale) {
+  return std::make_shared<AverageNormal>(Frame(std::move(placement), keep_scale),
+                                         std::move(entries));
+}
+NormalPtr make_placed_normal(Placement placement, NormalPtr normal, bool keep_scale) {
+  return std::make_shared<PlacedNormal>(Frame(std::move(placement), keep_scale),
+                                        std::move(normal));
+}
+
+}  // namespace lentray::core

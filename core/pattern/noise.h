@@ -1,0 +1,46 @@
+// Solid noise and what is built on it, with the very values of POV-Ray 3.7: scenes are designed on
+// them. Pure functions of the point (pattern space); tables are made once, then only read.
+// Source: reference manual 3.7, "Noise Generators", "Turbulence"; constants looked up, values
+// compared with stock by image.patterns.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "core/base/vec3.h"
+
+namespace lentray::core {
+
+struct Turbulence {
+  Vec3 amount;
+  int octaves = 6;
+  double lambda = 2.0, omega = 0.5;
+};
+
+/// 0..1. Generator 1: the original; 2: range corrected; 3: Perlin's.
+double noise(const Vec3& point, int generator);
+/// A vector of noise, about -1..1 each; the same for all generators.
+Vec3 vector_noise(const Vec3& point);
+/// Octaves of noise; the amount is not applied.
+double turbulence(const Vec3& point, const Turbulence& turbulence, int generator);
+Vec3 vector_turbulence(const Vec3& point, const Turbulence& turbulence);
+
+/// Sine of period 1.
+double cycloidal(double value);
+/// 0..1..0 of period 1.
+double triangle_wave(double value);
+
+/// The table of 4096 numbers in random order, chained over three lattice coordinates.
+unsigned lattice_hash(int x, int y, int z);
+/// One of 32768 random numbers in 0..1.
+double lattice_random(std::size_t index);
+
+/// Sources of ripples and waves: unit vectors and frequencies; global_settings sets the number.
+struct WaveSource {
+  Vec3 position;
+  double frequency = 1.0;
+};
+std::vector<WaveSource> wave_sources(int count);
+
+}  // namespace lentray::core

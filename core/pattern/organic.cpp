@@ -1,0 +1,287 @@
+#include "core/pattern/organic.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace lentray::core {
+namespace {
+
+constexpr double kEpsilon = 1e-10;
+constexpr double kPi = std::numbers::pi;
+
+class Bozo final : public Pattern {
+ public:
+  explicit Bozo(int generator) : m_generator(generator) {}
+  double value(const Vec3& p) const override { return noise(p, m_generator); }
+
+ private:
+  int m_generator;
+};
+
+class Dents final : public Pattern {
+ public:
+  explicit Dents(int generator) : m_generator(generator) {}
+  double value(const Vec3& p) const override {
+    const double n = noise(p, m_generator);
+    return n * n * n;
+  }
+
+ private:
+  int m_generator;
+};
+
+class Granite final : public Pattern {
+ public:
+  explicit Granite(int generator) : m_generator(generator) {}
+  double value(const Vec3& p) const override {
+    const Vec3 fine = p * 4.0;
+    double sum = 0.0, frequency = 1.0;
+    for (int octave = 0; octave < 6; ++octave, frequency *= 2.0) {
+      const double n = noise(fine * frequency, m_generator);
+      const double ridge = m_generator == 1 ? std::fabs(0.5 - n)
+                                            : std::min(std::fabs(1.0 - 2.0 * n), 0.5);
+      sum += ridge / frequency;
+    }
+    return sum;
+  }
+
+ private:
+  int m_generator;
+};
+
+class Wrinkles final : public Pattern {
+ public:
+  explicit Wrinkles(int generator) : m_generator(generator) {}
+  double value(const Vec3& p) const override {
+    double sum = 0.0, scale = 1.0, weight = 1.0;
+    for (int octave = 0; octave < 10; ++octave, scale *= 2.0, weight *= 0.5) {
+      sum += weight * stretched(noise(p * scale, m_generator));
+    }
+    return sum / 2.0;
+  }
+
+ private:
+  double stretched(double n) const {
+    return m_generator > 1 ? std::clamp(2.0 * n - 0.5, 0.0, 1.0) : n;
+  }
+  int m_generator;
+};
+
+class Marble final : public Pattern {
+ public:
+  Marble(const std::optional<Turbulence>& turbulence, int generator)
+      : m_turbulence(turbulence), m_generator(generator) {}
+  double value(const Vec3& p) const override {
+    if (!m_turbulence || m_turbulence->amount.x == 0.0) return p.x;
+    return p.x + m_turbulence->amount.x * turbulence(p, *m_turbulence, m_generator);
+  }
+
+ private:
+  std::optional<Turbulence> m_turbulence;
+  int m_generator;
+};
+
+class Wood final : public Pattern {
+ public:
+  explicit Wood(const std::optional<Turbulence>& turbulence) : m_turbulence(turbulence) {}
+  double value(const Vec3& p) const override {
+    double x = p.x, y = p.y;
+    if (m_turbulence) {
+      const Vec3 shift = vector_turbulence(p, *m_turbulence);
+      x += cycloidal((p.x + shift.x) * m_turbulence->amount.x);
+      y += cycloidal((p.y + shift.y) * m_turbulence->amount.y);
+    }
+    return std::sqrt(x * x + y * y);
+  }
+
+ private:
+  std::optional<Turbulence> m_turbulence;
+};
+
+class Agate final : public Pattern {
+ public:
+  Agate(const Turbulence& turbulence, double scale, int generator)
+      : m_turbulence(turbulence), m_scale(scale), m_generator(generator) {}
+  double value(const Vec3& p) const override {
+    const double bands = m_scale * turbulence(p, m_turbulence, m_generator);
+    const double wave = 0.5 * (cycloidal(1.3 * bands + 1.1 * p.z) + 1.0);
+    return wave < 0.0 ? 0.0 : std::pow(std::min(wave, 1.0), 0.77);
+  }
+
+ private:
+  Turbulence m_turbulence;
+  double m_scale;
+  int m_generator;
+};
+
+class Spiral final : public Pattern {
+ public:
+  Spiral(int arms, const std::optional<Turbulence>& turbulence, int generator, bool second)
+      : m_turbulence(turbulence), m_arms(arms), m_generator(generator), m_second(second) {}
+  double value(const Vec3& p) const override {
+    double shift = 0.0;
+    if (m_turbulence && m_turbulence->amount.x != 0.0) {
+      shift = m_turbulence->amount.x * turbulence(p, *m_turbulence, m_generator);
+    }
+    const double radius = std::sqrt(p.x * p.x + p.y * p.y);
+    double angle = 0.0;
+    if (radius != 0.0) {
+      const double lift = std::asin(p.y / radius);
+      angle = p.x < 0.0 ? 1.5 * kPi - lift : 0.5 * kPi + lift;
+    }
+    const double turns = p.z + radius + m_arms * angle / (2.0 * kPi) + shift;
+    return m_second ? triangle_wave(radius) + triangle_wave(turns) : turns;
+  }
+
+ private:
+  std::optional<Turbulence> m_turbulence;
+  double m_arms;
+  int m_generator;
+  bool m_second;
+};
+
+class Ripples final : public Pattern {
+ public:
+  Ripples(int sources, double frequency, double phase)
+      : m_sources(wave_sources(sources)), m_frequency(frequency), m_phase(phase) {}
+  double value(const Vec3& p) const override {
+    double sum = 0.0;
+    for (const WaveSource& source : m_sources) {
+      const double distance = length(p - source.position);
+      sum += cycloidal((distance == 0.0 ? 1.0 : distance) * m_frequency + m_phase);
+    }
+    return 0.5 * (1.0 + sum / static_cast<double>(m_sources.size()));
+  }
+
+ private:
+  std::vector<WaveSource> m_sources;
+  double m_frequency, m_phase;
+};
+
+class Waves final : public Pattern {
+ public:
+  Waves(int sources, double frequency, double phase)
+      : m_sources(wave_sources(sources)), m_frequency(frequency), m_phase(phase) {}
+  double value(const Vec3& p) const override {
+    double sum = 0.0;
+    for (const WaveSource& source : m_sources) {
+      const double distance = length(p - source.position);
+      const double way = (distance == 0.0 ? 1.0 : distance) * m_frequency * source.frequency;
+      sum += cycloidal(way + m_phase) / source.frequency;
+    }
+    return 0.2 * (2.5 + sum / static_cast<double>(m_sources.size()));
+  }
+
+ private:
+  std::vector<WaveSource> m_sources;
+  double m_frequency, m_phase;
+};
+
+/// The cells around one whose random points can be among the three nearest: up to two away along
+/// one axis, up to one along the others.
+constexpr auto kNeighbours = [] {
+  std::array<std::array<int, 3>, 81> cells{};
+  std::size_t count = 0;
+  for (int x = -2; x <= 2; ++x) {
+    for (int y = -2; y <= 2; ++y) {
+      for (int z = -2; z <= 2; ++z) {
+        const int far = (x * x == 4) + (y * y == 4) + (z * z == 4);
+        if (far <= 1) cells[count++] = {x, y, z};
+      }
+    }
+  }
+  return cells;
+}();
+
+class CracklePattern final : public Pattern {
+ public:
+  CracklePattern(const Crackle& crackle, int generator)
+      : m_crackle(crackle), m_generator(generator) {}
+
+  double value(const Vec3& p) const override {
+    const int x = cell(p.x), y = cell(p.y), z = cell(p.z);
+    double nearest[3] = {1e300, 1e300, 1e300};
+    Vec3 nearest_point;
+    for (const auto& step : kNeighbours) {
+      const Vec3 point = random_point(x + step[0], y + step[1], z + step[2]);
+      const double d = powered_distance(point - p);
+      if (d < nearest[0]) {
+        nearest[2] = nearest[1];
+        nearest[1] = nearest[0];
+        nearest[0] = d;
+        nearest_point = point;
+      } else if (d < nearest[1]) {
+        nearest[2] = nearest[1];
+        nearest[1] = d;
+      } else if (d < nearest[2]) {
+        nearest[2] = d;
+      }
+    }
+    if (m_crackle.solid) return std::clamp(noise(nearest_point, m_generator), 0.0, 1.0);
+    double sum = 0.0;
+    for (int i = 0; i < 3; ++i) sum += m_crackle.form[i] * rooted(nearest[i] + powered_offset());
+    return std::clamp(sum, 0.0, 1.0);
+  }
+
+ private:
+  static int cell(double v) { return static_cast<int>(std::floor(v - kEpsilon)); }
+  static Vec3 random_point(int x, int y, int z) {
+    const std::size_t seed = lattice_hash(x, y, z);
+    return {x + lattice_random(seed), y + lattice_random(seed + 1), z + lattice_random(seed + 2)};
+  }
+  /// The metric's power of the distance: no roots while comparing.
+  double powered_distance(const Vec3& d) const {
+    const double metric = m_crackle.metric;
+    if (metric == 2.0) return length_squared(d);
+    if (metric == 1.0) return std::fabs(d.x) + std::fabs(d.y) + std::fabs(d.z);
+    return std::pow(std::fabs(d.x), metric) + std::pow(std::fabs(d.y), metric) +
+           std::pow(std::fabs(d.z), metric);
+  }
+  double powered_offset() const {
+    const double offset = m_crackle.offset;
+    if (offset == 0.0) return 0.0;
+    if (m_crackle.metric == 2.0) return offset * offset;
+    return m_crackle.metric == 1.0 ? offset : std::pow(offset, m_crackle.metric);
+  }
+  double rooted(double powered) const {
+    if (m_crackle.metric == 2.0) return std::sqrt(powered);
+    return m_crackle.metric == 1.0 ? powered : std::pow(powered, 1.0 / m_crackle.metric);
+  }
+  Crackle m_crackle;
+  int m_generator;
+};
+
+}  // namespace
+
+PatternPtr make_bozo(int generator) { return std::make_unique<Bozo>(generator); }
+PatternPtr make_dents(int generator) { return std::make_unique<Dents>(generator); }
+PatternPtr make_granite(int generator) { return std::make_unique<Granite>(generator); }
+PatternPtr make_wrinkles(int generator) { return std::make_unique<Wrinkles>(generator); }
+PatternPtr make_marble(const std::optional<Turbulence>& turbulence, int generator) {
+  return std::make_unique<Marble>(turbulence, generator);
+}
+PatternPtr make_wood(const std::optional<Turbulence>& turbulence) {
+  return std::make_unique<Wood>(turbulence);
+}
+PatternPtr make_agate(const Turbulence& turbulence, double scale, int generator) {
+  return std::make_unique<Agate>(turbulence, scale, generator);
+}
+PatternPtr make_spiral1(int arms, const std::optional<Turbulence>& turbulence, int generator) {
+  return std::make_unique<Spiral>(arms, turbulence, generator, false);
+}
+PatternPtr make_spiral2(int arms, const std::optional<Turbulence>& turbulence, int generator) {
+  return std::make_unique<Spiral>(arms, turbulence, generator, true);
+}
+PatternPtr make_ripples(int sources, double frequency, double phase) {
+  return std::make_unique<Ripples>(sources, frequency, phase);
+}
+PatternPtr make_waves(int sources, double frequency, double phase) {
+  return std::make_unique<Waves>(sources, frequency, phase);
+}
+PatternPtr make_crackle(const Crackle& crackle, int generator) {
+  return std::make_unique<CracklePattern>(crackle, generator);
+}
+
+}  // namespace lentray::core

@@ -1,0 +1,32 @@
+// A pattern: a number for each point of space, 0..1 or a whole number (0, 1, 2 for checker and its
+// kin). Space: the pattern's own, unit cells. Immutable, any number of threads.
+// Source: reference manual 3.7, "Patterns"; values compared with stock by image.patterns.
+#pragma once
+
+#include <memory>
+
+#include "core/base/vec3.h"
+
+namespace lentray::core {
+
+class Pattern {
+ public:
+  virtual ~Pattern() = default;
+  /// Before frequency, phase and wave form; may lie outside 0..1.
+  virtual double value(const Vec3& point) const = 0;
+};
+
+using PatternPtr = std::unique_ptr<const Pattern>;
+
+/// frequency, phase and the wave forms.
+class Wave {
+ public:
+  enum class Form { kRamp, kTriangle, kSine, kScallop, kCubic, kPoly };
+  double frequency = 1.0, phase = 0.0;
+  Form form = Form::kRamp;
+  double exponent = 1.0;
+
+  double apply(double value) const;
+};
+
+}  // namespace lentray::core

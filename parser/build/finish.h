@@ -1,0 +1,21 @@
+// Finish and interior descriptions -> the kernel's. Internal to parser/build.
+#pragma once
+
+#include <memory>
+#include <set>
+#include <string>
+
+#include "core/material/finish.h"
+#include "core/material/interior.h"
+#include "parser/descriptions/interior.h"
+#include "parser/descriptions/texture.h"
+
+namespace lentray::parser {
+
+core::Finish compile_finish(const FinishDesc& finish, std::set<std::string>& not_yet);
+/// Null if neither gives anything; an old scene's `ior` in the texture's finish wins, as in stock.
+std::shared_ptr<const core::Interior> compile_interior(const Ref<InteriorDesc>& interior,
+                                                       const Ref<TextureDesc>& texture,
+                                                       std::set<std::string>& not_yet);
+
+}  // namespace lentray::parser

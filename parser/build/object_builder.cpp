@@ -1,0 +1,201 @@
+#include "parser/build/object_builder.h"
+
+#include "parser/build/lights.h"
+#include "parser/build/shapes.h"
+
+namespace lentray::parser {
+namespace {
+
+core::CsgKind csg_kind(CsgOperation operation) {
+  switch (operation) {
+    case CsgOperation::kMerge: return core::CsgKind::kMerge;
+    case CsgOperation::kIntersection: return core::CsgKind::kIntersection;
+    case CsgOperation::kDifference: return core::CsgKind::kDifference;
+    case CsgOperation::kUnion:
+    case CsgOperation::kLightGroup: return core::CsgKind::kUnion;
+  }
+  return core::CsgKind::kUnion;
+}
+
+bool is_plain_union(const ObjectDesc& object) {
+  const CsgShape* csg = object.csg();
+  return csg && (csg->operation == CsgOperation::kUnion || csg->operation == CsgOperation::kLightGroup);
+}
+
+}  // namespace
+
+ObjectBuilder::ObjectBuilder(core::SceneParts& parts, TextureCompiler& textures, NotYet& not_yet)
+    : m_parts(&parts), m_textures(&textures), m_not_yet(not_yet) {}
+
+ObjectBuilder::ObjectBuilder(NotYet& not_yet) : m_not_yet(not_yet) {}
+
+void ObjectBuilder::add(const ObjectDesc& object, const Ref<TextureDesc>& default_texture) {
+  m_default = default_texture ? default_texture : standard_texture();
+  Inherited nothing;
+  nothing.on_list = true;
+  if (auto built = build(object, core::Transform(), nothing)) m_parts->objects.push_back(std::move(built));
+}
+
+std::unique_ptr<core::Object> ObjectBuilder::geometry(const ObjectDesc& object,
+                                                      const core::Transform& to_world) {
+  ObjectBuilder plain(m_not_yet);
+  return plain.build(object, to_world, {});
+}
+
+Ref<TextureDesc> ObjectBuilder::moved(const Ref<TextureDesc>& texture, const core::Transform& transform) {
+  if (!texture || transform.is_identity()) return texture;
+  Ref<TextureDesc>& slot = m_moved[{texture, transform.rows()}];
+  if (!slot) slot = transformed(texture, transform);
+  return slot;
+}
+
+/// Looks and switches that hold for the object, in world space.
+ObjectBuilder::Inherited ObjectBuilder::resolve(const ObjectDesc& object, const core::Transform& outer,
+                                                const Inherited& from) {
+  Inherited looks = from;
+  looks.on_list = false;
+  looks.no_shadow = from.no_shadow || object.no_shadow;
+  looks.no_image = from.no_image || object.no_image;
+  looks.no_reflection = from.no_reflection || object.no_reflection;
+  if (object.hollow) looks.hollow = object.hollow;
+  // The outermost double_illuminate overrides those inside it.
+  if (!from.double_illuminate) looks.double_illuminate = object.double_illuminate;
+  if (!m_parts) return looks;
+  const core::Transform texture_move = object.uv_mapping ? core::Transform() : outer;
+  if (object.texture) looks.texture = moved(object.texture, texture_move);
+  if (object.interior_texture) looks.interior_texture = moved(object.interior_texture, texture_move);
+  if (object.interior || (object.texture && !from.interior)) {
+    Ref<InteriorDesc> interior = object.interior;
+    if (interior && !interior->media.empty()) interior = transformed(interior, outer);
+    // Every object that has one has its own: stock tells nested objects apart by it.
+    if (const auto made = m_textures->interior(interior, looks.texture)) {
+      m_parts->interiors.push_back(std::make_shared<const core::Interior>(*made));
+      looks.interior = m_parts->interiors.back().get();
+    }
+  }
+  if (object.uv_mapping && !object.is_light()) note("uv_mapping", object.where);
+  return looks;
+}
+
+const core::Texture* ObjectBuilder::compile(const Ref<TextureDesc>& texture) {
+  const std::shared_ptr<const core::Texture> made = m_textures->texture(texture, m_default);
+  if (m_owned.insert(made.get()).second) m_parts->textures.push_back(made);
+  return made.get();
+}
+
+core::Attributes ObjectBuilder::attributes(const Inherited& looks) {
+  core::Attributes a;
+  a.no_shadow = looks.no_shadow;
+  a.no_image = looks.no_image;
+  a.no_reflection = looks.no_reflection;
+  a.hollow = looks.hollow.value_or(false);
+  a.double_illuminate = looks.double_illuminate.value_or(false);
+  a.interior = looks.interior;
+  if (!m_parts) return a;
+  a.texture = compile(looks.texture);
+  if (looks.interior_texture) a.interior_texture = compile(looks.interior_texture);
+  return a;
+}
+
+void ObjectBuilder::set_regions(const ObjectDesc& object, const core::Transform& outer, bool keep_bounds,
+                                core::Object& out) {
+  std::map<const ObjectDesc*, std::shared_ptr<const core::Object>> made;
+  const auto region = [&](const Ref<ObjectDesc>& desc) {
+    std::shared_ptr<const core::Object>& slot = made[desc.get()];
+    if (!slot) slot = geometry(*desc, outer);
+    return slot;
+  };
+  std::vector<std::shared_ptr<const core::Object>> clips, bounds;
+  for (const Ref<ObjectDesc>& clip : object.clipped_by) {
+    if (auto built = region(clip)) clips.push_back(std::move(built));
+  }
+  for (const Ref<ObjectDesc>& bound : object.bounded_by) {
+    if (!keep_bounds) break;
+    if (auto built = region(bound)) bounds.push_back(std::move(built));
+  }
+  if (!clips.empty()) out.set_clips(std::move(clips));
+  if (!bounds.empty()) out.set_bounding(std::move(bounds));
+}
+
+std::unique_ptr<core::Object> ObjectBuilder::build(const ObjectDesc& object, const core::Transform& outer,
+                                                   const Inherited& from) {
+  const core::Transform to_world = object.transform.then(outer);
+  if (const auto* light = std::get_if<LightShape>(&object.shape)) {
+    if (m_parts) add_light(object, *light->light, to_world, from);
+    return nullptr;
+  }
+  const Inherited looks = resolve(object, outer, from);
+  const CsgShape* csg = object.csg();
+  std::unique_ptr<core::Object> out;
+  if (csg) {
+    Inherited for_children = looks;
+    // The parts of an unclipped union of the scene's list come to hang in the list themselves.
+    for_children.on_list = from.on_list && is_plain_union(object) && object.clipped_by.empty() &&
+                           object.bounded_by.empty();
+    out = build_csg(object, *csg, to_world, for_children);
+  } else {
+    out = build_leaf(object, to_world, looks);
+  }
+  if (!out) return nullptr;
+  out->set_attributes(attributes(looks));
+  const bool cheap = !csg && !std::holds_alternative<QuadricShape>(object.shape);
+  set_regions(object, outer, !(from.on_list && cheap), *out);
+  if (object.inverse) out->set_inverse(true);
+  return out;
+}
+
+std::unique_ptr<core::Object> ObjectBuilder::build_csg(const ObjectDesc& object, const CsgShape& csg,
+                                                       const core::Transform& to_world,
+                                                       const Inherited& looks) {
+  if (csg.cutaway_textures) note("cutaway_textures", object.where);
+  if (csg.operation == CsgOperation::kLightGroup) note("light_group", object.where);
+  std::vector<std::unique_ptr<core::Object>> children;
+  bool first = true;
+  for (const Ref<ObjectDesc>& child : *csg.children) {
+    auto built = build(*child, to_world, looks);
+    const bool is_light = child->is_light();
+    // What the first part of a difference would be cut from is missing: so is the whole.
+    if (!built && !is_light && first && csg.operation == CsgOperation::kDifference) return nullptr;
+    if (!is_light) first = false;
+    if (built) children.push_back(std::move(built));
+  }
+  if (children.empty()) return nullptr;
+  return std::make_unique<core::Csg>(csg_kind(csg.operation), std::move(children));
+}
+
+std::unique_ptr<core::Object> ObjectBuilder::build_leaf(const ObjectDesc& object,
+                                                        const core::Transform& to_world,
+                                                        const Inherited&) {
+  std::unique_ptr<core::Shape> shape;
+  if (const auto* mesh = std::get_if<std::shared_ptr<const MeshShape>>(&object.shape)) {
+    std::unique_ptr<core::Mesh> made = build_mesh(object);
+    if (m_parts && !(*mesh)->textures.empty()) {
+      std::vector<const core::Texture*> textures;
+      const core::Transform move = object.uv_mapping ? core::Transform() : to_world;
+      for (const Ref<TextureDesc>& t : (*mesh)->textures) textures.push_back(compile(moved(t, move)));
+      made->set_textures(std::move(textures));
+    }
+    shape = std::move(made);
+  } else {
+    shape = build_shape(object);
+  }
+  if (!shape) {
+    note(object.keyword, object.where);
+    return nullptr;
+  }
+  return std::make_unique<core::Leaf>(std::move(shape), to_world);
+}
+
+void ObjectBuilder::add_light(const ObjectDesc& object, const LightDesc& light,
+                              const core::Transform& to_world, const Inherited& from) {
+  m_parts->lights.push_back(build_light(light, to_world));
+  if (light.projected_through) note("projected_through", object.where);
+  if (light.area_illumination) note("area_illumination", object.where);
+  if (!light.looks_like) return;
+  Inherited looks = resolve(object, to_world, from);
+  looks.no_shadow = true;
+  // The kernel's list holds it: a light in a CSG takes no part in the CSG.
+  if (auto built = build(*light.looks_like, to_world, looks)) m_parts->objects.push_back(std::move(built));
+}
+
+}  // namespace lentray::parser

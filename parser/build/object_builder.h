@@ -1,0 +1,73 @@
+// Object descriptions -> objects of the kernel, in world space, looks inherited through CSG.
+// One builder a scene, one thread. Source: reference manual 3.7, "Object Modifiers"; the rules of
+// inheritance measured on stock (tests/unit/build_objects_test.cpp).
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "core/scene/scene.h"
+#include "parser/build/texture_compiler.h"
+#include "parser/descriptions/object.h"
+#include "parser/diagnostics.h"
+
+namespace lentray::parser {
+
+/// What is missing so far: SDL's word for it, and the first place that asked for it.
+using NotYet = std::map<std::string, Location>;
+
+class ObjectBuilder {
+ public:
+  /// Objects with looks: textures and interiors go to `parts`, lights and the objects that lights
+  /// look like too.
+  ObjectBuilder(core::SceneParts& parts, TextureCompiler& textures, NotYet& not_yet);
+  /// Geometry alone: attributes stay empty, lights are left out.
+  explicit ObjectBuilder(NotYet& not_yet);
+
+  /// One statement of the scene level: appends to the parts.
+  void add(const ObjectDesc& object, const Ref<TextureDesc>& default_texture);
+
+  /// Geometry alone of one object; null if nothing of it is rendered.
+  std::unique_ptr<core::Object> geometry(const ObjectDesc& object,
+                                         const core::Transform& to_world = core::Transform());
+
+ private:
+  /// What an object takes over from the CSG around it.
+  struct Inherited {
+    Ref<TextureDesc> texture, interior_texture;  ///< in world space already
+    const core::Interior* interior = nullptr;
+    std::optional<bool> hollow, double_illuminate;
+    bool no_shadow = false, no_image = false, no_reflection = false;
+    bool on_list = false;   ///< hangs directly in the scene's list: stock drops needless bounds there
+  };
+
+  std::unique_ptr<core::Object> build(const ObjectDesc& object, const core::Transform& outer,
+                                      const Inherited& from);
+  std::unique_ptr<core::Object> build_csg(const ObjectDesc& object, const CsgShape& csg,
+                                          const core::Transform& to_world, const Inherited& looks);
+  std::unique_ptr<core::Object> build_leaf(const ObjectDesc& object, const core::Transform& to_world,
+                                           const Inherited& looks);
+  void add_light(const ObjectDesc& object, const LightDesc& light, const core::Transform& to_world,
+                 const Inherited& from);
+  Inherited resolve(const ObjectDesc& object, const core::Transform& outer, const Inherited& from);
+  void set_regions(const ObjectDesc& object, const core::Transform& outer, bool keep_bounds,
+                   core::Object& out);
+  core::Attributes attributes(const Inherited& looks);
+  const core::Texture* compile(const Ref<TextureDesc>& texture);
+  Ref<TextureDesc> moved(const Ref<TextureDesc>& texture, const core::Transform& transform);
+  void note(const std::string& feature, const Location& where) { m_not_yet.try_emplace(feature, where); }
+
+  core::SceneParts* m_parts = nullptr;   ///< null: geometry alone
+  TextureCompiler* m_textures = nullptr;
+  NotYet& m_not_yet;
+  Ref<TextureDesc> m_default;
+  std::set<const core::Texture*> m_owned;
+  /// Textures by origin and transform, so that equal parts share what is compiled.
+  std::map<std::pair<Ref<TextureDesc>, core::Matrix>, Ref<TextureDesc>> m_moved;
+};
+
+}  // namespace lentray::parser

@@ -1,0 +1,99 @@
+#include "parser/build/scene.h"
+
+#include "parser/build/object_builder.h"
+
+namespace lentray::parser {
+namespace {
+
+core::SceneSettings build_settings(const SceneDesc& scene) {
+  core::SceneSettings s;
+  const GlobalDesc& g = scene.global;
+  if (g.max_trace_level) s.max_trace_level = *g.max_trace_level;
+  if (g.adc_bailout) s.adc_bailout = *g.adc_bailout;
+  if (g.ambient_light) s.ambient_light = *g.ambient_light;
+  s.language_version = scene.language_version;
+  s.assumed_gamma_set = g.assumed_gamma.has_value() || g.gamma_is_srgb;
+  if (g.assumed_gamma) {
+    s.assumed_gamma = *g.assumed_gamma;
+  } else {
+    s.assumed_gamma = g.gamma_is_srgb || scene.language_version < 370 ? 0.0 : 1.0;
+  }
+  s.atmosphere_ior = scene.atmosphere_ior;
+  s.background.rgb = scene.background.rgb;
+  if (scene.background_version >= 370) {
+    // From 3.7 on a transparent background is laid over black when no alpha is written.
+    s.background.rgb *= 1.0f - scene.background.filter - scene.background.transmit;
+  }
+  return s;
+}
+
+void note_missing(const SceneDesc& scene, NotYet& not_yet) {
+  const auto note = [&](bool used, const char* feature, const Location& where) {
+    if (used) not_yet.try_emplace(feature, where);
+  };
+  const GlobalDesc& g = scene.global;
+  note(g.radiosity.has_value(), "radiosity", g.where);
+  note(g.photons.has_value() && (g.photons->count > 0 || g.photons->spacing > 0.0) &&
+           g.photons->gather_max > 0,
+       "photons", g.where);
+  note(g.subsurface.has_value(), "subsurface", g.where);
+  for (const FogDesc& fog : scene.fogs) note(fog.distance != 0.0, "fog", fog.where);
+  for (const RainbowDesc& rainbow : scene.rainbows) note(true, "rainbow", rainbow.where);
+  note(!scene.atmosphere_media.empty(), "media", g.where);
+  if (!scene.camera) return;
+  const CameraDesc& camera = *scene.camera;
+  note(camera.aperture != 0.0 && camera.blur_samples > 0, "focal blur", camera.where);
+  note(camera.normal != nullptr, "camera normal", camera.where);
+}
+
+std::unique_ptr<core::SkySphere> build_sky(const SkySphereDesc& sky, TextureCompiler& textures) {
+  auto out = std::make_unique<core::SkySphere>();
+  out->emission = sky.emission;
+  for (const Ref<PigmentDesc>& pigment : sky.pigments) {
+    out->pigments.push_back(textures.pigment(transformed(pigment, sky.transform)));
+  }
+  return out;
+}
+
+void warn_about_gamma(const SceneDesc& scene, Diagnostics& diagnostics) {
+  if (scene.global.assumed_gamma || scene.global.gamma_is_srgb) return;
+  if (scene.language_version < 370) {
+    diagnostics.warn({}, "assumed_gamma is not specified: gamma correction is off, as it was before "
+                         "#version 3.7.");
+  } else {
+    diagnostics.warn({}, "assumed_gamma is not specified: 1.0 is used.");
+  }
+}
+
+}  // namespace
+
+core::SceneParts build_scene(const SceneDesc& scene, Diagnostics& diagnostics,
+                             const BuildOptions& options) {
+  core::SceneParts parts;
+  parts.settings = build_settings(scene);
+  warn_about_gamma(scene, diagnostics);
+
+  TextureSettings texture_settings;
+  texture_settings.quality = options.quality;
+  texture_settings.language_version = scene.language_version;
+  // noise_generator 0 means 1; without one, scenes older than 3.5 have the noise of their time.
+  texture_settings.noise_generator =
+      scene.global.noise_generator.value_or(scene.language_version < 350 ? 1 : 2);
+  TextureCompiler textures(texture_settings);
+
+  NotYet not_yet;
+  ObjectBuilder builder(parts, textures, not_yet);
+  for (const SceneObject& object : scene.objects) builder.add(*object.object, object.default_texture);
+  if (scene.sky_sphere) parts.sky_sphere = build_sky(*scene.sky_sphere, textures);
+  note_missing(scene, not_yet);
+  for (const std::string& feature : textures.not_yet()) not_yet.try_emplace(feature, Location{});
+
+  for (const auto& [feature, where] : not_yet) {
+    parts.not_rendered.push_back(feature);
+    diagnostics.not_yet(feature, where);
+  }
+  diagnostics.report_not_yet();
+  return parts;
+}
+
+}  // namespace lentray::parser

@@ -1,0 +1,103 @@
+#include "parser/build/shapes.h"
+
+#include "core/geometry/box.h"
+#include "core/geometry/cone.h"
+#include "core/geometry/cylinder.h"
+#include "core/geometry/disc.h"
+#include "core/geometry/plane.h"
+#include "core/geometry/polygon.h"
+#include "core/geometry/quadric.h"
+#include "core/geometry/smooth_triangle.h"
+#include "core/geometry/sphere.h"
+#include "core/geometry/torus.h"
+#include "core/geometry/triangle.h"
+#include "core/geometry/triangle_mesh.h"
+
+namespace lentray::parser {
+namespace {
+
+using ShapePointer = std::unique_ptr<core::Shape>;
+
+std::array<std::uint32_t, 3> indices(const std::array<int, 3>& from) {
+  std::array<std::uint32_t, 3> to;
+  for (int i = 0; i < 3; ++i) to[i] = from[i] < 0 ? core::kNone : static_cast<std::uint32_t>(from[i]);
+  return to;
+}
+
+/// The kernel's form of a mesh. Stock replaces null normals by <1, 0, 0>.
+core::MeshData mesh_data(const MeshShape& mesh) {
+  core::MeshData data;
+  data.vertices = mesh.vertices;
+  data.uvs = mesh.uvs;
+  data.normals.reserve(mesh.normals.size());
+  for (const Vec3& n : mesh.normals) {
+    const Vec3 unit = normalized(n);
+    data.normals.push_back(unit == Vec3{} ? Vec3{1.0, 0.0, 0.0} : unit);
+  }
+  data.faces.reserve(mesh.faces.size());
+  for (const MeshFace& face : mesh.faces) {
+    data.faces.push_back({indices(face.vertex), indices(face.normal), indices(face.uv),
+                          indices(face.texture)});
+  }
+  return data;
+}
+
+struct ShapeMaker {
+  const ObjectDesc& object;
+
+  ShapePointer operator()(const SphereShape& s) const {
+    return std::make_unique<core::Sphere>(s.centre, s.radius);
+  }
+  ShapePointer operator()(const BoxShape& s) const {
+    return std::make_unique<core::Box>(s.corner1, s.corner2);
+  }
+  ShapePointer operator()(const PlaneShape& s) const {
+    return std::make_unique<core::Plane>(s.normal, s.distance);
+  }
+  ShapePointer operator()(const CylinderShape& s) const {
+    return std::make_unique<core::Cylinder>(s.base, s.cap, s.radius, s.open);
+  }
+  ShapePointer operator()(const ConeShape& s) const {
+    return std::make_unique<core::Cone>(s.base, s.base_radius, s.cap, s.cap_radius, s.open);
+  }
+  ShapePointer operator()(const TorusShape& s) const {
+    return std::make_unique<core::Torus>(s.major, s.minor, object.sturm);
+  }
+  ShapePointer operator()(const DiscShape& s) const {
+    return std::make_unique<core::Disc>(s.centre, s.normal, s.radius, s.hole);
+  }
+  ShapePointer operator()(const TriangleShape& s) const {
+    return std::make_unique<core::Triangle>(s.p[0], s.p[1], s.p[2]);
+  }
+  ShapePointer operator()(const SmoothTriangleShape& s) const {
+    return std::make_unique<core::SmoothTriangle>(s.p[0], s.n[0], s.p[1], s.n[1], s.p[2], s.n[2]);
+  }
+  ShapePointer operator()(const PolygonShape& s) const {
+    return std::make_unique<core::Polygon>(s.points);
+  }
+  ShapePointer operator()(const QuadricShape& s) const {
+    return std::make_unique<core::Quadric>(s.c);
+  }
+  ShapePointer operator()(const std::shared_ptr<const MeshShape>&) const { return build_mesh(object); }
+  /// Everything else is kept for later.
+  template <typename Other>
+  ShapePointer operator()(const Other&) const { return nullptr; }
+};
+
+}  // namespace
+
+std::unique_ptr<core::Mesh> build_mesh(const ObjectDesc& object) {
+  const auto* mesh = std::get_if<std::shared_ptr<const MeshShape>>(&object.shape);
+  if (!mesh) return nullptr;
+  if (!(*mesh)->compiled) {
+    (*mesh)->compiled = std::make_shared<const core::TriangleMesh>(mesh_data(**mesh));
+  }
+  return std::make_unique<core::Mesh>((*mesh)->compiled, (*mesh)->inside_vector,
+                                      object.keyword == "mesh2");
+}
+
+ShapePointer build_shape(const ObjectDesc& object) {
+  return std::visit(ShapeMaker{object}, object.shape);
+}
+
+}  // namespace lentray::parser

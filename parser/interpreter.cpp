@@ -1,0 +1,110 @@
+#include "parser/interpreter.h"
+
+#include <filesystem>
+
+#include "parser/keywords.h"
+
+namespace lentray::parser {
+namespace {
+
+// Of the usual 8 MB; what lies deeper is recursion without an end, and a message beats a crash.
+constexpr std::uintptr_t kStackBudget = 5 << 20;
+
+std::uintptr_t stack_address() {
+  const char here = 0;
+  return reinterpret_cast<std::uintptr_t>(&here);
+}
+
+}  // namespace
+
+Interpreter::Interpreter(SourceManager& sources_, Diagnostics& diagnostics_,
+                         const ParserOptions& options_, Productions& productions_, Parser& parser_)
+    : sources(sources_), diagnostics(diagnostics_), options(options_), productions(productions_),
+      parser(parser_), tokens(*this), expressions(*this), functions(*this), directives(*this),
+      files(*this) {
+  m_stack_base = stack_address();
+  if (options.language_version > 0) {
+    version = options.language_version;
+    version_set = true;
+  }
+}
+
+void Interpreter::guard_stack() {
+  if (m_stack_base - stack_address() > kStackBudget && m_stack_base > stack_address()) {
+    fail(tokens.location(), "statements or expressions nest too deeply: endless recursion?");
+  }
+}
+
+void Interpreter::fail(const Location& where, const std::string& message) {
+  diagnostics.fail(where, message, stream.stack(names));
+}
+
+void Interpreter::warn(const Location& where, const std::string& message) {
+  diagnostics.warn(where, message, stream.stack(names));
+}
+
+std::shared_ptr<const TokenList> Interpreter::load(const std::string& path) {
+  const auto found = texts.find(path);
+  if (found != texts.end()) return found->second;
+  const auto file = sources.load(path);
+  if (!file) return nullptr;
+  auto list = tokenise(*file, sources.text(*file), names);
+  texts.emplace(path, list);
+  return list;
+}
+
+std::optional<std::string> Interpreter::find_file(const std::string& name) const {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const auto there = [&](const fs::path& path) {
+    return fs::exists(path, error) && !fs::is_directory(path, error);
+  };
+  if (name.empty()) return std::nullopt;
+  if (there(name)) return name;
+  if (fs::path(name).is_absolute()) return std::nullopt;
+  std::vector<std::string> folders;
+  if (!scene_folder.empty()) folders.push_back(scene_folder);
+  folders.insert(folders.end(), options.library_paths.begin(), options.library_paths.end());
+  for (const std::string& folder : folders) {
+    const fs::path path = fs::path(folder) / name;
+    if (there(path)) return path.string();
+  }
+  return std::nullopt;
+}
+
+void Interpreter::declare_constants() {
+  const auto declare = [&](std::string_view name, Value value) {
+    symbols.declare_global(names.intern(name)).reset(std::move(value));
+  };
+  const auto number = [&](std::string_view name, double x) { declare(name, Number::scalar(x)); };
+  number("clock_delta", 0.0);
+  number("frame_number", options.frame_number);
+  number("initial_frame", 0.0);
+  number("final_frame", 0.0);
+  number("initial_clock", 0.0);
+  number("final_clock", 0.0);
+  number("image_width", options.image_width);
+  number("image_height", options.image_height);
+  for (const auto& [name, text] : options.declares) {
+    char* end = nullptr;
+    const double x = std::strtod(text.c_str(), &end);
+    if (!text.empty() && end == text.c_str() + text.size()) {
+      number(name, x);
+    } else {
+      const bool quoted = text.size() > 1 && text.front() == '"' && text.back() == '"';
+      declare(name, quoted ? text.substr(1, text.size() - 2) : text);
+    }
+  }
+}
+
+std::string Interpreter::suggestion(std::string_view name) const {
+  std::vector<std::string_view> known;
+  for (const NameId id : symbols.visible_names()) known.push_back(names.text(id));
+  for (std::size_t i = 1; i < static_cast<std::size_t>(Keyword::kEndOfKeywords); ++i) {
+    known.push_back(spelling(static_cast<Keyword>(i)));
+  }
+  const std::string_view near = nearest_name(name, known);
+  return near.empty() ? "" : ", did you mean '" + std::string(near) + "'?";
+}
+
+}  // namespace lentray::parser

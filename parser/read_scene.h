@@ -1,0 +1,31 @@
+// A scene file -> what the kernel compiles and the camera to look through: parsing and building
+// in one call, for the programs and the tests.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "core/scene/scene.h"
+#include "parser/build/scene.h"
+#include "parser/descriptions/scene.h"
+#include "parser/diagnostics.h"
+#include "parser/parser.h"
+
+namespace lentray::parser {
+
+struct ReadScene {
+  core::SceneParts parts;
+  CameraDesc camera;           ///< stock's default camera if the scene has none
+  bool has_camera = false;
+};
+
+/// Throws ParseError. Warnings and the scene's own messages go to `diagnostics`.
+ReadScene read_scene(const std::string& path, SourceManager& sources, Diagnostics& diagnostics,
+                     const ParserOptions& options, const BuildOptions& build = {});
+
+/// The descriptions alone.
+SceneDesc read_descriptions(const std::string& path, SourceManager& sources, Diagnostics& diagnostics,
+                            const ParserOptions& options);
+
+}  // namespace lentray::parser

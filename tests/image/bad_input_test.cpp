@@ -1,0 +1,141 @@
+// Bad input: a clear message, an exit status, and the good picture that stood there survives.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/support/render.h"
+
+namespace lentray::test {
+namespace {
+
+namespace fs = std::filesystem;
+using diff::RunResult;
+using diff::TemporaryFolder;
+
+constexpr const char* kGood = "#version 3.7;\nglobal_settings { assumed_gamma 1 }\n"
+                              "camera { location <0,0,-3> look_at 0 }\n"
+                              "light_source { <5,5,-5> rgb 1 }\n"
+                              "sphere { 0, 1 pigment { rgb 1 } }\n";
+
+/// A folder with a good scene and its picture, a.png, to be hurt.
+class BadInput : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    put("good.pov", kGood);
+    const RunResult result = render("good.pov");
+    ASSERT_EQ(result.status, 0) << result.output;
+    m_before = diff::read_text(m_folder / "a.png");
+    ASSERT_FALSE(m_before.empty());
+  }
+
+  void put(const std::string& name, const std::string& text) {
+    diff::write_text(m_folder / name, text);
+  }
+
+  RunResult render(const std::string& scene, const std::vector<std::string>& more = {},
+                   double seconds = 60.0) {
+    std::vector<std::string> arguments{"+I" + scene, "+Oa.png", "+W40", "+H30", "-V"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run_lentray(arguments, m_folder.path(), seconds);
+  }
+
+  /// It failed in good order, said all of `words`, and harmed nothing.
+  void expect_refused(const RunResult& result, const std::vector<std::string>& words) {
+    EXPECT_NE(result.status, 0);
+    EXPECT_LT(result.status, 126) << "ended by a signal";
+    EXPECT_FALSE(result.timed_out);
+    for (const std::string& word : words) {
+      EXPECT_NE(result.output.find(word), std::string::npos)
+          << "'" << word << "' is missing in:\n" << result.output;
+    }
+    expect_unharmed();
+  }
+
+  void expect_unharmed() {
+    EXPECT_EQ(diff::read_text(m_folder / "a.png"), m_before) << "the good picture was touched";
+    for (const auto& entry : fs::directory_iterator(m_folder.path())) {
+      EXPECT_EQ(entry.path().string().find(".part"), std::string::npos)
+          << "left behind: " << entry.path();
+    }
+  }
+
+  TemporaryFolder m_folder;
+  std::string m_before;
+};
+
+TEST_F(BadInput, MissingScene) { expect_refused(render("nothing.pov"), {"nothing.pov"}); }
+
+TEST_F(BadInput, SceneIsAFolder) {
+  fs::create_directory(m_folder / "folder.pov");
+  expect_refused(render("folder.pov"), {"folder.pov"});
+}
+
+TEST_F(BadInput, MissingInclude) {
+  put("bad.pov", std::string("#version 3.7;\n#include \"missing.inc\"\n") + kGood);
+  expect_refused(render("bad.pov"), {"missing.inc", "bad.pov:2"});
+}
+
+TEST_F(BadInput, ParseErrorInIncludeInsideMacro) {
+  put("shapes_of_mine.inc",
+      "#macro Twin(Where)\n"
+      "  sphere { Where, 1 }\n"
+      "  sphere { Where + 2*x 1 pigmnt { rgb 1 } }\n"
+      "#end\n");
+  put("bad.pov", std::string(kGood) + "#include \"shapes_of_mine.inc\"\nTwin(<0,0,4>)\n");
+  // Where it is, and the way there.
+  expect_refused(render("bad.pov"), {"shapes_of_mine.inc:3", "bad.pov:7", "Twin", "^"});
+}
+
+TEST_F(BadInput, SizeNought) {
+  expect_refused(render("good.pov", {"+W0"}), {"0"});
+  expect_refused(render("good.pov", {"+H0"}), {"0"});
+  expect_refused(render("good.pov", {"Width=-5"}), {"-5"});
+  expect_refused(render("good.pov", {"+Wmany"}), {"many"});
+}
+
+TEST_F(BadInput, SizeAbsurd) {
+  const RunResult result = render("good.pov", {"+W2000000000", "+H2000000000"}, 20.0);
+  expect_refused(result, {"2000000000"});
+  expect_refused(render("good.pov", {"+W99999999999999999999999"}, 20.0), {"9999999"});
+}
+
+TEST_F(BadInput, UnwritableOutput) {
+  expect_refused(render("good.pov", {"+Onowhere/b.png"}), {"nowhere"});
+  fs::create_directory(m_folder / "taken.png");
+  expect_refused(render("good.pov", {"+Otaken.png"}), {"taken.png"});
+  expect_refused(render("good.pov", {"+Ogood.pov/b.png"}), {"good.pov"});
+}
+
+TEST_F(BadInput, UnwritableStatistics) {
+  expect_refused(render("good.pov", {"+Ob.png", "Statistics_File=nowhere/s.json"}), {"nowhere"});
+}
+
+TEST_F(BadInput, UnknownOption) {
+  expect_refused(render("good.pov", {"Lens_Pichs=2"}), {"Lens_Pichs"});
+  expect_refused(render("good.pov", {"Lenticular=On", "Lens_Pixels=0"}), {"pixel"});
+}
+
+TEST_F(BadInput, KilledWhileRendering) {
+  put("big.pov", std::string(kGood) +
+                     "#for (I, 0, 400) sphere { <mod(I,20)/10-1, floor(I/20)/10-1, 2>, 0.06 "
+                     "pigment { rgb 1 } finish { reflection 0.8 } } #end\n");
+  const RunResult result = render("big.pov", {"+W6000", "+H6000", "+WT1"}, 0.5);
+  EXPECT_TRUE(result.timed_out) << "too fast to be killed";
+  EXPECT_EQ(diff::read_text(m_folder / "a.png"), m_before);
+}
+
+TEST_F(BadInput, DiffSaysErrorsWithStatusTwo) {
+  const auto status = [&](const std::vector<std::string>& arguments) {
+    return run_diff(arguments, m_folder.path()).status;
+  };
+  EXPECT_EQ(status({"nothing.pov"}), 2);
+  EXPECT_EQ(status({"a.png", "nothing.png"}), 2);
+  EXPECT_EQ(status({"good.pov", "--grade", "good"}), 2);
+  EXPECT_EQ(status({"good.pov", "--frobnicate"}), 2);
+  put("bad.pov", "#version 3.7;\nsphere { <0,0,0> 1 pigmen }\n");
+  EXPECT_EQ(status({"bad.pov"}), 2);
+  EXPECT_EQ(status({"a.png", "a.png", "--no-pictures"}), 0);
+}
+
+}  // namespace
+}  // namespace lentray::test

@@ -1,0 +1,88 @@
+// Roots of polynomials against roots that are known beforehand.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/geometry/roots.h"
+#include "tests/unit/geometry_help.h"
+
+namespace lentray::core {
+namespace {
+
+using geometry_test::Random;
+
+void expand(const double* roots, int n, double* c) {
+  std::fill(c, c + n + 1, 0.0);
+  c[0] = 1.0;
+  for (int i = 0; i < n; ++i) {
+    for (int k = i + 1; k >= 1; --k) c[k] -= roots[i] * c[k - 1];
+  }
+}
+
+TEST(UnitCoreRoots, QuadraticWithoutCancellation) {
+  double r[2];
+  ASSERT_EQ(solve_quadratic(1.0, -1e8, 1.0, r), 2);
+  EXPECT_NEAR(r[0], 1e-8, 1e-23);
+  EXPECT_NEAR(r[1], 1e8, 1e-7);
+  EXPECT_EQ(solve_quadratic(0.0, 0.0, 1.0, r), 0);
+  ASSERT_EQ(solve_quadratic(0.0, 2.0, -3.0, r), 1);
+  EXPECT_DOUBLE_EQ(r[0], 1.5);
+  EXPECT_EQ(solve_quadratic(1.0, 0.0, 1.0, r), 0);
+  ASSERT_GE(solve_quadratic(1.0, -2.0, 1.0, r), 1);
+  EXPECT_DOUBLE_EQ(r[0], 1.0);
+}
+
+TEST(UnitCoreRoots, CubicAndQuarticKnownRoots) {
+  Random random(1);
+  for (int round = 0; round < 20000; ++round) {
+    const int n = 3 + round % 2;
+    double known[4], c[5], found[4];
+    for (int i = 0; i < n; ++i) known[i] = random.in(-10.0, 10.0);
+    std::sort(known, known + n);
+    double gap = 1e9;
+    for (int i = 1; i < n; ++i) gap = std::min(gap, known[i] - known[i - 1]);
+    if (gap < 1e-2) continue;
+    expand(known, n, c);
+    const int count = n == 3 ? solve_cubic(c[0], c[1], c[2], c[3], found) : solve_quartic(c, found);
+    ASSERT_EQ(count, n);
+    for (int i = 0; i < n; ++i) EXPECT_NEAR(found[i], known[i], 1e-8);
+  }
+}
+
+TEST(UnitCoreRoots, NearDoubleRoots) {
+  // (x - 1)(x - 1 - h)(x + 2)(x - 4): the pair is found while rounding leaves it two roots.
+  for (double h : {1e-2, 1e-4, 1e-6}) {
+    const double known[4] = {-2.0, 1.0, 1.0 + h, 4.0};
+    double c[5], found[4];
+    expand(known, 4, c);
+    ASSERT_EQ(solve_quartic(c, found), 4) << h;
+    for (int i = 0; i < 4; ++i) EXPECT_NEAR(found[i], known[i], 1e-14 / h);
+  }
+}
+
+TEST(UnitCoreRoots, NoRootsAndLowerOrders) {
+  double r[4];
+  const double none[5] = {1, 0, 0, 0, 1};
+  EXPECT_EQ(solve_quartic(none, r), 0);
+  const double lower[5] = {0, 0, 1, 0, -4};
+  ASSERT_EQ(solve_quartic(lower, r), 2);
+  EXPECT_DOUBLE_EQ(r[0], -2.0);
+  EXPECT_DOUBLE_EQ(r[1], 2.0);
+  const double zero[5] = {0, 0, 0, 0, 0};
+  EXPECT_EQ(solve_quartic(zero, r), 0);
+}
+
+TEST(UnitCoreRoots, OnlyBetween) {
+  const double known[4] = {-2.0, 1.0, 2.0, 4.0};
+  double c[5], found[4];
+  expand(known, 4, c);
+  ASSERT_EQ(solve_between(c, 4, 0.0, 3.0, found), 2);
+  EXPECT_NEAR(found[0], 1.0, 1e-14);
+  EXPECT_NEAR(found[1], 2.0, 1e-14);
+  EXPECT_EQ(solve_between(c, 4, 5.0, 9.0, found), 0);
+  ASSERT_EQ(solve_between(c, 4, 1.0, 1.5, found), 1);  // at the very end
+}
+
+}  // namespace
+}  // namespace lentray::core

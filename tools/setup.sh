@@ -1,0 +1,47 @@
+#!/bin/sh
+# Installs every Debian package that building, testing and comparing need. May be run again at
+# any time: it does nothing, and needs neither root nor network, when all are there.
+set -eu
+
+packages="
+  cmake ninja-build g++ ccache git python3
+  libtbb-dev libboost-dev libboost-program-options-dev nlohmann-json3-dev
+  libopenimageio-dev libopenexr-dev
+  libgtest-dev libbenchmark-dev libembree-dev
+  povray povray-includes povray-examples"
+
+is_installed() {
+  dpkg-query -W -f '${db:Status-Abbrev}' "$1" 2>/dev/null | grep -q '^ii'
+}
+
+if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
+  echo "tools/setup.sh knows Debian and its relatives only. Elsewhere, install what these" >&2
+  echo "Debian packages hold, then build with CMake (see README.md):" >&2
+  echo $packages >&2
+  exit 1
+fi
+
+missing=""
+for package in $packages; do
+  is_installed "$package" || missing="$missing $package"
+done
+if [ -z "$missing" ]; then
+  echo "setup: all packages are installed"
+  exit 0
+fi
+
+if [ "$(id -u)" -eq 0 ]; then
+  as_root=""
+elif command -v sudo >/dev/null; then
+  as_root="sudo"
+else
+  echo "These packages are missing, and installing them needs root or sudo:" >&2
+  echo "  apt-get install --no-install-recommends$missing" >&2
+  exit 1
+fi
+
+echo "setup: installing$missing"
+$as_root env DEBIAN_FRONTEND=noninteractive apt-get update -q
+# shellcheck disable=SC2086 # a list of words on purpose
+$as_root env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends $missing
+echo "setup: done"

@@ -1,0 +1,16 @@
+#!/bin/sh
+# Setup, build, tests (all but those labelled slow).
+#   tools/test.sh [PRESET] [further arguments for ctest]      PRESET: release (default), dev, ...
+set -eu
+cd "$(dirname "$0")/.."
+
+preset=release
+if [ $# -gt 0 ]; then
+  preset=$1
+  shift
+fi
+
+tools/setup.sh
+cmake --preset "$preset"
+cmake --build --preset "$preset"
+ctest --test-dir "build/$preset" --output-on-failure -j "$(nproc)" -LE slow "$@"
