@@ -69,7 +69,12 @@ std::shared_ptr<ScriptFile> ScriptFiles::file(bool closing) {
   return file;
 }
 
-void ScriptFiles::close() { file(true); }
+void ScriptFiles::close() {
+  // A file read to its end is closed and its identifier gone: closing it once more is no mistake.
+  m_in.tokens.read_name("the identifier of an open file");
+  if (m_in.tokens.symbol()) file(true);
+  else m_in.tokens.skip();
+}
 
 void ScriptFiles::write() {
   TokenReader& tokens = m_in.tokens;
