@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/accel/packs.h"
 #include "core/accel/wide_bvh.h"
 #include "core/base/bounds.h"
 #include "core/geometry/triangle_test.h"
@@ -75,8 +76,20 @@ class TriangleMesh {
     return true;
   }
 
+  template <bool kAny>
+  struct Search;
+  template <bool kAny>
+  struct PackLeaf;
+  template <bool kAny>
+  struct PackLeafAvx2;
+  template <bool kAny>
+  bool search(const Ray& ray, double t_min, double t_max, FaceHit& hit) const;
+  void fill_packs();
+
   MeshData m_data;  ///< faces in the hierarchy's order
   WideBvh m_bvh;
+  std::vector<TrianglePack> m_packs;        ///< one a leaf
+  std::vector<std::uint32_t> m_pack_at;     ///< by a leaf's first face
   Bounds m_bounds;
   std::size_t m_dropped = 0;
 };

@@ -57,24 +57,28 @@ Rgb PlainShadowTester::surface_filter(const Hit& hit, double depth, const Shadow
   const Vec3 point = query.ray.at(hit.t);
   const Interior* interior = looks.interior;
   const bool caustics = interior && interior->caustics != 0.0;
-  double cosine = 0.0;
+  const Vec3& along = query.ray.direction;
+  Vec3 normal;
+  bool from_behind = false;
   if (caustics || looks.interior_texture) {
-    Vec3 normal = hit.leaf->normal(point, hit.shape);
+    normal = hit.leaf->normal(point, hit.shape);
     if (hit.leaf->is_inverse()) normal = -normal;
-    cosine = dot(normal, query.ray.direction);
+    from_behind = dot(normal, along) > 0.0;
+    if (from_behind) normal = -normal;
   }
 
   m_textures.clear();
-  textures_at(hit, point, cosine > 0.0, m_bailout, m_textures);
+  textures_at(hit, point, from_behind, m_bailout, m_textures);
   Rgb sum;
   for (const WeightedTexture& weighted : m_textures) {
     Rgb through(1.0f);
     for (const TextureLayer& layer : weighted.texture->layers()) {
       const Colour* constant = layer.pigment->constant();
       through *= passed(constant ? *constant : layer.pigment->colour(point));
-      if (caustics) {
-        through = times(through, 1.0 + std::pow(std::fabs(cosine), interior->caustics));
-      }
+      if (!caustics) continue;
+      const double cosine =
+          dot(layer.normal ? layer.normal->perturb(point, normal) : normal, along);
+      through = times(through, 1.0 + std::pow(std::fabs(cosine), interior->caustics));
     }
     sum += times(through, weighted.weight);
   }
