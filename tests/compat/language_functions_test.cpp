@@ -10,7 +10,7 @@ TEST(CompatFunctions, Expressions) {
       "sin(x)*cos(y)+tan(z)", "sinh(x)+cosh(y)+tanh(z)", "asin(x/10)+acos(y/10)+atan2(y,x)", "exp(x)+ln(y)+log(z)",
       "pow(x,y)+sqrt(z)+sqrt(x)", "abs(-y)+int(2.7*x)+floor(-x/3)+ceil(y/3)", "max(x,y,z)-min(x,y,z)", "mod(y*3.3,z)",
       "select(x-y,1,2)", "select(x-y,1,2,3)", "select(x-1,y,z,5)", "degrees(x)+radians(y)", "sum(i_,1,4,i_*x)",
-      "prod(i_,1,3,i_+y)", "sum(i_,1,3,sum(j_,1,i_,j_*x))", "K*x+pi", "V.y*x+C.blue", "G(x,y)+G(z,1)", "G(G(x,y),z)",
+      "prod(i_,1,3,i_+y)", "sum(i_,1,3,sum(j_,1,i_,j_*x))", "K*x+pi", "K*x*x-K", "G(x,y)+G(z,1)", "G(G(x,y),z)",
       "atan2(0.0000001+x*0,1)", "x-y-z", "x/y/z", "2*x+3*y-4*z+5", "asinh(x)+acosh(y)+atanh(x/10)"};
   std::string setup =
       "#version 3.7; #declare K = 2.5; #declare V = <1,2,3>; #declare C = rgb <.1,.2,.3>;\n"
