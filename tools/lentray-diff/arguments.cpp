@@ -211,6 +211,7 @@ Arguments parse_arguments(const std::vector<std::string>& words) {
 std::string usage() {
   return R"(lentray-diff SCENE [options]     render SCENE with lentray and with stock POV-Ray, compare
 lentray-diff A B [Lens_Pixels=N] compare two pictures, lens by lens if N is given
+                                 (or found in a picture that lentray wrote)
 
 All options of lentray are passed on (Lenticular=On, Declare=, +W, +H, +L, files.ini ...);
 stock sees the same scene through wrapper scenes: neither antialiases.

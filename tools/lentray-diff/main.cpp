@@ -1,6 +1,8 @@
 // lentray-diff: the same scene by lentray and by stock POV-Ray, compared lens by lens.
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -106,11 +108,20 @@ Pair render_both(const Arguments& a) {
   return pair;
 }
 
+/// Pixels a lens, as lentray wrote it into the file; 0 if it did not, or the picture is one view.
+double lens_pixels_in(const StoredImage& image) {
+  const auto found = image.attributes.find("lentray:lens.pixels");
+  if (found == image.attributes.end() || image.attributes.count("lentray:lens.view") != 0) return 0.0;
+  const double pixels = std::strtod(found->second.c_str(), nullptr);
+  return pixels >= 1.0 ? pixels : 0.0;
+}
+
 Pair read_both(const Arguments& a) {
   Pair pair;
   pair.ours = core::read_image(a.pictures[0]);
   pair.stock = core::read_image(a.pictures[1]);
-  pair.lens_pixels = a.lens_pixels.value_or(0.0);
+  pair.lens_pixels =
+      a.lens_pixels.value_or(std::max(lens_pixels_in(pair.ours), lens_pixels_in(pair.stock)));
   pair.about = {{"pictures", {a.pictures[0].string(), a.pictures[1].string()}},
                 {"width", pair.ours.width},
                 {"height", pair.ours.height}};
