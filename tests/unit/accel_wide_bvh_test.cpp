@@ -157,6 +157,31 @@ TEST(UnitCoreWideBvhShape, RaysInThePlanesOfFlatBoxesMeetThem) {
   }
 }
 
+TEST(UnitCoreWideBvhShape, RaysFromAfarMeetTheCornersOfFlatBoxes) {
+  std::vector<Bounds> boxes;
+  for (int x = -4; x < 4; ++x) {
+    for (int y = -4; y < 4; ++y) boxes.push_back({{x * 1.0, y * 1.0, 0}, {x + 1.0, y + 1.0, 0}});
+  }
+  const WideBvh bvh(boxes);
+  const TestBoxes far{"", 1, 1, {}, 1e7};
+  Maker make(far);
+  for (int i = 0; i < 20000; ++i) {
+    const auto target = static_cast<std::uint32_t>(make.integer(64));
+    const Bounds& b = boxes[target];
+    const Vec3 p{make.integer(2) ? b.lo.x : b.hi.x, make.integer(2) ? b.lo.y : b.hi.y, 0.0};
+    const Vec3 origin = make.point() * 1e7;
+    const Ray ray{origin, normalized(p - origin)};
+    const double t = length(p - origin);
+    Visited portable{bvh, {}}, avx2{bvh, {}};
+    CountNothing nothing;
+    bvh.traverse_portable(ray, t, t, portable, nothing);
+    ASSERT_TRUE(portable.parts.count(target)) << i;
+    if (!WideBvh::has_avx2()) continue;
+    bvh.traverse_avx2<true>(ray, t, t, avx2, nothing);
+    ASSERT_TRUE(avx2.parts.count(target)) << i;
+  }
+}
+
 TEST(UnitCoreWideBvhShape, NearBoxesComeFirstAndTheLimitCutsTheRest) {
   std::vector<Bounds> boxes;
   for (int i = 0; i < 1000; ++i) boxes.push_back({{i * 2.0, -1, -1}, {i * 2.0 + 1, 1, 1}});
