@@ -82,6 +82,7 @@ std::string Diagnostics::format(const Location& where, std::string_view severity
 
 void Diagnostics::warn(const Location& where, const std::string& message,
                        std::vector<StackEntry> stack) {
+  if (!m_given.insert(format(where, "warning", message, {})).second) return;
   std::string text = format(where, "warning", message, stack);
   write(Stream::kWarning, text);
   m_warnings.push_back({where, message, std::move(stack), std::move(text)});

@@ -56,6 +56,7 @@ class Diagnostics {
   void connect(Stream stream, Sink sink);
   void write(Stream stream, std::string_view text);
 
+  /// The same warning at the same place (in a loop, a macro) is given once.
   void warn(const Location& where, const std::string& message, std::vector<StackEntry> stack = {});
   [[noreturn]] void fail(const Location& where, const std::string& message,
                          std::vector<StackEntry> stack = {});
@@ -76,6 +77,7 @@ class Diagnostics {
   const SourceManager& m_sources;
   Sink m_sinks[kStreams];
   std::vector<Diagnostic> m_warnings;
+  std::set<std::string> m_given;   // texts of the warnings given
   std::set<std::string> m_not_yet;
   Location m_first_not_yet;
 };

@@ -118,7 +118,7 @@ Value Directives::parse_rvalue() {
   TokenReader& tokens = m_in.tokens;
   const Token first = tokens.peek_operand();
   switch (first.kind) {
-    case TokenKind::kNumber: return m_in.expressions.parse_additive();
+    case TokenKind::kNumber: return stored(m_in.expressions.parse_additive());
     case TokenKind::kString: return m_in.expressions.parse_string();
     default: break;
   }
@@ -150,16 +150,17 @@ Value Directives::parse_rvalue() {
       return copy;
     }
     if (std::holds_alternative<Number>(*value) || called) {
-      const Number n = m_in.expressions.parse_additive();
-      return n;
+      return stored(m_in.expressions.parse_additive());
     }
     if (std::optional<Value> made = m_in.productions.rvalue(m_in.parser)) return std::move(*made);
     Value copy = copy_value(*tokens.value());
     tokens.skip();
     return copy;
   }
+  if (m_in.expressions.at_expression()) return stored(m_in.expressions.parse_additive());
   if (std::optional<Value> made = m_in.productions.rvalue(m_in.parser)) return std::move(*made);
-  if (m_in.expressions.at_expression()) return m_in.expressions.parse_additive();
+  // A name without a value: the expression knows what to say about it.
+  if (tokens.peek().kind == TokenKind::kIdentifier) return m_in.expressions.parse_operand();
   tokens.fail_expected("a value");
 }
 

@@ -23,7 +23,6 @@ enum class OutputType { kPng, kTiff, kExr };
 struct RenderOptions {
   // Scene.
   std::string input;                      ///< "-": standard input; empty: none was named
-  std::string include_header;             ///< read before the scene
   std::vector<std::string> library_paths; ///< as given, in order, no doubles
   std::vector<std::pair<std::string, std::string>> declares;
   double clock = 0.0;

@@ -69,7 +69,12 @@ std::shared_ptr<ScriptFile> ScriptFiles::file(bool closing) {
   return file;
 }
 
-void ScriptFiles::close() { file(true); }
+void ScriptFiles::close() {
+  // A file read to its end is closed and its identifier gone: closing it once more is no mistake.
+  m_in.tokens.read_name("the identifier of an open file");
+  if (m_in.tokens.symbol()) file(true);
+  else m_in.tokens.skip();
+}
 
 void ScriptFiles::write() {
   TokenReader& tokens = m_in.tokens;
@@ -140,7 +145,10 @@ double ScriptFiles::read_number(ScriptFile& file) {
 // False at the end of the file.
 bool ScriptFiles::read_value(ScriptFile& file, Value& value) {
   const auto& all = file.in->tokens;
-  if (file.position >= all.size()) return false;
+  if (file.position >= all.size()) {
+    file.ended = true;
+    return false;
+  }
   const Token& t = all[file.position];
   const auto at = [&](Punct p) { return file.position < all.size() && all[file.position].is(p); };
   if (t.kind == TokenKind::kString) {
@@ -165,6 +173,7 @@ bool ScriptFiles::read_value(ScriptFile& file, Value& value) {
     m_in.fail(t.where, "expected a float, vector or string in a file read by #read");
   }
   if (at(Punct::kComma)) ++file.position;
+  else file.ended = file.position >= all.size();
   return true;
 }
 
@@ -193,7 +202,7 @@ void ScriptFiles::read() {
     else symbol.reset(std::move(value));
   }
   // At the end of the file its identifier is gone, so that `#while (defined(File))` ends.
-  if (in->position >= in->in->tokens.size()) m_in.symbols.remove(name.name);
+  if (in->ended) m_in.symbols.remove(name.name);
 }
 
 }  // namespace lentray::parser

@@ -25,7 +25,7 @@ show() {
 }
 
 show demo scenes/demo.pov +W1200 +H900
-show woodbox /usr/share/doc/povray/examples/advanced/woodbox.pov +W640 +H480
+show sombrero /usr/share/doc/povray/examples/advanced/sombrero.pov +W960 +H720
 
 echo
 echo "Done. Show the integral images at their printed size behind a sheet of 22.6 lenses an inch,"

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 #include <string>
 
 #include "core/accel/packs.h"
@@ -172,26 +173,34 @@ struct AllSearch {
 }  // namespace
 
 struct Hierarchy::Impl {
-  Impl(const std::vector<std::unique_ptr<Object>>& objects, bool linear);
+  Impl(const std::vector<std::unique_ptr<Object>>& objects, bool linear, bool portable);
 
-  /// What a leaf's first place leads to.
-  struct LeafStart {
-    std::uint32_t pack = 0;
-    Kind kind = kOthers;
-  };
-  template <class Search> struct PackLeaf;
-  template <class Search> struct PackLeafAvx2;
-  template <class Search> struct ObjectLeaf;
+  // A leaf's code: a pack of spheres, a pack of triangles, or count and first place of others.
+  static constexpr std::uint32_t kSphereBit = 1u << 30, kTriangleBit = 1u << 29;
+  static constexpr std::uint32_t kIndexMask = kTriangleBit - 1;
+  static constexpr std::uint32_t kFirstBits = 25;
+  template <class Search> struct LeafPortable;
+  template <class Search> struct LeafAvx2;
+  template <class Search> struct LeafOfObjects;
+
+  template <class Search>
+  bool each(std::uint32_t code, Search& what) const {
+    const Entry* e = entries.data() + (code & ((1u << kFirstBits) - 1));
+    for (std::uint32_t left = code >> kFirstBits; left > 0; --left, ++e) {
+      if (what.object(*e)) return true;
+    }
+    return false;
+  }
 
   std::vector<Entry> entries;    ///< of the tree, by place
   std::vector<Entry> unbounded;  ///< objects tried one by one: the infinite ones, or all
-  std::vector<LeafStart> starts; ///< by place; meaningful at the first of a leaf
   std::vector<SpherePack> spheres;
   std::vector<TrianglePack> triangles;
   std::vector<std::string> types;
   std::uint8_t any_flags = 0;  ///< of any object
   bool has_opaque = false;
   std::size_t infinite = 0;
+  bool avx2;
   WideBvh tree;
 
   template <bool kOrdered, class Search, class T>
@@ -206,73 +215,72 @@ struct Hierarchy::Impl {
 
  private:
   std::uint8_t type_of(std::string_view name);
-  void fill_packs(const std::vector<std::uint8_t>& kinds);
+  std::uint32_t code_of(std::uint32_t first, std::uint32_t count, Kind kind);
 };
 
-/// Leaves of the searches that know packs. The same text with and without AVX2, because a
+/// Leaves of the searches. Packs are tested with and without AVX2 by the same text, because a
 /// function does not take its caller's instruction set.
 template <class Search>
-struct Hierarchy::Impl::PackLeaf {
+struct Hierarchy::Impl::LeafPortable {
   const Impl& in;
   Search& what;
   const PackRay& ray;
 
-  bool operator()(std::uint32_t first, std::uint32_t count, double& t_max) {
-    const LeafStart start = in.starts[first];
-    const Entry* entries = in.entries.data() + first;
-    bool end = false;
-    if (start.kind == kOthers) {
-      for (std::uint32_t i = 0; i < count && !end; ++i) end = what.object(entries[i]);
-    } else {
-      PackHits hits;
-      what.tally.test(entries->type, count);
-      const double t_min = what.query.t_min;
-      const unsigned mask =
-          start.kind == kSpheres
-              ? intersect_portable(in.spheres[start.pack], ray, t_min, t_max, hits)
-              : intersect_portable(in.triangles[start.pack], ray, t_min, t_max, hits);
-      if (mask != 0) end = what.lanes(mask, hits, entries);
-    }
+  template <class Pack>
+  bool pack(const Pack& p, double t_max) {
+    PackHits hits;
+    what.tally.test(in.entries[p.first].type, p.count);
+    const unsigned mask = intersect_portable(p, ray, what.query.t_min, t_max, hits);
+    return mask != 0 && what.lanes(mask, hits, in.entries.data() + p.first);
+  }
+  bool operator()(std::uint32_t code, double& t_max) {
+    const std::uint32_t index = code & kIndexMask;
+    const bool end = code & kSphereBit     ? pack(in.spheres[index], t_max)
+                     : code & kTriangleBit ? pack(in.triangles[index], t_max)
+                                           : in.each(code, what);
     t_max = what.limit();
     return end;
   }
 };
 
 template <class Search>
-struct Hierarchy::Impl::PackLeafAvx2 {
+struct Hierarchy::Impl::LeafAvx2 {
   const Impl& in;
   Search& what;
   const PackRay& ray;
 
-  LENTRAY_AVX2 bool operator()(std::uint32_t first, std::uint32_t count, double& t_max) {
-    const LeafStart start = in.starts[first];
-    const Entry* entries = in.entries.data() + first;
-    bool end = false;
-    if (start.kind == kOthers) {
-      for (std::uint32_t i = 0; i < count && !end; ++i) end = what.object(entries[i]);
-    } else {
-      PackHits hits;
-      what.tally.test(entries->type, count);
-      const double t_min = what.query.t_min;
-      const unsigned mask =
-          start.kind == kSpheres
-              ? intersect_avx2(in.spheres[start.pack], ray, t_min, t_max, hits)
-              : intersect_avx2(in.triangles[start.pack], ray, t_min, t_max, hits);
-      if (mask != 0) end = what.lanes(mask, hits, entries);
-    }
+  template <class Pack>
+  LENTRAY_AVX2 bool pack(const Pack& p, double t_max) {
+    PackHits hits;
+    what.tally.test(in.entries[p.first].type, p.count);
+    const unsigned mask = intersect_avx2(p, ray, what.query.t_min, t_max, hits);
+    return mask != 0 && what.lanes(mask, hits, in.entries.data() + p.first);
+  }
+  LENTRAY_AVX2 bool operator()(std::uint32_t code, double& t_max) {
+    const std::uint32_t index = code & kIndexMask;
+    const bool end = code & kSphereBit     ? pack(in.spheres[index], t_max)
+                     : code & kTriangleBit ? pack(in.triangles[index], t_max)
+                                           : in.each(code, what);
     t_max = what.limit();
     return end;
   }
 };
 
+/// Objects by virtual calls, of whatever kind the leaf is.
 template <class Search>
-struct Hierarchy::Impl::ObjectLeaf {
+struct Hierarchy::Impl::LeafOfObjects {
   const Impl& in;
   Search& what;
 
-  bool operator()(std::uint32_t first, std::uint32_t count, double&) {
-    for (std::uint32_t i = 0; i < count; ++i) what.object(in.entries[first + i]);
-    return false;
+  bool operator()(std::uint32_t code, double&) {
+    const std::uint32_t index = code & kIndexMask;
+    const auto each = [&](const auto& pack) {
+      for (std::uint32_t i = 0; i < pack.count; ++i) what.object(in.entries[pack.first + i]);
+      return false;
+    };
+    return code & kSphereBit     ? each(in.spheres[index])
+           : code & kTriangleBit ? each(in.triangles[index])
+                                 : in.each(code, what);
   }
 };
 
@@ -283,11 +291,11 @@ bool Hierarchy::Impl::search(const Query& query, Search& what, T& tally) const {
   }
   if (tree.empty()) return false;
   const PackRay ray(query.ray, !triangles.empty());
-  if (WideBvh::has_avx2()) {
-    PackLeafAvx2<Search> leaf{*this, what, ray};
+  if (avx2) {
+    LeafAvx2<Search> leaf{*this, what, ray};
     return tree.traverse_avx2<kOrdered>(query.ray, query.t_min, what.limit(), leaf, tally);
   }
-  PackLeaf<Search> leaf{*this, what, ray};
+  LeafPortable<Search> leaf{*this, what, ray};
   return tree.traverse_portable(query.ray, query.t_min, what.limit(), leaf, tally);
 }
 
@@ -309,8 +317,12 @@ template <class T>
 void Hierarchy::Impl::all_transparent(const Query& query, std::vector<Hit>& hits, T& tally) const {
   AllSearch<T> what{query, hits, tally};
   for (const Entry& e : unbounded) what.object(e);
-  ObjectLeaf<AllSearch<T>> leaf{*this, what};
-  tree.traverse(query.ray, query.t_min, query.t_max, leaf, tally);
+  LeafOfObjects<AllSearch<T>> leaf{*this, what};
+  if (avx2) {
+    tree.traverse_avx2<false>(query.ray, query.t_min, query.t_max, leaf, tally);
+  } else {
+    tree.traverse_portable(query.ray, query.t_min, query.t_max, leaf, tally);
+  }
 }
 
 void Hierarchy::Impl::flush(const Tally& tally, Counters& counters) const {
@@ -336,7 +348,9 @@ std::uint8_t Hierarchy::Impl::type_of(std::string_view name) {
   return static_cast<std::uint8_t>(types.size() - 1);
 }
 
-Hierarchy::Impl::Impl(const std::vector<std::unique_ptr<Object>>& objects, bool linear) {
+Hierarchy::Impl::Impl(const std::vector<std::unique_ptr<Object>>& objects, bool linear,
+                      bool portable)
+    : avx2(!portable && WideBvh::has_avx2()) {
   std::vector<Entry> bounded;
   std::vector<Bounds> boxes;
   std::vector<std::uint8_t> kinds;
@@ -366,43 +380,48 @@ Hierarchy::Impl::Impl(const std::vector<std::unique_ptr<Object>>& objects, bool 
   tree = WideBvh(boxes, options);
   entries.reserve(tree.order().size());
   for (const std::uint32_t part : tree.order()) entries.push_back(bounded[part]);
-  fill_packs(kinds);
-}
-
-void Hierarchy::Impl::fill_packs(const std::vector<std::uint8_t>& kinds) {
-  starts.resize(entries.size());
-  tree.for_each_leaf([&](std::uint32_t first, std::uint32_t count) {
-    LeafStart& start = starts[first];
-    start.kind = static_cast<Kind>(kinds[tree.order()[first]]);
-    if (start.kind == kOthers) return;
-    const auto shape = [&](std::uint32_t i) -> const core::Shape& {
-      return static_cast<const Leaf*>(entries[first + i].object)->shape();
-    };
-    if (start.kind == kSpheres) {
-      start.pack = static_cast<std::uint32_t>(spheres.size());
-      SpherePack& pack = spheres.emplace_back();
-      for (std::uint32_t i = 0; i < count; ++i) {
-        const auto& sphere = static_cast<const Sphere&>(shape(i));
-        for (int a = 0; a < 3; ++a) pack.centre[a][i] = sphere.centre()[a];
-        pack.radius2[i] = sphere.radius2();
-      }
-      return;
-    }
-    start.pack = static_cast<std::uint32_t>(triangles.size());
-    TrianglePack& pack = triangles.emplace_back();
-    for (std::uint32_t i = 0; i < count; ++i) {
-      const auto& corners = static_cast<const Triangle&>(shape(i)).vertices();
-      for (int c = 0; c < 3; ++c) {
-        for (int a = 0; a < 3; ++a) pack.corner[c][a][i] = corners[static_cast<std::size_t>(c)][a];
-      }
-    }
+  if (entries.size() >> kFirstBits != 0) {
+    throw std::length_error("more objects than a bounding hierarchy holds");
+  }
+  tree.relabel([&](std::uint32_t first, std::uint32_t count) {
+    return code_of(first, count, static_cast<Kind>(kinds[tree.order()[first]]));
   });
   spheres.shrink_to_fit();
   triangles.shrink_to_fit();
 }
 
-Hierarchy::Hierarchy(const std::vector<std::unique_ptr<Object>>& objects, bool linear)
-    : m_impl(std::make_unique<Impl>(objects, linear)) {}
+/// Puts a leaf's objects into a pack, if they go into one.
+std::uint32_t Hierarchy::Impl::code_of(std::uint32_t first, std::uint32_t count, Kind kind) {
+  if (kind == kOthers) return count << kFirstBits | first;
+  const auto shape = [&](std::uint32_t i) -> const core::Shape& {
+    return static_cast<const Leaf*>(entries[first + i].object)->shape();
+  };
+  if (kind == kSpheres) {
+    SpherePack& pack = spheres.emplace_back();
+    pack.first = first;
+    pack.count = count;
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const auto& sphere = static_cast<const Sphere&>(shape(i));
+      for (int a = 0; a < 3; ++a) pack.centre[a][i] = sphere.centre()[a];
+      pack.radius2[i] = sphere.radius2();
+    }
+    return kSphereBit | static_cast<std::uint32_t>(spheres.size() - 1);
+  }
+  TrianglePack& pack = triangles.emplace_back();
+  pack.first = first;
+  pack.count = count;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const auto& corners = static_cast<const Triangle&>(shape(i)).vertices();
+    for (std::size_t c = 0; c < 3; ++c) {
+      for (int a = 0; a < 3; ++a) pack.corner[c][a][i] = corners[c][a];
+    }
+  }
+  return kTriangleBit | static_cast<std::uint32_t>(triangles.size() - 1);
+}
+
+Hierarchy::Hierarchy(const std::vector<std::unique_ptr<Object>>& objects, bool linear,
+                     bool portable)
+    : m_impl(std::make_unique<Impl>(objects, linear, portable)) {}
 
 Hierarchy::~Hierarchy() = default;
 
@@ -454,7 +473,6 @@ std::size_t Hierarchy::memory() const {
   const Impl& in = *m_impl;
   return sizeof(Impl) + in.tree.memory() +
          (in.entries.capacity() + in.unbounded.capacity()) * sizeof(Entry) +
-         in.starts.capacity() * sizeof(Impl::LeafStart) +
          in.spheres.capacity() * sizeof(SpherePack) +
          in.triangles.capacity() * sizeof(TrianglePack);
 }

@@ -23,8 +23,10 @@ enum class RayKind : std::uint8_t {
 
 class Hierarchy {
  public:
-  /// Borrows the objects. `linear` makes it a plain list (for comparison and tests).
-  Hierarchy(const std::vector<std::unique_ptr<Object>>& objects, bool linear);
+  /// Borrows the objects. `linear` makes it a plain list (for comparison and tests); `portable`
+  /// keeps it from using AVX2 where there is any (the answers are the same).
+  Hierarchy(const std::vector<std::unique_ptr<Object>>& objects, bool linear,
+            bool portable = false);
   ~Hierarchy();
 
   /// Nearest hit with t_min < t < t_max. Ties (equal t) go to the object first in the scene, so

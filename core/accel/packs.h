@@ -16,14 +16,16 @@ namespace lentray::core {
 inline constexpr int kPack = 4;
 
 /// Empty lanes have a negative radius2: nothing meets them.
-struct alignas(64) SpherePack {
+struct alignas(32) SpherePack {
   double centre[3][kPack] = {};
   double radius2[kPack] = {-1.0, -1.0, -1.0, -1.0};
+  std::uint32_t first = 0, count = 0;  ///< places of the lanes' objects
 };
 
 /// Empty lanes have all corners alike: nothing meets them.
 struct alignas(64) TrianglePack {
   double corner[3][3][kPack] = {};  ///< corner, axis
+  std::uint32_t first = 0, count = 0;
 };
 
 /// What the lanes gave; only those in the returned mask are set meaningfully.

@@ -38,7 +38,9 @@ WideRay::WideRay(const Ray& ray, const WideFrame& frame) {
   Vec3 d = ray.direction * frame.scale;
   const double largest = std::max({std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)});
   const double far = std::max({std::fabs(o.x), std::fabs(o.y), std::fabs(o.z)});
-  if (!(largest > 0.0 && largest < 1e300 && far < 1e300)) {
+  const double sum = std::fabs(o.x) + std::fabs(o.y) + std::fabs(o.z) + std::fabs(d.x) +
+                     std::fabs(d.y) + std::fabs(d.z);
+  if (!(largest > 0.0 && sum < 1e300)) {  // no number falls through too
     misses = true;
     return;
   }

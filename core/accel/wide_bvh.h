@@ -19,6 +19,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "core/base/bounds.h"
@@ -28,7 +29,8 @@
 
 namespace lentray::core {
 
-/// Eight children. A child is a node's index, or kLeaf + count * 2^27 + first place.
+/// Eight children. A child is a node's index, or kLeaf + a code of 31 bits, for the caller to
+/// choose; as built it is count * 2^27 + first place.
 struct alignas(64) WideNode {
   static constexpr int kWidth = 8;
   static constexpr std::uint32_t kLeaf = 0x80000000u;
@@ -66,9 +68,13 @@ struct WideRay {
   float upper(double t) const { return up((t - start) * rate + slack); }
   float lower(double t) const { return down((t - start) * rate - slack); }
 
+  /// Six times a float's rounding: one goes into the conversion, one into the widening itself,
+  /// and four are left. The slab test makes three (reciprocal, difference, product), relative to
+  /// a distance that is at most the sum of two widened numbers, so it needs none of its own.
+  static constexpr float kWider = 0x1.8p-22f;
   static float up(double x) {
     const float f = static_cast<float>(x < -1e36 ? -1e36 : x > 1e36 ? 1e36 : x);
-    return f + __builtin_fabsf(f) * 0x1p-22f;
+    return f + __builtin_fabsf(f) * kWider;
   }
   static float down(double x) { return -up(-x); }
 };
@@ -114,29 +120,44 @@ class WideBvh {
   template <class Leaf>
   bool traverse(const Ray& ray, double t_min, double t_max, Leaf&& leaf) const {
     CountNothing nothing;
-    return traverse(ray, t_min, t_max, leaf, nothing);
-  }
-  template <class Leaf, class Count>
-  bool traverse(const Ray& ray, double t_min, double t_max, Leaf&& leaf, Count& count) const {
-    return has_avx2() ? traverse_avx2<true>(ray, t_min, t_max, leaf, count)
-                      : traverse_portable(ray, t_min, t_max, leaf, count);
+    return has_avx2() ? traverse_avx2<true>(ray, t_min, t_max, leaf, nothing)
+                      : traverse_portable(ray, t_min, t_max, leaf, nothing);
   }
   /// Calls leaf(first, count), true to end, for the leaves with a box that may hold the point.
   template <class Leaf>
   bool at_point(const Vec3& point, Leaf&& leaf) const;
+
+  /// Replaces each leaf's code by code(first, count), below 2^31. Callers that do so use
+  /// traverse_avx2 and traverse_portable and read the codes themselves.
+  template <class Code>
+  void relabel(Code&& code) {
+    for (WideNode& node : m_nodes) {
+      for (std::uint32_t i = 0; i < node.used; ++i) {
+        std::uint32_t& child = node.child[i];
+        if (child & WideNode::kLeaf) child = WideNode::kLeaf | code(first_of(child), count_of(child));
+      }
+    }
+  }
+  static std::uint32_t first_of(std::uint32_t code) {
+    return code & ((1u << WideNode::kFirstBits) - 1);
+  }
+  static std::uint32_t count_of(std::uint32_t code) {
+    return (code >> WideNode::kFirstBits) & WideNode::kMaxCount;
+  }
 
   /// Calls visit(first, count) for every leaf, once.
   template <class Visit>
   void for_each_leaf(Visit&& visit) const {
     for (const WideNode& node : m_nodes) {
       for (std::uint32_t i = 0; i < node.used; ++i) {
-        if (node.child[i] & WideNode::kLeaf) visit(leaf_first(node.child[i]), leaf_count(node.child[i]));
+        const std::uint32_t child = node.child[i];
+        if (child & WideNode::kLeaf) visit(first_of(child), count_of(child));
       }
     }
   }
 
-  /// The two ways of traverse(), for callers with leaves of their own for each. kOrdered: near
-  /// children first; else as they come (any-hit searches).
+  /// The two ways of traverse(), for callers with leaves of their own for each; the leaf may also
+  /// be one that takes its code: leaf(code, t_max). kOrdered: near children first; else as they come (any-hit searches).
   template <bool kOrdered, class Leaf, class Count>
   LENTRAY_AVX2 bool traverse_avx2(const Ray& ray, double t_min, double t_max, Leaf& leaf,
                                   Count& count) const;
@@ -152,10 +173,11 @@ class WideBvh {
   struct Entry { float t; std::uint32_t child; };
   static constexpr int kMaxDepth = 80;
   static constexpr int kStack = kMaxDepth * (WideNode::kWidth - 1) + WideNode::kWidth;
-  /// Widens distances for the three roundings of a slab test (3 * 2^-24).
-  static constexpr float kDistanceSlack = 0x1p-22f;
 
   void build(std::span<const Bounds> boxes, const Options& options);
+  template <class Leaf>
+  static constexpr bool kTakesPlaces =
+      std::is_invocable_v<Leaf&, std::uint32_t, std::uint32_t, double&>;
   static void sort_far_first(Entry* first, Entry* last) {
     for (Entry* i = first + 1; i < last; ++i) {
       const Entry e = *i;
@@ -163,12 +185,6 @@ class WideBvh {
       for (; j > first && j[-1].t < e.t; --j) *j = j[-1];
       *j = e;
     }
-  }
-  static std::uint32_t leaf_first(std::uint32_t c) {
-    return c & ((1u << WideNode::kFirstBits) - 1);
-  }
-  static std::uint32_t leaf_count(std::uint32_t c) {
-    return (c >> WideNode::kFirstBits) & WideNode::kMaxCount;
   }
 
   std::vector<WideNode> m_nodes;  ///< the root first
@@ -191,8 +207,6 @@ LENTRAY_AVX2 bool WideBvh::traverse_avx2(const Ray& world, double t_min, double 
   const __m256 fx = _mm256_set1_ps(ray.far_product[0]), fy = _mm256_set1_ps(ray.far_product[1]),
                fz = _mm256_set1_ps(ray.far_product[2]);
   const int ex = ray.entry[0], ey = ray.entry[1], ez = ray.entry[2];
-  const __m256 slack = _mm256_set1_ps(kDistanceSlack);
-  const __m256 no_sign = _mm256_castsi256_ps(_mm256_set1_epi32(0x7fffffff));
   const __m256 from = _mm256_set1_ps(ray.lower(t_min));
   float to = ray.upper(t_max);
   Entry stack[kStack];
@@ -202,7 +216,12 @@ LENTRAY_AVX2 bool WideBvh::traverse_avx2(const Ray& world, double t_min, double 
   for (;;) {
     if (at & WideNode::kLeaf) {
       const double before = t_max;
-      if (leaf(leaf_first(at), leaf_count(at), t_max)) return true;
+      // In line here: a leaf for AVX2 is only inlined into a function for AVX2.
+      if constexpr (kTakesPlaces<Leaf>) {
+        if (leaf(first_of(at), count_of(at), t_max)) return true;
+      } else {
+        if (leaf(at & ~WideNode::kLeaf, t_max)) return true;
+      }
       if (t_max < before) to = ray.upper(t_max);
     } else {
       const WideNode& node = m_nodes[at];
@@ -216,8 +235,6 @@ LENTRAY_AVX2 bool WideBvh::traverse_avx2(const Ray& world, double t_min, double 
       const __m256 t2z = _mm256_fmsub_ps(_mm256_load_ps(p[2][ez ^ 1]), iz, fz);
       __m256 t1 = _mm256_max_ps(_mm256_max_ps(t1x, t1y), t1z);
       __m256 t2 = _mm256_min_ps(_mm256_min_ps(t2x, t2y), t2z);
-      t1 = _mm256_fnmadd_ps(_mm256_and_ps(t1, no_sign), slack, t1);
-      t2 = _mm256_fmadd_ps(_mm256_and_ps(t2, no_sign), slack, t2);
       t1 = _mm256_max_ps(t1, from);
       t2 = _mm256_min_ps(t2, _mm256_set1_ps(to));
       std::uint32_t hit = static_cast<std::uint32_t>(
@@ -264,7 +281,12 @@ bool WideBvh::traverse_portable(const Ray& world, double t_min, double t_max, Le
   for (;;) {
     if (at & WideNode::kLeaf) {
       const double before = t_max;
-      if (leaf(leaf_first(at), leaf_count(at), t_max)) return true;
+      // In line here: a leaf for AVX2 is only inlined into a function for AVX2.
+      if constexpr (kTakesPlaces<Leaf>) {
+        if (leaf(first_of(at), count_of(at), t_max)) return true;
+      } else {
+        if (leaf(at & ~WideNode::kLeaf, t_max)) return true;
+      }
       if (t_max < before) to = ray.upper(t_max);
     } else {
       const WideNode& node = m_nodes[at];
@@ -280,10 +302,8 @@ bool WideBvh::traverse_portable(const Ray& world, double t_min, double t_max, Le
         for (int i = 0; i < WideNode::kWidth; ++i) {
           const float n = (enter[i] - ray.near_origin[a]) * ray.inverse[a];
           const float f = (leave[i] - ray.far_origin[a]) * ray.inverse[a];
-          const float wide_n = n - __builtin_fabsf(n) * kDistanceSlack;
-          const float wide_f = f + __builtin_fabsf(f) * kDistanceSlack;
-          t1[i] = t1[i] > wide_n ? t1[i] : wide_n;
-          t2[i] = t2[i] < wide_f ? t2[i] : wide_f;
+          t1[i] = t1[i] > n ? t1[i] : n;
+          t2[i] = t2[i] < f ? t2[i] : f;
         }
       }
       const int base = top;
@@ -315,7 +335,7 @@ bool WideBvh::at_point(const Vec3& point, Leaf&& leaf) const {
   while (top != 0) {
     const std::uint32_t at = stack[--top];
     if (at & WideNode::kLeaf) {
-      if (leaf(leaf_first(at), leaf_count(at))) return true;
+      if (leaf(first_of(at), count_of(at))) return true;
       continue;
     }
     const WideNode& node = m_nodes[at];

@@ -10,30 +10,29 @@ Box::Box(const Vec3& corner1, const Vec3& corner2) {
   m_hi = b.hi;
 }
 
-/// Where the ray's line enters and leaves; false if it misses.
+/// Where the ray's line enters and leaves; false if it misses. Written without branches on the
+/// direction's signs. Where sides are met together the lower axis gives the normal.
 bool Box::interval(const Ray& ray, ShapeHit& in, ShapeHit& out) const {
-  in.t = -Bounds::kInf;
-  out.t = Bounds::kInf;
-  for (std::uint32_t axis = 0; axis < 3; ++axis) {
-    const int i = static_cast<int>(axis);
+  double near[3], far[3];
+  for (int i = 0; i < 3; ++i) {
     const double o = ray.origin[i], d = ray.direction[i];
     if (d == 0.0) {
       if (o < m_lo[i] || o > m_hi[i]) return false;
+      near[i] = -Bounds::kInf;
+      far[i] = Bounds::kInf;
       continue;
     }
     const double lower = (m_lo[i] - o) / d, upper = (m_hi[i] - o) / d;
-    const bool forward = d > 0.0;
-    const double t0 = forward ? lower : upper, t1 = forward ? upper : lower;
-    if (t0 > in.t) {
-      in.t = t0;
-      in.element = 2 * axis + (forward ? 0u : 1u);
-    }
-    if (t1 < out.t) {
-      out.t = t1;
-      out.element = 2 * axis + (forward ? 1u : 0u);
-    }
-    if (in.t > out.t) return false;
+    near[i] = std::min(lower, upper);
+    far[i] = std::max(lower, upper);
   }
+  in.t = std::max(std::max(near[0], near[1]), near[2]);
+  out.t = std::min(std::min(far[0], far[1]), far[2]);
+  if (!(in.t <= out.t)) return false;
+  const int first = in.t == near[0] ? 0 : in.t == near[1] ? 1 : 2;
+  const int last = out.t == far[0] ? 0 : out.t == far[1] ? 1 : 2;
+  in.element = static_cast<std::uint32_t>(2 * first + (ray.direction[first] > 0.0 ? 0 : 1));
+  out.element = static_cast<std::uint32_t>(2 * last + (ray.direction[last] > 0.0 ? 1 : 0));
   return true;
 }
 

@@ -299,14 +299,19 @@ bool Csg::kept_nearest(const Ray& ray, double t_min, double t_max, Hit& hit, Hit
 }
 
 bool Csg::any(const Ray& ray, double t_min, double t_max, HitArena& arena) const {
-  if (m_kind != CsgKind::kUnion || !clips().empty()) {
-    Hit hit;
-    return Csg::nearest(ray, t_min, t_max, hit, arena);
-  }
   if (!bounding().empty() && !passes_bounding(ray, arena)) return false;
+  const bool keep_all = m_kind == CsgKind::kUnion && clips().empty();
   bool found = false;
+  ScratchHits scratch(arena);
   for_children_met(ray, t_min, t_max, [&](std::size_t i, double&) {
-    return found = m_children[i]->any(ray, t_min, t_max, arena);
+    if (keep_all) return found = m_children[i]->any(ray, t_min, t_max, arena);
+    (*scratch).clear();
+    m_children[i]->all(ray, t_min, t_max, *scratch, arena);
+    for (const Hit& h : *scratch) {
+      const Vec3 p = ray.at(h.t);
+      if (keeps(i, p) && passes_clips(p)) return found = true;
+    }
+    return false;
   });
   return found;
 }

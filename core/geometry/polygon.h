@@ -23,7 +23,9 @@ class EvenOdd {
   std::size_t memory() const;
 
   static bool crosses(const Edge& e, double u, double v) {
-    return (e.v0 >= v) != (e.v1 >= v) && (u - e.u1) * (e.v1 - e.v0) <= (e.v1 - v) * (e.u0 - e.u1);
+    const bool spans = (e.v0 >= v) != (e.v1 >= v);  // both computed: cheaper than a wrong guess
+    const bool right = (u - e.u1) * (e.v1 - e.v0) <= (e.v1 - v) * (e.u0 - e.u1);
+    return spans & right;
   }
 
  private:

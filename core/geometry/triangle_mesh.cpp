@@ -1,5 +1,6 @@
 #include "core/geometry/triangle_mesh.h"
 
+#include <bit>
 #include <stdexcept>
 
 #include "core/geometry/bounds_help.h"
@@ -49,59 +50,122 @@ TriangleMesh::TriangleMesh(MeshData data) : m_data(std::move(data)) {
   }
   m_bounds = padded(m_bounds);
   WideBvh::Options options;
-  options.max_leaf = 4;
+  options.pack = options.max_leaf = kPack;
   m_bvh = WideBvh(boxes, options);
   m_data.faces.clear();
   m_data.faces.reserve(faces.size());
   for (const std::uint32_t part : m_bvh.order()) m_data.faces.push_back(faces[part]);
+  fill_packs();
+}
+
+void TriangleMesh::fill_packs() {
+  m_bvh.relabel([&](std::uint32_t first, std::uint32_t count) {
+    TrianglePack& pack = m_packs.emplace_back();
+    for (std::uint32_t lane = 0; lane < count; ++lane) {
+      for (int corner = 0; corner < 3; ++corner) {
+        const auto& vertex = m_data.faces[first + lane].vertex;
+        const Vec3& p = m_data.vertices[vertex[static_cast<std::size_t>(corner)]];
+        for (int axis = 0; axis < 3; ++axis) pack.corner[corner][axis][lane] = p[axis];
+      }
+    }
+    m_leaves.push_back({first, count});
+    return static_cast<std::uint32_t>(m_leaves.size() - 1);
+  });
+  m_leaves.shrink_to_fit();
+  m_packs.shrink_to_fit();
+}
+
+/// What is sought, and the best so far.
+template <bool kAny>
+struct TriangleMesh::Search {
+  double t_min, t_max;
+  FaceHit best;
+
+  /// Whether the search is over.
+  bool lanes(unsigned mask, const PackHits& hits, std::uint32_t first) {
+    for (; mask != 0; mask &= mask - 1) {
+      const int i = std::countr_zero(mask);
+      const std::uint32_t face = first + static_cast<std::uint32_t>(i);
+      const double t = hits.t[i];
+      if (!(t < t_max || (best.face != kNone && t == t_max && face < best.face))) continue;
+      best = {t, hits.u[i], hits.v[i], face};
+      if (kAny) return true;
+      t_max = t;
+    }
+    return false;
+  }
+};
+
+// The same text twice, because a function does not take its caller's instruction set.
+template <bool kAny>
+struct TriangleMesh::PackLeaf {
+  const TriangleMesh& mesh;
+  Search<kAny>& what;
+  const PackRay& ray;
+  bool operator()(std::uint32_t code, double& t_max) {
+    PackHits hits;
+    const unsigned mask = intersect_portable(mesh.m_packs[code], ray, what.t_min, t_max, hits);
+    const bool end = mask != 0 && what.lanes(mask, hits, mesh.m_leaves[code].first);
+    t_max = what.t_max;
+    return end;
+  }
+};
+
+template <bool kAny>
+struct TriangleMesh::PackLeafAvx2 {
+  const TriangleMesh& mesh;
+  Search<kAny>& what;
+  const PackRay& ray;
+  LENTRAY_AVX2 bool operator()(std::uint32_t code, double& t_max) {
+    PackHits hits;
+    const unsigned mask = intersect_avx2(mesh.m_packs[code], ray, what.t_min, t_max, hits);
+    const bool end = mask != 0 && what.lanes(mask, hits, mesh.m_leaves[code].first);
+    t_max = what.t_max;
+    return end;
+  }
+};
+
+template <bool kAny>
+bool TriangleMesh::search(const Ray& ray, double t_min, double t_max, FaceHit& hit) const {
+  if (m_bvh.empty()) return false;
+  const PackRay pack_ray(ray, true);
+  Search<kAny> what{t_min, t_max, {}};
+  CountNothing nothing;
+  if (WideBvh::has_avx2()) {
+    PackLeafAvx2<kAny> leaf{*this, what, pack_ray};
+    m_bvh.traverse_avx2<!kAny>(ray, t_min, t_max, leaf, nothing);
+  } else {
+    PackLeaf<kAny> leaf{*this, what, pack_ray};
+    m_bvh.traverse_portable(ray, t_min, t_max, leaf, nothing);
+  }
+  hit = what.best;
+  return hit.face != kNone;
 }
 
 bool TriangleMesh::nearest(const Ray& ray, double t_min, double t_max, FaceHit& hit) const {
-  const ShearedRay sheared(ray);
-  bool found = false;
-  m_bvh.traverse(ray, t_min, t_max, [&](std::uint32_t first, std::uint32_t count, double& limit) {
-    for (std::uint32_t i = first; i < first + count; ++i) {
-      FaceHit next;
-      if (!meets(sheared, i, next) || !(next.t > t_min) || !(next.t <= limit)) continue;
-      if (next.t == limit && !(found && i < hit.face)) continue;
-      hit = next;
-      limit = next.t;
-      found = true;
-    }
-    return false;
-  });
-  return found;
+  return search<false>(ray, t_min, t_max, hit);
 }
 
 bool TriangleMesh::any(const Ray& ray, double t_min, double t_max) const {
-  const ShearedRay sheared(ray);
-  return m_bvh.traverse(ray, t_min, t_max, [&](std::uint32_t first, std::uint32_t count, double&) {
-    for (std::uint32_t i = first; i < first + count; ++i) {
-      FaceHit next;
-      if (meets(sheared, i, next) && next.t > t_min && next.t < t_max) return true;
-    }
-    return false;
-  });
+  FaceHit hit;
+  return search<true>(ray, t_min, t_max, hit);
 }
 
 bool TriangleMesh::odd_crossings(const Ray& ray, double t_min) const {
   const ShearedRay s(ray);
   bool odd = false;
-  m_bvh.traverse(ray, t_min, Bounds::kInf, [&](std::uint32_t first, std::uint32_t count, double&) {
-    for (std::uint32_t i = first; i < first + count; ++i) {
-      double x[3], y[3], z[3];
-      for (int k = 0; k < 3; ++k) {
-        const Vec3 p = m_data.vertices[m_data.faces[i].vertex[static_cast<std::size_t>(k)]] - s.origin;
-        z[k] = p[s.kz];
-        x[k] = p[s.kx] - s.sx * z[k];
-        y[k] = p[s.ky] - s.sy * z[k];
-      }
-      if (!covers(x, y)) continue;
-      const double u = x[2] * y[1] - y[2] * x[1], v = x[0] * y[2] - y[0] * x[2];
-      const double w = x[1] * y[0] - y[1] * x[0], det = (u + v) + w;
-      if (det != 0.0 && ((u * z[0] + v * z[1]) + w * z[2]) * s.sz / det > t_min) odd = !odd;
+  for_faces_near(ray, t_min, Bounds::kInf, [&](std::uint32_t face) {
+    double x[3], y[3], z[3];
+    for (int k = 0; k < 3; ++k) {
+      const Vec3 p = m_data.vertices[m_data.faces[face].vertex[static_cast<std::size_t>(k)]] - s.origin;
+      z[k] = p[s.kz];
+      x[k] = p[s.kx] - s.sx * z[k];
+      y[k] = p[s.ky] - s.sy * z[k];
     }
-    return false;
+    if (!covers(x, y)) return;
+    const double u = x[2] * y[1] - y[2] * x[1], v = x[0] * y[2] - y[0] * x[2];
+    const double w = x[1] * y[0] - y[1] * x[0], det = (u + v) + w;
+    if (det != 0.0 && ((u * z[0] + v * z[1]) + w * z[2]) * s.sz / det > t_min) odd = !odd;
   });
   return odd;
 }
@@ -109,7 +173,9 @@ bool TriangleMesh::odd_crossings(const Ray& ray, double t_min) const {
 std::size_t TriangleMesh::memory() const {
   return sizeof(*this) + m_data.vertices.capacity() * sizeof(Vec3) +
          m_data.normals.capacity() * sizeof(Vec3) + m_data.uvs.capacity() * sizeof(Vec2) +
-         m_data.faces.capacity() * sizeof(MeshFace) + m_bvh.memory();
+         m_data.faces.capacity() * sizeof(MeshFace) +
+         m_packs.capacity() * sizeof(TrianglePack) + m_leaves.capacity() * sizeof(LeafFaces) +
+         m_bvh.memory();
 }
 
 }  // namespace lentray::core

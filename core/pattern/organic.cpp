@@ -180,15 +180,17 @@ class Waves final : public Pattern {
 };
 
 /// The cells around one whose random points can be among the three nearest: up to two away along
-/// one axis, up to one along the others.
+/// one axis, up to one along the others. Near ones first.
 constexpr auto kNeighbours = [] {
   std::array<std::array<int, 3>, 81> cells{};
   std::size_t count = 0;
-  for (int x = -2; x <= 2; ++x) {
-    for (int y = -2; y <= 2; ++y) {
-      for (int z = -2; z <= 2; ++z) {
-        const int far = (x * x == 4) + (y * y == 4) + (z * z == 4);
-        if (far <= 1) cells[count++] = {x, y, z};
+  for (int square = 0; square <= 6; ++square) {
+    for (int x = -2; x <= 2; ++x) {
+      for (int y = -2; y <= 2; ++y) {
+        for (int z = -2; z <= 2; ++z) {
+          const int far = (x * x == 4) + (y * y == 4) + (z * z == 4);
+          if (far <= 1 && x * x + y * y + z * z == square) cells[count++] = {x, y, z};
+        }
       }
     }
   }
@@ -202,11 +204,15 @@ class CracklePattern final : public Pattern {
 
   double value(const Vec3& p) const override {
     const int x = cell(p.x), y = cell(p.y), z = cell(p.z);
+    const Reach reach_x(*this, p.x - x), reach_y(*this, p.y - y), reach_z(*this, p.z - z);
     double nearest[3] = {1e300, 1e300, 1e300};
     Vec3 nearest_point;
     for (const auto& step : kNeighbours) {
+      // No point of this cell can be near enough.
+      if (reach_x[step[0]] + reach_y[step[1]] + reach_z[step[2]] >= nearest[2]) continue;
       const Vec3 point = random_point(x + step[0], y + step[1], z + step[2]);
-      const double d = powered_distance(point - p);
+      const Vec3 away = point - p;
+      const double d = powered(away.x) + powered(away.y) + powered(away.z);
       if (d < nearest[0]) {
         nearest[2] = nearest[1];
         nearest[1] = nearest[0];
@@ -220,34 +226,41 @@ class CracklePattern final : public Pattern {
       }
     }
     if (m_crackle.solid) return std::clamp(noise(nearest_point, m_generator), 0.0, 1.0);
+    const double offset = m_crackle.metric == 1.0 ? m_crackle.offset : powered(m_crackle.offset);
     double sum = 0.0;
-    for (int i = 0; i < 3; ++i) sum += m_crackle.form[i] * rooted(nearest[i] + powered_offset());
+    for (int i = 0; i < 3; ++i) sum += m_crackle.form[i] * rooted(nearest[i] + offset);
     return std::clamp(sum, 0.0, 1.0);
   }
 
  private:
-  static int cell(double v) { return static_cast<int>(std::floor(v - kEpsilon)); }
+  /// The metric's power of the least distance along one axis to the cells -2 .. 2 away.
+  class Reach {
+   public:
+    Reach(const CracklePattern& pattern, double place) {
+      for (int step = -2; step <= 2; ++step) {
+        const double distance = step > 0 ? step - place : step < 0 ? place - step - 1.0 : 0.0;
+        m_powers[static_cast<std::size_t>(step + 2)] = pattern.powered(std::max(distance, 0.0));
+      }
+    }
+    double operator[](int step) const { return m_powers[static_cast<std::size_t>(step + 2)]; }
+
+   private:
+    std::array<double, 5> m_powers;
+  };
+
+  static int cell(double v) { return static_cast<int>(whole_below(v - kEpsilon)); }
   static Vec3 random_point(int x, int y, int z) {
     const std::size_t seed = lattice_hash(x, y, z);
     return {x + lattice_random(seed), y + lattice_random(seed + 1), z + lattice_random(seed + 2)};
   }
-  /// The metric's power of the distance: no roots while comparing.
-  double powered_distance(const Vec3& d) const {
-    const double metric = m_crackle.metric;
-    if (metric == 2.0) return length_squared(d);
-    if (metric == 1.0) return std::fabs(d.x) + std::fabs(d.y) + std::fabs(d.z);
-    return std::pow(std::fabs(d.x), metric) + std::pow(std::fabs(d.y), metric) +
-           std::pow(std::fabs(d.z), metric);
+  /// Distances are compared as their metric's power: no roots until the end.
+  double powered(double d) const {
+    if (m_crackle.metric == 2.0) return d * d;
+    return m_crackle.metric == 1.0 ? std::fabs(d) : std::pow(std::fabs(d), m_crackle.metric);
   }
-  double powered_offset() const {
-    const double offset = m_crackle.offset;
-    if (offset == 0.0) return 0.0;
-    if (m_crackle.metric == 2.0) return offset * offset;
-    return m_crackle.metric == 1.0 ? offset : std::pow(offset, m_crackle.metric);
-  }
-  double rooted(double powered) const {
-    if (m_crackle.metric == 2.0) return std::sqrt(powered);
-    return m_crackle.metric == 1.0 ? powered : std::pow(powered, 1.0 / m_crackle.metric);
+  double rooted(double sum) const {
+    if (m_crackle.metric == 2.0) return std::sqrt(sum);
+    return m_crackle.metric == 1.0 ? sum : std::pow(sum, 1.0 / m_crackle.metric);
   }
   Crackle m_crackle;
   int m_generator;

@@ -3,6 +3,7 @@
 // Source: reference manual 3.7, "Patterns"; values compared with stock by image.patterns.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 
 #include "core/base/vec3.h"
@@ -15,6 +16,13 @@ class Pattern {
   /// Before frequency, phase and wave form; may lie outside 0..1.
   virtual double value(const Vec3& point) const = 0;
 };
+
+/// The whole number at or below: std::floor is a call where the processor need not have it. |v| is
+/// below 2^63: placements clamp coordinates.
+inline std::int64_t whole_below(double v) {
+  const auto i = static_cast<std::int64_t>(v);
+  return i - (v < static_cast<double>(i) ? 1 : 0);
+}
 
 using PatternPtr = std::unique_ptr<const Pattern>;
 

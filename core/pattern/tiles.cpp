@@ -14,9 +14,9 @@ constexpr double kEpsilon = 1e-10;
 class Checker final : public Pattern {
  public:
   double value(const Vec3& p) const override {
-    const double sum = std::floor(p.x + kEpsilon) + std::floor(p.y + kEpsilon) +
-                       std::floor(p.z + kEpsilon);
-    return static_cast<std::int64_t>(sum) & 1 ? 1.0 : 0.0;
+    const std::int64_t sum =
+        whole_below(p.x + kEpsilon) + whole_below(p.y + kEpsilon) + whole_below(p.z + kEpsilon);
+    return sum & 1 ? 1.0 : 0.0;
   }
 };
 
@@ -46,8 +46,8 @@ class Hexagon final : public Pattern {
 class Square final : public Pattern {
  public:
   double value(const Vec3& p) const override {
-    const bool odd_x = static_cast<std::int64_t>(std::floor(p.x)) & 1;
-    const bool odd_z = static_cast<std::int64_t>(std::floor(p.z)) & 1;
+    const bool odd_x = whole_below(p.x) & 1;
+    const bool odd_z = whole_below(p.z) & 1;
     return odd_x ? (odd_z ? 2.0 : 3.0) : (odd_z ? 1.0 : 0.0);
   }
 };
@@ -113,7 +113,7 @@ class Brick final : public Pattern {
 class Cells final : public Pattern {
  public:
   double value(const Vec3& p) const override {
-    const auto cell = [](double v) { return static_cast<int>(std::floor(v + kEpsilon)); };
+    const auto cell = [](double v) { return static_cast<int>(whole_below(v + kEpsilon)); };
     return std::min(lattice_random(lattice_hash(cell(p.x), cell(p.y), cell(p.z))), 1.0);
   }
 };

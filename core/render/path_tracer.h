@@ -114,8 +114,10 @@ class PathTracer final : public Tracer {
   bool add_transmitted(const Stack& stack, const Surface& at, Radiance& result);
   double enter(const InteriorEntry& entry, InteriorStack& inside) const;
   double relative_ior(const InteriorEntry& entry, const InteriorStack& inside) const;
-  /// Where the normal perturbation of a layer belongs.
-  static Vec3 layer_normal(const TextureLayer&, const Surface& at) { return at.normal; }
+  /// The normal that shades a layer: perturbed where it has a `normal`.
+  static Vec3 layer_normal(const TextureLayer& layer, const Surface& at) {
+    return layer.normal ? layer.normal->perturb(at.point, at.normal) : at.normal;
+  }
   double random();
   Frame& enter_frame();
 

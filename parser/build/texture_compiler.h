@@ -18,6 +18,9 @@ struct TextureSettings {
   int quality = 9;            ///< +Q; 5 and below use quick_color
   int noise_generator = 2;    ///< global_settings; 3.7's default is 2
   int number_of_waves = 10;   ///< global_settings
+  int language_version = 370;
+  double assumed_gamma = 1.0; ///< of the working space, for the colours of image files
+  bool decode_images = true;  ///< false: their values are used as stored
 };
 
 class TextureCompiler {

@@ -41,6 +41,11 @@ Ref<SlopeMapDesc> parse_slope_map(Parser& parser, MaterialContext& context);
 Ref<TextureMapDesc> parse_texture_map(Parser& parser, MaterialContext& context);
 Ref<DensityMapDesc> parse_density_map(Parser& parser, MaterialContext& context);
 
+/// `function { pigment { ... } }` and `function { pattern { ... } }`: the parser stands at the inner
+/// keyword, the function's own braces are not read. Gives a function of x, y, z with 5 results (a
+/// colour with filter and transmit) or 1.
+Ref<FunctionDesc> parse_pattern_function(Parser& parser, MaterialContext& context);
+
 /// The looks of an object as its modifiers build them up.
 struct Looks {
   Ref<TextureDesc> texture, interior_texture;

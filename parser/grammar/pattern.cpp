@@ -144,7 +144,7 @@ void read_image_pattern(const Reader& r) {
 
 void read_density_file(const Reader& r) {
   r.parser.expect(Keyword::kDf3);
-  r.pattern.density_file = r.parser.parse_string();
+  r.pattern.density_file = r.parser.parse_path();
   r.pattern.density_path = r.parser.find_file(r.pattern.density_file).value_or("");
 }
 

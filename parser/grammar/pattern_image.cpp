@@ -66,13 +66,13 @@ std::shared_ptr<ImageDesc> parse_image_source(Parser& parser) {
   if (type != std::end(kTypes)) {
     parser.next();
     image->type = type->extension;
-    image->name = parser.parse_string();
+    image->name = parser.parse_path();
   } else if (parser.accept(Keyword::kFunction)) {
     parse_image_function(parser, *image);
     return image;
   } else {
     if (parser.at(Punct::kRightCurly)) parser.fail_expected("an image file");
-    image->name = parser.parse_string();
+    image->name = parser.parse_path();
     const std::string extension = std::filesystem::path(image->name).extension().string();
     image->type = extension.empty() ? "png" : lower(extension.substr(1));
   }

@@ -202,6 +202,19 @@ void parse_repeat(Parser& parser, WarpDesc& warp) {
   }
 }
 
+/// Repeated holes must lie inside their blocks, wherever turbulence moves them: stock makes room.
+void fit_black_hole(Parser& parser, WarpDesc& warp) {
+  if (!warp.repeats) return;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!(warp.repeat[axis] > 0.0)) continue;
+    warp.centre[axis] = std::max(warp.centre[axis], warp.radius);
+    const double room = warp.centre[axis] + warp.radius + warp.uncertainty[axis];
+    if (warp.repeat[axis] >= room) continue;
+    warp.repeat[axis] = room;
+    parser.warn("the repeat of this black_hole is too small; it is made larger");
+  }
+}
+
 void parse_black_hole(Parser& parser, WarpDesc& warp) {
   warp.centre = parser.parse_vector();
   parser.parse_comma();
@@ -218,9 +231,11 @@ void parse_black_hole(Parser& parser, WarpDesc& warp) {
     } else if (parser.accept(Keyword::kRepeat)) {
       warp.repeat = parser.parse_vector();
       warp.repeats = true;
+      fit_black_hole(parser, warp);
     } else if (parser.accept(Keyword::kTurbulence)) {
       warp.uncertainty = parser.parse_vector();
       warp.uncertain = true;
+      fit_black_hole(parser, warp);
     } else {
       return;
     }

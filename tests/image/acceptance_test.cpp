@@ -92,7 +92,7 @@ TEST_F(Acceptance, ViewAlone) {
 
 /// A scene of Debian's examples, in its own camera and as an integral image.
 TEST_F(Acceptance, ExampleScene) {
-  const std::string scene = "/usr/share/doc/povray/examples/advanced/woodbox.pov";
+  const std::string scene = "/usr/share/doc/povray/examples/advanced/sombrero.pov";
   if (!fs::exists(scene)) GTEST_SKIP() << "povray-examples is not installed";
   diff::RunResult result = compare({scene, "+W160", "+H120"});
   EXPECT_EQ(result.status, 0) << text_of(m_report, result.output);

@@ -1,0 +1,22 @@
+// A camera statement -> what camera/ makes cameras of. The statement's vectors are final.
+// Errors: camera::CameraError for what is not rendered yet.
+#pragma once
+
+#include <string>
+
+#include "camera/lens_request.h"
+#include "camera/projection.h"
+#include "parser/descriptions/camera.h"
+
+namespace lentray::parser {
+
+struct CameraRequest {
+  std::string kind;               ///< SDL's word
+  camera::Projection projection;
+  camera::LensRequest lens;       ///< of `lenticular`, empty otherwise
+};
+
+/// A scene without a camera has stock's default one: pass a default CameraDesc.
+CameraRequest camera_request(const CameraDesc& camera);
+
+}  // namespace lentray::parser

@@ -1,0 +1,309 @@
+#include "core/accel/hierarchy.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <bit>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "core/accel/packs.h"
+#include "core/geometry/box.h"
+#include "core/geometry/cylinder.h"
+#include "core/geometry/plane.h"
+#include "core/geometry/sphere.h"
+#include "core/geometry/triangle.h"
+
+using namespace lentray::core;
+
+namespace {
+
+using Objects = std::vector<std::unique_ptr<Object>>;
+
+struct TestScene {
+  const char* name;
+  double scale, detail;
+  Vec3 offset;
+  double far;
+  bool flags, infinite;
+};
+
+class SceneMaker {
+ public:
+  explicit SceneMaker(const TestScene& s) : m_setup(s) {}
+
+  void add(Objects& out, std::unique_ptr<Shape> shape) {
+    auto leaf = std::make_unique<Leaf>(std::move(shape), Transform());
+    leaf->set_opaque(!m_setup.flags || integer(3) != 0);
+    if (m_setup.flags) {
+      Attributes a;
+      a.no_image = integer(5) == 0;
+      a.no_reflection = integer(5) == 0;
+      a.no_shadow = integer(5) == 0;
+      leaf->set_attributes(a);
+    }
+    out.push_back(std::move(leaf));
+  }
+  Objects objects(int count) {
+    Objects out;
+    for (int i = 0; i < count; ++i) {
+      const Vec3 p = place();
+      const double size = m_setup.detail * (0.1 + unit());
+      const auto corner = [&] { return p + point() * size; };
+      switch (integer(5)) {
+        case 0:
+        case 1: add(out, std::make_unique<Sphere>(p, size)); break;
+        case 2: add(out, std::make_unique<Triangle>(corner(), corner(), corner())); break;
+        case 3: add(out, std::make_unique<Box>(corner(), corner())); break;
+        default: add(out, std::make_unique<Cylinder>(corner(), corner(), size / 4)); break;
+      }
+      // Now and then the same again: equal distances.
+      if (integer(8) == 0) add(out, std::make_unique<Sphere>(p, size));
+    }
+    if (m_setup.infinite) {
+      add(out, std::make_unique<Plane>(Vec3{0.1, 1, 0.2}, dot(m_setup.offset, {0.1, 1, 0.2})));
+      add(out, std::make_unique<Plane>(point(), 0.3));
+    }
+    return out;
+  }
+  Vec3 place() { return m_setup.offset + point() * m_setup.scale; }
+  Ray ray() {
+    const Vec3 from = place() + point() * (m_setup.far * unit());
+    Vec3 d = place() - from;
+    const int kind = integer(8);
+    if (kind < 3) d[kind] = 0.0;
+    if (kind == 3) d = {0, 0, d.z};
+    return {from, integer(2) ? normalized(d) : d};
+  }
+  double unit() { return std::uniform_real_distribution<double>(0, 1)(m_random); }
+  Vec3 point() { return {2 * unit() - 1, 2 * unit() - 1, 2 * unit() - 1}; }
+  int integer(int below) { return std::uniform_int_distribution<int>(0, below - 1)(m_random); }
+
+ private:
+  const TestScene& m_setup;
+  std::mt19937_64 m_random{99};
+};
+
+bool same_bits(double a, double b) {
+  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+
+class UnitCoreHierarchy : public ::testing::TestWithParam<TestScene> {};
+
+void expect_same(const Hierarchy& list, const Hierarchy& tree, const Ray& ray, double t_min,
+                 double t_max, HitArena& arena, int& found) {
+  for (const RayKind kind : {RayKind::kCamera, RayKind::kReflection, RayKind::kShadow}) {
+    Hit a, b;
+    const bool hit = list.nearest(ray, t_min, t_max, kind, a, arena, nullptr);
+    ASSERT_EQ(tree.nearest(ray, t_min, t_max, kind, b, arena, nullptr), hit);
+    if (!hit) continue;
+    ++found;
+    ASSERT_TRUE(same_bits(a.t, b.t)) << a.t << " " << b.t;
+    ASSERT_EQ(a.object, b.object);
+    ASSERT_EQ(a.leaf, b.leaf);
+    ASSERT_EQ(a.shape.element, b.shape.element);
+    ASSERT_TRUE(same_bits(a.shape.t, b.shape.t) && same_bits(a.shape.u, b.shape.u) &&
+                same_bits(a.shape.v, b.shape.v));
+  }
+  const Object* blocker = tree.any_opaque(ray, t_min, t_max, arena, nullptr);
+  ASSERT_EQ(list.any_opaque(ray, t_min, t_max, arena, nullptr) != nullptr, blocker != nullptr);
+  if (blocker) {
+    ASSERT_TRUE(blocker->is_opaque());
+    ASSERT_FALSE(blocker->attributes().no_shadow);
+    ASSERT_TRUE(blocker->any(ray, t_min, t_max, arena));
+  }
+  std::vector<Hit> all_list, all_tree;
+  list.all_transparent(ray, t_min, t_max, all_list, arena, nullptr);
+  tree.all_transparent(ray, t_min, t_max, all_tree, arena, nullptr);
+  const auto before = [](const Hit& x, const Hit& y) {
+    return x.t != y.t ? x.t < y.t : std::less<>()(x.object, y.object);
+  };
+  std::sort(all_list.begin(), all_list.end(), before);
+  std::sort(all_tree.begin(), all_tree.end(), before);
+  ASSERT_EQ(all_list.size(), all_tree.size());
+  for (std::size_t i = 0; i < all_list.size(); ++i) {
+    ASSERT_TRUE(same_bits(all_list[i].t, all_tree[i].t));
+    ASSERT_EQ(all_list[i].object, all_tree[i].object);
+    ASSERT_FALSE(all_list[i].object->is_opaque());
+  }
+}
+
+TEST_P(UnitCoreHierarchy, AnswersAsThePlainListDoes) {
+  const TestScene& setup = GetParam();
+  SceneMaker make(setup);
+  const Objects objects = make.objects(150);
+  const Hierarchy list(objects, true), tree(objects, false), portable(objects, false, true);
+  HitArena arena;
+  int found = 0;
+  constexpr int kRays = 10000;
+  for (int i = 0; i < kRays; ++i) {
+    const Ray ray = make.ray();
+    const double way = length(ray.direction);
+    const double t_min = i % 4 == 0 ? 1e-4 * setup.detail / way : 0.0;
+    const double t_max = i % 4 == 1 ? setup.scale * make.unit() / way : Bounds::kInf;
+    SCOPED_TRACE("ray " + std::to_string(i));
+    expect_same(list, tree, ray, t_min, t_max, arena, found);
+    if (HasFatalFailure()) return;
+    if (i % 4 == 0) expect_same(list, portable, ray, t_min, t_max, arena, found);
+    if (HasFatalFailure()) return;
+  }
+  EXPECT_GT(found, kRays / 20);  // the scene is not missed
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Scenes, UnitCoreHierarchy,
+    ::testing::Values(TestScene{"Plain", 10, 2, {}, 20, false, false},
+                      TestScene{"Flags", 10, 2, {}, 20, true, true},
+                      TestScene{"Infinite", 10, 2, {}, 20, false, true},
+                      TestScene{"Tiny", 1e-6, 2e-7, {}, 2e-6, true, false},
+                      TestScene{"Huge", 1e7, 2e6, {}, 2e7, true, false},
+                      TestScene{"FarFromOrigin", 10, 2, {1e7, 1e6, -1e7}, 20, true, false},
+                      TestScene{"SeenFromFar", 10, 2, {}, 1e5, true, false}),
+    [](const auto& tested) { return std::string(tested.param.name); });
+
+TEST(UnitCoreHierarchyRules, EqualDistancesGoToTheObjectFirstInTheScene) {
+  // The same sphere many times among others of another kind that touch the same point.
+  for (int swap = 0; swap < 2; ++swap) {
+    Objects objects;
+    for (int i = 0; i < 40; ++i) {
+      std::unique_ptr<Shape> shape;
+      if ((i + swap) % 2 == 0) {
+        shape = std::make_unique<Sphere>(Vec3{0, 0, 5}, 1);
+      } else {
+        shape = std::make_unique<Box>(Vec3{-1, -1, 4}, Vec3{1, 1, 6});
+      }
+      objects.push_back(std::make_unique<Leaf>(std::move(shape), Transform()));
+    }
+    for (const bool portable : {false, true}) {
+      const Hierarchy tree(objects, false, portable);
+      HitArena arena;
+      Hit hit;
+      ASSERT_TRUE(tree.nearest({{0, 0, 0}, {0, 0, 1}}, 0, 100, RayKind::kCamera, hit, arena,
+                               nullptr));
+      EXPECT_EQ(hit.t, 4.0);
+      EXPECT_EQ(hit.object, objects.front().get());
+      // The limit itself is not reached.
+      EXPECT_FALSE(tree.nearest({{0, 0, 0}, {0, 0, 1}}, 0, 4.0, RayKind::kCamera, hit, arena,
+                                nullptr));
+      for (auto& o : objects) o->set_opaque(true);
+      const Hierarchy opaque(objects, false, portable);
+      EXPECT_EQ(opaque.any_opaque({{0, 0, 0}, {0, 0, 1}}, 0, 4.0, arena, nullptr), nullptr);
+      EXPECT_NE(opaque.any_opaque({{0, 0, 0}, {0, 0, 1}}, 0, 4.1, arena, nullptr), nullptr);
+      EXPECT_NE(opaque.any_opaque({{0, 0, 0}, {0, 0, 1}}, 4.0, 6.1, arena, nullptr), nullptr);
+    }
+  }
+}
+
+TEST(UnitCoreHierarchyRules, CountsBoxesAndTestsByType) {
+  Objects objects;
+  for (int i = 0; i < 30; ++i) {
+    objects.push_back(std::make_unique<Leaf>(
+        std::make_unique<Sphere>(Vec3{i * 3.0, 0, 0}, 1), Transform()));
+  }
+  objects.push_back(
+      std::make_unique<Leaf>(std::make_unique<Plane>(Vec3{0, 1, 0}, -2), Transform()));
+  const Hierarchy tree(objects, false), list(objects, true);
+  HitArena arena;
+  Hit hit;
+  Counters counted, in_list;
+  const Ray ray{{0, 5, 0}, {0, -1, 0}};
+  for (int i = 0; i < 2; ++i) {
+    ASSERT_TRUE(tree.nearest(ray, 0, 100, RayKind::kCamera, hit, arena, &counted));
+  }
+  ASSERT_TRUE(list.nearest(ray, 0, 100, RayKind::kCamera, hit, arena, &in_list));
+  EXPECT_EQ(counted.tests_by_type.at("plane"), 2u);
+  EXPECT_GE(counted.tests_by_type.at("sphere"), 2u);
+  EXPECT_LE(counted.tests_by_type.at("sphere"), 2u * 4);
+  EXPECT_EQ(counted.primitive_tests,
+            counted.tests_by_type.at("plane") + counted.tests_by_type.at("sphere"));
+  EXPECT_GE(counted.bounds_tests, 2u * 2);
+  EXPECT_LT(counted.bounds_tests, 2u * 30);
+  EXPECT_EQ(in_list.bounds_tests, 0u);
+  EXPECT_EQ(in_list.tests_by_type.at("sphere"), 30u);
+}
+
+TEST(UnitCoreHierarchyRules, StatisticsTellTheParts) {
+  Objects objects;
+  objects.push_back(std::make_unique<Leaf>(std::make_unique<Sphere>(Vec3{}, 1), Transform()));
+  objects.push_back(
+      std::make_unique<Leaf>(std::make_unique<Plane>(Vec3{0.3, 1, 0.1}, -2), Transform()));
+  const Hierarchy tree(objects, false);
+  EXPECT_EQ(tree.statistics().objects, 2u);
+  EXPECT_EQ(tree.statistics().infinite, 1u);
+  EXPECT_EQ(tree.statistics().nodes, 1u);
+  EXPECT_GT(tree.memory(), sizeof(WideNode));
+}
+
+/// Packs against the scalar formulae, bit for bit, over 12 orders of magnitude.
+class UnitCorePacks : public ::testing::Test {
+ protected:
+  double wide() { return (2 * unit() - 1) * std::exp2(40 * unit() - 20); }
+  double unit() { return std::uniform_real_distribution<double>(0, 1)(m_random); }
+  Vec3 vector() { return {wide(), wide(), wide()}; }
+  Ray ray_towards(const Vec3& p) {
+    const Vec3 from = vector();
+    Vec3 d = p - from;
+    if (unit() < 0.2) d = normalized(d);
+    if (unit() < 0.2) d.y = 0.0;
+    return {from, d};
+  }
+  template <class Pack>
+  void compare(const Pack& pack, const Ray& ray, int& found) {
+    const PackRay packed(ray, true);
+    const double t_min = unit() < 0.5 ? 0.0 : wide(), t_max = unit() < 0.5 ? 1e300 : 1.0;
+    PackHits a, b;
+    const unsigned mask = intersect_portable(pack, packed, t_min, t_max, a);
+    ASSERT_EQ(intersect_avx2(pack, packed, t_min, t_max, b), mask);
+    for (int i = 0; i < kPack; ++i) {
+      if ((mask >> i & 1) == 0) continue;
+      ++found;
+      ASSERT_TRUE(same_bits(a.t[i], b.t[i]) && same_bits(a.u[i], b.u[i]) &&
+                  same_bits(a.v[i], b.v[i]));
+    }
+  }
+
+ private:
+  std::mt19937_64 m_random{4};
+};
+
+TEST_F(UnitCorePacks, SpheresHaveTheBitsOfTheFormula) {
+  if (!WideBvh::has_avx2()) GTEST_SKIP() << "needs AVX2";
+  int found = 0;
+  for (int n = 0; n < 100000; ++n) {
+    SpherePack pack;
+    for (int i = 0; i < kPack - n % 2; ++i) {
+      for (auto& axis : pack.centre) axis[i] = wide();
+      const double r = std::fabs(wide());
+      pack.radius2[i] = r * r;
+    }
+    compare(pack, ray_towards({pack.centre[0][0], pack.centre[1][0], pack.centre[2][0]}), found);
+    if (HasFatalFailure()) return;
+  }
+  EXPECT_GT(found, 50000);
+}
+
+TEST_F(UnitCorePacks, TrianglesHaveTheBitsOfTheFormula) {
+  if (!WideBvh::has_avx2()) GTEST_SKIP() << "needs AVX2";
+  int found = 0;
+  for (int n = 0; n < 100000; ++n) {
+    TrianglePack pack;
+    for (int i = 0; i < kPack - n % 2; ++i) {
+      for (auto& corner : pack.corner) {
+        for (auto& axis : corner) axis[i] = wide();
+      }
+    }
+    Vec3 middle;
+    const double edge = unit() < 0.3 ? 0.0 : 1.0;  // through a corner or an edge at times
+    for (int a = 0; a < 3; ++a) {
+      const auto& c = pack.corner;
+      middle[a] = c[0][a][0] + edge * (c[1][a][0] - c[0][a][0]) * 0.5 +
+                  edge * (c[2][a][0] - c[0][a][0]) * (n % 3 == 0 ? 0.5 : 0.25);
+    }
+    compare(pack, ray_towards(middle), found);
+    if (HasFatalFailure()) return;
+  }
+  EXPECT_GT(found, 50000);
+}
+
+}  // namespace

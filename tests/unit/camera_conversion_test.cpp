@@ -1,0 +1,296 @@
+// Sheets made of existing cameras: where they stand, what they show, what is refused and said.
+#include "camera/conversion.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "camera/orthographic.h"
+#include "camera/perspective.h"
+#include "camera/sheet_report.h"
+#include "core/base/bounds.h"
+
+namespace lentray::camera {
+namespace {
+
+using core::Ray;
+using core::Vec3;
+
+/// A world of one infinite wall across z and perhaps a box-free slab of z before it.
+SceneProbe wall_at(double z) {
+  return [z](const Ray& ray, double limit) -> std::optional<ProbeHit> {
+    if (ray.direction.z == 0.0) return std::nullopt;
+    const double t = (z - ray.origin.z) / ray.direction.z;
+    if (t <= 1e-9 || t >= limit) return std::nullopt;
+    return ProbeHit{t, "plane"};
+  };
+}
+
+SceneProbe ball_at(const Vec3& centre, double radius) {
+  return [=](const Ray& ray, double limit) -> std::optional<ProbeHit> {
+    const Vec3 o = ray.origin - centre;
+    const double a = core::length_squared(ray.direction), b = core::dot(o, ray.direction);
+    const double under = b * b - a * (core::length_squared(o) - radius * radius);
+    if (under < 0.0) return std::nullopt;
+    for (const double t : {(-b - std::sqrt(under)) / a, (-b + std::sqrt(under)) / a}) {
+      if (t > 1e-9 && t < limit) return ProbeHit{t, "sphere"};
+    }
+    return std::nullopt;
+  };
+}
+
+Projection plain_camera() {
+  Projection p;
+  p.location = {1.0, 2.0, -10.0};
+  p.direction = {0.0, 0.0, 1.5};
+  p.right = {4.0 / 3.0, 0.0, 0.0};
+  p.up = {0.0, 1.0, 0.0};
+  p.look_at_distance = 10.0;
+  return p;
+}
+
+std::string message(const auto& work) {
+  try {
+    work();
+  } catch (const CameraError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+bool has_line(const std::vector<std::string>& lines, const std::string& part) {
+  for (const std::string& line : lines) {
+    if (line.find(part) != std::string::npos) return true;
+  }
+  return false;
+}
+
+void expect_same_line(const Ray& a, const Ray& b, double tolerance) {
+  EXPECT_LT(core::length(core::cross(a.direction, b.direction)), tolerance);
+  EXPECT_LT(core::length(core::cross(b.origin - a.origin, a.direction)), tolerance);
+}
+
+TEST(UnitCameraConversion, TheMiddleViewIsTheOrdinaryPicture) {
+  const Projection p = plain_camera();
+  const Sheet sheet = sheet_of_camera("perspective", p, {}, 600, 30, {});
+  const Perspective ordinary(p, 40, 30);
+  const SheetView view(*sheet.camera, 7);
+  EXPECT_EQ(view.width(), 40u);
+  EXPECT_EQ(sheet.camera->sheet().lens().model, LensModel::kParaxial);
+  for (const double row : {0.5, 14.5, 29.5}) {
+    for (const double column : {0.5, 20.5, 39.5}) {
+      Ray a, b;
+      ASSERT_TRUE(ordinary.ray(column, row, a));
+      ASSERT_TRUE(view.ray(column, row, b));
+      EXPECT_LT(core::length(a.direction - b.direction), 1e-13);
+      EXPECT_LT(core::length(a.origin - b.origin), 1e-12);  // rays start in the eye's plane
+    }
+  }
+  EXPECT_TRUE(has_line(sheet.report, "where the camera looks at"));
+}
+
+TEST(UnitCameraConversion, AnObliqueAndMirroredCameraStaysSo) {
+  Projection p = plain_camera();
+  p.right = -p.right;
+  p.direction = {0.3, -0.2, 1.5};
+  p.look_at_distance = 7.0;
+  const Sheet sheet = sheet_of_camera("perspective", p, {}, 600, 30, {});
+  const Perspective ordinary(p, 40, 30);
+  const SheetView view(*sheet.camera, 7);
+  for (const double row : {0.5, 29.5}) {
+    for (const double column : {0.5, 39.5}) {
+      Ray a, b;
+      ASSERT_TRUE(ordinary.ray(column, row, a));
+      ASSERT_TRUE(view.ray(column, row, b));
+      EXPECT_LT(core::length(a.direction - b.direction), 1e-13);
+      EXPECT_LT(core::length(a.origin - b.origin), 1e-12);
+    }
+  }
+  // The sheet's middle lies along direction, as far as look_at.
+  EXPECT_NEAR(core::length(sheet.camera->placement().centre - p.location), 7.0, 1e-13);
+}
+
+TEST(UnitCameraConversion, SheetDistanceMovesTheZeroParallaxPlane) {
+  Conversion conversion;
+  conversion.sheet_distance = 4.0;
+  const Sheet sheet = sheet_of_camera("perspective", plain_camera(), conversion, 600, 30, {});
+  EXPECT_NEAR(sheet.camera->placement().centre.z, -6.0, 1e-14);
+  EXPECT_NEAR(sheet.camera->placement().width, 4.0 / 3.0 * 4.0 / 1.5, 1e-14);
+  EXPECT_NEAR(sheet.camera->placement().front, 4.0, 1e-14);
+  // V in mm: the eye's distance over s.
+  const LensParameters& lens = sheet.camera->sheet().lens();
+  EXPECT_NEAR(lens.view_distance * sheet.camera->scale(), 4.0, 1e-13);
+}
+
+TEST(UnitCameraConversion, WithoutLookAtTheMedianDepthCounts) {
+  Projection p = plain_camera();
+  p.look_at_distance.reset();
+  const Sheet sheet = sheet_of_camera("perspective", p, {}, 600, 30, wall_at(5.0));
+  EXPECT_NEAR(sheet.camera->placement().centre.z, 5.0, 1e-12);
+  EXPECT_TRUE(has_line(sheet.report, "Sheet distance 15, the median depth"));
+  const SceneProbe nothing = [](const Ray&, double) { return std::optional<ProbeHit>(); };
+  EXPECT_NE(message([&] { (void)sheet_of_camera("perspective", p, {}, 600, 30, nothing); })
+                .find("give Sheet_Distance"),
+            std::string::npos);
+}
+
+TEST(UnitCameraConversion, InfiniteViewDistanceGivesParallelViews) {
+  Conversion conversion;
+  conversion.lens.view_distance = 0.0;
+  const Sheet sheet = sheet_of_camera("perspective", plain_camera(), conversion, 600, 30, {});
+  EXPECT_FALSE(sheet.camera->sheet().lens().is_finite());
+  EXPECT_EQ(sheet.camera->sheet().lens().model, LensModel::kPinhole);
+  EXPECT_NEAR(sheet.camera->placement().front, 10.0, 1e-13);
+  Ray a, b;
+  ASSERT_TRUE(sheet.camera->ray(3.5, 2.5, a));
+  ASSERT_TRUE(sheet.camera->ray(303.5, 22.5, b));
+  EXPECT_LT(core::length(a.direction - b.direction), 1e-15);
+}
+
+TEST(UnitCameraConversion, OrthographicIsThePicturePlane) {
+  Projection p = plain_camera();
+  p.direction = {0.2, 0.1, 1.0};  // oblique
+  p.look_at_distance.reset();
+  const Sheet sheet = sheet_of_camera("orthographic", p, {}, 600, 30, {});
+  const Orthographic ordinary(p, 40, 30);
+  const SheetView view(*sheet.camera, 7);
+  EXPECT_FALSE(sheet.camera->sheet().lens().is_finite());
+  EXPECT_EQ(sheet.camera->placement().front, 0.0);
+  for (const double column : {0.5, 39.5}) {
+    Ray a, b;
+    ASSERT_TRUE(ordinary.ray(column, 3.5, a));
+    ASSERT_TRUE(view.ray(column, 3.5, b));
+    // The print's shift keeps an oblique direction exactly in the paraxial model only.
+    expect_same_line(a, b, 2e-2);
+  }
+  Conversion paraxial;
+  paraxial.lens.model = LensModel::kParaxial;
+  const Sheet exact = sheet_of_camera("orthographic", p, paraxial, 600, 30, {});
+  const SheetView middle(*exact.camera, 7);
+  Ray a, b;
+  ASSERT_TRUE(ordinary.ray(11.5, 3.5, a));
+  ASSERT_TRUE(middle.ray(11.5, 3.5, b));
+  expect_same_line(a, b, 1e-12);
+}
+
+TEST(UnitCameraConversion, DpiAndPixelsSayTheSameThing) {
+  // Each view's N from DPI and back, with V in mm and with V from the scene.
+  for (const bool infinite : {true, false}) {
+    Conversion conversion;
+    conversion.lens.print_dpi = 300.0;
+    if (infinite) conversion.lens.view_distance = 0.0;
+    const Sheet sheet = sheet_of_camera("perspective", plain_camera(), conversion, 600, 450, {});
+    EXPECT_NEAR(sheet.camera->print_dpi_x(), 300.0, 1e-9);
+    // Agreeing values may both be given.
+    conversion.lens.pixels = sheet.camera->sheet().lens().pixels;
+    EXPECT_NO_THROW((void)sheet_of_camera("perspective", plain_camera(), conversion, 600, 450, {}));
+    conversion.lens.pixels = 20.0;
+    EXPECT_NE(message([&] {
+                (void)sheet_of_camera("perspective", plain_camera(), conversion, 600, 450, {});
+              }).find("contradict"),
+              std::string::npos);
+  }
+  Conversion lpi;
+  lpi.lens.lpi = 40.0;
+  EXPECT_NEAR(
+      sheet_of_camera("perspective", plain_camera(), lpi, 600, 30, {}).camera->sheet().lens().pitch,
+      0.635, 1e-15);
+  lpi.lens.pitch = 0.7;
+  EXPECT_NE(
+      message([&] { (void)sheet_of_camera("perspective", plain_camera(), lpi, 600, 30, {}); })
+          .find("contradict"),
+      std::string::npos);
+}
+
+TEST(UnitCameraConversion, OptionsOverrideTheStatement) {
+  LensRequest scene;
+  scene.pitch = 1.0;
+  scene.print_dpi = 300.0;
+  scene.ior = 1.5;
+  LensRequest options;
+  options.lpi = 20.0;
+  options.pixels = 14.0;
+  scene.override_by(options);
+  EXPECT_FALSE(scene.pitch);
+  EXPECT_FALSE(scene.print_dpi);
+  EXPECT_EQ(scene.lpi, 20.0);
+  EXPECT_EQ(scene.pixels, 14.0);
+  EXPECT_EQ(scene.ior, 1.5);
+}
+
+TEST(UnitCameraConversion, StatementDefaults) {
+  Projection p = plain_camera();
+  const Sheet sheet = sheet_of_statement(p, {}, 600, 30, {});
+  EXPECT_EQ(sheet.camera->placement().centre, p.location);
+  EXPECT_NEAR(sheet.camera->placement().front, 4.0 / 3.0, 1e-15);  // the sheet's width
+  EXPECT_EQ(sheet.camera->sheet().lens().model, LensModel::kPinhole);
+  LensRequest near;
+  near.view_distance = 30.0;  // nearer than the sheet is wide
+  const Sheet finite = sheet_of_statement(p, near, 600, 30, {});
+  EXPECT_NEAR(finite.camera->placement().front, 30.0 * finite.camera->scale(), 1e-14);
+  EXPECT_TRUE(finite.warnings.empty());
+  EXPECT_TRUE(has_line(finite.report, "Rays miss the eyes"));
+}
+
+TEST(UnitCameraConversion, ParallaxOfPoints) {
+  LensRequest lens;
+  const Sheet sheet = sheet_of_statement(plain_camera(), lens, 600, 30, {});
+  // V infinite: neighbouring views differ by n ps/f in slope.
+  const double mm = 1.0 / sheet.camera->scale();
+  EXPECT_NEAR(parallax(*sheet.camera, 1.0), 1.6 * (1.124 / 15.0) / 3.03 * mm / 1.124, 1e-13);
+  EXPECT_NEAR(parallax(*sheet.camera, -1.0), -parallax(*sheet.camera, 1.0), 1e-15);
+  lens.view_distance = 100.0;
+  const Sheet finite = sheet_of_statement(plain_camera(), lens, 600, 30, {});
+  const double eyes = 100.0 * 1.6 * finite.camera->sheet().lens().pixel_size() / 3.03;
+  const double depth = mm;  // one scene unit
+  EXPECT_NEAR(parallax(*finite.camera, 1.0), eyes * depth / (100.0 + depth) / 1.124, 1e-13);
+}
+
+TEST(UnitCameraConversion, ReportsTheScene) {
+  const Sheet sheet =
+      sheet_of_camera("perspective", plain_camera(), {}, 640, 480, wall_at(5.0));
+  EXPECT_TRUE(has_line(sheet.report, "Lens sheet 47.9573 x"));
+  EXPECT_TRUE(has_line(sheet.report, "15 pixels a lens"));
+  EXPECT_TRUE(has_line(sheet.report, "pixels an inch"));
+  EXPECT_TRUE(has_line(sheet.report, "Nearest visible point 5 behind the sheet"));
+  EXPECT_TRUE(has_line(sheet.report, "Farthest visible point 5 behind the sheet"));
+  EXPECT_TRUE(sheet.warnings.empty());
+}
+
+TEST(ErrorCameraConversion, CollisionsAreWarnedOf) {
+  const Sheet cut =
+      sheet_of_camera("perspective", plain_camera(), {}, 640, 480, ball_at({1.0, 2.0, 0.0}, 1.0));
+  EXPECT_TRUE(has_line(cut.warnings, "the lens sheet cuts an object (sphere)"));
+  EXPECT_FALSE(has_line(cut.warnings, "eyes"));
+  const Sheet eyes = sheet_of_camera("perspective", plain_camera(), {}, 640, 480,
+                                     ball_at({2.5, 2.0, -10.0}, 0.3));
+  EXPECT_TRUE(has_line(eyes.warnings, "run into an object (sphere)"));
+  EXPECT_FALSE(has_line(eyes.warnings, "sheet cuts"));
+}
+
+TEST(ErrorCameraConversion, RefusalsAreByName) {
+  for (const char* kind : {"fisheye", "panoramic", "mesh_camera"}) {
+    EXPECT_NE(message([&] { (void)sheet_of_camera(kind, plain_camera(), {}, 640, 480, {}); })
+                  .find(kind),
+              std::string::npos);
+  }
+  Projection skewed = plain_camera();
+  skewed.up = {0.1, 1.0, 0.0};
+  EXPECT_NE(message([&] { (void)sheet_of_camera("perspective", skewed, {}, 640, 480, {}); })
+                .find("not perpendicular"),
+            std::string::npos);
+  Projection flat = plain_camera();
+  flat.direction = {1.0, 0.0, 0.0};
+  EXPECT_NE(message([&] { (void)sheet_of_camera("perspective", flat, {}, 640, 480, {}); })
+                .find("picture plane"),
+            std::string::npos);
+  Conversion thin;
+  thin.lens.pixels = 0.5;
+  EXPECT_NE(message([&] {
+              (void)sheet_of_camera("perspective", plain_camera(), thin, 640, 480, {});
+            }).find("one pixel"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace lentray::camera

@@ -1,0 +1,36 @@
+// The command line of lentray-diff: its own options, and lentray's, which go to lentray as they
+// are and to stock as far as they change what is seen there (Declare=, +L, +Q, +MV, +K, +UA,
+// File_Gamma=, also from .ini files).
+// Errors: parser::OptionError. Pure but for reading .ini files.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/image/compare.h"
+#include "tools/lentray-diff/stock.h"
+
+namespace lentray::diff {
+
+struct Arguments {
+  bool help = false;
+  std::filesystem::path scene;                    ///< empty when two pictures are compared
+  std::vector<std::filesystem::path> pictures;    ///< none or two
+  std::optional<double> lens_pixels;              ///< Lens_Pixels=, for two pictures
+  std::optional<std::uint32_t> view;              ///< View=
+  core::Grade asked = core::Grade::match;
+  std::filesystem::path prefix;                   ///< of the pictures that are written
+  std::filesystem::path json;
+  std::filesystem::path wrappers;                 ///< only write wrapper scenes into that folder
+  bool write_pictures = true, all_lenses = false;
+  std::filesystem::path lentray;                  ///< the program; empty: beside lentray-diff
+  std::vector<std::string> for_lentray;
+  StockOptions stock;                             ///< processes: also lentray's threads
+};
+
+Arguments parse_arguments(const std::vector<std::string>& words);
+std::string usage();
+
+}  // namespace lentray::diff

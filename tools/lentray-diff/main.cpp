@@ -1,0 +1,205 @@
+// lentray-diff: the same scene by lentray and by stock POV-Ray, compared lens by lens.
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "core/image/compare.h"
+#include "core/image/file_swap.h"
+#include "core/image/reader.h"
+#include "tools/lentray-diff/arguments.h"
+#include "tools/lentray-diff/process.h"
+#include "tools/lentray-diff/report.h"
+#include "tools/lentray-diff/sheet.h"
+#include "tools/lentray-diff/stock.h"
+
+namespace lentray::diff {
+namespace {
+
+namespace fs = std::filesystem;
+using core::LensComparison;
+using core::StoredImage;
+using nlohmann::json;
+
+constexpr int kReached = 0, kBelow = 1, kError = 2;
+
+struct Pair {
+  StoredImage ours, stock;
+  double lens_pixels = 0.0;  ///< 0: no integral image
+  json about;
+};
+
+struct Ours {
+  StoredImage picture;
+  json statistics;
+  double seconds = 0.0;
+};
+
+fs::path program_beside_us(const char* name) {
+  return fs::read_symlink("/proc/self/exe").parent_path() / name;
+}
+
+Ours render_ours(const Arguments& a) {
+  const TemporaryFolder folder;
+  const fs::path picture = folder / "ours.png", statistics = folder / "statistics.json";
+  std::vector<std::string> command{
+      (a.lentray.empty() ? program_beside_us("lentray") : a.lentray).string()};
+  command.insert(command.end(), a.for_lentray.begin(), a.for_lentray.end());
+  for (const std::string& word :
+       {"+I" + a.scene.string(), "+O" + picture.string(),
+        std::string(a.stock.bits == 16 ? "+FN16" : "+FN8"), std::string("-A"), std::string("-V"),
+        "+WT" + std::to_string(a.stock.processes), "Statistics_File=" + statistics.string()}) {
+    command.push_back(word);
+  }
+  const auto start = std::chrono::steady_clock::now();
+  const RunResult result = run(command);
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  std::cerr << result.output;  // its warnings are the user's to see
+  if (result.status != 0) {
+    throw std::runtime_error("lentray ended with status " + std::to_string(result.status));
+  }
+  return {core::read_image(picture), json::parse(read_text(statistics)), taken.count()};
+}
+
+std::string describe(const Sheet& s, Way way) {
+  char text[240];
+  char distance[40] = "V infinite";
+  if (s.is_finite()) std::snprintf(distance, sizeof distance, "V = %.6g mm", s.view_distance);
+  std::snprintf(text, sizeof text,
+                "integral image %u x %u: %.6g lenses of %.6g pixels, %s, %s; stock by %s", s.columns,
+                s.rows, s.lenses(), s.pixels, distance, s.paraxial ? "paraxial" : "pinhole",
+                name_of(way));
+  return text;
+}
+
+Pair render_both(const Arguments& a) {
+  Ours ours = render_ours(a);
+  Pair pair;
+  pair.about = {{"scene", a.scene.string()},
+                {"width", ours.picture.width},
+                {"height", ours.picture.height},
+                {"lentray_wall_s", ours.seconds}};
+  const auto start = std::chrono::steady_clock::now();
+  const std::optional<Sheet> sheet = sheet_of(ours.statistics);
+  if (!sheet) {
+    std::cout << a.scene.string() << ": " << ours.picture.width << " x " << ours.picture.height
+              << ", in its own camera\n";
+    pair.stock = stock_picture(a.scene, ours.picture.width, ours.picture.height, a.stock);
+    pair.about["way"] = "the scene's own camera";
+  } else {
+    const Way way = best_way(*sheet);
+    std::cout << a.scene.string() << ": " << describe(*sheet, way) << "\n";
+    pair.about["way"] = name_of(way);
+    pair.about["lens"] = ours.statistics["lens"];
+    if (a.view) {
+      std::cout << "view " << *a.view << " alone\n";
+      pair.stock = stock_view(a.scene, *sheet, *a.view, a.stock);
+    } else {
+      pair.stock = stock_integral(a.scene, *sheet, way, a.stock);
+      pair.lens_pixels = sheet->pixels;
+    }
+  }
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  pair.about["stock_wall_s"] = taken.count();
+  pair.ours = std::move(ours.picture);
+  return pair;
+}
+
+/// Pixels a lens, as lentray wrote it into the file; 0 if it did not, or the picture is one view.
+double lens_pixels_in(const StoredImage& image) {
+  const auto found = image.attributes.find("lentray:lens.pixels");
+  if (found == image.attributes.end() || image.attributes.count("lentray:lens.view") != 0) return 0.0;
+  const double pixels = std::strtod(found->second.c_str(), nullptr);
+  return pixels >= 1.0 ? pixels : 0.0;
+}
+
+Pair read_both(const Arguments& a) {
+  Pair pair;
+  pair.ours = core::read_image(a.pictures[0]);
+  pair.stock = core::read_image(a.pictures[1]);
+  pair.lens_pixels =
+      a.lens_pixels.value_or(std::max(lens_pixels_in(pair.ours), lens_pixels_in(pair.stock)));
+  pair.about = {{"pictures", {a.pictures[0].string(), a.pictures[1].string()}},
+                {"width", pair.ours.width},
+                {"height", pair.ours.height}};
+  return pair;
+}
+
+LensComparison compare_pair(const Pair& pair) {
+  if (pair.lens_pixels > 0.0) return core::compare_lenses(pair.ours, pair.stock, pair.lens_pixels);
+  LensComparison result;
+  result.whole = core::compare(pair.ours, pair.stock, core::Columns::all(pair.ours.width));
+  return result;
+}
+
+void write_pictures(const Arguments& a, const Pair& pair) {
+  const auto put = [&](const char* kind, const StoredImage& image) {
+    fs::path path = a.prefix;
+    path += std::string("-") + kind + ".png";
+    core::write_stored(image, path);
+    std::cout << "  " << path.string() << "\n";
+  };
+  std::cout << "pictures:\n";
+  if (a.pictures.empty()) {
+    put("ours", pair.ours);
+    put("stock", pair.stock);
+  }
+  put("heat", heat_map(pair.ours, pair.stock));
+  put("side", side_by_side(pair.ours, pair.stock));
+}
+
+int compare_and_report(const Arguments& a) {
+  if (!a.json.empty()) core::check_writable(a.json);
+  if (a.write_pictures) core::check_writable(a.prefix.string() + "-ours.png");
+  const Pair pair = a.pictures.empty() ? render_both(a) : read_both(a);
+  const LensComparison result = compare_pair(pair);
+  const bool reached = reaches(result, a.asked);
+  std::cout << table(result, a.all_lenses);
+  if (a.write_pictures) write_pictures(a, pair);
+  if (!a.json.empty()) {
+    json all = to_json(result);
+    all.update(pair.about);
+    all["asked"] = std::string(core::name_of(a.asked));
+    all["reached"] = reached;
+    core::FileSwap swap(a.json);
+    write_text(swap.temporary(), all.dump(2) + "\n");
+    swap.commit();
+  }
+  std::cout << "grade " << core::name_of(result.whole.grade) << "; " << core::name_of(a.asked)
+            << (reached ? " reached" : " NOT reached") << std::endl;
+  return reached ? kReached : kBelow;
+}
+
+int only_write_wrappers(const Arguments& a) {
+  const std::optional<Sheet> sheet = sheet_of(render_ours(a).statistics);
+  if (!sheet) throw std::runtime_error("the picture is no integral image: it needs no wrapper");
+  write_wrappers(a.scene, *sheet, a.wrappers);
+  std::cout << describe(*sheet, best_way(*sheet)) << "; written to " << a.wrappers.string()
+            << std::endl;
+  return kReached;
+}
+
+int run_main(const std::vector<std::string>& words) {
+  try {
+    const Arguments arguments = parse_arguments(words);
+    if (arguments.help || words.empty()) {
+      std::cout << usage();
+      return arguments.help ? kReached : kError;
+    }
+    if (!arguments.wrappers.empty()) return only_write_wrappers(arguments);
+    return compare_and_report(arguments);
+  } catch (const std::exception& e) {
+    std::cerr << "lentray-diff: " << e.what() << std::endl;
+    return kError;
+  }
+}
+
+}  // namespace
+}  // namespace lentray::diff
+
+int main(int count, char** words) {
+  return lentray::diff::run_main(std::vector<std::string>(words + 1, words + count));
+}

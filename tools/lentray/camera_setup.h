@@ -1,0 +1,33 @@
+// The camera of a run: the scene's statement and the options together.
+// Errors: camera::CameraError. One thread.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "camera/camera.h"
+#include "camera/lenticular.h"
+#include "camera/scene_probe.h"
+#include "parser/build/camera.h"
+#include "parser/options.h"
+
+namespace lentray::tool {
+
+struct CameraSetup {
+  std::unique_ptr<camera::Camera> ordinary;    ///< or
+  std::unique_ptr<camera::Lenticular> sheet;   ///< a lens sheet, and perhaps
+  std::unique_ptr<camera::SheetView> view;     ///< one view of it
+  std::vector<std::string> report, warnings;
+
+  const camera::Camera& camera() const {
+    if (view) return *view;
+    if (sheet) return *sheet;
+    return *ordinary;
+  }
+};
+
+CameraSetup make_camera(const parser::CameraRequest& request, const parser::RenderOptions& options,
+                        const camera::SceneProbe& probe);
+
+}  // namespace lentray::tool

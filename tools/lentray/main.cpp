@@ -1,0 +1,98 @@
+// lentray: renders POV-Ray scenes, also as integral images for lenticular sheets.
+#include <atomic>
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <string>
+#include <vector>
+
+#include "camera/lens_request.h"
+#include "core/image/writer.h"
+#include "parser/diagnostics.h"
+#include "parser/options.h"
+#include "tools/lentray/run.h"
+#include "tools/lentray/version.h"
+
+namespace {
+
+using namespace lentray;
+
+// A signal handler can reach nothing else.
+std::atomic<bool> g_cancel{false};
+static_assert(std::atomic<bool>::is_always_lock_free);
+
+extern "C" void on_signal(int signal) {
+  g_cancel = true;
+  std::signal(signal, SIG_DFL);  // the second one ends the program at once
+}
+
+void print_warnings(const std::vector<std::string>& warnings) {
+  for (const std::string& text : warnings) {
+    std::fprintf(stderr, "%s%s", text.c_str(), text.empty() || text.back() != '\n' ? "\n" : "");
+  }
+}
+
+int fail(const char* prefix, const std::string& text, int status) {
+  std::fprintf(stderr, "%s%s%s", prefix, text.c_str(),
+               text.empty() || text.back() != '\n' ? "\n" : "");
+  return status;
+}
+
+/// Runs `work`; what it throws becomes a message and an exit status.
+template <typename Work>
+int guarded(Work work) {
+  constexpr const char* kError = "lentray: ";
+  try {
+    return work();
+  } catch (const parser::ParseError& error) {
+    return fail("", error.what(), tool::kUserError);
+  } catch (const parser::OptionError& error) {
+    return fail(kError, error.what(), tool::kUserError);
+  } catch (const camera::CameraError& error) {
+    return fail(kError, error.what(), tool::kUserError);
+  } catch (const core::ImageError& error) {
+    return fail(kError, error.what(), tool::kUserError);
+  } catch (const std::bad_alloc&) {
+    return fail(kError, "there is not enough memory for this scene and picture", tool::kUserError);
+  } catch (const std::exception& error) {
+    return fail("lentray: internal error: ", error.what(), tool::kInternalError);
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::vector<std::string> arguments(argv + 1, argv + argc);
+  parser::RenderOptions options;
+  std::vector<std::string> warnings;
+  int status = guarded([&] {
+    options = parser::read_options(arguments, parser::installed_sources());
+    return static_cast<int>(tool::kDone);
+  });
+  if (status != tool::kDone) return status;
+  if (options.help) {
+    std::fputs(parser::help_text().c_str(), stdout);
+    return tool::kDone;
+  }
+  if (options.version) {
+    std::printf("Lentray %s\n", tool::kVersion);
+    return tool::kDone;
+  }
+  for (const std::string& text : options.warnings) warnings.push_back("warning: " + text);
+  std::signal(SIGINT, on_signal);
+  std::signal(SIGTERM, on_signal);
+  status = guarded([&] {
+    try {
+      return static_cast<int>(tool::run(options, g_cancel, warnings));
+    } catch (...) {
+      // Warnings first: they often tell what the error is about.
+      if (options.warning_console && options.warning_level > 0) print_warnings(warnings);
+      warnings.clear();
+      throw;
+    }
+  });
+  if (status == tool::kAborted) std::fputs("lentray: stopped; no picture was written\n", stderr);
+  if (options.warning_console && options.warning_level > 0) print_warnings(warnings);
+  return status;
+}

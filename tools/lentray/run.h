@@ -1,0 +1,24 @@
+// One run: read the scene, build and compile it, place the camera, render, write.
+// Everything that can be refused is refused before rendering starts. Messages go to standard
+// error; warnings are gathered and listed at the end.
+// Errors, each worded for the user: parser::OptionError, parser::ParseError, camera::CameraError,
+// core::ImageError.
+#pragma once
+
+#include <atomic>
+#include <string>
+#include <vector>
+
+#include "parser/options.h"
+
+namespace lentray::tool {
+
+/// Exit statuses; 0 to 2 are POV-Ray's.
+enum Status : int { kDone = 0, kUserError = 1, kAborted = 2, kInternalError = 3 };
+
+/// `cancel` set from outside ends the run with kAborted and leaves no file behind.
+/// `warnings` grows; the caller prints them, also when run() throws.
+Status run(const parser::RenderOptions& options, const std::atomic<bool>& cancel,
+           std::vector<std::string>& warnings);
+
+}  // namespace lentray::tool

@@ -1,0 +1,8 @@
+// The program's version; CMakeLists.txt has the same one.
+#pragma once
+
+namespace lentray::tool {
+
+inline constexpr const char* kVersion = "0.1.0";
+
+}  // namespace lentray::tool
