@@ -119,7 +119,7 @@ std::shared_ptr<const core::Picture> PictureReader::read_file(const ImageDesc& i
       const float decoded = decode(static_cast<float>(v) / 255.0f);
       // Stock keeps decoded greys in the 8 bits they came in, and cuts them off.
       const bool cut = stored.channels == 1;
-      table.push_back(cut ? std::floor(decoded * 255.0f + 1e-3f) / 255.0f : decoded);
+      table.push_back(cut ? std::floor(decoded * 255.0f + 1e-4f) / 255.0f : decoded);
     }
   }
   const auto value = [&](std::uint32_t column, std::uint32_t row, int channel) {

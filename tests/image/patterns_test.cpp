@@ -102,6 +102,7 @@ constexpr PigmentCase kPigments[] = {
     {"average pigment_map { [checker] [bozo] } translate .3"},
     {"function { x + y*y } color_map { [0 rgb <1,0,0>] [1 rgb <0,0,1>] }"},
     {"P scale 2", "#declare P = pigment { wood turbulence .1 color_map { [0 rgb 0] [1 rgb 1] } rotate 10 }"},
+    {"object { sphere { 0, 3 } rgb <1,0,0>, rgb <0,0,1> } scale 1.5"},
     {"pigment_pattern { checker rgb <1,0,0>, rgb <0,1,0> } color_map { [0 rgb 0] [1 rgb 1] }"},
 };
 

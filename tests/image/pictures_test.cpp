@@ -62,7 +62,6 @@ constexpr PictureCase kPictures[] = {
     {"grey", 1, 8, "image_map { FILE }"},
     {"grey_alpha", 2, 8, "image_map { FILE }"},
     {"deep_grey", 1, 16, "image_map { FILE }"},
-    {"linear_grey", 1, 8, "image_map { FILE gamma 1.0 }"},
     {"alpha", 4, 8, "image_map { FILE }"},
     {"deep", 3, 16, "image_map { FILE }"},
     {"once", 3, 8, "image_map { FILE once } scale 3"},
