@@ -104,17 +104,19 @@ std::pair<double, double> plane_depths(const Trial& trial) {
   return {trial.front > 0.0 ? -0.5 * trial.front : 0.75, 3.0};
 }
 
-/// Frame f shows plane f / 2 and coordinate f % 2 (along right, along up).
+/// Frame f shows plane f / 2 and coordinate f % 2 (along right, along up). Stock runs all frames at
+/// once; lentray is told the frame by Declare=.
 std::string probe_scene(const Trial& trial) {
   const SheetPlacement p = placement(trial);
   const auto [near, far] = plane_depths(trial);
   const double middle = core::dot(p.centre, p.normal);
   std::ostringstream out;
   out << "#version 3.7;\nglobal_settings { assumed_gamma 1 }\n"
+      << "#ifndef (Frame) #declare Frame = frame_number; #end\n"
       << "#declare Depth = " << digits(near) << ";\n#declare Axis = " << vector_text(p.right)
       << ";\n#declare Origin = " << digits(core::dot(p.centre, p.right)) << ";\n"
-      << "#if (frame_number > 1) #declare Depth = " << digits(far) << "; #end\n"
-      << "#if (mod(frame_number, 2) = 1) #declare Axis = " << vector_text(p.up)
+      << "#if (Frame > 1) #declare Depth = " << digits(far) << "; #end\n"
+      << "#if (mod(Frame, 2) = 1) #declare Axis = " << vector_text(p.up)
       << "; #declare Origin = " << digits(core::dot(p.centre, p.up)) << "; #end\n"
       << "#declare Ax = Axis.x; #declare Ay = Axis.y; #declare Az = Axis.z;\n"
       << "#declare Scaled = function { (x*Ax + y*Ay + z*Az - Origin)/" << digits(kRange)
@@ -427,6 +429,33 @@ INSTANTIATE_TEST_SUITE_P(
         Trial{"total_reflection", lens(6.0, 3.03, 1.6, 15, kInf, LensModel::kPinhole), 45, 4, 6.5,
               4.1, 1.0}),
     [](const auto& trial) { return trial.param.name; });
+
+/// The same probe, seen by lentray's own renderer: not only the camera but the whole way to the
+/// file keeps its digits.
+TEST(ImageRaysProbe, LentraySeesItAsStockDoes) {
+  const Trial trial{"", lens(0.508, 1.4, 1.56, 7.37, 40, LensModel::kPinhole), 100, 21, 4.2, 1.7,
+                    2.5};
+  const Lenticular camera = camera_of(trial);
+  SceneText scene;
+  scene.sdl = probe_scene(trial) + lenticular_scene(trial).substr(lenticular_scene(trial).find("camera"));
+  scene.width = trial.columns;
+  scene.height = trial.rows;
+  scene.bits = 16;
+  std::vector<core::StoredImage> frames;
+  for (int f = 0; f < 4; ++f) {
+    scene.arguments = {"File_Gamma=1.0", "Declare=Frame=" + std::to_string(f)};
+    frames.push_back(lentray_render(scene));
+  }
+  double largest = 0.0;
+  for (std::uint32_t k = 0; k < trial.columns; ++k) {
+    for (std::uint32_t row = 0; row < trial.rows; ++row) {
+      Ray ray;
+      ASSERT_TRUE(camera.ray(k + 0.5, row + 0.5, ray));
+      largest = std::max(largest, miss(trial, ray, frames, k, row));
+    }
+  }
+  EXPECT_LT(largest, 1e-9);
+}
 
 }  // namespace
 }  // namespace lentray::test

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -122,7 +123,13 @@ nlohmann::json lens_json(const camera::Camera& camera) {
     } else if (const auto* v = std::get_if<core::Vec3>(&property.second)) {
       value = {v->x, v->y, v->z};
     } else {
-      value = std::get<double>(property.second);
+      const double number = std::get<double>(property.second);
+      constexpr double kExact = 9007199254740992.0;  // 2^53
+      if (number == std::floor(number) && std::fabs(number) < kExact) {
+        value = static_cast<std::int64_t>(number);
+      } else {
+        value = number;
+      }
     }
   }
   return out;

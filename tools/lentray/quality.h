@@ -1,5 +1,6 @@
 // +Q: calculations that a lower quality leaves out, as far as they lie outside the textures.
-// Source: reference manual 3.7, "Quality Settings".
+// Source: reference manual 3.7, "Quality Settings"; measured on stock: below 6 nothing is seen
+// through, 6 and 7 see through but do not reflect.
 #pragma once
 
 #include <memory>
@@ -10,7 +11,7 @@
 
 namespace lentray::tool {
 
-/// Below 5 area lights become points, below 8 nothing is reflected or seen through.
+/// Below 5 area lights become points, below 6 nothing is reflected or seen through.
 void reduce(core::SceneParts& parts, int quality);
 
 /// Below 4 nothing casts a shadow: the tester that says so. Null from 4 on.

@@ -1,0 +1,207 @@
+// The program from outside: options and files, what is written where, and what it says.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "core/image/reader.h"
+#include "tests/support/render.h"
+#include "tools/lentray-diff/process.h"
+
+namespace lentray::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Reflection, glass, an area light and a quick_color: whatever a quality level can leave out.
+constexpr const char* kScene = R"(#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0,2,-6> look_at <0,0.7,0> }
+light_source { <-5,8,-6>, 1 area_light x*2, y*2, 3, 3 }
+light_source { <5,3,-6>, 0.4 }
+plane { y, 0 pigment { checker rgb <1,.8,.6> rgb <.2,.3,.4> } finish { ambient .15 diffuse .7 } }
+sphere { <0,1,0>, 1
+  pigment { rgb <.9,.3,.2> quick_color rgb <0,0,1> } finish { phong .7 reflection .3 ambient .2 } }
+sphere { <1.8,.7,-1>, .7
+  pigment { rgbt <.9,.9,1,.8> } interior { ior 1.4 } finish { specular .5 reflection .1 } }
+box { <-2.5,0,-1>, <-1.5,1.2,0> pigment { rgbf <.3,.9,.3,.6> } }
+)";
+
+class ImageProgram : public ::testing::Test {
+ protected:
+  void SetUp() override { diff::write_text(m_folder / "scene.pov", kScene); }
+  diff::RunResult lentray(const std::vector<std::string>& arguments) {
+    return run_lentray(arguments, m_folder.path());
+  }
+  diff::RunResult shell(const std::string& command) {
+    return diff::run({"/bin/sh", "-c", command}, m_folder.path());
+  }
+  fs::path path(const std::string& name) const { return m_folder / name; }
+  bool exists(const std::string& name) const { return fs::exists(path(name)); }
+
+ private:
+  diff::TemporaryFolder m_folder;
+};
+
+class ImageProgramQuality : public ::testing::TestWithParam<int> {};
+
+TEST_P(ImageProgramQuality, IsStocks) {
+  const SceneText scene{.sdl = kScene,
+                        .width = 120,
+                        .height = 90,
+                        .arguments = {"+Q" + std::to_string(GetParam())},
+                        .files = {}};
+  EXPECT_TRUE(same_as_stock(scene, Grade::exact));
+}
+INSTANTIATE_TEST_SUITE_P(Levels, ImageProgramQuality, ::testing::Values(2, 3, 4, 5, 8, 9, 11));
+
+TEST_F(ImageProgram, DefaultNameAndFolders) {
+  fs::create_directory(path("out"));
+  EXPECT_EQ(lentray({"scene.pov", "+W16", "+H12", "-V"}).status, 0);
+  EXPECT_TRUE(exists("scene.png"));
+  EXPECT_EQ(lentray({"+Iscene", "+W16", "+H12", "-V", "+Oout/", "+FE"}).status, 0);
+  EXPECT_TRUE(exists("out/scene.exr"));
+  EXPECT_EQ(lentray({"scene.pov", "+W16", "+H12", "-V", "+Ox.tif"}).status, 0);
+  EXPECT_EQ(core::read_image(path("x.tif")).width, 16u);
+  fs::remove(path("scene.png"));
+  EXPECT_EQ(lentray({"scene.pov", "+W16", "+H12", "-V", "-F"}).status, 0);
+  EXPECT_FALSE(exists("scene.png"));
+}
+
+TEST_F(ImageProgram, StandardInputAndOutput) {
+  ASSERT_EQ(lentray({"scene.pov", "+W16", "+H12", "-V", "+Ofile.png"}).status, 0);
+  const auto result =
+      shell("'" + program("lentray").string() + "' +I- +O- +W16 +H12 -V < scene.pov > piped.png");
+  ASSERT_EQ(result.status, 0) << result.output;
+  EXPECT_TRUE(same_bits(core::read_image(path("piped.png")), core::read_image(path("file.png"))));
+}
+
+TEST_F(ImageProgram, IniFilesWithSections) {
+  diff::write_text(path("job.ini"),
+                   "Input_File_Name=scene.pov\n+W9 +H7\n[large]\nInput_File_Name=scene.pov\n"
+                   "Width=20\nHeight=10\nOutput_File_Name=large.png\n");
+  EXPECT_EQ(lentray({"job", "-V"}).status, 0);
+  EXPECT_EQ(core::read_image(path("scene.png")).width, 9u);
+  EXPECT_EQ(lentray({"job[Large]", "-V", "+H11"}).status, 0);
+  EXPECT_EQ(core::read_image(path("large.png")).width, 20u);
+  EXPECT_EQ(core::read_image(path("large.png")).height, 11u);
+}
+
+TEST_F(ImageProgram, DeclareReachesTheScene) {
+  diff::write_text(path("d.pov"),
+                   "#version 3.7; global_settings { assumed_gamma 1 } background { rgb Grey }\n");
+  EXPECT_EQ(lentray({"d.pov", "+W2", "+H2", "-V", "Declare=Grey=1", "File_Gamma=1"}).status, 0);
+  EXPECT_EQ(core::read_image(path("d.png")).at(0, 0, 0), 255.0f);
+}
+
+TEST_F(ImageProgram, AViewIsTheSameColumnOfEveryLens) {
+  const std::vector<std::string> common{"scene.pov", "+W150", "+H20", "-V", "Lenticular=On"};
+  auto with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), common.begin(), common.end());
+    return lentray(more);
+  };
+  ASSERT_EQ(with({"+Owhole.png"}).status, 0);
+  ASSERT_EQ(with({"+Oview.png", "View=3"}).status, 0);
+  const auto whole = core::read_image(path("whole.png")), view = core::read_image(path("view.png"));
+  ASSERT_EQ(view.width, 10u);
+  ASSERT_EQ(view.height, 20u);
+  for (std::uint32_t row = 0; row < 20; ++row) {
+    for (std::uint32_t i = 0; i < 10; ++i) {
+      for (int c = 0; c < 3; ++c) EXPECT_EQ(view.at(i, row, c), whole.at(i * 15 + 3, row, c));
+    }
+  }
+  const auto beyond = with({"View=15"});
+  EXPECT_EQ(beyond.status, 1);
+  EXPECT_NE(beyond.output.find("there is no view 15: the views are 0 to 14"), std::string::npos);
+  EXPECT_NE(with({"View=1", "Lens_Pixels=7.5"}).output.find("no views"), std::string::npos);
+}
+
+TEST_F(ImageProgram, TheMiddleViewIsTheOrdinaryPicture) {
+  ASSERT_EQ(lentray({"scene.pov", "+W40", "+H30", "-V", "+Oplain.png"}).status, 0);
+  ASSERT_EQ(lentray({"scene.pov", "+W600", "+H30", "-V", "+Oview.png", "Lenticular=On", "View=7"})
+                .status,
+            0);
+  const auto comparison = core::read_image(path("view.png"));
+  EXPECT_TRUE(reaches(comparison, core::read_image(path("plain.png")), Grade::exact));
+}
+
+TEST_F(ImageProgram, StatisticsAndMetadataTellTheLens) {
+  ASSERT_EQ(lentray({"scene.pov", "+W150", "+H20", "-V", "Lenticular=On", "Lens_Pixels=7.5",
+                     "Statistics_File=s.json"})
+                .status,
+            0);
+  const auto json = nlohmann::json::parse(diff::read_text(path("s.json")));
+  EXPECT_EQ(json["image"]["width"], 150);
+  EXPECT_EQ(json["lens"]["pixels"], 7.5);
+  EXPECT_EQ(json["lens"]["views"], 0);
+  EXPECT_EQ(json["lens"]["model"], "paraxial");
+  EXPECT_EQ(json["rays"]["camera"], 3000);
+  EXPECT_GT(json["shadow"]["rays"], 0);
+  EXPECT_EQ(json["lights"].size(), 2u);
+  EXPECT_GT(json["tests"]["primitives"], 0);
+  EXPECT_GT(json["memory"]["peak_bytes"], 1000000);
+  const auto picture = core::read_image(path("scene.png"));
+  bool found = false;
+  for (const auto& [name, value] : picture.attributes) {
+    found = found || (name.find("lens.pixels") != std::string::npos && value == "7.5");
+  }
+  EXPECT_TRUE(found);
+}
+
+TEST_F(ImageProgram, ExplainNamesWhatIsNeeded) {
+  const auto result = lentray({"scene.pov", "--explain"});
+  EXPECT_EQ(result.status, 0);
+  EXPECT_NE(result.output.find("reflection"), std::string::npos);
+  EXPECT_NE(result.output.find("2 sphere"), std::string::npos);
+  EXPECT_NE(result.output.find("Not needed, and left out: "), std::string::npos);
+  EXPECT_FALSE(exists("scene.png"));
+}
+
+TEST_F(ImageProgram, ProgressOnlyWhenWanted) {
+  EXPECT_NE(lentray({"scene.pov", "+W16", "+H12"}).output.find("Rendering: 100 %"),
+            std::string::npos);
+  EXPECT_EQ(lentray({"scene.pov", "+W16", "+H12", "-V"}).output, "");
+}
+
+TEST_F(ImageProgram, WhenStoppedItLeavesNothing) {
+  const auto result = shell("'" + program("lentray").string() +
+                            "' scene.pov +W9000 +H6000 +WT1 -V & p=$!; sleep 2; kill -TERM $p; wait $p");
+  EXPECT_EQ(result.status, 2) << result.output;
+  EXPECT_NE(result.output.find("no picture was written"), std::string::npos);
+  EXPECT_FALSE(exists("scene.png"));
+}
+
+TEST_F(ImageProgram, HelpAndVersion) {
+  EXPECT_NE(lentray({"--help"}).output.find("usage: lentray"), std::string::npos);
+  EXPECT_NE(lentray({"--version"}).output.find("Lentray "), std::string::npos);
+}
+
+class ErrorProgram : public ImageProgram {
+ protected:
+  void expect(const std::vector<std::string>& arguments, const std::string& part) {
+    const auto result = lentray(arguments);
+    EXPECT_EQ(result.status, 1);
+    EXPECT_NE(result.output.find(part), std::string::npos) << result.output;
+  }
+};
+
+TEST_F(ErrorProgram, OptionsThatAreNotThereYet) {
+  expect({"scene.pov", "+A"}, "option +A: not yet: antialiasing");
+  expect({"scene.pov", "Lens_Model=thick", "Lenticular=On"}, "not yet: lens model 'thick'");
+}
+
+TEST_F(ErrorProgram, NoSceneAtAll) { expect({"+W10"}, "no scene was named"); }
+
+TEST_F(ErrorProgram, CamerasWithoutASheet) {
+  diff::write_text(path("f.pov"), "#version 3.7;\ncamera { fisheye angle 90 }\n");
+  expect({"f.pov", "Lenticular=On", "+W30", "+H20"}, "a `fisheye` camera has no lens sheet");
+  expect({"f.pov", "+W30", "+H20"}, "the camera kind `fisheye`: not yet");
+}
+
+TEST_F(ErrorProgram, ContradictoryLens) {
+  expect({"scene.pov", "Lenticular=On", "Lens_Pixels=15", "Print_DPI=100"}, "contradict");
+  expect({"scene.pov", "View=3"}, "needs a lens sheet");
+}
+
+}  // namespace
+}  // namespace lentray::test
