@@ -69,7 +69,7 @@ Number Expressions::colour_from(Keyword keyword) {
     n.v[3] = 0.0;
   }
   if (srgb) {
-    for (std::size_t i = 0; i < 3; ++i) n.v[i] = srgb_to_linear(n.v[i]);
+    for (std::size_t i = 0; i < 3; ++i) n.v[i] = srgb_to_linear(static_cast<float>(n.v[i]));
   }
   return n;
 }

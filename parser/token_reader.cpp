@@ -37,11 +37,11 @@ bool TokenReader::accept(Punct p) {
 }
 
 void TokenReader::expect(Keyword k) {
-  if (!accept(k)) fail_expected(spelling(k));
+  if (!accept(k)) fail_expected("'" + std::string(spelling(k)) + "'");
 }
 
 void TokenReader::expect(Punct p) {
-  if (!accept(p)) fail_expected(spelling(p));
+  if (!accept(p)) fail_expected("'" + std::string(spelling(p)) + "'");
 }
 
 const Token* TokenReader::following() const { return m_in.stream.look(); }

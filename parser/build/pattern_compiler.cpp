@@ -174,6 +174,9 @@ core::PatternPtr compile_pattern(const PatternDesc& pattern, const PatternBuild&
     if (auto function = compile_function(pattern, build)) return function;
   } else if (pattern.kind == Kind::kPigmentPattern && pattern.pigment) {
     return core::make_pigment_pattern(build.pigment(pattern.pigment));
+  } else if (pattern.kind == Kind::kImagePattern && pattern.image && build.picture) {
+    return core::make_picture_pattern(build.picture(*pattern.image),
+                                      pattern.image->use == ImageDesc::Use::kAlpha);
   } else {
     build.not_yet.insert(std::string("pattern ") + pattern_name(pattern.kind));
   }
