@@ -6,6 +6,7 @@
 #include <immintrin.h>
 
 #include <cstdint>
+#include <optional>
 
 #include "core/accel/wide_bvh.h"
 #include "core/geometry/sphere.h"
@@ -37,11 +38,12 @@ struct alignas(32) PackHits {
 /// A ray with what the batches share.
 struct PackRay {
   PackRay(const Ray& r, bool triangles)
-      : ray(r), inverse_dd(1.0 / dot(r.direction, r.direction)),
-        sheared(triangles ? ShearedRay(r) : ShearedRay(Ray{{}, {0.0, 0.0, 1.0}})) {}
+      : ray(r), inverse_dd(1.0 / dot(r.direction, r.direction)) {
+    if (triangles) sheared.emplace(r);
+  }
   const Ray& ray;
   double inverse_dd;
-  ShearedRay sheared;
+  std::optional<ShearedRay> sheared;  ///< there are triangles
 };
 
 /// Lanes with a nearest crossing t_min < t <= t_max. The limit is included: the caller decides
@@ -70,7 +72,7 @@ inline unsigned intersect_portable(const TrianglePack& pack, const PackRay& r, d
   };
   for (int i = 0; i < kPack; ++i) {
     TriangleHit hit;
-    if (!intersect_triangle(r.sheared, corner(0, i), corner(1, i), corner(2, i), hit)) continue;
+    if (!intersect_triangle(*r.sheared, corner(0, i), corner(1, i), corner(2, i), hit)) continue;
     if (!(hit.t > t_min && hit.t <= t_max)) continue;
     hits.t[i] = hit.t;
     hits.u[i] = hit.wb;
@@ -116,7 +118,7 @@ LENTRAY_AVX2 inline unsigned intersect_avx2(const SpherePack& pack, const PackRa
 
 LENTRAY_AVX2 inline unsigned intersect_avx2(const TrianglePack& pack, const PackRay& r,
                                             double t_min, double t_max, PackHits& hits) {
-  const ShearedRay& s = r.sheared;
+  const ShearedRay& s = *r.sheared;
   const __m256d ox = _mm256_set1_pd(s.origin[s.kx]), oy = _mm256_set1_pd(s.origin[s.ky]),
                 oz = _mm256_set1_pd(s.origin[s.kz]);
   const __m256d sx = _mm256_set1_pd(s.sx), sy = _mm256_set1_pd(s.sy);
