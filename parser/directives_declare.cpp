@@ -159,6 +159,8 @@ Value Directives::parse_rvalue() {
   }
   if (m_in.expressions.at_expression()) return stored(m_in.expressions.parse_additive());
   if (std::optional<Value> made = m_in.productions.rvalue(m_in.parser)) return std::move(*made);
+  // A name without a value: the expression knows what to say about it.
+  if (tokens.peek().kind == TokenKind::kIdentifier) return m_in.expressions.parse_operand();
   tokens.fail_expected("a value");
 }
 

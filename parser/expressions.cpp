@@ -15,6 +15,7 @@ constexpr std::size_t kComponents = 5;
 bool is_true(double x) { return std::fabs(x) > kCompareEpsilon; }
 
 void promote_both(Number& a, Number& b) {
+  if (a.size == b.size) return;
   if (b.size > a.size) promote(a, b.size);
   else if (a.size > b.size) promote(b, a.size);
 }
@@ -196,6 +197,10 @@ Number Expressions::parse_additive() {
     if (!plus && !t.is(Punct::kMinus)) return left;
     m_in.tokens.skip();
     Number right = parse_term();
+    if (left.size == 1 && right.size == 1) {
+      left.v[0] = plus ? left.v[0] + right.v[0] : left.v[0] - right.v[0];
+      continue;
+    }
     promote_both(left, right);
     if (plus) each(left, right, [](double a, double b) { return a + b; });
     else each(left, right, [](double a, double b) { return a - b; });
@@ -213,6 +218,10 @@ Number Expressions::parse_term() {
     if (!times && !t.is(Punct::kSlash)) return left;
     m_in.tokens.skip();
     Number right = parse_factor();
+    if (times && left.size == 1 && right.size == 1) {
+      left.v[0] *= right.v[0];
+      continue;
+    }
     promote_both(left, right);
     if (times) {
       each(left, right, [](double a, double b) { return a * b; });

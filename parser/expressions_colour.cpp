@@ -29,7 +29,9 @@ int component(Keyword k) {
 }  // namespace
 
 double decode_srgb(double c) {
-  return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+  // In single precision throughout, as stock: held by tests/compat/language_expressions_test.cpp.
+  const float x = static_cast<float>(c);
+  return x <= 0.04045f ? x / 12.92f : std::pow((x + 0.055f) / 1.055f, 2.4f);
 }
 
 bool Expressions::at_colour_keyword() {

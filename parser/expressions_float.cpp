@@ -210,9 +210,8 @@ bool Expressions::float_function(Keyword keyword, double& value) {
       m_in.tokens.expect(Punct::kLeftParen);
       const std::string a = parse_string();
       m_in.tokens.comma();
-      const int order = a.compare(parse_string());
+      value = character_difference(a, parse_string());
       m_in.tokens.expect(Punct::kRightParen);
-      value = order < 0 ? -1.0 : order > 0 ? 1.0 : 0.0;
       return true;
     }
     case Keyword::kVdot: case Keyword::kInside: {

@@ -20,7 +20,7 @@ std::uintptr_t stack_address() {
 Interpreter::Interpreter(SourceManager& sources_, Diagnostics& diagnostics_,
                          const ParserOptions& options_, Productions& productions_, Parser& parser_)
     : sources(sources_), diagnostics(diagnostics_), options(options_), productions(productions_),
-      parser(parser_), tokens(*this), expressions(*this), functions(*this), directives(*this),
+      parser(parser_), tokens(*this, stream, symbols), expressions(*this), functions(*this), directives(*this),
       files(*this) {
   m_stack_base = stack_address();
   if (options.language_version > 0) {

@@ -145,7 +145,10 @@ double ScriptFiles::read_number(ScriptFile& file) {
 // False at the end of the file.
 bool ScriptFiles::read_value(ScriptFile& file, Value& value) {
   const auto& all = file.in->tokens;
-  if (file.position >= all.size()) return false;
+  if (file.position >= all.size()) {
+    file.ended = true;
+    return false;
+  }
   const Token& t = all[file.position];
   const auto at = [&](Punct p) { return file.position < all.size() && all[file.position].is(p); };
   if (t.kind == TokenKind::kString) {
@@ -170,6 +173,7 @@ bool ScriptFiles::read_value(ScriptFile& file, Value& value) {
     m_in.fail(t.where, "expected a float, vector or string in a file read by #read");
   }
   if (at(Punct::kComma)) ++file.position;
+  else file.ended = file.position >= all.size();
   return true;
 }
 
@@ -198,7 +202,7 @@ void ScriptFiles::read() {
     else symbol.reset(std::move(value));
   }
   // At the end of the file its identifier is gone, so that `#while (defined(File))` ends.
-  if (in->position >= in->in->tokens.size()) m_in.symbols.remove(name.name);
+  if (in->ended) m_in.symbols.remove(name.name);
 }
 
 }  // namespace lentray::parser

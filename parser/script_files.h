@@ -18,6 +18,7 @@ struct ScriptFile {
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> out{nullptr, &std::fclose};
   std::shared_ptr<const TokenList> in;
   std::size_t position = 0;   ///< in the tokens read
+  bool ended = false;         ///< its end has been met, by a value without a comma behind it or by none
 };
 
 class ScriptFiles {

@@ -28,8 +28,10 @@ Values catmull_rom(const SplineKnot& before, const SplineKnot& a, const SplineKn
                    const SplineKnot& after, double t) {
   const double step = b.at - a.at, u = (t - a.at) / step;
   return componentwise([&](std::size_t i) {
-    const double slope_a = (b.value[i] - before.value[i]) / (b.at - before.at);
-    const double slope_b = (after.value[i] - a.value[i]) / (after.at - a.at);
+    // Slopes at the ends: the mean of the chords to both sides.
+    const double chord = (b.value[i] - a.value[i]) / step;
+    const double slope_a = (chord + (a.value[i] - before.value[i]) / (a.at - before.at)) / 2.0;
+    const double slope_b = (chord + (after.value[i] - b.value[i]) / (after.at - b.at)) / 2.0;
     return (2 * u * u * u - 3 * u * u + 1) * a.value[i] + (u * u * u - 2 * u * u + u) * step * slope_a +
            (3 * u * u - 2 * u * u * u) * b.value[i] + (u * u * u - u * u) * step * slope_b;
   });

@@ -38,6 +38,13 @@ double first_character(std::string_view text) {
   return lead;
 }
 
+double character_difference(std::string_view a, std::string_view b) {
+  std::size_t i = 0;
+  while (i < a.size() && i < b.size() && a[i] == b[i]) ++i;
+  while (i > 0 && ((i < a.size() && continues(a[i])) || (i < b.size() && continues(b[i])))) --i;
+  return first_character(a.substr(i)) - first_character(b.substr(i));
+}
+
 std::string encode_character(unsigned code) {
   std::string out;
   if (code < 0x80) {

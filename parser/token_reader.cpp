@@ -12,53 +12,27 @@ Token TokenReader::next() {
   return token;
 }
 
-void TokenReader::consume() {
-  m_last = m_token.where;
-  if (m_token.kind == TokenKind::kEnd) return;  // it stays: the end can be asked for again
-  m_ready = false;
-  if (m_token.kind != TokenKind::kPunct) return;
-  switch (m_token.punct) {
-    case Punct::kLeftCurly: case Punct::kLeftParen: case Punct::kLeftSquare: ++m_nesting; break;
-    case Punct::kRightCurly: case Punct::kRightParen: case Punct::kRightSquare: --m_nesting; break;
-    default: break;
-  }
-}
-
-bool TokenReader::accept(Keyword k) {
-  if (!peek().is(k)) return false;
-  consume();
-  return true;
-}
-
-bool TokenReader::accept(Punct p) {
-  if (!peek().is(p)) return false;
-  consume();
-  return true;
-}
-
 void TokenReader::expect(Keyword k) {
-  if (!accept(k)) fail_expected(spelling(k));
+  if (!accept(k)) fail_expected("'" + std::string(spelling(k)) + "'");
 }
 
 void TokenReader::expect(Punct p) {
-  if (!accept(p)) fail_expected(spelling(p));
+  if (!accept(p)) fail_expected("'" + std::string(spelling(p)) + "'");
 }
-
-const Token* TokenReader::following() const { return m_in.stream.look(); }
 
 void TokenReader::fetch_or_hold() {
   m_held = false;
   if (m_holding && m_nesting == m_hold_nesting) {
     // A macro whose text ends here gives way to the text that invoked it.
-    while (m_in.stream.depth() > m_hold_depth && !m_in.stream.look() &&
-           m_in.stream.top().kind == FrameKind::kMacro) {
+    while (m_stream.depth() > m_hold_depth && !m_stream.look() &&
+           m_stream.top().kind == FrameKind::kMacro) {
       m_in.directives.leave_frame();
     }
-    const Token* raw = m_in.stream.look();
-    if (m_in.stream.depth() == m_hold_depth && raw) {
+    const Token* raw = m_stream.look();
+    if (m_stream.depth() == m_hold_depth && raw) {
       const bool directive = raw->kind == TokenKind::kDirective;
       const Symbol* symbol =
-          raw->kind == TokenKind::kIdentifier ? m_in.symbols.find(raw->name) : nullptr;
+          raw->kind == TokenKind::kIdentifier ? m_symbols.find(raw->name) : nullptr;
       if (directive || (symbol && symbol->macro)) {
         m_held = true;
         m_boundary.where = raw->where;
@@ -72,12 +46,13 @@ void TokenReader::fetch_or_hold() {
 void TokenReader::fetch() {
   m_held = false;
   for (;;) {
-    const Token* raw = m_in.stream.empty() ? nullptr : m_in.stream.read();
+    const Token* raw = m_stream.empty() ? nullptr : m_stream.read();
     if (!raw) {
-      if (m_in.stream.empty() || !m_in.directives.leave_frame()) {
+      if (m_stream.empty() || !m_in.directives.leave_frame()) {
         Token end;
         end.where = m_last;
-        return show(end);
+        show(end);
+        return;
       }
       continue;
     }
@@ -92,8 +67,8 @@ void TokenReader::fetch() {
       case TokenKind::kKeyword:
         // The oldest dialects have directives without the #.
         if (raw->keyword == Keyword::kDeclare || raw->keyword == Keyword::kInclude ||
-            (raw->keyword == Keyword::kDefault && m_in.stream.look() &&
-             m_in.stream.look()->is(Punct::kLeftCurly))) {
+            (raw->keyword == Keyword::kDefault && m_stream.look() &&
+             m_stream.look()->is(Punct::kLeftCurly))) {
           m_in.directives.execute_unmarked(*raw);
           if (m_ready) return;
           continue;
@@ -104,17 +79,18 @@ void TokenReader::fetch() {
         m_in.fail(raw->where, m_in.names.string(raw->name));
       default: break;
     }
-    return show(*raw);
+    show(*raw);
+    return;
   }
 }
 
 // False if it was a macro and has been invoked.
 bool TokenReader::identifier(const Token& raw) {
   m_array.reset();
-  const Symbol* found = m_in.symbols.find(raw.name);
+  const Symbol* found = m_symbols.find(raw.name);
   if (found) {
     Symbol& symbol = const_cast<Symbol*>(found)->target();
-    const Token* after = m_in.stream.look();
+    const Token* after = m_stream.look();
     if (symbol.macro && !plain_names && after && after->is(Punct::kLeftParen)) {
       const auto macro = symbol.macro;
       m_last = raw.where;
@@ -163,7 +139,7 @@ void TokenReader::subscripts(const Token& raw, std::shared_ptr<ArrayValue> array
     }
     // An element that is itself an array goes on.
     const auto* inner = std::get_if<std::shared_ptr<ArrayValue>>(&array->elements[index]);
-    const Token* after = m_in.stream.look();
+    const Token* after = m_stream.look();
     if (!inner || !after || !after->is(Punct::kLeftSquare)) break;
     array = std::shared_ptr<ArrayValue>(*inner);
   }
@@ -175,7 +151,7 @@ void TokenReader::subscripts(const Token& raw, std::shared_ptr<ArrayValue> array
 
 Symbol* TokenReader::symbol() {
   if (m_token.kind != TokenKind::kIdentifier) return nullptr;
-  Symbol* found = m_in.symbols.find(m_token.name);
+  Symbol* found = m_symbols.find(m_token.name);
   return found ? &found->target() : nullptr;
 }
 
@@ -215,7 +191,7 @@ std::string TokenReader::describe(const Token& token) const {
     case TokenKind::kDirective: return "#" + std::string(m_in.names.text(token.name));
     case TokenKind::kIdentifier: {
       const std::string name(m_in.names.text(token.name));
-      Symbol* s = m_in.symbols.find(token.name);
+      Symbol* s = m_symbols.find(token.name);
       if (!s) return "the undeclared identifier '" + name + "'";
       if (s->target().macro) return "the macro '" + name + "'";
       if (m_array && m_ready) return std::string(kind_name(m_array->elements[m_index])) +
@@ -229,7 +205,7 @@ std::string TokenReader::describe(const Token& token) const {
 void TokenReader::fail_expected(std::string_view what) {
   const Token token = peek();
   std::string message = "expected " + std::string(what) + " but found " + describe(token);
-  if (token.kind == TokenKind::kIdentifier && !m_in.symbols.find(token.name)) {
+  if (token.kind == TokenKind::kIdentifier && !m_symbols.find(token.name)) {
     message += m_in.suggestion(m_in.names.text(token.name));
   }
   m_in.fail(token.kind == TokenKind::kEnd ? m_last : token.where, message);
@@ -240,7 +216,7 @@ TokenReader::Hold::Hold(TokenReader& reader)
       m_depth(reader.m_hold_depth) {
   reader.m_holding = true;
   reader.m_hold_nesting = reader.m_nesting;
-  reader.m_hold_depth = reader.m_in.stream.depth();
+  reader.m_hold_depth = reader.m_stream.depth();
 }
 
 TokenReader::Hold::~Hold() {

@@ -7,6 +7,7 @@
 
 #include "parser/symbols.h"
 #include "parser/token.h"
+#include "parser/token_stream.h"
 
 namespace lentray::parser {
 
@@ -14,10 +15,20 @@ struct Interpreter;
 
 class TokenReader {
  public:
-  explicit TokenReader(Interpreter& in) : m_in(in) { m_boundary.kind = TokenKind::kPunct; }
+  TokenReader(Interpreter& in, TokenStream& stream, SymbolTable& symbols)
+      : m_in(in), m_stream(stream), m_symbols(symbols) {
+    m_boundary.kind = TokenKind::kPunct;
+  }
 
   const Token& peek() {
-    if (!m_ready) fetch_or_hold();
+    if (m_ready) return m_token;
+    // Most tokens are punctuation and numbers, which nothing can change.
+    const Token* raw = m_stream.look();
+    if (raw && (raw->kind == TokenKind::kPunct || raw->kind == TokenKind::kNumber)) {
+      m_held = false;
+      return show(*m_stream.read());
+    }
+    fetch_or_hold();
     return m_held ? m_boundary : m_token;
   }
   /// Where an operand must follow: a statement cannot end here, so nothing is held back.
@@ -33,8 +44,16 @@ class TokenReader {
 
   bool at(Keyword k) { return peek().is(k); }
   bool at(Punct p) { return peek().is(p); }
-  bool accept(Keyword k);
-  bool accept(Punct p);
+  bool accept(Keyword k) {
+    if (!peek().is(k)) return false;
+    consume();
+    return true;
+  }
+  bool accept(Punct p) {
+    if (!peek().is(p)) return false;
+    consume();
+    return true;
+  }
   void expect(Keyword k);
   void expect(Punct p);
   void comma() { accept(Punct::kComma); }
@@ -51,7 +70,7 @@ class TokenReader {
   /// an identifier, or fails with what was expected.
   Token read_name(std::string_view what);
   /// The token after the one shown, as it stands in the text; null at the end of the frame.
-  const Token* following() const;
+  const Token* following() const { return m_stream.look(); }
 
   /// Where a message about "here" points: the token shown, else the last one read.
   Location location() const { return m_ready ? m_token.where : m_last; }
@@ -88,15 +107,30 @@ class TokenReader {
   friend class Hold;
   void fetch();
   void fetch_or_hold();
-  void consume();
+  void consume() {
+    m_last = m_token.where;
+    if (m_token.kind == TokenKind::kEnd) return;  // it stays: the end can be asked for again
+    m_ready = false;
+    if (m_token.kind == TokenKind::kPunct && m_token.punct <= Punct::kRightSquare) nest();
+  }
+  void nest() {
+    switch (m_token.punct) {
+      case Punct::kLeftCurly: case Punct::kLeftParen: case Punct::kLeftSquare: ++m_nesting; break;
+      case Punct::kRightCurly: case Punct::kRightParen: case Punct::kRightSquare: --m_nesting; break;
+      default: break;
+    }
+  }
   bool identifier(const Token& token);
   void subscripts(const Token& token, std::shared_ptr<ArrayValue> array);
-  void show(const Token& token) {
+  const Token& show(const Token& token) {
     m_token = token;
     m_ready = true;
+    return m_token;
   }
 
   Interpreter& m_in;
+  TokenStream& m_stream;
+  SymbolTable& m_symbols;
   Token m_token;
   Token m_boundary;            ///< shown while a directive is held back: equals no token
   bool m_ready = false;

@@ -111,35 +111,38 @@ cylinder {
   sphere { <0, 1.22, 0>, 0.28 }
 }
 
+// All things stand a hair above the board: surfaces that coincide have no order in depth.
+#declare Hair = 0.004*y;
+
 // In the plane of the sheet.
-object { Die(<0.72, 0.03, 0.04>, <0.95, 0.93, 0.88>) rotate 24*y translate <-0.05, 0.5, 0> }
+object { Die(<0.72, 0.03, 0.04>, <0.95, 0.93, 0.88>) rotate 24*y translate <-0.05, 0.5, 0> + Hair }
 
 // Before it: these reach out towards the viewer.
 sphere { <1.05, 0.55, -1.9>, 0.55 material { Glass } }
-object { Die(<0.93, 0.91, 0.85>, <0.05, 0.05, 0.06>) scale 0.7 rotate -35*y translate <-1.15, 0.35, -1.7> }
+object { Die(<0.93, 0.91, 0.85>, <0.05, 0.05, 0.06>) scale 0.7 rotate -35*y translate <-1.15, 0.35, -1.7> + Hair }
 difference {
   cylinder { <0, 0, 0>, <0, 0.09, 0>, 0.42 }
   cylinder { <0, -1, 0>, <0, 1, 0>, 0.2 }
   torus { 0.31, 0.05 translate 0.1*y }
   texture { Gold }
-  translate <-0.15, 0, -2.35>
+  translate <-0.15, 0, -2.35> + Hair
 }
 
 // Behind it.
-object { Pawn texture { Gold } translate <-1.75, 0, 1.5> }
-object { Pawn material { Glass } scale 1.15 translate <1.6, 0, 1.1> }
+object { Pawn texture { Gold } translate <-1.75, 0, 1.5> + Hair }
+object { Pawn material { Glass } scale 1.15 translate <1.6, 0, 1.1> + Hair }
 sphere { <0.25, 0.95, 2.9>, 0.95 texture { Chrome } }
-object { Pawn Lacquer(<0.04, 0.12, 0.32>) scale 1.5 translate <-2.9, 0, 4.2> }
+object { Pawn Lacquer(<0.04, 0.12, 0.32>) scale 1.5 translate <-2.9, 0, 4.2> + Hair }
 torus {
   0.75, 0.14
   texture { Gold }
   rotate <-68, 35, 0>
-  translate <2.9, 0.78, 3.6>
+  translate <2.9, 0.78, 3.6> + Hair
 }
 // A bowl: half a hollow ball, open to the top.
 sphere {
   0, 0.8
   clipped_by { plane { y, 0.15 } }
   Lacquer(<0.05, 0.32, 0.22>)
-  translate <4.1, 0.8, 5.8>
+  translate <4.1, 0.8, 5.8> + Hair
 }

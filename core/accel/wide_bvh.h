@@ -19,6 +19,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "core/base/bounds.h"
@@ -119,11 +120,8 @@ class WideBvh {
   template <class Leaf>
   bool traverse(const Ray& ray, double t_min, double t_max, Leaf&& leaf) const {
     CountNothing nothing;
-    const auto coded = [&leaf](std::uint32_t code, double& limit) {
-      return leaf(first_of(code), count_of(code), limit);
-    };
-    return has_avx2() ? traverse_avx2<true>(ray, t_min, t_max, coded, nothing)
-                      : traverse_portable(ray, t_min, t_max, coded, nothing);
+    return has_avx2() ? traverse_avx2<true>(ray, t_min, t_max, leaf, nothing)
+                      : traverse_portable(ray, t_min, t_max, leaf, nothing);
   }
   /// Calls leaf(first, count), true to end, for the leaves with a box that may hold the point.
   template <class Leaf>
@@ -147,8 +145,19 @@ class WideBvh {
     return (code >> WideNode::kFirstBits) & WideNode::kMaxCount;
   }
 
-  /// The two ways of traverse(), for callers with leaves of their own for each, here called as
-  /// leaf(code, t_max). kOrdered: near children first; else as they come (any-hit searches).
+  /// Calls visit(first, count) for every leaf, once.
+  template <class Visit>
+  void for_each_leaf(Visit&& visit) const {
+    for (const WideNode& node : m_nodes) {
+      for (std::uint32_t i = 0; i < node.used; ++i) {
+        const std::uint32_t child = node.child[i];
+        if (child & WideNode::kLeaf) visit(first_of(child), count_of(child));
+      }
+    }
+  }
+
+  /// The two ways of traverse(), for callers with leaves of their own for each; the leaf may also
+  /// be one that takes its code: leaf(code, t_max). kOrdered: near children first; else as they come (any-hit searches).
   template <bool kOrdered, class Leaf, class Count>
   LENTRAY_AVX2 bool traverse_avx2(const Ray& ray, double t_min, double t_max, Leaf& leaf,
                                   Count& count) const;
@@ -166,6 +175,9 @@ class WideBvh {
   static constexpr int kStack = kMaxDepth * (WideNode::kWidth - 1) + WideNode::kWidth;
 
   void build(std::span<const Bounds> boxes, const Options& options);
+  template <class Leaf>
+  static constexpr bool kTakesPlaces =
+      std::is_invocable_v<Leaf&, std::uint32_t, std::uint32_t, double&>;
   static void sort_far_first(Entry* first, Entry* last) {
     for (Entry* i = first + 1; i < last; ++i) {
       const Entry e = *i;
@@ -204,7 +216,12 @@ LENTRAY_AVX2 bool WideBvh::traverse_avx2(const Ray& world, double t_min, double 
   for (;;) {
     if (at & WideNode::kLeaf) {
       const double before = t_max;
-      if (leaf(at & ~WideNode::kLeaf, t_max)) return true;
+      // In line here: a leaf for AVX2 is only inlined into a function for AVX2.
+      if constexpr (kTakesPlaces<Leaf>) {
+        if (leaf(first_of(at), count_of(at), t_max)) return true;
+      } else {
+        if (leaf(at & ~WideNode::kLeaf, t_max)) return true;
+      }
       if (t_max < before) to = ray.upper(t_max);
     } else {
       const WideNode& node = m_nodes[at];
@@ -264,7 +281,12 @@ bool WideBvh::traverse_portable(const Ray& world, double t_min, double t_max, Le
   for (;;) {
     if (at & WideNode::kLeaf) {
       const double before = t_max;
-      if (leaf(at & ~WideNode::kLeaf, t_max)) return true;
+      // In line here: a leaf for AVX2 is only inlined into a function for AVX2.
+      if constexpr (kTakesPlaces<Leaf>) {
+        if (leaf(first_of(at), count_of(at), t_max)) return true;
+      } else {
+        if (leaf(at & ~WideNode::kLeaf, t_max)) return true;
+      }
       if (t_max < before) to = ray.upper(t_max);
     } else {
       const WideNode& node = m_nodes[at];

@@ -96,6 +96,7 @@ void Csg::fence_children() {
   m_surface = Bounds();
   m_solid = join ? Bounds() : Bounds::everything();
   m_void = join ? Bounds::everything() : Bounds();
+  m_leaves_bounds = false;
   std::vector<Bounds> before(n + 1, Bounds::everything());
   for (std::size_t i = 0; i < n; ++i) {
     const Bounds solid = m_children[i]->solid_bounds(), hollow = m_children[i]->void_bounds();
@@ -103,6 +104,10 @@ void Csg::fence_children() {
     fence.surface = m_children[i]->bounds();
     fence.beyond = !hollow.is_empty() ? hollow.is_finite() : true;
     fence.decide = fence.beyond ? hollow : solid;
+    if (m_children[i]->solid_leaves_bounds()) {
+      m_leaves_bounds = true;
+      fence.decide = Bounds::everything();
+    }
     before[i + 1] = before[i];
     before[i + 1].intersect(solid);
     if (join) {
@@ -159,6 +164,8 @@ Bounds Csg::solid_bounds() const {
   for (const auto& clip : clips()) b.intersect(clip->solid_bounds());
   return b.is_empty() ? Bounds() : b;
 }
+
+bool Csg::solid_leaves_bounds() const { return m_leaves_bounds; }
 
 Bounds Csg::void_bounds() const { return clips().empty() ? m_void : Bounds::everything(); }
 

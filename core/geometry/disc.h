@@ -17,7 +17,7 @@ class Disc final : public Shape {
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
   bool inside(const Vec3& p) const override;
-  bool solid_is_unbounded() const override { return true; }
+  bool solid_leaves_bounds() const override { return true; }
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
   /// Under similarities.
   std::unique_ptr<Shape> baked(const Transform& t) const override;

@@ -26,8 +26,11 @@ Bounds Leaf::solid_bounds() const {
   return b.is_empty() ? Bounds() : b;
 }
 
+bool Leaf::solid_leaves_bounds() const { return m_shape->solid_leaves_bounds() && !is_inverse(); }
+
 Bounds Leaf::void_bounds() const {
-  if (!is_inverse() || !clips().empty() || m_shape->solid_is_unbounded()) return Bounds::everything();
+  if (!is_inverse() || !clips().empty()) return Bounds::everything();
+  if (m_shape->solid_is_unbounded() || m_shape->solid_leaves_bounds()) return Bounds::everything();
   return m_transform ? m_shape->bounds_in(*m_transform) : m_shape->bounds();
 }
 

@@ -57,6 +57,9 @@ class Object {
   virtual Bounds bounds() const = 0;
   /// Everything that inside() can answer true for; infinite for most inverse objects.
   virtual Bounds solid_bounds() const = 0;
+  /// True where inside() may be true beyond solid_bounds() all the same (discs, which count as
+  /// half-spaces yet bound a CSG by their surface's box, as in stock).
+  virtual bool solid_leaves_bounds() const = 0;
   /// Everything that inside() can answer false for; infinite for most objects but inverse ones.
   virtual Bounds void_bounds() const = 0;
   /// Nearest crossing with t_min < t < t_max; fills t, leaf and shape, not `object`.
@@ -109,6 +112,7 @@ class Leaf final : public Object {
   std::string_view name() const override { return m_shape->name(); }
   Bounds bounds() const override;
   Bounds solid_bounds() const override;
+  bool solid_leaves_bounds() const override;
   Bounds void_bounds() const override;
   bool nearest(const Ray&, double t_min, double t_max, Hit&, HitArena&) const override;
   void all(const Ray&, double t_min, double t_max, std::vector<Hit>&, HitArena&) const override;
@@ -149,6 +153,7 @@ class Csg final : public Object {
   void leaves(std::vector<const Leaf*>& out) const override;
   void set_inverse(bool inverse) override;
   Bounds solid_bounds() const override;
+  bool solid_leaves_bounds() const override;
   Bounds void_bounds() const override;
 
   /// After `inverse`: what it works as. Only kUnion may be split into its parts.
@@ -180,6 +185,7 @@ class Csg final : public Object {
   CsgKind m_kind;
   std::string_view m_name;
   Bounds m_surface, m_solid, m_void;  ///< before own clips
+  bool m_leaves_bounds = false;       ///< a child's solid does
   std::vector<Fence> m_fences;        ///< one a child
   std::unique_ptr<Search> m_search;   ///< where there are many children
   std::vector<std::unique_ptr<Object>> m_children;

@@ -49,6 +49,9 @@ class Shape {
   virtual bool outside(const Vec3& p) const { return !inside(p); }
   /// True where bounds() holds the surface alone and inside() is true beyond it.
   virtual bool solid_is_unbounded() const { return false; }
+  /// The same, but stock takes the box for the solid's when it bounds a CSG, so that rays which
+  /// miss the box miss the CSG.
+  virtual bool solid_leaves_bounds() const { return false; }
   /// False for patches, which `inverse` does not change.
   virtual bool is_solid() const { return true; }
   /// Shading normal, not necessarily unit, pointing as stock's does (outwards for solids).

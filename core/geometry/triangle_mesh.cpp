@@ -59,9 +59,7 @@ TriangleMesh::TriangleMesh(MeshData data) : m_data(std::move(data)) {
 }
 
 void TriangleMesh::fill_packs() {
-  m_pack_at.assign(m_data.faces.size(), 0);
-  m_bvh.for_each_leaf([&](std::uint32_t first, std::uint32_t count) {
-    m_pack_at[first] = static_cast<std::uint32_t>(m_packs.size());
+  m_bvh.relabel([&](std::uint32_t first, std::uint32_t count) {
     TrianglePack& pack = m_packs.emplace_back();
     for (std::uint32_t lane = 0; lane < count; ++lane) {
       for (int corner = 0; corner < 3; ++corner) {
@@ -70,7 +68,10 @@ void TriangleMesh::fill_packs() {
         for (int axis = 0; axis < 3; ++axis) pack.corner[corner][axis][lane] = p[axis];
       }
     }
+    m_leaves.push_back({first, count});
+    return static_cast<std::uint32_t>(m_leaves.size() - 1);
   });
+  m_leaves.shrink_to_fit();
   m_packs.shrink_to_fit();
 }
 
@@ -101,11 +102,10 @@ struct TriangleMesh::PackLeaf {
   const TriangleMesh& mesh;
   Search<kAny>& what;
   const PackRay& ray;
-  bool operator()(std::uint32_t first, std::uint32_t, double& t_max) {
+  bool operator()(std::uint32_t code, double& t_max) {
     PackHits hits;
-    const TrianglePack& pack = mesh.m_packs[mesh.m_pack_at[first]];
-    const unsigned mask = intersect_portable(pack, ray, what.t_min, t_max, hits);
-    const bool end = mask != 0 && what.lanes(mask, hits, first);
+    const unsigned mask = intersect_portable(mesh.m_packs[code], ray, what.t_min, t_max, hits);
+    const bool end = mask != 0 && what.lanes(mask, hits, mesh.m_leaves[code].first);
     t_max = what.t_max;
     return end;
   }
@@ -116,11 +116,10 @@ struct TriangleMesh::PackLeafAvx2 {
   const TriangleMesh& mesh;
   Search<kAny>& what;
   const PackRay& ray;
-  LENTRAY_AVX2 bool operator()(std::uint32_t first, std::uint32_t, double& t_max) {
+  LENTRAY_AVX2 bool operator()(std::uint32_t code, double& t_max) {
     PackHits hits;
-    const TrianglePack& pack = mesh.m_packs[mesh.m_pack_at[first]];
-    const unsigned mask = intersect_avx2(pack, ray, what.t_min, t_max, hits);
-    const bool end = mask != 0 && what.lanes(mask, hits, first);
+    const unsigned mask = intersect_avx2(mesh.m_packs[code], ray, what.t_min, t_max, hits);
+    const bool end = mask != 0 && what.lanes(mask, hits, mesh.m_leaves[code].first);
     t_max = what.t_max;
     return end;
   }
@@ -155,21 +154,18 @@ bool TriangleMesh::any(const Ray& ray, double t_min, double t_max) const {
 bool TriangleMesh::odd_crossings(const Ray& ray, double t_min) const {
   const ShearedRay s(ray);
   bool odd = false;
-  m_bvh.traverse(ray, t_min, Bounds::kInf, [&](std::uint32_t first, std::uint32_t count, double&) {
-    for (std::uint32_t i = first; i < first + count; ++i) {
-      double x[3], y[3], z[3];
-      for (int k = 0; k < 3; ++k) {
-        const Vec3 p = m_data.vertices[m_data.faces[i].vertex[static_cast<std::size_t>(k)]] - s.origin;
-        z[k] = p[s.kz];
-        x[k] = p[s.kx] - s.sx * z[k];
-        y[k] = p[s.ky] - s.sy * z[k];
-      }
-      if (!covers(x, y)) continue;
-      const double u = x[2] * y[1] - y[2] * x[1], v = x[0] * y[2] - y[0] * x[2];
-      const double w = x[1] * y[0] - y[1] * x[0], det = (u + v) + w;
-      if (det != 0.0 && ((u * z[0] + v * z[1]) + w * z[2]) * s.sz / det > t_min) odd = !odd;
+  for_faces_near(ray, t_min, Bounds::kInf, [&](std::uint32_t face) {
+    double x[3], y[3], z[3];
+    for (int k = 0; k < 3; ++k) {
+      const Vec3 p = m_data.vertices[m_data.faces[face].vertex[static_cast<std::size_t>(k)]] - s.origin;
+      z[k] = p[s.kz];
+      x[k] = p[s.kx] - s.sx * z[k];
+      y[k] = p[s.ky] - s.sy * z[k];
     }
-    return false;
+    if (!covers(x, y)) return;
+    const double u = x[2] * y[1] - y[2] * x[1], v = x[0] * y[2] - y[0] * x[2];
+    const double w = x[1] * y[0] - y[1] * x[0], det = (u + v) + w;
+    if (det != 0.0 && ((u * z[0] + v * z[1]) + w * z[2]) * s.sz / det > t_min) odd = !odd;
   });
   return odd;
 }
@@ -178,7 +174,7 @@ std::size_t TriangleMesh::memory() const {
   return sizeof(*this) + m_data.vertices.capacity() * sizeof(Vec3) +
          m_data.normals.capacity() * sizeof(Vec3) + m_data.uvs.capacity() * sizeof(Vec2) +
          m_data.faces.capacity() * sizeof(MeshFace) +
-         m_packs.capacity() * sizeof(TrianglePack) + m_pack_at.capacity() * sizeof(std::uint32_t) +
+         m_packs.capacity() * sizeof(TrianglePack) + m_leaves.capacity() * sizeof(LeafFaces) +
          m_bvh.memory();
 }
 

@@ -49,12 +49,9 @@ class TriangleMesh {
   template <class Visit>
   void all(const Ray& ray, double t_min, double t_max, Visit&& visit) const {
     const ShearedRay sheared(ray);
-    m_bvh.traverse(ray, t_min, t_max, [&](std::uint32_t first, std::uint32_t count, double&) {
-      for (std::uint32_t i = first; i < first + count; ++i) {
-        FaceHit hit;
-        if (meets(sheared, i, hit) && hit.t > t_min && hit.t < t_max) visit(hit);
-      }
-      return false;
+    for_faces_near(ray, t_min, t_max, [&](std::uint32_t face) {
+      FaceHit hit;
+      if (meets(sheared, face, hit) && hit.t > t_min && hit.t < t_max) visit(hit);
     });
   }
   /// Whether the ray crosses the surface an odd number of times beyond t_min. Edges and corners
@@ -67,6 +64,23 @@ class TriangleMesh {
   std::size_t memory() const;
 
  private:
+  struct LeafFaces {
+    std::uint32_t first, count;
+  };
+  template <class Visit>
+  void for_faces_near(const Ray& ray, double t_min, double t_max, Visit&& visit) const {
+    const auto leaf = [&](std::uint32_t code, double&) {
+      const LeafFaces& faces = m_leaves[code];
+      for (std::uint32_t i = 0; i < faces.count; ++i) visit(faces.first + i);
+      return false;
+    };
+    CountNothing nothing;
+    if (WideBvh::has_avx2()) {
+      m_bvh.traverse_avx2<false>(ray, t_min, t_max, leaf, nothing);
+    } else {
+      m_bvh.traverse_portable(ray, t_min, t_max, leaf, nothing);
+    }
+  }
   bool meets(const ShearedRay& ray, std::uint32_t face, FaceHit& hit) const {
     const auto& v = m_data.faces[face].vertex;
     TriangleHit found;
@@ -88,8 +102,8 @@ class TriangleMesh {
 
   MeshData m_data;  ///< faces in the hierarchy's order
   WideBvh m_bvh;
-  std::vector<TrianglePack> m_packs;        ///< one a leaf
-  std::vector<std::uint32_t> m_pack_at;     ///< by a leaf's first face
+  std::vector<TrianglePack> m_packs;  ///< one a leaf; the hierarchy's leaf codes count them
+  std::vector<LeafFaces> m_leaves;
   Bounds m_bounds;
   std::size_t m_dropped = 0;
 };

@@ -95,6 +95,15 @@ class FunctionPattern final : public Pattern {
   std::shared_ptr<const Function> m_function;
 };
 
+class Inside final : public Pattern {
+ public:
+  explicit Inside(std::function<bool(const Vec3&)> inside) : m_inside(std::move(inside)) {}
+  double value(const Vec3& p) const override { return m_inside(p) ? 1.0 : 0.0; }
+
+ private:
+  std::function<bool(const Vec3&)> m_inside;
+};
+
 }  // namespace
 
 double quilt_curve(double t, double control0, double control1) {
@@ -130,6 +139,9 @@ PatternPtr make_quilted(double control0, double control1) {
 }
 PatternPtr make_function(std::shared_ptr<const Function> function) {
   return std::make_unique<FunctionPattern>(std::move(function));
+}
+PatternPtr make_inside(std::function<bool(const Vec3&)> inside) {
+  return std::make_unique<Inside>(std::move(inside));
 }
 
 }  // namespace lentray::core

@@ -2,6 +2,7 @@
 // Source: reference manual 3.7, "Gradient", "Onion", "Radial", "Spherical", "Function" ...
 #pragma once
 
+#include <functional>
 #include <memory>
 
 #include "core/function/function.h"
@@ -21,6 +22,9 @@ PatternPtr make_leopard();
 PatternPtr make_quilted(double control0, double control1);
 /// A function of x, y, z; values above 1 wrap.
 PatternPtr make_function(std::shared_ptr<const Function> function);
+
+/// 1 inside of something, 0 outside; asked by any thread.
+PatternPtr make_inside(std::function<bool(const Vec3&)> inside);
 
 /// The curve of `quilted`, from 0 at 0, shaped by two controls.
 double quilt_curve(double t, double control0, double control1);

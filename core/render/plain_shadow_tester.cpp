@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/accel/hierarchy.h"
-#include "core/render/interior_stack.h"
 #include "core/render/reflectance.h"
 #include "core/render/surface_textures.h"
 #include "core/scene/scene.h"
@@ -16,6 +15,7 @@ PlainShadowTester::PlainShadowTester(const ShadowContext& context)
       m_hierarchy(context.scene->hierarchy()),
       m_test_counters(context.count_tests ? context.counters : nullptr),
       m_any_transparent(context.scene->needs().transparent_shadows),
+      m_interiors(context.scene->needs().interiors),
       m_bailout(context.scene->settings().adc_bailout) {
   const std::size_t lights = context.scene->lights().size();
   if (context.counters->lights.size() < lights) context.counters->lights.resize(lights);
@@ -42,17 +42,25 @@ Rgb PlainShadowTester::filter_through(const ShadowQuery& query, double reach) {
   std::sort(m_order.begin(), m_order.end());
   // A surface that follows the one before within the tolerance does not count.
   double last = 0.0;
+  m_inside.clear();
+  if (m_interiors && query.inside) m_inside = *query.inside;
   for (const auto& [t, index] : m_order) {
     if (!(t - last > kShadowTolerance)) continue;
-    filter *= surface_filter(m_hits[index], t - last, query);
+    const Hit& hit = m_hits[index];
+    const InteriorEntry entry = interior_of(hit.leaf->attributes(), hit.object);
+    const bool leaves = m_interiors && m_inside.remove(entry.key);
+    filter *= surface_filter(hit, t - last, query, leaves);
     if (filter.is_black()) break;
+    if (m_interiors && !leaves) m_inside.push(entry);
     last = t;
   }
   return filter;
 }
 
-// Texture maps blend what their textures let through.
-Rgb PlainShadowTester::surface_filter(const Hit& hit, double depth, const ShadowQuery& query) {
+// Texture maps blend what their textures let through. `inside`: the light came through the
+// interior of that surface to here.
+Rgb PlainShadowTester::surface_filter(const Hit& hit, double depth, const ShadowQuery& query,
+                                      bool inside) {
   const Attributes& looks = hit.leaf->attributes();
   const Vec3 point = query.ray.at(hit.t);
   const Interior* interior = looks.interior;
@@ -62,7 +70,6 @@ Rgb PlainShadowTester::surface_filter(const Hit& hit, double depth, const Shadow
   bool from_behind = false;
   if (caustics || looks.interior_texture) {
     normal = hit.leaf->normal(point, hit.shape);
-    if (hit.leaf->is_inverse()) normal = -normal;
     from_behind = dot(normal, along) > 0.0;
     if (from_behind) normal = -normal;
   }
@@ -82,8 +89,7 @@ Rgb PlainShadowTester::surface_filter(const Hit& hit, double depth, const Shadow
     }
     sum += times(through, weighted.weight);
   }
-  if (interior && interior->fade_power > 0.0 && query.inside &&
-      query.inside->contains(interior)) {
+  if (inside && interior && interior->fade_power > 0.0) {
     sum *= fade_in_interior(*interior, depth);
   }
   return sum;

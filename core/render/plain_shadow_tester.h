@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/material/texture.h"
+#include "core/render/interior_stack.h"
 #include "core/render/shadow_tester.h"
 
 namespace lentray::core {
@@ -38,13 +39,15 @@ class PlainShadowTester final : public ShadowTester {
 
  private:
   Rgb filter_through(const ShadowQuery& query, double reach);
-  Rgb surface_filter(const Hit& hit, double depth, const ShadowQuery& query);
+  Rgb surface_filter(const Hit& hit, double depth, const ShadowQuery& query, bool inside);
 
   ShadowContext m_context;
   const Hierarchy& m_hierarchy;
   Counters* m_test_counters;
   bool m_any_transparent;
+  bool m_interiors;
   double m_bailout;
+  InteriorStack m_inside;
   std::vector<Hit> m_hits;
   std::vector<std::pair<double, std::size_t>> m_order;
   WeightedTextures m_textures;

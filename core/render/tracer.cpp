@@ -92,7 +92,6 @@ Radiance PathTracer<kFeatures>::shade(const RayState& state, const Hit& hit, flo
   at.depth = hit.t;
   at.weight = weight;
   at.level = level;
-  if (kLayers && hit.leaf->is_inverse()) at.normal = -at.normal;
   const bool from_behind = dot(at.normal, state.ray.direction) > 0.0;
   if (from_behind) at.normal = -at.normal;
 

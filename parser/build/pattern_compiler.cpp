@@ -8,6 +8,7 @@
 #include "core/pattern/organic.h"
 #include "core/pattern/shapes.h"
 #include "core/pattern/tiles.h"
+#include "parser/build/object_query.h"
 
 namespace lentray::parser {
 namespace {
@@ -174,6 +175,12 @@ core::PatternPtr compile_pattern(const PatternDesc& pattern, const PatternBuild&
     if (auto function = compile_function(pattern, build)) return function;
   } else if (pattern.kind == Kind::kPigmentPattern && pattern.pigment) {
     return core::make_pigment_pattern(build.pigment(pattern.pigment));
+  } else if (pattern.kind == Kind::kObject && pattern.object) {
+    const auto query = std::make_shared<const ObjectQuery>(*pattern.object);
+    return core::make_inside([query](const core::Vec3& p) { return query->inside(p); });
+  } else if (pattern.kind == Kind::kImagePattern && pattern.image && build.picture) {
+    return core::make_picture_pattern(build.picture(*pattern.image),
+                                      pattern.image->use == ImageDesc::Use::kAlpha);
   } else {
     build.not_yet.insert(std::string("pattern ") + pattern_name(pattern.kind));
   }

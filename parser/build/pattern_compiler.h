@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/material/blend_map.h"
+#include "core/material/picture.h"
 #include "core/material/pigment.h"
 #include "core/material/placed_pattern.h"
 #include "parser/build/texture_compiler.h"
@@ -19,6 +20,8 @@ struct PatternBuild {
   std::set<std::string>& not_yet;
   /// For the pattern of a pigment's grey.
   std::function<std::shared_ptr<const core::Pigment>(const Ref<PigmentDesc>&)> pigment;
+  /// For image_pattern.
+  std::function<core::MappedPicturePtr(const ImageDesc&)> picture;
 };
 
 /// Stock keeps many parameters in single precision; textures tuned on it see the rounding.

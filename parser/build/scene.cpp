@@ -75,7 +75,7 @@ core::SceneParts build_scene(const SceneDesc& scene, Diagnostics& diagnostics,
 
   TextureSettings texture_settings;
   texture_settings.quality = options.quality;
-  texture_settings.language_version = scene.language_version;
+  texture_settings.number_of_waves = scene.global.number_of_waves;
   // noise_generator 0 means 1; without one, scenes older than 3.5 have the noise of their time.
   texture_settings.noise_generator =
       scene.global.noise_generator.value_or(scene.language_version < 350 ? 1 : 2);

@@ -5,10 +5,12 @@
 #include <vector>
 
 #include "core/material/normals.h"
+#include "core/material/picture.h"
 #include "core/material/pigments.h"
 #include "core/material/textures.h"
 #include "parser/build/finish.h"
 #include "parser/build/pattern_compiler.h"
+#include "parser/build/picture_reader.h"
 
 namespace lentray::parser {
 namespace {
@@ -37,15 +39,18 @@ class Cache {
 struct TextureCompiler::Impl {
   TextureSettings settings;
   std::set<std::string> not_yet;
+  PictureReader pictures;
   PatternBuild build;
   Cache<TextureDesc, core::Texture> textures;
   Cache<PigmentDesc, core::Pigment> pigments;
   Cache<NormalDesc, core::NormalPerturbation> normals;
 
   explicit Impl(const TextureSettings& s)
-      : settings(s), build{settings, not_yet, [this](const Ref<PigmentDesc>& p) {
-          return compile(p, core::Placement());
-        }} {}
+      : settings(s),
+        pictures(settings, not_yet),
+        build{settings, not_yet,
+              [this](const Ref<PigmentDesc>& p) { return compile(p, core::Placement()); },
+              [this](const ImageDesc& image) { return pictures.get(image, false); }} {}
 
   core::PigmentPtr compile(const Ref<PigmentDesc>& pigment, const core::Placement& outer);
   core::PigmentPtr compile_fresh(const PigmentDesc& pigment, const core::Placement& outer);
@@ -72,7 +77,11 @@ core::PigmentPtr TextureCompiler::Impl::compile_fresh(const PigmentDesc& pigment
   }
   const PatternDesc& pattern = pigment.pattern;
   if (pattern.kind == PatternKind::kPlain) return core::make_plain_pigment(pigment.colour);
-  if (pattern.kind == PatternKind::kImageMap || pattern.kind == PatternKind::kUvMapping) {
+  if (pattern.kind == PatternKind::kImageMap) {
+    return core::make_picture_pigment(outer.then(compile_placement(pattern)),
+                                      pictures.get(*pattern.image, true));
+  }
+  if (pattern.kind == PatternKind::kUvMapping) {
     not_yet.insert(pattern_name(pattern.kind));
     return core::make_plain_pigment({{0.5f, 0.5f, 0.5f}, 0, 0});
   }
@@ -122,6 +131,8 @@ core::DisplacementPtr TextureCompiler::Impl::compile_displacement(const NormalDe
       return core::make_quilted_displacement(amount, single(p.quilt0), single(p.quilt1));
     case PatternKind::kFacets:
       return core::make_facets_displacement(p.facets_size, p.facets_coords, p.facets_metric);
+    case PatternKind::kBumpMap:
+      return core::make_picture_displacement(pictures.get(*p.image, false), amount);
     default: return nullptr;
   }
 }
@@ -148,7 +159,7 @@ core::NormalPtr TextureCompiler::Impl::compile_pattern_normal(const NormalDesc& 
 core::NormalPtr TextureCompiler::Impl::compile_fresh(const NormalDesc& normal) {
   const PatternDesc& pattern = normal.pattern;
   if (pattern.kind == PatternKind::kPlain) return nullptr;
-  if (pattern.kind == PatternKind::kBumpMap || pattern.kind == PatternKind::kUvMapping) {
+  if (pattern.kind == PatternKind::kUvMapping) {
     not_yet.insert(pattern_name(pattern.kind) + std::string(" of a normal"));
     return nullptr;
   }
@@ -181,7 +192,7 @@ core::TextureLayer TextureCompiler::Impl::compile_layer(const TextureLayerDesc& 
 core::TexturePtr TextureCompiler::Impl::compile_patterned(const TextureLayerDesc& layer,
                                                           const core::Placement& outer) {
   const PatternDesc& pattern = layer.pattern;
-  if (pattern.kind == PatternKind::kMaterialMap || pattern.kind == PatternKind::kUvMapping) {
+  if (pattern.kind == PatternKind::kUvMapping) {
     not_yet.insert(pattern_name(pattern.kind) + std::string(" of a texture"));
     return compile(layer.map->entries.front().item, outer);
   }
@@ -192,6 +203,11 @@ core::TexturePtr TextureCompiler::Impl::compile_patterned(const TextureLayerDesc
     entries.emplace_back(entry.value, compile(entry.item, inner));
   }
   if (pattern.kind == PatternKind::kAverage) return core::make_average_texture(std::move(entries));
+  if (pattern.kind == PatternKind::kMaterialMap) {
+    std::vector<core::TexturePtr> materials;
+    for (auto& entry : entries) materials.push_back(std::move(entry.second));
+    return core::make_material_map(inner, pictures.get(*pattern.image, true), std::move(materials));
+  }
   core::PlacedPattern placed{inner, compile_pattern(pattern, build), compile_wave(pattern)};
   return core::make_texture_map(std::move(placed), core::BlendMap(std::move(entries)));
 }

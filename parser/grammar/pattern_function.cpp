@@ -3,6 +3,7 @@
 
 #include "core/function/function.h"
 #include "parser/build/pattern_compiler.h"
+#include "parser/build/picture_reader.h"
 #include "parser/grammar/pattern.h"
 
 namespace lentray::parser {
@@ -83,6 +84,9 @@ Ref<FunctionDesc> parse_pattern_function(Parser& parser, MaterialContext& contex
   const PatternBuild build{settings, not_yet, [&](const Ref<PigmentDesc>& inner) {
                              TextureCompiler compiler(settings);
                              return compiler.pigment(inner);
+                           },
+                           [&](const ImageDesc& image) {
+                             return PictureReader(settings, not_yet).get(image, false);
                            }};
   auto placed = compile_placed(pigment->pattern, core::Placement(), build);
   desc->function = std::make_shared<PatternFunction>(std::move(placed), first_of(not_yet));

@@ -241,6 +241,21 @@ TEST(UnitWrapper, LenticularCamerasBecomeOrdinary) {
   EXPECT_FALSE(changed);
 }
 
+TEST(UnitWrapper, IncludedFiles) {
+  EXPECT_EQ(included_files("#include \"a.inc\"\n// #include \"b.inc\"\n# include\"c d.inc\" #include X"),
+            (std::vector<std::string>{"a.inc", "c d.inc"}));
+}
+
+TEST(CompatWrapper, LenticularCameraInAnIncludeFile) {
+  const TemporaryFolder folder;
+  write_text(folder / "cam.inc", "camera { lenticular location <0,0,0> lens_pitch 1.124 }\n");
+  write_text(folder / "scene.pov", std::string(kScene) + "#include \"cam.inc\"\n");
+  const Stock stock;
+  const Sheet s = sheet(3, 30, kFar, true);
+  const StoredImage with = stock_integral(folder / "scene.pov", s, best_way(s), stock.options);
+  EXPECT_TRUE(test::same_bits(with, stock(s, best_way(s))));
+}
+
 TEST(UnitWrapper, BestWay) {
   EXPECT_EQ(best_way(sheet(15, 150, kFar, false)), Way::orthographic_views);
   EXPECT_EQ(best_way(sheet(7.37, 150, kFar, false)), Way::mesh_camera);

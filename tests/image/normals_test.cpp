@@ -104,7 +104,7 @@ constexpr NormalCase kNormals[] = {
 };
 
 INSTANTIATE_TEST_SUITE_P(Each, ImageNormals, ::testing::ValuesIn(kNormals),
-                         [](const auto& info) { return "n" + std::to_string(info.index); });
+                         [](const auto& named) { return "n" + std::to_string(named.index); });
 
 }  // namespace
 }  // namespace lentray::parser::test

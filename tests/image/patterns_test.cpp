@@ -1,63 +1,14 @@
 // Patterns and pigments against stock, number by number: a scene makes stock print the values of
 // `function { pattern { ... } }` and `function { pigment { ... } }` at many points; ours must be the
 // same there. Pattern values are doubles on both sides, colours floats.
-#include <cmath>
-#include <iomanip>
-#include <random>
-#include <sstream>
-
 #include <gtest/gtest.h>
 
 #include "parser/build/pattern_compiler.h"
-#include "tests/support/render.h"
+#include "tests/image/stock_values.h"
 #include "tests/unit/material_reading.h"
 
 namespace lentray::parser::test {
 namespace {
-
-std::vector<core::Vec3> sample_points() {
-  std::mt19937 random(7);
-  const auto uniform = [&](double reach) {
-    return (static_cast<double>(random()) / 4294967296.0 * 2.0 - 1.0) * reach;
-  };
-  std::vector<core::Vec3> points = {{0, 0, 0}, {1, 1, 1}, {-1, -2, -3}, {.5, .5, .5}};
-  for (int i = 0; i < 120; ++i) points.emplace_back(uniform(8), uniform(8), uniform(8));
-  for (int i = 0; i < 60; ++i) points.emplace_back(uniform(1), uniform(1), uniform(1));
-  return points;
-}
-
-/// What stock prints for each expression of F, at each point.
-std::vector<double> stock_values(const std::string& function, const std::string& before,
-                                 const std::vector<std::string>& expressions) {
-  std::ostringstream scene;
-  scene << std::setprecision(17) << "#version 3.7; global_settings { assumed_gamma 1 }\n"
-        << before << "\n#declare F = function { " << function << " }\n";
-  const std::vector<core::Vec3> points = sample_points();
-  scene << "#declare P = array[" << points.size() << "] {";
-  for (const core::Vec3& p : points) scene << " <" << p.x << ',' << p.y << ',' << p.z << ">,";
-  scene << " }\n#declare I = 0; #while (I < " << points.size() << ")\n#declare V = F(P[I].x, P[I].y, P[I].z);\n";
-  for (const std::string& e : expressions) {
-    scene << "#debug concat(\"value \", str(" << e << ", 0, 15), \"\\n\")\n";
-  }
-  scene << "#declare I = I + 1; #end\n";
-  const diff::TemporaryFolder folder;
-  diff::write_text(folder / "scene.pov", scene.str());
-  const diff::RunResult result =
-      diff::run({"povray", "+Iscene.pov", "+Oout.png", "+W1", "+H1", "-D"}, folder.path(), 120.0);
-  std::vector<double> values;
-  std::istringstream lines(result.output);
-  for (std::string line; std::getline(lines, line);) {
-    if (line.rfind("value ", 0) == 0) values.push_back(std::stod(line.substr(6)));
-  }
-  EXPECT_EQ(values.size(), points.size() * expressions.size()) << result.output;
-  values.resize(points.size() * expressions.size());
-  return values;
-}
-
-void expect_same(double ours, double stock, double tolerance, const core::Vec3& at) {
-  if (std::isnan(ours) && std::isnan(stock)) return;
-  EXPECT_NEAR(ours, stock, tolerance) << "at " << at.x << ' ' << at.y << ' ' << at.z;
-}
 
 class ImagePatterns : public ::testing::TestWithParam<const char*> {};
 
@@ -67,7 +18,7 @@ TEST_P(ImagePatterns, HaveTheValuesOfStock) {
   const LooksText read("pigment { " + text + " }");
   const TextureSettings settings;
   std::set<std::string> not_yet;
-  const PatternBuild build{settings, not_yet, nullptr};
+  const PatternBuild build{settings, not_yet, nullptr, nullptr};
   const core::PlacedPattern ours = compile_placed(read.pattern(), core::Placement(), build);
   EXPECT_TRUE(not_yet.empty());
   const auto points = sample_points();
@@ -100,7 +51,7 @@ INSTANTIATE_TEST_SUITE_P(
         "gradient x warp { cylindrical }", "gradient y warp { spherical dist_exp 1 orientation y }",
         "gradient x warp { toroidal major_radius 2 }", "gradient <1,1,1> warp { planar x, .3 }",
         "gradient x warp { cubic }"),
-    [](const auto& info) { return "n" + std::to_string(info.index); });
+    [](const auto& named) { return "n" + std::to_string(named.index); });
 
 struct PigmentCase {
   const char* pigment;
@@ -151,11 +102,12 @@ constexpr PigmentCase kPigments[] = {
     {"average pigment_map { [checker] [bozo] } translate .3"},
     {"function { x + y*y } color_map { [0 rgb <1,0,0>] [1 rgb <0,0,1>] }"},
     {"P scale 2", "#declare P = pigment { wood turbulence .1 color_map { [0 rgb 0] [1 rgb 1] } rotate 10 }"},
+    {"object { sphere { 0, 3 } rgb <1,0,0>, rgb <0,0,1> } scale 1.5"},
     {"pigment_pattern { checker rgb <1,0,0>, rgb <0,1,0> } color_map { [0 rgb 0] [1 rgb 1] }"},
 };
 
 INSTANTIATE_TEST_SUITE_P(Each, ImagePigments, ::testing::ValuesIn(kPigments),
-                         [](const auto& info) { return "n" + std::to_string(info.index); });
+                         [](const auto& named) { return "n" + std::to_string(named.index); });
 
 }  // namespace
 }  // namespace lentray::parser::test

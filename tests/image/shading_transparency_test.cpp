@@ -114,4 +114,60 @@ TEST(ImageShadingTransparency, BlendedTextures) {
       " [0.8 pigment { rgbf <0.4, 0.7, 1, 0.8> } finish { reflection 0.4 }] } scale 2 } }")));
 }
 
+TEST(ImageShadingTransparency, BumpyMirrorAndBumpyGlass) {
+  EXPECT_TRUE(same_as_stock(glass(
+      "sphere { <0, 1, 0>, 1 pigment { rgb <0.8, 0.4, 0.2> } normal { bumps 1.5 scale 0.3 }"
+      " finish { reflection 0.5 specular 0.5 phong 0.3 } }",
+      "max_trace_level 8")));
+  EXPECT_TRUE(same_as_stock(glass(
+      "sphere { <0, 1, 0>, 1 pigment { rgbt <0.8, 0.9, 0.9, 0.9> }"
+      " normal { bumps 0.6 scale 0.3 }"
+      " finish { reflection { 0, 1 fresnel } specular 0.5 conserve_energy } interior { ior 1.5"
+      " fade_distance 1 fade_power 1 fade_color rgb <0.9, 0.5, 0.3> } }",
+      "max_trace_level 8")));
+}
+
+TEST(ImageShadingTransparency, LightInsideGlass) {
+  EXPECT_TRUE(same_as_stock(glass(
+      "sphere { <0, 1, 0>, 1 pigment { rgbt <0.8, 0.9, 0.9, 0.9> } interior { ior 1.5 } }"
+      "light_source { <0.2, 1.1, -0.2> rgb 0.6 }",
+      "max_trace_level 8")));
+}
+
+TEST(ImageShadingTransparency, GlassByCsg) {
+  const std::string looks =
+      " pigment { rgbf <0.9, 1, 1, 0.8> } interior { ior 1.4 } finish { reflection 0.1 } }";
+  for (const std::string object :
+       {"union { sphere { <-0.6, 1, 0>, 0.8 } sphere { <0.5, 1, 0>, 0.7 }",
+        "merge { sphere { <-0.6, 1, 0>, 0.8 } sphere { <0.5, 1, 0>, 0.7 }",
+        "difference { sphere { <0, 1, 0>, 1 } sphere { <0, 1, 0>, 0.8 }"
+        " cylinder { -2*z, 2*z, 0.4 translate y }"}) {
+    EXPECT_TRUE(same_as_stock(glass(object + looks, "max_trace_level 8"))) << object;
+  }
+}
+
+TEST(ImageShadingTransparency, ObjectsUnderWater) {
+  EXPECT_TRUE(same_as_stock(glass(
+      "box { <-3, -0.5, -3>, <3, 1.2, 3> pigment { rgbt <0.8, 0.9, 1, 0.9> } hollow"
+      " interior { ior 1.33 fade_distance 2 fade_power 2 fade_color rgb <0.3, 0.6, 0.8> } }"
+      "sphere { <0, 0.6, 0>, 0.5 pigment { rgb <1, 0, 0> } finish { specular 0.5 } }"
+      "sphere { <1, 0.6, -0.5>, 0.4 pigment { rgbt 1 } interior { ior 1.0 } }",
+      "max_trace_level 8")));
+}
+
+TEST(ImageShadingTransparency, PartsOfOneObjectDiffer) {
+  EXPECT_TRUE(same_as_stock(glass(
+      "intersection { sphere { <0, 1, 0>, 1 } box { <-1, 0, -1>, <1, 1.5, 1>"
+      " pigment { rgb <1, 0, 0> } } pigment { rgbt <0, 1, 0, 0.5> } }")));
+}
+
+TEST(ImageShadingTransparency, TexturesOfMeshFaces) {
+  EXPECT_TRUE(same_as_stock(glass(
+      "mesh2 { vertex_vectors { 4, <-1.5, 0.2, 0>, <1.5, 0.2, 0.5>, <0, 2.2, 0>, <2, 2.4, 1> }"
+      " texture_list { 3, texture { pigment { rgb <1, 0, 0> } }"
+      "  texture { pigment { rgb <0, 1, 0> } finish { specular 0.6 } }"
+      "  texture { pigment { rgbt <0, 0, 1, 0.6> } finish { reflection 0.3 } } }"
+      " face_indices { 2, <0, 1, 2>, 0, 1, 2, <1, 2, 3>, 1, 2, 1 } pigment { rgb 1 } }")));
+}
+
 }  // namespace

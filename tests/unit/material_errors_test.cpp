@@ -112,7 +112,7 @@ constexpr Case kCases[] = {
 };
 
 INSTANTIATE_TEST_SUITE_P(Message, ErrorMaterial, ::testing::ValuesIn(kCases),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& named) { return std::string(named.param.name); });
 
 TEST(ErrorMaterialDefault, PatternedTexture) {
   EXPECT_NE(failure("#default { texture { checker texture { pigment { rgb 1 } } texture { pigment {"

@@ -30,9 +30,11 @@ class Workshop {
     fs::create_directories(m_root);
   }
 
-  /// For wrappers: a copy without lenticular cameras if there are any.
+  /// For wrappers: the scene, or a copy without lenticular cameras if there are any. Include files
+  /// that hold one get a copy too, which stock finds before the file itself.
   Included included() {
     const std::string text = read_text(m_scene);
+    copy_includes(text, 0);
     bool changed = false;
     const std::string readable = without_lenticular(text, changed);
     if (!changed) return {version_directive(text), m_scene.string()};
@@ -40,7 +42,6 @@ class Workshop {
     write_text(copy, readable);
     return {version_directive(text), copy.string()};
   }
-  const fs::path& scene() const { return m_scene; }
 
   StoredImage render_text(const std::string& name, const std::string& text, std::uint32_t width,
                           std::uint32_t height) const {
@@ -57,13 +58,32 @@ class Workshop {
   }
 
  private:
+  void copy_includes(const std::string& text, int depth) {
+    constexpr int deepest = 20;  // files may include themselves under a condition
+    for (const std::string& name : included_files(text)) {
+      std::vector<fs::path> places{m_scene.parent_path() / name};
+      for (const fs::path& p : m_options.library_paths) places.push_back(p / name);
+      const auto file = std::find_if(places.begin(), places.end(),
+                                     [](const fs::path& p) { return fs::is_regular_file(p); });
+      if (file == places.end() || depth > deepest || fs::path(name).is_absolute()) continue;
+      const std::string inner = read_text(*file);
+      copy_includes(inner, depth + 1);
+      bool changed = false;
+      const std::string readable = without_lenticular(inner, changed);
+      if (!changed) continue;
+      fs::create_directories((m_root / name).parent_path());
+      write_text(m_root / name, readable);
+    }
+  }
+
   StoredImage render(const fs::path& folder, const fs::path& scene, std::uint32_t width,
                      std::uint32_t height) const {
     const fs::path picture = folder / "stock.png";
     // An option file in the folder, for paths with spaces in them.
     std::ostringstream ini;
     ini << "Input_File_Name=\"" << scene.string() << "\"\nOutput_File_Name=\"" << picture.string()
-        << "\"\nLibrary_Path=\"" << m_scene.parent_path().string() << "\"\n";
+        << "\"\nLibrary_Path=\"" << m_root.string() << "\"\nLibrary_Path=\""
+        << m_scene.parent_path().string() << "\"\n";
     for (const fs::path& p : m_options.library_paths) ini << "Library_Path=\"" << p.string() << "\"\n";
     write_text(folder / "stock.ini", ini.str());
     std::vector<std::string> command{m_options.povray,

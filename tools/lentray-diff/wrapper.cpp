@@ -40,6 +40,14 @@ class Scanner {
     while (m_at < m_text.size() && is_word(m_text[m_at])) ++m_at;
     return m_text.substr(m_begin, m_at - m_begin);
   }
+  /// The text of a string that comes next; nothing if something else does.
+  std::string next_string() {
+    while (m_at < m_text.size() && std::isspace(static_cast<unsigned char>(m_text[m_at]))) ++m_at;
+    if (m_at >= m_text.size() || m_text[m_at] != '"') return {};
+    const std::size_t from = m_at + 1;
+    skip_string();
+    return m_text.substr(from, m_at - from - 1);
+  }
   std::size_t begin() const { return m_begin; }  ///< of the last token
   std::size_t end() const { return m_at; }
 
@@ -153,6 +161,16 @@ std::string version_directive(const std::string& scene) {
     return plain ? scene.substr(begin, end - begin) + ";" : std::string();
   }
   return {};
+}
+
+std::vector<std::string> included_files(const std::string& scene) {
+  std::vector<std::string> files;
+  Scanner scanner(scene);
+  for (std::string token = scanner.next(); !token.empty(); token = scanner.next()) {
+    if (token != "#" || scanner.next() != "include") continue;
+    if (std::string name = scanner.next_string(); !name.empty()) files.push_back(std::move(name));
+  }
+  return files;
 }
 
 std::string without_lenticular(const std::string& scene, bool& changed) {

@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "tools/lentray-diff/sheet.h"
 
@@ -27,6 +28,9 @@ std::string version_directive(const std::string& scene);
 /// A scene that stock can read: cameras of the kind `lenticular`, which it does not know, become
 /// orthographic ones. Lines keep their numbers. `changed` tells if there were any.
 std::string without_lenticular(const std::string& scene, bool& changed);
+
+/// Files that a scene includes by a plain string, in order, as written; conditions are ignored.
+std::vector<std::string> included_files(const std::string& scene);
 
 /// The user's scene as it is included: its version directive and its path.
 struct Included {

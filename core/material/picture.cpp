@@ -1,0 +1,272 @@
+#include "core/material/picture.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace lentray::core {
+namespace {
+
+constexpr double kEpsilon = 1e-10;
+constexpr double kTwoPi = 2.0 * std::numbers::pi;
+
+double wrap(double value, double size) {
+  const double rest = std::fmod(value, size);
+  return rest < 0.0 ? rest + size : rest;
+}
+
+int wrap(int value, int size) {
+  const int rest = value % size;
+  return rest < 0 ? rest + size : rest;
+}
+
+/// Angle about the y axis from +x towards +z, in turns 0..1.
+double turn(double x, double z, double across) {
+  if (z == 0.0) return x > 0.0 ? 0.0 : 0.5;
+  const double angle = std::acos(std::clamp(x / across, -1.0, 1.0));
+  return (z < 0.0 ? kTwoPi - angle : angle) / kTwoPi;
+}
+
+/// Sums in double: rounding must not lift a mean of 1 above 1.
+class Mixer {
+ public:
+  void add(const Colour& c, double weight) {
+    const float parts[5] = {c.rgb.r, c.rgb.g, c.rgb.b, c.filter, c.transmit};
+    for (std::size_t i = 0; i < 5; ++i) m_sums[i] += parts[i] * weight;
+  }
+  Colour mixed() const {
+    const auto part = [&](std::size_t i) { return static_cast<float>(m_sums[i]); };
+    return {{part(0), part(1), part(2)}, part(3), part(4)};
+  }
+
+ private:
+  std::array<double, 5> m_sums{};
+};
+
+std::array<double, 4> cubic_weights(double p) {
+  const double q = 1.0 - p;
+  return {-0.5 * p * q * q, 0.5 * q * (q * (3.0 * p + 1.0) + 1.0),
+          0.5 * p * (p * (3.0 * q + 1.0) + 1.0), -0.5 * q * p * p};
+}
+
+class PicturePigment final : public Pigment {
+ public:
+  PicturePigment(Placement placement, MappedPicturePtr picture)
+      : m_placement(std::move(placement)), m_picture(std::move(picture)) {
+    m_opaque = !m_picture->once() &&
+               std::all_of(m_picture->picture().pixels.begin(), m_picture->picture().pixels.end(),
+                           [](const Colour& c) { return c.is_opaque(); });
+  }
+  Colour colour(const Vec3& point) const override {
+    const auto place = m_picture->place(m_placement.inwards(point));
+    return place ? m_picture->colour(*place) : Colour{{1, 1, 1}, 0, 1};
+  }
+  bool is_opaque() const override { return m_opaque; }
+
+ private:
+  Placement m_placement;
+  MappedPicturePtr m_picture;
+  bool m_opaque;
+};
+
+class PicturePattern final : public Pattern {
+ public:
+  PicturePattern(MappedPicturePtr picture, bool alpha)
+      : m_picture(std::move(picture)), m_alpha(alpha) {}
+  double value(const Vec3& point) const override {
+    const auto place = m_picture->place(point);
+    if (!place) return 0.0;
+    const Colour c = m_picture->colour(*place);
+    double value = grey(c.rgb);
+    if (m_alpha) value = m_picture->picture().has_alpha ? c.transmit : c.rgb.r;
+    return std::clamp(value, 0.0, 1.0);
+  }
+
+ private:
+  MappedPicturePtr m_picture;
+  bool m_alpha;
+};
+
+/// The picture's grey as heights one pixel apart.
+class PictureDisplacement final : public Displacement {
+ public:
+  PictureDisplacement(MappedPicturePtr picture, double amount)
+      : m_picture(std::move(picture)), m_amount(amount) {}
+  Vec3 displaced(const Vec3& point, const Vec3& normal) const override {
+    const auto place = m_picture->place(point);
+    if (!place) return normal;
+    const double here = height(*place), left = height({place->u - 1.0, place->v + 1.0}),
+                 right = height({place->u + 1.0, place->v + 1.0});
+    const Vec3 back = Vec3{0, here, 0} - Vec3{-1, left, 1};
+    const Vec3 along = Vec3{1, right, 1} - Vec3{-1, left, 1};
+    const Vec3 bump = normalized(cross(along, back));
+    // The picture's axes as seen from the surface: up is the normal.
+    Vec3 up = normal;
+    Vec3 across = cross(up, {0, 1, 0});
+    if (length(across) < kEpsilon) {
+      up = {0, std::fabs(normal.y - 1.0) < kEpsilon ? 1.0 : -1.0, 0};
+      across = {1, 0, 0};
+    }
+    across = normalized(across);
+    const Vec3 deep = normalized(cross(across, up));
+    return across * bump.x + up * bump.y - deep * bump.z;
+  }
+
+ private:
+  double height(Vec2 place) const {
+    const double width = m_picture->picture().width, rows = m_picture->picture().height;
+    if (place.u < 0.0) place.u += width;
+    if (place.u >= width) place.u -= width;
+    if (place.v >= rows) place.v -= rows;
+    return m_amount * grey(m_picture->colour(place).rgb);
+  }
+  MappedPicturePtr m_picture;
+  double m_amount;
+};
+
+class MaterialMap final : public Texture {
+ public:
+  MaterialMap(Placement placement, MappedPicturePtr picture, std::vector<TexturePtr> textures)
+      : m_placement(std::move(placement)),
+        m_picture(std::move(picture)),
+        m_textures(std::move(textures)) {}
+  void resolve(const Vec3& point, double weight, WeightedTextures& out) const override {
+    const auto place = m_picture->place(m_placement.inwards(point));
+    std::size_t number = 0;
+    if (place) number = static_cast<std::size_t>(m_picture->colour(*place).rgb.r * 255.0f);
+    // Stock counts round only beyond the number of textures, and stops at the last.
+    if (number > m_textures.size()) number %= m_textures.size();
+    m_textures[std::min(number, m_textures.size() - 1)]->resolve(point, weight, out);
+  }
+  bool is_opaque() const override {
+    return std::all_of(m_textures.begin(), m_textures.end(),
+                       [](const TexturePtr& texture) { return texture->is_opaque(); });
+  }
+  void collect(std::vector<const LayeredTexture*>& out) const override {
+    for (const TexturePtr& texture : m_textures) texture->collect(out);
+  }
+
+ private:
+  Placement m_placement;
+  MappedPicturePtr m_picture;
+  std::vector<TexturePtr> m_textures;
+};
+
+}  // namespace
+
+MappedPicture::MappedPicture(std::shared_ptr<const Picture> picture, const PictureLayout& layout)
+    : m_picture(std::move(picture)),
+      m_layout(layout),
+      m_width(static_cast<float>(m_picture->width * layout.repeat.u)),
+      m_height(static_cast<float>(m_picture->height * layout.repeat.v)) {}
+
+bool MappedPicture::on_shape(const Vec3& p, Vec2& place) const {
+  const auto outside = [](double v) { return v < 0.0 || v > 1.0; };
+  const double across = std::sqrt(p.x * p.x + p.z * p.z);
+  switch (m_layout.shape) {
+    case PictureShape::kSpherical: {
+      const double distance = length(p);
+      if (distance == 0.0) return false;
+      const double lift = std::asin(std::clamp(p.y / distance, -1.0, 1.0));
+      place = {across == 0.0 ? 0.0 : turn(p.x, p.z, across) * m_width,
+               (0.5 + lift / std::numbers::pi) * m_height};
+      return true;
+    }
+    case PictureShape::kCylindrical:
+      if ((m_layout.once && outside(p.y)) || across == 0.0) return false;
+      place = {turn(p.x, p.z, across) * m_width, std::fmod(p.y * m_height, m_height)};
+      return true;
+    case PictureShape::kTorus: {
+      if (across == 0.0) return false;
+      const double x = across - 1.0, distance = std::sqrt(x * x + p.y * p.y);
+      double around = std::acos(-x / distance);
+      if (p.y > 0.0) around = kTwoPi - around;
+      place = {turn(p.x, p.z, across) * m_width, around / kTwoPi * m_height};
+      return true;
+    }
+    case PictureShape::kPlanar: break;
+  }
+  if (m_layout.once && (outside(p.x) || outside(p.y))) return false;
+  place = {std::fmod(p.x * m_width, m_width), std::fmod(p.y * m_height, m_height)};
+  return true;
+}
+
+std::optional<Vec2> MappedPicture::place(const Vec3& point) const {
+  const double width = m_picture->width, height = m_picture->height;
+  Vec2 place;
+  if (!on_shape(point, place)) return std::nullopt;
+  place.u += kEpsilon - m_layout.offset.u * width;
+  place.v += kEpsilon - m_layout.offset.v * height;
+  if (m_layout.once &&
+      (place.u >= width || place.v >= height || place.u < 0.0 || place.v < 0.0)) {
+    return std::nullopt;
+  }
+  return Vec2{wrap(place.u, width), wrap(-place.v, height)};  // row 0 is on top
+}
+
+const Colour& MappedPicture::pixel(int column, int row) const {
+  const int width = m_picture->width, height = m_picture->height;
+  if (m_layout.once) {
+    return m_picture->at(std::clamp(column, 0, width - 1), std::clamp(row, 0, height - 1));
+  }
+  return m_picture->at(wrap(column, width), wrap(row, height));
+}
+
+Colour MappedPicture::four(const Vec2& place) const {
+  const int column = static_cast<int>(place.u), row = static_cast<int>(place.v);
+  const double p = place.u - column, q = place.v - row;
+  std::array<double, 4> weights = {p * q, (1 - p) * q, p * (1 - q), (1 - p) * (1 - q)};
+  if (m_layout.interpolation == Interpolation::kNormalizedDistance) {
+    const auto inverse = [](double x, double y) { return 1.0 / (x * x + y * y); };
+    weights = {inverse(1 - p, 1 - q), inverse(p, 1 - q), inverse(1 - p, q), inverse(p, q)};
+    const double sum = weights[0] + weights[1] + weights[2] + weights[3];
+    for (double& weight : weights) weight /= sum;
+  }
+  Mixer mixer;
+  for (int i = 0; i < 4; ++i) {
+    mixer.add(pixel(column - (i & 1), row - (i >> 1)), weights[static_cast<std::size_t>(i)]);
+  }
+  return mixer.mixed();
+}
+
+Colour MappedPicture::sixteen(const Vec2& place) const {
+  const int column = static_cast<int>(place.u), row = static_cast<int>(place.v);
+  const auto across = cubic_weights(place.u - column), down = cubic_weights(place.v - row);
+  Mixer mixer;
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j < 4; ++j) {
+      mixer.add(pixel(column + i - 2, row + j - 2),
+                across[static_cast<std::size_t>(i)] * down[static_cast<std::size_t>(j)]);
+    }
+  }
+  return mixer.mixed();
+}
+
+Colour MappedPicture::colour(const Vec2& place) const {
+  // Interpolation is between the middles of pixels.
+  const Vec2 shifted{place.u + 0.5, place.v + 0.5};
+  switch (m_layout.interpolation) {
+    case Interpolation::kBilinear: case Interpolation::kNormalizedDistance: return four(shifted);
+    case Interpolation::kBicubic: return sixteen(shifted);
+    case Interpolation::kNone: break;
+  }
+  return pixel(static_cast<int>(place.u), static_cast<int>(place.v));
+}
+
+std::shared_ptr<const Pigment> make_picture_pigment(Placement placement, MappedPicturePtr picture) {
+  return std::make_shared<PicturePigment>(std::move(placement), std::move(picture));
+}
+PatternPtr make_picture_pattern(MappedPicturePtr picture, bool alpha) {
+  return std::make_unique<PicturePattern>(std::move(picture), alpha);
+}
+DisplacementPtr make_picture_displacement(MappedPicturePtr picture, double amount) {
+  return std::make_unique<PictureDisplacement>(std::move(picture), amount);
+}
+TexturePtr make_material_map(Placement placement, MappedPicturePtr picture,
+                             std::vector<TexturePtr> textures) {
+  return std::make_shared<MaterialMap>(std::move(placement), std::move(picture),
+                                       std::move(textures));
+}
+
+}  // namespace lentray::core

@@ -1,0 +1,74 @@
+// A picture laid over space: image_map, image_pattern, bump_map and material_map share it.
+// Pixels count from the upper left; the picture fills the unit square of x and y, y upwards, or is
+// wrapped about the y axis. Immutable.
+// Source: reference manual 3.7, "Image Map"; compared with stock by image.pictures.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/base/color.h"
+#include "core/base/vec3.h"
+#include "core/material/normals.h"
+#include "core/material/pigment.h"
+#include "core/material/textures.h"
+#include "core/pattern/pattern.h"
+#include "core/pattern/placement.h"
+
+namespace lentray::core {
+
+/// Colours in the scene's working space.
+struct Picture {
+  int width = 0, height = 0;
+  std::vector<Colour> pixels;
+  bool has_alpha = false;
+
+  const Colour& at(int column, int row) const {
+    return pixels[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
+                  static_cast<std::size_t>(column)];
+  }
+};
+
+enum class PictureShape { kPlanar = 0, kSpherical = 1, kCylindrical = 2, kTorus = 5 };
+enum class Interpolation { kNone = 0, kBilinear = 2, kBicubic = 3, kNormalizedDistance = 4 };
+
+struct PictureLayout {
+  PictureShape shape = PictureShape::kPlanar;
+  Interpolation interpolation = Interpolation::kNone;
+  bool once = false;
+  Vec2 repeat{1, 1}, offset;
+};
+
+class MappedPicture {
+ public:
+  MappedPicture(std::shared_ptr<const Picture> picture, const PictureLayout& layout);
+
+  /// Place in pixels; nullopt outside a picture that is there once.
+  std::optional<Vec2> place(const Vec3& point) const;
+  Colour colour(const Vec2& place) const;
+  const Picture& picture() const { return *m_picture; }
+  bool once() const { return m_layout.once; }
+
+ private:
+  bool on_shape(const Vec3& point, Vec2& place) const;
+  const Colour& pixel(int column, int row) const;
+  Colour four(const Vec2& place) const;
+  Colour sixteen(const Vec2& place) const;
+
+  std::shared_ptr<const Picture> m_picture;
+  PictureLayout m_layout;
+  double m_width, m_height;  ///< of one repetition, in pixels
+};
+using MappedPicturePtr = std::shared_ptr<const MappedPicture>;
+
+std::shared_ptr<const Pigment> make_picture_pigment(Placement placement, MappedPicturePtr picture);
+/// Grey, or with `alpha` the transparency, as a pattern.
+PatternPtr make_picture_pattern(MappedPicturePtr picture, bool alpha);
+DisplacementPtr make_picture_displacement(MappedPicturePtr picture, double amount);
+/// Textures by the red of the pixel, 0..255, counted round.
+TexturePtr make_material_map(Placement placement, MappedPicturePtr picture,
+                             std::vector<TexturePtr> textures);
+
+}  // namespace lentray::core

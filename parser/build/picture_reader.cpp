@@ -1,0 +1,184 @@
+#include "parser/build/picture_reader.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+
+#include "core/image/reader.h"
+
+namespace lentray::parser {
+namespace {
+
+using Decoder = std::function<float(float)>;
+
+float srgb_to_linear(float v) {
+  return v <= 0.04045f ? v / 12.92f : std::pow((v + 0.055f) / 1.055f, 2.4f);
+}
+
+bool is_linear_format(const std::string& type) { return type == "exr" || type == "hdr"; }
+
+/// How stored values become linear light. Files that do not say are sRGB; portable pixmaps and
+/// floating-point files are linear in 3.7.
+Decoder file_decoder(const ImageDesc& image, const core::StoredImage& stored) {
+  if (image.gamma > 0.0) {
+    return [g = static_cast<float>(image.gamma)](float v) { return std::pow(v, g); };
+  }
+  if (image.gamma < 0.0) return srgb_to_linear;
+  if (is_linear_format(image.type) || image.type == "ppm" || image.type == "pgm") {
+    return [](float v) { return v; };
+  }
+  const auto gamma = stored.attributes.find("oiio:Gamma");
+  if (image.type == "png" && gamma != stored.attributes.end()) {
+    const float g = std::strtof(gamma->second.c_str(), nullptr);
+    if (g > 0.0f) return [g](float v) { return std::pow(v, g); };
+  }
+  return srgb_to_linear;
+}
+
+/// From the file to the working space; nothing where the scene asks for none.
+Decoder decoder(const ImageDesc& image, const core::StoredImage& stored, bool colours,
+                const TextureSettings& settings) {
+  const bool asked = image.gamma != 0.0;
+  if (!asked && (!colours || !settings.decode_images)) return [](float v) { return v; };
+  const Decoder linear = file_decoder(image, stored);
+  const auto working = static_cast<float>(settings.assumed_gamma);
+  if (!colours || working == 1.0f) return linear;
+  return [linear, working](float v) { return std::pow(linear(v), 1.0f / working); };
+}
+
+core::PictureLayout layout_of(const ImageDesc& image) {
+  core::PictureLayout layout;
+  switch (image.map_type) {
+    case 1: layout.shape = core::PictureShape::kSpherical; break;
+    case 2: layout.shape = core::PictureShape::kCylindrical; break;
+    case 5: layout.shape = core::PictureShape::kTorus; break;
+    default: break;
+  }
+  switch (image.interpolate) {
+    case 2: layout.interpolation = core::Interpolation::kBilinear; break;
+    case 3: layout.interpolation = core::Interpolation::kBicubic; break;
+    case 4: layout.interpolation = core::Interpolation::kNormalizedDistance; break;
+    default: break;
+  }
+  layout.once = image.once;
+  layout.repeat = image.repeat;
+  layout.offset = image.offset;
+  return layout;
+}
+
+/// Values of a function are kept in 16 bits, as in stock.
+float sixteen_bits(double value) {
+  return static_cast<float>(std::floor(std::clamp(value, 0.0, 1.0) * 65535.0 + 0.5) / 65535.0);
+}
+
+}  // namespace
+
+core::MappedPicturePtr PictureReader::get(const ImageDesc& image, bool colours) {
+  std::shared_ptr<const core::Picture> picture = read(image, colours);
+  if (!image.filters.empty() || !image.transmits.empty()) {
+    m_not_yet.insert("filter and transmit of single palette entries");
+  }
+  if (image.use == ImageDesc::Use::kIndex) m_not_yet.insert("use_index");
+  if (image.filter_all || image.transmit_all) {
+    auto clearer = std::make_shared<core::Picture>(*picture);
+    for (core::Colour& pixel : clearer->pixels) {
+      pixel.filter += static_cast<float>(image.filter_all.value_or(0.0));
+      pixel.transmit += static_cast<float>(image.transmit_all.value_or(0.0));
+    }
+    picture = clearer;
+  }
+  return std::make_shared<core::MappedPicture>(picture, layout_of(image));
+}
+
+std::shared_ptr<const core::Picture> PictureReader::read(const ImageDesc& image, bool colours) {
+  if (image.function) return evaluate(image);
+  if (image.path.empty()) return missing(image.name);
+  const std::string key = image.path + (colours ? "|c|" : "|h|") + std::to_string(image.gamma);
+  const auto known = m_files.find(key);
+  if (known != m_files.end()) return known->second;
+  auto picture = read_file(image, colours);
+  m_files.emplace(key, picture);
+  return picture;
+}
+
+std::shared_ptr<const core::Picture> PictureReader::read_file(const ImageDesc& image,
+                                                              bool colours) {
+  core::StoredImage stored;
+  try {
+    stored = core::read_image(image.path);
+  } catch (const core::ImageError&) {
+    return missing(image.name);
+  }
+  const Decoder decode = decoder(image, stored, colours, m_settings);
+  const float most = stored.bits == 8 ? 255.0f : stored.bits == 16 ? 65535.0f : 1.0f;
+  const bool rgb = stored.channels >= 3;
+  std::vector<float> table;
+  if (stored.bits == 8) {
+    for (int v = 0; v < 256; ++v) {
+      const float decoded = decode(static_cast<float>(v) / 255.0f);
+      // Stock keeps decoded greys in the 8 bits they came in, and cuts them off.
+      const bool cut = stored.channels == 1;
+      table.push_back(cut ? std::floor(decoded * 255.0f + 1e-4f) / 255.0f : decoded);
+    }
+  }
+  const auto value = [&](std::uint32_t column, std::uint32_t row, int channel) {
+    const float v = stored.at(column, row, channel);
+    return table.empty() ? decode(v / most) : table[static_cast<std::size_t>(v)];
+  };
+  auto picture = std::make_shared<core::Picture>();
+  picture->width = static_cast<int>(stored.width);
+  picture->height = static_cast<int>(stored.height);
+  picture->has_alpha = stored.channels == 2 || stored.channels == 4;
+  picture->pixels.reserve(std::size_t{stored.width} * stored.height);
+  for (std::uint32_t row = 0; row < stored.height; ++row) {
+    for (std::uint32_t column = 0; column < stored.width; ++column) {
+      const float red = value(column, row, 0);
+      core::Colour c{{red, rgb ? value(column, row, 1) : red, rgb ? value(column, row, 2) : red},
+                     0.0f, 0.0f};
+      if (picture->has_alpha) {
+        c.transmit = 1.0f - stored.at(column, row, stored.channels - 1) / most;
+      }
+      picture->pixels.push_back(c);
+    }
+  }
+  return picture;
+}
+
+std::shared_ptr<const core::Picture> PictureReader::evaluate(const ImageDesc& image) {
+  const auto& function = image.function->function;
+  const std::string not_yet = function->not_yet();
+  if (!not_yet.empty() || function->parameters() != 3 || image.function_width < 1 ||
+      image.function_height < 1) {
+    return missing(not_yet.empty() ? "function" : not_yet);
+  }
+  auto picture = std::make_shared<core::Picture>();
+  picture->width = image.function_width;
+  picture->height = image.function_height;
+  const auto step = [](int i, int count) { return static_cast<double>(i) / (count - 1); };
+  std::array<double, core::kMostResults> result{};
+  const bool coloured = function->results() == 5;
+  for (int row = 0; row < picture->height; ++row) {
+    for (int column = 0; column < picture->width; ++column) {
+      const std::array<double, 3> at = {step(column, picture->width), step(row, picture->height), 0.0};
+      function->evaluate_all(at, result);
+      const float red = sixteen_bits(result[0]);
+      picture->pixels.push_back(
+          coloured ? core::Colour{{red, sixteen_bits(result[1]), sixteen_bits(result[2])}, 0.0f,
+                                  sixteen_bits(result[4])}
+                   : core::Colour{{red, red, red}, 0.0f, 0.0f});
+    }
+  }
+  picture->has_alpha = coloured;
+  return picture;
+}
+
+std::shared_ptr<const core::Picture> PictureReader::missing(const std::string& name) {
+  m_not_yet.insert("image '" + name + "' (it cannot be read)");
+  auto picture = std::make_shared<core::Picture>();
+  picture->width = picture->height = 1;
+  picture->pixels.push_back({{0.5f, 0.5f, 0.5f}, 0.0f, 0.0f});
+  return picture;
+}
+
+}  // namespace lentray::parser

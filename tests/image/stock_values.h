@@ -1,0 +1,62 @@
+// Numbers instead of pictures: stock prints the values of a function at many points.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <iomanip>
+#include <random>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "core/base/vec3.h"
+#include "tests/support/render.h"
+
+namespace lentray::parser::test {
+
+inline std::vector<core::Vec3> sample_points() {
+  std::mt19937 random(7);
+  const auto uniform = [&](double reach) {
+    return (static_cast<double>(random()) / 4294967296.0 * 2.0 - 1.0) * reach;
+  };
+  std::vector<core::Vec3> points = {{0, 0, 0}, {1, 1, 1}, {-1, -2, -3}, {.5, .5, .5}};
+  for (int i = 0; i < 120; ++i) points.emplace_back(uniform(8), uniform(8), uniform(8));
+  for (int i = 0; i < 60; ++i) points.emplace_back(uniform(1), uniform(1), uniform(1));
+  return points;
+}
+
+/// What stock prints for each expression of F, at each point.
+inline std::vector<double> stock_values(const std::string& function, const std::string& before,
+                                 const std::vector<std::string>& expressions) {
+  std::ostringstream scene;
+  scene << std::setprecision(17) << "#version 3.7; global_settings { assumed_gamma 1 }\n"
+        << before << "\n#declare F = function { " << function << " }\n";
+  const std::vector<core::Vec3> points = sample_points();
+  scene << "#declare P = array[" << points.size() << "] {";
+  for (const core::Vec3& p : points) scene << " <" << p.x << ',' << p.y << ',' << p.z << ">,";
+  scene << " }\n#declare I = 0; #while (I < " << points.size() << ")\n#declare V = F(P[I].x, P[I].y, P[I].z);\n";
+  for (const std::string& e : expressions) {
+    scene << "#debug concat(\"value \", str(" << e << ", 0, 15), \"\\n\")\n";
+  }
+  scene << "#declare I = I + 1; #end\n";
+  const diff::TemporaryFolder folder;
+  diff::write_text(folder / "scene.pov", scene.str());
+  const diff::RunResult result =
+      diff::run({"povray", "+Iscene.pov", "+Oout.png", "+W1", "+H1", "-D"}, folder.path(), 120.0);
+  std::vector<double> values;
+  std::istringstream lines(result.output);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.rfind("value ", 0) == 0) values.push_back(std::stod(line.substr(6)));
+  }
+  EXPECT_EQ(values.size(), points.size() * expressions.size()) << result.output;
+  values.resize(points.size() * expressions.size());
+  return values;
+}
+
+inline void expect_same(double ours, double stock, double tolerance, const core::Vec3& at) {
+  if (std::isnan(ours) && std::isnan(stock)) return;
+  EXPECT_NEAR(ours, stock, tolerance) << "at " << at.x << ' ' << at.y << ' ' << at.z;
+}
+
+}  // namespace lentray::parser::test

@@ -1,0 +1,210 @@
+// The interpreter by itself: texts, directives, macros, scopes, contextual words.
+#include <gtest/gtest.h>
+
+#include "parser/keywords.h"
+#include "parser/lexer.h"
+#include "tests/unit/parser_text.h"
+
+namespace lentray::test {
+namespace {
+
+using parser::Keyword;
+using parser::TokenKind;
+
+std::string debug_of(const std::string& text) {
+  const Parsed p = parse_text("#version 3.7;\n" + text);
+  return p.error.empty() ? p.debug : p.error;
+}
+
+TEST(UnitParserLexer, NumbersNamesAndStrings) {
+  parser::NameTable names;
+  const auto list = parser::tokenise(1, "A .5 1. 2e3 1e-3 5.x \"a\\n\\u00e9\\\"\" colour color >=", names);
+  const auto& t = list->tokens;
+  ASSERT_EQ(t.size(), 11u);
+  EXPECT_EQ(t[0].kind, TokenKind::kIdentifier);
+  EXPECT_EQ(t[1].number, 0.5);
+  EXPECT_EQ(t[2].number, 1.0);
+  EXPECT_EQ(t[3].number, 2000.0);
+  EXPECT_EQ(t[4].number, 1e-3);
+  EXPECT_EQ(t[5].number, 5.0);
+  EXPECT_TRUE(t[6].is(Keyword::kX));
+  EXPECT_EQ(names.string(t[7].name), "a\n\xC3\xA9\"");
+  EXPECT_EQ(names.raw_string(t[7].name), "a\\n\\u00e9\\\"");
+  EXPECT_TRUE(t[8].is(Keyword::kColor));
+  EXPECT_TRUE(t[9].is(Keyword::kColor));
+  EXPECT_TRUE(t[10].is(parser::Punct::kGreaterEqual));
+}
+
+TEST(UnitParserLexer, CommentsNestAndPlacesAreRight) {
+  parser::NameTable names;
+  const auto list = parser::tokenise(1, "/* a /* b */ c */ x // y\n  z", names);
+  ASSERT_EQ(list->tokens.size(), 2u);
+  EXPECT_EQ(list->tokens[0].where.column, 19u);
+  EXPECT_EQ(list->tokens[1].where.line, 2u);
+  EXPECT_EQ(list->tokens[1].where.column, 3u);
+}
+
+TEST(UnitParserSource, LineEndsAndByteOrderMark) {
+  parser::SourceManager sources;
+  const auto file = sources.add("x", "\xEF\xBB\xBF" "a\r\nb\rc\n");
+  EXPECT_EQ(sources.text(file), "a\nb\nc\n");
+  EXPECT_EQ(sources.line(file, 2), "b");
+  EXPECT_EQ(sources.line(file, 9), "");
+}
+
+TEST(UnitParserKeywords, TableRoundTrip) {
+  for (std::size_t i = 1; i < static_cast<std::size_t>(Keyword::kEndOfKeywords); ++i) {
+    const auto keyword = static_cast<Keyword>(i);
+    EXPECT_EQ(parser::find_keyword(parser::spelling(keyword)), keyword);
+  }
+  EXPECT_EQ(parser::find_keyword("light_source"), Keyword::kLightSource);
+  EXPECT_EQ(parser::find_keyword("colour_map"), Keyword::kColorMap);
+  for (const char* word : {"lenticular", "lens_pitch", "view_distance", "paraxial", "pinhole", "thick"}) {
+    EXPECT_EQ(parser::find_keyword(word), Keyword::kNone) << word;
+  }
+}
+
+TEST(UnitParserFlow, SkippedTextMayBeAnything) {
+  EXPECT_EQ(debug_of("#if (0) it's \x80 #foo { #if (1) #else #end ) #else #debug \"b\" #end"), "b");
+}
+
+TEST(UnitParserFlow, ElseifAndNesting) {
+  EXPECT_EQ(debug_of("#for (I,1,4) #if (I=1) #debug \"a\" #elseif (I=2) #if (1) #debug \"b\" #end"
+                     " #elseif (I=3) #debug \"c\" #else #debug \"d\" #end #end"), "abcd");
+}
+
+TEST(UnitParserFlow, SwitchFallsThroughUntilBreak) {
+  EXPECT_EQ(debug_of("#for (I,1,5) #switch (I) #case (1) #debug \"1\" #case (2) #debug \"2\" #break"
+                     " #range (3,4) #debug \"r\" #break #else #debug \"e\" #end #debug \".\" #end"),
+            "12.2.r.r.e.");
+}
+
+TEST(UnitParserFlow, LoopsAndBreak) {
+  EXPECT_EQ(debug_of("#declare I=0; #while (I<10) #declare I=I+1; #if (I=3) #break #end "
+                     "#local J=0; #while (J<2) #debug str(I*10+J,0,0) #debug \" \" #local J=J+1; "
+                     "#end #end"), "10 11 20 21 ");
+  EXPECT_EQ(debug_of("#for (I,3,1,-1) #debug str(I,0,0) #end #for (I,2,1) #debug \"no\" #end"), "321");
+}
+
+TEST(UnitParserMacro, InTheMiddleOfAStatement) {
+  EXPECT_EQ(debug_of("#macro Three() 1,2,3 #end #macro Half() > * #end\n"
+                     "#debug vstr(3, <Three()> * 2, \",\", 0, 0)"), "2,4,6");
+  EXPECT_EQ(debug_of("#macro Tail() *2 #end #declare A = (3 Tail()); #debug str(A,0,0)"), "6");
+}
+
+TEST(UnitParserMacro, ArgumentsByReferenceAndByValue) {
+  EXPECT_EQ(debug_of("#macro Up(p) #declare p = p+1; #end\n"
+                     "#declare A = 1; Up(A) #declare B = array[2] {5,6} Up(B[1])\n"
+                     "#debug str(A,0,0) #debug str(B[1],0,0)"), "27");
+  EXPECT_EQ(debug_of("#macro Outer(p) Inner(p) #end #macro Inner(q) #declare q = 9; #end\n"
+                     "#declare A = 1; Outer(A) #debug str(A,0,0)"), "9");
+  EXPECT_EQ(debug_of("#macro M(p) #declare p = 7; #end #declare A = 1; M(A*1) #debug str(A,0,0)"), "1");
+}
+
+TEST(UnitParserMacro, Recursion) {
+  EXPECT_EQ(debug_of("#macro Fact(n) #if (n<=1) 1 #else n*Fact(n-1) #end #end #debug str(Fact(10),0,0)"),
+            "3628800");
+  EXPECT_EQ(debug_of("#macro Down(n) #if (n>0) Down(n-1) #end #end Down(5000) #debug \"ok\""), "ok");
+}
+
+TEST(UnitParserMacro, OptionalParameters) {
+  EXPECT_EQ(debug_of("#macro M(a, optional b) #ifdef (b) #debug str(a+b,0,0) #else #debug \"-\" #end #end"
+                     " M(1,) M(1,2) #declare b = 5; M(1,)"), "-3-");
+}
+
+TEST(UnitParserScope, LocalsEndWithTheirMacroOrFile) {
+  const Parsed p = parse_text("#version 3.7;\n#declare A = 1;\n#include \"i.inc\"\n#debug str(A,0,0)\n"
+                              "#ifdef (L) #debug \"L\" #end #ifdef (G) #debug \"G\" #end",
+                              {{"i.inc", "#local A = 2; #local L = 3; #declare G = 4; #debug str(A,0,0)\n"}});
+  EXPECT_EQ(p.error, "");
+  EXPECT_EQ(p.debug, "21G");
+}
+
+TEST(UnitParserScope, UndefShowsTheOuterSymbol) {
+  EXPECT_EQ(debug_of("#declare A = 1; #macro M() #local A = 2; #undef A #debug str(A,0,0) #local A = 3;"
+                     " #debug str(A,0,0) #end M() #debug str(A,0,0)"), "131");
+}
+
+TEST(UnitParserArray, CopiesAndReferences) {
+  EXPECT_EQ(debug_of("#declare A = array[2] {1,2} #declare B = A; #declare B[0] = 9;"
+                     "#macro Set(a) #declare a[1] = 8; #end Set(A)"
+                     "#debug str(A[0],0,0) #debug str(A[1],0,0) #debug str(B[0],0,0)"), "189");
+  EXPECT_EQ(debug_of("#declare A = array[2][3] {{1,2,3},{4,5,6}} #debug str(A[1][0],0,0)"
+                     "#debug str(dimension_size(A,2),0,0) #debug str(dimensions(A),0,0)"), "432");
+  EXPECT_EQ(debug_of("#declare A = array[2] #declare A[0] = array[2] {\"a\",\"b\"} #debug A[0][1]"
+                     "#ifdef (A[1]) #debug \"1\" #else #debug \"0\" #end"), "b0");
+}
+
+TEST(UnitParserFiles, WriteReadInclude) {
+  EXPECT_EQ(debug_of("#declare N = \"" + std::string("/tmp/lentray_front_test.inc") + "\";\n"
+                     "#fopen F N write #write (F, 1.5, \",\", <1,2,3>, \",\\\"s\\\"\\n\") #fclose F\n"
+                     "#fopen F N read #read (F, A, B, C) #ifndef (F) #debug \"eof \" #end\n"
+                     "#debug concat(str(A,0,1), vstr(3,B,\",\",0,0), C)\n"
+                     "#fopen F N write #write (F, \"#debug \\\" one\\\"\") #fclose F #include N\n"
+                     "#fopen F N write #write (F, \"#debug \\\" two\\\"\") #fclose F #include N"),
+            "eof 1.51,2,3s one two");
+  std::filesystem::remove("/tmp/lentray_front_test.inc");
+}
+
+TEST(UnitParserFunction, KeptOnesSayWhy) {
+  const diff::TemporaryFolder folder;
+  diff::write_text(folder / "s.pov", "#declare f = function { pigment { rgb 1 } }\n"
+                                     "#declare g = function { f(x,y,z).red + f_noise3d(x,y,z) }");
+  diff::write_text(folder / "t.pov", "#include \"functions.inc\"\n#declare h = function { f_klein_bottle(x,y,z,1) }\n"
+                                     "#declare A = h(1,2,3);");
+  parser::SourceManager sources;
+  parser::Diagnostics diagnostics(sources);
+  NoProductions productions;
+  parser::ParserOptions options;
+  options.library_paths.push_back("/usr/share/povray-3.7/include");
+  parser::Parser parser(sources, diagnostics, options, productions);
+  parser.open(folder / "t.pov");
+  EXPECT_TRUE(parser.at_end());
+  EXPECT_EQ(diagnostics.not_yet_features().count("f_klein_bottle"), 1u);
+}
+
+TEST(UnitParserWords, ContextualWordsStayIdentifiers) {
+  const diff::TemporaryFolder folder;
+  diff::write_text(folder / "s.pov", "#declare lens_pitch = 3; lenticular lens_pitch 1.5 view_distance -2");
+  parser::SourceManager sources;
+  parser::Diagnostics diagnostics(sources);
+  NoProductions productions;
+  parser::Parser parser(sources, diagnostics, {}, productions);
+  parser.open(folder / "s.pov");
+  EXPECT_TRUE(parser.accept_word("lenticular"));
+  EXPECT_FALSE(parser.accept_word("view_distance"));
+  EXPECT_TRUE(parser.accept_word("lens_pitch"));
+  EXPECT_EQ(parser.parse_float(), 1.5);
+  EXPECT_TRUE(parser.accept_word("view_distance"));
+  EXPECT_EQ(parser.parse_float(), -2.0);
+  EXPECT_TRUE(parser.at_end());
+}
+
+TEST(UnitParserDeclare, TheLookAheadDoesNotRunTheNextDirective) {
+  // Layered textures look for a further `texture`; the directive after them needs the name.
+  EXPECT_EQ(debug_of("#declare T = texture { a } #ifdef (T) #debug \"set\" #else #debug \"not\" #end"),
+            "set");
+  EXPECT_EQ(debug_of("#macro M(o) #debug \"ok\" #end #declare S = union { sphere } M(S)"), "ok");
+}
+
+TEST(UnitParserDeclare, OptionsOfTheCommandLine) {
+  parser::ParserOptions options;
+  options.declares = {{"N", "2.5"}, {"S", "\"text\""}};
+  options.image_width = 320;
+  const Parsed p = parse_text("#debug str(N,0,1) #debug S #debug str(image_width,0,0)", {}, options);
+  EXPECT_EQ(p.debug, "2.5text320") << p.error;
+}
+
+TEST(UnitParserIncludes, StandardFilesAreRead) {
+  for (const char* name : {"math", "functions", "transforms", "colors", "shapes", "rand", "strings",
+                           "arrays", "consts", "logo", "textures", "stones", "metals", "woods", "golds",
+                           "glass", "finish", "skies", "stars", "stdinc", "shapes2", "shapesq", "chars",
+                           "screen", "rad_def", "debug", "meshmaker", "makegrass", "ior", "sunpos"}) {
+    const Parsed p = parse_text("#version 3.7;\n#include \"" + std::string(name) + ".inc\"\n#debug \"end\"");
+    EXPECT_EQ(p.error, "") << name;
+    EXPECT_EQ(p.debug, "end") << name;
+  }
+}
+
+}  // namespace
+}  // namespace lentray::test

@@ -1,0 +1,95 @@
+// SDL texts through the front end alone: statements are read past, everything else is executed.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "parser/parser.h"
+#include "tools/lentray-diff/process.h"
+
+namespace lentray::test {
+
+/// Productions that keep nothing: a statement is a keyword and a block.
+class NoProductions final : public parser::Productions {
+ public:
+  std::optional<parser::Value> rvalue(parser::Parser& parser) override {
+    if (parser.peek().kind != parser::TokenKind::kKeyword) return std::nullopt;
+    do {
+      parser.next();
+      skip_block(parser);
+    } while (parser.at(parser::Keyword::kTexture));
+    static const int kept = 0;
+    return parser::Ref<parser::ObjectDesc>(
+        std::shared_ptr<const void>(),
+        reinterpret_cast<const parser::ObjectDesc*>(&kept));
+  }
+  void set_default(parser::Parser& parser) override { skip_block(parser); }
+  bool inside(const parser::ObjectDesc&, const core::Vec3& p) override { return p.x > 0.0; }
+  bool trace(const parser::ObjectDesc&, const core::Vec3& origin, const core::Vec3& direction,
+             core::Vec3& point, core::Vec3& normal) override {
+    point = origin + direction;
+    normal = -direction;
+    return true;
+  }
+  void extent(const parser::ObjectDesc&, core::Vec3& lo, core::Vec3& hi) override {
+    lo = {-1, -2, -3};
+    hi = {1, 2, 3};
+  }
+  parser::Value pigment_function(parser::Parser& parser) override {
+    parser.next();
+    skip_block(parser);
+    return parser::Ref<parser::PigmentDesc>();
+  }
+
+ private:
+  static void skip_block(parser::Parser& parser) {
+    parser.expect(parser::Punct::kLeftCurly);
+    for (int depth = 1; depth > 0;) {
+      const parser::Token t = parser.next();
+      if (t.kind == parser::TokenKind::kEnd) parser.fail_expected("'}'");
+      if (t.is(parser::Punct::kLeftCurly)) ++depth;
+      if (t.is(parser::Punct::kRightCurly)) --depth;
+    }
+  }
+};
+
+struct Parsed {
+  std::string debug;       ///< what #debug wrote
+  std::string error;       ///< the whole message; empty if there was none
+  std::string message;     ///< its bare text
+  parser::Location where;  ///< of the error
+  std::vector<std::string> warnings;
+  std::size_t tokens = 0;  ///< left for productions
+};
+
+/// Reads `text` as scene.pov, beside the other files, and all tokens after it.
+inline Parsed parse_text(const std::string& text,
+                         const std::map<std::string, std::string>& files = {},
+                         parser::ParserOptions options = {}) {
+  const diff::TemporaryFolder folder;
+  for (const auto& [name, content] : files) diff::write_text(folder / name, content);
+  diff::write_text(folder / "scene.pov", text);
+  options.library_paths.push_back("/usr/share/povray-3.7/include");
+  options.frame_number = 0;
+  parser::SourceManager sources;
+  parser::Diagnostics diagnostics(sources);
+  Parsed out;
+  diagnostics.connect(parser::Stream::kDebug, [&](std::string_view t) { out.debug += t; });
+  diagnostics.connect(parser::Stream::kWarning, {});
+  NoProductions productions;
+  try {
+    parser::Parser parser(sources, diagnostics, options, productions);
+    parser.open(folder / "scene.pov");
+    for (; !parser.at_end(); ++out.tokens) parser.next();
+  } catch (const parser::ParseError& error) {
+    out.error = error.what();
+    out.message = error.message();
+    out.where = error.where();
+  }
+  for (const auto& warning : diagnostics.warnings()) out.warnings.push_back(warning.message);
+  return out;
+}
+
+}  // namespace lentray::test
