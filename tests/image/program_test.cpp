@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 /// Reflection, glass, an area light and a quick_color: whatever a quality level can leave out.
 constexpr const char* kScene = R"(#version 3.7;
 global_settings { assumed_gamma 1 }
-camera { location <0,2,-6> look_at <0,0.7,0> }
+camera { location <0,2,-6> look_at <0,0.75,0> }
 light_source { <-5,8,-6>, 1 area_light x*2, y*2, 3, 3 }
 light_source { <5,3,-6>, 0.4 }
 plane { y, 0 pigment { checker rgb <1,.8,.6> rgb <.2,.3,.4> } finish { ambient .15 diffuse .7 } }
@@ -165,7 +165,7 @@ TEST_F(ImageProgram, ProgressOnlyWhenWanted) {
 
 TEST_F(ImageProgram, WhenStoppedItLeavesNothing) {
   const auto result = shell("'" + program("lentray").string() +
-                            "' scene.pov +W9000 +H6000 +WT1 -V & p=$!; sleep 2; kill -TERM $p; wait $p");
+                            "' scene.pov +W5000 +H4000 +WT1 -V & p=$!; sleep 2; kill -TERM $p; wait $p");
   EXPECT_EQ(result.status, 2) << result.output;
   EXPECT_NE(result.output.find("no picture was written"), std::string::npos);
   EXPECT_FALSE(exists("scene.png"));
