@@ -1,6 +1,8 @@
 // The bounding hierarchy over a scene's finite objects, plus the list of infinite ones.
 // World space. Conservative: a box test never loses a hit the object itself would report,
 // whatever the scale (stored boxes are floats rounded outwards, tests allow for every rounding).
+// Opacity and flags of the objects are taken when it is built. Scenes where some objects cast no
+// shadow, or a filtered one, hold two further trees for shadow rays.
 // Immutable; any number of threads. Queries are templates on the counting policy, so that not
 // counting costs nothing.
 #pragma once

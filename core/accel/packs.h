@@ -1,13 +1,15 @@
-// Four spheres or four triangles tested together. World space. The bits of a hit are those of
-// sphere_roots() and intersect_triangle(), whose formulae these repeat lane by lane (no fused
-// operations); a unit test holds them to it.
+// Four spheres, triangles or polygons of few edges tested together. World space. The bits of a
+// hit are those of sphere_roots(), intersect_triangle() and Polygon::nearest(), whose formulae
+// these repeat lane by lane (no fused operations); unit tests hold them to it.
 #pragma once
 
 #include <immintrin.h>
 
 #include <cstdint>
+#include <optional>
 
 #include "core/accel/wide_bvh.h"
+#include "core/geometry/polygon.h"
 #include "core/geometry/sphere.h"
 #include "core/geometry/triangle_test.h"
 
@@ -20,12 +22,48 @@ struct alignas(32) SpherePack {
   double centre[3][kPack] = {};
   double radius2[kPack] = {-1.0, -1.0, -1.0, -1.0};
   std::uint32_t first = 0, count = 0;  ///< places of the lanes' objects
+
+  void set(int lane, const Sphere& sphere) {
+    for (int a = 0; a < 3; ++a) centre[a][lane] = sphere.centre()[a];
+    radius2[lane] = sphere.radius2();
+  }
 };
 
 /// Empty lanes have all corners alike: nothing meets them.
 struct alignas(64) TrianglePack {
   double corner[3][3][kPack] = {};  ///< corner, axis
   std::uint32_t first = 0, count = 0;
+
+  void set(int lane, const Vec3& a, const Vec3& b, const Vec3& c) {
+    for (int axis = 0; axis < 3; ++axis) {
+      corner[0][axis][lane] = a[axis];
+      corner[1][axis][lane] = b[axis];
+      corner[2][axis][lane] = c[axis];
+    }
+  }
+};
+
+/// An edge of each lane, EvenOdd::Edge: v0 < v1.
+struct alignas(32) EvenOddLanes {
+  double u0[kPack] = {}, u1[kPack] = {};
+  double v0[kPack] = {Bounds::kInf, Bounds::kInf, Bounds::kInf, Bounds::kInf};
+  double v1[kPack] = {Bounds::kInf, Bounds::kInf, Bounds::kInf, Bounds::kInf};
+};
+
+/// Polygons whose even-odd test has at most four edges. Empty lanes have a null normal: the
+/// distance is no number then and nothing meets them.
+struct alignas(64) PolygonPack {
+  static constexpr int kEdges = 4;
+  double normal[3][kPack] = {};
+  double offset[kPack] = {};                   ///< of the plane along the normal
+  double lo[2][kPack] = {}, hi[2][kPack] = {}; ///< in the projection
+  std::int32_t axis[2][2 * kPack] = {};  ///< kept by the projection; a double's halves: 2a, 2a + 1
+  std::uint32_t first = 0, count = 0;
+  EvenOddLanes edges[kEdges];                  ///< empty ones span nothing
+
+  /// False if the polygon has more edges than a lane holds (or nothing meets it).
+  static bool fits(const Polygon& polygon);
+  void set(int lane, const Polygon& polygon);
 };
 
 /// What the lanes gave; only those in the returned mask are set meaningfully.
@@ -37,11 +75,12 @@ struct alignas(32) PackHits {
 /// A ray with what the batches share.
 struct PackRay {
   PackRay(const Ray& r, bool triangles)
-      : ray(r), inverse_dd(1.0 / dot(r.direction, r.direction)),
-        sheared(triangles ? ShearedRay(r) : ShearedRay(Ray{{}, {0.0, 0.0, 1.0}})) {}
+      : ray(r), inverse_dd(1.0 / dot(r.direction, r.direction)) {
+    if (triangles) sheared.emplace(r);
+  }
   const Ray& ray;
   double inverse_dd;
-  ShearedRay sheared;
+  std::optional<ShearedRay> sheared;  ///< there are triangles
 };
 
 /// Lanes with a nearest crossing t_min < t <= t_max. The limit is included: the caller decides
@@ -70,11 +109,36 @@ inline unsigned intersect_portable(const TrianglePack& pack, const PackRay& r, d
   };
   for (int i = 0; i < kPack; ++i) {
     TriangleHit hit;
-    if (!intersect_triangle(r.sheared, corner(0, i), corner(1, i), corner(2, i), hit)) continue;
+    if (!intersect_triangle(*r.sheared, corner(0, i), corner(1, i), corner(2, i), hit)) continue;
     if (!(hit.t > t_min && hit.t <= t_max)) continue;
     hits.t[i] = hit.t;
     hits.u[i] = hit.wb;
     hits.v[i] = hit.wc;
+    mask |= 1u << i;
+  }
+  return mask;
+}
+
+inline unsigned intersect_portable(const PolygonPack& pack, const PackRay& r, double t_min,
+                                   double t_max, PackHits& hits) {
+  unsigned mask = 0;
+  for (int i = 0; i < kPack; ++i) {
+    const Vec3 normal{pack.normal[0][i], pack.normal[1][i], pack.normal[2][i]};
+    const double t = (pack.offset[i] - dot(normal, r.ray.origin)) / dot(normal, r.ray.direction);
+    if (!(t > t_min && t <= t_max)) continue;
+    const int along_u = pack.axis[0][2 * i] / 2, along_v = pack.axis[1][2 * i] / 2;
+    const double u = r.ray.origin[along_u] + t * r.ray.direction[along_u];
+    const double v = r.ray.origin[along_v] + t * r.ray.direction[along_v];
+    if (!(u >= pack.lo[0][i] && u <= pack.hi[0][i] && v >= pack.lo[1][i] && v <= pack.hi[1][i])) {
+      continue;
+    }
+    bool odd = false;
+    for (const EvenOddLanes& e : pack.edges) {
+      odd ^= EvenOdd::crosses({e.u0[i], e.v0[i], e.u1[i], e.v1[i]}, u, v);
+    }
+    if (!odd) continue;
+    hits.t[i] = t;
+    hits.u[i] = hits.v[i] = 0.0;
     mask |= 1u << i;
   }
   return mask;
@@ -116,7 +180,7 @@ LENTRAY_AVX2 inline unsigned intersect_avx2(const SpherePack& pack, const PackRa
 
 LENTRAY_AVX2 inline unsigned intersect_avx2(const TrianglePack& pack, const PackRay& r,
                                             double t_min, double t_max, PackHits& hits) {
-  const ShearedRay& s = r.sheared;
+  const ShearedRay& s = *r.sheared;
   const __m256d ox = _mm256_set1_pd(s.origin[s.kx]), oy = _mm256_set1_pd(s.origin[s.ky]),
                 oz = _mm256_set1_pd(s.origin[s.kz]);
   const __m256d sx = _mm256_set1_pd(s.sx), sy = _mm256_set1_pd(s.sy);
@@ -155,6 +219,54 @@ LENTRAY_AVX2 inline unsigned intersect_avx2(const TrianglePack& pack, const Pack
   _mm256_store_pd(hits.t, t);
   _mm256_store_pd(hits.u, _mm256_div_pd(v, det));
   _mm256_store_pd(hits.v, _mm256_div_pd(w, det));
+  return static_cast<unsigned>(mask);
+}
+
+LENTRAY_AVX2 inline unsigned intersect_avx2(const PolygonPack& pack, const PackRay& r,
+                                            double t_min, double t_max, PackHits& hits) {
+  const Vec3& o = r.ray.origin;
+  const Vec3& d = r.ray.direction;
+  const __m256d nx = _mm256_load_pd(pack.normal[0]), ny = _mm256_load_pd(pack.normal[1]),
+                nz = _mm256_load_pd(pack.normal[2]);
+  const __m256d slope =
+      dot_lanes(nx, ny, nz, _mm256_set1_pd(d.x), _mm256_set1_pd(d.y), _mm256_set1_pd(d.z));
+  const __m256d height =
+      dot_lanes(nx, ny, nz, _mm256_set1_pd(o.x), _mm256_set1_pd(o.y), _mm256_set1_pd(o.z));
+  const __m256d t = _mm256_div_pd(_mm256_sub_pd(_mm256_load_pd(pack.offset), height), slope);
+  __m256d met = _mm256_and_pd(_mm256_cmp_pd(t, _mm256_set1_pd(t_min), _CMP_GT_OQ),
+                              _mm256_cmp_pd(t, _mm256_set1_pd(t_max), _CMP_LE_OQ));
+  if (_mm256_movemask_pd(met) == 0) return 0;
+  // The ray's numbers as two registers, (o, dx) and (oz, d): d is one place further up.
+  const __m256i from = _mm256_castpd_si256(_mm256_loadu_pd(&o.x));
+  const __m256i along = _mm256_castpd_si256(_mm256_loadu_pd(&o.z));
+  __m256d at[2];
+  for (int a = 0; a < 2; ++a) {
+    const __m256i axis = _mm256_load_si256(reinterpret_cast<const __m256i*>(pack.axis[a]));
+    const __m256i next = _mm256_add_epi32(axis, _mm256_set1_epi32(2));
+    const __m256d oa = _mm256_castsi256_pd(_mm256_permutevar8x32_epi32(from, axis));
+    const __m256d da = _mm256_castsi256_pd(_mm256_permutevar8x32_epi32(along, next));
+    at[a] = _mm256_add_pd(oa, _mm256_mul_pd(t, da));
+    met = _mm256_and_pd(met, _mm256_cmp_pd(at[a], _mm256_load_pd(pack.lo[a]), _CMP_GE_OQ));
+    met = _mm256_and_pd(met, _mm256_cmp_pd(at[a], _mm256_load_pd(pack.hi[a]), _CMP_LE_OQ));
+  }
+  if (_mm256_movemask_pd(met) == 0) return 0;
+  const __m256d u = at[0], v = at[1];
+  __m256d odd = _mm256_setzero_pd();
+  for (const EvenOddLanes& e : pack.edges) {
+    const __m256d u0 = _mm256_load_pd(e.u0), u1 = _mm256_load_pd(e.u1);
+    const __m256d v0 = _mm256_load_pd(e.v0), v1 = _mm256_load_pd(e.v1);
+    const __m256d spans = _mm256_xor_pd(_mm256_cmp_pd(v0, v, _CMP_GE_OQ),
+                                        _mm256_cmp_pd(v1, v, _CMP_GE_OQ));
+    const __m256d right =
+        _mm256_cmp_pd(_mm256_mul_pd(_mm256_sub_pd(u, u1), _mm256_sub_pd(v1, v0)),
+                      _mm256_mul_pd(_mm256_sub_pd(v1, v), _mm256_sub_pd(u0, u1)), _CMP_LE_OQ);
+    odd = _mm256_xor_pd(odd, _mm256_and_pd(spans, right));
+  }
+  const int mask = _mm256_movemask_pd(_mm256_and_pd(met, odd));
+  if (mask == 0) return 0;
+  _mm256_store_pd(hits.t, t);
+  _mm256_store_pd(hits.u, _mm256_setzero_pd());
+  _mm256_store_pd(hits.v, _mm256_setzero_pd());
   return static_cast<unsigned>(mask);
 }
 

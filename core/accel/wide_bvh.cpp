@@ -8,64 +8,45 @@
 #include <stdexcept>
 
 namespace lentray::core {
-namespace {
-
-/// Moves a far origin along the ray to just before the boxes, for floats could not tell the boxes
-/// apart from there. False: the ray passes by.
-bool approach(Vec3& o, const Vec3& d, double margin, double& moved) {
-  const double reach = 1.0 + margin;
+void WideLimits::approach(Vec3& o, const Vec3& d, double& error) {
+  const double far = std::max({std::fabs(o.x), std::fabs(o.y), std::fabs(o.z)});
+  error += far * 0x1p-48;
+  const double reach = 1.125 + 2.0 * error;  // a little before the boxes
   double enter = -Bounds::kInf, leave = Bounds::kInf;
   for (int a = 0; a < 3; ++a) {
-    if (std::fabs(d[a]) < 0x1p-62) {
-      if (std::fabs(o[a]) > reach) return false;
+    if (std::fabs(d[a]) < kLeastComponent) {
+      if (std::fabs(o[a]) > reach) misses = true;
       continue;
     }
     const double t1 = (-reach - o[a]) / d[a], t2 = (reach - o[a]) / d[a];
     enter = std::max(enter, std::min(t1, t2));
     leave = std::min(leave, std::max(t1, t2));
   }
-  if (!(enter <= leave)) return false;
-  o += d * enter;
-  moved = enter;
-  return true;
-}
-
-}  // namespace
-
-WideRay::WideRay(const Ray& ray, const WideFrame& frame) {
-  constexpr double kNear = 4.0;  // how far an origin may be from the middle before it is moved
-  Vec3 o = frame.point(ray.origin);
-  Vec3 d = ray.direction * frame.scale;
-  const double largest = std::max({std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)});
-  const double far = std::max({std::fabs(o.x), std::fabs(o.y), std::fabs(o.z)});
-  const double sum = std::fabs(o.x) + std::fabs(o.y) + std::fabs(o.z) + std::fabs(d.x) +
-                     std::fabs(d.y) + std::fabs(d.z);
-  if (!(largest > 0.0 && sum < 1e300)) {  // no number falls through too
+  if (misses || !(enter <= leave)) {
     misses = true;
     return;
   }
-  rate = largest;
-  d /= largest;
+  o += d * enter;
+  start = enter / rate;
+  slack = 4.0 * error;
+}
+
+WideRay::WideRay(const Ray& ray, const WideFrame& frame) {
+  Vec3 o = frame.point(ray.origin);
+  Vec3 d = ray.direction * frame.scale;
+  rate = std::max({std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)});
+  const double sum = std::fabs(o.x) + std::fabs(o.y) + std::fabs(o.z) + std::fabs(d.x) +
+                     std::fabs(d.y) + std::fabs(d.z);
+  misses = !(rate > 0.0 && sum < 1e300);  // no number is not less
+  if (misses) return;
+  d /= rate;
   double error = frame.pad;
-  if (far > kNear) {
-    error += far * 0x1p-48;
-    double moved = 0.0;
-    if (!approach(o, d, 0.125 + 2.0 * error, moved)) {
-      misses = true;
-      return;
-    }
-    start = moved / largest;
-    slack = 4.0 * error;
-  }
+  if (std::max({std::fabs(o.x), std::fabs(o.y), std::fabs(o.z)}) > kNear) approach(o, d, error);
+  if (misses) return;
   for (int a = 0; a < 3; ++a) {
-    // Along a range of 8 such a direction drifts by 2^-59: less than any box is padded.
-    const double component = std::copysign(std::max(std::fabs(d[a]), 0x1p-62), d[a]);
+    const double component = std::copysign(std::max(std::fabs(d[a]), kLeastComponent), d[a]);
     inverse[a] = static_cast<float>(1.0 / component);
     entry[a] = component < 0.0 ? 1 : 0;
-    const double i = inverse[a];
-    const double slack_t = std::fabs(i) * error;
-    near_product[a] = up(o[a] * i + slack_t);
-    far_product[a] = down(o[a] * i - slack_t);
     const float above = up(o[a] + error), below = down(o[a] - error);
     near_origin[a] = entry[a] ? below : above;
     far_origin[a] = entry[a] ? above : below;
@@ -272,8 +253,8 @@ class WideCollapser {
 void WideCollapser::set_box(WideNode& node, int slot, const Bounds& box) const {
   const Vec3 lo = m_frame.point(box.lo), hi = m_frame.point(box.hi);
   for (int a = 0; a < 3; ++a) {
-    node.planes[a][0][slot] = WideRay::down(lo[a] - m_frame.pad);
-    node.planes[a][1][slot] = WideRay::up(hi[a] + m_frame.pad);
+    node.planes[a][0][slot] = WideLimits::down(lo[a] - m_frame.pad);
+    node.planes[a][1][slot] = WideLimits::up(hi[a] + m_frame.pad);
   }
 }
 

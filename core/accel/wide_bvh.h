@@ -15,6 +15,7 @@
 
 #include <immintrin.h>
 
+#include <algorithm>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -49,21 +50,13 @@ struct WideFrame {
   Vec3 point(const Vec3& p) const { return (p - offset) * scale; }
 };
 
-/// A ray as the box tests see it: in the tree's frame, largest component of the direction 1,
-/// origin near the boxes, everything rounded outwards.
-struct WideRay {
-  float inverse[3];       ///< 1 / direction, finite
-  float near_product[3];  ///< origin * inverse, rounded so that entries come early (AVX2)
-  float far_product[3];   ///< ... and exits late
-  float near_origin[3];   ///< the same for the origin itself (portable)
-  float far_origin[3];
-  int entry[3];           ///< 0: the low plane is entered first, 1: the high one
-  bool misses = false;    ///< cannot meet any box
-  double start = 0.0;     ///< the tree's t' = (t - start) * rate
-  double rate = 1.0;
-  double slack = 0.0;     ///< rounding of t', absolute
+/// What the ways of testing boxes share: t as the tree has it, t' = (t - start) * rate.
+struct WideLimits {
+  bool misses = false;  ///< the ray cannot meet any box
+  double start = 0.0;
+  double rate = 1.0;    ///< largest component of the direction in the tree's frame
+  double slack = 0.0;   ///< rounding of t', absolute
 
-  WideRay(const Ray& ray, const WideFrame& frame);
   /// Limits of t as the box tests use them, rounded outwards.
   float upper(double t) const { return up((t - start) * rate + slack); }
   float lower(double t) const { return down((t - start) * rate - slack); }
@@ -73,10 +66,88 @@ struct WideRay {
   /// a distance that is at most the sum of two widened numbers, so it needs none of its own.
   static constexpr float kWider = 0x1.8p-22f;
   static float up(double x) {
-    const float f = static_cast<float>(x < -1e36 ? -1e36 : x > 1e36 ? 1e36 : x);
+    const auto f = static_cast<float>(std::min(std::max(x, -1e36), 1e36));
     return f + __builtin_fabsf(f) * kWider;
   }
   static float down(double x) { return -up(-x); }
+
+  /// Origins further than this from the middle are moved along the ray to the boxes, for floats
+  /// could not tell the boxes apart from there.
+  static constexpr double kNear = 4.0;
+  /// Direction components are at least this part of the largest: along a range of 8 such a ray
+  /// drifts by 2^-59, less than any box is padded.
+  static constexpr double kLeastComponent = 0x1p-62;
+
+ protected:
+  /// Moves the origin; `error` grows by what that and its distance cost.
+  void approach(Vec3& origin, const Vec3& direction, double& error);
+};
+
+/// A ray as the box tests see it: in the tree's frame, direction scaled so that its largest
+/// component is 1, everything rounded outwards. For the portable tests.
+struct WideRay : WideLimits {
+  float inverse[3];      ///< 1 / direction, finite
+  float near_origin[3];  ///< rounded so that entries come early
+  float far_origin[3];   ///< ... and exits late
+  int entry[3];          ///< 0: the low plane is entered first, 1: the high one
+
+  WideRay(const Ray& ray, const WideFrame& frame);
+};
+
+/// The same for AVX2: products origin * inverse, so that a plane costs one fused operation.
+struct WideRayAvx2 : WideLimits {
+  __m128 inverse, near_product, far_product;  ///< lane 3 means nothing
+  int entry[3];
+
+  LENTRAY_AVX2 WideRayAvx2(const Ray& ray, const WideFrame& frame) {
+    const __m256d sign = _mm256_set1_pd(-0.0);
+    const __m256d xyz = _mm256_castsi256_pd(_mm256_set_epi64x(0, -1, -1, -1));
+    // Both loads stay within the ray: (o, dx) and (oz, d).
+    const __m256d world_d = _mm256_permute4x64_pd(_mm256_loadu_pd(&ray.origin.z), 0x39);
+    const __m256d offset = _mm256_loadu_pd(&frame.offset.x);
+    const __m256d scale = _mm256_set1_pd(frame.scale);
+    const __m256d away = _mm256_sub_pd(_mm256_loadu_pd(&ray.origin.x), offset);
+    __m256d o = _mm256_and_pd(_mm256_mul_pd(away, scale), xyz);
+    const __m256d d = _mm256_and_pd(_mm256_mul_pd(world_d, scale), xyz);
+    const __m256d size_o = _mm256_andnot_pd(sign, o), size_d = _mm256_andnot_pd(sign, d);
+    __m256d largest = _mm256_max_pd(size_d, _mm256_permute4x64_pd(size_d, 0x4e));
+    largest = _mm256_max_pd(largest, _mm256_permute_pd(largest, 5));
+    rate = _mm256_cvtsd_f64(largest);
+    const __m256d finite = _mm256_cmp_pd(_mm256_add_pd(size_o, size_d), _mm256_set1_pd(1e300),
+                                         _CMP_LT_OQ);  // no number is not less
+    misses = !(rate > 0.0) || _mm256_movemask_pd(finite) != 15;
+    double error = frame.pad;
+    if (_mm256_movemask_pd(_mm256_cmp_pd(size_o, _mm256_set1_pd(kNear), _CMP_GT_OQ)) != 0) {
+      if (misses) return;
+      alignas(32) double from[4], along[4];
+      _mm256_store_pd(from, o);
+      _mm256_store_pd(along, d);
+      Vec3 moved{from[0], from[1], from[2]};
+      approach(moved, Vec3{along[0], along[1], along[2]} / rate, error);
+      o = _mm256_set_pd(0.0, moved.z, moved.y, moved.x);
+    }
+    const __m256d least = _mm256_mul_pd(largest, _mm256_set1_pd(kLeastComponent));
+    const __m256d component =
+        _mm256_or_pd(_mm256_max_pd(size_d, least), _mm256_and_pd(sign, d));
+    inverse = _mm256_cvtpd_ps(_mm256_div_pd(largest, component));
+    const __m256d rounded = _mm256_cvtps_pd(inverse);
+    const __m256d product = _mm256_mul_pd(o, rounded);
+    const __m256d around =
+        _mm256_mul_pd(_mm256_andnot_pd(sign, rounded), _mm256_set1_pd(error));
+    const __m128 wider = _mm_set1_ps(kWider), no_sign = _mm_castsi128_ps(_mm_set1_epi32(0x7fffffff));
+    const __m128 high = _mm256_cvtpd_ps(_mm256_add_pd(product, around));
+    const __m128 low = _mm256_cvtpd_ps(_mm256_sub_pd(product, around));
+    near_product = _mm_fmadd_ps(_mm_and_ps(high, no_sign), wider, high);
+    far_product = _mm_fnmadd_ps(_mm_and_ps(low, no_sign), wider, low);
+    const int negative = _mm_movemask_ps(inverse);
+    entry[0] = negative & 1;
+    entry[1] = negative >> 1 & 1;
+    entry[2] = negative >> 2 & 1;
+  }
+  template <int kAxis>
+  LENTRAY_AVX2 static __m256 all(__m128 v) {
+    return _mm256_broadcastss_ps(_mm_permute_ps(v, kAxis * 0x55));
+  }
 };
 
 /// Boxes tested by a traversal, or nothing at all.
@@ -198,14 +269,14 @@ template <bool kOrdered, class Leaf, class Count>
 LENTRAY_AVX2 bool WideBvh::traverse_avx2(const Ray& world, double t_min, double t_max, Leaf& leaf,
                                          Count& count) const {
   if (m_nodes.empty()) return false;
-  const WideRay ray(world, m_frame);
+  const WideRayAvx2 ray(world, m_frame);
   if (ray.misses) return false;
-  const __m256 ix = _mm256_set1_ps(ray.inverse[0]), iy = _mm256_set1_ps(ray.inverse[1]),
-               iz = _mm256_set1_ps(ray.inverse[2]);
-  const __m256 nx = _mm256_set1_ps(ray.near_product[0]), ny = _mm256_set1_ps(ray.near_product[1]),
-               nz = _mm256_set1_ps(ray.near_product[2]);
-  const __m256 fx = _mm256_set1_ps(ray.far_product[0]), fy = _mm256_set1_ps(ray.far_product[1]),
-               fz = _mm256_set1_ps(ray.far_product[2]);
+  const __m256 ix = ray.all<0>(ray.inverse), iy = ray.all<1>(ray.inverse),
+               iz = ray.all<2>(ray.inverse);
+  const __m256 nx = ray.all<0>(ray.near_product), ny = ray.all<1>(ray.near_product),
+               nz = ray.all<2>(ray.near_product);
+  const __m256 fx = ray.all<0>(ray.far_product), fy = ray.all<1>(ray.far_product),
+               fz = ray.all<2>(ray.far_product);
   const int ex = ray.entry[0], ey = ray.entry[1], ez = ray.entry[2];
   const __m256 from = _mm256_set1_ps(ray.lower(t_min));
   float to = ray.upper(t_max);

@@ -268,9 +268,13 @@ void Csg::for_children_met(const Ray& ray, double t_min, double t_max, Visit&& v
 bool Csg::nearest(const Ray& ray, double t_min, double t_max, Hit& hit, HitArena& arena) const {
   if (!bounding().empty() && !passes_bounding(ray, arena)) return false;
   if (clips().empty()) return kept_nearest(ray, t_min, t_max, hit, arena);
-  while (kept_nearest(ray, t_min, t_max, hit, arena)) {
-    if (passes_clips(ray.at(hit.t))) return true;
-    t_min = hit.t;
+  Hit found;  // the caller's hit stays as it is unless there is one
+  while (kept_nearest(ray, t_min, t_max, found, arena)) {
+    if (passes_clips(ray.at(found.t))) {
+      hit = found;
+      return true;
+    }
+    t_min = found.t;
   }
   return false;
 }

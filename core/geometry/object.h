@@ -62,7 +62,8 @@ class Object {
   virtual bool solid_leaves_bounds() const = 0;
   /// Everything that inside() can answer false for; infinite for most objects but inverse ones.
   virtual Bounds void_bounds() const = 0;
-  /// Nearest crossing with t_min < t < t_max; fills t, leaf and shape, not `object`.
+  /// Nearest crossing with t_min < t < t_max; fills t, leaf and shape, not `object`. Leaves the hit
+  /// as it was if there is none.
   virtual bool nearest(const Ray& ray, double t_min, double t_max, Hit& hit, HitArena& arena) const = 0;
   /// Appends all crossings, in any order.
   virtual void all(const Ray& ray, double t_min, double t_max, std::vector<Hit>& hits, HitArena& arena) const = 0;

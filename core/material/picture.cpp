@@ -91,8 +91,8 @@ class PicturePattern final : public Pattern {
 /// The picture's grey as heights one pixel apart.
 class PictureDisplacement final : public Displacement {
  public:
-  PictureDisplacement(MappedPicturePtr picture, double amount)
-      : m_picture(std::move(picture)), m_amount(amount) {}
+  PictureDisplacement(MappedPicturePtr picture, double amount, bool by_index)
+      : m_picture(std::move(picture)), m_amount(amount), m_by_index(by_index) {}
   Vec3 displaced(const Vec3& point, const Vec3& normal) const override {
     const auto place = m_picture->place(point);
     if (!place) return normal;
@@ -119,10 +119,14 @@ class PictureDisplacement final : public Displacement {
     if (place.u < 0.0) place.u += width;
     if (place.u >= width) place.u -= width;
     if (place.v >= rows) place.v -= rows;
+    if (m_by_index) {
+      if (const auto number = m_picture->index(place)) return m_amount * *number;
+    }
     return m_amount * grey(m_picture->colour(place).rgb);
   }
   MappedPicturePtr m_picture;
   double m_amount;
+  bool m_by_index;
 };
 
 class MaterialMap final : public Texture {
@@ -134,7 +138,11 @@ class MaterialMap final : public Texture {
   void resolve(const Vec3& point, double weight, WeightedTextures& out) const override {
     const auto place = m_picture->place(m_placement.inwards(point));
     std::size_t number = 0;
-    if (place) number = static_cast<std::size_t>(m_picture->colour(*place).rgb.r * 255.0f);
+    if (place) {
+      const auto entry = m_picture->index(*place);
+      number = static_cast<std::size_t>(
+          entry ? *entry : static_cast<int>(m_picture->colour(*place).rgb.r * 255.0f));
+    }
     // Stock counts round only beyond the number of textures, and stops at the last.
     if (number > m_textures.size()) number %= m_textures.size();
     m_textures[std::min(number, m_textures.size() - 1)]->resolve(point, weight, out);
@@ -205,17 +213,31 @@ std::optional<Vec2> MappedPicture::place(const Vec3& point) const {
   return Vec2{wrap(place.u, width), wrap(-place.v, height)};  // row 0 is on top
 }
 
-const Colour& MappedPicture::pixel(int column, int row) const {
+std::size_t MappedPicture::pixel(int column, int row) const {
   const int width = m_picture->width, height = m_picture->height;
-  if (m_layout.once) {
-    return m_picture->at(std::clamp(column, 0, width - 1), std::clamp(row, 0, height - 1));
-  }
-  return m_picture->at(wrap(column, width), wrap(row, height));
+  const int x = m_layout.once ? std::clamp(column, 0, width - 1) : wrap(column, width);
+  const int y = m_layout.once ? std::clamp(row, 0, height - 1) : wrap(row, height);
+  return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
 }
 
-Colour MappedPicture::four(const Vec2& place) const {
-  const int column = static_cast<int>(place.u), row = static_cast<int>(place.v);
-  const double p = place.u - column, q = place.v - row;
+template <typename Visit>
+void MappedPicture::for_pixels(const Vec2& place, Visit visit) const {
+  if (m_layout.interpolation == Interpolation::kNone) {
+    visit(pixel(static_cast<int>(place.u), static_cast<int>(place.v)), 1.0);
+    return;
+  }
+  // Interpolation is between the middles of pixels.
+  const double u = place.u + 0.5, v = place.v + 0.5;
+  const int column = static_cast<int>(u), row = static_cast<int>(v);
+  const double p = u - column, q = v - row;
+  if (m_layout.interpolation == Interpolation::kBicubic) {
+    const auto across = cubic_weights(p), down = cubic_weights(q);
+    for (std::size_t i = 0; i < 16; ++i) {
+      const int right = static_cast<int>(i / 4) - 2, below = static_cast<int>(i % 4) - 2;
+      visit(pixel(column + right, row + below), across[i / 4] * down[i % 4]);
+    }
+    return;
+  }
   std::array<double, 4> weights = {p * q, (1 - p) * q, p * (1 - q), (1 - p) * (1 - q)};
   if (m_layout.interpolation == Interpolation::kNormalizedDistance) {
     const auto inverse = [](double x, double y) { return 1.0 / (x * x + y * y); };
@@ -223,35 +245,25 @@ Colour MappedPicture::four(const Vec2& place) const {
     const double sum = weights[0] + weights[1] + weights[2] + weights[3];
     for (double& weight : weights) weight /= sum;
   }
-  Mixer mixer;
   for (int i = 0; i < 4; ++i) {
-    mixer.add(pixel(column - (i & 1), row - (i >> 1)), weights[static_cast<std::size_t>(i)]);
+    visit(pixel(column - (i & 1), row - (i >> 1)), weights[static_cast<std::size_t>(i)]);
   }
-  return mixer.mixed();
-}
-
-Colour MappedPicture::sixteen(const Vec2& place) const {
-  const int column = static_cast<int>(place.u), row = static_cast<int>(place.v);
-  const auto across = cubic_weights(place.u - column), down = cubic_weights(place.v - row);
-  Mixer mixer;
-  for (int i = 0; i < 4; ++i) {
-    for (int j = 0; j < 4; ++j) {
-      mixer.add(pixel(column + i - 2, row + j - 2),
-                across[static_cast<std::size_t>(i)] * down[static_cast<std::size_t>(j)]);
-    }
-  }
-  return mixer.mixed();
 }
 
 Colour MappedPicture::colour(const Vec2& place) const {
-  // Interpolation is between the middles of pixels.
-  const Vec2 shifted{place.u + 0.5, place.v + 0.5};
-  switch (m_layout.interpolation) {
-    case Interpolation::kBilinear: case Interpolation::kNormalizedDistance: return four(shifted);
-    case Interpolation::kBicubic: return sixteen(shifted);
-    case Interpolation::kNone: break;
+  if (m_layout.interpolation == Interpolation::kNone) {
+    return m_picture->pixels[pixel(static_cast<int>(place.u), static_cast<int>(place.v))];
   }
-  return pixel(static_cast<int>(place.u), static_cast<int>(place.v));
+  Mixer mixer;
+  for_pixels(place, [&](std::size_t i, double weight) { mixer.add(m_picture->pixels[i], weight); });
+  return mixer.mixed();
+}
+
+std::optional<int> MappedPicture::index(const Vec2& place) const {
+  if (m_picture->indices.empty()) return std::nullopt;
+  double sum = 0.0;
+  for_pixels(place, [&](std::size_t i, double weight) { sum += m_picture->indices[i] * weight; });
+  return static_cast<int>(sum);
 }
 
 std::shared_ptr<const Pigment> make_picture_pigment(Placement placement, MappedPicturePtr picture) {
@@ -260,8 +272,8 @@ std::shared_ptr<const Pigment> make_picture_pigment(Placement placement, MappedP
 PatternPtr make_picture_pattern(MappedPicturePtr picture, bool alpha) {
   return std::make_unique<PicturePattern>(std::move(picture), alpha);
 }
-DisplacementPtr make_picture_displacement(MappedPicturePtr picture, double amount) {
-  return std::make_unique<PictureDisplacement>(std::move(picture), amount);
+DisplacementPtr make_picture_displacement(MappedPicturePtr picture, double amount, bool by_index) {
+  return std::make_unique<PictureDisplacement>(std::move(picture), amount, by_index);
 }
 TexturePtr make_material_map(Placement placement, MappedPicturePtr picture,
                              std::vector<TexturePtr> textures) {

@@ -23,12 +23,8 @@ namespace lentray::core {
 struct Picture {
   int width = 0, height = 0;
   std::vector<Colour> pixels;
+  std::vector<std::uint8_t> indices;  ///< palette entries of the pixels; empty: it has no palette
   bool has_alpha = false;
-
-  const Colour& at(int column, int row) const {
-    return pixels[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
-                  static_cast<std::size_t>(column)];
-  }
 };
 
 enum class PictureShape { kPlanar = 0, kSpherical = 1, kCylindrical = 2, kTorus = 5 };
@@ -48,14 +44,17 @@ class MappedPicture {
   /// Place in pixels; nullopt outside a picture that is there once.
   std::optional<Vec2> place(const Vec3& point) const;
   Colour colour(const Vec2& place) const;
+  /// The palette entry, interpolated as colours are; nullopt without a palette.
+  std::optional<int> index(const Vec2& place) const;
   const Picture& picture() const { return *m_picture; }
   bool once() const { return m_layout.once; }
 
  private:
   bool on_shape(const Vec3& point, Vec2& place) const;
-  const Colour& pixel(int column, int row) const;
-  Colour four(const Vec2& place) const;
-  Colour sixteen(const Vec2& place) const;
+  std::size_t pixel(int column, int row) const;
+  /// Calls visit(pixel, weight) for all that count at a place.
+  template <typename Visit>
+  void for_pixels(const Vec2& place, Visit visit) const;
 
   std::shared_ptr<const Picture> m_picture;
   PictureLayout m_layout;
@@ -66,8 +65,9 @@ using MappedPicturePtr = std::shared_ptr<const MappedPicture>;
 std::shared_ptr<const Pigment> make_picture_pigment(Placement placement, MappedPicturePtr picture);
 /// Grey, or with `alpha` the transparency, as a pattern.
 PatternPtr make_picture_pattern(MappedPicturePtr picture, bool alpha);
-DisplacementPtr make_picture_displacement(MappedPicturePtr picture, double amount);
-/// Textures by the red of the pixel, 0..255, counted round.
+/// Grey, or with `by_index` the palette's number, as height.
+DisplacementPtr make_picture_displacement(MappedPicturePtr picture, double amount, bool by_index);
+/// Textures by the palette's number, or the red of the pixel, 0..255; counted round.
 TexturePtr make_material_map(Placement placement, MappedPicturePtr picture,
                              std::vector<TexturePtr> textures);
 

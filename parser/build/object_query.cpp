@@ -13,11 +13,15 @@ constexpr double kMinDistance = 1e-4;  ///< trace() does not see what is nearer
 }  // namespace
 
 ObjectQuery::ObjectQuery(const ObjectDesc& object) {
-  if (!object.compiled.object) {
-    NotYet ignored;
-    object.compiled.object = ObjectBuilder(ignored).geometry(object);
+  CompiledSlot& slot = object.compiled;
+  if (!slot.tried) {
+    NotYet missing;
+    slot.object = ObjectBuilder(missing).geometry(object);
+    slot.is_whole = missing.empty();
+    slot.tried = true;
   }
-  m_object = object.compiled.object;
+  m_object = slot.object;
+  m_is_whole = slot.is_whole;
 }
 
 bool ObjectQuery::inside(const core::Vec3& point) const { return m_object && m_object->inside(point); }

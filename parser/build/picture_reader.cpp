@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <fstream>
 #include <functional>
 
 #include "core/image/reader.h"
@@ -67,6 +69,72 @@ core::PictureLayout layout_of(const ImageDesc& image) {
   return layout;
 }
 
+/// filter and transmit of the whole or of palette entries.
+std::shared_ptr<const core::Picture> made_clearer(const core::Picture& picture,
+                                                  const ImageDesc& image) {
+  auto clearer = std::make_shared<core::Picture>(picture);
+  for (core::Colour& pixel : clearer->pixels) {
+    pixel.filter += static_cast<float>(image.filter_all.value_or(0.0));
+    pixel.transmit += static_cast<float>(image.transmit_all.value_or(0.0));
+  }
+  for (std::size_t i = 0; i < clearer->indices.size(); ++i) {
+    for (const auto& [entry, value] : image.filters) {
+      if (clearer->indices[i] == entry) clearer->pixels[i].filter = static_cast<float>(value);
+    }
+    for (const auto& [entry, value] : image.transmits) {
+      if (clearer->indices[i] == entry) clearer->pixels[i].transmit = static_cast<float>(value);
+    }
+  }
+  return clearer;
+}
+
+using Palette = std::vector<std::array<std::uint8_t, 3>>;
+
+/// The palette of a PNG or GIF, from the head of the file; empty if it has none.
+Palette read_palette(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string head(4096, '\0');
+  file.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(file.gcount()));
+  const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(head[i]); };
+  std::size_t start = 0, count = 0;
+  if (head.rfind("GIF8", 0) == 0 && head.size() > 13 && (byte(10) & 0x80)) {
+    start = 13;
+    count = std::size_t{2} << (byte(10) & 7);
+  } else if (head.rfind("\x89PNG", 0) == 0 && head.size() > 25 && byte(25) == 3) {
+    const std::size_t chunk = head.find("PLTE");
+    if (chunk == std::string::npos) return {};
+    start = chunk + 4;
+    count = (static_cast<std::size_t>(byte(chunk - 2)) * 256 + byte(chunk - 1)) / 3;
+  }
+  Palette palette;
+  for (std::size_t i = 0; i < count && start + 3 * i + 2 < head.size(); ++i) {
+    palette.push_back({byte(start + 3 * i), byte(start + 3 * i + 1), byte(start + 3 * i + 2)});
+  }
+  return palette;
+}
+
+/// The first entry of each pixel's colour: files are read with their palettes resolved.
+std::vector<std::uint8_t> palette_entries(const core::StoredImage& stored, const Palette& palette) {
+  std::vector<std::uint8_t> entries;
+  if (palette.empty() || stored.channels < 3 || stored.bits != 8) return entries;
+  std::map<std::array<std::uint8_t, 3>, std::uint8_t> numbers;
+  for (std::size_t i = 0; i < palette.size() && i < 256; ++i) {
+    numbers.try_emplace(palette[i], static_cast<std::uint8_t>(i));
+  }
+  for (std::uint32_t row = 0; row < stored.height; ++row) {
+    for (std::uint32_t column = 0; column < stored.width; ++column) {
+      std::array<std::uint8_t, 3> colour{};
+      for (int c = 0; c < 3; ++c) {
+        colour[static_cast<std::size_t>(c)] = static_cast<std::uint8_t>(stored.at(column, row, c));
+      }
+      const auto found = numbers.find(colour);
+      entries.push_back(found == numbers.end() ? std::uint8_t{0} : found->second);
+    }
+  }
+  return entries;
+}
+
 /// Values of a function are kept in 16 bits, as in stock.
 float sixteen_bits(double value) {
   return static_cast<float>(std::floor(std::clamp(value, 0.0, 1.0) * 65535.0 + 0.5) / 65535.0);
@@ -76,17 +144,8 @@ float sixteen_bits(double value) {
 
 core::MappedPicturePtr PictureReader::get(const ImageDesc& image, bool colours) {
   std::shared_ptr<const core::Picture> picture = read(image, colours);
-  if (!image.filters.empty() || !image.transmits.empty()) {
-    m_not_yet.insert("filter and transmit of single palette entries");
-  }
-  if (image.use == ImageDesc::Use::kIndex) m_not_yet.insert("use_index");
-  if (image.filter_all || image.transmit_all) {
-    auto clearer = std::make_shared<core::Picture>(*picture);
-    for (core::Colour& pixel : clearer->pixels) {
-      pixel.filter += static_cast<float>(image.filter_all.value_or(0.0));
-      pixel.transmit += static_cast<float>(image.transmit_all.value_or(0.0));
-    }
-    picture = clearer;
+  if (image.filter_all || image.transmit_all || !image.filters.empty() || !image.transmits.empty()) {
+    picture = made_clearer(*picture, image);
   }
   return std::make_shared<core::MappedPicture>(picture, layout_of(image));
 }
@@ -130,6 +189,7 @@ std::shared_ptr<const core::Picture> PictureReader::read_file(const ImageDesc& i
   picture->width = static_cast<int>(stored.width);
   picture->height = static_cast<int>(stored.height);
   picture->has_alpha = stored.channels == 2 || stored.channels == 4;
+  picture->indices = palette_entries(stored, read_palette(image.path));
   picture->pixels.reserve(std::size_t{stored.width} * stored.height);
   for (std::uint32_t row = 0; row < stored.height; ++row) {
     for (std::uint32_t column = 0; column < stored.width; ++column) {

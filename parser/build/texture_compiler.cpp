@@ -132,7 +132,8 @@ core::DisplacementPtr TextureCompiler::Impl::compile_displacement(const NormalDe
     case PatternKind::kFacets:
       return core::make_facets_displacement(p.facets_size, p.facets_coords, p.facets_metric);
     case PatternKind::kBumpMap:
-      return core::make_picture_displacement(pictures.get(*p.image, false), amount);
+      return core::make_picture_displacement(pictures.get(*p.image, false), amount,
+                                             p.image->use == ImageDesc::Use::kIndex);
     default: return nullptr;
   }
 }

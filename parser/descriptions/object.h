@@ -159,10 +159,16 @@ using ShapeDesc =
 
 /// The object compiled for inside(), trace() and the extents; a copy starts without it.
 struct CompiledSlot {
+  bool tried = false;
+  bool is_whole = true;   ///< false: parts of it have no geometry yet
   std::shared_ptr<const core::Object> object;
   CompiledSlot() = default;
   CompiledSlot(const CompiledSlot&) {}
-  CompiledSlot& operator=(const CompiledSlot&) { object.reset(); return *this; }
+  CompiledSlot& operator=(const CompiledSlot&) {
+    tried = false;
+    object.reset();
+    return *this;
+  }
 };
 
 struct ObjectDesc {

@@ -12,6 +12,9 @@ struct Context {
   MaterialContext materials;
   /// `#default { camera { ... } }`: where later camera statements start from.
   CameraDesc default_camera;
+  /// trace() or the like has asked an object that holds shapes without geometry yet: the answers
+  /// are guesses, and what they make degenerate is no fault of the scene.
+  bool has_guesses = false;
 };
 
 }  // namespace lentray::parser

@@ -10,8 +10,14 @@
 
 namespace lentray::parser {
 
-/// True if a float may start here: the next token starts an expression and is not a vector's "<".
-inline bool at_float(Parser& parser) { return parser.at_expression() && !parser.at(Punct::kLess); }
+/// True if a float may start here: the next token starts an expression, and neither is it a
+/// vector's "<" nor does it name a vector.
+inline bool at_float(Parser& parser) {
+  if (!parser.at_expression() || parser.at(Punct::kLess)) return false;
+  const Value* value = parser.peek_value();
+  const Number* number = value ? std::get_if<Number>(value) : nullptr;
+  return !number || number->size == 1;
+}
 
 /// A float if one is next, the default otherwise.
 inline double optional_float(Parser& parser, double otherwise) {

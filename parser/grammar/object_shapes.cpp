@@ -14,6 +14,12 @@ bool is_degenerate(const std::array<Vec3, 3>& p) {
   return length_squared(cross(p[1] - p[0], p[2] - p[0])) == 0.0;
 }
 
+/// Stops at a shape without extent, unless guesses may have made it so.
+void fail_degenerate(Parser& parser, const Context& context, const char* message) {
+  if (!context.has_guesses) parser.fail(message);
+  parser.warn(message);
+}
+
 }  // namespace
 
 ShapeDesc parse_sphere(Parser& parser, Context&) {
@@ -32,16 +38,16 @@ ShapeDesc parse_box(Parser& parser, Context&) {
   return s;
 }
 
-ShapeDesc parse_plane(Parser& parser, Context&) {
+ShapeDesc parse_plane(Parser& parser, Context& context) {
   PlaneShape s;
   s.normal = parser.parse_vector();
   parser.parse_comma();
-  if (length(s.normal) < kTiny) parser.fail("Degenerate plane normal.");
+  if (length(s.normal) < kTiny) fail_degenerate(parser, context, "Degenerate plane normal.");
   s.distance = parser.parse_float();
   return s;
 }
 
-ShapeDesc parse_cylinder(Parser& parser, Context&) {
+ShapeDesc parse_cylinder(Parser& parser, Context& context) {
   CylinderShape s;
   s.base = parser.parse_vector();
   parser.parse_comma();
@@ -49,11 +55,13 @@ ShapeDesc parse_cylinder(Parser& parser, Context&) {
   parser.parse_comma();
   s.radius = parser.parse_float();
   s.open = parser.accept(Keyword::kOpen);
-  if (length(s.cap - s.base) < kTiny) parser.fail("Degenerate cylinder, base point = apex point.");
+  if (length(s.cap - s.base) < kTiny) {
+    fail_degenerate(parser, context, "Degenerate cylinder, base point = apex point.");
+  }
   return s;
 }
 
-ShapeDesc parse_cone(Parser& parser, Context&) {
+ShapeDesc parse_cone(Parser& parser, Context& context) {
   ConeShape s;
   s.base = parser.parse_vector();
   parser.parse_comma();
@@ -63,7 +71,9 @@ ShapeDesc parse_cone(Parser& parser, Context&) {
   parser.parse_comma();
   s.cap_radius = parser.parse_float();
   s.open = parser.accept(Keyword::kOpen);
-  if (length(s.cap - s.base) < kTiny) parser.fail("Degenerate cone, base point = apex point.");
+  if (length(s.cap - s.base) < kTiny) {
+    fail_degenerate(parser, context, "Degenerate cone, base point = apex point.");
+  }
   return s;
 }
 
@@ -75,13 +85,13 @@ ShapeDesc parse_torus(Parser& parser, Context&) {
   return s;
 }
 
-ShapeDesc parse_disc(Parser& parser, Context&) {
+ShapeDesc parse_disc(Parser& parser, Context& context) {
   DiscShape s;
   s.centre = parser.parse_vector();
   parser.parse_comma();
   s.normal = parser.parse_vector();
   parser.parse_comma();
-  if (length(s.normal) < kTiny) parser.fail("Degenerate disc normal.");
+  if (length(s.normal) < kTiny) fail_degenerate(parser, context, "Degenerate disc normal.");
   s.radius = parser.parse_float();
   parser.parse_comma();
   s.hole = optional_float(parser, 0.0);

@@ -1,6 +1,5 @@
 #include "parser/grammar/productions.h"
 
-#include "parser/build/object_query.h"
 #include "parser/grammar/atmosphere.h"
 #include "parser/grammar/camera.h"
 #include "parser/grammar/object.h"
@@ -45,17 +44,23 @@ void Grammar::set_default(Parser& parser) {
   }
 }
 
+ObjectQuery Grammar::query(const ObjectDesc& object) {
+  ObjectQuery query(object);
+  if (!query.is_whole()) m_context.has_guesses = true;
+  return query;
+}
+
 bool Grammar::inside(const ObjectDesc& object, const core::Vec3& point) {
-  return ObjectQuery(object).inside(point);
+  return query(object).inside(point);
 }
 
 bool Grammar::trace(const ObjectDesc& object, const core::Vec3& origin, const core::Vec3& direction,
                     core::Vec3& point, core::Vec3& normal) {
-  return ObjectQuery(object).trace(origin, direction, point, normal);
+  return query(object).trace(origin, direction, point, normal);
 }
 
 void Grammar::extent(const ObjectDesc& object, core::Vec3& lo, core::Vec3& hi) {
-  ObjectQuery(object).extent(lo, hi);
+  query(object).extent(lo, hi);
 }
 
 Value Grammar::pigment_function(Parser& parser) {

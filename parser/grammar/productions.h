@@ -2,6 +2,7 @@
 // expressions call back. One Grammar a scene; not thread-safe.
 #pragma once
 
+#include "parser/build/object_query.h"
 #include "parser/grammar/context.h"
 #include "parser/parser.h"
 
@@ -21,6 +22,8 @@ class Grammar final : public Productions {
   Value pigment_function(Parser& parser) override;
 
  private:
+  ObjectQuery query(const ObjectDesc& object);
+
   Context m_context;
 };
 

@@ -70,9 +70,10 @@ void read_statement(Parser& parser, Grammar& grammar, SceneDesc& scene) {
     parser.fail_expected("an object or a statement: one of " + word_list(kStatements) + ", " +
                          object_words());
   }
-  // A semicolon behind an object is an error in stock; it harms nobody.
-  parser.accept(Punct::kSemicolon);
   scene.objects.push_back({std::move(object), grammar.context().materials.default_texture});
+  // A semicolon behind an object is an error in stock; it harms nobody. Looking for it comes last:
+  // it runs the directives that follow.
+  parser.accept(Punct::kSemicolon);
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "core/geometry/box.h"
 #include "core/geometry/cylinder.h"
 #include "core/geometry/plane.h"
+#include "core/geometry/polygon.h"
 #include "core/geometry/sphere.h"
 #include "core/geometry/triangle.h"
 
@@ -51,11 +52,12 @@ class SceneMaker {
       const Vec3 p = place();
       const double size = m_setup.detail * (0.1 + unit());
       const auto corner = [&] { return p + point() * size; };
-      switch (integer(5)) {
+      switch (integer(6)) {
         case 0:
         case 1: add(out, std::make_unique<Sphere>(p, size)); break;
         case 2: add(out, std::make_unique<Triangle>(corner(), corner(), corner())); break;
         case 3: add(out, std::make_unique<Box>(corner(), corner())); break;
+        case 4: add(out, polygon(p, size)); break;
         default: add(out, std::make_unique<Cylinder>(corner(), corner(), size / 4)); break;
       }
       // Now and then the same again: equal distances.
@@ -66,6 +68,19 @@ class SceneMaker {
       add(out, std::make_unique<Plane>(point(), 0.3));
     }
     return out;
+  }
+  /// Of three to seven corners, at times upright on an axis.
+  std::unique_ptr<Shape> polygon(const Vec3& at, double size) {
+    const Vec3 normal = integer(3) == 0 ? Vec3{0, 1, 0} : normalized(point());
+    const Vec3 u = normalized(cross(normal, {0.3, 0.2, 0.9})), v = cross(normal, u);
+    std::vector<Vec3> corners;
+    const int n = 3 + integer(5);
+    for (int i = 0; i < n; ++i) {
+      const double a = 6.283185307 * i / n, r = size * (0.5 + 0.5 * unit());
+      corners.push_back(at + u * (r * std::cos(a)) + v * (r * std::sin(a)));
+    }
+    corners.push_back(corners.front());
+    return std::make_unique<Polygon>(std::move(corners));
   }
   Vec3 place() { return m_setup.offset + point() * m_setup.scale; }
   Ray ray() {
@@ -304,6 +319,55 @@ TEST_F(UnitCorePacks, TrianglesHaveTheBitsOfTheFormula) {
     if (HasFatalFailure()) return;
   }
   EXPECT_GT(found, 50000);
+}
+
+TEST_F(UnitCorePacks, PolygonsHaveTheBitsOfTheShape) {
+  int found = 0, edge = 0;
+  for (int n = 0; n < 50000; ++n) {
+    PolygonPack pack;
+    std::vector<Polygon> polygons;
+    for (int i = 0; i < kPack - n % 2; ++i) {
+      // A parallelogram or a triangle; on the lattice at times, where rays meet edges exactly.
+      const bool lattice = n % 4 == 0;
+      const auto corner = [&] {
+        return lattice ? Vec3{std::floor(unit() * 5), std::floor(unit() * 5), 1.0 + n % 3} : vector();
+      };
+      const Vec3 a = corner(), b = corner(), c = corner();
+      polygons.push_back(unit() < 0.5 ? Polygon({a, b, c, a})
+                                      : Polygon({a, b, b + (c - a), c, a}));
+      if (polygons.back().is_degenerate()) {
+        polygons.pop_back();
+        break;
+      }
+      ASSERT_TRUE(PolygonPack::fits(polygons.back()));
+      pack.set(i, polygons.back());
+    }
+    if (polygons.empty()) continue;
+    const auto& p = polygons[0].points();
+    const double s = unit(), w = unit() * (1 - s);
+    Ray ray = ray_towards(p[0] + (p[1] - p[0]) * s + (p[2] - p[0]) * w);
+    if (n % 4 == 0) ray = {{std::floor(unit() * 5), std::floor(unit() * 5), -1}, {0, 0, 1}};
+    edge += n % 4 == 0;
+    const PackRay packed(ray, false);
+    const double t_min = unit() < 0.5 ? 0.0 : wide(), t_max = unit() < 0.5 ? 1e300 : 1.5;
+    PackHits portable, avx2;
+    const unsigned mask = intersect_portable(pack, packed, t_min, t_max, portable);
+    if (WideBvh::has_avx2()) {
+      ASSERT_EQ(intersect_avx2(pack, packed, t_min, t_max, avx2), mask);
+    }
+    for (int i = 0; i < kPack; ++i) {
+      ShapeHit hit;
+      const bool met = static_cast<std::size_t>(i) < polygons.size() &&
+                       polygons[static_cast<std::size_t>(i)].nearest(ray, t_min, t_max, hit);
+      ASSERT_EQ((mask >> i & 1) != 0, met) << n;
+      if (!met) continue;
+      ++found;
+      ASSERT_TRUE(same_bits(portable.t[i], hit.t));
+      if (WideBvh::has_avx2()) { ASSERT_TRUE(same_bits(avx2.t[i], hit.t)); }
+    }
+  }
+  EXPECT_GT(found, 10000);
+  EXPECT_GT(edge, 1000);
 }
 
 }  // namespace

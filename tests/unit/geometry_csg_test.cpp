@@ -218,11 +218,16 @@ TEST(UnitCoreClipping, KeepsSurfacesWithinAndCountsForInside) {
   EXPECT_FALSE(sphere->inside({0, 0, -0.5}));
   EXPECT_NEAR(sphere->bounds().lo.z, 0.0, 1e-9);
   EXPECT_FALSE(sphere->any({{0, 0, -5}, {0, 0, 1}}, 0, 5.5, arena));
+  EXPECT_FALSE(sphere->nearest({{0, 0, -5}, {0, 0, 1}}, 0, 5.5, hit, arena));
+  EXPECT_DOUBLE_EQ(hit.t, 6.0);
 
   auto pair = csg(CsgKind::kUnion, leaf<Sphere>(Vec3{0, 0, 0}, 1.0), leaf<Sphere>(Vec3{0, 0, 5}, 1.0));
   pair->set_clips({std::shared_ptr<const Object>(leaf<Plane>(Vec3{0, 0, -1}, -4.5))});  // keeps z >= 4.5
   EXPECT_EQ(depths(*pair, {{0, 0, -5}, {0, 0, 1}}), (std::vector<double>{11}));
   ASSERT_TRUE(pair->nearest({{0, 0, -5}, {0, 0, 1}}, 0, kInf, hit, arena));
+  EXPECT_DOUBLE_EQ(hit.t, 11.0);
+  // Without a hit in the range the caller's stays as it was.
+  EXPECT_FALSE(pair->nearest({{0, 0, -5}, {0, 0, 1}}, 0, 10.5, hit, arena));
   EXPECT_DOUBLE_EQ(hit.t, 11.0);
 }
 

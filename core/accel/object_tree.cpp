@@ -1,0 +1,95 @@
+#include "core/accel/object_tree.h"
+
+#include <stdexcept>
+
+#include "core/geometry/polygon.h"
+#include "core/geometry/sphere.h"
+#include "core/geometry/triangle.h"
+
+namespace lentray::core {
+
+/// Only bare leaves whose shape is already in the world may be tested without the object.
+ObjectTree::Kind ObjectTree::kind_of(const Object& object) {
+  if (!object.clips().empty() || !object.bounding().empty()) return kOthers;
+  const auto* leaf = dynamic_cast<const Leaf*>(&object);
+  if (!leaf || leaf->transform()) return kOthers;
+  if (dynamic_cast<const Sphere*>(&leaf->shape())) return kSpheres;
+  if (const auto* triangle = dynamic_cast<const Triangle*>(&leaf->shape())) {
+    return triangle->is_degenerate() ? kOthers : kTriangles;
+  }
+  const auto* polygon = dynamic_cast<const Polygon*>(&leaf->shape());
+  return polygon && PolygonPack::fits(*polygon) ? kPolygons : kOthers;
+}
+
+ObjectTree::ObjectTree(std::span<const ObjectEntry> objects, bool linear, bool portable)
+    : m_avx2(!portable && WideBvh::has_avx2()) {
+  std::vector<ObjectEntry> bounded;
+  std::vector<Bounds> boxes;
+  std::vector<std::uint8_t> kinds;
+  for (const ObjectEntry& entry : objects) {
+    if (linear || !entry.bounds.is_finite()) {
+      m_unbounded.push_back(entry);
+      continue;
+    }
+    bounded.push_back(entry);
+    boxes.push_back(entry.bounds);
+    kinds.push_back(kind_of(*entry.object));
+  }
+  if (bounded.size() >> kFirstBits != 0) {
+    throw std::length_error("more objects than a bounding hierarchy holds");
+  }
+  // In node tests: a pack costs about one, a virtual call with its test somewhat more.
+  static constexpr WideBvh::Options::Kind kCosts[] = {
+      {1, 1.5, 4}, {kPack, 1.0, kPack}, {kPack, 1.4, kPack}, {kPack, 1.4, kPack}};
+  WideBvh::Options options;
+  options.kinds = kinds;
+  options.kind_costs = kCosts;
+  m_tree = WideBvh(boxes, options);
+  m_entries.reserve(m_tree.order().size());
+  for (const std::uint32_t part : m_tree.order()) m_entries.push_back(bounded[part]);
+  m_tree.relabel([&](std::uint32_t first, std::uint32_t count) {
+    return code_of(first, count, static_cast<Kind>(kinds[m_tree.order()[first]]));
+  });
+  m_spheres.shrink_to_fit();
+  m_triangles.shrink_to_fit();
+  m_polygons.shrink_to_fit();
+}
+
+/// Puts a leaf's objects into a pack, if they go into one.
+std::uint32_t ObjectTree::code_of(std::uint32_t first, std::uint32_t count, Kind kind) {
+  if (kind == kOthers) return count << kFirstBits | first;
+  const auto fill = [&](auto& packs, auto&& set) {
+    auto& pack = packs.emplace_back();
+    pack.first = first;
+    pack.count = count;
+    for (std::uint32_t i = 0; i < count; ++i) {
+      set(pack, static_cast<int>(i),
+          static_cast<const Leaf*>(m_entries[first + i].object)->shape());
+    }
+    return static_cast<std::uint32_t>(kind) << kKindShift |
+           static_cast<std::uint32_t>(packs.size() - 1);
+  };
+  if (kind == kSpheres) {
+    return fill(m_spheres, [](SpherePack& pack, int lane, const Shape& shape) {
+      pack.set(lane, static_cast<const Sphere&>(shape));
+    });
+  }
+  if (kind == kTriangles) {
+    return fill(m_triangles, [](TrianglePack& pack, int lane, const Shape& shape) {
+      const auto& v = static_cast<const Triangle&>(shape).vertices();
+      pack.set(lane, v[0], v[1], v[2]);
+    });
+  }
+  return fill(m_polygons, [](PolygonPack& pack, int lane, const Shape& shape) {
+    pack.set(lane, static_cast<const Polygon&>(shape));
+  });
+}
+
+std::size_t ObjectTree::memory() const {
+  return m_tree.memory() + (m_entries.capacity() + m_unbounded.capacity()) * sizeof(ObjectEntry) +
+         m_spheres.capacity() * sizeof(SpherePack) +
+         m_triangles.capacity() * sizeof(TrianglePack) +
+         m_polygons.capacity() * sizeof(PolygonPack);
+}
+
+}  // namespace lentray::core

@@ -1,0 +1,180 @@
+// Objects under one wide bounding hierarchy: packs of spheres, triangles and polygons in the
+// leaves, other objects behind a virtual call, infinite ones in a list apart. World space.
+// Immutable once built; any number of threads. The searches are the caller's.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/accel/packs.h"
+#include "core/accel/wide_bvh.h"
+#include "core/geometry/object.h"
+
+namespace lentray::core {
+
+/// An object with what a search asks first, side by side.
+struct ObjectEntry {
+  const Object* object = nullptr;
+  Bounds bounds;
+  std::uint32_t index = 0;  ///< in the scene
+  std::uint8_t flags = 0, type = 0;
+};
+
+class ObjectTree {
+ public:
+  /// `linear`: a plain list; `portable`: no AVX2 even where there is any.
+  ObjectTree(std::span<const ObjectEntry> objects, bool linear, bool portable);
+
+  /// Calls what.object(entry) and, for packs, what.lanes(mask, hits, entries of the lanes) for
+  /// all that the ray may meet between t_min and what.limit(); both return true to end the search.
+  /// what.tally counts; what.ray is the ray.
+  template <bool kOrdered, class Search>
+  void search(Search& what) const;
+  /// The same for objects alone.
+  template <class Search>
+  void search_objects(Search& what, double t_max) const;
+
+  bool empty() const { return m_entries.empty() && m_unbounded.empty(); }
+  std::size_t objects() const { return m_entries.size() + m_unbounded.size(); }
+  const WideBvh& tree() const { return m_tree; }
+  std::size_t memory() const;
+
+ private:
+  // A leaf's code: two bits of kind, and the number of a pack or count and first place of others.
+  static constexpr std::uint32_t kKindShift = 29;
+  static constexpr std::uint32_t kIndexMask = (1u << kKindShift) - 1;
+  static constexpr std::uint32_t kFirstBits = 25;
+  enum Kind : std::uint8_t { kOthers, kSpheres, kTriangles, kPolygons };
+
+  template <class Search> struct LeafPortable;
+  template <class Search> struct LeafAvx2;
+  template <class Search> struct LeafOfObjects;
+
+  static Kind kind_of(const Object& object);
+  std::uint32_t code_of(std::uint32_t first, std::uint32_t count, Kind kind);
+
+  template <class Search>
+  bool each(const ObjectEntry* e, std::uint32_t count, Search& what) const {
+    for (; count > 0; --count, ++e) {
+      if (what.object(*e)) return true;
+    }
+    return false;
+  }
+  template <class Search>
+  bool others(std::uint32_t code, Search& what) const {
+    return each(m_entries.data() + (code & ((1u << kFirstBits) - 1)), code >> kFirstBits, what);
+  }
+
+  std::vector<ObjectEntry> m_entries;    ///< of the tree, by place
+  std::vector<ObjectEntry> m_unbounded;  ///< tried one by one: the infinite ones, or all
+  std::vector<SpherePack> m_spheres;
+  std::vector<TrianglePack> m_triangles;
+  std::vector<PolygonPack> m_polygons;
+  WideBvh m_tree;
+  bool m_avx2;
+};
+
+/// Leaves of the searches. Packs are tested with and without AVX2 by the same text, because a
+/// function does not take its caller's instruction set.
+template <class Search>
+struct ObjectTree::LeafPortable {
+  const ObjectTree& in;
+  Search& what;
+  const PackRay& ray;
+
+  template <class Pack>
+  bool pack(const Pack& p, double t_max) {
+    PackHits hits;
+    what.tally.test(in.m_entries[p.first].type, p.count);
+    const unsigned mask = intersect_portable(p, ray, what.t_min, t_max, hits);
+    return mask != 0 && what.lanes(mask, hits, in.m_entries.data() + p.first);
+  }
+  bool operator()(std::uint32_t code, double& t_max) {
+    const std::uint32_t index = code & kIndexMask;
+    bool end = false;
+    switch (code >> kKindShift) {
+      case kSpheres: end = pack(in.m_spheres[index], t_max); break;
+      case kTriangles: end = pack(in.m_triangles[index], t_max); break;
+      case kPolygons: end = pack(in.m_polygons[index], t_max); break;
+      default: end = in.others(index, what); break;
+    }
+    t_max = what.limit();
+    return end;
+  }
+};
+
+template <class Search>
+struct ObjectTree::LeafAvx2 {
+  const ObjectTree& in;
+  Search& what;
+  const PackRay& ray;
+
+  template <class Pack>
+  LENTRAY_AVX2 bool pack(const Pack& p, double t_max) {
+    PackHits hits;
+    what.tally.test(in.m_entries[p.first].type, p.count);
+    const unsigned mask = intersect_avx2(p, ray, what.t_min, t_max, hits);
+    return mask != 0 && what.lanes(mask, hits, in.m_entries.data() + p.first);
+  }
+  LENTRAY_AVX2 bool operator()(std::uint32_t code, double& t_max) {
+    const std::uint32_t index = code & kIndexMask;
+    bool end = false;
+    switch (code >> kKindShift) {
+      case kSpheres: end = pack(in.m_spheres[index], t_max); break;
+      case kTriangles: end = pack(in.m_triangles[index], t_max); break;
+      case kPolygons: end = pack(in.m_polygons[index], t_max); break;
+      default: end = in.others(index, what); break;
+    }
+    t_max = what.limit();
+    return end;
+  }
+};
+
+/// Objects by virtual calls, of whatever kind the leaf is.
+template <class Search>
+struct ObjectTree::LeafOfObjects {
+  const ObjectTree& in;
+  Search& what;
+
+  template <class Pack>
+  bool pack(const Pack& p) {
+    return in.each(in.m_entries.data() + p.first, p.count, what);
+  }
+  bool operator()(std::uint32_t code, double&) {
+    const std::uint32_t index = code & kIndexMask;
+    switch (code >> kKindShift) {
+      case kSpheres: return pack(in.m_spheres[index]);
+      case kTriangles: return pack(in.m_triangles[index]);
+      case kPolygons: return pack(in.m_polygons[index]);
+      default: return in.others(index, what);
+    }
+  }
+};
+
+template <bool kOrdered, class Search>
+void ObjectTree::search(Search& what) const {
+  if (each(m_unbounded.data(), static_cast<std::uint32_t>(m_unbounded.size()), what)) return;
+  if (m_tree.empty()) return;
+  const PackRay ray(what.ray, !m_triangles.empty());
+  if (m_avx2) {
+    LeafAvx2<Search> leaf{*this, what, ray};
+    m_tree.traverse_avx2<kOrdered>(what.ray, what.t_min, what.limit(), leaf, what.tally);
+  } else {
+    LeafPortable<Search> leaf{*this, what, ray};
+    m_tree.traverse_portable(what.ray, what.t_min, what.limit(), leaf, what.tally);
+  }
+}
+
+template <class Search>
+void ObjectTree::search_objects(Search& what, double t_max) const {
+  if (each(m_unbounded.data(), static_cast<std::uint32_t>(m_unbounded.size()), what)) return;
+  LeafOfObjects<Search> leaf{*this, what};
+  if (m_avx2) {
+    m_tree.traverse_avx2<false>(what.ray, what.t_min, t_max, leaf, what.tally);
+  } else {
+    m_tree.traverse_portable(what.ray, what.t_min, t_max, leaf, what.tally);
+  }
+}
+
+}  // namespace lentray::core
