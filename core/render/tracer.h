@@ -19,7 +19,7 @@ inline constexpr double kMinHitDistance = 1e-4;
 
 struct Radiance {
   Rgb rgb;
-  float transmit = 0.0f;  ///< 1: nothing was hit and the background is seen through (alpha = 1 - this)
+  float transmit = 0.0f;  ///< 1: the background is seen through, nothing was hit (1 - alpha)
 };
 
 class Tracer {

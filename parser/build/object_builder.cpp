@@ -1,5 +1,6 @@
 #include "parser/build/object_builder.h"
 
+#include "core/geometry/box.h"
 #include "parser/build/lights.h"
 #include "parser/build/shapes.h"
 
@@ -20,6 +21,27 @@ core::CsgKind csg_kind(CsgOperation operation) {
 bool is_plain_union(const ObjectDesc& object) {
   const CsgShape* csg = object.csg();
   return csg && (csg->operation == CsgOperation::kUnion || csg->operation == CsgOperation::kLightGroup);
+}
+
+double volume(const core::Bounds& b) {
+  if (b.is_empty()) return 0.0;
+  const Vec3 d = b.hi - b.lo;
+  return d.x * d.y * d.z;
+}
+
+using Regions = std::vector<std::shared_ptr<const core::Object>>;
+
+/// What is left of bounds that stock drops: their common box, if it is smaller than the object's.
+Regions boxed(const Regions& bounds, const core::Object& object) {
+  core::Bounds box = core::Bounds::everything();
+  for (const auto& bound : bounds) {
+    if (!bound->is_inverse()) box.intersect(bound->bounds());
+  }
+  if (box.is_empty() || !box.is_finite() || !(volume(box) < volume(object.bounds()))) return {};
+  Regions kept;
+  kept.push_back(std::make_shared<core::Leaf>(std::make_unique<core::Box>(box.lo, box.hi),
+                                              core::Transform()));
+  return kept;
 }
 
 }  // namespace
@@ -105,14 +127,14 @@ void ObjectBuilder::set_regions(const ObjectDesc& object, const core::Transform&
     if (!slot) slot = geometry(*desc, outer);
     return slot;
   };
-  std::vector<std::shared_ptr<const core::Object>> clips, bounds;
+  Regions clips, bounds;
   for (const Ref<ObjectDesc>& clip : object.clipped_by) {
     if (auto built = region(clip)) clips.push_back(std::move(built));
   }
   for (const Ref<ObjectDesc>& bound : object.bounded_by) {
-    if (!keep_bounds) break;
     if (auto built = region(bound)) bounds.push_back(std::move(built));
   }
+  if (!keep_bounds) bounds = boxed(bounds, out);
   if (!clips.empty()) out.set_clips(std::move(clips));
   if (!bounds.empty()) out.set_bounding(std::move(bounds));
 }

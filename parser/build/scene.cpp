@@ -27,6 +27,20 @@ core::SceneSettings build_settings(const SceneDesc& scene) {
   return s;
 }
 
+TextureSettings texture_settings(const SceneDesc& scene, const core::SceneSettings& settings,
+                                 const BuildOptions& options) {
+  TextureSettings t;
+  t.quality = options.quality;
+  t.number_of_waves = scene.global.number_of_waves;
+  t.language_version = scene.language_version;
+  // Without one, scenes older than 3.5 have the noise of their time.
+  t.noise_generator = scene.global.noise_generator.value_or(scene.language_version < 350 ? 1 : 2);
+  // Where colours are written as they are, those of image files are taken as they are.
+  t.decode_images = settings.assumed_gamma > 0.0;
+  t.assumed_gamma = settings.assumed_gamma > 0.0 ? settings.assumed_gamma : 2.2;
+  return t;
+}
+
 void note_missing(const SceneDesc& scene, NotYet& not_yet) {
   const auto note = [&](bool used, const char* feature, const Location& where) {
     if (used) not_yet.try_emplace(feature, where);
@@ -73,13 +87,7 @@ core::SceneParts build_scene(const SceneDesc& scene, Diagnostics& diagnostics,
   parts.settings = build_settings(scene);
   warn_about_gamma(scene, diagnostics);
 
-  TextureSettings texture_settings;
-  texture_settings.quality = options.quality;
-  texture_settings.number_of_waves = scene.global.number_of_waves;
-  // noise_generator 0 means 1; without one, scenes older than 3.5 have the noise of their time.
-  texture_settings.noise_generator =
-      scene.global.noise_generator.value_or(scene.language_version < 350 ? 1 : 2);
-  TextureCompiler textures(texture_settings);
+  TextureCompiler textures(texture_settings(scene, parts.settings, options));
 
   NotYet not_yet;
   ObjectBuilder builder(parts, textures, not_yet);

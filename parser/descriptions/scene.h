@@ -29,8 +29,7 @@ struct SceneDesc {
   std::optional<SkySphereDesc> sky_sphere;
   std::vector<Ref<MediaDesc>> atmosphere_media;
   double atmosphere_ior = 1.0;
-  int language_version = 370;         ///< x 100, at the end of the text
-  bool language_version_set = false;
+  int language_version = 370;         ///< x 100, at the end of the text; 362 if it has no #version
 };
 
 }  // namespace lentray::parser

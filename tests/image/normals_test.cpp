@@ -48,7 +48,7 @@ class ImageNormals : public ::testing::TestWithParam<NormalCase> {};
 TEST_P(ImageNormals, ShadeAsInStock) {
   const auto [normal, before] = GetParam();
   const lentray::test::SceneText scene{.sdl = scene_text(normal, before), .width = kSide,
-                                       .height = kSide, .arguments = {"File_Gamma=1.0"}, .bits = 16};
+                                       .height = kSide, .arguments = {"File_Gamma=1.0"}, .bits = 16, .files = {}};
   const core::StoredImage stock = lentray::test::stock_render(scene);
   const LooksText read("pigment { rgb 1 } normal { " + std::string(normal) + " }", before);
   TextureCompiler compiler(TextureSettings{});

@@ -164,8 +164,11 @@ TEST_F(ImageProgram, ProgressOnlyWhenWanted) {
 }
 
 TEST_F(ImageProgram, WhenStoppedItLeavesNothing) {
+  // Stopped as soon as it is known to render.
   const auto result = shell("'" + program("lentray").string() +
-                            "' scene.pov +W5000 +H4000 +WT1 -V & p=$!; sleep 2; kill -TERM $p; wait $p");
+                            "' scene.pov +W3000 +H2000 +WT1 2> log & p=$!; i=0; "
+                            "while ! grep -q Rendering log && [ $i -lt 600 ]; do sleep 0.1; "
+                            "i=$((i + 1)); done; kill -TERM $p; wait $p; s=$?; cat log; exit $s");
   EXPECT_EQ(result.status, 2) << result.output;
   EXPECT_NE(result.output.find("no picture was written"), std::string::npos);
   EXPECT_FALSE(exists("scene.png"));

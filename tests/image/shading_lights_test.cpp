@@ -78,7 +78,8 @@ TEST(ImageShadingLights, AreaLightCircularAndOriented) {
 
 TEST(ImageShadingLights, AreaLightOfOneRow) {
   EXPECT_TRUE(same_as_stock(
-      lit_by("light_source { <-5, 7, -4> rgb 1 area_light <4, 0, 0>, <0, 0, 1>, 9, 1 adaptive 1 }")));
+      lit_by("light_source { <-5, 7, -4> rgb 1 area_light <4, 0, 0>, <0, 0, 1>, 9, 1 "
+             "adaptive 1 }")));
 }
 
 TEST(ImageShadingLights, AreaSpotlightAndParallelArea) {

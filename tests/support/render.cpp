@@ -49,7 +49,8 @@ void keep(const StoredImage& ours, const StoredImage& stock) {
   const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
   if (folder == nullptr || test == nullptr) return;
   fs::create_directories(folder);
-  const std::string stem = std::string(test->test_suite_name()) + "." + test->name();
+  std::string stem = std::string(test->test_suite_name()) + "." + test->name();
+  for (char& c : stem) c = c == '/' ? '.' : c;  // parameterised tests have slashes in their names
   core::write_stored(ours, fs::path(folder) / (stem + "-ours.png"));
   core::write_stored(stock, fs::path(folder) / (stem + "-stock.png"));
 }

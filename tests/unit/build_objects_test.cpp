@@ -126,13 +126,18 @@ TEST(UnitBuildObjects, ClipsMoveWithTheObject) {
   EXPECT_FALSE(child.inside({4.7, 0.3, 0.3}));
 }
 
-/// Stock drops bounds of cheap objects in the scene's list; of CSG it keeps them.
-TEST(UnitBuildObjects, BoundsOfCheapObjectsAreDropped) {
-  SceneText s("sphere { 0, 1 bounded_by { box { 0, .1 } } }"
-              "difference { sphere { 0, 1 } box { 0, 1 } bounded_by { box { -1, 1 } } }");
+/// Stock drops bounds of cheap objects in the scene's list but for their box; of CSG it keeps them.
+TEST(UnitBuildObjects, BoundsOfCheapObjectsBecomeBoxes) {
+  SceneText s("sphere { 0, 1 bounded_by { sphere { 0, 2 } } }"
+              "sphere { 0, 1 bounded_by { sphere { 0, .5 } } translate x }"
+              "difference { sphere { 0, 1 } box { 0, 1 } bounded_by { sphere { 0, 2 } } }");
   const core::SceneParts parts = s.build();
   EXPECT_TRUE(parts.objects[0]->bounding().empty());
-  EXPECT_EQ(parts.objects[1]->bounding().size(), 1u);
+  ASSERT_EQ(parts.objects[1]->bounding().size(), 1u);
+  EXPECT_EQ(parts.objects[1]->bounding()[0]->name(), "box");
+  expect_near(parts.objects[1]->bounding()[0]->bounds().hi, {1.5, 0.5, 0.5}, 1e-6);
+  ASSERT_EQ(parts.objects[2]->bounding().size(), 1u);
+  EXPECT_EQ(parts.objects[2]->bounding()[0]->name(), "sphere");
 }
 
 TEST(UnitBuildObjects, MeshTextures) {
@@ -201,6 +206,7 @@ TEST(UnitBuildScene, AssumedGammaByVersion) {
   EXPECT_EQ(settings("#version 3.7;").assumed_gamma, 1.0);
   EXPECT_FALSE(settings("#version 3.7;").assumed_gamma_set);
   EXPECT_EQ(settings("#version 3.6;").assumed_gamma, 0.0);
+  EXPECT_EQ(settings("// no #version\n").assumed_gamma, 0.0);
   EXPECT_EQ(settings("#version 3.6; global_settings { assumed_gamma 1 }").assumed_gamma, 1.0);
   EXPECT_EQ(settings("#version 3.7; global_settings { assumed_gamma 2.2 }").assumed_gamma, 2.2);
   EXPECT_EQ(settings("#version 3.7; global_settings { assumed_gamma srgb }").assumed_gamma, 0.0);

@@ -13,7 +13,7 @@ struct Case {
 class ErrorMaterial : public ::testing::TestWithParam<Case> {};
 
 TEST_P(ErrorMaterial, IsToldSo) {
-  const std::string message = failure(std::string("sphere { 0, 1 ") + GetParam().text + " }");
+  const std::string message = failure(GetParam().text);
   EXPECT_NE(message.find(GetParam().message), std::string::npos) << message;
 }
 
@@ -115,15 +115,15 @@ INSTANTIATE_TEST_SUITE_P(Message, ErrorMaterial, ::testing::ValuesIn(kCases),
                          [](const auto& named) { return std::string(named.param.name); });
 
 TEST(ErrorMaterialDefault, PatternedTexture) {
-  EXPECT_NE(failure("#default { texture { checker texture { pigment { rgb 1 } } texture { pigment {"
-                    " rgb 1 } } } }")
+  EXPECT_NE(failure("", "#default { texture { checker texture { pigment { rgb 1 } } texture {"
+                        " pigment { rgb 1 } } } }")
                 .find("cannot be a map of textures"),
             std::string::npos);
 }
 
 TEST(ErrorMaterialDefault, LayeredTexture) {
-  EXPECT_NE(failure("#declare T = texture { pigment { rgb 1 } } texture { pigment { rgbt 1 } }"
-                    " #default { texture { T } }")
+  EXPECT_NE(failure("", "#declare T = texture { pigment { rgb 1 } } texture { pigment { rgbt 1 } }"
+                        " #default { texture { T } }")
                 .find("cannot be layered"),
             std::string::npos);
 }

@@ -22,7 +22,9 @@ class SceneText {
       m_diagnostics.connect(s, [](std::string_view) {});
     }
     const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
-    m_path = ::testing::TempDir() + "lentray_" + info->test_suite_name() + "_" + info->name() + ".pov";
+    std::string test = std::string(info->test_suite_name()) + "_" + info->name();
+    for (char& c : test) c = c == '/' ? '_' : c;  // parameterised tests have slashes in their names
+    m_path = ::testing::TempDir() + "lentray_" + test + ".pov";
     std::string head;
     if (text.find("#version") == std::string::npos) {
       head = "#version 3.7; global_settings { assumed_gamma 1 } ";

@@ -262,7 +262,8 @@ TEST(UnitCoreTracer, RefractionFollowsSnell) {
     const double sine = x, inside = sine / 1.5;
     const double lands = inside / std::sqrt(1 - inside * inside);
     // Within the slab, just above its lower face, stands a small marker where Snell's law says.
-    b.add(std::make_unique<Sphere>(Vec3{lands * 0.95, -0.95, 0}, 0.01), b.plain(rgb(1, 1, 1), glow));
+    b.add(std::make_unique<Sphere>(Vec3{lands * 0.95, -0.95, 0}, 0.01),
+          b.plain(rgb(1, 1, 1), glow));
     const auto scene = b.compile();
     Kit kit(*scene);
     const Vec3 along{sine, -std::sqrt(1 - sine * sine), 0};
