@@ -25,7 +25,11 @@ struct PatternBuild {
 };
 
 /// Stock keeps many parameters in single precision; textures tuned on it see the rounding.
-inline double single(double value) { return static_cast<float>(value); }
+/// Volatile, for GCC 12 drops the rounding of neighbouring values when it vectorises the pair.
+inline double single(double value) {
+  const volatile float rounded = static_cast<float>(value);
+  return rounded;
+}
 
 core::Placement compile_placement(const PatternDesc& pattern);
 /// Never null: a pattern that is not rendered yet is named and gives 1/2 everywhere.
