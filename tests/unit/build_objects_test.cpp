@@ -94,7 +94,7 @@ TEST(UnitBuildObjects, InteriorsAreSharedThroughCsgAndOwnElsewhere) {
   const auto& children = csg(*parts.objects.at(0)).children();
   EXPECT_EQ(children[0]->attributes().interior, parts.objects[0]->attributes().interior);
   EXPECT_DOUBLE_EQ(children[0]->attributes().interior->ior, 1.5);
-  EXPECT_DOUBLE_EQ(children[1]->attributes().interior->ior, 1.3);
+  EXPECT_DOUBLE_EQ(children[1]->attributes().interior->ior, double{1.3f});  // stock keeps singles
   EXPECT_NE(parts.objects[1]->attributes().interior, parts.objects[0]->attributes().interior);
   EXPECT_EQ(parts.objects[2]->attributes().interior, nullptr);
 }
