@@ -9,6 +9,7 @@
 #include "core/material/picture.h"
 #include "core/material/pigment.h"
 #include "core/material/placed_pattern.h"
+#include "core/pattern/single.h"
 #include "parser/build/texture_compiler.h"
 #include "parser/descriptions/maps.h"
 #include "parser/descriptions/pattern.h"
@@ -24,8 +25,7 @@ struct PatternBuild {
   std::function<core::MappedPicturePtr(const ImageDesc&)> picture;
 };
 
-/// Stock keeps many parameters in single precision; textures tuned on it see the rounding.
-inline double single(double value) { return static_cast<float>(value); }
+using core::single;
 
 core::Placement compile_placement(const PatternDesc& pattern);
 /// Never null: a pattern that is not rendered yet is named and gives 1/2 everywhere.
