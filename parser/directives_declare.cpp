@@ -41,8 +41,9 @@ void Directives::deprecation(std::string& text, bool& once) {
                                                        : std::string("deprecated identifier");
 }
 
-// The place is found again after the right side has been read: that may have made or removed
-// symbols. An array element is held by its array.
+// Which symbol is meant is settled before the right side is read: a macro there may have symbols of
+// the same name, and may not have ended when the value is complete. An array element is held by its
+// array.
 void Directives::declare(const Token& directive, bool local) {
   TokenReader& tokens = m_in.tokens;
   std::string deprecated;
@@ -52,11 +53,14 @@ void Directives::declare(const Token& directive, bool local) {
   const Token name = tokens.read_name("an identifier");
   const std::shared_ptr<ArrayValue> array = tokens.element_array();
   const std::size_t index = tokens.element_index();
-  // #local belongs to the scope the directive stands in, whatever the right side does.
-  const Symbol* visible = tokens.symbol();
-  const bool own_macro = visible && visible->macro && !array;
+  const bool is_macro = tokens.symbol() && tokens.symbol()->macro && !array;
+  const std::uint32_t level = local ? m_in.symbols.level() : 0;
+  SymbolPtr target;
+  if (Symbol* visible = m_in.symbols.find(name.name); visible && (!local || visible->level == level)) {
+    target = visible->shared_from_this();
+  }
   tokens.plain_names = false;
-  if (own_macro) m_in.fail(name.where, "'" + std::string(m_in.names.text(name.name)) +
+  if (is_macro) m_in.fail(name.where, "'" + std::string(m_in.names.text(name.name)) +
                                            "' is a macro: #undef it before declaring it anew");
   tokens.skip();
   tokens.expect(Punct::kEqual);
@@ -71,8 +75,7 @@ void Directives::declare(const Token& directive, bool local) {
     array->elements[index] = std::move(value);
     return;
   }
-  Symbol& symbol = local ? m_in.symbols.declare_local(name.name)
-                         : m_in.symbols.declare_global(name.name);
+  Symbol& symbol = target ? *target : m_in.symbols.declare_at(name.name, level);
   if (symbol.alias || symbol.alias_array) {
     symbol.resolve() = std::move(value);
   } else {

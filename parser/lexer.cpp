@@ -220,7 +220,10 @@ class Lexer {
     t.jump = 0;
     ++m_pos;
     if (!skip_space() || !is_word_start(here())) {
-      return bad(t.where, "# without a directive: expected declare, if, while, macro, include ...");
+      t.kind = TokenKind::kPunct;  // ignored with a warning when it is read
+      t.punct = Punct::kHash;
+      m_tokens.push_back(t);
+      return;
     }
     t.name = m_names.intern(read_word());
     t.keyword = m_names.keyword(t.name);

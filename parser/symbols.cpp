@@ -1,5 +1,7 @@
 #include "parser/symbols.h"
 
+#include <utility>
+
 namespace lentray::parser {
 
 void SymbolTable::pop_scope() {
@@ -22,6 +24,27 @@ Symbol& SymbolTable::declare_local(NameId name) {
   if (visible && visible->level == level()) return *visible;
   bind_local(name, std::make_shared<Symbol>());
   return *m_visible[name];
+}
+
+// Seen from that scope, the symbol shown is what the first scope within hides, or the visible one.
+Symbol& SymbolTable::declare_at(NameId name, std::uint32_t home) {
+  if (home >= level()) return declare_local(name);
+  SymbolPtr* shown = &slot(name);
+  for (std::size_t i = m_scopes[home]; i < m_hidden.size(); ++i) {
+    if (m_hidden[i].name != name) continue;
+    shown = &m_hidden[i].outer;
+    break;
+  }
+  if (*shown && (*shown)->level == home) return **shown;
+  auto made = std::make_shared<Symbol>();
+  made->level = home;
+  SymbolPtr hidden = std::exchange(*shown, made);
+  if (home > 0) {
+    m_hidden.insert(m_hidden.begin() + static_cast<std::ptrdiff_t>(m_scopes[home]),
+                    {name, std::move(hidden)});
+    for (std::size_t s = home; s < m_scopes.size(); ++s) ++m_scopes[s];
+  }
+  return *made;
 }
 
 void SymbolTable::bind_local(NameId name, SymbolPtr symbol) {

@@ -81,6 +81,8 @@ class SymbolTable {
 
   Symbol& declare_global(NameId name);  ///< the visible symbol, or a new global one
   Symbol& declare_local(NameId name);   ///< the innermost scope's own symbol, made if need be
+  /// The symbol of the scope at `level`, made there if need be even if scopes within hide it.
+  Symbol& declare_at(NameId name, std::uint32_t level);
   void bind_local(NameId name, SymbolPtr symbol);
   void remove(NameId name);             ///< forgets the visible symbol; an outer one shows again
 

@@ -53,6 +53,7 @@ enum class Punct : std::uint8_t {
   kApostrophe,    // '
   kBackslash,     // a backslash
   kBackquote,     // `
+  kHash,          // # with no directive behind it
 };
 
 enum class TokenKind : std::uint8_t {

@@ -74,6 +74,10 @@ void TokenReader::fetch() {
           continue;
         }
         break;
+      case TokenKind::kPunct:
+        if (raw->punct != Punct::kHash) break;
+        m_in.warn(raw->where, "'#' without a directive, ignored");
+        continue;
       case TokenKind::kBad:
         m_last = raw->where;
         m_in.fail(raw->where, m_in.names.string(raw->name));

@@ -24,7 +24,8 @@ class TokenReader {
     if (m_ready) return m_token;
     // Most tokens are punctuation and numbers, which nothing can change.
     const Token* raw = m_stream.look();
-    if (raw && (raw->kind == TokenKind::kPunct || raw->kind == TokenKind::kNumber)) {
+    if (raw && (raw->kind == TokenKind::kNumber ||
+                (raw->kind == TokenKind::kPunct && raw->punct != Punct::kHash))) {
       m_held = false;
       return show(*m_stream.read());
     }

@@ -125,6 +125,19 @@ TEST(UnitParserScope, UndefShowsTheOuterSymbol) {
                      " #debug str(A,0,0) #end M() #debug str(A,0,0)"), "131");
 }
 
+TEST(UnitParserScope, TheSymbolIsSettledBeforeTheValueIsRead) {
+  // The value is complete while its macro still runs: the semicolon stands in the macro.
+  EXPECT_EQ(debug_of("#macro F() #local R = 1; #local Q = 5; #if (1) Q; #else 0; #end #end\n"
+                     "#macro G() #local N = F() #local R = F() #debug str(N+R,0,0) #end G()"
+                     "#ifdef (N) #debug \"leak\" #end #declare T = F() #debug str(T,0,0)"), "105");
+}
+
+TEST(UnitParserLexer, LoneHashIsIgnored) {
+  const Parsed p = parse_text("#version 3.7; sphere { 0, 1 #\n } #debug \"on\"");
+  EXPECT_EQ(p.debug, "on");
+  ASSERT_EQ(p.warnings.size(), 1u);
+}
+
 TEST(UnitParserArray, CopiesAndReferences) {
   EXPECT_EQ(debug_of("#declare A = array[2] {1,2} #declare B = A; #declare B[0] = 9;"
                      "#macro Set(a) #declare a[1] = 8; #end Set(A)"
