@@ -16,7 +16,9 @@ class CompatIncludes : public ::testing::TestWithParam<const char*> {};
 TEST_P(CompatIncludes, IsRead) {
   if (!std::filesystem::exists(kIncludeFolder)) GTEST_SKIP() << "povray-includes is not installed";
   const std::string path = ::testing::TempDir() + "lentray_include_" + GetParam() + ".pov";
-  std::ofstream(path) << "#version 3.7;\n#include \"" << GetParam() << "\"\nsphere { 0, 1 }\n";
+  // Some need the colours or shapes declared first, in stock as well.
+  std::ofstream(path) << "#version 3.7;\n#include \"colors.inc\"\n#include \"shapes.inc\"\n#include \""
+                      << GetParam() << "\"\nsphere { 0, 1 }\n";
   SourceManager sources;
   Diagnostics diagnostics(sources);
   ParserOptions options;
