@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/pattern/single.h"
+
 namespace lentray::core {
 
 template <typename Item>
@@ -25,7 +27,7 @@ class BlendMap {
   explicit BlendMap(std::vector<std::pair<double, Item>> entries) {
     double highest = -1e300;
     for (auto& [value, item] : entries) {
-      const double rounded = static_cast<float>(value);
+      const double rounded = single(value);
       m_values.push_back(rounded);
       // Entries out of order: the first that reaches a value counts, so search their maxima.
       m_reach.push_back(highest = std::max(highest, rounded));

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/pattern/single.h"
+
 namespace lentray::core {
 namespace {
 
@@ -166,8 +168,8 @@ class MaterialMap final : public Texture {
 MappedPicture::MappedPicture(std::shared_ptr<const Picture> picture, const PictureLayout& layout)
     : m_picture(std::move(picture)),
       m_layout(layout),
-      m_width(static_cast<float>(m_picture->width * layout.repeat.u)),
-      m_height(static_cast<float>(m_picture->height * layout.repeat.v)) {}
+      m_width(single(m_picture->width * layout.repeat.u)),
+      m_height(single(m_picture->height * layout.repeat.v)) {}
 
 bool MappedPicture::on_shape(const Vec3& p, Vec2& place) const {
   const auto outside = [](double v) { return v < 0.0 || v > 1.0; };

@@ -9,6 +9,7 @@
 #include "core/material/picture.h"
 #include "core/material/pigment.h"
 #include "core/material/placed_pattern.h"
+#include "core/pattern/single.h"
 #include "parser/build/texture_compiler.h"
 #include "parser/descriptions/maps.h"
 #include "parser/descriptions/pattern.h"
@@ -24,12 +25,7 @@ struct PatternBuild {
   std::function<core::MappedPicturePtr(const ImageDesc&)> picture;
 };
 
-/// Stock keeps many parameters in single precision; textures tuned on it see the rounding.
-/// Volatile, for GCC 12 drops the rounding of neighbouring values when it vectorises the pair.
-inline double single(double value) {
-  const volatile float rounded = static_cast<float>(value);
-  return rounded;
-}
+using core::single;
 
 core::Placement compile_placement(const PatternDesc& pattern);
 /// Never null: a pattern that is not rendered yet is named and gives 1/2 everywhere.

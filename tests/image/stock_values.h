@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
 #include <iomanip>
 #include <random>
 #include <sstream>
@@ -28,27 +29,27 @@ inline std::vector<core::Vec3> sample_points() {
 
 /// What stock prints for each expression of F, at each point.
 inline std::vector<double> stock_values(const std::string& function, const std::string& before,
-                                 const std::vector<std::string>& expressions) {
+                                        const std::vector<std::string>& expressions) {
   std::ostringstream scene;
   scene << std::setprecision(17) << "#version 3.7; global_settings { assumed_gamma 1 }\n"
         << before << "\n#declare F = function { " << function << " }\n";
   const std::vector<core::Vec3> points = sample_points();
   scene << "#declare P = array[" << points.size() << "] {";
   for (const core::Vec3& p : points) scene << " <" << p.x << ',' << p.y << ',' << p.z << ">,";
-  scene << " }\n#declare I = 0; #while (I < " << points.size() << ")\n#declare V = F(P[I].x, P[I].y, P[I].z);\n";
+  // Into a file: on the console a line can be torn by another stream.
+  scene << " }\n#fopen OUT \"values.txt\" write\n#declare I = 0; #while (I < " << points.size()
+        << ")\n#declare V = F(P[I].x, P[I].y, P[I].z);\n";
   for (const std::string& e : expressions) {
-    scene << "#debug concat(\"value \", str(" << e << ", 0, 15), \"\\n\")\n";
+    scene << "#write(OUT, str(" << e << ", 0, 15), \"\\n\")\n";
   }
-  scene << "#declare I = I + 1; #end\n";
+  scene << "#declare I = I + 1; #end\n#fclose OUT\n";
   const diff::TemporaryFolder folder;
   diff::write_text(folder / "scene.pov", scene.str());
   const diff::RunResult result =
-      diff::run({"povray", "+Iscene.pov", "+Oout.png", "+W1", "+H1", "-D"}, folder.path(), 120.0);
+      diff::run({"povray", "+Iscene.pov", "+Oout.png", "+W1", "+H1", "-D"}, folder.path(), 300.0);
   std::vector<double> values;
-  std::istringstream lines(result.output);
-  for (std::string line; std::getline(lines, line);) {
-    if (line.rfind("value ", 0) == 0) values.push_back(std::stod(line.substr(6)));
-  }
+  std::ifstream lines(folder / "values.txt");
+  for (std::string line; std::getline(lines, line);) values.push_back(std::stod(line));
   EXPECT_EQ(values.size(), points.size() * expressions.size()) << result.output;
   values.resize(points.size() * expressions.size());
   return values;

@@ -1,0 +1,13 @@
+// Rounding to single precision and back. Stock keeps many parameters so; scenes tuned on it see it.
+#pragma once
+
+namespace lentray::core {
+
+/// GCC 12 drops the two conversions when it pairs neighbouring ones into a vector
+/// (-O2 -fno-trapping-math; held by image.patterns, "gradient x frequency 3 phase .2").
+inline double single(double value) {
+  const volatile float rounded = static_cast<float>(value);
+  return rounded;
+}
+
+}  // namespace lentray::core
