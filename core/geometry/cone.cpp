@@ -1,6 +1,7 @@
 #include "core/geometry/cone.h"
 
 #include "core/geometry/bounds_help.h"
+#include "core/geometry/crossings.h"
 #include "core/geometry/roots.h"
 
 namespace lentray::core {
@@ -82,22 +83,12 @@ int Cone::crossings(const Ray& ray, ShapeHit out[2]) const {
 
 bool Cone::nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const {
   ShapeHit found[2];
-  const int n = crossings(ray, found);
-  for (int i = 0; i < n; ++i) {
-    if (!(found[i].t > t_min)) continue;
-    if (!(found[i].t < t_max)) return false;
-    hit = found[i];
-    return true;
-  }
-  return false;
+  return first_between(found, crossings(ray, found), t_min, t_max, hit);
 }
 
 void Cone::all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const {
   ShapeHit found[2];
-  const int n = crossings(ray, found);
-  for (int i = 0; i < n; ++i) {
-    if (found[i].t > t_min && found[i].t < t_max) hits.push_back(found[i]);
-  }
+  append_between(found, crossings(ray, found), t_min, t_max, hits);
 }
 
 bool Cone::inside(const Vec3& p) const {

@@ -1,6 +1,7 @@
 #include "core/geometry/cylinder.h"
 
 #include "core/geometry/bounds_help.h"
+#include "core/geometry/crossings.h"
 
 namespace lentray::core {
 namespace {
@@ -75,22 +76,12 @@ int Cylinder::crossings(const Ray& ray, ShapeHit out[2]) const {
 
 bool Cylinder::nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const {
   ShapeHit found[2];
-  const int n = crossings(ray, found);
-  for (int i = 0; i < n; ++i) {
-    if (!(found[i].t > t_min)) continue;
-    if (!(found[i].t < t_max)) return false;
-    hit = found[i];
-    return true;
-  }
-  return false;
+  return first_between(found, crossings(ray, found), t_min, t_max, hit);
 }
 
 void Cylinder::all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const {
   ShapeHit found[2];
-  const int n = crossings(ray, found);
-  for (int i = 0; i < n; ++i) {
-    if (found[i].t > t_min && found[i].t < t_max) hits.push_back(found[i]);
-  }
+  append_between(found, crossings(ray, found), t_min, t_max, hits);
 }
 
 bool Cylinder::inside(const Vec3& p) const {
