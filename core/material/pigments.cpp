@@ -100,6 +100,18 @@ class AveragePigment final : public Pigment {
   bool m_opaque = true;
 };
 
+class OpaquePigment final : public Pigment {
+ public:
+  explicit OpaquePigment(PigmentPtr pigment) : m_pigment(std::move(pigment)) {}
+  Colour colour(const Vec3& point) const override {
+    return {m_pigment->colour(point).rgb, 0.0f, 0.0f};
+  }
+  bool is_opaque() const override { return true; }
+
+ private:
+  PigmentPtr m_pigment;
+};
+
 class PigmentPattern final : public Pattern {
  public:
   explicit PigmentPattern(PigmentPtr pigment) : m_pigment(std::move(pigment)) {}
@@ -123,6 +135,10 @@ PigmentPtr make_pigment_map_pigment(PlacedPattern pattern, BlendMap<PigmentPtr> 
 PigmentPtr make_average_pigment(Placement placement,
                                 std::vector<std::pair<double, PigmentPtr>> entries) {
   return std::make_shared<AveragePigment>(std::move(placement), std::move(entries));
+}
+PigmentPtr make_opaque_pigment(PigmentPtr pigment) {
+  if (pigment->is_opaque()) return pigment;
+  return std::make_shared<OpaquePigment>(std::move(pigment));
 }
 PatternPtr make_pigment_pattern(PigmentPtr pigment) {
   return std::make_unique<PigmentPattern>(std::move(pigment));

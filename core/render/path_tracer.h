@@ -48,6 +48,7 @@ class PathTracer final : public Tracer {
         m_max_level(scene.settings().max_trace_level),
         m_bailout(scene.settings().adc_bailout),
         m_atmosphere_ior(scene.settings().atmosphere_ior),
+        m_mirror_images(scene.settings().mirror_images),
         m_legacy_opacity(scene.settings().language_version < 370) {
     if (scene.needs().interiors) {
       m_start_interiors = std::make_unique<StartInteriors>(scene);
@@ -130,6 +131,7 @@ class PathTracer final : public Tracer {
   const int m_max_level;
   const double m_bailout;
   const double m_atmosphere_ior;
+  const bool m_mirror_images;
   const bool m_legacy_opacity;
   std::unique_ptr<StartInteriors> m_start_interiors;
   std::vector<std::unique_ptr<Frame>> m_frames;

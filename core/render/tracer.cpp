@@ -133,7 +133,7 @@ Radiance PathTracer<kFeatures>::shade_texture(const LayeredTexture& texture, con
     total_reflection = add_transmitted(stack, at, result);
   }
   if constexpr (kReflection) {
-    for (std::size_t i = 0; i < stack.mirrors; ++i) {
+    for (std::size_t i = 0; m_mirror_images && i < stack.mirrors; ++i) {
       const Mirror& mirror = frame.mirrors[i];
       if (mirror.colour.is_black()) continue;
       if (total_reflection && nearly_equal(stack.top_normal, mirror.normal)) continue;

@@ -27,6 +27,7 @@ struct SceneSettings {
   double assumed_gamma = 1.0;      ///< 1: linear; scene colours are decoded by the parser already
   bool assumed_gamma_set = false;
   Colour background;               ///< black, opaque unless the scene says otherwise
+  bool mirror_images = true;       ///< false: reflection dims what conserves energy, shows nothing
   double atmosphere_ior = 1.0;
   int language_version = 370;      ///< #version x 100, for the few renderings that depend on it
 };

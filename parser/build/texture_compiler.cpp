@@ -15,7 +15,19 @@
 namespace lentray::parser {
 namespace {
 
+// +Q: where a calculation begins or ends (measured on stock: image.quality).
+constexpr int kUnlitQuality = 1;
 constexpr int kQuickColourQuality = 5;
+constexpr int kNormalQuality = 8;
+
+/// The pigment's own colour, whatever the light.
+core::Finish unlit_finish() {
+  core::Finish finish;
+  finish.ambient = {};
+  finish.emission = core::Rgb(1.0f);
+  finish.diffuse = 0.0;
+  return finish;
+}
 
 /// What a description was compiled to. Holds the description, so that its address stays its own.
 template <typename Desc, typename Compiled>
@@ -109,7 +121,7 @@ core::PigmentPtr TextureCompiler::Impl::compile_fresh(const PigmentDesc& pigment
 }
 
 core::NormalPtr TextureCompiler::Impl::compile(const Ref<NormalDesc>& normal) {
-  if (!normal) return nullptr;
+  if (!normal || settings.quality < kNormalQuality) return nullptr;
   return normals.get(normal, [&] { return compile_fresh(*normal); });
 }
 
@@ -224,6 +236,12 @@ core::TexturePtr TextureCompiler::Impl::compile_fresh(const TextureDesc& texture
   // A patterned texture is never layered: the grammar refuses it.
   if (texture.layers.back().is_patterned()) return compile_patterned(texture.layers.back(), outer);
   std::vector<core::TextureLayer> layers;
+  if (settings.quality <= kUnlitQuality) {
+    // Of layers stock shows the bottom one.
+    auto pigment = core::make_opaque_pigment(compile(texture.layers.front().pigment, outer));
+    layers.push_back({std::move(pigment), unlit_finish(), nullptr});
+    return std::make_shared<core::LayeredTexture>(std::move(layers));
+  }
   for (const TextureLayerDesc& layer : texture.layers) layers.push_back(compile_layer(layer, outer));
   return std::make_shared<core::LayeredTexture>(std::move(layers));
 }

@@ -18,6 +18,7 @@ class NoShadowsFactory final : public core::ShadowTesterFactory {
 }  // namespace
 
 void reduce(core::SceneParts& parts, int quality) {
+  if (quality < 8) parts.settings.mirror_images = false;
   if (quality < 6) parts.settings.max_trace_level = 1;
   if (quality < 5) {
     for (core::Light& light : parts.lights) light.has_area = false;
@@ -27,15 +28,6 @@ void reduce(core::SceneParts& parts, int quality) {
 std::unique_ptr<core::ShadowTesterFactory> shadowless_tester(int quality) {
   if (quality >= 4) return nullptr;
   return std::make_unique<NoShadowsFactory>();
-}
-
-std::string missing_quality(int quality) {
-  if (quality == 6 || quality == 7) {
-    return "+Q" + std::to_string(quality) + ": reflections are not left out yet";
-  }
-  if (quality >= 2) return {};
-  return "+Q" + std::to_string(quality) +
-         ": colours without any shading are not there yet; rendered as +Q2";
 }
 
 }  // namespace lentray::tool

@@ -1,23 +1,20 @@
 // +Q: calculations that a lower quality leaves out, as far as they lie outside the textures.
 // Source: reference manual 3.7, "Quality Settings"; measured on stock: below 6 nothing is seen
-// through, 6 and 7 see through but do not reflect.
+// through, 6 and 7 see through and reflect totally inside glass, but show no mirror images.
+// Quick colours, normals and unlit colours are the texture compiler's.
 #pragma once
 
 #include <memory>
-#include <string>
 
 #include "core/render/shadow_tester.h"
 #include "core/scene/scene.h"
 
 namespace lentray::tool {
 
-/// Below 5 area lights become points, below 6 nothing is reflected or seen through.
+/// Below 5 area lights become points, below 6 nothing is seen through, below 8 nothing mirrored.
 void reduce(core::SceneParts& parts, int quality);
 
 /// Below 4 nothing casts a shadow: the tester that says so. Null from 4 on.
 std::unique_ptr<core::ShadowTesterFactory> shadowless_tester(int quality);
-
-/// What of the quality is not there, or "".
-std::string missing_quality(int quality);
 
 }  // namespace lentray::tool

@@ -185,9 +185,6 @@ Status run(const RenderOptions& options, const std::atomic<bool>& cancel,
   Run run{options, warnings, {}};
   const SceneFile file(options);
   check_outputs(run);
-  if (const std::string text = missing_quality(options.quality); !text.empty()) {
-    warnings.push_back("warning: " + text);
-  }
   read_scene(run, file.path());
   if (options.explain) {
     std::fputs(explanation(*run.scene, run.camera, run.not_rendered).c_str(), stdout);
