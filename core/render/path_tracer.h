@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/accel/hierarchy.h"
+#include "core/accel/light_buffer.h"
 #include "core/light/area_light.h"
 #include "core/light/light_ray.h"
 #include "core/render/interior_stack.h"
@@ -87,6 +88,7 @@ class PathTracer final : public Tracer {
     std::vector<Mirror> mirrors;
     std::vector<Rgb> light;             ///< what arrives of each light: layers share it
     std::vector<std::uint8_t> light_known;
+    std::vector<LightBuffer::Spot> spots;  ///< one a light that has a buffer
   };
   /// Sum over the layers of a texture, and what goes on behind them.
   struct Stack {
@@ -107,7 +109,8 @@ class PathTracer final : public Tracer {
           const Surface& at, Frame& frame);
   Rgb arriving(std::uint32_t light, const Rgb& colour, const LightRay& ray, const Surface& at,
                Frame& frame);
-  Rgb shadowed(std::uint32_t light, const Rgb& colour, const LightRay& ray, const Surface& at);
+  Rgb shadowed(std::uint32_t light, const Rgb& colour, const LightRay& ray, const Surface& at,
+               const Frame& frame);
   Rgb area_shadowed(std::uint32_t light, const Rgb& colour, const LightRay& ray,
                     const Surface& at);
   Rgb mirror_image(const Vec3& normal, float weight, const Surface& at);
@@ -121,6 +124,7 @@ class PathTracer final : public Tracer {
   }
   double random();
   Frame& enter_frame();
+  void look_ahead(const Vec3& point, Frame& frame) const;
 
   const Scene& m_scene;
   const Hierarchy& m_hierarchy;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/accel/hierarchy.h"
+#include "core/accel/light_buffer.h"
 #include "core/render/reflectance.h"
 #include "core/render/surface_textures.h"
 #include "core/scene/scene.h"
@@ -24,18 +25,31 @@ PlainShadowTester::PlainShadowTester(const ShadowContext& context)
 Visibility PlainShadowTester::search(const ShadowQuery& query) {
   const double reach = query.distance - kShadowTolerance;
   if (!(reach > kShadowTolerance)) return {};
-  const Object* blocker = m_hierarchy.any_opaque(query.ray, kShadowTolerance, reach,
-                                                 *m_context.arena, m_test_counters);
+  const LightBuffer* buffer = m_context.scene->light_buffer(query.light);
+  if (buffer && !buffer->serves(query.distance)) buffer = nullptr;
+  LightBuffer::Spot spot;
+  if (buffer) spot = query.spot ? *query.spot : buffer->spot_of(query.ray.origin);
+  const Object* blocker =
+      buffer ? buffer->any_opaque(spot, query.ray, kShadowTolerance, reach, *m_context.arena,
+                                  m_test_counters)
+             : m_hierarchy.any_opaque(query.ray, kShadowTolerance, reach, *m_context.arena,
+                                      m_test_counters);
   if (blocker) return {Rgb(0.0f), blocker};
   if (!m_any_transparent) return {};
-  return {filter_through(query, reach), nullptr};
+  return {filter_through(query, buffer, spot, reach), nullptr};
 }
 
-Rgb PlainShadowTester::filter_through(const ShadowQuery& query, double reach) {
+Rgb PlainShadowTester::filter_through(const ShadowQuery& query, const LightBuffer* buffer,
+                                      const LightBuffer::Spot& spot, double reach) {
   Rgb filter(1.0f);
   m_hits.clear();
-  m_hierarchy.all_transparent(query.ray, kShadowTolerance, reach, m_hits, *m_context.arena,
-                              m_test_counters);
+  if (buffer) {
+    buffer->all_transparent(spot, query.ray, kShadowTolerance, reach, m_hits, *m_context.arena,
+                            m_test_counters);
+  } else {
+    m_hierarchy.all_transparent(query.ray, kShadowTolerance, reach, m_hits, *m_context.arena,
+                                m_test_counters);
+  }
   if (m_hits.empty()) return filter;
   m_order.clear();
   for (std::size_t i = 0; i < m_hits.size(); ++i) m_order.emplace_back(m_hits[i].t, i);

@@ -14,6 +14,7 @@
 namespace lentray::core {
 
 class Hierarchy;
+class LightBuffer;
 
 class PlainShadowTester final : public ShadowTester {
  public:
@@ -38,7 +39,9 @@ class PlainShadowTester final : public ShadowTester {
   const ShadowContext& context() const { return m_context; }
 
  private:
-  Rgb filter_through(const ShadowQuery& query, double reach);
+  /// `buffer`: of the light, or null.
+  Rgb filter_through(const ShadowQuery& query, const LightBuffer* buffer,
+                     const LightBuffer::Spot& spot, double reach);
   Rgb surface_filter(const Hit& hit, double depth, const ShadowQuery& query, bool inside);
 
   ShadowContext m_context;

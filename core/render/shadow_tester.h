@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "core/base/color.h"
+#include "core/accel/light_buffer.h"
 #include "core/base/counters.h"
 #include "core/geometry/object.h"
 
@@ -22,6 +23,8 @@ struct ShadowQuery {
   std::uint32_t sample = 0;   ///< of an area light, 0 otherwise
   int depth = 1;              ///< trace level of the ray that is shaded, 1: camera ray
   std::uint32_t column = 0, row = 0;  ///< of the pixel, for caches that follow the image
+  /// Of the ray's origin in the light's buffer where that is known; null: to be found.
+  const LightBuffer::Spot* spot = nullptr;
   const InteriorStack* inside = nullptr;  ///< of the ray that is shaded; null: nowhere special
 };
 

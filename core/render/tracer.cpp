@@ -80,6 +80,17 @@ typename PathTracer<kFeatures>::Frame& PathTracer<kFeatures>::enter_frame() {
   return frame;
 }
 
+/// Finds the point in the lights' buffers before anything else is done with it, so that their
+/// cells are there when the light loop comes to them.
+template <unsigned kFeatures>
+void PathTracer<kFeatures>::look_ahead(const Vec3& point, Frame& frame) const {
+  const std::size_t lights = m_scene.lights().size();
+  frame.spots.resize(lights);
+  for (std::size_t i = 0; i < lights; ++i) {
+    if (const LightBuffer* buffer = m_scene.light_buffer(i)) frame.spots[i] = buffer->spot_of(point);
+  }
+}
+
 template <unsigned kFeatures>
 Radiance PathTracer<kFeatures>::shade(const RayState& state, const Hit& hit, float weight,
                                       int level) {
@@ -88,6 +99,8 @@ Radiance PathTracer<kFeatures>::shade(const RayState& state, const Hit& hit, flo
   at.looks = &hit.leaf->attributes();
   at.interior = interior_of(*at.looks, hit.object);
   at.point = state.ray.at(hit.t);
+  Frame& frame = enter_frame();
+  look_ahead(at.point, frame);
   at.normal = hit.leaf->normal(at.point, hit.shape);
   at.depth = hit.t;
   at.weight = weight;
@@ -95,7 +108,6 @@ Radiance PathTracer<kFeatures>::shade(const RayState& state, const Hit& hit, flo
   const bool from_behind = dot(at.normal, state.ray.direction) > 0.0;
   if (from_behind) at.normal = -at.normal;
 
-  Frame& frame = enter_frame();
   if constexpr (kLayers) {
     textures_at(hit, at.point, from_behind, m_bailout, frame.textures);
   } else {
@@ -235,9 +247,9 @@ Rgb PathTracer<kFeatures>::arriving(std::uint32_t light, const Rgb& colour, cons
   Rgb result;
   if constexpr (kArea) {
     result = m_scene.lights()[light].has_area ? area_shadowed(light, colour, ray, at)
-                                              : shadowed(light, colour, ray, at);
+                                              : shadowed(light, colour, ray, at, frame);
   } else {
-    result = shadowed(light, colour, ray, at);
+    result = shadowed(light, colour, ray, at, frame);
   }
   if constexpr (kLayers) {
     frame.light[light] = result;
@@ -248,8 +260,9 @@ Rgb PathTracer<kFeatures>::arriving(std::uint32_t light, const Rgb& colour, cons
 
 template <unsigned kFeatures>
 Rgb PathTracer<kFeatures>::shadowed(std::uint32_t light, const Rgb& colour, const LightRay& ray,
-                                    const Surface& at) {
+                                    const Surface& at, const Frame& frame) {
   ShadowQuery query;
+  query.spot = &frame.spots[light];
   query.ray = {at.point, ray.direction};
   query.distance = ray.distance;
   query.light = light;

@@ -1,8 +1,11 @@
 #include "core/scene/scene.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/accel/hierarchy.h"
+#include "core/accel/light_buffer.h"
+#include "core/render/shadow_tester.h"
 #include "core/scene/needs_finder.h"
 #include "core/scene/solid_index.h"
 
@@ -31,6 +34,19 @@ struct Splitter {
   }
 };
 
+/// Those all of whose shadow rays end in one point.
+bool suits_buffer(const Light& light) {
+  return !light.shadowless && !light.has_area && !light.parallel &&
+         light.kind != Light::Kind::kCylinder;
+}
+
+/// More objects and more pixels are worth finer cells.
+std::uint32_t buffer_cells(std::size_t objects, std::uint64_t pixels) {
+  constexpr std::uint64_t kLeast = 1u << 10, kMost = 1u << 18;
+  const std::uint64_t wanted = std::min<std::uint64_t>(6 * objects, pixels / 4);
+  return static_cast<std::uint32_t>(std::clamp(wanted, kLeast, kMost));
+}
+
 }  // namespace
 
 Scene::Scene(SceneParts parts, const CompileOptions& options) : m_parts(std::move(parts)) {
@@ -43,6 +59,16 @@ Scene::Scene(SceneParts parts, const CompileOptions& options) : m_parts(std::mov
   if (options.general_path) m_needs = everything_needed(std::move(m_needs), m_parts.settings);
   m_solids = std::make_unique<SolidIndex>(m_parts.objects, split.groups);
   m_hierarchy = std::make_unique<Hierarchy>(m_parts.objects, options.linear_search);
+  m_light_buffers.resize(m_parts.lights.size());
+  if (options.light_buffer_pixels == 0 || options.linear_search) return;
+  const std::uint32_t cells = buffer_cells(m_parts.objects.size(), options.light_buffer_pixels);
+  for (std::size_t i = 0; i < m_light_buffers.size(); ++i) {
+    const Light& light = m_parts.lights[i];
+    if (!suits_buffer(light)) continue;
+    auto buffer = std::make_unique<LightBuffer>(light.position, m_parts.objects, kShadowTolerance,
+                                                cells);
+    if (!buffer->crowded()) m_light_buffers[i] = std::move(buffer);
+  }
 }
 
 Scene::~Scene() = default;

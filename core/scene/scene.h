@@ -17,6 +17,7 @@
 namespace lentray::core {
 
 class Hierarchy;
+class LightBuffer;
 class SolidIndex;
 
 /// From global_settings and the atmosphere; defaults are stock's under `#version 3.7`.
@@ -52,6 +53,9 @@ struct SceneParts {
 struct CompileOptions {
   bool general_path = false;  ///< no specialisation: for the test that both give the same bits
   bool linear_search = false; ///< Accelerator=list
+  /// Light_Buffer: cells of directions about each light, for about so many pixels; 0: none. A
+  /// list of objects has none either.
+  std::uint64_t light_buffer_pixels = 0;
 };
 
 class Scene {
@@ -65,6 +69,8 @@ class Scene {
   const std::vector<Light>& lights() const { return m_parts.lights; }
   const SkySphere* sky_sphere() const { return m_parts.sky_sphere.get(); }
   const Hierarchy& hierarchy() const { return *m_hierarchy; }
+  /// Of that light, or null: the hierarchy answers for it.
+  const LightBuffer* light_buffer(std::size_t light) const { return m_light_buffers[light].get(); }
   const Needs& needs() const { return m_needs; }
   /// Objects after splitting top-level unions; the hierarchy and the cache speak of these.
   const std::vector<std::unique_ptr<Object>>& objects() const { return m_parts.objects; }
@@ -77,6 +83,7 @@ class Scene {
   SceneParts m_parts;
   std::unique_ptr<SolidIndex> m_solids;
   std::unique_ptr<Hierarchy> m_hierarchy;
+  std::vector<std::unique_ptr<LightBuffer>> m_light_buffers;  ///< one a light, null where none
   Needs m_needs;
 };
 

@@ -1,0 +1,336 @@
+#include "core/accel/light_buffer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/geometry/box.h"
+#include "core/geometry/polygon.h"
+#include "core/geometry/sphere.h"
+#include "core/geometry/triangle.h"
+
+namespace lentray::core {
+namespace {
+
+constexpr std::size_t kMostPerCell = 16;  ///< entries, about: beyond, a hierarchy is faster
+constexpr double kNearLight = 1e-5;  ///< of the light's coordinates: nearer, rounding counts
+
+double distance_of(const Bounds& box) {  // from the origin
+  const auto axis = [](double lo, double hi) { return std::max({lo, -hi, 0.0}); };
+  const Vec3 d{axis(box.lo.x, box.hi.x), axis(box.lo.y, box.hi.y), axis(box.lo.z, box.hi.z)};
+  return length(d);
+}
+
+Bounds relative(const Bounds& b, const Vec3& light) { return {b.lo - light, b.hi - light}; }
+
+float down(double w) {
+  return std::nextafter(static_cast<float>(w), -std::numeric_limits<float>::infinity());
+}
+float up(double w) {
+  return std::nextafter(static_cast<float>(w), std::numeric_limits<float>::infinity());
+}
+
+/// The shape itself where it stands plainly in the world.
+const Shape* plain_shape(const Object& object) {
+  const auto* leaf = dynamic_cast<const Leaf*>(&object);
+  if (!leaf || leaf->transform() || !leaf->clips().empty() || !leaf->bounding().empty()) {
+    return nullptr;
+  }
+  return &leaf->shape();
+}
+
+/// Ends of the edges of a polygon's contours, relative to the light.
+void edge_ends(const std::vector<Vec3>& points, const Vec3& light, std::vector<Vec3>& ends) {
+  ends.clear();
+  std::size_t start = 0;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    ends.push_back(points[i - 1] - light);
+    ends.push_back(points[i] - light);
+    if (points[i] == points[start]) start = ++i;
+  }
+}
+
+void add_face(const std::array<Vec3, 4>& corners, const LightRaster& raster,
+              std::vector<LightCell>& out) {
+  const Vec3 normal = normalized(cross(corners[1] - corners[0], corners[3] - corners[0]));
+  std::array<Vec3, 8> ends;
+  for (std::size_t i = 0; i < 4; ++i) {
+    ends[2 * i] = corners[i];
+    ends[2 * i + 1] = corners[(i + 1) % 4];
+  }
+  raster.flat(ends, normal, dot(normal, corners[0]), out);
+}
+
+void add_box(const Bounds& box, const LightRaster& raster, std::vector<LightCell>& out) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+    for (const bool high : {false, true}) {
+      // Only sides that face the light: the others are behind them.
+      const double at = high ? box.hi[axis] : box.lo[axis];
+      if (high ? at >= 0.0 : at <= 0.0) continue;
+      std::array<Vec3, 4> corners;
+      for (std::size_t c = 0; c < 4; ++c) {
+        corners[c][axis] = at;
+        corners[c][u] = (c == 1 || c == 2) ? box.hi[u] : box.lo[u];
+        corners[c][v] = c >= 2 ? box.hi[v] : box.lo[v];
+      }
+      add_face(corners, raster, out);
+    }
+  }
+}
+
+/// The cells of shapes whose own outline is known.
+class Outliner {
+ public:
+  Outliner(const LightRaster& raster, const Vec3& light) : m_raster(raster), m_light(light) {}
+
+  void polygon(const Polygon& shape, std::vector<LightCell>& out) {
+    edge_ends(shape.points(), m_light, m_ends);
+    const Vec3 normal = shape.normal({}, {});
+    m_raster.flat(m_ends, normal, dot(normal, m_ends[0]), out);
+  }
+  void triangle(const Triangle& shape, std::vector<LightCell>& out) {
+    const auto& p = shape.vertices();
+    m_ends = {p[0] - m_light, p[1] - m_light, p[1] - m_light,
+              p[2] - m_light, p[2] - m_light, p[0] - m_light};
+    const Vec3 normal = normalized(cross(p[1] - p[0], p[2] - p[0]));
+    m_raster.flat(m_ends, normal, dot(normal, m_ends[0]), out);
+  }
+  void sphere(const Sphere& shape, std::vector<LightCell>& out) {
+    m_raster.sphere(shape.centre() - m_light, shape.radius(), out);
+  }
+  // Each side's cells overlap those of its neighbours: one entry a cell, the darkest.
+  void box(const Box& shape, std::vector<LightCell>& out) {
+    const Bounds box = relative({shape.lo(), shape.hi()}, m_light);
+    if (box.contains({})) return m_raster.box(box, out);
+    add_box(box, m_raster, out);
+    std::sort(out.begin(), out.end(), [](const LightCell& a, const LightCell& b) {
+      return a.cell < b.cell;
+    });
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < out.size(); ++i) {
+      if (kept > 0 && out[kept - 1].cell == out[i].cell) {
+        out[kept - 1].near_w = std::min(out[kept - 1].near_w, out[i].near_w);
+        out[kept - 1].full_w = std::min(out[kept - 1].full_w, out[i].full_w);
+      } else {
+        out[kept++] = out[i];
+      }
+    }
+    out.resize(kept);
+  }
+
+ private:
+  const LightRaster& m_raster;
+  const Vec3& m_light;
+  std::vector<Vec3> m_ends;
+};
+
+void count(Counters* counters, const Object& object) {
+  if (!counters) return;
+  ++counters->primitive_tests;
+  const auto at = counters->tests_by_type.find(object.name());
+  if (at != counters->tests_by_type.end()) {
+    ++at->second;
+  } else {
+    counters->tests_by_type.emplace(object.name(), 1);
+  }
+}
+
+}  // namespace
+
+LightBuffer::Kind LightBuffer::kind_of(const Shape* shape) {
+  if (dynamic_cast<const Sphere*>(shape)) return Kind::kSphere;
+  if (dynamic_cast<const Polygon*>(shape)) return Kind::kPolygon;
+  if (dynamic_cast<const Triangle*>(shape)) return Kind::kTriangle;
+  if (dynamic_cast<const Box*>(shape)) return Kind::kBox;
+  return Kind::kAny;
+}
+
+struct LightBuffer::Found {
+  std::uint32_t cell;
+  Entry entry;
+  bool opaque;
+};
+
+LightBuffer::LightBuffer(const Vec3& light, const std::vector<std::unique_ptr<Object>>& objects,
+                         double tolerance, std::uint32_t cells)
+    : m_light(light), m_tolerance(tolerance) {
+  const double size = std::max({std::fabs(light.x), std::fabs(light.y), std::fabs(light.z), 1.0});
+  m_least_distance = kNearLight * size;
+  std::vector<Placed> casters;
+  for (const auto& object : objects) {
+    if (object->attributes().no_shadow) continue;
+    const Bounds bounds = object->bounds();
+    if (bounds.is_empty()) continue;
+    const Bounds box = relative(bounds, light);
+    const double distance = bounds.is_finite() ? distance_of(box) : 0.0;
+    if (!(distance > 2.0 * m_least_distance)) {  // no number is not greater
+      (object->is_opaque() ? m_always_opaque : m_always_transparent).push_back(object.get());
+    } else {
+      const Shape* shape = plain_shape(*object);
+      casters.push_back({{object.get(), shape, kind_of(shape), object->is_opaque()}, box, distance});
+    }
+  }
+  std::stable_sort(casters.begin(), casters.end(),
+                   [](const Placed& a, const Placed& b) { return a.distance < b.distance; });
+  for (const Placed& c : casters) m_casters.push_back(c.caster);
+  for (int face = 0; face < LightFace::kFaces && !m_crowded; ++face) fill(face, cells, casters);
+}
+
+void LightBuffer::fill(int face, std::uint32_t cells, const std::vector<Placed>& casters) {
+  LightWindow window;
+  for (const Placed& c : casters) {
+    window.include(window_of(c.box, face));
+  }
+  if (window.is_empty()) return;
+  // Cells about square, their number by the share of the face that is used.
+  const double width = std::max(window.hi[0] - window.lo[0], 1e-6);
+  const double height = std::max(window.hi[1] - window.lo[1], 1e-6);
+  const double side = std::sqrt(cells);
+  const auto along = [&](double own, double other) {
+    return static_cast<int>(std::clamp(side * std::sqrt(own / other), 1.0, 4096.0));
+  };
+  Face& f = m_faces[static_cast<std::size_t>(face)];
+  f.raster = LightRaster(face, window, along(width, height), along(height, width));
+  f.cells.resize(f.raster.cells());
+  Outliner outliner(f.raster, m_light);
+  std::vector<LightCell> touched;
+  std::vector<Found> found;
+  for (std::uint32_t i = 0; i < m_casters.size(); ++i) {
+    const Caster& caster = m_casters[i];
+    if (window_of(casters[i].box, face).is_empty()) continue;
+    touched.clear();
+    switch (caster.kind) {
+      case Kind::kSphere: outliner.sphere(static_cast<const Sphere&>(*caster.shape), touched); break;
+      case Kind::kPolygon:
+        outliner.polygon(static_cast<const Polygon&>(*caster.shape), touched);
+        break;
+      case Kind::kTriangle:
+        outliner.triangle(static_cast<const Triangle&>(*caster.shape), touched);
+        break;
+      case Kind::kBox: outliner.box(static_cast<const Box&>(*caster.shape), touched); break;
+      case Kind::kAny: f.raster.box(casters[i].box, touched); break;
+    }
+    if (found.size() > kMostPerCell * f.cells.size()) {
+      m_crowded = true;
+      return;
+    }
+    for (const LightCell& t : touched) {
+      Cell& cell = f.cells[t.cell];
+      if (t.near_w > cell.full_w) continue;
+      found.push_back({t.cell, {down(t.near_w), i}, caster.opaque});
+      // A hit within the tolerance of the light would not count.
+      if (!caster.opaque || !(t.near_w > 2.0 * m_tolerance)) continue;
+      const float full = up(t.full_w + 2.0 * m_tolerance);
+      if (full < cell.full_w) {
+        cell.full_w = full;
+        cell.cover = i;
+      }
+    }
+  }
+  keep(f, found);
+}
+
+/// Sorts what was found into the cells, without what lies beyond their darkness.
+void LightBuffer::keep(Face& f, std::vector<Found>& found) {
+  const auto dark = [&](const Found& e) { return e.entry.near_w > f.cells[e.cell].full_w; };
+  found.erase(std::remove_if(found.begin(), found.end(), dark), found.end());
+  std::vector<std::uint32_t> next(f.cells.size() + 1, 0);
+  for (const Found& e : found) ++next[e.cell + 1];
+  for (std::size_t i = 1; i < next.size(); ++i) next[i] += next[i - 1];
+  std::vector<Found> sorted(found.size());
+  for (const Found& e : found) sorted[next[e.cell]++] = e;
+  f.entries.resize(sorted.size());
+  std::uint32_t at = 0;
+  for (std::uint32_t c = 0; c < f.cells.size(); ++c) {
+    const std::uint32_t end = next[c];
+    std::sort(sorted.begin() + at, sorted.begin() + end, [](const Found& a, const Found& b) {
+      if (a.opaque != b.opaque) return a.opaque;
+      if (a.entry.near_w != b.entry.near_w) return a.entry.near_w < b.entry.near_w;
+      return a.entry.caster < b.entry.caster;
+    });
+    Cell& cell = f.cells[c];
+    cell.first = at;
+    for (; at < end; ++at) {
+      std::uint16_t& number = sorted[at].opaque ? cell.opaque : cell.transparent;
+      if (number == std::numeric_limits<std::uint16_t>::max()) m_crowded = true;
+      ++number;
+      f.entries[at] = sorted[at].entry;
+    }
+  }
+}
+
+inline bool LightBuffer::blocks(const Caster& caster, const Ray& ray, double t_min, double t_max,
+                                HitArena& arena) const {
+  ShapeHit hit;
+  switch (caster.kind) {
+    case Kind::kSphere:
+      return static_cast<const Sphere*>(caster.shape)->Sphere::any(ray, t_min, t_max);
+    case Kind::kPolygon:
+      return static_cast<const Polygon*>(caster.shape)->Polygon::nearest(ray, t_min, t_max, hit);
+    case Kind::kTriangle:
+      return static_cast<const Triangle*>(caster.shape)->Triangle::nearest(ray, t_min, t_max, hit);
+    case Kind::kBox:
+      return static_cast<const Box*>(caster.shape)->Box::nearest(ray, t_min, t_max, hit);
+    case Kind::kAny: break;
+  }
+  return caster.object->any(ray, t_min, t_max, arena);
+}
+
+const Object* LightBuffer::any_opaque(const Spot& spot, const Ray& ray, double t_min, double t_max,
+                                      HitArena& arena, Counters* counters) const {
+  if (counters) ++counters->bounds_tests;
+  if (const Cell* cell = spot.cell) {
+    if (spot.w > cell->full_w) return m_casters[cell->cover].object;
+    const Entry* entry = spot.entries + cell->first;
+    for (const Entry* end = entry + cell->opaque; entry < end && entry->near_w < spot.w; ++entry) {
+      const Caster& caster = m_casters[entry->caster];
+      count(counters, *caster.object);
+      if (blocks(caster, ray, t_min, t_max, arena)) return caster.object;
+    }
+  }
+  for (const Object* object : m_always_opaque) {
+    count(counters, *object);
+    if (object->any(ray, t_min, t_max, arena)) return object;
+  }
+  return nullptr;
+}
+
+void LightBuffer::all_transparent(const Spot& spot, const Ray& ray, double t_min, double t_max,
+                                  std::vector<Hit>& hits, HitArena& arena,
+                                  Counters* counters) const {
+  const auto ask = [&](const Object* object) {
+    count(counters, *object);
+    const std::size_t before = hits.size();
+    object->all(ray, t_min, t_max, hits, arena);
+    for (std::size_t i = before; i < hits.size(); ++i) hits[i].object = object;
+  };
+  for (const Object* object : m_always_transparent) ask(object);
+  if (!spot.cell) return;
+  const Entry* entry = spot.entries + spot.cell->first + spot.cell->opaque;
+  for (const Entry* end = entry + spot.cell->transparent; entry < end && entry->near_w < spot.w;
+       ++entry) {
+    ask(m_casters[entry->caster].object);
+  }
+}
+
+std::size_t LightBuffer::memory() const {
+  std::size_t bytes = sizeof(*this) + m_casters.capacity() * sizeof(Caster);
+  for (const Face& f : m_faces) {
+    bytes += f.cells.capacity() * sizeof(Cell) + f.entries.capacity() * sizeof(Entry);
+  }
+  return bytes;
+}
+
+LightBuffer::Statistics LightBuffer::statistics() const {
+  Statistics s;
+  s.always = m_always_opaque.size() + m_always_transparent.size();
+  for (const Face& f : m_faces) {
+    s.cells += f.cells.size();
+    s.entries += f.entries.size();
+    for (const Cell& c : f.cells) s.dark_cells += std::isfinite(c.full_w) ? 1 : 0;
+  }
+  return s;
+}
+
+}  // namespace lentray::core
