@@ -328,7 +328,7 @@ Lens sheet (lengths in mm):
   Sheet_Distance=n     Lens_Front=n            (scene units)
   View=j               that view alone
 
-  Pixel_Order=rows|columns   Shadow_Cache=off|last|depth   Accelerator=bvh|list
+  Pixel_Order=rows|columns   Shadow_Cache=off|last|depth   Accelerator=bvh|list   -UL
   Statistics_File=x.json     what the run did (docs/statistics.md)
   --explain            what the scene needs of the renderer; renders nothing
   --dump-rays FILE     every camera ray (docs/lens.md); renders nothing

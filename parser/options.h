@@ -55,6 +55,7 @@ struct RenderOptions {
 
   // Ours besides.
   std::string pixel_order = "rows", shadow_cache = "off", accelerator = "bvh";
+  bool light_buffer = true;   ///< +UL: shadow rays to point lights look where the light sees
   std::string statistics_file, dump_rays;
   bool explain = false, help = false, version = false;
 

@@ -326,7 +326,6 @@ constexpr OptionRow kTable[] = {
     {"BSP_ChildAccessCost", "", ignore},
     {"BSP_IsectCost", "", ignore},
     {"BSP_MissChance", "", ignore},
-    {"Light_Buffer", "UL", ignore},
     {"Vista_Buffer", "UV", ignore},
     {"Remove_Bounds", "UR", ignore},
     {"Split_Unions", "SU", ignore},
@@ -375,6 +374,7 @@ constexpr OptionRow kTable[] = {
     {"Pixel_Order", "", set_order},
     {"Shadow_Cache", "", set_cache},
     {"Accelerator", "", set_accelerator},
+    {"Light_Buffer", "UL", set_bool<&Options::light_buffer>},
     {"Statistics_File", "", set_text<&Options::statistics_file>},
 };
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/accel/hierarchy.h"
+#include "core/accel/light_buffer.h"
 
 namespace lentray::core {
 namespace {
@@ -72,6 +73,27 @@ std::string size_text(std::size_t bytes) {
   return out.str();
 }
 
+void explain_light_buffers(const Scene& scene, std::ostringstream& out) {
+  std::size_t buffers = 0, memory = 0;
+  LightBuffer::Statistics sum;
+  for (std::size_t i = 0; i < scene.lights().size(); ++i) {
+    const LightBuffer* buffer = scene.light_buffer(i);
+    if (!buffer) continue;
+    const LightBuffer::Statistics s = buffer->statistics();
+    ++buffers;
+    memory += buffer->memory();
+    sum.cells += s.cells;
+    sum.entries += s.entries;
+    sum.dark_cells += s.dark_cells;
+  }
+  if (buffers == 0) return;
+  out << "Light buffers\n";
+  line(out, "lights") << buffers << '\n';
+  line(out, "cells") << sum.cells << ", " << sum.dark_cells << " of them dark from some way on\n";
+  line(out, "objects in cells") << sum.entries << '\n';
+  line(out, "memory") << size_text(memory) << '\n';
+}
+
 }  // namespace
 
 std::string explain(const Scene& scene) {
@@ -103,6 +125,7 @@ std::string explain(const Scene& scene) {
   line(out, "nodes of 8 boxes") << shape.nodes << ", depth " << shape.depth << '\n';
   line(out, "leaves") << shape.leaves << '\n';
   line(out, "memory") << size_text(scene.hierarchy().memory()) << '\n';
+  explain_light_buffers(scene, out);
   return out.str();
 }
 
