@@ -5,6 +5,7 @@
 
 #include "camera/orthographic.h"
 #include "camera/perspective.h"
+#include "camera/sheet_collisions.h"
 #include "camera/sheet_report.h"
 #include "camera/text.h"
 #include "core/base/bounds.h"
@@ -97,9 +98,9 @@ Sheet finish(const LensParameters& lens, const SheetPlacement& place, std::uint3
   sheet.report = std::move(report);
   for (std::string& line : report_of(*sheet.camera, probe)) sheet.report.push_back(std::move(line));
   sheet.warnings = sheet.camera->warnings();
-  for (std::string& line : collisions_of(*sheet.camera, probe)) {
-    sheet.warnings.push_back(std::move(line));
-  }
+  Collisions met = collisions_of(*sheet.camera, probe);
+  for (std::string& line : met.notes) sheet.report.push_back(std::move(line));
+  for (std::string& line : met.warnings) sheet.warnings.push_back(std::move(line));
   return sheet;
 }
 

@@ -127,4 +127,21 @@ double LensSheet::largest_eye_miss() const {
   return largest;
 }
 
+double LensSheet::paraxial_error() const {
+  LensParameters paraxial = m_lens, snell = m_lens;
+  paraxial.model = LensModel::kParaxial;
+  snell.model = LensModel::kPinhole;
+  double largest = 0.0;
+  for (const LensColumn& c : m_columns) {
+    double slope = 0.0;
+    slope_of(paraxial, c.lens_offset, slope);
+    largest = std::max(largest, std::fabs(offset_of(snell, slope) - c.lens_offset));
+  }
+  return largest / m_lens.pixel_size();
+}
+
+LensModel LensSheet::cheapest_model(double within_pixels) const {
+  return paraxial_error() <= within_pixels ? LensModel::kParaxial : LensModel::kPinhole;
+}
+
 }  // namespace lentray::camera

@@ -95,6 +95,11 @@ class LensSheet {
   /// How far, in print pixels, a column's ray misses the eye of its view: 0 for the paraxial
   /// model; with Snell's law the rays of a view meet only nearly. 0 when V is infinite.
   double largest_eye_miss() const;
+  /// How far, in print pixels, the paraxial model is from Snell's law at the worst column: the
+  /// distance in the print between where the paraxial ray starts and where Snell's law has it start.
+  double paraxial_error() const;
+  /// The cheapest model that is nowhere farther than that from Snell's law.
+  LensModel cheapest_model(double within_pixels) const;
 
  private:
   LensParameters m_lens;

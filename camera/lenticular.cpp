@@ -84,6 +84,8 @@ Properties Lenticular::describe() const {
           {"lens.pixels", lens.pixels},
           {"lens.view_distance_mm", lens.is_finite() ? lens.view_distance : 0.0},
           {"lens.model", std::string(name_of(lens.model))},
+          {"lens.paraxial_error_px", m_sheet.paraxial_error()},
+          {"lens.eye_miss_px", m_sheet.largest_eye_miss()},
           {"lens.print_pitch_mm", lens.print_pitch()},
           {"lens.lpi", lens.lenses_per_inch()},
           {"lens.lenses", m_sheet.lenses()},

@@ -16,7 +16,9 @@ SceneProbe probe_of(const core::Scene& scene) {
                                    *arena, nullptr)) {
       return std::nullopt;
     }
-    return ProbeHit{hit.t, std::string(hit.object ? hit.object->name() : hit.leaf->name())};
+    const core::Object* object = hit.object;
+    if (!object) object = hit.leaf;
+    return ProbeHit{hit.t, std::string(object->name()), object, object->bounds()};
   };
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "core/base/bounds.h"
 #include "core/base/ray.h"
 
 namespace lentray::core {
@@ -17,6 +18,8 @@ namespace lentray::camera {
 struct ProbeHit {
   double distance = 0.0;
   std::string object;  ///< SDL's word for what was hit ("sphere")
+  const void* id = nullptr;  ///< tells objects of the same kind apart
+  core::Bounds bounds = core::Bounds::everything();  ///< of the object; infinite for planes
 };
 
 /// First hit with 0 < distance < the given one, or nothing. An empty function: no scene.

@@ -1,5 +1,5 @@
-// What a user should know of a sheet before printing it: its size, resolution and the parallax of
-// the scene, and where it would cut into objects. One thread.
+// What a user should know of a sheet before printing it: its size, resolution, the parallax of the
+// scene and the error of the lens model. One thread.
 #pragma once
 
 #include <string>
@@ -10,13 +10,15 @@
 
 namespace lentray::camera {
 
+/// The part of a print pixel by which a lens model may differ from Snell's law and still be called
+/// good enough in the report.
+inline constexpr double kModelTolerance = 0.25;
+
 /// How far, in pixels of a view (one a lens), a point moves from one view to the next when it lies
-/// `depth` scene units behind the sheet (negative: before it).
+/// `depth` scene units behind the sheet (negative: before it). Positive behind the sheet, where
+/// things move along with the eye. Infinite depths have one when V is finite.
 double parallax(const Lenticular& sheet, double depth);
 
 std::vector<std::string> report_of(const Lenticular& sheet, const SceneProbe& probe);
-
-/// Warnings: objects that the sheet, or the way of the eyes from the first view to the last, cuts.
-std::vector<std::string> collisions_of(const Lenticular& sheet, const SceneProbe& probe);
 
 }  // namespace lentray::camera

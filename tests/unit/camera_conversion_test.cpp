@@ -7,7 +7,6 @@
 
 #include "camera/orthographic.h"
 #include "camera/perspective.h"
-#include "camera/sheet_report.h"
 #include "core/base/bounds.h"
 
 namespace lentray::camera {
@@ -16,26 +15,13 @@ namespace {
 using core::Ray;
 using core::Vec3;
 
-/// A world of one infinite wall across z and perhaps a box-free slab of z before it.
+/// A world of one infinite wall across z.
 SceneProbe wall_at(double z) {
   return [z](const Ray& ray, double limit) -> std::optional<ProbeHit> {
     if (ray.direction.z == 0.0) return std::nullopt;
     const double t = (z - ray.origin.z) / ray.direction.z;
     if (t <= 1e-9 || t >= limit) return std::nullopt;
     return ProbeHit{t, "plane"};
-  };
-}
-
-SceneProbe ball_at(const Vec3& centre, double radius) {
-  return [=](const Ray& ray, double limit) -> std::optional<ProbeHit> {
-    const Vec3 o = ray.origin - centre;
-    const double a = core::length_squared(ray.direction), b = core::dot(o, ray.direction);
-    const double under = b * b - a * (core::length_squared(o) - radius * radius);
-    if (under < 0.0) return std::nullopt;
-    for (const double t : {(-b - std::sqrt(under)) / a, (-b + std::sqrt(under)) / a}) {
-      if (t > 1e-9 && t < limit) return ProbeHit{t, "sphere"};
-    }
-    return std::nullopt;
   };
 }
 
@@ -232,44 +218,9 @@ TEST(UnitCameraConversion, StatementDefaults) {
   EXPECT_TRUE(has_line(finite.report, "Rays miss the eyes"));
 }
 
-TEST(UnitCameraConversion, ParallaxOfPoints) {
-  LensRequest lens;
-  const Sheet sheet = sheet_of_statement(plain_camera(), lens, 600, 30, {});
-  // V infinite: neighbouring views differ by n ps/f in slope.
-  const double mm = 1.0 / sheet.camera->scale();
-  EXPECT_NEAR(parallax(*sheet.camera, 1.0), 1.6 * (1.124 / 15.0) / 3.03 * mm / 1.124, 1e-13);
-  EXPECT_NEAR(parallax(*sheet.camera, -1.0), -parallax(*sheet.camera, 1.0), 1e-15);
-  lens.view_distance = 100.0;
-  const Sheet finite = sheet_of_statement(plain_camera(), lens, 600, 30, {});
-  const double eyes = 100.0 * 1.6 * finite.camera->sheet().lens().pixel_size() / 3.03;
-  const double depth = mm;  // one scene unit
-  EXPECT_NEAR(parallax(*finite.camera, 1.0), eyes * depth / (100.0 + depth) / 1.124, 1e-13);
-}
-
-TEST(UnitCameraConversion, ReportsTheScene) {
-  const Sheet sheet =
-      sheet_of_camera("perspective", plain_camera(), {}, 640, 480, wall_at(5.0));
-  EXPECT_TRUE(has_line(sheet.report, "Lens sheet 47.9573 x"));
-  EXPECT_TRUE(has_line(sheet.report, "15 pixels a lens"));
-  EXPECT_TRUE(has_line(sheet.report, "pixels an inch"));
-  EXPECT_TRUE(has_line(sheet.report, "Nearest visible point 5 behind the sheet"));
-  EXPECT_TRUE(has_line(sheet.report, "Farthest visible point 5 behind the sheet"));
-  EXPECT_TRUE(sheet.warnings.empty());
-}
-
-TEST(ErrorCameraConversion, CollisionsAreWarnedOf) {
-  const Sheet cut =
-      sheet_of_camera("perspective", plain_camera(), {}, 640, 480, ball_at({1.0, 2.0, 0.0}, 1.0));
-  EXPECT_TRUE(has_line(cut.warnings, "the lens sheet cuts an object (sphere)"));
-  EXPECT_FALSE(has_line(cut.warnings, "eyes"));
-  const Sheet eyes = sheet_of_camera("perspective", plain_camera(), {}, 640, 480,
-                                     ball_at({2.5, 2.0, -10.0}, 0.3));
-  EXPECT_TRUE(has_line(eyes.warnings, "run into an object (sphere)"));
-  EXPECT_FALSE(has_line(eyes.warnings, "sheet cuts"));
-}
-
 TEST(ErrorCameraConversion, RefusalsAreByName) {
-  for (const char* kind : {"fisheye", "panoramic", "mesh_camera"}) {
+  for (const char* kind : {"fisheye", "ultra_wide_angle", "omnimax", "panoramic", "spherical",
+                           "cylinder", "mesh_camera", "user_defined"}) {
     EXPECT_NE(message([&] { (void)sheet_of_camera(kind, plain_camera(), {}, 640, 480, {}); })
                   .find(kind),
               std::string::npos);

@@ -1,0 +1,279 @@
+// What is said of a sheet: sizes, parallax, the lens model's error, and what it runs into.
+#include "camera/sheet_report.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "camera/conversion.h"
+#include "camera/sheet_collisions.h"
+
+namespace lentray::camera {
+namespace {
+
+using core::Bounds;
+using core::Ray;
+using core::Vec3;
+
+SceneProbe plane_at(const Vec3& normal, double distance) {
+  return [=](const Ray& ray, double limit) -> std::optional<ProbeHit> {
+    const double along = core::dot(ray.direction, normal);
+    if (along == 0.0) return std::nullopt;
+    const double t = (distance - core::dot(ray.origin, normal)) / along;
+    if (t <= 1e-9 || t >= limit) return std::nullopt;
+    static const int kId = 0;
+    return ProbeHit{t, "plane", &kId, Bounds::everything()};
+  };
+}
+
+/// `id` tells balls apart.
+SceneProbe ball_at(const Vec3& centre, double radius, const void* id = "ball") {
+  return [=](const Ray& ray, double limit) -> std::optional<ProbeHit> {
+    const Vec3 o = ray.origin - centre, r{radius, radius, radius};
+    const double a = core::length_squared(ray.direction), b = core::dot(o, ray.direction);
+    const double under = b * b - a * (core::length_squared(o) - radius * radius);
+    if (under < 0.0) return std::nullopt;
+    for (const double t : {(-b - std::sqrt(under)) / a, (-b + std::sqrt(under)) / a}) {
+      if (t > 1e-9 && t < limit) return ProbeHit{t, "sphere", id, Bounds{centre - r, centre + r}};
+    }
+    return std::nullopt;
+  };
+}
+
+SceneProbe both(SceneProbe a, SceneProbe b) {
+  return [=](const Ray& ray, double limit) -> std::optional<ProbeHit> {
+    const auto p = a(ray, limit), q = b(ray, limit);
+    if (p && q) return p->distance < q->distance ? p : q;
+    return p ? p : q;
+  };
+}
+
+/// Looks along z from z = -10; the sheet is at z = 0 there, 8.9 x 6.7 units.
+Projection plain_camera() {
+  Projection p;
+  p.location = {1.0, 2.0, -10.0};
+  p.direction = {0.0, 0.0, 1.5};
+  p.right = {4.0 / 3.0, 0.0, 0.0};
+  p.up = {0.0, 1.0, 0.0};
+  p.look_at_distance = 10.0;
+  return p;
+}
+
+Sheet sheet_of(const SceneProbe& probe, const Conversion& conversion = {}) {
+  return sheet_of_camera("perspective", plain_camera(), conversion, 640, 480, probe);
+}
+
+Conversion from_infinity() {
+  Conversion conversion;
+  conversion.lens.view_distance = 0.0;
+  return conversion;
+}
+
+bool has_line(const std::vector<std::string>& lines, const std::string& part) {
+  for (const std::string& line : lines) {
+    if (line.find(part) != std::string::npos) return true;
+  }
+  return false;
+}
+
+std::string all(const std::vector<std::string>& lines) {
+  std::string out;
+  for (const std::string& line : lines) out += line + "\n";
+  return out;
+}
+
+TEST(UnitCameraSheetReport, ParallaxOfPoints) {
+  LensRequest lens;
+  const Sheet sheet = sheet_of_statement(plain_camera(), lens, 600, 30, {});
+  // V infinite: neighbouring views differ by n ps/f in slope.
+  const double mm = 1.0 / sheet.camera->scale();
+  EXPECT_NEAR(parallax(*sheet.camera, 1.0), 1.6 * (1.124 / 15.0) / 3.03 * mm / 1.124, 1e-13);
+  EXPECT_NEAR(parallax(*sheet.camera, -1.0), -parallax(*sheet.camera, 1.0), 1e-15);
+  lens.view_distance = 100.0;
+  const Sheet finite = sheet_of_statement(plain_camera(), lens, 600, 30, {});
+  const double eyes = 100.0 * 1.6 * finite.camera->sheet().lens().pixel_size() / 3.03;
+  const double depth = mm;  // one scene unit
+  EXPECT_NEAR(parallax(*finite.camera, 1.0), eyes * depth / (100.0 + depth) / 1.124, 1e-13);
+  EXPECT_NEAR(parallax(*finite.camera, Bounds::kInf), eyes / 1.124, 1e-13);
+}
+
+/// The parallax is what rays show: a point behind the sheet, found in two neighbouring views.
+TEST(UnitCameraSheetReport, ParallaxIsWhatTheViewsShow) {
+  const Sheet sheet = sheet_of({});
+  for (const double depth : {-3.0, 0.0, 5.0, 400.0}) {
+    const Vec3 point{1.3, 2.1, depth};
+    double columns[2];
+    for (const std::uint32_t view : {7u, 8u}) {
+      // The lens axis that lies on the line from the view's eye to the point.
+      const SheetView camera(*sheet.camera, view);
+      Ray ray;
+      ASSERT_TRUE(camera.ray(0.5, 0.5, ray));
+      const double at = ray.origin.x + (point.x - ray.origin.x) * 10.0 / (10.0 + depth);
+      columns[view - 7] = (at - 1.0) / (sheet.camera->sheet().lens().pitch * sheet.camera->scale());
+    }
+    // View 8's eye is left of view 7's; what lies behind the sheet goes along with it.
+    EXPECT_NEAR(parallax(*sheet.camera, depth), columns[0] - columns[1], 1e-12) << depth;
+  }
+}
+
+TEST(UnitCameraSheetReport, SizesAndResolution) {
+  const Sheet sheet = sheet_of(plane_at({0, 0, 1}, 5.0), from_infinity());
+  // 640 pixels at N = 15: 42.67 lenses of 1.124 mm, and the rows as wide as the columns.
+  EXPECT_TRUE(has_line(sheet.report, "Lens sheet 47.9573 x 35.968 mm (1.88808 x 1.41606 in)"))
+      << all(sheet.report);
+  EXPECT_TRUE(has_line(sheet.report, "22.5979 lpi, 15 pixels a lens"));
+  EXPECT_TRUE(has_line(sheet.report, "338.968 x 338.968 ppi"));
+  // The eye at V: the print is larger than the sheet, its pixels further apart.
+  const Sheet finite = sheet_of(plane_at({0, 0, 1}, 5.0));
+  const double larger = 1.0 + 3.03 / (1.6 * finite.camera->sheet().lens().view_distance);
+  EXPECT_NEAR(finite.camera->print_dpi_x(), 338.96797153024912 / larger, 1e-9);
+  EXPECT_TRUE(has_line(finite.report, "Lens sheet 47.9573 x")) << all(finite.report);
+  EXPECT_TRUE(has_line(finite.report, "Print 49.")) << all(finite.report);
+}
+
+TEST(UnitCameraSheetReport, NearestAndFarthestVisiblePoints) {
+  // A ball before the sheet hides one half as near to the eye; a wall stands behind both.
+  const Sheet sheet = sheet_of(both(both(ball_at({1, 2, -2}, 1.0, "a"), ball_at({1, 2, 1}, 0.5, "b")),
+                                    plane_at({0, 0, 1}, 5.0)));
+  EXPECT_TRUE(has_line(sheet.report, "Nearest visible point 2.9")) << all(sheet.report);
+  EXPECT_TRUE(has_line(sheet.report, "before the sheet: parallax -"));
+  EXPECT_TRUE(has_line(sheet.report, "Farthest visible point 5 behind the sheet: parallax "));
+  EXPECT_FALSE(has_line(sheet.report, "Background"));
+  const Sheet open = sheet_of(ball_at({1, 2, 2}, 1.0));
+  EXPECT_TRUE(has_line(open.report, "Background, infinitely far: parallax "));
+  EXPECT_TRUE(has_line(sheet_of(ball_at({1, 2, 2}, 1.0), from_infinity()).report,
+                       "Background, infinitely far: it moves along with the eye"));
+  const Sheet empty = sheet_of([](const Ray&, double) { return std::optional<ProbeHit>(); });
+  EXPECT_FALSE(has_line(empty.report, "Nearest"));
+}
+
+TEST(UnitCameraSheetReport, ErrorOfTheParaxialModel) {
+  LensParameters lens;
+  // The outermost pixel of a lens, o = 7/15 P: Snell's law sends it to another slope; where would
+  // it have to lie to be sent along the paraxial one?
+  const double o = 7.0 / 15.0 * 1.124, slope = 1.6 * o / 3.03;
+  const double inside = std::asin(std::sin(std::atan(slope)) / 1.6);
+  const double want = (o - 3.03 * std::tan(inside)) / (1.124 / 15.0);
+  const LensSheet sheet(lens, 45);
+  EXPECT_NEAR(sheet.paraxial_error(), want, 1e-12);
+  EXPECT_EQ(sheet.cheapest_model(want * 1.0001), LensModel::kParaxial);
+  EXPECT_EQ(sheet.cheapest_model(want * 0.9999), LensModel::kPinhole);
+  lens.model = LensModel::kParaxial;  // whatever model is used
+  EXPECT_EQ(LensSheet(lens, 45).paraxial_error(), sheet.paraxial_error());
+  lens.ior = 1.0;  // no refraction: the models are one
+  EXPECT_NEAR(LensSheet(lens, 45).paraxial_error(), 0.0, 1e-12);
+  // From a near eye the outer lenses are looked at obliquely.
+  lens.ior = 1.6;
+  lens.view_distance = 60.0;
+  EXPECT_GT(LensSheet(lens, 600).paraxial_error(), LensSheet(lens, 45).paraxial_error());
+}
+
+TEST(UnitCameraSheetReport, NamesTheCheapestModel) {
+  EXPECT_TRUE(has_line(sheet_of({}, from_infinity()).report,
+                       "at most 0.158104 pixels of the print; the cheapest model within 0.25 "
+                       "pixels is paraxial"));
+  Conversion fine = from_infinity();
+  fine.lens.pixels = 30.0;
+  EXPECT_TRUE(has_line(sheet_of({}, fine).report, "pixels is pinhole"));
+}
+
+TEST(UnitCameraSheetReport, PinholeTellsHowFarRaysMissTheEye) {
+  EXPECT_FALSE(has_line(sheet_of({}).report, "miss the eyes"));
+  EXPECT_FALSE(has_line(sheet_of({}, from_infinity()).report, "miss the eyes"));
+  Conversion snell;
+  snell.lens.model = LensModel::kPinhole;
+  EXPECT_TRUE(has_line(sheet_of({}, snell).report, "Rays miss the eyes of their views by at most "));
+}
+
+// What a sheet runs into. The sheet of plain_camera() is 8.9 x 6.7 units at z = 0, its eye 10 units
+// before it, the eyes of the outermost views some 2.9 to either side.
+
+TEST(ErrorCameraCollisions, AnObjectAcrossTheSheet) {
+  const Sheet sheet = sheet_of(ball_at({1, 2, 0}, 1.0));
+  EXPECT_TRUE(has_line(sheet.warnings, "the lens sheet cuts an object (sphere)"))
+      << all(sheet.warnings);
+  EXPECT_EQ(sheet.warnings.size(), 1u);
+  // Also with the eye infinitely far.
+  EXPECT_TRUE(has_line(sheet_of(ball_at({1, 2, 0}, 1.0), from_infinity()).warnings, "cuts an object"));
+  // Two of a kind are counted, the hidden second along a line too.
+  EXPECT_TRUE(has_line(
+      sheet_of(both(ball_at({-1, 2, 0}, 0.6, "a"), ball_at({2, 2, 0}, 0.6, "b"))).warnings,
+      "(2 sphere)"));
+}
+
+TEST(ErrorCameraCollisions, ObjectsBesideTheSheetAreNone) {
+  for (const Vec3& centre : {Vec3{1, 2, 1.5}, Vec3{1, 2, -1.5}, Vec3{8, 2, 0}, Vec3{1, 8, 0}}) {
+    EXPECT_TRUE(sheet_of(ball_at(centre, 1.0)).warnings.empty()) << centre.x << " " << centre.z;
+  }
+}
+
+TEST(ErrorCameraCollisions, HiddenObjectsAreNone) {
+  // Below an opaque floor, across the plane of the sheet.
+  const SceneProbe scene = both(ball_at({1, 0, 0}, 0.4), plane_at({0, 1, 0}, 0.5));
+  EXPECT_TRUE(sheet_of(scene).warnings.empty()) << all(sheet_of(scene).warnings);
+  const SceneProbe above = both(ball_at({1, 1.2, 0}, 0.4), plane_at({0, 1, 0}, 0.5));
+  EXPECT_TRUE(has_line(sheet_of(above).warnings, "(sphere)"));
+}
+
+TEST(ErrorCameraCollisions, FloorsAreSceneryNotObjects) {
+  const Sheet floor = sheet_of(plane_at({0, 1, 0}, 0.5));
+  EXPECT_TRUE(floor.warnings.empty()) << all(floor.warnings);
+  EXPECT_TRUE(has_line(floor.report, "Larger than the sheet and running through it, as floors do: "
+                                     "plane"));
+  // A planet for a floor.
+  const Sheet ground = sheet_of(ball_at({1, -49.5, 0}, 50.0));
+  EXPECT_TRUE(ground.warnings.empty()) << all(ground.warnings);
+  EXPECT_TRUE(has_line(ground.report, "as floors do: sphere"));
+  // The sky around everything.
+  const Sheet sky = sheet_of(ball_at({0, 0, 0}, 1000.0));
+  EXPECT_TRUE(sky.warnings.empty());
+  EXPECT_FALSE(has_line(sky.report, "as floors do"));
+}
+
+TEST(ErrorCameraCollisions, TheEyesRunIntoAnObject) {
+  const Sheet ball = sheet_of(ball_at({2.5, 2.0, -10.0}, 0.3));
+  EXPECT_TRUE(has_line(ball.warnings, "run into an object (sphere)")) << all(ball.warnings);
+  EXPECT_FALSE(has_line(ball.warnings, "sheet cuts"));
+  // Walls count though they are infinite. Eyes stand at 1 - (j - 7) n ps V/f.
+  const Sheet wall = sheet_of(plane_at({1, 0, 0}, 3.0));
+  const LensParameters& lens = wall.camera->sheet().lens();
+  const double step = 10.0 * lens.ior * lens.pixel_size() / lens.focal_length;
+  const int last = 7 - static_cast<int>(std::ceil(2.0 / step));
+  ASSERT_GT(last, 0);
+  EXPECT_TRUE(has_line(wall.warnings, "run into an object (plane): seen from inside or behind it: "
+                                      "views 0 to " + std::to_string(last)))
+      << all(wall.warnings);
+  EXPECT_TRUE(sheet_of(plane_at({1, 0, 0}, 1.0 + 7.01 * step)).warnings.empty());
+  EXPECT_TRUE(has_line(sheet_of(plane_at({1, 0, 0}, 1.0 + 6.99 * step)).warnings, "it: view 0"));
+  EXPECT_TRUE(has_line(sheet_of(plane_at({1, 0, 0}, 1.0 - 6.99 * step)).warnings, "it: view 14"));
+}
+
+TEST(ErrorCameraCollisions, RaysStartInAPlaneWhenTheEyeIsFar) {
+  // V infinite: rays start 10 before the sheet, some of them below the floor.
+  const Sheet floor = sheet_of(plane_at({0, 1, 0}, 0.5), from_infinity());
+  EXPECT_TRUE(has_line(floor.warnings, "the plane where rays start, 10 scene units before the sheet "
+                                       "(Lens_Front), cuts an object (plane)"))
+      << all(floor.warnings);
+  EXPECT_TRUE(sheet_of(plane_at({0, 1, 0}, -1.5), from_infinity()).warnings.empty());
+  // A start between eye and sheet.
+  Conversion near;
+  near.lens.front = 4.0;
+  EXPECT_TRUE(has_line(sheet_of(ball_at({1, 2, -4}, 0.5), near).warnings, "where rays start, 4 "));
+  EXPECT_TRUE(sheet_of(ball_at({1, 2, -6}, 0.5), near).warnings.empty());
+  EXPECT_TRUE(sheet_of(ball_at({1, 2, -4}, 0.5)).warnings.empty());
+}
+
+TEST(ErrorCameraCollisions, AnOrthographicSheetIsWhereRaysStart) {
+  Projection p = plain_camera();
+  p.right = {4.0, 0.0, 0.0};
+  p.up = {0.0, 3.0, 0.0};
+  const Sheet cut =
+      sheet_of_camera("orthographic", p, {}, 640, 480, ball_at({1, 2, -10}, 1.0));
+  ASSERT_EQ(cut.warnings.size(), 1u) << all(cut.warnings);
+  EXPECT_TRUE(has_line(cut.warnings, "where rays start, 0 scene units before the sheet"));
+  EXPECT_TRUE(sheet_of_camera("orthographic", p, {}, 640, 480, ball_at({1, 2, -8}, 1.0))
+                  .warnings.empty());
+}
+
+}  // namespace
+}  // namespace lentray::camera
