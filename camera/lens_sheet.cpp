@@ -56,7 +56,11 @@ double offset_of(const LensParameters& lens, double slope) {
 }
 
 LensSheet::LensSheet(const LensParameters& lens, std::uint32_t width, double eye_slope)
-    : m_lens(lens), m_eye_slope(eye_slope), m_lenses(width / lens.pixels) {
+    : m_lens(lens),
+      m_eye_slope(eye_slope),
+      m_shift(lens.is_finite() ? eye_slope * lens.focal_length / lens.ior
+                               : offset_of(lens, eye_slope)),
+      m_lenses(width / lens.pixels) {
   m_columns.reserve(width);
   for (std::uint32_t k = 0; k < width; ++k) {
     // Not through lengths: rounding there would move whole pixels at fractional N.
@@ -68,16 +72,16 @@ LensSheet::LensSheet(const LensParameters& lens, std::uint32_t width, double eye
 
 LensColumn LensSheet::place(double column, std::uint32_t lens) const {
   const double print_pitch = m_lens.print_pitch();
-  const double shift = m_eye_slope * m_lens.focal_length / m_lens.ior;
   // e first, in cells: the difference of two lengths would lose digits on a wide sheet.
   const double cells = column / m_lens.pixels - lens - 0.5;
   LensColumn c;
   c.lens = lens;
   c.axis = (lens + 0.5 - m_lenses / 2.0) * m_lens.pitch;
-  c.cell_centre = c.axis * (1.0 + m_lens.focal_length / (m_lens.ior * m_lens.view_distance)) + shift;
+  c.cell_centre =
+      c.axis * (1.0 + m_lens.focal_length / (m_lens.ior * m_lens.view_distance)) + m_shift;
   c.cell_offset = cells * print_pitch;
   c.centre = c.cell_centre + c.cell_offset;
-  c.lens_offset = c.cell_offset + shift +
+  c.lens_offset = c.cell_offset + m_shift +
                   c.axis * m_lens.focal_length / (m_lens.ior * m_lens.view_distance);
   c.dark = !slope_of(m_lens, c.lens_offset, c.slope);
   return c;
@@ -103,24 +107,22 @@ std::uint32_t LensSheet::view_width(std::uint32_t view) const {
 double LensSheet::widest_pitch() const {
   if (m_lens.model == LensModel::kParaxial || m_lens.ior == 1.0) return LensParameters::kInfinity;
   const double limit = m_lens.focal_length / std::sqrt(m_lens.ior * m_lens.ior - 1.0);
-  const double shift = m_eye_slope * m_lens.focal_length / m_lens.ior;
   double widest = LensParameters::kInfinity;
   for (const LensColumn& c : m_columns) {
     // Offsets grow linearly with the pitch: o = a P + shift.
-    const double a = (c.lens_offset - shift) / m_lens.pitch;
+    const double a = (c.lens_offset - m_shift) / m_lens.pitch;
     if (a == 0.0) continue;
-    widest = std::min(widest, std::max(0.0, (limit - (a > 0.0 ? shift : -shift)) / std::fabs(a)));
+    widest = std::min(widest, std::max(0.0, (limit - (a > 0.0 ? m_shift : -m_shift)) / std::fabs(a)));
   }
   return widest;
 }
 
 double LensSheet::largest_eye_miss() const {
   if (!m_lens.is_finite() || m_lens.model == LensModel::kParaxial) return 0.0;
-  const double shift = m_eye_slope * m_lens.focal_length / m_lens.ior;
   double largest = 0.0;
   for (const LensColumn& c : m_columns) {
     double middle = 0.0;  // slope of the same view's ray through the sheet's middle
-    if (c.dark || !slope_of(m_lens, c.cell_offset + shift, middle)) continue;
+    if (c.dark || !slope_of(m_lens, c.cell_offset + m_shift, middle)) continue;
     const double wanted = offset_of(m_lens, middle + c.axis / m_lens.view_distance);
     largest = std::max(largest, std::fabs(c.lens_offset - wanted) / m_lens.pixel_size());
   }

@@ -61,7 +61,8 @@ struct LensColumn {
 class LensSheet {
  public:
   /// `eye_slope`: horizontal slope of the line from the eye (finite or not) to the sheet's middle,
-  /// -e_x/V for an eye whose foot is e_x beside the middle. The print shifts along with the eye.
+  /// -e_x/V for an eye whose foot is e_x beside the middle. The print shifts along with the eye; with
+  /// an infinite V by just what makes the middle view look along eye_slope, whatever the model.
   /// The parameters must be valid (complaint() empty) and width > 0.
   LensSheet(const LensParameters& lens, std::uint32_t width, double eye_slope = 0.0);
 
@@ -104,6 +105,7 @@ class LensSheet {
  private:
   LensParameters m_lens;
   double m_eye_slope;
+  double m_shift;  ///< of the print, mm
   double m_lenses;
   std::vector<LensColumn> m_columns;
   std::uint32_t m_dark = 0;

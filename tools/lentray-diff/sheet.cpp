@@ -31,11 +31,16 @@ std::optional<double> Sheet::slope(std::uint32_t column) const {
   const std::uint32_t lens = lens_of(column);
   const double cell = ((column + 0.5) / pixels - (lens + 0.5)) * print_pitch();
   const double along = is_finite() ? axis(lens) * focal_length / (ior * view_distance) : 0.0;
-  const double offset = cell + along + eye_slope_x * focal_length / ior;
+  const double offset = cell + along + print_shift();
   if (paraxial) return ior * offset / focal_length;
   const double sine = ior * std::sin(std::atan(offset / focal_length));
   if (std::abs(sine) >= 1.0) return std::nullopt;
   return std::tan(std::asin(sine));
+}
+
+double Sheet::print_shift() const {
+  if (is_finite() || paraxial) return eye_slope_x * focal_length / ior;
+  return focal_length * std::tan(std::asin(std::sin(std::atan(eye_slope_x)) / ior));
 }
 
 std::uint32_t Sheet::view_width(std::uint32_t view) const {

@@ -3,7 +3,7 @@
 // renderer must not reach the reference that is to show it.
 //
 // Space: world. Lens data in mm, the rest in scene units. For pixel column k of lens i:
-//   o = e + x_i f/(nV) + f/n * eye_slope_x, tan t = n o/f (paraxial) or sin t = n sin atan(o/f),
+//   o = e + x_i f/(nV) + print shift, tan t = n o/f (paraxial) or sin t = n sin atan(o/f),
 //   v = tan t r + d + (Y/V + eye_slope_y) u through C + x_i r + Y u.
 // Errors: std::runtime_error that names a key that is missing or wrong. Immutable once made.
 #pragma once
@@ -38,6 +38,9 @@ struct Sheet {
   double row_height(std::uint32_t row) const { return (0.5 - (row + 0.5) / rows) * height; }
   /// e_j of view j, mm: the same for every lens.
   double cell_offset(std::uint32_t view) const;
+  /// What the print is moved to the side for an eye that is not before the middle, mm: f/n
+  /// eye_slope_x; with V infinite, what the model sees along eye_slope_x.
+  double print_shift() const;
   /// tan t; nothing on total internal reflection.
   std::optional<double> slope(std::uint32_t column) const;
   /// Lenses that have view j.
