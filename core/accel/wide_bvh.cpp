@@ -72,7 +72,9 @@ class BinaryBuilder {
   const Branch& operator[](std::uint32_t i) const { return m_branches[i]; }
 
  private:
-  static constexpr int kBins = 32;
+  static constexpr int kBins = 32, kFewBins = 8;
+  /// Few parts need few bins.
+  static int bins_for(std::uint32_t count) { return count <= kFewBins ? kFewBins : kBins; }
   static constexpr double kNodeCost = 0.35;  // of one binary step: an 8-wide node does about three
   struct Bin {
     Bounds box;
@@ -101,11 +103,12 @@ class BinaryBuilder {
   std::uint32_t leaf_cost_parts(std::uint32_t count, int pack) const {
     return (count + pack - 1) / pack;
   }
+  template <int kUsed>
   Split best_split(std::uint32_t first, std::uint32_t count, const Bounds& centres) const;
   std::uint32_t divide(std::uint32_t first, std::uint32_t count, const Split& split,
                        const Bounds& centres);
-  static int bin_of(double centre, double lo, double per_bin) {
-    return std::clamp(static_cast<int>((centre - lo) * per_bin), 0, kBins - 1);
+  static int bin_of(double centre, double lo, double per_bin, int bins) {
+    return std::clamp(static_cast<int>((centre - lo) * per_bin), 0, bins - 1);
   }
 
   std::span<const Bounds> m_boxes;
@@ -115,12 +118,13 @@ class BinaryBuilder {
   std::atomic<std::uint32_t> m_used{0};
 };
 
+template <int kUsed>
 BinaryBuilder::Split BinaryBuilder::best_split(std::uint32_t first, std::uint32_t count,
                                                const Bounds& centres) const {
-  Bin bins[3][kBins];
+  Bin bins[3][kUsed];
   const Vec3 size = centres.hi - centres.lo;
   double per_bin[3];
-  for (int a = 0; a < 3; ++a) per_bin[a] = size[a] > 0.0 ? kBins / size[a] : 0.0;
+  for (int a = 0; a < 3; ++a) per_bin[a] = size[a] > 0.0 ? kUsed / size[a] : 0.0;
   double weight = 0.0;
   for (std::uint32_t i = first; i < first + count; ++i) {
     const std::uint32_t part = m_order[i];
@@ -131,7 +135,7 @@ BinaryBuilder::Split BinaryBuilder::best_split(std::uint32_t first, std::uint32_
     weight += cost;
     for (int a = 0; a < 3; ++a) {
       if (!(per_bin[a] > 0.0 && std::isfinite(per_bin[a]))) continue;
-      Bin& bin = bins[a][bin_of(centre[a], centres.lo[a], per_bin[a])];
+      Bin& bin = bins[a][bin_of(centre[a], centres.lo[a], per_bin[a], kUsed)];
       bin.box.include(box);
       ++bin.count;
       bin.cost += cost;
@@ -143,17 +147,17 @@ BinaryBuilder::Split BinaryBuilder::best_split(std::uint32_t first, std::uint32_
   Split best;
   for (int a = 0; a < 3; ++a) {
     if (!(per_bin[a] > 0.0 && std::isfinite(per_bin[a]))) continue;
-    double right_cost[kBins];
+    double right_cost[kUsed];
     Bounds box;
     std::uint32_t n = 0;
-    for (int b = kBins - 1; b > 0; --b) {
+    for (int b = kUsed - 1; b > 0; --b) {
       box.include(bins[a][b].box);
       n += bins[a][b].count;
       right_cost[b] = n == 0 ? Bounds::kInf : box.surface() * leaf_cost_parts(n, pack) * pack_cost;
     }
     box = Bounds{};
     n = 0;
-    for (int b = 1; b < kBins; ++b) {
+    for (int b = 1; b < kUsed; ++b) {
       box.include(bins[a][b - 1].box);
       n += bins[a][b - 1].count;
       if (n == 0) continue;
@@ -171,9 +175,10 @@ std::uint32_t BinaryBuilder::divide(std::uint32_t first, std::uint32_t count, co
   const auto begin = m_order.begin() + first, end = begin + count;
   if (split.axis >= 0) {
     const double lo = centres.lo[split.axis];
-    const double per_bin = kBins / (centres.hi[split.axis] - lo);
+    const int bins = bins_for(count);
+    const double per_bin = bins / (centres.hi[split.axis] - lo);
     const auto middle = std::stable_partition(begin, end, [&](std::uint32_t part) {
-      return bin_of(m_boxes[part].centre()[split.axis], lo, per_bin) < split.bin;
+      return bin_of(m_boxes[part].centre()[split.axis], lo, per_bin, bins) < split.bin;
     });
     if (middle != begin && middle != end) return static_cast<std::uint32_t>(middle - begin);
   }
@@ -199,7 +204,10 @@ std::uint32_t BinaryBuilder::split(std::uint32_t first, std::uint32_t count, int
   std::uint32_t left = 0;
   // Splits by area lean to one side at worst one part at a time; halving bounds the depth.
   Split best;
-  if (depth < 40) best = best_split(first, count, centres);
+  if (depth < 40) {
+    best = bins_for(count) == kFewBins ? best_split<kFewBins>(first, count, centres)
+                                       : best_split<kBins>(first, count, centres);
+  }
   if (fits) {
     const double area = branch.box.surface();
     const double as_leaf = leaf_cost_parts(count, kind.pack) * kind.cost * area;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <mutex>
 
 #include "core/accel/wide_bvh.h"
 #include "core/geometry/object.h"
@@ -63,6 +64,7 @@ struct Csg::Search {
   std::vector<std::uint32_t> open_surfaces, open_solids;
   std::size_t in_beyond = 0;   ///< children in `solids` that are inside beyond their box
   std::size_t out_beyond = 0;  ///< ... outside beyond it
+  std::once_flag once;
 };
 
 Csg::Csg(CsgKind kind, std::vector<std::unique_ptr<Object>> children)
@@ -130,13 +132,16 @@ void Csg::fence_children() {
   }
   if (m_solid.is_empty()) m_solid = Bounds();
   if (m_void.is_empty()) m_void = Bounds();
-  build_search();
+  m_search = m_children.size() < kMany ? nullptr : std::make_unique<Search>();
 }
 
-void Csg::build_search() {
-  m_search.reset();
-  if (m_children.size() < kMany) return;
-  m_search = std::make_unique<Search>();
+/// Built when it is asked for first: most unions are split into their parts and never ask.
+const Csg::Search& Csg::search() const {
+  std::call_once(m_search->once, [this] { build_search(); });
+  return *m_search;
+}
+
+void Csg::build_search() const {
   std::vector<Bounds> surfaces(m_children.size()), solids(m_children.size());
   for (std::size_t i = 0; i < m_children.size(); ++i) {
     const Fence& fence = m_fences[i];
@@ -185,14 +190,15 @@ bool Csg::any_inside(const Vec3& p, std::size_t except) const {
     }
     return false;
   }
-  for (const std::uint32_t i : m_search->open_solids) {
+  const Search& search = this->search();
+  for (const std::uint32_t i : search.open_solids) {
     if (i != except && m_children[i]->inside(p)) return true;
   }
-  std::size_t beyond = m_search->in_beyond;  // of those whose box p turns out to be outside of
+  std::size_t beyond = search.in_beyond;  // of those whose box p turns out to be outside of
   if (except < m_fences.size() && m_fences[except].beyond && !m_fences[except].decide.contains(p)) --beyond;
-  const bool found = m_search->solids.at_point(p, [&](std::uint32_t first, std::uint32_t count) {
+  const bool found = search.solids.at_point(p, [&](std::uint32_t first, std::uint32_t count) {
     for (std::uint32_t place = first; place < first + count; ++place) {
-      const std::uint32_t i = m_search->solids.order()[place];
+      const std::uint32_t i = search.solids.order()[place];
       if (!m_fences[i].decide.contains(p)) continue;
       if (m_fences[i].beyond) --beyond;
       if (i != except && m_children[i]->inside(p)) return true;
@@ -209,19 +215,20 @@ bool Csg::every_inside(const Vec3& p, std::size_t except) const {
     }
     return true;
   }
-  for (const std::uint32_t i : m_search->open_solids) {
+  const Search& search = this->search();
+  for (const std::uint32_t i : search.open_solids) {
     if (i != except && !m_children[i]->inside(p)) return false;
   }
-  std::size_t beyond = m_search->out_beyond;
+  std::size_t beyond = search.out_beyond;
   if (except < m_fences.size() && !m_fences[except].beyond && m_fences[except].decide.is_finite() &&
       !m_fences[except].decide.contains(p)) {
     --beyond;
   } else if (except < m_fences.size() && !m_fences[except].beyond && m_fences[except].decide.is_empty()) {
     --beyond;
   }
-  const bool missing = m_search->solids.at_point(p, [&](std::uint32_t first, std::uint32_t count) {
+  const bool missing = search.solids.at_point(p, [&](std::uint32_t first, std::uint32_t count) {
     for (std::uint32_t place = first; place < first + count; ++place) {
-      const std::uint32_t i = m_search->solids.order()[place];
+      const std::uint32_t i = search.solids.order()[place];
       if (!m_fences[i].decide.contains(p)) continue;
       if (!m_fences[i].beyond) --beyond;
       if (i != except && !m_children[i]->inside(p)) return true;
@@ -253,13 +260,14 @@ void Csg::for_children_met(const Ray& ray, double t_min, double t_max, Visit&& v
     }
     return;
   }
-  for (const std::uint32_t i : m_search->open_surfaces) {
+  const Search& search = this->search();
+  for (const std::uint32_t i : search.open_surfaces) {
     if (visit(i, t_max)) return;
   }
-  m_search->surfaces.traverse(
+  search.surfaces.traverse(
       ray, t_min, t_max, [&](std::uint32_t first, std::uint32_t count, double& limit) {
         for (std::uint32_t place = first; place < first + count; ++place) {
-          if (visit(m_search->surfaces.order()[place], limit)) return true;
+          if (visit(search.surfaces.order()[place], limit)) return true;
         }
         return false;
       });

@@ -181,7 +181,8 @@ class Csg final : public Object {
   bool keeps(std::size_t child, const Vec3& p) const;
   bool kept_nearest(const Ray&, double t_min, double t_max, Hit&, HitArena&) const;
   void fence_children();
-  void build_search();
+  const Search& search() const;
+  void build_search() const;
 
   CsgKind m_kind;
   std::string_view m_name;

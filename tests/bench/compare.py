@@ -41,9 +41,9 @@ def wrappers(scene, width, height, binaries, folder):
     return views, folder / "mesh.pov"
 
 
-def stock(scene, width, height, library):
+def stock(scene, width, height, library, threads):
     return ["povray", f"+I{scene}", "+Ostock.png", f"+W{width}", f"+H{height}", f"+L{library}",
-            "-D", "-A", "-J", "-V", "-P", "+WT1", "+FN8"]
+            "-D", "-A", "-J", "-V", "-P", f"+WT{threads}", "+FN8"]
 
 
 def measure(name, args, binaries):
@@ -56,26 +56,29 @@ def measure(name, args, binaries):
 
         def ours():
             return cpu_seconds([binaries / "lentray", scene, "Declare=Lenticular_Camera=1",
-                                "+Oours.png", f"+W{width}", f"+H{height}", "+WT1", "-V"], folder)
+                                "+Oours.png", f"+W{width}", f"+H{height}", f"+WT{args.threads}", "-V"], folder)
 
         def stock_views():
             # The last lens may be cut: the views beyond it have one pixel less a row.
             total = 0.0
             for j, view in enumerate(views):
                 columns = len(range(j, width, 15))
-                total += cpu_seconds(stock(view, columns, height, scene.parent), folder)
+                total += cpu_seconds(stock(view, columns, height, scene.parent, args.threads), folder)
             return total
 
         def stock_mesh():
-            return cpu_seconds(stock(mesh, width, height + 1, scene.parent), folder)
+            return cpu_seconds(stock(mesh, width, height + 1, scene.parent, args.threads), folder)
 
-        times = {"lentray": [], "stock views": [], "stock mesh_camera": []}
+        ways = {"lentray": ours, "stock mesh_camera": stock_mesh}
+        if not args.no_views:
+            ways["stock views"] = stock_views
+        times = {way: [] for way in ways}
         for _ in range(args.runs):
-            times["lentray"].append(ours())
-            times["stock views"].append(stock_views())
-            times["stock mesh_camera"].append(stock_mesh())
+            for way, run in ways.items():
+                times[way].append(run())
     medians = {way: statistics.median(seconds) for way, seconds in times.items()}
-    print(f"{name}: {width} x {height}, {lenses} lenses of 15 pixels, medians of {args.runs}")
+    print(f"{name}: {width} x {height}, {lenses} lenses of 15 pixels, {args.threads} threads, "
+          f"medians of {args.runs}")
     for way, seconds in medians.items():
         ratio = "" if way == "lentray" else f"   stock / lentray = {seconds / medians['lentray']:.2f}"
         print(f"  {way:<18} {seconds:9.3f} CPU s{ratio}")
@@ -86,6 +89,8 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--size", default="1995x2000")
     parser.add_argument("--runs", type=int, default=5)
+    parser.add_argument("--threads", type=int, default=1, help="CPU time is that of all threads")
+    parser.add_argument("--no-views", action="store_true", help="only stock's mesh_camera way")
     parser.add_argument("--bin", default=str(ROOT / "build" / "release" / "bin"))
     parser.add_argument("--json")
     parser.add_argument("scenes", nargs="*", default=["balls", "gears"])
