@@ -125,14 +125,13 @@ class Outliner {
   std::vector<Vec3> m_ends;
 };
 
-void count(Counters* counters, const Object& object) {
-  if (!counters) return;
-  ++counters->primitive_tests;
-  const auto at = counters->tests_by_type.find(object.name());
-  if (at != counters->tests_by_type.end()) {
+void count(Counters& counters, const Object& object) {
+  ++counters.primitive_tests;
+  const auto at = counters.tests_by_type.find(object.name());
+  if (at != counters.tests_by_type.end()) {
     ++at->second;
   } else {
-    counters->tests_by_type.emplace(object.name(), 1);
+    counters.tests_by_type.emplace(object.name(), 1);
   }
 }
 
@@ -168,12 +167,19 @@ LightBuffer::LightBuffer(const Vec3& light, const std::vector<std::unique_ptr<Ob
       (object->is_opaque() ? m_always_opaque : m_always_transparent).push_back(object.get());
     } else {
       const Shape* shape = plain_shape(*object);
-      casters.push_back({{object.get(), shape, kind_of(shape), object->is_opaque()}, box, distance});
+      casters.push_back({{object.get(), shape, kind_of(shape), object->is_opaque(), 0}, box,
+                         distance});
     }
   }
   std::stable_sort(casters.begin(), casters.end(),
                    [](const Placed& a, const Placed& b) { return a.distance < b.distance; });
-  for (const Placed& c : casters) m_casters.push_back(c.caster);
+  for (const Placed& c : casters) {
+    m_casters.push_back(c.caster);
+    if (c.caster.kind != Kind::kSphere) continue;
+    const auto& sphere = static_cast<const Sphere&>(*c.caster.shape);
+    m_casters.back().sphere = static_cast<std::uint32_t>(m_spheres.size());
+    m_spheres.push_back({sphere.centre(), sphere.radius2()});
+  }
   for (int face = 0; face < LightFace::kFaces && !m_crowded; ++face) fill(face, cells, casters);
 }
 
@@ -260,47 +266,61 @@ void LightBuffer::keep(Face& f, std::vector<Found>& found) {
   }
 }
 
-inline bool LightBuffer::blocks(const Caster& caster, const Ray& ray, double t_min, double t_max,
-                                HitArena& arena) const {
-  ShapeHit hit;
-  switch (caster.kind) {
-    case Kind::kSphere:
-      return static_cast<const Sphere*>(caster.shape)->Sphere::any(ray, t_min, t_max);
-    case Kind::kPolygon:
-      return static_cast<const Polygon*>(caster.shape)->Polygon::nearest(ray, t_min, t_max, hit);
-    case Kind::kTriangle:
-      return static_cast<const Triangle*>(caster.shape)->Triangle::nearest(ray, t_min, t_max, hit);
-    case Kind::kBox:
-      return static_cast<const Box*>(caster.shape)->Box::nearest(ray, t_min, t_max, hit);
-    case Kind::kAny: break;
+template <class Count>
+const Object* LightBuffer::search(const Spot& spot, const Ray& ray, double t_min, double t_max,
+                                  HitArena& arena, Count count) const {
+  if (const Cell* cell = spot.cell) {
+    if (spot.w > cell->full_w) return m_casters[cell->cover].object;
+    const double inverse_dd = 1.0 / dot(ray.direction, ray.direction);
+    const Entry* entry = spot.entries + cell->first;
+    for (const Entry* end = entry + cell->opaque; entry < end && entry->near_w < spot.w; ++entry) {
+      const Caster& caster = m_casters[entry->caster];
+      count(caster.object);
+      bool blocked = false;
+      ShapeHit hit;
+      switch (caster.kind) {
+        case Kind::kSphere: {
+          const Round& sphere = m_spheres[caster.sphere];
+          double t0 = 0.0, t1 = 0.0;
+          if (!sphere_roots(ray, inverse_dd, sphere.centre, sphere.radius2, t0, t1)) continue;
+          const double t = t0 > t_min ? t0 : t1;
+          blocked = t > t_min && t < t_max;
+          break;
+        }
+        case Kind::kPolygon:
+          blocked = static_cast<const Polygon*>(caster.shape)->Polygon::nearest(ray, t_min, t_max, hit);
+          break;
+        case Kind::kTriangle:
+          blocked = static_cast<const Triangle*>(caster.shape)->Triangle::nearest(ray, t_min, t_max, hit);
+          break;
+        case Kind::kBox:
+          blocked = static_cast<const Box*>(caster.shape)->Box::nearest(ray, t_min, t_max, hit);
+          break;
+        case Kind::kAny: blocked = caster.object->any(ray, t_min, t_max, arena); break;
+      }
+      if (blocked) return caster.object;
+    }
   }
-  return caster.object->any(ray, t_min, t_max, arena);
+  for (const Object* object : m_always_opaque) {
+    count(object);
+    if (object->any(ray, t_min, t_max, arena)) return object;
+  }
+  return nullptr;
 }
 
 const Object* LightBuffer::any_opaque(const Spot& spot, const Ray& ray, double t_min, double t_max,
                                       HitArena& arena, Counters* counters) const {
-  if (counters) ++counters->bounds_tests;
-  if (const Cell* cell = spot.cell) {
-    if (spot.w > cell->full_w) return m_casters[cell->cover].object;
-    const Entry* entry = spot.entries + cell->first;
-    for (const Entry* end = entry + cell->opaque; entry < end && entry->near_w < spot.w; ++entry) {
-      const Caster& caster = m_casters[entry->caster];
-      count(counters, *caster.object);
-      if (blocks(caster, ray, t_min, t_max, arena)) return caster.object;
-    }
-  }
-  for (const Object* object : m_always_opaque) {
-    count(counters, *object);
-    if (object->any(ray, t_min, t_max, arena)) return object;
-  }
-  return nullptr;
+  if (!counters) return search(spot, ray, t_min, t_max, arena, [](const Object*) {});
+  ++counters->bounds_tests;
+  return search(spot, ray, t_min, t_max, arena,
+                [counters](const Object* object) { count(*counters, *object); });
 }
 
 void LightBuffer::all_transparent(const Spot& spot, const Ray& ray, double t_min, double t_max,
                                   std::vector<Hit>& hits, HitArena& arena,
                                   Counters* counters) const {
   const auto ask = [&](const Object* object) {
-    count(counters, *object);
+    if (counters) count(*counters, *object);
     const std::size_t before = hits.size();
     object->all(ray, t_min, t_max, hits, arena);
     for (std::size_t i = before; i < hits.size(); ++i) hits[i].object = object;
@@ -315,7 +335,8 @@ void LightBuffer::all_transparent(const Spot& spot, const Ray& ray, double t_min
 }
 
 std::size_t LightBuffer::memory() const {
-  std::size_t bytes = sizeof(*this) + m_casters.capacity() * sizeof(Caster);
+  std::size_t bytes = sizeof(*this) + m_casters.capacity() * sizeof(Caster) +
+                      m_spheres.capacity() * sizeof(Round);
   for (const Face& f : m_faces) {
     bytes += f.cells.capacity() * sizeof(Cell) + f.entries.capacity() * sizeof(Entry);
   }

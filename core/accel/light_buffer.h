@@ -77,9 +77,14 @@ class LightBuffer {
   enum class Kind : std::uint8_t { kAny, kSphere, kPolygon, kTriangle, kBox };
   struct Caster {
     const Object* object;
-    const Shape* shape;  ///< asked without a detour where the kind is known
+    const Shape* shape;    ///< asked without a detour where the kind is known
     Kind kind;
     bool opaque;
+    std::uint32_t sphere;  ///< place in m_spheres
+  };
+  struct Round {
+    Vec3 centre;
+    double radius2;
   };
   /// A caster while the buffer is built; `box` is relative to the light.
   struct Placed {
@@ -89,8 +94,9 @@ class LightBuffer {
   };
   struct Found;  ///< an entry with its cell, while a face is filled
 
-  bool blocks(const Caster& caster, const Ray& ray, double t_min, double t_max,
-              HitArena& arena) const;
+  template <class Count>
+  const Object* search(const Spot& spot, const Ray& to_light, double t_min, double t_max,
+                       HitArena& arena, Count count) const;
   static Kind kind_of(const Shape* shape);
   void fill(int face, std::uint32_t cells, const std::vector<Placed>& casters);
   void keep(Face& face, std::vector<Found>& found);
@@ -99,6 +105,7 @@ class LightBuffer {
   bool m_crowded = false;
   double m_tolerance, m_least_distance;
   std::vector<Caster> m_casters;        ///< by distance
+  std::vector<Round> m_spheres;
   std::vector<const Object*> m_always_opaque, m_always_transparent;  ///< infinite ones and near ones
   std::array<Face, LightFace::kFaces> m_faces;
 };

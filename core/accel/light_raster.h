@@ -19,8 +19,9 @@ struct LightFace {
   static constexpr int kFaces = 6;
   static int of(const Vec3& v) {
     const double x = std::fabs(v.x), y = std::fabs(v.y), z = std::fabs(v.z);
+    const bool negative[3] = {v.x < 0.0, v.y < 0.0, v.z < 0.0};
     const int axis = x >= y ? (x >= z ? 0 : 2) : (y >= z ? 1 : 2);
-    return 2 * axis + (v[axis] < 0.0 ? 1 : 0);
+    return 2 * axis + negative[axis];
   }
   static double w_of(int face, const Vec3& v) { return face & 1 ? -v[face / 2] : v[face / 2]; }
   static int u_axis(int face) { return face / 2 == 0 ? 1 : 0; }
@@ -58,8 +59,9 @@ class LightRaster {
   }
   /// The cell of a direction of this face with that w > 0; -1 outside.
   std::int64_t cell_of(const Vec3& v, double w) const {
-    const double x = (v[m_u] / w - m_lo[0]) * m_per_cell[0];
-    const double y = (v[m_v] / w - m_lo[1]) * m_per_cell[1];
+    const double along[3] = {v.x, v.y, v.z}, over_w = 1.0 / w;
+    const double x = (along[m_u] * over_w - m_lo[0]) * m_per_cell[0];
+    const double y = (along[m_v] * over_w - m_lo[1]) * m_per_cell[1];
     if (!(x >= 0.0 && y >= 0.0 && x < m_limit[0] && y < m_limit[1])) return -1;
     return static_cast<std::int64_t>(y) * m_size[0] + static_cast<std::int64_t>(x);
   }
