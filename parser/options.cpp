@@ -196,19 +196,6 @@ bool looks_like_option(const std::string& text, std::size_t& equals) {
   return true;
 }
 
-std::string memory_text(double bytes) {
-  char buffer[32];
-  const char* unit = "MB";
-  double value = bytes / 1e6;
-  for (const char* next : {"GB", "TB", "PB"}) {
-    if (value < 1000.0) break;
-    value /= 1000.0;
-    unit = next;
-  }
-  std::snprintf(buffer, sizeof buffer, "%.3g %s", value, unit);
-  return buffer;
-}
-
 const char* extension(OutputType type) {
   return type == OutputType::kPng ? ".png" : type == OutputType::kTiff ? ".tif" : ".exr";
 }
@@ -292,17 +279,31 @@ std::string output_path(const RenderOptions& options, OutputType& type) {
   return has_it ? out : out + extension(type);
 }
 
-double picture_bytes(std::int64_t width, std::int64_t height) {
-  // Four floats a pixel, and once more what the file's encoder holds.
-  return 32.0 * static_cast<double>(width) * static_cast<double>(height);
+std::string memory_text(double bytes) {
+  char buffer[32];
+  const char* unit = "MB";
+  double value = bytes / 1e6;
+  for (const char* next : {"GB", "TB", "PB"}) {
+    if (value < 1000.0) break;
+    value /= 1000.0;
+    unit = next;
+  }
+  std::snprintf(buffer, sizeof buffer, "%.3g %s", value, unit);
+  return buffer;
 }
 
-void check_picture_size(std::int64_t width, std::int64_t height, double memory) {
-  const double bytes = picture_bytes(width, height);
-  if (bytes <= memory) return;
-  throw OptionError("a picture of " + std::to_string(width) + " x " + std::to_string(height) +
-                    " pixels needs " + memory_text(bytes) + " of memory; there are " +
-                    memory_text(memory));
+void check_picture_size(std::int64_t width, std::int64_t height, double bytes_a_row,
+                        double memory) {
+  constexpr double kMost = 1024.0 * 1024.0 * 1024.0 * 1024.0;
+  const std::string picture =
+      "a picture of " + std::to_string(width) + " x " + std::to_string(height) + " pixels";
+  if (bytes_a_row > memory) {
+    throw OptionError(picture + " needs " + memory_text(bytes_a_row) +
+                      " of memory for a row; there are " + memory_text(memory));
+  }
+  if (static_cast<double>(width) * static_cast<double>(height) > kMost) {
+    throw OptionError(picture + " is too large: the limit is 1048576 x 1048576");
+  }
 }
 
 std::string help_text() {
@@ -328,7 +329,9 @@ Lens sheet (lengths in mm):
   Sheet_Distance=n     Lens_Front=n            (scene units)
   View=j               that view alone
 
-  Pixel_Order=rows|columns   Shadow_Cache=off|last|depth   Accelerator=bvh|list   -UL
+  Pixel_Order=rows|views|columns|tiles   Shadow_Cache=off|last|depth
+  Accelerator=bvh|list   -UL
+  Max_Memory=n[M|G]          how much to use; half of the machine's  (Band_Height=rows)
   Statistics_File=x.json     what the run did (docs/statistics.md)
   --explain            what the scene needs of the renderer; renders nothing
   --dump-rays FILE     every camera ray (docs/lens.md); renders nothing

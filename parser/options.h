@@ -56,6 +56,8 @@ struct RenderOptions {
   // Ours besides.
   std::string pixel_order = "rows", shadow_cache = "off", accelerator = "bvh";
   bool light_buffer = true;   ///< +UL: shadow rays to point lights look where the light sees
+  double max_memory = 0.0;                ///< bytes; 0: half of the machine's
+  std::uint32_t band_height = 0;          ///< rows; 0: as the memory allows
   std::string statistics_file, dump_rays;
   bool explain = false, help = false, version = false;
 
@@ -82,10 +84,12 @@ RenderOptions read_options(std::span<const std::string> arguments, const OptionS
 /// "-": standard output. Sets `type` to what the file will be.
 std::string output_path(const RenderOptions& options, OutputType& type);
 
-/// Bytes a picture of that size takes while it is rendered.
-double picture_bytes(std::int64_t width, std::int64_t height);
-/// Throws OptionError that names the memory needed if the picture does not fit into `memory` bytes.
-void check_picture_size(std::int64_t width, std::int64_t height, double memory);
+/// Throws OptionError if a picture has more pixels than can be thought of (2^40), or one row, which
+/// takes `bytes_a_row`, does not fit into `memory` bytes.
+void check_picture_size(std::int64_t width, std::int64_t height, double bytes_a_row, double memory);
+
+/// "24 MB", "1.5 GB": powers of 1000.
+std::string memory_text(double bytes);
 
 /// The text of --help.
 std::string help_text();

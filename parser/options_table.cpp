@@ -177,9 +177,8 @@ void choose(Options& o, const Given& g, std::string& out, const char* what,
 }
 
 void set_order(Options& o, const Given& g) {
-  constexpr std::string_view kThere[] = {"rows", "columns"};
-  constexpr std::string_view kComing[] = {"views",   "combined", "strips",
-                                          "tiles",   "hilbert",  "adaptive"};
+  constexpr std::string_view kThere[] = {"rows", "views", "columns", "tiles"};
+  constexpr std::string_view kComing[] = {"combined", "strips", "hilbert", "adaptive"};
   choose(o, g, o.pixel_order, "pixel order", kThere, kComing);
 }
 void set_cache(Options& o, const Given& g) {
@@ -231,6 +230,37 @@ void set_sheet(Options& o, const Given& g) {
 }
 void set_view(Options& o, const Given& g) {
   o.view = static_cast<std::uint32_t>(whole_number(g, 0, 1'000'000));
+}
+/// Bytes, or with a unit: K, M, G or T, as B, KB and KiB, powers of 1024.
+void set_memory(Options& o, const Given& g) {
+  constexpr std::string_view kUnits[] = {"", "K", "M", "G", "T"};
+  constexpr double kLeast = 1024.0 * 1024.0;
+  std::string text = g.value;
+  const std::size_t letters = std::find_if(text.begin(), text.end(), [](unsigned char c) {
+    return std::isalpha(c);
+  }) - text.begin();
+  const std::string unit = text.substr(letters);
+  text.erase(letters);
+  while (!text.empty() && text.back() == ' ') text.pop_back();
+  Given only = g;
+  only.value = text;
+  double bytes = positive(only);
+  for (const std::string_view row : kUnits) {
+    const std::string name(row);
+    if (same_word(unit, name) || same_word(unit, name + "B") ||
+        (!name.empty() && same_word(unit, name + "iB"))) {
+      if (bytes < kLeast) {
+        refuse(g, "less than 1 MB; a unit may stand behind the number, such as 512M");
+      }
+      o.max_memory = bytes;
+      return;
+    }
+    bytes *= 1024.0;
+  }
+  refuse(g, "unknown unit '" + unit + "': there are K, M, G and T");
+}
+void set_band(Options& o, const Given& g) {
+  o.band_height = static_cast<std::uint32_t>(whole_number(g, 1, 2'147'483'647));
 }
 void set_width(Options& o, const Given& g) { o.width = whole_number(g, 1, 2'147'483'647); }
 void set_height(Options& o, const Given& g) { o.height = whole_number(g, 1, 2'147'483'647); }
@@ -375,6 +405,8 @@ constexpr OptionRow kTable[] = {
     {"Shadow_Cache", "", set_cache},
     {"Accelerator", "", set_accelerator},
     {"Light_Buffer", "UL", set_bool<&Options::light_buffer>},
+    {"Max_Memory", "", set_memory},
+    {"Band_Height", "", set_band},
     {"Statistics_File", "", set_text<&Options::statistics_file>},
 };
 

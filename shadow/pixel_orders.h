@@ -1,28 +1,52 @@
-// Pixel orders by name, as `Pixel_Order=` takes it, cut into jobs: bands of whole rows or whole
-// columns, small enough that every thread has work to the end, large enough that a cache sees
-// runs of neighbours. The order of pixels never changes the picture.
+// Pixel orders by name, as `Pixel_Order=` takes it, cut into jobs: runs of the order, small enough
+// that every thread has work to the end, large enough that a cache sees neighbours. The order of
+// pixels never changes the picture.
+//
+//   rows     row after row, each from the left
+//   views    view after view; each as rows, from lens to lens
+//   columns  column after column, each from the top
+//   tiles    squares of 32 pixels, a row of squares after another, each square as rows
+//
+// Views: pixel j of all lenses. Where N is not whole, lenses differ in width by a pixel, and the
+// last view has only the wider ones. Without a lens sheet every pixel is a lens of its own: one
+// view, which is the same as rows.
 #pragma once
 
 #include <memory>
 #include <string_view>
 #include <vector>
 
+#include "camera/lens_sheet.h"
 #include "core/render/pixel_order.h"
 
 namespace lentray::shadow {
+
+inline constexpr std::uint32_t kTile = 32;  ///< pixels, the side of a square of `tiles`
 
 /// The part of the image to render, in pixels: columns [left, right), rows [top, bottom).
 struct PixelRegion {
   std::uint32_t left = 0, top = 0, right = 0, bottom = 0;
 };
 
-/// rows, columns: in this order.
+/// rows, views, columns, tiles: in this order.
 const std::vector<std::string_view>& order_names();
 
 /// Throws std::invalid_argument with the list of names for one that is not there (letter case
-/// does not matter). An empty region has no jobs.
-std::unique_ptr<core::PixelOrder> make_order(std::string_view name, const PixelRegion& region);
+/// does not matter). An empty region has no jobs. `sheet` is for the image's columns; it need not
+/// live longer than the call.
+std::unique_ptr<core::PixelOrder> make_order(std::string_view name, const PixelRegion& region,
+                                             const camera::LensSheet* sheet = nullptr);
 std::unique_ptr<core::PixelOrder> make_order(std::string_view name, std::uint32_t width,
                                              std::uint32_t height);
+
+/// The same for the bands of an image, inside which an order stays.
+std::unique_ptr<core::BandOrders> make_band_orders(std::string_view name, std::uint32_t width,
+                                                   const camera::LensSheet* sheet = nullptr);
+
+/// Rows in a band of an image of that size, if bands shall take `memory` bytes at
+/// `bytes_a_row` each: as many as fit, but not more than a few million pixels, and less where the
+/// order does not gain by higher bands; at least 1. Throws as make_order().
+std::uint32_t band_height(std::string_view name, std::uint32_t width, std::uint32_t height,
+                          double bytes_a_row, double memory);
 
 }  // namespace lentray::shadow

@@ -59,6 +59,7 @@ json to_json(const RunReport& report) {
   out["options"] = {{"pixel_order", report.pixel_order},
                     {"shadow_cache", report.shadow_cache},
                     {"accelerator", report.accelerator}};
+  out["bands"] = {{"height", report.band_height}, {"count", report.bands}};
   if (report.lens) out["lens"] = lens_json(*report.lens);
   out["rays"] = {{"camera", c.camera_rays},
                  {"reflected", c.reflected_rays},
@@ -71,6 +72,7 @@ json to_json(const RunReport& report) {
   out["time"] = {{"parse_cpu_s", report.parse_cpu_s},
                  {"compile_cpu_s", report.compile_cpu_s},
                  {"render_cpu_s", report.render_cpu_s},
+                 {"write_cpu_s", report.write_cpu_s},
                  {"wall_s", report.wall_s}};
   out["threads"] = report.threads;
   out["memory"] = {{"peak_bytes", report.peak_bytes}};

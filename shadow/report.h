@@ -28,8 +28,10 @@ struct RunReport {
   std::string pixel_order = "rows", shadow_cache = "off", accelerator = "bvh";
   std::optional<LensReport> lens;    ///< none for an ordinary camera
   core::Counters counters;           ///< merged over the threads
+  std::uint32_t band_height = 0, bands = 0;  ///< rows in a band, and how many bands there are
   bool tests_counted = false;        ///< counters' tests are filled
-  double parse_cpu_s = 0.0, compile_cpu_s = 0.0, render_cpu_s = 0.0, wall_s = 0.0;
+  double parse_cpu_s = 0.0, compile_cpu_s = 0.0, render_cpu_s = 0.0, write_cpu_s = 0.0;
+  double wall_s = 0.0;
   int threads = 1;
   std::uint64_t peak_bytes = 0;
 };

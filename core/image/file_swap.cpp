@@ -1,13 +1,17 @@
 #include "core/image/file_swap.h"
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <atomic>
 #include <cerrno>
 #include <cstring>
-#include <fstream>
 #include <string>
+#include <string_view>
 #include <system_error>
+#include <vector>
 
 #include "core/image/writer.h"
 
@@ -17,8 +21,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr std::string_view kStandardOutput = "-", kMark = ".lentray-", kEnd = ".part";
+constexpr std::size_t kLongestName = 180;  ///< what is added must fit into 255 bytes
+
 [[noreturn]] void fail(const fs::path& place, const std::string& why) {
-  throw ImageError("cannot write '" + place.string() + "': " + why);
+  throw ImageError("cannot write " + shown_place(place) + ": " + why);
 }
 
 /// Where the bytes go in the end, links followed.
@@ -38,7 +45,24 @@ fs::path folder_of(const fs::path& place) {
   return place.has_parent_path() ? place.parent_path() : fs::path(".");
 }
 
+/// Temporary files that nobody holds a lock on: their makers were killed.
+void remove_left_over(const fs::path& folder, const std::string& stem) {
+  std::error_code error;
+  for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+    const std::string name = at->path().filename().string();
+    if (!name.starts_with(stem) || !name.ends_with(kEnd)) continue;
+    const int file = ::open(at->path().c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
+    if (file < 0) continue;
+    if (::flock(file, LOCK_EX | LOCK_NB) == 0) (void)::unlink(at->path().c_str());
+    ::close(file);
+  }
+}
+
 }  // namespace
+
+std::string shown_place(const fs::path& place) {
+  return place == kStandardOutput ? "to standard output" : "'" + place.string() + "'";
+}
 
 void check_writable(const fs::path& wanted) {
   if (wanted.empty() || !wanted.has_filename()) fail(wanted, "no file name given");
@@ -57,28 +81,77 @@ void check_writable(const fs::path& wanted) {
   }
 }
 
-FileSwap::FileSwap(const fs::path& place) : m_place(resolved(place)), m_device(is_device(m_place)) {
-  check_writable(place);
-  static std::atomic<unsigned> serial{0};  // only makes names differ, never seen in a result
-  const std::string name = "." + m_place.filename().string() + "." + std::to_string(::getpid()) +
-                           "-" + std::to_string(serial++) + ".part";
-  m_temporary = (m_device ? fs::temp_directory_path() : folder_of(m_place)) / name;
+FileSwap::FileSwap(const fs::path& place) : m_place(place) {
+  if (place == kStandardOutput) {
+    m_device = true;
+  } else {
+    check_writable(place);
+    m_place = resolved(place);
+    m_device = is_device(m_place);
+  }
+  make_temporary();
 }
 
 FileSwap::~FileSwap() {
-  if (m_committed) return;
   std::error_code ignored;
-  fs::remove(m_temporary, ignored);
+  if (!m_committed) fs::remove(m_temporary, ignored);
+  ::close(m_lock);
+}
+
+void FileSwap::make_temporary() {
+  std::error_code error;
+  const fs::path folder = m_device ? fs::temp_directory_path(error) : folder_of(m_place);
+  if (error) fail(m_place, error.message());
+  const std::string stem = "." + m_place.filename().string().substr(0, kLongestName) + std::string(kMark);
+  remove_left_over(folder, stem);
+  static std::atomic<unsigned> serial{0};  // only makes names differ, never seen in a result
+  while (m_lock < 0) {
+    m_temporary = folder / (stem + std::to_string(::getpid()) + "-" + std::to_string(serial++) +
+                            std::string(kEnd));
+    m_lock = ::open(m_temporary.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC,
+                    m_device ? 0600 : 0666);
+    if (m_lock < 0) {
+      if (errno == EEXIST) continue;
+      fail(m_place, std::strerror(errno));
+    }
+    // Where there are no locks nothing is cleared away.
+    while (::flock(m_lock, LOCK_EX) != 0 && errno == EINTR) {
+    }
+    struct stat there{};
+    if (::fstat(m_lock, &there) == 0 && there.st_nlink > 0) break;
+    ::close(m_lock);  // taken for a left-over before it was locked
+    m_lock = -1;
+  }
+}
+
+void FileSwap::copy_to_device() {
+  const bool out = m_place == kStandardOutput;
+  const int from = ::open(m_temporary.c_str(), O_RDONLY | O_CLOEXEC);
+  const int to = out ? STDOUT_FILENO : ::open(m_place.c_str(), O_WRONLY | O_CLOEXEC);
+  std::string why = from < 0 || to < 0 ? std::strerror(errno) : "";
+  std::vector<char> buffer(1 << 18);
+  while (why.empty()) {
+    const ssize_t got = ::read(from, buffer.data(), buffer.size());
+    if (got == 0) break;
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) why = std::strerror(errno);
+    for (ssize_t done = 0; done < got;) {
+      const ssize_t put = ::write(to, buffer.data() + done, static_cast<std::size_t>(got - done));
+      if (put < 0 && errno == EINTR) continue;
+      if (put < 0) {
+        why = std::strerror(errno);
+        break;
+      }
+      done += put;
+    }
+  }
+  if (from >= 0) ::close(from);
+  if (!out && to >= 0 && ::close(to) != 0 && why.empty()) why = std::strerror(errno);
+  if (!why.empty()) fail(m_place, why);
 }
 
 void FileSwap::commit() {
-  if (m_device) {
-    std::ifstream from(m_temporary, std::ios::binary);
-    std::ofstream to(m_place, std::ios::binary);
-    to << from.rdbuf();
-    if (!to.flush()) fail(m_place, "writing to the device failed");
-    return;  // the destructor removes the temporary file
-  }
+  if (m_device) return copy_to_device();  // the destructor removes the temporary file
   std::error_code error;
   fs::rename(m_temporary, m_place, error);
   if (error) fail(m_place, error.message());

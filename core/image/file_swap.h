@@ -1,16 +1,24 @@
 // A file that appears whole or not at all: written under a temporary name in the folder of its
 // place, then renamed. What stood there before stays until that moment.
+//
+// The temporary file of a.png is called .a.png.lentray-<process>-<number>.part. It is locked while
+// its maker lives; one that a killed process left behind is removed by the next that writes a.png.
 // Errors: ImageError. Threads: one object a thread.
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 namespace lentray::core {
 
+/// "'a.png'" or "to standard output", to follow "cannot write ".
+std::string shown_place(const std::filesystem::path& place);
+
 class FileSwap {
  public:
-  /// Symbolic links are followed. A device such as /dev/null is written through a temporary
-  /// file elsewhere. Throws ImageError if the place cannot be written.
+  /// Makes an empty temporary file. Symbolic links are followed. A device such as /dev/null, and
+  /// standard output, called "-", are written through a temporary file elsewhere. Throws
+  /// ImageError if the place cannot be written.
   explicit FileSwap(const std::filesystem::path& place);
   ~FileSwap();  ///< removes the temporary file unless committed
   FileSwap(const FileSwap&) = delete;
@@ -20,8 +28,12 @@ class FileSwap {
   void commit();
 
  private:
+  void make_temporary();
+  void copy_to_device();
+
   std::filesystem::path m_place, m_temporary;
   bool m_device = false, m_committed = false;
+  int m_lock = -1;  ///< open file
 };
 
 }  // namespace lentray::core

@@ -6,8 +6,11 @@
 #include <cctype>
 #include <cmath>
 #include <memory>
+#include <mutex>
 
+#include "core/image/checked_file.h"
 #include "core/image/file_swap.h"
+#include "core/image/quantiser.h"
 #include "core/image/reader.h"
 
 namespace lentray::core {
@@ -15,27 +18,6 @@ namespace lentray::core {
 namespace fs = std::filesystem;
 
 namespace {
-
-/// IEC 61966-2-1, as stock's default file gamma.
-float srgb_encoded(float linear) {
-  if (linear <= 0.0031308f) return linear * 12.92f;
-  return 1.055f * std::pow(linear, 1.0f / 2.4f) - 0.055f;
-}
-
-float power(float value, double exponent) {
-  return value <= 0.0f ? value : static_cast<float>(std::pow(double{value}, exponent));
-}
-
-float linear_of(float value, const ImageFormat& format) {
-  return format.working_gamma == 1.0 ? value : power(value, format.working_gamma);
-}
-
-unsigned scaled_to_integer(float encoded, int bits) {
-  const float max = static_cast<float>((1u << bits) - 1u);
-  const float level = std::floor(encoded * max + 0.5f);
-  if (!(level > 0.0f)) return 0u;  // NaN too
-  return static_cast<unsigned>(std::min(level, max));
-}
 
 const char* plugin_name(FileType type) {
   switch (type) {
@@ -75,6 +57,10 @@ void put_metadata(OIIO::ImageSpec& spec, FileType type, const ImageMetadata& met
 }
 
 void put_colour_space(OIIO::ImageSpec& spec, const ImageFormat& format) {
+  spec.attribute("oiio:UnassociatedAlpha", 1);
+  // There it would become an Exif directory, for which OpenImageIO reads back what it writes
+  // through a proxy, and cannot.
+  if (format.type == FileType::tiff) return;
   if (format.type == FileType::exr) {
     spec.attribute("oiio:ColorSpace", "Linear");
   } else if (format.srgb) {
@@ -86,53 +72,19 @@ void put_colour_space(OIIO::ImageSpec& spec, const ImageFormat& format) {
     spec.attribute("oiio:ColorSpace", "GammaCorrected");
     spec.attribute("oiio:Gamma", static_cast<float>(format.file_gamma));
   }
-  spec.attribute("oiio:UnassociatedAlpha", 1);
 }
 
-template <class Sample>
-void write_samples(const fs::path& path, const char* plugin, const OIIO::ImageSpec& spec,
-                   const std::vector<Sample>& samples) {
-  FileSwap swap(path);
-  const auto fail = [&](const std::string& why) {
-    throw ImageError("cannot write '" + path.string() + "': " + why);
-  };
-  const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(plugin);
-  if (!output) fail(OIIO::geterror());
-  const std::string temporary = swap.temporary().string();
-  if (!output->open(temporary, spec)) fail(output->geterror());
-  if (!output->write_image(spec.format, samples.data())) fail(output->geterror());
-  if (!output->close()) fail(output->geterror());
-  swap.commit();
-}
+// Rows that are encoded at a time: few, so that they stay in the processor's cache, and whole
+// chunks of OpenEXR's.
+constexpr std::uint32_t kRowsAtATime = 32;
 
-template <class Sample>
-std::vector<Sample> encoded_samples(const Image& image, const ImageFormat& format, int channels) {
-  std::vector<Sample> samples(std::size_t{image.width} * image.height * channels);
-  std::size_t next = 0;
-  for (std::size_t p = 0; p < std::size_t{image.width} * image.height; ++p) {
-    for (int c = 0; c < 3; ++c) {
-      samples[next++] = static_cast<Sample>(quantised(image.rgba[4 * p + c], format));
-    }
-    // Alpha is a share, not light: no gamma.
-    if (channels == 4) {
-      samples[next++] =
-          static_cast<Sample>(scaled_to_integer(image.rgba[4 * p + 3], format.bits));
-    }
-  }
-  return samples;
-}
-
-std::vector<float> float_samples(const Image& image, const ImageFormat& format, int channels) {
-  std::vector<float> samples;
-  samples.reserve(std::size_t{image.width} * image.height * channels);
-  for (std::size_t p = 0; p < std::size_t{image.width} * image.height; ++p) {
-    const float alpha = channels == 4 ? image.rgba[4 * p + 3] : 1.0f;
-    for (int c = 0; c < 3; ++c) {
-      samples.push_back(linear_of(image.rgba[4 * p + c], format) * alpha);
-    }
-    if (channels == 4) samples.push_back(alpha);
-  }
-  return samples;
+void put_compression(OIIO::ImageSpec& spec, FileType type) {
+  if (type != FileType::png) return;
+  // Measured on integral images: the difference from the row above, in runs, takes a third of the
+  // time of zlib's default and gives files of the same size.
+  constexpr int kFilterUp = 0x20;
+  spec.attribute("png:filter", kFilterUp);
+  spec.attribute("compression", "rle");
 }
 
 void check_size(std::uint32_t width, std::uint32_t height, std::size_t values, std::size_t expected,
@@ -141,6 +93,119 @@ void check_size(std::uint32_t width, std::uint32_t height, std::size_t values, s
     throw ImageError("cannot write '" + path.string() + "': a picture of " +
                      std::to_string(width) + " x " + std::to_string(height) + " pixels is empty");
   }
+}
+
+/// A picture on its way into a file, in the file's own samples.
+class OpenPicture {
+ public:
+  OpenPicture(const fs::path& path, FileType type, const OIIO::ImageSpec& spec)
+      : m_path(path), m_swap(path), m_file(m_swap.temporary()), m_spec(spec) {
+    m_output = OIIO::ImageOutput::create(plugin_name(type));
+    if (!m_output) fail(OIIO::geterror());
+    OIIO::Filesystem::IOProxy* proxy = &m_file;
+    m_output->set_ioproxy(proxy);
+    check(m_output->open(m_swap.temporary().string(), m_spec));
+  }
+
+  ~OpenPicture() {
+    // Given up half way. The encoder is not asked to close: libpng complains on standard error.
+    static auto& given_up = *new std::vector<std::unique_ptr<OIIO::ImageOutput>>;
+    static std::mutex mutex;
+    if (!m_output) return;
+    const std::lock_guard lock(mutex);
+    given_up.push_back(std::move(m_output));
+  }
+  OpenPicture(const OpenPicture&) = delete;
+  OpenPicture& operator=(const OpenPicture&) = delete;
+
+  template <class Sample>
+  void put(const std::vector<Sample>& samples, std::uint32_t rows) {
+    const int first = static_cast<int>(m_next), end = static_cast<int>(m_next + rows);
+    check(m_output->write_scanlines(first, end, 0, m_spec.format, samples.data()));
+    m_next += rows;
+  }
+
+  void finish() {
+    if (m_next != static_cast<std::uint32_t>(m_spec.height)) fail("rows are missing");
+    check(m_output->close());
+    m_output.reset();
+    m_file.close();
+    check(true);
+    m_swap.commit();
+  }
+
+  [[noreturn]] void fail(const std::string& why) const {
+    throw ImageError("cannot write " + shown_place(m_path) + ": " + why);
+  }
+
+ private:
+  /// The file's own complaint tells more than the encoder's, which may not even notice.
+  void check(bool done) {
+    if (!m_file.complaint().empty()) fail(m_file.complaint());
+    if (!done) fail(m_output->geterror());
+  }
+
+  const fs::path m_path;
+  FileSwap m_swap;
+  CheckedFile m_file;
+  const OIIO::ImageSpec m_spec;
+  std::unique_ptr<OIIO::ImageOutput> m_output;
+  std::uint32_t m_next = 0;
+};
+
+/// Rows of a band as a file's integers.
+template <class Sample>
+void encode(const Image& band, std::uint32_t first, std::uint32_t rows, const Quantiser& quantise,
+            const ImageFormat& format, std::vector<Sample>& samples) {
+  const std::size_t channels = format.alpha ? 4 : 3, count = std::size_t{band.width} * rows;
+  samples.resize(count * channels);
+  const float* from = band.pixel(0, first);
+  Sample* to = samples.data();
+  for (std::size_t p = 0; p < count; ++p, from += 4, to += channels) {
+    for (int c = 0; c < 3; ++c) to[c] = static_cast<Sample>(quantise(from[c]));
+    // Alpha is a share, not light: no gamma.
+    if (format.alpha) to[3] = static_cast<Sample>(scaled_to_integer(from[3], format.bits));
+  }
+}
+
+/// The same for OpenEXR: linear light, premultiplied.
+void encode(const Image& band, std::uint32_t first, std::uint32_t rows, const Quantiser&,
+            const ImageFormat& format, std::vector<float>& samples) {
+  const std::size_t channels = format.alpha ? 4 : 3, count = std::size_t{band.width} * rows;
+  samples.resize(count * channels);
+  const float* from = band.pixel(0, first);
+  float* to = samples.data();
+  for (std::size_t p = 0; p < count; ++p, from += 4, to += channels) {
+    const float alpha = format.alpha ? from[3] : 1.0f;
+    for (int c = 0; c < 3; ++c) to[c] = linear_of(from[c], format) * alpha;
+    if (format.alpha) to[3] = alpha;
+  }
+}
+
+OIIO::ImageSpec spec_of(std::uint32_t width, std::uint32_t height, const ImageFormat& format,
+                        const ImageMetadata& metadata, const fs::path& path) {
+  check_size(width, height, 1, 1, path);
+  if (format.type != FileType::exr && format.bits != 8 && format.bits != 16) {
+    throw ImageError("cannot write '" + path.string() + "': " + std::to_string(format.bits) +
+                     " bits a colour; there are 8 and 16");
+  }
+  const OIIO::TypeDesc type = format.type == FileType::exr ? OIIO::TypeDesc::FLOAT
+                              : format.bits == 8           ? OIIO::TypeDesc::UINT8
+                                                           : OIIO::TypeDesc::UINT16;
+  OIIO::ImageSpec spec(static_cast<int>(width), static_cast<int>(height), format.alpha ? 4 : 3,
+                       type);
+  put_colour_space(spec, format);
+  put_metadata(spec, format.type, metadata);
+  put_compression(spec, format.type);
+  return spec;
+}
+
+template <class Sample>
+void write_samples(const fs::path& path, FileType type, const OIIO::ImageSpec& spec,
+                   const std::vector<Sample>& samples) {
+  OpenPicture picture(path, type, spec);
+  picture.put(samples, static_cast<std::uint32_t>(spec.height));
+  picture.finish();
 }
 
 }  // namespace
@@ -165,40 +230,52 @@ std::string extension_of(FileType type) {
   return ".exr";
 }
 
-unsigned quantised(float linear, const ImageFormat& format) {
-  float value = linear_of(linear, format);
-  if (format.srgb) {
-    value = srgb_encoded(value);
-  } else if (format.file_gamma != 1.0) {
-    value = power(value, 1.0 / format.file_gamma);
+struct PictureWriter::Parts {
+  const std::uint32_t width;
+  const ImageFormat format;
+  const Quantiser quantise;
+  OpenPicture picture;
+  std::vector<std::uint8_t> bytes{};
+  std::vector<std::uint16_t> words{};
+  std::vector<float> floats{};
+};
+
+PictureWriter::PictureWriter(const fs::path& path, std::uint32_t width, std::uint32_t height,
+                             const ImageFormat& format, const ImageMetadata& metadata)
+    : m_parts(new Parts{width, format, Quantiser(format),
+                        OpenPicture(path, format.type,
+                                    spec_of(width, height, format, metadata, path))}) {}
+
+PictureWriter::~PictureWriter() = default;
+
+void PictureWriter::put(const Image& band) {
+  Parts& p = *m_parts;
+  if (band.width != p.width) p.picture.fail("a band has another width");
+  for (std::uint32_t first = 0; first < band.height; first += kRowsAtATime) {
+    const std::uint32_t rows = std::min(kRowsAtATime, band.height - first);
+    const auto put = [&](auto& samples) {
+      encode(band, first, rows, p.quantise, p.format, samples);
+      p.picture.put(samples, rows);
+    };
+    if (p.format.type == FileType::exr) {
+      put(p.floats);
+    } else if (p.format.bits == 8) {
+      put(p.bytes);
+    } else {
+      put(p.words);
+    }
   }
-  return scaled_to_integer(value, format.bits);
 }
+
+void PictureWriter::finish() { m_parts->picture.finish(); }
 
 void write_image(const Image& image, const fs::path& path, const ImageFormat& format,
                  const ImageMetadata& metadata) {
   check_size(image.width, image.height, image.rgba.size(),
              std::size_t{4} * image.width * image.height, path);
-  if (format.type != FileType::exr && format.bits != 8 && format.bits != 16) {
-    throw ImageError("cannot write '" + path.string() + "': " + std::to_string(format.bits) +
-                     " bits a colour; there are 8 and 16");
-  }
-  const int channels = format.alpha ? 4 : 3;
-  const OIIO::TypeDesc type = format.type == FileType::exr ? OIIO::TypeDesc::FLOAT
-                              : format.bits == 8           ? OIIO::TypeDesc::UINT8
-                                                           : OIIO::TypeDesc::UINT16;
-  OIIO::ImageSpec spec(static_cast<int>(image.width), static_cast<int>(image.height), channels,
-                       type);
-  put_colour_space(spec, format);
-  put_metadata(spec, format.type, metadata);
-  const char* plugin = plugin_name(format.type);
-  if (format.type == FileType::exr) {
-    write_samples(path, plugin, spec, float_samples(image, format, channels));
-  } else if (format.bits == 8) {
-    write_samples(path, plugin, spec, encoded_samples<std::uint8_t>(image, format, channels));
-  } else {
-    write_samples(path, plugin, spec, encoded_samples<std::uint16_t>(image, format, channels));
-  }
+  PictureWriter writer(path, image.width, image.height, format, metadata);
+  writer.put(image);
+  writer.finish();
 }
 
 void write_stored(const StoredImage& image, const fs::path& path) {
@@ -212,13 +289,14 @@ void write_stored(const StoredImage& image, const fs::path& path) {
                        : image.bits == 8 ? OIIO::TypeDesc::UINT8
                                          : OIIO::TypeDesc::UINT16);
   spec.attribute("oiio:UnassociatedAlpha", 1);
+  put_compression(spec, type);
   if (floats) {
-    write_samples(path, plugin_name(type), spec, image.samples);
+    write_samples(path, type, spec, image.samples);
   } else if (image.bits == 8) {
-    write_samples(path, plugin_name(type), spec,
+    write_samples(path, type, spec,
                   std::vector<std::uint8_t>(image.samples.begin(), image.samples.end()));
   } else {
-    write_samples(path, plugin_name(type), spec,
+    write_samples(path, type, spec,
                   std::vector<std::uint16_t>(image.samples.begin(), image.samples.end()));
   }
 }

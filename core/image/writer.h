@@ -3,11 +3,14 @@
 // Units: the picture holds linear light; integer files hold clip(floor(v * max + 0.5)) of the
 // encoded value, OpenEXR holds linear float with premultiplied alpha. dpi is pixels an inch.
 // Errors: ImageError, with the path and the reason; the file that stood at the path before is
-// then still whole, for a picture is written beside its place and renamed.
+// then still whole, for a picture is written beside its place and renamed. The path "-" is
+// standard output, which gets the picture when it is whole.
 // Threads: any number, on different paths. Source: measured on stock, tests/unit/image_*.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -30,6 +33,7 @@ struct ImageFormat {
   bool srgb = true;            ///< File_Gamma=sRGB, the default
   double file_gamma = 1.0;     ///< power law, used unless srgb; 1 stores linear values
   double working_gamma = 1.0;  ///< the picture's own gamma (assumed_gamma if rendered in it)
+  bool working_srgb = false;   ///< the picture holds sRGB-encoded values (instead)
   bool alpha = false;          ///< store the alpha channel
 };
 
@@ -50,6 +54,22 @@ std::string extension_of(FileType type);
 /// Throws ImageError if a picture of that size could not be put there: no folder, no
 /// permission, a folder of that name, or a size of 0. To be asked before rendering.
 void check_writable(const std::filesystem::path& path);
+
+/// A picture that comes in bands of rows, from the top. Little more than a band is in memory.
+/// Destroyed before finish() it leaves nothing behind. One call at a time, from any thread.
+class PictureWriter {
+ public:
+  PictureWriter(const std::filesystem::path& path, std::uint32_t width, std::uint32_t height,
+                const ImageFormat& format, const ImageMetadata& metadata = {});
+  ~PictureWriter();
+  void put(const Image& band);
+  /// The picture is in its place. Throws if rows are missing.
+  void finish();
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> m_parts;
+};
 
 void write_image(const Image& image, const std::filesystem::path& path, const ImageFormat& format,
                  const ImageMetadata& metadata = {});

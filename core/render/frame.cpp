@@ -1,15 +1,11 @@
 #include "core/render/frame.h"
 
-#include <tbb/global_control.h>
-#include <tbb/info.h>
-#include <tbb/task_arena.h>
-#include <tbb/task_group.h>
-
 #include <algorithm>
 #include <cstddef>
+#include <exception>
 #include <memory>
 #include <mutex>
-#include <optional>
+#include <thread>
 #include <vector>
 
 #include "core/render/tracer.h"
@@ -21,16 +17,15 @@ namespace {
 struct Work {
   const Scene& scene;
   const RaySource& camera;
-  const PixelOrder& order;
   const ShadowTesterFactory& shadows;
   const FrameOptions& options;
-  Image& image;
   Progress* progress;
-  std::size_t jobs;
-  std::atomic<std::size_t> next{0};
-  std::atomic<std::size_t> done{0};
+  BandQueue queue;
+  const double pixels;
+  std::atomic<std::size_t> pixels_done{0};
   std::mutex merge{};
   Counters total{};
+  std::exception_ptr failure{};
 
   bool cancelled() const {
     return options.cancel && options.cancel->load(std::memory_order_relaxed);
@@ -52,8 +47,26 @@ void store(const Radiance& seen, const Work& work, float* out) {
   out[3] = alpha;
 }
 
+/// False if the frame was cancelled meanwhile.
+bool render_job(const Work& work, const BandQueue::Job& job, std::vector<Pixel>& pixels,
+                Tracer& tracer, Counters& counters) {
+  job.band->order->pixels(job.index, pixels);
+  for (const Pixel& pixel : pixels) {
+    if (work.cancelled()) return false;
+    Ray ray;
+    Radiance seen;
+    if (work.camera.ray(pixel.column + 0.5, pixel.row + 0.5, ray)) {
+      seen = tracer.trace(ray, pixel);
+    } else {
+      ++counters.dark_pixels;
+    }
+    store(seen, work, job.band->image.pixel(pixel.column, pixel.row - job.band->top));
+  }
+  return true;
+}
+
 /// One thread's share: takes jobs in order while there are any.
-void run(Work& work) {
+void take_jobs(Work& work) {
   Counters counters;
   counters.lights.resize(work.scene.lights().size());
   HitArena arena;
@@ -62,49 +75,51 @@ void run(Work& work) {
   const std::unique_ptr<Tracer> tracer =
       Tracer::make(work.scene, *tester, arena, counters, work.options.count_tests);
   std::vector<Pixel> pixels;
-  for (;;) {
-    const std::size_t job = work.next.fetch_add(1, std::memory_order_relaxed);
-    if (job >= work.jobs || work.cancelled()) break;
-    work.order.pixels(job, pixels);
-    for (const Pixel& pixel : pixels) {
-      Ray ray;
-      Radiance seen;
-      if (work.camera.ray(pixel.column + 0.5, pixel.row + 0.5, ray)) {
-        seen = tracer->trace(ray, pixel);
-      } else {
-        ++counters.dark_pixels;
-      }
-      store(seen, work, work.image.pixel(pixel.column, pixel.row));
-      if (work.cancelled()) break;
+  BandQueue::Job job;
+  while (work.queue.next(job)) {
+    if (!render_job(work, job, pixels, *tracer, counters)) {
+      work.queue.stop();
+      break;
     }
-    const std::size_t done = work.done.fetch_add(1, std::memory_order_relaxed) + 1;
-    if (work.progress) {
-      work.progress->advance(static_cast<double>(done) / static_cast<double>(work.jobs));
-    }
+    work.queue.finish(job);
+    const std::size_t done = work.pixels_done.fetch_add(pixels.size()) + pixels.size();
+    if (work.progress) work.progress->advance(static_cast<double>(done) / work.pixels);
   }
   const std::lock_guard lock(work.merge);
   work.total.merge(counters);
 }
 
+/// The same; others do not wait for a thread that failed, and the first failure is kept.
+void run(Work& work) {
+  try {
+    take_jobs(work);
+  } catch (...) {
+    work.queue.stop();
+    const std::lock_guard lock(work.merge);
+    if (!work.failure) work.failure = std::current_exception();
+  }
+}
+
 }  // namespace
 
-Counters render_frame(const Scene& scene, const RaySource& camera, const PixelOrder& order,
-                      const ShadowTesterFactory& shadows, const FrameOptions& options,
-                      Image& image, Progress* progress) {
-  Work work{scene, camera, order, shadows, options, image, progress, order.jobs()};
-  const int threads =
-      options.threads > 0 ? options.threads : std::max(1, tbb::info::default_concurrency());
-  // More threads than the machine has are allowed when asked for.
-  std::optional<tbb::global_control> more;
-  if (threads > tbb::info::default_concurrency()) {
-    more.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+double bytes_a_band_row(std::uint32_t width) {
+  return static_cast<double>(BandQueue::kInMemory * 4 * sizeof(float)) * width;
+}
+
+Counters render_frame(const Scene& scene, const RaySource& camera, const FrameShape& shape,
+                      const BandOrders& orders, const ShadowTesterFactory& shadows,
+                      const FrameOptions& options, BandSink& sink, Progress* progress) {
+  Work work{scene,    camera,   shadows, options,
+            progress, BandQueue(shape, orders, sink), 1.0 * shape.width * shape.height};
+  const unsigned machine = std::max(1u, std::thread::hardware_concurrency());
+  const unsigned threads = options.threads > 0 ? static_cast<unsigned>(options.threads) : machine;
+  {
+    // Not tasks of oneTBB: as many as asked for must run at once, and they wait for each other.
+    std::vector<std::jthread> others;
+    for (unsigned i = 1; i < threads; ++i) others.emplace_back([&work] { run(work); });
+    run(work);
   }
-  tbb::task_arena arena(threads);
-  arena.execute([&] {
-    tbb::task_group group;
-    for (int i = 1; i < threads; ++i) group.run([&] { run(work); });
-    group.run_and_wait([&] { run(work); });
-  });
+  if (work.failure) std::rethrow_exception(work.failure);
   return std::move(work.total);
 }
 

@@ -1,11 +1,13 @@
-// A whole picture: order gives pixels, camera gives rays, tracer gives colours. Threads by
-// oneTBB. The picture has the same bits for every order, tester and number of threads.
+// A whole picture: orders give pixels, camera gives rays, tracer gives colours, finished bands of
+// rows go to a sink. The picture has the same bits for every order, tester, band height and number
+// of threads.
 #pragma once
 
 #include <atomic>
 
 #include "core/base/counters.h"
-#include "core/image/image.h"
+#include "core/render/band_queue.h"
+#include "core/render/band_sink.h"
 #include "core/render/pixel_order.h"
 #include "core/render/progress.h"
 #include "core/render/ray_source.h"
@@ -18,13 +20,16 @@ struct FrameOptions {
   int threads = 0;            ///< 0: all of the machine
   bool count_tests = false;   ///< fill bounds and primitive tests (Statistics_File)
   bool alpha = false;         ///< +UA: background transparent
-  /// Set from outside (a signal, another thread) to stop soon; the picture is incomplete then.
+  /// Set from outside (a signal, another thread) to stop soon; the sink then lacks bands.
   const std::atomic<bool>* cancel = nullptr;
 };
 
-/// Renders every pixel of the order into `image` (already sized); returns the merged counts.
-Counters render_frame(const Scene& scene, const RaySource& camera, const PixelOrder& order,
-                      const ShadowTesterFactory& shadows, const FrameOptions& options, Image& image,
-                      Progress* progress);
+/// Bytes that render_frame() holds for each row of a band.
+double bytes_a_band_row(std::uint32_t width);
+
+/// Renders every pixel; returns the merged counts.
+Counters render_frame(const Scene& scene, const RaySource& camera, const FrameShape& shape,
+                      const BandOrders& orders, const ShadowTesterFactory& shadows,
+                      const FrameOptions& options, BandSink& sink, Progress* progress);
 
 }  // namespace lentray::core

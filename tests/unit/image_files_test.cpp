@@ -1,10 +1,12 @@
 // Pictures to files and back: quantisation, metadata, and that a good file survives.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 
 #include "core/image/file_swap.h"
+#include "core/image/quantiser.h"
 #include "core/image/reader.h"
 #include "core/image/writer.h"
 #include "tools/lentray-diff/process.h"
@@ -65,6 +67,27 @@ TEST(UnitImageQuantised, PowerLaw) {
   EXPECT_EQ(quantised(0.5f, format), static_cast<unsigned>(255 * std::pow(0.5, 1 / 2.2) + 0.5));
   format.working_gamma = 2.2;  // undone and put on again
   EXPECT_EQ(quantised(0.5f, format), 128u);
+}
+
+TEST(UnitImageQuantised, TheTableIsTheFormula) {
+  ImageFormat linear, power, working, coded;
+  linear.srgb = power.srgb = working.srgb = false;
+  power.file_gamma = 2.2;
+  working.working_gamma = 2.2;
+  working.file_gamma = 1.8;
+  coded.working_srgb = true;
+  for (ImageFormat format : {ImageFormat{}, linear, power, working, coded}) {
+    for (const int bits : {8, 16}) {
+      format.bits = bits;
+      const Quantiser quantiser(format);
+      const auto expect = [&](float v) { ASSERT_EQ(quantiser(v), quantised(v, format)) << v; };
+      for (int i = -10; i < 100000; ++i) expect(static_cast<float>(i) / 90000.0f);
+      for (float v = 1e-30f; v < 1e30f; v *= 1.01f) expect(v);
+      for (const float v : {std::nanf(""), -0.0f, 0.0f, INFINITY, -INFINITY, -3.0f, 1.0f}) {
+        expect(v);
+      }
+    }
+  }
 }
 
 TEST(UnitImageFiles, IntegersComeBack) {
@@ -132,6 +155,72 @@ TEST(UnitImageFiles, SamePictureSameBytes) {
   write_image(ramp(9, 9), folder / "a.png", {});
   write_image(ramp(9, 9), folder / "b.png", {});
   EXPECT_EQ(diff::read_text(folder / "a.png"), diff::read_text(folder / "b.png"));
+}
+
+TEST(UnitImageFiles, BandsMakeTheSameFile) {
+  const TemporaryFolder folder;
+  const Image image = ramp(50, 77);
+  for (const char* name : {"a.png", "a.tif", "a.exr"}) {
+    const ImageFormat format = format_of(file_type_of(name), 16);
+    write_image(image, folder / name, format);
+    const std::string whole = diff::read_text(folder / name);
+    for (const std::uint32_t height : {1u, 10u, 33u, 76u}) {
+      PictureWriter writer(folder / name, 50, 77, format);
+      for (std::uint32_t top = 0; top < 77; top += height) {
+        Image band(50, std::min(height, 77 - top));
+        std::copy_n(image.pixel(0, top), band.rgba.size(), band.rgba.data());
+        writer.put(band);
+      }
+      writer.finish();
+      EXPECT_TRUE(read_image(folder / name).samples.size() == 50 * 77 * 3);
+      if (std::string(name) != "a.tif") {
+        EXPECT_TRUE(diff::read_text(folder / name) == whole) << name;  // TIFF holds the time
+      }
+    }
+  }
+}
+
+TEST(UnitImageFiles, GivenUpHalfWayNothingIsLeft) {
+  const TemporaryFolder folder;
+  for (const char* name : {"a.png", "a.tif", "a.exr"}) {
+    for (const std::uint32_t rows : {0u, 1u, 40u}) {
+      PictureWriter writer(folder / name, 50, 77, format_of(file_type_of(name), 8));
+      if (rows > 0) writer.put(ramp(50, rows));
+      EXPECT_FALSE(fs::is_empty(folder.path()));
+    }
+    EXPECT_TRUE(fs::is_empty(folder.path())) << name;
+    PictureWriter writer(folder / name, 50, 77, format_of(file_type_of(name), 8));
+    EXPECT_THROW(writer.finish(), ImageError) << "rows are missing";
+  }
+}
+
+/// A file of that name, as a killed process leaves it.
+fs::path left_over(const TemporaryFolder& folder, const std::string& name) {
+  diff::write_text(folder / name, "half a picture");
+  return folder / name;
+}
+
+TEST(UnitImageFiles, WhatAKilledProcessLeftIsClearedAway) {
+  const TemporaryFolder folder;
+  const fs::path mine = left_over(folder, ".a.png.lentray-99999-0.part");
+  const fs::path other = left_over(folder, ".b.png.lentray-99999-0.part");
+  const fs::path strange = left_over(folder, ".a.png.lentray-notes");
+  {
+    const FileSwap first(folder / "a.png");
+    EXPECT_FALSE(fs::exists(mine));
+    const FileSwap second(folder / "a.png");
+    EXPECT_TRUE(fs::exists(first.temporary())) << "its maker lives";
+    EXPECT_NE(first.temporary(), second.temporary());
+  }
+  EXPECT_TRUE(fs::exists(other));
+  EXPECT_TRUE(fs::exists(strange));
+}
+
+TEST(UnitImageFiles, LongNamesHaveRoomForTheTemporaryOne) {
+  const TemporaryFolder folder;
+  const std::string name = std::string(250, 'x') + ".png";
+  write_image(ramp(3, 3), folder / name, {});
+  EXPECT_EQ(read_image(folder / name).width, 3u);
 }
 
 TEST(UnitImageFiles, NoPartIsLeftBehind) {

@@ -255,7 +255,7 @@ TEST_F(ErrorParserOptions, NotYetByName) {
   expect_message({"+KFF10"}, "not yet: animation");
   expect_message({"+FT"}, "not yet: the output type Targa");
   expect_message({"Lens_Model=thick"}, "not yet: lens model 'thick' (there are paraxial, pinhole)");
-  expect_message({"Pixel_Order=hilbert"}, "not yet: pixel order 'hilbert' (there are rows, columns)");
+  expect_message({"Pixel_Order=hilbert"}, "not yet: pixel order 'hilbert' (there are rows, views, columns, tiles)");
   expect_message({"Accelerator=grid"}, "not yet: accelerator 'grid' (there are bvh, list)");
   expect_message({"Post_Scene_Command=rm"}, "not yet: running commands");
 }
@@ -274,16 +274,38 @@ TEST_F(ErrorParserOptions, IniMessagesNameFileAndLine) {
 }
 
 TEST_F(ErrorParserOptions, AbsurdSizesNameTheMemory) {
-  EXPECT_NO_THROW(check_picture_size(1995, 2000, 1e9));
-  try {
-    check_picture_size(1'000'000, 2'000'000, 16e9);
-    FAIL() << "no message";
-  } catch (const OptionError& error) {
-    const std::string text = error.what();
-    EXPECT_NE(text.find("1000000 x 2000000"), std::string::npos) << text;
-    EXPECT_NE(text.find("64 TB"), std::string::npos) << text;
-    EXPECT_NE(text.find("16 GB"), std::string::npos) << text;
-  }
+  const auto message = [](std::int64_t width, std::int64_t height, double memory) -> std::string {
+    try {
+      check_picture_size(width, height, 32.0 * static_cast<double>(width), memory);
+    } catch (const OptionError& error) {
+      return error.what();
+    }
+    return {};
+  };
+  EXPECT_EQ(message(1995, 2000, 1e9), "");
+  EXPECT_EQ(message(24000, 24000, 1e9), "") << "only rows need memory";
+  EXPECT_EQ(message(2'000'000'000, 4, 16e9),
+            "a picture of 2000000000 x 4 pixels needs 64 GB of memory for a row; there are 16 GB");
+  EXPECT_EQ(message(1'000'000, 2'000'000, 16e9),
+            "a picture of 1000000 x 2000000 pixels is too large: the limit is 1048576 x 1048576");
+}
+
+TEST_F(UnitParserOptions, MemoryTakesUnits) {
+  EXPECT_EQ(read({}).max_memory, 0.0);
+  EXPECT_EQ(read({"Max_Memory=2G"}).max_memory, 2147483648.0);
+  EXPECT_EQ(read({"max_memory=1.5GiB"}).max_memory, 1610612736.0);
+  EXPECT_EQ(read({"Max_Memory=300 mb"}).max_memory, 314572800.0);
+  EXPECT_EQ(read({"Max_Memory=2048k"}).max_memory, 2097152.0);
+  EXPECT_EQ(read({"Max_Memory=123456789"}).max_memory, 123456789.0);
+  EXPECT_EQ(read({"Band_Height=7"}).band_height, 7u);
+}
+
+TEST_F(ErrorParserOptions, MemoryWithoutSense) {
+  expect_message({"Max_Memory=512"}, "less than 1 MB; a unit may stand behind the number");
+  expect_message({"Max_Memory=2Q"}, "unknown unit 'Q': there are K, M, G and T");
+  expect_message({"Max_Memory=much"}, "a number is expected");
+  expect_message({"Max_Memory=-2G"}, "a number greater than 0 is expected");
+  expect_message({"Band_Height=0"}, "a whole number from 1 to 2147483647");
 }
 
 TEST_F(UnitParserOptions, OddBooleansAreOffWithAWarning) {

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cmath>
 #include <memory>
 #include <mutex>
@@ -36,14 +38,42 @@ struct Window final : RaySource {
 
 /// Jobs of rows; forwards or backwards.
 struct Rows final : PixelOrder {
-  explicit Rows(bool back) : backwards(back) {}
-  std::size_t jobs() const override { return 64; }
+  Rows(std::uint32_t first, std::uint32_t end, bool back)
+      : top(first), bottom(end), backwards(back) {}
+  std::size_t jobs() const override { return bottom - top; }
   void pixels(std::size_t job, std::vector<Pixel>& out) const override {
     out.clear();
-    const auto row = static_cast<std::uint32_t>(backwards ? 63 - job : job);
+    const auto step = static_cast<std::uint32_t>(job);
+    const std::uint32_t row = backwards ? bottom - 1 - step : top + step;
     for (std::uint32_t i = 0; i < 64; ++i) out.push_back({backwards ? 63 - i : i, row});
   }
+  std::uint32_t top, bottom;
   bool backwards;
+};
+
+struct RowBands final : BandOrders {
+  explicit RowBands(bool back = false) : backwards(back) {}
+  std::unique_ptr<PixelOrder> band(std::uint32_t top, std::uint32_t bottom) const override {
+    return std::make_unique<Rows>(top, bottom, backwards);
+  }
+  bool backwards;
+};
+
+/// Puts the bands together again.
+struct Whole final : BandSink {
+  void put(const Image& band, std::uint32_t top) override {
+    EXPECT_FALSE(busy.exchange(true)) << "two bands at a time";
+    EXPECT_EQ(top, next);
+    ASSERT_LE(top + band.height, image.height);
+    std::copy_n(band.pixel(0, 0), std::size_t{4} * band.width * band.height, image.pixel(0, top));
+    next = top + band.height;
+    ++bands;
+    busy = false;
+  }
+  Image image{64, 64};
+  std::uint32_t next = 0;
+  int bands = 0;
+  std::atomic<bool> busy{false};
 };
 
 struct Bar final : Progress {
@@ -77,48 +107,53 @@ std::unique_ptr<Scene> ball_scene() {
   return std::make_unique<Scene>(std::move(parts), CompileOptions{});
 }
 
-TEST(UnitCoreFrame, SameBitsForAnyOrderAndNumberOfThreads) {
+TEST(UnitCoreFrame, SameBitsForAnyOrderBandAndNumberOfThreads) {
   const auto scene = ball_scene();
   const PlainShadowTesterFactory shadows;
-  Image first(64, 64);
+  Whole first;
   Bar bar;
-  const Counters one = render_frame(*scene, Window(), Rows(false), shadows, {.threads = 1}, first,
-                                    &bar);
+  const Counters one = render_frame(*scene, Window(), {64, 64, 64}, RowBands(), shadows,
+                                    {.threads = 1}, first, &bar);
   EXPECT_EQ(bar.last, 1.0);
   EXPECT_EQ(bar.calls, 64);
+  EXPECT_EQ(first.bands, 1);
   EXPECT_EQ(one.camera_rays, 63u * 64);
   EXPECT_EQ(one.dark_pixels, 64u);
   ASSERT_EQ(one.lights.size(), 1u);
   EXPECT_GT(one.lights[0].rays, 0u);
   EXPECT_EQ(one.bounds_tests, 0u);
-  EXPECT_GT(std::set<float>(first.rgba.begin(), first.rgba.end()).size(), 500u);
-  for (const int threads : {2, 5}) {
-    Image image(64, 64);
-    const Counters c = render_frame(*scene, Window(), Rows(true), shadows,
-                                    {.threads = threads, .count_tests = true}, image, nullptr);
-    EXPECT_EQ(image.rgba, first.rgba);
-    EXPECT_EQ(c.camera_rays, one.camera_rays);
-    EXPECT_EQ(c.lights[0].rays, one.lights[0].rays);
-    EXPECT_EQ(c.lights[0].blocked, one.lights[0].blocked);
-    EXPECT_GT(c.bounds_tests, 0u);
-    EXPECT_EQ(c.tests_by_type.at("sphere"), c.primitive_tests);
+  EXPECT_GT(std::set<float>(first.image.rgba.begin(), first.image.rgba.end()).size(), 500u);
+  for (const int threads : {1, 2, 5}) {
+    for (const std::uint32_t height : {1u, 7u, 32u, 63u, 64u}) {
+      Whole whole;
+      const Counters c = render_frame(*scene, Window(), {64, 64, height}, RowBands(true), shadows,
+                                      {.threads = threads, .count_tests = true}, whole, nullptr);
+      EXPECT_EQ(whole.image.rgba, first.image.rgba) << threads << " threads, bands of " << height;
+      EXPECT_EQ(whole.next, 64u);
+      EXPECT_EQ(whole.bands, static_cast<int>((64 + height - 1) / height));
+      EXPECT_EQ(c.camera_rays, one.camera_rays);
+      EXPECT_EQ(c.lights[0].rays, one.lights[0].rays);
+      EXPECT_EQ(c.lights[0].blocked, one.lights[0].blocked);
+      EXPECT_GT(c.bounds_tests, 0u);
+      EXPECT_EQ(c.tests_by_type.at("sphere"), c.primitive_tests);
+    }
   }
 }
 
 TEST(UnitCoreFrame, PixelsWithoutRayAreBlackAndAlphaLeavesTheBackgroundOut) {
   const auto scene = ball_scene();
-  Image opaque(64, 64), alpha(64, 64);
+  Whole opaque, alpha;
   const PlainShadowTesterFactory shadows;
-  render_frame(*scene, Window(), Rows(false), shadows, {}, opaque, nullptr);
-  render_frame(*scene, Window(), Rows(false), shadows, {.alpha = true}, alpha, nullptr);
-  EXPECT_EQ(opaque.pixel(63, 5)[0], 0.0f);
-  EXPECT_EQ(opaque.pixel(63, 5)[3], 1.0f);
-  EXPECT_EQ(opaque.pixel(0, 0)[2], 0.75f);
-  EXPECT_EQ(opaque.pixel(0, 0)[3], 1.0f);
-  EXPECT_EQ(alpha.pixel(0, 0)[2], 0.0f);
-  EXPECT_EQ(alpha.pixel(0, 0)[3], 0.0f);
-  EXPECT_EQ(alpha.pixel(32, 32)[3], 1.0f);
-  EXPECT_EQ(alpha.pixel(32, 32)[0], opaque.pixel(32, 32)[0]);
+  render_frame(*scene, Window(), {64, 64, 20}, RowBands(), shadows, {}, opaque, nullptr);
+  render_frame(*scene, Window(), {64, 64, 20}, RowBands(), shadows, {.alpha = true}, alpha, nullptr);
+  EXPECT_EQ(opaque.image.pixel(63, 5)[0], 0.0f);
+  EXPECT_EQ(opaque.image.pixel(63, 5)[3], 1.0f);
+  EXPECT_EQ(opaque.image.pixel(0, 0)[2], 0.75f);
+  EXPECT_EQ(opaque.image.pixel(0, 0)[3], 1.0f);
+  EXPECT_EQ(alpha.image.pixel(0, 0)[2], 0.0f);
+  EXPECT_EQ(alpha.image.pixel(0, 0)[3], 0.0f);
+  EXPECT_EQ(alpha.image.pixel(32, 32)[3], 1.0f);
+  EXPECT_EQ(alpha.image.pixel(32, 32)[0], opaque.image.pixel(32, 32)[0]);
 }
 
 TEST(UnitCoreFrame, AFrameCanBeCancelled) {
@@ -129,13 +164,16 @@ TEST(UnitCoreFrame, AFrameCanBeCancelled) {
   };
   const auto scene = ball_scene();
   const PlainShadowTesterFactory shadows;
-  std::atomic<bool> cancel{false};
-  Stopper stopper(cancel);
-  Image image(64, 64);
-  const Counters c = render_frame(*scene, Window(), Rows(false), shadows,
-                                  {.threads = 2, .cancel = &cancel}, image, &stopper);
-  EXPECT_GT(c.camera_rays, 0u);
-  EXPECT_LT(c.camera_rays, 10u * 64);
+  for (const std::uint32_t height : {8u, 64u}) {
+    std::atomic<bool> cancel{false};
+    Stopper stopper(cancel);
+    Whole whole;
+    const Counters c = render_frame(*scene, Window(), {64, 64, height}, RowBands(), shadows,
+                                    {.threads = 2, .cancel = &cancel}, whole, &stopper);
+    EXPECT_GT(c.camera_rays, 0u);
+    EXPECT_LT(c.camera_rays, 10u * 64);
+    EXPECT_EQ(whole.bands, 0) << "an unfinished band was passed on";
+  }
 }
 
 TEST(UnitCoreFrame, WhatAThreadThrowsReachesTheCaller) {
@@ -146,10 +184,67 @@ TEST(UnitCoreFrame, WhatAThreadThrowsReachesTheCaller) {
     }
   };
   const auto scene = ball_scene();
-  Image image(64, 64);
-  EXPECT_THROW(render_frame(*scene, Broken(), Rows(false), PlainShadowTesterFactory(),
-                            {.threads = 3}, image, nullptr),
-               std::runtime_error);
+  for (const std::uint32_t height : {1u, 16u, 64u}) {
+    Whole whole;
+    EXPECT_THROW(render_frame(*scene, Broken(), {64, 64, height}, RowBands(),
+                              PlainShadowTesterFactory(), {.threads = 3}, whole, nullptr),
+                 std::runtime_error);
+    EXPECT_LE(whole.next, 41u);
+  }
+}
+
+TEST(UnitCoreFrame, WhatTheSinkThrowsEndsTheFrame) {
+  struct Full final : BandSink {
+    void put(const Image&, std::uint32_t top) override {
+      ++calls;
+      if (top >= 8) throw std::runtime_error("no space left");
+    }
+    int calls = 0;
+  };
+  const auto scene = ball_scene();
+  for (const int threads : {1, 2, 5}) {
+    Full full;
+    EXPECT_THROW(render_frame(*scene, Window(), {64, 64, 4}, RowBands(),
+                              PlainShadowTesterFactory(), {.threads = threads}, full, nullptr),
+                 std::runtime_error);
+    EXPECT_EQ(full.calls, 3);
+  }
+}
+
+TEST(UnitCoreFrame, ASlowSinkHoldsTheThreadsBackButNotTheNextBand) {
+  struct Slow final : BandSink {
+    void put(const Image&, std::uint32_t top) override {
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+      most_ahead = std::max(most_ahead, newest.load() - static_cast<int>(top));
+    }
+    std::atomic<int> newest{0};
+    int most_ahead = 0;
+  };
+  struct Watched final : RaySource {
+    explicit Watched(Slow& s) : sink(s) {}
+    bool ray(double, double row, Ray&) const override {
+      int seen = sink.newest;
+      while (row > seen && !sink.newest.compare_exchange_weak(seen, static_cast<int>(row))) {
+      }
+      return false;
+    }
+    Slow& sink;
+  };
+  const auto scene = ball_scene();
+  Slow sink;
+  const Watched camera(sink);
+  render_frame(*scene, camera, {64, 64, 4}, RowBands(), PlainShadowTesterFactory(), {.threads = 2},
+               sink, nullptr);
+  EXPECT_GE(sink.most_ahead, 4) << "nobody rendered while a band was written";
+  EXPECT_LT(sink.most_ahead, 8) << "more bands in memory than two";
+}
+
+TEST(UnitCoreFrame, AnEmptyImageIsNoTrouble) {
+  const auto scene = ball_scene();
+  Whole whole;
+  render_frame(*scene, Window(), {0, 0, 1}, RowBands(), PlainShadowTesterFactory(), {}, whole,
+               nullptr);
+  EXPECT_EQ(whole.bands, 0);
 }
 
 TEST(UnitCoreFrame, AsManyThreadsAsAskedForReallyRun) {
@@ -170,10 +265,16 @@ TEST(UnitCoreFrame, AsManyThreadsAsAskedForReallyRun) {
       out.assign(1, {static_cast<std::uint32_t>(job % 64), static_cast<std::uint32_t>(job / 64)});
     }
   };
+  struct SlowBand final : BandOrders {
+    std::unique_ptr<PixelOrder> band(std::uint32_t, std::uint32_t) const override {
+      return std::make_unique<Slow>();
+    }
+  };
   const auto scene = ball_scene();
-  Image image(64, 64);
+  Whole whole;
   const Meeting camera;
-  render_frame(*scene, camera, Slow(), PlainShadowTesterFactory(), {.threads = 5}, image, nullptr);
+  render_frame(*scene, camera, {64, 64, 64}, SlowBand(), PlainShadowTesterFactory(), {.threads = 5},
+               whole, nullptr);
   EXPECT_EQ(camera.threads.size(), 5u);
 }
 

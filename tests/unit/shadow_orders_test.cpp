@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 #include <stdexcept>
+#include <string>
 
 using namespace lentray;
 
@@ -18,20 +20,124 @@ std::vector<core::Pixel> all(const core::PixelOrder& order) {
   return pixels;
 }
 
+camera::LensSheet sheet(std::uint32_t width, double pixels) {
+  camera::LensParameters lens;
+  lens.pixels = pixels;
+  return {lens, width};
+}
+
+struct Size { std::uint32_t width, height; };
+constexpr Size kSizes[] = {{1, 1},    {1, 500}, {733, 1},  {160, 120}, {399, 400},
+                           {3, 2},    {32, 32}, {33, 65},  {31, 97},   {1000, 31},
+                           {128, 64}, {45, 33}, {64, 1000}};
+
+/// Every pixel of the rows [top, bottom) is there, once.
+void expect_all(const core::PixelOrder& order, std::uint32_t width, std::uint32_t top,
+                std::uint32_t bottom) {
+  std::set<std::pair<unsigned, unsigned>> seen;
+  for (const core::Pixel p : all(order)) {
+    ASSERT_LT(p.column, width);
+    ASSERT_GE(p.row, top);
+    ASSERT_LT(p.row, bottom);
+    ASSERT_TRUE(seen.insert({p.column, p.row}).second) << p.column << ", " << p.row << " twice";
+  }
+  ASSERT_EQ(seen.size(), std::size_t{width} * (bottom - top));
+}
+
 TEST(UnitShadowOrders, EveryPixelOnce) {
   for (const auto name : shadow::order_names()) {
-    for (const auto& [w, h] : {std::pair{1u, 1u}, {1u, 500u}, {733u, 1u}, {160u, 120u},
-                               {399u, 400u}, {3u, 2u}}) {
-      const auto order = shadow::make_order(name, w, h);
-      std::set<std::pair<unsigned, unsigned>> seen;
-      for (const core::Pixel p : all(*order)) {
-        EXPECT_LT(p.column, w);
-        EXPECT_LT(p.row, h);
-        EXPECT_TRUE(seen.insert({p.column, p.row}).second);
+    for (const Size& size : kSizes) {
+      SCOPED_TRACE(std::string(name) + " " + std::to_string(size.width) + " x " +
+                   std::to_string(size.height));
+      expect_all(*shadow::make_order(name, size.width, size.height), size.width, 0, size.height);
+      for (const double pixels : {1.0, 2.0, 12.5, 15.0, 1000.0}) {
+        const auto lenses = sheet(size.width, pixels);
+        expect_all(*shadow::make_order(name, {0, 0, size.width, size.height}, &lenses), size.width,
+                   0, size.height);
+        const auto bands = shadow::make_band_orders(name, size.width, &lenses);
+        for (const std::uint32_t height : {1u, 7u, 32u, 500u}) {
+          for (std::uint32_t top = 0; top < size.height; top += height) {
+            const std::uint32_t bottom = std::min(top + height, size.height);
+            expect_all(*bands->band(top, bottom), size.width, top, bottom);
+          }
+        }
       }
-      EXPECT_EQ(seen.size(), std::size_t{w} * h) << name << " " << w << " x " << h;
     }
   }
+}
+
+TEST(UnitShadowOrders, JobsTogetherAreTheOrder) {
+  // Wherever a run is cut, it goes on where the one before ended: against a plain loop.
+  const auto lenses = sheet(399, 12.5);
+  const auto expect = [&](const char* name, const std::vector<core::Pixel>& wanted) {
+    const auto pixels = all(*shadow::make_order(name, {0, 0, 399, 70}, &lenses));
+    ASSERT_EQ(pixels.size(), wanted.size()) << name;
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+      ASSERT_TRUE(pixels[i].column == wanted[i].column && pixels[i].row == wanted[i].row)
+          << name << ": number " << i << " is " << pixels[i].column << ", " << pixels[i].row;
+    }
+  };
+  std::vector<core::Pixel> rows, columns, views, tiles;
+  for (std::uint32_t r = 0; r < 70; ++r) {
+    for (std::uint32_t c = 0; c < 399; ++c) rows.push_back({c, r});
+  }
+  for (std::uint32_t c = 0; c < 399; ++c) {
+    for (std::uint32_t r = 0; r < 70; ++r) columns.push_back({c, r});
+  }
+  for (std::uint32_t j = 0; j < 13; ++j) {
+    for (std::uint32_t r = 0; r < 70; ++r) {
+      for (std::uint32_t i = 0; i < 32; ++i) {
+        // Lens i has the columns k with floor((k + 1/2) / 12.5) = i.
+        const std::uint32_t first = 25 * i / 2, end = 25 * (i + 1) / 2;
+        if (first + j < end && first + j < 399) views.push_back({first + j, r});
+      }
+    }
+  }
+  for (std::uint32_t y = 0; y < 70; y += 32) {
+    for (std::uint32_t x = 0; x < 399; x += 32) {
+      for (std::uint32_t r = y; r < std::min(y + 32, 70u); ++r) {
+        for (std::uint32_t c = x; c < std::min(x + 32, 399u); ++c) tiles.push_back({c, r});
+      }
+    }
+  }
+  expect("rows", rows);
+  expect("columns", columns);
+  expect("views", views);
+  expect("tiles", tiles);
+}
+
+TEST(UnitShadowOrders, WithoutASheetThereIsOneView) {
+  const auto views = all(*shadow::make_order("views", 40, 30));
+  const auto rows = all(*shadow::make_order("rows", 40, 30));
+  ASSERT_EQ(views.size(), rows.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    ASSERT_EQ(views[i].column, rows[i].column);
+    ASSERT_EQ(views[i].row, rows[i].row);
+  }
+}
+
+TEST(UnitShadowOrders, BandsFitTheMemory) {
+  const auto height = [](const char* name, std::uint32_t w, std::uint32_t h, double memory) {
+    return shadow::band_height(name, w, h, 40.0 * w, memory);
+  };
+  constexpr double kPlenty = 8e9;
+  for (const auto name : shadow::order_names()) {
+    EXPECT_EQ(height(name.data(), 160, 120, kPlenty), 120u) << "small pictures are one band";
+    EXPECT_EQ(height(name.data(), 24000, 24000, 0.0), 1u) << name;
+    EXPECT_EQ(height(name.data(), 24000, 24000, -1e9), 1u) << name;
+    for (const double memory : {1e6, 1e7, 1e8, 1e9, kPlenty}) {
+      const std::uint32_t rows = height(name.data(), 24000, 24000, memory);
+      EXPECT_GE(rows, 1u);
+      EXPECT_LE(rows * 40.0 * 24000, std::max(memory, 40.0 * 24000)) << name;
+      EXPECT_LE(rows * 40.0 * 24000, 4e8) << name << ": never more than some";
+    }
+  }
+  EXPECT_EQ(height("columns", 1995, 2000, kPlenty), 2000u);
+  EXPECT_EQ(height("views", 24000, 24000, kPlenty), 348u);  // 69 bands, all but equal
+  EXPECT_EQ(height("rows", 1995, 2000, kPlenty), 250u) << "others write while the next is traced";
+  EXPECT_EQ(height("tiles", 1995, 2000, kPlenty) % shadow::kTile, 0u);
+  EXPECT_EQ(height("tiles", 24000, 24000, kPlenty), shadow::kTile);
+  EXPECT_LE(height("tiles", 24000, 24000, 1e7), 10u) << "memory comes before whole tiles";
 }
 
 TEST(UnitShadowOrders, RowsRunAlongRowsAndColumnsDownColumns) {
@@ -71,7 +177,7 @@ TEST(ErrorShadowOrders, UnknownNameListsWhatThereIs) {
     shadow::make_order("diagonal", 4, 4);
     FAIL() << "no exception";
   } catch (const std::invalid_argument& e) {
-    EXPECT_STREQ(e.what(), "unknown pixel order 'diagonal': there are rows, columns");
+    EXPECT_STREQ(e.what(), "unknown pixel order 'diagonal': there are rows, views, columns, tiles");
   }
 }
 

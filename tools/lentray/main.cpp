@@ -27,6 +27,17 @@ extern "C" void on_signal(int signal) {
   std::signal(signal, SIG_DFL);  // the second one ends the program at once
 }
 
+void set_signals() {
+  for (const int stop : {SIGINT, SIGTERM, SIGHUP}) {
+    // Where a shell has a program ignore them, as nohup does, it stays so.
+    if (std::signal(stop, on_signal) == SIG_IGN) std::signal(stop, SIG_IGN);
+  }
+  // A full disk, a limit on the size of files and a reader that went away fail the writing, with
+  // a message, instead of ending the program.
+  std::signal(SIGXFSZ, SIG_IGN);
+  std::signal(SIGPIPE, SIG_IGN);
+}
+
 void print_warnings(const std::vector<std::string>& warnings) {
   for (const std::string& text : warnings) {
     std::fprintf(stderr, "%s%s", text.c_str(), text.empty() || text.back() != '\n' ? "\n" : "");
@@ -80,8 +91,7 @@ int main(int argc, char** argv) {
     return tool::kDone;
   }
   for (const std::string& text : options.warnings) warnings.push_back("warning: " + text);
-  std::signal(SIGINT, on_signal);
-  std::signal(SIGTERM, on_signal);
+  set_signals();
   status = guarded([&] {
     try {
       return static_cast<int>(tool::run(options, g_cancel, warnings));

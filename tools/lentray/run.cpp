@@ -1,12 +1,9 @@
 #include "tools/lentray/run.h"
 
-#include <sys/resource.h>
-#include <unistd.h>
-
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -24,7 +21,9 @@
 #include "shadow/tester_factory.h"
 #include "tools/lentray/camera_setup.h"
 #include "tools/lentray/explain.h"
+#include "tools/lentray/machine.h"
 #include "tools/lentray/output.h"
+#include "tools/lentray/picture_file.h"
 #include "tools/lentray/progress_bar.h"
 #include "tools/lentray/quality.h"
 #include "tools/lentray/ray_dump.h"
@@ -36,25 +35,8 @@ namespace {
 using parser::RenderOptions;
 using Clock = std::chrono::steady_clock;
 
-/// Seconds of processor time that this process has used, over all threads.
-double cpu_seconds() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  const auto seconds = [](const timeval& t) { return t.tv_sec + t.tv_usec * 1e-6; };
-  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
-}
-
-std::uint64_t peak_bytes() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
-}
-
-double machine_memory() {
-  const long pages = sysconf(_SC_PHYS_PAGES), size = sysconf(_SC_PAGE_SIZE);
-  if (pages <= 0 || size <= 0) return std::numeric_limits<double>::infinity();
-  return static_cast<double>(pages) * static_cast<double>(size);
-}
+/// What a band's row takes in memory, with a share for the encoder.
+double bytes_a_row(std::uint32_t width) { return 1.25 * core::bytes_a_band_row(width); }
 
 /// What a run has become so far.
 struct Run {
@@ -74,7 +56,8 @@ void check_outputs(Run& run) {
   const bool renders = !o.explain && o.dump_rays.empty();
   if (!o.dump_rays.empty() && o.dump_rays != "-") core::check_writable(o.dump_rays);
   if (!renders) return;
-  parser::check_picture_size(o.width, o.view ? 8 : o.height, machine_memory());
+  const auto width = static_cast<std::uint32_t>(o.width);
+  parser::check_picture_size(o.width, o.height, bytes_a_row(width), machine_memory());
   if (!o.statistics_file.empty()) core::check_writable(o.statistics_file);
   if (!o.output_to_file) return;
   run.output = parser::output_path(o, run.type);
@@ -152,11 +135,45 @@ void write_statistics(Run& run) {
   write_text_file(o.statistics_file, statistics.dump(2) + "\n");
 }
 
-/// False if the run was cancelled.
-bool render(Run& run, const std::atomic<bool>& cancel, core::Image& image) {
+/// Rows in a band, and how they are reported.
+core::FrameShape shape_of(Run& run) {
   const RenderOptions& o = run.options;
   const camera::Camera& camera = run.camera.camera();
-  const auto order = shadow::make_order(o.pixel_order, camera.width(), camera.height());
+  core::FrameShape shape{camera.width(), camera.height(), o.band_height};
+  const double limit = o.max_memory > 0.0 ? o.max_memory : 0.5 * machine_memory();
+  const double row = bytes_a_row(shape.width);
+  if (o.band_height == 0) {
+    // In steps, so that the same run gets the same bands.
+    constexpr double kStep = 16.0 * 1024 * 1024;
+    const double scene = std::ceil(resident_bytes() / kStep) * kStep;
+    shape.band_height =
+        shadow::band_height(o.pixel_order, shape.width, shape.height, row, limit - scene);
+    if (shape.band_height * row > limit - scene) {
+      run.warnings.push_back("warning: Max_Memory is less than the scene and a row of the picture "
+                             "take; that is " + parser::memory_text(scene + row));
+    }
+  }
+  shape.band_height = std::min(shape.band_height, shape.height);
+  run.report.band_height = shape.band_height;
+  run.report.bands = (shape.height + shape.band_height - 1) / shape.band_height;
+  if (o.render_console && o.verbose) {
+    const double bytes = core::bytes_a_band_row(shape.width) * shape.band_height;
+    std::fprintf(stderr, "Bands: %u of %u rows, %s of at most %s\n", run.report.bands,
+                 shape.band_height, parser::memory_text(bytes).c_str(),
+                 parser::memory_text(limit).c_str());
+  }
+  return shape;
+}
+
+/// False if the run was cancelled.
+bool render(Run& run, const std::atomic<bool>& cancel) {
+  const RenderOptions& o = run.options;
+  const camera::Camera& camera = run.camera.camera();
+  // One view of a sheet is an ordinary picture.
+  const camera::LensSheet* lenses =
+      run.camera.sheet && !run.camera.view ? &run.camera.sheet->sheet() : nullptr;
+  const core::FrameShape shape = shape_of(run);
+  const auto orders = shadow::make_band_orders(o.pixel_order, shape.width, lenses);
   auto testers = shadowless_tester(o.quality);
   if (!testers) testers = shadow::make_tester_factory(o.shadow_cache);
   core::FrameOptions frame;
@@ -167,15 +184,19 @@ bool render(Run& run, const std::atomic<bool>& cancel, core::Image& image) {
   run.report.threads =
       o.threads > 0 ? o.threads : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   run.report.tests_counted = frame.count_tests;
-  run.report.width = camera.width();
-  run.report.height = camera.height();
+  run.report.width = shape.width;
+  run.report.height = shape.height;
   std::optional<ProgressBar> bar;
   if (o.verbose) bar.emplace("Rendering");
   const double before = cpu_seconds();
-  run.report.counters = core::render_frame(*run.scene, camera, *order, *testers, frame, image,
-                                           bar ? &*bar : nullptr);
-  run.report.render_cpu_s = cpu_seconds() - before;
-  return !cancel.load();
+  PictureFile picture(run.output, run.type, o, run.scene->settings(), run.camera);
+  run.report.counters = core::render_frame(*run.scene, camera, shape, *orders, *testers, frame,
+                                           picture, bar ? &*bar : nullptr);
+  if (cancel.load()) return false;
+  picture.finish();
+  run.report.write_cpu_s = picture.cpu_seconds();
+  run.report.render_cpu_s = cpu_seconds() - before - run.report.write_cpu_s;
+  return true;
 }
 
 }  // namespace
@@ -199,12 +220,9 @@ Status run(const RenderOptions& options, const std::atomic<bool>& cancel,
     return kDone;
   }
   const camera::Camera& camera = run.camera.camera();
-  parser::check_picture_size(camera.width(), camera.height(), machine_memory());
-  core::Image image(camera.width(), camera.height());
-  if (!render(run, cancel, image)) return kAborted;
-  if (!run.output.empty()) {
-    write_picture(image, run.output, run.type, options, run.scene->settings(), run.camera);
-  }
+  parser::check_picture_size(camera.width(), camera.height(), bytes_a_row(camera.width()),
+                             machine_memory());
+  if (!render(run, cancel)) return kAborted;
   run.report.wall_s = std::chrono::duration<double>(Clock::now() - start).count();
   if (!options.statistics_file.empty()) write_statistics(run);
   if (options.statistic_console && options.verbose) {

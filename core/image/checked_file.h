@@ -1,0 +1,43 @@
+// A file for OpenImageIO to write, which remembers the first thing that went wrong: encoders
+// lose the reason, and some do not notice that closing failed. One thread.
+#pragma once
+
+#include <OpenImageIO/filesystem.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace lentray::core {
+
+class CheckedFile final : public OIIO::Filesystem::IOProxy {
+ public:
+  /// Empties the file; failing to open it is a complaint, too.
+  explicit CheckedFile(const std::filesystem::path& path);
+  ~CheckedFile() override;
+  CheckedFile(const CheckedFile&) = delete;
+  CheckedFile& operator=(const CheckedFile&) = delete;
+
+  /// The system's word for the first failure, or empty. Final after close().
+  const std::string& complaint() const { return m_complaint; }
+
+  const char* proxytype() const override { return "checked file"; }
+  void close() override;
+  int64_t tell() override;
+  bool seek(int64_t offset) override;
+  std::size_t read(void* buffer, std::size_t size) override;
+  std::size_t write(const void* buffer, std::size_t size) override;
+  std::size_t pread(void* buffer, std::size_t size, int64_t offset) override;
+  std::size_t pwrite(const void* buffer, std::size_t size, int64_t offset) override;
+  std::size_t size() const override;
+  void flush() const override;
+
+ private:
+  void note(bool failed) const;
+  std::vector<char> m_buffer;
+  std::FILE* m_file = nullptr;
+  mutable std::string m_complaint;  // flushing is const to OpenImageIO
+};
+
+}  // namespace lentray::core

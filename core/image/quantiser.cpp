@@ -1,0 +1,87 @@
+#include "core/image/quantiser.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace lentray::core {
+namespace {
+
+// IEC 61966-2-1, as stock's default file gamma.
+float srgb_encoded(float linear) {
+  if (linear <= 0.0031308f) return linear * 12.92f;
+  return 1.055f * std::pow(linear, 1.0f / 2.4f) - 0.055f;
+}
+float linear_of_srgb(float v) {
+  return v <= 0.04045f ? v / 12.92f : std::pow((v + 0.055f) / 1.055f, 2.4f);
+}
+
+float power(float value, double exponent) {
+  return value <= 0.0f ? value : static_cast<float>(std::pow(double{value}, exponent));
+}
+
+// The table's places: positive floats by their leading bits, from 2^-12 up to 1.
+constexpr int kDropped = 15;  ///< bits that are left out: 8 of the fraction stay
+constexpr std::uint32_t kFirst = (127u - 12u) << 8;
+constexpr std::uint32_t kEnd = 127u << 8;
+
+}  // namespace
+
+float linear_of(float value, const ImageFormat& format) {
+  if (format.working_srgb) return linear_of_srgb(value);
+  return format.working_gamma == 1.0 ? value : power(value, format.working_gamma);
+}
+
+unsigned scaled_to_integer(float encoded, int bits) {
+  const float max = static_cast<float>((1u << bits) - 1u);
+  const float level = std::floor(encoded * max + 0.5f);
+  if (!(level > 0.0f)) return 0u;  // NaN too
+  return static_cast<unsigned>(std::min(level, max));
+}
+
+unsigned quantised(float linear, const ImageFormat& format) {
+  float value = linear_of(linear, format);
+  if (format.srgb) {
+    value = srgb_encoded(value);
+  } else if (format.file_gamma != 1.0) {
+    value = power(value, 1.0 / format.file_gamma);
+  }
+  return scaled_to_integer(value, format.bits);
+}
+
+Quantiser::Quantiser(const ImageFormat& format) : m_format(format) {
+  if (format.bits != 8) return;
+  // The least float of each level, by halving; floats of one sign are ordered as their bits.
+  m_least.push_back(0.0f);
+  std::uint32_t least = 0;
+  for (unsigned level = 1; level < 256; ++level) {
+    std::uint32_t high = std::bit_cast<std::uint32_t>(4.0f);
+    while (least < high) {
+      const std::uint32_t middle = least + (high - least) / 2;
+      if (quantised(std::bit_cast<float>(middle), format) >= level) {
+        high = middle;
+      } else {
+        least = middle + 1;
+      }
+    }
+    m_least.push_back(std::bit_cast<float>(least));
+  }
+  unsigned level = 0;
+  for (std::uint32_t place = kFirst; place < kEnd; ++place) {
+    const float value = std::bit_cast<float>(place << kDropped);
+    while (level < 255 && value >= m_least[level + 1]) ++level;
+    m_start.push_back(static_cast<std::uint8_t>(level));
+  }
+}
+
+unsigned Quantiser::operator()(float value) const {
+  if (m_least.empty()) return quantised(value, m_format);
+  if (!(value > 0.0f)) return 0u;  // NaN too
+  unsigned level = 0;
+  const std::uint32_t place = std::bit_cast<std::uint32_t>(value) >> kDropped;
+  if (place >= kFirst) level = m_start[std::min(place, kEnd - 1) - kFirst];
+  while (level < 255 && value >= m_least[level + 1]) ++level;
+  return level;
+}
+
+}  // namespace lentray::core

@@ -1,0 +1,17 @@
+// What this process and its machine have and use. Any number of threads.
+#pragma once
+
+#include <cstdint>
+
+namespace lentray::tool {
+
+/// Seconds of processor time of the process, over all threads; of the calling thread alone.
+double cpu_seconds();
+double thread_cpu_seconds();
+
+/// Bytes: the most and what is held now; of the machine (infinite where it does not tell).
+std::uint64_t peak_bytes();
+double resident_bytes();
+double machine_memory();
+
+}  // namespace lentray::tool

@@ -1,0 +1,93 @@
+#include "tools/lentray/picture_file.h"
+
+#include <cstdio>
+#include <variant>
+
+#include "camera/text.h"
+#include "tools/lentray/machine.h"
+#include "tools/lentray/version.h"
+
+namespace lentray::tool {
+namespace {
+
+core::FileType file_type(parser::OutputType type) {
+  switch (type) {
+    case parser::OutputType::kPng: return core::FileType::png;
+    case parser::OutputType::kTiff: return core::FileType::tiff;
+    case parser::OutputType::kExr: break;
+  }
+  return core::FileType::exr;
+}
+
+core::ImageFormat format_of(parser::OutputType type, const parser::RenderOptions& options,
+                            const core::SceneSettings& settings) {
+  core::ImageFormat format;
+  format.type = file_type(type);
+  format.bits = options.bits;
+  format.srgb = options.srgb;
+  format.file_gamma = options.file_gamma;
+  format.alpha = options.alpha;
+  if (settings.assumed_gamma > 0.0) {
+    format.working_gamma = settings.assumed_gamma;
+  } else if (settings.assumed_gamma_set) {
+    format.working_srgb = true;
+  } else {
+    // Scenes older than 3.7 without an assumed_gamma: colours go to the file as they are.
+    format.srgb = false;
+    format.file_gamma = 1.0;
+  }
+  return format;
+}
+
+std::string text_of(const camera::Property& property) {
+  if (const auto* text = std::get_if<std::string>(&property.second)) return *text;
+  if (const auto* vector = std::get_if<core::Vec3>(&property.second)) {
+    return camera::text_of(*vector);
+  }
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, "%.17g", std::get<double>(property.second));
+  return buffer;
+}
+
+core::ImageMetadata metadata(const CameraSetup& setup) {
+  core::ImageMetadata out;
+  out.software = std::string("Lentray ") + kVersion;
+  if (!setup.sheet) return out;
+  // A view is no print; only the integral image has a physical resolution.
+  if (!setup.view) {
+    out.dpi_x = setup.sheet->print_dpi_x();
+    out.dpi_y = setup.sheet->print_dpi_y();
+    out.description = "integral image for a lenticular sheet";
+  }
+  for (const camera::Property& property : setup.camera().describe()) {
+    out.fields.emplace_back("lentray:" + property.first, text_of(property));
+  }
+  return out;
+}
+
+}  // namespace
+
+PictureFile::PictureFile(const std::string& path, parser::OutputType type,
+                         const parser::RenderOptions& options,
+                         const core::SceneSettings& settings, const CameraSetup& camera) {
+  if (path.empty()) return;
+  m_writer = std::make_unique<core::PictureWriter>(
+      path, camera.camera().width(), camera.camera().height(),
+      format_of(type, options, settings), metadata(camera));
+}
+
+void PictureFile::put(const core::Image& band, std::uint32_t) {
+  if (!m_writer) return;
+  const double before = thread_cpu_seconds();
+  m_writer->put(band);
+  m_cpu_seconds += thread_cpu_seconds() - before;
+}
+
+void PictureFile::finish() {
+  if (!m_writer) return;
+  const double before = thread_cpu_seconds();
+  m_writer->finish();
+  m_cpu_seconds += thread_cpu_seconds() - before;
+}
+
+}  // namespace lentray::tool
