@@ -1,8 +1,6 @@
 #include "core/image/reader.h"
 
-#include <OpenImageIO/imageio.h>
-
-#include <memory>
+#include "core/image/image_module.h"
 
 namespace lentray::core {
 
@@ -11,35 +9,12 @@ StoredImage read_image(const std::filesystem::path& path) {
     throw ImageError("cannot read '" + path.string() + "': " + why);
   };
   if (!std::filesystem::is_regular_file(path)) fail("there is no such file");
-  OIIO::ImageSpec as_stored;
-  as_stored.attribute("oiio:UnassociatedAlpha", 1);
-  const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(path.string(), &as_stored);
-  if (!input) fail(OIIO::geterror());
-  const OIIO::ImageSpec& spec = input->spec();
+  const ImageModule& module = image_module();
   StoredImage image;
-  image.width = static_cast<std::uint32_t>(spec.width);
-  image.height = static_cast<std::uint32_t>(spec.height);
-  image.channels = spec.nchannels;
-  image.bits = spec.format == OIIO::TypeDesc::UINT8    ? 8
-               : spec.format == OIIO::TypeDesc::UINT16 ? 16
-                                                       : 32;
-  image.samples.resize(std::size_t{image.width} * image.height * image.channels);
-  bool read = false;
-  const auto read_integers = [&](auto sample, OIIO::TypeDesc type) {
-    std::vector<decltype(sample)> values(image.samples.size());
-    read = input->read_image(0, 0, 0, spec.nchannels, type, values.data());
-    image.samples.assign(values.begin(), values.end());
-  };
-  if (image.bits == 8) {
-    read_integers(std::uint8_t{}, OIIO::TypeDesc::UINT8);
-  } else if (image.bits == 16) {
-    read_integers(std::uint16_t{}, OIIO::TypeDesc::UINT16);
-  } else {
-    read = input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, image.samples.data());
-  }
-  if (!read) fail(input->geterror());
-  for (const OIIO::ParamValue& value : spec.extra_attribs) {
-    image.attributes[value.name().string()] = value.get_string();
+  try {
+    image = module.read(path);
+  } catch (const std::exception& e) {
+    fail(e.what());
   }
   return image;
 }

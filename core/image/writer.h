@@ -1,4 +1,5 @@
-// Pictures to files: PNG and TIFF (8 or 16 bit), OpenEXR (float), by OpenImageIO.
+// Pictures to files: PNG and TIFF (8 or 16 bit), OpenEXR (float); which library writes which is
+// told in core/image/picture_encoder.h.
 //
 // Units: the picture holds linear light; integer files hold clip(floor(v * max + 0.5)) of the
 // encoded value, OpenEXR holds linear float with premultiplied alpha. dpi is pixels an inch.

@@ -100,7 +100,7 @@ void read_scene(Run& run, const std::string& path) {
   reduce(parts, o.quality);
   core::CompileOptions compile;
   compile.linear_search = o.accelerator == "list";
-  if (o.light_buffer) compile.light_buffer_pixels = std::uint64_t{o.width} * o.height;
+  if (o.light_buffer) compile.light_buffer_pixels = static_cast<std::uint64_t>(o.width) * static_cast<std::uint64_t>(o.height);
   run.scene = std::make_unique<core::Scene>(std::move(parts), compile);
   run.report.compile_cpu_s = cpu_seconds() - parsed;
 

@@ -1,4 +1,4 @@
-#include "core/image/checked_file.h"
+#include "core/image/openimageio/checked_file.h"
 
 #include <sys/stat.h>
 

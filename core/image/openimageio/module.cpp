@@ -1,0 +1,63 @@
+// The module's one entry, and reading.
+#include <OpenImageIO/imageio.h>
+
+#include <memory>
+#include <stdexcept>
+
+#include "core/image/image_module.h"
+#include "core/image/openimageio/encoder.h"
+
+namespace lentray::core {
+namespace {
+
+StoredImage read_picture(const std::filesystem::path& path) {
+  OIIO::ImageSpec as_stored;
+  as_stored.attribute("oiio:UnassociatedAlpha", 1);
+  const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(path.string(), &as_stored);
+  if (!input) throw std::runtime_error(OIIO::geterror());
+  const OIIO::ImageSpec& spec = input->spec();
+  StoredImage image;
+  image.width = static_cast<std::uint32_t>(spec.width);
+  image.height = static_cast<std::uint32_t>(spec.height);
+  image.channels = spec.nchannels;
+  image.bits = spec.format == OIIO::TypeDesc::UINT8    ? 8
+               : spec.format == OIIO::TypeDesc::UINT16 ? 16
+                                                       : 32;
+  image.samples.resize(std::size_t{image.width} * image.height * image.channels);
+  bool read = false;
+  const auto read_integers = [&](auto sample, OIIO::TypeDesc type) {
+    std::vector<decltype(sample)> values(image.samples.size());
+    read = input->read_image(0, 0, 0, spec.nchannels, type, values.data());
+    image.samples.assign(values.begin(), values.end());
+  };
+  if (image.bits == 8) {
+    read_integers(std::uint8_t{}, OIIO::TypeDesc::UINT8);
+  } else if (image.bits == 16) {
+    read_integers(std::uint16_t{}, OIIO::TypeDesc::UINT16);
+  } else {
+    read = input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, image.samples.data());
+  }
+  if (!read) throw std::runtime_error(input->geterror());
+  for (const OIIO::ParamValue& value : spec.extra_attribs) {
+    image.attributes[value.name().string()] = value.get_string();
+  }
+  return image;
+}
+
+class Module final : public ImageModule {
+ public:
+  std::unique_ptr<PictureEncoder> encoder(const std::filesystem::path& path,
+                                          const PictureSpec& spec) const override {
+    return make_openimageio_encoder(path, spec);
+  }
+  StoredImage read(const std::filesystem::path& path) const override { return read_picture(path); }
+};
+
+}  // namespace
+}  // namespace lentray::core
+
+extern "C" __attribute__((visibility("default"))) const lentray::core::ImageModule*
+lentray_image_module() {
+  static const lentray::core::Module module;
+  return &module;
+}

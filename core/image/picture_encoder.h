@@ -1,0 +1,38 @@
+// One kind of file on its way to disk, in the file's own samples. PNG is written by libpng at
+// once; the other kinds by OpenImageIO, which is loaded when it is needed first: its libraries
+// take longer to start than a small picture takes to render.
+// Errors: std::runtime_error with the reason alone. One thread at a time.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+
+#include "core/image/writer.h"
+
+namespace lentray::core {
+
+struct PictureSpec {
+  FileType type = FileType::png;
+  std::uint32_t width = 0, height = 0;
+  int channels = 3;          ///< 1 grey, 2 with alpha, 3 RGB, 4 RGBA; alpha not premultiplied
+  int bits = 8;              ///< 8 or 16: integers; 32: float
+  bool tagged = false;       ///< what follows is known and goes into the file
+  bool srgb = true;
+  double file_gamma = 1.0;   ///< unless srgb
+  ImageMetadata metadata{};
+};
+
+class PictureEncoder {
+ public:
+  virtual ~PictureEncoder() = default;  ///< without close() the file is left as it is
+  /// The next rows from the top, samples side by side as the spec says.
+  virtual void put(const void* samples, std::uint32_t rows) = 0;
+  /// All rows are there: the file is complete and closed.
+  virtual void close() = 0;
+};
+
+std::unique_ptr<PictureEncoder> make_png_encoder(const std::filesystem::path& path,
+                                                 const PictureSpec& spec);
+
+}  // namespace lentray::core

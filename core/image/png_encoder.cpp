@@ -1,0 +1,117 @@
+#include <png.h>
+#include <zlib.h>
+
+#include <bit>
+#include <cerrno>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include "core/image/picture_encoder.h"
+
+namespace lentray::core {
+namespace {
+
+/// libpng reports by a function that must not return: an exception leaves its frames, which hold
+/// nothing of their own.
+[[noreturn]] void on_error(png_structp png, png_const_charp message) {
+  const auto* complaint = static_cast<const std::string*>(png_get_error_ptr(png));
+  throw std::runtime_error(complaint->empty() ? message : *complaint);
+}
+void on_warning(png_structp, png_const_charp) {}
+
+class PngEncoder final : public PictureEncoder {
+ public:
+  PngEncoder(const std::filesystem::path& path, const PictureSpec& spec)
+      : m_row_bytes(std::size_t{spec.width} * static_cast<std::size_t>(spec.channels) *
+                    static_cast<std::size_t>(spec.bits / 8)),
+        m_buffer(std::size_t{1} << 18) {
+    m_file = std::fopen(path.c_str(), "wbe");
+    if (!m_file) throw std::runtime_error(std::strerror(errno));
+    std::setvbuf(m_file, m_buffer.data(), _IOFBF, m_buffer.size());
+    m_png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &m_complaint, on_error, on_warning);
+    m_info = m_png ? png_create_info_struct(m_png) : nullptr;
+    if (!m_info) throw std::runtime_error("out of memory");
+    png_set_write_fn(m_png, this, write, nullptr);
+    start(spec);
+  }
+  ~PngEncoder() override {
+    png_destroy_write_struct(&m_png, &m_info);
+    if (m_file) std::fclose(m_file);
+  }
+  PngEncoder(const PngEncoder&) = delete;
+  PngEncoder& operator=(const PngEncoder&) = delete;
+
+  void put(const void* samples, std::uint32_t rows) override {
+    const auto* from = static_cast<png_const_bytep>(samples);
+    for (std::uint32_t row = 0; row < rows; ++row) png_write_row(m_png, from + row * m_row_bytes);
+  }
+
+  void close() override {
+    png_write_end(m_png, m_info);
+    std::FILE* file = m_file;
+    m_file = nullptr;
+    if (std::fclose(file) != 0) throw std::runtime_error(std::strerror(errno));
+  }
+
+ private:
+  static void write(png_structp png, png_bytep data, png_size_t size) {
+    auto& self = *static_cast<PngEncoder*>(png_get_io_ptr(png));
+    if (std::fwrite(data, 1, size, self.m_file) == size) return;
+    self.m_complaint = std::strerror(errno);
+    png_error(png, "cannot write");
+  }
+
+  void start(const PictureSpec& spec) {
+    constexpr int kTypes[] = {PNG_COLOR_TYPE_GRAY, PNG_COLOR_TYPE_GRAY_ALPHA, PNG_COLOR_TYPE_RGB,
+                              PNG_COLOR_TYPE_RGB_ALPHA};
+    png_set_IHDR(m_png, m_info, spec.width, spec.height, spec.bits, kTypes[spec.channels - 1],
+                 PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    // Measured on integral images: the difference from the row above, in runs, takes a third of
+    // the time of zlib's default and gives files of the same size.
+    png_set_filter(m_png, PNG_FILTER_TYPE_BASE, PNG_FILTER_UP);
+    png_set_compression_strategy(m_png, Z_RLE);
+    if (spec.tagged && spec.srgb) {
+      png_set_sRGB_gAMA_and_cHRM(m_png, m_info, PNG_sRGB_INTENT_ABSOLUTE);
+    } else if (spec.tagged) {
+      png_set_gAMA(m_png, m_info, 1.0 / spec.file_gamma);
+    }
+    const ImageMetadata& data = spec.metadata;
+    if (data.dpi_x > 0.0 && data.dpi_y > 0.0) {
+      const auto metric = [](double dpi) { return static_cast<png_uint_32>(std::lround(dpi / 0.0254)); };
+      png_set_pHYs(m_png, m_info, metric(data.dpi_x), metric(data.dpi_y), PNG_RESOLUTION_METER);
+    }
+    if (!data.software.empty()) add_text("Software", data.software);
+    if (!data.description.empty()) add_text("Description", data.description);
+    for (const auto& [name, value] : data.fields) add_text(name, value);
+    png_write_info(m_png, m_info);
+    if (spec.bits == 16 && std::endian::native == std::endian::little) png_set_swap(m_png);
+  }
+
+  void add_text(const std::string& name, const std::string& value) {
+    png_text text{};
+    text.compression = PNG_TEXT_COMPRESSION_NONE;
+    text.key = const_cast<char*>(name.c_str());
+    text.text = const_cast<char*>(value.c_str());
+    text.text_length = value.size();
+    png_set_text(m_png, m_info, &text, 1);
+  }
+
+  const std::size_t m_row_bytes;
+  std::vector<char> m_buffer;
+  std::string m_complaint;  ///< the system's word, which tells more than libpng's
+  std::FILE* m_file = nullptr;
+  png_structp m_png = nullptr;
+  png_infop m_info = nullptr;
+};
+
+}  // namespace
+
+std::unique_ptr<PictureEncoder> make_png_encoder(const std::filesystem::path& path,
+                                                 const PictureSpec& spec) {
+  return std::make_unique<PngEncoder>(path, spec);
+}
+
+}  // namespace lentray::core
