@@ -180,26 +180,61 @@ LightBuffer::LightBuffer(const Vec3& light, const std::vector<std::unique_ptr<Ob
     m_casters.back().sphere = static_cast<std::uint32_t>(m_spheres.size());
     m_spheres.push_back({sphere.centre(), sphere.radius2()});
   }
-  for (int face = 0; face < LightFace::kFaces && !m_crowded; ++face) fill(face, cells, casters);
+  for (int face = 0; face < LightFace::kFaces && !m_crowded; ++face) add_grids(face, cells, casters);
 }
 
-void LightBuffer::fill(int face, std::uint32_t cells, const std::vector<Placed>& casters) {
+namespace {
+
+/// The window of all casters, then ever smaller ones of those that are small in the last.
+std::vector<LightWindow> nested_windows(const std::vector<LightWindow>& shown) {
+  constexpr std::size_t kMostGrids = 3;
+  constexpr double kSmall = 1.0 / 8.0, kWorthwhile = 1.0 / 3.0;
+  std::vector<LightWindow> windows;
   LightWindow window;
-  for (const Placed& c : casters) {
-    window.include(window_of(c.box, face));
+  for (const LightWindow& w : shown) window.include(w);
+  while (!window.is_empty() && windows.size() < kMostGrids) {
+    windows.push_back(window);
+    const double width = window.hi[0] - window.lo[0], height = window.hi[1] - window.lo[1];
+    LightWindow inner;
+    for (const LightWindow& w : shown) {
+      if (w.hi[0] - w.lo[0] > kSmall * width || w.hi[1] - w.lo[1] > kSmall * height) continue;
+      inner.include(w);
+    }
+    const double inner_area = (inner.hi[0] - inner.lo[0]) * (inner.hi[1] - inner.lo[1]);
+    if (inner.is_empty() || !(inner_area < kWorthwhile * width * height)) break;
+    window = inner;
   }
-  if (window.is_empty()) return;
-  // Cells about square, their number by the share of the face that is used.
-  const double width = std::max(window.hi[0] - window.lo[0], 1e-6);
-  const double height = std::max(window.hi[1] - window.lo[1], 1e-6);
-  const double side = std::sqrt(cells);
-  const auto along = [&](double own, double other) {
-    return static_cast<int>(std::clamp(side * std::sqrt(own / other), 1.0, 4096.0));
-  };
-  Face& f = m_faces[static_cast<std::size_t>(face)];
-  f.raster = LightRaster(face, window, along(width, height), along(height, width));
-  f.cells.resize(f.raster.cells());
-  Outliner outliner(f.raster, m_light);
+  return windows;
+}
+
+}  // namespace
+
+void LightBuffer::add_grids(int face, std::uint32_t cells, const std::vector<Placed>& casters) {
+  std::vector<LightWindow> shown;
+  for (const Placed& c : casters) {
+    const LightWindow window = window_of(c.box, face);
+    if (!window.is_empty()) shown.push_back(window);
+  }
+  const std::vector<LightWindow> windows = nested_windows(shown);
+  std::vector<Grid>& grids = m_faces[static_cast<std::size_t>(face)];
+  for (auto window = windows.rbegin(); window != windows.rend() && !m_crowded; ++window) {
+    // Cells about square; the outer grids hold little.
+    constexpr double kOuter = 0.25;
+    const double width = std::max(window->hi[0] - window->lo[0], 1e-6);
+    const double height = std::max(window->hi[1] - window->lo[1], 1e-6);
+    const double side = std::sqrt(grids.empty() ? cells : kOuter * cells);
+    const auto along = [&](double own, double other) {
+      return static_cast<int>(std::clamp(side * std::sqrt(own / other), 1.0, 4096.0));
+    };
+    Grid& grid = grids.emplace_back();
+    grid.raster = LightRaster(face, *window, along(width, height), along(height, width));
+    grid.cells.resize(grid.raster.cells());
+    fill(grid, face, casters);
+  }
+}
+
+void LightBuffer::fill(Grid& grid, int face, const std::vector<Placed>& casters) {
+  Outliner outliner(grid.raster, m_light);
   std::vector<LightCell> touched;
   std::vector<Found> found;
   for (std::uint32_t i = 0; i < m_casters.size(); ++i) {
@@ -215,14 +250,14 @@ void LightBuffer::fill(int face, std::uint32_t cells, const std::vector<Placed>&
         outliner.triangle(static_cast<const Triangle&>(*caster.shape), touched);
         break;
       case Kind::kBox: outliner.box(static_cast<const Box&>(*caster.shape), touched); break;
-      case Kind::kAny: f.raster.box(casters[i].box, touched); break;
+      case Kind::kAny: grid.raster.box(casters[i].box, touched); break;
     }
-    if (found.size() > kMostPerCell * f.cells.size()) {
+    if (found.size() > kMostPerCell * grid.cells.size()) {
       m_crowded = true;
       return;
     }
     for (const LightCell& t : touched) {
-      Cell& cell = f.cells[t.cell];
+      Cell& cell = grid.cells[t.cell];
       if (t.near_w > cell.full_w) continue;
       found.push_back({t.cell, {down(t.near_w), i}, caster.opaque});
       // A hit within the tolerance of the light would not count.
@@ -234,34 +269,34 @@ void LightBuffer::fill(int face, std::uint32_t cells, const std::vector<Placed>&
       }
     }
   }
-  keep(f, found);
+  keep(grid, found);
 }
 
 /// Sorts what was found into the cells, without what lies beyond their darkness.
-void LightBuffer::keep(Face& f, std::vector<Found>& found) {
-  const auto dark = [&](const Found& e) { return e.entry.near_w > f.cells[e.cell].full_w; };
+void LightBuffer::keep(Grid& grid, std::vector<Found>& found) {
+  const auto dark = [&](const Found& e) { return e.entry.near_w > grid.cells[e.cell].full_w; };
   found.erase(std::remove_if(found.begin(), found.end(), dark), found.end());
-  std::vector<std::uint32_t> next(f.cells.size() + 1, 0);
+  std::vector<std::uint32_t> next(grid.cells.size() + 1, 0);
   for (const Found& e : found) ++next[e.cell + 1];
   for (std::size_t i = 1; i < next.size(); ++i) next[i] += next[i - 1];
   std::vector<Found> sorted(found.size());
   for (const Found& e : found) sorted[next[e.cell]++] = e;
-  f.entries.resize(sorted.size());
+  grid.entries.resize(sorted.size());
   std::uint32_t at = 0;
-  for (std::uint32_t c = 0; c < f.cells.size(); ++c) {
+  for (std::uint32_t c = 0; c < grid.cells.size(); ++c) {
     const std::uint32_t end = next[c];
     std::sort(sorted.begin() + at, sorted.begin() + end, [](const Found& a, const Found& b) {
       if (a.opaque != b.opaque) return a.opaque;
       if (a.entry.near_w != b.entry.near_w) return a.entry.near_w < b.entry.near_w;
       return a.entry.caster < b.entry.caster;
     });
-    Cell& cell = f.cells[c];
+    Cell& cell = grid.cells[c];
     cell.first = at;
     for (; at < end; ++at) {
       std::uint16_t& number = sorted[at].opaque ? cell.opaque : cell.transparent;
       if (number == std::numeric_limits<std::uint16_t>::max()) m_crowded = true;
       ++number;
-      f.entries[at] = sorted[at].entry;
+      grid.entries[at] = sorted[at].entry;
     }
   }
 }
@@ -337,8 +372,10 @@ void LightBuffer::all_transparent(const Spot& spot, const Ray& ray, double t_min
 std::size_t LightBuffer::memory() const {
   std::size_t bytes = sizeof(*this) + m_casters.capacity() * sizeof(Caster) +
                       m_spheres.capacity() * sizeof(Round);
-  for (const Face& f : m_faces) {
-    bytes += f.cells.capacity() * sizeof(Cell) + f.entries.capacity() * sizeof(Entry);
+  for (const std::vector<Grid>& grids : m_faces) {
+    for (const Grid& g : grids) {
+      bytes += g.cells.capacity() * sizeof(Cell) + g.entries.capacity() * sizeof(Entry);
+    }
   }
   return bytes;
 }
@@ -346,10 +383,12 @@ std::size_t LightBuffer::memory() const {
 LightBuffer::Statistics LightBuffer::statistics() const {
   Statistics s;
   s.always = m_always_opaque.size() + m_always_transparent.size();
-  for (const Face& f : m_faces) {
-    s.cells += f.cells.size();
-    s.entries += f.entries.size();
-    for (const Cell& c : f.cells) s.dark_cells += std::isfinite(c.full_w) ? 1 : 0;
+  for (const std::vector<Grid>& grids : m_faces) {
+    for (const Grid& g : grids) {
+      s.cells += g.cells.size();
+      s.entries += g.entries.size();
+      for (const Cell& c : g.cells) s.dark_cells += std::isfinite(c.full_w) ? 1 : 0;
+    }
   }
   return s;
 }

@@ -40,19 +40,23 @@ class LightBuffer {
     const Cell* cell = nullptr;     ///< null: nothing finite can darken the point
     const Entry* entries = nullptr;
     double w = 0.0;
+    bool known = false;  ///< it was asked for
   };
   Spot spot_of(const Vec3& point) const {
     const Vec3 v = point - m_light;
     const int side = LightFace::of(v);
-    const Face& face = m_faces[static_cast<std::size_t>(side)];
+    const double size[3] = {std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)};
     Spot spot;
-    spot.w = std::fabs(v[side / 2]);
-    if (face.raster.empty()) return spot;
-    const std::int64_t index = face.raster.cell_of(v, spot.w);
-    if (index < 0) return spot;
-    spot.cell = &face.cells[static_cast<std::size_t>(index)];
-    spot.entries = face.entries.data();
-    __builtin_prefetch(spot.cell);
+    spot.known = true;
+    spot.w = size[side / 2];
+    for (const Grid& grid : m_faces[static_cast<std::size_t>(side)]) {
+      const std::int64_t index = grid.raster.cell_of(v, spot.w);
+      if (index < 0) continue;
+      spot.cell = &grid.cells[static_cast<std::size_t>(index)];
+      spot.entries = grid.entries.data();
+      __builtin_prefetch(spot.cell);
+      break;
+    }
     return spot;
   }
 
@@ -69,7 +73,7 @@ class LightBuffer {
   Statistics statistics() const;
 
  private:
-  struct Face {
+  struct Grid {
     LightRaster raster;
     std::vector<Cell> cells;
     std::vector<Entry> entries;
@@ -98,8 +102,9 @@ class LightBuffer {
   const Object* search(const Spot& spot, const Ray& to_light, double t_min, double t_max,
                        HitArena& arena, Count count) const;
   static Kind kind_of(const Shape* shape);
-  void fill(int face, std::uint32_t cells, const std::vector<Placed>& casters);
-  void keep(Face& face, std::vector<Found>& found);
+  void add_grids(int face, std::uint32_t cells, const std::vector<Placed>& casters);
+  void fill(Grid& grid, int face, const std::vector<Placed>& casters);
+  void keep(Grid& grid, std::vector<Found>& found);
 
   Vec3 m_light;
   bool m_crowded = false;
@@ -107,7 +112,9 @@ class LightBuffer {
   std::vector<Caster> m_casters;        ///< by distance
   std::vector<Round> m_spheres;
   std::vector<const Object*> m_always_opaque, m_always_transparent;  ///< infinite ones and near ones
-  std::array<Face, LightFace::kFaces> m_faces;
+  /// Of each face the grids, one within the other, the finest first: where few large objects
+  /// stand about many small ones, these get cells of their own size.
+  std::array<std::vector<Grid>, LightFace::kFaces> m_faces;
 };
 
 struct LightBuffer::Entry {

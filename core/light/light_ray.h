@@ -24,7 +24,7 @@ inline LightRay light_ray(const Light& light, const Vec3& from, const Vec3& offs
   }
   const Vec3 to = light.position + offset - from;
   const double distance = length(to);
-  return {to / distance, distance};
+  return {to * (1.0 / distance), distance};
 }
 
 /// Factor of the cone, the cylinder and of fading; 0 outside.

@@ -124,7 +124,7 @@ class PathTracer final : public Tracer {
   }
   double random();
   Frame& enter_frame();
-  void look_ahead(const Vec3& point, Frame& frame) const;
+  void look_ahead(const Surface& at, Frame& frame) const;
 
   const Scene& m_scene;
   const Hierarchy& m_hierarchy;

@@ -81,13 +81,16 @@ typename PathTracer<kFeatures>::Frame& PathTracer<kFeatures>::enter_frame() {
 }
 
 /// Finds the point in the lights' buffers before anything else is done with it, so that their
-/// cells are there when the light loop comes to them.
+/// cells are there when the light loop comes to them. Lights behind the surface are most often
+/// not asked for.
 template <unsigned kFeatures>
-void PathTracer<kFeatures>::look_ahead(const Vec3& point, Frame& frame) const {
+void PathTracer<kFeatures>::look_ahead(const Surface& at, Frame& frame) const {
   const std::size_t lights = m_scene.lights().size();
   frame.spots.resize(lights);
   for (std::size_t i = 0; i < lights; ++i) {
-    if (const LightBuffer* buffer = m_scene.light_buffer(i)) frame.spots[i] = buffer->spot_of(point);
+    const LightBuffer* buffer = m_scene.light_buffer(i);
+    frame.spots[i].known = buffer && !surely_behind(m_scene.lights()[i], at.point, at.normal);
+    if (frame.spots[i].known) frame.spots[i] = buffer->spot_of(at.point);
   }
 }
 
@@ -99,14 +102,14 @@ Radiance PathTracer<kFeatures>::shade(const RayState& state, const Hit& hit, flo
   at.looks = &hit.leaf->attributes();
   at.interior = interior_of(*at.looks, hit.object);
   at.point = state.ray.at(hit.t);
-  Frame& frame = enter_frame();
-  look_ahead(at.point, frame);
   at.normal = hit.leaf->normal(at.point, hit.shape);
   at.depth = hit.t;
   at.weight = weight;
   at.level = level;
   const bool from_behind = dot(at.normal, state.ray.direction) > 0.0;
   if (from_behind) at.normal = -at.normal;
+  Frame& frame = enter_frame();
+  look_ahead(at, frame);
 
   if constexpr (kLayers) {
     textures_at(hit, at.point, from_behind, m_bailout, frame.textures);
@@ -262,7 +265,7 @@ template <unsigned kFeatures>
 Rgb PathTracer<kFeatures>::shadowed(std::uint32_t light, const Rgb& colour, const LightRay& ray,
                                     const Surface& at, const Frame& frame) {
   ShadowQuery query;
-  query.spot = &frame.spots[light];
+  if (frame.spots[light].known) query.spot = &frame.spots[light];
   query.ray = {at.point, ray.direction};
   query.distance = ray.distance;
   query.light = light;
