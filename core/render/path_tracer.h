@@ -30,6 +30,10 @@ inline constexpr unsigned kAllPaths = 16;
 
 /// A ray on its way, with what it carries.
 struct RayState {
+  RayState() = default;
+  /// Not an aggregate: that would clear the whole stack first.
+  RayState(const Ray& r, const InteriorStack& in, bool was_reflected)
+      : ray(r), inside(in), reflected(was_reflected) {}
   Ray ray;
   InteriorStack inside;
   bool reflected = false;  ///< once reflected, `no_reflection` counts and `no_image` does not

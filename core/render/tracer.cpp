@@ -312,7 +312,7 @@ Rgb PathTracer<kFeatures>::mirror_image(const Vec3& normal, float weight, const 
     }
   }
   ++m_counters.reflected_rays;
-  RayState next{{at.point, normalized(out)}, at.state->inside, true};
+  RayState next({at.point, normalized(out)}, at.state->inside, true);
   return follow(next, weight, at.level).rgb;
 }
 
@@ -322,7 +322,7 @@ bool PathTracer<kFeatures>::add_transmitted(const Stack& stack, const Surface& a
   const Rgb& filter = stack.filter;
   const float most = greatest({std::fabs(filter.r), std::fabs(filter.g), std::fabs(filter.b)});
   const float weight = at.weight * most;
-  RayState next{{at.point, at.state->ray.direction}, at.state->inside, at.state->reflected};
+  RayState next({at.point, at.state->ray.direction}, at.state->inside, at.state->reflected);
   const double ratio = m_start_interiors ? enter(at.interior, next.inside) : 1.0;
 
   Rgb fade(1.0f);
