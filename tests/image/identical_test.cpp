@@ -60,7 +60,7 @@ TEST(ImageIdentical, DemoInItsOwnCamera) {
   expect_identical({scene_file("demo.pov"), "+W120", "+H90"});
 }
 
-/// A plate tilted so that it rises from 3e-4 to 4e-3 above a plane, under the light: across the
+/// A sheet without thickness tilted so that it rises from 3e-4 to 4e-3 above a plane, under the light: across the
 /// distance below which blockers are not seen. A cache that tests what it remembers otherwise
 /// than the full search does lets the order of pixels show here; stock's does.
 std::string plate_scene(double height) {
@@ -70,8 +70,8 @@ camera { location <0,4,-4> look_at 0 }
 light_source { <0.3,9,-0.2> rgb 1 }
 light_source { <-4,9,3> rgb 0.5 }
 plane { y, 0 pigment { rgb 1 } finish { reflection 0.2 } }
-box { <-1,0,-1>, <1,0.05,1> pigment { rgb 0.5 } no_image no_reflection
-  rotate 0.106*z translate ()" + std::to_string(height) + R"( + 0.00215)*y }
+polygon { 5, <-1,-1>, <1,-1>, <1,1>, <-1,1>, <-1,-1> pigment { rgb 0.5 } no_image no_reflection
+  rotate 90*x rotate 0.106*z translate ()" + std::to_string(height) + R"( + 0.00215)*y }
 sphere { <0.4,0.8,0>, 0.3 pigment { rgb <1,0,0> } finish { reflection 0.5 } }
 )";
 }

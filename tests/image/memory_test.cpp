@@ -1,0 +1,81 @@
+// Pictures larger than the memory that is given: only bands of rows are held.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "tests/support/render.h"
+
+namespace lentray::test {
+namespace {
+
+constexpr const char* kScene = R"(#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0,1.5,-6> look_at <0,0.8,0> angle 40 }
+light_source { <-5,8,-6> rgb 1 }
+background { rgb <0.3,0.5,0.8> }
+plane { y, 0 pigment { checker rgb 0.9 rgb 0.3 } }
+sphere { <-1,1,0>, 1 pigment { rgb <0.9,0.2,0.2> } finish { phong 0.6 } }
+sphere { <1.1,0.6,-1>, 0.6 pigment { rgb <0.2,0.3,0.9> } finish { reflection 0.3 } }
+)";
+
+constexpr double kMiB = 1024.0 * 1024.0;
+
+/// Renders the scene and returns the statistics; width and height are those of the PNG's header.
+nlohmann::json statistics(std::vector<std::string> arguments, double seconds = 300.0) {
+  const diff::TemporaryFolder folder;
+  diff::write_text(folder / "scene.pov", kScene);
+  arguments.insert(arguments.end(), {"scene.pov", "-V", "Statistics_File=s.json"});
+  const diff::RunResult result = run_lentray(arguments, folder.path(), seconds);
+  EXPECT_EQ(result.status, 0) << result.output;
+  const auto json = nlohmann::json::parse(diff::read_text(folder / "s.json"));
+  std::ifstream picture(folder / "scene.png", std::ios::binary);
+  unsigned char header[24] = {};
+  picture.read(reinterpret_cast<char*>(header), sizeof header);
+  const auto number = [&](int at) {
+    return header[at] << 24 | header[at + 1] << 16 | header[at + 2] << 8 | header[at + 3];
+  };
+  EXPECT_EQ(number(16), json["image"]["width"]);
+  EXPECT_EQ(number(20), json["image"]["height"]);
+  return json;
+}
+
+TEST(ImageMemory, APictureIsNotHeldAsAWhole) {
+  // 16 bytes a pixel would be 137 MiB.
+  const auto json = statistics({"+W3000", "+H3000"});
+  EXPECT_LT(json["memory"]["peak_bytes"], 100 * kMiB);
+  EXPECT_GT(json["bands"]["count"], 4);
+  EXPECT_EQ(json["rays"]["camera"], 9000000);
+}
+
+TEST(ImageMemory, MaxMemoryIsKept) {
+  const auto plenty = statistics({"+W2400", "+H1800", "Pixel_Order=views", "Lenticular=On"});
+  EXPECT_EQ(plenty["bands"]["count"], 1);
+  EXPECT_EQ(plenty["bands"]["height"], 1800);
+  const double base = plenty["memory"]["peak_bytes"].get<double>() - 2400.0 * 1800 * 16;
+  const double limit = base + 40 * kMiB;
+  const auto json = statistics({"+W2400", "+H1800", "Pixel_Order=views", "Lenticular=On",
+                                "Max_Memory=" + std::to_string(static_cast<long>(limit))});
+  EXPECT_GT(json["bands"]["count"], 1);
+  EXPECT_LT(json["memory"]["peak_bytes"], limit);
+}
+
+TEST(ImageMemory, TooLittleIsSaid) {
+  const diff::TemporaryFolder folder;
+  diff::write_text(folder / "scene.pov", kScene);
+  const auto result = run_lentray({"scene.pov", "+W40", "+H30", "Max_Memory=1M"}, folder.path());
+  EXPECT_EQ(result.status, 0);
+  EXPECT_NE(result.output.find("warning: Max_Memory is less than"), std::string::npos);
+  EXPECT_NE(result.output.find("Bands: 30 of 1 rows"), std::string::npos) << result.output;
+}
+
+/// A print of 20 inches at 1200 dots an inch, with all defaults.
+TEST(SlowMemory, ALargePrintFitsIntoTwoGiB) {
+  const auto json = statistics({"+W24000", "+H24000", "Lenticular=On", "Print_DPI=1200"}, 3500.0);
+  EXPECT_EQ(json["rays"]["camera"], 576000000);
+  EXPECT_LT(json["memory"]["peak_bytes"], 2048 * kMiB);
+  RecordProperty("peak_bytes", json["memory"]["peak_bytes"].dump());
+}
+
+}  // namespace
+}  // namespace lentray::test
