@@ -139,7 +139,10 @@ struct AllSearch {
     tally.test(e.type);
     const std::size_t before = hits.size();
     e.object->all(ray, t_min, t_max, hits, arena);
-    for (std::size_t i = before; i < hits.size(); ++i) hits[i].object = e.object;
+    for (std::size_t i = before; i < hits.size(); ++i) {
+      hits[i].object = e.object;
+      hits[i].place = e.index;
+    }
     return false;
   }
 };

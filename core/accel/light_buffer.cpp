@@ -157,18 +157,20 @@ LightBuffer::LightBuffer(const Vec3& light, const std::vector<std::unique_ptr<Ob
   const double size = std::max({std::fabs(light.x), std::fabs(light.y), std::fabs(light.z), 1.0});
   m_least_distance = kNearLight * size;
   std::vector<Placed> casters;
-  for (const auto& object : objects) {
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    const auto& object = objects[i];
     if (object->attributes().no_shadow) continue;
     const Bounds bounds = object->bounds();
     if (bounds.is_empty()) continue;
     const Bounds box = relative(bounds, light);
     const double distance = bounds.is_finite() ? distance_of(box) : 0.0;
+    const Shape* shape = plain_shape(*object);
+    const Caster caster{object.get(), shape, kind_of(shape), object->is_opaque(),
+                        static_cast<std::uint32_t>(i), 0};
     if (!(distance > 2.0 * m_least_distance)) {  // no number is not greater
-      (object->is_opaque() ? m_always_opaque : m_always_transparent).push_back(object.get());
+      (object->is_opaque() ? m_always_opaque : m_always_transparent).push_back(caster);
     } else {
-      const Shape* shape = plain_shape(*object);
-      casters.push_back({{object.get(), shape, kind_of(shape), object->is_opaque(), 0}, box,
-                         distance});
+      casters.push_back({caster, box, distance});
     }
   }
   std::stable_sort(casters.begin(), casters.end(),
@@ -336,9 +338,9 @@ const Object* LightBuffer::search(const Spot& spot, const Ray& ray, double t_min
       if (blocked) return caster.object;
     }
   }
-  for (const Object* object : m_always_opaque) {
-    count(object);
-    if (object->any(ray, t_min, t_max, arena)) return object;
+  for (const Caster& caster : m_always_opaque) {
+    count(caster.object);
+    if (caster.object->any(ray, t_min, t_max, arena)) return caster.object;
   }
   return nullptr;
 }
@@ -354,18 +356,21 @@ const Object* LightBuffer::any_opaque(const Spot& spot, const Ray& ray, double t
 void LightBuffer::all_transparent(const Spot& spot, const Ray& ray, double t_min, double t_max,
                                   std::vector<Hit>& hits, HitArena& arena,
                                   Counters* counters) const {
-  const auto ask = [&](const Object* object) {
-    if (counters) count(*counters, *object);
+  const auto ask = [&](const Caster& caster) {
+    if (counters) count(*counters, *caster.object);
     const std::size_t before = hits.size();
-    object->all(ray, t_min, t_max, hits, arena);
-    for (std::size_t i = before; i < hits.size(); ++i) hits[i].object = object;
+    caster.object->all(ray, t_min, t_max, hits, arena);
+    for (std::size_t i = before; i < hits.size(); ++i) {
+      hits[i].object = caster.object;
+      hits[i].place = caster.place;
+    }
   };
-  for (const Object* object : m_always_transparent) ask(object);
+  for (const Caster& caster : m_always_transparent) ask(caster);
   if (!spot.cell) return;
   const Entry* entry = spot.entries + spot.cell->first + spot.cell->opaque;
   for (const Entry* end = entry + spot.cell->transparent; entry < end && entry->near_w < spot.w;
        ++entry) {
-    ask(m_casters[entry->caster].object);
+    ask(m_casters[entry->caster]);
   }
 }
 

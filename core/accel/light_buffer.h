@@ -84,6 +84,7 @@ class LightBuffer {
     const Shape* shape;    ///< asked without a detour where the kind is known
     Kind kind;
     bool opaque;
+    std::uint32_t place;   ///< in the scene
     std::uint32_t sphere;  ///< place in m_spheres
   };
   struct Round {
@@ -111,7 +112,7 @@ class LightBuffer {
   double m_tolerance, m_least_distance;
   std::vector<Caster> m_casters;        ///< by distance
   std::vector<Round> m_spheres;
-  std::vector<const Object*> m_always_opaque, m_always_transparent;  ///< infinite ones and near ones
+  std::vector<Caster> m_always_opaque, m_always_transparent;  ///< infinite ones and near ones
   /// Of each face the grids, one within the other, the finest first: where few large objects
   /// stand about many small ones, these get cells of their own size.
   std::array<std::vector<Grid>, LightFace::kFaces> m_faces;

@@ -228,7 +228,12 @@ std::uint32_t BinaryBuilder::split(std::uint32_t first, std::uint32_t count, int
   } else {
     left = divide(first, count, best, centres);
   }
+#ifdef __SANITIZE_THREAD__
+  // What oneTBB's library synchronises inside is not seen: every branch would be reported.
+  constexpr std::uint32_t kParallel = ~0u;
+#else
   constexpr std::uint32_t kParallel = 4096;
+#endif
   const auto do_left = [&] { branch.left = split(first, left, depth + 1); };
   const auto do_right = [&] { branch.right = split(first + left, count - left, depth + 1); };
   if (count > kParallel) {

@@ -2,16 +2,22 @@
 
 #include <dlfcn.h>
 
+#include <filesystem>
 #include <string>
+#include <system_error>
 
 namespace lentray::core {
 namespace {
 
-constexpr const char* kFile = "lentray_openimageio.so";  // found by the program's run path
+constexpr const char* kFile = "lentray_openimageio.so";
 constexpr const char* kEntry = "lentray_image_module";
 
 const ImageModule& loaded() {
-  void* module = dlopen(kFile, RTLD_LAZY | RTLD_LOCAL);
+  // Beside the program; else where the system looks.
+  std::error_code error;
+  const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
+  void* module = dlopen((program.parent_path() / kFile).c_str(), RTLD_LAZY | RTLD_LOCAL);
+  if (!module) module = dlopen(kFile, RTLD_LAZY | RTLD_LOCAL);
   void* entry = module ? dlsym(module, kEntry) : nullptr;
   if (!entry) {
     const char* why = dlerror();

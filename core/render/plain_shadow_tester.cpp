@@ -10,6 +10,21 @@
 #include "core/scene/scene.h"
 
 namespace lentray::core {
+namespace {
+
+/// Where the ray enters the box: 0 inside, and for infinite ones.
+double entry_distance(const Bounds& box, const Ray& ray) {
+  if (!box.is_finite()) return 0.0;
+  double entry = 0.0;
+  for (int a = 0; a < 3; ++a) {
+    const double d = ray.direction[a];
+    if (d == 0.0) continue;
+    entry = std::max(entry, ((d > 0.0 ? box.lo[a] : box.hi[a]) - ray.origin[a]) / d);
+  }
+  return entry;
+}
+
+}  // namespace
 
 PlainShadowTester::PlainShadowTester(const ShadowContext& context)
     : m_context(context),
@@ -39,6 +54,23 @@ Visibility PlainShadowTester::search(const ShadowQuery& query) {
   return {filter_through(query, buffer, spot, reach), nullptr};
 }
 
+/// Of surfaces at one distance comes first that of the object whose box the ray enters first, as
+/// in stock: what is left before what is entered. Then the scene's order; so the answer does not
+/// depend on who found them.
+void PlainShadowTester::order_ties(const Ray& ray) {
+  bool tied = false;
+  const auto tie = [&](std::size_t i) {
+    m_order[i].entry = entry_distance(m_hits[m_order[i].index].object->bounds(), ray);
+    tied = true;
+  };
+  for (std::size_t i = 1; i < m_order.size(); ++i) {
+    if (m_order[i].t != m_order[i - 1].t || m_order[i].place == m_order[i - 1].place) continue;
+    tie(i - 1);
+    tie(i);
+  }
+  if (tied) std::sort(m_order.begin(), m_order.end());
+}
+
 Rgb PlainShadowTester::filter_through(const ShadowQuery& query, const LightBuffer* buffer,
                                       const LightBuffer::Spot& spot, double reach) {
   Rgb filter(1.0f);
@@ -52,21 +84,24 @@ Rgb PlainShadowTester::filter_through(const ShadowQuery& query, const LightBuffe
   }
   if (m_hits.empty()) return filter;
   m_order.clear();
-  for (std::size_t i = 0; i < m_hits.size(); ++i) m_order.emplace_back(m_hits[i].t, i);
+  for (std::size_t i = 0; i < m_hits.size(); ++i) {
+    m_order.push_back({m_hits[i].t, 0.0, m_hits[i].place, static_cast<std::uint32_t>(i)});
+  }
   std::sort(m_order.begin(), m_order.end());
+  order_ties(query.ray);
   // A surface that follows the one before within the tolerance does not count.
   double last = 0.0;
   m_inside.clear();
   if (m_interiors && query.inside) m_inside = *query.inside;
-  for (const auto& [t, index] : m_order) {
-    if (!(t - last > kShadowTolerance)) continue;
-    const Hit& hit = m_hits[index];
+  for (const Place& at : m_order) {
+    if (!(at.t - last > kShadowTolerance)) continue;
+    const Hit& hit = m_hits[at.index];
     const InteriorEntry entry = interior_of(hit.leaf->attributes(), hit.object);
     const bool leaves = m_interiors && m_inside.remove(entry.key);
-    filter *= surface_filter(hit, t - last, query, leaves);
+    filter *= surface_filter(hit, at.t - last, query, leaves);
     if (filter.is_black()) break;
     if (m_interiors && !leaves) m_inside.push(entry);
-    last = t;
+    last = at.t;
   }
   return filter;
 }

@@ -4,7 +4,8 @@
 // their spacing as measured on stock (tests/image/shading_shadows_test.cpp).
 #pragma once
 
-#include <utility>
+#include <compare>
+#include <cstdint>
 #include <vector>
 
 #include "core/material/texture.h"
@@ -40,6 +41,7 @@ class PlainShadowTester final : public ShadowTester {
 
  private:
   /// `buffer`: of the light, or null.
+  void order_ties(const Ray& ray);
   Rgb filter_through(const ShadowQuery& query, const LightBuffer* buffer,
                      const LightBuffer::Spot& spot, double reach);
   Rgb surface_filter(const Hit& hit, double depth, const ShadowQuery& query, bool inside);
@@ -52,7 +54,12 @@ class PlainShadowTester final : public ShadowTester {
   double m_bailout;
   InteriorStack m_inside;
   std::vector<Hit> m_hits;
-  std::vector<std::pair<double, std::size_t>> m_order;
+  struct Place {
+    double t, entry;             ///< entry: of the object's box, where distances tie
+    std::uint32_t place, index;  ///< of the object in the scene, of the hit in m_hits
+    auto operator<=>(const Place&) const = default;
+  };
+  std::vector<Place> m_order;
   WeightedTextures m_textures;
 };
 

@@ -56,6 +56,19 @@ TEST(ImageLightBuffer, LightInAnObjectAndOnASurface) {
                            "light_source { <1, 0.5, -0.7> rgb 0.5 }"));
 }
 
+/// Surfaces that coincide: which of them filters the light must not depend on who finds it.
+TEST(ImageLightBuffer, TouchingGlass) {
+  const SceneText scene = text(
+      "camera { location <0, 2.2, -6> look_at <0, 0.9, 0> angle 42 }"
+      "light_source { <-6, 9, -7> rgb 1 } plane { y, 0 pigment { rgb 0.9 } }"
+      "box { <-1.2, 0.2, 0>, <0, 1.8, 0.2> pigment { rgbf <1, 0.6, 0.3, 0.9> } }"
+      "box { <0, 0.2, 0>, <1.2, 1.8, 0.2> pigment { rgbt <0.2, 0.6, 0.3, 0.5> } }"
+      "box { <0, 0.2, 0.2>, <1.2, 1.8, 0.5> pigment { rgbf <0.2, 0.9, 0.9, 0.7> } }");
+  expect_same_without(scene);
+  EXPECT_TRUE(same_bits(lentray_render(scene), lentray_render(scene, {"Accelerator=list"})));
+  EXPECT_TRUE(same_as_stock(scene));
+}
+
 TEST(ImageLightBuffer, FarFromTheOrigin) {
   expect_same_without(text("#declare Far = <2e5, -3e5, 1e5>; union {" +
                            std::string("sphere { 0, 1 } box { <-2, -1.2, -2>, <2, -1, 2> } torus { 1.5, 0.2 }") +
