@@ -66,7 +66,7 @@ TEST(ImageMemory, TooLittleIsSaid) {
   const auto result = run_lentray({"scene.pov", "+W40", "+H30", "Max_Memory=1M"}, folder.path());
   EXPECT_EQ(result.status, 0);
   EXPECT_NE(result.output.find("warning: Max_Memory is less than"), std::string::npos);
-  EXPECT_NE(result.output.find("Bands: 30 of 1 rows"), std::string::npos) << result.output;
+  EXPECT_NE(result.output.find("Bands: 30 of 1 row,"), std::string::npos) << result.output;
 }
 
 /// A print of 20 inches at 1200 dots an inch, with all defaults.

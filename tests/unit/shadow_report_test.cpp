@@ -23,6 +23,8 @@ shadow::RunReport sample() {
   r.counters.tests_by_type["sphere"] = 13;
   r.counters.lights = {{100, 40, 50, 30, 20}, {10, 4, 5, 3, 2}};
   r.tests_counted = true;
+  r.band_height = 7;
+  r.bands = 3;
   r.threads = 2;
   r.peak_bytes = 1 << 20;
   r.wall_s = 1.5;
@@ -33,6 +35,8 @@ TEST(UnitShadowReport, HasTheKeysOfTheStatistics) {
   const nlohmann::json j = shadow::to_json(sample());
   EXPECT_EQ(j["image"]["width"], 30);
   EXPECT_EQ(j["image"]["height"], 20);
+  EXPECT_EQ(j["bands"]["height"], 7);
+  EXPECT_EQ(j["bands"]["count"], 3);
   EXPECT_EQ(j["rays"]["camera"], 600);
   EXPECT_EQ(j["rays"]["reflected"], 5);
   EXPECT_EQ(j["rays"]["refracted"], 7);
@@ -49,7 +53,7 @@ TEST(UnitShadowReport, HasTheKeysOfTheStatistics) {
   EXPECT_EQ(j["tests"]["by_type"]["sphere"], 13);
   EXPECT_EQ(j["threads"], 2);
   EXPECT_EQ(j["memory"]["peak_bytes"], 1 << 20);
-  for (const char* key : {"parse_cpu_s", "compile_cpu_s", "render_cpu_s", "wall_s"}) {
+  for (const char* key : {"parse_cpu_s", "compile_cpu_s", "render_cpu_s", "write_cpu_s", "wall_s"}) {
     EXPECT_TRUE(j["time"][key].is_number()) << key;
   }
   EXPECT_FALSE(j.contains("lens"));

@@ -157,10 +157,11 @@ core::FrameShape shape_of(Run& run) {
   run.report.band_height = shape.band_height;
   run.report.bands = (shape.height + shape.band_height - 1) / shape.band_height;
   if (o.render_console && o.verbose) {
-    const double bytes = core::bytes_a_band_row(shape.width) * shape.band_height;
-    std::fprintf(stderr, "Bands: %u of %u rows, %s of at most %s\n", run.report.bands,
-                 shape.band_height, parser::memory_text(bytes).c_str(),
-                 parser::memory_text(limit).c_str());
+    const double share = std::min(1.0, 1.0 * run.report.bands / core::BandQueue::kInMemory);
+    const double bytes = share * core::bytes_a_band_row(shape.width) * shape.band_height;
+    std::fprintf(stderr, "Bands: %u of %u row%s, %s of at most %s\n", run.report.bands,
+                 shape.band_height, shape.band_height == 1 ? "" : "s",
+                 parser::memory_text(bytes).c_str(), parser::memory_text(limit).c_str());
   }
   return shape;
 }
