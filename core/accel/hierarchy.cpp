@@ -217,10 +217,15 @@ Hierarchy::Impl::Impl(const std::vector<std::unique_ptr<Object>>& objects, bool 
   std::vector<ObjectEntry> entries;
   for (std::size_t i = 0; i < objects.size(); ++i) {
     const Object& object = *objects[i];
-    const ObjectEntry entry{&object, object.bounds(), static_cast<std::uint32_t>(i),
-                            flags_of(object), type_of(object.name())};
+    ObjectEntry entry{&object, object.bounds(), static_cast<std::uint32_t>(i), flags_of(object),
+                      type_of(object.name())};
     if (entry.bounds.is_empty() && !has_nan(entry.bounds)) continue;  // nothing meets it
-    if (!entry.bounds.is_finite()) ++infinite;
+    // Of equal distances infinite objects win, as in stock: a floor over a box that ends there.
+    if (!entry.bounds.is_finite()) {
+      ++infinite;
+    } else {
+      entry.index += static_cast<std::uint32_t>(objects.size());
+    }
     any_flags |= entry.flags;
     entries.push_back(entry);
   }

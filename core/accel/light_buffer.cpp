@@ -165,8 +165,9 @@ LightBuffer::LightBuffer(const Vec3& light, const std::vector<std::unique_ptr<Ob
     const Bounds box = relative(bounds, light);
     const double distance = bounds.is_finite() ? distance_of(box) : 0.0;
     const Shape* shape = plain_shape(*object);
+    const std::size_t place = bounds.is_finite() ? i + objects.size() : i;  // as the hierarchy's
     const Caster caster{object.get(), shape, kind_of(shape), object->is_opaque(),
-                        static_cast<std::uint32_t>(i), 0};
+                        static_cast<std::uint32_t>(place), 0};
     if (!(distance > 2.0 * m_least_distance)) {  // no number is not greater
       (object->is_opaque() ? m_always_opaque : m_always_transparent).push_back(caster);
     } else {

@@ -84,7 +84,7 @@ class LightBuffer {
     const Shape* shape;    ///< asked without a detour where the kind is known
     Kind kind;
     bool opaque;
-    std::uint32_t place;   ///< in the scene
+    std::uint32_t place;   ///< as Hit::place
     std::uint32_t sphere;  ///< place in m_spheres
   };
   struct Round {

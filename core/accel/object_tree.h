@@ -17,7 +17,7 @@ namespace lentray::core {
 struct ObjectEntry {
   const Object* object = nullptr;
   Bounds bounds;
-  std::uint32_t index = 0;  ///< in the scene
+  std::uint32_t index = 0;  ///< who comes first of equal distances; never 0 twice
   std::uint8_t flags = 0, type = 0;
 };
 

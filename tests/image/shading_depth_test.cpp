@@ -50,6 +50,19 @@ TEST(ImageShadingDepth, GlassWithFewLevels) {
   }
 }
 
+/// A floor through the bottom of what stands on it, whichever is written first.
+TEST(ImageShadingDepth, InfiniteObjectsWinWhereSurfacesCoincide) {
+  const std::string box = "box { <-1.5, -1, -1>, <1.5, 0, 1> pigment { rgb <0, 0, 1> } }";
+  const std::string floor = "plane { y, 0 pigment { rgb <0.3, 0.8, 0.3> } }";
+  for (const std::string& more : {box + floor, floor + box}) {
+    SceneText scene = staged(more);
+    const std::size_t own = scene.sdl.find("plane { y, 0 pigment { checker");
+    scene.sdl.insert(own, "#if (0) ");
+    scene.sdl.insert(scene.sdl.find("diffuse 0.7 } }") + 15, " #end");
+    EXPECT_TRUE(same_as_stock(scene));
+  }
+}
+
 TEST(ImageShadingSky, Background) {
   EXPECT_TRUE(same_as_stock(finished("reflection 0.5")));
 }
