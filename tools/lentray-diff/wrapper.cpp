@@ -1,5 +1,6 @@
 #include "tools/lentray-diff/wrapper.h"
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <cstdio>
@@ -8,6 +9,7 @@
 
 namespace lentray::diff {
 
+using core::StoredImage;
 using core::Vec3;
 
 namespace {
@@ -211,38 +213,115 @@ std::string view_scene(const Sheet& s, std::uint32_t view, Way way, const Includ
   return head(scene) + camera("perspective", eye, middle - eye, right, up);
 }
 
-std::string mesh_scene(const Sheet& s, const Included& scene) {
-  // One row of triangles in the sheet's own axes, instanced for each row: its vertices are
-  // floats, so places come from transforms. A face's ray starts at its centroid and runs along
-  // (P3 - P1) x (P2 - P1), transformed as a normal: that holds for mirrored sheets too.
-  std::ostringstream out;
-  out << head(scene) << "#declare Lentray_Diff_Row = mesh {\n";
-  const double units = s.scale();
-  for (std::uint32_t k = 0; k < s.columns; ++k) {
-    const double t = s.slope(k).value_or(0.0);
-    const double cosine = 1.0 / std::sqrt(1.0 + t * t);
-    const double size = 0.01 * units * s.pitch;
-    const Vec3 c{s.axis(s.lens_of(k)) * units - s.front * t, 0.0, 0.0};
-    const Vec3 across = Vec3{cosine, 0.0, -t * cosine} * size, upwards = Vec3{0.0, size, 0.0};
-    const Vec3 a = c - across + upwards, b = c + across + upwards, last = c - upwards * 2.0;
-    out << "triangle { " << text_of(a) << ", " << text_of(b) << ", " << text_of(last) << " }\n";
+namespace {
+
+/// A mesh's faces are floats, its transforms doubles. So a mesh holds only what the rows of a block
+/// differ in, seen from the block's middle; columns and blocks are transforms of it.
+struct RowBlocks {
+  std::uint32_t rows = 0;       ///< of a block; the last one may have fewer
+  double sideways = 0.0;        ///< how much rows differ where they start: 1 - lens_front/V
+  double inverse = 0.0;         ///< 1/V, scene units
+  bool tilts = false;           ///< a block's own slope goes into its transform
+
+  explicit RowBlocks(const Sheet& s) {
+    constexpr std::uint32_t most = 250;
+    if (s.is_finite()) inverse = 1.0 / (s.view_distance * s.scale());
+    sideways = 1.0 - s.front * inverse;
+    if (std::abs(sideways) < 1e-9) sideways = 0.0;
+    // A tilted block would lift starts that differ out of their plane.
+    tilts = inverse != 0.0 && sideways == 0.0;
+    rows = tilts || inverse == 0.0 ? std::min(most, s.rows) : s.rows;
   }
-  const double inverse = s.is_finite() ? 1.0 / (s.view_distance * units) : 0.0;
-  out << "}\ncamera {\n  mesh_camera { 1 1\n    #for (Lentray_Diff_K, 0, " << s.rows - 1 << ")\n"
-      << "      #local Lentray_Diff_Y = (0.5 - (Lentray_Diff_K + 0.5)/" << s.rows << ")*"
-      << text_of(s.height) << ";\n"
-      << "      #local Lentray_Diff_S = Lentray_Diff_Y*" << text_of(inverse) << " + "
-      << text_of(s.eye_slope_y) << ";\n"
-      << "      mesh { Lentray_Diff_Row\n"
-      << "        matrix <1,0,0, 0,1,-Lentray_Diff_S, 0,0,1, 0,0,0>\n"
-      << "        translate <0, Lentray_Diff_Y - " << text_of(s.front) << "*Lentray_Diff_S, "
-      << text_of(-s.front) << ">\n"
-      << "        matrix <" << text_of(s.right.x) << "," << text_of(s.right.y) << ","
-      << text_of(s.right.z) << ", " << text_of(s.up.x) << "," << text_of(s.up.y) << ","
-      << text_of(s.up.z) << ", " << text_of(s.direction.x) << "," << text_of(s.direction.y) << ","
-      << text_of(s.direction.z) << ", " << text_of(s.centre.x) << "," << text_of(s.centre.y) << ","
-      << text_of(s.centre.z) << ">\n      }\n    #end\n  }\n  location <0,0,0>\n}\n";
+};
+
+/// A block's faces. A face's ray starts at its centroid and runs along (P3 - P1) x (P2 - P1).
+std::string block_mesh(const Sheet& s, const RowBlocks& block, std::uint32_t count) {
+  std::ostringstream out;
+  out << "mesh {\n";
+  const double size = std::exp2(std::round(std::log2(0.01 * s.scale() * s.pitch)));
+  for (std::uint32_t j = 0; j < count; ++j) {
+    const double y = (count / 2.0 - j - 0.5) / s.rows * s.height, slope = y * block.inverse;
+    const Vec3 c = Vec3{0.0, 1.0, s.eye_slope_y} * (y * block.sideways);
+    const Vec3 across{size, 0.0, 0.0}, upwards{0.0, size, -slope * size};
+    out << "triangle { " << text_of(c - across + upwards) << ", " << text_of(c + across + upwards)
+        << ", " << text_of(c - upwards * 2.0) << " }\n";
+  }
+  out << "}\n";
   return out.str();
+}
+
+std::string array_of(const char* name, const Sheet& s, double (*value)(const Sheet&, std::uint32_t)) {
+  std::ostringstream out;
+  out << "#declare " << name << " = array[" << s.columns << "] {\n";
+  for (std::uint32_t k = 0; k < s.columns; ++k) {
+    out << (k ? ",\n" : "") << text_of(value(s, k));
+  }
+  out << "\n}\n";
+  return out.str();
+}
+
+/// Faces of a block under its transform, in SDL: first the slopes (a normal (0, m, 1) becomes
+/// (T, S + m, 1), for it transforms by the inverse transpose), then the place in the sheet.
+std::string block_in_column(const Sheet& s, const char* mesh, const RowBlocks& block) {
+  std::ostringstream out;
+  const std::string front = text_of(s.front);
+  out << "mesh { " << mesh << " matrix <1,0,-Lentray_Diff_T[Lentray_Diff_K], 0,1,-Lentray_Diff_S, "
+      << "0,0,1, Lentray_Diff_X[Lentray_Diff_K] - " << front << "*Lentray_Diff_T[Lentray_Diff_K], "
+      << "Lentray_Diff_Y - " << front << "*(Lentray_Diff_S"
+      << (block.tilts ? "" : " + Lentray_Diff_Y*" + text_of(block.inverse)) << "), -" << front
+      << "> transform { Lentray_Diff_Place } }\n";
+  return out.str();
+}
+
+}  // namespace
+
+std::string mesh_scene(const Sheet& s, const Included& scene) {
+  const RowBlocks block(s);
+  const std::uint32_t full = s.rows / block.rows, rest = s.rows % block.rows;
+  std::ostringstream out;
+  out << head(scene) << "#declare Lentray_Diff_Rows = " << block_mesh(s, block, block.rows);
+  if (rest) out << "#declare Lentray_Diff_Rest = " << block_mesh(s, block, rest);
+  out << array_of("Lentray_Diff_T", s,
+                  [](const Sheet& x, std::uint32_t k) { return x.slope(k).value_or(0.0); })
+      << array_of("Lentray_Diff_X", s, [](const Sheet& x, std::uint32_t k) {
+           return x.axis(x.lens_of(k)) * x.scale();
+         });
+  const auto vector = [](const Vec3& v) {
+    return text_of(v.x) + "," + text_of(v.y) + "," + text_of(v.z);
+  };
+  out << "#declare Lentray_Diff_Place = transform { matrix <" << vector(s.right) << ", "
+      << vector(s.up) << ", " << vector(s.direction) << ", " << vector(s.centre) << "> }\n"
+      << "camera {\n  mesh_camera { 1 1\n    #for (Lentray_Diff_K, 0, " << s.columns - 1 << ")\n";
+  const auto put = [&](const char* mesh, const std::string& middle) {
+    out << "      #local Lentray_Diff_Y = (0.5 - (" << middle << ")/" << s.rows << ")*"
+        << text_of(s.height) << ";\n      #local Lentray_Diff_S = " << text_of(s.eye_slope_y)
+        << (block.tilts ? " + Lentray_Diff_Y*" + text_of(block.inverse) : "") << ";\n      "
+        << block_in_column(s, mesh, block);
+  };
+  out << "      #for (Lentray_Diff_B, 0, " << full - 1 << ")\n";
+  put("Lentray_Diff_Rows", "(Lentray_Diff_B + 0.5)*" + std::to_string(block.rows));
+  out << "      #end\n";
+  if (rest) put("Lentray_Diff_Rest", text_of(s.rows - rest / 2.0));
+  out << "    #end\n  }\n  location <0,0,0>\n}\n";
+  return out.str();
+}
+
+StoredImage mesh_picture(const StoredImage& rendered, const Sheet& s, bool lag) {
+  StoredImage image;
+  image.width = s.columns;
+  image.height = s.rows;
+  image.channels = 3;
+  image.bits = rendered.bits;
+  image.samples.assign(std::size_t{3} * s.columns * s.rows, 0.0f);
+  for (std::uint32_t k = 0; k < s.columns; ++k) {
+    if (!s.slope(k)) continue;  // shows nothing
+    for (std::uint32_t r = 0; r < s.rows; ++r) {
+      for (int c = 0; c < 3; ++c) {
+        image.at(k, r, c) = rendered.at(r, k + (lag ? 1 : 0), rendered.channels < 3 ? 0 : c);
+      }
+    }
+  }
+  return image;
 }
 
 }  // namespace lentray::diff
