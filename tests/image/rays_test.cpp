@@ -263,7 +263,12 @@ TEST_P(ImageRaysMesh, AgreeWithStocksMeshCamera) {
       largest = std::max(largest, miss(trial, ray, frames, row, k + 1));
     }
   }
-  EXPECT_LT(largest, 2e-7);
+  // Stock keeps the mesh in floats, yet only rays that start between eye and sheet show it.
+  const diff::Sheet sheet = sheet_of(camera);
+  const double eye = sheet.view_distance * sheet.scale();
+  const bool exact = sheet.is_finite() ? std::fabs(sheet.front - eye) < 1e-9 * eye
+                                       : sheet.eye_slope_y == 0.0;
+  EXPECT_LT(largest, exact ? 1e-10 : 1e-7);
   RecordProperty("largest", digits(largest));
 }
 
@@ -282,7 +287,7 @@ INSTANTIATE_TEST_SUITE_P(
               100, 21, 4.2, 1.7, 2.5},
         Trial{"N15_oblique_mirrored", lens(0.9, 2.2, 1.5, 15, 80, LensModel::kPinhole), 120, 13, 6.0,
               2.0, 2.0, 0.1, -0.1, true},
-        // More rows than a mesh of the wrapper holds; rays from the eye, from infinity and between.
+        // Many rows, rays from the eye, from infinity and between.
         Trial{"many_rows_from_the_eye", lens(1.124, 3.03, 1.6, 14, 20, LensModel::kPinhole), 30, 260,
               2.0, 1.5, 20 * 2.0 / (30 / 14.0 * 1.124), 0.1, -0.1},
         Trial{"many_rows_infinite", lens(1.124, 3.03, 1.6, 12.5, kInf, LensModel::kPinhole), 30, 500,

@@ -1,6 +1,5 @@
 #include "tools/lentray-diff/wrapper.h"
 
-#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <cstdio>
@@ -215,34 +214,39 @@ std::string view_scene(const Sheet& s, std::uint32_t view, Way way, const Includ
 
 namespace {
 
-/// A mesh's faces are floats, its transforms doubles. So a mesh holds only what the rows of a block
-/// differ in, seen from the block's middle; columns and blocks are transforms of it.
-struct RowBlocks {
-  std::uint32_t rows = 0;       ///< of a block; the last one may have fewer
-  double sideways = 0.0;        ///< how much rows differ where they start: 1 - lens_front/V
-  double inverse = 0.0;         ///< 1/V, scene units
-  bool tilts = false;           ///< a block's own slope goes into its transform
+/// Stock keeps a mesh's corners and normals as floats and its transforms as doubles. So one mesh
+/// holds a column's rows, in numbers that floats hold exactly (halves, times a power of two), and
+/// each column is a transform of it, which also says how far a step of a row reaches.
+struct ColumnMesh {
+  double inverse = 0.0;       ///< 1/V, scene units
+  double row = 0.0;           ///< a row's height
+  double stretch = 1.0;       ///< scene units a unit of the mesh's y
+  double start_step = 0.0;    ///< y from one row's face to the next
+  double normal_step = 0.0;   ///< y of the normal (0, y, 1), likewise
 
-  explicit RowBlocks(const Sheet& s) {
-    constexpr std::uint32_t most = 250;
+  explicit ColumnMesh(const Sheet& s) : row(s.height / s.rows) {
     if (s.is_finite()) inverse = 1.0 / (s.view_distance * s.scale());
-    sideways = 1.0 - s.front * inverse;
-    if (std::abs(sideways) < 1e-9) sideways = 0.0;
-    // A tilted block would lift starts that differ out of their plane.
-    tilts = inverse != 0.0 && sideways == 0.0;
-    rows = tilts || inverse == 0.0 ? std::min(most, s.rows) : s.rows;
+    const double sideways = row * (1.0 - s.front * inverse);  // between the starts of two rows
+    if (std::abs(sideways) < 1e-9 * row) {  // all rays start at the eye
+      normal_step = std::ldexp(1.0, -30);   // so small that making it unit changes no bit
+      stretch = normal_step / (row * inverse);
+    } else {
+      start_step = 1.0;
+      stretch = sideways;
+      normal_step = row * inverse * stretch;  // exact if V is infinite
+    }
   }
 };
 
-/// A block's faces. A face's ray starts at its centroid and runs along (P3 - P1) x (P2 - P1).
-std::string block_mesh(const Sheet& s, const RowBlocks& block, std::uint32_t count) {
+/// The faces of a column. A face's ray starts at its centroid and runs along (P3 - P1) x (P2 - P1).
+std::string column_mesh(const Sheet& s, const ColumnMesh& mesh) {
   std::ostringstream out;
   out << "mesh {\n";
-  const double size = std::exp2(std::round(std::log2(0.01 * s.scale() * s.pitch)));
-  for (std::uint32_t j = 0; j < count; ++j) {
-    const double y = (count / 2.0 - j - 0.5) / s.rows * s.height, slope = y * block.inverse;
-    const Vec3 c = Vec3{0.0, 1.0, s.eye_slope_y} * (y * block.sideways);
-    const Vec3 across{size, 0.0, 0.0}, upwards{0.0, size, -slope * size};
+  for (std::uint32_t r = 0; r < s.rows; ++r) {
+    const double y = s.rows / 2.0 - r - 0.5, normal = y * mesh.normal_step;
+    // Its place in the transform's shear is undone, so that starts stay in their plane.
+    const Vec3 c = Vec3{0.0, 1.0, s.eye_slope_y * mesh.stretch} * (y * mesh.start_step);
+    const Vec3 across{0.25, 0.0, 0.0}, upwards{0.0, 0.25, -0.25 * normal};
     out << "triangle { " << text_of(c - across + upwards) << ", " << text_of(c + across + upwards)
         << ", " << text_of(c - upwards * 2.0) << " }\n";
   }
@@ -260,28 +264,13 @@ std::string array_of(const char* name, const Sheet& s, double (*value)(const She
   return out.str();
 }
 
-/// Faces of a block under its transform, in SDL: first the slopes (a normal (0, m, 1) becomes
-/// (T, S + m, 1), for it transforms by the inverse transpose), then the place in the sheet.
-std::string block_in_column(const Sheet& s, const char* mesh, const RowBlocks& block) {
-  std::ostringstream out;
-  const std::string front = text_of(s.front);
-  out << "mesh { " << mesh << " matrix <1,0,-Lentray_Diff_T[Lentray_Diff_K], 0,1,-Lentray_Diff_S, "
-      << "0,0,1, Lentray_Diff_X[Lentray_Diff_K] - " << front << "*Lentray_Diff_T[Lentray_Diff_K], "
-      << "Lentray_Diff_Y - " << front << "*(Lentray_Diff_S"
-      << (block.tilts ? "" : " + Lentray_Diff_Y*" + text_of(block.inverse)) << "), -" << front
-      << "> transform { Lentray_Diff_Place } }\n";
-  return out.str();
-}
-
 }  // namespace
 
 std::string mesh_scene(const Sheet& s, const Included& scene) {
-  const RowBlocks block(s);
-  const std::uint32_t full = s.rows / block.rows, rest = s.rows % block.rows;
+  const ColumnMesh mesh(s);
   std::ostringstream out;
-  out << head(scene) << "#declare Lentray_Diff_Rows = " << block_mesh(s, block, block.rows);
-  if (rest) out << "#declare Lentray_Diff_Rest = " << block_mesh(s, block, rest);
-  out << array_of("Lentray_Diff_T", s,
+  out << head(scene) << "#declare Lentray_Diff_Column = " << column_mesh(s, mesh)
+      << array_of("Lentray_Diff_T", s,
                   [](const Sheet& x, std::uint32_t k) { return x.slope(k).value_or(0.0); })
       << array_of("Lentray_Diff_X", s, [](const Sheet& x, std::uint32_t k) {
            return x.axis(x.lens_of(k)) * x.scale();
@@ -289,20 +278,17 @@ std::string mesh_scene(const Sheet& s, const Included& scene) {
   const auto vector = [](const Vec3& v) {
     return text_of(v.x) + "," + text_of(v.y) + "," + text_of(v.z);
   };
-  out << "#declare Lentray_Diff_Place = transform { matrix <" << vector(s.right) << ", "
-      << vector(s.up) << ", " << vector(s.direction) << ", " << vector(s.centre) << "> }\n"
-      << "camera {\n  mesh_camera { 1 1\n    #for (Lentray_Diff_K, 0, " << s.columns - 1 << ")\n";
-  const auto put = [&](const char* mesh, const std::string& middle) {
-    out << "      #local Lentray_Diff_Y = (0.5 - (" << middle << ")/" << s.rows << ")*"
-        << text_of(s.height) << ";\n      #local Lentray_Diff_S = " << text_of(s.eye_slope_y)
-        << (block.tilts ? " + Lentray_Diff_Y*" + text_of(block.inverse) : "") << ";\n      "
-        << block_in_column(s, mesh, block);
-  };
-  out << "      #for (Lentray_Diff_B, 0, " << full - 1 << ")\n";
-  put("Lentray_Diff_Rows", "(Lentray_Diff_B + 0.5)*" + std::to_string(block.rows));
-  out << "      #end\n";
-  if (rest) put("Lentray_Diff_Rest", text_of(s.rows - rest / 2.0));
-  out << "    #end\n  }\n  location <0,0,0>\n}\n";
+  const double rise = s.eye_slope_y;
+  // The normal (0, m, 1) becomes (T, rise + m/stretch, 1), for it transforms by the inverse
+  // transpose; then comes the place in the sheet, and the sheet's in the world.
+  out << "camera {\n  mesh_camera { 1 1\n    #for (Lentray_Diff_K, 0, " << s.columns - 1 << ")\n"
+      << "      #local Lentray_Diff_U = Lentray_Diff_T[Lentray_Diff_K];\n"
+      << "      mesh { Lentray_Diff_Column\n        matrix <1,0,-Lentray_Diff_U, 0,"
+      << text_of(mesh.stretch) << "," << text_of(-rise * mesh.stretch) << ", 0,0,1,\n"
+      << "          Lentray_Diff_X[Lentray_Diff_K] - " << text_of(s.front) << "*Lentray_Diff_U, "
+      << text_of(-s.front * rise) << ", " << text_of(-s.front) << ">\n        matrix <"
+      << vector(s.right) << ", " << vector(s.up) << ", " << vector(s.direction) << ", "
+      << vector(s.centre) << ">\n      }\n    #end\n  }\n  location <0,0,0>\n}\n";
   return out.str();
 }
 

@@ -3,7 +3,8 @@
 // tests/compat/wrapper_test.
 //   V infinite, whole N    a view is an oblique orthographic picture
 //   V finite, paraxial     a view is an oblique perspective picture from its eye
-//   the rest               a mesh_camera whose faces are the pixels' rays (agrees to 1e-7)
+//   the rest               a mesh_camera whose faces are the pixels' rays (agrees to 1e-12 where
+//                          rays start at the eye or V is infinite, else to 2e-8)
 // Pure functions of text; threads: any number.
 #pragma once
 
