@@ -152,20 +152,9 @@ bool mesh_rows_lag(const StockOptions& options) {
 
 StoredImage mesh_integral(Workshop& shop, const Sheet& sheet, const StockOptions& options) {
   const bool lag = mesh_rows_lag(options);
-  StoredImage image = shop.render_text("mesh", mesh_scene(sheet, shop.included()), sheet.columns,
-                                       sheet.rows + (lag ? 1 : 0));
-  if (lag) {
-    const auto row = static_cast<std::ptrdiff_t>(std::size_t{image.width} * image.channels);
-    image.samples.erase(image.samples.begin(), image.samples.begin() + row);
-    --image.height;
-  }
-  for (std::uint32_t k = 0; k < image.width; ++k) {
-    if (sheet.slope(k)) continue;
-    for (std::uint32_t r = 0; r < image.height; ++r) {
-      for (int c = 0; c < 3; ++c) image.at(k, r, c) = 0.0f;
-    }
-  }
-  return image;
+  const StoredImage rendered = shop.render_text("mesh", mesh_scene(sheet, shop.included()),
+                                                sheet.rows, sheet.columns + (lag ? 1 : 0));
+  return mesh_picture(rendered, sheet, lag);
 }
 
 StoredImage one_view(const Workshop& shop, const Included& scene, const Sheet& sheet,

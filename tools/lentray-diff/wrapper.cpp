@@ -8,6 +8,7 @@
 
 namespace lentray::diff {
 
+using core::StoredImage;
 using core::Vec3;
 
 namespace {
@@ -211,38 +212,102 @@ std::string view_scene(const Sheet& s, std::uint32_t view, Way way, const Includ
   return head(scene) + camera("perspective", eye, middle - eye, right, up);
 }
 
-std::string mesh_scene(const Sheet& s, const Included& scene) {
-  // One row of triangles in the sheet's own axes, instanced for each row: its vertices are
-  // floats, so places come from transforms. A face's ray starts at its centroid and runs along
-  // (P3 - P1) x (P2 - P1), transformed as a normal: that holds for mirrored sheets too.
-  std::ostringstream out;
-  out << head(scene) << "#declare Lentray_Diff_Row = mesh {\n";
-  const double units = s.scale();
-  for (std::uint32_t k = 0; k < s.columns; ++k) {
-    const double t = s.slope(k).value_or(0.0);
-    const double cosine = 1.0 / std::sqrt(1.0 + t * t);
-    const double size = 0.01 * units * s.pitch;
-    const Vec3 c{s.axis(s.lens_of(k)) * units - s.front * t, 0.0, 0.0};
-    const Vec3 across = Vec3{cosine, 0.0, -t * cosine} * size, upwards = Vec3{0.0, size, 0.0};
-    const Vec3 a = c - across + upwards, b = c + across + upwards, last = c - upwards * 2.0;
-    out << "triangle { " << text_of(a) << ", " << text_of(b) << ", " << text_of(last) << " }\n";
+namespace {
+
+/// Stock keeps a mesh's corners and normals as floats and its transforms as doubles. So one mesh
+/// holds a column's rows, in numbers that floats hold exactly (halves, times a power of two), and
+/// each column is a transform of it, which also says how far a step of a row reaches.
+struct ColumnMesh {
+  double inverse = 0.0;       ///< 1/V, scene units
+  double row = 0.0;           ///< a row's height
+  double stretch = 1.0;       ///< scene units a unit of the mesh's y
+  double start_step = 0.0;    ///< y from one row's face to the next
+  double normal_step = 0.0;   ///< y of the normal (0, y, 1), likewise
+
+  explicit ColumnMesh(const Sheet& s) : row(s.height / s.rows) {
+    if (s.is_finite()) inverse = 1.0 / (s.view_distance * s.scale());
+    const double sideways = row * (1.0 - s.front * inverse);  // between the starts of two rows
+    if (std::abs(sideways) < 1e-9 * row) {  // all rays start at the eye
+      normal_step = std::ldexp(1.0, -30);   // so small that making it unit changes no bit
+      stretch = normal_step / (row * inverse);
+    } else {
+      start_step = 1.0;
+      stretch = sideways;
+      normal_step = row * inverse * stretch;  // exact if V is infinite
+    }
   }
-  const double inverse = s.is_finite() ? 1.0 / (s.view_distance * units) : 0.0;
-  out << "}\ncamera {\n  mesh_camera { 1 1\n    #for (Lentray_Diff_K, 0, " << s.rows - 1 << ")\n"
-      << "      #local Lentray_Diff_Y = (0.5 - (Lentray_Diff_K + 0.5)/" << s.rows << ")*"
-      << text_of(s.height) << ";\n"
-      << "      #local Lentray_Diff_S = Lentray_Diff_Y*" << text_of(inverse) << " + "
-      << text_of(s.eye_slope_y) << ";\n"
-      << "      mesh { Lentray_Diff_Row\n"
-      << "        matrix <1,0,0, 0,1,-Lentray_Diff_S, 0,0,1, 0,0,0>\n"
-      << "        translate <0, Lentray_Diff_Y - " << text_of(s.front) << "*Lentray_Diff_S, "
-      << text_of(-s.front) << ">\n"
-      << "        matrix <" << text_of(s.right.x) << "," << text_of(s.right.y) << ","
-      << text_of(s.right.z) << ", " << text_of(s.up.x) << "," << text_of(s.up.y) << ","
-      << text_of(s.up.z) << ", " << text_of(s.direction.x) << "," << text_of(s.direction.y) << ","
-      << text_of(s.direction.z) << ", " << text_of(s.centre.x) << "," << text_of(s.centre.y) << ","
-      << text_of(s.centre.z) << ">\n      }\n    #end\n  }\n  location <0,0,0>\n}\n";
+};
+
+/// The faces of a column. A face's ray starts at its centroid and runs along (P3 - P1) x (P2 - P1).
+std::string column_mesh(const Sheet& s, const ColumnMesh& mesh) {
+  std::ostringstream out;
+  out << "mesh {\n";
+  for (std::uint32_t r = 0; r < s.rows; ++r) {
+    const double y = s.rows / 2.0 - r - 0.5, normal = y * mesh.normal_step;
+    // Its place in the transform's shear is undone, so that starts stay in their plane.
+    const Vec3 c = Vec3{0.0, 1.0, s.eye_slope_y * mesh.stretch} * (y * mesh.start_step);
+    const Vec3 across{0.25, 0.0, 0.0}, upwards{0.0, 0.25, -0.25 * normal};
+    out << "triangle { " << text_of(c - across + upwards) << ", " << text_of(c + across + upwards)
+        << ", " << text_of(c - upwards * 2.0) << " }\n";
+  }
+  out << "}\n";
   return out.str();
+}
+
+std::string array_of(const char* name, const Sheet& s, double (*value)(const Sheet&, std::uint32_t)) {
+  std::ostringstream out;
+  out << "#declare " << name << " = array[" << s.columns << "] {\n";
+  for (std::uint32_t k = 0; k < s.columns; ++k) {
+    out << (k ? ",\n" : "") << text_of(value(s, k));
+  }
+  out << "\n}\n";
+  return out.str();
+}
+
+}  // namespace
+
+std::string mesh_scene(const Sheet& s, const Included& scene) {
+  const ColumnMesh mesh(s);
+  std::ostringstream out;
+  out << head(scene) << "#declare Lentray_Diff_Column = " << column_mesh(s, mesh)
+      << array_of("Lentray_Diff_T", s,
+                  [](const Sheet& x, std::uint32_t k) { return x.slope(k).value_or(0.0); })
+      << array_of("Lentray_Diff_X", s, [](const Sheet& x, std::uint32_t k) {
+           return x.axis(x.lens_of(k)) * x.scale();
+         });
+  const auto vector = [](const Vec3& v) {
+    return text_of(v.x) + "," + text_of(v.y) + "," + text_of(v.z);
+  };
+  const double rise = s.eye_slope_y;
+  // The normal (0, m, 1) becomes (T, rise + m/stretch, 1), for it transforms by the inverse
+  // transpose; then comes the place in the sheet, and the sheet's in the world.
+  out << "camera {\n  mesh_camera { 1 1\n    #for (Lentray_Diff_K, 0, " << s.columns - 1 << ")\n"
+      << "      #local Lentray_Diff_U = Lentray_Diff_T[Lentray_Diff_K];\n"
+      << "      mesh { Lentray_Diff_Column\n        matrix <1,0,-Lentray_Diff_U, 0,"
+      << text_of(mesh.stretch) << "," << text_of(-rise * mesh.stretch) << ", 0,0,1,\n"
+      << "          Lentray_Diff_X[Lentray_Diff_K] - " << text_of(s.front) << "*Lentray_Diff_U, "
+      << text_of(-s.front * rise) << ", " << text_of(-s.front) << ">\n        matrix <"
+      << vector(s.right) << ", " << vector(s.up) << ", " << vector(s.direction) << ", "
+      << vector(s.centre) << ">\n      }\n    #end\n  }\n  location <0,0,0>\n}\n";
+  return out.str();
+}
+
+StoredImage mesh_picture(const StoredImage& rendered, const Sheet& s, bool lag) {
+  StoredImage image;
+  image.width = s.columns;
+  image.height = s.rows;
+  image.channels = 3;
+  image.bits = rendered.bits;
+  image.samples.assign(std::size_t{3} * s.columns * s.rows, 0.0f);
+  for (std::uint32_t k = 0; k < s.columns; ++k) {
+    if (!s.slope(k)) continue;  // shows nothing
+    for (std::uint32_t r = 0; r < s.rows; ++r) {
+      for (int c = 0; c < 3; ++c) {
+        image.at(k, r, c) = rendered.at(r, k + (lag ? 1 : 0), rendered.channels < 3 ? 0 : c);
+      }
+    }
+  }
+  return image;
 }
 
 }  // namespace lentray::diff

@@ -3,7 +3,8 @@
 // tests/compat/wrapper_test.
 //   V infinite, whole N    a view is an oblique orthographic picture
 //   V finite, paraxial     a view is an oblique perspective picture from its eye
-//   the rest               a mesh_camera whose faces are the pixels' rays (agrees to 1e-6)
+//   the rest               a mesh_camera whose faces are the pixels' rays (agrees to 1e-12 where
+//                          rays start at the eye or V is infinite, else to 2e-8)
 // Pure functions of text; threads: any number.
 #pragma once
 
@@ -11,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "core/image/reader.h"
 #include "tools/lentray-diff/sheet.h"
 
 namespace lentray::diff {
@@ -40,8 +42,12 @@ struct Included {
 /// View j: the picture is view_width(j) x rows. For the two ways that have views.
 std::string view_scene(const Sheet& sheet, std::uint32_t view, Way way, const Included& scene);
 
-/// The whole integral image. POV-Ray 3.7 shows mesh row k - 1 in image row k: there the picture
-/// must be rendered one row higher and its row 0 dropped.
+/// The whole integral image, lying on its side: `rows` pixels wide and `columns` high, for a
+/// mesh_camera is most exact where a row of its picture is a column of the sheet. POV-Ray 3.7 shows
+/// mesh row k - 1 in image row k: there the picture must be rendered one row higher (`lag`).
 std::string mesh_scene(const Sheet& sheet, const Included& scene);
+
+/// The integral image in what stock rendered of mesh_scene(); dark pixels black.
+core::StoredImage mesh_picture(const core::StoredImage& rendered, const Sheet& sheet, bool lag);
 
 }  // namespace lentray::diff
