@@ -46,6 +46,11 @@ StoredImage read_picture(const std::filesystem::path& path) {
 
 class Module final : public ImageModule {
  public:
+  // Threads are the frame's (+WT): none of OpenImageIO's own.
+  Module() {
+    OIIO::attribute("threads", 1);
+    OIIO::attribute("exr_threads", -1);
+  }
   std::unique_ptr<PictureEncoder> encoder(const std::filesystem::path& path,
                                           const PictureSpec& spec) const override {
     return make_openimageio_encoder(path, spec);
