@@ -1,8 +1,10 @@
 #include "parser/build/object_builder.h"
 
 #include "core/geometry/box.h"
+#include "core/geometry/prism.h"
 #include "parser/build/lights.h"
 #include "parser/build/shapes.h"
+#include "parser/build/text_shape.h"
 
 namespace lentray::parser {
 namespace {
@@ -187,7 +189,10 @@ std::unique_ptr<core::Object> ObjectBuilder::build_csg(const ObjectDesc& object,
 
 std::unique_ptr<core::Object> ObjectBuilder::build_leaf(const ObjectDesc& object,
                                                         const core::Transform& to_world,
-                                                        const Inherited&) {
+                                                        const Inherited& looks) {
+  if (const auto* text = std::get_if<TextShape>(&object.shape)) {
+    return build_text(*text, to_world, looks);
+  }
   std::unique_ptr<core::Shape> shape;
   if (const auto* mesh = std::get_if<std::shared_ptr<const MeshShape>>(&object.shape)) {
     std::unique_ptr<core::Mesh> made = build_mesh(object);
@@ -206,6 +211,22 @@ std::unique_ptr<core::Object> ObjectBuilder::build_leaf(const ObjectDesc& object
     return nullptr;
   }
   return std::make_unique<core::Leaf>(std::move(shape), to_world);
+}
+
+/// A union of its glyphs.
+std::unique_ptr<core::Object> ObjectBuilder::build_text(const TextShape& text,
+                                                        const core::Transform& to_world,
+                                                        const Inherited& looks) {
+  std::vector<std::unique_ptr<core::Object>> glyphs;
+  for (const PlacedGlyph& glyph : layout_text(text)) {
+    auto shape = std::make_unique<core::Prism>("text", glyph.outline, core::Prism::Sweep::kAlongZ,
+                                               0.0, text.thickness, false);
+    glyphs.push_back(std::make_unique<core::Leaf>(
+        std::move(shape), core::Transform::translation(glyph.offset).then(to_world)));
+    glyphs.back()->set_attributes(attributes(looks));
+  }
+  if (glyphs.empty()) return nullptr;
+  return std::make_unique<core::Csg>(core::CsgKind::kUnion, std::move(glyphs));
 }
 
 void ObjectBuilder::add_light(const ObjectDesc& object, const LightDesc& light,

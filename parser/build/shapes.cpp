@@ -5,13 +5,19 @@
 #include "core/geometry/cylinder.h"
 #include "core/geometry/disc.h"
 #include "core/geometry/plane.h"
+#include "core/geometry/height_field.h"
+#include "core/geometry/poly.h"
 #include "core/geometry/polygon.h"
+#include "core/geometry/prism.h"
 #include "core/geometry/quadric.h"
 #include "core/geometry/smooth_triangle.h"
 #include "core/geometry/sphere.h"
+#include "core/geometry/superellipsoid.h"
 #include "core/geometry/torus.h"
 #include "core/geometry/triangle.h"
 #include "core/geometry/triangle_mesh.h"
+#include "parser/build/height_grid.h"
+#include "parser/build/spline_pieces.h"
 
 namespace lentray::parser {
 namespace {
@@ -77,6 +83,23 @@ struct ShapeMaker {
   }
   ShapePointer operator()(const QuadricShape& s) const {
     return std::make_unique<core::Quadric>(s.c);
+  }
+  ShapePointer operator()(const HeightFieldShape& s) const {
+    return std::make_unique<core::HeightField>(build_height_grid(s), s.water_level);
+  }
+  ShapePointer operator()(const PolyShape& s) const {
+    const std::string_view name = s.order == 3 ? "cubic" : s.order == 4 ? "quartic" : "poly";
+    return std::make_unique<core::Poly>(name, s.order, s.coefficients);
+  }
+  ShapePointer operator()(const SuperellipsoidShape& s) const {
+    return std::make_unique<core::Superellipsoid>(s.e, s.n);
+  }
+  ShapePointer operator()(const PrismShape& s) const {
+    auto outline = std::make_shared<core::Outline>(spline_pieces(s.spline, s.points, true));
+    using Sweep = core::Prism::Sweep;
+    return std::make_unique<core::Prism>("prism", std::move(outline),
+                                         s.conic_sweep ? Sweep::kConic : Sweep::kAlongY, s.height1,
+                                         s.height2, s.open);
   }
   ShapePointer operator()(const std::shared_ptr<const MeshShape>&) const { return build_mesh(object); }
   /// Everything else is kept for later.
