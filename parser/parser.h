@@ -48,7 +48,7 @@ struct ParserOptions {
   std::vector<std::string> library_paths;                      ///< +L, in order
   std::vector<std::pair<std::string, std::string>> declares;   ///< Declare=NAME=VALUE, VALUE float or string
   double clock = 0.0;
-  int frame_number = 1;                                        ///< stock: 1 initial, 0 for a still (see manual)
+  int frame_number = 0;                                        ///< 0: a still
   int image_width = 160, image_height = 120;
   int language_version = 0;                                    ///< Version=, x 100; 0: the scene decides
 };

@@ -54,12 +54,26 @@ Heights of_function(const HeightFieldShape& field) {
   return heights;
 }
 
+/// Fractint's 16-bit files: the right half of the picture holds the low bytes of the left half.
+Heights of_potentials(const core::StoredImage& stored, const std::vector<std::uint8_t>& entries) {
+  Heights heights{static_cast<int>(stored.width / 2), static_cast<int>(stored.height), {}};
+  for (std::uint32_t row = 0; row < stored.height; ++row) {
+    const std::size_t start = std::size_t{row} * stored.width;
+    for (std::uint32_t column = 0; column < stored.width / 2; ++column) {
+      heights.values.push_back(static_cast<std::uint16_t>(
+          256u * entries[start + column] + entries[start + column + stored.width / 2]));
+    }
+  }
+  return heights;
+}
+
 /// Palette entries count 256 each; grey, and colours of 16 bits, by their grey; the red of colours
 /// of 8 bits is the high byte, the green the low one.
 Heights of_picture(const HeightFieldShape& field) {
   const core::StoredImage stored = core::read_image(field.file);
   Heights heights{static_cast<int>(stored.width), static_cast<int>(stored.height), {}};
   const std::vector<std::uint8_t> entries = palette_entries(stored, field.file);
+  if (field.file_type == "pot" && !entries.empty()) return of_potentials(stored, entries);
   const float most = stored.bits == 8 ? 255.0f : stored.bits == 16 ? kFull : 1.0f;
   for (std::uint32_t row = 0; row < stored.height; ++row) {
     for (std::uint32_t column = 0; column < stored.width; ++column) {

@@ -50,6 +50,9 @@ TEST(CompatFunctions, Internal) {
                         "f_paraboloid(1,2,.3,1)", "f_pillow(.3,.4,.5,1)", "f_helix1(1,2,.3,2,3,.2,1,1,1,0)",
                         "f_helix1(1,2,.3,2,3,.2,1,.8,.5,30)", "f_spiral(1,.2,3,.8,.1,3,.5,.1,1)",
                         "f_spiral(1,.2,3,.8,.1,3,.5,.1,.5)", "f_hex_x(1,2,3,0)", "f_hex_y(1.4,.2,3,0)",
+                        "f_noise3d(.3,1.4,2.5)", "f_noise_generator(.3,1.4,2.5,1)",
+                        "f_noise_generator(.3,1.4,2.5,3)", "f_ridge(.3,.4,.5,2,4.5,.6,.4,.3,2)",
+                        "f_ridged_mf(.3,.4,.5,.8,2.1,5,.9,2,3)", "f_hetero_mf(.3,.4,.5,.8,2.1,5.5,.7,2,2)",
                         "f_hex_x(.2,4.1,0,0)", "f_hex_y(-.8,1,0,0)"}) {
     all.push_back(number(e));
   }

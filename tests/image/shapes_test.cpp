@@ -8,6 +8,7 @@ namespace lentray::test {
 namespace {
 
 constexpr const char* kStage = R"(#version 3.7;
+#include "functions.inc"
 global_settings { assumed_gamma 1 }
 camera { location <2.2,2.6,-4> look_at <0,.4,0> angle 45 }
 light_source { <-4,7,-6>, 1 }
@@ -47,6 +48,28 @@ const Case kCases[] = {
     {"poly6", "poly { 6, <1,0,0,0,3,0,0,3,0,0,0,0,0,0,0,0,0,0,0,0,3,0,0,-12,0,0,0,0,0,0,3,0,0,0,0,0,0,0,"
               "0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,1,0,0,3,0,0,0,0,0,0,3,0,0,0,0,0,0,0,0,0,0,"
               "1,0,0,0,0,0,-1> scale 1.1 }"},
+    {"blob", "blob { threshold .5 sphere { <.4,0,0>, 1, 1 } cylinder { <-1,-.2,0>, <.5,.9,.2>, .6, 1.1 }"
+             " sphere { <0,.5,-.5>, .5, -.8 scale <1,1.4,1> } }"},
+    {"blob_textures", "blob { threshold .4 sphere { <.5,0,0>, 1, 1 pigment { rgb x } }"
+                      " cylinder { <-1,-.2,0>, <.5,.9,.2>, .6, 1 texture { pigment { rgb z }"
+                      " finish { phong 1 } } rotate 10*y } sphere { <0,-.6,0>, .7, 1 } rotate 30*y }"},
+    {"isosurface", "isosurface { function { x*x + y*y*2 + z*z - 1 + .1*sin(x*15)*sin(z*14) }"
+                   " max_gradient 6 contained_by { box { -1.2, 1.2 } } }"},
+    {"isosurface_cut", "isosurface { function { sqrt(x*x + y*y) - .3 - .2*abs(z) } max_gradient 2 all_intersections"
+                       " contained_by { sphere { 0, 1.1 } } rotate 40*y }"},
+    {"isosurface_open", "isosurface { function { y + f_noise3d(x*3, 0, z*3)*.6 } max_gradient 3 open"
+                        " contained_by { box { <-1.2,-.9,-1.2>, <1.2,.5,1.2> } } }", false},
+    {"isosurface_evaluate", "isosurface { function { f_ridged_mf(x, 0, z, .8, 2, 5, .9, 2, 3)*.4 - .5 - y + y*y }"
+                            " evaluate 2, 1.1, .8 threshold -.2 contained_by { box { -1, 1 } } }", false},
+    {"bicubic_patch", "bicubic_patch { type 1 u_steps 3 v_steps 4 <-1.4,-.5,-1>,<-.5,.8,-1.2>,<.5,-.6,-1>,"
+                      "<1.4,.4,-1>,<-1.5,.3,-.4>,<-.5,-.5,-.3>,<.5,1.9,-.4>,<1.5,0,-.2>,<-1.3,-.4,.4>,"
+                      "<-.4,.9,.3>,<.4,-.8,.5>,<1.4,.7,.4>,<-1.4,.5,1.1>,<-.5,-.2,1>,<.5,.6,1.3>,<1.3,-.3,1> }",
+     false},
+    {"lathe_linear", "lathe { 5 <0,-.9>,<.9,-.6>,<.4,0>,<1,.7>,<0,.9> }"},
+    {"lathe_quadratic", "lathe { quadratic_spline 6 <.3,-1>,<0,-.9>,<.9,-.6>,<.4,0>,<1,.7>,<0,.9> }"},
+    {"lathe_cubic", "lathe { cubic_spline 7 <.3,-1>,<0,-.9>,<.9,-.6>,<.4,0>,<1,.7>,<0,.9>,<.2,1> }"},
+    {"lathe_bezier", "lathe { bezier_spline 8 <0,-.9>,<1,-1>,<1,-.3>,<.5,0> <.5,0>,<.3,.5>,<1,.8>,<0,.9>"
+                     " rotate 20*x }"},
     {"height_field", "height_field { png \"plasma3.png\" water_level .2 scale <2.4,1.2,2.4>"
                      " translate <-1.2,-.6,-1.2> }", true, Grade::match},
     {"height_field_smooth", "height_field { function 40, 30 { .5 + .4*sin(x*9)*cos(y*8) } smooth"

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <functional>
 
+#include "core/geometry/blob.h"
 #include "core/geometry/height_field.h"
+#include "core/geometry/lathe.h"
 #include "core/geometry/poly.h"
 #include "core/geometry/prism.h"
 #include "core/geometry/superellipsoid.h"
@@ -68,6 +70,18 @@ std::vector<Solid> solids() {
       {"round superellipsoid", [] { return std::make_unique<Superellipsoid>(1.0, 1.0); }},
       {"concave superellipsoid", [] { return std::make_unique<Superellipsoid>(2.7, 1.4); }},
       {"quartic", quartic_torus},
+      {"blob", [] {
+         BlobField ball{0.9, 1.0, 0.0, Transform::translation({0.3, 0.1, 0.0})};
+         BlobField rod{0.7, 1.2, 1.1, Transform::rotation({20, 100, 0})};
+         BlobField hole{0.5, -0.8, 0.0, Transform::scaling({1, 1.5, 1})};
+         return std::make_unique<Blob>(0.35, std::vector<BlobField>{ball, rod, hole}); }},
+      {"lathe", [] { return std::make_unique<Lathe>(std::vector<CurvePiece>{
+           CurvePiece::line({0.0, -0.9}, {0.7, -0.9}),
+           CurvePiece::bezier({0.7, -0.9}, {0.9, 0.2}, {0.1, 0.3}, {0.5, 0.8}),
+           CurvePiece::conic({0.5, 0.8}, {0.2, 1.0}, {0.0, 0.8})}); }},
+      {"lathe ring", [] { return std::make_unique<Lathe>(std::vector<CurvePiece>{
+           CurvePiece::line({0.4, -0.5}, {0.9, -0.4}), CurvePiece::line({0.9, -0.4}, {0.6, 0.6}),
+           CurvePiece::line({0.6, 0.6}, {0.4, -0.5})}); }},
   };
 }
 
