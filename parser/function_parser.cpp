@@ -19,23 +19,6 @@ using core::make_node;
 // .gray is no component but a mixture of three.
 constexpr int kGrayComponent = 5;
 
-// Something parsed and kept that cannot be evaluated yet.
-class Kept final : public core::Function {
- public:
-  Kept(std::string what, std::size_t results) : m_what(std::move(what)), m_results(results) {}
-  std::size_t parameters() const override { return 3; }
-  double evaluate(std::span<const double>) const override { return 0.0; }
-  std::string not_yet() const override { return m_what; }
-  std::size_t results() const override { return m_results; }
-  void evaluate_all(std::span<const double>, std::span<double> result) const override {
-    std::fill_n(result.begin(), m_results, 0.0);
-  }
-
- private:
-  std::string m_what;
-  std::size_t m_results;
-};
-
 // .gray of a function of colours.
 class GrayOf final : public core::Function {
  public:
@@ -92,14 +75,6 @@ std::optional<FunctionOp> two_operands(Keyword k) {
 
 }  // namespace
 
-Ref<FunctionDesc> FunctionParser::kept(std::string what, Ref<PigmentDesc> pigment,
-                                       std::size_t results) {
-  auto desc = std::make_shared<FunctionDesc>();
-  desc->function = std::make_shared<Kept>(std::move(what), results);
-  desc->pigment = std::move(pigment);
-  return desc;
-}
-
 Ref<FunctionDesc> FunctionParser::parse_body() {
   TokenReader& tokens = m_in.tokens;
   if (tokens.peek_operand().kind == TokenKind::kIdentifier) return named();
@@ -111,7 +86,7 @@ Ref<FunctionDesc> FunctionParser::parse_body() {
   Ref<FunctionDesc> result;
   const Token& first = tokens.peek_operand();
   if (first.is(Keyword::kPigment) || first.is(Keyword::kPattern)) {
-    result = of_pigment();
+    result = m_in.productions.pattern_function(m_in.parser);
   } else if (first.is(Keyword::kTransform)) {
     result = transform_function(m_in.expressions.parse_transform_statement());
   } else if (first.is(Keyword::kSpline)) {
@@ -177,26 +152,6 @@ std::vector<NameId> FunctionParser::parameters() {
   }
   tokens.plain_names = before;
   return names;
-}
-
-Ref<FunctionDesc> FunctionParser::of_pigment() {
-  TokenReader& tokens = m_in.tokens;
-  if (tokens.at(Keyword::kPigment)) {
-    const Value made = m_in.productions.pigment_function(m_in.parser);
-    if (const auto* function = std::get_if<Ref<FunctionDesc>>(&made)) return *function;
-    const auto* pigment = std::get_if<Ref<PigmentDesc>>(&made);
-    return kept("functions of a pigment", pigment ? *pigment : nullptr, 5);
-  }
-  // A bare pattern has no description of its own: read past it.
-  tokens.skip();
-  tokens.expect(Punct::kLeftCurly);
-  for (int depth = 1; depth > 0;) {
-    const Token t = tokens.next();
-    if (t.kind == TokenKind::kEnd) tokens.fail_expected("'}' of a pattern");
-    if (t.is(Punct::kLeftCurly)) ++depth;
-    if (t.is(Punct::kRightCurly)) --depth;
-  }
-  return kept("functions of a pattern", nullptr, 1);
 }
 
 FunctionNodePtr FunctionParser::choice() {

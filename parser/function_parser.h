@@ -30,8 +30,6 @@ class FunctionParser {
   };
   Ref<FunctionDesc> named();
   std::vector<NameId> parameters();
-  Ref<FunctionDesc> of_pigment();
-  Ref<FunctionDesc> kept(std::string what, Ref<PigmentDesc> pigment, std::size_t results);
 
   core::FunctionNodePtr choice();
   core::FunctionNodePtr logical_or();

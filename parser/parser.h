@@ -39,17 +39,16 @@ class Productions {
   virtual bool trace(const ObjectDesc& object, const core::Vec3& origin, const core::Vec3& direction,
                      core::Vec3& point, core::Vec3& normal) = 0;
   virtual void extent(const ObjectDesc& object, core::Vec3& lo, core::Vec3& hi) = 0;
-  /// A function of a pigment or pattern (`function { pigment {...} }`): colours by point. Called at
-  /// `pigment`; the function's own braces are not its business. Gives a Ref<FunctionDesc>, or a
-  /// Ref<PigmentDesc> that is kept as FunctionDesc::pigment.
-  virtual Value pigment_function(Parser& parser) = 0;
+  /// A function of a pigment or pattern: colours or a number by point. Called at `pigment` or
+  /// `pattern`; the function's own braces are not its business.
+  virtual Ref<FunctionDesc> pattern_function(Parser& parser) = 0;
 };
 
 struct ParserOptions {
   std::vector<std::string> library_paths;                      ///< +L, in order
   std::vector<std::pair<std::string, std::string>> declares;   ///< Declare=NAME=VALUE, VALUE float or string
   double clock = 0.0;
-  int frame_number = 1;                                        ///< stock: 1 initial, 0 for a still (see manual)
+  int frame_number = 0;                                        ///< 0: a still
   int image_width = 160, image_height = 120;
   int language_version = 0;                                    ///< Version=, x 100; 0: the scene decides
 };

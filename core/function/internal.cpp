@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/pattern/noise.h"
+
 namespace lentray::core {
 namespace {
 
@@ -116,6 +118,80 @@ double hex_y(const double* a) {
   return std::fabs(std::cos(std::numbers::pi / 3.0) * v - std::sin(std::numbers::pi / 3.0) * u);
 }
 
+// Noise -----------------------------------------------------------------------------------------
+
+int generator_of(double number) {
+  const int generator = static_cast<int>(number) & 3;
+  return generator == 0 ? 1 : generator;
+}
+
+// Without a number: what #version 3.5 and later have by default.
+double noise3d(const double* a) { return noise({a[0], a[1], a[2]}, 2); }
+double noise_of_generator(const double* a) {
+  return noise({a[0], a[1], a[2]}, generator_of(a[3]));
+}
+
+double swing(const Vec3& p, int generator) { return noise(p, generator) * 2.0 - 1.0; }
+
+// P0: H, P1: lacunarity, P2: octaves, P3: offset, P4: gain (of ridged) or mixing, P5: generator.
+double ridged_multifractal(const double* a) {
+  const int generator = generator_of(a[8]);
+  const auto ridge = [&](const Vec3& p) {
+    const double height = a[6] - std::fabs(swing(p, generator));
+    return height * height;
+  };
+  Vec3 p{a[0], a[1], a[2]};
+  const double fading = std::pow(a[4], -a[3]);
+  double signal = ridge(p), result = signal, share = 1.0;
+  for (int octave = 1; octave < a[5]; ++octave) {
+    p *= a[4];
+    share *= fading;
+    signal = ridge(p) * std::clamp(signal * a[7], 0.0, 1.0);
+    result += signal * share;
+  }
+  return result;
+}
+
+double hetero_multifractal(const double* a) {
+  const int generator = generator_of(a[8]);
+  Vec3 p{a[0], a[1], a[2]};
+  const double fading = std::pow(a[4], -a[3]);
+  double signal = swing(p, generator) + a[6], share = fading;
+  p *= a[4];
+  for (int octave = 1; octave < a[5]; ++octave) {
+    double step = (swing(p, generator) + a[6]) * share;
+    for (int i = static_cast<int>(a[7]); i > 0; --i) step *= signal;
+    signal += step;
+    p *= a[4];
+    share *= fading;
+  }
+  const double rest = a[5] - static_cast<int>(a[5]);
+  return rest == 0.0 ? signal : signal + rest * (swing(p, generator) + a[6]) * share * signal;
+}
+
+// P0: lambda, P1: octaves, P2: omega, P3: offset, P4: ridge, P5: generator.
+double ridge(const double* a) {
+  const int generator = generator_of(a[8]), octaves = static_cast<int>(a[4]);
+  const Vec3 p{a[0], a[1], a[2]};
+  const double offset = a[6], crest = a[7], scale = 1.0 / std::max(crest, 1.0 - crest);
+  const auto height = [&](double frequency) {
+    return std::fabs(noise(p * frequency, generator) - crest) * scale - offset;
+  };
+  double value = height(1.0), total = 1.0, frequency = a[3], share = a[5];
+  for (int octave = 2; octave <= octaves; ++octave) {
+    value += share * height(frequency);
+    total += share;
+    frequency *= a[3];
+    share *= a[5];
+  }
+  const double rest = a[4] - octaves;
+  if (rest != 0.0) {
+    value += share * height(frequency) * rest;
+    total += share * rest;
+  }
+  return value / (std::max(offset, 1.0 - offset) * total);
+}
+
 struct Entry {
   const char* name;
   int extra;  // parameters beside x, y, z
@@ -130,7 +206,7 @@ constexpr Entry kEntries[] = {
     {"f_ellipsoid", 3, ellipsoid}, {"f_enneper", 1}, {"f_flange_cover", 4},
     {"f_folium_surface", 3}, {"f_folium_surface_2d", 6}, {"f_glob", 1}, {"f_heart", 1},
     {"f_helical_torus", 10}, {"f_helix1", 7, helix1}, {"f_helix2", 7}, {"f_hex_x", 1, hex_x},
-    {"f_hex_y", 1, hex_y}, {"f_hetero_mf", 6}, {"f_hunt_surface", 1}, {"f_hyperbolic_torus", 3},
+    {"f_hex_y", 1, hex_y}, {"f_hetero_mf", 6, hetero_multifractal}, {"f_hunt_surface", 1}, {"f_hyperbolic_torus", 3},
     {"f_isect_ellipsoids", 4}, {"f_kampyle_of_eudoxus", 3}, {"f_kampyle_of_eudoxus_2d", 6},
     {"f_klein_bottle", 1}, {"f_kummer_surface_v1", 1}, {"f_kummer_surface_v2", 4},
     {"f_lemniscate_of_gerono", 1}, {"f_lemniscate_of_gerono_2d", 6}, {"f_mesh1", 5},
@@ -138,13 +214,13 @@ constexpr Entry kEntries[] = {
     {"f_paraboloid", 1, paraboloid}, {"f_parabolic_torus", 3}, {"f_ph", 0, latitude},
     {"f_pillow", 1, pillow}, {"f_piriform", 1}, {"f_piriform_2d", 7}, {"f_poly4", 5},
     {"f_polytubes", 6}, {"f_quantum", 1}, {"f_quartic_paraboloid", 1}, {"f_quartic_saddle", 1},
-    {"f_quartic_cylinder", 3}, {"f_r", 0, distance}, {"f_ridge", 6}, {"f_ridged_mf", 6},
+    {"f_quartic_cylinder", 3}, {"f_r", 0, distance}, {"f_ridge", 6, ridge}, {"f_ridged_mf", 6, ridged_multifractal},
     {"f_rounded_box", 4, rounded_box}, {"f_sphere", 1, sphere}, {"f_spikes", 5},
     {"f_spikes_2d", 4}, {"f_spiral", 6, spiral}, {"f_steiners_roman", 1}, {"f_strophoid", 4},
     {"f_strophoid_2d", 7}, {"f_superellipsoid", 2, superellipsoid}, {"f_th", 0, longitude},
     {"f_torus", 2, torus}, {"f_torus2", 3}, {"f_torus_gumdrop", 1}, {"f_umbrella", 1},
-    {"f_witch_of_agnesi", 2}, {"f_witch_of_agnesi_2d", 6}, {"f_noise3d", 0}, {"f_pattern", 0},
-    {"f_noise_generator", 1},
+    {"f_witch_of_agnesi", 2}, {"f_witch_of_agnesi_2d", 6}, {"f_noise3d", 0, noise3d}, {"f_pattern", 0},
+    {"f_noise_generator", 1, noise_of_generator},
 };
 
 class Internal final : public Function {

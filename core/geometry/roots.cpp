@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace lentray::core {
 namespace {
 
-constexpr int kMaxOrder = 4;
+constexpr int kMaxOrder = 36;
 
 double value(const double* c, int order, double x) {
   double r = c[0];
@@ -37,7 +38,7 @@ double bracketed(const double* c, int order, double lo, double hi, double flo) {
   return x;
 }
 
-int solve_low_order(const double* c, int order, double lo, double hi, double roots[4]) {
+int solve_low_order(const double* c, int order, double lo, double hi, double* roots) {
   double found[2];
   int n = 0;
   if (order == 2) {
@@ -105,7 +106,7 @@ int solve_cubic(double a, double b, double c, double d, double roots[3]) {
 
 int solve_quartic(const double c[5], double roots[4]) { return solve_unbounded(c, 4, roots); }
 
-int solve_between(const double* c, int order, double lo, double hi, double roots[4]) {
+int solve_between(const double* c, int order, double lo, double hi, double* roots) {
   while (order > 1 && c[0] == 0.0) {
     ++c;
     --order;
@@ -131,6 +132,16 @@ int solve_between(const double* c, int order, double lo, double hi, double roots
     fa = fb;
   }
   return n;
+}
+
+int solve_between_bounds(const double* c, int order, double lo, double hi, double* roots) {
+  while (order > 1 && c[0] == 0.0) {
+    ++c;
+    --order;
+  }
+  const double bound = order > 1 ? roots_bound(c, order) : std::numeric_limits<double>::infinity();
+  if (!std::isfinite(bound) && order > 1) return solve_between_bounds(c + 1, order - 1, lo, hi, roots);
+  return solve_between(c, order, std::max(lo, -bound), std::min(hi, bound), roots);
 }
 
 }  // namespace lentray::core

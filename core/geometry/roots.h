@@ -1,4 +1,4 @@
-// Real roots of polynomials up to order 4. Coefficients from the highest power down; a leading
+// Real roots of polynomials. Coefficients from the highest power down; a leading
 // coefficient 0 lowers the order. Roots come ascending, a double root once or twice.
 // Order 2 in closed form without cancellation; above, the derivative's roots split the interval
 // into monotonic pieces and each root is bracketed there, then found by Newton steps that never
@@ -13,7 +13,10 @@ int solve_quadratic(double a, double b, double c, double roots[2]);
 int solve_cubic(double a, double b, double c, double d, double roots[3]);
 /// c[0] x4 + ... + c[4].
 int solve_quartic(const double c[5], double roots[4]);
-/// The roots in [lo, hi], both finite, of c[0] x^order + ... + c[order], order 1 to 4.
-int solve_between(const double* c, int order, double lo, double hi, double roots[4]);
+/// The roots in [lo, hi], both finite, of c[0] x^order + ... + c[order], order 1 to 36; at most
+/// `order` of them.
+int solve_between(const double* c, int order, double lo, double hi, double* roots);
+/// The same where lo and hi may be infinite.
+int solve_between_bounds(const double* c, int order, double lo, double hi, double* roots);
 
 }  // namespace lentray::core

@@ -15,13 +15,14 @@ namespace lentray::core {
 struct InteriorEntry {
   const void* key;           ///< identity: the interior, or the object that has none
   const Interior* interior;  ///< null: plain
+  bool hollow;               ///< the air outside goes on in it
   double ior(double atmosphere_ior) const { return interior ? interior->ior : atmosphere_ior; }
 };
 
 /// The interior of a surface: `attributes` are those of the leaf, `object` is the scene's.
 inline InteriorEntry interior_of(const Attributes& attributes, const Object* object) {
-  if (attributes.interior) return {attributes.interior, attributes.interior};
-  return {object, nullptr};
+  if (attributes.interior) return {attributes.interior, attributes.interior, attributes.hollow};
+  return {object, nullptr, attributes.hollow};
 }
 
 /// Deeper nesting than kCapacity is not followed: what is pushed beyond is forgotten.
@@ -48,6 +49,13 @@ class InteriorStack {
       if (m_entries[i].key == key) return true;
     }
     return false;
+  }
+  /// True in the open, and where all that surrounds the ray is hollow.
+  bool is_hollow() const {
+    for (std::size_t i = 0; i < m_size; ++i) {
+      if (!m_entries[i].hollow) return false;
+    }
+    return true;
   }
   /// Removes the outermost entry of that key; false if there is none.
   bool remove(const void* key) {

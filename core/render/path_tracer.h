@@ -54,7 +54,8 @@ class PathTracer final : public Tracer {
         m_bailout(scene.settings().adc_bailout),
         m_atmosphere_ior(scene.settings().atmosphere_ior),
         m_mirror_images(scene.settings().mirror_images),
-        m_legacy_opacity(scene.settings().language_version < 370) {
+        m_legacy_opacity(scene.settings().language_version < 370),
+        m_air(scene.needs().atmosphere ? &scene.atmosphere() : nullptr) {
     if (scene.needs().interiors) {
       m_start_interiors = std::make_unique<StartInteriors>(scene);
     }
@@ -126,6 +127,8 @@ class PathTracer final : public Tracer {
   static Vec3 layer_normal(const TextureLayer& layer, const Surface& at) {
     return layer.normal ? layer.normal->perturb(at.point, at.normal) : at.normal;
   }
+  /// Fog and rainbows on the way, if it is in the open.
+  void pass_open_air(const RayState& state, double depth, Radiance& light);
   double random();
   Frame& enter_frame();
   void look_ahead(const Surface& at, Frame& frame) const;
@@ -141,6 +144,7 @@ class PathTracer final : public Tracer {
   const double m_atmosphere_ior;
   const bool m_mirror_images;
   const bool m_legacy_opacity;
+  const Atmosphere* m_air;  ///< null: clear
   std::unique_ptr<StartInteriors> m_start_interiors;
   std::vector<std::unique_ptr<Frame>> m_frames;
   std::size_t m_depth = 0;

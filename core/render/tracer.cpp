@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/render/air.h"
 #include "core/render/path_tracer.h"
 #include "core/render/surface_textures.h"
 
@@ -63,9 +64,19 @@ Radiance PathTracer<kFeatures>::follow(const RayState& state, float weight, int 
   const RayKind kind = state.reflected ? RayKind::kReflection : RayKind::kCamera;
   if (!m_hierarchy.nearest(state.ray, kMinHitDistance, Bounds::kInf, kind, hit, m_arena,
                            m_test_counters)) {
-    return sky_radiance(m_scene, state.ray.direction);
+    Radiance sky = sky_radiance(m_scene, state.ray.direction);
+    if (m_air) pass_open_air(state, kOpenAir, sky);
+    return sky;
   }
-  return shade(state, hit, weight, straight_on ? level : level + 1);
+  Radiance seen = shade(state, hit, weight, straight_on ? level : level + 1);
+  if (m_air) pass_open_air(state, hit.t, seen);
+  return seen;
+}
+
+template <unsigned kFeatures>
+void PathTracer<kFeatures>::pass_open_air(const RayState& state, double depth, Radiance& light) {
+  if (!state.inside.is_hollow()) return;
+  pass_air(*m_air, state.ray, depth, [this] { return random(); }, light);
 }
 
 template <unsigned kFeatures>

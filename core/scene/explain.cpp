@@ -34,6 +34,7 @@ constexpr Feature kFeatures[] = {
     {"shadowless lights", &Needs::shadowless_lights},
     {"no_image, no_reflection, no_shadow", &Needs::visibility_flags},
     {"sky sphere", &Needs::sky_sphere},
+    {"fog or rainbows", &Needs::atmosphere},
 };
 
 constexpr int kColumn = 22;

@@ -24,6 +24,7 @@ struct Needs {
   bool area_lights = false, spot_lights = false, fading_lights = false, shadowless_lights = false;
   bool visibility_flags = false;     ///< no_image, no_reflection, no_shadow
   bool sky_sphere = false;
+  bool atmosphere = false;           ///< fog, rainbows
   int greatest_depth = 1;            ///< deepest useful trace level (1: camera rays alone)
 };
 

@@ -42,6 +42,9 @@ class Finder {
     for (const auto& object : m_parts.objects) look_at_object(*object);
     for (const Light& light : m_parts.lights) look_at_light(light);
     m_needs.sky_sphere = m_parts.sky_sphere && !m_parts.sky_sphere->pigments.empty();
+    m_needs.atmosphere = !m_parts.atmosphere.is_empty();
+    // Air is where no solid is.
+    if (m_needs.atmosphere) m_needs.interiors = true;
     if (m_parts.settings.atmosphere_ior != 1.0 && m_needs.transparency) m_needs.refraction = true;
     m_needs.greatest_depth = m_needs.reflection || m_needs.transparency
                                  ? std::max(1, m_parts.settings.max_trace_level)
@@ -133,7 +136,8 @@ Needs everything_needed(Needs found, const SceneSettings& settings) {
         &Needs::transparent_shadows, &Needs::refraction, &Needs::interiors, &Needs::reflection,
         &Needs::layered_textures, &Needs::textures_by_place, &Needs::interior_textures,
         &Needs::highlights, &Needs::area_lights, &Needs::spot_lights, &Needs::fading_lights,
-        &Needs::shadowless_lights, &Needs::visibility_flags, &Needs::sky_sphere}) {
+        &Needs::shadowless_lights, &Needs::visibility_flags, &Needs::sky_sphere,
+        &Needs::atmosphere}) {
     all.*feature = true;
   }
   all.greatest_depth = std::max(1, settings.max_trace_level);

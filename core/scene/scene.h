@@ -12,6 +12,7 @@
 #include "core/light/light.h"
 #include "core/material/interior.h"
 #include "core/material/texture.h"
+#include "core/scene/atmosphere.h"
 #include "core/scene/needs.h"
 
 namespace lentray::core {
@@ -45,6 +46,7 @@ struct SceneParts {
   std::vector<std::unique_ptr<Object>> objects;      ///< the top level, in scene order
   std::vector<Light> lights;
   std::unique_ptr<SkySphere> sky_sphere;             ///< null: none
+  Atmosphere atmosphere;
   std::vector<std::shared_ptr<const Texture>> textures;    ///< owners of what Attributes point at
   std::vector<std::shared_ptr<const Interior>> interiors;
   std::vector<std::string> not_rendered;             ///< features parsed and kept but not rendered yet
@@ -68,6 +70,7 @@ class Scene {
   const SceneSettings& settings() const { return m_parts.settings; }
   const std::vector<Light>& lights() const { return m_parts.lights; }
   const SkySphere* sky_sphere() const { return m_parts.sky_sphere.get(); }
+  const Atmosphere& atmosphere() const { return m_parts.atmosphere; }
   const Hierarchy& hierarchy() const { return *m_hierarchy; }
   /// Of that light, or null: the hierarchy answers for it.
   const LightBuffer* light_buffer(std::size_t light) const { return m_light_buffers[light].get(); }

@@ -19,6 +19,8 @@ CameraRequest camera_request(const CameraDesc& camera) {
   request.kind = camera_kind_name(camera.kind);
   request.projection = {camera.location, camera.direction, camera.right, camera.up, std::nullopt};
   if (camera.has_look_at) request.projection.look_at_distance = camera.look_at_distance();
+  request.cylinder_type = camera.cylinder_type;
+  request.angles = {camera.angle, camera.horizontal_angle, camera.vertical_angle};
   if (camera.kind != CameraKind::kLenticular) return request;
   const LensDesc& lens = camera.lens;
   request.lens.pitch = lens.pitch;

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "camera/curved.h"
 #include "camera/lens_request.h"
 #include "camera/projection.h"
 #include "parser/descriptions/camera.h"
@@ -13,6 +14,8 @@ namespace lentray::parser {
 struct CameraRequest {
   std::string kind;               ///< SDL's word
   camera::Projection projection;
+  camera::CurvedAngles angles;    ///< of the kinds whose picture is not flat
+  int cylinder_type = 0;          ///< 1..4
   camera::LensRequest lens;       ///< of `lenticular`, empty otherwise
 };
 

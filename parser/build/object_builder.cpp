@@ -1,8 +1,14 @@
 #include "parser/build/object_builder.h"
 
+#include <algorithm>
+
 #include "core/geometry/box.h"
+#include "core/geometry/prism.h"
+#include "core/material/blob_texture.h"
+#include "parser/build/blob_fields.h"
 #include "parser/build/lights.h"
 #include "parser/build/shapes.h"
+#include "parser/build/text_shape.h"
 
 namespace lentray::parser {
 namespace {
@@ -21,6 +27,15 @@ core::CsgKind csg_kind(CsgOperation operation) {
 bool is_plain_union(const ObjectDesc& object) {
   const CsgShape* csg = object.csg();
   return csg && (csg->operation == CsgOperation::kUnion || csg->operation == CsgOperation::kLightGroup);
+}
+
+/// The function that makes the shape; null if none does.
+const FunctionDesc* function_of(const ObjectDesc& object) {
+  if (const auto* field = std::get_if<HeightFieldShape>(&object.shape)) return field->function.get();
+  if (const auto* surface = std::get_if<IsosurfaceShape>(&object.shape)) {
+    return surface->function.get();
+  }
+  return nullptr;
 }
 
 double volume(const core::Bounds& b) {
@@ -160,7 +175,11 @@ std::unique_ptr<core::Object> ObjectBuilder::build(const ObjectDesc& object, con
   }
   if (!out) return nullptr;
   out->set_attributes(attributes(looks));
-  const bool cheap = !csg && !std::holds_alternative<QuadricShape>(object.shape);
+  if (const auto* blob = std::get_if<std::shared_ptr<const BlobShape>>(&object.shape)) {
+    add_element_textures(**blob, to_world, *out);
+  }
+  const bool cheap = !csg && !std::holds_alternative<QuadricShape>(object.shape) &&
+                     !std::holds_alternative<PolyShape>(object.shape);
   set_regions(object, outer, !(from.on_list && cheap), *out);
   if (object.inverse) out->set_inverse(true);
   return out;
@@ -187,7 +206,18 @@ std::unique_ptr<core::Object> ObjectBuilder::build_csg(const ObjectDesc& object,
 
 std::unique_ptr<core::Object> ObjectBuilder::build_leaf(const ObjectDesc& object,
                                                         const core::Transform& to_world,
-                                                        const Inherited&) {
+                                                        const Inherited& looks) {
+  if (const auto* text = std::get_if<TextShape>(&object.shape)) {
+    return build_text(*text, to_world, looks);
+  }
+  if (const FunctionDesc* function = function_of(object)) {
+    // What is not evaluated yet is 0: the shape would be no likeness.
+    const std::string missing = function->function->not_yet();
+    if (!missing.empty()) {
+      note(missing, object.where);
+      return nullptr;
+    }
+  }
   std::unique_ptr<core::Shape> shape;
   if (const auto* mesh = std::get_if<std::shared_ptr<const MeshShape>>(&object.shape)) {
     std::unique_ptr<core::Mesh> made = build_mesh(object);
@@ -206,6 +236,45 @@ std::unique_ptr<core::Object> ObjectBuilder::build_leaf(const ObjectDesc& object
     return nullptr;
   }
   return std::make_unique<core::Leaf>(std::move(shape), to_world);
+}
+
+/// The textures of a blob's elements, mixed; those without have the blob's.
+void ObjectBuilder::add_element_textures(const BlobShape& blob, const core::Transform& to_world,
+                                         core::Object& out) {
+  const bool has_any = std::any_of(blob.elements.begin(), blob.elements.end(),
+                                   [](const BlobElement& e) { return e.texture != nullptr; });
+  if (!m_parts || !has_any) return;
+  core::Attributes looks = out.attributes();
+  const std::shared_ptr<const core::Texture> own(std::shared_ptr<void>(), looks.texture);
+  const std::vector<core::BlobField> fields = blob_fields(blob);
+  std::vector<core::BlobTexture::Element> elements;
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    core::BlobField field = fields[i];
+    field.to_blob = field.to_blob.then(to_world);
+    const Ref<TextureDesc>& texture = blob.elements[i].texture;
+    elements.push_back({field, texture ? m_textures->texture(moved(texture, to_world), m_default)
+                                       : own});
+  }
+  const auto mixed = std::make_shared<const core::BlobTexture>(std::move(elements));
+  m_parts->textures.push_back(mixed);
+  looks.texture = mixed.get();
+  out.set_attributes(looks);
+}
+
+/// A union of its glyphs.
+std::unique_ptr<core::Object> ObjectBuilder::build_text(const TextShape& text,
+                                                        const core::Transform& to_world,
+                                                        const Inherited& looks) {
+  std::vector<std::unique_ptr<core::Object>> glyphs;
+  for (const PlacedGlyph& glyph : layout_text(text)) {
+    auto shape = std::make_unique<core::Prism>("text", glyph.outline, core::Prism::Sweep::kAlongZ,
+                                               0.0, text.thickness, false);
+    glyphs.push_back(std::make_unique<core::Leaf>(
+        std::move(shape), core::Transform::translation(glyph.offset).then(to_world)));
+    glyphs.back()->set_attributes(attributes(looks));
+  }
+  if (glyphs.empty()) return nullptr;
+  return std::make_unique<core::Csg>(core::CsgKind::kUnion, std::move(glyphs));
 }
 
 void ObjectBuilder::add_light(const ObjectDesc& object, const LightDesc& light,

@@ -51,6 +51,10 @@ class ObjectBuilder {
                                           const core::Transform& to_world, const Inherited& looks);
   std::unique_ptr<core::Object> build_leaf(const ObjectDesc& object, const core::Transform& to_world,
                                            const Inherited& looks);
+  void add_element_textures(const BlobShape& blob, const core::Transform& to_world,
+                            core::Object& out);
+  std::unique_ptr<core::Object> build_text(const TextShape& text, const core::Transform& to_world,
+                                           const Inherited& looks);
   void add_light(const ObjectDesc& object, const LightDesc& light, const core::Transform& to_world,
                  const Inherited& from);
   Inherited resolve(const ObjectDesc& object, const core::Transform& outer, const Inherited& from);

@@ -135,6 +135,15 @@ std::vector<std::uint8_t> palette_entries(const core::StoredImage& stored, const
   return entries;
 }
 
+}  // namespace
+
+std::vector<std::uint8_t> palette_entries(const core::StoredImage& stored,
+                                          const std::string& path) {
+  return palette_entries(stored, read_palette(path));
+}
+
+namespace {
+
 /// Values of a function are kept in 16 bits, as in stock.
 float sixteen_bits(double value) {
   return static_cast<float>(std::floor(std::clamp(value, 0.0, 1.0) * 65535.0 + 0.5) / 65535.0);
@@ -189,7 +198,7 @@ std::shared_ptr<const core::Picture> PictureReader::read_file(const ImageDesc& i
   picture->width = static_cast<int>(stored.width);
   picture->height = static_cast<int>(stored.height);
   picture->has_alpha = stored.channels == 2 || stored.channels == 4;
-  picture->indices = palette_entries(stored, read_palette(image.path));
+  picture->indices = palette_entries(stored, image.path);
   picture->pixels.reserve(std::size_t{stored.width} * stored.height);
   for (std::uint32_t row = 0; row < stored.height; ++row) {
     for (std::uint32_t column = 0; column < stored.width; ++column) {

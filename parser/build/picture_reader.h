@@ -8,6 +8,7 @@
 #include <set>
 #include <string>
 
+#include "core/image/reader.h"
 #include "core/material/picture.h"
 #include "parser/build/texture_compiler.h"
 #include "parser/descriptions/pattern.h"
@@ -32,5 +33,8 @@ class PictureReader {
   std::set<std::string>& m_not_yet;
   std::map<std::string, std::shared_ptr<const core::Picture>> m_files;  ///< by path and decoding
 };
+
+/// The palette entry of each pixel of a PNG or GIF, rows from the top; empty if it has no palette.
+std::vector<std::uint8_t> palette_entries(const core::StoredImage& stored, const std::string& path);
 
 }  // namespace lentray::parser

@@ -1,9 +1,12 @@
 #include "parser/build/scene.h"
 
+#include "parser/build/atmosphere.h"
 #include "parser/build/object_builder.h"
 
 namespace lentray::parser {
 namespace {
+
+constexpr int kAirQuality = 9;
 
 core::SceneSettings build_settings(const SceneDesc& scene) {
   core::SceneSettings s;
@@ -51,8 +54,6 @@ void note_missing(const SceneDesc& scene, NotYet& not_yet) {
            g.photons->gather_max > 0,
        "photons", g.where);
   note(g.subsurface.has_value(), "subsurface", g.where);
-  for (const FogDesc& fog : scene.fogs) note(fog.distance != 0.0, "fog", fog.where);
-  for (const RainbowDesc& rainbow : scene.rainbows) note(true, "rainbow", rainbow.where);
   note(!scene.atmosphere_media.empty(), "media", g.where);
   if (!scene.camera) return;
   const CameraDesc& camera = *scene.camera;
@@ -87,12 +88,16 @@ core::SceneParts build_scene(const SceneDesc& scene, Diagnostics& diagnostics,
   parts.settings = build_settings(scene);
   warn_about_gamma(scene, diagnostics);
 
-  TextureCompiler textures(texture_settings(scene, parts.settings, options));
+  const TextureSettings for_textures = texture_settings(scene, parts.settings, options);
+  TextureCompiler textures(for_textures);
 
   NotYet not_yet;
   ObjectBuilder builder(parts, textures, not_yet);
   for (const SceneObject& object : scene.objects) builder.add(*object.object, object.default_texture);
   if (scene.sky_sphere) parts.sky_sphere = build_sky(*scene.sky_sphere, textures);
+  if (options.quality >= kAirQuality) {
+    parts.atmosphere = build_atmosphere(scene, for_textures.noise_generator);
+  }
   note_missing(scene, not_yet);
   for (const std::string& feature : textures.not_yet()) not_yet.try_emplace(feature, Location{});
 

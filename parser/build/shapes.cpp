@@ -1,17 +1,30 @@
 #include "parser/build/shapes.h"
 
+#include <algorithm>
+
+#include "core/geometry/bicubic_patch.h"
+#include "core/geometry/blob.h"
 #include "core/geometry/box.h"
 #include "core/geometry/cone.h"
 #include "core/geometry/cylinder.h"
 #include "core/geometry/disc.h"
 #include "core/geometry/plane.h"
+#include "core/geometry/height_field.h"
+#include "core/geometry/isosurface.h"
+#include "core/geometry/lathe.h"
+#include "core/geometry/poly.h"
 #include "core/geometry/polygon.h"
+#include "core/geometry/prism.h"
 #include "core/geometry/quadric.h"
 #include "core/geometry/smooth_triangle.h"
 #include "core/geometry/sphere.h"
+#include "core/geometry/superellipsoid.h"
 #include "core/geometry/torus.h"
 #include "core/geometry/triangle.h"
 #include "core/geometry/triangle_mesh.h"
+#include "parser/build/blob_fields.h"
+#include "parser/build/height_grid.h"
+#include "parser/build/spline_pieces.h"
 
 namespace lentray::parser {
 namespace {
@@ -77,6 +90,56 @@ struct ShapeMaker {
   }
   ShapePointer operator()(const QuadricShape& s) const {
     return std::make_unique<core::Quadric>(s.c);
+  }
+  ShapePointer operator()(const HeightFieldShape& s) const {
+    return std::make_unique<core::HeightField>(build_height_grid(s), s.water_level);
+  }
+  ShapePointer operator()(const std::shared_ptr<const BicubicPatchShape>& s) const {
+    return std::make_unique<core::BicubicPatch>(s->points, s->u_steps, s->v_steps);
+  }
+  ShapePointer operator()(const std::shared_ptr<const BlobShape>& s) const {
+    return std::make_unique<core::Blob>(s->threshold, blob_fields(*s));
+  }
+  ShapePointer operator()(const IsosurfaceShape& s) const {
+    constexpr int kMostSurfaces = 10;
+    core::IsosurfaceSettings set;
+    set.function = s.function->function;
+    set.in_sphere = s.container.sphere;
+    for (int i = 0; i < 3; ++i) {
+      set.lo[i] = std::min(s.container.a[i], s.container.b[i]);
+      set.hi[i] = std::max(s.container.a[i], s.container.b[i]);
+    }
+    set.centre = s.container.a;
+    set.radius = s.container.radius;
+    set.threshold = s.threshold;
+    set.accuracy = s.accuracy;
+    set.max_gradient = s.max_gradient;
+    if (s.evaluate) {
+      set.evaluates = true;
+      set.max_gradient = (*s.evaluate)[0];
+      set.growth = (*s.evaluate)[1];
+      set.shrinking = (*s.evaluate)[2];
+    }
+    set.max_trace = s.all_intersections ? kMostSurfaces : s.max_trace;
+    set.open = s.open;
+    return std::make_unique<core::Isosurface>(std::move(set));
+  }
+  ShapePointer operator()(const LatheShape& s) const {
+    return std::make_unique<core::Lathe>(spline_pieces(s.spline, s.points, false));
+  }
+  ShapePointer operator()(const PolyShape& s) const {
+    const std::string_view name = s.order == 3 ? "cubic" : s.order == 4 ? "quartic" : "poly";
+    return std::make_unique<core::Poly>(name, s.order, s.coefficients);
+  }
+  ShapePointer operator()(const SuperellipsoidShape& s) const {
+    return std::make_unique<core::Superellipsoid>(s.e, s.n);
+  }
+  ShapePointer operator()(const PrismShape& s) const {
+    auto outline = std::make_shared<core::Outline>(spline_pieces(s.spline, s.points, true));
+    using Sweep = core::Prism::Sweep;
+    return std::make_unique<core::Prism>("prism", std::move(outline),
+                                         s.conic_sweep ? Sweep::kConic : Sweep::kAlongY, s.height1,
+                                         s.height2, s.open);
   }
   ShapePointer operator()(const std::shared_ptr<const MeshShape>&) const { return build_mesh(object); }
   /// Everything else is kept for later.

@@ -2,6 +2,7 @@
 // Source: reference manual 3.7, "Atmospheric Effects".
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "core/base/color.h"
@@ -12,7 +13,6 @@
 
 namespace lentray::parser {
 
-/// Kept; rendered later.
 struct FogDesc {
   Location where;
   int type = 1;                        ///< 1 constant, 2 ground
@@ -27,12 +27,12 @@ struct FogDesc {
   core::Transform transform;
 };
 
-/// Kept; rendered later.
 struct RainbowDesc {
   Location where;
   core::Vec3 direction, up{0.0, 1.0, 0.0};
-  double angle = 0.0, width = 0.0, distance = 0.0, jitter = 0.0;  ///< angles in degrees
-  double arc_angle = 180.0, falloff_angle = 180.0;
+  double angle = 0.0, width = 0.0, distance = 1e7, jitter = 0.0;  ///< angles in degrees
+  double arc_angle = 360.0;
+  std::optional<double> falloff_angle;  ///< unset: the arc does not fade
   Ref<ColourMapDesc> colour_map;
 };
 

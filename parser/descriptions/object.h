@@ -142,8 +142,7 @@ struct SphereSweepShape {
 };
 struct SuperellipsoidShape { double e = 1.0, n = 1.0; };
 struct TextShape {
-  std::string font, text;
-  int internal_font = 0;               ///< 1..4 with `internal`
+  std::string font, text;              ///< path of the font's file
   double thickness = 1.0;
   Vec3 offset;
 };

@@ -214,9 +214,10 @@ ShapeDesc parse_height_field(Parser& parser, Context&) {
     }
     const Location where = parser.location();
     s.file = parser.parse_string();
-    if (!parser.find_file(s.file)) {
-      parser.fail_at(where, "Cannot find the height_field's file \"" + s.file + "\".");
-    }
+    auto path = parser.find_file(s.file);
+    if (!path && !s.file_type.empty()) path = parser.find_file(s.file + "." + s.file_type);
+    if (!path) parser.fail_at(where, "Cannot find the height_field's file \"" + s.file + "\".");
+    s.file = *path;
   }
   while (true) {
     if (parser.accept(Keyword::kGamma)) {
@@ -450,11 +451,17 @@ ShapeDesc parse_superellipsoid(Parser& parser, Context&) {
 ShapeDesc parse_text(Parser& parser, Context&) {
   TextShape s;
   if (parser.accept(Keyword::kInternal)) {
-    s.internal_font = parser.parse_int();
+    static constexpr std::array kFonts{"povlogo.ttf", "timrom.ttf", "cyrvetic.ttf", "crystal.ttf"};
+    const int number = parser.parse_int();
+    s.font = kFonts[number >= 0 && number < 4 ? static_cast<std::size_t>(number) : 0];
   } else {
     if (!parser.accept(Keyword::kTtf)) parser.fail_expected("ttf or internal");
     s.font = parser.parse_string();
   }
+  auto path = parser.find_file(s.font);
+  if (!path) path = parser.find_file(s.font + ".ttf");
+  if (!path) parser.fail("Cannot find the font file \"" + s.font + "\".");
+  s.font = *path;
   parser.parse_comma();
   s.text = parser.parse_string();
   parser.parse_comma();

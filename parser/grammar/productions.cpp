@@ -63,9 +63,8 @@ void Grammar::extent(const ObjectDesc& object, core::Vec3& lo, core::Vec3& hi) {
   query(object).extent(lo, hi);
 }
 
-Value Grammar::pigment_function(Parser& parser) {
-  parser.expect(Keyword::kPigment);
-  return Value(parse_pigment(parser, m_context.materials));
+Ref<FunctionDesc> Grammar::pattern_function(Parser& parser) {
+  return parse_pattern_function(parser, m_context.materials);
 }
 
 }  // namespace lentray::parser

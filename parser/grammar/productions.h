@@ -19,7 +19,7 @@ class Grammar final : public Productions {
   bool trace(const ObjectDesc& object, const core::Vec3& origin, const core::Vec3& direction,
              core::Vec3& point, core::Vec3& normal) override;
   void extent(const ObjectDesc& object, core::Vec3& lo, core::Vec3& hi) override;
-  Value pigment_function(Parser& parser) override;
+  Ref<FunctionDesc> pattern_function(Parser& parser) override;
 
  private:
   ObjectQuery query(const ObjectDesc& object);

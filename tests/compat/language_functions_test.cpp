@@ -31,6 +31,18 @@ TEST(CompatFunctions, ParametersOfAnyName) {
                       {number("f(1,2,3)"), number("g(5,3)"), number("h(4,5,6)")});
 }
 
+TEST(CompatFunctions, OfPatternsAndPigments) {
+  expect_same_strings(
+      "#version 3.7;\n"
+      "#declare P = function { pattern { bozo scale .7 turbulence .2 } }\n"
+      "#declare Q = function { pattern { gradient x sine_wave rotate 20*z } }\n"
+      "#declare R = function { pigment { crackle color_map { [0 rgb <1,.5,.2>] [1 rgbt <0,.3,.9,.4>] } } }\n"
+      "#declare S = function(a) { P(a, a*2, 1) + 2*Q(a, 0, 0) + R(a, a, a).green }\n",
+      {number("P(.3,.4,.5)"), number("Q(.3,.4,.5)"), number("R(.3,.4,.5).red"),
+       number("R(1.3,2.4,.5).blue"), number("R(1.3,2.4,.5).transmit"), number("R(.3,.2,.1).gray"),
+       number("S(.77)")});
+}
+
 TEST(CompatFunctions, Internal) {
   std::vector<std::string> all;
   for (const char* e : {"f_sphere(1,2,3,0.5)", "f_r(1,2,3)", "f_th(1,2,3)", "f_ph(1,2,3)", "f_torus(1,.2,3,2,.5)",
@@ -38,6 +50,9 @@ TEST(CompatFunctions, Internal) {
                         "f_paraboloid(1,2,.3,1)", "f_pillow(.3,.4,.5,1)", "f_helix1(1,2,.3,2,3,.2,1,1,1,0)",
                         "f_helix1(1,2,.3,2,3,.2,1,.8,.5,30)", "f_spiral(1,.2,3,.8,.1,3,.5,.1,1)",
                         "f_spiral(1,.2,3,.8,.1,3,.5,.1,.5)", "f_hex_x(1,2,3,0)", "f_hex_y(1.4,.2,3,0)",
+                        "f_noise3d(.3,1.4,2.5)", "f_noise_generator(.3,1.4,2.5,1)",
+                        "f_noise_generator(.3,1.4,2.5,3)", "f_ridge(.3,.4,.5,2,4.5,.6,.4,.3,2)",
+                        "f_ridged_mf(.3,.4,.5,.8,2.1,5,.9,2,3)", "f_hetero_mf(.3,.4,.5,.8,2.1,5.5,.7,2,2)",
                         "f_hex_x(.2,4.1,0,0)", "f_hex_y(-.8,1,0,0)"}) {
     all.push_back(number(e));
   }

@@ -88,6 +88,15 @@ TEST_F(ImageProgram, DefaultNameAndFolders) {
   EXPECT_FALSE(exists("scene.png"));
 }
 
+TEST(ImageProgramStill, IsNoFrameOfAnAnimation) {
+  const SceneText scene{.sdl = "#version 3.7; global_settings { assumed_gamma 1 }\n"
+                               "camera { location -5*z } light_source { -9*z, 1 }\n"
+                               "sphere { <frame_number, clock_on, 0>, 1 pigment { rgb <1,.5,.2> } }",
+                        .arguments = {},
+                        .files = {}};
+  EXPECT_TRUE(same_as_stock(scene, Grade::exact));
+}
+
 TEST_F(ImageProgram, StandardInputAndOutput) {
   ASSERT_EQ(lentray({"scene.pov", "+W16", "+H12", "-V", "+Ofile.png"}).status, 0);
   const auto result =

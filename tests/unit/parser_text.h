@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/function/node.h"
 #include "parser/parser.h"
 #include "tools/lentray-diff/process.h"
 
@@ -37,10 +38,12 @@ class NoProductions final : public parser::Productions {
     lo = {-1, -2, -3};
     hi = {1, 2, 3};
   }
-  parser::Value pigment_function(parser::Parser& parser) override {
+  parser::Ref<parser::FunctionDesc> pattern_function(parser::Parser& parser) override {
     parser.next();
     skip_block(parser);
-    return parser::Ref<parser::PigmentDesc>();
+    auto desc = std::make_shared<parser::FunctionDesc>();
+    desc->function = core::compile_function(*core::constant_node(0.5), 3, 0);
+    return desc;
   }
 
  private:

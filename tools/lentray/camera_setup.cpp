@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "camera/conversion.h"
+#include "camera/curved.h"
 #include "camera/orthographic.h"
 #include "camera/perspective.h"
 
@@ -44,8 +45,11 @@ std::unique_ptr<camera::Camera> make_ordinary(const parser::CameraRequest& reque
   if (request.kind == "orthographic") {
     return std::make_unique<camera::Orthographic>(request.projection, width, height);
   }
-  throw camera::CameraError("the camera kind `" + request.kind +
-                            "`: not yet (there are perspective, orthographic, lenticular)");
+  if (const auto kind = camera::curved_kind(request.kind, request.cylinder_type)) {
+    return std::make_unique<camera::Curved>(*kind, request.projection, request.angles, width,
+                                            height);
+  }
+  throw camera::CameraError("the camera kind `" + request.kind + "`: not yet");
 }
 
 }  // namespace

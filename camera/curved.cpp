@@ -1,0 +1,156 @@
+#include "camera/curved.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "core/base/transform.h"
+
+namespace lentray::camera {
+namespace {
+
+using core::Vec3;
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kRadians = kPi / 180.0;
+
+bool keeps_lengths(CurvedKind kind) {
+  return kind == CurvedKind::kPanoramic || kind == CurvedKind::kSpherical;
+}
+
+}  // namespace
+
+Curved::Curved(CurvedKind kind, const Projection& projection, const CurvedAngles& angles,
+               std::uint32_t width, std::uint32_t height)
+    : m_kind(kind),
+      m_projection(projection),
+      m_angles(angles),
+      m_wide(length(projection.right)),
+      m_high(length(projection.up)),
+      m_width(width),
+      m_height(height) {
+  if (keeps_lengths(kind)) return;
+  m_projection.right = normalized(m_projection.right);
+  m_projection.up = normalized(m_projection.up);
+  m_projection.direction = normalized(m_projection.direction);
+}
+
+std::string_view Curved::name() const {
+  switch (m_kind) {
+    case CurvedKind::kFisheye: return "fisheye";
+    case CurvedKind::kUltraWideAngle: return "ultra_wide_angle";
+    case CurvedKind::kOmnimax: return "omnimax";
+    case CurvedKind::kPanoramic: return "panoramic";
+    case CurvedKind::kSpherical: return "spherical";
+    default: return "cylinder";
+  }
+}
+
+Vec3 Curved::frame(double right, double up, double direction) const {
+  return m_projection.right * right + m_projection.up * up + m_projection.direction * direction;
+}
+
+/// A direction `angle` off the axis, towards (x, y) of that radius.
+bool Curved::around(double radius, double x, double y, double angle, Vec3& direction) const {
+  const double cosine = radius > 0.0 ? x / radius : 1.0, sine = radius > 0.0 ? y / radius : 0.0;
+  direction = frame(cosine * std::sin(angle), sine * std::sin(angle), std::cos(angle));
+  return true;
+}
+
+bool Curved::fisheye(double x, double y, Vec3& direction) const {
+  x *= 2.0 * m_wide;
+  y *= 2.0 * m_high;
+  const double radius = std::sqrt(x * x + y * y);
+  if (radius > 1.0) return false;
+  return around(radius, x, y, 0.5 * radius * m_angles.angle * kRadians, direction);
+}
+
+bool Curved::omnimax(double x, double y, Vec3& direction) const {
+  constexpr double kFullAspect = 1.283458;  // of the whole dome
+  const double aspect = m_wide / m_high;
+  x *= 2.0;
+  y *= 2.0;
+  if (aspect > kFullAspect) {
+    x *= aspect / kFullAspect;
+    y = (y - 1.0) / kFullAspect + 1.0;
+  } else if (aspect > 1.0) {
+    y = (y - 1.0) / aspect + 1.0;
+  } else {
+    y /= aspect;
+  }
+  const double r = std::sqrt(x * x + y * y);
+  if (r > 1.0) return false;
+  const double angle = 1.411269 * r - 0.09439 * r * r * r + 0.25674 * r * r * r * r * r;
+  // The projector's dome ends 45 degrees below its axis.
+  const double up = (r > 0.0 ? y / r : 0.0) * std::sin(angle);
+  if (up < std::tan(135.0 * kRadians) * std::cos(angle)) return false;
+  return around(r, x, y, angle, direction);
+}
+
+Vec3 Curved::panoramic(double x, double y) const {
+  constexpr double kStraightUp = 1e10, kTiny = 1e-10;
+  const double along = (0.5 - x) * kPi, upwards = kPi * y;
+  double slope = std::tan(upwards);
+  if (std::fabs(0.5 * kPi - std::fabs(upwards)) < kTiny) slope = std::copysign(kStraightUp, upwards);
+  return frame(std::cos(along), slope, std::sin(along));
+}
+
+Vec3 Curved::spherical(double x, double y) const {
+  const auto turn = [](const Vec3& axis, double angle) {
+    return core::Transform::axis_rotation(axis, angle);
+  };
+  const Vec3 lifted = turn(m_projection.right, -y * m_angles.vertical * kRadians)
+                          .vector(m_projection.direction);
+  return turn(m_projection.up, x * m_angles.horizontal * kRadians).vector(lifted);
+}
+
+bool Curved::ray(double column, double row, core::Ray& ray) const {
+  const double x = column / m_width - 0.5, y = 0.5 - row / m_height;
+  const double a = x * m_angles.angle * kRadians, b = y * m_angles.angle * kRadians;
+  const Vec3& start = m_projection.location;
+  ray.origin = start;
+  Vec3 direction;
+  switch (m_kind) {
+    case CurvedKind::kFisheye:
+      if (!fisheye(x, y, direction)) return false;
+      break;
+    case CurvedKind::kOmnimax:
+      if (!omnimax(x, y, direction)) return false;
+      break;
+    case CurvedKind::kPanoramic: direction = panoramic(x, y); break;
+    case CurvedKind::kSpherical: direction = spherical(x, y); break;
+    case CurvedKind::kUltraWideAngle: {
+      const double up = b * m_high / m_wide;
+      direction = frame(std::sin(a), std::sin(up), std::cos(a) * std::cos(up));
+      break;
+    }
+    case CurvedKind::kCylinder1: direction = frame(std::sin(a), y * m_high, std::cos(a)); break;
+    case CurvedKind::kCylinder2: direction = frame(x * m_wide, std::sin(b), std::cos(b)); break;
+    case CurvedKind::kCylinder3:
+      direction = frame(std::sin(a), 0.0, std::cos(a));
+      ray.origin = start + m_projection.up * (y * m_high);
+      break;
+    case CurvedKind::kCylinder4:
+      direction = frame(0.0, std::sin(b), std::cos(b));
+      ray.origin = start + m_projection.right * (x * m_wide);
+      break;
+  }
+  ray.direction = normalized(direction);
+  return true;
+}
+
+std::optional<CurvedKind> curved_kind(std::string_view word, int cylinder_type) {
+  if (word == "fisheye") return CurvedKind::kFisheye;
+  if (word == "ultra_wide_angle") return CurvedKind::kUltraWideAngle;
+  if (word == "omnimax") return CurvedKind::kOmnimax;
+  if (word == "panoramic") return CurvedKind::kPanoramic;
+  if (word == "spherical") return CurvedKind::kSpherical;
+  if (word != "cylinder") return std::nullopt;
+  switch (cylinder_type) {
+    case 2: return CurvedKind::kCylinder2;
+    case 3: return CurvedKind::kCylinder3;
+    case 4: return CurvedKind::kCylinder4;
+    default: return CurvedKind::kCylinder1;
+  }
+}
+
+}  // namespace lentray::camera

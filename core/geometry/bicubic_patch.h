@@ -1,0 +1,43 @@
+// bicubic_patch: a Bezier patch as a net of 2^u_steps x 2^v_steps cells of two triangles, shaded by
+// normals between those of their corners. `flatness`, which saves stock triangles, is not used.
+// Space: object.
+// Source: reference manual 3.7, "Bicubic Patch"; compared with stock by image.shapes.
+#pragma once
+
+#include <array>
+#include <memory>
+
+#include "core/geometry/mesh.h"
+#include "core/geometry/shape.h"
+
+namespace lentray::core {
+
+class BicubicPatch final : public Shape {
+ public:
+  /// Rows of four points; steps 0 to 8.
+  BicubicPatch(const std::array<Vec3, 16>& points, int u_steps, int v_steps);
+
+  std::string_view name() const override { return "bicubic_patch"; }
+  Bounds bounds() const override { return m_net->bounds(); }
+  bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override {
+    return m_net->nearest(ray, t_min, t_max, hit);
+  }
+  void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override {
+    m_net->all(ray, t_min, t_max, hits);
+  }
+  bool inside(const Vec3&) const override { return false; }
+  bool outside(const Vec3&) const override { return false; }
+  bool is_solid() const override { return false; }
+  Vec3 normal(const Vec3& p, const ShapeHit& hit) const override { return m_net->normal(p, hit); }
+  bool has_uv() const override { return true; }
+  Vec2 uv(const Vec3& p, const ShapeHit& hit) const override;
+
+ private:
+  /// Place and slopes at (u, v), u along the rows' order, v along a row.
+  void evaluate(double u, double v, Vec3& place, Vec3& by_u, Vec3& by_v) const;
+
+  std::array<Vec3, 16> m_points;
+  std::unique_ptr<Mesh> m_net;  ///< its texture coordinates are u and v
+};
+
+}  // namespace lentray::core

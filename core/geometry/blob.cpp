@@ -1,0 +1,151 @@
+#include "core/geometry/blob.h"
+
+#include <algorithm>
+#include <boost/container/small_vector.hpp>
+#include <cmath>
+
+#include "core/geometry/bounds_help.h"
+#include "core/geometry/roots.h"
+
+namespace lentray::core {
+
+class Blob::Reaches : public boost::container::small_vector<Blob::Reach, 24> {};
+
+namespace {
+
+/// Keeps the part of [from, to] where p + t d lies between lo and hi.
+void clip(double p, double d, double lo, double hi, double& from, double& to) {
+  if (d == 0.0) {
+    if (p < lo || p > hi) to = from;
+    return;
+  }
+  const double a = (lo - p) / d, b = (hi - p) / d;
+  from = std::max(from, std::min(a, b));
+  to = std::min(to, std::max(a, b));
+}
+
+}  // namespace
+
+double BlobField::at(const Vec3& local) const {
+  const double along = std::clamp(local.z, 0.0, length);
+  const double z = local.z - along;
+  const double share = (local.x * local.x + local.y * local.y + z * z) / (radius * radius);
+  return share < 1.0 ? strength * (1.0 - share) * (1.0 - share) : 0.0;
+}
+
+Blob::Blob(double threshold, std::vector<BlobField> fields)
+    : m_threshold(threshold), m_fields(std::move(fields)) {
+  for (const BlobField& f : m_fields) {
+    const Bounds own{{-f.radius, -f.radius, -f.radius}, {f.radius, f.radius, f.length + f.radius}};
+    m_bounds.include(transformed(own, f.to_blob));
+  }
+}
+
+void Blob::find_reaches(const BlobField& field, const Ray& ray, Reaches& out) const {
+  const Vec3 p = field.to_blob.inverse_point(ray.origin);
+  const Vec3 d = field.to_blob.inverse_vector(ray.direction);
+  const double scale = 1.0 / (field.radius * field.radius);
+  const auto add = [&](double z, bool round, double lo, double hi) {
+    // Distance from the point at height z, or from the axis.
+    const double pz = round ? p.z - z : 0.0, dz = round ? d.z : 0.0;
+    const double q2 = (d.x * d.x + d.y * d.y + dz * dz) * scale;
+    const double q1 = 2.0 * (p.x * d.x + p.y * d.y + pz * dz) * scale;
+    const double q0 = (p.x * p.x + p.y * p.y + pz * pz) * scale;
+    double from = -Bounds::kInf, to = Bounds::kInf, roots[2];
+    if (q2 > 0.0) {
+      if (solve_quadratic(q2, q1, q0 - 1.0, roots) < 2) return;
+      from = roots[0];
+      to = roots[1];
+    } else if (q0 >= 1.0) {
+      return;
+    }
+    clip(p.z, d.z, lo, hi, from, to);
+    if (from < to) out.push_back({from, to, q2, q1, q0, field.strength});
+  };
+  if (field.length == 0.0) {
+    add(0.0, true, -Bounds::kInf, Bounds::kInf);
+    return;
+  }
+  add(0.0, true, -Bounds::kInf, 0.0);
+  add(0.0, false, 0.0, field.length);
+  add(field.length, true, field.length, Bounds::kInf);
+}
+
+template <class Visit>
+void Blob::crossings(const Ray& ray, double t_min, double t_max, Visit&& visit) const {
+  Reaches reaches;
+  for (const BlobField& field : m_fields) find_reaches(field, ray, reaches);
+  boost::container::small_vector<double, 48> ends;
+  for (const Reach& r : reaches) {
+    ends.push_back(r.from);
+    ends.push_back(r.to);
+  }
+  std::sort(ends.begin(), ends.end());
+  for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+    const double from = ends[i], to = ends[i + 1];
+    if (!(from < to) || to <= t_min || from >= t_max) continue;
+    // The sum of the fields here, counted from the middle: a quartic.
+    const double middle = 0.5 * (from + to);
+    double c[5] = {0.0, 0.0, 0.0, 0.0, -m_threshold};
+    bool any = false;
+    for (const Reach& r : reaches) {
+      if (!(r.from <= from && r.to >= to)) continue;
+      any = true;
+      const double a = r.q2, b = r.q1 + 2.0 * r.q2 * middle;
+      const double rest = 1.0 - (r.q0 + middle * (r.q1 + middle * r.q2));  // 1 - share there
+      c[0] += r.strength * a * a;
+      c[1] += r.strength * 2.0 * a * b;
+      c[2] += r.strength * (b * b - 2.0 * a * rest);
+      c[3] -= r.strength * 2.0 * b * rest;
+      c[4] += r.strength * rest * rest;
+    }
+    if (!any) continue;
+    double roots[4];
+    const int n = solve_between(c, 4, from - middle, to - middle, roots);
+    for (int k = 0; k < n; ++k) {
+      if (!visit(roots[k] + middle)) return;
+    }
+  }
+}
+
+bool Blob::nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const {
+  bool found = false;
+  crossings(ray, t_min, t_max, [&](double t) {
+    if (!(t > t_min)) return true;
+    if (t < t_max) {
+      hit = {t, 0, 0.0, 0.0};
+      found = true;
+    }
+    return false;
+  });
+  return found;
+}
+
+void Blob::all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const {
+  crossings(ray, t_min, t_max, [&](double t) {
+    if (t > t_min && t < t_max) hits.push_back({t, 0, 0.0, 0.0});
+    return t < t_max;
+  });
+}
+
+bool Blob::inside(const Vec3& p) const {
+  constexpr double kSlack = 1e-6;
+  double sum = 0.0;
+  for (const BlobField& field : m_fields) sum += field.at(field.to_blob.inverse_point(p));
+  return sum > m_threshold - kSlack;
+}
+
+Vec3 Blob::normal(const Vec3& p, const ShapeHit&) const {
+  Vec3 sum;
+  for (const BlobField& field : m_fields) {
+    Vec3 at = field.to_blob.inverse_point(p);
+    at.z -= std::clamp(at.z, 0.0, field.length);
+    const double share = length_squared(at) / (field.radius * field.radius);
+    if (share >= 1.0) continue;
+    const double steep = field.strength * (1.0 - share) / (field.radius * field.radius);
+    sum += field.to_blob.normal(at * steep);
+  }
+  return sum == Vec3{} ? Vec3{1, 0, 0} : sum;
+}
+
+}  // namespace lentray::core

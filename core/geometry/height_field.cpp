@@ -1,0 +1,218 @@
+#include "core/geometry/height_field.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/geometry/bounds_help.h"
+
+namespace lentray::core {
+namespace {
+
+constexpr double kFullHeight = 65536.0;
+constexpr double kMargin = 0.001;  ///< of the box above and below the heights
+
+/// The part of the ray within the box.
+bool clip(const Bounds& box, const Ray& ray, double& lo, double& hi) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const double p = ray.origin[axis], d = ray.direction[axis];
+    if (d == 0.0) {
+      if (p < box.lo[axis] || p > box.hi[axis]) return false;
+      continue;
+    }
+    const double a = (box.lo[axis] - p) / d, b = (box.hi[axis] - p) / d;
+    lo = std::max(lo, std::min(a, b));
+    hi = std::min(hi, std::max(a, b));
+  }
+  return lo <= hi;
+}
+
+/// Steps from cell to cell along one axis.
+struct Stepper {
+  int cell = 0, step = 0;
+  double next = Bounds::kInf, delta = Bounds::kInf;  ///< t of the next border, t from one to the next
+
+  Stepper(double p, double d, double from, int cells) {
+    cell = std::clamp(static_cast<int>(std::floor(p + d * from)), 0, cells - 1);
+    if (d == 0.0) return;
+    step = d > 0.0 ? 1 : -1;
+    delta = 1.0 / std::fabs(d);
+    next = (cell + (d > 0.0 ? 1 : 0) - p) / d;
+  }
+  void advance() {
+    cell += step;
+    next += delta;
+  }
+};
+
+}  // namespace
+
+HeightGrid::HeightGrid(int width, int depth, std::vector<std::uint16_t> heights, bool smooth)
+    : m_width(width), m_depth(depth), m_heights(std::move(heights)) {
+  for (const std::uint16_t height : m_heights) {
+    m_lowest = std::min(m_lowest, static_cast<double>(height));
+    m_highest = std::max(m_highest, static_cast<double>(height));
+  }
+  if (!smooth) return;
+  constexpr double kScale = 32767.0;
+  for (int z = 0; z < depth; ++z) {
+    for (int x = 0; x < width; ++x) {
+      const Vec3 n = mean_normal(x, z);
+      m_normals.push_back({static_cast<std::int16_t>(kScale * n.x),
+                           static_cast<std::int16_t>(kScale * n.y),
+                           static_cast<std::int16_t>(kScale * n.z)});
+    }
+  }
+}
+
+/// Of the four triangles between a corner and its neighbours along the grid's lines.
+Vec3 HeightGrid::mean_normal(int x, int z) const {
+  static constexpr int kAround[5][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 0}};
+  Vec3 sum;
+  for (int i = 0; i < 4; ++i) {
+    const int x1 = x + kAround[i][0], z1 = z + kAround[i][1];
+    const int x2 = x + kAround[i + 1][0], z2 = z + kAround[i + 1][1];
+    if (std::min({x1, x2, z1, z2}) < 0 || std::max(x1, x2) >= m_width ||
+        std::max(z1, z2) >= m_depth) {
+      continue;
+    }
+    const double y = height(x, z);
+    const Vec3 a(x2 - x, height(x2, z2) - y, z2 - z), b(x1 - x, height(x1, z1) - y, z1 - z);
+    const Vec3 n = normalized(cross(a, b));
+    sum += n.y < 0.0 ? -n : n;
+  }
+  return normalized(sum);
+}
+
+Vec3 HeightGrid::corner_normal(int x, int z) const {
+  const auto& n = m_normals[index(x, z)];
+  return {double(n[0]), double(n[1]), double(n[2])};
+}
+
+HeightField::HeightField(std::shared_ptr<const HeightGrid> grid, double water_level)
+    : m_grid(std::move(grid)) {
+  const double width = m_grid->width() - 1, depth = m_grid->depth() - 1;
+  m_box = {{0.0, std::max(m_grid->lowest(), kFullHeight * water_level) - kMargin, 0.0},
+           {width, m_grid->highest() + kMargin, depth}};
+  m_to_space = Transform::scaling({1.0 / width, 1.0 / kFullHeight, 1.0 / depth});
+}
+
+Bounds HeightField::bounds() const { return padded(transformed(m_box, m_to_space)); }
+
+std::unique_ptr<Shape> HeightField::baked(const Transform& t) const {
+  auto copy = std::make_unique<HeightField>(*this);
+  copy->m_to_space = m_to_space.then(t);
+  return copy;
+}
+
+template <class Visit>
+void HeightField::cell(int x, int z, const Ray& ray, double from, double to, Visit&& visit) const {
+  const double y1 = m_grid->height(x, z), y2 = m_grid->height(x + 1, z);
+  const double y3 = m_grid->height(x, z + 1), y4 = m_grid->height(x + 1, z + 1);
+  const double ya = ray.origin.y + from * ray.direction.y, yb = ray.origin.y + to * ray.direction.y;
+  // As wide as the heights' own rounding.
+  constexpr double kSlack = 1e-6;
+  if (std::max({y1, y2, y3, y4}) < std::min(ya, yb) - kSlack ||
+      std::min({y1, y2, y3, y4}) > std::max(ya, yb) + kSlack) {
+    return;
+  }
+  constexpr double kEdge = 1e-4;
+  const auto number = static_cast<std::uint32_t>(z) * static_cast<std::uint32_t>(m_grid->width()) +
+                      static_cast<std::uint32_t>(x);
+  const auto triangle = [&](const Vec3& n, const Vec3& corner, double outwards, std::uint32_t which) {
+    const double slope = dot(n, ray.direction);
+    if (slope == 0.0) return;
+    const double t = dot(n, corner - ray.origin) / slope;
+    const double u = outwards * (ray.origin.x + t * ray.direction.x - corner.x);
+    const double v = outwards * (ray.origin.z + t * ray.direction.z - corner.z);
+    if (u >= -kEdge && v >= -kEdge && u + v <= 1.0 + kEdge) visit(t, 2 * number + which);
+  };
+  triangle({y1 - y2, 1.0, y1 - y3}, {double(x), y1, double(z)}, 1.0, 0);
+  triangle({y3 - y4, 1.0, y2 - y4}, {double(x + 1), y4, double(z + 1)}, -1.0, 1);
+}
+
+template <class Visit, class GoOn>
+void HeightField::walk(const Ray& ray, double t_min, double t_max, Visit&& visit,
+                       GoOn&& go_on) const {
+  const Ray in_grid{m_to_space.inverse_point(ray.origin), m_to_space.inverse_vector(ray.direction)};
+  double lo = -Bounds::kInf, hi = Bounds::kInf;
+  if (!clip(m_box, in_grid, lo, hi)) return;
+  const double first = std::max(lo, t_min), last = std::min(hi, t_max);
+  if (!(first <= last)) return;
+  const int columns = m_grid->width() - 1, rows = m_grid->depth() - 1;
+  Stepper x(in_grid.origin.x, in_grid.direction.x, first, columns);
+  Stepper z(in_grid.origin.z, in_grid.direction.z, first, rows);
+  const auto within_box = [&](double t, std::uint32_t element) {
+    if (t >= lo && t <= hi && t > t_min && t < t_max) visit(t, element);
+  };
+  double from = first;
+  while (x.cell >= 0 && x.cell < columns && z.cell >= 0 && z.cell < rows) {
+    const double to = std::min({x.next, z.next, last});
+    cell(x.cell, z.cell, in_grid, from, to, within_box);
+    if (to >= last || !go_on(to)) return;
+    from = to;
+    (x.next < z.next ? x : z).advance();
+  }
+}
+
+bool HeightField::nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const {
+  double best = t_max;
+  const auto visit = [&](double t, std::uint32_t element) {
+    if (t >= best) return;
+    best = t;
+    hit = {t, element, 0.0, 0.0};
+  };
+  walk(ray, t_min, t_max, visit, [&](double to) { return to < best; });
+  return best < t_max;
+}
+
+void HeightField::all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const {
+  walk(
+      ray, t_min, t_max,
+      [&](double t, std::uint32_t element) { hits.push_back({t, element, 0.0, 0.0}); },
+      [](double) { return true; });
+}
+
+bool HeightField::inside(const Vec3& p) const {
+  const Vec3 at = m_to_space.inverse_point(p);
+  if (!(at.x >= 0.0 && at.x < m_box.hi.x && at.z >= 0.0 && at.z < m_box.hi.z)) return false;
+  if (at.y >= m_box.hi.y) return false;
+  const double water = m_box.lo.y;
+  if (at.y < water) return true;
+  const int x = static_cast<int>(at.x), z = static_cast<int>(at.z);
+  const double u = at.x - x, v = at.z - z;
+  const auto height = [&](int i, int j) { return std::max(m_grid->height(i, j), water); };
+  const double y2 = height(x + 1, z), y3 = height(x, z + 1);
+  if (u + v < 1.0) {
+    const double y1 = height(x, z);
+    return at.y < y1 + u * (y2 - y1) + v * (y3 - y1);
+  }
+  const double y4 = height(x + 1, z + 1);
+  return at.y < y4 + (1.0 - u) * (y3 - y4) + (1.0 - v) * (y2 - y4);
+}
+
+Vec3 HeightField::flat_normal(std::uint32_t element) const {
+  const int number = static_cast<int>(element / 2);
+  const int x = number % m_grid->width(), z = number / m_grid->width();
+  const double y2 = m_grid->height(x + 1, z), y3 = m_grid->height(x, z + 1);
+  if (element % 2 == 0) {
+    const double y1 = m_grid->height(x, z);
+    return {y1 - y2, 1.0, y1 - y3};
+  }
+  const double y4 = m_grid->height(x + 1, z + 1);
+  return {y3 - y4, 1.0, y2 - y4};
+}
+
+Vec3 HeightField::normal(const Vec3& p, const ShapeHit& hit) const {
+  if (!m_grid->is_smooth()) return m_to_space.normal(flat_normal(hit.element));
+  const Vec3 at = m_to_space.inverse_point(p);
+  const int x = std::clamp(static_cast<int>(at.x), 0, m_grid->width() - 2);
+  const int z = std::clamp(static_cast<int>(at.z), 0, m_grid->depth() - 2);
+  const double u = at.x - x, v = at.z - z;
+  const auto corner = [&](int i, int j) {
+    return normalized(m_to_space.normal(m_grid->corner_normal(i, j)));
+  };
+  return (corner(x, z) * (1.0 - u) + corner(x + 1, z) * u) * (1.0 - v) +
+         (corner(x, z + 1) * (1.0 - u) + corner(x + 1, z + 1) * u) * v;
+}
+
+}  // namespace lentray::core

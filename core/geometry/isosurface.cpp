@@ -1,0 +1,193 @@
+#include "core/geometry/isosurface.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/geometry/roots.h"
+
+namespace lentray::core {
+namespace {
+
+constexpr std::uint32_t kSurface = 0;  ///< element; 1 .. 6 are the box's sides, lower first
+constexpr double kSkin = 4.0;          ///< in accuracies: how far off the surface counts as on it
+constexpr double kStep = 5.0;          ///< in accuracies: how far beyond a surface the search goes on
+
+}  // namespace
+
+/// The function along a ray, positive on the side where the search stands.
+struct Isosurface::Search {
+  const Isosurface& surface;
+  const Ray& ray;
+  double speed;      ///< of the ray
+  double gradient;   ///< steepest that counts
+  double sign = 1.0;
+
+  double at(double t) const { return sign * surface.value(ray.at(t)); }
+
+  /// The first t in [from, to] where the function is below 0. `reach`: how much it can fall there.
+  bool find(double from, double f_from, double to, double f_to, double reach, double& t) {
+    const IsosurfaceSettings& set = surface.m_set;
+    const double span = to - from;
+    if (set.evaluates) {
+      const double slope = std::fabs(f_to - f_from) / (speed * span);
+      if (gradient < slope * set.growth) {
+        gradient = slope * set.growth * set.growth;
+        reach = gradient * speed * span;
+      }
+    }
+    if (span < set.accuracy) {
+      t = to;
+      return f_to < 0.0;
+    }
+    if (f_from + f_to - reach >= 0.0) return false;
+    const double middle = from + 0.5 * span, f_middle = at(middle);
+    return find(from, f_from, middle, f_middle, 0.5 * reach, t) ||
+           find(middle, f_middle, to, f_to, 0.5 * reach, t);
+  }
+
+  bool next(double from, double to, double& t) {
+    double f_from = at(from);
+    if (surface.m_set.open && f_from < 0.0) {
+      sign = -sign;
+      f_from = -f_from;
+    }
+    const double f_to = at(to);
+    const IsosurfaceSettings& set = surface.m_set;
+    if (set.evaluates && gradient > set.max_gradient) gradient *= set.shrinking;
+    return find(from, f_from, to, f_to, gradient * speed * (to - from), t);
+  }
+};
+
+Bounds Isosurface::bounds() const {
+  if (!m_set.in_sphere) return {m_set.lo, m_set.hi};
+  return {m_set.centre - Vec3(m_set.radius), m_set.centre + Vec3(m_set.radius)};
+}
+
+double Isosurface::value(const Vec3& p) const {
+  const std::array<double, 3> at{p.x, p.y, p.z};
+  return m_set.function->evaluate(at) - m_set.threshold;
+}
+
+bool Isosurface::through_container(const Ray& ray, double& from, double& to,
+                                   std::uint32_t& side_in, std::uint32_t& side_out) const {
+  side_in = side_out = kSurface;
+  if (m_set.in_sphere) {
+    const Vec3 p = ray.origin - m_set.centre;
+    double roots[2];
+    if (solve_quadratic(length_squared(ray.direction), 2.0 * dot(p, ray.direction),
+                        length_squared(p) - m_set.radius * m_set.radius, roots) < 2) {
+      return false;
+    }
+    from = roots[0];
+    to = roots[1];
+    return to > 0.0;
+  }
+  from = -Bounds::kInf;
+  to = Bounds::kInf;
+  for (std::uint32_t axis = 0; axis < 3; ++axis) {
+    const int i = static_cast<int>(axis);
+    const double p = ray.origin[i], d = ray.direction[i];
+    if (d == 0.0) {
+      if (p < m_set.lo[i] || p > m_set.hi[i]) return false;
+      continue;
+    }
+    const double low = (m_set.lo[i] - p) / d, high = (m_set.hi[i] - p) / d;
+    const std::uint32_t first = d > 0.0 ? 1 + 2 * axis : 2 + 2 * axis;
+    if (std::min(low, high) > from) {
+      from = std::min(low, high);
+      side_in = first;
+    }
+    if (std::max(low, high) < to) {
+      to = std::max(low, high);
+      side_out = 3 + 4 * axis - first;
+    }
+  }
+  return from < to && to > 0.0;
+}
+
+template <class Visit>
+void Isosurface::crossings(const Ray& ray, Visit&& visit) const {
+  double from, to;
+  std::uint32_t side_in, side_out;
+  if (!through_container(ray, from, to, side_in, side_out)) return;
+  from = std::max(from, 0.0);
+  if (to - from < m_set.accuracy) return;
+  Search search{*this, ray, length(ray.direction), m_set.max_gradient, 1.0};
+  const double skin = m_set.max_gradient * m_set.accuracy * kSkin;
+  const double beyond = m_set.accuracy * kStep;
+  int found = 0;
+  const auto begin_behind = [&] {
+    from = beyond;
+    if (value(ray.at(from)) < 0.0) search.sign = -1.0;
+  };
+  if (!m_set.open) {
+    const double f = value(ray.at(from));
+    if (from > m_set.accuracy) {
+      if (f < 0.0) {
+        visit(from, side_in);
+        ++found;
+        search.sign = -1.0;
+      }
+    } else {
+      // The ray starts within the container, perhaps on the surface.
+      if (f < skin) begin_behind();
+      if (value(ray.at(to)) < 0.0) visit(to, side_out);
+    }
+  }
+  if (from < m_set.accuracy && search.sign == 1.0 && std::fabs(value(ray.at(from))) < skin) {
+    begin_behind();
+  }
+  for (; found < m_set.max_trace && to - from >= m_set.accuracy; ++found) {
+    double t;
+    if (!search.next(from, to, t)) return;
+    visit(t, kSurface);
+    from = t + beyond;
+    search.sign = -search.sign;
+  }
+}
+
+bool Isosurface::nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const {
+  bool any = false;
+  crossings(ray, [&](double t, std::uint32_t element) {
+    if (!(t > t_min && t < t_max)) return;
+    hit = {t, element, 0.0, 0.0};
+    t_max = t;
+    any = true;
+  });
+  return any;
+}
+
+void Isosurface::all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const {
+  crossings(ray, [&](double t, std::uint32_t element) {
+    if (t > t_min && t < t_max) hits.push_back({t, element, 0.0, 0.0});
+  });
+}
+
+bool Isosurface::inside(const Vec3& p) const {
+  if (m_set.in_sphere) {
+    if (length_squared(p - m_set.centre) > m_set.radius * m_set.radius) return false;
+  } else if (!Bounds{m_set.lo, m_set.hi}.contains(p)) {
+    return false;
+  }
+  return !(value(p) > 0.0);
+}
+
+Vec3 Isosurface::normal(const Vec3& p, const ShapeHit& hit) const {
+  constexpr double kOnSphere = 1e-10;
+  if (hit.element != kSurface) {
+    Vec3 side;
+    side[static_cast<int>((hit.element - 1) / 2)] = hit.element % 2 == 1 ? -1.0 : 1.0;
+    return side;
+  }
+  if (m_set.in_sphere) {
+    const Vec3 out = p - m_set.centre;
+    if (std::fabs(length(out) - m_set.radius) < kOnSphere) return out;
+  }
+  const double here = value(p), step = m_set.accuracy;
+  const Vec3 slope{value(p + Vec3{step, 0, 0}) - here, value(p + Vec3{0, step, 0}) - here,
+                   value(p + Vec3{0, 0, step}) - here};
+  return slope == Vec3{} ? Vec3{1, 0, 0} : slope;
+}
+
+}  // namespace lentray::core

@@ -1,0 +1,138 @@
+#include "core/geometry/lathe.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/geometry/bounds_help.h"
+#include "core/geometry/roots.h"
+
+namespace lentray::core {
+namespace {
+
+/// A ray about the axis: counted from where it is nearest to it.
+struct AboutAxis {
+  double t_near = 0.0;     ///< there
+  double near2 = 0.0;      ///< square of the distance from the axis there
+  double height = 0.0;     ///< there
+  double across = 0.0;     ///< speed across the axis
+  double climb = 0.0;      ///< speed along it
+
+  explicit AboutAxis(const Ray& ray) : climb(ray.direction.y) {
+    const Vec3 &p = ray.origin, &d = ray.direction;
+    const double across2 = d.x * d.x + d.z * d.z;
+    across = std::sqrt(across2);
+    if (across2 > 0.0) t_near = -(p.x * d.x + p.z * d.z) / across2;
+    const double x = p.x + t_near * d.x, z = p.z + t_near * d.z;
+    near2 = x * x + z * z;
+    height = p.y + t_near * d.y;
+  }
+};
+
+/// Adds `by` times the square of the cubic p to c, highest power (6) first.
+void add_square(const double p[4], double by, double c[7]) {
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j < 4; ++j) c[i + j] += by * p[i] * p[j];
+  }
+}
+
+/// Places on the curve where the ray's hyperboloid meets it.
+int places(const CurvePiece& curve, const AboutAxis& ray, double s[6]) {
+  const double u[4] = {curve.a.u, curve.b.u, curve.c.u, curve.d.u};
+  const double v[4] = {curve.a.v, curve.b.v, curve.c.v, curve.d.v - ray.height};
+  double c[7] = {};
+  add_square(v, ray.across * ray.across, c);
+  add_square(u, -ray.climb * ray.climb, c);
+  c[6] += ray.climb * ray.climb * ray.near2;
+  return solve_between(c, 6, 0.0, 1.0, s);
+}
+
+}  // namespace
+
+Lathe::Lathe(std::vector<CurvePiece> pieces) {
+  for (const CurvePiece& curve : pieces) {
+    const Outline alone({curve});
+    const double widest = std::max(std::fabs(alone.lo().u), std::fabs(alone.hi().u));
+    m_pieces.push_back({curve, alone.lo().v, alone.hi().v, widest});
+  }
+}
+
+Bounds Lathe::bounds() const {
+  Bounds box;
+  for (const Piece& p : m_pieces) {
+    box.include(Vec3{-p.widest, p.low, -p.widest});
+    box.include(Vec3{p.widest, p.high, p.widest});
+  }
+  return padded(box);
+}
+
+template <class Visit>
+void Lathe::crossings(const Ray& ray, double t_min, double t_max, Visit&& visit) const {
+  constexpr double kSlack = 1e-9;
+  // Below this slope heights say little of t: distances from the axis do.
+  constexpr double kLevel = 0.02, kHorizontal = 1e-9;
+  const AboutAxis about(ray);
+  for (std::uint32_t i = 0; i < m_pieces.size(); ++i) {
+    const Piece& piece = m_pieces[i];
+    if (about.near2 > piece.widest * piece.widest * (1.0 + kSlack)) continue;
+    const double from = ray.origin.y + t_min * about.climb, to = ray.origin.y + t_max * about.climb;
+    const double margin = kSlack * (1.0 + piece.high - piece.low);
+    if (std::max(from, to) < piece.low - margin || std::min(from, to) > piece.high + margin) continue;
+    const bool horizontal = std::fabs(about.climb) <= kHorizontal * about.across;
+    double s[6];
+    const int n = horizontal ? line_crossings(piece.curve, 0.0, 1.0, -about.height, s)
+                             : places(piece.curve, about, s);
+    for (int k = 0; k < n; ++k) {
+      const Vec2 p = piece.curve.at(s[k]);
+      const double climbed = p.v - about.height;
+      if (std::fabs(about.climb) > kLevel * about.across) {
+        visit(about.t_near + climbed / about.climb, i, s[k]);
+        continue;
+      }
+      const double t = std::sqrt(std::max(0.0, p.u * p.u - about.near2)) / about.across;
+      const bool after = climbed * about.climb > 0.0;
+      if (horizontal || after) visit(about.t_near + t, i, s[k]);
+      if (horizontal || !after) visit(about.t_near - t, i, s[k]);
+    }
+  }
+}
+
+bool Lathe::nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const {
+  bool found = false;
+  crossings(ray, t_min, t_max, [&](double t, std::uint32_t piece, double s) {
+    if (!(t > t_min && t < t_max)) return;
+    hit = {t, piece, s, 0.0};
+    t_max = t;
+    found = true;
+  });
+  return found;
+}
+
+void Lathe::all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const {
+  crossings(ray, t_min, t_max, [&](double t, std::uint32_t piece, double s) {
+    if (t > t_min && t < t_max) hits.push_back({t, piece, s, 0.0});
+  });
+}
+
+bool Lathe::inside(const Vec3& p) const {
+  const double r = std::sqrt(p.x * p.x + p.z * p.z);
+  bool in = false;
+  for (const Piece& piece : m_pieces) {
+    if (p.y < piece.low || p.y > piece.high) continue;
+    double s[3];
+    const int n = line_crossings(piece.curve, 0.0, 1.0, -p.y, s);
+    for (int k = 0; k < n; ++k) {
+      if (piece.curve.at(s[k]).u >= r) in = !in;
+    }
+  }
+  return in;
+}
+
+Vec3 Lathe::normal(const Vec3& p, const ShapeHit& hit) const {
+  constexpr double kOnAxis = 1e-10;
+  const double r2 = p.x * p.x + p.z * p.z;
+  if (!(r2 > kOnAxis)) return {0.0, 1.0, 0.0};
+  const Vec2 slope = m_pieces[hit.element].curve.slope(hit.u);
+  return {slope.v * p.x, -slope.u * std::sqrt(r2), slope.v * p.z};
+}
+
+}  // namespace lentray::core

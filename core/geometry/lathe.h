@@ -1,0 +1,37 @@
+// lathe: curves of line, quadratic and cubic pieces turned about the y axis. Space: object; of the
+// pieces u is the distance from the axis, v the height.
+// Source: reference manual 3.7, "Lathe"; compared with stock by image.shapes.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/geometry/outline.h"
+#include "core/geometry/shape.h"
+
+namespace lentray::core {
+
+class Lathe final : public Shape {
+ public:
+  explicit Lathe(std::vector<CurvePiece> pieces);
+
+  std::string_view name() const override { return "lathe"; }
+  Bounds bounds() const override;
+  bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
+  void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
+  /// Between the curve and the axis, counted by crossings outwards.
+  bool inside(const Vec3& p) const override;
+  Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
+
+ private:
+  struct Piece {
+    CurvePiece curve;
+    double low, high, widest;  ///< heights, greatest distance from the axis
+  };
+  template <class Visit>
+  void crossings(const Ray& ray, double t_min, double t_max, Visit&& visit) const;
+
+  std::vector<Piece> m_pieces;
+};
+
+}  // namespace lentray::core

@@ -1,0 +1,146 @@
+#include "core/geometry/outline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/geometry/roots.h"
+
+namespace lentray::core {
+namespace {
+
+/// The root of a cubic in [lo, hi], at whose ends it has different signs.
+double root_between(const double f[4], double lo, double hi, bool lo_positive) {
+  constexpr int kMaxSteps = 80;
+  constexpr double kClose = 1e-16;
+  double x = 0.5 * (lo + hi);
+  for (int step = 0; step < kMaxSteps && hi - lo > kClose; ++step) {
+    const double y = ((f[0] * x + f[1]) * x + f[2]) * x + f[3];
+    const double slope = (3.0 * f[0] * x + 2.0 * f[1]) * x + f[2];
+    ((y > 0.0) == lo_positive ? lo : hi) = x;
+    double next = x - y / slope;
+    if (!(next >= lo && next <= hi)) next = 0.5 * (lo + hi);
+    const double change = std::fabs(next - x);
+    x = next;
+    if (change <= kClose) break;
+  }
+  return x;
+}
+
+double along(const Vec2& p, double a, double b, double c) { return a * p.u + b * p.v + c; }
+
+}  // namespace
+
+Vec2 CurvePiece::at(double s) const {
+  return {((a.u * s + b.u) * s + c.u) * s + d.u, ((a.v * s + b.v) * s + c.v) * s + d.v};
+}
+
+Vec2 CurvePiece::slope(double s) const {
+  return {(3.0 * a.u * s + 2.0 * b.u) * s + c.u, (3.0 * a.v * s + 2.0 * b.v) * s + c.v};
+}
+
+CurvePiece CurvePiece::line(const Vec2& from, const Vec2& to) {
+  return {{}, {}, {to.u - from.u, to.v - from.v}, from, to};
+}
+
+CurvePiece CurvePiece::conic(const Vec2& from, const Vec2& control, const Vec2& to) {
+  return {{},
+          {from.u - 2.0 * control.u + to.u, from.v - 2.0 * control.v + to.v},
+          {2.0 * (control.u - from.u), 2.0 * (control.v - from.v)},
+          from,
+          to};
+}
+
+CurvePiece CurvePiece::bezier(const Vec2& from, const Vec2& control1, const Vec2& control2,
+                              const Vec2& to) {
+  return {{to.u - from.u + 3.0 * (control1.u - control2.u),
+           to.v - from.v + 3.0 * (control1.v - control2.v)},
+          {3.0 * (from.u - 2.0 * control1.u + control2.u),
+           3.0 * (from.v - 2.0 * control1.v + control2.v)},
+          {3.0 * (control1.u - from.u), 3.0 * (control1.v - from.v)},
+          from,
+          to};
+}
+
+int line_crossings(const CurvePiece& piece, double a, double b, double c, double s[3]) {
+  const double f[4] = {a * piece.a.u + b * piece.a.v, a * piece.b.u + b * piece.b.v,
+                       a * piece.c.u + b * piece.c.v, along(piece.d, a, b, c)};
+  double turns[3];
+  int pieces = 0;
+  if (f[0] != 0.0 || f[1] != 0.0) {
+    double roots[2];
+    const int n = solve_quadratic(3.0 * f[0], 2.0 * f[1], f[2], roots);
+    for (int i = 0; i < n; ++i) {
+      if (roots[i] > 0.0 && roots[i] < 1.0) turns[pieces++] = roots[i];
+    }
+  }
+  turns[pieces++] = 1.0;
+  int count = 0;
+  double from = 0.0;
+  bool positive = f[3] > 0.0;
+  for (int i = 0; i < pieces; ++i) {
+    const double to = turns[i];
+    const double value =
+        i + 1 == pieces ? along(piece.end, a, b, c) : ((f[0] * to + f[1]) * to + f[2]) * to + f[3];
+    if ((value > 0.0) != positive) {
+      s[count++] = root_between(f, from, to, positive);
+      positive = !positive;
+    }
+    from = to;
+  }
+  return count;
+}
+
+Outline::Outline(std::vector<CurvePiece> pieces) : m_pieces(std::move(pieces)) {
+  constexpr double kInf = std::numeric_limits<double>::infinity();
+  m_lo = {kInf, kInf};
+  m_hi = {-kInf, -kInf};
+  for (const CurvePiece& piece : m_pieces) {
+    m_boxes.push_back(box_of(piece));
+    m_lo = {std::min(m_lo.u, m_boxes.back().lo.u), std::min(m_lo.v, m_boxes.back().lo.v)};
+    m_hi = {std::max(m_hi.u, m_boxes.back().hi.u), std::max(m_hi.v, m_boxes.back().hi.v)};
+  }
+}
+
+Outline::Box Outline::box_of(const CurvePiece& piece) {
+  Box box{{std::min(piece.d.u, piece.end.u), std::min(piece.d.v, piece.end.v)},
+          {std::max(piece.d.u, piece.end.u), std::max(piece.d.v, piece.end.v)}};
+  const auto include = [&](double a, double b, double c) {
+    double roots[2];
+    const int n = solve_quadratic(3.0 * a, 2.0 * b, c, roots);
+    for (int i = 0; i < n; ++i) {
+      if (!(roots[i] > 0.0 && roots[i] < 1.0)) continue;
+      const Vec2 p = piece.at(roots[i]);
+      box.lo = {std::min(box.lo.u, p.u), std::min(box.lo.v, p.v)};
+      box.hi = {std::max(box.hi.u, p.u), std::max(box.hi.v, p.v)};
+    }
+  };
+  include(piece.a.u, piece.b.u, piece.c.u);
+  include(piece.a.v, piece.b.v, piece.c.v);
+  return box;
+}
+
+bool Outline::contains(double u, double v) const {
+  if (!(u >= m_lo.u && u <= m_hi.u && v >= m_lo.v && v <= m_hi.v)) return false;
+  bool inside = false;
+  for (std::size_t i = 0; i < m_pieces.size(); ++i) {
+    const Box& box = m_boxes[i];
+    if (v < box.lo.v || v > box.hi.v || u > box.hi.u) continue;
+    double s[3];
+    const int n = line_crossings(m_pieces[i], 0.0, 1.0, -v, s);
+    for (int k = 0; k < n; ++k) {
+      if (m_pieces[i].at(s[k]).u > u) inside = !inside;
+    }
+  }
+  return inside;
+}
+
+bool Outline::may_cross(const Box& box, double a, double b, double c) {
+  constexpr double kSlack = 1e-12;
+  const double u = 0.5 * (box.lo.u + box.hi.u), v = 0.5 * (box.lo.v + box.hi.v);
+  const double reach = std::fabs(a) * (box.hi.u - u) + std::fabs(b) * (box.hi.v - v);
+  const double size = std::fabs(a * u) + std::fabs(b * v) + std::fabs(c);
+  return !(std::fabs(a * u + b * v + c) > reach + kSlack * size);
+}
+
+}  // namespace lentray::core

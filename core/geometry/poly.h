@@ -1,0 +1,39 @@
+// poly, cubic, quartic: surfaces of a polynomial of order 2 to 35 in x, y, z. Space: object.
+// Inside is where the polynomial is below 0.0001, as in stock.
+// Source: reference manual 3.7, "Poly, Cubic and Quartic"; compared with stock by image.shapes.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/geometry/shape.h"
+
+namespace lentray::core {
+
+class Poly final : public Shape {
+ public:
+  static constexpr int kMaxOrder = 35;
+  /// Coefficients in the order of the manual: powers of x fall slowest, those of z fastest.
+  Poly(std::string_view name, int order, const std::vector<double>& coefficients);
+
+  std::string_view name() const override { return m_name; }
+  Bounds bounds() const override { return Bounds::everything(); }
+  bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
+  void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
+  bool inside(const Vec3& p) const override;
+  Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
+
+ private:
+  struct Term {
+    double c;
+    int i, j, k;  ///< powers of x, y, z
+  };
+  int crossings(const Ray& ray, double t_min, double t_max, double* roots) const;
+  double value(const Vec3& p) const;
+
+  std::string_view m_name;
+  int m_order;
+  std::vector<Term> m_terms;
+};
+
+}  // namespace lentray::core

@@ -1,0 +1,49 @@
+// An outline swept through space: prism { ... } along y (straight or towards a point), and the
+// glyphs of text { ... } along z. Space: object.
+// Source: reference manual 3.7, "Prism", "Text"; compared with stock by image.shapes.
+#pragma once
+
+#include <memory>
+
+#include "core/geometry/outline.h"
+#include "core/geometry/shape.h"
+
+namespace lentray::core {
+
+class Prism final : public Shape {
+ public:
+  enum class Sweep {
+    kAlongY,  ///< u, v are x, z
+    kConic,   ///< the same, scaled by y: full size at y = 1, a point at y = 0
+    kAlongZ   ///< u, v are x, y
+  };
+  /// `name` lives as long as the program. `open` leaves the caps out.
+  Prism(std::string_view name, std::shared_ptr<const Outline> outline, Sweep sweep, double from,
+        double to, bool open);
+
+  std::string_view name() const override { return m_name; }
+  Bounds bounds() const override;
+  bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
+  void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
+  bool inside(const Vec3& p) const override;
+  Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
+
+ private:
+  /// Components along u, v and the sweep.
+  Vec3 swept(const Vec3& p) const {
+    return m_sweep == Sweep::kAlongZ ? p : Vec3{p.x, p.z, p.y};
+  }
+  bool contains(double u, double v, double height) const;
+  template <class Visit>
+  void crossings(const Ray& ray, Visit&& visit) const;
+  template <class Visit>
+  void walls(const Vec3& origin, const Vec3& direction, Visit&& visit) const;
+
+  std::string_view m_name;
+  std::shared_ptr<const Outline> m_outline;
+  Sweep m_sweep;
+  double m_from, m_to;
+  bool m_open;
+};
+
+}  // namespace lentray::core

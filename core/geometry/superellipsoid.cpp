@@ -1,0 +1,160 @@
+#include "core/geometry/superellipsoid.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/geometry/bracket.h"
+
+namespace lentray::core {
+namespace {
+
+/// (a^p + b^p)^(1/p) for a, b >= 0, without overflow.
+double norm(double a, double b, double p) {
+  const double high = std::max(a, b), low = std::min(a, b);
+  if (high == 0.0 || low == 0.0) return high;
+  return high * std::pow(1.0 + std::pow(low / high, p), 1.0 / p);
+}
+
+/// Where along the ray the surface may turn: the faces of the cube bound it, the planes of its
+/// symmetry part it.
+struct Stations {
+  std::array<double, 12> t;
+  int count = 0;
+  void add(double p, double d, double lo, double hi) {
+    if (d == 0.0) return;
+    const double at = -p / d;
+    if (at > lo && at < hi) t[count++] = at;
+  }
+};
+
+/// The part of the ray within the cube; false if it misses.
+bool clip_to_cube(const Ray& ray, double& lo, double& hi) {
+  constexpr double kHalf = 1.0 + 1e-9;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double p = ray.origin[axis], d = ray.direction[axis];
+    if (d == 0.0) {
+      if (std::fabs(p) > kHalf) return false;
+      continue;
+    }
+    const double a = (-kHalf - p) / d, b = (kHalf - p) / d;
+    lo = std::max(lo, std::min(a, b));
+    hi = std::min(hi, std::max(a, b));
+  }
+  return lo < hi;
+}
+
+/// The least of |f| that a search by golden section finds between two points where f > 0 (`sign` 1)
+/// or f < 0 (-1); stops as soon as f changes its sign.
+template <class Function>
+double turning_point(const Function& f, double lo, double hi, double sign) {
+  constexpr double kGolden = 0.6180339887498949;
+  constexpr int kSteps = 40;
+  double a = hi - kGolden * (hi - lo), b = lo + kGolden * (hi - lo);
+  double fa = sign * f(a), fb = sign * f(b);
+  for (int i = 0; i < kSteps && fa > 0.0 && fb > 0.0; ++i) {
+    if (fa < fb) {
+      hi = b;
+      b = a;
+      fb = fa;
+      a = hi - kGolden * (hi - lo);
+      fa = sign * f(a);
+    } else {
+      lo = a;
+      a = b;
+      fa = fb;
+      b = lo + kGolden * (hi - lo);
+      fb = sign * f(b);
+    }
+  }
+  return fa < fb ? a : b;
+}
+
+}  // namespace
+
+Superellipsoid::Superellipsoid(double e, double n) 
+    : m_round_xy(2.0 / e), m_round_z(2.0 / n), m_convex(e <= 2.0 && n <= 2.0) {}
+
+double Superellipsoid::value(const Vec3& p) const {
+  return norm(norm(std::fabs(p.x), std::fabs(p.y), m_round_xy), std::fabs(p.z), m_round_z) - 1.0;
+}
+
+template <class Visit>
+void Superellipsoid::crossings(const Ray& ray, double t_min, double t_max, Visit&& visit) const {
+  double lo = -Bounds::kInf, hi = Bounds::kInf;
+  if (!clip_to_cube(ray, lo, hi) || hi <= t_min || lo >= t_max) return;
+  Stations stations;
+  stations.t[stations.count++] = lo;
+  const Vec3 &p = ray.origin, &d = ray.direction;
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3;
+    stations.add(p[i], d[i], lo, hi);
+    stations.add(p[i] - p[j], d[i] - d[j], lo, hi);
+    stations.add(p[i] + p[j], d[i] + d[j], lo, hi);
+  }
+  std::sort(stations.t.begin() + 1, stations.t.begin() + stations.count);
+  stations.t[stations.count++] = hi;
+  const auto f = [&](double t) { return value(ray.at(t)); };
+  std::array<double, 12> values;
+  for (int i = 0; i < stations.count; ++i) values[i] = f(stations.t[i]);
+  for (int i = 0; i + 1 < stations.count; ++i) {
+    const double a = stations.t[i], fa = values[i], b = stations.t[i + 1], fb = values[i + 1];
+    if ((fa > 0.0) != (fb > 0.0)) {
+      if (!visit(bracketed_root(f, a, fa, b, fb))) return;
+      continue;
+    }
+    // A convex body's distance turns once, beside the least value.
+    const bool turns_elsewhere = (i > 0 && values[i - 1] < fa) ||
+                                 (i + 2 < stations.count && values[i + 2] < fb);
+    if (m_convex && (fa < 0.0 || turns_elsewhere)) continue;
+    if (fa != 0.0 && b > a) {
+      const double m = turning_point(f, a, b, fa > 0.0 ? 1.0 : -1.0), fm = f(m);
+      if ((fm > 0.0) != (fa > 0.0)) {
+        if (!visit(bracketed_root(f, a, fa, m, fm))) return;
+        if (!visit(bracketed_root(f, m, fm, b, fb))) return;
+      }
+    }
+  }
+}
+
+bool Superellipsoid::nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const {
+  bool found = false;
+  crossings(ray, t_min, t_max, [&](double t) {
+    if (!(t > t_min)) return true;
+    if (t < t_max) {
+      hit = {t, 0, 0.0, 0.0};
+      found = true;
+    }
+    return false;
+  });
+  return found;
+}
+
+void Superellipsoid::all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const {
+  crossings(ray, t_min, t_max, [&](double t) {
+    if (t > t_min && t < t_max) hits.push_back({t, 0, 0.0, 0.0});
+    return t < t_max;
+  });
+}
+
+bool Superellipsoid::inside(const Vec3& p) const {
+  constexpr double kSlack = 1e-10;
+  return value(p) < kSlack;
+}
+
+Vec3 Superellipsoid::normal(const Vec3& p, const ShapeHit&) const {
+  const double x = std::fabs(p.x), y = std::fabs(p.y), z = std::fabs(p.z);
+  const double across = norm(x, y, m_round_xy);
+  if (across == 0.0) return {0, 0, p.z < 0.0 ? -1.0 : 1.0};
+  // Of the norm, but for a common factor: d/dx = (across/whole)^(q-1) (x/across)^(p-1).
+  const double high = std::max(across, z);
+  const double slope = std::pow(across / high, m_round_z - 1.0);
+  const Vec3 n{slope * std::pow(x / across, m_round_xy - 1.0),
+               slope * std::pow(y / across, m_round_xy - 1.0), std::pow(z / high, m_round_z - 1.0)};
+  // Edges sharper than a cone's have no slope there.
+  const auto safe = [](double v) { return std::isfinite(v) ? v : 1e10; };
+  return {std::copysign(safe(n.x), p.x), std::copysign(safe(n.y), p.y),
+          std::copysign(safe(n.z), p.z)};
+}
+
+}  // namespace lentray::core

@@ -1,0 +1,28 @@
+// The looks of a blob whose elements have textures of their own: at a point those of all elements
+// that reach it, by the strength of their fields. World space. Immutable.
+// Source: reference manual 3.7, "Blob"; compared with stock by image.shapes.
+#pragma once
+
+#include <vector>
+
+#include "core/geometry/blob.h"
+#include "core/material/texture.h"
+
+namespace lentray::core {
+
+class BlobTexture final : public Texture {
+ public:
+  struct Element {
+    BlobField field;                           ///< `to_blob` leads to the world here
+    std::shared_ptr<const Texture> texture;
+  };
+  explicit BlobTexture(std::vector<Element> elements) : m_elements(std::move(elements)) {}
+  void resolve(const Vec3& world_point, double weight, WeightedTextures& out) const override;
+  bool is_opaque() const override;
+  void collect(std::vector<const LayeredTexture*>& out) const override;
+
+ private:
+  std::vector<Element> m_elements;
+};
+
+}  // namespace lentray::core

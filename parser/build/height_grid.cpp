@@ -1,0 +1,113 @@
+#include "parser/build/height_grid.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <vector>
+
+#include "core/base/color.h"
+#include "core/image/reader.h"
+#include "parser/build/picture_reader.h"
+
+namespace lentray::parser {
+namespace {
+
+constexpr float kFull = 65535.0f;
+
+/// 0..1 to a height, cut off as stock does it.
+std::uint16_t height_of(float value) {
+  return static_cast<std::uint16_t>(std::clamp(value * kFull, 0.0f, kFull));
+}
+
+/// Values of functions go through 16 bits.
+float sixteen_bits(double value) {
+  return static_cast<float>(std::floor(std::clamp(value, 0.0, 1.0) * kFull + 0.5)) / kFull;
+}
+
+/// Rows from the top, as in pictures.
+struct Heights {
+  int width = 0, depth = 0;
+  std::vector<std::uint16_t> values;
+};
+
+Heights of_function(const HeightFieldShape& field) {
+  const core::Function& function = *field.function->function;
+  if (function.parameters() != 3) {
+    throw std::runtime_error("the function of a height_field has the parameters x, y, z");
+  }
+  Heights heights{field.width, field.height, {}};
+  const auto step = [](int i, int count) { return static_cast<double>(i) / (count - 1); };
+  std::array<double, core::kMostResults> result{};
+  for (int row = 0; row < heights.depth; ++row) {
+    for (int column = 0; column < heights.width; ++column) {
+      const std::array<double, 3> at = {step(column, heights.width), step(row, heights.depth), 0.0};
+      function.evaluate_all(at, result);
+      if (function.results() == 5) {
+        heights.values.push_back(height_of(core::grey(
+            {sixteen_bits(result[0]), sixteen_bits(result[1]), sixteen_bits(result[2])})));
+      } else {
+        heights.values.push_back(height_of(sixteen_bits(result[0])));
+      }
+    }
+  }
+  return heights;
+}
+
+/// Fractint's 16-bit files: the right half of the picture holds the low bytes of the left half.
+Heights of_potentials(const core::StoredImage& stored, const std::vector<std::uint8_t>& entries) {
+  Heights heights{static_cast<int>(stored.width / 2), static_cast<int>(stored.height), {}};
+  for (std::uint32_t row = 0; row < stored.height; ++row) {
+    const std::size_t start = std::size_t{row} * stored.width;
+    for (std::uint32_t column = 0; column < stored.width / 2; ++column) {
+      heights.values.push_back(static_cast<std::uint16_t>(
+          256u * entries[start + column] + entries[start + column + stored.width / 2]));
+    }
+  }
+  return heights;
+}
+
+/// Palette entries count 256 each; grey, and colours of 16 bits, by their grey; the red of colours
+/// of 8 bits is the high byte, the green the low one.
+Heights of_picture(const HeightFieldShape& field) {
+  const core::StoredImage stored = core::read_image(field.file);
+  Heights heights{static_cast<int>(stored.width), static_cast<int>(stored.height), {}};
+  const std::vector<std::uint8_t> entries = palette_entries(stored, field.file);
+  if (field.file_type == "pot" && !entries.empty()) return of_potentials(stored, entries);
+  const float most = stored.bits == 8 ? 255.0f : stored.bits == 16 ? kFull : 1.0f;
+  for (std::uint32_t row = 0; row < stored.height; ++row) {
+    for (std::uint32_t column = 0; column < stored.width; ++column) {
+      const auto channel = [&](int c) { return stored.at(column, row, c) / most; };
+      if (!entries.empty()) {
+        heights.values.push_back(static_cast<std::uint16_t>(256u * entries[heights.values.size()]));
+      } else if (stored.channels < 3) {
+        heights.values.push_back(height_of(channel(0)));
+      } else if (stored.bits > 8) {
+        heights.values.push_back(height_of(core::grey({channel(0), channel(1), channel(2)})));
+      } else {
+        heights.values.push_back(
+            static_cast<std::uint16_t>((channel(0) * 256.0 + channel(1)) * 255.0));
+      }
+    }
+  }
+  return heights;
+}
+
+}  // namespace
+
+std::shared_ptr<const core::HeightGrid> build_height_grid(const HeightFieldShape& field) {
+  Heights heights = field.function ? of_function(field) : of_picture(field);
+  if (heights.width < 2 || heights.depth < 2) {
+    throw std::runtime_error("a height_field needs at least 2 x 2 heights");
+  }
+  for (int row = 0; row < heights.depth / 2; ++row) {
+    const auto top = heights.values.begin() + std::ptrdiff_t{row} * heights.width;
+    const auto bottom =
+        heights.values.begin() + std::ptrdiff_t{heights.depth - 1 - row} * heights.width;
+    std::swap_ranges(top, top + heights.width, bottom);
+  }
+  return std::make_shared<const core::HeightGrid>(heights.width, heights.depth,
+                                                  std::move(heights.values), field.smooth);
+}
+
+}  // namespace lentray::parser

@@ -1,0 +1,24 @@
+// text { ttf ... }: the outlines and places of its glyphs. One em is one unit, baseline on the x axis,
+// the first glyph's left edge at x = 0. Space: object.
+// Source: reference manual 3.7, "Text"; spacing compared with stock by image.shapes.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/geometry/outline.h"
+#include "parser/descriptions/object.h"
+
+namespace lentray::parser {
+
+struct PlacedGlyph {
+  std::shared_ptr<const core::Outline> outline;
+  core::Vec3 offset;
+};
+
+/// Throws std::runtime_error if the font cannot be read. Glyphs without an outline (the space) are
+/// left out.
+std::vector<PlacedGlyph> layout_text(const TextShape& text);
+
+}  // namespace lentray::parser

@@ -1,0 +1,191 @@
+// What holds for every closed shape of the swept, implicit and revolved kinds: along any ray inside
+// and outside alternate from hit to hit, normals cross the surface, bounds hold every hit.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+
+#include "core/geometry/blob.h"
+#include "core/geometry/height_field.h"
+#include "core/geometry/lathe.h"
+#include "core/geometry/poly.h"
+#include "core/geometry/prism.h"
+#include "core/geometry/superellipsoid.h"
+#include "tests/unit/geometry_help.h"
+
+namespace lentray::core {
+namespace {
+
+using geometry_test::Random;
+constexpr double kInf = Bounds::kInf;
+
+struct Solid {
+  const char* name;
+  std::function<std::unique_ptr<Shape>()> make;
+};
+
+/// A five-pointed star with a round hole: lines, conics and cubics.
+std::shared_ptr<const Outline> star() {
+  std::vector<Vec2> points;
+  for (int i = 0; i < 10; ++i) {
+    const double r = i % 2 == 0 ? 1.0 : 0.55, angle = 0.3 + i * 0.62831853071795862;
+    points.push_back({r * std::cos(angle), r * std::sin(angle)});
+  }
+  std::vector<CurvePiece> pieces;
+  for (int i = 0; i < 10; ++i) pieces.push_back(CurvePiece::line(points[i], points[(i + 1) % 10]));
+  const Vec2 a{0.3, 0.0}, b{-0.3, 0.0};
+  pieces.push_back(CurvePiece::bezier(a, {0.3, 0.4}, {-0.3, 0.4}, b));
+  pieces.push_back(CurvePiece::conic(b, {0.0, -0.5}, a));
+  return std::make_shared<const Outline>(std::move(pieces));
+}
+
+/// (x2 + y2 + z2 + 0.84)2 - 4 (x2 + z2): a torus of the radii 1 and 0.4.
+std::unique_ptr<Shape> quartic_torus() {
+  std::vector<double> c(35, 0.0);
+  const double k = 1.0 - 0.16;
+  int next = 0;
+  for (int x = 4; x >= 0; --x) {
+    for (int y = 4 - x; y >= 0; --y) {
+      for (int z = 4 - x - y; z >= 0; --z, ++next) {
+        const int order = x + y + z;
+        if (order == 4 && (x == 4 || y == 4 || z == 4)) c[next] = 1.0;
+        if (order == 4 && x % 2 == 0 && y % 2 == 0 && z % 2 == 0 && c[next] == 0.0) c[next] = 2.0;
+        if (order == 2 && (x == 2 || z == 2)) c[next] = 2.0 * k - 4.0;
+        if (order == 2 && y == 2) c[next] = 2.0 * k;
+        if (order == 0) c[next] = k * k;
+      }
+    }
+  }
+  return std::make_unique<Poly>("quartic", 4, c);
+}
+
+std::vector<Solid> solids() {
+  using Sweep = Prism::Sweep;
+  return {
+      {"prism", [] { return std::make_unique<Prism>("prism", star(), Sweep::kAlongY, -0.6, 0.8, false); }},
+      {"conic prism", [] { return std::make_unique<Prism>("prism", star(), Sweep::kConic, 0.2, 1.1, false); }},
+      {"conic prism below", [] { return std::make_unique<Prism>("prism", star(), Sweep::kConic, -1.1, -0.2, false); }},
+      {"text", [] { return std::make_unique<Prism>("text", star(), Sweep::kAlongZ, 0.0, 0.7, false); }},
+      {"superellipsoid", [] { return std::make_unique<Superellipsoid>(0.3, 0.6); }},
+      {"round superellipsoid", [] { return std::make_unique<Superellipsoid>(1.0, 1.0); }},
+      {"concave superellipsoid", [] { return std::make_unique<Superellipsoid>(2.7, 1.4); }},
+      {"quartic", quartic_torus},
+      {"blob", [] {
+         BlobField ball{0.9, 1.0, 0.0, Transform::translation({0.3, 0.1, 0.0})};
+         BlobField rod{0.7, 1.2, 1.1, Transform::rotation({20, 100, 0})};
+         BlobField hole{0.5, -0.8, 0.0, Transform::scaling({1, 1.5, 1})};
+         return std::make_unique<Blob>(0.35, std::vector<BlobField>{ball, rod, hole}); }},
+      {"lathe", [] { return std::make_unique<Lathe>(std::vector<CurvePiece>{
+           CurvePiece::line({0.0, -0.9}, {0.7, -0.9}),
+           CurvePiece::bezier({0.7, -0.9}, {0.9, 0.2}, {0.1, 0.3}, {0.5, 0.8}),
+           CurvePiece::conic({0.5, 0.8}, {0.2, 1.0}, {0.0, 0.8})}); }},
+      {"lathe ring", [] { return std::make_unique<Lathe>(std::vector<CurvePiece>{
+           CurvePiece::line({0.4, -0.5}, {0.9, -0.4}), CurvePiece::line({0.9, -0.4}, {0.6, 0.6}),
+           CurvePiece::line({0.6, 0.6}, {0.4, -0.5})}); }},
+  };
+}
+
+class UnitCoreSolids : public ::testing::TestWithParam<std::size_t> {};
+
+TEST_P(UnitCoreSolids, InsideAlternatesAndBoundsHold) {
+  const Solid solid = solids()[GetParam()];
+  Random random(11);
+  const auto shape = solid.make();
+  const Bounds box = shape->bounds();
+  int met = 0, odd = 0;
+  for (int round = 0; round < 4000; ++round) {
+    const Ray ray = random.ray(random.in(0.0, 6.0), 1.0);
+    ShapeHits hits;
+    shape->all(ray, 1e-9, kInf, hits);
+    std::sort(hits.begin(), hits.end(), [](auto& a, auto& b) { return a.t < b.t; });
+    ShapeHit first;
+    ASSERT_EQ(shape->nearest(ray, 1e-9, kInf, first), !hits.empty()) << solid.name;
+    if (!hits.empty()) {
+      EXPECT_EQ(first.t, hits[0].t) << solid.name;
+      ++met;
+    }
+    bool in = shape->inside(ray.origin);
+    double from = 0.0;
+    for (const ShapeHit& hit : hits) {
+      const Vec3 p = ray.at(hit.t);
+      EXPECT_TRUE(p.x >= box.lo.x - 1e-9 && p.y >= box.lo.y - 1e-9 && p.z >= box.lo.z - 1e-9 &&
+                  p.x <= box.hi.x + 1e-9 && p.y <= box.hi.y + 1e-9 && p.z <= box.hi.z + 1e-9)
+          << solid.name;
+      if (hit.t - from > 1e-3) {
+        EXPECT_EQ(shape->inside(ray.at(0.5 * (from + hit.t))), in) << solid.name << " " << round;
+      }
+      in = !in;
+      from = hit.t;
+    }
+    odd += in;
+  }
+  EXPECT_EQ(odd, 0) << solid.name;
+  EXPECT_GT(met, 400) << solid.name;
+}
+
+TEST_P(UnitCoreSolids, NormalsCrossTheSurface) {
+  const Solid solid = solids()[GetParam()];
+  Random random(12);
+  const auto shape = solid.make();
+  int wrong = 0, met = 0;
+  for (int round = 0; round < 2000; ++round) {
+    const Ray ray = random.ray(4.0, 1.0);
+    ShapeHit hit;
+    if (!shape->nearest(ray, 0.0, kInf, hit)) continue;
+    ++met;
+    const Vec3 p = ray.at(hit.t), n = normalized(shape->normal(p, hit));
+    wrong += shape->inside(p + n * 2e-4) == shape->inside(p - n * 2e-4);
+  }
+  // At edges both sides may be outside.
+  EXPECT_LE(wrong, met / 100) << solid.name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, UnitCoreSolids, ::testing::Range(std::size_t{0}, solids().size()));
+
+TEST(UnitCoreOutline, PointsAtCornersAndOnEdgesCountOnce) {
+  // A square whose corners lie exactly on the lines that are asked for.
+  const Vec2 a{0, 0}, b{1, 0}, c{1, 1}, d{0, 1};
+  const Outline square({CurvePiece::line(a, b), CurvePiece::line(b, c), CurvePiece::line(c, d),
+                        CurvePiece::line(d, a)});
+  for (double v : {-0.5, 0.0, 0.25, 1.0, 1.5}) {
+    int crossings = 0;
+    square.crossings(0.0, 1.0, -v, [&](std::uint32_t, double) { ++crossings; });
+    EXPECT_EQ(crossings % 2, 0) << v;
+  }
+  // Along a diagonal, through two corners.
+  int crossings = 0;
+  square.crossings(1.0, -1.0, 0.0, [&](std::uint32_t, double) { ++crossings; });
+  EXPECT_EQ(crossings, 2);
+  EXPECT_TRUE(square.contains(0.5, 0.5));
+  EXPECT_FALSE(square.contains(1.5, 0.0));
+  EXPECT_FALSE(square.contains(-0.5, 1.0));
+}
+
+TEST(UnitCoreHeightField, HitsLieOnItsTriangles) {
+  std::vector<std::uint16_t> heights;
+  Random random(3);
+  for (int i = 0; i < 12 * 9; ++i) heights.push_back(static_cast<std::uint16_t>(random.in(0, 65535)));
+  const auto grid = std::make_shared<const HeightGrid>(12, 9, heights, false);
+  const HeightField field(grid, 0.0);
+  int met = 0, wrong = 0;
+  for (int round = 0; round < 3000; ++round) {
+    const Vec3 from = random.vector(2.0) + Vec3(0.5);
+    const Vec3 to{random.in(0, 1), random.in(0, 1), random.in(0, 1)};
+    const Ray ray{from, normalized(to - from)};
+    ShapeHits hits;
+    field.all(ray, 1e-9, kInf, hits);
+    ShapeHit first;
+    ASSERT_EQ(field.nearest(ray, 1e-9, kInf, first), !hits.empty());
+    for (const ShapeHit& hit : hits) {
+      ++met;
+      EXPECT_GE(hit.t, first.t);
+      const Vec3 p = ray.at(hit.t);
+      wrong += field.inside(p + Vec3{0, 1e-6, 0}) == field.inside(p - Vec3{0, 1e-6, 0});
+    }
+  }
+  EXPECT_GT(met, 1000);
+  EXPECT_LE(wrong, met / 500);  // triangles reach a ten-thousandth of a cell over their edges
+}
+
+}  // namespace
+}  // namespace lentray::core
