@@ -208,6 +208,24 @@ TEST(UnitParserDeclare, OptionsOfTheCommandLine) {
   EXPECT_EQ(p.debug, "2.5text320") << p.error;
 }
 
+TEST(UnitParserIncludes, NamesThatOnlyWindowsFinds) {
+  const std::map<std::string, std::string> files = {{"mine.inc", "#debug \"mine \""},
+                                                    {"other.inc", "#debug \"other \""}};
+  const Parsed p = parse_text("#include \"MINE.Inc\"\n#include \".\\other.inc\"\n#include \" mine.inc \"\n"
+                              "#include \"C:\\scenes\\Colors.INC\"\n#include \"mine.inc\"", files);
+  EXPECT_EQ(p.error, "");
+  EXPECT_EQ(p.debug, "mine other mine mine ");
+  ASSERT_EQ(p.warnings.size(), 1u);
+  EXPECT_NE(p.warnings[0].find("there is no file 'MINE.Inc'"), std::string::npos) << p.warnings[0];
+  EXPECT_EQ(parse_text("#debug str(file_exists(\"MINE.INC\"),0,0)", files).debug, "0");
+  EXPECT_NE(parse_text("#include \"nowhere.inc\"", files).error, "");
+}
+
+TEST(UnitParserIncludes, TextsFromWindows) {
+  EXPECT_EQ(parse_text("\xEF\xBB\xBF#debug \"a\"\r\n// \xE4\xF6\xFC\r\n#debug \"b\"\r#debug \"c\"\n\x1A").debug, "abc");
+  EXPECT_EQ(parse_text("#debug \"\xE4\"").debug, "\xE4");
+}
+
 TEST(UnitParserIncludes, StandardFilesAreRead) {
   for (const char* name : {"math", "functions", "transforms", "colors", "shapes", "rand", "strings",
                            "arrays", "consts", "logo", "textures", "stones", "metals", "woods", "golds",
