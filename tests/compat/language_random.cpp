@@ -208,11 +208,19 @@ class Maker {
   void block(int depth) {
     for (std::uint32_t i = 0, n = 1 + pick(3); i < n; ++i) statement(depth - 1);
   }
+  // Stock refuses macros with directives in the heads of directives.
+  std::string in_head(int depth) {
+    const bool before = m_ready;
+    m_ready = false;
+    const std::string text = number(depth);
+    m_ready = before;
+    return text;
+  }
   void condition(int depth) {
-    line("#if (" + number(2) + relation() + number(1) + ")");
+    line("#if (" + in_head(2) + relation() + in_head(1) + ")");
     block(depth);
     if (pick(3) == 0) {
-      line("#elseif (" + number(2) + ")");
+      line("#elseif (" + in_head(2) + ")");
       block(depth);
     }
     if (pick(2)) {
@@ -231,12 +239,12 @@ class Maker {
     }
     m_loops.push_back(counter);
     block(depth);
-    if (pick(4) == 0) line("#if (" + number(1) + " > 2) #break #end");
+    if (pick(4) == 0) line("#if (" + in_head(1) + " > 2) #break #end");
     m_loops.pop_back();
     line(counted ? "#end" : "#local " + counter + " = " + counter + "+1; #end");
   }
   void choice(int depth) {
-    line("#switch (int(mod(" + number(2) + ",4)))");
+    line("#switch (int(mod(" + in_head(2) + ",4)))");
     for (int i = 0; i < 3; ++i) {
       line(pick(3) ? "#case (" + std::to_string(i) + ")"
                    : "#range (" + std::to_string(i - 2) + "," + std::to_string(i) + ")");

@@ -3,6 +3,7 @@
 
 #include "parser/keywords.h"
 #include "parser/lexer.h"
+#include "core/function/internal.h"
 #include "tests/unit/parser_text.h"
 
 namespace lentray::test {
@@ -159,21 +160,14 @@ TEST(UnitParserFiles, WriteReadInclude) {
   std::filesystem::remove("/tmp/lentray_front_test.inc");
 }
 
-TEST(UnitParserFunction, KeptOnesSayWhy) {
-  const diff::TemporaryFolder folder;
-  diff::write_text(folder / "s.pov", "#declare f = function { pigment { rgb 1 } }\n"
-                                     "#declare g = function { f(x,y,z).red + f_noise3d(x,y,z) }");
-  diff::write_text(folder / "t.pov", "#include \"functions.inc\"\n#declare h = function { f_klein_bottle(x,y,z,1) }\n"
-                                     "#declare A = h(1,2,3);");
-  parser::SourceManager sources;
-  parser::Diagnostics diagnostics(sources);
-  NoProductions productions;
-  parser::ParserOptions options;
-  options.library_paths.push_back("/usr/share/povray-3.7/include");
-  parser::Parser parser(sources, diagnostics, options, productions);
-  parser.open(folder / "t.pov");
-  EXPECT_TRUE(parser.at_end());
-  EXPECT_EQ(diagnostics.not_yet_features().count("f_klein_bottle"), 1u);
+TEST(UnitParserFunction, EveryInternalFunctionIsEvaluated) {
+  for (int number = 0; number < 79; ++number) {
+    const auto function = core::internal_function(number);
+    ASSERT_TRUE(function) << number;
+    EXPECT_EQ(function->not_yet(), "") << number;
+  }
+  EXPECT_FALSE(core::internal_function(79));
+  EXPECT_FALSE(core::internal_function(-1));
 }
 
 TEST(UnitParserWords, ContextualWordsStayIdentifiers) {
