@@ -6,6 +6,7 @@
 namespace lentray::test {
 namespace {
 
+// What is cut to whole numbers is moved off them: the last bit of a rotation may differ.
 class Maker {
  public:
   Maker(std::uint32_t seed, const std::string& prefix) : m_random(seed), m_prefix(prefix) {}
@@ -75,15 +76,15 @@ class Maker {
       case 9: return "(" + sub() + relation() + leaf() + " ? " + sub() + " : " + sub() + ")";
       case 10: return "-(" + sub() + ")";
       case 11: return "!(" + sub() + ")";
-      case 12: return one_argument() + "(" + sub() + ")";
+      case 12: return one_argument() + "(" + sub() + "+.0001)";
       case 13: return "sqrt(abs(" + sub() + "))";
       case 14: return "ln(abs(" + sub() + ")+1)";
       case 15: return "pow(abs(mod(" + sub() + ",10))+.1, " + (pick(2) ? "2" : ".5") + ")";
       case 16: return std::string(pick(2) ? "max" : "min") + "(" + sub() + "," + sub() + "," + leaf() + ")";
       case 17: return "select(" + sub() + "," + sub() + "," + leaf() + (pick(2) ? "," + leaf() + ")" : ")");
       case 18: return "mod(" + sub() + "," + (pick(2) ? "7" : "-2.5") + ")";
-      case 19: return "div(" + sub() + "," + (pick(2) ? "3" : "-2") + ")";
-      case 20: return bitwise() + "(mod(" + sub() + ",100), mod(" + sub() + ",100))";
+      case 19: return "div(" + sub() + "+.0001," + (pick(2) ? "3" : "-2") + ")";
+      case 20: return bitwise() + "(mod(" + sub() + ",100)+.0001, mod(" + sub() + ",100)+.0001)";
       case 21: return "(" + vector(depth - 1) + ")." + std::string(1, "xyz"[pick(3)]);
       case 22: return "vlength(" + vector(depth - 1) + ")";
       case 23: return "vdot(" + vector(depth - 1) + "," + vector(depth - 1) + ")";
@@ -244,7 +245,7 @@ class Maker {
     line(counted ? "#end" : "#local " + counter + " = " + counter + "+1; #end");
   }
   void choice(int depth) {
-    line("#switch (int(mod(" + in_head(2) + ",4)))");
+    line("#switch (int(mod(" + in_head(2) + ",4)+.0001))");
     for (int i = 0; i < 3; ++i) {
       line(pick(3) ? "#case (" + std::to_string(i) + ")"
                    : "#range (" + std::to_string(i - 2) + "," + std::to_string(i) + ")");
