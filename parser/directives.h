@@ -25,7 +25,8 @@ class Directives {
   /// At the end of a file or macro: back to what was read before. False at the scene's end.
   bool leave_frame();
 
-  /// The condition of #ifdef and defined(): a name in parentheses.
+  /// The condition of #ifdef and defined(): a name in parentheses. Reserved words and numbers are
+  /// not defined, strings are, as in stock.
   bool parse_defined();
   /// The value of an identifier, an expression or a description, as #declare takes it.
   Value parse_rvalue();

@@ -17,7 +17,7 @@ bool Directives::parse_defined() {
   tokens.expect(Punct::kLeftParen);
   const bool before = tokens.plain_names;
   tokens.plain_names = true;
-  bool defined = true;  // a reserved word is
+  bool defined = false;  // a reserved word is not
   const Token& token = tokens.peek();
   if (token.kind == TokenKind::kIdentifier) {
     Symbol* symbol = tokens.symbol();
@@ -25,6 +25,8 @@ bool Directives::parse_defined() {
                   ? !std::holds_alternative<std::monostate>(
                         tokens.element_array()->elements[tokens.element_index()])
                   : symbol && symbol->is_set();
+  } else if (token.kind == TokenKind::kNumber || token.kind == TokenKind::kString) {
+    defined = token.kind == TokenKind::kString;
   } else if (token.kind != TokenKind::kKeyword) {
     tokens.fail_expected("a name");
   }
@@ -89,7 +91,12 @@ void Directives::declare(const Token& directive, bool local) {
 }
 
 void Directives::end_of_declaration(const Value& value, const Location& where) {
-  if (m_in.tokens.accept(Punct::kSemicolon)) return;
+  if (m_in.tokens.accept(Punct::kSemicolon)) {
+    // One more is no mistake. Only the text is looked at: this file or macro may end here.
+    const Token* next = m_in.tokens.following();
+    if (next && next->is(Punct::kSemicolon)) m_in.tokens.skip();
+    return;
+  }
   if (!std::holds_alternative<Number>(value)) return;
   const std::string rule =
       "a #declare or #local of a float, vector or colour must end with a semicolon";

@@ -163,7 +163,11 @@ bool Directives::for_is_over(const Block& block, double value) const {
 void Directives::for_directive(const Token& directive) {
   Block block{BlockKind::kFor, &directive};
   m_in.tokens.expect(Punct::kLeftParen);
-  block.variable = m_in.tokens.read_name("the name of the loop variable").name;
+  const Token variable = m_in.tokens.read_name("the name of the loop variable");
+  if (m_in.tokens.element_array()) {
+    m_in.fail(variable.where, "the variable of #for cannot be an element of an array");
+  }
+  block.variable = variable.name;
   m_in.tokens.skip();
   m_in.tokens.comma();
   const double first = m_in.expressions.parse_float();

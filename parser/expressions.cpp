@@ -20,7 +20,7 @@ void promote_both(Number& a, Number& b) {
   else if (a.size > b.size) promote(b, a.size);
 }
 
-// Applies op to the components. The left side alone decides the size of a comparison, as in stock.
+// Applies op to the components; both have the same number.
 template <typename Op>
 void each(Number& a, const Number& b, Op op) {
   for (std::size_t i = 0; i < static_cast<std::size_t>(a.size); ++i) a.v[i] = op(a.v[i], b.v[i]);
@@ -138,7 +138,7 @@ Number Expressions::parse_logical() {
     const bool both = m_in.tokens.accept(Punct::kAmpersand);
     if (!both && !m_in.tokens.accept(Punct::kBar)) return left;
     Number right = parse_relational();
-    promote(left, right.size);
+    promote_both(left, right);
     if (both) each(left, right, [](double a, double b) { return is_true(a) && is_true(b); });
     else each(left, right, [](double a, double b) { return is_true(a) || is_true(b); });
   }
@@ -157,8 +157,8 @@ Number Expressions::parse_relational() {
       default: return left;
     }
     m_in.tokens.skip();
-    const Number right = parse_additive();
-    promote(left, right.size);
+    Number right = parse_additive();
+    promote_both(left, right);
     const auto same = [](double a, double b) { return !is_true(a - b); };
     switch (op) {
       case Punct::kLess: each(left, right, [](double a, double b) { return a < b; }); break;
@@ -356,7 +356,7 @@ void Expressions::member(Number& n) {
   m_in.tokens.skip();
   const Token name = m_in.tokens.next();
   if (name.is(Keyword::kGray)) {
-    if (n.size < 3) m_in.fail(name.where, ".gray of something with less than 3 components");
+    if (n.size < 2) m_in.fail(name.where, ".gray of a float");
     // The weights of stock.
     n = Number::scalar(0.297 * n.v[0] + 0.589 * n.v[1] + 0.114 * n.v[2]);
     return;

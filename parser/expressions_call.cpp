@@ -86,7 +86,6 @@ Ref<SplineDesc> Expressions::parse_spline() {
     spline->kind = *kind;
     tokens.skip();
   }
-  tokens.comma();
   while (!tokens.at(Punct::kRightCurly)) {
     const double at = parse_float();
     tokens.comma();

@@ -89,7 +89,7 @@ void Expressions::trailing_components(Number& colour) {
 
 Number Expressions::parse_colour() {
   TokenReader& tokens = m_in.tokens;
-  tokens.accept(Keyword::kColor);
+  const bool announced = tokens.accept(Keyword::kColor);
   const Token first = tokens.peek_operand();
   Number colour;
   colour.size = 5;
@@ -101,7 +101,7 @@ Number Expressions::parse_colour() {
   } else if (at_expression()) {
     colour = parse_expression();
     promote(colour, 5);
-  } else {
+  } else if (!announced) {
     tokens.fail_expected("a colour");
   }
   trailing_components(colour);

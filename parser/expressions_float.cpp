@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "parser/interpreter.h"
@@ -12,9 +13,13 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
-double as_int(double x) { return std::trunc(x); }
+// Stock's integers have 32 bits; what does not fit, infinities and nan become the smallest.
+int bits(double x) {
+  constexpr int kSmallest = std::numeric_limits<int>::min();
+  return x > kSmallest - 1.0 && x < 2147483648.0 ? static_cast<int>(x) : kSmallest;
+}
 
-int bits(double x) { return static_cast<int>(static_cast<long long>(x)); }
+double as_int(double x) { return bits(x); }
 
 }  // namespace
 
@@ -190,7 +195,7 @@ bool Expressions::float_function(Keyword keyword, double& value) {
     case Keyword::kSelect: value = select(); return true;
     case Keyword::kRand: value = next_random(float_argument()); return true;
     case Keyword::kSeed:
-      m_in.random.push_back(static_cast<std::uint32_t>(static_cast<long long>(float_argument())));
+      m_in.random.push_back(static_cast<std::uint32_t>(bits(float_argument())));
       value = static_cast<double>(m_in.random.size() - 1);
       return true;
     case Keyword::kDefined: value = m_in.directives.parse_defined(); return true;
@@ -201,7 +206,7 @@ bool Expressions::float_function(Keyword keyword, double& value) {
       const std::string text = keyword == Keyword::kFileExists ? parse_path() : parse_string();
       m_in.tokens.expect(Punct::kRightParen);
       if (keyword == Keyword::kVal) value = std::strtod(text.c_str(), nullptr);
-      else if (keyword == Keyword::kFileExists) value = m_in.find_file(text) ? 1.0 : 0.0;
+      else if (keyword == Keyword::kFileExists) value = text.empty() || m_in.find_exactly(text) ? 1.0 : 0.0;
       else if (keyword == Keyword::kAsc) value = first_character(text);
       else value = static_cast<double>(count_characters(text));
       return true;

@@ -1,6 +1,8 @@
 // The vector functions and constants of the language, and the questions asked of live objects.
+#include <algorithm>
 #include <numbers>
 
+#include "core/pattern/noise.h"
 #include "parser/interpreter.h"
 
 namespace lentray::parser {
@@ -68,18 +70,22 @@ core::Vec3 Expressions::extent(bool upper) {
   return upper ? hi : lo;
 }
 
-// Read in full; turbulence is not evaluated while parsing yet.
+// vturbulence (lambda, omega, octaves, point)
 core::Vec3 Expressions::turbulence() {
-  m_in.diagnostics.not_yet("vturbulence() in expressions", m_in.tokens.location());
+  core::Turbulence turbulence;
   m_in.tokens.expect(Punct::kLeftParen);
-  for (int i = 0; i < 3; ++i) {
-    parse_float();
-    m_in.tokens.comma();
-  }
-  parse_vector();
+  // In single precision, as stock keeps them.
+  turbulence.lambda = static_cast<float>(parse_float());
+  m_in.tokens.comma();
+  turbulence.omega = static_cast<float>(parse_float());
+  m_in.tokens.comma();
+  constexpr double kMostOctaves = 10.0;
+  turbulence.octaves = static_cast<int>(std::clamp(parse_float(), 1.0, kMostOctaves));
+  m_in.tokens.comma();
+  const core::Vec3 point = parse_vector();
   m_in.tokens.comma();
   m_in.tokens.expect(Punct::kRightParen);
-  return {};
+  return core::vector_turbulence(point, turbulence);
 }
 
 // After the keyword. False if it is no vector function.

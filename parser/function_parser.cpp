@@ -301,6 +301,7 @@ FunctionNodePtr FunctionParser::keyword(const Token& token) {
     return make_node(*op, std::move(a), std::move(b));
   }
   switch (token.keyword) {
+    case Keyword::kDiv: tokens.skip(); return whole_quotient();
     case Keyword::kMax: tokens.skip(); return fold(FunctionOp::kMax);
     case Keyword::kMin: tokens.skip(); return fold(FunctionOp::kMin);
     case Keyword::kSelect: tokens.skip(); return select();
@@ -316,9 +317,19 @@ FunctionNodePtr FunctionParser::keyword(const Token& token) {
 FunctionNodePtr FunctionParser::fold(FunctionOp op) {
   m_in.tokens.expect(Punct::kLeftParen);
   FunctionNodePtr all = choice();
+  if (!m_in.tokens.at(Punct::kComma)) m_in.tokens.fail_expected("at least two arguments");
   while (m_in.tokens.accept(Punct::kComma)) all = make_node(op, std::move(all), choice());
   m_in.tokens.expect(Punct::kRightParen);
   return all;
+}
+
+FunctionNodePtr FunctionParser::whole_quotient() {
+  m_in.tokens.expect(Punct::kLeftParen);
+  FunctionNodePtr a = choice();
+  m_in.tokens.comma();
+  FunctionNodePtr b = choice();
+  m_in.tokens.expect(Punct::kRightParen);
+  return make_node(FunctionOp::kInt, make_node(FunctionOp::kDivide, std::move(a), std::move(b)));
 }
 
 FunctionNodePtr FunctionParser::select() {
@@ -370,7 +381,9 @@ int FunctionParser::component(std::size_t size) {
     case Keyword::kT: case Keyword::kFilter: i = 3; break;
     case Keyword::kTransmit: i = 4; break;
     case Keyword::kGray: i = kGrayComponent; break;
-    default: break;
+    default:
+      if (m_in.names.text(name.name) == "grey") i = kGrayComponent;
+      break;
   }
   if (i < 0 || (i != kGrayComponent && i >= static_cast<int>(size))) {
     m_in.fail(name.where, "expected a component of a value with " + std::to_string(size) +

@@ -46,6 +46,7 @@ class FunctionParser {
   core::FunctionNodePtr series(core::FunctionOp op);
   core::FunctionNodePtr select();
   core::FunctionNodePtr fold(core::FunctionOp op);
+  core::FunctionNodePtr whole_quotient();   // div (a, b)
   core::FunctionNodePtr constant(const Token& name, const Number& number);
   core::FunctionNodePtr own_variable(const Token& token);
   int component(std::size_t size);

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "parser/keywords.h"
+#include "parser/loose_path.h"
 
 namespace lentray::parser {
 namespace {
@@ -53,7 +54,31 @@ std::shared_ptr<const TokenList> Interpreter::load(const std::string& path) {
   return list;
 }
 
-std::optional<std::string> Interpreter::find_file(const std::string& name) const {
+std::vector<std::string> Interpreter::search_folders() const {
+  std::vector<std::string> folders;
+  if (!scene_folder.empty()) folders.push_back(scene_folder);
+  folders.insert(folders.end(), options.library_paths.begin(), options.library_paths.end());
+  return folders;
+}
+
+std::optional<std::string> Interpreter::find_file(const std::string& name) {
+  if (auto found = find_exactly(name)) return found;
+  std::vector<std::string> folders = search_folders();
+  folders.insert(folders.begin(), "");
+  for (const std::string& folder : folders) {
+    const auto found = find_loosely(folder, name);
+    if (!found) continue;
+    if (!m_warned_of_names) {
+      warn(tokens.location(), "there is no file '" + name + "', read '" + *found +
+                                  "' as Windows would (of other such names nothing is said)");
+    }
+    m_warned_of_names = true;
+    return found;
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> Interpreter::find_exactly(const std::string& name) const {
   namespace fs = std::filesystem;
   std::error_code error;
   const auto there = [&](const fs::path& path) {
@@ -62,10 +87,7 @@ std::optional<std::string> Interpreter::find_file(const std::string& name) const
   if (name.empty()) return std::nullopt;
   if (there(name)) return name;
   if (fs::path(name).is_absolute()) return std::nullopt;
-  std::vector<std::string> folders;
-  if (!scene_folder.empty()) folders.push_back(scene_folder);
-  folders.insert(folders.end(), options.library_paths.begin(), options.library_paths.end());
-  for (const std::string& folder : folders) {
+  for (const std::string& folder : search_folders()) {
     const fs::path path = fs::path(folder) / name;
     if (there(path)) return path.string();
   }

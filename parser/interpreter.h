@@ -4,7 +4,9 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "parser/directives.h"
 #include "parser/expressions.h"
@@ -49,7 +51,9 @@ struct Interpreter {
 
   /// Reads a file as tokens, once; null if it cannot be read.
   std::shared_ptr<const TokenList> load(const std::string& path);
-  std::optional<std::string> find_file(const std::string& name) const;
+  /// In the current folder, the scene's and the libraries'; then as Windows would, with a warning.
+  std::optional<std::string> find_file(const std::string& name);
+  std::optional<std::string> find_exactly(const std::string& name) const;
 
   /// Defines what every scene finds declared, and the Declare= options.
   void declare_constants();
@@ -61,7 +65,10 @@ struct Interpreter {
   void guard_stack();
 
  private:
+  std::vector<std::string> search_folders() const;
+
   std::uintptr_t m_stack_base;
+  bool m_warned_of_names = false;
 };
 
 /// Replaces what a declaration of an array shares by a copy of its own.

@@ -1,6 +1,7 @@
 #include "parser/lexer.h"
 
 #include <charconv>
+#include <cstdlib>
 #include <string>
 
 #include "parser/keywords.h"
@@ -161,9 +162,8 @@ class Lexer {
     std::string digits(m_text.substr(start, m_pos - start));
     if (digits.front() == '.') digits.insert(digits.begin(), '0');
     const auto result = std::from_chars(digits.data(), digits.data() + digits.size(), t.number);
-    if (result.ec == std::errc::result_out_of_range) {
-      return bad(t.where, "number out of range: " + digits);
-    }
+    // Zero or infinity, as strtod has it.
+    if (result.ec == std::errc::result_out_of_range) t.number = std::strtod(digits.c_str(), nullptr);
     m_tokens.push_back(t);
   }
 

@@ -83,7 +83,12 @@ Values SplineDesc::evaluate(double at) const {
   const std::size_t n = knots.size();
   if (n == 0) return {};
   const bool cubic = kind == SplineKind::kCubic;
-  if (n == 1 || (cubic && n < 4)) return knots[n == 1 ? 0 : std::min<std::size_t>(1, n - 1)].value;
+  if (n == 1) return knots[0].value;
+  // Too few points for a cubic spline: stock gives the middle, whatever `at`.
+  if (cubic && n == 2) {
+    return componentwise([&](std::size_t c) { return (knots[0].value[c] + knots[1].value[c]) / 2.0; });
+  }
+  if (cubic && n == 3) return knots[1].value;
   const std::size_t first = cubic ? 1 : 0, last = cubic ? n - 2 : n - 1;
   if (at <= knots[first].at) return knots[first].value;
   if (at >= knots[last].at) return knots[last].value;

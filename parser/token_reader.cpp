@@ -133,7 +133,7 @@ void TokenReader::subscripts(const Token& raw, std::shared_ptr<ArrayValue> array
       const int size = array->sizes[dimension];
       // Stock adds this before it cuts off the fraction.
       const int i = static_cast<int>(subscript + 1e-10);
-      if (!(subscript > -1.0) || i < 0 || i >= size) {
+      if (!(subscript > -1e-10) || i < 0 || i >= size) {
         m_in.fail(where, "array subscript " + std::to_string(i) + " out of range: " +
                              std::string(m_in.names.text(token.name)) + " has " +
                              std::to_string(size) + " elements in this dimension");

@@ -1,7 +1,6 @@
-// The internal(N) functions that functions.inc names. Those that are plain arithmetic can be
-// evaluated; the others are kept, know their parameters, and say so by not_yet().
+// The internal(N) functions that functions.inc names, by their numbers.
 // Source: functions.inc and its manual section; numbers of parameters as stock counts them; values
-// held by tests/compat/language_functions_test.cpp.
+// compared by tests/compat/language/internals.cases.
 #pragma once
 
 #include <memory>

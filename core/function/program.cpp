@@ -10,6 +10,12 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
+// Stock's integers have 32 bits; what does not fit becomes the smallest.
+double whole(double a) {
+  constexpr double kLimit = 2147483648.0;
+  return a > -kLimit - 1.0 && a < kLimit ? static_cast<double>(static_cast<int>(a)) : -kLimit;
+}
+
 }  // namespace
 
 double apply(FunctionOp op, double a, double b) {
@@ -42,7 +48,7 @@ double apply(FunctionOp op, double a, double b) {
     case FunctionOp::kDegrees: return a / kDegree;
     case FunctionOp::kExp: return std::exp(a);
     case FunctionOp::kFloor: return std::floor(a);
-    case FunctionOp::kInt: return std::trunc(a);
+    case FunctionOp::kInt: return whole(a);
     case FunctionOp::kLn: return std::log(a);
     case FunctionOp::kLog: return std::log10(a);
     case FunctionOp::kRadians: return a * kDegree;

@@ -3,6 +3,7 @@
 
 #include "parser/keywords.h"
 #include "parser/lexer.h"
+#include "core/function/internal.h"
 #include "tests/unit/parser_text.h"
 
 namespace lentray::test {
@@ -159,21 +160,14 @@ TEST(UnitParserFiles, WriteReadInclude) {
   std::filesystem::remove("/tmp/lentray_front_test.inc");
 }
 
-TEST(UnitParserFunction, KeptOnesSayWhy) {
-  const diff::TemporaryFolder folder;
-  diff::write_text(folder / "s.pov", "#declare f = function { pigment { rgb 1 } }\n"
-                                     "#declare g = function { f(x,y,z).red + f_noise3d(x,y,z) }");
-  diff::write_text(folder / "t.pov", "#include \"functions.inc\"\n#declare h = function { f_klein_bottle(x,y,z,1) }\n"
-                                     "#declare A = h(1,2,3);");
-  parser::SourceManager sources;
-  parser::Diagnostics diagnostics(sources);
-  NoProductions productions;
-  parser::ParserOptions options;
-  options.library_paths.push_back("/usr/share/povray-3.7/include");
-  parser::Parser parser(sources, diagnostics, options, productions);
-  parser.open(folder / "t.pov");
-  EXPECT_TRUE(parser.at_end());
-  EXPECT_EQ(diagnostics.not_yet_features().count("f_klein_bottle"), 1u);
+TEST(UnitParserFunction, EveryInternalFunctionIsEvaluated) {
+  for (int number = 0; number < 79; ++number) {
+    const auto function = core::internal_function(number);
+    ASSERT_TRUE(function) << number;
+    EXPECT_EQ(function->not_yet(), "") << number;
+  }
+  EXPECT_FALSE(core::internal_function(79));
+  EXPECT_FALSE(core::internal_function(-1));
 }
 
 TEST(UnitParserWords, ContextualWordsStayIdentifiers) {
@@ -206,6 +200,24 @@ TEST(UnitParserDeclare, OptionsOfTheCommandLine) {
   options.image_width = 320;
   const Parsed p = parse_text("#debug str(N,0,1) #debug S #debug str(image_width,0,0)", {}, options);
   EXPECT_EQ(p.debug, "2.5text320") << p.error;
+}
+
+TEST(UnitParserIncludes, NamesThatOnlyWindowsFinds) {
+  const std::map<std::string, std::string> files = {{"mine.inc", "#debug \"mine \""},
+                                                    {"other.inc", "#debug \"other \""}};
+  const Parsed p = parse_text("#include \"MINE.Inc\"\n#include \".\\other.inc\"\n#include \" mine.inc \"\n"
+                              "#include \"C:\\scenes\\Colors.INC\"\n#include \"mine.inc\"", files);
+  EXPECT_EQ(p.error, "");
+  EXPECT_EQ(p.debug, "mine other mine mine ");
+  ASSERT_EQ(p.warnings.size(), 1u);
+  EXPECT_NE(p.warnings[0].find("there is no file 'MINE.Inc'"), std::string::npos) << p.warnings[0];
+  EXPECT_EQ(parse_text("#debug str(file_exists(\"MINE.INC\"),0,0)", files).debug, "0");
+  EXPECT_NE(parse_text("#include \"nowhere.inc\"", files).error, "");
+}
+
+TEST(UnitParserIncludes, TextsFromWindows) {
+  EXPECT_EQ(parse_text("\xEF\xBB\xBF#debug \"a\"\r\n// \xE4\xF6\xFC\r\n#debug \"b\"\r#debug \"c\"\n\x1A").debug, "abc");
+  EXPECT_EQ(parse_text("#debug \"\xE4\"").debug, "\xE4");
 }
 
 TEST(UnitParserIncludes, StandardFilesAreRead) {

@@ -16,6 +16,7 @@
 #include "parser/diagnostics.h"
 #include "parser/grammar/scene.h"
 #include "parser/parser.h"
+#include "parser/read_scene.h"
 #include "shadow/pixel_orders.h"
 #include "shadow/report.h"
 #include "shadow/tester_factory.h"
@@ -53,7 +54,7 @@ struct Run {
 /// Files are asked for before anything is read, so that no work is lost on them.
 void check_outputs(Run& run) {
   const RenderOptions& o = run.options;
-  const bool renders = !o.explain && o.dump_rays.empty();
+  const bool renders = !o.explain && !o.parse_only && o.dump_rays.empty();
   if (!o.dump_rays.empty() && o.dump_rays != "-") core::check_writable(o.dump_rays);
   if (!renders) return;
   const auto width = static_cast<std::uint32_t>(o.width);
@@ -72,7 +73,34 @@ parser::ParserOptions parser_options(const RenderOptions& o) {
   out.image_width = static_cast<int>(o.width);
   out.image_height = static_cast<int>(o.height);
   out.language_version = o.language_version;
+  out.frame_number = 0;  // a still, as in stock
   return out;
+}
+
+void connect(parser::Diagnostics& diagnostics, Run& run) {
+  const RenderOptions& o = run.options;
+  diagnostics.connect(parser::Stream::kWarning, [&run](std::string_view text) {
+    run.warnings.emplace_back(text);
+  });
+  if (!o.debug_console) diagnostics.connect(parser::Stream::kDebug, {});
+  if (!o.render_console) diagnostics.connect(parser::Stream::kRender, {});
+  if (!o.statistic_console) diagnostics.connect(parser::Stream::kStatistics, {});
+}
+
+/// --parse-only: text -> descriptions, checked as far as they can be without rendering.
+void parse_alone(Run& run, const std::string& path) {
+  const RenderOptions& o = run.options;
+  parser::SourceManager sources;
+  parser::Diagnostics diagnostics(sources);
+  connect(diagnostics, run);
+  const double before = cpu_seconds();
+  const parser::SceneDesc scene =
+      parser::read_descriptions(path, sources, diagnostics, parser_options(o));
+  const double seconds = cpu_seconds() - before;
+  parser::build_scene(scene, diagnostics, {o.quality});
+  if (!o.verbose) return;
+  std::fprintf(stderr, "Parsed: %zu objects and lights, %zu warnings, %.2f s\n",
+               scene.objects.size(), diagnostics.warnings().size(), seconds);
 }
 
 /// Text -> descriptions -> compiled scene and camera.
@@ -80,12 +108,7 @@ void read_scene(Run& run, const std::string& path) {
   const RenderOptions& o = run.options;
   parser::SourceManager sources;
   parser::Diagnostics diagnostics(sources);
-  diagnostics.connect(parser::Stream::kWarning, [&run](std::string_view text) {
-    run.warnings.emplace_back(text);
-  });
-  if (!o.debug_console) diagnostics.connect(parser::Stream::kDebug, {});
-  if (!o.render_console) diagnostics.connect(parser::Stream::kRender, {});
-  if (!o.statistic_console) diagnostics.connect(parser::Stream::kStatistics, {});
+  connect(diagnostics, run);
 
   const double before = cpu_seconds();
   parser::Grammar grammar;
@@ -208,6 +231,10 @@ Status run(const RenderOptions& options, const std::atomic<bool>& cancel,
   Run run{options, warnings, {}};
   const SceneFile file(options);
   check_outputs(run);
+  if (options.parse_only) {
+    parse_alone(run, file.path());
+    return kDone;
+  }
   read_scene(run, file.path());
   if (options.explain) {
     std::fputs(explanation(*run.scene, run.camera, run.not_rendered).c_str(), stdout);

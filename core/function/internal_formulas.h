@@ -1,0 +1,45 @@
+// The formulas behind function { internal(n) }, by the names functions.inc gives them.
+// Arguments: x, y, z, then the parameters P0, P1 ... of functions.inc. Pure; any number of threads.
+// Source: reference manual 3.7, "functions.inc"; signs, limits and special cases are those of stock,
+// compared by tests/compat/language/internals.cases.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <span>
+#include <string_view>
+
+namespace lentray::core {
+
+struct InternalFormula {
+  std::string_view name;
+  double (*evaluate)(const double* arguments);
+};
+
+std::span<const InternalFormula> algebraic_formulas();   ///< polynomials in x, y, z
+std::span<const InternalFormula> curve_formulas();       ///< plane curves, turned about y on demand
+std::span<const InternalFormula> solid_formulas();       ///< distances of round things
+std::span<const InternalFormula> noise_formulas();       ///< made of noise
+
+/// The arguments with their squares at hand.
+struct FormulaPoint {
+  double x, y, z, x2, y2, z2;
+  const double* p;
+  explicit FormulaPoint(const double* a)
+      : x(a[0]), y(a[1]), z(a[2]), x2(x * x), y2(y * y), z2(z * z), p(a + 3) {}
+  double square() const { return x2 + y2 + z2; }
+  double radius() const { return std::sqrt(square()); }
+  double ring2() const { return x2 + z2; }             ///< squared distance from the y axis
+  double ring() const { return std::sqrt(ring2()); }
+};
+
+inline double squared(double v) { return v * v; }
+inline double cubed(double v) { return v * v * v; }
+
+/// A field of strength P0, held within +-10.
+inline double limited(const FormulaPoint& q, double value) {
+  return std::clamp(q.p[0] * value, -10.0, 10.0);
+}
+
+}  // namespace lentray::core

@@ -1,0 +1,90 @@
+#include "core/function/internal_formulas.h"
+#include "core/pattern/noise.h"
+
+namespace lentray::core {
+namespace {
+
+/// Parameters choose a noise generator by their last two bits.
+int generator_of(double parameter) { return static_cast<int>(parameter) & 3; }
+
+/// Noise between -1 and 1.
+double signed_noise(const Vec3& point, int generator) { return noise(point, generator) * 2.0 - 1.0; }
+
+double noise3d(const double* a) { return noise({a[0], a[1], a[2]}, 2); }
+
+double noise_generator(const double* a) { return noise({a[0], a[1], a[2]}, generator_of(a[3])); }
+
+// Heterogeneous multifractal: P0 exponent, P1 lacunarity, P2 octaves, P3 offset, P4 how often the
+// sum so far weighs an octave, P5 generator.
+double hetero_mf(const double* a) {
+  const FormulaPoint q(a);
+  const int generator = generator_of(q.p[5]), weighings = static_cast<int>(q.p[4]);
+  Vec3 point(q.x, q.y, q.z);
+  double sum = signed_noise(point, generator) + q.p[3];
+  const double damping = std::pow(q.p[1], -q.p[0]);
+  double strength = damping;
+  const auto octave = [&] { return (signed_noise(point, generator) + q.p[3]) * strength; };
+  point = point * q.p[1];
+  for (int i = 1; i < q.p[2]; ++i) {
+    double more = octave();
+    for (int n = 0; n < weighings; ++n) more *= sum;
+    sum += more;
+    point = point * q.p[1];
+    strength *= damping;
+  }
+  const double rest = q.p[2] - static_cast<int>(q.p[2]);
+  if (rest != 0.0) sum += rest * octave() * sum;
+  return sum;
+}
+
+// Folded noise: P0 lacunarity, P1 octaves, P2 gain, P3 offset, P4 where the fold is, P5 generator.
+double ridge(const double* a) {
+  const FormulaPoint q(a);
+  const int generator = generator_of(q.p[5]), octaves = static_cast<int>(q.p[1]);
+  const double offset = q.p[3], fold = q.p[4];
+  const double fold_scale = 1.0 / std::max(fold, 1.0 - fold);
+  const double rest = q.p[1] - octaves;
+  const Vec3 point(q.x, q.y, q.z);
+  const auto folded = [&](double frequency) {
+    return std::fabs(noise(point * frequency, generator) - fold) * fold_scale - offset;
+  };
+  double sum = folded(1.0), weights = 1.0, frequency = q.p[0], weight = q.p[2];
+  for (int i = 2; i <= octaves; ++i) {
+    sum += weight * folded(frequency);
+    weights += weight;
+    frequency *= q.p[0];
+    weight *= q.p[2];
+  }
+  if (rest != 0.0) {
+    sum += weight * rest * folded(frequency);
+    weights += weight * rest;
+  }
+  return sum / (std::max(offset, 1.0 - offset) * weights);
+}
+
+// Ridged multifractal: P0 exponent, P1 lacunarity, P2 octaves, P3 offset, P4 gain, P5 generator.
+double ridged_mf(const double* a) {
+  const FormulaPoint q(a);
+  const int generator = generator_of(q.p[5]);
+  Vec3 point(q.x, q.y, q.z);
+  const auto crest = [&] { return squared(q.p[3] - std::fabs(signed_noise(point, generator))); };
+  double signal = crest(), sum = signal, frequency = 1.0;
+  for (int i = 1; i < q.p[2]; ++i) {
+    point = point * q.p[1];
+    frequency *= q.p[1];
+    const double weight = std::clamp(signal * q.p[4], 0.0, 1.0);
+    signal = crest() * weight;
+    sum += signal * std::pow(frequency, -q.p[0]);
+  }
+  return sum;
+}
+
+constexpr InternalFormula kFormulas[] = {{"f_hetero_mf", hetero_mf}, {"f_noise3d", noise3d},
+                                         {"f_noise_generator", noise_generator},
+                                         {"f_ridge", ridge}, {"f_ridged_mf", ridged_mf}};
+
+}  // namespace
+
+std::span<const InternalFormula> noise_formulas() { return kFormulas; }
+
+}  // namespace lentray::core
