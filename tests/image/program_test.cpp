@@ -228,7 +228,6 @@ TEST_F(ErrorProgram, NoSceneAtAll) { expect({"+W10"}, "no scene was named"); }
 TEST_F(ErrorProgram, CamerasWithoutASheet) {
   diff::write_text(path("f.pov"), "#version 3.7;\ncamera { fisheye angle 90 }\n");
   expect({"f.pov", "Lenticular=On", "+W30", "+H20"}, "a `fisheye` camera has no lens sheet");
-  expect({"f.pov", "+W30", "+H20"}, "the camera kind `fisheye`: not yet");
 }
 
 TEST_F(ErrorProgram, ContradictoryLens) {
