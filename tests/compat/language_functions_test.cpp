@@ -1,5 +1,6 @@
 // function {}: compiled programs against stock's, and the internal functions that are arithmetic.
 #include "tests/compat/language_help.h"
+#include "tests/support/render.h"
 
 namespace lentray::test {
 namespace {
@@ -31,16 +32,29 @@ TEST(CompatFunctions, ParametersOfAnyName) {
                       {number("f(1,2,3)"), number("g(5,3)"), number("h(4,5,6)")});
 }
 
+/// Through the program: functions of pigments need the grammar of materials.
 TEST(CompatFunctions, OfPatternsAndPigments) {
-  expect_same_strings(
+  // Colours are single precision: six digits.
+  const auto six = [](const std::string& e) { return "str((" + e + "),0,6)"; };
+  const std::vector<std::string> values{
+      six("P(.3,.4,.5)"), six("Q(.3,.4,.5)"), six("R(.3,.4,.5).red"),
+      six("R(1.3,2.4,.5).blue"), six("R(1.3,2.4,.5).transmit"), six("R(.3,.2,.1).gray"),
+      six("S(.77)")};
+  std::string sdl =
       "#version 3.7;\n"
       "#declare P = function { pattern { bozo scale .7 turbulence .2 } }\n"
       "#declare Q = function { pattern { gradient x sine_wave rotate 20*z } }\n"
       "#declare R = function { pigment { crackle color_map { [0 rgb <1,.5,.2>] [1 rgbt <0,.3,.9,.4>] } } }\n"
-      "#declare S = function(a) { P(a, a*2, 1) + 2*Q(a, 0, 0) + R(a, a, a).green }\n",
-      {number("P(.3,.4,.5)"), number("Q(.3,.4,.5)"), number("R(.3,.4,.5).red"),
-       number("R(1.3,2.4,.5).blue"), number("R(1.3,2.4,.5).transmit"), number("R(.3,.2,.1).gray"),
-       number("S(.77)")});
+      "#declare S = function(a) { P(a, a*2, 1) + 2*Q(a, 0, 0) + R(a, a, a).green }\n";
+  for (const std::string& value : values) sdl += "#debug concat(\"value \", " + value + ", \"\\n\")\n";
+  const diff::TemporaryFolder folder;
+  diff::write_text(folder / "scene.pov", sdl);
+  const diff::RunResult ours = run_lentray({"scene.pov", "+W4", "+H4", "-F"}, folder.path());
+  const std::vector<std::string> wanted = lines_of(stock_debug(sdl));
+  ASSERT_EQ(wanted.size(), values.size());
+  for (const std::string& line : wanted) {
+    EXPECT_NE(ours.output.find(line + "\n"), std::string::npos) << line << "\n" << ours.output;
+  }
 }
 
 TEST(CompatFunctions, Internal) {
