@@ -97,7 +97,7 @@ TEST_P(ImageShapes, InCsg) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, ImageShapes, ::testing::ValuesIn(kCases),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& one) { return std::string(one.param.name); });
 
 }  // namespace
 }  // namespace lentray::test
