@@ -16,8 +16,8 @@ void BlobTexture::resolve(const Vec3& world_point, double weight, WeightedTextur
     return;
   }
   for (const Element& e : m_elements) {
-    const double share = influence(e);
-    if (share > 0.0) e.texture->resolve(world_point, weight * share / total, out);
+    const double share = influence(e) / total;
+    if (share > 0.0 && share >= m_least) e.texture->resolve(world_point, weight * share, out);
   }
 }
 

@@ -16,13 +16,16 @@ class BlobTexture final : public Texture {
     BlobField field;                           ///< `to_blob` leads to the world here
     std::shared_ptr<const Texture> texture;
   };
-  explicit BlobTexture(std::vector<Element> elements) : m_elements(std::move(elements)) {}
+  /// Shares below `least` are left out, as adc_bailout says.
+  BlobTexture(std::vector<Element> elements, double least)
+      : m_elements(std::move(elements)), m_least(least) {}
   void resolve(const Vec3& world_point, double weight, WeightedTextures& out) const override;
   bool is_opaque() const override;
   void collect(std::vector<const LayeredTexture*>& out) const override;
 
  private:
   std::vector<Element> m_elements;
+  double m_least;
 };
 
 }  // namespace lentray::core

@@ -255,7 +255,8 @@ void ObjectBuilder::add_element_textures(const BlobShape& blob, const core::Tran
     elements.push_back({field, texture ? m_textures->texture(moved(texture, to_world), m_default)
                                        : own});
   }
-  const auto mixed = std::make_shared<const core::BlobTexture>(std::move(elements));
+  const auto mixed = std::make_shared<const core::BlobTexture>(
+      std::move(elements), m_parts->settings.adc_bailout);
   m_parts->textures.push_back(mixed);
   looks.texture = mixed.get();
   out.set_attributes(looks);
