@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/geometry/bounds_help.h"
+#include "core/geometry/crossings.h"
 #include "core/geometry/roots.h"
 
 namespace lentray::core {
@@ -109,23 +110,13 @@ void Blob::crossings(const Ray& ray, double t_min, double t_max, Visit&& visit) 
 }
 
 bool Blob::nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const {
-  bool found = false;
-  crossings(ray, t_min, t_max, [&](double t) {
-    if (!(t > t_min)) return true;
-    if (t < t_max) {
-      hit = {t, 0, 0.0, 0.0};
-      found = true;
-    }
-    return false;
-  });
-  return found;
+  const auto each = [&](auto&& visit) { crossings(ray, t_min, t_max, visit); };
+  return first_of_ordered(each, t_min, t_max, hit);
 }
 
 void Blob::all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const {
-  crossings(ray, t_min, t_max, [&](double t) {
-    if (t > t_min && t < t_max) hits.push_back({t, 0, 0.0, 0.0});
-    return t < t_max;
-  });
+  const auto each = [&](auto&& visit) { crossings(ray, t_min, t_max, visit); };
+  append_ordered(each, t_min, t_max, hits);
 }
 
 bool Blob::inside(const Vec3& p) const {

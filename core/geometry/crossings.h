@@ -1,4 +1,5 @@
-// What a convex shape makes of its crossings with a ray: at most a few, nearest first.
+// What a shape makes of its crossings with a ray, nearest first: a convex one has a few at once,
+// others find one after the other.
 #pragma once
 
 #include "core/geometry/shape.h"
@@ -23,6 +24,31 @@ inline void append_between(const ShapeHit* found, int count, double t_min, doubl
   for (int i = 0; i < count; ++i) {
     if (found[i].t > t_min && found[i].t < t_max) hits.push_back(found[i]);
   }
+}
+
+/// The first crossing with t_min < t < t_max. `each` calls its argument with t in order, until that
+/// returns false.
+template <class Each>
+bool first_of_ordered(Each&& each, double t_min, double t_max, ShapeHit& hit) {
+  bool found = false;
+  each([&](double t) {
+    if (!(t > t_min)) return true;
+    if (t < t_max) {
+      hit = {t, 0, 0.0, 0.0};
+      found = true;
+    }
+    return false;
+  });
+  return found;
+}
+
+/// Appends all of them.
+template <class Each>
+void append_ordered(Each&& each, double t_min, double t_max, ShapeHits& hits) {
+  each([&](double t) {
+    if (t > t_min && t < t_max) hits.push_back({t, 0, 0.0, 0.0});
+    return t < t_max;
+  });
 }
 
 }  // namespace lentray::core

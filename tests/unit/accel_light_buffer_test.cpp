@@ -141,11 +141,23 @@ TEST(UnitCoreLightBufferRules, CoveredCellsNeedNoTest) {
   EXPECT_GT(buffer.statistics().dark_cells, buffer.statistics().cells / 8);
   Counters counters;
   HitArena arena;
-  const Ray ray{{0, -20, 0}, {0, 1, 0}};
-  if (buffer.any_opaque(buffer.spot_of(ray.origin), ray, kTolerance, 25 - kTolerance, arena,
-                        &counters)) {
-    EXPECT_EQ(counters.primitive_tests, 0u);
+  int blocked = 0, tested = 0;
+  for (int i = -20; i <= 20; ++i) {
+    for (int k = -20; k <= 20; ++k) {
+      const Vec3 point{i / 5.0, -20, k / 5.0};  // all objects are between it and the light
+      const Vec3 to = Vec3{0, 5, 0} - point;
+      const Ray ray{point, normalized(to)};
+      counters.primitive_tests = 0;
+      if (!buffer.any_opaque(buffer.spot_of(point), ray, kTolerance, length(to) - kTolerance, arena,
+                             &counters)) {
+        continue;
+      }
+      ++blocked;
+      tested += counters.primitive_tests > 0;
+    }
   }
+  EXPECT_GT(blocked, 500);
+  EXPECT_LT(tested, blocked / 4);
 }
 
 /// So many objects behind one another that a list a cell is no gain.

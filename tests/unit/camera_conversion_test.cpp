@@ -8,6 +8,7 @@
 #include "camera/orthographic.h"
 #include "camera/perspective.h"
 #include "core/base/bounds.h"
+#include "tests/unit/plain_camera.h"
 
 namespace lentray::camera {
 namespace {
@@ -23,16 +24,6 @@ SceneProbe wall_at(double z) {
     if (t <= 1e-9 || t >= limit) return std::nullopt;
     return ProbeHit{t, "plane"};
   };
-}
-
-Projection plain_camera() {
-  Projection p;
-  p.location = {1.0, 2.0, -10.0};
-  p.direction = {0.0, 0.0, 1.5};
-  p.right = {4.0 / 3.0, 0.0, 0.0};
-  p.up = {0.0, 1.0, 0.0};
-  p.look_at_distance = 10.0;
-  return p;
 }
 
 std::string message(const auto& work) {

@@ -7,6 +7,7 @@
 
 #include "camera/conversion.h"
 #include "camera/sheet_collisions.h"
+#include "tests/unit/plain_camera.h"
 
 namespace lentray::camera {
 namespace {
@@ -46,17 +47,6 @@ SceneProbe both(SceneProbe a, SceneProbe b) {
     if (p && q) return p->distance < q->distance ? p : q;
     return p ? p : q;
   };
-}
-
-/// Looks along z from z = -10; the sheet is at z = 0 there, 8.9 x 6.7 units.
-Projection plain_camera() {
-  Projection p;
-  p.location = {1.0, 2.0, -10.0};
-  p.direction = {0.0, 0.0, 1.5};
-  p.right = {4.0 / 3.0, 0.0, 0.0};
-  p.up = {0.0, 1.0, 0.0};
-  p.look_at_distance = 10.0;
-  return p;
 }
 
 Sheet sheet_of(const SceneProbe& probe, const Conversion& conversion = {}) {

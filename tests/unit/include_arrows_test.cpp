@@ -96,5 +96,15 @@ TEST(UnitHouseArrows, TheRulesCanFail) {
   EXPECT_EQ(fault("core/base/ray.h", "vector"), "");
 }
 
+TEST(UnitHouseFolders, OnlyTheAgreedOnesAreAtTheTop) {
+  const std::set<std::string> agreed{"CMakeLists.txt", "CMakePresets.json", "parser", "core",
+                                     "camera", "shadow", "scenes", "tests", "tools", "docs",
+                                     "README.md", "LICENSE", "CHANGELOG.md", "build", "out"};
+  for (const auto& entry : fs::directory_iterator(LENTRAY_SOURCE_DIR)) {
+    const std::string name = entry.path().filename();
+    EXPECT_TRUE(name.front() == '.' || agreed.count(name) != 0) << name << " was left behind";
+  }
+}
+
 }  // namespace
 }  // namespace lentray

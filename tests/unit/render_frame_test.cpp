@@ -6,6 +6,7 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <condition_variable>
 #include <memory>
 #include <mutex>
 #include <set>
@@ -250,30 +251,32 @@ TEST(UnitCoreFrame, AnEmptyImageIsNoTrouble) {
 TEST(UnitCoreFrame, AsManyThreadsAsAskedForReallyRun) {
   struct Meeting final : RaySource {
     bool ray(double, double, Ray&) const override {
-      const std::lock_guard lock(mutex);
+      std::unique_lock lock(mutex);
       threads.insert(std::this_thread::get_id());
-      if (threads.size() < 5) std::this_thread::yield();
+      all_there.notify_all();
+      // The first wait for the others, however slowly these start.
+      all_there.wait_for(lock, std::chrono::seconds(20), [this] { return threads.size() >= 5; });
       return false;
     }
     mutable std::mutex mutex;
+    mutable std::condition_variable all_there;
     mutable std::set<std::thread::id> threads;
   };
-  struct Slow final : PixelOrder {
+  struct Single final : PixelOrder {
     std::size_t jobs() const override { return 200; }
     void pixels(std::size_t job, std::vector<Pixel>& out) const override {
-      std::this_thread::sleep_for(std::chrono::milliseconds(2));
       out.assign(1, {static_cast<std::uint32_t>(job % 64), static_cast<std::uint32_t>(job / 64)});
     }
   };
-  struct SlowBand final : BandOrders {
+  struct SingleBand final : BandOrders {
     std::unique_ptr<PixelOrder> band(std::uint32_t, std::uint32_t) const override {
-      return std::make_unique<Slow>();
+      return std::make_unique<Single>();
     }
   };
   const auto scene = ball_scene();
   Whole whole;
   const Meeting camera;
-  render_frame(*scene, camera, {64, 64, 64}, SlowBand(), PlainShadowTesterFactory(), {.threads = 5},
+  render_frame(*scene, camera, {64, 64, 64}, SingleBand(), PlainShadowTesterFactory(), {.threads = 5},
                whole, nullptr);
   EXPECT_EQ(camera.threads.size(), 5u);
 }

@@ -14,8 +14,6 @@
 #include "core/scene/scene.h"
 #include "parser/build/scene.h"
 #include "parser/diagnostics.h"
-#include "parser/grammar/scene.h"
-#include "parser/parser.h"
 #include "parser/read_scene.h"
 #include "shadow/pixel_orders.h"
 #include "shadow/report.h"
@@ -111,10 +109,8 @@ void read_scene(Run& run, const std::string& path) {
   connect(diagnostics, run);
 
   const double before = cpu_seconds();
-  parser::Grammar grammar;
-  parser::Parser parser(sources, diagnostics, parser_options(o), grammar);
-  parser.open(path);
-  const parser::SceneDesc description = parser::parse_scene(parser, grammar);
+  const parser::SceneDesc description =
+      parser::read_descriptions(path, sources, diagnostics, parser_options(o));
   const double parsed = cpu_seconds();
   run.report.parse_cpu_s = parsed - before;
 
@@ -123,7 +119,10 @@ void read_scene(Run& run, const std::string& path) {
   reduce(parts, o.quality);
   core::CompileOptions compile;
   compile.linear_search = o.accelerator == "list";
-  if (o.light_buffer) compile.light_buffer_pixels = static_cast<std::uint64_t>(o.width) * static_cast<std::uint64_t>(o.height);
+  if (o.light_buffer) {
+    compile.light_buffer_pixels =
+        static_cast<std::uint64_t>(o.width) * static_cast<std::uint64_t>(o.height);
+  }
   run.scene = std::make_unique<core::Scene>(std::move(parts), compile);
   run.report.compile_cpu_s = cpu_seconds() - parsed;
 
