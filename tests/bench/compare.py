@@ -50,24 +50,30 @@ def measure(name, args, binaries):
     width, height = (int(n) for n in args.size.split("x"))
     scene = ROOT / "scenes" / f"spd_{name}.pov"
     with tempfile.TemporaryDirectory() as temporary:
-        folder = pathlib.Path(temporary)
-        views, mesh = wrappers(scene, width, height, binaries, folder)
+        # Wrappers bring includes of their own (an empty camera): they must not lie where lentray
+        # looks first, or it would render another picture.
+        folder = pathlib.Path(temporary) / "pictures"
+        wrapped = pathlib.Path(temporary) / "wrappers"
+        folder.mkdir()
+        wrapped.mkdir()
+        views, mesh = wrappers(scene, width, height, binaries, wrapped)
         lenses = -(-width // 15)
 
         def ours():
             return cpu_seconds([binaries / "lentray", scene, "Declare=Lenticular_Camera=1",
-                                "+Oours.png", f"+W{width}", f"+H{height}", f"+WT{args.threads}", "-V"], folder)
+                                "+Oours.png", f"+W{width}", f"+H{height}",
+                                f"+WT{args.threads}", "-V"], folder)
 
         def stock_views():
             # The last lens may be cut: the views beyond it have one pixel less a row.
             total = 0.0
             for j, view in enumerate(views):
                 columns = len(range(j, width, 15))
-                total += cpu_seconds(stock(view, columns, height, scene.parent, args.threads), folder)
+                total += cpu_seconds(stock(view, columns, height, wrapped, args.threads), folder)
             return total
 
         def stock_mesh():
-            return cpu_seconds(stock(mesh, width, height + 1, scene.parent, args.threads), folder)
+            return cpu_seconds(stock(mesh, width, height + 1, wrapped, args.threads), folder)
 
         ways = {"lentray": ours, "stock mesh_camera": stock_mesh}
         if not args.no_views:
