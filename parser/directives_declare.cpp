@@ -106,7 +106,7 @@ void Directives::end_of_declaration(const Value& value, const Location& where) {
                                                      : m_in.tokens.describe(next);
     m_in.fail(where, rule + " since version 3.5 (found " + found + " instead)");
   }
-  m_in.warn(where, rule);
+  if (m_in.version >= 310) m_in.warn(where, rule);
 }
 
 void Directives::undef() {

@@ -41,6 +41,7 @@ struct Interpreter {
 
   int version = 370;          ///< x 100
   bool version_set = false;
+  bool version_first = true;  ///< no declaration stood before the first #version
   std::vector<std::uint32_t> random;   ///< states of the streams of seed()
 
   std::string scene_folder;

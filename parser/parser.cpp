@@ -155,6 +155,7 @@ Location Parser::location() {
 
 int Parser::language_version() const { return m_impl->in.version; }
 bool Parser::language_version_set() const { return m_impl->in.version_set; }
+bool Parser::language_version_first() const { return m_impl->in.version_first; }
 const ParserOptions& Parser::options() const { return m_impl->in.options; }
 Diagnostics& Parser::diagnostics() { return m_impl->in.diagnostics; }
 SourceManager& Parser::sources() { return m_impl->in.sources; }

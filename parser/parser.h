@@ -116,6 +116,7 @@ class Parser {
 
   int language_version() const;           ///< x 100: 370
   bool language_version_set() const;      ///< false: the scene has no #version yet
+  bool language_version_first() const;    ///< nothing was declared before the first #version
   const ParserOptions& options() const;
   Diagnostics& diagnostics();
   SourceManager& sources();

@@ -14,6 +14,7 @@
 #include "core/scene/scene.h"
 #include "parser/build/scene.h"
 #include "parser/diagnostics.h"
+#include "parser/dump/scene_json.h"
 #include "parser/read_scene.h"
 #include "shadow/pixel_orders.h"
 #include "shadow/report.h"
@@ -52,7 +53,7 @@ struct Run {
 /// Files are asked for before anything is read, so that no work is lost on them.
 void check_outputs(Run& run) {
   const RenderOptions& o = run.options;
-  const bool renders = !o.explain && !o.parse_only && o.dump_rays.empty();
+  const bool renders = !o.explain && !o.parse_only && !o.dump && o.dump_rays.empty();
   if (!o.dump_rays.empty() && o.dump_rays != "-") core::check_writable(o.dump_rays);
   if (!renders) return;
   const auto width = static_cast<std::uint32_t>(o.width);
@@ -85,7 +86,7 @@ void connect(parser::Diagnostics& diagnostics, Run& run) {
   if (!o.statistic_console) diagnostics.connect(parser::Stream::kStatistics, {});
 }
 
-/// --parse-only: text -> descriptions, checked as far as they can be without rendering.
+/// --parse-only, --dump: text -> descriptions, checked as far as they can be without rendering.
 void parse_alone(Run& run, const std::string& path) {
   const RenderOptions& o = run.options;
   parser::SourceManager sources;
@@ -96,6 +97,10 @@ void parse_alone(Run& run, const std::string& path) {
       parser::read_descriptions(path, sources, diagnostics, parser_options(o));
   const double seconds = cpu_seconds() - before;
   parser::build_scene(scene, diagnostics, {o.quality});
+  if (o.dump) {
+    const auto json = parser::scene_json(scene, sources);
+    std::puts(json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
+  }
   if (!o.verbose) return;
   std::fprintf(stderr, "Parsed: %zu objects and lights, %zu warnings, %.2f s\n",
                scene.objects.size(), diagnostics.warnings().size(), seconds);
@@ -230,7 +235,7 @@ Status run(const RenderOptions& options, const std::atomic<bool>& cancel,
   Run run{options, warnings, {}};
   const SceneFile file(options);
   check_outputs(run);
-  if (options.parse_only) {
+  if (options.parse_only || options.dump) {
     parse_alone(run, file.path());
     return kDone;
   }
