@@ -102,23 +102,27 @@ std::string surface_panel(const std::string& title, int column) {
 }
 
 constexpr const char* kSurfaceLook =
-    "set xlabel 'A, mm'\nset ylabel 'D, mm'\nset xyplane 0\nset view 60,35\n"
+    "set xlabel 'A, mm'\nset ylabel 'D, mm'\nset xyplane 0\nset view 60,320\n"
     "set pm3d border linecolor 'gray30' linewidth 0.3\n"
     "set palette defined (0 '#440154', 1 '#3b528b', 2 '#21918c', 3 '#5ec962', 4 '#fde725')\n"
     "set colorbox\nset zlabel 'hits' rotate\n";
 
 std::string surface_script(const Figure& figure, const StyleGrid& grid, const Arguments& a) {
-  double most = 1.0;
+  double most = 1.0, highest = 1.0;
   for (const Point& p : grid.points) {
-    most = std::max(most, std::fabs(static_cast<double>(p.closed(a.alpha).value_or(0)) -
-                                    static_cast<double>(p.enumerated)));
+    const auto closed = static_cast<double>(p.closed(a.alpha).value_or(0));
+    const auto enumerated = static_cast<double>(p.enumerated);
+    most = std::max(most, std::fabs(closed - enumerated));
+    highest = std::max({highest, closed, enumerated});
   }
   const bool printed = a.alpha == shadow::paper::Alpha::kPrinted;
   const std::string alpha = std::string("alpha ") + shadow::paper::name_of(a.alpha);
   return preamble(a, 1650, 540) + "set multiplot layout 1,3 title '" + figure.title + "; " +
-         lens_text(a) + "'\n" + kSurfaceLook +
+         lens_text(a) + "'\n" + kSurfaceLook + "set zrange [0:" + number_text(highest) +
+         "]\nset cbrange [0:" + number_text(highest) + "]\n" +
          surface_panel("equation (" + alpha + ")", printed ? 3 : 4) +
-         surface_panel("enumerated", 5) + "set view map\nset palette defined (-1 'blue', 0 'white', 1 'red')\n" +
+         surface_panel("enumerated", 5) +
+         "set view map\nset zrange [*:*]\nset palette defined (-1 'blue', 0 'white', 1 'red')\n" +
          "set cbrange [" + number_text(-most) + ":" + number_text(most) + "]\n" +
          surface_panel("equation - enumerated", 7) + "unset multiplot\n";
 }
@@ -148,11 +152,13 @@ std::string lines(std::size_t first, bool key) {
 std::string series_script(const Figure& figure, const Series& series, const Arguments& a,
                           const std::string& where) {
   const std::string look = "set datafile separator ','\nset xlabel '" + series.axis +
-                           "'\nset ylabel 'continuous cache hits'\nset grid\nset yrange [0:*]\n" +
-                           (series.logarithmic ? "set logscale x\n" : "");
+                           "'\nset ylabel 'continuous cache hits'\nset grid\n" +
+                           (series.logarithmic ? "set logscale x\n" : "") +
+                           (series.logarithmic_hits ? "set logscale y\n" : "set yrange [0:*]\n");
   const std::string title = figure.title + " at " + where + "; " + lens_text(a);
   if (series.styles.size() == 1) {
-    return preamble(a, 1000, 600) + look + "set key top left\nset title '" + title + "'\n" +
+    return preamble(a, 1000, 600) + look + "set key top " +
+           (figure.kind == Kind::kAlongA ? "left" : "right") + "\nset title '" + title + "'\n" +
            lines(2, true);
   }
   std::string out = preamble(a, 1500, 900) + look + "set multiplot layout 2,3 title '" + title +

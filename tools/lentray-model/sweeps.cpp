@@ -51,7 +51,7 @@ void sweep_widths(Series& series, const Arguments& a, const shadow::PaperSheet& 
 
 Series cut_along_a(const Arguments& a, const shadow::PaperSheet& sheet,
                    const shadow::Style& style) {
-  Series series{"A, mm", false, {style}, {}, {}};
+  Series series{"A, mm", false, false, {style}, {}, {}};
   for (const double size : even(a.a.first, a.a.last)) {
     add(series, size, sheet, a.shadow(size, a.slice_d));
   }
@@ -60,7 +60,7 @@ Series cut_along_a(const Arguments& a, const shadow::PaperSheet& sheet,
 
 Series cut_along_d(const Arguments& a, const shadow::PaperSheet& sheet,
                    const shadow::Style& style) {
-  Series series{"D, mm", false, {style}, {}, {}};
+  Series series{"D, mm", false, false, {style}, {}, {}};
   for (const double distance : even(a.d.first, a.d.last)) {
     add(series, distance, sheet, a.shadow(a.slice_a, distance));
   }
@@ -68,7 +68,7 @@ Series cut_along_d(const Arguments& a, const shadow::PaperSheet& sheet,
 }
 
 Series sweep(const std::string& name, const Arguments& a, const shadow::PaperSheet& sheet) {
-  Series series{"", true, shadow::paper_styles(), {}, {}};
+  Series series{"", true, false, shadow::paper_styles(), {}, {}};
   const double alpha = shadow::paper::fan_angle(a.lens, a.alpha);
   if (name == "near") {
     series.axis = "D, mm";
@@ -86,6 +86,7 @@ Series sweep(const std::string& name, const Arguments& a, const shadow::PaperShe
   } else if (name == "wide") {
     series.axis = "P / f";
     series.logarithmic = false;
+    series.logarithmic_hits = true;
     sweep_widths(series, a, sheet);
   } else if (name == "edges") {
     series.axis = "Xstart, mm";

@@ -11,7 +11,8 @@ namespace lentray::model {
 
 struct Series {
   std::string axis;        ///< what x is, with its unit
-  bool logarithmic = false;
+  bool logarithmic = false;      ///< x
+  bool logarithmic_hits = false;
   std::vector<shadow::Style> styles;
   std::vector<double> x;
   std::vector<std::vector<Point>> points;  ///< of each x, one a style
