@@ -136,7 +136,10 @@ void read_scene(Run& run, const std::string& path) {
   run.scene = std::make_unique<core::Scene>(std::move(parts), compile);
   run.report.compile_cpu_s = cpu_seconds() - parsed;
 
-  const auto request = parser::camera_request(description.camera.value_or(parser::CameraDesc{}));
+  const auto textures =
+      parser::texture_settings(description, run.scene->settings(), {.quality = o.quality});
+  const auto request =
+      parser::camera_request(description.camera.value_or(parser::CameraDesc{}), textures);
   run.camera = make_camera(request, o, camera::probe_of(*run.scene));
   for (std::string& text : run.camera.warnings) run.warnings.push_back("warning: " + text);
   run.camera.warnings.clear();
