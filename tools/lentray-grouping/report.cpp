@@ -66,7 +66,7 @@ std::string bar_chart(const Group& group, const std::string& title, const std::s
   std::string script =
       model::gnuplot_preamble("svg", 620, 380) + "set datafile separator '\\t'\nset title '" +
       title + "' noenhanced\nset style data histogram\nset style fill solid 0.8\nset grid y\n" +
-      "set yrange [0:*]\nset xtics rotate by -30 noenhanced\nset key top right noenhanced\nplot ";
+      "set yrange [0:*]\nset xtics rotate by -30 noenhanced\nset key outside right noenhanced\nplot ";
   for (std::size_t i = 0; i < caches; ++i) {
     script += std::string(i > 0 ? ", " : "") + "'data' using " + std::to_string(i + 2) +
               ":xtic(1) title columnheader";
@@ -85,7 +85,7 @@ std::string cost_chart(const Group& group, const std::string& title) {
   const std::string script =
       model::gnuplot_preamble("svg", 620, 380) + "set datafile separator '\\t'\nset title '" +
       title + "' noenhanced\nset xlabel 'tests for shadow rays, millions'\nset ylabel 'CPU, s'\n" +
-      "set grid\nset xrange [0:*]\nset yrange [0:*]\nset key bottom right\n" +
+      "set grid\nset xrange [0:*]\nset yrange [0:*]\nset key outside right\n" +
       "plot 'data' using 1:2 with points pointtype 7 title 'measured', " +
       format("%.9g", fit.rest) + " + " + format("%.9g", fit.per_test * 1e6) +
       "*x title 'equation 1'\n";
