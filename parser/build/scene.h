@@ -3,6 +3,7 @@
 
 #include "core/scene/scene.h"
 #include "parser/descriptions/scene.h"
+#include "parser/build/texture_compiler.h"
 #include "parser/diagnostics.h"
 
 namespace lentray::parser {
@@ -20,5 +21,9 @@ struct BuildOptions {
 /// #version 3.7 on is 1.
 core::SceneParts build_scene(const SceneDesc& scene, Diagnostics& diagnostics,
                              const BuildOptions& options = {});
+
+/// What the scene's textures are compiled with; `settings` of the scene that was built.
+TextureSettings texture_settings(const SceneDesc& scene, const core::SceneSettings& settings,
+                                 const BuildOptions& options);
 
 }  // namespace lentray::parser

@@ -291,7 +291,7 @@ TEST(CompatIncludeFiles, PicturesFontsAndTables) {
     const std::string kind = fs::path(file).extension().string();
     std::string use;
     if (kind == ".png") use = "p Pigment_(pigment { image_map { png \"" + file + "\" } })";
-    if (kind == ".df3") use = "p sphere { 9, 1 pigment { density_file df3 \"" + file + "\" } }";
+    if (kind == ".df3") use = "p Pigment_(pigment { density_file df3 \"" + file + "\" })";
     if (kind == ".ttf") use = "p Object_(text { ttf \"" + file + "\" \"lentray\", .3, 0 translate -x })";
     if (kind == ".pot") use = "p Object_(height_field { pot \"" + file + "\" translate -.5 })";
     if (kind == ".cat") continue;  // a catalogue of fonts for other programs

@@ -7,6 +7,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <stdexcept>
 #include <thread>
 
 #include "camera/scene_probe.h"
@@ -18,6 +19,7 @@
 #include "parser/read_scene.h"
 #include "shadow/pixel_orders.h"
 #include "shadow/report.h"
+#include "shadow/run_log.h"
 #include "shadow/tester_factory.h"
 #include "tools/lentray/camera_setup.h"
 #include "tools/lentray/explain.h"
@@ -50,12 +52,24 @@ struct Run {
   shadow::RunReport report{};
 };
 
+/// The numbers of an order such as strips(4,32).
+void check_order(const RenderOptions& o) {
+  try {
+    shadow::make_order(o.pixel_order, 1, 1);
+  } catch (const std::invalid_argument& error) {
+    throw parser::OptionError(error.what());
+  }
+}
+
 /// Files are asked for before anything is read, so that no work is lost on them.
 void check_outputs(Run& run) {
   const RenderOptions& o = run.options;
   const bool renders = !o.explain && !o.parse_only && !o.dump && o.dump_rays.empty();
   if (!o.dump_rays.empty() && o.dump_rays != "-") core::check_writable(o.dump_rays);
   if (!renders) return;
+  if (o.shadow_log && o.statistics_file.empty()) {
+    throw parser::OptionError("Shadow_Log goes into the statistics: name a Statistics_File");
+  }
   const auto width = static_cast<std::uint32_t>(o.width);
   parser::check_picture_size(o.width, o.height, bytes_a_row(width), machine_memory());
   if (!o.statistics_file.empty()) core::check_writable(o.statistics_file);
@@ -131,7 +145,10 @@ void read_scene(Run& run, const std::string& path) {
   run.scene = std::make_unique<core::Scene>(std::move(parts), compile);
   run.report.compile_cpu_s = cpu_seconds() - parsed;
 
-  const auto request = parser::camera_request(description.camera.value_or(parser::CameraDesc{}));
+  const auto textures =
+      parser::texture_settings(description, run.scene->settings(), {.quality = o.quality});
+  const auto request =
+      parser::camera_request(description.camera.value_or(parser::CameraDesc{}), textures);
   run.camera = make_camera(request, o, camera::probe_of(*run.scene));
   for (std::string& text : run.camera.warnings) run.warnings.push_back("warning: " + text);
   run.camera.warnings.clear();
@@ -204,6 +221,9 @@ bool render(Run& run, const std::atomic<bool>& cancel) {
   const auto orders = shadow::make_band_orders(o.pixel_order, shape.width, lenses);
   auto testers = shadowless_tester(o.quality);
   if (!testers) testers = shadow::make_tester_factory(o.shadow_cache);
+  const shadow::RunLog log(*testers);
+  const core::ShadowTesterFactory* asked = testers.get();
+  if (o.shadow_log) asked = &log;
   core::FrameOptions frame;
   frame.threads = o.threads;
   frame.count_tests = !o.statistics_file.empty();
@@ -218,9 +238,10 @@ bool render(Run& run, const std::atomic<bool>& cancel) {
   if (o.verbose) bar.emplace("Rendering");
   const double before = cpu_seconds();
   PictureFile picture(run.output, run.type, o, run.scene->settings(), run.camera);
-  run.report.counters = core::render_frame(*run.scene, camera, shape, *orders, *testers, frame,
+  run.report.counters = core::render_frame(*run.scene, camera, shape, *orders, *asked, frame,
                                            picture, bar ? &*bar : nullptr);
   if (cancel.load()) return false;
+  run.report.shadow_log = log.lights();
   picture.finish();
   run.report.write_cpu_s = picture.cpu_seconds();
   run.report.render_cpu_s = cpu_seconds() - before - run.report.write_cpu_s;
@@ -234,6 +255,7 @@ Status run(const RenderOptions& options, const std::atomic<bool>& cancel,
   const auto start = Clock::now();
   Run run{options, warnings, {}};
   const SceneFile file(options);
+  check_order(options);
   check_outputs(run);
   if (options.parse_only || options.dump) {
     parse_alone(run, file.path());
