@@ -7,6 +7,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <stdexcept>
 #include <thread>
 
 #include "camera/scene_probe.h"
@@ -48,6 +49,15 @@ struct Run {
   CameraSetup camera{};
   shadow::RunReport report{};
 };
+
+/// The numbers of an order such as strips(4,32).
+void check_order(const RenderOptions& o) {
+  try {
+    shadow::make_order(o.pixel_order, 1, 1);
+  } catch (const std::invalid_argument& error) {
+    throw parser::OptionError(error.what());
+  }
+}
 
 /// Files are asked for before anything is read, so that no work is lost on them.
 void check_outputs(Run& run) {
@@ -232,6 +242,7 @@ Status run(const RenderOptions& options, const std::atomic<bool>& cancel,
   const auto start = Clock::now();
   Run run{options, warnings, {}};
   const SceneFile file(options);
+  check_order(options);
   check_outputs(run);
   if (options.parse_only) {
     parse_alone(run, file.path());
