@@ -174,6 +174,9 @@ TEST_F(UnitParserOptions, LensOptions) {
   EXPECT_EQ(o.lens.model, camera::LensModel::kPinhole);
   EXPECT_EQ(o.view, 3u);
   EXPECT_EQ(o.pixel_order, "columns");
+  EXPECT_EQ(read({"Pixel_Order=Strips(4,8)"}).pixel_order, "strips(4,8)");
+  EXPECT_FALSE(o.shadow_log);
+  EXPECT_TRUE(read({"Shadow_Log=On"}).shadow_log);
   EXPECT_EQ(o.shadow_cache, "depth");
   EXPECT_EQ(o.accelerator, "list");
   EXPECT_EQ(o.statistics_file, "s.json");
