@@ -8,9 +8,6 @@
 namespace lentray::parser {
 namespace {
 
-// Deeper than any scene nests on purpose; what goes on longer does not end.
-constexpr std::size_t kDeepest = 10000;
-
 // Stock cuts long messages; scenes are not known to rely on it, comparisons of output are.
 std::string cut(std::string text, std::size_t longest, std::size_t kept) {
   if (text.size() <= longest) return text;
@@ -76,7 +73,10 @@ void Directives::include_directive() {
 }
 
 void Directives::include(const std::string& name, const Location& where) {
-  if (m_in.stream.depth() >= kDeepest) m_in.fail(where, "includes and macros nest too deeply");
+  if (m_in.stream.depth() >= m_in.options.limits.nesting) {
+    m_in.fail(where, "includes and macros nest too deeply: a file that includes itself?");
+  }
+  m_in.count_turn();
   const std::optional<std::string> path = m_in.find_file(name);
   const auto list = path ? m_in.load(*path) : nullptr;
   if (!list) {
@@ -119,7 +119,7 @@ void Directives::version() {
       m_in.warn(where, "#version should end with a semicolon");
     }
   }
-  const int version = static_cast<int>(std::lround(number * 100.0));
+  const int version = to_int(std::round(number * 100.0));
   if (version < 100 || version > 9900) {
     m_in.fail(where, "#version " + std::to_string(number) + " is no version of the language");
   }

@@ -4,12 +4,36 @@
 
 namespace lentray::parser {
 
-Value copy_value(const Value& value) {
+namespace {
+
+struct ArrayTooBig {};
+
+// An array within an array is copied too: `elements` and `depth` are what may be copied yet.
+Value copy_within(const Value& value, std::size_t& elements, std::size_t depth) {
   const auto* array = std::get_if<std::shared_ptr<ArrayValue>>(&value);
   if (!array) return value;
-  auto copy = std::make_shared<ArrayValue>(**array);
-  for (Value& element : copy->elements) element = copy_value(element);
+  const std::size_t size = (*array)->elements.size();
+  if (depth == 0 || size > elements) throw ArrayTooBig();
+  elements -= size;
+  auto copy = std::make_shared<ArrayValue>();
+  copy->sizes = (*array)->sizes;
+  copy->elements.reserve(size);
+  for (const Value& element : (*array)->elements) {
+    copy->elements.push_back(copy_within(element, elements, depth - 1));
+  }
   return copy;
+}
+
+}  // namespace
+
+Value Directives::copy_value(const Value& value) {
+  std::size_t elements = m_in.options.limits.array_elements;
+  try {
+    return copy_within(value, elements, m_in.options.limits.value_depth);
+  } catch (const ArrayTooBig&) {
+    m_in.fail(m_in.tokens.location(),
+              "the array to be copied has too many elements, or arrays within arrays");
+  }
 }
 
 bool Directives::parse_defined() {
@@ -177,12 +201,13 @@ Value Directives::parse_rvalue() {
 Value Directives::array_value() {
   TokenReader& tokens = m_in.tokens;
   auto array = std::make_shared<ArrayValue>();
+  const double most = static_cast<double>(m_in.options.limits.array_elements);
   double count = 1.0;
   while (tokens.accept(Punct::kLeftSquare)) {
     const Location where = tokens.peek_operand().where;
     const double size = m_in.expressions.parse_float();
     count *= std::floor(size + 1e-10);
-    if (!(size + 1e-10 >= 1.0) || count > 1e9) {
+    if (!(size + 1e-10 >= 1.0) || count > most) {
       m_in.fail(where, "an array cannot have " + std::to_string(size) + " elements");
     }
     array->sizes.push_back(static_cast<int>(size + 1e-10));

@@ -26,6 +26,10 @@ void promote(Number& n, int size);
 /// As stock keeps colours (five components): in single precision.
 Number stored(Number n);
 
+/// To a whole number as stock has them, 32 bits, towards zero; what does not fit, infinities and
+/// nan become the smallest.
+int to_int(double x);
+
 /// The sRGB transfer curve, towards linear light.
 double decode_srgb(double component);
 

@@ -1,5 +1,6 @@
 // String expressions. Strings are bytes; what counts characters takes them for UTF-8.
 #include <algorithm>
+#include <cmath>
 #include <ctime>
 
 #include "parser/interpreter.h"
@@ -57,9 +58,11 @@ std::string Expressions::one_string(bool path) {
 // What a number is printed with: width (negative: zeros in front) and digits, as str() takes them.
 std::string Expressions::number_format() {
   m_in.tokens.comma();
-  const int width = static_cast<int>(parse_float());
+  // Longer than any text they are printed into is as good as longest.
+  constexpr double kLongest = 1000.0;
+  const int width = to_int(std::clamp(parse_float(), -kLongest, kLongest));
   m_in.tokens.comma();
-  const int digits = static_cast<int>(parse_float());
+  const int digits = to_int(std::clamp(parse_float(), -1.0, kLongest));
   std::string format = "%";
   if (width > 0) format += std::to_string(width);
   if (width < 0) format += "0" + std::to_string(-width);
@@ -86,7 +89,7 @@ std::string Expressions::string_function(Keyword keyword, bool path) {
       return format_number(number_format().c_str(), value);
     }
     case Keyword::kVstr: {
-      const int count = std::clamp(static_cast<int>(parse_float()), 2, 5);
+      const int count = std::clamp(to_int(parse_float()), 2, 5);
       tokens.comma();
       const Number n = parse_additive();
       tokens.comma();
@@ -104,6 +107,11 @@ std::string Expressions::string_function(Keyword keyword, bool path) {
       while (!tokens.at(Punct::kRightParen)) {
         tokens.comma();
         text += one_string(path);
+        if (text.size() > m_in.options.limits.string_bytes) {
+          m_in.fail(where, "concat() makes a string of " + std::to_string(text.size()) +
+                               " bytes, the limit is " +
+                               std::to_string(m_in.options.limits.string_bytes));
+        }
       }
       return text;
     }
@@ -117,13 +125,14 @@ std::string Expressions::string_function(Keyword keyword, bool path) {
     case Keyword::kSubstr: {
       const std::string text = one_string(path);
       tokens.comma();
-      const int first = static_cast<int>(parse_float());
+      const double first = std::trunc(parse_float());
       tokens.comma();
-      const int count = static_cast<int>(parse_float());
-      const int length = static_cast<int>(count_characters(text));
-      if (first < 1 || count < 0 || first + count - 1 > length) {
-        m_in.fail(where, "substr() of " + std::to_string(count) + " characters from " +
-                             std::to_string(first) + " in a string of " + std::to_string(length));
+      const double count = std::trunc(parse_float());
+      const std::size_t length = count_characters(text);
+      if (!(first >= 1.0 && count >= 0.0 && first + count - 1.0 <= static_cast<double>(length))) {
+        m_in.fail(where, "substr() of " + std::to_string(to_int(count)) + " characters from " +
+                             std::to_string(to_int(first)) + " in a string of " +
+                             std::to_string(length));
       }
       return substring(text, static_cast<std::size_t>(first - 1), static_cast<std::size_t>(count));
     }
@@ -139,9 +148,12 @@ std::string Expressions::string_function(Keyword keyword, bool path) {
       const double days = parse_scalar_expression();
       std::string format = "%Y-%m-%d %H:%M:%SZ";
       if (tokens.accept(Punct::kComma)) format = one_string(path);
-      const auto seconds = static_cast<std::time_t>(days * 86400.0 + 946684800.5);
+      // Beyond these no year can be named.
+      constexpr double kLast = 1e16;
+      const double seconds = days * 86400.0 + 946684800.5;
+      const auto time = static_cast<std::time_t>(seconds > -kLast && seconds < kLast ? seconds : 0);
       std::tm parts{};
-      gmtime_r(&seconds, &parts);
+      gmtime_r(&time, &parts);
       char text[256];
       if (format.empty() || std::strftime(text, sizeof text, format.c_str(), &parts) == 0) {
         m_in.fail(where, "datetime() cannot use the format \"" + format + "\"");

@@ -79,8 +79,8 @@ core::Vec3 Expressions::turbulence() {
   m_in.tokens.comma();
   turbulence.omega = static_cast<float>(parse_float());
   m_in.tokens.comma();
-  constexpr double kMostOctaves = 10.0;
-  turbulence.octaves = static_cast<int>(std::clamp(parse_float(), 1.0, kMostOctaves));
+  constexpr int kMostOctaves = 10;
+  turbulence.octaves = std::clamp(to_int(parse_float()), 1, kMostOctaves);
   m_in.tokens.comma();
   const core::Vec3 point = parse_vector();
   m_in.tokens.comma();

@@ -95,24 +95,37 @@ Ref<FunctionDesc> FunctionParser::parse_body() {
   } else if (tokens.accept(Keyword::kInternal)) {
     auto desc = std::make_shared<FunctionDesc>();
     tokens.expect(Punct::kLeftParen);
-    const int number = static_cast<int>(m_in.expressions.parse_float());
+    const int number = to_int(m_in.expressions.parse_float());
     tokens.expect(Punct::kRightParen);
     desc->function = core::internal_function(number);
     if (!desc->function) m_in.fail(where, "there is no internal function " + std::to_string(number));
     result = desc;
   } else {
-    const FunctionNodePtr root = choice();
-    auto desc = std::make_shared<FunctionDesc>();
-    try {
-      desc->function = core::compile_function(*root, m_scope.parameters.size(), m_scope.most_locals);
-    } catch (const std::length_error& error) {
-      m_in.fail(where, error.what());
-    }
-    result = desc;
+    result = compiled(*choice(), where);
   }
   tokens.expect(Punct::kRightCurly);
   m_scope = outer;
   return result;
+}
+
+Ref<FunctionDesc> FunctionParser::compiled(const core::FunctionNode& root, const Location& where) {
+  const Limits& limits = m_in.options.limits;
+  if (m_scope.depth > limits.function_depth) {
+    m_in.fail(where, "functions call functions more than " +
+                         std::to_string(limits.function_depth) + " deep");
+  }
+  if (m_scope.calls > limits.function_calls) {
+    m_in.fail(where, "the function makes too many calls of others for one value");
+  }
+  auto desc = std::make_shared<FunctionDesc>();
+  desc->depth = m_scope.depth;
+  desc->calls = m_scope.calls;
+  try {
+    desc->function = core::compile_function(root, m_scope.parameters.size(), m_scope.most_locals);
+  } catch (const std::length_error& error) {
+    m_in.fail(where, error.what());
+  }
+  return desc;
 }
 
 Ref<FunctionDesc> FunctionParser::named() {
@@ -218,6 +231,12 @@ FunctionNodePtr FunctionParser::product() {
 
 FunctionNodePtr FunctionParser::unary() {
   if (++m_depth % 64 == 0) m_in.guard_stack();
+  // The compiler goes down a long sum as deep as it has terms.
+  if (++m_scope.operands > m_in.options.limits.function_operands) {
+    m_in.fail(m_in.tokens.location(), "a function has at most " +
+                                          std::to_string(m_in.options.limits.function_operands) +
+                                          " operands");
+  }
   FunctionNodePtr node;
   const Token& t = m_in.tokens.peek_operand();
   if (t.is(Punct::kMinus) || t.is(Punct::kExclamation)) {
@@ -436,6 +455,8 @@ FunctionNodePtr FunctionParser::call(const Ref<FunctionDesc>& callee, const std:
   auto node = std::make_unique<core::FunctionNode>();
   node->op = FunctionOp::kCall;
   node->callee = callee->function;
+  m_scope.depth = std::max(m_scope.depth, callee->depth + 1);
+  m_scope.calls += callee->calls;
   tokens.expect(Punct::kLeftParen);
   while (!tokens.at(Punct::kRightParen)) {
     node->operands.push_back(choice());

@@ -63,15 +63,19 @@ struct Interpreter {
 
   /// Fails when the program's own stack gets short: endless recursion through statements.
   void guard_stack();
+  /// Counts a turn of a loop, a call of a macro or an include; fails when there were too many.
+  void count_turn() {
+    if (++m_turns > options.limits.turns) too_many_turns();
+  }
 
  private:
   std::vector<std::string> search_folders() const;
 
+  [[noreturn]] void too_many_turns();
+
   std::uintptr_t m_stack_base;
+  std::uint64_t m_turns = 0;
   bool m_warned_of_names = false;
 };
-
-/// Replaces what a declaration of an array shares by a copy of its own.
-Value copy_value(const Value& value);
 
 }  // namespace lentray::parser

@@ -1,5 +1,6 @@
 #include "parser/lexer.h"
 
+#include <array>
 #include <charconv>
 #include <cstdlib>
 #include <string>
@@ -10,15 +11,34 @@
 namespace lentray::parser {
 namespace {
 
+/// What each byte can be part of, and the punctuation that it is by itself.
+struct Bytes {
+  static constexpr std::uint8_t kDigit = 1, kLetter = 2, kSpace = 4;
+  std::array<std::uint8_t, 256> kinds{};
+  std::array<Punct, 256> puncts{};
+
+  Bytes() {
+    const auto set = [&](std::string_view bytes, std::uint8_t kind) {
+      for (const char c : bytes) kinds[static_cast<unsigned char>(c)] |= kind;
+    };
+    set("0123456789", kDigit);
+    set("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_", kLetter);
+    using namespace std::string_view_literals;
+    set(" \t\n\r\f\v\0\x1a"sv, kSpace);  // the last one ends DOS files
+    for (std::size_t i = 1; i <= static_cast<std::size_t>(Punct::kBackquote); ++i) {
+      const std::string_view written = spelling(static_cast<Punct>(i));
+      if (written.size() == 1) puncts[static_cast<unsigned char>(written[0])] = static_cast<Punct>(i);
+    }
+  }
+};
+
+const Bytes kBytes;
+
+bool is(char c, std::uint8_t kind) { return kBytes.kinds[static_cast<unsigned char>(c)] & kind; }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_word_start(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-}
-bool is_word(char c) { return is_word_start(c) || is_digit(c); }
-bool is_space(char c) {
-  return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f' || c == '\v' || c == '\0' ||
-         c == '\x1a';  // the end mark of DOS files
-}
+bool is_word_start(char c) { return is(c, Bytes::kLetter); }
+bool is_word(char c) { return is(c, Bytes::kLetter | Bytes::kDigit); }
+bool is_space(char c) { return is(c, Bytes::kSpace); }
 
 // The character a one-letter escape stands for; 0 if there is no such escape.
 char simple_escape(char c) {
@@ -158,13 +178,28 @@ class Lexer {
         m_pos = end;
       }
     }
-    // from_chars wants a digit before the point; the value is the same with a 0 put there.
-    std::string digits(m_text.substr(start, m_pos - start));
-    if (digits.front() == '.') digits.insert(digits.begin(), '0');
-    const auto result = std::from_chars(digits.data(), digits.data() + digits.size(), t.number);
-    // Zero or infinity, as strtod has it.
-    if (result.ec == std::errc::result_out_of_range) t.number = std::strtod(digits.c_str(), nullptr);
+    t.number = value(m_text.substr(start, m_pos - start));
     m_tokens.push_back(t);
+  }
+
+  static double value(std::string_view digits) {
+    // Most numbers are whole and short.
+    constexpr std::size_t kShort = 15;
+    if (digits.size() <= kShort) {
+      std::uint64_t whole = 0;
+      std::size_t i = 0;
+      while (i < digits.size() && is_digit(digits[i])) {
+        whole = whole * 10 + static_cast<std::uint64_t>(digits[i++] - '0');
+      }
+      if (i == digits.size()) return static_cast<double>(whole);
+    }
+    double number = 0.0;
+    const auto result = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+    // Zero or infinity, as strtod has it.
+    if (result.ec == std::errc::result_out_of_range) {
+      return std::strtod(std::string(digits).c_str(), nullptr);
+    }
+    return number;
   }
 
   void string() {
@@ -240,10 +275,8 @@ class Lexer {
       m_tokens.push_back(t);
       return;
     }
-    for (std::size_t i = 1; i <= static_cast<std::size_t>(Punct::kBackquote); ++i) {
-      const Punct candidate = static_cast<Punct>(i);
-      if (spelling(candidate) != m_text.substr(m_pos, 1)) continue;
-      t.punct = candidate;
+    t.punct = kBytes.puncts[static_cast<unsigned char>(c)];
+    if (t.punct != Punct::kNone) {
       ++m_pos;
       m_tokens.push_back(t);
       return;
@@ -307,9 +340,11 @@ std::shared_ptr<const TokenList> tokenise(std::uint32_t file, std::string_view t
                                           NameTable& names) {
   auto list = std::make_shared<TokenList>();
   list->file = file;
-  list->tokens.reserve(text.size() / 4);
+  // Of a long list nothing is moved; what a reservation does not use is never made by the system.
+  constexpr std::size_t kLong = 1 << 20;
+  list->tokens.reserve(text.size() / (text.size() > kLong ? 2 : 4) + 1);
   Lexer(file, text, names, list->tokens).run();
-  list->tokens.shrink_to_fit();
+  if (text.size() <= kLong) list->tokens.shrink_to_fit();
   return list;
 }
 

@@ -15,6 +15,7 @@
 
 #include "core/base/transform.h"
 #include "parser/diagnostics.h"
+#include "parser/limits.h"
 #include "parser/source.h"
 #include "parser/token.h"
 #include "parser/value.h"
@@ -51,6 +52,7 @@ struct ParserOptions {
   int frame_number = 0;                                        ///< 0: a still
   int image_width = 160, image_height = 120;
   int language_version = 0;                                    ///< Version=, x 100; 0: the scene decides
+  Limits limits;
 };
 
 class Parser {

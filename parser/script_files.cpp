@@ -44,7 +44,7 @@ void ScriptFiles::open() {
   } else {
     const bool append = tokens.accept(Keyword::kAppend);
     if (!append) tokens.expect(Keyword::kWrite);
-    file->out.reset(std::fopen(file->path.c_str(), append ? "ab" : "wb"));
+    file->out = m_in.sources.disk().open(file->path, append);
     if (!file->out) m_in.fail(where, "cannot open '" + file->path + "' for writing");
     m_in.texts.erase(file->path);
   }
@@ -91,8 +91,7 @@ void ScriptFiles::write() {
       tokens.skip();
       write_binary(*out, format->keyword);
     } else if (m_in.expressions.at_string()) {
-      const std::string text = m_in.expressions.parse_string();
-      std::fwrite(text.data(), 1, text.size(), out->out.get());
+      out->out->write(m_in.expressions.parse_string());
     } else if (m_in.expressions.at_expression()) {
       const Number n = m_in.expressions.parse_additive();
       std::string text;
@@ -102,7 +101,7 @@ void ScriptFiles::write() {
         text += (i ? "," : "") + std::string(digits);
       }
       if (n.size > 1) text = "<" + text + "> ";
-      std::fwrite(text.data(), 1, text.size(), out->out.get());
+      out->out->write(text);
     } else {
       tokens.fail_expected("a string, float or vector to write");
     }
@@ -116,12 +115,15 @@ void ScriptFiles::write_binary(ScriptFile& file, Keyword keyword) {
   while (m_in.expressions.at_expression()) {
     const Number n = m_in.expressions.parse_additive();
     for (int i = 0; i < n.size; ++i) {
-      const double value = std::clamp(std::floor(n.v[static_cast<std::size_t>(i)] + 0.5),
-                                      format.lowest, format.highest);
+      const double rounded = std::floor(n.v[static_cast<std::size_t>(i)] + 0.5);
+      const double value = std::isnan(rounded)
+                               ? format.lowest
+                               : std::clamp(rounded, format.lowest, format.highest);
       const auto bits = static_cast<std::uint64_t>(static_cast<std::int64_t>(value));
       for (int b = 0; b < format.bytes; ++b) {
         const int shift = 8 * (format.big_endian ? format.bytes - 1 - b : b);
-        std::fputc(static_cast<int>((bits >> shift) & 0xFF), file.out.get());
+        const char byte = static_cast<char>((bits >> shift) & 0xFF);
+        file.out->write({&byte, 1});
       }
     }
     m_in.tokens.comma();

@@ -132,7 +132,7 @@ void TokenReader::subscripts(const Token& raw, std::shared_ptr<ArrayValue> array
       const double subscript = m_in.expressions.parse_float();
       const int size = array->sizes[dimension];
       // Stock adds this before it cuts off the fraction.
-      const int i = static_cast<int>(subscript + 1e-10);
+      const int i = to_int(subscript + 1e-10);
       if (!(subscript > -1e-10) || i < 0 || i >= size) {
         m_in.fail(where, "array subscript " + std::to_string(i) + " out of range: " +
                              std::string(m_in.names.text(token.name)) + " has " +

@@ -77,6 +77,8 @@ struct FunctionDesc {
   std::string name;
   std::shared_ptr<const core::Function> function;  ///< never null
   Ref<PigmentDesc> pigment;  ///< of `function { pigment {...} }`: what is evaluated, else null
+  std::size_t depth = 1;     ///< functions that call functions, this one included
+  double calls = 1.0;        ///< functions evaluated for one value, at most
 };
 
 }  // namespace lentray::parser
