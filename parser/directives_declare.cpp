@@ -108,9 +108,7 @@ void Directives::declare(const Token& directive, bool local) {
     symbol.reset(std::move(value));
   }
   if (!deprecated.empty()) {
-    symbol.deprecated = true;
-    symbol.deprecated_once = once;
-    symbol.deprecation = std::move(deprecated);
+    symbol.deprecated.reset(new Deprecation{std::move(deprecated), once});
   }
 }
 
@@ -169,7 +167,8 @@ Value Directives::parse_rvalue() {
     return m_in.expressions.parse_spline();
   }
   if (first.is(Keyword::kTransform)) {
-    return m_in.expressions.parse_transform_statement();
+    return std::make_shared<const core::Transform>(
+        m_in.expressions.parse_transform_statement());
   }
   if (m_in.expressions.at_string()) return m_in.expressions.parse_string();
   if (m_in.expressions.at_colour_keyword()) return m_in.expressions.parse_colour();

@@ -55,9 +55,11 @@ char simple_escape(char c) {
   }
 }
 
+using Tokens = decltype(TokenList::tokens);
+
 class Lexer {
  public:
-  Lexer(std::uint32_t file, std::string_view text, NameTable& names, std::vector<Token>& tokens)
+  Lexer(std::uint32_t file, std::string_view text, NameTable& names, Tokens& tokens)
       : m_file(file), m_text(text), m_names(names), m_tokens(tokens) {}
 
   void run() {
@@ -328,7 +330,7 @@ class Lexer {
   const std::uint32_t m_file;
   const std::string_view m_text;
   NameTable& m_names;
-  std::vector<Token>& m_tokens;
+  Tokens& m_tokens;
   std::size_t m_pos = 0;
   std::size_t m_line_start = 0;
   std::uint32_t m_line = 1;

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "parser/large_pages.h"
 #include "parser/names.h"
 #include "parser/token.h"
 
@@ -17,7 +18,7 @@ namespace lentray::parser {
 /// The tokens of one text. Shared by everything that replays parts of it (macros, loops).
 struct TokenList {
   std::uint32_t file = 0;
-  std::vector<Token> tokens;
+  std::vector<Token, LargePages<Token>> tokens;
 };
 
 std::shared_ptr<const TokenList> tokenise(std::uint32_t file, std::string_view text,

@@ -77,7 +77,6 @@ std::optional<T> Parser::accept_value() {
 template std::optional<Number> Parser::accept_value();
 template std::optional<std::string> Parser::accept_value();
 template std::optional<std::shared_ptr<ArrayValue>> Parser::accept_value();
-template std::optional<core::Transform> Parser::accept_value();
 template std::optional<Ref<FunctionDesc>> Parser::accept_value();
 template std::optional<Ref<SplineDesc>> Parser::accept_value();
 template std::optional<Ref<PigmentDesc>> Parser::accept_value();

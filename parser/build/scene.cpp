@@ -93,7 +93,11 @@ core::SceneParts build_scene(const SceneDesc& scene, Diagnostics& diagnostics,
 
   NotYet not_yet;
   ObjectBuilder builder(parts, textures, not_yet);
-  for (const SceneObject& object : scene.objects) builder.add(*object.object, object.default_texture);
+  if (options.objects) {
+    for (const SceneObject& object : scene.objects) {
+      builder.add(*object.object, object.default_texture);
+    }
+  }
   if (scene.sky_sphere) parts.sky_sphere = build_sky(*scene.sky_sphere, textures);
   if (options.quality >= kAirQuality) {
     parts.atmosphere = build_atmosphere(scene, for_textures.noise_generator);

@@ -8,7 +8,8 @@
 namespace lentray::parser {
 
 struct BuildOptions {
-  int quality = 9;   ///< +Q
+  int quality = 9;       ///< +Q
+  bool objects = true;   ///< false: they are left out; for what the rest has to say
 };
 
 /// Features that are kept and not rendered yet go to SceneParts::not_rendered, sorted, and are

@@ -85,7 +85,8 @@ void connect(parser::Diagnostics& diagnostics, Run& run) {
   if (!o.statistic_console) diagnostics.connect(parser::Stream::kStatistics, {});
 }
 
-/// --parse-only: text -> descriptions, checked as far as they can be without rendering.
+/// --parse-only: text -> descriptions, and what is to be said of the whole. Objects are not made:
+/// what is wrong with them has been said, and meshes take longer to arrange than to read.
 void parse_alone(Run& run, const std::string& path) {
   const RenderOptions& o = run.options;
   parser::SourceManager sources;
@@ -95,7 +96,7 @@ void parse_alone(Run& run, const std::string& path) {
   const parser::SceneDesc scene =
       parser::read_descriptions(path, sources, diagnostics, parser_options(o));
   const double seconds = cpu_seconds() - before;
-  parser::build_scene(scene, diagnostics, {o.quality});
+  parser::build_scene(scene, diagnostics, {.quality = o.quality, .objects = false});
   if (!o.verbose) return;
   std::fprintf(stderr, "Parsed: %zu objects and lights, %zu warnings, %.2f s\n",
                scene.objects.size(), diagnostics.warnings().size(), seconds);
