@@ -331,7 +331,8 @@ Lens sheet (lengths in mm):
   Sheet_Distance=n     Lens_Front=n            (scene units)
   View=j               that view alone
 
-  Pixel_Order=rows|views|columns|tiles   Shadow_Cache=off|last|depth
+  Pixel_Order=rows|views|columns|combined(w)|strips(w,h)|tiles|hilbert
+  Shadow_Cache=off|last|depth
   Accelerator=bvh|list   -UL
   Max_Memory=n[M|G]          how much to use; half of the machine's  (Band_Height=rows)
   Statistics_File=x.json     what the run did (docs/statistics.md)

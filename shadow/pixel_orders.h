@@ -5,11 +5,15 @@
 //   rows     row after row, each from the left
 //   views    view after view; each as rows, from lens to lens
 //   columns  column after column, each from the top
+//   combined(w)   row after row; in a row the first strip of w pixels of every lens, then the
+//                 second of every lens, and so on
+//   strips(w,h)   the same for h rows at a time: strips of w x h pixels, each as rows
 //   tiles    squares of 32 pixels, a row of squares after another, each square as rows
+//   hilbert  squares of 64 pixels, a row of squares after another, each along a Hilbert curve
 //
-// Views: pixel j of all lenses. Where N is not whole, lenses differ in width by a pixel, and the
-// last view has only the wider ones. Without a lens sheet every pixel is a lens of its own: one
-// view, which is the same as rows.
+// Views and strips: shadow/lens_columns.h. Without a lens sheet there is one view, the same as
+// rows, and strips(w,h) are tiles of w x h. Without numbers, combined is combined(4), and strips
+// is strips(4,32).
 #pragma once
 
 #include <memory>
@@ -18,21 +22,18 @@
 
 #include "camera/lens_sheet.h"
 #include "core/render/pixel_order.h"
+#include "shadow/sequence.h"
 
 namespace lentray::shadow {
 
-inline constexpr std::uint32_t kTile = 32;  ///< pixels, the side of a square of `tiles`
+inline constexpr std::uint32_t kTile = 32;     ///< pixels, the side of a square of `tiles`
+inline constexpr std::uint32_t kHilbert = 64;  ///< and of `hilbert`
 
-/// The part of the image to render, in pixels: columns [left, right), rows [top, bottom).
-struct PixelRegion {
-  std::uint32_t left = 0, top = 0, right = 0, bottom = 0;
-};
-
-/// rows, views, columns, tiles: in this order.
+/// rows, views, columns, combined, strips, tiles, hilbert: in this order.
 const std::vector<std::string_view>& order_names();
 
-/// Throws std::invalid_argument with the list of names for one that is not there (letter case
-/// does not matter). An empty region has no jobs. `sheet` is for the image's columns; it need not
+/// Throws std::invalid_argument with the list of names for one that is not there, or for numbers
+/// in brackets that it does not take (letter case does not matter). An empty region has no jobs. `sheet` is for the image's columns; it need not
 /// live longer than the call.
 std::unique_ptr<core::PixelOrder> make_order(std::string_view name, const PixelRegion& region,
                                              const camera::LensSheet* sheet = nullptr);

@@ -2,6 +2,7 @@
 #include <mutex>
 
 #include "core/accel/wide_bvh.h"
+#include "core/geometry/box_ray.h"
 #include "core/geometry/object.h"
 
 namespace lentray::core {
@@ -19,28 +20,6 @@ std::string_view keyword(CsgKind kind) {
 }
 
 bool joins(CsgKind kind) { return kind == CsgKind::kUnion || kind == CsgKind::kMerge; }
-
-/// A ray for box tests that allow for the rounding of their numbers.
-struct BoxRay {
-  explicit BoxRay(const Ray& ray)
-      : origin(ray.origin),
-        inverse{1.0 / ray.direction.x, 1.0 / ray.direction.y, 1.0 / ray.direction.z} {}
-
-  bool meets(const Bounds& b, double t_min, double t_max) const {
-    constexpr double kSlack = 2e-15;
-    double from = t_min, to = t_max;
-    for (int i = 0; i < 3; ++i) {
-      const bool forward = inverse[i] > 0.0;
-      const double near = ((forward ? b.lo[i] : b.hi[i]) - origin[i]) * inverse[i];
-      const double far = ((forward ? b.hi[i] : b.lo[i]) - origin[i]) * inverse[i];
-      from = near > from ? near : from;  // not a number (along a side): the axis does not cut
-      to = far < to ? far : to;
-    }
-    return from - std::fabs(from) * kSlack <= to + std::fabs(to) * kSlack;
-  }
-
-  Vec3 origin, inverse;
-};
 
 /// A list of the arena, for as long as it is needed.
 class ScratchHits {

@@ -3,30 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/geometry/about_axis.h"
 #include "core/geometry/bounds_help.h"
 #include "core/geometry/roots.h"
 
 namespace lentray::core {
 namespace {
-
-/// A ray about the axis: counted from where it is nearest to it.
-struct AboutAxis {
-  double t_near = 0.0;     ///< there
-  double near2 = 0.0;      ///< square of the distance from the axis there
-  double height = 0.0;     ///< there
-  double across = 0.0;     ///< speed across the axis
-  double climb = 0.0;      ///< speed along it
-
-  explicit AboutAxis(const Ray& ray) : climb(ray.direction.y) {
-    const Vec3 &p = ray.origin, &d = ray.direction;
-    const double across2 = d.x * d.x + d.z * d.z;
-    across = std::sqrt(across2);
-    if (across2 > 0.0) t_near = -(p.x * d.x + p.z * d.z) / across2;
-    const double x = p.x + t_near * d.x, z = p.z + t_near * d.z;
-    near2 = x * x + z * z;
-    height = p.y + t_near * d.y;
-  }
-};
 
 /// Adds `by` times the square of the cubic p to c, highest power (6) first.
 void add_square(const double p[4], double by, double c[7]) {
@@ -133,6 +115,11 @@ Vec3 Lathe::normal(const Vec3& p, const ShapeHit& hit) const {
   if (!(r2 > kOnAxis)) return {0.0, 1.0, 0.0};
   const Vec2 slope = m_pieces[hit.element].curve.slope(hit.u);
   return {slope.v * p.x, -slope.u * std::sqrt(r2), slope.v * p.z};
+}
+
+Vec2 Lathe::uv(const Vec3& p, const ShapeHit& hit) const {
+  const double along = (hit.u + hit.element) / static_cast<double>(m_pieces.size());
+  return {turn_about_axis(p), std::min(along, 1.0)};
 }
 
 }  // namespace lentray::core

@@ -22,6 +22,9 @@ class Lathe final : public Shape {
   /// Between the curve and the axis, counted by crossings outwards.
   bool inside(const Vec3& p) const override;
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
+  bool has_uv() const override { return true; }
+  /// Around, and along the pieces, each the same share.
+  Vec2 uv(const Vec3& p, const ShapeHit& hit) const override;
 
  private:
   struct Piece {

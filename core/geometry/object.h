@@ -27,6 +27,7 @@ struct Attributes {
   const Interior* interior = nullptr;         ///< null: none was given
   bool no_shadow = false, no_image = false, no_reflection = false;
   bool hollow = false, double_illuminate = false;
+  bool uv_mapping = false;                    ///< textures lie in texture coordinates
 };
 
 /// A crossing of a ray with an object.

@@ -19,7 +19,8 @@ class BlobTexture final : public Texture {
   /// Shares below `least` are left out, as adc_bailout says.
   BlobTexture(std::vector<Element> elements, double least)
       : m_elements(std::move(elements)), m_least(least) {}
-  void resolve(const Vec3& world_point, double weight, WeightedTextures& out) const override;
+  void resolve(const Vec3& point, const SurfaceContext& surface, double weight,
+               WeightedTextures& out) const override;
   bool is_opaque() const override;
   void collect(std::vector<const LayeredTexture*>& out) const override;
 

@@ -21,7 +21,7 @@ struct Finish {
   bool reflection_variable = false;  ///< reflection {} block was used: min and max vary by angle
   bool conserve_energy = false;
   double crand = 0.0;
-  double irid = 0.0, irid_thickness = 0.0, irid_turbulence = 0.0;  ///< kept; rendered later
+  double irid = 0.0, irid_thickness = 0.0, irid_turbulence = 0.0;  ///< thin film interference
 };
 
 }  // namespace lentray::core

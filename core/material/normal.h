@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/vec3.h"
+#include "core/pattern/surface_context.h"
 
 namespace lentray::core {
 
@@ -10,7 +11,8 @@ class NormalPerturbation {
  public:
   virtual ~NormalPerturbation() = default;
   /// A unit normal -> the unit normal that shades.
-  virtual Vec3 perturb(const Vec3& point, const Vec3& normal) const = 0;
+  virtual Vec3 perturb(const Vec3& point, const Vec3& normal,
+                       const SurfaceContext& surface) const = 0;
 };
 
 }  // namespace lentray::core

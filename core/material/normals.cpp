@@ -11,7 +11,9 @@ class Frame {
  public:
   Frame(Placement placement, bool keep_scale)
       : m_placement(std::move(placement)), m_keep_scale(keep_scale) {}
-  Vec3 inwards(const Vec3& point) const { return m_placement.inwards(point); }
+  Vec3 inwards(const Vec3& point, const SurfaceContext& surface) const {
+    return m_placement.inwards(point, surface);
+  }
   Vec3 enter(const Vec3& normal) const {
     if (m_keep_scale) return m_placement.normal_inwards(normal);
     return normalized(m_placement.normal_inwards(normalized(normal)));
@@ -30,8 +32,10 @@ class DisplacedNormal final : public NormalPerturbation {
  public:
   DisplacedNormal(Frame frame, DisplacementPtr displacement)
       : m_frame(std::move(frame)), m_displacement(std::move(displacement)) {}
-  Vec3 perturb(const Vec3& point, const Vec3& normal) const override {
-    const Vec3 inner = m_displacement->displaced(m_frame.inwards(point), m_frame.enter(normal));
+  Vec3 perturb(const Vec3& point, const Vec3& normal,
+               const SurfaceContext& surface) const override {
+    const Vec3 inner =
+        m_displacement->displaced(m_frame.inwards(point, surface), m_frame.enter(normal));
     return m_frame.leave(inner);
   }
 
@@ -57,23 +61,24 @@ class SlopeNormal final : public NormalPerturbation {
         m_factor(amount * -5.0 * (0.02 / accuracy)),
         m_accuracy(accuracy) {}
 
-  Vec3 perturb(const Vec3& point, const Vec3& normal) const override {
+  Vec3 perturb(const Vec3& point, const Vec3& normal,
+               const SurfaceContext& surface) const override {
     // Samples at the corners of a tetrahedron: its vectors, weighted by the heights there.
     static constexpr Vec3 kCorners[] = {{0.942809041, -0.333333333, 0.0},
                                         {-0.471404521, -0.333333333, 0.816496581},
                                         {-0.471404521, -0.333333333, -0.816496581},
                                         {0.0, 1.0, 0.0}};
-    const Vec3 local = m_frame.inwards(point);
+    const Vec3 local = m_frame.inwards(point, surface);
     Vec3 inner = m_frame.enter(normal);
     for (const Vec3& corner : kCorners) {
-      inner += corner * (height(local + corner * m_accuracy) * m_factor);
+      inner += corner * (height(local + corner * m_accuracy, surface) * m_factor);
     }
     return m_frame.leave(inner);
   }
 
  private:
-  double height(const Vec3& local) const {
-    const double value = m_pattern.value(local);
+  double height(const Vec3& local, const SurfaceContext& surface) const {
+    const double value = m_pattern.value(local, surface);
     if (!m_slopes) return value;
     const auto place = m_slopes->find(value);
     if (place.before == place.after) return place.after->height;
@@ -86,8 +91,9 @@ class SlopeNormal final : public NormalPerturbation {
   double m_factor, m_accuracy;
 };
 
-Vec3 perturbed(const NormalPtr& perturbation, const Vec3& point, const Vec3& normal) {
-  return perturbation ? perturbation->perturb(point, normal) : normal;
+Vec3 perturbed(const NormalPtr& perturbation, const Vec3& point, const Vec3& normal,
+               const SurfaceContext& surface) {
+  return perturbation ? perturbation->perturb(point, normal, surface) : normal;
 }
 
 class NormalMap final : public NormalPerturbation {
@@ -96,13 +102,14 @@ class NormalMap final : public NormalPerturbation {
       : m_frame(pattern.placement, keep_scale),
         m_pattern(std::move(pattern)),
         m_map(std::move(map)) {}
-  Vec3 perturb(const Vec3& point, const Vec3& normal) const override {
-    const Vec3 local = m_frame.inwards(point);
-    const auto place = m_map.find(m_pattern.value(local));
+  Vec3 perturb(const Vec3& point, const Vec3& normal,
+               const SurfaceContext& surface) const override {
+    const Vec3 local = m_frame.inwards(point, surface);
+    const auto place = m_map.find(m_pattern.value(local, surface));
     const Vec3 entered = m_frame.enter(normal);
-    Vec3 inner = perturbed(*place.after, local, entered);
+    Vec3 inner = perturbed(*place.after, local, entered, surface);
     if (place.before != place.after) {
-      inner = perturbed(*place.before, local, entered) * (1.0 - place.fraction) +
+      inner = perturbed(*place.before, local, entered, surface) * (1.0 - place.fraction) +
               inner * place.fraction;
     }
     return normalized(m_frame.leave(inner));
@@ -120,11 +127,12 @@ class AverageNormal final : public NormalPerturbation {
       : m_frame(std::move(frame)), m_entries(std::move(entries)) {
     for (const auto& [weight, normal] : m_entries) m_total += weight;
   }
-  Vec3 perturb(const Vec3& point, const Vec3& normal) const override {
-    const Vec3 local = m_frame.inwards(point);
+  Vec3 perturb(const Vec3& point, const Vec3& normal,
+               const SurfaceContext& surface) const override {
+    const Vec3 local = m_frame.inwards(point, surface);
     const Vec3 entered = m_frame.enter(normal);
     Vec3 sum;
-    for (const auto& [weight, one] : m_entries) sum += perturbed(one, local, entered) * weight;
+    for (const auto& [weight, one] : m_entries) sum += perturbed(one, local, entered, surface) * weight;
     return m_frame.leave(sum / m_total);
   }
 
@@ -138,8 +146,10 @@ class PlacedNormal final : public NormalPerturbation {
  public:
   PlacedNormal(Frame frame, NormalPtr normal)
       : m_frame(std::move(frame)), m_normal(std::move(normal)) {}
-  Vec3 perturb(const Vec3& point, const Vec3& normal) const override {
-    return m_frame.leave(m_normal->perturb(m_frame.inwards(point), m_frame.enter(normal)));
+  Vec3 perturb(const Vec3& point, const Vec3& normal,
+               const SurfaceContext& surface) const override {
+    return m_frame.leave(
+        m_normal->perturb(m_frame.inwards(point, surface), m_frame.enter(normal), surface));
   }
 
  private:

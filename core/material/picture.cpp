@@ -60,8 +60,8 @@ class PicturePigment final : public Pigment {
                std::all_of(m_picture->picture().pixels.begin(), m_picture->picture().pixels.end(),
                            [](const Colour& c) { return c.is_opaque(); });
   }
-  Colour colour(const Vec3& point) const override {
-    const auto place = m_picture->place(m_placement.inwards(point));
+  Colour colour(const Vec3& point, const SurfaceContext& surface) const override {
+    const auto place = m_picture->place(m_placement.inwards(point, surface));
     return place ? m_picture->colour(*place) : Colour{{1, 1, 1}, 0, 1};
   }
   bool is_opaque() const override { return m_opaque; }
@@ -137,8 +137,9 @@ class MaterialMap final : public Texture {
       : m_placement(std::move(placement)),
         m_picture(std::move(picture)),
         m_textures(std::move(textures)) {}
-  void resolve(const Vec3& point, double weight, WeightedTextures& out) const override {
-    const auto place = m_picture->place(m_placement.inwards(point));
+  void resolve(const Vec3& point, const SurfaceContext& surface, double weight,
+               WeightedTextures& out) const override {
+    const auto place = m_picture->place(m_placement.inwards(point, surface));
     std::size_t number = 0;
     if (place) {
       const auto entry = m_picture->index(*place);
@@ -147,7 +148,7 @@ class MaterialMap final : public Texture {
     }
     // Stock counts round only beyond the number of textures, and stops at the last.
     if (number > m_textures.size()) number %= m_textures.size();
-    m_textures[std::min(number, m_textures.size() - 1)]->resolve(point, weight, out);
+    m_textures[std::min(number, m_textures.size() - 1)]->resolve(point, surface, weight, out);
   }
   bool is_opaque() const override {
     return std::all_of(m_textures.begin(), m_textures.end(),

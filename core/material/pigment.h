@@ -4,13 +4,16 @@
 
 #include "core/base/color.h"
 #include "core/base/vec3.h"
+#include "core/pattern/surface_context.h"
 
 namespace lentray::core {
 
 class Pigment {
  public:
   virtual ~Pigment() = default;
-  virtual Colour colour(const Vec3& world_point) const = 0;
+  virtual Colour colour(const Vec3& point, const SurfaceContext& surface) const = 0;
+  /// Of a point in space.
+  Colour colour(const Vec3& point) const { return colour(point, kNoSurface); }
   /// True only if every colour it can give has filter = transmit = 0.
   virtual bool is_opaque() const = 0;
   /// The one colour it has everywhere, or null.

@@ -20,7 +20,7 @@ Colour blend(const Colour& a, const Colour& b, double fraction) {
 class PlainPigment final : public Pigment {
  public:
   explicit PlainPigment(const Colour& colour) : m_colour(colour) {}
-  Colour colour(const Vec3&) const override { return m_colour; }
+  Colour colour(const Vec3&, const SurfaceContext&) const override { return m_colour; }
   bool is_opaque() const override { return opaque(m_colour); }
   const Colour* constant() const override { return &m_colour; }
 
@@ -34,8 +34,8 @@ class ColourMapPigment final : public Pigment {
       : m_pattern(std::move(pattern)),
         m_map(std::move(map)),
         m_opaque(std::all_of(m_map.items().begin(), m_map.items().end(), opaque)) {}
-  Colour colour(const Vec3& point) const override {
-    const auto place = m_map.find(m_pattern.value(m_pattern.placement.inwards(point)));
+  Colour colour(const Vec3& point, const SurfaceContext& surface) const override {
+    const auto place = m_map.find(m_pattern.value(m_pattern.placement.inwards(point, surface), surface));
     if (place.before == place.after) return *place.after;
     return blend(*place.before, *place.after, place.fraction);
   }
@@ -54,12 +54,12 @@ class PigmentMapPigment final : public Pigment {
         m_map(std::move(map)),
         m_opaque(std::all_of(m_map.items().begin(), m_map.items().end(),
                              [](const PigmentPtr& p) { return p->is_opaque(); })) {}
-  Colour colour(const Vec3& point) const override {
-    const Vec3 local = m_pattern.placement.inwards(point);
-    const auto place = m_map.find(m_pattern.value(local));
-    const Colour after = (*place.after)->colour(local);
+  Colour colour(const Vec3& point, const SurfaceContext& surface) const override {
+    const Vec3 local = m_pattern.placement.inwards(point, surface);
+    const auto place = m_map.find(m_pattern.value(local, surface));
+    const Colour after = (*place.after)->colour(local, surface);
     if (place.before == place.after) return after;
-    return blend((*place.before)->colour(local), after, place.fraction);
+    return blend((*place.before)->colour(local, surface), after, place.fraction);
   }
   bool is_opaque() const override { return m_opaque; }
 
@@ -78,11 +78,11 @@ class AveragePigment final : public Pigment {
       m_opaque = m_opaque && pigment->is_opaque();
     }
   }
-  Colour colour(const Vec3& point) const override {
-    const Vec3 local = m_placement.inwards(point);
+  Colour colour(const Vec3& point, const SurfaceContext& surface) const override {
+    const Vec3 local = m_placement.inwards(point, surface);
     Colour sum;
     for (const auto& [weight, pigment] : m_entries) {
-      const Colour one = pigment->colour(local);
+      const Colour one = pigment->colour(local, surface);
       const auto w = static_cast<float>(weight);
       sum.rgb += one.rgb * w;
       sum.filter += one.filter * w;
@@ -100,11 +100,25 @@ class AveragePigment final : public Pigment {
   bool m_opaque = true;
 };
 
+class PlacedPigment final : public Pigment {
+ public:
+  PlacedPigment(Placement placement, PigmentPtr pigment)
+      : m_placement(std::move(placement)), m_pigment(std::move(pigment)) {}
+  Colour colour(const Vec3& point, const SurfaceContext& surface) const override {
+    return m_pigment->colour(m_placement.inwards(point, surface), surface);
+  }
+  bool is_opaque() const override { return m_pigment->is_opaque(); }
+
+ private:
+  Placement m_placement;
+  PigmentPtr m_pigment;
+};
+
 class OpaquePigment final : public Pigment {
  public:
   explicit OpaquePigment(PigmentPtr pigment) : m_pigment(std::move(pigment)) {}
-  Colour colour(const Vec3& point) const override {
-    return {m_pigment->colour(point).rgb, 0.0f, 0.0f};
+  Colour colour(const Vec3& point, const SurfaceContext& surface) const override {
+    return {m_pigment->colour(point, surface).rgb, 0.0f, 0.0f};
   }
   bool is_opaque() const override { return true; }
 
@@ -116,6 +130,9 @@ class PigmentPattern final : public Pattern {
  public:
   explicit PigmentPattern(PigmentPtr pigment) : m_pigment(std::move(pigment)) {}
   double value(const Vec3& point) const override { return grey(m_pigment->colour(point).rgb); }
+  double value_on(const Vec3& point, const SurfaceContext& surface) const override {
+    return grey(m_pigment->colour(point, surface).rgb);
+  }
 
  private:
   PigmentPtr m_pigment;
@@ -135,6 +152,9 @@ PigmentPtr make_pigment_map_pigment(PlacedPattern pattern, BlendMap<PigmentPtr> 
 PigmentPtr make_average_pigment(Placement placement,
                                 std::vector<std::pair<double, PigmentPtr>> entries) {
   return std::make_shared<AveragePigment>(std::move(placement), std::move(entries));
+}
+PigmentPtr make_placed_pigment(Placement placement, PigmentPtr pigment) {
+  return std::make_shared<PlacedPigment>(std::move(placement), std::move(pigment));
 }
 PigmentPtr make_opaque_pigment(PigmentPtr pigment) {
   if (pigment->is_opaque()) return pigment;

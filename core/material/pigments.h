@@ -22,6 +22,8 @@ PigmentPtr make_pigment_map_pigment(PlacedPattern pattern, BlendMap<PigmentPtr> 
 /// Weights need not sum to 1.
 PigmentPtr make_average_pigment(Placement placement,
                                 std::vector<std::pair<double, PigmentPtr>> entries);
+/// A pigment inside another space.
+PigmentPtr make_placed_pigment(Placement placement, PigmentPtr pigment);
 /// The same colours without filter and transmit (+Q0, +Q1).
 PigmentPtr make_opaque_pigment(PigmentPtr pigment);
 /// The grey of a pigment as a pattern.

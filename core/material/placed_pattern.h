@@ -14,7 +14,9 @@ struct PlacedPattern {
   Wave wave;
 
   /// Of a point in the pattern's own space, as placement.inwards() gives it.
-  double value(const Vec3& local) const { return wave.apply(pattern->value(local)); }
+  double value(const Vec3& local, const SurfaceContext& surface = kNoSurface) const {
+    return wave.apply(pattern->value_on(local, surface));
+  }
 };
 
 }  // namespace lentray::core

@@ -11,14 +11,16 @@ class TextureMap final : public Texture {
  public:
   TextureMap(PlacedPattern pattern, BlendMap<TexturePtr> map)
       : m_pattern(std::move(pattern)), m_map(std::move(map)) {}
-  void resolve(const Vec3& point, double weight, WeightedTextures& out) const override {
-    const auto place = m_map.find(m_pattern.value(m_pattern.placement.inwards(point)));
+  void resolve(const Vec3& point, const SurfaceContext& surface, double weight,
+               WeightedTextures& out) const override {
+    const auto place = 
+        m_map.find(m_pattern.value(m_pattern.placement.inwards(point, surface), surface));
     if (place.before == place.after) {
-      (*place.after)->resolve(point, weight, out);
+      (*place.after)->resolve(point, surface, weight, out);
       return;
     }
-    (*place.before)->resolve(point, weight * (1.0 - place.fraction), out);
-    (*place.after)->resolve(point, weight * place.fraction, out);
+    (*place.before)->resolve(point, surface, weight * (1.0 - place.fraction), out);
+    (*place.after)->resolve(point, surface, weight * place.fraction, out);
   }
   bool is_opaque() const override {
     return std::all_of(m_map.items().begin(), m_map.items().end(),
@@ -39,9 +41,10 @@ class AverageTexture final : public Texture {
       : m_entries(std::move(entries)) {
     for (const auto& [weight, texture] : m_entries) m_total += weight;
   }
-  void resolve(const Vec3& point, double weight, WeightedTextures& out) const override {
+  void resolve(const Vec3& point, const SurfaceContext& surface, double weight,
+               WeightedTextures& out) const override {
     for (const auto& [share, texture] : m_entries) {
-      texture->resolve(point, weight * share / m_total, out);
+      texture->resolve(point, surface, weight * share / m_total, out);
     }
   }
   bool is_opaque() const override {

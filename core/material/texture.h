@@ -24,8 +24,10 @@ using WeightedTextures = std::vector<WeightedTexture>;
 class Texture {
  public:
   virtual ~Texture() = default;
-  /// Appends the layered textures that hold at a point; the weights added sum to `weight`.
-  virtual void resolve(const Vec3& world_point, double weight, WeightedTextures& out) const = 0;
+  /// Appends the layered textures that hold at a point of a surface; the weights added sum to
+  /// `weight`. The point is the world's, or the surface's own (u, v, 0) under uv_mapping.
+  virtual void resolve(const Vec3& point, const SurfaceContext& surface, double weight,
+                       WeightedTextures& out) const = 0;
   virtual bool is_opaque() const = 0;
   /// Every layered texture that resolve() can give.
   virtual void collect(std::vector<const LayeredTexture*>& out) const = 0;
@@ -40,7 +42,8 @@ struct TextureLayer {
 class LayeredTexture final : public Texture {
  public:
   explicit LayeredTexture(std::vector<TextureLayer> layers) : m_layers(std::move(layers)) {}
-  void resolve(const Vec3&, double weight, WeightedTextures& out) const override {
+  void resolve(const Vec3&, const SurfaceContext&, double weight,
+               WeightedTextures& out) const override {
     out.push_back({this, weight});
   }
   /// A stack is opaque if one of its layers is.

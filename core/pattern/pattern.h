@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "core/base/vec3.h"
+#include "core/pattern/surface_context.h"
 
 namespace lentray::core {
 
@@ -15,6 +16,11 @@ class Pattern {
   virtual ~Pattern() = default;
   /// Before frequency, phase and wave form; may lie outside 0..1.
   virtual double value(const Vec3& point) const = 0;
+  /// The same on a surface: patterns that follow it answer otherwise.
+  virtual double value_on(const Vec3& point, const SurfaceContext& surface) const {
+    (void)surface;
+    return value(point);
+  }
 };
 
 /// The whole number at or below: std::floor is a call where the processor need not have it. |v| is

@@ -15,7 +15,7 @@ constexpr double kTwoPi = 2.0 * std::numbers::pi;
 class TransformWarp final : public Warp {
  public:
   explicit TransformWarp(const Transform& transform) : m_transform(transform) {}
-  Vec3 inwards(const Vec3& point) const override { return m_transform.inverse_point(point); }
+  Vec3 inwards(const Vec3& point, const SurfaceContext&) const override { return m_transform.inverse_point(point); }
   const Transform* transform() const override { return &m_transform; }
 
  private:
@@ -25,7 +25,7 @@ class TransformWarp final : public Warp {
 class TurbulenceWarp final : public Warp {
  public:
   explicit TurbulenceWarp(const Turbulence& turbulence) : m_turbulence(turbulence) {}
-  Vec3 inwards(const Vec3& point) const override {
+  Vec3 inwards(const Vec3& point, const SurfaceContext&) const override {
     return point + scaled(vector_turbulence(point, m_turbulence), m_turbulence.amount);
   }
 
@@ -37,7 +37,7 @@ class RepeatWarp final : public Warp {
  public:
   RepeatWarp(int axis, double width, const Vec3& flip, const Vec3& offset)
       : m_axis(axis), m_width(width), m_flip(flip), m_offset(offset) {}
-  Vec3 inwards(const Vec3& point) const override {
+  Vec3 inwards(const Vec3& point, const SurfaceContext&) const override {
     Vec3 p = point;
     // Counted in single precision, as stock does: it shows far from the origin.
     const auto block = static_cast<float>(std::floor(p[m_axis] / m_width));
@@ -58,7 +58,7 @@ class RepeatWarp final : public Warp {
 class BlackHoleWarp final : public Warp {
  public:
   explicit BlackHoleWarp(const BlackHole& hole) : m_hole(hole) {}
-  Vec3 inwards(const Vec3& point) const override {
+  Vec3 inwards(const Vec3& point, const SurfaceContext&) const override {
     const Vec3 offset = point - centre_near(point);
     const double distance = length(offset);
     if (distance >= m_hole.radius) return point;
@@ -121,7 +121,7 @@ class MappingWarp : public Warp {
 class CylindricalWarp final : public MappingWarp {
  public:
   using MappingWarp::MappingWarp;
-  Vec3 inwards(const Vec3& p) const override {
+  Vec3 inwards(const Vec3& p, const SurfaceContext&) const override {
     const double across = std::sqrt(p.x * p.x + p.z * p.z);
     if (across == 0.0) return p;
     const double turn = turn_about_y(p.x, p.z, across) * distance_factor(across, m_exponent);
@@ -132,7 +132,7 @@ class CylindricalWarp final : public MappingWarp {
 class SphericalWarp final : public MappingWarp {
  public:
   using MappingWarp::MappingWarp;
-  Vec3 inwards(const Vec3& p) const override {
+  Vec3 inwards(const Vec3& p, const SurfaceContext&) const override {
     const double distance = length(p);
     if (distance == 0.0) return p;
     const Vec3 unit = p / distance;
@@ -148,7 +148,7 @@ class ToroidalWarp final : public MappingWarp {
  public:
   ToroidalWarp(const Vec3& orientation, double exponent, double major_radius)
       : MappingWarp(orientation, exponent), m_major(major_radius) {}
-  Vec3 inwards(const Vec3& p) const override {
+  Vec3 inwards(const Vec3& p, const SurfaceContext&) const override {
     const double across = std::sqrt(p.x * p.x + p.z * p.z);
     if (across == 0.0) return p;
     const double turn = turn_about_y(p.x, p.z, across);
@@ -168,7 +168,7 @@ class PlanarWarp final : public Warp {
  public:
   PlanarWarp(const Vec3& orientation, double offset)
       : m_orientation(orientation), m_offset(offset) {}
-  Vec3 inwards(const Vec3& p) const override {
+  Vec3 inwards(const Vec3& p, const SurfaceContext&) const override {
     return oriented({p.x, p.y, m_offset}, m_orientation);
   }
 
@@ -180,7 +180,7 @@ class PlanarWarp final : public Warp {
 /// The faces of a cube, unfolded as a cross in the unit square.
 class CubicWarp final : public Warp {
  public:
-  Vec3 inwards(const Vec3& p) const override {
+  Vec3 inwards(const Vec3& p, const SurfaceContext&) const override {
     const double ax = std::fabs(p.x), ay = std::fabs(p.y), az = std::fabs(p.z);
     const auto place = [](double s) { return (s + 1.0) / 2.0; };
     constexpr double third = 1.0 / 3.0;
@@ -200,6 +200,14 @@ class CubicWarp final : public Warp {
       return {0.25 + 0.25 * place(p.x / ay), third * place(p.z / ay), ay};
     }
     return {1.0 - 0.25 * place(p.x / az), third + third * place(p.y / az), az};
+  }
+};
+
+class UvWarp final : public Warp {
+ public:
+  Vec3 inwards(const Vec3&, const SurfaceContext& surface) const override {
+    const Vec2 uv = texture_coordinates(surface);
+    return {uv.u, uv.v, 0.0};
   }
 };
 
@@ -228,6 +236,7 @@ WarpPtr make_planar_warp(const Vec3& orientation, double offset) {
   return std::make_shared<PlanarWarp>(orientation, offset);
 }
 WarpPtr make_cubic_warp() { return std::make_shared<CubicWarp>(); }
+WarpPtr make_uv_warp() { return std::make_shared<UvWarp>(); }
 
 Placement::Placement(std::vector<WarpPtr> steps) : m_steps(std::move(steps)) {
   if (m_steps.empty()) return;
@@ -250,9 +259,9 @@ Placement Placement::then(const Placement& inner) const {
   return Placement(std::move(steps));
 }
 
-Vec3 Placement::general(const Vec3& point) const {
+Vec3 Placement::general(const Vec3& point, const SurfaceContext& surface) const {
   Vec3 p = point;
-  for (const WarpPtr& step : m_steps) p = step->inwards(p);
+  for (const WarpPtr& step : m_steps) p = step->inwards(p, surface);
   for (int axis = 0; axis < 3; ++axis) p[axis] = std::clamp(p[axis], -kFarthest, kFarthest);
   return p;
 }

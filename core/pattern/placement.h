@@ -9,6 +9,7 @@
 #include "core/base/transform.h"
 #include "core/base/vec3.h"
 #include "core/pattern/noise.h"
+#include "core/pattern/surface_context.h"
 
 namespace lentray::core {
 
@@ -16,7 +17,7 @@ namespace lentray::core {
 class Warp {
  public:
   virtual ~Warp() = default;
-  virtual Vec3 inwards(const Vec3& point) const = 0;
+  virtual Vec3 inwards(const Vec3& point, const SurfaceContext& surface) const = 0;
   /// Set for transforms: normals follow these, and no other warp.
   virtual const Transform* transform() const { return nullptr; }
 };
@@ -37,6 +38,8 @@ WarpPtr make_spherical_warp(const Vec3& orientation, double distance_exponent);
 WarpPtr make_toroidal_warp(const Vec3& orientation, double distance_exponent, double major_radius);
 WarpPtr make_planar_warp(const Vec3& orientation, double offset);
 WarpPtr make_cubic_warp();
+/// From the surface's texture coordinates on, whatever the point.
+WarpPtr make_uv_warp();
 
 class Placement {
  public:
@@ -47,10 +50,10 @@ class Placement {
   /// This, then `inner`: for patterns inside a pattern's map.
   Placement then(const Placement& inner) const;
 
-  Vec3 inwards(const Vec3& point) const {
+  Vec3 inwards(const Vec3& point, const SurfaceContext& surface = kNoSurface) const {
     if (m_kind == Kind::kNone) return point;
     if (m_kind == Kind::kAffine) return affine(point);
-    return general(point);
+    return general(point, surface);
   }
   /// A normal, not normalised, into the pattern's space and back; only transforms count.
   Vec3 normal_inwards(const Vec3& normal) const;
@@ -65,7 +68,7 @@ class Placement {
             p.x * m[0][1] + p.y * m[1][1] + p.z * m[2][1] + m[3][1],
             p.x * m[0][2] + p.y * m[1][2] + p.z * m[2][2] + m[3][2]};
   }
-  Vec3 general(const Vec3& point) const;
+  Vec3 general(const Vec3& point, const SurfaceContext& surface) const;
 
   Kind m_kind = Kind::kNone;
   Matrix m_matrix{};               ///< inverse, when affine

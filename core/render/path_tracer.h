@@ -15,6 +15,7 @@
 #include "core/render/reflectance.h"
 #include "core/render/sky.h"
 #include "core/render/start_interiors.h"
+#include "core/render/surface_textures.h"
 #include "core/render/tracer.h"
 
 namespace lentray::core {
@@ -76,6 +77,8 @@ class PathTracer final : public Tracer {
     InteriorEntry interior{};
     Vec3 point;
     Vec3 normal;           ///< unit, facing the ray
+    SurfaceContext context;  ///< for the textures
+    Vec3 texture_point;
     double depth = 0.0;    ///< way of the ray to here
     float weight = 1.0f;   ///< the ray's share of the pixel
     int level = 1;
@@ -86,6 +89,7 @@ class PathTracer final : public Tracer {
     Rgb colour;
     float weight = 0.0f;
     double exponent = 1.0;
+    const Finish* finish = nullptr;
   };
   /// Buffers of one level of recursion.
   struct Frame {
@@ -101,6 +105,7 @@ class PathTracer final : public Tracer {
     Rgb filter{1.0f, 1.0f, 1.0f};
     double transparency = 1.0;
     Vec3 top_normal;
+    SurfaceContext surface;  ///< patterns of a layer see the normal of the one above
     std::size_t mirrors = 0;
   };
 
@@ -118,14 +123,17 @@ class PathTracer final : public Tracer {
                const Frame& frame);
   Rgb area_shadowed(std::uint32_t light, const Rgb& colour, const LightRay& ray,
                     const Surface& at);
-  Rgb mirror_image(const Vec3& normal, float weight, const Surface& at);
+  /// `film`: the finish whose thin film tints the image, or null.
+  Rgb mirror_image(const Vec3& normal, float weight, const Surface& at, const Finish* film);
+  double film_thickness(const Finish& finish, const Vec3& point) const;
   /// Adds what is seen through the surface; true on total internal reflection.
   bool add_transmitted(const Stack& stack, const Surface& at, Radiance& result);
   double enter(const InteriorEntry& entry, InteriorStack& inside) const;
   double relative_ior(const InteriorEntry& entry, const InteriorStack& inside) const;
   /// The normal that shades a layer: perturbed where it has a `normal`.
-  static Vec3 layer_normal(const TextureLayer& layer, const Surface& at) {
-    return layer.normal ? layer.normal->perturb(at.point, at.normal) : at.normal;
+  static Vec3 layer_normal(const TextureLayer& layer, const SurfaceContext& surface,
+                           const Surface& at) {
+    return layer.normal ? layer.normal->perturb(at.texture_point, at.normal, surface) : at.normal;
   }
   /// Fog and rainbows on the way, if it is in the open.
   void pass_open_air(const RayState& state, double depth, Radiance& light);

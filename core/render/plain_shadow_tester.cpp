@@ -115,25 +115,23 @@ Rgb PlainShadowTester::surface_filter(const Hit& hit, double depth, const Shadow
   const Interior* interior = looks.interior;
   const bool caustics = interior && interior->caustics != 0.0;
   const Vec3& along = query.ray.direction;
-  Vec3 normal;
-  bool from_behind = false;
-  if (caustics || looks.interior_texture) {
-    normal = hit.leaf->normal(point, hit.shape);
-    from_behind = dot(normal, along) > 0.0;
-    if (from_behind) normal = -normal;
-  }
+  Vec3 normal = hit.leaf->normal(point, hit.shape);
+  const bool from_behind = dot(normal, along) > 0.0;
+  if (from_behind) normal = -normal;
+  SurfaceContext surface{point, normal, along, &hit};
+  const Vec3 placed = texture_point(surface);
 
   m_textures.clear();
-  textures_at(hit, point, from_behind, m_bailout, m_textures);
+  textures_at(surface, from_behind, m_bailout, m_textures);
   Rgb sum;
   for (const WeightedTexture& weighted : m_textures) {
     Rgb through(1.0f);
     for (const TextureLayer& layer : weighted.texture->layers()) {
       const Colour* constant = layer.pigment->constant();
-      through *= passed(constant ? *constant : layer.pigment->colour(point));
+      through *= passed(constant ? *constant : layer.pigment->colour(placed, surface));
       if (!caustics) continue;
       const double cosine =
-          dot(layer.normal ? layer.normal->perturb(point, normal) : normal, along);
+          dot(layer.normal ? layer.normal->perturb(placed, normal, surface) : normal, along);
       through = times(through, 1.0 + std::pow(std::fabs(cosine), interior->caustics));
     }
     sum += times(through, weighted.weight);

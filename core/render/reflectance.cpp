@@ -109,4 +109,15 @@ Reflectivity reflectivity(const Finish& finish, double cosine, double relative_i
   return result;
 }
 
+Rgb film_tint(const Finish& finish, double thickness, const Vec3& wavelengths, const Vec3& normal,
+              const Vec3& from_light, const Vec3& eye) {
+  const double cosines = std::fabs(dot(normal, from_light)) + std::fabs(dot(normal, eye));
+  const double phase = 2.0 * std::numbers::pi * thickness * cosines;
+  Rgb tint;
+  for (int c = 0; c < 3; ++c) {
+    tint[c] = static_cast<float>(1.0 + finish.irid * std::cos(phase / wavelengths[c]));
+  }
+  return tint;
+}
+
 }  // namespace lentray::core

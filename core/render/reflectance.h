@@ -42,6 +42,11 @@ Rgb diffuse_light(const Finish& finish, const Illumination& on, double amount, d
 /// phong and specular, metallic or not.
 Rgb highlights(const Finish& finish, const Illumination& on);
 
+/// What a thin film (`irid`) makes of light from `from_light` on its way to the eye: a factor a
+/// channel, about 1. `thickness` of the film there, in the unit of `wavelengths`.
+Rgb film_tint(const Finish& finish, double thickness, const Vec3& wavelengths, const Vec3& normal,
+              const Vec3& from_light, const Vec3& eye);
+
 /// Ratio of interiors as the Fresnel formula takes it: beyond the surface over before it.
 struct Reflectivity {
   Rgb colour;

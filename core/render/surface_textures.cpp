@@ -4,21 +4,23 @@
 
 namespace lentray::core {
 
-void textures_at(const Hit& hit, const Vec3& point, bool from_behind, double least,
+void textures_at(const SurfaceContext& surface, bool from_behind, double least,
                  WeightedTextures& out) {
+  const Hit& hit = *surface.hit;
+  const Vec3 point = texture_point(surface);
   const Attributes& looks = hit.leaf->attributes();
   const Texture* own =
       from_behind && looks.interior_texture ? looks.interior_texture : looks.texture;
   const auto* mesh = dynamic_cast<const Mesh*>(&hit.leaf->shape());
   if (!mesh || !mesh->has_textures()) {
-    own->resolve(point, 1.0, out);
+    own->resolve(point, surface, 1.0, out);
     return;
   }
   MeshTexture shares[3];
   const int count = mesh->textures_at(hit.shape, shares);
   for (int i = 0; i < count; ++i) {
     const Texture* texture = shares[i].texture ? shares[i].texture : own;
-    if (shares[i].weight >= least) texture->resolve(point, shares[i].weight, out);
+    if (shares[i].weight >= least) texture->resolve(point, surface, shares[i].weight, out);
   }
 }
 

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "core/render/air.h"
+#include "core/pattern/noise.h"
 #include "core/render/path_tracer.h"
-#include "core/render/surface_textures.h"
 
 namespace lentray::core {
 namespace {
@@ -119,13 +119,15 @@ Radiance PathTracer<kFeatures>::shade(const RayState& state, const Hit& hit, flo
   at.level = level;
   const bool from_behind = dot(at.normal, state.ray.direction) > 0.0;
   if (from_behind) at.normal = -at.normal;
+  at.context = {at.point, at.normal, state.ray.direction, &hit};
+  at.texture_point = texture_point(at.context);
   Frame& frame = enter_frame();
   look_ahead(at, frame);
 
   if constexpr (kLayers) {
-    textures_at(hit, at.point, from_behind, m_bailout, frame.textures);
+    textures_at(at.context, from_behind, m_bailout, frame.textures);
   } else {
-    at.looks->texture->resolve(at.point, 1.0, frame.textures);
+    at.looks->texture->resolve(at.texture_point, at.context, 1.0, frame.textures);
   }
   Radiance sum;
   if (frame.textures.size() == 1 && frame.textures.front().weight == 1.0) {
@@ -146,6 +148,7 @@ Radiance PathTracer<kFeatures>::shade_texture(const LayeredTexture& texture, con
                                               Frame& frame) {
   const auto& layers = texture.layers();
   Stack stack;
+  stack.surface = at.context;
   if (frame.mirrors.size() < layers.size()) frame.mirrors.resize(layers.size());
   for (auto layer = layers.rbegin();
        layer != layers.rend() && stack.transparency > m_bailout; ++layer) {
@@ -163,7 +166,7 @@ Radiance PathTracer<kFeatures>::shade_texture(const LayeredTexture& texture, con
       const Mirror& mirror = frame.mirrors[i];
       if (mirror.colour.is_black()) continue;
       if (total_reflection && nearly_equal(stack.top_normal, mirror.normal)) continue;
-      Rgb image = mirror_image(mirror.normal, mirror.weight, at);
+      Rgb image = mirror_image(mirror.normal, mirror.weight, at, mirror.finish);
       if (mirror.exponent != 1.0) {
         for (int c = 0; c < 3; ++c) {
           image[c] = static_cast<float>(std::pow(image[c], mirror.exponent));
@@ -180,8 +183,10 @@ void PathTracer<kFeatures>::shade_layer(const TextureLayer& layer, const Surface
                                         Stack& stack, Mirror& mirror, Frame& frame) {
   const Finish& finish = layer.finish;
   const Colour* constant = layer.pigment->constant();
-  const Colour colour = constant ? *constant : layer.pigment->colour(at.point);
-  const Vec3 normal = layer_normal(layer, at);
+  const Colour colour =
+      constant ? *constant : layer.pigment->colour(at.texture_point, stack.surface);
+  const Vec3 normal = layer_normal(layer, stack.surface, at);
+  if (layer.normal) stack.surface.normal = normal;
   if (stack.mirrors == 0) stack.top_normal = normal;
 
   if constexpr (kReflection) {
@@ -195,6 +200,7 @@ void PathTracer<kFeatures>::shade_layer(const TextureLayer& layer, const Surface
       mirror.colour = share.colour;
       mirror.weight = static_cast<float>(at.weight * stack.transparency) * share.weight;
       mirror.exponent = 1.0 / finish.reflection_exponent;
+      mirror.finish = &finish;
     }
   }
 
@@ -247,6 +253,10 @@ Rgb PathTracer<kFeatures>::lit(const Finish& finish, const Rgb& pigment, const V
     Rgb share = diffuse_light(finish, on, behind ? finish.diffuse_back : finish.diffuse,
                               finish.crand > 0.0 ? random() : 0.0);
     if (!light.shadowless && !behind) share += highlights(finish, on);
+    if (finish.irid > 0.0) {
+      share *= film_tint(finish, film_thickness(finish, at.point),
+                         m_scene.settings().irid_wavelength, normal, ray.direction, on.eye);
+    }
     sum += share;
   }
   return sum;
@@ -310,7 +320,8 @@ Rgb PathTracer<kFeatures>::area_shadowed(std::uint32_t light, const Rgb& colour,
 }
 
 template <unsigned kFeatures>
-Rgb PathTracer<kFeatures>::mirror_image(const Vec3& normal, float weight, const Surface& at) {
+Rgb PathTracer<kFeatures>::mirror_image(const Vec3& normal, float weight, const Surface& at,
+                                        const Finish* film) {
   const Vec3& incoming = at.state->ray.direction;
   Vec3 out = incoming + normal * (-2.0 * dot(incoming, normal));
   // A perturbed normal may send the ray through the real surface: mirror it back.
@@ -324,7 +335,20 @@ Rgb PathTracer<kFeatures>::mirror_image(const Vec3& normal, float weight, const 
   }
   ++m_counters.reflected_rays;
   RayState next({at.point, normalized(out)}, at.state->inside, true);
-  return follow(next, weight, at.level).rgb;
+  Rgb seen = follow(next, weight, at.level).rgb;
+  if (film && film->irid > 0.0) {
+    seen *= film_tint(*film, film_thickness(*film, at.point), m_scene.settings().irid_wavelength,
+                      normal, next.ray.direction, incoming);
+  }
+  return seen;
+}
+
+template <unsigned kFeatures>
+double PathTracer<kFeatures>::film_thickness(const Finish& finish, const Vec3& point) const {
+  if (finish.irid_turbulence == 0.0) return finish.irid_thickness;
+  const Turbulence uneven{{1, 1, 1}, 5, 2.0, 0.5};
+  const double noise = 2.0 * turbulence(point, uneven, m_scene.settings().noise_generator) - 1.0;
+  return finish.irid_thickness * (1.0 + noise * finish.irid_turbulence);
 }
 
 template <unsigned kFeatures>
@@ -351,7 +375,7 @@ bool PathTracer<kFeatures>::add_transmitted(const Stack& stack, const Surface& a
     const double under_root = 1.0 + ratio * ratio * (cosine * cosine - 1.0);
     if (under_root < 0.0) {
       // Total internal reflection: the layers do not filter it.
-      result.rgb += fade * mirror_image(stack.top_normal, weight, at);
+      result.rgb += fade * mirror_image(stack.top_normal, weight, at, nullptr);
       return true;
     }
     next.ray.direction =

@@ -31,6 +31,8 @@ struct SceneSettings {
   Colour background;               ///< black, opaque unless the scene says otherwise
   bool mirror_images = true;       ///< false: reflection dims what conserves energy, shows nothing
   double atmosphere_ior = 1.0;
+  int noise_generator = 2;         ///< for thin films of uneven thickness
+  Vec3 irid_wavelength{0.70, 0.52, 0.48};  ///< of red, green, blue, in thousands of nanometres
   int language_version = 370;      ///< #version x 100, for the few renderings that depend on it
 };
 

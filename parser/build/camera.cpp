@@ -1,7 +1,15 @@
 #include "parser/build/camera.h"
 
+#include <map>
+#include <utility>
+
+#include "core/pattern/single.h"
+#include "parser/descriptions/object.h"
+
 namespace lentray::parser {
 namespace {
+
+using core::single;
 
 camera::LensModel model_of(LensModel model) {
   switch (model) {
@@ -12,15 +20,61 @@ camera::LensModel model_of(LensModel model) {
   throw camera::CameraError("lens_model thick: not yet (there are paraxial and pinhole)");
 }
 
+/// Stock keeps corners and normals in single precision; far points of the scene show it.
+core::Vec3 rounded(const core::Vec3& p) { return {single(p.x), single(p.y), single(p.z)}; }
+
+/// Of a mesh the normals are those of the corners as written; mesh2 rounds these before.
+camera::MeshCameraFaces camera_faces(const MeshShape& mesh, bool rounds_first) {
+  auto faces = std::make_shared<std::vector<camera::MeshCameraFace>>();
+  faces->reserve(mesh.faces.size());
+  for (const MeshFace& from : mesh.faces) {
+    camera::MeshCameraFace face;
+    const auto index = [](int i) { return static_cast<std::size_t>(i); };
+    for (std::size_t k = 0; k < 3; ++k) {
+      face.corner[k] = rounded(mesh.vertices[index(from.vertex[k])]);
+      if (from.normal[k] >= 0) {
+        face.normals[k] = rounded(normalized(mesh.normals[index(from.normal[k])]));
+      }
+      if (from.uv[k] >= 0) face.uv[k] = mesh.uvs[index(from.uv[k])];
+    }
+    const auto corner = [&](std::size_t k) {
+      return rounds_first ? face.corner[k] : mesh.vertices[index(from.vertex[k])];
+    };
+    face.normal =
+        rounded(normalized(cross(corner(2) - corner(0), corner(1) - corner(0))));
+    if (face.normal != core::Vec3{}) faces->push_back(face);
+  }
+  return faces;
+}
+
+camera::MeshCameraSetup mesh_setup(const CameraDesc& camera) {
+  camera::MeshCameraSetup setup;
+  setup.distribution = camera.distribution;
+  setup.smooth = camera.smooth;
+  setup.forward = camera.location.z;
+  setup.backwards = camera.direction.z < -1e-10;
+  std::map<const MeshShape*, camera::MeshCameraFaces> shared;
+  for (const Ref<ObjectDesc>& object : camera.meshes) {
+    const auto* mesh = std::get_if<std::shared_ptr<const MeshShape>>(&object->shape);
+    if (!mesh) throw camera::CameraError("a mesh_camera takes meshes, not a " + object->keyword);
+    camera::MeshCameraFaces& faces = shared[mesh->get()];
+    if (!faces) faces = camera_faces(**mesh, object->keyword == "mesh2");
+    setup.parts.push_back({faces, object->transform});
+  }
+  return setup;
+}
+
 }  // namespace
 
-CameraRequest camera_request(const CameraDesc& camera) {
+CameraRequest camera_request(const CameraDesc& camera, const TextureSettings& settings) {
   CameraRequest request;
   request.kind = camera_kind_name(camera.kind);
   request.projection = {camera.location, camera.direction, camera.right, camera.up, std::nullopt};
   if (camera.has_look_at) request.projection.look_at_distance = camera.look_at_distance();
   request.cylinder_type = camera.cylinder_type;
   request.angles = {camera.angle, camera.horizontal_angle, camera.vertical_angle};
+  if (camera.normal) request.normal = TextureCompiler(settings).normal(camera.normal);
+  if (camera.kind == CameraKind::kMesh) request.mesh = mesh_setup(camera);
   if (camera.kind != CameraKind::kLenticular) return request;
   const LensDesc& lens = camera.lens;
   request.lens.pitch = lens.pitch;

@@ -2,11 +2,15 @@
 // Errors: camera::CameraError for what is not rendered yet.
 #pragma once
 
+#include <memory>
+#include <optional>
 #include <string>
 
 #include "camera/curved.h"
 #include "camera/lens_request.h"
+#include "camera/mesh_camera.h"
 #include "camera/projection.h"
+#include "parser/build/texture_compiler.h"
 #include "parser/descriptions/camera.h"
 
 namespace lentray::parser {
@@ -17,9 +21,11 @@ struct CameraRequest {
   camera::CurvedAngles angles;    ///< of the kinds whose picture is not flat
   int cylinder_type = 0;          ///< 1..4
   camera::LensRequest lens;       ///< of `lenticular`, empty otherwise
+  std::optional<camera::MeshCameraSetup> mesh;                  ///< of `mesh_camera`
+  std::shared_ptr<const core::NormalPerturbation> normal;       ///< that bends the rays, or null
 };
 
 /// A scene without a camera has stock's default one: pass a default CameraDesc.
-CameraRequest camera_request(const CameraDesc& camera);
+CameraRequest camera_request(const CameraDesc& camera, const TextureSettings& settings);
 
 }  // namespace lentray::parser

@@ -30,7 +30,6 @@ core::Finish compile_finish(const FinishDesc& finish, std::set<std::string>& not
   result.irid = single(finish.irid);
   result.irid_thickness = single(finish.irid_thickness);
   result.irid_turbulence = single(finish.irid_turbulence);
-  if (finish.irid != 0.0) not_yet.insert("irid");
   if (finish.subsurface) not_yet.insert("subsurface");
   return result;
 }

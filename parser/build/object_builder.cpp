@@ -1,11 +1,13 @@
 #include "parser/build/object_builder.h"
 
 #include <algorithm>
+#include <new>
 
 #include "core/geometry/box.h"
 #include "core/geometry/prism.h"
 #include "core/material/blob_texture.h"
 #include "parser/build/blob_fields.h"
+#include "parser/build/build_error.h"
 #include "parser/build/lights.h"
 #include "parser/build/shapes.h"
 #include "parser/build/text_shape.h"
@@ -99,6 +101,8 @@ ObjectBuilder::Inherited ObjectBuilder::resolve(const ObjectDesc& object, const 
   if (!from.double_illuminate) looks.double_illuminate = object.double_illuminate;
   if (!m_parts) return looks;
   const core::Transform texture_move = object.uv_mapping ? core::Transform() : outer;
+  // A part without a texture of its own takes its whole's with it.
+  looks.uv_mapping = object.uv_mapping || (!object.texture && from.uv_mapping);
   if (object.texture) looks.texture = moved(object.texture, texture_move);
   if (object.interior_texture) looks.interior_texture = moved(object.interior_texture, texture_move);
   if (object.interior || (object.texture && !from.interior)) {
@@ -110,7 +114,6 @@ ObjectBuilder::Inherited ObjectBuilder::resolve(const ObjectDesc& object, const 
       looks.interior = m_parts->interiors.back().get();
     }
   }
-  if (object.uv_mapping && !object.is_light()) note("uv_mapping", object.where);
   return looks;
 }
 
@@ -126,6 +129,7 @@ core::Attributes ObjectBuilder::attributes(const Inherited& looks) {
   a.no_image = looks.no_image;
   a.no_reflection = looks.no_reflection;
   a.hollow = looks.hollow.value_or(false);
+  a.uv_mapping = looks.uv_mapping;
   a.double_illuminate = looks.double_illuminate.value_or(false);
   a.interior = looks.interior;
   if (!m_parts) return a;
@@ -156,6 +160,20 @@ void ObjectBuilder::set_regions(const ObjectDesc& object, const core::Transform&
 
 std::unique_ptr<core::Object> ObjectBuilder::build(const ObjectDesc& object, const core::Transform& outer,
                                                    const Inherited& from) {
+  try {
+    return build_whole(object, outer, from);
+  } catch (const BuildError&) {
+    throw;  // of a part: its place is nearer
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw BuildError(object.where, error.what());
+  }
+}
+
+std::unique_ptr<core::Object> ObjectBuilder::build_whole(const ObjectDesc& object,
+                                                         const core::Transform& outer,
+                                                         const Inherited& from) {
   const core::Transform to_world = object.transform.then(outer);
   if (const auto* light = std::get_if<LightShape>(&object.shape)) {
     if (m_parts) add_light(object, *light->light, to_world, from);

@@ -41,12 +41,16 @@ class ObjectBuilder {
     Ref<TextureDesc> texture, interior_texture;  ///< in world space already
     const core::Interior* interior = nullptr;
     std::optional<bool> hollow, double_illuminate;
+    bool uv_mapping = false;
     bool no_shadow = false, no_image = false, no_reflection = false;
     bool on_list = false;   ///< hangs directly in the scene's list: stock drops needless bounds there
   };
 
+  /// Throws BuildError.
   std::unique_ptr<core::Object> build(const ObjectDesc& object, const core::Transform& outer,
                                       const Inherited& from);
+  std::unique_ptr<core::Object> build_whole(const ObjectDesc& object,
+                                            const core::Transform& outer, const Inherited& from);
   std::unique_ptr<core::Object> build_csg(const ObjectDesc& object, const CsgShape& csg,
                                           const core::Transform& to_world, const Inherited& looks);
   std::unique_ptr<core::Object> build_leaf(const ObjectDesc& object, const core::Transform& to_world,

@@ -2,12 +2,16 @@
 
 #include <algorithm>
 #include <optional>
+#include <stdexcept>
 
 #include "core/material/pigments.h"
+#include "core/pattern/density_grid.h"
 #include "core/pattern/fractal.h"
 #include "core/pattern/organic.h"
 #include "core/pattern/shapes.h"
+#include "core/pattern/surface_patterns.h"
 #include "core/pattern/tiles.h"
+#include "parser/build/density_reader.h"
 #include "parser/build/object_query.h"
 
 namespace lentray::parser {
@@ -109,6 +113,10 @@ core::PatternPtr compile_shape(const PatternDesc& p) {
     case Kind::kBoxed: return core::make_boxed();
     case Kind::kLeopard: return core::make_leopard();
     case Kind::kQuilted: return core::make_quilted(single(p.quilt0), single(p.quilt1));
+    case Kind::kAoi: return core::make_aoi();
+    case Kind::kSlope:
+      return core::make_slope({p.vector, p.slope_point_at, p.altitude, p.slope_low, p.slope_high,
+                               p.altitude_low, p.altitude_high});
     case Kind::kMandel: case Kind::kJulia: case Kind::kMagnetMandel: case Kind::kMagnetJulia:
       return compile_fractal(p);
     default: return nullptr;
@@ -139,6 +147,16 @@ core::PatternPtr compile_organic(const PatternDesc& p, const TextureSettings& se
           {p.crackle_form, p.crackle_metric, p.crackle_offset, p.crackle_solid}, generator);
     default: return nullptr;
   }
+}
+
+core::PatternPtr compile_density(const PatternDesc& p) {
+  if (p.density_path.empty()) {
+    throw std::runtime_error("cannot find the density file \"" + p.density_file + "\"");
+  }
+  core::GridInterpolation interpolation = core::GridInterpolation::kTricubic;
+  if (p.density_interpolate % 10 == 0) interpolation = core::GridInterpolation::kNone;
+  if (p.density_interpolate % 10 == 1) interpolation = core::GridInterpolation::kTrilinear;
+  return core::make_density_pattern(read_density_file(p.density_path), interpolation);
 }
 
 core::PatternPtr compile_function(const PatternDesc& p, const PatternBuild& build) {
@@ -178,6 +196,8 @@ core::PatternPtr compile_pattern(const PatternDesc& pattern, const PatternBuild&
   } else if (pattern.kind == Kind::kObject && pattern.object) {
     const auto query = std::make_shared<const ObjectQuery>(*pattern.object);
     return core::make_inside([query](const core::Vec3& p) { return query->inside(p); });
+  } else if (pattern.kind == Kind::kDensityFile) {
+    return compile_density(pattern);
   } else if (pattern.kind == Kind::kImagePattern && pattern.image && build.picture) {
     return core::make_picture_pattern(build.picture(*pattern.image),
                                       pattern.image->use == ImageDesc::Use::kAlpha);

@@ -1,6 +1,7 @@
 #include "parser/build/scene.h"
 
 #include "parser/build/atmosphere.h"
+#include "parser/build/build_error.h"
 #include "parser/build/object_builder.h"
 
 namespace lentray::parser {
@@ -21,6 +22,9 @@ core::SceneSettings build_settings(const SceneDesc& scene) {
   } else {
     s.assumed_gamma = g.gamma_is_srgb || scene.language_version < 370 ? 0.0 : 1.0;
   }
+  s.irid_wavelength = g.irid_wavelength;
+  // Without one, scenes older than 3.5 have the noise of their time.
+  s.noise_generator = g.noise_generator.value_or(scene.language_version < 350 ? 1 : 2);
   s.atmosphere_ior = scene.atmosphere_ior;
   s.background.rgb = scene.background.rgb;
   if (scene.background_version >= 370) {
@@ -30,19 +34,22 @@ core::SceneSettings build_settings(const SceneDesc& scene) {
   return s;
 }
 
+}  // namespace
+
 TextureSettings texture_settings(const SceneDesc& scene, const core::SceneSettings& settings,
                                  const BuildOptions& options) {
   TextureSettings t;
   t.quality = options.quality;
   t.number_of_waves = scene.global.number_of_waves;
   t.language_version = scene.language_version;
-  // Without one, scenes older than 3.5 have the noise of their time.
-  t.noise_generator = scene.global.noise_generator.value_or(scene.language_version < 350 ? 1 : 2);
+  t.noise_generator = settings.noise_generator;
   // Where colours are written as they are, those of image files are taken as they are.
   t.decode_images = settings.assumed_gamma > 0.0;
   t.assumed_gamma = settings.assumed_gamma > 0.0 ? settings.assumed_gamma : 2.2;
   return t;
 }
+
+namespace {
 
 void note_missing(const SceneDesc& scene, NotYet& not_yet) {
   const auto note = [&](bool used, const char* feature, const Location& where) {
@@ -58,7 +65,8 @@ void note_missing(const SceneDesc& scene, NotYet& not_yet) {
   if (!scene.camera) return;
   const CameraDesc& camera = *scene.camera;
   note(camera.aperture != 0.0 && camera.blur_samples > 0, "focal blur", camera.where);
-  note(camera.normal != nullptr, "camera normal", camera.where);
+  note(camera.kind == CameraKind::kMesh && camera.rays_per_pixel > 1, "several rays a pixel",
+       camera.where);
 }
 
 std::unique_ptr<core::SkySphere> build_sky(const SkySphereDesc& sky, TextureCompiler& textures) {
@@ -93,10 +101,12 @@ core::SceneParts build_scene(const SceneDesc& scene, Diagnostics& diagnostics,
 
   NotYet not_yet;
   ObjectBuilder builder(parts, textures, not_yet);
-  if (options.objects) {
+  try {
     for (const SceneObject& object : scene.objects) {
       builder.add(*object.object, object.default_texture);
     }
+  } catch (const BuildError& error) {
+    diagnostics.fail(error.where(), error.what());
   }
   if (scene.sky_sphere) parts.sky_sphere = build_sky(*scene.sky_sphere, textures);
   if (options.quality >= kAirQuality) {

@@ -3,13 +3,13 @@
 
 #include "core/scene/scene.h"
 #include "parser/descriptions/scene.h"
+#include "parser/build/texture_compiler.h"
 #include "parser/diagnostics.h"
 
 namespace lentray::parser {
 
 struct BuildOptions {
-  int quality = 9;       ///< +Q
-  bool objects = true;   ///< false: they are left out; for what the rest has to say
+  int quality = 9;   ///< +Q
 };
 
 /// Features that are kept and not rendered yet go to SceneParts::not_rendered, sorted, and are
@@ -21,5 +21,9 @@ struct BuildOptions {
 /// #version 3.7 on is 1.
 core::SceneParts build_scene(const SceneDesc& scene, Diagnostics& diagnostics,
                              const BuildOptions& options = {});
+
+/// What the scene's textures are compiled with; `settings` of the scene that was built.
+TextureSettings texture_settings(const SceneDesc& scene, const core::SceneSettings& settings,
+                                 const BuildOptions& options);
 
 }  // namespace lentray::parser

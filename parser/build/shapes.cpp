@@ -12,19 +12,23 @@
 #include "core/geometry/height_field.h"
 #include "core/geometry/isosurface.h"
 #include "core/geometry/lathe.h"
+#include "core/geometry/ovus.h"
 #include "core/geometry/poly.h"
 #include "core/geometry/polygon.h"
 #include "core/geometry/prism.h"
 #include "core/geometry/quadric.h"
 #include "core/geometry/smooth_triangle.h"
 #include "core/geometry/sphere.h"
+#include "core/geometry/sphere_sweep.h"
 #include "core/geometry/superellipsoid.h"
+#include "core/geometry/surface_of_revolution.h"
 #include "core/geometry/torus.h"
 #include "core/geometry/triangle.h"
 #include "core/geometry/triangle_mesh.h"
 #include "parser/build/blob_fields.h"
 #include "parser/build/height_grid.h"
 #include "parser/build/spline_pieces.h"
+#include "parser/build/sweep_pieces.h"
 
 namespace lentray::parser {
 namespace {
@@ -126,6 +130,19 @@ struct ShapeMaker {
   }
   ShapePointer operator()(const LatheShape& s) const {
     return std::make_unique<core::Lathe>(spline_pieces(s.spline, s.points, false));
+  }
+  ShapePointer operator()(const OvusShape& s) const {
+    // The lower sphere is then within the upper one, as stock has it.
+    if (s.top >= 2.0 * s.bottom) {
+      return std::make_unique<core::Sphere>(Vec3{0.0, s.bottom, 0.0}, s.top);
+    }
+    return std::make_unique<core::Ovus>(s.bottom, s.top);
+  }
+  ShapePointer operator()(const SorShape& s) const {
+    return std::make_unique<core::SurfaceOfRevolution>(s.points, s.open);
+  }
+  ShapePointer operator()(const SphereSweepShape& s) const {
+    return std::make_unique<core::SphereSweep>(sweep_pieces(s));
   }
   ShapePointer operator()(const PolyShape& s) const {
     const std::string_view name = s.order == 3 ? "cubic" : s.order == 4 ? "quartic" : "poly";

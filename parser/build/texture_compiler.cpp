@@ -29,6 +29,13 @@ core::Finish unlit_finish() {
   return finish;
 }
 
+/// The space of texture coordinates, wherever the pattern lies.
+core::Placement uv_placement() { return core::Placement({core::make_uv_warp()}); }
+
+core::Colour first_colour(const PigmentDesc& pigment) {
+  return pigment.colour_map ? pigment.colour_map->entries.front().item : pigment.colour;
+}
+
 /// What a description was compiled to. Holds the description, so that its address stays its own.
 template <typename Desc, typename Compiled>
 class Cache {
@@ -94,8 +101,9 @@ core::PigmentPtr TextureCompiler::Impl::compile_fresh(const PigmentDesc& pigment
                                       pictures.get(*pattern.image, true));
   }
   if (pattern.kind == PatternKind::kUvMapping) {
-    not_yet.insert(pattern_name(pattern.kind));
-    return core::make_plain_pigment({{0.5f, 0.5f, 0.5f}, 0, 0});
+    if (!pigment.pigment_map) return core::make_plain_pigment(first_colour(pigment));
+    const auto inner = compile(pigment.pigment_map->entries.front().item, core::Placement());
+    return core::make_placed_pigment(uv_placement(), inner);
   }
   std::vector<std::pair<double, core::PigmentPtr>> entries;
   if (pigment.pigment_map) {
@@ -173,8 +181,9 @@ core::NormalPtr TextureCompiler::Impl::compile_fresh(const NormalDesc& normal) {
   const PatternDesc& pattern = normal.pattern;
   if (pattern.kind == PatternKind::kPlain) return nullptr;
   if (pattern.kind == PatternKind::kUvMapping) {
-    not_yet.insert(pattern_name(pattern.kind) + std::string(" of a normal"));
-    return nullptr;
+    if (!normal.normal_map) return nullptr;
+    auto inner = compile(normal.normal_map->entries.front().item);
+    return inner ? core::make_placed_normal(uv_placement(), std::move(inner), false) : nullptr;
   }
   if (!normal.normal_map) return compile_pattern_normal(normal);
   std::vector<std::pair<double, core::NormalPtr>> entries;
@@ -206,8 +215,7 @@ core::TexturePtr TextureCompiler::Impl::compile_patterned(const TextureLayerDesc
                                                           const core::Placement& outer) {
   const PatternDesc& pattern = layer.pattern;
   if (pattern.kind == PatternKind::kUvMapping) {
-    not_yet.insert(pattern_name(pattern.kind) + std::string(" of a texture"));
-    return compile(layer.map->entries.front().item, outer);
+    return compile(layer.map->entries.front().item, uv_placement());
   }
   // Entries are evaluated where the pattern is: its placement goes into them.
   const core::Placement inner = outer.then(compile_placement(pattern));
@@ -257,6 +265,11 @@ std::shared_ptr<const core::Texture> TextureCompiler::texture(const Ref<TextureD
 
 std::shared_ptr<const core::Pigment> TextureCompiler::pigment(const Ref<PigmentDesc>& pigment) {
   return m_impl->compile(pigment, core::Placement());
+}
+
+std::shared_ptr<const core::NormalPerturbation> TextureCompiler::normal(
+    const Ref<NormalDesc>& normal) {
+  return m_impl->compile(normal);
 }
 
 std::shared_ptr<const core::Interior> TextureCompiler::interior(const Ref<InteriorDesc>& interior,

@@ -32,6 +32,8 @@ class TextureCompiler {
   std::shared_ptr<const core::Texture> texture(const Ref<TextureDesc>& texture,
                                                const Ref<TextureDesc>& fallback);
   std::shared_ptr<const core::Pigment> pigment(const Ref<PigmentDesc>& pigment);
+  /// Null where there is nothing to perturb, or below the quality that shows it.
+  std::shared_ptr<const core::NormalPerturbation> normal(const Ref<NormalDesc>& normal);
   /// Null gives null, unless the texture bears an old scene's `ior`.
   std::shared_ptr<const core::Interior> interior(const Ref<InteriorDesc>& interior,
                                                  const Ref<TextureDesc>& texture = nullptr);

@@ -45,7 +45,7 @@ struct GlobalDesc {
   std::optional<int> max_trace_level;
   std::optional<double> adc_bailout;
   std::optional<core::Rgb> ambient_light;
-  core::Vec3 irid_wavelength{0.25, 0.18, 0.14};
+  core::Vec3 irid_wavelength{0.70, 0.52, 0.48};
   int number_of_waves = 10;
   std::optional<int> noise_generator;    ///< 1..3
   double mm_per_unit = 10.0;

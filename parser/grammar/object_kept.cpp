@@ -319,6 +319,9 @@ ShapeDesc parse_ovus(Parser& parser, Context&) {
   parser.parse_comma();
   s.top = parser.parse_float();
   if (s.bottom < 0.0 || s.top < 0.0) parser.fail("The radii of an ovus must be positive.");
+  if (s.top >= 2.0 * s.bottom) {
+    parser.warn("the upper radius of this ovus is at least twice the lower one: it is a sphere");
+  }
   return s;
 }
 
@@ -414,11 +417,26 @@ ShapeDesc parse_prism(Parser& parser, Context&) {
   return s;
 }
 
+/// No distance below 0, and heights that rise; those of the ends only from their neighbour's
+/// neighbour.
+void check_sor(Parser& parser, const std::vector<Vec2>& points) {
+  constexpr double kLeast = 1e-10;
+  const std::size_t n = points.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const bool falls = i > 1 && i + 1 < n && points[i].v <= points[i - 1].v;
+    const bool flat = i > 1 && std::fabs(points[i].v - points[i - 2].v) < kLeast;
+    if (points[i].u < 0.0 || falls || flat) {
+      parser.fail("Incorrect point in surface of revolution.");
+    }
+  }
+}
+
 ShapeDesc parse_sor(Parser& parser, Context&) {
   SorShape s;
   const int count = parser.parse_int();
   if (count < 4) parser.fail("A surface of revolution must have at least four points.");
   s.points = parse_points(parser, count);
+  check_sor(parser, s.points);
   s.open = parser.accept(Keyword::kOpen);
   return s;
 }

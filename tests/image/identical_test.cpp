@@ -15,7 +15,7 @@ void expect_identical(const std::vector<std::string>& scene) {
   // Bands as high as the picture, a row, odd, and more than a row of tiles.
   const std::vector<std::string> bands{"", "Band_Height=1", "Band_Height=7", "Band_Height=40"};
   std::size_t run = 0;
-  for (const char* order : {"rows", "views", "columns", "tiles"}) {
+  for (const char* order : {"rows", "views", "columns", "combined(4)", "strips(3,7)", "tiles", "hilbert"}) {
     for (const char* cache : {"off", "last", "depth"}) {
       for (const int threads : {1, 2, 5}) {
         std::vector<std::string> arguments = scene;

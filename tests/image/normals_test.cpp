@@ -55,7 +55,7 @@ TEST_P(ImageNormals, ShadeAsInStock) {
   const auto texture = compiler.texture(read.object().texture, nullptr);
   EXPECT_TRUE(compiler.not_yet().empty());
   core::WeightedTextures layers;
-  texture->resolve({}, 1.0, layers);
+  texture->resolve({}, core::kNoSurface, 1.0, layers);
   const auto& ours = layers.front().texture->layers().front().normal;
   ASSERT_NE(ours, nullptr);
   int far = 0;
@@ -63,7 +63,7 @@ TEST_P(ImageNormals, ShadeAsInStock) {
   for (std::uint32_t k = 0; k < kSide; ++k) {
     for (std::uint32_t i = 0; i < kSide; ++i) {
       const Vec3 at{((i + .5) / kSide - .5) * kWidth, (.5 - (k + .5) / kSide) * kWidth, 0.0};
-      const Vec3 n = ours->perturb(at, {0, 0, -1});
+      const Vec3 n = ours->perturb(at, {0, 0, -1}, core::kNoSurface);
       for (int c = 0; c < 3; ++c) {
         const double cosine = std::max(0.0, core::dot(n, light_direction(c)));
         const double d = std::fabs(cosine - stock.at(i, k, c) / 65535.0);

@@ -69,6 +69,18 @@ const Case kCases[] = {
     {"lathe_cubic", "lathe { cubic_spline 7 <.3,-1>,<0,-.9>,<.9,-.6>,<.4,0>,<1,.7>,<0,.9>,<.2,1> }"},
     {"lathe_bezier", "lathe { bezier_spline 8 <0,-.9>,<1,-1>,<1,-.3>,<.5,0> <.5,0>,<.3,.5>,<1,.8>,<0,.9>"
                      " rotate 20*x }"},
+    {"sor", "sor { 7 <0,-1>,<.5,-.9>,<.9,-.3>,<.3,.2>,<.6,.8>,<.2,1>,<0,1.1> }"},
+    {"sor_open", "sor { 6 <.4,-1.2>,<.5,-.9>,<1,-.2>,<.4,.4>,<.7,.9>,<.9,1.1> open sturm rotate 25*x }", false},
+    {"ovus", "ovus { .8, .45 translate -.3*y }"},
+    {"ovus_top_heavy", "ovus { .5, .8 rotate 160*z translate .3*y }"},
+    {"ovus_sphere", "ovus { .4, .9 }"},
+    {"sweep_linear", "sphere_sweep { linear_spline 4 <-1,-.6,0>,.3 <0,.8,-.3>,.15 <.9,-.4,.4>,.4"
+                     " <1.2,.6,0>,.1 }"},
+    {"sweep_linear_square", "sphere_sweep { linear_spline 3 <-1,0,0>,.3 <1,0,0>,.3 <1,1,0>,.2 }"},
+    {"sweep_cubic", "sphere_sweep { cubic_spline 6 <-2,0,0>,.2 <-1,-.6,0>,.3 <0,.8,-.3>,.15"
+                    " <.9,-.4,.4>,.4 <1.2,.6,0>,.1 <2,1,0>,.2 tolerance 1e-5 }"},
+    {"sweep_b", "sphere_sweep { b_spline 6 <-2,0,0>,.2 <-1,-.9,0>,.3 <0,1.4,-.3>,.25 <.9,-.8,.4>,.4"
+                " <1.2,.9,0>,.3 <2,1,0>,.2 rotate 20*z }", true, Grade::match},
     {"height_field", "height_field { png \"plasma3.png\" water_level .2 scale <2.4,1.2,2.4>"
                      " translate <-1.2,-.6,-1.2> }", true, Grade::match},
     {"height_field_smooth", "height_field { function 40, 30 { .5 + .4*sin(x*9)*cos(y*8) } smooth"

@@ -13,7 +13,7 @@ const core::Csg& csg(const core::Object& object) { return dynamic_cast<const cor
 
 core::Colour colour_at(const core::Object& object, const Vec3& p) {
   core::WeightedTextures found;
-  object.attributes().texture->resolve(p, 1.0, found);
+  object.attributes().texture->resolve(p, core::kNoSurface, 1.0, found);
   return found.at(0).texture->layers().at(0).pigment->colour(p);
 }
 
@@ -185,13 +185,13 @@ TEST(UnitBuildObjects, LooksLikeIsAnObjectWithoutShadow) {
 TEST(UnitBuildScene, NotRenderedIsNamedOnce) {
   SceneText s("#declare Unused = julia_fractal { <0,0,0,0> }"
               "julia_fractal { <0,0,0,0> } julia_fractal { <0,0,0,0> }"
-              "union { sphere { 0, 1 } ovus { 1, .5 } }"
+              "union { sphere { 0, 1 } parametric { function { u } function { v } function { 0 } <0,0>, <1,1> } }"
               "camera { aperture 1 blur_samples 3 }");
   const core::SceneParts parts = s.build();
-  EXPECT_EQ(parts.not_rendered, (std::vector<std::string>{"focal blur", "julia_fractal", "ovus"}));
+  EXPECT_EQ(parts.not_rendered, (std::vector<std::string>{"focal blur", "julia_fractal", "parametric"}));
   int warnings = 0;
   for (const Diagnostic& d : s.diagnostics().warnings()) {
-    if (d.message.find("ovus") != std::string::npos) {
+    if (d.message.find("parametric") != std::string::npos) {
       ++warnings;
       EXPECT_NE(d.message.find("julia_fractal"), std::string::npos);
     }

@@ -156,10 +156,10 @@ TEST(UnitMaterialPigment, IdenticalDescriptionsAreCompiledOnce) {
 }
 
 TEST(UnitMaterialPigment, WhatIsNotRenderedYetIsNamedWhenUsed) {
-  const LooksText text("pigment { slope y }");
+  const LooksText text("pigment { tiling 3 }");
   TextureCompiler compiler(TextureSettings{});
   compiler.texture(text.object().texture, nullptr);
-  EXPECT_EQ(compiler.not_yet().count("pattern slope"), 1u);
+  EXPECT_EQ(compiler.not_yet().count("pattern tiling"), 1u);
 }
 
 TEST(UnitMaterialBlendMap, UnsortedEntriesAreSearchedAsInStock) {

@@ -17,7 +17,7 @@ core::WeightedTextures resolved(const LooksText& text, const core::Vec3& point,
                                 std::shared_ptr<const core::Texture>& keep) {
   keep = TextureCompiler(TextureSettings{}).texture(text.object().texture, nullptr);
   core::WeightedTextures out;
-  keep->resolve(point, 1.0, out);
+  keep->resolve(point, core::kNoSurface, 1.0, out);
   return out;
 }
 

@@ -255,7 +255,7 @@ TEST_F(ErrorParserOptions, NotYetByName) {
   expect_message({"+KFF10"}, "not yet: animation");
   expect_message({"+FT"}, "not yet: the output type Targa");
   expect_message({"Lens_Model=thick"}, "not yet: lens model 'thick' (there are paraxial, pinhole)");
-  expect_message({"Pixel_Order=hilbert"}, "not yet: pixel order 'hilbert' (there are rows, views, columns, tiles)");
+  expect_message({"Pixel_Order=adaptive"}, "not yet: pixel order 'adaptive' (there are rows, views, columns, combined, strips, tiles, hilbert)");
   expect_message({"Accelerator=grid"}, "not yet: accelerator 'grid' (there are bvh, list)");
   expect_message({"Post_Scene_Command=rm"}, "not yet: running commands");
 }

@@ -22,7 +22,7 @@ namespace {
 
 /// A wavy colour, so that each pixel is different.
 struct Wavy final : Pigment {
-  Colour colour(const Vec3& p) const override {
+  Colour colour(const Vec3& p, const SurfaceContext&) const override {
     return {Rgb(static_cast<float>(std::sin(p.x * 7) + 1), static_cast<float>(std::cos(p.y * 5) + 1),
                 static_cast<float>(p.z * p.z)), 0, 0};
   }

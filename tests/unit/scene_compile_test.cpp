@@ -17,7 +17,7 @@ namespace {
 
 struct OneColour final : Pigment {
   explicit OneColour(const Colour& c) : m_colour(c) {}
-  Colour colour(const Vec3&) const override { return m_colour; }
+  Colour colour(const Vec3&, const SurfaceContext&) const override { return m_colour; }
   bool is_opaque() const override { return m_colour.is_opaque(); }
   const Colour* constant() const override { return &m_colour; }
   Colour m_colour;

@@ -45,7 +45,9 @@ void expect_all(const core::PixelOrder& order, std::uint32_t width, std::uint32_
 }
 
 TEST(UnitShadowOrders, EveryPixelOnce) {
-  for (const auto name : shadow::order_names()) {
+  std::vector<std::string_view> names = shadow::order_names();
+  names.insert(names.end(), {"combined(1)", "combined(7)", "strips(3,5)", "strips(1,9)", "strips(999,4)"});
+  for (const auto name : names) {
     for (const Size& size : kSizes) {
       SCOPED_TRACE(std::string(name) + " " + std::to_string(size.width) + " x " +
                    std::to_string(size.height));
@@ -104,6 +106,58 @@ TEST(UnitShadowOrders, JobsTogetherAreTheOrder) {
   expect("columns", columns);
   expect("views", views);
   expect("tiles", tiles);
+}
+
+TEST(UnitShadowOrders, StripsOfLenses) {
+  // Lenses of 12 and 13 columns, cut into strips of 5, 5 and 2 or 3; groups of 8 rows, the last of 6.
+  const auto lenses = sheet(399, 12.5);
+  std::vector<core::Pixel> combined, strips;
+  const auto strip = [&](std::uint32_t top, std::uint32_t rows, std::vector<core::Pixel>& out) {
+    for (std::uint32_t s = 0; s < 3; ++s) {
+      for (std::uint32_t i = 0; i < 32; ++i) {
+        const std::uint32_t first = 25 * i / 2, end = std::min(25 * (i + 1) / 2, 399u);
+        for (std::uint32_t r = top; r < top + rows; ++r) {
+          for (std::uint32_t c = first + 5 * s; c < std::min(end, first + 5 * s + 5); ++c) {
+            out.push_back({c, r});
+          }
+        }
+      }
+    }
+  };
+  for (std::uint32_t r = 0; r < 70; ++r) strip(r, 1, combined);
+  for (std::uint32_t r = 0; r < 70; r += 8) strip(r, std::min(8u, 70 - r), strips);
+  const auto expect = [&](const char* name, const std::vector<core::Pixel>& wanted) {
+    const auto pixels = all(*shadow::make_order(name, {0, 0, 399, 70}, &lenses));
+    ASSERT_EQ(pixels.size(), wanted.size()) << name;
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+      ASSERT_TRUE(pixels[i].column == wanted[i].column && pixels[i].row == wanted[i].row)
+          << name << ": number " << i << " is " << pixels[i].column << ", " << pixels[i].row;
+    }
+  };
+  expect("combined(5)", combined);
+  expect("strips(5,8)", strips);
+  expect("strips(5,1)", combined);
+}
+
+TEST(UnitShadowOrders, StripsWithoutASheetAreTiles) {
+  const auto strips = all(*shadow::make_order("strips(32,32)", 100, 70));
+  const auto tiles = all(*shadow::make_order("tiles", 100, 70));
+  ASSERT_EQ(strips.size(), tiles.size());
+  for (std::size_t i = 0; i < tiles.size(); ++i) {
+    ASSERT_EQ(strips[i].column, tiles[i].column);
+    ASSERT_EQ(strips[i].row, tiles[i].row);
+  }
+}
+
+TEST(UnitShadowOrders, HilbertGoesFromNeighbourToNeighbour) {
+  // From square to square too, within a row of squares.
+  const auto pixels = all(*shadow::make_order("hilbert", 3 * shadow::kHilbert, shadow::kHilbert));
+  ASSERT_EQ(pixels.size(), 3u * shadow::kHilbert * shadow::kHilbert);
+  for (std::size_t i = 1; i < pixels.size(); ++i) {
+    const int dx = std::abs(static_cast<int>(pixels[i].column) - static_cast<int>(pixels[i - 1].column));
+    const int dy = std::abs(static_cast<int>(pixels[i].row) - static_cast<int>(pixels[i - 1].row));
+    ASSERT_EQ(dx + dy, 1) << "at " << i;
+  }
 }
 
 TEST(UnitShadowOrders, WithoutASheetThereIsOneView) {
@@ -177,7 +231,34 @@ TEST(ErrorShadowOrders, UnknownNameListsWhatThereIs) {
     shadow::make_order("diagonal", 4, 4);
     FAIL() << "no exception";
   } catch (const std::invalid_argument& e) {
-    EXPECT_STREQ(e.what(), "unknown pixel order 'diagonal': there are rows, views, columns, tiles");
+    EXPECT_STREQ(e.what(), "unknown pixel order 'diagonal': there are rows, views, columns, combined, "
+                           "strips, tiles, hilbert");
+  }
+}
+
+TEST(ErrorShadowOrders, Numbers) {
+  const auto message = [](const char* name) -> std::string {
+    try {
+      shadow::make_order(name, 4, 4);
+    } catch (const std::invalid_argument& e) {
+      return e.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(message("rows(3)"), "pixel order 'rows(3)': rows takes no numbers");
+  EXPECT_EQ(message("rows()"), "pixel order 'rows()': rows takes no numbers");
+  const std::string combined = " takes a width of 1 or more pixels, such as combined(4)";
+  for (const char* name : {"combined()", "combined(0)", "combined(-1)", "combined(x)",
+                           "combined(2,3)", "combined(2", "combined(2)3", "combined(99999999999)"}) {
+    EXPECT_EQ(message(name), "pixel order '" + std::string(name) + "': combined" + combined);
+  }
+  for (const char* name : {"strips(4)", "strips(4,)", "strips(,4)", "strips(4,0)", "strips(1,2,3)"}) {
+    EXPECT_EQ(message(name), "pixel order '" + std::string(name) +
+                                 "': strips takes a width and a height of 1 or more pixels, such "
+                                 "as strips(4,32)");
+  }
+  for (const char* name : {"Combined( 3 )", "strips( 2 , 5 )", "strips (2,5)", "HILBERT"}) {
+    EXPECT_EQ(message(name), "");
   }
 }
 

@@ -25,7 +25,7 @@ namespace {
 class PlainPigment final : public Pigment {
  public:
   explicit PlainPigment(const Colour& c) : m_colour(c) {}
-  Colour colour(const Vec3&) const override { return m_colour; }
+  Colour colour(const Vec3&, const SurfaceContext&) const override { return m_colour; }
   bool is_opaque() const override { return m_colour.is_opaque(); }
   const Colour* constant() const override { return &m_colour; }
 
@@ -37,7 +37,7 @@ class PlainPigment final : public Pigment {
 class StripedPigment final : public Pigment {
  public:
   StripedPigment(const Colour& a, const Colour& b) : m_a(a), m_b(b) {}
-  Colour colour(const Vec3& p) const override {
+  Colour colour(const Vec3& p, const SurfaceContext&) const override {
     return static_cast<long>(std::floor(p.x * 3.0)) % 2 == 0 ? m_a : m_b;
   }
   bool is_opaque() const override { return m_a.is_opaque() && m_b.is_opaque(); }

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "camera/bent.h"
 #include "camera/conversion.h"
 #include "camera/curved.h"
 #include "camera/orthographic.h"
@@ -49,6 +50,7 @@ std::unique_ptr<camera::Camera> make_ordinary(const parser::CameraRequest& reque
     return std::make_unique<camera::Curved>(*kind, request.projection, request.angles, width,
                                             height);
   }
+  if (request.mesh) return std::make_unique<camera::MeshCamera>(*request.mesh, width, height);
   throw camera::CameraError("the camera kind `" + request.kind + "`: not yet");
 }
 
@@ -63,10 +65,17 @@ CameraSetup make_camera(const parser::CameraRequest& request, const parser::Rend
                                 " needs a lens sheet: add Lenticular=On");
     }
     setup.ordinary = make_ordinary(request, options);
+    if (request.normal) {
+      setup.ordinary =
+          std::make_unique<camera::Bent>(std::move(setup.ordinary), request.normal);
+    }
     if (asks_for_lens(options)) {
       setup.warnings.push_back("the lens options have no effect without Lenticular=On");
     }
     return setup;
+  }
+  if (request.normal) {
+    setup.warnings.push_back("the camera's normal bends no rays of a lens sheet: it is left out");
   }
   camera::Sheet sheet = make_sheet(request, options, probe);
   setup.sheet = std::move(sheet.camera);

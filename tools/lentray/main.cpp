@@ -9,6 +9,7 @@
 
 #include "camera/lens_request.h"
 #include "core/image/writer.h"
+#include "parser/build/build_error.h"
 #include "parser/diagnostics.h"
 #include "parser/options.h"
 #include "tools/lentray/run.h"
@@ -63,6 +64,8 @@ int guarded(Work work) {
   } catch (const camera::CameraError& error) {
     return fail(kError, error.what(), tool::kUserError);
   } catch (const core::ImageError& error) {
+    return fail(kError, error.what(), tool::kUserError);
+  } catch (const parser::BuildError& error) {
     return fail(kError, error.what(), tool::kUserError);
   } catch (const std::bad_alloc&) {
     return fail(kError, "there is not enough memory for this scene and picture", tool::kUserError);

@@ -7,6 +7,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <stdexcept>
 #include <thread>
 
 #include "camera/scene_probe.h"
@@ -49,6 +50,15 @@ struct Run {
   shadow::RunReport report{};
 };
 
+/// The numbers of an order such as strips(4,32).
+void check_order(const RenderOptions& o) {
+  try {
+    shadow::make_order(o.pixel_order, 1, 1);
+  } catch (const std::invalid_argument& error) {
+    throw parser::OptionError(error.what());
+  }
+}
+
 /// Files are asked for before anything is read, so that no work is lost on them.
 void check_outputs(Run& run) {
   const RenderOptions& o = run.options;
@@ -85,8 +95,7 @@ void connect(parser::Diagnostics& diagnostics, Run& run) {
   if (!o.statistic_console) diagnostics.connect(parser::Stream::kStatistics, {});
 }
 
-/// --parse-only: text -> descriptions, and what is to be said of the whole. Objects are not made:
-/// what is wrong with them has been said, and meshes take longer to arrange than to read.
+/// --parse-only: text -> descriptions, checked as far as they can be without rendering.
 void parse_alone(Run& run, const std::string& path) {
   const RenderOptions& o = run.options;
   parser::SourceManager sources;
@@ -96,9 +105,9 @@ void parse_alone(Run& run, const std::string& path) {
   const parser::SceneDesc scene =
       parser::read_descriptions(path, sources, diagnostics, parser_options(o));
   const double seconds = cpu_seconds() - before;
-  parser::build_scene(scene, diagnostics, {.quality = o.quality, .objects = false});
+  parser::build_scene(scene, diagnostics, {o.quality});
   if (!o.verbose) return;
-  std::fprintf(stderr, "Parsed: %zu objects and lights, %zu warnings, %.2f s\n",
+  std::fprintf(stderr, "Parsed: %zu objects and lights, %zu warnings, %.3f s\n",
                scene.objects.size(), diagnostics.warnings().size(), seconds);
 }
 
@@ -127,7 +136,10 @@ void read_scene(Run& run, const std::string& path) {
   run.scene = std::make_unique<core::Scene>(std::move(parts), compile);
   run.report.compile_cpu_s = cpu_seconds() - parsed;
 
-  const auto request = parser::camera_request(description.camera.value_or(parser::CameraDesc{}));
+  const auto textures =
+      parser::texture_settings(description, run.scene->settings(), {.quality = o.quality});
+  const auto request =
+      parser::camera_request(description.camera.value_or(parser::CameraDesc{}), textures);
   run.camera = make_camera(request, o, camera::probe_of(*run.scene));
   for (std::string& text : run.camera.warnings) run.warnings.push_back("warning: " + text);
   run.camera.warnings.clear();
@@ -230,6 +242,7 @@ Status run(const RenderOptions& options, const std::atomic<bool>& cancel,
   const auto start = Clock::now();
   Run run{options, warnings, {}};
   const SceneFile file(options);
+  check_order(options);
   check_outputs(run);
   if (options.parse_only) {
     parse_alone(run, file.path());

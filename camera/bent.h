@@ -1,0 +1,29 @@
+// A camera whose rays a normal statement bends: `normal` of a camera. World space.
+// Source: reference manual 3.7, "Camera Ray Perturbation"; compared with stock by
+// image.bent_camera.
+#pragma once
+
+#include <memory>
+
+#include "camera/camera.h"
+#include "core/material/normal.h"
+
+namespace lentray::camera {
+
+class Bent final : public Camera {
+ public:
+  /// The pattern lies over the picture, which is 1 x 1 about the origin of its x-y plane.
+  Bent(std::unique_ptr<Camera> straight, std::shared_ptr<const core::NormalPerturbation> normal)
+      : m_straight(std::move(straight)), m_normal(std::move(normal)) {}
+  bool ray(double column, double row, core::Ray& ray) const override;
+  std::string_view name() const override { return m_straight->name(); }
+  std::uint32_t width() const override { return m_straight->width(); }
+  std::uint32_t height() const override { return m_straight->height(); }
+  Properties describe() const override { return m_straight->describe(); }
+
+ private:
+  std::unique_ptr<Camera> m_straight;
+  std::shared_ptr<const core::NormalPerturbation> m_normal;
+};
+
+}  // namespace lentray::camera

@@ -1,0 +1,122 @@
+#include "core/geometry/ovus.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/geometry/about_axis.h"
+#include "core/geometry/bounds_help.h"
+#include "core/geometry/roots.h"
+
+namespace lentray::core {
+namespace {
+
+constexpr std::uint32_t kBottom = 0, kWaist = 1, kTop = 2;
+
+}  // namespace
+
+// The tube touches a sphere from without where the distance of their centres is the difference of
+// their radii.
+Ovus::Ovus(double bottom, double top)
+    : m_bottom(bottom), m_top(top), m_waist(2.0 * std::max(bottom, top)) {
+  const double to_bottom = m_waist - bottom, to_top = m_waist - top;
+  m_height = (to_bottom * to_bottom - to_top * to_top + bottom * bottom) / (2.0 * bottom);
+  m_spindle = std::sqrt(std::max(0.0, to_bottom * to_bottom - m_height * m_height));
+  m_low = -m_height * bottom / to_bottom;
+  m_high = bottom + (bottom - m_height) * top / to_top;
+}
+
+Bounds Ovus::bounds() const {
+  const double widest = std::max({m_bottom, m_top, m_waist - m_spindle});
+  return padded({{-widest, -m_bottom, -widest}, {widest, m_bottom + m_top, widest}});
+}
+
+template <class Visit>
+void Ovus::crossings(const Ray& ray, double t_min, double t_max, Visit&& visit) const {
+  constexpr double kWider = 1e-9;
+  const double speed = length(ray.direction);
+  const Vec3 d = ray.direction / speed;
+  const Vec3 middle{0.0, m_height, 0.0};
+  // Counted from the point nearest to the tube's plane of symmetry's middle.
+  const double shift = dot(middle - ray.origin, d);
+  const Vec3 p = ray.origin + d * shift;
+  const auto report = [&](double s, std::uint32_t element) {
+    const double y = p.y + s * d.y;
+    const bool mine = element == kBottom ? y < m_low : element == kTop ? y > m_high
+                                                                       : y >= m_low && y <= m_high;
+    if (mine) visit((s + shift) / speed, element);
+  };
+  const auto sphere = [&](double centre, double radius, std::uint32_t element) {
+    const Vec3 from = p - Vec3{0.0, centre, 0.0};
+    const double b = dot(from, d), under = radius * radius - dot(from, from) + b * b;
+    if (!(under > 0.0)) return;
+    report(-b - std::sqrt(under), element);
+    report(-b + std::sqrt(under), element);
+  };
+  sphere(0.0, m_bottom, kBottom);
+  sphere(m_bottom, m_top, kTop);
+
+  const Vec3 q = p - middle;
+  const double qq = dot(q, q), tube2 = m_waist * m_waist, spindle2 = m_spindle * m_spindle;
+  const double size = m_bottom + m_top + std::fabs(m_height);
+  const double reach = size * size - qq;
+  if (!(reach > 0.0)) return;
+  double hi = std::sqrt(reach) * (1.0 + kWider), lo = -hi;
+  lo = std::max(lo, t_min * speed - shift);
+  hi = std::min(hi, t_max * speed - shift);
+  if (!(lo < hi)) return;
+  const double k = qq - spindle2 - tube2;
+  const double quartic[5] = {1.0, 0.0, 2.0 * (k + 2.0 * spindle2 * d.y * d.y),
+                             8.0 * spindle2 * q.y * d.y,
+                             k * k + 4.0 * spindle2 * (q.y * q.y - tube2)};
+  double root[4];
+  const int n = solve_between(quartic, 4, lo, hi, root);
+  for (int i = 0; i < n; ++i) {
+    const Vec3 at = q + d * root[i];
+    // The other half of the roots lies on the outer part of the torus.
+    if (dot(at, at) + spindle2 <= tube2 * (1.0 + kWider)) report(root[i], kWaist);
+  }
+}
+
+bool Ovus::nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const {
+  bool found = false;
+  crossings(ray, t_min, t_max, [&](double t, std::uint32_t element) {
+    if (!(t > t_min && t < t_max)) return;
+    hit = {t, element, 0.0, 0.0};
+    t_max = t;
+    found = true;
+  });
+  return found;
+}
+
+void Ovus::all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const {
+  crossings(ray, t_min, t_max, [&](double t, std::uint32_t element) {
+    if (t > t_min && t < t_max) hits.push_back({t, element, 0.0, 0.0});
+  });
+}
+
+bool Ovus::inside(const Vec3& p) const {
+  const double across2 = p.x * p.x + p.z * p.z;
+  if (p.y < m_low) return across2 + p.y * p.y <= m_bottom * m_bottom;
+  if (p.y > m_high) return across2 + (p.y - m_bottom) * (p.y - m_bottom) <= m_top * m_top;
+  const double out = std::sqrt(across2) + m_spindle, up = p.y - m_height;
+  return out * out + up * up <= m_waist * m_waist;
+}
+
+Vec3 Ovus::normal(const Vec3& p, const ShapeHit& hit) const {
+  if (hit.element == kBottom) return p;
+  if (hit.element == kTop) return p - Vec3{0.0, m_bottom, 0.0};
+  const double across = std::sqrt(p.x * p.x + p.z * p.z);
+  if (!(across > 0.0)) return {0.0, p.y - m_height, 0.0};
+  const double out = 1.0 + m_spindle / across;
+  return {p.x * out, p.y - m_height, p.z * out};
+}
+
+Vec2 Ovus::uv(const Vec3& p, const ShapeHit&) const {
+  const Vec3 q = p - Vec3{0.0, 0.5 * m_top, 0.0};
+  const double far = length(q);
+  if (far == 0.0) return {};
+  return {turn_about_axis(q / far), 0.5 + std::asin(q.y / far) / std::numbers::pi};
+}
+
+}  // namespace lentray::core

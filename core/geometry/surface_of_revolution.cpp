@@ -1,0 +1,139 @@
+#include "core/geometry/surface_of_revolution.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/geometry/about_axis.h"
+#include "core/geometry/bounds_help.h"
+#include "core/geometry/roots.h"
+
+namespace lentray::core {
+namespace {
+
+constexpr double kNoCap = 1e-4;  ///< stock's: flat ends of a smaller r^2 are left out
+
+/// Of r^2 with the height, from the neighbours of a point.
+double steepness(const Vec2& before, const Vec2& at, const Vec2& after) {
+  return 2.0 * at.u * (after.u - before.u) / (after.v - before.v);
+}
+
+}  // namespace
+
+SurfaceOfRevolution::SurfaceOfRevolution(const std::vector<Vec2>& points, bool open)
+    : m_open(open) {
+  for (std::size_t i = 1; i + 2 < points.size(); ++i) {
+    const Vec2 &a = points[i], &b = points[i + 1];
+    const double h = b.v - a.v;
+    const double from = a.u * a.u, to = b.u * b.u;
+    const double s0 = steepness(points[i - 1], a, b), s1 = steepness(a, b, points[i + 2]);
+    Piece p{a.v, b.v, from, s0, 0.0, 0.0, 0.0};
+    p.c2 = (3.0 * (to - from) / h - 2.0 * s0 - s1) / h;
+    p.c3 = (2.0 * (from - to) / h + s0 + s1) / (h * h);
+    p.widest2 = std::max(from, to);
+    double turn[2];
+    const int n = solve_quadratic(3.0 * p.c3, 2.0 * p.c2, p.c1, turn);
+    for (int k = 0; k < n; ++k) {
+      if (turn[k] > 0.0 && turn[k] < h) p.widest2 = std::max(p.widest2, p.at(turn[k]));
+    }
+    m_pieces.push_back(p);
+  }
+  const auto end = [](double r) { return r * r > kNoCap ? r * r : 0.0; };
+  m_base2 = end(points[1].u);
+  m_cap2 = end(points[points.size() - 2].u);
+}
+
+Bounds SurfaceOfRevolution::bounds() const {
+  Bounds box;
+  for (const Piece& p : m_pieces) {
+    const double r = std::sqrt(p.widest2);
+    box.include(Vec3{-r, p.low, -r});
+    box.include(Vec3{r, p.high, r});
+  }
+  return padded(box);
+}
+
+template <class Visit>
+void SurfaceOfRevolution::crossings(const Ray& ray, double t_min, double t_max,
+                                    Visit&& visit) const {
+  constexpr double kSlack = 1e-9, kLevel = 1e-10;
+  const AboutAxis about(ray);
+  const bool level = std::fabs(about.climb) <= kLevel * about.across;
+  if (!m_open && !level) {
+    const auto flat = [&](double height, double r2, std::uint32_t element) {
+      const double t = (height - about.height) / about.climb;
+      if (about.across * about.across * t * t + about.near2 <= r2) {
+        visit(about.t_near + t, element);
+      }
+    };
+    if (m_base2 > 0.0) flat(m_pieces.front().low, m_base2, base());
+    if (m_cap2 > 0.0) flat(m_pieces.back().high, m_cap2, cap());
+  }
+  const double a2 = about.across * about.across, climb = about.climb;
+  for (std::uint32_t i = 0; i < m_pieces.size(); ++i) {
+    const Piece& p = m_pieces[i];
+    if (about.near2 > p.widest2 * (1.0 + kSlack)) continue;
+    double lo = t_min - about.t_near, hi = t_max - about.t_near;
+    const double g = about.height - p.low, margin = kSlack * (p.high - p.low);
+    if (level) {
+      if (g < 0.0 || g > p.high - p.low) continue;
+    } else {
+      const double t0 = (-g - margin) / climb, t1 = (p.high - p.low - g + margin) / climb;
+      lo = std::max(lo, std::min(t0, t1));
+      hi = std::min(hi, std::max(t0, t1));
+    }
+    if (!(lo <= hi)) continue;
+    const double cubic[4] = {p.c3 * climb * climb * climb,
+                             (p.c2 + 3.0 * p.c3 * g) * climb * climb - a2, p.slope(g) * climb,
+                             p.at(g) - about.near2};
+    double root[3];
+    const int n = solve_between_bounds(cubic, 3, lo, hi, root);
+    for (int k = 0; k < n; ++k) {
+      const double s = g + climb * root[k];
+      if (s >= -margin && s <= p.high - p.low + margin) visit(about.t_near + root[k], i);
+    }
+  }
+}
+
+bool SurfaceOfRevolution::nearest(const Ray& ray, double t_min, double t_max,
+                                  ShapeHit& hit) const {
+  bool found = false;
+  crossings(ray, t_min, t_max, [&](double t, std::uint32_t element) {
+    if (!(t > t_min && t < t_max)) return;
+    hit = {t, element, 0.0, 0.0};
+    t_max = t;
+    found = true;
+  });
+  return found;
+}
+
+void SurfaceOfRevolution::all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const {
+  crossings(ray, t_min, t_max, [&](double t, std::uint32_t element) {
+    if (t > t_min && t < t_max) hits.push_back({t, element, 0.0, 0.0});
+  });
+}
+
+bool SurfaceOfRevolution::inside(const Vec3& p) const {
+  const double r2 = p.x * p.x + p.z * p.z;
+  for (const Piece& piece : m_pieces) {
+    if (p.y >= piece.low && p.y <= piece.high) return r2 <= piece.at(p.y - piece.low);
+  }
+  return false;
+}
+
+Vec3 SurfaceOfRevolution::normal(const Vec3& p, const ShapeHit& hit) const {
+  if (hit.element == base()) return {0.0, -1.0, 0.0};
+  if (hit.element == cap()) return {0.0, 1.0, 0.0};
+  const Piece& piece = m_pieces[hit.element];
+  return {p.x, -0.5 * piece.slope(p.y - piece.low), p.z};
+}
+
+Vec2 SurfaceOfRevolution::uv(const Vec3& p, const ShapeHit& hit) const {
+  const double around = turn_about_axis(p), r = std::sqrt(p.x * p.x + p.z * p.z);
+  if (hit.element == base()) return {around, r / std::sqrt(m_base2) - 1.0};
+  if (hit.element == cap()) return {around, 2.0 - r / std::sqrt(m_cap2)};
+  const Piece& piece = m_pieces[hit.element];
+  const double along = (p.y - piece.low) / (piece.high - piece.low) + hit.element;
+  return {around, along / static_cast<double>(m_pieces.size())};
+}
+
+}  // namespace lentray::core

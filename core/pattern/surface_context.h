@@ -1,0 +1,26 @@
+// What a texture may ask beyond the point: of the surface it lies on and the ray that sees it.
+// World space. Made by the renderer for each shaded point; one thread.
+// Source: reference manual 3.7, "UV Mapping", "Slope", "AOI"; compared with stock by
+// image.surface_patterns.
+#pragma once
+
+#include "core/base/vec3.h"
+
+namespace lentray::core {
+
+struct Hit;
+
+struct SurfaceContext {
+  Vec3 point;
+  Vec3 normal;     ///< unit, facing the ray; that of the layer above, once one has perturbed it
+  Vec3 direction;  ///< of the ray, unit
+  const Hit* hit = nullptr;  ///< null: asked for a point of empty space (sky, function, media)
+};
+
+/// For points that lie on nothing.
+inline constexpr SurfaceContext kNoSurface{};
+
+/// Texture coordinates of the surface at the point; 0 where there is none.
+Vec2 texture_coordinates(const SurfaceContext& surface);
+
+}  // namespace lentray::core

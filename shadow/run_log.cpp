@@ -1,0 +1,67 @@
+#include "shadow/run_log.h"
+
+#include <algorithm>
+#include <bit>
+
+#include "core/scene/scene.h"
+
+namespace lentray::shadow {
+
+void LightRuns::add_run(std::uint64_t length) {
+  ++by_length[std::min<std::size_t>(kClasses - 1, std::bit_width(length) - 1)];
+  ++runs;
+  longest = std::max(longest, length);
+}
+
+void LightRuns::add(const LightRuns& other) {
+  for (std::size_t i = 0; i < kClasses; ++i) by_length[i] += other.by_length[i];
+  runs += other.runs;
+  longest = std::max(longest, other.longest);
+  blocked += other.blocked;
+  rays += other.rays;
+}
+
+class RunLog::Tester final : public core::ShadowTester {
+ public:
+  Tester(const RunLog& log, std::unique_ptr<core::ShadowTester> tester, std::size_t lights)
+      : m_log(log), m_tester(std::move(tester)), m_lights(lights), m_current(lights, 0) {}
+  ~Tester() override {
+    for (std::size_t i = 0; i < m_lights.size(); ++i) end_run(i);
+    m_log.take(m_lights);
+  }
+
+  core::Visibility visibility(const core::ShadowQuery& query) override {
+    const core::Visibility seen = m_tester->visibility(query);
+    ++m_lights[query.light].rays;
+    if (seen.blocker != nullptr) {
+      ++m_lights[query.light].blocked;
+      ++m_current[query.light];
+    } else {
+      end_run(query.light);
+    }
+    return seen;
+  }
+
+ private:
+  void end_run(std::size_t light) {
+    if (m_current[light] > 0) m_lights[light].add_run(m_current[light]);
+    m_current[light] = 0;
+  }
+
+  const RunLog& m_log;
+  const std::unique_ptr<core::ShadowTester> m_tester;
+  std::vector<LightRuns> m_lights;
+  std::vector<std::uint64_t> m_current;
+};
+
+std::unique_ptr<core::ShadowTester> RunLog::make(const core::ShadowContext& context) const {
+  return std::make_unique<Tester>(*this, m_testers.make(context), context.scene->lights().size());
+}
+
+void RunLog::take(const std::vector<LightRuns>& lights) const {
+  const std::lock_guard lock(m_mutex);
+  if (m_lights.size() < lights.size()) m_lights.resize(lights.size());
+  for (std::size_t i = 0; i < lights.size(); ++i) m_lights[i].add(lights[i]);
+}
+
+}  // namespace lentray::shadow

@@ -1,0 +1,80 @@
+// What pixel orders are made of: all pixels of a region one after another, cut into jobs of equal
+// length. An order says which pixels come from a number on. Immutable, any number of threads.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/render/pixel_order.h"
+#include "shadow/lens_columns.h"
+
+namespace lentray::shadow {
+
+/// The part of the image to render, in pixels: columns [left, right), rows [top, bottom).
+struct PixelRegion {
+  std::uint32_t left = 0, top = 0, right = 0, bottom = 0;
+};
+
+class Sequence : public core::PixelOrder {
+ public:
+  explicit Sequence(const PixelRegion& r)
+      : m_region(r), m_width(r.right - r.left), m_height(r.bottom - r.top),
+        m_count(m_width * m_height),
+        m_job(std::clamp(m_count / kJobsWanted, kSmallestJob, kLargestJob)) {}
+
+  std::size_t jobs() const final { return (m_count + m_job - 1) / m_job; }
+
+  void pixels(std::size_t job, std::vector<core::Pixel>& out) const final {
+    const std::size_t first = job * m_job, last = std::min(m_count, first + m_job);
+    out.clear();
+    out.reserve(last - first);
+    list(first, last - first, out);
+  }
+
+ protected:
+  /// Appends `count` pixels of the sequence, beginning with number `first`.
+  virtual void list(std::size_t first, std::size_t count, std::vector<core::Pixel>& out) const = 0;
+
+  core::Pixel at(std::size_t x, std::size_t y) const {
+    return {static_cast<std::uint32_t>(m_region.left + x),
+            static_cast<std::uint32_t>(m_region.top + y)};
+  }
+
+  const PixelRegion m_region;
+  const std::size_t m_width, m_height;
+
+ private:
+  static constexpr std::size_t kJobsWanted = 256;    ///< more than any machine's threads
+  static constexpr std::size_t kSmallestJob = 64;    ///< pixels
+  static constexpr std::size_t kLargestJob = 16384;  ///< pixels
+
+  const std::size_t m_count, m_job;
+};
+
+using OrderPtr = std::unique_ptr<core::PixelOrder>;
+/// The region's columns, by view: none empty.
+using SharedViews = std::shared_ptr<const std::vector<std::vector<std::uint32_t>>>;
+
+/// Strips of columns in the order they are traced in, and how many columns lie before each; one
+/// more entry at the end.
+struct StripColumns {
+  std::vector<Strip> strips;
+  std::vector<std::size_t> before;
+};
+using SharedStrips = std::shared_ptr<const StripColumns>;
+
+OrderPtr make_row_order(const PixelRegion& region);
+OrderPtr make_column_order(const PixelRegion& region);
+OrderPtr make_view_order(const PixelRegion& region, SharedViews views);
+/// Squares of `side` pixels.
+OrderPtr make_tile_order(const PixelRegion& region, std::size_t side);
+/// Rows in groups of `height`; in a group strip after strip, each strip row after row.
+OrderPtr make_strip_order(const PixelRegion& region, SharedStrips strips, std::size_t height);
+/// Squares of `side` pixels, a power of two, each along a Hilbert curve; one square ends beside
+/// where the next begins.
+OrderPtr make_hilbert_order(const PixelRegion& region, std::size_t side);
+
+}  // namespace lentray::shadow

@@ -1,0 +1,257 @@
+#include "tools/lentray-model/arguments.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <sstream>
+
+#include "parser/ini.h"
+#include "parser/options_table.h"
+#include "tools/lentray-model/figures.h"
+
+namespace lentray::model {
+
+using parser::GivenOption;
+using parser::OptionError;
+
+namespace {
+
+constexpr double kMostValues = 1e5, kMostPoints = 1e6;
+constexpr std::int64_t kMostPixels = 1'000'000;  // a side
+
+std::string lower(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+std::vector<std::string> split(const std::string& text, char at) {
+  std::vector<std::string> parts;
+  std::istringstream in(text);
+  for (std::string part; std::getline(in, part, at);) parts.push_back(part);
+  if (!text.empty() && text.back() == at) parts.emplace_back();
+  return parts;
+}
+
+GivenOption part_of(const GivenOption& given, const std::string& text) {
+  GivenOption part = given;
+  part.value = text;
+  return part;
+}
+
+Range range_of(const GivenOption& given, bool may_be_zero) {
+  const std::vector<std::string> parts = split(given.value, ':');
+  if (parts.empty() || parts.size() > 3) parser::refuse(given, "first:last:step is expected, in mm");
+  Range range;
+  range.first = parser::number(part_of(given, parts[0]));
+  range.last = parts.size() > 1 ? parser::number(part_of(given, parts[1])) : range.first;
+  range.step = parts.size() > 2 ? parser::positive(part_of(given, parts[2])) : 1.0;
+  if (range.last < range.first) parser::refuse(given, "the last value is less than the first");
+  if (may_be_zero ? range.first < 0.0 : range.first <= 0.0) {
+    parser::refuse(given, may_be_zero ? "a distance of 0 mm or more is expected"
+                                      : "a shadow larger than 0 mm is expected");
+  }
+  if ((range.last - range.first) / range.step > kMostValues) {
+    parser::refuse(given, "that is more than 100000 values");
+  }
+  return range;
+}
+
+std::vector<std::uint32_t> whole_numbers(const GivenOption& given) {
+  std::vector<std::uint32_t> out;
+  for (const std::string& part : split(given.value, ',')) {
+    out.push_back(static_cast<std::uint32_t>(
+        parser::whole_number(part_of(given, part), 1, kMostPixels)));
+  }
+  return out;
+}
+
+/// The choice's number.
+std::size_t choice(const GivenOption& given, const std::vector<std::string>& choices) {
+  std::string known;
+  for (std::size_t i = 0; i < choices.size(); ++i) {
+    if (lower(given.value) == choices[i]) return i;
+    known += (i > 0 ? ", " : "") + choices[i];
+  }
+  parser::refuse(given, "there are " + known);
+}
+
+void set_figures(Arguments& a, const GivenOption& given) {
+  a.figures.clear();
+  for (const std::string& part : split(given.value, ',')) {
+    if (lower(part) == "all") {
+      a.figures = figure_names();
+      return;
+    }
+    a.figures.push_back(figure_names()[choice(part_of(given, part), figure_names())]);
+  }
+}
+
+void set_model(Arguments& a, const GivenOption& g) {
+  a.lens.model = choice(g, {"paraxial", "pinhole"}) == 0 ? camera::LensModel::kParaxial
+                                                         : camera::LensModel::kPinhole;
+}
+
+void set_alpha(Arguments& a, const GivenOption& g) {
+  a.alpha = choice(g, {"printed", "refracted"}) == 0 ? shadow::paper::Alpha::kPrinted
+                                                     : shadow::paper::Alpha::kRefracted;
+}
+
+void set_pixels(Arguments& a, const GivenOption& g) {
+  a.lens.pixels = parser::number(g);
+  if (a.lens.pixels < 1.0) parser::refuse(g, "at least one pixel a lens is expected");
+}
+
+void set_ior(Arguments& a, const GivenOption& g) {
+  a.lens.ior = parser::number(g);
+  if (a.lens.ior < 1.0) parser::refuse(g, "a refractive index of at least 1 is expected");
+}
+
+void set_format(Arguments& a, const GivenOption& g) {
+  a.format = choice(g, {"png", "svg"}) == 0 ? "png" : "svg";
+}
+
+std::uint32_t count(const GivenOption& g) {
+  return static_cast<std::uint32_t>(parser::whole_number(g, 1, kMostPixels));
+}
+
+std::filesystem::path place(const GivenOption& g) {
+  if (g.value.empty()) parser::refuse(g, "the name of a file is expected");
+  return g.value;
+}
+
+struct Row {
+  const char* name;
+  void (*apply)(Arguments&, const GivenOption&);
+};
+
+using A = Arguments;
+using G = GivenOption;
+constexpr Row kOptions[] = {
+    {"Lens_Pitch", [](A& a, const G& g) { a.lens.pitch = parser::positive(g); }},
+    {"Lens_LPI", [](A& a, const G& g) { a.lens.pitch = 25.4 / parser::positive(g); }},
+    {"Lens_Focal_Length", [](A& a, const G& g) { a.lens.focal_length = parser::positive(g); }},
+    {"Lens_IOR", set_ior},
+    {"Lens_Pixels", set_pixels},
+    {"Lens_Model", set_model},
+    {"Lenses", [](A& a, const G& g) { a.lenses = count(g); }},
+    {"Rows", [](A& a, const G& g) { a.rows = count(g); }},
+    {"A", [](A& a, const G& g) { a.a = range_of(g, false); }},
+    {"D", [](A& a, const G& g) { a.d = range_of(g, true); }},
+    {"Xstart", [](A& a, const G& g) { a.x = parser::number(g); }},
+    {"Ystart", [](A& a, const G& g) { a.y = parser::number(g); }},
+    {"Slice_A", [](A& a, const G& g) { a.slice_a = parser::positive(g); }},
+    {"Slice_D", [](A& a, const G& g) { a.slice_d = parser::positive(g); }},
+    {"Strip_Width", [](A& a, const G& g) { a.strip_widths = whole_numbers(g); }},
+    {"Strip_Height", [](A& a, const G& g) { a.strip_heights = whole_numbers(g); }},
+    {"Alpha", set_alpha},
+    {"CSV", [](A& a, const G& g) { a.csv = place(g); }},
+    {"Deviations", [](A& a, const G& g) { a.deviations = place(g); }},
+    {"Figures", set_figures},
+    {"Folder", [](A& a, const G& g) { a.folder = place(g); }},
+    {"Format", set_format},
+    {"Threads", [](A& a, const G& g) {
+       a.threads = static_cast<int>(parser::whole_number(g, 1, 512)); }},
+};
+
+void apply(Arguments& arguments, const std::string& word) {
+  const std::size_t equals = word.find('=');
+  const std::string name = word.substr(0, equals);
+  std::string known;
+  for (const Row& row : kOptions) {
+    known += std::string(" ") + row.name;
+    if (lower(name) != lower(row.name)) continue;
+    if (equals == std::string::npos) throw OptionError(name + " needs a value: " + name + "=...");
+    GivenOption given;
+    given.shown = word;
+    given.value = parser::unquoted(word.substr(equals + 1));
+    row.apply(arguments, given);
+    return;
+  }
+  throw OptionError("unknown option '" + name + "'; there are" + known + " --measure --help");
+}
+
+/// What the options can only be judged on together.
+void check(const Arguments& a) {
+  if (const std::string why = camera::complaint(a.lens); !why.empty()) throw OptionError(why);
+  if (!a.strip_heights.empty() && a.strip_widths.empty()) {
+    throw OptionError("Strip_Height needs a Strip_Width");
+  }
+  const double columns = std::round(a.lenses * a.lens.pixels);
+  if (columns > kMostPixels) {
+    throw OptionError("a sheet of more than 1000000 columns of pixels is too large");
+  }
+  const double points = static_cast<double>(a.a.values().size()) *
+                        static_cast<double>(a.d.values().size());
+  if (points > kMostPoints) throw OptionError("A and D make more than 1000000 points");
+}
+
+}  // namespace
+
+std::vector<double> Range::values() const {
+  std::vector<double> out;
+  const double steps = std::floor((last - first) / step + 1e-9);
+  for (double i = 0.0; i <= steps; ++i) out.push_back(first + i * step);
+  return out;
+}
+
+std::vector<shadow::Style> Arguments::styles() const {
+  using Kind = shadow::Style::Kind;
+  std::vector<shadow::Style> styles = shadow::paper_styles();
+  for (const std::uint32_t w : strip_widths) styles.push_back({Kind::kCombined, w, 1});
+  for (const std::uint32_t w : strip_widths) {
+    for (const std::uint32_t h : strip_heights) styles.push_back({Kind::kStrips, w, h});
+  }
+  return styles;
+}
+
+Arguments parse_arguments(const std::vector<std::string>& words) {
+  Arguments arguments;
+  for (const std::string& word : words) {
+    if (word == "--help" || word == "-?") {
+      arguments.help = true;
+    } else if (word == "--measure") {
+      arguments.measure = true;
+    } else {
+      apply(arguments, word);
+    }
+  }
+  if (!arguments.help) check(arguments);
+  return arguments;
+}
+
+std::string usage() {
+  return R"(lentray-model [Name=Value ...] [--measure]
+
+The shadow cache in integral ray tracing after Youssef, Aggoun, Wolf and McCormick: how many shadow
+rays of successive pixels hit the cache when one square shadow lies on a plane behind a lens sheet.
+By the paper's equations, by enumeration, and (--measure) by rendering. Lengths are mm.
+
+  Lens_Pitch=1.124 | Lens_LPI=   Lens_Focal_Length=3.03   Lens_IOR=1.6   Lens_Pixels=15
+  Lens_Model=pinhole|paraxial
+  Lenses=133             lenses of the sheet, seen from infinity
+  Rows=n                 rows of square pixels (as many as there are columns)
+  A=first:last:step      size of the shadow (0.5:40:1)
+  D=first:last:step      how far behind the sheet it is (0:40:1)
+  Xstart=0.3  Ystart=    its left and its upper edge, right of and below the sheet's middle; Ystart
+                         as Xstart. The shadow is [Xstart, Xstart+A] x [Ystart, Ystart+A]
+  Alpha=printed          equation 6 as it is printed; refracted: with the refractive index in it
+  Strip_Width=w,...      besides the strips that fit the shadow: combined(w), and with
+  Strip_Height=h,...     these strips(w,h)
+  --measure              renders the shadow, pixels in each order, and logs the hits
+
+  CSV=file               style,A,D,xstart,closed_form,enumerated,measured; - is standard output
+  Deviations=file        CSV of where the equations fail, and by how much
+  Figures=10,11,...      charts of the paper's figures: 10 to 17, 23, 24a to 24e (rendered); and of
+                         where the equations fail: near, theta, small, wide, edges; or all
+  Folder=.  Format=png   where the charts go, as figure-10.png and so on; svg
+  Slice_A=20 Slice_D=13  where figures cut the surfaces
+  Threads=n              all of the machine's
+
+Without CSV, Deviations and Figures the table of deviations is shown. Charts need gnuplot.
+Exit status: 0 done, 1 something is wrong with what was asked for or could not be written, 2
+measured and enumerated differ.
+)";
+}
+
+}  // namespace lentray::model
