@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "parser/interpreter.h"
+#include "parser/text.h"
 
 namespace lentray::parser {
 namespace {
@@ -97,7 +98,7 @@ void Directives::include(const std::string& name, const Location& where) {
 }
 
 void Directives::message(const Token& directive) {
-  const std::string text = m_in.expressions.parse_string();
+  const std::string text = to_ascii(m_in.expressions.parse_string());
   switch (directive.keyword) {
     case Keyword::kDebug:
       return m_in.diagnostics.write(Stream::kDebug, cut(text, 200, 159));
@@ -129,6 +130,7 @@ void Directives::version() {
   }
   m_in.version = std::min(version, 370);
   m_in.version_set = true;
+  if (!m_in.noise_generator_set) *m_in.noise_generator = m_in.version < 350 ? 1 : 2;
 }
 
 }  // namespace lentray::parser

@@ -40,7 +40,10 @@ std::string Expressions::one_string(bool path) {
       m_in.fail(t.where, "a string has an escape that does not exist; known are \\a \\b \\f \\n \\r "
                          "\\t \\v \\\\ \\\" \\' \\uXXXX");
     }
-    return m_in.names.string(t.name);
+    const std::string* ascii = m_in.names.ascii_string(t.name);
+    if (!ascii || m_in.utf8) return m_in.names.string(t.name);
+    m_in.warn(t.where, "text that is not ASCII, replaced by spaces; charset utf8 keeps it");
+    return *ascii;
   }
   if (!at_string()) tokens.fail_expected("a string");
   if (t.kind == TokenKind::kIdentifier) {

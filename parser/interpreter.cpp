@@ -26,6 +26,7 @@ Interpreter::Interpreter(SourceManager& sources_, Diagnostics& diagnostics_,
   if (options.language_version > 0) {
     version = options.language_version;
     version_set = true;
+    *noise_generator = version < 350 ? 1 : 2;
   }
 }
 

@@ -209,25 +209,28 @@ class Lexer {
     ++m_pos;
     const std::size_t start = m_pos;
     std::string cooked;
+    std::string ascii;  // from the first byte on that is not
     std::string wrong;  // first illegal escape
     for (;;) {
       if (m_pos >= m_text.size()) return bad(t.where, "string without its end: expected \"");
       const char c = m_text[m_pos];
       if (c == '"') break;
       if (c == '\n') new_line(m_pos + 1);
-      if (c == '\\' && !(m_pos + 1 < m_text.size() && escape(cooked, wrong))) {
-        cooked += c;
-        ++m_pos;
-      } else if (c != '\\') {
+      const std::size_t before = cooked.size();
+      const bool foreign = static_cast<unsigned char>(c) > 0x7F;
+      if (foreign && ascii.empty()) ascii = cooked;
+      if (c != '\\' || !(m_pos + 1 < m_text.size() && escape(cooked, wrong))) {
         cooked += c;
         ++m_pos;
       }
+      if (foreign) ascii += ' ';
+      else if (!ascii.empty()) ascii.append(cooked, before);
     }
     std::string raw(m_text.substr(start, m_pos - start));
     ++m_pos;
     // A wrong escape is no error in a file name, where backslashes are left as they are.
     t.keyword = wrong.empty() ? Keyword::kNone : Keyword::kError;
-    t.name = m_names.add_string(std::move(raw), std::move(cooked));
+    t.name = m_names.add_string(std::move(raw), std::move(cooked), std::move(ascii));
     m_tokens.push_back(t);
   }
 

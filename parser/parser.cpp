@@ -162,6 +162,13 @@ void Parser::set_srgb_decoder(double (*decoder)(double)) {
   m_impl->in.expressions.srgb_to_linear = decoder;
 }
 
+void Parser::set_utf8(bool utf8) { m_impl->in.utf8 = utf8; }
+
+void Parser::set_noise_generator(int generator) {
+  *m_impl->in.noise_generator = generator;
+  m_impl->in.noise_generator_set = true;
+}
+
 std::optional<std::string> Parser::find_file(const std::string& name) {
   return m_impl->in.find_file(name);
 }

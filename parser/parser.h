@@ -123,6 +123,10 @@ class Parser {
   SourceManager& sources();
   /// How srgb colours become linear; the statement that reads assumed_gamma may change it.
   void set_srgb_decoder(double (*decoder)(double));
+  /// Whether string literals are UTF-8 rather than ASCII; the statement that reads charset sets it.
+  void set_utf8(bool utf8);
+  /// Which noise functions are made of; the statement that reads noise_generator sets it.
+  void set_noise_generator(int generator);
   /// Finds a file as `#include` does (current folder, folder of the scene, library paths).
   std::optional<std::string> find_file(const std::string& name);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "parser/interpreter.h"
+#include "parser/text.h"
 
 namespace lentray::parser {
 namespace {
@@ -91,7 +92,7 @@ void ScriptFiles::write() {
       tokens.skip();
       write_binary(*out, format->keyword);
     } else if (m_in.expressions.at_string()) {
-      out->out->write(m_in.expressions.parse_string());
+      out->out->write(to_ascii(m_in.expressions.parse_string()));
     } else if (m_in.expressions.at_expression()) {
       const Number n = m_in.expressions.parse_additive();
       std::string text;
@@ -174,8 +175,13 @@ bool ScriptFiles::read_value(ScriptFile& file, Value& value) {
   } else {
     m_in.fail(t.where, "expected a float, vector or string in a file read by #read");
   }
-  if (at(Punct::kComma)) ++file.position;
-  else file.ended = file.position >= all.size();
+  // What follows is taken for the comma, whatever it is: so it is in stock.
+  if (file.position < all.size() && !at(Punct::kComma)) {
+    m_in.warn(all[file.position].where,
+              "expected ',' in a file read by #read; what stands there is left out");
+  }
+  file.ended = file.position >= all.size();
+  if (!file.ended) ++file.position;
   return true;
 }
 
