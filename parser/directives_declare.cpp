@@ -101,6 +101,10 @@ void Directives::declare(const Token& directive, bool local) {
     array->elements[index] = std::move(value);
     return;
   }
+  if (target && target->is_plain() && !target->file && deprecated.empty()) {
+    target->value = std::move(value);
+    return;
+  }
   Symbol& symbol = target ? *target : m_in.symbols.declare_at(name.name, level);
   if (symbol.alias || symbol.alias_array) {
     symbol.resolve() = std::move(value);
@@ -152,6 +156,16 @@ Value Directives::parse_rvalue() {
   switch (first.kind) {
     case TokenKind::kNumber: return stored(m_in.expressions.parse_additive());
     case TokenKind::kString: return m_in.expressions.parse_string();
+    case TokenKind::kPunct:
+      if (m_in.expressions.at_expression()) return stored(m_in.expressions.parse_additive());
+      break;
+    case TokenKind::kIdentifier: {
+      const Value* value = tokens.value();
+      if (value && std::holds_alternative<Number>(*value)) {
+        return stored(m_in.expressions.parse_additive());
+      }
+      break;
+    }
     default: break;
   }
   if (first.is(Keyword::kArray)) {
@@ -182,7 +196,7 @@ Value Directives::parse_rvalue() {
       tokens.skip();
       return copy;
     }
-    if (std::holds_alternative<Number>(*value) || called) {
+    if (called) {
       return stored(m_in.expressions.parse_additive());
     }
     if (std::optional<Value> made = m_in.productions.rvalue(m_in.parser)) return std::move(*made);

@@ -105,8 +105,12 @@ class Expressions {
   Number colour_from(Keyword keyword);
   std::string string_function(Keyword keyword, bool path);
   std::string one_string(bool path);
-  std::string format_number(const char* format, double value);
-  std::string number_format();
+  struct NumberFormat {
+    int width = 0, digits = 6;
+    bool zeros = false;   ///< in front, instead of spaces
+  };
+  NumberFormat number_format();
+  void append_number(std::string& text, const NumberFormat& format, double value);
   core::Transform transform_block();
   core::Matrix matrix_rows();
 

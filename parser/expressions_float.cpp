@@ -221,7 +221,8 @@ bool Expressions::float_function(Keyword keyword, double& value) {
       if (keyword == Keyword::kInside) {
         const Ref<ObjectDesc> object = object_argument();
         m_in.tokens.comma();
-        value = m_in.productions.inside(*object, parse_vector());
+        const core::Vec3 point = parse_vector();
+        value = m_in.ask_object([&] { return m_in.productions.inside(*object, point); });
       } else {
         const core::Vec3 a = parse_vector();
         m_in.tokens.comma();

@@ -1,6 +1,8 @@
 // String expressions. Strings are bytes; what counts characters takes them for UTF-8.
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <ctime>
 
 #include "parser/interpreter.h"
@@ -59,28 +61,43 @@ std::string Expressions::one_string(bool path) {
 }
 
 // What a number is printed with: width (negative: zeros in front) and digits, as str() takes them.
-std::string Expressions::number_format() {
+Expressions::NumberFormat Expressions::number_format() {
   m_in.tokens.comma();
   // Longer than any text they are printed into is as good as longest.
   constexpr double kLongest = 1000.0;
   const int width = to_int(std::clamp(parse_float(), -kLongest, kLongest));
   m_in.tokens.comma();
   const int digits = to_int(std::clamp(parse_float(), -1.0, kLongest));
-  std::string format = "%";
-  if (width > 0) format += std::to_string(width);
-  if (width < 0) format += "0" + std::to_string(-width);
-  if (digits >= 0) format += "." + std::to_string(digits);
-  return format;
+  constexpr int kUsual = 6;
+  return {std::abs(width), digits < 0 ? kUsual : digits, width < 0};
 }
 
-std::string Expressions::format_number(const char* format, double value) {
-  // Numbers too long for this come in exponents, as in stock.
-  char text[256];
-  const int length = std::snprintf(text, sizeof text, (std::string(format) + "f").c_str(), value);
-  if (length < 0 || length >= static_cast<int>(sizeof text)) {
-    std::snprintf(text, sizeof text, (std::string(format) + "g").c_str(), value);
+// As printf's %f. Numbers too long for the buffer come in exponents (%g), as in stock.
+void Expressions::append_number(std::string& text, const NumberFormat& format, double value) {
+  char digits[256];
+  const auto width = static_cast<std::size_t>(format.width);
+  if (std::isfinite(value) && width < sizeof digits) {
+    const auto end = std::to_chars(digits, digits + sizeof digits - 1, value,
+                                   std::chars_format::fixed, format.digits);
+    if (end.ec == std::errc()) {
+      std::string_view number(digits, static_cast<std::size_t>(end.ptr - digits));
+      const std::size_t missing = width > number.size() ? width - number.size() : 0;
+      if (missing > 0 && format.zeros && number[0] == '-') {
+        text += '-';
+        number.remove_prefix(1);
+      }
+      text.append(missing, format.zeros ? '0' : ' ');
+      text += number;
+      return;
+    }
   }
-  return text;
+  const auto print = [&](char kind) {
+    const std::string how = std::string(format.zeros ? "%0*.*" : "%*.*") + kind;
+    return std::snprintf(digits, sizeof digits, how.c_str(), format.width, format.digits, value);
+  };
+  const int length = print('f');
+  if (length < 0 || length >= static_cast<int>(sizeof digits)) print('g');
+  text += digits;
 }
 
 std::string Expressions::string_function(Keyword keyword, bool path) {
@@ -89,7 +106,9 @@ std::string Expressions::string_function(Keyword keyword, bool path) {
   switch (keyword) {
     case Keyword::kStr: {
       const double value = parse_scalar_expression();
-      return format_number(number_format().c_str(), value);
+      std::string text;
+      append_number(text, number_format(), value);
+      return text;
     }
     case Keyword::kVstr: {
       const int count = std::clamp(to_int(parse_float()), 2, 5);
@@ -97,11 +116,12 @@ std::string Expressions::string_function(Keyword keyword, bool path) {
       const Number n = parse_additive();
       tokens.comma();
       const std::string separator = one_string(path);
-      const std::string format = number_format();
+      const NumberFormat format = number_format();
       std::string text;
       for (int i = 0; i < count; ++i) {
         const double value = i < n.size ? n.v[static_cast<std::size_t>(i)] : 0.0;
-        text += (i ? separator : "") + format_number(format.c_str(), value);
+        if (i) text += separator;
+        append_number(text, format, value);
       }
       return text;
     }

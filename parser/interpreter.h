@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "parser/build/build_error.h"
 #include "parser/directives.h"
 #include "parser/expressions.h"
 #include "parser/function_parser.h"
@@ -52,6 +53,17 @@ struct Interpreter {
 
   [[noreturn]] void fail(const Location& where, const std::string& message);
   void warn(const Location& where, const std::string& message);
+
+  /// What `ask` finds out of an object that is made for it; what cannot be made is a mistake of the
+  /// scene.
+  template <typename Ask>
+  auto ask_object(Ask ask) {
+    try {
+      return ask();
+    } catch (const BuildError& error) {
+      fail(error.where(), error.what());
+    }
+  }
 
   /// Reads a file as tokens, once; null if it cannot be read.
   std::shared_ptr<const TokenList> load(const std::string& path);

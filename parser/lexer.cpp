@@ -59,8 +59,8 @@ using Tokens = decltype(TokenList::tokens);
 
 class Lexer {
  public:
-  Lexer(std::uint32_t file, std::string_view text, NameTable& names, Tokens& tokens)
-      : m_file(file), m_text(text), m_names(names), m_tokens(tokens) {}
+  Lexer(std::string_view text, NameTable& names, TokenList& list)
+      : m_file(list.file), m_text(text), m_names(names), m_list(list), m_tokens(list.tokens) {}
 
   void run() {
     while (skip_space()) one();
@@ -283,6 +283,7 @@ class Lexer {
     t.punct = kBytes.puncts[static_cast<unsigned char>(c)];
     if (t.punct != Punct::kNone) {
       ++m_pos;
+      if (t.punct == Punct::kGreater && close_vector()) return;
       m_tokens.push_back(t);
       return;
     }
@@ -291,6 +292,35 @@ class Lexer {
     bad(t.where, std::string("unknown character 0x") + kHex[byte >> 4] + kHex[byte & 15] +
                      " outside a string or comment");
     ++m_pos;
+  }
+
+  // At a `>`: if all since the `<` are numbers, and that `<` can only begin a vector, they become
+  // one token.
+  bool close_vector() {
+    std::array<double, 5> values;  // from the last to the first
+    std::size_t count = 0, at = m_tokens.size();
+    for (;;) {
+      if (at < 4 || count == values.size() || m_tokens[at - 1].kind != TokenKind::kNumber) return false;
+      values[count] = m_tokens[--at].number;
+      if (m_tokens[at - 1].is(Punct::kMinus)) {
+        values[count] = -values[count];
+        --at;
+      }
+      ++count;
+      if (m_tokens[at - 1].is(Punct::kLess)) break;
+      if (!m_tokens[at - 1].is(Punct::kComma)) return false;
+      --at;
+    }
+    Token& less = m_tokens[at - 1];
+    if (count < 2 || at < 2 || (!m_tokens[at - 2].is(Punct::kComma) &&
+                                !m_tokens[at - 2].is(Punct::kLeftCurly))) {
+      return false;
+    }
+    less.name = static_cast<NameId>(count);
+    less.jump = m_list.components.size();
+    for (std::size_t i = count; i-- > 0;) m_list.components.push_back(values[i]);
+    m_tokens.resize(at);
+    return true;
   }
 
   // Gives every part of a conditional, loop or macro the place of the next part or of its #end,
@@ -333,6 +363,7 @@ class Lexer {
   const std::uint32_t m_file;
   const std::string_view m_text;
   NameTable& m_names;
+  TokenList& m_list;
   Tokens& m_tokens;
   std::size_t m_pos = 0;
   std::size_t m_line_start = 0;
@@ -348,7 +379,7 @@ std::shared_ptr<const TokenList> tokenise(std::uint32_t file, std::string_view t
   // Of a long list nothing is moved; what a reservation does not use is never made by the system.
   constexpr std::size_t kLong = 1 << 20;
   list->tokens.reserve(text.size() / (text.size() > kLong ? 2 : 4) + 1);
-  Lexer(file, text, names, list->tokens).run();
+  Lexer(text, names, *list).run();
   if (text.size() <= kLong) list->tokens.shrink_to_fit();
   return list;
 }

@@ -19,6 +19,9 @@ namespace lentray::parser {
 struct TokenList {
   std::uint32_t file = 0;
   std::vector<Token, LargePages<Token>> tokens;
+  /// Of vectors of literal numbers behind a comma or a brace, of which data are made: `<` is the
+  /// only token, `jump` says where its components stand here and `name` how many there are.
+  std::vector<double, LargePages<double>> components;
 };
 
 std::shared_ptr<const TokenList> tokenise(std::uint32_t file, std::string_view text,

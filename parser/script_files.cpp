@@ -1,7 +1,9 @@
 #include "parser/script_files.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <cstdio>
 
 #include "parser/interpreter.h"
 #include "parser/text.h"
@@ -26,6 +28,20 @@ constexpr BinaryFormat kFormats[] = {
     {Keyword::kSint32be, -2147483648.0, 2147483647.0, 4, true},
     {Keyword::kSint32le, -2147483648.0, 2147483647.0, 4, false},
 };
+
+// As printf's %g.
+void append_number(std::string& text, double value) {
+  char digits[64];
+  if (std::isfinite(value)) {
+    constexpr int kPrecision = 6;
+    const auto end = std::to_chars(digits, digits + sizeof digits, value,
+                                   std::chars_format::general, kPrecision);
+    text.append(digits, end.ptr);
+  } else {
+    std::snprintf(digits, sizeof digits, "%g", value);
+    text += digits;
+  }
+}
 
 }  // namespace
 
@@ -95,13 +111,12 @@ void ScriptFiles::write() {
       out->out->write(to_ascii(m_in.expressions.parse_string()));
     } else if (m_in.expressions.at_expression()) {
       const Number n = m_in.expressions.parse_additive();
-      std::string text;
+      std::string text = n.size > 1 ? "<" : "";
       for (int i = 0; i < n.size; ++i) {
-        char digits[64];
-        std::snprintf(digits, sizeof digits, "%g", n.v[static_cast<std::size_t>(i)]);
-        text += (i ? "," : "") + std::string(digits);
+        if (i) text += ',';
+        append_number(text, n.v[static_cast<std::size_t>(i)]);
       }
-      if (n.size > 1) text = "<" + text + "> ";
+      if (n.size > 1) text += "> ";
       out->out->write(text);
     } else {
       tokens.fail_expected("a string, float or vector to write");
@@ -156,6 +171,13 @@ bool ScriptFiles::read_value(ScriptFile& file, Value& value) {
   const auto at = [&](Punct p) { return file.position < all.size() && all[file.position].is(p); };
   if (t.kind == TokenKind::kString) {
     value = m_in.names.string(t.name);
+    ++file.position;
+  } else if (t.is(Punct::kLess) && t.name > 0) {
+    Number n;
+    n.size = static_cast<int>(t.name);
+    std::copy_n(file.in->components.data() + t.jump, t.name, n.v.data());
+    n.is_colour = n.size == 5;
+    value = n;
     ++file.position;
   } else if (t.is(Punct::kLess)) {
     ++file.position;

@@ -1,5 +1,7 @@
 #include "parser/token_reader.h"
 
+#include <algorithm>
+
 #include "parser/interpreter.h"
 #include "parser/keywords.h"
 
@@ -153,10 +155,17 @@ void TokenReader::subscripts(const Token& raw, std::shared_ptr<ArrayValue> array
   show(token);
 }
 
-// `<` has been shown: the tokens behind it, if they are numbers and nothing else up to `>`, become
-// n's components and are consumed with it.
+// `<` has been shown: it may stand for the whole vector. Or else the tokens behind it, if they are
+// numbers and nothing else up to `>`, become n's components and are consumed with it.
 bool TokenReader::accept_literal_vector(Number& n) {
   Frame& frame = m_stream.top();
+  if (m_token.name > 0) {
+    n.size = static_cast<int>(m_token.name);
+    std::copy_n(frame.list->components.data() + m_token.jump, m_token.name, n.v.data());
+    m_last = m_token.where;
+    m_ready = false;
+    return true;
+  }
   const Token* t = frame.cursor;
   std::size_t size = 0;
   for (;; ++size) {

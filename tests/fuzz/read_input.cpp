@@ -22,7 +22,8 @@ parser::Limits small_limits() {
 
 }  // namespace
 
-std::string read_input(std::string_view text, const MemoryFiles::Library& library) {
+std::vector<std::string> read_input(std::string_view text,
+                                    const MemoryFiles::Library& library) {
   MemoryFiles files(library);
   files.add("scene.pov", std::string(text));
   parser::SourceManager sources(files);
@@ -32,12 +33,16 @@ std::string read_input(std::string_view text, const MemoryFiles::Library& librar
   }
   parser::ParserOptions options;
   options.limits = small_limits();
+  std::vector<std::string> messages;
   try {
     parser::read_scene("scene.pov", sources, diagnostics, options);
-    return {};
   } catch (const parser::ParseError& error) {
-    return error.message();
+    messages.push_back(error.message());
   }
+  for (const auto& warning : diagnostics.warnings()) {
+    messages.insert(messages.begin(), warning.message);
+  }
+  return messages;
 }
 
 MemoryFiles::Library include_files(const std::string& folder) {

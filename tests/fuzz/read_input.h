@@ -4,14 +4,16 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "tests/fuzz/memory_files.h"
 
 namespace lentray::test {
 
-/// Reads a scene that may include the files of `library`. Returns the message that it ended with,
-/// "" if it was read to its end.
-std::string read_input(std::string_view text, const MemoryFiles::Library& library = {});
+/// Reads a scene that may include the files of `library`, within small limits. Returns its warnings,
+/// and at the end the error that stopped it, if one did.
+std::vector<std::string> read_input(std::string_view text,
+                                    const MemoryFiles::Library& library = {});
 
 /// The include files of a folder (".inc"), by the name that scenes give them.
 MemoryFiles::Library include_files(const std::string& folder);
