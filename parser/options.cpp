@@ -335,7 +335,7 @@ Lens sheet (lengths in mm):
   Shadow_Cache=off|last|depth
   Accelerator=bvh|list   -UL
   Max_Memory=n[M|G]          how much to use; half of the machine's  (Band_Height=rows)
-  Statistics_File=x.json     what the run did (docs/statistics.md)
+  Statistics_File=x.json     what the run did (docs/statistics.md); Shadow_Log=On: more of shadows
   --parse-only         reads the scene and reports; renders nothing
   --explain            what the scene needs of the renderer; renders nothing
   --dump-rays FILE     every camera ray (docs/lens.md); renders nothing

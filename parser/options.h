@@ -59,6 +59,7 @@ struct RenderOptions {
   double max_memory = 0.0;                ///< bytes; 0: half of the machine's
   std::uint32_t band_height = 0;          ///< rows; 0: as the memory allows
   std::string statistics_file, dump_rays;
+  bool shadow_log = false;    ///< runs, blockers and costs of shadow rays go into the statistics
   bool parse_only = false, explain = false, help = false, version = false;
 
   std::vector<std::string> warnings;      ///< about the options themselves

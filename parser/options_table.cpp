@@ -407,6 +407,7 @@ constexpr OptionRow kTable[] = {
     {"Lens_Front", "", set_front},
     {"Lens_Model", "", set_model},
     {"View", "", set_view},
+    {"Shadow_Log", "", set_bool<&Options::shadow_log>},
     {"Pixel_Order", "", set_order},
     {"Shadow_Cache", "", set_cache},
     {"Accelerator", "", set_accelerator},

@@ -43,6 +43,24 @@ json tests_json(const RunReport& report) {
           {"by_type", std::move(by_type)}};
 }
 
+json log_json(const std::vector<LightRuns>& lights) {
+  LightRuns all;
+  std::uint64_t pairs = 0, most_hits = 0;
+  for (const LightRuns& light : lights) {
+    all.add(light);
+    pairs += light.blockers.size();
+    most_hits += light.most_hits();
+  }
+  json by_length = json::array();
+  for (const std::uint64_t count : all.by_length) by_length.push_back(count);
+  while (!by_length.empty() && by_length.back() == 0) by_length.erase(by_length.size() - 1);
+  return {{"tests", all.tests},
+          {"miss_tests", all.miss_tests},
+          {"pairs", pairs},
+          {"most_hits", most_hits},
+          {"runs", {{"count", all.runs}, {"longest", all.longest}, {"by_length", by_length}}}};
+}
+
 }  // namespace
 
 json to_json(const RunReport& report) {
@@ -67,6 +85,7 @@ json to_json(const RunReport& report) {
                  {"shadow", all.rays}};
   out["pixels"] = {{"dark", c.dark_pixels}};
   out["shadow"] = counts_json(all);
+  if (!report.shadow_log.empty()) out["shadow"]["log"] = log_json(report.shadow_log);
   out["lights"] = std::move(lights);
   if (report.tests_counted) out["tests"] = tests_json(report);
   out["time"] = {{"parse_cpu_s", report.parse_cpu_s},

@@ -6,9 +6,11 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "camera/lens_sheet.h"
 #include "core/base/counters.h"
+#include "shadow/run_log.h"
 
 namespace lentray::shadow {
 
@@ -29,6 +31,7 @@ struct RunReport {
   std::optional<LensReport> lens;    ///< none for an ordinary camera
   core::Counters counters;           ///< merged over the threads
   std::uint32_t band_height = 0, bands = 0;  ///< rows in a band, and how many bands there are
+  std::vector<LightRuns> shadow_log; ///< one a light; empty: there was no log
   bool tests_counted = false;        ///< counters' tests are filled
   double parse_cpu_s = 0.0, compile_cpu_s = 0.0, render_cpu_s = 0.0, write_cpu_s = 0.0;
   double wall_s = 0.0;

@@ -19,23 +19,34 @@ void LightRuns::add(const LightRuns& other) {
   longest = std::max(longest, other.longest);
   blocked += other.blocked;
   rays += other.rays;
+  tests += other.tests;
+  miss_tests += other.miss_tests;
+  blockers.insert(other.blockers.begin(), other.blockers.end());
 }
 
 class RunLog::Tester final : public core::ShadowTester {
  public:
-  Tester(const RunLog& log, std::unique_ptr<core::ShadowTester> tester, std::size_t lights)
-      : m_log(log), m_tester(std::move(tester)), m_lights(lights), m_current(lights, 0) {}
+  Tester(const RunLog& log, std::unique_ptr<core::ShadowTester> tester,
+         const core::ShadowContext& context)
+      : m_log(log), m_tester(std::move(tester)), m_counters(*context.counters),
+        m_lights(context.scene->lights().size()), m_current(m_lights.size(), 0) {}
   ~Tester() override {
     for (std::size_t i = 0; i < m_lights.size(); ++i) end_run(i);
     m_log.take(m_lights);
   }
 
   core::Visibility visibility(const core::ShadowQuery& query) override {
+    LightRuns& light = m_lights[query.light];
+    const core::ShadowCounts& counts = m_counters.lights[query.light];
+    const std::uint64_t hits = counts.hits, tests = tests_of(counts);
     const core::Visibility seen = m_tester->visibility(query);
-    ++m_lights[query.light].rays;
+    ++light.rays;
+    light.tests += tests_of(counts) - tests;
+    if (counts.hits == hits) light.miss_tests += tests_of(counts) - tests;
     if (seen.blocker != nullptr) {
-      ++m_lights[query.light].blocked;
+      ++light.blocked;
       ++m_current[query.light];
+      light.blockers.insert(seen.blocker);
     } else {
       end_run(query.light);
     }
@@ -43,6 +54,9 @@ class RunLog::Tester final : public core::ShadowTester {
   }
 
  private:
+  std::uint64_t tests_of(const core::ShadowCounts& counts) const {
+    return m_counters.bounds_tests + m_counters.primitive_tests + counts.probes;
+  }
   void end_run(std::size_t light) {
     if (m_current[light] > 0) m_lights[light].add_run(m_current[light]);
     m_current[light] = 0;
@@ -50,12 +64,13 @@ class RunLog::Tester final : public core::ShadowTester {
 
   const RunLog& m_log;
   const std::unique_ptr<core::ShadowTester> m_tester;
+  const core::Counters& m_counters;
   std::vector<LightRuns> m_lights;
   std::vector<std::uint64_t> m_current;
 };
 
 std::unique_ptr<core::ShadowTester> RunLog::make(const core::ShadowContext& context) const {
-  return std::make_unique<Tester>(*this, m_testers.make(context), context.scene->lights().size());
+  return std::make_unique<Tester>(*this, m_testers.make(context), context);
 }
 
 void RunLog::take(const std::vector<LightRuns>& lights) const {

@@ -1,6 +1,6 @@
 // A log of what shadow testers answer, in the order they are asked: runs of successive blocked rays
-// of each light ("continuous cache hits", the ray that fills the cache counted). Decorates any
-// tester and never changes an answer.
+// of each light ("continuous cache hits", the ray that fills the cache counted), which objects
+// block, and what answers cost. Decorates any tester and never changes an answer.
 //
 // A thread has runs of its own, so with several threads a run also ends where a thread's work does;
 // the paper's measure needs one thread. The log is filled as the testers go away, at the end of a
@@ -11,20 +11,27 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <unordered_set>
 #include <vector>
 
 #include "core/render/shadow_tester.h"
 
 namespace lentray::shadow {
 
-/// Runs of one light.
+/// Of one light.
 struct LightRuns {
   /// Runs of 2^i to 2^(i+1) - 1 rays.
   static constexpr std::size_t kClasses = 40;
   std::array<std::uint64_t, kClasses> by_length{};
   std::uint64_t runs = 0, longest = 0;
   std::uint64_t blocked = 0, rays = 0;
+  /// Tests of bounds and of primitives for all rays, a cache's probe counted as one; and those for
+  /// rays that the cache did not answer. Only where ShadowContext::count_tests is set.
+  std::uint64_t tests = 0, miss_tests = 0;
+  std::unordered_set<const core::Object*> blockers;  ///< opaque ones
 
+  /// The most hits a cache can have: every blocker must be found once.
+  std::uint64_t most_hits() const { return blocked - blockers.size(); }
   void add_run(std::uint64_t length);
   void add(const LightRuns& other);
 };

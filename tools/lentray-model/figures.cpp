@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <stdexcept>
 
-#include "core/image/file_swap.h"
 #include "core/image/writer.h"
-#include "tools/lentray-diff/process.h"
+#include "tools/lentray-model/gnuplot.h"
 #include "tools/lentray-model/sweeps.h"
 
 namespace lentray::model {
@@ -72,14 +70,6 @@ std::string lens_text(const Arguments& a) {
          std::to_string(a.lenses) + " lenses, Xstart = " + number_text(a.x) + " mm";
 }
 
-/// What every script begins with. Sizes are pixels.
-std::string preamble(const Arguments& a, int width, int height) {
-  const std::string terminal = a.format == "svg" ? "svg enhanced" : "pngcairo enhanced";
-  return "set terminal " + terminal + " size " + std::to_string(width) + "," +
-         std::to_string(height) + " font 'Sans,10' background rgb 'white'\n" +
-         "set output 'chart'\nset encoding utf8\nset tics nomirror\n";
-}
-
 /// Columns: A, D, printed, refracted, enumerated, measured, difference. Blank line after each A.
 std::string surface_data(const StyleGrid& grid, const Arguments& a) {
   std::string out;
@@ -117,7 +107,7 @@ std::string surface_script(const Figure& figure, const StyleGrid& grid, const Ar
   }
   const bool printed = a.alpha == shadow::paper::Alpha::kPrinted;
   const std::string alpha = std::string("alpha ") + shadow::paper::name_of(a.alpha);
-  return preamble(a, 1650, 540) + "set multiplot layout 1,3 title '" + figure.title + "; " +
+  return gnuplot_preamble(a.format, 1650, 540) + "set multiplot layout 1,3 title '" + figure.title + "; " +
          lens_text(a) + "'\n" + kSurfaceLook + "set zrange [0:" + number_text(highest) +
          "]\nset cbrange [0:" + number_text(highest) + "]\n" +
          surface_panel("equation (" + alpha + ")", printed ? 3 : 4) +
@@ -131,7 +121,7 @@ std::string measured_script(const Figure& figure, const StyleGrid& grid, const A
   const auto equal = std::count_if(grid.points.begin(), grid.points.end(), [](const Point& p) {
     return p.measured && *p.measured == p.enumerated;
   });
-  return preamble(a, 1200, 540) + "set multiplot layout 1,2 title '" + figure.title + "; " +
+  return gnuplot_preamble(a.format, 1200, 540) + "set multiplot layout 1,2 title '" + figure.title + "; " +
          lens_text(a) + "'\n" + kSurfaceLook + surface_panel("measured", 6) +
          surface_panel("enumerated: the same at " + std::to_string(equal) + " of " +
                            std::to_string(grid.points.size()) + " points", 5) +
@@ -157,11 +147,11 @@ std::string series_script(const Figure& figure, const Series& series, const Argu
                            (series.logarithmic_hits ? "set logscale y\n" : "set yrange [0:*]\n");
   const std::string title = figure.title + " at " + where + "; " + lens_text(a);
   if (series.styles.size() == 1) {
-    return preamble(a, 1000, 600) + look + "set key top " +
+    return gnuplot_preamble(a.format, 1000, 600) + look + "set key top " +
            (figure.kind == Kind::kAlongA ? "left" : "right") + "\nset title '" + title + "'\n" +
            lines(2, true);
   }
-  std::string out = preamble(a, 1500, 900) + look + "set multiplot layout 2,3 title '" + title +
+  std::string out = gnuplot_preamble(a.format, 1500, 900) + look + "set multiplot layout 2,3 title '" + title +
                     "'\n";
   for (std::size_t i = 0; i < series.styles.size(); ++i) {
     out += "set title '" + series.styles[i].name() + "'\n" + lines(2 + 3 * i, false);
@@ -174,25 +164,8 @@ std::string series_script(const Figure& figure, const Series& series, const Argu
          "NaN with lines linecolor 'blue' title 'enumerated'\nunset multiplot\n";
 }
 
-void swap_in(const fs::path& place, const std::string& bytes) {
-  core::FileSwap swap(place);
-  diff::write_text(swap.temporary(), bytes);
-  swap.commit();
-}
-
 fs::path chart_place(const Arguments& a, const std::string& figure, const std::string& end) {
   return a.folder / ("figure-" + figure + "." + end);
-}
-
-void run_gnuplot(const std::string& script, const std::string& data, const fs::path& place) {
-  const diff::TemporaryFolder folder;
-  diff::write_text(folder / "data", data);
-  diff::write_text(folder / "script", script);
-  const diff::RunResult result = diff::run({"gnuplot", "script"}, folder.path());
-  if (result.status != 0 || !fs::exists(folder / "chart")) {
-    throw std::runtime_error("gnuplot could not draw '" + place.string() + "': " + result.output);
-  }
-  swap_in(place, diff::read_text(folder / "chart"));
 }
 
 bool is_series(Kind kind) {
@@ -233,7 +206,7 @@ bool shows_grid(const std::string& figure) { return !is_series(figure_of(figure)
 
 void check_figures(const Arguments& a) {
   if (a.figures.empty()) return;
-  diff::run({"gnuplot", "--version"});
+  check_gnuplot();
   for (const std::string& name : a.figures) {
     core::check_writable(chart_place(a, name, a.format));
     if (!shows_grid(name)) core::check_writable(chart_place(a, name, "csv"));
@@ -251,13 +224,14 @@ std::string draw_figure(const std::string& name, const Arguments& a,
   if (is_series(figure.kind)) {
     const Series series = series_of(figure, a, sheet);
     const std::string csv = csv_of(series);
-    run_gnuplot(series_script(figure, series, a, where_of(figure, a)), csv, place);
-    swap_in(chart_place(a, name, "csv"), csv);
+    write_whole(place, gnuplot(series_script(figure, series, a, where_of(figure, a)), csv));
+    write_whole(chart_place(a, name, "csv"), csv);
   } else {
     const StyleGrid& points = grid_of(grid, figure.style);
     const bool measured = figure.kind == Kind::kMeasured;
-    run_gnuplot(measured ? measured_script(figure, points, a) : surface_script(figure, points, a),
-                surface_data(points, a), place);
+    write_whole(place, gnuplot(measured ? measured_script(figure, points, a)
+                                        : surface_script(figure, points, a),
+                               surface_data(points, a)));
   }
   return place.string();
 }

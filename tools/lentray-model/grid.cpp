@@ -4,7 +4,6 @@
 #include <tbb/parallel_for.h>
 
 #include <atomic>
-#include <cstdio>
 #include <thread>
 
 #include "shadow/hit_model/paper_test.h"
@@ -55,16 +54,6 @@ Grid make_grid(const Arguments& arguments, const shadow::PaperSheet& sheet,
     if (progress) progress(static_cast<double>(++done) / static_cast<double>(points));
   });
   return grid;
-}
-
-std::string number_text(double value) {
-  char buffer[32];
-  std::snprintf(buffer, sizeof buffer, "%.12g", value);
-  return buffer;
-}
-
-std::string csv_field(const std::string& text) {
-  return text.find(',') == std::string::npos ? text : '"' + text + '"';
 }
 
 std::string csv_of(const Grid& grid, const Arguments& arguments) {

@@ -10,6 +10,7 @@
 
 #include "shadow/hit_model/enumeration.h"
 #include "tools/lentray-model/arguments.h"
+#include "tools/lentray-model/csv.h"
 
 namespace lentray::model {
 
@@ -48,10 +49,5 @@ Grid make_grid(const Arguments& arguments, const shadow::PaperSheet& sheet,
 
 /// The CSV: style,A,D,xstart,closed_form,enumerated,measured.
 std::string csv_of(const Grid& grid, const Arguments& arguments);
-
-/// Up to 12 digits, so that 0.1 * 3 is 0.3.
-std::string number_text(double value);
-/// A field of a CSV file, in quotes where it must be (RFC 4180).
-std::string csv_field(const std::string& text);
 
 }  // namespace lentray::model

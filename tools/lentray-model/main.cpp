@@ -9,12 +9,11 @@
 #include <memory>
 #include <mutex>
 
-#include "core/image/file_swap.h"
 #include "core/image/writer.h"
-#include "tools/lentray-diff/process.h"
 #include "tools/lentray-model/arguments.h"
 #include "tools/lentray-model/deviations.h"
 #include "tools/lentray-model/figures.h"
+#include "tools/lentray-model/gnuplot.h"
 
 namespace lentray::model {
 namespace {
@@ -27,13 +26,6 @@ void check_outputs(const Arguments& a) {
     if (!place.empty() && place != "-") core::check_writable(place);
   }
   check_figures(a);
-}
-
-void write(const std::filesystem::path& place, const std::string& text) {
-  if (place.empty()) return;
-  core::FileSwap swap(place);
-  diff::write_text(swap.temporary(), text);
-  swap.commit();
 }
 
 /// A line on a terminal's standard error, while something is rendered.
@@ -85,10 +77,10 @@ int model(const Arguments& a) {
                           std::any_of(a.figures.begin(), a.figures.end(), shows_grid);
   Grid grid;
   if (needs_grid) grid = make_grid(a, sheet, styles, measured, progress_line(renders));
-  write(a.csv, csv_of(grid, a));
+  if (!a.csv.empty()) write_whole(a.csv, csv_of(grid, a));
   if (table || !a.deviations.empty()) {
     const std::vector<Deviation> all = deviations(grid, a, sheet);
-    write(a.deviations, csv_of(all));
+    if (!a.deviations.empty()) write_whole(a.deviations, csv_of(all));
     if (table) std::cout << table_of(all);
   }
   for (const std::string& figure : a.figures) {

@@ -18,6 +18,7 @@
 #include "parser/read_scene.h"
 #include "shadow/pixel_orders.h"
 #include "shadow/report.h"
+#include "shadow/run_log.h"
 #include "shadow/tester_factory.h"
 #include "tools/lentray/camera_setup.h"
 #include "tools/lentray/explain.h"
@@ -65,6 +66,9 @@ void check_outputs(Run& run) {
   const bool renders = !o.explain && !o.parse_only && o.dump_rays.empty();
   if (!o.dump_rays.empty() && o.dump_rays != "-") core::check_writable(o.dump_rays);
   if (!renders) return;
+  if (o.shadow_log && o.statistics_file.empty()) {
+    throw parser::OptionError("Shadow_Log goes into the statistics: name a Statistics_File");
+  }
   const auto width = static_cast<std::uint32_t>(o.width);
   parser::check_picture_size(o.width, o.height, bytes_a_row(width), machine_memory());
   if (!o.statistics_file.empty()) core::check_writable(o.statistics_file);
@@ -212,6 +216,9 @@ bool render(Run& run, const std::atomic<bool>& cancel) {
   const auto orders = shadow::make_band_orders(o.pixel_order, shape.width, lenses);
   auto testers = shadowless_tester(o.quality);
   if (!testers) testers = shadow::make_tester_factory(o.shadow_cache);
+  const shadow::RunLog log(*testers);
+  const core::ShadowTesterFactory* asked = testers.get();
+  if (o.shadow_log) asked = &log;
   core::FrameOptions frame;
   frame.threads = o.threads;
   frame.count_tests = !o.statistics_file.empty();
@@ -226,9 +233,10 @@ bool render(Run& run, const std::atomic<bool>& cancel) {
   if (o.verbose) bar.emplace("Rendering");
   const double before = cpu_seconds();
   PictureFile picture(run.output, run.type, o, run.scene->settings(), run.camera);
-  run.report.counters = core::render_frame(*run.scene, camera, shape, *orders, *testers, frame,
+  run.report.counters = core::render_frame(*run.scene, camera, shape, *orders, *asked, frame,
                                            picture, bar ? &*bar : nullptr);
   if (cancel.load()) return false;
+  run.report.shadow_log = log.lights();
   picture.finish();
   run.report.write_cpu_s = picture.cpu_seconds();
   run.report.render_cpu_s = cpu_seconds() - before - run.report.write_cpu_s;

@@ -1,0 +1,91 @@
+// lentray-grouping as a program, and the log of shadow rays that it works with.
+#include <gtest/gtest.h>
+
+#include "tests/support/render.h"
+
+namespace lentray::test {
+namespace {
+
+/// A ball over a floor, and two lights.
+constexpr const char* kScene = R"(#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0,3,-6> look_at 0 }
+light_source { <3,6,-2> rgb 1 }
+light_source { <-5,6,-1> rgb 0.5 }
+plane { y, -1 pigment { rgb 1 } }
+sphere { 0, 1 pigment { rgb <1,0,0> } }
+)";
+
+class ImageGroupingProgram : public ::testing::Test {
+ protected:
+  void SetUp() override { diff::write_text(m_folder / "a.pov", kScene); }
+  diff::RunResult run(std::vector<std::string> words) const {
+    words.insert(words.begin(), program("lentray-grouping").string());
+    return diff::run(words, m_folder.path(), 300);
+  }
+  nlohmann::json shadow(const std::string& cache) const {
+    const auto result = run_lentray({"+Ia.pov", "+W90", "+H60", "-F", "-V", "-UL", "+WT1", "Lenticular=On",
+                                     "Shadow_Log=On", "Statistics_File=s.json",
+                                     "Shadow_Cache=" + cache}, m_folder.path());
+    EXPECT_EQ(result.status, 0) << result.output;
+    return nlohmann::json::parse(diff::read_text(m_folder / "s.json")).at("shadow");
+  }
+  const diff::TemporaryFolder m_folder;
+};
+
+TEST_F(ImageGroupingProgram, TableCsvAndPage) {
+  const auto result = run({"a.pov", "+W90", "+H60", "Lenticular=On", "Orders=rows,views,columns,strips(3,5)",
+                           "Caches=off,last", "Accelerators=bvh,list,buffer", "Repeats=1",
+                           "CSV=a.csv", "HTML=a.html"});
+  EXPECT_EQ(result.status, 0) << result.output;
+  EXPECT_NE(result.output.find("equation 2"), std::string::npos) << result.output;
+  const std::string csv = diff::read_text(m_folder / "a.csv");
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 4 * 2 * 3);
+  EXPECT_EQ(csv.find(",no\n"), std::string::npos) << "a picture differs";
+  const std::string page = diff::read_text(m_folder / "a.html");
+  EXPECT_NE(page.find("<svg"), std::string::npos);
+  EXPECT_NE(page.find("</html>"), std::string::npos);
+}
+
+TEST_F(ImageGroupingProgram, ErrorsAreTold) {
+  const auto order = run({"a.pov", "Orders=diagonal", "Repeats=1", "CSV=a.csv"});
+  EXPECT_EQ(order.status, 1);
+  EXPECT_NE(order.output.find("unknown pixel order"), std::string::npos) << order.output;
+  EXPECT_FALSE(std::filesystem::exists(m_folder / "a.csv"));
+  EXPECT_EQ(run({"a.pov", "CSV=nowhere/a.csv"}).status, 1);
+  EXPECT_EQ(run({}).status, 1);
+  EXPECT_EQ(run({"--help"}).status, 0);
+}
+
+TEST_F(ImageGroupingProgram, TheLogCountsWhatItSays) {
+  const auto off = shadow("off"), last = shadow("last");
+  const auto number = [](const nlohmann::json& j, const char* key) { return j.at(key).get<std::uint64_t>(); };
+  EXPECT_EQ(off.at("log").at("pairs"), 2) << "the ball, from two lights; the floor lies below";
+  EXPECT_EQ(number(off.at("log"), "most_hits"), number(off, "blocked") - 2);
+  // One occluder a light: a cache has every hit there can be.
+  EXPECT_EQ(last.at("cache").at("hits"), last.at("log").at("most_hits"));
+  EXPECT_EQ(off.at("log").at("tests"), off.at("log").at("miss_tests"));
+  // A hit costs its probe.
+  EXPECT_EQ(number(last.at("log"), "tests"),
+            number(last.at("log"), "miss_tests") + number(last.at("cache"), "hits"));
+  // Runs hold all blocked rays.
+  std::uint64_t runs = 0, least = 0, most = 0, length = 1;
+  for (const auto& count : off.at("log").at("runs").at("by_length")) {
+    runs += count.get<std::uint64_t>();
+    least += count.get<std::uint64_t>() * length;
+    length *= 2;
+    most += count.get<std::uint64_t>() * (length - 1);
+  }
+  EXPECT_EQ(runs, number(off.at("log").at("runs"), "count"));
+  EXPECT_LE(least, number(off, "blocked"));
+  EXPECT_GE(most, number(off, "blocked"));
+}
+
+TEST_F(ImageGroupingProgram, ALogNeedsAFile) {
+  const auto result = run_lentray({"+Ia.pov", "-F", "Shadow_Log=On"}, m_folder.path());
+  EXPECT_EQ(result.status, 1);
+  EXPECT_NE(result.output.find("name a Statistics_File"), std::string::npos) << result.output;
+}
+
+}  // namespace
+}  // namespace lentray::test

@@ -1,0 +1,131 @@
+#include "tools/lentray-grouping/arguments.h"
+
+#include "parser/ini.h"
+#include "parser/options_table.h"
+
+namespace lentray::grouping {
+
+using parser::GivenOption;
+using parser::OptionError;
+
+namespace {
+
+/// Options of lentray that this program says itself.
+constexpr const char* kOurs[] = {"Pixel_Order",     "Shadow_Cache", "Accelerator", "Light_Buffer",
+                                 "Statistics_File", "Shadow_Log",   "Work_Threads"};
+
+std::vector<std::string> names(const GivenOption& given) {
+  std::vector<std::string> out = list_of(given.value);
+  for (const std::string& name : out) {
+    if (name.empty()) parser::refuse(given, "a list of names is expected, such as rows,columns");
+  }
+  if (out.empty()) parser::refuse(given, "a list of names is expected, such as rows,columns");
+  return out;
+}
+
+std::filesystem::path place(const GivenOption& given) {
+  if (given.value.empty()) parser::refuse(given, "the name of a file is expected");
+  return given.value;
+}
+
+struct Row {
+  const char* name;
+  void (*apply)(Arguments&, const GivenOption&);
+};
+
+constexpr Row kOptions[] = {
+    {"Orders", [](Arguments& a, const GivenOption& g) { a.orders = names(g); }},
+    {"Caches", [](Arguments& a, const GivenOption& g) { a.caches = names(g); }},
+    {"Accelerators", [](Arguments& a, const GivenOption& g) { a.accelerators = names(g); }},
+    {"Repeats", [](Arguments& a, const GivenOption& g) {
+       a.repeats = static_cast<int>(parser::whole_number(g, 1, 1000)); }},
+    {"CSV", [](Arguments& a, const GivenOption& g) { a.csv = place(g); }},
+    {"HTML", [](Arguments& a, const GivenOption& g) { a.html = place(g); }},
+    {"Lentray", [](Arguments& a, const GivenOption& g) { a.lentray = place(g); }},
+};
+
+/// True if the word was an option of ours.
+bool own(Arguments& arguments, const std::string& word) {
+  const std::size_t equals = word.find('=');
+  if (equals == std::string::npos) return false;
+  const std::string_view name = std::string_view(word).substr(0, equals);
+  for (const char* ours : kOurs) {
+    if (parser::same_word(name, ours)) {
+      throw OptionError(std::string(ours) +
+                        " is this program's to say: Orders=, Caches=, Accelerators=");
+    }
+  }
+  for (const Row& row : kOptions) {
+    if (!parser::same_word(name, row.name)) continue;
+    GivenOption given;
+    given.shown = word;
+    given.value = parser::unquoted(word.substr(equals + 1));
+    row.apply(arguments, given);
+    return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::vector<std::string> list_of(const std::string& text) {
+  std::vector<std::string> out;
+  int depth = 0;
+  bool begins = true;
+  for (const char c : text) {
+    if (c == '(') ++depth;
+    if (c == ')') --depth;
+    if (begins) out.emplace_back();
+    begins = c == ',' && depth == 0;
+    if (!begins) out.back() += c;
+  }
+  if (begins && !text.empty()) out.emplace_back();
+  return out;
+}
+
+Arguments parse_arguments(const std::vector<std::string>& words) {
+  Arguments arguments;
+  for (const std::string& word : words) {
+    if (word == "--help" || word == "-?") {
+      arguments.help = true;
+    } else if (own(arguments, word)) {
+      continue;
+    } else if (word.rfind("--", 0) == 0) {
+      throw OptionError("unknown option '" + word + "'; there is --help");
+    } else if (word[0] == '+' || word[0] == '-' || word.find('=') != std::string::npos ||
+               word.find(".ini") != std::string::npos) {
+      arguments.for_lentray.push_back(word);
+    } else {
+      arguments.scenes.push_back(word);
+    }
+  }
+  if (arguments.help) return arguments;
+  if (arguments.scenes.empty()) throw OptionError("no scene given");
+  for (const std::string& scene : arguments.scenes) {
+    if (!std::filesystem::is_regular_file(scene)) {
+      throw OptionError("there is no scene '" + scene + "'");
+    }
+  }
+  return arguments;
+}
+
+std::string usage() {
+  return R"(lentray-grouping SCENE... [Name=Value ...] [options of lentray]
+
+Renders each scene with every pixel order, shadow cache and accelerator that is asked for, one
+thread, and says what each costs and how often the cache was right. Every picture is compared with
+the first: they must be the same, bit for bit.
+
+  Orders=rows,views,columns,combined,strips,tiles,hilbert   also combined(w), strips(w,h)
+  Caches=off,last,depth
+  Accelerators=bvh       of lentray without light buffers: bvh, list; buffer: bvh with them
+  Repeats=5              timed runs of each, interleaved; the median counts
+  CSV=file  HTML=file    HTML holds charts, which need gnuplot
+  Lentray=file           the program to run; the one beside this one
+
+All else goes to lentray: +W +H Declare= Lenticular=On Lens_Pixels= +L ...
+Exit status: 0 done, 1 something went wrong, 2 pictures differ.
+)";
+}
+
+}  // namespace lentray::grouping

@@ -1,0 +1,28 @@
+// The command line of lentray-grouping: its own Name=Value options, and lentray's, which go to it as
+// they are. Errors: parser::OptionError. Pure.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace lentray::grouping {
+
+struct Arguments {
+  bool help = false;
+  std::vector<std::string> scenes;
+  std::vector<std::string> orders{"rows", "views", "columns", "combined", "strips", "tiles", "hilbert"};
+  std::vector<std::string> caches{"off", "last", "depth"};
+  std::vector<std::string> accelerators{"bvh"};
+  int repeats = 5;
+  std::filesystem::path csv, html;
+  std::filesystem::path lentray;            ///< the program; empty: beside this one
+  std::vector<std::string> for_lentray;
+};
+
+/// At commas outside brackets: "rows,strips(4,8)" is two.
+std::vector<std::string> list_of(const std::string& text);
+Arguments parse_arguments(const std::vector<std::string>& words);
+std::string usage();
+
+}  // namespace lentray::grouping

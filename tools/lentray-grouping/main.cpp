@@ -1,0 +1,55 @@
+// lentray-grouping: pixel orders and shadow caches put to the test on scenes.
+#include <unistd.h>
+
+#include <algorithm>
+#include <exception>
+#include <iostream>
+
+#include "core/image/writer.h"
+#include "tools/lentray-grouping/report.h"
+#include "tools/lentray-model/gnuplot.h"
+
+namespace lentray::grouping {
+namespace {
+
+enum Status : int { kDone = 0, kError = 1, kDiffer = 2 };
+
+int experiment(const Arguments& arguments, const std::string& command) {
+  for (const auto& place : {arguments.csv, arguments.html}) {
+    if (!place.empty()) core::check_writable(place);
+  }
+  if (!arguments.html.empty()) model::check_gnuplot();
+  const bool terminal = ::isatty(STDERR_FILENO) != 0;
+  const std::vector<Trial> trials = run_trials(arguments, [&](const std::string& what) {
+    if (terminal) std::cerr << what << std::endl;
+  });
+  std::cout << table_of(trials);
+  if (!arguments.csv.empty()) model::write_whole(arguments.csv, csv_of(trials));
+  if (!arguments.html.empty()) model::write_whole(arguments.html, html_of(trials, command));
+  const bool same = std::all_of(trials.begin(), trials.end(),
+                                [](const Trial& t) { return t.same_picture; });
+  return same ? kDone : kDiffer;
+}
+
+int run_main(const std::vector<std::string>& words) {
+  try {
+    const Arguments arguments = parse_arguments(words);
+    if (arguments.help) {
+      std::cout << usage();
+      return kDone;
+    }
+    std::string command = "lentray-grouping";
+    for (const std::string& word : words) command += " " + word;
+    return experiment(arguments, command);
+  } catch (const std::exception& e) {
+    std::cerr << "lentray-grouping: " << e.what() << std::endl;
+    return kError;
+  }
+}
+
+}  // namespace
+}  // namespace lentray::grouping
+
+int main(int count, char** words) {
+  return lentray::grouping::run_main(std::vector<std::string>(words + 1, words + count));
+}

@@ -1,0 +1,266 @@
+#include "tools/lentray-grouping/report.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+
+#include "tools/lentray-model/csv.h"
+#include "tools/lentray-model/gnuplot.h"
+
+namespace lentray::grouping {
+
+using model::csv_field;
+
+namespace {
+
+std::string format(const char* pattern, double value) {
+  char buffer[48];
+  std::snprintf(buffer, sizeof buffer, pattern, value);
+  return buffer;
+}
+
+std::string percent(double part) { return format("%.1f %%", 100.0 * part); }
+
+std::string short_name(const std::string& scene) {
+  return std::filesystem::path(scene).stem().string();
+}
+
+const Trial* find(const Group& group, const std::string& order, const std::string& cache) {
+  const auto at = std::find_if(group.begin(), group.end(), [&](const Trial& t) {
+    return t.order == order && t.cache == cache;
+  });
+  return at == group.end() ? nullptr : &*at;
+}
+
+template <class Name>
+std::vector<std::string> distinct(const Group& group, Name name) {
+  std::vector<std::string> names;
+  for (const Trial& t : group) {
+    if (std::find(names.begin(), names.end(), name(t)) == names.end()) names.push_back(name(t));
+  }
+  return names;
+}
+
+std::vector<std::string> caches_of(const Group& group) {
+  return distinct(group, [](const Trial& t) { return t.cache; });
+}
+
+/// A line an order, a column a cache.
+template <class Value>
+std::string bars(const Group& group, Value value) {
+  std::string out = "order";
+  for (const std::string& cache : caches_of(group)) out += "\t" + cache;
+  out += "\n";
+  for (const std::string& order : distinct(group, [](const Trial& t) { return t.order; })) {
+    out += order;
+    for (const std::string& cache : caches_of(group)) {
+      out += "\t" + format("%.6g", value(*find(group, order, cache)));
+    }
+    out += "\n";
+  }
+  return out;
+}
+
+std::string bar_chart(const Group& group, const std::string& title, const std::string& data) {
+  const std::size_t caches = caches_of(group).size();
+  std::string script =
+      model::gnuplot_preamble("svg", 620, 380) + "set datafile separator '\\t'\nset title '" +
+      title + "' noenhanced\nset style data histogram\nset style fill solid 0.8\nset grid y\n" +
+      "set yrange [0:*]\nset xtics rotate by -30 noenhanced\nset key outside right noenhanced\nplot ";
+  for (std::size_t i = 0; i < caches; ++i) {
+    script += std::string(i > 0 ? ", " : "") + "'data' using " + std::to_string(i + 2) +
+              ":xtic(1) title columnheader";
+  }
+  return model::gnuplot(script + "\n", data);
+}
+
+/// Time against what equation 1 counts, and its line.
+std::string cost_chart(const Group& group, const std::string& title) {
+  const CostFit fit = fit_cost(group);
+  std::string data;
+  for (const Trial& t : group) {
+    data += format("%.6g", static_cast<double>(t.tests) * 1e-6) + "\t" +
+            format("%.6g", t.median()) + "\t" + t.order + " " + t.cache + "\n";
+  }
+  const std::string script =
+      model::gnuplot_preamble("svg", 620, 380) + "set datafile separator '\\t'\nset title '" +
+      title + "' noenhanced\nset xlabel 'tests for shadow rays, millions'\nset ylabel 'CPU, s'\n" +
+      "set grid\nset xrange [0:*]\nset yrange [0:*]\nset key outside right\n" +
+      "plot 'data' using 1:2 with points pointtype 7 title 'measured', " +
+      format("%.9g", fit.rest) + " + " + format("%.9g", fit.per_test * 1e6) +
+      "*x title 'equation 1'\n";
+  return model::gnuplot(script, data);
+}
+
+std::string escaped(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    if (c == '&') out += "&amp;";
+    else if (c == '<') out += "&lt;";
+    else if (c == '>') out += "&gt;";
+    else out += c;
+  }
+  return out;
+}
+
+struct Column {
+  const char* name;
+  std::string (*text)(const Trial&);
+};
+
+constexpr Column kColumns[] = {
+    {"order", [](const Trial& t) { return t.order; }},
+    {"cache", [](const Trial& t) { return t.cache; }},
+    {"CPU s", [](const Trial& t) { return format("%.3f", t.median()); }},
+    {"least", [](const Trial& t) { return format("%.3f", t.least()); }},
+    {"most", [](const Trial& t) { return format("%.3f", t.most()); }},
+    {"tests/ray", [](const Trial& t) { return format("%.2f", t.tests_a_ray()); }},
+    {"hits/blocked", [](const Trial& t) { return percent(t.hits_of_blocked()); }},
+    {"hits/bound", [](const Trial& t) { return percent(t.hits_of_most()); }},
+    {"mean run", [](const Trial& t) { return format("%.1f", t.mean_run()); }},
+    {"longest", [](const Trial& t) { return std::to_string(t.longest_run); }},
+    {"picture", [](const Trial& t) { return std::string(t.same_picture ? "same" : "DIFFERS"); }},
+};
+
+std::string heading(const Group& group) {
+  const Trial& t = group.front();
+  return short_name(t.scene) + ", " + t.accelerator + ": " + std::to_string(t.rays) +
+         " shadow rays, " + std::to_string(t.blocked) + " blocked, at most " +
+         std::to_string(t.most_hits) + " hits";
+}
+
+std::string gain_text(const Gain& g) {
+  return "cache " + g.cache + ", Cm/Ch " + format("%.1f", g.miss_cost) + " tests: columns save " +
+         percent(g.against_rows) + " of rows (equation 2: " + percent(g.predicted_rows) + "), " +
+         percent(g.against_views) + " of views (equation 2: " + percent(g.predicted_views) + ")";
+}
+
+}  // namespace
+
+std::vector<Group> groups_of(const std::vector<Trial>& trials) {
+  std::vector<Group> groups;
+  for (const Trial& t : trials) {
+    if (groups.empty() || groups.back().front().scene != t.scene ||
+        groups.back().front().accelerator != t.accelerator) {
+      groups.emplace_back();
+    }
+    groups.back().push_back(t);
+  }
+  return groups;
+}
+
+CostFit fit_cost(const Group& group) {
+  double n = 0.0, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
+  for (const Trial& t : group) {
+    const auto tests = static_cast<double>(t.tests);
+    n += 1.0;
+    x += tests;
+    y += t.median();
+    xx += tests * tests;
+    xy += tests * t.median();
+  }
+  const double spread = n * xx - x * x;
+  CostFit fit;
+  if (spread > 0.0) fit.per_test = (n * xy - x * y) / spread;
+  fit.rest = (y - fit.per_test * x) / n;
+  return fit;
+}
+
+std::vector<Gain> gains_of(const Group& group) {
+  std::vector<Gain> out;
+  const CostFit fit = fit_cost(group);
+  for (const std::string& cache : caches_of(group)) {
+    const Trial* const rows = find(group, "rows", cache);
+    const Trial* const views = find(group, "views", cache);
+    const Trial* const columns = find(group, "columns", cache);
+    if (!rows || !views || !columns) continue;
+    Gain g;
+    g.cache = cache;
+    g.miss_cost = (rows->miss_cost() + views->miss_cost() + columns->miss_cost()) / 3.0;
+    // (2): Ct = N Cm - Nh Cm, in tests.
+    const auto seconds = [&](const Trial& t) {
+      return fit.rest + fit.per_test * static_cast<double>(t.rays - t.hits) * g.miss_cost;
+    };
+    const auto saved = [](double less, double more) { return more > 0.0 ? 1.0 - less / more : 0.0; };
+    g.against_rows = saved(columns->median(), rows->median());
+    g.against_views = saved(columns->median(), views->median());
+    g.predicted_rows = saved(seconds(*columns), seconds(*rows));
+    g.predicted_views = saved(seconds(*columns), seconds(*views));
+    out.push_back(g);
+  }
+  return out;
+}
+
+std::string csv_of(const std::vector<Trial>& trials) {
+  std::string out =
+      "scene,order,cache,accelerator,cpu_s,cpu_least_s,cpu_most_s,shadow_rays,blocked,hits,pairs,"
+      "most_hits,hits_of_blocked,hits_of_most,tests,tests_a_ray,miss_cost,runs,mean_run,"
+      "longest_run,same_picture\n";
+  for (const Trial& t : trials) {
+    for (const std::string& text : {t.scene, t.order, t.cache, t.accelerator}) {
+      out += csv_field(text) + ",";
+    }
+    out += format("%.6g", t.median()) + "," + format("%.6g", t.least()) + "," +
+           format("%.6g", t.most()) + "," + std::to_string(t.rays) + "," +
+           std::to_string(t.blocked) + "," + std::to_string(t.hits) + "," +
+           std::to_string(t.pairs) + "," + std::to_string(t.most_hits) + "," +
+           format("%.6g", t.hits_of_blocked()) + "," + format("%.6g", t.hits_of_most()) + "," +
+           std::to_string(t.tests) + "," + format("%.6g", t.tests_a_ray()) + "," +
+           format("%.6g", t.miss_cost()) + "," + std::to_string(t.runs) + "," +
+           format("%.6g", t.mean_run()) + "," + std::to_string(t.longest_run) + "," +
+           (t.same_picture ? "yes" : "no") + "\n";
+  }
+  return out;
+}
+
+std::string table_of(const std::vector<Trial>& trials) {
+  std::string out;
+  for (const Group& group : groups_of(trials)) {
+    out += heading(group) + "\n";
+    for (const Column& c : kColumns) out += std::string(c.name) + std::string(14 - std::string(c.name).size(), ' ');
+    out += "\n";
+    for (const Trial& t : group) {
+      for (const Column& c : kColumns) {
+        std::string text = c.text(t);
+        text.resize(std::max<std::size_t>(text.size() + 1, 14), ' ');
+        out += text;
+      }
+      out += "\n";
+    }
+    for (const Gain& g : gains_of(group)) out += gain_text(g) + "\n";
+    out += "\n";
+  }
+  return out;
+}
+
+std::string html_of(const std::vector<Trial>& trials, const std::string& command) {
+  std::string out =
+      "<!DOCTYPE html>\n<html><head><meta charset=\"utf-8\"><title>Pixel orders and shadow caches"
+      "</title>\n<style>body{font-family:sans-serif;margin:2em}table{border-collapse:collapse}"
+      "td,th{padding:2px 10px;text-align:right;border-bottom:1px solid #ddd}"
+      "td:nth-child(-n+2){text-align:left}</style></head><body>\n"
+      "<h1>Pixel orders and shadow caches</h1>\n<p><code>" + escaped(command) + "</code></p>\n";
+  for (const Group& group : groups_of(trials)) {
+    out += "<h2>" + escaped(heading(group)) + "</h2>\n<table><tr>";
+    for (const Column& c : kColumns) out += std::string("<th>") + c.name + "</th>";
+    out += "</tr>\n";
+    for (const Trial& t : group) {
+      out += "<tr>";
+      for (const Column& c : kColumns) out += "<td>" + escaped(c.text(t)) + "</td>";
+      out += "</tr>\n";
+    }
+    out += "</table>\n";
+    for (const Gain& g : gains_of(group)) out += "<p>" + escaped(gain_text(g)) + "</p>\n";
+    out += "<div>\n" +
+           bar_chart(group, "CPU, s (median)",
+                     bars(group, [](const Trial& t) { return t.median(); })) +
+           bar_chart(group, "hits / upper bound",
+                     bars(group, [](const Trial& t) { return t.hits_of_most(); })) +
+           bar_chart(group, "tests a shadow ray",
+                     bars(group, [](const Trial& t) { return t.tests_a_ray(); })) +
+           cost_chart(group, "time and equation 1") + "</div>\n";
+  }
+  return out + "</body></html>\n";
+}
+
+}  // namespace lentray::grouping

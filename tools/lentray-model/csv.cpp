@@ -1,0 +1,17 @@
+#include "tools/lentray-model/csv.h"
+
+#include <cstdio>
+
+namespace lentray::model {
+
+std::string number_text(double value) {
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, "%.12g", value);
+  return buffer;
+}
+
+std::string csv_field(const std::string& text) {
+  return text.find(',') == std::string::npos ? text : '"' + text + '"';
+}
+
+}  // namespace lentray::model
