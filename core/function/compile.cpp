@@ -8,7 +8,7 @@
 namespace lentray::core {
 namespace {
 
-constexpr double kMostTerms = 1e7;   // of a sum or product
+constexpr double kMostTerms = 1e6;   // of a sum or product
 constexpr double kFarthest = 9e15;   // beyond, steps of one do not move a number
 
 class Compiler {
