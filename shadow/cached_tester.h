@@ -4,6 +4,8 @@
 // One a thread, with entries of its own; nothing is shared.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <vector>
 
 #include "core/render/plain_shadow_tester.h"
@@ -14,36 +16,47 @@ namespace lentray::shadow {
 template <class Policy>
 class CachedTester final : public core::ShadowTester {
  public:
-  CachedTester(const core::ShadowContext& context, std::size_t lights)
-      : m_plain(context), m_policy(lights), m_entries(m_policy.slots(), nullptr) {}
+  CachedTester(const core::ShadowContext& context, const Policy& policy)
+      : m_plain(context), m_policy(policy), m_entries(m_policy.slots(), nullptr) {}
 
   core::Visibility visibility(const core::ShadowQuery& query) override {
     core::ShadowCounts& counts = m_plain.context().counters->lights[query.light];
     ++counts.rays;
     const Keys keys = m_policy.keys(query);
-    for (std::size_t i = 0; i < keys.count; ++i) {
+    std::array<const core::Object*, Policy::kProbes> tried{};
+    std::size_t probes = 0;
+    for (std::size_t i = 0; i < keys.count && probes < Policy::kProbes; ++i) {
       const core::Object* entry = m_entries[keys.slot[i]];
-      if (!entry) continue;
+      if (!entry || std::find(tried.begin(), tried.begin() + probes, entry) !=
+                        tried.begin() + probes) {
+        continue;
+      }
+      tried[probes++] = entry;
       ++counts.probes;
       if (m_plain.blocks(*entry, query)) {
         ++counts.hits;
         ++counts.blocked;
+        if constexpr (Policy::kProbes > 1) remember(query, entry);
         return {core::Rgb(0.0f), entry};
       }
       ++counts.misses;
-      break;
     }
     const core::Visibility seen = m_plain.search(query);
     if (seen.blocker) {
       ++counts.blocked;
-      m_entries[m_policy.home(query)] = seen.blocker;  // a miss leaves the entry as it is
+      remember(query, seen.blocker);  // a miss leaves the entries as they are
     }
     return seen;
   }
 
  private:
+  void remember(const core::ShadowQuery& query, const core::Object* blocker) {
+    const Keys homes = m_policy.homes(query);
+    for (std::size_t i = 0; i < homes.count; ++i) m_entries[homes.slot[i]] = blocker;
+  }
+
   core::PlainShadowTester m_plain;
-  Policy m_policy;
+  const Policy m_policy;
   std::vector<const core::Object*> m_entries;
 };
 

@@ -5,6 +5,7 @@
 #include "core/render/plain_shadow_tester.h"
 #include "core/scene/scene.h"
 #include "shadow/cached_tester.h"
+#include "shadow/direction_policy.h"
 #include "shadow/names.h"
 
 namespace lentray::shadow {
@@ -14,7 +15,7 @@ template <class Policy>
 class CachedTesterFactory final : public core::ShadowTesterFactory {
  public:
   std::unique_ptr<core::ShadowTester> make(const core::ShadowContext& context) const override {
-    return std::make_unique<CachedTester<Policy>>(context, context.scene->lights().size());
+    return std::make_unique<CachedTester<Policy>>(context, Policy(*context.scene));
   }
 };
 
@@ -32,6 +33,9 @@ constexpr Entry kTesters[] = {
     {"off", make_one<core::PlainShadowTesterFactory>},
     {LastPolicy::kName, make_one<CachedTesterFactory<LastPolicy>>},
     {DepthPolicy::kName, make_one<CachedTesterFactory<DepthPolicy>>},
+    {TreePolicy::kName, make_one<CachedTesterFactory<TreePolicy>>},
+    {NeighbourhoodPolicy::kName, make_one<CachedTesterFactory<NeighbourhoodPolicy>>},
+    {DirectionPolicy::kName, make_one<CachedTesterFactory<DirectionPolicy>>},
 };
 
 std::vector<std::string_view> names_of_testers() {

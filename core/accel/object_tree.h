@@ -45,6 +45,9 @@ class ObjectTree {
   static constexpr std::uint32_t kKindShift = 29;
   static constexpr std::uint32_t kIndexMask = (1u << kKindShift) - 1;
   static constexpr std::uint32_t kFirstBits = 25;
+  /// Boxes that their solids leave decide for a ray from its start on, as in stock; hits keep to
+  /// what.t_min.
+  static constexpr double kBoxesFrom = 0.0;
   enum Kind : std::uint8_t { kOthers, kSpheres, kTriangles, kPolygons };
 
   template <class Search> struct LeafPortable;
@@ -159,10 +162,10 @@ void ObjectTree::search(Search& what) const {
   const PackRay ray(what.ray, !m_triangles.empty());
   if (m_avx2) {
     LeafAvx2<Search> leaf{*this, what, ray};
-    m_tree.traverse_avx2<kOrdered>(what.ray, what.t_min, what.limit(), leaf, what.tally);
+    m_tree.traverse_avx2<kOrdered>(what.ray, kBoxesFrom, what.limit(), leaf, what.tally);
   } else {
     LeafPortable<Search> leaf{*this, what, ray};
-    m_tree.traverse_portable(what.ray, what.t_min, what.limit(), leaf, what.tally);
+    m_tree.traverse_portable(what.ray, kBoxesFrom, what.limit(), leaf, what.tally);
   }
 }
 
@@ -171,9 +174,9 @@ void ObjectTree::search_objects(Search& what, double t_max) const {
   if (each(m_unbounded.data(), static_cast<std::uint32_t>(m_unbounded.size()), what)) return;
   LeafOfObjects<Search> leaf{*this, what};
   if (m_avx2) {
-    m_tree.traverse_avx2<false>(what.ray, what.t_min, t_max, leaf, what.tally);
+    m_tree.traverse_avx2<false>(what.ray, kBoxesFrom, t_max, leaf, what.tally);
   } else {
-    m_tree.traverse_portable(what.ray, what.t_min, t_max, leaf, what.tally);
+    m_tree.traverse_portable(what.ray, kBoxesFrom, t_max, leaf, what.tally);
   }
 }
 

@@ -232,10 +232,12 @@ bool Csg::keeps(std::size_t child, const Vec3& p) const {
 /// where they are few; visit may lower t_max, and answers true to end.
 template <class Visit>
 void Csg::for_children_met(const Ray& ray, double t_min, double t_max, Visit&& visit) const {
+  // Boxes that parts leave decide for the ray from its start on, as in stock.
+  const double boxes_from = m_leaves_bounds ? std::min(t_min, 0.0) : t_min;
   if (!m_search) {
     const BoxRay box_ray(ray);
     for (std::size_t i = m_children.size(); i-- > 0;) {
-      if (box_ray.meets(m_fences[i].surface, t_min, t_max) && visit(i, t_max)) return;
+      if (box_ray.meets(m_fences[i].surface, boxes_from, t_max) && visit(i, t_max)) return;
     }
     return;
   }
@@ -244,7 +246,7 @@ void Csg::for_children_met(const Ray& ray, double t_min, double t_max, Visit&& v
     if (visit(i, t_max)) return;
   }
   search.surfaces.traverse(
-      ray, t_min, t_max, [&](std::uint32_t first, std::uint32_t count, double& limit) {
+      ray, boxes_from, t_max, [&](std::uint32_t first, std::uint32_t count, double& limit) {
         for (std::uint32_t place = first; place < first + count; ++place) {
           if (visit(search.surfaces.order()[place], limit)) return true;
         }

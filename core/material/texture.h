@@ -36,7 +36,7 @@ class Texture {
 struct TextureLayer {
   std::shared_ptr<const Pigment> pigment;
   Finish finish;
-  std::shared_ptr<const NormalPerturbation> normal;  ///< null: the surface's own normal
+  std::shared_ptr<const NormalPerturbation> normal = nullptr;  ///< null: the surface's own normal
 };
 
 class LayeredTexture final : public Texture {

@@ -3,6 +3,7 @@
 // World space. One a thread; no allocation per ray once its buffers have grown.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -33,10 +34,11 @@ inline constexpr unsigned kAllPaths = 16;
 struct RayState {
   RayState() = default;
   /// Not an aggregate: that would clear the whole stack first.
-  RayState(const Ray& r, const InteriorStack& in, bool was_reflected)
-      : ray(r), inside(in), reflected(was_reflected) {}
+  RayState(const Ray& r, const InteriorStack& in, std::uint32_t tree_place, bool was_reflected)
+      : ray(r), inside(in), place(std::min(tree_place, kTreePlaces - 1)), reflected(was_reflected) {}
   Ray ray;
   InteriorStack inside;
+  std::uint32_t place = 1;  ///< in the ray tree, see ShadowQuery
   bool reflected = false;  ///< once reflected, `no_reflection` counts and `no_image` does not
 };
 

@@ -16,12 +16,17 @@ namespace lentray::core {
 class Scene;
 class InteriorStack;
 
+inline constexpr std::uint32_t kTreePlaces = 64;
+
 struct ShadowQuery {
   Ray ray;                    ///< from the shaded point towards the light, unit direction
   double distance = 0.0;      ///< to the light (or its plane, if parallel)
   std::uint32_t light = 0;    ///< index into Scene::lights()
   std::uint32_t sample = 0;   ///< of an area light, 0 otherwise
   int depth = 1;              ///< trace level of the ray that is shaded, 1: camera ray
+  /// Way from the camera: 1, then 2p behind a reflection at p and 2p + 1 behind a refraction; the
+  /// far ends of the tree share kTreePlaces - 1.
+  std::uint32_t tree_place = 1;
   std::uint32_t column = 0, row = 0;  ///< of the pixel, for caches that follow the image
   /// Of the ray's origin in the light's buffer where that is known; null: to be found.
   const LightBuffer::Spot* spot = nullptr;

@@ -291,6 +291,7 @@ Rgb PathTracer<kFeatures>::shadowed(std::uint32_t light, const Rgb& colour, cons
   query.distance = ray.distance;
   query.light = light;
   query.depth = at.level;
+  query.tree_place = at.state->place;
   query.column = m_pixel.column;
   query.row = m_pixel.row;
   query.inside = &at.state->inside;
@@ -304,6 +305,7 @@ Rgb PathTracer<kFeatures>::area_shadowed(std::uint32_t light, const Rgb& colour,
   ShadowQuery query;
   query.light = light;
   query.depth = at.level;
+  query.tree_place = at.state->place;
   query.column = m_pixel.column;
   query.row = m_pixel.row;
   query.inside = &at.state->inside;
@@ -334,7 +336,7 @@ Rgb PathTracer<kFeatures>::mirror_image(const Vec3& normal, float weight, const 
     }
   }
   ++m_counters.reflected_rays;
-  RayState next({at.point, normalized(out)}, at.state->inside, true);
+  RayState next({at.point, normalized(out)}, at.state->inside, 2 * at.state->place, true);
   Rgb seen = follow(next, weight, at.level).rgb;
   if (film && film->irid > 0.0) {
     seen *= film_tint(*film, film_thickness(*film, at.point), m_scene.settings().irid_wavelength,
@@ -357,7 +359,8 @@ bool PathTracer<kFeatures>::add_transmitted(const Stack& stack, const Surface& a
   const Rgb& filter = stack.filter;
   const float most = greatest({std::fabs(filter.r), std::fabs(filter.g), std::fabs(filter.b)});
   const float weight = at.weight * most;
-  RayState next({at.point, at.state->ray.direction}, at.state->inside, at.state->reflected);
+  RayState next({at.point, at.state->ray.direction}, at.state->inside, 2 * at.state->place + 1,
+                at.state->reflected);
   const double ratio = m_start_interiors ? enter(at.interior, next.inside) : 1.0;
 
   Rgb fade(1.0f);

@@ -20,9 +20,15 @@ std::uint16_t height_of(float value) {
   return static_cast<std::uint16_t>(std::clamp(value * kFull, 0.0f, kFull));
 }
 
-/// Values of functions go through 16 bits.
-float sixteen_bits(double value) {
-  return static_cast<float>(std::floor(std::clamp(value, 0.0, 1.0) * kFull + 0.5)) / kFull;
+/// Values of functions are cut to 16 bits.
+std::uint16_t cut(double value) {
+  return static_cast<std::uint16_t>(std::clamp(value, 0.0, 1.0) * static_cast<double>(kFull));
+}
+
+/// Of a colour each part is cut before the grey, and the grey again.
+std::uint16_t cut_grey(double r, double g, double b) {
+  const auto part = [](double value) { return static_cast<double>(cut(value) / kFull); };
+  return cut(0.297 * part(r) + 0.589 * part(g) + 0.114 * part(b));
 }
 
 /// Rows from the top, as in pictures.
@@ -44,10 +50,9 @@ Heights of_function(const HeightFieldShape& field) {
       const std::array<double, 3> at = {step(column, heights.width), step(row, heights.depth), 0.0};
       function.evaluate_all(at, result);
       if (function.results() == 5) {
-        heights.values.push_back(height_of(core::grey(
-            {sixteen_bits(result[0]), sixteen_bits(result[1]), sixteen_bits(result[2])})));
+        heights.values.push_back(cut_grey(result[0], result[1], result[2]));
       } else {
-        heights.values.push_back(height_of(sixteen_bits(result[0])));
+        heights.values.push_back(cut(result[0]));
       }
     }
   }

@@ -301,6 +301,7 @@ void ObjectBuilder::add_light(const ObjectDesc& object, const LightDesc& light,
   m_parts->lights.push_back(build_light(light, to_world));
   if (light.projected_through) note("projected_through", object.where);
   if (light.area_illumination) note("area_illumination", object.where);
+  if (light.media_attenuation) note("media_attenuation", object.where);
   if (!light.looks_like) return;
   Inherited looks = resolve(object, to_world, from);
   looks.no_shadow = true;

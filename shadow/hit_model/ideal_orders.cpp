@@ -24,9 +24,10 @@ class Listed final : public core::PixelOrder {
 
 class IdealOrders final : public core::BandOrders {
  public:
-  IdealOrders(const Enumeration& shadow, Style::Kind kind, std::uint32_t top)
+  IdealOrders(const Enumeration& shadow, Style::Kind kind, std::uint32_t left,
+              std::uint32_t right, std::uint32_t top)
       : m_shadow(shadow), m_kind(kind), m_top(top) {
-    for (std::uint32_t k = 0; k < shadow.columns().size(); ++k) {
+    for (std::uint32_t k = left; k < right; ++k) {
       (shadow.columns()[k] == Enumeration::kBlocked ? m_blocked : m_rest).push_back(k);
     }
   }
@@ -78,8 +79,9 @@ class IdealOrders final : public core::BandOrders {
 }  // namespace
 
 std::unique_ptr<core::BandOrders> make_ideal_orders(const Enumeration& shadow, Style::Kind kind,
+                                                    std::uint32_t left, std::uint32_t right,
                                                     std::uint32_t top) {
-  return std::make_unique<IdealOrders>(shadow, kind, top);
+  return std::make_unique<IdealOrders>(shadow, kind, left, right, top);
 }
 
 }  // namespace lentray::shadow

@@ -10,12 +10,13 @@
 
 namespace lentray::shadow {
 
-/// For the ideal kinds of `combined` and `strips`, for the rows from `top` on of the sheet: row 0
-/// of the order is the sheet's row `top`.
+/// For the ideal kinds of `combined` and `strips`, for the columns [left, right) of the sheet and
+/// its rows from `top` on: row 0 of the order is the sheet's row `top`.
 /// combined: row after row; of each the strips of blocked columns from lens to lens, then the rest.
 /// strips: the blocked pixels of one lens after those of another, a strip row after row; then the
 /// rest as rows.
 std::unique_ptr<core::BandOrders> make_ideal_orders(const Enumeration& shadow, Style::Kind kind,
+                                                    std::uint32_t left, std::uint32_t right,
                                                     std::uint32_t top);
 
 }  // namespace lentray::shadow

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <stdexcept>
+#include <utility>
 
 #include "camera/lenticular.h"
 #include "core/geometry/box.h"
@@ -69,17 +71,47 @@ std::unique_ptr<core::Scene> make_scene(const PaperSheet& sheet, const Enumerati
   return std::make_unique<core::Scene>(std::move(parts), core::CompileOptions{});
 }
 
-/// The rows of a camera from `top` on.
-class RowWindow final : public core::RaySource {
+/// A camera's picture from a column and a row on.
+class Window final : public core::RaySource {
  public:
-  RowWindow(const core::RaySource& camera, std::uint32_t top) : m_camera(camera), m_top(top) {}
+  Window(const core::RaySource& camera, std::uint32_t left, std::uint32_t top)
+      : m_camera(camera), m_left(left), m_top(top) {}
   bool ray(double column, double row, core::Ray& ray) const override {
-    return m_camera.ray(column, row + m_top, ray);
+    return m_camera.ray(column + m_left, row + m_top, ray);
   }
 
  private:
   const core::RaySource& m_camera;
-  const std::uint32_t m_top;
+  const std::uint32_t m_left, m_top;
+};
+
+/// Orders of the sheet's columns for the window's.
+class WindowOrders final : public core::BandOrders {
+ public:
+  using Make = std::function<std::unique_ptr<core::PixelOrder>(std::uint32_t, std::uint32_t)>;
+  WindowOrders(Make make, std::uint32_t left) : m_make(std::move(make)), m_left(left) {}
+  std::unique_ptr<core::PixelOrder> band(std::uint32_t top, std::uint32_t bottom) const override {
+    return std::make_unique<Moved>(m_make(top, bottom), m_left);
+  }
+
+ private:
+  class Moved final : public core::PixelOrder {
+   public:
+    Moved(std::unique_ptr<core::PixelOrder> order, std::uint32_t left)
+        : m_order(std::move(order)), m_left(left) {}
+    std::size_t jobs() const override { return m_order->jobs(); }
+    void pixels(std::size_t job, std::vector<core::Pixel>& out) const override {
+      m_order->pixels(job, out);
+      for (core::Pixel& p : out) p.column -= m_left;
+    }
+
+   private:
+    const std::unique_ptr<core::PixelOrder> m_order;
+    const std::uint32_t m_left;
+  };
+
+  const Make m_make;
+  const std::uint32_t m_left;
 };
 
 struct NoPicture final : core::BandSink {
@@ -99,41 +131,58 @@ camera::Lenticular camera_of(const PaperSheet& sheet) {
 PaperTest::PaperTest(const PaperSheet& sheet, const Enumeration& shadow, double distance)
     : m_sheet(sheet), m_shadow(shadow), m_scene(make_scene(sheet, shadow, distance)) {}
 
-PaperTest::Rows PaperTest::rendered_rows(std::uint32_t group) const {
-  const std::vector<Enumeration::Ray>& rows = m_shadow.rows();
-  const auto blocked = [](Enumeration::Ray r) { return r == Enumeration::kBlocked; };
-  const auto first = std::find_if(rows.begin(), rows.end(), blocked) - rows.begin();
-  const auto end = rows.rend() - std::find_if(rows.rbegin(), rows.rend(), blocked);
-  if (end == 0) return {0, std::min(group, m_sheet.rows())};
-  Rows out;
-  // Whole groups, so that strips are cut as in the whole picture.
-  const auto above = static_cast<std::uint32_t>(std::max<std::ptrdiff_t>(0, first - 1));
-  out.top = above / group * group;
-  const std::uint64_t below = (static_cast<std::uint64_t>(end) / group + 1) * group;
-  out.bottom = static_cast<std::uint32_t>(std::min<std::uint64_t>(below, m_sheet.rows()));
-  return out;
+PaperTest::Part PaperTest::rendered(std::uint32_t group) const {
+  const auto blocked = [](const std::vector<Enumeration::Ray>& rays) {
+    const auto is = [](Enumeration::Ray r) { return r == Enumeration::kBlocked; };
+    const auto first = std::find_if(rays.begin(), rays.end(), is) - rays.begin();
+    const auto end = rays.rend() - std::find_if(rays.rbegin(), rays.rend(), is);
+    return Strip{static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(end)};
+  };
+  Part part{0, m_sheet.width(), 0, std::min(group, m_sheet.rows())};
+  const Strip rows = blocked(m_shadow.rows()), columns = blocked(m_shadow.columns());
+  if (rows.end > 0) {
+    // Whole groups, so that strips are cut as in the whole picture.
+    part.top = (rows.begin > 0 ? rows.begin - 1 : 0) / group * group;
+    const std::uint64_t below = (std::uint64_t{rows.end} / group + 1) * group;
+    part.bottom = static_cast<std::uint32_t>(std::min<std::uint64_t>(below, m_sheet.rows()));
+  }
+  const std::uint32_t n = m_sheet.columns().views();
+  if (columns.end > 0 && n > 0) {
+    part.left = columns.begin / n * n;
+    part.left -= std::min(part.left, n);
+    const std::uint64_t beyond = (std::uint64_t{columns.end - 1} / n + 2) * n;
+    part.right = static_cast<std::uint32_t>(std::min<std::uint64_t>(beyond, m_sheet.width()));
+  }
+  return part;
 }
 
 Measurement PaperTest::measure(const Style& style, const std::string& cache) const {
   const bool listed = style.is_ideal() && (style.kind == Style::Kind::kCombined ||
                                            style.kind == Style::Kind::kStrips);
-  const Rows rows = rendered_rows(std::max(1u, style.height));
-  const std::uint32_t height = rows.bottom - rows.top;
-  const auto orders =
-      listed ? make_ideal_orders(m_shadow, style.kind, rows.top)
-             : make_band_orders(style.name(), m_sheet.width(), &m_sheet.columns());
+  const Part part = rendered(std::max(1u, style.height));
+  const std::uint32_t width = part.right - part.left, height = part.bottom - part.top;
+  const WindowOrders orders(
+      [&](std::uint32_t top, std::uint32_t bottom) {
+        if (!listed) {
+          return make_order(style.name(), {part.left, top, part.right, bottom}, &m_sheet.columns());
+        }
+        return make_ideal_orders(m_shadow, style.kind, part.left, part.right, part.top)
+            ->band(top, bottom);
+      },
+      part.left);
   const camera::Lenticular camera = camera_of(m_sheet);
-  const RowWindow window(camera, rows.top);
+  const Window window(camera, part.left, part.top);
   const auto testers = make_tester_factory(cache);
   const RunLog log(*testers);
   NoPicture nowhere;
   core::FrameOptions frame;
   frame.threads = 1;
-  const core::Counters counters =
-      core::render_frame(*m_scene, window, {m_sheet.width(), height, height}, *orders, log, frame,
-                         nowhere, nullptr);
+  const core::Counters counters = core::render_frame(*m_scene, window, {width, height, height},
+                                                     orders, log, frame, nowhere, nullptr);
   const LightRuns& runs = log.lights().at(0);
-  const std::uint64_t bright = m_sheet.width() - m_sheet.columns().dark_columns();
+  const auto bright = static_cast<std::uint64_t>(
+      std::count_if(m_shadow.columns().begin() + part.left, m_shadow.columns().begin() + part.right,
+                    [](Enumeration::Ray r) { return r != Enumeration::kNone; }));
   if (runs.rays != bright * height) {
     throw std::logic_error("the paper's test: not every pixel cast a shadow ray");
   }

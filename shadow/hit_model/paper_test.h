@@ -3,8 +3,9 @@
 // in light that comes straight along the sheet's normal, so the shadow's edges are its edges.
 // World: mm, x to the right, y up, z into the display; the sheet in z = 0, its middle the origin.
 //
-// Rendered are the rows of the shadow and at least one row above and below them where the sheet
-// has one: all others see no shadow.
+// Rendered are the rows and the lenses that see the shadow, and at least one more row above and
+// below and one more lens to either side where the sheet has one (all lenses if N is fractional,
+// for then a lens may lack a view): all others see no shadow, and runs end in these.
 // Immutable after construction; measure() may be called by any number of threads.
 #pragma once
 
@@ -33,8 +34,9 @@ class PaperTest {
   Measurement measure(const Style& style, const std::string& cache = "last") const;
 
  private:
-  struct Rows { std::uint32_t top = 0, bottom = 0; };
-  Rows rendered_rows(std::uint32_t group) const;
+  /// Columns [left, right), rows [top, bottom).
+  struct Part { std::uint32_t left = 0, right = 0, top = 0, bottom = 0; };
+  Part rendered(std::uint32_t group) const;
 
   const PaperSheet& m_sheet;
   const Enumeration& m_shadow;

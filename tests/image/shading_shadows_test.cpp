@@ -32,6 +32,14 @@ TEST(ImageShadingShadows, Caustics) {
       " interior { ior 1.3 caustics 2 } }")));
 }
 
+/// A disc is half of space inside CSG, and yet bounds it by its own flat box: rays that start in
+/// that box see all of the rest.
+TEST(ImageShadingShadows, OfWhatLeavesItsBounds) {
+  EXPECT_TRUE(same_as_stock(staged(
+      "intersection { sphere { <0, -.5, 0>, 1.4 } disc { 0, -y, 1.5 } translate .3*y"
+      " pigment { rgbf <0.8, 1, 0.95, 0.9> } interior { ior 1.3 } }"), Grade::match));
+}
+
 TEST(ImageShadingShadows, NoShadow) {
   EXPECT_TRUE(same_as_stock(staged(
       "sphere { <-0.7, 1, 0>, 0.6 pigment { rgb <0.9, 0.5, 0.2> } no_shadow }"

@@ -101,11 +101,15 @@ TEST_F(UnitGroupingTool, EquationTwoAgainstTime) {
   EXPECT_NEAR(fit.rest, 1.0, 1e-9);
   EXPECT_NEAR(fit.per_test, 1e-4, 1e-12);
   const auto gains = gains_of(group);
-  ASSERT_EQ(gains.size(), 1u);
+  ASSERT_EQ(gains.size(), 2u);
+  EXPECT_EQ(gains[0].against, "rows");
+  EXPECT_EQ(gains[1].against, "views");
   EXPECT_DOUBLE_EQ(gains[0].miss_cost, 20.0);
-  EXPECT_NEAR(gains[0].against_rows, 1.0 - seconds(400) / seconds(100), 1e-12);
-  // Equation 2 leaves Ch out: 600 x 20 tests for 900 x 20.
-  EXPECT_NEAR(gains[0].predicted_rows, 1.0 - 2.2 / 2.8, 1e-9);
+  EXPECT_NEAR(gains[0].time, 1.0 - seconds(400) / seconds(100), 1e-12);
+  EXPECT_NEAR(gains[0].tests, 1.0 - 12400.0 / 18100.0, 1e-12);
+  // Equation 2 leaves Ch out: 600 misses for 900.
+  EXPECT_NEAR(gains[0].equation2, 1.0 - 600.0 / 900.0, 1e-12);
+  EXPECT_NEAR(gains[1].equation2, 1.0 - 600.0 / 950.0, 1e-12);
   EXPECT_TRUE(gains_of({trial("rows", 1, {1.0})}).empty());
 }
 

@@ -174,6 +174,9 @@ TEST_F(UnitParserOptions, LensOptions) {
   EXPECT_EQ(o.lens.model, camera::LensModel::kPinhole);
   EXPECT_EQ(o.view, 3u);
   EXPECT_EQ(o.pixel_order, "columns");
+  EXPECT_EQ(read({"Pixel_Order=Strips(4,8)"}).pixel_order, "strips(4,8)");
+  EXPECT_FALSE(o.shadow_log);
+  EXPECT_TRUE(read({"Shadow_Log=On"}).shadow_log);
   EXPECT_EQ(o.shadow_cache, "depth");
   EXPECT_EQ(o.accelerator, "list");
   EXPECT_EQ(o.statistics_file, "s.json");
@@ -236,7 +239,8 @@ TEST_F(ErrorParserOptions, BadValues) {
   expect_message({"Lens_IOR=0.5"}, "at least 1");
   expect_message({"Lens_Pixels=0.5"}, "at least one pixel");
   expect_message({"Lens_Model=fancy"}, "unknown lens model: there are paraxial, pinhole");
-  expect_message({"Shadow_Cache=big"}, "unknown shadow cache: there are off, last, depth");
+  expect_message({"Shadow_Cache=big"}, "unknown shadow cache: there are off, last, depth, tree, "
+                                       "neighbourhood, grid");
   expect_message({"View_Distance=near"}, "a number is expected");
   expect_message({"Declare=X"}, "NAME=VALUE");
   expect_message({"Declare=1X=2"}, "cannot be the name");

@@ -56,7 +56,7 @@ std::uint64_t longest_run(const PaperSheet& sheet, const Enumeration& edges, dou
 std::unique_ptr<core::PixelOrder> order_of(const PaperSheet& sheet, const Enumeration& shadow,
                                            const Style& style) {
   if (style.is_ideal() && (style.kind == Kind::kCombined || style.kind == Kind::kStrips)) {
-    return shadow::make_ideal_orders(shadow, style.kind, 0)->band(0, sheet.rows());
+    return shadow::make_ideal_orders(shadow, style.kind, 0, sheet.width(), 0)->band(0, sheet.rows());
   }
   return shadow::make_order(style.name(), {0, 0, sheet.width(), sheet.rows()}, &sheet.columns());
 }

@@ -77,7 +77,8 @@ TEST(ErrorShadowTesters, UnknownNameListsWhatThereIs) {
     shadow::make_tester_factory("magic");
     FAIL() << "no exception";
   } catch (const std::invalid_argument& e) {
-    EXPECT_STREQ(e.what(), "unknown shadow cache 'magic': there are off, last, depth");
+    EXPECT_STREQ(e.what(),
+                 "unknown shadow cache 'magic': there are off, last, depth, tree, neighbourhood, grid");
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <functional>
+#include <set>
 #include <string>
 
 #include "core/geometry/box.h"
@@ -14,6 +15,7 @@
 #include "core/render/path_tracer.h"
 #include "core/render/plain_shadow_tester.h"
 #include "shadow/cache_policy.h"
+#include "shadow/direction_policy.h"
 #include "shadow/pixel_orders.h"
 #include "shadow/tester_factory.h"
 
@@ -380,20 +382,66 @@ TEST(UnitShadowCache, BlockerThatIsTooNearInPlaces) {
   }
 }
 
+/// A scene of nothing but so many lights, the last one parallel.
+std::unique_ptr<Scene> lights_alone(int count) {
+  Builder b;
+  for (int i = 0; i < count; ++i) b.light({10.0 * i, 30, 0});
+  b.parts.lights.back().parallel = true;
+  b.parts.lights.back().direction = {0, -1, 0};
+  return b.compile();
+}
+
 TEST(UnitShadowCache, DepthKeepsMirroredPointsApart) {
-  const shadow::DepthPolicy policy(3);
+  const auto scene = lights_alone(3);
+  const shadow::DepthPolicy policy(*scene);
   ShadowQuery query;
   query.light = 1;
   query.depth = 1;
-  EXPECT_EQ(policy.home(query), 1u);
+  EXPECT_EQ(policy.homes(query).slot[0], 1u);
   EXPECT_EQ(policy.keys(query).count, 2u);
   query.depth = 2;
-  EXPECT_EQ(policy.home(query), 4u);
+  EXPECT_EQ(policy.homes(query).slot[0], 4u);
   EXPECT_EQ(policy.keys(query).slot[0], 4u);
   EXPECT_EQ(policy.keys(query).count, 1u);
   query.depth = 5;
-  EXPECT_EQ(policy.home(query), 4u);
+  EXPECT_EQ(policy.homes(query).slot[0], 4u);
   EXPECT_EQ(policy.slots(), 6u);
+}
+
+TEST(UnitShadowCache, TreeKeepsTheWaysOfRaysApart) {
+  const auto scene = lights_alone(2);
+  const shadow::TreePolicy policy(*scene);
+  std::set<std::size_t> slots;
+  for (std::uint32_t light = 0; light < 2; ++light) {
+    for (std::uint32_t place = 1; place < kTreePlaces; ++place) {
+      ShadowQuery query;
+      query.light = light;
+      query.tree_place = place;
+      slots.insert(policy.homes(query).slot[0]);
+    }
+  }
+  EXPECT_EQ(slots.size(), 2 * (kTreePlaces - 1));
+  EXPECT_LT(*slots.rbegin(), policy.slots());
+}
+
+/// Two points that a light sees in one direction share a cell wherever the picture has them; points
+/// it sees far apart do not. For parallel lights it is the place across the rays that counts.
+TEST(UnitShadowCache, GridGoesByTheLightsView) {
+  const auto scene = lights_alone(2);
+  const shadow::DirectionPolicy policy(*scene);
+  const auto fine = [&](std::uint32_t light, const Vec3& origin, const Vec3& direction) {
+    ShadowQuery query;
+    query.light = light;
+    query.ray = {origin, normalized(direction)};
+    query.column = static_cast<std::uint32_t>(100 + origin.y);
+    const std::size_t slot = policy.keys(query).slot[0];
+    EXPECT_LT(slot, policy.slots());
+    return slot;
+  };
+  EXPECT_EQ(fine(0, {1, 2, 3}, {0.3, 1, 0.2}), fine(0, {1.3, 3, 3.2}, {0.3, 1, 0.2}));
+  EXPECT_NE(fine(0, {1, 2, 3}, {0.3, 1, 0.2}), fine(0, {1, 2, 3}, {0.4, 1, 0.2}));
+  EXPECT_EQ(fine(1, {0.1, 2, 0.3}, {0, 1, 0}), fine(1, {0.1, 9, 0.3}, {0, 1, 0}));
+  EXPECT_NE(fine(1, {0.1, 2, 0.3}, {0, 1, 0}), fine(1, {0.2, 2, 0.3}, {0, 1, 0}));
 }
 
 }  // namespace

@@ -19,6 +19,11 @@ std::string format(const char* pattern, double value) {
   return buffer;
 }
 
+std::string padded(std::string text) {
+  text.resize(std::max<std::size_t>(text.size() + 1, 14), ' ');
+  return text;
+}
+
 std::string percent(double part) { return format("%.1f %%", 100.0 * part); }
 
 std::string short_name(const std::string& scene) {
@@ -66,7 +71,8 @@ std::string bar_chart(const Group& group, const std::string& title, const std::s
   std::string script =
       model::gnuplot_preamble("svg", 620, 380) + "set datafile separator '\\t'\nset title '" +
       title + "' noenhanced\nset style data histogram\nset style fill solid 0.8\nset grid y\n" +
-      "set yrange [0:*]\nset xtics rotate by -30 noenhanced\nset key outside right noenhanced\nplot ";
+      "set yrange [0:*]\nset xtics rotate by -30 noenhanced\n"
+      "set key outside right noenhanced\nplot ";
   for (std::size_t i = 0; i < caches; ++i) {
     script += std::string(i > 0 ? ", " : "") + "'data' using " + std::to_string(i + 2) +
               ":xtic(1) title columnheader";
@@ -130,9 +136,32 @@ std::string heading(const Group& group) {
 }
 
 std::string gain_text(const Gain& g) {
-  return "cache " + g.cache + ", Cm/Ch " + format("%.1f", g.miss_cost) + " tests: columns save " +
-         percent(g.against_rows) + " of rows (equation 2: " + percent(g.predicted_rows) + "), " +
-         percent(g.against_views) + " of views (equation 2: " + percent(g.predicted_views) + ")";
+  return "cache " + g.cache + ", Cm/Ch " + format("%.1f", g.miss_cost) + ": columns save " +
+         percent(g.time) + " of the time of " + g.against + ", " + percent(g.tests) +
+         " of its tests (equation 2: " + percent(g.equation2) + ")";
+}
+
+/// The gains of all groups against Cm/Ch; empty where there are fewer than two.
+std::string gain_chart(const std::vector<Trial>& trials) {
+  std::string data;
+  std::size_t count = 0;
+  for (const Group& group : groups_of(trials)) {
+    for (const Gain& g : gains_of(group)) {
+      if (g.cache == "off") continue;
+      ++count;
+      data += format("%.6g", g.miss_cost) + "\t" + format("%.6g", 100.0 * g.time) + "\t" +
+              format("%.6g", 100.0 * g.tests) + "\t" + format("%.6g", 100.0 * g.equation2) + "\n";
+    }
+  }
+  if (count < 2) return {};
+  const std::string script =
+      model::gnuplot_preamble("svg", 900, 420) +
+      "set datafile separator '\\t'\nset xlabel 'Cm/Ch, tests'\nset ylabel 'columns save, %'\n"
+      "set logscale x\nset grid\nset key outside right\n"
+      "plot 'data' using 1:2 with points pointtype 7 title 'time', "
+      "'data' using 1:3 with points pointtype 5 title 'tests (equation 1)', "
+      "'data' using 1:4 with points pointtype 4 pointsize 1.5 title 'equation 2'\n";
+  return "<h2>What columns save against rows and views</h2>\n" + model::gnuplot(script, data);
 }
 
 }  // namespace
@@ -168,25 +197,23 @@ CostFit fit_cost(const Group& group) {
 
 std::vector<Gain> gains_of(const Group& group) {
   std::vector<Gain> out;
-  const CostFit fit = fit_cost(group);
+  const auto saved = [](double less, double more) { return more > 0.0 ? 1.0 - less / more : 0.0; };
+  const auto count = [](std::uint64_t n) { return static_cast<double>(n); };
   for (const std::string& cache : caches_of(group)) {
-    const Trial* const rows = find(group, "rows", cache);
-    const Trial* const views = find(group, "views", cache);
     const Trial* const columns = find(group, "columns", cache);
-    if (!rows || !views || !columns) continue;
-    Gain g;
-    g.cache = cache;
-    g.miss_cost = (rows->miss_cost() + views->miss_cost() + columns->miss_cost()) / 3.0;
-    // (2): Ct = N Cm - Nh Cm, in tests.
-    const auto seconds = [&](const Trial& t) {
-      return fit.rest + fit.per_test * static_cast<double>(t.rays - t.hits) * g.miss_cost;
-    };
-    const auto saved = [](double less, double more) { return more > 0.0 ? 1.0 - less / more : 0.0; };
-    g.against_rows = saved(columns->median(), rows->median());
-    g.against_views = saved(columns->median(), views->median());
-    g.predicted_rows = saved(seconds(*columns), seconds(*rows));
-    g.predicted_views = saved(seconds(*columns), seconds(*views));
-    out.push_back(g);
+    for (const char* order : {"rows", "views"}) {
+      const Trial* const other = find(group, order, cache);
+      if (!columns || !other) continue;
+      Gain g;
+      g.cache = cache;
+      g.against = order;
+      g.miss_cost = 0.5 * (columns->miss_cost() + other->miss_cost());
+      g.time = saved(columns->median(), other->median());
+      g.tests = saved(count(columns->tests), count(other->tests));
+      // (2): Ct = N Cm - Nh Cm; Cm goes out of the quotient.
+      g.equation2 = saved(count(columns->rays - columns->hits), count(other->rays - other->hits));
+      out.push_back(g);
+    }
   }
   return out;
 }
@@ -217,14 +244,10 @@ std::string table_of(const std::vector<Trial>& trials) {
   std::string out;
   for (const Group& group : groups_of(trials)) {
     out += heading(group) + "\n";
-    for (const Column& c : kColumns) out += std::string(c.name) + std::string(14 - std::string(c.name).size(), ' ');
+    for (const Column& c : kColumns) out += padded(c.name);
     out += "\n";
     for (const Trial& t : group) {
-      for (const Column& c : kColumns) {
-        std::string text = c.text(t);
-        text.resize(std::max<std::size_t>(text.size() + 1, 14), ' ');
-        out += text;
-      }
+      for (const Column& c : kColumns) out += padded(c.text(t));
       out += "\n";
     }
     for (const Gain& g : gains_of(group)) out += gain_text(g) + "\n";
@@ -260,7 +283,7 @@ std::string html_of(const std::vector<Trial>& trials, const std::string& command
                      bars(group, [](const Trial& t) { return t.tests_a_ray(); })) +
            cost_chart(group, "time and equation 1") + "</div>\n";
   }
-  return out + "</body></html>\n";
+  return out + gain_chart(trials) + "</body></html>\n";
 }
 
 }  // namespace lentray::grouping

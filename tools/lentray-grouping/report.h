@@ -24,15 +24,15 @@ struct CostFit {
 };
 CostFit fit_cost(const Group& group);
 
-/// What `columns` saves against `rows` and against `views` with one cache: parts of the time,
-/// measured, and as equation 2 has it from the hits and the fit.
+/// What `columns` saves against another order with the same cache, as parts.
 struct Gain {
-  std::string cache;
-  double miss_cost = 0.0;  ///< Cm/Ch, in tests; the mean of the three orders
-  double against_rows = 0.0, against_views = 0.0;
-  double predicted_rows = 0.0, predicted_views = 0.0;
+  std::string cache, against;
+  double miss_cost = 0.0;  ///< Cm/Ch, in tests; the mean of the two orders
+  double time = 0.0;       ///< of the time of rendering
+  double tests = 0.0;      ///< of the tests for shadow rays: what equation 1 counts
+  double equation2 = 0.0;  ///< of those as equation 2 has them, from the hits alone
 };
-/// Empty unless the group has all three orders.
+/// Against `rows` and `views`, as far as the group has these orders.
 std::vector<Gain> gains_of(const Group& group);
 
 }  // namespace lentray::grouping

@@ -1,0 +1,61 @@
+// The directions of a light, cut into cells: points that the light sees next to each other most
+// often have the same blocker, wherever the picture shows them. See cache_policy.h.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "shadow/cache_policy.h"
+
+namespace lentray::shadow {
+
+/// Three sizes of cells, each with the blocker found last in it, and the last of the place in the
+/// ray tree. Cells are hashed into a table a light: a collision costs a probe.
+class DirectionPolicy {
+ public:
+  static constexpr std::string_view kName = "grid";
+  static constexpr std::size_t kProbes = 4;
+  explicit DirectionPolicy(const core::Scene& scene);
+  std::size_t slots() const { return m_lights.size() * kEach; }
+  Keys keys(const core::ShadowQuery& query) const {
+    const Place place = place_of(query);
+    return {{cell(query, place, kFine), cell(query, place, kMiddle), tree(query),
+             cell(query, place, kCoarse)},
+            4};
+  }
+  Keys homes(const core::ShadowQuery& query) const { return keys(query); }
+
+ private:
+  static constexpr std::size_t kCells = 1 << 18;  ///< slots of a light for cells
+  static constexpr std::size_t kEach = kCells + core::kTreePlaces;
+  /// Cells along a face of the cube; of the sizes tried those with the most hits on balls.
+  static constexpr double kFine = 1024.0, kMiddle = 384.0, kCoarse = 96.0;
+
+  /// A direction as a face of the cube about the light, and -1..1 along it.
+  struct Place {
+    std::uint32_t face = 0;
+    double u = 0.0, v = 0.0;
+  };
+  /// Rays of a parallel light differ by where they pass: a frame across them.
+  struct LightFrame {
+    bool parallel = false;
+    core::Vec3 across, up;  ///< over the size of the scene
+  };
+
+  Place place_of(const core::ShadowQuery& query) const;
+  static std::size_t cell(const core::ShadowQuery& query, const Place& place, double cells) {
+    const auto i = static_cast<std::uint64_t>((place.u + 1.0) * 0.5 * cells);
+    const auto k = static_cast<std::uint64_t>((place.v + 1.0) * 0.5 * cells);
+    std::uint64_t key = (i * 4096u + k) * 6u + place.face + static_cast<std::uint64_t>(cells);
+    key *= 0x9e3779b97f4a7c15ull;
+    return query.light * kEach + static_cast<std::size_t>(key >> 46);
+  }
+  static std::size_t tree(const core::ShadowQuery& query) {
+    return query.light * kEach + kCells + query.tree_place;
+  }
+
+  std::vector<LightFrame> m_lights;
+};
+
+}  // namespace lentray::shadow
