@@ -116,7 +116,7 @@ void parse_alone(Run& run, const std::string& path) {
     std::puts(json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
   }
   if (!o.verbose) return;
-  std::fprintf(stderr, "Parsed: %zu objects and lights, %zu warnings, %.2f s\n",
+  std::fprintf(stderr, "Parsed: %zu objects and lights, %zu warnings, %.3f s\n",
                scene.objects.size(), diagnostics.warnings().size(), seconds);
 }
 
