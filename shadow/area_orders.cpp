@@ -115,7 +115,8 @@ class StripOrder final : public Sequence {
     std::size_t top = first / (m_width * m_group) * m_group;
     std::size_t rows = std::min(m_group, m_height - top);
     first -= top * m_width;
-    std::size_t i = std::upper_bound(before.begin(), before.end(), first / rows) - before.begin() - 1;
+    const auto next = std::upper_bound(before.begin(), before.end(), first / rows);
+    auto i = static_cast<std::size_t>(next - before.begin() - 1);
     first -= before[i] * rows;
     std::size_t x = first % (strips[i].end - strips[i].begin);
     std::size_t y = first / (strips[i].end - strips[i].begin);

@@ -102,7 +102,9 @@ std::string_view trimmed(std::string_view text) {
   std::string why = "pixel order '" + std::string(text) + "': " + std::string(entry.name);
   if (entry.takes == 0) why += " takes no numbers";
   if (entry.takes == 1) why += " takes a width of 1 or more pixels, such as combined(4)";
-  if (entry.takes == 2) why += " takes a width and a height of 1 or more pixels, such as strips(4,32)";
+  if (entry.takes == 2) {
+    why += " takes a width and a height of 1 or more pixels, such as strips(4,32)";
+  }
   throw std::invalid_argument(why);
 }
 

@@ -33,8 +33,8 @@ inline constexpr std::uint32_t kHilbert = 64;  ///< and of `hilbert`
 const std::vector<std::string_view>& order_names();
 
 /// Throws std::invalid_argument with the list of names for one that is not there, or for numbers
-/// in brackets that it does not take (letter case does not matter). An empty region has no jobs. `sheet` is for the image's columns; it need not
-/// live longer than the call.
+/// in brackets that it does not take (letter case does not matter). An empty region has no jobs.
+/// `sheet` is for the image's columns; it need not live longer than the call.
 std::unique_ptr<core::PixelOrder> make_order(std::string_view name, const PixelRegion& region,
                                              const camera::LensSheet* sheet = nullptr);
 std::unique_ptr<core::PixelOrder> make_order(std::string_view name, std::uint32_t width,

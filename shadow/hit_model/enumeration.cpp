@@ -121,7 +121,7 @@ class Enumeration::Counting {
   }
   Runs views() const {
     Runs sum;
-    for (const std::vector<std::uint32_t>& view : columns_by_view(m_of.m_columns.size(), &sheet())) {
+    for (const auto& view : columns_by_view(m_of.m_columns.size(), &sheet())) {
       Runs row;
       for (const std::uint32_t k : view) row += runs_of(m_of.m_columns[k]);
       sum += rows_of(row);

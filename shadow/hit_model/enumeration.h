@@ -8,7 +8,8 @@
 // edges included; an edge within 1e-9 mm of a ray is moved that far off it, outwards. Continuous
 // hits: the longest run of successive blocked shadow rays in the order, the ray that fills the
 // cache counted. Pixels that see nothing (total reflection in the sheet) cast no shadow ray.
-// Errors: std::invalid_argument for what is no sheet or no shadow. Immutable, any number of threads.
+// Errors: std::invalid_argument for what is no sheet or no shadow. Immutable, any number of
+// threads.
 // Source: docs/lens.md for the rays; tests/unit/shadow_enumeration_test holds it against pixel
 // after pixel, tests/image/hit_model_test against the kernel.
 #pragma once

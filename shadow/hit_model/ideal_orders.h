@@ -10,8 +10,8 @@
 
 namespace lentray::shadow {
 
-/// For the ideal kinds of `combined` and `strips`, for the columns [left, right) of the sheet and its
-/// rows from `top` on: row 0 of the order is the sheet's row `top`.
+/// For the ideal kinds of `combined` and `strips`, for the columns [left, right) of the sheet and
+/// its rows from `top` on: row 0 of the order is the sheet's row `top`.
 /// combined: row after row; of each the strips of blocked columns from lens to lens, then the rest.
 /// strips: the blocked pixels of one lens after those of another, a strip row after row; then the
 /// rest as rows.

@@ -2,6 +2,8 @@
 
 #include "parser/ini.h"
 #include "parser/options_table.h"
+#include "shadow/pixel_orders.h"
+#include "shadow/tester_factory.h"
 
 namespace lentray::grouping {
 
@@ -85,6 +87,8 @@ std::vector<std::string> list_of(const std::string& text) {
 
 Arguments parse_arguments(const std::vector<std::string>& words) {
   Arguments arguments;
+  arguments.orders.assign(shadow::order_names().begin(), shadow::order_names().end());
+  arguments.caches.assign(shadow::tester_names().begin(), shadow::tester_names().end());
   for (const std::string& word : words) {
     if (word == "--help" || word == "-?") {
       arguments.help = true;
@@ -116,8 +120,8 @@ Renders each scene with every pixel order, shadow cache and accelerator that is 
 thread, and says what each costs and how often the cache was right. Every picture is compared with
 the first: they must be the same, bit for bit.
 
-  Orders=rows,views,columns,combined,strips,tiles,hilbert   also combined(w), strips(w,h)
-  Caches=off,last,depth
+  Orders=rows,columns,...   also combined(w), strips(w,h); all, as Pixel_Order= has them
+  Caches=off,last,...       all, as Shadow_Cache= has them
   Accelerators=bvh       of lentray without light buffers: bvh, list; buffer: bvh with them
   Repeats=5              timed runs of each, interleaved; the median counts
   CSV=file  HTML=file    HTML holds charts, which need gnuplot

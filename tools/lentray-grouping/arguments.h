@@ -1,5 +1,5 @@
-// The command line of lentray-grouping: its own Name=Value options, and lentray's, which go to it as
-// they are. Errors: parser::OptionError. Pure.
+// The command line of lentray-grouping: its own Name=Value options, and lentray's, which go to it
+// as they are. Errors: parser::OptionError. Pure.
 #pragma once
 
 #include <filesystem>
@@ -11,8 +11,7 @@ namespace lentray::grouping {
 struct Arguments {
   bool help = false;
   std::vector<std::string> scenes;
-  std::vector<std::string> orders{"rows", "views", "columns", "combined", "strips", "tiles", "hilbert"};
-  std::vector<std::string> caches{"off", "last", "depth"};
+  std::vector<std::string> orders, caches;  ///< all there are, unless said otherwise
   std::vector<std::string> accelerators{"bvh"};
   int repeats = 5;
   std::filesystem::path csv, html;

@@ -19,6 +19,11 @@ std::string format(const char* pattern, double value) {
   return buffer;
 }
 
+std::string padded(std::string text) {
+  text.resize(std::max<std::size_t>(text.size() + 1, 14), ' ');
+  return text;
+}
+
 std::string percent(double part) { return format("%.1f %%", 100.0 * part); }
 
 std::string short_name(const std::string& scene) {
@@ -66,7 +71,8 @@ std::string bar_chart(const Group& group, const std::string& title, const std::s
   std::string script =
       model::gnuplot_preamble("svg", 620, 380) + "set datafile separator '\\t'\nset title '" +
       title + "' noenhanced\nset style data histogram\nset style fill solid 0.8\nset grid y\n" +
-      "set yrange [0:*]\nset xtics rotate by -30 noenhanced\nset key outside right noenhanced\nplot ";
+      "set yrange [0:*]\nset xtics rotate by -30 noenhanced\n"
+      "set key outside right noenhanced\nplot ";
   for (std::size_t i = 0; i < caches; ++i) {
     script += std::string(i > 0 ? ", " : "") + "'data' using " + std::to_string(i + 2) +
               ":xtic(1) title columnheader";
@@ -238,14 +244,10 @@ std::string table_of(const std::vector<Trial>& trials) {
   std::string out;
   for (const Group& group : groups_of(trials)) {
     out += heading(group) + "\n";
-    for (const Column& c : kColumns) out += std::string(c.name) + std::string(14 - std::string(c.name).size(), ' ');
+    for (const Column& c : kColumns) out += padded(c.name);
     out += "\n";
     for (const Trial& t : group) {
-      for (const Column& c : kColumns) {
-        std::string text = c.text(t);
-        text.resize(std::max<std::size_t>(text.size() + 1, 14), ' ');
-        out += text;
-      }
+      for (const Column& c : kColumns) out += padded(c.text(t));
       out += "\n";
     }
     for (const Gain& g : gains_of(group)) out += gain_text(g) + "\n";

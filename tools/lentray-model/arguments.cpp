@@ -41,7 +41,9 @@ GivenOption part_of(const GivenOption& given, const std::string& text) {
 
 Range range_of(const GivenOption& given, bool may_be_zero) {
   const std::vector<std::string> parts = split(given.value, ':');
-  if (parts.empty() || parts.size() > 3) parser::refuse(given, "first:last:step is expected, in mm");
+  if (parts.empty() || parts.size() > 3) {
+    parser::refuse(given, "first:last:step is expected, in mm");
+  }
   Range range;
   range.first = parser::number(part_of(given, parts[0]));
   range.last = parts.size() > 1 ? parser::number(part_of(given, parts[1])) : range.first;

@@ -95,7 +95,7 @@ constexpr const char* kSurfaceLook =
     "set xlabel 'A, mm'\nset ylabel 'D, mm'\nset xyplane 0\nset view 60,320\n"
     "set pm3d border linecolor 'gray30' linewidth 0.3\n"
     "set palette defined (0 '#440154', 1 '#3b528b', 2 '#21918c', 3 '#5ec962', 4 '#fde725')\n"
-    "set colorbox\nset zlabel 'hits' rotate\n";
+    "set colorbox\nset format z '%.0f'\n";
 
 std::string surface_script(const Figure& figure, const StyleGrid& grid, const Arguments& a) {
   double most = 1.0, highest = 1.0;
@@ -107,8 +107,8 @@ std::string surface_script(const Figure& figure, const StyleGrid& grid, const Ar
   }
   const bool printed = a.alpha == shadow::paper::Alpha::kPrinted;
   const std::string alpha = std::string("alpha ") + shadow::paper::name_of(a.alpha);
-  return gnuplot_preamble(a.format, 1650, 540) + "set multiplot layout 1,3 title '" + figure.title + "; " +
-         lens_text(a) + "'\n" + kSurfaceLook + "set zrange [0:" + number_text(highest) +
+  return gnuplot_preamble(a.format, 1650, 540) + "set multiplot layout 1,3 title '" + figure.title +
+         ", continuous cache hits; " + lens_text(a) + "'\n" + kSurfaceLook + "set zrange [0:" + number_text(highest) +
          "]\nset cbrange [0:" + number_text(highest) + "]\n" +
          surface_panel("equation (" + alpha + ")", printed ? 3 : 4) +
          surface_panel("enumerated", 5) +
@@ -121,8 +121,8 @@ std::string measured_script(const Figure& figure, const StyleGrid& grid, const A
   const auto equal = std::count_if(grid.points.begin(), grid.points.end(), [](const Point& p) {
     return p.measured && *p.measured == p.enumerated;
   });
-  return gnuplot_preamble(a.format, 1200, 540) + "set multiplot layout 1,2 title '" + figure.title + "; " +
-         lens_text(a) + "'\n" + kSurfaceLook + surface_panel("measured", 6) +
+  return gnuplot_preamble(a.format, 1200, 540) + "set multiplot layout 1,2 title '" + figure.title +
+         ", continuous cache hits; " + lens_text(a) + "'\n" + kSurfaceLook + surface_panel("measured", 6) +
          surface_panel("enumerated: the same at " + std::to_string(equal) + " of " +
                            std::to_string(grid.points.size()) + " points", 5) +
          "unset multiplot\n";
@@ -151,8 +151,8 @@ std::string series_script(const Figure& figure, const Series& series, const Argu
            (figure.kind == Kind::kAlongA ? "left" : "right") + "\nset title '" + title + "'\n" +
            lines(2, true);
   }
-  std::string out = gnuplot_preamble(a.format, 1500, 900) + look + "set multiplot layout 2,3 title '" + title +
-                    "'\n";
+  std::string out = gnuplot_preamble(a.format, 1500, 900) + look +
+                    "set multiplot layout 2,3 title '" + title + "'\n";
   for (std::size_t i = 0; i < series.styles.size(); ++i) {
     out += "set title '" + series.styles[i].name() + "'\n" + lines(2 + 3 * i, false);
   }

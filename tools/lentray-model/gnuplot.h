@@ -1,4 +1,4 @@
-// Charts by gnuplot, and text files that appear whole or not at all. Shared by the tools that chart.
+// Charts by gnuplot, and text files that appear whole or not at all. Shared by tools that chart.
 // Errors: std::runtime_error without gnuplot or with what it says; core::ImageError where nothing
 // can be written. Threads: any number.
 #pragma once
@@ -12,7 +12,7 @@ namespace lentray::model {
 void check_gnuplot();
 /// What every script begins with: format "png" or "svg", size in pixels.
 std::string gnuplot_preamble(const std::string& format, int width, int height);
-/// The chart's bytes. The script begins with gnuplot_preamble() and finds `data` in the file 'data'.
+/// The chart's bytes. The script begins with gnuplot_preamble() and reads `data` from 'data'.
 std::string gnuplot(const std::string& script, const std::string& data);
 
 void write_whole(const std::filesystem::path& place, const std::string& bytes);

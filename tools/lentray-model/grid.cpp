@@ -33,7 +33,9 @@ Grid make_grid(const Arguments& arguments, const shadow::PaperSheet& sheet,
                const std::function<void(double)>& progress) {
   Grid grid{arguments.a.values(), arguments.d.values(), {}};
   const std::size_t points = grid.a.size() * grid.d.size();
-  for (const shadow::Style& style : styles) grid.styles.push_back({style, std::vector<Point>(points)});
+  for (const shadow::Style& style : styles) {
+    grid.styles.push_back({style, std::vector<Point>(points)});
+  }
   const tbb::global_control threads(
       tbb::global_control::max_allowed_parallelism,
       arguments.threads > 0 ? static_cast<std::size_t>(arguments.threads)
