@@ -4,12 +4,10 @@
 #include <cmath>
 
 #include "parser/interpreter.h"
+#include "parser/text.h"
 
 namespace lentray::parser {
 namespace {
-
-// Deeper than any scene nests on purpose; what goes on longer does not end.
-constexpr std::size_t kDeepest = 10000;
 
 // Stock cuts long messages; scenes are not known to rely on it, comparisons of output are.
 std::string cut(std::string text, std::size_t longest, std::size_t kept) {
@@ -76,7 +74,10 @@ void Directives::include_directive() {
 }
 
 void Directives::include(const std::string& name, const Location& where) {
-  if (m_in.stream.depth() >= kDeepest) m_in.fail(where, "includes and macros nest too deeply");
+  if (m_in.stream.depth() >= m_in.options.limits.nesting) {
+    m_in.fail(where, "includes and macros nest too deeply: a file that includes itself?");
+  }
+  m_in.count_turn();
   const std::optional<std::string> path = m_in.find_file(name);
   const auto list = path ? m_in.load(*path) : nullptr;
   if (!list) {
@@ -97,7 +98,7 @@ void Directives::include(const std::string& name, const Location& where) {
 }
 
 void Directives::message(const Token& directive) {
-  const std::string text = m_in.expressions.parse_string();
+  const std::string text = to_ascii(m_in.expressions.parse_string());
   switch (directive.keyword) {
     case Keyword::kDebug:
       return m_in.diagnostics.write(Stream::kDebug, cut(text, 200, 159));
@@ -119,7 +120,7 @@ void Directives::version() {
       m_in.warn(where, "#version should end with a semicolon");
     }
   }
-  const int version = static_cast<int>(std::lround(number * 100.0));
+  const int version = to_int(std::round(number * 100.0));
   if (version < 100 || version > 9900) {
     m_in.fail(where, "#version " + std::to_string(number) + " is no version of the language");
   }
@@ -129,6 +130,7 @@ void Directives::version() {
   }
   m_in.version = std::min(version, 370);
   m_in.version_set = true;
+  if (!m_in.noise_generator_set) *m_in.noise_generator = m_in.version < 350 ? 1 : 2;
 }
 
 }  // namespace lentray::parser

@@ -82,6 +82,7 @@ class Directives {
   void undef();
   void end_of_declaration(const Value& value, const Location& where);
   Value array_value();
+  Value copy_value(const Value& value);   ///< an array's elements are copied too
   void array_initialiser(ArrayValue& array, std::size_t dimension, std::size_t base);
 
   Interpreter& m_in;

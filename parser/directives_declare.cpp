@@ -4,12 +4,36 @@
 
 namespace lentray::parser {
 
-Value copy_value(const Value& value) {
+namespace {
+
+struct ArrayTooBig {};
+
+// An array within an array is copied too: `elements` and `depth` are what may be copied yet.
+Value copy_within(const Value& value, std::size_t& elements, std::size_t depth) {
   const auto* array = std::get_if<std::shared_ptr<ArrayValue>>(&value);
   if (!array) return value;
-  auto copy = std::make_shared<ArrayValue>(**array);
-  for (Value& element : copy->elements) element = copy_value(element);
+  const std::size_t size = (*array)->elements.size();
+  if (depth == 0 || size > elements) throw ArrayTooBig();
+  elements -= size;
+  auto copy = std::make_shared<ArrayValue>();
+  copy->sizes = (*array)->sizes;
+  copy->elements.reserve(size);
+  for (const Value& element : (*array)->elements) {
+    copy->elements.push_back(copy_within(element, elements, depth - 1));
+  }
   return copy;
+}
+
+}  // namespace
+
+Value Directives::copy_value(const Value& value) {
+  std::size_t elements = m_in.options.limits.array_elements;
+  try {
+    return copy_within(value, elements, m_in.options.limits.value_depth);
+  } catch (const ArrayTooBig&) {
+    m_in.fail(m_in.tokens.location(),
+              "the array to be copied has too many elements, or arrays within arrays");
+  }
 }
 
 bool Directives::parse_defined() {
@@ -77,6 +101,10 @@ void Directives::declare(const Token& directive, bool local) {
     array->elements[index] = std::move(value);
     return;
   }
+  if (target && target->is_plain() && !target->file && deprecated.empty()) {
+    target->value = std::move(value);
+    return;
+  }
   Symbol& symbol = target ? *target : m_in.symbols.declare_at(name.name, level);
   if (symbol.alias || symbol.alias_array) {
     symbol.resolve() = std::move(value);
@@ -84,9 +112,7 @@ void Directives::declare(const Token& directive, bool local) {
     symbol.reset(std::move(value));
   }
   if (!deprecated.empty()) {
-    symbol.deprecated = true;
-    symbol.deprecated_once = once;
-    symbol.deprecation = std::move(deprecated);
+    symbol.deprecated.reset(new Deprecation{std::move(deprecated), once});
   }
 }
 
@@ -130,6 +156,16 @@ Value Directives::parse_rvalue() {
   switch (first.kind) {
     case TokenKind::kNumber: return stored(m_in.expressions.parse_additive());
     case TokenKind::kString: return m_in.expressions.parse_string();
+    case TokenKind::kPunct:
+      if (m_in.expressions.at_expression()) return stored(m_in.expressions.parse_additive());
+      break;
+    case TokenKind::kIdentifier: {
+      const Value* value = tokens.value();
+      if (value && std::holds_alternative<Number>(*value)) {
+        return stored(m_in.expressions.parse_additive());
+      }
+      break;
+    }
     default: break;
   }
   if (first.is(Keyword::kArray)) {
@@ -145,7 +181,8 @@ Value Directives::parse_rvalue() {
     return m_in.expressions.parse_spline();
   }
   if (first.is(Keyword::kTransform)) {
-    return m_in.expressions.parse_transform_statement();
+    return std::make_shared<const core::Transform>(
+        m_in.expressions.parse_transform_statement());
   }
   if (m_in.expressions.at_string()) return m_in.expressions.parse_string();
   if (m_in.expressions.at_colour_keyword()) return m_in.expressions.parse_colour();
@@ -159,7 +196,7 @@ Value Directives::parse_rvalue() {
       tokens.skip();
       return copy;
     }
-    if (std::holds_alternative<Number>(*value) || called) {
+    if (called) {
       return stored(m_in.expressions.parse_additive());
     }
     if (std::optional<Value> made = m_in.productions.rvalue(m_in.parser)) return std::move(*made);
@@ -177,12 +214,13 @@ Value Directives::parse_rvalue() {
 Value Directives::array_value() {
   TokenReader& tokens = m_in.tokens;
   auto array = std::make_shared<ArrayValue>();
+  const double most = static_cast<double>(m_in.options.limits.array_elements);
   double count = 1.0;
   while (tokens.accept(Punct::kLeftSquare)) {
     const Location where = tokens.peek_operand().where;
     const double size = m_in.expressions.parse_float();
     count *= std::floor(size + 1e-10);
-    if (!(size + 1e-10 >= 1.0) || count > 1e9) {
+    if (!(size + 1e-10 >= 1.0) || count > most) {
       m_in.fail(where, "an array cannot have " + std::to_string(size) + " elements");
     }
     array->sizes.push_back(static_cast<int>(size + 1e-10));

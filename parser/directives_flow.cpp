@@ -88,6 +88,7 @@ void Directives::end_part(const Token& directive) {
   Block* block = open_block();
   if (!block) m_in.fail(directive.where, "#end without #if, #while, #for, #switch or #macro");
   if (block->kind == BlockKind::kWhile) {
+    m_in.count_turn();
     go_past(block->opener);
     if (condition()) return;
     go_past(&directive);
@@ -190,6 +191,7 @@ void Directives::for_directive(const Token& directive) {
 }
 
 void Directives::advance_for(Block& block) {
+  m_in.count_turn();
   Symbol* symbol = m_in.symbols.find(block.variable);
   Number* number = symbol ? std::get_if<Number>(&symbol->resolve()) : nullptr;
   if (!number || number->size != 1) {

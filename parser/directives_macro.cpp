@@ -4,12 +4,6 @@
 #include "parser/interpreter.h"
 
 namespace lentray::parser {
-namespace {
-
-// Stock stops at about a hundred; recursion deeper than this does not end.
-constexpr std::size_t kDeepestMacro = 10000;
-
-}  // namespace
 
 void Directives::define_macro(const Token& directive) {
   const std::size_t depth = m_in.stream.depth();
@@ -102,12 +96,13 @@ Directives::Argument Directives::argument(const Macro& macro, std::size_t index)
 
 void Directives::invoke(const Macro& macro, const Token& name_token) {
   const Token name = name_token;  // the token may be gone after the arguments
-  if (m_in.stream.depth() >= kDeepestMacro) {
-    m_in.fail(name.where, "macro " + std::string(m_in.names.text(macro.name)) +
-                              " goes " + std::to_string(kDeepestMacro) +
-                              " levels deep: endless recursion?");
+  const std::size_t deepest = m_in.options.limits.nesting;
+  if (m_in.stream.depth() >= deepest) {
+    m_in.fail(name.where, "macro " + std::string(m_in.names.text(macro.name)) + " goes " +
+                              std::to_string(deepest) + " levels deep: endless recursion?");
   }
   m_in.guard_stack();
+  m_in.count_turn();
   const bool plain = m_in.tokens.plain_names;
   m_in.tokens.plain_names = false;
   std::vector<Argument> arguments;

@@ -334,9 +334,11 @@ Number Expressions::identifier() {
 
 Number Expressions::vector_literal() {
   TokenReader& tokens = m_in.tokens;
+  Number n;
+  if (tokens.accept_literal_vector(n)) return n;
   tokens.skip();
   tokens.enter();
-  Number n;
+  n = {};
   n.size = 0;
   while (!tokens.at(Punct::kGreater)) {
     if (n.size == static_cast<int>(kComponents)) {

@@ -26,6 +26,10 @@ void promote(Number& n, int size);
 /// As stock keeps colours (five components): in single precision.
 Number stored(Number n);
 
+/// To a whole number as stock has them, 32 bits, towards zero; what does not fit, infinities and
+/// nan become the smallest.
+int to_int(double x);
+
 /// The sRGB transfer curve, towards linear light.
 double decode_srgb(double component);
 
@@ -101,8 +105,12 @@ class Expressions {
   Number colour_from(Keyword keyword);
   std::string string_function(Keyword keyword, bool path);
   std::string one_string(bool path);
-  std::string format_number(const char* format, double value);
-  std::string number_format();
+  struct NumberFormat {
+    int width = 0, digits = 6;
+    bool zeros = false;   ///< in front, instead of spaces
+  };
+  NumberFormat number_format();
+  void append_number(std::string& text, const NumberFormat& format, double value);
   core::Transform transform_block();
   core::Matrix matrix_rows();
 

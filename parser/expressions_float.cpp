@@ -13,15 +13,12 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
-// Stock's integers have 32 bits; what does not fit, infinities and nan become the smallest.
-int bits(double x) {
+}  // namespace
+
+int to_int(double x) {
   constexpr int kSmallest = std::numeric_limits<int>::min();
   return x > kSmallest - 1.0 && x < 2147483648.0 ? static_cast<int>(x) : kSmallest;
 }
-
-double as_int(double x) { return bits(x); }
-
-}  // namespace
 
 bool Expressions::keyword_float(Keyword keyword, double& value) {
   switch (keyword) {
@@ -82,11 +79,11 @@ double Expressions::select() {
 
 // A linear congruential generator a stream; constants measured by the values stock prints.
 double Expressions::next_random(double stream) {
-  const auto index = static_cast<std::size_t>(stream);
-  if (stream < 0.0 || index >= m_in.random.size()) {
+  const int index = to_int(stream);
+  if (index < 0 || static_cast<std::size_t>(index) >= m_in.random.size()) {
     m_in.fail(m_in.tokens.location(), "rand() of a stream that no seed() has made");
   }
-  std::uint32_t& state = m_in.random[index];
+  std::uint32_t& state = m_in.random[static_cast<std::size_t>(index)];
   state = state * 1812433253u + 12345u;
   return static_cast<double>(state) * (1.0 / 4294967295.0);
 }
@@ -106,7 +103,7 @@ double Expressions::array_dimension(bool size) {
     if (which >= 1.0 && which < static_cast<double>(array->sizes.size() + 1)) {
       result = array->sizes[static_cast<std::size_t>(which) - 1];
     } else {
-      m_in.warn(tokens.location(), "size of dimension " + std::to_string(bits(which)) +
+      m_in.warn(tokens.location(), "size of dimension " + std::to_string(to_int(which)) +
                                        " of an array that has " +
                                        std::to_string(array->sizes.size()));
       result = 0.0;
@@ -153,7 +150,7 @@ bool Expressions::float_function(Keyword keyword, double& value) {
     case Keyword::kAtanh: value = std::atanh(float_argument()); return true;
     case Keyword::kCeil: value = std::ceil(float_argument()); return true;
     case Keyword::kFloor: value = std::floor(float_argument()); return true;
-    case Keyword::kInt: value = as_int(float_argument()); return true;
+    case Keyword::kInt: value = to_int(float_argument()); return true;
     case Keyword::kDegrees: value = float_argument() / kDegree; return true;
     case Keyword::kRadians: value = float_argument() * kDegree; return true;
     case Keyword::kExp: value = std::exp(float_argument()); return true;
@@ -167,7 +164,7 @@ bool Expressions::float_function(Keyword keyword, double& value) {
       return true;
     case Keyword::kDiv: {
       const auto [a, b] = two_floats();
-      value = as_int(a / b);
+      value = to_int(a / b);
       return true;
     }
     case Keyword::kMod: {
@@ -184,18 +181,18 @@ bool Expressions::float_function(Keyword keyword, double& value) {
     case Keyword::kMax: value = fold([](double a, double b) { return std::max(a, b); }); return true;
     case Keyword::kMin: value = fold([](double a, double b) { return std::min(a, b); }); return true;
     case Keyword::kBitwiseAnd:
-      value = fold([](double a, double b) { return bits(a) & bits(b); });
+      value = fold([](double a, double b) { return to_int(a) & to_int(b); });
       return true;
     case Keyword::kBitwiseOr:
-      value = fold([](double a, double b) { return bits(a) | bits(b); });
+      value = fold([](double a, double b) { return to_int(a) | to_int(b); });
       return true;
     case Keyword::kBitwiseXor:
-      value = fold([](double a, double b) { return bits(a) ^ bits(b); });
+      value = fold([](double a, double b) { return to_int(a) ^ to_int(b); });
       return true;
     case Keyword::kSelect: value = select(); return true;
     case Keyword::kRand: value = next_random(float_argument()); return true;
     case Keyword::kSeed:
-      m_in.random.push_back(static_cast<std::uint32_t>(bits(float_argument())));
+      m_in.random.push_back(static_cast<std::uint32_t>(to_int(float_argument())));
       value = static_cast<double>(m_in.random.size() - 1);
       return true;
     case Keyword::kDefined: value = m_in.directives.parse_defined(); return true;
@@ -224,7 +221,8 @@ bool Expressions::float_function(Keyword keyword, double& value) {
       if (keyword == Keyword::kInside) {
         const Ref<ObjectDesc> object = object_argument();
         m_in.tokens.comma();
-        value = m_in.productions.inside(*object, parse_vector());
+        const core::Vec3 point = parse_vector();
+        value = m_in.ask_object([&] { return m_in.productions.inside(*object, point); });
       } else {
         const core::Vec3 a = parse_vector();
         m_in.tokens.comma();

@@ -1,5 +1,8 @@
 // String expressions. Strings are bytes; what counts characters takes them for UTF-8.
 #include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
 #include <ctime>
 
 #include "parser/interpreter.h"
@@ -39,7 +42,10 @@ std::string Expressions::one_string(bool path) {
       m_in.fail(t.where, "a string has an escape that does not exist; known are \\a \\b \\f \\n \\r "
                          "\\t \\v \\\\ \\\" \\' \\uXXXX");
     }
-    return m_in.names.string(t.name);
+    const std::string* ascii = m_in.names.ascii_string(t.name);
+    if (!ascii || m_in.utf8) return m_in.names.string(t.name);
+    m_in.warn(t.where, "text that is not ASCII, replaced by spaces; charset utf8 keeps it");
+    return *ascii;
   }
   if (!at_string()) tokens.fail_expected("a string");
   if (t.kind == TokenKind::kIdentifier) {
@@ -55,26 +61,43 @@ std::string Expressions::one_string(bool path) {
 }
 
 // What a number is printed with: width (negative: zeros in front) and digits, as str() takes them.
-std::string Expressions::number_format() {
+Expressions::NumberFormat Expressions::number_format() {
   m_in.tokens.comma();
-  const int width = static_cast<int>(parse_float());
+  // Longer than any text they are printed into is as good as longest.
+  constexpr double kLongest = 1000.0;
+  const int width = to_int(std::clamp(parse_float(), -kLongest, kLongest));
   m_in.tokens.comma();
-  const int digits = static_cast<int>(parse_float());
-  std::string format = "%";
-  if (width > 0) format += std::to_string(width);
-  if (width < 0) format += "0" + std::to_string(-width);
-  if (digits >= 0) format += "." + std::to_string(digits);
-  return format;
+  const int digits = to_int(std::clamp(parse_float(), -1.0, kLongest));
+  constexpr int kUsual = 6;
+  return {std::abs(width), digits < 0 ? kUsual : digits, width < 0};
 }
 
-std::string Expressions::format_number(const char* format, double value) {
-  // Numbers too long for this come in exponents, as in stock.
-  char text[256];
-  const int length = std::snprintf(text, sizeof text, (std::string(format) + "f").c_str(), value);
-  if (length < 0 || length >= static_cast<int>(sizeof text)) {
-    std::snprintf(text, sizeof text, (std::string(format) + "g").c_str(), value);
+// As printf's %f. Numbers too long for the buffer come in exponents (%g), as in stock.
+void Expressions::append_number(std::string& text, const NumberFormat& format, double value) {
+  char digits[256];
+  const auto width = static_cast<std::size_t>(format.width);
+  if (std::isfinite(value) && width < sizeof digits) {
+    const auto end = std::to_chars(digits, digits + sizeof digits - 1, value,
+                                   std::chars_format::fixed, format.digits);
+    if (end.ec == std::errc()) {
+      std::string_view number(digits, static_cast<std::size_t>(end.ptr - digits));
+      const std::size_t missing = width > number.size() ? width - number.size() : 0;
+      if (missing > 0 && format.zeros && number[0] == '-') {
+        text += '-';
+        number.remove_prefix(1);
+      }
+      text.append(missing, format.zeros ? '0' : ' ');
+      text += number;
+      return;
+    }
   }
-  return text;
+  const auto print = [&](char kind) {
+    const std::string how = std::string(format.zeros ? "%0*.*" : "%*.*") + kind;
+    return std::snprintf(digits, sizeof digits, how.c_str(), format.width, format.digits, value);
+  };
+  const int length = print('f');
+  if (length < 0 || length >= static_cast<int>(sizeof digits)) print('g');
+  text += digits;
 }
 
 std::string Expressions::string_function(Keyword keyword, bool path) {
@@ -83,19 +106,22 @@ std::string Expressions::string_function(Keyword keyword, bool path) {
   switch (keyword) {
     case Keyword::kStr: {
       const double value = parse_scalar_expression();
-      return format_number(number_format().c_str(), value);
+      std::string text;
+      append_number(text, number_format(), value);
+      return text;
     }
     case Keyword::kVstr: {
-      const int count = std::clamp(static_cast<int>(parse_float()), 2, 5);
+      const int count = std::clamp(to_int(parse_float()), 2, 5);
       tokens.comma();
       const Number n = parse_additive();
       tokens.comma();
       const std::string separator = one_string(path);
-      const std::string format = number_format();
+      const NumberFormat format = number_format();
       std::string text;
       for (int i = 0; i < count; ++i) {
         const double value = i < n.size ? n.v[static_cast<std::size_t>(i)] : 0.0;
-        text += (i ? separator : "") + format_number(format.c_str(), value);
+        if (i) text += separator;
+        append_number(text, format, value);
       }
       return text;
     }
@@ -104,6 +130,11 @@ std::string Expressions::string_function(Keyword keyword, bool path) {
       while (!tokens.at(Punct::kRightParen)) {
         tokens.comma();
         text += one_string(path);
+        if (text.size() > m_in.options.limits.string_bytes) {
+          m_in.fail(where, "concat() makes a string of " + std::to_string(text.size()) +
+                               " bytes, the limit is " +
+                               std::to_string(m_in.options.limits.string_bytes));
+        }
       }
       return text;
     }
@@ -117,13 +148,14 @@ std::string Expressions::string_function(Keyword keyword, bool path) {
     case Keyword::kSubstr: {
       const std::string text = one_string(path);
       tokens.comma();
-      const int first = static_cast<int>(parse_float());
+      const double first = std::trunc(parse_float());
       tokens.comma();
-      const int count = static_cast<int>(parse_float());
-      const int length = static_cast<int>(count_characters(text));
-      if (first < 1 || count < 0 || first + count - 1 > length) {
-        m_in.fail(where, "substr() of " + std::to_string(count) + " characters from " +
-                             std::to_string(first) + " in a string of " + std::to_string(length));
+      const double count = std::trunc(parse_float());
+      const std::size_t length = count_characters(text);
+      if (!(first >= 1.0 && count >= 0.0 && first + count - 1.0 <= static_cast<double>(length))) {
+        m_in.fail(where, "substr() of " + std::to_string(to_int(count)) + " characters from " +
+                             std::to_string(to_int(first)) + " in a string of " +
+                             std::to_string(length));
       }
       return substring(text, static_cast<std::size_t>(first - 1), static_cast<std::size_t>(count));
     }
@@ -139,9 +171,12 @@ std::string Expressions::string_function(Keyword keyword, bool path) {
       const double days = parse_scalar_expression();
       std::string format = "%Y-%m-%d %H:%M:%SZ";
       if (tokens.accept(Punct::kComma)) format = one_string(path);
-      const auto seconds = static_cast<std::time_t>(days * 86400.0 + 946684800.5);
+      // Beyond these no year can be named.
+      constexpr double kLast = 1e16;
+      const double seconds = days * 86400.0 + 946684800.5;
+      const auto time = static_cast<std::time_t>(seconds > -kLast && seconds < kLast ? seconds : 0);
       std::tm parts{};
-      gmtime_r(&seconds, &parts);
+      gmtime_r(&time, &parts);
       char text[256];
       if (format.empty() || std::strftime(text, sizeof text, format.c_str(), &parts) == 0) {
         m_in.fail(where, "datetime() cannot use the format \"" + format + "\"");

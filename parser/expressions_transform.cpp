@@ -58,9 +58,9 @@ core::Transform Expressions::parse_transform_statement() {
   tokens.expect(Keyword::kTransform);
   if (tokens.peek_operand().kind == TokenKind::kIdentifier) {
     const Value* value = tokens.value();
-    const auto* named = value ? std::get_if<core::Transform>(value) : nullptr;
+    const auto* named = value ? std::get_if<Ref<core::Transform>>(value) : nullptr;
     if (!named) tokens.fail_expected("a transform or '{'");
-    const core::Transform copy = *named;
+    const core::Transform copy = **named;
     tokens.skip();
     return copy;
   }
@@ -81,9 +81,9 @@ core::Transform Expressions::transform_block() {
       all = all.then(*next);
     } else if (tokens.peek().kind == TokenKind::kIdentifier) {
       const Value* value = tokens.value();
-      const auto* named = value ? std::get_if<core::Transform>(value) : nullptr;
+      const auto* named = value ? std::get_if<Ref<core::Transform>>(value) : nullptr;
       if (!named) tokens.fail_expected("translate, rotate, scale, matrix, transform or inverse");
-      all = all.then(*named);
+      all = all.then(**named);
       tokens.skip();
     } else {
       break;

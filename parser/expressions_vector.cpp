@@ -1,5 +1,6 @@
 // The vector functions and constants of the language, and the questions asked of live objects.
 #include <algorithm>
+#include <limits>
 #include <numbers>
 
 #include "core/pattern/noise.h"
@@ -35,7 +36,9 @@ core::Vec3 Expressions::trace() {
   const core::Vec3 direction = core::normalized(parse_vector());
   tokens.comma();
   core::Vec3 point, normal;
-  if (!m_in.productions.trace(*object, origin, direction, point, normal)) {
+  const bool hit = m_in.ask_object(
+      [&] { return m_in.productions.trace(*object, origin, direction, point, normal); });
+  if (!hit) {
     point = {};
     normal = {};
   }
@@ -64,7 +67,7 @@ core::Vec3 Expressions::extent(bool upper) {
     tokens.skip();
   } else {
     const Ref<ObjectDesc> object = object_argument();
-    m_in.productions.extent(*object, lo, hi);
+    m_in.ask_object([&] { m_in.productions.extent(*object, lo, hi); });
   }
   tokens.expect(Punct::kRightParen);
   return upper ? hi : lo;
@@ -79,8 +82,8 @@ core::Vec3 Expressions::turbulence() {
   m_in.tokens.comma();
   turbulence.omega = static_cast<float>(parse_float());
   m_in.tokens.comma();
-  constexpr double kMostOctaves = 10.0;
-  turbulence.octaves = static_cast<int>(std::clamp(parse_float(), 1.0, kMostOctaves));
+  constexpr int kMostOctaves = 10;
+  turbulence.octaves = std::clamp(to_int(parse_float()), 1, kMostOctaves);
   m_in.tokens.comma();
   const core::Vec3 point = parse_vector();
   m_in.tokens.comma();
@@ -118,7 +121,10 @@ bool Expressions::vector_function(Keyword keyword, Number& value) {
       tokens.comma();
       const double radians = parse_float() * (std::numbers::pi / 180.0);
       tokens.expect(Punct::kRightParen);
-      value = Number::vector(core::Transform::axis_rotation(axis, radians).point(a));
+      // About no axis there is no rotation: nan, with the sign that the machine gives it.
+      value = Number::vector(core::dot(axis, axis) == 0.0
+                                 ? core::Vec3(-std::numeric_limits<double>::quiet_NaN())
+                                 : core::Transform::axis_rotation(axis, radians).point(a));
       return true;
     }
     case Keyword::kVnormalize: {
@@ -126,7 +132,11 @@ bool Expressions::vector_function(Keyword keyword, Number& value) {
       if (a == core::Vec3{} && m_in.version >= 350) {
         m_in.warn(where, "vnormalize() of a vector of length zero");
       }
-      value = Number::vector(core::normalized(a));
+      // A vector too short to be squared is divided by its length 0 all the same, as in stock.
+      const double length = core::length(a);
+      const bool too_short = length == 0.0 && a != core::Vec3{};
+      value = Number::vector(too_short ? core::Vec3(a.x / length, a.y / length, a.z / length)
+                                       : core::normalized(a));
       return true;
     }
     case Keyword::kTrace: value = Number::vector(trace()); return true;

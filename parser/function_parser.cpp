@@ -19,20 +19,29 @@ using core::make_node;
 // .gray is no component but a mixture of three.
 constexpr int kGrayComponent = 5;
 
-// .gray of a function of colours.
-class GrayOf final : public core::Function {
+// .hf too: red as the coarse, green as the fine part of a height.
+constexpr int kHeightComponent = 6;
+
+using Weights = std::array<double, 3>;
+constexpr Weights kGray = {0.297, 0.589, 0.114};
+constexpr Weights kHeight = {0.996093, 0.996093 / 255.0, 0.0};
+
+// .gray or .hf of a function of colours.
+class MixtureOf final : public core::Function {
  public:
-  explicit GrayOf(std::shared_ptr<const core::Function> colour) : m_colour(std::move(colour)) {}
+  MixtureOf(std::shared_ptr<const core::Function> colour, const Weights& weights)
+      : m_colour(std::move(colour)), m_weights(weights) {}
   std::size_t parameters() const override { return m_colour->parameters(); }
   double evaluate(std::span<const double> arguments) const override {
     std::array<double, core::kMostResults> c{};
     m_colour->evaluate_all(arguments, c);
-    return 0.297 * c[0] + 0.589 * c[1] + 0.114 * c[2];
+    return m_weights[0] * c[0] + m_weights[1] * c[1] + m_weights[2] * c[2];
   }
   std::string not_yet() const override { return m_colour->not_yet(); }
 
  private:
   std::shared_ptr<const core::Function> m_colour;
+  Weights m_weights;
 };
 
 std::optional<FunctionOp> one_operand(Keyword k) {
@@ -95,24 +104,37 @@ Ref<FunctionDesc> FunctionParser::parse_body() {
   } else if (tokens.accept(Keyword::kInternal)) {
     auto desc = std::make_shared<FunctionDesc>();
     tokens.expect(Punct::kLeftParen);
-    const int number = static_cast<int>(m_in.expressions.parse_float());
+    const int number = to_int(m_in.expressions.parse_float());
     tokens.expect(Punct::kRightParen);
-    desc->function = core::internal_function(number);
+    desc->function = core::internal_function(number, m_in.noise_generator);
     if (!desc->function) m_in.fail(where, "there is no internal function " + std::to_string(number));
     result = desc;
   } else {
-    const FunctionNodePtr root = choice();
-    auto desc = std::make_shared<FunctionDesc>();
-    try {
-      desc->function = core::compile_function(*root, m_scope.parameters.size(), m_scope.most_locals);
-    } catch (const std::length_error& error) {
-      m_in.fail(where, error.what());
-    }
-    result = desc;
+    result = compiled(*choice(), where);
   }
   tokens.expect(Punct::kRightCurly);
   m_scope = outer;
   return result;
+}
+
+Ref<FunctionDesc> FunctionParser::compiled(const core::FunctionNode& root, const Location& where) {
+  const Limits& limits = m_in.options.limits;
+  if (m_scope.depth > limits.function_depth) {
+    m_in.fail(where, "functions call functions more than " +
+                         std::to_string(limits.function_depth) + " deep");
+  }
+  if (m_scope.calls > limits.function_calls) {
+    m_in.fail(where, "the function makes too many calls of others for one value");
+  }
+  auto desc = std::make_shared<FunctionDesc>();
+  desc->depth = m_scope.depth;
+  desc->calls = m_scope.calls;
+  try {
+    desc->function = core::compile_function(root, m_scope.parameters.size(), m_scope.most_locals);
+  } catch (const std::length_error& error) {
+    m_in.fail(where, error.what());
+  }
+  return desc;
 }
 
 Ref<FunctionDesc> FunctionParser::named() {
@@ -218,6 +240,12 @@ FunctionNodePtr FunctionParser::product() {
 
 FunctionNodePtr FunctionParser::unary() {
   if (++m_depth % 64 == 0) m_in.guard_stack();
+  // The compiler goes down a long sum as deep as it has terms.
+  if (++m_scope.operands > m_in.options.limits.function_operands) {
+    m_in.fail(m_in.tokens.location(), "a function has at most " +
+                                          std::to_string(m_in.options.limits.function_operands) +
+                                          " operands");
+  }
   FunctionNodePtr node;
   const Token& t = m_in.tokens.peek_operand();
   if (t.is(Punct::kMinus) || t.is(Punct::kExclamation)) {
@@ -382,10 +410,12 @@ int FunctionParser::component(std::size_t size) {
     case Keyword::kTransmit: i = 4; break;
     case Keyword::kGray: i = kGrayComponent; break;
     default:
+      if (name.kind != TokenKind::kIdentifier) break;
       if (m_in.names.text(name.name) == "grey") i = kGrayComponent;
+      if (m_in.names.text(name.name) == "hf") i = kHeightComponent;
       break;
   }
-  if (i < 0 || (i != kGrayComponent && i >= static_cast<int>(size))) {
+  if (i < 0) {
     m_in.fail(name.where, "expected a component of a value with " + std::to_string(size) +
                               " components after '.' but found " + tokens.describe(name));
   }
@@ -394,9 +424,11 @@ int FunctionParser::component(std::size_t size) {
 
 FunctionNodePtr FunctionParser::constant(const Token& name, const Number& number) {
   const int i = component(static_cast<std::size_t>(number.size));
-  if (i == kGrayComponent) {
-    return core::constant_node(0.297 * number.v[0] + 0.589 * number.v[1] + 0.114 * number.v[2]);
+  if (i == kGrayComponent || i == kHeightComponent) {
+    const Weights& w = i == kGrayComponent ? kGray : kHeight;
+    return core::constant_node(w[0] * number.v[0] + w[1] * number.v[1] + w[2] * number.v[2]);
   }
+  if (i >= number.size) m_in.fail(name.where, "this value has no such component");
   if (i < 0 && number.size > 1) {
     m_in.fail(name.where, "a function is made of floats: take a component of this vector or colour");
   }
@@ -436,6 +468,8 @@ FunctionNodePtr FunctionParser::call(const Ref<FunctionDesc>& callee, const std:
   auto node = std::make_unique<core::FunctionNode>();
   node->op = FunctionOp::kCall;
   node->callee = callee->function;
+  m_scope.depth = std::max(m_scope.depth, callee->depth + 1);
+  m_scope.calls += callee->calls;
   tokens.expect(Punct::kLeftParen);
   while (!tokens.at(Punct::kRightParen)) {
     node->operands.push_back(choice());
@@ -449,12 +483,18 @@ FunctionNodePtr FunctionParser::call(const Ref<FunctionDesc>& callee, const std:
   tokens.expect(Punct::kRightParen);
   const std::size_t results = callee->function->results();
   const int i = component(results);
-  if (i == kGrayComponent) node->callee = std::make_shared<GrayOf>(node->callee);
+  const bool mixture = i == kGrayComponent || i == kHeightComponent;
+  if (mixture) {
+    node->callee =
+        std::make_shared<MixtureOf>(node->callee, i == kGrayComponent ? kGray : kHeight);
+  }
   if (results > 1 && i < 0) {
     m_in.fail(where, "function " + name + " gives " + std::to_string(results) +
                          " components: take one of them (.x, .red, ...)");
   }
-  node->index = i == kGrayComponent ? 0 : static_cast<std::size_t>(std::max(i, 0));
+  // A component that the result does not have is 0, as in stock.
+  if (!mixture && i >= static_cast<int>(results)) return core::constant_node(0.0);
+  node->index = mixture ? 0 : static_cast<std::size_t>(std::max(i, 0));
   return node;
 }
 

@@ -3,7 +3,6 @@
 #include <filesystem>
 
 #include "parser/keywords.h"
-#include "parser/loose_path.h"
 
 namespace lentray::parser {
 namespace {
@@ -11,9 +10,9 @@ namespace {
 // Of the usual 8 MB; what lies deeper is recursion without an end, and a message beats a crash.
 constexpr std::uintptr_t kStackBudget = 5 << 20;
 
+// Not the address of a variable: sanitizers may keep those elsewhere.
 std::uintptr_t stack_address() {
-  const char here = 0;
-  return reinterpret_cast<std::uintptr_t>(&here);
+  return reinterpret_cast<std::uintptr_t>(__builtin_frame_address(0));
 }
 
 }  // namespace
@@ -27,6 +26,7 @@ Interpreter::Interpreter(SourceManager& sources_, Diagnostics& diagnostics_,
   if (options.language_version > 0) {
     version = options.language_version;
     version_set = true;
+    *noise_generator = version < 350 ? 1 : 2;
   }
 }
 
@@ -34,6 +34,11 @@ void Interpreter::guard_stack() {
   if (m_stack_base - stack_address() > kStackBudget && m_stack_base > stack_address()) {
     fail(tokens.location(), "statements or expressions nest too deeply: endless recursion?");
   }
+}
+
+void Interpreter::too_many_turns() {
+  fail(tokens.location(), "more than " + std::to_string(options.limits.turns) +
+                              " turns of loops and calls of macros: an endless loop?");
 }
 
 void Interpreter::fail(const Location& where, const std::string& message) {
@@ -66,7 +71,7 @@ std::optional<std::string> Interpreter::find_file(const std::string& name) {
   std::vector<std::string> folders = search_folders();
   folders.insert(folders.begin(), "");
   for (const std::string& folder : folders) {
-    const auto found = find_loosely(folder, name);
+    const auto found = sources.disk().find_loosely(folder, name);
     if (!found) continue;
     if (!m_warned_of_names) {
       warn(tokens.location(), "there is no file '" + name + "', read '" + *found +
@@ -80,16 +85,13 @@ std::optional<std::string> Interpreter::find_file(const std::string& name) {
 
 std::optional<std::string> Interpreter::find_exactly(const std::string& name) const {
   namespace fs = std::filesystem;
-  std::error_code error;
-  const auto there = [&](const fs::path& path) {
-    return fs::exists(path, error) && !fs::is_directory(path, error);
-  };
+  const auto there = [&](const std::string& path) { return sources.disk().exists(path); };
   if (name.empty()) return std::nullopt;
   if (there(name)) return name;
   if (fs::path(name).is_absolute()) return std::nullopt;
   for (const std::string& folder : search_folders()) {
-    const fs::path path = fs::path(folder) / name;
-    if (there(path)) return path.string();
+    std::string path = (fs::path(folder) / name).string();
+    if (there(path)) return path;
   }
   return std::nullopt;
 }

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "parser/build/build_error.h"
 #include "parser/directives.h"
 #include "parser/expressions.h"
 #include "parser/function_parser.h"
@@ -41,13 +42,28 @@ struct Interpreter {
 
   int version = 370;          ///< x 100
   bool version_set = false;
+  /// The scene's, as far as it is known; set by global_settings or by the version.
+  std::shared_ptr<int> noise_generator = std::make_shared<int>(2);
+  bool noise_generator_set = false;
   std::vector<std::uint32_t> random;   ///< states of the streams of seed()
 
+  bool utf8 = false;          ///< charset of string literals; else ASCII
   std::string scene_folder;
   std::map<std::string, std::shared_ptr<const TokenList>> texts;  ///< by path
 
   [[noreturn]] void fail(const Location& where, const std::string& message);
   void warn(const Location& where, const std::string& message);
+
+  /// What `ask` finds out of an object that is made for it; what cannot be made is a mistake of the
+  /// scene.
+  template <typename Ask>
+  auto ask_object(Ask ask) {
+    try {
+      return ask();
+    } catch (const BuildError& error) {
+      fail(error.where(), error.what());
+    }
+  }
 
   /// Reads a file as tokens, once; null if it cannot be read.
   std::shared_ptr<const TokenList> load(const std::string& path);
@@ -63,15 +79,19 @@ struct Interpreter {
 
   /// Fails when the program's own stack gets short: endless recursion through statements.
   void guard_stack();
+  /// Counts a turn of a loop, a call of a macro or an include; fails when there were too many.
+  void count_turn() {
+    if (++m_turns > options.limits.turns) too_many_turns();
+  }
 
  private:
   std::vector<std::string> search_folders() const;
 
+  [[noreturn]] void too_many_turns();
+
   std::uintptr_t m_stack_base;
+  std::uint64_t m_turns = 0;
   bool m_warned_of_names = false;
 };
-
-/// Replaces what a declaration of an array shares by a copy of its own.
-Value copy_value(const Value& value);
 
 }  // namespace lentray::parser

@@ -1,5 +1,6 @@
 #include "parser/lexer.h"
 
+#include <array>
 #include <charconv>
 #include <cstdlib>
 #include <string>
@@ -10,15 +11,34 @@
 namespace lentray::parser {
 namespace {
 
+/// What each byte can be part of, and the punctuation that it is by itself.
+struct Bytes {
+  static constexpr std::uint8_t kDigit = 1, kLetter = 2, kSpace = 4;
+  std::array<std::uint8_t, 256> kinds{};
+  std::array<Punct, 256> puncts{};
+
+  Bytes() {
+    const auto set = [&](std::string_view bytes, std::uint8_t kind) {
+      for (const char c : bytes) kinds[static_cast<unsigned char>(c)] |= kind;
+    };
+    set("0123456789", kDigit);
+    set("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_", kLetter);
+    using namespace std::string_view_literals;
+    set(" \t\n\r\f\v\0\x1a"sv, kSpace);  // the last one ends DOS files
+    for (std::size_t i = 1; i <= static_cast<std::size_t>(Punct::kBackquote); ++i) {
+      const std::string_view written = spelling(static_cast<Punct>(i));
+      if (written.size() == 1) puncts[static_cast<unsigned char>(written[0])] = static_cast<Punct>(i);
+    }
+  }
+};
+
+const Bytes kBytes;
+
+bool is(char c, std::uint8_t kind) { return kBytes.kinds[static_cast<unsigned char>(c)] & kind; }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_word_start(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-}
-bool is_word(char c) { return is_word_start(c) || is_digit(c); }
-bool is_space(char c) {
-  return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f' || c == '\v' || c == '\0' ||
-         c == '\x1a';  // the end mark of DOS files
-}
+bool is_word_start(char c) { return is(c, Bytes::kLetter); }
+bool is_word(char c) { return is(c, Bytes::kLetter | Bytes::kDigit); }
+bool is_space(char c) { return is(c, Bytes::kSpace); }
 
 // The character a one-letter escape stands for; 0 if there is no such escape.
 char simple_escape(char c) {
@@ -35,10 +55,12 @@ char simple_escape(char c) {
   }
 }
 
+using Tokens = decltype(TokenList::tokens);
+
 class Lexer {
  public:
-  Lexer(std::uint32_t file, std::string_view text, NameTable& names, std::vector<Token>& tokens)
-      : m_file(file), m_text(text), m_names(names), m_tokens(tokens) {}
+  Lexer(std::string_view text, NameTable& names, TokenList& list)
+      : m_file(list.file), m_text(text), m_names(names), m_list(list), m_tokens(list.tokens) {}
 
   void run() {
     while (skip_space()) one();
@@ -158,13 +180,28 @@ class Lexer {
         m_pos = end;
       }
     }
-    // from_chars wants a digit before the point; the value is the same with a 0 put there.
-    std::string digits(m_text.substr(start, m_pos - start));
-    if (digits.front() == '.') digits.insert(digits.begin(), '0');
-    const auto result = std::from_chars(digits.data(), digits.data() + digits.size(), t.number);
-    // Zero or infinity, as strtod has it.
-    if (result.ec == std::errc::result_out_of_range) t.number = std::strtod(digits.c_str(), nullptr);
+    t.number = value(m_text.substr(start, m_pos - start));
     m_tokens.push_back(t);
+  }
+
+  static double value(std::string_view digits) {
+    // Most numbers are whole and short.
+    constexpr std::size_t kShort = 15;
+    if (digits.size() <= kShort) {
+      std::uint64_t whole = 0;
+      std::size_t i = 0;
+      while (i < digits.size() && is_digit(digits[i])) {
+        whole = whole * 10 + static_cast<std::uint64_t>(digits[i++] - '0');
+      }
+      if (i == digits.size()) return static_cast<double>(whole);
+    }
+    double number = 0.0;
+    const auto result = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+    // Zero or infinity, as strtod has it.
+    if (result.ec == std::errc::result_out_of_range) {
+      return std::strtod(std::string(digits).c_str(), nullptr);
+    }
+    return number;
   }
 
   void string() {
@@ -172,25 +209,28 @@ class Lexer {
     ++m_pos;
     const std::size_t start = m_pos;
     std::string cooked;
+    std::string ascii;  // from the first byte on that is not
     std::string wrong;  // first illegal escape
     for (;;) {
       if (m_pos >= m_text.size()) return bad(t.where, "string without its end: expected \"");
       const char c = m_text[m_pos];
       if (c == '"') break;
       if (c == '\n') new_line(m_pos + 1);
-      if (c == '\\' && !(m_pos + 1 < m_text.size() && escape(cooked, wrong))) {
-        cooked += c;
-        ++m_pos;
-      } else if (c != '\\') {
+      const std::size_t before = cooked.size();
+      const bool foreign = static_cast<unsigned char>(c) > 0x7F;
+      if (foreign && ascii.empty()) ascii = cooked;
+      if (c != '\\' || !(m_pos + 1 < m_text.size() && escape(cooked, wrong))) {
         cooked += c;
         ++m_pos;
       }
+      if (foreign) ascii += ' ';
+      else if (!ascii.empty()) ascii.append(cooked, before);
     }
     std::string raw(m_text.substr(start, m_pos - start));
     ++m_pos;
     // A wrong escape is no error in a file name, where backslashes are left as they are.
     t.keyword = wrong.empty() ? Keyword::kNone : Keyword::kError;
-    t.name = m_names.add_string(std::move(raw), std::move(cooked));
+    t.name = m_names.add_string(std::move(raw), std::move(cooked), std::move(ascii));
     m_tokens.push_back(t);
   }
 
@@ -240,11 +280,10 @@ class Lexer {
       m_tokens.push_back(t);
       return;
     }
-    for (std::size_t i = 1; i <= static_cast<std::size_t>(Punct::kBackquote); ++i) {
-      const Punct candidate = static_cast<Punct>(i);
-      if (spelling(candidate) != m_text.substr(m_pos, 1)) continue;
-      t.punct = candidate;
+    t.punct = kBytes.puncts[static_cast<unsigned char>(c)];
+    if (t.punct != Punct::kNone) {
       ++m_pos;
+      if (t.punct == Punct::kGreater && close_vector()) return;
       m_tokens.push_back(t);
       return;
     }
@@ -253,6 +292,35 @@ class Lexer {
     bad(t.where, std::string("unknown character 0x") + kHex[byte >> 4] + kHex[byte & 15] +
                      " outside a string or comment");
     ++m_pos;
+  }
+
+  // At a `>`: if all since the `<` are numbers, and that `<` can only begin a vector, they become
+  // one token.
+  bool close_vector() {
+    std::array<double, 5> values;  // from the last to the first
+    std::size_t count = 0, at = m_tokens.size();
+    for (;;) {
+      if (at < 4 || count == values.size() || m_tokens[at - 1].kind != TokenKind::kNumber) return false;
+      values[count] = m_tokens[--at].number;
+      if (m_tokens[at - 1].is(Punct::kMinus)) {
+        values[count] = -values[count];
+        --at;
+      }
+      ++count;
+      if (m_tokens[at - 1].is(Punct::kLess)) break;
+      if (!m_tokens[at - 1].is(Punct::kComma)) return false;
+      --at;
+    }
+    Token& less = m_tokens[at - 1];
+    if (count < 2 || at < 2 || (!m_tokens[at - 2].is(Punct::kComma) &&
+                                !m_tokens[at - 2].is(Punct::kLeftCurly))) {
+      return false;
+    }
+    less.name = static_cast<NameId>(count);
+    less.jump = m_list.components.size();
+    for (std::size_t i = count; i-- > 0;) m_list.components.push_back(values[i]);
+    m_tokens.resize(at);
+    return true;
   }
 
   // Gives every part of a conditional, loop or macro the place of the next part or of its #end,
@@ -295,7 +363,8 @@ class Lexer {
   const std::uint32_t m_file;
   const std::string_view m_text;
   NameTable& m_names;
-  std::vector<Token>& m_tokens;
+  TokenList& m_list;
+  Tokens& m_tokens;
   std::size_t m_pos = 0;
   std::size_t m_line_start = 0;
   std::uint32_t m_line = 1;
@@ -307,9 +376,11 @@ std::shared_ptr<const TokenList> tokenise(std::uint32_t file, std::string_view t
                                           NameTable& names) {
   auto list = std::make_shared<TokenList>();
   list->file = file;
-  list->tokens.reserve(text.size() / 4);
-  Lexer(file, text, names, list->tokens).run();
-  list->tokens.shrink_to_fit();
+  // Of a long list nothing is moved; what a reservation does not use is never made by the system.
+  constexpr std::size_t kLong = 1 << 20;
+  list->tokens.reserve(text.size() / (text.size() > kLong ? 2 : 4) + 1);
+  Lexer(text, names, *list).run();
+  if (text.size() <= kLong) list->tokens.shrink_to_fit();
   return list;
 }
 

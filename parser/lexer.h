@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "parser/large_pages.h"
 #include "parser/names.h"
 #include "parser/token.h"
 
@@ -17,7 +18,10 @@ namespace lentray::parser {
 /// The tokens of one text. Shared by everything that replays parts of it (macros, loops).
 struct TokenList {
   std::uint32_t file = 0;
-  std::vector<Token> tokens;
+  std::vector<Token, LargePages<Token>> tokens;
+  /// Of vectors of literal numbers behind a comma or a brace, of which data are made: `<` is the
+  /// only token, `jump` says where its components stand here and `name` how many there are.
+  std::vector<double, LargePages<double>> components;
 };
 
 std::shared_ptr<const TokenList> tokenise(std::uint32_t file, std::string_view text,

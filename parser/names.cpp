@@ -25,8 +25,8 @@ NameId NameTable::intern(std::string_view name) {
   return id;
 }
 
-NameId NameTable::add_string(std::string raw, std::string cooked) {
-  m_strings.push_back({std::move(raw), std::move(cooked)});
+NameId NameTable::add_string(std::string raw, std::string cooked, std::string ascii) {
+  m_strings.push_back({std::move(raw), std::move(cooked), std::move(ascii)});
   return static_cast<NameId>(m_strings.size() - 1);
 }
 

@@ -23,14 +23,18 @@ class NameTable {
   std::size_t size() const { return m_texts.size(); }
 
   /// String literals: `raw` is what stands between the quotes (file names take it so), `cooked`
-  /// has the escapes replaced.
-  NameId add_string(std::string raw, std::string cooked);
+  /// has the escapes replaced, `ascii` is that with a space for each byte that is not ASCII.
+  NameId add_string(std::string raw, std::string cooked, std::string ascii = {});
   const std::string& raw_string(NameId id) const { return m_strings[id].raw; }
   const std::string& string(NameId id) const { return m_strings[id].cooked; }
+  /// Null if the literal is ASCII as it stands.
+  const std::string* ascii_string(NameId id) const {
+    return m_strings[id].ascii.empty() ? nullptr : &m_strings[id].ascii;
+  }
 
  private:
   struct Literal {
-    std::string raw, cooked;
+    std::string raw, cooked, ascii;
   };
   std::deque<std::string> m_texts;
   std::unordered_map<std::string_view, NameId> m_ids;

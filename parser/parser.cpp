@@ -77,7 +77,6 @@ std::optional<T> Parser::accept_value() {
 template std::optional<Number> Parser::accept_value();
 template std::optional<std::string> Parser::accept_value();
 template std::optional<std::shared_ptr<ArrayValue>> Parser::accept_value();
-template std::optional<core::Transform> Parser::accept_value();
 template std::optional<Ref<FunctionDesc>> Parser::accept_value();
 template std::optional<Ref<SplineDesc>> Parser::accept_value();
 template std::optional<Ref<PigmentDesc>> Parser::accept_value();
@@ -161,6 +160,13 @@ SourceManager& Parser::sources() { return m_impl->in.sources; }
 
 void Parser::set_srgb_decoder(double (*decoder)(double)) {
   m_impl->in.expressions.srgb_to_linear = decoder;
+}
+
+void Parser::set_utf8(bool utf8) { m_impl->in.utf8 = utf8; }
+
+void Parser::set_noise_generator(int generator) {
+  *m_impl->in.noise_generator = generator;
+  m_impl->in.noise_generator_set = true;
 }
 
 std::optional<std::string> Parser::find_file(const std::string& name) {

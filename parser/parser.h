@@ -15,6 +15,7 @@
 
 #include "core/base/transform.h"
 #include "parser/diagnostics.h"
+#include "parser/limits.h"
 #include "parser/source.h"
 #include "parser/token.h"
 #include "parser/value.h"
@@ -51,6 +52,7 @@ struct ParserOptions {
   int frame_number = 0;                                        ///< 0: a still
   int image_width = 160, image_height = 120;
   int language_version = 0;                                    ///< Version=, x 100; 0: the scene decides
+  Limits limits;
 };
 
 class Parser {
@@ -121,6 +123,10 @@ class Parser {
   SourceManager& sources();
   /// How srgb colours become linear; the statement that reads assumed_gamma may change it.
   void set_srgb_decoder(double (*decoder)(double));
+  /// Whether string literals are UTF-8 rather than ASCII; the statement that reads charset sets it.
+  void set_utf8(bool utf8);
+  /// Which noise functions are made of; the statement that reads noise_generator sets it.
+  void set_noise_generator(int generator);
   /// Finds a file as `#include` does (current folder, folder of the scene, library paths).
   std::optional<std::string> find_file(const std::string& name);
 

@@ -1,9 +1,12 @@
 #include "parser/script_files.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <cstdio>
 
 #include "parser/interpreter.h"
+#include "parser/text.h"
 
 namespace lentray::parser {
 namespace {
@@ -26,6 +29,20 @@ constexpr BinaryFormat kFormats[] = {
     {Keyword::kSint32le, -2147483648.0, 2147483647.0, 4, false},
 };
 
+// As printf's %g.
+void append_number(std::string& text, double value) {
+  char digits[64];
+  if (std::isfinite(value)) {
+    constexpr int kPrecision = 6;
+    const auto end = std::to_chars(digits, digits + sizeof digits, value,
+                                   std::chars_format::general, kPrecision);
+    text.append(digits, end.ptr);
+  } else {
+    std::snprintf(digits, sizeof digits, "%g", value);
+    text += digits;
+  }
+}
+
 }  // namespace
 
 void ScriptFiles::open() {
@@ -44,7 +61,7 @@ void ScriptFiles::open() {
   } else {
     const bool append = tokens.accept(Keyword::kAppend);
     if (!append) tokens.expect(Keyword::kWrite);
-    file->out.reset(std::fopen(file->path.c_str(), append ? "ab" : "wb"));
+    file->out = m_in.sources.disk().open(file->path, append);
     if (!file->out) m_in.fail(where, "cannot open '" + file->path + "' for writing");
     m_in.texts.erase(file->path);
   }
@@ -91,18 +108,16 @@ void ScriptFiles::write() {
       tokens.skip();
       write_binary(*out, format->keyword);
     } else if (m_in.expressions.at_string()) {
-      const std::string text = m_in.expressions.parse_string();
-      std::fwrite(text.data(), 1, text.size(), out->out.get());
+      out->out->write(to_ascii(m_in.expressions.parse_string()));
     } else if (m_in.expressions.at_expression()) {
       const Number n = m_in.expressions.parse_additive();
-      std::string text;
+      std::string text = n.size > 1 ? "<" : "";
       for (int i = 0; i < n.size; ++i) {
-        char digits[64];
-        std::snprintf(digits, sizeof digits, "%g", n.v[static_cast<std::size_t>(i)]);
-        text += (i ? "," : "") + std::string(digits);
+        if (i) text += ',';
+        append_number(text, n.v[static_cast<std::size_t>(i)]);
       }
-      if (n.size > 1) text = "<" + text + "> ";
-      std::fwrite(text.data(), 1, text.size(), out->out.get());
+      if (n.size > 1) text += "> ";
+      out->out->write(text);
     } else {
       tokens.fail_expected("a string, float or vector to write");
     }
@@ -116,12 +131,15 @@ void ScriptFiles::write_binary(ScriptFile& file, Keyword keyword) {
   while (m_in.expressions.at_expression()) {
     const Number n = m_in.expressions.parse_additive();
     for (int i = 0; i < n.size; ++i) {
-      const double value = std::clamp(std::floor(n.v[static_cast<std::size_t>(i)] + 0.5),
-                                      format.lowest, format.highest);
+      const double rounded = std::floor(n.v[static_cast<std::size_t>(i)] + 0.5);
+      const double value = std::isnan(rounded)
+                               ? format.lowest
+                               : std::clamp(rounded, format.lowest, format.highest);
       const auto bits = static_cast<std::uint64_t>(static_cast<std::int64_t>(value));
       for (int b = 0; b < format.bytes; ++b) {
         const int shift = 8 * (format.big_endian ? format.bytes - 1 - b : b);
-        std::fputc(static_cast<int>((bits >> shift) & 0xFF), file.out.get());
+        const char byte = static_cast<char>((bits >> shift) & 0xFF);
+        file.out->write({&byte, 1});
       }
     }
     m_in.tokens.comma();
@@ -154,6 +172,13 @@ bool ScriptFiles::read_value(ScriptFile& file, Value& value) {
   if (t.kind == TokenKind::kString) {
     value = m_in.names.string(t.name);
     ++file.position;
+  } else if (t.is(Punct::kLess) && t.name > 0) {
+    Number n;
+    n.size = static_cast<int>(t.name);
+    std::copy_n(file.in->components.data() + t.jump, t.name, n.v.data());
+    n.is_colour = n.size == 5;
+    value = n;
+    ++file.position;
   } else if (t.is(Punct::kLess)) {
     ++file.position;
     Number n;
@@ -172,8 +197,13 @@ bool ScriptFiles::read_value(ScriptFile& file, Value& value) {
   } else {
     m_in.fail(t.where, "expected a float, vector or string in a file read by #read");
   }
-  if (at(Punct::kComma)) ++file.position;
-  else file.ended = file.position >= all.size();
+  // What follows is taken for the comma, whatever it is: so it is in stock.
+  if (file.position < all.size() && !at(Punct::kComma)) {
+    m_in.warn(all[file.position].where,
+              "expected ',' in a file read by #read; what stands there is left out");
+  }
+  file.ended = file.position >= all.size();
+  if (!file.ended) ++file.position;
   return true;
 }
 

@@ -2,10 +2,10 @@
 // Source: reference manual 3.7, "File I/O"; number formats measured on stock (%g).
 #pragma once
 
-#include <cstdio>
 #include <memory>
 #include <string>
 
+#include "parser/files.h"
 #include "parser/lexer.h"
 #include "parser/value.h"
 
@@ -15,7 +15,7 @@ struct Interpreter;
 
 struct ScriptFile {
   std::string path;
-  std::unique_ptr<std::FILE, int (*)(std::FILE*)> out{nullptr, &std::fclose};
+  std::unique_ptr<FileWriter> out;
   std::shared_ptr<const TokenList> in;
   std::size_t position = 0;   ///< in the tokens read
   bool ended = false;         ///< its end has been met, by a value without a comma behind it or by none

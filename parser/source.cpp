@@ -1,9 +1,5 @@
 #include "parser/source.h"
 
-#include <filesystem>
-#include <fstream>
-#include <sstream>
-
 namespace lentray::parser {
 namespace {
 
@@ -29,14 +25,9 @@ void drop_byte_order_mark(std::string& text) {
 }  // namespace
 
 std::optional<std::uint32_t> SourceManager::load(const std::string& path) {
-  std::error_code error;
-  if (std::filesystem::is_directory(path, error)) return std::nullopt;
-  std::ifstream in(path, std::ios::binary);
-  if (!in) return std::nullopt;
-  std::ostringstream bytes;
-  bytes << in.rdbuf();
-  if (in.bad()) return std::nullopt;
-  return add(path, std::move(bytes).str());
+  auto text = m_disk.read(path);
+  if (!text) return std::nullopt;
+  return add(path, std::move(*text));
 }
 
 std::uint32_t SourceManager::add(std::string name, std::string text) {

@@ -13,6 +13,8 @@
 #include <string_view>
 #include <vector>
 
+#include "parser/files.h"
+
 namespace lentray::parser {
 
 /// A place in a source: small, copied freely. file 0 is "nowhere" (built in, command line).
@@ -24,6 +26,12 @@ struct Location {
 
 class SourceManager {
  public:
+  /// `disk` is where files are looked for; it must outlive this.
+  explicit SourceManager(Files& disk = disk_files()) : m_disk(disk) {}
+
+  /// Where this scene's files are, those that it writes too.
+  Files& disk() const { return m_disk; }
+
   /// Reads a file; its number, or nullopt if it cannot be read. Every call reads anew: a scene may
   /// write a file and include it again.
   std::optional<std::uint32_t> load(const std::string& path);
@@ -43,6 +51,7 @@ class SourceManager {
     mutable std::vector<std::size_t> line_starts;  ///< found when a message first asks
   };
   const File* find(std::uint32_t file) const;
+  Files& m_disk;
   std::deque<File> m_files;  // number - 1; views into texts stay valid
 };
 

@@ -29,6 +29,12 @@ struct Macro {
 
 struct ScriptFile;  // of #fopen
 
+/// What is said when a deprecated identifier is read.
+struct Deprecation {
+  std::string text;
+  bool once = false;
+};
+
 struct Symbol : std::enable_shared_from_this<Symbol> {
   Value value;
   std::shared_ptr<const Macro> macro;
@@ -36,8 +42,7 @@ struct Symbol : std::enable_shared_from_this<Symbol> {
   std::shared_ptr<Symbol> alias;             ///< a parameter: the symbol passed by reference
   std::shared_ptr<ArrayValue> alias_array;   ///< ... or the array one of whose elements was
   std::size_t alias_index = 0;
-  bool deprecated = false, deprecated_once = false;
-  std::string deprecation;
+  std::unique_ptr<Deprecation> deprecated;
   std::uint32_t level = 0;                   ///< scope it lives in; 0: global
 
   /// Makes it hold this value and nothing else; it stays in its scope.
@@ -47,8 +52,11 @@ struct Symbol : std::enable_shared_from_this<Symbol> {
     file.reset();
     alias.reset();
     alias_array.reset();
-    deprecated = false;
+    deprecated.reset();
   }
+
+  /// Its value is its own, and nothing happens when its name is read.
+  bool is_plain() const { return !macro && !alias && !alias_array && !deprecated; }
 
   /// The symbol itself behind references.
   Symbol& target() {

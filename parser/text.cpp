@@ -60,4 +60,14 @@ std::string encode_character(unsigned code) {
   return out;
 }
 
+std::string to_ascii(std::string text) {
+  std::size_t out = 0;
+  for (const char c : text) {
+    if (continues(c)) continue;
+    text[out++] = static_cast<unsigned char>(c) > 0x7F ? ' ' : c;
+  }
+  text.resize(out);
+  return text;
+}
+
 }  // namespace lentray::parser

@@ -15,5 +15,7 @@ double first_character(std::string_view text);
 /// The difference of the codes of the first characters that differ, as stock's strcmp(); 0: equal.
 double character_difference(std::string_view a, std::string_view b);
 std::string encode_character(unsigned code);
+/// With a space for each character that is not ASCII: what stock writes.
+std::string to_ascii(std::string text);
 
 }  // namespace lentray::parser

@@ -1,5 +1,7 @@
 #include "parser/token_reader.h"
 
+#include <algorithm>
+
 #include "parser/interpreter.h"
 #include "parser/keywords.h"
 
@@ -109,8 +111,8 @@ bool TokenReader::identifier(const Token& raw) {
       }
     }
     if (symbol.deprecated && !plain_names) {
-      m_in.warn(raw.where, symbol.deprecation);
-      if (symbol.deprecated_once) symbol.deprecated = false;
+      m_in.warn(raw.where, symbol.deprecated->text);
+      if (symbol.deprecated->once) symbol.deprecated.reset();
     }
   }
   show(raw);
@@ -132,7 +134,7 @@ void TokenReader::subscripts(const Token& raw, std::shared_ptr<ArrayValue> array
       const double subscript = m_in.expressions.parse_float();
       const int size = array->sizes[dimension];
       // Stock adds this before it cuts off the fraction.
-      const int i = static_cast<int>(subscript + 1e-10);
+      const int i = to_int(subscript + 1e-10);
       if (!(subscript > -1e-10) || i < 0 || i >= size) {
         m_in.fail(where, "array subscript " + std::to_string(i) + " out of range: " +
                              std::string(m_in.names.text(token.name)) + " has " +
@@ -153,21 +155,37 @@ void TokenReader::subscripts(const Token& raw, std::shared_ptr<ArrayValue> array
   show(token);
 }
 
-Symbol* TokenReader::symbol() {
-  if (m_token.kind != TokenKind::kIdentifier) return nullptr;
-  Symbol* found = m_symbols.find(m_token.name);
-  return found ? &found->target() : nullptr;
-}
-
-Value* TokenReader::value() {
-  if (m_held || m_token.kind != TokenKind::kIdentifier) return nullptr;
-  Value* found = nullptr;
-  if (m_array) {
-    found = &m_array->elements[m_index];
-  } else if (Symbol* s = symbol()) {
-    found = &s->resolve();
+// `<` has been shown: it may stand for the whole vector. Or else the tokens behind it, if they are
+// numbers and nothing else up to `>`, become n's components and are consumed with it.
+bool TokenReader::accept_literal_vector(Number& n) {
+  Frame& frame = m_stream.top();
+  if (m_token.name > 0) {
+    n.size = static_cast<int>(m_token.name);
+    std::copy_n(frame.list->components.data() + m_token.jump, m_token.name, n.v.data());
+    m_last = m_token.where;
+    m_ready = false;
+    return true;
   }
-  return found && std::holds_alternative<std::monostate>(*found) ? nullptr : found;
+  const Token* t = frame.cursor;
+  std::size_t size = 0;
+  for (;; ++size) {
+    // A number and what ends it: three tokens at most.
+    if (frame.end - t < 3 || size == n.v.size()) return false;
+    const bool minus = t->is(Punct::kMinus);
+    if (minus) ++t;
+    if (t->kind != TokenKind::kNumber) return false;
+    n.v[size] = minus ? -t->number : t->number;
+    ++t;
+    if (t->is(Punct::kGreater)) break;
+    if (!t->is(Punct::kComma)) return false;
+    ++t;
+  }
+  if (size == 0) return false;
+  n.size = static_cast<int>(size + 1);
+  m_last = t->where;
+  frame.cursor = t + 1;
+  m_ready = false;
+  return true;
 }
 
 Token TokenReader::read_name(std::string_view what) {

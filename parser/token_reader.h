@@ -21,25 +21,18 @@ class TokenReader {
   }
 
   const Token& peek() {
-    if (m_ready) return m_token;
-    // Most tokens are punctuation and numbers, which nothing can change.
-    const Token* raw = m_stream.look();
-    if (raw && (raw->kind == TokenKind::kNumber ||
-                (raw->kind == TokenKind::kPunct && raw->punct != Punct::kHash))) {
-      m_held = false;
-      return show(*m_stream.read());
-    }
+    if (m_ready || show_plain()) return m_token;
     fetch_or_hold();
     return m_held ? m_boundary : m_token;
   }
   /// Where an operand must follow: a statement cannot end here, so nothing is held back.
   const Token& peek_operand() {
-    if (!m_ready) fetch();
+    if (!m_ready && !show_plain()) fetch();
     return m_token;
   }
   Token next();
   void skip() {
-    if (!m_ready) fetch();
+    if (!m_ready && !show_plain()) fetch();
     consume();
   }
 
@@ -61,8 +54,24 @@ class TokenReader {
 
   /// Of the identifier that peek() shows: its symbol (null if it has none), and the value it or its
   /// array element holds (null if there is none). Valid until the next token is asked for.
-  Symbol* symbol();
-  Value* value();
+  Symbol* symbol() {
+    if (m_token.kind != TokenKind::kIdentifier) return nullptr;
+    Symbol* found = m_symbols.find(m_token.name);
+    return found ? &found->target() : nullptr;
+  }
+  Value* value() {
+    if (m_held || m_token.kind != TokenKind::kIdentifier) return nullptr;
+    Value* found = nullptr;
+    if (m_array) {
+      found = &m_array->elements[m_index];
+    } else if (Symbol* s = symbol()) {
+      found = &s->resolve();
+    }
+    return found && found->index() == 0 ? nullptr : found;
+  }
+  /// At `<`: reads a vector of literal numbers to its end, the commonest of all. False, and nothing
+  /// read, if anything else stands there.
+  bool accept_literal_vector(Number& n);
   /// If the identifier shown is an element of an array: that array and the index.
   const std::shared_ptr<ArrayValue>& element_array() const { return m_array; }
   std::size_t element_index() const { return m_index; }
@@ -120,6 +129,35 @@ class TokenReader {
       case Punct::kRightCurly: case Punct::kRightParen: case Punct::kRightSquare: --m_nesting; break;
       default: break;
     }
+  }
+  /// Shows the next token if it is what most are: nothing that happens in between, no macro, no
+  /// element of an array.
+  bool show_plain() {
+    const Token* raw = m_stream.look();
+    if (!raw) return false;
+    switch (raw->kind) {
+      case TokenKind::kNumber: case TokenKind::kString: break;
+      case TokenKind::kPunct:
+        if (raw->punct == Punct::kHash) return false;
+        break;
+      case TokenKind::kKeyword:
+        if (raw->keyword == Keyword::kDeclare || raw->keyword == Keyword::kInclude ||
+            raw->keyword == Keyword::kDefault) {
+          return false;
+        }
+        break;
+      case TokenKind::kIdentifier: {
+        const Symbol* symbol = m_symbols.find(raw->name);
+        if (!symbol || !symbol->is_plain()) return false;
+        if (std::holds_alternative<std::shared_ptr<ArrayValue>>(symbol->value)) return false;
+        if (m_array) m_array.reset();
+        break;
+      }
+      default: return false;
+    }
+    m_held = false;
+    show(*m_stream.read());
+    return true;
   }
   bool identifier(const Token& token);
   void subscripts(const Token& token, std::shared_ptr<ArrayValue> array);

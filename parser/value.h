@@ -56,7 +56,7 @@ template <typename Desc>
 using Ref = std::shared_ptr<const Desc>;
 
 using Value = std::variant<std::monostate,  // declared, not set (array element)
-                           Number, std::string, std::shared_ptr<ArrayValue>, core::Transform,
+                           Number, std::string, std::shared_ptr<ArrayValue>, Ref<core::Transform>,
                            Ref<FunctionDesc>, Ref<SplineDesc>, Ref<PigmentDesc>, Ref<NormalDesc>,
                            Ref<FinishDesc>, Ref<TextureDesc>, Ref<InteriorDesc>, Ref<MaterialDesc>,
                            Ref<MediaDesc>, Ref<DensityDesc>, Ref<ObjectDesc>, Ref<CameraDesc>,
@@ -77,6 +77,8 @@ struct FunctionDesc {
   std::string name;
   std::shared_ptr<const core::Function> function;  ///< never null
   Ref<PigmentDesc> pigment;  ///< of `function { pigment {...} }`: what is evaluated, else null
+  std::size_t depth = 1;     ///< functions that call functions, this one included
+  double calls = 1.0;        ///< functions evaluated for one value, at most
 };
 
 }  // namespace lentray::parser

@@ -42,23 +42,7 @@ class LightBuffer {
     double w = 0.0;
     bool known = false;  ///< it was asked for
   };
-  Spot spot_of(const Vec3& point) const {
-    const Vec3 v = point - m_light;
-    const int side = LightFace::of(v);
-    const double size[3] = {std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)};
-    Spot spot;
-    spot.known = true;
-    spot.w = size[side / 2];
-    for (const Grid& grid : m_faces[static_cast<std::size_t>(side)]) {
-      const std::int64_t index = grid.raster.cell_of(v, spot.w);
-      if (index < 0) continue;
-      spot.cell = &grid.cells[static_cast<std::size_t>(index)];
-      spot.entries = grid.entries.data();
-      __builtin_prefetch(spot.cell);
-      break;
-    }
-    return spot;
-  }
+  Spot spot_of(const Vec3& point) const;
 
   /// As Hierarchy::any_opaque, for a ray from the point of `spot` to the light: t_min is the
   /// tolerance, t_max the way to the light less the tolerance.
@@ -129,5 +113,23 @@ struct alignas(16) LightBuffer::Cell {
   float full_w = std::numeric_limits<float>::infinity();
   std::uint32_t cover = 0;  ///< what blocks all beyond full_w
 };
+
+inline LightBuffer::Spot LightBuffer::spot_of(const Vec3& point) const {
+  const Vec3 v = point - m_light;
+  const int side = LightFace::of(v);
+  const double size[3] = {std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)};
+  Spot spot;
+  spot.known = true;
+  spot.w = size[side / 2];
+  for (const Grid& grid : m_faces[static_cast<std::size_t>(side)]) {
+    const std::int64_t index = grid.raster.cell_of(v, spot.w);
+    if (index < 0) continue;
+    spot.cell = &grid.cells[static_cast<std::size_t>(index)];
+    spot.entries = grid.entries.data();
+    __builtin_prefetch(spot.cell);
+    break;
+  }
+  return spot;
+}
 
 }  // namespace lentray::core

@@ -8,6 +8,9 @@
 namespace lentray::core {
 namespace {
 
+constexpr double kMostTerms = 1e6;   // of a sum or product
+constexpr double kFarthest = 9e15;   // beyond, steps of one do not move a number
+
 class Compiler {
  public:
   Compiler(std::size_t parameters, std::size_t locals)
@@ -140,16 +143,23 @@ class Compiler {
     m_code[at].jump = static_cast<std::uint16_t>(m_callees.size() - 1);
   }
 
-  // From the first to the last value in steps of one, as long as it is not beyond the last.
+  // From the first to the last value in steps of one, as long as it is not beyond the last. Never
+  // more than kMostTerms, and only where steps of one move on: else it would not end.
   void series(const FunctionNode& node, std::int16_t target) {
     const bool sum = node.op == FunctionOp::kSum;
     const std::int16_t variable = local(node.index);
     into(*node.operands[0], variable);
-    const std::int16_t last = operand(*node.operands[1]);
+    const std::int16_t last = allocate();
+    emit(ProgramOp::kArithmetic, variable, variable, constant(-kFarthest), FunctionOp::kMax);
+    into(*node.operands[1], last);
+    emit(ProgramOp::kArithmetic, last, last, constant(kFarthest), FunctionOp::kMin);
+    const std::int16_t limit = allocate();
+    emit(ProgramOp::kArithmetic, limit, variable, constant(kMostTerms), FunctionOp::kAdd);
+    emit(ProgramOp::kArithmetic, last, last, limit, FunctionOp::kMin);
     const std::int16_t total = allocate();
     emit(ProgramOp::kMove, total, constant(sum ? 0.0 : 1.0));
     const std::size_t loop = m_code.size();
-    const std::size_t end = emit(ProgramOp::kJumpGreater, 0, variable, last);
+    const std::size_t end = emit(ProgramOp::kJumpPast, 0, variable, last);
     const std::int16_t term = operand(*node.operands[2]);
     emit(ProgramOp::kArithmetic, total, total, term,
          sum ? FunctionOp::kAdd : FunctionOp::kMultiply);

@@ -9,7 +9,9 @@
 
 namespace lentray::core {
 
-/// Null if there is no such number.
-std::shared_ptr<const Function> internal_function(int number);
+/// Null if there is no such number. `noise_generator` is the scene's, for f_noise3d: it may still
+/// change while the scene is read. Without one it is 2.
+std::shared_ptr<const Function> internal_function(
+    int number, std::shared_ptr<const int> noise_generator = nullptr);
 
 }  // namespace lentray::core

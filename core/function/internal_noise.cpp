@@ -4,8 +4,17 @@
 namespace lentray::core {
 namespace {
 
+/// Of an absurd number of octaves the first do: the others cannot be told apart.
+constexpr double kMostOctaves = 1000.0;
+
+/// A whole number within +-1000.
+int whole(double parameter) {
+  return static_cast<int>(std::isnan(parameter) ? 0.0
+                                                : std::clamp(parameter, -kMostOctaves, kMostOctaves));
+}
+
 /// Parameters choose a noise generator by their last two bits.
-int generator_of(double parameter) { return static_cast<int>(parameter) & 3; }
+int generator_of(double parameter) { return whole(parameter) & 3; }
 
 /// Noise between -1 and 1.
 double signed_noise(const Vec3& point, int generator) { return noise(point, generator) * 2.0 - 1.0; }
@@ -18,21 +27,22 @@ double noise_generator(const double* a) { return noise({a[0], a[1], a[2]}, gener
 // sum so far weighs an octave, P5 generator.
 double hetero_mf(const double* a) {
   const FormulaPoint q(a);
-  const int generator = generator_of(q.p[5]), weighings = static_cast<int>(q.p[4]);
+  const int generator = generator_of(q.p[5]), weighings = whole(q.p[4]);
+  const double octaves = std::min(q.p[2], kMostOctaves);
   Vec3 point(q.x, q.y, q.z);
   double sum = signed_noise(point, generator) + q.p[3];
   const double damping = std::pow(q.p[1], -q.p[0]);
   double strength = damping;
   const auto octave = [&] { return (signed_noise(point, generator) + q.p[3]) * strength; };
   point = point * q.p[1];
-  for (int i = 1; i < q.p[2]; ++i) {
+  for (int i = 1; i < octaves; ++i) {
     double more = octave();
     for (int n = 0; n < weighings; ++n) more *= sum;
     sum += more;
     point = point * q.p[1];
     strength *= damping;
   }
-  const double rest = q.p[2] - static_cast<int>(q.p[2]);
+  const double rest = octaves - whole(octaves);
   if (rest != 0.0) sum += rest * octave() * sum;
   return sum;
 }
@@ -40,10 +50,10 @@ double hetero_mf(const double* a) {
 // Folded noise: P0 lacunarity, P1 octaves, P2 gain, P3 offset, P4 where the fold is, P5 generator.
 double ridge(const double* a) {
   const FormulaPoint q(a);
-  const int generator = generator_of(q.p[5]), octaves = static_cast<int>(q.p[1]);
+  const int generator = generator_of(q.p[5]), octaves = whole(q.p[1]);
   const double offset = q.p[3], fold = q.p[4];
   const double fold_scale = 1.0 / std::max(fold, 1.0 - fold);
-  const double rest = q.p[1] - octaves;
+  const double rest = std::min(q.p[1], kMostOctaves) - octaves;
   const Vec3 point(q.x, q.y, q.z);
   const auto folded = [&](double frequency) {
     return std::fabs(noise(point * frequency, generator) - fold) * fold_scale - offset;
@@ -69,7 +79,7 @@ double ridged_mf(const double* a) {
   Vec3 point(q.x, q.y, q.z);
   const auto crest = [&] { return squared(q.p[3] - std::fabs(signed_noise(point, generator))); };
   double signal = crest(), sum = signal, frequency = 1.0;
-  for (int i = 1; i < q.p[2]; ++i) {
+  for (int i = 1; i < std::min(q.p[2], kMostOctaves); ++i) {
     point = point * q.p[1];
     frequency *= q.p[1];
     const double weight = std::clamp(signal * q.p[4], 0.0, 1.0);

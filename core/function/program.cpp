@@ -96,7 +96,7 @@ double Program::run(double* frame, std::span<const double> arguments) const {
       case ProgramOp::kJumpFalse: if (value(i.a) == 0.0) pc = i.jump; break;
       case ProgramOp::kJumpNotNegative: if (!(value(i.a) < 0.0)) pc = i.jump; break;
       case ProgramOp::kJumpNotZero: if (value(i.a) != 0.0) pc = i.jump; break;
-      case ProgramOp::kJumpGreater: if (value(i.a) > value(i.b)) pc = i.jump; break;
+      case ProgramOp::kJumpPast: if (!(value(i.a) <= value(i.b))) pc = i.jump; break;
       case ProgramOp::kCall: {
         const Function& callee = *m_callees[i.jump];
         const std::span<const double> given(frame + i.b, callee.parameters());

@@ -22,7 +22,7 @@ enum class ProgramOp : std::uint8_t {
   kJumpFalse,    ///< to `jump` if a is 0
   kJumpNotNegative,
   kJumpNotZero,
-  kJumpGreater,  ///< to `jump` if a > b
+  kJumpPast,     ///< to `jump` unless a <= b, so with nan too
   kCall,         ///< target = component `a` of callee number `jump` called with registers from b
 };
 

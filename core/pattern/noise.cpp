@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <cstdint>
 #include <numbers>
 #include <random>
@@ -96,7 +97,10 @@ struct CellAxis {
   double weight_near, weight_far;
 
   explicit CellAxis(double x) {
-    const auto cell = static_cast<std::int64_t>(x >= 0.0 ? x : x - (1.0 - kEpsilon));
+    const double below = x >= 0.0 ? x : x - (1.0 - kEpsilon);
+    // Beyond all cells, and for nan, what the processor makes of the conversion.
+    const std::int64_t cell = std::fabs(below) < 9e18 ? static_cast<std::int64_t>(below)
+                                                      : std::numeric_limits<std::int64_t>::min();
     index = static_cast<int>((cell + kLatticeOrigin) & (kLattice - 1));
     near = x - static_cast<double>(cell);
     far = near - 1.0;

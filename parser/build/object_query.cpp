@@ -1,13 +1,10 @@
 #include "parser/build/object_query.h"
 
-#include <algorithm>
-
 #include "parser/build/object_builder.h"
 
 namespace lentray::parser {
 namespace {
 
-constexpr double kHuge = 1e10;         ///< where stock's bounding boxes end
 constexpr double kMinDistance = 1e-4;  ///< trace() does not see what is nearer
 
 }  // namespace
@@ -37,18 +34,6 @@ bool ObjectQuery::trace(const core::Vec3& origin, const core::Vec3& direction, c
   point = ray.at(hit.t);
   normal = hit.leaf->normal(point, hit.shape);
   return true;
-}
-
-void ObjectQuery::extent(core::Vec3& lo, core::Vec3& hi) const {
-  lo = hi = core::Vec3{};
-  if (!m_object) return;
-  core::Bounds bounds = m_object->bounds();
-  for (const auto& clip : m_object->clips()) bounds.intersect(clip->bounds());
-  if (bounds.is_empty()) return;
-  for (int axis = 0; axis < 3; ++axis) {
-    lo[axis] = std::max(bounds.lo[axis], -kHuge);
-    hi[axis] = std::min(bounds.hi[axis], kHuge);
-  }
 }
 
 }  // namespace lentray::parser

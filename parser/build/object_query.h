@@ -1,4 +1,4 @@
-// inside(), trace(), min_extent(), max_extent() of SDL: one object compiled alone, geometry only.
+// inside() and trace() of SDL: one object compiled alone, geometry only.
 // The compiled form is kept with the description, so asking often costs little. One thread.
 // Source: reference manual 3.7, "Float Functions", "Vector Functions"; answers as stock's.
 #pragma once
@@ -19,8 +19,6 @@ class ObjectQuery {
   /// The nearest hit and its normal; false, with point and normal null, if there is none.
   bool trace(const core::Vec3& origin, const core::Vec3& direction, core::Vec3& point,
              core::Vec3& normal) const;
-  /// Corners of the bounding box; infinite sides are at +-1e10, as in stock.
-  void extent(core::Vec3& lo, core::Vec3& hi) const;
 
  private:
   std::shared_ptr<const core::Object> m_object;  ///< null: nothing of it is rendered

@@ -191,6 +191,9 @@ struct ObjectDesc {
   std::optional<double> radiosity_importance;
   PhotonFlags photons;
 
+  std::size_t depth = 1;                ///< objects nested in each other, this one included
+  double parts = 1.0;                   ///< objects in it, each as often as it is used
+
   mutable CompiledSlot compiled;
 
   bool is_light() const { return std::holds_alternative<LightShape>(shape); }

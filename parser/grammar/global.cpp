@@ -36,6 +36,7 @@ void parse_noise_generator(Parser& parser, GlobalDesc& global) {
   global.noise_generator = parser.parse_int();
   check(parser, *global.noise_generator >= 0 && *global.noise_generator <= 3,
         "noise_generator must be 1, 2 or 3.");
+  parser.set_noise_generator(*global.noise_generator);
 }
 
 void parse_number_of_waves(Parser& parser, GlobalDesc& global) {
@@ -47,10 +48,12 @@ void parse_number_of_waves(Parser& parser, GlobalDesc& global) {
 }
 
 void parse_charset(Parser& parser, GlobalDesc&) {
-  if (!parser.accept(Keyword::kAscii) && !parser.accept(Keyword::kUtf8) &&
-      !parser.accept(Keyword::kSys)) {
+  const bool utf8 = parser.at(Keyword::kUtf8);
+  if (!utf8 && !parser.at(Keyword::kAscii) && !parser.at(Keyword::kSys)) {
     parser.fail_expected("ascii, utf8 or sys");
   }
+  parser.next();
+  parser.set_utf8(utf8);
 }
 
 void parse_hf_gray_16(Parser& parser, GlobalDesc&) {

@@ -209,6 +209,7 @@ Ref<ObjectDesc> parse_light_group(Parser& parser, Context& context, const Locati
       parser.fail_expected("an object, a transform, global_lights, photons or }");
     }
   }
+  measure(parser, *object);
   return object;
 }
 

@@ -1,4 +1,5 @@
 // mesh and mesh2. Source: reference manual 3.7, "Mesh", "Mesh2".
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <unordered_map>
@@ -113,6 +114,21 @@ void parse_counted(Parser& parser, Item item) {
   parser.expect(Punct::kRightCurly);
 }
 
+/// `{ count, items }` into a list.
+template <typename List, typename Read>
+void parse_list(Parser& parser, List& list, Read read) {
+  constexpr int kMostReserved = 1 << 20;  // the number is only what the scene says
+  parser.expect(Punct::kLeftCurly);
+  const int count = parser.parse_int();
+  parser.parse_comma();
+  list.reserve(static_cast<std::size_t>(std::clamp(count, 0, kMostReserved)));
+  for (int i = 0; i < count; ++i) {
+    list.push_back(read());
+    parser.parse_comma();
+  }
+  parser.expect(Punct::kRightCurly);
+}
+
 std::array<int, 3> parse_triple(Parser& parser) {
   const Vec3 v = parser.parse_vector();
   return {static_cast<int>(v.x), static_cast<int>(v.y), static_cast<int>(v.z)};
@@ -143,7 +159,7 @@ struct Mesh2Reader {
   /// One block of the mesh; false if the next token starts none.
   bool accept_block(Parser& parser, Context& context) {
     if (parser.accept(Keyword::kVertexVectors)) {
-      parse_counted(parser, [&](int) { mesh.vertices.push_back(parser.parse_vector()); });
+      parse_list(parser, mesh.vertices, [&] { return parser.parse_vector(); });
       if (mesh.vertices.empty()) parser.fail("No vertices in triangle mesh.");
     } else if (parser.accept(Keyword::kNormalVectors)) {
       parse_counted(parser, [&](int) { mesh.normals.push_back(parser.parse_vector()); });
@@ -162,7 +178,7 @@ struct Mesh2Reader {
         mesh.textures.push_back(texture);
       });
     } else if (parser.accept(Keyword::kFaceIndices)) {
-      parse_counted(parser, [&](int) { mesh.faces.push_back(parse_indexed_face(parser, mesh)); });
+      parse_list(parser, mesh.faces, [&] { return parse_indexed_face(parser, mesh); });
       if (mesh.faces.empty()) parser.fail("No triangles in triangle mesh.");
     } else if (parser.accept(Keyword::kNormalIndices)) {
       has_normal_indices = true;

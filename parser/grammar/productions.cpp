@@ -1,5 +1,6 @@
 #include "parser/grammar/productions.h"
 
+#include "parser/build/stock_box.h"
 #include "parser/grammar/atmosphere.h"
 #include "parser/grammar/camera.h"
 #include "parser/grammar/object.h"
@@ -60,7 +61,11 @@ bool Grammar::trace(const ObjectDesc& object, const core::Vec3& origin, const co
 }
 
 void Grammar::extent(const ObjectDesc& object, core::Vec3& lo, core::Vec3& hi) {
-  query(object).extent(lo, hi);
+  bool is_whole = true;
+  const core::Bounds box = stock_box(object, is_whole);
+  if (!is_whole) m_context.has_guesses = true;
+  lo = box.lo;
+  hi = box.hi;
 }
 
 Ref<FunctionDesc> Grammar::pattern_function(Parser& parser) {

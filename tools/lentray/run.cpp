@@ -111,7 +111,7 @@ void parse_alone(Run& run, const std::string& path) {
   const double seconds = cpu_seconds() - before;
   parser::build_scene(scene, diagnostics, {o.quality});
   if (!o.verbose) return;
-  std::fprintf(stderr, "Parsed: %zu objects and lights, %zu warnings, %.2f s\n",
+  std::fprintf(stderr, "Parsed: %zu objects and lights, %zu warnings, %.3f s\n",
                scene.objects.size(), diagnostics.warnings().size(), seconds);
 }
 

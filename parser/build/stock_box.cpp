@@ -1,0 +1,222 @@
+#include "parser/build/stock_box.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "parser/build/object_builder.h"
+
+namespace lentray::parser {
+namespace {
+
+using core::Bounds;
+using core::Transform;
+
+constexpr double kHuge = 1e10;       ///< where boxes end
+constexpr double kCritical = 1e6;    ///< a CSG's box longer than this is taken for infinite
+constexpr double kThickness = 1e-3;  ///< flat things are given this much to both sides
+constexpr double kTiny = 1e-10;
+
+Bounds everything() { return {Vec3(-kHuge), Vec3(kHuge)}; }
+
+double single(double x) { return static_cast<double>(static_cast<float>(x)); }
+
+/// A corner and lengths is what is kept, in single precision.
+Bounds kept(const Bounds& b) {
+  Bounds out;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double lo = std::clamp(b.lo[axis], -kHuge, kHuge);
+    const double hi = std::clamp(b.hi[axis], -kHuge, kHuge);
+    out.lo[axis] = single(lo);
+    out.hi[axis] = out.lo[axis] + single(hi - lo);
+  }
+  return out;
+}
+
+Bounds moved(const Bounds& b, const Transform& t) {
+  return t.is_identity() ? b : kept(core::transformed(b, t));
+}
+
+/// Unit lengths stand for `radius` across and `length` along the z axis, which becomes `axis`.
+Transform standing(const Vec3& origin, const Vec3& axis, double radius, double length) {
+  const bool upright = std::fabs(axis.z) > 1.0 - kTiny;
+  const Vec3 about = upright ? Vec3(1, 0, 0) : Vec3(-axis.y, axis.x, 0);
+  const double angle = upright ? (axis.z < 0.0 ? std::acos(-1.0) : 0.0) : std::acos(axis.z);
+  return Transform::scaling({radius, radius, length})
+      .then(Transform::axis_rotation(about, angle))
+      .then(Transform::translation(origin));
+}
+
+bool is_rotation(const Transform& t) {
+  constexpr double kNear = 1e-9;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = i; j < 3; ++j) {
+      double product = 0.0;
+      for (std::size_t k = 0; k < 3; ++k) product += t.rows()[i][k] * t.rows()[j][k];
+      if (std::fabs(product - (i == j ? 1.0 : 0.0)) > kNear) return false;
+    }
+  }
+  return true;
+}
+
+Bounds about(const Vec3& centre, double radius) {
+  return {centre - Vec3(radius), centre + Vec3(radius)};
+}
+
+class BoxFinder {
+ public:
+  explicit BoxFinder(bool& is_whole) : m_is_whole(is_whole) {}
+
+  Bounds of(const ObjectDesc& object) {
+    Bounds box = std::visit([&](const auto& shape) { return leaf(shape, object); }, object.shape);
+    for (const auto* regions : {&object.clipped_by, &object.bounded_by}) {
+      for (const Ref<ObjectDesc>& region : *regions) {
+        if (region->inverse) continue;
+        Bounds both = box;
+        both.intersect(of(*region));
+        if (!both.is_empty()) box = both;
+      }
+    }
+    return kept(box);
+  }
+
+ private:
+  /// What a part of an intersection leaves, or its outside: of planes only those along an axis have
+  /// a box, all others have none outside.
+  Bounds limited(const ObjectDesc& part, bool outside) {
+    const auto* plane = std::get_if<PlaneShape>(&part.shape);
+    if (part.inverse) outside = !outside;
+    if (!plane) return outside ? everything() : of(part);
+    Bounds box = everything();
+    const Vec3 normal =
+        core::normalized(part.transform.normal(plane->normal)) * (outside ? -1.0 : 1.0);
+    const Vec3 unit = core::normalized(plane->normal);
+    const Vec3 on = part.transform.point(unit * plane->distance);
+    for (int axis = 0; axis < 3; ++axis) {
+      if (normal[axis] > 1.0 - kTiny) box.hi[axis] = on[axis];
+      if (normal[axis] < kTiny - 1.0) box.lo[axis] = on[axis];
+    }
+    return box;
+  }
+
+  Bounds leaf(const SphereShape& s, const ObjectDesc& o) {
+    if (is_rotation(o.transform)) return kept(about(o.transform.point(s.centre), s.radius));
+    return moved(about(s.centre, s.radius), o.transform);
+  }
+  Bounds leaf(const BoxShape& s, const ObjectDesc& o) {
+    Bounds box;
+    box.include(s.corner1);
+    box.include(s.corner2);
+    return moved(kept(box), o.transform);
+  }
+  Bounds leaf(const PlaneShape&, const ObjectDesc&) { return everything(); }
+  Bounds leaf(const LightShape&, const ObjectDesc&) { return everything(); }
+  Bounds leaf(const CylinderShape& s, const ObjectDesc& o) {
+    const Vec3 axis = s.cap - s.base;
+    const double length = core::length(axis);
+    return moved({{-1, -1, 0}, {1, 1, 1}},
+                 standing(s.cap, -axis / length, s.radius, length).then(o.transform));
+  }
+  /// A cone stands on its tip: from there its wider end is at 1.
+  Bounds leaf(const ConeShape& s, const ObjectDesc& o) {
+    const bool wider_base = s.base_radius > s.cap_radius;
+    const Vec3 narrow = wider_base ? s.cap : s.base, wide = wider_base ? s.base : s.cap;
+    const double small = wider_base ? s.cap_radius : s.base_radius;
+    const double large = wider_base ? s.base_radius : s.cap_radius;
+    if (large - small < kTiny) return leaf(CylinderShape{s.base, s.cap, large, s.open}, o);
+    const double length = core::length(wide - narrow);
+    const Vec3 axis = (wide - narrow) / length;
+    const double below = small * length / (large - small);
+    return moved({{-1, -1, below / (below + length)}, {1, 1, 1}},
+                 standing(narrow - axis * below, axis, large, below + length).then(o.transform));
+  }
+  Bounds leaf(const DiscShape& s, const ObjectDesc& o) {
+    return moved(kept({{-s.radius, -s.radius, -kThickness}, {s.radius, s.radius, kThickness}}),
+                 standing(s.centre, core::normalized(s.normal), 1, 1).then(o.transform));
+  }
+  Bounds leaf(const TorusShape& s, const ObjectDesc& o) {
+    const double out = s.major + s.minor;
+    return moved(kept({{-out, -s.minor, -out}, {out, s.minor, out}}), o.transform);
+  }
+  Bounds leaf(const SuperellipsoidShape&, const ObjectDesc& o) {
+    return moved(kept(about({}, 1.0001)), o.transform);
+  }
+  Bounds leaf(const PolygonShape& s, const ObjectDesc& o) {
+    Bounds box;
+    for (const Vec3& p : s.points) box.include(o.transform.point(p));
+    for (int axis = 0; axis < 3; ++axis) {
+      if (box.hi[axis] - box.lo[axis] >= kThickness) continue;
+      box.lo[axis] -= kThickness;
+      box.hi[axis] += kThickness;
+    }
+    return kept(box);
+  }
+  Bounds leaf(const TriangleShape& s, const ObjectDesc& o) { return points(s.p, o); }
+  Bounds leaf(const SmoothTriangleShape& s, const ObjectDesc& o) { return points(s.p, o); }
+  Bounds points(const std::array<Vec3, 3>& corners, const ObjectDesc& o) {
+    Bounds box;
+    for (const Vec3& p : corners) box.include(o.transform.point(p));
+    return kept({box.lo - Vec3(kTiny), box.hi + Vec3(kTiny)});
+  }
+  Bounds leaf(const std::shared_ptr<const MeshShape>& s, const ObjectDesc& o) {
+    Bounds box;
+    for (const MeshFace& face : s->faces) {
+      for (const int v : face.vertex) box.include(s->vertices[static_cast<std::size_t>(v)]);
+    }
+    return moved(kept(box), o.transform);
+  }
+  Bounds leaf(const CsgShape& s, const ObjectDesc& o) {
+    const bool all = s.operation == CsgOperation::kUnion || s.operation == CsgOperation::kMerge ||
+                     s.operation == CsgOperation::kLightGroup;
+    Bounds box = all ? Bounds() : everything();
+    bool outside = false;
+    for (const Ref<ObjectDesc>& child : *s.children) {
+      if (all && !child->is_light()) box.include(of(*child));
+      if (!all && !child->is_light()) box.intersect(limited(*child, outside));
+      outside = s.operation == CsgOperation::kDifference;
+    }
+    const Vec3 size = box.hi - box.lo;
+    const bool long_one = size.x > kCritical || size.y > kCritical || size.z > kCritical;
+    if (box.is_empty() || long_one) return everything();
+    return moved(kept(box), o.transform);
+  }
+  Bounds leaf(const std::shared_ptr<const BicubicPatchShape>& s, const ObjectDesc& o) {
+    Bounds box;
+    for (const Vec3& p : s->points) box.include(o.transform.point(p));
+    return kept(box);
+  }
+  Bounds leaf(const QuadricShape& s, const ObjectDesc& o) {
+    const Bounds box = built(s, o);
+    return box.hi.x - box.lo.x < kHuge && box.hi.y - box.lo.y < kHuge &&
+                   box.hi.z - box.lo.z < kHuge
+               ? box
+               : everything();
+  }
+  /// All others by the bounds of their geometry.
+  template <typename Shape>
+  Bounds leaf(const Shape& s, const ObjectDesc& o) {
+    return built(s, o);
+  }
+  template <typename Shape>
+  Bounds built(const Shape& s, const ObjectDesc& o) {
+    ObjectDesc alone;
+    alone.keyword = o.keyword;
+    alone.where = o.where;
+    alone.shape = s;
+    NotYet missing;
+    const auto made = ObjectBuilder(missing).geometry(alone);
+    if (!missing.empty()) m_is_whole = false;
+    if (!made || made->bounds().is_empty()) return {Vec3(), Vec3()};
+    const Bounds box = made->bounds();
+    return box.is_finite() ? moved(kept(box), o.transform) : kept(box);
+  }
+
+  bool& m_is_whole;
+};
+
+}  // namespace
+
+core::Bounds stock_box(const ObjectDesc& object, bool& is_whole) {
+  return BoxFinder(is_whole).of(object);
+}
+
+}  // namespace lentray::parser

@@ -1,0 +1,15 @@
+// The box that min_extent() and max_extent() answer with: stock's bounding box, which scenes lean on
+// where they place one object beside another. It is a box of boxes: a turned object has the box of
+// its turned box, a CSG the box of its parts' boxes. In the space of the scene, single precision.
+// Source: measured on stock (tests/compat/language/objects.cases).
+#pragma once
+
+#include "core/base/bounds.h"
+#include "parser/descriptions/object.h"
+
+namespace lentray::parser {
+
+/// Infinite sides are at +-1e10. `is_whole` becomes false if parts have no geometry yet.
+core::Bounds stock_box(const ObjectDesc& object, bool& is_whole);
+
+}  // namespace lentray::parser

@@ -1,0 +1,42 @@
+// What the fuzzer once found, cut short: each input is read to its end or to a message, and nothing
+// worse happens. Limits end what would not end.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "tests/fuzz/mutator.h"
+#include "tests/fuzz/read_input.h"
+#include "tools/lentray-diff/process.h"
+
+namespace lentray::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+TEST(FuzzInputs, AllEnd) {
+  const auto library = include_files("/usr/share/povray-3.7/include");
+  std::size_t count = 0;
+  for (const auto& entry : fs::directory_iterator(fs::path(LENTRAY_SOURCE_DIR) / "tests/fuzz/inputs")) {
+    SCOPED_TRACE(entry.path().filename().string());
+    read_input(diff::read_text(entry.path()), library);
+    ++count;
+  }
+  EXPECT_GT(count, 0u);
+}
+
+TEST(FuzzMutator, KeepsWithinTheLengthAndTheVocabulary) {
+  const std::string scene = "#declare A_ = <1, .5e3, 2>; sphere { A_, \"a b\\\"\" }";
+  const auto pieces = pieces_of(scene);
+  ASSERT_EQ(pieces.size(), 17u);
+  EXPECT_EQ(pieces[0], "#declare");
+  EXPECT_EQ(pieces[6], ".5e3");
+  EXPECT_EQ(pieces[15], "\"a b\\\"\"");
+  for (std::uint32_t seed = 0; seed < 2000; ++seed) {
+    EXPECT_LE(Mutator(seed).mutate(scene, 200).size(), 200u);
+    EXPECT_LE(Mutator(seed).cross(scene, "box { 0, 1 }", 100).size(), 100u);
+  }
+  EXPECT_EQ(Mutator(7).mutate(scene, 200), Mutator(7).mutate(scene, 200));
+}
+
+}  // namespace
+}  // namespace lentray::test
