@@ -54,7 +54,7 @@ void Directives::execute(const Token& directive) {
 }
 
 void Directives::execute_unmarked(const Token& word) {
-  m_in.warn(word.where, "expected '#' before '" + std::string(m_in.names.text(word.name)) + "'");
+  if (m_in.version >= 300) m_in.warn(word.where, "expected '#' before '" + std::string(m_in.names.text(word.name)) + "'");
   execute(word);
 }
 
@@ -111,14 +111,14 @@ void Directives::message(const Token& directive) {
 }
 
 void Directives::version() {
+  if (!m_in.version_set && m_in.tokens.started()) m_in.version_first = false;
   const Location where = m_in.tokens.peek_operand().where;
   double number = 0.0;
+  bool ends = false;
   {
     const TokenReader::Hold hold(m_in.tokens);
     number = m_in.expressions.parse_float();
-    if (!m_in.tokens.accept(Punct::kSemicolon)) {
-      m_in.warn(where, "#version should end with a semicolon");
-    }
+    ends = m_in.tokens.accept(Punct::kSemicolon);
   }
   const int version = to_int(std::round(number * 100.0));
   if (version < 100 || version > 9900) {
@@ -131,6 +131,7 @@ void Directives::version() {
   m_in.version = std::min(version, 370);
   m_in.version_set = true;
   if (!m_in.noise_generator_set) *m_in.noise_generator = m_in.version < 350 ? 1 : 2;
+  if (!ends && m_in.version >= 310) m_in.warn(where, "#version should end with a semicolon");
 }
 
 }  // namespace lentray::parser

@@ -118,9 +118,15 @@ void Directives::declare(const Token& directive, bool local) {
 
 void Directives::end_of_declaration(const Value& value, const Location& where) {
   if (m_in.tokens.accept(Punct::kSemicolon)) {
-    // One more is no mistake. Only the text is looked at: this file or macro may end here.
-    const Token* next = m_in.tokens.following();
-    if (next && next->is(Punct::kSemicolon)) m_in.tokens.skip();
+    // One more is no mistake, even behind the macro that ends with the first. Only the text is
+    // looked at: what follows must not be executed yet.
+    const auto& frames = m_in.stream.frames();
+    auto frame = frames.rbegin();
+    while (frame != frames.rend() && frame->cursor == frame->end && frame->kind == FrameKind::kMacro) {
+      ++frame;
+    }
+    const Token* next = frame != frames.rend() && frame->cursor < frame->end ? frame->cursor : nullptr;
+    if (next && next->is(Punct::kSemicolon)) m_in.tokens.accept(Punct::kSemicolon);
     return;
   }
   if (!std::holds_alternative<Number>(value)) return;
@@ -132,7 +138,7 @@ void Directives::end_of_declaration(const Value& value, const Location& where) {
                                                      : m_in.tokens.describe(next);
     m_in.fail(where, rule + " since version 3.5 (found " + found + " instead)");
   }
-  m_in.warn(where, rule);
+  if (m_in.version >= 310) m_in.warn(where, rule);
 }
 
 void Directives::undef() {

@@ -82,6 +82,7 @@ void Expressions::trailing_components(Number& colour) {
     const Token& t = m_in.tokens.peek();
     const int i = t.kind == TokenKind::kKeyword ? component(t.keyword) : -1;
     if (i < 0) return;
+    if (t.keyword == Keyword::kAlpha && m_in.version >= 155) m_in.warn(t.where, "alpha is filter now");
     m_in.tokens.skip();
     colour.v[static_cast<std::size_t>(i)] = parse_float();
   }

@@ -175,6 +175,7 @@ bool long_option(std::span<const std::string> arguments, std::size_t& at, Render
   const std::string name = text.substr(0, equals);
   if (name == "--explain") return options.explain = true;
   if (name == "--parse-only") return options.parse_only = true;
+  if (name == "--dump") return options.dump = true;
   if (name == "--dump-rays") {
     if (equals != std::string::npos) {
       options.dump_rays = text.substr(equals + 1);
@@ -185,8 +186,8 @@ bool long_option(std::span<const std::string> arguments, std::size_t& at, Render
     return true;
   }
   throw OptionError("unknown option '" + text +
-                    "'; there are --help, --version, --parse-only, --explain and "
-                    "--dump-rays FILE");
+                    "'; there are --help, --version, --parse-only, --dump, --explain "
+                    "and --dump-rays FILE");
 }
 
 bool looks_like_option(const std::string& text, std::size_t& equals) {
@@ -337,6 +338,7 @@ Lens sheet (lengths in mm):
   Max_Memory=n[M|G]          how much to use; half of the machine's  (Band_Height=rows)
   Statistics_File=x.json     what the run did (docs/statistics.md); Shadow_Log=On: more of shadows
   --parse-only         reads the scene and reports; renders nothing
+  --dump               what the scene says, as JSON (docs/language.md); renders nothing
   --explain            what the scene needs of the renderer; renders nothing
   --dump-rays FILE     every camera ray (docs/lens.md); renders nothing
   --help  --version

@@ -60,7 +60,7 @@ struct RenderOptions {
   std::uint32_t band_height = 0;          ///< rows; 0: as the memory allows
   std::string statistics_file, dump_rays;
   bool shadow_log = false;    ///< runs, blockers and costs of shadow rays go into the statistics
-  bool parse_only = false, explain = false, help = false, version = false;
+  bool parse_only = false, dump = false, explain = false, help = false, version = false;
 
   std::vector<std::string> warnings;      ///< about the options themselves
 };

@@ -154,6 +154,7 @@ Location Parser::location() {
 
 int Parser::language_version() const { return m_impl->in.version; }
 bool Parser::language_version_set() const { return m_impl->in.version_set; }
+bool Parser::language_version_first() const { return m_impl->in.version_first; }
 const ParserOptions& Parser::options() const { return m_impl->in.options; }
 Diagnostics& Parser::diagnostics() { return m_impl->in.diagnostics; }
 SourceManager& Parser::sources() { return m_impl->in.sources; }
@@ -163,6 +164,8 @@ void Parser::set_srgb_decoder(double (*decoder)(double)) {
 }
 
 void Parser::set_utf8(bool utf8) { m_impl->in.utf8 = utf8; }
+
+int Parser::noise_generator() const { return *m_impl->in.noise_generator; }
 
 void Parser::set_noise_generator(int generator) {
   *m_impl->in.noise_generator = generator;

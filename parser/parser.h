@@ -118,6 +118,7 @@ class Parser {
 
   int language_version() const;           ///< x 100: 370
   bool language_version_set() const;      ///< false: the scene has no #version yet
+  bool language_version_first() const;    ///< nothing was declared before the first #version
   const ParserOptions& options() const;
   Diagnostics& diagnostics();
   SourceManager& sources();
@@ -127,6 +128,7 @@ class Parser {
   void set_utf8(bool utf8);
   /// Which noise functions are made of; the statement that reads noise_generator sets it.
   void set_noise_generator(int generator);
+  int noise_generator() const;
   /// Finds a file as `#include` does (current folder, folder of the scene, library paths).
   std::optional<std::string> find_file(const std::string& name);
 

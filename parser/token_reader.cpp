@@ -1,6 +1,7 @@
 #include "parser/token_reader.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "parser/interpreter.h"
 #include "parser/keywords.h"
@@ -22,32 +23,39 @@ void TokenReader::expect(Punct p) {
   if (!accept(p)) fail_expected("'" + std::string(spelling(p)) + "'");
 }
 
-void TokenReader::fetch_or_hold() {
-  m_held = false;
-  if (m_holding && m_nesting == m_hold_nesting) {
-    // A macro whose text ends here gives way to the text that invoked it.
-    while (m_stream.depth() > m_hold_depth && !m_stream.look() &&
-           m_stream.top().kind == FrameKind::kMacro) {
-      m_in.directives.leave_frame();
-    }
-    const Token* raw = m_stream.look();
-    if (m_stream.depth() == m_hold_depth && raw) {
-      const bool directive = raw->kind == TokenKind::kDirective;
-      const Symbol* symbol =
-          raw->kind == TokenKind::kIdentifier ? m_symbols.find(raw->name) : nullptr;
-      if (directive || (symbol && symbol->macro)) {
-        m_held = true;
-        m_boundary.where = raw->where;
-        return;
-      }
-    }
+// While a declaration's value may be complete: whether a directive or macro follows it here.
+bool TokenReader::must_hold() {
+  if (!m_holding || m_nesting != m_hold_nesting) return false;
+  // A macro whose text ends here gives way to the text that invoked it.
+  while (m_stream.depth() > m_hold_depth && !m_stream.look() &&
+         m_stream.top().kind == FrameKind::kMacro) {
+    m_in.directives.leave_frame();
   }
-  fetch();
+  if (m_stream.depth() != m_hold_depth) return false;
+  const Token* raw = m_stream.look();
+  // The declaration may be the last thing in its macro or file: what follows stands further out.
+  for (auto f = m_stream.frames().rbegin(); !raw && f != m_stream.frames().rend(); ++f) {
+    if (f->cursor < f->end) raw = f->cursor;
+  }
+  if (!raw) return false;
+  const Symbol* symbol =
+      raw->kind == TokenKind::kIdentifier ? m_symbols.find(raw->name) : nullptr;
+  if (raw->kind != TokenKind::kDirective && !(symbol && symbol->macro)) return false;
+  m_held = true;
+  m_boundary.where = raw->where;
+  return true;
 }
 
-void TokenReader::fetch() {
+void TokenReader::fetch_or_hold() {
   m_held = false;
-  for (;;) {
+  if (!must_hold()) fetch(true);
+}
+
+void TokenReader::fetch(bool may_hold) {
+  m_held = false;
+  for (bool first = true;; first = false) {
+    // What ended the macro that gave the value has been executed by now.
+    if (may_hold && !first && must_hold()) return;
     const Token* raw = m_stream.empty() ? nullptr : m_stream.read();
     if (!raw) {
       if (m_stream.empty() || !m_in.directives.leave_frame()) {
@@ -60,6 +68,12 @@ void TokenReader::fetch() {
     }
     switch (raw->kind) {
       case TokenKind::kDirective:
+        if (raw->keyword == Keyword::kMaxTraceLevel) {  // a statement that old scenes write with a #
+          Token statement = *raw;
+          statement.kind = TokenKind::kKeyword;
+          show(statement);
+          return;
+        }
         m_in.directives.execute(*raw);
         if (m_ready) return;
         continue;
@@ -136,7 +150,8 @@ void TokenReader::subscripts(const Token& raw, std::shared_ptr<ArrayValue> array
       // Stock adds this before it cuts off the fraction.
       const int i = to_int(subscript + 1e-10);
       if (!(subscript > -1e-10) || i < 0 || i >= size) {
-        m_in.fail(where, "array subscript " + std::to_string(i) + " out of range: " +
+        m_in.fail(where, "array subscript " + std::to_string(std::lround(std::floor(subscript + 1e-10))) +
+                             " out of range: " +
                              std::string(m_in.names.text(token.name)) + " has " +
                              std::to_string(size) + " elements in this dimension");
       }

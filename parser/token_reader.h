@@ -106,6 +106,8 @@ class TokenReader {
   /// Forgets the token shown (the cursor is about to be moved).
   void drop() { m_ready = false; m_held = false; }
   bool ready() const { return m_ready; }
+  /// Anything but a directive's own word has been read.
+  bool started() const { return m_last.file != 0; }
   /// No macro is invoked while true.
   bool plain_names = false;
 
@@ -115,8 +117,9 @@ class TokenReader {
 
  private:
   friend class Hold;
-  void fetch();
+  void fetch(bool may_hold = false);
   void fetch_or_hold();
+  bool must_hold();
   void consume() {
     m_last = m_token.where;
     if (m_token.kind == TokenKind::kEnd) return;  // it stays: the end can be asked for again

@@ -41,8 +41,7 @@ std::shared_ptr<const core::Interior> compile_interior(const Ref<InteriorDesc>& 
   if (texture && !texture->layers.back().is_patterned()) {
     finish = texture->layers.back().finish.get();
   }
-  const bool from_finish =
-      finish && (finish->ior || finish->caustics || finish->fade_distance || finish->fade_power);
+  const bool from_finish = finish && (finish->ior || finish->caustics);
   if (!interior && !from_finish) return nullptr;
   auto result = std::make_shared<core::Interior>();
   if (interior) {
@@ -60,8 +59,6 @@ std::shared_ptr<const core::Interior> compile_interior(const Ref<InteriorDesc>& 
   if (from_finish) {
     if (finish->ior) result->ior = single(*finish->ior);
     if (finish->caustics) result->caustics = single(*finish->caustics);
-    if (finish->fade_distance) result->fade_distance = single(*finish->fade_distance);
-    if (finish->fade_power) result->fade_power = single(*finish->fade_power);
   }
   if (result->has_media) not_yet.insert("media");
   if (result->dispersion != 1.0 && result->dispersion != 0.0) not_yet.insert("dispersion");

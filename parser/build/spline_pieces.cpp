@@ -24,42 +24,42 @@ struct Layout {
   std::size_t span, start, end;
 };
 
-Layout layout_of(SplineKind kind) {
+Layout layout_of(CurveKind kind) {
   switch (kind) {
-    case SplineKind::kLinear: return {1, 0, 1};
-    case SplineKind::kQuadratic: return {2, 1, 2};
-    case SplineKind::kCubic: return {3, 1, 2};
-    case SplineKind::kBezier: return {3, 0, 3};
+    case CurveKind::kLinear: return {1, 0, 1};
+    case CurveKind::kQuadratic: return {2, 1, 2};
+    case CurveKind::kCubic: return {3, 1, 2};
+    case CurveKind::kBezier: return {3, 0, 3};
     default: throw std::runtime_error("this kind of spline is not known here");
   }
 }
 
-CurvePiece piece_of(SplineKind kind, const Vec2* p) {
+CurvePiece piece_of(CurveKind kind, const Vec2* p) {
   switch (kind) {
-    case SplineKind::kQuadratic:
+    case CurveKind::kQuadratic:
       return {{}, mix(0.5, p[0], -1.0, p[1], 0.5, p[2]), mix(-0.5, p[0], 0.0, p[1], 0.5, p[2]),
               p[1], p[2]};
-    case SplineKind::kCubic:
+    case CurveKind::kCubic:
       return {mix(-0.5, p[0], 1.5, p[1], -1.5, p[2], 0.5, p[3]),
               mix(1.0, p[0], -2.5, p[1], 2.0, p[2], -0.5, p[3]),
               mix(-0.5, p[0], 0.0, p[1], 0.5, p[2]), p[1], p[2]};
     // Stock runs through these from the last point to the first.
-    case SplineKind::kBezier: return CurvePiece::bezier(p[3], p[2], p[1], p[0]);
+    case CurveKind::kBezier: return CurvePiece::bezier(p[3], p[2], p[1], p[0]);
     default: return CurvePiece::line(p[0], p[1]);
   }
 }
 
 }  // namespace
 
-std::vector<CurvePiece> spline_pieces(SplineKind kind, const std::vector<Vec2>& points,
+std::vector<CurvePiece> spline_pieces(CurveKind kind, const std::vector<Vec2>& points,
                                       bool closing) {
   const Layout layout = layout_of(kind);
   std::vector<CurvePiece> pieces;
-  const std::size_t step = kind == SplineKind::kBezier ? 4 : 1;
+  const std::size_t step = kind == CurveKind::kBezier ? 4 : 1;
   std::size_t first = 0;  // of the curve
   for (std::size_t i = 0; i + layout.span < points.size(); i += step) {
     pieces.push_back(piece_of(kind, &points[i]));
-    if (!closing || kind == SplineKind::kBezier) continue;
+    if (!closing || kind == CurveKind::kBezier) continue;
     if (close(points[i + layout.end], points[first + layout.start])) {
       i += layout.span;
       first = i + 1;

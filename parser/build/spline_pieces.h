@@ -11,7 +11,7 @@ namespace lentray::parser {
 
 /// `closing`: a point equal to a curve's first ends the curve, and another begins (as prism's).
 /// Throws std::runtime_error if there are too few points.
-std::vector<core::CurvePiece> spline_pieces(SplineKind kind, const std::vector<core::Vec2>& points,
+std::vector<core::CurvePiece> spline_pieces(CurveKind kind, const std::vector<core::Vec2>& points,
                                             bool closing);
 
 }  // namespace lentray::parser

@@ -32,7 +32,7 @@ core::SweepPiece curved(const SphereSweepShape& sweep, std::size_t first, const 
 }  // namespace
 
 std::vector<core::SweepPiece> sweep_pieces(const SphereSweepShape& sweep) {
-  const bool straight = sweep.spline == SplineKind::kLinear;
+  const bool straight = sweep.spline == CurveKind::kLinear;
   const std::size_t reach = straight ? 1 : 3;
   if (sweep.centres.size() <= reach) {
     throw std::runtime_error("a sphere_sweep of this spline needs at least " +
@@ -42,7 +42,7 @@ std::vector<core::SweepPiece> sweep_pieces(const SphereSweepShape& sweep) {
   for (std::size_t i = 0; i + reach < sweep.centres.size(); ++i) {
     if (!straight) {
       pieces.push_back(
-          curved(sweep, i, sweep.spline == SplineKind::kB ? kUniformB : kCatmullRom));
+          curved(sweep, i, sweep.spline == CurveKind::kB ? kUniformB : kCatmullRom));
       continue;
     }
     core::SweepPiece piece;

@@ -40,7 +40,7 @@ struct FinishDesc {
   double irid = 0.0, irid_thickness = 0.0, irid_turbulence = 0.0;
   std::optional<SubsurfaceDesc> subsurface;
   /// Old scenes give refraction here; they go to the interior of what bears the texture.
-  std::optional<double> ior, caustics, fade_distance, fade_power, refraction;
+  std::optional<double> ior, caustics, refraction;
 };
 
 }  // namespace lentray::parser

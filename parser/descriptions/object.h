@@ -114,8 +114,8 @@ struct JuliaFractalShape {
   bool hypercomplex = false;
   std::string function = "sqr";
 };
-enum class SplineKind { kLinear, kQuadratic, kCubic, kBezier, kB, kNatural };
-struct LatheShape { SplineKind spline = SplineKind::kLinear; std::vector<Vec2> points; };
+enum class CurveKind { kLinear, kQuadratic, kCubic, kBezier, kB, kNatural };
+struct LatheShape { CurveKind spline = CurveKind::kLinear; std::vector<Vec2> points; };
 struct OvusShape { double bottom = 1.0, top = 0.5; };
 struct ParametricShape {
   std::array<Ref<FunctionDesc>, 3> functions;
@@ -128,14 +128,14 @@ struct ParametricShape {
 /// Coefficients in the order of the manual, "Poly, Cubic and Quartic".
 struct PolyShape { int order = 2; std::vector<double> coefficients; };
 struct PrismShape {
-  SplineKind spline = SplineKind::kLinear;
+  CurveKind spline = CurveKind::kLinear;
   bool conic_sweep = false, open = false;
   double height1 = 0.0, height2 = 1.0;
   std::vector<Vec2> points;
 };
 struct SorShape { std::vector<Vec2> points; bool open = false; };
 struct SphereSweepShape {
-  SplineKind spline = SplineKind::kLinear;
+  CurveKind spline = CurveKind::kLinear;
   std::vector<Vec3> centres;
   std::vector<double> radii;
   double tolerance = 1e-6;

@@ -15,6 +15,7 @@ namespace lentray::parser {
 struct SceneObject {
   Ref<ObjectDesc> object;
   Ref<TextureDesc> default_texture;   ///< in force when the statement ended; null: built in
+  double default_importance = 1.0;    ///< the same, of radiosity
 };
 
 struct SceneDesc {

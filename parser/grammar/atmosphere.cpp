@@ -5,6 +5,8 @@
 namespace lentray::parser {
 namespace {
 
+constexpr double kTiny = 1e-10;  ///< stock's measure of "nothing" in lengths
+
 /// One item of a fog; false if none is next.
 bool accept_fog_item(Parser& parser, FogDesc& fog) {
   if (const auto transform = parser.accept_transforms()) {
@@ -28,6 +30,9 @@ bool accept_fog_item(Parser& parser, FogDesc& fog) {
     fog.fog_offset = parser.parse_float();
   } else if (parser.accept(Keyword::kFogAlt)) {
     fog.fog_alt = parser.parse_float();
+  } else if (at_float(parser) && !parser.at_colour()) {  // POV-Ray 1
+    fog.distance = parser.parse_float();
+    if (parser.language_version() >= 150) parser.warn("the distance of a fog wants the word distance");
   } else if (parser.accept(Keyword::kUp)) {
     fog.up = normalized(parser.parse_vector());
   } else if (parser.at_colour()) {
@@ -95,6 +100,9 @@ RainbowDesc parse_rainbow(Parser& parser, Context& context) {
     }
     parser.parse_comma();
   }
+  if (length(rainbow.direction) < kTiny) {
+    parser.fail_at(rainbow.where, "a rainbow needs a direction");
+  }
   return rainbow;
 }
 
@@ -114,6 +122,7 @@ SkySphereDesc parse_sky_sphere(Parser& parser, Context& context) {
       parser.fail_expected("pigment, emission, a transform or }");
     }
   }
+  if (sky.pigments.empty()) parser.fail_at(sky.where, "a sky_sphere needs a pigment");
   return sky;
 }
 

@@ -119,6 +119,7 @@ class CameraReader {
     m_parser.expect(Punct::kLeftCurly);
     m_camera.meshes.clear();
     m_camera.rays_per_pixel = m_parser.parse_int();
+    if (m_camera.rays_per_pixel < 1) m_parser.fail("A mesh_camera needs at least one ray a pixel.");
     m_parser.parse_comma();
     m_camera.distribution = m_parser.parse_int();
     if (m_camera.distribution < 0 || m_camera.distribution > 3) {
@@ -166,6 +167,7 @@ class CameraReader {
       }
       return true;
     }
+    m_angle_where = m_parser.location();
     m_camera.angle = optional_float(m_parser, 0.0);
     m_camera.has_angle = true;
     if (m_camera.angle < 0.0) m_parser.fail("Negative viewing angle.");
@@ -302,7 +304,9 @@ class CameraReader {
   }
 
   void apply_angle() {
-    if (m_camera.angle >= 180.0) m_parser.fail("Viewing angle has to be smaller than 180 degrees.");
+    if (m_camera.angle >= 180.0) {
+      m_parser.fail_at(m_angle_where, "Viewing angle has to be smaller than 180 degrees.");
+    }
     if (m_camera.angle <= 0.0) return;
     m_camera.direction =
         normalized(m_camera.direction) * direction_length(length(m_camera.right), m_camera.angle);
@@ -363,6 +367,7 @@ class CameraReader {
   Context& m_context;
   CameraDesc m_camera;
   bool m_in_order;
+  Location m_angle_where{};
   core::Transform m_pending;
 };
 

@@ -12,6 +12,8 @@ struct Context {
   MaterialContext materials;
   /// `#default { camera { ... } }`: where later camera statements start from.
   CameraDesc default_camera;
+  /// `#default { radiosity { importance n } }`.
+  double default_importance = 1.0;
   /// trace() or the like has asked an object that holds shapes without geometry yet: the answers
   /// are guesses, and what they make degenerate is no fault of the scene.
   bool has_guesses = false;

@@ -122,19 +122,19 @@ bool accept_highlight_word(Parser& parser, FinishDesc& finish) {
 
 /// Words that belong to the interior since POV-Ray 3.1.
 bool accept_interior_word(Parser& parser, FinishDesc& finish) {
+  const char* word = "ior";
   if (parser.accept(Keyword::kIor)) {
     finish.ior = parser.parse_float();
   } else if (parser.accept(Keyword::kCaustics)) {
     finish.caustics = parser.parse_float();
+    word = "caustics";
   } else if (parser.accept(Keyword::kRefraction)) {
     finish.refraction = parser.parse_float();
-  } else if (parser.accept(Keyword::kFadeDistance)) {
-    finish.fade_distance = parser.parse_float();
-  } else if (parser.accept(Keyword::kFadePower)) {
-    finish.fade_power = parser.parse_float();
+    word = "refraction";
   } else {
     return false;
   }
+  parser.warn(std::string(word) + " belongs in the interior { } of an object, not in a finish");
   return true;
 }
 

@@ -8,6 +8,7 @@ namespace lentray::parser {
 namespace {
 
 constexpr int kTraceLevelLimit = 256;  ///< stock's
+constexpr int kMostNearest = 20, kMostBounces = 20;
 
 using Setting = void (*)(Parser&, GlobalDesc&);
 struct SettingEntry {
@@ -65,18 +66,32 @@ void parse_hf_gray_16(Parser& parser, GlobalDesc&) {
 struct RadiosityFloat {
   Keyword keyword;
   double RadiositySettings::*value;
+  bool (*good)(double) = nullptr;   ///< null: any number will do
+  const char* rule = "";            ///< what a good one is
 };
+constexpr bool is_positive(double x) { return x > 0.0; }
+constexpr bool is_not_negative(double x) { return x >= 0.0; }
+constexpr bool is_share(double x) { return x >= 0.0 && x <= 1.0; }
+constexpr bool is_positive_share(double x) { return x > 0.0 && x <= 1.0; }
+constexpr const char* kPositive = " must be greater than 0.";
+
 constexpr std::array kRadiosityFloats{
-    RadiosityFloat{Keyword::kAdcBailout, &RadiositySettings::adc_bailout},
-    RadiosityFloat{Keyword::kBrightness, &RadiositySettings::brightness},
-    RadiosityFloat{Keyword::kErrorBound, &RadiositySettings::error_bound},
-    RadiosityFloat{Keyword::kGrayThreshold, &RadiositySettings::gray_threshold},
-    RadiosityFloat{Keyword::kLowErrorFactor, &RadiositySettings::low_error_factor},
+    RadiosityFloat{Keyword::kAdcBailout, &RadiositySettings::adc_bailout, is_positive, kPositive},
+    RadiosityFloat{Keyword::kBrightness, &RadiositySettings::brightness, is_positive, kPositive},
+    RadiosityFloat{Keyword::kErrorBound, &RadiositySettings::error_bound, is_positive, kPositive},
+    RadiosityFloat{Keyword::kGrayThreshold, &RadiositySettings::gray_threshold, is_share,
+                   " goes from 0 to 1."},
+    RadiosityFloat{Keyword::kLowErrorFactor, &RadiositySettings::low_error_factor, is_positive,
+                   kPositive},
     RadiosityFloat{Keyword::kMaxSample, &RadiositySettings::max_sample},
-    RadiosityFloat{Keyword::kMaximumReuse, &RadiositySettings::maximum_reuse},
-    RadiosityFloat{Keyword::kMinimumReuse, &RadiositySettings::minimum_reuse},
-    RadiosityFloat{Keyword::kPretraceEnd, &RadiositySettings::pretrace_end},
-    RadiosityFloat{Keyword::kPretraceStart, &RadiositySettings::pretrace_start},
+    RadiosityFloat{Keyword::kMaximumReuse, &RadiositySettings::maximum_reuse, is_positive,
+                   kPositive},
+    RadiosityFloat{Keyword::kMinimumReuse, &RadiositySettings::minimum_reuse, is_not_negative,
+                   " must not be negative."},
+    RadiosityFloat{Keyword::kPretraceEnd, &RadiositySettings::pretrace_end, is_positive_share,
+                   " must be greater than 0 and at most 1."},
+    RadiosityFloat{Keyword::kPretraceStart, &RadiositySettings::pretrace_start, is_positive_share,
+                   " must be greater than 0 and at most 1."},
 };
 struct RadiositySwitch {
   Keyword keyword;
@@ -89,14 +104,39 @@ constexpr std::array kRadiositySwitches{
     RadiositySwitch{Keyword::kSubsurface, &RadiositySettings::subsurface},
 };
 
+/// Stock changes the one that the scene did not set, and says so.
+void check_reuse(Parser& parser, RadiositySettings& r, bool set_minimum, bool set_maximum) {
+  if (r.maximum_reuse > r.minimum_reuse && !(set_minimum != set_maximum && r.maximum_reuse < 2.0 * r.minimum_reuse)) {
+    return;
+  }
+  if (set_maximum && set_minimum) {
+    parser.fail("Radiosity maximum_reuse must be larger than minimum_reuse.");
+  }
+  if (set_maximum) {
+    r.minimum_reuse = 0.5 * r.maximum_reuse;
+  } else {
+    r.maximum_reuse = 2.0 * r.minimum_reuse;
+  }
+  parser.diagnostics().warn({}, "radiosity: maximum_reuse should be much larger than minimum_reuse; " +
+                                    std::string(set_maximum ? "minimum_reuse" : "maximum_reuse") +
+                                    " has been adjusted.");
+}
+
 void parse_radiosity(Parser& parser, GlobalDesc& global) {
   if (!global.radiosity) global.radiosity.emplace();
   RadiositySettings& r = *global.radiosity;
+  bool set_minimum = false, set_maximum = false;
   parser.expect(Punct::kLeftCurly);
   while (!parser.accept(Punct::kRightCurly)) {
     if (const auto* item = find_entry(kRadiosityFloats, parser.peek())) {
       parser.next();
-      r.*(item->value) = parser.parse_float();
+      const double value = parser.parse_float();
+      if (item->good && !item->good(value)) {
+        parser.fail("Radiosity " + std::string(spelling(item->keyword)) + item->rule);
+      }
+      r.*(item->value) = value;
+      set_minimum |= item->keyword == Keyword::kMinimumReuse;
+      set_maximum |= item->keyword == Keyword::kMaximumReuse;
     } else if (const auto* flag = find_entry(kRadiositySwitches, parser.peek())) {
       parser.next();
       r.*(flag->value) = parser.parse_float() != 0.0;
@@ -105,20 +145,31 @@ void parse_radiosity(Parser& parser, GlobalDesc& global) {
       check(parser, r.count > 0, "Radiosity count must be a positive number.");
       parser.parse_comma();
       r.direction_pool = static_cast<int>(optional_float(parser, std::max(1600, r.count)));
+      check(parser, r.direction_pool >= r.count, "The pool of directions must hold the count.");
     } else if (parser.accept(Keyword::kNearestCount)) {
       r.nearest_count = parser.parse_int();
+      check(parser, r.nearest_count >= 1 && r.nearest_count <= kMostNearest,
+            "Radiosity nearest_count goes from 1 to 20.");
       parser.parse_comma();
       r.nearest_count_adaptive = static_cast<int>(optional_float(parser, 0.0));
+      check(parser, r.nearest_count_adaptive >= 0 && r.nearest_count_adaptive < r.nearest_count,
+            "The second number of nearest_count must be less than the first.");
     } else if (parser.accept(Keyword::kRecursionLimit)) {
       r.recursion_limit = parser.parse_int();
-      check(parser, r.recursion_limit >= 1, "Radiosity recursion limit must be 1 or more.");
+      check(parser, r.recursion_limit >= 1 && r.recursion_limit <= kMostBounces,
+            "Radiosity recursion_limit goes from 1 to 20.");
     } else if (parser.accept(Keyword::kLoadFile) || parser.accept(Keyword::kSaveFile)) {
+      const Location where = parser.location();
       (void)parser.parse_string();
-      parser.warn("Radiosity files are options of the command line now; ignored here.");
+      parser.warn_at(where, "Radiosity files are options of the command line now; ignored here.");
     } else {
       parser.fail_expected("one of count, nearest_count, recursion_limit, " +
                            word_list(kRadiosityFloats) + ", " + word_list(kRadiositySwitches) + " or }");
     }
+  }
+  check_reuse(parser, r, set_minimum, set_maximum);
+  if (parser.language_version() < 350) {
+    parser.warn("since 3.5 a radiosity { } in global_settings turns radiosity on");
   }
 }
 
@@ -137,6 +188,11 @@ bool accept_photon_setting(Parser& parser, PhotonSettings& p) {
     p.expand_increase = parser.parse_float();
     parser.parse_comma();
     p.expand_min = parser.parse_int();
+    if (p.expand_increase < 0.0 || p.expand_min < 0) {
+      parser.warn("The numbers of expand_thresholds must not be negative: 0 is used.");
+      p.expand_increase = std::max(0.0, p.expand_increase);
+      p.expand_min = std::max(0, p.expand_min);
+    }
   } else if (parser.accept(Keyword::kGather)) {
     p.gather_min = parser.parse_int();
     parser.parse_comma();
@@ -157,6 +213,7 @@ bool accept_photon_setting(Parser& parser, PhotonSettings& p) {
     p.save_file = parser.parse_string();
   } else if (parser.accept(Keyword::kMedia)) {
     p.media_steps = parser.parse_int();
+    check(parser, p.media_steps >= 0, "The steps of photons' media must not be negative.");
     parser.parse_comma();
     p.media_factor = optional_float(parser, 1.0);
   } else {
@@ -166,14 +223,21 @@ bool accept_photon_setting(Parser& parser, PhotonSettings& p) {
 }
 
 void parse_photons(Parser& parser, GlobalDesc& global) {
-  global.photons.emplace();
+  PhotonSettings& p = global.photons.emplace();
   parser.expect(Punct::kLeftCurly);
-  while (!parser.accept(Punct::kRightCurly)) {
-    if (!accept_photon_setting(parser, *global.photons)) {
+  while (!parser.at(Punct::kRightCurly)) {
+    if (!accept_photon_setting(parser, p)) {
       parser.fail_expected("one of radius, spacing, expand_thresholds, gather, jitter, count, autostop, "
                            "adc_bailout, max_trace_level, load_file, save_file, media or }");
     }
   }
+  check(parser, p.gather_max == 0 || p.gather_min <= p.gather_max,
+        "The first number of gather must not be greater than the second.");
+  if (p.gather_max == 0) parser.warn("gather is 0: there are no photons.");
+  if (!p.load_file.empty() && !parser.find_file(p.load_file)) {
+    parser.fail("cannot find the photon file '" + p.load_file + "'");
+  }
+  parser.expect(Punct::kRightCurly);
 }
 
 void parse_subsurface(Parser& parser, GlobalDesc& global) {
@@ -205,7 +269,11 @@ const std::array kSettings{
                    const core::Rgb c = to_colour(p.parse_colour()).rgb;
                    g.irid_wavelength = {c.r, c.g, c.b};
                  }},
-    SettingEntry{Keyword::kMaxIntersections, [](Parser& p, GlobalDesc&) { (void)p.parse_float(); }},
+    SettingEntry{Keyword::kMaxIntersections,
+                 [](Parser& p, GlobalDesc&) {
+                   (void)p.parse_float();
+                   if (p.language_version() >= 370) p.warn("max_intersections has no effect any more.");
+                 }},
     SettingEntry{Keyword::kMaxTraceLevel, parse_max_trace_level},
     SettingEntry{Keyword::kMmPerUnit,
                  [](Parser& p, GlobalDesc& g) { g.mm_per_unit = p.parse_float(); }},

@@ -26,7 +26,8 @@ bool accept_interior_word(Parser& parser, MaterialContext& context, InteriorDesc
   } else if (parser.accept(Keyword::kMedia)) {
     interior.media.push_back(parse_media(parser, context));
   } else if (parser.accept(Keyword::kRefraction)) {
-    parser.parse_float();  // without effect since POV-Ray 3.1
+    parser.parse_float();
+    parser.warn("refraction has no effect any more: what is transparent refracts");
   } else {
     return false;
   }

@@ -77,8 +77,8 @@ void parse_area_light(Parser& parser, Context&, LightDesc& light) {
   }
 }
 
-void warn_without_area(Parser& parser, const LightDesc& light, const char* word) {
-  if (!light.has_area) parser.warn(std::string(word) + " only affects an area_light.");
+bool needs_area(Keyword word) {
+  return word == Keyword::kAreaIllumination || word == Keyword::kCircular || word == Keyword::kOrient;
 }
 
 struct LightEntry {
@@ -93,13 +93,9 @@ const std::array kLightWords{
                }},
     LightEntry{Keyword::kAreaIllumination, [](Parser& p, Context&, LightDesc& l) {
                  l.area_illumination = optional_switch(p);
-                 warn_without_area(p, l, "area_illumination");
                }},
     LightEntry{Keyword::kAreaLight, parse_area_light},
-    LightEntry{Keyword::kCircular, [](Parser& p, Context&, LightDesc& l) {
-                 l.circular = true;
-                 warn_without_area(p, l, "circular");
-               }},
+    LightEntry{Keyword::kCircular, [](Parser&, Context&, LightDesc& l) { l.circular = true; }},
     LightEntry{Keyword::kCylinder, parse_cylinder_light},
     LightEntry{Keyword::kFadeDistance,
                [](Parser& p, Context&, LightDesc& l) { l.fade_distance = p.parse_float(); }},
@@ -115,13 +111,10 @@ const std::array kLightWords{
                [](Parser& p, Context&, LightDesc& l) { l.media_attenuation = optional_switch(p); }},
     LightEntry{Keyword::kMediaInteraction,
                [](Parser& p, Context&, LightDesc& l) { l.media_interaction = optional_switch(p); }},
-    LightEntry{Keyword::kOrient, [](Parser& p, Context&, LightDesc& l) {
-                 l.orient = true;
-                 warn_without_area(p, l, "orient");
-               }},
+    LightEntry{Keyword::kOrient, [](Parser&, Context&, LightDesc& l) { l.orient = true; }},
     LightEntry{Keyword::kParallel, [](Parser&, Context&, LightDesc& l) { l.parallel = true; }},
     LightEntry{Keyword::kPhotons,
-               [](Parser& p, Context&, LightDesc& l) { parse_photon_flags(p, l.photons); }},
+               [](Parser& p, Context&, LightDesc& l) { parse_photon_flags(p, l.photons, true); }},
     LightEntry{Keyword::kPointAt, parse_point_at},
     LightEntry{Keyword::kProjectedThrough, parse_projected_through},
     LightEntry{Keyword::kRadius, [](Parser& p, Context&, LightDesc& l) {
@@ -137,13 +130,19 @@ const std::array kLightWords{
                }},
 };
 
+/// Up to the closing brace.
 void parse_light_words(Parser& parser, Context& context, LightDesc& light) {
-  while (!parser.accept(Punct::kRightCurly)) {
+  while (!parser.at(Punct::kRightCurly)) {
+    const Location where = parser.location();
     if (const auto transform = parser.accept_transforms()) {
       light.apply(*transform);
     } else if (const LightEntry* entry = find_entry(kLightWords, parser.peek())) {
       parser.next();
       entry->read(parser, context, light);
+      if (needs_area(entry->keyword) && !light.has_area) {
+        const bool has_value = entry->keyword == Keyword::kAreaIllumination;
+        parser.warn_at(has_value ? parser.location() : where, std::string(spelling(entry->keyword)) + " only affects an area_light.");
+      }
     } else if (parser.accept(Keyword::kColorMap)) {
       (void)parse_colour_map(parser, context.materials);  // undocumented; stock ignores it too
     } else {
@@ -159,13 +158,15 @@ void check_light(Parser& parser, LightDesc& light) {
     light.fade_power = 0.0;
     light.fade_distance = 0.0;
   }
-  if (light.orient && !light.circular) {
+  const bool implied = light.orient && !light.circular;
+  if (implied) {
     light.circular = true;
-    parser.warn_at(light.where, "orient needs a circular area_light: this one is circular now.");
+    parser.warn("orient needs a circular area_light: this one is circular now.");
   }
-  if (light.circular && light.has_area && (light.size1 <= 1 || light.size2 <= 1)) {
-    parser.fail_at(light.where, "A circular area_light must have more than one light along each axis.");
-  }
+  if (!light.circular || (light.size1 > 1 && light.size2 > 1)) return;
+  const char* rule = "A circular area_light must have more than one light along each axis.";
+  if (!implied) parser.fail(rule);
+  parser.warn(rule);
 }
 
 }  // namespace
@@ -182,9 +183,11 @@ Ref<ObjectDesc> parse_light_source(Parser& parser, Context& context, const Locat
   light->where = where;
   light->position = parser.parse_vector();
   parser.parse_comma();
-  light->colour = to_colour(parser.parse_colour());
+  // Without a colour stock has a black light.
+  if (parser.at_colour() || parser.at_expression()) light->colour = to_colour(parser.parse_colour());
   parse_light_words(parser, context, *light);
   check_light(parser, *light);
+  parser.expect(Punct::kRightCurly);
   auto object = std::make_shared<ObjectDesc>();
   object->where = where;
   object->keyword = "light_source";
@@ -204,7 +207,7 @@ Ref<ObjectDesc> parse_light_group(Parser& parser, Context& context, const Locati
     } else if (parser.accept(Keyword::kGlobalLights)) {
       std::get<CsgShape>(object->shape).global_lights = optional_float(parser, 1.0) > 0.5;
     } else if (parser.accept(Keyword::kPhotons)) {
-      parse_photon_flags(parser, object->photons);
+      parse_photon_flags(parser, object->photons, false);
     } else {
       parser.fail_expected("an object, a transform, global_lights, photons or }");
     }

@@ -93,6 +93,14 @@ void accept_object_colour(Parser& parser, Looks& looks) {
   looks.texture = texture;
 }
 
+/// A word of colours or a colour's name: a plain vector is no colour here.
+bool at_colour_name(Parser& parser) {
+  if (parser.at(Punct::kLess) || !parser.at_colour()) return false;
+  const Value* value = parser.peek_value();
+  const Number* number = value ? std::get_if<Number>(value) : nullptr;
+  return !number || number->is_colour;
+}
+
 template <typename Desc>
 std::optional<Value> as_value(const Ref<Desc>& desc) {
   return Value(desc);
@@ -151,14 +159,9 @@ bool accept_looks(Parser& parser, MaterialContext& context, Looks& looks) {
       add_texture(parser, looks.interior_texture, material->interior_texture);
     }
     if (material->interior) looks.interior = material->interior;
-  } else if (parser.accept(Keyword::kMedia)) {
-    auto interior = looks.interior ? std::make_shared<InteriorDesc>(*looks.interior)
-                                   : std::make_shared<InteriorDesc>();
-    interior->media.push_back(parse_media(parser, context));
-    looks.interior = interior;
   } else if (accept_part(parser, context, looks.texture)) {
     return true;
-  } else if (parser.at_colour()) {
+  } else if (at_colour_name(parser)) {
     accept_object_colour(parser, looks);
   } else {
     return false;
@@ -200,7 +203,10 @@ bool accept_material_default(Parser& parser, MaterialContext& context) {
     context.default_texture = texture;
     return true;
   }
-  return accept_part(parser, context, context.default_texture);
+  context.in_default = true;
+  const bool accepted = accept_part(parser, context, context.default_texture);
+  context.in_default = false;
+  return accepted;
 }
 
 }  // namespace lentray::parser

@@ -112,7 +112,7 @@ void parse_scattering(Parser& parser, ScatteringDesc& scattering) {
   scattering.type = parser.parse_int();
   if (scattering.type < 1 || scattering.type > 5) parser.warn("scattering types go from 1 to 5");
   parser.parse_comma();
-  scattering.colour = parse_rgb(parser);
+  if (parser.at_colour() || parser.at_expression()) scattering.colour = parse_rgb(parser);
   for (;;) {
     if (parser.at(Keyword::kEccentricity)) {
       if (scattering.type != 5) parser.fail("eccentricity goes with scattering type 5 only");

@@ -129,6 +129,9 @@ Ref<ObjectDesc> accept_object(Parser& parser, Context& context) {
   const Location where = parser.location();
   if (const ShapeEntry* entry = find_entry(kShapes, parser.peek())) {
     parser.next();
+    if (entry->keyword == Keyword::kComposite && parser.language_version() >= 150) {
+      parser.warn_at(where, "composite is union now");
+    }
     return parse_shape_block(parser, context, *entry, where);
   }
   if (parser.accept(Keyword::kObject)) return parse_object_block(parser, context, where);

@@ -37,13 +37,13 @@ ContainerShape parse_container(Parser& parser) {
   return c;
 }
 
-std::optional<SplineKind> accept_spline_kind(Parser& parser) {
-  if (parser.accept(Keyword::kLinearSpline)) return SplineKind::kLinear;
-  if (parser.accept(Keyword::kQuadraticSpline)) return SplineKind::kQuadratic;
-  if (parser.accept(Keyword::kCubicSpline)) return SplineKind::kCubic;
-  if (parser.accept(Keyword::kBezierSpline)) return SplineKind::kBezier;
-  if (parser.accept(Keyword::kBSpline)) return SplineKind::kB;
-  if (parser.accept(Keyword::kNaturalSpline)) return SplineKind::kNatural;
+std::optional<CurveKind> accept_curve_kind(Parser& parser) {
+  if (parser.accept(Keyword::kLinearSpline)) return CurveKind::kLinear;
+  if (parser.accept(Keyword::kQuadraticSpline)) return CurveKind::kQuadratic;
+  if (parser.accept(Keyword::kCubicSpline)) return CurveKind::kCubic;
+  if (parser.accept(Keyword::kBezierSpline)) return CurveKind::kBezier;
+  if (parser.accept(Keyword::kBSpline)) return CurveKind::kB;
+  if (parser.accept(Keyword::kNaturalSpline)) return CurveKind::kNatural;
   return std::nullopt;
 }
 
@@ -132,14 +132,61 @@ bool is_julia_function(Keyword k) {
   return std::find(kFunctions.begin(), kFunctions.end(), k) != kFunctions.end();
 }
 
+/// Points that a piece of an outline spans, and which of them it starts and ends at.
+struct OutlineStep {
+  std::size_t span, start, end;
+};
+
+/// The outlines of a prism must close: stock closes the last one if it is of straight lines, and
+/// leaves out others.
+void check_outline(Parser& parser, const Location& where, PrismShape& s) {
+  std::vector<Vec2>& p = s.points;
+  if (s.spline == CurveKind::kBezier) {
+    if (p.size() % 4 != 0) {
+      parser.fail_at(where, "A prism of a Bezier spline needs four points a segment.");
+    }
+    return;
+  }
+  const OutlineStep step = s.spline == CurveKind::kLinear      ? OutlineStep{1, 0, 1}
+                           : s.spline == CurveKind::kQuadratic ? OutlineStep{2, 1, 2}
+                                                               : OutlineStep{3, 1, 2};
+  std::size_t first = 0;
+  bool open = true;
+  for (std::size_t i = 0; i + step.span < p.size(); ++i) {
+    open = !(p[i + step.end] == p[first + step.start]);
+    if (open) continue;
+    i += step.span;
+    first = i + 1;
+  }
+  if (!open) return;
+  if (s.spline == CurveKind::kLinear) {
+    parser.warn_at(where, "This prism is not closed: closing it.");
+    p.push_back(p[first]);
+  } else if (first == 0) {
+    parser.fail_at(where, "This prism is not closed: its outline must come back to its first point.");
+  } else {
+    parser.warn_at(where, "An outline of this prism is not closed: it is left out.");
+    p.resize(first);
+  }
+}
+
+constexpr double kLeastExponent = 1e-10;
+
 }  // namespace
 
 ShapeDesc parse_bicubic_patch(Parser& parser, Context&) {
   auto s = std::make_shared<BicubicPatchShape>();
   while (true) {
     if (parser.accept(Keyword::kType)) {
+      const Location where = parser.location();
       s->type = parser.parse_int();
-      if (s->type != 0 && s->type != 1) parser.fail("The type of a bicubic_patch must be 0 or 1.");
+      if (s->type == 2 || s->type == 3) {
+        parser.warn_at(where, "types 2 and 3 of a bicubic_patch are gone: type 1 is used");
+        s->type = 1;
+      }
+      if (s->type != 0 && s->type != 1) {
+        parser.fail_at(where, "The type of a bicubic_patch must be 0 or 1.");
+      }
     } else if (parser.accept(Keyword::kFlatness)) {
       s->flatness = parser.parse_float();
     } else if (parser.accept(Keyword::kUSteps)) {
@@ -276,12 +323,13 @@ ShapeDesc parse_julia_fractal(Parser& parser, Context&) {
       s.hypercomplex = true;
     } else if (parser.accept(Keyword::kMaxIteration)) {
       s.max_iteration = parser.parse_int();
-      if (s.max_iteration <= 0) parser.fail("max_iteration must be greater than 0.");
     } else if (parser.accept(Keyword::kPrecision)) {
       s.precision = parser.parse_float();
       if (s.precision < 1.0) parser.fail("precision must be at least 1.");
     } else if (parser.accept(Keyword::kSlice)) {
+      const Location where = parser.location();
       s.slice = parse_vector4(parser);
+      if (s.slice[3] == 0.0) parser.fail_at(where, "The fourth component of a slice must not be 0.");
       parser.parse_comma();
       s.slice_distance = parser.parse_float();
     } else if (token.kind == TokenKind::kKeyword && is_julia_function(token.keyword)) {
@@ -296,16 +344,20 @@ ShapeDesc parse_julia_fractal(Parser& parser, Context&) {
         parser.accept(Punct::kRightParen);
       }
     } else {
-      return s;
+      break;
     }
   }
+  if (!s.hypercomplex && s.function != "sqr" && s.function != "cube") {
+    parser.fail("quaternion fractals have the functions sqr and cube only");
+  }
+  return s;
 }
 
 ShapeDesc parse_lathe(Parser& parser, Context&) {
   LatheShape s;
-  if (const auto kind = accept_spline_kind(parser)) s.spline = *kind;
+  if (const auto kind = accept_curve_kind(parser)) s.spline = *kind;
   const int count = parser.parse_int();
-  const int least = s.spline == SplineKind::kLinear ? 2 : s.spline == SplineKind::kQuadratic ? 3 : 4;
+  const int least = s.spline == CurveKind::kLinear ? 2 : s.spline == CurveKind::kQuadratic ? 3 : 4;
   if (count < least) {
     parser.fail("A lathe of this spline needs at least " + std::to_string(least) + " points.");
   }
@@ -343,6 +395,9 @@ ShapeDesc parse_parametric(Parser& parser, Context&) {
       s.container = parse_container(parser);
     } else if (parser.accept(Keyword::kPrecompute)) {
       s.precompute_depth = parser.parse_int();
+      if (s.precompute_depth < 1 || s.precompute_depth > 20) {
+        parser.fail("The depth of precompute goes from 1 to 20.");
+      }
       static constexpr std::array kAxes{Keyword::kX, Keyword::kY, Keyword::kZ};
       for (bool found = true; found;) {
         parser.parse_comma();
@@ -396,7 +451,7 @@ ShapeDesc parse_polynomial(Parser& parser, Context&) {
 ShapeDesc parse_prism(Parser& parser, Context&) {
   PrismShape s;
   while (true) {
-    if (const auto kind = accept_spline_kind(parser)) {
+    if (const auto kind = accept_curve_kind(parser)) {
       s.spline = *kind;
     } else if (parser.accept(Keyword::kLinearSweep)) {
       s.conic_sweep = false;
@@ -412,7 +467,9 @@ ShapeDesc parse_prism(Parser& parser, Context&) {
   parser.parse_comma();
   const int count = parser.parse_int();
   if (count < 3) parser.fail("A prism must have at least three points.");
+  const Location where = parser.location();
   s.points = parse_points(parser, count);
+  check_outline(parser, where, s);
   s.open = parser.accept(Keyword::kOpen);
   return s;
 }
@@ -443,12 +500,17 @@ ShapeDesc parse_sor(Parser& parser, Context&) {
 
 ShapeDesc parse_sphere_sweep(Parser& parser, Context&) {
   SphereSweepShape s;
-  if (const auto kind = accept_spline_kind(parser)) {
-    s.spline = *kind;
-  } else {
-    parser.fail_expected("linear_spline, cubic_spline or b_spline");
+  const Location where = parser.location();
+  const auto kind = accept_curve_kind(parser);
+  if (!kind || (*kind != CurveKind::kLinear && *kind != CurveKind::kCubic && *kind != CurveKind::kB)) {
+    parser.fail_at(where, "A sphere_sweep begins with linear_spline, cubic_spline or b_spline.");
   }
+  s.spline = *kind;
   const int count = parser.parse_int();
+  const int least = s.spline == CurveKind::kLinear ? 2 : 4;
+  if (count < least) {
+    parser.fail("A sphere_sweep of this spline needs at least " + std::to_string(least) + " spheres.");
+  }
   for (int i = 0; i < count; ++i) {
     parser.parse_comma();
     s.centres.push_back(parser.parse_vector());
@@ -462,12 +524,13 @@ ShapeDesc parse_sphere_sweep(Parser& parser, Context&) {
 
 ShapeDesc parse_superellipsoid(Parser& parser, Context&) {
   const Vec2 v = parse_uv(parser);
-  if (v.u <= 0.0 || v.v <= 0.0) parser.fail("The exponents of a superellipsoid must be positive.");
-  return SuperellipsoidShape{v.u, v.v};
+  // Stock takes the exponents as they are; the smallest that it tells from 0.
+  return SuperellipsoidShape{std::max(v.u, kLeastExponent), std::max(v.v, kLeastExponent)};
 }
 
 ShapeDesc parse_text(Parser& parser, Context&) {
   TextShape s;
+  const Location where = parser.location();
   if (parser.accept(Keyword::kInternal)) {
     static constexpr std::array kFonts{"povlogo.ttf", "timrom.ttf", "cyrvetic.ttf", "crystal.ttf"};
     const int number = parser.parse_int();
@@ -478,7 +541,7 @@ ShapeDesc parse_text(Parser& parser, Context&) {
   }
   auto path = parser.find_file(s.font);
   if (!path) path = parser.find_file(s.font + ".ttf");
-  if (!path) parser.fail("Cannot find the font file \"" + s.font + "\".");
+  if (!path) parser.fail_at(where, "Cannot find the font file \"" + s.font + "\".");
   s.font = *path;
   parser.parse_comma();
   s.text = parser.parse_string();

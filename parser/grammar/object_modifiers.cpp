@@ -2,6 +2,7 @@
 
 #include "parser/grammar/helpers.h"
 #include "parser/grammar/object.h"
+#include "parser/grammar/object_shapes.h"
 #include "parser/grammar/transform.h"
 
 namespace lentray::parser {
@@ -9,10 +10,19 @@ namespace {
 
 using Modifier = void (*)(Parser&, Context&, ObjectDesc&);
 
+void check_region(Parser& parser, const std::vector<Ref<ObjectDesc>>& regions) {
+  for (const Ref<ObjectDesc>& region : regions) {
+    if (is_patch(*region)) {
+      parser.fail("What bounds or clips must have an inside: a triangle, patch or light has none.");
+    }
+  }
+}
+
 /// The objects of clipped_by or bounded_by, with transforms that hold for all of them.
-std::vector<Ref<ObjectDesc>> parse_regions(Parser& parser, Context& context) {
+std::vector<Ref<ObjectDesc>> parse_regions(Parser& parser, Context& context, bool bounds) {
   std::vector<Ref<ObjectDesc>> regions{expect_object(parser, context)};
   while (Ref<ObjectDesc> more = accept_object(parser, context)) regions.push_back(std::move(more));
+  if (bounds) check_region(parser, regions);
   if (const auto transform = parser.accept_transforms()) {
     for (Ref<ObjectDesc>& region : regions) region = transformed(region, *transform);
   }
@@ -31,7 +41,7 @@ void parse_bounded_by(Parser& parser, Context& context, ObjectDesc& object) {
     object.bounded_by = object.clipped_by;
     object.bounds_are_clips = true;
   } else {
-    append(object.bounded_by, parse_regions(parser, context));
+    append(object.bounded_by, parse_regions(parser, context, true));
   }
   parser.expect(Punct::kRightCurly);
 }
@@ -44,7 +54,7 @@ void parse_clipped_by(Parser& parser, Context& context, ObjectDesc& object) {
     object.clipped_by = object.bounded_by;
     object.bounds_are_clips = true;
   } else {
-    append(object.clipped_by, parse_regions(parser, context));
+    append(object.clipped_by, parse_regions(parser, context, false));
   }
   parser.expect(Punct::kRightCurly);
 }
@@ -52,10 +62,7 @@ void parse_clipped_by(Parser& parser, Context& context, ObjectDesc& object) {
 void parse_radiosity(Parser& parser, Context&, ObjectDesc& object) {
   parser.expect(Punct::kLeftCurly);
   while (parser.accept(Keyword::kImportance)) {
-    object.radiosity_importance = parser.parse_float();
-    if (*object.radiosity_importance <= 0.0 || *object.radiosity_importance > 1.0) {
-      parser.fail("Radiosity importance must be greater than 0 and at most 1.");
-    }
+    object.radiosity_importance = parse_importance(parser);
   }
   parser.expect(Punct::kRightCurly);
 }
@@ -68,13 +75,26 @@ void parse_split_union(Parser& parser, Context&, ObjectDesc& object) {
   csg->split_union = parser.parse_bool();
 }
 
-void parse_cutaway(Parser& parser, Context&, ObjectDesc& object) {
-  auto* csg = std::get_if<CsgShape>(&object.shape);
-  if (!csg || (csg->operation != CsgOperation::kIntersection &&
-               csg->operation != CsgOperation::kDifference)) {
-    parser.fail("cutaway_textures holds for intersection and difference only.");
-  }
-  csg->cutaway_textures = true;
+bool has_cutaway(const ObjectDesc& object) {
+  const CsgShape* csg = object.csg();
+  return csg && (csg->operation == CsgOperation::kIntersection ||
+                 csg->operation == CsgOperation::kDifference);
+}
+
+/// Solvers that sturm chooses.
+bool has_sturm(const ObjectDesc& object) {
+  const ShapeDesc& s = object.shape;
+  return std::holds_alternative<std::shared_ptr<const BlobShape>>(s) ||
+         std::holds_alternative<LatheShape>(s) || std::holds_alternative<OvusShape>(s) ||
+         std::holds_alternative<PolyShape>(s) || std::holds_alternative<PrismShape>(s) ||
+         std::holds_alternative<SorShape>(s) || std::holds_alternative<TorusShape>(s);
+}
+
+bool has_hierarchy(const ObjectDesc& object) {
+  const ShapeDesc& s = object.shape;
+  return std::holds_alternative<std::shared_ptr<const BlobShape>>(s) ||
+         std::holds_alternative<std::shared_ptr<const MeshShape>>(s) ||
+         std::holds_alternative<HeightFieldShape>(s);
 }
 
 void parse_uv_mapping(Parser& parser, Context&, ObjectDesc& object) {
@@ -95,14 +115,21 @@ void parse_optional_switch(Parser& parser, Context&, ObjectDesc& object) {
 struct ModifierEntry {
   Keyword keyword;
   Modifier read;
+  bool (*allowed)(const ObjectDesc&) = nullptr;   ///< null: in all objects
+  const char* objects = "";                       ///< that allow it, for the message
 };
 
 const std::array kModifiers{
     ModifierEntry{Keyword::kBoundedBy, parse_bounded_by},
     ModifierEntry{Keyword::kClippedBy, parse_clipped_by},
-    ModifierEntry{Keyword::kCutawayTextures, parse_cutaway},
+    ModifierEntry{Keyword::kCutawayTextures,
+                  [](Parser&, Context&, ObjectDesc& object) {
+                    std::get<CsgShape>(object.shape).cutaway_textures = true;
+                  },
+                  has_cutaway, "intersection and difference"},
     ModifierEntry{Keyword::kDoubleIlluminate, parse_optional_switch<&ObjectDesc::double_illuminate>},
-    ModifierEntry{Keyword::kHierarchy, parse_switch<&ObjectDesc::hierarchy>},
+    ModifierEntry{Keyword::kHierarchy, parse_switch<&ObjectDesc::hierarchy>, has_hierarchy,
+                  "blob, mesh and height_field"},
     ModifierEntry{Keyword::kHollow, parse_optional_switch<&ObjectDesc::hollow>},
     ModifierEntry{Keyword::kInverse,
                   [](Parser&, Context&, ObjectDesc& object) { object.inverse = !object.inverse; }},
@@ -112,10 +139,11 @@ const std::array kModifiers{
     ModifierEntry{Keyword::kNoShadow,
                   [](Parser&, Context&, ObjectDesc& object) { object.no_shadow = true; }},
     ModifierEntry{Keyword::kPhotons, [](Parser& parser, Context&,
-                                        ObjectDesc& object) { parse_photon_flags(parser, object.photons); }},
+                                        ObjectDesc& object) { parse_photon_flags(parser, object.photons, false); }},
     ModifierEntry{Keyword::kRadiosity, parse_radiosity},
     ModifierEntry{Keyword::kSplitUnion, parse_split_union},
-    ModifierEntry{Keyword::kSturm, parse_switch<&ObjectDesc::sturm>},
+    ModifierEntry{Keyword::kSturm, parse_switch<&ObjectDesc::sturm>, has_sturm,
+                  "blob, lathe, ovus, poly, prism, sor and torus"},
     ModifierEntry{Keyword::kUvMapping, parse_uv_mapping},
 };
 
@@ -131,30 +159,44 @@ bool accept_object_looks(Parser& parser, Context& context, ObjectDesc& object) {
 
 }  // namespace
 
-void parse_photon_flags(Parser& parser, PhotonFlags& photons) {
+double parse_importance(Parser& parser) {
+  const double importance = parser.parse_float();
+  if (importance <= 0.0 || importance > 1.0) {
+    parser.fail("Radiosity importance must be greater than 0 and at most 1.");
+  }
+  return importance;
+}
+
+void parse_photon_flags(Parser& parser, PhotonFlags& photons, bool of_light) {
   photons.given = true;
   parser.expect(Punct::kLeftCurly);
   while (true) {
-    if (parser.accept(Keyword::kTarget)) {
+    if (!of_light && parser.accept(Keyword::kTarget)) {
       photons.density = optional_float(parser, 1.0);
       photons.target = photons.density > 0.0;
     } else if (parser.accept(Keyword::kRefraction)) {
-      photons.refraction = parser.parse_bool();
+      photons.refraction = parser.parse_float() != 0.0;
     } else if (parser.accept(Keyword::kReflection)) {
-      photons.reflection = parser.parse_bool();
-    } else if (parser.accept(Keyword::kPassThrough)) {
+      photons.reflection = parser.parse_float() != 0.0;
+    } else if (!of_light && parser.accept(Keyword::kPassThrough)) {
       photons.pass_through = optional_switch(parser);
-    } else if (parser.accept(Keyword::kCollect)) {
+    } else if (!of_light && parser.accept(Keyword::kCollect)) {
       photons.collect = optional_switch(parser);
-    } else if (parser.accept(Keyword::kAreaLight)) {
+    } else if (of_light && parser.accept(Keyword::kAreaLight)) {
       photons.area_light = true;
-    } else if (parser.accept(Punct::kRightCurly)) {
-      return;
+    } else if (parser.at(Punct::kRightCurly)) {
+      break;
     } else {
-      parser.fail_expected(
-          "one of target, refraction, reflection, pass_through, collect, area_light or }");
+      parser.fail_expected(of_light ? "one of refraction, reflection, area_light or }"
+                                    : "one of target, refraction, reflection, pass_through, "
+                                      "collect or }");
     }
   }
+  if (photons.pass_through && photons.target && photons.refraction.value_or(false)) {
+    parser.warn("what photons pass through cannot refract them as a target: refraction is off");
+    photons.refraction = false;
+  }
+  parser.expect(Punct::kRightCurly);
 }
 
 bool accept_object_modifier(Parser& parser, Context& context, ObjectDesc& object) {
@@ -163,6 +205,9 @@ bool accept_object_modifier(Parser& parser, Context& context, ObjectDesc& object
     return true;
   }
   if (const ModifierEntry* entry = find_entry(kModifiers, parser.peek())) {
+    if (entry->allowed && !entry->allowed(object)) {
+      parser.fail(std::string(spelling(entry->keyword)) + " holds for " + entry->objects + " only.");
+    }
     parser.next();
     entry->read(parser, context, object);
     return true;

@@ -14,7 +14,10 @@ void parse_object_modifiers(Parser& parser, Context& context, ObjectDesc& object
 /// One modifier if one is next.
 bool accept_object_modifier(Parser& parser, Context& context, ObjectDesc& object);
 
-/// `photons { ... }` of an object or light_group, the keyword consumed.
-void parse_photon_flags(Parser& parser, PhotonFlags& photons);
+/// What stands behind `importance`.
+double parse_importance(Parser& parser);
+
+/// `photons { ... }` of an object or of a light, the keyword consumed.
+void parse_photon_flags(Parser& parser, PhotonFlags& photons, bool of_light);
 
 }  // namespace lentray::parser

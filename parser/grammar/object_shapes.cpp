@@ -1,5 +1,6 @@
 #include "parser/grammar/object_shapes.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "parser/grammar/helpers.h"
@@ -21,6 +22,20 @@ void fail_degenerate(Parser& parser, const Context& context, const char* message
 }
 
 }  // namespace
+
+bool is_patch(const ObjectDesc& object) {
+  if (const CsgShape* csg = object.csg()) {
+    return std::any_of(csg->children->begin(), csg->children->end(),
+                       [](const Ref<ObjectDesc>& child) { return is_patch(*child); });
+  }
+  if (const auto* mesh = std::get_if<std::shared_ptr<const MeshShape>>(&object.shape)) {
+    return !(*mesh)->inside_vector;
+  }
+  return object.is_light() || std::holds_alternative<TriangleShape>(object.shape) ||
+         std::holds_alternative<SmoothTriangleShape>(object.shape) ||
+         std::holds_alternative<ParametricShape>(object.shape) ||
+         std::holds_alternative<std::shared_ptr<const BicubicPatchShape>>(object.shape);
+}
 
 ShapeDesc parse_sphere(Parser& parser, Context&) {
   SphereShape s;
@@ -85,13 +100,12 @@ ShapeDesc parse_torus(Parser& parser, Context&) {
   return s;
 }
 
-ShapeDesc parse_disc(Parser& parser, Context& context) {
+ShapeDesc parse_disc(Parser& parser, Context&) {
   DiscShape s;
   s.centre = parser.parse_vector();
   parser.parse_comma();
   s.normal = parser.parse_vector();
   parser.parse_comma();
-  if (length(s.normal) < kTiny) fail_degenerate(parser, context, "Degenerate disc normal.");
   s.radius = parser.parse_float();
   parser.parse_comma();
   s.hole = optional_float(parser, 0.0);
@@ -118,11 +132,15 @@ ShapeDesc parse_smooth_triangle(Parser& parser, Context&) {
     s.n[i] = parser.parse_vector();
     parser.parse_comma();
   }
-  if (is_degenerate(s.p)) parser.warn_at(where, "Degenerate triangle: it has no area.");
+  const bool flat = std::any_of(s.n.begin(), s.n.end(), [](const Vec3& n) { return length(n) == 0.0; });
+  if (is_degenerate(s.p) || flat) {
+    parser.warn_at(where, "Degenerate triangle: it has no area or a normal of no length.");
+  }
   return s;
 }
 
 ShapeDesc parse_polygon(Parser& parser, Context&) {
+  const Location where = parser.location();
   const int count = parser.parse_int();
   if (count < 3) parser.fail("Polygon needs at least three points.");
   PolygonShape s;
@@ -130,6 +148,21 @@ ShapeDesc parse_polygon(Parser& parser, Context&) {
   for (int i = 0; i < count; ++i) {
     parser.parse_comma();
     s.points.push_back(parser.parse_vector());
+  }
+  // As stock: the first point that is met again closes an outline and the next begins another.
+  Vec3 first = s.points.front();
+  bool open = true;
+  for (std::size_t i = 1; i < s.points.size(); ++i) {
+    if (!open) {
+      first = s.points[i];
+      open = true;
+    } else if (s.points[i] == first) {
+      open = false;
+    }
+  }
+  if (open) {
+    parser.warn_at(where, "This polygon is not closed: closing it.");
+    s.points.push_back(first);
   }
   return s;
 }
@@ -148,9 +181,18 @@ ShapeDesc parse_quadric(Parser& parser, Context&) {
 ShapeDesc parse_csg(Parser& parser, Context& context, CsgOperation operation,
                     const Ref<ObjectDesc>& first) {
   auto children = std::make_shared<Children>();
-  if (first) children->push_back(first);
-  while (Ref<ObjectDesc> child = accept_object(parser, context)) {
+  const bool solid = operation == CsgOperation::kIntersection || operation == CsgOperation::kDifference;
+  const auto add = [&](Ref<ObjectDesc> child) {
+    if (solid && is_patch(*child)) {
+      parser.warn("what has no inside does not belong in an intersection or difference");
+    }
     children->push_back(std::move(child));
+  };
+  if (first) add(first);
+  while (Ref<ObjectDesc> child = accept_object(parser, context)) add(std::move(child));
+  if (children->size() < 2 && operation != CsgOperation::kLightGroup &&
+      parser.language_version() >= 150) {
+    parser.warn("a CSG should have at least two objects");
   }
   CsgShape s;
   s.operation = operation;

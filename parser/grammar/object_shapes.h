@@ -26,6 +26,10 @@ ShapeDesc parse_mesh2(Parser& parser, Context& context);
 ShapeDesc parse_csg(Parser& parser, Context& context, CsgOperation operation,
                     const Ref<ObjectDesc>& first = nullptr);
 
+/// It has no inside: triangles, bicubic patches, parametrics, meshes without an inside_vector,
+/// lights, and any CSG that holds one of these.
+bool is_patch(const ObjectDesc& object);
+
 // Read and kept; rendered later.
 ShapeDesc parse_bicubic_patch(Parser& parser, Context& context);
 ShapeDesc parse_blob(Parser& parser, Context& context);

@@ -289,6 +289,10 @@ bool has_item_list(PatternKind kind) {
   }
 }
 
+bool is_unset(const PatternDesc& pattern) {
+  return pattern.kind == PatternKind::kPlain && pattern.where.file == 0;
+}
+
 void check_map_allowed(Parser& parser, const PatternDesc& pattern, std::string_view map,
                        bool average_allowed) {
   const PatternKind kind = pattern.kind;
@@ -302,11 +306,12 @@ void check_map_allowed(Parser& parser, const PatternDesc& pattern, std::string_v
 
 bool accept_pattern(Parser& parser, MaterialContext& context, PatternTarget& target) {
   PatternDesc& pattern = target.pattern();
+  const Location where = parser.location();
   if (target.accept_plain(parser)) {
     pattern.kind = PatternKind::kPlain;
+    pattern.where = where;
     return true;
   }
-  const Location where = parser.location();
   const PatternRule* rule = find_rule(parser.peek());
   if (!rule) return false;
   parser.next();
@@ -317,22 +322,21 @@ bool accept_pattern(Parser& parser, MaterialContext& context, PatternTarget& tar
 }
 
 void parse_pattern_body(Parser& parser, MaterialContext& context, PatternTarget& target) {
-  bool found = accept_pattern(parser, context, target);
+  accept_pattern(parser, context, target);
   target.after_pattern(parser);
-  for (;;) {
-    if (target.accept_own_modifier(parser) || accept_pattern_modifier(parser, target)) continue;
-    // Stock wants the pattern first; scenes from before 3.0 have it anywhere.
-    if (!found && (found = accept_pattern(parser, context, target))) {
-      target.after_pattern(parser);
-      continue;
-    }
-    break;
+  while (target.accept_own_modifier(parser) || accept_pattern_modifier(parser, target)) {
   }
   const PatternDesc& pattern = target.pattern();
   if (pattern.kind == PatternKind::kAverage && !target.has_map()) {
     parser.fail("average needs a map of " + std::string(target.statement()) + "s");
   }
   if (pattern.kind == PatternKind::kPavement) check_pavement(parser, pattern);
+  if (!is_unset(pattern)) return;
+  if (target.statement() == "pigment") {
+    if (parser.language_version() >= 150) parser.warn("this pigment has neither colour nor pattern, or does not begin with it");
+  } else if (target.statement() == "normal" && !context.in_default) {
+    parser.fail("this normal has no pattern");
+  }
 }
 
 core::Rgb parse_rgb(Parser& parser) { return to_colour(parser.parse_colour()).rgb; }

@@ -45,6 +45,9 @@ bool accept_turbulence_word(Parser& parser, PatternDesc& pattern);
 /// True for patterns with a list of items, which take no map.
 bool has_item_list(PatternKind kind);
 /// Fails unless a map (keyword `map`) can go with the target's pattern.
+/// Neither a colour nor a pattern has been said yet.
+bool is_unset(const PatternDesc& pattern);
+
 void check_map_allowed(Parser& parser, const PatternDesc& pattern, std::string_view map,
                        bool average_allowed);
 

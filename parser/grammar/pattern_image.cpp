@@ -25,11 +25,12 @@ std::string lower(std::string text) {
   return text;
 }
 
-void find_image(Parser& parser, ImageDesc& image) {
+void find_image(Parser& parser, ImageDesc& image, const Location& where) {
   image.path = parser.find_file(image.name).value_or("");
   if (image.path.empty() && !std::filesystem::path(image.name).has_extension()) {
     image.path = parser.find_file(image.name + "." + image.type).value_or("");
   }
+  if (image.path.empty()) parser.fail_at(where, "cannot find the image file '" + image.name + "'");
 }
 
 void parse_image_function(Parser& parser, ImageDesc& image) {
@@ -58,7 +59,12 @@ void parse_transparency(Parser& parser, std::optional<double>& all,
 std::shared_ptr<ImageDesc> parse_image_source(Parser& parser) {
   auto image = std::make_shared<ImageDesc>();
   // POV-Ray 1 wrote the orientation of the image first.
-  if (parser.at_expression()) parser.parse_vector();
+  if (parser.at_expression()) {
+    parser.parse_vector();
+    parser.parse_comma();
+    if (parser.language_version() >= 150) parser.warn("the orientation of an image has no meaning any more");
+  }
+  const Location where = parser.location();
   const Keyword word = parser.peek().kind == TokenKind::kKeyword ? parser.peek().keyword
                                                                  : Keyword::kNone;
   const auto type = std::find_if(std::begin(kTypes), std::end(kTypes),
@@ -76,7 +82,7 @@ std::shared_ptr<ImageDesc> parse_image_source(Parser& parser) {
     const std::string extension = std::filesystem::path(image->name).extension().string();
     image->type = extension.empty() ? "png" : lower(extension.substr(1));
   }
-  find_image(parser, *image);
+  find_image(parser, *image, where);
   for (;;) {
     if (parser.accept(Keyword::kGamma)) {
       image->gamma = parser.accept(Keyword::kSrgb) ? -1.0 : parser.parse_float();

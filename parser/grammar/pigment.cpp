@@ -50,7 +50,8 @@ class PigmentTarget final : public PatternTarget {
 
   bool accept_own_modifier(Parser& parser) override {
     if (parser.at(Keyword::kColorMap)) {
-      check_map_allowed(parser, m_pigment.pattern, "color_map", false);
+      // Without a pattern it means nothing, and stock lets it pass.
+      if (!is_unset(m_pigment.pattern)) check_map_allowed(parser, m_pigment.pattern, "color_map", false);
       parser.next();
       m_pigment.colour_map = parse_colour_map(parser, m_context);
       m_pigment.pigment_map = nullptr;

@@ -4,6 +4,7 @@
 #include "parser/grammar/atmosphere.h"
 #include "parser/grammar/camera.h"
 #include "parser/grammar/object.h"
+#include "parser/grammar/object_modifiers.h"
 
 namespace lentray::parser {
 
@@ -37,7 +38,7 @@ void Grammar::set_default(Parser& parser) {
       m_context.default_camera = parse_camera(parser, m_context, m_context.default_camera);
     } else if (parser.accept(Keyword::kRadiosity)) {
       parser.expect(Punct::kLeftCurly);
-      while (parser.accept(Keyword::kImportance)) (void)parser.parse_float();
+      while (parser.accept(Keyword::kImportance)) m_context.default_importance = parse_importance(parser);
       parser.expect(Punct::kRightCurly);
     } else if (!accept_material_default(parser, m_context.materials)) {
       parser.fail_expected("one of texture, pigment, normal, finish, camera, radiosity or }");

@@ -41,6 +41,12 @@ void read_sky_sphere(Parser& parser, Grammar& grammar, SceneDesc& scene) {
   scene.sky_sphere = parse_sky_sphere(parser, grammar.context());
 }
 
+/// A setting that stands as a statement.
+void warn_of_setting(Parser& parser, const char* word, int since) {
+  if (parser.language_version() < since) return;
+  parser.warn(std::string(word) + " belongs in global_settings");
+}
+
 const std::array kStatements{
     StatementEntry{Keyword::kBackground, read_background},
     StatementEntry{Keyword::kCamera, read_camera},
@@ -52,9 +58,15 @@ const std::array kStatements{
                      parse_global_settings(p, g.context(), s.global);
                    }},
     StatementEntry{Keyword::kMaxIntersections,
-                   [](Parser& p, Grammar&, SceneDesc&) { (void)p.parse_float(); }},
+                   [](Parser& p, Grammar&, SceneDesc&) {
+                     (void)p.parse_float();
+                     warn_of_setting(p, "max_intersections", 370);
+                   }},
     StatementEntry{Keyword::kMaxTraceLevel,
-                   [](Parser& p, Grammar&, SceneDesc& s) { parse_max_trace_level(p, s.global); }},
+                   [](Parser& p, Grammar&, SceneDesc& s) {
+                     warn_of_setting(p, "max_trace_level", 300);
+                     parse_max_trace_level(p, s.global);
+                   }},
     StatementEntry{Keyword::kMedia, [](Parser& p, Grammar& g, SceneDesc& s) {
                      s.atmosphere_media.push_back(parse_media(p, g.context().materials));
                    }},
@@ -76,10 +88,27 @@ void read_statement(Parser& parser, Grammar& grammar, SceneDesc& scene) {
     parser.fail_expected("an object or a statement: one of " + word_list(kStatements) + ", " +
                          object_words());
   }
-  scene.objects.push_back({std::move(object), grammar.context().materials.default_texture});
+  const Context& context = grammar.context();
+  scene.objects.push_back(
+      {std::move(object), context.materials.default_texture, context.default_importance});
   // A semicolon behind an object is an error in stock; it harms nobody. Looking for it comes last:
   // it runs the directives that follow.
   parser.accept(Punct::kSemicolon);
+}
+
+void warn_about_version(Parser& parser) {
+  Diagnostics& diagnostics = parser.diagnostics();
+  if (!parser.language_version_set()) {
+    diagnostics.warn({}, "the scene has no #version: it is read with today's grammar and rendered as "
+                         "one from before 3.7");
+  } else if (!parser.language_version_first()) {
+    diagnostics.warn({}, "the #version of the scene stands behind other declarations: they were read "
+                         "with another one");
+  }
+  if (parser.language_version() <= 310) {
+    diagnostics.warn({}, "the scene ends with a #version of 3.1 or earlier: faults of those programs "
+                         "are not imitated");
+  }
 }
 
 }  // namespace
@@ -87,7 +116,9 @@ void read_statement(Parser& parser, Grammar& grammar, SceneDesc& scene) {
 SceneDesc parse_scene(Parser& parser, Grammar& grammar) {
   SceneDesc scene;
   while (!parser.at_end()) read_statement(parser, grammar, scene);
+  if (scene.objects.empty()) parser.warn("there are no objects in the scene");
   scene.language_version = rendered_version(parser);
+  warn_about_version(parser);
   return scene;
 }
 

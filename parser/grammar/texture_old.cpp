@@ -73,6 +73,11 @@ void read_pigment_arguments(Parser& parser, PigmentDesc& pigment) {
   }
 }
 
+/// Words that have a block of their own. Stock says so to scenes of 1.0, not to those of 2.0.
+void warn_of_word(Parser& parser, const Location& where, std::string_view word, const char* block) {
+  if (parser.language_version() < 150) parser.warn_at(where, "'" + std::string(word) + "' belongs in a " + block);
+}
+
 bool accept_pigment_word(Parser& parser, MaterialContext& context, OldTexture& old) {
   PigmentDesc& pigment = *old.pigment;
   for (const auto& [word, kind] : kPigments) {
@@ -86,6 +91,7 @@ bool accept_pigment_word(Parser& parser, MaterialContext& context, OldTexture& o
   }
   if (parser.at_colour()) {
     pigment.pattern.kind = PatternKind::kPlain;
+    pigment.pattern.where = parser.location();
     pigment.colour = to_colour(parser.parse_colour());
   } else if (parser.accept(Keyword::kColorMap)) {
     pigment.colour_map = parse_colour_map(parser, context);
@@ -179,8 +185,15 @@ bool accept_block(Parser& parser, MaterialContext& context, OldTexture& old) {
 
 /// Everything one may find in such a texture; false at its end.
 bool accept_word(Parser& parser, MaterialContext& context, OldTexture& old) {
-  if (accept_block(parser, context, old) || accept_pigment_word(parser, context, old) ||
-      accept_normal_word(parser, old) || accept_finish_word(parser, *old.finish)) {
+  if (accept_block(parser, context, old)) return true;
+  const Location where = parser.location();
+  const std::string word(parser.spelling(parser.peek()));
+  const char* block = accept_pigment_word(parser, context, old)  ? "pigment"
+                      : accept_normal_word(parser, old)          ? "normal"
+                      : accept_finish_word(parser, *old.finish)  ? "finish"
+                                                                 : nullptr;
+  if (block) {
+    warn_of_word(parser, where, word, block);
     return true;
   }
   if (const auto transform = parser.accept_transforms()) {
@@ -190,6 +203,7 @@ bool accept_word(Parser& parser, MaterialContext& context, OldTexture& old) {
     parser.warn("this texture replaces what was said before");
     old.load(*texture);
   } else if (parser.at_expression()) {
+    if (parser.language_version() >= 150) parser.warn("a bare number in a texture is crand");
     old.finish->crand = parser.parse_float();  // POV-Ray 0.5: a bare number
   } else {
     return false;

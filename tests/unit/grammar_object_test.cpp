@@ -66,7 +66,7 @@ TEST(UnitParserObject, IdentifierInsideItsOwnStatement) {
 
 TEST(UnitParserObject, Flags) {
   const SceneText s(
-      "sphere { 0, 1 no_shadow no_image no_reflection hollow double_illuminate inverse sturm }"
+      "torus { 1, .2 no_shadow no_image no_reflection hollow double_illuminate inverse sturm }"
       "sphere { 0, 1 no_image off inverse inverse hollow no }");
   const ObjectDesc& on = s.object(0);
   EXPECT_TRUE(on.no_shadow && on.no_image && on.no_reflection && on.inverse && on.sturm);
@@ -215,8 +215,9 @@ TEST(ErrorParserObject, UnclosedBlock) { EXPECT_NE(failure("sphere { 0, 1").find
 TEST(ErrorParserObject, DegeneratePlane) {
   EXPECT_EQ(failure("plane { 0, 1 }"), "Degenerate plane normal.");
 }
-TEST(ErrorParserObject, DegenerateDisc) {
-  EXPECT_EQ(failure("disc { 0, <0,0,0>, 1 }"), "Degenerate disc normal.");
+TEST(ErrorParserObject, ModifierOfOtherObjects) {
+  EXPECT_EQ(failure("sphere { 0, 1 sturm }"),
+            "sturm holds for blob, lathe, ovus, poly, prism, sor and torus only.");
 }
 TEST(ErrorParserObject, DegenerateCylinder) {
   EXPECT_EQ(failure("cylinder { x, x, 1 }"), "Degenerate cylinder, base point = apex point.");

@@ -94,7 +94,7 @@ TEST(UnitParserScene, Atmosphere) {
   const SceneText s(
       "#declare F = fog { distance 10 color rgb .5 }"
       "fog { F fog_type 2 fog_alt 1 fog_offset 2 turbulence .3 }"
-      "rainbow { angle 42 width 5 distance 1e6 color_map { [0 color rgb 0] [1 color rgb 1] } }"
+      "rainbow { direction z angle 42 width 5 distance 1e6 color_map { [0 color rgb 0] [1 color rgb 1] } }"
       "sky_sphere { pigment { rgb x } pigment { rgb y } scale 2 emission rgb .5 }"
       "background { color rgb <1, .5, 0> }");
   EXPECT_EQ(s.scene.fogs.at(0).distance, 10.0);
@@ -107,7 +107,7 @@ TEST(UnitParserScene, Atmosphere) {
 
 TEST(UnitParserScene, EveryKindCanBeDeclared) {
   const SceneText s(
-      "#declare A = camera { } #declare B = fog { distance 1 } #declare C = rainbow { angle 1 width 1 }"
+      "#declare A = camera { } #declare B = fog { distance 1 } #declare C = rainbow { direction z angle 1 width 1 }"
       "#declare D = sky_sphere { pigment { rgb 1 } } #declare E = light_source { 0, 1 }"
       "#declare F = pigment { rgb 1 } #declare G = texture { F } #declare H = finish { ambient 1 }"
       "#declare I = interior { ior 1.5 } #declare J = material { texture { G } interior { I } }"

@@ -49,6 +49,7 @@ class SceneText {
     return false;
   }
   Diagnostics& diagnostics() { return m_diagnostics; }
+  const SourceManager& sources() const { return m_sources; }
 
   SceneDesc scene;
 

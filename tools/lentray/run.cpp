@@ -15,6 +15,7 @@
 #include "core/scene/scene.h"
 #include "parser/build/scene.h"
 #include "parser/diagnostics.h"
+#include "parser/dump/scene_json.h"
 #include "parser/read_scene.h"
 #include "shadow/pixel_orders.h"
 #include "shadow/report.h"
@@ -63,7 +64,7 @@ void check_order(const RenderOptions& o) {
 /// Files are asked for before anything is read, so that no work is lost on them.
 void check_outputs(Run& run) {
   const RenderOptions& o = run.options;
-  const bool renders = !o.explain && !o.parse_only && o.dump_rays.empty();
+  const bool renders = !o.explain && !o.parse_only && !o.dump && o.dump_rays.empty();
   if (!o.dump_rays.empty() && o.dump_rays != "-") core::check_writable(o.dump_rays);
   if (!renders) return;
   if (o.shadow_log && o.statistics_file.empty()) {
@@ -99,7 +100,7 @@ void connect(parser::Diagnostics& diagnostics, Run& run) {
   if (!o.statistic_console) diagnostics.connect(parser::Stream::kStatistics, {});
 }
 
-/// --parse-only: text -> descriptions, checked as far as they can be without rendering.
+/// --parse-only, --dump: text -> descriptions, checked as far as they can be without rendering.
 void parse_alone(Run& run, const std::string& path) {
   const RenderOptions& o = run.options;
   parser::SourceManager sources;
@@ -110,6 +111,10 @@ void parse_alone(Run& run, const std::string& path) {
       parser::read_descriptions(path, sources, diagnostics, parser_options(o));
   const double seconds = cpu_seconds() - before;
   parser::build_scene(scene, diagnostics, {o.quality});
+  if (o.dump) {
+    const auto json = parser::scene_json(scene, sources);
+    std::puts(json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
+  }
   if (!o.verbose) return;
   std::fprintf(stderr, "Parsed: %zu objects and lights, %zu warnings, %.3f s\n",
                scene.objects.size(), diagnostics.warnings().size(), seconds);
@@ -252,7 +257,7 @@ Status run(const RenderOptions& options, const std::atomic<bool>& cancel,
   const SceneFile file(options);
   check_order(options);
   check_outputs(run);
-  if (options.parse_only) {
+  if (options.parse_only || options.dump) {
     parse_alone(run, file.path());
     return kDone;
   }

@@ -1,0 +1,135 @@
+// The members of all descriptions; see fields.h. A new member of a description is added here too:
+// the compiler asks for it.
+#pragma once
+
+#include "parser/descriptions/interior.h"
+#include "parser/descriptions/scene.h"
+#include "parser/dump/fields.h"
+
+namespace lentray::parser {
+
+// What surrounds a scene.
+LENTRAY_FIELDS(FogDesc, where, type, distance, colour, turb_depth, turbulence, octaves, lambda, omega,
+               fog_offset, fog_alt, up, transform)
+LENTRAY_FIELDS(RainbowDesc, where, direction, up, angle, width, distance, jitter, arc_angle,
+               falloff_angle, colour_map)
+LENTRAY_FIELDS(SkySphereDesc, where, pigments, transform, emission)
+
+// Camera and light.
+LENTRAY_FIELDS(LensDesc, pitch, lpi, focal_length, ior, pixels, print_dpi, front, view_distance, model)
+LENTRAY_FIELDS(CameraDesc, where, kind, cylinder_type, location, direction, right, up, sky, look_at,
+               has_look_at, has_right, has_up, has_angle, angle, horizontal_angle, vertical_angle,
+               transform, lens, aperture, blur_samples, blur_samples_min, confidence, variance,
+               focal_point, has_focal_point, focal_distance, bokeh, normal, rays_per_pixel,
+               distribution, max_ray_distance, smooth, meshes, location_functions,
+               direction_functions)
+LENTRAY_FIELDS(PhotonFlags, given, target, density, refraction, reflection, pass_through, collect,
+               area_light)
+LENTRAY_FIELDS(LightDesc, where, kind, parallel, position, colour, point_at, radius, falloff,
+               tightness, has_area, axis1, axis2, size1, size2, adaptive, has_adaptive, jitter,
+               circular, orient, area_illumination, fade_distance, fade_power, media_interaction,
+               media_attenuation, looks_like, projected_through, photons)
+
+// Looks.
+LENTRAY_FIELDS(ReflectionDesc, minimum, maximum, block, fresnel, falloff, metallic)
+LENTRAY_FIELDS(SubsurfaceDesc, translucency, anisotropy)
+LENTRAY_FIELDS(FinishDesc, where, ambient, emission, diffuse, diffuse_back, diffuse_albedo, brilliance,
+               phong, phong_size, phong_albedo, specular, roughness, specular_albedo, metallic,
+               reflection, reflection_exponent, conserve_energy, crand, irid, irid_thickness,
+               irid_turbulence, subsurface, ior, caustics, refraction)
+LENTRAY_FIELDS(SlopePoint, height, slope)
+LENTRAY_FIELDS(ColourMapDesc, where, entries)
+LENTRAY_FIELDS(PigmentMapDesc, where, entries)
+LENTRAY_FIELDS(NormalMapDesc, where, entries)
+LENTRAY_FIELDS(SlopeMapDesc, where, entries)
+LENTRAY_FIELDS(TextureMapDesc, where, entries)
+LENTRAY_FIELDS(DensityMapDesc, where, entries)
+LENTRAY_FIELDS(TurbulenceDesc, amount, octaves, lambda, omega)
+LENTRAY_FIELDS(WarpDesc, kind, transform, turbulence, axis, width, flip, offset, centre, repeat,
+               uncertainty, radius, strength, power, inverse, repeats, uncertain, orientation,
+               distance_exponent, major_radius, plane_offset)
+LENTRAY_FIELDS(ImageDesc, type, name, path, function, function_width, function_height, gamma,
+               premultiplied, once, map_type, interpolate, use, repeat, offset, filter_all,
+               transmit_all, filters, transmits)
+LENTRAY_FIELDS(PatternDesc, kind, where, placement, frequency, phase, wave, wave_exponent,
+               noise_generator, vector, brick_size, mortar, agate_turbulence, arms, quilt0, quilt1,
+               facets_coords, facets_size, facets_metric, crackle_form, crackle_metric,
+               crackle_offset, crackle_solid, julia, iterations, exponent, magnet, exterior_type,
+               interior_type, exterior_factor, interior_factor, altitude, slope_low, slope_high,
+               altitude_low, altitude_high, slope_point_at, tiling, pavement_sides, pavement_tiles,
+               pavement_pattern, pavement_exterior, pavement_interior, pavement_form, function,
+               image, object, potential_threshold, pigment, density_file, density_path,
+               density_interpolate)
+LENTRAY_FIELDS(PigmentDesc, where, pattern, colour, colour_map, pigment_map, quick_colour)
+LENTRAY_FIELDS(NormalDesc, where, pattern, amount, bump_size, no_bump_scale, accuracy, slope_map,
+               normal_map)
+LENTRAY_FIELDS(TextureLayerDesc, where, pigment, normal, finish, pattern, map)
+LENTRAY_FIELDS(TextureDesc, where, layers)
+LENTRAY_FIELDS(DensityDesc, where, pattern, colour, colour_map, density_map)
+LENTRAY_FIELDS(ScatteringDesc, type, colour, eccentricity, extinction)
+LENTRAY_FIELDS(MediaDesc, where, method, intervals, min_samples, max_samples, confidence, variance,
+               ratio, jitter, aa_level, aa_threshold, absorption, emission, scattering,
+               ignore_photons, densities)
+LENTRAY_FIELDS(InteriorDesc, where, ior, ior_given, dispersion, dispersion_samples, caustics,
+               fade_distance, fade_power, fade_colour, media)
+
+// Settings.
+LENTRAY_FIELDS(RadiositySettings, adc_bailout, brightness, error_bound, gray_threshold,
+               low_error_factor, maximum_reuse, minimum_reuse, max_sample, pretrace_start,
+               pretrace_end, count, direction_pool, nearest_count, nearest_count_adaptive,
+               recursion_limit, always_sample, media, normal, subsurface)
+LENTRAY_FIELDS(PhotonSettings, spacing, jitter, autostop, expand_increase, adc_bailout, radius,
+               radius_multiplier, media_radius, media_radius_multiplier, media_factor, count,
+               gather_min, gather_max, expand_min, media_steps, max_trace_level, load_file, save_file)
+LENTRAY_FIELDS(SubsurfaceSettings, samples_diffuse, samples_single, radiosity)
+LENTRAY_FIELDS(GlobalDesc, where, assumed_gamma, gamma_is_srgb, assumed_gamma_version, max_trace_level,
+               adc_bailout, ambient_light, irid_wavelength, number_of_waves, noise_generator,
+               mm_per_unit, radiosity, photons, subsurface)
+
+// Shapes.
+LENTRAY_FIELDS(SphereShape, centre, radius)
+LENTRAY_FIELDS(BoxShape, corner1, corner2)
+LENTRAY_FIELDS(PlaneShape, normal, distance)
+LENTRAY_FIELDS(CylinderShape, base, cap, radius, open)
+LENTRAY_FIELDS(ConeShape, base, cap, base_radius, cap_radius, open)
+LENTRAY_FIELDS(TorusShape, major, minor)
+LENTRAY_FIELDS(DiscShape, centre, normal, radius, hole)
+LENTRAY_FIELDS(TriangleShape, p)
+LENTRAY_FIELDS(SmoothTriangleShape, p, n)
+LENTRAY_FIELDS(PolygonShape, points)
+LENTRAY_FIELDS(QuadricShape, c)
+LENTRAY_FIELDS(MeshFace, vertex, normal, uv, texture)
+LENTRAY_FIELDS(MeshShape, vertices, normals, uvs, textures, faces, inside_vector, compiled)
+LENTRAY_FIELDS(CsgShape, operation, children, split_union, cutaway_textures, global_lights)
+LENTRAY_FIELDS(LightShape, light)
+LENTRAY_FIELDS(BlobElement, kind, a, b, radius, strength, transform, texture)
+LENTRAY_FIELDS(BlobShape, threshold, elements)
+LENTRAY_FIELDS(BicubicPatchShape, type, u_steps, v_steps, flatness, points, uv)
+LENTRAY_FIELDS(HeightFieldShape, file_type, file, file_gamma, function, pigment, width, height,
+               water_level, smooth)
+LENTRAY_FIELDS(ContainerShape, sphere, a, b, radius)
+LENTRAY_FIELDS(IsosurfaceShape, function, container, threshold, accuracy, max_gradient, evaluate,
+               max_trace, all_intersections, open)
+LENTRAY_FIELDS(JuliaFractalShape, parameter, slice, slice_distance, precision, exponent,
+               max_iteration, hypercomplex, function)
+LENTRAY_FIELDS(LatheShape, spline, points)
+LENTRAY_FIELDS(OvusShape, bottom, top)
+LENTRAY_FIELDS(ParametricShape, functions, lo, hi, container, max_gradient, accuracy,
+               precompute_depth, precompute)
+LENTRAY_FIELDS(PolyShape, order, coefficients)
+LENTRAY_FIELDS(PrismShape, spline, conic_sweep, open, height1, height2, points)
+LENTRAY_FIELDS(SorShape, points, open)
+LENTRAY_FIELDS(SphereSweepShape, spline, centres, radii, tolerance)
+LENTRAY_FIELDS(SuperellipsoidShape, e, n)
+LENTRAY_FIELDS(TextShape, font, text, thickness, offset)
+
+// Objects and the whole.
+LENTRAY_FIELDS(ObjectDesc, where, keyword, shape, transform, texture, interior_texture, interior,
+               clipped_by, bounded_by, bounds_are_clips, inverse, no_shadow, no_image, no_reflection,
+               no_radiosity, double_illuminate, hollow, sturm, hierarchy, uv_mapping,
+               radiosity_importance, photons, compiled)
+LENTRAY_FIELDS(SceneObject, object, default_texture, default_importance)
+LENTRAY_FIELDS(SceneDesc, objects, camera, global, background, has_background, background_version,
+               fogs, rainbows, sky_sphere, atmosphere_media, atmosphere_ior, language_version)
+
+}  // namespace lentray::parser
