@@ -130,8 +130,8 @@ void Directives::version() {
   }
   m_in.version = std::min(version, 370);
   m_in.version_set = true;
-  if (!ends && m_in.version >= 310) m_in.warn(where, "#version should end with a semicolon");
   if (!m_in.noise_generator_set) *m_in.noise_generator = m_in.version < 350 ? 1 : 2;
+  if (!ends && m_in.version >= 310) m_in.warn(where, "#version should end with a semicolon");
 }
 
 }  // namespace lentray::parser

@@ -42,10 +42,10 @@ struct Interpreter {
 
   int version = 370;          ///< x 100
   bool version_set = false;
-  bool version_first = true;  ///< no declaration stood before the first #version
   /// The scene's, as far as it is known; set by global_settings or by the version.
   std::shared_ptr<int> noise_generator = std::make_shared<int>(2);
   bool noise_generator_set = false;
+  bool version_first = true;  ///< no declaration stood before the first #version
   std::vector<std::uint32_t> random;   ///< states of the streams of seed()
 
   bool utf8 = false;          ///< charset of string literals; else ASCII

@@ -165,6 +165,8 @@ void Parser::set_srgb_decoder(double (*decoder)(double)) {
 
 void Parser::set_utf8(bool utf8) { m_impl->in.utf8 = utf8; }
 
+int Parser::noise_generator() const { return *m_impl->in.noise_generator; }
+
 void Parser::set_noise_generator(int generator) {
   *m_impl->in.noise_generator = generator;
   m_impl->in.noise_generator_set = true;

@@ -128,6 +128,7 @@ class Parser {
   void set_utf8(bool utf8);
   /// Which noise functions are made of; the statement that reads noise_generator sets it.
   void set_noise_generator(int generator);
+  int noise_generator() const;
   /// Finds a file as `#include` does (current folder, folder of the scene, library paths).
   std::optional<std::string> find_file(const std::string& name);
 

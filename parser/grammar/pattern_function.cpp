@@ -52,7 +52,7 @@ class PatternFunction final : public core::Function {
 TextureSettings settings_of(const Parser& parser) {
   TextureSettings settings;
   settings.language_version = parser.language_version();
-  settings.noise_generator = settings.language_version < 350 ? 1 : 2;
+  settings.noise_generator = parser.noise_generator();
   return settings;
 }
 

@@ -89,7 +89,7 @@ struct Use {
   }
   std::string operator()(const std::string&) const { return "s " + name; }
   std::string operator()(const std::shared_ptr<parser::ArrayValue>& array) const;
-  std::string operator()(const core::Transform&) const { return "p Transform_(" + name + ")"; }
+  std::string operator()(const std::shared_ptr<const core::Transform>&) const { return "p Transform_(" + name + ")"; }
   std::string operator()(const Ref<parser::FunctionDesc>& f) const {
     std::string call = name + "(";
     for (std::size_t i = 0; i < f->function->parameters(); ++i) {

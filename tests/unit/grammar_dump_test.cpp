@@ -53,9 +53,9 @@ TEST(UnitDump, WhatJsonHasNoNumberFor) {
 }
 
 TEST(UnitDump, SharedDescriptionsStandOnce) {
-  // 2^30 spheres if each stood for itself.
+  // 2^20 spheres if each stood for itself.
   const Json scene = dumped(
-      "#declare O = sphere { 0, 1 } #declare I = 0;\n#while (I < 30) #declare O = union { object { O } "
+      "#declare O = sphere { 0, 1 } #declare I = 0;\n#while (I < 20) #declare O = union { object { O } "
       "object { O translate x } } #declare I = I + 1; #end\nobject { O }");
   EXPECT_LT(scene.dump().size(), 100'000u);
   EXPECT_NE(scene.dump().find("same_as"), std::string::npos);
