@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <regex>
 
 #include "core/image/file_swap.h"
 #include "core/image/quantiser.h"
@@ -157,13 +158,19 @@ TEST(UnitImageFiles, SamePictureSameBytes) {
   EXPECT_EQ(diff::read_text(folder / "a.png"), diff::read_text(folder / "b.png"));
 }
 
+/// A file's bytes but for the time of writing, which TIFF and OpenEXR hold.
+std::string without_time(const std::string& bytes) {
+  static const std::regex kTime(R"(\d{4}:\d\d:\d\d \d\d:\d\d:\d\d)");
+  return std::regex_replace(bytes, kTime, "");
+}
+
 TEST(UnitImageFiles, BandsMakeTheSameFile) {
   const TemporaryFolder folder;
   const Image image = ramp(50, 77);
   for (const char* name : {"a.png", "a.tif", "a.exr"}) {
     const ImageFormat format = format_of(file_type_of(name), 16);
     write_image(image, folder / name, format);
-    const std::string whole = diff::read_text(folder / name);
+    const std::string whole = without_time(diff::read_text(folder / name));
     for (const std::uint32_t height : {1u, 10u, 33u, 76u}) {
       PictureWriter writer(folder / name, 50, 77, format);
       for (std::uint32_t top = 0; top < 77; top += height) {
@@ -173,9 +180,7 @@ TEST(UnitImageFiles, BandsMakeTheSameFile) {
       }
       writer.finish();
       EXPECT_TRUE(read_image(folder / name).samples.size() == 50 * 77 * 3);
-      if (std::string(name) != "a.tif") {
-        EXPECT_TRUE(diff::read_text(folder / name) == whole) << name;  // TIFF holds the time
-      }
+      EXPECT_TRUE(without_time(diff::read_text(folder / name)) == whole) << name;
     }
   }
 }
