@@ -81,8 +81,8 @@ class TreePolicy {
 };
 
 /// What blocked around the point in the picture: for each light and column the last blocker of a
-/// camera ray's point there, so the pixel to the left and the row above; deeper points have slots by
-/// their place in the ray tree.
+/// camera ray's point there, so the pixel to the left and the row above; points in mirrors and behind
+/// glass have slots of their own.
 class NeighbourhoodPolicy {
  public:
   static constexpr std::string_view kName = "neighbourhood";

@@ -51,4 +51,26 @@ void append_ordered(Each&& each, double t_min, double t_max, ShapeHits& hits) {
   });
 }
 
+/// The nearest crossing with t_min < t < t_max. `each` calls its argument with t, the element and
+/// the place on it, in any order.
+template <class Each>
+bool nearest_of_all(Each&& each, double t_min, double t_max, ShapeHit& hit) {
+  bool found = false;
+  each([&](double t, std::uint32_t element, double place) {
+    if (!(t > t_min && t < t_max)) return;
+    hit = {t, element, place, 0.0};
+    t_max = t;
+    found = true;
+  });
+  return found;
+}
+
+/// Appends all of them.
+template <class Each>
+void append_all(Each&& each, double t_min, double t_max, ShapeHits& hits) {
+  each([&](double t, std::uint32_t element, double place) {
+    if (t > t_min && t < t_max) hits.push_back({t, element, place, 0.0});
+  });
+}
+
 }  // namespace lentray::core

@@ -5,6 +5,7 @@
 
 #include "core/geometry/about_axis.h"
 #include "core/geometry/bounds_help.h"
+#include "core/geometry/crossings.h"
 #include "core/geometry/roots.h"
 
 namespace lentray::core {
@@ -79,20 +80,13 @@ void Lathe::crossings(const Ray& ray, double t_min, double t_max, Visit&& visit)
 }
 
 bool Lathe::nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const {
-  bool found = false;
-  crossings(ray, t_min, t_max, [&](double t, std::uint32_t piece, double s) {
-    if (!(t > t_min && t < t_max)) return;
-    hit = {t, piece, s, 0.0};
-    t_max = t;
-    found = true;
-  });
-  return found;
+  const auto each = [&](auto&& visit) { crossings(ray, t_min, t_max, visit); };
+  return nearest_of_all(each, t_min, t_max, hit);
 }
 
 void Lathe::all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const {
-  crossings(ray, t_min, t_max, [&](double t, std::uint32_t piece, double s) {
-    if (t > t_min && t < t_max) hits.push_back({t, piece, s, 0.0});
-  });
+  const auto each = [&](auto&& visit) { crossings(ray, t_min, t_max, visit); };
+  append_all(each, t_min, t_max, hits);
 }
 
 bool Lathe::inside(const Vec3& p) const {

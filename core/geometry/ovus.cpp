@@ -6,6 +6,7 @@
 
 #include "core/geometry/about_axis.h"
 #include "core/geometry/bounds_help.h"
+#include "core/geometry/crossings.h"
 #include "core/geometry/roots.h"
 
 namespace lentray::core {
@@ -44,7 +45,7 @@ void Ovus::crossings(const Ray& ray, double t_min, double t_max, Visit&& visit) 
     const double y = p.y + s * d.y;
     const bool mine = element == kBottom ? y < m_low : element == kTop ? y > m_high
                                                                        : y >= m_low && y <= m_high;
-    if (mine) visit((s + shift) / speed, element);
+    if (mine) visit((s + shift) / speed, element, 0.0);
   };
   const auto sphere = [&](double centre, double radius, std::uint32_t element) {
     const Vec3 from = p - Vec3{0.0, centre, 0.0};
@@ -79,20 +80,13 @@ void Ovus::crossings(const Ray& ray, double t_min, double t_max, Visit&& visit) 
 }
 
 bool Ovus::nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const {
-  bool found = false;
-  crossings(ray, t_min, t_max, [&](double t, std::uint32_t element) {
-    if (!(t > t_min && t < t_max)) return;
-    hit = {t, element, 0.0, 0.0};
-    t_max = t;
-    found = true;
-  });
-  return found;
+  const auto each = [&](auto&& visit) { crossings(ray, t_min, t_max, visit); };
+  return nearest_of_all(each, t_min, t_max, hit);
 }
 
 void Ovus::all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const {
-  crossings(ray, t_min, t_max, [&](double t, std::uint32_t element) {
-    if (t > t_min && t < t_max) hits.push_back({t, element, 0.0, 0.0});
-  });
+  const auto each = [&](auto&& visit) { crossings(ray, t_min, t_max, visit); };
+  append_all(each, t_min, t_max, hits);
 }
 
 bool Ovus::inside(const Vec3& p) const {

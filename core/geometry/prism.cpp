@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/geometry/bounds_help.h"
+#include "core/geometry/crossings.h"
 
 namespace lentray::core {
 namespace {
@@ -80,20 +81,13 @@ void Prism::crossings(const Ray& ray, Visit&& visit) const {
 }
 
 bool Prism::nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const {
-  bool any = false;
-  crossings(ray, [&](double t, std::uint32_t element, double s) {
-    if (!(t > t_min && t < t_max)) return;
-    hit = {t, element, s, 0.0};
-    t_max = t;
-    any = true;
-  });
-  return any;
+  const auto each = [&](auto&& visit) { crossings(ray, visit); };
+  return nearest_of_all(each, t_min, t_max, hit);
 }
 
 void Prism::all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const {
-  crossings(ray, [&](double t, std::uint32_t element, double s) {
-    if (t > t_min && t < t_max) hits.push_back({t, element, s, 0.0});
-  });
+  const auto each = [&](auto&& visit) { crossings(ray, visit); };
+  append_all(each, t_min, t_max, hits);
 }
 
 bool Prism::inside(const Vec3& p) const {

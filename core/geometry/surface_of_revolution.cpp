@@ -5,6 +5,7 @@
 
 #include "core/geometry/about_axis.h"
 #include "core/geometry/bounds_help.h"
+#include "core/geometry/crossings.h"
 #include "core/geometry/roots.h"
 
 namespace lentray::core {
@@ -62,7 +63,7 @@ void SurfaceOfRevolution::crossings(const Ray& ray, double t_min, double t_max,
     const auto flat = [&](double height, double r2, std::uint32_t element) {
       const double t = (height - about.height) / about.climb;
       if (about.across * about.across * t * t + about.near2 <= r2) {
-        visit(about.t_near + t, element);
+        visit(about.t_near + t, element, 0.0);
       }
     };
     if (m_base2 > 0.0) flat(m_pieces.front().low, m_base2, base());
@@ -89,27 +90,20 @@ void SurfaceOfRevolution::crossings(const Ray& ray, double t_min, double t_max,
     const int n = solve_between_bounds(cubic, 3, lo, hi, root);
     for (int k = 0; k < n; ++k) {
       const double s = g + climb * root[k];
-      if (s >= -margin && s <= p.high - p.low + margin) visit(about.t_near + root[k], i);
+      if (s >= -margin && s <= p.high - p.low + margin) visit(about.t_near + root[k], i, 0.0);
     }
   }
 }
 
 bool SurfaceOfRevolution::nearest(const Ray& ray, double t_min, double t_max,
                                   ShapeHit& hit) const {
-  bool found = false;
-  crossings(ray, t_min, t_max, [&](double t, std::uint32_t element) {
-    if (!(t > t_min && t < t_max)) return;
-    hit = {t, element, 0.0, 0.0};
-    t_max = t;
-    found = true;
-  });
-  return found;
+  const auto each = [&](auto&& visit) { crossings(ray, t_min, t_max, visit); };
+  return nearest_of_all(each, t_min, t_max, hit);
 }
 
 void SurfaceOfRevolution::all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const {
-  crossings(ray, t_min, t_max, [&](double t, std::uint32_t element) {
-    if (t > t_min && t < t_max) hits.push_back({t, element, 0.0, 0.0});
-  });
+  const auto each = [&](auto&& visit) { crossings(ray, t_min, t_max, visit); };
+  append_all(each, t_min, t_max, hits);
 }
 
 bool SurfaceOfRevolution::inside(const Vec3& p) const {

@@ -9,24 +9,17 @@
 #include "shadow/hit_model/ideal_orders.h"
 #include "shadow/hit_model/runs.h"
 #include "shadow/pixel_orders.h"
+#include "tests/unit/paper_sheet.h"
 
 using namespace lentray;
 using shadow::Enumeration;
 using shadow::PaperSheet;
 using shadow::ShadowSquare;
 using shadow::Style;
+using lentray::test::sheet_of;
 using Kind = shadow::Style::Kind;
 
 namespace {
-
-PaperSheet sheet_of(double pixels, std::uint32_t lenses, std::uint32_t rows, double ior = 1.6,
-                    double pitch = 1.124) {
-  camera::LensParameters lens;
-  lens.pixels = pixels;
-  lens.ior = ior;
-  lens.pitch = pitch;
-  return {lens, lenses, rows};
-}
 
 std::vector<core::Pixel> pixels_of(const core::PixelOrder& order) {
   std::vector<core::Pixel> all, job;

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "shadow/hit_model/paper_test.h"
+#include "tests/unit/paper_sheet.h"
 
 using namespace lentray;
 using shadow::Enumeration;
@@ -9,18 +10,10 @@ using shadow::PaperSheet;
 using shadow::PaperTest;
 using shadow::ShadowSquare;
 using shadow::Style;
+using lentray::test::sheet_of;
 using Kind = shadow::Style::Kind;
 
 namespace {
-
-PaperSheet sheet_of(double pixels, std::uint32_t lenses, std::uint32_t rows, double ior = 1.6,
-                    double pitch = 1.124) {
-  camera::LensParameters lens;
-  lens.pixels = pixels;
-  lens.ior = ior;
-  lens.pitch = pitch;
-  return {lens, lenses, rows};
-}
 
 void expect_equal(const PaperSheet& sheet, const ShadowSquare& square,
                   const std::vector<Style>& styles) {
