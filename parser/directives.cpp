@@ -18,6 +18,7 @@ std::string cut(std::string text, std::size_t longest, std::size_t kept) {
 }  // namespace
 
 void Directives::execute(const Token& directive) {
+  m_in.guard_stack();
   switch (directive.keyword) {
     case Keyword::kIf: case Keyword::kIfdef: case Keyword::kIfndef:
       return if_directive(directive);

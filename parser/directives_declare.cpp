@@ -157,6 +157,7 @@ void Directives::undef() {
 }
 
 Value Directives::parse_rvalue() {
+  m_in.guard_stack();
   TokenReader& tokens = m_in.tokens;
   const Token first = tokens.peek_operand();
   switch (first.kind) {

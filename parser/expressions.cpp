@@ -126,6 +126,7 @@ Number Expressions::parse_expression() {
   const Number condition = parse_logical();
   if (!m_in.tokens.accept(Punct::kQuestion)) return condition;
   if (condition.size != 1) m_in.fail(where, "the condition of ?: must be a float");
+  m_in.guard_stack();
   const Number yes = parse_expression();
   m_in.tokens.expect(Punct::kColon);
   const Number no = parse_expression();

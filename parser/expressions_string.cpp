@@ -33,6 +33,7 @@ std::string Expressions::parse_string() { return one_string(false); }
 std::string Expressions::parse_path() { return one_string(true); }
 
 std::string Expressions::one_string(bool path) {
+  m_in.guard_stack();
   TokenReader& tokens = m_in.tokens;
   const Token t = tokens.peek_operand();
   if (t.kind == TokenKind::kString) {

@@ -56,6 +56,7 @@ core::Matrix Expressions::matrix_rows() {
 core::Transform Expressions::parse_transform_statement() {
   TokenReader& tokens = m_in.tokens;
   tokens.expect(Keyword::kTransform);
+  m_in.guard_stack();
   if (tokens.peek_operand().kind == TokenKind::kIdentifier) {
     const Value* value = tokens.value();
     const auto* named = value ? std::get_if<Ref<core::Transform>>(value) : nullptr;

@@ -82,6 +82,14 @@ std::optional<FunctionOp> two_operands(Keyword k) {
   }
 }
 
+/// A number with its sign.
+std::optional<double> literal(const core::FunctionNode& node) {
+  if (node.op == FunctionOp::kConstant) return node.value;
+  if (node.op != FunctionOp::kNegate) return std::nullopt;
+  const auto number = literal(*node.operands[0]);
+  return number ? std::optional(-*number) : std::nullopt;
+}
+
 }  // namespace
 
 Ref<FunctionDesc> FunctionParser::parse_body() {
@@ -234,8 +242,21 @@ FunctionNodePtr FunctionParser::product() {
   for (;;) {
     const bool times = m_in.tokens.accept(Punct::kStar);
     if (!times && !m_in.tokens.accept(Punct::kSlash)) return left;
-    left = make_node(times ? FunctionOp::kMultiply : FunctionOp::kDivide, std::move(left), unary());
+    left = times ? make_node(FunctionOp::kMultiply, std::move(left), unary())
+                 : quotient(std::move(left));
   }
+}
+
+// As stock: what is divided by a number is multiplied by its inverse, which is another last bit; by
+// a number in parentheses it is divided, and numbers are divided by each other at once.
+FunctionNodePtr FunctionParser::quotient(FunctionNodePtr left) {
+  const Token first = m_in.tokens.peek_operand();
+  FunctionNodePtr right = unary();
+  const std::optional<double> divisor = first.is(Punct::kLeftParen) ? std::nullopt : literal(*right);
+  if (!divisor) return make_node(FunctionOp::kDivide, std::move(left), std::move(right));
+  if (const auto dividend = literal(*left)) return core::constant_node(*dividend / *divisor);
+  if (*divisor == 0.0) m_in.fail(first.where, "the function divides by zero");
+  return make_node(FunctionOp::kMultiply, std::move(left), core::constant_node(1.0 / *divisor));
 }
 
 FunctionNodePtr FunctionParser::unary() {

@@ -41,6 +41,7 @@ class FunctionParser {
   core::FunctionNodePtr relation();
   core::FunctionNodePtr sum();
   core::FunctionNodePtr product();
+  core::FunctionNodePtr quotient(core::FunctionNodePtr left);
   core::FunctionNodePtr unary();
   core::FunctionNodePtr primary();
   core::FunctionNodePtr keyword(const Token& token);

@@ -41,7 +41,11 @@ bool Parser::at(Punct punct) { return m_impl->in.tokens.at(punct); }
 bool Parser::accept(Keyword keyword) { return m_impl->in.tokens.accept(keyword); }
 bool Parser::accept(Punct punct) { return m_impl->in.tokens.accept(punct); }
 void Parser::expect(Keyword keyword) { m_impl->in.tokens.expect(keyword); }
-void Parser::expect(Punct punct) { m_impl->in.tokens.expect(punct); }
+
+void Parser::expect(Punct punct) {
+  m_impl->in.guard_stack();  // a brace opens whatever can hold its like
+  m_impl->in.tokens.expect(punct);
+}
 
 bool Parser::at_word(std::string_view word) {
   const Token& t = peek();

@@ -96,9 +96,13 @@ Transform Transform::axis_rotation(const Vec3& axis, double radians) {
   if (a == Vec3{}) return t;
   const double c = std::cos(radians), s = std::sin(radians);
   for (int i = 0; i < 3; ++i) {
-    const Vec3 e{i == 0 ? 1.0 : 0.0, i == 1 ? 1.0 : 0.0, i == 2 ? 1.0 : 0.0};
-    const Vec3 image = e * c + cross(a, e) * s + a * (dot(a, e) * (1.0 - c));
-    t.m_rows[i] = {image.x, image.y, image.z};
+    const int next = (i + 1) % 3, last = (i + 2) % 3;
+    // In stock's order of operations: scenes see the last bit.
+    t.m_rows[i][i] = a[i] * a[i] + c * (1.0 - a[i] * a[i]);
+    t.m_rows[i][next] = a[i] * a[next] * (1.0 - c) + a[last] * s;
+    t.m_rows[i][last] = a[i] * a[last] * (1.0 - c) - a[next] * s;
+  }
+  for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) t.m_inverse[j][i] = t.m_rows[i][j];
   }
   return t;

@@ -41,7 +41,7 @@ inline double length(const Vec3& v) { return std::sqrt(dot(v, v)); }
 /// The unit vector along v; the null vector stays null.
 inline Vec3 normalized(const Vec3& v) {
   const double l = length(v);
-  return l > 0.0 ? v / l : Vec3{};
+  return l > 0.0 ? v * (1.0 / l) : Vec3{};  // to stock's last bit: scenes compare such numbers
 }
 inline bool is_finite(const Vec3& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);

@@ -15,6 +15,7 @@
 #include "core/base/transform.h"
 #include "core/base/vec3.h"
 #include "parser/descriptions/light.h"
+#include "parser/descriptions/nesting.h"
 #include "parser/source.h"
 #include "parser/value.h"
 
@@ -191,8 +192,7 @@ struct ObjectDesc {
   std::optional<double> radiosity_importance;
   PhotonFlags photons;
 
-  std::size_t depth = 1;                ///< objects nested in each other, this one included
-  double parts = 1.0;                   ///< objects in it, each as often as it is used
+  Nesting nesting;                      ///< objects and looks in it
 
   mutable CompiledSlot compiled;
 

@@ -13,6 +13,7 @@
 
 #include "core/base/transform.h"
 #include "core/base/vec3.h"
+#include "parser/descriptions/nesting.h"
 #include "parser/source.h"
 #include "parser/value.h"
 
@@ -120,6 +121,8 @@ struct PatternDesc {
   Ref<PigmentDesc> pigment;       ///< pigment_pattern
   std::string density_file, density_path;
   int density_interpolate = 0;
+
+  Nesting nesting;                ///< of the statement the pattern belongs to, its map included
 
   /// The one turbulence outside warps, made if there is none yet.
   TurbulenceDesc& classic_turbulence();

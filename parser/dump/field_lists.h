@@ -59,7 +59,7 @@ LENTRAY_FIELDS(PatternDesc, kind, where, placement, frequency, phase, wave, wave
                altitude_low, altitude_high, slope_point_at, tiling, pavement_sides, pavement_tiles,
                pavement_pattern, pavement_exterior, pavement_interior, pavement_form, function,
                image, object, potential_threshold, pigment, density_file, density_path,
-               density_interpolate)
+               density_interpolate, nesting)
 LENTRAY_FIELDS(PigmentDesc, where, pattern, colour, colour_map, pigment_map, quick_colour)
 LENTRAY_FIELDS(NormalDesc, where, pattern, amount, bump_size, no_bump_scale, accuracy, slope_map,
                normal_map)
@@ -127,7 +127,7 @@ LENTRAY_FIELDS(TextShape, font, text, thickness, offset)
 LENTRAY_FIELDS(ObjectDesc, where, keyword, shape, transform, texture, interior_texture, interior,
                clipped_by, bounded_by, bounds_are_clips, inverse, no_shadow, no_image, no_reflection,
                no_radiosity, double_illuminate, hollow, sturm, hierarchy, uv_mapping,
-               radiosity_importance, photons, depth, parts, compiled)
+               radiosity_importance, photons, nesting, compiled)
 LENTRAY_FIELDS(SceneObject, object, default_texture, default_importance)
 LENTRAY_FIELDS(SceneDesc, objects, camera, global, background, has_background, background_version,
                fogs, rainbows, sky_sphere, atmosphere_media, atmosphere_ior, language_version)

@@ -66,7 +66,9 @@ class Dumper {
     if (!m_sources || l.file == 0) return {};
     return m_sources->name(l.file) + ":" + std::to_string(l.line) + ":" + std::to_string(l.column);
   }
-  Json other(const CompiledSlot&) { return {}; }  // no part of what the scene says
+  // No part of what the scene says.
+  Json other(const CompiledSlot&) { return {}; }
+  Json other(const Nesting&) { return {}; }
   template <typename Item>
   Json other(const BlendEntry<Item>& entry) {
     return Json{{"at", number(entry.value)}, {"is", value(entry.item)}};

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "parser/grammar/helpers.h"
+#include "parser/grammar/nesting.h"
 #include "parser/grammar/object.h"
 #include "parser/grammar/object_modifiers.h"
 #include "parser/grammar/object_shapes.h"
@@ -30,6 +31,7 @@ void parse_looks_like(Parser& parser, Context& context, LightDesc& light) {
   apply_transform(*object, core::Transform::translation(light.position));
   parse_object_modifiers(parser, context, *object);
   object->no_shadow = true;
+  measure(parser, *object);
   light.looks_like = std::move(object);
 }
 
@@ -38,6 +40,7 @@ void parse_projected_through(Parser& parser, Context& context, LightDesc& light)
   parser.expect(Punct::kLeftCurly);
   auto object = std::make_shared<ObjectDesc>(*expect_object(parser, context));
   parse_object_modifiers(parser, context, *object);
+  measure(parser, *object);
   light.projected_through = std::move(object);
 }
 
@@ -177,6 +180,7 @@ Ref<ObjectDesc> parse_light_source(Parser& parser, Context& context, const Locat
     auto object = std::make_shared<ObjectDesc>(**named);
     object->where = where;
     parse_object_modifiers(parser, context, *object);
+    measure(parser, *object);
     return object;
   }
   auto light = std::make_shared<LightDesc>();
@@ -192,6 +196,7 @@ Ref<ObjectDesc> parse_light_source(Parser& parser, Context& context, const Locat
   object->where = where;
   object->keyword = "light_source";
   object->shape = LightShape{std::move(light)};
+  measure(parser, *object);
   return object;
 }
 

@@ -1,5 +1,6 @@
 #include "parser/grammar/material.h"
 
+#include "parser/grammar/nesting.h"
 #include "parser/grammar/pattern.h"
 
 namespace lentray::parser {
@@ -35,6 +36,7 @@ void add_texture(Parser& parser, Ref<TextureDesc>& below, const Ref<TextureDesc>
     parser.fail("a texture with a texture_map, tiles or material_map cannot be layered");
   }
   below = layered(below, above);
+  check_layers(parser, *below);
   if (parser.language_version() > 310 || below->layers.size() < 2) return;
   // Until 3.1 the layers above another let light through untinted.
   auto copy = std::make_shared<TextureDesc>(*below);

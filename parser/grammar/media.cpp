@@ -1,5 +1,6 @@
 #include "parser/descriptions/media.h"
 
+#include "parser/grammar/nesting.h"
 #include "parser/grammar/pattern.h"
 
 namespace lentray::parser {
@@ -13,6 +14,7 @@ class DensityTarget final : public PatternTarget {
   std::string_view statement() const override { return "density"; }
   PatternDesc& pattern() override { return m_density.pattern; }
   bool has_map() const override { return m_density.density_map != nullptr; }
+  void hold(Nesting& nesting) const override { hold_map(nesting, m_density.density_map.get()); }
 
   bool accept_plain(Parser& parser) override {
     if (!parser.at_colour()) return false;

@@ -1,5 +1,6 @@
 #include "parser/descriptions/normal.h"
 
+#include "parser/grammar/nesting.h"
 #include "parser/grammar/pattern.h"
 
 namespace lentray::parser {
@@ -13,6 +14,7 @@ class NormalTarget final : public PatternTarget {
   std::string_view statement() const override { return "normal"; }
   PatternDesc& pattern() override { return m_normal.pattern; }
   bool has_map() const override { return m_normal.normal_map != nullptr; }
+  void hold(Nesting& nesting) const override { hold_map(nesting, m_normal.normal_map.get()); }
 
   void read_list(Parser& parser, int count) override {
     m_normal.accuracy = 0.02;

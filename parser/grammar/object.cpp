@@ -1,9 +1,8 @@
 #include "parser/grammar/object.h"
 
-#include <algorithm>
-
 #include "parser/grammar/helpers.h"
 #include "parser/grammar/light.h"
+#include "parser/grammar/nesting.h"
 #include "parser/grammar/object_modifiers.h"
 #include "parser/grammar/object_shapes.h"
 
@@ -91,28 +90,6 @@ Ref<ObjectDesc> parse_object_block(Parser& parser, Context& context, const Locat
 }
 
 }  // namespace
-
-void measure(Parser& parser, ObjectDesc& object) {
-  object.depth = 1;
-  object.parts = 1.0;
-  const auto add = [&](const std::vector<Ref<ObjectDesc>>& within) {
-    for (const Ref<ObjectDesc>& part : within) {
-      object.depth = std::max(object.depth, part->depth + 1);
-      object.parts += part->parts;
-    }
-  };
-  if (const CsgShape* csg = object.csg()) add(*csg->children);
-  add(object.clipped_by);
-  add(object.bounded_by);
-  const Limits& limits = parser.options().limits;
-  if (object.depth > limits.value_depth) {
-    parser.fail_at(object.where, "objects within objects, more than " +
-                                     std::to_string(limits.value_depth) + " deep");
-  }
-  if (object.parts > limits.object_parts) {
-    parser.fail_at(object.where, "an object made of too many objects");
-  }
-}
 
 bool at_object(Parser& parser) {
   if (parser.at(Keyword::kObject) || parser.at(Keyword::kLightSource) ||

@@ -14,8 +14,6 @@ Ref<ObjectDesc> accept_object(Parser& parser, Context& context);
 Ref<ObjectDesc> expect_object(Parser& parser, Context& context);
 /// Whether the next token starts an object statement.
 bool at_object(Parser& parser);
-/// Counts what is nested in an object that has been read; fails beyond the limits.
-void measure(Parser& parser, ObjectDesc& object);
 /// The words that start one, for messages.
 std::string object_words();
 

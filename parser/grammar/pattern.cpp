@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/base/vec3.h"
+#include "parser/grammar/nesting.h"
 
 namespace lentray::parser {
 namespace {
@@ -322,11 +323,15 @@ bool accept_pattern(Parser& parser, MaterialContext& context, PatternTarget& tar
 }
 
 void parse_pattern_body(Parser& parser, MaterialContext& context, PatternTarget& target) {
+  const Location where = parser.location();
   accept_pattern(parser, context, target);
   target.after_pattern(parser);
   while (target.accept_own_modifier(parser) || accept_pattern_modifier(parser, target)) {
   }
-  const PatternDesc& pattern = target.pattern();
+  PatternDesc& pattern = target.pattern();
+  Nesting nesting = held_by(pattern);
+  target.hold(nesting);
+  keep_nesting(parser, pattern.nesting, nesting, where, std::string(target.statement()) + "s");
   if (pattern.kind == PatternKind::kAverage && !target.has_map()) {
     parser.fail("average needs a map of " + std::string(target.statement()) + "s");
   }

@@ -29,6 +29,8 @@ class PatternTarget {
   /// One modifier that only this statement has.
   virtual bool accept_own_modifier(Parser& parser) = 0;
   virtual bool has_map() const = 0;
+  /// Counts what its map holds.
+  virtual void hold(Nesting& nesting) const = 0;
 };
 
 /// A pattern (or none), then modifiers while they last.

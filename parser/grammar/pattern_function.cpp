@@ -67,6 +67,8 @@ Ref<FunctionDesc> parse_pattern_function(Parser& parser, MaterialContext& contex
   auto desc = std::make_shared<FunctionDesc>();
   if (parser.accept(Keyword::kPigment)) {
     desc->pigment = parse_pigment(parser, context);
+    desc->depth = desc->pigment->pattern.nesting.depth;
+    desc->calls = desc->pigment->pattern.nesting.parts;
     TextureCompiler compiler(settings);
     auto pigment = compiler.pigment(desc->pigment);
     desc->function =
@@ -80,6 +82,8 @@ Ref<FunctionDesc> parse_pattern_function(Parser& parser, MaterialContext& contex
       parse_pigment_body(parser, context, std::make_shared<const PigmentDesc>());
   if (pigment->pattern.kind == PatternKind::kPlain) parser.fail_expected("a pattern");
   parser.expect(Punct::kRightCurly);
+  desc->depth = pigment->pattern.nesting.depth;
+  desc->calls = pigment->pattern.nesting.parts;
   std::set<std::string> not_yet;
   const PatternBuild build{settings, not_yet, [&](const Ref<PigmentDesc>& inner) {
                              TextureCompiler compiler(settings);

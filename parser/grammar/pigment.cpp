@@ -1,5 +1,6 @@
 #include "parser/descriptions/pigment.h"
 
+#include "parser/grammar/nesting.h"
 #include "parser/grammar/pattern.h"
 
 namespace lentray::parser {
@@ -13,6 +14,7 @@ class PigmentTarget final : public PatternTarget {
   std::string_view statement() const override { return "pigment"; }
   PatternDesc& pattern() override { return m_pigment.pattern; }
   bool has_map() const override { return m_pigment.pigment_map != nullptr; }
+  void hold(Nesting& nesting) const override { hold_map(nesting, m_pigment.pigment_map.get()); }
 
   bool accept_plain(Parser& parser) override {
     if (!parser.at_colour()) return false;

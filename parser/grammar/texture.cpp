@@ -1,5 +1,6 @@
 #include "parser/descriptions/texture.h"
 
+#include "parser/grammar/nesting.h"
 #include "parser/grammar/pattern.h"
 
 namespace lentray::parser {
@@ -13,6 +14,7 @@ class TextureTarget final : public PatternTarget {
   std::string_view statement() const override { return "texture"; }
   PatternDesc& pattern() override { return m_layer.pattern; }
   bool has_map() const override { return m_layer.map != nullptr; }
+  void hold(Nesting& nesting) const override { hold_map(nesting, m_layer.map.get()); }
 
   void read_list(Parser& parser, int count) override {
     auto map = std::make_shared<TextureMapDesc>();
@@ -166,6 +168,18 @@ Ref<TextureDesc> parse_texture(Parser& parser, MaterialContext& context) {
   return texture;
 }
 
+namespace {
+
+/// Completes a layer of tiles or of a material_map.
+void set_map(Parser& parser, TextureLayerDesc& layer, std::shared_ptr<const TextureMapDesc> map) {
+  layer.map = std::move(map);
+  Nesting nesting = held_by(layer.pattern);
+  hold_map(nesting, layer.map.get());
+  keep_nesting(parser, layer.pattern.nesting, nesting, layer.pattern.where, "textures");
+}
+
+}  // namespace
+
 TextureLayerDesc parse_tiles(Parser& parser, MaterialContext& context) {
   TextureLayerDesc layer;
   layer.pattern.kind = PatternKind::kTiles;
@@ -174,7 +188,10 @@ TextureLayerDesc parse_tiles(Parser& parser, MaterialContext& context) {
   parser.expect(Punct::kLeftCurly);
   const auto read_layers = [&] {
     Ref<TextureDesc> tile;
-    while (parser.accept(Keyword::kTexture)) tile = layered(tile, parse_texture(parser, context));
+    while (parser.accept(Keyword::kTexture)) {
+      tile = layered(tile, parse_texture(parser, context));
+      check_layers(parser, *tile);
+    }
     if (!tile) parser.fail_expected("the texture of a tile");
     return tile;
   };
@@ -186,7 +203,7 @@ TextureLayerDesc parse_tiles(Parser& parser, MaterialContext& context) {
   auto map = std::make_shared<TextureMapDesc>();
   map->where = layer.pattern.where;
   map->entries = {{0.0, second}, {1.0, first}};
-  layer.map = map;
+  set_map(parser, layer, map);
   return layer;
 }
 
@@ -208,7 +225,7 @@ TextureLayerDesc parse_material_map(Parser& parser, MaterialContext& context) {
         {static_cast<double>(map->entries.size()), parse_texture(parser, context)});
   } while (parser.at(Keyword::kTexture));
   parser.expect(Punct::kRightCurly);
-  layer.map = map;
+  set_map(parser, layer, map);
   return layer;
 }
 

@@ -1,0 +1,134 @@
+#include "parser/grammar/nesting.h"
+
+#include <string>
+
+#include "parser/descriptions/light.h"
+
+namespace lentray::parser {
+namespace {
+
+Nesting nesting_of(const FunctionDesc& function) { return {function.depth, function.calls}; }
+Nesting nesting_of(const ObjectDesc& object) { return object.nesting; }
+Nesting nesting_of(const PigmentDesc& pigment) { return pigment.pattern.nesting; }
+
+template <typename Map, typename NestingOf>
+void hold_entries(Nesting& nesting, const Map* map, NestingOf nesting_of_item) {
+  if (!map) return;
+  for (const auto& entry : map->entries) {
+    if (entry.item) nesting.hold(nesting_of_item(*entry.item));
+  }
+}
+
+template <typename Desc>
+void hold_each(Nesting& nesting, const std::vector<Ref<Desc>>& all) {
+  for (const Ref<Desc>& one : all) nesting.hold(nesting_of(*one));
+}
+
+template <typename Desc>
+void hold_one(Nesting& nesting, const Ref<Desc>& one) {
+  if (one) nesting.hold(nesting_of(*one));
+}
+
+// What only some shapes hold.
+struct HoldShape {
+  Nesting& nesting;
+  void operator()(const CsgShape& csg) const { hold_each(nesting, *csg.children); }
+  void operator()(const LightShape& light) const {
+    hold_one(nesting, light.light->looks_like);
+    hold_one(nesting, light.light->projected_through);
+  }
+  void operator()(const std::shared_ptr<const MeshShape>& mesh) const {
+    hold_each(nesting, mesh->textures);
+  }
+  void operator()(const std::shared_ptr<const BlobShape>& blob) const {
+    for (const BlobElement& element : blob->elements) hold_one(nesting, element.texture);
+  }
+  void operator()(const HeightFieldShape& field) const {
+    hold_one(nesting, field.function);
+    hold_one(nesting, field.pigment);
+  }
+  void operator()(const IsosurfaceShape& shape) const { hold_one(nesting, shape.function); }
+  void operator()(const ParametricShape& shape) const {
+    for (const auto& function : shape.functions) hold_one(nesting, function);
+  }
+  template <typename Shape>
+  void operator()(const Shape&) const {}
+};
+
+}  // namespace
+
+Nesting nesting_of(const TextureDesc& texture) {
+  Nesting nesting;
+  for (const TextureLayerDesc& layer : texture.layers) {
+    if (layer.is_patterned()) {
+      nesting.hold(layer.pattern.nesting);
+    } else {
+      if (layer.pigment) nesting.hold(layer.pigment->pattern.nesting);
+      if (layer.normal) nesting.hold(layer.normal->pattern.nesting);
+    }
+  }
+  return nesting;
+}
+
+Nesting nesting_of(const InteriorDesc& interior) {
+  Nesting nesting;
+  for (const Ref<MediaDesc>& media : interior.media) {
+    for (const Ref<DensityDesc>& density : media->densities) nesting.hold(density->pattern.nesting);
+  }
+  return nesting;
+}
+
+Nesting held_by(const PatternDesc& pattern) {
+  Nesting nesting;
+  hold_one(nesting, pattern.pigment);
+  hold_one(nesting, pattern.object);
+  hold_one(nesting, pattern.function);
+  if (pattern.image) hold_one(nesting, pattern.image->function);
+  return nesting;
+}
+
+void hold_map(Nesting& nesting, const PigmentMapDesc* map) {
+  hold_entries(nesting, map, [](const PigmentDesc& p) { return p.pattern.nesting; });
+}
+void hold_map(Nesting& nesting, const NormalMapDesc* map) {
+  hold_entries(nesting, map, [](const NormalDesc& n) { return n.pattern.nesting; });
+}
+void hold_map(Nesting& nesting, const TextureMapDesc* map) {
+  hold_entries(nesting, map, [](const TextureDesc& t) { return nesting_of(t); });
+}
+void hold_map(Nesting& nesting, const DensityMapDesc* map) {
+  hold_entries(nesting, map, [](const DensityDesc& d) { return d.pattern.nesting; });
+}
+
+void keep_nesting(Parser& parser, Nesting& place, const Nesting& counted, const Location& where,
+                  std::string_view what) {
+  const Limits& limits = parser.options().limits;
+  if (counted.depth > limits.value_depth) {
+    parser.fail_at(where, std::string(what) + " within each other, more than " +
+                              std::to_string(limits.value_depth) + " deep");
+  }
+  if (counted.parts > limits.object_parts) {
+    parser.fail_at(where, std::string(what) + " made of too many others");
+  }
+  place = counted;
+}
+
+void measure(Parser& parser, ObjectDesc& object) {
+  Nesting nesting;
+  std::visit(HoldShape{nesting}, object.shape);
+  hold_each(nesting, object.clipped_by);
+  hold_each(nesting, object.bounded_by);
+  hold_one(nesting, object.texture);
+  hold_one(nesting, object.interior_texture);
+  hold_one(nesting, object.interior);
+  keep_nesting(parser, object.nesting, nesting, object.where, "objects");
+}
+
+void check_layers(Parser& parser, const TextureDesc& texture) {
+  const std::size_t most = parser.options().limits.layers;
+  if (texture.layers.size() > most) {
+    parser.fail("a texture of more than " + std::to_string(most) + " layers");
+  }
+}
+
+}  // namespace lentray::parser
