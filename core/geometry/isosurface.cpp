@@ -36,12 +36,13 @@ struct Isosurface::Search {
         reach = gradient * speed * span;
       }
     }
-    if (span < set.accuracy) {
+    const double middle = from + 0.5 * span;
+    if (span < set.accuracy || !(from < middle && middle < to)) {
       t = to;
       return f_to < 0.0;
     }
     if (f_from + f_to - reach >= 0.0) return false;
-    const double middle = from + 0.5 * span, f_middle = at(middle);
+    const double f_middle = at(middle);
     return find(from, f_from, middle, f_middle, 0.5 * reach, t) ||
            find(middle, f_middle, to, f_to, 0.5 * reach, t);
   }

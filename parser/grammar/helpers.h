@@ -1,6 +1,7 @@
 // Small readers that many productions share.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <string_view>
@@ -31,6 +32,14 @@ inline bool optional_switch(Parser& parser) { return optional_float(parser, 1.0)
 inline core::Vec2 parse_uv(Parser& parser) {
   const Number n = parser.parse_number(1, 5);
   return n.size == 1 ? core::Vec2{n.v[0], n.v[0]} : core::Vec2{n.v[0], n.v[1]};
+}
+
+/// Fails if a picture that a function makes has more points than memory is meant for.
+inline void check_points(Parser& parser, const Location& where, double width, double height) {
+  const double most = static_cast<double>(parser.options().limits.array_elements);
+  if (std::max(width, 0.0) * std::max(height, 0.0) <= most) return;
+  parser.fail_at(where, "a picture made by a function has at most " +
+                            std::to_string(parser.options().limits.array_elements) + " points");
 }
 
 /// A vector of four components; a float stands for all.

@@ -245,9 +245,11 @@ ShapeDesc parse_blob(Parser& parser, Context& context) {
 ShapeDesc parse_height_field(Parser& parser, Context&) {
   HeightFieldShape s;
   if (parser.accept(Keyword::kFunction)) {
+    const Location where = parser.location();
     s.width = parser.parse_int();
     parser.parse_comma();
     s.height = parser.parse_int();
+    check_points(parser, where, s.width, s.height);
     s.function = parser.parse_function_body();
   } else {
     static constexpr std::array kTypes{Keyword::kGif, Keyword::kTga,  Keyword::kPot, Keyword::kPng,

@@ -144,7 +144,8 @@ ShapeDesc parse_polygon(Parser& parser, Context&) {
   const int count = parser.parse_int();
   if (count < 3) parser.fail("Polygon needs at least three points.");
   PolygonShape s;
-  s.points.reserve(count);
+  constexpr int kMostReserved = 1 << 20;  // the number is only what the scene says
+  s.points.reserve(static_cast<std::size_t>(std::min(count, kMostReserved)));
   for (int i = 0; i < count; ++i) {
     parser.parse_comma();
     s.points.push_back(parser.parse_vector());

@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <string>
 
+#include "parser/grammar/helpers.h"
 #include "parser/grammar/pattern.h"
 
 namespace lentray::parser {
@@ -33,11 +34,17 @@ void find_image(Parser& parser, ImageDesc& image, const Location& where) {
   if (image.path.empty()) parser.fail_at(where, "cannot find the image file '" + image.name + "'");
 }
 
+int to_size(double x) { return static_cast<int>(std::clamp(x, 0.0, 2147483647.0)); }
+
 void parse_image_function(Parser& parser, ImageDesc& image) {
+  const Location where = parser.location();
   image.type = "function";
-  image.function_width = static_cast<int>(parser.parse_float() + 0.5);
+  const double width = parser.parse_float() + 0.5;
   parser.parse_comma();
-  image.function_height = static_cast<int>(parser.parse_float() + 0.5);
+  const double height = parser.parse_float() + 0.5;
+  check_points(parser, where, width, height);
+  image.function_width = to_size(width);
+  image.function_height = to_size(height);
   if (!parser.at(Punct::kLeftCurly)) parser.fail_expected("{ after the size of the image");
   image.function = parser.parse_function_body();
 }
