@@ -55,8 +55,7 @@ camera::MeshCameraSetup mesh_setup(const CameraDesc& camera) {
   setup.backwards = camera.direction.z < -1e-10;
   std::map<const MeshShape*, camera::MeshCameraFaces> shared;
   for (const Ref<ObjectDesc>& object : camera.meshes) {
-    const auto* mesh = std::get_if<std::shared_ptr<const MeshShape>>(&object->shape);
-    if (!mesh) throw camera::CameraError("a mesh_camera takes meshes, not a " + object->keyword);
+    const auto* mesh = &std::get<std::shared_ptr<const MeshShape>>(object->shape);
     camera::MeshCameraFaces& faces = shared[mesh->get()];
     if (!faces) faces = camera_faces(**mesh, object->keyword == "mesh2");
     setup.parts.push_back({faces, object->transform});

@@ -127,7 +127,14 @@ class CameraReader {
     }
     m_parser.parse_comma();
     m_camera.max_ray_distance = optional_float(m_parser, 0.0);
-    while (Ref<ObjectDesc> mesh = accept_object(m_parser, m_context)) m_camera.meshes.push_back(mesh);
+    Location where = m_parser.location();
+    while (Ref<ObjectDesc> mesh = accept_object(m_parser, m_context)) {
+      if (!std::holds_alternative<std::shared_ptr<const MeshShape>>(mesh->shape)) {
+        m_parser.fail_at(where, "a mesh_camera takes meshes, not a " + mesh->keyword);
+      }
+      m_camera.meshes.push_back(mesh);
+      where = m_parser.location();
+    }
     m_camera.smooth = m_parser.accept(Keyword::kSmooth);
     m_parser.expect(Punct::kRightCurly);
     if (m_camera.meshes.empty()) m_parser.fail("A mesh_camera needs a mesh or mesh2.");

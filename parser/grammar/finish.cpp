@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "parser/grammar/helpers.h"
 #include "parser/grammar/pattern.h"
 
 namespace lentray::parser {
@@ -32,7 +33,7 @@ void parse_reflection_block(Parser& parser, FinishDesc& finish) {
       break;
     }
   }
-  parser.expect(Punct::kRightCurly);
+  end_block(parser, "one of fresnel, falloff, exponent, metallic");
 }
 
 void parse_reflection(Parser& parser, FinishDesc& finish) {
@@ -61,7 +62,7 @@ void parse_irid(Parser& parser, FinishDesc& finish) {
       break;
     }
   }
-  parser.expect(Punct::kRightCurly);
+  end_block(parser, "one of thickness, turbulence");
 }
 
 void parse_subsurface(Parser& parser, FinishDesc& finish) {
@@ -77,7 +78,7 @@ void parse_subsurface(Parser& parser, FinishDesc& finish) {
     }
   }
   finish.subsurface = subsurface;
-  parser.expect(Punct::kRightCurly);
+  end_block(parser, "one of translucency, anisotropy");
 }
 
 bool accept_diffuse_word(Parser& parser, FinishDesc& finish) {
@@ -187,7 +188,9 @@ Ref<FinishDesc> parse_finish_block(Parser& parser, const Ref<FinishDesc>& base) 
          accept_interior_word(parser, *finish) || accept_other_word(parser, *finish)) {
   }
   apply_albedo(*finish);
-  parser.expect(Punct::kRightCurly);
+  end_block(parser, "one of ambient, emission, diffuse, brilliance, crand, phong, phong_size, "
+            "specular, roughness, metallic, reflection, reflection_exponent, conserve_energy, "
+            "irid, subsurface");
   return finish;
 }
 

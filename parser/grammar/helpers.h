@@ -20,6 +20,11 @@ inline bool at_float(Parser& parser) {
   return !number || number->size == 1;
 }
 
+/// The brace that ends a block; `words` are what else could have come: "one of a, b".
+inline void end_block(Parser& parser, std::string_view words) {
+  if (!parser.accept(Punct::kRightCurly)) parser.fail_expected(std::string(words) + " or }");
+}
+
 /// A float if one is next, the default otherwise.
 inline double optional_float(Parser& parser, double otherwise) {
   return at_float(parser) ? parser.parse_float() : otherwise;

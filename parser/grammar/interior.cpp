@@ -1,5 +1,6 @@
 #include "parser/descriptions/interior.h"
 
+#include "parser/grammar/helpers.h"
 #include "parser/grammar/material.h"
 #include "parser/grammar/pattern.h"
 
@@ -49,7 +50,8 @@ Ref<InteriorDesc> parse_interior(Parser& parser, MaterialContext& context,
   interior->where = where;
   while (accept_interior_word(parser, context, *interior)) {
   }
-  parser.expect(Punct::kRightCurly);
+  end_block(parser, "one of ior, dispersion, dispersion_samples, caustics, fade_color, "
+            "fade_distance, fade_power, media");
   return interior;
 }
 

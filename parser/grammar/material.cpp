@@ -1,5 +1,6 @@
 #include "parser/grammar/material.h"
 
+#include "parser/grammar/helpers.h"
 #include "parser/grammar/nesting.h"
 #include "parser/grammar/pattern.h"
 
@@ -64,12 +65,12 @@ bool accept_part(Parser& parser, MaterialContext& context, Ref<TextureDesc>& tex
     TextureLayerDesc& layer = top_layer(parser, context, texture, copy);
     parser.expect(Punct::kLeftCurly);
     layer.pigment = parse_pigment_body(parser, context, layer.pigment);
-    parser.expect(Punct::kRightCurly);
+    end_block(parser, kPigmentWords);
   } else if (parser.accept(Keyword::kNormal)) {
     TextureLayerDesc& layer = top_layer(parser, context, texture, copy);
     parser.expect(Punct::kLeftCurly);
     layer.normal = parse_normal_body(parser, context, layer.normal);
-    parser.expect(Punct::kRightCurly);
+    end_block(parser, kNormalWords);
   } else if (parser.accept(Keyword::kFinish)) {
     TextureLayerDesc& layer = top_layer(parser, context, texture, copy);
     layer.finish = parse_finish_block(parser, layer.finish);
@@ -143,7 +144,7 @@ Ref<MaterialDesc> parse_material(Parser& parser, MaterialContext& context) {
       break;
     }
   }
-  parser.expect(Punct::kRightCurly);
+  end_block(parser, "one of texture, interior_texture, interior, a transform");
   return material;
 }
 

@@ -1,5 +1,6 @@
 #include "parser/descriptions/media.h"
 
+#include "parser/grammar/helpers.h"
 #include "parser/grammar/nesting.h"
 #include "parser/grammar/pattern.h"
 
@@ -126,7 +127,7 @@ void parse_scattering(Parser& parser, ScatteringDesc& scattering) {
       break;
     }
   }
-  parser.expect(Punct::kRightCurly);
+  end_block(parser, "one of a color, eccentricity, extinction");
 }
 
 bool accept_media_word(Parser& parser, MaterialContext& context, MediaDesc& media) {
@@ -164,7 +165,7 @@ Ref<DensityDesc> parse_density_body(Parser& parser, MaterialContext& context) {
 Ref<DensityDesc> parse_density(Parser& parser, MaterialContext& context) {
   parser.expect(Punct::kLeftCurly);
   auto density = parse_density_body(parser, context);
-  parser.expect(Punct::kRightCurly);
+  end_block(parser, kPigmentWords);
   return density;
 }
 
@@ -186,7 +187,9 @@ Ref<MediaDesc> parse_media(Parser& parser, MaterialContext& context) {
   media->where = where;
   while (accept_media_word(parser, context, *media)) {
   }
-  parser.expect(Punct::kRightCurly);
+  end_block(parser, "one of method, intervals, samples, confidence, variance, ratio, jitter, "
+            "aa_level, aa_threshold, absorption, emission, scattering, collect, density, a "
+            "transform");
   return media;
 }
 

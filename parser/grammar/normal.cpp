@@ -1,5 +1,6 @@
 #include "parser/descriptions/normal.h"
 
+#include "parser/grammar/helpers.h"
 #include "parser/grammar/nesting.h"
 #include "parser/grammar/pattern.h"
 
@@ -103,7 +104,7 @@ Ref<NormalDesc> parse_normal_body(Parser& parser, MaterialContext& context,
 Ref<NormalDesc> parse_normal(Parser& parser, MaterialContext& context) {
   parser.expect(Punct::kLeftCurly);
   auto normal = parse_normal_body(parser, context, default_layer(context).normal);
-  parser.expect(Punct::kRightCurly);
+  end_block(parser, kNormalWords);
   return normal;
 }
 

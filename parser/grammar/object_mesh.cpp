@@ -85,7 +85,7 @@ struct MeshReader {
       parser.parse_comma();
     }
     for (int i = count; count > 0 && i < 3; ++i) face.texture[i] = face.texture[0];
-    parser.expect(Punct::kRightCurly);
+    end_block(parser, "one of uv_vectors, texture");
     if (face.vertex[0] == face.vertex[1] || face.vertex[1] == face.vertex[2] ||
         face.vertex[2] == face.vertex[0]) {
       return;  // degenerate: stock leaves it out

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/base/vec3.h"
+#include "parser/grammar/helpers.h"
 #include "parser/grammar/nesting.h"
 
 namespace lentray::parser {
@@ -113,7 +114,7 @@ void read_pigment_pattern(const Reader& r) {
   r.parser.expect(Punct::kLeftCurly);
   r.pattern.pigment =
       parse_pigment_body(r.parser, r.context, std::make_shared<const PigmentDesc>());
-  r.parser.expect(Punct::kRightCurly);
+  end_block(r.parser, kPigmentWords);
 }
 
 void read_object(const Reader& r) {
@@ -139,7 +140,8 @@ void read_image_pattern(const Reader& r) {
   auto image = parse_image_source(r.parser);
   while (accept_image_modifier(r.parser, *image)) {
   }
-  r.parser.expect(Punct::kRightCurly);
+  end_block(r.parser, "one of interpolate, map_type, once, use_color, use_index, use_alpha, "
+            "repeat, offset");
   r.pattern.image = image;
 }
 
@@ -177,7 +179,7 @@ void read_slope(const Reader& r) {
       p.altitude = r.parser.parse_vector();
       read_range(r.parser, p.altitude_low, p.altitude_high);
     }
-    r.parser.expect(Punct::kRightCurly);
+    end_block(r.parser, "altitude");
   }
   if (!p.slope_point_at && core::length(p.vector) + core::length(p.altitude) == 0.0) {
     r.parser.fail("both vectors of the slope pattern are null");
@@ -340,6 +342,9 @@ void parse_pattern_body(Parser& parser, MaterialContext& context, PatternTarget&
   if (target.statement() == "pigment") {
     if (parser.language_version() >= 150) parser.warn("this pigment has neither colour nor pattern, or does not begin with it");
   } else if (target.statement() == "normal" && !context.in_default) {
+    if (!parser.at(Punct::kRightCurly) && !parser.at(Punct::kRightSquare)) {
+      parser.fail_expected("a pattern");
+    }
     parser.fail("this normal has no pattern");
   }
 }

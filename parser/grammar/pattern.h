@@ -11,6 +11,12 @@
 
 namespace lentray::parser {
 
+/// What their blocks may hold, for messages.
+inline constexpr const char* kPigmentWords =
+    "one of a color, a pattern, its modifiers (turbulence, warp, scale ...), a map";
+inline constexpr const char* kNormalWords =
+    "one of a pattern, its modifiers (turbulence, warp, scale ...), bump_size, a map";
+
 /// The statement around a pattern: where its description lies and what only it may hold.
 class PatternTarget {
  public:

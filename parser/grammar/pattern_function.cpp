@@ -4,6 +4,7 @@
 #include "core/function/function.h"
 #include "parser/build/pattern_compiler.h"
 #include "parser/build/picture_reader.h"
+#include "parser/grammar/helpers.h"
 #include "parser/grammar/pattern.h"
 
 namespace lentray::parser {
@@ -81,7 +82,7 @@ Ref<FunctionDesc> parse_pattern_function(Parser& parser, MaterialContext& contex
   const auto pigment =
       parse_pigment_body(parser, context, std::make_shared<const PigmentDesc>());
   if (pigment->pattern.kind == PatternKind::kPlain) parser.fail_expected("a pattern");
-  parser.expect(Punct::kRightCurly);
+  end_block(parser, "a modifier of the pattern (turbulence, warp, scale ...)");
   desc->depth = pigment->pattern.nesting.depth;
   desc->calls = pigment->pattern.nesting.parts;
   std::set<std::string> not_yet;

@@ -140,7 +140,8 @@ std::shared_ptr<const ImageDesc> parse_image_map(Parser& parser) {
       break;
     }
   }
-  parser.expect(Punct::kRightCurly);
+  end_block(parser, "one of interpolate, map_type, once, use_color, use_index, use_alpha, "
+            "repeat, offset, filter, transmit");
   return image;
 }
 
@@ -152,7 +153,8 @@ std::shared_ptr<const ImageDesc> parse_bump_map(Parser& parser, double& amount) 
     if (!parser.accept(Keyword::kBumpSize)) break;
     amount = parser.parse_float();
   }
-  parser.expect(Punct::kRightCurly);
+  end_block(parser, "one of interpolate, map_type, once, use_color, use_index, use_alpha, "
+            "repeat, offset, bump_size");
   return image;
 }
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <string>
 
+#include "parser/grammar/helpers.h"
 #include "parser/grammar/pattern.h"
 
 namespace lentray::parser {
@@ -293,7 +294,7 @@ WarpDesc parse_warp(Parser& parser) {
     while (accept_mapping_word(parser, warp)) {
     }
   }
-  parser.expect(Punct::kRightCurly);
+  end_block(parser, "a word of this warp");
   return warp;
 }
 

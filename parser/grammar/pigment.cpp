@@ -1,5 +1,6 @@
 #include "parser/descriptions/pigment.h"
 
+#include "parser/grammar/helpers.h"
 #include "parser/grammar/nesting.h"
 #include "parser/grammar/pattern.h"
 
@@ -100,7 +101,7 @@ Ref<PigmentDesc> parse_pigment_body(Parser& parser, MaterialContext& context,
 Ref<PigmentDesc> parse_pigment(Parser& parser, MaterialContext& context) {
   parser.expect(Punct::kLeftCurly);
   auto pigment = parse_pigment_body(parser, context, default_layer(context).pigment);
-  parser.expect(Punct::kRightCurly);
+  end_block(parser, kPigmentWords);
   return pigment;
 }
 

@@ -1,5 +1,6 @@
 #include "parser/descriptions/texture.h"
 
+#include "parser/grammar/helpers.h"
 #include "parser/grammar/nesting.h"
 #include "parser/grammar/pattern.h"
 
@@ -71,12 +72,12 @@ bool accept_part(Parser& parser, MaterialContext& context, TextureLayerDesc& lay
   if (parser.accept(Keyword::kPigment)) {
     parser.expect(Punct::kLeftCurly);
     layer.pigment = parse_pigment_body(parser, context, layer.pigment);
-    parser.expect(Punct::kRightCurly);
+    end_block(parser, kPigmentWords);
   } else if (parser.accept(Keyword::kNormal)) {
     parser.expect(Punct::kLeftCurly);
     const Ref<NormalDesc>& base = layer.normal ? layer.normal : default_layer(context).normal;
     layer.normal = parse_normal_body(parser, context, base);
-    parser.expect(Punct::kRightCurly);
+    end_block(parser, kNormalWords);
   } else if (parser.accept(Keyword::kFinish)) {
     layer.finish = parse_finish_block(parser, layer.finish);
   } else {
@@ -164,7 +165,7 @@ Ref<TextureDesc> parse_texture_body(Parser& parser, MaterialContext& context) {
 Ref<TextureDesc> parse_texture(Parser& parser, MaterialContext& context) {
   parser.expect(Punct::kLeftCurly);
   auto texture = parse_texture_body(parser, context);
-  parser.expect(Punct::kRightCurly);
+  end_block(parser, "one of pigment, normal, finish, a transform, a pattern with a texture_map");
   return texture;
 }
 

@@ -58,7 +58,7 @@ const char* const kPrograms[] = {
     "global_settings { charset utf8 max_trace_level 1e300 }", "#fopen F \"none\" read", "#fopen F \"\" write", "#declare A = 1; #write (A, 1)",
     "#fopen F \"f\" write #fclose F #fopen F \"f\" read #write (F, 1)", "#fopen F \"f\" write #write (F, pigment)",
     "#fopen F \"f\" write #read (F, A)", "FILE -\"a\"", "FILE <1,2,3,4,5,6>", "FILE <1>", "FILE }", "FILE 1 2",
-    "# 5", "#declare A = array[1] #declare B = A[1] + 1;", "#declare sphere = 1;",
+    "#declare F = function {x/0}",     "# 5", "#declare A = array[1] #declare B = A[1] + 1;", "#declare sphere = 1;",
     "#version 3.0; #declare C = color red 1 alpha .5;"};
 
 // What is long is made, and files are written before they are read.
