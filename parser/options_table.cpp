@@ -193,9 +193,8 @@ void set_cache(Options& o, const Given& g) {
   choose(o, g, o.shadow_cache, "shadow cache", kThere, {});
 }
 void set_accelerator(Options& o, const Given& g) {
-  constexpr std::string_view kThere[] = {"bvh", "list"};
-  constexpr std::string_view kComing[] = {"grid"};
-  choose(o, g, o.accelerator, "accelerator", kThere, kComing);
+  constexpr std::string_view kThere[] = {"bvh", "grid", "list"};
+  choose(o, g, o.accelerator, "accelerator", kThere, {});
 }
 void set_model(Options& o, const Given& g) {
   constexpr std::string_view kThere[] = {"paraxial", "pinhole"};

@@ -150,7 +150,7 @@ struct AllSearch {
 }  // namespace
 
 struct Hierarchy::Impl {
-  Impl(const std::vector<std::unique_ptr<Object>>& objects, bool linear, bool portable);
+  Impl(const std::vector<std::unique_ptr<Object>>& objects, Accelerator accelerator, bool portable);
 
   std::vector<std::string> types;
   std::uint8_t any_flags = 0;  ///< of any object
@@ -212,8 +212,8 @@ std::uint8_t Hierarchy::Impl::type_of(std::string_view name) {
   return static_cast<std::uint8_t>(types.size() - 1);
 }
 
-Hierarchy::Impl::Impl(const std::vector<std::unique_ptr<Object>>& objects, bool linear,
-                      bool portable) {
+Hierarchy::Impl::Impl(const std::vector<std::unique_ptr<Object>>& objects,
+                      Accelerator accelerator, bool portable) {
   std::vector<ObjectEntry> entries;
   for (std::size_t i = 0; i < objects.size(); ++i) {
     const Object& object = *objects[i];
@@ -229,20 +229,20 @@ Hierarchy::Impl::Impl(const std::vector<std::unique_ptr<Object>>& objects, bool 
     any_flags |= entry.flags;
     entries.push_back(entry);
   }
-  all.emplace(entries, linear, portable);
+  all.emplace(entries, accelerator, portable);
   if ((any_flags & (kNoShadow | kTransparent)) == 0) return;
   std::vector<ObjectEntry> casters, filtering;
   for (const ObjectEntry& entry : entries) {
     if (entry.flags & kNoShadow) continue;
     (entry.flags & kTransparent ? filtering : casters).push_back(entry);
   }
-  opaque.emplace(casters, linear, portable);
-  filters.emplace(filtering, linear, portable);
+  opaque.emplace(casters, accelerator, portable);
+  filters.emplace(filtering, accelerator, portable);
 }
 
-Hierarchy::Hierarchy(const std::vector<std::unique_ptr<Object>>& objects, bool linear,
+Hierarchy::Hierarchy(const std::vector<std::unique_ptr<Object>>& objects, Accelerator accelerator,
                      bool portable)
-    : m_impl(std::make_unique<Impl>(objects, linear, portable)) {}
+    : m_impl(std::make_unique<Impl>(objects, accelerator, portable)) {}
 
 Hierarchy::~Hierarchy() = default;
 
@@ -292,7 +292,9 @@ std::size_t Hierarchy::memory() const {
 
 Hierarchy::Shape Hierarchy::statistics() const {
   const WideBvh::Statistics& s = m_impl->all->tree().statistics();
-  return {s.nodes, s.leaves, m_impl->all->objects(), m_impl->infinite, s.depth};
+  const UniformGrid& grid = m_impl->all->grid();
+  return {s.nodes, s.leaves, m_impl->all->objects(), m_impl->infinite, s.depth,
+          grid.cells(), grid.entries()};
 }
 
 }  // namespace lentray::core

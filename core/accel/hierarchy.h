@@ -11,6 +11,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/accel/accelerator.h"
 #include "core/base/counters.h"
 #include "core/geometry/object.h"
 
@@ -25,10 +26,10 @@ enum class RayKind : std::uint8_t {
 
 class Hierarchy {
  public:
-  /// Borrows the objects. `linear` makes it a plain list (for comparison and tests); `portable`
-  /// keeps it from using AVX2 where there is any (the answers are the same).
-  Hierarchy(const std::vector<std::unique_ptr<Object>>& objects, bool linear,
-            bool portable = false);
+  /// Borrows the objects. Other accelerators are for comparison and tests; `portable` keeps the
+  /// tree from using AVX2 where there is any (the answers are the same).
+  explicit Hierarchy(const std::vector<std::unique_ptr<Object>>& objects,
+                     Accelerator accelerator = Accelerator::kBvh, bool portable = false);
   ~Hierarchy();
 
   /// Nearest hit with t_min < t < t_max. Ties (equal t) go to an infinite object, as in stock, then
@@ -45,7 +46,11 @@ class Hierarchy {
                        HitArena& arena, Counters* counters) const;
 
   std::size_t memory() const;
-  struct Shape { std::size_t nodes = 0, leaves = 0, objects = 0, infinite = 0; int depth = 0; };
+  struct Shape {
+    std::size_t nodes = 0, leaves = 0, objects = 0, infinite = 0;
+    int depth = 0;
+    std::size_t cells = 0, entries = 0;  ///< of a grid, and objects in its cells
+  };
   Shape statistics() const;
 
  private:

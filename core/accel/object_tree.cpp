@@ -1,5 +1,6 @@
 #include "core/accel/object_tree.h"
 
+#include <cmath>
 #include <stdexcept>
 
 #include "core/geometry/polygon.h"
@@ -21,23 +22,28 @@ ObjectTree::Kind ObjectTree::kind_of(const Object& object) {
   return polygon && PolygonPack::fits(*polygon) ? kPolygons : kOthers;
 }
 
-ObjectTree::ObjectTree(std::span<const ObjectEntry> objects, bool linear, bool portable)
+ObjectTree::ObjectTree(std::span<const ObjectEntry> objects, Accelerator accelerator,
+                       bool portable)
     : m_avx2(!portable && WideBvh::has_avx2()) {
-  std::vector<ObjectEntry> bounded;
-  std::vector<Bounds> boxes;
-  std::vector<std::uint8_t> kinds;
   for (const ObjectEntry& entry : objects) {
-    if (linear || !entry.bounds.is_finite()) {
-      m_unbounded.push_back(entry);
-      continue;
-    }
-    bounded.push_back(entry);
-    boxes.push_back(entry.bounds);
-    kinds.push_back(kind_of(*entry.object));
+    (entry.bounds.is_finite() ? m_entries : m_unbounded).push_back(entry);
   }
-  if (bounded.size() >> kFirstBits != 0) {
+  if (accelerator == Accelerator::kList) return;
+  std::vector<Bounds> boxes;
+  for (const ObjectEntry& entry : m_entries) boxes.push_back(entry.bounds);
+  if (accelerator == Accelerator::kGrid) {
+    m_grid = UniformGrid(boxes);
+    return;
+  }
+  build_tree(boxes);
+}
+
+void ObjectTree::build_tree(const std::vector<Bounds>& boxes) {
+  if (boxes.size() >> kFirstBits != 0) {
     throw std::length_error("more objects than a bounding hierarchy holds");
   }
+  std::vector<std::uint8_t> kinds;
+  for (const ObjectEntry& entry : m_entries) kinds.push_back(kind_of(*entry.object));
   // In node tests: a pack costs about one, a virtual call with its test somewhat more.
   static constexpr WideBvh::Options::Kind kCosts[] = {
       {1, 1.5, 4}, {kPack, 1.0, kPack}, {kPack, 1.4, kPack}, {kPack, 1.4, kPack}};
@@ -45,14 +51,36 @@ ObjectTree::ObjectTree(std::span<const ObjectEntry> objects, bool linear, bool p
   options.kinds = kinds;
   options.kind_costs = kCosts;
   m_tree = WideBvh(boxes, options);
-  m_entries.reserve(m_tree.order().size());
-  for (const std::uint32_t part : m_tree.order()) m_entries.push_back(bounded[part]);
+  std::vector<ObjectEntry> placed;
+  placed.reserve(m_tree.order().size());
+  for (const std::uint32_t part : m_tree.order()) placed.push_back(m_entries[part]);
+  m_entries = std::move(placed);
   m_tree.relabel([&](std::uint32_t first, std::uint32_t count) {
     return code_of(first, count, static_cast<Kind>(kinds[m_tree.order()[first]]));
   });
   m_spheres.shrink_to_fit();
   m_triangles.shrink_to_fit();
   m_polygons.shrink_to_fit();
+}
+
+/// Whether the ray comes near the box between 0 and the limit, rounding counted in.
+bool ObjectTree::meets(const Bounds& box, const Ray& ray, double limit) {
+  constexpr double kSlack = 1e-9;  // of the coordinates involved
+  double enters = kBoxesFrom, leaves = limit;
+  for (int a = 0; a < 3; ++a) {
+    const double o = ray.origin[a], d = ray.direction[a];
+    const double slack = kSlack * std::max({std::fabs(o), std::fabs(box.lo[a]),
+                                            std::fabs(box.hi[a]), box.hi[a] - box.lo[a]});
+    const double lo = box.lo[a] - slack - o, hi = box.hi[a] + slack - o;
+    if (d == 0.0) {
+      if (lo > 0.0 || hi < 0.0) return false;
+      continue;
+    }
+    const double t0 = lo / d, t1 = hi / d;
+    enters = std::max(enters, std::min(t0, t1));
+    leaves = std::min(leaves, std::max(t0, t1));
+  }
+  return enters <= leaves + kSlack * std::fabs(leaves);
 }
 
 /// Puts a leaf's objects into a pack, if they go into one.
@@ -86,7 +114,8 @@ std::uint32_t ObjectTree::code_of(std::uint32_t first, std::uint32_t count, Kind
 }
 
 std::size_t ObjectTree::memory() const {
-  return m_tree.memory() + (m_entries.capacity() + m_unbounded.capacity()) * sizeof(ObjectEntry) +
+  return m_tree.memory() + m_grid.memory() +
+         (m_entries.capacity() + m_unbounded.capacity()) * sizeof(ObjectEntry) +
          m_spheres.capacity() * sizeof(SpherePack) +
          m_triangles.capacity() * sizeof(TrianglePack) +
          m_polygons.capacity() * sizeof(PolygonPack);

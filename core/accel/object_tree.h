@@ -1,13 +1,19 @@
 // Objects under one wide bounding hierarchy: packs of spheres, triangles and polygons in the
-// leaves, other objects behind a virtual call, infinite ones in a list apart. World space.
+// leaves, other objects behind a virtual call, infinite ones in a list apart. Or, for comparison,
+// in a uniform grid or a list. World space.
 // Immutable once built; any number of threads. The searches are the caller's.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
+#include "core/accel/accelerator.h"
 #include "core/accel/packs.h"
+#include "core/accel/uniform_grid.h"
 #include "core/accel/wide_bvh.h"
 #include "core/geometry/object.h"
 
@@ -23,8 +29,8 @@ struct ObjectEntry {
 
 class ObjectTree {
  public:
-  /// `linear`: a plain list; `portable`: no AVX2 even where there is any.
-  ObjectTree(std::span<const ObjectEntry> objects, bool linear, bool portable);
+  /// `portable`: no AVX2 even where there is any.
+  ObjectTree(std::span<const ObjectEntry> objects, Accelerator accelerator, bool portable);
 
   /// Calls what.object(entry) and, for packs, what.lanes(mask, hits, entries of the lanes) for
   /// all that the ray may meet between t_min and what.limit(); both return true to end the search.
@@ -37,7 +43,9 @@ class ObjectTree {
 
   bool empty() const { return m_entries.empty() && m_unbounded.empty(); }
   std::size_t objects() const { return m_entries.size() + m_unbounded.size(); }
+  /// Empty with another accelerator.
   const WideBvh& tree() const { return m_tree; }
+  const UniformGrid& grid() const { return m_grid; }
   std::size_t memory() const;
 
  private:
@@ -69,8 +77,19 @@ class ObjectTree {
     return each(m_entries.data() + (code & ((1u << kFirstBits) - 1)), code >> kFirstBits, what);
   }
 
-  std::vector<ObjectEntry> m_entries;    ///< of the tree, by place
-  std::vector<ObjectEntry> m_unbounded;  ///< tried one by one: the infinite ones, or all
+  void build_tree(const std::vector<Bounds>& boxes);
+  /// Searches without a tree. An object's own box is asked first; `tally` counts boxes and cells.
+  template <class Search, class Limit>
+  void search_list(Search& what, const Limit& limit) const;
+  template <class Search, class Limit>
+  void search_grid(Search& what, const Limit& limit) const;
+  template <class Search>
+  void search_cells_at_once(Search& what, double t_max) const;
+  static bool meets(const Bounds& box, const Ray& ray, double limit);
+
+  std::vector<ObjectEntry> m_entries;    ///< of the tree, by place; of grid and list as given
+  std::vector<ObjectEntry> m_unbounded;  ///< the infinite ones, tried one by one
+  UniformGrid m_grid;
   std::vector<SpherePack> m_spheres;
   std::vector<TrianglePack> m_triangles;
   std::vector<PolygonPack> m_polygons;
@@ -155,10 +174,57 @@ struct ObjectTree::LeafOfObjects {
   }
 };
 
+template <class Search, class Limit>
+void ObjectTree::search_list(Search& what, const Limit& limit) const {
+  for (const ObjectEntry& e : m_entries) {
+    what.tally.add(1);
+    if (meets(e.bounds, what.ray, limit()) && what.object(e)) return;
+  }
+}
+
+template <class Search, class Limit>
+void ObjectTree::search_grid(Search& what, const Limit& limit) const {
+  // What was asked lately need not be asked again in the next cell.
+  constexpr std::size_t kRemembered = 32;
+  std::array<std::uint32_t, kRemembered> asked;
+  asked.fill(~0u);
+  m_grid.walk(what.ray, limit, [&](std::span<const std::uint32_t> parts) {
+    what.tally.add(1);
+    for (const std::uint32_t part : parts) {
+      if (std::exchange(asked[part % kRemembered], part) == part) continue;
+      what.tally.add(1);
+      const ObjectEntry& e = m_entries[part];
+      if (meets(e.bounds, what.ray, limit()) && what.object(e)) return true;
+    }
+    return false;
+  });
+}
+
+/// For searches that must not be told an object twice.
+template <class Search>
+void ObjectTree::search_cells_at_once(Search& what, double t_max) const {
+  std::vector<std::uint32_t> found;
+  m_grid.walk(what.ray, [&] { return t_max; }, [&](std::span<const std::uint32_t> parts) {
+    what.tally.add(1);
+    found.insert(found.end(), parts.begin(), parts.end());
+    return false;
+  });
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  for (const std::uint32_t part : found) {
+    what.tally.add(1);
+    if (meets(m_entries[part].bounds, what.ray, t_max) && what.object(m_entries[part])) return;
+  }
+}
+
 template <bool kOrdered, class Search>
 void ObjectTree::search(Search& what) const {
   if (each(m_unbounded.data(), static_cast<std::uint32_t>(m_unbounded.size()), what)) return;
-  if (m_tree.empty()) return;
+  if (m_tree.empty()) {
+    const auto limit = [&what] { return what.limit(); };
+    m_grid.empty() ? search_list(what, limit) : search_grid(what, limit);
+    return;
+  }
   const PackRay ray(what.ray, !m_triangles.empty());
   if (m_avx2) {
     LeafAvx2<Search> leaf{*this, what, ray};
@@ -172,6 +238,11 @@ void ObjectTree::search(Search& what) const {
 template <class Search>
 void ObjectTree::search_objects(Search& what, double t_max) const {
   if (each(m_unbounded.data(), static_cast<std::uint32_t>(m_unbounded.size()), what)) return;
+  if (m_tree.empty()) {
+    const auto limit = [t_max] { return t_max; };
+    m_grid.empty() ? search_list(what, limit) : search_cells_at_once(what, t_max);
+    return;
+  }
   LeafOfObjects<Search> leaf{*this, what};
   if (m_avx2) {
     m_tree.traverse_avx2<false>(what.ray, kBoxesFrom, t_max, leaf, what.tally);

@@ -154,9 +154,11 @@ struct WideRayAvx2 : WideLimits {
 struct CountBoxes {
   std::uint64_t boxes = 0;
   void add(const WideNode& node) { boxes += node.used; }
+  void add(std::uint64_t more) { boxes += more; }
 };
 struct CountNothing {
   void add(const WideNode&) {}
+  void add(std::uint64_t) {}
 };
 
 class WideBvh {

@@ -120,11 +120,16 @@ std::string explain(const Scene& scene) {
                            << scene.settings().max_trace_level << ")\n";
 
   const Hierarchy::Shape shape = scene.hierarchy().statistics();
-  out << "Bounding hierarchy\n";
+  const bool tree = shape.nodes > 0 || shape.objects == shape.infinite;
+  out << (tree ? "Bounding hierarchy\n" : shape.cells > 0 ? "Grid\n" : "List\n");
   line(out, "bounded objects") << shape.objects - shape.infinite << '\n';
   line(out, "infinite objects") << shape.infinite << '\n';
-  line(out, "nodes of 8 boxes") << shape.nodes << ", depth " << shape.depth << '\n';
-  line(out, "leaves") << shape.leaves << '\n';
+  if (tree) {
+    line(out, "nodes of 8 boxes") << shape.nodes << ", depth " << shape.depth << '\n';
+    line(out, "leaves") << shape.leaves << '\n';
+  } else if (shape.cells > 0) {
+    line(out, "cells") << shape.cells << ", objects in them " << shape.entries << '\n';
+  }
   line(out, "memory") << size_text(scene.hierarchy().memory()) << '\n';
   explain_light_buffers(scene, out);
   return out.str();

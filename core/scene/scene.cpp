@@ -58,9 +58,9 @@ Scene::Scene(SceneParts parts, const CompileOptions& options) : m_parts(std::mov
   m_needs = find_needs(m_parts);
   if (options.general_path) m_needs = everything_needed(std::move(m_needs), m_parts.settings);
   m_solids = std::make_unique<SolidIndex>(m_parts.objects, split.groups);
-  m_hierarchy = std::make_unique<Hierarchy>(m_parts.objects, options.linear_search);
+  m_hierarchy = std::make_unique<Hierarchy>(m_parts.objects, options.accelerator);
   m_light_buffers.resize(m_parts.lights.size());
-  if (options.light_buffer_pixels == 0 || options.linear_search) return;
+  if (options.light_buffer_pixels == 0 || options.accelerator != Accelerator::kBvh) return;
   const std::uint32_t cells = buffer_cells(m_parts.objects.size(), options.light_buffer_pixels);
   for (std::size_t i = 0; i < m_light_buffers.size(); ++i) {
     const Light& light = m_parts.lights[i];

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/accel/accelerator.h"
 #include "core/base/color.h"
 #include "core/geometry/object.h"
 #include "core/light/light.h"
@@ -56,9 +57,9 @@ struct SceneParts {
 
 struct CompileOptions {
   bool general_path = false;  ///< no specialisation: for the test that both give the same bits
-  bool linear_search = false; ///< Accelerator=list
-  /// Light_Buffer: cells of directions about each light, for about so many pixels; 0: none. A
-  /// list of objects has none either.
+  Accelerator accelerator = Accelerator::kBvh;
+  /// Light_Buffer: cells of directions about each light, for about so many pixels; 0: none. Only
+  /// beside the hierarchy: who asks for a grid or a list asks for its search.
   std::uint64_t light_buffer_pixels = 0;
 };
 

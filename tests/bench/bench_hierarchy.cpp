@@ -158,7 +158,7 @@ struct Setting {
   explicit Setting(const std::string& name) : model(make_model(name)), embree(model) {
     for (const Ball& b : model.balls) add(std::make_unique<Sphere>(b.centre, b.radius));
     for (const Corners& t : model.triangles) add(std::make_unique<Triangle>(t[0], t[1], t[2]));
-    hierarchy = std::make_unique<Hierarchy>(objects, false);
+    hierarchy = std::make_unique<Hierarchy>(objects);
     make_rays();
   }
 
@@ -272,7 +272,7 @@ void run_embree(benchmark::State& state, const std::string& name, const std::str
 void build_lentray(benchmark::State& state, const std::string& name) {
   const Setting& s = setting(name);
   for (auto _ : state) {
-    const Hierarchy hierarchy(s.objects, false);
+    const Hierarchy hierarchy(s.objects);
     benchmark::DoNotOptimize(hierarchy.memory());
   }
 }

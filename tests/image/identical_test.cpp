@@ -1,4 +1,5 @@
-// The picture is the same, bit for bit, whatever the pixel order, shadow cache and threads.
+// The picture is the same, bit for bit, whatever the pixel order, shadow cache, accelerator and
+// threads.
 #include <gtest/gtest.h>
 
 #include "tests/support/render.h"
@@ -15,9 +16,11 @@ void expect_identical(const std::vector<std::string>& scene) {
   // Bands as high as the picture, a row, odd, and more than a row of tiles.
   const std::vector<std::string> bands{"", "Band_Height=1", "Band_Height=7", "Band_Height=40"};
   constexpr int kThreads[] = {1, 2, 5};
+  const std::vector<std::vector<std::string>> accelerators{
+      {}, {"Accelerator=grid"}, {"-UL"}, {"Accelerator=list"}};
   std::size_t run = 0;
-  // Every order with every cache; bands and threads change from run to run, so that each meets
-  // every order and every cache.
+  // Every order with every cache; bands, threads and accelerators change from run to run, so that
+  // each meets every order and every cache.
   for (const char* order :
        {"rows", "views", "columns", "combined(4)", "strips(3,7)", "tiles", "hilbert"}) {
     for (const char* cache : {"off", "last", "depth", "tree", "neighbourhood", "grid"}) {
@@ -27,15 +30,19 @@ void expect_identical(const std::vector<std::string>& scene) {
                                          std::string("Shadow_Cache=") + cache,
                                          "+WT" + std::to_string(threads),
                                          bands[(run + run / 12) % bands.size()]};
+      const std::vector<std::string>& search =
+          accelerators[(run + run / 6 + run / 24) % accelerators.size()];
       ++run;
       arguments.insert(arguments.end(), way.begin(), way.end());
+      arguments.insert(arguments.end(), search.begin(), search.end());
       arguments.insert(arguments.end(), {"+Oa.png", "+FN16", "-V"});
       const diff::RunResult result = run_lentray(arguments, folder.path());
       ASSERT_EQ(result.status, 0) << result.output;
       const StoredImage picture = core::read_image(folder / "a.png");
       if (first.samples.empty()) first = picture;
       ASSERT_TRUE(same_bits(first, picture))
-          << way[0] << " " << way[1] << " " << way[2] << " " << way[3];
+          << way[0] << " " << way[1] << " " << way[2] << " " << way[3] << " "
+          << (search.empty() ? "" : search.front());
     }
   }
 }
@@ -89,6 +96,75 @@ TEST(ImageIdentical, PlateJustAboveAFloor) {
   const StoredImage low = lentray_render({.sdl = plate_scene(0.0), .arguments = {}, .files = {}});
   const StoredImage high = lentray_render({.sdl = plate_scene(0.01), .arguments = {}, .files = {}});
   EXPECT_GT(core::compare(low, high, core::Columns::all(low.width)).beyond_2, 30u);
+}
+
+/// Everything that may stand in the way of light: opaque, clear and filtering objects, textures
+/// that are clear in places, CSG, groups, no_shadow, walls of 1e-5 to 1e-2 above what they shade,
+/// and lights of all kinds.
+const char* const kOccluders = R"(#version 3.7;
+global_settings { assumed_gamma 1 max_trace_level 5 }
+camera { location <0.3,4,-7> look_at <0,0.7,0> angle 50 }
+light_source { <3,9,-4> rgb 0.5 }
+light_source { <-6,7,-2> rgb 0.4 parallel point_at 0 }
+light_source { <-2,8,-6> rgb 0.6 spotlight point_at 0 radius 20 falloff 30 }
+light_source { <5,6,3> rgb <0.5,0.4,0.3> area_light x*1.5, z*1.5, 4, 4 adaptive 1 }
+light_source { <0,6,6> rgb 0.2 area_light x, y, 3, 3 circular orient }
+plane { y, 0 pigment { checker rgb 0.9, rgb <0.6,0.7,0.9> } finish { reflection 0.15 } }
+sphere { <-2,0.8,0>, 0.8 pigment { rgb <0.9,0.5,0.3> } finish { phong 0.6 reflection 0.2 } }
+sphere { <-0.3,0.6,-1.4>, 0.6 pigment { rgb <0.6,1,0.8> filter 0.8 } interior { ior 1.3 } }
+box { <1.2,0,-1>, <2.2,1.3,0> pigment { bozo scale 0.3
+  color_map { [0.4 rgb 0.8] [0.5 rgb <1,1,0.5> transmit 0.9] } } rotate 10*y }
+sphere { <0,2.2,0.6>, 0.5 pigment { rgb <1,0.2,0.2> } no_shadow }
+difference { box { <-0.8,0,0.6>, <0.8,1.4,2> } sphere { <0,1.2,1.2>, 0.7 } cylinder { 3*z, -z, 0.3 }
+  pigment { rgb <0.4,0.6,0.9> } }
+intersection { sphere { <2.4,1,1.4>, 0.8 } sphere { <2.9,1.2,1.2>, 0.8 }
+  pigment { rgb <0.8,0.8,0.3> } }
+merge { sphere { <-1.4,0.4,-2>, 0.4 } sphere { <-1,0.4,-2>, 0.4 } pigment { rgbt <0.9,0.9,1,0.5> } }
+union {
+  sphere { <-3,0.4,1.6>, 0.4 } torus { 0.7, 0.12 rotate 20*x translate <-3,0.9,1.6> }
+  union { cone { <-3,1,1.6>, 0.3, <-3,1.8,1.6>, 0 } box { <-3.6,0,2.2>, <-2.4,0.9,2.3> } }
+  pigment { rgb <0.7,0.4,0.8> }
+}
+blob { threshold 0.5 sphere { <3.2,0.5,-1.6>, 0.8, 1 } sphere { <3.8,0.6,-1.4>, 0.7, 1 }
+  pigment { rgb 0.7 } }
+mesh {
+  triangle { <-4,0,0>, <-3.2,1.6,0>, <-3.2,0,-0.6> }
+  triangle { <-3.2,0,-0.6>, <-3.2,1.6,0>, <-2.9,0,0.3> }
+  pigment { rgb <0.3,0.8,0.4> }
+}
+#for (I, 0, 6)
+  // a plate each for 1e-5, 3.2e-5 ... 1e-2 above the floor, and above a slanted wall
+  #declare Gap = pow(10, -5 + I/2);
+  box { <-1.6 + 0.5*I, Gap, -3>, <-1.25 + 0.5*I, Gap + 0.02, -2.7> pigment { rgb 0.5 } no_image }
+  polygon { 5, <0,0>, <0.3,0>, <0.3,0.3>, <0,0.3>, <0,0>
+    pigment { rgb <1,0.9,0.2> #if (mod(I, 2)) transmit 0.5 #end } no_image no_reflection
+    rotate 90*x translate <-1.6 + 0.5*I, Gap, -3.6> }
+#end
+)";
+
+class ImageIdenticalOccluders : public ::testing::Test {
+ protected:
+  void expect(std::vector<std::string> arguments) {
+    const diff::TemporaryFolder folder;
+    diff::write_text(folder / "occluders.pov", kOccluders);
+    arguments.insert(arguments.begin(), "+I" + (folder / "occluders.pov").string());
+    expect_identical(arguments);
+  }
+};
+
+TEST_F(ImageIdenticalOccluders, OrdinaryCamera) { expect({"+W96", "+H72"}); }
+TEST_F(ImageIdenticalOccluders, Sheet) { expect({"Lenticular=On", "Lens_Pixels=8", "+W96", "+H60"}); }
+TEST_F(ImageIdenticalOccluders, OneLens) {
+  expect({"Lenticular=On", "Lens_Pixels=24", "+W24", "+H60"});
+}
+TEST_F(ImageIdenticalOccluders, OnePixelALens) {
+  expect({"Lenticular=On", "Lens_Pixels=1", "+W60", "+H48"});
+}
+TEST_F(ImageIdenticalOccluders, FractionalLenses) {
+  expect({"Lenticular=On", "Lens_Pixels=7.37", "+W80", "+H48"});
+}
+TEST_F(ImageIdenticalOccluders, FiniteDistance) {
+  expect({"Lenticular=On", "Lens_Pixels=6", "View_Distance=400", "+W72", "+H48"});
 }
 
 }  // namespace

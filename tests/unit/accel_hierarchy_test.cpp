@@ -70,7 +70,8 @@ TEST_P(UnitCoreHierarchy, AnswersAsThePlainListDoes) {
   const TestScene& setup = GetParam();
   SceneMaker make(setup);
   const Objects objects = make.objects(150);
-  const Hierarchy list(objects, true), tree(objects, false), portable(objects, false, true);
+  const Hierarchy list(objects, Accelerator::kList), tree(objects),
+      portable(objects, Accelerator::kBvh, true), grid(objects, Accelerator::kGrid);
   HitArena arena;
   int found = 0;
   constexpr int kRays = 10000;
@@ -81,6 +82,8 @@ TEST_P(UnitCoreHierarchy, AnswersAsThePlainListDoes) {
     const double t_max = i % 4 == 1 ? setup.scale * make.unit() / way : Bounds::kInf;
     SCOPED_TRACE("ray " + std::to_string(i));
     expect_same(list, tree, ray, t_min, t_max, arena, found);
+    if (HasFatalFailure()) return;
+    expect_same(list, grid, ray, t_min, t_max, arena, found);
     if (HasFatalFailure()) return;
     if (i % 4 == 0) expect_same(list, portable, ray, t_min, t_max, arena, found);
     if (HasFatalFailure()) return;
@@ -113,7 +116,7 @@ TEST(UnitCoreHierarchyRules, EqualDistancesGoToTheObjectFirstInTheScene) {
       objects.push_back(std::make_unique<Leaf>(std::move(shape), Transform()));
     }
     for (const bool portable : {false, true}) {
-      const Hierarchy tree(objects, false, portable);
+      const Hierarchy tree(objects, Accelerator::kBvh, portable);
       HitArena arena;
       Hit hit;
       ASSERT_TRUE(tree.nearest({{0, 0, 0}, {0, 0, 1}}, 0, 100, RayKind::kCamera, hit, arena,
@@ -124,7 +127,7 @@ TEST(UnitCoreHierarchyRules, EqualDistancesGoToTheObjectFirstInTheScene) {
       EXPECT_FALSE(tree.nearest({{0, 0, 0}, {0, 0, 1}}, 0, 4.0, RayKind::kCamera, hit, arena,
                                 nullptr));
       for (auto& o : objects) o->set_opaque(true);
-      const Hierarchy opaque(objects, false, portable);
+      const Hierarchy opaque(objects, Accelerator::kBvh, portable);
       EXPECT_EQ(opaque.any_opaque({{0, 0, 0}, {0, 0, 1}}, 0, 4.0, arena, nullptr), nullptr);
       EXPECT_NE(opaque.any_opaque({{0, 0, 0}, {0, 0, 1}}, 0, 4.1, arena, nullptr), nullptr);
       EXPECT_NE(opaque.any_opaque({{0, 0, 0}, {0, 0, 1}}, 4.0, 6.1, arena, nullptr), nullptr);
@@ -140,7 +143,7 @@ TEST(UnitCoreHierarchyRules, CountsBoxesAndTestsByType) {
   }
   objects.push_back(
       std::make_unique<Leaf>(std::make_unique<Plane>(Vec3{0, 1, 0}, -2), Transform()));
-  const Hierarchy tree(objects, false), list(objects, true);
+  const Hierarchy tree(objects), list(objects, Accelerator::kList);
   HitArena arena;
   Hit hit;
   Counters counted, in_list;
@@ -156,8 +159,31 @@ TEST(UnitCoreHierarchyRules, CountsBoxesAndTestsByType) {
             counted.tests_by_type.at("plane") + counted.tests_by_type.at("sphere"));
   EXPECT_GE(counted.bounds_tests, 2u * 2);
   EXPECT_LT(counted.bounds_tests, 2u * 30);
-  EXPECT_EQ(in_list.bounds_tests, 0u);
-  EXPECT_EQ(in_list.tests_by_type.at("sphere"), 30u);
+  EXPECT_EQ(in_list.bounds_tests, 30u);  // each object's own
+  EXPECT_EQ(in_list.tests_by_type.at("sphere"), 1u);
+  EXPECT_EQ(in_list.tests_by_type.at("plane"), 1u);
+}
+
+TEST(UnitCoreHierarchyRules, AGridWalksAlongTheRay) {
+  Objects objects;
+  for (int i = 0; i < 1000; ++i) {
+    const Vec3 place{i % 10 * 3.0, i / 10 % 10 * 3.0, i / 100 * 3.0};
+    objects.push_back(std::make_unique<Leaf>(std::make_unique<Sphere>(place, 1), Transform()));
+  }
+  const Hierarchy grid(objects, Accelerator::kGrid), list(objects, Accelerator::kList);
+  EXPECT_GT(grid.statistics().cells, 1000u);
+  EXPECT_EQ(list.statistics().cells, 0u);
+  HitArena arena;
+  Hit hit;
+  Counters through, beside, all;
+  ASSERT_TRUE(grid.nearest({{-5, 3, 3}, {1, 0, 0}}, 0, 100, RayKind::kCamera, hit, arena, &through));
+  EXPECT_EQ(hit.t, 4.0);
+  EXPECT_LT(through.bounds_tests, 20u);  // it ends in the cell of the hit
+  ASSERT_FALSE(grid.nearest({{-5, 4.5, 4.5}, {1, 0, 0}}, 0, 100, RayKind::kCamera, hit, arena, &beside));
+  EXPECT_GT(beside.bounds_tests, through.bounds_tests);
+  EXPECT_LT(beside.bounds_tests, 200u);
+  ASSERT_FALSE(list.nearest({{-5, 4.5, 4.5}, {1, 0, 0}}, 0, 100, RayKind::kCamera, hit, arena, &all));
+  EXPECT_EQ(all.bounds_tests, 1000u);
 }
 
 TEST(UnitCoreHierarchyRules, StatisticsTellTheParts) {
@@ -165,7 +191,7 @@ TEST(UnitCoreHierarchyRules, StatisticsTellTheParts) {
   objects.push_back(std::make_unique<Leaf>(std::make_unique<Sphere>(Vec3{}, 1), Transform()));
   objects.push_back(
       std::make_unique<Leaf>(std::make_unique<Plane>(Vec3{0.3, 1, 0.1}, -2), Transform()));
-  const Hierarchy tree(objects, false);
+  const Hierarchy tree(objects);
   EXPECT_EQ(tree.statistics().objects, 2u);
   EXPECT_EQ(tree.statistics().infinite, 1u);
   EXPECT_EQ(tree.statistics().nodes, 1u);

@@ -66,7 +66,7 @@ TEST_P(UnitCoreLightBuffer, AnswersAsTheHierarchy) {
   const Case& c = GetParam();
   SceneMaker make(c.scene);
   const Objects objects = make.objects(c.objects);
-  const Hierarchy hierarchy(objects, false);
+  const Hierarchy hierarchy(objects);
   const LightBuffer buffer(c.light, objects, kTolerance, c.cells);
   ASSERT_FALSE(buffer.crowded());
   HitArena arena;
@@ -118,7 +118,7 @@ TEST(UnitCoreLightBufferRules, PlatesNearTheTolerance) {
     objects.push_back(plate(0.0, 2.0));
     objects.push_back(plate(gap, 1.0));
     objects.push_back(plate(5.0 - gap, 0.01));  // about the light
-    const Hierarchy hierarchy(objects, false);
+    const Hierarchy hierarchy(objects);
     const LightBuffer buffer(light, objects, kTolerance, 4096);
     HitArena arena;
     int seen[3] = {};

@@ -122,7 +122,7 @@ the first: they must be the same, bit for bit.
 
   Orders=rows,columns,...   also combined(w), strips(w,h); all, as Pixel_Order= has them
   Caches=off,last,...       all, as Shadow_Cache= has them
-  Accelerators=bvh       of lentray without light buffers: bvh, list; buffer: bvh with them
+  Accelerators=bvh       without light buffers: bvh, grid, list; buffer: bvh with them
   Repeats=5              timed runs of each, interleaved; the median counts
   CSV=file  HTML=file    HTML holds charts, which need gnuplot
   Lentray=file           the program to run; the one beside this one

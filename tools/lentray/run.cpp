@@ -139,7 +139,8 @@ void read_scene(Run& run, const std::string& path) {
   run.not_rendered = parts.not_rendered;
   reduce(parts, o.quality);
   core::CompileOptions compile;
-  compile.linear_search = o.accelerator == "list";
+  if (o.accelerator == "grid") compile.accelerator = core::Accelerator::kGrid;
+  if (o.accelerator == "list") compile.accelerator = core::Accelerator::kList;
   if (o.light_buffer) {
     compile.light_buffer_pixels =
         static_cast<std::uint64_t>(o.width) * static_cast<std::uint64_t>(o.height);
