@@ -58,7 +58,7 @@ camera::MeshCameraSetup mesh_setup(const CameraDesc& camera) {
     const auto* mesh = &std::get<std::shared_ptr<const MeshShape>>(object->shape);
     camera::MeshCameraFaces& faces = shared[mesh->get()];
     if (!faces) faces = camera_faces(**mesh, object->keyword == "mesh2");
-    setup.parts.push_back({faces, object->transform});
+    setup.parts.push_back({faces, *object->transform});
   }
   return setup;
 }

@@ -130,7 +130,7 @@ class CameraReader {
     Location where = m_parser.location();
     while (Ref<ObjectDesc> mesh = accept_object(m_parser, m_context)) {
       if (!std::holds_alternative<std::shared_ptr<const MeshShape>>(mesh->shape)) {
-        m_parser.fail_at(where, "a mesh_camera takes meshes, not a " + mesh->keyword);
+        m_parser.fail_at(where, "a mesh_camera takes meshes, not a " + std::string(mesh->keyword));
       }
       m_camera.meshes.push_back(mesh);
       where = m_parser.location();

@@ -80,10 +80,10 @@ Nesting nesting_of(const InteriorDesc& interior) {
 
 Nesting held_by(const PatternDesc& pattern) {
   Nesting nesting;
-  hold_one(nesting, pattern.pigment);
-  hold_one(nesting, pattern.object);
-  hold_one(nesting, pattern.function);
-  if (pattern.image) hold_one(nesting, pattern.image->function);
+  hold_one(nesting, pattern.own->pigment);
+  hold_one(nesting, pattern.own->object);
+  hold_one(nesting, pattern.own->function);
+  if (pattern.own->image) hold_one(nesting, pattern.own->image->function);
   return nesting;
 }
 
