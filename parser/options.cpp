@@ -248,6 +248,10 @@ RenderOptions read_options(std::span<const std::string> arguments, const OptionS
       reader.bare(text, given, 1);
     }
   }
+  if (options.all_console) {
+    options.debug_console = options.warning_console = options.statistic_console =
+        options.render_console = options.fatal_console = *options.all_console;
+  }
   for (const std::string& folder : sources.standard_libraries) {
     std::error_code error;
     if (!fs::is_directory(folder, error)) continue;

@@ -46,6 +46,10 @@ struct RenderOptions {
   int warning_level = 10;                 ///< 0: no warnings
   bool debug_console = true, warning_console = true, statistic_console = true,
        render_console = true, fatal_console = true;
+  std::optional<bool> all_console;        ///< if given, it holds for those five
+  std::string debug_file, warning_file, statistic_file, render_file, fatal_file,
+      all_file;                           ///< that the texts go to as well; empty: none
+  bool append_files = false;              ///< what they hold is kept
 
   // Lens sheet.
   bool lenticular = false;                ///< make a sheet of the scene's camera

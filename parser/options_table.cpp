@@ -30,22 +30,32 @@ void later(Options& o, const Given& g) { not_yet(o, g, what.text); }
 template <bool Options::*member>
 void set_bool(Options& o, const Given& g) { o.*member = truth(o, g); }
 
-/// Console switches also take a file name, which is not written yet.
-template <bool Options::*member>
+/// Switches of text streams may name a file that the text goes to, whether the console is on or off.
+template <bool Options::*console, std::string Options::*file>
 void set_console(Options& o, const Given& g) {
-  if (g.sign != 0 && !g.value.empty()) not_yet(o, g, "text streams to files");
-  o.*member = truth(o, g);
+  if (g.sign != 0 && !g.value.empty()) o.*file = g.value;
+  o.*console = truth(o, g);
 }
 void set_all_consoles(Options& o, const Given& g) {
-  if (g.sign != 0 && !g.value.empty()) not_yet(o, g, "text streams to files");
-  const bool on = truth(o, g);
-  o.debug_console = o.warning_console = o.statistic_console = o.render_console = o.fatal_console = on;
+  if (g.sign != 0 && !g.value.empty()) o.all_file = g.value;
+  o.all_console = truth(o, g);
 }
+/// A name; `true` for the stream's usual one.
+template <std::string Options::*file, Word usual>
 void set_stream_file(Options& o, const Given& g) {
+  o.*file = g.value;
+  for (const char* word : {"false", "no", "off", "0"}) {
+    if (same_word(g.value, word)) o.*file = "";
+  }
+  for (const char* word : {"true", "yes", "on", "1", ""}) {
+    if (same_word(g.value, word)) o.*file = usual.text;
+  }
+}
+void set_create_ini(Options& o, const Given& g) {
   for (const char* word : {"false", "no", "off", "0"}) {
     if (same_word(g.value, word)) return;
   }
-  not_yet(o, g, "text streams to files");
+  not_yet(o, g, "writing an INI file");
 }
 
 void set_antialias(Options& o, const Given& g) {
@@ -312,7 +322,7 @@ constexpr OptionRow kTable[] = {
     {"End_Column", "EC", later<"rendering a part of the picture">},
     {"End_Row", "ER", later<"rendering a part of the picture">},
     {"Continue_Trace", "C", only_off<"continuing a picture">},
-    {"Create_Ini", "GI", set_stream_file},
+    {"Create_Ini", "GI", set_create_ini},
     {"Output_to_File", "F", set_output},
     {"Output_File_Type", "", set_type},
     {"Output_File_Name", "O", set_text<&Options::output>},
@@ -368,19 +378,19 @@ constexpr OptionRow kTable[] = {
     // Messages.
     {"Verbose", "V", set_bool<&Options::verbose>},
     {"Warning_Level", "WL", set_level},
-    {"Debug_Console", "GD", set_console<&Options::debug_console>},
-    {"Fatal_Console", "GF", set_console<&Options::fatal_console>},
-    {"Render_Console", "GR", set_console<&Options::render_console>},
-    {"Statistic_Console", "GS", set_console<&Options::statistic_console>},
-    {"Warning_Console", "GW", set_console<&Options::warning_console>},
+    {"Debug_Console", "GD", set_console<&Options::debug_console, &Options::debug_file>},
+    {"Fatal_Console", "GF", set_console<&Options::fatal_console, &Options::fatal_file>},
+    {"Render_Console", "GR", set_console<&Options::render_console, &Options::render_file>},
+    {"Statistic_Console", "GS", set_console<&Options::statistic_console, &Options::statistic_file>},
+    {"Warning_Console", "GW", set_console<&Options::warning_console, &Options::warning_file>},
     {"All_Console", "GA", set_all_consoles},
-    {"Debug_File", "", set_stream_file},
-    {"Fatal_File", "", set_stream_file},
-    {"Render_File", "", set_stream_file},
-    {"Statistic_File", "", set_stream_file},
-    {"Warning_File", "", set_stream_file},
-    {"All_File", "", set_stream_file},
-    {"Append_File", "GP", ignore},
+    {"Debug_File", "", set_stream_file<&Options::debug_file, "debug.out">},
+    {"Fatal_File", "", set_stream_file<&Options::fatal_file, "fatal.out">},
+    {"Render_File", "", set_stream_file<&Options::render_file, "render.out">},
+    {"Statistic_File", "", set_stream_file<&Options::statistic_file, "stats.out">},
+    {"Warning_File", "", set_stream_file<&Options::warning_file, "warning.out">},
+    {"All_File", "", set_stream_file<&Options::all_file, "alltext.out">},
+    {"Append_File", "GP", set_bool<&Options::append_files>},
     // Programs to run: not from a renderer that reads other people's files.
     {"Pre_Scene_Command", "", later<"running commands">},
     {"Pre_Frame_Command", "", later<"running commands">},

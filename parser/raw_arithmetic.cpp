@@ -60,9 +60,10 @@ bool RawArithmetic::ends_here() const {
 bool RawArithmetic::expression(Number& n) {
   if (!logical_level(n)) return false;
   if (!accept(Punct::kQuestion)) return true;
-  if (n.size != 1) return false;
+  if (n.size != 1 || ++m_depth > kDeepest) return false;
   Number yes, no;
   if (!expression(yes) || !accept(Punct::kColon) || !expression(no)) return false;
+  --m_depth;
   n = is_true(n.v[0]) ? yes : no;
   return true;
 }

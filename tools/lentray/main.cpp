@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,7 @@
 #include "parser/diagnostics.h"
 #include "parser/options.h"
 #include "tools/lentray/run.h"
+#include "tools/lentray/text_streams.h"
 #include "tools/lentray/version.h"
 
 namespace {
@@ -39,15 +41,25 @@ void set_signals() {
   std::signal(SIGPIPE, SIG_IGN);
 }
 
-void print_warnings(const std::vector<std::string>& warnings) {
-  for (const std::string& text : warnings) {
-    std::fprintf(stderr, "%s%s", text.c_str(), text.empty() || text.back() != '\n' ? "\n" : "");
-  }
+using parser::Stream;
+
+std::string line(const std::string& text) {
+  return text.empty() || text.back() != '\n' ? text + "\n" : text;
 }
 
+/// Where texts go once the options are known.
+std::optional<tool::TextStreams> g_texts;
+
+void print_warnings(const parser::RenderOptions& options, const std::vector<std::string>& warnings) {
+  if (options.warning_level == 0) return;
+  for (const std::string& text : warnings) g_texts->write(Stream::kWarning, line(text));
+}
+
+/// What ended the run is said whatever the options are.
 int fail(const char* prefix, const std::string& text, int status) {
-  std::fprintf(stderr, "%s%s%s", prefix, text.c_str(),
-               text.empty() || text.back() != '\n' ? "\n" : "");
+  const std::string whole = line(prefix + text);
+  std::fputs(whole.c_str(), stderr);
+  if (g_texts) g_texts->log(Stream::kFatal, whole);
   return status;
 }
 
@@ -93,19 +105,24 @@ int main(int argc, char** argv) {
     std::printf("Lentray %s\n", tool::kVersion);
     return tool::kDone;
   }
+  status = guarded([&] {
+    g_texts.emplace(options);
+    return static_cast<int>(tool::kDone);
+  });
+  if (status != tool::kDone) return status;
   for (const std::string& text : options.warnings) warnings.push_back("warning: " + text);
   set_signals();
   status = guarded([&] {
     try {
-      return static_cast<int>(tool::run(options, g_cancel, warnings));
+      return static_cast<int>(tool::run(options, g_cancel, *g_texts, warnings));
     } catch (...) {
       // Warnings first: they often tell what the error is about.
-      if (options.warning_console && options.warning_level > 0) print_warnings(warnings);
+      print_warnings(options, warnings);
       warnings.clear();
       throw;
     }
   });
   if (status == tool::kAborted) std::fputs("lentray: stopped; no picture was written\n", stderr);
-  if (options.warning_console && options.warning_level > 0) print_warnings(warnings);
+  print_warnings(options, warnings);
   return status;
 }

@@ -4,9 +4,11 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <iomanip>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <sstream>
 #include <stdexcept>
 #include <thread>
 
@@ -30,6 +32,7 @@
 #include "tools/lentray/quality.h"
 #include "tools/lentray/ray_dump.h"
 #include "tools/lentray/scene_file.h"
+#include "tools/lentray/text_streams.h"
 
 namespace lentray::tool {
 namespace {
@@ -43,6 +46,7 @@ double bytes_a_row(std::uint32_t width) { return 1.25 * core::bytes_a_band_row(w
 /// What a run has become so far.
 struct Run {
   const RenderOptions& options;
+  TextStreams& texts;
   std::vector<std::string>& warnings;
   std::string output;                  ///< where the picture goes; empty: nowhere
   parser::OutputType type = parser::OutputType::kPng;
@@ -91,13 +95,12 @@ parser::ParserOptions parser_options(const RenderOptions& o) {
 }
 
 void connect(parser::Diagnostics& diagnostics, Run& run) {
-  const RenderOptions& o = run.options;
   diagnostics.connect(parser::Stream::kWarning, [&run](std::string_view text) {
     run.warnings.emplace_back(text);
   });
-  if (!o.debug_console) diagnostics.connect(parser::Stream::kDebug, {});
-  if (!o.render_console) diagnostics.connect(parser::Stream::kRender, {});
-  if (!o.statistic_console) diagnostics.connect(parser::Stream::kStatistics, {});
+  for (const auto stream : {parser::Stream::kDebug, parser::Stream::kRender, parser::Stream::kStatistics}) {
+    diagnostics.connect(stream, [&run, stream](std::string_view text) { run.texts.write(stream, text); });
+  }
 }
 
 /// --parse-only, --dump: text -> descriptions, checked as far as they can be without rendering.
@@ -203,12 +206,14 @@ core::FrameShape shape_of(Run& run) {
   shape.band_height = std::min(shape.band_height, shape.height);
   run.report.band_height = shape.band_height;
   run.report.bands = (shape.height + shape.band_height - 1) / shape.band_height;
-  if (o.render_console && o.verbose) {
+  if (o.verbose) {
     const double share = std::min(1.0, 1.0 * run.report.bands / core::BandQueue::kInMemory);
     const double bytes = share * core::bytes_a_band_row(shape.width) * shape.band_height;
-    std::fprintf(stderr, "Bands: %u of %u row%s, %s of at most %s\n", run.report.bands,
-                 shape.band_height, shape.band_height == 1 ? "" : "s",
-                 parser::memory_text(bytes).c_str(), parser::memory_text(limit).c_str());
+    run.texts.write(parser::Stream::kRender,
+                    "Bands: " + std::to_string(run.report.bands) + " of " +
+                        std::to_string(shape.band_height) +
+                        (shape.band_height == 1 ? " row, " : " rows, ") + parser::memory_text(bytes) +
+                        " of at most " + parser::memory_text(limit) + "\n");
   }
   return shape;
 }
@@ -254,9 +259,9 @@ bool render(Run& run, const std::atomic<bool>& cancel) {
 }  // namespace
 
 Status run(const RenderOptions& options, const std::atomic<bool>& cancel,
-           std::vector<std::string>& warnings) {
+           TextStreams& texts, std::vector<std::string>& warnings) {
   const auto start = Clock::now();
-  Run run{options, warnings, {}};
+  Run run{options, texts, warnings, {}};
   const SceneFile file(options);
   check_order(options);
   check_outputs(run);
@@ -269,8 +274,8 @@ Status run(const RenderOptions& options, const std::atomic<bool>& cancel,
     std::fputs(explanation(*run.scene, run.camera, run.not_rendered).c_str(), stdout);
     return kDone;
   }
-  if (options.render_console) {
-    for (const std::string& line : run.camera.report) std::fprintf(stderr, "%s\n", line.c_str());
+  for (const std::string& line : run.camera.report) {
+    texts.write(parser::Stream::kRender, line + "\n");
   }
   if (!options.dump_rays.empty()) {
     dump_rays(run.camera.camera(), options.dump_rays);
@@ -282,10 +287,12 @@ Status run(const RenderOptions& options, const std::atomic<bool>& cancel,
   if (!render(run, cancel)) return kAborted;
   run.report.wall_s = std::chrono::duration<double>(Clock::now() - start).count();
   if (!options.statistics_file.empty()) write_statistics(run);
-  if (options.statistic_console && options.verbose) {
-    std::fprintf(stderr, "%s: %u x %u pixels in %.2f s\n",
-                 run.output.empty() ? "No file" : run.output.c_str(), camera.width(),
-                 camera.height(), run.report.wall_s);
+  if (options.verbose) {
+    std::ostringstream text;
+    text << (run.output.empty() ? "No file" : run.output) << ": " << camera.width() << " x "
+         << camera.height() << " pixels in " << std::fixed << std::setprecision(2)
+         << run.report.wall_s << " s\n";
+    run.texts.write(parser::Stream::kStatistics, text.str());
   }
   return kDone;
 }

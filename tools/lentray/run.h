@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "parser/options.h"
+#include "tools/lentray/text_streams.h"
 
 namespace lentray::tool {
 
@@ -19,6 +20,6 @@ enum Status : int { kDone = 0, kUserError = 1, kAborted = 2, kInternalError = 3 
 /// `cancel` set from outside ends the run with kAborted and leaves no file behind.
 /// `warnings` grows; the caller prints them, also when run() throws.
 Status run(const parser::RenderOptions& options, const std::atomic<bool>& cancel,
-           std::vector<std::string>& warnings);
+           TextStreams& texts, std::vector<std::string>& warnings);
 
 }  // namespace lentray::tool

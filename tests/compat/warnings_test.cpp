@@ -1,0 +1,168 @@
+// What both programs warn of, and where the warnings go: sloppy scenes with the same options through
+// stock and lentray. The wording is each program's own; that a line is warned of is not.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <map>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "tools/lentray-diff/process.h"
+
+namespace lentray::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Outcome {
+  int status = 0;
+  std::string console;
+  std::map<std::string, std::string> files;  ///< those the run made, by name
+};
+
+enum class Program { kStock, kLentray };
+
+Outcome run(Program program, const std::string& scene, std::vector<std::string> options) {
+  const diff::TemporaryFolder folder;
+  diff::write_text(folder / "scene.pov", scene);
+  std::vector<std::string> command = {
+      program == Program::kStock ? "povray" : LENTRAY_BIN_DIR "/lentray", "+Iscene.pov", "+Oscene.png",
+      "+W4", "+H4", "-D", "-V"};
+  command.insert(command.end(), options.begin(), options.end());
+  const diff::RunResult result = diff::run(command, folder.path(), 60.0);
+  Outcome out{result.status, result.output, {}};
+  for (const auto& entry : fs::directory_iterator(folder.path())) {
+    const std::string name = entry.path().filename().string();
+    const std::string end = entry.path().extension().string();
+    if (end == ".txt" || end == ".out") out.files[name] = diff::read_text(entry.path());
+  }
+  return out;
+}
+
+// Lines of the scene that are warned of, 0 for the scene as a whole. Stock breaks lines as it likes,
+// and says "File 'scene.pov' line 3: Parse Warning" or, in files, "File: scene.pov  Line: 3".
+std::multiset<int> warned(Program program, const std::string& text) {
+  static const std::regex stock("(?:File '[^']*' line (\\d+): |File: \\S+\\s+Line: (\\d+)\\s+)?(?:Parse\\s+Warning|Possible\\s+Parse\\s+Error):");
+  static const std::regex ours("(?:scene\\.pov:(\\d+):\\d+|lentray): (warning):");
+  std::multiset<int> lines;
+  const std::regex& form = program == Program::kStock ? stock : ours;
+  for (std::sregex_iterator at(text.begin(), text.end(), form), end; at != end; ++at) {
+    const bool first = (*at)[1].matched, second = program == Program::kStock && (*at)[2].matched;
+    lines.insert(first ? std::stoi((*at)[1]) : second ? std::stoi((*at)[2]) : 0);
+  }
+  return lines;
+}
+
+constexpr const char* kHead = "#version 3.7; global_settings { assumed_gamma 1 }\n";
+
+TEST(CompatWarnings, SameLinesAsStock) {
+  const std::string head = kHead;
+  const std::vector<std::string> scenes = {
+      "sphere { 0, 1 }",                                    // neither #version nor assumed_gamma
+      "#version 3.7; sphere { 0, 1 }",                      // no assumed_gamma
+      "#version 3.6; sphere { 0, 1 }",
+      "#declare A = 1;\n#version 3.7; global_settings { assumed_gamma 1 } sphere { 0, 1 }",
+      head + "sphere { 0, 1 scale 0 }",
+      head + "sphere { 0, 1\nscale <1, 0, 1> }",
+      head + "union { sphere { 0, 1 } }\nintersection { box { 0, 1 } }\ndifference { box { 0, 1 } }\nmerge { box { 0, 1 } }",
+      head + "polygon { 3, 0, x, y }\nprism { 0, 1, 3, 0, u, v }",
+      head + "triangle { 0, x, x*2 }\nsmooth_triangle { 0, y, x, y, x*2, y }",
+      head + "camera { location -z }\ncamera { location -5*z look_at 0 }\nsphere { 0, 1 }",
+      head + "camera { up y right x + y direction z }\nsphere { 0, 1 }",
+      head + "sphere { 0, 1 pigment { } }",
+      head + "sphere { 0, 1\nfinish { ior 1.5 } }",
+      head + "sphere { 0, 1\ncolor rgb 1 }",
+      head + "intersection { sphere { 0, 1 }\ntriangle { 0, x, y } }",
+      head + "light_source { 0 rgb 1 area_light x, y, 2, 2\norient }\nsphere { 0, 1 }",
+      head + "global_settings { number_of_waves 0 }\nsphere { 0, 1 }",
+      head + "global_settings { max_trace_level 1000 }\nsphere { 0, 1 }",
+      head + "global_settings { hf_gray_16 on }\nsphere { 0, 1 }",
+      head + "sky_sphere { pigment { rgb 1 } }\nsky_sphere { pigment { rgb 0 } }\nsphere { 0, 1 }",
+      head + "#undef Nothing\nsphere { 0, 1 }",
+      head + "#warning \"careful\"\nsphere { 0, 1 }",
+      head + "#declare A = acos(2);\nsphere { 0, 1 }",
+      head + "#declare A = 1/0;\nsphere { 0, 1 }",
+      "#version 3.1; global_settings { assumed_gamma 1 }\n#declare A = 1\nsphere { 0, 1 }",
+      head,                                                 // no objects
+  };
+  for (const std::string& scene : scenes) {
+    const Outcome stock = run(Program::kStock, scene, {"+GWw.txt"});
+    const Outcome ours = run(Program::kLentray, scene, {"+GWw.txt"});
+    EXPECT_EQ(stock.status, 0) << scene << stock.console;
+    EXPECT_EQ(ours.status, 0) << scene << ours.console;
+    const auto wanted = warned(Program::kStock, stock.files.at("w.txt"));
+    EXPECT_EQ(warned(Program::kLentray, ours.files.at("w.txt")), wanted)
+        << scene << "\n" << stock.files.at("w.txt") << "\n" << ours.console;
+  }
+}
+
+TEST(CompatWarnings, StreamsGoWhereStockSendsThem) {
+  const std::string scene =
+      "sphere { 0, 1 scale 0 }\n#warning \"careful\\n\"\n#debug \"debugged\\n\"\n"
+      "#render \"rendered\\n\"\n#statistics \"counted\\n\"\n";
+  const std::vector<std::vector<std::string>> options = {
+      {}, {"-GW"}, {"+GW"}, {"-GA"}, {"+GA"}, {"-GD"}, {"-GR"}, {"-GS"}, {"-GF"},
+      {"+GWw.txt"}, {"-GWw.txt"}, {"+GDd.txt"}, {"-GDd.txt"}, {"+GRr.txt"}, {"-GRr.txt"},
+      {"+GSs.txt"}, {"-GSs.txt"}, {"+GAa.txt"}, {"-GAa.txt"}, {"+GFf.txt"},
+      {"-GA", "+GW"}, {"+GW", "-GA"}, {"-GW", "+GA"}, {"+GWw.txt", "-GA"}, {"+GWw.txt", "-GW"},
+      {"-GDd.txt", "+GWw.txt", "+GAa.txt"},
+      {"Warning_Console=Off"}, {"All_Console=Off"}, {"All_Console=Off", "Warning_Console=On"},
+      {"Warning_Console=Off", "Warning_File=w.txt"}, {"Warning_File=true"}, {"All_File=true"},
+      {"Debug_File=true", "Render_File=true", "Statistic_File=true", "Fatal_File=true"}};
+  for (const auto& given : options) {
+    std::string shown;
+    for (const std::string& option : given) shown += option + " ";
+    SCOPED_TRACE(shown);
+    const Outcome stock = run(Program::kStock, scene, given);
+    const Outcome ours = run(Program::kLentray, scene, given);
+    EXPECT_EQ(ours.status, stock.status);
+    const auto has = [](const std::string& text) {
+      std::string all;
+      for (const char* word : {"debugged", "rendered", "counted"}) {
+        if (text.find(word) != std::string::npos) all += std::string(word) + " ";
+      }
+      return all;
+    };
+    EXPECT_EQ(has(ours.console), has(stock.console));
+    EXPECT_EQ(warned(Program::kLentray, ours.console), warned(Program::kStock, stock.console))
+        << stock.console << ours.console;
+    std::set<std::string> wanted, found;
+    for (const auto& [name, text] : stock.files) wanted.insert(name);
+    for (const auto& [name, text] : ours.files) found.insert(name);
+    ASSERT_EQ(found, wanted);
+    for (const auto& [name, text] : stock.files) {
+      EXPECT_EQ(has(ours.files.at(name)), has(text)) << name;
+      EXPECT_EQ(warned(Program::kLentray, ours.files.at(name)).size(),
+                warned(Program::kStock, text).size()) << name;
+    }
+  }
+}
+
+TEST(CompatWarnings, FilesAreBegunAnewOrGoneOnWith) {
+  for (const Program program : {Program::kStock, Program::kLentray}) {
+    for (const bool append : {false, true}) {
+      const diff::TemporaryFolder folder;
+      diff::write_text(folder / "scene.pov", "sphere { 0, 1 scale 0 }");
+      diff::write_text(folder / "w.txt", "old\n");
+      const std::string name = program == Program::kStock ? "povray" : LENTRAY_BIN_DIR "/lentray";
+      diff::run({name, "+Iscene.pov", "-F", "+W4", "+H4", "-D", "+GWw.txt", append ? "+GP" : "-GP"},
+                folder.path(), 60.0);
+      EXPECT_EQ(diff::read_text(folder / "w.txt").rfind("old", 0) == 0, append) << name;
+    }
+  }
+}
+
+TEST(CompatWarnings, ErrorsGoToTheFatalFile) {
+  for (const Program program : {Program::kStock, Program::kLentray}) {
+    const Outcome out = run(program, std::string(kHead) + "sphere { 0, }", {"-GFf.txt"});
+    EXPECT_NE(out.status, 0);
+    EXPECT_NE(out.files.at("f.txt").find("rror"), std::string::npos) << out.console;
+  }
+  const Outcome ours = run(Program::kLentray, std::string(kHead) + "sphere { 0, }", {"-GA"});
+  EXPECT_NE(ours.console.find("scene.pov:2:13: error:"), std::string::npos) << ours.console;
+}
+
+}  // namespace
+}  // namespace lentray::test
