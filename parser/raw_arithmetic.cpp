@@ -21,8 +21,7 @@ bool is_alone(const Token& next, Punct end) {
 
 bool RawArithmetic::read(const TokenList& list, const Token*& first, Level level, Number& value,
                          Punct end) {
-  if (first->kind == TokenKind::kNumber && is_alone(first[1], end)) {
-    value.v[0] = first->number;
+  if (is_alone(first[1], end) && operand(*first, value)) {
     ++first;
     return true;
   }
@@ -41,6 +40,22 @@ bool RawArithmetic::read(const TokenList& list, const Token*& first, Level level
   m_failed_at = m_at;
   undo_random();
   return false;
+}
+
+// A number, or the name of one.
+bool RawArithmetic::operand(const Token& token, Number& value) const {
+  if (token.kind == TokenKind::kNumber) {
+    value.v[0] = token.number;
+    return true;
+  }
+  if (token.kind != TokenKind::kIdentifier) return false;
+  Symbol* visible = m_in.symbols.find(token.name);
+  if (!visible) return false;
+  Symbol& symbol = visible->target();
+  if (symbol.macro() || symbol.deprecated()) return false;
+  const Number* number = std::get_if<Number>(&symbol.resolve());
+  if (number) value = *number;
+  return number;
 }
 
 void RawArithmetic::undo_random() {
@@ -253,6 +268,18 @@ bool RawArithmetic::vector(core::Vec3& v) {
   return true;
 }
 
+// Of a name without subscripts.
+bool RawArithmetic::defined(Number& n) {
+  if (!m_at[1].is(Punct::kLeftParen) || m_at[2].kind != TokenKind::kIdentifier ||
+      !m_at[3].is(Punct::kRightParen)) {
+    return false;
+  }
+  Symbol* symbol = m_in.symbols.find(m_at[2].name);
+  n.v[0] = symbol && symbol->is_set();
+  m_at += 4;
+  return true;
+}
+
 bool RawArithmetic::keyword(Number& n) {
   const Keyword word = m_at->keyword;
   if (unit_vector(word, n)) {
@@ -265,6 +292,7 @@ bool RawArithmetic::keyword(Number& n) {
     n = Number::scalar(a);
     return true;
   }
+  if (word == Keyword::kDefined) return defined(n);
   const Token& bracket = m_at[1];  // there is one: a list ends with kEnd
   if (!bracket.is(Punct::kLeftParen) || ++m_depth > kDeepest) return false;
   m_at += 2;

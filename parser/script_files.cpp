@@ -107,7 +107,9 @@ void ScriptFiles::write() {
   const Location where = tokens.peek_operand().where;
   const auto out = file(false);
   if (!out->out) m_in.fail(where, "'" + out->path + "' is open for reading, not for writing");
+  constexpr std::size_t kUsual = 120;
   std::string text;
+  text.reserve(kUsual);
   for (;;) {
     if (tokens.accept(Punct::kComma)) continue;
     if (tokens.accept(Punct::kRightParen)) break;
