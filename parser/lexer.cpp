@@ -218,6 +218,7 @@ class Lexer {
     Token t = token(TokenKind::kString);
     ++m_pos;
     const std::size_t start = m_pos;
+    if (plain_string(t)) return;
     std::string cooked;
     std::string ascii;  // from the first byte on that is not
     std::string wrong;  // first illegal escape
@@ -242,6 +243,18 @@ class Lexer {
     t.keyword = wrong.empty() ? Keyword::kNone : Keyword::kError;
     t.name = m_names.add_string(std::move(raw), std::move(cooked), std::move(ascii));
     m_tokens.push_back(t);
+  }
+
+  // Most strings: printable ASCII without a backslash.
+  bool plain_string(Token& t) {
+    std::size_t end = m_pos;
+    while (end < m_text.size() && m_text[end] >= ' ' && m_text[end] != '"' && m_text[end] != '\\') ++end;
+    if (end >= m_text.size() || m_text[end] != '"') return false;
+    const std::string_view text = m_text.substr(m_pos, end - m_pos);
+    t.name = m_names.add_string(std::string(text), std::string(text));
+    m_tokens.push_back(t);
+    m_pos = end + 1;
+    return true;
   }
 
   // At a backslash: appends what it stands for and moves past it. False if it stands for nothing.

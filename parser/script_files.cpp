@@ -39,6 +39,8 @@ const BinaryFormat* binary_format(const Token& t) {
 
 // As printf's %g.
 void append_number(std::string& text, double value) {
+  constexpr double kLongest = 1e6;  // from there on it has an exponent
+  if (std::fabs(value) < kLongest && append_whole(text, value)) return;
   char digits[64];
   if (std::isfinite(value)) {
     constexpr int kPrecision = 6;
@@ -49,6 +51,15 @@ void append_number(std::string& text, double value) {
     std::snprintf(digits, sizeof digits, "%g", value);
     text += digits;
   }
+}
+
+void append_value(std::string& text, const Number& n) {
+  if (n.size > 1) text += '<';
+  for (int i = 0; i < n.size; ++i) {
+    if (i) text += ',';
+    append_number(text, n.v[static_cast<std::size_t>(i)]);
+  }
+  if (n.size > 1) text += "> ";
 }
 
 }  // namespace
@@ -113,19 +124,15 @@ void ScriptFiles::write() {
   for (;;) {
     if (tokens.accept(Punct::kComma)) continue;
     if (tokens.accept(Punct::kRightParen)) break;
-    if (const BinaryFormat* format = binary_format(tokens.peek())) {
+    if (Number n; m_in.expressions.read_raw(RawArithmetic::Level::kAdditive, n)) {
+      append_value(text, n);
+    } else if (const BinaryFormat* format = binary_format(tokens.peek())) {
       tokens.skip();
       write_binary(text, *format);
     } else if (m_in.expressions.at_string()) {
       text += to_ascii(m_in.expressions.parse_string());
     } else if (m_in.expressions.at_expression()) {
-      const Number n = m_in.expressions.parse_additive();
-      if (n.size > 1) text += '<';
-      for (int i = 0; i < n.size; ++i) {
-        if (i) text += ',';
-        append_number(text, n.v[static_cast<std::size_t>(i)]);
-      }
-      if (n.size > 1) text += "> ";
+      append_value(text, m_in.expressions.parse_additive());
     } else {
       tokens.fail_expected("a string, float or vector to write");
     }
@@ -235,9 +242,7 @@ void ScriptFiles::read() {
       array->elements[index] = std::move(value);
       continue;
     }
-    Symbol& symbol = m_in.symbols.declare_global(target.name);
-    if (symbol.alias || symbol.alias_array()) symbol.resolve() = std::move(value);
-    else symbol.reset(std::move(value));
+    m_in.symbols.declare_global(target.name).assign(std::move(value));
   }
   // At the end of the file its identifier is gone, so that `#while (defined(File))` ends.
   if (in->ended) m_in.symbols.remove(name.name);
