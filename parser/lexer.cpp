@@ -62,6 +62,8 @@ bool is_unmarked_directive(Keyword k) {
 
 using Tokens = decltype(TokenList::tokens);
 
+}  // namespace
+
 class Lexer {
  public:
   Lexer(std::string_view text, NameTable& names, TokenList& list)
@@ -71,6 +73,24 @@ class Lexer {
     while (skip_space()) one();
     link_directives();
     m_tokens.push_back(token(TokenKind::kEnd));
+  }
+
+  /// On to the first comma outside vectors that follows so many tokens. False if nothing was left.
+  bool run_on(std::size_t count) {
+    int open = 0;
+    while (skip_space()) {
+      const std::size_t before = m_tokens.size();
+      one();
+      if (m_tokens.size() < before) open = 0;  // a vector became one token
+      if (m_tokens.size() != before + 1) continue;
+      const Token& last = m_tokens.back();
+      if (last.is(Punct::kLess)) open = 1;
+      if (last.is(Punct::kGreater)) open = 0;
+      if (last.is(Punct::kComma) && open == 0 && m_tokens.size() >= count) break;
+    }
+    const bool any = !m_tokens.empty();
+    m_tokens.push_back(token(TokenKind::kEnd));
+    return any;
   }
 
  private:
@@ -393,8 +413,6 @@ class Lexer {
   std::uint32_t m_line = 1;
 };
 
-}  // namespace
-
 std::shared_ptr<const TokenList> tokenise(std::uint32_t file, std::string_view text,
                                           NameTable& names) {
   auto list = std::make_shared<TokenList>();
@@ -405,6 +423,20 @@ std::shared_ptr<const TokenList> tokenise(std::uint32_t file, std::string_view t
   Lexer(text, names, *list).run();
   if (text.size() <= kLong) list->tokens.shrink_to_fit();
   return list;
+}
+
+TokenPieces::TokenPieces(std::uint32_t file, std::string_view text, NameTable& names) {
+  m_list.file = file;
+  m_lexer = std::make_unique<Lexer>(text, names, m_list);
+}
+
+TokenPieces::~TokenPieces() = default;
+
+bool TokenPieces::next() {
+  constexpr std::size_t kPiece = 500;
+  m_list.tokens.clear();
+  m_list.components.clear();
+  return m_lexer->run_on(kPiece);
 }
 
 }  // namespace lentray::parser

@@ -76,7 +76,8 @@ void ScriptFiles::open() {
     // Always read anew: this scene may have written it.
     const auto number = found ? m_in.sources.load(*found) : std::nullopt;
     if (!number) m_in.fail(where, "cannot open '" + file->path + "' for reading");
-    file->in = tokenise(*number, m_in.sources.text(*number), m_in.names);
+    file->in = std::make_unique<TokenPieces>(*number, m_in.sources.text(*number), m_in.names);
+    file->in->next();
   } else {
     const bool append = tokens.accept(Keyword::kAppend);
     if (!append) tokens.expect(Keyword::kWrite);
@@ -161,8 +162,8 @@ void ScriptFiles::write_binary(std::string& text, const BinaryFormat& format) {
 
 double ScriptFiles::read_number(ScriptFile& file) {
   double sign = 1.0;
-  const auto& all = file.in->tokens;
-  const std::size_t size = file.in->size();
+  const auto& all = file.in->list().tokens;
+  const std::size_t size = file.in->list().size();
   for (; file.position < size; ++file.position) {
     const Token& t = all[file.position];
     if (t.is(Punct::kMinus)) sign = -sign;
@@ -176,12 +177,13 @@ double ScriptFiles::read_number(ScriptFile& file) {
 
 // False at the end of the file.
 bool ScriptFiles::read_value(ScriptFile& file, Value& value) {
-  const auto& all = file.in->tokens;
-  const std::size_t size = file.in->size();
-  if (file.position >= size) {
-    file.ended = true;
-    return false;
+  if (file.position >= file.in->list().size()) {
+    file.position = 0;
+    file.ended = !file.in->next();
+    if (file.ended) return false;
   }
+  const auto& all = file.in->list().tokens;
+  const std::size_t size = file.in->list().size();
   const Token& t = all[file.position];
   const auto at = [&](Punct p) { return file.position < size && all[file.position].is(p); };
   if (t.kind == TokenKind::kString) {
@@ -190,7 +192,7 @@ bool ScriptFiles::read_value(ScriptFile& file, Value& value) {
   } else if (t.is(Punct::kLess) && t.name > 0) {
     Number n;
     n.size = static_cast<int>(t.name);
-    std::copy_n(file.in->components.data() + t.jump, t.name, n.v.data());
+    std::copy_n(file.in->list().components.data() + t.jump, t.name, n.v.data());
     n.is_colour = n.size == 5;
     value = n;
     ++file.position;
