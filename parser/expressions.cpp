@@ -95,22 +95,29 @@ bool Expressions::at_expression() {
   }
 }
 
+// Where the next operand stands: where a message about its value points.
+Location Expressions::operand_location() {
+  const TokenList* list = nullptr;
+  const Token* raw = m_in.tokens.raw(list);
+  return raw && raw->passive ? raw->where : m_in.tokens.peek_operand().where;
+}
+
 double Expressions::parse_float() {
-  const Location where = m_in.tokens.peek_operand().where;
+  const Location where = operand_location();
   const Number n = parse_additive();
   if (n.size > 1) m_in.fail(where, "expected a float but found a vector or colour");
   return n.v[0];
 }
 
 double Expressions::parse_scalar_expression() {
-  const Location where = m_in.tokens.peek_operand().where;
+  const Location where = operand_location();
   const Number n = parse_expression();
   if (n.size > 1) m_in.fail(where, "expected a float but found a vector or colour");
   return n.v[0];
 }
 
 core::Vec3 Expressions::parse_vector() {
-  const Location where = m_in.tokens.peek_operand().where;
+  const Location where = operand_location();
   Number n = parse_additive();
   if (n.size > 3) {
     m_in.fail(where, "expected a vector of 3 components but found one of " +
@@ -121,7 +128,7 @@ core::Vec3 Expressions::parse_vector() {
 }
 
 Number Expressions::parse_number(int min_size, int max_size) {
-  const Location where = m_in.tokens.peek_operand().where;
+  const Location where = operand_location();
   Number n = parse_additive();
   if (n.size > max_size) {
     m_in.fail(where, "expected at most " + std::to_string(max_size) + " components but found " +

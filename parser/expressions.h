@@ -70,6 +70,7 @@ class Expressions {
 
  private:
   bool allows_raw() const;
+  Location operand_location();
   Number parse_logical();
   Number parse_relational();
   Number parse_term();

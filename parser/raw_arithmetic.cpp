@@ -21,11 +21,11 @@ bool is_alone(const Token& next, Punct end) {
 
 bool RawArithmetic::read(const TokenList& list, const Token*& first, Level level, Number& value,
                          Punct end) {
-  if (first->kind == TokenKind::kNumber && is_alone(first[1], end)) {
-    value.v[0] = first->number;
+  if (is_alone(first[1], end) && operand(*first, value)) {
     ++first;
     return true;
   }
+  if (first->kind == TokenKind::kString) return false;
   // What stopped it once will stop it again.
   if (first >= m_failed_from && first <= m_failed_at) return false;
   m_list = &list;
@@ -41,6 +41,22 @@ bool RawArithmetic::read(const TokenList& list, const Token*& first, Level level
   m_failed_at = m_at;
   undo_random();
   return false;
+}
+
+// A number, or the name of one.
+bool RawArithmetic::operand(const Token& token, Number& value) const {
+  if (token.kind == TokenKind::kNumber) {
+    value.v[0] = token.number;
+    return true;
+  }
+  if (token.kind != TokenKind::kIdentifier) return false;
+  Symbol* visible = m_in.symbols.find(token.name);
+  if (!visible) return false;
+  Symbol& symbol = visible->target();
+  if (symbol.macro() || symbol.deprecated()) return false;
+  const Number* number = std::get_if<Number>(&symbol.resolve());
+  if (number) value = *number;
+  return number;
 }
 
 void RawArithmetic::undo_random() {
@@ -175,7 +191,8 @@ bool RawArithmetic::vector_literal(Number& n) {
   int size = 0;
   while (!is(Punct::kGreater)) {
     Number component;
-    if (size == static_cast<int>(n.v.size()) || !additive(component) || component.size > 1) {
+    if (size == static_cast<int>(n.v.size()) || (!lone_operand(component) && !additive(component)) ||
+        component.size > 1) {
       return false;
     }
     n.v[static_cast<std::size_t>(size++)] = component.v[0];
@@ -232,25 +249,44 @@ bool RawArithmetic::member(Number& n) {
   return true;
 }
 
+// The operand here, if it is the whole argument.
+bool RawArithmetic::lone_operand(Number& n) {
+  if (!is_alone(m_at[1], Punct::kNone) || !operand(*m_at, n)) return false;
+  ++m_at;
+  return true;
+}
+
 bool RawArithmetic::scalar(double& x) {
   Number n;
-  if (!additive(n) || n.size > 1) return false;
+  if ((!lone_operand(n) && !additive(n)) || n.size > 1) return false;
   x = n.v[0];
   return true;
 }
 
 bool RawArithmetic::argument(double& x) {
   Number n;
-  if (!expression(n) || n.size > 1) return false;
+  if ((!lone_operand(n) && !expression(n)) || n.size > 1) return false;
   x = n.v[0];
   return true;
 }
 
 bool RawArithmetic::vector(core::Vec3& v) {
   Number n;
-  if (!additive(n) || n.size > 3) return false;
+  if ((!lone_operand(n) && !additive(n)) || n.size > 3) return false;
   promote(n, 3);
   v = {n.v[0], n.v[1], n.v[2]};
+  return true;
+}
+
+// Of a name without subscripts.
+bool RawArithmetic::defined(Number& n) {
+  if (!m_at[1].is(Punct::kLeftParen) || m_at[2].kind != TokenKind::kIdentifier ||
+      !m_at[3].is(Punct::kRightParen)) {
+    return false;
+  }
+  Symbol* symbol = m_in.symbols.find(m_at[2].name);
+  n.v[0] = symbol && symbol->is_set();
+  m_at += 4;
   return true;
 }
 
@@ -266,6 +302,7 @@ bool RawArithmetic::keyword(Number& n) {
     n = Number::scalar(a);
     return true;
   }
+  if (word == Keyword::kDefined) return defined(n);
   const Token& bracket = m_at[1];  // there is one: a list ends with kEnd
   if (!bracket.is(Punct::kLeftParen) || ++m_depth > kDeepest) return false;
   m_at += 2;

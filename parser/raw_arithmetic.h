@@ -41,6 +41,7 @@ class RawArithmetic {
   bool identifier(Number& n);
   bool element(const Value*& value);
   bool keyword(Number& n);
+  bool defined(Number& n);
   bool member(Number& n);
 
   bool is(Punct p) const { return m_at->kind == TokenKind::kPunct && m_at->punct == p; }
@@ -53,6 +54,8 @@ class RawArithmetic {
   bool argument(double& x);    ///< everything, one component
   bool vector(core::Vec3& v);  ///< additive, up to three components
   bool ends_here() const;
+  bool operand(const Token& token, Number& value) const;
+  bool lone_operand(Number& n);
   void undo_random();
 
   Interpreter& m_in;

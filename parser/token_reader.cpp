@@ -96,6 +96,7 @@ void TokenReader::fetch(bool may_hold) {
       default: break;
     }
     show(*raw);
+    m_raw = raw;
     return;
   }
 }
@@ -126,6 +127,7 @@ bool TokenReader::identifier(const Token& raw) {
     }
   }
   show(raw);
+  m_raw = &raw;
   return true;
 }
 

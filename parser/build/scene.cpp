@@ -3,7 +3,6 @@
 #include "parser/build/atmosphere.h"
 #include "parser/build/build_error.h"
 #include "parser/build/object_builder.h"
-#include "parser/build/soundness.h"
 
 namespace lentray::parser {
 namespace {
@@ -104,7 +103,6 @@ core::SceneParts build_scene(const SceneDesc& scene, Diagnostics& diagnostics,
   ObjectBuilder builder(parts, textures, not_yet);
   try {
     for (const SceneObject& object : scene.objects) {
-      if (options.only_check && is_sound(*object.object, object.default_texture)) continue;
       builder.add(*object.object, object.default_texture);
     }
   } catch (const BuildError& error) {

@@ -10,8 +10,6 @@ namespace lentray::parser {
 
 struct BuildOptions {
   int quality = 9;   ///< +Q
-  /// Nothing will be rendered: what cannot go wrong is not made.
-  bool only_check = false;
 };
 
 /// Features that are kept and not rendered yet go to SceneParts::not_rendered, sorted, and are

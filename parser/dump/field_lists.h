@@ -130,7 +130,7 @@ LENTRAY_FIELDS(ObjectDesc, where, keyword, shape, transform, texture, interior_t
                no_radiosity, double_illuminate, hollow, sturm, hierarchy, uv_mapping,
                radiosity_importance, photons, nesting, compiled)
 LENTRAY_FIELDS(SceneObject, object, default_texture, default_importance)
-LENTRAY_FIELDS(SceneDesc, objects, camera, global, background, has_background, background_version,
+LENTRAY_FIELDS(SceneDesc, objects, dropped, camera, global, background, has_background, background_version,
                fogs, rainbows, sky_sphere, atmosphere_media, atmosphere_ior, language_version)
 
 }  // namespace lentray::parser

@@ -110,19 +110,18 @@ void parse_alone(Run& run, const std::string& path) {
   parser::Diagnostics diagnostics(sources);
   connect(diagnostics, run);
   const double before = cpu_seconds();
-  // Kept to the end of the program: to take apart a million objects takes as long as to read them.
-  static auto& kept = *new std::vector<std::unique_ptr<const parser::SceneDesc>>;
-  const parser::SceneDesc& scene = *kept.emplace_back(std::make_unique<const parser::SceneDesc>(
-      parser::read_descriptions(path, sources, diagnostics, parser_options(o))));
+  parser::ParserOptions options = parser_options(o);
+  options.only_check = !o.dump;
+  const parser::SceneDesc scene = parser::read_descriptions(path, sources, diagnostics, options);
   const double seconds = cpu_seconds() - before;
-  parser::build_scene(scene, diagnostics, {.quality = o.quality, .only_check = true});
+  parser::build_scene(scene, diagnostics, {o.quality});
   if (o.dump) {
     const auto json = parser::scene_json(scene, sources);
     std::puts(json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
   }
   if (!o.verbose) return;
   std::fprintf(stderr, "Parsed: %zu objects and lights, %zu warnings, %.3f s\n",
-               scene.objects.size(), diagnostics.warnings().size(), seconds);
+               scene.objects.size() + scene.dropped, diagnostics.warnings().size(), seconds);
 }
 
 /// Text -> descriptions -> compiled scene and camera.

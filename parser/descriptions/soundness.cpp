@@ -1,4 +1,4 @@
-#include "parser/build/soundness.h"
+#include "parser/descriptions/soundness.h"
 
 #include <algorithm>
 
