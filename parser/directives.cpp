@@ -103,9 +103,9 @@ void Directives::message(const Token& directive) {
   switch (directive.keyword) {
     case Keyword::kDebug:
       return m_in.diagnostics.write(Stream::kDebug, cut(text, 200, 159));
-    case Keyword::kRender: return m_in.diagnostics.write(Stream::kRender, cut(text, 200, 159));
-    case Keyword::kStatistics:
-      return m_in.diagnostics.write(Stream::kStatistics, cut(text, 200, 159));
+    case Keyword::kRender: case Keyword::kStatistics:
+      m_in.warn(directive.where, "#render and #statistics have no streams any more: as #debug");
+      return m_in.diagnostics.write(Stream::kDebug, cut(text, 200, 159));
     case Keyword::kWarning: return m_in.warn(directive.where, text);
     default: m_in.fail(directive.where, "parse halted by #error: " + text);
   }

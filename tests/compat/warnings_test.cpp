@@ -84,7 +84,7 @@ TEST(CompatWarnings, SameLinesAsStock) {
       head + "#warning \"careful\"\nsphere { 0, 1 }",
       head + "#declare A = acos(2);\nsphere { 0, 1 }",
       head + "#declare A = 1/0;\nsphere { 0, 1 }",
-      "#version 3.1; global_settings { assumed_gamma 1 }\n#declare A = 1\nsphere { 0, 1 }",
+      "#version 3.1; global_settings { assumed_gamma 1 }\n#declare A = 1 sphere { 0, 1 }",
       head,                                                 // no objects
   };
   for (const std::string& scene : scenes) {

@@ -40,7 +40,7 @@ const char* const kPrograms[] = {
     "#declare F = function(a) {a} #declare A = F(1, 2);", "#declare A = rgb <1,2,3,4>;", "#declare A = color ;  light_source { 0 pigment }",
     "#declare A = rand(5);", "#declare A = dimensions(1);", "#declare A = array[1] #declare B = dimension_size(A, 2);",
     "#declare A = acos(2);", "#declare A = ln(0);", "#declare A = atan2(0, 0);", "#declare A = sqrt(-1);", "#declare A = pow(0, 0);",
-    "#declare A = \"\\q\"", "#debug \"\xC3\xA9\"", "#debug 1", "#declare S = \"0123456789\" #while (1) #declare S = concat(S, S) #end",
+    "#declare A = \"\\q\"", "#debug \"\xC3\xA9\"", "#debug 1", "#render \"a\"", "#declare S = \"0123456789\" #while (1) #declare S = concat(S, S) #end",
     "#debug chr(70000)", "#debug substr(\"abc\", 2, 5)", "#debug datetime(0, \"\")",
     "sphere {0, 1 scale 0}", "sphere {0, 1 matrix <0,0,0,0,0,0,0,0,0,0,0,0>}", "sphere {0, 1 matrix <0,0,0,0,0,0,0,0,0,0,0,0,0>}",
     "sphere {0, 1 transform A}", "sphere {0, 1 transform {A}}", "#declare A = inside(1, 0);",
