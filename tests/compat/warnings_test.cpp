@@ -101,7 +101,7 @@ TEST(CompatWarnings, SameLinesAsStock) {
 TEST(CompatWarnings, StreamsGoWhereStockSendsThem) {
   const std::string scene =
       "sphere { 0, 1 scale 0 }\n#warning \"careful\\n\"\n#debug \"debugged\\n\"\n"
-      "#render \"rendered\\n\"\n#statistics \"counted\\n\"\n";
+      "#render concat(\"rend\", \"ered\\n\")\n#statistics concat(\"count\", \"ed\\n\")\n";
   const std::vector<std::vector<std::string>> options = {
       {}, {"-GW"}, {"+GW"}, {"-GA"}, {"+GA"}, {"-GD"}, {"-GR"}, {"-GS"}, {"-GF"},
       {"+GWw.txt"}, {"-GWw.txt"}, {"+GDd.txt"}, {"-GDd.txt"}, {"+GRr.txt"}, {"-GRr.txt"},
