@@ -188,7 +188,7 @@ void set_order(Options& o, const Given& g) {
   o.pixel_order += g.value.substr(bracket);
 }
 void set_cache(Options& o, const Given& g) {
-  constexpr std::string_view kThere[] = {"off",  "last",          "depth",
+  constexpr std::string_view kThere[] = {"auto", "off",           "last", "depth",
                                          "tree", "neighbourhood", "grid"};
   choose(o, g, o.shadow_cache, "shadow cache", kThere, {});
 }

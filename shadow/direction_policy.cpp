@@ -23,7 +23,9 @@ double folded(double x) { return x - 2.0 * std::floor((x + 1.0) * 0.5); }
 }  // namespace
 
 DirectionPolicy::DirectionPolicy(const core::Scene& scene) {
-  const double size = size_of(scene);
+  const bool any_parallel = std::any_of(scene.lights().begin(), scene.lights().end(),
+                                        [](const core::Light& light) { return light.parallel; });
+  const double size = any_parallel ? size_of(scene) : 1.0;
   for (const core::Light& light : scene.lights()) {
     LightFrame frame;
     frame.parallel = light.parallel;
