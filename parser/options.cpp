@@ -332,7 +332,7 @@ Lens sheet (lengths in mm):
   Sheet_Distance=n     Lens_Front=n            (scene units)
   View=j               that view alone
 
-  Pixel_Order=rows|views|columns|combined(w)|strips(w,h)|tiles|hilbert
+  Pixel_Order=auto|rows|views|columns|combined(w)|strips(w,h)|tiles|hilbert|adaptive
   Shadow_Cache=auto|off|last|depth|tree|neighbourhood|grid
   Accelerator=bvh|grid|list   -UL
   Max_Memory=n[M|G]          how much to use; half of the machine's  (Band_Height=rows)

@@ -1,6 +1,7 @@
 #include "shadow/auto_tester.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/scene/scene.h"
 #include "shadow/cached_tester.h"
@@ -10,18 +11,19 @@ namespace {
 
 // In units of core/accel/test_cost.h.
 constexpr double kProbe = 16.0;  ///< asking an object by itself, beside its test
-constexpr std::array<double, 3> kKeys{5.0, 15.0, 44.0};  ///< tree, neighbourhood, grid
+constexpr std::array<double, 3> kKeys{5.0, 15.0, 70.0};  ///< tree, neighbourhood, grid
 constexpr double kDear = 4000.0;  ///< a search beside which no cache's own cost matters
 /// What a cache must promise to save, a part of the searches' cost.
 constexpr double kWorthATrial = 0.10, kWorthIt = 0.03;
-constexpr double kTrialsCost = 1e7;  ///< searched before the first trial: some thirty times one
+constexpr double kRarely = 20.0;      ///< trials of a light that has its cache
+constexpr double kSamplesCost = 4e5;  ///< of searches in a period: beside that samples are little
 
 }  // namespace
 
 AutoTester::AutoTester(const core::ShadowContext& context)
     : m_plain(context), m_measures(context.count_tests ? context.counters : &m_own),
       m_tree(TreePolicy(*context.scene)), m_neighbourhood(NeighbourhoodPolicy(*context.scene)),
-      m_grid(DirectionPolicy(*context.scene)), m_watches(context.scene->lights().size()) {
+      m_watches(context.scene->lights().size()) {
   m_own.by_type = false;
 }
 
@@ -38,7 +40,7 @@ core::Visibility AutoTester::watched(const core::ShadowQuery& query, Watch& watc
   }
   ++counts.cached;
   if (watch.mode == Mode::kTree) return visibility_by(m_tree, query, m_plain, counts);
-  if (watch.mode == Mode::kGrid) return visibility_by(m_grid, query, m_plain, counts);
+  if (watch.mode == Mode::kGrid) return visibility_by(*m_grid, query, m_plain, counts);
   return visibility_by(m_neighbourhood, query, m_plain, counts);
 }
 
@@ -60,7 +62,7 @@ double AutoTester::cost(const core::ShadowQuery& query, Mode mode, const core::O
                         double search) {
   const double keys = kKeys[static_cast<std::size_t>(mode)];
   if (mode == Mode::kTree) return keys + cost_with(m_tree, query, blocker, search);
-  if (mode == Mode::kGrid) return keys + cost_with(m_grid, query, blocker, search);
+  if (mode == Mode::kGrid) return keys + cost_with(*m_grid, query, blocker, search);
   return keys + cost_with(m_neighbourhood, query, blocker, search);
 }
 
@@ -77,14 +79,20 @@ double AutoTester::cost_with(CacheTable<Policy>& table, const core::ShadowQuery&
   return hit ? probes : probes + search;
 }
 
-void AutoTester::next_part(Watch& watch) const {
+void AutoTester::next_part(Watch& watch) {
   const std::uint32_t burst = watch.trial ? kTrialBurst : kBurst;
   if (!watch.sampling) {
     watch.sampling = true;
     watch.left = burst;
     return;
   }
-  if (++watch.bursts == kBursts) end_region(watch);
+  ++watch.bursts;
+  const bool dear = watch.searched > kDear * watch.bursts * kBurst;
+  if (watch.mode == Mode::kOff && dear) {
+    start(watch, Mode::kGrid, false, kLeastPeriod);
+  } else if (watch.bursts == kBursts) {
+    end_region(watch);
+  }
   const std::uint32_t others = watch.period - (watch.trial ? kTrialBurst : kBurst);
   if (watch.mode == Mode::kOff) {
     watch.alone = others;  // and then the samples
@@ -95,53 +103,47 @@ void AutoTester::next_part(Watch& watch) const {
   }
 }
 
-void AutoTester::end_region(Watch& watch) const {
-  const double saved = watch.searched > 0.0 ? watch.saved / watch.searched : 0.0;
+void AutoTester::end_region(Watch& watch) {
   const double samples = kBursts * (watch.trial ? kTrialBurst : kBurst);
-  const double mean = watch.searched / samples;
-  watch.spent += mean * kBursts * watch.period;
+  const double mean = std::max(1.0, watch.searched / samples);
+  const double saved = watch.saved / (mean * samples);
+  watch.since_trial += mean * kBursts * watch.period;
   if (watch.trial) {
     watch.trials[static_cast<std::size_t>(watch.mode)] = saved;
     end_trial(watch);
     return;
   }
-  const std::uint32_t longer = std::min(2 * watch.period, kMostPeriod);
-  if (watch.mode != Mode::kOff) {
-    if (saved >= 0.5 * watch.promised) {
-      start(watch, watch.mode, false, longer);
-    } else {
-      start(watch, Mode::kTree, true, kLeastPeriod);
-    }
-  } else if (saved >= kWorthATrial && mean > kDear) {
-    watch.promised = saved;
-    start(watch, Mode::kGrid, false, kLeastPeriod);
-  } else if (saved < kWorthATrial || watch.pause > 0 || watch.spent < kTrialsCost) {
-    if (watch.pause > 0) --watch.pause;
+  const double longest = std::clamp(kSamplesCost / mean, 1.0 * kLeastPeriod, 1.0 * kMostPeriod);
+  const std::uint32_t longer = std::min(2 * watch.period, static_cast<std::uint32_t>(longest));
+  const bool off = watch.mode == Mode::kOff;
+  const bool of_use = saved > (off ? kWorthATrial : 0.0);
+  if (mean > kDear) {
+    start(watch, Mode::kGrid, false, longer);
+  } else if (!of_use) {
     start(watch, Mode::kOff, false, longer);
-  } else {
+  } else if (watch.since_trial >= watch.next_trial) {
     start(watch, Mode::kTree, true, kLeastPeriod);
+  } else {
+    start(watch, off ? watch.best : watch.mode, false, longer);
   }
 }
 
-void AutoTester::end_trial(Watch& watch) const {
+void AutoTester::end_trial(Watch& watch) {
   const std::size_t next = static_cast<std::size_t>(watch.mode) + 1;
   if (next < kCaches) {
     start(watch, static_cast<Mode>(next), true, kLeastPeriod);
     return;
   }
   const auto best = std::max_element(watch.trials.begin(), watch.trials.end());
-  watch.promised = *best;
-  if (*best >= kWorthIt) {
-    watch.next_pause = 1;
-    start(watch, static_cast<Mode>(best - watch.trials.begin()), false, 2 * kLeastPeriod);
-  } else {
-    watch.pause = watch.next_pause;
-    watch.next_pause *= 2;
-    start(watch, Mode::kOff, false, 2 * kLeastPeriod);
-  }
+  const bool pays = *best >= kWorthIt;
+  watch.best = pays ? static_cast<Mode>(best - watch.trials.begin()) : Mode::kOff;
+  watch.next_trial = pays ? kRarely * kBeforeTrial : 2.0 * watch.next_trial;
+  watch.since_trial = 0.0;
+  start(watch, watch.best, false, kLeastPeriod);
 }
 
 void AutoTester::start(Watch& watch, Mode mode, bool trial, std::uint32_t period) {
+  if (mode == Mode::kGrid && !m_grid) m_grid.emplace(DirectionPolicy(*m_plain.context().scene));
   watch.mode = mode;
   watch.trial = trial;
   watch.period = period;

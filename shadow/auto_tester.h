@@ -5,15 +5,16 @@
 // have answered. While a light goes without a cache, samples tell what one that is always right
 // would save. If that is worth a trial, and so much was searched that a trial is little beside it,
 // each cache runs for a region, and samples tell what it saved; the best stays, unless none saves
-// enough. Where a search is very dear, the cache with the most hits is taken at once. Periods
-// double while nothing changes, so that samples become rare; a cache that no longer keeps its
-// promise is given up or tried again.
+// enough. From then on it is used in regions where something can be saved; trials come again, but
+// rarely. Where a search is very dear, the cache with the most hits is taken at once. Periods grow
+// until samples are little beside searches.
 // Decisions rest on counts, never on times: one thread decides the same in every run.
 // The picture is the plain tester's, as with every cache. One a thread; threads decide apart.
 #pragma once
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/render/plain_shadow_tester.h"
@@ -38,6 +39,8 @@ class AutoTester final : public core::ShadowTester {
   static constexpr std::uint32_t kLeastPeriod = 256, kMostPeriod = 1u << 14;  ///< rays of a light
 
  private:
+  static constexpr double kBeforeTrial = 1e7;  ///< some thirty times what a trial may cost
+
   enum class Mode : std::uint8_t { kTree, kNeighbourhood, kGrid, kOff };
   static constexpr std::size_t kCaches = 3;
 
@@ -49,20 +52,20 @@ class AutoTester final : public core::ShadowTester {
     bool sampling = true;  ///< those are samples
     bool trial = false;    ///< of `mode`
     std::uint32_t period = kLeastPeriod;
-    std::uint32_t bursts = 0;                    ///< of this region
-    std::uint32_t pause = 0, next_pause = 1;     ///< regions without a trial
-    double searched = 0.0;                       ///< by searches alone
-    double saved = 0.0;                          ///< by the cache, or by one that is always right
-    double spent = 0.0;                          ///< on searches, about, since the beginning
-    double promised = 0.0;                       ///< what the cache saved in its trial, a part of 1
-    std::array<double, kCaches> trials{};        ///< the same
+    std::uint32_t bursts = 0;          ///< of this region
+    double searched = 0.0;             ///< by searches alone
+    double saved = 0.0;                ///< by the cache, or by one that is always right
+    Mode best = Mode::kOff;            ///< of the last trial
+    double since_trial = 0.0;          ///< spent on searches, about
+    double next_trial = kBeforeTrial;  ///< comes when so much is spent
+    std::array<double, kCaches> trials{};  ///< what caches saved, parts of 1
   };
 
   core::Visibility watched(const core::ShadowQuery& query, Watch& watch);
-  void next_part(Watch& watch) const;
-  void end_region(Watch& watch) const;
-  void end_trial(Watch& watch) const;
-  static void start(Watch& watch, Mode mode, bool trial, std::uint32_t period);
+  void next_part(Watch& watch);
+  void end_region(Watch& watch);
+  void end_trial(Watch& watch);
+  void start(Watch& watch, Mode mode, bool trial, std::uint32_t period);
   core::Visibility sampled(const core::ShadowQuery& query, Watch& watch);
   double cost(const core::ShadowQuery& query, Mode mode, const core::Object* blocker,
               double search);
@@ -75,7 +78,7 @@ class AutoTester final : public core::ShadowTester {
   core::Counters* m_measures;  ///< that, or the run's
   CacheTable<TreePolicy> m_tree;
   CacheTable<NeighbourhoodPolicy> m_neighbourhood;
-  CacheTable<DirectionPolicy> m_grid;
+  std::optional<CacheTable<DirectionPolicy>> m_grid;  ///< none before it is used
   std::vector<Watch> m_watches;  ///< one a light
 };
 

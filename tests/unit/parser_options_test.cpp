@@ -259,7 +259,7 @@ TEST_F(ErrorParserOptions, NotYetByName) {
   expect_message({"+KFF10"}, "not yet: animation");
   expect_message({"+FT"}, "not yet: the output type Targa");
   expect_message({"Lens_Model=thick"}, "not yet: lens model 'thick' (there are paraxial, pinhole)");
-  expect_message({"Pixel_Order=adaptive"}, "not yet: pixel order 'adaptive' (there are rows, views, columns, combined, strips, tiles, hilbert)");
+  EXPECT_EQ(read({"Pixel_Order=Adaptive"}).pixel_order, "adaptive");
   EXPECT_EQ(read({"Accelerator=Grid"}).accelerator, "grid");
   expect_message({"Accelerator=octree"}, "unknown accelerator: there are bvh, grid, list");
   expect_message({"Post_Scene_Command=rm"}, "not yet: running commands");
