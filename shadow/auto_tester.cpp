@@ -118,7 +118,7 @@ void AutoTester::end_region(Watch& watch) {
   const bool off = watch.mode == Mode::kOff;
   const bool of_use = saved > (off ? kWorthATrial : 0.0);
   if (mean > kDear) {
-    start(watch, Mode::kGrid, false, longer);
+    start(watch, Mode::kGrid, false, off ? kLeastPeriod : std::min(2 * watch.period, kMostPeriod));
   } else if (!of_use) {
     start(watch, Mode::kOff, false, longer);
   } else if (watch.since_trial >= watch.next_trial) {

@@ -51,7 +51,7 @@ TEST_F(UnitGroupingTool, Errors) {
   EXPECT_EQ(error_of({"nowhere.pov"}), "there is no scene 'nowhere.pov'");
   EXPECT_NE(error_of({scene(), "Orders="}).find("a list of names"), std::string::npos);
   EXPECT_NE(error_of({scene(), "Orders=rows,"}).find("a list of names"), std::string::npos);
-  EXPECT_NE(error_of({scene(), "Repeats=0"}).find("from 1 to 1000"), std::string::npos);
+  EXPECT_NE(error_of({scene(), "Repeats=-1"}).find("from 0 to 1000"), std::string::npos);
   EXPECT_NE(error_of({scene(), "Pixel_Order=rows"}).find("Orders="), std::string::npos);
   EXPECT_EQ(error_of({scene(), "--fast"}), "unknown option '--fast'; there is --help");
 }
