@@ -89,8 +89,8 @@ void Directives::include(const std::string& name, const Location& where) {
   Frame frame;
   frame.kind = FrameKind::kInclude;
   frame.list = list;
-  frame.cursor = list->tokens.data();
-  frame.end = frame.cursor + list->tokens.size();
+  frame.cursor = list->begin();
+  frame.end = list->end();
   frame.call = where;
   frame.blocks = m_blocks.size();
   m_in.stream.push(std::move(frame));

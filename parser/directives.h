@@ -42,10 +42,6 @@ class Directives {
     NameId variable = 0;
     double last = 0.0, step = 1.0;
   };
-  struct Argument {
-    SymbolPtr symbol;   // null: left out
-  };
-
   // directives.cpp
   void message(const Token& directive);
   void version();
@@ -74,10 +70,12 @@ class Directives {
   // directives_macro.cpp
   void define_macro(const Token& directive);
   std::vector<MacroParameter> macro_parameters();
-  Argument argument(const Macro& macro, std::size_t index);
+  SymbolPtr argument(const Macro& macro, std::size_t index);  ///< null: left out
 
   // directives_declare.cpp
   void declare(const Token& directive, bool local);
+  bool declare_number(const Token& directive, bool local);
+  void assign(Symbol& symbol, Value value);   ///< to what it stands for
   void deprecation(std::string& text, bool& once);
   void undef();
   void end_of_declaration(const Value& value, const Location& where);
@@ -87,6 +85,7 @@ class Directives {
 
   Interpreter& m_in;
   std::vector<Block> m_blocks;
+  std::vector<SymbolPtr> m_arguments;  ///< of the calls whose arguments are being read, innermost last
 };
 
 }  // namespace lentray::parser

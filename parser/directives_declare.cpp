@@ -67,10 +67,36 @@ void Directives::deprecation(std::string& text, bool& once) {
                                                        : std::string("deprecated identifier");
 }
 
+// Nearly all declarations: a number for a plain identifier. The expression has no side effects that
+// could reach the symbol.
+bool Directives::declare_number(const Token& directive, bool local) {
+  const TokenList* list = nullptr;
+  const Token* name = m_in.tokens.raw(list);
+  if (!name || name->kind != TokenKind::kIdentifier) return false;
+  const std::uint32_t level = local ? m_in.symbols.level() : 0;
+  Symbol* symbol = m_in.symbols.find(name->name);
+  if (symbol && (symbol->macro() || (!local && !symbol->is_plain()))) return false;
+  if (symbol && local && symbol->level != level) symbol = nullptr;
+  if (symbol && (!symbol->is_plain() || symbol->file())) return false;
+  Number number;
+  if (!m_in.expressions.read_raw_assignment(number)) return false;
+  if (!symbol) symbol = &m_in.symbols.declare_at(name->name, level);
+  if (Number* held = std::get_if<Number>(&symbol->value)) *held = stored(number);
+  else symbol->value = stored(number);
+  end_of_declaration(symbol->value, directive.where);
+  return true;
+}
+
+void Directives::assign(Symbol& symbol, Value value) {
+  if (symbol.alias || symbol.alias_array()) symbol.resolve() = std::move(value);
+  else symbol.reset(std::move(value));
+}
+
 // Which symbol is meant is settled before the right side is read: a macro there may have symbols of
 // the same name, and may not have ended when the value is complete. An array element is held by its
 // array.
 void Directives::declare(const Token& directive, bool local) {
+  if (declare_number(directive, local)) return;
   TokenReader& tokens = m_in.tokens;
   std::string deprecated;
   bool once = false;
@@ -79,7 +105,7 @@ void Directives::declare(const Token& directive, bool local) {
   const Token name = tokens.read_name("an identifier");
   const std::shared_ptr<ArrayValue> array = tokens.element_array();
   const std::size_t index = tokens.element_index();
-  const bool is_macro = tokens.symbol() && tokens.symbol()->macro && !array;
+  const bool is_macro = tokens.symbol() && tokens.symbol()->macro() && !array;
   const std::uint32_t level = local ? m_in.symbols.level() : 0;
   SymbolPtr target;
   if (Symbol* visible = m_in.symbols.find(name.name); visible && (!local || visible->level == level)) {
@@ -91,29 +117,19 @@ void Directives::declare(const Token& directive, bool local) {
   tokens.skip();
   tokens.expect(Punct::kEqual);
 
-  Value value;
-  {
-    const TokenReader::Hold hold(tokens);
-    value = parse_rvalue();
-    end_of_declaration(value, directive.where);
-  }
+  const TokenReader::Hold hold(tokens);
+  const Value value = parse_rvalue();
   if (array) {
-    array->elements[index] = std::move(value);
-    return;
-  }
-  if (target && target->is_plain() && !target->file && deprecated.empty()) {
-    target->value = std::move(value);
-    return;
-  }
-  Symbol& symbol = target ? *target : m_in.symbols.declare_at(name.name, level);
-  if (symbol.alias || symbol.alias_array) {
-    symbol.resolve() = std::move(value);
+    array->elements[index] = value;
   } else {
-    symbol.reset(std::move(value));
+    if (!target) target = m_in.symbols.declare_at(name.name, level).shared_from_this();
+    assign(*target, value);
+    if (!deprecated.empty()) {
+      target->edit_extras().deprecated.reset(new Deprecation{std::move(deprecated), once});
+    }
   }
-  if (!deprecated.empty()) {
-    symbol.deprecated.reset(new Deprecation{std::move(deprecated), once});
-  }
+  // Last: looking for what follows may end the macro, and its symbols with it.
+  end_of_declaration(value, directive.where);
 }
 
 void Directives::end_of_declaration(const Value& value, const Location& where) {
@@ -158,6 +174,7 @@ void Directives::undef() {
 
 Value Directives::parse_rvalue() {
   TokenReader& tokens = m_in.tokens;
+  if (Number n; m_in.expressions.read_raw(RawArithmetic::Level::kAdditive, n)) return stored(n);
   const Token first = tokens.peek_operand();
   switch (first.kind) {
     case TokenKind::kNumber: return stored(m_in.expressions.parse_additive());

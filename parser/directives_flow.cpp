@@ -7,10 +7,7 @@
 namespace lentray::parser {
 namespace {
 
-// Stock's idea of zero in conditions.
-constexpr double kEpsilon = 1e-10;
-
-bool is_true(double x) { return std::fabs(x) > kEpsilon; }
+constexpr double kEpsilon = kCompareEpsilon;
 
 }  // namespace
 
@@ -21,7 +18,7 @@ Directives::Block* Directives::open_block() {
 
 const Token* Directives::part_after(const Token& part) const {
   const Frame& frame = m_in.stream.top();
-  return part.jump < frame.list->tokens.size() ? frame.token(part.jump) : nullptr;
+  return part.jump < frame.list->size() ? frame.token(part.jump) : nullptr;
 }
 
 const Token* Directives::end_of(const Token& opener) const {
@@ -44,6 +41,7 @@ void Directives::missing_end(const Token& opener) {
 }
 
 bool Directives::condition() {
+  if (Number n; m_in.expressions.read_raw_condition(n)) return is_true(n.v[0]);
   m_in.tokens.expect(Punct::kLeftParen);
   const Number n = m_in.expressions.parse_expression();
   if (n.size > 1) m_in.tokens.fail_expected("a float");

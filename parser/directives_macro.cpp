@@ -22,7 +22,7 @@ void Directives::define_macro(const Token& directive) {
   macro->end = static_cast<std::size_t>(end - frame.list->tokens.data());
   go_past(end);
   m_in.symbols.declare_global(macro->name).reset({});
-  m_in.symbols.find(macro->name)->macro = std::move(macro);
+  m_in.symbols.find(macro->name)->edit_extras().macro = std::move(macro);
 }
 
 std::vector<MacroParameter> Directives::macro_parameters() {
@@ -52,7 +52,7 @@ std::vector<MacroParameter> Directives::macro_parameters() {
   return parameters;
 }
 
-Directives::Argument Directives::argument(const Macro& macro, std::size_t index) {
+SymbolPtr Directives::argument(const Macro& macro, std::size_t index) {
   TokenReader& tokens = m_in.tokens;
   const auto wrong_number = [&] {
     m_in.fail(tokens.location(), "macro " + std::string(m_in.names.text(macro.name)) + " takes " +
@@ -62,7 +62,7 @@ Directives::Argument Directives::argument(const Macro& macro, std::size_t index)
   const Token first = tokens.peek_operand();
   if (first.is(Punct::kRightParen) || first.is(Punct::kComma)) {
     if (!macro.parameters[index].optional) wrong_number();
-    return {};
+    return nullptr;
   }
   auto made = std::make_shared<Symbol>();
   const Token* after = tokens.following();
@@ -73,25 +73,25 @@ Directives::Argument Directives::argument(const Macro& macro, std::size_t index)
       // Stock refuses these; a macro that only asks whether it is set, or sets it, can have it.
       if (macro.parameters[index].optional) {
         tokens.skip();
-        return {};
+        return nullptr;
       }
       m_in.symbols.declare_global(first.name);
       symbol = m_in.symbols.find(first.name);
     }
     if (tokens.element_array()) {
-      made->alias_array = tokens.element_array();
-      made->alias_index = tokens.element_index();
-    } else if (symbol->alias_array) {
-      made->alias_array = symbol->alias_array;
-      made->alias_index = symbol->alias_index;
+      made->edit_extras().alias_array = tokens.element_array();
+      made->extras->alias_index = tokens.element_index();
+    } else if (symbol->alias_array()) {
+      made->edit_extras().alias_array = symbol->extras->alias_array;
+      made->extras->alias_index = symbol->extras->alias_index;
     } else {
       made->alias = symbol->shared_from_this();
     }
     tokens.skip();
-    return {made};
+    return made;
   }
   made->value = parse_rvalue();
-  return {made};
+  return made;
 }
 
 void Directives::invoke(const Macro& macro, const Token& name_token) {
@@ -105,11 +105,10 @@ void Directives::invoke(const Macro& macro, const Token& name_token) {
   m_in.count_turn();
   const bool plain = m_in.tokens.plain_names;
   m_in.tokens.plain_names = false;
-  std::vector<Argument> arguments;
-  arguments.reserve(macro.parameters.size());
+  const std::size_t first = m_arguments.size();
   m_in.tokens.expect(Punct::kLeftParen);
   for (std::size_t i = 0; i < macro.parameters.size(); ++i) {
-    arguments.push_back(argument(macro, i));
+    m_arguments.push_back(argument(macro, i));
     m_in.tokens.comma();
   }
   if (!m_in.tokens.at(Punct::kRightParen)) {
@@ -119,13 +118,10 @@ void Directives::invoke(const Macro& macro, const Token& name_token) {
   m_in.tokens.skip();
   m_in.tokens.plain_names = plain;
   m_in.symbols.push_scope();
-  for (std::size_t i = 0; i < arguments.size(); ++i) {
-    if (arguments[i].symbol) {
-      m_in.symbols.bind_local(macro.parameters[i].name, std::move(arguments[i].symbol));
-    } else {
-      m_in.symbols.bind_local(macro.parameters[i].name, nullptr);
-    }
+  for (std::size_t i = 0; i < macro.parameters.size(); ++i) {
+    m_in.symbols.bind_local(macro.parameters[i].name, std::move(m_arguments[first + i]));
   }
+  m_arguments.resize(first);
   Frame frame;
   frame.kind = FrameKind::kMacro;
   frame.list = macro.list;

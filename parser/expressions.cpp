@@ -1,8 +1,5 @@
 #include "parser/expressions.h"
 
-#include <cmath>
-#include <limits>
-
 #include "core/base/color.h"
 #include "parser/interpreter.h"
 #include "parser/keywords.h"
@@ -12,19 +9,8 @@ namespace {
 
 constexpr std::size_t kComponents = 5;
 
-bool is_true(double x) { return std::fabs(x) > kCompareEpsilon; }
-
-void promote_both(Number& a, Number& b) {
-  if (a.size == b.size) return;
-  if (b.size > a.size) promote(a, b.size);
-  else if (a.size > b.size) promote(b, a.size);
-}
-
-// Applies op to the components; both have the same number.
-template <typename Op>
-void each(Number& a, const Number& b, Op op) {
-  for (std::size_t i = 0; i < static_cast<std::size_t>(a.size); ++i) a.v[i] = op(a.v[i], b.v[i]);
-}
+// The first dialect had no operators.
+constexpr int kOperators = 150;
 
 bool starts_operand(Keyword k) {
   switch (k) {
@@ -53,18 +39,42 @@ bool starts_operand(Keyword k) {
 
 }  // namespace
 
-void promote(Number& n, int size) {
-  if (n.size >= size) return;
-  const double fill = n.size == 1 ? n.v[0] : 0.0;
-  for (int i = n.size; i < size; ++i) n.v[static_cast<std::size_t>(i)] = fill;
-  n.size = size;
+bool Expressions::allows_raw() const {
+  return m_in.version >= kOperators && m_in.options.raw_arithmetic;
 }
 
-Number stored(Number n) {
-  if (n.size != 5) return n;
-  n.is_colour = true;
-  for (double& x : n.v) x = static_cast<double>(static_cast<float>(x));
-  return n;
+bool Expressions::read_raw(RawArithmetic::Level level, Number& n) {
+  const TokenList* list = nullptr;
+  const Token* at = m_in.tokens.raw(list);
+  if (!at || !allows_raw() || !m_raw.read(*list, at, level, n)) return false;
+  m_in.tokens.go_on_at(at);
+  return true;
+}
+
+const Token* Expressions::read_raw_assignment(Number& n) {
+  const TokenList* list = nullptr;
+  const Token* name = m_in.tokens.raw(list);
+  if (!name || !allows_raw() || name->kind != TokenKind::kIdentifier ||
+      !name[1].is(Punct::kEqual)) {
+    return nullptr;
+  }
+  const Token* at = name + 2;
+  if (!m_raw.read(*list, at, RawArithmetic::Level::kAdditive, n, Punct::kSemicolon)) return nullptr;
+  m_in.tokens.go_on_at(at);
+  return name;
+}
+
+bool Expressions::read_raw_condition(Number& n) {
+  const TokenList* list = nullptr;
+  const Token* open = m_in.tokens.raw(list);
+  if (!open || !allows_raw() || !open->is(Punct::kLeftParen)) return false;
+  const Token* at = open + 1;
+  if (!m_raw.read(*list, at, RawArithmetic::Level::kEverything, n, Punct::kRightParen) ||
+      n.size > 1) {
+    return false;
+  }
+  m_in.tokens.go_on_at(at + 1);
+  return true;
 }
 
 bool Expressions::at_expression() {
@@ -85,22 +95,29 @@ bool Expressions::at_expression() {
   }
 }
 
+// Where the next operand stands: where a message about its value points.
+Location Expressions::operand_location() {
+  const TokenList* list = nullptr;
+  const Token* raw = m_in.tokens.raw(list);
+  return raw && raw->passive ? raw->where : m_in.tokens.peek_operand().where;
+}
+
 double Expressions::parse_float() {
-  const Location where = m_in.tokens.peek_operand().where;
+  const Location where = operand_location();
   const Number n = parse_additive();
   if (n.size > 1) m_in.fail(where, "expected a float but found a vector or colour");
   return n.v[0];
 }
 
 double Expressions::parse_scalar_expression() {
-  const Location where = m_in.tokens.peek_operand().where;
+  const Location where = operand_location();
   const Number n = parse_expression();
   if (n.size > 1) m_in.fail(where, "expected a float but found a vector or colour");
   return n.v[0];
 }
 
 core::Vec3 Expressions::parse_vector() {
-  const Location where = m_in.tokens.peek_operand().where;
+  const Location where = operand_location();
   Number n = parse_additive();
   if (n.size > 3) {
     m_in.fail(where, "expected a vector of 3 components but found one of " +
@@ -111,7 +128,7 @@ core::Vec3 Expressions::parse_vector() {
 }
 
 Number Expressions::parse_number(int min_size, int max_size) {
-  const Location where = m_in.tokens.peek_operand().where;
+  const Location where = operand_location();
   Number n = parse_additive();
   if (n.size > max_size) {
     m_in.fail(where, "expected at most " + std::to_string(max_size) + " components but found " +
@@ -122,6 +139,7 @@ Number Expressions::parse_number(int min_size, int max_size) {
 }
 
 Number Expressions::parse_expression() {
+  if (Number n; read_raw(RawArithmetic::Level::kEverything, n)) return n;
   const Location where = m_in.tokens.peek_operand().where;
   const Number condition = parse_logical();
   if (!m_in.tokens.accept(Punct::kQuestion)) return condition;
@@ -137,10 +155,7 @@ Number Expressions::parse_logical() {
   for (;;) {
     const bool both = m_in.tokens.accept(Punct::kAmpersand);
     if (!both && !m_in.tokens.accept(Punct::kBar)) return left;
-    Number right = parse_relational();
-    promote_both(left, right);
-    if (both) each(left, right, [](double a, double b) { return is_true(a) && is_true(b); });
-    else each(left, right, [](double a, double b) { return is_true(a) || is_true(b); });
+    logical(left, parse_relational(), both);
   }
 }
 
@@ -151,27 +166,9 @@ Number Expressions::parse_relational() {
     const Token& t = m_in.tokens.peek();
     if (t.kind != TokenKind::kPunct) return left;
     const Punct op = t.punct;
-    switch (op) {
-      case Punct::kLess: case Punct::kLessEqual: case Punct::kEqual: case Punct::kNotEqual:
-      case Punct::kGreater: case Punct::kGreaterEqual: break;
-      default: return left;
-    }
+    if (!is_comparison(op)) return left;
     m_in.tokens.skip();
-    Number right = parse_additive();
-    promote_both(left, right);
-    const auto same = [](double a, double b) { return !is_true(a - b); };
-    switch (op) {
-      case Punct::kLess: each(left, right, [](double a, double b) { return a < b; }); break;
-      case Punct::kGreater: each(left, right, [](double a, double b) { return a > b; }); break;
-      case Punct::kLessEqual:
-        each(left, right, [&](double a, double b) { return a <= b || same(a, b); });
-        break;
-      case Punct::kGreaterEqual:
-        each(left, right, [&](double a, double b) { return a >= b || same(a, b); });
-        break;
-      case Punct::kEqual: each(left, right, same); break;
-      default: each(left, right, [&](double a, double b) { return !same(a, b); }); break;
-    }
+    compare(left, parse_additive(), op);
   }
 }
 
@@ -189,26 +186,17 @@ double Expressions::string_comparison() {
 }
 
 Number Expressions::parse_additive() {
-  if (m_in.version < 150) return parse_factor();  // the first dialect had no operators
+  if (m_in.version < kOperators) return parse_factor();
+  if (Number n; read_raw(RawArithmetic::Level::kAdditive, n)) return n;
   Number left = parse_term();
   for (;;) {
     const Token& t = m_in.tokens.peek();
     const bool plus = t.is(Punct::kPlus);
     if (!plus && !t.is(Punct::kMinus)) return left;
     m_in.tokens.skip();
-    Number right = parse_term();
-    if (left.size == 1 && right.size == 1) {
-      left.v[0] = plus ? left.v[0] + right.v[0] : left.v[0] - right.v[0];
-      continue;
-    }
-    promote_both(left, right);
-    if (plus) each(left, right, [](double a, double b) { return a + b; });
-    else each(left, right, [](double a, double b) { return a - b; });
-    left.is_colour = false;
+    add(left, parse_term(), plus);
   }
 }
-
-void Expressions::warn_division() { m_in.warn(m_in.tokens.location(), "division by zero"); }
 
 Number Expressions::parse_term() {
   Number left = parse_factor();
@@ -217,22 +205,9 @@ Number Expressions::parse_term() {
     const bool times = t.is(Punct::kStar);
     if (!times && !t.is(Punct::kSlash)) return left;
     m_in.tokens.skip();
-    Number right = parse_factor();
-    if (times && left.size == 1 && right.size == 1) {
-      left.v[0] *= right.v[0];
-      continue;
-    }
-    promote_both(left, right);
-    if (times) {
-      each(left, right, [](double a, double b) { return a * b; });
-    } else {
-      each(left, right, [&](double a, double b) {
-        if (b != 0.0) return a / b;
-        warn_division();
-        return std::numeric_limits<double>::infinity();  // whatever the sign, as in stock
-      });
-    }
-    left.is_colour = false;
+    const Number right = parse_factor();
+    if (times) multiply(left, right);
+    else if (!divide(left, right)) m_in.warn(m_in.tokens.location(), "division by zero");
   }
 }
 
@@ -271,7 +246,8 @@ Number Expressions::primary() {
       if (punct == Punct::kMinus || punct == Punct::kExclamation) {
         tokens.skip();
         Number n = parse_factor();
-        for (double& x : n.v) x = punct == Punct::kMinus ? -x : is_true(x) ? 0.0 : 1.0;
+        if (punct == Punct::kMinus) negate(n);
+        else logical_not(n);
         return n;
       }
       break;
@@ -322,7 +298,7 @@ Number Expressions::identifier() {
       m_in.fail(name.where, "element " + std::to_string(tokens.element_index()) + " of array '" +
                                 text + "' has no value yet");
     }
-    if (const Symbol* symbol = tokens.symbol(); symbol && !symbol->macro && !symbol->file) {
+    if (const Symbol* symbol = tokens.symbol(); symbol && !symbol->macro() && !symbol->file()) {
       m_in.fail(name.where, "'" + text + "' has no value yet");
     }
     if (!tokens.symbol()) {
@@ -363,16 +339,10 @@ void Expressions::member(Number& n) {
     n = Number::scalar(0.297 * n.v[0] + 0.589 * n.v[1] + 0.114 * n.v[2]);
     return;
   }
-  int i = -1;
-  switch (name.kind == TokenKind::kKeyword ? name.keyword : Keyword::kNone) {
-    case Keyword::kX: case Keyword::kU: case Keyword::kRed: i = 0; break;
-    case Keyword::kY: case Keyword::kV: case Keyword::kGreen: i = 1; break;
-    case Keyword::kZ: case Keyword::kBlue: i = 2; break;
-    case Keyword::kT: case Keyword::kFilter: i = 3; break;
-    case Keyword::kTransmit: i = 4; break;
-    default:
-      m_in.fail(name.where, "expected x, y, z, t, u, v or a colour component after '.' but found " +
-                                m_in.tokens.describe(name));
+  const int i = name.kind == TokenKind::kKeyword ? component_of(name.keyword) : -1;
+  if (i < 0) {
+    m_in.fail(name.where, "expected x, y, z, t, u, v or a colour component after '.' but found " +
+                              m_in.tokens.describe(name));
   }
   if (i >= n.size) {
     m_in.fail(name.where, "." + std::string(m_in.names.text(name.name)) + " of something with " +

@@ -11,6 +11,8 @@
 #include <vector>
 
 #include "core/base/transform.h"
+#include "parser/arithmetic.h"
+#include "parser/raw_arithmetic.h"
 #include "parser/token.h"
 #include "parser/value.h"
 
@@ -18,24 +20,12 @@ namespace lentray::parser {
 
 struct Interpreter;
 
-/// Stock's idea of zero when it compares (=, <=, !=, conditions).
-inline constexpr double kCompareEpsilon = 1e-10;
-
-/// Grows n to `size` components: a float repeats, a vector gets zeros.
-void promote(Number& n, int size);
-/// As stock keeps colours (five components): in single precision.
-Number stored(Number n);
-
-/// To a whole number as stock has them, 32 bits, towards zero; what does not fit, infinities and
-/// nan become the smallest.
-int to_int(double x);
-
 /// The sRGB transfer curve, towards linear light.
 double decode_srgb(double component);
 
 class Expressions {
  public:
-  explicit Expressions(Interpreter& in) : m_in(in) {}
+  explicit Expressions(Interpreter& in) : m_in(in), m_raw(in) {}
 
   // expressions.cpp: operators
   Number parse_expression();        ///< everything: ?:, logic, comparison, arithmetic
@@ -70,7 +60,17 @@ class Expressions {
   /// Turns an sRGB component into the scene's working space; assumed_gamma sets it.
   double (*srgb_to_linear)(double) = decode_srgb;
 
+  /// `NAME = EXPRESSION;`, where it stands so in the token list: the token of the name, and `;` comes
+  /// next. Null, and nothing read, if anything else stands there.
+  const Token* read_raw_assignment(Number& n);
+  /// `( EXPRESSION )` of one component, likewise.
+  bool read_raw_condition(Number& n);
+  /// The expression that comes next, if it can be read straight from the token list.
+  bool read_raw(RawArithmetic::Level level, Number& n);
+
  private:
+  bool allows_raw() const;
+  Location operand_location();
   Number parse_logical();
   Number parse_relational();
   Number parse_term();
@@ -80,15 +80,15 @@ class Expressions {
   Number identifier();
   void member(Number& n);
   double string_comparison();
-  void warn_division();
 
   // expressions_float.cpp, expressions_vector.cpp: what keywords stand for
   bool float_function(Keyword keyword, double& value);
   double float_argument();
   std::array<double, 2> two_floats();
-  template <typename Fold> double fold(Fold fold);
+  double folded(Keyword function);
+  void outside_domain(Keyword function, double x, const Location& where);
   double select();
-  double next_random(double stream);
+  double random(double stream);
   double array_dimension(bool size);
   bool vector_function(Keyword keyword, Number& value);
   core::Vec3 vector_argument();
@@ -103,7 +103,9 @@ class Expressions {
 
   void trailing_components(Number& colour);
   Number colour_from(Keyword keyword);
-  std::string string_function(Keyword keyword, bool path);
+  void append_string(std::string& text, bool path);
+  const std::string& literal(const Token& token);
+  void append_function(std::string& text, Keyword keyword, bool path);
   std::string one_string(bool path);
   struct NumberFormat {
     int width = 0, digits = 6;
@@ -115,6 +117,7 @@ class Expressions {
   core::Matrix matrix_rows();
 
   Interpreter& m_in;
+  RawArithmetic m_raw;
   int m_depth = 0;
 };
 

@@ -6,19 +6,10 @@
 #include <numbers>
 
 #include "parser/interpreter.h"
+#include "parser/keywords.h"
 #include "parser/text.h"
 
 namespace lentray::parser {
-namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
-
-}  // namespace
-
-int to_int(double x) {
-  constexpr int kSmallest = std::numeric_limits<int>::min();
-  return x > kSmallest - 1.0 && x < 2147483648.0 ? static_cast<int>(x) : kSmallest;
-}
 
 bool Expressions::keyword_float(Keyword keyword, double& value) {
   switch (keyword) {
@@ -55,11 +46,10 @@ std::array<double, 2> Expressions::two_floats() {
   return {a, b};
 }
 
-template <typename Fold>
-double Expressions::fold(Fold op) {
+double Expressions::folded(Keyword function) {
   m_in.tokens.expect(Punct::kLeftParen);
   double x = parse_scalar_expression();
-  while (m_in.tokens.accept(Punct::kComma)) x = op(x, parse_scalar_expression());
+  while (m_in.tokens.accept(Punct::kComma)) x = fold(function, x, parse_scalar_expression());
   m_in.tokens.expect(Punct::kRightParen);
   return x;
 }
@@ -77,15 +67,12 @@ double Expressions::select() {
   return x < 0.0 ? negative : x == 0.0 ? zero : positive;
 }
 
-// A linear congruential generator a stream; constants measured by the values stock prints.
-double Expressions::next_random(double stream) {
+double Expressions::random(double stream) {
   const int index = to_int(stream);
   if (index < 0 || static_cast<std::size_t>(index) >= m_in.random.size()) {
     m_in.fail(m_in.tokens.location(), "rand() of a stream that no seed() has made");
   }
-  std::uint32_t& state = m_in.random[static_cast<std::size_t>(index)];
-  state = state * 1812433253u + 12345u;
-  return static_cast<double>(state) * (1.0 / 4294967295.0);
+  return next_random(m_in.random[static_cast<std::size_t>(index)]);
 }
 
 double Expressions::array_dimension(bool size) {
@@ -113,84 +100,41 @@ double Expressions::array_dimension(bool size) {
   return result;
 }
 
+void Expressions::outside_domain(Keyword function, double x, const Location& where) {
+  const std::string name(spelling(function));
+  if (function == Keyword::kAcos || function == Keyword::kAsin) {
+    m_in.warn(where, "domain error in " + name);
+  } else if (function == Keyword::kSqrt) {
+    m_in.fail(where, "sqrt of the negative number " + std::to_string(x));
+  } else {
+    m_in.fail(where, name + " of " + std::to_string(x));
+  }
+}
+
 // After the keyword. False if it is no float function.
 bool Expressions::float_function(Keyword keyword, double& value) {
   const Location where = m_in.tokens.location();
-  const auto unit_range = [&](const char* name) {
+  if (takes_one_float(keyword)) {
     const double x = float_argument();
-    if (std::fabs(x) > 1.0) m_in.warn(where, std::string("domain error in ") + name);
-    return std::clamp(x, -1.0, 1.0);
-  };
-  const auto positive = [&](const char* name) {
-    const double x = float_argument();
-    if (!(x > 0.0)) m_in.fail(where, std::string(name) + " of " + std::to_string(x));
-    return x;
-  };
+    if (!in_domain(keyword, x)) outside_domain(keyword, x, where);
+    value = one_float(keyword, x);
+    return true;
+  }
+  if (takes_two_floats(keyword)) {
+    const auto [a, b] = two_floats();
+    if (!in_domain(keyword, a, b)) {
+      m_in.fail(where, std::string(spelling(keyword)) + "(0, 0) is not defined");
+    }
+    value = parser::two_floats(keyword, a, b);
+    return true;
+  }
+  if (folds(keyword)) {
+    value = folded(keyword);
+    return true;
+  }
   switch (keyword) {
-    case Keyword::kAbs: value = std::fabs(float_argument()); return true;
-    case Keyword::kAcos: value = std::acos(unit_range("acos")); return true;
-    case Keyword::kAsin: value = std::asin(unit_range("asin")); return true;
-    case Keyword::kAtan: value = std::atan(float_argument()); return true;
-    case Keyword::kAtan2: {
-      const auto [y, x] = two_floats();
-      if (std::fabs(y) <= kCompareEpsilon && std::fabs(x) <= kCompareEpsilon) {
-        m_in.fail(where, "atan2(0, 0) is not defined");
-      }
-      value = std::atan2(y, x);
-      return true;
-    }
-    case Keyword::kCos: value = std::cos(float_argument()); return true;
-    case Keyword::kSin: value = std::sin(float_argument()); return true;
-    case Keyword::kTan: value = std::tan(float_argument()); return true;
-    case Keyword::kCosh: value = std::cosh(float_argument()); return true;
-    case Keyword::kSinh: value = std::sinh(float_argument()); return true;
-    case Keyword::kTanh: value = std::tanh(float_argument()); return true;
-    case Keyword::kAcosh: value = std::acosh(float_argument()); return true;
-    case Keyword::kAsinh: value = std::asinh(float_argument()); return true;
-    case Keyword::kAtanh: value = std::atanh(float_argument()); return true;
-    case Keyword::kCeil: value = std::ceil(float_argument()); return true;
-    case Keyword::kFloor: value = std::floor(float_argument()); return true;
-    case Keyword::kInt: value = to_int(float_argument()); return true;
-    case Keyword::kDegrees: value = float_argument() / kDegree; return true;
-    case Keyword::kRadians: value = float_argument() * kDegree; return true;
-    case Keyword::kExp: value = std::exp(float_argument()); return true;
-    case Keyword::kLn: value = std::log(positive("ln")); return true;
-    case Keyword::kLog: value = std::log10(positive("log")); return true;
-    case Keyword::kSqr: value = float_argument(); value *= value; return true;
-    case Keyword::kSqrt:
-      value = float_argument();
-      if (value < 0.0) m_in.fail(where, "sqrt of the negative number " + std::to_string(value));
-      value = std::sqrt(value);
-      return true;
-    case Keyword::kDiv: {
-      const auto [a, b] = two_floats();
-      value = to_int(a / b);
-      return true;
-    }
-    case Keyword::kMod: {
-      const auto [a, b] = two_floats();
-      value = std::fmod(a, b);
-      return true;
-    }
-    case Keyword::kPow: {
-      const auto [a, b] = two_floats();
-      if (a == 0.0 && b == 0.0) m_in.fail(where, "pow(0, 0) is not defined");
-      value = std::pow(a, b);
-      return true;
-    }
-    case Keyword::kMax: value = fold([](double a, double b) { return std::max(a, b); }); return true;
-    case Keyword::kMin: value = fold([](double a, double b) { return std::min(a, b); }); return true;
-    case Keyword::kBitwiseAnd:
-      value = fold([](double a, double b) { return to_int(a) & to_int(b); });
-      return true;
-    case Keyword::kBitwiseOr:
-      value = fold([](double a, double b) { return to_int(a) | to_int(b); });
-      return true;
-    case Keyword::kBitwiseXor:
-      value = fold([](double a, double b) { return to_int(a) ^ to_int(b); });
-      return true;
     case Keyword::kSelect: value = select(); return true;
-    case Keyword::kRand: value = next_random(float_argument()); return true;
+    case Keyword::kRand: value = random(float_argument()); return true;
     case Keyword::kSeed:
       m_in.random.push_back(static_cast<std::uint32_t>(to_int(float_argument())));
       value = static_cast<double>(m_in.random.size() - 1);

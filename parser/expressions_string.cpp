@@ -33,31 +33,40 @@ std::string Expressions::parse_string() { return one_string(false); }
 std::string Expressions::parse_path() { return one_string(true); }
 
 std::string Expressions::one_string(bool path) {
+  std::string text;
+  append_string(text, path);
+  return text;
+}
+
+void Expressions::append_string(std::string& text, bool path) {
   TokenReader& tokens = m_in.tokens;
   const Token t = tokens.peek_operand();
   if (t.kind == TokenKind::kString) {
     tokens.skip();
-    if (path) return m_in.names.raw_string(t.name);
-    if (t.keyword == Keyword::kError) {
-      m_in.fail(t.where, "a string has an escape that does not exist; known are \\a \\b \\f \\n \\r "
-                         "\\t \\v \\\\ \\\" \\' \\uXXXX");
-    }
-    const std::string* ascii = m_in.names.ascii_string(t.name);
-    if (!ascii || m_in.utf8) return m_in.names.string(t.name);
-    m_in.warn(t.where, "text that is not ASCII, replaced by spaces; charset utf8 keeps it");
-    return *ascii;
+    text += path ? m_in.names.raw_string(t.name) : literal(t);
+    return;
   }
   if (!at_string()) tokens.fail_expected("a string");
   if (t.kind == TokenKind::kIdentifier) {
-    std::string text = std::get<std::string>(*tokens.value());
+    text += std::get<std::string>(*tokens.value());
     tokens.skip();
-    return text;
+    return;
   }
   tokens.skip();
   tokens.expect(Punct::kLeftParen);
-  std::string text = string_function(t.keyword, path);
+  append_function(text, t.keyword, path);
   tokens.expect(Punct::kRightParen);
-  return text;
+}
+
+const std::string& Expressions::literal(const Token& t) {
+  if (t.keyword == Keyword::kError) {
+    m_in.fail(t.where, "a string has an escape that does not exist; known are \\a \\b \\f \\n \\r "
+                       "\\t \\v \\\\ \\\" \\' \\uXXXX");
+  }
+  const std::string* ascii = m_in.names.ascii_string(t.name);
+  if (!ascii || m_in.utf8) return m_in.names.string(t.name);
+  m_in.warn(t.where, "text that is not ASCII, replaced by spaces; charset utf8 keeps it");
+  return *ascii;
 }
 
 // What a number is printed with: width (negative: zeros in front) and digits, as str() takes them.
@@ -100,15 +109,15 @@ void Expressions::append_number(std::string& text, const NumberFormat& format, d
   text += digits;
 }
 
-std::string Expressions::string_function(Keyword keyword, bool path) {
+// Of a string function, `(` consumed; its text is put behind `text`.
+void Expressions::append_function(std::string& text, Keyword keyword, bool path) {
   TokenReader& tokens = m_in.tokens;
   const Location where = tokens.location();
   switch (keyword) {
     case Keyword::kStr: {
       const double value = parse_scalar_expression();
-      std::string text;
       append_number(text, number_format(), value);
-      return text;
+      return;
     }
     case Keyword::kVstr: {
       const int count = std::clamp(to_int(parse_float()), 2, 5);
@@ -117,55 +126,58 @@ std::string Expressions::string_function(Keyword keyword, bool path) {
       tokens.comma();
       const std::string separator = one_string(path);
       const NumberFormat format = number_format();
-      std::string text;
       for (int i = 0; i < count; ++i) {
         const double value = i < n.size ? n.v[static_cast<std::size_t>(i)] : 0.0;
         if (i) text += separator;
         append_number(text, format, value);
       }
-      return text;
+      return;
     }
     case Keyword::kConcat: {
-      std::string text = one_string(path);
+      append_string(text, path);
       while (!tokens.at(Punct::kRightParen)) {
         tokens.comma();
-        text += one_string(path);
+        append_string(text, path);
         if (text.size() > m_in.options.limits.string_bytes) {
           m_in.fail(where, "concat() makes a string of " + std::to_string(text.size()) +
                                " bytes, the limit is " +
                                std::to_string(m_in.options.limits.string_bytes));
         }
       }
-      return text;
+      return;
     }
     case Keyword::kChr: {
       const double code = parse_scalar_expression();
       if (!(code >= 0.0 && code < 65536.0)) {
         m_in.fail(where, "chr() takes 0 to 65535, not " + std::to_string(code));
       }
-      return encode_character(static_cast<unsigned>(code));
+      text += encode_character(static_cast<unsigned>(code));
+      return;
     }
     case Keyword::kSubstr: {
-      const std::string text = one_string(path);
+      const std::string whole = one_string(path);
       tokens.comma();
       const double first = std::trunc(parse_float());
       tokens.comma();
       const double count = std::trunc(parse_float());
-      const std::size_t length = count_characters(text);
+      const std::size_t length = count_characters(whole);
       if (!(first >= 1.0 && count >= 0.0 && first + count - 1.0 <= static_cast<double>(length))) {
         m_in.fail(where, "substr() of " + std::to_string(to_int(count)) + " characters from " +
                              std::to_string(to_int(first)) + " in a string of " +
                              std::to_string(length));
       }
-      return substring(text, static_cast<std::size_t>(first - 1), static_cast<std::size_t>(count));
+      text += substring(whole, static_cast<std::size_t>(first - 1), static_cast<std::size_t>(count));
+      return;
     }
     case Keyword::kStrupr: case Keyword::kStrlwr: {
-      std::string text = one_string(path);
-      for (char& c : text) {
+      const std::size_t start = text.size();
+      append_string(text, path);
+      for (std::size_t i = start; i < text.size(); ++i) {
+        char& c = text[i];
         if (keyword == Keyword::kStrupr && c >= 'a' && c <= 'z') c = static_cast<char>(c - 32);
         if (keyword == Keyword::kStrlwr && c >= 'A' && c <= 'Z') c = static_cast<char>(c + 32);
       }
-      return text;
+      return;
     }
     default: {  // datetime (days since 2000 [, format])
       const double days = parse_scalar_expression();
@@ -177,11 +189,11 @@ std::string Expressions::string_function(Keyword keyword, bool path) {
       const auto time = static_cast<std::time_t>(seconds > -kLast && seconds < kLast ? seconds : 0);
       std::tm parts{};
       gmtime_r(&time, &parts);
-      char text[256];
-      if (format.empty() || std::strftime(text, sizeof text, format.c_str(), &parts) == 0) {
+      char date[256];
+      if (format.empty() || std::strftime(date, sizeof date, format.c_str(), &parts) == 0) {
         m_in.fail(where, "datetime() cannot use the format \"" + format + "\"");
       }
-      return text;
+      text += date;
     }
   }
 }

@@ -1,7 +1,5 @@
 // The vector functions and constants of the language, and the questions asked of live objects.
 #include <algorithm>
-#include <limits>
-#include <numbers>
 
 #include "core/pattern/noise.h"
 #include "parser/interpreter.h"
@@ -95,13 +93,8 @@ core::Vec3 Expressions::turbulence() {
 bool Expressions::vector_function(Keyword keyword, Number& value) {
   TokenReader& tokens = m_in.tokens;
   const Location where = tokens.location();
+  if (unit_vector(keyword, value)) return true;
   switch (keyword) {
-    case Keyword::kX: value = Number::vector({1, 0, 0}); return true;
-    case Keyword::kY: value = Number::vector({0, 1, 0}); return true;
-    case Keyword::kZ: value = Number::vector({0, 0, 1}); return true;
-    case Keyword::kT: value = Number{{0, 0, 0, 1, 0}, 4, false}; return true;
-    case Keyword::kU: value = Number{{1, 0, 0, 0, 0}, 2, false}; return true;
-    case Keyword::kV: value = Number{{0, 1, 0, 0, 0}, 2, false}; return true;
     case Keyword::kVcross: case Keyword::kVrotate: {
       tokens.expect(Punct::kLeftParen);
       const core::Vec3 a = parse_vector();
@@ -110,7 +103,7 @@ bool Expressions::vector_function(Keyword keyword, Number& value) {
       tokens.expect(Punct::kRightParen);
       value = Number::vector(keyword == Keyword::kVcross
                                  ? core::cross(a, b)
-                                 : core::Transform::rotation(b).point(a));
+                                 : rotated(a, b));
       return true;
     }
     case Keyword::kVaxisRotate: {
@@ -119,12 +112,9 @@ bool Expressions::vector_function(Keyword keyword, Number& value) {
       tokens.comma();
       const core::Vec3 axis = parse_vector();
       tokens.comma();
-      const double radians = parse_float() * (std::numbers::pi / 180.0);
+      const double degrees = parse_float();
       tokens.expect(Punct::kRightParen);
-      // About no axis there is no rotation: nan, with the sign that the machine gives it.
-      value = Number::vector(core::dot(axis, axis) == 0.0
-                                 ? core::Vec3(-std::numeric_limits<double>::quiet_NaN())
-                                 : core::Transform::axis_rotation(axis, radians).point(a));
+      value = Number::vector(rotated_about(a, axis, degrees));
       return true;
     }
     case Keyword::kVnormalize: {
@@ -132,11 +122,7 @@ bool Expressions::vector_function(Keyword keyword, Number& value) {
       if (a == core::Vec3{} && m_in.version >= 350) {
         m_in.warn(where, "vnormalize() of a vector of length zero");
       }
-      // A vector too short to be squared is divided by its length 0 all the same, as in stock.
-      const double length = core::length(a);
-      const bool too_short = length == 0.0 && a != core::Vec3{};
-      value = Number::vector(too_short ? core::Vec3(a.x / length, a.y / length, a.z / length)
-                                       : core::normalized(a));
+      value = Number::vector(normalised(a));
       return true;
     }
     case Keyword::kTrace: value = Number::vector(trace()); return true;

@@ -5,18 +5,6 @@
 #include "parser/keywords.h"
 
 namespace lentray::parser {
-namespace {
-
-// Of the usual 8 MB; what lies deeper is recursion without an end, and a message beats a crash.
-constexpr std::uintptr_t kStackBudget = 5 << 20;
-
-// Not the address of a variable: sanitizers may keep those elsewhere.
-std::uintptr_t stack_address() {
-  return reinterpret_cast<std::uintptr_t>(__builtin_frame_address(0));
-}
-
-}  // namespace
-
 Interpreter::Interpreter(SourceManager& sources_, Diagnostics& diagnostics_,
                          const ParserOptions& options_, Productions& productions_, Parser& parser_)
     : sources(sources_), diagnostics(diagnostics_), options(options_), productions(productions_),
@@ -30,10 +18,8 @@ Interpreter::Interpreter(SourceManager& sources_, Diagnostics& diagnostics_,
   }
 }
 
-void Interpreter::guard_stack() {
-  if (m_stack_base - stack_address() > kStackBudget && m_stack_base > stack_address()) {
-    fail(tokens.location(), "statements or expressions nest too deeply: endless recursion?");
-  }
+void Interpreter::stack_exhausted() {
+  fail(tokens.location(), "statements or expressions nest too deeply: endless recursion?");
 }
 
 void Interpreter::too_many_turns() {

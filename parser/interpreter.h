@@ -79,7 +79,10 @@ struct Interpreter {
   std::string suggestion(std::string_view name) const;
 
   /// Fails when the program's own stack gets short: endless recursion through statements.
-  void guard_stack();
+  void guard_stack() {
+    const std::uintptr_t here = stack_address();
+    if (m_stack_base > here && m_stack_base - here > kStackBudget) stack_exhausted();
+  }
   /// Counts a turn of a loop, a call of a macro or an include; fails when there were too many.
   void count_turn() {
     if (++m_turns > options.limits.turns) too_many_turns();
@@ -89,6 +92,14 @@ struct Interpreter {
   std::vector<std::string> search_folders() const;
 
   [[noreturn]] void too_many_turns();
+  [[noreturn]] void stack_exhausted();
+
+  /// Of the usual 8 MB; what lies deeper is recursion without an end, and a message beats a crash.
+  static constexpr std::uintptr_t kStackBudget = 5 << 20;
+  /// Not the address of a variable: sanitizers may keep those elsewhere.
+  static std::uintptr_t stack_address() {
+    return reinterpret_cast<std::uintptr_t>(__builtin_frame_address(0));
+  }
 
   std::uintptr_t m_stack_base;
   std::uint64_t m_turns = 0;

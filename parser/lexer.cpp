@@ -55,6 +55,11 @@ char simple_escape(char c) {
   }
 }
 
+/// The oldest dialects have directives without the #.
+bool is_unmarked_directive(Keyword k) {
+  return k == Keyword::kDeclare || k == Keyword::kInclude || k == Keyword::kDefault;
+}
+
 using Tokens = decltype(TokenList::tokens);
 
 class Lexer {
@@ -65,6 +70,7 @@ class Lexer {
   void run() {
     while (skip_space()) one();
     link_directives();
+    m_tokens.push_back(token(TokenKind::kEnd));
   }
 
  private:
@@ -84,6 +90,7 @@ class Lexer {
     Token t;
     t.kind = kind;
     t.where = location();
+    t.passive = kind == TokenKind::kNumber || kind == TokenKind::kString || kind == TokenKind::kPunct;
     return t;
   }
 
@@ -160,7 +167,10 @@ class Lexer {
     Token t = token(TokenKind::kIdentifier);
     t.name = m_names.intern(read_word());
     t.keyword = m_names.keyword(t.name);
-    if (t.keyword != Keyword::kNone) t.kind = TokenKind::kKeyword;
+    if (t.keyword != Keyword::kNone) {
+      t.kind = TokenKind::kKeyword;
+      t.passive = !is_unmarked_directive(t.keyword);
+    }
     m_tokens.push_back(t);
   }
 

@@ -18,7 +18,11 @@ namespace lentray::parser {
 /// The tokens of one text. Shared by everything that replays parts of it (macros, loops).
 struct TokenList {
   std::uint32_t file = 0;
+  /// The last one is a kEnd that belongs to no text: whoever looks ahead stops there.
   std::vector<Token, LargePages<Token>> tokens;
+  std::size_t size() const { return tokens.size() - 1; }
+  const Token* begin() const { return tokens.data(); }
+  const Token* end() const { return tokens.data() + size(); }
   /// Of vectors of literal numbers behind a comma or a brace, of which data are made: `<` is the
   /// only token, `jump` says where its components stand here and `name` how many there are.
   std::vector<double, LargePages<double>> components;

@@ -28,8 +28,8 @@ void Parser::open(const std::string& path) {
   in.symbols.declare_global(in.names.intern("input_file_name")).reset(path);
   Frame frame;
   frame.list = list;
-  frame.cursor = list->tokens.data();
-  frame.end = frame.cursor + list->tokens.size();
+  frame.cursor = list->begin();
+  frame.end = list->end();
   in.stream.push(std::move(frame));
 }
 

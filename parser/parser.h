@@ -53,6 +53,9 @@ struct ParserOptions {
   int image_width = 160, image_height = 120;
   int language_version = 0;                                    ///< Version=, x 100; 0: the scene decides
   Limits limits;
+  /// The scene will not be rendered: of objects that cannot go wrong only the number is kept.
+  bool only_check = false;
+  bool raw_arithmetic = true;   ///< false: every expression by the grammar, to compare the two
 };
 
 class Parser {

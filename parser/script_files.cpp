@@ -9,7 +9,6 @@
 #include "parser/text.h"
 
 namespace lentray::parser {
-namespace {
 
 struct BinaryFormat {
   Keyword keyword;
@@ -17,6 +16,8 @@ struct BinaryFormat {
   int bytes;
   bool big_endian;
 };
+
+namespace {
 
 constexpr BinaryFormat kFormats[] = {
     {Keyword::kSint8, -128, 127, 1, false},
@@ -28,6 +29,13 @@ constexpr BinaryFormat kFormats[] = {
     {Keyword::kSint32be, -2147483648.0, 2147483647.0, 4, true},
     {Keyword::kSint32le, -2147483648.0, 2147483647.0, 4, false},
 };
+
+const BinaryFormat* binary_format(const Token& t) {
+  if (t.kind != TokenKind::kKeyword) return nullptr;
+  const auto* found = std::find_if(std::begin(kFormats), std::end(kFormats),
+                                   [&](const BinaryFormat& f) { return f.keyword == t.keyword; });
+  return found == std::end(kFormats) ? nullptr : found;
+}
 
 // As printf's %g.
 void append_number(std::string& text, double value) {
@@ -67,20 +75,20 @@ void ScriptFiles::open() {
   }
   Symbol& symbol = m_in.symbols.declare_global(name.name);
   symbol.reset({});
-  symbol.file = std::move(file);
+  symbol.edit_extras().file = std::move(file);
 }
 
 std::shared_ptr<ScriptFile> ScriptFiles::file(bool closing) {
   const Token name = m_in.tokens.read_name("the identifier of an open file");
   Symbol* symbol = m_in.tokens.symbol();
-  if (!symbol || !symbol->file) {
+  if (!symbol || !symbol->file()) {
     m_in.fail(name.where, "'" + std::string(m_in.names.text(name.name)) + "' is not an open file");
   }
-  auto file = symbol->file;
+  auto file = symbol->extras->file;
   m_in.tokens.skip();
   if (closing) {
     m_in.texts.erase(file->path);
-    symbol->file.reset();
+    symbol->extras->file.reset();
     m_in.symbols.remove(name.name);
   }
   return file;
@@ -99,34 +107,33 @@ void ScriptFiles::write() {
   const Location where = tokens.peek_operand().where;
   const auto out = file(false);
   if (!out->out) m_in.fail(where, "'" + out->path + "' is open for reading, not for writing");
+  constexpr std::size_t kUsual = 120;
+  std::string text;
+  text.reserve(kUsual);
   for (;;) {
     if (tokens.accept(Punct::kComma)) continue;
     if (tokens.accept(Punct::kRightParen)) break;
-    const auto* format = std::find_if(std::begin(kFormats), std::end(kFormats),
-                                      [&](const BinaryFormat& f) { return tokens.at(f.keyword); });
-    if (format != std::end(kFormats)) {
+    if (const BinaryFormat* format = binary_format(tokens.peek())) {
       tokens.skip();
-      write_binary(*out, format->keyword);
+      write_binary(text, *format);
     } else if (m_in.expressions.at_string()) {
-      out->out->write(to_ascii(m_in.expressions.parse_string()));
+      text += to_ascii(m_in.expressions.parse_string());
     } else if (m_in.expressions.at_expression()) {
       const Number n = m_in.expressions.parse_additive();
-      std::string text = n.size > 1 ? "<" : "";
+      if (n.size > 1) text += '<';
       for (int i = 0; i < n.size; ++i) {
         if (i) text += ',';
         append_number(text, n.v[static_cast<std::size_t>(i)]);
       }
       if (n.size > 1) text += "> ";
-      out->out->write(text);
     } else {
       tokens.fail_expected("a string, float or vector to write");
     }
   }
+  out->out->write(text);
 }
 
-void ScriptFiles::write_binary(ScriptFile& file, Keyword keyword) {
-  const auto& format = *std::find_if(std::begin(kFormats), std::end(kFormats),
-                                     [&](const BinaryFormat& f) { return f.keyword == keyword; });
+void ScriptFiles::write_binary(std::string& text, const BinaryFormat& format) {
   m_in.tokens.comma();
   while (m_in.expressions.at_expression()) {
     const Number n = m_in.expressions.parse_additive();
@@ -138,8 +145,7 @@ void ScriptFiles::write_binary(ScriptFile& file, Keyword keyword) {
       const auto bits = static_cast<std::uint64_t>(static_cast<std::int64_t>(value));
       for (int b = 0; b < format.bytes; ++b) {
         const int shift = 8 * (format.big_endian ? format.bytes - 1 - b : b);
-        const char byte = static_cast<char>((bits >> shift) & 0xFF);
-        file.out->write({&byte, 1});
+        text += static_cast<char>((bits >> shift) & 0xFF);
       }
     }
     m_in.tokens.comma();
@@ -149,12 +155,13 @@ void ScriptFiles::write_binary(ScriptFile& file, Keyword keyword) {
 double ScriptFiles::read_number(ScriptFile& file) {
   double sign = 1.0;
   const auto& all = file.in->tokens;
-  for (; file.position < all.size(); ++file.position) {
+  const std::size_t size = file.in->size();
+  for (; file.position < size; ++file.position) {
     const Token& t = all[file.position];
     if (t.is(Punct::kMinus)) sign = -sign;
     else if (!t.is(Punct::kPlus)) break;
   }
-  if (file.position >= all.size() || all[file.position].kind != TokenKind::kNumber) {
+  if (file.position >= size || all[file.position].kind != TokenKind::kNumber) {
     m_in.fail(m_in.tokens.location(), "expected a number in '" + file.path + "'");
   }
   return sign * all[file.position++].number;
@@ -163,12 +170,13 @@ double ScriptFiles::read_number(ScriptFile& file) {
 // False at the end of the file.
 bool ScriptFiles::read_value(ScriptFile& file, Value& value) {
   const auto& all = file.in->tokens;
-  if (file.position >= all.size()) {
+  const std::size_t size = file.in->size();
+  if (file.position >= size) {
     file.ended = true;
     return false;
   }
   const Token& t = all[file.position];
-  const auto at = [&](Punct p) { return file.position < all.size() && all[file.position].is(p); };
+  const auto at = [&](Punct p) { return file.position < size && all[file.position].is(p); };
   if (t.kind == TokenKind::kString) {
     value = m_in.names.string(t.name);
     ++file.position;
@@ -198,11 +206,11 @@ bool ScriptFiles::read_value(ScriptFile& file, Value& value) {
     m_in.fail(t.where, "expected a float, vector or string in a file read by #read");
   }
   // What follows is taken for the comma, whatever it is: so it is in stock.
-  if (file.position < all.size() && !at(Punct::kComma)) {
+  if (file.position < size && !at(Punct::kComma)) {
     m_in.warn(all[file.position].where,
               "expected ',' in a file read by #read; what stands there is left out");
   }
-  file.ended = file.position >= all.size();
+  file.ended = file.position >= size;
   if (!file.ended) ++file.position;
   return true;
 }
@@ -228,7 +236,7 @@ void ScriptFiles::read() {
       continue;
     }
     Symbol& symbol = m_in.symbols.declare_global(target.name);
-    if (symbol.alias || symbol.alias_array) symbol.resolve() = std::move(value);
+    if (symbol.alias || symbol.alias_array()) symbol.resolve() = std::move(value);
     else symbol.reset(std::move(value));
   }
   // At the end of the file its identifier is gone, so that `#while (defined(File))` ends.

@@ -12,6 +12,7 @@
 namespace lentray::parser {
 
 struct Interpreter;
+struct BinaryFormat;
 
 struct ScriptFile {
   std::string path;
@@ -33,7 +34,7 @@ class ScriptFiles {
   std::shared_ptr<ScriptFile> file(bool closing);
   bool read_value(ScriptFile& file, Value& value);
   double read_number(ScriptFile& file);
-  void write_binary(ScriptFile& file, Keyword format);
+  void write_binary(std::string& text, const BinaryFormat& format);
   Interpreter& m_in;
 };
 

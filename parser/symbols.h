@@ -35,28 +35,43 @@ struct Deprecation {
   bool once = false;
 };
 
-struct Symbol : std::enable_shared_from_this<Symbol> {
-  Value value;
+/// What few symbols are besides a value.
+struct SymbolExtras {
   std::shared_ptr<const Macro> macro;
   std::shared_ptr<ScriptFile> file;
-  std::shared_ptr<Symbol> alias;             ///< a parameter: the symbol passed by reference
-  std::shared_ptr<ArrayValue> alias_array;   ///< ... or the array one of whose elements was
+  std::shared_ptr<ArrayValue> alias_array;   ///< a parameter: the array one of whose elements was passed
   std::size_t alias_index = 0;
   std::unique_ptr<Deprecation> deprecated;
+};
+
+/// Made and gone with each call of a macro: small.
+struct Symbol : std::enable_shared_from_this<Symbol> {
+  Value value;
+  std::shared_ptr<Symbol> alias;             ///< a parameter: the symbol passed by reference
+  std::unique_ptr<SymbolExtras> extras;      ///< null for nearly all
   std::uint32_t level = 0;                   ///< scope it lives in; 0: global
+
+  SymbolExtras& edit_extras() {
+    if (!extras) extras = std::make_unique<SymbolExtras>();
+    return *extras;
+  }
+  /// Null unless it is one.
+  const Macro* macro() const { return extras ? extras->macro.get() : nullptr; }
+  ScriptFile* file() const { return extras ? extras->file.get() : nullptr; }
+  ArrayValue* alias_array() const { return extras ? extras->alias_array.get() : nullptr; }
+  const Deprecation* deprecated() const { return extras ? extras->deprecated.get() : nullptr; }
 
   /// Makes it hold this value and nothing else; it stays in its scope.
   void reset(Value new_value) {
     value = std::move(new_value);
-    macro.reset();
-    file.reset();
     alias.reset();
-    alias_array.reset();
-    deprecated.reset();
+    extras.reset();
   }
 
   /// Its value is its own, and nothing happens when its name is read.
-  bool is_plain() const { return !macro && !alias && !alias_array && !deprecated; }
+  bool is_plain() const {
+    return !alias && (!extras || !(extras->macro || extras->alias_array || extras->deprecated));
+  }
 
   /// The symbol itself behind references.
   Symbol& target() {
@@ -66,11 +81,11 @@ struct Symbol : std::enable_shared_from_this<Symbol> {
   }
   Value& resolve() {
     Symbol& s = target();
-    return s.alias_array ? s.alias_array->elements[s.alias_index] : s.value;
+    return s.alias_array() ? s.alias_array()->elements[s.extras->alias_index] : s.value;
   }
   bool is_set() {
     Symbol& s = target();
-    return s.macro || s.file || !std::holds_alternative<std::monostate>(s.resolve());
+    return s.macro() || s.file() || !std::holds_alternative<std::monostate>(s.resolve());
   }
 };
 

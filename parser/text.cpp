@@ -3,6 +3,12 @@
 namespace lentray::parser {
 namespace {
 
+bool is_ascii(std::string_view text) {
+  unsigned char bits = 0;
+  for (const char c : text) bits |= static_cast<unsigned char>(c);
+  return bits < 0x80;
+}
+
 bool continues(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
 
 }  // namespace
@@ -61,6 +67,7 @@ std::string encode_character(unsigned code) {
 }
 
 std::string to_ascii(std::string text) {
+  if (is_ascii(text)) return text;
   std::size_t out = 0;
   for (const char c : text) {
     if (continues(c)) continue;

@@ -80,6 +80,9 @@ struct Token {
     std::uint64_t jump;
   };
   Location where;
+  /// Nothing has to happen when it is read, whatever it means: a number, a string, most punctuation
+  /// and words. Set by the lexer.
+  bool passive = false;
 
   bool is(Keyword k) const { return kind == TokenKind::kKeyword && keyword == k; }
   bool is(Punct p) const { return kind == TokenKind::kPunct && punct == p; }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "parser/arithmetic.h"
 #include "parser/interpreter.h"
 #include "parser/keywords.h"
 
@@ -15,13 +16,8 @@ Token TokenReader::next() {
   return token;
 }
 
-void TokenReader::expect(Keyword k) {
-  if (!accept(k)) fail_expected("'" + std::string(spelling(k)) + "'");
-}
-
-void TokenReader::expect(Punct p) {
-  if (!accept(p)) fail_expected("'" + std::string(spelling(p)) + "'");
-}
+void TokenReader::fail_without(Keyword k) { fail_expected("'" + std::string(spelling(k)) + "'"); }
+void TokenReader::fail_without(Punct p) { fail_expected("'" + std::string(spelling(p)) + "'"); }
 
 // While a declaration's value may be complete: whether a directive or macro follows it here.
 bool TokenReader::must_hold() {
@@ -40,7 +36,7 @@ bool TokenReader::must_hold() {
   if (!raw) return false;
   const Symbol* symbol =
       raw->kind == TokenKind::kIdentifier ? m_symbols.find(raw->name) : nullptr;
-  if (raw->kind != TokenKind::kDirective && !(symbol && symbol->macro)) return false;
+  if (raw->kind != TokenKind::kDirective && !(symbol && symbol->macro())) return false;
   m_held = true;
   m_boundary.where = raw->where;
   return true;
@@ -100,6 +96,7 @@ void TokenReader::fetch(bool may_hold) {
       default: break;
     }
     show(*raw);
+    m_raw = raw;
     return;
   }
 }
@@ -111,8 +108,8 @@ bool TokenReader::identifier(const Token& raw) {
   if (found) {
     Symbol& symbol = const_cast<Symbol*>(found)->target();
     const Token* after = m_stream.look();
-    if (symbol.macro && !plain_names && after && after->is(Punct::kLeftParen)) {
-      const auto macro = symbol.macro;
+    if (symbol.macro() && !plain_names && after && after->is(Punct::kLeftParen)) {
+      const auto macro = symbol.extras->macro;  // it may be undefined within
       m_last = raw.where;
       m_in.directives.invoke(*macro, raw);
       return false;
@@ -124,12 +121,13 @@ bool TokenReader::identifier(const Token& raw) {
         return true;
       }
     }
-    if (symbol.deprecated && !plain_names) {
-      m_in.warn(raw.where, symbol.deprecated->text);
-      if (symbol.deprecated->once) symbol.deprecated.reset();
+    if (symbol.deprecated() && !plain_names) {
+      m_in.warn(raw.where, symbol.deprecated()->text);
+      if (symbol.deprecated()->once) symbol.extras->deprecated.reset();
     }
   }
   show(raw);
+  m_raw = &raw;
   return true;
 }
 
@@ -147,9 +145,8 @@ void TokenReader::subscripts(const Token& raw, std::shared_ptr<ArrayValue> array
       const Location where = peek_operand().where;
       const double subscript = m_in.expressions.parse_float();
       const int size = array->sizes[dimension];
-      // Stock adds this before it cuts off the fraction.
-      const int i = to_int(subscript + 1e-10);
-      if (!(subscript > -1e-10) || i < 0 || i >= size) {
+      const int i = subscript_of(subscript);
+      if (i < 0 || i >= size) {
         m_in.fail(where, "array subscript " + std::to_string(to_int(std::floor(subscript + 1e-10))) +
                              " out of range: " +
                              std::string(m_in.names.text(token.name)) + " has " +
@@ -230,7 +227,7 @@ std::string TokenReader::describe(const Token& token) const {
       const std::string name(m_in.names.text(token.name));
       Symbol* s = m_symbols.find(token.name);
       if (!s) return "the undeclared identifier '" + name + "'";
-      if (s->target().macro) return "the macro '" + name + "'";
+      if (s->target().macro()) return "the macro '" + name + "'";
       if (m_array && m_ready) return std::string(kind_name(m_array->elements[m_index])) +
                                      " element of '" + name + "'";
       return std::string(kind_name(s->resolve())) + " '" + name + "'";

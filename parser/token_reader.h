@@ -48,8 +48,12 @@ class TokenReader {
     consume();
     return true;
   }
-  void expect(Keyword k);
-  void expect(Punct p);
+  void expect(Keyword k) {
+    if (!accept(k)) fail_without(k);
+  }
+  void expect(Punct p) {
+    if (!accept(p)) fail_without(p);
+  }
   void comma() { accept(Punct::kComma); }
 
   /// Of the identifier that peek() shows: its symbol (null if it has none), and the value it or its
@@ -72,6 +76,21 @@ class TokenReader {
   /// At `<`: reads a vector of literal numbers to its end, the commonest of all. False, and nothing
   /// read, if anything else stands there.
   bool accept_literal_vector(Number& n);
+  /// The token that comes next, if it stands in the text just so, and the list it is of; or null.
+  /// What RawArithmetic can read begins there; go_on_at() says where it ended.
+  const Token* raw(const TokenList*& list) const {
+    if (m_stream.empty() || plain_names) return nullptr;
+    const Frame& frame = m_stream.top();
+    list = frame.list.get();
+    if (!m_ready) return frame.cursor;
+    return m_raw && m_raw + 1 == frame.cursor ? m_raw : nullptr;
+  }
+  void go_on_at(const Token* token) {
+    m_stream.top().cursor = token;
+    m_last = token[-1].where;
+    m_ready = false;
+    m_held = false;
+  }
   /// If the identifier shown is an element of an array: that array and the index.
   const std::shared_ptr<ArrayValue>& element_array() const { return m_array; }
   std::size_t element_index() const { return m_index; }
@@ -86,6 +105,8 @@ class TokenReader {
   Location location() const { return m_ready ? m_token.where : m_last; }
   std::string describe(const Token& token) const;
   [[noreturn]] void fail_expected(std::string_view what);
+  [[noreturn]] void fail_without(Keyword k);
+  [[noreturn]] void fail_without(Punct p);
 
   /// While one lives, a directive or macro that follows a complete value on the same level is left
   /// for later, so that `#declare A = 1` without a semicolon ends there.
@@ -138,34 +159,25 @@ class TokenReader {
   bool show_plain() {
     const Token* raw = m_stream.look();
     if (!raw) return false;
-    switch (raw->kind) {
-      case TokenKind::kNumber: case TokenKind::kString: break;
-      case TokenKind::kPunct:
-        if (raw->punct == Punct::kHash) return false;
-        break;
-      case TokenKind::kKeyword:
-        if (raw->keyword == Keyword::kDeclare || raw->keyword == Keyword::kInclude ||
-            raw->keyword == Keyword::kDefault) {
-          return false;
-        }
-        break;
-      case TokenKind::kIdentifier: {
-        const Symbol* symbol = m_symbols.find(raw->name);
-        if (!symbol || !symbol->is_plain()) return false;
-        if (std::holds_alternative<std::shared_ptr<ArrayValue>>(symbol->value)) return false;
-        if (m_array) m_array.reset();
-        break;
-      }
-      default: return false;
+    if (!raw->passive) {
+      if (raw->kind != TokenKind::kIdentifier) return false;
+      const Symbol* symbol = m_symbols.find(raw->name);
+      if (!symbol || !symbol->is_plain()) return false;
+      if (std::holds_alternative<std::shared_ptr<ArrayValue>>(symbol->value)) return false;
+      if (m_array) m_array.reset();
     }
+    m_stream.pass();
     m_held = false;
-    show(*m_stream.read());
+    m_token = *raw;
+    m_raw = raw;
+    m_ready = true;
     return true;
   }
   bool identifier(const Token& token);
   void subscripts(const Token& token, std::shared_ptr<ArrayValue> array);
   const Token& show(const Token& token) {
     m_token = token;
+    m_raw = nullptr;
     m_ready = true;
     return m_token;
   }
@@ -175,6 +187,7 @@ class TokenReader {
   SymbolTable& m_symbols;
   Token m_token;
   Token m_boundary;            ///< shown while a directive is held back: equals no token
+  const Token* m_raw = nullptr;  ///< the same in its list; null if it is an element of an array
   bool m_ready = false;
   bool m_held = false;
   std::shared_ptr<ArrayValue> m_array;

@@ -41,6 +41,8 @@ class TokenStream {
     Frame& f = m_frames.back();
     return f.cursor < f.end ? f.cursor++ : nullptr;
   }
+  /// Past the token that look() found.
+  void pass() { ++m_frames.back().cursor; }
   /// The same, left where it is.
   const Token* look() const {
     if (m_frames.empty()) return nullptr;

@@ -56,10 +56,10 @@ camera::MeshCameraSetup mesh_setup(const CameraDesc& camera) {
   std::map<const MeshShape*, camera::MeshCameraFaces> shared;
   for (const Ref<ObjectDesc>& object : camera.meshes) {
     const auto* mesh = std::get_if<std::shared_ptr<const MeshShape>>(&object->shape);
-    if (!mesh) throw camera::CameraError("a mesh_camera takes meshes, not a " + object->keyword);
+    if (!mesh) throw camera::CameraError("a mesh_camera takes meshes, not a " + std::string(object->keyword));
     camera::MeshCameraFaces& faces = shared[mesh->get()];
     if (!faces) faces = camera_faces(**mesh, object->keyword == "mesh2");
-    setup.parts.push_back({faces, object->transform});
+    setup.parts.push_back({faces, *object->transform});
   }
   return setup;
 }

@@ -174,7 +174,7 @@ std::unique_ptr<core::Object> ObjectBuilder::build(const ObjectDesc& object, con
 std::unique_ptr<core::Object> ObjectBuilder::build_whole(const ObjectDesc& object,
                                                          const core::Transform& outer,
                                                          const Inherited& from) {
-  const core::Transform to_world = object.transform.then(outer);
+  const core::Transform to_world = object.transform->then(outer);
   if (const auto* light = std::get_if<LightShape>(&object.shape)) {
     if (m_parts) add_light(object, *light->light, to_world, from);
     return nullptr;
@@ -250,7 +250,7 @@ std::unique_ptr<core::Object> ObjectBuilder::build_leaf(const ObjectDesc& object
     shape = build_shape(object);
   }
   if (!shape) {
-    note(object.keyword, object.where);
+    note(std::string(object.keyword), object.where);
     return nullptr;
   }
   return std::make_unique<core::Leaf>(std::move(shape), to_world);

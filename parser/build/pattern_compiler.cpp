@@ -76,15 +76,15 @@ class MiddlePattern final : public core::Pattern {
 core::PatternPtr compile_fractal(const PatternDesc& p) {
   core::Fractal fractal;
   fractal.julia = p.kind == Kind::kJulia || p.kind == Kind::kMagnetJulia;
-  fractal.parameter = p.julia;
+  fractal.parameter = p.own->julia;
   const bool magnet = p.kind == Kind::kMagnetMandel || p.kind == Kind::kMagnetJulia;
-  fractal.magnet = magnet ? p.magnet : 0;
-  fractal.exponent = p.exponent;
-  fractal.iterations = p.iterations;
-  fractal.exterior_type = p.exterior_type;
-  fractal.interior_type = p.interior_type;
-  fractal.exterior_factor = p.exterior_factor;
-  fractal.interior_factor = p.interior_factor;
+  fractal.magnet = magnet ? p.own->magnet : 0;
+  fractal.exponent = p.own->exponent;
+  fractal.iterations = p.own->iterations;
+  fractal.exterior_type = p.own->exterior_type;
+  fractal.interior_type = p.own->interior_type;
+  fractal.exterior_factor = p.own->exterior_factor;
+  fractal.interior_factor = p.own->interior_factor;
   return core::make_fractal(fractal);
 }
 
@@ -97,14 +97,14 @@ core::PatternPtr compile_tiles(const PatternDesc& p) {
     case Kind::kCubic: return core::make_cubic();
     case Kind::kCells: return core::make_cells();
     // Mortar is kept a little thinner than asked, so that bricks of its size still show.
-    case Kind::kBrick: return core::make_brick(p.brick_size, single(p.mortar - 2e-10));
+    case Kind::kBrick: return core::make_brick(p.own->brick_size, single(p.own->mortar - 2e-10));
     default: return nullptr;
   }
 }
 
 core::PatternPtr compile_shape(const PatternDesc& p) {
   switch (p.kind) {
-    case Kind::kGradient: return core::make_gradient(p.vector);
+    case Kind::kGradient: return core::make_gradient(p.own->vector);
     case Kind::kOnion: return core::make_onion();
     case Kind::kRadial: return core::make_radial();
     case Kind::kSpherical: return core::make_spherical();
@@ -112,11 +112,11 @@ core::PatternPtr compile_shape(const PatternDesc& p) {
     case Kind::kPlanar: return core::make_planar();
     case Kind::kBoxed: return core::make_boxed();
     case Kind::kLeopard: return core::make_leopard();
-    case Kind::kQuilted: return core::make_quilted(single(p.quilt0), single(p.quilt1));
+    case Kind::kQuilted: return core::make_quilted(single(p.own->quilt0), single(p.own->quilt1));
     case Kind::kAoi: return core::make_aoi();
     case Kind::kSlope:
-      return core::make_slope({p.vector, p.slope_point_at, p.altitude, p.slope_low, p.slope_high,
-                               p.altitude_low, p.altitude_high});
+      return core::make_slope({p.own->vector, p.own->slope_point_at, p.own->altitude, p.own->slope_low, p.own->slope_high,
+                               p.own->altitude_low, p.own->altitude_high});
     case Kind::kMandel: case Kind::kJulia: case Kind::kMagnetMandel: case Kind::kMagnetJulia:
       return compile_fractal(p);
     default: return nullptr;
@@ -134,34 +134,34 @@ core::PatternPtr compile_organic(const PatternDesc& p, const TextureSettings& se
     case Kind::kMarble: return core::make_marble(turbulence, generator);
     case Kind::kWood: return core::make_wood(turbulence);
     case Kind::kAgate:
-      return core::make_agate(turbulence.value_or(core::Turbulence{}), single(p.agate_turbulence),
+      return core::make_agate(turbulence.value_or(core::Turbulence{}), single(p.own->agate_turbulence),
                               generator);
-    case Kind::kSpiral1: return core::make_spiral1(p.arms, turbulence, generator);
-    case Kind::kSpiral2: return core::make_spiral2(p.arms, turbulence, generator);
+    case Kind::kSpiral1: return core::make_spiral1(p.own->arms, turbulence, generator);
+    case Kind::kSpiral2: return core::make_spiral2(p.own->arms, turbulence, generator);
     case Kind::kRipples:
       return core::make_ripples(settings.number_of_waves, single(p.frequency), single(p.phase));
     case Kind::kWaves:
       return core::make_waves(settings.number_of_waves, single(p.frequency), single(p.phase));
     case Kind::kCrackle:
       return core::make_crackle(
-          {p.crackle_form, p.crackle_metric, p.crackle_offset, p.crackle_solid}, generator);
+          {p.own->crackle_form, p.own->crackle_metric, p.own->crackle_offset, p.own->crackle_solid}, generator);
     default: return nullptr;
   }
 }
 
 core::PatternPtr compile_density(const PatternDesc& p) {
-  if (p.density_path.empty()) {
-    throw std::runtime_error("cannot find the density file \"" + p.density_file + "\"");
+  if (p.own->density_path.empty()) {
+    throw std::runtime_error("cannot find the density file \"" + p.own->density_file + "\"");
   }
   core::GridInterpolation interpolation = core::GridInterpolation::kTricubic;
-  if (p.density_interpolate % 10 == 0) interpolation = core::GridInterpolation::kNone;
-  if (p.density_interpolate % 10 == 1) interpolation = core::GridInterpolation::kTrilinear;
-  return core::make_density_pattern(read_density_file(p.density_path), interpolation);
+  if (p.own->density_interpolate % 10 == 0) interpolation = core::GridInterpolation::kNone;
+  if (p.own->density_interpolate % 10 == 1) interpolation = core::GridInterpolation::kTrilinear;
+  return core::make_density_pattern(read_density_file(p.own->density_path), interpolation);
 }
 
 core::PatternPtr compile_function(const PatternDesc& p, const PatternBuild& build) {
-  if (!p.function || !p.function->function) return nullptr;
-  const auto& function = p.function->function;
+  if (!p.own->function || !p.own->function->function) return nullptr;
+  const auto& function = p.own->function->function;
   if (const std::string missing = function->not_yet(); !missing.empty()) {
     build.not_yet.insert(missing);
     return nullptr;
@@ -191,16 +191,16 @@ core::PatternPtr compile_pattern(const PatternDesc& pattern, const PatternBuild&
   if (auto organic = compile_organic(pattern, build.settings)) return organic;
   if (pattern.kind == Kind::kFunction) {
     if (auto function = compile_function(pattern, build)) return function;
-  } else if (pattern.kind == Kind::kPigmentPattern && pattern.pigment) {
-    return core::make_pigment_pattern(build.pigment(pattern.pigment));
-  } else if (pattern.kind == Kind::kObject && pattern.object) {
-    const auto query = std::make_shared<const ObjectQuery>(*pattern.object);
+  } else if (pattern.kind == Kind::kPigmentPattern && pattern.own->pigment) {
+    return core::make_pigment_pattern(build.pigment(pattern.own->pigment));
+  } else if (pattern.kind == Kind::kObject && pattern.own->object) {
+    const auto query = std::make_shared<const ObjectQuery>(*pattern.own->object);
     return core::make_inside([query](const core::Vec3& p) { return query->inside(p); });
   } else if (pattern.kind == Kind::kDensityFile) {
     return compile_density(pattern);
-  } else if (pattern.kind == Kind::kImagePattern && pattern.image && build.picture) {
-    return core::make_picture_pattern(build.picture(*pattern.image),
-                                      pattern.image->use == ImageDesc::Use::kAlpha);
+  } else if (pattern.kind == Kind::kImagePattern && pattern.own->image && build.picture) {
+    return core::make_picture_pattern(build.picture(*pattern.own->image),
+                                      pattern.own->image->use == ImageDesc::Use::kAlpha);
   } else {
     build.not_yet.insert(std::string("pattern ") + pattern_name(pattern.kind));
   }

@@ -88,9 +88,9 @@ class BoxFinder {
     if (!plane) return outside ? everything() : of(part);
     Bounds box = everything();
     const Vec3 normal =
-        core::normalized(part.transform.normal(plane->normal)) * (outside ? -1.0 : 1.0);
+        core::normalized(part.transform->normal(plane->normal)) * (outside ? -1.0 : 1.0);
     const Vec3 unit = core::normalized(plane->normal);
-    const Vec3 on = part.transform.point(unit * plane->distance);
+    const Vec3 on = part.transform->point(unit * plane->distance);
     for (int axis = 0; axis < 3; ++axis) {
       if (normal[axis] > 1.0 - kTiny) box.hi[axis] = on[axis];
       if (normal[axis] < kTiny - 1.0) box.lo[axis] = on[axis];
@@ -99,14 +99,14 @@ class BoxFinder {
   }
 
   Bounds leaf(const SphereShape& s, const ObjectDesc& o) {
-    if (is_rotation(o.transform)) return kept(about(o.transform.point(s.centre), s.radius));
-    return moved(about(s.centre, s.radius), o.transform);
+    if (is_rotation(*o.transform)) return kept(about(o.transform->point(s.centre), s.radius));
+    return moved(about(s.centre, s.radius), *o.transform);
   }
   Bounds leaf(const BoxShape& s, const ObjectDesc& o) {
     Bounds box;
     box.include(s.corner1);
     box.include(s.corner2);
-    return moved(kept(box), o.transform);
+    return moved(kept(box), *o.transform);
   }
   Bounds leaf(const PlaneShape&, const ObjectDesc&) { return everything(); }
   Bounds leaf(const LightShape&, const ObjectDesc&) { return everything(); }
@@ -114,7 +114,7 @@ class BoxFinder {
     const Vec3 axis = s.cap - s.base;
     const double length = core::length(axis);
     return moved({{-1, -1, 0}, {1, 1, 1}},
-                 standing(s.cap, -axis / length, s.radius, length).then(o.transform));
+                 standing(s.cap, -axis / length, s.radius, length).then(*o.transform));
   }
   /// A cone stands on its tip: from there its wider end is at 1.
   Bounds leaf(const ConeShape& s, const ObjectDesc& o) {
@@ -127,22 +127,22 @@ class BoxFinder {
     const Vec3 axis = (wide - narrow) / length;
     const double below = small * length / (large - small);
     return moved({{-1, -1, below / (below + length)}, {1, 1, 1}},
-                 standing(narrow - axis * below, axis, large, below + length).then(o.transform));
+                 standing(narrow - axis * below, axis, large, below + length).then(*o.transform));
   }
   Bounds leaf(const DiscShape& s, const ObjectDesc& o) {
     return moved(kept({{-s.radius, -s.radius, -kThickness}, {s.radius, s.radius, kThickness}}),
-                 standing(s.centre, core::normalized(s.normal), 1, 1).then(o.transform));
+                 standing(s.centre, core::normalized(s.normal), 1, 1).then(*o.transform));
   }
   Bounds leaf(const TorusShape& s, const ObjectDesc& o) {
     const double out = s.major + s.minor;
-    return moved(kept({{-out, -s.minor, -out}, {out, s.minor, out}}), o.transform);
+    return moved(kept({{-out, -s.minor, -out}, {out, s.minor, out}}), *o.transform);
   }
   Bounds leaf(const SuperellipsoidShape&, const ObjectDesc& o) {
-    return moved(kept(about({}, 1.0001)), o.transform);
+    return moved(kept(about({}, 1.0001)), *o.transform);
   }
   Bounds leaf(const PolygonShape& s, const ObjectDesc& o) {
     Bounds box;
-    for (const Vec3& p : s.points) box.include(o.transform.point(p));
+    for (const Vec3& p : s.points) box.include(o.transform->point(p));
     for (int axis = 0; axis < 3; ++axis) {
       if (box.hi[axis] - box.lo[axis] >= kThickness) continue;
       box.lo[axis] -= kThickness;
@@ -154,7 +154,7 @@ class BoxFinder {
   Bounds leaf(const SmoothTriangleShape& s, const ObjectDesc& o) { return points(s.p, o); }
   Bounds points(const std::array<Vec3, 3>& corners, const ObjectDesc& o) {
     Bounds box;
-    for (const Vec3& p : corners) box.include(o.transform.point(p));
+    for (const Vec3& p : corners) box.include(o.transform->point(p));
     return kept({box.lo - Vec3(kTiny), box.hi + Vec3(kTiny)});
   }
   Bounds leaf(const std::shared_ptr<const MeshShape>& s, const ObjectDesc& o) {
@@ -162,7 +162,7 @@ class BoxFinder {
     for (const MeshFace& face : s->faces) {
       for (const int v : face.vertex) box.include(s->vertices[static_cast<std::size_t>(v)]);
     }
-    return moved(kept(box), o.transform);
+    return moved(kept(box), *o.transform);
   }
   Bounds leaf(const CsgShape& s, const ObjectDesc& o) {
     const bool all = s.operation == CsgOperation::kUnion || s.operation == CsgOperation::kMerge ||
@@ -177,11 +177,11 @@ class BoxFinder {
     const Vec3 size = box.hi - box.lo;
     const bool long_one = size.x > kCritical || size.y > kCritical || size.z > kCritical;
     if (box.is_empty() || long_one) return everything();
-    return moved(kept(box), o.transform);
+    return moved(kept(box), *o.transform);
   }
   Bounds leaf(const std::shared_ptr<const BicubicPatchShape>& s, const ObjectDesc& o) {
     Bounds box;
-    for (const Vec3& p : s->points) box.include(o.transform.point(p));
+    for (const Vec3& p : s->points) box.include(o.transform->point(p));
     return kept(box);
   }
   Bounds leaf(const QuadricShape& s, const ObjectDesc& o) {
@@ -207,7 +207,7 @@ class BoxFinder {
     if (!missing.empty()) m_is_whole = false;
     if (!made || made->bounds().is_empty()) return {Vec3(), Vec3()};
     const Bounds box = made->bounds();
-    return box.is_finite() ? moved(kept(box), o.transform) : kept(box);
+    return box.is_finite() ? moved(kept(box), *o.transform) : kept(box);
   }
 
   bool& m_is_whole;

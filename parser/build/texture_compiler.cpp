@@ -98,7 +98,7 @@ core::PigmentPtr TextureCompiler::Impl::compile_fresh(const PigmentDesc& pigment
   if (pattern.kind == PatternKind::kPlain) return core::make_plain_pigment(pigment.colour);
   if (pattern.kind == PatternKind::kImageMap) {
     return core::make_picture_pigment(outer.then(compile_placement(pattern)),
-                                      pictures.get(*pattern.image, true));
+                                      pictures.get(*pattern.own->image, true));
   }
   if (pattern.kind == PatternKind::kUvMapping) {
     if (!pigment.pigment_map) return core::make_plain_pigment(first_colour(pigment));
@@ -148,12 +148,12 @@ core::DisplacementPtr TextureCompiler::Impl::compile_displacement(const NormalDe
       return core::make_waves_displacement(amount, settings.number_of_waves, single(p.frequency),
                                            single(p.phase));
     case PatternKind::kQuilted:
-      return core::make_quilted_displacement(amount, single(p.quilt0), single(p.quilt1));
+      return core::make_quilted_displacement(amount, single(p.own->quilt0), single(p.own->quilt1));
     case PatternKind::kFacets:
-      return core::make_facets_displacement(p.facets_size, p.facets_coords, p.facets_metric);
+      return core::make_facets_displacement(p.own->facets_size, p.own->facets_coords, p.own->facets_metric);
     case PatternKind::kBumpMap:
-      return core::make_picture_displacement(pictures.get(*p.image, false), amount,
-                                             p.image->use == ImageDesc::Use::kIndex);
+      return core::make_picture_displacement(pictures.get(*p.own->image, false), amount,
+                                             p.own->image->use == ImageDesc::Use::kIndex);
     default: return nullptr;
   }
 }
@@ -227,7 +227,7 @@ core::TexturePtr TextureCompiler::Impl::compile_patterned(const TextureLayerDesc
   if (pattern.kind == PatternKind::kMaterialMap) {
     std::vector<core::TexturePtr> materials;
     for (auto& entry : entries) materials.push_back(std::move(entry.second));
-    return core::make_material_map(inner, pictures.get(*pattern.image, true), std::move(materials));
+    return core::make_material_map(inner, pictures.get(*pattern.own->image, true), std::move(materials));
   }
   core::PlacedPattern placed{inner, compile_pattern(pattern, build), compile_wave(pattern)};
   return core::make_texture_map(std::move(placed), core::BlendMap(std::move(entries)));

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -16,6 +17,7 @@
 #include "core/base/vec3.h"
 #include "parser/descriptions/light.h"
 #include "parser/source.h"
+#include "parser/sparse.h"
 #include "parser/value.h"
 
 namespace lentray::core {
@@ -172,9 +174,9 @@ struct CompiledSlot {
 
 struct ObjectDesc {
   Location where;
-  std::string keyword;                  ///< of the statement, for messages
+  std::string_view keyword;             ///< of the statement, for messages; a reserved word
   ShapeDesc shape;
-  core::Transform transform;
+  Sparse<core::Transform> transform;
 
   // Looks and bounds have been moved by the transforms that followed them in the statement.
   Ref<TextureDesc> texture;             ///< null: inherited, at last the default texture

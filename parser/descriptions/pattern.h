@@ -14,6 +14,7 @@
 #include "core/base/transform.h"
 #include "core/base/vec3.h"
 #include "parser/source.h"
+#include "parser/sparse.h"
 #include "parser/value.h"
 
 namespace lentray::parser {
@@ -79,16 +80,8 @@ struct ImageDesc {
   std::vector<std::pair<int, double>> filters, transmits;  ///< by palette index
 };
 
-struct PatternDesc {
-  PatternKind kind = PatternKind::kPlain;
-  Location where;
-  std::vector<WarpDesc> placement;
-
-  double frequency = 1.0, phase = 0.0;
-  WaveForm wave = WaveForm::kRamp;
-  double wave_exponent = 1.0;     ///< of poly_wave
-  int noise_generator = 0;        ///< 0: the scene's
-
+/// What only some kinds of pattern have.
+struct PatternParameters {
   core::Vec3 vector;              ///< gradient's direction, slope's
   core::Vec3 brick_size{8, 3, 4.5};
   double mortar = 0.5;
@@ -120,6 +113,19 @@ struct PatternDesc {
   Ref<PigmentDesc> pigment;       ///< pigment_pattern
   std::string density_file, density_path;
   int density_interpolate = 0;
+};
+
+struct PatternDesc {
+  PatternKind kind = PatternKind::kPlain;
+  Location where;
+  std::vector<WarpDesc> placement;
+
+  double frequency = 1.0, phase = 0.0;
+  WaveForm wave = WaveForm::kRamp;
+  double wave_exponent = 1.0;     ///< of poly_wave
+  int noise_generator = 0;        ///< 0: the scene's
+
+  Sparse<PatternParameters> own;
 
   /// The one turbulence outside warps, made if there is none yet.
   TurbulenceDesc& classic_turbulence();

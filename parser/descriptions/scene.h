@@ -20,6 +20,7 @@ struct SceneObject {
 
 struct SceneDesc {
   std::vector<SceneObject> objects;
+  std::size_t dropped = 0;            ///< read, found sound and not kept (ParserOptions::only_check)
   std::optional<CameraDesc> camera;   ///< the last one wins, as in stock
   GlobalDesc global;
   core::Colour background;            ///< black and opaque unless the scene says otherwise

@@ -51,8 +51,7 @@ LENTRAY_FIELDS(WarpDesc, kind, transform, turbulence, axis, width, flip, offset,
 LENTRAY_FIELDS(ImageDesc, type, name, path, function, function_width, function_height, gamma,
                premultiplied, once, map_type, interpolate, use, repeat, offset, filter_all,
                transmit_all, filters, transmits)
-LENTRAY_FIELDS(PatternDesc, kind, where, placement, frequency, phase, wave, wave_exponent,
-               noise_generator, vector, brick_size, mortar, agate_turbulence, arms, quilt0, quilt1,
+LENTRAY_FIELDS(PatternParameters, vector, brick_size, mortar, agate_turbulence, arms, quilt0, quilt1,
                facets_coords, facets_size, facets_metric, crackle_form, crackle_metric,
                crackle_offset, crackle_solid, julia, iterations, exponent, magnet, exterior_type,
                interior_type, exterior_factor, interior_factor, altitude, slope_low, slope_high,
@@ -60,6 +59,8 @@ LENTRAY_FIELDS(PatternDesc, kind, where, placement, frequency, phase, wave, wave
                pavement_pattern, pavement_exterior, pavement_interior, pavement_form, function,
                image, object, potential_threshold, pigment, density_file, density_path,
                density_interpolate)
+LENTRAY_FIELDS(PatternDesc, kind, where, placement, frequency, phase, wave, wave_exponent,
+               noise_generator, own)
 LENTRAY_FIELDS(PigmentDesc, where, pattern, colour, colour_map, pigment_map, quick_colour)
 LENTRAY_FIELDS(NormalDesc, where, pattern, amount, bump_size, no_bump_scale, accuracy, slope_map,
                normal_map)
@@ -129,7 +130,7 @@ LENTRAY_FIELDS(ObjectDesc, where, keyword, shape, transform, texture, interior_t
                no_radiosity, double_illuminate, hollow, sturm, hierarchy, uv_mapping,
                radiosity_importance, photons, depth, parts, compiled)
 LENTRAY_FIELDS(SceneObject, object, default_texture, default_importance)
-LENTRAY_FIELDS(SceneDesc, objects, camera, global, background, has_background, background_version,
+LENTRAY_FIELDS(SceneDesc, objects, dropped, camera, global, background, has_background, background_version,
                fogs, rainbows, sky_sphere, atmosphere_media, atmosphere_ior, language_version)
 
 }  // namespace lentray::parser

@@ -41,7 +41,7 @@ class Dumper {
   template <typename T>
   Json value(const T& v) {
     if constexpr (HasFields<T>) return fields(v);
-    else if constexpr (std::is_same_v<T, bool> || std::is_integral_v<T> || std::is_same_v<T, std::string>) return v;
+    else if constexpr (std::is_same_v<T, bool> || std::is_integral_v<T> || std::is_same_v<T, std::string> || std::is_same_v<T, std::string_view>) return v;
     else if constexpr (std::is_floating_point_v<T>) return number(v);
     else if constexpr (std::is_enum_v<T>) return name_of(v);
     else if constexpr (kIs<T, std::optional>) return v ? value(*v) : Json();
@@ -67,6 +67,8 @@ class Dumper {
     return m_sources->name(l.file) + ":" + std::to_string(l.line) + ":" + std::to_string(l.column);
   }
   Json other(const CompiledSlot&) { return {}; }  // no part of what the scene says
+  template <typename T>
+  Json other(const Sparse<T>& v) { return value(*v); }
   template <typename Item>
   Json other(const BlendEntry<Item>& entry) {
     return Json{{"at", number(entry.value)}, {"is", value(entry.item)}};

@@ -50,7 +50,7 @@ class NormalTarget final : public PatternTarget {
     if (parser.accept(Keyword::kBumpMap)) {
       pattern.kind = PatternKind::kBumpMap;
       pattern.frequency = 0.0;
-      pattern.image = parse_bump_map(parser, m_normal.amount);
+      pattern.own.edit().image = parse_bump_map(parser, m_normal.amount);
       after_pattern(parser);
     } else if (parser.accept(Keyword::kBumpSize)) {
       m_normal.amount = parser.parse_float();

@@ -149,12 +149,13 @@ const std::array kModifiers{
 
 /// Looks, in the form in which their productions build them up.
 bool accept_object_looks(Parser& parser, Context& context, ObjectDesc& object) {
-  Looks looks{object.texture, object.interior_texture, object.interior};
-  if (!accept_looks(parser, context.materials, looks)) return false;
+  Looks looks{std::move(object.texture), std::move(object.interior_texture),
+              std::move(object.interior)};
+  const bool accepted = accept_looks(parser, context.materials, looks);
   object.texture = std::move(looks.texture);
   object.interior_texture = std::move(looks.interior_texture);
   object.interior = std::move(looks.interior);
-  return true;
+  return accepted;
 }
 
 }  // namespace

@@ -35,34 +35,37 @@ void read_no_frequency(const Reader& r) { r.pattern.frequency = 0.0; }
 
 void read_agate(const Reader& r) { r.pattern.classic_turbulence(); }
 
-void read_function(const Reader& r) { r.pattern.function = r.parser.parse_function_body(); }
+void read_function(const Reader& r) { r.pattern.own.edit().function = r.parser.parse_function_body(); }
 
 void read_gradient(const Reader& r) {
-  r.pattern.vector = core::normalized(r.parser.parse_vector());
+  r.pattern.own.edit().vector = core::normalized(r.parser.parse_vector());
 }
 
 void read_spiral(const Reader& r) {
-  r.pattern.arms = r.parser.parse_int();
+  r.pattern.own.edit().arms = r.parser.parse_int();
   read_triangle_wave(r);
 }
 
 void read_quilted(const Reader& r) {
-  r.pattern.quilt0 = r.pattern.quilt1 = 1.0;
+  PatternParameters& own = r.pattern.own.edit();
+  own.quilt0 = own.quilt1 = 1.0;
   read_no_frequency(r);
 }
 
 void read_crackle(const Reader& r) {
-  r.pattern.crackle_form = {-1, 1, 0};
-  r.pattern.crackle_metric = 2.0;
-  r.pattern.crackle_offset = 0.0;
-  r.pattern.crackle_solid = false;
+  PatternParameters& own = r.pattern.own.edit();
+  own.crackle_form = {-1, 1, 0};
+  own.crackle_metric = 2.0;
+  own.crackle_offset = 0.0;
+  own.crackle_solid = false;
 }
 
 void read_facets(const Reader& r) {
   if (r.target.statement() != "normal") r.parser.fail("facets can only be used in a normal");
-  r.pattern.facets_size = 0.1;
-  r.pattern.facets_coords = 0.0;
-  r.pattern.facets_metric = 2.0;
+  PatternParameters& own = r.pattern.own.edit();
+  own.facets_size = 0.1;
+  own.facets_coords = 0.0;
+  own.facets_metric = 2.0;
 }
 
 int read_iterations(Parser& parser) {
@@ -72,53 +75,55 @@ int read_iterations(Parser& parser) {
 }
 
 void reset_fractal(PatternDesc& pattern) {
-  pattern.exponent = 2;
-  pattern.exterior_type = 1;
-  pattern.interior_type = 0;
-  pattern.exterior_factor = pattern.interior_factor = 1.0;
+  PatternParameters& own = pattern.own.edit();
+  own.exponent = 2;
+  own.exterior_type = 1;
+  own.interior_type = 0;
+  own.exterior_factor = own.interior_factor = 1.0;
 }
 
 void read_mandel(const Reader& r) {
   reset_fractal(r.pattern);
-  r.pattern.iterations = read_iterations(r.parser);
+  r.pattern.own.edit().iterations = read_iterations(r.parser);
 }
 
 void read_julia(const Reader& r) {
   reset_fractal(r.pattern);
-  r.pattern.julia = parse_vec2(r.parser);
+  r.pattern.own.edit().julia = parse_vec2(r.parser);
   r.parser.parse_comma();
-  r.pattern.iterations = read_iterations(r.parser);
+  r.pattern.own.edit().iterations = read_iterations(r.parser);
 }
 
 void read_magnet(const Reader& r) {
   reset_fractal(r.pattern);
-  r.pattern.magnet = r.parser.parse_int();
-  if (r.pattern.magnet != 1 && r.pattern.magnet != 2) {
+  const int magnet = r.parser.parse_int();
+  r.pattern.own.edit().magnet = magnet;
+  if (magnet != 1 && magnet != 2) {
     r.parser.fail("the magnet pattern is of type 1 or 2");
   }
   if (r.parser.accept(Keyword::kMandel)) {
     r.pattern.kind = PatternKind::kMagnetMandel;
   } else if (r.parser.accept(Keyword::kJulia)) {
     r.pattern.kind = PatternKind::kMagnetJulia;
-    r.pattern.julia = parse_vec2(r.parser);
+    r.pattern.own.edit().julia = parse_vec2(r.parser);
     r.parser.parse_comma();
   } else {
     r.parser.fail_expected("mandel or julia");
   }
-  r.pattern.iterations = read_iterations(r.parser);
+  r.pattern.own.edit().iterations = read_iterations(r.parser);
 }
 
 void read_pigment_pattern(const Reader& r) {
   r.parser.expect(Punct::kLeftCurly);
-  r.pattern.pigment =
+  r.pattern.own.edit().pigment =
       parse_pigment_body(r.parser, r.context, std::make_shared<const PigmentDesc>());
   r.parser.expect(Punct::kRightCurly);
 }
 
 void read_object(const Reader& r) {
   r.parser.expect(Punct::kLeftCurly);
-  if (r.context.parse_object) r.pattern.object = r.context.parse_object(r.parser);
-  if (!r.pattern.object) r.parser.fail_expected("an object");
+  if (r.context.parse_object) r.pattern.own.edit().object = r.context.parse_object(r.parser);
+  if (!r.pattern.own->object) r.parser.fail_expected("an object");
   r.parser.parse_comma();
   read_items<2>(r);
   r.parser.expect(Punct::kRightCurly);
@@ -129,7 +134,7 @@ void read_uv_mapping(const Reader& r) { r.target.read_item(r.parser); }
 void read_image_map(const Reader& r) {
   if (r.target.statement() != "pigment") r.parser.fail("image_map can only be used in a pigment");
   read_no_frequency(r);
-  r.pattern.image = parse_image_map(r.parser);
+  r.pattern.own.edit().image = parse_image_map(r.parser);
 }
 
 void read_image_pattern(const Reader& r) {
@@ -139,13 +144,14 @@ void read_image_pattern(const Reader& r) {
   while (accept_image_modifier(r.parser, *image)) {
   }
   r.parser.expect(Punct::kRightCurly);
-  r.pattern.image = image;
+  r.pattern.own.edit().image = image;
 }
 
 void read_density_file(const Reader& r) {
   r.parser.expect(Keyword::kDf3);
-  r.pattern.density_file = r.parser.parse_path();
-  r.pattern.density_path = r.parser.find_file(r.pattern.density_file).value_or("");
+  PatternParameters& own = r.pattern.own.edit();
+  own.density_file = r.parser.parse_path();
+  own.density_path = r.parser.find_file(own.density_file).value_or("");
 }
 
 void read_range(Parser& parser, double& low, double& high) {
@@ -160,7 +166,7 @@ void read_range(Parser& parser, double& low, double& high) {
 }
 
 void read_slope(const Reader& r) {
-  PatternDesc& p = r.pattern;
+  PatternParameters& p = r.pattern.own.edit();
   p.slope_point_at = false;
   p.altitude = {};
   p.slope_low = p.slope_high = p.altitude_low = p.altitude_high = 0.0;
@@ -184,14 +190,16 @@ void read_slope(const Reader& r) {
 }
 
 void read_pavement(const Reader& r) {
-  r.pattern.pavement_sides = 3;
-  r.pattern.pavement_tiles = r.pattern.pavement_pattern = 1;
-  r.pattern.pavement_exterior = r.pattern.pavement_interior = r.pattern.pavement_form = 0;
+  PatternParameters& own = r.pattern.own.edit();
+  own.pavement_sides = 3;
+  own.pavement_tiles = own.pavement_pattern = 1;
+  own.pavement_exterior = own.pavement_interior = own.pavement_form = 0;
 }
 
 void read_tiling(const Reader& r) {
-  r.pattern.tiling = r.parser.parse_int();
-  if (r.pattern.tiling < 1 || r.pattern.tiling > 27) {
+  const int tiling = r.parser.parse_int();
+  r.pattern.own.edit().tiling = tiling;
+  if (tiling < 1 || tiling > 27) {
     r.parser.fail("the number of a tiling is between 1 and 27");
   }
 }
@@ -253,7 +261,7 @@ const PatternRule* find_rule(const Token& token) {
   return found == std::end(kRules) ? nullptr : found;
 }
 
-void check_pavement(Parser& parser, const PatternDesc& p) {
+void check_pavement(Parser& parser, const PatternParameters& p) {
   static constexpr int kTriangles[] = {1, 1, 1, 3, 4, 12};
   static constexpr int kSquares[] = {1, 1, 2, 5, 12, 35};
   static constexpr int kHexagons[] = {1, 1, 3, 7, 22};
@@ -324,13 +332,14 @@ bool accept_pattern(Parser& parser, MaterialContext& context, PatternTarget& tar
 void parse_pattern_body(Parser& parser, MaterialContext& context, PatternTarget& target) {
   accept_pattern(parser, context, target);
   target.after_pattern(parser);
-  while (target.accept_own_modifier(parser) || accept_pattern_modifier(parser, target)) {
+  while (!parser.at(Punct::kRightCurly) &&
+         (target.accept_own_modifier(parser) || accept_pattern_modifier(parser, target))) {
   }
   const PatternDesc& pattern = target.pattern();
   if (pattern.kind == PatternKind::kAverage && !target.has_map()) {
     parser.fail("average needs a map of " + std::string(target.statement()) + "s");
   }
-  if (pattern.kind == PatternKind::kPavement) check_pavement(parser, pattern);
+  if (pattern.kind == PatternKind::kPavement) check_pavement(parser, *pattern.own);
   if (!is_unset(pattern)) return;
   if (target.statement() == "pigment") {
     if (parser.language_version() >= 150) parser.warn("this pigment has neither colour nor pattern, or does not begin with it");

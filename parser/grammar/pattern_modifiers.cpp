@@ -47,26 +47,26 @@ bool accept_crackle_word(Parser& parser, PatternDesc& p) {
   const bool facets = p.kind == PatternKind::kFacets;
   if (parser.accept(Keyword::kSolid)) {
     only_in(parser, crackle, "solid", "crackle");
-    p.crackle_solid = true;
+    p.own.edit().crackle_solid = true;
   } else if (parser.accept(Keyword::kForm)) {
     only_in(parser, crackle || p.kind == PatternKind::kPavement, "form", "crackle or pavement");
     if (crackle) {
-      p.crackle_form = parser.parse_vector();
+      p.own.edit().crackle_form = parser.parse_vector();
     } else {
-      p.pavement_form = parser.parse_int();
+      p.own.edit().pavement_form = parser.parse_int();
     }
   } else if (parser.accept(Keyword::kMetric)) {
     only_in(parser, crackle || facets, "metric", "crackle or facets");
-    (crackle ? p.crackle_metric : p.facets_metric) = parser.parse_vector().x;
+    (crackle ? p.own.edit().crackle_metric : p.own.edit().facets_metric) = parser.parse_vector().x;
   } else if (parser.accept(Keyword::kOffset)) {
     only_in(parser, crackle, "offset", "crackle");
-    p.crackle_offset = parser.parse_float();
+    p.own.edit().crackle_offset = parser.parse_float();
   } else if (parser.accept(Keyword::kCoords)) {
     only_in(parser, facets, "coords", "facets");
-    p.facets_coords = parser.parse_float();
+    p.own.edit().facets_coords = parser.parse_float();
   } else if (parser.accept(Keyword::kSize)) {
     only_in(parser, facets, "size", "facets");
-    p.facets_size = parser.parse_float();
+    p.own.edit().facets_size = parser.parse_float();
   } else {
     return false;
   }
@@ -91,26 +91,29 @@ bool accept_fractal_word(Parser& parser, PatternDesc& p) {
     factor = parser.parse_float();
   };
   if (parser.accept(Keyword::kExterior)) {
-    read("exterior", 8, p.exterior_type, p.exterior_factor, p.pavement_exterior);
+    PatternParameters& own = p.own.edit();
+    read("exterior", 8, own.exterior_type, own.exterior_factor, own.pavement_exterior);
   } else if (parser.accept(Keyword::kInterior)) {
-    read("interior", 6, p.interior_type, p.interior_factor, p.pavement_interior);
+    PatternParameters& own = p.own.edit();
+    read("interior", 6, own.interior_type, own.interior_factor, own.pavement_interior);
   } else if (parser.accept(Keyword::kExponent)) {
     only_in(parser, p.kind == PatternKind::kMandel || p.kind == PatternKind::kJulia, "exponent",
             "mandel or julia");
-    p.exponent = parser.parse_int();
-    if (p.exponent < 2 || p.exponent > 33) {
+    PatternParameters& own = p.own.edit();
+    own.exponent = parser.parse_int();
+    if (own.exponent < 2 || own.exponent > 33) {
       parser.warn("exponents of mandel and julia go from 2 to 33; 2 is taken");
-      p.exponent = 2;
+      own.exponent = 2;
     }
   } else if (parser.accept(Keyword::kNumberOfSides)) {
     only_in(parser, pavement, "number_of_sides", "pavement");
-    p.pavement_sides = parser.parse_int();
+    p.own.edit().pavement_sides = parser.parse_int();
   } else if (parser.accept(Keyword::kNumberOfTiles)) {
     only_in(parser, pavement, "number_of_tiles", "pavement");
-    p.pavement_tiles = parser.parse_int();
+    p.own.edit().pavement_tiles = parser.parse_int();
   } else if (parser.accept(Keyword::kPattern)) {
     only_in(parser, pavement, "pattern", "pavement");
-    p.pavement_pattern = parser.parse_int();
+    p.own.edit().pavement_pattern = parser.parse_int();
   } else {
     return false;
   }
@@ -120,22 +123,22 @@ bool accept_fractal_word(Parser& parser, PatternDesc& p) {
 bool accept_special_word(Parser& parser, PatternDesc& p) {
   if (parser.accept(Keyword::kControl0)) {
     only_in(parser, p.kind == PatternKind::kQuilted, "control0", "quilted");
-    p.quilt0 = parser.parse_float();
+    p.own.edit().quilt0 = parser.parse_float();
   } else if (parser.accept(Keyword::kControl1)) {
     only_in(parser, p.kind == PatternKind::kQuilted, "control1", "quilted");
-    p.quilt1 = parser.parse_float();
+    p.own.edit().quilt1 = parser.parse_float();
   } else if (parser.accept(Keyword::kAgateTurb)) {
     only_in(parser, p.kind == PatternKind::kAgate, "agate_turb", "agate");
-    p.agate_turbulence = parser.parse_float();
+    p.own.edit().agate_turbulence = parser.parse_float();
   } else if (parser.accept(Keyword::kBrickSize)) {
     only_in(parser, p.kind == PatternKind::kBrick, "brick_size", "brick");
-    p.brick_size = parser.parse_vector();
+    p.own.edit().brick_size = parser.parse_vector();
   } else if (parser.accept(Keyword::kMortar)) {
     only_in(parser, p.kind == PatternKind::kBrick, "mortar", "brick");
-    p.mortar = parser.parse_float();
+    p.own.edit().mortar = parser.parse_float();
   } else if (parser.accept(Keyword::kInterpolate)) {
     only_in(parser, p.kind == PatternKind::kDensityFile, "interpolate", "density_file");
-    p.density_interpolate = parser.parse_int();
+    p.own.edit().density_interpolate = parser.parse_int();
   } else if (parser.accept(Keyword::kNoiseGenerator)) {
     p.noise_generator = parser.parse_int();
     if (p.noise_generator < 0 || p.noise_generator > 3) {

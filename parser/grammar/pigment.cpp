@@ -82,13 +82,10 @@ const TextureLayerDesc& default_layer(const MaterialContext& context) {
 
 Ref<PigmentDesc> parse_pigment_body(Parser& parser, MaterialContext& context,
                                     const Ref<PigmentDesc>& base) {
-  auto pigment = std::make_shared<PigmentDesc>();
   const Location where = parser.location();
-  if (const auto known = parser.accept_value<Ref<PigmentDesc>>()) {
-    *pigment = **known;
-  } else if (base) {
-    *pigment = *base;
-  }
+  const auto known = parser.accept_value<Ref<PigmentDesc>>();
+  const PigmentDesc* from = known ? known->get() : base.get();
+  auto pigment = from ? std::make_shared<PigmentDesc>(*from) : std::make_shared<PigmentDesc>();
   pigment->where = where;
   PigmentTarget target(*pigment, context);
   parse_pattern_body(parser, context, target);

@@ -1,5 +1,6 @@
 #include "parser/grammar/scene.h"
 
+#include "parser/descriptions/soundness.h"
 #include "parser/grammar/atmosphere.h"
 #include "parser/grammar/camera.h"
 #include "parser/grammar/global.h"
@@ -89,8 +90,13 @@ void read_statement(Parser& parser, Grammar& grammar, SceneDesc& scene) {
                          object_words());
   }
   const Context& context = grammar.context();
-  scene.objects.push_back(
-      {std::move(object), context.materials.default_texture, context.default_importance});
+  const Ref<TextureDesc>& default_texture = context.materials.default_texture;
+  if (parser.options().only_check && is_sound(*object, default_texture)) {
+    ++scene.dropped;
+    object.reset();
+  } else {
+    scene.objects.push_back({std::move(object), default_texture, context.default_importance});
+  }
   // A semicolon behind an object is an error in stock; it harms nobody. Looking for it comes last:
   // it runs the directives that follow.
   parser.accept(Punct::kSemicolon);
@@ -116,7 +122,7 @@ void warn_about_version(Parser& parser) {
 SceneDesc parse_scene(Parser& parser, Grammar& grammar) {
   SceneDesc scene;
   while (!parser.at_end()) read_statement(parser, grammar, scene);
-  if (scene.objects.empty()) parser.warn("there are no objects in the scene");
+  if (scene.objects.empty() && scene.dropped == 0) parser.warn("there are no objects in the scene");
   scene.language_version = rendered_version(parser);
   warn_about_version(parser);
   return scene;

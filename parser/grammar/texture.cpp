@@ -199,7 +199,7 @@ TextureLayerDesc parse_material_map(Parser& parser, MaterialContext& context) {
   auto image = parse_image_source(parser);
   while (accept_image_modifier(parser, *image)) {
   }
-  layer.pattern.image = image;
+  layer.pattern.own.edit().image = image;
   auto map = std::make_shared<TextureMapDesc>();
   map->where = layer.pattern.where;
   do {

@@ -55,11 +55,11 @@ void read_pigment_arguments(Parser& parser, PigmentDesc& pigment) {
   PatternDesc& p = pigment.pattern;
   switch (p.kind) {
     case PatternKind::kAgate: p.classic_turbulence(); break;
-    case PatternKind::kMandel: p.iterations = parser.parse_int(); break;
-    case PatternKind::kGradient: p.vector = core::normalized(parser.parse_vector()); break;
+    case PatternKind::kMandel: p.own.edit().iterations = parser.parse_int(); break;
+    case PatternKind::kGradient: p.own.edit().vector = core::normalized(parser.parse_vector()); break;
     case PatternKind::kImageMap:
       p.frequency = 0.0;
-      p.image = parse_image_map(parser);
+      p.own.edit().image = parse_image_map(parser);
       break;
     default:
       if (!has_item_list(p.kind)) break;
@@ -116,7 +116,7 @@ bool accept_normal_word(Parser& parser, OldTexture& old) {
     NormalDesc& normal = old.own_normal();
     normal.pattern.kind = PatternKind::kBumpMap;
     normal.pattern.frequency = 0.0;
-    normal.pattern.image = parse_bump_map(parser, normal.amount);
+    normal.pattern.own.edit().image = parse_bump_map(parser, normal.amount);
   } else if (parser.accept(Keyword::kFrequency)) {
     old.own_normal().pattern.frequency = parser.parse_float();
   } else if (parser.accept(Keyword::kPhase)) {

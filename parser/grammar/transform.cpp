@@ -7,7 +7,7 @@ namespace lentray::parser {
 
 void apply_transform(ObjectDesc& object, const core::Transform& transform) {
   if (transform.is_identity()) return;
-  object.transform = object.transform.then(transform);
+  object.transform = object.transform->then(transform);
   if (!object.uv_mapping) {
     if (object.texture) object.texture = transformed(object.texture, transform);
     if (object.interior_texture) {

@@ -54,9 +54,12 @@ TEST(CompatLanguage, StandardMacros) {
 }
 
 TEST(CompatLanguage, FilesWrittenAndRead) {
+  const diff::TemporaryFolder folder;
+  const std::string file = "\"" + (folder / "data.txt").string() + "\"";
   expect_same_debug(
-      "#version 3.7;\n#fopen F \"data.txt\" write\n#for (I,1,3) #write (F, I, \",\", <I,I*I,1/I>, \",\\\"s\", str(I,0,0), \"\\\",\\n\") #end\n"
-      "#fclose F\n#fopen F \"data.txt\" read\n#while (defined(F)) #read (F, A, B, C)\n"
+      "#version 3.7;\n#fopen F " + file + " write\n#for (I,1,3) #write (F, I, \",\", <I,I*I,1/I>, "
+      "\",\\\"s\", str(I,0,0), \"\\\",\\n\") #end\n"
+      "#fclose F\n#fopen F " + file + " read\n#while (defined(F)) #read (F, A, B, C)\n"
       "#debug concat(str(A,0,2), \" \", vstr(3,B,\",\",0,6), C, \"\\n\") #end\n");
 }
 

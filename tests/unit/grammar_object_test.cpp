@@ -46,15 +46,15 @@ TEST(UnitParserObject, CsgChildrenInOrder) {
   EXPECT_EQ(csg.operation, CsgOperation::kDifference);
   ASSERT_EQ(csg.children->size(), 3u);
   EXPECT_EQ((*csg.children)[0]->keyword, "box");
-  EXPECT_TRUE((*csg.children)[1]->transform.is_identity());
-  EXPECT_EQ((*csg.children)[2]->transform.point({}), Vec3(1, 0, 0));
+  EXPECT_TRUE((*csg.children)[1]->transform->is_identity());
+  EXPECT_EQ((*csg.children)[2]->transform->point({}), Vec3(1, 0, 0));
 }
 
 TEST(UnitParserObject, IdentifierIsCopiedBeforeItChanges) {
   const SceneText s("#declare A = sphere { 0, 1 hollow } object { A translate y hollow off } object { A }");
-  EXPECT_EQ(s.object(0).transform.point({}), Vec3(0, 1, 0));
+  EXPECT_EQ(s.object(0).transform->point({}), Vec3(0, 1, 0));
   EXPECT_EQ(s.object(0).hollow, false);
-  EXPECT_TRUE(s.object(1).transform.is_identity());
+  EXPECT_TRUE(s.object(1).transform->is_identity());
   EXPECT_EQ(s.object(1).hollow, true);
 }
 
@@ -79,14 +79,14 @@ TEST(UnitParserObject, Flags) {
 
 TEST(UnitParserObject, TransformsComposeInOrder) {
   const SceneText s("sphere { 0, 1 translate x scale 2 rotate z*90 }");
-  expect_near(s.object().transform.point({}), {0, 2, 0});
+  expect_near(s.object().transform->point({}), {0, 2, 0});
 }
 
 TEST(UnitParserObject, ClipsFollowLaterTransformsOnly) {
   const SceneText s(
       "sphere { 0, 1 translate x clipped_by { plane { y, 0 } } translate y*3 }");
   ASSERT_EQ(s.object().clipped_by.size(), 1u);
-  expect_near(s.object().clipped_by[0]->transform.point({}), {0, 3, 0});
+  expect_near(s.object().clipped_by[0]->transform->point({}), {0, 3, 0});
 }
 
 TEST(UnitParserObject, BoundsLinkedWithClips) {
@@ -95,7 +95,7 @@ TEST(UnitParserObject, BoundsLinkedWithClips) {
       "sphere { 0, 1 bounded_by { box { -1, 1 } } clipped_by { bounded_by } }");
   EXPECT_EQ(s.object(0).clipped_by.size(), 2u);
   EXPECT_EQ(s.object(0).bounded_by.size(), 2u);
-  expect_near(s.object(0).bounded_by[1]->transform.point({1, 0, 0}), {0, 0, -1});
+  expect_near(s.object(0).bounded_by[1]->transform->point({1, 0, 0}), {0, 0, -1});
   EXPECT_EQ(s.object(1).clipped_by.size(), 1u);
   EXPECT_TRUE(s.object(1).bounds_are_clips);
 }

@@ -49,7 +49,7 @@ TEST(UnitParserLight, Area) {
 
 TEST(UnitParserLight, LooksLikeMovesToTheLight) {
   const SceneText s("light_source { <1,2,3>, 1 looks_like { sphere { 0, 1 } } translate x }");
-  expect_near(light_of(s).looks_like->transform.point({}), {2, 2, 3});
+  expect_near(light_of(s).looks_like->transform->point({}), {2, 2, 3});
   EXPECT_TRUE(light_of(s).looks_like->no_shadow);
 }
 

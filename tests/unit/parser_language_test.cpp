@@ -21,7 +21,7 @@ TEST(UnitParserLexer, NumbersNamesAndStrings) {
   parser::NameTable names;
   const auto list = parser::tokenise(1, "A .5 1. 2e3 1e-3 5.x \"a\\n\\u00e9\\\"\" colour color >=", names);
   const auto& t = list->tokens;
-  ASSERT_EQ(t.size(), 11u);
+  ASSERT_EQ(list->size(), 11u);
   EXPECT_EQ(t[0].kind, TokenKind::kIdentifier);
   EXPECT_EQ(t[1].number, 0.5);
   EXPECT_EQ(t[2].number, 1.0);
@@ -39,7 +39,7 @@ TEST(UnitParserLexer, NumbersNamesAndStrings) {
 TEST(UnitParserLexer, CommentsNestAndPlacesAreRight) {
   parser::NameTable names;
   const auto list = parser::tokenise(1, "/* a /* b */ c */ x // y\n  z", names);
-  ASSERT_EQ(list->tokens.size(), 2u);
+  ASSERT_EQ(list->size(), 2u);
   EXPECT_EQ(list->tokens[0].where.column, 19u);
   EXPECT_EQ(list->tokens[1].where.line, 2u);
   EXPECT_EQ(list->tokens[1].where.column, 3u);
@@ -229,6 +229,12 @@ TEST(UnitParserIncludes, StandardFilesAreRead) {
     EXPECT_EQ(p.error, "") << name;
     EXPECT_EQ(p.debug, "end") << name;
   }
+}
+
+TEST(UnitParserMacros, LocalsEndWithTheMacroThoughASemicolonFollows) {
+  EXPECT_EQ(debug_of("#macro M() #local L = 5; #end M(); #debug str(defined(L), 0, 0)"), "0");
+  EXPECT_EQ(debug_of("#macro M() #local L = \"text\"; #end M(); #debug str(defined(L), 0, 0)"), "0");
+  EXPECT_EQ(debug_of("#macro M() #declare L = \"text\"; #end M(); #debug L"), "text");
 }
 
 }  // namespace

@@ -108,8 +108,9 @@ void parse_alone(Run& run, const std::string& path) {
   parser::Diagnostics diagnostics(sources);
   connect(diagnostics, run);
   const double before = cpu_seconds();
-  const parser::SceneDesc scene =
-      parser::read_descriptions(path, sources, diagnostics, parser_options(o));
+  parser::ParserOptions options = parser_options(o);
+  options.only_check = !o.dump;
+  const parser::SceneDesc scene = parser::read_descriptions(path, sources, diagnostics, options);
   const double seconds = cpu_seconds() - before;
   parser::build_scene(scene, diagnostics, {o.quality});
   if (o.dump) {
@@ -118,7 +119,7 @@ void parse_alone(Run& run, const std::string& path) {
   }
   if (!o.verbose) return;
   std::fprintf(stderr, "Parsed: %zu objects and lights, %zu warnings, %.3f s\n",
-               scene.objects.size(), diagnostics.warnings().size(), seconds);
+               scene.objects.size() + scene.dropped, diagnostics.warnings().size(), seconds);
 }
 
 /// Text -> descriptions -> compiled scene and camera.

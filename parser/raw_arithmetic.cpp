@@ -1,0 +1,351 @@
+#include "parser/raw_arithmetic.h"
+
+#include <algorithm>
+
+#include "parser/interpreter.h"
+
+namespace lentray::parser {
+namespace {
+
+constexpr int kDeepest = 100;
+
+/// Whether an operand before this token is the whole expression.
+bool is_alone(const Token& next, Punct end) {
+  if (next.kind != TokenKind::kPunct) return false;
+  return end == Punct::kNone ? next.punct == Punct::kComma || next.punct == Punct::kRightParen ||
+                                   next.punct == Punct::kRightCurly
+                             : next.punct == end;
+}
+
+}  // namespace
+
+bool RawArithmetic::read(const TokenList& list, const Token*& first, Level level, Number& value,
+                         Punct end) {
+  if (is_alone(first[1], end) && operand(*first, value)) {
+    ++first;
+    return true;
+  }
+  // What stopped it once will stop it again.
+  if (first >= m_failed_from && first <= m_failed_at) return false;
+  m_list = &list;
+  m_at = first;
+  m_depth = 0;
+  const bool whole = level == Level::kAdditive ? additive(value) : expression(value);
+  if (whole && (end == Punct::kNone ? ends_here() : is(end))) {
+    if (!m_random.empty()) m_random.clear();
+    first = m_at;
+    return true;
+  }
+  m_failed_from = first;
+  m_failed_at = m_at;
+  undo_random();
+  return false;
+}
+
+// A number, or the name of one.
+bool RawArithmetic::operand(const Token& token, Number& value) const {
+  if (token.kind == TokenKind::kNumber) {
+    value.v[0] = token.number;
+    return true;
+  }
+  if (token.kind != TokenKind::kIdentifier) return false;
+  Symbol* visible = m_in.symbols.find(token.name);
+  if (!visible) return false;
+  Symbol& symbol = visible->target();
+  if (symbol.macro() || symbol.deprecated()) return false;
+  const Number* number = std::get_if<Number>(&symbol.resolve());
+  if (number) value = *number;
+  return number;
+}
+
+void RawArithmetic::undo_random() {
+  for (; !m_random.empty(); m_random.pop_back()) {
+    m_in.random[m_random.back().first] = m_random.back().second;
+  }
+}
+
+// A directive or a macro might go on with the expression; so might what follows the file or macro.
+bool RawArithmetic::ends_here() const {
+  if (m_at->passive) return true;
+  if (m_at->kind != TokenKind::kIdentifier) return false;
+  Symbol* symbol = m_in.symbols.find(m_at->name);
+  return !symbol || !symbol->target().macro();
+}
+
+bool RawArithmetic::expression(Number& n) {
+  if (!logical_level(n)) return false;
+  if (!accept(Punct::kQuestion)) return true;
+  if (n.size != 1) return false;
+  Number yes, no;
+  if (!expression(yes) || !accept(Punct::kColon) || !expression(no)) return false;
+  n = is_true(n.v[0]) ? yes : no;
+  return true;
+}
+
+bool RawArithmetic::logical_level(Number& n) {
+  if (!relational(n)) return false;
+  for (;;) {
+    const bool both = is(Punct::kAmpersand);
+    if (!both && !is(Punct::kBar)) return true;
+    ++m_at;
+    Number right;
+    if (!relational(right)) return false;
+    logical(n, right, both);
+  }
+}
+
+bool RawArithmetic::relational(Number& n) {
+  if (!additive(n)) return false;
+  while (m_at->kind == TokenKind::kPunct && is_comparison(m_at->punct)) {
+    const Punct op = m_at++->punct;
+    Number right;
+    if (!additive(right)) return false;
+    compare(n, right, op);
+  }
+  return true;
+}
+
+bool RawArithmetic::additive(Number& n) {
+  if (!term(n)) return false;
+  for (;;) {
+    const bool plus = is(Punct::kPlus);
+    if (!plus && !is(Punct::kMinus)) return true;
+    ++m_at;
+    Number right;
+    if (!term(right)) return false;
+    add(n, right, plus);
+  }
+}
+
+bool RawArithmetic::term(Number& n) {
+  if (!factor(n)) return false;
+  for (;;) {
+    const bool times = is(Punct::kStar);
+    if (!times && !is(Punct::kSlash)) return true;
+    ++m_at;
+    Number right;
+    if (!factor(right)) return false;
+    if (times) multiply(n, right);
+    else if (!divide(n, right)) return false;
+  }
+}
+
+bool RawArithmetic::factor(Number& n) {
+  if (m_at->kind == TokenKind::kNumber) {
+    n.v[0] = m_at->number;
+    ++m_at;
+  } else if (!primary(n)) {
+    return false;
+  }
+  return !is(Punct::kDot) || member(n);
+}
+
+bool RawArithmetic::primary(Number& n) {
+  switch (m_at->kind) {
+    case TokenKind::kNumber:
+      n.v[0] = m_at->number;
+      ++m_at;
+      return true;
+    case TokenKind::kIdentifier: return identifier(n);
+    case TokenKind::kKeyword: return keyword(n);
+    case TokenKind::kPunct: break;
+    default: return false;
+  }
+  if (++m_depth > kDeepest) return false;
+  bool read = false;
+  switch (m_at->punct) {
+    case Punct::kLess: read = vector_literal(n); break;
+    case Punct::kLeftParen:
+      ++m_at;
+      read = expression(n) && accept(Punct::kRightParen);
+      break;
+    case Punct::kPlus:
+      ++m_at;
+      read = primary(n);
+      break;
+    case Punct::kMinus:
+      ++m_at;
+      read = factor(n);
+      negate(n);
+      break;
+    case Punct::kExclamation:
+      ++m_at;
+      read = factor(n);
+      logical_not(n);
+      break;
+    default: break;
+  }
+  --m_depth;
+  return read;
+}
+
+bool RawArithmetic::vector_literal(Number& n) {
+  const Token& less = *m_at++;
+  if (less.name > 0) {
+    n.size = static_cast<int>(less.name);
+    std::copy_n(m_list->components.data() + less.jump, less.name, n.v.data());
+    return true;
+  }
+  int size = 0;
+  while (!is(Punct::kGreater)) {
+    Number component;
+    if (size == static_cast<int>(n.v.size()) || !additive(component) || component.size > 1) {
+      return false;
+    }
+    n.v[static_cast<std::size_t>(size++)] = component.v[0];
+    accept(Punct::kComma);
+  }
+  if (size < 2) return false;
+  ++m_at;
+  n.size = size;
+  return true;
+}
+
+bool RawArithmetic::identifier(Number& n) {
+  Symbol* visible = m_in.symbols.find(m_at->name);
+  if (!visible) return false;
+  Symbol& symbol = visible->target();
+  if (symbol.macro() || symbol.deprecated()) return false;
+  const Value* value = &symbol.resolve();
+  ++m_at;
+  if (is(Punct::kLeftSquare) && !element(value)) return false;
+  const Number* number = std::get_if<Number>(value);
+  if (!number) return false;
+  n = *number;
+  return true;
+}
+
+// [i][j]... of an array, and of an array that is its element.
+bool RawArithmetic::element(const Value*& value) {
+  while (is(Punct::kLeftSquare)) {
+    const auto* found = std::get_if<std::shared_ptr<ArrayValue>>(value);
+    if (!found) return false;
+    const ArrayValue& array = **found;
+    std::size_t index = 0;
+    for (const int size : array.sizes) {
+      double subscript = 0.0;
+      if (!accept(Punct::kLeftSquare) || !scalar(subscript) || !accept(Punct::kRightSquare)) {
+        return false;
+      }
+      const int i = subscript_of(subscript);
+      if (i < 0 || i >= size) return false;
+      index = index * static_cast<std::size_t>(size) + static_cast<std::size_t>(i);
+    }
+    value = &array.elements[index];
+  }
+  return true;
+}
+
+bool RawArithmetic::member(Number& n) {
+  const Token& name = *++m_at;
+  if (name.kind != TokenKind::kKeyword) return false;
+  const int i = component_of(name.keyword);
+  if (i < 0 || i >= n.size) return false;
+  ++m_at;
+  n = Number::scalar(n.v[static_cast<std::size_t>(i)]);
+  return true;
+}
+
+bool RawArithmetic::scalar(double& x) {
+  Number n;
+  if (!additive(n) || n.size > 1) return false;
+  x = n.v[0];
+  return true;
+}
+
+bool RawArithmetic::argument(double& x) {
+  Number n;
+  if (!expression(n) || n.size > 1) return false;
+  x = n.v[0];
+  return true;
+}
+
+bool RawArithmetic::vector(core::Vec3& v) {
+  Number n;
+  if (!additive(n) || n.size > 3) return false;
+  promote(n, 3);
+  v = {n.v[0], n.v[1], n.v[2]};
+  return true;
+}
+
+// Of a name without subscripts.
+bool RawArithmetic::defined(Number& n) {
+  if (!m_at[1].is(Punct::kLeftParen) || m_at[2].kind != TokenKind::kIdentifier ||
+      !m_at[3].is(Punct::kRightParen)) {
+    return false;
+  }
+  Symbol* symbol = m_in.symbols.find(m_at[2].name);
+  n.v[0] = symbol && symbol->is_set();
+  m_at += 4;
+  return true;
+}
+
+bool RawArithmetic::keyword(Number& n) {
+  const Keyword word = m_at->keyword;
+  if (unit_vector(word, n)) {
+    ++m_at;
+    return true;
+  }
+  double a = 0.0, b = 0.0;
+  if (m_in.expressions.keyword_float(word, a)) {
+    ++m_at;
+    n = Number::scalar(a);
+    return true;
+  }
+  if (word == Keyword::kDefined) return defined(n);
+  const Token& bracket = m_at[1];  // there is one: a list ends with kEnd
+  if (!bracket.is(Punct::kLeftParen) || ++m_depth > kDeepest) return false;
+  m_at += 2;
+  const auto close = [&](const Number& value) {
+    --m_depth;
+    n = value;
+    return accept(Punct::kRightParen);
+  };
+  if (takes_one_float(word)) {
+    if (!argument(a) || !in_domain(word, a)) return false;
+    return close(Number::scalar(one_float(word, a)));
+  }
+  if (takes_two_floats(word)) {
+    if (!argument(a)) return false;
+    accept(Punct::kComma);
+    if (!argument(b) || !in_domain(word, a, b)) return false;
+    return close(Number::scalar(two_floats(word, a, b)));
+  }
+  if (folds(word)) {
+    if (!argument(a)) return false;
+    while (accept(Punct::kComma)) {
+      if (!argument(b)) return false;
+      a = fold(word, a, b);
+    }
+    return close(Number::scalar(a));
+  }
+  core::Vec3 p, q;
+  switch (word) {
+    case Keyword::kRand: {
+      if (!argument(a)) return false;
+      const auto stream = static_cast<std::size_t>(to_int(a));
+      if (stream >= m_in.random.size()) return false;
+      m_random.emplace_back(stream, m_in.random[stream]);
+      return close(Number::scalar(next_random(m_in.random[stream])));
+    }
+    case Keyword::kVlength:
+      return vector(p) && close(Number::scalar(core::length(p)));
+    case Keyword::kVnormalize:
+      return vector(p) && p != core::Vec3{} && close(Number::vector(normalised(p)));
+    case Keyword::kVdot: case Keyword::kVcross: case Keyword::kVrotate:
+      if (!vector(p)) return false;
+      accept(Punct::kComma);
+      if (!vector(q)) return false;
+      if (word == Keyword::kVdot) return close(Number::scalar(core::dot(p, q)));
+      return close(Number::vector(word == Keyword::kVcross ? core::cross(p, q) : rotated(p, q)));
+    case Keyword::kVaxisRotate:
+      if (!vector(p)) return false;
+      accept(Punct::kComma);
+      if (!vector(q)) return false;
+      accept(Punct::kComma);
+      return scalar(a) && close(Number::vector(rotated_about(p, q, a)));
+    default: return false;
+  }
+}
+
+}  // namespace lentray::parser
