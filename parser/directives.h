@@ -75,7 +75,6 @@ class Directives {
   // directives_declare.cpp
   void declare(const Token& directive, bool local);
   bool declare_number(const Token& directive, bool local);
-  void assign(Symbol& symbol, Value value);   ///< to what it stands for
   void deprecation(std::string& text, bool& once);
   void undef();
   void end_of_declaration(const Value& value, const Location& where);

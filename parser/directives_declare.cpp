@@ -87,11 +87,6 @@ bool Directives::declare_number(const Token& directive, bool local) {
   return true;
 }
 
-void Directives::assign(Symbol& symbol, Value value) {
-  if (symbol.alias || symbol.alias_array()) symbol.resolve() = std::move(value);
-  else symbol.reset(std::move(value));
-}
-
 // Which symbol is meant is settled before the right side is read: a macro there may have symbols of
 // the same name, and may not have ended when the value is complete. An array element is held by its
 // array.
@@ -123,7 +118,7 @@ void Directives::declare(const Token& directive, bool local) {
     array->elements[index] = value;
   } else {
     if (!target) target = m_in.symbols.declare_at(name.name, level).shared_from_this();
-    assign(*target, value);
+    target->assign(value);
     if (!deprecated.empty()) {
       target->edit_extras().deprecated.reset(new Deprecation{std::move(deprecated), once});
     }

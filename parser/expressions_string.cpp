@@ -83,6 +83,10 @@ Expressions::NumberFormat Expressions::number_format() {
 
 // As printf's %f. Numbers too long for the buffer come in exponents (%g), as in stock.
 void Expressions::append_number(std::string& text, const NumberFormat& format, double value) {
+  if (format.width == 0 && append_whole(text, value)) {
+    if (format.digits > 0) text.append(1, '.').append(static_cast<std::size_t>(format.digits), '0');
+    return;
+  }
   char digits[256];
   const auto width = static_cast<std::size_t>(format.width);
   if (std::isfinite(value) && width < sizeof digits) {

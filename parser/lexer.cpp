@@ -62,6 +62,8 @@ bool is_unmarked_directive(Keyword k) {
 
 using Tokens = decltype(TokenList::tokens);
 
+}  // namespace
+
 class Lexer {
  public:
   Lexer(std::string_view text, NameTable& names, TokenList& list)
@@ -71,6 +73,24 @@ class Lexer {
     while (skip_space()) one();
     link_directives();
     m_tokens.push_back(token(TokenKind::kEnd));
+  }
+
+  /// On to the first comma outside vectors that follows so many tokens. False if nothing was left.
+  bool run_on(std::size_t count) {
+    int open = 0;
+    while (skip_space()) {
+      const std::size_t before = m_tokens.size();
+      one();
+      if (m_tokens.size() < before) open = 0;  // a vector became one token
+      if (m_tokens.size() != before + 1) continue;
+      const Token& last = m_tokens.back();
+      if (last.is(Punct::kLess)) open = 1;
+      if (last.is(Punct::kGreater)) open = 0;
+      if (last.is(Punct::kComma) && open == 0 && m_tokens.size() >= count) break;
+    }
+    const bool any = !m_tokens.empty();
+    m_tokens.push_back(token(TokenKind::kEnd));
+    return any;
   }
 
  private:
@@ -218,6 +238,7 @@ class Lexer {
     Token t = token(TokenKind::kString);
     ++m_pos;
     const std::size_t start = m_pos;
+    if (plain_string(t)) return;
     std::string cooked;
     std::string ascii;  // from the first byte on that is not
     std::string wrong;  // first illegal escape
@@ -242,6 +263,18 @@ class Lexer {
     t.keyword = wrong.empty() ? Keyword::kNone : Keyword::kError;
     t.name = m_names.add_string(std::move(raw), std::move(cooked), std::move(ascii));
     m_tokens.push_back(t);
+  }
+
+  // Most strings: printable ASCII without a backslash.
+  bool plain_string(Token& t) {
+    std::size_t end = m_pos;
+    while (end < m_text.size() && m_text[end] >= ' ' && m_text[end] != '"' && m_text[end] != '\\') ++end;
+    if (end >= m_text.size() || m_text[end] != '"') return false;
+    const std::string_view text = m_text.substr(m_pos, end - m_pos);
+    t.name = m_names.add_string(std::string(text), std::string(text));
+    m_tokens.push_back(t);
+    m_pos = end + 1;
+    return true;
   }
 
   // At a backslash: appends what it stands for and moves past it. False if it stands for nothing.
@@ -380,8 +413,6 @@ class Lexer {
   std::uint32_t m_line = 1;
 };
 
-}  // namespace
-
 std::shared_ptr<const TokenList> tokenise(std::uint32_t file, std::string_view text,
                                           NameTable& names) {
   auto list = std::make_shared<TokenList>();
@@ -392,6 +423,20 @@ std::shared_ptr<const TokenList> tokenise(std::uint32_t file, std::string_view t
   Lexer(text, names, *list).run();
   if (text.size() <= kLong) list->tokens.shrink_to_fit();
   return list;
+}
+
+TokenPieces::TokenPieces(std::uint32_t file, std::string_view text, NameTable& names) {
+  m_list.file = file;
+  m_lexer = std::make_unique<Lexer>(text, names, m_list);
+}
+
+TokenPieces::~TokenPieces() = default;
+
+bool TokenPieces::next() {
+  constexpr std::size_t kPiece = 500;
+  m_list.tokens.clear();
+  m_list.components.clear();
+  return m_lexer->run_on(kPiece);
 }
 
 }  // namespace lentray::parser

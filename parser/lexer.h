@@ -31,4 +31,19 @@ struct TokenList {
 std::shared_ptr<const TokenList> tokenise(std::uint32_t file, std::string_view text,
                                           NameTable& names);
 
+/// The same in pieces, for data that is read value by value: a piece ends behind a comma that stands
+/// outside `<>`, or with the text.
+class TokenPieces {
+ public:
+  TokenPieces(std::uint32_t file, std::string_view text, NameTable& names);
+  ~TokenPieces();
+  /// Puts the next piece in the list's place; false, and the list is empty, if there is none.
+  bool next();
+  const TokenList& list() const { return m_list; }
+
+ private:
+  TokenList m_list;
+  std::unique_ptr<class Lexer> m_lexer;
+};
+
 }  // namespace lentray::parser

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <deque>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -25,16 +26,24 @@ class NameTable {
   /// String literals: `raw` is what stands between the quotes (file names take it so), `cooked`
   /// has the escapes replaced, `ascii` is that with a space for each byte that is not ASCII.
   NameId add_string(std::string raw, std::string cooked, std::string ascii = {});
-  const std::string& raw_string(NameId id) const { return m_strings[id].raw; }
+  const std::string& raw_string(NameId id) const {
+    const Literal& literal = m_strings[id];
+    return literal.other ? literal.other->raw : literal.cooked;
+  }
   const std::string& string(NameId id) const { return m_strings[id].cooked; }
   /// Null if the literal is ASCII as it stands.
   const std::string* ascii_string(NameId id) const {
-    return m_strings[id].ascii.empty() ? nullptr : &m_strings[id].ascii;
+    const Literal& literal = m_strings[id];
+    return literal.other && !literal.other->ascii.empty() ? &literal.other->ascii : nullptr;
   }
 
  private:
+  struct Variants {
+    std::string raw, ascii;
+  };
   struct Literal {
-    std::string raw, cooked, ascii;
+    std::string cooked;
+    std::unique_ptr<const Variants> other;   ///< null: raw is the same, and ASCII
   };
   std::deque<std::string> m_texts;
   std::unordered_map<std::string_view, NameId> m_ids;

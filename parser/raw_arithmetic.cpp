@@ -25,6 +25,7 @@ bool RawArithmetic::read(const TokenList& list, const Token*& first, Level level
     ++first;
     return true;
   }
+  if (first->kind == TokenKind::kString) return false;
   // What stopped it once will stop it again.
   if (first >= m_failed_from && first <= m_failed_at) return false;
   m_list = &list;
@@ -189,7 +190,8 @@ bool RawArithmetic::vector_literal(Number& n) {
   int size = 0;
   while (!is(Punct::kGreater)) {
     Number component;
-    if (size == static_cast<int>(n.v.size()) || !additive(component) || component.size > 1) {
+    if (size == static_cast<int>(n.v.size()) || (!lone_operand(component) && !additive(component)) ||
+        component.size > 1) {
       return false;
     }
     n.v[static_cast<std::size_t>(size++)] = component.v[0];
@@ -246,23 +248,30 @@ bool RawArithmetic::member(Number& n) {
   return true;
 }
 
+// The operand here, if it is the whole argument.
+bool RawArithmetic::lone_operand(Number& n) {
+  if (!is_alone(m_at[1], Punct::kNone) || !operand(*m_at, n)) return false;
+  ++m_at;
+  return true;
+}
+
 bool RawArithmetic::scalar(double& x) {
   Number n;
-  if (!additive(n) || n.size > 1) return false;
+  if ((!lone_operand(n) && !additive(n)) || n.size > 1) return false;
   x = n.v[0];
   return true;
 }
 
 bool RawArithmetic::argument(double& x) {
   Number n;
-  if (!expression(n) || n.size > 1) return false;
+  if ((!lone_operand(n) && !expression(n)) || n.size > 1) return false;
   x = n.v[0];
   return true;
 }
 
 bool RawArithmetic::vector(core::Vec3& v) {
   Number n;
-  if (!additive(n) || n.size > 3) return false;
+  if ((!lone_operand(n) && !additive(n)) || n.size > 3) return false;
   promote(n, 3);
   v = {n.v[0], n.v[1], n.v[2]};
   return true;

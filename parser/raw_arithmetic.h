@@ -55,6 +55,7 @@ class RawArithmetic {
   bool vector(core::Vec3& v);  ///< additive, up to three components
   bool ends_here() const;
   bool operand(const Token& token, Number& value) const;
+  bool lone_operand(Number& n);
   void undo_random();
 
   Interpreter& m_in;

@@ -39,6 +39,8 @@ const BinaryFormat* binary_format(const Token& t) {
 
 // As printf's %g.
 void append_number(std::string& text, double value) {
+  constexpr double kLongest = 1e6;  // from there on it has an exponent
+  if (std::fabs(value) < kLongest && append_whole(text, value)) return;
   char digits[64];
   if (std::isfinite(value)) {
     constexpr int kPrecision = 6;
@@ -49,6 +51,15 @@ void append_number(std::string& text, double value) {
     std::snprintf(digits, sizeof digits, "%g", value);
     text += digits;
   }
+}
+
+void append_value(std::string& text, const Number& n) {
+  if (n.size > 1) text += '<';
+  for (int i = 0; i < n.size; ++i) {
+    if (i) text += ',';
+    append_number(text, n.v[static_cast<std::size_t>(i)]);
+  }
+  if (n.size > 1) text += "> ";
 }
 
 }  // namespace
@@ -65,7 +76,8 @@ void ScriptFiles::open() {
     // Always read anew: this scene may have written it.
     const auto number = found ? m_in.sources.load(*found) : std::nullopt;
     if (!number) m_in.fail(where, "cannot open '" + file->path + "' for reading");
-    file->in = tokenise(*number, m_in.sources.text(*number), m_in.names);
+    file->in = std::make_unique<TokenPieces>(*number, m_in.sources.text(*number), m_in.names);
+    file->in->next();
   } else {
     const bool append = tokens.accept(Keyword::kAppend);
     if (!append) tokens.expect(Keyword::kWrite);
@@ -113,19 +125,15 @@ void ScriptFiles::write() {
   for (;;) {
     if (tokens.accept(Punct::kComma)) continue;
     if (tokens.accept(Punct::kRightParen)) break;
-    if (const BinaryFormat* format = binary_format(tokens.peek())) {
+    if (Number n; m_in.expressions.read_raw(RawArithmetic::Level::kAdditive, n)) {
+      append_value(text, n);
+    } else if (const BinaryFormat* format = binary_format(tokens.peek())) {
       tokens.skip();
       write_binary(text, *format);
     } else if (m_in.expressions.at_string()) {
       text += to_ascii(m_in.expressions.parse_string());
     } else if (m_in.expressions.at_expression()) {
-      const Number n = m_in.expressions.parse_additive();
-      if (n.size > 1) text += '<';
-      for (int i = 0; i < n.size; ++i) {
-        if (i) text += ',';
-        append_number(text, n.v[static_cast<std::size_t>(i)]);
-      }
-      if (n.size > 1) text += "> ";
+      append_value(text, m_in.expressions.parse_additive());
     } else {
       tokens.fail_expected("a string, float or vector to write");
     }
@@ -154,8 +162,8 @@ void ScriptFiles::write_binary(std::string& text, const BinaryFormat& format) {
 
 double ScriptFiles::read_number(ScriptFile& file) {
   double sign = 1.0;
-  const auto& all = file.in->tokens;
-  const std::size_t size = file.in->size();
+  const auto& all = file.in->list().tokens;
+  const std::size_t size = file.in->list().size();
   for (; file.position < size; ++file.position) {
     const Token& t = all[file.position];
     if (t.is(Punct::kMinus)) sign = -sign;
@@ -169,12 +177,13 @@ double ScriptFiles::read_number(ScriptFile& file) {
 
 // False at the end of the file.
 bool ScriptFiles::read_value(ScriptFile& file, Value& value) {
-  const auto& all = file.in->tokens;
-  const std::size_t size = file.in->size();
-  if (file.position >= size) {
-    file.ended = true;
-    return false;
+  if (file.position >= file.in->list().size()) {
+    file.position = 0;
+    file.ended = !file.in->next();
+    if (file.ended) return false;
   }
+  const auto& all = file.in->list().tokens;
+  const std::size_t size = file.in->list().size();
   const Token& t = all[file.position];
   const auto at = [&](Punct p) { return file.position < size && all[file.position].is(p); };
   if (t.kind == TokenKind::kString) {
@@ -183,7 +192,7 @@ bool ScriptFiles::read_value(ScriptFile& file, Value& value) {
   } else if (t.is(Punct::kLess) && t.name > 0) {
     Number n;
     n.size = static_cast<int>(t.name);
-    std::copy_n(file.in->components.data() + t.jump, t.name, n.v.data());
+    std::copy_n(file.in->list().components.data() + t.jump, t.name, n.v.data());
     n.is_colour = n.size == 5;
     value = n;
     ++file.position;
@@ -235,9 +244,7 @@ void ScriptFiles::read() {
       array->elements[index] = std::move(value);
       continue;
     }
-    Symbol& symbol = m_in.symbols.declare_global(target.name);
-    if (symbol.alias || symbol.alias_array()) symbol.resolve() = std::move(value);
-    else symbol.reset(std::move(value));
+    m_in.symbols.declare_global(target.name).assign(std::move(value));
   }
   // At the end of the file its identifier is gone, so that `#while (defined(File))` ends.
   if (in->ended) m_in.symbols.remove(name.name);

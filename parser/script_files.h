@@ -17,8 +17,8 @@ struct BinaryFormat;
 struct ScriptFile {
   std::string path;
   std::unique_ptr<FileWriter> out;
-  std::shared_ptr<const TokenList> in;
-  std::size_t position = 0;   ///< in the tokens read
+  std::unique_ptr<TokenPieces> in;
+  std::size_t position = 0;   ///< in the piece at hand
   bool ended = false;         ///< its end has been met, by a value without a comma behind it or by none
 };
 

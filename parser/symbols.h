@@ -68,6 +68,13 @@ struct Symbol : std::enable_shared_from_this<Symbol> {
     extras.reset();
   }
 
+  /// Makes what it stands for hold this value.
+  void assign(Value new_value) {
+    if (alias || alias_array()) resolve() = std::move(new_value);
+    else if (!extras) value = std::move(new_value);
+    else reset(std::move(new_value));
+  }
+
   /// Its value is its own, and nothing happens when its name is read.
   bool is_plain() const {
     return !alias && (!extras || !(extras->macro || extras->alias_array || extras->deprecated));

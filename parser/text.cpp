@@ -1,5 +1,8 @@
 #include "parser/text.h"
 
+#include <charconv>
+#include <cmath>
+
 namespace lentray::parser {
 namespace {
 
@@ -75,6 +78,20 @@ std::string to_ascii(std::string text) {
   }
   text.resize(out);
   return text;
+}
+
+bool append_whole(std::string& text, double x) {
+  constexpr double kMost = 1e9;
+  if (!(std::fabs(x) < kMost) || x == 0.0) {
+    if (x != 0.0 || std::signbit(x)) return false;
+    text += '0';
+    return true;
+  }
+  const int whole = static_cast<int>(x);
+  if (static_cast<double>(whole) != x) return false;
+  char digits[16];
+  text.append(digits, std::to_chars(digits, digits + sizeof digits, whole).ptr);
+  return true;
 }
 
 }  // namespace lentray::parser

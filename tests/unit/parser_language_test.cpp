@@ -237,5 +237,39 @@ TEST(UnitParserMacros, LocalsEndWithTheMacroThoughASemicolonFollows) {
   EXPECT_EQ(debug_of("#macro M() #declare L = \"text\"; #end M(); #debug L"), "text");
 }
 
+// A long file is read in pieces, which end at no value.
+TEST(UnitParserLexer, PiecesHoldTheSameTokens) {
+  using parser::Punct;
+  std::string text;
+  for (int n = 0; n < 900; ++n) {
+    text += "\"name\", " + std::to_string(n) + ", <1, " + std::to_string(n) + ", -2>, <1,\n2 + 3, 4>,\n";
+  }
+  parser::NameTable names;
+  const auto whole = parser::tokenise(1, text, names);
+  parser::TokenPieces pieces(1, text, names);
+  std::size_t at = 0, count = 0;
+  while (pieces.next()) {
+    ++count;
+    const auto& list = pieces.list();
+    const bool last = list.tokens[list.size() - 1].where.line == 1800;
+    EXPECT_TRUE(last || list.tokens[list.size() - 1].is(Punct::kComma));
+    EXPECT_TRUE(list.tokens[0].kind == TokenKind::kString || list.tokens[0].kind == TokenKind::kNumber ||
+                list.tokens[0].is(Punct::kLess));
+    for (std::size_t i = 0; i < list.size(); ++i, ++at) {
+      const parser::Token& t = list.tokens[i];
+      // At the start of a piece a vector is not yet one token: its numbers stand by themselves.
+      if (t.is(Punct::kLess) && whole->tokens[at].name > 0 && t.name == 0) {
+        while (!list.tokens[i].is(Punct::kGreater)) ++i;
+        continue;
+      }
+      EXPECT_EQ(t.kind, whole->tokens[at].kind);
+      EXPECT_EQ(t.where.line, whole->tokens[at].where.line);
+      EXPECT_EQ(t.where.column, whole->tokens[at].where.column);
+    }
+  }
+  EXPECT_EQ(at, whole->size());
+  EXPECT_GT(count, 5u);
+}
+
 }  // namespace
 }  // namespace lentray::test
