@@ -336,8 +336,8 @@ Lens sheet (lengths in mm):
   Sheet_Distance=n     Lens_Front=n            (scene units)
   View=j               that view alone
 
-  Pixel_Order=rows|views|columns|combined(w)|strips(w,h)|tiles|hilbert
-  Shadow_Cache=off|last|depth|tree|neighbourhood|grid
+  Pixel_Order=auto|rows|views|columns|combined(w)|strips(w,h)|tiles|hilbert|adaptive
+  Shadow_Cache=auto|off|last|depth|tree|neighbourhood|grid
   Accelerator=bvh|grid|list   -UL
   Max_Memory=n[M|G]          how much to use; half of the machine's  (Band_Height=rows)
   Statistics_File=x.json     what the run did (docs/statistics.md); Shadow_Log=On: more of shadows

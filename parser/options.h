@@ -58,7 +58,7 @@ struct RenderOptions {
   std::optional<std::uint32_t> view;      ///< that view alone
 
   // Ours besides.
-  std::string pixel_order = "rows", shadow_cache = "off", accelerator = "bvh";
+  std::string pixel_order = "auto", shadow_cache = "auto", accelerator = "bvh";
   bool light_buffer = true;   ///< +UL: shadow rays to point lights look where the light sees
   double max_memory = 0.0;                ///< bytes; 0: half of the machine's
   std::uint32_t band_height = 0;          ///< rows; 0: as the memory allows

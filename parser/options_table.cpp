@@ -187,18 +187,17 @@ void choose(Options& o, const Given& g, std::string& out, const char* what,
 }
 
 void set_order(Options& o, const Given& g) {
-  constexpr std::string_view kThere[] = {"rows",   "views", "columns", "combined",
-                                         "strips", "tiles", "hilbert"};
-  constexpr std::string_view kComing[] = {"adaptive"};
+  constexpr std::string_view kThere[] = {"auto",   "rows",  "views",   "columns", "combined",
+                                         "strips", "tiles", "hilbert", "adaptive"};
   // combined(4), strips(4,32): the order itself judges its numbers.
   const std::size_t bracket = std::min(g.value.find('('), g.value.size());
   Given name = g;
   name.value = g.value.substr(0, bracket);
-  choose(o, name, o.pixel_order, "pixel order", kThere, kComing);
+  choose(o, name, o.pixel_order, "pixel order", kThere, {});
   o.pixel_order += g.value.substr(bracket);
 }
 void set_cache(Options& o, const Given& g) {
-  constexpr std::string_view kThere[] = {"off",  "last",          "depth",
+  constexpr std::string_view kThere[] = {"auto", "off",           "last", "depth",
                                          "tree", "neighbourhood", "grid"};
   choose(o, g, o.shadow_cache, "shadow cache", kThere, {});
 }

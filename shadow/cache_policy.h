@@ -23,7 +23,7 @@
 namespace lentray::shadow {
 
 struct Keys {
-  static constexpr std::size_t kMost = 4;
+  static constexpr std::size_t kMost = 8;
   std::array<std::size_t, kMost> slot{};
   std::size_t count = 0;
 };

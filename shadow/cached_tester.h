@@ -1,63 +1,46 @@
 // A shadow tester that first asks what blocked the light before. Decorates the plain tester and
-// never gives another answer: an entry is put to the plain tester's own test (same distances,
-// same clipping, same CSG), and only objects that stop all light on their own are remembered.
-// One a thread, with entries of its own; nothing is shared.
+// never gives another answer: an entry is put to the plain tester's own test, and only objects that
+// stop all light on their own are remembered. One a thread, with entries of its own; nothing is
+// shared.
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <vector>
-
 #include "core/render/plain_shadow_tester.h"
-#include "shadow/cache_policy.h"
+#include "shadow/cache_table.h"
 
 namespace lentray::shadow {
+
+/// The table's answer, else the full search's, which the table then knows. The ray is counted
+/// already.
+template <class Policy>
+core::Visibility visibility_by(CacheTable<Policy>& table, const core::ShadowQuery& query,
+                               core::PlainShadowTester& plain, core::ShadowCounts& counts) {
+  if (const core::Object* entry = table.blocker(query, plain, counts)) {
+    ++counts.blocked;
+    return {core::Rgb(0.0f), entry};
+  }
+  const core::Visibility seen = plain.search(query);
+  if (seen.blocker) {
+    ++counts.blocked;
+    table.remember(query, seen.blocker);  // a miss leaves the entries as they are
+  }
+  return seen;
+}
 
 template <class Policy>
 class CachedTester final : public core::ShadowTester {
  public:
   CachedTester(const core::ShadowContext& context, const Policy& policy)
-      : m_plain(context), m_policy(policy), m_entries(m_policy.slots(), nullptr) {}
+      : m_plain(context), m_table(policy) {}
 
   core::Visibility visibility(const core::ShadowQuery& query) override {
     core::ShadowCounts& counts = m_plain.context().counters->lights[query.light];
     ++counts.rays;
-    const Keys keys = m_policy.keys(query);
-    std::array<const core::Object*, Policy::kProbes> tried{};
-    std::size_t probes = 0;
-    for (std::size_t i = 0; i < keys.count && probes < Policy::kProbes; ++i) {
-      const core::Object* entry = m_entries[keys.slot[i]];
-      if (!entry || std::find(tried.begin(), tried.begin() + probes, entry) !=
-                        tried.begin() + probes) {
-        continue;
-      }
-      tried[probes++] = entry;
-      ++counts.probes;
-      if (m_plain.blocks(*entry, query)) {
-        ++counts.hits;
-        ++counts.blocked;
-        if constexpr (Policy::kProbes > 1) remember(query, entry);
-        return {core::Rgb(0.0f), entry};
-      }
-      ++counts.misses;
-    }
-    const core::Visibility seen = m_plain.search(query);
-    if (seen.blocker) {
-      ++counts.blocked;
-      remember(query, seen.blocker);  // a miss leaves the entries as they are
-    }
-    return seen;
+    return visibility_by(m_table, query, m_plain, counts);
   }
 
  private:
-  void remember(const core::ShadowQuery& query, const core::Object* blocker) {
-    const Keys homes = m_policy.homes(query);
-    for (std::size_t i = 0; i < homes.count; ++i) m_entries[homes.slot[i]] = blocker;
-  }
-
   core::PlainShadowTester m_plain;
-  const Policy m_policy;
-  std::vector<const core::Object*> m_entries;
+  CacheTable<Policy> m_table;
 };
 
 }  // namespace lentray::shadow

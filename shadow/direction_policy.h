@@ -10,21 +10,31 @@
 
 namespace lentray::shadow {
 
-/// Three sizes of cells, each with the blocker found last in it, and the last of the place in the
-/// ray tree. Cells are hashed into a table a light: a collision costs a probe.
+/// Three sizes of cells, each with the blocker found last in it, the last of the place in the ray
+/// tree, and the four neighbours of the cell of the middle size. Cells are hashed into a table a light: a collision costs a probe.
 class DirectionPolicy {
  public:
   static constexpr std::string_view kName = "grid";
-  static constexpr std::size_t kProbes = 4;
+  static constexpr std::size_t kProbes = 6;
   explicit DirectionPolicy(const core::Scene& scene);
   std::size_t slots() const { return m_lights.size() * kEach; }
   Keys keys(const core::ShadowQuery& query) const {
+    const Place place = place_of(query);
+    const auto beside = [&](double du, double dv) {
+      const double step = 2.0 / kMiddle;
+      return cell(query, {place.face, place.u + du * step, place.v + dv * step}, kMiddle);
+    };
+    return {{cell(query, place, kFine), cell(query, place, kMiddle), tree(query),
+             cell(query, place, kCoarse), beside(-1, 0), beside(1, 0), beside(0, -1),
+             beside(0, 1)},
+            8};
+  }
+  Keys homes(const core::ShadowQuery& query) const {
     const Place place = place_of(query);
     return {{cell(query, place, kFine), cell(query, place, kMiddle), tree(query),
              cell(query, place, kCoarse)},
             4};
   }
-  Keys homes(const core::ShadowQuery& query) const { return keys(query); }
 
  private:
   static constexpr std::size_t kCells = 1 << 18;  ///< slots of a light for cells
@@ -37,16 +47,20 @@ class DirectionPolicy {
     std::uint32_t face = 0;
     double u = 0.0, v = 0.0;
   };
-  /// Rays of a parallel light differ by where they pass: a frame across them.
+  /// A light amid the objects looks through the faces of a cube, one far away through a window as
+  /// large as they are. Rays of a parallel light differ by where they pass.
+  enum class Kind : std::uint8_t { kCube, kWindow, kParallel };
   struct LightFrame {
-    bool parallel = false;
-    core::Vec3 across, up;  ///< over the size of the scene
+    Kind kind = Kind::kCube;
+    core::Vec3 along;       ///< unit, to the light
+    core::Vec3 across, up;  ///< so long that -1 to 1 spans the objects
   };
 
   Place place_of(const core::ShadowQuery& query) const;
   static std::size_t cell(const core::ShadowQuery& query, const Place& place, double cells) {
-    const auto i = static_cast<std::uint64_t>((place.u + 1.0) * 0.5 * cells);
-    const auto k = static_cast<std::uint64_t>((place.v + 1.0) * 0.5 * cells);
+    // A cell beyond the border for its neighbours.
+    const auto i = static_cast<std::uint64_t>((place.u + 1.0) * 0.5 * cells + 1.0);
+    const auto k = static_cast<std::uint64_t>((place.v + 1.0) * 0.5 * cells + 1.0);
     std::uint64_t key = (i * 4096u + k) * 6u + place.face + static_cast<std::uint64_t>(cells);
     key *= 0x9e3779b97f4a7c15ull;
     return query.light * kEach + static_cast<std::size_t>(key >> 46);

@@ -3,9 +3,7 @@
 #include <algorithm>
 
 namespace lentray::shadow {
-namespace {
 
-/// The columns behind each lens; all in one without a sheet.
 std::vector<Strip> lenses_of(std::uint32_t width, const camera::LensSheet* sheet) {
   std::vector<Strip> lenses;
   for (std::uint32_t k = 0; k < width; ++k) {
@@ -16,8 +14,6 @@ std::vector<Strip> lenses_of(std::uint32_t width, const camera::LensSheet* sheet
   }
   return lenses;
 }
-
-}  // namespace
 
 std::vector<std::vector<std::uint32_t>> columns_by_view(std::size_t width,
                                                         const camera::LensSheet* sheet) {

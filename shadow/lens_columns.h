@@ -16,6 +16,9 @@ struct Strip {
   std::uint32_t begin = 0, end = 0;
 };
 
+/// The columns behind each lens; all in one without a sheet.
+std::vector<Strip> lenses_of(std::uint32_t width, const camera::LensSheet* sheet);
+
 /// The columns below `width`, view after view, each from the left. View j: pixel j, counted from
 /// the left, of all lenses; where N is not whole, the last view has only the wider lenses.
 std::vector<std::vector<std::uint32_t>> columns_by_view(std::size_t width,

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "shadow/adaptive_order.h"
 #include "shadow/names.h"
 
 namespace lentray::shadow {
@@ -24,6 +25,7 @@ using Maker = std::function<OrderPtr(const PixelRegion&)>;
 struct Columns {
   std::uint32_t left = 0, right = 0;
   const camera::LensSheet* sheet = nullptr;
+  const RunMeter* meter = nullptr;
 };
 
 Maker prepare_rows(const Columns&, const Numbers&) { return make_row_order; }
@@ -64,6 +66,20 @@ Maker prepare_strips(const Columns& columns, const Numbers& numbers) {
   };
 }
 
+Maker prepare_adaptive(const Columns& columns, const Numbers&) {
+  const auto blocks = std::make_shared<const LensBlocks>(
+      blocks_of(columns.left, columns.right, columns.sheet));
+  return [blocks, meter = columns.meter](const PixelRegion& region) {
+    return make_adaptive_order(region, blocks, meter);
+  };
+}
+
+/// Of all orders those that need the fewest tests with the cache `last` on the SPD scenes, or within
+/// 1.2 % of it (docs/paper.md).
+Maker prepare_auto(const Columns& columns, const Numbers& numbers) {
+  return columns.sheet ? prepare_columns(columns, numbers) : prepare_hilbert(columns, numbers);
+}
+
 struct Entry {
   std::string_view name;
   Maker (*prepare)(const Columns&, const Numbers&);
@@ -75,6 +91,7 @@ struct Entry {
 };
 
 constexpr Entry kOrders[] = {
+    {"auto", prepare_auto, 0, {}, kHilbert},
     {"rows", prepare_rows, 0, {}, 1},
     {"views", prepare_views, 0, {}, 0},
     {"columns", prepare_columns, 0, {}, 0},
@@ -82,6 +99,7 @@ constexpr Entry kOrders[] = {
     {"strips", prepare_strips, 2, {4, 32}, 1},
     {"tiles", prepare_tiles, 0, {}, kTile},
     {"hilbert", prepare_hilbert, 0, {}, kHilbert},
+    {"adaptive", prepare_adaptive, 0, {}, kBlock},
 };
 
 /// An order that was asked for.
@@ -147,8 +165,9 @@ std::vector<std::string_view> names_of_orders() {
 
 class Orders final : public core::BandOrders {
  public:
-  Orders(const Asked& asked, std::uint32_t width, const camera::LensSheet* sheet)
-      : m_width(width), m_make(asked.entry->prepare({0, width, sheet}, asked.numbers)) {}
+  Orders(const Asked& asked, std::uint32_t width, const camera::LensSheet* sheet,
+         const RunMeter* meter)
+      : m_width(width), m_make(asked.entry->prepare({0, width, sheet, meter}, asked.numbers)) {}
   std::unique_ptr<core::PixelOrder> band(std::uint32_t top, std::uint32_t bottom) const override {
     return m_make({0, top, m_width, bottom});
   }
@@ -173,7 +192,7 @@ std::unique_ptr<core::PixelOrder> make_order(std::string_view name, const PixelR
   PixelRegion valid = region;
   valid.right = std::max(valid.right, valid.left);
   valid.bottom = std::max(valid.bottom, valid.top);
-  return asked.entry->prepare({valid.left, valid.right, sheet}, asked.numbers)(valid);
+  return asked.entry->prepare({valid.left, valid.right, sheet, nullptr}, asked.numbers)(valid);
 }
 
 std::unique_ptr<core::PixelOrder> make_order(std::string_view name, std::uint32_t width,
@@ -182,8 +201,13 @@ std::unique_ptr<core::PixelOrder> make_order(std::string_view name, std::uint32_
 }
 
 std::unique_ptr<core::BandOrders> make_band_orders(std::string_view name, std::uint32_t width,
-                                                   const camera::LensSheet* sheet) {
-  return std::make_unique<Orders>(asked_for(name), width, sheet);
+                                                   const camera::LensSheet* sheet,
+                                                   const RunMeter* meter) {
+  return std::make_unique<Orders>(asked_for(name), width, sheet, meter);
+}
+
+bool follows_shadows(std::string_view name) {
+  return asked_for(name).entry->prepare == prepare_adaptive;
 }
 
 std::uint32_t band_height(std::string_view name, std::uint32_t width, std::uint32_t height,

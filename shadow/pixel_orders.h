@@ -10,6 +10,8 @@
 //   strips(w,h)   the same for h rows at a time: strips of w x h pixels, each as rows
 //   tiles    squares of 32 pixels, a row of squares after another, each square as rows
 //   hilbert  squares of 64 pixels, a row of squares after another, each along a Hilbert curve
+//   adaptive strips that follow the shadows: shadow/adaptive_order.h
+//   auto     columns where there is a lens sheet, else hilbert; in low bands
 //
 // Views and strips: shadow/lens_columns.h. Without a lens sheet there is one view, the same as
 // rows, and strips(w,h) are tiles of w x h. Without numbers, combined is combined(4), and strips
@@ -22,6 +24,7 @@
 
 #include "camera/lens_sheet.h"
 #include "core/render/pixel_order.h"
+#include "shadow/run_meter.h"
 #include "shadow/sequence.h"
 
 namespace lentray::shadow {
@@ -29,7 +32,7 @@ namespace lentray::shadow {
 inline constexpr std::uint32_t kTile = 32;     ///< pixels, the side of a square of `tiles`
 inline constexpr std::uint32_t kHilbert = 64;  ///< and of `hilbert`
 
-/// rows, views, columns, combined, strips, tiles, hilbert: in this order.
+/// auto, rows, views, columns, combined, strips, tiles, hilbert, adaptive: in this order.
 const std::vector<std::string_view>& order_names();
 
 /// Throws std::invalid_argument with the list of names for one that is not there, or for numbers
@@ -40,9 +43,13 @@ std::unique_ptr<core::PixelOrder> make_order(std::string_view name, const PixelR
 std::unique_ptr<core::PixelOrder> make_order(std::string_view name, std::uint32_t width,
                                              std::uint32_t height);
 
-/// The same for the bands of an image, inside which an order stays.
+/// The same for the bands of an image, inside which an order stays. `meter` is for orders that
+/// follow the shadows, and outlives them; null: they keep to fixed sizes.
 std::unique_ptr<core::BandOrders> make_band_orders(std::string_view name, std::uint32_t width,
-                                                   const camera::LensSheet* sheet = nullptr);
+                                                   const camera::LensSheet* sheet = nullptr,
+                                                   const RunMeter* meter = nullptr);
+/// Whether the order wants a meter. Throws as make_order().
+bool follows_shadows(std::string_view name);
 
 /// Rows in a band of an image of that size, if bands shall take `memory` bytes at
 /// `bytes_a_row` each: as many as fit, but not more than a few million pixels, and less where the

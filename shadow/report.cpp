@@ -10,7 +10,8 @@ using nlohmann::json;
 json counts_json(const core::ShadowCounts& counts) {
   return {{"rays", counts.rays},
           {"blocked", counts.blocked},
-          {"cache", {{"probes", counts.probes}, {"hits", counts.hits}, {"misses", counts.misses}}}};
+          {"cache", {{"probes", counts.probes}, {"hits", counts.hits}, {"misses", counts.misses}}},
+          {"auto", {{"measured", counts.measured}, {"cached", counts.cached}}}};
 }
 
 json lens_json(const LensReport& lens) {

@@ -4,6 +4,7 @@
 
 #include "core/render/plain_shadow_tester.h"
 #include "core/scene/scene.h"
+#include "shadow/auto_tester.h"
 #include "shadow/cached_tester.h"
 #include "shadow/direction_policy.h"
 #include "shadow/names.h"
@@ -19,6 +20,13 @@ class CachedTesterFactory final : public core::ShadowTesterFactory {
   }
 };
 
+class AutoTesterFactory final : public core::ShadowTesterFactory {
+ public:
+  std::unique_ptr<core::ShadowTester> make(const core::ShadowContext& context) const override {
+    return std::make_unique<AutoTester>(context);
+  }
+};
+
 struct Entry {
   std::string_view name;
   std::unique_ptr<core::ShadowTesterFactory> (*make)();
@@ -30,6 +38,7 @@ std::unique_ptr<core::ShadowTesterFactory> make_one() {
 }
 
 constexpr Entry kTesters[] = {
+    {AutoTester::kName, make_one<AutoTesterFactory>},
     {"off", make_one<core::PlainShadowTesterFactory>},
     {LastPolicy::kName, make_one<CachedTesterFactory<LastPolicy>>},
     {DepthPolicy::kName, make_one<CachedTesterFactory<DepthPolicy>>},

@@ -13,6 +13,7 @@ namespace lentray::core {
 namespace {
 
 constexpr std::size_t kMostPerCell = 16;  ///< entries, about: beyond, a hierarchy is faster
+constexpr double kCellCost = 6.0;  ///< as Counters::test_cost has it
 constexpr double kNearLight = 1e-5;  ///< of the light's coordinates: nearer, rounding counts
 
 double distance_of(const Bounds& box) {  // from the origin
@@ -126,7 +127,9 @@ class Outliner {
 };
 
 void count(Counters& counters, const Object& object) {
+  counters.test_cost += object.test_cost();
   ++counters.primitive_tests;
+  if (!counters.by_type) return;
   const auto at = counters.tests_by_type.find(object.name());
   if (at != counters.tests_by_type.end()) {
     ++at->second;
@@ -350,6 +353,7 @@ const Object* LightBuffer::any_opaque(const Spot& spot, const Ray& ray, double t
                                       HitArena& arena, Counters* counters) const {
   if (!counters) return search(spot, ray, t_min, t_max, arena, [](const Object*) {});
   ++counters->bounds_tests;
+  counters->test_cost += kCellCost;
   return search(spot, ray, t_min, t_max, arena,
                 [counters](const Object* object) { count(*counters, *object); });
 }

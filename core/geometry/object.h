@@ -94,6 +94,9 @@ class Object {
   /// True when every leaf's textures are fully opaque (set by the scene compiler).
   bool is_opaque() const { return m_opaque; }
   void set_opaque(bool opaque) { m_opaque = opaque; }
+  /// core/accel/test_cost.h (set by the scene compiler).
+  double test_cost() const { return m_test_cost; }
+  void set_test_cost(double cost) { m_test_cost = cost; }
 
  protected:
   bool passes_clips(const Vec3& p) const;
@@ -106,6 +109,7 @@ class Object {
   std::vector<std::shared_ptr<const Object>> m_clips, m_bounding;
   bool m_inverse = false;
   bool m_opaque = false;
+  double m_test_cost = 1.0;
 };
 
 /// A shape in the world.

@@ -37,7 +37,7 @@ PlainShadowTester::PlainShadowTester(const ShadowContext& context)
   if (context.counters->lights.size() < lights) context.counters->lights.resize(lights);
 }
 
-Visibility PlainShadowTester::search(const ShadowQuery& query) {
+Visibility PlainShadowTester::search(const ShadowQuery& query, Counters* tests) {
   const double reach = query.distance - kShadowTolerance;
   if (!(reach > kShadowTolerance)) return {};
   const LightBuffer* buffer = m_context.scene->light_buffer(query.light);
@@ -46,12 +46,12 @@ Visibility PlainShadowTester::search(const ShadowQuery& query) {
   if (buffer) spot = query.spot ? *query.spot : buffer->spot_of(query.ray.origin);
   const Object* blocker =
       buffer ? buffer->any_opaque(spot, query.ray, kShadowTolerance, reach, *m_context.arena,
-                                  m_test_counters)
+                                  tests)
              : m_hierarchy.any_opaque(query.ray, kShadowTolerance, reach, *m_context.arena,
-                                      m_test_counters);
+                                      tests);
   if (blocker) return {Rgb(0.0f), blocker};
   if (!m_any_transparent) return {};
-  return {filter_through(query, buffer, spot, reach), nullptr};
+  return {filter_through(query, buffer, spot, reach, tests), nullptr};
 }
 
 /// Of surfaces at one distance comes first that of the object whose box the ray enters first, as
@@ -72,15 +72,16 @@ void PlainShadowTester::order_ties(const Ray& ray) {
 }
 
 Rgb PlainShadowTester::filter_through(const ShadowQuery& query, const LightBuffer* buffer,
-                                      const LightBuffer::Spot& spot, double reach) {
+                                      const LightBuffer::Spot& spot, double reach,
+                                      Counters* tests) {
   Rgb filter(1.0f);
   m_hits.clear();
   if (buffer) {
     buffer->all_transparent(spot, query.ray, kShadowTolerance, reach, m_hits, *m_context.arena,
-                            m_test_counters);
+                            tests);
   } else {
     m_hierarchy.all_transparent(query.ray, kShadowTolerance, reach, m_hits, *m_context.arena,
-                                m_test_counters);
+                                tests);
   }
   if (m_hits.empty()) return filter;
   m_order.clear();

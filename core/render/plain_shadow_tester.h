@@ -30,7 +30,9 @@ class PlainShadowTester final : public ShadowTester {
   }
 
   /// The full search, not counted as a ray.
-  Visibility search(const ShadowQuery& query);
+  Visibility search(const ShadowQuery& query) { return search(query, m_test_counters); }
+  /// The same, its tests counted there (null: nowhere).
+  Visibility search(const ShadowQuery& query, Counters* tests);
   /// The same test against one opaque object of the scene: whether it alone blocks the query.
   bool blocks(const Object& object, const ShadowQuery& query) const {
     const double reach = query.distance - kShadowTolerance;
@@ -43,7 +45,7 @@ class PlainShadowTester final : public ShadowTester {
   /// `buffer`: of the light, or null.
   void order_ties(const Ray& ray);
   Rgb filter_through(const ShadowQuery& query, const LightBuffer* buffer,
-                     const LightBuffer::Spot& spot, double reach);
+                     const LightBuffer::Spot& spot, double reach, Counters* tests);
   Rgb surface_filter(const Hit& hit, double depth, const ShadowQuery& query, bool inside);
 
   ShadowContext m_context;

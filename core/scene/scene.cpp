@@ -5,6 +5,7 @@
 
 #include "core/accel/hierarchy.h"
 #include "core/accel/light_buffer.h"
+#include "core/accel/test_cost.h"
 #include "core/render/shadow_tester.h"
 #include "core/scene/needs_finder.h"
 #include "core/scene/solid_index.h"
@@ -54,7 +55,10 @@ Scene::Scene(SceneParts parts, const CompileOptions& options) : m_parts(std::mov
   std::uint32_t group = 0;
   for (auto& object : m_parts.objects) split.add(std::move(object), group++);
   m_parts.objects = std::move(split.objects);
-  for (auto& object : m_parts.objects) object->set_opaque(all_opaque(*object));
+  for (auto& object : m_parts.objects) {
+    object->set_opaque(all_opaque(*object));
+    object->set_test_cost(test_cost(*object));
+  }
   m_needs = find_needs(m_parts);
   if (options.general_path) m_needs = everything_needed(std::move(m_needs), m_parts.settings);
   m_solids = std::make_unique<SolidIndex>(m_parts.objects, split.groups);

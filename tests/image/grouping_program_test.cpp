@@ -1,6 +1,8 @@
 // lentray-grouping as a program, and the log of shadow rays that it works with.
 #include <gtest/gtest.h>
 
+#include <sstream>
+
 #include "tests/support/render.h"
 
 namespace lentray::test {
@@ -45,6 +47,29 @@ TEST_F(ImageGroupingProgram, TableCsvAndPage) {
   const std::string page = diff::read_text(m_folder / "a.html");
   EXPECT_NE(page.find("<svg"), std::string::npos);
   EXPECT_NE(page.find("</html>"), std::string::npos);
+}
+
+TEST_F(ImageGroupingProgram, GainsOverSizesAndAccelerators) {
+  const auto result = run({(source_folder() / "scenes/spd_balls.pov").string(),
+                           "Declare=Lenticular_Camera=1", "+W90", "+H60", "Orders=rows,columns",
+                           "Caches=last", "Accelerators=bvh,grid,list", "Sizes=1,2", "Repeats=0",
+                           "Gains=g.csv"});
+  EXPECT_EQ(result.status, 0) << result.output;
+  std::istringstream lines(diff::read_text(m_folder / "g.csv"));
+  std::string line;
+  std::vector<double> costs;
+  std::getline(lines, line);
+  while (std::getline(lines, line)) {
+    std::istringstream fields(line);
+    std::string field;
+    for (int i = 0; i < 6; ++i) std::getline(fields, field, ',');
+    costs.push_back(std::stod(field));
+  }
+  // bvh, grid, list of each size, against rows: Cm grows from one to the next.
+  ASSERT_EQ(costs.size(), 6u);
+  EXPECT_LT(costs[0], costs[2]);
+  EXPECT_LT(costs[3], costs[5]);
+  EXPECT_LT(costs[2], costs[5]);
 }
 
 TEST_F(ImageGroupingProgram, ErrorsAreTold) {

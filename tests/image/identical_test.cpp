@@ -22,16 +22,17 @@ void expect_identical(const std::vector<std::string>& scene) {
   // Every order with every cache; bands, threads and accelerators change from run to run, so that
   // each meets every order and every cache.
   for (const char* order :
-       {"rows", "views", "columns", "combined(4)", "strips(3,7)", "tiles", "hilbert"}) {
-    for (const char* cache : {"off", "last", "depth", "tree", "neighbourhood", "grid"}) {
-      const int threads = kThreads[(run + run / 6) % std::size(kThreads)];
+       {"rows", "views", "columns", "combined(4)", "strips(3,7)", "tiles", "hilbert",
+        "adaptive", "auto"}) {
+    for (const char* cache : {"off", "last", "depth", "tree", "neighbourhood", "grid", "auto"}) {
+      const int threads = kThreads[(run + run / 7) % std::size(kThreads)];
       std::vector<std::string> arguments = scene;
       const std::vector<std::string> way{std::string("Pixel_Order=") + order,
                                          std::string("Shadow_Cache=") + cache,
                                          "+WT" + std::to_string(threads),
-                                         bands[(run + run / 12) % bands.size()]};
+                                         bands[(run + run / 14) % bands.size()]};
       const std::vector<std::string>& search =
-          accelerators[(run + run / 6 + run / 24) % accelerators.size()];
+          accelerators[(run + run / 7 + run / 28) % accelerators.size()];
       ++run;
       arguments.insert(arguments.end(), way.begin(), way.end());
       arguments.insert(arguments.end(), search.begin(), search.end());

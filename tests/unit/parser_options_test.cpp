@@ -239,8 +239,8 @@ TEST_F(ErrorParserOptions, BadValues) {
   expect_message({"Lens_IOR=0.5"}, "at least 1");
   expect_message({"Lens_Pixels=0.5"}, "at least one pixel");
   expect_message({"Lens_Model=fancy"}, "unknown lens model: there are paraxial, pinhole");
-  expect_message({"Shadow_Cache=big"}, "unknown shadow cache: there are off, last, depth, tree, "
-                                       "neighbourhood, grid");
+  expect_message({"Shadow_Cache=big"}, "unknown shadow cache: there are auto, off, last, depth, "
+                                       "tree, neighbourhood, grid");
   expect_message({"View_Distance=near"}, "a number is expected");
   expect_message({"Declare=X"}, "NAME=VALUE");
   expect_message({"Declare=1X=2"}, "cannot be the name");
@@ -259,7 +259,7 @@ TEST_F(ErrorParserOptions, NotYetByName) {
   expect_message({"+KFF10"}, "not yet: animation");
   expect_message({"+FT"}, "not yet: the output type Targa");
   expect_message({"Lens_Model=thick"}, "not yet: lens model 'thick' (there are paraxial, pinhole)");
-  expect_message({"Pixel_Order=adaptive"}, "not yet: pixel order 'adaptive' (there are rows, views, columns, combined, strips, tiles, hilbert)");
+  EXPECT_EQ(read({"Pixel_Order=Adaptive"}).pixel_order, "adaptive");
   EXPECT_EQ(read({"Accelerator=Grid"}).accelerator, "grid");
   expect_message({"Accelerator=octree"}, "unknown accelerator: there are bvh, grid, list");
   expect_message({"Post_Scene_Command=rm"}, "not yet: running commands");

@@ -231,8 +231,8 @@ TEST(ErrorShadowOrders, UnknownNameListsWhatThereIs) {
     shadow::make_order("diagonal", 4, 4);
     FAIL() << "no exception";
   } catch (const std::invalid_argument& e) {
-    EXPECT_STREQ(e.what(), "unknown pixel order 'diagonal': there are rows, views, columns, combined, "
-                           "strips, tiles, hilbert");
+    EXPECT_STREQ(e.what(), "unknown pixel order 'diagonal': there are auto, rows, views, columns, combined, "
+                           "strips, tiles, hilbert, adaptive");
   }
 }
 

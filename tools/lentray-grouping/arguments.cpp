@@ -39,10 +39,12 @@ constexpr Row kOptions[] = {
     {"Orders", [](Arguments& a, const GivenOption& g) { a.orders = names(g); }},
     {"Caches", [](Arguments& a, const GivenOption& g) { a.caches = names(g); }},
     {"Accelerators", [](Arguments& a, const GivenOption& g) { a.accelerators = names(g); }},
+    {"Sizes", [](Arguments& a, const GivenOption& g) { a.sizes = names(g); }},
     {"Repeats", [](Arguments& a, const GivenOption& g) {
-       a.repeats = static_cast<int>(parser::whole_number(g, 1, 1000)); }},
+       a.repeats = static_cast<int>(parser::whole_number(g, 0, 1000)); }},
     {"CSV", [](Arguments& a, const GivenOption& g) { a.csv = place(g); }},
     {"HTML", [](Arguments& a, const GivenOption& g) { a.html = place(g); }},
+    {"Gains", [](Arguments& a, const GivenOption& g) { a.gains = place(g); }},
     {"Lentray", [](Arguments& a, const GivenOption& g) { a.lentray = place(g); }},
 };
 
@@ -123,8 +125,10 @@ the first: they must be the same, bit for bit.
   Orders=rows,columns,...   also combined(w), strips(w,h); all, as Pixel_Order= has them
   Caches=off,last,...       all, as Shadow_Cache= has them
   Accelerators=bvh       without light buffers: bvh, grid, list; buffer: bvh with them
-  Repeats=5              timed runs of each, interleaved; the median counts
+  Sizes=2,3,4            the scenes in these sizes (Declare=Size=), as the SPD scenes have them
+  Repeats=5              timed runs of each, interleaved; the median counts; 0: counts alone
   CSV=file  HTML=file    HTML holds charts, which need gnuplot
+  Gains=file             CSV of what columns save against rows and views, with Cm/Ch and equation 2
   Lentray=file           the program to run; the one beside this one
 
 All else goes to lentray: +W +H Declare= Lenticular=On Lens_Pixels= +L ...

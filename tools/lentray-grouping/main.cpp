@@ -15,7 +15,7 @@ namespace {
 enum Status : int { kDone = 0, kError = 1, kDiffer = 2 };
 
 int experiment(const Arguments& arguments, const std::string& command) {
-  for (const auto& place : {arguments.csv, arguments.html}) {
+  for (const auto& place : {arguments.csv, arguments.html, arguments.gains}) {
     if (!place.empty()) core::check_writable(place);
   }
   if (!arguments.html.empty()) model::check_gnuplot();
@@ -25,6 +25,7 @@ int experiment(const Arguments& arguments, const std::string& command) {
   });
   std::cout << table_of(trials);
   if (!arguments.csv.empty()) model::write_whole(arguments.csv, csv_of(trials));
+  if (!arguments.gains.empty()) model::write_whole(arguments.gains, gains_csv_of(trials));
   if (!arguments.html.empty()) model::write_whole(arguments.html, html_of(trials, command));
   const bool same = std::all_of(trials.begin(), trials.end(),
                                 [](const Trial& t) { return t.same_picture; });

@@ -130,7 +130,7 @@ constexpr Column kColumns[] = {
 
 std::string heading(const Group& group) {
   const Trial& t = group.front();
-  return short_name(t.scene) + ", " + t.accelerator + ": " + std::to_string(t.rays) +
+  return short_name(t.scene) + (t.size.empty() ? "" : " of size " + t.size) + ", " + t.accelerator + ": " + std::to_string(t.rays) +
          " shadow rays, " + std::to_string(t.blocked) + " blocked, at most " +
          std::to_string(t.most_hits) + " hits";
 }
@@ -170,6 +170,7 @@ std::vector<Group> groups_of(const std::vector<Trial>& trials) {
   std::vector<Group> groups;
   for (const Trial& t : trials) {
     if (groups.empty() || groups.back().front().scene != t.scene ||
+        groups.back().front().size != t.size ||
         groups.back().front().accelerator != t.accelerator) {
       groups.emplace_back();
     }
@@ -220,11 +221,11 @@ std::vector<Gain> gains_of(const Group& group) {
 
 std::string csv_of(const std::vector<Trial>& trials) {
   std::string out =
-      "scene,order,cache,accelerator,cpu_s,cpu_least_s,cpu_most_s,shadow_rays,blocked,hits,pairs,"
+      "scene,size,order,cache,accelerator,cpu_s,cpu_least_s,cpu_most_s,shadow_rays,blocked,hits,pairs,"
       "most_hits,hits_of_blocked,hits_of_most,tests,tests_a_ray,miss_cost,runs,mean_run,"
       "longest_run,same_picture\n";
   for (const Trial& t : trials) {
-    for (const std::string& text : {t.scene, t.order, t.cache, t.accelerator}) {
+    for (const std::string& text : {t.scene, t.size, t.order, t.cache, t.accelerator}) {
       out += csv_field(text) + ",";
     }
     out += format("%.6g", t.median()) + "," + format("%.6g", t.least()) + "," +
@@ -236,6 +237,27 @@ std::string csv_of(const std::vector<Trial>& trials) {
            format("%.6g", t.miss_cost()) + "," + std::to_string(t.runs) + "," +
            format("%.6g", t.mean_run()) + "," + std::to_string(t.longest_run) + "," +
            (t.same_picture ? "yes" : "no") + "\n";
+  }
+  return out;
+}
+
+std::string gains_csv_of(const std::vector<Trial>& trials) {
+  std::string out =
+      "scene,size,accelerator,cache,against,miss_cost,blocked_part,hits_columns,hits_other,"
+      "saved_tests,saved_equation2,saved_time\n";
+  for (const Group& group : groups_of(trials)) {
+    const Trial& t = group.front();
+    for (const Gain& g : gains_of(group)) {
+      for (const std::string& text : {t.scene, t.size, t.accelerator, g.cache, g.against}) {
+        out += csv_field(text) + ",";
+      }
+      const std::string columns = format("%.6g", find(group, "columns", g.cache)->hits_of_blocked());
+      out += format("%.6g", g.miss_cost) + "," +
+             format("%.6g", static_cast<double>(t.blocked) / static_cast<double>(t.rays)) + "," +
+             columns + "," + format("%.6g", find(group, g.against, g.cache)->hits_of_blocked()) +
+             "," + format("%.6g", g.tests) + "," + format("%.6g", g.equation2) + "," +
+             format("%.6g", g.time) + "\n";
+    }
   }
   return out;
 }

@@ -10,11 +10,13 @@
 namespace lentray::grouping {
 
 std::string csv_of(const std::vector<Trial>& trials);
+/// gains_of() for every group, a line each.
+std::string gains_csv_of(const std::vector<Trial>& trials);
 std::string table_of(const std::vector<Trial>& trials);
 /// One page that holds everything, charts as SVG.
 std::string html_of(const std::vector<Trial>& trials, const std::string& command);
 
-/// The trials of one scene and accelerator.
+/// The trials of one scene, size and accelerator.
 using Group = std::vector<Trial>;
 std::vector<Group> groups_of(const std::vector<Trial>& trials);
 

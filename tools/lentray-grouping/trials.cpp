@@ -41,6 +41,7 @@ json render(const Arguments& arguments, const Trial& trial, const fs::path& fold
     command.insert(command.end(), words.begin(), words.end());
   };
   add(accelerator_options(trial.accelerator));
+  if (!trial.size.empty()) add({"Declare=Size=" + trial.size});
   add(arguments.for_lentray);
   add(more);
   const diff::RunResult result = diff::run(command);
@@ -68,13 +69,15 @@ std::string log_run(const Arguments& arguments, Trial& trial, const fs::path& fo
   return diff::read_text(picture);
 }
 
-std::vector<Trial> trials_of(const Arguments& arguments, const std::string& scene) {
+std::vector<Trial> trials_of(const Arguments& arguments, const std::string& scene,
+                             const std::string& size) {
   std::vector<Trial> trials;
   for (const std::string& accelerator : arguments.accelerators) {
     for (const std::string& cache : arguments.caches) {
       for (const std::string& order : arguments.orders) {
         Trial trial;
         trial.scene = scene;
+        trial.size = size;
         trial.order = order;
         trial.cache = cache;
         trial.accelerator = accelerator;
@@ -88,40 +91,57 @@ std::vector<Trial> trials_of(const Arguments& arguments, const std::string& scen
 }  // namespace
 
 double Trial::median() const {
+  if (cpu_s.empty()) return 0.0;
   std::vector<double> sorted = cpu_s;
   std::sort(sorted.begin(), sorted.end());
   const std::size_t n = sorted.size();
   return n % 2 == 1 ? sorted[n / 2] : 0.5 * (sorted[n / 2 - 1] + sorted[n / 2]);
 }
-double Trial::least() const { return *std::min_element(cpu_s.begin(), cpu_s.end()); }
-double Trial::most() const { return *std::max_element(cpu_s.begin(), cpu_s.end()); }
+double Trial::least() const { return cpu_s.empty() ? 0.0 : *std::min_element(cpu_s.begin(), cpu_s.end()); }
+double Trial::most() const { return cpu_s.empty() ? 0.0 : *std::max_element(cpu_s.begin(), cpu_s.end()); }
 double Trial::tests_a_ray() const { return part(tests, rays); }
 double Trial::hits_of_blocked() const { return part(hits, blocked); }
 double Trial::hits_of_most() const { return part(hits, most_hits); }
 double Trial::mean_run() const { return part(blocked, runs); }
 double Trial::miss_cost() const { return part(miss_tests, rays - hits); }
 
+namespace {
+
+/// One scene in one size.
+std::vector<Trial> run_scene(const Arguments& arguments, std::vector<Trial> trials,
+                             const fs::path& folder,
+                             const std::function<void(const std::string&)>& tell) {
+  std::string first;
+  for (Trial& trial : trials) {
+    const std::string size = trial.size.empty() ? "" : ", size " + trial.size;
+    tell(trial.scene + size + ": log of " + trial.order + ", " + trial.cache + ", " +
+         trial.accelerator);
+    const std::string picture = log_run(arguments, trial, folder);
+    if (first.empty()) first = picture;
+    trial.same_picture = picture == first;
+  }
+  for (int repeat = 0; repeat < arguments.repeats; ++repeat) {
+    tell(trials.front().scene + ": time, round " + std::to_string(repeat + 1));
+    for (Trial& trial : trials) {
+      const json s = render(arguments, trial, folder, {"-F"});
+      trial.cpu_s.push_back(s.at("time").at("render_cpu_s"));
+    }
+  }
+  return trials;
+}
+
+}  // namespace
+
 std::vector<Trial> run_trials(const Arguments& arguments,
                               const std::function<void(const std::string&)>& tell) {
   std::vector<Trial> all;
   const diff::TemporaryFolder folder;
   for (const std::string& scene : arguments.scenes) {
-    std::vector<Trial> trials = trials_of(arguments, scene);
-    std::string first;
-    for (Trial& trial : trials) {
-      tell(scene + ": log of " + trial.order + ", " + trial.cache + ", " + trial.accelerator);
-      const std::string picture = log_run(arguments, trial, folder.path());
-      if (first.empty()) first = picture;
-      trial.same_picture = picture == first;
+    for (const std::string& size : arguments.sizes) {
+      std::vector<Trial> trials =
+          run_scene(arguments, trials_of(arguments, scene, size), folder.path(), tell);
+      std::move(trials.begin(), trials.end(), std::back_inserter(all));
     }
-    for (int repeat = 0; repeat < arguments.repeats; ++repeat) {
-      tell(scene + ": time, round " + std::to_string(repeat + 1));
-      for (Trial& trial : trials) {
-        const json s = render(arguments, trial, folder.path(), {"-F"});
-        trial.cpu_s.push_back(s.at("time").at("render_cpu_s"));
-      }
-    }
-    std::move(trials.begin(), trials.end(), std::back_inserter(all));
   }
   return all;
 }

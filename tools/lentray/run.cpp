@@ -22,6 +22,7 @@
 #include "shadow/pixel_orders.h"
 #include "shadow/report.h"
 #include "shadow/run_log.h"
+#include "shadow/run_meter.h"
 #include "shadow/tester_factory.h"
 #include "tools/lentray/camera_setup.h"
 #include "tools/lentray/explain.h"
@@ -225,12 +226,14 @@ bool render(Run& run, const std::atomic<bool>& cancel) {
   const camera::LensSheet* lenses =
       run.camera.sheet && !run.camera.view ? &run.camera.sheet->sheet() : nullptr;
   const core::FrameShape shape = shape_of(run);
-  const auto orders = shadow::make_band_orders(o.pixel_order, shape.width, lenses);
   auto testers = shadowless_tester(o.quality);
   if (!testers) testers = shadow::make_tester_factory(o.shadow_cache);
   const shadow::RunLog log(*testers);
   const core::ShadowTesterFactory* asked = testers.get();
   if (o.shadow_log) asked = &log;
+  const shadow::RunMeter meter(*asked, lenses ? static_cast<std::uint32_t>(lenses->lens().pixels) : 0);
+  const auto orders = shadow::make_band_orders(o.pixel_order, shape.width, lenses, &meter);
+  if (shadow::follows_shadows(o.pixel_order)) asked = &meter;
   core::FrameOptions frame;
   frame.threads = o.threads;
   frame.count_tests = !o.statistics_file.empty();

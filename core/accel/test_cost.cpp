@@ -1,0 +1,51 @@
+#include "core/accel/test_cost.h"
+
+#include <string_view>
+#include <vector>
+
+#include "core/geometry/object.h"
+#include "core/geometry/polygon.h"
+
+namespace lentray::core {
+namespace {
+
+struct Row {
+  std::string_view name;
+  double cost;
+};
+
+constexpr double kOther = 100.0;  // solved by iteration, or by a hierarchy of its own
+constexpr double kPart = 8.0;     // what CSG does about each of its parts
+constexpr double kTransform = 6.0;
+constexpr Row kCosts[] = {
+    {"sphere", 6},   {"triangle", 10},    {"smooth_triangle", 10}, {"box", 10},
+    {"plane", 6},    {"disc", 8},         {"cylinder", 16},       {"cone", 18},
+    {"quadric", 14},  {"torus", 80},       {"blob", 60},           {"ovus", 60},
+    {"mesh", 60},    {"mesh2", 60},       {"height_field", 80},   {"isosurface", 2000},
+    {"julia_fractal", 1500}, {"parametric", 5000}, {"superellipsoid", 500},
+    {"sphere_sweep", 400},   {"bicubic_patch", 200},
+};
+
+double cost_of(const Leaf& leaf) {
+  double cost = leaf.transform() ? kTransform : 0.0;
+  if (const auto* polygon = dynamic_cast<const Polygon*>(&leaf.shape())) {
+    return cost + 10.0 + 0.3 * static_cast<double>(polygon->points().size());
+  }
+  for (const Row& row : kCosts) {
+    if (row.name == leaf.name()) return cost + row.cost;
+  }
+  return cost + kOther;
+}
+
+}  // namespace
+
+double test_cost(const Object& object) {
+  std::vector<const Leaf*> leaves;
+  object.leaves(leaves);
+  double cost = 0.0;
+  for (const Leaf* leaf : leaves) cost += cost_of(*leaf);
+  if (leaves.size() > 1) cost += kPart * static_cast<double>(leaves.size());
+  return cost;
+}
+
+}  // namespace lentray::core

@@ -1,0 +1,112 @@
+// What caches and orders are worth, by counts alone: hits against their upper bound on the SPD
+// scenes, and what Shadow_Cache=auto and Pixel_Order=auto and adaptive decide.
+#include <gtest/gtest.h>
+
+#include "tests/support/render.h"
+
+namespace lentray::test {
+namespace {
+
+using Words = std::vector<std::string>;
+
+struct Small {
+  const char* scene;
+  int size;
+};
+/// Small enough for a test, with as many pixels an object as the published ones have in a print.
+constexpr Small kSpd[] = {{"balls", 2}, {"gears", 2}, {"rings", 2}, {"tetra", 3},
+                          {"tree", 6},  {"mount", 4}, {"teapot", 2}};
+
+class ImageShadowCaches : public ::testing::Test {
+ protected:
+  nlohmann::json run(const Small& small, Words more) const {
+    Words words{"+I" + (source_folder() / "scenes" / (std::string("spd_") + small.scene + ".pov")).string(),
+                "Declare=Size=" + std::to_string(small.size), "Declare=Lenticular_Camera=1",
+                "-F", "-V", "+WT1", "Shadow_Log=On", "Statistics_File=s.json"};
+    words.insert(words.end(), more.begin(), more.end());
+    const auto result = run_lentray(words, m_folder.path());
+    EXPECT_EQ(result.status, 0) << result.output;
+    return nlohmann::json::parse(diff::read_text(m_folder / "s.json")).at("shadow");
+  }
+  static double number(const nlohmann::json& j) { return j.get<double>(); }
+  static double of_bound(const nlohmann::json& s) {
+    return number(s.at("cache").at("hits")) / number(s.at("log").at("most_hits"));
+  }
+  static double tests(const nlohmann::json& s) { return number(s.at("log").at("tests")); }
+
+ private:
+  const diff::TemporaryFolder m_folder;
+};
+
+TEST_F(ImageShadowCaches, TheGridHasNearlyAllHitsThereCanBeInAnyOrder) {
+  for (const Small& small : kSpd) {
+    for (const char* order : {"rows", "views", "columns", "adaptive"}) {
+      const auto s = run(small, {"+W600", "+H400", "-UL", "Shadow_Cache=grid",
+                                 std::string("Pixel_Order=") + order});
+      EXPECT_GE(of_bound(s), 0.95) << small.scene << " " << order;
+    }
+  }
+}
+
+TEST_F(ImageShadowCaches, AutoHasThemTooWhereTheSearchIsDear) {
+  for (const Small& small : {Small{"balls", 3}, Small{"gears", 2}}) {
+    const auto s = run(small, {"+W300", "+H240", "Accelerator=list"});
+    EXPECT_GE(of_bound(s), 0.92) << small.scene;
+    EXPECT_GE(number(s.at("auto").at("cached")), 0.95 * number(s.at("rays"))) << small.scene;
+  }
+}
+
+TEST_F(ImageShadowCaches, AutoDoesWithoutWhereASearchCostsNextToNothing) {
+  for (const Small& small : kSpd) {
+    const auto s = run(small, {"+W180", "+H120"});
+    EXPECT_EQ(s.at("auto").at("cached"), 0) << small.scene;
+    EXPECT_LE(number(s.at("auto").at("measured")), 0.04 * number(s.at("rays"))) << small.scene;
+  }
+}
+
+TEST_F(ImageShadowCaches, AutoNeedsHardlyMoreTestsThanTheBest) {
+  for (const char* accelerator : {"Accelerator=list", "Accelerator=grid"}) {
+    for (const Small& small : {Small{"balls", 2}, Small{"tetra", 3}, Small{"rings", 1}}) {
+      double least = 1e300;
+      for (const char* cache : {"off", "tree", "neighbourhood", "grid"}) {
+        least = std::min(least, tests(run(small, {"+W300", "+H200", accelerator,
+                                                  std::string("Shadow_Cache=") + cache})));
+      }
+      EXPECT_LE(tests(run(small, {"+W300", "+H200", accelerator})), 1.08 * least)
+          << small.scene << " " << accelerator;
+    }
+  }
+}
+
+// The rule of Pixel_Order=auto: columns on a sheet, hilbert without. Counts of the cache `last`.
+TEST_F(ImageShadowCaches, TheOrderOfAutoNeedsTheFewestTestsOrNearly) {
+  for (const Small& small : kSpd) {
+    double least = 1e300;
+    for (const char* order : {"rows", "views", "columns", "tiles", "hilbert", "strips(4,32)"}) {
+      least = std::min(least, tests(run(small, {"+W300", "+H200", "-UL", "Shadow_Cache=last",
+                                                std::string("Pixel_Order=") + order})));
+    }
+    const auto s = run(small, {"+W300", "+H200", "-UL", "Shadow_Cache=last", "Pixel_Order=auto"});
+    EXPECT_LE(tests(s), 1.03 * least) << small.scene;
+  }
+}
+
+TEST_F(ImageShadowCaches, AdaptiveStripsBeatFixedOnes) {
+  double adaptive = 0.0, fixed = 0.0, rows = 0.0;
+  for (const Small& small : kSpd) {
+    const Words more{"+W300", "+H200", "-UL", "Shadow_Cache=last"};
+    const auto hits = [&](const char* order) {
+      Words words = more;
+      words.push_back(std::string("Pixel_Order=") + order);
+      return of_bound(run(small, words));
+    };
+    adaptive += hits("adaptive");
+    fixed += hits("strips(4,32)");
+    rows += hits("rows");
+  }
+  EXPECT_GT(adaptive, fixed);
+  EXPECT_GT(fixed, rows);
+}
+
+}  // namespace
+}  // namespace lentray::test
