@@ -15,6 +15,7 @@ constexpr std::array<double, 3> kKeys{5.0, 15.0, 70.0};  ///< tree, neighbourhoo
 constexpr double kDear = 4000.0;  ///< a search beside which no cache's own cost matters
 /// What a cache must promise to save, a part of the searches' cost.
 constexpr double kWorthATrial = 0.10, kWorthIt = 0.03;
+constexpr double kAtALoss = 0.01;     ///< what a cache may cost where nothing is blocked
 constexpr double kRarely = 20.0;      ///< trials of a light that has its cache
 constexpr double kSamplesCost = 4e5;  ///< of searches in a period: beside that samples are little
 
@@ -87,8 +88,8 @@ void AutoTester::next_part(Watch& watch) {
     return;
   }
   ++watch.bursts;
-  const bool dear = watch.searched > kDear * watch.bursts * kBurst;
-  if (watch.mode == Mode::kOff && dear) {
+  const bool dear = !watch.distrusted && watch.searched > kDear * watch.bursts * kBurst;
+  if (watch.mode == Mode::kOff && dear && watch.saved > kWorthATrial * watch.searched) {
     start(watch, Mode::kGrid, false, kLeastPeriod);
   } else if (watch.bursts == kBursts) {
     end_region(watch);
@@ -117,9 +118,10 @@ void AutoTester::end_region(Watch& watch) {
   const std::uint32_t longer = std::min(2 * watch.period, static_cast<std::uint32_t>(longest));
   const bool off = watch.mode == Mode::kOff;
   const bool of_use = saved > (off ? kWorthATrial : 0.0);
-  if (mean > kDear) {
-    start(watch, Mode::kGrid, false, off ? kLeastPeriod : std::min(2 * watch.period, kMostPeriod));
+  if (!off && mean > kDear && !watch.distrusted && saved > -kAtALoss) {
+    start(watch, Mode::kGrid, false, std::min(2 * watch.period, kMostPeriod));
   } else if (!of_use) {
+    watch.distrusted = watch.distrusted || (!off && mean > kDear);
     start(watch, Mode::kOff, false, longer);
   } else if (watch.since_trial >= watch.next_trial) {
     start(watch, Mode::kTree, true, kLeastPeriod);

@@ -51,6 +51,7 @@ class AutoTester final : public core::ShadowTester {
     Mode mode = Mode::kOff;
     bool sampling = true;  ///< those are samples
     bool trial = false;    ///< of `mode`
+    bool distrusted = false;  ///< the cache taken without a trial cost more than it saved
     std::uint32_t period = kLeastPeriod;
     std::uint32_t bursts = 0;          ///< of this region
     double searched = 0.0;             ///< by searches alone
