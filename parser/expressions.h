@@ -49,6 +49,7 @@ class Expressions {
   bool at_string();
   std::string parse_string();
   std::string parse_path();         ///< a file name: backslashes stay
+  void append_string(std::string& text, bool path = false);   ///< the same behind `text`
 
   // expressions_transform.cpp
   std::optional<core::Transform> accept_transform();
@@ -103,7 +104,6 @@ class Expressions {
 
   void trailing_components(Number& colour);
   Number colour_from(Keyword keyword);
-  void append_string(std::string& text, bool path);
   const std::string& literal(const Token& token);
   void append_function(std::string& text, Keyword keyword, bool path);
   std::string one_string(bool path);

@@ -84,25 +84,32 @@ Expressions::NumberFormat Expressions::number_format() {
 
 // As printf's %f. Numbers too long for the buffer come in exponents (%g), as in stock.
 void Expressions::append_number(std::string& text, const NumberFormat& format, double value) {
-  if (format.width == 0 && append_whole(text, value)) {
-    if (format.digits > 0) text.append(1, '.').append(static_cast<std::size_t>(format.digits), '0');
-    return;
-  }
   char digits[256];
+  constexpr int kLongest = 200;
   const auto width = static_cast<std::size_t>(format.width);
+  const auto append = [&](std::string_view number) {
+    const std::size_t missing = width > number.size() ? width - number.size() : 0;
+    if (missing > 0 && format.zeros && number[0] == '-') {
+      text += '-';
+      number.remove_prefix(1);
+    }
+    if (missing > 0) text.append(missing, format.zeros ? '0' : ' ');
+    text += number;
+  };
+  if (format.width < kLongest && format.digits < kLongest) {
+    std::string whole;
+    if (append_whole(whole, value)) {
+      if (format.digits > 0) {
+        whole.append(1, '.').append(static_cast<std::size_t>(format.digits), '0');
+      }
+      return append(whole);
+    }
+  }
   if (std::isfinite(value) && width < sizeof digits) {
     const auto end = std::to_chars(digits, digits + sizeof digits - 1, value,
                                    std::chars_format::fixed, format.digits);
     if (end.ec == std::errc()) {
-      std::string_view number(digits, static_cast<std::size_t>(end.ptr - digits));
-      const std::size_t missing = width > number.size() ? width - number.size() : 0;
-      if (missing > 0 && format.zeros && number[0] == '-') {
-        text += '-';
-        number.remove_prefix(1);
-      }
-      text.append(missing, format.zeros ? '0' : ' ');
-      text += number;
-      return;
+      return append({digits, static_cast<std::size_t>(end.ptr - digits)});
     }
   }
   const auto print = [&](char kind) {

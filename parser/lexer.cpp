@@ -215,15 +215,23 @@ class Lexer {
   }
 
   static double value(std::string_view digits) {
-    // Most numbers are whole and short.
-    constexpr std::size_t kShort = 15;
+    // Most numbers are short: a whole number below 2^53 over a power of ten, both exact, is rounded
+    // once, and so correctly.
+    constexpr std::size_t kShort = 16;   // 15 digits and a point
     if (digits.size() <= kShort) {
+      static constexpr double kPowers[] = {1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                           1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
       std::uint64_t whole = 0;
-      std::size_t i = 0;
-      while (i < digits.size() && is_digit(digits[i])) {
-        whole = whole * 10 + static_cast<std::uint64_t>(digits[i++] - '0');
+      std::size_t i = 0, point = digits.size();
+      for (; i < digits.size(); ++i) {
+        if (is_digit(digits[i])) whole = whole * 10 + static_cast<std::uint64_t>(digits[i] - '0');
+        else if (digits[i] == '.' && point == digits.size()) point = i;
+        else break;
       }
-      if (i == digits.size()) return static_cast<double>(whole);
+      const std::size_t decimals = point < digits.size() ? digits.size() - point - 1 : 0;
+      if (i == digits.size() && whole < (std::uint64_t{1} << 53)) {
+        return decimals ? static_cast<double>(whole) / kPowers[decimals] : static_cast<double>(whole);
+      }
     }
     double number = 0.0;
     const auto result = std::from_chars(digits.data(), digits.data() + digits.size(), number);

@@ -131,7 +131,11 @@ void ScriptFiles::write() {
       tokens.skip();
       write_binary(text, *format);
     } else if (m_in.expressions.at_string()) {
-      text += to_ascii(m_in.expressions.parse_string());
+      const std::size_t start = text.size();
+      m_in.expressions.append_string(text);
+      if (!is_ascii(std::string_view(text).substr(start))) {
+        text.replace(start, text.npos, to_ascii(text.substr(start)));
+      }
     } else if (m_in.expressions.at_expression()) {
       append_value(text, m_in.expressions.parse_additive());
     } else {
@@ -224,6 +228,20 @@ bool ScriptFiles::read_value(ScriptFile& file, Value& value) {
   return true;
 }
 
+// Most are read into names that hold values already, and nothing else: that symbol, its name read.
+Symbol* ScriptFiles::plain_target() {
+  const TokenList* list = nullptr;
+  const Token* name = m_in.tokens.raw(list);
+  if (!name || name->kind != TokenKind::kIdentifier ||
+      (!name[1].is(Punct::kComma) && !name[1].is(Punct::kRightParen))) {
+    return nullptr;
+  }
+  Symbol* symbol = m_in.symbols.find(name->name);
+  if (!symbol || symbol->alias || symbol->extras) return nullptr;
+  m_in.tokens.go_on_at(name + 1);
+  return symbol;
+}
+
 void ScriptFiles::read() {
   TokenReader& tokens = m_in.tokens;
   tokens.expect(Punct::kLeftParen);
@@ -233,6 +251,10 @@ void ScriptFiles::read() {
   bool more = true;
   while (!tokens.accept(Punct::kRightParen)) {
     if (tokens.accept(Punct::kComma)) continue;
+    if (Symbol* plain = plain_target()) {
+      if (more) more = read_value(*in, plain->value);
+      continue;
+    }
     const Token target = tokens.read_name("an identifier to read into");
     const auto array = tokens.element_array();
     const std::size_t index = tokens.element_index();

@@ -12,6 +12,7 @@
 namespace lentray::parser {
 
 struct Interpreter;
+struct Symbol;
 struct BinaryFormat;
 
 struct ScriptFile {
@@ -34,6 +35,7 @@ class ScriptFiles {
   std::shared_ptr<ScriptFile> file(bool closing);
   bool read_value(ScriptFile& file, Value& value);
   double read_number(ScriptFile& file);
+  Symbol* plain_target();
   void write_binary(std::string& text, const BinaryFormat& format);
   Interpreter& m_in;
 };

@@ -18,6 +18,8 @@ std::string encode_character(unsigned code);
 /// With a space for each character that is not ASCII: what stock writes.
 std::string to_ascii(std::string text);
 
+bool is_ascii(std::string_view text);
+
 /// Appends x as printf's %.0f has it, if x is a whole number that an int holds: most are. -0 is not.
 bool append_whole(std::string& text, double x);
 

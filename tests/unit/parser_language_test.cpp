@@ -271,5 +271,26 @@ TEST(UnitParserLexer, PiecesHoldTheSameTokens) {
   EXPECT_GT(count, 5u);
 }
 
+TEST(UnitParserLexer, NumbersAreRoundedCorrectly) {
+  std::uint32_t random = 1;
+  const auto next = [&](std::uint32_t below) { return (random = random * 1664525u + 1013904223u) / 65536u % below; };
+  std::vector<std::string> texts{"0.1", ".3", "1.", "0.000000000000001", "999999999999999.", "9007199254740993",
+                                 "9007199254740992.", "123456789012345.6", "4.35", "1e23", "5e-324", "1e400",
+                                 "0.30000000000000004", "2.2250738585072011e-308"};
+  for (int i = 0; i < 5000; ++i) {
+    std::string text;
+    for (std::uint32_t d = 1 + next(14); d > 0; --d) text += static_cast<char>('0' + next(10));
+    text.insert(next(static_cast<std::uint32_t>(text.size()) + 1), ".");
+    if (text == ".") text = "0.";
+    texts.push_back(text);
+  }
+  for (const std::string& text : texts) {
+    parser::NameTable names;
+    const auto list = parser::tokenise(1, text, names);
+    ASSERT_EQ(list->size(), 1u) << text;
+    EXPECT_EQ(list->tokens[0].number, std::strtod(text.c_str(), nullptr)) << text;
+  }
+}
+
 }  // namespace
 }  // namespace lentray::test
