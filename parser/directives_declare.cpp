@@ -170,7 +170,7 @@ void Directives::undef() {
 Value Directives::parse_rvalue() {
   m_in.guard_stack();
   TokenReader& tokens = m_in.tokens;
-  if (Number n; m_in.expressions.read_raw(RawArithmetic::Level::kAdditive, n)) return stored(n);
+  if (Number n; m_in.expressions.read_raw(RawExpressions::Level::kAdditive, n)) return stored(n);
   const Token first = tokens.peek_operand();
   switch (first.kind) {
     case TokenKind::kNumber: return stored(m_in.expressions.parse_additive());

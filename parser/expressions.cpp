@@ -40,13 +40,21 @@ bool starts_operand(Keyword k) {
 }  // namespace
 
 bool Expressions::allows_raw() const {
-  return m_in.version >= kOperators && m_in.options.raw_arithmetic;
+  return m_in.version >= kOperators && m_in.options.raw_expressions;
 }
 
-bool Expressions::read_raw(RawArithmetic::Level level, Number& n) {
+bool Expressions::read_raw(RawExpressions::Level level, Number& n) {
   const TokenList* list = nullptr;
   const Token* at = m_in.tokens.raw(list);
   if (!at || !allows_raw() || !m_raw.read(*list, at, level, n)) return false;
+  m_in.tokens.go_on_at(at);
+  return true;
+}
+
+bool Expressions::read_raw_string(std::string& text) {
+  const TokenList* list = nullptr;
+  const Token* at = m_in.tokens.raw(list);
+  if (!at || !allows_raw() || !m_raw.read(*list, at, text)) return false;
   m_in.tokens.go_on_at(at);
   return true;
 }
@@ -59,7 +67,7 @@ const Token* Expressions::read_raw_assignment(Number& n) {
     return nullptr;
   }
   const Token* at = name + 2;
-  if (!m_raw.read(*list, at, RawArithmetic::Level::kAdditive, n, Punct::kSemicolon)) return nullptr;
+  if (!m_raw.read(*list, at, RawExpressions::Level::kAdditive, n, Punct::kSemicolon)) return nullptr;
   m_in.tokens.go_on_at(at);
   return name;
 }
@@ -69,7 +77,7 @@ bool Expressions::read_raw_condition(Number& n) {
   const Token* open = m_in.tokens.raw(list);
   if (!open || !allows_raw() || !open->is(Punct::kLeftParen)) return false;
   const Token* at = open + 1;
-  if (!m_raw.read(*list, at, RawArithmetic::Level::kEverything, n, Punct::kRightParen) ||
+  if (!m_raw.read(*list, at, RawExpressions::Level::kEverything, n, Punct::kRightParen) ||
       n.size > 1) {
     return false;
   }
@@ -139,7 +147,7 @@ Number Expressions::parse_number(int min_size, int max_size) {
 }
 
 Number Expressions::parse_expression() {
-  if (Number n; read_raw(RawArithmetic::Level::kEverything, n)) return n;
+  if (Number n; read_raw(RawExpressions::Level::kEverything, n)) return n;
   const Location where = m_in.tokens.peek_operand().where;
   const Number condition = parse_logical();
   if (!m_in.tokens.accept(Punct::kQuestion)) return condition;
@@ -188,7 +196,7 @@ double Expressions::string_comparison() {
 
 Number Expressions::parse_additive() {
   if (m_in.version < kOperators) return parse_factor();
-  if (Number n; read_raw(RawArithmetic::Level::kAdditive, n)) return n;
+  if (Number n; read_raw(RawExpressions::Level::kAdditive, n)) return n;
   Number left = parse_term();
   for (;;) {
     const Token& t = m_in.tokens.peek();

@@ -12,7 +12,8 @@
 
 #include "core/base/transform.h"
 #include "parser/arithmetic.h"
-#include "parser/raw_arithmetic.h"
+#include "parser/number_text.h"
+#include "parser/raw_expressions.h"
 #include "parser/token.h"
 #include "parser/value.h"
 
@@ -67,7 +68,8 @@ class Expressions {
   /// `( EXPRESSION )` of one component, likewise.
   bool read_raw_condition(Number& n);
   /// The expression that comes next, if it can be read straight from the token list.
-  bool read_raw(RawArithmetic::Level level, Number& n);
+  bool read_raw(RawExpressions::Level level, Number& n);
+  bool read_raw_string(std::string& text);   ///< the same, put behind `text`
 
  private:
   bool allows_raw() const;
@@ -107,17 +109,12 @@ class Expressions {
   const std::string& literal(const Token& token);
   void append_function(std::string& text, Keyword keyword, bool path);
   std::string one_string(bool path);
-  struct NumberFormat {
-    int width = 0, digits = 6;
-    bool zeros = false;   ///< in front, instead of spaces
-  };
   NumberFormat number_format();
-  void append_number(std::string& text, const NumberFormat& format, double value);
   core::Transform transform_block();
   core::Matrix matrix_rows();
 
   Interpreter& m_in;
-  RawArithmetic m_raw;
+  RawExpressions m_raw;
   int m_depth = 0;
 };
 

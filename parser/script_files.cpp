@@ -1,11 +1,10 @@
 #include "parser/script_files.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <cstdio>
 
 #include "parser/interpreter.h"
+#include "parser/number_text.h"
 #include "parser/text.h"
 
 namespace lentray::parser {
@@ -37,27 +36,11 @@ const BinaryFormat* binary_format(const Token& t) {
   return found == std::end(kFormats) ? nullptr : found;
 }
 
-// As printf's %g.
-void append_number(std::string& text, double value) {
-  constexpr double kLongest = 1e6;  // from there on it has an exponent
-  if (std::fabs(value) < kLongest && append_whole(text, value)) return;
-  char digits[64];
-  if (std::isfinite(value)) {
-    constexpr int kPrecision = 6;
-    const auto end = std::to_chars(digits, digits + sizeof digits, value,
-                                   std::chars_format::general, kPrecision);
-    text.append(digits, end.ptr);
-  } else {
-    std::snprintf(digits, sizeof digits, "%g", value);
-    text += digits;
-  }
-}
-
 void append_value(std::string& text, const Number& n) {
   if (n.size > 1) text += '<';
   for (int i = 0; i < n.size; ++i) {
     if (i) text += ',';
-    append_number(text, n.v[static_cast<std::size_t>(i)]);
+    append_general(text, n.v[static_cast<std::size_t>(i)]);
   }
   if (n.size > 1) text += "> ";
 }
@@ -125,7 +108,7 @@ void ScriptFiles::write() {
   for (;;) {
     if (tokens.accept(Punct::kComma)) continue;
     if (tokens.accept(Punct::kRightParen)) break;
-    if (Number n; m_in.expressions.read_raw(RawArithmetic::Level::kAdditive, n)) {
+    if (Number n; m_in.expressions.read_raw(RawExpressions::Level::kAdditive, n)) {
       append_value(text, n);
     } else if (const BinaryFormat* format = binary_format(tokens.peek())) {
       tokens.skip();

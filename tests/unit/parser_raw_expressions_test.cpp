@@ -1,4 +1,4 @@
-// RawArithmetic reads the commonest expressions without the grammar: the same values, bit for bit, the
+// RawExpressions reads the commonest expressions without the grammar: the same values, bit for bit, the
 // same messages, and the same random numbers, whatever stands in the way.
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@ namespace {
 
 Parsed read(const std::string& text, bool raw) {
   parser::ParserOptions options;
-  options.raw_arithmetic = raw;
+  options.raw_expressions = raw;
   return parse_text("#version 3.7;\n" + text, {}, options);
 }
 
@@ -92,7 +92,7 @@ const char* const kHead =
     "#declare Vs = array[1] {<3, 2, 1>} #declare Nested = array[2] #declare Nested[1] = array[1] {9}\n"
     "#macro Twice(X) (2*X) #end\n";
 
-TEST(UnitParserRawArithmetic, AgreesWithTheGrammarOnRandomExpressions) {
+TEST(UnitParserRawExpressions, AgreesWithTheGrammarOnRandomExpressions) {
   Expressions make(20261121);
   int succeeded = 0;
   for (int i = 0; i < 400; ++i) {
@@ -111,7 +111,7 @@ TEST(UnitParserRawArithmetic, AgreesWithTheGrammarOnRandomExpressions) {
   EXPECT_GT(succeeded, 100);
 }
 
-TEST(UnitParserRawArithmetic, GivesUpWithoutATrace) {
+TEST(UnitParserRawExpressions, GivesUpWithoutATrace) {
   const std::string head(kHead);
   for (const std::string rest : {
            "#debug str(rand(S) + #if (1) rand(S) #end, 0, -1) #debug str(rand(S), 0, -1)",

@@ -1,25 +1,27 @@
 // Expressions read straight from the token list: the road that most of them can take, several times
-// faster than the grammar's. It knows numbers, vectors, identifiers and array elements that hold
-// them, operators and pure functions. Where anything else stands (a directive, a macro, a call of a
+// faster than the grammar's. It knows numbers, vectors and strings, identifiers and array elements
+// that hold them, operators and pure functions. Where anything else stands (a directive, a macro, a call of a
 // function, the end of a file or macro) or something would have to be said, it gives up without a
 // trace, and the grammar (Expressions) reads the same tokens again. One thread.
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "parser/arithmetic.h"
 #include "parser/lexer.h"
+#include "parser/number_text.h"
 #include "parser/symbols.h"
 
 namespace lentray::parser {
 
 struct Interpreter;
 
-class RawArithmetic {
+class RawExpressions {
  public:
-  explicit RawArithmetic(Interpreter& in) : m_in(in) {}
+  explicit RawExpressions(Interpreter& in) : m_in(in) {}
 
   enum class Level { kAdditive, kEverything };  ///< as Expressions::parse_additive, parse_expression
 
@@ -29,7 +31,12 @@ class RawArithmetic {
   bool read(const TokenList& list, const Token*& first, Level level, Number& value,
             Punct end = Punct::kNone);
 
+  /// The string that begins there, put behind `text`; otherwise likewise.
+  bool read(const TokenList& list, const Token*& first, std::string& text);
+
  private:
+  static constexpr int kDeepest = 100;   ///< brackets and functions, one in the other
+
   bool expression(Number& n);
   bool logical_level(Number& n);
   bool relational(Number& n);
@@ -38,11 +45,21 @@ class RawArithmetic {
   bool factor(Number& n);
   bool primary(Number& n);
   bool vector_literal(Number& n);
+  const Value* identifier_value();
   bool identifier(Number& n);
   bool element(const Value*& value);
   bool keyword(Number& n);
   bool defined(Number& n);
   bool member(Number& n);
+
+  // raw_strings.cpp
+  bool string(std::string& text);
+  bool string_literal(std::string& text);
+  bool string_identifier(std::string& text);
+  bool string_function(Keyword function, std::string& text);
+  bool vector_text(std::string& text);
+  bool part_of_string(std::string& text);
+  bool number_format(NumberFormat& format);
 
   bool is(Punct p) const { return m_at->kind == TokenKind::kPunct && m_at->punct == p; }
   bool accept(Punct p) {
@@ -63,8 +80,12 @@ class RawArithmetic {
   const Token* m_at = nullptr;
   int m_depth = 0;
   /// Of the last expression given up: where it began, and where it could not go on.
-  const Token* m_failed_from = nullptr;
-  const Token* m_failed_at = nullptr;
+  struct Failure {
+    const Token* from = nullptr;
+    const Token* at = nullptr;
+    bool within(const Token* token) const { return token >= from && token <= at; }
+  };
+  Failure m_failed_number, m_failed_string;
   /// Streams of rand() advanced, and their states before.
   std::vector<std::pair<std::size_t, std::uint32_t>> m_random;
 };

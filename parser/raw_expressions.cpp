@@ -1,4 +1,4 @@
-#include "parser/raw_arithmetic.h"
+#include "parser/raw_expressions.h"
 
 #include <algorithm>
 
@@ -7,10 +7,11 @@
 namespace lentray::parser {
 namespace {
 
-constexpr int kDeepest = 100;
-
-/// Whether an operand before this token is the whole expression.
-bool is_alone(const Token& next, Punct end) {
+/// Whether it is an operand by itself, and the whole expression.
+bool is_alone(const Token* operand, Punct end) {
+  // Only these are known to have a token behind them.
+  if (operand->kind != TokenKind::kNumber && operand->kind != TokenKind::kIdentifier) return false;
+  const Token& next = operand[1];
   if (next.kind != TokenKind::kPunct) return false;
   return end == Punct::kNone ? next.punct == Punct::kComma || next.punct == Punct::kRightParen ||
                                    next.punct == Punct::kRightCurly
@@ -19,15 +20,15 @@ bool is_alone(const Token& next, Punct end) {
 
 }  // namespace
 
-bool RawArithmetic::read(const TokenList& list, const Token*& first, Level level, Number& value,
+bool RawExpressions::read(const TokenList& list, const Token*& first, Level level, Number& value,
                          Punct end) {
-  if (is_alone(first[1], end) && operand(*first, value)) {
+  if (is_alone(first, end) && operand(*first, value)) {
     ++first;
     return true;
   }
   if (first->kind == TokenKind::kString) return false;
   // What stopped it once will stop it again.
-  if (first >= m_failed_from && first <= m_failed_at) return false;
+  if (m_failed_number.within(first)) return false;
   m_list = &list;
   m_at = first;
   m_depth = 0;
@@ -37,14 +38,13 @@ bool RawArithmetic::read(const TokenList& list, const Token*& first, Level level
     first = m_at;
     return true;
   }
-  m_failed_from = first;
-  m_failed_at = m_at;
+  m_failed_number = {first, m_at};
   undo_random();
   return false;
 }
 
 // A number, or the name of one.
-bool RawArithmetic::operand(const Token& token, Number& value) const {
+bool RawExpressions::operand(const Token& token, Number& value) const {
   if (token.kind == TokenKind::kNumber) {
     value.v[0] = token.number;
     return true;
@@ -59,21 +59,21 @@ bool RawArithmetic::operand(const Token& token, Number& value) const {
   return number;
 }
 
-void RawArithmetic::undo_random() {
+void RawExpressions::undo_random() {
   for (; !m_random.empty(); m_random.pop_back()) {
     m_in.random[m_random.back().first] = m_random.back().second;
   }
 }
 
 // A directive or a macro might go on with the expression; so might what follows the file or macro.
-bool RawArithmetic::ends_here() const {
+bool RawExpressions::ends_here() const {
   if (m_at->passive) return true;
   if (m_at->kind != TokenKind::kIdentifier) return false;
   Symbol* symbol = m_in.symbols.find(m_at->name);
   return !symbol || !symbol->target().macro();
 }
 
-bool RawArithmetic::expression(Number& n) {
+bool RawExpressions::expression(Number& n) {
   if (!logical_level(n)) return false;
   if (!accept(Punct::kQuestion)) return true;
   if (n.size != 1 || ++m_depth > kDeepest) return false;
@@ -84,7 +84,7 @@ bool RawArithmetic::expression(Number& n) {
   return true;
 }
 
-bool RawArithmetic::logical_level(Number& n) {
+bool RawExpressions::logical_level(Number& n) {
   if (!relational(n)) return false;
   for (;;) {
     const bool both = is(Punct::kAmpersand);
@@ -96,7 +96,7 @@ bool RawArithmetic::logical_level(Number& n) {
   }
 }
 
-bool RawArithmetic::relational(Number& n) {
+bool RawExpressions::relational(Number& n) {
   if (!additive(n)) return false;
   while (m_at->kind == TokenKind::kPunct && is_comparison(m_at->punct)) {
     const Punct op = m_at++->punct;
@@ -107,7 +107,7 @@ bool RawArithmetic::relational(Number& n) {
   return true;
 }
 
-bool RawArithmetic::additive(Number& n) {
+bool RawExpressions::additive(Number& n) {
   if (!term(n)) return false;
   for (;;) {
     const bool plus = is(Punct::kPlus);
@@ -119,7 +119,7 @@ bool RawArithmetic::additive(Number& n) {
   }
 }
 
-bool RawArithmetic::term(Number& n) {
+bool RawExpressions::term(Number& n) {
   if (!factor(n)) return false;
   for (;;) {
     const bool times = is(Punct::kStar);
@@ -132,7 +132,7 @@ bool RawArithmetic::term(Number& n) {
   }
 }
 
-bool RawArithmetic::factor(Number& n) {
+bool RawExpressions::factor(Number& n) {
   if (m_at->kind == TokenKind::kNumber) {
     n.v[0] = m_at->number;
     ++m_at;
@@ -142,7 +142,7 @@ bool RawArithmetic::factor(Number& n) {
   return !is(Punct::kDot) || member(n);
 }
 
-bool RawArithmetic::primary(Number& n) {
+bool RawExpressions::primary(Number& n) {
   switch (m_at->kind) {
     case TokenKind::kNumber:
       n.v[0] = m_at->number;
@@ -181,7 +181,7 @@ bool RawArithmetic::primary(Number& n) {
   return read;
 }
 
-bool RawArithmetic::vector_literal(Number& n) {
+bool RawExpressions::vector_literal(Number& n) {
   const Token& less = *m_at++;
   if (less.name > 0) {
     n.size = static_cast<int>(less.name);
@@ -204,22 +204,28 @@ bool RawArithmetic::vector_literal(Number& n) {
   return true;
 }
 
-bool RawArithmetic::identifier(Number& n) {
+// What the name here, with its subscripts, stands for; null if it cannot be said.
+const Value* RawExpressions::identifier_value() {
   Symbol* visible = m_in.symbols.find(m_at->name);
-  if (!visible) return false;
+  if (!visible) return nullptr;
   Symbol& symbol = visible->target();
-  if (symbol.macro() || symbol.deprecated()) return false;
+  if (symbol.macro() || symbol.deprecated()) return nullptr;
   const Value* value = &symbol.resolve();
   ++m_at;
-  if (is(Punct::kLeftSquare) && !element(value)) return false;
-  const Number* number = std::get_if<Number>(value);
+  if (is(Punct::kLeftSquare) && !element(value)) return nullptr;
+  return value;
+}
+
+bool RawExpressions::identifier(Number& n) {
+  const Value* value = identifier_value();
+  const Number* number = value ? std::get_if<Number>(value) : nullptr;
   if (!number) return false;
   n = *number;
   return true;
 }
 
 // [i][j]... of an array, and of an array that is its element.
-bool RawArithmetic::element(const Value*& value) {
+bool RawExpressions::element(const Value*& value) {
   while (is(Punct::kLeftSquare)) {
     const auto* found = std::get_if<std::shared_ptr<ArrayValue>>(value);
     if (!found) return false;
@@ -239,7 +245,7 @@ bool RawArithmetic::element(const Value*& value) {
   return true;
 }
 
-bool RawArithmetic::member(Number& n) {
+bool RawExpressions::member(Number& n) {
   const Token& name = *++m_at;
   if (name.kind != TokenKind::kKeyword) return false;
   const int i = component_of(name.keyword);
@@ -250,27 +256,27 @@ bool RawArithmetic::member(Number& n) {
 }
 
 // The operand here, if it is the whole argument.
-bool RawArithmetic::lone_operand(Number& n) {
-  if (!is_alone(m_at[1], Punct::kNone) || !operand(*m_at, n)) return false;
+bool RawExpressions::lone_operand(Number& n) {
+  if (!is_alone(m_at, Punct::kNone) || !operand(*m_at, n)) return false;
   ++m_at;
   return true;
 }
 
-bool RawArithmetic::scalar(double& x) {
+bool RawExpressions::scalar(double& x) {
   Number n;
   if ((!lone_operand(n) && !additive(n)) || n.size > 1) return false;
   x = n.v[0];
   return true;
 }
 
-bool RawArithmetic::argument(double& x) {
+bool RawExpressions::argument(double& x) {
   Number n;
   if ((!lone_operand(n) && !expression(n)) || n.size > 1) return false;
   x = n.v[0];
   return true;
 }
 
-bool RawArithmetic::vector(core::Vec3& v) {
+bool RawExpressions::vector(core::Vec3& v) {
   Number n;
   if ((!lone_operand(n) && !additive(n)) || n.size > 3) return false;
   promote(n, 3);
@@ -279,7 +285,7 @@ bool RawArithmetic::vector(core::Vec3& v) {
 }
 
 // Of a name without subscripts.
-bool RawArithmetic::defined(Number& n) {
+bool RawExpressions::defined(Number& n) {
   if (!m_at[1].is(Punct::kLeftParen) || m_at[2].kind != TokenKind::kIdentifier ||
       !m_at[3].is(Punct::kRightParen)) {
     return false;
@@ -290,7 +296,7 @@ bool RawArithmetic::defined(Number& n) {
   return true;
 }
 
-bool RawArithmetic::keyword(Number& n) {
+bool RawExpressions::keyword(Number& n) {
   const Keyword word = m_at->keyword;
   if (unit_vector(word, n)) {
     ++m_at;
