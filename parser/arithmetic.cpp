@@ -101,9 +101,19 @@ bool unit_vector(Keyword keyword, Number& value) {
     case Keyword::kX: value = Number::vector({1, 0, 0}); return true;
     case Keyword::kY: value = Number::vector({0, 1, 0}); return true;
     case Keyword::kZ: value = Number::vector({0, 0, 1}); return true;
-    case Keyword::kT: value = Number{{0, 0, 0, 1, 0}, 4, false}; return true;
-    case Keyword::kU: value = Number{{1, 0, 0, 0, 0}, 2, false}; return true;
-    case Keyword::kV: value = Number{{0, 1, 0, 0, 0}, 2, false}; return true;
+    case Keyword::kT: value = Number{{0, 0, 0, 1, 0}, 4}; return true;
+    case Keyword::kU: value = Number{{1, 0, 0, 0, 0}, 2}; return true;
+    case Keyword::kV: value = Number{{0, 1, 0, 0, 0}, 2}; return true;
+    default: return false;
+  }
+}
+
+bool is_vector_function(Keyword function) {
+  switch (function) {
+    case Keyword::kX: case Keyword::kY: case Keyword::kZ: case Keyword::kT: case Keyword::kU:
+    case Keyword::kV: case Keyword::kVcross: case Keyword::kVnormalize: case Keyword::kVrotate:
+    case Keyword::kVaxisRotate:
+      return true;
     default: return false;
   }
 }

@@ -59,15 +59,42 @@ bool Expressions::read_raw_string(std::string& text) {
   return true;
 }
 
+Expressions::Item Expressions::read_raw_item(Number& n, std::string& text) {
+  const TokenList* list = nullptr;
+  const Token* at = m_in.tokens.raw(list);
+  if (!at || !allows_raw()) return Item::kNone;
+  if (at->is(Punct::kComma)) ++at;
+  Item item = Item::kNone;
+  if (m_raw.read(*list, at, RawExpressions::Level::kAdditive, n)) item = Item::kNumber;
+  else if (m_raw.read(*list, at, text)) item = Item::kString;
+  if (item != Item::kNone) m_in.tokens.go_on_at(at);
+  return item;
+}
+
+// The name of `NAME = ...`, if that is what comes next.
+const Token* Expressions::raw_assignment(const TokenList*& list) const {
+  const Token* name = m_in.tokens.raw(list);
+  const bool assignment = name && allows_raw() && name->kind == TokenKind::kIdentifier &&
+                          name[1].is(Punct::kEqual);
+  return assignment ? name : nullptr;
+}
+
 const Token* Expressions::read_raw_assignment(Number& n) {
   const TokenList* list = nullptr;
-  const Token* name = m_in.tokens.raw(list);
-  if (!name || !allows_raw() || name->kind != TokenKind::kIdentifier ||
-      !name[1].is(Punct::kEqual)) {
-    return nullptr;
-  }
+  const Token* name = raw_assignment(list);
+  if (!name) return nullptr;
   const Token* at = name + 2;
   if (!m_raw.read(*list, at, RawExpressions::Level::kAdditive, n, Punct::kSemicolon)) return nullptr;
+  m_in.tokens.go_on_at(at);
+  return name;
+}
+
+const Token* Expressions::read_raw_assignment(std::string& text) {
+  const TokenList* list = nullptr;
+  const Token* name = raw_assignment(list);
+  if (!name) return nullptr;
+  const Token* at = name + 2;
+  if (!m_raw.read(*list, at, text, Punct::kSemicolon)) return nullptr;
   m_in.tokens.go_on_at(at);
   return name;
 }
@@ -126,13 +153,12 @@ double Expressions::parse_scalar_expression() {
 
 core::Vec3 Expressions::parse_vector() {
   const Location where = operand_location();
-  Number n = parse_additive();
+  const Number n = parse_additive();
   if (n.size > 3) {
     m_in.fail(where, "expected a vector of 3 components but found one of " +
                          std::to_string(n.size) + (n.size == 5 ? " (a colour)" : ""));
   }
-  promote(n, 3);
-  return {n.v[0], n.v[1], n.v[2]};
+  return to_vector(n);
 }
 
 Number Expressions::parse_number(int min_size, int max_size) {
@@ -244,7 +270,8 @@ Number Expressions::primary() {
       if (punct == Punct::kLess) return vector_literal();
       if (punct == Punct::kLeftParen) {
         tokens.skip();
-        const Number n = parse_expression();
+        Number n = parse_expression();
+        n.keeps_rest = false;
         tokens.expect(Punct::kRightParen);
         return n;
       }
@@ -357,7 +384,7 @@ void Expressions::member(Number& n) {
     m_in.fail(name.where, "." + std::string(m_in.names.text(name.name)) + " of something with " +
                               std::to_string(n.size) + (n.size == 1 ? " component" : " components"));
   }
-  n = Number::scalar(n.v[static_cast<std::size_t>(i)]);
+  take_component(n, i);
 }
 
 }  // namespace lentray::parser

@@ -65,14 +65,20 @@ class Expressions {
   /// `NAME = EXPRESSION;`, where it stands so in the token list: the token of the name, and `;` comes
   /// next. Null, and nothing read, if anything else stands there.
   const Token* read_raw_assignment(Number& n);
+  /// The same for a string.
+  const Token* read_raw_assignment(std::string& text);
   /// `( EXPRESSION )` of one component, likewise.
   bool read_raw_condition(Number& n);
   /// The expression that comes next, if it can be read straight from the token list.
   bool read_raw(RawExpressions::Level level, Number& n);
   bool read_raw_string(std::string& text);   ///< the same, put behind `text`
+  /// Either of them, with the comma before it.
+  enum class Item { kNone, kNumber, kString };
+  Item read_raw_item(Number& n, std::string& text);
 
  private:
   bool allows_raw() const;
+  const Token* raw_assignment(const TokenList*& list) const;
   Location operand_location();
   Number parse_logical();
   Number parse_relational();

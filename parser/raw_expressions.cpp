@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "parser/interpreter.h"
+#include "parser/raw_operators.h"
 
 namespace lentray::parser {
 namespace {
@@ -22,7 +23,7 @@ bool is_alone(const Token* operand, Punct end) {
 
 bool RawExpressions::read(const TokenList& list, const Token*& first, Level level, Number& value,
                          Punct end) {
-  if (is_alone(first, end) && operand(*first, value)) {
+  if (is_alone(first, end) && value_of(*first, value)) {
     ++first;
     return true;
   }
@@ -32,7 +33,10 @@ bool RawExpressions::read(const TokenList& list, const Token*& first, Level leve
   m_list = &list;
   m_at = first;
   m_depth = 0;
-  const bool whole = level == Level::kAdditive ? additive(value) : expression(value);
+  // The components that a member leaves behind it are no part of what is stored.
+  const bool members = level == Level::kEverything || end != Punct::kNone;
+  const bool whole = only_floats(level, members, value.v[0]) ||
+                     (level == Level::kAdditive ? additive(value) : expression(value));
   if (whole && (end == Punct::kNone ? ends_here() : is(end))) {
     if (!m_random.empty()) m_random.clear();
     first = m_at;
@@ -44,7 +48,7 @@ bool RawExpressions::read(const TokenList& list, const Token*& first, Level leve
 }
 
 // A number, or the name of one.
-bool RawExpressions::operand(const Token& token, Number& value) const {
+bool RawExpressions::value_of(const Token& token, Number& value) const {
   if (token.kind == TokenKind::kNumber) {
     value.v[0] = token.number;
     return true;
@@ -59,8 +63,8 @@ bool RawExpressions::operand(const Token& token, Number& value) const {
   return number;
 }
 
-void RawExpressions::undo_random() {
-  for (; !m_random.empty(); m_random.pop_back()) {
+void RawExpressions::undo_random(std::size_t kept) {
+  for (; m_random.size() > kept; m_random.pop_back()) {
     m_in.random[m_random.back().first] = m_random.back().second;
   }
 }
@@ -74,7 +78,7 @@ bool RawExpressions::ends_here() const {
 }
 
 bool RawExpressions::expression(Number& n) {
-  if (!logical_level(n)) return false;
+  if (!binary(n, Precedence::kLogical)) return false;
   if (!accept(Punct::kQuestion)) return true;
   if (n.size != 1 || ++m_depth > kDeepest) return false;
   Number yes, no;
@@ -84,55 +88,9 @@ bool RawExpressions::expression(Number& n) {
   return true;
 }
 
-bool RawExpressions::logical_level(Number& n) {
-  if (!relational(n)) return false;
-  for (;;) {
-    const bool both = is(Punct::kAmpersand);
-    if (!both && !is(Punct::kBar)) return true;
-    ++m_at;
-    Number right;
-    if (!relational(right)) return false;
-    logical(n, right, both);
-  }
-}
+bool RawExpressions::additive(Number& n) { return binary(n, Precedence::kSum); }
 
-bool RawExpressions::relational(Number& n) {
-  if (!additive(n)) return false;
-  while (m_at->kind == TokenKind::kPunct && is_comparison(m_at->punct)) {
-    const Punct op = m_at++->punct;
-    Number right;
-    if (!additive(right)) return false;
-    compare(n, right, op);
-  }
-  return true;
-}
-
-bool RawExpressions::additive(Number& n) {
-  if (!term(n)) return false;
-  for (;;) {
-    const bool plus = is(Punct::kPlus);
-    if (!plus && !is(Punct::kMinus)) return true;
-    ++m_at;
-    Number right;
-    if (!term(right)) return false;
-    add(n, right, plus);
-  }
-}
-
-bool RawExpressions::term(Number& n) {
-  if (!factor(n)) return false;
-  for (;;) {
-    const bool times = is(Punct::kStar);
-    if (!times && !is(Punct::kSlash)) return true;
-    ++m_at;
-    Number right;
-    if (!factor(right)) return false;
-    if (times) multiply(n, right);
-    else if (!divide(n, right)) return false;
-  }
-}
-
-bool RawExpressions::factor(Number& n) {
+bool RawExpressions::operand(Number& n) {
   if (m_at->kind == TokenKind::kNumber) {
     n.v[0] = m_at->number;
     ++m_at;
@@ -160,6 +118,7 @@ bool RawExpressions::primary(Number& n) {
     case Punct::kLeftParen:
       ++m_at;
       read = expression(n) && accept(Punct::kRightParen);
+      n.keeps_rest = false;
       break;
     case Punct::kPlus:
       ++m_at;
@@ -167,12 +126,12 @@ bool RawExpressions::primary(Number& n) {
       break;
     case Punct::kMinus:
       ++m_at;
-      read = factor(n);
+      read = operand(n);
       negate(n);
       break;
     case Punct::kExclamation:
       ++m_at;
-      read = factor(n);
+      read = operand(n);
       logical_not(n);
       break;
     default: break;
@@ -190,12 +149,10 @@ bool RawExpressions::vector_literal(Number& n) {
   }
   int size = 0;
   while (!is(Punct::kGreater)) {
-    Number component;
-    if (size == static_cast<int>(n.v.size()) || (!lone_operand(component) && !additive(component)) ||
-        component.size > 1) {
+    if (size == static_cast<int>(n.v.size()) || !scalar(n.v[static_cast<std::size_t>(size)])) {
       return false;
     }
-    n.v[static_cast<std::size_t>(size++)] = component.v[0];
+    ++size;
     accept(Punct::kComma);
   }
   if (size < 2) return false;
@@ -210,13 +167,21 @@ const Value* RawExpressions::identifier_value() {
   if (!visible) return nullptr;
   Symbol& symbol = visible->target();
   if (symbol.macro() || symbol.deprecated()) return nullptr;
-  const Value* value = &symbol.resolve();
+  const Value* value = symbol.extras ? &symbol.resolve() : &symbol.value;
   ++m_at;
   if (is(Punct::kLeftSquare) && !element(value)) return nullptr;
   return value;
 }
 
 bool RawExpressions::identifier(Number& n) {
+  const Symbol* symbol = m_in.symbols.find(m_at->name);
+  if (symbol && !symbol->alias && !symbol->extras) {
+    if (const Number* number = std::get_if<Number>(&symbol->value)) {
+      n = *number;
+      ++m_at;
+      return true;
+    }
+  }
   const Value* value = identifier_value();
   const Number* number = value ? std::get_if<Number>(value) : nullptr;
   if (!number) return false;
@@ -251,18 +216,19 @@ bool RawExpressions::member(Number& n) {
   const int i = component_of(name.keyword);
   if (i < 0 || i >= n.size) return false;
   ++m_at;
-  n = Number::scalar(n.v[static_cast<std::size_t>(i)]);
+  take_component(n, i);
   return true;
 }
 
 // The operand here, if it is the whole argument.
 bool RawExpressions::lone_operand(Number& n) {
-  if (!is_alone(m_at, Punct::kNone) || !operand(*m_at, n)) return false;
+  if (!is_alone(m_at, Punct::kNone) || !value_of(*m_at, n)) return false;
   ++m_at;
   return true;
 }
 
 bool RawExpressions::scalar(double& x) {
+  if (only_floats(Level::kAdditive, true, x)) return true;
   Number n;
   if ((!lone_operand(n) && !additive(n)) || n.size > 1) return false;
   x = n.v[0];
@@ -270,6 +236,7 @@ bool RawExpressions::scalar(double& x) {
 }
 
 bool RawExpressions::argument(double& x) {
+  if (only_floats(Level::kEverything, true, x)) return true;
   Number n;
   if ((!lone_operand(n) && !expression(n)) || n.size > 1) return false;
   x = n.v[0];
@@ -279,8 +246,7 @@ bool RawExpressions::argument(double& x) {
 bool RawExpressions::vector(core::Vec3& v) {
   Number n;
   if ((!lone_operand(n) && !additive(n)) || n.size > 3) return false;
-  promote(n, 3);
-  v = {n.v[0], n.v[1], n.v[2]};
+  v = to_vector(n);
   return true;
 }
 

@@ -19,6 +19,9 @@ namespace lentray::parser {
 
 struct Interpreter;
 
+/// Of operators: what binds closest comes last.
+enum class Precedence : std::uint8_t { kNone, kLogical, kComparison, kSum, kProduct };
+
 class RawExpressions {
  public:
   explicit RawExpressions(Interpreter& in) : m_in(in) {}
@@ -32,17 +35,21 @@ class RawExpressions {
             Punct end = Punct::kNone);
 
   /// The string that begins there, put behind `text`; otherwise likewise.
-  bool read(const TokenList& list, const Token*& first, std::string& text);
+  bool read(const TokenList& list, const Token*& first, std::string& text,
+            Punct end = Punct::kNone);
 
  private:
   static constexpr int kDeepest = 100;   ///< brackets and functions, one in the other
 
-  bool expression(Number& n);
-  bool logical_level(Number& n);
-  bool relational(Number& n);
+  // raw_operators.h
+  template <typename N>
+  bool binary(N& left, Precedence least);
+  template <typename N>
+  bool rest(N& left, Precedence least);
+
   bool additive(Number& n);
-  bool term(Number& n);
-  bool factor(Number& n);
+  bool expression(Number& n);
+  bool operand(Number& n);
   bool primary(Number& n);
   bool vector_literal(Number& n);
   const Value* identifier_value();
@@ -51,6 +58,12 @@ class RawExpressions {
   bool keyword(Number& n);
   bool defined(Number& n);
   bool member(Number& n);
+
+  // raw_scalars.cpp
+  bool only_floats(Level level, bool members, double& x);
+  bool whole(double& x);
+  bool operand(double& x);
+  bool identifier(double& x);
 
   // raw_strings.cpp
   bool string(std::string& text);
@@ -71,14 +84,15 @@ class RawExpressions {
   bool argument(double& x);    ///< everything, one component
   bool vector(core::Vec3& v);  ///< additive, up to three components
   bool ends_here() const;
-  bool operand(const Token& token, Number& value) const;
+  bool value_of(const Token& token, Number& value) const;
   bool lone_operand(Number& n);
-  void undo_random();
+  void undo_random(std::size_t kept = 0);
 
   Interpreter& m_in;
   const TokenList* m_list = nullptr;
   const Token* m_at = nullptr;
   int m_depth = 0;
+  bool m_members = false;   ///< V.x may stand where only floats may
   /// Of the last expression given up: where it began, and where it could not go on.
   struct Failure {
     const Token* from = nullptr;

@@ -5,14 +5,15 @@
 
 namespace lentray::parser {
 
-bool RawExpressions::read(const TokenList& list, const Token*& first, std::string& text) {
+bool RawExpressions::read(const TokenList& list, const Token*& first, std::string& text,
+                          Punct end) {
   if (m_failed_string.within(first)) return false;
   m_list = &list;
   m_at = first;
   m_depth = 0;
   const std::size_t before = text.size();
   // What follows a string can be no part of it, so it may be anything.
-  if (string(text)) {
+  if (string(text) && (end == Punct::kNone || is(end))) {
     if (!m_random.empty()) m_random.clear();
     first = m_at;
     return true;
