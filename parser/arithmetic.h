@@ -137,18 +137,25 @@ inline int component_of(Keyword name) {
 
 // ---- functions ----------------------------------------------------------------------------------
 
+/// What a keyword takes and gives, if a pure function or a constant.
+enum class FunctionKind : std::uint8_t {
+  kNone,
+  kOneFloat,     ///< of one float
+  kTwoFloats,    ///< of two: atan2, div, mod, pow
+  kFold,         ///< of any number, one after the other: min, max, bitwise_and, bitwise_or, bitwise_xor
+  kUnitVector,   ///< x, y, z, t, u, v
+  kVector        ///< the functions whose value is a vector
+};
+FunctionKind function_kind(Keyword function);
+
 /// Of one float. What is not defined for x (in_domain) must not be asked for.
-bool takes_one_float(Keyword function);
 bool in_domain(Keyword function, double x);
 double one_float(Keyword function, double x);
 
-/// Of two floats: atan2, div, mod, pow.
-bool takes_two_floats(Keyword function);
+/// Of two floats.
 bool in_domain(Keyword function, double a, double b);
 double two_floats(Keyword function, double a, double b);
 
-/// Of any number of floats, one after the other: min, max, bitwise_and, bitwise_or, bitwise_xor.
-bool folds(Keyword function);
 double fold(Keyword function, double a, double b);
 
 /// The vectors x, y, z, t, u and v; false if the keyword is none of them.
@@ -159,9 +166,6 @@ core::Vec3 rotated(const core::Vec3& p, const core::Vec3& degrees);
 core::Vec3 rotated_about(const core::Vec3& p, const core::Vec3& axis, double degrees);
 /// vnormalize. A vector too short to be squared is divided by its length 0, as in stock.
 core::Vec3 normalised(const core::Vec3& v);
-
-/// Those whose value is a vector, and the unit vectors.
-bool is_vector_function(Keyword function);
 
 /// One step of a stream of rand(): 0 to 1.
 double next_random(std::uint32_t& state);

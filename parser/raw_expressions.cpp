@@ -107,7 +107,13 @@ bool RawExpressions::primary(Number& n) {
       ++m_at;
       return true;
     case TokenKind::kIdentifier: return identifier(n);
-    case TokenKind::kKeyword: return keyword(n);
+    case TokenKind::kKeyword: {
+      const FunctionKind kind = function_kind(m_at->keyword);
+      if (kind == FunctionKind::kVector) return vector_function(n);
+      if (kind == FunctionKind::kUnitVector) return unit_vector(m_at++->keyword, n);
+      n = {};
+      return float_function(n.v[0]);
+    }
     case TokenKind::kPunct: break;
     default: return false;
   }
@@ -227,107 +233,11 @@ bool RawExpressions::lone_operand(Number& n) {
   return true;
 }
 
-bool RawExpressions::scalar(double& x) {
-  if (only_floats(Level::kAdditive, true, x)) return true;
-  Number n;
-  if ((!lone_operand(n) && !additive(n)) || n.size > 1) return false;
-  x = n.v[0];
-  return true;
-}
-
-bool RawExpressions::argument(double& x) {
-  if (only_floats(Level::kEverything, true, x)) return true;
-  Number n;
-  if ((!lone_operand(n) && !expression(n)) || n.size > 1) return false;
-  x = n.v[0];
-  return true;
-}
-
 bool RawExpressions::vector(core::Vec3& v) {
   Number n;
   if ((!lone_operand(n) && !additive(n)) || n.size > 3) return false;
   v = to_vector(n);
   return true;
-}
-
-// Of a name without subscripts.
-bool RawExpressions::defined(Number& n) {
-  if (!m_at[1].is(Punct::kLeftParen) || m_at[2].kind != TokenKind::kIdentifier ||
-      !m_at[3].is(Punct::kRightParen)) {
-    return false;
-  }
-  Symbol* symbol = m_in.symbols.find(m_at[2].name);
-  n.v[0] = symbol && symbol->is_set();
-  m_at += 4;
-  return true;
-}
-
-bool RawExpressions::keyword(Number& n) {
-  const Keyword word = m_at->keyword;
-  if (unit_vector(word, n)) {
-    ++m_at;
-    return true;
-  }
-  double a = 0.0, b = 0.0;
-  if (m_in.expressions.keyword_float(word, a)) {
-    ++m_at;
-    n = Number::scalar(a);
-    return true;
-  }
-  if (word == Keyword::kDefined) return defined(n);
-  const Token& bracket = m_at[1];  // there is one: a list ends with kEnd
-  if (!bracket.is(Punct::kLeftParen) || ++m_depth > kDeepest) return false;
-  m_at += 2;
-  const auto close = [&](const Number& value) {
-    --m_depth;
-    n = value;
-    return accept(Punct::kRightParen);
-  };
-  if (takes_one_float(word)) {
-    if (!argument(a) || !in_domain(word, a)) return false;
-    return close(Number::scalar(one_float(word, a)));
-  }
-  if (takes_two_floats(word)) {
-    if (!argument(a)) return false;
-    accept(Punct::kComma);
-    if (!argument(b) || !in_domain(word, a, b)) return false;
-    return close(Number::scalar(two_floats(word, a, b)));
-  }
-  if (folds(word)) {
-    if (!argument(a)) return false;
-    while (accept(Punct::kComma)) {
-      if (!argument(b)) return false;
-      a = fold(word, a, b);
-    }
-    return close(Number::scalar(a));
-  }
-  core::Vec3 p, q;
-  switch (word) {
-    case Keyword::kRand: {
-      if (!argument(a)) return false;
-      const auto stream = static_cast<std::size_t>(to_int(a));
-      if (stream >= m_in.random.size()) return false;
-      m_random.emplace_back(stream, m_in.random[stream]);
-      return close(Number::scalar(next_random(m_in.random[stream])));
-    }
-    case Keyword::kVlength:
-      return vector(p) && close(Number::scalar(core::length(p)));
-    case Keyword::kVnormalize:
-      return vector(p) && p != core::Vec3{} && close(Number::vector(normalised(p)));
-    case Keyword::kVdot: case Keyword::kVcross: case Keyword::kVrotate:
-      if (!vector(p)) return false;
-      accept(Punct::kComma);
-      if (!vector(q)) return false;
-      if (word == Keyword::kVdot) return close(Number::scalar(core::dot(p, q)));
-      return close(Number::vector(word == Keyword::kVcross ? core::cross(p, q) : rotated(p, q)));
-    case Keyword::kVaxisRotate:
-      if (!vector(p)) return false;
-      accept(Punct::kComma);
-      if (!vector(q)) return false;
-      accept(Punct::kComma);
-      return scalar(a) && close(Number::vector(rotated_about(p, q, a)));
-    default: return false;
-  }
 }
 
 }  // namespace lentray::parser

@@ -55,8 +55,6 @@ class RawExpressions {
   const Value* identifier_value();
   bool identifier(Number& n);
   bool element(const Value*& value);
-  bool keyword(Number& n);
-  bool defined(Number& n);
   bool member(Number& n);
 
   // raw_scalars.cpp
@@ -64,6 +62,13 @@ class RawExpressions {
   bool whole(double& x);
   bool operand(double& x);
   bool identifier(double& x);
+  bool literal(double& x);
+
+  // raw_functions.cpp
+  bool float_function(double& x);
+  bool float_value(Keyword function, double& x);
+  bool vector_function(Number& n);
+  bool defined(double& x);
 
   // raw_strings.cpp
   bool string(std::string& text);

@@ -65,14 +65,14 @@ inline bool apply(Punct op, Number& left, const Number& right) {
 // An operand and the operators behind it, those that bind at least so closely.
 template <typename N>
 bool RawExpressions::binary(N& left, Precedence least) {
-  return operand(left) && rest(left, least);
+  return operand(left) && (raw::precedence(*m_at) < least || rest(left, least));
 }
 
 template <typename N>
 bool RawExpressions::rest(N& left, Precedence least) {
   for (;;) {
     const Precedence here = raw::precedence(*m_at);
-    if (here == Precedence::kNone || here < least) return true;
+    if (here < least) return true;
     const Punct op = m_at++->punct;
     N right{};
     if (!operand(right)) return false;

@@ -6,6 +6,31 @@
 
 namespace lentray::parser {
 
+// Most arguments are numbers as they stand.
+inline bool RawExpressions::literal(double& x) {
+  if (m_at->kind != TokenKind::kNumber || m_at[1].kind != TokenKind::kPunct) return false;
+  const Punct next = m_at[1].punct;
+  if (next != Punct::kComma && next != Punct::kRightParen && next != Punct::kGreater) return false;
+  x = m_at++->number;
+  return true;
+}
+
+bool RawExpressions::scalar(double& x) {
+  if (literal(x) || only_floats(Level::kAdditive, true, x)) return true;
+  Number n;
+  if (!additive(n) || n.size > 1) return false;
+  x = n.v[0];
+  return true;
+}
+
+bool RawExpressions::argument(double& x) {
+  if (literal(x) || only_floats(Level::kEverything, true, x)) return true;
+  Number n;
+  if (!expression(n) || n.size > 1) return false;
+  x = n.v[0];
+  return true;
+}
+
 // False, and nothing read, if it is not made of floats. Members (V.x) are floats only where
 // `members` says so.
 bool RawExpressions::only_floats(Level level, bool members, double& x) {
@@ -42,13 +67,9 @@ bool RawExpressions::operand(double& x) {
       ++m_at;
       return number->size == 1;
     }
-    case TokenKind::kKeyword: {
-      if (is_vector_function(m_at->keyword)) return false;
-      Number n;
-      if (!keyword(n) || n.size != 1) return false;
-      x = n.v[0];
+    case TokenKind::kKeyword:
+      if (!float_function(x)) return false;
       break;
-    }
     case TokenKind::kPunct:
       if (++m_depth > kDeepest) return false;
       if (accept(Punct::kLeftParen)) {
