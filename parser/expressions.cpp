@@ -130,30 +130,33 @@ bool Expressions::at_expression() {
   }
 }
 
-// Where the next operand stands: where a message about its value points.
-Location Expressions::operand_location() {
+// What comes next, of at most so many components: if there are more, `where` is the
+// place a message points to. It is looked for only then, if the token stands in the list.
+Number Expressions::parse_located(RawExpressions::Level level, int most, Location& where) {
   const TokenList* list = nullptr;
   const Token* raw = m_in.tokens.raw(list);
-  return raw && raw->passive ? raw->where : m_in.tokens.peek_operand().where;
+  Number n;
+  if (raw && read_raw(level, n)) {
+    if (n.size > most) where = raw->where;
+    return n;
+  }
+  where = raw && raw->passive ? raw->where : m_in.tokens.peek_operand().where;
+  return level == RawExpressions::Level::kAdditive ? parse_additive() : parse_expression();
 }
 
-double Expressions::parse_float() {
-  const Location where = operand_location();
-  const Number n = parse_additive();
+double Expressions::parse_one(RawExpressions::Level level) {
+  Location where;
+  const Number n = parse_located(level, 1, where);
   if (n.size > 1) m_in.fail(where, "expected a float but found a vector or colour");
   return n.v[0];
 }
 
-double Expressions::parse_scalar_expression() {
-  const Location where = operand_location();
-  const Number n = parse_expression();
-  if (n.size > 1) m_in.fail(where, "expected a float but found a vector or colour");
-  return n.v[0];
-}
+double Expressions::parse_float() { return parse_one(RawExpressions::Level::kAdditive); }
+double Expressions::parse_scalar_expression() { return parse_one(RawExpressions::Level::kEverything); }
 
 core::Vec3 Expressions::parse_vector() {
-  const Location where = operand_location();
-  const Number n = parse_additive();
+  Location where;
+  const Number n = parse_located(RawExpressions::Level::kAdditive, 3, where);
   if (n.size > 3) {
     m_in.fail(where, "expected a vector of 3 components but found one of " +
                          std::to_string(n.size) + (n.size == 5 ? " (a colour)" : ""));
@@ -162,8 +165,8 @@ core::Vec3 Expressions::parse_vector() {
 }
 
 Number Expressions::parse_number(int min_size, int max_size) {
-  const Location where = operand_location();
-  Number n = parse_additive();
+  Location where;
+  Number n = parse_located(RawExpressions::Level::kAdditive, max_size, where);
   if (n.size > max_size) {
     m_in.fail(where, "expected at most " + std::to_string(max_size) + " components but found " +
                          std::to_string(n.size));

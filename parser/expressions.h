@@ -79,7 +79,8 @@ class Expressions {
  private:
   bool allows_raw() const;
   const Token* raw_assignment(const TokenList*& list) const;
-  Location operand_location();
+  Number parse_located(RawExpressions::Level level, int most, Location& where);
+  double parse_one(RawExpressions::Level level);
   Number parse_logical();
   Number parse_relational();
   Number parse_term();

@@ -8,10 +8,16 @@
 namespace lentray::parser {
 namespace {
 
+/// The one token that stands for a vector of literal numbers.
+bool is_literal_vector(const Token& token) { return token.is(Punct::kLess) && token.name > 0; }
+
 /// Whether it is an operand by itself, and the whole expression.
 bool is_alone(const Token* operand, Punct end) {
   // Only these are known to have a token behind them.
-  if (operand->kind != TokenKind::kNumber && operand->kind != TokenKind::kIdentifier) return false;
+  if (operand->kind != TokenKind::kNumber && operand->kind != TokenKind::kIdentifier &&
+      !is_literal_vector(*operand)) {
+    return false;
+  }
   const Token& next = operand[1];
   if (next.kind != TokenKind::kPunct) return false;
   return end == Punct::kNone ? next.punct == Punct::kComma || next.punct == Punct::kRightParen ||
@@ -23,6 +29,7 @@ bool is_alone(const Token* operand, Punct end) {
 
 bool RawExpressions::read(const TokenList& list, const Token*& first, Level level, Number& value,
                          Punct end) {
+  m_list = &list;
   if (is_alone(first, end) && value_of(*first, value)) {
     ++first;
     return true;
@@ -30,7 +37,6 @@ bool RawExpressions::read(const TokenList& list, const Token*& first, Level leve
   if (first->kind == TokenKind::kString) return false;
   // What stopped it once will stop it again.
   if (m_failed_number.within(first)) return false;
-  m_list = &list;
   m_at = first;
   m_depth = 0;
   // The components that a member leaves behind it are no part of what is stored.
@@ -47,13 +53,16 @@ bool RawExpressions::read(const TokenList& list, const Token*& first, Level leve
   return false;
 }
 
-// A number, or the name of one.
+// Of what is_alone(); false if it is the name of something else.
 bool RawExpressions::value_of(const Token& token, Number& value) const {
   if (token.kind == TokenKind::kNumber) {
     value.v[0] = token.number;
     return true;
   }
-  if (token.kind != TokenKind::kIdentifier) return false;
+  if (token.kind == TokenKind::kPunct) {
+    literal_vector(token, value);
+    return true;
+  }
   Symbol* visible = m_in.symbols.find(token.name);
   if (!visible) return false;
   Symbol& symbol = visible->target();
@@ -146,11 +155,15 @@ bool RawExpressions::primary(Number& n) {
   return read;
 }
 
+void RawExpressions::literal_vector(const Token& token, Number& n) const {
+  n.size = static_cast<int>(token.name);
+  std::copy_n(m_list->components.data() + token.jump, token.name, n.v.data());
+}
+
 bool RawExpressions::vector_literal(Number& n) {
   const Token& less = *m_at++;
-  if (less.name > 0) {
-    n.size = static_cast<int>(less.name);
-    std::copy_n(m_list->components.data() + less.jump, less.name, n.v.data());
+  if (is_literal_vector(less)) {
+    literal_vector(less, n);
     return true;
   }
   int size = 0;

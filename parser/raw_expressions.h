@@ -51,6 +51,7 @@ class RawExpressions {
   bool expression(Number& n);
   bool operand(Number& n);
   bool primary(Number& n);
+  void literal_vector(const Token& token, Number& n) const;
   bool vector_literal(Number& n);
   const Value* identifier_value();
   bool identifier(Number& n);
