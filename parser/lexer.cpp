@@ -393,6 +393,22 @@ class Lexer {
     ++m_pos;
   }
 
+  // Whether what stands at `i` is an operand for sure: `<` is no comparison there.
+  bool expects_operand(std::size_t i) const {
+    if (i == 0) return false;
+    const Token& before = m_tokens[i - 1];
+    if (before.kind == TokenKind::kKeyword) {
+      return !starts_operand(before.keyword) && i > 1 && !m_tokens[i - 2].is(Punct::kDot);
+    }
+    if (before.kind != TokenKind::kPunct) return false;
+    switch (before.punct) {
+      case Punct::kComma: case Punct::kLeftCurly: case Punct::kLeftParen: case Punct::kEqual:
+      case Punct::kPlus: case Punct::kMinus: case Punct::kStar: case Punct::kSlash:
+        return true;
+      default: return false;
+    }
+  }
+
   // At a `>`: if all since the `<` are numbers, and that `<` can only begin a vector, they become
   // one token.
   bool close_vector() {
@@ -411,10 +427,7 @@ class Lexer {
       --at;
     }
     Token& less = m_tokens[at - 1];
-    if (count < 2 || at < 2 || (!m_tokens[at - 2].is(Punct::kComma) &&
-                                !m_tokens[at - 2].is(Punct::kLeftCurly))) {
-      return false;
-    }
+    if (count < 2 || !expects_operand(at - 1)) return false;
     less.name = static_cast<NameId>(count);
     less.jump = m_list.components.size();
     for (std::size_t i = count; i-- > 0;) m_list.components.push_back(values[i]);

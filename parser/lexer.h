@@ -23,7 +23,7 @@ struct TokenList {
   std::size_t size() const { return tokens.size() - 1; }
   const Token* begin() const { return tokens.data(); }
   const Token* end() const { return tokens.data() + size(); }
-  /// Of vectors of literal numbers behind a comma or a brace, of which data are made: `<` is the
+  /// Of vectors of literal numbers where `<` can only begin one, of which data are made: it is the
   /// only token, `jump` says where its components stand here and `name` how many there are.
   std::vector<double, LargePages<double>> components;
 };

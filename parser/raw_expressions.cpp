@@ -39,6 +39,7 @@ bool RawExpressions::read(const TokenList& list, const Token*& first, Level leve
   if (m_failed_number.within(first)) return false;
   m_at = first;
   m_depth = 0;
+  m_operands_left = kMostOperands;
   // The components that a member leaves behind it are no part of what is stored.
   const bool members = level == Level::kEverything || end != Punct::kNone;
   const bool whole = only_floats(level, members, value.v[0]) ||
@@ -100,6 +101,7 @@ bool RawExpressions::expression(Number& n) {
 bool RawExpressions::additive(Number& n) { return binary(n, Precedence::kSum); }
 
 bool RawExpressions::operand(Number& n) {
+  if (--m_operands_left < 0) return false;
   if (m_at->kind == TokenKind::kNumber) {
     n.v[0] = m_at->number;
     ++m_at;

@@ -40,6 +40,7 @@ class RawExpressions {
 
  private:
   static constexpr int kDeepest = 100;   ///< brackets and functions, one in the other
+  static constexpr int kMostOperands = 5000;
 
   // raw_operators.h
   template <typename N>
@@ -98,6 +99,9 @@ class RawExpressions {
   const TokenList* m_list = nullptr;
   const Token* m_at = nullptr;
   int m_depth = 0;
+  /// Operands that may be read yet: some are read as floats and then once more as vectors may be,
+  /// which must not multiply where functions nest. None once it is known that all is in vain.
+  int m_operands_left = 0;
   bool m_members = false;   ///< V.x may stand where only floats may
   /// Of the last expression given up: where it began, and where it could not go on.
   struct Failure {

@@ -18,17 +18,23 @@ inline bool RawExpressions::literal(double& x) {
 bool RawExpressions::scalar(double& x) {
   if (literal(x) || only_floats(Level::kAdditive, true, x)) return true;
   Number n;
-  if (!additive(n) || n.size > 1) return false;
-  x = n.v[0];
-  return true;
+  if (m_operands_left > 0 && additive(n) && n.size == 1) {
+    x = n.v[0];
+    return true;
+  }
+  m_operands_left = 0;
+  return false;
 }
 
 bool RawExpressions::argument(double& x) {
   if (literal(x) || only_floats(Level::kEverything, true, x)) return true;
   Number n;
-  if (!expression(n) || n.size > 1) return false;
-  x = n.v[0];
-  return true;
+  if (m_operands_left > 0 && expression(n) && n.size == 1) {
+    x = n.v[0];
+    return true;
+  }
+  m_operands_left = 0;
+  return false;
 }
 
 // False, and nothing read, if it is not made of floats. Members (V.x) are floats only where
@@ -54,6 +60,7 @@ bool RawExpressions::whole(double& x) {
 }
 
 bool RawExpressions::operand(double& x) {
+  if (--m_operands_left < 0) return false;
   switch (m_at->kind) {
     case TokenKind::kNumber:
       x = m_at++->number;

@@ -11,6 +11,7 @@ bool RawExpressions::read(const TokenList& list, const Token*& first, std::strin
   m_list = &list;
   m_at = first;
   m_depth = 0;
+  m_operands_left = kMostOperands;
   const std::size_t before = text.size();
   // What follows a string can be no part of it, so it may be anything.
   if (string(text) && (end == Punct::kNone || is(end))) {

@@ -136,5 +136,45 @@ TEST(UnitParserRawExpressions, GivesUpWithoutATrace) {
   }
 }
 
+TEST(UnitParserRawExpressions, StringsAgreeWithTheGrammar) {
+  const std::string head = std::string(kHead) +
+      "#declare Text = \"some Text\"; #declare Texts = array[2] {\"one\", \"two\"}\n";
+  for (const std::string rest : {
+           "#debug Text #debug Texts[1] #debug Texts[2]", "#debug Texts[0*1]",
+           "#debug concat(\"a\", str(A, 5, 2), str(B, -8, 3), str(I, 0, -1), \"\\n\")",
+           "#debug concat(Text, vstr(3, V, \", \", 0, 4), vstr(9, <1, 2>, Texts[0], 4, 1), vstr(0, A, \"\", 0, 0))",
+           "#debug concat(chr(65 + mod(I, 26)), chr(955), chr(70000))", "#debug chr(-1)",
+           "#debug substr(Text, 2, 3)", "#debug substr(Text, 0, 3)", "#debug substr(Text, 9, 1)",
+           "#debug concat(strupr(concat(\"x\", Text)), strlwr(Text), Text)",
+           "#debug str(rand(S), 0, -1) #declare L = concat(str(rand(S), 0, -1), Missing);",
+           "#declare L = concat(str(rand(S), 0, -1), \"x\") #debug L #debug str(rand(S), 0, -1)",
+           "#declare L = \"x\" #debug L", "#declare L = Text; #declare L = concat(L, L); #debug L",
+           "#declare Twice = \"x\";", "#declare L = \"\\q\";", "#debug \"caf\303\251\"",
+           "#declare L = concat(\"a\" \"b\", #if (1) \"c\" #end); #debug L",
+           "#macro M(T) #debug concat(T, \"!\") #local T = 1; #end M(Text) M(\"x\")",
+           "#declare L = ", "#declare L = concat(\"a\"", "#debug str(1)", "#debug str(V, 0, 0)"}) {
+    expect_same(head + rest);
+  }
+}
+
+// Read as floats and again as what may be vectors at each level, it would never end.
+TEST(UnitParserRawExpressions, NestedFunctionsDoNotMultiplyTheWork) {
+  for (const std::string inner : {"Missing", "V", "<1, 2>", "(A > 1 ? A : B)"}) {
+    std::string text = inner;
+    for (int i = 0; i < 60; ++i) text = "(sin(" + text + ") + " + inner + ")";
+    expect_same(std::string(kHead) + "#debug str(" + text + ", 0, -1)");
+  }
+}
+
+TEST(UnitParserRawExpressions, AComponentWhereAVectorIsWanted) {
+  const std::string head(kHead);
+  for (const std::string vector : {"V.x", "-V.y", "V.y*2", "2*V.y", "(V.y)", "V.y - 1", "V.y + <1,1,1>",
+                                   "W.t", "<V.y, 1, 1>", "Vs[0].y", "+V.z"}) {
+    expect_same(head + "#debug str(vlength(" + vector + "), 0, -1) #declare K = " + vector +
+                "; #debug str(vlength(K), 0, -1) #debug vstr(3, vnormalize(" + vector +
+                "), \" \", 0, -1)");
+  }
+}
+
 }  // namespace
 }  // namespace lentray::test
