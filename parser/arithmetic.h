@@ -98,7 +98,7 @@ inline void negate(Number& n) {
   for (double& x : n.v) x = -x;
 }
 inline void logical_not(Number& n) {
-  for (double& x : n.v) x = is_true(x) ? 0.0 : 1.0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(n.size); ++i) n.v[i] = is_true(n.v[i]) ? 0.0 : 1.0;
 }
 inline double logical(double a, double b, bool both) {
   return both ? is_true(a) && is_true(b) : is_true(a) || is_true(b);

@@ -107,9 +107,10 @@ int vector_text_size(double wanted) { return std::clamp(to_int(wanted), 2, 5); }
 
 void append_vector(std::string& text, const Number& n, int count, const std::string& separator,
                    const NumberFormat& format) {
+  const int size = n.keeps_rest ? 3 : n.size;
   for (int i = 0; i < count; ++i) {
     if (i) text += separator;
-    append_fixed(text, format, i < n.size ? n.v[static_cast<std::size_t>(i)] : 0.0);
+    append_fixed(text, format, i < size ? n.v[static_cast<std::size_t>(i)] : 0.0);
   }
 }
 
