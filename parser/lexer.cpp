@@ -489,6 +489,7 @@ std::shared_ptr<const TokenList> tokenise(std::uint32_t file, std::string_view t
   // Of a long list nothing is moved; what a reservation does not use is never made by the system.
   constexpr std::size_t kLong = 1 << 20;
   list->tokens.reserve(text.size() / (text.size() > kLong ? 2 : 4) + 1);
+  if (text.size() > kLong) list->components.reserve(text.size() / 4);
   Lexer(text, names, *list).run();
   if (text.size() <= kLong) list->tokens.shrink_to_fit();
   return list;
