@@ -1,6 +1,8 @@
 #include "parser/build/shapes.h"
 
 #include <algorithm>
+#include <map>
+#include <string_view>
 
 #include "core/geometry/bicubic_patch.h"
 #include "core/geometry/blob.h"
@@ -11,6 +13,7 @@
 #include "core/geometry/plane.h"
 #include "core/geometry/height_field.h"
 #include "core/geometry/isosurface.h"
+#include "core/geometry/julia_fractal.h"
 #include "core/geometry/lathe.h"
 #include "core/geometry/ovus.h"
 #include "core/geometry/poly.h"
@@ -57,6 +60,17 @@ core::MeshData mesh_data(const MeshShape& mesh) {
                           indices(face.texture)});
   }
   return data;
+}
+
+core::JuliaFunction julia_function(std::string_view name) {
+  using F = core::JuliaFunction;
+  static const std::map<std::string_view, F> kFunctions{
+      {"sqr", F::kSqr},   {"cube", F::kCube},   {"reciprocal", F::kReciprocal}, {"exp", F::kExp},
+      {"ln", F::kLn},     {"sin", F::kSin},     {"asin", F::kAsin},             {"cos", F::kCos},
+      {"acos", F::kAcos}, {"tan", F::kTan},     {"atan", F::kAtan},             {"sinh", F::kSinh},
+      {"asinh", F::kAsinh}, {"cosh", F::kCosh}, {"acosh", F::kAcosh},           {"tanh", F::kTanh},
+      {"atanh", F::kAtanh}, {"pwr", F::kPwr}};
+  return kFunctions.at(name);
 }
 
 struct ShapeMaker {
@@ -127,6 +141,18 @@ struct ShapeMaker {
     set.max_trace = s.all_intersections ? kMostSurfaces : s.max_trace;
     set.open = s.open;
     return std::make_unique<core::Isosurface>(std::move(set));
+  }
+  ShapePointer operator()(const JuliaFractalShape& s) const {
+    core::JuliaSettings set;
+    set.hypercomplex = s.hypercomplex;
+    set.function = julia_function(s.function);
+    set.parameter = s.parameter;
+    set.slice = s.slice;
+    set.slice_distance = s.slice_distance;
+    set.precision = s.precision;
+    set.max_iteration = std::max(s.max_iteration, 1);
+    set.exponent = s.exponent;
+    return core::make_julia_fractal(set);
   }
   ShapePointer operator()(const LatheShape& s) const {
     return std::make_unique<core::Lathe>(spline_pieces(s.spline, s.points, false));
