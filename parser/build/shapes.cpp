@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <map>
 #include <string_view>
+#include <tuple>
+#include <utility>
 
 #include "core/geometry/bicubic_patch.h"
 #include "core/geometry/blob.h"
@@ -16,6 +18,7 @@
 #include "core/geometry/julia_fractal.h"
 #include "core/geometry/lathe.h"
 #include "core/geometry/ovus.h"
+#include "core/geometry/parametric.h"
 #include "core/geometry/poly.h"
 #include "core/geometry/polygon.h"
 #include "core/geometry/prism.h"
@@ -73,6 +76,15 @@ core::JuliaFunction julia_function(std::string_view name) {
   return kFunctions.at(name);
 }
 
+std::pair<Vec3, Vec3> sorted(const ContainerShape& box) {
+  std::pair<Vec3, Vec3> corners;
+  for (int i = 0; i < 3; ++i) {
+    corners.first[i] = std::min(box.a[i], box.b[i]);
+    corners.second[i] = std::max(box.a[i], box.b[i]);
+  }
+  return corners;
+}
+
 struct ShapeMaker {
   const ObjectDesc& object;
 
@@ -123,10 +135,7 @@ struct ShapeMaker {
     core::IsosurfaceSettings set;
     set.function = s.function->function;
     set.in_sphere = s.container.sphere;
-    for (int i = 0; i < 3; ++i) {
-      set.lo[i] = std::min(s.container.a[i], s.container.b[i]);
-      set.hi[i] = std::max(s.container.a[i], s.container.b[i]);
-    }
+    std::tie(set.lo, set.hi) = sorted(s.container);
     set.centre = s.container.a;
     set.radius = s.container.radius;
     set.threshold = s.threshold;
@@ -169,6 +178,21 @@ struct ShapeMaker {
   }
   ShapePointer operator()(const SphereSweepShape& s) const {
     return std::make_unique<core::SphereSweep>(sweep_pieces(s));
+  }
+  ShapePointer operator()(const ParametricShape& s) const {
+    core::ParametricSettings set;
+    for (std::size_t i = 0; i < 3; ++i) set.functions[i] = s.functions[i]->function;
+    set.lo = s.lo;
+    set.hi = s.hi;
+    set.in_sphere = s.container.sphere;
+    std::tie(set.box_lo, set.box_hi) = sorted(s.container);
+    set.centre = s.container.a;
+    set.radius = s.container.radius;
+    set.accuracy = s.accuracy;
+    set.max_gradient = s.max_gradient;
+    set.precompute_depth = s.precompute_depth;
+    set.precompute = s.precompute;
+    return std::make_unique<core::Parametric>(std::move(set));
   }
   ShapePointer operator()(const PolyShape& s) const {
     const std::string_view name = s.order == 3 ? "cubic" : s.order == 4 ? "quartic" : "poly";
