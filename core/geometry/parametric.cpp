@@ -6,7 +6,8 @@
 namespace lentray::core {
 namespace {
 
-constexpr int kLevels = 12;           ///< of halvings kept
+constexpr int kLevels = 12;           ///< of halvings kept,
+constexpr int kMostLevels = 15;       ///< or as many as are to be precomputed, up to here
 constexpr int kMostHalvings = 96;     ///< in all: then a double's digits are used up
 constexpr double kAlong = 1e-10;      ///< directions below this run along an axis' planes
 constexpr double kEmptyPath = 1e-10;
@@ -86,7 +87,9 @@ Parametric::Range Parametric::range(const Corners& f, const Piece& p) const {
           std::max(hi0, hi1) + beyond(u_size, hi0, hi1) - m_set.accuracy};
 }
 
-Parametric::Parametric(ParametricSettings settings) : m_set(std::move(settings)), m_levels(kLevels) {
+Parametric::Parametric(ParametricSettings settings)
+    : m_set(std::move(settings)),
+      m_levels(std::clamp(m_set.precompute_depth, kLevels, kMostLevels)) {
   if (m_set.lo.u > m_set.hi.u) std::swap(m_set.lo.u, m_set.hi.u);
   if (m_set.lo.v > m_set.hi.v) std::swap(m_set.lo.v, m_set.hi.v);
   const bool precomputes = m_set.precompute[0] || m_set.precompute[1] || m_set.precompute[2];
@@ -212,7 +215,7 @@ struct Parametric::Search {
 };
 
 /// Fills out[0] with the upper half and the next with the lower, of those that the ray passes;
-/// returns how many.
+/// returns how many. The lower is searched first: of pieces at the same time the first counts.
 int Parametric::Search::split(const Entry& e, Entry* out) const {
   Piece pieces[2];
   e.piece.halve(pieces[1], pieces[0]);
@@ -270,7 +273,7 @@ void Parametric::Search::through_kept() {
     Piece piece;
     int level;
   };
-  Place stack[kLevels + 1];
+  Place stack[kMostLevels + 1];
   const Piece whole{surface.m_set.lo.u, surface.m_set.hi.u, surface.m_set.lo.v, surface.m_set.hi.v};
   stack[0] = {1, whole, 1};
   for (int count = 1; count > 0;) {
