@@ -65,7 +65,7 @@ constexpr const char* kOblique = "location <2.2,2.6,-4> look_at <0,.2,0> angle 4
 SceneText scene(const std::string& camera, const std::string& light, const std::string& sdl) {
   return {.sdl = "#version 3.7; #macro LIGHT() " + light + " #end #macro CAMERA() " + camera +
                  " #end\n" + kStage + sdl,
-          .width = 128, .height = 64, .arguments = {}, .files = {}};
+          .width = 64, .height = 32, .arguments = {}, .files = {}};
 }
 
 TEST_P(ImageJulia, Alone) {

@@ -26,7 +26,7 @@ const Case kCases[] = {
                " <0,0>, <pi,2*pi> max_gradient 1 accuracy .005"},
     {"in_sphere", "function { sin(u)*cos(v)*1.3 } function { cos(u) } function { sin(u)*sin(v) }"
                   " <0,0>, <pi,2*pi> contained_by { sphere { <.2,0,0>, 1.1 } } max_gradient 1.5 accuracy .01"},
-    {"precomputed", "function { u*v*sin(10*v) } function { v } function { u*v*cos(10*v) } <0,0>, <1,1>"
+    {"precomputed", "function { u*v*sin(10*v) } function { v } function { u*v*cos(10*v) } <0,.05>, <1,1>"
                     " contained_by { box { -1, 1 } } max_gradient 9 accuracy .005 precompute 12 x, y, z"},
     {"precomputed_partly", "function { cos(u)*(1 + .4*cos(v)) } function { .4*sin(v) }"
                            " function { sin(u)*(1 + .4*cos(v)) } <0,0>, <2*pi,2*pi>"
@@ -42,7 +42,7 @@ const Case kCases[] = {
 class ImageParametric : public ::testing::TestWithParam<Case> {};
 
 ::testing::AssertionResult same(const std::string& sdl, Grade grade) {
-  return same_as_stock({.sdl = kStage + sdl, .width = 100, .height = 75, .arguments = {}, .files = {}},
+  return same_as_stock({.sdl = kStage + sdl, .width = 64, .height = 48, .arguments = {}, .files = {}},
                        grade);
 }
 
