@@ -1,6 +1,8 @@
 #include "parser/arithmetic.h"
 
 #include <algorithm>
+#include <array>
+#include <initializer_list>
 #include <numbers>
 
 #include "core/base/transform.h"
@@ -10,18 +12,35 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
+constexpr std::size_t kKeywords = static_cast<std::size_t>(Keyword::kEndOfKeywords);
+
+constexpr std::array<FunctionKind, kKeywords> function_kinds() {
+  std::array<FunctionKind, kKeywords> kinds{};
+  const auto set = [&kinds](FunctionKind kind, std::initializer_list<Keyword> functions) {
+    for (const Keyword f : functions) kinds[static_cast<std::size_t>(f)] = kind;
+  };
+  set(FunctionKind::kOneFloat,
+      {Keyword::kAbs, Keyword::kAcos, Keyword::kAsin, Keyword::kAtan, Keyword::kCos, Keyword::kSin,
+       Keyword::kTan, Keyword::kCosh, Keyword::kSinh, Keyword::kTanh, Keyword::kAcosh,
+       Keyword::kAsinh, Keyword::kAtanh, Keyword::kCeil, Keyword::kFloor, Keyword::kInt,
+       Keyword::kDegrees, Keyword::kRadians, Keyword::kExp, Keyword::kLn, Keyword::kLog,
+       Keyword::kSqr, Keyword::kSqrt});
+  set(FunctionKind::kTwoFloats, {Keyword::kAtan2, Keyword::kDiv, Keyword::kMod, Keyword::kPow});
+  set(FunctionKind::kFold, {Keyword::kMin, Keyword::kMax, Keyword::kBitwiseAnd, Keyword::kBitwiseOr,
+                            Keyword::kBitwiseXor});
+  set(FunctionKind::kUnitVector,
+      {Keyword::kX, Keyword::kY, Keyword::kZ, Keyword::kT, Keyword::kU, Keyword::kV});
+  set(FunctionKind::kVector, {Keyword::kVcross, Keyword::kVnormalize, Keyword::kVrotate,
+                              Keyword::kVaxisRotate});
+  return kinds;
+}
+
+constexpr auto kFunctionKinds = function_kinds();
+
 }  // namespace
 
-bool takes_one_float(Keyword function) {
-  switch (function) {
-    case Keyword::kAbs: case Keyword::kAcos: case Keyword::kAsin: case Keyword::kAtan:
-    case Keyword::kCos: case Keyword::kSin: case Keyword::kTan: case Keyword::kCosh:
-    case Keyword::kSinh: case Keyword::kTanh: case Keyword::kAcosh: case Keyword::kAsinh:
-    case Keyword::kAtanh: case Keyword::kCeil: case Keyword::kFloor: case Keyword::kInt:
-    case Keyword::kDegrees: case Keyword::kRadians: case Keyword::kExp: case Keyword::kLn:
-    case Keyword::kLog: case Keyword::kSqr: case Keyword::kSqrt: return true;
-    default: return false;
-  }
+FunctionKind function_kind(Keyword function) {
+  return kFunctionKinds[static_cast<std::size_t>(function)];
 }
 
 bool in_domain(Keyword function, double x) {
@@ -61,11 +80,6 @@ double one_float(Keyword function, double x) {
   }
 }
 
-bool takes_two_floats(Keyword function) {
-  return function == Keyword::kAtan2 || function == Keyword::kDiv || function == Keyword::kMod ||
-         function == Keyword::kPow;
-}
-
 bool in_domain(Keyword function, double a, double b) {
   if (function == Keyword::kAtan2) return is_true(a) || is_true(b) || std::isnan(a) || std::isnan(b);
   return function != Keyword::kPow || a != 0.0 || b != 0.0;
@@ -78,12 +92,6 @@ double two_floats(Keyword function, double a, double b) {
     case Keyword::kMod: return std::fmod(a, b);
     default: return std::pow(a, b);
   }
-}
-
-bool folds(Keyword function) {
-  return function == Keyword::kMin || function == Keyword::kMax ||
-         function == Keyword::kBitwiseAnd || function == Keyword::kBitwiseOr ||
-         function == Keyword::kBitwiseXor;
 }
 
 double fold(Keyword function, double a, double b) {
@@ -101,9 +109,9 @@ bool unit_vector(Keyword keyword, Number& value) {
     case Keyword::kX: value = Number::vector({1, 0, 0}); return true;
     case Keyword::kY: value = Number::vector({0, 1, 0}); return true;
     case Keyword::kZ: value = Number::vector({0, 0, 1}); return true;
-    case Keyword::kT: value = Number{{0, 0, 0, 1, 0}, 4, false}; return true;
-    case Keyword::kU: value = Number{{1, 0, 0, 0, 0}, 2, false}; return true;
-    case Keyword::kV: value = Number{{0, 1, 0, 0, 0}, 2, false}; return true;
+    case Keyword::kT: value = Number{{0, 0, 0, 1, 0}, 4}; return true;
+    case Keyword::kU: value = Number{{1, 0, 0, 0, 0}, 2}; return true;
+    case Keyword::kV: value = Number{{0, 1, 0, 0, 0}, 2}; return true;
     default: return false;
   }
 }

@@ -37,8 +37,22 @@ inline void promote_both(Number& a, Number& b) {
   promote(a, b.size);
   promote(b, a.size);
 }
+/// The component i of it (`V.x`) where a float is meant.
+inline void take_component(Number& n, int i) {
+  n.v[0] = n.v[static_cast<std::size_t>(i)];
+  n.size = 1;
+  n.is_colour = false;
+  n.keeps_rest = true;
+}
+/// Where a vector is wanted: `V.x` is <V.x, V.y, V.z> there, as stock has it (measured: not in
+/// parentheses, nor as a right operand, and arithmetic with floats changes the first alone).
+inline core::Vec3 to_vector(Number n) {
+  if (!n.keeps_rest) promote(n, 3);
+  return {n.v[0], n.v[1], n.v[2]};
+}
 /// As stock keeps colours (five components): in single precision.
 inline Number stored(Number n) {
+  n.keeps_rest = false;
   if (n.size != 5) return n;
   n.is_colour = true;
   for (double& x : n.v) x = static_cast<double>(static_cast<float>(x));
@@ -54,6 +68,7 @@ void each(Number& left, Number right, Op op) {
     return;
   }
   promote_both(left, right);
+  left.keeps_rest = false;
   for (std::size_t i = 0; i < static_cast<std::size_t>(left.size); ++i) {
     left.v[i] = op(left.v[i], right.v[i]);
   }
@@ -83,26 +98,29 @@ inline void negate(Number& n) {
   for (double& x : n.v) x = -x;
 }
 inline void logical_not(Number& n) {
-  for (double& x : n.v) x = is_true(x) ? 0.0 : 1.0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(n.size); ++i) n.v[i] = is_true(n.v[i]) ? 0.0 : 1.0;
+}
+inline double logical(double a, double b, bool both) {
+  return both ? is_true(a) && is_true(b) : is_true(a) || is_true(b);
 }
 inline void logical(Number& left, const Number& right, bool both) {
-  if (both) each(left, right, [](double a, double b) { return double(is_true(a) && is_true(b)); });
-  else each(left, right, [](double a, double b) { return double(is_true(a) || is_true(b)); });
+  each(left, right, [both](double a, double b) { return logical(a, b, both); });
 }
 inline bool is_comparison(Punct op) {
   return op >= Punct::kLess && op <= Punct::kEqual;
 }
+inline double compare(double a, double b, Punct op) {
+  switch (op) {
+    case Punct::kLess: return a < b;
+    case Punct::kGreater: return a > b;
+    case Punct::kLessEqual: return a <= b || !is_true(a - b);
+    case Punct::kGreaterEqual: return a >= b || !is_true(a - b);
+    case Punct::kEqual: return !is_true(a - b);
+    default: return is_true(a - b);
+  }
+}
 inline void compare(Number& left, const Number& right, Punct op) {
-  each(left, right, [op](double a, double b) -> double {
-    switch (op) {
-      case Punct::kLess: return a < b;
-      case Punct::kGreater: return a > b;
-      case Punct::kLessEqual: return a <= b || !is_true(a - b);
-      case Punct::kGreaterEqual: return a >= b || !is_true(a - b);
-      case Punct::kEqual: return !is_true(a - b);
-      default: return is_true(a - b);
-    }
-  });
+  each(left, right, [op](double a, double b) { return compare(a, b, op); });
 }
 
 /// Which component `.name` is; -1 if it is none.
@@ -119,18 +137,25 @@ inline int component_of(Keyword name) {
 
 // ---- functions ----------------------------------------------------------------------------------
 
+/// What a keyword takes and gives, if a pure function or a constant.
+enum class FunctionKind : std::uint8_t {
+  kNone,
+  kOneFloat,     ///< of one float
+  kTwoFloats,    ///< of two: atan2, div, mod, pow
+  kFold,         ///< of any number, one after the other: min, max, bitwise_and, bitwise_or, bitwise_xor
+  kUnitVector,   ///< x, y, z, t, u, v
+  kVector        ///< the functions whose value is a vector
+};
+FunctionKind function_kind(Keyword function);
+
 /// Of one float. What is not defined for x (in_domain) must not be asked for.
-bool takes_one_float(Keyword function);
 bool in_domain(Keyword function, double x);
 double one_float(Keyword function, double x);
 
-/// Of two floats: atan2, div, mod, pow.
-bool takes_two_floats(Keyword function);
+/// Of two floats.
 bool in_domain(Keyword function, double a, double b);
 double two_floats(Keyword function, double a, double b);
 
-/// Of any number of floats, one after the other: min, max, bitwise_and, bitwise_or, bitwise_xor.
-bool folds(Keyword function);
 double fold(Keyword function, double a, double b);
 
 /// The vectors x, y, z, t, u and v; false if the keyword is none of them.

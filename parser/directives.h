@@ -74,7 +74,7 @@ class Directives {
 
   // directives_declare.cpp
   void declare(const Token& directive, bool local);
-  bool declare_number(const Token& directive, bool local);
+  bool declare_plain(const Token& directive, bool local);
   void deprecation(std::string& text, bool& once);
   void undef();
   void end_of_declaration(const Value& value, const Location& where);

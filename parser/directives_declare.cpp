@@ -67,9 +67,9 @@ void Directives::deprecation(std::string& text, bool& once) {
                                                        : std::string("deprecated identifier");
 }
 
-// Nearly all declarations: a number for a plain identifier. The expression has no side effects that
-// could reach the symbol.
-bool Directives::declare_number(const Token& directive, bool local) {
+// Nearly all declarations: a number or a string for a plain identifier. The expression has no side
+// effects that could reach the symbol.
+bool Directives::declare_plain(const Token& directive, bool local) {
   const TokenList* list = nullptr;
   const Token* name = m_in.tokens.raw(list);
   if (!name || name->kind != TokenKind::kIdentifier) return false;
@@ -79,9 +79,13 @@ bool Directives::declare_number(const Token& directive, bool local) {
   if (symbol && local && symbol->level != level) symbol = nullptr;
   if (symbol && (!symbol->is_plain() || symbol->file())) return false;
   Number number;
-  if (!m_in.expressions.read_raw_assignment(number)) return false;
+  std::string text;
+  const bool is_number = m_in.expressions.read_raw_assignment(number);
+  if (!is_number && !m_in.expressions.read_raw_assignment(text)) return false;
   if (!symbol) symbol = &m_in.symbols.declare_at(name->name, level);
-  if (Number* held = std::get_if<Number>(&symbol->value)) *held = stored(number);
+  Number* held = std::get_if<Number>(&symbol->value);
+  if (!is_number) symbol->value = std::move(text);
+  else if (held) *held = stored(number);
   else symbol->value = stored(number);
   end_of_declaration(symbol->value, directive.where);
   return true;
@@ -91,7 +95,7 @@ bool Directives::declare_number(const Token& directive, bool local) {
 // the same name, and may not have ended when the value is complete. An array element is held by its
 // array.
 void Directives::declare(const Token& directive, bool local) {
-  if (declare_number(directive, local)) return;
+  if (declare_plain(directive, local)) return;
   TokenReader& tokens = m_in.tokens;
   std::string deprecated;
   bool once = false;
@@ -170,23 +174,8 @@ void Directives::undef() {
 Value Directives::parse_rvalue() {
   m_in.guard_stack();
   TokenReader& tokens = m_in.tokens;
-  if (Number n; m_in.expressions.read_raw(RawArithmetic::Level::kAdditive, n)) return stored(n);
+  if (Number n; m_in.expressions.read_raw(RawExpressions::Level::kAdditive, n)) return stored(n);
   const Token first = tokens.peek_operand();
-  switch (first.kind) {
-    case TokenKind::kNumber: return stored(m_in.expressions.parse_additive());
-    case TokenKind::kString: return m_in.expressions.parse_string();
-    case TokenKind::kPunct:
-      if (m_in.expressions.at_expression()) return stored(m_in.expressions.parse_additive());
-      break;
-    case TokenKind::kIdentifier: {
-      const Value* value = tokens.value();
-      if (value && std::holds_alternative<Number>(*value)) {
-        return stored(m_in.expressions.parse_additive());
-      }
-      break;
-    }
-    default: break;
-  }
   if (first.is(Keyword::kArray)) {
     tokens.skip();
     return array_value();
@@ -206,6 +195,7 @@ Value Directives::parse_rvalue() {
   if (m_in.expressions.at_string()) return m_in.expressions.parse_string();
   if (m_in.expressions.at_colour_keyword()) return m_in.expressions.parse_colour();
   if (Value* value = tokens.value()) {
+    if (std::holds_alternative<Number>(*value)) return stored(m_in.expressions.parse_additive());
     const bool callable = std::holds_alternative<Ref<FunctionDesc>>(*value) ||
                           std::holds_alternative<Ref<SplineDesc>>(*value);
     const Token* after = tokens.following();

@@ -64,7 +64,7 @@ SymbolPtr Directives::argument(const Macro& macro, std::size_t index) {
     if (!macro.parameters[index].optional) wrong_number();
     return nullptr;
   }
-  auto made = std::make_shared<Symbol>();
+  auto made = make_symbol();
   const Token* after = tokens.following();
   const bool alone = after && (after->is(Punct::kComma) || after->is(Punct::kRightParen));
   if (first.kind == TokenKind::kIdentifier && alone) {
@@ -90,7 +90,11 @@ SymbolPtr Directives::argument(const Macro& macro, std::size_t index) {
     tokens.skip();
     return made;
   }
-  made->value = parse_rvalue();
+  if (Number n; m_in.expressions.read_raw(RawExpressions::Level::kAdditive, n)) {
+    made->value = stored(n);
+  } else {
+    made->value = parse_rvalue();
+  }
   return made;
 }
 

@@ -12,38 +12,13 @@ constexpr std::size_t kComponents = 5;
 // The first dialect had no operators.
 constexpr int kOperators = 150;
 
-bool starts_operand(Keyword k) {
-  switch (k) {
-    case Keyword::kAbs: case Keyword::kAcos: case Keyword::kAcosh: case Keyword::kAsc:
-    case Keyword::kAsin: case Keyword::kAsinh: case Keyword::kAtan: case Keyword::kAtan2:
-    case Keyword::kAtanh: case Keyword::kBitwiseAnd: case Keyword::kBitwiseOr:
-    case Keyword::kBitwiseXor: case Keyword::kCeil: case Keyword::kClock: case Keyword::kClockOn:
-    case Keyword::kCos: case Keyword::kCosh: case Keyword::kDefined: case Keyword::kDegrees:
-    case Keyword::kDimensionSize: case Keyword::kDimensions: case Keyword::kDiv: case Keyword::kExp:
-    case Keyword::kFalse: case Keyword::kFileExists: case Keyword::kFloor: case Keyword::kInside:
-    case Keyword::kInt: case Keyword::kLn: case Keyword::kLog: case Keyword::kMax:
-    case Keyword::kMaxExtent: case Keyword::kMin: case Keyword::kMinExtent: case Keyword::kMod:
-    case Keyword::kNo: case Keyword::kNow: case Keyword::kOff: case Keyword::kOn: case Keyword::kPi:
-    case Keyword::kPow: case Keyword::kRadians: case Keyword::kRand: case Keyword::kSeed:
-    case Keyword::kSelect: case Keyword::kSin: case Keyword::kSinh: case Keyword::kSqr:
-    case Keyword::kSqrt: case Keyword::kStrcmp: case Keyword::kStrlen: case Keyword::kT:
-    case Keyword::kTan: case Keyword::kTanh: case Keyword::kTrace: case Keyword::kTrue:
-    case Keyword::kU: case Keyword::kV: case Keyword::kVal: case Keyword::kVaxisRotate:
-    case Keyword::kVcross: case Keyword::kVdot: case Keyword::kVersion: case Keyword::kVlength:
-    case Keyword::kVnormalize: case Keyword::kVrotate: case Keyword::kVturbulence: case Keyword::kX:
-    case Keyword::kY: case Keyword::kYes: case Keyword::kZ:
-      return true;
-    default: return false;
-  }
-}
-
 }  // namespace
 
 bool Expressions::allows_raw() const {
-  return m_in.version >= kOperators && m_in.options.raw_arithmetic;
+  return m_in.version >= kOperators && m_in.options.raw_expressions;
 }
 
-bool Expressions::read_raw(RawArithmetic::Level level, Number& n) {
+bool Expressions::read_raw(RawExpressions::Level level, Number& n) {
   const TokenList* list = nullptr;
   const Token* at = m_in.tokens.raw(list);
   if (!at || !allows_raw() || !m_raw.read(*list, at, level, n)) return false;
@@ -51,15 +26,50 @@ bool Expressions::read_raw(RawArithmetic::Level level, Number& n) {
   return true;
 }
 
+bool Expressions::read_raw_string(std::string& text) {
+  const TokenList* list = nullptr;
+  const Token* at = m_in.tokens.raw(list);
+  if (!at || !allows_raw() || !m_raw.read(*list, at, text)) return false;
+  m_in.tokens.go_on_at(at);
+  return true;
+}
+
+Expressions::Item Expressions::read_raw_item(Number& n, std::string& text) {
+  const TokenList* list = nullptr;
+  const Token* at = m_in.tokens.raw(list);
+  if (!at || !allows_raw()) return Item::kNone;
+  if (at->is(Punct::kComma)) ++at;
+  Item item = Item::kNone;
+  if (m_raw.read(*list, at, RawExpressions::Level::kAdditive, n)) item = Item::kNumber;
+  else if (m_raw.read(*list, at, text)) item = Item::kString;
+  if (item != Item::kNone) m_in.tokens.go_on_at(at);
+  return item;
+}
+
+// The name of `NAME = ...`, if that is what comes next.
+const Token* Expressions::raw_assignment(const TokenList*& list) const {
+  const Token* name = m_in.tokens.raw(list);
+  const bool assignment = name && allows_raw() && name->kind == TokenKind::kIdentifier &&
+                          name[1].is(Punct::kEqual);
+  return assignment ? name : nullptr;
+}
+
 const Token* Expressions::read_raw_assignment(Number& n) {
   const TokenList* list = nullptr;
-  const Token* name = m_in.tokens.raw(list);
-  if (!name || !allows_raw() || name->kind != TokenKind::kIdentifier ||
-      !name[1].is(Punct::kEqual)) {
-    return nullptr;
-  }
+  const Token* name = raw_assignment(list);
+  if (!name) return nullptr;
   const Token* at = name + 2;
-  if (!m_raw.read(*list, at, RawArithmetic::Level::kAdditive, n, Punct::kSemicolon)) return nullptr;
+  if (!m_raw.read(*list, at, RawExpressions::Level::kAdditive, n, Punct::kSemicolon)) return nullptr;
+  m_in.tokens.go_on_at(at);
+  return name;
+}
+
+const Token* Expressions::read_raw_assignment(std::string& text) {
+  const TokenList* list = nullptr;
+  const Token* name = raw_assignment(list);
+  if (!name) return nullptr;
+  const Token* at = name + 2;
+  if (!m_raw.read(*list, at, text, Punct::kSemicolon)) return nullptr;
   m_in.tokens.go_on_at(at);
   return name;
 }
@@ -69,7 +79,7 @@ bool Expressions::read_raw_condition(Number& n) {
   const Token* open = m_in.tokens.raw(list);
   if (!open || !allows_raw() || !open->is(Punct::kLeftParen)) return false;
   const Token* at = open + 1;
-  if (!m_raw.read(*list, at, RawArithmetic::Level::kEverything, n, Punct::kRightParen) ||
+  if (!m_raw.read(*list, at, RawExpressions::Level::kEverything, n, Punct::kRightParen) ||
       n.size > 1) {
     return false;
   }
@@ -95,41 +105,43 @@ bool Expressions::at_expression() {
   }
 }
 
-// Where the next operand stands: where a message about its value points.
-Location Expressions::operand_location() {
+// What comes next, of at most so many components: if there are more, `where` is the
+// place a message points to. It is looked for only then, if the token stands in the list.
+Number Expressions::parse_located(RawExpressions::Level level, int most, Location& where) {
   const TokenList* list = nullptr;
   const Token* raw = m_in.tokens.raw(list);
-  return raw && raw->passive ? raw->where : m_in.tokens.peek_operand().where;
+  Number n;
+  if (raw && read_raw(level, n)) {
+    if (n.size > most) where = raw->where;
+    return n;
+  }
+  where = raw && raw->passive ? raw->where : m_in.tokens.peek_operand().where;
+  return level == RawExpressions::Level::kAdditive ? parse_additive() : parse_expression();
 }
 
-double Expressions::parse_float() {
-  const Location where = operand_location();
-  const Number n = parse_additive();
+double Expressions::parse_one(RawExpressions::Level level) {
+  Location where;
+  const Number n = parse_located(level, 1, where);
   if (n.size > 1) m_in.fail(where, "expected a float but found a vector or colour");
   return n.v[0];
 }
 
-double Expressions::parse_scalar_expression() {
-  const Location where = operand_location();
-  const Number n = parse_expression();
-  if (n.size > 1) m_in.fail(where, "expected a float but found a vector or colour");
-  return n.v[0];
-}
+double Expressions::parse_float() { return parse_one(RawExpressions::Level::kAdditive); }
+double Expressions::parse_scalar_expression() { return parse_one(RawExpressions::Level::kEverything); }
 
 core::Vec3 Expressions::parse_vector() {
-  const Location where = operand_location();
-  Number n = parse_additive();
+  Location where;
+  const Number n = parse_located(RawExpressions::Level::kAdditive, 3, where);
   if (n.size > 3) {
     m_in.fail(where, "expected a vector of 3 components but found one of " +
                          std::to_string(n.size) + (n.size == 5 ? " (a colour)" : ""));
   }
-  promote(n, 3);
-  return {n.v[0], n.v[1], n.v[2]};
+  return to_vector(n);
 }
 
 Number Expressions::parse_number(int min_size, int max_size) {
-  const Location where = operand_location();
-  Number n = parse_additive();
+  Location where;
+  Number n = parse_located(RawExpressions::Level::kAdditive, max_size, where);
   if (n.size > max_size) {
     m_in.fail(where, "expected at most " + std::to_string(max_size) + " components but found " +
                          std::to_string(n.size));
@@ -139,7 +151,7 @@ Number Expressions::parse_number(int min_size, int max_size) {
 }
 
 Number Expressions::parse_expression() {
-  if (Number n; read_raw(RawArithmetic::Level::kEverything, n)) return n;
+  if (Number n; read_raw(RawExpressions::Level::kEverything, n)) return n;
   const Location where = m_in.tokens.peek_operand().where;
   const Number condition = parse_logical();
   if (!m_in.tokens.accept(Punct::kQuestion)) return condition;
@@ -188,7 +200,7 @@ double Expressions::string_comparison() {
 
 Number Expressions::parse_additive() {
   if (m_in.version < kOperators) return parse_factor();
-  if (Number n; read_raw(RawArithmetic::Level::kAdditive, n)) return n;
+  if (Number n; read_raw(RawExpressions::Level::kAdditive, n)) return n;
   Number left = parse_term();
   for (;;) {
     const Token& t = m_in.tokens.peek();
@@ -236,7 +248,8 @@ Number Expressions::primary() {
       if (punct == Punct::kLess) return vector_literal();
       if (punct == Punct::kLeftParen) {
         tokens.skip();
-        const Number n = parse_expression();
+        Number n = parse_expression();
+        n.keeps_rest = false;
         tokens.expect(Punct::kRightParen);
         return n;
       }
@@ -349,7 +362,7 @@ void Expressions::member(Number& n) {
     m_in.fail(name.where, "." + std::string(m_in.names.text(name.name)) + " of something with " +
                               std::to_string(n.size) + (n.size == 1 ? " component" : " components"));
   }
-  n = Number::scalar(n.v[static_cast<std::size_t>(i)]);
+  take_component(n, i);
 }
 
 }  // namespace lentray::parser

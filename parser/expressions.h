@@ -12,7 +12,8 @@
 
 #include "core/base/transform.h"
 #include "parser/arithmetic.h"
-#include "parser/raw_arithmetic.h"
+#include "parser/number_text.h"
+#include "parser/raw_expressions.h"
 #include "parser/token.h"
 #include "parser/value.h"
 
@@ -64,14 +65,22 @@ class Expressions {
   /// `NAME = EXPRESSION;`, where it stands so in the token list: the token of the name, and `;` comes
   /// next. Null, and nothing read, if anything else stands there.
   const Token* read_raw_assignment(Number& n);
+  /// The same for a string.
+  const Token* read_raw_assignment(std::string& text);
   /// `( EXPRESSION )` of one component, likewise.
   bool read_raw_condition(Number& n);
   /// The expression that comes next, if it can be read straight from the token list.
-  bool read_raw(RawArithmetic::Level level, Number& n);
+  bool read_raw(RawExpressions::Level level, Number& n);
+  bool read_raw_string(std::string& text);   ///< the same, put behind `text`
+  /// Either of them, with the comma before it.
+  enum class Item { kNone, kNumber, kString };
+  Item read_raw_item(Number& n, std::string& text);
 
  private:
   bool allows_raw() const;
-  Location operand_location();
+  const Token* raw_assignment(const TokenList*& list) const;
+  Number parse_located(RawExpressions::Level level, int most, Location& where);
+  double parse_one(RawExpressions::Level level);
   Number parse_logical();
   Number parse_relational();
   Number parse_term();
@@ -107,17 +116,12 @@ class Expressions {
   const std::string& literal(const Token& token);
   void append_function(std::string& text, Keyword keyword, bool path);
   std::string one_string(bool path);
-  struct NumberFormat {
-    int width = 0, digits = 6;
-    bool zeros = false;   ///< in front, instead of spaces
-  };
   NumberFormat number_format();
-  void append_number(std::string& text, const NumberFormat& format, double value);
   core::Transform transform_block();
   core::Matrix matrix_rows();
 
   Interpreter& m_in;
-  RawArithmetic m_raw;
+  RawExpressions m_raw;
   int m_depth = 0;
 };
 

@@ -58,8 +58,8 @@ Number Expressions::colour_from(Keyword keyword) {
   const bool srgb = keyword == Keyword::kSrgb || keyword == Keyword::kSrgbf ||
                     keyword == Keyword::kSrgbt || keyword == Keyword::kSrgbft;
   const int size = both ? 5 : filter || transmit ? 4 : 3;
-  const Location where = m_in.tokens.peek_operand().where;
-  Number n = parse_expression();
+  Location where;
+  Number n = parse_located(RawExpressions::Level::kEverything, size, where);
   if (n.size > size) {
     m_in.warn(where, "more components than the colour keyword before them takes");
   }

@@ -114,13 +114,14 @@ void Expressions::outside_domain(Keyword function, double x, const Location& whe
 // After the keyword. False if it is no float function.
 bool Expressions::float_function(Keyword keyword, double& value) {
   const Location where = m_in.tokens.location();
-  if (takes_one_float(keyword)) {
+  const FunctionKind kind = function_kind(keyword);
+  if (kind == FunctionKind::kOneFloat) {
     const double x = float_argument();
     if (!in_domain(keyword, x)) outside_domain(keyword, x, where);
     value = one_float(keyword, x);
     return true;
   }
-  if (takes_two_floats(keyword)) {
+  if (kind == FunctionKind::kTwoFloats) {
     const auto [a, b] = two_floats();
     if (!in_domain(keyword, a, b)) {
       m_in.fail(where, std::string(spelling(keyword)) + "(0, 0) is not defined");
@@ -128,7 +129,7 @@ bool Expressions::float_function(Keyword keyword, double& value) {
     value = parser::two_floats(keyword, a, b);
     return true;
   }
-  if (folds(keyword)) {
+  if (kind == FunctionKind::kFold) {
     value = folded(keyword);
     return true;
   }

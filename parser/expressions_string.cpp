@@ -1,8 +1,5 @@
 // String expressions. Strings are bytes; what counts characters takes them for UTF-8.
-#include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <cstdlib>
 #include <ctime>
 
 #include "parser/interpreter.h"
@@ -39,6 +36,7 @@ std::string Expressions::one_string(bool path) {
 }
 
 void Expressions::append_string(std::string& text, bool path) {
+  if (!path && read_raw_string(text)) return;
   m_in.guard_stack();
   TokenReader& tokens = m_in.tokens;
   const Token t = tokens.peek_operand();
@@ -71,54 +69,11 @@ const std::string& Expressions::literal(const Token& t) {
 }
 
 // What a number is printed with: width (negative: zeros in front) and digits, as str() takes them.
-Expressions::NumberFormat Expressions::number_format() {
+NumberFormat Expressions::number_format() {
   m_in.tokens.comma();
-  // Longer than any text they are printed into is as good as longest.
-  constexpr double kLongest = 1000.0;
-  const int width = to_int(std::clamp(parse_float(), -kLongest, kLongest));
+  const double width = parse_float();
   m_in.tokens.comma();
-  const int digits = to_int(std::clamp(parse_float(), -1.0, kLongest));
-  constexpr int kUsual = 6;
-  return {std::abs(width), digits < 0 ? kUsual : digits, width < 0};
-}
-
-// As printf's %f. Numbers too long for the buffer come in exponents (%g), as in stock.
-void Expressions::append_number(std::string& text, const NumberFormat& format, double value) {
-  char digits[256];
-  constexpr int kLongest = 200;
-  const auto width = static_cast<std::size_t>(format.width);
-  const auto append = [&](std::string_view number) {
-    const std::size_t missing = width > number.size() ? width - number.size() : 0;
-    if (missing > 0 && format.zeros && number[0] == '-') {
-      text += '-';
-      number.remove_prefix(1);
-    }
-    if (missing > 0) text.append(missing, format.zeros ? '0' : ' ');
-    text += number;
-  };
-  if (format.width < kLongest && format.digits < kLongest) {
-    std::string whole;
-    if (append_whole(whole, value)) {
-      if (format.digits > 0) {
-        whole.append(1, '.').append(static_cast<std::size_t>(format.digits), '0');
-      }
-      return append(whole);
-    }
-  }
-  if (std::isfinite(value) && width < sizeof digits) {
-    const auto end = std::to_chars(digits, digits + sizeof digits - 1, value,
-                                   std::chars_format::fixed, format.digits);
-    if (end.ec == std::errc()) {
-      return append({digits, static_cast<std::size_t>(end.ptr - digits)});
-    }
-  }
-  const auto print = [&](char kind) {
-    const std::string how = std::string(format.zeros ? "%0*.*" : "%*.*") + kind;
-    return std::snprintf(digits, sizeof digits, how.c_str(), format.width, format.digits, value);
-  };
-  const int length = print('f');
-  if (length < 0 || length >= static_cast<int>(sizeof digits)) print('g');
-  text += digits;
+  return number_format_of(width, parse_float());
 }
 
 // Of a string function, `(` consumed; its text is put behind `text`.
@@ -128,21 +83,17 @@ void Expressions::append_function(std::string& text, Keyword keyword, bool path)
   switch (keyword) {
     case Keyword::kStr: {
       const double value = parse_scalar_expression();
-      append_number(text, number_format(), value);
+      append_fixed(text, number_format(), value);
       return;
     }
     case Keyword::kVstr: {
-      const int count = std::clamp(to_int(parse_float()), 2, 5);
+      const int count = vector_text_size(parse_float());
       tokens.comma();
       const Number n = parse_additive();
       tokens.comma();
       const std::string separator = one_string(path);
       const NumberFormat format = number_format();
-      for (int i = 0; i < count; ++i) {
-        const double value = i < n.size ? n.v[static_cast<std::size_t>(i)] : 0.0;
-        if (i) text += separator;
-        append_number(text, format, value);
-      }
+      append_vector(text, n, count, separator, format);
       return;
     }
     case Keyword::kConcat: {
@@ -160,7 +111,7 @@ void Expressions::append_function(std::string& text, Keyword keyword, bool path)
     }
     case Keyword::kChr: {
       const double code = parse_scalar_expression();
-      if (!(code >= 0.0 && code < 65536.0)) {
+      if (!is_character(code)) {
         m_in.fail(where, "chr() takes 0 to 65535, not " + std::to_string(code));
       }
       text += encode_character(static_cast<unsigned>(code));
@@ -169,26 +120,20 @@ void Expressions::append_function(std::string& text, Keyword keyword, bool path)
     case Keyword::kSubstr: {
       const std::string whole = one_string(path);
       tokens.comma();
-      const double first = std::trunc(parse_float());
+      const double first = parse_float();
       tokens.comma();
-      const double count = std::trunc(parse_float());
-      const std::size_t length = count_characters(whole);
-      if (!(first >= 1.0 && count >= 0.0 && first + count - 1.0 <= static_cast<double>(length))) {
+      const double count = parse_float();
+      if (!append_substring(text, whole, first, count)) {
         m_in.fail(where, "substr() of " + std::to_string(to_int(count)) + " characters from " +
                              std::to_string(to_int(first)) + " in a string of " +
-                             std::to_string(length));
+                             std::to_string(count_characters(whole)));
       }
-      text += substring(whole, static_cast<std::size_t>(first - 1), static_cast<std::size_t>(count));
       return;
     }
     case Keyword::kStrupr: case Keyword::kStrlwr: {
       const std::size_t start = text.size();
       append_string(text, path);
-      for (std::size_t i = start; i < text.size(); ++i) {
-        char& c = text[i];
-        if (keyword == Keyword::kStrupr && c >= 'a' && c <= 'z') c = static_cast<char>(c - 32);
-        if (keyword == Keyword::kStrlwr && c >= 'A' && c <= 'Z') c = static_cast<char>(c + 32);
-      }
+      change_case(text, start, keyword == Keyword::kStrupr);
       return;
     }
     default: {  // datetime (days since 2000 [, format])

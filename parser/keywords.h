@@ -17,6 +17,9 @@ std::string_view spelling(Punct punct);
 /// The keyword of a word, other spellings (colour, grey ...) included; kNone if it is not reserved.
 Keyword find_keyword(std::string_view word);
 
+/// A number, a vector or a function that gives one begins with it.
+bool starts_operand(Keyword keyword);
+
 /// A second spelling of a keyword.
 struct KeywordAlias {
   std::string_view word;

@@ -93,7 +93,47 @@ class Lexer {
     return any;
   }
 
+  /// The next value, if it and the comma behind it stand in the text as most do, without comments
+  /// or escapes; nothing is read otherwise.
+  PlainValue plain(double& number, std::string_view& string) {
+    const std::size_t pos = m_pos, line_start = m_line_start;
+    const std::uint32_t line = m_line;
+    PlainValue found = PlainValue::kNone;
+    skip_blanks();
+    const char first = here();
+    const bool minus = first == '-';
+    if (minus) ++m_pos;
+    if (starts_number()) {
+      number = read_number();
+      if (minus) number = -number;
+      found = PlainValue::kNumber;
+    } else if (first == '"') {
+      ++m_pos;
+      const std::size_t end = plain_string_end();
+      if (end != m_text.npos) {
+        string = m_text.substr(m_pos, end - m_pos);
+        m_pos = end + 1;
+        found = PlainValue::kString;
+      }
+    }
+    skip_blanks();
+    if (here() == ',' && found != PlainValue::kNone) {
+      ++m_pos;
+      return found;
+    }
+    m_pos = pos;
+    m_line = line;
+    m_line_start = line_start;
+    return PlainValue::kNone;
+  }
+
  private:
+  void skip_blanks() {
+    for (; is_space(here()) && m_pos < m_text.size(); ++m_pos) {
+      if (here() == '\n') new_line(m_pos + 1);
+    }
+  }
+
   char at(std::size_t i) const { return i < m_text.size() ? m_text[i] : '\0'; }
   char here() const { return at(m_pos); }
 
@@ -171,11 +211,13 @@ class Lexer {
   void one() {
     const char c = here();
     if (is_word_start(c)) return word();
-    if (is_digit(c) || (c == '.' && is_digit(at(m_pos + 1)))) return number();
+    if (starts_number()) return number();
     if (c == '"') return string();
     if (c == '#') return directive();
     punct();
   }
+
+  bool starts_number() const { return is_digit(here()) || (here() == '.' && is_digit(at(m_pos + 1))); }
 
   std::string_view read_word() {
     const std::size_t start = m_pos;
@@ -196,43 +238,44 @@ class Lexer {
 
   void number() {
     Token t = token(TokenKind::kNumber);
+    t.number = read_number();
+    m_tokens.push_back(t);
+  }
+
+  // Most numbers are short: a whole number below 2^53 over a power of ten, both exact, is rounded
+  // once, and so correctly.
+  double read_number() {
+    static constexpr double kPowers[] = {1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                         1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
+    constexpr std::size_t kMostDigits = 15;
     const std::size_t start = m_pos;
-    while (is_digit(here())) ++m_pos;
+    std::uint64_t whole = 0;
+    const auto digits = [&] {
+      for (; is_digit(here()); ++m_pos) whole = whole * 10 + static_cast<std::uint64_t>(here() - '0');
+    };
+    digits();
+    std::size_t length = m_pos - start, decimals = 0;
     if (here() == '.') {
-      ++m_pos;
-      while (is_digit(here())) ++m_pos;
+      const std::size_t point = m_pos++;
+      digits();
+      decimals = m_pos - point - 1;
+      length += decimals;
     }
+    bool exponent = false;
     if (here() == 'e' || here() == 'E') {
       std::size_t end = m_pos + 1;
       if (at(end) == '+' || at(end) == '-') ++end;
-      if (is_digit(at(end))) {
+      exponent = is_digit(at(end));
+      if (exponent) {
         while (is_digit(at(end))) ++end;
         m_pos = end;
       }
     }
-    t.number = value(m_text.substr(start, m_pos - start));
-    m_tokens.push_back(t);
+    if (exponent || length > kMostDigits) return long_number(m_text.substr(start, m_pos - start));
+    return decimals ? static_cast<double>(whole) / kPowers[decimals] : static_cast<double>(whole);
   }
 
-  static double value(std::string_view digits) {
-    // Most numbers are short: a whole number below 2^53 over a power of ten, both exact, is rounded
-    // once, and so correctly.
-    constexpr std::size_t kShort = 16;   // 15 digits and a point
-    if (digits.size() <= kShort) {
-      static constexpr double kPowers[] = {1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
-                                           1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
-      std::uint64_t whole = 0;
-      std::size_t i = 0, point = digits.size();
-      for (; i < digits.size(); ++i) {
-        if (is_digit(digits[i])) whole = whole * 10 + static_cast<std::uint64_t>(digits[i] - '0');
-        else if (digits[i] == '.' && point == digits.size()) point = i;
-        else break;
-      }
-      const std::size_t decimals = point < digits.size() ? digits.size() - point - 1 : 0;
-      if (i == digits.size() && whole < (std::uint64_t{1} << 53)) {
-        return decimals ? static_cast<double>(whole) / kPowers[decimals] : static_cast<double>(whole);
-      }
-    }
+  static double long_number(std::string_view digits) {
     double number = 0.0;
     const auto result = std::from_chars(digits.data(), digits.data() + digits.size(), number);
     // Zero or infinity, as strtod has it.
@@ -273,11 +316,16 @@ class Lexer {
     m_tokens.push_back(t);
   }
 
-  // Most strings: printable ASCII without a backslash.
-  bool plain_string(Token& t) {
+  // Most strings are printable ASCII without a backslash: where its quote is, else npos.
+  std::size_t plain_string_end() const {
     std::size_t end = m_pos;
     while (end < m_text.size() && m_text[end] >= ' ' && m_text[end] != '"' && m_text[end] != '\\') ++end;
-    if (end >= m_text.size() || m_text[end] != '"') return false;
+    return end < m_text.size() && m_text[end] == '"' ? end : m_text.npos;
+  }
+
+  bool plain_string(Token& t) {
+    const std::size_t end = plain_string_end();
+    if (end == m_text.npos) return false;
     const std::string_view text = m_text.substr(m_pos, end - m_pos);
     t.name = m_names.add_string(std::string(text), std::string(text));
     m_tokens.push_back(t);
@@ -345,6 +393,22 @@ class Lexer {
     ++m_pos;
   }
 
+  // Whether what stands at `i` is an operand for sure: `<` is no comparison there.
+  bool expects_operand(std::size_t i) const {
+    if (i == 0) return false;
+    const Token& before = m_tokens[i - 1];
+    if (before.kind == TokenKind::kKeyword) {
+      return !starts_operand(before.keyword) && i > 1 && !m_tokens[i - 2].is(Punct::kDot);
+    }
+    if (before.kind != TokenKind::kPunct) return false;
+    switch (before.punct) {
+      case Punct::kComma: case Punct::kLeftCurly: case Punct::kLeftParen: case Punct::kEqual:
+      case Punct::kPlus: case Punct::kMinus: case Punct::kStar: case Punct::kSlash:
+        return true;
+      default: return false;
+    }
+  }
+
   // At a `>`: if all since the `<` are numbers, and that `<` can only begin a vector, they become
   // one token.
   bool close_vector() {
@@ -363,10 +427,7 @@ class Lexer {
       --at;
     }
     Token& less = m_tokens[at - 1];
-    if (count < 2 || at < 2 || (!m_tokens[at - 2].is(Punct::kComma) &&
-                                !m_tokens[at - 2].is(Punct::kLeftCurly))) {
-      return false;
-    }
+    if (count < 2 || !expects_operand(at - 1)) return false;
     less.name = static_cast<NameId>(count);
     less.jump = m_list.components.size();
     for (std::size_t i = count; i-- > 0;) m_list.components.push_back(values[i]);
@@ -445,6 +506,10 @@ bool TokenPieces::next() {
   m_list.tokens.clear();
   m_list.components.clear();
   return m_lexer->run_on(kPiece);
+}
+
+PlainValue TokenPieces::plain(double& number, std::string_view& string) {
+  return m_lexer->plain(number, string);
 }
 
 }  // namespace lentray::parser

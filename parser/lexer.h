@@ -23,13 +23,16 @@ struct TokenList {
   std::size_t size() const { return tokens.size() - 1; }
   const Token* begin() const { return tokens.data(); }
   const Token* end() const { return tokens.data() + size(); }
-  /// Of vectors of literal numbers behind a comma or a brace, of which data are made: `<` is the
+  /// Of vectors of literal numbers where `<` can only begin one, of which data are made: it is the
   /// only token, `jump` says where its components stand here and `name` how many there are.
   std::vector<double, LargePages<double>> components;
 };
 
 std::shared_ptr<const TokenList> tokenise(std::uint32_t file, std::string_view text,
                                           NameTable& names);
+
+/// What TokenPieces::plain() found.
+enum class PlainValue : std::uint8_t { kNone, kNumber, kString };
 
 /// The same in pieces, for data that is read value by value: a piece ends behind a comma that stands
 /// outside `<>`, or with the text.
@@ -40,6 +43,10 @@ class TokenPieces {
   /// Puts the next piece in the list's place; false, and the list is empty, if there is none.
   bool next();
   const TokenList& list() const { return m_list; }
+  /// What stands behind the piece at hand, if it is a number, or a string that means what it says,
+  /// and a comma: read without being made tokens. The string is of the text. Nothing is read, and
+  /// kNone returned, if anything else stands there.
+  PlainValue plain(double& number, std::string_view& string);
 
  private:
   TokenList m_list;

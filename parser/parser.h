@@ -55,7 +55,7 @@ struct ParserOptions {
   Limits limits;
   /// The scene will not be rendered: of objects that cannot go wrong only the number is kept.
   bool only_check = false;
-  bool raw_arithmetic = true;   ///< false: every expression by the grammar, to compare the two
+  bool raw_expressions = true;   ///< false: every expression by the grammar, to compare the two
 };
 
 class Parser {

@@ -1,11 +1,10 @@
 #include "parser/script_files.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <cstdio>
 
 #include "parser/interpreter.h"
+#include "parser/number_text.h"
 #include "parser/text.h"
 
 namespace lentray::parser {
@@ -37,27 +36,17 @@ const BinaryFormat* binary_format(const Token& t) {
   return found == std::end(kFormats) ? nullptr : found;
 }
 
-// As printf's %g.
-void append_number(std::string& text, double value) {
-  constexpr double kLongest = 1e6;  // from there on it has an exponent
-  if (std::fabs(value) < kLongest && append_whole(text, value)) return;
-  char digits[64];
-  if (std::isfinite(value)) {
-    constexpr int kPrecision = 6;
-    const auto end = std::to_chars(digits, digits + sizeof digits, value,
-                                   std::chars_format::general, kPrecision);
-    text.append(digits, end.ptr);
-  } else {
-    std::snprintf(digits, sizeof digits, "%g", value);
-    text += digits;
-  }
+// What stock writes of the text from `start` on.
+void only_ascii(std::string& text, std::size_t start) {
+  if (is_ascii(std::string_view(text).substr(start))) return;
+  text.replace(start, text.npos, to_ascii(text.substr(start)));
 }
 
 void append_value(std::string& text, const Number& n) {
   if (n.size > 1) text += '<';
   for (int i = 0; i < n.size; ++i) {
     if (i) text += ',';
-    append_number(text, n.v[static_cast<std::size_t>(i)]);
+    append_general(text, n.v[static_cast<std::size_t>(i)]);
   }
   if (n.size > 1) text += "> ";
 }
@@ -123,19 +112,21 @@ void ScriptFiles::write() {
   std::string text;
   text.reserve(kUsual);
   for (;;) {
+    const std::size_t start = text.size();
+    Number n;
+    switch (m_in.expressions.read_raw_item(n, text)) {
+      case Expressions::Item::kNumber: append_value(text, n); continue;
+      case Expressions::Item::kString: only_ascii(text, start); continue;
+      default: break;
+    }
     if (tokens.accept(Punct::kComma)) continue;
     if (tokens.accept(Punct::kRightParen)) break;
-    if (Number n; m_in.expressions.read_raw(RawArithmetic::Level::kAdditive, n)) {
-      append_value(text, n);
-    } else if (const BinaryFormat* format = binary_format(tokens.peek())) {
+    if (const BinaryFormat* format = binary_format(tokens.peek())) {
       tokens.skip();
       write_binary(text, *format);
     } else if (m_in.expressions.at_string()) {
-      const std::size_t start = text.size();
       m_in.expressions.append_string(text);
-      if (!is_ascii(std::string_view(text).substr(start))) {
-        text.replace(start, text.npos, to_ascii(text.substr(start)));
-      }
+      only_ascii(text, start);
     } else if (m_in.expressions.at_expression()) {
       append_value(text, m_in.expressions.parse_additive());
     } else {
@@ -179,9 +170,26 @@ double ScriptFiles::read_number(ScriptFile& file) {
   return sign * all[file.position++].number;
 }
 
+// The next value, if it can be had without tokens.
+bool ScriptFiles::read_plain(ScriptFile& file, Value& value) {
+  double number = 0.0;
+  std::string_view string;
+  switch (file.in->plain(number, string)) {
+    case PlainValue::kNumber:
+      value = Number::scalar(number);
+      return true;
+    case PlainValue::kString:
+      if (auto* held = std::get_if<std::string>(&value)) *held = string;
+      else value = std::string(string);
+      return true;
+    default: return false;
+  }
+}
+
 // False at the end of the file.
 bool ScriptFiles::read_value(ScriptFile& file, Value& value) {
   if (file.position >= file.in->list().size()) {
+    if (read_plain(file, value)) return true;
     file.position = 0;
     file.ended = !file.in->next();
     if (file.ended) return false;
@@ -228,10 +236,12 @@ bool ScriptFiles::read_value(ScriptFile& file, Value& value) {
   return true;
 }
 
-// Most are read into names that hold values already, and nothing else: that symbol, its name read.
+// Most are read into names that hold values already, and nothing else: that symbol, its name and
+// the comma before it read.
 Symbol* ScriptFiles::plain_target() {
   const TokenList* list = nullptr;
   const Token* name = m_in.tokens.raw(list);
+  if (name && name->is(Punct::kComma)) ++name;
   if (!name || name->kind != TokenKind::kIdentifier ||
       (!name[1].is(Punct::kComma) && !name[1].is(Punct::kRightParen))) {
     return nullptr;
@@ -249,12 +259,13 @@ void ScriptFiles::read() {
   const auto in = file(false);
   if (!in->in) m_in.fail(name.where, "'" + in->path + "' is open for writing, not for reading");
   bool more = true;
-  while (!tokens.accept(Punct::kRightParen)) {
-    if (tokens.accept(Punct::kComma)) continue;
+  for (;;) {
     if (Symbol* plain = plain_target()) {
       if (more) more = read_value(*in, plain->value);
       continue;
     }
+    if (tokens.accept(Punct::kRightParen)) break;
+    if (tokens.accept(Punct::kComma)) continue;
     const Token target = tokens.read_name("an identifier to read into");
     const auto array = tokens.element_array();
     const std::size_t index = tokens.element_index();

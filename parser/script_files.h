@@ -33,6 +33,7 @@ class ScriptFiles {
 
  private:
   std::shared_ptr<ScriptFile> file(bool closing);
+  bool read_plain(ScriptFile& file, Value& value);
   bool read_value(ScriptFile& file, Value& value);
   double read_number(ScriptFile& file);
   Symbol* plain_target();

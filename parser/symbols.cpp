@@ -15,14 +15,14 @@ void SymbolTable::pop_scope() {
 
 Symbol& SymbolTable::declare_global(NameId name) {
   SymbolPtr& visible = slot(name);
-  if (!visible) visible = std::make_shared<Symbol>();
+  if (!visible) visible = make_symbol();
   return *visible;
 }
 
 Symbol& SymbolTable::declare_local(NameId name) {
   SymbolPtr& visible = slot(name);
   if (visible && visible->level == level()) return *visible;
-  bind_local(name, std::make_shared<Symbol>());
+  bind_local(name, make_symbol());
   return *m_visible[name];
 }
 
@@ -36,7 +36,7 @@ Symbol& SymbolTable::declare_at(NameId name, std::uint32_t home) {
     break;
   }
   if (*shown && (*shown)->level == home) return **shown;
-  auto made = std::make_shared<Symbol>();
+  auto made = make_symbol();
   made->level = home;
   SymbolPtr hidden = std::exchange(*shown, made);
   if (home > 0) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "parser/lexer.h"
+#include "parser/recycled.h"
 #include "parser/value.h"
 
 namespace lentray::parser {
@@ -97,6 +98,8 @@ struct Symbol : std::enable_shared_from_this<Symbol> {
 };
 
 using SymbolPtr = std::shared_ptr<Symbol>;
+
+inline SymbolPtr make_symbol() { return std::allocate_shared<Symbol>(Recycled<Symbol>()); }
 
 class SymbolTable {
  public:

@@ -1,6 +1,5 @@
 #include "parser/text.h"
 
-#include <charconv>
 #include <cmath>
 
 namespace lentray::parser {
@@ -69,6 +68,23 @@ std::string encode_character(unsigned code) {
   return out;
 }
 
+bool append_substring(std::string& text, std::string_view whole, double first, double count) {
+  first = std::trunc(first);
+  count = std::trunc(count);
+  const auto length = static_cast<double>(count_characters(whole));
+  if (!(first >= 1.0 && count >= 0.0 && first + count - 1.0 <= length)) return false;
+  text += substring(whole, static_cast<std::size_t>(first - 1), static_cast<std::size_t>(count));
+  return true;
+}
+
+void change_case(std::string& text, std::size_t start, bool upper) {
+  for (std::size_t i = start; i < text.size(); ++i) {
+    char& c = text[i];
+    if (upper && c >= 'a' && c <= 'z') c = static_cast<char>(c - 32);
+    if (!upper && c >= 'A' && c <= 'Z') c = static_cast<char>(c + 32);
+  }
+}
+
 std::string to_ascii(std::string text) {
   if (is_ascii(text)) return text;
   std::size_t out = 0;
@@ -78,20 +94,6 @@ std::string to_ascii(std::string text) {
   }
   text.resize(out);
   return text;
-}
-
-bool append_whole(std::string& text, double x) {
-  constexpr double kMost = 1e9;
-  if (!(std::fabs(x) < kMost) || x == 0.0) {
-    if (x != 0.0 || std::signbit(x)) return false;
-    text += '0';
-    return true;
-  }
-  const int whole = static_cast<int>(x);
-  if (static_cast<double>(whole) != x) return false;
-  char digits[16];
-  text.append(digits, std::to_chars(digits, digits + sizeof digits, whole).ptr);
-  return true;
 }
 
 }  // namespace lentray::parser

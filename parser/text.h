@@ -14,13 +14,17 @@ std::string substring(std::string_view text, std::size_t first, std::size_t coun
 double first_character(std::string_view text);
 /// The difference of the codes of the first characters that differ, as stock's strcmp(); 0: equal.
 double character_difference(std::string_view a, std::string_view b);
+/// chr() knows it.
+inline bool is_character(double code) { return code >= 0.0 && code < 65536.0; }
 std::string encode_character(unsigned code);
+/// substr(): `count` characters from number `first`, from 1. False, nothing appended, if there are
+/// not so many.
+bool append_substring(std::string& text, std::string_view whole, double first, double count);
+/// strupr() and strlwr(), from byte `start` on: the letters of ASCII.
+void change_case(std::string& text, std::size_t start, bool upper);
 /// With a space for each character that is not ASCII: what stock writes.
 std::string to_ascii(std::string text);
 
 bool is_ascii(std::string_view text);
-
-/// Appends x as printf's %.0f has it, if x is a whole number that an int holds: most are. -0 is not.
-bool append_whole(std::string& text, double x);
 
 }  // namespace lentray::parser

@@ -77,7 +77,7 @@ class TokenReader {
   /// read, if anything else stands there.
   bool accept_literal_vector(Number& n);
   /// The token that comes next, if it stands in the text just so, and the list it is of; or null.
-  /// What RawArithmetic can read begins there; go_on_at() says where it ended.
+  /// What RawExpressions can read begins there; go_on_at() says where it ended.
   const Token* raw(const TokenList*& list) const {
     if (m_stream.empty() || plain_names) return nullptr;
     const Frame& frame = m_stream.top();

@@ -43,9 +43,11 @@ struct Number {
   std::array<double, 5> v{};
   int size = 1;
   bool is_colour = false;
+  /// A component of a vector (V.x): v[1] and v[2] are still the vector's. Until it is stored.
+  bool keeps_rest = false;
 
-  static Number scalar(double x) { return {{x, 0, 0, 0, 0}, 1, false}; }
-  static Number vector(const core::Vec3& p) { return {{p.x, p.y, p.z, 0, 0}, 3, false}; }
+  static Number scalar(double x) { return {{x, 0, 0, 0, 0}, 1, false, false}; }
+  static Number vector(const core::Vec3& p) { return {{p.x, p.y, p.z, 0, 0}, 3, false, false}; }
   double as_float() const { return v[0]; }
   core::Vec3 xyz() const {
     return size == 1 ? core::Vec3(v[0]) : core::Vec3(v[0], v[1], v[2]);

@@ -214,8 +214,10 @@ double poly4(const double* a) {
 double polytubes(const double* a) {
   const FormulaPoint q(a);
   const double out = polynomial4(q.p + 1, q.y);
+  constexpr double kMostTubes = 1e6;   // and a number that is none makes none
+  const int tubes = q.p[0] > 0.0 ? static_cast<int>(std::min(q.p[0], kMostTubes)) : 0;
   double nearest = 10000.0;
-  for (int i = 0; i < static_cast<int>(q.p[0]); ++i) {
+  for (int i = 0; i < tubes; ++i) {
     const double angle = kTwoPi / q.p[0] * i;
     nearest = std::min(nearest, std::hypot(q.x - out * std::sin(angle), q.z - out * std::cos(angle)));
   }

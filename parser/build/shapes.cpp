@@ -47,6 +47,15 @@ std::array<std::uint32_t, 3> indices(const std::array<int, 3>& from) {
   return to;
 }
 
+/// Equal normals are no normals: the triangle's own counts then, in stock, which points where the
+/// order of the vertices says. The distance squared as stock's.
+bool is_flat(const core::MeshData& data, const std::array<std::uint32_t, 3>& normals) {
+  constexpr double kEqual = 1e-10;
+  if (normals[0] == core::kNone) return false;
+  const Vec3 &a = data.normals[normals[0]], &b = data.normals[normals[1]], &c = data.normals[normals[2]];
+  return length_squared(a - b) <= kEqual && length_squared(a - c) <= kEqual;
+}
+
 /// The kernel's form of a mesh. Stock replaces null normals by <1, 0, 0>.
 core::MeshData mesh_data(const MeshShape& mesh) {
   core::MeshData data;
@@ -61,6 +70,8 @@ core::MeshData mesh_data(const MeshShape& mesh) {
   for (const MeshFace& face : mesh.faces) {
     data.faces.push_back({indices(face.vertex), indices(face.normal), indices(face.uv),
                           indices(face.texture)});
+    core::MeshFace& last = data.faces.back();
+    if (is_flat(data, last.normal)) last.normal = {core::kNone, core::kNone, core::kNone};
   }
   return data;
 }

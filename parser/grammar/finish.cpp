@@ -174,7 +174,7 @@ void apply_albedo(FinishDesc& finish) {
 
 }  // namespace
 
-Ref<FinishDesc> parse_finish_block(Parser& parser, const Ref<FinishDesc>& base) {
+Ref<FinishDesc> parse_finish_block(Parser& parser, Ref<FinishDesc> base) {
   auto finish = std::make_shared<FinishDesc>();
   const Location where = parser.location();
   parser.expect(Punct::kLeftCurly);

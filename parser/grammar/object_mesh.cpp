@@ -4,8 +4,10 @@
 #include <cstring>
 #include <unordered_map>
 
+#include "parser/arithmetic.h"
 #include "parser/grammar/helpers.h"
 #include "parser/grammar/object_shapes.h"
+#include "parser/large_pages.h"
 
 namespace lentray::parser {
 namespace {
@@ -122,6 +124,7 @@ void parse_list(Parser& parser, List& list, Read read) {
   const int count = parser.parse_int();
   parser.parse_comma();
   list.reserve(static_cast<std::size_t>(std::clamp(count, 0, kMostReserved)));
+  use_large_pages(list.data(), list.capacity() * sizeof(list[0]));
   for (int i = 0; i < count; ++i) {
     list.push_back(read());
     parser.parse_comma();
@@ -131,7 +134,7 @@ void parse_list(Parser& parser, List& list, Read read) {
 
 std::array<int, 3> parse_triple(Parser& parser) {
   const Vec3 v = parser.parse_vector();
-  return {static_cast<int>(v.x), static_cast<int>(v.y), static_cast<int>(v.z)};
+  return {to_int(v.x), to_int(v.y), to_int(v.z)};
 }
 
 /// A face of mesh2: three vertices and up to three textures.

@@ -69,17 +69,16 @@ std::shared_ptr<const ImageDesc> parse_image_map(Parser& parser);
 std::shared_ptr<const ImageDesc> parse_bump_map(Parser& parser, double& amount);
 
 // Bodies: what stands between braces, or in an entry of a map.
-Ref<PigmentDesc> parse_pigment_body(Parser& parser, MaterialContext& context,
-                                    const Ref<PigmentDesc>& base);
+Ref<PigmentDesc> parse_pigment_body(Parser& parser, MaterialContext& context, Ref<PigmentDesc> base);
 Ref<NormalDesc> parse_normal_body(Parser& parser, MaterialContext& context,
-                                  const Ref<NormalDesc>& base);
+                                  Ref<NormalDesc> base);
 Ref<TextureDesc> parse_texture_body(Parser& parser, MaterialContext& context);
 /// The language before 3.0: words of pigment, normal and finish directly in the texture.
 Ref<TextureDesc> parse_old_texture_body(Parser& parser, MaterialContext& context);
 /// The patterned kinds of texture.
 TextureLayerDesc parse_tiles(Parser& parser, MaterialContext& context);
 TextureLayerDesc parse_material_map(Parser& parser, MaterialContext& context);
-Ref<FinishDesc> parse_finish_block(Parser& parser, const Ref<FinishDesc>& base);
+Ref<FinishDesc> parse_finish_block(Parser& parser, Ref<FinishDesc> base);
 Ref<DensityDesc> parse_density_body(Parser& parser, MaterialContext& context);
 /// The default of pigment, normal and finish in force.
 const TextureLayerDesc& default_layer(const MaterialContext& context);

@@ -83,8 +83,7 @@ const TextureLayerDesc& default_layer(const MaterialContext& context) {
   return context.default_texture->layers.back();
 }
 
-Ref<PigmentDesc> parse_pigment_body(Parser& parser, MaterialContext& context,
-                                    const Ref<PigmentDesc>& base) {
+Ref<PigmentDesc> parse_pigment_body(Parser& parser, MaterialContext& context, Ref<PigmentDesc> base) {
   const Location where = parser.location();
   const auto known = parser.accept_value<Ref<PigmentDesc>>();
   const PigmentDesc* from = known ? known->get() : base.get();

@@ -75,7 +75,7 @@ bool accept_part(Parser& parser, MaterialContext& context, TextureLayerDesc& lay
     end_block(parser, kPigmentWords);
   } else if (parser.accept(Keyword::kNormal)) {
     parser.expect(Punct::kLeftCurly);
-    const Ref<NormalDesc>& base = layer.normal ? layer.normal : default_layer(context).normal;
+    const Ref<NormalDesc> base = layer.normal ? layer.normal : default_layer(context).normal;
     layer.normal = parse_normal_body(parser, context, base);
     end_block(parser, kNormalWords);
   } else if (parser.accept(Keyword::kFinish)) {

@@ -1,4 +1,4 @@
-// RawArithmetic reads the commonest expressions without the grammar: the same values, bit for bit, the
+// RawExpressions reads the commonest expressions without the grammar: the same values, bit for bit, the
 // same messages, and the same random numbers, whatever stands in the way.
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@ namespace {
 
 Parsed read(const std::string& text, bool raw) {
   parser::ParserOptions options;
-  options.raw_arithmetic = raw;
+  options.raw_expressions = raw;
   return parse_text("#version 3.7;\n" + text, {}, options);
 }
 
@@ -92,7 +92,7 @@ const char* const kHead =
     "#declare Vs = array[1] {<3, 2, 1>} #declare Nested = array[2] #declare Nested[1] = array[1] {9}\n"
     "#macro Twice(X) (2*X) #end\n";
 
-TEST(UnitParserRawArithmetic, AgreesWithTheGrammarOnRandomExpressions) {
+TEST(UnitParserRawExpressions, AgreesWithTheGrammarOnRandomExpressions) {
   Expressions make(20261121);
   int succeeded = 0;
   for (int i = 0; i < 400; ++i) {
@@ -111,7 +111,7 @@ TEST(UnitParserRawArithmetic, AgreesWithTheGrammarOnRandomExpressions) {
   EXPECT_GT(succeeded, 100);
 }
 
-TEST(UnitParserRawArithmetic, GivesUpWithoutATrace) {
+TEST(UnitParserRawExpressions, GivesUpWithoutATrace) {
   const std::string head(kHead);
   for (const std::string rest : {
            "#debug str(rand(S) + #if (1) rand(S) #end, 0, -1) #debug str(rand(S), 0, -1)",
@@ -133,6 +133,46 @@ TEST(UnitParserRawArithmetic, GivesUpWithoutATrace) {
            "#declare deprecated \"old\" D = 4; #declare X = D + 1; #debug str(X, 0, -1)",
            "#debug str((((((((((((1)))))))))))) + 1, 0, -1)", "#declare X = 1 + ", "#declare X = (1"}) {
     expect_same(head + rest);
+  }
+}
+
+TEST(UnitParserRawExpressions, StringsAgreeWithTheGrammar) {
+  const std::string head = std::string(kHead) +
+      "#declare Text = \"some Text\"; #declare Texts = array[2] {\"one\", \"two\"}\n";
+  for (const std::string rest : {
+           "#debug Text #debug Texts[1] #debug Texts[2]", "#debug Texts[0*1]",
+           "#debug concat(\"a\", str(A, 5, 2), str(B, -8, 3), str(I, 0, -1), \"\\n\")",
+           "#debug concat(Text, vstr(3, V, \", \", 0, 4), vstr(9, <1, 2>, Texts[0], 4, 1), vstr(0, A, \"\", 0, 0))",
+           "#debug concat(chr(65 + mod(I, 26)), chr(955), chr(70000))", "#debug chr(-1)",
+           "#debug substr(Text, 2, 3)", "#debug substr(Text, 0, 3)", "#debug substr(Text, 9, 1)",
+           "#debug concat(strupr(concat(\"x\", Text)), strlwr(Text), Text)",
+           "#debug str(rand(S), 0, -1) #declare L = concat(str(rand(S), 0, -1), Missing);",
+           "#declare L = concat(str(rand(S), 0, -1), \"x\") #debug L #debug str(rand(S), 0, -1)",
+           "#declare L = \"x\" #debug L", "#declare L = Text; #declare L = concat(L, L); #debug L",
+           "#declare Twice = \"x\";", "#declare L = \"\\q\";", "#debug \"caf\303\251\"",
+           "#declare L = concat(\"a\" \"b\", #if (1) \"c\" #end); #debug L",
+           "#macro M(T) #debug concat(T, \"!\") #local T = 1; #end M(Text) M(\"x\")",
+           "#declare L = ", "#declare L = concat(\"a\"", "#debug str(1)", "#debug str(V, 0, 0)"}) {
+    expect_same(head + rest);
+  }
+}
+
+// Read as floats and again as what may be vectors at each level, it would never end.
+TEST(UnitParserRawExpressions, NestedFunctionsDoNotMultiplyTheWork) {
+  for (const std::string inner : {"Missing", "V", "<1, 2>", "(A > 1 ? A : B)"}) {
+    std::string text = inner;
+    for (int i = 0; i < 60; ++i) text = "(sin(" + text + ") + " + inner + ")";
+    expect_same(std::string(kHead) + "#debug str(" + text + ", 0, -1)");
+  }
+}
+
+TEST(UnitParserRawExpressions, AComponentWhereAVectorIsWanted) {
+  const std::string head(kHead);
+  for (const std::string vector : {"V.x", "-V.y", "V.y*2", "2*V.y", "(V.y)", "V.y - 1", "V.y + <1,1,1>",
+                                   "W.t", "<V.y, 1, 1>", "Vs[0].y", "+V.z"}) {
+    expect_same(head + "#debug str(vlength(" + vector + "), 0, -1) #declare K = " + vector +
+                "; #debug str(vlength(K), 0, -1) #debug vstr(3, vnormalize(" + vector +
+                "), \" \", 0, -1)");
   }
 }
 

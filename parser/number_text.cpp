@@ -1,0 +1,146 @@
+#include "parser/number_text.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <string_view>
+
+#include "parser/arithmetic.h"
+
+namespace lentray::parser {
+namespace {
+
+constexpr double kPowers[] = {1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10};
+constexpr int kMostDigits = 10;
+
+// x * 10^digits, x >= 0, to the nearest whole number, halves to the even one: exact, because the
+// product and its rounding error are. False if it is too large for that.
+bool scaled(double x, int digits, std::int64_t& whole) {
+  constexpr double kLargest = 9007199254740992.0 / 2;
+  const double power = kPowers[digits];
+  const double product = x * power;
+  if (!(product < kLargest)) return false;
+  const double error = std::fma(x, power, -product);
+  whole = static_cast<std::int64_t>(product);
+  const double beyond = (product - static_cast<double>(whole) - 0.5) + error;
+  if (beyond > 0.0 || (beyond == 0.0 && whole % 2 != 0)) ++whole;
+  return true;
+}
+
+// Fills a buffer from its end.
+struct Digits {
+  char buffer[32];
+  char* first = buffer + sizeof buffer;
+
+  void put(char c) { *--first = c; }
+  // With at least `least` digits.
+  void put(std::uint64_t whole, int least) {
+    for (; whole != 0 || least > 0; --least, whole /= 10) put(static_cast<char>('0' + whole % 10));
+  }
+  std::string_view text() const {
+    return {first, static_cast<std::size_t>(buffer + sizeof buffer - first)};
+  }
+};
+
+void append_padded(std::string& text, const NumberFormat& format, std::string_view number) {
+  const auto width = static_cast<std::size_t>(format.width);
+  if (width > number.size()) {
+    const std::size_t missing = width - number.size();
+    if (format.zeros && number[0] == '-') {
+      text += '-';
+      number.remove_prefix(1);
+    }
+    text.append(missing, format.zeros ? '0' : ' ');
+  }
+  text += number;
+}
+
+}  // namespace
+
+NumberFormat number_format_of(double width, double digits) {
+  // Longer than any text they are printed into is as good as longest.
+  constexpr double kLongest = 1000.0;
+  constexpr int kUsual = 6;
+  const int least = to_int(std::clamp(width, -kLongest, kLongest));
+  const int behind = to_int(std::clamp(digits, -1.0, kLongest));
+  return {std::abs(least), behind < 0 ? kUsual : behind, least < 0};
+}
+
+void append_fixed(std::string& text, const NumberFormat& format, double value) {
+  char buffer[256];
+  constexpr int kLongest = 200;
+  std::int64_t whole = 0;
+  if (format.width < kLongest && format.digits <= kMostDigits &&
+      scaled(std::fabs(value), format.digits, whole)) {
+    Digits digits;
+    auto rest = static_cast<std::uint64_t>(whole);
+    if (format.digits > 0) {
+      const auto power = static_cast<std::uint64_t>(kPowers[format.digits]);
+      digits.put(rest % power, format.digits);
+      digits.put('.');
+      rest /= power;
+    }
+    digits.put(rest, 1);
+    if (std::signbit(value)) digits.put('-');
+    return append_padded(text, format, digits.text());
+  }
+  if (std::isfinite(value) && format.width < static_cast<int>(sizeof buffer)) {
+    const auto end = std::to_chars(buffer, buffer + sizeof buffer - 1, value,
+                                   std::chars_format::fixed, format.digits);
+    if (end.ec == std::errc()) {
+      return append_padded(text, format, {buffer, static_cast<std::size_t>(end.ptr - buffer)});
+    }
+  }
+  const auto print = [&](char kind) {
+    const std::string how = std::string(format.zeros ? "%0*.*" : "%*.*") + kind;
+    return std::snprintf(buffer, sizeof buffer, how.c_str(), format.width, format.digits, value);
+  };
+  const int length = print('f');
+  if (length < 0 || length >= static_cast<int>(sizeof buffer)) print('g');
+  text += buffer;
+}
+
+int vector_text_size(double wanted) { return std::clamp(to_int(wanted), 2, 5); }
+
+void append_vector(std::string& text, const Number& n, int count, const std::string& separator,
+                   const NumberFormat& format) {
+  const int size = n.keeps_rest ? 3 : n.size;
+  for (int i = 0; i < count; ++i) {
+    if (i) text += separator;
+    append_fixed(text, format, i < size ? n.v[static_cast<std::size_t>(i)] : 0.0);
+  }
+}
+
+void append_general(std::string& text, double value) {
+  constexpr int kPrecision = 6;
+  constexpr double kLeast = 1e-4, kMost = 1e6;   // beyond them it has an exponent
+  const double x = std::fabs(value);
+  if (x == 0.0) {
+    text += std::signbit(value) ? "-0" : "0";
+    return;
+  }
+  if (x >= kLeast && x < kMost) {
+    // Six digits stand before the point when it is moved so far.
+    int moved = 0;
+    while (moved < kMostDigits && x * kPowers[moved] < kMost / 10) ++moved;
+    std::int64_t whole = 0;
+    if (scaled(x, moved, whole) && whole < static_cast<std::int64_t>(kMost)) {
+      for (; moved > 0 && whole % 10 == 0; --moved) whole /= 10;
+      return append_fixed(text, {0, moved, false}, value);
+    }
+  }
+  char buffer[64];
+  if (std::isfinite(value)) {
+    const auto end = std::to_chars(buffer, buffer + sizeof buffer, value,
+                                   std::chars_format::general, kPrecision);
+    text.append(buffer, end.ptr);
+  } else {
+    std::snprintf(buffer, sizeof buffer, "%g", value);
+    text += buffer;
+  }
+}
+
+}  // namespace lentray::parser

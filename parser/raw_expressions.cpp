@@ -1,0 +1,258 @@
+#include "parser/raw_expressions.h"
+
+#include <algorithm>
+
+#include "parser/interpreter.h"
+#include "parser/raw_operators.h"
+
+namespace lentray::parser {
+namespace {
+
+/// The one token that stands for a vector of literal numbers.
+bool is_literal_vector(const Token& token) { return token.is(Punct::kLess) && token.name > 0; }
+
+/// Whether it is an operand by itself, and the whole expression.
+bool is_alone(const Token* operand, Punct end) {
+  // Only these are known to have a token behind them.
+  if (operand->kind != TokenKind::kNumber && operand->kind != TokenKind::kIdentifier &&
+      !is_literal_vector(*operand)) {
+    return false;
+  }
+  const Token& next = operand[1];
+  if (next.kind != TokenKind::kPunct) return false;
+  return end == Punct::kNone ? next.punct == Punct::kComma || next.punct == Punct::kRightParen ||
+                                   next.punct == Punct::kRightCurly
+                             : next.punct == end;
+}
+
+}  // namespace
+
+bool RawExpressions::read(const TokenList& list, const Token*& first, Level level, Number& value,
+                         Punct end) {
+  m_list = &list;
+  if (is_alone(first, end) && value_of(*first, value)) {
+    ++first;
+    return true;
+  }
+  if (first->kind == TokenKind::kString) return false;
+  // What stopped it once will stop it again.
+  if (m_failed_number.within(first)) return false;
+  m_at = first;
+  m_depth = 0;
+  m_operands_left = kMostOperands;
+  // The components that a member leaves behind it are no part of what is stored.
+  const bool members = level == Level::kEverything || end != Punct::kNone;
+  const bool whole = only_floats(level, members, value.v[0]) ||
+                     (level == Level::kAdditive ? additive(value) : expression(value));
+  if (whole && (end == Punct::kNone ? ends_here() : is(end))) {
+    if (!m_random.empty()) m_random.clear();
+    first = m_at;
+    return true;
+  }
+  m_failed_number = {first, m_at};
+  undo_random();
+  return false;
+}
+
+// Of what is_alone(); false if it is the name of something else.
+bool RawExpressions::value_of(const Token& token, Number& value) const {
+  if (token.kind == TokenKind::kNumber) {
+    value.v[0] = token.number;
+    return true;
+  }
+  if (token.kind == TokenKind::kPunct) {
+    literal_vector(token, value);
+    return true;
+  }
+  Symbol* visible = m_in.symbols.find(token.name);
+  if (!visible) return false;
+  Symbol& symbol = visible->target();
+  if (symbol.macro() || symbol.deprecated()) return false;
+  const Number* number = std::get_if<Number>(&symbol.resolve());
+  if (number) value = *number;
+  return number;
+}
+
+void RawExpressions::undo_random(std::size_t kept) {
+  for (; m_random.size() > kept; m_random.pop_back()) {
+    m_in.random[m_random.back().first] = m_random.back().second;
+  }
+}
+
+// A directive or a macro might go on with the expression; so might what follows the file or macro.
+bool RawExpressions::ends_here() const {
+  if (m_at->passive) return true;
+  if (m_at->kind != TokenKind::kIdentifier) return false;
+  Symbol* symbol = m_in.symbols.find(m_at->name);
+  return !symbol || !symbol->target().macro();
+}
+
+bool RawExpressions::expression(Number& n) {
+  if (!binary(n, Precedence::kLogical)) return false;
+  if (!accept(Punct::kQuestion)) return true;
+  if (n.size != 1 || ++m_depth > kDeepest) return false;
+  Number yes, no;
+  if (!expression(yes) || !accept(Punct::kColon) || !expression(no)) return false;
+  --m_depth;
+  n = is_true(n.v[0]) ? yes : no;
+  return true;
+}
+
+bool RawExpressions::additive(Number& n) { return binary(n, Precedence::kSum); }
+
+bool RawExpressions::operand(Number& n) {
+  if (--m_operands_left < 0) return false;
+  if (m_at->kind == TokenKind::kNumber) {
+    n.v[0] = m_at->number;
+    ++m_at;
+  } else if (!primary(n)) {
+    return false;
+  }
+  return !is(Punct::kDot) || member(n);
+}
+
+bool RawExpressions::primary(Number& n) {
+  switch (m_at->kind) {
+    case TokenKind::kNumber:
+      n.v[0] = m_at->number;
+      ++m_at;
+      return true;
+    case TokenKind::kIdentifier: return identifier(n);
+    case TokenKind::kKeyword: {
+      const FunctionKind kind = function_kind(m_at->keyword);
+      if (kind == FunctionKind::kVector) return vector_function(n);
+      if (kind == FunctionKind::kUnitVector) return unit_vector(m_at++->keyword, n);
+      n = {};
+      return float_function(n.v[0]);
+    }
+    case TokenKind::kPunct: break;
+    default: return false;
+  }
+  if (++m_depth > kDeepest) return false;
+  bool read = false;
+  switch (m_at->punct) {
+    case Punct::kLess: read = vector_literal(n); break;
+    case Punct::kLeftParen:
+      ++m_at;
+      read = expression(n) && accept(Punct::kRightParen);
+      n.keeps_rest = false;
+      break;
+    case Punct::kPlus:
+      ++m_at;
+      read = primary(n);
+      break;
+    case Punct::kMinus:
+      ++m_at;
+      read = operand(n);
+      negate(n);
+      break;
+    case Punct::kExclamation:
+      ++m_at;
+      read = operand(n);
+      logical_not(n);
+      break;
+    default: break;
+  }
+  --m_depth;
+  return read;
+}
+
+void RawExpressions::literal_vector(const Token& token, Number& n) const {
+  n.size = static_cast<int>(token.name);
+  std::copy_n(m_list->components.data() + token.jump, token.name, n.v.data());
+}
+
+bool RawExpressions::vector_literal(Number& n) {
+  const Token& less = *m_at++;
+  if (is_literal_vector(less)) {
+    literal_vector(less, n);
+    return true;
+  }
+  int size = 0;
+  while (!is(Punct::kGreater)) {
+    if (size == static_cast<int>(n.v.size()) || !scalar(n.v[static_cast<std::size_t>(size)])) {
+      return false;
+    }
+    ++size;
+    accept(Punct::kComma);
+  }
+  if (size < 2) return false;
+  ++m_at;
+  n.size = size;
+  return true;
+}
+
+// What the name here, with its subscripts, stands for; null if it cannot be said.
+const Value* RawExpressions::identifier_value() {
+  Symbol* visible = m_in.symbols.find(m_at->name);
+  if (!visible) return nullptr;
+  Symbol& symbol = visible->target();
+  if (symbol.macro() || symbol.deprecated()) return nullptr;
+  const Value* value = symbol.extras ? &symbol.resolve() : &symbol.value;
+  ++m_at;
+  if (is(Punct::kLeftSquare) && !element(value)) return nullptr;
+  return value;
+}
+
+bool RawExpressions::identifier(Number& n) {
+  const Symbol* symbol = m_in.symbols.find(m_at->name);
+  if (symbol && !symbol->alias && !symbol->extras) {
+    if (const Number* number = std::get_if<Number>(&symbol->value)) {
+      n = *number;
+      ++m_at;
+      return true;
+    }
+  }
+  const Value* value = identifier_value();
+  const Number* number = value ? std::get_if<Number>(value) : nullptr;
+  if (!number) return false;
+  n = *number;
+  return true;
+}
+
+// [i][j]... of an array, and of an array that is its element.
+bool RawExpressions::element(const Value*& value) {
+  while (is(Punct::kLeftSquare)) {
+    const auto* found = std::get_if<std::shared_ptr<ArrayValue>>(value);
+    if (!found) return false;
+    const ArrayValue& array = **found;
+    std::size_t index = 0;
+    for (const int size : array.sizes) {
+      double subscript = 0.0;
+      if (!accept(Punct::kLeftSquare) || !scalar(subscript) || !accept(Punct::kRightSquare)) {
+        return false;
+      }
+      const int i = subscript_of(subscript);
+      if (i < 0 || i >= size) return false;
+      index = index * static_cast<std::size_t>(size) + static_cast<std::size_t>(i);
+    }
+    value = &array.elements[index];
+  }
+  return true;
+}
+
+bool RawExpressions::member(Number& n) {
+  const Token& name = *++m_at;
+  if (name.kind != TokenKind::kKeyword) return false;
+  const int i = component_of(name.keyword);
+  if (i < 0 || i >= n.size) return false;
+  ++m_at;
+  take_component(n, i);
+  return true;
+}
+
+// The operand here, if it is the whole argument.
+bool RawExpressions::lone_operand(Number& n) {
+  if (!is_alone(m_at, Punct::kNone) || !value_of(*m_at, n)) return false;
+  ++m_at;
+  return true;
+}
+
+bool RawExpressions::vector(core::Vec3& v) {
+  Number n;
+  if ((!lone_operand(n) && !additive(n)) || n.size > 3) return false;
+  v = to_vector(n);
+  return true;
+}
+
+}  // namespace lentray::parser

@@ -1,0 +1,54 @@
+// An allocator for small things of one kind that come and go by the thousand: what is given back is
+// kept for the next. One list a thread; memory may be given back on another.
+#pragma once
+
+#include <cstddef>
+#include <new>
+
+namespace lentray::parser {
+
+template <typename T>
+class Recycled {
+ public:
+  using value_type = T;
+  Recycled() = default;
+  template <typename U>
+  Recycled(const Recycled<U>&) {}
+
+  T* allocate(std::size_t count) {
+    Spare*& first = kept().first;
+    if (count != 1 || !first) return static_cast<T*>(::operator new(count * sizeof(T)));
+    Spare* spare = first;
+    first = spare->next;
+    return reinterpret_cast<T*>(spare);
+  }
+  void deallocate(T* memory, std::size_t count) {
+    if (count != 1) return ::operator delete(memory);
+    Spare*& first = kept().first;
+    first = new (static_cast<void*>(memory)) Spare{first};
+  }
+  bool operator==(const Recycled&) const { return true; }
+
+ private:
+  struct Spare {
+    Spare* next;
+  };
+  struct Kept {
+    Spare* first = nullptr;
+    ~Kept() {
+      while (first) {
+        Spare* next = first->next;
+        ::operator delete(first);
+        first = next;
+      }
+    }
+  };
+  static_assert(sizeof(T) >= sizeof(Spare) && alignof(T) <= alignof(std::max_align_t));
+
+  static Kept& kept() {
+    static thread_local Kept all;
+    return all;
+  }
+};
+
+}  // namespace lentray::parser

@@ -1,0 +1,1 @@
+#declare N = 1; #declare L = <N,

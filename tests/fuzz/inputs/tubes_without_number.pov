@@ -1,0 +1,1 @@
+#macro W ( Text_ #include "functions.inc" #debug str ( ( f_polytubes ( 0 , 0 , 0 , -1e308 , 0.5 , 1.5 , 0.8 , 0.3 , - 1e10 ) ) + 2147483647 ) , 0 , 9 ) 
