@@ -34,7 +34,8 @@ class JuliaFractal final : public Shape {
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
   bool inside(const Vec3& p) const override { return m_map.holds(p); }
-  bool solid_leaves_bounds() const override { return Map::kLeavesSphere; }
+  /// Where y stands for z the solid has no end along z.
+  bool solid_leaves_bounds() const override { return Map::kRemembers; }
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override {
     return m_map.normal(p, {hit.u, hit.v});
   }
@@ -68,7 +69,8 @@ double JuliaFractal<Map>::refined(Vec3 p, const Vec3& direction, double step, bo
     p += direction * step;
     reached += step;
   }
-  if (!within || !same) m_map.holds(p, memory);
+  // The orbit that the hit remembers.
+  if (Map::kRemembers && (!within || !same)) m_map.holds(p, memory);
   return reached;
 }
 

@@ -19,12 +19,15 @@ struct Common {
   explicit Common(const JuliaSettings& s);
 
   double fourth(const Vec3& p) const {
+    if (is_upright) return height;
     return (distance - slice[0] * p.x - slice[1] * p.y - slice[2] * p.z) / slice[3];
   }
 
   std::array<double, 4> c;       ///< parameter
   std::array<double, 4> slice;   ///< of length 1
   double distance;
+  bool is_upright;               ///< the cut is at right angles to the fourth axis, at `height`
+  double height;
   double least_step;
   int rounds;
   double radius;                 ///< of the sphere that holds the set
@@ -38,6 +41,8 @@ inline Common::Common(const JuliaSettings& s)
   const auto& n = s.slice;
   const double size = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2] + n[3] * n[3]);
   for (double& part : slice) part /= size;
+  is_upright = n[0] == 0.0 && n[1] == 0.0 && n[2] == 0.0;
+  height = distance / slice[3];
   least_step = std::max(1.0 / s.precision, kTolerance);
   radius = 4.0;
   escape = 16.0;
@@ -90,7 +95,7 @@ struct QuaternionCube {
 template <class Rule>
 class QuaternionMap {
  public:
-  static constexpr bool kLeavesSphere = false;
+  static constexpr bool kRemembers = false;
   struct Memory {
     explicit Memory(const QuaternionMap&) {}
   };
@@ -241,7 +246,7 @@ inline double step_by_slope(double size, double slope, double least) {
 template <class Rule>
 class HypercomplexMap {
  public:
-  static constexpr bool kLeavesSphere = false;
+  static constexpr bool kRemembers = false;
   struct Memory {
     explicit Memory(const HypercomplexMap&) {}
   };
@@ -304,7 +309,7 @@ class HypercomplexMap {
 template <class F>
 class FunctionMap {
  public:
-  static constexpr bool kLeavesSphere = true;
+  static constexpr bool kRemembers = true;
   /// The numbers of the last orbits, each over the start of those before.
   class Memory {
    public:
