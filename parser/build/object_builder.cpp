@@ -31,13 +31,17 @@ bool is_plain_union(const ObjectDesc& object) {
   return csg && (csg->operation == CsgOperation::kUnion || csg->operation == CsgOperation::kLightGroup);
 }
 
-/// The function that makes the shape; null if none does.
-const FunctionDesc* function_of(const ObjectDesc& object) {
-  if (const auto* field = std::get_if<HeightFieldShape>(&object.shape)) return field->function.get();
-  if (const auto* surface = std::get_if<IsosurfaceShape>(&object.shape)) {
-    return surface->function.get();
+/// The functions that make the shape.
+std::vector<const FunctionDesc*> functions_of(const ObjectDesc& object) {
+  std::vector<const FunctionDesc*> all;
+  if (const auto* field = std::get_if<HeightFieldShape>(&object.shape)) {
+    if (field->function) all.push_back(field->function.get());
+  } else if (const auto* surface = std::get_if<IsosurfaceShape>(&object.shape)) {
+    all.push_back(surface->function.get());
+  } else if (const auto* patch = std::get_if<ParametricShape>(&object.shape)) {
+    for (const Ref<FunctionDesc>& f : patch->functions) all.push_back(f.get());
   }
-  return nullptr;
+  return all;
 }
 
 double volume(const core::Bounds& b) {
@@ -228,7 +232,7 @@ std::unique_ptr<core::Object> ObjectBuilder::build_leaf(const ObjectDesc& object
   if (const auto* text = std::get_if<TextShape>(&object.shape)) {
     return build_text(*text, to_world, looks);
   }
-  if (const FunctionDesc* function = function_of(object)) {
+  for (const FunctionDesc* function : functions_of(object)) {
     // What is not evaluated yet is 0: the shape would be no likeness.
     const std::string missing = function->function->not_yet();
     if (!missing.empty()) {

@@ -1,6 +1,10 @@
 #include "parser/build/shapes.h"
 
 #include <algorithm>
+#include <map>
+#include <string_view>
+#include <tuple>
+#include <utility>
 
 #include "core/geometry/bicubic_patch.h"
 #include "core/geometry/blob.h"
@@ -11,8 +15,10 @@
 #include "core/geometry/plane.h"
 #include "core/geometry/height_field.h"
 #include "core/geometry/isosurface.h"
+#include "core/geometry/julia_fractal.h"
 #include "core/geometry/lathe.h"
 #include "core/geometry/ovus.h"
+#include "core/geometry/parametric.h"
 #include "core/geometry/poly.h"
 #include "core/geometry/polygon.h"
 #include "core/geometry/prism.h"
@@ -70,6 +76,26 @@ core::MeshData mesh_data(const MeshShape& mesh) {
   return data;
 }
 
+core::JuliaFunction julia_function(std::string_view name) {
+  using F = core::JuliaFunction;
+  static const std::map<std::string_view, F> kFunctions{
+      {"sqr", F::kSqr},   {"cube", F::kCube},   {"reciprocal", F::kReciprocal}, {"exp", F::kExp},
+      {"ln", F::kLn},     {"sin", F::kSin},     {"asin", F::kAsin},             {"cos", F::kCos},
+      {"acos", F::kAcos}, {"tan", F::kTan},     {"atan", F::kAtan},             {"sinh", F::kSinh},
+      {"asinh", F::kAsinh}, {"cosh", F::kCosh}, {"acosh", F::kAcosh},           {"tanh", F::kTanh},
+      {"atanh", F::kAtanh}, {"pwr", F::kPwr}};
+  return kFunctions.at(name);
+}
+
+std::pair<Vec3, Vec3> sorted(const ContainerShape& box) {
+  std::pair<Vec3, Vec3> corners;
+  for (int i = 0; i < 3; ++i) {
+    corners.first[i] = std::min(box.a[i], box.b[i]);
+    corners.second[i] = std::max(box.a[i], box.b[i]);
+  }
+  return corners;
+}
+
 struct ShapeMaker {
   const ObjectDesc& object;
 
@@ -120,10 +146,7 @@ struct ShapeMaker {
     core::IsosurfaceSettings set;
     set.function = s.function->function;
     set.in_sphere = s.container.sphere;
-    for (int i = 0; i < 3; ++i) {
-      set.lo[i] = std::min(s.container.a[i], s.container.b[i]);
-      set.hi[i] = std::max(s.container.a[i], s.container.b[i]);
-    }
+    std::tie(set.lo, set.hi) = sorted(s.container);
     set.centre = s.container.a;
     set.radius = s.container.radius;
     set.threshold = s.threshold;
@@ -138,6 +161,18 @@ struct ShapeMaker {
     set.max_trace = s.all_intersections ? kMostSurfaces : s.max_trace;
     set.open = s.open;
     return std::make_unique<core::Isosurface>(std::move(set));
+  }
+  ShapePointer operator()(const JuliaFractalShape& s) const {
+    core::JuliaSettings set;
+    set.hypercomplex = s.hypercomplex;
+    set.function = julia_function(s.function);
+    set.parameter = s.parameter;
+    set.slice = s.slice;
+    set.slice_distance = s.slice_distance;
+    set.precision = s.precision;
+    set.max_iteration = std::max(s.max_iteration, 1);
+    set.exponent = s.exponent;
+    return core::make_julia_fractal(set);
   }
   ShapePointer operator()(const LatheShape& s) const {
     return std::make_unique<core::Lathe>(spline_pieces(s.spline, s.points, false));
@@ -154,6 +189,21 @@ struct ShapeMaker {
   }
   ShapePointer operator()(const SphereSweepShape& s) const {
     return std::make_unique<core::SphereSweep>(sweep_pieces(s));
+  }
+  ShapePointer operator()(const ParametricShape& s) const {
+    core::ParametricSettings set;
+    for (std::size_t i = 0; i < 3; ++i) set.functions[i] = s.functions[i]->function;
+    set.lo = s.lo;
+    set.hi = s.hi;
+    set.in_sphere = s.container.sphere;
+    std::tie(set.box_lo, set.box_hi) = sorted(s.container);
+    set.centre = s.container.a;
+    set.radius = s.container.radius;
+    set.accuracy = s.accuracy;
+    set.max_gradient = s.max_gradient;
+    set.precompute_depth = s.precompute_depth;
+    set.precompute = s.precompute;
+    return std::make_unique<core::Parametric>(std::move(set));
   }
   ShapePointer operator()(const PolyShape& s) const {
     const std::string_view name = s.order == 3 ? "cubic" : s.order == 4 ? "quartic" : "poly";

@@ -1,0 +1,190 @@
+#include "core/geometry/julia_fractal.h"
+
+#include <stdexcept>
+
+#include "core/geometry/julia_maps.h"
+
+namespace lentray::core {
+namespace {
+
+using julia::kTolerance;
+
+/// The part of a ray of unit direction in the sphere around the origin; false if it misses.
+bool through_sphere(const Vec3& from, const Vec3& direction, double radius, double& in, double& out) {
+  constexpr double kNone = 1e-10;
+  const double distance = dot(from, from), nearest = -dot(from, direction);
+  if (distance >= radius * radius && nearest < kNone) return false;
+  const double chord = radius * radius - distance + nearest * nearest;
+  if (!(chord > kNone)) return false;
+  in = nearest - std::sqrt(chord);
+  out = nearest + std::sqrt(chord);
+  return true;
+}
+
+template <class Map>
+class JuliaFractal final : public Shape {
+ public:
+  explicit JuliaFractal(Map map) : m_map(std::move(map)) {}
+
+  std::string_view name() const override { return "julia_fractal"; }
+  Bounds bounds() const override {
+    const double r = m_map.common().radius;
+    return {Vec3(-r), Vec3(r)};
+  }
+  bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
+  void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
+  bool inside(const Vec3& p) const override { return m_map.holds(p); }
+  /// Where y stands for z the solid has no end along z.
+  bool solid_leaves_bounds() const override { return Map::kRemembers; }
+  Vec3 normal(const Vec3& p, const ShapeHit& hit) const override {
+    return m_map.normal(p, {hit.u, hit.v});
+  }
+
+ private:
+  using Memory = typename Map::Memory;
+  double refined(Vec3 p, const Vec3& direction, double step, bool within, Memory& memory) const;
+  template <class Visit>
+  void crossings(const Ray& ray, Visit&& visit) const;
+
+  Map m_map;
+};
+
+/// How far from p, on this side of the surface, to where the other side begins (or this one ends,
+/// from within), at most `step`.
+template <class Map>
+double JuliaFractal<Map>::refined(Vec3 p, const Vec3& direction, double step, bool within,
+                                  Memory& memory) const {
+  double reached = 0.0;
+  bool same = false;
+  while (step > kTolerance) {
+    step *= 0.5;
+    const Vec3 middle = p + direction * step;
+    same = m_map.holds(middle, memory) == within;
+    if (same) {
+      p = middle;
+      reached += step;
+    }
+  }
+  if (!within) {
+    p += direction * step;
+    reached += step;
+  }
+  // The orbit that the hit remembers.
+  if (Map::kRemembers && (!within || !same)) m_map.holds(p, memory);
+  return reached;
+}
+
+/// Calls visit(t, what the hit remembers) for the crossings in order, until that returns false.
+template <class Map>
+template <class Visit>
+void JuliaFractal<Map>::crossings(const Ray& ray, Visit&& visit) const {
+  const double size = length_squared(ray.direction);
+  if (size == 0.0) return;
+  constexpr double kUnit = 1e-14;
+  const double scale = std::fabs(size - 1.0) < kUnit ? 1.0 : 1.0 / std::sqrt(size);
+  const Vec3 direction = ray.direction * scale;
+  double depth, end;
+  if (!through_sphere(ray.origin, direction, m_map.common().radius, depth, end)) return;
+  if (end < kTolerance) return;
+  depth = std::max(depth, kTolerance);
+  Memory memory(m_map);
+  Vec3 p = ray.origin + direction * depth;
+  double step;
+  bool within = m_map.step(p, direction, step, memory);
+  if (within) {
+    // Rays that leave the surface start a little inside it.
+    depth += 2.0 * kTolerance;
+    p += direction * (2.0 * kTolerance);
+    if (depth > end) return;
+    within = m_map.step(p, direction, step, memory);
+  }
+  while (depth < end) {
+    if (!(step >= m_map.common().least_step)) step = m_map.common().least_step;
+    if (depth + step > end) return;
+    const Vec3 next = p + direction * step;
+    double next_step;
+    if (m_map.step(next, direction, next_step, memory) != within) {
+      const double reached = refined(p, direction, step, within, memory);
+      if (!visit((depth + reached) * scale, m_map.remembered(memory))) return;
+      within = !within;
+    }
+    depth += step;
+    p = next;
+    step = next_step;
+  }
+}
+
+/// A crossing that is too near for the ray hides all others, as in stock, where a Julia set tells no
+/// more than its first. A search that goes on where it found one, beyond a clipped hit, gets the next.
+template <class Map>
+bool JuliaFractal<Map>::nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const {
+  bool found = false, hidden = false;
+  crossings(ray, [&](double t, const Vec2& remembered) {
+    if (!(t > t_min)) {
+      hidden = t != t_min;
+      return true;
+    }
+    found = !hidden && t < t_max;
+    if (found) hit = {t, 0, remembered.u, remembered.v};
+    return false;
+  });
+  return found;
+}
+
+template <class Map>
+void JuliaFractal<Map>::all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const {
+  crossings(ray, [&](double t, const Vec2& remembered) {
+    if (t > t_min && t < t_max) hits.push_back({t, 0, remembered.u, remembered.v});
+    return t < t_max;
+  });
+}
+
+template <class Map>
+std::unique_ptr<Shape> made(Map map) {
+  return std::make_unique<JuliaFractal<Map>>(std::move(map));
+}
+
+template <class F>
+std::unique_ptr<Shape> made_of(const JuliaSettings& s, F function) {
+  return made(julia::FunctionMap<F>(s, function));
+}
+
+std::unique_ptr<Shape> make_hypercomplex(const JuliaSettings& s) {
+  namespace f = complex_functions;
+  using julia::HypercomplexMap;
+  switch (s.function) {
+    case JuliaFunction::kSqr: return made(HypercomplexMap<julia::DuplexSquare<true>>(s));
+    // Stock squares here as well, but walks by other steps.
+    case JuliaFunction::kCube: return made(HypercomplexMap<julia::DuplexSquare<false>>(s));
+    case JuliaFunction::kReciprocal: return made(HypercomplexMap<julia::DuplexReciprocal>(s));
+    case JuliaFunction::kExp: return made_of(s, f::Exp());
+    case JuliaFunction::kLn: return made_of(s, f::Ln());
+    case JuliaFunction::kSin: return made_of(s, f::Sin());
+    case JuliaFunction::kAsin: return made_of(s, f::Asin());
+    case JuliaFunction::kCos: return made_of(s, f::Cos());
+    case JuliaFunction::kAcos: return made_of(s, f::Acos());
+    case JuliaFunction::kTan: return made_of(s, f::Tan());
+    case JuliaFunction::kAtan: return made_of(s, f::Atan());
+    case JuliaFunction::kSinh: return made_of(s, f::Sinh());
+    case JuliaFunction::kAsinh: return made_of(s, f::Asinh());
+    case JuliaFunction::kCosh: return made_of(s, f::Cosh());
+    case JuliaFunction::kAcosh: return made_of(s, f::Acosh());
+    case JuliaFunction::kTanh: return made_of(s, f::Tanh());
+    case JuliaFunction::kAtanh: return made_of(s, f::Atanh());
+    case JuliaFunction::kPwr: return made_of(s, f::Power{{s.exponent.u, s.exponent.v}});
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+std::unique_ptr<Shape> make_julia_fractal(const JuliaSettings& s) {
+  if (s.hypercomplex) return make_hypercomplex(s);
+  switch (s.function) {
+    case JuliaFunction::kSqr: return made(julia::QuaternionMap<julia::QuaternionSquare>(s));
+    case JuliaFunction::kCube: return made(julia::QuaternionMap<julia::QuaternionCube>(s));
+    default: throw std::invalid_argument("quaternion fractals have the functions sqr and cube only");
+  }
+}
+
+}  // namespace lentray::core

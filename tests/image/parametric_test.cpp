@@ -1,0 +1,73 @@
+// Parametric surfaces against stock: containers, steps, gradients that are right and too low,
+// precomputed and not, alone, in CSG and with shadows.
+#include <gtest/gtest.h>
+
+#include "tests/support/render.h"
+
+namespace lentray::test {
+namespace {
+
+constexpr const char* kStage = R"(#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <2.2,2.6,-4> look_at <0,.2,0> angle 40 }
+light_source { <-4,7,-6>, 1 }
+light_source { <5,3,-2>, .3 }
+plane { y, -1.6 pigment { checker rgb .9 rgb .5 } }
+)";
+
+struct Case {
+  const char* name;
+  const char* sdl;
+  Grade grade = Grade::exact;
+};
+
+const Case kCases[] = {
+    {"sphere", "function { sin(u)*cos(v) } function { cos(u) } function { sin(u)*sin(v) }"
+               " <0,0>, <pi,2*pi> max_gradient 1 accuracy .005"},
+    {"in_sphere", "function { sin(u)*cos(v)*1.3 } function { cos(u) } function { sin(u)*sin(v) }"
+                  " <0,0>, <pi,2*pi> contained_by { sphere { <.2,0,0>, 1.1 } } max_gradient 1.5 accuracy .01"},
+    {"precomputed", "function { u*v*sin(10*v) } function { v } function { u*v*cos(10*v) } <0,.05>, <1,1>"
+                    " contained_by { box { -1, 1 } } max_gradient 9 accuracy .005 precompute 12 x, y, z"},
+    {"precomputed_partly", "function { cos(u)*(1 + .4*cos(v)) } function { .4*sin(v) }"
+                           " function { sin(u)*(1 + .4*cos(v)) } <0,0>, <2*pi,2*pi>"
+                           " contained_by { box { -1.5, 1.5 } } max_gradient 1.5 accuracy .01 precompute 9 x, z"},
+    {"too_flat", "function { u*v*sin(15*v) } function { v } function { u*v*cos(15*v) } <0,0>, <1,1>"
+                 " contained_by { box { -1, 1 } } accuracy .01"},
+    {"turned", "function { u } function { .3*sin(u*4)*cos(v*3) } function { v } <-1,-1>, <1,1>"
+               " contained_by { box { -1, 1 } } max_gradient 2 accuracy .003 rotate <20,30,10> scale <1.2,1,.8>"},
+    {"backwards", "function { u } function { v*v } function { v } <1,1>, <-1,-.8>"
+                  " contained_by { box { 1, -1 } } max_gradient 2 accuracy .01"},
+};
+
+class ImageParametric : public ::testing::TestWithParam<Case> {};
+
+::testing::AssertionResult same(const std::string& sdl, Grade grade) {
+  return same_as_stock({.sdl = kStage + sdl, .width = 64, .height = 48, .arguments = {}, .files = {}},
+                       grade);
+}
+
+TEST_P(ImageParametric, Alone) {
+  EXPECT_TRUE(same(std::string("parametric { ") + GetParam().sdl +
+                   " pigment { rgb <.9,.5,.3> } finish { specular .4 } }", GetParam().grade));
+}
+
+TEST_P(ImageParametric, UvMapped) {
+  EXPECT_TRUE(same(std::string("parametric { ") + GetParam().sdl +
+                   " pigment { uv_mapping checker rgb .2 rgb x scale .3 } finish { reflection .3 } }",
+                   GetParam().grade));
+}
+
+TEST_P(ImageParametric, InCsg) {
+  const std::string one = std::string("parametric { ") + GetParam().sdl + " }";
+  EXPECT_TRUE(same("difference { " + one + " sphere { <.4,.4,-.8>, .7 } pigment { rgb <.3,.7,.9> } }\n"
+                   "intersection { " + one + " box { <-2,-.1,-2>, <2,.3,2> }"
+                   " translate <-1.2,1.4,1.5> pigment { rgb <.8,.9,.3> } }\n"
+                   "object { " + one + " clipped_by { plane { x, 0 } } translate <1.3,.7,1>"
+                   " pigment { rgb <.9,.3,.8> } }", GetParam().grade));
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, ImageParametric, ::testing::ValuesIn(kCases),
+                         [](const auto& one) { return std::string(one.param.name); });
+
+}  // namespace
+}  // namespace lentray::test

@@ -1,0 +1,90 @@
+// Shapes that are found by walking: Julia fractals and parametric surfaces.
+#include <gtest/gtest.h>
+
+#include "core/geometry/julia_fractal.h"
+#include "core/geometry/parametric.h"
+#include "tests/unit/geometry_help.h"
+
+namespace lentray::core {
+namespace {
+
+using geometry_test::Random;
+constexpr double kInf = Bounds::kInf;
+
+TEST(UnitCoreJulia, HitsLieOnTheSurfaceWithinTheBounds) {
+  for (const bool hypercomplex : {false, true}) {
+    JuliaSettings set;
+    set.hypercomplex = hypercomplex;
+    set.parameter = {-0.16, 0.16, 0.4, -0.3};
+    set.slice = {0.1, 0.2, -0.3, 1.0};
+    set.precision = 50.0;
+    set.max_iteration = 8;
+    const auto shape = make_julia_fractal(set);
+    Random random(3);
+    int met = 0;
+    for (int round = 0; round < 500; ++round) {
+      const Ray ray = random.ray(6.0, 0.8);
+      ShapeHits hits;
+      shape->all(ray, 0.0, kInf, hits);
+      ShapeHit first;
+      ASSERT_EQ(shape->nearest(ray, 0.0, kInf, first), !hits.empty());
+      if (hits.empty()) continue;
+      ++met;
+      EXPECT_EQ(first.t, hits[0].t);
+      EXPECT_TRUE(shape->bounds().contains(ray.at(first.t)));
+      EXPECT_TRUE(shape->inside(ray.at(first.t)));
+      EXPECT_FALSE(shape->inside(ray.at(first.t - 2e-7)));
+    }
+    EXPECT_GT(met, 100);
+  }
+}
+
+TEST(UnitCoreJulia, QuaternionsHaveTwoFunctions) {
+  JuliaSettings set;
+  set.function = JuliaFunction::kExp;
+  EXPECT_THROW(make_julia_fractal(set), std::invalid_argument);
+}
+
+/// x, y or z of a ball of radius 1.
+struct Ball final : Function {
+  explicit Ball(int axis_) : axis(axis_) {}
+  int axis;
+  std::size_t parameters() const override { return 2; }
+  std::string not_yet() const override { return {}; }
+  double evaluate(std::span<const double> a) const override {
+    if (axis == 1) return std::cos(a[0]);
+    return std::sin(a[0]) * (axis == 0 ? std::cos(a[1]) : std::sin(a[1]));
+  }
+};
+
+TEST(UnitCoreParametric, BoundsAreTheSurfacesNotTheContainers) {
+  ParametricSettings set;
+  for (int axis = 0; axis < 3; ++axis) {
+    set.functions[static_cast<std::size_t>(axis)] = std::make_shared<Ball>(axis);
+  }
+  set.hi = {3.14159265358979, 6.28318530717959};
+  set.box_lo = Vec3(-5.0);
+  set.box_hi = Vec3(5.0);
+  const Parametric ball(set);
+  for (int axis = 0; axis < 3; ++axis) {
+    EXPECT_GT(ball.bounds().lo[axis], -1.15);
+    EXPECT_LT(ball.bounds().hi[axis], 1.15);
+  }
+  Random random(4);
+  for (int round = 0; round < 200; ++round) {
+    const Ray ray = random.ray(4.0, 0.5);
+    ShapeHit hit;
+    ASSERT_TRUE(ball.nearest(ray, 0.0, kInf, hit));
+    // A ray that runs along a range meets it early: its hit's point of the surface is what holds.
+    const double where[] = {hit.u, hit.v};
+    Vec3 p;
+    for (int axis = 0; axis < 3; ++axis) p[axis] = Ball(axis).evaluate(where);
+    EXPECT_LT(length(cross(p - ray.origin, ray.direction)), 0.02);
+    EXPECT_TRUE(ball.bounds().contains(p));
+    EXPECT_GT(std::fabs(dot(normalized(ball.normal(p, hit)), p)), 0.99);
+    EXPECT_FALSE(ball.inside(p));
+  }
+}
+
+}  // namespace
+}  // namespace lentray::core
