@@ -17,22 +17,12 @@
 
 namespace lentray::parser {
 
-/// A place in a source: small, for each token has one. file 0 is "nowhere" (built in, command line).
-/// What lies beyond the last file, line or column that can be said is taken for that.
+/// A place in a source: small, copied freely. file 0 is "nowhere" (built in, command line).
 struct Location {
-  static constexpr std::uint32_t kLastFile = (1u << 16) - 1, kLastLine = (1u << 26) - 1,
-                                 kLastColumn = (1u << 22) - 1;
-  std::uint64_t file : 16 = 0;
-  std::uint64_t line : 26 = 0;
-  std::uint64_t column : 22 = 0;
-
-  Location() = default;
-  Location(std::uint32_t in_file, std::uint32_t at_line, std::uint32_t at_column)
-      : file(in_file < kLastFile ? in_file : kLastFile),
-        line(at_line < kLastLine ? at_line : kLastLine),
-        column(at_column < kLastColumn ? at_column : kLastColumn) {}
+  std::uint32_t file = 0;
+  std::uint32_t line = 0;
+  std::uint32_t column = 0;
 };
-static_assert(sizeof(Location) == 8);
 
 class SourceManager {
  public:
