@@ -169,7 +169,9 @@ struct SolidAxis {
   explicit SolidAxis(double x) {
     const double t = x + 10000000.023157213;
     const double whole = std::floor(t);
-    low = static_cast<int>(static_cast<std::int64_t>(whole) & (SolidTables::kEntries - 1));
+    // Where doubles have no odd numbers left any cell will do.
+    const std::int64_t cell = std::fabs(whole) < 9e18 ? static_cast<std::int64_t>(whole) : 0;
+    low = static_cast<int>(cell & (SolidTables::kEntries - 1));
     high = (low + 1) & (SolidTables::kEntries - 1);
     near = t - whole;
     far = near - 1.0;
