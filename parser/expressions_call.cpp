@@ -119,7 +119,7 @@ Number Expressions::call_spline(const Ref<SplineDesc>& named) {
     spline = other;
   }
   tokens.expect(Punct::kRightParen);
-  return {spline->evaluate(at), spline->size, false};
+  return {spline->evaluate(at), spline->size};
 }
 
 Number Expressions::call_function(const Ref<FunctionDesc>& desc, std::string_view name) {

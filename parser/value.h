@@ -46,8 +46,38 @@ struct Number {
   /// A component of a vector (V.x): v[1] and v[2] are still the vector's. Until it is stored.
   bool keeps_rest = false;
 
-  static Number scalar(double x) { return {{x, 0, 0, 0, 0}, 1, false, false}; }
-  static Number vector(const core::Vec3& p) { return {{p.x, p.y, p.z, 0, 0}, 3, false, false}; }
+  Number() = default;
+  Number(const std::array<double, 5>& components, int count) : v(components), size(count) {}
+  // One member after the other and no more than are meant: most are copied as soon as they are
+  // written, and then a wide load of what narrow stores wrote must wait for them (10 ns each).
+  Number(const Number& from) { *this = from; }
+  Number& operator=(const Number& from) {
+    size = from.size;
+    is_colour = from.is_colour;
+    keeps_rest = from.keeps_rest;
+    v[0] = from.v[0];
+    if (size == 1 && !keeps_rest) return *this;
+    v[1] = from.v[1];
+    v[2] = from.v[2];
+    if (size <= 3) return *this;
+    v[3] = from.v[3];
+    v[4] = from.v[4];
+    return *this;
+  }
+
+  static Number scalar(double x) {
+    Number n;
+    n.v[0] = x;
+    return n;
+  }
+  static Number vector(const core::Vec3& p) {
+    Number n;
+    n.v[0] = p.x;
+    n.v[1] = p.y;
+    n.v[2] = p.z;
+    n.size = 3;
+    return n;
+  }
   double as_float() const { return v[0]; }
   core::Vec3 xyz() const {
     return size == 1 ? core::Vec3(v[0]) : core::Vec3(v[0], v[1], v[2]);
