@@ -87,14 +87,13 @@ void Directives::include(const std::string& name, const Location& where) {
     for (const std::string& folder : m_in.options.library_paths) message += ", " + folder;
     m_in.fail(where, message);
   }
-  Frame frame;
+  Frame& frame = m_in.stream.push();
   frame.kind = FrameKind::kInclude;
   frame.list = list;
   frame.cursor = list->begin();
   frame.end = list->end();
   frame.call = where;
   frame.blocks = m_blocks.size();
-  m_in.stream.push(std::move(frame));
   m_in.symbols.push_scope();
 }
 

@@ -126,7 +126,7 @@ void Directives::invoke(const Macro& macro, const Token& name_token) {
     m_in.symbols.bind_local(macro.parameters[i].name, std::move(m_arguments[first + i]));
   }
   m_arguments.resize(first);
-  Frame frame;
+  Frame& frame = m_in.stream.push();
   frame.kind = FrameKind::kMacro;
   frame.list = macro.list;
   frame.cursor = macro.list->tokens.data() + macro.begin;
@@ -134,7 +134,6 @@ void Directives::invoke(const Macro& macro, const Token& name_token) {
   frame.name = macro.name;
   frame.call = name.where;
   frame.blocks = m_blocks.size();
-  m_in.stream.push(std::move(frame));
 }
 
 }  // namespace lentray::parser

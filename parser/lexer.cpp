@@ -154,6 +154,17 @@ class Lexer {
     return t;
   }
 
+  // The next token, made where it stays: one that is copied at once has to wait for its own bytes.
+  Token& add(TokenKind kind) {
+    Token& t = m_tokens.emplace_back();
+    t.kind = kind;
+    t.where.file = m_file;
+    t.where.line = m_line;
+    t.where.column = static_cast<std::uint32_t>(m_pos - m_line_start + 1);
+    t.passive = kind == TokenKind::kNumber || kind == TokenKind::kString || kind == TokenKind::kPunct;
+    return t;
+  }
+
   void bad(const Location& where, std::string message) {
     Token t;
     t.kind = TokenKind::kBad;
@@ -226,20 +237,18 @@ class Lexer {
   }
 
   void word() {
-    Token t = token(TokenKind::kIdentifier);
+    Token& t = add(TokenKind::kIdentifier);
     t.name = m_names.intern(read_word());
     t.keyword = m_names.keyword(t.name);
     if (t.keyword != Keyword::kNone) {
       t.kind = TokenKind::kKeyword;
       t.passive = !is_unmarked_directive(t.keyword);
     }
-    m_tokens.push_back(t);
   }
 
   void number() {
-    Token t = token(TokenKind::kNumber);
+    Token& t = add(TokenKind::kNumber);
     t.number = read_number();
-    m_tokens.push_back(t);
   }
 
   // Most numbers are short: a whole number below 2^53 over a power of ten, both exact, is rounded
@@ -370,26 +379,24 @@ class Lexer {
   }
 
   void punct() {
-    Token t = token(TokenKind::kPunct);
     const char c = m_text[m_pos];
     const bool equal_follows = at(m_pos + 1) == '=';
     if (equal_follows && (c == '<' || c == '>' || c == '!')) {
-      t.punct = c == '<' ? Punct::kLessEqual : c == '>' ? Punct::kGreaterEqual : Punct::kNotEqual;
+      add(TokenKind::kPunct).punct =
+          c == '<' ? Punct::kLessEqual : c == '>' ? Punct::kGreaterEqual : Punct::kNotEqual;
       m_pos += 2;
-      m_tokens.push_back(t);
       return;
     }
-    t.punct = kBytes.puncts[static_cast<unsigned char>(c)];
-    if (t.punct != Punct::kNone) {
+    const Punct punct = kBytes.puncts[static_cast<unsigned char>(c)];
+    if (punct != Punct::kNone) {
+      if (punct != Punct::kGreater || !close_vector()) add(TokenKind::kPunct).punct = punct;
       ++m_pos;
-      if (t.punct == Punct::kGreater && close_vector()) return;
-      m_tokens.push_back(t);
       return;
     }
     static constexpr char kHex[] = "0123456789ABCDEF";
     const unsigned byte = static_cast<unsigned char>(c);
-    bad(t.where, std::string("unknown character 0x") + kHex[byte >> 4] + kHex[byte & 15] +
-                     " outside a string or comment");
+    bad(location(), std::string("unknown character 0x") + kHex[byte >> 4] + kHex[byte & 15] +
+                        " outside a string or comment");
     ++m_pos;
   }
 

@@ -26,11 +26,10 @@ void Parser::open(const std::string& path) {
   in.scene_folder = std::filesystem::path(path).parent_path().string();
   in.declare_constants();
   in.symbols.declare_global(in.names.intern("input_file_name")).reset(path);
-  Frame frame;
+  Frame& frame = in.stream.push();
   frame.list = list;
   frame.cursor = list->begin();
   frame.end = list->end();
-  in.stream.push(std::move(frame));
 }
 
 const Token& Parser::peek() { return m_impl->in.tokens.peek(); }

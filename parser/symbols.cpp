@@ -50,7 +50,11 @@ Symbol& SymbolTable::declare_at(NameId name, std::uint32_t home) {
 void SymbolTable::bind_local(NameId name, SymbolPtr symbol) {
   SymbolPtr& visible = slot(name);
   if (symbol) symbol->level = level();
-  if (level() > 0) m_hidden.push_back({name, std::move(visible)});
+  if (level() > 0) {
+    Hidden& hidden = m_hidden.emplace_back();
+    hidden.name = name;
+    hidden.outer = std::move(visible);
+  }
   visible = std::move(symbol);
 }
 

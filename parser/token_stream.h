@@ -28,7 +28,8 @@ struct Frame {
 
 class TokenStream {
  public:
-  void push(Frame frame) { m_frames.push_back(std::move(frame)); }
+  /// A new innermost frame, to be filled.
+  Frame& push() { return m_frames.emplace_back(); }
   void pop() { m_frames.pop_back(); }
   bool empty() const { return m_frames.empty(); }
   std::size_t depth() const { return m_frames.size(); }
