@@ -72,7 +72,7 @@ class Lexer {
   void run() {
     while (skip_space()) one();
     link_directives();
-    m_tokens.push_back(token(TokenKind::kEnd));
+    add(TokenKind::kEnd);
   }
 
   /// On to the first comma outside vectors that follows so many tokens. False if nothing was left.
@@ -89,7 +89,7 @@ class Lexer {
       if (last.is(Punct::kComma) && open == 0 && m_tokens.size() >= count) break;
     }
     const bool any = !m_tokens.empty();
-    m_tokens.push_back(token(TokenKind::kEnd));
+    add(TokenKind::kEnd);
     return any;
   }
 
@@ -109,7 +109,7 @@ class Lexer {
       found = PlainValue::kNumber;
     } else if (first == '"') {
       ++m_pos;
-      const std::size_t end = plain_string_end();
+      const std::size_t end = plain_string_end(m_pos);
       if (end != m_text.npos) {
         string = m_text.substr(m_pos, end - m_pos);
         m_pos = end + 1;
@@ -144,14 +144,6 @@ class Lexer {
   void new_line(std::size_t next_start) {
     ++m_line;
     m_line_start = next_start;
-  }
-
-  Token token(TokenKind kind) const {
-    Token t;
-    t.kind = kind;
-    t.where = location();
-    t.passive = kind == TokenKind::kNumber || kind == TokenKind::kString || kind == TokenKind::kPunct;
-    return t;
   }
 
   // The next token, made where it stays: one that is copied at once has to wait for its own bytes.
@@ -295,15 +287,14 @@ class Lexer {
   }
 
   void string() {
-    Token t = token(TokenKind::kString);
-    ++m_pos;
-    const std::size_t start = m_pos;
-    if (plain_string(t)) return;
+    const Location where = location();
+    if (plain_string()) return;
+    const std::size_t start = ++m_pos;
     std::string cooked;
     std::string ascii;  // from the first byte on that is not
     std::string wrong;  // first illegal escape
     for (;;) {
-      if (m_pos >= m_text.size()) return bad(t.where, "string without its end: expected \"");
+      if (m_pos >= m_text.size()) return bad(where, "string without its end: expected \"");
       const char c = m_text[m_pos];
       if (c == '"') break;
       if (c == '\n') new_line(m_pos + 1);
@@ -319,25 +310,24 @@ class Lexer {
     }
     std::string raw(m_text.substr(start, m_pos - start));
     ++m_pos;
+    Token& t = add(TokenKind::kString);
+    t.where = where;
     // A wrong escape is no error in a file name, where backslashes are left as they are.
     t.keyword = wrong.empty() ? Keyword::kNone : Keyword::kError;
     t.name = m_names.add_string(std::move(raw), std::move(cooked), std::move(ascii));
-    m_tokens.push_back(t);
   }
 
   // Most strings are printable ASCII without a backslash: where its quote is, else npos.
-  std::size_t plain_string_end() const {
-    std::size_t end = m_pos;
+  std::size_t plain_string_end(std::size_t end) const {
     while (end < m_text.size() && m_text[end] >= ' ' && m_text[end] != '"' && m_text[end] != '\\') ++end;
     return end < m_text.size() && m_text[end] == '"' ? end : m_text.npos;
   }
 
-  bool plain_string(Token& t) {
-    const std::size_t end = plain_string_end();
+  bool plain_string() {
+    const std::size_t start = m_pos + 1, end = plain_string_end(start);
     if (end == m_text.npos) return false;
-    const std::string_view text = m_text.substr(m_pos, end - m_pos);
-    t.name = m_names.add_string(std::string(text), std::string(text));
-    m_tokens.push_back(t);
+    const std::string_view text = m_text.substr(start, end - start);
+    add(TokenKind::kString).name = m_names.add_string(std::string(text), std::string(text));
     m_pos = end + 1;
     return true;
   }
@@ -364,18 +354,19 @@ class Lexer {
   }
 
   void directive() {
-    Token t = token(TokenKind::kDirective);
-    t.jump = 0;
+    const Location where = location();
     ++m_pos;
-    if (!skip_space() || !is_word_start(here())) {
-      t.kind = TokenKind::kPunct;  // ignored with a warning when it is read
+    const bool word = skip_space() && is_word_start(here());
+    Token& t = add(word ? TokenKind::kDirective : TokenKind::kPunct);
+    t.where = where;
+    t.jump = 0;
+    if (word) {
+      t.name = m_names.intern(read_word());
+      t.keyword = m_names.keyword(t.name);
+    } else {
+      t.passive = false;  // ignored with a warning when it is read
       t.punct = Punct::kHash;
-      m_tokens.push_back(t);
-      return;
     }
-    t.name = m_names.intern(read_word());
-    t.keyword = m_names.keyword(t.name);
-    m_tokens.push_back(t);
   }
 
   void punct() {

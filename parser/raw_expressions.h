@@ -87,9 +87,9 @@ class RawExpressions {
     ++m_at;
     return true;
   }
-  bool scalar(double& x);      ///< additive, one component
-  bool argument(double& x);    ///< everything, one component
-  bool vector(core::Vec3& v);  ///< additive, up to three components
+  bool scalar(double& x, Level level = Level::kAdditive);  ///< one component
+  bool argument(double& x) { return scalar(x, Level::kEverything); }
+  bool vector(core::Vec3& v);                              ///< additive, up to three components
   bool ends_here() const;
   bool value_of(const Token& token, Number& value) const;
   bool lone_operand(Number& n);

@@ -15,21 +15,10 @@ inline bool RawExpressions::literal(double& x) {
   return true;
 }
 
-bool RawExpressions::scalar(double& x) {
-  if (literal(x) || only_floats(Level::kAdditive, true, x)) return true;
+bool RawExpressions::scalar(double& x, Level level) {
+  if (literal(x) || only_floats(level, true, x)) return true;
   Number n;
-  if (m_operands_left > 0 && additive(n) && n.size == 1) {
-    x = n.v[0];
-    return true;
-  }
-  m_operands_left = 0;
-  return false;
-}
-
-bool RawExpressions::argument(double& x) {
-  if (literal(x) || only_floats(Level::kEverything, true, x)) return true;
-  Number n;
-  if (m_operands_left > 0 && expression(n) && n.size == 1) {
+  if (m_operands_left > 0 && (level == Level::kAdditive ? additive(n) : expression(n)) && n.size == 1) {
     x = n.v[0];
     return true;
   }
