@@ -22,6 +22,9 @@ struct Text {
 };
 
 TEST(GrammarNesting, TextsEndInAMessage) {
+#if defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "one thread, and more than 7 GB with the thread sanitizer";
+#endif
   constexpr int kDeep = 300'000;
   const Text texts[] = {
       {"#declare A = ", "("},
