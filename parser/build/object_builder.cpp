@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <new>
+#include <utility>
 
 #include "core/geometry/box.h"
 #include "core/geometry/prism.h"
@@ -76,7 +77,23 @@ void ObjectBuilder::add(const ObjectDesc& object, const Ref<TextureDesc>& defaul
   m_default = default_texture ? default_texture : standard_texture();
   Inherited nothing;
   nothing.on_list = true;
-  if (auto built = build(object, core::Transform(), nothing)) m_parts->objects.push_back(std::move(built));
+  add_to_list(object, core::Transform(), nothing);
+}
+
+void ObjectBuilder::add_to_list(const ObjectDesc& object, const core::Transform& outer,
+                                const Inherited& from) {
+  const auto around = std::exchange(
+      m_cutaways, Cutaways::occur_in(object) ? std::make_shared<Cutaways>() : nullptr);
+  auto built = build(object, outer, from);
+  const auto cutaways = std::exchange(m_cutaways, around);
+  if (!built) return;
+  if (cutaways) {
+    cutaways->apply(
+        *built, from.texture, [this](const Ref<TextureDesc>& t) { return compile(t); },
+        [this](auto texture) { m_parts->textures.push_back(std::move(texture)); },
+        m_parts->settings.adc_bailout);
+  }
+  m_parts->objects.push_back(std::move(built));
 }
 
 std::unique_ptr<core::Object> ObjectBuilder::geometry(const ObjectDesc& object,
@@ -204,13 +221,13 @@ std::unique_ptr<core::Object> ObjectBuilder::build_whole(const ObjectDesc& objec
                      !std::holds_alternative<PolyShape>(object.shape);
   set_regions(object, outer, !(from.on_list && cheap), *out);
   if (object.inverse) out->set_inverse(true);
+  if (m_cutaways) m_cutaways->record(*out, object, object.texture ? looks.texture : nullptr);
   return out;
 }
 
 std::unique_ptr<core::Object> ObjectBuilder::build_csg(const ObjectDesc& object, const CsgShape& csg,
                                                        const core::Transform& to_world,
                                                        const Inherited& looks) {
-  if (csg.cutaway_textures) note("cutaway_textures", object.where);
   if (csg.operation == CsgOperation::kLightGroup) note("light_group", object.where);
   std::vector<std::unique_ptr<core::Object>> children;
   bool first = true;
@@ -310,7 +327,7 @@ void ObjectBuilder::add_light(const ObjectDesc& object, const LightDesc& light,
   Inherited looks = resolve(object, to_world, from);
   looks.no_shadow = true;
   // The kernel's list holds it: a light in a CSG takes no part in the CSG.
-  if (auto built = build(*light.looks_like, to_world, looks)) m_parts->objects.push_back(std::move(built));
+  add_to_list(*light.looks_like, to_world, looks);
 }
 
 }  // namespace lentray::parser
