@@ -17,6 +17,7 @@ namespace lentray::core {
 
 class Texture;
 struct Interior;
+struct LightSelection;
 class Leaf;
 class Object;
 
@@ -25,6 +26,7 @@ struct Attributes {
   const Texture* texture = nullptr;           ///< owned by the scene; never null after compiling
   const Texture* interior_texture = nullptr;  ///< null: the same as `texture`
   const Interior* interior = nullptr;         ///< null: none was given
+  const LightSelection* lights = nullptr;     ///< null: the global ones; owned by the scene
   bool no_shadow = false, no_image = false, no_reflection = false;
   bool hollow = false, double_illuminate = false;
   bool uv_mapping = false;                    ///< textures lie in texture coordinates

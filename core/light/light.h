@@ -1,6 +1,9 @@
 // A light source, compiled. World space. Source: reference manual 3.7, "Light Source".
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
 #include "core/base/color.h"
 #include "core/base/vec3.h"
 
@@ -29,6 +32,13 @@ struct Light {
   double fade_distance = 0.0, fade_power = 0.0;
   bool shadowless = false;    ///< fill light: no shadows and no highlights
   bool interaction = true;    ///< media_interaction, kept
+  bool grouped = false;       ///< of a light_group: lights only what selects it
+};
+
+/// What lights an object of a light_group. Source: reference manual 3.7, "Light Groups".
+struct LightSelection {
+  bool global = false;                ///< the lights outside all groups, before the group's
+  std::vector<std::uint32_t> local;   ///< indices of grouped lights, in the order they count
 };
 
 }  // namespace lentray::core

@@ -117,6 +117,16 @@ class PathTracer final : public Tracer {
   Radiance shade_texture(const LayeredTexture& texture, const Surface& at, Frame& frame);
   void shade_layer(const TextureLayer& layer, const Surface& at, Stack& stack, Mirror& mirror,
                    Frame& frame);
+  /// Calls visit(index) for each light that lights what looks like that, in stock's order.
+  template <class Visit>
+  void for_lights_of(const Attributes& looks, Visit&& visit) const {
+    if (!looks.lights || looks.lights->global) {
+      for (const std::uint32_t i : m_scene.global_lights()) visit(i);
+    }
+    if (looks.lights) {
+      for (const std::uint32_t i : looks.lights->local) visit(i);
+    }
+  }
   Rgb lit(const Finish& finish, const Rgb& pigment, const Vec3& normal, double opacity,
           const Surface& at, Frame& frame);
   Rgb arriving(std::uint32_t light, const Rgb& colour, const LightRay& ray, const Surface& at,

@@ -96,13 +96,12 @@ typename PathTracer<kFeatures>::Frame& PathTracer<kFeatures>::enter_frame() {
 /// not asked for.
 template <unsigned kFeatures>
 void PathTracer<kFeatures>::look_ahead(const Surface& at, Frame& frame) const {
-  const std::size_t lights = m_scene.lights().size();
-  frame.spots.resize(lights);
-  for (std::size_t i = 0; i < lights; ++i) {
+  frame.spots.resize(m_scene.lights().size());
+  for_lights_of(*at.looks, [&](std::uint32_t i) {
     const LightBuffer* buffer = m_scene.light_buffer(i);
     frame.spots[i].known = buffer && !surely_behind(m_scene.lights()[i], at.point, at.normal);
     if (frame.spots[i].known) frame.spots[i] = buffer->spot_of(at.point);
-  }
+  });
 }
 
 template <unsigned kFeatures>
@@ -231,22 +230,21 @@ Rgb PathTracer<kFeatures>::lit(const Finish& finish, const Rgb& pigment, const V
       finish.phong == 0.0) {
     return sum;
   }
-  const std::vector<Light>& lights = m_scene.lights();
   const bool front_only = !at.looks->double_illuminate && finish.diffuse_back == 0.0;
-  for (std::uint32_t i = 0; i < lights.size(); ++i) {
-    const Light& light = lights[i];
-    if (front_only && surely_behind(light, at.point, normal)) continue;
+  for_lights_of(*at.looks, [&](std::uint32_t i) {
+    const Light& light = m_scene.lights()[i];
+    if (front_only && surely_behind(light, at.point, normal)) return;
     const LightRay ray = light_ray(light, at.point);
     Rgb colour = light_colour(light, at.point, ray);
-    if (is_dark(colour)) continue;
+    if (is_dark(colour)) return;
     bool behind = false;
     if (!at.looks->double_illuminate && dot(normal, ray.direction) < kTiny) {
-      if (front_only) continue;
+      if (front_only) return;
       behind = true;
     }
     if (!light.shadowless) {
       colour = arriving(i, colour, ray, at, frame);
-      if (is_dark(colour)) continue;
+      if (is_dark(colour)) return;
     }
     const Illumination on{ray.direction, at.state->ray.direction, normal, colour, pigment,
                           opacity};
@@ -258,7 +256,7 @@ Rgb PathTracer<kFeatures>::lit(const Finish& finish, const Rgb& pigment, const V
                          m_scene.settings().irid_wavelength, normal, ray.direction, on.eye);
     }
     sum += share;
-  }
+  });
   return sum;
 }
 

@@ -59,6 +59,9 @@ Scene::Scene(SceneParts parts, const CompileOptions& options) : m_parts(std::mov
     object->set_opaque(all_opaque(*object));
     object->set_test_cost(test_cost(*object));
   }
+  for (std::uint32_t i = 0; i < m_parts.lights.size(); ++i) {
+    if (!m_parts.lights[i].grouped) m_global_lights.push_back(i);
+  }
   m_needs = find_needs(m_parts);
   if (options.general_path) m_needs = everything_needed(std::move(m_needs), m_parts.settings);
   m_solids = std::make_unique<SolidIndex>(m_parts.objects, split.groups);

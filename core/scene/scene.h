@@ -52,6 +52,7 @@ struct SceneParts {
   Atmosphere atmosphere;
   std::vector<std::shared_ptr<const Texture>> textures;    ///< owners of what Attributes point at
   std::vector<std::shared_ptr<const Interior>> interiors;
+  std::vector<std::unique_ptr<const LightSelection>> light_selections;  ///< likewise
   std::vector<std::string> not_rendered;             ///< features parsed and kept but not rendered yet
 };
 
@@ -72,6 +73,8 @@ class Scene {
 
   const SceneSettings& settings() const { return m_parts.settings; }
   const std::vector<Light>& lights() const { return m_parts.lights; }
+  /// Indices of those that no light_group has.
+  const std::vector<std::uint32_t>& global_lights() const { return m_global_lights; }
   const SkySphere* sky_sphere() const { return m_parts.sky_sphere.get(); }
   const Atmosphere& atmosphere() const { return m_parts.atmosphere; }
   const Hierarchy& hierarchy() const { return *m_hierarchy; }
@@ -90,6 +93,7 @@ class Scene {
   std::unique_ptr<SolidIndex> m_solids;
   std::unique_ptr<Hierarchy> m_hierarchy;
   std::vector<std::unique_ptr<LightBuffer>> m_light_buffers;  ///< one a light, null where none
+  std::vector<std::uint32_t> m_global_lights;
   Needs m_needs;
 };
 

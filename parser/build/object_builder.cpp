@@ -9,6 +9,7 @@
 #include "core/material/blob_texture.h"
 #include "parser/build/blob_fields.h"
 #include "parser/build/build_error.h"
+#include "parser/build/light_scope.h"
 #include "parser/build/lights.h"
 #include "parser/build/shapes.h"
 #include "parser/build/text_shape.h"
@@ -156,6 +157,7 @@ core::Attributes ObjectBuilder::attributes(const Inherited& looks) {
   if (!m_parts) return a;
   a.texture = compile(looks.texture);
   if (looks.interior_texture) a.interior_texture = compile(looks.interior_texture);
+  if (looks.lights) a.lights = selection(*looks.lights);
   return a;
 }
 
@@ -196,8 +198,11 @@ std::unique_ptr<core::Object> ObjectBuilder::build_whole(const ObjectDesc& objec
                                                          const core::Transform& outer,
                                                          const Inherited& from) {
   const core::Transform to_world = object.transform->then(outer);
-  if (const auto* light = std::get_if<LightShape>(&object.shape)) {
-    if (m_parts) add_light(object, *light->light, to_world, from);
+  if (object.is_light()) {
+    if (m_parts) {
+      add_light(object, to_world, false);
+      add_looks_like(object, to_world, from);
+    }
     return nullptr;
   }
   const Inherited looks = resolve(object, outer, from);
@@ -228,11 +233,16 @@ std::unique_ptr<core::Object> ObjectBuilder::build_whole(const ObjectDesc& objec
 std::unique_ptr<core::Object> ObjectBuilder::build_csg(const ObjectDesc& object, const CsgShape& csg,
                                                        const core::Transform& to_world,
                                                        const Inherited& looks) {
-  if (csg.operation == CsgOperation::kLightGroup) note("light_group", object.where);
+  if (csg.operation == CsgOperation::kLightGroup && m_parts) {
+    return build_light_group(object, csg, to_world, looks);
+  }
+  const LightScope scope(looks.lights, object.copied);
+  Inherited for_children = looks;
+  if (looks.lights) for_children.lights = &scope;
   std::vector<std::unique_ptr<core::Object>> children;
   bool first = true;
   for (const Ref<ObjectDesc>& child : *csg.children) {
-    auto built = build(*child, to_world, looks);
+    auto built = build(*child, to_world, for_children);
     const bool is_light = child->is_light();
     // What the first part of a difference would be cut from is missing: so is the whole.
     if (!built && !is_light && first && csg.operation == CsgOperation::kDifference) return nullptr;
@@ -305,29 +315,79 @@ void ObjectBuilder::add_element_textures(const BlobShape& blob, const core::Tran
 std::unique_ptr<core::Object> ObjectBuilder::build_text(const TextShape& text,
                                                         const core::Transform& to_world,
                                                         const Inherited& looks) {
+  const LightScope scope(looks.lights, false);
+  Inherited of_glyphs = looks;
+  if (looks.lights) of_glyphs.lights = &scope;
   std::vector<std::unique_ptr<core::Object>> glyphs;
   for (const PlacedGlyph& glyph : layout_text(text)) {
     auto shape = std::make_unique<core::Prism>("text", glyph.outline, core::Prism::Sweep::kAlongZ,
                                                0.0, text.thickness, false);
     glyphs.push_back(std::make_unique<core::Leaf>(
         std::move(shape), core::Transform::translation(glyph.offset).then(to_world)));
-    glyphs.back()->set_attributes(attributes(looks));
+    glyphs.back()->set_attributes(attributes(of_glyphs));
   }
   if (glyphs.empty()) return nullptr;
   return std::make_unique<core::Csg>(core::CsgKind::kUnion, std::move(glyphs));
 }
 
-void ObjectBuilder::add_light(const ObjectDesc& object, const LightDesc& light,
-                              const core::Transform& to_world, const Inherited& from) {
+/// Its lights come first: they light what stands before them, too.
+std::unique_ptr<core::Object> ObjectBuilder::build_light_group(const ObjectDesc& object,
+                                                               const CsgShape& csg,
+                                                               const core::Transform& to_world,
+                                                               const Inherited& looks) {
+  std::vector<std::uint32_t> lights;
+  for (const Ref<ObjectDesc>& child : *csg.children) {
+    if (!child->is_light()) continue;
+    lights.push_back(static_cast<std::uint32_t>(m_parts->lights.size()));
+    add_light(*child, child->transform->then(to_world), true);
+  }
+  const LightScope scope(looks.lights, object.copied, std::move(lights), csg.global_lights);
+  Inherited for_children = looks;
+  for_children.lights = &scope;
+  std::vector<std::unique_ptr<core::Object>> children;
+  for (const Ref<ObjectDesc>& child : *csg.children) {
+    if (child->is_light()) {
+      add_looks_like(*child, child->transform->then(to_world), for_children);
+    } else if (auto built = build(*child, to_world, for_children)) {
+      children.push_back(std::move(built));
+    }
+  }
+  if (children.empty()) return nullptr;
+  return std::make_unique<core::Csg>(core::CsgKind::kUnion, std::move(children));
+}
+
+void ObjectBuilder::add_light(const ObjectDesc& object, const core::Transform& to_world,
+                              bool grouped) {
+  const LightDesc& light = *std::get<LightShape>(object.shape).light;
   m_parts->lights.push_back(build_light(light, to_world));
+  m_parts->lights.back().grouped = grouped;
   if (light.projected_through) note("projected_through", object.where);
   if (light.area_illumination) note("area_illumination", object.where);
   if (light.media_attenuation) note("media_attenuation", object.where);
+}
+
+void ObjectBuilder::add_looks_like(const ObjectDesc& object, const core::Transform& to_world,
+                                   const Inherited& from) {
+  const LightDesc& light = *std::get<LightShape>(object.shape).light;
   if (!light.looks_like) return;
-  Inherited looks = resolve(object, to_world, from);
+  const LightScope scope = LightScope::of_light(from.lights);
+  Inherited around = from;
+  if (from.lights) around.lights = &scope;
+  Inherited looks = resolve(object, to_world, around);
   looks.no_shadow = true;
   // The kernel's list holds it: a light in a CSG takes no part in the CSG.
   add_to_list(*light.looks_like, to_world, looks);
+}
+
+const core::LightSelection* ObjectBuilder::selection(const LightScope& scope) {
+  core::LightSelection lights{scope.global(), scope.local()};
+  const core::LightSelection*& slot = m_selections[{lights.global, lights.local}];
+  if (!slot) {
+    m_parts->light_selections.push_back(
+        std::make_unique<const core::LightSelection>(std::move(lights)));
+    slot = m_parts->light_selections.back().get();
+  }
+  return slot;
 }
 
 }  // namespace lentray::parser

@@ -21,6 +21,8 @@ namespace lentray::parser {
 /// What is missing so far: SDL's word for it, and the first place that asked for it.
 using NotYet = std::map<std::string, Location>;
 
+class LightScope;
+
 class ObjectBuilder {
  public:
   /// Objects with looks: textures and interiors go to `parts`, lights and the objects that lights
@@ -44,6 +46,7 @@ class ObjectBuilder {
     std::optional<bool> hollow, double_illuminate;
     bool uv_mapping = false;
     bool no_shadow = false, no_image = false, no_reflection = false;
+    const LightScope* lights = nullptr;  ///< null: in no light_group
     bool on_list = false;   ///< hangs directly in the scene's list: stock drops needless bounds there
   };
 
@@ -62,8 +65,13 @@ class ObjectBuilder {
                             core::Object& out);
   std::unique_ptr<core::Object> build_text(const TextShape& text, const core::Transform& to_world,
                                            const Inherited& looks);
-  void add_light(const ObjectDesc& object, const LightDesc& light, const core::Transform& to_world,
-                 const Inherited& from);
+  std::unique_ptr<core::Object> build_light_group(const ObjectDesc& object, const CsgShape& csg,
+                                                  const core::Transform& to_world,
+                                                  const Inherited& looks);
+  void add_light(const ObjectDesc& object, const core::Transform& to_world, bool grouped);
+  void add_looks_like(const ObjectDesc& object, const core::Transform& to_world,
+                      const Inherited& from);
+  const core::LightSelection* selection(const LightScope& scope);
   Inherited resolve(const ObjectDesc& object, const core::Transform& outer, const Inherited& from);
   void set_regions(const ObjectDesc& object, const core::Transform& outer, bool keep_bounds,
                    core::Object& out);
@@ -80,6 +88,7 @@ class ObjectBuilder {
   std::set<const core::Texture*> m_owned;
   /// Textures by origin and transform, so that equal parts share what is compiled.
   std::map<std::pair<Ref<TextureDesc>, core::Matrix>, Ref<TextureDesc>> m_moved;
+  std::map<std::pair<bool, std::vector<std::uint32_t>>, const core::LightSelection*> m_selections;
 };
 
 }  // namespace lentray::parser

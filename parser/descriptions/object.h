@@ -191,6 +191,7 @@ struct ObjectDesc {
   std::optional<bool> double_illuminate;   ///< of a CSG: holds for everything in it
   std::optional<bool> hollow;           ///< unset: a surrounding CSG may set it
   bool sturm = false, hierarchy = true, uv_mapping = false;
+  bool copied = false;                  ///< made from an identifier: of use to nested light groups
   std::optional<double> radiosity_importance;
   PhotonFlags photons;
 

@@ -128,7 +128,7 @@ LENTRAY_FIELDS(TextShape, font, text, thickness, offset)
 LENTRAY_FIELDS(ObjectDesc, where, keyword, shape, transform, texture, interior_texture, interior,
                clipped_by, bounded_by, bounds_are_clips, inverse, no_shadow, no_image, no_reflection,
                no_radiosity, double_illuminate, hollow, sturm, hierarchy, uv_mapping,
-               radiosity_importance, photons, nesting, compiled)
+               copied, radiosity_importance, photons, nesting, compiled)
 LENTRAY_FIELDS(SceneObject, object, default_texture, default_importance)
 LENTRAY_FIELDS(SceneDesc, objects, dropped, camera, global, background, has_background, background_version,
                fogs, rainbows, sky_sphere, atmosphere_media, atmosphere_ior, language_version)

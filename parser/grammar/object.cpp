@@ -68,6 +68,7 @@ Ref<ObjectDesc> parse_shape_block(Parser& parser, Context& context, const ShapeE
   if (auto value = parser.accept_value<Ref<ObjectDesc>>()) named = *value;
   if (named && !(entry.csg && at_object(parser))) {
     *object = *named;
+    object->copied = true;
   } else {
     object->keyword = spelling(entry.keyword);
     object->shape = entry.csg ? parse_csg(parser, context, *entry.csg, named)
@@ -82,7 +83,9 @@ Ref<ObjectDesc> parse_shape_block(Parser& parser, Context& context, const ShapeE
 /// `{ object modifiers }` behind `object`.
 Ref<ObjectDesc> parse_object_block(Parser& parser, Context& context, const Location& where) {
   parser.expect(Punct::kLeftCurly);
-  auto object = std::make_shared<ObjectDesc>(*expect_object(parser, context));
+  const auto named = parser.accept_value<Ref<ObjectDesc>>();
+  auto object = std::make_shared<ObjectDesc>(named ? **named : *expect_object(parser, context));
+  if (named) object->copied = true;
   object->where = where;
   parse_object_modifiers(parser, context, *object);
   measure(parser, *object);
@@ -114,7 +117,12 @@ Ref<ObjectDesc> accept_object(Parser& parser, Context& context) {
   if (parser.accept(Keyword::kObject)) return parse_object_block(parser, context, where);
   if (parser.accept(Keyword::kLightSource)) return parse_light_source(parser, context, where);
   if (parser.accept(Keyword::kLightGroup)) return parse_light_group(parser, context, where);
-  if (auto named = parser.accept_value<Ref<ObjectDesc>>()) return *named;
+  if (auto named = parser.accept_value<Ref<ObjectDesc>>()) {
+    if (!(*named)->csg() || (*named)->copied) return *named;
+    auto copy = std::make_shared<ObjectDesc>(**named);
+    copy->copied = true;
+    return copy;
+  }
   return nullptr;
 }
 

@@ -100,8 +100,8 @@ TEST(ImageIdentical, PlateJustAboveAFloor) {
 }
 
 /// Everything that may stand in the way of light: opaque, clear and filtering objects, textures
-/// that are clear in places, CSG, groups, no_shadow, walls of 1e-5 to 1e-2 above what they shade,
-/// and lights of all kinds.
+/// that are clear in places, CSG, unions, light groups, no_shadow, walls of 1e-5 to 1e-2 above what
+/// they shade, and lights of all kinds.
 const char* const kOccluders = R"(#version 3.7;
 global_settings { assumed_gamma 1 max_trace_level 5 }
 camera { location <0.3,4,-7> look_at <0,0.7,0> angle 50 }
@@ -132,6 +132,13 @@ mesh {
   triangle { <-4,0,0>, <-3.2,1.6,0>, <-3.2,0,-0.6> }
   triangle { <-3.2,0,-0.6>, <-3.2,1.6,0>, <-2.9,0,0.3> }
   pigment { rgb <0.3,0.8,0.4> }
+}
+light_group {
+  light_source { <4,5,-6> rgb 0.4 }
+  light_source { <-4,6,-3> rgb 0.3 area_light x, z, 3, 3 adaptive 1 }
+  cylinder { <-2.6,0,-2.2>, <-2.6,1.1,-2.2>, 0.25 pigment { rgb <0.9,0.6,0.5> } }
+  box { <0.2,0,-2.4>, <0.7,0.5,-2> pigment { rgbf <0.7,0.8,1,0.6> } }
+  global_lights on
 }
 #for (I, 0, 6)
   // a plate each for 1e-5, 3.2e-5 ... 1e-2 above the floor, and above a slanted wall

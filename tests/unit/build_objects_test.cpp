@@ -183,21 +183,20 @@ TEST(UnitBuildObjects, LooksLikeIsAnObjectWithoutShadow) {
 }
 
 TEST(UnitBuildScene, NotRenderedIsNamedOnce) {
-  SceneText s("#declare Unused = light_group { sphere { 0, 1 } }"
-              "light_group { plane { y, 0 } } light_group { plane { z, 0 } }"
-              "sphere { 0, 1 }"
+  SceneText s("#declare Unused = light_source { 0, 1 projected_through { sphere { 0, 1 } } }"
+              "light_source { Unused } plane { y, 0 } light_source { Unused }"
               "camera { aperture 1 blur_samples 3 }");
   const core::SceneParts parts = s.build();
-  EXPECT_EQ(parts.not_rendered, (std::vector<std::string>{"focal blur", "light_group"}));
+  EXPECT_EQ(parts.not_rendered, (std::vector<std::string>{"focal blur", "projected_through"}));
   int warnings = 0;
   for (const Diagnostic& d : s.diagnostics().warnings()) {
     if (d.message.find("focal blur") != std::string::npos) {
       ++warnings;
-      EXPECT_NE(d.message.find("light_group"), std::string::npos);
+      EXPECT_NE(d.message.find("projected_through"), std::string::npos);
     }
   }
   EXPECT_EQ(warnings, 1);
-  EXPECT_EQ(parts.objects.size(), 3u);
+  EXPECT_EQ(parts.objects.size(), 1u);
 }
 
 /// What stock writes for rgb 0.5 tells its working gamma: 128 without, 188 with assumed_gamma 1.
