@@ -81,7 +81,10 @@ std::pair<std::size_t, std::size_t> hilbert_place(std::size_t side, std::size_t 
 
 class HilbertOrder final : public SquareOrder {
  public:
-  using SquareOrder::SquareOrder;
+  HilbertOrder(const PixelRegion& r, std::size_t side) : SquareOrder(r, side) {
+    m_curve.reserve(side * side);
+    for (std::size_t d = 0; d < side * side; ++d) m_curve.push_back(hilbert_place(side, d));
+  }
 
  private:
   std::size_t list_square(const Square& s, std::size_t skip, std::size_t count,
@@ -91,7 +94,7 @@ class HilbertOrder final : public SquareOrder {
     std::size_t d = whole ? skip : 0;
     if (whole) skip = 0;
     for (; d < m_side * m_side && out.size() - before < count; ++d) {
-      const auto [x, y] = hilbert_place(m_side, d);
+      const auto [x, y] = m_curve[d];
       if (x >= s.columns || y >= s.rows) continue;
       if (skip > 0) {
         --skip;
@@ -101,6 +104,8 @@ class HilbertOrder final : public SquareOrder {
     }
     return out.size() - before;
   }
+
+  std::vector<std::pair<std::size_t, std::size_t>> m_curve;  ///< the places in order
 };
 
 class StripOrder final : public Sequence {

@@ -12,6 +12,7 @@
 #include "parser/build/light_scope.h"
 #include "parser/build/lights.h"
 #include "parser/build/shapes.h"
+#include "parser/build/stock_box.h"
 #include "parser/build/text_shape.h"
 
 namespace lentray::parser {
@@ -54,13 +55,13 @@ double volume(const core::Bounds& b) {
 
 using Regions = std::vector<std::shared_ptr<const core::Object>>;
 
-/// What is left of bounds that stock drops: their common box, if it is smaller than the object's.
-Regions boxed(const Regions& bounds, const core::Object& object) {
+/// What is left of bounds that stock drops: their common box, if it is smaller than stock's own.
+Regions boxed(const Regions& bounds, const core::Bounds& own) {
   core::Bounds box = core::Bounds::everything();
   for (const auto& bound : bounds) {
     if (!bound->is_inverse()) box.intersect(bound->bounds());
   }
-  if (box.is_empty() || !box.is_finite() || !(volume(box) < volume(object.bounds()))) return {};
+  if (box.is_empty() || !box.is_finite() || !(volume(box) < volume(own))) return {};
   Regions kept;
   kept.push_back(std::make_shared<core::Leaf>(std::make_unique<core::Box>(box.lo, box.hi),
                                               core::Transform()));
@@ -176,7 +177,12 @@ void ObjectBuilder::set_regions(const ObjectDesc& object, const core::Transform&
   for (const Ref<ObjectDesc>& bound : object.bounded_by) {
     if (auto built = region(bound)) bounds.push_back(std::move(built));
   }
-  if (!keep_bounds) bounds = boxed(bounds, out);
+  if (!keep_bounds && !bounds.empty()) {
+    bool is_whole = true;
+    ObjectDesc alone = object;
+    alone.bounded_by.clear();
+    bounds = boxed(bounds, core::transformed(stock_box(alone, is_whole), outer));
+  }
   if (!clips.empty()) out.set_clips(std::move(clips));
   if (!bounds.empty()) out.set_bounding(std::move(bounds));
 }
