@@ -149,7 +149,13 @@ void Blob::find_reaches(const BlobField& field, const Ray& ray, Reaches& out) co
 }
 
 template <class Visit>
-void Blob::crossings(const Ray& ray, double t_min, double t_max, Visit&& visit) const {
+void Blob::crossings(const Ray& from_afar, double t_min, double t_max, Visit&& visit) const {
+  // Counted from the point nearest to the blob, so that far origins do not cost digits.
+  const double shift = dot(m_bounds.centre() - from_afar.origin, from_afar.direction) /
+                       dot(from_afar.direction, from_afar.direction);
+  const Ray ray{from_afar.at(shift), from_afar.direction};
+  t_min -= shift;
+  t_max -= shift;
   Reaches reaches;
   for_fields(ray, [&](const BlobField& field) { find_reaches(field, ray, reaches); });
   boost::container::small_vector<double, 48> ends;
@@ -180,7 +186,7 @@ void Blob::crossings(const Ray& ray, double t_min, double t_max, Visit&& visit) 
     double roots[4];
     const int n = solve_between(c, 4, from - middle, to - middle, roots);
     for (int k = 0; k < n; ++k) {
-      if (!visit(roots[k] + middle)) return;
+      if (!visit(roots[k] + middle + shift)) return;
     }
   }
 }

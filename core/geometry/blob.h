@@ -51,7 +51,7 @@ class Blob final : public Shape {
   void find_reaches(const BlobField& field, const Ray& ray, Reaches& out) const;
   /// Calls visit(t) in order along the ray; stops when it returns false.
   template <class Visit>
-  void crossings(const Ray& ray, double t_min, double t_max, Visit&& visit) const;
+  void crossings(const Ray& from_afar, double t_min, double t_max, Visit&& visit) const;
 
   double m_threshold;
   std::vector<BlobField> m_fields;

@@ -15,11 +15,25 @@ double value(const double* c, int order, double x) {
   return r;
 }
 
-/// The root in [lo, hi], where the values flo and fhi have opposite signs.
+/// Between lo and hi; by their sizes' middle where these are decades apart, as the roots of such
+/// polynomials are.
+double middle_of(double lo, double hi) {
+  constexpr double kApart = 64.0;
+  if (lo < 0.0 && hi > 0.0) return 0.5 * (lo + hi);
+  const double a = std::fabs(lo), b = std::fabs(hi);
+  const double less = std::min(a, b), more = std::max(a, b);
+  if (more <= kApart * less) return 0.5 * (lo + hi);
+  const double size = less > 0.0 ? std::sqrt(less) * std::sqrt(more) : more / kApart;
+  return std::copysign(size, a > b ? lo : hi);
+}
+
+/// The root in [lo, hi], where the values flo and fhi have opposite signs. Large Newton steps that
+/// do not halve from one to the next only crawl, as they do far from all roots: none is taken.
 double bracketed(const double* c, int order, double lo, double hi, double flo) {
-  constexpr double kClose = 2.3e-16;
-  constexpr int kMaxSteps = 100;
-  double x = 0.5 * (lo + hi);
+  constexpr double kClose = 2.3e-16, kLarge = 1e-3;
+  constexpr int kMaxSteps = 200;
+  if (lo < 0.0 && hi > 0.0 && c[order] != 0.0) ((c[order] < 0.0) == (flo < 0.0) ? lo : hi) = 0.0;
+  double x = 0.5 * (lo + hi), last = hi - lo;
   for (int step = 0; step < kMaxSteps; ++step) {
     double f = c[0], slope = 0.0;
     for (int i = 1; i <= order; ++i) {
@@ -29,8 +43,11 @@ double bracketed(const double* c, int order, double lo, double hi, double flo) {
     if (f == 0.0) return x;
     ((f < 0.0) == (flo < 0.0) ? lo : hi) = x;
     double next = x - f / slope;
-    if (!(next > lo && next < hi)) next = 0.5 * (lo + hi);
+    const double step_size = std::fabs(next - x);
+    const bool crawls = step_size > 0.5 * last && step_size > kLarge * std::fabs(x);
+    if (crawls || !(next > lo && next < hi)) next = middle_of(lo, hi);
     const double change = std::fabs(next - x);
+    last = change;
     x = next;
     if (change <= kClose * std::fabs(x) || hi - lo <= kClose * std::max(std::fabs(lo), std::fabs(hi)))
       break;
@@ -51,6 +68,59 @@ int solve_low_order(const double* c, int order, double lo, double hi, double* ro
     if (found[i] >= lo && found[i] <= hi) roots[kept++] = found[i];
   }
   return kept;
+}
+
+/// The lowest derivative (0: the polynomial itself) that the terms of its expansion about the middle
+/// show to have no root in [lo, hi]; `order` if that is only known of the last.
+int rootless_derivative(const double* c, int order, double lo, double hi) {
+  constexpr double kRounding = 1e-6;  // far above that of the expansion
+  const double middle = 0.5 * (lo + hi), half = 0.5 * (hi - lo), reach = std::fabs(middle) + half;
+  double term[kMaxOrder + 1], size = 0.0, power = 1.0;
+  for (int i = 0; i <= order; ++i) {
+    term[i] = c[i];
+    size = size * reach + std::fabs(c[i]);
+  }
+  for (int k = 0; k <= order; ++k) {
+    for (int i = 1; i <= order - k; ++i) term[i] += term[i - 1] * middle;
+  }
+  for (int k = 0; k <= order; ++k) {
+    term[order - k] = std::fabs(term[order - k]) * power;
+    power *= half;
+  }
+  for (int j = 0; j + 2 < order; ++j) {
+    double rest = kRounding * size, ways = 1.0;
+    for (int k = j + 1; k <= order; ++k) {
+      ways *= static_cast<double>(k) / (k - j);
+      rest += ways * term[order - k];
+    }
+    if (term[order - j] > rest) return j;
+  }
+  return order;
+}
+
+/// Order 3 and above; `rootless` says which derivative has no root.
+int solve_pieces(const double* c, int order, double lo, double hi, int rootless, double* roots) {
+  if (rootless == 0) return 0;
+  if (order <= 2) return solve_low_order(c, order, lo, hi, roots);
+  double derivative[kMaxOrder];
+  for (int i = 0; i < order; ++i) derivative[i] = c[i] * (order - i);
+  double turns[kMaxOrder + 1];
+  int pieces = solve_pieces(derivative, order - 1, lo, hi, rootless - 1, turns);
+  turns[pieces++] = hi;
+  double a = lo, fa = value(c, order, a);
+  int n = 0;
+  if (fa == 0.0) roots[n++] = a;
+  for (int i = 0; i < pieces; ++i) {
+    const double b = turns[i], fb = value(c, order, b);
+    if (fb == 0.0) {
+      if (n < order && (n == 0 || roots[n - 1] != b)) roots[n++] = b;
+    } else if (fa != 0.0 && (fa < 0.0) != (fb < 0.0) && n < order) {
+      roots[n++] = bracketed(c, order, a, b, fa);
+    }
+    a = b;
+    fa = fb;
+  }
+  return n;
 }
 
 /// A bound of the size of all roots (Fujiwara 1916).
@@ -113,25 +183,7 @@ int solve_between(const double* c, int order, double lo, double hi, double* root
   }
   if (!(lo <= hi)) return 0;
   if (order <= 2) return solve_low_order(c, order, lo, hi, roots);
-  double derivative[kMaxOrder];
-  for (int i = 0; i < order; ++i) derivative[i] = c[i] * (order - i);
-  double turns[kMaxOrder + 1];
-  int pieces = solve_between(derivative, order - 1, lo, hi, turns);
-  turns[pieces++] = hi;
-  double a = lo, fa = value(c, order, a);
-  int n = 0;
-  if (fa == 0.0) roots[n++] = a;
-  for (int i = 0; i < pieces; ++i) {
-    const double b = turns[i], fb = value(c, order, b);
-    if (fb == 0.0) {
-      if (n < order && (n == 0 || roots[n - 1] != b)) roots[n++] = b;
-    } else if (fa != 0.0 && (fa < 0.0) != (fb < 0.0) && n < order) {
-      roots[n++] = bracketed(c, order, a, b, fa);
-    }
-    a = b;
-    fa = fb;
-  }
-  return n;
+  return solve_pieces(c, order, lo, hi, rootless_derivative(c, order, lo, hi), roots);
 }
 
 int solve_between_bounds(const double* c, int order, double lo, double hi, double* roots) {

@@ -72,6 +72,34 @@ TEST_F(ImageGroupingProgram, GainsOverSizesAndAccelerators) {
   EXPECT_LT(costs[2], costs[5]);
 }
 
+TEST_F(ImageGroupingProgram, ColumnsSaveWhatThePaperSaysOnTheMosaic) {
+  const auto result = run({(source_folder() / "scenes/mosaic.pov").string(), "+W150", "+H150", "-UL",
+                           "Orders=rows,views,columns", "Caches=last", "Sizes=40,60", "Repeats=0",
+                           "Gains=g.csv"});
+  EXPECT_EQ(result.status, 0) << result.output;
+  // size, accelerator, cache, against, Cm, blocked, hits of columns, of the other, saved, equation 2
+  std::istringstream lines(diff::read_text(m_folder / "g.csv"));
+  std::string line;
+  std::getline(lines, line);
+  int found = 0;
+  while (std::getline(lines, line)) {
+    std::vector<std::string> fields;
+    std::istringstream row(line);
+    for (std::string field; std::getline(row, field, ',');) fields.push_back(field);
+    ASSERT_GE(fields.size(), 11u) << line;
+    const double blocked = std::stod(fields[6]), columns = std::stod(fields[7]),
+                 other = std::stod(fields[8]), saved = std::stod(fields[9]),
+                 equation = std::stod(fields[10]);
+    EXPECT_NEAR(blocked, std::stod(fields[1]) / 100, 0.02) << line;
+    EXPECT_GT(columns, 0.95) << line;
+    EXPECT_LT(other, 0.01) << line;
+    EXPECT_GT(saved, fields[1] == "40" ? 0.41 : 0.60) << line;
+    EXPECT_GT(equation, fields[1] == "40" ? 0.37 : 0.57) << line;
+    ++found;
+  }
+  EXPECT_EQ(found, 4);
+}
+
 TEST_F(ImageGroupingProgram, ErrorsAreTold) {
   const auto order = run({"a.pov", "Orders=diagonal", "Repeats=1", "CSV=a.csv"});
   EXPECT_EQ(order.status, 1);

@@ -57,7 +57,7 @@ TEST(ImageIdentical, BallsIntegral) {
 
 TEST(ImageIdentical, GearsIntegral) {
   expect_identical({scene_file("spd_gears.pov"), "Declare=Size=2", "Declare=Lenticular_Camera=1",
-                    "+W150", "+H100"});
+                    "+W90", "+H60"});
 }
 
 TEST(ImageIdentical, DemoIntegral) {

@@ -73,6 +73,40 @@ TEST(UnitCoreRoots, NoRootsAndLowerOrders) {
   EXPECT_EQ(solve_quartic(zero, r), 0);
 }
 
+TEST(UnitCoreRoots, RootsOfManySizes) {
+  // Newton steps from one size of roots to the next only crawl.
+  for (int n = 5; n <= 13; ++n) {
+    double known[16], c[17], found[17];
+    for (int i = 0; i < n; ++i) known[i] = (i % 3 == 0 ? -1.0 : 1.0) * std::pow(10.0, i - n / 2);
+    std::sort(known, known + n);
+    expand(known, n, c);
+    ASSERT_EQ(solve_between_bounds(c, n, -HUGE_VAL, HUGE_VAL, found), n);
+    for (int i = 0; i < n; ++i) EXPECT_NEAR(found[i] / known[i], 1.0, 1e-11) << n;
+  }
+}
+
+TEST(UnitCoreRoots, NarrowIntervals) {
+  // Where the interval itself shows that there is no root, or one: the same roots as from afar.
+  Random random(7);
+  int met = 0;
+  for (int round = 0; round < 5000; ++round) {
+    const int n = random.whole(3, 9);
+    double known[9], c[10], found[10];
+    for (int i = 0; i < n; ++i) known[i] = random.in(-4.0, 4.0);
+    std::sort(known, known + n);
+    double gap = 1e9;
+    for (int i = 1; i < n; ++i) gap = std::min(gap, known[i] - known[i - 1]);
+    if (gap < 1e-2) continue;
+    expand(known, n, c);
+    const double lo = random.in(-4.0, 4.0), hi = lo + std::pow(10.0, random.in(-3.0, 0.5));
+    const int expected = static_cast<int>(std::upper_bound(known, known + n, hi) -
+                                          std::lower_bound(known, known + n, lo));
+    ASSERT_EQ(solve_between(c, n, lo, hi, found), expected) << round;
+    met += expected;
+  }
+  EXPECT_GT(met, 1000);
+}
+
 TEST(UnitCoreRoots, OnlyBetween) {
   const double known[4] = {-2.0, 1.0, 2.0, 4.0};
   double c[5], found[4];

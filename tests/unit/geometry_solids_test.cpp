@@ -140,6 +140,29 @@ TEST_P(UnitCoreSolids, NormalsCrossTheSurface) {
   EXPECT_LE(wrong, met / 100) << solid.name;
 }
 
+TEST_P(UnitCoreSolids, FarRaysMeetTheSame) {
+  // A ray from 1e7 away is known to some 1e-9; silhouettes may differ by that.
+  constexpr double kFar = 1e7;
+  const Solid solid = solids()[GetParam()];
+  Random random(13);
+  const auto shape = solid.make();
+  int wrong = 0, met = 0;
+  for (int round = 0; round < 2000; ++round) {
+    const Ray ray = random.ray(4.0, 1.0);
+    const Ray far{ray.origin - ray.direction * kFar, ray.direction};
+    ShapeHits near_hits, far_hits;
+    shape->all(ray, 0.0, kInf, near_hits);
+    shape->all(far, 0.0, kInf, far_hits);
+    ShapeHit a, b;
+    const bool hit = shape->nearest(ray, 0.0, kInf, a);
+    met += hit;
+    wrong += near_hits.size() != far_hits.size() || hit != shape->nearest(far, 0.0, kInf, b) ||
+             (hit && std::fabs(b.t - kFar - a.t) > 1e-5);
+  }
+  EXPECT_GT(met, 200) << solid.name;
+  EXPECT_LE(wrong, 2) << solid.name;
+}
+
 INSTANTIATE_TEST_SUITE_P(Each, UnitCoreSolids, ::testing::Range(std::size_t{0}, solids().size()));
 
 TEST(UnitCoreOutline, PointsAtCornersAndOnEdgesCountOnce) {

@@ -123,6 +123,18 @@ TEST_F(UnitGroupingTool, Csv) {
   EXPECT_NE(table_of({t}).find("DIFFERS"), std::string::npos);
 }
 
+TEST_F(UnitGroupingTool, WhoIsFastestAndHowFarAutoIs) {
+  Trial fast = trial("columns", 240, {1.9, 2.0, 2.2}), decided = trial("auto", 240, {2.03, 2.1, 2.02});
+  decided.cache = "auto";
+  EXPECT_NE(table_of({fast, decided}).find(
+                "fastest: columns, last, 2.000 s (1.900 to 2.200); auto, auto takes 1.5 % more\n"),
+            std::string::npos) << table_of({fast, decided});
+  decided.cpu_s = {1.9};
+  EXPECT_NE(table_of({fast, decided}).find("fastest: auto, auto, 1.900 s (1.900 to 1.900)\n"),
+            std::string::npos);
+  EXPECT_EQ(table_of({trial("rows", 240, {})}).find("fastest"), std::string::npos);
+}
+
 TEST_F(UnitGroupingTool, GroupsAreSceneAndAccelerator) {
   Trial a = trial("rows", 1, {1}), b = a, c = a;
   b.accelerator = "list";

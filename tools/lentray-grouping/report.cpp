@@ -164,6 +164,20 @@ std::string gain_chart(const std::vector<Trial>& trials) {
   return "<h2>What columns save against rows and views</h2>\n" + model::gnuplot(script, data);
 }
 
+/// Who was fastest, and how far auto is from it; empty where nothing was timed.
+std::string fastest_text(const Group& group) {
+  const auto less = [](const Trial& a, const Trial& b) { return a.median() < b.median(); };
+  const Trial& best = *std::min_element(group.begin(), group.end(), less);
+  if (!(best.median() > 0.0)) return "";
+  std::string text = "fastest: " + best.order + ", " + best.cache + ", " +
+                     format("%.3f", best.median()) + " s (" + format("%.3f", best.least()) +
+                     " to " + format("%.3f", best.most()) + ")";
+  if (const Trial* decided = find(group, "auto", "auto"); decided && decided != &best) {
+    text += "; auto, auto takes " + percent(decided->median() / best.median() - 1.0) + " more";
+  }
+  return text;
+}
+
 }  // namespace
 
 std::vector<Group> groups_of(const std::vector<Trial>& trials) {
@@ -272,6 +286,7 @@ std::string table_of(const std::vector<Trial>& trials) {
       for (const Column& c : kColumns) out += padded(c.text(t));
       out += "\n";
     }
+    if (const std::string text = fastest_text(group); !text.empty()) out += text + "\n";
     for (const Gain& g : gains_of(group)) out += gain_text(g) + "\n";
     out += "\n";
   }
@@ -295,6 +310,7 @@ std::string html_of(const std::vector<Trial>& trials, const std::string& command
       out += "</tr>\n";
     }
     out += "</table>\n";
+    out += "<p>" + escaped(fastest_text(group)) + "</p>\n";
     for (const Gain& g : gains_of(group)) out += "<p>" + escaped(gain_text(g)) + "</p>\n";
     out += "<div>\n" +
            bar_chart(group, "CPU, s (median)",
