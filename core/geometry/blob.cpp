@@ -151,7 +151,7 @@ void Blob::find_reaches(const BlobField& field, const Ray& ray, Reaches& out) co
 template <class Visit>
 void Blob::crossings(const Ray& from_afar, double t_min, double t_max, Visit&& visit) const {
   // Counted from the point nearest to the blob, so that far origins do not cost digits.
-  const double shift = dot(m_bounds.centre() - from_afar.origin, from_afar.direction) /
+  const double shift = dot(m_reach.centre() - from_afar.origin, from_afar.direction) /
                        dot(from_afar.direction, from_afar.direction);
   const Ray ray{from_afar.at(shift), from_afar.direction};
   t_min -= shift;
