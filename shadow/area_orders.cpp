@@ -1,6 +1,11 @@
 // Orders over areas: tiles, strips of lenses, Hilbert curves.
+#include <array>
+#include <bit>
+#include <iterator>
+#include <span>
 #include <utility>
 
+#include "shadow/pixel_orders.h"
 #include "shadow/sequence.h"
 
 namespace lentray::shadow {
@@ -60,52 +65,79 @@ class TileOrder final : public SquareOrder {
   }
 };
 
-/// Place number `d` of the Hilbert curve in a square of 2^k: from the upper left corner to the
-/// upper right one. Source: D. Hilbert 1891; the usual reading of d two bits at a time.
-std::pair<std::size_t, std::size_t> hilbert_place(std::size_t side, std::size_t d) {
-  std::size_t x = 0, y = 0;
-  for (std::size_t s = 1; s < side; s *= 2, d /= 4) {
-    const std::size_t right = d / 2 & 1, down = (d ^ right) & 1;
-    if (down == 0) {
-      if (right == 1) {
-        x = s - 1 - x;
-        y = s - 1 - y;
+/// A pixel of a square, from its left and top.
+struct Place {
+  std::uint8_t x = 0, y = 0;
+};
+
+/// The Hilbert curve through a square, from the upper left corner to the upper right one.
+/// Source: D. Hilbert 1891; the usual reading of a place's number two bits at a time.
+constexpr std::array<Place, kHilbert * kHilbert> hilbert_curve() {
+  static_assert(std::has_single_bit(kHilbert) && kHilbert <= 256);
+  std::array<Place, kHilbert * kHilbert> curve{};
+  for (std::uint32_t number = 0; number < curve.size(); ++number) {
+    std::uint32_t x = 0, y = 0, d = number;
+    for (std::uint32_t s = 1; s < kHilbert; s *= 2, d /= 4) {
+      const std::uint32_t right = d / 2 & 1, down = (d ^ right) & 1;
+      if (down == 0) {
+        if (right == 1) {
+          x = s - 1 - x;
+          y = s - 1 - y;
+        }
+        std::swap(x, y);
       }
-      std::swap(x, y);
+      x += s * right;
+      y += s * down;
     }
-    x += s * right;
-    y += s * down;
+    curve[number] = {static_cast<std::uint8_t>(x), static_cast<std::uint8_t>(y)};
   }
-  return {x, y};
+  return curve;
 }
+constexpr std::array kCurve = hilbert_curve();
 
 class HilbertOrder final : public SquareOrder {
  public:
-  HilbertOrder(const PixelRegion& r, std::size_t side) : SquareOrder(r, side) {
-    m_curve.reserve(side * side);
-    for (std::size_t d = 0; d < side * side; ++d) m_curve.push_back(hilbert_place(side, d));
+  explicit HilbertOrder(const PixelRegion& r) : SquareOrder(r, kHilbert) {
+    const std::size_t columns = m_width % kHilbert, rows = m_height % kHilbert;
+    if (columns > 0 && m_height >= kHilbert) m_right = cut(columns, kHilbert);
+    if (rows > 0 && m_width >= kHilbert) m_lower = cut(kHilbert, rows);
+    if (columns > 0 && rows > 0) m_corner = cut(columns, rows);
   }
 
  private:
-  std::size_t list_square(const Square& s, std::size_t skip, std::size_t count,
-                          std::vector<core::Pixel>& out) const override {
-    const std::size_t before = out.size();
-    const bool whole = s.columns == m_side && s.rows == m_side;
-    std::size_t d = whole ? skip : 0;
-    if (whole) skip = 0;
-    for (; d < m_side * m_side && out.size() - before < count; ++d) {
-      const auto [x, y] = m_curve[d];
-      if (x >= s.columns || y >= s.rows) continue;
-      if (skip > 0) {
-        --skip;
+  /// What of the curve lies in so many columns and rows. The curve passes block after block; most
+  /// are inside or outside as a whole.
+  static std::vector<Place> cut(std::size_t columns, std::size_t rows) {
+    constexpr std::size_t kSide = 8;
+    std::vector<Place> places;
+    places.reserve(columns * rows);
+    for (auto block = kCurve.begin(); block != kCurve.end(); block += kSide * kSide) {
+      const auto end = block + kSide * kSide;
+      const std::size_t left = block->x / kSide * kSide, top = block->y / kSide * kSide;
+      if (left >= columns || top >= rows) continue;
+      if (left + kSide <= columns && top + kSide <= rows) {
+        places.insert(places.end(), block, end);
       } else {
-        out.push_back(at(s.left + x, s.top + y));
+        std::copy_if(block, end, std::back_inserter(places),
+                     [&](const Place& p) { return p.x < columns && p.y < rows; });
       }
     }
-    return out.size() - before;
+    return places;
+  }
+  std::span<const Place> places_of(const Square& s) const {
+    if (s.columns < kHilbert) return s.rows < kHilbert ? m_corner : m_right;
+    if (s.rows < kHilbert) return m_lower;
+    return kCurve;
+  }
+  std::size_t list_square(const Square& s, std::size_t skip, std::size_t count,
+                          std::vector<core::Pixel>& out) const override {
+    const std::span<const Place> places = places_of(s);
+    const std::size_t number = std::min(count, places.size() - skip);
+    for (const Place& p : places.subspan(skip, number)) out.push_back(at(s.left + p.x, s.top + p.y));
+    return number;
   }
 
-  std::vector<std::pair<std::size_t, std::size_t>> m_curve;  ///< the places in order
+  std::vector<Place> m_right, m_lower, m_corner;  ///< of squares cut at the border
 };
 
 class StripOrder final : public Sequence {
@@ -152,8 +184,8 @@ OrderPtr make_strip_order(const PixelRegion& region, SharedStrips strips, std::s
   return std::make_unique<StripOrder>(region, std::move(strips), height);
 }
 
-OrderPtr make_hilbert_order(const PixelRegion& region, std::size_t side) {
-  return std::make_unique<HilbertOrder>(region, side);
+OrderPtr make_hilbert_order(const PixelRegion& region) {
+  return std::make_unique<HilbertOrder>(region);
 }
 
 }  // namespace lentray::shadow

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/geometry/julia_fractal.h"
-#include "parser/build/blob_fields.h"
 #include "parser/build/object_builder.h"
 
 namespace lentray::parser {
@@ -197,18 +196,21 @@ class BoxFinder {
   /// placed its sphere is as wide as the box of the placed box from the middle to a corner.
   Bounds leaf(const std::shared_ptr<const BlobShape>& s, const ObjectDesc& o) {
     Bounds box;
-    const auto add = [&](const core::BlobField& f, double z, double radius) {
-      const Vec3 size = [&] {
-        const Bounds placed = core::transformed({Vec3(), Vec3(radius)}, f.to_blob);
-        return placed.hi - placed.lo;
-      }();
-      box.include(about(f.to_blob.point({0, 0, z}), std::max({size.x, size.y, size.z})));
+    const auto add = [&](const Transform& placing, double z, double radius) {
+      const Bounds placed = core::transformed({Vec3(), Vec3(radius)}, placing);
+      const Vec3 size = placed.hi - placed.lo;
+      box.include(about(placing.point({0, 0, z}), std::max({size.x, size.y, size.z})));
     };
-    for (const core::BlobField& f : blob_fields(*s)) {
-      add(f, 0.0, f.radius);
-      if (f.length == 0.0) continue;
-      add(f, f.length, f.radius);
-      add(f, 0.5 * f.length, std::hypot(f.radius, 0.5 * f.length));
+    for (const BlobElement& e : s->elements) {
+      if (e.kind == BlobElement::Kind::kSphere) {
+        add(Transform::translation(e.a).then(e.transform), 0.0, e.radius);
+        continue;
+      }
+      const double length = core::length(e.b - e.a);
+      const Transform placing = standing(e.a, (e.b - e.a) / length, 1.0, 1.0).then(e.transform);
+      add(placing, 0.0, e.radius);
+      add(placing, length, e.radius);
+      add(placing, 0.5 * length, std::hypot(e.radius, 0.5 * length));
     }
     return moved(kept(box), *o.transform);
   }
