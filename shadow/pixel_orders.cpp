@@ -36,7 +36,7 @@ Maker prepare_tiles(const Columns&, const Numbers&) {
 }
 
 Maker prepare_hilbert(const Columns&, const Numbers&) {
-  return [](const PixelRegion& region) { return make_hilbert_order(region, kHilbert); };
+  return [](const PixelRegion& region) { return make_hilbert_order(region); };
 }
 
 Maker prepare_views(const Columns& columns, const Numbers&) {

@@ -73,8 +73,8 @@ OrderPtr make_view_order(const PixelRegion& region, SharedViews views);
 OrderPtr make_tile_order(const PixelRegion& region, std::size_t side);
 /// Rows in groups of `height`; in a group strip after strip, each strip row after row.
 OrderPtr make_strip_order(const PixelRegion& region, SharedStrips strips, std::size_t height);
-/// Squares of `side` pixels, a power of two, each along a Hilbert curve; one square ends beside
-/// where the next begins.
-OrderPtr make_hilbert_order(const PixelRegion& region, std::size_t side);
+/// Squares of kHilbert pixels, each along a Hilbert curve; one square ends beside where the next
+/// begins.
+OrderPtr make_hilbert_order(const PixelRegion& region);
 
 }  // namespace lentray::shadow

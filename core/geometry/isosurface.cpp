@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/geometry/bounds_help.h"
-#include "core/geometry/roots.h"
+#include "core/geometry/sphere.h"
 
 namespace lentray::core {
 namespace {
@@ -13,6 +13,9 @@ namespace {
 constexpr std::uint32_t kSurface = 0;  ///< element; 1 .. 6 are the box's sides, lower first
 constexpr double kSkin = 4.0;          ///< in accuracies: how far off the surface counts as on it
 constexpr double kStep = 5.0;          ///< in accuracies: how far beyond a surface the search goes on
+/// Accuracies count along the ray, as in stock, where a surface that is scaled down vanishes in its
+/// own. One coarser than this share of the way through the container is replaced by a fine one.
+constexpr double kCoarse = 0.05, kFine = 5e-4;
 
 }  // namespace
 
@@ -22,6 +25,7 @@ struct Isosurface::Search {
   const Ray& ray;
   double speed;      ///< of the ray
   double gradient;   ///< steepest that counts
+  double accuracy;
   double sign = 1.0;
 
   double at(double t) const { return sign * surface.value(ray.at(t)); }
@@ -38,7 +42,7 @@ struct Isosurface::Search {
       }
     }
     const double middle = from + 0.5 * span;
-    if (span < set.accuracy || !(from < middle && middle < to)) {
+    if (span < accuracy || !(from < middle && middle < to)) {
       t = to;
       return f_to < 0.0;
     }
@@ -80,14 +84,8 @@ bool Isosurface::through_container(const Ray& ray, double& from, double& to,
                                    std::uint32_t& side_in, std::uint32_t& side_out) const {
   side_in = side_out = kSurface;
   if (m_set.in_sphere) {
-    const Vec3 p = ray.origin - m_set.centre;
-    double roots[2];
-    if (solve_quadratic(length_squared(ray.direction), 2.0 * dot(p, ray.direction),
-                        length_squared(p) - m_set.radius * m_set.radius, roots) < 2) {
-      return false;
-    }
-    from = roots[0];
-    to = roots[1];
+    const double inverse_dd = 1.0 / dot(ray.direction, ray.direction);
+    if (!sphere_roots(ray, inverse_dd, m_set.centre, m_set.radius * m_set.radius, from, to)) return false;
     return to > 0.0;
   }
   from = -Bounds::kInf;
@@ -119,10 +117,12 @@ void Isosurface::crossings(const Ray& ray, Visit&& visit) const {
   std::uint32_t side_in, side_out;
   if (!through_container(ray, from, to, side_in, side_out)) return;
   from = std::max(from, 0.0);
-  if (to - from < m_set.accuracy) return;
-  Search search{*this, ray, length(ray.direction), m_set.max_gradient, 1.0};
+  const double speed = length(ray.direction), widest = length(bounds().hi - bounds().lo) / speed;
+  const double accuracy = m_set.accuracy > kCoarse * widest ? kFine * widest : m_set.accuracy;
+  if (to - from < accuracy) return;
+  Search search{*this, ray, speed, m_set.max_gradient, accuracy, 1.0};
   const double skin = m_set.max_gradient * m_set.accuracy * kSkin;
-  const double beyond = m_set.accuracy * kStep;
+  const double beyond = accuracy * kStep;
   int found = 0;
   const auto begin_behind = [&] {
     from = beyond;
@@ -130,7 +130,7 @@ void Isosurface::crossings(const Ray& ray, Visit&& visit) const {
   };
   if (!m_set.open) {
     const double f = value(ray.at(from));
-    if (from > m_set.accuracy) {
+    if (from > accuracy) {
       if (f < 0.0) {
         visit(from, side_in);
         ++found;
@@ -142,10 +142,10 @@ void Isosurface::crossings(const Ray& ray, Visit&& visit) const {
       if (value(ray.at(to)) < 0.0) visit(to, side_out);
     }
   }
-  if (from < m_set.accuracy && search.sign == 1.0 && std::fabs(value(ray.at(from))) < skin) {
+  if (from < accuracy && search.sign == 1.0 && std::fabs(value(ray.at(from))) < skin) {
     begin_behind();
   }
-  for (; found < m_set.max_trace && to - from >= m_set.accuracy; ++found) {
+  for (; found < m_set.max_trace && to - from >= accuracy; ++found) {
     double t;
     if (!search.next(from, to, t)) return;
     visit(t, kSurface);

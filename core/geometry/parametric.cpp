@@ -11,6 +11,9 @@ constexpr int kMostLevels = 15;       ///< or as many as are to be precomputed, 
 constexpr int kMostHalvings = 96;     ///< in all: then a double's digits are used up
 constexpr double kAlong = 1e-10;      ///< directions below this run along an axis' planes
 constexpr double kEmptyPath = 1e-10;
+/// Accuracies count along the ray, as in stock, where a surface that is scaled down vanishes in its
+/// own. One coarser than this share of the surface's size is replaced by a fine one.
+constexpr double kCoarse = 0.05, kFine = 5e-4;
 
 /// Written so that what is not a number is outside.
 bool holds(double lo, double hi, double inner_lo, double inner_hi) {
@@ -163,6 +166,8 @@ struct Parametric::Entry {
 struct Parametric::Search {
   Search(const Parametric& parametric, const Ray& ray)
       : surface(parametric), accuracy(parametric.m_set.accuracy), speed(length(ray.direction)) {
+    const double size = length(parametric.m_bounds.hi - parametric.m_bounds.lo) / speed;
+    along = accuracy > kCoarse * size ? kFine * size : accuracy;
     for (int axis = 0; axis < 3; ++axis) {
       const std::size_t i = static_cast<std::size_t>(axis);
       origin[i] = ray.origin[axis];
@@ -173,6 +178,7 @@ struct Parametric::Search {
 
   const Parametric& surface;
   double accuracy, speed;
+  double along;  ///< the accuracy of times
   std::array<double, 3> origin, inverse;
   std::array<bool, 3> runs_along;
   double from = 0.0, to = 0.0;
@@ -255,7 +261,7 @@ void Parametric::Search::refine(const Piece& piece, const std::array<Corners, 3>
   for (int count = 1; count > 0;) {
     const Entry e = stack[--count];
     if (e.nearest > best) continue;
-    if (std::min(e.piece.size(), e.longest) < accuracy || e.halvings >= kMostHalvings) {
+    if (e.piece.size() < accuracy || e.longest < along || e.halvings >= kMostHalvings) {
       if (e.last < best && e.last > from) {
         best = e.last;
         u = e.piece.u_lo;
@@ -280,7 +286,7 @@ void Parametric::Search::through_kept() {
     const Place p = stack[--count];
     const Kept& kept = surface.m_kept[p.number];
     if (!passes(kept.tight) || (kept.own_cuts && !passes(kept.own))) continue;
-    const bool may_end = p.piece.size() < accuracy || kept.narrowest < accuracy * speed;
+    const bool may_end = p.piece.size() < accuracy || kept.narrowest < along * speed;
     if (p.level == surface.m_levels) {
       refine(p.piece, surface.m_corners[p.number - surface.m_corners.size()], p.level);
     } else if (may_end) {
@@ -302,7 +308,7 @@ bool Parametric::through_container(const Ray& ray, double& from, double& to) con
     const double distance = dot(centre, centre), nearest = dot(centre, direction);
     const double square = m_set.radius * m_set.radius;
     if (distance >= square && nearest < kEmptyPath) return false;
-    const double chord = square - distance + nearest * nearest;
+    const double chord = square - length_squared(centre - direction * nearest);
     if (!(chord > kEmptyPath)) return false;
     from = (nearest - std::sqrt(chord)) / speed;
     to = (nearest + std::sqrt(chord)) / speed;
@@ -329,7 +335,7 @@ bool Parametric::find(const Ray& ray, ShapeHit& hit) const {
   constexpr double kBegin = 4.0;  // in accuracies
   Search search(*this, ray);
   if (!through_container(ray, search.from, search.to)) return false;
-  search.from += kBegin * m_set.accuracy;
+  search.from += kBegin * search.along;
   if (search.from > search.to) return false;
   search.through_kept();
   if (!(search.best < search.to)) return false;

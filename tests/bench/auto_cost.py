@@ -63,6 +63,7 @@ def main():
     parser.add_argument("--bin", type=pathlib.Path, default=ROOT / "build" / "release" / "bin")
     args = parser.parse_args()
 
+    args.bin = args.bin.resolve()
     ratios = {}
     with tempfile.TemporaryDirectory() as temporary:
         tree = pathlib.Path(temporary) / "examples"  # scenes write files

@@ -1,6 +1,7 @@
-// Shapes that are found by walking: Julia fractals and parametric surfaces.
+// Shapes that are found by walking: Julia fractals, parametric surfaces and isosurfaces.
 #include <gtest/gtest.h>
 
+#include "core/geometry/isosurface.h"
 #include "core/geometry/julia_fractal.h"
 #include "core/geometry/parametric.h"
 #include "tests/unit/geometry_help.h"
@@ -84,6 +85,49 @@ TEST(UnitCoreParametric, BoundsAreTheSurfacesNotTheContainers) {
     EXPECT_GT(std::fabs(dot(normalized(ball.normal(p, hit)), p)), 0.99);
     EXPECT_FALSE(ball.inside(p));
   }
+}
+
+/// Rays in the space of a shape that is scaled to a millionth have such directions.
+void expect_hits_with_long_directions(const Shape& shape) {
+  constexpr double kLong = 1e6;
+  Random random(5);
+  for (int round = 0; round < 200; ++round) {
+    const Ray ray = random.ray(4.0, 0.5);
+    ShapeHit plain, scaled;
+    ASSERT_TRUE(shape.nearest(ray, 0.0, kInf, plain));
+    ASSERT_TRUE(shape.nearest({ray.origin, ray.direction * kLong}, 0.0, kInf, scaled));
+    EXPECT_NEAR(scaled.t * kLong, plain.t, 0.05);
+  }
+}
+
+TEST(UnitCoreParametric, ScaledDownItDoesNotVanish) {
+  ParametricSettings set;
+  for (int axis = 0; axis < 3; ++axis) {
+    set.functions[static_cast<std::size_t>(axis)] = std::make_shared<Ball>(axis);
+  }
+  set.hi = {3.14159265358979, 6.28318530717959};
+  set.box_lo = Vec3(-1.1);
+  set.box_hi = Vec3(1.1);
+  expect_hits_with_long_directions(Parametric(set));
+}
+
+struct Distance final : Function {
+  std::size_t parameters() const override { return 3; }
+  std::string not_yet() const override { return {}; }
+  double evaluate(std::span<const double> a) const override {
+    return std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]) - 1.0;
+  }
+};
+
+TEST(UnitCoreIsosurface, ScaledDownItDoesNotVanish) {
+  IsosurfaceSettings set;
+  set.function = std::make_shared<Distance>();
+  set.lo = Vec3(-1.1);
+  set.hi = Vec3(1.1);
+  expect_hits_with_long_directions(Isosurface(set));
+  set.in_sphere = true;
+  set.radius = 1.2;
+  expect_hits_with_long_directions(Isosurface(set));
 }
 
 }  // namespace

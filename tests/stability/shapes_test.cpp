@@ -1,0 +1,32 @@
+// tests/stability/shapes.py: shapes in hard settings have no more wrong pixels than in stock's picture
+// of the same scene. A few always, all of them with SlowStabilityShapes.
+#include <gtest/gtest.h>
+
+#include "tests/support/render.h"
+#include "tools/lentray-diff/process.h"
+
+namespace lentray::stability {
+namespace {
+
+testing::AssertionResult no_worse_than_stock(const std::vector<std::string>& words, double seconds) {
+  std::vector<std::string> command = {
+      "python3", (test::source_folder() / "tests/stability/shapes.py").string(), "--no-docs",
+      "--check", "--bin", test::program("lentray").parent_path().string()};
+  command.insert(command.end(), words.begin(), words.end());
+  const diff::RunResult result = diff::run(command, {}, seconds);
+  if (result.status == 0) return testing::AssertionSuccess();
+  return testing::AssertionFailure() << result.output;
+}
+
+TEST(StabilityShapes, GrazingRaysAndThinTori) {
+  EXPECT_TRUE(no_worse_than_stock({"grazing,thin"}, 300.0));
+}
+
+TEST(StabilityShapes, FarAwayAndSmall) {
+  EXPECT_TRUE(no_worse_than_stock({"far,camera,scale", "1e7,1e-6", "sphere,box,torus,blob,lathe_cubic"}, 300.0));
+}
+
+TEST(SlowStabilityShapes, All) { EXPECT_TRUE(no_worse_than_stock({}, 3000.0)); }
+
+}  // namespace
+}  // namespace lentray::stability
