@@ -52,6 +52,13 @@ class Program final : public Function {
   std::vector<Instruction> m_code;
   std::vector<double> m_constants;
   std::vector<std::shared_ptr<const Function>> m_callees;
+  /// The same, with what a call needs to know.
+  struct Callee {
+    const Function* function;
+    std::size_t parameters;
+    bool has_one_result;
+  };
+  std::vector<Callee> m_calls;
   std::size_t m_parameters, m_frame;
   std::int16_t m_result;
 };

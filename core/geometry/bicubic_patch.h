@@ -19,6 +19,7 @@ class BicubicPatch final : public Shape {
 
   std::string_view name() const override { return "bicubic_patch"; }
   Bounds bounds() const override { return m_net->bounds(); }
+  Bounds bounds_in(const Transform& t) const override { return m_net->bounds_in(t); }
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override {
     return m_net->nearest(ray, t_min, t_max, hit);
   }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/geometry/bounds_help.h"
+#include "core/geometry/box_ray.h"
 #include "core/geometry/crossings.h"
 #include "core/geometry/roots.h"
 
@@ -13,6 +14,8 @@ namespace lentray::core {
 class Blob::Reaches : public boost::container::small_vector<Blob::Reach, 24> {};
 
 namespace {
+
+constexpr std::size_t kMany = 9;  // fields from which a hierarchy over them pays
 
 /// Keeps the part of [from, to] where p + t d lies between lo and hi.
 void clip(double p, double d, double lo, double hi, double& from, double& to) {
@@ -37,9 +40,82 @@ double BlobField::at(const Vec3& local) const {
 Blob::Blob(double threshold, std::vector<BlobField> fields)
     : m_threshold(threshold), m_fields(std::move(fields)) {
   for (const BlobField& f : m_fields) {
-    const Bounds own{{-f.radius, -f.radius, -f.radius}, {f.radius, f.radius, f.length + f.radius}};
-    m_bounds.include(transformed(own, f.to_blob));
+    const Vec3 end{0.0, 0.0, f.length};
+    m_boxes.push_back(widened(support_bounds(f.to_blob, [&](const Vec3& d) {
+      return std::max(0.0, dot(d, end)) + f.radius * length(d);
+    })));
+    m_reach.include(m_boxes.back());
+    // Of the inverse's square the largest sum of a row bounds the largest stretch.
+    const Vec3 axes[3] = {f.to_blob.inverse_vector({1, 0, 0}), f.to_blob.inverse_vector({0, 1, 0}),
+                          f.to_blob.inverse_vector({0, 0, 1})};
+    double most = 0.0;
+    for (const Vec3& a : axes) {
+      double sum = 0.0;
+      for (const Vec3& b : axes) sum += std::fabs(dot(a, b));
+      most = std::max(most, sum);
+    }
+    m_scales.push_back(std::sqrt(most));
   }
+  if (m_fields.size() >= kMany && m_reach.is_finite()) m_search = WideBvh(m_boxes);
+}
+
+template <class Visit>
+void Blob::for_fields(const Ray& ray, Visit&& visit) const {
+  const BoxRay box_ray(ray);
+  const auto met = [&](std::size_t i) { return box_ray.meets(m_boxes[i], -Bounds::kInf, Bounds::kInf); };
+  if (m_search.order().empty()) {
+    for (std::size_t i = 0; i < m_fields.size(); ++i) {
+      if (met(i)) visit(m_fields[i]);
+    }
+    return;
+  }
+  boost::container::small_vector<std::uint32_t, 48> found;
+  m_search.traverse(ray, -Bounds::kInf, Bounds::kInf,
+                    [&](std::uint32_t first, std::uint32_t count, double&) {
+                      for (std::uint32_t place = first; place < first + count; ++place) {
+                        const std::uint32_t i = m_search.order()[place];
+                        if (met(i)) found.push_back(i);
+                      }
+                      return false;
+                    });
+  std::sort(found.begin(), found.end());
+  for (const std::uint32_t i : found) visit(m_fields[i]);
+}
+
+template <class Visit>
+void Blob::for_fields(const Vec3& p, Visit&& visit) const {
+  for (std::size_t i = 0; i < m_fields.size(); ++i) {
+    if (m_boxes[i].contains(p)) visit(m_fields[i]);
+  }
+}
+
+/// Whether the fields can add up to the threshold anywhere in the ball.
+bool Blob::may_hold(const Vec3& centre, double reach) const {
+  double most = 0.0;
+  for (std::size_t i = 0; i < m_fields.size(); ++i) {
+    const BlobField& f = m_fields[i];
+    Vec3 p = f.to_blob.inverse_point(centre);
+    p.z -= std::clamp(p.z, 0.0, f.length);
+    const double distance = length(p), stretch = reach * m_scales[i];
+    const double at = f.strength > 0.0 ? std::max(0.0, distance - stretch) : distance + stretch;
+    const double rest = 1.0 - at * at / (f.radius * f.radius);
+    if (rest > 0.0) most += f.strength * rest * rest;
+  }
+  constexpr double kSlack = 2e-6;  // more than that of inside()
+  return most > m_threshold - kSlack;
+}
+
+Bounds Blob::bounds_in(const Transform& t) const {
+  constexpr double kFine = 1.0 / 64.0;
+  constexpr int kTests = 40000, kFewest = 64, kMost = 2000;
+  if (!m_reach.is_finite()) return transformed(m_reach, t);
+  const int budget = std::clamp(kTests / static_cast<int>(m_fields.size()), kFewest, kMost);
+  const Vec3 size = m_reach.hi - m_reach.lo;
+  return support_bounds(t, [&](const Vec3& d) {
+    const double wide = std::fabs(d.x) * size.x + std::fabs(d.y) * size.y + std::fabs(d.z) * size.z;
+    return searched_support(m_reach, d, kFine * wide, budget,
+                            [&](const Vec3& centre, double reach) { return may_hold(centre, reach); });
+  });
 }
 
 void Blob::find_reaches(const BlobField& field, const Ray& ray, Reaches& out) const {
@@ -75,13 +151,13 @@ void Blob::find_reaches(const BlobField& field, const Ray& ray, Reaches& out) co
 template <class Visit>
 void Blob::crossings(const Ray& from_afar, double t_min, double t_max, Visit&& visit) const {
   // Counted from the point nearest to the blob, so that far origins do not cost digits.
-  const double shift = dot(m_bounds.centre() - from_afar.origin, from_afar.direction) /
+  const double shift = dot(m_reach.centre() - from_afar.origin, from_afar.direction) /
                        dot(from_afar.direction, from_afar.direction);
   const Ray ray{from_afar.at(shift), from_afar.direction};
   t_min -= shift;
   t_max -= shift;
   Reaches reaches;
-  for (const BlobField& field : m_fields) find_reaches(field, ray, reaches);
+  for_fields(ray, [&](const BlobField& field) { find_reaches(field, ray, reaches); });
   boost::container::small_vector<double, 48> ends;
   for (const Reach& r : reaches) {
     ends.push_back(r.from);
@@ -128,20 +204,20 @@ void Blob::all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) cons
 bool Blob::inside(const Vec3& p) const {
   constexpr double kSlack = 1e-6;
   double sum = 0.0;
-  for (const BlobField& field : m_fields) sum += field.at(field.to_blob.inverse_point(p));
+  for_fields(p, [&](const BlobField& field) { sum += field.at(field.to_blob.inverse_point(p)); });
   return sum > m_threshold - kSlack;
 }
 
 Vec3 Blob::normal(const Vec3& p, const ShapeHit&) const {
   Vec3 sum;
-  for (const BlobField& field : m_fields) {
+  for_fields(p, [&](const BlobField& field) {
     Vec3 at = field.to_blob.inverse_point(p);
     at.z -= std::clamp(at.z, 0.0, field.length);
     const double share = length_squared(at) / (field.radius * field.radius);
-    if (share >= 1.0) continue;
+    if (share >= 1.0) return;
     const double steep = field.strength * (1.0 - share) / (field.radius * field.radius);
     sum += field.to_blob.normal(at * steep);
-  }
+  });
   return sum == Vec3{} ? Vec3{1, 0, 0} : sum;
 }
 

@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "core/accel/wide_bvh.h"
 #include "core/geometry/shape.h"
 
 namespace lentray::core {
@@ -24,7 +25,9 @@ class Blob final : public Shape {
   Blob(double threshold, std::vector<BlobField> fields);
 
   std::string_view name() const override { return "blob"; }
-  Bounds bounds() const override { return m_bounds; }
+  Bounds bounds() const override { return bounds_in(Transform()); }
+  /// Searched for in a few hundred cells.
+  Bounds bounds_in(const Transform& t) const override;
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
   bool inside(const Vec3& p) const override;
@@ -38,6 +41,13 @@ class Blob final : public Shape {
     double strength;
   };
   class Reaches;
+  /// Calls visit(field) for those that the ray, on both sides of its origin, or the point may reach;
+  /// in order.
+  template <class Visit>
+  void for_fields(const Ray& ray, Visit&& visit) const;
+  template <class Visit>
+  void for_fields(const Vec3& p, Visit&& visit) const;
+  bool may_hold(const Vec3& centre, double reach) const;
   void find_reaches(const BlobField& field, const Ray& ray, Reaches& out) const;
   /// Calls visit(t) in order along the ray; stops when it returns false.
   template <class Visit>
@@ -45,7 +55,10 @@ class Blob final : public Shape {
 
   double m_threshold;
   std::vector<BlobField> m_fields;
-  Bounds m_bounds;
+  std::vector<double> m_scales;  ///< how much longer at most than in the blob's a length is in a field's space
+  std::vector<Bounds> m_boxes;   ///< of each field, a little wider
+  WideBvh m_search;              ///< over them, where there are many
+  Bounds m_reach;                ///< of all fields
 };
 
 }  // namespace lentray::core

@@ -15,8 +15,11 @@ struct BoxRay {
         inverse{1.0 / ray.direction.x, 1.0 / ray.direction.y, 1.0 / ray.direction.z} {}
 
   bool meets(const Bounds& b, double t_min, double t_max) const {
+    return cut(b, t_min, t_max);
+  }
+  /// Cuts from..to to what is in the box; false if that is nothing.
+  bool cut(const Bounds& b, double& from, double& to) const {
     constexpr double kSlack = 2e-15;
-    double from = t_min, to = t_max;
     for (int i = 0; i < 3; ++i) {
       const bool forward = inverse[i] > 0.0;
       const double near = ((forward ? b.lo[i] : b.hi[i]) - origin[i]) * inverse[i];

@@ -96,7 +96,20 @@ HeightField::HeightField(std::shared_ptr<const HeightGrid> grid, double water_le
   m_to_space = Transform::scaling({1.0 / width, 1.0 / kFullHeight, 1.0 / depth});
 }
 
-Bounds HeightField::bounds() const { return padded(transformed(m_box, m_to_space)); }
+/// Where the box is turned: of the solid's floor and of the points above it.
+Bounds HeightField::bounds() const {
+  if (keeps_axes(m_to_space)) return padded(transformed(m_box, m_to_space));
+  Bounds b;
+  for (int z = 0; z < m_grid->depth(); ++z) {
+    for (int x = 0; x < m_grid->width(); ++x) {
+      const double y = m_grid->height(x, z) + kMargin;
+      const bool corner = (x == 0 || x + 1 == m_grid->width()) && (z == 0 || z + 1 == m_grid->depth());
+      if (corner) b.include(m_to_space.point({double(x), m_box.lo.y, double(z)}));
+      if (y > m_box.lo.y) b.include(m_to_space.point({double(x), y, double(z)}));
+    }
+  }
+  return padded(b);
+}
 
 std::unique_ptr<Shape> HeightField::baked(const Transform& t) const {
   auto copy = std::make_unique<HeightField>(*this);

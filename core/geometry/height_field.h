@@ -49,7 +49,9 @@ class HeightField final : public Shape {
   Bounds bounds() const override;
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
+  /// Everything below the surface, beyond the box too.
   bool inside(const Vec3& p) const override;
+  bool solid_is_unbounded() const override { return true; }
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
   std::unique_ptr<Shape> baked(const Transform& t) const override;
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/geometry/bounds_help.h"
 #include "core/geometry/sphere.h"
 
 namespace lentray::core {
@@ -67,6 +68,11 @@ struct Isosurface::Search {
 Bounds Isosurface::bounds() const {
   if (!m_set.in_sphere) return {m_set.lo, m_set.hi};
   return {m_set.centre - Vec3(m_set.radius), m_set.centre + Vec3(m_set.radius)};
+}
+
+Bounds Isosurface::bounds_in(const Transform& t) const {
+  if (!m_set.in_sphere) return Shape::bounds_in(t);
+  return support_bounds(t, [&](const Vec3& d) { return dot(d, m_set.centre) + m_set.radius * length(d); });
 }
 
 double Isosurface::value(const Vec3& p) const {

@@ -31,6 +31,7 @@ class Isosurface final : public Shape {
 
   std::string_view name() const override { return "isosurface"; }
   Bounds bounds() const override;
+  Bounds bounds_in(const Transform& t) const override;
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
   bool inside(const Vec3& p) const override;

@@ -2,6 +2,8 @@
 
 #include <stdexcept>
 
+#include "core/geometry/bounds_help.h"
+#include "core/geometry/box_ray.h"
 #include "core/geometry/julia_maps.h"
 
 namespace lentray::core {
@@ -24,13 +26,11 @@ bool through_sphere(const Vec3& from, const Vec3& direction, double radius, doub
 template <class Map>
 class JuliaFractal final : public Shape {
  public:
-  explicit JuliaFractal(Map map) : m_map(std::move(map)) {}
+  explicit JuliaFractal(Map map) : m_map(std::move(map)), m_box(box_in(Transform())) {}
 
   std::string_view name() const override { return "julia_fractal"; }
-  Bounds bounds() const override {
-    const double r = m_map.common().radius;
-    return {Vec3(-r), Vec3(r)};
-  }
+  Bounds bounds() const override { return m_box; }
+  Bounds bounds_in(const Transform& t) const override { return box_in(t); }
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
   bool inside(const Vec3& p) const override { return m_map.holds(p); }
@@ -42,12 +42,32 @@ class JuliaFractal final : public Shape {
 
  private:
   using Memory = typename Map::Memory;
+  Bounds box_in(const Transform& t) const;
   double refined(Vec3 p, const Vec3& direction, double step, bool within, Memory& memory) const;
   template <class Visit>
   void crossings(const Ray& ray, Visit&& visit) const;
 
   Map m_map;
+  Bounds m_box;
 };
+
+/// Cells that the set has no part in are ruled out by their orbits. Where those say nothing it is
+/// the sphere's box, which stock keeps to where the solid leaves it.
+template <class Map>
+Bounds JuliaFractal<Map>::box_in(const Transform& t) const {
+  constexpr double kFine = 1.0 / 64.0, kNear = 10.0 * kTolerance;
+  constexpr int kTests = 3000;
+  const double r = m_map.common().radius;
+  const Bounds all{Vec3(-r), Vec3(r)};
+  if (Map::kRemembers) return transformed(all, t);
+  return support_bounds(t, [&](const Vec3& d) {
+    const double size = length(d), widest = (r + kNear) * size;
+    const double far = searched_support(all, d, kFine * widest, kTests, [&](const Vec3& p, double reach) {
+      return length(p) - reach <= r && m_map.may_hold(p, reach);
+    });
+    return std::min(widest, far + kNear * size);
+  });
+}
 
 /// How far from p, on this side of the surface, to where the other side begins (or this one ends,
 /// from within), at most `step`.
@@ -86,6 +106,9 @@ void JuliaFractal<Map>::crossings(const Ray& ray, Visit&& visit) const {
   double depth, end;
   if (!through_sphere(ray.origin, direction, m_map.common().radius, depth, end)) return;
   if (end < kTolerance) return;
+  // There is nothing outside the box: no need to walk where the ray has left it.
+  double enters = -Bounds::kInf, leaves = Bounds::kInf;
+  if (!BoxRay({ray.origin, direction}).cut(m_box, enters, leaves)) return;
   depth = std::max(depth, kTolerance);
   Memory memory(m_map);
   Vec3 p = ray.origin + direction * depth;
@@ -98,7 +121,7 @@ void JuliaFractal<Map>::crossings(const Ray& ray, Visit&& visit) const {
     if (depth > end) return;
     within = m_map.step(p, direction, step, memory);
   }
-  while (depth < end) {
+  while (depth < end && (within || depth <= leaves)) {
     if (!(step >= m_map.common().least_step)) step = m_map.common().least_step;
     if (depth + step > end) return;
     const Vec3 next = p + direction * step;
@@ -177,6 +200,13 @@ std::unique_ptr<Shape> make_hypercomplex(const JuliaSettings& s) {
 }
 
 }  // namespace
+
+double julia_sphere(const std::array<double, 4>& c, bool hypercomplex) {
+  if (hypercomplex) return 4.0;
+  constexpr double kMost = 2.0;  // enough for the square whatever the parameter
+  const double reach = std::sqrt(c[0] * c[0] + c[1] * c[1] + c[2] * c[2] + c[3] * c[3]);
+  return std::min(1.0 + reach + kTolerance, kMost);
+}
 
 std::unique_ptr<Shape> make_julia_fractal(const JuliaSettings& s) {
   if (s.hypercomplex) return make_hypercomplex(s);

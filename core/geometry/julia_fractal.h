@@ -31,6 +31,9 @@ struct JuliaSettings {
   Vec2 exponent;                              ///< of kPwr: real and imaginary part
 };
 
+/// Radius of the sphere about the origin that orbits must stay in.
+double julia_sphere(const std::array<double, 4>& parameter, bool hypercomplex);
+
 std::unique_ptr<Shape> make_julia_fractal(const JuliaSettings& settings);
 
 }  // namespace lentray::core

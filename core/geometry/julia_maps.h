@@ -23,6 +23,12 @@ struct Common {
     return (distance - slice[0] * p.x - slice[1] * p.y - slice[2] * p.z) / slice[3];
   }
 
+  /// How much longer steps are in four dimensions, at most.
+  double stretch() const {
+    const double across = slice[0] * slice[0] + slice[1] * slice[1] + slice[2] * slice[2];
+    return std::sqrt(1.0 + across / (slice[3] * slice[3]));
+  }
+
   std::array<double, 4> c;       ///< parameter
   std::array<double, 4> slice;   ///< of length 1
   double distance;
@@ -34,6 +40,8 @@ struct Common {
   double escape;                 ///< orbits whose squared length is beyond are lost
 };
 
+/// What rounding can add to the size of an orbit, generously.
+inline constexpr double kLoose = 1.0 + 1e-9;
 inline constexpr double kTolerance = 1e-7;  ///< how near surfaces are found, along the ray
 
 inline Common::Common(const JuliaSettings& s)
@@ -44,13 +52,8 @@ inline Common::Common(const JuliaSettings& s)
   is_upright = n[0] == 0.0 && n[1] == 0.0 && n[2] == 0.0;
   height = distance / slice[3];
   least_step = std::max(1.0 / s.precision, kTolerance);
-  radius = 4.0;
-  escape = 16.0;
-  if (s.hypercomplex) return;
-  constexpr double kMost = 2.0;  // enough for the square whatever the parameter
-  const double reach = std::sqrt(c[0] * c[0] + c[1] * c[1] + c[2] * c[2] + c[3] * c[3]);
-  radius = std::min(1.0 + reach + kTolerance, kMost);
-  escape = radius * radius + kTolerance;
+  radius = julia_sphere(c, s.hypercomplex);
+  escape = s.hypercomplex ? radius * radius : radius * radius + kTolerance;
 }
 
 /// A number of four parts, or the change of one.
@@ -65,6 +68,8 @@ inline double size_squared(const Quaternion& q) {
 /// q2 + c and its derivative; constant factors of the derivative are left out.
 struct QuaternionSquare {
   static constexpr double kDegree = 2.0;
+  /// Radius of a ball about what a ball of radius r about a number of that size is mapped to.
+  static double grown(double size, double r) { return r * (2.0 * size + r); }
   static Quaternion next(const Quaternion& q, double xx, double rest, const std::array<double, 4>& c) {
     const double twice = 2.0 * q.x;
     return {xx - rest + c[0], twice * q.y + c[1], twice * q.z + c[2], twice * q.w + c[3]};
@@ -78,6 +83,7 @@ struct QuaternionSquare {
 /// q3 + c
 struct QuaternionCube {
   static constexpr double kDegree = 3.0;
+  static double grown(double size, double r) { return r * (3.0 * size * (size + r) + r * r); }
   static Quaternion next(const Quaternion& q, double xx, double rest, const std::array<double, 4>& c) {
     const double side = 3.0 * xx - rest;
     return {q.x * (xx - 3.0 * rest) + c[0], q.y * side + c[1], q.z * side + c[2],
@@ -130,6 +136,20 @@ class QuaternionMap {
       q = Rule::next(q, xx, rest, m_common.c);
     }
     step = m_common.least_step;
+    return true;
+  }
+
+  /// Whether a ball can have a part in the set: its orbit, as a ball that grows with each round.
+  bool may_hold(const Vec3& centre, double reach) const {
+    Quaternion q = start(centre);
+    double r = reach * m_common.stretch();
+    for (int i = 0; i < m_common.rounds; ++i) {
+      const double rest = q.y * q.y + q.z * q.z + q.w * q.w, xx = q.x * q.x;
+      const double size = std::sqrt(rest + xx), least = size - r;
+      if (least > 0.0 && least * least > m_common.escape * kLoose) return false;
+      r = Rule::grown(size, r);
+      q = Rule::next(q, xx, rest, m_common.c);
+    }
     return true;
   }
 
@@ -204,6 +224,11 @@ struct DuplexSquare {
   }
   Duplex value(const Duplex& z) const { return {z.re * z.re - z.im * z.im, 2.0 * (z.re * z.im)}; }
   static Duplex factor(const Duplex& z, const Duplex&) { return z; }
+  /// As for quaternions, of both numbers; false where it is not known.
+  static bool grow(const Pair& size, Pair& r) {
+    r = r * (2.0 * size + r);
+    return true;
+  }
 };
 
 struct DuplexReciprocal {
@@ -217,6 +242,11 @@ struct DuplexReciprocal {
   static Duplex factor(const Duplex&, const Duplex& value) {
     const Duplex square = value * value;
     return {-square.re, -square.im};
+  }
+  static bool grow(const Pair& size, Pair& r) {
+    if (!(size[0] > r[0] && size[1] > r[1])) return false;  // the pole is in it
+    r = r / (size * (size - r));
+    return true;
   }
 };
 
@@ -266,6 +296,22 @@ class HypercomplexMap {
     return true;
   }
   bool holds(const Vec3& p, Memory&) const { return holds(p); }
+
+  /// Whether a ball can have a part in the set: the orbits of both numbers, as discs that grow.
+  bool may_hold(const Vec3& centre, double reach) const {
+    Duplex z = Rule::start(m_common, centre).z;
+    const double widest = std::sqrt(2.0) * reach * m_common.stretch();
+    Pair r{widest, widest};
+    for (int i = 0; i < m_common.rounds; ++i) {
+      const Pair squares = z.re * z.re + z.im * z.im;
+      const Pair size{std::sqrt(squares[0]), std::sqrt(squares[1])};
+      const double a = std::max(0.0, size[0] - r[0]), b = std::max(0.0, size[1] - r[1]);
+      if (0.5 * (a * a + b * b) > m_common.escape * kLoose) return false;
+      if (!Rule::grow(size, r)) return true;
+      z = m_rule.value(z) + m_c;
+    }
+    return true;
+  }
 
   bool step(const Vec3& p, const Vec3& direction, double& step, Memory&) const {
     const Trail trail = follow(p);
@@ -334,6 +380,8 @@ class FunctionMap {
       : m_common(s), m_function(function),
         m_c(duplex(s.parameter[0], s.parameter[1], s.parameter[2], s.parameter[3])) {}
   const Common& common() const { return m_common; }
+  /// Not known: hits lie up to a step beyond the set.
+  bool may_hold(const Vec3&, double) const { return true; }
 
   bool holds(const Vec3& p) const {
     auto [z, size] = start_at(m_common, {p.x, p.y, p.y});

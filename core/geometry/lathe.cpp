@@ -5,6 +5,7 @@
 
 #include "core/geometry/about_axis.h"
 #include "core/geometry/bounds_help.h"
+#include "core/geometry/box_ray.h"
 #include "core/geometry/crossings.h"
 #include "core/geometry/roots.h"
 
@@ -37,6 +38,7 @@ Lathe::Lathe(std::vector<CurvePiece> pieces) {
     const double widest = std::max(std::fabs(alone.lo().u), std::fabs(alone.hi().u));
     m_pieces.push_back({curve, alone.lo().v, alone.hi().v, widest});
   }
+  m_reach = widened(Lathe::bounds());
 }
 
 Bounds Lathe::bounds() const {
@@ -48,11 +50,24 @@ Bounds Lathe::bounds() const {
   return padded(box);
 }
 
+Bounds Lathe::bounds_in(const Transform& t) const {
+  if (keeps_axes(t)) return Shape::bounds_in(t);
+  return support_bounds(t, [&](const Vec3& d) {
+    const double across = std::sqrt(d.x * d.x + d.z * d.z);
+    double far = -Bounds::kInf;
+    for (const Piece& p : m_pieces) {
+      far = std::max({far, p.curve.farthest({across, d.y}), p.curve.farthest({-across, d.y})});
+    }
+    return far;
+  });
+}
+
 template <class Visit>
 void Lathe::crossings(const Ray& ray, double t_min, double t_max, Visit&& visit) const {
   constexpr double kSlack = 1e-9;
   // Below this slope heights say little of t: distances from the axis do.
   constexpr double kLevel = 0.02, kHorizontal = 1e-9;
+  if (!BoxRay(ray).meets(m_reach, t_min, t_max)) return;
   const AboutAxis about(ray);
   for (std::uint32_t i = 0; i < m_pieces.size(); ++i) {
     const Piece& piece = m_pieces[i];

@@ -17,6 +17,7 @@ class Lathe final : public Shape {
 
   std::string_view name() const override { return "lathe"; }
   Bounds bounds() const override;
+  Bounds bounds_in(const Transform& t) const override;
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
   /// Between the curve and the axis, counted by crossings outwards.
@@ -34,6 +35,7 @@ class Lathe final : public Shape {
   template <class Visit>
   void crossings(const Ray& ray, double t_min, double t_max, Visit&& visit) const;
 
+  Bounds m_reach;  ///< a little more than bounds()
   std::vector<Piece> m_pieces;
 };
 

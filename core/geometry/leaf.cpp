@@ -3,16 +3,18 @@
 namespace lentray::core {
 
 Leaf::Leaf(std::unique_ptr<Shape> shape, const Transform& to_world) : m_shape(std::move(shape)) {
-  if (to_world.is_identity()) return;
-  if (auto moved = m_shape->baked(to_world)) {
-    m_shape = std::move(moved);
-  } else {
-    m_transform = to_world;
+  if (!to_world.is_identity()) {
+    if (auto moved = m_shape->baked(to_world)) {
+      m_shape = std::move(moved);
+    } else {
+      m_transform = to_world;
+    }
   }
+  m_box = m_transform ? m_shape->bounds_in(*m_transform) : m_shape->bounds();
 }
 
 Bounds Leaf::bounds() const {
-  return limited(m_transform ? m_shape->bounds_in(*m_transform) : m_shape->bounds());
+  return limited(m_box);
 }
 
 Bounds Leaf::solid_bounds() const {
@@ -20,7 +22,7 @@ Bounds Leaf::solid_bounds() const {
   if (is_inverse() || m_shape->solid_is_unbounded()) {
     b = Bounds::everything();
   } else if (m_shape->is_solid()) {
-    b = m_transform ? m_shape->bounds_in(*m_transform) : m_shape->bounds();
+    b = m_box;
   }
   for (const auto& clip : clips()) b.intersect(clip->solid_bounds());
   return b.is_empty() ? Bounds() : b;
@@ -31,7 +33,7 @@ bool Leaf::solid_leaves_bounds() const { return m_shape->solid_leaves_bounds() &
 Bounds Leaf::void_bounds() const {
   if (!is_inverse() || !clips().empty()) return Bounds::everything();
   if (m_shape->solid_is_unbounded() || m_shape->solid_leaves_bounds()) return Bounds::everything();
-  return m_transform ? m_shape->bounds_in(*m_transform) : m_shape->bounds();
+  return m_box;
 }
 
 void Leaf::set_inverse(bool inverse) {

@@ -143,6 +143,7 @@ class Leaf final : public Object {
 
   std::unique_ptr<Shape> m_shape;
   std::optional<Transform> m_transform;
+  Bounds m_box;  ///< of the shape, in the world
 };
 
 enum class CsgKind { kUnion, kIntersection, kDifference, kMerge };

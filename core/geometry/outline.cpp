@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/geometry/bounds_help.h"
 #include "core/geometry/roots.h"
 
 namespace lentray::core {
@@ -37,6 +38,12 @@ Vec2 CurvePiece::at(double s) const {
 
 Vec2 CurvePiece::slope(double s) const {
   return {(3.0 * a.u * s + 2.0 * b.u) * s + c.u, (3.0 * a.v * s + 2.0 * b.v) * s + c.v};
+}
+
+double CurvePiece::farthest(const Vec2& n) const {
+  return std::max(most_of_cubic(n.u * a.u + n.v * a.v, n.u * b.u + n.v * b.v, n.u * c.u + n.v * c.v,
+                                n.u * d.u + n.v * d.v),
+                  n.u * end.u + n.v * end.v);
 }
 
 CurvePiece CurvePiece::line(const Vec2& from, const Vec2& to) {

@@ -19,6 +19,8 @@ struct CurvePiece {
   Vec2 at(double s) const;
   /// Derivative by s.
   Vec2 slope(double s) const;
+  /// The most that direction.u u + direction.v v becomes.
+  double farthest(const Vec2& direction) const;
 
   static CurvePiece line(const Vec2& from, const Vec2& to);
   static CurvePiece conic(const Vec2& from, const Vec2& control, const Vec2& to);
@@ -32,17 +34,21 @@ class Outline {
   explicit Outline(std::vector<CurvePiece> pieces);
 
   bool contains(double u, double v) const;
-  /// Calls visit(piece, s) where the line a u + b v + c = 0 crosses the boundary.
+  struct Box {
+    Vec2 lo, hi;
+    bool meets(const Box& o) const {
+      return lo.u <= o.hi.u && hi.u >= o.lo.u && lo.v <= o.hi.v && hi.v >= o.lo.v;
+    }
+  };
+  /// Calls visit(piece, s) where the line a u + b v + c = 0 crosses the boundary; elsewhere than in
+  /// `region` it may leave crossings out.
   template <class Visit>
-  void crossings(double a, double b, double c, Visit&& visit) const;
+  void crossings(double a, double b, double c, const Box& region, Visit&& visit) const;
   const std::vector<CurvePiece>& pieces() const { return m_pieces; }
   const Vec2& lo() const { return m_lo; }
   const Vec2& hi() const { return m_hi; }
 
  private:
-  struct Box {
-    Vec2 lo, hi;
-  };
   static Box box_of(const CurvePiece& piece);
   static bool may_cross(const Box& box, double a, double b, double c);
 
@@ -55,9 +61,9 @@ class Outline {
 int line_crossings(const CurvePiece& piece, double a, double b, double c, double s[3]);
 
 template <class Visit>
-void Outline::crossings(double a, double b, double c, Visit&& visit) const {
+void Outline::crossings(double a, double b, double c, const Box& region, Visit&& visit) const {
   for (std::uint32_t i = 0; i < m_pieces.size(); ++i) {
-    if (!may_cross(m_boxes[i], a, b, c)) continue;
+    if (!m_boxes[i].meets(region) || !may_cross(m_boxes[i], a, b, c)) continue;
     double s[3];
     const int n = line_crossings(m_pieces[i], a, b, c, s);
     for (int k = 0; k < n; ++k) visit(i, s[k]);

@@ -32,6 +32,16 @@ Bounds Ovus::bounds() const {
   return padded({{-widest, -m_bottom, -widest}, {widest, m_bottom + m_top, widest}});
 }
 
+/// A convex body: its surface faces d on the sphere or tube whose share of the directions has d.
+Bounds Ovus::bounds_in(const Transform& t) const {
+  return support_bounds(t, [&](const Vec3& d) {
+    const double size = length(d), across = std::sqrt(d.x * d.x + d.z * d.z);
+    if (d.y <= size * m_low / m_bottom) return m_bottom * size;
+    if (d.y >= size * (m_high - m_bottom) / m_top) return d.y * m_bottom + m_top * size;
+    return d.y * m_height - across * m_spindle + m_waist * size;
+  });
+}
+
 template <class Visit>
 void Ovus::crossings(const Ray& ray, double t_min, double t_max, Visit&& visit) const {
   constexpr double kWider = 1e-9;

@@ -62,7 +62,8 @@ int Poly::crossings(const Ray& ray, double t_min, double t_max, double* roots) c
   powers_of(p.z, d.z, m_order, z);
   std::array<double, kMost> line{};  // line[m]: coefficient of t^m
   for (const Term& t : m_terms) {
-    std::array<double, kMost> xy{};
+    std::array<double, kMost> xy;
+    std::fill_n(xy.data(), t.i + t.j + 1, 0.0);
     for (int a = 0; a <= t.i; ++a) {
       const double by_x = t.c * x[t.i][a];
       if (by_x == 0.0) continue;

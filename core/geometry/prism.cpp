@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/geometry/bounds_help.h"
+#include "core/geometry/box_ray.h"
 #include "core/geometry/crossings.h"
 
 namespace lentray::core {
@@ -21,7 +22,8 @@ Prism::Prism(std::string_view name, std::shared_ptr<const Outline> outline, Swee
       m_sweep(sweep),
       m_from(std::min(from, to)),
       m_to(std::max(from, to)),
-      m_open(open) {}
+      m_open(open),
+      m_reach(widened(Prism::bounds())) {}
 
 Bounds Prism::bounds() const {
   if (m_outline->pieces().empty()) return {};
@@ -35,6 +37,21 @@ Bounds Prism::bounds() const {
   return padded(box);
 }
 
+Bounds Prism::bounds_in(const Transform& t) const {
+  if (keeps_axes(t) || m_outline->pieces().empty()) return Shape::bounds_in(t);
+  return support_bounds(t, [&](const Vec3& direction) {
+    const Vec3 d = swept(direction);
+    const auto outline = [&](double u, double v) {
+      double far = -Bounds::kInf;
+      for (const CurvePiece& piece : m_outline->pieces()) far = std::max(far, piece.farthest({u, v}));
+      return far;
+    };
+    if (m_sweep != Sweep::kConic) return outline(d.x, d.y) + std::max(d.z * m_from, d.z * m_to);
+    return std::max(outline(d.x * m_from, d.y * m_from) + d.z * m_from,
+                    outline(d.x * m_to, d.y * m_to) + d.z * m_to);
+  });
+}
+
 bool Prism::contains(double u, double v, double height) const {
   if (m_sweep == Sweep::kConic) {
     if (height == 0.0) return false;
@@ -44,13 +61,42 @@ bool Prism::contains(double u, double v, double height) const {
   return m_outline->contains(u, v);
 }
 
+/// Where over the outline the ray lies between the caps and between t_min and t_max: a box, a
+/// little wider.
+Outline::Box Prism::shadow(const Vec3& origin, const Vec3& direction, double t_min, double t_max) const {
+  constexpr double kInf = Bounds::kInf, kSlack = 1e-9;
+  const Outline::Box everywhere{{-kInf, -kInf}, {kInf, kInf}};
+  if (direction.z != 0.0) {
+    const double a = (m_from - origin.z) / direction.z, b = (m_to - origin.z) / direction.z;
+    t_min = std::max(t_min, std::min(a, b));
+    t_max = std::min(t_max, std::max(a, b));
+  }
+  const Vec3 first = origin + direction * t_min, last = origin + direction * t_max;
+  if (!is_finite(first) || !is_finite(last)) return everywhere;
+  double u1 = first.x, v1 = first.y, u2 = last.x, v2 = last.y;
+  if (m_sweep == Sweep::kConic) {
+    // Towards the tip it has no end.
+    constexpr double kTip = 1e-3;
+    if (!(first.z * last.z > 0.0) || std::min(std::fabs(first.z), std::fabs(last.z)) < kTip) return everywhere;
+    u1 /= first.z;
+    v1 /= first.z;
+    u2 /= last.z;
+    v2 /= last.z;
+  }
+  const double size = std::fabs(origin.x) + std::fabs(origin.y) + std::fabs(u1) + std::fabs(v1) +
+                      std::fabs(u2) + std::fabs(v2) + std::fabs(origin.z) + std::fabs(m_from) + std::fabs(m_to);
+  const double by = kSlack * size * (m_sweep == Sweep::kConic ? 1e3 : 1.0);
+  return {{std::min(u1, u2) - by, std::min(v1, v2) - by}, {std::max(u1, u2) + by, std::max(v1, v2) + by}};
+}
+
 template <class Visit>
-void Prism::walls(const Vec3& origin, const Vec3& direction, Visit&& visit) const {
+void Prism::walls(const Vec3& origin, const Vec3& direction, double t_min, double t_max, Visit&& visit) const {
   // Plane in which the ray and the direction of the sweep lie, as a line across the outline.
   Vec3 plane{direction.y, -direction.x, origin.y * direction.x - origin.x * direction.y};
   if (m_sweep == Sweep::kConic) plane = cross(origin, direction);
   if (plane.x == 0.0 && plane.y == 0.0) return;
-  m_outline->crossings(plane.x, plane.y, plane.z, [&](std::uint32_t piece, double s) {
+  const Outline::Box region = shadow(origin, direction, t_min, t_max);
+  m_outline->crossings(plane.x, plane.y, plane.z, region, [&](std::uint32_t piece, double s) {
     const Vec2 p = m_outline->pieces()[piece].at(s);
     double du = direction.x, dv = direction.y, u = p.u - origin.x, v = p.v - origin.y;
     if (m_sweep == Sweep::kConic) {
@@ -66,7 +112,8 @@ void Prism::walls(const Vec3& origin, const Vec3& direction, Visit&& visit) cons
 }
 
 template <class Visit>
-void Prism::crossings(const Ray& ray, Visit&& visit) const {
+void Prism::crossings(const Ray& ray, double t_min, double t_max, Visit&& visit) const {
+  if (!BoxRay(ray).meets(m_reach, t_min, t_max)) return;
   const Vec3 origin = swept(ray.origin), direction = swept(ray.direction);
   if (!m_open && direction.z != 0.0) {
     const double heights[2] = {m_from, m_to};
@@ -77,16 +124,16 @@ void Prism::crossings(const Ray& ray, Visit&& visit) const {
       }
     }
   }
-  walls(origin, direction, visit);
+  walls(origin, direction, t_min, t_max, visit);
 }
 
 bool Prism::nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const {
-  const auto each = [&](auto&& visit) { crossings(ray, visit); };
+  const auto each = [&](auto&& visit) { crossings(ray, t_min, t_max, visit); };
   return nearest_of_all(each, t_min, t_max, hit);
 }
 
 void Prism::all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const {
-  const auto each = [&](auto&& visit) { crossings(ray, visit); };
+  const auto each = [&](auto&& visit) { crossings(ray, t_min, t_max, visit); };
   append_all(each, t_min, t_max, hits);
 }
 

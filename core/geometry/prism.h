@@ -23,6 +23,7 @@ class Prism final : public Shape {
 
   std::string_view name() const override { return m_name; }
   Bounds bounds() const override;
+  Bounds bounds_in(const Transform& t) const override;
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
   bool inside(const Vec3& p) const override;
@@ -35,15 +36,17 @@ class Prism final : public Shape {
   }
   bool contains(double u, double v, double height) const;
   template <class Visit>
-  void crossings(const Ray& ray, Visit&& visit) const;
+  void crossings(const Ray& ray, double t_min, double t_max, Visit&& visit) const;
   template <class Visit>
-  void walls(const Vec3& origin, const Vec3& direction, Visit&& visit) const;
+  void walls(const Vec3& origin, const Vec3& direction, double t_min, double t_max, Visit&& visit) const;
+  Outline::Box shadow(const Vec3& origin, const Vec3& direction, double t_min, double t_max) const;
 
   std::string_view m_name;
   std::shared_ptr<const Outline> m_outline;
   Sweep m_sweep;
   double m_from, m_to;
   bool m_open;
+  Bounds m_reach;  ///< a little more than bounds()
 };
 
 }  // namespace lentray::core

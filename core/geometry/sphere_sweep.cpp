@@ -80,25 +80,33 @@ Polynomial squared_gap(const SweepPiece& piece, const Vec3& p) {
   return gap;
 }
 
-/// The corners of a cubic's control polygon hold it.
-std::array<double, 4> control_points(double c0, double c1, double c2, double c3) {
-  return {c0, c0 + c1 / 3.0, c0 + (2.0 * c1 + c2) / 3.0, c0 + c1 + c2 + c3};
+/// How far any of the spheres reaches; their radius may be below 0.
+double support_of(const SweepPiece& piece, const Vec3& d) {
+  const double size = length(d);
+  const auto& c = piece.centre;
+  const auto& r = piece.radius;
+  const auto side = [&](double s) {
+    return most_of_cubic(dot(d, c[3]) + s * r[3], dot(d, c[2]) + s * r[2], dot(d, c[1]) + s * r[1],
+                         dot(d, c[0]) + s * r[0]);
+  };
+  return std::max(side(size), side(-size));
 }
 
-Bounds box_of(const SweepPiece& piece) {
-  const auto& r = piece.radius;
-  double widest = 0.0;
-  for (const double value : control_points(r[0], r[1], r[2], r[3])) {
-    widest = std::max(widest, std::fabs(value));
-  }
-  Vec3 lo, hi;
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto& c = piece.centre;
-    const auto all = control_points(c[0][axis], c[1][axis], c[2][axis], c[3][axis]);
-    lo[axis] = *std::min_element(all.begin(), all.end()) - widest;
-    hi[axis] = *std::max_element(all.begin(), all.end()) + widest;
-  }
-  return padded({lo, hi});
+Bounds box_of(const SweepPiece& piece, const Transform& t) {
+  return support_bounds(t, [&](const Vec3& d) { return support_of(piece, d); });
+}
+
+/// The piece over u = from..from + length, as one of its own.
+SweepPiece part_of(const SweepPiece& piece, double from, double length) {
+  const auto cut = [&](const auto& c) {
+    auto out = c;
+    out[0] = c[0] + (c[1] + (c[2] + c[3] * from) * from) * from;
+    out[1] = (c[1] + (c[2] * 2.0 + c[3] * (3.0 * from)) * from) * length;
+    out[2] = (c[2] + c[3] * (3.0 * from)) * (length * length);
+    out[3] = c[3] * (length * length * length);
+    return out;
+  };
+  return {cut(piece.centre), cut(piece.radius), piece.order};
 }
 
 }  // namespace
@@ -112,9 +120,19 @@ struct SphereSweep::Line {
 
 SphereSweep::SphereSweep(std::vector<SweepPiece> pieces) : m_pieces(std::move(pieces)) {
   for (const SweepPiece& piece : m_pieces) {
-    m_boxes.push_back(box_of(piece));
+    m_boxes.push_back(box_of(piece, Transform()));
     m_bounds.include(m_boxes.back());
+    for (std::uint32_t i = 0; i < kParts; ++i) {
+      const double length = 1.0 / kParts;
+      m_parts.push_back(box_of(part_of(piece, i * length, length), Transform()));
+    }
   }
+}
+
+Bounds SphereSweep::bounds_in(const Transform& t) const {
+  Bounds all;
+  for (const SweepPiece& piece : m_pieces) all.include(box_of(piece, t));
+  return all;
 }
 
 void SphereSweep::sphere_crossings(std::uint32_t index, double u, const Line& line,
@@ -169,6 +187,12 @@ void SphereSweep::piece_crossings(std::uint32_t index, const Line& line, ShapeHi
   }
 }
 
+bool SphereSweep::met(const BoxRay& ray, std::uint32_t piece, double t_min, double t_max) const {
+  if (!ray.meets(m_boxes[piece], t_min, t_max)) return false;
+  const auto first = m_parts.begin() + piece * kParts;
+  return std::any_of(first, first + kParts, [&](const Bounds& b) { return ray.meets(b, t_min, t_max); });
+}
+
 /// All that may be on the surface, ascending; some are within other spheres.
 void SphereSweep::crossings(const Ray& ray, double t_min, double t_max, ShapeHits& out) const {
   Line line;
@@ -178,7 +202,7 @@ void SphereSweep::crossings(const Ray& ray, double t_min, double t_max, ShapeHit
   line.point = ray.origin + line.direction * line.shift;
   const BoxRay box_ray(ray);
   for (std::uint32_t i = 0; i < m_pieces.size(); ++i) {
-    if (!box_ray.meets(m_boxes[i], t_min, t_max)) continue;
+    if (!met(box_ray, i, t_min, t_max)) continue;
     sphere_crossings(i, 0.0, line, out);
     sphere_crossings(i, 1.0, line, out);
     piece_crossings(i, line, out);
@@ -197,7 +221,10 @@ double SphereSweep::depth_in(const SweepPiece& piece, const Vec3& p) const {
 
 bool SphereSweep::within(const Vec3& p, double margin) const {
   for (std::size_t i = 0; i < m_pieces.size(); ++i) {
-    if (m_boxes[i].contains(p) && depth_in(m_pieces[i], p) > margin) return true;
+    if (!m_boxes[i].contains(p)) continue;
+    const auto first = m_parts.begin() + static_cast<std::ptrdiff_t>(i * kParts);
+    const bool near = std::any_of(first, first + kParts, [&](const Bounds& b) { return b.contains(p); });
+    if (near && depth_in(m_pieces[i], p) > margin) return true;
   }
   return false;
 }

@@ -27,12 +27,15 @@ struct SweepPiece {
   }
 };
 
+struct BoxRay;
+
 class SphereSweep final : public Shape {
  public:
   explicit SphereSweep(std::vector<SweepPiece> pieces);
 
   std::string_view name() const override { return "sphere_sweep"; }
   Bounds bounds() const override { return m_bounds; }
+  Bounds bounds_in(const Transform& t) const override;
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
   bool inside(const Vec3& p) const override;
@@ -51,7 +54,11 @@ class SphereSweep final : public Shape {
   bool within(const Vec3& p, double margin) const;
 
   std::vector<SweepPiece> m_pieces;
+  static constexpr std::uint32_t kParts = 8;
+  bool met(const BoxRay& ray, std::uint32_t piece, double t_min, double t_max) const;
+
   std::vector<Bounds> m_boxes;  ///< one a piece
+  std::vector<Bounds> m_parts;  ///< kParts a piece, along it
   Bounds m_bounds;
 };
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/geometry/bounds_help.h"
 #include "core/geometry/bracket.h"
 #include "core/geometry/crossings.h"
 
@@ -78,6 +79,17 @@ Superellipsoid::Superellipsoid(double e, double n)
 
 double Superellipsoid::value(const Vec3& p) const {
   return norm(norm(std::fabs(p.x), std::fabs(p.y), m_round_xy), std::fabs(p.z), m_round_z) - 1.0;
+}
+
+/// The dual norm; a concave one reaches as far as the octahedron of its corners.
+Bounds Superellipsoid::bounds_in(const Transform& t) const {
+  if (keeps_axes(t)) return Shape::bounds_in(t);
+  const auto dual = [](double a, double b, double p) {
+    return p <= 1.0 ? std::max(a, b) : norm(a, b, p / (p - 1.0));
+  };
+  return support_bounds(t, [&](const Vec3& d) {
+    return dual(dual(std::fabs(d.x), std::fabs(d.y), m_round_xy), std::fabs(d.z), m_round_z);
+  });
 }
 
 template <class Visit>

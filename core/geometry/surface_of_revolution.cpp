@@ -5,6 +5,7 @@
 
 #include "core/geometry/about_axis.h"
 #include "core/geometry/bounds_help.h"
+#include "core/geometry/box_ray.h"
 #include "core/geometry/crossings.h"
 #include "core/geometry/roots.h"
 
@@ -41,6 +42,7 @@ SurfaceOfRevolution::SurfaceOfRevolution(const std::vector<Vec2>& points, bool o
   const auto end = [](double r) { return r * r > kNoCap ? r * r : 0.0; };
   m_base2 = end(points[1].u);
   m_cap2 = end(points[points.size() - 2].u);
+  m_reach = widened(SurfaceOfRevolution::bounds());
 }
 
 Bounds SurfaceOfRevolution::bounds() const {
@@ -53,10 +55,33 @@ Bounds SurfaceOfRevolution::bounds() const {
   return padded(box);
 }
 
+/// By slices, each as wide as its widest place.
+Bounds SurfaceOfRevolution::bounds_in(const Transform& t) const {
+  if (keeps_axes(t)) return Shape::bounds_in(t);
+  constexpr int kSlices = 16;
+  return support_bounds(t, [&](const Vec3& d) {
+    const double across = std::sqrt(d.x * d.x + d.z * d.z);
+    double far = -Bounds::kInf;
+    for (const Piece& p : m_pieces) {
+      const double h = (p.high - p.low) / kSlices;
+      for (int i = 0; i < kSlices; ++i) {
+        const double from = i * h;
+        // r^2 over the slice, as a cubic of 0..1.
+        const double wide2 = most_of_cubic(p.c3 * h * h * h, (3.0 * p.c3 * from + p.c2) * h * h,
+                                           p.slope(from) * h, p.at(from));
+        const double y = p.low + from, up = std::max(d.y * y, d.y * (y + h));
+        if (wide2 >= 0.0) far = std::max(far, across * std::sqrt(wide2) + up);
+      }
+    }
+    return far;
+  });
+}
+
 template <class Visit>
 void SurfaceOfRevolution::crossings(const Ray& ray, double t_min, double t_max,
                                     Visit&& visit) const {
   constexpr double kSlack = 1e-9, kLevel = 1e-10;
+  if (!BoxRay(ray).meets(m_reach, t_min, t_max)) return;
   const AboutAxis about(ray);
   const bool level = std::fabs(about.climb) <= kLevel * about.across;
   if (!m_open && !level) {

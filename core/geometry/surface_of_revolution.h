@@ -17,6 +17,7 @@ class SurfaceOfRevolution final : public Shape {
 
   std::string_view name() const override { return "sor"; }
   Bounds bounds() const override;
+  Bounds bounds_in(const Transform& t) const override;
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
   bool inside(const Vec3& p) const override;
@@ -38,6 +39,7 @@ class SurfaceOfRevolution final : public Shape {
   std::uint32_t base() const { return static_cast<std::uint32_t>(m_pieces.size()); }
   std::uint32_t cap() const { return base() + 1; }
 
+  Bounds m_reach;  ///< a little more than bounds()
   std::vector<Piece> m_pieces;  ///< ascending
   bool m_open;
   double m_base2, m_cap2;  ///< r^2 of the flat ends, 0: none

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <new>
+#include <utility>
 
 #include "core/geometry/box.h"
 #include "core/geometry/prism.h"
@@ -11,6 +12,7 @@
 #include "parser/build/light_scope.h"
 #include "parser/build/lights.h"
 #include "parser/build/shapes.h"
+#include "parser/build/stock_box.h"
 #include "parser/build/text_shape.h"
 
 namespace lentray::parser {
@@ -53,13 +55,13 @@ double volume(const core::Bounds& b) {
 
 using Regions = std::vector<std::shared_ptr<const core::Object>>;
 
-/// What is left of bounds that stock drops: their common box, if it is smaller than the object's.
-Regions boxed(const Regions& bounds, const core::Object& object) {
+/// What is left of bounds that stock drops: their common box, if it is smaller than stock's own.
+Regions boxed(const Regions& bounds, const core::Bounds& own) {
   core::Bounds box = core::Bounds::everything();
   for (const auto& bound : bounds) {
     if (!bound->is_inverse()) box.intersect(bound->bounds());
   }
-  if (box.is_empty() || !box.is_finite() || !(volume(box) < volume(object.bounds()))) return {};
+  if (box.is_empty() || !box.is_finite() || !(volume(box) < volume(own))) return {};
   Regions kept;
   kept.push_back(std::make_shared<core::Leaf>(std::make_unique<core::Box>(box.lo, box.hi),
                                               core::Transform()));
@@ -77,7 +79,23 @@ void ObjectBuilder::add(const ObjectDesc& object, const Ref<TextureDesc>& defaul
   m_default = default_texture ? default_texture : standard_texture();
   Inherited nothing;
   nothing.on_list = true;
-  if (auto built = build(object, core::Transform(), nothing)) m_parts->objects.push_back(std::move(built));
+  add_to_list(object, core::Transform(), nothing);
+}
+
+void ObjectBuilder::add_to_list(const ObjectDesc& object, const core::Transform& outer,
+                                const Inherited& from) {
+  const auto around = std::exchange(
+      m_cutaways, Cutaways::occur_in(object) ? std::make_shared<Cutaways>() : nullptr);
+  auto built = build(object, outer, from);
+  const auto cutaways = std::exchange(m_cutaways, around);
+  if (!built) return;
+  if (cutaways) {
+    cutaways->apply(
+        *built, from.texture, [this](const Ref<TextureDesc>& t) { return compile(t); },
+        [this](auto texture) { m_parts->textures.push_back(std::move(texture)); },
+        m_parts->settings.adc_bailout);
+  }
+  m_parts->objects.push_back(std::move(built));
 }
 
 std::unique_ptr<core::Object> ObjectBuilder::geometry(const ObjectDesc& object,
@@ -159,7 +177,12 @@ void ObjectBuilder::set_regions(const ObjectDesc& object, const core::Transform&
   for (const Ref<ObjectDesc>& bound : object.bounded_by) {
     if (auto built = region(bound)) bounds.push_back(std::move(built));
   }
-  if (!keep_bounds) bounds = boxed(bounds, out);
+  if (!keep_bounds && !bounds.empty()) {
+    bool is_whole = true;
+    ObjectDesc alone = object;
+    alone.bounded_by.clear();
+    bounds = boxed(bounds, core::transformed(stock_box(alone, is_whole), outer));
+  }
   if (!clips.empty()) out.set_clips(std::move(clips));
   if (!bounds.empty()) out.set_bounding(std::move(bounds));
 }
@@ -209,13 +232,13 @@ std::unique_ptr<core::Object> ObjectBuilder::build_whole(const ObjectDesc& objec
                      !std::holds_alternative<PolyShape>(object.shape);
   set_regions(object, outer, !(from.on_list && cheap), *out);
   if (object.inverse) out->set_inverse(true);
+  if (m_cutaways) m_cutaways->record(*out, object, object.texture ? looks.texture : nullptr);
   return out;
 }
 
 std::unique_ptr<core::Object> ObjectBuilder::build_csg(const ObjectDesc& object, const CsgShape& csg,
                                                        const core::Transform& to_world,
                                                        const Inherited& looks) {
-  if (csg.cutaway_textures) note("cutaway_textures", object.where);
   if (csg.operation == CsgOperation::kLightGroup && m_parts) {
     return build_light_group(object, csg, to_world, looks);
   }
@@ -359,7 +382,7 @@ void ObjectBuilder::add_looks_like(const ObjectDesc& object, const core::Transfo
   Inherited looks = resolve(object, to_world, around);
   looks.no_shadow = true;
   // The kernel's list holds it: a light in a CSG takes no part in the CSG.
-  if (auto built = build(*light.looks_like, to_world, looks)) m_parts->objects.push_back(std::move(built));
+  add_to_list(*light.looks_like, to_world, looks);
 }
 
 const core::LightSelection* ObjectBuilder::selection(const LightScope& scope) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/scene/scene.h"
+#include "parser/build/cutaways.h"
 #include "parser/build/texture_compiler.h"
 #include "parser/descriptions/object.h"
 #include "parser/diagnostics.h"
@@ -49,6 +50,8 @@ class ObjectBuilder {
     bool on_list = false;   ///< hangs directly in the scene's list: stock drops needless bounds there
   };
 
+  /// Builds an object that hangs in the scene's list.
+  void add_to_list(const ObjectDesc& object, const core::Transform& outer, const Inherited& from);
   /// Throws BuildError.
   std::unique_ptr<core::Object> build(const ObjectDesc& object, const core::Transform& outer,
                                       const Inherited& from);
@@ -81,6 +84,7 @@ class ObjectBuilder {
   TextureCompiler* m_textures = nullptr;
   NotYet& m_not_yet;
   Ref<TextureDesc> m_default;
+  std::shared_ptr<Cutaways> m_cutaways;  ///< of the object being built; null: it has none
   std::set<const core::Texture*> m_owned;
   /// Textures by origin and transform, so that equal parts share what is compiled.
   std::map<std::pair<Ref<TextureDesc>, core::Matrix>, Ref<TextureDesc>> m_moved;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/geometry/julia_fractal.h"
 #include "parser/build/object_builder.h"
 
 namespace lentray::parser {
@@ -190,6 +191,42 @@ class BoxFinder {
                    box.hi.z - box.lo.z < kHuge
                ? box
                : everything();
+  }
+  /// Of a sphere about each element, a cylinder's round ends counted apart; where an element is
+  /// placed its sphere is as wide as the box of the placed box from the middle to a corner.
+  Bounds leaf(const std::shared_ptr<const BlobShape>& s, const ObjectDesc& o) {
+    Bounds box;
+    const auto add = [&](const Transform& placing, double z, double radius) {
+      const Bounds placed = core::transformed({Vec3(), Vec3(radius)}, placing);
+      const Vec3 size = placed.hi - placed.lo;
+      box.include(about(placing.point({0, 0, z}), std::max({size.x, size.y, size.z})));
+    };
+    for (const BlobElement& e : s->elements) {
+      if (e.kind == BlobElement::Kind::kSphere) {
+        add(Transform::translation(e.a).then(e.transform), 0.0, e.radius);
+        continue;
+      }
+      const double length = core::length(e.b - e.a);
+      const Transform placing = standing(e.a, (e.b - e.a) / length, 1.0, 1.0).then(e.transform);
+      add(placing, 0.0, e.radius);
+      add(placing, length, e.radius);
+      add(placing, 0.5 * length, std::hypot(e.radius, 0.5 * length));
+    }
+    return moved(kept(box), *o.transform);
+  }
+  Bounds leaf(const JuliaFractalShape& s, const ObjectDesc& o) {
+    return moved(kept(about({}, core::julia_sphere(s.parameter, s.hypercomplex))), *o.transform);
+  }
+  /// Of all its spheres, twice as wide for a cubic spline. They turn with it.
+  Bounds leaf(const SphereSweepShape& s, const ObjectDesc& o) {
+    const bool turns = is_rotation(*o.transform);
+    const double wide = s.spline == CurveKind::kCubic ? 2.0 : 1.0;
+    Bounds box;
+    for (std::size_t i = 0; i < s.centres.size(); ++i) {
+      const Vec3 centre = turns ? o.transform->point(s.centres[i]) : s.centres[i];
+      box.include(about(centre, wide * s.radii[i]));
+    }
+    return turns ? kept(box) : moved(kept(box), *o.transform);
   }
   /// All others by the bounds of their geometry.
   template <typename Shape>

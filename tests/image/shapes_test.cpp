@@ -107,6 +107,17 @@ TEST_P(ImageShapes, InCsg) {
                             GetParam().grade));
 }
 
+/// The solid goes down without end, below the field's box too.
+TEST(ImageShapesHeightField, SolidBelowItsBox) {
+  const std::string field = "height_field { function 40, 30 { .5 + .2*sin(x*9)*cos(y*8) } scale <2.4,1.2,2.4>";
+  const std::string sdl = std::string(kStage) +
+                          "intersection { " + field + " translate <-1.2,-.3,-1.2> } box { <-.8,-1.1,-.8>, <.8,.5,.8> }"
+                          " pigment { rgb <.3,.7,.9> } }\n"
+                          "difference { box { <-2,-1.1,1.3>, <2,1,3> } " + field + " translate <-1.2,-.6,.8> }"
+                          " pigment { rgb <.9,.7,.3> } }";
+  EXPECT_TRUE(same_as_stock({.sdl = sdl, .width = 120, .height = 90, .arguments = {}, .files = {}}));
+}
+
 INSTANTIATE_TEST_SUITE_P(Each, ImageShapes, ::testing::ValuesIn(kCases),
                          [](const auto& one) { return std::string(one.param.name); });
 

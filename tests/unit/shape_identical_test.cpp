@@ -1,0 +1,77 @@
+// Every kind of shape, alone, in CSG and cut, under two lights and in a mirror: with the hierarchy,
+// light buffers and the specialised tracer the same bits as without any of them.
+#include <bit>
+
+#include "core/render/tracer.h"
+#include "shadow/tester_factory.h"
+#include "tests/unit/scene_text.h"
+#include "tests/unit/shape_cases.h"
+
+namespace lentray::parser::test {
+namespace {
+
+struct Way {
+  const char* name;
+  core::CompileOptions options;
+};
+
+std::vector<core::Radiance> picture(const std::string& sdl, const core::CompileOptions& options,
+                                    int width, int height) {
+  SceneText text(sdl, with_fonts());
+  const core::Scene scene(text.build(), options);
+  core::HitArena arena;
+  core::Counters counters;
+  const auto tester = shadow::make_tester_factory("off")->make({&scene, &arena, &counters, false});
+  const auto tracer = core::Tracer::make(scene, *tester, arena, counters, false);
+  std::vector<core::Radiance> seen;
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      const Vec3 along{(x + 0.5) / width - 0.5, -0.55 - ((y + 0.5) / height - 0.5) * 0.7, 1.0};
+      seen.push_back(tracer->trace({{0.3, 7.0, -11.0}, core::normalized(along)}, {}));
+    }
+  }
+  return seen;
+}
+
+bool same(const core::Radiance& a, const core::Radiance& b) {
+  const auto equal = [](float x, float y) {
+    return std::bit_cast<std::uint32_t>(x) == std::bit_cast<std::uint32_t>(y);
+  };
+  return equal(a.rgb.r, b.rgb.r) && equal(a.rgb.g, b.rgb.g) && equal(a.rgb.b, b.rgb.b) &&
+         equal(a.transmit, b.transmit);
+}
+
+class UnitShapeIdentical : public ::testing::TestWithParam<ShapeCase> {};
+
+TEST_P(UnitShapeIdentical, WithEveryOptimisationAndWithNone) {
+  const std::string shape = std::string("object { ") + GetParam().sdl;
+  std::string sdl = "light_source { <-7,12,-9>, 1 } light_source { <9,8,3>, <.5,.4,.3> }"
+                    "plane { y, -2.5 pigment { checker rgb 1 rgb .5 } finish { reflection .3 } }"
+                    "#default { pigment { rgb <.8,.6,.3> } finish { specular .4 } }";
+  for (int i = 0; i < 3; ++i) {
+    sdl += shape + " " + kPlacings[i].sdl + " translate <" + std::to_string(i * 3 - 3) + ",0,0> }\n";
+  }
+  sdl += "difference { " + shape + " translate <-3,0,-4> } sphere { <-2.6,.6,-4.4>, .8 } }\n"
+         "union { " + shape + " scale .5 } box { <-.2,-1,.3>, .6 } pigment { rgbf <.7,.9,1,.6> }"
+         " clipped_by { plane { y, .7 } } translate <2,0,-4> }\n";
+  const bool slow = GetParam().surface != nullptr;
+  const int width = slow ? 10 : 60, height = slow ? 7 : 40;
+  core::CompileOptions all, grid, none;
+  all.light_buffer_pixels = 2400;
+  grid.accelerator = core::Accelerator::kGrid;
+  none.accelerator = core::Accelerator::kList;
+  none.general_path = true;
+  const auto expected = picture(sdl, none, width, height);
+  for (const Way& way : {Way{"all", all}, Way{"without light buffers", {}}, Way{"grid", grid}}) {
+    const auto seen = picture(sdl, way.options, width, height);
+    std::size_t different = 0;
+    for (std::size_t i = 0; i < seen.size(); ++i) different += !same(seen[i], expected[i]);
+    EXPECT_EQ(different, 0u) << way.name;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, UnitShapeIdentical, ::testing::ValuesIn(kShapeCases),
+                         [](const auto& one) { return std::string(one.param.name); });
+
+}  // namespace
+}  // namespace lentray::parser::test
