@@ -1,5 +1,7 @@
 #include "core/material/cutaway_texture.h"
 
+#include <boost/container/small_vector.hpp>
+
 namespace lentray::core {
 namespace {
 
@@ -36,12 +38,11 @@ CutawayTexture::CutawayTexture(Part whole, double least) : m_whole(std::move(who
 void CutawayTexture::resolve(const Vec3& point, const SurfaceContext& surface, double weight,
                              WeightedTextures& out) const {
   const Vec3& at = surface.hit ? surface.point : point;
-  int count = 0;
-  for_holding(m_whole, at, [&](const Texture&) { ++count; });
-  if (count == 0 || 1.0 / count < m_least) return;
-  for_holding(m_whole, at, [&](const Texture& texture) {
-    texture.resolve(point, surface, weight / count, out);
-  });
+  boost::container::small_vector<const Texture*, 8> holding;
+  for_holding(m_whole, at, [&](const Texture& texture) { holding.push_back(&texture); });
+  const auto count = static_cast<double>(holding.size());
+  if (holding.empty() || 1.0 / count < m_least) return;
+  for (const Texture* texture : holding) texture->resolve(point, surface, weight / count, out);
 }
 
 void CutawayTexture::collect(std::vector<const LayeredTexture*>& out) const {
