@@ -62,6 +62,11 @@ Bounds Lathe::bounds_in(const Transform& t) const {
   });
 }
 
+void Lathe::drop_shortcuts() {
+  m_reach = Bounds::everything();
+  for (Piece& p : m_pieces) p = {p.curve, -Bounds::kInf, Bounds::kInf, Bounds::kInf};
+}
+
 template <class Visit>
 void Lathe::crossings(const Ray& ray, double t_min, double t_max, Visit&& visit) const {
   constexpr double kSlack = 1e-9;
@@ -86,7 +91,9 @@ void Lathe::crossings(const Ray& ray, double t_min, double t_max, Visit&& visit)
         visit(about.t_near + climbed / about.climb, i, s[k]);
         continue;
       }
-      const double t = std::sqrt(std::max(0.0, p.u * p.u - about.near2)) / about.across;
+      const double beyond2 = p.u * p.u - about.near2;
+      if (horizontal && beyond2 < 0.0) continue;  // it passes by
+      const double t = std::sqrt(std::max(0.0, beyond2)) / about.across;
       const bool after = climbed * about.climb > 0.0;
       if (horizontal || after) visit(about.t_near + t, i, s[k]);
       if (horizontal || !after) visit(about.t_near - t, i, s[k]);
