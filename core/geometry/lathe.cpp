@@ -27,7 +27,11 @@ int places(const CurvePiece& curve, const AboutAxis& ray, double s[6]) {
   add_square(v, ray.across * ray.across, c);
   add_square(u, -ray.climb * ray.climb, c);
   c[6] += ray.climb * ray.climb * ray.near2;
-  return solve_between(c, 6, 0.0, 1.0, s);
+  // A little beyond the ends, so that no ray passes between two pieces; both may be met there.
+  constexpr double kEnd = 1e-9;
+  const int n = solve_between(c, 6, -kEnd, 1.0 + kEnd, s);
+  for (int i = 0; i < n; ++i) s[i] = std::clamp(s[i], 0.0, 1.0);
+  return n;
 }
 
 }  // namespace
