@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace lentray::core {
@@ -356,6 +357,16 @@ void WideBvh::build(std::span<const Bounds> boxes, const Options& options) {
   m_nodes.shrink_to_fit();
   m_statistics.nodes = m_nodes.size();
   m_statistics.parts = m_order.size();
+}
+
+void WideBvh::open_boxes() {
+  constexpr float kInf = std::numeric_limits<float>::infinity();
+  for (WideNode& node : m_nodes) {
+    for (auto& [low, high] : node.planes) {
+      std::fill_n(low, node.used, -kInf);
+      std::fill_n(high, node.used, kInf);
+    }
+  }
 }
 
 std::size_t WideBvh::memory() const {

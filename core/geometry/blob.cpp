@@ -59,6 +59,11 @@ Blob::Blob(double threshold, std::vector<BlobField> fields)
   if (m_fields.size() >= kMany && m_reach.is_finite()) m_search = WideBvh(m_boxes);
 }
 
+void Blob::drop_shortcuts() {
+  m_boxes.assign(m_boxes.size(), Bounds::everything());
+  m_search = WideBvh();
+}
+
 template <class Visit>
 void Blob::for_fields(const Ray& ray, Visit&& visit) const {
   const BoxRay box_ray(ray);

@@ -127,6 +127,13 @@ Outline::Box Outline::box_of(const CurvePiece& piece) {
   return box;
 }
 
+void Outline::drop_boxes() {
+  constexpr double kInf = std::numeric_limits<double>::infinity();
+  m_lo = {-kInf, -kInf};
+  m_hi = {kInf, kInf};
+  m_boxes.assign(m_boxes.size(), {m_lo, m_hi});
+}
+
 bool Outline::contains(double u, double v) const {
   if (!(u >= m_lo.u && u <= m_hi.u && v >= m_lo.v && v <= m_hi.v)) return false;
   bool inside = false;
