@@ -123,12 +123,22 @@ int solve_pieces(const double* c, int order, double lo, double hi, int rootless,
   return n;
 }
 
+double root_of(double x, int degree) {
+  switch (degree) {
+    case 1: return x;
+    case 2: return std::sqrt(x);
+    case 3: return std::cbrt(x);
+    case 4: return std::sqrt(std::sqrt(x));
+    default: return std::pow(x, 1.0 / degree);
+  }
+}
+
 /// A bound of the size of all roots (Fujiwara 1916).
 double roots_bound(const double* c, int order) {
   double bound = 0.0;
   for (int k = 1; k <= order; ++k) {
     const double share = k == order ? 0.5 : 1.0;
-    bound = std::max(bound, std::pow(std::fabs(c[k] / c[0]) * share, 1.0 / k));
+    bound = std::max(bound, root_of(std::fabs(c[k] / c[0]) * share, k));
   }
   return 2.0 * bound;
 }
