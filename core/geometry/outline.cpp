@@ -108,6 +108,22 @@ Outline::Outline(std::vector<CurvePiece> pieces) : m_pieces(std::move(pieces)) {
     m_lo = {std::min(m_lo.u, m_boxes.back().lo.u), std::min(m_lo.v, m_boxes.back().lo.v)};
     m_hi = {std::max(m_hi.u, m_boxes.back().hi.u), std::max(m_hi.v, m_boxes.back().hi.v)};
   }
+  fill_bands();
+}
+
+/// Bands of equal height; outlines of few pieces have one.
+void Outline::fill_bands() {
+  constexpr std::size_t kPiecesABand = 4;
+  m_bands = static_cast<int>(std::clamp<std::size_t>(m_pieces.size() / kPiecesABand, 1, kMostBands));
+  m_bands_per_v = m_bands / (m_hi.v - m_lo.v);
+  if (!std::isfinite(m_bands_per_v)) m_bands_per_v = 0.0;
+  for (int band = 0; band < m_bands; ++band) {
+    m_band_starts.push_back(static_cast<std::uint32_t>(m_in_bands.size()));
+    for (std::uint32_t i = 0; i < m_pieces.size(); ++i) {
+      if (band_of(m_boxes[i].lo.v) <= band && band <= band_of(m_boxes[i].hi.v)) m_in_bands.push_back(i);
+    }
+  }
+  m_band_starts.push_back(static_cast<std::uint32_t>(m_in_bands.size()));
 }
 
 Outline::Box Outline::box_of(const CurvePiece& piece) {
@@ -131,7 +147,7 @@ Outline::Box Outline::box_of(const CurvePiece& piece) {
 bool Outline::contains(double u, double v) const {
   if (!(u >= m_lo.u && u <= m_hi.u && v >= m_lo.v && v <= m_hi.v)) return false;
   bool inside = false;
-  for (std::size_t i = 0; i < m_pieces.size(); ++i) {
+  for (const std::uint32_t i : in_band(band_of(v))) {
     const Box& box = m_boxes[i];
     if (v < box.lo.v || v > box.hi.v || u > box.hi.u) continue;
     if (u < box.lo.u) {  // all of it is beyond: how often it crosses follows from its ends
