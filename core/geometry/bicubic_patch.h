@@ -32,6 +32,7 @@ class BicubicPatch final : public Shape {
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override { return m_net->normal(p, hit); }
   bool has_uv() const override { return true; }
   Vec2 uv(const Vec3& p, const ShapeHit& hit) const override;
+  void drop_shortcuts() override { m_net->drop_shortcuts(); }
 
  private:
   /// Place and slopes at (u, v), u along the rows' order, v along a row.

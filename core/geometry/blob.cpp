@@ -72,6 +72,11 @@ Blob::Blob(double threshold, std::vector<BlobField> fields)
   m_search = WideBvh(m_boxes, options);
 }
 
+void Blob::drop_shortcuts() {
+  m_boxes.assign(m_boxes.size(), Bounds::everything());
+  m_search = WideBvh();
+}
+
 template <class Visit>
 void Blob::for_fields(const Ray& ray, Visit&& visit) const {
   if (m_search.order().empty()) {

@@ -32,6 +32,7 @@ class Blob final : public Shape {
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
   bool inside(const Vec3& p) const override;
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
+  void drop_shortcuts() override;
 
  private:
   /// Where along a ray a field holds: its distance there is a quadratic of t.

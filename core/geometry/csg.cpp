@@ -114,6 +114,14 @@ void Csg::fence_children() {
   m_search = m_children.size() < kMany ? nullptr : std::make_unique<Search>();
 }
 
+/// Where parts leave their boxes the boxes decide, as in stock, and stay.
+void Csg::drop_shortcuts() {
+  for (auto& child : m_children) child->drop_shortcuts();
+  m_search = nullptr;
+  if (m_leaves_bounds) return;
+  for (Fence& fence : m_fences) fence = {Bounds::everything(), Bounds::everything(), false};
+}
+
 /// Built when it is asked for first: most unions are split into their parts and never ask.
 const Csg::Search& Csg::search() const {
   std::call_once(m_search->once, [this] { build_search(); });

@@ -143,25 +143,42 @@ void HeightField::cell(int x, int z, const Ray& ray, double from, double to, Vis
   triangle({y3 - y4, 1.0, y2 - y4}, {double(x + 1), y4, double(z + 1)}, -1.0, 1);
 }
 
+/// Looks through all cells for those over which the ray passes between `first` and `last`.
+template <class Visit>
+void HeightField::for_cells_met(const Ray& ray, double first, double last, Visit&& visit) const {
+  for (int z = 0; z + 1 < m_grid->depth(); ++z) {
+    for (int x = 0; x + 1 < m_grid->width(); ++x) {
+      double from = first, to = last;
+      const Bounds column{{double(x), -Bounds::kInf, double(z)}, {double(x + 1), Bounds::kInf, double(z + 1)}};
+      if (clip(column, ray, from, to)) visit(x, z);
+    }
+  }
+}
+
 template <class Visit, class GoOn>
 void HeightField::walk(const Ray& ray, double t_min, double t_max, Visit&& visit,
                        GoOn&& go_on) const {
   const Ray in_grid{m_to_space.inverse_point(ray.origin), m_to_space.inverse_vector(ray.direction)};
   double lo = -Bounds::kInf, hi = Bounds::kInf;
   if (!clip(m_box, in_grid, lo, hi)) return;
-  const double first = std::max(lo, t_min), last = std::min(hi, t_max);
-  if (!(first <= last)) return;
+  const double first = std::max(lo, t_min), last = hi;
+  if (!(first <= std::min(hi, t_max))) return;
   const int columns = m_grid->width() - 1, rows = m_grid->depth() - 1;
   Stepper x(in_grid.origin.x, in_grid.direction.x, first, columns);
   Stepper z(in_grid.origin.z, in_grid.direction.z, first, rows);
   const auto within_box = [&](double t, std::uint32_t element) {
     if (t >= lo && t <= hi && t > t_min && t < t_max) visit(t, element);
   };
+  if (!m_steps) {
+    for_cells_met(in_grid, first, last, [&](int i, int j) { cell(i, j, in_grid, first, last, within_box); });
+    return;
+  }
+  // Triangles reach a little into the cells beside their own: one more cell is looked at.
   double from = first;
   while (x.cell >= 0 && x.cell < columns && z.cell >= 0 && z.cell < rows) {
     const double to = std::min({x.next, z.next, last});
     cell(x.cell, z.cell, in_grid, from, to, within_box);
-    if (to >= last || !go_on(to)) return;
+    if (to >= last || !go_on(from)) return;
     from = to;
     (x.next < z.next ? x : z).advance();
   }
@@ -174,7 +191,7 @@ bool HeightField::nearest(const Ray& ray, double t_min, double t_max, ShapeHit& 
     best = t;
     hit = {t, element, 0.0, 0.0};
   };
-  walk(ray, t_min, t_max, visit, [&](double to) { return to < best; });
+  walk(ray, t_min, t_max, visit, [&](double before) { return before < best; });
   return best < t_max;
 }
 
@@ -182,7 +199,7 @@ void HeightField::all(const Ray& ray, double t_min, double t_max, ShapeHits& hit
   walk(
       ray, t_min, t_max,
       [&](double t, std::uint32_t element) { hits.push_back({t, element, 0.0, 0.0}); },
-      [](double) { return true; });
+      [&](double before) { return before < t_max; });
 }
 
 bool HeightField::inside(const Vec3& p) const {

@@ -27,7 +27,11 @@ int places(const CurvePiece& curve, const AboutAxis& ray, double s[6]) {
   add_square(v, ray.across * ray.across, c);
   add_square(u, -ray.climb * ray.climb, c);
   c[6] += ray.climb * ray.climb * ray.near2;
-  return solve_between(c, 6, 0.0, 1.0, s);
+  // A little beyond the ends, so that no ray passes between two pieces; both may be met there.
+  constexpr double kEnd = 1e-9;
+  const int n = solve_between(c, 6, -kEnd, 1.0 + kEnd, s);
+  for (int i = 0; i < n; ++i) s[i] = std::clamp(s[i], 0.0, 1.0);
+  return n;
 }
 
 }  // namespace
@@ -62,6 +66,11 @@ Bounds Lathe::bounds_in(const Transform& t) const {
   });
 }
 
+void Lathe::drop_shortcuts() {
+  m_reach = Bounds::everything();
+  for (Piece& p : m_pieces) p = {p.curve, -Bounds::kInf, Bounds::kInf, Bounds::kInf};
+}
+
 template <class Visit>
 void Lathe::crossings(const Ray& ray, double t_min, double t_max, Visit&& visit) const {
   constexpr double kSlack = 1e-9;
@@ -86,7 +95,9 @@ void Lathe::crossings(const Ray& ray, double t_min, double t_max, Visit&& visit)
         visit(about.t_near + climbed / about.climb, i, s[k]);
         continue;
       }
-      const double t = std::sqrt(std::max(0.0, p.u * p.u - about.near2)) / about.across;
+      const double beyond2 = p.u * p.u - about.near2;
+      if (horizontal && beyond2 < 0.0) continue;  // it passes by
+      const double t = std::sqrt(std::max(0.0, beyond2)) / about.across;
       const bool after = climbed * about.climb > 0.0;
       if (horizontal || after) visit(about.t_near + t, i, s[k]);
       if (horizontal || !after) visit(about.t_near - t, i, s[k]);

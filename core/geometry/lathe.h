@@ -26,6 +26,7 @@ class Lathe final : public Shape {
   bool has_uv() const override { return true; }
   /// Around, and along the pieces, each the same share.
   Vec2 uv(const Vec3& p, const ShapeHit& hit) const override;
+  void drop_shortcuts() override;
 
  private:
   struct Piece {

@@ -100,6 +100,12 @@ std::unique_ptr<Shape> Mesh::baked(const Transform& t) const {
   return moved;
 }
 
+void Mesh::drop_shortcuts() {
+  auto triangles = std::make_shared<TriangleMesh>(*m_triangles);
+  triangles->open_boxes();
+  m_triangles = std::move(triangles);
+}
+
 std::size_t Mesh::memory() const {
   return sizeof(*this) + m_triangles->memory() / static_cast<std::size_t>(m_triangles.use_count()) +
          m_textures.capacity() * sizeof(const Texture*);

@@ -53,6 +53,7 @@ class Mesh final : public Shape {
   Vec2 uv(const Vec3& p, const ShapeHit& hit) const override;
   /// Small ones whose triangles are not shared; else the object keeps the transform.
   std::unique_ptr<Shape> baked(const Transform& t) const override;
+  void drop_shortcuts() override;
   std::size_t memory() const override;
 
  private:

@@ -80,6 +80,8 @@ class Object {
   virtual bool inside(const Vec3& p) const = 0;
   /// Every primitive below, itself included (for what looks and types occur).
   virtual void leaves(std::vector<const Leaf*>& out) const = 0;
+  /// Shape::drop_shortcuts() of all shapes below, and the same of CSG. Bounds stay as they are.
+  virtual void drop_shortcuts() = 0;
 
   const Attributes& attributes() const { return m_attributes; }
   void set_attributes(const Attributes& a) { m_attributes = a; }
@@ -129,6 +131,7 @@ class Leaf final : public Object {
   bool any(const Ray&, double t_min, double t_max, HitArena&) const override;
   bool inside(const Vec3& p) const override;
   void leaves(std::vector<const Leaf*>& out) const override { out.push_back(this); }
+  void drop_shortcuts() override { m_shape->drop_shortcuts(); }
 
   const Shape& shape() const { return *m_shape; }
   const std::optional<Transform>& transform() const { return m_transform; }  ///< null: shape is in world space
@@ -162,6 +165,7 @@ class Csg final : public Object {
   bool any(const Ray&, double t_min, double t_max, HitArena&) const override;
   bool inside(const Vec3& p) const override;
   void leaves(std::vector<const Leaf*>& out) const override;
+  void drop_shortcuts() override;
   void set_inverse(bool inverse) override;
   Bounds solid_bounds() const override;
   bool solid_leaves_bounds() const override;

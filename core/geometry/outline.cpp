@@ -116,7 +116,10 @@ void Outline::fill_bands() {
   constexpr std::size_t kPiecesABand = 4;
   m_bands = static_cast<int>(std::clamp<std::size_t>(m_pieces.size() / kPiecesABand, 1, kMostBands));
   m_bands_per_v = m_bands / (m_hi.v - m_lo.v);
-  if (!std::isfinite(m_bands_per_v)) m_bands_per_v = 0.0;
+  if (!std::isfinite(m_bands_per_v) || !std::isfinite(m_lo.v)) {
+    m_bands = 1;
+    m_bands_per_v = 0.0;
+  }
   for (int band = 0; band < m_bands; ++band) {
     m_band_starts.push_back(static_cast<std::uint32_t>(m_in_bands.size()));
     for (std::uint32_t i = 0; i < m_pieces.size(); ++i) {
@@ -142,6 +145,16 @@ Outline::Box Outline::box_of(const CurvePiece& piece) {
   include(piece.a.u, piece.b.u, piece.c.u);
   include(piece.a.v, piece.b.v, piece.c.v);
   return box;
+}
+
+void Outline::drop_boxes() {
+  constexpr double kInf = std::numeric_limits<double>::infinity();
+  m_lo = {-kInf, -kInf};
+  m_hi = {kInf, kInf};
+  m_boxes.assign(m_boxes.size(), {m_lo, m_hi});
+  m_in_bands.clear();
+  m_band_starts.clear();
+  fill_bands();
 }
 
 bool Outline::contains(double u, double v) const {

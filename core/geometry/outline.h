@@ -47,6 +47,8 @@ class Outline {
   template <class Visit>
   void crossings(double a, double b, double c, const Box& region, Visit&& visit) const;
   const std::vector<CurvePiece>& pieces() const { return m_pieces; }
+  /// As Shape::drop_shortcuts(); lo() and hi() become infinite.
+  void drop_boxes();
   const Vec2& lo() const { return m_lo; }
   const Vec2& hi() const { return m_hi; }
 

@@ -74,8 +74,8 @@ void Ovus::crossings(const Ray& ray, double t_min, double t_max, Visit&& visit) 
   if (!(reach > 0.0)) return;
   double hi = std::sqrt(reach) * (1.0 + kWider), lo = -hi;
   lo = std::max(lo, t_min * speed - shift);
-  hi = std::min(hi, t_max * speed - shift);
-  if (!(lo < hi)) return;
+  // t_max does not cut: the roots' last bits would tell what else the ray has met.
+  if (!(lo < hi) || t_max * speed - shift <= lo) return;
   const double k = qq - spindle2 - tube2;
   const double quartic[5] = {1.0, 0.0, 2.0 * (k + 2.0 * spindle2 * d.y * d.y),
                              8.0 * spindle2 * q.y * d.y,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/geometry/roots.h"
 
@@ -94,8 +95,10 @@ int Poly::crossings(const Ray& ray, double t_min, double t_max, double* roots) c
   } else {
     along<kMost>(p, d, c.data());
   }
-  const int n = solve_between_bounds(c.data(), m_order, t_min * length_of_unit - shift,
-                                     t_max * length_of_unit - shift, roots);
+  // t_max does not cut: the roots' last bits would tell what else the ray has met.
+  const double from = t_min * length_of_unit - shift;
+  if (t_max * length_of_unit - shift <= from) return 0;
+  const int n = solve_between_bounds(c.data(), m_order, from, std::numeric_limits<double>::infinity(), roots);
   for (int i = 0; i < n; ++i) roots[i] = (roots[i] + shift) / length_of_unit;
   return n;
 }

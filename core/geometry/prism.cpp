@@ -52,6 +52,13 @@ Bounds Prism::bounds_in(const Transform& t) const {
   });
 }
 
+void Prism::drop_shortcuts() {
+  auto outline = std::make_shared<Outline>(*m_outline);
+  outline->drop_boxes();
+  m_outline = std::move(outline);
+  m_reach = Bounds::everything();
+}
+
 bool Prism::contains(double u, double v, double height) const {
   if (m_sweep == Sweep::kConic) {
     if (height == 0.0) return false;

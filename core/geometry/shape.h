@@ -64,6 +64,9 @@ class Shape {
   /// The same shape in the space `t` leads to, or null if this kind cannot hold it
   /// (then the object keeps the transform and moves the rays).
   virtual std::unique_ptr<Shape> baked(const Transform& t) const { (void)t; return nullptr; }
+  /// For tests, before the shape is shared or asked: infinite boxes and plain lists instead of those
+  /// that only spare work. Answers keep their bits; bounds() may become infinite.
+  virtual void drop_shortcuts() {}
   /// Bytes held, for the memory statistics.
   virtual std::size_t memory() const { return sizeof(*this); }
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "core/geometry/bounds_help.h"
 #include "core/geometry/box_ray.h"
@@ -135,6 +136,11 @@ Bounds SphereSweep::bounds_in(const Transform& t) const {
   return all;
 }
 
+void SphereSweep::drop_shortcuts() {
+  m_boxes.assign(m_boxes.size(), Bounds::everything());
+  m_parts.assign(m_parts.size(), Bounds::everything());
+}
+
 void SphereSweep::sphere_crossings(std::uint32_t index, double u, const Line& line,
                                    ShapeHits& out) const {
   const Vec3 from = line.point - m_pieces[index].centre_at(u);
@@ -207,7 +213,9 @@ void SphereSweep::crossings(const Ray& ray, double t_min, double t_max, ShapeHit
     sphere_crossings(i, 1.0, line, out);
     piece_crossings(i, line, out);
   }
-  std::sort(out.begin(), out.end(), [](const ShapeHit& a, const ShapeHit& b) { return a.t < b.t; });
+  std::sort(out.begin(), out.end(), [](const ShapeHit& a, const ShapeHit& b) {
+    return std::tie(a.t, a.element, a.u) < std::tie(b.t, b.element, b.u);
+  });
 }
 
 double SphereSweep::depth_in(const SweepPiece& piece, const Vec3& p) const {

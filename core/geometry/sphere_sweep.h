@@ -40,6 +40,7 @@ class SphereSweep final : public Shape {
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
   bool inside(const Vec3& p) const override;
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
+  void drop_shortcuts() override;
 
  private:
   struct Line;

@@ -77,6 +77,11 @@ Bounds SurfaceOfRevolution::bounds_in(const Transform& t) const {
   });
 }
 
+void SurfaceOfRevolution::drop_shortcuts() {
+  m_reach = Bounds::everything();
+  for (Piece& p : m_pieces) p.widest2 = Bounds::kInf;
+}
+
 template <class Visit>
 void SurfaceOfRevolution::crossings(const Ray& ray, double t_min, double t_max,
                                     Visit&& visit) const {
@@ -98,7 +103,8 @@ void SurfaceOfRevolution::crossings(const Ray& ray, double t_min, double t_max,
   for (std::uint32_t i = 0; i < m_pieces.size(); ++i) {
     const Piece& p = m_pieces[i];
     if (about.near2 > p.widest2 * (1.0 + kSlack)) continue;
-    double lo = t_min - about.t_near, hi = t_max - about.t_near;
+    // t_max does not cut: the roots' last bits would tell what else the ray has met.
+    double lo = t_min - about.t_near, hi = Bounds::kInf;
     const double g = about.height - p.low, margin = kSlack * (p.high - p.low);
     if (level) {
       if (g < 0.0 || g > p.high - p.low) continue;
@@ -107,7 +113,7 @@ void SurfaceOfRevolution::crossings(const Ray& ray, double t_min, double t_max,
       lo = std::max(lo, std::min(t0, t1));
       hi = std::min(hi, std::max(t0, t1));
     }
-    if (!(lo <= hi)) continue;
+    if (!(lo <= hi) || t_max - about.t_near <= lo) continue;
     const double cubic[4] = {p.c3 * climb * climb * climb,
                              (p.c2 + 3.0 * p.c3 * g) * climb * climb - a2, p.slope(g) * climb,
                              p.at(g) - about.near2};

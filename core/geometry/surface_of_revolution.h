@@ -25,6 +25,7 @@ class SurfaceOfRevolution final : public Shape {
   bool has_uv() const override { return true; }
   /// Around, and with the height, each piece the same share; -1..0 and 1..2 on the caps.
   Vec2 uv(const Vec3& p, const ShapeHit& hit) const override;
+  void drop_shortcuts() override;
 
  private:
   /// r^2 = ((c3 s + c2) s + c1) s + c0 with s the height above `low`.

@@ -44,8 +44,8 @@ int Torus::crossings(const Ray& ray, double t_min, double t_max, double out[4]) 
     return 0;
   }
   lo = std::max(lo, t_min * speed - shift);
-  hi = std::min(hi, t_max * speed - shift);
-  if (!(lo < hi)) return 0;
+  // t_max does not cut: the roots' last bits would tell what else the ray has met.
+  if (!(lo < hi) || t_max * speed - shift <= lo) return 0;
 
   const double major2 = m_major * m_major, minor2 = m_minor * m_minor;
   const double k = pp - major2 - minor2;

@@ -1,11 +1,12 @@
 // Every kind of shape, alone, in CSG and cut, under two lights and in a mirror: with the hierarchy,
-// light buffers and the specialised tracer the same bits as without any of them.
+// light buffers, the specialised tracer and the shapes' own hierarchies the same bits as without any
+// of them.
 #include <bit>
 
 #include "core/render/tracer.h"
 #include "shadow/tester_factory.h"
 #include "tests/unit/scene_text.h"
-#include "tests/unit/shape_cases.h"
+#include "tests/unit/shape_cases_of_many.h"
 
 namespace lentray::parser::test {
 namespace {
@@ -16,9 +17,13 @@ struct Way {
 };
 
 std::vector<core::Radiance> picture(const std::string& sdl, const core::CompileOptions& options,
-                                    int width, int height) {
+                                    int width, int height, bool shortcuts = true) {
   SceneText text(sdl, with_fonts());
-  const core::Scene scene(text.build(), options);
+  core::SceneParts parts = text.build();
+  for (const auto& object : parts.objects) {
+    if (!shortcuts) object->drop_shortcuts();
+  }
+  const core::Scene scene(std::move(parts), options);
   core::HitArena arena;
   core::Counters counters;
   const auto tester = shadow::make_tester_factory("off")->make({&scene, &arena, &counters, false});
@@ -61,7 +66,7 @@ TEST_P(UnitShapeIdentical, WithEveryOptimisationAndWithNone) {
   grid.accelerator = core::Accelerator::kGrid;
   none.accelerator = core::Accelerator::kList;
   none.general_path = true;
-  const auto expected = picture(sdl, none, width, height);
+  const auto expected = picture(sdl, none, width, height, false);
   for (const Way& way : {Way{"all", all}, Way{"without light buffers", {}}, Way{"grid", grid}}) {
     const auto seen = picture(sdl, way.options, width, height);
     std::size_t different = 0;
@@ -71,6 +76,9 @@ TEST_P(UnitShapeIdentical, WithEveryOptimisationAndWithNone) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, UnitShapeIdentical, ::testing::ValuesIn(kShapeCases),
+                         [](const auto& one) { return std::string(one.param.name); });
+
+INSTANTIATE_TEST_SUITE_P(OfMany, UnitShapeIdentical, ::testing::ValuesIn(shapes_of_many()),
                          [](const auto& one) { return std::string(one.param.name); });
 
 }  // namespace

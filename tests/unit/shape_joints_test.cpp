@@ -1,0 +1,44 @@
+// Where pieces of a shape join, rays neither pass between them nor meet what is not there.
+#include <cmath>
+
+#include "tests/unit/scene_text.h"
+
+namespace lentray::parser::test {
+namespace {
+
+using core::Vec3;
+
+/// How far a ray goes to the only object of a scene; less than 0 if it misses.
+double distance_to(const core::Object& object, const core::Ray& ray) {
+  core::Hit hit;
+  core::HitArena arena;
+  return object.nearest(ray, 1e-6, core::Bounds::kInf, hit, arena) ? hit.t : -1.0;
+}
+
+TEST(UnitShapeJoints, RaysDoNotPassBetweenThePiecesOfALathe) {
+  SceneText text("lathe { cubic_spline 7 <.3,-1>,<0,-.9>,<.9,-.6>,<.4,0>,<1,.7>,<0,.9>,<.2,1> }");
+  const core::SceneParts parts = text.build();
+  constexpr int kAround = 2000;
+  for (int i = 0; i < kAround; ++i) {
+    const double angle = 2.0 * M_PI * i / kAround;
+    const double x = i == 0 ? -0.8 : std::cos(angle), z = i == 0 ? -0.6 : std::sin(angle);
+    const auto down = [&](double r) { return distance_to(*parts.objects[0], {{x * r, 5, z * r}, {0, -1, 0}}); };
+    ASSERT_GT(down(1.0), 0.0) << i;
+    ASSERT_NEAR(down(1.0), down(1.0 - 1e-7), 1e-5) << i;
+  }
+}
+
+TEST(UnitShapeJoints, LevelRaysPassALatheThatIsWiderElsewhere) {
+  SceneText text("lathe { linear_spline 3 <.2,-1>, <1,0>, <.2,1> }");
+  const core::SceneParts parts = text.build();
+  for (const double y : {-0.9, -0.5, 0.5, 0.9}) {
+    const double r = 1.0 - 0.8 * std::fabs(y);
+    for (const auto& [x, meets] : {std::pair{r - 1e-6, true}, {r + 1e-6, false}, {0.99, false}}) {
+      EXPECT_EQ(distance_to(*parts.objects[0], {{x, y, -5}, {0, 0, 1}}) > 0.0, meets) << x << ' ' << y;
+      EXPECT_EQ(distance_to(*parts.objects[0], {{-5, y, x}, {1, 0, 0}}) > 0.0, meets) << x << ' ' << y;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace lentray::parser::test
