@@ -32,6 +32,9 @@ constexpr std::array<FunctionKind, kKeywords> function_kinds() {
       {Keyword::kX, Keyword::kY, Keyword::kZ, Keyword::kT, Keyword::kU, Keyword::kV});
   set(FunctionKind::kVector, {Keyword::kVcross, Keyword::kVnormalize, Keyword::kVrotate,
                               Keyword::kVaxisRotate});
+  set(FunctionKind::kString,
+      {Keyword::kStr, Keyword::kVstr, Keyword::kConcat, Keyword::kChr, Keyword::kDatetime,
+       Keyword::kSubstr, Keyword::kStrupr, Keyword::kStrlwr});
   return kinds;
 }
 

@@ -33,10 +33,6 @@ inline void promote(Number& n, int size) {
   for (int i = n.size; i < size; ++i) n.v[static_cast<std::size_t>(i)] = fill;
   n.size = size;
 }
-inline void promote_both(Number& a, Number& b) {
-  promote(a, b.size);
-  promote(b, a.size);
-}
 /// The component i of it (`V.x`) where a float is meant.
 inline void take_component(Number& n, int i) {
   n.v[0] = n.v[static_cast<std::size_t>(i)];
@@ -62,16 +58,22 @@ inline Number stored(Number n) {
 // ---- operators: left = left op right ----------------------------------------------------------
 
 template <typename Op>
-void each(Number& left, Number right, Op op) {
+void each(Number& left, const Number& right, Op op) {
   if (left.size == 1 && right.size == 1) {
     left.v[0] = op(left.v[0], right.v[0]);
     return;
   }
-  promote_both(left, right);
-  left.keeps_rest = false;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(left.size); ++i) {
-    left.v[i] = op(left.v[i], right.v[i]);
-  }
+  const auto components = [&](const Number& by) {
+    left.keeps_rest = false;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(left.size); ++i) {
+      left.v[i] = op(left.v[i], by.v[i]);
+    }
+  };
+  promote(left, right.size);
+  if (left.size == right.size) return components(right);
+  Number promoted = right;
+  promote(promoted, left.size);
+  components(promoted);
 }
 
 inline void add(Number& left, const Number& right, bool plus) {
@@ -144,7 +146,8 @@ enum class FunctionKind : std::uint8_t {
   kTwoFloats,    ///< of two: atan2, div, mod, pow
   kFold,         ///< of any number, one after the other: min, max, bitwise_and, bitwise_or, bitwise_xor
   kUnitVector,   ///< x, y, z, t, u, v
-  kVector        ///< the functions whose value is a vector
+  kVector,       ///< the functions whose value is a vector
+  kString        ///< those whose value is a string
 };
 FunctionKind function_kind(Keyword function);
 

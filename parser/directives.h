@@ -71,6 +71,7 @@ class Directives {
   void define_macro(const Token& directive);
   std::vector<MacroParameter> macro_parameters();
   SymbolPtr argument(const Macro& macro, std::size_t index);  ///< null: left out
+  SymbolPtr plain_argument();
 
   // directives_declare.cpp
   void declare(const Token& directive, bool local);

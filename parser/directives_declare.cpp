@@ -108,7 +108,7 @@ void Directives::declare(const Token& directive, bool local) {
   const std::uint32_t level = local ? m_in.symbols.level() : 0;
   SymbolPtr target;
   if (Symbol* visible = m_in.symbols.find(name.name); visible && (!local || visible->level == level)) {
-    target = visible->shared_from_this();
+    target = visible;
   }
   tokens.plain_names = false;
   if (is_macro) m_in.fail(name.where, "'" + std::string(m_in.names.text(name.name)) +
@@ -121,7 +121,7 @@ void Directives::declare(const Token& directive, bool local) {
   if (array) {
     array->elements[index] = value;
   } else {
-    if (!target) target = m_in.symbols.declare_at(name.name, level).shared_from_this();
+    if (!target) target = &m_in.symbols.declare_at(name.name, level);
     target->assign(value);
     if (!deprecated.empty()) {
       target->edit_extras().deprecated.reset(new Deprecation{std::move(deprecated), once});
@@ -132,6 +132,12 @@ void Directives::declare(const Token& directive, bool local) {
 }
 
 void Directives::end_of_declaration(const Value& value, const Location& where) {
+  const TokenList* list = nullptr;
+  const Token* raw = m_in.tokens.raw(list);
+  if (raw && raw->is(Punct::kSemicolon) && raw + 1 < m_in.stream.top().end &&
+      !raw[1].is(Punct::kSemicolon)) {
+    return m_in.tokens.go_on_at(raw + 1);
+  }
   if (m_in.tokens.accept(Punct::kSemicolon)) {
     // One more is no mistake, even behind the macro that ends with the first. Only the text is
     // looked at: what follows must not be executed yet.

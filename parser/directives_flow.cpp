@@ -73,9 +73,10 @@ void Directives::if_directive(const Token& directive) {
 // Reached from the part before it, so that part has been read: on to the end.
 void Directives::else_part(const Token& directive) {
   Block* block = open_block();
-  const std::string name = "#" + std::string(m_in.names.text(directive.name));
   if (block && block->kind == BlockKind::kSwitch && directive.keyword == Keyword::kElse) return;
-  if (!block || block->kind != BlockKind::kIf) m_in.fail(directive.where, name + " without #if");
+  if (!block || block->kind != BlockKind::kIf) {
+    m_in.fail(directive.where, "#" + std::string(m_in.names.text(directive.name)) + " without #if");
+  }
   const Token* end = end_of(directive);
   if (!end) missing_end(*block->opener);
   m_blocks.pop_back();

@@ -52,7 +52,34 @@ std::vector<MacroParameter> Directives::macro_parameters() {
   return parameters;
 }
 
+// Most of them: the name alone of something with a value of its own, which is passed by reference,
+// and numbers. Null for all others, elements of arrays among them; nothing is read then.
+SymbolPtr Directives::plain_argument() {
+  const TokenList* list = nullptr;
+  const Token* first = m_in.tokens.raw(list);
+  if (!first) return nullptr;
+  SymbolPtr made;
+  if (first->kind == TokenKind::kIdentifier) {
+    const bool alone = first[1].is(Punct::kComma) || first[1].is(Punct::kRightParen);
+    if (first[1].is(Punct::kLeftSquare)) return nullptr;
+    if (alone) {
+      Symbol* visible = m_in.symbols.find(first->name);
+      if (!visible || visible->target().extras) return nullptr;
+      made = make_symbol();
+      made->alias = &visible->target();
+      m_in.tokens.go_on_at(first + 1);
+      return made;
+    }
+  }
+  if (Number n; m_in.expressions.read_raw(RawExpressions::Level::kAdditive, n)) {
+    made = make_symbol();
+    made->value = stored(n);
+  }
+  return made;
+}
+
 SymbolPtr Directives::argument(const Macro& macro, std::size_t index) {
+  if (SymbolPtr plain = plain_argument()) return plain;
   TokenReader& tokens = m_in.tokens;
   const auto wrong_number = [&] {
     m_in.fail(tokens.location(), "macro " + std::string(m_in.names.text(macro.name)) + " takes " +
@@ -85,25 +112,21 @@ SymbolPtr Directives::argument(const Macro& macro, std::size_t index) {
       made->edit_extras().alias_array = symbol->extras->alias_array;
       made->extras->alias_index = symbol->extras->alias_index;
     } else {
-      made->alias = symbol->shared_from_this();
+      made->alias = symbol;
     }
     tokens.skip();
     return made;
   }
-  if (Number n; m_in.expressions.read_raw(RawExpressions::Level::kAdditive, n)) {
-    made->value = stored(n);
-  } else {
-    made->value = parse_rvalue();
-  }
+  made->value = parse_rvalue();
   return made;
 }
 
-void Directives::invoke(const Macro& macro, const Token& name_token) {
-  const Token name = name_token;  // the token may be gone after the arguments
+void Directives::invoke(const Macro& macro, const Token& name) {
+  const Location where = name.where;  // the token may be gone after the arguments
   const std::size_t deepest = m_in.options.limits.nesting;
   if (m_in.stream.depth() >= deepest) {
-    m_in.fail(name.where, "macro " + std::string(m_in.names.text(macro.name)) + " goes " +
-                              std::to_string(deepest) + " levels deep: endless recursion?");
+    m_in.fail(where, "macro " + std::string(m_in.names.text(macro.name)) + " goes " +
+                         std::to_string(deepest) + " levels deep: endless recursion?");
   }
   m_in.guard_stack();
   m_in.count_turn();
@@ -132,7 +155,7 @@ void Directives::invoke(const Macro& macro, const Token& name_token) {
   frame.cursor = macro.list->tokens.data() + macro.begin;
   frame.end = macro.list->tokens.data() + macro.end;
   frame.name = macro.name;
-  frame.call = name.where;
+  frame.call = where;
   frame.blocks = m_blocks.size();
 }
 

@@ -34,15 +34,13 @@ bool Expressions::read_raw_string(std::string& text) {
   return true;
 }
 
-Expressions::Item Expressions::read_raw_item(Number& n, std::string& text) {
+RawExpressions::Item Expressions::read_raw_item(Number& n, std::string& text) {
   const TokenList* list = nullptr;
   const Token* at = m_in.tokens.raw(list);
-  if (!at || !allows_raw()) return Item::kNone;
+  if (!at || !allows_raw()) return RawExpressions::Item::kNone;
   if (at->is(Punct::kComma)) ++at;
-  Item item = Item::kNone;
-  if (m_raw.read(*list, at, RawExpressions::Level::kAdditive, n)) item = Item::kNumber;
-  else if (m_raw.read(*list, at, text)) item = Item::kString;
-  if (item != Item::kNone) m_in.tokens.go_on_at(at);
+  const RawExpressions::Item item = m_raw.read_item(*list, at, n, text);
+  if (item != RawExpressions::Item::kNone) m_in.tokens.go_on_at(at);
   return item;
 }
 

@@ -73,8 +73,7 @@ class Expressions {
   bool read_raw(RawExpressions::Level level, Number& n);
   bool read_raw_string(std::string& text);   ///< the same, put behind `text`
   /// Either of them, with the comma before it.
-  enum class Item { kNone, kNumber, kString };
-  Item read_raw_item(Number& n, std::string& text);
+  RawExpressions::Item read_raw_item(Number& n, std::string& text);
 
  private:
   bool allows_raw() const;

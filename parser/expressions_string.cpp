@@ -11,13 +11,7 @@ bool Expressions::at_string() {
   const Token& t = m_in.tokens.peek_operand();
   switch (t.kind) {
     case TokenKind::kString: return true;
-    case TokenKind::kKeyword:
-      switch (t.keyword) {
-        case Keyword::kStr: case Keyword::kVstr: case Keyword::kConcat: case Keyword::kChr:
-        case Keyword::kDatetime: case Keyword::kSubstr: case Keyword::kStrupr:
-        case Keyword::kStrlwr: return true;
-        default: return false;
-      }
+    case TokenKind::kKeyword: return function_kind(t.keyword) == FunctionKind::kString;
     case TokenKind::kIdentifier: {
       const Value* value = m_in.tokens.value();
       return value && std::holds_alternative<std::string>(*value);

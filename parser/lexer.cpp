@@ -14,6 +14,7 @@ namespace {
 /// What each byte can be part of, and the punctuation that it is by itself.
 struct Bytes {
   static constexpr std::uint8_t kDigit = 1, kLetter = 2, kSpace = 4;
+  static constexpr std::uint8_t kPlain = 8;  ///< printable ASCII that means itself in a string
   std::array<std::uint8_t, 256> kinds{};
   std::array<Punct, 256> puncts{};
 
@@ -25,6 +26,7 @@ struct Bytes {
     set("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_", kLetter);
     using namespace std::string_view_literals;
     set(" \t\n\r\f\v\0\x1a"sv, kSpace);  // the last one ends DOS files
+    for (std::size_t c = ' '; c < 0x80; ++c) kinds[c] |= c == '"' || c == '\\' ? 0 : kPlain;
     for (std::size_t i = 1; i <= static_cast<std::size_t>(Punct::kBackquote); ++i) {
       const std::string_view written = spelling(static_cast<Punct>(i));
       if (written.size() == 1) puncts[static_cast<unsigned char>(written[0])] = static_cast<Punct>(i);
@@ -99,27 +101,29 @@ class Lexer {
     const std::size_t pos = m_pos, line_start = m_line_start;
     const std::uint32_t line = m_line;
     PlainValue found = PlainValue::kNone;
-    skip_blanks();
+    if (is_space(here())) skip_blanks();
     const char first = here();
-    const bool minus = first == '-';
-    if (minus) ++m_pos;
-    if (starts_number()) {
-      number = read_number();
-      if (minus) number = -number;
-      found = PlainValue::kNumber;
-    } else if (first == '"') {
-      ++m_pos;
-      const std::size_t end = plain_string_end(m_pos);
+    if (first == '"') {
+      const std::size_t start = m_pos + 1, end = plain_string_end(start);
       if (end != m_text.npos) {
-        string = m_text.substr(m_pos, end - m_pos);
+        string = m_text.substr(start, end - start);
         m_pos = end + 1;
         found = PlainValue::kString;
       }
+    } else {
+      if (first == '-') ++m_pos;
+      if (starts_number()) {
+        number = read_number();
+        if (first == '-') number = -number;
+        found = PlainValue::kNumber;
+      }
     }
-    skip_blanks();
-    if (here() == ',' && found != PlainValue::kNone) {
-      ++m_pos;
-      return found;
+    if (found != PlainValue::kNone) {
+      if (is_space(here())) skip_blanks();
+      if (here() == ',') {
+        ++m_pos;
+        return found;
+      }
     }
     m_pos = pos;
     m_line = line;
@@ -249,19 +253,24 @@ class Lexer {
     static constexpr double kPowers[] = {1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
                                          1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
     constexpr std::size_t kMostDigits = 15;
-    const std::size_t start = m_pos;
+    const char* const start = m_text.data() + m_pos;
+    const char* const end_of_text = m_text.data() + m_text.size();
+    const char* p = start;
     std::uint64_t whole = 0;
     const auto digits = [&] {
-      for (; is_digit(here()); ++m_pos) whole = whole * 10 + static_cast<std::uint64_t>(here() - '0');
+      for (; p < end_of_text && is_digit(*p); ++p) {
+        whole = whole * 10 + static_cast<std::uint64_t>(*p - '0');
+      }
     };
     digits();
-    std::size_t length = m_pos - start, decimals = 0;
-    if (here() == '.') {
-      const std::size_t point = m_pos++;
+    std::size_t length = static_cast<std::size_t>(p - start), decimals = 0;
+    if (p < end_of_text && *p == '.') {
+      const char* const point = p++;
       digits();
-      decimals = m_pos - point - 1;
+      decimals = static_cast<std::size_t>(p - point - 1);
       length += decimals;
     }
+    m_pos += static_cast<std::size_t>(p - start);
     bool exponent = false;
     if (here() == 'e' || here() == 'E') {
       std::size_t end = m_pos + 1;
@@ -272,7 +281,10 @@ class Lexer {
         m_pos = end;
       }
     }
-    if (exponent || length > kMostDigits) return long_number(m_text.substr(start, m_pos - start));
+    if (exponent || length > kMostDigits) {
+      const auto size = static_cast<std::size_t>(m_text.data() + m_pos - start);
+      return long_number({start, size});
+    }
     return decimals ? static_cast<double>(whole) / kPowers[decimals] : static_cast<double>(whole);
   }
 
@@ -319,7 +331,7 @@ class Lexer {
 
   // Most strings are printable ASCII without a backslash: where its quote is, else npos.
   std::size_t plain_string_end(std::size_t end) const {
-    while (end < m_text.size() && m_text[end] >= ' ' && m_text[end] != '"' && m_text[end] != '\\') ++end;
+    while (end < m_text.size() && is(m_text[end], Bytes::kPlain)) ++end;
     return end < m_text.size() && m_text[end] == '"' ? end : m_text.npos;
   }
 

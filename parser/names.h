@@ -31,6 +31,11 @@ class NameTable {
     return literal.other ? literal.other->raw : literal.cooked;
   }
   const std::string& string(NameId id) const { return m_strings[id].cooked; }
+  /// The same, if nothing in it is to be replaced by ASCII; else null.
+  const std::string* ascii_alone(NameId id) const {
+    const Literal& literal = m_strings[id];
+    return literal.other && !literal.other->ascii.empty() ? nullptr : &literal.cooked;
+  }
   /// Null if the literal is ASCII as it stands.
   const std::string* ascii_string(NameId id) const {
     const Literal& literal = m_strings[id];

@@ -30,20 +30,24 @@ bool scaled(double x, int digits, std::int64_t& whole) {
   return true;
 }
 
-// Fills a buffer from its end.
-struct Digits {
-  char buffer[32];
-  char* first = buffer + sizeof buffer;
-
-  void put(char c) { *--first = c; }
-  // With at least `least` digits.
-  void put(std::uint64_t whole, int least) {
-    for (; whole != 0 || least > 0; --least, whole /= 10) put(static_cast<char>('0' + whole % 10));
+// Writes whole / 10^digits; returns its end.
+char* put_decimal(char* at, std::int64_t whole, int digits) {
+  constexpr std::ptrdiff_t kMost = 20;
+  if (digits == 0) return std::to_chars(at, at + kMost, whole).ptr;
+  // Behind the place of the point; what stands before it is then moved there.
+  char* const end = std::to_chars(at + 1, at + 1 + kMost, whole).ptr;
+  std::ptrdiff_t before = (end - at - 1) - digits;
+  if (before > 0) {
+    for (char* const point = at + before; at < point; ++at) *at = at[1];
+    *at = '.';
+    return end;
   }
-  std::string_view text() const {
-    return {first, static_cast<std::size_t>(buffer + sizeof buffer - first)};
-  }
-};
+  const std::ptrdiff_t zeros = 1 - before;  // the one before the point too
+  std::copy_backward(at + 1, end, end + zeros);
+  std::fill_n(at, zeros + 1, '0');
+  at[1] = '.';
+  return end + zeros;
+}
 
 void append_padded(std::string& text, const NumberFormat& format, std::string_view number) {
   const auto width = static_cast<std::size_t>(format.width);
@@ -75,17 +79,10 @@ void append_fixed(std::string& text, const NumberFormat& format, double value) {
   std::int64_t whole = 0;
   if (format.width < kLongest && format.digits <= kMostDigits &&
       scaled(std::fabs(value), format.digits, whole)) {
-    Digits digits;
-    auto rest = static_cast<std::uint64_t>(whole);
-    if (format.digits > 0) {
-      const auto power = static_cast<std::uint64_t>(kPowers[format.digits]);
-      digits.put(rest % power, format.digits);
-      digits.put('.');
-      rest /= power;
-    }
-    digits.put(rest, 1);
-    if (std::signbit(value)) digits.put('-');
-    return append_padded(text, format, digits.text());
+    char* at = buffer;
+    if (std::signbit(value)) *at++ = '-';
+    at = put_decimal(at, whole, format.digits);
+    return append_padded(text, format, {buffer, static_cast<std::size_t>(at - buffer)});
   }
   if (std::isfinite(value) && format.width < static_cast<int>(sizeof buffer)) {
     const auto end = std::to_chars(buffer, buffer + sizeof buffer - 1, value,

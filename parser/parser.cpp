@@ -69,7 +69,9 @@ const Value* Parser::peek_value() {
 
 template <typename T>
 std::optional<T> Parser::accept_value() {
-  const Value* value = peek_value();
+  m_impl->in.guard_stack();  // some statements hold their like without a brace between
+  if (peek().kind != TokenKind::kIdentifier) return std::nullopt;
+  const Value* value = m_impl->in.tokens.value();
   const T* held = value ? std::get_if<T>(value) : nullptr;
   if (!held) return std::nullopt;
   std::optional<T> copy(*held);

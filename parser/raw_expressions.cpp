@@ -11,30 +11,30 @@ namespace {
 /// The one token that stands for a vector of literal numbers.
 bool is_literal_vector(const Token& token) { return token.is(Punct::kLess) && token.name > 0; }
 
-/// Whether it is an operand by itself, and the whole expression.
-bool is_alone(const Token* operand, Punct end) {
-  // Only these are known to have a token behind them.
-  if (operand->kind != TokenKind::kNumber && operand->kind != TokenKind::kIdentifier &&
-      !is_literal_vector(*operand)) {
-    return false;
-  }
-  const Token& next = operand[1];
-  if (next.kind != TokenKind::kPunct) return false;
-  return end == Punct::kNone ? next.punct == Punct::kComma || next.punct == Punct::kRightParen ||
-                                   next.punct == Punct::kRightCurly
-                             : next.punct == end;
-}
-
 }  // namespace
 
-bool RawExpressions::read(const TokenList& list, const Token*& first, Level level, Number& value,
-                         Punct end) {
+RawExpressions::RawExpressions(Interpreter& in)
+    : m_in(in), m_symbols(in.symbols), m_names(in.names) {}
+
+RawExpressions::Item RawExpressions::read_item(const TokenList& list, const Token*& first,
+                                               Number& value, std::string& text) {
+  if (read_alone(first, text, Punct::kNone)) return Item::kString;
+  if (read(list, first, Level::kAdditive, value)) return Item::kNumber;
+  return read_whole(list, first, text, Punct::kNone) ? Item::kString : Item::kNone;
+}
+
+bool RawExpressions::read_whole(const TokenList& list, const Token*& first, Level level,
+                                Number& value, Punct end) {
   m_list = &list;
-  if (is_alone(first, end) && value_of(*first, value)) {
-    ++first;
+  if (is_literal_vector(*first) && ends_operand(first[1], end)) {
+    literal_vector(*first++, value);
     return true;
   }
-  if (first->kind == TokenKind::kString) return false;
+  if (first->kind == TokenKind::kString ||
+      (first->kind == TokenKind::kKeyword &&
+       function_kind(first->keyword) == FunctionKind::kString)) {
+    return false;
+  }
   // What stopped it once will stop it again.
   if (m_failed_number.within(first)) return false;
   m_at = first;
@@ -54,25 +54,6 @@ bool RawExpressions::read(const TokenList& list, const Token*& first, Level leve
   return false;
 }
 
-// Of what is_alone(); false if it is the name of something else.
-bool RawExpressions::value_of(const Token& token, Number& value) const {
-  if (token.kind == TokenKind::kNumber) {
-    value.v[0] = token.number;
-    return true;
-  }
-  if (token.kind == TokenKind::kPunct) {
-    literal_vector(token, value);
-    return true;
-  }
-  Symbol* visible = m_in.symbols.find(token.name);
-  if (!visible) return false;
-  Symbol& symbol = visible->target();
-  if (symbol.macro() || symbol.deprecated()) return false;
-  const Number* number = std::get_if<Number>(&symbol.resolve());
-  if (number) value = *number;
-  return number;
-}
-
 void RawExpressions::undo_random(std::size_t kept) {
   for (; m_random.size() > kept; m_random.pop_back()) {
     m_in.random[m_random.back().first] = m_random.back().second;
@@ -83,7 +64,7 @@ void RawExpressions::undo_random(std::size_t kept) {
 bool RawExpressions::ends_here() const {
   if (m_at->passive) return true;
   if (m_at->kind != TokenKind::kIdentifier) return false;
-  Symbol* symbol = m_in.symbols.find(m_at->name);
+  Symbol* symbol = m_symbols.find(m_at->name);
   return !symbol || !symbol->target().macro();
 }
 
@@ -184,7 +165,7 @@ bool RawExpressions::vector_literal(Number& n) {
 
 // What the name here, with its subscripts, stands for; null if it cannot be said.
 const Value* RawExpressions::identifier_value() {
-  Symbol* visible = m_in.symbols.find(m_at->name);
+  Symbol* visible = m_symbols.find(m_at->name);
   if (!visible) return nullptr;
   Symbol& symbol = visible->target();
   if (symbol.macro() || symbol.deprecated()) return nullptr;
@@ -195,7 +176,7 @@ const Value* RawExpressions::identifier_value() {
 }
 
 bool RawExpressions::identifier(Number& n) {
-  const Symbol* symbol = m_in.symbols.find(m_at->name);
+  const Symbol* symbol = m_symbols.find(m_at->name);
   if (symbol && !symbol->alias && !symbol->extras) {
     if (const Number* number = std::get_if<Number>(&symbol->value)) {
       n = *number;
@@ -243,9 +224,11 @@ bool RawExpressions::member(Number& n) {
 
 // The operand here, if it is the whole argument.
 bool RawExpressions::lone_operand(Number& n) {
-  if (!is_alone(m_at, Punct::kNone) || !value_of(*m_at, n)) return false;
-  ++m_at;
-  return true;
+  if (is_literal_vector(*m_at) && ends_operand(m_at[1], Punct::kNone)) {
+    literal_vector(*m_at++, n);
+    return true;
+  }
+  return read_alone(m_at, n, Punct::kNone);
 }
 
 bool RawExpressions::vector(core::Vec3& v) {

@@ -24,7 +24,7 @@ enum class Precedence : std::uint8_t { kNone, kLogical, kComparison, kSum, kProd
 
 class RawExpressions {
  public:
-  explicit RawExpressions(Interpreter& in) : m_in(in) {}
+  explicit RawExpressions(Interpreter& in);
 
   enum class Level { kAdditive, kEverything };  ///< as Expressions::parse_additive, parse_expression
 
@@ -32,15 +32,68 @@ class RawExpressions {
   /// then the token behind it, which is of the same list and can be no part of it. With `end`, only
   /// if that token is the one behind it.
   bool read(const TokenList& list, const Token*& first, Level level, Number& value,
-            Punct end = Punct::kNone);
+            Punct end = Punct::kNone) {
+    return read_alone(first, value, end) || read_whole(list, first, level, value, end);
+  }
 
   /// The string that begins there, put behind `text`; otherwise likewise.
   bool read(const TokenList& list, const Token*& first, std::string& text,
-            Punct end = Punct::kNone);
+            Punct end = Punct::kNone) {
+    return read_alone(first, text, end) || read_whole(list, first, text, end);
+  }
+
+  /// Either of them.
+  enum class Item { kNone, kNumber, kString };
+  Item read_item(const TokenList& list, const Token*& first, Number& value, std::string& text);
 
  private:
   static constexpr int kDeepest = 100;   ///< brackets and functions, one in the other
   static constexpr int kMostOperands = 5000;
+
+  // Of one token, if it is the whole: most are.
+  static bool ends_operand(const Token& next, Punct end) {
+    if (next.kind != TokenKind::kPunct) return false;
+    return end == Punct::kNone ? next.punct == Punct::kComma || next.punct == Punct::kRightParen ||
+                                     next.punct == Punct::kRightCurly
+                               : next.punct == end;
+  }
+  bool read_alone(const Token*& first, Number& value, Punct end) const {
+    // Behind both there is another token.
+    if (first->kind == TokenKind::kNumber && ends_operand(first[1], end)) {
+      value.v[0] = first->number;
+    } else if (first->kind == TokenKind::kIdentifier && ends_operand(first[1], end)) {
+      const Number* number = held<Number>(*first);
+      if (!number) return false;
+      value = *number;
+    } else {
+      return false;
+    }
+    ++first;
+    return true;
+  }
+  bool read_alone(const Token*& first, std::string& text, Punct end) const {
+    const std::string* string = nullptr;
+    // What follows a literal can be no part of it. One with a wrong escape is the grammar's.
+    if (first->kind == TokenKind::kString && first->keyword == Keyword::kNone) {
+      if (end == Punct::kNone || first[1].is(end)) string = m_names.ascii_alone(first->name);
+    } else if (first->kind == TokenKind::kIdentifier && ends_operand(first[1], end)) {
+      string = held<std::string>(*first);
+    }
+    if (!string) return false;
+    text += *string;
+    ++first;
+    return true;
+  }
+  // What a name stands for, if it is of that kind and nothing happens when it is read; or null.
+  template <typename T>
+  const T* held(const Token& name) const {
+    const Symbol* symbol = m_symbols.find(name.name);
+    if (!symbol) return nullptr;
+    while (symbol->alias) symbol = symbol->alias.get();
+    return symbol->extras ? nullptr : std::get_if<T>(&symbol->value);
+  }
+  bool read_whole(const TokenList& list, const Token*& first, Level level, Number& value, Punct end);
+  bool read_whole(const TokenList& list, const Token*& first, std::string& text, Punct end);
 
   // raw_operators.h
   template <typename N>
@@ -91,11 +144,12 @@ class RawExpressions {
   bool argument(double& x) { return scalar(x, Level::kEverything); }
   bool vector(core::Vec3& v);                              ///< additive, up to three components
   bool ends_here() const;
-  bool value_of(const Token& token, Number& value) const;
   bool lone_operand(Number& n);
   void undo_random(std::size_t kept = 0);
 
   Interpreter& m_in;
+  const SymbolTable& m_symbols;
+  const NameTable& m_names;
   const TokenList* m_list = nullptr;
   const Token* m_at = nullptr;
   int m_depth = 0;

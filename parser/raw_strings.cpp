@@ -5,8 +5,8 @@
 
 namespace lentray::parser {
 
-bool RawExpressions::read(const TokenList& list, const Token*& first, std::string& text,
-                          Punct end) {
+bool RawExpressions::read_whole(const TokenList& list, const Token*& first, std::string& text,
+                                Punct end) {
   if (m_failed_string.within(first)) return false;
   m_list = &list;
   m_at = first;
@@ -42,8 +42,9 @@ bool RawExpressions::string(std::string& text) {
 
 // What is wrong or replaced in it is the grammar's to say.
 bool RawExpressions::string_literal(std::string& text) {
-  if (m_at->keyword == Keyword::kError || m_in.names.ascii_string(m_at->name)) return false;
-  text += m_in.names.string(m_at->name);
+  const std::string* plain = m_names.ascii_alone(m_at->name);
+  if (!plain || m_at->keyword == Keyword::kError) return false;
+  text += *plain;
   ++m_at;
   return true;
 }

@@ -1,11 +1,13 @@
 // An allocator for small things of one kind that come and go by the thousand: what is given back is
-// kept for the next. One list a thread; memory may be given back on another. With the address
-// sanitizer it is plain allocation, or uses of what was freed would go unseen.
+// kept for the next, some thousands of them at most. One list a thread; memory may be given back on
+// another. With the address sanitizer it is plain allocation, or uses of what was freed would go
+// unseen.
 #pragma once
 
 #include <cstddef>
 #include <memory>
 #include <new>
+#include <utility>
 
 namespace lentray::parser {
 
@@ -27,16 +29,18 @@ class Recycled {
   Recycled(const Recycled<U>&) {}
 
   T* allocate(std::size_t count) {
-    Spare*& first = kept().first;
-    if (count != 1 || !first) return static_cast<T*>(::operator new(count * sizeof(T)));
-    Spare* spare = first;
-    first = spare->next;
+    Kept& spares = kept();
+    Spare* spare = spares.first;
+    if (count != 1 || !spare) return static_cast<T*>(::operator new(count * sizeof(T)));
+    spares.first = spare->next;
+    --spares.count;
     return reinterpret_cast<T*>(spare);
   }
   void deallocate(T* memory, std::size_t count) {
-    if (count != 1) return ::operator delete(memory);
-    Spare*& first = kept().first;
-    first = new (static_cast<void*>(memory)) Spare{first};
+    Kept& spares = kept();
+    if (count != 1 || spares.count == kMost) return ::operator delete(memory);
+    spares.first = new (static_cast<void*>(memory)) Spare{spares.first};
+    ++spares.count;
   }
   bool operator==(const Recycled&) const { return true; }
 
@@ -44,8 +48,10 @@ class Recycled {
   struct Spare {
     Spare* next;
   };
+  static constexpr std::size_t kMost = 4096;
   struct Kept {
     Spare* first = nullptr;
+    std::size_t count = 0;
     ~Kept() {
       while (first) {
         Spare* next = first->next;
@@ -62,5 +68,11 @@ class Recycled {
   }
 };
 #endif
+
+/// As std::make_shared.
+template <typename T, typename... Arguments>
+std::shared_ptr<T> make_recycled(Arguments&&... arguments) {
+  return std::allocate_shared<T>(Recycled<T>(), std::forward<Arguments>(arguments)...);
+}
 
 }  // namespace lentray::parser

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include <boost/smart_ptr/intrusive_ptr.hpp>
+
 #include "parser/lexer.h"
 #include "parser/recycled.h"
 #include "parser/value.h"
@@ -45,12 +47,19 @@ struct SymbolExtras {
   std::unique_ptr<Deprecation> deprecated;
 };
 
+struct Symbol;
+inline void intrusive_ptr_add_ref(Symbol* symbol);
+inline void intrusive_ptr_release(Symbol* symbol);
+/// Counted in the symbol itself, without locks: an interpreter has one thread.
+using SymbolPtr = boost::intrusive_ptr<Symbol>;
+
 /// Made and gone with each call of a macro: small.
-struct Symbol : std::enable_shared_from_this<Symbol> {
+struct Symbol {
   Value value;
-  std::shared_ptr<Symbol> alias;             ///< a parameter: the symbol passed by reference
+  SymbolPtr alias;                           ///< a parameter: the symbol passed by reference
   std::unique_ptr<SymbolExtras> extras;      ///< null for nearly all
   std::uint32_t level = 0;                   ///< scope it lives in; 0: global
+  std::uint32_t references = 0;
 
   SymbolExtras& edit_extras() {
     if (!extras) extras = std::make_unique<SymbolExtras>();
@@ -97,9 +106,16 @@ struct Symbol : std::enable_shared_from_this<Symbol> {
   }
 };
 
-using SymbolPtr = std::shared_ptr<Symbol>;
+inline void intrusive_ptr_add_ref(Symbol* symbol) { ++symbol->references; }
+inline void intrusive_ptr_release(Symbol* symbol) {
+  if (--symbol->references > 0) return;
+  std::destroy_at(symbol);
+  Recycled<Symbol>().deallocate(symbol, 1);
+}
 
-inline SymbolPtr make_symbol() { return std::allocate_shared<Symbol>(Recycled<Symbol>()); }
+inline SymbolPtr make_symbol() {
+  return SymbolPtr(std::construct_at(Recycled<Symbol>().allocate(1)));
+}
 
 class SymbolTable {
  public:

@@ -9,12 +9,6 @@ bool continues(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; 
 
 }  // namespace
 
-bool is_ascii(std::string_view text) {
-  unsigned char bits = 0;
-  for (const char c : text) bits |= static_cast<unsigned char>(c);
-  return bits < 0x80;
-}
-
 std::size_t count_characters(std::string_view text) {
   std::size_t count = 0;
   for (const char c : text) count += continues(c) ? 0 : 1;

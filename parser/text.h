@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <cstring>
 #include <string>
 #include <string_view>
 
@@ -25,6 +27,17 @@ void change_case(std::string& text, std::size_t start, bool upper);
 /// With a space for each character that is not ASCII: what stock writes.
 std::string to_ascii(std::string text);
 
-bool is_ascii(std::string_view text);
+inline bool is_ascii(std::string_view text) {
+  constexpr std::size_t kAtOnce = sizeof(std::uint64_t);
+  std::uint64_t bits = 0, piece = 0;
+  std::size_t i = 0;
+  for (; i + kAtOnce <= text.size(); i += kAtOnce) {
+    std::memcpy(&piece, text.data() + i, kAtOnce);
+    bits |= piece;
+  }
+  piece = 0;
+  if (i < text.size()) std::memcpy(&piece, text.data() + i, text.size() - i);
+  return ((bits | piece) & 0x8080808080808080u) == 0;
+}
 
 }  // namespace lentray::parser

@@ -38,13 +38,10 @@ class TokenReader {
 
   bool at(Keyword k) { return peek().is(k); }
   bool at(Punct p) { return peek().is(p); }
-  bool accept(Keyword k) {
-    if (!peek().is(k)) return false;
-    consume();
-    return true;
-  }
-  bool accept(Punct p) {
-    if (!peek().is(p)) return false;
+  template <typename Word>  // Keyword or Punct
+  bool accept(Word word) {
+    if (pass_plain(word)) return true;
+    if (!peek().is(word)) return false;
     consume();
     return true;
   }
@@ -145,10 +142,10 @@ class TokenReader {
     m_last = m_token.where;
     if (m_token.kind == TokenKind::kEnd) return;  // it stays: the end can be asked for again
     m_ready = false;
-    if (m_token.kind == TokenKind::kPunct && m_token.punct <= Punct::kRightSquare) nest();
+    if (m_token.kind == TokenKind::kPunct && m_token.punct <= Punct::kRightSquare) nest(m_token.punct);
   }
-  void nest() {
-    switch (m_token.punct) {
+  void nest(Punct punct) {
+    switch (punct) {
       case Punct::kLeftCurly: case Punct::kLeftParen: case Punct::kLeftSquare: ++m_nesting; break;
       case Punct::kRightCurly: case Punct::kRightParen: case Punct::kRightSquare: --m_nesting; break;
       default: break;
@@ -171,6 +168,17 @@ class TokenReader {
     m_token = *raw;
     m_raw = raw;
     m_ready = true;
+    return true;
+  }
+  /// Past the next token, if it is that word and not shown yet: most are never looked at otherwise.
+  template <typename Word>
+  bool pass_plain(Word word) {
+    const Token* raw = m_ready ? nullptr : m_stream.look();
+    if (!raw || !raw->passive || !raw->is(word)) return false;
+    m_stream.pass();
+    m_held = false;
+    m_last = raw->where;
+    if (raw->kind == TokenKind::kPunct && raw->punct <= Punct::kRightSquare) nest(raw->punct);
     return true;
   }
   bool identifier(const Token& token);

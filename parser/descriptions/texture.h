@@ -7,6 +7,7 @@
 #include "parser/descriptions/finish.h"
 #include "parser/descriptions/normal.h"
 #include "parser/descriptions/pigment.h"
+#include "parser/recycled.h"
 
 namespace lentray::parser {
 
@@ -24,7 +25,7 @@ struct TextureLayerDesc {
 
 struct TextureDesc {
   Location where;
-  std::vector<TextureLayerDesc> layers;
+  std::vector<TextureLayerDesc, Recycled<TextureLayerDesc>> layers;
 };
 
 /// The texture after one more transform, pigments and normals included.

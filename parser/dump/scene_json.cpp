@@ -75,8 +75,8 @@ class Dumper {
   Json other(const BlendEntry<Item>& entry) {
     return Json{{"at", number(entry.value)}, {"is", value(entry.item)}};
   }
-  template <typename Item>
-  Json other(const std::vector<Item>& items) { return list(items); }
+  template <typename Item, typename Allocator>
+  Json other(const std::vector<Item, Allocator>& items) { return list(items); }
   template <typename Item, std::size_t kSize>
   Json other(const std::array<Item, kSize>& items) { return list(items); }
 

@@ -128,7 +128,7 @@ void parse_radiosity(Parser& parser, GlobalDesc& global) {
   bool set_minimum = false, set_maximum = false;
   parser.expect(Punct::kLeftCurly);
   while (!parser.accept(Punct::kRightCurly)) {
-    if (const auto* item = find_entry(kRadiosityFloats, parser.peek())) {
+    if (const auto* item = find_entry<kRadiosityFloats>(parser.peek())) {
       parser.next();
       const double value = parser.parse_float();
       if (item->good && !item->good(value)) {
@@ -137,7 +137,7 @@ void parse_radiosity(Parser& parser, GlobalDesc& global) {
       r.*(item->value) = value;
       set_minimum |= item->keyword == Keyword::kMinimumReuse;
       set_maximum |= item->keyword == Keyword::kMaximumReuse;
-    } else if (const auto* flag = find_entry(kRadiositySwitches, parser.peek())) {
+    } else if (const auto* flag = find_entry<kRadiositySwitches>(parser.peek())) {
       parser.next();
       r.*(flag->value) = parser.parse_float() != 0.0;
     } else if (parser.accept(Keyword::kCount)) {
@@ -256,7 +256,7 @@ void parse_subsurface(Parser& parser, GlobalDesc& global) {
   }
 }
 
-const std::array kSettings{
+constexpr std::array kSettings{
     SettingEntry{Keyword::kAdcBailout,
                  [](Parser& p, GlobalDesc& g) { g.adc_bailout = p.parse_float(); }},
     SettingEntry{Keyword::kAmbientLight,
@@ -299,7 +299,7 @@ void parse_global_settings(Parser& parser, Context&, GlobalDesc& global) {
   global.where = parser.location();
   parser.expect(Punct::kLeftCurly);
   while (!parser.accept(Punct::kRightCurly)) {
-    const SettingEntry* entry = find_entry(kSettings, parser.peek());
+    const SettingEntry* entry = find_entry<kSettings>(parser.peek());
     if (!entry) parser.fail_expected("one of " + word_list(kSettings) + " or }");
     parser.next();
     entry->read(parser, global);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -65,14 +66,22 @@ std::string word_list(const Table& table) {
   return list;
 }
 
+/// Which entry of a table each keyword has, from 1; 0: none.
+template <const auto& kTable>
+inline constexpr auto kEntryOf = [] {
+  std::array<std::uint8_t, static_cast<std::size_t>(Keyword::kEndOfKeywords)> entry_of{};
+  static_assert(kTable.size() < 256);
+  std::uint8_t count = 0;
+  for (const auto& entry : kTable) entry_of[static_cast<std::size_t>(entry.keyword)] = ++count;
+  return entry_of;
+}();
+
 /// The entry of a table for the next token, or null.
-template <typename Table>
-auto find_entry(const Table& table, const Token& token) -> const typename Table::value_type* {
+template <const auto& kTable>
+auto find_entry(const Token& token) -> decltype(kTable.data()) {
   if (token.kind != TokenKind::kKeyword) return nullptr;
-  for (const auto& entry : table) {
-    if (entry.keyword == token.keyword) return &entry;
-  }
-  return nullptr;
+  const std::size_t entry = kEntryOf<kTable>[static_cast<std::size_t>(token.keyword)];
+  return entry ? kTable.data() + (entry - 1) : nullptr;
 }
 
 }  // namespace lentray::parser

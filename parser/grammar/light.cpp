@@ -89,7 +89,7 @@ struct LightEntry {
   LightWord read;
 };
 
-const std::array kLightWords{
+constexpr std::array kLightWords{
     LightEntry{Keyword::kAdaptive, [](Parser& p, Context&, LightDesc& l) {
                  l.adaptive = p.parse_int();
                  l.has_adaptive = true;
@@ -139,7 +139,7 @@ void parse_light_words(Parser& parser, Context& context, LightDesc& light) {
     const Location where = parser.location();
     if (const auto transform = parser.accept_transforms()) {
       light.apply(*transform);
-    } else if (const LightEntry* entry = find_entry(kLightWords, parser.peek())) {
+    } else if (const LightEntry* entry = find_entry<kLightWords>(parser.peek())) {
       parser.next();
       entry->read(parser, context, light);
       if (needs_area(entry->keyword) && !light.has_area) {

@@ -3,6 +3,7 @@
 #include "parser/grammar/helpers.h"
 #include "parser/grammar/nesting.h"
 #include "parser/grammar/pattern.h"
+#include "parser/recycled.h"
 
 namespace lentray::parser {
 namespace {
@@ -52,7 +53,7 @@ void add_texture(Parser& parser, Ref<TextureDesc>& below, const Ref<TextureDesc>
 /// The topmost layer of an object's own texture, which starts as the default.
 TextureLayerDesc& top_layer(Parser& parser, MaterialContext& context, Ref<TextureDesc>& texture,
                             std::shared_ptr<TextureDesc>& copy) {
-  copy = std::make_shared<TextureDesc>(texture ? *texture : *context.default_texture);
+  copy = make_recycled<TextureDesc>(texture ? *texture : *context.default_texture);
   if (copy->layers.back().is_patterned()) {
     parser.fail("a texture with a texture_map, tiles or material_map has no single part to change");
   }

@@ -5,6 +5,7 @@
 #include "parser/grammar/nesting.h"
 #include "parser/grammar/object_modifiers.h"
 #include "parser/grammar/object_shapes.h"
+#include "parser/recycled.h"
 
 namespace lentray::parser {
 namespace {
@@ -20,7 +21,7 @@ ShapeDesc read_poly(Parser& parser, Context& context) {
   return parse_poly(parser, context, kOrder);
 }
 
-const std::array kShapes{
+constexpr std::array kShapes{
     ShapeEntry{Keyword::kBicubicPatch, parse_bicubic_patch},
     ShapeEntry{Keyword::kBlob, parse_blob},
     ShapeEntry{Keyword::kBox, parse_box},
@@ -62,7 +63,7 @@ const std::array kShapes{
 Ref<ObjectDesc> parse_shape_block(Parser& parser, Context& context, const ShapeEntry& entry,
                                   const Location& where) {
   parser.expect(Punct::kLeftCurly);
-  auto object = std::make_shared<ObjectDesc>();
+  auto object = make_recycled<ObjectDesc>();
   // An identifier alone is the object itself; in a CSG more objects may follow it.
   Ref<ObjectDesc> named;
   if (auto value = parser.accept_value<Ref<ObjectDesc>>()) named = *value;
@@ -96,7 +97,7 @@ Ref<ObjectDesc> parse_object_block(Parser& parser, Context& context, const Locat
 
 bool at_object(Parser& parser) {
   if (parser.at(Keyword::kObject) || parser.at(Keyword::kLightSource) ||
-      parser.at(Keyword::kLightGroup) || find_entry(kShapes, parser.peek())) {
+      parser.at(Keyword::kLightGroup) || find_entry<kShapes>(parser.peek())) {
     return true;
   }
   const Value* value = parser.peek_value();
@@ -107,7 +108,7 @@ std::string object_words() { return "object, light_source, light_group, " + word
 
 Ref<ObjectDesc> accept_object(Parser& parser, Context& context) {
   const Location where = parser.location();
-  if (const ShapeEntry* entry = find_entry(kShapes, parser.peek())) {
+  if (const ShapeEntry* entry = find_entry<kShapes>(parser.peek())) {
     parser.next();
     if (entry->keyword == Keyword::kComposite && parser.language_version() >= 150) {
       parser.warn_at(where, "composite is union now");

@@ -119,7 +119,7 @@ struct ModifierEntry {
   const char* objects = "";                       ///< that allow it, for the message
 };
 
-const std::array kModifiers{
+constexpr std::array kModifiers{
     ModifierEntry{Keyword::kBoundedBy, parse_bounded_by},
     ModifierEntry{Keyword::kClippedBy, parse_clipped_by},
     ModifierEntry{Keyword::kCutawayTextures,
@@ -205,7 +205,7 @@ bool accept_object_modifier(Parser& parser, Context& context, ObjectDesc& object
     apply_transform(object, *transform);
     return true;
   }
-  if (const ModifierEntry* entry = find_entry(kModifiers, parser.peek())) {
+  if (const ModifierEntry* entry = find_entry<kModifiers>(parser.peek())) {
     if (entry->allowed && !entry->allowed(object)) {
       parser.fail(std::string(spelling(entry->keyword)) + " holds for " + entry->objects + " only.");
     }

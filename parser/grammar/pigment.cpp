@@ -3,6 +3,7 @@
 #include "parser/grammar/helpers.h"
 #include "parser/grammar/nesting.h"
 #include "parser/grammar/pattern.h"
+#include "parser/recycled.h"
 
 namespace lentray::parser {
 namespace {
@@ -87,7 +88,7 @@ Ref<PigmentDesc> parse_pigment_body(Parser& parser, MaterialContext& context, Re
   const Location where = parser.location();
   const auto known = parser.accept_value<Ref<PigmentDesc>>();
   const PigmentDesc* from = known ? known->get() : base.get();
-  auto pigment = from ? std::make_shared<PigmentDesc>(*from) : std::make_shared<PigmentDesc>();
+  auto pigment = from ? make_recycled<PigmentDesc>(*from) : make_recycled<PigmentDesc>();
   pigment->where = where;
   PigmentTarget target(*pigment, context);
   parse_pattern_body(parser, context, target);

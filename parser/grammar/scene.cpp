@@ -48,7 +48,7 @@ void warn_of_setting(Parser& parser, const char* word, int since) {
   parser.warn(std::string(word) + " belongs in global_settings");
 }
 
-const std::array kStatements{
+constexpr std::array kStatements{
     StatementEntry{Keyword::kBackground, read_background},
     StatementEntry{Keyword::kCamera, read_camera},
     StatementEntry{Keyword::kDefault, [](Parser& p, Grammar& g, SceneDesc&) { g.set_default(p); }},
@@ -79,7 +79,7 @@ const std::array kStatements{
 
 /// One statement of the scene.
 void read_statement(Parser& parser, Grammar& grammar, SceneDesc& scene) {
-  if (const StatementEntry* entry = find_entry(kStatements, parser.peek())) {
+  if (const StatementEntry* entry = find_entry<kStatements>(parser.peek())) {
     parser.next();
     entry->read(parser, grammar, scene);
     return;
