@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <typeinfo>
 
 #include "core/geometry/box.h"
 #include "core/geometry/polygon.h"
@@ -33,11 +34,9 @@ float up(double w) {
 
 /// The shape itself where it stands plainly in the world.
 const Shape* plain_shape(const Object& object) {
-  const auto* leaf = dynamic_cast<const Leaf*>(&object);
-  if (!leaf || leaf->transform() || !leaf->clips().empty() || !leaf->bounding().empty()) {
-    return nullptr;
-  }
-  return &leaf->shape();
+  if (typeid(object) != typeid(Leaf)) return nullptr;
+  const auto& leaf = static_cast<const Leaf&>(object);
+  return leaf.transform() || !leaf.clips().empty() || !leaf.bounding().empty() ? nullptr : &leaf.shape();
 }
 
 /// Ends of the edges of a polygon's contours, relative to the light.
@@ -141,11 +140,12 @@ void count(Counters& counters, const Object& object) {
 }  // namespace
 
 LightBuffer::Kind LightBuffer::kind_of(const Shape* shape) {
-  if (dynamic_cast<const Sphere*>(shape)) return Kind::kSphere;
-  if (dynamic_cast<const Polygon*>(shape)) return Kind::kPolygon;
-  if (dynamic_cast<const Triangle*>(shape)) return Kind::kTriangle;
-  if (dynamic_cast<const Box*>(shape)) return Kind::kBox;
-  return Kind::kAny;
+  if (!shape) return Kind::kAny;
+  const std::type_info& type = typeid(*shape);
+  if (type == typeid(Sphere)) return Kind::kSphere;
+  if (type == typeid(Polygon)) return Kind::kPolygon;
+  if (type == typeid(Triangle)) return Kind::kTriangle;
+  return type == typeid(Box) ? Kind::kBox : Kind::kAny;
 }
 
 struct LightBuffer::Found {
@@ -186,7 +186,11 @@ LightBuffer::LightBuffer(const Vec3& light, const std::vector<std::unique_ptr<Ob
     m_casters.back().sphere = static_cast<std::uint32_t>(m_spheres.size());
     m_spheres.push_back({sphere.centre(), sphere.radius2()});
   }
-  for (int face = 0; face < LightFace::kFaces && !m_crowded; ++face) add_grids(face, cells, casters);
+  Bounds all;
+  for (const Placed& c : casters) all.include(c.box);
+  for (int face = 0; face < LightFace::kFaces && !m_crowded; ++face) {
+    if (!all.is_empty() && !window_of(all, face).is_empty()) add_grids(face, cells, casters);
+  }
 }
 
 namespace {

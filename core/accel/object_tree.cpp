@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <typeinfo>
 
 #include "core/geometry/polygon.h"
 #include "core/geometry/sphere.h"
@@ -12,14 +13,14 @@ namespace lentray::core {
 /// Only bare leaves whose shape is already in the world may be tested without the object.
 ObjectTree::Kind ObjectTree::kind_of(const Object& object) {
   if (!object.clips().empty() || !object.bounding().empty()) return kOthers;
-  const auto* leaf = dynamic_cast<const Leaf*>(&object);
-  if (!leaf || leaf->transform()) return kOthers;
-  if (dynamic_cast<const Sphere*>(&leaf->shape())) return kSpheres;
-  if (const auto* triangle = dynamic_cast<const Triangle*>(&leaf->shape())) {
-    return triangle->is_degenerate() ? kOthers : kTriangles;
-  }
-  const auto* polygon = dynamic_cast<const Polygon*>(&leaf->shape());
-  return polygon && PolygonPack::fits(*polygon) ? kPolygons : kOthers;
+  if (typeid(object) != typeid(Leaf)) return kOthers;
+  const auto& leaf = static_cast<const Leaf&>(object);
+  if (leaf.transform()) return kOthers;
+  const Shape& shape = leaf.shape();
+  const std::type_info& type = typeid(shape);
+  if (type == typeid(Sphere)) return kSpheres;
+  if (type == typeid(Triangle)) return static_cast<const Triangle&>(shape).is_degenerate() ? kOthers : kTriangles;
+  return type == typeid(Polygon) && PolygonPack::fits(static_cast<const Polygon&>(shape)) ? kPolygons : kOthers;
 }
 
 ObjectTree::ObjectTree(std::span<const ObjectEntry> objects, Accelerator accelerator,
@@ -30,6 +31,7 @@ ObjectTree::ObjectTree(std::span<const ObjectEntry> objects, Accelerator acceler
   }
   if (accelerator == Accelerator::kList) return;
   std::vector<Bounds> boxes;
+  boxes.reserve(m_entries.size());
   for (const ObjectEntry& entry : m_entries) boxes.push_back(entry.bounds);
   if (accelerator == Accelerator::kGrid) {
     m_grid = UniformGrid(boxes);
@@ -55,12 +57,14 @@ void ObjectTree::build_tree(const std::vector<Bounds>& boxes) {
   placed.reserve(m_tree.order().size());
   for (const std::uint32_t part : m_tree.order()) placed.push_back(m_entries[part]);
   m_entries = std::move(placed);
+  std::size_t leaves[4] = {};
+  m_tree.for_each_leaf([&](std::uint32_t first, std::uint32_t) { ++leaves[kinds[m_tree.order()[first]]]; });
+  m_spheres.reserve(leaves[kSpheres]);
+  m_triangles.reserve(leaves[kTriangles]);
+  m_polygons.reserve(leaves[kPolygons]);
   m_tree.relabel([&](std::uint32_t first, std::uint32_t count) {
     return code_of(first, count, static_cast<Kind>(kinds[m_tree.order()[first]]));
   });
-  m_spheres.shrink_to_fit();
-  m_triangles.shrink_to_fit();
-  m_polygons.shrink_to_fit();
 }
 
 /// Whether the ray comes near the box between 0 and the limit, rounding counted in.

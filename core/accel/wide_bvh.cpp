@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <atomic>
+#include <bit>
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <new>
 #include <stdexcept>
 
 namespace lentray::core {
@@ -56,178 +59,289 @@ WideRay::WideRay(const Ray& ray, const WideFrame& frame) {
 
 namespace {
 
-struct Branch {
-  Bounds box;
-  std::uint32_t left = 0, right = 0;  ///< branches, if count is 0
-  std::uint32_t first = 0, count = 0;
+/// A box in the tree's frame, in floats as the nodes have them; lows negated, so that one maximum
+/// joins boxes. Lane 3 is anything but a small or no number.
+struct FloatBox {
+  __m128 low = _mm_set1_ps(-std::numeric_limits<float>::infinity());
+  __m128 high = low;
+
+  void include(const FloatBox& b) {
+    low = _mm_max_ps(low, b.low);
+    high = _mm_max_ps(high, b.high);
+  }
+  /// Half of it; not of an empty box.
+  float surface() const {
+    const __m128 d = _mm_add_ps(high, low);
+    const __m128 products = _mm_mul_ps(d, _mm_shuffle_ps(d, d, _MM_SHUFFLE(3, 0, 2, 1)));
+    const __m128 y = _mm_shuffle_ps(products, products, 1), z = _mm_movehl_ps(products, products);
+    return _mm_cvtss_f32(_mm_add_ss(_mm_add_ss(products, y), z));
+  }
+  /// Twice its middle.
+  __m128 middle() const { return _mm_sub_ps(high, low); }
 };
 
-/// Top-down binary build by the surface-area heuristic over binned centres.
+/// A part while the tree is built: its box, whose lanes 3 hold the part's index and kind.
+struct Item {
+  FloatBox box;
+
+  static constexpr std::uint32_t kNumber = 0x40000000u;  // makes a plain float of 27 bits
+  std::uint32_t part() const { return lane3(box.low) & ~kNumber; }
+  std::uint32_t kind() const { return lane3(box.high) & ~kNumber; }
+  static std::uint32_t lane3(__m128 v) {
+    return static_cast<std::uint32_t>(_mm_cvtsi128_si32(_mm_shuffle_epi32(_mm_castps_si128(v), 0xff)));
+  }
+};
+
+/// Rounded outwards.
+Item item_of(const Bounds& bounds, const WideFrame& frame, std::uint32_t part, std::uint32_t kind) {
+  const Vec3 lo = frame.point(bounds.lo), hi = frame.point(bounds.hi);
+  const auto low = [&](double v) { return -WideLimits::down(v - frame.pad); };
+  const auto high = [&](double v) { return WideLimits::up(v + frame.pad); };
+  Item item;
+  item.box.low = _mm_set_ps(std::bit_cast<float>(Item::kNumber | part), low(lo.z), low(lo.y), low(lo.x));
+  item.box.high = _mm_set_ps(std::bit_cast<float>(Item::kNumber | kind), high(hi.z), high(hi.y), high(hi.x));
+  return item;
+}
+
+struct Branch {
+  FloatBox box;
+  std::uint32_t left, right;   ///< branches, if count is 0
+  std::uint32_t first, count;
+};
+
+/// An array that is not touched before it is used.
+template <class T>
+class Untouched {
+ public:
+  explicit Untouched(std::size_t n) : m_data(static_cast<T*>(::operator new(n * sizeof(T)))) {}
+  T& operator[](std::size_t i) { return m_data.get()[i]; }
+  const T& operator[](std::size_t i) const { return m_data.get()[i]; }
+
+ private:
+  struct Free {
+    void operator()(T* data) const { ::operator delete(data); }
+  };
+  static_assert(std::is_trivially_destructible_v<T>);
+  std::unique_ptr<T, Free> m_data;
+};
+
+/// Top-down binary build by the surface-area heuristic over binned centres, of samples where parts
+/// are many.
 class BinaryBuilder {
  public:
-  BinaryBuilder(std::span<const Bounds> boxes, const WideBvh::Options& options,
-                std::vector<std::uint32_t>& order)
-      : m_boxes(boxes), m_options(options), m_order(order), m_branches(2 * order.size() + 1) {}
+  BinaryBuilder(std::span<const Bounds> boxes, const std::vector<std::uint32_t>& parts,
+                const WideFrame& frame, const WideBvh::Options& options);
 
-  std::uint32_t run() { return split(0, static_cast<std::uint32_t>(m_order.size()), 0); }
+  std::uint32_t run() { return split(0, m_count, 0, m_all, m_alike); }
   const Branch& operator[](std::uint32_t i) const { return m_branches[i]; }
+  std::uint32_t part_at(std::uint32_t place) const { return m_items[place].part(); }
 
  private:
   static constexpr int kBins = 32, kFewBins = 8;
   /// Few parts need few bins.
   static int bins_for(std::uint32_t count) { return count <= kFewBins ? kFewBins : kBins; }
   static constexpr double kNodeCost = 0.35;  // of one binary step: an 8-wide node does about three
+  static constexpr std::uint32_t kMostSampled = 2048;
   struct Bin {
-    Bounds box;
+    FloatBox box;
     std::uint32_t count = 0;
-    double cost = 0.0;
+  };
+  /// Of some parts: their box, and that of twice their middles.
+  struct Extent {
+    FloatBox box, middles;
+    void include(const Item& item) {
+      box.include(item.box);
+      const __m128 middle = item.box.middle();
+      middles.include({_mm_sub_ps(_mm_setzero_ps(), middle), middle});
+    }
+  };
+  /// bin_of: (middle - start) * per_bin, below 0 and above the bins too by rounding.
+  struct Bins {
+    __m128 start, per_bin;
+    bool any = false;  ///< else all middles are alike
+    Bins(const FloatBox& middles, int bins);
+    __m128 of(const Item& item) const {
+      return _mm_mul_ps(_mm_sub_ps(item.box.middle(), start), per_bin);
+    }
   };
   struct Split {
     double cost = Bounds::kInf;
     int axis = -1, bin = 0;
   };
 
-  WideBvh::Options::Kind kind_of(std::uint32_t part) const {
+  WideBvh::Options::Kind kind_of(const Item& item) const {
     if (m_options.kinds.empty()) return {m_options.pack, m_options.cost, m_options.max_leaf};
-    return m_options.kind_costs[m_options.kinds[part]];
-  }
-  std::uint8_t kind_index(std::uint32_t part) const {
-    return m_options.kinds.empty() ? std::uint8_t{0} : m_options.kinds[part];
+    return m_options.kind_costs[item.kind()];
   }
   bool one_kind(std::uint32_t first, std::uint32_t count) const {
-    const std::uint8_t kind = kind_index(m_order[first]);
-    return std::all_of(m_order.begin() + first, m_order.begin() + first + count,
-                       [&](std::uint32_t part) { return kind_index(part) == kind; });
+    const std::uint32_t kind = m_items[first].kind();
+    for (std::uint32_t i = first + 1; i < first + count; ++i) {
+      if (m_items[i].kind() != kind) return false;
+    }
+    return true;
   }
 
-  std::uint32_t split(std::uint32_t first, std::uint32_t count, int depth);
-  std::uint32_t leaf_cost_parts(std::uint32_t count, int pack) const {
-    return (count + pack - 1) / pack;
+  std::uint32_t split(std::uint32_t first, std::uint32_t count, int depth, const Extent& extent, bool alike);
+  static double leaf_cost_parts(std::uint32_t count, int pack) {
+    return static_cast<double>((count + static_cast<std::uint32_t>(pack) - 1) / static_cast<std::uint32_t>(pack));
   }
   template <int kUsed>
-  Split best_split(std::uint32_t first, std::uint32_t count, const Bounds& centres) const;
-  std::uint32_t divide(std::uint32_t first, std::uint32_t count, const Split& split,
-                       const Bounds& centres);
-  static int bin_of(double centre, double lo, double per_bin, int bins) {
-    return std::clamp(static_cast<int>((centre - lo) * per_bin), 0, bins - 1);
-  }
+  Split best_split(std::uint32_t first, std::uint32_t count, const FloatBox& middles, bool alike) const;
+  template <class IsLeft>
+  std::uint32_t divide(std::uint32_t first, std::uint32_t count, Extent& left, Extent& right, IsLeft&& is_left);
+  std::uint32_t divide(std::uint32_t first, std::uint32_t count, const Split& split, const FloatBox& middles,
+                       Extent& left, Extent& right);
 
-  std::span<const Bounds> m_boxes;
   const WideBvh::Options& m_options;
-  std::vector<std::uint32_t>& m_order;
-  std::vector<Branch> m_branches;
+  std::uint32_t m_count;
+  Untouched<Item> m_items;
+  Untouched<Branch> m_branches;
+  Extent m_all;
+  bool m_alike = true;
   std::atomic<std::uint32_t> m_used{0};
 };
 
+BinaryBuilder::BinaryBuilder(std::span<const Bounds> boxes, const std::vector<std::uint32_t>& parts,
+                             const WideFrame& frame, const WideBvh::Options& options)
+    : m_options(options),
+      m_count(static_cast<std::uint32_t>(parts.size())),
+      m_items(parts.size()),
+      m_branches(2 * parts.size()) {
+  for (std::uint32_t i = 0; i < m_count; ++i) {
+    const std::uint32_t part = parts[i], kind = options.kinds.empty() ? 0u : options.kinds[part];
+    m_items[i] = item_of(boxes[part], frame, part, kind);
+    m_all.include(m_items[i]);
+  }
+  m_alike = options.kinds.empty() || one_kind(0, m_count);
+}
+
+BinaryBuilder::Bins::Bins(const FloatBox& middles, int bins) : start(_mm_sub_ps(_mm_setzero_ps(), middles.low)) {
+  alignas(16) float size[4], rate[4] = {};
+  _mm_store_ps(size, _mm_add_ps(middles.high, middles.low));
+  for (int a = 0; a < 3; ++a) {
+    const float per = static_cast<float>(bins) / size[a];
+    if (!(size[a] > 0.0f && std::isfinite(per))) continue;
+    rate[a] = per;
+    any = true;
+  }
+  per_bin = _mm_load_ps(rate);
+}
+
 template <int kUsed>
 BinaryBuilder::Split BinaryBuilder::best_split(std::uint32_t first, std::uint32_t count,
-                                               const Bounds& centres) const {
+                                               const FloatBox& middles, bool alike) const {
+  const Bins place(middles, kUsed);
+  Split best;
+  if (!place.any) return best;
   Bin bins[3][kUsed];
-  const Vec3 size = centres.hi - centres.lo;
-  double per_bin[3];
-  for (int a = 0; a < 3; ++a) per_bin[a] = size[a] > 0.0 ? kUsed / size[a] : 0.0;
   double weight = 0.0;
-  for (std::uint32_t i = first; i < first + count; ++i) {
-    const std::uint32_t part = m_order[i];
-    const Bounds& box = m_boxes[part];
-    const Vec3 centre = box.centre();
-    const auto kind = kind_of(part);
-    const double cost = kind.cost / kind.pack;
-    weight += cost;
-    for (int a = 0; a < 3; ++a) {
-      if (!(per_bin[a] > 0.0 && std::isfinite(per_bin[a]))) continue;
-      Bin& bin = bins[a][bin_of(centre[a], centres.lo[a], per_bin[a], kUsed)];
-      bin.box.include(box);
+  const __m128 last = _mm_set1_ps(kUsed - 1);
+  const std::uint32_t step = std::max(1u, count / kMostSampled), end = first + count;
+  for (std::uint32_t i = first; i < end; i += step) {
+    const Item& item = m_items[i];
+    const __m128i at = _mm_cvttps_epi32(_mm_max_ps(_mm_min_ps(place.of(item), last), _mm_setzero_ps()));
+    const auto add = [&](Bin& bin) {
+      bin.box.include(item.box);
       ++bin.count;
-      bin.cost += cost;
-    }
+    };
+    add(bins[0][_mm_cvtsi128_si32(at)]);
+    add(bins[1][_mm_cvtsi128_si32(_mm_shuffle_epi32(at, 1))]);
+    add(bins[2][_mm_cvtsi128_si32(_mm_shuffle_epi32(at, 2))]);
+    if (alike) continue;
+    const auto kind = kind_of(item);
+    weight += kind.cost / kind.pack;
   }
   // Cost of one started pack of parts on average: small sides pay for whole packs.
-  const int pack = kind_of(m_order[first]).pack;
-  const double pack_cost = weight / count * pack;
-  Split best;
+  const auto kind = kind_of(m_items[first]);
+  const int pack = step > 1 ? 1 : kind.pack;
+  const std::uint32_t sampled = (count + step - 1) / step;
+  const double pack_cost = (alike ? kind.cost / kind.pack : weight / sampled) * pack * step;
   for (int a = 0; a < 3; ++a) {
-    if (!(per_bin[a] > 0.0 && std::isfinite(per_bin[a]))) continue;
     double right_cost[kUsed];
-    Bounds box;
+    FloatBox box;
     std::uint32_t n = 0;
     for (int b = kUsed - 1; b > 0; --b) {
       box.include(bins[a][b].box);
       n += bins[a][b].count;
       right_cost[b] = n == 0 ? Bounds::kInf : box.surface() * leaf_cost_parts(n, pack) * pack_cost;
     }
-    box = Bounds{};
+    box = FloatBox{};
     n = 0;
     for (int b = 1; b < kUsed; ++b) {
       box.include(bins[a][b - 1].box);
       n += bins[a][b - 1].count;
       if (n == 0) continue;
-      const double cost =
-          box.surface() * leaf_cost_parts(n, pack) * pack_cost + right_cost[b];
+      const double cost = box.surface() * leaf_cost_parts(n, pack) * pack_cost + right_cost[b];
       if (cost < best.cost) best = {cost, a, b};
     }
   }
   return best;
 }
 
-/// Orders the parts so that the left side comes first; returns how many that are.
-std::uint32_t BinaryBuilder::divide(std::uint32_t first, std::uint32_t count, const Split& split,
-                                    const Bounds& centres) {
-  const auto begin = m_order.begin() + first, end = begin + count;
-  if (split.axis >= 0) {
-    const double lo = centres.lo[split.axis];
-    const int bins = bins_for(count);
-    const double per_bin = bins / (centres.hi[split.axis] - lo);
-    const auto middle = std::stable_partition(begin, end, [&](std::uint32_t part) {
-      return bin_of(m_boxes[part].centre()[split.axis], lo, per_bin, bins) < split.bin;
-    });
-    if (middle != begin && middle != end) return static_cast<std::uint32_t>(middle - begin);
+template <class IsLeft>
+std::uint32_t BinaryBuilder::divide(std::uint32_t first, std::uint32_t count, Extent& left, Extent& right,
+                                    IsLeft&& is_left) {
+  std::uint32_t from = first, to = first + count;
+  while (from < to) {
+    const Item item = m_items[from];
+    if (is_left(item)) {
+      left.include(item);
+      ++from;
+    } else {
+      right.include(item);
+      --to;
+      m_items[from] = m_items[to];
+      m_items[to] = item;
+    }
   }
-  return count / 2;  // all centres alike
+  return from - first;
 }
 
-std::uint32_t BinaryBuilder::split(std::uint32_t first, std::uint32_t count, int depth) {
+/// Orders the parts so that the left side comes first; returns how many that are.
+std::uint32_t BinaryBuilder::divide(std::uint32_t first, std::uint32_t count, const Split& split,
+                                    const FloatBox& middles, Extent& left, Extent& right) {
+  if (split.axis >= 0) {
+    const Bins place(middles, bins_for(count));
+    const __m128 limit = _mm_set1_ps(static_cast<float>(split.bin));
+    const int axis = 1 << split.axis;
+    const std::uint32_t n = divide(first, count, left, right, [&](const Item& item) {
+      return (_mm_movemask_ps(_mm_cmplt_ps(place.of(item), limit)) & axis) != 0;
+    });
+    if (n != 0 && n != count) return n;
+    left = right = Extent{};
+  }
+  const std::uint32_t n = count / 2;  // all middles alike
+  for (std::uint32_t i = 0; i < count; ++i) (i < n ? left : right).include(m_items[first + i]);
+  return n;
+}
+
+std::uint32_t BinaryBuilder::split(std::uint32_t first, std::uint32_t count, int depth, const Extent& extent,
+                                   bool alike) {
   const std::uint32_t self = m_used.fetch_add(1);
   Branch& branch = m_branches[self];
-  Bounds centres;
-  for (std::uint32_t i = first; i < first + count; ++i) {
-    branch.box.include(m_boxes[m_order[i]]);
-    centres.include(m_boxes[m_order[i]].centre());
-  }
-  const auto kind = kind_of(m_order[first]);
-  const bool alike = one_kind(first, count);
-  const bool fits = alike && count <= static_cast<std::uint32_t>(kind.max_leaf);
-  if (count == 1) {
-    branch.first = first;
-    branch.count = count;
-    return self;
-  }
-  std::uint32_t left = 0;
+  branch = {extent.box, 0, 0, first, count};
+  if (count == 1) return self;
+  alike = alike || one_kind(first, count);
+  const auto kind = kind_of(m_items[first]);
   // Splits by area lean to one side at worst one part at a time; halving bounds the depth.
   Split best;
   if (depth < 40) {
-    best = bins_for(count) == kFewBins ? best_split<kFewBins>(first, count, centres)
-                                       : best_split<kBins>(first, count, centres);
+    best = bins_for(count) == kFewBins ? best_split<kFewBins>(first, count, extent.middles, alike)
+                                       : best_split<kBins>(first, count, extent.middles, alike);
   }
-  if (fits) {
-    const double area = branch.box.surface();
+  if (alike && count <= static_cast<std::uint32_t>(kind.max_leaf)) {
+    const double area = extent.box.surface();
     const double as_leaf = leaf_cost_parts(count, kind.pack) * kind.cost * area;
-    if (!(best.cost + kNodeCost * area < as_leaf)) {
-      branch.first = first;
-      branch.count = count;
-      return self;
-    }
+    if (!(best.cost + kNodeCost * area < as_leaf)) return self;
   }
+  Extent left, right;
+  std::uint32_t lefts;
   if (!alike && count <= 4) {
     // A few parts of different kinds: a leaf a kind.
-    const std::uint8_t index = kind_index(m_order[first]);
-    const auto begin = m_order.begin() + first;
-    left = static_cast<std::uint32_t>(
-        std::stable_partition(begin, begin + count,
-                              [&](std::uint32_t part) { return kind_index(part) == index; }) -
-        begin);
+    const std::uint32_t index = m_items[first].kind();
+    lefts = divide(first, count, left, right, [&](const Item& item) { return item.kind() == index; });
   } else {
-    left = divide(first, count, best, centres);
+    lefts = divide(first, count, best, extent.middles, left, right);
   }
 #ifdef __SANITIZE_THREAD__
   // What oneTBB's library synchronises inside is not seen: every branch would be reported.
@@ -235,8 +349,9 @@ std::uint32_t BinaryBuilder::split(std::uint32_t first, std::uint32_t count, int
 #else
   constexpr std::uint32_t kParallel = 4096;
 #endif
-  const auto do_left = [&] { branch.left = split(first, left, depth + 1); };
-  const auto do_right = [&] { branch.right = split(first + left, count - left, depth + 1); };
+  branch.count = 0;
+  const auto do_left = [&] { branch.left = split(first, lefts, depth + 1, left, alike); };
+  const auto do_right = [&] { branch.right = split(first + lefts, count - lefts, depth + 1, right, alike); };
   if (count > kParallel) {
     tbb::parallel_invoke(do_left, do_right);
   } else {
@@ -249,55 +364,55 @@ std::uint32_t BinaryBuilder::split(std::uint32_t first, std::uint32_t count, int
 /// Gathers the binary tree into nodes of eight, the largest branches opened first.
 class WideCollapser {
  public:
-  WideCollapser(const BinaryBuilder& tree, const WideFrame& frame, std::vector<WideNode>& nodes,
-                WideBvh::Statistics& statistics)
-      : m_tree(tree), m_frame(frame), m_nodes(nodes), m_statistics(statistics) {}
+  WideCollapser(const BinaryBuilder& tree, std::vector<WideNode>& nodes, WideBvh::Statistics& statistics)
+      : m_tree(tree), m_nodes(nodes), m_statistics(statistics) {}
 
   std::uint32_t emit(std::uint32_t root, int depth);
 
  private:
-  void set_box(WideNode& node, int slot, const Bounds& box) const;
+  static void set_box(WideNode& node, int slot, const FloatBox& box);
 
   const BinaryBuilder& m_tree;
-  const WideFrame& m_frame;
   std::vector<WideNode>& m_nodes;
   WideBvh::Statistics& m_statistics;
 };
 
-void WideCollapser::set_box(WideNode& node, int slot, const Bounds& box) const {
-  const Vec3 lo = m_frame.point(box.lo), hi = m_frame.point(box.hi);
+void WideCollapser::set_box(WideNode& node, int slot, const FloatBox& box) {
+  alignas(16) float low[4], high[4];
+  _mm_store_ps(low, box.low);
+  _mm_store_ps(high, box.high);
   for (int a = 0; a < 3; ++a) {
-    node.planes[a][0][slot] = WideLimits::down(lo[a] - m_frame.pad);
-    node.planes[a][1][slot] = WideLimits::up(hi[a] + m_frame.pad);
+    node.planes[a][0][slot] = -low[a];
+    node.planes[a][1][slot] = high[a];
   }
 }
 
 std::uint32_t WideCollapser::emit(std::uint32_t root, int depth) {
   std::uint32_t children[WideNode::kWidth];
+  float areas[WideNode::kWidth];
   int used = 0;
+  const auto add = [&](int slot, std::uint32_t child) {
+    children[slot] = child;
+    areas[slot] = m_tree[child].count == 0 ? m_tree[child].box.surface() : -1.0f;
+  };
   if (m_tree[root].count > 0) {
-    children[used++] = root;
+    add(used++, root);
   } else {
-    children[used++] = m_tree[root].left;
-    children[used++] = m_tree[root].right;
+    add(used++, m_tree[root].left);
+    add(used++, m_tree[root].right);
   }
   while (used < WideNode::kWidth) {
-    int largest = -1;
-    double area = -1.0;
-    for (int i = 0; i < used; ++i) {
-      const Branch& b = m_tree[children[i]];
-      if (b.count == 0 && b.box.surface() > area) {
-        largest = i;
-        area = b.box.surface();
-      }
+    int largest = 0;
+    for (int i = 1; i < used; ++i) {
+      if (areas[i] > areas[largest]) largest = i;
     }
-    if (largest < 0) break;
+    if (areas[largest] < 0.0f) break;
     const Branch& open = m_tree[children[largest]];
-    children[largest] = open.left;
-    children[used++] = open.right;
+    add(largest, open.left);
+    add(used++, open.right);
   }
   const auto self = static_cast<std::uint32_t>(m_nodes.size());
-  WideNode node;
+  WideNode& node = m_nodes.emplace_back();
   node.used = static_cast<std::uint32_t>(used);
   for (int i = 0; i < WideNode::kWidth; ++i) {
     node.child[i] = WideNode::kLeaf;
@@ -307,7 +422,6 @@ std::uint32_t WideCollapser::emit(std::uint32_t root, int depth) {
     }
     if (i < used) set_box(node, i, m_tree[children[i]].box);
   }
-  m_nodes.push_back(node);
   m_statistics.depth = std::max(m_statistics.depth, depth);
   for (int i = 0; i < used; ++i) {
     const Branch& b = m_tree[children[i]];
@@ -351,9 +465,10 @@ void WideBvh::build(std::span<const Bounds> boxes, const Options& options) {
     throw std::length_error("more parts than a bounding hierarchy holds");
   }
   m_frame = frame_of(m_bounds);
-  BinaryBuilder builder(boxes, options, m_order);
+  BinaryBuilder builder(boxes, m_order, m_frame, options);
   const std::uint32_t root = builder.run();
-  WideCollapser(builder, m_frame, m_nodes, m_statistics).emit(root, 1);
+  for (std::uint32_t i = 0; i < m_order.size(); ++i) m_order[i] = builder.part_at(i);
+  WideCollapser(builder, m_nodes, m_statistics).emit(root, 1);
   m_nodes.shrink_to_fit();
   m_statistics.nodes = m_nodes.size();
   m_statistics.parts = m_order.size();

@@ -37,7 +37,7 @@ class Compiler {
         return static_cast<std::int16_t>(-static_cast<int>(i) - 1);
       }
     }
-    if (m_constants.size() >= 32000) throw std::length_error("function too complex");
+    if (m_constants.size() >= Program::kMostConstants) throw std::length_error("function too complex");
     m_constants.push_back(value);
     return static_cast<std::int16_t>(-static_cast<int>(m_constants.size()));
   }

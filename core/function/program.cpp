@@ -74,38 +74,43 @@ Program::Program(std::vector<Instruction> code, std::vector<double> constants,
   for (const auto& callee : m_callees) {
     m_calls.push_back({callee.get(), callee->parameters(), callee->results() == 1});
   }
+  std::reverse(m_constants.begin(), m_constants.end());
+  for (Instruction& i : m_code) {
+    if (i.kind != ProgramOp::kArithmetic) continue;
+    if (i.op == FunctionOp::kAdd) i.kind = ProgramOp::kAdd;
+    if (i.op == FunctionOp::kSubtract) i.kind = ProgramOp::kSubtract;
+    if (i.op == FunctionOp::kMultiply) i.kind = ProgramOp::kMultiply;
+  }
 }
 
 double Program::evaluate(std::span<const double> arguments) const {
   // Not initialised: a program writes every register before it reads it.
-  if (m_frame <= kSmallFrame) {
-    std::array<double, kSmallFrame> frame;
-    return run(frame.data(), arguments);
+  if (m_constants.size() + m_frame <= kSmallFrame) {
+    std::array<double, kSmallFrame> memory;
+    return run(memory.data(), arguments);
   }
-  std::array<double, kLargestFrame> frame;
-  return run(frame.data(), arguments);
+  if (m_constants.size() + m_frame <= kLargestFrame) {
+    std::array<double, kLargestFrame> memory;
+    return run(memory.data(), arguments);
+  }
+  std::array<double, kLargestFrame + kMostConstants> memory;
+  return run(memory.data(), arguments);
 }
 
-double Program::run(double* frame, std::span<const double> arguments) const {
+double Program::run(double* memory, std::span<const double> arguments) const {
+  std::copy(m_constants.begin(), m_constants.end(), memory);
+  double* const frame = memory + m_constants.size();
   std::copy_n(arguments.data(), m_parameters, frame);
-  const double* constants = m_constants.data();
-  const auto value = [&](std::int16_t i) { return i >= 0 ? frame[i] : constants[-i - 1]; };
+  const auto value = [frame](std::int16_t i) { return frame[i]; };
   const Instruction* const code = m_code.data();
   const std::size_t count = m_code.size();
   for (std::size_t pc = 0; pc < count;) {
     const Instruction& i = code[pc++];
     switch (i.kind) {
-      case ProgramOp::kArithmetic: {
-        const double a = value(i.a), b = value(i.b);
-        // What functions do most, without a call.
-        switch (i.op) {
-          case FunctionOp::kAdd: frame[i.target] = a + b; break;
-          case FunctionOp::kSubtract: frame[i.target] = a - b; break;
-          case FunctionOp::kMultiply: frame[i.target] = a * b; break;
-          default: frame[i.target] = apply(i.op, a, b);
-        }
-        break;
-      }
+      case ProgramOp::kAdd: frame[i.target] = value(i.a) + value(i.b); break;
+      case ProgramOp::kSubtract: frame[i.target] = value(i.a) - value(i.b); break;
+      case ProgramOp::kMultiply: frame[i.target] = value(i.a) * value(i.b); break;
+      case ProgramOp::kArithmetic: frame[i.target] = apply(i.op, value(i.a), value(i.b)); break;
       case ProgramOp::kMove: frame[i.target] = value(i.a); break;
       case ProgramOp::kJump: pc = i.jump; break;
       case ProgramOp::kJumpFalse: if (value(i.a) == 0.0) pc = i.jump; break;

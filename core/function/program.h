@@ -24,6 +24,9 @@ enum class ProgramOp : std::uint8_t {
   kJumpNotZero,
   kJumpPast,     ///< to `jump` unless a <= b, so with nan too
   kCall,         ///< target = component `a` of callee number `jump` called with registers from b
+  kAdd,          ///< what functions do most: Program makes these of kArithmetic
+  kSubtract,
+  kMultiply,
 };
 
 struct Instruction {
@@ -37,6 +40,7 @@ class Program final : public Function {
  public:
   static constexpr std::size_t kSmallFrame = 48;
   static constexpr std::size_t kLargestFrame = 2048;
+  static constexpr std::size_t kMostConstants = 32000;
 
   Program(std::vector<Instruction> code, std::vector<double> constants,
           std::vector<std::shared_ptr<const Function>> callees, std::size_t parameters,
@@ -47,10 +51,10 @@ class Program final : public Function {
   std::string not_yet() const override;
 
  private:
-  double run(double* frame, std::span<const double> arguments) const;
+  double run(double* memory, std::span<const double> arguments) const;
 
   std::vector<Instruction> m_code;
-  std::vector<double> m_constants;
+  std::vector<double> m_constants;  ///< last first: they lie before the registers
   std::vector<std::shared_ptr<const Function>> m_callees;
   /// The same, with what a call needs to know.
   struct Callee {

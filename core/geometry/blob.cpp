@@ -17,6 +17,16 @@ namespace {
 
 constexpr std::size_t kMany = 9;  // fields from which a hierarchy over them pays
 
+using Found = boost::container::small_vector<std::uint32_t, 48>;
+
+// In line, for rays have to be moved to the space of each field they may meet.
+Vec3 vector_into(const Matrix& m, const Vec3& v) {
+  return {v.x * m[0][0] + v.y * m[1][0] + v.z * m[2][0],
+          v.x * m[0][1] + v.y * m[1][1] + v.z * m[2][1],
+          v.x * m[0][2] + v.y * m[1][2] + v.z * m[2][2]};
+}
+Vec3 point_into(const Matrix& m, const Vec3& p) { return vector_into(m, p) + Vec3{m[3][0], m[3][1], m[3][2]}; }
+
 /// Keeps the part of [from, to] where p + t d lies between lo and hi.
 void clip(double p, double d, double lo, double hi, double& from, double& to) {
   if (d == 0.0) {
@@ -56,7 +66,10 @@ Blob::Blob(double threshold, std::vector<BlobField> fields)
     }
     m_scales.push_back(std::sqrt(most));
   }
-  if (m_fields.size() >= kMany && m_reach.is_finite()) m_search = WideBvh(m_boxes);
+  if (m_fields.size() < kMany || !m_reach.is_finite()) return;
+  WideBvh::Options options;
+  options.max_leaf = 1;  // its box is tested then
+  m_search = WideBvh(m_boxes, options);
 }
 
 void Blob::drop_shortcuts() {
@@ -66,32 +79,44 @@ void Blob::drop_shortcuts() {
 
 template <class Visit>
 void Blob::for_fields(const Ray& ray, Visit&& visit) const {
-  const BoxRay box_ray(ray);
-  const auto met = [&](std::size_t i) { return box_ray.meets(m_boxes[i], -Bounds::kInf, Bounds::kInf); };
   if (m_search.order().empty()) {
+    const BoxRay box_ray(ray);
     for (std::size_t i = 0; i < m_fields.size(); ++i) {
-      if (met(i)) visit(m_fields[i]);
+      if (box_ray.meets(m_boxes[i], -Bounds::kInf, Bounds::kInf)) visit(m_fields[i]);
     }
     return;
   }
-  boost::container::small_vector<std::uint32_t, 48> found;
-  m_search.traverse(ray, -Bounds::kInf, Bounds::kInf,
-                    [&](std::uint32_t first, std::uint32_t count, double&) {
-                      for (std::uint32_t place = first; place < first + count; ++place) {
-                        const std::uint32_t i = m_search.order()[place];
-                        if (met(i)) found.push_back(i);
-                      }
-                      return false;
-                    });
+  Found found;
+  const auto add = [&](std::uint32_t place, double&) {
+    found.push_back(m_search.order()[WideBvh::first_of(place)]);
+    return false;
+  };
+  CountNothing nothing;
+  if (WideBvh::has_avx2()) {
+    m_search.traverse_avx2<false>(ray, -Bounds::kInf, Bounds::kInf, add, nothing);
+  } else {
+    m_search.traverse_portable(ray, -Bounds::kInf, Bounds::kInf, add, nothing);
+  }
   std::sort(found.begin(), found.end());
   for (const std::uint32_t i : found) visit(m_fields[i]);
 }
 
 template <class Visit>
 void Blob::for_fields(const Vec3& p, Visit&& visit) const {
-  for (std::size_t i = 0; i < m_fields.size(); ++i) {
-    if (m_boxes[i].contains(p)) visit(m_fields[i]);
+  if (m_search.order().empty()) {
+    for (std::size_t i = 0; i < m_fields.size(); ++i) {
+      if (m_boxes[i].contains(p)) visit(m_fields[i]);
+    }
+    return;
   }
+  Found found;
+  m_search.at_point(p, [&](std::uint32_t first, std::uint32_t) {
+    const std::uint32_t i = m_search.order()[first];
+    if (m_boxes[i].contains(p)) found.push_back(i);
+    return false;
+  });
+  std::sort(found.begin(), found.end());
+  for (const std::uint32_t i : found) visit(m_fields[i]);
 }
 
 /// Whether the fields can add up to the threshold anywhere in the ball.
@@ -124,8 +149,8 @@ Bounds Blob::bounds_in(const Transform& t) const {
 }
 
 void Blob::find_reaches(const BlobField& field, const Ray& ray, Reaches& out) const {
-  const Vec3 p = field.to_blob.inverse_point(ray.origin);
-  const Vec3 d = field.to_blob.inverse_vector(ray.direction);
+  const Matrix& into = field.to_blob.inverse_rows();
+  const Vec3 p = point_into(into, ray.origin), d = vector_into(into, ray.direction);
   const double scale = 1.0 / (field.radius * field.radius);
   const auto add = [&](double z, bool round, double lo, double hi) {
     // Distance from the point at height z, or from the axis.

@@ -10,11 +10,14 @@
 namespace lentray::core {
 namespace {
 
-/// The root of a cubic in [lo, hi], at whose ends it has different signs.
-double root_between(const double f[4], double lo, double hi, bool lo_positive) {
+/// The root of a cubic in [lo, hi], at whose ends it has values of different signs; found from where
+/// a line between these has its own.
+double root_between(const double f[4], double lo, double hi, double at_lo, double at_hi) {
   constexpr int kMaxSteps = 80;
-  constexpr double kClose = 1e-16;
-  double x = 0.5 * (lo + hi);
+  constexpr double kClose = 3e-16;  // a rounding of 1
+  const bool lo_positive = at_lo > 0.0;
+  double x = lo + (hi - lo) * (at_lo / (at_lo - at_hi));
+  if (!(x >= lo && x <= hi)) x = 0.5 * (lo + hi);
   for (int step = 0; step < kMaxSteps && hi - lo > kClose; ++step) {
     const double y = ((f[0] * x + f[1]) * x + f[2]) * x + f[3];
     const double slope = (3.0 * f[0] * x + 2.0 * f[1]) * x + f[2];
@@ -84,15 +87,13 @@ int line_crossings(const CurvePiece& piece, double a, double b, double c, double
   turns[pieces++] = 1.0;
   int count = 0;
   double from = 0.0;
-  bool positive = f[3] > 0.0;
+  double before = f[3];
   for (int i = 0; i < pieces; ++i) {
     const double to = turns[i];
     const double value =
         i + 1 == pieces ? along(piece.end, a, b, c) : ((f[0] * to + f[1]) * to + f[2]) * to + f[3];
-    if ((value > 0.0) != positive) {
-      s[count++] = root_between(f, from, to, positive);
-      positive = !positive;
-    }
+    if ((value > 0.0) != (before > 0.0)) s[count++] = root_between(f, from, to, before, value);
+    before = value;
     from = to;
   }
   return count;
@@ -107,6 +108,25 @@ Outline::Outline(std::vector<CurvePiece> pieces) : m_pieces(std::move(pieces)) {
     m_lo = {std::min(m_lo.u, m_boxes.back().lo.u), std::min(m_lo.v, m_boxes.back().lo.v)};
     m_hi = {std::max(m_hi.u, m_boxes.back().hi.u), std::max(m_hi.v, m_boxes.back().hi.v)};
   }
+  fill_bands();
+}
+
+/// Bands of equal height; outlines of few pieces have one.
+void Outline::fill_bands() {
+  constexpr std::size_t kPiecesABand = 4;
+  m_bands = static_cast<int>(std::clamp<std::size_t>(m_pieces.size() / kPiecesABand, 1, kMostBands));
+  m_bands_per_v = m_bands / (m_hi.v - m_lo.v);
+  if (!std::isfinite(m_bands_per_v) || !std::isfinite(m_lo.v)) {
+    m_bands = 1;
+    m_bands_per_v = 0.0;
+  }
+  for (int band = 0; band < m_bands; ++band) {
+    m_band_starts.push_back(static_cast<std::uint32_t>(m_in_bands.size()));
+    for (std::uint32_t i = 0; i < m_pieces.size(); ++i) {
+      if (band_of(m_boxes[i].lo.v) <= band && band <= band_of(m_boxes[i].hi.v)) m_in_bands.push_back(i);
+    }
+  }
+  m_band_starts.push_back(static_cast<std::uint32_t>(m_in_bands.size()));
 }
 
 Outline::Box Outline::box_of(const CurvePiece& piece) {
@@ -132,14 +152,21 @@ void Outline::drop_boxes() {
   m_lo = {-kInf, -kInf};
   m_hi = {kInf, kInf};
   m_boxes.assign(m_boxes.size(), {m_lo, m_hi});
+  m_in_bands.clear();
+  m_band_starts.clear();
+  fill_bands();
 }
 
 bool Outline::contains(double u, double v) const {
   if (!(u >= m_lo.u && u <= m_hi.u && v >= m_lo.v && v <= m_hi.v)) return false;
   bool inside = false;
-  for (std::size_t i = 0; i < m_pieces.size(); ++i) {
+  for (const std::uint32_t i : in_band(band_of(v))) {
     const Box& box = m_boxes[i];
     if (v < box.lo.v || v > box.hi.v || u > box.hi.u) continue;
+    if (u < box.lo.u) {  // all of it is beyond: how often it crosses follows from its ends
+      if ((m_pieces[i].d.v > v) != (m_pieces[i].end.v > v)) inside = !inside;
+      continue;
+    }
     double s[3];
     const int n = line_crossings(m_pieces[i], 0.0, 1.0, -v, s);
     for (int k = 0; k < n; ++k) {

@@ -5,7 +5,9 @@
 // Immutable; any number of threads.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/base/vec3.h"
@@ -52,11 +54,26 @@ class Outline {
 
  private:
   static Box box_of(const CurvePiece& piece);
+  static constexpr int kMostBands = 16;
+  /// Which band of v a place is in, beyond them the nearest; rises with v.
+  int band_of(double v) const {
+    const double at = (v - m_lo.v) * m_bands_per_v;
+    return at > 0.0 ? static_cast<int>(std::min(at, static_cast<double>(m_bands - 1))) : 0;
+  }
+  /// The pieces, rising, that reach into a band.
+  std::span<const std::uint32_t> in_band(int band) const {
+    const auto i = static_cast<std::size_t>(band);
+    return std::span(m_in_bands).subspan(m_band_starts[i], m_band_starts[i + 1] - m_band_starts[i]);
+  }
+  void fill_bands();
   static bool may_cross(const Box& box, double a, double b, double c);
 
   std::vector<CurvePiece> m_pieces;
   std::vector<Box> m_boxes;
   Vec2 m_lo, m_hi;
+  int m_bands = 1;
+  double m_bands_per_v = 0.0;
+  std::vector<std::uint32_t> m_in_bands, m_band_starts;
 };
 
 /// Parameters in 0..1 at which the piece crosses the line, at most three; the number of them.
@@ -64,11 +81,17 @@ int line_crossings(const CurvePiece& piece, double a, double b, double c, double
 
 template <class Visit>
 void Outline::crossings(double a, double b, double c, const Box& region, Visit&& visit) const {
-  for (std::uint32_t i = 0; i < m_pieces.size(); ++i) {
-    if (!m_boxes[i].meets(region) || !may_cross(m_boxes[i], a, b, c)) continue;
+  const auto look = [&](std::uint32_t i) {
+    if (!m_boxes[i].meets(region) || !may_cross(m_boxes[i], a, b, c)) return;
     double s[3];
     const int n = line_crossings(m_pieces[i], a, b, c, s);
     for (int k = 0; k < n; ++k) visit(i, s[k]);
+  };
+  const int band = band_of(region.lo.v);
+  if (band == band_of(region.hi.v)) {
+    for (const std::uint32_t i : in_band(band)) look(i);
+  } else {
+    for (std::uint32_t i = 0; i < m_pieces.size(); ++i) look(i);
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/geometry/roots.h"
 
@@ -9,10 +10,10 @@ namespace lentray::core {
 namespace {
 
 constexpr int kMost = Poly::kMaxOrder + 1;
-using Powers = std::array<std::array<double, kMost>, kMost>;
 
 /// powers[n][m]: coefficient of t^m in (p + d t)^n, for n up to `order`.
-void powers_of(double p, double d, int order, Powers& powers) {
+template <int kSize>
+void powers_of(double p, double d, int order, double (&powers)[kSize][kSize]) {
   powers[0][0] = 1.0;
   for (int n = 1; n <= order; ++n) {
     powers[n][0] = powers[n - 1][0] * p;
@@ -49,6 +50,36 @@ double Poly::value(const Vec3& p) const {
   return sum;
 }
 
+/// The polynomial of t at p + d t, highest power first. Terms of the same power of x, and of x and
+/// y, come one after the other and are multiplied by it once.
+template <int kSize>
+void Poly::along(const Vec3& p, const Vec3& d, double* c) const {
+  double x[kSize][kSize], y[kSize][kSize], z[kSize][kSize];
+  powers_of(p.x, d.x, m_order, x);
+  powers_of(p.y, d.y, m_order, y);
+  powers_of(p.z, d.z, m_order, z);
+  const auto add_product = [](const double* by, int by_order, const double* from, int order, double* to) {
+    for (int a = 0; a <= by_order; ++a) {
+      for (int b = 0; b <= order; ++b) to[a + b] += by[a] * from[b];
+    }
+  };
+  double line[kSize] = {};  // of rising powers
+  for (auto t = m_terms.begin(); t != m_terms.end();) {
+    const int i = t->i, rest = m_order - i;
+    double plane[kSize] = {};
+    while (t != m_terms.end() && t->i == i) {
+      const int j = t->j, most = t->k;
+      double row[kSize] = {};
+      for (; t != m_terms.end() && t->i == i && t->j == j; ++t) {
+        for (int b = 0; b <= t->k; ++b) row[b] += t->c * z[t->k][b];
+      }
+      add_product(y[j], j, row, most, plane);
+    }
+    add_product(x[i], i, plane, rest, line);
+  }
+  for (int m = 0; m <= m_order; ++m) c[m] = line[m_order - m];
+}
+
 int Poly::crossings(const Ray& ray, double t_min, double t_max, double* roots) const {
   // Counted from the ray's nearest point to the origin and in unit lengths, so that coefficients
   // stay small.
@@ -56,28 +87,18 @@ int Poly::crossings(const Ray& ray, double t_min, double t_max, double* roots) c
   const Vec3 d = ray.direction / length_of_unit;
   const double shift = -dot(ray.origin, d);
   const Vec3 p = ray.origin + d * shift;
-  Powers x, y, z;
-  powers_of(p.x, d.x, m_order, x);
-  powers_of(p.y, d.y, m_order, y);
-  powers_of(p.z, d.z, m_order, z);
-  std::array<double, kMost> line{};  // line[m]: coefficient of t^m
-  for (const Term& t : m_terms) {
-    std::array<double, kMost> xy;
-    std::fill_n(xy.data(), t.i + t.j + 1, 0.0);
-    for (int a = 0; a <= t.i; ++a) {
-      const double by_x = t.c * x[t.i][a];
-      if (by_x == 0.0) continue;
-      for (int b = 0; b <= t.j; ++b) xy[a + b] += by_x * y[t.j][b];
-    }
-    for (int a = 0; a <= t.i + t.j; ++a) {
-      if (xy[a] == 0.0) continue;
-      for (int b = 0; b <= t.k; ++b) line[a + b] += xy[a] * z[t.k][b];
-    }
+  std::array<double, kMost> c;
+  if (m_order <= 4) {
+    along<5>(p, d, c.data());
+  } else if (m_order <= 8) {
+    along<9>(p, d, c.data());
+  } else {
+    along<kMost>(p, d, c.data());
   }
-  std::array<double, kMost> c;  // highest first
-  for (int m = 0; m <= m_order; ++m) c[m] = line[m_order - m];
-  const int n = solve_between_bounds(c.data(), m_order, t_min * length_of_unit - shift,
-                                     t_max * length_of_unit - shift, roots);
+  // t_max does not cut: the roots' last bits would tell what else the ray has met.
+  const double from = t_min * length_of_unit - shift;
+  if (t_max * length_of_unit - shift <= from) return 0;
+  const int n = solve_between_bounds(c.data(), m_order, from, std::numeric_limits<double>::infinity(), roots);
   for (int i = 0; i < n; ++i) roots[i] = (roots[i] + shift) / length_of_unit;
   return n;
 }

@@ -28,12 +28,14 @@ class Poly final : public Shape {
     double c;
     int i, j, k;  ///< powers of x, y, z
   };
+  template <int kSize>
+  void along(const Vec3& p, const Vec3& d, double* c) const;
   int crossings(const Ray& ray, double t_min, double t_max, double* roots) const;
   double value(const Vec3& p) const;
 
   std::string_view m_name;
   int m_order;
-  std::vector<Term> m_terms;
+  std::vector<Term> m_terms;  ///< powers of x falling, then of y, then of z
 };
 
 }  // namespace lentray::core

@@ -118,23 +118,35 @@ void Prism::walls(const Vec3& origin, const Vec3& direction, double t_min, doubl
   });
 }
 
+/// Where the line of the ray meets a cap.
+bool Prism::met_cap(std::uint32_t cap, const Vec3& origin, const Vec3& direction, double& t) const {
+  if (m_open || direction.z == 0.0) return false;
+  const double height = cap == kLowCap ? m_from : m_to;
+  t = (height - origin.z) / direction.z;
+  return contains(origin.x + t * direction.x, origin.y + t * direction.y, height);
+}
+
 template <class Visit>
 void Prism::crossings(const Ray& ray, double t_min, double t_max, Visit&& visit) const {
   if (!BoxRay(ray).meets(m_reach, t_min, t_max)) return;
   const Vec3 origin = swept(ray.origin), direction = swept(ray.direction);
-  if (!m_open && direction.z != 0.0) {
-    const double heights[2] = {m_from, m_to};
-    for (const std::uint32_t cap : {kLowCap, kHighCap}) {
-      const double t = (heights[cap] - origin.z) / direction.z;
-      if (contains(origin.x + t * direction.x, origin.y + t * direction.y, heights[cap])) {
-        visit(t, cap, 0.0);
-      }
-    }
+  for (const std::uint32_t cap : {kLowCap, kHighCap}) {
+    double t;
+    if (met_cap(cap, origin, direction, t)) visit(t, cap, 0.0);
   }
   walls(origin, direction, t_min, t_max, visit);
 }
 
+/// The cap that the ray comes to first is before all else: walls lie between the caps.
 bool Prism::nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const {
+  if (!BoxRay(ray).meets(m_reach, t_min, t_max)) return false;
+  const Vec3 origin = swept(ray.origin), direction = swept(ray.direction);
+  const std::uint32_t first = direction.z > 0.0 ? kLowCap : kHighCap;
+  double t;
+  if (met_cap(first, origin, direction, t) && t > t_min && t < t_max) {
+    hit = {t, first, 0.0, 0.0};
+    return true;
+  }
   const auto each = [&](auto&& visit) { crossings(ray, t_min, t_max, visit); };
   return nearest_of_all(each, t_min, t_max, hit);
 }

@@ -36,6 +36,7 @@ class Prism final : public Shape {
     return m_sweep == Sweep::kAlongZ ? p : Vec3{p.x, p.z, p.y};
   }
   bool contains(double u, double v, double height) const;
+  bool met_cap(std::uint32_t cap, const Vec3& origin, const Vec3& direction, double& t) const;
   template <class Visit>
   void crossings(const Ray& ray, double t_min, double t_max, Visit&& visit) const;
   template <class Visit>

@@ -1,6 +1,7 @@
 #include "core/geometry/roots.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -123,12 +124,135 @@ int solve_pieces(const double* c, int order, double lo, double hi, int rootless,
   return n;
 }
 
+/// Highest order whose roots are first parted by Bernstein coefficients.
+constexpr int kMostParted = 12;
+
+using Binomials = std::array<std::array<double, kMostParted + 1>, kMostParted + 1>;
+constexpr Binomials kInverseBinomials = [] {
+  Binomials all{};
+  for (int n = 0; n <= kMostParted; ++n) {
+    double ways = 1.0;
+    for (int k = 0; k <= n; ++k) {
+      all[static_cast<std::size_t>(n)][static_cast<std::size_t>(k)] = 1.0 / ways;
+      ways = ways * (n - k) / (k + 1);
+    }
+  }
+  return all;
+}();
+
+/// Parts an interval until the signs of the Bernstein coefficients tell that a piece has no root or
+/// one (Descartes' rule); pieces that stay unclear go to solve_pieces.
+class RootParting {
+ public:
+  RootParting(const double* c, int order, double* roots) : m_c(c), m_order(order), m_roots(roots) {}
+
+  int solve(double lo, double hi) {
+    double b[kMostParted + 1];
+    expand(lo, hi - lo, b);
+    part(b, lo, hi, 0);
+    return m_count;
+  }
+
+ private:
+  static constexpr int kMostDepth = 5;
+  enum class Signs { kNone, kOne, kUnclear };
+
+  /// Coefficients over lo .. lo + h, and how far off rounding can have them, generously.
+  void expand(double lo, double h, double* b) {
+    constexpr double kRounding = 1e-12;
+    const double reach = std::fabs(lo) + h;
+    double size = 0.0;
+    for (int i = 0; i <= m_order; ++i) {
+      b[m_order - i] = m_c[i];  // of rising powers
+      size = size * reach + std::fabs(m_c[i]);
+    }
+    m_rounding = kRounding * size;
+    for (int k = 0; k < m_order; ++k) {
+      for (int i = m_order - 1; i >= k; --i) b[i] += b[i + 1] * lo;
+    }
+    const auto& inverse = kInverseBinomials[static_cast<std::size_t>(m_order)];
+    double power = 1.0;
+    for (int k = 0; k <= m_order; ++k) {
+      b[k] *= power * inverse[static_cast<std::size_t>(k)];
+      power *= h;
+    }
+    for (int r = 1; r <= m_order; ++r) {
+      for (int j = m_order; j >= r; --j) b[j] += b[j - 1];
+    }
+  }
+
+  Signs signs(const double* b) const {
+    int changes = 0, last = 0;
+    bool doubtful = false;  // coefficients of any sign since the last clear one
+    for (int i = 0; i <= m_order; ++i) {
+      const int sign = b[i] > m_rounding ? 1 : b[i] < -m_rounding ? -1 : 0;
+      if (sign == 0) {
+        if (i == 0 || i == m_order) return Signs::kUnclear;
+        doubtful = true;
+        continue;
+      }
+      if (sign == last && doubtful) return Signs::kUnclear;
+      doubtful = false;
+      if (last != 0 && sign != last && ++changes > 1) return Signs::kUnclear;
+      last = sign;
+    }
+    return changes == 0 ? Signs::kNone : last == 0 ? Signs::kUnclear : Signs::kOne;
+  }
+
+  void part(const double* b, double lo, double hi, int depth) {
+    const Signs found = signs(b);
+    if (found == Signs::kNone) return;
+    if (found == Signs::kOne) {
+      const double flo = value(m_c, m_order, lo), fhi = value(m_c, m_order, hi);
+      if ((flo < 0.0 && fhi > 0.0) || (flo > 0.0 && fhi < 0.0)) {
+        add(bracketed(m_c, m_order, lo, hi, flo));
+        return;
+      }
+    }
+    const double middle = 0.5 * (lo + hi);
+    if (found == Signs::kOne || depth == kMostDepth || !(middle > lo && middle < hi)) {
+      double roots[kMostParted];
+      const int n = solve_pieces(m_c, m_order, lo, hi, rootless_derivative(m_c, m_order, lo, hi), roots);
+      for (int i = 0; i < n; ++i) add(roots[i]);
+      return;
+    }
+    double left[kMostParted + 1], right[kMostParted + 1];
+    std::copy_n(b, m_order + 1, right);
+    for (int i = 0; i <= m_order; ++i) {
+      left[i] = right[0];
+      for (int j = 0; j < m_order - i; ++j) right[j] = 0.5 * (right[j] + right[j + 1]);
+    }
+    part(left, lo, middle, depth + 1);
+    part(right, middle, hi, depth + 1);
+  }
+
+  void add(double root) {
+    if (m_count < m_order && (m_count == 0 || m_roots[m_count - 1] != root)) m_roots[m_count++] = root;
+  }
+
+  const double* m_c;
+  int m_order;
+  double* m_roots;
+  int m_count = 0;
+  double m_rounding = 0.0;
+};
+
+double root_of(double x, int degree) {
+  switch (degree) {
+    case 1: return x;
+    case 2: return std::sqrt(x);
+    case 3: return std::cbrt(x);
+    case 4: return std::sqrt(std::sqrt(x));
+    default: return std::pow(x, 1.0 / degree);
+  }
+}
+
 /// A bound of the size of all roots (Fujiwara 1916).
 double roots_bound(const double* c, int order) {
   double bound = 0.0;
   for (int k = 1; k <= order; ++k) {
     const double share = k == order ? 0.5 : 1.0;
-    bound = std::max(bound, std::pow(std::fabs(c[k] / c[0]) * share, 1.0 / k));
+    bound = std::max(bound, root_of(std::fabs(c[k] / c[0]) * share, k));
   }
   return 2.0 * bound;
 }
@@ -183,6 +307,7 @@ int solve_between(const double* c, int order, double lo, double hi, double* root
   }
   if (!(lo <= hi)) return 0;
   if (order <= 2) return solve_low_order(c, order, lo, hi, roots);
+  if (order <= kMostParted && lo < hi) return RootParting(c, order, roots).solve(lo, hi);
   return solve_pieces(c, order, lo, hi, rootless_derivative(c, order, lo, hi), roots);
 }
 
@@ -193,7 +318,12 @@ int solve_between_bounds(const double* c, int order, double lo, double hi, doubl
   }
   const double bound = order > 1 ? roots_bound(c, order) : std::numeric_limits<double>::infinity();
   if (!std::isfinite(bound) && order > 1) return solve_between_bounds(c + 1, order - 1, lo, hi, roots);
-  return solve_between(c, order, std::max(lo, -bound), std::min(hi, bound), roots);
+  const double from = std::max(lo, -bound), to = std::min(hi, bound);
+  // Of a cubic over all that a ray has before it the derivative's roots are found at once: cheaper.
+  if (order == 3 && from <= to && !std::isfinite(hi)) {
+    return solve_pieces(c, order, from, to, rootless_derivative(c, order, from, to), roots);
+  }
+  return solve_between(c, order, from, to, roots);
 }
 
 }  // namespace lentray::core

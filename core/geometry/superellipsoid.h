@@ -26,6 +26,12 @@ class Superellipsoid final : public Shape {
   template <class Visit>
   void crossings(const Ray& ray, double t_min, double t_max, Visit&& visit) const;
 
+  struct Sloped;
+  Sloped along(const Ray& ray, double t) const;
+  bool approach(const Ray& ray, double from, double to, double& t) const;
+  template <class Visit>
+  void convex_crossings(const Ray& ray, double lo, double hi, Visit&& visit) const;
+
   double m_round_xy, m_round_z;  ///< 2/e, 2/n
   bool m_convex;
 };

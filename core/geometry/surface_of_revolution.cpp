@@ -89,23 +89,26 @@ void SurfaceOfRevolution::crossings(const Ray& ray, double t_min, double t_max,
   if (!BoxRay(ray).meets(m_reach, t_min, t_max)) return;
   const AboutAxis about(ray);
   const bool level = std::fabs(about.climb) <= kLevel * about.across;
+  // Counted from the point nearest to the middle: rays along the axis are near it nowhere or far away.
+  const Vec3 middle{0.0, 0.5 * (m_pieces.front().low + m_pieces.back().high), 0.0};
+  const double shift = dot(middle - ray.origin, ray.direction) / dot(ray.direction, ray.direction);
+  const Vec3 o = ray.at(shift), &d = ray.direction;
+  const double a2 = d.x * d.x + d.z * d.z, b = o.x * d.x + o.z * d.z, c = o.x * o.x + o.z * o.z;
   if (!m_open && !level) {
     const auto flat = [&](double height, double r2, std::uint32_t element) {
-      const double t = (height - about.height) / about.climb;
-      if (about.across * about.across * t * t + about.near2 <= r2) {
-        visit(about.t_near + t, element, 0.0);
-      }
+      const double t = (height - o.y) / d.y;
+      if ((a2 * t + 2.0 * b) * t + c <= r2) visit(shift + t, element, 0.0);
     };
     if (m_base2 > 0.0) flat(m_pieces.front().low, m_base2, base());
     if (m_cap2 > 0.0) flat(m_pieces.back().high, m_cap2, cap());
   }
-  const double a2 = about.across * about.across, climb = about.climb;
+  const double climb = d.y;
   for (std::uint32_t i = 0; i < m_pieces.size(); ++i) {
     const Piece& p = m_pieces[i];
     if (about.near2 > p.widest2 * (1.0 + kSlack)) continue;
     // t_max does not cut: the roots' last bits would tell what else the ray has met.
-    double lo = t_min - about.t_near, hi = Bounds::kInf;
-    const double g = about.height - p.low, margin = kSlack * (p.high - p.low);
+    double lo = t_min - shift, hi = Bounds::kInf;
+    const double g = o.y - p.low, margin = kSlack * (p.high - p.low);
     if (level) {
       if (g < 0.0 || g > p.high - p.low) continue;
     } else {
@@ -113,15 +116,15 @@ void SurfaceOfRevolution::crossings(const Ray& ray, double t_min, double t_max,
       lo = std::max(lo, std::min(t0, t1));
       hi = std::min(hi, std::max(t0, t1));
     }
-    if (!(lo <= hi) || t_max - about.t_near <= lo) continue;
+    if (!(lo <= hi) || t_max - shift <= lo) continue;
     const double cubic[4] = {p.c3 * climb * climb * climb,
-                             (p.c2 + 3.0 * p.c3 * g) * climb * climb - a2, p.slope(g) * climb,
-                             p.at(g) - about.near2};
+                             (p.c2 + 3.0 * p.c3 * g) * climb * climb - a2, p.slope(g) * climb - 2.0 * b,
+                             p.at(g) - c};
     double root[3];
     const int n = solve_between_bounds(cubic, 3, lo, hi, root);
     for (int k = 0; k < n; ++k) {
       const double s = g + climb * root[k];
-      if (s >= -margin && s <= p.high - p.low + margin) visit(about.t_near + root[k], i, 0.0);
+      if (s >= -margin && s <= p.high - p.low + margin) visit(shift + root[k], i, 0.0);
     }
   }
 }

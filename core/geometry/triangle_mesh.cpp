@@ -30,9 +30,9 @@ bool covers(const double x[3], const double y[3]) {
 }  // namespace
 
 TriangleMesh::TriangleMesh(MeshData data) : m_data(std::move(data)) {
-  std::vector<MeshFace> faces;
-  faces.reserve(m_data.faces.size());
-  for (const MeshFace& f : m_data.faces) {
+  std::vector<MeshFace> faces = std::move(m_data.faces);
+  std::size_t kept = 0;
+  for (const MeshFace& f : faces) {
     check(f.vertex, m_data.vertices.size(), false);
     check(f.normal, m_data.normals.size(), true);
     check(f.uv, m_data.uvs.size(), true);
@@ -40,9 +40,10 @@ TriangleMesh::TriangleMesh(MeshData data) : m_data(std::move(data)) {
     if (triangle_is_degenerate(v[f.vertex[0]], v[f.vertex[1]], v[f.vertex[2]])) {
       ++m_dropped;
     } else {
-      faces.push_back(f);
+      faces[kept++] = f;
     }
   }
+  faces.resize(kept);
   std::vector<Bounds> boxes(faces.size());
   for (std::size_t i = 0; i < faces.size(); ++i) {
     for (const std::uint32_t v : faces[i].vertex) boxes[i].include(m_data.vertices[v]);
@@ -59,6 +60,8 @@ TriangleMesh::TriangleMesh(MeshData data) : m_data(std::move(data)) {
 }
 
 void TriangleMesh::fill_packs() {
+  m_packs.reserve(m_bvh.statistics().leaves);
+  m_leaves.reserve(m_bvh.statistics().leaves);
   m_bvh.relabel([&](std::uint32_t first, std::uint32_t count) {
     TrianglePack& pack = m_packs.emplace_back();
     for (std::uint32_t lane = 0; lane < count; ++lane) {
@@ -71,8 +74,6 @@ void TriangleMesh::fill_packs() {
     m_leaves.push_back({first, count});
     return static_cast<std::uint32_t>(m_leaves.size() - 1);
   });
-  m_leaves.shrink_to_fit();
-  m_packs.shrink_to_fit();
 }
 
 /// What is sought, and the best so far.

@@ -6,22 +6,22 @@ namespace lentray::core {
 
 SolidIndex::SolidIndex(const std::vector<std::unique_ptr<Object>>& objects,
                        const std::vector<std::uint32_t>& groups) {
-  std::vector<Solid> bounded;
-  std::vector<Bounds> boxes;
   for (std::size_t i = 0; i < objects.size(); ++i) {
     const Object& object = *objects[i];
     const Solid solid{&object, object.solid_bounds(), static_cast<std::uint32_t>(i), groups[i]};
     if (solid.bounds.is_empty()) continue;
-    if (solid.bounds.is_finite()) {
-      bounded.push_back(solid);
-      boxes.push_back(solid.bounds);
-    } else {
-      m_unbounded.push_back(solid);
-    }
+    (solid.bounds.is_finite() ? m_bounded : m_unbounded).push_back(solid);
   }
-  m_tree = WideBvh(boxes);
-  m_bounded.reserve(m_tree.order().size());
-  for (const std::uint32_t part : m_tree.order()) m_bounded.push_back(bounded[part]);
+}
+
+const WideBvh& SolidIndex::tree() const {
+  std::call_once(m_once, [this] {
+    std::vector<Bounds> boxes;
+    boxes.reserve(m_bounded.size());
+    for (const Solid& solid : m_bounded) boxes.push_back(solid.bounds);
+    m_tree = WideBvh(boxes);
+  });
+  return m_tree;
 }
 
 void SolidIndex::containing(const Vec3& p, std::vector<const Object*>& out) const {
@@ -31,10 +31,17 @@ void SolidIndex::containing(const Vec3& p, std::vector<const Object*>& out) cons
     if (solid.bounds.contains(p) && solid.object->inside(p)) found.push_back(&solid);
   };
   for (const Solid& solid : m_unbounded) test(solid);
-  m_tree.at_point(p, [&](std::uint32_t first, std::uint32_t count) {
-    for (std::uint32_t i = 0; i < count; ++i) test(m_bounded[first + i]);
-    return false;
-  });
+  constexpr int kFew = 8;  // questions; a tree costs as much as dozens of looks at the list
+  if (m_asked.load(std::memory_order_relaxed) < kFew) {
+    m_asked.fetch_add(1, std::memory_order_relaxed);
+    for (const Solid& solid : m_bounded) test(solid);
+  } else {
+    const WideBvh& tree = this->tree();
+    tree.at_point(p, [&](std::uint32_t first, std::uint32_t count) {
+      for (std::uint32_t i = 0; i < count; ++i) test(m_bounded[tree.order()[first + i]]);
+      return false;
+    });
+  }
   if (found.empty()) return;
   std::sort(found.begin(), found.end(),
             [](const Solid* a, const Solid* b) { return a->index < b->index; });

@@ -1,8 +1,11 @@
-// Which objects hold a point. World space. Immutable once built; any number of threads.
+// Which objects hold a point. World space. Any number of threads. Few questions are answered from a
+// list: the hierarchy is built when there are more, for most pictures ask once.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <vector>
 
 #include "core/accel/wide_bvh.h"
@@ -26,9 +29,12 @@ class SolidIndex {
     Bounds bounds;
     std::uint32_t index = 0, group = 0;
   };
-  std::vector<Solid> m_bounded;    ///< by place in the tree
-  std::vector<Solid> m_unbounded;
-  WideBvh m_tree;
+  const WideBvh& tree() const;
+
+  std::vector<Solid> m_bounded, m_unbounded;
+  mutable std::atomic<int> m_asked{0};
+  mutable std::once_flag m_once;
+  mutable WideBvh m_tree;  ///< over m_bounded; see tree()
 };
 
 }  // namespace lentray::core

@@ -19,7 +19,11 @@ constexpr double kTiny = 1e-10;
 
 Bounds everything() { return {Vec3(-kHuge), Vec3(kHuge)}; }
 
-double single(double x) { return static_cast<double>(static_cast<float>(x)); }
+/// Through memory: where it makes vectors of such roundings, g++ 12 leaves them out.
+double single(double x) {
+  const volatile auto rounded = static_cast<float>(x);
+  return rounded;
+}
 
 /// A corner and lengths is what is kept, in single precision.
 Bounds kept(const Bounds& b) {
@@ -31,6 +35,12 @@ Bounds kept(const Bounds& b) {
     out.hi[axis] = out.lo[axis] + single(hi - lo);
   }
   return out;
+}
+
+/// Less than 0 for some that are inside out, as stock counts.
+double volume(const Bounds& b) {
+  const Vec3 size = b.hi - b.lo;
+  return size.x * size.y * size.z;
 }
 
 Bounds moved(const Bounds& b, const Transform& t) {
@@ -68,16 +78,16 @@ class BoxFinder {
   explicit BoxFinder(bool& is_whole) : m_is_whole(is_whole) {}
 
   Bounds of(const ObjectDesc& object) {
-    Bounds box = std::visit([&](const auto& shape) { return leaf(shape, object); }, object.shape);
-    for (const auto* regions : {&object.clipped_by, &object.bounded_by}) {
+    Bounds box = kept(std::visit([&](const auto& shape) { return leaf(shape, object); }, object.shape));
+    for (const auto* regions : {&object.bounded_by, &object.clipped_by}) {
+      Bounds common = everything();
       for (const Ref<ObjectDesc>& region : *regions) {
-        if (region->inverse) continue;
-        Bounds both = box;
-        both.intersect(of(*region));
-        if (!both.is_empty()) box = both;
+        if (!region->inverse) common.intersect(of(*region));
       }
+      common = kept(common);
+      if (!regions->empty() && volume(common) < volume(box)) box = common;
     }
-    return kept(box);
+    return {box.lo, {single(box.hi.x), single(box.hi.y), single(box.hi.z)}};
   }
 
  private:

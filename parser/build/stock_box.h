@@ -1,6 +1,7 @@
 // The box that min_extent() and max_extent() answer with: stock's bounding box, which scenes lean on
 // where they place one object beside another. It is a box of boxes: a turned object has the box of
-// its turned box, a CSG the box of its parts' boxes. In the space of the scene, single precision.
+// its turned box, a CSG the box of its parts' boxes; what bounds or clips it lends its own box if that
+// is smaller. In the space of the scene, single precision.
 // Source: measured on stock (tests/compat/language/objects.cases).
 #pragma once
 

@@ -128,7 +128,7 @@ SCENES = {  # name: (text or function, what it is)
                      " scale <14,2,14> translate <-7,-1,-7> }", "height field of 500 x 500"),
     "height_field_smooth": ("height_field { function 500, 500 { .5 + .2*sin(x*40)*cos(y*33)"
                             " + .2*f_noise3d(x*30, y*30, 1) } smooth scale <14,2,14> translate <-7,-1,-7> }",
-                            "the same, smooth"),
+                            "smooth height field of 500 x 500"),
     "isosurface": (FEW % ("isosurface { function { x*x + y*y*2 + z*z - .6 + .1*sin(x*15)*sin(z*14) } max_gradient 5"
                           " contained_by { box { -1, 1 } } }"), "25 isosurfaces of polynomials and sines"),
     "isosurface_noise": ("isosurface { function { y - f_noise3d(x*2, 0, z*2)*.8 - f_noise3d(x*9, y*9, z*9)*.12 }"

@@ -81,7 +81,8 @@ SHAPES = {
     "julia_fractal": "julia_fractal { <-.083,0,-.83,-.025> quaternion sqr max_iteration 6 "
                      "precision 100 scale .8 }",
     "parametric": "parametric { function { sin(u)*cos(v) }, function { sin(u)*sin(v) }, function { cos(u) } "
-                  "<0,0>, <pi,2*pi> contained_by { box { -1.1, 1.1 } } accuracy .001 max_gradient 6 }",
+                  "<0,0>, <pi,2*pi> contained_by { box { -1.1, 1.1 } } accuracy .01 max_gradient 6 "
+                  "precompute 14, x, y, z }",
     "text": "text { ttf \"cyrvetic.ttf\" \"R&g\" .4, 0 scale 1.3 translate <-1.1,-.4,-.2> }",
     "difference": "difference { box { -1, 1 } sphere { 0, 1.3 } cylinder { -2*y, 2*y, .4 } }",
 }

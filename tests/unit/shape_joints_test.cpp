@@ -28,6 +28,24 @@ TEST(UnitShapeJoints, RaysDoNotPassBetweenThePiecesOfALathe) {
   }
 }
 
+TEST(UnitShapeJoints, RaysHardlyTurnedFromTheAxisMeetWhatThoseAlongItMeet) {
+  for (const char* sdl : {"sor { 7 <0,-1>,<.5,-.9>,<.9,-.3>,<.3,.2>,<.6,.8>,<.2,1>,<0,1.1> }",
+                          "lathe { cubic_spline 7 <.3,-1>,<0,-.9>,<.9,-.6>,<.4,0>,<1,.7>,<0,.9>,<.2,1> }"}) {
+    SceneText text(sdl);
+    const core::SceneParts parts = text.build();
+    for (const double tilt : {1e-12, 1e-9, 1e-7}) {
+      int different = 0;
+      for (int i = 0; i < 900; ++i) {
+        const double x = (i % 30 - 14.7) * 0.09, z = (i / 30 - 14.2) * 0.09;
+        const double along = distance_to(*parts.objects[0], {{x, 5, z}, {0, -1, 0}});
+        const double turned = distance_to(*parts.objects[0], {{x, 5, z}, {tilt, -1, -tilt}});
+        different += std::fabs(along - turned) > 1e-4;
+      }
+      EXPECT_EQ(different, 0) << sdl << ", turned by " << tilt;
+    }
+  }
+}
+
 TEST(UnitShapeJoints, LevelRaysPassALatheThatIsWiderElsewhere) {
   SceneText text("lathe { linear_spline 3 <.2,-1>, <1,0>, <.2,1> }");
   const core::SceneParts parts = text.build();

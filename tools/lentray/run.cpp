@@ -1,5 +1,7 @@
 #include "tools/lentray/run.h"
 
+#include <tbb/global_control.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -264,6 +266,11 @@ Status run(const RenderOptions& options, const std::atomic<bool>& cancel,
            TextStreams& texts, std::vector<std::string>& warnings) {
   const auto start = Clock::now();
   Run run{options, texts, warnings, {}};
+  // Building the scene takes no more threads than rendering it.
+  std::optional<tbb::global_control> threads;
+  if (options.threads > 0) {
+    threads.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(options.threads));
+  }
   const SceneFile file(options);
   check_order(options);
   check_outputs(run);
