@@ -183,16 +183,17 @@ class RootParting {
 
   Signs signs(const double* b) const {
     int changes = 0, last = 0;
-    bool doubtful = false;  // coefficients of any sign since the last clear one
+    int doubtful = 0;  // coefficients of any sign since the last clear one
     for (int i = 0; i <= m_order; ++i) {
       const int sign = b[i] > m_rounding ? 1 : b[i] < -m_rounding ? -1 : 0;
       if (sign == 0) {
         if (i == 0 || i == m_order) return Signs::kUnclear;
-        doubtful = true;
+        ++doubtful;
         continue;
       }
-      if (sign == last && doubtful) return Signs::kUnclear;
-      doubtful = false;
+      // One between different signs changes nothing; two may make one change three.
+      if (doubtful > (sign == last ? 0 : 1)) return Signs::kUnclear;
+      doubtful = 0;
       if (last != 0 && sign != last && ++changes > 1) return Signs::kUnclear;
       last = sign;
     }
