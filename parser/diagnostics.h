@@ -58,6 +58,8 @@ class Diagnostics {
 
   /// The same warning at the same place (in a loop, a macro) is given once.
   void warn(const Location& where, const std::string& message, std::vector<StackEntry> stack = {});
+  /// Whether it has been given: then its stack need not be made.
+  bool has_warned(const Location& where, const std::string& message) const;
   [[noreturn]] void fail(const Location& where, const std::string& message,
                          std::vector<StackEntry> stack = {});
 
@@ -77,7 +79,7 @@ class Diagnostics {
   const SourceManager& m_sources;
   Sink m_sinks[kStreams];
   std::vector<Diagnostic> m_warnings;
-  std::set<std::string> m_given;   // texts of the warnings given
+  std::set<std::string> m_given;   // places and messages of the warnings given
   std::set<std::string> m_not_yet;
   Location m_first_not_yet;
 };

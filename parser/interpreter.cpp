@@ -32,6 +32,7 @@ void Interpreter::fail(const Location& where, const std::string& message) {
 }
 
 void Interpreter::warn(const Location& where, const std::string& message) {
+  if (diagnostics.has_warned(where, message)) return;
   diagnostics.warn(where, message, stream.stack(names));
 }
 
