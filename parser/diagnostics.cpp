@@ -85,14 +85,14 @@ std::string Diagnostics::format(const Location& where, std::string_view severity
 
 void Diagnostics::warn(const Location& where, const std::string& message,
                        std::vector<StackEntry> stack) {
-  if (!m_given.insert(place(m_sources, where) + message).second) return;
+  if (!m_given.insert(place(m_sources, where) + ": " + message).second) return;
   std::string text = format(where, "warning", message, stack);
   write(Stream::kWarning, text);
   m_warnings.push_back({where, message, std::move(stack), std::move(text)});
 }
 
 bool Diagnostics::has_warned(const Location& where, const std::string& message) const {
-  return m_given.count(place(m_sources, where) + message) > 0;
+  return m_given.count(place(m_sources, where) + ": " + message) > 0;
 }
 
 void Diagnostics::fail(const Location& where, const std::string& message,

@@ -84,16 +84,19 @@ Program::Program(std::vector<Instruction> code, std::vector<double> constants,
 }
 
 double Program::evaluate(std::span<const double> arguments) const {
+  if (m_constants.size() + m_frame > kSmallFrame) return evaluate_large(arguments);
   // Not initialised: a program writes every register before it reads it.
-  if (m_constants.size() + m_frame <= kSmallFrame) {
-    std::array<double, kSmallFrame> memory;
-    return run(memory.data(), arguments);
+  std::array<double, kSmallFrame> memory;
+  return run(memory.data(), arguments);
+}
+
+// A frame of its own: functions that call functions would take the largest one's at each level.
+[[gnu::noinline]] double Program::evaluate_large(std::span<const double> arguments) const {
+  if (m_constants.size() + m_frame > kLargestFrame) {
+    const auto memory = std::make_unique_for_overwrite<double[]>(m_constants.size() + m_frame);
+    return run(memory.get(), arguments);
   }
-  if (m_constants.size() + m_frame <= kLargestFrame) {
-    std::array<double, kLargestFrame> memory;
-    return run(memory.data(), arguments);
-  }
-  std::array<double, kLargestFrame + kMostConstants> memory;
+  std::array<double, kLargestFrame> memory;
   return run(memory.data(), arguments);
 }
 

@@ -51,6 +51,8 @@ class Program final : public Function {
   std::string not_yet() const override;
 
  private:
+  /// Of more constants and registers than kSmallFrame; beyond kLargestFrame they are allocated.
+  double evaluate_large(std::span<const double> arguments) const;
   double run(double* memory, std::span<const double> arguments) const;
 
   std::vector<Instruction> m_code;

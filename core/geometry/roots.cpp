@@ -197,7 +197,7 @@ class RootParting {
       if (last != 0 && sign != last && ++changes > 1) return Signs::kUnclear;
       last = sign;
     }
-    return changes == 0 ? Signs::kNone : last == 0 ? Signs::kUnclear : Signs::kOne;
+    return changes == 0 ? Signs::kNone : Signs::kOne;
   }
 
   void part(const double* b, double lo, double hi, int depth) {

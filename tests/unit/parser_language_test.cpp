@@ -170,6 +170,19 @@ TEST(UnitParserFunction, EveryInternalFunctionIsEvaluated) {
   EXPECT_FALSE(core::internal_function(-1));
 }
 
+TEST(UnitParserFunction, CallEachOtherAsDeepAsIsAllowed) {
+  EXPECT_EQ(debug_of("#declare F = function(x) { x + 1 };"
+                     "#for (I, 2, 199) #declare F = function(x) { F(x) + 1 }; #end"
+                     "#debug str(F(1), 0, 0)"),
+            "200");
+}
+
+TEST(UnitParserFunction, OfManyConstants) {
+  std::string sum = "x";
+  for (int i = 1; i <= 1500; ++i) sum += " + " + std::to_string(i) + ".5*x";
+  EXPECT_EQ(debug_of("#declare F = function(x) { " + sum + " }; #debug str(F(2), 0, 0)"), "2253002");
+}
+
 TEST(UnitParserWords, ContextualWordsStayIdentifiers) {
   const diff::TemporaryFolder folder;
   diff::write_text(folder / "s.pov", "#declare lens_pitch = 3; lenticular lens_pitch 1.5 view_distance -2");
