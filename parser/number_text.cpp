@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <limits>
 #include <string_view>
 
 #include "parser/arithmetic.h"
@@ -62,42 +63,60 @@ void append_padded(std::string& text, const NumberFormat& format, std::string_vi
   text += number;
 }
 
+constexpr int kMostOfStr = 254;   // what str() makes at most, as measured on stock
+constexpr int kLongest = 1000;    // what width and digits are cut to
+constexpr int kUnprintable = std::numeric_limits<int>::max();
+
+// What most numbers need. False, and nothing done, if that may be longer than kMostOfStr.
+bool append_short(std::string& text, const NumberFormat& format, double value) {
+  if (format.width > kMostOfStr) return false;
+  char buffer[kMostOfStr];
+  char* end = buffer;
+  std::int64_t whole = 0;
+  if (format.digits <= kMostDigits && scaled(std::fabs(value), format.digits, whole)) {
+    if (std::signbit(value)) *end++ = '-';
+    end = put_decimal(end, whole, format.digits);
+  } else {
+    if (!std::isfinite(value)) return false;
+    const auto put = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::fixed,
+                                   format.digits);
+    if (put.ec != std::errc()) return false;
+    end = put.ptr;
+  }
+  append_padded(text, format, {buffer, static_cast<std::size_t>(end - buffer)});
+  return true;
+}
+
+// As printf has it (`kind`: f or g); returns the length. Nothing if no such width can be.
+int append_printed(std::string& text, const NumberFormat& format, char kind, double value) {
+  if (format.width == kUnprintable) return 0;
+  char buffer[2 * kLongest];  // 309 digits before the point, kLongest behind it
+  const std::string how = std::string(format.zeros ? "%0*.*" : "%*.*") + kind;
+  const int length =
+      std::snprintf(buffer, sizeof buffer, how.c_str(), format.width, format.digits, value);
+  text += buffer;
+  return length;
+}
+
 }  // namespace
 
 NumberFormat number_format_of(double width, double digits) {
-  // Longer than any text they are printed into is as good as longest.
-  constexpr double kLongest = 1000.0;
   constexpr int kUsual = 6;
-  const int least = to_int(std::clamp(width, -kLongest, kLongest));
-  const int behind = to_int(std::clamp(digits, -1.0, kLongest));
-  return {std::abs(least), behind < 0 ? kUsual : behind, least < 0};
+  const int least = to_int(width), behind = to_int(digits);
+  const int length = least == std::numeric_limits<int>::min() ? kUnprintable
+                                                              : std::min(std::abs(least), kLongest);
+  return {length, behind < 0 ? kUsual : std::min(behind, kLongest), least < 0};
 }
 
 void append_fixed(std::string& text, const NumberFormat& format, double value) {
-  char buffer[256];
-  constexpr int kLongest = 200;
-  std::int64_t whole = 0;
-  if (format.width < kLongest && format.digits <= kMostDigits &&
-      scaled(std::fabs(value), format.digits, whole)) {
-    char* at = buffer;
-    if (std::signbit(value)) *at++ = '-';
-    at = put_decimal(at, whole, format.digits);
-    return append_padded(text, format, {buffer, static_cast<std::size_t>(at - buffer)});
+  if (append_short(text, format, value)) return;
+  const std::size_t start = text.size();
+  for (const char kind : {'f', 'g'}) {
+    const int length = append_printed(text, format, kind, value);
+    if (length > 0 && length <= kMostOfStr) return;
+    text.resize(start);
   }
-  if (std::isfinite(value) && format.width < static_cast<int>(sizeof buffer)) {
-    const auto end = std::to_chars(buffer, buffer + sizeof buffer - 1, value,
-                                   std::chars_format::fixed, format.digits);
-    if (end.ec == std::errc()) {
-      return append_padded(text, format, {buffer, static_cast<std::size_t>(end.ptr - buffer)});
-    }
-  }
-  const auto print = [&](char kind) {
-    const std::string how = std::string(format.zeros ? "%0*.*" : "%*.*") + kind;
-    return std::snprintf(buffer, sizeof buffer, how.c_str(), format.width, format.digits, value);
-  };
-  const int length = print('f');
-  if (length < 0 || length >= static_cast<int>(sizeof buffer)) print('g');
-  text += buffer;
+  text += "<invalid>";
 }
 
 int vector_text_size(double wanted) { return std::clamp(to_int(wanted), 2, 5); }
@@ -107,7 +126,8 @@ void append_vector(std::string& text, const Number& n, int count, const std::str
   const int size = n.keeps_rest ? 3 : n.size;
   for (int i = 0; i < count; ++i) {
     if (i) text += separator;
-    append_fixed(text, format, i < size ? n.v[static_cast<std::size_t>(i)] : 0.0);
+    const double value = i < size ? n.v[static_cast<std::size_t>(i)] : 0.0;
+    if (!append_short(text, format, value)) append_printed(text, format, 'f', value);
   }
 }
 

@@ -18,10 +18,10 @@ struct NumberFormat {
 /// Of the two numbers that stand for it in SDL: a negative width is for zeros in front.
 NumberFormat number_format_of(double width, double digits);
 
-/// As printf's %f; numbers too long for stock's buffer of 256 bytes as %g.
+/// As str(): printf's %f; what would be longer than stock's 254 bytes as %g, or else "<invalid>".
 void append_fixed(std::string& text, const NumberFormat& format, double value);
 
-/// As vstr(): as many components as vector_text_size() makes of its first argument.
+/// As vstr(), which has no such limit up to the 1000 that widths and digits are cut to: as many components as vector_text_size() makes of its first argument.
 void append_vector(std::string& text, const Number& n, int count, const std::string& separator,
                    const NumberFormat& format);
 int vector_text_size(double wanted);
