@@ -75,25 +75,55 @@ class Compiler {
     return op >= FunctionOp::kNegate && op <= FunctionOp::kMin;
   }
 
-  static bool fold(const FunctionNode& node, double& value) {
-    if (node.op == FunctionOp::kConstant) {
-      value = node.value;
+  /// What a node's arithmetic begins with, and the operations upon it, the last one first. A sum of
+  /// thousands of terms is as deep to the left: nothing calls itself for that.
+  struct Chain {
+    const FunctionNode* first;
+    std::vector<const FunctionNode*> operations;
+
+    explicit Chain(const FunctionNode& node) : first(&node) {
+      for (; is_arithmetic(first->op); first = first->operands[0].get()) operations.push_back(first);
+    }
+    /// Takes off what can be computed now; true if `value` is then what the rest begins with.
+    bool fold(double& value) {
+      if (first->op != FunctionOp::kConstant) return false;
+      value = first->value;
+      for (; !operations.empty(); operations.pop_back()) {
+        const FunctionNode& node = *operations.back();
+        double right = 0.0;
+        if (node.operands.size() > 1 && !Compiler::fold(*node.operands[1], right)) break;
+        value = apply(node.op, value, right);
+      }
       return true;
     }
-    if (!is_arithmetic(node.op)) return false;
-    double a = 0.0, b = 0.0;
-    if (!fold(*node.operands[0], a)) return false;
-    if (node.operands.size() > 1 && !fold(*node.operands[1], b)) return false;
-    value = apply(node.op, a, b);
-    return true;
+  };
+
+  static bool fold(const FunctionNode& node, double& value) {
+    Chain chain(node);
+    return chain.fold(value) && chain.operations.empty();
+  }
+
+  void arithmetic(const FunctionNode& node, std::int16_t target) {
+    Chain chain(node);
+    double value = 0.0;
+    std::int16_t a = chain.fold(value) ? constant(value) : operand(*chain.first);
+    if (chain.operations.empty()) emit(ProgramOp::kMove, target, a);
+    const std::int16_t between = chain.operations.size() > 1 ? allocate() : target;
+    const std::size_t mark = m_next;
+    for (; !chain.operations.empty(); chain.operations.pop_back()) {
+      const FunctionNode& step = *chain.operations.back();
+      const std::int16_t b = step.operands.size() > 1 ? operand(*step.operands[1]) : a;
+      const std::int16_t result = chain.operations.size() > 1 ? between : target;
+      emit(ProgramOp::kArithmetic, result, a, b, step.op);
+      a = result;
+      m_next = mark;
+    }
   }
 
   void into(const FunctionNode& node, std::int16_t target) {
     const std::size_t mark = m_next;
     if (is_arithmetic(node.op)) {
-      const std::int16_t a = operand(*node.operands[0]);
-      const std::int16_t b = node.operands.size() > 1 ? operand(*node.operands[1]) : a;
-      emit(ProgramOp::kArithmetic, target, a, b, node.op);
+      arithmetic(node, target);
     } else if (node.op == FunctionOp::kSelect) {
       select(node, target);
     } else if (node.op == FunctionOp::kChoose) {

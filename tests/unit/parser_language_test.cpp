@@ -187,6 +187,15 @@ TEST(UnitParserFunction, OfManyConstants) {
   EXPECT_EQ(debug_of("#declare F = function(x) { " + sum + " }; #debug str(F(2), 0, 0)"), "2253002");
 }
 
+// As deep as it has terms: compiling it must not need as much stack.
+TEST(UnitParserFunction, OfManyTerms) {
+  constexpr int kTerms = 4900;
+  std::string folded = "1", sum = "x";
+  for (int i = 1; i < kTerms; ++i) folded += "+1", sum += "+x";
+  EXPECT_EQ(debug_of("#declare F = function(x) { " + folded + "+" + sum + " }; #debug str(F(2), 0, 0)"),
+            std::to_string(3 * kTerms));
+}
+
 TEST(UnitParserWords, ContextualWordsStayIdentifiers) {
   const diff::TemporaryFolder folder;
   diff::write_text(folder / "s.pov", "#declare lens_pitch = 3; lenticular lens_pitch 1.5 view_distance -2");
