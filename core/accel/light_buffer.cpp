@@ -154,6 +154,41 @@ struct LightBuffer::Found {
   bool opaque;
 };
 
+/// True if it is certain before anything is drawn: casters so small that they darken no whole cell
+/// drop nothing behind them, and there are too many. Looks at some of them.
+bool LightBuffer::is_crowd(const std::vector<Placed>& casters, std::uint32_t cells) {
+  constexpr std::size_t kLooked = 2048;
+  constexpr double kSure = 0.6;     // drawing touches half as many again as their windows
+  constexpr double kLargest = 9.0;  // cells: what covers one has at least so many
+  if (casters.size() < kLooked) return false;
+  const std::size_t step = casters.size() / kLooked;
+  std::array<LightWindow, LightFace::kFaces> whole;
+  std::array<std::vector<LightWindow>, LightFace::kFaces> looked;
+  std::size_t seen = 0;
+  for (std::size_t i = 0; i < casters.size(); i += step, ++seen) {
+    for (int face = 0; face < LightFace::kFaces; ++face) {
+      const LightWindow window = window_of(casters[i].box, face);
+      if (window.is_empty()) continue;
+      whole[static_cast<std::size_t>(face)].include(window);
+      looked[static_cast<std::size_t>(face)].push_back(window);
+    }
+  }
+  for (std::size_t face = 0; face < looked.size(); ++face) {
+    if (looked[face].empty()) continue;
+    const double width = whole[face].hi[0] - whole[face].lo[0], height = whole[face].hi[1] - whole[face].lo[1];
+    const double per_unit = std::sqrt(cells / (width * height));
+    double touched = 0.0, largest = 0.0;
+    for (const LightWindow& w : looked[face]) {
+      const double here = ((w.hi[0] - w.lo[0]) * per_unit + 1.0) * ((w.hi[1] - w.lo[1]) * per_unit + 1.0);
+      touched += here;
+      largest = std::max(largest, here);
+    }
+    const double all = touched / static_cast<double>(seen) * static_cast<double>(casters.size());
+    if (largest < kLargest && all > kSure * kMostPerCell * cells) return true;
+  }
+  return false;
+}
+
 LightBuffer::LightBuffer(const Vec3& light, const std::vector<std::unique_ptr<Object>>& objects,
                          double tolerance, std::uint32_t cells)
     : m_light(light), m_tolerance(tolerance) {
@@ -176,6 +211,10 @@ LightBuffer::LightBuffer(const Vec3& light, const std::vector<std::unique_ptr<Ob
     } else {
       casters.push_back({caster, box, distance});
     }
+  }
+  if (is_crowd(casters, cells)) {
+    m_crowded = true;
+    return;
   }
   std::stable_sort(casters.begin(), casters.end(),
                    [](const Placed& a, const Placed& b) { return a.distance < b.distance; });

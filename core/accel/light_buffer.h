@@ -87,6 +87,7 @@ class LightBuffer {
   const Object* search(const Spot& spot, const Ray& to_light, double t_min, double t_max,
                        HitArena& arena, Count count) const;
   static Kind kind_of(const Shape* shape);
+  static bool is_crowd(const std::vector<Placed>& casters, std::uint32_t cells);
   void add_grids(int face, std::uint32_t cells, const std::vector<Placed>& casters);
   void fill(Grid& grid, int face, const std::vector<Placed>& casters);
   void keep(Grid& grid, std::vector<Found>& found);

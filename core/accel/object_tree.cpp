@@ -25,7 +25,7 @@ ObjectTree::Kind ObjectTree::kind_of(const Object& object) {
 
 ObjectTree::ObjectTree(std::span<const ObjectEntry> objects, Accelerator accelerator,
                        bool portable)
-    : m_avx2(!portable && WideBvh::has_avx2()) {
+    : m_avx2(!portable && has_avx2()) {
   for (const ObjectEntry& entry : objects) {
     (entry.bounds.is_finite() ? m_entries : m_unbounded).push_back(entry);
   }

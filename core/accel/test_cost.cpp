@@ -1,6 +1,7 @@
 #include "core/accel/test_cost.h"
 
 #include <string_view>
+#include <typeinfo>
 #include <vector>
 
 #include "core/geometry/object.h"
@@ -28,8 +29,9 @@ constexpr Row kCosts[] = {
 
 double cost_of(const Leaf& leaf) {
   double cost = leaf.transform() ? kTransform : 0.0;
-  if (const auto* polygon = dynamic_cast<const Polygon*>(&leaf.shape())) {
-    return cost + 10.0 + 0.3 * static_cast<double>(polygon->points().size());
+  const Shape& shape = leaf.shape();
+  if (typeid(shape) == typeid(Polygon)) {
+    return cost + 10.0 + 0.3 * static_cast<double>(static_cast<const Polygon&>(shape).points().size());
   }
   for (const Row& row : kCosts) {
     if (row.name == leaf.name()) return cost + row.cost;
@@ -40,6 +42,7 @@ double cost_of(const Leaf& leaf) {
 }  // namespace
 
 double test_cost(const Object& object) {
+  if (typeid(object) == typeid(Leaf)) return cost_of(static_cast<const Leaf&>(object));
   std::vector<const Leaf*> leaves;
   object.leaves(leaves);
   double cost = 0.0;

@@ -137,9 +137,8 @@ class BinaryBuilder {
   std::uint32_t part_at(std::uint32_t place) const { return m_items[place].part(); }
 
  private:
-  static constexpr int kBins = 32, kFewBins = 8;
   /// Few parts need few bins.
-  static int bins_for(std::uint32_t count) { return count <= kFewBins ? kFewBins : kBins; }
+  static int bins_for(std::uint32_t count) { return count <= 4 ? 4 : count <= 8 ? 8 : count <= 64 ? 16 : 32; }
   static constexpr double kNodeCost = 0.35;  // of one binary step: an 8-wide node does about three
   static constexpr std::uint32_t kMostSampled = 2048;
   struct Bin {
@@ -184,6 +183,14 @@ class BinaryBuilder {
   std::uint32_t split(std::uint32_t first, std::uint32_t count, int depth, const Extent& extent, bool alike);
   static double leaf_cost_parts(std::uint32_t count, int pack) {
     return static_cast<double>((count + static_cast<std::uint32_t>(pack) - 1) / static_cast<std::uint32_t>(pack));
+  }
+  Split best_split(std::uint32_t first, std::uint32_t count, const FloatBox& middles, bool alike) const {
+    switch (bins_for(count)) {
+      case 4: return best_split<4>(first, count, middles, alike);
+      case 8: return best_split<8>(first, count, middles, alike);
+      case 16: return best_split<16>(first, count, middles, alike);
+      default: return best_split<32>(first, count, middles, alike);
+    }
   }
   template <int kUsed>
   Split best_split(std::uint32_t first, std::uint32_t count, const FloatBox& middles, bool alike) const;
@@ -325,10 +332,7 @@ std::uint32_t BinaryBuilder::split(std::uint32_t first, std::uint32_t count, int
   const auto kind = kind_of(m_items[first]);
   // Splits by area lean to one side at worst one part at a time; halving bounds the depth.
   Split best;
-  if (depth < 40) {
-    best = bins_for(count) == kFewBins ? best_split<kFewBins>(first, count, extent.middles, alike)
-                                       : best_split<kBins>(first, count, extent.middles, alike);
-  }
+  if (depth < 40) best = best_split(first, count, extent.middles, alike);
   if (alike && count <= static_cast<std::uint32_t>(kind.max_leaf)) {
     const double area = extent.box.surface();
     const double as_leaf = leaf_cost_parts(count, kind.pack) * kind.cost * area;

@@ -24,9 +24,8 @@
 #include <vector>
 
 #include "core/base/bounds.h"
+#include "core/base/processor.h"
 #include "core/base/ray.h"
-
-#define LENTRAY_AVX2 __attribute__((target("avx2,fma")))
 
 namespace lentray::core {
 
@@ -239,9 +238,6 @@ class WideBvh {
   template <class Leaf, class Count>
   bool traverse_portable(const Ray& ray, double t_min, double t_max, Leaf& leaf,
                          Count& count) const;
-  static bool has_avx2() {
-    return __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0;
-  }
 
  private:
   /// A child to visit, and where its box is entered.

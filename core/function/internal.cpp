@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "core/function/internal_formulas.h"
-#include "core/pattern/noise.h"
+#include "core/function/noise_function.h"
 
 namespace lentray::core {
 namespace {
@@ -65,26 +65,13 @@ class Internal final : public Function {
   Evaluator m_evaluator;
 };
 
-class Noise3d final : public Function {
- public:
-  explicit Noise3d(std::shared_ptr<const int> generator) : m_generator(std::move(generator)) {}
-  std::size_t parameters() const override { return 3; }
-  double evaluate(std::span<const double> a) const override {
-    return noise({a[0], a[1], a[2]}, *m_generator);
-  }
-  std::string not_yet() const override { return {}; }
-
- private:
-  std::shared_ptr<const int> m_generator;
-};
-
 }  // namespace
 
 std::shared_ptr<const Function> internal_function(int number,
                                                   std::shared_ptr<const int> noise_generator) {
   if (number < 0 || number >= static_cast<int>(std::size(kEntries))) return nullptr;
   if (noise_generator && std::string_view(kEntries[number].name) == "f_noise3d") {
-    return std::make_shared<Noise3d>(std::move(noise_generator));
+    return std::make_shared<NoiseFunction>(std::move(noise_generator));
   }
   return std::make_shared<Internal>(kEntries[number]);
 }

@@ -1,3 +1,5 @@
+#include <array>
+
 #include "core/function/internal_formulas.h"
 #include "core/pattern/noise.h"
 
@@ -19,9 +21,9 @@ int generator_of(double parameter) { return whole(parameter) & 3; }
 /// Noise between -1 and 1.
 double signed_noise(const Vec3& point, int generator) { return noise(point, generator) * 2.0 - 1.0; }
 
-double noise3d(const double* a) { return noise({a[0], a[1], a[2]}, 2); }
+double noise3d(const double* a) { return noise(a[0], a[1], a[2], 2); }
 
-double noise_generator(const double* a) { return noise({a[0], a[1], a[2]}, generator_of(a[3])); }
+double noise_generator(const double* a) { return noise(a[0], a[1], a[2], generator_of(a[3])); }
 
 // Heterogeneous multifractal: P0 exponent, P1 lacunarity, P2 octaves, P3 offset, P4 how often the
 // sum so far weighs an octave, P5 generator.
@@ -72,6 +74,35 @@ double ridge(const double* a) {
   return sum / (std::max(offset, 1.0 - offset) * weights);
 }
 
+/// frequency^-exponent of octave 1, 2, ... for frequency lacunarity^octave. A function asks with the
+/// same numbers again and again: each thread keeps what it last worked out.
+class OctaveWeights {
+ public:
+  OctaveWeights(double lacunarity, double exponent) : m_lacunarity(lacunarity), m_exponent(exponent) {}
+  bool are_of(double lacunarity, double exponent) const {
+    return m_lacunarity == lacunarity && m_exponent == exponent;
+  }
+  /// Asked in order from 1 on.
+  double at(int octave, double frequency) {
+    if (octave <= m_known) return m_weights[static_cast<std::size_t>(octave - 1)];
+    const double weight = std::pow(frequency, -m_exponent);
+    if (octave <= kKept) m_weights[static_cast<std::size_t>(m_known++)] = weight;
+    return weight;
+  }
+
+ private:
+  static constexpr int kKept = 16;
+  double m_lacunarity, m_exponent;
+  int m_known = 0;
+  std::array<double, kKept> m_weights{};
+};
+
+OctaveWeights& octave_weights(double lacunarity, double exponent) {
+  thread_local OctaveWeights last(lacunarity, exponent);
+  if (!last.are_of(lacunarity, exponent)) last = OctaveWeights(lacunarity, exponent);
+  return last;
+}
+
 // Ridged multifractal: P0 exponent, P1 lacunarity, P2 octaves, P3 offset, P4 gain, P5 generator.
 double ridged_mf(const double* a) {
   const FormulaPoint q(a);
@@ -79,12 +110,13 @@ double ridged_mf(const double* a) {
   Vec3 point(q.x, q.y, q.z);
   const auto crest = [&] { return squared(q.p[3] - std::fabs(signed_noise(point, generator))); };
   double signal = crest(), sum = signal, frequency = 1.0;
+  OctaveWeights& weights = octave_weights(q.p[1], q.p[0]);
   for (int i = 1; i < std::min(q.p[2], kMostOctaves); ++i) {
     point = point * q.p[1];
     frequency *= q.p[1];
     const double weight = std::clamp(signal * q.p[4], 0.0, 1.0);
     signal = crest() * weight;
-    sum += signal * std::pow(frequency, -q.p[0]);
+    sum += signal * weights.at(i, frequency);
   }
   return sum;
 }

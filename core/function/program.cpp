@@ -5,6 +5,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/function/noise_function.h"
+#include "core/pattern/noise.h"
+
 namespace lentray::core {
 namespace {
 
@@ -70,12 +73,16 @@ Program::Program(std::vector<Instruction> code, std::vector<double> constants,
                  std::vector<std::shared_ptr<const Function>> callees, std::size_t parameters,
                  std::size_t frame, std::int16_t result)
     : m_code(std::move(code)), m_constants(std::move(constants)), m_callees(std::move(callees)),
-      m_parameters(parameters), m_frame(frame), m_result(result) {
+      m_parameters(parameters), m_frame(frame) {
   for (const auto& callee : m_callees) {
-    m_calls.push_back({callee.get(), callee->parameters(), callee->results() == 1});
+    const auto* noise = dynamic_cast<const NoiseFunction*>(callee.get());
+    m_calls.push_back({callee.get(), callee->parameters(), callee->results() == 1,
+                       noise ? &noise->generator() : nullptr});
   }
   std::reverse(m_constants.begin(), m_constants.end());
+  m_code.push_back({ProgramOp::kEnd, FunctionOp::kConstant, 0, result, 0, 0});
   for (Instruction& i : m_code) {
+    if (i.kind == ProgramOp::kCall && m_calls[i.jump].noise_generator) i.kind = ProgramOp::kNoise;
     if (i.kind != ProgramOp::kArithmetic) continue;
     if (i.op == FunctionOp::kAdd) i.kind = ProgramOp::kAdd;
     if (i.op == FunctionOp::kSubtract) i.kind = ProgramOp::kSubtract;
@@ -104,37 +111,53 @@ double Program::run(double* memory, std::span<const double> arguments) const {
   std::copy(m_constants.begin(), m_constants.end(), memory);
   double* const frame = memory + m_constants.size();
   std::copy_n(arguments.data(), m_parameters, frame);
+  return execute(frame);
+}
+
+bool Program::Frame::prepare(const Program& program) {
+  const std::size_t constants = program.m_constants.size();
+  if (program.m_parameters != 3 || constants + program.m_frame > kSmallFrame) return false;
+  m_program = &program;
+  m_arguments = m_memory.data() + constants;
+  std::copy(program.m_constants.begin(), program.m_constants.end(), m_memory.begin());
+  return true;
+}
+
+double Program::execute(double* frame) const {
   const auto value = [frame](std::int16_t i) { return frame[i]; };
   const Instruction* const code = m_code.data();
-  const std::size_t count = m_code.size();
-  for (std::size_t pc = 0; pc < count;) {
-    const Instruction& i = code[pc++];
+  for (const Instruction* next = code;;) {
+    const Instruction& i = *next++;
     switch (i.kind) {
       case ProgramOp::kAdd: frame[i.target] = value(i.a) + value(i.b); break;
       case ProgramOp::kSubtract: frame[i.target] = value(i.a) - value(i.b); break;
       case ProgramOp::kMultiply: frame[i.target] = value(i.a) * value(i.b); break;
       case ProgramOp::kArithmetic: frame[i.target] = apply(i.op, value(i.a), value(i.b)); break;
       case ProgramOp::kMove: frame[i.target] = value(i.a); break;
-      case ProgramOp::kJump: pc = i.jump; break;
-      case ProgramOp::kJumpFalse: if (value(i.a) == 0.0) pc = i.jump; break;
-      case ProgramOp::kJumpNotNegative: if (!(value(i.a) < 0.0)) pc = i.jump; break;
-      case ProgramOp::kJumpNotZero: if (value(i.a) != 0.0) pc = i.jump; break;
-      case ProgramOp::kJumpPast: if (!(value(i.a) <= value(i.b))) pc = i.jump; break;
-      case ProgramOp::kCall: {
-        const Callee& callee = m_calls[i.jump];
-        const std::span<const double> given(frame + i.b, callee.parameters);
-        if (callee.has_one_result) {
-          frame[i.target] = callee.function->evaluate(given);
-        } else {
-          std::array<double, kMostResults> result{};
-          callee.function->evaluate_all(given, result);
-          frame[i.target] = result[static_cast<std::size_t>(i.a)];
-        }
+      case ProgramOp::kJump: next = code + i.jump; break;
+      case ProgramOp::kJumpFalse: if (value(i.a) == 0.0) next = code + i.jump; break;
+      case ProgramOp::kJumpNotNegative: if (!(value(i.a) < 0.0)) next = code + i.jump; break;
+      case ProgramOp::kJumpNotZero: if (value(i.a) != 0.0) next = code + i.jump; break;
+      case ProgramOp::kJumpPast: if (!(value(i.a) <= value(i.b))) next = code + i.jump; break;
+      case ProgramOp::kCall: call(i, frame); break;
+      case ProgramOp::kNoise:
+        frame[i.target] = noise(frame[i.b], frame[i.b + 1], frame[i.b + 2], *m_calls[i.jump].noise_generator);
         break;
-      }
+      case ProgramOp::kEnd: return value(i.a);
     }
   }
-  return value(m_result);
+}
+
+void Program::call(const Instruction& i, double* frame) const {
+  const Callee& callee = m_calls[i.jump];
+  const std::span<const double> given(frame + i.b, callee.parameters);
+  if (callee.has_one_result) {
+    frame[i.target] = callee.function->evaluate(given);
+    return;
+  }
+  std::array<double, kMostResults> result{};
+  callee.function->evaluate_all(given, result);
+  frame[i.target] = result[static_cast<std::size_t>(i.a)];
 }
 
 std::string Program::not_yet() const {

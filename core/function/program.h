@@ -5,11 +5,13 @@
 // values), else the constant number -operand-1.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "core/base/vec3.h"
 #include "core/function/node.h"
 
 namespace lentray::core {
@@ -24,12 +26,15 @@ enum class ProgramOp : std::uint8_t {
   kJumpNotZero,
   kJumpPast,     ///< to `jump` unless a <= b, so with nan too
   kCall,         ///< target = component `a` of callee number `jump` called with registers from b
-  kAdd,          ///< what functions do most: Program makes these of kArithmetic
+  // What functions do most: Program makes these of the others.
+  kAdd,
   kSubtract,
   kMultiply,
+  kNoise,        ///< target = noise at the registers from b, callee number `jump`
+  kEnd,          ///< the result is a
 };
 
-struct Instruction {
+struct alignas(16) Instruction {
   ProgramOp kind = ProgramOp::kMove;
   FunctionOp op = FunctionOp::kConstant;
   std::int16_t target = 0, a = 0, b = 0;
@@ -50,10 +55,30 @@ class Program final : public Function {
   double evaluate(std::span<const double> arguments) const override;
   std::string not_yet() const override;
 
+  /// For who asks often: memory of a run whose constants lie in place already.
+  class Frame {
+   public:
+    /// False if the program has another number of parameters or does not fit.
+    bool prepare(const Program& program);
+    double operator()(const Vec3& p) {
+      m_arguments[0] = p.x;
+      m_arguments[1] = p.y;
+      m_arguments[2] = p.z;
+      return m_program->execute(m_arguments);
+    }
+
+   private:
+    const Program* m_program = nullptr;
+    double* m_arguments = nullptr;
+    std::array<double, kSmallFrame> m_memory;
+  };
+
  private:
   /// Of more constants and registers than kSmallFrame; beyond kLargestFrame they are allocated.
   double evaluate_large(std::span<const double> arguments) const;
   double run(double* memory, std::span<const double> arguments) const;
+  double execute(double* frame) const;
+  void call(const Instruction& i, double* frame) const;
 
   std::vector<Instruction> m_code;
   std::vector<double> m_constants;  ///< last first: they lie before the registers
@@ -63,10 +88,10 @@ class Program final : public Function {
     const Function* function;
     std::size_t parameters;
     bool has_one_result;
+    const int* noise_generator;  ///< null: not plain noise
   };
   std::vector<Callee> m_calls;
   std::size_t m_parameters, m_frame;
-  std::int16_t m_result;
 };
 
 /// The arithmetic of one operation; b is ignored by those of one operand.

@@ -92,7 +92,7 @@ void Blob::for_fields(const Ray& ray, Visit&& visit) const {
     return false;
   };
   CountNothing nothing;
-  if (WideBvh::has_avx2()) {
+  if (has_avx2()) {
     m_search.traverse_avx2<false>(ray, -Bounds::kInf, Bounds::kInf, add, nothing);
   } else {
     m_search.traverse_portable(ray, -Bounds::kInf, Bounds::kInf, add, nothing);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "core/geometry/bounds_help.h"
 #include "core/geometry/sphere.h"
@@ -19,16 +21,33 @@ constexpr double kCoarse = 0.05, kFine = 5e-4;
 
 }  // namespace
 
+/// The function less its threshold, for many points.
+class Isosurface::Field {
+ public:
+  explicit Field(const Isosurface& surface)
+      : m_surface(surface),
+        m_is_ready(surface.m_program && m_frame.prepare(*surface.m_program)) {}
+  double operator()(const Vec3& p) {
+    return m_is_ready ? m_frame(p) - m_surface.m_set.threshold : m_surface.value(p);
+  }
+
+ private:
+  const Isosurface& m_surface;
+  Program::Frame m_frame;
+  bool m_is_ready;
+};
+
 /// The function along a ray, positive on the side where the search stands.
 struct Isosurface::Search {
   const Isosurface& surface;
+  Field& field;
   const Ray& ray;
   double speed;      ///< of the ray
   double gradient;   ///< steepest that counts
   double accuracy;
   double sign = 1.0;
 
-  double at(double t) const { return sign * surface.value(ray.at(t)); }
+  double at(double t) { return sign * field(ray.at(t)); }
 
   /// The first t in [from, to] where the function is below 0. `reach`: how much it can fall there.
   bool find(double from, double f_from, double to, double f_to, double reach, double& t) {
@@ -52,18 +71,22 @@ struct Isosurface::Search {
            find(middle, f_middle, to, f_to, 0.5 * reach, t);
   }
 
-  bool next(double from, double to, double& t) {
-    double f_from = at(from);
+  /// f_from and f_to: the function there, without the sign.
+  bool next(double from, double f_from, double to, double f_to, double& t) {
+    f_from *= sign;
     if (surface.m_set.open && f_from < 0.0) {
       sign = -sign;
       f_from = -f_from;
     }
-    const double f_to = at(to);
+    f_to *= sign;
     const IsosurfaceSettings& set = surface.m_set;
     if (set.evaluates && gradient > set.max_gradient) gradient *= set.shrinking;
     return find(from, f_from, to, f_to, gradient * speed * (to - from), t);
   }
 };
+
+Isosurface::Isosurface(IsosurfaceSettings settings)
+    : m_set(std::move(settings)), m_program(dynamic_cast<const Program*>(m_set.function.get())) {}
 
 Bounds Isosurface::bounds() const {
   if (!m_set.in_sphere) return {m_set.lo, m_set.hi};
@@ -120,36 +143,39 @@ void Isosurface::crossings(const Ray& ray, Visit&& visit) const {
   const double speed = length(ray.direction), widest = length(bounds().hi - bounds().lo) / speed;
   const double accuracy = m_set.accuracy > kCoarse * widest ? kFine * widest : m_set.accuracy;
   if (to - from < accuracy) return;
-  Search search{*this, ray, speed, m_set.max_gradient, accuracy, 1.0};
+  Field field(*this);
+  Search search{*this, field, ray, speed, m_set.max_gradient, accuracy, 1.0};
   const double skin = m_set.max_gradient * m_set.accuracy * kSkin;
   const double beyond = accuracy * kStep;
   int found = 0;
+  double here = field(ray.at(from));  // at `from`, always
   const auto begin_behind = [&] {
     from = beyond;
-    if (value(ray.at(from)) < 0.0) search.sign = -1.0;
+    here = field(ray.at(from));
+    if (here < 0.0) search.sign = -1.0;
   };
+  std::optional<double> there;
+  const auto at_end = [&] { return there ? *there : there.emplace(field(ray.at(to))); };
   if (!m_set.open) {
-    const double f = value(ray.at(from));
     if (from > accuracy) {
-      if (f < 0.0) {
-        visit(from, side_in);
+      if (here < 0.0) {
+        if (!visit(from, side_in)) return;
         ++found;
         search.sign = -1.0;
       }
     } else {
       // The ray starts within the container, perhaps on the surface.
-      if (f < skin) begin_behind();
-      if (value(ray.at(to)) < 0.0) visit(to, side_out);
+      if (here < skin) begin_behind();
+      if (at_end() < 0.0 && !visit(to, side_out)) return;
     }
   }
-  if (from < accuracy && search.sign == 1.0 && std::fabs(value(ray.at(from))) < skin) {
-    begin_behind();
-  }
-  for (; found < m_set.max_trace && to - from >= accuracy; ++found) {
+  if (from < accuracy && search.sign == 1.0 && std::fabs(here) < skin) begin_behind();
+  while (found < m_set.max_trace && to - from >= accuracy) {
     double t;
-    if (!search.next(from, to, t)) return;
-    visit(t, kSurface);
+    if (!search.next(from, here, to, at_end(), t)) return;
+    if (!visit(t, kSurface) || ++found == m_set.max_trace) return;
     from = t + beyond;
+    here = field(ray.at(from));
     search.sign = -search.sign;
   }
 }
@@ -157,17 +183,25 @@ void Isosurface::crossings(const Ray& ray, Visit&& visit) const {
 bool Isosurface::nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const {
   bool any = false;
   crossings(ray, [&](double t, std::uint32_t element) {
-    if (!(t > t_min && t < t_max)) return;
+    if (!(t > t_min && t < t_max)) return true;
     hit = {t, element, 0.0, 0.0};
     t_max = t;
     any = true;
+    return true;
   });
+  return any;
+}
+
+bool Isosurface::any(const Ray& ray, double t_min, double t_max) const {
+  bool any = false;
+  crossings(ray, [&](double t, std::uint32_t) { return !(any = t > t_min && t < t_max); });
   return any;
 }
 
 void Isosurface::all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const {
   crossings(ray, [&](double t, std::uint32_t element) {
     if (t > t_min && t < t_max) hits.push_back({t, element, 0.0, 0.0});
+    return true;
   });
 }
 
@@ -191,9 +225,10 @@ Vec3 Isosurface::normal(const Vec3& p, const ShapeHit& hit) const {
     const Vec3 out = p - m_set.centre;
     if (std::fabs(length(out) - m_set.radius) < kOnSphere) return out;
   }
-  const double here = value(p), step = m_set.accuracy;
-  const Vec3 slope{value(p + Vec3{step, 0, 0}) - here, value(p + Vec3{0, step, 0}) - here,
-                   value(p + Vec3{0, 0, step}) - here};
+  Field field(*this);
+  const double here = field(p), step = m_set.accuracy;
+  const Vec3 slope{field(p + Vec3{step, 0, 0}) - here, field(p + Vec3{0, step, 0}) - here,
+                   field(p + Vec3{0, 0, step}) - here};
   return slope == Vec3{} ? Vec3{1, 0, 0} : slope;
 }
 

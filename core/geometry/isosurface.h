@@ -7,7 +7,7 @@
 
 #include <memory>
 
-#include "core/function/function.h"
+#include "core/function/program.h"
 #include "core/geometry/shape.h"
 
 namespace lentray::core {
@@ -27,25 +27,29 @@ struct IsosurfaceSettings {
 
 class Isosurface final : public Shape {
  public:
-  explicit Isosurface(IsosurfaceSettings settings) : m_set(std::move(settings)) {}
+  explicit Isosurface(IsosurfaceSettings settings);
 
   std::string_view name() const override { return "isosurface"; }
   Bounds bounds() const override;
   Bounds bounds_in(const Transform& t) const override;
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
+  bool any(const Ray& ray, double t_min, double t_max) const override;
   bool inside(const Vec3& p) const override;
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
 
  private:
+  class Field;
   struct Search;
   double value(const Vec3& p) const;
   bool through_container(const Ray& ray, double& from, double& to, std::uint32_t& side_in,
                          std::uint32_t& side_out) const;
+  /// Calls visit(t, element) until that answers false.
   template <class Visit>
   void crossings(const Ray& ray, Visit&& visit) const;
 
   IsosurfaceSettings m_set;
+  const Program* m_program;  ///< the function, if it is one
 };
 
 }  // namespace lentray::core

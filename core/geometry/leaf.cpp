@@ -7,7 +7,7 @@ Leaf::Leaf(std::unique_ptr<Shape> shape, const Transform& to_world) : m_shape(st
     if (auto moved = m_shape->baked(to_world)) {
       m_shape = std::move(moved);
     } else {
-      m_transform = to_world;
+      m_transform = std::make_unique<const Transform>(to_world);
     }
   }
   m_box = m_transform ? m_shape->bounds_in(*m_transform) : m_shape->bounds();
@@ -53,16 +53,33 @@ bool Leaf::shape_nearest(const Ray& ray, double t_min, double t_max, ShapeHit& h
 bool Leaf::nearest(const Ray& ray, double t_min, double t_max, Hit& hit, HitArena& arena) const {
   if (!bounding().empty() && !passes_bounding(ray, arena)) return false;
   ShapeHit found;
-  while (shape_nearest(ray, t_min, t_max, found)) {
-    if (clips().empty() || passes_clips(ray.at(found.t))) {
-      hit.t = found.t;
-      hit.leaf = this;
-      hit.shape = found;
-      return true;
-    }
+  const bool is_there = clips().empty() ? shape_nearest(ray, t_min, t_max, found)
+                                        : unclipped_nearest(ray, t_min, t_max, found, arena);
+  if (!is_there) return false;
+  hit.t = found.t;
+  hit.leaf = this;
+  hit.shape = found;
+  return true;
+}
+
+/// Where the first crossing is clipped away all others are found at once, not one after the other.
+bool Leaf::unclipped_nearest(const Ray& ray, double t_min, double t_max, ShapeHit& found, HitArena& arena) const {
+  if (!m_shape->finds_all_at_once()) {
+    if (!shape_nearest(ray, t_min, t_max, found)) return false;
+    if (passes_clips(ray.at(found.t))) return true;
     t_min = found.t;
   }
-  return false;
+  ShapeHits& all = arena.shape_hits;
+  all.clear();
+  m_shape->all(m_transform ? to_shape(ray) : ray, t_min, t_max, all);
+  bool is_there = false;
+  for (const ShapeHit& one : all) {
+    if (!(one.t < t_max) || !passes_clips(ray.at(one.t))) continue;
+    found = one;
+    t_max = one.t;
+    is_there = true;
+  }
+  return is_there;
 }
 
 bool Leaf::any(const Ray& ray, double t_min, double t_max, HitArena& arena) const {

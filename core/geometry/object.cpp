@@ -24,6 +24,7 @@ bool Object::passes_bounding(const Ray& ray, HitArena& arena) const {
 }
 
 Bounds Object::limited(Bounds b) const {
+  if (m_clips.empty() && m_bounding.empty()) return b;
   for (const auto& clip : m_clips) b.intersect(clip->solid_bounds());
   if (b.is_empty()) return Bounds();
   if (b.is_finite()) return b;

@@ -5,7 +5,6 @@
 
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -134,7 +133,7 @@ class Leaf final : public Object {
   void drop_shortcuts() override { m_shape->drop_shortcuts(); }
 
   const Shape& shape() const { return *m_shape; }
-  const std::optional<Transform>& transform() const { return m_transform; }  ///< null: shape is in world space
+  const Transform* transform() const { return m_transform.get(); }  ///< null: shape is in world space
   /// Unit shading normal at a hit of this leaf, world space, as stock orients it.
   Vec3 normal(const Vec3& world_point, const ShapeHit& hit) const;
   Vec2 uv(const Vec3& world_point, const ShapeHit& hit) const;
@@ -142,10 +141,11 @@ class Leaf final : public Object {
 
  private:
   bool shape_nearest(const Ray&, double t_min, double t_max, ShapeHit&) const;
+  bool unclipped_nearest(const Ray&, double t_min, double t_max, ShapeHit&, HitArena&) const;
   Ray to_shape(const Ray& ray) const;
 
   std::unique_ptr<Shape> m_shape;
-  std::optional<Transform> m_transform;
+  std::unique_ptr<const Transform> m_transform;  ///< apart: few have one, and it is large
   Bounds m_box;  ///< of the shape, in the world
 };
 

@@ -109,6 +109,99 @@ Outline::Outline(std::vector<CurvePiece> pieces) : m_pieces(std::move(pieces)) {
     m_hi = {std::max(m_hi.u, m_boxes.back().hi.u), std::max(m_hi.v, m_boxes.back().hi.v)};
   }
   fill_bands();
+  fill_lanes();
+  fill_squares();
+}
+
+void Outline::fill_lanes() {
+  constexpr std::size_t kLanes = 4;
+  const float nowhere = std::numeric_limits<float>::infinity();
+  m_lanes.clear();
+  for (std::size_t i = 0; i < m_boxes.size(); ++i) {
+    const std::size_t lane = i % kLanes;
+    if (lane == 0) {
+      auto& sides = m_lanes.emplace_back().sides;
+      for (std::size_t side = 0; side < 4; ++side) std::fill_n(sides[side], kLanes, side < 2 ? nowhere : -nowhere);
+    }
+    auto& sides = m_lanes.back().sides;
+    const Box& box = m_boxes[i];
+    sides[0][lane] = down(box.lo.u);
+    sides[1][lane] = down(box.lo.v);
+    sides[2][lane] = up(box.hi.u);
+    sides[3][lane] = up(box.hi.v);
+  }
+}
+
+/// Finer for more pieces. A square without pieces is inside if its middle is, and its neighbour
+/// without pieces is like it.
+void Outline::fill_squares() {
+  constexpr std::size_t kLeast = 12;
+  m_side = static_cast<int>(std::clamp<std::size_t>(kLeast + m_pieces.size() / 2, kLeast, kMostSquares));
+  const double width = m_hi.u - m_lo.u, height = m_hi.v - m_lo.v;
+  m_columns_per_u = m_side / width;
+  m_rows_per_v = m_side / height;
+  m_mixed.fill(~0u);
+  m_inside.fill(0);
+  // Neither numbers so close together that rounding would matter nor infinite ones.
+  const double far = std::max({std::fabs(m_lo.u), std::fabs(m_lo.v), std::fabs(m_hi.u), std::fabs(m_hi.v)});
+  constexpr double kCoarse = 1e-6;
+  if (!(std::min(width, height) > kCoarse * far && std::isfinite(far))) {
+    m_side = 1;
+    m_columns_per_u = m_rows_per_v = 0.0;
+    return;
+  }
+  m_mixed.fill(0);
+  for (const CurvePiece& piece : m_pieces) mark(piece);
+  for (int row = 0; row < m_side; ++row) {
+    const auto r = static_cast<std::size_t>(row);
+    bool known = false, inside = false;
+    for (int column = 0; column < m_side; ++column) {
+      const std::uint32_t bit = 1u << column;
+      if (m_mixed[r] & bit) {
+        known = false;
+        continue;
+      }
+      if (!known) inside = contains_counted(m_lo.u + (column + 0.5) / m_columns_per_u, m_lo.v + (row + 0.5) / m_rows_per_v);
+      known = true;
+      if (inside) m_inside[r] |= bit;
+    }
+  }
+}
+
+/// In parts between the turns of the curve and a few more places: each part lies in the box of its
+/// ends.
+void Outline::mark(const CurvePiece& piece) {
+  constexpr int kMostParts = 16;
+  const Box box = box_of(piece);
+  const double squares = std::max((box.hi.u - box.lo.u) * m_columns_per_u, (box.hi.v - box.lo.v) * m_rows_per_v);
+  const int parts = static_cast<int>(std::clamp(squares * 2.0, 1.0, static_cast<double>(kMostParts)));
+  double places[kMostParts + 5];
+  int count = 0;
+  for (int i = 1; i < parts; ++i) places[count++] = static_cast<double>(i) / parts;
+  const auto turns = [&](double a, double b, double c) {
+    double roots[2];
+    const int n = solve_quadratic(3.0 * a, 2.0 * b, c, roots);
+    for (int i = 0; i < n; ++i) {
+      if (roots[i] > 0.0 && roots[i] < 1.0) places[count++] = roots[i];
+    }
+  };
+  turns(piece.a.u, piece.b.u, piece.c.u);
+  turns(piece.a.v, piece.b.v, piece.c.v);
+  std::sort(places, places + count);
+  Vec2 from = piece.d;
+  for (int i = 0; i <= count; ++i) {
+    const Vec2 to = i < count ? piece.at(places[i]) : piece.end;
+    mark(Box{{std::min(from.u, to.u), std::min(from.v, to.v)}, {std::max(from.u, to.u), std::max(from.v, to.v)}});
+    from = to;
+  }
+}
+
+void Outline::mark(const Box& box) {
+  constexpr double kSlack = 1e-3;  // of a square: far above rounding
+  const double by_u = kSlack / m_columns_per_u, by_v = kSlack / m_rows_per_v;
+  const std::uint32_t columns = (2u << column_of(box.hi.u + by_u)) - (1u << column_of(box.lo.u - by_u));
+  const int last = row_of(box.hi.v + by_v);
+  for (int row = row_of(box.lo.v - by_v); row <= last; ++row) m_mixed[static_cast<std::size_t>(row)] |= columns;
 }
 
 /// Bands of equal height; outlines of few pieces have one.
@@ -147,6 +240,19 @@ Outline::Box Outline::box_of(const CurvePiece& piece) {
   return box;
 }
 
+/// Pieces whose box does not reach as far as others are left out.
+double Outline::farthest(const Vec2& n) const {
+  constexpr double kSlack = 1e-12;
+  double far = -std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < m_pieces.size(); ++i) {
+    const double along_u = n.u * (n.u > 0.0 ? m_boxes[i].hi.u : m_boxes[i].lo.u);
+    const double along_v = n.v * (n.v > 0.0 ? m_boxes[i].hi.v : m_boxes[i].lo.v);
+    if (along_u + along_v + kSlack * (std::fabs(along_u) + std::fabs(along_v)) < far) continue;
+    far = std::max(far, m_pieces[i].farthest(n));
+  }
+  return far;
+}
+
 void Outline::drop_boxes() {
   constexpr double kInf = std::numeric_limits<double>::infinity();
   m_lo = {-kInf, -kInf};
@@ -155,10 +261,18 @@ void Outline::drop_boxes() {
   m_in_bands.clear();
   m_band_starts.clear();
   fill_bands();
+  fill_lanes();
+  fill_squares();
 }
 
 bool Outline::contains(double u, double v) const {
   if (!(u >= m_lo.u && u <= m_hi.u && v >= m_lo.v && v <= m_hi.v)) return false;
+  const auto row = static_cast<std::size_t>(row_of(v));
+  const std::uint32_t bit = 1u << column_of(u);
+  return m_mixed[row] & bit ? contains_counted(u, v) : (m_inside[row] & bit) != 0;
+}
+
+bool Outline::contains_counted(double u, double v) const {
   bool inside = false;
   for (const std::uint32_t i : in_band(band_of(v))) {
     const Box& box = m_boxes[i];

@@ -5,7 +5,11 @@
 // Immutable; any number of threads.
 #pragma once
 
+#include <immintrin.h>
+
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -36,14 +40,16 @@ class Outline {
   explicit Outline(std::vector<CurvePiece> pieces);
 
   bool contains(double u, double v) const;
+  /// The most that direction.u u + direction.v v becomes.
+  double farthest(const Vec2& direction) const;
   struct Box {
     Vec2 lo, hi;
     bool meets(const Box& o) const {
       return lo.u <= o.hi.u && hi.u >= o.lo.u && lo.v <= o.hi.v && hi.v >= o.lo.v;
     }
   };
-  /// Calls visit(piece, s) where the line a u + b v + c = 0 crosses the boundary; elsewhere than in
-  /// `region` it may leave crossings out.
+  /// Calls visit(piece, s), until that answers false, where the line a u + b v + c = 0 crosses the
+  /// boundary; elsewhere than in `region` it may leave crossings out.
   template <class Visit>
   void crossings(double a, double b, double c, const Box& region, Visit&& visit) const;
   const std::vector<CurvePiece>& pieces() const { return m_pieces; }
@@ -54,6 +60,13 @@ class Outline {
 
  private:
   static Box box_of(const CurvePiece& piece);
+  /// As a float, rounded outwards; beyond floats the largest, which is as good.
+  static float up(double x) {
+    constexpr double kMost = 3e38;
+    const auto f = static_cast<float>(std::clamp(x, -kMost, kMost));
+    return f + __builtin_fabsf(f) * 0x1p-22f;
+  }
+  static float down(double x) { return -up(-x); }
   static constexpr int kMostBands = 16;
   /// Which band of v a place is in, beyond them the nearest; rises with v.
   int band_of(double v) const {
@@ -66,6 +79,27 @@ class Outline {
     return std::span(m_in_bands).subspan(m_band_starts[i], m_band_starts[i + 1] - m_band_starts[i]);
   }
   void fill_bands();
+  void fill_lanes();
+  void fill_squares();
+  void mark(const CurvePiece& piece);
+  void mark(const Box& box);
+  bool contains_counted(double u, double v) const;
+  /// Which column or row a place is in, beyond them the nearest.
+  int column_of(double u) const { return square_of((u - m_lo.u) * m_columns_per_u); }
+  int row_of(double v) const { return square_of((v - m_lo.v) * m_rows_per_v); }
+  int square_of(double at) const {
+    return at > 0.0 ? static_cast<int>(std::min(at, static_cast<double>(m_side - 1))) : 0;
+  }
+  /// Whether a piece may come into the region.
+  bool has_pieces(const Box& region) const {
+    if (!region.meets({m_lo, m_hi})) return false;
+    const std::uint32_t columns = (2u << column_of(region.hi.u)) - (1u << column_of(region.lo.u));
+    const int last = row_of(region.hi.v);
+    for (int row = row_of(region.lo.v); row <= last; ++row) {
+      if (m_mixed[static_cast<std::size_t>(row)] & columns) return true;
+    }
+    return false;
+  }
   static bool may_cross(const Box& box, double a, double b, double c);
 
   std::vector<CurvePiece> m_pieces;
@@ -74,6 +108,17 @@ class Outline {
   int m_bands = 1;
   double m_bands_per_v = 0.0;
   std::vector<std::uint32_t> m_in_bands, m_band_starts;
+
+  /// Four pieces' boxes, rounded outwards: low u, low v, high u, high v.
+  struct alignas(16) Lanes { float sides[4][4]; };
+  std::vector<Lanes> m_lanes;
+
+  /// Squares over lo() .. hi(), a bit each: those that a piece may come into, and of the others those
+  /// inside.
+  static constexpr int kMostSquares = 32;
+  int m_side = 1;
+  double m_columns_per_u = 0.0, m_rows_per_v = 0.0;
+  std::array<std::uint32_t, kMostSquares> m_mixed{}, m_inside{};
 };
 
 /// Parameters in 0..1 at which the piece crosses the line, at most three; the number of them.
@@ -81,17 +126,25 @@ int line_crossings(const CurvePiece& piece, double a, double b, double c, double
 
 template <class Visit>
 void Outline::crossings(double a, double b, double c, const Box& region, Visit&& visit) const {
-  const auto look = [&](std::uint32_t i) {
-    if (!m_boxes[i].meets(region) || !may_cross(m_boxes[i], a, b, c)) return;
-    double s[3];
-    const int n = line_crossings(m_pieces[i], a, b, c, s);
-    for (int k = 0; k < n; ++k) visit(i, s[k]);
-  };
-  const int band = band_of(region.lo.v);
-  if (band == band_of(region.hi.v)) {
-    for (const std::uint32_t i : in_band(band)) look(i);
-  } else {
-    for (std::uint32_t i = 0; i < m_pieces.size(); ++i) look(i);
+  if (!has_pieces(region)) return;
+  const __m128 low_u = _mm_set1_ps(down(region.lo.u)), low_v = _mm_set1_ps(down(region.lo.v));
+  const __m128 high_u = _mm_set1_ps(up(region.hi.u)), high_v = _mm_set1_ps(up(region.hi.v));
+  for (std::size_t group = 0; group < m_lanes.size(); ++group) {
+    const auto& sides = m_lanes[group].sides;
+    const __m128 meets_u = _mm_and_ps(_mm_cmple_ps(_mm_load_ps(sides[0]), high_u),
+                                      _mm_cmpge_ps(_mm_load_ps(sides[2]), low_u));
+    const __m128 meets_v = _mm_and_ps(_mm_cmple_ps(_mm_load_ps(sides[1]), high_v),
+                                      _mm_cmpge_ps(_mm_load_ps(sides[3]), low_v));
+    auto mask = static_cast<unsigned>(_mm_movemask_ps(_mm_and_ps(meets_u, meets_v)));
+    for (; mask != 0; mask &= mask - 1) {
+      const auto i = static_cast<std::uint32_t>(4 * group) + static_cast<std::uint32_t>(std::countr_zero(mask));
+      if (!may_cross(m_boxes[i], a, b, c)) continue;
+      double s[3];
+      const int n = line_crossings(m_pieces[i], a, b, c, s);
+      for (int k = 0; k < n; ++k) {
+        if (!visit(i, s[k])) return;
+      }
+    }
   }
 }
 

@@ -20,6 +20,7 @@ class Poly final : public Shape {
   Bounds bounds() const override { return Bounds::everything(); }
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
+  bool finds_all_at_once() const override { return true; }
   bool inside(const Vec3& p) const override;
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
 

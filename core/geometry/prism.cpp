@@ -5,7 +5,6 @@
 
 #include "core/geometry/bounds_help.h"
 #include "core/geometry/box_ray.h"
-#include "core/geometry/crossings.h"
 
 namespace lentray::core {
 namespace {
@@ -42,9 +41,7 @@ Bounds Prism::bounds_in(const Transform& t) const {
   return support_bounds(t, [&](const Vec3& direction) {
     const Vec3 d = swept(direction);
     const auto outline = [&](double u, double v) {
-      double far = -Bounds::kInf;
-      for (const CurvePiece& piece : m_outline->pieces()) far = std::max(far, piece.farthest({u, v}));
-      return far;
+      return m_outline->farthest({u, v});
     };
     if (m_sweep != Sweep::kConic) return outline(d.x, d.y) + std::max(d.z * m_from, d.z * m_to);
     return std::max(outline(d.x * m_from, d.y * m_from) + d.z * m_from,
@@ -68,23 +65,28 @@ bool Prism::contains(double u, double v, double height) const {
   return m_outline->contains(u, v);
 }
 
-/// Where over the outline the ray lies between the caps and between t_min and t_max: a box, a
-/// little wider.
-Outline::Box Prism::shadow(const Vec3& origin, const Vec3& direction, double t_min, double t_max) const {
+/// False if the ray does not come between the caps and t_min and t_max; else `region` becomes the
+/// box over the outline where it does, a little wider.
+bool Prism::shadow(const Vec3& origin, const Vec3& direction, double t_min, double t_max, Outline::Box& region) const {
   constexpr double kInf = Bounds::kInf, kSlack = 1e-9;
-  const Outline::Box everywhere{{-kInf, -kInf}, {kInf, kInf}};
+  region = {{-kInf, -kInf}, {kInf, kInf}};
   if (direction.z != 0.0) {
     const double a = (m_from - origin.z) / direction.z, b = (m_to - origin.z) / direction.z;
-    t_min = std::max(t_min, std::min(a, b));
-    t_max = std::min(t_max, std::max(a, b));
+    const double slack = kSlack * (std::fabs(a) + std::fabs(b));
+    const double enters = std::min(a, b), leaves = std::max(a, b);
+    if (!(enters - slack <= t_max && leaves + slack >= t_min)) return false;
+    t_min = std::max(t_min, enters);
+    t_max = std::min(t_max, leaves);
+  } else if (!(origin.z >= m_from && origin.z <= m_to)) {
+    return false;
   }
   const Vec3 first = origin + direction * t_min, last = origin + direction * t_max;
-  if (!is_finite(first) || !is_finite(last)) return everywhere;
+  if (!is_finite(first) || !is_finite(last)) return true;
   double u1 = first.x, v1 = first.y, u2 = last.x, v2 = last.y;
   if (m_sweep == Sweep::kConic) {
     // Towards the tip it has no end.
     constexpr double kTip = 1e-3;
-    if (!(first.z * last.z > 0.0) || std::min(std::fabs(first.z), std::fabs(last.z)) < kTip) return everywhere;
+    if (!(first.z * last.z > 0.0) || std::min(std::fabs(first.z), std::fabs(last.z)) < kTip) return true;
     u1 /= first.z;
     v1 /= first.z;
     u2 /= last.z;
@@ -93,16 +95,23 @@ Outline::Box Prism::shadow(const Vec3& origin, const Vec3& direction, double t_m
   const double size = std::fabs(origin.x) + std::fabs(origin.y) + std::fabs(u1) + std::fabs(v1) +
                       std::fabs(u2) + std::fabs(v2) + std::fabs(origin.z) + std::fabs(m_from) + std::fabs(m_to);
   const double by = kSlack * size * (m_sweep == Sweep::kConic ? 1e3 : 1.0);
-  return {{std::min(u1, u2) - by, std::min(v1, v2) - by}, {std::max(u1, u2) + by, std::max(v1, v2) + by}};
+  region = {{std::min(u1, u2) - by, std::min(v1, v2) - by}, {std::max(u1, u2) + by, std::max(v1, v2) + by}};
+  return true;
+}
+
+bool Prism::may_meet(const Ray& ray, const Vec3& origin, const Vec3& direction, double t_min, double t_max,
+                     Outline::Box& region) const {
+  if (!shadow(origin, direction, t_min, t_max, region)) return false;
+  if (std::isfinite(region.lo.u)) return region.meets({m_outline->lo(), m_outline->hi()});
+  return BoxRay(ray).meets(m_reach, t_min, t_max);
 }
 
 template <class Visit>
-void Prism::walls(const Vec3& origin, const Vec3& direction, double t_min, double t_max, Visit&& visit) const {
+void Prism::walls(const Vec3& origin, const Vec3& direction, const Outline::Box& region, Visit&& visit) const {
   // Plane in which the ray and the direction of the sweep lie, as a line across the outline.
   Vec3 plane{direction.y, -direction.x, origin.y * direction.x - origin.x * direction.y};
   if (m_sweep == Sweep::kConic) plane = cross(origin, direction);
   if (plane.x == 0.0 && plane.y == 0.0) return;
-  const Outline::Box region = shadow(origin, direction, t_min, t_max);
   m_outline->crossings(plane.x, plane.y, plane.z, region, [&](std::uint32_t piece, double s) {
     const Vec2 p = m_outline->pieces()[piece].at(s);
     double du = direction.x, dv = direction.y, u = p.u - origin.x, v = p.v - origin.y;
@@ -114,7 +123,7 @@ void Prism::walls(const Vec3& origin, const Vec3& direction, double t_min, doubl
     }
     const double t = std::fabs(du) > std::fabs(dv) ? u / du : v / dv;
     const double height = origin.z + t * direction.z;
-    if (height >= m_from && height <= m_to) visit(t, kFirstWall + piece, s);
+    return !(height >= m_from && height <= m_to) || visit(t, kFirstWall + piece, s);
   });
 }
 
@@ -126,34 +135,64 @@ bool Prism::met_cap(std::uint32_t cap, const Vec3& origin, const Vec3& direction
   return contains(origin.x + t * direction.x, origin.y + t * direction.y, height);
 }
 
-template <class Visit>
-void Prism::crossings(const Ray& ray, double t_min, double t_max, Visit&& visit) const {
-  if (!BoxRay(ray).meets(m_reach, t_min, t_max)) return;
-  const Vec3 origin = swept(ray.origin), direction = swept(ray.direction);
-  for (const std::uint32_t cap : {kLowCap, kHighCap}) {
-    double t;
-    if (met_cap(cap, origin, direction, t)) visit(t, cap, 0.0);
-  }
-  walls(origin, direction, t_min, t_max, visit);
-}
-
 /// The cap that the ray comes to first is before all else: walls lie between the caps.
 bool Prism::nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const {
-  if (!BoxRay(ray).meets(m_reach, t_min, t_max)) return false;
   const Vec3 origin = swept(ray.origin), direction = swept(ray.direction);
+  Outline::Box region;
+  if (!may_meet(ray, origin, direction, t_min, t_max, region)) return false;
   const std::uint32_t first = direction.z > 0.0 ? kLowCap : kHighCap;
   double t;
   if (met_cap(first, origin, direction, t) && t > t_min && t < t_max) {
     hit = {t, first, 0.0, 0.0};
     return true;
   }
-  const auto each = [&](auto&& visit) { crossings(ray, t_min, t_max, visit); };
-  return nearest_of_all(each, t_min, t_max, hit);
+  bool found = false;
+  double best = t_max;
+  walls(origin, direction, region, [&](double at, std::uint32_t element, double place) {
+    if (at > t_min && at < best) {
+      hit = {at, element, place, 0.0};
+      best = at;
+      found = true;
+    }
+    return true;
+  });
+  const std::uint32_t last = first == kLowCap ? kHighCap : kLowCap;
+  // Where they meet the cap counts.
+  if (met_cap(last, origin, direction, t) && t > t_min && t < t_max && t <= best) {
+    hit = {t, last, 0.0, 0.0};
+    found = true;
+  }
+  return found;
+}
+
+bool Prism::any(const Ray& ray, double t_min, double t_max) const {
+  const Vec3 origin = swept(ray.origin), direction = swept(ray.direction);
+  Outline::Box region;
+  if (!may_meet(ray, origin, direction, t_min, t_max, region)) return false;
+  double t;
+  for (const std::uint32_t cap : {kLowCap, kHighCap}) {
+    if (met_cap(cap, origin, direction, t) && t > t_min && t < t_max) return true;
+  }
+  bool found = false;
+  walls(origin, direction, region, [&](double at, std::uint32_t, double) {
+    return !(found = at > t_min && at < t_max);
+  });
+  return found;
 }
 
 void Prism::all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const {
-  const auto each = [&](auto&& visit) { crossings(ray, t_min, t_max, visit); };
-  append_all(each, t_min, t_max, hits);
+  const Vec3 origin = swept(ray.origin), direction = swept(ray.direction);
+  Outline::Box region;
+  if (!may_meet(ray, origin, direction, t_min, t_max, region)) return;
+  const auto add = [&](double t, std::uint32_t element, double place) {
+    if (t > t_min && t < t_max) hits.push_back({t, element, place, 0.0});
+    return true;
+  };
+  for (const std::uint32_t cap : {kLowCap, kHighCap}) {
+    double t;
+    if (met_cap(cap, origin, direction, t)) add(t, cap, 0.0);
+  }
+  walls(origin, direction, region, add);
 }
 
 bool Prism::inside(const Vec3& p) const {

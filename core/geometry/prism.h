@@ -26,6 +26,7 @@ class Prism final : public Shape {
   Bounds bounds_in(const Transform& t) const override;
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
+  bool any(const Ray& ray, double t_min, double t_max) const override;
   bool inside(const Vec3& p) const override;
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
   void drop_shortcuts() override;
@@ -37,11 +38,11 @@ class Prism final : public Shape {
   }
   bool contains(double u, double v, double height) const;
   bool met_cap(std::uint32_t cap, const Vec3& origin, const Vec3& direction, double& t) const;
+  bool may_meet(const Ray& ray, const Vec3& origin, const Vec3& direction, double t_min, double t_max,
+                Outline::Box& region) const;
   template <class Visit>
-  void crossings(const Ray& ray, double t_min, double t_max, Visit&& visit) const;
-  template <class Visit>
-  void walls(const Vec3& origin, const Vec3& direction, double t_min, double t_max, Visit&& visit) const;
-  Outline::Box shadow(const Vec3& origin, const Vec3& direction, double t_min, double t_max) const;
+  void walls(const Vec3& origin, const Vec3& direction, const Outline::Box& region, Visit&& visit) const;
+  bool shadow(const Vec3& origin, const Vec3& direction, double t_min, double t_max, Outline::Box& region) const;
 
   std::string_view m_name;
   std::shared_ptr<const Outline> m_outline;

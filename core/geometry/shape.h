@@ -42,6 +42,8 @@ class Shape {
     return nearest(ray, t_min, t_max, hit);
   }
 
+  /// True where all() costs no more than nearest(), which works all out too.
+  virtual bool finds_all_at_once() const { return false; }
   /// As `inside` in SDL, before any `inverse`. Shapes without a solid answer false.
   virtual bool inside(const Vec3& p) const = 0;
   /// As `inside` of the inverse. Not always the opposite: a point on a surface may be in both or

@@ -132,7 +132,7 @@ bool TriangleMesh::search(const Ray& ray, double t_min, double t_max, FaceHit& h
   const PackRay pack_ray(ray, true);
   Search<kAny> what{t_min, t_max, {}};
   CountNothing nothing;
-  if (WideBvh::has_avx2()) {
+  if (has_avx2()) {
     PackLeafAvx2<kAny> leaf{*this, what, pack_ray};
     m_bvh.traverse_avx2<!kAny>(ray, t_min, t_max, leaf, nothing);
   } else {

@@ -78,7 +78,7 @@ class TriangleMesh {
       return false;
     };
     CountNothing nothing;
-    if (WideBvh::has_avx2()) {
+    if (has_avx2()) {
       m_bvh.traverse_avx2<false>(ray, t_min, t_max, leaf, nothing);
     } else {
       m_bvh.traverse_portable(ray, t_min, t_max, leaf, nothing);

@@ -10,6 +10,7 @@
 #include <numbers>
 #include <random>
 
+#include "core/base/processor.h"
 #include "core/pattern/noise_table.h"
 
 namespace lentray::core {
@@ -18,6 +19,7 @@ namespace {
 constexpr double kEpsilon = 1e-10;
 constexpr int kLattice = 4096;
 constexpr int kLatticeOrigin = 10000;
+constexpr double kSolidOrigin = 10000000.023157213;
 
 /// The generator that fills the tables: 32-bit linear congruence, 15 bits used.
 class TableRandom {
@@ -53,7 +55,7 @@ const HashTable kHash = make_hash_table();
 struct SolidTables {
   static constexpr int kEntries = 2048;
   std::array<int, 2 * (kEntries + 1)> permutation{};
-  std::array<Vec3, 2 * (kEntries + 1)> gradients{};
+  std::array<Vec3, 2 * (kEntries + 1) + 1> gradients{};  // one more: four numbers are read at once
 
   SolidTables() {
     TableRandom random(1);
@@ -155,45 +157,7 @@ inline void for_corners(const Cell& cell, Visit visit) {
   one(3, 1);
 }
 
-// Without fused operations: the values are stock's to the last bit.
-#define LENTRAY_NOISE_AVX2 __attribute__((target("avx2")))
-
-/// Weighted values of a layer's four corners, in the order of for_corners.
-template <int kLayer>
-LENTRAY_NOISE_AVX2 inline __m256d corners_avx2(const Cell& cell, __m256d near, __m256d far, __m256d weights) {
-  constexpr int kZ = kLayer * 8;  // lanes of `far`: 2 x, 4 y, 8 z
-  const __m256d a = _mm256_mul_pd(_mm256_loadu_pd(cell.gradient(0, kLayer)), _mm256_blend_pd(near, far, kZ));
-  const __m256d b = _mm256_mul_pd(_mm256_loadu_pd(cell.gradient(1, kLayer)), _mm256_blend_pd(near, far, kZ | 2));
-  const __m256d c = _mm256_mul_pd(_mm256_loadu_pd(cell.gradient(2, kLayer)), _mm256_blend_pd(near, far, kZ | 4));
-  const __m256d d = _mm256_mul_pd(_mm256_loadu_pd(cell.gradient(3, kLayer)), _mm256_blend_pd(near, far, kZ | 6));
-  const __m256d ab = _mm256_unpacklo_pd(a, b), ab_odd = _mm256_unpackhi_pd(a, b);
-  const __m256d cd = _mm256_unpacklo_pd(c, d), cd_odd = _mm256_unpackhi_pd(c, d);
-  __m256d sum = _mm256_add_pd(_mm256_permute2f128_pd(ab, cd, 0x20), _mm256_permute2f128_pd(ab_odd, cd_odd, 0x20));
-  sum = _mm256_add_pd(sum, _mm256_permute2f128_pd(ab, cd, 0x31));
-  sum = _mm256_add_pd(sum, _mm256_permute2f128_pd(ab_odd, cd_odd, 0x31));
-  const double weight = kLayer ? cell.z.weight_far : cell.z.weight_near;
-  return _mm256_mul_pd(_mm256_mul_pd(weights, _mm256_set1_pd(weight)), sum);
-}
-
-/// lattice_noise, to the bit.
-LENTRAY_NOISE_AVX2 double lattice_noise_avx2(const Vec3& point) {
-  const Cell cell(point);
-  const CellAxis &x = cell.x, &y = cell.y;
-  const __m256d near = _mm256_set_pd(cell.z.near, y.near, x.near, 0.5);
-  const __m256d far = _mm256_set_pd(cell.z.far, y.far, x.far, 0.5);
-  const __m256d weights =
-      _mm256_mul_pd(_mm256_set_pd(x.weight_far, x.weight_near, x.weight_far, x.weight_near),
-                    _mm256_set_pd(y.weight_far, y.weight_far, y.weight_near, y.weight_near));
-  alignas(32) double values[8];
-  _mm256_store_pd(values, corners_avx2<0>(cell, near, far, weights));
-  _mm256_store_pd(values + 4, corners_avx2<1>(cell, near, far, weights));
-  double sum = 0.0;
-  for (const double value : values) sum += value;
-  return sum;
-}
-
-double lattice_noise(const Vec3& point) {
-  if (__builtin_cpu_supports("avx2") != 0) return lattice_noise_avx2(point);
+double lattice_noise_portable(const Vec3& point) {
   const Cell cell(point);
   double sum = 0.0;
   for_corners(cell, [&](const double* g, double weight, double x, double y, double z) {
@@ -202,12 +166,74 @@ double lattice_noise(const Vec3& point) {
   return sum;
 }
 
+/// Weighted values of a layer's four corners, in the order of for_corners. `near` and `far` are
+/// (0.5, x, y, z), `columns` the hashes of the four columns.
+template <int kLayer>
+LENTRAY_AVX2 inline __m256d corners_avx2(const int columns[4], int layer, __m256d near, __m256d far,
+                                         __m256d weights, __m256d layer_weight) {
+  constexpr int kZ = kLayer * 8;  // lanes of `far`: 2 x, 4 y, 8 z
+  const auto gradient = [&](int column) LENTRAY_AVX2 {
+    return _mm256_loadu_pd(&kNoiseGradients[kHash[static_cast<std::size_t>(columns[column] ^ layer)] & 0xFFu]);
+  };
+  const __m256d a = _mm256_mul_pd(gradient(0), _mm256_blend_pd(near, far, kZ));
+  const __m256d b = _mm256_mul_pd(gradient(1), _mm256_blend_pd(near, far, kZ | 2));
+  const __m256d c = _mm256_mul_pd(gradient(2), _mm256_blend_pd(near, far, kZ | 4));
+  const __m256d d = _mm256_mul_pd(gradient(3), _mm256_blend_pd(near, far, kZ | 6));
+  const __m256d ab = _mm256_unpacklo_pd(a, b), ab_odd = _mm256_unpackhi_pd(a, b);
+  const __m256d cd = _mm256_unpacklo_pd(c, d), cd_odd = _mm256_unpackhi_pd(c, d);
+  __m256d sum = _mm256_add_pd(_mm256_permute2f128_pd(ab, cd, 0x20), _mm256_permute2f128_pd(ab_odd, cd_odd, 0x20));
+  sum = _mm256_add_pd(sum, _mm256_permute2f128_pd(ab, cd, 0x31));
+  sum = _mm256_add_pd(sum, _mm256_permute2f128_pd(ab_odd, cd_odd, 0x31));
+  return _mm256_mul_pd(_mm256_mul_pd(weights, layer_weight), sum);
+}
+
+/// Beyond, cells are not counted in 32 bits.
+constexpr double kFarCell = 1e9;
+
+LENTRAY_AVX2 inline bool is_near(__m256d p) {
+  const __m256d size = _mm256_andnot_pd(_mm256_set1_pd(-0.0), p);
+  return _mm256_movemask_pd(_mm256_cmp_pd(size, _mm256_set1_pd(kFarCell), _CMP_LT_OQ)) == 15;
+}
+
+LENTRAY_AVX2 inline __m256d s_curve(__m256d t) {
+  const __m256d slope = _mm256_sub_pd(_mm256_set1_pd(3.0), _mm256_mul_pd(_mm256_set1_pd(2.0), t));
+  return _mm256_mul_pd(_mm256_mul_pd(t, t), slope);
+}
+
+/// lattice_noise_portable, to the bit.
+LENTRAY_AVX2 [[gnu::noinline]] double lattice_noise_avx2(double px, double py, double pz) {
+  const __m256d p = _mm256_set_pd(pz, py, px, 0.0);
+  if (!is_near(p)) return lattice_noise_portable({px, py, pz});
+  const __m256d below = _mm256_blendv_pd(p, _mm256_sub_pd(p, _mm256_set1_pd(1.0 - kEpsilon)),
+                                         _mm256_cmp_pd(p, _mm256_setzero_pd(), _CMP_LT_OQ));
+  const __m128i cell = _mm256_cvttpd_epi32(below);
+  __m256d near = _mm256_sub_pd(p, _mm256_cvtepi32_pd(cell));
+  __m256d far = _mm256_sub_pd(near, _mm256_set1_pd(1.0));
+  const __m256d weight_far = s_curve(near), weight_near = _mm256_sub_pd(_mm256_set1_pd(1.0), weight_far);
+  near = _mm256_blend_pd(near, _mm256_set1_pd(0.5), 1);
+  far = _mm256_blend_pd(far, _mm256_set1_pd(0.5), 1);
+  const __m128i place = _mm_and_si128(_mm_add_epi32(cell, _mm_set1_epi32(kLatticeOrigin)),
+                                      _mm_set1_epi32(kLattice - 1));
+  const int x = _mm_extract_epi32(place, 1), y = _mm_extract_epi32(place, 2), z = _mm_extract_epi32(place, 3);
+  const auto hash = [](int i) { return static_cast<int>(kHash[static_cast<std::size_t>(i)]); };
+  const int low = hash(x), high = hash(x + 1);
+  const int columns[4] = {hash(low ^ y), hash(high ^ y), hash(low ^ (y + 1)), hash(high ^ (y + 1))};
+  const __m256d xz = _mm256_unpackhi_pd(weight_near, weight_far), y_only = _mm256_unpacklo_pd(weight_near, weight_far);
+  const __m256d weights = _mm256_mul_pd(_mm256_permute2f128_pd(xz, xz, 0), _mm256_permute4x64_pd(y_only, 0xFA));
+  alignas(32) double values[8];
+  _mm256_store_pd(values, corners_avx2<0>(columns, z, near, far, weights, _mm256_permute4x64_pd(xz, 0xAA)));
+  _mm256_store_pd(values + 4, corners_avx2<1>(columns, z + 1, near, far, weights, _mm256_permute4x64_pd(xz, 0xFF)));
+  double sum = 0.0;
+  for (const double value : values) sum += value;
+  return sum;
+}
+
 /// One axis of the solid noise's cell; the offset keeps coordinates positive.
 struct SolidAxis {
   int low, high;
   double near, far, weight;
   explicit SolidAxis(double x) {
-    const double t = x + 10000000.023157213;
+    const double t = x + kSolidOrigin;
     const double whole = std::floor(t);
     // Where doubles have no odd numbers left any cell will do.
     const std::int64_t cell = std::fabs(whole) < 9e18 ? static_cast<std::int64_t>(whole) : 0;
@@ -219,7 +245,7 @@ struct SolidAxis {
   }
 };
 
-double solid_noise(const Vec3& p) {
+double solid_noise_portable(const Vec3& p) {
   const SolidAxis x(p.x), y(p.y), z(p.z);
   const auto permuted = [](int i) { return kSolid.permutation[static_cast<std::size_t>(i)]; };
   const int i = permuted(x.low), j = permuted(x.high);
@@ -239,18 +265,61 @@ double solid_noise(const Vec3& p) {
   return lerp(z.weight, plane(0), plane(1));
 }
 
+/// solid_noise_portable, to the bit.
+LENTRAY_AVX2 [[gnu::noinline]] double solid_noise_avx2(double px, double py, double pz) {
+  const __m256d p = _mm256_set_pd(0.0, pz, py, px);
+  if (!is_near(p)) return solid_noise_portable({px, py, pz});
+  const __m256d t = _mm256_add_pd(p, _mm256_set1_pd(kSolidOrigin)), whole = _mm256_floor_pd(t);
+  const __m256d near = _mm256_sub_pd(t, whole), far = _mm256_sub_pd(near, _mm256_set1_pd(1.0));
+  const __m256d weight = s_curve(near);
+  const __m128i mask = _mm_set1_epi32(SolidTables::kEntries - 1);
+  const __m128i low = _mm_and_si128(_mm256_cvttpd_epi32(whole), mask);
+  const __m128i high = _mm_and_si128(_mm_add_epi32(low, _mm_set1_epi32(1)), mask);
+  const auto permuted = [](int i) { return kSolid.permutation[static_cast<std::size_t>(i)]; };
+  const int i = permuted(_mm_cvtsi128_si32(low)), j = permuted(_mm_cvtsi128_si32(high));
+  const int y0 = _mm_extract_epi32(low, 1), y1 = _mm_extract_epi32(high, 1);
+  const int columns[4] = {permuted(i + y0), permuted(j + y0), permuted(i + y1), permuted(j + y1)};
+  const int layers[2] = {_mm_extract_epi32(low, 2), _mm_extract_epi32(high, 2)};
+  __m256d values[2];  // of the four columns
+  for (int layer = 0; layer < 2; ++layer) {
+    const __m256d z = layer == 0 ? near : far;
+    const auto product = [&](int column, __m256d xy) LENTRAY_AVX2 {
+      const Vec3& g = kSolid.gradients[static_cast<std::size_t>(columns[column] + layers[layer])];
+      return _mm256_mul_pd(_mm256_loadu_pd(&g.x), _mm256_blend_pd(xy, z, 4));
+    };
+    const __m256d a = product(0, near), b = product(1, _mm256_blend_pd(near, far, 1));
+    const __m256d c = product(2, _mm256_blend_pd(near, far, 2)), d = product(3, far);
+    const __m256d ab = _mm256_unpacklo_pd(a, b), ab_odd = _mm256_unpackhi_pd(a, b);
+    const __m256d cd = _mm256_unpacklo_pd(c, d), cd_odd = _mm256_unpackhi_pd(c, d);
+    const __m256d sum = _mm256_add_pd(_mm256_permute2f128_pd(ab, cd, 0x20),
+                                      _mm256_permute2f128_pd(ab_odd, cd_odd, 0x20));
+    values[layer] = _mm256_add_pd(sum, _mm256_permute2f128_pd(ab, cd, 0x31));
+  }
+  // Along x for both layers: (y low: layers 0, 1; y high: layers 0, 1), then along y, then z.
+  const __m256d x_low = _mm256_unpacklo_pd(values[0], values[1]), x_high = _mm256_unpackhi_pd(values[0], values[1]);
+  const __m256d along_x = _mm256_add_pd(
+      x_low, _mm256_mul_pd(_mm256_permute4x64_pd(weight, 0x00), _mm256_sub_pd(x_high, x_low)));
+  const __m128d y_low = _mm256_castpd256_pd128(along_x), y_high = _mm256_extractf128_pd(along_x, 1);
+  const __m128d y_weight = _mm256_castpd256_pd128(_mm256_permute4x64_pd(weight, 0x55));
+  const __m128d planes = _mm_add_pd(y_low, _mm_mul_pd(y_weight, _mm_sub_pd(y_high, y_low)));
+  const double first = _mm_cvtsd_f64(planes), second = _mm_cvtsd_f64(_mm_unpackhi_pd(planes, planes));
+  return first + _mm256_cvtsd_f64(_mm256_permute4x64_pd(weight, 0xAA)) * (second - first);
+}
+
+/// From what the noises give to 0..1.
+double in_range(double value, int generator) {
+  double sum = value + 0.5;
+  if (generator == 3) sum = 0.5 * (1.59 * value + 0.985);
+  if (generator == 2) sum = (value + 1.05242) * 0.48985582;
+  return std::clamp(sum, 0.0, 1.0);
+}
+
 }  // namespace
 
-double noise(const Vec3& point, int generator) {
-  double sum = 0.0;
-  if (generator == 3) {
-    sum = 0.5 * (1.59 * solid_noise(point) + 0.985);
-  } else if (generator == 2) {
-    sum = (lattice_noise(point) + 1.05242) * 0.48985582;
-  } else {
-    sum = lattice_noise(point) + 0.5;
-  }
-  return std::clamp(sum, 0.0, 1.0);
+double noise(double x, double y, double z, int generator) {
+  const bool avx2 = has_avx2();
+  if (generator == 3) return in_range(avx2 ? solid_noise_avx2(x, y, z) : solid_noise_portable({x, y, z}), 3);
+  return in_range(avx2 ? lattice_noise_avx2(x, y, z) : lattice_noise_portable({x, y, z}), generator);
 }
 
 Vec3 vector_noise(const Vec3& point) {

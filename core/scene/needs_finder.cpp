@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <set>
+#include <string_view>
+#include <typeinfo>
 #include <utility>
 
 #include "core/geometry/mesh.h"
@@ -9,23 +11,31 @@
 namespace lentray::core {
 namespace {
 
+const Mesh* mesh_of(const Leaf& leaf) {
+  const Shape& shape = leaf.shape();
+  return typeid(shape) == typeid(Mesh) ? static_cast<const Mesh*>(&shape) : nullptr;
+}
+
 /// Every texture that a leaf's surface may show.
 template <class Visit>
 void visit_textures(const Leaf& leaf, Visit&& visit) {
   const Attributes& looks = leaf.attributes();
   if (looks.texture) visit(*looks.texture);
   if (looks.interior_texture) visit(*looks.interior_texture);
-  if (const auto* mesh = dynamic_cast<const Mesh*>(&leaf.shape())) {
+  if (const Mesh* mesh = mesh_of(leaf)) {
     for (const Texture* texture : mesh->textures()) {
       if (texture) visit(*texture);
     }
   }
 }
 
-std::vector<const Leaf*> leaves_of(const Object& object) {
+/// Whether visit(leaf) answers true for every one; ends at the first other.
+template <class Visit>
+bool every_leaf(const Object& object, Visit&& visit) {
+  if (typeid(object) == typeid(Leaf)) return visit(static_cast<const Leaf&>(object));
   std::vector<const Leaf*> leaves;
   object.leaves(leaves);
-  return leaves;
+  return std::all_of(leaves.begin(), leaves.end(), [&](const Leaf* leaf) { return visit(*leaf); });
 }
 
 bool is_opaque(const Leaf& leaf) {
@@ -56,25 +66,27 @@ class Finder {
   void look_at_object(const Object& object) {
     const Attributes& a = object.attributes();
     if (a.no_image || a.no_reflection || a.no_shadow) m_needs.visibility_flags = true;
-    if (!object.bounds().is_finite() && !object.bounds().is_empty()) {
-      m_needs.infinite_objects = true;
-    }
+    const Bounds bounds = object.bounds();
+    if (!bounds.is_finite() && !bounds.is_empty()) m_needs.infinite_objects = true;
     if (!object.is_opaque() && !a.no_shadow) m_needs.transparent_shadows = true;
     look_at_structure(object);
-    for (const Leaf* leaf : leaves_of(object)) look_at_leaf(*leaf);
+    every_leaf(object, [&](const Leaf& leaf) {
+      look_at_leaf(leaf);
+      return true;
+    });
   }
 
   void look_at_structure(const Object& object) {
     if (!object.clips().empty()) m_needs.clipping = true;
-    if (const auto* csg = dynamic_cast<const Csg*>(&object)) {
+    if (typeid(object) == typeid(Csg)) {
       m_needs.csg = true;
-      for (const auto& child : csg->children()) look_at_structure(*child);
+      for (const auto& child : static_cast<const Csg&>(object).children()) look_at_structure(*child);
     }
     if (object.attributes().interior) m_needs.interiors = true;
   }
 
   void look_at_leaf(const Leaf& leaf) {
-    ++m_needs.primitives[std::string(leaf.name())];
+    count_name(leaf.name());
     const Attributes& a = leaf.attributes();
     if (a.interior) m_needs.interiors = true;
     if (a.interior_texture && a.interior_texture != a.texture) m_needs.interior_textures = true;
@@ -83,13 +95,24 @@ class Finder {
       m_needs.transparency = true;
       if (a.interior && a.interior->ior != 1.0) m_needs.refraction = true;
     }
-    if (const auto* mesh = dynamic_cast<const Mesh*>(&leaf.shape())) {
+    if (const Mesh* mesh = mesh_of(leaf)) {
       if (mesh->has_textures()) m_needs.textures_by_place = true;
     }
     visit_textures(leaf, [&](const Texture& texture) { look_at_texture(texture); });
   }
 
+  /// Most leaves are of the last one's kind and look like it.
+  void count_name(std::string_view name) {
+    if (!m_counted || name != m_name) {
+      m_name = name;
+      m_counted = &m_needs.primitives[std::string(name)];
+    }
+    ++*m_counted;
+  }
+
   void look_at_texture(const Texture& texture) {
+    if (&texture == m_texture) return;
+    m_texture = &texture;
     if (!m_seen.insert(&texture).second) return;
     if (!dynamic_cast<const LayeredTexture*>(&texture)) m_needs.textures_by_place = true;
     std::vector<const LayeredTexture*> stacks;
@@ -116,14 +139,16 @@ class Finder {
 
   const SceneParts& m_parts;
   std::set<const Texture*> m_seen;
+  const Texture* m_texture = nullptr;  ///< seen last
+  std::string_view m_name;             ///< counted last, in *m_counted
+  std::size_t* m_counted = nullptr;
   Needs m_needs;
 };
 
 }  // namespace
 
 bool all_opaque(const Object& object) {
-  const std::vector<const Leaf*> leaves = leaves_of(object);
-  return std::all_of(leaves.begin(), leaves.end(), [](const Leaf* l) { return is_opaque(*l); });
+  return every_leaf(object, [](const Leaf& leaf) { return is_opaque(leaf); });
 }
 
 Needs find_needs(const SceneParts& parts) { return Finder(parts).run(); }

@@ -1,6 +1,7 @@
 #include "core/scene/scene.h"
 
 #include <algorithm>
+#include <typeinfo>
 #include <utility>
 
 #include "core/accel/hierarchy.h"
@@ -17,8 +18,9 @@ namespace {
 /// hierarchy. (A merge's is not: it has no surfaces inside.)
 Csg* splittable(Object& object) {
   if (object.is_inverse() || !object.clips().empty() || !object.bounding().empty()) return nullptr;
-  auto* csg = dynamic_cast<Csg*>(&object);
-  return csg && csg->kind() == CsgKind::kUnion ? csg : nullptr;
+  if (typeid(object) != typeid(Csg)) return nullptr;
+  auto& csg = static_cast<Csg&>(object);
+  return csg.kind() == CsgKind::kUnion ? &csg : nullptr;
 }
 
 struct Splitter {

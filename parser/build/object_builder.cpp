@@ -203,7 +203,7 @@ std::unique_ptr<core::Object> ObjectBuilder::build(const ObjectDesc& object, con
 std::unique_ptr<core::Object> ObjectBuilder::build_whole(const ObjectDesc& object,
                                                          const core::Transform& outer,
                                                          const Inherited& from) {
-  const core::Transform to_world = object.transform->then(outer);
+  const core::Transform to_world = object.transform.is_stored() ? object.transform->then(outer) : outer;
   if (object.is_light()) {
     if (m_parts) {
       add_light(object, to_world, false);
@@ -325,7 +325,7 @@ std::unique_ptr<core::Object> ObjectBuilder::build_text(const TextShape& text,
   Inherited of_glyphs = looks;
   if (looks.lights) of_glyphs.lights = &scope;
   std::vector<std::unique_ptr<core::Object>> glyphs;
-  for (const PlacedGlyph& glyph : layout_text(text)) {
+  for (const PlacedGlyph& glyph : m_texts.place(text)) {
     auto shape = std::make_unique<core::Prism>("text", glyph.outline, core::Prism::Sweep::kAlongZ,
                                                0.0, text.thickness, false);
     glyphs.push_back(std::make_unique<core::Leaf>(

@@ -12,6 +12,7 @@
 
 #include "core/scene/scene.h"
 #include "parser/build/cutaways.h"
+#include "parser/build/text_shape.h"
 #include "parser/build/texture_compiler.h"
 #include "parser/descriptions/object.h"
 #include "parser/diagnostics.h"
@@ -83,6 +84,7 @@ class ObjectBuilder {
   core::SceneParts* m_parts = nullptr;   ///< null: geometry alone
   TextureCompiler* m_textures = nullptr;
   NotYet& m_not_yet;
+  TextLayout m_texts;
   Ref<TextureDesc> m_default;
   std::shared_ptr<Cutaways> m_cutaways;  ///< of the object being built; null: it has none
   std::set<const core::Texture*> m_owned;

@@ -105,27 +105,55 @@ std::shared_ptr<const core::Outline> outline_of(FT_GlyphSlot glyph, double em) {
 
 }  // namespace
 
-std::vector<PlacedGlyph> layout_text(const TextShape& text) {
-  const FontFile font(text.font);
-  const FT_Face face = font.face();
-  const double em = face->units_per_EM;
-  std::map<FT_UInt, std::shared_ptr<const core::Outline>> outlines;
+class TextLayout::Font {
+ public:
+  /// Lengths in the font's units.
+  struct Glyph {
+    bool is_there = false;
+    double bearing = 0.0, advance = 0.0;
+    std::shared_ptr<const core::Outline> outline;  ///< null: nothing to see
+  };
+
+  explicit Font(const std::string& path) : m_file(path) {}
+  FT_Face face() const { return m_file.face(); }
+  double em() const { return face()->units_per_EM; }
+
+  const Glyph& glyph(FT_UInt index) {
+    const auto [at, is_new] = m_glyphs.try_emplace(index);
+    if (!is_new || FT_Load_Glyph(face(), index, FT_LOAD_NO_SCALE) != 0) return at->second;
+    const FT_Glyph_Metrics& metrics = face()->glyph->metrics;
+    at->second = {true, static_cast<double>(metrics.horiBearingX), static_cast<double>(metrics.horiAdvance),
+                  outline_of(face()->glyph, em())};
+    return at->second;
+  }
+
+ private:
+  FontFile m_file;
+  std::map<FT_UInt, Glyph> m_glyphs;
+};
+
+TextLayout::TextLayout() = default;
+TextLayout::~TextLayout() = default;
+
+std::vector<PlacedGlyph> TextLayout::place(const TextShape& text) {
+  std::unique_ptr<Font>& font = m_fonts[text.font];
+  if (!font) font = std::make_unique<Font>(text.font);
+  const FT_Face face = font->face();
+  const double em = font->em();
   std::vector<PlacedGlyph> glyphs;
   core::Vec3 pen;
   FT_UInt before = 0;
   bool first = true;
   for (const unsigned char character : text.text) {
     const FT_UInt index = FT_Get_Char_Index(face, character);
-    if (FT_Load_Glyph(face, index, FT_LOAD_NO_SCALE) != 0) continue;
+    const Font::Glyph& glyph = font->glyph(index);
+    if (!glyph.is_there) continue;
     FT_Vector kerning{};
     if (!first) FT_Get_Kerning(face, before, index, FT_KERNING_UNSCALED, &kerning);
-    const auto bearing = static_cast<double>(face->glyph->metrics.horiBearingX);
     // The space left of the first character does not count.
-    const double start = first ? -bearing : static_cast<double>(kerning.x);
-    auto& outline = outlines[index];
-    if (!outline) outline = outline_of(face->glyph, em);
-    if (outline) glyphs.push_back({outline, pen + core::Vec3{start / em, 0.0, 0.0}});
-    pen.x += (static_cast<double>(face->glyph->metrics.horiAdvance) + start) / em;
+    const double start = first ? -glyph.bearing : static_cast<double>(kerning.x);
+    if (glyph.outline) glyphs.push_back({glyph.outline, pen + core::Vec3{start / em, 0.0, 0.0}});
+    pen.x += (glyph.advance + start) / em;
     pen += text.offset;
     before = index;
     first = false;

@@ -3,6 +3,7 @@
 // Source: reference manual 3.7, "Text"; spacing compared with stock by image.shapes.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -17,8 +18,18 @@ struct PlacedGlyph {
   core::Vec3 offset;
 };
 
-/// Throws std::runtime_error if the font cannot be read. Glyphs without an outline (the space) are
-/// left out.
-std::vector<PlacedGlyph> layout_text(const TextShape& text);
+/// Keeps the fonts it has opened, with the outlines of their glyphs: texts share them. One thread.
+class TextLayout {
+ public:
+  TextLayout();
+  ~TextLayout();
+  /// Throws std::runtime_error if the font cannot be read. Glyphs without an outline (the space) are
+  /// left out.
+  std::vector<PlacedGlyph> place(const TextShape& text);
+
+ private:
+  class Font;
+  std::map<std::string, std::unique_ptr<Font>> m_fonts;  ///< by path
+};
 
 }  // namespace lentray::parser

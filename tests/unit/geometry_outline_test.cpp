@@ -1,0 +1,129 @@
+// What outlines, noise and clipped shapes know ahead or find at once is what they find step by step.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/accel/light_buffer.h"
+#include "core/geometry/object.h"
+#include "core/geometry/poly.h"
+#include "core/geometry/prism.h"
+#include "core/geometry/sphere.h"
+#include "core/pattern/noise.h"
+#include "tests/unit/geometry_help.h"
+
+namespace lentray::core {
+namespace {
+
+using geometry_test::Random;
+
+/// A wavy ring: curves in the outer contour, lines in the inner one.
+Outline ring(double scale, const Vec2& at) {
+  constexpr int kWaves = 9;
+  const auto place = [&](double angle, double r) {
+    return Vec2{at.u + scale * r * std::cos(angle), at.v + scale * r * std::sin(angle)};
+  };
+  std::vector<CurvePiece> pieces;
+  for (int i = 0; i < kWaves; ++i) {
+    const double a = i * 6.283185307179586 / kWaves, b = ((i + 1) % kWaves) * 6.283185307179586 / kWaves;
+    const double middle = (i + 0.5) * 6.283185307179586 / kWaves;
+    pieces.push_back(CurvePiece::conic(place(a, 1.0), place(middle, i % 2 == 0 ? 1.6 : 0.7), place(b, 1.0)));
+    pieces.push_back(CurvePiece::line(place(a, 0.4), place(b, 0.4)));
+  }
+  return Outline(std::move(pieces));
+}
+
+TEST(UnitCoreOutline, SquaresSayWhatCountingSays) {
+  Random random(3);
+  for (const double scale : {1.0, 1e-3, 1e5}) {
+    for (const Vec2 at : {Vec2{0, 0}, Vec2{300 * scale, -20 * scale}}) {
+      const Outline outline = ring(scale, at);
+      Outline plain = outline;
+      plain.drop_boxes();
+      int inside = 0;
+      for (int i = 0; i < 20000; ++i) {
+        const double u = at.u + scale * random.in(-1.7, 1.7), v = at.v + scale * random.in(-1.7, 1.7);
+        ASSERT_EQ(outline.contains(u, v), plain.contains(u, v)) << scale << ' ' << u << ' ' << v;
+        inside += outline.contains(u, v);
+      }
+      EXPECT_GT(inside, 2000);
+      EXPECT_LT(inside, 18000);
+    }
+  }
+}
+
+TEST(UnitCoreOutline, PrismsAnswerAnyAsNearestDoes) {
+  Random random(5);
+  const auto outline = std::make_shared<const Outline>(ring(1.0, {0.2, 0.1}));
+  for (const auto sweep : {Prism::Sweep::kAlongY, Prism::Sweep::kConic, Prism::Sweep::kAlongZ}) {
+    for (const bool open : {false, true}) {
+      const Prism prism("prism", outline, sweep, 0.2, 0.9, open);
+      int met = 0;
+      for (int i = 0; i < 20000; ++i) {
+        const Ray ray{{random.in(-2, 2), random.in(-2, 2), random.in(-2, 2)},
+                      {random.in(-1, 1), random.in(-1, 1), random.in(-1, 1)}};
+        ShapeHit hit;
+        ShapeHits all;
+        const double from = random.in(0, 0.5), to = random.in(0.5, 3);
+        const bool is_met = prism.nearest(ray, from, to, hit);
+        prism.all(ray, from, to, all);
+        ASSERT_EQ(prism.any(ray, from, to), is_met);
+        ASSERT_EQ(all.empty(), !is_met);
+        for (const ShapeHit& one : all) ASSERT_GE(one.t, hit.t);
+        met += is_met;
+      }
+      EXPECT_GT(met, 500);
+    }
+  }
+}
+
+TEST(UnitCoreNoise, RepeatsEvery4096CellsHoweverFar) {
+  constexpr double kFar = 4096.0 * (1 << 19);  // beyond what is counted in 32 bits
+  for (const int generator : {1, 2}) {
+    for (int i = 0; i < 64; ++i) {
+      const Vec3 p{i * 0.375, i * 0.625 + 3.0, i * 0.125 + 1.0};
+      EXPECT_EQ(noise(p, generator), noise({p.x, p.y, p.z + kFar}, generator)) << i;
+      EXPECT_EQ(noise(p, generator), noise({p.x + kFar, p.y, p.z}, generator)) << i;
+    }
+  }
+}
+
+TEST(UnitGeometryClips, TheNearestOfAPolynomialIsTheFirstOfAllThatAreKept) {
+  Random random(7);
+  std::vector<double> c(20, 0.0);
+  c[0] = 1.0;
+  c[12] = -1.0;
+  c[17] = -0.3;
+  Leaf leaf(std::make_unique<Poly>("cubic", 3, c), Transform());
+  leaf.set_clips({std::make_shared<Leaf>(std::make_unique<Sphere>(Vec3{}, 1.0), Transform())});
+  HitArena arena;
+  int met = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const Ray ray{{random.in(-3, 3), random.in(-3, 3), random.in(-3, 3)},
+                  {random.in(-1, 1), random.in(-1, 1), random.in(-1, 1)}};
+    std::vector<Hit> all;
+    leaf.all(ray, 0.0, Bounds::kInf, all, arena);
+    double first = Bounds::kInf;
+    for (const Hit& hit : all) first = std::min(first, hit.t);
+    Hit hit;
+    ASSERT_EQ(leaf.nearest(ray, 0.0, Bounds::kInf, hit, arena), !all.empty());
+    if (all.empty()) continue;
+    ASSERT_EQ(hit.t, first);
+    ++met;
+  }
+  EXPECT_GT(met, 200);
+}
+
+TEST(UnitAccelLightBuffer, ManySmallCastersAreACrowd) {
+  Random random(9);
+  std::vector<std::unique_ptr<Object>> objects;
+  for (int i = 0; i < 20000; ++i) {
+    objects.push_back(std::make_unique<Leaf>(
+        std::make_unique<Sphere>(Vec3{random.in(-7, 7), random.in(-1, 1), random.in(-7, 7)}, 0.03), Transform()));
+    objects.back()->set_opaque(true);
+  }
+  EXPECT_TRUE(LightBuffer({-20, 30, -25}, objects, 1e-3, 1024).crowded());
+  EXPECT_FALSE(LightBuffer({-20, 30, -25}, objects, 1e-3, 60000).crowded());
+}
+
+}  // namespace
+}  // namespace lentray::core
