@@ -6,6 +6,7 @@
 #include <typeinfo>
 
 #include "core/geometry/box.h"
+#include "core/geometry/plane.h"
 #include "core/geometry/polygon.h"
 #include "core/geometry/sphere.h"
 #include "core/geometry/triangle.h"
@@ -171,7 +172,10 @@ LightBuffer::LightBuffer(const Vec3& light, const std::vector<std::unique_ptr<Ob
     const std::size_t place = bounds.is_finite() ? i + objects.size() : i;  // as the hierarchy's
     const Caster caster{object.get(), shape, kind_of(shape), object->is_opaque(),
                         static_cast<std::uint32_t>(place), 0};
-    if (!(distance > 2.0 * m_least_distance)) {  // no number is not greater
+    if (shape && typeid(*shape) == typeid(Plane) && object->is_opaque()) {
+      const auto& plane = static_cast<const Plane&>(*shape);
+      m_planes.push_back({plane.unit_normal(), plane.distance(), object.get()});
+    } else if (!(distance > 2.0 * m_least_distance)) {  // no number is not greater
       (object->is_opaque() ? m_always_opaque : m_always_transparent).push_back(caster);
     } else {
       casters.push_back({caster, box, distance});
@@ -346,6 +350,11 @@ const Object* LightBuffer::search(const Spot& spot, const Ray& ray, double t_min
       if (blocked) return caster.object;
     }
   }
+  for (const Flat& plane : m_planes) {
+    count(plane.object);
+    const double t = plane_crossing(plane.normal, plane.distance, ray);
+    if (t > t_min && t < t_max) return plane.object;
+  }
   for (const Caster& caster : m_always_opaque) {
     count(caster.object);
     if (caster.object->any(ray, t_min, t_max, arena)) return caster.object;
@@ -385,6 +394,7 @@ void LightBuffer::all_transparent(const Spot& spot, const Ray& ray, double t_min
 
 std::size_t LightBuffer::memory() const {
   std::size_t bytes = sizeof(*this) + m_casters.capacity() * sizeof(Caster) +
+                      m_planes.capacity() * sizeof(Flat) +
                       m_spheres.capacity() * sizeof(Round);
   for (const std::vector<Grid>& grids : m_faces) {
     for (const Grid& g : grids) {
@@ -396,7 +406,7 @@ std::size_t LightBuffer::memory() const {
 
 LightBuffer::Statistics LightBuffer::statistics() const {
   Statistics s;
-  s.always = m_always_opaque.size() + m_always_transparent.size();
+  s.always = m_planes.size() + m_always_opaque.size() + m_always_transparent.size();
   for (const std::vector<Grid>& grids : m_faces) {
     for (const Grid& g : grids) {
       s.cells += g.cells.size();

@@ -42,10 +42,10 @@ class PlainShadowTester final : public ShadowTester {
   const ShadowContext& context() const { return m_context; }
 
  private:
-  /// `buffer`: of the light, or null.
   void order_ties(const Ray& ray);
+  /// `buffer`: of the light, with the `spot` there, or null.
   Rgb filter_through(const ShadowQuery& query, const LightBuffer* buffer,
-                     const LightBuffer::Spot& spot, double reach, Counters* tests);
+                     const LightBuffer::Spot* spot, double reach, Counters* tests);
   Rgb surface_filter(const Hit& hit, double depth, const ShadowQuery& query, bool inside);
 
   ShadowContext m_context;
