@@ -315,9 +315,10 @@ void LightBuffer::keep(Grid& grid, std::vector<Found>& found) {
   }
 }
 
+/// Other than planes. Not inlined, so that any_opaque() needs no frame.
 template <class Count>
-const Object* LightBuffer::search(const Spot& spot, const Ray& ray, double t_min, double t_max,
-                                  HitArena& arena, Count count) const {
+[[gnu::noinline]] const Object* LightBuffer::blocker(const Spot& spot, const Ray& ray, double t_min, double t_max,
+                                   HitArena& arena, Count count) const {
   if (const Cell* cell = spot.cell) {
     if (spot.w > cell->full_w) return m_casters[cell->cover].object;
     const double inverse_dd = 1.0 / dot(ray.direction, ray.direction);
@@ -350,11 +351,6 @@ const Object* LightBuffer::search(const Spot& spot, const Ray& ray, double t_min
       if (blocked) return caster.object;
     }
   }
-  for (const Flat& plane : m_planes) {
-    count(plane.object);
-    const double t = plane_crossing(plane.normal, plane.distance, ray);
-    if (t > t_min && t < t_max) return plane.object;
-  }
   for (const Caster& caster : m_always_opaque) {
     count(caster.object);
     if (caster.object->any(ray, t_min, t_max, arena)) return caster.object;
@@ -364,11 +360,19 @@ const Object* LightBuffer::search(const Spot& spot, const Ray& ray, double t_min
 
 const Object* LightBuffer::any_opaque(const Spot& spot, const Ray& ray, double t_min, double t_max,
                                       HitArena& arena, Counters* counters) const {
-  if (!counters) return search(spot, ray, t_min, t_max, arena, [](const Object*) {});
-  ++counters->bounds_tests;
-  counters->test_cost += kCellCost;
-  return search(spot, ray, t_min, t_max, arena,
-                [counters](const Object* object) { count(*counters, *object); });
+  if (counters) {
+    ++counters->bounds_tests;
+    counters->test_cost += kCellCost;
+  }
+  for (const Flat& plane : m_planes) {
+    if (counters) count(*counters, *plane.object);
+    const double t = plane_crossing(plane.normal, plane.distance, ray);
+    if (t > t_min && t < t_max) return plane.object;
+  }
+  if (!spot.cell && m_always_opaque.empty()) return nullptr;
+  if (!counters) return blocker(spot, ray, t_min, t_max, arena, [](const Object*) {});
+  return blocker(spot, ray, t_min, t_max, arena,
+                 [counters](const Object* object) { count(*counters, *object); });
 }
 
 void LightBuffer::all_transparent(const Spot& spot, const Ray& ray, double t_min, double t_max,

@@ -90,7 +90,7 @@ class LightBuffer {
   struct Found;  ///< an entry with its cell, while a face is filled
 
   template <class Count>
-  const Object* search(const Spot& spot, const Ray& to_light, double t_min, double t_max,
+  const Object* blocker(const Spot& spot, const Ray& to_light, double t_min, double t_max,
                        HitArena& arena, Count count) const;
   static Kind kind_of(const Shape* shape);
   void add_grids(int face, std::uint32_t cells, const std::vector<Placed>& casters);
@@ -124,9 +124,8 @@ struct alignas(16) LightBuffer::Cell {
 inline void LightBuffer::locate(const Vec3& point, Spot& spot) const {
   const Vec3 v = point - m_light;
   const int side = LightFace::of(v);
-  const double size[3] = {std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)};
   spot.known = true;
-  spot.w = size[side / 2];
+  spot.w = std::fabs(v[side / 2]);
   spot.cell = nullptr;
   for (const Grid& grid : m_faces[static_cast<std::size_t>(side)]) {
     const std::int64_t index = grid.raster.cell_of(v, spot.w);

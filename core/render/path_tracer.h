@@ -62,6 +62,9 @@ class PathTracer final : public Tracer {
         m_mirror_images(scene.settings().mirror_images),
         m_legacy_opacity(scene.settings().language_version < 370),
         m_air(scene.needs().atmosphere ? &scene.atmosphere() : nullptr) {
+    for (std::size_t i = 0; i < scene.lights().size(); ++i) {
+      m_sources.emplace_back(scene.lights()[i], scene.light_buffer(i));
+    }
     if (scene.needs().interiors) {
       m_start_interiors = std::make_unique<StartInteriors>(scene);
     }
@@ -75,6 +78,21 @@ class PathTracer final : public Tracer {
   static constexpr bool kLayers = (kFeatures & kPathLayers) != 0;
   static constexpr bool kArea = (kFeatures & kPathArea) != 0;
 
+  /// A light with what the loop over them asks first, side by side.
+  struct Source {
+    Source(const Light& l, const LightBuffer* b)
+        : position(l.position), colour(l.colour), straight(is_straight(l)), even(is_even(l)),
+          shadowless(l.shadowless), light(l), buffer(b) {}
+    /// `to` leads to its position: certain without a square root that it is behind a surface.
+    bool surely_behind(const Vec3& to, const Vec3& normal) const {
+      return straight && dot(normal, to) < 0.0;
+    }
+    Vec3 position;
+    Rgb colour;
+    bool straight, even, shadowless;
+    const Light& light;
+    const LightBuffer* buffer;  ///< or null
+  };
   /// A place on a surface that is being shaded. Members without initialisers: all are given.
   struct Surface {
     const RayState& state;
@@ -167,6 +185,7 @@ class PathTracer final : public Tracer {
   const bool m_mirror_images;
   const bool m_legacy_opacity;
   const Atmosphere* m_air;  ///< null: clear
+  std::vector<Source> m_sources;  ///< one a light of the scene
   std::unique_ptr<StartInteriors> m_start_interiors;
   std::vector<std::unique_ptr<Frame>> m_frames;
   std::size_t m_depth = 0;

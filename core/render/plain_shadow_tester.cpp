@@ -42,11 +42,10 @@ Visibility PlainShadowTester::search(const ShadowQuery& query, Counters* tests) 
   if (!(reach > kShadowTolerance)) return {};
   const LightBuffer* buffer = m_context.scene->light_buffer(query.light);
   if (buffer && !buffer->serves(query.distance)) buffer = nullptr;
-  LightBuffer::Spot own;
   const LightBuffer::Spot* spot = query.spot;
   if (buffer && !spot) {
-    buffer->locate(query.ray.origin, own);
-    spot = &own;
+    buffer->locate(query.ray.origin, m_spot);
+    spot = &m_spot;
   }
   const Object* blocker =
       buffer ? buffer->any_opaque(*spot, query.ray, kShadowTolerance, reach, *m_context.arena,

@@ -15,7 +15,6 @@
 namespace lentray::core {
 
 class Hierarchy;
-class LightBuffer;
 
 class PlainShadowTester final : public ShadowTester {
  public:
@@ -54,6 +53,7 @@ class PlainShadowTester final : public ShadowTester {
   bool m_any_transparent;
   bool m_interiors;
   double m_bailout;
+  LightBuffer::Spot m_spot;  ///< of the query, where it has none
   InteriorStack m_inside;
   std::vector<Hit> m_hits;
   struct Place {

@@ -97,10 +97,11 @@ template <unsigned kFeatures>
 void PathTracer<kFeatures>::look_ahead(const Surface& at, Frame& frame) const {
   for (const std::span<const std::uint32_t> lights : lights_of(at.looks)) {
     for (const std::uint32_t i : lights) {
-      const LightBuffer* buffer = m_scene.light_buffer(i);
+      const Source& source = m_sources[i];
       LightBuffer::Spot& spot = frame.spots[i];
-      spot.known = buffer && !surely_behind(m_scene.lights()[i], at.point(), at.normal);
-      if (spot.known) buffer->locate(at.point(), spot);
+      spot.known =
+          source.buffer && !source.surely_behind(source.position - at.point(), at.normal);
+      if (spot.known) source.buffer->locate(at.point(), spot);
     }
   }
 }
@@ -183,7 +184,7 @@ void PathTracer<kFeatures>::shade_layer(const TextureLayer& layer, Surface& at, 
 
   const double opacity = kTransparency || kLayers ? opacity_of(colour, m_legacy_opacity) : 1.0;
   Rgb own = times(colour.rgb * finish.ambient * m_scene.settings().ambient_light, opacity);
-  if (!finish.emission.is_black()) own += times(colour.rgb * finish.emission, opacity);
+  own += times(colour.rgb * finish.emission, opacity);
   own += lit(finish, colour.rgb, normal, opacity, at, frame);
   stack.sum += own * stack.filter;
 
@@ -246,25 +247,27 @@ Rgb PathTracer<kFeatures>::lit(const Finish& finish, const Rgb& pigment, const V
   }
   const bool one_sided = !at.looks.double_illuminate;
   const bool front_only = one_sided && finish.diffuse_back == 0.0;
+  const bool shines = has_highlights(finish);
   ShadowQuery query = query_from(at);
   for (const std::span<const std::uint32_t> lights : lights_of(at.looks)) {
     for (const std::uint32_t i : lights) {
-      const Light& light = m_scene.lights()[i];
-      if (front_only && surely_behind(light, at.point(), normal)) continue;
-      const LightRay ray = light_ray(light, at.point());
-      Rgb colour = light_colour(light, at.point(), ray);
+      const Source& source = m_sources[i];
+      const Vec3 to = source.position - at.point();
+      if (front_only && source.surely_behind(to, normal)) continue;
+      const LightRay ray = source.straight ? ray_along(to) : light_ray(source.light, at.point());
+      Rgb colour = source.even ? source.colour : light_colour(source.light, at.point(), ray);
       if (is_dark(colour)) continue;
       const double cosine = dot(normal, ray.direction);
       const bool behind = one_sided && cosine < kTiny;
       if (behind && front_only) continue;
-      if (!light.shadowless) {
+      if (!source.shadowless) {
         colour = arriving(i, colour, ray, query, frame);
         if (is_dark(colour)) continue;
       }
       Rgb share = diffuse_light(finish, cosine, colour, pigment,
                                 behind ? finish.diffuse_back : finish.diffuse, opacity,
                                 finish.crand > 0.0 ? random() : 0.0);
-      if (!light.shadowless && !behind && has_highlights(finish)) {
+      if (shines && !source.shadowless && !behind) {
         share += highlights(finish, {ray.direction, at.ray().direction, normal, colour, pigment});
       }
       if (finish.irid > 0.0) {
