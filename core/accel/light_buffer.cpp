@@ -315,10 +315,22 @@ void LightBuffer::keep(Grid& grid, std::vector<Found>& found) {
   }
 }
 
-/// Other than planes. Not inlined, so that any_opaque() needs no frame.
 template <class Count>
-[[gnu::noinline]] const Object* LightBuffer::blocker(const Spot& spot, const Ray& ray, double t_min, double t_max,
-                                   HitArena& arena, Count count) const {
+const Object* LightBuffer::plane_blocker(const Ray& ray, double t_min, double t_max,
+                                         Count count) const {
+  for (const Flat& plane : m_planes) {
+    count(plane.object);
+    const double t = plane_crossing(plane.normal, plane.distance, ray);
+    if (t > t_min && t < t_max) return plane.object;
+  }
+  return nullptr;
+}
+
+/// Not inlined, so that any_opaque() needs no frame where there are planes alone.
+template <class Count>
+[[gnu::noinline]] const Object* LightBuffer::other_blocker(const Spot& spot, const Ray& ray,
+                                                           double t_min, double t_max,
+                                                           HitArena& arena, Count count) const {
   if (const Cell* cell = spot.cell) {
     if (spot.w > cell->full_w) return m_casters[cell->cover].object;
     const double inverse_dd = 1.0 / dot(ray.direction, ray.direction);
@@ -358,21 +370,23 @@ template <class Count>
   return nullptr;
 }
 
+const Object* LightBuffer::any_opaque_counted(const Spot& spot, const Ray& ray, double t_min,
+                                              double t_max, HitArena& arena,
+                                              Counters& counters) const {
+  ++counters.bounds_tests;
+  counters.test_cost += kCellCost;
+  const auto counted = [&counters](const Object* object) { count(counters, *object); };
+  const Object* plane = plane_blocker(ray, t_min, t_max, counted);
+  return plane ? plane : other_blocker(spot, ray, t_min, t_max, arena, counted);
+}
+
 const Object* LightBuffer::any_opaque(const Spot& spot, const Ray& ray, double t_min, double t_max,
                                       HitArena& arena, Counters* counters) const {
-  if (counters) {
-    ++counters->bounds_tests;
-    counters->test_cost += kCellCost;
-  }
-  for (const Flat& plane : m_planes) {
-    if (counters) count(*counters, *plane.object);
-    const double t = plane_crossing(plane.normal, plane.distance, ray);
-    if (t > t_min && t < t_max) return plane.object;
-  }
+  if (counters) return any_opaque_counted(spot, ray, t_min, t_max, arena, *counters);
+  const auto uncounted = [](const Object*) {};
+  if (const Object* plane = plane_blocker(ray, t_min, t_max, uncounted)) return plane;
   if (!spot.cell && m_always_opaque.empty()) return nullptr;
-  if (!counters) return blocker(spot, ray, t_min, t_max, arena, [](const Object*) {});
-  return blocker(spot, ray, t_min, t_max, arena,
-                 [counters](const Object* object) { count(*counters, *object); });
+  return other_blocker(spot, ray, t_min, t_max, arena, uncounted);
 }
 
 void LightBuffer::all_transparent(const Spot& spot, const Ray& ray, double t_min, double t_max,

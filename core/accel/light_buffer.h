@@ -90,8 +90,12 @@ class LightBuffer {
   struct Found;  ///< an entry with its cell, while a face is filled
 
   template <class Count>
-  const Object* blocker(const Spot& spot, const Ray& to_light, double t_min, double t_max,
-                       HitArena& arena, Count count) const;
+  const Object* plane_blocker(const Ray& to_light, double t_min, double t_max, Count count) const;
+  template <class Count>
+  const Object* other_blocker(const Spot& spot, const Ray& to_light, double t_min, double t_max,
+                              HitArena& arena, Count count) const;
+  const Object* any_opaque_counted(const Spot& spot, const Ray& to_light, double t_min,
+                                   double t_max, HitArena& arena, Counters& counters) const;
   static Kind kind_of(const Shape* shape);
   void add_grids(int face, std::uint32_t cells, const std::vector<Placed>& casters);
   void fill(Grid& grid, int face, const std::vector<Placed>& casters);

@@ -64,7 +64,8 @@ Quantiser::Quantiser(const ImageFormat& format) : m_format(format) {
   }
   m_least.push_back(std::numeric_limits<float>::quiet_NaN());  // nothing is beyond 255
   unsigned level = 0;
-  for (std::uint32_t place = kFirst; place < kEnd; ++place) {
+  m_start.push_back(0);
+  for (std::uint32_t place = kFirst + 1; place <= kEnd; ++place) {
     const float value = std::bit_cast<float>(place << kDropped);
     while (value >= m_least[level + 1]) ++level;
     m_start.push_back(static_cast<std::uint8_t>(level));
