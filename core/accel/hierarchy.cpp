@@ -188,9 +188,11 @@ struct Hierarchy::Impl {
     AllSearch<T> what{ray, t_min, t_max, hits, arena, tally};
     filters->search_objects(what, t_max);
   }
-  void flush(const Tally& tally, Counters& counters) const;
+  template <class Query>
+  auto counted(Counters& counters, Query&& query) const;
 
  private:
+  void flush(const Tally& tally, Counters& counters) const;
   std::uint8_t type_of(const Object& object);
   void average_costs(const std::vector<ObjectEntry>& entries);
 };
@@ -272,42 +274,50 @@ Hierarchy::Hierarchy(const std::vector<std::unique_ptr<Object>>& objects, Accele
 
 Hierarchy::~Hierarchy() = default;
 
+/// Apart from the searches that do not count, which are the most: the tally is large.
+template <class Query>
+[[gnu::noinline]] auto Hierarchy::Impl::counted(Counters& counters, Query&& query) const {
+  Tally tally;
+  const auto found = query(tally);
+  flush(tally, counters);
+  return found;
+}
+
 bool Hierarchy::nearest(const Ray& ray, double t_min, double t_max, RayKind kind, Hit& hit,
                         HitArena& arena, Counters* counters) const {
-  if (!counters) {
-    NoTally none;
-    return m_impl->nearest(ray, t_min, t_max, kind, hit, arena, none);
+  if (counters) {
+    return m_impl->counted(*counters, [&](Tally& tally) {
+      return m_impl->nearest(ray, t_min, t_max, kind, hit, arena, tally);
+    });
   }
-  Tally tally;
-  const bool found = m_impl->nearest(ray, t_min, t_max, kind, hit, arena, tally);
-  m_impl->flush(tally, *counters);
-  return found;
+  NoTally none;
+  return m_impl->nearest(ray, t_min, t_max, kind, hit, arena, none);
 }
 
 const Object* Hierarchy::any_opaque(const Ray& ray, double t_min, double t_max, HitArena& arena,
                                     Counters* counters) const {
-  if (!counters) {
-    NoTally none;
-    return m_impl->any_opaque(ray, t_min, t_max, arena, none);
+  if (counters) {
+    return m_impl->counted(*counters, [&](Tally& tally) {
+      return m_impl->any_opaque(ray, t_min, t_max, arena, tally);
+    });
   }
-  Tally tally;
-  const Object* found = m_impl->any_opaque(ray, t_min, t_max, arena, tally);
-  m_impl->flush(tally, *counters);
-  return found;
+  NoTally none;
+  return m_impl->any_opaque(ray, t_min, t_max, arena, none);
 }
 
 void Hierarchy::all_transparent(const Ray& ray, double t_min, double t_max,
                                 std::vector<Hit>& hits, HitArena& arena,
                                 Counters* counters) const {
   if (!m_impl->filters || m_impl->filters->empty()) return;
-  if (!counters) {
-    NoTally none;
-    m_impl->all_transparent(ray, t_min, t_max, hits, arena, none);
+  if (counters) {
+    m_impl->counted(*counters, [&](Tally& tally) {
+      m_impl->all_transparent(ray, t_min, t_max, hits, arena, tally);
+      return true;
+    });
     return;
   }
-  Tally tally;
-  m_impl->all_transparent(ray, t_min, t_max, hits, arena, tally);
-  m_impl->flush(tally, *counters);
+  NoTally none;
+  m_impl->all_transparent(ray, t_min, t_max, hits, arena, none);
 }
 
 std::size_t Hierarchy::memory() const {

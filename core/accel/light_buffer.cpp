@@ -6,6 +6,7 @@
 #include <typeinfo>
 
 #include "core/geometry/box.h"
+#include "core/geometry/plane.h"
 #include "core/geometry/polygon.h"
 #include "core/geometry/sphere.h"
 #include "core/geometry/triangle.h"
@@ -206,7 +207,10 @@ LightBuffer::LightBuffer(const Vec3& light, const std::vector<std::unique_ptr<Ob
     const std::size_t place = bounds.is_finite() ? i + objects.size() : i;  // as the hierarchy's
     const Caster caster{object.get(), shape, kind_of(shape), object->is_opaque(),
                         static_cast<std::uint32_t>(place), 0};
-    if (!(distance > 2.0 * m_least_distance)) {  // no number is not greater
+    if (shape && typeid(*shape) == typeid(Plane) && object->is_opaque()) {
+      const auto& plane = static_cast<const Plane&>(*shape);
+      m_planes.push_back({plane.unit_normal(), plane.distance(), object.get()});
+    } else if (!(distance > 2.0 * m_least_distance)) {  // no number is not greater
       (object->is_opaque() ? m_always_opaque : m_always_transparent).push_back(caster);
     } else {
       casters.push_back({caster, box, distance});
@@ -351,8 +355,21 @@ void LightBuffer::keep(Grid& grid, std::vector<Found>& found) {
 }
 
 template <class Count>
-const Object* LightBuffer::search(const Spot& spot, const Ray& ray, double t_min, double t_max,
-                                  HitArena& arena, Count count) const {
+const Object* LightBuffer::plane_blocker(const Ray& ray, double t_min, double t_max,
+                                         Count count) const {
+  for (const Flat& plane : m_planes) {
+    count(plane.object);
+    const double t = plane_crossing(plane.normal, plane.distance, ray);
+    if (t > t_min && t < t_max) return plane.object;
+  }
+  return nullptr;
+}
+
+/// Not inlined, so that any_opaque() needs no frame where there are planes alone.
+template <class Count>
+[[gnu::noinline]] const Object* LightBuffer::other_blocker(const Spot& spot, const Ray& ray,
+                                                           double t_min, double t_max,
+                                                           HitArena& arena, Count count) const {
   if (const Cell* cell = spot.cell) {
     if (spot.w > cell->full_w) return m_casters[cell->cover].object;
     const double inverse_dd = 1.0 / dot(ray.direction, ray.direction);
@@ -392,13 +409,23 @@ const Object* LightBuffer::search(const Spot& spot, const Ray& ray, double t_min
   return nullptr;
 }
 
+const Object* LightBuffer::any_opaque_counted(const Spot& spot, const Ray& ray, double t_min,
+                                              double t_max, HitArena& arena,
+                                              Counters& counters) const {
+  ++counters.bounds_tests;
+  counters.test_cost += kCellCost;
+  const auto counted = [&counters](const Object* object) { count(counters, *object); };
+  const Object* plane = plane_blocker(ray, t_min, t_max, counted);
+  return plane ? plane : other_blocker(spot, ray, t_min, t_max, arena, counted);
+}
+
 const Object* LightBuffer::any_opaque(const Spot& spot, const Ray& ray, double t_min, double t_max,
                                       HitArena& arena, Counters* counters) const {
-  if (!counters) return search(spot, ray, t_min, t_max, arena, [](const Object*) {});
-  ++counters->bounds_tests;
-  counters->test_cost += kCellCost;
-  return search(spot, ray, t_min, t_max, arena,
-                [counters](const Object* object) { count(*counters, *object); });
+  if (counters) return any_opaque_counted(spot, ray, t_min, t_max, arena, *counters);
+  const auto uncounted = [](const Object*) {};
+  if (const Object* plane = plane_blocker(ray, t_min, t_max, uncounted)) return plane;
+  if (!spot.cell && m_always_opaque.empty()) return nullptr;
+  return other_blocker(spot, ray, t_min, t_max, arena, uncounted);
 }
 
 void LightBuffer::all_transparent(const Spot& spot, const Ray& ray, double t_min, double t_max,
@@ -424,6 +451,7 @@ void LightBuffer::all_transparent(const Spot& spot, const Ray& ray, double t_min
 
 std::size_t LightBuffer::memory() const {
   std::size_t bytes = sizeof(*this) + m_casters.capacity() * sizeof(Caster) +
+                      m_planes.capacity() * sizeof(Flat) +
                       m_spheres.capacity() * sizeof(Round);
   for (const std::vector<Grid>& grids : m_faces) {
     for (const Grid& g : grids) {
@@ -435,7 +463,7 @@ std::size_t LightBuffer::memory() const {
 
 LightBuffer::Statistics LightBuffer::statistics() const {
   Statistics s;
-  s.always = m_always_opaque.size() + m_always_transparent.size();
+  s.always = m_planes.size() + m_always_opaque.size() + m_always_transparent.size();
   for (const std::vector<Grid>& grids : m_faces) {
     for (const Grid& g : grids) {
       s.cells += g.cells.size();

@@ -42,7 +42,8 @@ class LightBuffer {
     double w = 0.0;
     bool known = false;  ///< it was asked for
   };
-  Spot spot_of(const Vec3& point) const;
+  /// Written in place: who copied it at once would wait for it.
+  void locate(const Vec3& point, Spot& spot) const;
 
   /// As Hierarchy::any_opaque, for a ray from the point of `spot` to the light: t_min is the
   /// tolerance, t_max the way to the light less the tolerance.
@@ -75,6 +76,11 @@ class LightBuffer {
     Vec3 centre;
     double radius2;
   };
+  struct Flat {  ///< an opaque plane
+    Vec3 normal;
+    double distance;
+    const Object* object;
+  };
   /// A caster while the buffer is built; `box` is relative to the light.
   struct Placed {
     Caster caster;
@@ -84,8 +90,12 @@ class LightBuffer {
   struct Found;  ///< an entry with its cell, while a face is filled
 
   template <class Count>
-  const Object* search(const Spot& spot, const Ray& to_light, double t_min, double t_max,
-                       HitArena& arena, Count count) const;
+  const Object* plane_blocker(const Ray& to_light, double t_min, double t_max, Count count) const;
+  template <class Count>
+  const Object* other_blocker(const Spot& spot, const Ray& to_light, double t_min, double t_max,
+                              HitArena& arena, Count count) const;
+  const Object* any_opaque_counted(const Spot& spot, const Ray& to_light, double t_min,
+                                   double t_max, HitArena& arena, Counters& counters) const;
   static Kind kind_of(const Shape* shape);
   static bool is_crowd(const std::vector<Placed>& casters, std::uint32_t cells);
   void add_grids(int face, std::uint32_t cells, const std::vector<Placed>& casters);
@@ -97,7 +107,8 @@ class LightBuffer {
   double m_tolerance, m_least_distance;
   std::vector<Caster> m_casters;        ///< by distance
   std::vector<Round> m_spheres;
-  std::vector<Caster> m_always_opaque, m_always_transparent;  ///< infinite ones and near ones
+  std::vector<Flat> m_planes;
+  std::vector<Caster> m_always_opaque, m_always_transparent;  ///< other infinite ones, near ones
   /// Of each face the grids, one within the other, the finest first: where few large objects
   /// stand about many small ones, these get cells of their own size.
   std::array<std::vector<Grid>, LightFace::kFaces> m_faces;
@@ -115,13 +126,12 @@ struct alignas(16) LightBuffer::Cell {
   std::uint32_t cover = 0;  ///< what blocks all beyond full_w
 };
 
-inline LightBuffer::Spot LightBuffer::spot_of(const Vec3& point) const {
+inline void LightBuffer::locate(const Vec3& point, Spot& spot) const {
   const Vec3 v = point - m_light;
   const int side = LightFace::of(v);
-  const double size[3] = {std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)};
-  Spot spot;
   spot.known = true;
-  spot.w = size[side / 2];
+  spot.w = std::fabs(v[side / 2]);
+  spot.cell = nullptr;
   for (const Grid& grid : m_faces[static_cast<std::size_t>(side)]) {
     const std::int64_t index = grid.raster.cell_of(v, spot.w);
     if (index < 0) continue;
@@ -130,7 +140,6 @@ inline LightBuffer::Spot LightBuffer::spot_of(const Vec3& point) const {
     __builtin_prefetch(spot.cell);
     break;
   }
-  return spot;
 }
 
 }  // namespace lentray::core

@@ -19,9 +19,8 @@ struct LightFace {
   static constexpr int kFaces = 6;
   static int of(const Vec3& v) {
     const double x = std::fabs(v.x), y = std::fabs(v.y), z = std::fabs(v.z);
-    const bool negative[3] = {v.x < 0.0, v.y < 0.0, v.z < 0.0};
     const int axis = x >= y ? (x >= z ? 0 : 2) : (y >= z ? 1 : 2);
-    return 2 * axis + negative[axis];
+    return 2 * axis + (v[axis] < 0.0 ? 1 : 0);
   }
   static double w_of(int face, const Vec3& v) { return face & 1 ? -v[face / 2] : v[face / 2]; }
   static int u_axis(int face) { return face / 2 == 0 ? 1 : 0; }

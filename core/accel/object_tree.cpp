@@ -1,22 +1,37 @@
 #include "core/accel/object_tree.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <typeinfo>
 
+#include "core/geometry/plane.h"
 #include "core/geometry/polygon.h"
 #include "core/geometry/sphere.h"
 #include "core/geometry/triangle.h"
 
 namespace lentray::core {
+namespace {
 
 /// Only bare leaves whose shape is already in the world may be tested without the object.
-ObjectTree::Kind ObjectTree::kind_of(const Object& object) {
-  if (!object.clips().empty() || !object.bounding().empty()) return kOthers;
-  if (typeid(object) != typeid(Leaf)) return kOthers;
+const Shape* bare_shape(const Object& object) {
+  if (!object.clips().empty() || !object.bounding().empty()) return nullptr;
+  if (typeid(object) != typeid(Leaf)) return nullptr;
   const auto& leaf = static_cast<const Leaf&>(object);
-  if (leaf.transform()) return kOthers;
-  const Shape& shape = leaf.shape();
+  return leaf.transform() ? nullptr : &leaf.shape();
+}
+
+const Plane* bare_plane(const Object& object) {
+  const Shape* shape = bare_shape(object);
+  return shape && typeid(*shape) == typeid(Plane) ? static_cast<const Plane*>(shape) : nullptr;
+}
+
+}  // namespace
+
+ObjectTree::Kind ObjectTree::kind_of(const Object& object) {
+  const Shape* bare = bare_shape(object);
+  if (!bare) return kOthers;
+  const Shape& shape = *bare;
   const std::type_info& type = typeid(shape);
   if (type == typeid(Sphere)) return kSpheres;
   if (type == typeid(Triangle)) return static_cast<const Triangle&>(shape).is_degenerate() ? kOthers : kTriangles;
@@ -28,6 +43,13 @@ ObjectTree::ObjectTree(std::span<const ObjectEntry> objects, Accelerator acceler
     : m_avx2(!portable && has_avx2()) {
   for (const ObjectEntry& entry : objects) {
     (entry.bounds.is_finite() ? m_entries : m_unbounded).push_back(entry);
+  }
+  std::stable_partition(m_unbounded.begin(), m_unbounded.end(),
+                        [](const ObjectEntry& entry) { return bare_plane(*entry.object) != nullptr; });
+  for (const ObjectEntry& entry : m_unbounded) {
+    const Plane* plane = bare_plane(*entry.object);
+    if (!plane) break;
+    m_planes.push_back({plane->unit_normal(), plane->distance()});
   }
   if (accelerator == Accelerator::kList) return;
   std::vector<Bounds> boxes;
@@ -120,6 +142,7 @@ std::uint32_t ObjectTree::code_of(std::uint32_t first, std::uint32_t count, Kind
 std::size_t ObjectTree::memory() const {
   return m_tree.memory() + m_grid.memory() +
          (m_entries.capacity() + m_unbounded.capacity()) * sizeof(ObjectEntry) +
+         m_planes.capacity() * sizeof(BarePlane) +
          m_spheres.capacity() * sizeof(SpherePack) +
          m_triangles.capacity() * sizeof(TrianglePack) +
          m_polygons.capacity() * sizeof(PolygonPack);

@@ -1,6 +1,6 @@
 // Objects under one wide bounding hierarchy: packs of spheres, triangles and polygons in the
-// leaves, other objects behind a virtual call, infinite ones in a list apart. Or, for comparison,
-// in a uniform grid or a list. World space.
+// leaves, other objects behind a virtual call, infinite ones in lists apart (planes without that
+// call). Or, for comparison, in a uniform grid or a list. World space.
 // Immutable once built; any number of threads. The searches are the caller's.
 #pragma once
 
@@ -16,6 +16,7 @@
 #include "core/accel/uniform_grid.h"
 #include "core/accel/wide_bvh.h"
 #include "core/geometry/object.h"
+#include "core/geometry/plane.h"
 
 namespace lentray::core {
 
@@ -72,6 +73,22 @@ class ObjectTree {
     }
     return false;
   }
+  /// The infinite objects, planes first; true ends the search.
+  template <class Search>
+  bool unbounded(Search& what) const {
+    for (std::size_t i = 0; i < m_planes.size(); ++i) {
+      const ObjectEntry& e = m_unbounded[i];
+      what.tally.test(e.type);
+      const double t = plane_crossing(m_planes[i].normal, m_planes[i].distance, what.ray);
+      if (!(t > what.t_min && t <= what.limit())) continue;
+      PackHits hits;
+      hits.t[0] = t;
+      hits.u[0] = hits.v[0] = 0.0;
+      if (what.lanes(1u, hits, &e)) return true;
+    }
+    return each(m_unbounded.data() + m_planes.size(),
+                static_cast<std::uint32_t>(m_unbounded.size() - m_planes.size()), what);
+  }
   template <class Search>
   bool others(std::uint32_t code, Search& what) const {
     return each(m_entries.data() + (code & ((1u << kFirstBits) - 1)), code >> kFirstBits, what);
@@ -88,7 +105,12 @@ class ObjectTree {
   static bool meets(const Bounds& box, const Ray& ray, double limit);
 
   std::vector<ObjectEntry> m_entries;    ///< of the tree, by place; of grid and list as given
-  std::vector<ObjectEntry> m_unbounded;  ///< the infinite ones, tried one by one
+  std::vector<ObjectEntry> m_unbounded;  ///< the infinite ones, tried one by one, planes first
+  struct BarePlane {
+    Vec3 normal;  ///< unit
+    double distance;
+  };
+  std::vector<BarePlane> m_planes;  ///< of the first of m_unbounded
   UniformGrid m_grid;
   std::vector<SpherePack> m_spheres;
   std::vector<TrianglePack> m_triangles;
@@ -219,7 +241,7 @@ void ObjectTree::search_cells_at_once(Search& what, double t_max) const {
 
 template <bool kOrdered, class Search>
 void ObjectTree::search(Search& what) const {
-  if (each(m_unbounded.data(), static_cast<std::uint32_t>(m_unbounded.size()), what)) return;
+  if (unbounded(what)) return;
   if (m_tree.empty()) {
     const auto limit = [&what] { return what.limit(); };
     m_grid.empty() ? search_list(what, limit) : search_grid(what, limit);

@@ -109,9 +109,11 @@ bool Leaf::inside(const Vec3& p) const {
 }
 
 Vec3 Leaf::normal(const Vec3& world_point, const ShapeHit& hit) const {
-  const Vec3 n = m_transform
-                     ? m_transform->normal(m_shape->normal(m_transform->inverse_point(world_point), hit))
-                     : m_shape->normal(world_point, hit);
+  if (m_transform) {
+    const Vec3 n = m_transform->normal(m_shape->normal(m_transform->inverse_point(world_point), hit));
+    return normalized(is_inverse() ? -n : n);
+  }
+  const Vec3 n = m_shape->normal(world_point, hit);
   return normalized(is_inverse() ? -n : n);
 }
 

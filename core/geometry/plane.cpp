@@ -18,9 +18,7 @@ Bounds Plane::bounds() const {
 }
 
 bool Plane::nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const {
-  const double slope = dot(m_normal, ray.direction);
-  if (slope == 0.0) return false;
-  const double t = (m_distance - dot(m_normal, ray.origin)) / slope;
+  const double t = plane_crossing(m_normal, m_distance, ray);
   if (!(t > t_min && t < t_max)) return false;
   hit = {t, 0, 0.0, 0.0};
   return true;

@@ -6,6 +6,12 @@
 
 namespace lentray::core {
 
+/// Where a ray meets the plane, in multiples of its direction; infinite or not a number where they
+/// are parallel.
+inline double plane_crossing(const Vec3& normal, double distance, const Ray& ray) {
+  return (distance - dot(normal, ray.origin)) / dot(normal, ray.direction);
+}
+
 class Plane final : public Shape {
  public:
   /// The normal need not be unit; a null one makes a plane that nothing meets.

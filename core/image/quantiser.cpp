@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 namespace lentray::core {
 namespace {
@@ -19,11 +20,6 @@ float linear_of_srgb(float v) {
 float power(float value, double exponent) {
   return value <= 0.0f ? value : static_cast<float>(std::pow(double{value}, exponent));
 }
-
-// The table's places: positive floats by their leading bits, from 2^-12 up to 1.
-constexpr int kDropped = 15;  ///< bits that are left out: 8 of the fraction stay
-constexpr std::uint32_t kFirst = (127u - 12u) << 8;
-constexpr std::uint32_t kEnd = 127u << 8;
 
 }  // namespace
 
@@ -66,22 +62,14 @@ Quantiser::Quantiser(const ImageFormat& format) : m_format(format) {
     }
     m_least.push_back(std::bit_cast<float>(least));
   }
+  m_least.push_back(std::numeric_limits<float>::quiet_NaN());  // nothing is beyond 255
   unsigned level = 0;
-  for (std::uint32_t place = kFirst; place < kEnd; ++place) {
+  m_start.push_back(0);
+  for (std::uint32_t place = kFirst + 1; place <= kEnd; ++place) {
     const float value = std::bit_cast<float>(place << kDropped);
-    while (level < 255 && value >= m_least[level + 1]) ++level;
+    while (value >= m_least[level + 1]) ++level;
     m_start.push_back(static_cast<std::uint8_t>(level));
   }
-}
-
-unsigned Quantiser::operator()(float value) const {
-  if (m_least.empty()) return quantised(value, m_format);
-  if (!(value > 0.0f)) return 0u;  // NaN too
-  unsigned level = 0;
-  const std::uint32_t place = std::bit_cast<std::uint32_t>(value) >> kDropped;
-  if (place >= kFirst) level = m_start[std::min(place, kEnd - 1) - kFirst];
-  while (level < 255 && value >= m_least[level + 1]) ++level;
-  return level;
 }
 
 }  // namespace lentray::core

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <functional>
 #include <memory>
 
 #include "core/image/file_swap.h"
@@ -75,10 +76,9 @@ class OpenPicture {
   std::uint32_t m_next = 0;
 };
 
-/// Rows of a band as a file's integers.
-template <class Sample>
-void encode(const Image& band, std::uint32_t first, std::uint32_t rows, const Quantiser& quantise,
-            const ImageFormat& format, std::vector<Sample>& samples) {
+template <class Sample, class Quantise>
+void encode_by(const Quantise quantise, const Image& band, std::uint32_t first,
+               std::uint32_t rows, const ImageFormat& format, std::vector<Sample>& samples) {
   const std::size_t channels = format.alpha ? 4 : 3, count = std::size_t{band.width} * rows;
   samples.resize(count * channels);
   const float* from = band.pixel(0, first);
@@ -87,6 +87,17 @@ void encode(const Image& band, std::uint32_t first, std::uint32_t rows, const Qu
     for (int c = 0; c < 3; ++c) to[c] = static_cast<Sample>(quantise(from[c]));
     // Alpha is a share, not light: no gamma.
     if (format.alpha) to[3] = static_cast<Sample>(scaled_to_integer(from[3], format.bits));
+  }
+}
+
+/// Rows of a band as a file's integers.
+template <class Sample>
+void encode(const Image& band, std::uint32_t first, std::uint32_t rows, const Quantiser& quantise,
+            const ImageFormat& format, std::vector<Sample>& samples) {
+  if (quantise.has_table()) {
+    encode_by(quantise.table(), band, first, rows, format, samples);
+  } else {
+    encode_by(std::cref(quantise), band, first, rows, format, samples);
   }
 }
 

@@ -4,6 +4,8 @@
 // signs and limits as measured on stock (tests/image/shading_lights_test.cpp).
 #pragma once
 
+#include <cmath>
+
 #include "core/base/vec3.h"
 #include "core/light/light.h"
 
@@ -14,38 +16,41 @@ struct LightRay {
   double distance = 0.0;  ///< to the light, or to its plane; negative behind a parallel light
 };
 
-/// For lights whose rays do not all go to its position: parallel ones and cylinders.
+/// Whether a light's rays all go to its position.
+inline bool is_straight(const Light& light) {
+  return !light.parallel && light.kind != Light::Kind::kCylinder;
+}
+/// For lights of which that is not true.
 LightRay directed_light_ray(const Light& light, const Vec3& from, const Vec3& offset);
 
-/// Ray from `from` to the light's position moved by `offset` (a sample of an area light).
-inline LightRay light_ray(const Light& light, const Vec3& from, const Vec3& offset = {}) {
-  if (light.parallel || light.kind == Light::Kind::kCylinder) {
-    return directed_light_ray(light, from, offset);
-  }
-  const Vec3 to = light.position + offset - from;
+inline LightRay ray_along(const Vec3& to) {
   const double distance = length(to);
   return {to * (1.0 / distance), distance};
+}
+/// Ray from `from` to the light's position moved by `offset` (a sample of an area light).
+inline LightRay light_ray(const Light& light, const Vec3& from, const Vec3& offset = {}) {
+  if (!is_straight(light)) return directed_light_ray(light, from, offset);
+  return ray_along(light.position + offset - from);
 }
 
 /// Factor of the cone, the cylinder and of fading; 0 outside.
 double light_attenuation(const Light& light, const Vec3& from, const LightRay& ray);
 
+/// Whether a light has one colour everywhere.
+inline bool is_even(const Light& light) {
+  return light.kind == Light::Kind::kPoint && !(light.fade_power > 0.0);
+}
 /// The light's colour at `from`, unobstructed.
 inline Rgb light_colour(const Light& light, const Vec3& from, const LightRay& ray) {
-  if (light.kind == Light::Kind::kPoint && !(light.fade_power > 0.0)) return light.colour;
+  if (is_even(light)) return light.colour;
   return light.colour * static_cast<float>(light_attenuation(light, from, ray));
-}
-
-/// Certain without a square root that the light is behind the surface; if false, it may be.
-inline bool surely_behind(const Light& light, const Vec3& from, const Vec3& normal) {
-  return !light.parallel && light.kind != Light::Kind::kCylinder &&
-         dot(normal, light.position - from) < 0.0;
 }
 
 /// Nothing worth tracing a shadow for (stock's threshold).
 inline bool is_dark(const Rgb& c) {
   constexpr float kDark = 1e-10f;
-  return c.r < kDark && c.r > -kDark && c.g < kDark && c.g > -kDark && c.b < kDark && c.b > -kDark;
+  if (!(std::fabs(c.r) < kDark)) [[likely]] return false;
+  return std::fabs(c.g) < kDark && std::fabs(c.b) < kDark;
 }
 
 }  // namespace lentray::core

@@ -38,8 +38,9 @@ class BlendMap {
   Place find(double value) const {
     const std::size_t last = m_values.size() - 1;
     if (value >= m_values[last]) return at(last);
+    if (!(m_reach[0] < value)) return at(0);
     const std::size_t i = first_reaching(value);
-    if (i == 0 || i > last || value == m_values[i]) return at(std::min(i, last));
+    if (i > last || value == m_values[i]) return at(std::min(i, last));
     return {&m_items[i - 1], &m_items[i],
             (value - m_values[i - 1]) / (m_values[i] - m_values[i - 1])};
   }

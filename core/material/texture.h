@@ -28,6 +28,8 @@ class Texture {
   /// `weight`. The point is the world's, or the surface's own (u, v, 0) under uv_mapping.
   virtual void resolve(const Vec3& point, const SurfaceContext& surface, double weight,
                        WeightedTextures& out) const = 0;
+  /// The layered texture that holds at every point, or null.
+  virtual const LayeredTexture* everywhere() const { return nullptr; }
   virtual bool is_opaque() const = 0;
   /// Every layered texture that resolve() can give.
   virtual void collect(std::vector<const LayeredTexture*>& out) const = 0;
@@ -46,6 +48,7 @@ class LayeredTexture final : public Texture {
                WeightedTextures& out) const override {
     out.push_back({this, weight});
   }
+  const LayeredTexture* everywhere() const override { return this; }
   /// A stack is opaque if one of its layers is.
   bool is_opaque() const override;
   void collect(std::vector<const LayeredTexture*>& out) const override { out.push_back(this); }

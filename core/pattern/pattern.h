@@ -3,6 +3,7 @@
 // Source: reference manual 3.7, "Patterns"; values compared with stock by image.patterns.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <memory>
 
@@ -40,7 +41,19 @@ class Wave {
   Form form = Form::kRamp;
   double exponent = 1.0;
 
-  double apply(double value) const;
+  double apply(double value) const {
+    if (frequency != 0.0) {
+      // Stock wraps a little above 1, so that a pattern that ends at 1 keeps its last colour.
+      constexpr double kWrap = 1.00001;
+      value = value * frequency + phase;
+      if (!(std::fabs(value) < kWrap)) value = std::fmod(value, kWrap);
+    }
+    if (value < 0.0) value -= std::floor(value);
+    return form == Form::kRamp ? value : shaped(value);
+  }
+
+ private:
+  double shaped(double value) const;  ///< by the other forms
 };
 
 }  // namespace lentray::core

@@ -5,14 +5,7 @@
 
 namespace lentray::core {
 
-double Wave::apply(double value) const {
-  if (frequency != 0.0) {
-    // Stock wraps a little above 1, so that a pattern that ends at 1 keeps its last colour.
-    constexpr double kWrap = 1.00001;
-    value = value * frequency + phase;
-    if (!(std::fabs(value) < kWrap)) value = std::fmod(value, kWrap);
-  }
-  if (value < 0.0) value -= std::floor(value);
+double Wave::shaped(double value) const {
   switch (form) {
     case Form::kRamp: return value;
     case Form::kTriangle: return triangle_wave(value);

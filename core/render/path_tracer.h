@@ -4,8 +4,10 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "core/accel/hierarchy.h"
@@ -30,13 +32,14 @@ enum PathFeature : unsigned {
 };
 inline constexpr unsigned kAllPaths = 16;
 
-/// A ray on its way, with what it carries.
+/// A ray on its way, with what it carries. The ray is borrowed: a copy made right after it was
+/// written would wait for it.
 struct RayState {
-  RayState() = default;
+  explicit RayState(const Ray& r) : ray(r) {}
   /// Not an aggregate: that would clear the whole stack first.
   RayState(const Ray& r, const InteriorStack& in, std::uint32_t tree_place, bool was_reflected)
       : ray(r), inside(in), place(std::min(tree_place, kTreePlaces - 1)), reflected(was_reflected) {}
-  Ray ray;
+  const Ray& ray;
   InteriorStack inside;
   std::uint32_t place = 1;  ///< in the ray tree, see ShadowQuery
   bool reflected = false;  ///< once reflected, `no_reflection` counts and `no_image` does not
@@ -59,6 +62,9 @@ class PathTracer final : public Tracer {
         m_mirror_images(scene.settings().mirror_images),
         m_legacy_opacity(scene.settings().language_version < 370),
         m_air(scene.needs().atmosphere ? &scene.atmosphere() : nullptr) {
+    for (std::size_t i = 0; i < scene.lights().size(); ++i) {
+      m_sources.emplace_back(scene.lights()[i], scene.light_buffer(i));
+    }
     if (scene.needs().interiors) {
       m_start_interiors = std::make_unique<StartInteriors>(scene);
     }
@@ -72,18 +78,35 @@ class PathTracer final : public Tracer {
   static constexpr bool kLayers = (kFeatures & kPathLayers) != 0;
   static constexpr bool kArea = (kFeatures & kPathArea) != 0;
 
-  /// A place on a surface that is being shaded.
+  /// A light with what the loop over them asks first, side by side.
+  struct Source {
+    Source(const Light& l, const LightBuffer* b)
+        : position(l.position), colour(l.colour), straight(is_straight(l)), even(is_even(l)),
+          shadowless(l.shadowless), light(l), buffer(b) {}
+    /// `to` leads to its position: certain without a square root that it is behind a surface.
+    bool surely_behind(const Vec3& to, const Vec3& normal) const {
+      return straight && dot(normal, to) < 0.0;
+    }
+    Vec3 position;
+    Rgb colour;
+    bool straight, even, shadowless;
+    const Light& light;
+    const LightBuffer* buffer;  ///< or null
+  };
+  /// A place on a surface that is being shaded. Members without initialisers: all are given.
   struct Surface {
-    const RayState* state = nullptr;
-    const Attributes* looks = nullptr;
-    InteriorEntry interior{};
-    Vec3 point;
-    Vec3 normal;           ///< unit, facing the ray
-    SurfaceContext context;  ///< for the textures
+    const RayState& state;
+    const Attributes& looks;
+    SurfaceContext context;  ///< patterns of a layer see the normal of the one above
+    Vec3 normal;             ///< unit, facing the ray
     Vec3 texture_point;
-    double depth = 0.0;    ///< way of the ray to here
-    float weight = 1.0f;   ///< the ray's share of the pixel
-    int level = 1;
+    float weight;            ///< the ray's share of the pixel
+    int level;
+    bool from_behind;        ///< the ray leaves the surface's solid
+
+    const Ray& ray() const { return state.ray; }
+    const Vec3& point() const { return context.point; }
+    InteriorEntry interior() const { return interior_of(looks, context.hit->object); }
   };
   /// What a layer leaves for the mirror image that is traced after all layers.
   struct Mirror {
@@ -95,6 +118,7 @@ class PathTracer final : public Tracer {
   };
   /// Buffers of one level of recursion.
   struct Frame {
+    explicit Frame(std::size_t lights) : light(lights), light_known(lights), spots(lights) {}
     WeightedTextures textures;
     std::vector<Mirror> mirrors;
     std::vector<Rgb> light;             ///< what arrives of each light: layers share it
@@ -107,34 +131,35 @@ class PathTracer final : public Tracer {
     Rgb filter{1.0f, 1.0f, 1.0f};
     double transparency = 1.0;
     Vec3 top_normal;
-    SurfaceContext surface;  ///< patterns of a layer see the normal of the one above
-    std::size_t mirrors = 0;
+    std::size_t layers = 0;  ///< done
   };
 
   /// `level` counts the levels above this ray; one that goes straight on takes none itself.
   Radiance follow(const RayState& state, float weight, int level, bool straight_on = false);
   Radiance shade(const RayState& state, const Hit& hit, float weight, int level);
-  Radiance shade_texture(const LayeredTexture& texture, const Surface& at, Frame& frame);
-  void shade_layer(const TextureLayer& layer, const Surface& at, Stack& stack, Mirror& mirror,
-                   Frame& frame);
-  /// Calls visit(index) for each light that lights what looks like that, in stock's order.
-  template <class Visit>
-  void for_lights_of(const Attributes& looks, Visit&& visit) const {
-    if (!looks.lights || looks.lights->global) {
-      for (const std::uint32_t i : m_scene.global_lights()) visit(i);
-    }
-    if (looks.lights) {
-      for (const std::uint32_t i : looks.lights->local) visit(i);
-    }
+  Radiance shade_textures(Surface& at, Frame& frame);
+  Radiance shade_texture(const LayeredTexture& texture, Surface& at, Frame& frame);
+  void shade_layer(const TextureLayer& layer, Surface& at, Stack& stack, Frame& frame);
+  Mirror mirror_of(const Finish& finish, const Rgb& pigment, const Vec3& normal,
+                   const Surface& at, const Stack& stack) const;
+  void add_mirror_images(const Stack& stack, bool total_reflection, const Surface& at,
+                         Frame& frame, Radiance& result);
+  /// The lights that light what looks like that: two lists, in stock's order.
+  using LightLists = std::array<std::span<const std::uint32_t>, 2>;
+  LightLists lights_of(const Attributes& looks) const {
+    if (!looks.lights) return {m_scene.global_lights()};
+    return {looks.lights->global ? m_scene.global_lights() : std::span<const std::uint32_t>(),
+            looks.lights->local};
   }
   Rgb lit(const Finish& finish, const Rgb& pigment, const Vec3& normal, double opacity,
           const Surface& at, Frame& frame);
-  Rgb arriving(std::uint32_t light, const Rgb& colour, const LightRay& ray, const Surface& at,
+  /// What all shadow queries of a point have in common.
+  ShadowQuery query_from(const Surface& at) const;
+  /// What is left of a light's colour; fills in the query.
+  Rgb arriving(std::uint32_t light, const Rgb& colour, const LightRay& ray, ShadowQuery& query,
                Frame& frame);
-  Rgb shadowed(std::uint32_t light, const Rgb& colour, const LightRay& ray, const Surface& at,
-               const Frame& frame);
-  Rgb area_shadowed(std::uint32_t light, const Rgb& colour, const LightRay& ray,
-                    const Surface& at);
+  Rgb shadowed(const Rgb& colour, const LightRay& ray, ShadowQuery& query, const Frame& frame);
+  Rgb area_shadowed(const Rgb& colour, const LightRay& ray, ShadowQuery& query);
   /// `film`: the finish whose thin film tints the image, or null.
   Rgb mirror_image(const Vec3& normal, float weight, const Surface& at, const Finish* film);
   double film_thickness(const Finish& finish, const Vec3& point) const;
@@ -142,11 +167,6 @@ class PathTracer final : public Tracer {
   bool add_transmitted(const Stack& stack, const Surface& at, Radiance& result);
   double enter(const InteriorEntry& entry, InteriorStack& inside) const;
   double relative_ior(const InteriorEntry& entry, const InteriorStack& inside) const;
-  /// The normal that shades a layer: perturbed where it has a `normal`.
-  static Vec3 layer_normal(const TextureLayer& layer, const SurfaceContext& surface,
-                           const Surface& at) {
-    return layer.normal ? layer.normal->perturb(at.texture_point, at.normal, surface) : at.normal;
-  }
   /// Fog and rainbows on the way, if it is in the open.
   void pass_open_air(const RayState& state, double depth, Radiance& light);
   double random();
@@ -165,11 +185,13 @@ class PathTracer final : public Tracer {
   const bool m_mirror_images;
   const bool m_legacy_opacity;
   const Atmosphere* m_air;  ///< null: clear
+  std::vector<Source> m_sources;  ///< one a light of the scene
   std::unique_ptr<StartInteriors> m_start_interiors;
   std::vector<std::unique_ptr<Frame>> m_frames;
   std::size_t m_depth = 0;
   AreaScratch m_area;
   Pixel m_pixel;
+  bool m_random_known = false;  ///< m_random_state is of this pixel
   std::uint64_t m_random_state = 0;
 };
 

@@ -42,10 +42,13 @@ Visibility PlainShadowTester::search(const ShadowQuery& query, Counters* tests) 
   if (!(reach > kShadowTolerance)) return {};
   const LightBuffer* buffer = m_context.scene->light_buffer(query.light);
   if (buffer && !buffer->serves(query.distance)) buffer = nullptr;
-  LightBuffer::Spot spot;
-  if (buffer) spot = query.spot ? *query.spot : buffer->spot_of(query.ray.origin);
+  const LightBuffer::Spot* spot = query.spot;
+  if (buffer && !spot) {
+    buffer->locate(query.ray.origin, m_spot);
+    spot = &m_spot;
+  }
   const Object* blocker =
-      buffer ? buffer->any_opaque(spot, query.ray, kShadowTolerance, reach, *m_context.arena,
+      buffer ? buffer->any_opaque(*spot, query.ray, kShadowTolerance, reach, *m_context.arena,
                                   tests)
              : m_hierarchy.any_opaque(query.ray, kShadowTolerance, reach, *m_context.arena,
                                       tests);
@@ -72,12 +75,12 @@ void PlainShadowTester::order_ties(const Ray& ray) {
 }
 
 Rgb PlainShadowTester::filter_through(const ShadowQuery& query, const LightBuffer* buffer,
-                                      const LightBuffer::Spot& spot, double reach,
+                                      const LightBuffer::Spot* spot, double reach,
                                       Counters* tests) {
   Rgb filter(1.0f);
   m_hits.clear();
   if (buffer) {
-    buffer->all_transparent(spot, query.ray, kShadowTolerance, reach, m_hits, *m_context.arena,
+    buffer->all_transparent(*spot, query.ray, kShadowTolerance, reach, m_hits, *m_context.arena,
                             tests);
   } else {
     m_hierarchy.all_transparent(query.ray, kShadowTolerance, reach, m_hits, *m_context.arena,

@@ -15,7 +15,6 @@
 namespace lentray::core {
 
 class Hierarchy;
-class LightBuffer;
 
 class PlainShadowTester final : public ShadowTester {
  public:
@@ -42,10 +41,10 @@ class PlainShadowTester final : public ShadowTester {
   const ShadowContext& context() const { return m_context; }
 
  private:
-  /// `buffer`: of the light, or null.
   void order_ties(const Ray& ray);
+  /// `buffer`: of the light, with the `spot` there, or null.
   Rgb filter_through(const ShadowQuery& query, const LightBuffer* buffer,
-                     const LightBuffer::Spot& spot, double reach, Counters* tests);
+                     const LightBuffer::Spot* spot, double reach, Counters* tests);
   Rgb surface_filter(const Hit& hit, double depth, const ShadowQuery& query, bool inside);
 
   ShadowContext m_context;
@@ -54,6 +53,7 @@ class PlainShadowTester final : public ShadowTester {
   bool m_any_transparent;
   bool m_interiors;
   double m_bailout;
+  LightBuffer::Spot m_spot;  ///< of the query, where it has none
   InteriorStack m_inside;
   std::vector<Hit> m_hits;
   struct Place {

@@ -61,19 +61,8 @@ double specular_intensity(const Finish& finish, const Illumination& on) {
 
 }  // namespace
 
-Rgb diffuse_light(const Finish& finish, const Illumination& on, double amount, double random) {
-  if (!(amount > 0.0)) return {};
-  const double cosine = std::fabs(dot(on.normal, on.towards_light));
-  double intensity = finish.brilliance == 1.0 ? cosine : std::pow(cosine, finish.brilliance);
-  intensity *= amount * on.opacity;
-  if (finish.crand > 0.0) intensity -= random * finish.crand;
-  return times(on.pigment, intensity) * on.light;
-}
-
 Rgb highlights(const Finish& finish, const Illumination& on) {
-  Rgb sum;
-  if (!(finish.phong > 0.0) && !(finish.specular > 0.0)) return sum;
-  Rgb light = on.light;
+  Rgb sum, light = on.light;
   if (finish.metallic > 0.0) {
     light *= metal_tint(finish.metallic, dot(on.normal, on.towards_light), on.pigment);
   }

@@ -27,6 +27,19 @@ inline Rgb passed(const Colour& c) {
           c.rgb.b * c.filter + c.transmit};
 }
 
+/// `cosine`: of the angle between normal and light, of either sign. `light` is what arrives of it.
+/// `amount`: `diffuse` or its value for the back. `opacity`: of the layer, its share of the light.
+/// `random` in [0, 1) is used by crand alone.
+inline Rgb diffuse_light(const Finish& finish, double cosine, const Rgb& light, const Rgb& pigment,
+                         double amount, double opacity, double random) {
+  if (!(amount > 0.0)) return {};
+  cosine = std::fabs(cosine);
+  double intensity = finish.brilliance == 1.0 ? cosine : std::pow(cosine, finish.brilliance);
+  intensity *= amount * opacity;
+  if (finish.crand > 0.0) intensity -= random * finish.crand;
+  return times(pigment, intensity) * light;
+}
+
 /// One light on one layer.
 struct Illumination {
   Vec3 towards_light;
@@ -34,11 +47,10 @@ struct Illumination {
   Vec3 normal;         ///< of the layer, facing the eye
   Rgb light;           ///< what arrives of the light
   Rgb pigment;
-  double opacity = 1.0;  ///< of the layer: its share of the diffuse light
 };
-
-/// `random` in [0, 1) is used by crand alone; `amount` is `diffuse` or its value for the back.
-Rgb diffuse_light(const Finish& finish, const Illumination& on, double amount, double random);
+inline bool has_highlights(const Finish& finish) {
+  return finish.phong > 0.0 || finish.specular > 0.0;
+}
 /// phong and specular, metallic or not.
 Rgb highlights(const Finish& finish, const Illumination& on);
 

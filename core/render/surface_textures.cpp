@@ -1,5 +1,7 @@
 #include "core/render/surface_textures.h"
 
+#include <typeinfo>
+
 #include "core/geometry/mesh.h"
 
 namespace lentray::core {
@@ -11,7 +13,8 @@ void textures_at(const SurfaceContext& surface, bool from_behind, double least,
   const Attributes& looks = hit.leaf->attributes();
   const Texture* own =
       from_behind && looks.interior_texture ? looks.interior_texture : looks.texture;
-  const auto* mesh = dynamic_cast<const Mesh*>(&hit.leaf->shape());
+  const Shape& shape = hit.leaf->shape();
+  const Mesh* mesh = typeid(shape) == typeid(Mesh) ? static_cast<const Mesh*>(&shape) : nullptr;
   if (!mesh || !mesh->has_textures()) {
     own->resolve(point, surface, 1.0, out);
     return;

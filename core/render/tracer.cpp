@@ -43,15 +43,13 @@ float opacity_of(const Colour& c, bool legacy) {
 
 template <unsigned kFeatures>
 Radiance PathTracer<kFeatures>::trace(const Ray& ray, Pixel pixel) {
+  Ray unit;
+  const bool is_unit = !(std::fabs(length_squared(ray.direction) - 1.0) > kUnitSlack);
+  if (!is_unit) unit = {ray.origin, normalized(ray.direction)};
   m_pixel = pixel;
-  m_random_state =
-      mixed((static_cast<std::uint64_t>(pixel.row) << 32 | pixel.column) ^ 0x6c656e74726179ull);
+  m_random_known = false;
   ++m_counters.camera_rays;
-  RayState state;
-  state.ray = ray;
-  if (std::fabs(length_squared(ray.direction) - 1.0) > kUnitSlack) {
-    state.ray.direction = normalized(ray.direction);
-  }
+  RayState state(is_unit ? ray : unit);
   if (m_start_interiors) state.inside = m_start_interiors->at(ray.origin);
   return follow(state, 1.0f, 0);
 }
@@ -81,12 +79,13 @@ void PathTracer<kFeatures>::pass_open_air(const RayState& state, double depth, R
 
 template <unsigned kFeatures>
 typename PathTracer<kFeatures>::Frame& PathTracer<kFeatures>::enter_frame() {
-  if (m_depth == m_frames.size()) m_frames.push_back(std::make_unique<Frame>());
+  if (m_depth == m_frames.size()) {
+    m_frames.push_back(std::make_unique<Frame>(m_scene.lights().size()));
+  }
   Frame& frame = *m_frames[m_depth++];
-  frame.textures.clear();
   if constexpr (kLayers) {
-    frame.light.resize(m_scene.lights().size());
-    frame.light_known.assign(m_scene.lights().size(), 0);
+    frame.textures.clear();
+    std::fill(frame.light_known.begin(), frame.light_known.end(), std::uint8_t{0});
   }
   return frame;
 }
@@ -96,63 +95,67 @@ typename PathTracer<kFeatures>::Frame& PathTracer<kFeatures>::enter_frame() {
 /// not asked for.
 template <unsigned kFeatures>
 void PathTracer<kFeatures>::look_ahead(const Surface& at, Frame& frame) const {
-  frame.spots.resize(m_scene.lights().size());
-  for_lights_of(*at.looks, [&](std::uint32_t i) {
-    const LightBuffer* buffer = m_scene.light_buffer(i);
-    frame.spots[i].known = buffer && !surely_behind(m_scene.lights()[i], at.point, at.normal);
-    if (frame.spots[i].known) frame.spots[i] = buffer->spot_of(at.point);
-  });
+  for (const std::span<const std::uint32_t> lights : lights_of(at.looks)) {
+    for (const std::uint32_t i : lights) {
+      const Source& source = m_sources[i];
+      LightBuffer::Spot& spot = frame.spots[i];
+      spot.known =
+          source.buffer && !source.surely_behind(source.position - at.point(), at.normal);
+      if (spot.known) source.buffer->locate(at.point(), spot);
+    }
+  }
 }
 
 template <unsigned kFeatures>
 Radiance PathTracer<kFeatures>::shade(const RayState& state, const Hit& hit, float weight,
                                       int level) {
-  Surface at;
-  at.state = &state;
-  at.looks = &hit.leaf->attributes();
-  at.interior = interior_of(*at.looks, hit.object);
-  at.point = state.ray.at(hit.t);
-  at.normal = hit.leaf->normal(at.point, hit.shape);
-  at.depth = hit.t;
-  at.weight = weight;
-  at.level = level;
-  const bool from_behind = dot(at.normal, state.ray.direction) > 0.0;
-  if (from_behind) at.normal = -at.normal;
-  at.context = {at.point, at.normal, state.ray.direction, &hit};
-  at.texture_point = texture_point(at.context);
+  const Vec3 point = state.ray.at(hit.t);
+  Vec3 normal = hit.leaf->normal(point, hit.shape);
+  const bool from_behind = dot(normal, state.ray.direction) > 0.0;
+  if (from_behind) normal = -normal;
+  Surface at{state, hit.leaf->attributes(), {point, normal, state.ray.direction, &hit},
+             normal, point, weight, level, from_behind};
+  if (at.looks.uv_mapping) at.texture_point = texture_point(at.context);
   Frame& frame = enter_frame();
   look_ahead(at, frame);
-
+  Radiance seen;
   if constexpr (kLayers) {
-    textures_at(at.context, from_behind, m_bailout, frame.textures);
+    seen = shade_textures(at, frame);
   } else {
-    at.looks->texture->resolve(at.texture_point, at.context, 1.0, frame.textures);
-  }
-  Radiance sum;
-  if (frame.textures.size() == 1 && frame.textures.front().weight == 1.0) {
-    sum = shade_texture(*frame.textures.front().texture, at, frame);
-  } else {
-    for (const WeightedTexture& part : frame.textures) {
-      const Radiance seen = shade_texture(*part.texture, at, frame);
-      sum.rgb += times(seen.rgb, part.weight);
-      sum.transmit += static_cast<float>(seen.transmit * part.weight);
-    }
+    seen = shade_texture(*at.looks.texture->everywhere(), at, frame);
   }
   --m_depth;
+  return seen;
+}
+
+template <unsigned kFeatures>
+Radiance PathTracer<kFeatures>::shade_textures(Surface& at, Frame& frame) {
+  textures_at(at.context, at.from_behind, m_bailout, frame.textures);
+  if (frame.textures.size() == 1 && frame.textures.front().weight == 1.0) {
+    return shade_texture(*frame.textures.front().texture, at, frame);
+  }
+  Radiance sum;
+  for (const WeightedTexture& part : frame.textures) {
+    at.context.normal = at.normal;
+    const Radiance seen = shade_texture(*part.texture, at, frame);
+    sum.rgb += times(seen.rgb, part.weight);
+    sum.transmit += static_cast<float>(seen.transmit * part.weight);
+  }
   return sum;
 }
 
 template <unsigned kFeatures>
-Radiance PathTracer<kFeatures>::shade_texture(const LayeredTexture& texture, const Surface& at,
+Radiance PathTracer<kFeatures>::shade_texture(const LayeredTexture& texture, Surface& at,
                                               Frame& frame) {
   const auto& layers = texture.layers();
   Stack stack;
-  stack.surface = at.context;
-  if (frame.mirrors.size() < layers.size()) frame.mirrors.resize(layers.size());
+  if constexpr (kReflection) {
+    if (frame.mirrors.size() < layers.size()) frame.mirrors.resize(layers.size());
+  }
   for (auto layer = layers.rbegin();
        layer != layers.rend() && stack.transparency > m_bailout; ++layer) {
-    shade_layer(*layer, at, stack, frame.mirrors[stack.mirrors], frame);
-    ++stack.mirrors;
+    shade_layer(*layer, at, stack, frame);
+    ++stack.layers;
   }
   Radiance result;
   result.rgb = stack.sum;
@@ -160,47 +163,23 @@ Radiance PathTracer<kFeatures>::shade_texture(const LayeredTexture& texture, con
   if (kTransparency && stack.transparency > m_bailout) {
     total_reflection = add_transmitted(stack, at, result);
   }
-  if constexpr (kReflection) {
-    for (std::size_t i = 0; m_mirror_images && i < stack.mirrors; ++i) {
-      const Mirror& mirror = frame.mirrors[i];
-      if (mirror.colour.is_black()) continue;
-      if (total_reflection && nearly_equal(stack.top_normal, mirror.normal)) continue;
-      Rgb image = mirror_image(mirror.normal, mirror.weight, at, mirror.finish);
-      if (mirror.exponent != 1.0) {
-        for (int c = 0; c < 3; ++c) {
-          image[c] = static_cast<float>(std::pow(image[c], mirror.exponent));
-        }
-      }
-      result.rgb += mirror.colour * image;
-    }
-  }
+  if constexpr (kReflection) add_mirror_images(stack, total_reflection, at, frame, result);
   return result;
 }
 
 template <unsigned kFeatures>
-void PathTracer<kFeatures>::shade_layer(const TextureLayer& layer, const Surface& at,
-                                        Stack& stack, Mirror& mirror, Frame& frame) {
+void PathTracer<kFeatures>::shade_layer(const TextureLayer& layer, Surface& at, Stack& stack,
+                                        Frame& frame) {
   const Finish& finish = layer.finish;
   const Colour* constant = layer.pigment->constant();
-  const Colour colour =
-      constant ? *constant : layer.pigment->colour(at.texture_point, stack.surface);
-  const Vec3 normal = layer_normal(layer, stack.surface, at);
-  if (layer.normal) stack.surface.normal = normal;
-  if (stack.mirrors == 0) stack.top_normal = normal;
-
+  const Colour colour = constant ? *constant : layer.pigment->colour(at.texture_point, at.context);
+  if (layer.normal) {
+    at.context.normal = layer.normal->perturb(at.texture_point, at.normal, at.context);
+  }
+  const Vec3& normal = layer.normal ? at.context.normal : at.normal;
+  if (kTransparency && stack.layers == 0) stack.top_normal = normal;
   if constexpr (kReflection) {
-    mirror.colour = {};
-    if (reflects(finish)) {
-      const double cosine = -dot(at.state->ray.direction, normal);
-      const double ior =
-          finish.reflection_fresnel ? relative_ior(at.interior, at.state->inside) : 1.0;
-      const Reflectivity share = reflectivity(finish, cosine, ior, colour.rgb);
-      mirror.normal = normal;
-      mirror.colour = share.colour;
-      mirror.weight = static_cast<float>(at.weight * stack.transparency) * share.weight;
-      mirror.exponent = 1.0 / finish.reflection_exponent;
-      mirror.finish = &finish;
-    }
+    frame.mirrors[stack.layers] = mirror_of(finish, colour.rgb, normal, at, stack);
   }
 
   const double opacity = kTransparency || kLayers ? opacity_of(colour, m_legacy_opacity) : 1.0;
@@ -212,13 +191,49 @@ void PathTracer<kFeatures>::shade_layer(const TextureLayer& layer, const Surface
   if constexpr (kTransparency || kLayers) {
     stack.filter *= passed(colour);
     if (kReflection && finish.conserve_energy) {
-      stack.filter *= Rgb(std::min(1.0f, 1.0f - mirror.colour.r),
-                          std::min(1.0f, 1.0f - mirror.colour.g),
-                          std::min(1.0f, 1.0f - mirror.colour.b));
+      const Rgb& mirror = frame.mirrors[stack.layers].colour;
+      stack.filter *= Rgb(std::min(1.0f, 1.0f - mirror.r), std::min(1.0f, 1.0f - mirror.g),
+                          std::min(1.0f, 1.0f - mirror.b));
     }
     stack.transparency = std::min(1.0, static_cast<double>(std::fabs(grey(stack.filter))));
   } else {
     stack.transparency = 0.0;
+  }
+}
+
+template <unsigned kFeatures>
+typename PathTracer<kFeatures>::Mirror PathTracer<kFeatures>::mirror_of(
+    const Finish& finish, const Rgb& pigment, const Vec3& normal, const Surface& at,
+    const Stack& stack) const {
+  Mirror mirror;
+  if (!reflects(finish)) return mirror;
+  const double cosine = -dot(at.ray().direction, normal);
+  const double ior =
+      finish.reflection_fresnel ? relative_ior(at.interior(), at.state.inside) : 1.0;
+  const Reflectivity share = reflectivity(finish, cosine, ior, pigment);
+  mirror.normal = normal;
+  mirror.colour = share.colour;
+  mirror.weight = static_cast<float>(at.weight * stack.transparency) * share.weight;
+  mirror.exponent = 1.0 / finish.reflection_exponent;
+  mirror.finish = &finish;
+  return mirror;
+}
+
+template <unsigned kFeatures>
+void PathTracer<kFeatures>::add_mirror_images(const Stack& stack, bool total_reflection,
+                                              const Surface& at, Frame& frame,
+                                              Radiance& result) {
+  for (std::size_t i = 0; m_mirror_images && i < stack.layers; ++i) {
+    const Mirror& mirror = frame.mirrors[i];
+    if (mirror.colour.is_black()) continue;
+    if (total_reflection && nearly_equal(stack.top_normal, mirror.normal)) continue;
+    Rgb image = mirror_image(mirror.normal, mirror.weight, at, mirror.finish);
+    if (mirror.exponent != 1.0) {
+      for (int c = 0; c < 3; ++c) {
+        image[c] = static_cast<float>(std::pow(image[c], mirror.exponent));
+      }
+    }
+    result.rgb += mirror.colour * image;
   }
 }
 
@@ -230,48 +245,67 @@ Rgb PathTracer<kFeatures>::lit(const Finish& finish, const Rgb& pigment, const V
       finish.phong == 0.0) {
     return sum;
   }
-  const bool front_only = !at.looks->double_illuminate && finish.diffuse_back == 0.0;
-  for_lights_of(*at.looks, [&](std::uint32_t i) {
-    const Light& light = m_scene.lights()[i];
-    if (front_only && surely_behind(light, at.point, normal)) return;
-    const LightRay ray = light_ray(light, at.point);
-    Rgb colour = light_colour(light, at.point, ray);
-    if (is_dark(colour)) return;
-    bool behind = false;
-    if (!at.looks->double_illuminate && dot(normal, ray.direction) < kTiny) {
-      if (front_only) return;
-      behind = true;
+  const bool one_sided = !at.looks.double_illuminate;
+  const bool front_only = one_sided && finish.diffuse_back == 0.0;
+  const bool shines = has_highlights(finish);
+  ShadowQuery query = query_from(at);
+  for (const std::span<const std::uint32_t> lights : lights_of(at.looks)) {
+    for (const std::uint32_t i : lights) {
+      const Source& source = m_sources[i];
+      const Vec3 to = source.position - at.point();
+      if (front_only && source.surely_behind(to, normal)) continue;
+      const LightRay ray = source.straight ? ray_along(to) : light_ray(source.light, at.point());
+      Rgb colour = source.even ? source.colour : light_colour(source.light, at.point(), ray);
+      if (is_dark(colour)) continue;
+      const double cosine = dot(normal, ray.direction);
+      const bool behind = one_sided && cosine < kTiny;
+      if (behind && front_only) continue;
+      if (!source.shadowless) {
+        colour = arriving(i, colour, ray, query, frame);
+        if (is_dark(colour)) continue;
+      }
+      Rgb share = diffuse_light(finish, cosine, colour, pigment,
+                                behind ? finish.diffuse_back : finish.diffuse, opacity,
+                                finish.crand > 0.0 ? random() : 0.0);
+      if (shines && !source.shadowless && !behind) {
+        share += highlights(finish, {ray.direction, at.ray().direction, normal, colour, pigment});
+      }
+      if (finish.irid > 0.0) {
+        share *= film_tint(finish, film_thickness(finish, at.point()),
+                           m_scene.settings().irid_wavelength, normal, ray.direction,
+                           at.ray().direction);
+      }
+      sum += share;
     }
-    if (!light.shadowless) {
-      colour = arriving(i, colour, ray, at, frame);
-      if (is_dark(colour)) return;
-    }
-    const Illumination on{ray.direction, at.state->ray.direction, normal, colour, pigment,
-                          opacity};
-    Rgb share = diffuse_light(finish, on, behind ? finish.diffuse_back : finish.diffuse,
-                              finish.crand > 0.0 ? random() : 0.0);
-    if (!light.shadowless && !behind) share += highlights(finish, on);
-    if (finish.irid > 0.0) {
-      share *= film_tint(finish, film_thickness(finish, at.point),
-                         m_scene.settings().irid_wavelength, normal, ray.direction, on.eye);
-    }
-    sum += share;
-  });
+  }
   return sum;
 }
 
 template <unsigned kFeatures>
+ShadowQuery PathTracer<kFeatures>::query_from(const Surface& at) const {
+  ShadowQuery query;
+  query.ray.origin = at.point();
+  query.depth = at.level;
+  query.tree_place = at.state.place;
+  query.column = m_pixel.column;
+  query.row = m_pixel.row;
+  query.inside = &at.state.inside;
+  return query;
+}
+
+template <unsigned kFeatures>
 Rgb PathTracer<kFeatures>::arriving(std::uint32_t light, const Rgb& colour, const LightRay& ray,
-                                    const Surface& at, Frame& frame) {
+                                    ShadowQuery& query, Frame& frame) {
   if constexpr (kLayers) {
     if (frame.light_known[light]) return frame.light[light];
   }
+  query.light = light;
   Rgb result;
   if constexpr (kArea) {
-    result = m_scene.lights()[light].has_area ? area_shadowed(light, colour, ray, at)
-                                              : shadowed(light, colour, ray, at, frame);
+    result = m_scene.lights()[light].has_area ? area_shadowed(colour, ray, query)
+                                              : shadowed(colour, ray, query, frame);
   } else {
-    result = shadowed(light, colour, ray, at, frame);
+    result = shadowed(colour, ray, query, frame);
   }
   if constexpr (kLayers) {
     frame.light[light] = result;
@@ -281,35 +315,24 @@ Rgb PathTracer<kFeatures>::arriving(std::uint32_t light, const Rgb& colour, cons
 }
 
 template <unsigned kFeatures>
-Rgb PathTracer<kFeatures>::shadowed(std::uint32_t light, const Rgb& colour, const LightRay& ray,
-                                    const Surface& at, const Frame& frame) {
-  ShadowQuery query;
-  if (frame.spots[light].known) query.spot = &frame.spots[light];
-  query.ray = {at.point, ray.direction};
+Rgb PathTracer<kFeatures>::shadowed(const Rgb& colour, const LightRay& ray, ShadowQuery& query,
+                                    const Frame& frame) {
+  const LightBuffer::Spot& spot = frame.spots[query.light];
+  query.spot = spot.known ? &spot : nullptr;
+  query.sample = 0;
+  query.ray.direction = ray.direction;
   query.distance = ray.distance;
-  query.light = light;
-  query.depth = at.level;
-  query.tree_place = at.state->place;
-  query.column = m_pixel.column;
-  query.row = m_pixel.row;
-  query.inside = &at.state->inside;
   return colour * m_shadows.visibility(query).filter;
 }
 
 template <unsigned kFeatures>
-Rgb PathTracer<kFeatures>::area_shadowed(std::uint32_t light, const Rgb& colour,
-                                         const LightRay& ray, const Surface& at) {
-  const Light& source = m_scene.lights()[light];
-  ShadowQuery query;
-  query.light = light;
-  query.depth = at.level;
-  query.tree_place = at.state->place;
-  query.column = m_pixel.column;
-  query.row = m_pixel.row;
-  query.inside = &at.state->inside;
+Rgb PathTracer<kFeatures>::area_shadowed(const Rgb& colour, const LightRay& ray,
+                                         ShadowQuery& query) {
+  const Light& source = m_scene.lights()[query.light];
+  query.spot = nullptr;
   auto probe = [&](const Vec3& offset, std::uint32_t sample) {
-    const LightRay to_sample = light_ray(source, at.point, offset);
-    query.ray = {at.point, to_sample.direction};
+    const LightRay to_sample = light_ray(source, query.ray.origin, offset);
+    query.ray.direction = to_sample.direction;
     query.distance = to_sample.distance;
     query.sample = sample;
     return colour * m_shadows.visibility(query).filter;
@@ -322,7 +345,7 @@ Rgb PathTracer<kFeatures>::area_shadowed(std::uint32_t light, const Rgb& colour,
 template <unsigned kFeatures>
 Rgb PathTracer<kFeatures>::mirror_image(const Vec3& normal, float weight, const Surface& at,
                                         const Finish* film) {
-  const Vec3& incoming = at.state->ray.direction;
+  const Vec3& incoming = at.ray().direction;
   Vec3 out = incoming + normal * (-2.0 * dot(incoming, normal));
   // A perturbed normal may send the ray through the real surface: mirror it back.
   const double through = dot(out, at.normal);
@@ -334,11 +357,12 @@ Rgb PathTracer<kFeatures>::mirror_image(const Vec3& normal, float weight, const 
     }
   }
   ++m_counters.reflected_rays;
-  RayState next({at.point, normalized(out)}, at.state->inside, 2 * at.state->place, true);
+  const Ray ray{at.point(), normalized(out)};
+  const RayState next(ray, at.state.inside, 2 * at.state.place, true);
   Rgb seen = follow(next, weight, at.level).rgb;
   if (film && film->irid > 0.0) {
-    seen *= film_tint(*film, film_thickness(*film, at.point), m_scene.settings().irid_wavelength,
-                      normal, next.ray.direction, incoming);
+    seen *= film_tint(*film, film_thickness(*film, at.point()), m_scene.settings().irid_wavelength,
+                      normal, ray.direction, incoming);
   }
   return seen;
 }
@@ -357,20 +381,21 @@ bool PathTracer<kFeatures>::add_transmitted(const Stack& stack, const Surface& a
   const Rgb& filter = stack.filter;
   const float most = greatest({std::fabs(filter.r), std::fabs(filter.g), std::fabs(filter.b)});
   const float weight = at.weight * most;
-  RayState next({at.point, at.state->ray.direction}, at.state->inside, 2 * at.state->place + 1,
-                at.state->reflected);
-  const double ratio = m_start_interiors ? enter(at.interior, next.inside) : 1.0;
+  Ray onward{at.point(), at.ray().direction};
+  RayState next(onward, at.state.inside, 2 * at.state.place + 1, at.state.reflected);
+  const InteriorEntry interior = at.interior();
+  const double ratio = m_start_interiors ? enter(interior, next.inside) : 1.0;
 
   Rgb fade(1.0f);
-  if (at.interior.interior && at.state->inside.contains(at.interior.key)) {
-    fade = fade_in_interior(*at.interior.interior, at.depth);
+  if (interior.interior && at.state.inside.contains(interior.key)) {
+    fade = fade_in_interior(*interior.interior, at.context.hit->t);
   }
   Radiance seen;
   if (std::fabs(ratio - 1.0) < kTiny) {
     ++m_counters.refracted_rays;
     seen = follow(next, weight, at.level, true);
   } else {
-    double cosine = dot(next.ray.direction, stack.top_normal);
+    double cosine = dot(onward.direction, stack.top_normal);
     const Vec3 normal = cosine <= 0.0 ? stack.top_normal : -stack.top_normal;
     cosine = std::fabs(cosine);
     const double under_root = 1.0 + ratio * ratio * (cosine * cosine - 1.0);
@@ -379,8 +404,8 @@ bool PathTracer<kFeatures>::add_transmitted(const Stack& stack, const Surface& a
       result.rgb += fade * mirror_image(stack.top_normal, weight, at, nullptr);
       return true;
     }
-    next.ray.direction =
-        next.ray.direction * ratio + normal * (ratio * cosine - std::sqrt(under_root));
+    onward.direction =
+        onward.direction * ratio + normal * (ratio * cosine - std::sqrt(under_root));
     ++m_counters.refracted_rays;
     seen = follow(next, weight, at.level);
   }
@@ -423,6 +448,11 @@ double PathTracer<kFeatures>::relative_ior(const InteriorEntry& entry,
 
 template <unsigned kFeatures>
 double PathTracer<kFeatures>::random() {
+  if (!m_random_known) {
+    const std::uint64_t pixel = static_cast<std::uint64_t>(m_pixel.row) << 32 | m_pixel.column;
+    m_random_state = mixed(pixel ^ 0x6c656e74726179ull);
+    m_random_known = true;
+  }
   m_random_state = mixed(m_random_state);
   return static_cast<double>(m_random_state >> 11) * 0x1.0p-53;
 }

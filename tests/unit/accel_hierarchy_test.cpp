@@ -164,6 +164,41 @@ TEST(UnitCoreHierarchyRules, CountsBoxesAndTestsByType) {
   EXPECT_EQ(in_list.tests_by_type.at("plane"), 1u);
 }
 
+/// Bare planes are asked without their objects, clipped ones as other infinite objects.
+TEST(UnitCoreHierarchyRules, PlanesTieAndEndAsOtherObjectsDo) {
+  const auto plane = [](double side, bool clipped) {
+    const auto leaf_of = [](const Vec3& normal, double distance) {
+      return std::make_unique<Leaf>(std::make_unique<Plane>(normal, distance), Transform());
+    };
+    auto leaf = leaf_of({0, side, 0}, -2 * side);
+    if (clipped) leaf->set_clips({leaf_of({1, 0, 0}, 9)});
+    leaf->set_opaque(true);
+    return leaf;
+  };
+  for (const auto accelerator : {Accelerator::kBvh, Accelerator::kGrid, Accelerator::kList}) {
+    for (const bool clipped_first : {false, true}) {
+      Objects objects;
+      objects.push_back(plane(1, clipped_first));
+      objects.push_back(plane(-1, !clipped_first));
+      objects.push_back(plane(-1, false));
+      const Hierarchy tree(objects, accelerator);
+      HitArena arena;
+      Hit hit;
+      const Ray down{{0, 0, 0}, {0, -1, 0}};
+      ASSERT_TRUE(tree.nearest(down, 0, 3, RayKind::kCamera, hit, arena, nullptr));
+      EXPECT_EQ(hit.t, 2.0);
+      EXPECT_EQ(hit.object, objects.front().get());
+      EXPECT_EQ(hit.leaf, objects.front().get());
+      EXPECT_FALSE(tree.nearest(down, 0, 2, RayKind::kCamera, hit, arena, nullptr));
+      EXPECT_FALSE(tree.nearest(down, 2, 9, RayKind::kCamera, hit, arena, nullptr));
+      const Ray along{{0, 0, 0}, {1, 0, 0}};
+      EXPECT_FALSE(tree.nearest(along, 0, Bounds::kInf, RayKind::kCamera, hit, arena, nullptr));
+      EXPECT_EQ(tree.any_opaque(down, 0, 2, arena, nullptr), nullptr);
+      EXPECT_NE(tree.any_opaque(down, 0, 2.1, arena, nullptr), nullptr);
+    }
+  }
+}
+
 TEST(UnitCoreHierarchyRules, AGridWalksAlongTheRay) {
   Objects objects;
   for (int i = 0; i < 1000; ++i) {

@@ -33,7 +33,8 @@ void expect_same_answer(const LightBuffer& buffer, const Hierarchy& hierarchy, c
   const Ray ray{point, to / distance};
   const double reach = distance - kTolerance;
   if (!buffer.serves(distance) || !(reach > kTolerance)) return;
-  const LightBuffer::Spot spot = buffer.spot_of(point);
+  LightBuffer::Spot spot;
+  buffer.locate(point, spot);
   const Object* blocker = buffer.any_opaque(spot, ray, kTolerance, reach, arena, nullptr);
   const Object* expected = hierarchy.any_opaque(ray, kTolerance, reach, arena, nullptr);
   ASSERT_EQ(blocker != nullptr, expected != nullptr)
@@ -148,8 +149,9 @@ TEST(UnitCoreLightBufferRules, CoveredCellsNeedNoTest) {
       const Vec3 to = Vec3{0, 5, 0} - point;
       const Ray ray{point, normalized(to)};
       counters.primitive_tests = 0;
-      if (!buffer.any_opaque(buffer.spot_of(point), ray, kTolerance, length(to) - kTolerance, arena,
-                             &counters)) {
+      LightBuffer::Spot spot;
+      buffer.locate(point, spot);
+      if (!buffer.any_opaque(spot, ray, kTolerance, length(to) - kTolerance, arena, &counters)) {
         continue;
       }
       ++blocked;

@@ -17,15 +17,19 @@ Illumination face_on() {
 }
 
 TEST(UnitCoreReflectance, DiffuseFollowsTheCosineAndBrilliance) {
-  Illumination on = face_on();
-  on.towards_light = {0.6, 0.8, 0};
+  const Rgb light(1.0f), pigment{1.0f, 0.5f, 0.0f};
+  const auto diffuse = [&](const Finish& finish, double random) {
+    return diffuse_light(finish, 0.8, light, pigment, 0.5, 1.0, random);
+  };
   Finish finish;
-  EXPECT_NEAR(diffuse_light(finish, on, 0.5, 0).r, 0.4, 1e-6);
+  EXPECT_NEAR(diffuse(finish, 0).r, 0.4, 1e-6);
+  EXPECT_NEAR(diffuse_light(finish, -0.8, light, pigment, 0.5, 0.5, 0).r, 0.2, 1e-6);
   finish.brilliance = 3;
-  EXPECT_NEAR(diffuse_light(finish, on, 0.5, 0).r, 0.5 * 0.512, 1e-6);
-  EXPECT_NEAR(diffuse_light(finish, on, 0.5, 0).g, 0.25 * 0.512, 1e-6);
+  EXPECT_NEAR(diffuse(finish, 0).r, 0.5 * 0.512, 1e-6);
+  EXPECT_NEAR(diffuse(finish, 0).g, 0.25 * 0.512, 1e-6);
   finish.crand = 0.2;
-  EXPECT_NEAR(diffuse_light(finish, on, 0.5, 0.5).r, 0.5 * 0.512 - 0.1, 1e-6);
+  EXPECT_NEAR(diffuse(finish, 0.5).r, 0.5 * 0.512 - 0.1, 1e-6);
+  EXPECT_EQ(diffuse_light(finish, 0.8, light, pigment, 0.0, 1.0, 0.5), Rgb()) << "no crand alone";
 }
 
 TEST(UnitCoreReflectance, PhongIsAPowerOfTheMirrorAngle) {
