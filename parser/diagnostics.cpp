@@ -11,17 +11,16 @@ namespace {
 void to_standard_error(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); }
 
 std::string place(const SourceManager& sources, const Location& where) {
-  if (where.file == 0) return "lentray";
-  return sources.name(where.file) + ":" + std::to_string(where.line) + ":" +
-         std::to_string(where.column);
+  return where.file == 0 ? "lentray" : sources.place(where);
 }
 
 // The line and a caret under the column; tabs stay tabs so that the caret lines up.
 std::string excerpt(const SourceManager& sources, const Location& where) {
-  const std::string_view line = sources.line(where.file, where.line);
+  const std::string_view line = sources.line(where);
   if (line.empty()) return {};
+  const std::size_t column = sources.position(where).column;
   std::string caret = "  ";
-  for (std::size_t i = 0; i + 1 < where.column; ++i) {
+  for (std::size_t i = 0; i + 1 < column; ++i) {
     caret += i < line.size() && line[i] == '\t' ? '\t' : ' ';
   }
   return "  " + std::string(line) + "\n" + caret + "^\n";

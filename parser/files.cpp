@@ -3,7 +3,6 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "parser/large_pages.h"
 #include "parser/loose_path.h"
 
 namespace lentray::parser {
@@ -44,7 +43,6 @@ class Disk final : public Files {
     std::size_t piece = error ? 0 : static_cast<std::size_t>(size) + 1;
     std::string bytes;
     bytes.reserve(piece);
-    use_large_pages(bytes.data(), bytes.capacity());
     for (std::size_t end = 0;; piece = 0) {
       constexpr std::size_t kPiece = std::size_t{1} << 16;
       bytes.resize(end + (piece ? piece : kPiece));

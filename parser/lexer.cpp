@@ -98,8 +98,7 @@ class Lexer {
   /// The next value, if it and the comma behind it stand in the text as most do, without comments
   /// or escapes; nothing is read otherwise.
   PlainValue plain(double& number, std::string_view& string) {
-    const std::size_t pos = m_pos, line_start = m_line_start;
-    const std::uint32_t line = m_line;
+    const std::size_t pos = m_pos;
     PlainValue found = PlainValue::kNone;
     if (is_space(here())) skip_blanks();
     const char first = here();
@@ -126,28 +125,19 @@ class Lexer {
       }
     }
     m_pos = pos;
-    m_line = line;
-    m_line_start = line_start;
     return PlainValue::kNone;
   }
 
  private:
   void skip_blanks() {
-    for (; is_space(here()) && m_pos < m_text.size(); ++m_pos) {
-      if (here() == '\n') new_line(m_pos + 1);
-    }
+    while (is_space(here()) && m_pos < m_text.size()) ++m_pos;
   }
 
   char at(std::size_t i) const { return i < m_text.size() ? m_text[i] : '\0'; }
   char here() const { return at(m_pos); }
 
   Location location() const {
-    return {m_file, m_line, static_cast<std::uint32_t>(m_pos - m_line_start + 1)};
-  }
-
-  void new_line(std::size_t next_start) {
-    ++m_line;
-    m_line_start = next_start;
+    return {m_file, static_cast<std::uint32_t>(m_pos)};
   }
 
   // The next token, made where it stays: one that is copied at once has to wait for its own bytes.
@@ -155,8 +145,7 @@ class Lexer {
     Token& t = m_tokens.emplace_back();
     t.kind = kind;
     t.where.file = m_file;
-    t.where.line = m_line;
-    t.where.column = static_cast<std::uint32_t>(m_pos - m_line_start + 1);
+    t.where.offset = static_cast<std::uint32_t>(m_pos);
     t.passive = kind == TokenKind::kNumber || kind == TokenKind::kString || kind == TokenKind::kPunct;
     return t;
   }
@@ -174,10 +163,7 @@ class Lexer {
     for (;;) {
       if (m_pos >= m_text.size()) return false;
       const char c = m_text[m_pos];
-      if (c == '\n') {
-        ++m_pos;
-        new_line(m_pos);
-      } else if (is_space(c)) {
+      if (is_space(c)) {
         ++m_pos;
       } else if (c == '/' && at(m_pos + 1) == '/') {
         const std::size_t end = m_text.find('\n', m_pos);
@@ -200,10 +186,7 @@ class Lexer {
         return;
       }
       const char c = m_text[m_pos];
-      if (c == '\n') {
-        ++m_pos;
-        new_line(m_pos);
-      } else if (c == '/' && at(m_pos + 1) == '*') {
+      if (c == '/' && at(m_pos + 1) == '*') {
         ++depth;
         m_pos += 2;
       } else if (c == '*' && at(m_pos + 1) == '/') {
@@ -309,7 +292,6 @@ class Lexer {
       if (m_pos >= m_text.size()) return bad(where, "string without its end: expected \"");
       const char c = m_text[m_pos];
       if (c == '"') break;
-      if (c == '\n') new_line(m_pos + 1);
       const std::size_t before = cooked.size();
       const bool foreign = static_cast<unsigned char>(c) > 0x7F;
       if (foreign && ascii.empty()) ascii = cooked;
@@ -488,8 +470,6 @@ class Lexer {
   TokenList& m_list;
   Tokens& m_tokens;
   std::size_t m_pos = 0;
-  std::size_t m_line_start = 0;
-  std::uint32_t m_line = 1;
 };
 
 std::shared_ptr<const TokenList> tokenise(std::uint32_t file, std::string_view text,

@@ -9,7 +9,6 @@
 #include <string_view>
 #include <vector>
 
-#include "parser/large_pages.h"
 #include "parser/names.h"
 #include "parser/token.h"
 
@@ -19,13 +18,13 @@ namespace lentray::parser {
 struct TokenList {
   std::uint32_t file = 0;
   /// The last one is a kEnd that belongs to no text: whoever looks ahead stops there.
-  std::vector<Token, LargePages<Token>> tokens;
+  std::vector<Token> tokens;
   std::size_t size() const { return tokens.size() - 1; }
   const Token* begin() const { return tokens.data(); }
   const Token* end() const { return tokens.data() + size(); }
   /// Of vectors of literal numbers where `<` can only begin one, of which data are made: it is the
   /// only token, `jump` says where its components stand here and `name` how many there are.
-  std::vector<double, LargePages<double>> components;
+  std::vector<double> components;
 };
 
 std::shared_ptr<const TokenList> tokenise(std::uint32_t file, std::string_view text,

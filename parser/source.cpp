@@ -1,5 +1,7 @@
 #include "parser/source.h"
 
+#include <algorithm>
+
 namespace lentray::parser {
 namespace {
 
@@ -52,17 +54,36 @@ std::string_view SourceManager::text(std::uint32_t file) const {
   return found ? std::string_view(found->text) : std::string_view();
 }
 
-std::string_view SourceManager::line(std::uint32_t file, std::uint32_t number) const {
-  const File* found = find(file);
-  if (!found || number == 0) return {};
-  if (found->line_starts.empty()) {
-    found->line_starts.push_back(0);
-    for (std::size_t i = 0; i < found->text.size(); ++i) {
-      if (found->text[i] == '\n') found->line_starts.push_back(i + 1);
+std::size_t SourceManager::File::line_at(std::size_t offset) const {
+  if (line_starts.empty()) {
+    line_starts.push_back(0);
+    for (std::size_t i = 0; i < text.size(); ++i) {
+      if (text[i] == '\n') line_starts.push_back(i + 1);
     }
   }
-  if (number > found->line_starts.size()) return {};
-  const std::size_t start = found->line_starts[number - 1];
+  const auto next = std::upper_bound(line_starts.begin(), line_starts.end(), offset);
+  return static_cast<std::size_t>(next - line_starts.begin()) - 1;
+}
+
+Position SourceManager::position(const Location& where) const {
+  const File* found = find(where.file);
+  if (!found) return {};
+  const std::size_t line = found->line_at(where.offset);
+  const std::size_t column = where.offset - found->line_starts[line];
+  return {static_cast<std::uint32_t>(line + 1), static_cast<std::uint32_t>(column + 1)};
+}
+
+std::string SourceManager::place(const Location& where) const {
+  if (!find(where.file)) return {};
+  const Position at = position(where);
+  return name(where.file) + ":" + std::to_string(at.line) + ":" + std::to_string(at.column);
+}
+
+std::string_view SourceManager::line(const Location& where) const {
+  const File* found = find(where.file);
+  if (!found) return {};
+  const std::size_t number = found->line_at(where.offset);
+  const std::size_t start = found->line_starts[number];
   const std::size_t end = found->text.find('\n', start);
   return std::string_view(found->text).substr(
       start, end == std::string::npos ? std::string::npos : end - start);

@@ -1,5 +1,5 @@
 // Source texts and places in them. A SourceManager owns every file read in a run.
-// Lines and columns count from 1; columns in bytes. One thread.
+// A place is the number of a byte: only a message asks for the line and column. One thread.
 //
 // Texts are kept as bytes: a UTF-8 mark at the start is dropped, CR LF and a lone CR become LF,
 // Latin-1 and UTF-8 pass through untouched (they can only matter in strings).
@@ -20,6 +20,11 @@ namespace lentray::parser {
 /// A place in a source: small, copied freely. file 0 is "nowhere" (built in, command line).
 struct Location {
   std::uint32_t file = 0;
+  std::uint32_t offset = 0;  ///< bytes from the start of the text; modulo 2^32
+};
+
+/// The same for people: both count from 1, columns in bytes. 0 is "nowhere".
+struct Position {
   std::uint32_t line = 0;
   std::uint32_t column = 0;
 };
@@ -40,8 +45,11 @@ class SourceManager {
 
   const std::string& name(std::uint32_t file) const;  ///< "" for file 0
   std::string_view text(std::uint32_t file) const;
-  /// A line without its end; empty if there is none.
-  std::string_view line(std::uint32_t file, std::uint32_t number) const;
+  Position position(const Location& where) const;
+  /// "name:line:column"; "" if it is nowhere.
+  std::string place(const Location& where) const;
+  /// The line of a place without its end; empty if there is none.
+  std::string_view line(const Location& where) const;
   std::size_t files() const { return m_files.size(); }
 
  private:
@@ -49,6 +57,8 @@ class SourceManager {
     std::string name;
     std::string text;
     mutable std::vector<std::size_t> line_starts;  ///< found when a message first asks
+
+    std::size_t line_at(std::size_t offset) const;  ///< counts from 0
   };
   const File* find(std::uint32_t file) const;
   Files& m_disk;

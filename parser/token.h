@@ -70,7 +70,10 @@ enum class TokenKind : std::uint8_t {
 using NameId = std::uint32_t;
 
 struct Token {
-  TokenKind kind = TokenKind::kEnd;
+  TokenKind kind : 7 = TokenKind::kEnd;
+  /// Nothing has to happen when it is read, whatever it means: a number, a string, most punctuation
+  /// and words. Set by the lexer.
+  bool passive : 1 = false;
   Punct punct = Punct::kNone;
   Keyword keyword = Keyword::kNone;
   NameId name = 0;
@@ -80,12 +83,10 @@ struct Token {
     std::uint64_t jump;
   };
   Location where;
-  /// Nothing has to happen when it is read, whatever it means: a number, a string, most punctuation
-  /// and words. Set by the lexer.
-  bool passive = false;
 
   bool is(Keyword k) const { return kind == TokenKind::kKeyword && keyword == k; }
   bool is(Punct p) const { return kind == TokenKind::kPunct && punct == p; }
 };
+static_assert(sizeof(Token) == 24, "scenes have millions of them");
 
 }  // namespace lentray::parser

@@ -64,7 +64,7 @@ class Dumper {
   Json other(const core::Transform& t) { return t.is_identity() ? Json() : list(t.rows()); }
   Json other(const Location& l) {
     if (!m_sources || l.file == 0) return {};
-    return m_sources->name(l.file) + ":" + std::to_string(l.line) + ":" + std::to_string(l.column);
+    return m_sources->place(l);
   }
   // No part of what the scene says.
   Json other(const CompiledSlot&) { return {}; }

@@ -231,9 +231,9 @@ class CameraReader {
   std::string identifier() {
     const Token& token = m_parser.peek();
     if (token.kind != TokenKind::kIdentifier) return {};
-    std::string_view rest = m_parser.sources().line(token.where.file, token.where.line);
-    if (token.where.column == 0 || token.where.column > rest.size()) return {};
-    rest.remove_prefix(token.where.column - 1);
+    std::string_view rest = m_parser.sources().text(token.where.file);
+    if (token.where.offset > rest.size()) return {};
+    rest.remove_prefix(token.where.offset);
     std::size_t n = 0;
     while (n < rest.size() && (std::isalnum(static_cast<unsigned char>(rest[n])) || rest[n] == '_')) ++n;
     return std::string(rest.substr(0, n));

@@ -7,7 +7,6 @@
 #include "parser/arithmetic.h"
 #include "parser/grammar/helpers.h"
 #include "parser/grammar/object_shapes.h"
-#include "parser/large_pages.h"
 
 namespace lentray::parser {
 namespace {
@@ -124,7 +123,6 @@ void parse_list(Parser& parser, List& list, Read read) {
   const int count = parser.parse_int();
   parser.parse_comma();
   list.reserve(static_cast<std::size_t>(std::clamp(count, 0, kMostReserved)));
-  use_large_pages(list.data(), list.capacity() * sizeof(list[0]));
   for (int i = 0; i < count; ++i) {
     list.push_back(read());
     parser.parse_comma();

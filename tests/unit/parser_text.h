@@ -62,7 +62,7 @@ struct Parsed {
   std::string debug;       ///< what #debug wrote
   std::string error;       ///< the whole message; empty if there was none
   std::string message;     ///< its bare text
-  parser::Location where;  ///< of the error
+  parser::Position where;  ///< of the error
   std::vector<std::string> warnings;
   std::size_t tokens = 0;  ///< left for productions
 };
@@ -89,7 +89,7 @@ inline Parsed parse_text(const std::string& text,
   } catch (const parser::ParseError& error) {
     out.error = error.what();
     out.message = error.message();
-    out.where = error.where();
+    out.where = sources.position(error.where());
   }
   for (const auto& warning : diagnostics.warnings()) out.warnings.push_back(warning.message);
   return out;
