@@ -19,7 +19,7 @@ constexpr double kHits = 0.7, kMisses = 0.6;
 constexpr double kWorthIt = 0.02;  ///< what must so be saved, a part of the searches
 constexpr double kAtALoss = 0.01;  ///< what a cache may cost before it is given up
 /// Of the searches so far, for each object: the grid asks them all where they are when it begins.
-constexpr double kBeforeCells = 3000.0;
+constexpr double kBeforeCells = 800.0;
 constexpr std::uint32_t kToFill = 8;  ///< periods; an empty grid has no hits
 constexpr double kOlder = 0.875;   ///< what counts of the period before
 constexpr double kSamplesCost = 4e5;  ///< of searches in a period: beside that samples are little
@@ -123,7 +123,7 @@ void AutoTester::end_period(std::uint32_t light, Watch& watch) {
   const bool was_cached = watch.cached();
   if (decide(watch)) {
     watch.period = 4 * kFirstPeriod;
-  } else if (was_cached ? watch.cascade.periods >= 4 || watch.grid.on : watch.cascade.periods >= 4) {
+  } else if (watch.cascade.periods >= 4 || watch.grid.on) {
     const double most = std::min(kSamplesCost / watch.samples.search(),
                                  1.0 * (was_cached ? kMostCached : kMostPeriod));
     watch.period = std::min(2 * watch.period, static_cast<std::uint32_t>(

@@ -5,11 +5,11 @@
 // A light's rays come in periods; the last few of each are samples: their searches are counted
 // (tests, weighted by what they cost), whatever a cache would have answered. While a light goes
 // without a cache, samples tell how much is blocked and what is searched for it; where a
-// cache with the usual hits would save something, one is used. From then on what it does is counted
-// ray by ray: hits, each worth the search of a blocked sample, and probes in vain; the same for what
-// the grid adds to the neighbourhood. Each stays as long as it costs next to nothing, and is tried
-// again when four times as many periods have passed. Periods grow until samples are little beside
-// searches.
+// cache with the usual hits would save something, one is used. From then on what it does is
+// counted ray by ray: hits, each worth the search of a blocked sample, and probes in vain; the same
+// for what the grid adds to the neighbourhood. Each stays as long as it costs next to nothing, and
+// is tried again when four times as many periods have passed. Periods grow until samples are little
+// beside searches.
 // Decisions rest on counts, never on times: one thread decides the same in every run.
 // The picture is the plain tester's, as with every cache. One a thread; threads decide apart.
 #pragma once

@@ -4,13 +4,13 @@
 //   static constexpr std::size_t kProbes;      how many different blockers may be tried
 //   explicit Policy(const core::Scene&);
 //   std::size_t slots() const;                 how many slots a thread's table has
-//   Keys<N> keys(const core::ShadowQuery&) const; which to look into, in order; the first kProbes
-//                                              different entries are tried
+//   Keys<N> keys(const core::ShadowQuery&) const;  which to look into, in order; the first kProbes
+//                                                  different entries are tried
 //   Keys<M> homes(const core::ShadowQuery&) const; where the blocker goes
 // Policies only decide what is probed; they cannot change the picture, since an entry is put to
 // the same test as the full search. Stateless, any number of threads.
-// Sources: Haines & Greenberg, "The Light Buffer" (last blocker); stock's two slots a light; Pearce,
-// "Shadow Caching" (a cache for each place in the ray tree).
+// Sources: Haines & Greenberg, "The Light Buffer" (last blocker); stock's two slots a light;
+// Pearce, "Shadow Caching" (a cache for each place in the ray tree).
 #pragma once
 
 #include <array>

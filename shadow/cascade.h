@@ -17,7 +17,8 @@ namespace lentray::shadow {
 class Cascade {
  public:
   static constexpr std::string_view kName = "cascade";
-  explicit Cascade(const core::Scene& scene) : m_scene(scene), m_around(scene), m_uses(scene.lights().size()) {}
+  explicit Cascade(const core::Scene& scene)
+      : m_scene(scene), m_around(scene), m_uses(scene.lights().size()) {}
 
   using Spot = Neighbourhood::Spot;
   Spot spot(const core::ShadowQuery& query) { return m_around.spot(query); }

@@ -466,8 +466,8 @@ TEST(UnitShadowCache, NeighbourhoodForgetsWhatIsLight) {
   const int object = 0;  // only its address counts
   EXPECT_TRUE(empty(at(5, 7)));
   seen(at(5, 7), &object);
-  for (const ShadowQuery& query : {at(5, 8), at(6, 7), at(4, 8), at(6, 6)}) EXPECT_FALSE(empty(query));
-  for (const ShadowQuery& query : {at(7, 9), at(5, 8, 1), at(5, 8, 0, 2)}) EXPECT_TRUE(empty(query));
+  for (const auto& query : {at(5, 8), at(6, 7), at(4, 8), at(6, 6)}) EXPECT_FALSE(empty(query));
+  for (const auto& query : {at(7, 9), at(5, 8, 1), at(5, 8, 0, 2)}) EXPECT_TRUE(empty(query));
   seen(at(5, 8), nullptr);
   EXPECT_TRUE(empty(at(5, 9)));
 }
