@@ -337,7 +337,7 @@ Lens sheet (lengths in mm):
   View=j               that view alone
 
   Pixel_Order=auto|rows|views|columns|combined(w)|strips(w,h)|tiles|hilbert|adaptive
-  Shadow_Cache=auto|off|last|depth|tree|neighbourhood|grid
+  Shadow_Cache=auto|off|last|depth|tree|neighbourhood|grid|cascade
   Accelerator=bvh|grid|list   -UL
   Max_Memory=n[M|G]          how much to use; half of the machine's  (Band_Height=rows)
   Statistics_File=x.json     what the run did (docs/statistics.md); Shadow_Log=On: more of shadows

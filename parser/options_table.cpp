@@ -198,7 +198,7 @@ void set_order(Options& o, const Given& g) {
 }
 void set_cache(Options& o, const Given& g) {
   constexpr std::string_view kThere[] = {"auto", "off",           "last", "depth",
-                                         "tree", "neighbourhood", "grid"};
+                                         "tree", "neighbourhood", "grid", "cascade"};
   choose(o, g, o.shadow_cache, "shadow cache", kThere, {});
 }
 void set_accelerator(Options& o, const Given& g) {

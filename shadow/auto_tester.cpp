@@ -1,156 +1,182 @@
 #include "shadow/auto_tester.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/scene/scene.h"
-#include "shadow/cached_tester.h"
 
 namespace lentray::shadow {
 namespace {
 
 // In units of core/accel/test_cost.h.
-constexpr double kProbe = 16.0;  ///< asking an object by itself, beside its test
-constexpr std::array<double, 3> kKeys{5.0, 15.0, 70.0};  ///< tree, neighbourhood, grid
+constexpr double kSearch = 16.0;  ///< beside the tests of a search
+constexpr double kProbe = 16.0;   ///< asking an object by itself, beside its test
+constexpr double kLook = 6.0;     ///< into an empty neighbourhood
+constexpr double kCells = 45.0;   ///< into the cascade's cells
+constexpr double kKeys = 70.0;    ///< into those of `grid`, for every ray
 constexpr double kDear = 4000.0;  ///< a search beside which no cache's own cost matters
-/// What a cache must promise to save, a part of the searches' cost.
-constexpr double kWorthATrial = 0.10, kWorthIt = 0.03;
-constexpr double kAtALoss = 0.01;     ///< what a cache may cost where nothing is blocked
-constexpr double kRarely = 20.0;      ///< trials of a light that has its cache
+/// Hits and probes in vain that a cache is trusted to make, of blocked rays.
+constexpr double kHits = 0.7, kMisses = 0.6;
+constexpr double kWorthIt = 0.02;  ///< what must so be saved, a part of the searches
+constexpr double kAtALoss = 0.01;  ///< what a cache may cost before it is given up
+/// Of the searches so far, for each object: the grid asks them all where they are when it begins.
+constexpr double kBeforeCells = 800.0;
+constexpr std::uint32_t kToFill = 8;  ///< periods; an empty grid has no hits
+constexpr double kOlder = 0.875;   ///< what counts of the period before
 constexpr double kSamplesCost = 4e5;  ///< of searches in a period: beside that samples are little
 
 }  // namespace
 
+void AutoTester::Samples::grow_old() {
+  for (double* sum : {&count, &searched, &blocked, &searched_blocked, &tests}) *sum *= kOlder;
+}
+
+double AutoTester::Samples::search() const {
+  return kSearch + (count > 0.0 ? searched / count : 0.0);
+}
+
+double AutoTester::Samples::hit() const {
+  return blocked > 0.0 ? kSearch + (searched_blocked - tests) / blocked - kProbe : 0.0;
+}
+
+double AutoTester::Samples::miss() const {
+  return kProbe + (blocked > 0.0 ? tests / blocked : 0.0);
+}
+
+bool AutoTester::Choice::decide(bool promising) {
+  ++periods;
+  const bool other = on ? periods >= least && saved <= -kAtALoss * searched
+                        : periods >= wait && promising;
+  if (other) {
+    if (on) wait *= 4;
+    on = !on;
+    periods = 0;
+    saved = searched = 0.0;
+  }
+  saved *= kOlder;
+  searched *= kOlder;
+  return other;
+}
+
 AutoTester::AutoTester(const core::ShadowContext& context)
     : m_plain(context), m_measures(context.count_tests ? context.counters : &m_own),
-      m_tree(TreePolicy(*context.scene)), m_neighbourhood(NeighbourhoodPolicy(*context.scene)),
+      m_cascade(*context.scene), m_objects(context.scene->objects().size()),
       m_watches(context.scene->lights().size()) {
   m_own.by_type = false;
+  for (Watch& watch : m_watches) watch.cells.least = kToFill;
 }
 
 core::Visibility AutoTester::watched(const core::ShadowQuery& query, Watch& watch) {
-  if (watch.left == 0) next_part(watch);
+  if (watch.left == 0) [[unlikely]] {
+    next_part(query.light, watch);
+    if (watch.alone > 0) return visibility(query);
+  }
   --watch.left;
   core::ShadowCounts& counts = m_plain.context().counters->lights[query.light];
   ++counts.rays;
-  if (watch.sampling) {
-    ++counts.measured;
-    const core::Visibility seen = sampled(query, watch);
-    if (seen.blocker) ++counts.blocked;
-    return seen;
-  }
+  if (watch.part == Part::kSamples) [[unlikely]] return sampled(query, watch, counts);
   ++counts.cached;
-  if (watch.mode == Mode::kTree) return visibility_by(m_tree, query, m_plain, counts);
-  if (watch.mode == Mode::kGrid) return visibility_by(*m_grid, query, m_plain, counts);
-  return visibility_by(m_neighbourhood, query, m_plain, counts);
+  if (watch.part == Part::kGrid) return visibility_by(*m_grid, query, m_plain, counts);
+  return visibility_by(m_cascade, query, m_plain, counts);
 }
 
-core::Visibility AutoTester::sampled(const core::ShadowQuery& query, Watch& watch) {
+core::Visibility AutoTester::sampled(const core::ShadowQuery& query, Watch& watch,
+                                     core::ShadowCounts& counts) {
+  ++counts.measured;
   const double before = m_measures->test_cost;
   const core::Visibility seen = m_plain.search(query, m_measures);
   const double search = m_measures->test_cost - before;
-  watch.searched += search;
-  if (watch.mode != Mode::kOff) {
-    watch.saved += search - cost(query, watch.mode, seen.blocker, search);
-  } else if (seen.blocker) {
-    watch.saved += std::max(0.0, search - kKeys[0] - kProbe - seen.blocker->test_cost());
+  watch.samples.count += 1.0;
+  watch.samples.searched += search;
+  if (seen.blocker) {
+    ++counts.blocked;
+    watch.samples.blocked += 1.0;
+    watch.samples.searched_blocked += search;
+    watch.samples.tests += seen.blocker->test_cost();
+  }
+  if (watch.grid.on) {
+    m_grid->searched(query, {}, seen.blocker);
+  } else if (watch.cascade.on) {
+    m_cascade.searched(query, m_cascade.spot(query), seen.blocker);
   }
   return seen;
 }
 
-/// With a cache. `blocker`: what the search found for `search`.
-double AutoTester::cost(const core::ShadowQuery& query, Mode mode, const core::Object* blocker,
-                        double search) {
-  const double keys = kKeys[static_cast<std::size_t>(mode)];
-  if (mode == Mode::kTree) return keys + cost_with(m_tree, query, blocker, search);
-  if (mode == Mode::kGrid) return keys + cost_with(*m_grid, query, blocker, search);
-  return keys + cost_with(m_neighbourhood, query, blocker, search);
-}
-
-template <class Policy>
-double AutoTester::cost_with(CacheTable<Policy>& table, const core::ShadowQuery& query,
-                             const core::Object* blocker, double search) {
-  double probes = 0.0;
-  const bool hit = table.probe(query, [&](const core::Object& entry) {
-    probes += kProbe + entry.test_cost();
-    // Where the search finds nothing no entry does.
-    return blocker && (&entry == blocker || m_plain.blocks(entry, query));
-  });
-  if (blocker && !hit) table.remember(query, blocker);
-  return hit ? probes : probes + search;
-}
-
-void AutoTester::next_part(Watch& watch) {
-  const std::uint32_t burst = watch.trial ? kTrialBurst : kBurst;
-  if (!watch.sampling) {
-    watch.sampling = true;
-    watch.left = burst;
+void AutoTester::next_part(std::uint32_t light, Watch& watch) {
+  if (watch.part != Part::kSamples) {
+    watch.part = Part::kSamples;
+    watch.left = kBurst;
     return;
   }
-  ++watch.bursts;
-  const bool dear = !watch.distrusted && watch.searched > kDear * watch.bursts * kBurst;
-  if (watch.mode == Mode::kOff && dear && watch.saved > kWorthATrial * watch.searched) {
-    start(watch, Mode::kGrid, false, kLeastPeriod);
-  } else if (watch.bursts == kBursts) {
-    end_region(watch);
-  }
-  const std::uint32_t others = watch.period - (watch.trial ? kTrialBurst : kBurst);
-  if (watch.mode == Mode::kOff) {
+  end_period(light, watch);
+  const std::uint32_t others = watch.period - kBurst;
+  if (watch.cached()) {
+    watch.part = watch.grid.on ? Part::kGrid : Part::kCascade;
+    watch.left = others;
+  } else {
     watch.alone = others;  // and then the samples
     watch.left = kBurst;
-  } else {
-    watch.sampling = false;
-    watch.left = others;
   }
 }
 
-void AutoTester::end_region(Watch& watch) {
-  const double samples = kBursts * (watch.trial ? kTrialBurst : kBurst);
-  const double mean = std::max(1.0, watch.searched / samples);
-  const double saved = watch.saved / (mean * samples);
-  watch.since_trial += mean * kBursts * watch.period;
-  if (watch.trial) {
-    watch.trials[static_cast<std::size_t>(watch.mode)] = saved;
-    end_trial(watch);
+void AutoTester::end_period(std::uint32_t light, Watch& watch) {
+  if (watch.cached()) count(light, watch);
+  const bool was_cached = watch.cached();
+  if (decide(watch)) {
+    watch.period = 4 * kFirstPeriod;
+  } else if (watch.cascade.periods >= 4 || watch.grid.on) {
+    const double most = std::min(kSamplesCost / watch.samples.search(),
+                                 1.0 * (was_cached ? kMostCached : kMostPeriod));
+    watch.period = std::min(2 * watch.period, static_cast<std::uint32_t>(
+                                                  std::max(most, 4.0 * kFirstPeriod)));
+  }
+  watch.samples.grow_old();
+  m_cascade.grid_use(light).on = watch.cells.on;
+  if (watch.grid.on && !m_grid) m_grid.emplace(*m_plain.context().scene);
+  const core::ShadowCounts& counts = m_plain.context().counters->lights[light];
+  const Cascade::GridUse& use = m_cascade.grid_use(light);
+  watch.before = {counts.hits, counts.misses, use.asked, use.hits, use.misses};
+}
+
+/// What the caches saved in the period.
+void AutoTester::count(std::uint32_t light, Watch& watch) {
+  const core::ShadowCounts& counts = m_plain.context().counters->lights[light];
+  const auto since = [](std::uint64_t now, std::uint64_t then) {
+    return static_cast<double>(now - then);
+  };
+  const double hit = watch.samples.hit(), miss = watch.samples.miss();
+  const double rays = watch.period - kBurst, searched = rays * watch.samples.search();
+  watch.searched += searched;
+  const double saved = since(counts.hits, watch.before.hits) * hit -
+                       since(counts.misses, watch.before.misses) * miss;
+  if (watch.grid.on) {
+    watch.grid.saved += saved - rays * kKeys;
+    watch.grid.searched += searched;
     return;
   }
-  const double longest = std::clamp(kSamplesCost / mean, 1.0 * kLeastPeriod, 1.0 * kMostPeriod);
-  const std::uint32_t longer = std::min(2 * watch.period, static_cast<std::uint32_t>(longest));
-  const bool off = watch.mode == Mode::kOff;
-  const bool of_use = saved > (off ? kWorthATrial : 0.0);
-  if (!off && mean > kDear && !watch.distrusted && saved > -kAtALoss) {
-    start(watch, Mode::kGrid, false, std::min(2 * watch.period, kMostPeriod));
-  } else if (!of_use) {
-    watch.distrusted = watch.distrusted || (!off && mean > kDear);
-    start(watch, Mode::kOff, false, longer);
-  } else if (watch.since_trial >= watch.next_trial) {
-    start(watch, Mode::kTree, true, kLeastPeriod);
-  } else {
-    start(watch, off ? watch.best : watch.mode, false, longer);
-  }
+  const Cascade::GridUse& use = m_cascade.grid_use(light);
+  const double in_cells = since(use.hits, watch.before.grid_hits) * hit -
+                          since(use.misses, watch.before.grid_misses) * miss;
+  const double by_cells = in_cells - since(use.asked, watch.before.grid_asked) * kCells;
+  watch.cells.saved += by_cells;
+  watch.cells.searched += searched;
+  watch.cascade.saved += saved - in_cells + std::max(by_cells, 0.0) - rays * kLook;
+  watch.cascade.searched += searched;
 }
 
-void AutoTester::end_trial(Watch& watch) {
-  const std::size_t next = static_cast<std::size_t>(watch.mode) + 1;
-  if (next < kCaches) {
-    start(watch, static_cast<Mode>(next), true, kLeastPeriod);
-    return;
+/// True if something else is used from now on.
+bool AutoTester::decide(Watch& watch) {
+  const Samples& samples = watch.samples;
+  const double blocked = samples.count > 0.0 ? samples.blocked / samples.count : 0.0;
+  const double hoped = blocked * (kHits * samples.hit() - kMisses * samples.miss()) - kLook;
+  const bool promising = hoped > kWorthIt * samples.search();
+  const bool dear = samples.search() > kDear;
+  const bool other = watch.grid.decide(promising && dear);
+  if (watch.grid.on) return other;
+  const bool another = watch.cascade.decide(promising);
+  if (watch.cascade.on && !another) {
+    watch.cells.decide(watch.searched > kBeforeCells * static_cast<double>(m_objects));
   }
-  const auto best = std::max_element(watch.trials.begin(), watch.trials.end());
-  const bool pays = *best >= kWorthIt;
-  watch.best = pays ? static_cast<Mode>(best - watch.trials.begin()) : Mode::kOff;
-  watch.next_trial = pays ? kRarely * kBeforeTrial : 2.0 * watch.next_trial;
-  watch.since_trial = 0.0;
-  start(watch, watch.best, false, kLeastPeriod);
-}
-
-void AutoTester::start(Watch& watch, Mode mode, bool trial, std::uint32_t period) {
-  if (mode == Mode::kGrid && !m_grid) m_grid.emplace(DirectionPolicy(*m_plain.context().scene));
-  watch.mode = mode;
-  watch.trial = trial;
-  watch.period = period;
-  watch.bursts = 0;
-  watch.searched = watch.saved = 0.0;
+  return other || another;
 }
 
 }  // namespace lentray::shadow

@@ -1,25 +1,26 @@
-// Shadow_Cache=auto: for each light the cache that costs least, or none, as counted on the way.
+// Shadow_Cache=auto: for each light the cache that costs least, or none, as counted on the way:
+// nothing, the neighbourhood, the cascade (the neighbourhood, then a grid), or `grid` alone where a
+// search is very dear.
 //
-// A light's rays come in regions of kBursts periods; at the end of each period a few rays are
-// samples: their searches are counted (tests, weighted by what they cost), whatever a cache would
-// have answered. While a light goes without a cache, samples tell what one that is always right
-// would save. If that is worth a trial, and so much was searched that a trial is little beside it,
-// each cache runs for a region, and samples tell what it saved; the best stays, unless none saves
-// enough. From then on it is used in regions where something can be saved; trials come again, but
-// rarely. Where a search is very dear, the cache with the most hits is taken at once. Periods grow
-// until samples are little beside searches.
+// A light's rays come in periods; the last few of each are samples: their searches are counted
+// (tests, weighted by what they cost), whatever a cache would have answered. While a light goes
+// without a cache, samples tell how much is blocked and what is searched for it; where a
+// cache with the usual hits would save something, one is used. From then on what it does is
+// counted ray by ray: hits, each worth the search of a blocked sample, and probes in vain; the same
+// for what the grid adds to the neighbourhood. Each stays as long as it costs next to nothing, and
+// is tried again when four times as many periods have passed. Periods grow until samples are little
+// beside searches.
 // Decisions rest on counts, never on times: one thread decides the same in every run.
 // The picture is the plain tester's, as with every cache. One a thread; threads decide apart.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
 #include "core/render/plain_shadow_tester.h"
-#include "shadow/cache_table.h"
-#include "shadow/direction_policy.h"
+#include "shadow/cached_tester.h"
+#include "shadow/cascade.h"
 
 namespace lentray::shadow {
 
@@ -34,53 +35,64 @@ class AutoTester final : public core::ShadowTester {
     return m_plain.visibility(query);
   }
 
-  static constexpr std::uint32_t kBursts = 8, kBurst = 8;  ///< periods a region, samples a period
-  static constexpr std::uint32_t kTrialBurst = 24;
-  static constexpr std::uint32_t kLeastPeriod = 256, kMostPeriod = 1u << 14;  ///< rays of a light
+  static constexpr std::uint32_t kBurst = 8;         ///< samples a period
+  static constexpr std::uint32_t kFirstPeriod = 64;  ///< rays of a light
+  static constexpr std::uint32_t kMostPeriod = 1u << 14, kMostCached = 1u << 11;
 
  private:
-  static constexpr double kBeforeTrial = 1e7;  ///< some thirty times what a trial may cost
+  // Costs as in core/accel/test_cost.h. What is older counts less and less.
 
-  enum class Mode : std::uint8_t { kTree, kNeighbourhood, kGrid, kOff };
-  static constexpr std::size_t kCaches = 3;
-
-  /// What a light is at, and what its samples have counted; costs as in core/accel/test_cost.h.
+  struct Samples {
+    double count = 0.0, searched = 0.0;
+    double blocked = 0.0, searched_blocked = 0.0, tests = 0.0;  ///< tests: of the blockers alone
+    void grow_old();
+    double search() const;  ///< mean cost
+    double hit() const;     ///< what it saves that a blocked ray is answered at once
+    double miss() const;    ///< a probe in vain
+  };
+  /// Something that may be used, and what it has saved of what would have been searched.
+  struct Choice {
+    bool on = false;
+    std::uint32_t periods = 0;  ///< since it was taken or given up
+    std::uint32_t wait = 4;     ///< so many before it is taken
+    std::uint32_t least = 2;    ///< so many before it is given up
+    double saved = 0.0, searched = 0.0;
+    /// After a period. True if it was taken or given up.
+    bool decide(bool promising);
+  };
+  /// Of a light's counts when the period began.
+  struct Before {
+    std::uint64_t hits = 0, misses = 0, grid_asked = 0, grid_hits = 0, grid_misses = 0;
+  };
+  enum class Part : std::uint8_t { kCascade, kGrid, kSamples };
+  /// What a light is at.
   struct Watch {
-    std::uint32_t alone = kLeastPeriod - kBurst;  ///< rays to come that need no attention
+    std::uint32_t alone = kFirstPeriod - kBurst;  ///< rays to come that need no attention
     std::uint32_t left = kBurst;                  ///< others of this part of the period
-    Mode mode = Mode::kOff;
-    bool sampling = true;  ///< those are samples
-    bool trial = false;    ///< of `mode`
-    bool distrusted = false;  ///< the cache taken without a trial cost more than it saved
-    std::uint32_t period = kLeastPeriod;
-    std::uint32_t bursts = 0;          ///< of this region
-    double searched = 0.0;             ///< by searches alone
-    double saved = 0.0;                ///< by the cache, or by one that is always right
-    Mode best = Mode::kOff;            ///< of the last trial
-    double since_trial = 0.0;          ///< spent on searches, about
-    double next_trial = kBeforeTrial;  ///< comes when so much is spent
-    std::array<double, kCaches> trials{};  ///< what caches saved, parts of 1
+    Part part = Part::kSamples;                   ///< those
+    std::uint32_t period = kFirstPeriod;
+    Samples samples;
+    Choice cascade, cells, grid;  ///< cells: of the cascade; grid: alone
+    double searched = 0.0;  ///< while it had a cache: what that would have cost without
+    Before before;
+    bool cached() const { return cascade.on || grid.on; }
   };
 
-  core::Visibility watched(const core::ShadowQuery& query, Watch& watch);
-  void next_part(Watch& watch);
-  void end_region(Watch& watch);
-  void end_trial(Watch& watch);
-  void start(Watch& watch, Mode mode, bool trial, std::uint32_t period);
-  core::Visibility sampled(const core::ShadowQuery& query, Watch& watch);
-  double cost(const core::ShadowQuery& query, Mode mode, const core::Object* blocker,
-              double search);
-  template <class Policy>
-  double cost_with(CacheTable<Policy>& table, const core::ShadowQuery& query,
-                   const core::Object* blocker, double search);
+  [[gnu::noinline]] core::Visibility watched(const core::ShadowQuery& query, Watch& watch);
+  core::Visibility sampled(const core::ShadowQuery& query, Watch& watch,
+                           core::ShadowCounts& counts);
+  void next_part(std::uint32_t light, Watch& watch);
+  void end_period(std::uint32_t light, Watch& watch);
+  void count(std::uint32_t light, Watch& watch);
+  bool decide(Watch& watch);
 
   core::PlainShadowTester m_plain;
   core::Counters m_own;        ///< of samples, where nobody else counts
   core::Counters* m_measures;  ///< that, or the run's
-  CacheTable<TreePolicy> m_tree;
-  CacheTable<NeighbourhoodPolicy> m_neighbourhood;
+  Cascade m_cascade;
   std::optional<CacheTable<DirectionPolicy>> m_grid;  ///< none before it is used
-  std::vector<Watch> m_watches;  ///< one a light
+  const std::size_t m_objects;                        ///< of the scene
+  std::vector<Watch> m_watches;                       ///< one a light
 };
 
 }  // namespace lentray::shadow

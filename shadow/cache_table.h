@@ -15,67 +15,77 @@
 
 namespace lentray::shadow {
 
-template <class Policy>
-class CacheTable {
+/// Objects that were asked already, and did not block the ray.
+class Tried {
  public:
-  explicit CacheTable(const Policy& policy) : m_policy(policy) {}
-
-  /// What blocks the query alone, of the entries worth a look; null: none does. Probes are counted.
-  const core::Object* blocker(const core::ShadowQuery& query, const core::PlainShadowTester& plain,
-                              core::ShadowCounts& counts) {
-    const core::Object* found = nullptr;
-    probe(query, [&](const core::Object& entry) {
-      ++counts.probes;
-      const bool blocks = plain.blocks(entry, query);
-      ++(blocks ? counts.hits : counts.misses);
-      if (blocks) found = &entry;
-      return blocks;
-    });
-    return found;
-  }
-
-  /// Calls ask(entry) for the entries worth a look until it returns true; whether it did.
-  template <class Ask>
-  bool probe(const core::ShadowQuery& query, Ask&& ask) {
-    if (!m_entries) m_entries = zeroed(m_policy.slots());
-    const Keys keys = m_policy.keys(query);
-    std::array<const core::Object*, Policy::kProbes> tried{};
-    std::size_t probes = 0;
-    for (std::size_t i = 0; i < keys.count && probes < Policy::kProbes; ++i) {
-      const core::Object* entry = m_entries[keys.slot[i]];
-      if (!entry || std::find(tried.begin(), tried.begin() + probes, entry) !=
-                        tried.begin() + probes) {
-        continue;
-      }
-      tried[probes++] = entry;
-      if (!ask(*entry)) continue;
-      if constexpr (Policy::kProbes > 1) remember(query, entry);
-      return true;
+  bool has(const core::Object* object) const {
+    for (std::size_t i = 0; i < m_count; ++i) {
+      if (m_objects[i] == object) return true;
     }
     return false;
   }
+  void add(const core::Object* object) { m_objects[m_count++] = object; }
+  std::size_t count() const { return m_count; }
 
-  /// Only after a probe.
-  void remember(const core::ShadowQuery& query, const core::Object* blocker) {
-    const Keys homes = m_policy.homes(query);
-    for (std::size_t i = 0; i < homes.count; ++i) m_entries[homes.slot[i]] = blocker;
+ private:
+  std::array<const core::Object*, 8> m_objects;
+  std::size_t m_count = 0;
+};
+
+struct FreeEntries {
+  void operator()(const core::Object** entries) const { std::free(entries); }
+};
+using Entries = std::unique_ptr<const core::Object*[], FreeEntries>;
+/// Nulls. Memory that the system gives as zeros costs nothing where it is not used.
+inline Entries zeroed_entries(std::size_t count) {
+  Entries entries(static_cast<const core::Object**>(
+      std::calloc(std::max<std::size_t>(count, 1), sizeof(const core::Object*))));
+  if (!entries) throw std::bad_alloc();
+  return entries;
+}
+
+/// One policy's table as a cache. A cache has
+///   explicit Cache(const core::Scene&);
+///   Spot spot(query);                    where it looks, as it likes
+///   bool empty(spot);                    nothing is worth a probe; the answer comes cheap
+///   probe(query, spot, tried, ask);      calls ask(entry) for the entries worth a look, but for
+///                                        those tried, until it returns true: that entry, or null
+///   found(query, spot, blocker);         a probe's hit
+///   searched(query, spot, blocker);      what a search found; null: nothing opaque. Need not be
+///                                        told of null where the spot was empty
+template <class Policy>
+class CacheTable {
+ public:
+  static constexpr std::string_view kName = Policy::kName;
+  explicit CacheTable(const core::Scene& scene)
+      : m_policy(scene), m_entries(zeroed_entries(m_policy.slots())) {}
+
+  struct Spot {};
+  static Spot spot(const core::ShadowQuery&) { return {}; }
+  static bool empty(const Spot&) { return false; }
+  template <class Ask>
+  const core::Object* probe(const core::ShadowQuery& query, const Spot&, Tried& tried, Ask&& ask) {
+    const std::size_t most = tried.count() + Policy::kProbes;
+    for (const std::size_t key : m_policy.keys(query)) {
+      const core::Object* entry = m_entries[key];
+      if (!entry || tried.has(entry)) continue;
+      if (ask(*entry)) return entry;
+      tried.add(entry);
+      if (tried.count() == most) break;
+    }
+    return nullptr;
+  }
+  void found(const core::ShadowQuery& query, const Spot& spot, const core::Object* blocker) {
+    if constexpr (Policy::kProbes > 1) searched(query, spot, blocker);
+  }
+  void searched(const core::ShadowQuery& query, const Spot&, const core::Object* blocker) {
+    if (!blocker) return;
+    for (const std::size_t home : m_policy.homes(query)) m_entries[home] = blocker;
   }
 
  private:
-  /// Memory that the system gives as zeros costs nothing where it is not used.
-  struct Free {
-    void operator()(const core::Object** entries) const { std::free(entries); }
-  };
-  using Entries = std::unique_ptr<const core::Object*[], Free>;
-  static Entries zeroed(std::size_t count) {
-    Entries entries(static_cast<const core::Object**>(
-        std::calloc(std::max<std::size_t>(count, 1), sizeof(const core::Object*))));
-    if (!entries) throw std::bad_alloc();
-    return entries;
-  }
-
   const Policy m_policy;
-  Entries m_entries;  ///< null until it is asked
+  const Entries m_entries;
 };
 
 }  // namespace lentray::shadow

@@ -9,38 +9,62 @@
 
 namespace lentray::shadow {
 
-/// The table's answer, else the full search's, which the table then knows. The ray is counted
-/// already.
-template <class Policy>
-core::Visibility visibility_by(CacheTable<Policy>& table, const core::ShadowQuery& query,
-                               core::PlainShadowTester& plain, core::ShadowCounts& counts) {
-  if (const core::Object* entry = table.blocker(query, plain, counts)) {
+/// The cache's answer where it has entries worth a look, else the full search's, which the cache
+/// then knows.
+template <class Cache>
+[[gnu::noinline]] core::Visibility ask(Cache& cache, const typename Cache::Spot& spot,
+                                       const core::ShadowQuery& query,
+                                       core::PlainShadowTester& plain,
+                                       core::ShadowCounts& counts) {
+  Tried tried;
+  const core::Object* entry = cache.probe(query, spot, tried, [&](const core::Object& asked) {
+    return plain.blocks(asked, query);
+  });
+  const std::size_t failed = tried.count();
+  counts.misses += failed;
+  counts.probes += failed;
+  if (entry) {
+    ++counts.probes;
+    ++counts.hits;
     ++counts.blocked;
+    cache.found(query, spot, entry);
     return {core::Rgb(0.0f), entry};
   }
   const core::Visibility seen = plain.search(query);
-  if (seen.blocker) {
+  if (seen.blocker) ++counts.blocked;
+  cache.searched(query, spot, seen.blocker);
+  return seen;
+}
+
+/// The ray is counted already.
+template <class Cache>
+core::Visibility visibility_by(Cache& cache, const core::ShadowQuery& query,
+                               core::PlainShadowTester& plain, core::ShadowCounts& counts) {
+  const auto spot = cache.spot(query);
+  if (!cache.empty(spot)) return ask(cache, spot, query, plain, counts);
+  const core::Visibility seen = plain.search(query);
+  if (seen.blocker) [[unlikely]] {
     ++counts.blocked;
-    table.remember(query, seen.blocker);  // a miss leaves the entries as they are
+    cache.searched(query, spot, seen.blocker);
   }
   return seen;
 }
 
-template <class Policy>
+template <class Cache>
 class CachedTester final : public core::ShadowTester {
  public:
-  CachedTester(const core::ShadowContext& context, const Policy& policy)
-      : m_plain(context), m_table(policy) {}
+  explicit CachedTester(const core::ShadowContext& context)
+      : m_plain(context), m_cache(*context.scene) {}
 
   core::Visibility visibility(const core::ShadowQuery& query) override {
     core::ShadowCounts& counts = m_plain.context().counters->lights[query.light];
     ++counts.rays;
-    return visibility_by(m_table, query, m_plain, counts);
+    return visibility_by(m_cache, query, m_plain, counts);
   }
 
  private:
   core::PlainShadowTester m_plain;
-  CacheTable<Policy> m_table;
+  Cache m_cache;
 };
 
 }  // namespace lentray::shadow

@@ -18,22 +18,25 @@ class DirectionPolicy {
   static constexpr std::size_t kProbes = 6;
   explicit DirectionPolicy(const core::Scene& scene);
   std::size_t slots() const { return m_lights.size() * kEach; }
-  Keys keys(const core::ShadowQuery& query) const {
+  /// The cells about the direction alone, the finest first.
+  Keys<3> cells(const core::ShadowQuery& query) const {
+    const Place place = place_of(query);
+    return {cell(query, place, kFine), cell(query, place, kMiddle), cell(query, place, kCoarse)};
+  }
+  Keys<8> keys(const core::ShadowQuery& query) const {
     const Place place = place_of(query);
     const auto beside = [&](double du, double dv) {
       const double step = 2.0 / kMiddle;
       return cell(query, {place.face, place.u + du * step, place.v + dv * step}, kMiddle);
     };
-    return {{cell(query, place, kFine), cell(query, place, kMiddle), tree(query),
-             cell(query, place, kCoarse), beside(-1, 0), beside(1, 0), beside(0, -1),
-             beside(0, 1)},
-            8};
+    return {cell(query, place, kFine), cell(query, place, kMiddle), tree(query),
+            cell(query, place, kCoarse), beside(-1, 0), beside(1, 0), beside(0, -1),
+            beside(0, 1)};
   }
-  Keys homes(const core::ShadowQuery& query) const {
+  Keys<4> homes(const core::ShadowQuery& query) const {
     const Place place = place_of(query);
-    return {{cell(query, place, kFine), cell(query, place, kMiddle), tree(query),
-             cell(query, place, kCoarse)},
-            4};
+    return {cell(query, place, kFine), cell(query, place, kMiddle), tree(query),
+            cell(query, place, kCoarse)};
   }
 
  private:
@@ -61,9 +64,10 @@ class DirectionPolicy {
     // A cell beyond the border for its neighbours.
     const auto i = static_cast<std::uint64_t>((place.u + 1.0) * 0.5 * cells + 1.0);
     const auto k = static_cast<std::uint64_t>((place.v + 1.0) * 0.5 * cells + 1.0);
-    std::uint64_t key = (i * 4096u + k) * 6u + place.face + static_cast<std::uint64_t>(cells);
-    key *= 0x9e3779b97f4a7c15ull;
-    return query.light * kEach + static_cast<std::size_t>(key >> 46);
+    // Four by four cells side by side in memory.
+    std::uint64_t key = (i / 4 * 1024u + k / 4) * 6u + place.face + static_cast<std::uint64_t>(cells);
+    key = (key * 0x9e3779b97f4a7c15ull >> 50) * 16u + i % 4 * 4 + k % 4;
+    return query.light * kEach + static_cast<std::size_t>(key);
   }
   static std::size_t tree(const core::ShadowQuery& query) {
     return query.light * kEach + kCells + query.tree_place;

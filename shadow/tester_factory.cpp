@@ -6,24 +6,18 @@
 #include "core/scene/scene.h"
 #include "shadow/auto_tester.h"
 #include "shadow/cached_tester.h"
+#include "shadow/cascade.h"
 #include "shadow/direction_policy.h"
 #include "shadow/names.h"
 
 namespace lentray::shadow {
 namespace {
 
-template <class Policy>
-class CachedTesterFactory final : public core::ShadowTesterFactory {
+template <class Tester>
+class Factory final : public core::ShadowTesterFactory {
  public:
   std::unique_ptr<core::ShadowTester> make(const core::ShadowContext& context) const override {
-    return std::make_unique<CachedTester<Policy>>(context, Policy(*context.scene));
-  }
-};
-
-class AutoTesterFactory final : public core::ShadowTesterFactory {
- public:
-  std::unique_ptr<core::ShadowTester> make(const core::ShadowContext& context) const override {
-    return std::make_unique<AutoTester>(context);
+    return std::make_unique<Tester>(context);
   }
 };
 
@@ -32,19 +26,25 @@ struct Entry {
   std::unique_ptr<core::ShadowTesterFactory> (*make)();
 };
 
-template <class Factory>
+template <class AFactory>
 std::unique_ptr<core::ShadowTesterFactory> make_one() {
-  return std::make_unique<Factory>();
+  return std::make_unique<AFactory>();
+}
+
+template <class Cache>
+constexpr Entry entry_of() {
+  return {Cache::kName, make_one<Factory<CachedTester<Cache>>>};
 }
 
 constexpr Entry kTesters[] = {
-    {AutoTester::kName, make_one<AutoTesterFactory>},
+    {AutoTester::kName, make_one<Factory<AutoTester>>},
     {"off", make_one<core::PlainShadowTesterFactory>},
-    {LastPolicy::kName, make_one<CachedTesterFactory<LastPolicy>>},
-    {DepthPolicy::kName, make_one<CachedTesterFactory<DepthPolicy>>},
-    {TreePolicy::kName, make_one<CachedTesterFactory<TreePolicy>>},
-    {NeighbourhoodPolicy::kName, make_one<CachedTesterFactory<NeighbourhoodPolicy>>},
-    {DirectionPolicy::kName, make_one<CachedTesterFactory<DirectionPolicy>>},
+    entry_of<CacheTable<LastPolicy>>(),
+    entry_of<CacheTable<DepthPolicy>>(),
+    entry_of<CacheTable<TreePolicy>>(),
+    entry_of<Neighbourhood>(),
+    entry_of<CacheTable<DirectionPolicy>>(),
+    entry_of<Cascade>(),
 };
 
 std::vector<std::string_view> names_of_testers() {

@@ -9,7 +9,7 @@
 
 namespace lentray::shadow {
 
-/// auto, off, last, depth, tree, neighbourhood, grid: in this order.
+/// auto, off, last, depth, tree, neighbourhood, grid, cascade: in this order.
 const std::vector<std::string_view>& tester_names();
 
 /// Throws std::invalid_argument with the list of names for one that is not there.

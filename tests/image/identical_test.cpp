@@ -24,7 +24,7 @@ void expect_identical(const std::vector<std::string>& scene) {
   for (const char* order :
        {"rows", "views", "columns", "combined(4)", "strips(3,7)", "tiles", "hilbert",
         "adaptive", "auto"}) {
-    for (const char* cache : {"off", "last", "depth", "tree", "neighbourhood", "grid", "auto"}) {
+    for (const char* cache : {"off", "last", "depth", "tree", "neighbourhood", "grid", "cascade", "auto"}) {
       const int threads = kThreads[(run + run / 7) % std::size(kThreads)];
       std::vector<std::string> arguments = scene;
       const std::vector<std::string> way{std::string("Pixel_Order=") + order,

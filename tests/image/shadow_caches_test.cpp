@@ -64,11 +64,50 @@ TEST_F(ImageShadowCaches, AutoDoesWithoutWhereASearchCostsNextToNothing) {
   }
 }
 
+// Small sheets without light buffers: `auto` once hardly used a cache there (0.7 % of the bound).
+TEST_F(ImageShadowCaches, AutoTakesACacheSoonWhereOnePays) {
+  for (const Small& small : {Small{"balls", 4}, Small{"gears", 4}, Small{"rings", 3}}) {
+    const Words words{"+W240", "+H240", "-UL"};
+    const auto with = [&](const char* cache) {
+      Words more = words;
+      more.push_back(std::string("Shadow_Cache=") + cache);
+      return run(small, more);
+    };
+    const auto s = with("auto");
+    EXPECT_GE(of_bound(s), 0.95 * of_bound(with("last"))) << small.scene;
+    EXPECT_GE(number(s.at("auto").at("cached")), 0.6 * number(s.at("rays"))) << small.scene;
+    EXPECT_LE(number(s.at("auto").at("measured")), 0.02 * number(s.at("rays"))) << small.scene;
+    EXPECT_LE(tests(s), tests(with("last"))) << small.scene;
+  }
+}
+
+// Where it is light nothing is asked: of tree's shadow rays 1 in 70 is blocked.
+TEST_F(ImageShadowCaches, TheNeighbourhoodAsksWhereItIsDarkOnly) {
+  for (const char* cache : {"neighbourhood", "cascade"}) {
+    const auto s =
+        run({"tree", 8}, {"+W300", "+H300", "-UL", std::string("Shadow_Cache=") + cache});
+    EXPECT_LE(number(s.at("cache").at("probes")), 3.0 * number(s.at("blocked"))) << cache;
+    EXPECT_GE(of_bound(s), 0.7) << cache;
+  }
+}
+
+TEST_F(ImageShadowCaches, TheCascadeHasMostHitsOfTheGridWithFewerProbes) {
+  for (const Small& small : kSpd) {
+    const auto with = [&](const char* cache) {
+      return run(small, {"+W400", "+H300", "-UL", std::string("Shadow_Cache=") + cache});
+    };
+    const auto cascade = with("cascade"), grid = with("grid");
+    EXPECT_GE(of_bound(cascade), 0.85 * of_bound(grid)) << small.scene;
+    EXPECT_LE(number(cascade.at("cache").at("probes")), 0.9 * number(grid.at("cache").at("probes")))
+        << small.scene;
+  }
+}
+
 TEST_F(ImageShadowCaches, AutoNeedsHardlyMoreTestsThanTheBest) {
   for (const char* accelerator : {"Accelerator=list", "Accelerator=grid"}) {
     for (const Small& small : {Small{"balls", 2}, Small{"tetra", 3}, Small{"rings", 1}}) {
       double least = 1e300;
-      for (const char* cache : {"off", "tree", "neighbourhood", "grid"}) {
+      for (const char* cache : {"off", "last", "neighbourhood", "grid", "cascade"}) {
         least = std::min(least, tests(run(small, {"+W300", "+H200", accelerator,
                                                   std::string("Shadow_Cache=") + cache})));
       }

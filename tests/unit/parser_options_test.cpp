@@ -240,7 +240,7 @@ TEST_F(ErrorParserOptions, BadValues) {
   expect_message({"Lens_Pixels=0.5"}, "at least one pixel");
   expect_message({"Lens_Model=fancy"}, "unknown lens model: there are paraxial, pinhole");
   expect_message({"Shadow_Cache=big"}, "unknown shadow cache: there are auto, off, last, depth, "
-                                       "tree, neighbourhood, grid");
+                                       "tree, neighbourhood, grid, cascade");
   expect_message({"View_Distance=near"}, "a number is expected");
   expect_message({"Declare=X"}, "NAME=VALUE");
   expect_message({"Declare=1X=2"}, "cannot be the name");

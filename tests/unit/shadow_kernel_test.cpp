@@ -77,7 +77,7 @@ TEST(UnitShadowPaperTest, CachesChangeNothing) {
   const ShadowSquare square{3, 4, -1, -1};
   const Enumeration shadow(sheet, square);
   const PaperTest test(sheet, shadow, square.distance);
-  for (const char* cache : {"off", "last", "depth", "tree", "neighbourhood", "grid"}) {
+  for (const char* cache : {"off", "last", "depth", "tree", "neighbourhood", "grid", "cascade"}) {
     EXPECT_EQ(test.measure({Kind::kRows}, cache).continuous_hits,
               shadow.continuous_hits({Kind::kRows}));
   }

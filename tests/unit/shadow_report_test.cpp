@@ -79,7 +79,7 @@ TEST(ErrorShadowTesters, UnknownNameListsWhatThereIs) {
   } catch (const std::invalid_argument& e) {
     EXPECT_STREQ(e.what(),
                  "unknown shadow cache 'magic': there are auto, off, last, depth, tree, neighbourhood, "
-                 "grid");
+                 "grid, cascade");
   }
 }
 

@@ -16,6 +16,7 @@
 #include "core/render/plain_shadow_tester.h"
 #include "shadow/cache_policy.h"
 #include "shadow/direction_policy.h"
+#include "shadow/neighbourhood.h"
 #include "shadow/pixel_orders.h"
 #include "shadow/tester_factory.h"
 
@@ -398,14 +399,13 @@ TEST(UnitShadowCache, DepthKeepsMirroredPointsApart) {
   ShadowQuery query;
   query.light = 1;
   query.depth = 1;
-  EXPECT_EQ(policy.homes(query).slot[0], 1u);
-  EXPECT_EQ(policy.keys(query).count, 2u);
+  EXPECT_EQ(policy.homes(query), (shadow::Keys<1>{1}));
+  EXPECT_EQ(policy.keys(query), (shadow::Keys<2>{1, 4}));
   query.depth = 2;
-  EXPECT_EQ(policy.homes(query).slot[0], 4u);
-  EXPECT_EQ(policy.keys(query).slot[0], 4u);
-  EXPECT_EQ(policy.keys(query).count, 1u);
+  EXPECT_EQ(policy.homes(query), (shadow::Keys<1>{4}));
+  EXPECT_EQ(policy.keys(query), (shadow::Keys<2>{4, 4}));
   query.depth = 5;
-  EXPECT_EQ(policy.homes(query).slot[0], 4u);
+  EXPECT_EQ(policy.homes(query)[0], 4u);
   EXPECT_EQ(policy.slots(), 6u);
 }
 
@@ -418,7 +418,7 @@ TEST(UnitShadowCache, TreeKeepsTheWaysOfRaysApart) {
       ShadowQuery query;
       query.light = light;
       query.tree_place = place;
-      slots.insert(policy.homes(query).slot[0]);
+      slots.insert(policy.homes(query)[0]);
     }
   }
   EXPECT_EQ(slots.size(), 2 * (kTreePlaces - 1));
@@ -435,7 +435,7 @@ TEST(UnitShadowCache, GridGoesByTheLightsView) {
     query.light = light;
     query.ray = {origin, normalized(direction)};
     query.column = static_cast<std::uint32_t>(100 + origin.y);
-    const std::size_t slot = policy.keys(query).slot[0];
+    const std::size_t slot = policy.keys(query)[0];
     EXPECT_LT(slot, policy.slots());
     return slot;
   };
@@ -443,6 +443,33 @@ TEST(UnitShadowCache, GridGoesByTheLightsView) {
   EXPECT_NE(fine(0, {1, 2, 3}, {0.3, 1, 0.2}), fine(0, {1, 2, 3}, {0.4, 1, 0.2}));
   EXPECT_EQ(fine(1, {0.1, 2, 0.3}, {0, 1, 0}), fine(1, {0.1, 9, 0.3}, {0, 1, 0}));
   EXPECT_NE(fine(1, {0.1, 2, 0.3}, {0, 1, 0}), fine(1, {0.2, 2, 0.3}, {0, 1, 0}));
+}
+
+/// What blocked a pixel is worth a probe in those below and to its right, at the same place in the
+/// ray tree and for the same light, until a pixel was light.
+TEST(UnitShadowCache, NeighbourhoodForgetsWhatIsLight) {
+  const auto scene = lights_alone(2);
+  shadow::Neighbourhood cache(*scene);
+  const auto at = [](std::uint32_t column, std::uint32_t row, std::uint32_t light = 0,
+                     std::uint32_t place = 1) {
+    ShadowQuery query;
+    query.column = column;
+    query.row = row;
+    query.light = light;
+    query.tree_place = place;
+    return query;
+  };
+  const auto empty = [&](const ShadowQuery& query) { return cache.empty(cache.spot(query)); };
+  const auto seen = [&](const ShadowQuery& query, const void* blocker) {
+    cache.searched(query, cache.spot(query), static_cast<const Object*>(blocker));
+  };
+  const int object = 0;  // only its address counts
+  EXPECT_TRUE(empty(at(5, 7)));
+  seen(at(5, 7), &object);
+  for (const auto& query : {at(5, 8), at(6, 7), at(4, 8), at(6, 6)}) EXPECT_FALSE(empty(query));
+  for (const auto& query : {at(7, 9), at(5, 8, 1), at(5, 8, 0, 2)}) EXPECT_TRUE(empty(query));
+  seen(at(5, 8), nullptr);
+  EXPECT_TRUE(empty(at(5, 9)));
 }
 
 }  // namespace
