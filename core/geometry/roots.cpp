@@ -103,7 +103,7 @@ int rootless_derivative(const double* c, int order, double lo, double hi) {
 int solve_pieces(const double* c, int order, double lo, double hi, int rootless, double* roots) {
   if (rootless == 0) return 0;
   if (order <= 2) return solve_low_order(c, order, lo, hi, roots);
-  double derivative[kMaxOrder];
+  double derivative[kMaxOrder] = {};
   for (int i = 0; i < order; ++i) derivative[i] = c[i] * (order - i);
   double turns[kMaxOrder + 1];
   int pieces = solve_pieces(derivative, order - 1, lo, hi, rootless - 1, turns);

@@ -13,10 +13,12 @@ void expect_same_without(const SceneText& scene) {
 }
 
 SceneText text(const std::string& sdl) {
-  return {.sdl = "#version 3.7; global_settings { assumed_gamma 1 max_trace_level 6 }\n" + sdl,
-          .width = 240,
-          .height = 180,
-          .bits = 16};
+  SceneText scene;
+  scene.sdl = "#version 3.7; global_settings { assumed_gamma 1 max_trace_level 6 }\n" + sdl;
+  scene.width = 240;
+  scene.height = 180;
+  scene.bits = 16;
+  return scene;
 }
 
 const char* kRoom = R"(
