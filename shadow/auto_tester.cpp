@@ -60,15 +60,17 @@ bool AutoTester::Choice::decide(bool promising) {
 AutoTester::AutoTester(const core::ShadowContext& context)
     : m_plain(context), m_measures(context.count_tests ? context.counters : &m_own),
       m_cascade(*context.scene), m_objects(context.scene->objects().size()),
-      m_watches(context.scene->lights().size()) {
+      m_watches(context.scene->lights().size()),
+      m_alone(m_watches.size(), kFirstPeriod - kBurst) {
   m_own.by_type = false;
   for (Watch& watch : m_watches) watch.cells.least = kToFill;
 }
 
-core::Visibility AutoTester::watched(const core::ShadowQuery& query, Watch& watch) {
+core::Visibility AutoTester::watched(const core::ShadowQuery& query) {
+  Watch& watch = m_watches[query.light];
   if (watch.left == 0) [[unlikely]] {
     next_part(query.light, watch);
-    if (watch.alone > 0) return visibility(query);
+    if (m_alone[query.light] > 0) return visibility(query);
   }
   --watch.left;
   core::ShadowCounts& counts = m_plain.context().counters->lights[query.light];
@@ -113,7 +115,7 @@ void AutoTester::next_part(std::uint32_t light, Watch& watch) {
     watch.part = watch.grid.on ? Part::kGrid : Part::kCascade;
     watch.left = others;
   } else {
-    watch.alone = others;  // and then the samples
+    m_alone[light] = others;  // and then the samples
     watch.left = kBurst;
   }
 }

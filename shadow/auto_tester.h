@@ -29,9 +29,9 @@ class AutoTester final : public core::ShadowTester {
   static constexpr std::string_view kName = "auto";
   explicit AutoTester(const core::ShadowContext& context);
   core::Visibility visibility(const core::ShadowQuery& query) override {
-    Watch& watch = m_watches[query.light];
-    if (watch.alone == 0) return watched(query, watch);
-    --watch.alone;
+    std::uint32_t& alone = m_alone[query.light];
+    if (alone == 0) return watched(query);
+    --alone;
     return m_plain.visibility(query);
   }
 
@@ -67,9 +67,8 @@ class AutoTester final : public core::ShadowTester {
   enum class Part : std::uint8_t { kCascade, kGrid, kSamples };
   /// What a light is at.
   struct Watch {
-    std::uint32_t alone = kFirstPeriod - kBurst;  ///< rays to come that need no attention
-    std::uint32_t left = kBurst;                  ///< others of this part of the period
-    Part part = Part::kSamples;                   ///< those
+    std::uint32_t left = kBurst;  ///< rays of this part of the period, behind those alone
+    Part part = Part::kSamples;   ///< those
     std::uint32_t period = kFirstPeriod;
     Samples samples;
     Choice cascade, cells, grid;  ///< cells: of the cascade; grid: alone
@@ -78,7 +77,7 @@ class AutoTester final : public core::ShadowTester {
     bool cached() const { return cascade.on || grid.on; }
   };
 
-  [[gnu::noinline]] core::Visibility watched(const core::ShadowQuery& query, Watch& watch);
+  [[gnu::noinline]] core::Visibility watched(const core::ShadowQuery& query);
   core::Visibility sampled(const core::ShadowQuery& query, Watch& watch,
                            core::ShadowCounts& counts);
   void next_part(std::uint32_t light, Watch& watch);
@@ -93,6 +92,7 @@ class AutoTester final : public core::ShadowTester {
   std::optional<CacheTable<DirectionPolicy>> m_grid;  ///< none before it is used
   const std::size_t m_objects;                        ///< of the scene
   std::vector<Watch> m_watches;                       ///< one a light
+  std::vector<std::uint32_t> m_alone;  ///< of each light: rays to come that need no attention
 };
 
 }  // namespace lentray::shadow
