@@ -107,7 +107,7 @@ TEST_F(ImageShadowCaches, AutoNeedsHardlyMoreTestsThanTheBest) {
   for (const char* accelerator : {"Accelerator=list", "Accelerator=grid"}) {
     for (const Small& small : {Small{"balls", 2}, Small{"tetra", 3}, Small{"rings", 1}}) {
       double least = 1e300;
-      for (const char* cache : {"off", "last", "neighbourhood", "grid", "cascade"}) {
+      for (const char* cache : {"off", "last", "tree", "neighbourhood", "grid", "cascade"}) {
         least = std::min(least, tests(run(small, {"+W300", "+H200", accelerator,
                                                   std::string("Shadow_Cache=") + cache})));
       }
