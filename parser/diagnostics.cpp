@@ -10,10 +10,6 @@ namespace {
 
 void to_standard_error(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); }
 
-std::string place(const SourceManager& sources, const Location& where) {
-  return where.file == 0 ? "lentray" : sources.place(where);
-}
-
 // The line and a caret under the column; tabs stay tabs so that the caret lines up.
 std::string excerpt(const SourceManager& sources, const Location& where) {
   const std::string_view line = sources.line(where);
@@ -59,6 +55,10 @@ void Diagnostics::connect(Stream stream, Sink sink) {
   m_sinks[static_cast<std::size_t>(stream)] = std::move(sink);
 }
 
+std::string Diagnostics::place(const Location& where) const {
+  return where.file == 0 ? "lentray" : m_sources.place(where);
+}
+
 void Diagnostics::write(Stream stream, std::string_view text) {
   const Sink& sink = m_sinks[static_cast<std::size_t>(stream)];
   if (sink) sink(text);
@@ -67,7 +67,7 @@ void Diagnostics::write(Stream stream, std::string_view text) {
 std::string Diagnostics::format(const Location& where, std::string_view severity,
                                 std::string_view message,
                                 std::span<const StackEntry> stack) const {
-  std::string text = place(m_sources, where) + ": " + std::string(severity) + ": " +
+  std::string text = place(where) + ": " + std::string(severity) + ": " +
                      std::string(message) + "\n" + excerpt(m_sources, where);
   for (std::size_t i = 0; i < stack.size(); ++i) {
     if (stack.size() > kStackShown && i == kStackShown / 2) {
@@ -76,7 +76,7 @@ std::string Diagnostics::format(const Location& where, std::string_view severity
       i += skipped;
     }
     text += "  " + stack[i].what;
-    if (stack[i].where.file != 0) text += " " + place(m_sources, stack[i].where);
+    if (stack[i].where.file != 0) text += " " + place(stack[i].where);
     text += "\n";
   }
   return text;
@@ -84,14 +84,14 @@ std::string Diagnostics::format(const Location& where, std::string_view severity
 
 void Diagnostics::warn(const Location& where, const std::string& message,
                        std::vector<StackEntry> stack) {
-  if (!m_given.insert(place(m_sources, where) + ": " + message).second) return;
+  if (!m_given.insert(place(where) + ": " + message).second) return;
   std::string text = format(where, "warning", message, stack);
   write(Stream::kWarning, text);
   m_warnings.push_back({where, message, std::move(stack), std::move(text)});
 }
 
 bool Diagnostics::has_warned(const Location& where, const std::string& message) const {
-  return m_given.count(place(m_sources, where) + ": " + message) > 0;
+  return m_given.count(place(where) + ": " + message) > 0;
 }
 
 void Diagnostics::fail(const Location& where, const std::string& message,

@@ -71,6 +71,8 @@ class Diagnostics {
 
   const std::vector<Diagnostic>& warnings() const { return m_warnings; }
 
+  /// "scene.pov:3:14"; "lentray" for nowhere.
+  std::string place(const Location& where) const;
   /// "scene.pov:3:14: error: ..." with line, caret and stack.
   std::string format(const Location& where, std::string_view severity, std::string_view message,
                      std::span<const StackEntry> stack) const;

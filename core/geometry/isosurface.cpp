@@ -46,6 +46,11 @@ struct Isosurface::Search {
   double gradient;   ///< steepest that counts
   double accuracy;
   double sign = 1.0;
+  double steepest = 0.0;  ///< seen so far, times the speed
+
+  ~Search() {
+    if (surface.m_watch) surface.m_watch->note(steepest / speed);
+  }
 
   double at(double t) { return sign * field(ray.at(t)); }
 
@@ -53,8 +58,10 @@ struct Isosurface::Search {
   bool find(double from, double f_from, double to, double f_to, double reach, double& t) {
     const IsosurfaceSettings& set = surface.m_set;
     const double span = to - from;
+    const double rise = std::fabs(f_to - f_from);
+    if (rise > steepest * span) steepest = rise / span;
     if (set.evaluates) {
-      const double slope = std::fabs(f_to - f_from) / (speed * span);
+      const double slope = rise / (speed * span);
       if (gradient < slope * set.growth) {
         gradient = slope * set.growth * set.growth;
         reach = gradient * speed * span;
@@ -144,7 +151,7 @@ void Isosurface::crossings(const Ray& ray, Visit&& visit) const {
   const double accuracy = m_set.accuracy > kCoarse * widest ? kFine * widest : m_set.accuracy;
   if (to - from < accuracy) return;
   Field field(*this);
-  Search search{*this, field, ray, speed, m_set.max_gradient, accuracy, 1.0};
+  Search search{*this, field, ray, speed, m_set.max_gradient, accuracy};
   const double skin = m_set.max_gradient * m_set.accuracy * kSkin;
   const double beyond = accuracy * kStep;
   int found = 0;

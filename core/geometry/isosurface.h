@@ -6,9 +6,11 @@
 #pragma once
 
 #include <memory>
+#include <utility>
 
 #include "core/function/program.h"
 #include "core/geometry/shape.h"
+#include "core/geometry/slope_watch.h"
 
 namespace lentray::core {
 
@@ -38,6 +40,9 @@ class Isosurface final : public Shape {
   bool inside(const Vec3& p) const override;
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
 
+  /// Before rendering: who is told how steep the function is along rays; null: nobody.
+  void set_watch(std::shared_ptr<SlopeWatch> watch) { m_watch = std::move(watch); }
+
  private:
   class Field;
   struct Search;
@@ -50,6 +55,7 @@ class Isosurface final : public Shape {
 
   IsosurfaceSettings m_set;
   const Program* m_program;  ///< the function, if it is one
+  std::shared_ptr<SlopeWatch> m_watch;
 };
 
 }  // namespace lentray::core

@@ -79,7 +79,7 @@ Vec3 Mesh::normal(const Vec3&, const ShapeHit& hit) const {
 Vec2 Mesh::uv(const Vec3&, const ShapeHit& hit) const {
   const MeshData& data = m_triangles->data();
   const auto& index = data.faces[hit.element].uv;
-  if (index[0] == kNone || index[1] == kNone || index[2] == kNone) return {hit.u, hit.v};
+  if (index[0] == kNone || index[1] == kNone || index[2] == kNone) return {};  // as in stock
   const Vec2 &a = data.uvs[index[0]], &b = data.uvs[index[1]], &c = data.uvs[index[2]];
   const double w = 1.0 - hit.u - hit.v;
   return {a.u * w + b.u * hit.u + c.u * hit.v, a.v * w + b.v * hit.u + c.v * hit.v};

@@ -14,6 +14,7 @@ constexpr double kEmptyPath = 1e-10;
 /// Accuracies count along the ray, as in stock, where a surface that is scaled down vanishes in its
 /// own. One coarser than this share of the surface's size is replaced by a fine one.
 constexpr double kCoarse = 0.05, kFine = 5e-4;
+constexpr double kSlow = 0.05;        ///< sine of the angle to a plane, below which a ray creeps away from it
 
 /// Written so that what is not a number is outside.
 bool holds(double lo, double hi, double inner_lo, double inner_hi) {
@@ -173,12 +174,16 @@ struct Parametric::Search {
       origin[i] = ray.origin[axis];
       runs_along[i] = std::fabs(ray.direction[axis]) < kAlong;
       inverse[i] = 1.0 / ray.direction[axis];
+      if (!runs_along[i]) last_is_slow = std::fabs(ray.direction[axis]) < kSlow * speed;
     }
   }
 
   const Parametric& surface;
   double accuracy, speed;
   double along;  ///< the accuracy of times
+  /// The ray hardly moves along the last axis: it may enter that range long before it is where the
+  /// others are. Stock takes that time all the same; its surfaces then have holes.
+  bool last_is_slow = false;
   std::array<double, 3> origin, inverse;
   std::array<bool, 3> runs_along;
   double from = 0.0, to = 0.0;
@@ -262,8 +267,9 @@ void Parametric::Search::refine(const Piece& piece, const std::array<Corners, 3>
     const Entry e = stack[--count];
     if (e.nearest > best) continue;
     if (e.piece.size() < accuracy || e.longest < along || e.halvings >= kMostHalvings) {
-      if (e.last < best && e.last > from) {
-        best = e.last;
+      const double t = last_is_slow ? e.nearest : e.last;
+      if (t < best && t > from) {
+        best = t;
         u = e.piece.u_lo;
         v = e.piece.v_lo;
       }

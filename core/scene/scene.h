@@ -10,6 +10,7 @@
 #include "core/accel/accelerator.h"
 #include "core/base/color.h"
 #include "core/geometry/object.h"
+#include "core/geometry/slope_watch.h"
 #include "core/light/light.h"
 #include "core/material/interior.h"
 #include "core/material/texture.h"
@@ -43,6 +44,12 @@ struct SkySphere {
   Rgb emission{1.0f, 1.0f, 1.0f};
 };
 
+/// An isosurface's statement ("scene.pov:5:1") and the slopes that its copies see.
+struct WatchedSlope {
+  std::string place;
+  std::shared_ptr<const SlopeWatch> watch;
+};
+
 /// What a scene is made of, before compiling: the parser's build step fills this.
 struct SceneParts {
   SceneSettings settings;
@@ -54,6 +61,7 @@ struct SceneParts {
   std::vector<std::shared_ptr<const Interior>> interiors;
   std::vector<std::unique_ptr<const LightSelection>> light_selections;  ///< likewise
   std::vector<std::string> not_rendered;             ///< features parsed and kept but not rendered yet
+  std::vector<WatchedSlope> slopes;                  ///< to report on after rendering
 };
 
 struct CompileOptions {

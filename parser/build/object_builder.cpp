@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/geometry/box.h"
+#include "core/geometry/isosurface.h"
 #include "core/geometry/prism.h"
 #include "core/material/blob_texture.h"
 #include "parser/build/blob_fields.h"
@@ -285,6 +286,9 @@ std::unique_ptr<core::Object> ObjectBuilder::build_leaf(const ObjectDesc& object
     shape = std::move(made);
   } else {
     shape = build_shape(object);
+    if (auto* surface = dynamic_cast<core::Isosurface*>(shape.get()); surface && m_parts) {
+      surface->set_watch(m_slope_watches.of(std::get<IsosurfaceShape>(object.shape), object.where));
+    }
   }
   if (!shape) {
     note(std::string(object.keyword), object.where);

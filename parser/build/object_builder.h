@@ -12,6 +12,7 @@
 
 #include "core/scene/scene.h"
 #include "parser/build/cutaways.h"
+#include "parser/build/slope_watches.h"
 #include "parser/build/text_shape.h"
 #include "parser/build/texture_compiler.h"
 #include "parser/descriptions/object.h"
@@ -38,6 +39,8 @@ class ObjectBuilder {
   /// Geometry alone of one object; null if nothing of it is rendered.
   std::unique_ptr<core::Object> geometry(const ObjectDesc& object,
                                          const core::Transform& to_world = core::Transform());
+
+  const SlopeWatches& slope_watches() const { return m_slope_watches; }
 
  private:
   /// What an object takes over from the CSG around it.
@@ -85,6 +88,7 @@ class ObjectBuilder {
   TextureCompiler* m_textures = nullptr;
   NotYet& m_not_yet;
   TextLayout m_texts;
+  SlopeWatches m_slope_watches;
   Ref<TextureDesc> m_default;
   std::shared_ptr<Cutaways> m_cutaways;  ///< of the object being built; null: it has none
   std::set<const core::Texture*> m_owned;

@@ -112,6 +112,7 @@ core::SceneParts build_scene(const SceneDesc& scene, Diagnostics& diagnostics,
   if (options.quality >= kAirQuality) {
     parts.atmosphere = build_atmosphere(scene, for_textures.noise_generator);
   }
+  parts.slopes = builder.slope_watches().named(diagnostics);
   note_missing(scene, not_yet);
   for (const std::string& feature : textures.not_yet()) not_yet.try_emplace(feature, Location{});
 

@@ -34,7 +34,7 @@ Layout layout_of(CurveKind kind) {
   }
 }
 
-CurvePiece piece_of(CurveKind kind, const Vec2* p) {
+CurvePiece piece_of(CurveKind kind, const Vec2* p, bool closing) {
   switch (kind) {
     case CurveKind::kQuadratic:
       return {{}, mix(0.5, p[0], -1.0, p[1], 0.5, p[2]), mix(-0.5, p[0], 0.0, p[1], 0.5, p[2]),
@@ -43,8 +43,9 @@ CurvePiece piece_of(CurveKind kind, const Vec2* p) {
       return {mix(-0.5, p[0], 1.5, p[1], -1.5, p[2], 0.5, p[3]),
               mix(1.0, p[0], -2.5, p[1], 2.0, p[2], -0.5, p[3]),
               mix(-0.5, p[0], 0.0, p[1], 0.5, p[2]), p[1], p[2]};
-    // Stock runs through these from the last point to the first.
-    case CurveKind::kBezier: return CurvePiece::bezier(p[3], p[2], p[1], p[0]);
+    // Through those of a prism stock runs from the last point to the first.
+    case CurveKind::kBezier:
+      return closing ? CurvePiece::bezier(p[3], p[2], p[1], p[0]) : CurvePiece::bezier(p[0], p[1], p[2], p[3]);
     default: return CurvePiece::line(p[0], p[1]);
   }
 }
@@ -58,7 +59,7 @@ std::vector<CurvePiece> spline_pieces(CurveKind kind, const std::vector<Vec2>& p
   const std::size_t step = kind == CurveKind::kBezier ? 4 : 1;
   std::size_t first = 0;  // of the curve
   for (std::size_t i = 0; i + layout.span < points.size(); i += step) {
-    pieces.push_back(piece_of(kind, &points[i]));
+    pieces.push_back(piece_of(kind, &points[i], closing));
     if (!closing || kind == CurveKind::kBezier) continue;
     if (close(points[i + layout.end], points[first + layout.start])) {
       i += layout.span;

@@ -195,8 +195,10 @@ class BoxFinder {
     for (const Vec3& p : s->points) box.include(o.transform->point(p));
     return kept(box);
   }
+  /// One with products of two coordinates has none.
   Bounds leaf(const QuadricShape& s, const ObjectDesc& o) {
     const Bounds box = built(s, o);
+    if (s.c[3] != 0.0 || s.c[4] != 0.0 || s.c[5] != 0.0) return everything();
     return box.hi.x - box.lo.x < kHuge && box.hi.y - box.lo.y < kHuge &&
                    box.hi.z - box.lo.z < kHuge
                ? box
@@ -226,6 +228,22 @@ class BoxFinder {
   }
   Bounds leaf(const JuliaFractalShape& s, const ObjectDesc& o) {
     return moved(kept(about({}, core::julia_sphere(s.parameter, s.hypercomplex))), *o.transform);
+  }
+  /// Of Bezier curves their control points count as well.
+  template <typename Shape>
+  Bounds of_points(Shape s, const ObjectDesc& o) {
+    if (s.spline == CurveKind::kBezier) s.spline = CurveKind::kLinear;
+    return built(s, o);
+  }
+  Bounds leaf(const LatheShape& s, const ObjectDesc& o) { return of_points(s, o); }
+  Bounds leaf(const PrismShape& s, const ObjectDesc& o) { return of_points(s, o); }
+  /// That of its container.
+  Bounds leaf(const ParametricShape& s, const ObjectDesc& o) {
+    if (s.container.sphere) return moved(kept(about(s.container.a, s.container.radius)), *o.transform);
+    Bounds box;
+    box.include(s.container.a);
+    box.include(s.container.b);
+    return moved(kept(box), *o.transform);
   }
   /// Of all its spheres, twice as wide for a cubic spline. They turn with it.
   Bounds leaf(const SphereSweepShape& s, const ObjectDesc& o) {

@@ -93,10 +93,12 @@ struct Collector {
 };
 
 std::shared_ptr<const core::Outline> outline_of(FT_GlyphSlot glyph, double em) {
+  // Half units, so that points in the middle of two others stay there: FreeType counts in integers.
+  constexpr int kHalves = 1;
   Collector collector;
-  collector.em = em;
+  collector.em = em * (1 << kHalves);
   FT_Outline_Funcs functions{&Collector::move, &Collector::line, &Collector::conic,
-                             &Collector::cubic, 0, 0};
+                             &Collector::cubic, kHalves, 0};
   FT_Outline_Decompose(&glyph->outline, &functions, &collector);
   collector.close();
   if (collector.pieces.empty()) return nullptr;

@@ -98,6 +98,44 @@ TEST(CompatWarnings, SameLinesAsStock) {
   }
 }
 
+// "3.593>1.000" for every isosurface that is told to be steeper than its max_gradient, "1.000<2.000"
+// for one whose max_gradient is far more than it needs.
+std::multiset<std::string> gradients(Program program, std::string text) {
+  static const std::regex space("\\s+");
+  text = std::regex_replace(text, space, " ");
+  static const std::regex stock(R"(gradient found was ([\d.]+), but max_gradient of the isosurface was set to ([\d.]+)\.( The)?)");
+  static const std::regex ours(R"(max_gradient ([\d.]+) is (too small|more than).*? steep(?:er)? (?:as|than) ([\d.]+\d))");
+  std::multiset<std::string> all;
+  const bool is_stock = program == Program::kStock;
+  for (std::sregex_iterator at(text.begin(), text.end(), is_stock ? stock : ours), end; at != end; ++at) {
+    const std::string found = (*at)[is_stock ? 1 : 3], given = (*at)[is_stock ? 2 : 1];
+    const bool holes = is_stock ? (*at)[3].matched : (*at)[2] == "too small";
+    all.insert(found + (holes ? ">" : "<") + given);
+  }
+  return all;
+}
+
+TEST(CompatWarnings, GradientsAreReportedAsInStock) {
+  const std::string head = std::string(kHead) +
+      "camera { orthographic location -5*z direction z right 8*x up 2*y }\n"
+      "#macro Wall(K, G, X) isosurface { function { -K*z } max_gradient G"
+      " contained_by { box { <-.9,-2,-1.3>, <.9,2,1.2> } } translate X*x } #end\n";
+  const std::string waves =
+      "isosurface { function { x*x + y*y*2 + z*z - 1 + .1*sin(x*15)*sin(z*14) } contained_by { box { -1.2, 1.2 } }";
+  const std::vector<std::string> scenes = {
+      head + "Wall(1, .949, -3)\nWall(1, .952, -1)\nWall(10, 11.1, 1)\nWall(10, 10.9, 3)",
+      head + "Wall(2, 1.89, -3)\nWall(2, 1.91, -1)\nWall(50, 56, 1)\nWall(50, 54, 3)",
+      head + waves + " max_gradient 3 }", head + waves + " max_gradient 5 }", head + waves + " max_gradient 60 }",
+      head + waves + " evaluate 3, 1.2, .8 }"};
+  for (const std::string& scene : scenes) {
+    const std::vector<std::string> options = {"+W64", "+H16", "+WT1"};
+    const Outcome stock = run(Program::kStock, scene, options);
+    const Outcome ours = run(Program::kLentray, scene, options);
+    EXPECT_EQ(gradients(Program::kLentray, ours.console), gradients(Program::kStock, stock.console))
+        << scene << "\n" << stock.console << ours.console;
+  }
+}
+
 TEST(CompatWarnings, StreamsGoWhereStockSendsThem) {
   const std::string scene =
       "sphere { 0, 1 scale 0 }\n#warning \"careful\\n\"\n#debug \"debugged\\n\"\n"

@@ -27,6 +27,8 @@ const Case kCases[] = {
     {"uv_box", "box { -.8, .8 texture { uv_mapping pigment { Squares } } rotate 25*y }"},
     {"uv_torus", "torus { .8, .35 pigment { uv_mapping Squares } rotate -30*x }"},
     {"uv_lathe", "lathe { 5 <0,-.9>,<.9,-.6>,<.4,0>,<1,.7>,<0,.9> pigment { uv_mapping Squares } }"},
+    {"uv_lathe_bezier", "lathe { bezier_spline 8 <0,-.9>,<.9,-.9>,<.9,-.3>,<.4,0>,<.4,0>,<.1,.4>,<1,.7>,<0,.9>"
+                        " pigment { uv_mapping Squares } }"},
     {"uv_sor", "sor { 7 <0,-1>,<.5,-.9>,<.9,-.3>,<.3,.2>,<.6,.8>,<.2,1>,<0,1.1>"
                " pigment { uv_mapping Squares } }"},
     {"uv_ovus", "ovus { .7, .5 pigment { uv_mapping Squares } rotate 20*z }"},
@@ -37,6 +39,8 @@ const Case kCases[] = {
     {"uv_mesh2", "mesh2 { vertex_vectors { 4 <-1,-1,0>,<1,-1,0>,<1,1,.5>,<-1,1,.2> }"
                  " uv_vectors { 4 <0,0>,<1,0>,<1,1>,<0,1> } face_indices { 2 <0,1,2>,<0,2,3> }"
                  " uv_mapping pigment { Squares } rotate 10*y }"},
+    {"uv_mesh_without", "mesh { triangle { <-1,-1,0>, <1,-1,0>, <1,1,.5> } triangle { <-1,-1,0>, <1,1,.5>, <-1,1,.2>"
+                        " uv_vectors <.2,.5>, <.5,.5>, <.7,.9> } pigment { uv_mapping Squares } rotate 10*y }"},
     {"uv_plane_takes_x_y", "cylinder { -.9*y, .9*y, .8 pigment { uv_mapping Squares } }"},
     {"uv_object", "sphere { 0, 1 uv_mapping texture { pigment { Squares } finish { phong .6 } }"
                   " rotate <20,30,10> scale 1.1 }"},

@@ -87,6 +87,32 @@ TEST(UnitCoreParametric, BoundsAreTheSurfacesNotTheContainers) {
   }
 }
 
+TEST(UnitCoreParametric, RaysThatHardlyMoveAlongAnAxisHit) {
+  ParametricSettings set;
+  for (int axis = 0; axis < 3; ++axis) {
+    set.functions[static_cast<std::size_t>(axis)] = std::make_shared<Ball>(axis);
+  }
+  set.hi = {3.14159265358979, 6.28318530717959};
+  set.box_lo = Vec3(-1.5);
+  set.box_hi = Vec3(1.5);
+  set.accuracy = 0.01;
+  const Parametric ball(set);
+  for (const double slope : {0.0, 1e-11, 1e-9, 1e-6, 1e-4, 1e-2}) {
+    for (const Vec3& along : {Vec3(-1, 1, 1), Vec3(1, -1, 1), Vec3(1, 1, -1)}) {
+      for (int forwards = 0; forwards < 3; ++forwards) {
+        Ray ray;
+        for (int axis = 0; axis < 3; ++axis) {
+          ray.direction[axis] = axis == forwards ? -1.0 : along[axis] * slope;
+          ray.origin[axis] = axis == forwards ? 4.0 : 0.2 + 0.1 * axis;
+        }
+        ShapeHit hit;
+        ASSERT_TRUE(ball.nearest(ray, 0.0, kInf, hit)) << slope << " along axis " << forwards;
+        EXPECT_NEAR(length(ray.at(hit.t)), 1.0, 0.04) << slope << " along axis " << forwards;
+      }
+    }
+  }
+}
+
 /// Rays in the space of a shape that is scaled to a millionth have such directions.
 void expect_hits_with_long_directions(const Shape& shape) {
   constexpr double kLong = 1e6;

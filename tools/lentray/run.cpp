@@ -55,6 +55,7 @@ struct Run {
   parser::OutputType type = parser::OutputType::kPng;
   std::unique_ptr<core::Scene> scene{};
   std::vector<std::string> not_rendered{};
+  std::vector<core::WatchedSlope> slopes{};
   CameraSetup camera{};
   shadow::RunReport report{};
 };
@@ -142,6 +143,7 @@ void read_scene(Run& run, const std::string& path) {
 
   core::SceneParts parts = parser::build_scene(description, diagnostics, {o.quality});
   run.not_rendered = parts.not_rendered;
+  run.slopes = parts.slopes;
   reduce(parts, o.quality);
   core::CompileOptions compile;
   if (o.accelerator == "grid") compile.accelerator = core::Accelerator::kGrid;
@@ -220,6 +222,14 @@ core::FrameShape shape_of(Run& run) {
   return shape;
 }
 
+/// What the picture told about the numbers it was given.
+void report_slopes(Run& run) {
+  for (const core::WatchedSlope& slope : run.slopes) {
+    const std::string advice = slope.watch->advice();
+    if (!advice.empty()) run.warnings.push_back(slope.place + ": warning: " + advice);
+  }
+}
+
 /// False if the run was cancelled.
 bool render(Run& run, const std::atomic<bool>& cancel) {
   const RenderOptions& o = run.options;
@@ -294,6 +304,7 @@ Status run(const RenderOptions& options, const std::atomic<bool>& cancel,
   parser::check_picture_size(camera.width(), camera.height(), bytes_a_row(camera.width()),
                              machine_memory());
   if (!render(run, cancel)) return kAborted;
+  report_slopes(run);
   run.report.wall_s = std::chrono::duration<double>(Clock::now() - start).count();
   if (!options.statistics_file.empty()) write_statistics(run);
   if (options.verbose) {

@@ -1,0 +1,58 @@
+// What is said of a max_gradient, at the borders where stock 3.7 begins to: found with functions of
+// one slope (k z) seen along z. compat.warnings holds both programs to each other.
+#include <gtest/gtest.h>
+
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "core/geometry/slope_watch.h"
+
+namespace lentray::core {
+namespace {
+
+std::string advice(double slope, double max_gradient) {
+  SlopeWatch watch(max_gradient);
+  watch.note(slope);
+  return watch.advice();
+}
+
+bool has_holes(const std::string& text) { return text.find("holes") != std::string::npos; }
+
+TEST(UnitCoreSlopeWatch, SaysThatMaxGradientIsTooSmall) {
+  struct Border { double slope, warned, silent; };
+  // stock: bisected; below 10 a twentieth of the slope, at most 0.1, from 10 on a tenth
+  for (const Border& b : {Border{0.1, 0.0949, 0.0951}, Border{1.0, 0.949, 0.951}, Border{2.0, 1.899, 1.901},
+                          Border{5.0, 4.899, 4.901}, Border{10.0, 9.899, 9.901}, Border{11.0, 9.999, 10.001},
+                          Border{12.0, 10.79, 10.81}, Border{50.0, 44.99, 45.01}}) {
+    EXPECT_TRUE(has_holes(advice(b.slope, b.warned))) << b.slope;
+    EXPECT_EQ(advice(b.slope, b.silent), "") << b.slope;
+  }
+}
+
+TEST(UnitCoreSlopeWatch, SaysThatMaxGradientIsLarge) {
+  struct Border { double slope, warned, silent; };
+  for (const Border& b : {Border{0.01, 0.511, 0.509}, Border{1.0, 1.501, 1.499}, Border{4.0, 4.501, 4.499},
+                          Border{5.0, 5.502, 5.499}, Border{9.0, 9.903, 9.899}, Border{50.0, 55.01, 54.99}}) {
+    const std::string text = advice(b.slope, b.warned);
+    EXPECT_FALSE(text.empty() || has_holes(text)) << b.slope << text;
+    EXPECT_EQ(advice(b.slope, b.silent), "") << b.slope;
+  }
+}
+
+TEST(UnitCoreSlopeWatch, KeepsTheSteepestOfAllThreads) {
+  SlopeWatch watch(1.0);
+  EXPECT_EQ(watch.advice(), "") << "nothing was seen";
+  std::vector<std::thread> threads;
+  for (int t = 0; t < 4; ++t) {
+    threads.emplace_back([&watch, t] {
+      for (int i = 0; i < 1000; ++i) watch.note(i * 4 + t);
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(watch.steepest(), 3999.0);
+  EXPECT_NE(watch.advice().find("3999.000"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace lentray::core
