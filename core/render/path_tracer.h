@@ -58,6 +58,7 @@ class PathTracer final : public Tracer {
         m_test_counters(count_tests ? &counters : nullptr),
         m_max_level(scene.settings().max_trace_level),
         m_bailout(scene.settings().adc_bailout),
+        m_min_distance(kMinHitDistance * scene.tolerance_scale()),
         m_atmosphere_ior(scene.settings().atmosphere_ior),
         m_mirror_images(scene.settings().mirror_images),
         m_legacy_opacity(scene.settings().language_version < 370),
@@ -181,6 +182,7 @@ class PathTracer final : public Tracer {
   Counters* m_test_counters;
   const int m_max_level;
   const double m_bailout;
+  const double m_min_distance;  ///< kMinHitDistance in this scene
   const double m_atmosphere_ior;
   const bool m_mirror_images;
   const bool m_legacy_opacity;

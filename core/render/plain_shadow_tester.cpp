@@ -28,6 +28,7 @@ double entry_distance(const Bounds& box, const Ray& ray) {
 
 PlainShadowTester::PlainShadowTester(const ShadowContext& context)
     : m_context(context),
+      m_tolerance(kShadowTolerance * context.scene->tolerance_scale()),
       m_hierarchy(context.scene->hierarchy()),
       m_test_counters(context.count_tests ? context.counters : nullptr),
       m_any_transparent(context.scene->needs().transparent_shadows),
@@ -38,8 +39,8 @@ PlainShadowTester::PlainShadowTester(const ShadowContext& context)
 }
 
 Visibility PlainShadowTester::search(const ShadowQuery& query, Counters* tests) {
-  const double reach = query.distance - kShadowTolerance;
-  if (!(reach > kShadowTolerance)) return {};
+  const double reach = query.distance - m_tolerance;
+  if (!(reach > m_tolerance)) return {};
   const LightBuffer* buffer = m_context.scene->light_buffer(query.light);
   if (buffer && !buffer->serves(query.distance)) buffer = nullptr;
   const LightBuffer::Spot* spot = query.spot;
@@ -48,9 +49,9 @@ Visibility PlainShadowTester::search(const ShadowQuery& query, Counters* tests) 
     spot = &m_spot;
   }
   const Object* blocker =
-      buffer ? buffer->any_opaque(*spot, query.ray, kShadowTolerance, reach, *m_context.arena,
+      buffer ? buffer->any_opaque(*spot, query.ray, m_tolerance, reach, *m_context.arena,
                                   tests)
-             : m_hierarchy.any_opaque(query.ray, kShadowTolerance, reach, *m_context.arena,
+             : m_hierarchy.any_opaque(query.ray, m_tolerance, reach, *m_context.arena,
                                       tests);
   if (blocker) return {Rgb(0.0f), blocker};
   if (!m_any_transparent) return {};
@@ -80,10 +81,10 @@ Rgb PlainShadowTester::filter_through(const ShadowQuery& query, const LightBuffe
   Rgb filter(1.0f);
   m_hits.clear();
   if (buffer) {
-    buffer->all_transparent(*spot, query.ray, kShadowTolerance, reach, m_hits, *m_context.arena,
+    buffer->all_transparent(*spot, query.ray, m_tolerance, reach, m_hits, *m_context.arena,
                             tests);
   } else {
-    m_hierarchy.all_transparent(query.ray, kShadowTolerance, reach, m_hits, *m_context.arena,
+    m_hierarchy.all_transparent(query.ray, m_tolerance, reach, m_hits, *m_context.arena,
                                 tests);
   }
   if (m_hits.empty()) return filter;
@@ -98,7 +99,7 @@ Rgb PlainShadowTester::filter_through(const ShadowQuery& query, const LightBuffe
   m_inside.clear();
   if (m_interiors && query.inside) m_inside = *query.inside;
   for (const Place& at : m_order) {
-    if (!(at.t - last > kShadowTolerance)) continue;
+    if (!(at.t - last > m_tolerance)) continue;
     const Hit& hit = m_hits[at.index];
     const InteriorEntry entry = interior_of(hit.leaf->attributes(), hit.object);
     const bool leaves = m_interiors && m_inside.remove(entry.key);

@@ -34,9 +34,9 @@ class PlainShadowTester final : public ShadowTester {
   Visibility search(const ShadowQuery& query, Counters* tests);
   /// The same test against one opaque object of the scene: whether it alone blocks the query.
   bool blocks(const Object& object, const ShadowQuery& query) const {
-    const double reach = query.distance - kShadowTolerance;
-    return reach > kShadowTolerance &&
-           object.any(query.ray, kShadowTolerance, reach, *m_context.arena);
+    const double reach = query.distance - m_tolerance;
+    return reach > m_tolerance &&
+           object.any(query.ray, m_tolerance, reach, *m_context.arena);
   }
   const ShadowContext& context() const { return m_context; }
 
@@ -48,6 +48,7 @@ class PlainShadowTester final : public ShadowTester {
   Rgb surface_filter(const Hit& hit, double depth, const ShadowQuery& query, bool inside);
 
   ShadowContext m_context;
+  double m_tolerance;  ///< kShadowTolerance in this scene
   const Hierarchy& m_hierarchy;
   Counters* m_test_counters;
   bool m_any_transparent;

@@ -60,7 +60,7 @@ Radiance PathTracer<kFeatures>::follow(const RayState& state, float weight, int 
   if (level >= m_max_level || weight < m_bailout) return {};
   Hit hit;
   const RayKind kind = state.reflected ? RayKind::kReflection : RayKind::kCamera;
-  if (!m_hierarchy.nearest(state.ray, kMinHitDistance, Bounds::kInf, kind, hit, m_arena,
+  if (!m_hierarchy.nearest(state.ray, m_min_distance, Bounds::kInf, kind, hit, m_arena,
                            m_test_counters)) {
     Radiance sky = sky_radiance(m_scene, state.ray.direction);
     if (m_air) pass_open_air(state, kOpenAir, sky);

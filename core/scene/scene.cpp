@@ -50,6 +50,16 @@ std::uint32_t buffer_cells(std::size_t objects, std::uint64_t pixels) {
   return static_cast<std::uint32_t>(std::clamp(wanted, kLeast, kMost));
 }
 
+double tolerance_scale_of(const std::vector<std::unique_ptr<Object>>& objects) {
+  Bounds all;
+  for (const auto& object : objects) {
+    if (const Bounds box = object->bounds(); !box.is_empty()) all.include(box);
+  }
+  if (all.is_empty() || !all.is_finite()) return 1.0;
+  const double across = length(all.hi - all.lo);
+  return across > 0.0 ? std::min(1.0, across) : 1.0;
+}
+
 }  // namespace
 
 Scene::Scene(SceneParts parts, const CompileOptions& options) : m_parts(std::move(parts)) {
@@ -64,6 +74,7 @@ Scene::Scene(SceneParts parts, const CompileOptions& options) : m_parts(std::mov
   for (std::uint32_t i = 0; i < m_parts.lights.size(); ++i) {
     if (!m_parts.lights[i].grouped) m_global_lights.push_back(i);
   }
+  m_tolerance_scale = tolerance_scale_of(m_parts.objects);
   m_needs = find_needs(m_parts);
   if (options.general_path) m_needs = everything_needed(std::move(m_needs), m_parts.settings);
   m_solids = std::make_unique<SolidIndex>(m_parts.objects, split.groups);
@@ -74,8 +85,8 @@ Scene::Scene(SceneParts parts, const CompileOptions& options) : m_parts(std::mov
   for (std::size_t i = 0; i < m_light_buffers.size(); ++i) {
     const Light& light = m_parts.lights[i];
     if (!suits_buffer(light)) continue;
-    auto buffer = std::make_unique<LightBuffer>(light.position, m_parts.objects, kShadowTolerance,
-                                                cells);
+    auto buffer = std::make_unique<LightBuffer>(light.position, m_parts.objects,
+                                                kShadowTolerance * m_tolerance_scale, cells);
     if (!buffer->crowded()) m_light_buffers[i] = std::move(buffer);
   }
 }

@@ -89,6 +89,9 @@ class Scene {
   /// Of that light, or null: the hierarchy answers for it.
   const LightBuffer* light_buffer(std::size_t light) const { return m_light_buffers[light].get(); }
   const Needs& needs() const { return m_needs; }
+  /// What kMinHitDistance and kShadowTolerance are multiplied by: 1, but less where all objects
+  /// together are less than a unit across. Stock's scenes of that size lose shadows, then everything.
+  double tolerance_scale() const { return m_tolerance_scale; }
   /// Objects after splitting top-level unions; the hierarchy and the cache speak of these.
   const std::vector<std::unique_ptr<Object>>& objects() const { return m_parts.objects; }
   /// Objects whose inside holds the point (a ray may start there), scene order. Every solid
@@ -103,6 +106,7 @@ class Scene {
   std::vector<std::unique_ptr<LightBuffer>> m_light_buffers;  ///< one a light, null where none
   std::vector<std::uint32_t> m_global_lights;
   Needs m_needs;
+  double m_tolerance_scale = 1.0;
 };
 
 }  // namespace lentray::core

@@ -26,6 +26,11 @@ TEST(StabilityShapes, FarAwayAndSmall) {
   EXPECT_TRUE(no_worse_than_stock({"far,camera,scale", "1e7,1e-6", "sphere,box,torus,blob,lathe_cubic"}, 300.0));
 }
 
+// Shadows of what is near are there too; stock asks for them from a thousandth of a unit on.
+TEST(StabilityShapes, SmallScenes) {
+  EXPECT_TRUE(no_worse_than_stock({"scene", "1e-2,1e-4", "sphere,julia_fractal,text"}, 300.0));
+}
+
 class SlowStabilityShapes : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(SlowStabilityShapes, NoWorseThanStock) { EXPECT_TRUE(no_worse_than_stock({GetParam()}, 1500.0)); }

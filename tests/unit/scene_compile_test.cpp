@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <memory>
 #include <string>
 #include <vector>
@@ -222,6 +223,25 @@ TEST(UnitCoreScene, ContainingFindsEverySolidInSceneOrder) {
   EXPECT_EQ(numbers({0, 4, 0}), "0 5 ");
   EXPECT_EQ(numbers({20.5, 0.5, 0}), "");
   EXPECT_EQ(numbers({30, 30, 0}), "5 ");
+}
+
+TEST(UnitCoreScene, TolerancesShrinkWithSmallScenes) {
+  const auto scale_of = [](std::vector<std::pair<double, double>> spheres, bool plane) {
+    SceneBuilder b;
+    const Texture* grey = b.texture(0.0f);
+    for (const auto& [x, radius] : spheres) {
+      b.parts.objects.push_back(
+          SceneBuilder::leaf(std::make_unique<Sphere>(Vec3{x, 0, 0}, radius), grey));
+    }
+    if (plane) b.parts.objects.push_back(SceneBuilder::leaf(std::make_unique<Plane>(Vec3{0, 1, 0}, 0.0), grey));
+    return Scene(std::move(b.parts), {}).tolerance_scale();
+  };
+  EXPECT_EQ(scale_of({}, false), 1.0);
+  EXPECT_EQ(scale_of({{0.0, 1.0}}, false), 1.0);
+  EXPECT_EQ(scale_of({{0.0, 1e6}}, false), 1.0);
+  EXPECT_NEAR(scale_of({{5.0, 1e-5}}, false), 2e-5 * std::sqrt(3.0), 1e-9);
+  EXPECT_EQ(scale_of({{0.0, 1e-5}, {2.0, 1e-5}}, false), 1.0) << "small things far from each other";
+  EXPECT_EQ(scale_of({{0.0, 1e-5}}, true), 1.0) << "with a plane it has no size";
 }
 
 TEST(UnitCoreScene, ExplainTellsWhatTheSceneNeeds) {
