@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <stdexcept>
 #include <vector>
 
@@ -20,7 +21,14 @@ std::uint16_t height_of(float value) {
   return static_cast<std::uint16_t>(std::clamp(value * kFull, 0.0f, kFull));
 }
 
-/// Values of functions are cut to 16 bits.
+/// Values of functions that are no heights come in again from the other side, as in stock.
+std::uint16_t wrapped(double value) {
+  constexpr double kMost = 2147483647.0;
+  const double height = value * static_cast<double>(kFull);
+  return std::fabs(height) < kMost ? static_cast<std::uint16_t>(static_cast<std::int32_t>(height)) : 0;
+}
+
+/// Values of pigments are cut to 16 bits.
 std::uint16_t cut(double value) {
   return static_cast<std::uint16_t>(std::clamp(value, 0.0, 1.0) * static_cast<double>(kFull));
 }
@@ -52,7 +60,7 @@ Heights of_function(const HeightFieldShape& field) {
       if (function.results() == 5) {
         heights.values.push_back(cut_grey(result[0], result[1], result[2]));
       } else {
-        heights.values.push_back(cut(result[0]));
+        heights.values.push_back(wrapped(result[0]));
       }
     }
   }
@@ -72,6 +80,11 @@ Heights of_potentials(const core::StoredImage& stored, const std::vector<std::ui
   return heights;
 }
 
+/// Grey of 8 bits in PNG files goes through the weights of a colour, which takes some one lower.
+std::uint16_t grey_byte(float value) {
+  return static_cast<std::uint16_t>(257 * static_cast<int>(core::grey({value, value, value}) * 255.0f));
+}
+
 /// Palette entries count 256 each; grey, and colours of 16 bits, by their grey; the red of colours
 /// of 8 bits is the high byte, the green the low one.
 Heights of_picture(const HeightFieldShape& field) {
@@ -80,11 +93,19 @@ Heights of_picture(const HeightFieldShape& field) {
   const std::vector<std::uint8_t> entries = palette_entries(stored, field.file);
   if (field.file_type == "pot" && !entries.empty()) return of_potentials(stored, entries);
   const float most = stored.bits == 8 ? 255.0f : stored.bits == 16 ? kFull : 1.0f;
+  std::function<float(float)> decode;
+  if (field.file_gamma) decode = gamma_decoder(*field.file_gamma);
+  const bool grey_png = field.file_type == "png" && stored.channels == 1 && stored.bits == 8;
   for (std::uint32_t row = 0; row < stored.height; ++row) {
     for (std::uint32_t column = 0; column < stored.width; ++column) {
-      const auto channel = [&](int c) { return stored.at(column, row, c) / most; };
+      const auto channel = [&](int c) {
+        const float value = stored.at(column, row, c) / most;
+        return decode ? decode(value) : value;
+      };
       if (!entries.empty()) {
         heights.values.push_back(static_cast<std::uint16_t>(256u * entries[heights.values.size()]));
+      } else if (grey_png) {
+        heights.values.push_back(grey_byte(channel(0)));
       } else if (stored.channels < 3) {
         heights.values.push_back(height_of(channel(0)));
       } else if (stored.bits > 8) {

@@ -23,10 +23,7 @@ bool is_linear_format(const std::string& type) { return type == "exr" || type ==
 /// How stored values become linear light. Files that do not say are sRGB; portable pixmaps and
 /// floating-point files are linear in 3.7.
 Decoder file_decoder(const ImageDesc& image, const core::StoredImage& stored) {
-  if (image.gamma > 0.0) {
-    return [g = static_cast<float>(image.gamma)](float v) { return std::pow(v, g); };
-  }
-  if (image.gamma < 0.0) return srgb_to_linear;
+  if (image.gamma != 0.0) return gamma_decoder(image.gamma);
   if (is_linear_format(image.type) || image.type == "ppm" || image.type == "pgm") {
     return [](float v) { return v; };
   }
@@ -248,6 +245,11 @@ std::shared_ptr<const core::Picture> PictureReader::missing(const std::string& n
   picture->width = picture->height = 1;
   picture->pixels.push_back({{0.5f, 0.5f, 0.5f}, 0.0f, 0.0f});
   return picture;
+}
+
+std::function<float(float)> gamma_decoder(double gamma) {
+  if (gamma < 0.0) return srgb_to_linear;
+  return [g = static_cast<float>(gamma)](float v) { return std::pow(v, g); };
 }
 
 }  // namespace lentray::parser

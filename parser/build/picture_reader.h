@@ -3,6 +3,7 @@
 // Source: reference manual 3.7, "Image Map", "Gamma"; compared with stock by image.pictures.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <set>
@@ -33,6 +34,9 @@ class PictureReader {
   std::set<std::string>& m_not_yet;
   std::map<std::string, std::shared_ptr<const core::Picture>> m_files;  ///< by path and decoding
 };
+
+/// A scene's `gamma` for an image file (less than 0: sRGB): stored values to linear ones.
+std::function<float(float)> gamma_decoder(double gamma);
 
 /// The palette entry of each pixel of a PNG or GIF, rows from the top; empty if it has no palette.
 std::vector<std::uint8_t> palette_entries(const core::StoredImage& stored, const std::string& path);

@@ -92,7 +92,7 @@ struct BicubicPatchShape {
 };
 struct HeightFieldShape {
   std::string file_type, file;
-  std::optional<double> file_gamma;
+  std::optional<double> file_gamma;     ///< less than 0: sRGB
   Ref<FunctionDesc> function;           ///< instead of a file
   Ref<PigmentDesc> pigment;             ///< `function w, h { pigment {...} }`
   int width = 0, height = 0;            ///< of the function

@@ -270,7 +270,7 @@ ShapeDesc parse_height_field(Parser& parser, Context&) {
   }
   while (true) {
     if (parser.accept(Keyword::kGamma)) {
-      if (!parser.accept(Keyword::kSrgb)) s.file_gamma = parser.parse_float();
+      s.file_gamma = parser.accept(Keyword::kSrgb) ? -1.0 : parser.parse_float();
     } else if (parser.accept(Keyword::kPremultiplied)) {
       (void)optional_switch(parser);
     } else if (parser.accept(Keyword::kWaterLevel)) {

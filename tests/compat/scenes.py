@@ -2,6 +2,7 @@
 
   tests/compat/scenes.py                       all scenes; writes docs/scenes.md and docs/scenes.json
   tests/compat/scenes.py --no-docs advanced    those whose path contains a word
+  tests/compat/scenes.py --no-docs --json a.json advanced       a part; then --read a.json b.json ...
   tests/compat/scenes.py --no-docs --list tests/compat/scenes_that_match.txt --grade match
 
 Both render live, as the scenes lie: each from its own folder (of a copy, for scenes write files),
@@ -202,6 +203,8 @@ def arguments():
     parser.add_argument("--no-docs", action="store_true", help="do not write docs/")
     parser.add_argument("--update-list", action="store_true", help=f"write {MATCH_LIST.name}")
     parser.add_argument("--json", type=pathlib.Path, help="figures and times of this run")
+    parser.add_argument("--read", type=pathlib.Path, nargs="+",
+                        help="figures of earlier runs (--json) of parts, joined; nothing is run")
     parser.add_argument("--keep", type=pathlib.Path, help="pictures stay in this folder")
     parser.add_argument("--reuse", action="store_true",
                         help="for developing: take stock's pictures that --keep left")
@@ -224,7 +227,11 @@ def main():
         scenes = [s for s in scenes if any(w in str(s) for w in args.words)]
     if not scenes:
         sys.exit(f"no scenes in {args.examples}")
-    if args.keep:
+    if args.read:
+        # Of a scene that was run twice the last.
+        known = {row["scene"]: row for path in args.read for row in json.loads(path.read_text())}
+        rows = [known[str(s)] for s in scenes if str(s) in known]
+    elif args.keep:
         args.keep.mkdir(parents=True, exist_ok=True)
         rows = examine_all(scenes, args, args.keep.resolve())
     else:
