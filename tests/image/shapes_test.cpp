@@ -83,7 +83,7 @@ const Case kCases[] = {
     {"height_field", "height_field { png \"plasma3.png\" water_level .2 scale <2.4,1.2,2.4>"
                      " translate <-1.2,-.6,-1.2> }", true, Grade::match},
     {"height_field_wrapped", "height_field { function 20, 16 { x*3 - 1 } scale <2.4,1.2,2.4> translate <-1.2,-.6,-1.2> }"},
-    {"height_field_gamma", "#fopen F \"h.pgm\" write #write (F, \"P2 3 3 255 10 127 200 90 250 60 170 30 220\\n\")\n#fclose F\n"
+    {"height_field_gamma", "#fopen F \"h.pgm\" write #write (F, \"P2\\n3 3\\n255\\n10 127 200 90 250 60 170 30 220\\n\")\n#fclose F\n"
                            "height_field { pgm \"h.pgm\" gamma 2.2 scale <2.4,1.2,2.4> translate <-1.2,-.6,-1.2> }"},
     {"height_field_smooth", "height_field { function 40, 30 { .5 + .4*sin(x*9)*cos(y*8) } smooth"
                             " scale <2.4,1.2,2.4> translate <-1.2,-.6,-1.2> rotate 15*z }"},
