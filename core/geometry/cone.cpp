@@ -24,6 +24,15 @@ Bounds Cone::bounds_in(const Transform& t) const {
   return padded(b);
 }
 
+/// Through both ends' circles, if its centre lies between them; else that of the larger one.
+Ball Cone::ball() const {
+  if (is_degenerate()) return {};
+  const double squares = (m_cap_radius - m_base_radius) * (m_cap_radius + m_base_radius);
+  const double height = std::clamp(0.5 * (m_length + squares / m_length), 0.0, m_length);
+  return {m_base + m_axis * height,
+          std::max(std::hypot(height, m_base_radius), std::hypot(m_length - height, m_cap_radius))};
+}
+
 /// The crossings of the whole line, 0 to 2, ascending. Between its ends' planes the cone is
 /// convex, so that its solid is one stretch of the line: f = (distance from axis)^2 - radius^2
 /// is not positive there.

@@ -112,12 +112,37 @@ void Csg::fence_children() {
   if (m_solid.is_empty()) m_solid = Bounds();
   if (m_void.is_empty()) m_void = Bounds();
   m_search = m_children.size() < kMany ? nullptr : std::make_unique<Search>();
+  fit_ball();
+}
+
+Ball Csg::surface_ball() const {
+  if (m_leaves_bounds) return {};  // rays that miss the parts' balls may still be asked for inside()
+  Ball ball = Ball::around(m_surface);
+  // What is kept of a part lies in the solids of its siblings.
+  if (!joins(m_kind)) {
+    for (const auto& child : m_children) ball = smaller(ball, child->solid_ball());
+  }
+  return ball;
+}
+
+Ball Csg::solid_ball() const {
+  Ball ball;
+  if (!m_leaves_bounds && joins(m_kind)) {
+    Bounds all = m_surface;
+    all.include(m_solid);
+    ball = Ball::around(all);
+  } else if (!m_leaves_bounds) {
+    for (const auto& child : m_children) ball = smaller(ball, child->solid_ball());
+  }
+  for (const auto& clip : clips()) ball = smaller(ball, clip->solid_ball());
+  return ball;
 }
 
 /// Where parts leave their boxes the boxes decide, as in stock, and stay.
 void Csg::drop_shortcuts() {
   for (auto& child : m_children) child->drop_shortcuts();
   m_search = nullptr;
+  drop_ball();
   if (m_leaves_bounds) return;
   for (Fence& fence : m_fences) fence = {Bounds::everything(), Bounds::everything(), false};
 }
@@ -263,6 +288,7 @@ void Csg::for_children_met(const Ray& ray, double t_min, double t_max, Visit&& v
 }
 
 bool Csg::nearest(const Ray& ray, double t_min, double t_max, Hit& hit, HitArena& arena) const {
+  if (ball().is_missed_by(ray)) return false;
   if (!bounding().empty() && !passes_bounding(ray, arena)) return false;
   if (clips().empty()) return kept_nearest(ray, t_min, t_max, hit, arena);
   Hit found;  // the caller's hit stays as it is unless there is one
@@ -307,6 +333,7 @@ bool Csg::kept_nearest(const Ray& ray, double t_min, double t_max, Hit& hit, Hit
 }
 
 bool Csg::any(const Ray& ray, double t_min, double t_max, HitArena& arena) const {
+  if (ball().is_missed_by(ray)) return false;
   if (!bounding().empty() && !passes_bounding(ray, arena)) return false;
   const bool keep_all = m_kind == CsgKind::kUnion && clips().empty();
   bool found = false;
@@ -326,6 +353,7 @@ bool Csg::any(const Ray& ray, double t_min, double t_max, HitArena& arena) const
 
 void Csg::all(const Ray& ray, double t_min, double t_max, std::vector<Hit>& hits,
               HitArena& arena) const {
+  if (ball().is_missed_by(ray)) return;
   if (!bounding().empty() && !passes_bounding(ray, arena)) return;
   for_children_met(ray, t_min, t_max, [&](std::size_t i, double&) {
     // Where nothing can be dropped the child's hits need no list of their own.

@@ -22,6 +22,10 @@ Bounds Cylinder::bounds_in(const Transform& t) const {
   return padded(b);
 }
 
+Ball Cylinder::ball() const {
+  return {m_base + m_axis * (0.5 * m_length), std::hypot(0.5 * m_length, m_radius)};
+}
+
 /// The crossings of the whole line, 0 to 2, ascending. A closed cylinder is convex: what lies
 /// between the side's two crossings and between the ends' planes is one stretch of the line.
 int Cylinder::crossings(const Ray& ray, ShapeHit out[2]) const {

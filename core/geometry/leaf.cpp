@@ -11,6 +11,10 @@ Leaf::Leaf(std::unique_ptr<Shape> shape, const Transform& to_world) : m_shape(st
     }
   }
   m_box = m_transform ? m_shape->bounds_in(*m_transform) : m_shape->bounds();
+  m_shape_ball = m_transform ? smaller(transformed(m_shape->ball(), *m_transform),
+                                       ball_around(m_shape->bounds(), *m_transform))
+                             : m_shape->ball();
+  fit_ball();
 }
 
 Bounds Leaf::bounds() const {
@@ -36,6 +40,15 @@ Bounds Leaf::void_bounds() const {
   return m_box;
 }
 
+Ball Leaf::solid_ball() const {
+  Ball ball;
+  const bool bounded = !is_inverse() && m_shape->is_solid() && !m_shape->solid_is_unbounded() &&
+                       !m_shape->solid_leaves_bounds();
+  if (bounded) ball = m_shape_ball;
+  for (const auto& clip : clips()) ball = smaller(ball, clip->solid_ball());
+  return ball;
+}
+
 void Leaf::set_inverse(bool inverse) {
   if (m_shape->is_solid()) Object::set_inverse(inverse);
 }
@@ -51,6 +64,7 @@ bool Leaf::shape_nearest(const Ray& ray, double t_min, double t_max, ShapeHit& h
 }
 
 bool Leaf::nearest(const Ray& ray, double t_min, double t_max, Hit& hit, HitArena& arena) const {
+  if (ball().is_missed_by(ray)) return false;
   if (!bounding().empty() && !passes_bounding(ray, arena)) return false;
   ShapeHit found;
   const bool is_there = clips().empty() ? shape_nearest(ray, t_min, t_max, found)
@@ -83,6 +97,7 @@ bool Leaf::unclipped_nearest(const Ray& ray, double t_min, double t_max, ShapeHi
 }
 
 bool Leaf::any(const Ray& ray, double t_min, double t_max, HitArena& arena) const {
+  if (ball().is_missed_by(ray)) return false;
   if (!clips().empty() || !bounding().empty()) {
     Hit hit;
     return Leaf::nearest(ray, t_min, t_max, hit, arena);
@@ -93,6 +108,7 @@ bool Leaf::any(const Ray& ray, double t_min, double t_max, HitArena& arena) cons
 
 void Leaf::all(const Ray& ray, double t_min, double t_max, std::vector<Hit>& hits,
                HitArena& arena) const {
+  if (ball().is_missed_by(ray)) return;
   if (!bounding().empty() && !passes_bounding(ray, arena)) return;
   arena.shape_hits.clear();
   m_shape->all(m_transform ? to_shape(ray) : ray, t_min, t_max, arena.shape_hits);

@@ -23,6 +23,12 @@ bool Object::passes_bounding(const Ray& ray, HitArena& arena) const {
   return true;
 }
 
+void Object::fit_ball() {
+  m_ball = surface_ball();
+  for (const auto& clip : m_clips) m_ball = smaller(m_ball, clip->solid_ball());
+  for (const auto& bound : m_bounding) m_ball = smaller(m_ball, bound->solid_ball());
+}
+
 Bounds Object::limited(Bounds b) const {
   if (m_clips.empty() && m_bounding.empty()) return b;
   for (const auto& clip : m_clips) b.intersect(clip->solid_bounds());

@@ -82,6 +82,12 @@ class Object {
   /// Shape::drop_shortcuts() of all shapes below, and the same of CSG. Bounds stay as they are.
   virtual void drop_shortcuts() = 0;
 
+  /// Holds all of bounds(): a ray that misses it misses the object.
+  const Ball& ball() const { return m_ball; }
+  /// Holds all that inside() can answer true for and the surface, whatever bounded_by says;
+  /// everything where one of them is infinite.
+  virtual Ball solid_ball() const = 0;
+
   const Attributes& attributes() const { return m_attributes; }
   void set_attributes(const Attributes& a) { m_attributes = a; }
   /// As `inverse` in SDL. Shapes without a solid stay as they are; CSG turns into its complement
@@ -89,10 +95,16 @@ class Object {
   virtual void set_inverse(bool inverse) { m_inverse = inverse; }
   bool is_inverse() const { return m_inverse; }
   /// Surfaces are kept where they are inside every clipping object.
-  void set_clips(std::vector<std::shared_ptr<const Object>> clips) { m_clips = std::move(clips); }
+  void set_clips(std::vector<std::shared_ptr<const Object>> clips) {
+    m_clips = std::move(clips);
+    fit_ball();
+  }
   const std::vector<std::shared_ptr<const Object>>& clips() const { return m_clips; }
   /// bounded_by: rays that miss one of these, starting outside it, miss the object.
-  void set_bounding(std::vector<std::shared_ptr<const Object>> b) { m_bounding = std::move(b); }
+  void set_bounding(std::vector<std::shared_ptr<const Object>> b) {
+    m_bounding = std::move(b);
+    fit_ball();
+  }
   const std::vector<std::shared_ptr<const Object>>& bounding() const { return m_bounding; }
   /// True when every leaf's textures are fully opaque (set by the scene compiler).
   bool is_opaque() const { return m_opaque; }
@@ -106,8 +118,14 @@ class Object {
   bool passes_bounding(const Ray& ray, HitArena& arena) const;
   /// `b` cut by the boxes of the clipping objects, and of bounded_by where it is infinite.
   Bounds limited(Bounds b) const;
+  /// The ball before own clips and bounded_by.
+  virtual Ball surface_ball() const = 0;
+  /// To be called when anything has changed that the ball depends on.
+  void fit_ball();
+  void drop_ball() { m_ball = Ball(); }
 
  private:
+  Ball m_ball;
   Attributes m_attributes;
   std::vector<std::shared_ptr<const Object>> m_clips, m_bounding;
   bool m_inverse = false;
@@ -125,12 +143,16 @@ class Leaf final : public Object {
   Bounds solid_bounds() const override;
   bool solid_leaves_bounds() const override;
   Bounds void_bounds() const override;
+  Ball solid_ball() const override;
   bool nearest(const Ray&, double t_min, double t_max, Hit&, HitArena&) const override;
   void all(const Ray&, double t_min, double t_max, std::vector<Hit>&, HitArena&) const override;
   bool any(const Ray&, double t_min, double t_max, HitArena&) const override;
   bool inside(const Vec3& p) const override;
   void leaves(std::vector<const Leaf*>& out) const override { out.push_back(this); }
-  void drop_shortcuts() override { m_shape->drop_shortcuts(); }
+  void drop_shortcuts() override {
+    m_shape->drop_shortcuts();
+    drop_ball();
+  }
 
   const Shape& shape() const { return *m_shape; }
   const Transform* transform() const { return m_transform.get(); }  ///< null: shape is in world space
@@ -143,10 +165,12 @@ class Leaf final : public Object {
   bool shape_nearest(const Ray&, double t_min, double t_max, ShapeHit&) const;
   bool unclipped_nearest(const Ray&, double t_min, double t_max, ShapeHit&, HitArena&) const;
   Ray to_shape(const Ray& ray) const;
+  Ball surface_ball() const override { return m_shape_ball; }
 
   std::unique_ptr<Shape> m_shape;
   std::unique_ptr<const Transform> m_transform;  ///< apart: few have one, and it is large
   Bounds m_box;  ///< of the shape, in the world
+  Ball m_shape_ball;  ///< the same
 };
 
 enum class CsgKind { kUnion, kIntersection, kDifference, kMerge };
@@ -170,6 +194,7 @@ class Csg final : public Object {
   Bounds solid_bounds() const override;
   bool solid_leaves_bounds() const override;
   Bounds void_bounds() const override;
+  Ball solid_ball() const override;
 
   /// After `inverse`: what it works as. Only kUnion may be split into its parts.
   CsgKind kind() const { return m_kind; }
@@ -195,6 +220,7 @@ class Csg final : public Object {
   bool keeps(std::size_t child, const Vec3& p) const;
   bool kept_nearest(const Ray&, double t_min, double t_max, Hit&, HitArena&) const;
   void fence_children();
+  Ball surface_ball() const override;
   const Search& search() const;
   void build_search() const;
 

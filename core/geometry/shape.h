@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/ball.h"
 #include "core/base/bounds.h"
 #include "core/base/ray.h"
 
@@ -31,6 +32,9 @@ class Shape {
   virtual Bounds bounds() const = 0;
   /// The same after a transform; shapes override it where the box of the box is not tight.
   virtual Bounds bounds_in(const Transform& t) const { return transformed(bounds(), t); }
+
+  /// Holds what bounds() holds; shapes override it where the ball of the box is not tight.
+  virtual Ball ball() const { return Ball::around(bounds()); }
 
   /// Nearest crossing.
   virtual bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const = 0;

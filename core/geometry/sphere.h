@@ -37,6 +37,7 @@ class Sphere final : public Shape {
   std::string_view name() const override { return "sphere"; }
   Bounds bounds() const override;
   Bounds bounds_in(const Transform& t) const override;
+  Ball ball() const override { return {m_centre, m_radius}; }
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
   bool any(const Ray& ray, double t_min, double t_max) const override;

@@ -18,6 +18,7 @@ class Torus final : public Shape {
   std::string_view name() const override { return "torus"; }
   Bounds bounds() const override;
   Bounds bounds_in(const Transform& t) const override;
+  Ball ball() const override { return {{}, m_major + m_minor}; }
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
   /// Where minor > major (a spindle) all within the outer surface is inside.
