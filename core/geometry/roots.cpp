@@ -10,8 +10,15 @@ namespace {
 
 constexpr int kMaxOrder = 36;
 
-double value(const double* c, int order, double x) {
+// Functions of kOrder know the order when they are compiled, so that their loops unroll; that of
+// kAnyOrder takes it as it comes. The operations and so the roots' bits are the same.
+constexpr int kAnyOrder = 0;
+
+template <int kOrder>
+double value(const double* c, int any_order, double x) {
+  const int order = kOrder != kAnyOrder ? kOrder : any_order;
   double r = c[0];
+#pragma GCC unroll 8
   for (int i = 1; i <= order; ++i) r = r * x + c[i];
   return r;
 }
@@ -30,13 +37,16 @@ double middle_of(double lo, double hi) {
 
 /// The root in [lo, hi], where the values flo and fhi have opposite signs. Large Newton steps that
 /// do not halve from one to the next only crawl, as they do far from all roots: none is taken.
-double bracketed(const double* c, int order, double lo, double hi, double flo) {
+template <int kOrder>
+double bracketed(const double* c, int any_order, double lo, double hi, double flo) {
+  const int order = kOrder != kAnyOrder ? kOrder : any_order;
   constexpr double kClose = 2.3e-16, kLarge = 1e-3;
   constexpr int kMaxSteps = 200;
   if (lo < 0.0 && hi > 0.0 && c[order] != 0.0) ((c[order] < 0.0) == (flo < 0.0) ? lo : hi) = 0.0;
   double x = 0.5 * (lo + hi), last = hi - lo;
   for (int step = 0; step < kMaxSteps; ++step) {
     double f = c[0], slope = 0.0;
+#pragma GCC unroll 8
     for (int i = 1; i <= order; ++i) {
       slope = slope * x + f;
       f = f * x + c[i];
@@ -108,15 +118,15 @@ int solve_pieces(const double* c, int order, double lo, double hi, int rootless,
   double turns[kMaxOrder + 1];
   int pieces = solve_pieces(derivative, order - 1, lo, hi, rootless - 1, turns);
   turns[pieces++] = hi;
-  double a = lo, fa = value(c, order, a);
+  double a = lo, fa = value<kAnyOrder>(c, order, a);
   int n = 0;
   if (fa == 0.0) roots[n++] = a;
   for (int i = 0; i < pieces; ++i) {
-    const double b = turns[i], fb = value(c, order, b);
+    const double b = turns[i], fb = value<kAnyOrder>(c, order, b);
     if (fb == 0.0) {
       if (n < order && (n == 0 || roots[n - 1] != b)) roots[n++] = b;
     } else if (fa != 0.0 && (fa < 0.0) != (fb < 0.0) && n < order) {
-      roots[n++] = bracketed(c, order, a, b, fa);
+      roots[n++] = bracketed<kAnyOrder>(c, order, a, b, fa);
     }
     a = b;
     fa = fb;
@@ -142,12 +152,13 @@ constexpr Binomials kInverseBinomials = [] {
 
 /// Parts an interval until the signs of the Bernstein coefficients tell that a piece has no root or
 /// one (Descartes' rule); pieces that stay unclear go to solve_pieces.
+template <int kOrder>
 class RootParting {
  public:
-  RootParting(const double* c, int order, double* roots) : m_c(c), m_order(order), m_roots(roots) {}
+  RootParting(const double* c, double* roots) : m_c(c), m_roots(roots) {}
 
   int solve(double lo, double hi) {
-    double b[kMostParted + 1];
+    double b[kOrder + 1];
     expand(lo, hi - lo, b);
     part(b, lo, hi, 0);
     return m_count;
@@ -162,32 +173,45 @@ class RootParting {
     constexpr double kRounding = 1e-12;
     const double reach = std::fabs(lo) + h;
     double size = 0.0;
-    for (int i = 0; i <= m_order; ++i) {
-      b[m_order - i] = m_c[i];  // of rising powers
+#pragma GCC unroll 8
+    for (int i = 0; i <= kOrder; ++i) {
+      b[kOrder - i] = m_c[i];  // of rising powers
       size = size * reach + std::fabs(m_c[i]);
     }
     m_rounding = kRounding * size;
-    for (int k = 0; k < m_order; ++k) {
-      for (int i = m_order - 1; i >= k; --i) b[i] += b[i + 1] * lo;
+#pragma GCC unroll 8
+    for (int k = 0; k < kOrder; ++k) {
+#pragma GCC unroll 8
+      for (int i = kOrder - 1; i >= k; --i) b[i] += b[i + 1] * lo;
     }
-    const auto& inverse = kInverseBinomials[static_cast<std::size_t>(m_order)];
+    const auto& inverse = kInverseBinomials[static_cast<std::size_t>(kOrder)];
     double power = 1.0;
-    for (int k = 0; k <= m_order; ++k) {
+#pragma GCC unroll 8
+    for (int k = 0; k <= kOrder; ++k) {
       b[k] *= power * inverse[static_cast<std::size_t>(k)];
       power *= h;
     }
-    for (int r = 1; r <= m_order; ++r) {
-      for (int j = m_order; j >= r; --j) b[j] += b[j - 1];
+#pragma GCC unroll 8
+    for (int r = 1; r <= kOrder; ++r) {
+#pragma GCC unroll 8
+      for (int j = kOrder; j >= r; --j) b[j] += b[j - 1];
     }
   }
 
   Signs signs(const double* b) const {
+    double least = b[0], most = b[0];
+#pragma GCC unroll 8
+    for (int i = 1; i <= kOrder; ++i) {
+      least = b[i] < least ? b[i] : least;
+      most = b[i] > most ? b[i] : most;
+    }
+    if (least > m_rounding || most < -m_rounding) return Signs::kNone;  // what most ask for
     int changes = 0, last = 0;
     int doubtful = 0;  // coefficients of any sign since the last clear one
-    for (int i = 0; i <= m_order; ++i) {
+    for (int i = 0; i <= kOrder; ++i) {
       const int sign = b[i] > m_rounding ? 1 : b[i] < -m_rounding ? -1 : 0;
       if (sign == 0) {
-        if (i == 0 || i == m_order) return Signs::kUnclear;
+        if (i == 0 || i == kOrder) return Signs::kUnclear;
         ++doubtful;
         continue;
       }
@@ -204,39 +228,56 @@ class RootParting {
     const Signs found = signs(b);
     if (found == Signs::kNone) return;
     if (found == Signs::kOne) {
-      const double flo = value(m_c, m_order, lo), fhi = value(m_c, m_order, hi);
+      const double flo = value<kOrder>(m_c, kOrder, lo), fhi = value<kOrder>(m_c, kOrder, hi);
       if ((flo < 0.0 && fhi > 0.0) || (flo > 0.0 && fhi < 0.0)) {
-        add(bracketed(m_c, m_order, lo, hi, flo));
+        add(bracketed<kOrder>(m_c, kOrder, lo, hi, flo));
         return;
       }
     }
     const double middle = 0.5 * (lo + hi);
     if (found == Signs::kOne || depth == kMostDepth || !(middle > lo && middle < hi)) {
-      double roots[kMostParted];
-      const int n = solve_pieces(m_c, m_order, lo, hi, rootless_derivative(m_c, m_order, lo, hi), roots);
+      double roots[kOrder];
+      const int n = solve_pieces(m_c, kOrder, lo, hi, rootless_derivative(m_c, kOrder, lo, hi), roots);
       for (int i = 0; i < n; ++i) add(roots[i]);
       return;
     }
-    double left[kMostParted + 1], right[kMostParted + 1];
-    std::copy_n(b, m_order + 1, right);
-    for (int i = 0; i <= m_order; ++i) {
+    double left[kOrder + 1], right[kOrder + 1];
+    std::copy_n(b, kOrder + 1, right);
+#pragma GCC unroll 8
+    for (int i = 0; i <= kOrder; ++i) {
       left[i] = right[0];
-      for (int j = 0; j < m_order - i; ++j) right[j] = 0.5 * (right[j] + right[j + 1]);
+#pragma GCC unroll 8
+      for (int j = 0; j < kOrder - i; ++j) right[j] = 0.5 * (right[j] + right[j + 1]);
     }
     part(left, lo, middle, depth + 1);
     part(right, middle, hi, depth + 1);
   }
 
   void add(double root) {
-    if (m_count < m_order && (m_count == 0 || m_roots[m_count - 1] != root)) m_roots[m_count++] = root;
+    if (m_count < kOrder && (m_count == 0 || m_roots[m_count - 1] != root)) m_roots[m_count++] = root;
   }
 
   const double* m_c;
-  int m_order;
   double* m_roots;
   int m_count = 0;
   double m_rounding = 0.0;
 };
+
+/// The same where the order is known only now.
+int solve_parted(const double* c, int order, double lo, double hi, double* roots) {
+  switch (order) {
+    case 3: return RootParting<3>(c, roots).solve(lo, hi);
+    case 4: return RootParting<4>(c, roots).solve(lo, hi);
+    case 5: return RootParting<5>(c, roots).solve(lo, hi);
+    case 6: return RootParting<6>(c, roots).solve(lo, hi);
+    case 7: return RootParting<7>(c, roots).solve(lo, hi);
+    case 8: return RootParting<8>(c, roots).solve(lo, hi);
+    case 9: return RootParting<9>(c, roots).solve(lo, hi);
+    case 10: return RootParting<10>(c, roots).solve(lo, hi);
+    case 11: return RootParting<11>(c, roots).solve(lo, hi);
+    default: return RootParting<kMostParted>(c, roots).solve(lo, hi);
+  }
+}
 
 double root_of(double x, int degree) {
   switch (degree) {
@@ -308,7 +349,7 @@ int solve_between(const double* c, int order, double lo, double hi, double* root
   }
   if (!(lo <= hi)) return 0;
   if (order <= 2) return solve_low_order(c, order, lo, hi, roots);
-  if (order <= kMostParted && lo < hi) return RootParting(c, order, roots).solve(lo, hi);
+  if (order <= kMostParted && lo < hi) return solve_parted(c, order, lo, hi, roots);
   return solve_pieces(c, order, lo, hi, rootless_derivative(c, order, lo, hi), roots);
 }
 
