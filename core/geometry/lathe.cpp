@@ -12,24 +12,35 @@
 namespace lentray::core {
 namespace {
 
-/// Adds `by` times the square of the cubic p to c, highest power (6) first.
-void add_square(const double p[4], double by, double c[7]) {
-  for (int i = 0; i < 4; ++i) {
-    for (int j = 0; j < 4; ++j) c[i + j] += by * p[i] * p[j];
+/// Adds `by` times the square of the polynomial p to c, highest power first.
+template <int kOrder>
+inline void add_square(const double* p, double by, double* c) {
+#pragma GCC unroll 4
+  for (int i = 0; i <= kOrder; ++i) {
+    const double share = by * p[i];
+#pragma GCC unroll 4
+    for (int j = 0; j <= kOrder; ++j) c[i + j] += share * p[j];
   }
+}
+
+/// Where on the curve, a polynomial of kOrder (1 or 3), the ray's hyperboloid meets it.
+template <int kOrder>
+inline int meeting_places(const double* u, const double* v, const AboutAxis& ray, double s[6]) {
+  double c[2 * kOrder + 1] = {};
+  add_square<kOrder>(v, ray.across * ray.across, c);
+  add_square<kOrder>(u, -ray.climb * ray.climb, c);
+  c[2 * kOrder] += ray.climb * ray.climb * ray.near2;
+  // A little beyond the ends, so that no ray passes between two pieces; both may be met there.
+  constexpr double kEnd = 1e-9;
+  return solve_between(c, 2 * kOrder, -kEnd, 1.0 + kEnd, s);
 }
 
 /// Places on the curve where the ray's hyperboloid meets it.
 int places(const CurvePiece& curve, const AboutAxis& ray, double s[6]) {
   const double u[4] = {curve.a.u, curve.b.u, curve.c.u, curve.d.u};
   const double v[4] = {curve.a.v, curve.b.v, curve.c.v, curve.d.v - ray.height};
-  double c[7] = {};
-  add_square(v, ray.across * ray.across, c);
-  add_square(u, -ray.climb * ray.climb, c);
-  c[6] += ray.climb * ray.climb * ray.near2;
-  // A little beyond the ends, so that no ray passes between two pieces; both may be met there.
-  constexpr double kEnd = 1e-9;
-  const int n = solve_between(c, 6, -kEnd, 1.0 + kEnd, s);
+  const bool straight = u[0] == 0.0 && u[1] == 0.0 && v[0] == 0.0 && v[1] == 0.0;
+  const int n = straight ? meeting_places<1>(u + 2, v + 2, ray, s) : meeting_places<3>(u, v, ray, s);
   for (int i = 0; i < n; ++i) s[i] = std::clamp(s[i], 0.0, 1.0);
   return n;
 }
