@@ -8,24 +8,6 @@ namespace {
 
 constexpr Matrix kIdentity = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}}};
 
-Vec3 apply_point(const Matrix& m, const Vec3& p) {
-  return {p.x * m[0][0] + p.y * m[1][0] + p.z * m[2][0] + m[3][0],
-          p.x * m[0][1] + p.y * m[1][1] + p.z * m[2][1] + m[3][1],
-          p.x * m[0][2] + p.y * m[1][2] + p.z * m[2][2] + m[3][2]};
-}
-
-Vec3 apply_vector(const Matrix& m, const Vec3& v) {
-  return {v.x * m[0][0] + v.y * m[1][0] + v.z * m[2][0],
-          v.x * m[0][1] + v.y * m[1][1] + v.z * m[2][1],
-          v.x * m[0][2] + v.y * m[1][2] + v.z * m[2][2]};
-}
-
-Vec3 apply_transposed(const Matrix& m, const Vec3& n) {
-  return {n.x * m[0][0] + n.y * m[0][1] + n.z * m[0][2],
-          n.x * m[1][0] + n.y * m[1][1] + n.z * m[1][2],
-          n.x * m[2][0] + n.y * m[2][1] + n.z * m[2][2]};
-}
-
 Matrix product(const Matrix& a, const Matrix& b) {
   Matrix r;
   for (int i = 0; i < 4; ++i) {
@@ -45,7 +27,7 @@ bool invert(const Matrix& m, Matrix& out) {
   for (int i = 0; i < 3; ++i) {
     out[i] = {bc[i] * s, ca[i] * s, ab[i] * s};
   }
-  const Vec3 t = apply_vector(out, {m[3][0], m[3][1], m[3][2]});
+  const Vec3 t = Transform::applied_vector(out, {m[3][0], m[3][1], m[3][2]});
   out[3] = {-t.x, -t.y, -t.z};
   return true;
 }
@@ -131,13 +113,6 @@ Transform Transform::inverse() const {
   t.m_singular = m_singular;
   return t;
 }
-
-Vec3 Transform::point(const Vec3& p) const { return apply_point(m_rows, p); }
-Vec3 Transform::vector(const Vec3& v) const { return apply_vector(m_rows, v); }
-Vec3 Transform::normal(const Vec3& n) const { return apply_transposed(m_inverse, n); }
-Vec3 Transform::inverse_point(const Vec3& p) const { return apply_point(m_inverse, p); }
-Vec3 Transform::inverse_vector(const Vec3& v) const { return apply_vector(m_inverse, v); }
-Vec3 Transform::inverse_normal(const Vec3& n) const { return apply_transposed(m_rows, n); }
 
 bool Transform::is_identity() const { return m_rows == kIdentity; }
 

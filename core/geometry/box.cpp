@@ -13,7 +13,7 @@ Box::Box(const Vec3& corner1, const Vec3& corner2) {
 /// Where the ray's line enters and leaves; false if it misses. Written without branches on the
 /// direction's signs. Where sides are met together the lower axis gives the normal.
 bool Box::interval(const Ray& ray, ShapeHit& in, ShapeHit& out) const {
-  double near[3], far[3];
+  double near[3], far[3], enter = -Bounds::kInf, leave = Bounds::kInf;
   for (int i = 0; i < 3; ++i) {
     const double o = ray.origin[i], d = ray.direction[i];
     if (d == 0.0) {
@@ -25,10 +25,12 @@ bool Box::interval(const Ray& ray, ShapeHit& in, ShapeHit& out) const {
     const double lower = (m_lo[i] - o) / d, upper = (m_hi[i] - o) / d;
     near[i] = std::min(lower, upper);
     far[i] = std::max(lower, upper);
+    enter = std::max(enter, near[i]);
+    leave = std::min(leave, far[i]);
+    if (!(enter <= leave)) return false;
   }
-  in.t = std::max(std::max(near[0], near[1]), near[2]);
-  out.t = std::min(std::min(far[0], far[1]), far[2]);
-  if (!(in.t <= out.t)) return false;
+  in.t = enter;
+  out.t = leave;
   const int first = in.t == near[0] ? 0 : in.t == near[1] ? 1 : 2;
   const int last = out.t == far[0] ? 0 : out.t == far[1] ? 1 : 2;
   in.element = static_cast<std::uint32_t>(2 * first + (ray.direction[first] > 0.0 ? 0 : 1));

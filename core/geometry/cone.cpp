@@ -1,7 +1,6 @@
 #include "core/geometry/cone.h"
 
 #include "core/geometry/bounds_help.h"
-#include "core/geometry/crossings.h"
 #include "core/geometry/roots.h"
 
 namespace lentray::core {
@@ -33,10 +32,10 @@ Ball Cone::ball() const {
           std::max(std::hypot(height, m_base_radius), std::hypot(m_length - height, m_cap_radius))};
 }
 
-/// The crossings of the whole line, 0 to 2, ascending. Between its ends' planes the cone is
+/// The crossings of the whole line, 0 to 2, ascending; none if none is beyond t_min. Between its ends' planes the cone is
 /// convex, so that its solid is one stretch of the line: f = (distance from axis)^2 - radius^2
 /// is not positive there.
-int Cone::crossings(const Ray& ray, ShapeHit out[2]) const {
+int Cone::crossings(const Ray& ray, double t_min, Crossing out[2]) const {
   if (is_degenerate()) return 0;
   // Start at the point nearest to the centre, so that far origins do not cost digits.
   const Vec3 to_base = m_base - ray.origin;
@@ -44,20 +43,23 @@ int Cone::crossings(const Ray& ray, ShapeHit out[2]) const {
                        dot(ray.direction, ray.direction);
   const Vec3 o = ray.direction * shift - to_base;
   const double oz = dot(o, m_axis), dz = dot(ray.direction, m_axis);
-  ShapeHit in{-Bounds::kInf, kSide, 0.0, 0.0}, leave{Bounds::kInf, kSide, 0.0, 0.0};
-  if (dz == 0.0) {
-    if (oz < 0.0 || oz > m_length) return 0;
-  } else {
-    const double base = -oz / dz, cap = (m_length - oz) / dz;
-    in = dz > 0.0 ? ShapeHit{base, kBase, 0.0, 0.0} : ShapeHit{cap, kCap, 0.0, 0.0};
-    leave = dz > 0.0 ? ShapeHit{cap, kCap, 0.0, 0.0} : ShapeHit{base, kBase, 0.0, 0.0};
-  }
   const Vec3 op = o - m_axis * oz, dp = ray.direction - m_axis * dz;
   const double ro = m_base_radius + m_slope * oz, rd = m_slope * dz;
   const double a = dot(dp, dp) - rd * rd, b = 2.0 * (dot(op, dp) - ro * rd);
   const double c = dot(op, op) - ro * ro;
   double root[2];
   const int n = solve_quadratic(a, b, c, root);
+  if (n == 0 && c > 0.0) return 0;
+  if (n == 2 && a > 0.0 && !(root[1] + shift > t_min)) return 0;
+  Crossing in{-Bounds::kInf, kSide}, leave{Bounds::kInf, kSide};
+  if (dz == 0.0) {
+    if (oz < 0.0 || oz > m_length) return 0;
+  } else {
+    const double base = -oz / dz, cap = (m_length - oz) / dz;
+    const bool up = dz > 0.0;
+    in = up ? Crossing{base, kBase} : Crossing{cap, kCap};
+    leave = up ? Crossing{cap, kCap} : Crossing{base, kBase};
+  }
   double lo = -Bounds::kInf, hi = Bounds::kInf;  // where f <= 0
   if (n == 2 && a > 0.0) {
     lo = root[0];
@@ -70,18 +72,16 @@ int Cone::crossings(const Ray& ray, ShapeHit out[2]) const {
     const bool rising = a == 0.0 ? b > 0.0 : (2.0 * a * root[0] + b) > 0.0;
     (rising ? hi : lo) = root[0];
     if (a > 0.0 && b == 0.0) lo = hi = root[0];
-  } else if (c > 0.0) {
-    return 0;
   }
   if (m_open) {
     int kept = 0;
     for (int i = 0; i < n; ++i) {
-      if (root[i] >= in.t && root[i] <= leave.t) out[kept++] = {root[i] + shift, kSide, 0.0, 0.0};
+      if (root[i] >= in.t && root[i] <= leave.t) out[kept++] = {root[i] + shift, kSide};
     }
     return kept;
   }
-  if (lo > in.t) in = {lo, kSide, 0.0, 0.0};
-  if (hi < leave.t) leave = {hi, kSide, 0.0, 0.0};
+  if (lo > in.t) in = {lo, kSide};
+  if (hi < leave.t) leave = {hi, kSide};
   if (!(in.t <= leave.t) || !std::isfinite(in.t) || !std::isfinite(leave.t)) return 0;
   in.t += shift;
   leave.t += shift;
@@ -91,13 +91,13 @@ int Cone::crossings(const Ray& ray, ShapeHit out[2]) const {
 }
 
 bool Cone::nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const {
-  ShapeHit found[2];
-  return first_between(found, crossings(ray, found), t_min, t_max, hit);
+  Crossing found[2];
+  return first_between(found, crossings(ray, t_min, found), t_min, t_max, hit);
 }
 
 void Cone::all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const {
-  ShapeHit found[2];
-  append_between(found, crossings(ray, found), t_min, t_max, hits);
+  Crossing found[2];
+  append_between(found, crossings(ray, t_min, found), t_min, t_max, hits);
 }
 
 bool Cone::inside(const Vec3& p) const {

@@ -6,23 +6,29 @@
 
 namespace lentray::core {
 
+/// A crossing of a shape that has no places on its elements: smaller to carry about.
+struct Crossing {
+  double t;
+  std::uint32_t element;
+};
+
 /// The first of `count` crossings, sorted by t, with t_min < t < t_max.
-inline bool first_between(const ShapeHit* found, int count, double t_min, double t_max,
+inline bool first_between(const Crossing* found, int count, double t_min, double t_max,
                           ShapeHit& hit) {
   for (int i = 0; i < count; ++i) {
     if (!(found[i].t > t_min)) continue;
     if (!(found[i].t < t_max)) return false;
-    hit = found[i];
+    hit = {found[i].t, found[i].element, 0.0, 0.0};
     return true;
   }
   return false;
 }
 
 /// Appends those with t_min < t < t_max.
-inline void append_between(const ShapeHit* found, int count, double t_min, double t_max,
+inline void append_between(const Crossing* found, int count, double t_min, double t_max,
                            ShapeHits& hits) {
   for (int i = 0; i < count; ++i) {
-    if (found[i].t > t_min && found[i].t < t_max) hits.push_back(found[i]);
+    if (found[i].t > t_min && found[i].t < t_max) hits.push_back({found[i].t, found[i].element, 0.0, 0.0});
   }
 }
 

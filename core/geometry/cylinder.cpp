@@ -1,7 +1,6 @@
 #include "core/geometry/cylinder.h"
 
 #include "core/geometry/bounds_help.h"
-#include "core/geometry/crossings.h"
 
 namespace lentray::core {
 namespace {
@@ -26,9 +25,9 @@ Ball Cylinder::ball() const {
   return {m_base + m_axis * (0.5 * m_length), std::hypot(0.5 * m_length, m_radius)};
 }
 
-/// The crossings of the whole line, 0 to 2, ascending. A closed cylinder is convex: what lies
+/// The crossings of the whole line, 0 to 2, ascending; none if none is beyond t_min. A closed cylinder is convex: what lies
 /// between the side's two crossings and between the ends' planes is one stretch of the line.
-int Cylinder::crossings(const Ray& ray, ShapeHit out[2]) const {
+int Cylinder::crossings(const Ray& ray, double t_min, Crossing out[2]) const {
   if (is_degenerate()) return 0;
   // Start at the point nearest to the centre, so that far origins do not cost digits.
   const Vec3 to_base = m_base - ray.origin;
@@ -39,7 +38,7 @@ int Cylinder::crossings(const Ray& ray, ShapeHit out[2]) const {
   const Vec3 op = o - m_axis * oz, dp = ray.direction - m_axis * dz;
   const double a = dot(dp, dp), b = dot(op, dp);
 
-  ShapeHit in{-Bounds::kInf, kSide, 0.0, 0.0}, leave{Bounds::kInf, kSide, 0.0, 0.0};
+  Crossing in{-Bounds::kInf, kSide}, leave{Bounds::kInf, kSide};
   if (a > 1e-30 * dot(ray.direction, ray.direction)) {
     const double middle = -b / a;
     const Vec3 foot = op + dp * middle;
@@ -48,12 +47,13 @@ int Cylinder::crossings(const Ray& ray, ShapeHit out[2]) const {
     const double half = std::sqrt(h / a);
     in.t = middle - half;
     leave.t = middle + half;
+    if (!(leave.t + shift > t_min)) return 0;
   } else if (dot(op, op) > m_radius * m_radius) {
     return 0;
   }
   if (m_open) {
     int n = 0;
-    for (ShapeHit side : {in, leave}) {
+    for (Crossing side : {in, leave}) {
       const double z = oz + dz * side.t;
       if (!(z >= 0.0 && z <= m_length)) continue;
       side.t += shift;
@@ -67,8 +67,8 @@ int Cylinder::crossings(const Ray& ray, ShapeHit out[2]) const {
     const double base = -oz / dz, cap = (m_length - oz) / dz;
     const bool up = dz > 0.0;
     const double first = up ? base : cap, last = up ? cap : base;
-    if (first > in.t) in = {first, up ? kBase : kCap, 0.0, 0.0};
-    if (last < leave.t) leave = {last, up ? kCap : kBase, 0.0, 0.0};
+    if (first > in.t) in = {first, up ? kBase : kCap};
+    if (last < leave.t) leave = {last, up ? kCap : kBase};
   }
   if (!(in.t <= leave.t)) return 0;
   in.t += shift;
@@ -79,13 +79,13 @@ int Cylinder::crossings(const Ray& ray, ShapeHit out[2]) const {
 }
 
 bool Cylinder::nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const {
-  ShapeHit found[2];
-  return first_between(found, crossings(ray, found), t_min, t_max, hit);
+  Crossing found[2];
+  return first_between(found, crossings(ray, t_min, found), t_min, t_max, hit);
 }
 
 void Cylinder::all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const {
-  ShapeHit found[2];
-  append_between(found, crossings(ray, found), t_min, t_max, hits);
+  Crossing found[2];
+  append_between(found, crossings(ray, t_min, found), t_min, t_max, hits);
 }
 
 bool Cylinder::inside(const Vec3& p) const {

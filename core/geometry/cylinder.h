@@ -2,6 +2,7 @@
 // Source: reference manual 3.7, "Cylinder".
 #pragma once
 
+#include "core/geometry/crossings.h"
 #include "core/geometry/shape.h"
 
 namespace lentray::core {
@@ -31,7 +32,7 @@ class Cylinder final : public Shape {
   std::unique_ptr<Shape> baked(const Transform& t) const override;
 
  private:
-  int crossings(const Ray& ray, ShapeHit out[2]) const;
+  int crossings(const Ray& ray, double t_min, Crossing out[2]) const;
 
   Vec3 m_base, m_axis;  ///< axis unit, from base to cap
   double m_length, m_radius;

@@ -53,11 +53,6 @@ void Leaf::set_inverse(bool inverse) {
   if (m_shape->is_solid()) Object::set_inverse(inverse);
 }
 
-/// The direction keeps its length, so that t is the same in both spaces.
-Ray Leaf::to_shape(const Ray& ray) const {
-  return {m_transform->inverse_point(ray.origin), m_transform->inverse_vector(ray.direction)};
-}
-
 bool Leaf::shape_nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const {
   if (!m_transform) return m_shape->nearest(ray, t_min, t_max, hit);
   return m_shape->nearest(to_shape(ray), t_min, t_max, hit);
@@ -67,8 +62,9 @@ bool Leaf::nearest(const Ray& ray, double t_min, double t_max, Hit& hit, HitAren
   if (ball().is_missed_by(ray)) return false;
   if (!bounding().empty() && !passes_bounding(ray, arena)) return false;
   ShapeHit found;
-  const bool is_there = clips().empty() ? shape_nearest(ray, t_min, t_max, found)
-                                        : unclipped_nearest(ray, t_min, t_max, found, arena);
+  const bool is_there = !clips().empty() ? unclipped_nearest(ray, t_min, t_max, found, arena)
+                        : m_transform    ? m_shape->nearest(to_shape(ray), t_min, t_max, found)
+                                         : m_shape->nearest(ray, t_min, t_max, found);
   if (!is_there) return false;
   hit.t = found.t;
   hit.leaf = this;

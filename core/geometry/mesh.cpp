@@ -40,6 +40,20 @@ Bounds Mesh::bounds_in(const Transform& t) const {
   return padded(b);
 }
 
+/// About the box's centre; of large meshes about the box: they look into it themselves.
+Ball Mesh::ball() const {
+  const MeshData& data = m_triangles->data();
+  const Bounds box = bounds();
+  if (!box.is_finite() || data.faces.size() > kLargestBaked) return Ball::around(box);
+  double farthest2 = 0.0;
+  for (const MeshFace& f : data.faces) {
+    for (const std::uint32_t v : f.vertex) {
+      farthest2 = std::max(farthest2, length_squared(data.vertices[v] - box.centre()));
+    }
+  }
+  return {box.centre(), std::sqrt(farthest2)};
+}
+
 bool Mesh::nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const {
   TriangleMesh::FaceHit found;
   if (!m_triangles->nearest(ray, t_min, t_max, found)) return false;

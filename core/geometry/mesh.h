@@ -41,6 +41,7 @@ class Mesh final : public Shape {
   std::string_view name() const override { return m_is_mesh2 ? "mesh2" : "mesh"; }
   Bounds bounds() const override { return m_triangles->bounds(); }
   Bounds bounds_in(const Transform& t) const override;
+  Ball ball() const override;
   /// ShapeHit::element is the face, u and v the weights of its corners b and c.
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;

@@ -164,7 +164,10 @@ class Leaf final : public Object {
  private:
   bool shape_nearest(const Ray&, double t_min, double t_max, ShapeHit&) const;
   bool unclipped_nearest(const Ray&, double t_min, double t_max, ShapeHit&, HitArena&) const;
-  Ray to_shape(const Ray& ray) const;
+  /// The direction keeps its length, so that t is the same in both spaces.
+  Ray to_shape(const Ray& ray) const {
+    return {m_transform->inverse_point(ray.origin), m_transform->inverse_vector(ray.direction)};
+  }
   Ball surface_ball() const override { return m_shape_ball; }
 
   std::unique_ptr<Shape> m_shape;

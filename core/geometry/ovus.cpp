@@ -42,6 +42,21 @@ Bounds Ovus::bounds_in(const Transform& t) const {
   });
 }
 
+/// False if the line q + s d, from the place nearest to the lemon's centre, certainly does not meet
+/// the lemon beyond s = from: f = (distance from axis + spindle)^2 + y^2 - waist^2 is convex.
+bool Ovus::may_meet_waist(const Vec3& q, const Vec3& d, double from) const {
+  const double tube2 = m_waist * m_waist, clear = 1e-9 * tube2;
+  const double rest = m_spindle * m_spindle - tube2;
+  const double across2 = d.x * d.x + d.z * d.z;
+  const double nearest = across2 > 0.0 ? -(q.x * d.x + q.z * d.z) / across2 : 0.0;
+  const double x = q.x + nearest * d.x, z = q.z + nearest * d.z;
+  if (dot(q, q) + 2.0 * m_spindle * std::sqrt(x * x + z * z) + rest > clear) return false;
+  const Vec3 at = q + d * from;
+  const double from_axis = std::sqrt(at.x * at.x + at.z * at.z);
+  const bool outside = dot(at, at) + 2.0 * m_spindle * from_axis + rest > clear;
+  return !(outside && dot(at, d) * from_axis + m_spindle * (at.x * d.x + at.z * d.z) > 0.0);
+}
+
 template <class Visit>
 void Ovus::crossings(const Ray& ray, double t_min, double t_max, Visit&& visit) const {
   constexpr double kWider = 1e-9;
@@ -68,6 +83,7 @@ void Ovus::crossings(const Ray& ray, double t_min, double t_max, Visit&& visit) 
   sphere(m_bottom, m_top, kTop);
 
   const Vec3 q = p - middle;
+  if (!may_meet_waist(q, d, t_min * speed - shift)) return;
   const double qq = dot(q, q), tube2 = m_waist * m_waist, spindle2 = m_spindle * m_spindle;
   const double size = m_bottom + m_top + std::fabs(m_height);
   const double reach = size * size - qq;

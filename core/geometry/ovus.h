@@ -24,6 +24,7 @@ class Ovus final : public Shape {
   Vec2 uv(const Vec3& p, const ShapeHit& hit) const override;
 
  private:
+  bool may_meet_waist(const Vec3& q, const Vec3& d, double from) const;
   template <class Visit>
   void crossings(const Ray& ray, double t_min, double t_max, Visit&& visit) const;
 

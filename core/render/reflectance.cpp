@@ -41,34 +41,10 @@ double fresnel(double cosine, double relative_ior) {
   return std::min(1.0, std::max(0.0, f));
 }
 
-double phong_intensity(const Finish& finish, const Illumination& on) {
-  const Vec3 mirrored = on.eye + on.normal * (-2.0 * dot(on.eye, on.normal));
-  const double cosine = dot(mirrored, on.towards_light);
-  if (!(cosine > 0.0)) return 0.0;
-  // Below 0.0008 a high power underflows; stock cuts it there.
-  if (finish.phong_size >= 60.0 && cosine <= 0.0008) return 0.0;
-  return finish.phong * std::pow(cosine, finish.phong_size);
-}
-
-double specular_intensity(const Finish& finish, const Illumination& on) {
-  const Vec3 halfway = (on.towards_light - on.eye) * 0.5;
-  const double size = length(halfway);
-  if (!(size > 0.0)) return 0.0;
-  const double cosine = dot(halfway, on.normal) / size;
-  if (!(cosine > 0.0)) return 0.0;
-  return finish.specular * std::pow(cosine, finish.roughness_exponent);
-}
-
 }  // namespace
 
-Rgb highlights(const Finish& finish, const Illumination& on) {
-  Rgb sum, light = on.light;
-  if (finish.metallic > 0.0) {
-    light *= metal_tint(finish.metallic, dot(on.normal, on.towards_light), on.pigment);
-  }
-  if (finish.phong > 0.0) sum += times(light, phong_intensity(finish, on));
-  if (finish.specular > 0.0) sum += times(light, specular_intensity(finish, on));
-  return sum;
+Rgb metal_highlight(const Finish& finish, const Illumination& on) {
+  return on.light * metal_tint(finish.metallic, dot(on.normal, on.towards_light), on.pigment);
 }
 
 Reflectivity reflectivity(const Finish& finish, double cosine, double relative_ior,

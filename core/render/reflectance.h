@@ -51,8 +51,32 @@ struct Illumination {
 inline bool has_highlights(const Finish& finish) {
   return finish.phong > 0.0 || finish.specular > 0.0;
 }
+inline double phong_intensity(const Finish& finish, const Illumination& on) {
+  const Vec3 mirrored = on.eye + on.normal * (-2.0 * dot(on.eye, on.normal));
+  const double cosine = dot(mirrored, on.towards_light);
+  if (!(cosine > 0.0)) return 0.0;
+  // Below 0.0008 a high power underflows; stock cuts it there.
+  if (finish.phong_size >= 60.0 && cosine <= 0.0008) return 0.0;
+  return finish.phong * std::pow(cosine, finish.phong_size);
+}
+inline double specular_intensity(const Finish& finish, const Illumination& on) {
+  const Vec3 halfway = (on.towards_light - on.eye) * 0.5;
+  const double size = length(halfway);
+  if (!(size > 0.0)) return 0.0;
+  const double cosine = dot(halfway, on.normal) / size;
+  if (!(cosine > 0.0)) return 0.0;
+  return finish.specular * std::pow(cosine, finish.roughness_exponent);
+}
+/// The light as a metal's highlights show it.
+Rgb metal_highlight(const Finish& finish, const Illumination& on);
 /// phong and specular, metallic or not.
-Rgb highlights(const Finish& finish, const Illumination& on);
+inline Rgb highlights(const Finish& finish, const Illumination& on) {
+  Rgb sum;
+  const Rgb light = finish.metallic > 0.0 ? metal_highlight(finish, on) : on.light;
+  if (finish.phong > 0.0) sum += times(light, phong_intensity(finish, on));
+  if (finish.specular > 0.0) sum += times(light, specular_intensity(finish, on));
+  return sum;
+}
 
 /// What a thin film (`irid`) makes of light from `from_light` on its way to the eye: a factor a
 /// channel, about 1. `thickness` of the film there, in the unit of `wavelengths`.
