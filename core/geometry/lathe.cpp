@@ -89,12 +89,13 @@ void Lathe::crossings(const Ray& ray, double t_min, double t_max, Visit&& visit)
   constexpr double kLevel = 0.02, kHorizontal = 1e-9;
   if (!BoxRay(ray).meets(m_reach, t_min, t_max)) return;
   const AboutAxis about(ray);
+  const double from = ray.origin.y + t_min * about.climb, to = ray.origin.y + t_max * about.climb;
+  const double least = std::min(from, to), most = std::max(from, to);
   for (std::uint32_t i = 0; i < m_pieces.size(); ++i) {
     const Piece& piece = m_pieces[i];
     if (about.near2 > piece.widest * piece.widest * (1.0 + kSlack)) continue;
-    const double from = ray.origin.y + t_min * about.climb, to = ray.origin.y + t_max * about.climb;
     const double margin = kSlack * (1.0 + piece.high - piece.low);
-    if (std::max(from, to) < piece.low - margin || std::min(from, to) > piece.high + margin) continue;
+    if (most < piece.low - margin || least > piece.high + margin) continue;
     const bool horizontal = std::fabs(about.climb) <= kHorizontal * about.across;
     double s[6];
     const int n = horizontal ? line_crossings(piece.curve, 0.0, 1.0, -about.height, s)

@@ -83,13 +83,22 @@ void Ovus::crossings(const Ray& ray, double t_min, double t_max, Visit&& visit) 
   sphere(m_bottom, m_top, kTop);
 
   const Vec3 q = p - middle;
-  if (!may_meet_waist(q, d, t_min * speed - shift)) return;
+  const double from = t_min * speed - shift;
+  if (!may_meet_waist(q, d, from)) return;
   const double qq = dot(q, q), tube2 = m_waist * m_waist, spindle2 = m_spindle * m_spindle;
   const double size = m_bottom + m_top + std::fabs(m_height);
   const double reach = size * size - qq;
   if (!(reach > 0.0)) return;
   double hi = std::sqrt(reach) * (1.0 + kWider), lo = -hi;
-  lo = std::max(lo, t_min * speed - shift);
+  lo = std::max(lo, from);
+  // Only what lies between the spheres' shares counts.
+  const double margin = kWider * size, low = m_low - margin - p.y, high = m_high + margin - p.y;
+  if (d.y != 0.0) {
+    lo = std::max(lo, std::min(low / d.y, high / d.y));
+    hi = std::min(hi, std::max(low / d.y, high / d.y));
+  } else if (low > 0.0 || high < 0.0) {
+    return;
+  }
   // t_max does not cut: the roots' last bits would tell what else the ray has met.
   if (!(lo < hi) || t_max * speed - shift <= lo) return;
   const double k = qq - spindle2 - tube2;
