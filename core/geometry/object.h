@@ -82,7 +82,8 @@ class Object {
   /// Shape::drop_shortcuts() of all shapes below, and the same of CSG. Bounds stay as they are.
   virtual void drop_shortcuts() = 0;
 
-  /// Holds all of bounds(): a ray that misses it misses the object.
+  /// A ray whose line misses it misses the object. It holds all of the surface but what stands out
+  /// of bounded_by.
   const Ball& ball() const { return m_ball; }
   /// Holds all that inside() can answer true for and the surface, whatever bounded_by says;
   /// everything where one of them is infinite.

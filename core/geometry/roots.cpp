@@ -155,7 +155,8 @@ constexpr Binomials kInverseBinomials = [] {
 template <int kOrder>
 class RootParting {
  public:
-  RootParting(const double* c, double* roots) : m_c(c), m_roots(roots) {}
+  RootParting(const double* c, double* roots, bool first_alone)
+      : m_c(c), m_roots(roots), m_first_alone(first_alone) {}
 
   int solve(double lo, double hi) {
     double b[kOrder + 1];
@@ -250,6 +251,7 @@ class RootParting {
       for (int j = 0; j < kOrder - i; ++j) right[j] = 0.5 * (right[j] + right[j + 1]);
     }
     part(left, lo, middle, depth + 1);
+    if (m_first_alone && m_count > 0) return;
     part(right, middle, hi, depth + 1);
   }
 
@@ -259,23 +261,24 @@ class RootParting {
 
   const double* m_c;
   double* m_roots;
+  bool m_first_alone;
   int m_count = 0;
   double m_rounding = 0.0;
 };
 
 /// The same where the order is known only now.
-int solve_parted(const double* c, int order, double lo, double hi, double* roots) {
+int solve_parted(const double* c, int order, double lo, double hi, double* roots, bool first) {
   switch (order) {
-    case 3: return RootParting<3>(c, roots).solve(lo, hi);
-    case 4: return RootParting<4>(c, roots).solve(lo, hi);
-    case 5: return RootParting<5>(c, roots).solve(lo, hi);
-    case 6: return RootParting<6>(c, roots).solve(lo, hi);
-    case 7: return RootParting<7>(c, roots).solve(lo, hi);
-    case 8: return RootParting<8>(c, roots).solve(lo, hi);
-    case 9: return RootParting<9>(c, roots).solve(lo, hi);
-    case 10: return RootParting<10>(c, roots).solve(lo, hi);
-    case 11: return RootParting<11>(c, roots).solve(lo, hi);
-    default: return RootParting<kMostParted>(c, roots).solve(lo, hi);
+    case 3: return RootParting<3>(c, roots, first).solve(lo, hi);
+    case 4: return RootParting<4>(c, roots, first).solve(lo, hi);
+    case 5: return RootParting<5>(c, roots, first).solve(lo, hi);
+    case 6: return RootParting<6>(c, roots, first).solve(lo, hi);
+    case 7: return RootParting<7>(c, roots, first).solve(lo, hi);
+    case 8: return RootParting<8>(c, roots, first).solve(lo, hi);
+    case 9: return RootParting<9>(c, roots, first).solve(lo, hi);
+    case 10: return RootParting<10>(c, roots, first).solve(lo, hi);
+    case 11: return RootParting<11>(c, roots, first).solve(lo, hi);
+    default: return RootParting<kMostParted>(c, roots, first).solve(lo, hi);
   }
 }
 
@@ -342,14 +345,15 @@ int solve_cubic(double a, double b, double c, double d, double roots[3]) {
 
 int solve_quartic(const double c[5], double roots[4]) { return solve_unbounded(c, 4, roots); }
 
-int solve_between(const double* c, int order, double lo, double hi, double* roots) {
+int solve_between(const double* c, int order, double lo, double hi, double* roots,
+                  bool first_alone) {
   while (order > 1 && c[0] == 0.0) {
     ++c;
     --order;
   }
   if (!(lo <= hi)) return 0;
   if (order <= 2) return solve_low_order(c, order, lo, hi, roots);
-  if (order <= kMostParted && lo < hi) return solve_parted(c, order, lo, hi, roots);
+  if (order <= kMostParted && lo < hi) return solve_parted(c, order, lo, hi, roots, first_alone);
   return solve_pieces(c, order, lo, hi, rootless_derivative(c, order, lo, hi), roots);
 }
 

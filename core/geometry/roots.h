@@ -16,8 +16,9 @@ int solve_cubic(double a, double b, double c, double d, double roots[3]);
 /// c[0] x4 + ... + c[4].
 int solve_quartic(const double c[5], double roots[4]);
 /// The roots in [lo, hi], both finite, of c[0] x^order + ... + c[order], order 1 to 36; at most
-/// `order` of them.
-int solve_between(const double* c, int order, double lo, double hi, double* roots);
+/// `order` of them. Who needs the first alone may say so: more of them may come all the same.
+int solve_between(const double* c, int order, double lo, double hi, double* roots,
+                  bool first_alone = false);
 /// The same where lo and hi may be infinite.
 int solve_between_bounds(const double* c, int order, double lo, double hi, double* roots);
 

@@ -21,9 +21,11 @@ Bounds Torus::bounds_in(const Transform& t) const {
   return padded({c - ring - tube, c + ring + tube});
 }
 
-/// The crossings within the range, ascending. From the point of the ray nearest to the centre
-/// the quartic has no cubic term and its coefficients have the size of the torus alone.
-int Torus::crossings(const Ray& ray, double t_min, double t_max, double out[4]) const {
+/// The crossings within the range, ascending; the first, and maybe others, if it is asked for alone.
+/// From the point of the ray nearest to the centre the quartic has no cubic term and its
+/// coefficients have the size of the torus alone.
+int Torus::crossings(const Ray& ray, double t_min, double t_max, bool first_alone,
+                     double out[4]) const {
   const double size = m_major + m_minor;
   const double speed = length(ray.direction);
   const double inverse_speed = 1.0 / speed;
@@ -52,25 +54,32 @@ int Torus::crossings(const Ray& ray, double t_min, double t_max, double out[4]) 
   const double quartic[5] = {1.0, 0.0, 2.0 * (k + 2.0 * major2 * d.y * d.y), 8.0 * major2 * p.y * d.y,
                              k * k + 4.0 * major2 * (p.y * p.y - minor2)};
   double root[4];
-  const int n = solve_between(quartic, 4, lo, hi, root);
-  int kept = 0;
-  for (int i = 0; i < n; ++i) {
-    const double t = (root[i] + shift) * inverse_speed;
-    if (t > t_min && t < t_max) out[kept++] = t;
+  const auto keep = [&](int n) {
+    int kept = 0;
+    for (int i = 0; i < n; ++i) {
+      const double t = (root[i] + shift) * inverse_speed;
+      if (t > t_min && t < t_max) out[kept++] = t;
+    }
+    return kept;
+  };
+  if (first_alone) {
+    const int n = solve_between(quartic, 4, lo, hi, root, true);
+    if (n == 0) return 0;
+    if (const int kept = keep(n)) return kept;
   }
-  return kept;
+  return keep(solve_between(quartic, 4, lo, hi, root));
 }
 
 bool Torus::nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const {
   double t[4];
-  if (crossings(ray, t_min, t_max, t) == 0) return false;
+  if (crossings(ray, t_min, t_max, true, t) == 0) return false;
   hit = {t[0], 0, 0.0, 0.0};
   return true;
 }
 
 void Torus::all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const {
   double t[4];
-  const int n = crossings(ray, t_min, t_max, t);
+  const int n = crossings(ray, t_min, t_max, false, t);
   for (int i = 0; i < n; ++i) hits.push_back({t[i], 0, 0.0, 0.0});
 }
 

@@ -28,7 +28,7 @@ class Torus final : public Shape {
   Vec2 uv(const Vec3& p, const ShapeHit& hit) const override;
 
  private:
-  int crossings(const Ray& ray, double t_min, double t_max, double out[4]) const;
+  int crossings(const Ray& ray, double t_min, double t_max, bool first_alone, double out[4]) const;
   double m_major, m_minor;
   bool m_sturm;
 };

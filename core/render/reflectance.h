@@ -70,7 +70,7 @@ inline double specular_intensity(const Finish& finish, const Illumination& on) {
 /// The light as a metal's highlights show it.
 Rgb metal_highlight(const Finish& finish, const Illumination& on);
 /// phong and specular, metallic or not.
-inline Rgb highlights(const Finish& finish, const Illumination& on) {
+[[gnu::always_inline]] inline Rgb highlights(const Finish& finish, const Illumination& on) {
   Rgb sum;
   const Rgb light = finish.metallic > 0.0 ? metal_highlight(finish, on) : on.light;
   if (finish.phong > 0.0) sum += times(light, phong_intensity(finish, on));

@@ -114,6 +114,8 @@ TEST(UnitCoreRoots, OnlyBetween) {
   ASSERT_EQ(solve_between(c, 4, 0.0, 3.0, found), 2);
   EXPECT_NEAR(found[0], 1.0, 1e-14);
   EXPECT_NEAR(found[1], 2.0, 1e-14);
+  ASSERT_GE(solve_between(c, 4, 0.0, 3.0, found, true), 1);
+  EXPECT_NEAR(found[0], 1.0, 1e-14);
   EXPECT_EQ(solve_between(c, 4, 5.0, 9.0, found), 0);
   ASSERT_EQ(solve_between(c, 4, 1.0, 1.5, found), 1);  // at the very end
 }
