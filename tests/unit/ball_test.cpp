@@ -15,7 +15,7 @@ using core::Ray;
 class Rays {
  public:
   Vec3 point(double reach) { return Vec3{m_even(m_random), m_even(m_random), m_even(m_random)} * reach; }
-  Ray between(const Vec3& a, const Vec3& b) { return {a, b - a}; }
+  Ray between(const Vec3& a, const Vec3& b) { return {a, normalized(b - a)}; }
 
  private:
   std::mt19937 m_random{11};
