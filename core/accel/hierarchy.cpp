@@ -241,6 +241,7 @@ void Hierarchy::Impl::average_costs(const std::vector<ObjectEntry>& entries) {
 Hierarchy::Impl::Impl(const std::vector<std::unique_ptr<Object>>& objects,
                       Accelerator accelerator, bool portable) {
   std::vector<ObjectEntry> entries;
+  entries.reserve(objects.size());
   for (std::size_t i = 0; i < objects.size(); ++i) {
     const Object& object = *objects[i];
     ObjectEntry entry{&object, object.bounds(), static_cast<std::uint32_t>(i), flags_of(object),

@@ -41,6 +41,7 @@ ObjectTree::Kind ObjectTree::kind_of(const Object& object) {
 ObjectTree::ObjectTree(std::span<const ObjectEntry> objects, Accelerator accelerator,
                        bool portable)
     : m_avx2(!portable && has_avx2()) {
+  m_entries.reserve(objects.size());
   for (const ObjectEntry& entry : objects) {
     (entry.bounds.is_finite() ? m_entries : m_unbounded).push_back(entry);
   }
@@ -67,6 +68,7 @@ void ObjectTree::build_tree(const std::vector<Bounds>& boxes) {
     throw std::length_error("more objects than a bounding hierarchy holds");
   }
   std::vector<std::uint8_t> kinds;
+  kinds.reserve(m_entries.size());
   for (const ObjectEntry& entry : m_entries) kinds.push_back(kind_of(*entry.object));
   // In node tests: a pack costs about one, a virtual call with its test somewhat more.
   static constexpr WideBvh::Options::Kind kCosts[] = {

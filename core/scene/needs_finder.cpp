@@ -44,6 +44,31 @@ bool is_opaque(const Leaf& leaf) {
   return opaque;
 }
 
+/// Tells whether a leaf is of the last one's kind and shows the same, as most are. Never of meshes:
+/// their faces have looks of their own.
+class LikeTheLast {
+ public:
+  bool operator()(const Leaf& leaf) {
+    const Shape& shape = leaf.shape();
+    const Attributes& a = leaf.attributes();
+    if (&typeid(shape) == m_shape && a.texture == m_texture && a.interior_texture == m_interior_texture &&
+        a.interior == m_interior) {
+      return true;
+    }
+    m_shape = mesh_of(leaf) ? nullptr : &typeid(shape);
+    m_texture = a.texture;
+    m_interior_texture = a.interior_texture;
+    m_interior = a.interior;
+    return false;
+  }
+
+ private:
+  const std::type_info* m_shape = nullptr;
+  const Texture* m_texture = nullptr;
+  const Texture* m_interior_texture = nullptr;
+  const Interior* m_interior = nullptr;
+};
+
 class Finder {
  public:
   explicit Finder(const SceneParts& parts) : m_parts(parts) {}
@@ -87,6 +112,7 @@ class Finder {
 
   void look_at_leaf(const Leaf& leaf) {
     count_name(leaf.name());
+    if (m_like_the_last(leaf)) return;
     const Attributes& a = leaf.attributes();
     if (a.interior) m_needs.interiors = true;
     if (a.interior_texture && a.interior_texture != a.texture) m_needs.interior_textures = true;
@@ -111,8 +137,6 @@ class Finder {
   }
 
   void look_at_texture(const Texture& texture) {
-    if (&texture == m_texture) return;
-    m_texture = &texture;
     if (!m_seen.insert(&texture).second) return;
     if (!dynamic_cast<const LayeredTexture*>(&texture)) m_needs.textures_by_place = true;
     std::vector<const LayeredTexture*> stacks;
@@ -139,7 +163,7 @@ class Finder {
 
   const SceneParts& m_parts;
   std::set<const Texture*> m_seen;
-  const Texture* m_texture = nullptr;  ///< seen last
+  LikeTheLast m_like_the_last;
   std::string_view m_name;             ///< counted last, in *m_counted
   std::size_t* m_counted = nullptr;
   Needs m_needs;
@@ -147,8 +171,15 @@ class Finder {
 
 }  // namespace
 
-bool all_opaque(const Object& object) {
-  return every_leaf(object, [](const Leaf& leaf) { return is_opaque(leaf); });
+void set_opacity(const std::vector<std::unique_ptr<Object>>& objects) {
+  LikeTheLast like_the_last;
+  bool last = true;
+  for (const auto& object : objects) {
+    object->set_opaque(every_leaf(*object, [&](const Leaf& leaf) {
+      if (!like_the_last(leaf)) last = is_opaque(leaf);
+      return last;
+    }));
+  }
 }
 
 Needs find_needs(const SceneParts& parts) { return Finder(parts).run(); }

@@ -6,9 +6,9 @@
 
 namespace lentray::core {
 
-/// True when every surface of the object stops all light: textures, interior textures, and those
-/// of a mesh's faces.
-bool all_opaque(const Object& object);
+/// Notes of each object whether every surface of it stops all light: textures, interior textures,
+/// and those of a mesh's faces.
+void set_opacity(const std::vector<std::unique_ptr<Object>>& objects);
 
 /// Objects must be split and their opacity set.
 Needs find_needs(const SceneParts& parts);

@@ -6,6 +6,7 @@ namespace lentray::core {
 
 SolidIndex::SolidIndex(const std::vector<std::unique_ptr<Object>>& objects,
                        const std::vector<std::uint32_t>& groups) {
+  m_bounded.reserve(objects.size());
   for (std::size_t i = 0; i < objects.size(); ++i) {
     const Object& object = *objects[i];
     const Solid solid{&object, object.solid_bounds(), static_cast<std::uint32_t>(i), groups[i]};

@@ -136,12 +136,13 @@ void read_scene(Run& run, const std::string& path) {
   connect(diagnostics, run);
 
   const double before = cpu_seconds();
-  const parser::SceneDesc description =
+  parser::SceneDesc description =
       parser::read_descriptions(path, sources, diagnostics, parser_options(o));
   const double parsed = cpu_seconds();
   run.report.parse_cpu_s = parsed - before;
 
   core::SceneParts parts = parser::build_scene(description, diagnostics, {o.quality});
+  description.objects = {};  // their memory is used again by what is built next
   run.not_rendered = parts.not_rendered;
   run.slopes = parts.slopes;
   reduce(parts, o.quality);
