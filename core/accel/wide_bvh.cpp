@@ -138,7 +138,7 @@ class BinaryBuilder {
 
  private:
   /// Few parts need few bins.
-  static int bins_for(std::uint32_t count) { return count <= 4 ? 4 : count <= 8 ? 8 : count <= 64 ? 16 : 32; }
+  static int bins_for(std::uint32_t count) { return count <= 8 ? 4 : count <= 32 ? 8 : 16; }
   static constexpr double kNodeCost = 0.35;  // of one binary step: an 8-wide node does about three
   static constexpr std::uint32_t kMostSampled = 2048;
   struct Bin {
@@ -188,8 +188,7 @@ class BinaryBuilder {
     switch (bins_for(count)) {
       case 4: return best_split<4>(first, count, middles, alike);
       case 8: return best_split<8>(first, count, middles, alike);
-      case 16: return best_split<16>(first, count, middles, alike);
-      default: return best_split<32>(first, count, middles, alike);
+      default: return best_split<16>(first, count, middles, alike);
     }
   }
   template <int kUsed>

@@ -78,7 +78,7 @@ void Csg::fence_children() {
   m_solid = join ? Bounds() : Bounds::everything();
   m_void = join ? Bounds::everything() : Bounds();
   m_leaves_bounds = false;
-  std::vector<Bounds> before(n + 1, Bounds::everything());
+  std::vector<Bounds> before(join ? 0 : n + 1, Bounds::everything());
   for (std::size_t i = 0; i < n; ++i) {
     const Bounds solid = m_children[i]->solid_bounds(), hollow = m_children[i]->void_bounds();
     Fence& fence = m_fences[i];
@@ -89,23 +89,22 @@ void Csg::fence_children() {
       m_leaves_bounds = true;
       fence.decide = Bounds::everything();
     }
-    before[i + 1] = before[i];
-    before[i + 1].intersect(solid);
     if (join) {
       m_solid.include(solid);
       m_void.intersect(hollow);
+      m_surface.include(fence.surface);
     } else {
+      before[i + 1] = before[i];
+      before[i + 1].intersect(solid);
       m_solid.intersect(solid);
       m_void.include(hollow);
     }
   }
   Bounds after = Bounds::everything();
-  for (std::size_t i = n; i-- > 0;) {
-    if (!join) {
-      m_fences[i].surface.intersect(before[i]);
-      m_fences[i].surface.intersect(after);
-      if (m_fences[i].surface.is_empty()) m_fences[i].surface = Bounds();
-    }
+  for (std::size_t i = join ? 0 : n; i-- > 0;) {
+    m_fences[i].surface.intersect(before[i]);
+    m_fences[i].surface.intersect(after);
+    if (m_fences[i].surface.is_empty()) m_fences[i].surface = Bounds();
     after.intersect(m_children[i]->solid_bounds());
     m_surface.include(m_fences[i].surface);
   }

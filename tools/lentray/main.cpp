@@ -1,4 +1,6 @@
 // lentray: renders POV-Ray scenes, also as integral images for lenticular sheets.
+#include <malloc.h>
+
 #include <atomic>
 #include <csignal>
 #include <cstdio>
@@ -39,6 +41,14 @@ void set_signals() {
   // a message, instead of ending the program.
   std::signal(SIGXFSZ, SIG_IGN);
   std::signal(SIGPIPE, SIG_IGN);
+}
+
+/// What reading a scene gave back is used again by what is built of it: memory from the system costs
+/// more than filling it. Blocks above the first limit still come and go one by one.
+void keep_memory() {
+  mallopt(M_MMAP_THRESHOLD, 32 << 20);
+  mallopt(M_TRIM_THRESHOLD, 1 << 30);
+  mallopt(M_TOP_PAD, 1 << 20);
 }
 
 using parser::Stream;
@@ -89,6 +99,7 @@ int guarded(Work work) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  keep_memory();
   const std::vector<std::string> arguments(argv + 1, argv + argc);
   parser::RenderOptions options;
   std::vector<std::string> warnings;
