@@ -14,7 +14,7 @@ constexpr double kFarthest = 9e15;   // beyond, steps of one do not move a numbe
 class Compiler {
  public:
   Compiler(std::size_t parameters, std::size_t locals)
-      : m_parameters(parameters), m_next(parameters + locals), m_used(m_next) {}
+      : m_parameters(parameters), m_first_between(parameters + locals), m_next(m_first_between), m_used(m_next) {}
 
   std::shared_ptr<const Function> run(const FunctionNode& root) {
     const std::int16_t result = operand(root);
@@ -49,7 +49,10 @@ class Compiler {
     return m_code.size() - 1;
   }
 
-  void land(std::size_t jump) { m_code[jump].jump = static_cast<std::uint16_t>(m_code.size()); }
+  void land(std::size_t jump) {
+    m_code[jump].jump = static_cast<std::uint16_t>(m_code.size());
+    m_landed = m_code.size();
+  }
 
   // Where the value of a node can be read: its own place if it is a leaf, else a new register.
   std::int16_t operand(const FunctionNode& node) {
@@ -114,10 +117,25 @@ class Compiler {
       const FunctionNode& step = *chain.operations.back();
       const std::int16_t b = step.operands.size() > 1 ? operand(*step.operands[1]) : a;
       const std::int16_t result = chain.operations.size() > 1 ? between : target;
-      emit(ProgramOp::kArithmetic, result, a, b, step.op);
+      if (!emit_with_product(step.op, result, a, b)) emit(ProgramOp::kArithmetic, result, a, b, step.op);
       a = result;
       m_next = mark;
     }
+  }
+
+  /// A sum or difference whose right side is the product that was computed last: both at once.
+  bool emit_with_product(FunctionOp op, std::int16_t target, std::int16_t a, std::int16_t b) {
+    if (op != FunctionOp::kAdd && op != FunctionOp::kSubtract) return false;
+    // Registers above the variables are read once. Jumps may lead to what comes next.
+    if (b < static_cast<std::int16_t>(m_first_between) || m_code.empty() || m_landed == m_code.size()) return false;
+    const Instruction product = m_code.back();
+    if (product.kind != ProgramOp::kArithmetic || product.op != FunctionOp::kMultiply || product.target != b) {
+      return false;
+    }
+    m_code.pop_back();
+    emit(op == FunctionOp::kAdd ? ProgramOp::kAddProduct : ProgramOp::kSubtractProduct, target, a, product.a);
+    m_code.back().jump = static_cast<std::uint16_t>(product.b);
+    return true;
   }
 
   void into(const FunctionNode& node, std::int16_t target) {
@@ -188,7 +206,7 @@ class Compiler {
     emit(ProgramOp::kArithmetic, last, last, limit, FunctionOp::kMin);
     const std::int16_t total = allocate();
     emit(ProgramOp::kMove, total, constant(sum ? 0.0 : 1.0));
-    const std::size_t loop = m_code.size();
+    const std::size_t loop = m_landed = m_code.size();
     const std::size_t end = emit(ProgramOp::kJumpPast, 0, variable, last);
     const std::int16_t term = operand(*node.operands[2]);
     emit(ProgramOp::kArithmetic, total, total, term,
@@ -200,8 +218,9 @@ class Compiler {
     emit(ProgramOp::kMove, target, total);
   }
 
-  const std::size_t m_parameters;
+  const std::size_t m_parameters, m_first_between;
   std::size_t m_next, m_used;
+  std::size_t m_landed = 0;  ///< where jumps led last
   std::vector<Instruction> m_code;
   std::vector<double> m_constants;
   std::vector<std::shared_ptr<const Function>> m_callees;

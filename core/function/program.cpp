@@ -83,6 +83,7 @@ Program::Program(std::vector<Instruction> code, std::vector<double> constants,
   m_code.push_back({ProgramOp::kEnd, FunctionOp::kConstant, 0, result, 0, 0});
   for (Instruction& i : m_code) {
     if (i.kind == ProgramOp::kCall && m_calls[i.jump].noise_generator) i.kind = ProgramOp::kNoise;
+    if (i.kind >= ProgramOp::kJump && i.kind <= ProgramOp::kCall) m_is_straight = false;
     if (i.kind != ProgramOp::kArithmetic) continue;
     if (i.op == FunctionOp::kAdd) i.kind = ProgramOp::kAdd;
     if (i.op == FunctionOp::kSubtract) i.kind = ProgramOp::kSubtract;
@@ -133,6 +134,8 @@ double Program::execute(double* frame) const {
       case ProgramOp::kSubtract: frame[i.target] = value(i.a) - value(i.b); break;
       case ProgramOp::kMultiply: frame[i.target] = value(i.a) * value(i.b); break;
       case ProgramOp::kArithmetic: frame[i.target] = apply(i.op, value(i.a), value(i.b)); break;
+      case ProgramOp::kAddProduct: frame[i.target] = value(i.a) + value(i.b) * value(i.c()); break;
+      case ProgramOp::kSubtractProduct: frame[i.target] = value(i.a) - value(i.b) * value(i.c()); break;
       case ProgramOp::kMove: frame[i.target] = value(i.a); break;
       case ProgramOp::kJump: next = code + i.jump; break;
       case ProgramOp::kJumpFalse: if (value(i.a) == 0.0) next = code + i.jump; break;
@@ -144,6 +147,46 @@ double Program::execute(double* frame) const {
         frame[i.target] = noise(frame[i.b], frame[i.b + 1], frame[i.b + 2], *m_calls[i.jump].noise_generator);
         break;
       case ProgramOp::kEnd: return value(i.a);
+      default: __builtin_unreachable();
+    }
+  }
+}
+
+bool Program::WideFrame::prepare(const Program& program) {
+  const std::size_t constants = program.m_constants.size();
+  if (!program.m_is_straight || program.m_parameters != 3 || constants + program.m_frame > kSmallFrame) return false;
+  m_program = &program;
+  m_arguments = m_memory.data() + constants;
+  for (std::size_t i = 0; i < constants; ++i) m_memory[i] = Lanes{} + program.m_constants[i];
+  for (std::size_t i = 0; i < 3; ++i) m_arguments[i] = Lanes{};
+  return true;
+}
+
+Program::Lanes Program::execute(Lanes* frame) const {
+  const auto value = [frame](std::int16_t i) -> const Lanes& { return frame[i]; };
+  for (const Instruction* next = m_code.data();; ++next) {
+    const Instruction& i = *next;
+    switch (i.kind) {
+      case ProgramOp::kAdd: frame[i.target] = value(i.a) + value(i.b); break;
+      case ProgramOp::kSubtract: frame[i.target] = value(i.a) - value(i.b); break;
+      case ProgramOp::kMultiply: frame[i.target] = value(i.a) * value(i.b); break;
+      case ProgramOp::kAddProduct: frame[i.target] = value(i.a) + value(i.b) * value(i.c()); break;
+      case ProgramOp::kSubtractProduct: frame[i.target] = value(i.a) - value(i.b) * value(i.c()); break;
+      case ProgramOp::kMove: frame[i.target] = value(i.a); break;
+      case ProgramOp::kArithmetic: {
+        const Lanes a = value(i.a), b = value(i.b);
+        for (std::size_t lane = 0; lane < WideFrame::kPoints; ++lane) frame[i.target][lane] = apply(i.op, a[lane], b[lane]);
+        break;
+      }
+      case ProgramOp::kNoise: {
+        const int generator = *m_calls[i.jump].noise_generator;
+        const Lanes x = frame[i.b], y = frame[i.b + 1], z = frame[i.b + 2];
+        for (std::size_t lane = 0; lane < WideFrame::kPoints; ++lane) {
+          frame[i.target][lane] = noise(x[lane], y[lane], z[lane], generator);
+        }
+        break;
+      }
+      default: return value(i.a);
     }
   }
 }

@@ -30,6 +30,8 @@ enum class ProgramOp : std::uint8_t {
   kAdd,
   kSubtract,
   kMultiply,
+  kAddProduct,       ///< target = a + b * c, rounded twice
+  kSubtractProduct,  ///< target = a - b * c, rounded twice
   kNoise,        ///< target = noise at the registers from b, callee number `jump`
   kEnd,          ///< the result is a
 };
@@ -39,6 +41,7 @@ struct alignas(16) Instruction {
   FunctionOp op = FunctionOp::kConstant;
   std::int16_t target = 0, a = 0, b = 0;
   std::uint16_t jump = 0;
+  std::int16_t c() const { return static_cast<std::int16_t>(jump); }  ///< of those with three operands
 };
 
 class Program final : public Function {
@@ -54,6 +57,9 @@ class Program final : public Function {
   std::size_t parameters() const override { return m_parameters; }
   double evaluate(std::span<const double> arguments) const override;
   std::string not_yet() const override;
+
+  /// A register of two points.
+  using Lanes [[gnu::vector_size(16)]] = double;
 
   /// For who asks often: memory of a run whose constants lie in place already.
   class Frame {
@@ -73,11 +79,36 @@ class Program final : public Function {
     std::array<double, kSmallFrame> m_memory;
   };
 
+  /// For who can use the values at several points at once: they are computed side by side, in little
+  /// more time than one, which waits for itself. Bits are those of one after the other.
+  class WideFrame {
+   public:
+    static constexpr std::size_t kPoints = 2;
+    /// False if the program has another number of parameters, does not fit, or holds jumps or calls
+    /// but of noise.
+    bool prepare(const Program& program);
+    std::array<double, kPoints> operator()(const std::array<Vec3, kPoints>& points) {
+      for (std::size_t i = 0; i < kPoints; ++i) {
+        m_arguments[0][i] = points[i].x;
+        m_arguments[1][i] = points[i].y;
+        m_arguments[2][i] = points[i].z;
+      }
+      const Lanes result = m_program->execute(m_arguments);
+      return {result[0], result[1]};
+    }
+
+   private:
+    const Program* m_program = nullptr;
+    Lanes* m_arguments = nullptr;
+    std::array<Lanes, kSmallFrame> m_memory;
+  };
+
  private:
   /// Of more constants and registers than kSmallFrame; beyond kLargestFrame they are allocated.
   double evaluate_large(std::span<const double> arguments) const;
   double run(double* memory, std::span<const double> arguments) const;
   double execute(double* frame) const;
+  Lanes execute(Lanes* frame) const;
   void call(const Instruction& i, double* frame) const;
 
   std::vector<Instruction> m_code;
@@ -92,6 +123,7 @@ class Program final : public Function {
   };
   std::vector<Callee> m_calls;
   std::size_t m_parameters, m_frame;
+  bool m_is_straight = true;  ///< no jumps, no calls but of noise
 };
 
 /// The arithmetic of one operation; b is ignored by those of one operand.

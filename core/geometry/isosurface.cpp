@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -26,15 +27,24 @@ class Isosurface::Field {
  public:
   explicit Field(const Isosurface& surface)
       : m_surface(surface),
-        m_is_ready(surface.m_program && m_frame.prepare(*surface.m_program)) {}
+        m_is_ready(surface.m_program && m_frame.prepare(*surface.m_program)),
+        m_is_wide(m_is_ready && m_wide.prepare(*surface.m_program)) {}
   double operator()(const Vec3& p) {
     return m_is_ready ? m_frame(p) - m_surface.m_set.threshold : m_surface.value(p);
+  }
+  /// Whether two points take little more time than one.
+  bool is_wide() const { return m_is_wide; }
+  std::array<double, 2> operator()(const std::array<Vec3, 2>& points) {
+    std::array<double, 2> values = m_wide(points);
+    for (double& value : values) value -= m_surface.m_set.threshold;
+    return values;
   }
 
  private:
   const Isosurface& m_surface;
   Program::Frame m_frame;
-  bool m_is_ready;
+  Program::WideFrame m_wide;
+  bool m_is_ready, m_is_wide;
 };
 
 /// The function along a ray, positive on the side where the search stands.
@@ -54,8 +64,11 @@ struct Isosurface::Search {
 
   double at(double t) { return sign * field(ray.at(t)); }
 
+  static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
   /// The first t in [from, to] where the function is below 0. `reach`: how much it can fall there.
-  bool find(double from, double f_from, double to, double f_to, double reach, double& t) {
+  /// `f_middle`: the function in the middle, if it is known already.
+  bool find(double from, double f_from, double to, double f_to, double reach, double f_middle, double& t) {
     const IsosurfaceSettings& set = surface.m_set;
     const double span = to - from;
     const double rise = std::fabs(f_to - f_from);
@@ -73,9 +86,22 @@ struct Isosurface::Search {
       return f_to < 0.0;
     }
     if (f_from + f_to - reach >= 0.0) return false;
-    const double f_middle = at(middle);
-    return find(from, f_from, middle, f_middle, 0.5 * reach, t) ||
-           find(middle, f_middle, to, f_to, 0.5 * reach, t);
+    double f_first = kUnknown, f_last = kUnknown;
+    if (std::isnan(f_middle)) {
+      // Which half is probably looked at next, as if the function were linear.
+      const double half = 0.5 * reach, mean = 0.5 * (f_from + f_to);
+      const bool first = f_from + mean < half, last = mean + f_to < half;
+      if (field.is_wide() && (first || last) && 0.5 * span >= accuracy) {
+        const double next = first ? from + 0.5 * (middle - from) : middle + 0.5 * (to - middle);
+        const std::array<double, 2> f = field({ray.at(middle), ray.at(next)});
+        f_middle = sign * f[0];
+        (first ? f_first : f_last) = sign * f[1];
+      } else {
+        f_middle = at(middle);
+      }
+    }
+    return find(from, f_from, middle, f_middle, 0.5 * reach, f_first, t) ||
+           find(middle, f_middle, to, f_to, 0.5 * reach, f_last, t);
   }
 
   /// f_from and f_to: the function there, without the sign.
@@ -88,7 +114,7 @@ struct Isosurface::Search {
     f_to *= sign;
     const IsosurfaceSettings& set = surface.m_set;
     if (set.evaluates && gradient > set.max_gradient) gradient *= set.shrinking;
-    return find(from, f_from, to, f_to, gradient * speed * (to - from), t);
+    return find(from, f_from, to, f_to, gradient * speed * (to - from), kUnknown, t);
   }
 };
 

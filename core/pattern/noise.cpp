@@ -173,7 +173,7 @@ LENTRAY_AVX2 inline __m256d corners_avx2(const int columns[4], int layer, __m256
                                          __m256d weights, __m256d layer_weight) {
   constexpr int kZ = kLayer * 8;  // lanes of `far`: 2 x, 4 y, 8 z
   const auto gradient = [&](int column) LENTRAY_AVX2 {
-    return _mm256_loadu_pd(&kNoiseGradients[kHash[static_cast<std::size_t>(columns[column] ^ layer)] & 0xFFu]);
+    return _mm256_loadu_pd(&kNoiseGradients[kHash[static_cast<unsigned>(columns[column] ^ layer)] & 0xFFu]);
   };
   const __m256d a = _mm256_mul_pd(gradient(0), _mm256_blend_pd(near, far, kZ));
   const __m256d b = _mm256_mul_pd(gradient(1), _mm256_blend_pd(near, far, kZ | 2));
@@ -185,6 +185,14 @@ LENTRAY_AVX2 inline __m256d corners_avx2(const int columns[4], int layer, __m256
   sum = _mm256_add_pd(sum, _mm256_permute2f128_pd(ab, cd, 0x31));
   sum = _mm256_add_pd(sum, _mm256_permute2f128_pd(ab_odd, cd_odd, 0x31));
   return _mm256_mul_pd(_mm256_mul_pd(weights, layer_weight), sum);
+}
+
+/// From what the noises give to 0..1.
+inline double in_range(double value, int generator) {
+  double sum = value + 0.5;
+  if (generator == 3) sum = 0.5 * (1.59 * value + 0.985);
+  if (generator == 2) sum = (value + 1.05242) * 0.48985582;
+  return std::clamp(sum, 0.0, 1.0);
 }
 
 /// Beyond, cells are not counted in 32 bits.
@@ -200,10 +208,10 @@ LENTRAY_AVX2 inline __m256d s_curve(__m256d t) {
   return _mm256_mul_pd(_mm256_mul_pd(t, t), slope);
 }
 
-/// lattice_noise_portable, to the bit.
-LENTRAY_AVX2 [[gnu::noinline]] double lattice_noise_avx2(double px, double py, double pz) {
+/// lattice_noise_portable, to the bit, in range.
+LENTRAY_AVX2 [[gnu::noinline]] double lattice_noise_avx2(double px, double py, double pz, int generator) {
   const __m256d p = _mm256_set_pd(pz, py, px, 0.0);
-  if (!is_near(p)) return lattice_noise_portable({px, py, pz});
+  if (!is_near(p)) return in_range(lattice_noise_portable({px, py, pz}), generator);
   const __m256d below = _mm256_blendv_pd(p, _mm256_sub_pd(p, _mm256_set1_pd(1.0 - kEpsilon)),
                                          _mm256_cmp_pd(p, _mm256_setzero_pd(), _CMP_LT_OQ));
   const __m128i cell = _mm256_cvttpd_epi32(below);
@@ -215,7 +223,7 @@ LENTRAY_AVX2 [[gnu::noinline]] double lattice_noise_avx2(double px, double py, d
   const __m128i place = _mm_and_si128(_mm_add_epi32(cell, _mm_set1_epi32(kLatticeOrigin)),
                                       _mm_set1_epi32(kLattice - 1));
   const int x = _mm_extract_epi32(place, 1), y = _mm_extract_epi32(place, 2), z = _mm_extract_epi32(place, 3);
-  const auto hash = [](int i) { return static_cast<int>(kHash[static_cast<std::size_t>(i)]); };
+  const auto hash = [](int i) { return static_cast<int>(kHash[static_cast<unsigned>(i)]); };
   const int low = hash(x), high = hash(x + 1);
   const int columns[4] = {hash(low ^ y), hash(high ^ y), hash(low ^ (y + 1)), hash(high ^ (y + 1))};
   const __m256d xz = _mm256_unpackhi_pd(weight_near, weight_far), y_only = _mm256_unpacklo_pd(weight_near, weight_far);
@@ -225,7 +233,7 @@ LENTRAY_AVX2 [[gnu::noinline]] double lattice_noise_avx2(double px, double py, d
   _mm256_store_pd(values + 4, corners_avx2<1>(columns, z + 1, near, far, weights, _mm256_permute4x64_pd(xz, 0xFF)));
   double sum = 0.0;
   for (const double value : values) sum += value;
-  return sum;
+  return in_range(sum, generator);
 }
 
 /// One axis of the solid noise's cell; the offset keeps coordinates positive.
@@ -306,20 +314,12 @@ LENTRAY_AVX2 [[gnu::noinline]] double solid_noise_avx2(double px, double py, dou
   return first + _mm256_cvtsd_f64(_mm256_permute4x64_pd(weight, 0xAA)) * (second - first);
 }
 
-/// From what the noises give to 0..1.
-double in_range(double value, int generator) {
-  double sum = value + 0.5;
-  if (generator == 3) sum = 0.5 * (1.59 * value + 0.985);
-  if (generator == 2) sum = (value + 1.05242) * 0.48985582;
-  return std::clamp(sum, 0.0, 1.0);
-}
-
 }  // namespace
 
 double noise(double x, double y, double z, int generator) {
   const bool avx2 = has_avx2();
   if (generator == 3) return in_range(avx2 ? solid_noise_avx2(x, y, z) : solid_noise_portable({x, y, z}), 3);
-  return in_range(avx2 ? lattice_noise_avx2(x, y, z) : lattice_noise_portable({x, y, z}), generator);
+  return avx2 ? lattice_noise_avx2(x, y, z, generator) : in_range(lattice_noise_portable({x, y, z}), generator);
 }
 
 Vec3 vector_noise(const Vec3& point) {
