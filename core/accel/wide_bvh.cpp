@@ -260,6 +260,10 @@ BinaryBuilder::Split BinaryBuilder::best_split(std::uint32_t first, std::uint32_
   // Cost of one started pack of parts on average: small sides pay for whole packs.
   const auto kind = kind_of(m_items[first]);
   const int pack = step > 1 ? 1 : kind.pack;
+  const double packs_a_part = 1.0 / pack, started = packs_a_part * (pack - 1) + 1e-9;
+  const auto packs = [&](std::uint32_t n) {  // leaf_cost_parts without its division
+    return static_cast<double>(static_cast<std::int32_t>(n * packs_a_part + started));
+  };
   const std::uint32_t sampled = (count + step - 1) / step;
   const double pack_cost = (alike ? kind.cost / kind.pack : weight / sampled) * pack * step;
   for (int a = 0; a < 3; ++a) {
@@ -269,7 +273,7 @@ BinaryBuilder::Split BinaryBuilder::best_split(std::uint32_t first, std::uint32_
     for (int b = kUsed - 1; b > 0; --b) {
       box.include(bins[a][b].box);
       n += bins[a][b].count;
-      right_cost[b] = n == 0 ? Bounds::kInf : box.surface() * leaf_cost_parts(n, pack) * pack_cost;
+      right_cost[b] = n == 0 ? Bounds::kInf : box.surface() * packs(n) * pack_cost;
     }
     box = FloatBox{};
     n = 0;
@@ -277,7 +281,7 @@ BinaryBuilder::Split BinaryBuilder::best_split(std::uint32_t first, std::uint32_
       box.include(bins[a][b - 1].box);
       n += bins[a][b - 1].count;
       if (n == 0) continue;
-      const double cost = box.surface() * leaf_cost_parts(n, pack) * pack_cost + right_cost[b];
+      const double cost = box.surface() * packs(n) * pack_cost + right_cost[b];
       if (cost < best.cost) best = {cost, a, b};
     }
   }
