@@ -38,12 +38,12 @@ bool is_plain_union(const ObjectDesc& object) {
 /// The functions that make the shape.
 std::vector<const FunctionDesc*> functions_of(const ObjectDesc& object) {
   std::vector<const FunctionDesc*> all;
-  if (const auto* field = std::get_if<HeightFieldShape>(&object.shape)) {
-    if (field->function) all.push_back(field->function.get());
-  } else if (const auto* surface = std::get_if<IsosurfaceShape>(&object.shape)) {
-    all.push_back(surface->function.get());
-  } else if (const auto* patch = std::get_if<ParametricShape>(&object.shape)) {
-    for (const Ref<FunctionDesc>& f : patch->functions) all.push_back(f.get());
+  if (const auto* field = std::get_if<Sparse<HeightFieldShape>>(&object.shape)) {
+    if ((*field)->function) all.push_back((*field)->function.get());
+  } else if (const auto* surface = std::get_if<Sparse<IsosurfaceShape>>(&object.shape)) {
+    all.push_back((*surface)->function.get());
+  } else if (const auto* patch = std::get_if<Sparse<ParametricShape>>(&object.shape)) {
+    for (const Ref<FunctionDesc>& f : (*patch)->functions) all.push_back(f.get());
   }
   return all;
 }
@@ -263,8 +263,8 @@ std::unique_ptr<core::Object> ObjectBuilder::build_csg(const ObjectDesc& object,
 std::unique_ptr<core::Object> ObjectBuilder::build_leaf(const ObjectDesc& object,
                                                         const core::Transform& to_world,
                                                         const Inherited& looks) {
-  if (const auto* text = std::get_if<TextShape>(&object.shape)) {
-    return build_text(*text, to_world, looks);
+  if (const auto* text = std::get_if<Sparse<TextShape>>(&object.shape)) {
+    return build_text(**text, to_world, looks);
   }
   for (const FunctionDesc* function : functions_of(object)) {
     // What is not evaluated yet is 0: the shape would be no likeness.

@@ -123,7 +123,8 @@ struct ShapeMaker {
   ShapePointer operator()(const TriangleShape& s) const {
     return std::make_unique<core::Triangle>(s.p[0], s.p[1], s.p[2]);
   }
-  ShapePointer operator()(const SmoothTriangleShape& s) const {
+  ShapePointer operator()(const Sparse<SmoothTriangleShape>& shape) const {
+    const SmoothTriangleShape& s = *shape;
     return std::make_unique<core::SmoothTriangle>(s.p[0], s.n[0], s.p[1], s.n[1], s.p[2], s.n[2]);
   }
   ShapePointer operator()(const PolygonShape& s) const {
@@ -132,7 +133,8 @@ struct ShapeMaker {
   ShapePointer operator()(const QuadricShape& s) const {
     return std::make_unique<core::Quadric>(s.c);
   }
-  ShapePointer operator()(const HeightFieldShape& s) const {
+  ShapePointer operator()(const Sparse<HeightFieldShape>& shape) const {
+    const HeightFieldShape& s = *shape;
     return std::make_unique<core::HeightField>(build_height_grid(s), s.water_level);
   }
   ShapePointer operator()(const std::shared_ptr<const BicubicPatchShape>& s) const {
@@ -141,7 +143,8 @@ struct ShapeMaker {
   ShapePointer operator()(const std::shared_ptr<const BlobShape>& s) const {
     return std::make_unique<core::Blob>(s->threshold, blob_fields(*s));
   }
-  ShapePointer operator()(const IsosurfaceShape& s) const {
+  ShapePointer operator()(const Sparse<IsosurfaceShape>& shape) const {
+    const IsosurfaceShape& s = *shape;
     constexpr int kMostSurfaces = 10;
     core::IsosurfaceSettings set;
     set.function = s.function->function;
@@ -162,7 +165,8 @@ struct ShapeMaker {
     set.open = s.open;
     return std::make_unique<core::Isosurface>(std::move(set));
   }
-  ShapePointer operator()(const JuliaFractalShape& s) const {
+  ShapePointer operator()(const Sparse<JuliaFractalShape>& shape) const {
+    const JuliaFractalShape& s = *shape;
     core::JuliaSettings set;
     set.hypercomplex = s.hypercomplex;
     set.function = julia_function(s.function);
@@ -190,7 +194,8 @@ struct ShapeMaker {
   ShapePointer operator()(const SphereSweepShape& s) const {
     return std::make_unique<core::SphereSweep>(sweep_pieces(s));
   }
-  ShapePointer operator()(const ParametricShape& s) const {
+  ShapePointer operator()(const Sparse<ParametricShape>& shape) const {
+    const ParametricShape& s = *shape;
     core::ParametricSettings set;
     for (std::size_t i = 0; i < 3; ++i) set.functions[i] = s.functions[i]->function;
     set.lo = s.lo;

@@ -162,7 +162,7 @@ class BoxFinder {
     return kept(box);
   }
   Bounds leaf(const TriangleShape& s, const ObjectDesc& o) { return points(s.p, o); }
-  Bounds leaf(const SmoothTriangleShape& s, const ObjectDesc& o) { return points(s.p, o); }
+  Bounds leaf(const Sparse<SmoothTriangleShape>& s, const ObjectDesc& o) { return points(s->p, o); }
   Bounds points(const std::array<Vec3, 3>& corners, const ObjectDesc& o) {
     Bounds box;
     for (const Vec3& p : corners) box.include(o.transform->point(p));
@@ -226,8 +226,8 @@ class BoxFinder {
     }
     return moved(kept(box), *o.transform);
   }
-  Bounds leaf(const JuliaFractalShape& s, const ObjectDesc& o) {
-    return moved(kept(about({}, core::julia_sphere(s.parameter, s.hypercomplex))), *o.transform);
+  Bounds leaf(const Sparse<JuliaFractalShape>& s, const ObjectDesc& o) {
+    return moved(kept(about({}, core::julia_sphere(s->parameter, s->hypercomplex))), *o.transform);
   }
   /// Of Bezier curves their control points count as well.
   template <typename Shape>

@@ -150,14 +150,15 @@ struct TextShape {
   Vec3 offset;
 };
 
+/// Large ones apart: there may be a million of the small.
 using ShapeDesc =
     std::variant<SphereShape, BoxShape, PlaneShape, CylinderShape, ConeShape, TorusShape, DiscShape,
-                 TriangleShape, SmoothTriangleShape, PolygonShape, QuadricShape,
+                 TriangleShape, Sparse<SmoothTriangleShape>, PolygonShape, QuadricShape,
                  std::shared_ptr<const MeshShape>, CsgShape, LightShape,
                  std::shared_ptr<const BlobShape>, std::shared_ptr<const BicubicPatchShape>,
-                 HeightFieldShape, IsosurfaceShape, JuliaFractalShape, LatheShape, OvusShape,
-                 ParametricShape, PolyShape, PrismShape, SorShape, SphereSweepShape,
-                 SuperellipsoidShape, TextShape>;
+                 Sparse<HeightFieldShape>, Sparse<IsosurfaceShape>, Sparse<JuliaFractalShape>, LatheShape, OvusShape,
+                 Sparse<ParametricShape>, PolyShape, PrismShape, SorShape, SphereSweepShape,
+                 SuperellipsoidShape, Sparse<TextShape>>;
 
 /// The object compiled for inside(), trace() and the extents; a copy starts without it.
 struct CompiledSlot {

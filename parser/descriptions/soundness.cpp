@@ -26,7 +26,7 @@ struct SimpleShape {
   bool operator()(const TorusShape&) const { return true; }
   bool operator()(const DiscShape&) const { return true; }
   bool operator()(const TriangleShape&) const { return true; }
-  bool operator()(const SmoothTriangleShape&) const { return true; }
+  bool operator()(const Sparse<SmoothTriangleShape>&) const { return true; }
   bool operator()(const QuadricShape&) const { return true; }
   bool operator()(const std::shared_ptr<const MeshShape>& mesh) const {
     return std::all_of(mesh->textures.begin(), mesh->textures.end(), is_plain);

@@ -43,13 +43,13 @@ struct HoldShape {
   void operator()(const std::shared_ptr<const BlobShape>& blob) const {
     for (const BlobElement& element : blob->elements) hold_one(nesting, element.texture);
   }
-  void operator()(const HeightFieldShape& field) const {
-    hold_one(nesting, field.function);
-    hold_one(nesting, field.pigment);
+  void operator()(const Sparse<HeightFieldShape>& field) const {
+    hold_one(nesting, field->function);
+    hold_one(nesting, field->pigment);
   }
-  void operator()(const IsosurfaceShape& shape) const { hold_one(nesting, shape.function); }
-  void operator()(const ParametricShape& shape) const {
-    for (const auto& function : shape.functions) hold_one(nesting, function);
+  void operator()(const Sparse<IsosurfaceShape>& shape) const { hold_one(nesting, shape->function); }
+  void operator()(const Sparse<ParametricShape>& shape) const {
+    for (const auto& function : shape->functions) hold_one(nesting, function);
   }
   template <typename Shape>
   void operator()(const Shape&) const {}

@@ -94,7 +94,7 @@ bool has_hierarchy(const ObjectDesc& object) {
   const ShapeDesc& s = object.shape;
   return std::holds_alternative<std::shared_ptr<const BlobShape>>(s) ||
          std::holds_alternative<std::shared_ptr<const MeshShape>>(s) ||
-         std::holds_alternative<HeightFieldShape>(s);
+         std::holds_alternative<Sparse<HeightFieldShape>>(s);
 }
 
 void parse_uv_mapping(Parser& parser, Context&, ObjectDesc& object) {

@@ -32,8 +32,8 @@ bool is_patch(const ObjectDesc& object) {
     return !(*mesh)->inside_vector;
   }
   return object.is_light() || std::holds_alternative<TriangleShape>(object.shape) ||
-         std::holds_alternative<SmoothTriangleShape>(object.shape) ||
-         std::holds_alternative<ParametricShape>(object.shape) ||
+         std::holds_alternative<Sparse<SmoothTriangleShape>>(object.shape) ||
+         std::holds_alternative<Sparse<ParametricShape>>(object.shape) ||
          std::holds_alternative<std::shared_ptr<const BicubicPatchShape>>(object.shape);
 }
 

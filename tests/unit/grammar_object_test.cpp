@@ -35,7 +35,7 @@ TEST(UnitParserObject, Flat) {
       "polygon { 4, <0,0>, <1,0>, <1,1>, <0,0> }"
       "quadric { <1,2,3>, <4,5,6>, <7,8,9>, 10 }");
   EXPECT_EQ(s.shape<TriangleShape>(0).p[2], Vec3(0, 1, 0));
-  EXPECT_EQ(s.shape<SmoothTriangleShape>(1).n[1], Vec3(0, 0, 1));
+  EXPECT_EQ(s.shape<Sparse<SmoothTriangleShape>>(1)->n[1], Vec3(0, 0, 1));
   EXPECT_EQ(s.shape<PolygonShape>(2).points.size(), 4u);
   for (int i = 0; i < 10; ++i) EXPECT_EQ(s.shape<QuadricShape>(3).c[i], i + 1.0);
 }
@@ -163,12 +163,12 @@ TEST(UnitParserObject, KeptShapes) {
   EXPECT_EQ(s.scene.objects.size(), 17u);
   EXPECT_EQ(s.shape<std::shared_ptr<const BlobShape>>(0)->elements.size(), 2u);
   EXPECT_EQ(s.shape<std::shared_ptr<const BlobShape>>(0)->elements[1].strength, 1.0);
-  EXPECT_TRUE(s.shape<IsosurfaceShape>(2).open);
-  EXPECT_TRUE(s.shape<IsosurfaceShape>(3).container.sphere);
-  EXPECT_EQ(s.shape<ParametricShape>(7).precompute_depth, 5);
+  EXPECT_TRUE(s.shape<Sparse<IsosurfaceShape>>(2)->open);
+  EXPECT_TRUE(s.shape<Sparse<IsosurfaceShape>>(3)->container.sphere);
+  EXPECT_EQ(s.shape<Sparse<ParametricShape>>(7)->precompute_depth, 5);
   EXPECT_TRUE(s.shape<PrismShape>(10).conic_sweep);
   EXPECT_EQ(s.shape<SphereSweepShape>(12).radii[3], 0.3);
-  EXPECT_EQ(std::filesystem::path(s.shape<TextShape>(15).font).filename(), "cyrvetic.ttf");
+  EXPECT_EQ(std::filesystem::path(s.shape<Sparse<TextShape>>(15)->font).filename(), "cyrvetic.ttf");
 }
 
 TEST(UnitParserObject, ExtentInsideTrace) {
