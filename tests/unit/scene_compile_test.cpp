@@ -69,6 +69,24 @@ class SceneBuilder {
   }
 };
 
+TEST(UnitCoreScene, SmallPicturesOfManyObjectsHaveNoLightBuffers) {
+  const auto has_buffer = [](int balls, std::uint64_t pixels) {
+    SceneBuilder b;
+    const Texture* t = b.texture(0);
+    for (int i = 0; i < balls; ++i) b.parts.objects.push_back(b.ball(3.0 * i, t));
+    Light light;
+    light.position = {1.5 * balls, 2000, 0};
+    b.parts.lights.push_back(light);
+    CompileOptions options;
+    options.light_buffer_pixels = pixels;
+    return b.compile(options)->light_buffer(0) != nullptr;
+  };
+  EXPECT_TRUE(has_buffer(200, 1000));
+  EXPECT_FALSE(has_buffer(200, 0));
+  EXPECT_TRUE(has_buffer(1500, 24000));
+  EXPECT_FALSE(has_buffer(1500, 23999));
+}
+
 TEST(UnitCoreScene, UnionsAreSplitWhereTheirSurfaceIsThatOfTheirParts) {
   SceneBuilder b;
   const Texture* t = b.texture(0);
