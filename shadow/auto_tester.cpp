@@ -58,15 +58,22 @@ bool AutoTester::Choice::decide(bool promising) {
 }
 
 AutoTester::AutoTester(const core::ShadowContext& context)
-    : m_plain(context), m_measures(context.count_tests ? context.counters : &m_own),
+    : m_plain(context, true), m_measures(context.count_tests ? context.counters : &m_own),
       m_cascade(*context.scene), m_objects(context.scene->objects().size()),
       m_watches(context.scene->lights().size()),
       m_alone(m_watches.size(), kFirstPeriod - kBurst) {
   m_own.by_type = false;
   for (Watch& watch : m_watches) watch.cells.least = kToFill;
+  for (std::size_t i = 0; i < m_alone.size(); ++i) {
+    if (context.scene->light_buffer(i)) m_alone[i] = kForever;
+  }
 }
 
 core::Visibility AutoTester::watched(const core::ShadowQuery& query) {
+  if (m_plain.context().scene->light_buffer(query.light)) [[unlikely]] {
+    m_alone[query.light] = kForever;
+    return visibility(query);
+  }
   Watch& watch = m_watches[query.light];
   if (watch.left == 0) [[unlikely]] {
     next_part(query.light, watch);

@@ -1,8 +1,11 @@
-// Shadow_Cache=auto: for each light the cache that costs least, or none, as counted on the way:
-// nothing, the neighbourhood, the cascade (the neighbourhood, then a grid), or `grid` alone where a
-// search is very dear.
+// Shadow_Cache=auto: for each light the cache that costs least, or none.
 //
-// A light's rays come in periods; the last few of each are samples: their searches are counted
+// A light with a light buffer has one inside that (LightBuffer::Recall): which of a cell's objects
+// is asked first. Its probes cost nothing, so nothing is left to decide. For the others it is counted on
+// the way: nothing, the neighbourhood, the cascade (the neighbourhood, then a grid), or `grid` alone
+// where a search is very dear.
+//
+// Such a light's rays come in periods; the last few of each are samples: their searches are counted
 // (tests, weighted by what they cost), whatever a cache would have answered. While a light goes
 // without a cache, samples tell how much is blocked and what is searched for it; where a
 // cache with the usual hits would save something, one is used. From then on what it does is
@@ -76,6 +79,8 @@ class AutoTester final : public core::ShadowTester {
     Before before;
     bool cached() const { return cascade.on || grid.on; }
   };
+
+  static constexpr std::uint32_t kForever = 0xffffffffu;
 
   [[gnu::noinline]] core::Visibility watched(const core::ShadowQuery& query);
   core::Visibility sampled(const core::ShadowQuery& query, Watch& watch,

@@ -3,14 +3,13 @@
 // what wholly covers a cell nothing is kept: all is dark there, whatever else stands in it.
 // Only where to look is taken from it; what blocks a ray is decided by the objects' own tests, or
 // is certain by a margin far above rounding, so that answers are those of the hierarchy.
-// World space. Immutable once built; any number of threads.
+// World space. Immutable once built, but for what cells remember (atomic); any number of threads.
 // Held to the hierarchy's answers by tests/unit/accel_light_buffer_test.cpp.
 #pragma once
 
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <vector>
 
@@ -30,25 +29,37 @@ class LightBuffer {
 
   /// True if so much stands behind one another that the hierarchy is the better choice.
   bool crowded() const { return m_crowded; }
-  /// True where the buffer may answer for a point: not too near to the light for its rounding.
-  bool serves(double distance) const { return distance > m_least_distance; }
-
   struct Cell;   ///< of a face
   struct Entry;  ///< an object that may darken something in a cell
   /// Where a point lies in the buffer. Asking for it ahead hides the memory's latency.
   struct Spot {
-    const Cell* cell = nullptr;     ///< null: nothing finite can darken the point
-    const Entry* entries = nullptr;
+    const Cell* cell = nullptr;  ///< null: nothing finite can darken the point
     double w = 0.0;
+    std::uint32_t part = 0;      ///< of the cell
     bool known = false;  ///< it was asked for
   };
   /// Written in place: who copied it at once would wait for it.
   void locate(const Vec3& point, Spot& spot) const;
+  /// True where the buffer may answer for a point at that distance from the light: not too near for its
+  /// rounding, nor where so much stands behind one another that the hierarchy is the better choice.
+  bool serves(const Spot& spot, double distance) const;
 
+  /// The shadow cache inside the buffer. Each cell remembers which of its opaque objects blocked last,
+  /// in each of its parts; that one is asked before the others, and where none is known yet, the one
+  /// that blocked the thread's last ray to this light, if it is in the cell, or else the nearest to the
+  /// light. A probe costs nothing where it does not block: to be lit a point must pass all of its
+  /// cell. What cells know the threads share; it changes no answer but which blocker is named.
+  struct Recall {
+    std::uint32_t caster = ~0u;  ///< of the last blocked ray
+  };
+  struct Answer {
+    const Object* blocker = nullptr;
+    bool foreseen = false;  ///< the first finite object that was asked, or known without asking
+  };
   /// As Hierarchy::any_opaque, for a ray from the point of `spot` to the light: t_min is the
-  /// tolerance, t_max the way to the light less the tolerance.
-  const Object* any_opaque(const Spot& spot, const Ray& to_light, double t_min, double t_max,
-                           HitArena& arena, Counters* counters) const;
+  /// tolerance, t_max the way to the light less the tolerance. `recall`: null, near ones first.
+  Answer any_opaque(const Spot& spot, const Ray& to_light, double t_min, double t_max,
+                    HitArena& arena, Counters* counters, Recall* recall = nullptr) const;
   /// As Hierarchy::all_transparent.
   void all_transparent(const Spot& spot, const Ray& to_light, double t_min, double t_max,
                        std::vector<Hit>& hits, HitArena& arena, Counters* counters) const;
@@ -61,7 +72,6 @@ class LightBuffer {
   struct Grid {
     LightRaster raster;
     std::vector<Cell> cells;
-    std::vector<Entry> entries;
   };
   enum class Kind : std::uint8_t { kAny, kSphere, kPolygon, kTriangle, kBox };
   struct Caster {
@@ -81,26 +91,21 @@ class LightBuffer {
     double distance;
     const Object* object;
   };
-  /// A caster while the buffer is built; `box` is relative to the light.
-  struct Placed {
-    Caster caster;
-    Bounds box;
-    double distance;
-  };
-  struct Found;  ///< an entry with its cell, while a face is filled
+  class Builder;
 
   template <class Count>
   const Object* plane_blocker(const Ray& to_light, double t_min, double t_max, Count count) const;
   template <class Count>
-  const Object* other_blocker(const Spot& spot, const Ray& to_light, double t_min, double t_max,
-                              HitArena& arena, Count count) const;
-  const Object* any_opaque_counted(const Spot& spot, const Ray& to_light, double t_min,
-                                   double t_max, HitArena& arena, Counters& counters) const;
-  static Kind kind_of(const Shape* shape);
-  static bool is_crowd(const std::vector<Placed>& casters, std::uint32_t cells);
-  void add_grids(int face, std::uint32_t cells, const std::vector<Placed>& casters);
-  void fill(Grid& grid, int face, const std::vector<Placed>& casters);
-  void keep(Grid& grid, std::vector<Found>& found);
+  Answer other_blocker(const Spot& spot, const Ray& to_light, double t_min, double t_max,
+                       HitArena& arena, Recall* recall, Count count) const;
+  template <class Count>
+  bool blocks(const Caster& caster, const Ray& to_light, double inverse_dd, double t_min,
+              double t_max, HitArena& arena, Count count) const;
+  Answer any_opaque_counted(const Spot& spot, const Ray& to_light, double t_min, double t_max,
+                            HitArena& arena, Counters& counters, Recall* recall) const;
+  static const Entry* expected(std::uint64_t last, std::uint32_t part, const Entry* begin,
+                               const Entry* end, const Recall& recall);
+  static void remember(const Cell& cell, std::uint32_t part, std::uint64_t value);
 
   Vec3 m_light;
   bool m_crowded = false;
@@ -109,6 +114,7 @@ class LightBuffer {
   std::vector<Round> m_spheres;
   std::vector<Flat> m_planes;
   std::vector<Caster> m_always_opaque, m_always_transparent;  ///< other infinite ones, near ones
+  std::vector<Entry> m_entries;         ///< of all cells
   /// Of each face the grids, one within the other, the finest first: where few large objects
   /// stand about many small ones, these get cells of their own size.
   std::array<std::vector<Grid>, LightFace::kFaces> m_faces;
@@ -119,12 +125,20 @@ struct LightBuffer::Entry {
   std::uint32_t caster;
 };
 
+/// What is asked of a cell is in one piece, so that remembering touches no memory that a search does
+/// not touch.
 struct alignas(16) LightBuffer::Cell {
-  std::uint32_t first = 0;  ///< entry; opaque casters, then the others
-  std::uint16_t opaque = 0, transparent = 0;
-  float full_w = std::numeric_limits<float>::infinity();
-  std::uint32_t cover = 0;  ///< what blocks all beyond full_w
+  /// Places among the opaque entries, from 1, 4 bits a part; 0: none. For std::atomic_ref.
+  alignas(8) mutable std::uint64_t last = 0;
+  std::uint32_t first = 0;  ///< entry: what covers it, if anything; opaque casters; the others
+  std::uint8_t opaque = 0, transparent = 0;
+  bool covered = false;  ///< the first entry blocks all beyond its near_w
+  bool crowded = false;  ///< nothing is kept here: the hierarchy is the better choice
 };
+
+inline bool LightBuffer::serves(const Spot& spot, double distance) const {
+  return distance > m_least_distance && !(spot.cell && spot.cell->crowded);
+}
 
 inline void LightBuffer::locate(const Vec3& point, Spot& spot) const {
   const Vec3 v = point - m_light;
@@ -133,10 +147,10 @@ inline void LightBuffer::locate(const Vec3& point, Spot& spot) const {
   spot.w = std::fabs(v[side / 2]);
   spot.cell = nullptr;
   for (const Grid& grid : m_faces[static_cast<std::size_t>(side)]) {
-    const std::int64_t index = grid.raster.cell_of(v, spot.w);
-    if (index < 0) continue;
-    spot.cell = &grid.cells[static_cast<std::size_t>(index)];
-    spot.entries = grid.entries.data();
+    const LightRaster::Place place = grid.raster.place_of(v, spot.w);
+    if (place.cell < 0) continue;
+    spot.cell = &grid.cells[static_cast<std::size_t>(place.cell)];
+    spot.part = place.part;
     __builtin_prefetch(spot.cell);
     break;
   }

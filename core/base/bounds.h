@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <vector>
 
 #include "core/base/transform.h"
 #include "core/base/vec3.h"
@@ -40,6 +41,14 @@ struct Bounds {
     return p.x >= lo.x && p.x <= hi.x && p.y >= lo.y && p.y <= hi.y && p.z >= lo.z && p.z <= hi.z;
   }
 };
+
+/// The corners of a finite box; none of another.
+inline void add_corners(const Bounds& b, std::vector<Vec3>& points) {
+  if (b.is_empty() || !b.is_finite()) return;
+  for (int i = 0; i < 8; ++i) {
+    points.push_back({i & 1 ? b.hi.x : b.lo.x, i & 2 ? b.hi.y : b.lo.y, i & 4 ? b.hi.z : b.lo.z});
+  }
+}
 
 /// The box of a transformed box; an infinite or empty one stays so.
 inline Bounds transformed(const Bounds& b, const Transform& t) {

@@ -55,6 +55,20 @@ inline Bounds circle_bounds(const Vec3& centre, const Vec3& unit_normal, double 
   return {c - e, c + e};
 }
 
+/// The corners of an octagon about a circle.
+inline void add_around_circle(const Vec3& centre, const Vec3& unit_normal, double radius,
+                              std::vector<Vec3>& points) {
+  constexpr double kOut = 0.41421356237309515;  // tan(pi / 8), a little more
+  Vec3 u, v;
+  make_frame(unit_normal, u, v);
+  for (const double side : {-radius, radius}) {
+    for (const double end : {-kOut * radius, kOut * radius}) {
+      points.push_back(centre + u * side + v * end);
+      points.push_back(centre + u * end + v * side);
+    }
+  }
+}
+
 /// Whether boxes stay boxes: each axis leads to an axis.
 inline bool keeps_axes(const Transform& t) {
   const auto one = [](const Vec3& v) { return (v.x != 0.0) + (v.y != 0.0) + (v.z != 0.0) <= 1; };

@@ -32,6 +32,12 @@ Ball Cone::ball() const {
           std::max(std::hypot(height, m_base_radius), std::hypot(m_length - height, m_cap_radius))};
 }
 
+void Cone::hull(std::vector<Vec3>& points) const {
+  if (is_degenerate()) return;
+  add_around_circle(m_base, m_axis, m_base_radius, points);
+  add_around_circle(m_base + m_axis * m_length, m_axis, m_cap_radius, points);
+}
+
 /// The crossings of the whole line, 0 to 2, ascending; none if none is beyond t_min. Between its ends' planes the cone is
 /// convex, so that its solid is one stretch of the line: f = (distance from axis)^2 - radius^2
 /// is not positive there.

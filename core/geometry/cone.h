@@ -19,6 +19,7 @@ class Cone final : public Shape {
   Bounds bounds() const override;
   Bounds bounds_in(const Transform& t) const override;
   Ball ball() const override;
+  void hull(std::vector<Vec3>& points) const override;
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
   /// An open one is as solid as a closed one.

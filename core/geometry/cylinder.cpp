@@ -25,6 +25,12 @@ Ball Cylinder::ball() const {
   return {m_base + m_axis * (0.5 * m_length), std::hypot(0.5 * m_length, m_radius)};
 }
 
+void Cylinder::hull(std::vector<Vec3>& points) const {
+  if (is_degenerate()) return;
+  add_around_circle(m_base, m_axis, m_radius, points);
+  add_around_circle(cap(), m_axis, m_radius, points);
+}
+
 /// The crossings of the whole line, 0 to 2, ascending; none if none is beyond t_min. A closed cylinder is convex: what lies
 /// between the side's two crossings and between the ends' planes is one stretch of the line.
 int Cylinder::crossings(const Ray& ray, double t_min, Crossing out[2]) const {

@@ -22,6 +22,7 @@ class Cylinder final : public Shape {
   Bounds bounds() const override;
   Bounds bounds_in(const Transform& t) const override;
   Ball ball() const override;
+  void hull(std::vector<Vec3>& points) const override;
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
   /// An open one is as solid as a closed one.

@@ -35,6 +35,9 @@ class Shape {
 
   /// Holds what bounds() holds; shapes override it where the ball of the box is not tight.
   virtual Ball ball() const { return Ball::around(bounds()); }
+  /// Appends points with the whole surface in their convex hull, but for rounding; none where it is
+  /// infinite. Shapes override it where the corners of the box are far outside.
+  virtual void hull(std::vector<Vec3>& points) const { add_corners(bounds(), points); }
 
   /// Nearest crossing.
   virtual bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const = 0;

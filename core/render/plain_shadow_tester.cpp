@@ -26,7 +26,7 @@ double entry_distance(const Bounds& box, const Ray& ray) {
 
 }  // namespace
 
-PlainShadowTester::PlainShadowTester(const ShadowContext& context)
+PlainShadowTester::PlainShadowTester(const ShadowContext& context, bool recall)
     : m_context(context),
       m_tolerance(kShadowTolerance * context.scene->tolerance_scale()),
       m_hierarchy(context.scene->hierarchy()),
@@ -36,23 +36,33 @@ PlainShadowTester::PlainShadowTester(const ShadowContext& context)
       m_bailout(context.scene->settings().adc_bailout) {
   const std::size_t lights = context.scene->lights().size();
   if (context.counters->lights.size() < lights) context.counters->lights.resize(lights);
+  if (recall) m_recall.resize(lights);
 }
 
 Visibility PlainShadowTester::search(const ShadowQuery& query, Counters* tests) {
   const double reach = query.distance - m_tolerance;
   if (!(reach > m_tolerance)) return {};
   const LightBuffer* buffer = m_context.scene->light_buffer(query.light);
-  if (buffer && !buffer->serves(query.distance)) buffer = nullptr;
   const LightBuffer::Spot* spot = query.spot;
   if (buffer && !spot) {
     buffer->locate(query.ray.origin, m_spot);
     spot = &m_spot;
   }
-  const Object* blocker =
-      buffer ? buffer->any_opaque(*spot, query.ray, m_tolerance, reach, *m_context.arena,
-                                  tests)
-             : m_hierarchy.any_opaque(query.ray, m_tolerance, reach, *m_context.arena,
-                                      tests);
+  if (buffer && !buffer->serves(*spot, query.distance)) buffer = nullptr;
+  const Object* blocker = nullptr;
+  if (buffer) {
+    LightBuffer::Recall* recall = m_recall.empty() ? nullptr : &m_recall[query.light];
+    const LightBuffer::Answer answer = buffer->any_opaque(
+        *spot, query.ray, m_tolerance, reach, *m_context.arena, tests, recall);
+    blocker = answer.blocker;
+    if (recall && blocker) {
+      ShadowCounts& counts = m_context.counters->lights[query.light];
+      ++(answer.foreseen ? counts.hits : counts.misses);
+    }
+  } else {
+    blocker =
+        m_hierarchy.any_opaque(query.ray, m_tolerance, reach, *m_context.arena, tests);
+  }
   if (blocker) return {Rgb(0.0f), blocker};
   if (!m_any_transparent) return {};
   return {filter_through(query, buffer, spot, reach, tests), nullptr};

@@ -18,7 +18,8 @@ class Hierarchy;
 
 class PlainShadowTester final : public ShadowTester {
  public:
-  explicit PlainShadowTester(const ShadowContext& context);
+  /// `recall`: light buffers ask first what blocked last in a cell, and `hits` counts what it blocks.
+  explicit PlainShadowTester(const ShadowContext& context, bool recall = false);
 
   Visibility visibility(const ShadowQuery& query) override {
     ShadowCounts& counts = m_context.counters->lights[query.light];
@@ -54,6 +55,7 @@ class PlainShadowTester final : public ShadowTester {
   bool m_any_transparent;
   bool m_interiors;
   double m_bailout;
+  std::vector<LightBuffer::Recall> m_recall;  ///< one a light, or none
   LightBuffer::Spot m_spot;  ///< of the query, where it has none
   InteriorStack m_inside;
   std::vector<Hit> m_hits;

@@ -54,19 +54,19 @@ bool suits_buffer(const Light& light) {
          light.kind != Light::Kind::kCylinder;
 }
 
-/// Filling a buffer costs about what it spares in a dozen shadow rays an object: small pictures of
-/// many objects are quicker by the hierarchy alone. (Measured with +UL and -UL: 9,345 gears at 10 and
-/// at 38 pixels an object, 100,000 spheres at 1 to 14.)
+/// Filling a buffer costs about what it spares in some ten shadow rays an object: small pictures of
+/// many objects are quicker by the hierarchy alone. (Measured with +UL and -UL: balls, gears and rings at 4
+/// to 40 pixels an object, 100,000 spheres at 1 to 14.)
 bool worth_buffers(std::size_t objects, std::uint64_t pixels) {
   constexpr std::size_t kFew = 1u << 10;
-  constexpr std::uint64_t kPixelsAnObject = 16;
+  constexpr std::uint64_t kPixelsAnObject = 10;
   return objects <= kFew || pixels >= kPixelsAnObject * objects;
 }
 
 /// More objects and more pixels are worth finer cells.
 std::uint32_t buffer_cells(std::size_t objects, std::uint64_t pixels) {
   constexpr std::uint64_t kLeast = 1u << 10, kMost = 1u << 18;
-  const std::uint64_t wanted = std::min<std::uint64_t>(6 * objects, pixels / 4);
+  const std::uint64_t wanted = std::min<std::uint64_t>(6 * objects + 8192, pixels / 12);
   return static_cast<std::uint32_t>(std::clamp(wanted, kLeast, kMost));
 }
 

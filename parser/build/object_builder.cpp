@@ -287,7 +287,7 @@ std::unique_ptr<core::Object> ObjectBuilder::build_leaf(const ObjectDesc& object
   } else {
     shape = build_shape(object);
     if (auto* surface = dynamic_cast<core::Isosurface*>(shape.get()); surface && m_parts) {
-      surface->set_watch(m_slope_watches.of(std::get<IsosurfaceShape>(object.shape), object.where));
+      surface->set_watch(m_slope_watches.of(*std::get<Sparse<IsosurfaceShape>>(object.shape), object.where));
     }
   }
   if (!shape) {

@@ -6,6 +6,9 @@
 #include <vector>
 
 #include "core/accel/hierarchy.h"
+#include "core/geometry/cone.h"
+#include "core/geometry/smooth_triangle.h"
+#include "core/geometry/torus.h"
 #include "tests/unit/random_objects.h"
 
 using namespace lentray::core;
@@ -20,6 +23,7 @@ struct Case {
   Vec3 light;
   std::uint32_t cells;
   int objects;
+  bool near = false;  ///< some are so near to the light that they are in no cell
 };
 
 std::ostream& operator<<(std::ostream& out, const Case& c) { return out << c.scene.name; }
@@ -27,16 +31,27 @@ std::ostream& operator<<(std::ostream& out, const Case& c) { return out << c.sce
 class UnitCoreLightBuffer : public ::testing::TestWithParam<Case> {};
 
 void expect_same_answer(const LightBuffer& buffer, const Hierarchy& hierarchy, const Vec3& light,
-                        const Vec3& point, HitArena& arena, int (&seen)[3]) {
+                        const Vec3& point, HitArena& arena, int (&seen)[3], bool near = false) {
   const Vec3 to = light - point;
   const double distance = length(to);
   const Ray ray{point, to / distance};
   const double reach = distance - kTolerance;
-  if (!buffer.serves(distance) || !(reach > kTolerance)) return;
   LightBuffer::Spot spot;
   buffer.locate(point, spot);
-  const Object* blocker = buffer.any_opaque(spot, ray, kTolerance, reach, arena, nullptr);
+  if (!buffer.serves(spot, distance) || !(reach > kTolerance)) return;
+  const auto ask = [&](LightBuffer::Recall* recall) {
+    return buffer.any_opaque(spot, ray, kTolerance, reach, arena, nullptr, recall);
+  };
+  const Object* blocker = ask(nullptr).blocker;
   const Object* expected = hierarchy.any_opaque(ray, kTolerance, reach, arena, nullptr);
+  LightBuffer::Recall recall;
+  ASSERT_EQ(ask(&recall).blocker != nullptr, expected != nullptr);
+  // Asked again it knows what blocks, and the same blocks.
+  const LightBuffer::Answer again = ask(&recall), last = ask(&recall);
+  ASSERT_EQ(again.blocker, last.blocker);
+  if (!near) {
+    ASSERT_EQ(last.foreseen, expected != nullptr);
+  }
   ASSERT_EQ(blocker != nullptr, expected != nullptr)
       << point.x << ", " << point.y << ", " << point.z;
   if (blocker) {
@@ -63,22 +78,53 @@ void expect_same_answer(const LightBuffer& buffer, const Hierarchy& hierarchy, c
   if (!all.empty()) ++seen[2];
 }
 
+/// What has an outline by its hull, or none but its box.
+void add_turned(SceneMaker& make, const TestScene& scene, Objects& objects, int count) {
+  for (int i = 0; i < count; ++i) {
+    const Vec3 p = make.place();
+    const double size = scene.detail * (0.1 + make.unit());
+    const auto corner = [&] { return p + make.point() * size; };
+    const auto turned = [&](std::unique_ptr<Shape> shape) {
+      const Transform t = Transform::scaling(Vec3{1, 0.3 + make.unit(), 1} * size)
+                              .then(Transform::rotation(make.point() * 180.0))
+                              .then(Transform::translation(p));
+      auto leaf = std::make_unique<Leaf>(std::move(shape), t);
+      leaf->set_opaque(!scene.flags || make.integer(3) != 0);
+      objects.push_back(std::move(leaf));
+    };
+    switch (make.integer(5)) {
+      case 0:
+        make.add(objects, std::make_unique<Cone>(corner(), size / 3, corner(), make.integer(2) * size / 5,
+                                                 make.integer(2) == 0));
+        break;
+      case 1:
+        make.add(objects, std::make_unique<SmoothTriangle>(corner(), Vec3{0, 1, 0}, corner(),
+                                                           Vec3{1, 1, 0}, corner(), Vec3{0, 1, 1}));
+        break;
+      case 2: turned(std::make_unique<Sphere>(Vec3{}, 1.0)); break;
+      case 3: turned(std::make_unique<Torus>(0.7, 0.2)); break;
+      default: turned(std::make_unique<Cone>(Vec3{0, 0, 0}, 0.5, Vec3{0, 1, 0}, 0.2)); break;
+    }
+  }
+}
+
 TEST_P(UnitCoreLightBuffer, AnswersAsTheHierarchy) {
   const Case& c = GetParam();
   SceneMaker make(c.scene);
-  const Objects objects = make.objects(c.objects);
+  Objects objects = make.objects(c.objects);
+  add_turned(make, c.scene, objects, c.objects / 2);
   const Hierarchy hierarchy(objects);
   const LightBuffer buffer(c.light, objects, kTolerance, c.cells);
   ASSERT_FALSE(buffer.crowded());
   HitArena arena;
   int seen[3] = {};
   for (int i = 0; i < 20000; ++i) {
-    expect_same_answer(buffer, hierarchy, c.light, make.place(), arena, seen);
+    expect_same_answer(buffer, hierarchy, c.light, make.place(), arena, seen, c.near);
     // Points on surfaces: shadow rays start there.
     const Ray ray = make.ray();
     Hit hit;
     if (hierarchy.nearest(ray, 0.0, Bounds::kInf, RayKind::kCamera, hit, arena, nullptr)) {
-      expect_same_answer(buffer, hierarchy, c.light, ray.at(hit.t), arena, seen);
+      expect_same_answer(buffer, hierarchy, c.light, ray.at(hit.t), arena, seen, c.near);
     }
     if (HasFatalFailure()) return;
   }
@@ -93,13 +139,13 @@ INSTANTIATE_TEST_SUITE_P(
     Scenes, UnitCoreLightBuffer,
     ::testing::Values(
         Case{{"outside", 1.0, 0.1, {0, 0, 0}, 3.0, true, false}, {3, 4, -2}, 20000, 300},
-        Case{{"inside", 1.0, 0.1, {0, 0, 0}, 3.0, true, false}, {0.1, 0.2, -0.1}, 20000, 300},
+        Case{{"inside", 1.0, 0.1, {0, 0, 0}, 3.0, true, false}, {0.1, 0.2, -0.1}, 20000, 300, true},
         Case{{"all opaque", 1.0, 0.1, {0, 0, 0}, 3.0, false, false}, {3, 0, 0}, 5000, 300},
         Case{{"planes", 1.0, 0.1, {0, 0, 0}, 3.0, true, true}, {0.5, 3, 1}, 20000, 200},
         Case{{"few cells", 1.0, 0.2, {0, 0, 0}, 3.0, true, false}, {2, 3, -1}, 16, 60},
         Case{{"many cells", 1.0, 0.2, {0, 0, 0}, 3.0, true, false}, {2, 3, -1}, 200000, 60},
         Case{{"far from the origin", 1.0, 0.1, {1e5, -2e5, 5e4}, 3.0, true, false},
-             {1e5 + 3, -2e5 + 4, 5e4 - 2}, 20000, 300},
+             {1e5 + 3, -2e5 + 4, 5e4 - 2}, 20000, 300, true},
         Case{{"large", 1e5, 1e4, {0, 0, 0}, 3e5, true, false}, {3e5, 1e5, 1e5}, 20000, 300},
         Case{{"small", 0.02, 0.004, {0, 0, 0}, 0.05, true, false}, {0.03, 0.02, -0.03}, 20000,
              300}));
@@ -125,8 +171,8 @@ TEST(UnitCoreLightBufferRules, PlatesNearTheTolerance) {
     int seen[3] = {};
     for (int i = -30; i <= 30; ++i) {
       for (int k = -30; k <= 30; ++k) {
-        expect_same_answer(buffer, hierarchy, light, {i / 20.0, 0.0, k / 20.0}, arena, seen);
-        expect_same_answer(buffer, hierarchy, light, {i / 20.0, gap, k / 20.0}, arena, seen);
+        expect_same_answer(buffer, hierarchy, light, {i / 20.0, 0.0, k / 20.0}, arena, seen, true);
+        expect_same_answer(buffer, hierarchy, light, {i / 20.0, gap, k / 20.0}, arena, seen, true);
         if (HasFatalFailure()) return;
       }
     }
@@ -151,7 +197,7 @@ TEST(UnitCoreLightBufferRules, CoveredCellsNeedNoTest) {
       counters.primitive_tests = 0;
       LightBuffer::Spot spot;
       buffer.locate(point, spot);
-      if (!buffer.any_opaque(spot, ray, kTolerance, length(to) - kTolerance, arena, &counters)) {
+      if (!buffer.any_opaque(spot, ray, kTolerance, length(to) - kTolerance, arena, &counters).blocker) {
         continue;
       }
       ++blocked;
@@ -160,6 +206,27 @@ TEST(UnitCoreLightBufferRules, CoveredCellsNeedNoTest) {
   }
   EXPECT_GT(blocked, 500);
   EXPECT_LT(tested, blocked / 4);
+}
+
+/// Many small objects in one direction: the hierarchy is asked there, the buffer everywhere else.
+TEST(UnitCoreLightBufferRules, CellsMayBeCrowdedAlone) {
+  SceneMaker make({"bunch", 1.0, 0.3, {0, 0, 0}, 3.0, false, false});
+  Objects objects = make.objects(100);
+  for (int i = 0; i < 200; ++i) {
+    make.add(objects, std::make_unique<Sphere>(Vec3{0.5, 0.5, 0.5} + make.point() * 0.002, 1e-3));
+  }
+  const Vec3 light{4, 5, -3};
+  const LightBuffer buffer(light, objects, kTolerance, 2000);
+  ASSERT_FALSE(buffer.crowded());
+  const auto served = [&](const Vec3& point) {
+    LightBuffer::Spot spot;
+    buffer.locate(point, spot);
+    return buffer.serves(spot, length(light - point));
+  };
+  EXPECT_FALSE(served(light + (Vec3{0.5, 0.5, 0.5} - light) * 1.5));
+  int served_points = 0;
+  for (int i = 0; i < 1000; ++i) served_points += served(make.place());
+  EXPECT_GT(served_points, 900);
 }
 
 /// So many objects behind one another that a list a cell is no gain.
