@@ -3,10 +3,11 @@
 // that its answer is the full search's. One a thread.
 #pragma once
 
+#include <sys/mman.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdlib>
 #include <memory>
 #include <new>
 
@@ -33,15 +34,17 @@ class Tried {
 };
 
 struct FreeEntries {
-  void operator()(const core::Object** entries) const { std::free(entries); }
+  std::size_t bytes = 0;
+  void operator()(const core::Object** entries) const { ::munmap(entries, bytes); }
 };
 using Entries = std::unique_ptr<const core::Object*[], FreeEntries>;
-/// Nulls. Memory that the system gives as zeros costs nothing where it is not used.
+/// Nulls, straight from the system: what it gives as zeros costs nothing where it is not used, while
+/// calloc() must clear memory that was in use before.
 inline Entries zeroed_entries(std::size_t count) {
-  Entries entries(static_cast<const core::Object**>(
-      std::calloc(std::max<std::size_t>(count, 1), sizeof(const core::Object*))));
-  if (!entries) throw std::bad_alloc();
-  return entries;
+  const std::size_t bytes = std::max<std::size_t>(count, 1) * sizeof(const core::Object*);
+  void* memory = ::mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (memory == MAP_FAILED) throw std::bad_alloc();
+  return Entries(static_cast<const core::Object**>(memory), FreeEntries{bytes});
 }
 
 /// One policy's table as a cache. A cache has

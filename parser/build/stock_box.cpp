@@ -238,11 +238,11 @@ class BoxFinder {
   Bounds leaf(const LatheShape& s, const ObjectDesc& o) { return of_points(s, o); }
   Bounds leaf(const PrismShape& s, const ObjectDesc& o) { return of_points(s, o); }
   /// That of its container.
-  Bounds leaf(const ParametricShape& s, const ObjectDesc& o) {
-    if (s.container.sphere) return moved(kept(about(s.container.a, s.container.radius)), *o.transform);
+  Bounds leaf(const Sparse<ParametricShape>& s, const ObjectDesc& o) {
+    if (s->container.sphere) return moved(kept(about(s->container.a, s->container.radius)), *o.transform);
     Bounds box;
-    box.include(s.container.a);
-    box.include(s.container.b);
+    box.include(s->container.a);
+    box.include(s->container.b);
     return moved(kept(box), *o.transform);
   }
   /// Of all its spheres, twice as wide for a cubic spline. They turn with it.

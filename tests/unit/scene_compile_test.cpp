@@ -83,8 +83,8 @@ TEST(UnitCoreScene, SmallPicturesOfManyObjectsHaveNoLightBuffers) {
   };
   EXPECT_TRUE(has_buffer(200, 1000));
   EXPECT_FALSE(has_buffer(200, 0));
-  EXPECT_TRUE(has_buffer(1500, 24000));
-  EXPECT_FALSE(has_buffer(1500, 23999));
+  EXPECT_TRUE(has_buffer(1500, 15000));
+  EXPECT_FALSE(has_buffer(1500, 14999));
 }
 
 TEST(UnitCoreScene, UnionsAreSplitWhereTheirSurfaceIsThatOfTheirParts) {
