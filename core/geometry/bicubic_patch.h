@@ -1,6 +1,7 @@
-// bicubic_patch: a Bezier patch as a net of 2^u_steps x 2^v_steps cells of two triangles, shaded by
-// normals between those of their corners. `flatness`, which saves stock triangles, is not used.
-// Space: object.
+// bicubic_patch: a Bezier patch as pieces of two triangles, shaded by normals between those of
+// their corners. The patch is halved along u and v until a piece is flat enough or u_steps and
+// v_steps are used up; neighbours that were not halved alike may leave cracks, as in stock.
+// Space: object, or world once baked: flatness and the blending of normals count there.
 // Source: reference manual 3.7, "Bicubic Patch"; compared with stock by image.shapes.
 #pragma once
 
@@ -14,8 +15,9 @@ namespace lentray::core {
 
 class BicubicPatch final : public Shape {
  public:
-  /// Rows of four points; steps 0 to 8.
-  BicubicPatch(const std::array<Vec3, 16>& points, int u_steps, int v_steps);
+  /// Rows of four points; steps 0 to 8. A piece is flat enough if its control points are nearer
+  /// than `flatness` to a plane through its corners; 0: none is.
+  BicubicPatch(const std::array<Vec3, 16>& points, int u_steps, int v_steps, double flatness);
 
   std::string_view name() const override { return "bicubic_patch"; }
   Bounds bounds() const override { return m_net->bounds(); }
@@ -32,13 +34,18 @@ class BicubicPatch final : public Shape {
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override { return m_net->normal(p, hit); }
   bool has_uv() const override { return true; }
   Vec2 uv(const Vec3& p, const ShapeHit& hit) const override;
+  std::unique_ptr<Shape> baked(const Transform& t) const override;
   void drop_shortcuts() override { m_net->drop_shortcuts(); }
 
  private:
+  class NetMaker;
+
   /// Place and slopes at (u, v), u along the rows' order, v along a row.
   void evaluate(double u, double v, Vec3& place, Vec3& by_u, Vec3& by_v) const;
 
   std::array<Vec3, 16> m_points;
+  int m_u_steps, m_v_steps;
+  double m_flatness;
   std::unique_ptr<Mesh> m_net;  ///< its texture coordinates are u and v
 };
 

@@ -138,7 +138,8 @@ struct ShapeMaker {
     return std::make_unique<core::HeightField>(build_height_grid(s), s.water_level);
   }
   ShapePointer operator()(const std::shared_ptr<const BicubicPatchShape>& s) const {
-    return std::make_unique<core::BicubicPatch>(s->points, s->u_steps, s->v_steps);
+    return std::make_unique<core::BicubicPatch>(s->points, s->u_steps, s->v_steps,
+                                                s->flatness);
   }
   ShapePointer operator()(const std::shared_ptr<const BlobShape>& s) const {
     return std::make_unique<core::Blob>(s->threshold, blob_fields(*s));

@@ -22,6 +22,12 @@ struct Case {
   Grade grade = Grade::exact;
 };
 
+// The points of a bicubic patch.
+#define PATCH                                                                                    \
+  "<-1.4,-.5,-1>,<-.5,.8,-1.2>,<.5,-.6,-1>,<1.4,.4,-1>,<-1.5,.3,-.4>,<-.5,-.5,-.3>,<.5,1.9,-.4>," \
+  "<1.5,0,-.2>,<-1.3,-.4,.4>,<-.4,.9,.3>,<.4,-.8,.5>,<1.4,.7,.4>,<-1.4,.5,1.1>,<-.5,-.2,1>,"      \
+  "<.5,.6,1.3>,<1.3,-.3,1> "
+
 const Case kCases[] = {
     {"text", "text { ttf \"cyrvetic.ttf\" \"R&g8\" .4, <.05,.02,0> scale 1.3 translate -1.4*x }"},
     {"text_timrom", "text { internal 1 \"AVoid\" .3, 0 translate -1.3*x }"},
@@ -59,9 +65,18 @@ const Case kCases[] = {
                         " contained_by { box { <-1.2,-.9,-1.2>, <1.2,.5,1.2> } } }", false},
     {"isosurface_evaluate", "isosurface { function { f_ridged_mf(x, 0, z, .8, 2, 5, .9, 2, 3)*.4 - .5 - y + y*y }"
                             " evaluate 2, 1.1, .8 threshold -.2 contained_by { box { -1, 1 } } }", false},
-    {"bicubic_patch", "bicubic_patch { type 1 u_steps 3 v_steps 4 <-1.4,-.5,-1>,<-.5,.8,-1.2>,<.5,-.6,-1>,"
-                      "<1.4,.4,-1>,<-1.5,.3,-.4>,<-.5,-.5,-.3>,<.5,1.9,-.4>,<1.5,0,-.2>,<-1.3,-.4,.4>,"
-                      "<-.4,.9,.3>,<.4,-.8,.5>,<1.4,.7,.4>,<-1.4,.5,1.1>,<-.5,-.2,1>,<.5,.6,1.3>,<1.3,-.3,1> }",
+    {"bicubic_patch", "bicubic_patch { type 1 u_steps 3 v_steps 4 " PATCH "}", false},
+    {"patch_flatness", "bicubic_patch { type 1 flatness .1 u_steps 4 v_steps 4 " PATCH "}", false},
+    {"patch_flatness_type_0", "bicubic_patch { type 0 flatness .5 u_steps 5 v_steps 5 " PATCH "}", false},
+    {"patch_flatness_more_v", "bicubic_patch { type 1 flatness .02 u_steps 1 v_steps 5 " PATCH "}", false},
+    {"patch_flatness_more_u", "bicubic_patch { type 0 flatness .05 u_steps 5 v_steps 2 " PATCH "}", false},
+    {"patch_flatness_scaled", "bicubic_patch { type 1 flatness .02 u_steps 5 v_steps 5 " PATCH
+                              " scale <.9,.3,.8> rotate 20*y }", false},
+    {"patch_flatness_mirrored", "union { bicubic_patch { type 1 flatness .2 u_steps 5 v_steps 5 " PATCH
+                                " scale <-1,1,1> } rotate 50*x }", false},
+    {"patch_flatness_point", "bicubic_patch { type 1 flatness .1 u_steps 4 v_steps 4 <0,1,0>,<0,1,0>,<0,1,0>,"
+                             "<0,1,0>,<-1,1,-1>,<-.5,1,-1.2>,<.5,1,-1>,<1,1,-1>,<-1.4,.5,-.4>,<-.5,.5,-1.6>,"
+                             "<.5,.6,-1.4>,<1.4,.2,-1>,<-1.4,-1,-.3>,<-.5,-1,-1.4>,<.5,-1,-1.4>,<1.4,-.9,-1> }",
      false},
     {"lathe_linear", "lathe { 5 <0,-.9>,<.9,-.6>,<.4,0>,<1,.7>,<0,.9> }"},
     {"lathe_quadratic", "lathe { quadratic_spline 6 <.3,-1>,<0,-.9>,<.9,-.6>,<.4,0>,<1,.7>,<0,.9> }"},
