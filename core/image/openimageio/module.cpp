@@ -1,14 +1,35 @@
 // The module's one entry, and reading.
 #include <OpenImageIO/imageio.h>
 
+#include <array>
+#include <fstream>
 #include <memory>
 #include <stdexcept>
+#include <string>
 
 #include "core/image/image_module.h"
 #include "core/image/openimageio/encoder.h"
 
 namespace lentray::core {
 namespace {
+
+/// Whether a TARGA file has five bits a colour, in its pixels or its palette.
+bool has_five_bits(const std::filesystem::path& path) {
+  std::array<unsigned char, 18> head{};
+  std::ifstream file(path, std::ios::binary);
+  file.read(reinterpret_cast<char*>(head.data()), static_cast<std::streamsize>(head.size()));
+  const int bits = head[1] == 1 && head[16] == 8 ? head[7] : head[16];
+  return bits == 15 || bits == 16;
+}
+
+/// As stock: the five bits are the upper ones of eight, the others 0.
+void drop_low_bits(StoredImage& image) {
+  const int channels = image.channels;
+  for (std::size_t i = 0; i < image.samples.size(); ++i) {
+    if (channels >= 3 && static_cast<int>(i % static_cast<std::size_t>(channels)) == 3) continue;
+    image.samples[i] = static_cast<float>(static_cast<int>(image.samples[i]) & 0xf8);
+  }
+}
 
 StoredImage read_picture(const std::filesystem::path& path) {
   OIIO::ImageSpec as_stored;
@@ -38,6 +59,9 @@ StoredImage read_picture(const std::filesystem::path& path) {
     read = input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, image.samples.data());
   }
   if (!read) throw std::runtime_error(input->geterror());
+  if (image.bits == 8 && std::string(input->format_name()) == "targa" && has_five_bits(path)) {
+    drop_low_bits(image);
+  }
   for (const OIIO::ParamValue& value : spec.extra_attribs) {
     image.attributes[value.name().string()] = value.get_string();
   }
