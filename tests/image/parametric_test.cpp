@@ -19,6 +19,7 @@ struct Case {
   const char* name;
   const char* sdl;
   Grade grade = Grade::exact;
+  Grade in_csg = grade;
 };
 
 const Case kCases[] = {
@@ -34,7 +35,9 @@ const Case kCases[] = {
     {"too_flat", "function { u*v*sin(15*v) } function { v } function { u*v*cos(15*v) } <0,0>, <1,1>"
                  " contained_by { box { -1, 1 } } accuracy .01"},
     {"turned", "function { u } function { .3*sin(u*4)*cos(v*3) } function { v } <-1,-1>, <1,1>"
-               " contained_by { box { -1, 1 } } max_gradient 2 accuracy .003 rotate <20,30,10> scale <1.2,1,.8>"},
+               " contained_by { box { -1, 1 } } max_gradient 2 accuracy .003 rotate <20,30,10> scale <1.2,1,.8>",
+     // Stock darkens 12 pixels of the floor that are light with an accuracy of .00001, there as here.
+     Grade::exact, Grade::match},
     {"backwards", "function { u } function { v*v } function { v } <1,1>, <-1,-.8>"
                   " contained_by { box { 1, -1 } } max_gradient 2 accuracy .01"},
 };
@@ -63,7 +66,7 @@ TEST_P(ImageParametric, InCsg) {
                    "intersection { " + one + " box { <-2,-.1,-2>, <2,.3,2> }"
                    " translate <-1.2,1.4,1.5> pigment { rgb <.8,.9,.3> } }\n"
                    "object { " + one + " clipped_by { plane { x, 0 } } translate <1.3,.7,1>"
-                   " pigment { rgb <.9,.3,.8> } }", GetParam().grade));
+                   " pigment { rgb <.9,.3,.8> } }", GetParam().in_csg));
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, ImageParametric, ::testing::ValuesIn(kCases),
