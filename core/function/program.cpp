@@ -175,15 +175,16 @@ Program::Lanes Program::execute(Lanes* frame) const {
       case ProgramOp::kMove: frame[i.target] = value(i.a); break;
       case ProgramOp::kArithmetic: {
         const Lanes a = value(i.a), b = value(i.b);
-        for (std::size_t lane = 0; lane < WideFrame::kPoints; ++lane) frame[i.target][lane] = apply(i.op, a[lane], b[lane]);
+        const double first = apply(i.op, a[0], b[0]);
+        frame[i.target] = Lanes{first, apply(i.op, a[1], b[1])};
         break;
       }
       case ProgramOp::kNoise: {
         const int generator = *m_calls[i.jump].noise_generator;
         const Lanes x = frame[i.b], y = frame[i.b + 1], z = frame[i.b + 2];
-        for (std::size_t lane = 0; lane < WideFrame::kPoints; ++lane) {
-          frame[i.target][lane] = noise(x[lane], y[lane], z[lane], generator);
-        }
+        // Stored as one: who loads what was stored in halves waits.
+        const double first = noise(x[0], y[0], z[0], generator);
+        frame[i.target] = Lanes{first, noise(x[1], y[1], z[1], generator)};
         break;
       }
       default: return value(i.a);

@@ -88,11 +88,9 @@ class Program final : public Function {
     /// but of noise.
     bool prepare(const Program& program);
     std::array<double, kPoints> operator()(const std::array<Vec3, kPoints>& points) {
-      for (std::size_t i = 0; i < kPoints; ++i) {
-        m_arguments[0][i] = points[i].x;
-        m_arguments[1][i] = points[i].y;
-        m_arguments[2][i] = points[i].z;
-      }
+      m_arguments[0] = Lanes{points[0].x, points[1].x};
+      m_arguments[1] = Lanes{points[0].y, points[1].y};
+      m_arguments[2] = Lanes{points[0].z, points[1].z};
       const Lanes result = m_program->execute(m_arguments);
       return {result[0], result[1]};
     }
