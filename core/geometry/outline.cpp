@@ -77,7 +77,13 @@ int line_crossings(const CurvePiece& piece, double a, double b, double c, double
                        a * piece.c.u + b * piece.c.v, along(piece.d, a, b, c)};
   double turns[3];
   int pieces = 0;
-  if (f[0] != 0.0 || f[1] != 0.0) {
+  // Where the slope's coefficients in Bernstein's form have one sign, it has no root; theirs is sure.
+  constexpr double kRounding = 1e-12;
+  const double middle = f[2] + f[1], last = 3.0 * f[0] + 2.0 * f[1] + f[2];
+  const double sure = kRounding * (std::fabs(f[0]) + std::fabs(f[1]) + std::fabs(f[2]));
+  const bool rises = f[2] > sure && middle > sure && last > sure;
+  const bool falls = f[2] < -sure && middle < -sure && last < -sure;
+  if (!rises && !falls && (f[0] != 0.0 || f[1] != 0.0)) {
     double roots[2];
     const int n = solve_quadratic(3.0 * f[0], 2.0 * f[1], f[2], roots);
     for (int i = 0; i < n; ++i) {
@@ -136,7 +142,7 @@ void Outline::fill_lanes() {
 /// without pieces is like it.
 void Outline::fill_squares() {
   constexpr std::size_t kLeast = 12;
-  m_side = static_cast<int>(std::clamp<std::size_t>(kLeast + m_pieces.size() / 2, kLeast, kMostSquares));
+  m_side = static_cast<int>(std::clamp<std::size_t>(kLeast + m_pieces.size(), kLeast, kMostSquares));
   const double width = m_hi.u - m_lo.u, height = m_hi.v - m_lo.v;
   m_columns_per_u = m_side / width;
   m_rows_per_v = m_side / height;
@@ -243,6 +249,10 @@ Outline::Box Outline::box_of(const CurvePiece& piece) {
 /// Pieces whose box does not reach as far as others are left out.
 double Outline::farthest(const Vec2& n) const {
   constexpr double kSlack = 1e-12;
+  // Along an axis, but for the rounding of turns by a right angle: as far as the box.
+  const double box_u = n.u * (n.u > 0.0 ? m_hi.u : m_lo.u), box_v = n.v * (n.v > 0.0 ? m_hi.v : m_lo.v);
+  const double size_u = std::fabs(n.u) * (m_hi.u - m_lo.u), size_v = std::fabs(n.v) * (m_hi.v - m_lo.v);
+  if (std::min(size_u, size_v) < kSlack * std::max(size_u, size_v)) return box_u + box_v;
   double far = -std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < m_pieces.size(); ++i) {
     const double along_u = n.u * (n.u > 0.0 ? m_boxes[i].hi.u : m_boxes[i].lo.u);
@@ -288,14 +298,6 @@ bool Outline::contains_counted(double u, double v) const {
     }
   }
   return inside;
-}
-
-bool Outline::may_cross(const Box& box, double a, double b, double c) {
-  constexpr double kSlack = 1e-12;
-  const double u = 0.5 * (box.lo.u + box.hi.u), v = 0.5 * (box.lo.v + box.hi.v);
-  const double reach = std::fabs(a) * (box.hi.u - u) + std::fabs(b) * (box.hi.v - v);
-  const double size = std::fabs(a * u) + std::fabs(b * v) + std::fabs(c);
-  return !(std::fabs(a * u + b * v + c) > reach + kSlack * size);
 }
 
 }  // namespace lentray::core

@@ -10,7 +10,9 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -48,10 +50,19 @@ class Outline {
       return lo.u <= o.hi.u && hi.u >= o.lo.u && lo.v <= o.hi.v && hi.v >= o.lo.v;
     }
   };
+  /// Certain, known without counting; false: unknown.
+  bool is_known_inside(const Vec2& p) const {
+    return p.u >= m_lo.u && p.u <= m_hi.u && p.v >= m_lo.v && p.v <= m_hi.v &&
+           (m_inside[static_cast<std::size_t>(row_of(p.v))] >> column_of(p.u) & 1u) != 0;
+  }
   /// Calls visit(piece, s), until that answers false, where the line a u + b v + c = 0 crosses the
   /// boundary; elsewhere than in `region` it may leave crossings out.
   template <class Visit>
   void crossings(double a, double b, double c, const Box& region, Visit&& visit) const;
+  /// The same for who looks for the first along the line, in the direction `way`: visit() answers
+  /// whether a crossing counts; those certainly beyond one that does may be left out. Any order.
+  template <class Visit>
+  void first_crossings(double a, double b, double c, const Vec2& way, const Box& region, Visit&& visit) const;
   const std::vector<CurvePiece>& pieces() const { return m_pieces; }
   /// As Shape::drop_shortcuts(); lo() and hi() become infinite.
   void drop_boxes();
@@ -91,15 +102,10 @@ class Outline {
     return at > 0.0 ? static_cast<int>(std::min(at, static_cast<double>(m_side - 1))) : 0;
   }
   /// Whether a piece may come into the region.
-  bool has_pieces(const Box& region) const {
-    if (!region.meets({m_lo, m_hi})) return false;
-    const std::uint32_t columns = (2u << column_of(region.hi.u)) - (1u << column_of(region.lo.u));
-    const int last = row_of(region.hi.v);
-    for (int row = row_of(region.lo.v); row <= last; ++row) {
-      if (m_mixed[static_cast<std::size_t>(row)] & columns) return true;
-    }
-    return false;
-  }
+  bool has_pieces(const Box& region) const;
+  /// Calls take(piece), until that answers false, for those that may cross the line in the region.
+  template <class Take>
+  void candidates(double a, double b, double c, const Box& region, Take&& take) const;
   static bool may_cross(const Box& box, double a, double b, double c);
 
   std::vector<CurvePiece> m_pieces;
@@ -124,28 +130,92 @@ class Outline {
 /// Parameters in 0..1 at which the piece crosses the line, at most three; the number of them.
 int line_crossings(const CurvePiece& piece, double a, double b, double c, double s[3]);
 
-template <class Visit>
-void Outline::crossings(double a, double b, double c, const Box& region, Visit&& visit) const {
-  if (!has_pieces(region)) return;
+inline bool Outline::has_pieces(const Box& region) const {
+  if (!region.meets({m_lo, m_hi})) return false;
+  const std::uint32_t columns = (2u << column_of(region.hi.u)) - (1u << column_of(region.lo.u));
+  const int last = row_of(region.hi.v);
+  std::uint32_t mixed = 0;
+  for (int row = row_of(region.lo.v); row <= last; ++row) mixed |= m_mixed[static_cast<std::size_t>(row)];
+  return (mixed & columns) != 0;
+}
+
+inline bool Outline::may_cross(const Box& box, double a, double b, double c) {
+  constexpr double kSlack = 1e-12;
+  const double u = 0.5 * (box.lo.u + box.hi.u), v = 0.5 * (box.lo.v + box.hi.v);
+  const double reach = std::fabs(a) * (box.hi.u - u) + std::fabs(b) * (box.hi.v - v);
+  const double size = std::fabs(a * u) + std::fabs(b * v) + std::fabs(c);
+  return !(std::fabs(a * u + b * v + c) > reach + kSlack * size);
+}
+
+template <class Take>
+void Outline::candidates(double a, double b, double c, const Box& region, Take&& take) const {
+  constexpr std::size_t kMany = 16;  // groups: fewer are sooner looked at than the squares
+  if (m_lanes.size() > kMany && !has_pieces(region)) return;
   const __m128 low_u = _mm_set1_ps(down(region.lo.u)), low_v = _mm_set1_ps(down(region.lo.v));
   const __m128 high_u = _mm_set1_ps(up(region.hi.u)), high_v = _mm_set1_ps(up(region.hi.v));
-  for (std::size_t group = 0; group < m_lanes.size(); ++group) {
-    const auto& sides = m_lanes[group].sides;
+  const Lanes* group = m_lanes.data();
+  const Lanes* const end = group + m_lanes.size();
+  for (std::uint32_t first = 0; group < end; ++group, first += 4) {
+    const auto& sides = group->sides;
     const __m128 meets_u = _mm_and_ps(_mm_cmple_ps(_mm_load_ps(sides[0]), high_u),
                                       _mm_cmpge_ps(_mm_load_ps(sides[2]), low_u));
     const __m128 meets_v = _mm_and_ps(_mm_cmple_ps(_mm_load_ps(sides[1]), high_v),
                                       _mm_cmpge_ps(_mm_load_ps(sides[3]), low_v));
     auto mask = static_cast<unsigned>(_mm_movemask_ps(_mm_and_ps(meets_u, meets_v)));
     for (; mask != 0; mask &= mask - 1) {
-      const auto i = static_cast<std::uint32_t>(4 * group) + static_cast<std::uint32_t>(std::countr_zero(mask));
-      if (!may_cross(m_boxes[i], a, b, c)) continue;
-      double s[3];
-      const int n = line_crossings(m_pieces[i], a, b, c, s);
-      for (int k = 0; k < n; ++k) {
-        if (!visit(i, s[k])) return;
-      }
+      const std::uint32_t i = first + static_cast<std::uint32_t>(std::countr_zero(mask));
+      if (may_cross(m_boxes[i], a, b, c) && !take(i)) return;
     }
   }
+}
+
+template <class Visit>
+void Outline::crossings(double a, double b, double c, const Box& region, Visit&& visit) const {
+  candidates(a, b, c, region, [&](std::uint32_t i) {
+    double s[3];
+    const int n = line_crossings(m_pieces[i], a, b, c, s);
+    for (int k = 0; k < n; ++k) {
+      if (!visit(i, s[k])) return false;
+    }
+    return true;
+  });
+}
+
+/// By where their boxes begin, along the axis that the way is longer on.
+template <class Visit>
+void Outline::first_crossings(double a, double b, double c, const Vec2& way, const Box& region, Visit&& visit) const {
+  constexpr double kSlack = 1e-6;
+  constexpr int kMost = 16;
+  struct Candidate {
+    double begin;
+    std::uint32_t piece;
+  };
+  Candidate waiting[kMost];
+  int count = 0;
+  const bool along_u = std::fabs(way.u) > std::fabs(way.v);
+  const double sign = (along_u ? way.u : way.v) < 0.0 ? -1.0 : 1.0;
+  const auto place = [&](const Vec2& p) { return sign * (along_u ? p.u : p.v); };
+  const double slack = kSlack * (std::fabs(place(m_lo)) + std::fabs(place(m_hi)));
+  double limit = std::numeric_limits<double>::infinity();
+  const auto look = [&](std::uint32_t i) {
+    double s[3];
+    const int n = line_crossings(m_pieces[i], a, b, c, s);
+    for (int k = 0; k < n; ++k) {
+      if (visit(i, s[k])) limit = std::min(limit, place(m_pieces[i].at(s[k])) + slack);
+    }
+  };
+  candidates(a, b, c, region, [&](std::uint32_t i) {
+    const double begin = place(sign > 0.0 ? m_boxes[i].lo : m_boxes[i].hi);
+    if (count == kMost) {
+      look(i);
+      return true;
+    }
+    int at = count++;
+    for (; at > 0 && waiting[at - 1].begin > begin; --at) waiting[at] = waiting[at - 1];
+    waiting[at] = {begin, i};
+    return true;
+  });
+  for (int k = 0; k < count && !(waiting[k].begin > limit); ++k) look(waiting[k].piece);
 }
 
 }  // namespace lentray::core

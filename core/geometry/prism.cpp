@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/geometry/bounds_help.h"
 #include "core/geometry/box_ray.h"
@@ -65,54 +66,60 @@ bool Prism::contains(double u, double v, double height) const {
   return m_outline->contains(u, v);
 }
 
-/// False if the ray does not come between the caps and t_min and t_max; else `region` becomes the
-/// box over the outline where it does, a little wider.
-bool Prism::shadow(const Vec3& origin, const Vec3& direction, double t_min, double t_max, Outline::Box& region) const {
+/// False if the ray meets nothing for sure.
+[[gnu::always_inline]] inline bool Prism::passes(const Ray& ray, const Vec3& origin, const Vec3& direction, double t_min, double t_max,
+                   Passage& passage) const {
   constexpr double kInf = Bounds::kInf, kSlack = 1e-9;
-  region = {{-kInf, -kInf}, {kInf, kInf}};
+  passage.region = {{-kInf, -kInf}, {kInf, kInf}};
+  passage.middle = {kInf, kInf};
+  double from = t_min, to = t_max;
   if (direction.z != 0.0) {
-    const double a = (m_from - origin.z) / direction.z, b = (m_to - origin.z) / direction.z;
+    // Where all of it lies behind t_min, that is known without a division.
+    constexpr double kSure = 1e-6;
+    const double low = m_from - origin.z, high = m_to - origin.z, least = t_min * direction.z;
+    const double sure = kSure * (std::fabs(low) + std::fabs(high) + std::fabs(least));
+    if (direction.z > 0.0 ? high + sure < least : low - sure > least) return false;
+    const double a = low / direction.z, b = high / direction.z;
+    passage.caps[kLowCap] = a;
+    passage.caps[kHighCap] = b;
     const double slack = kSlack * (std::fabs(a) + std::fabs(b));
     const double enters = std::min(a, b), leaves = std::max(a, b);
     if (!(enters - slack <= t_max && leaves + slack >= t_min)) return false;
-    t_min = std::max(t_min, enters);
-    t_max = std::min(t_max, leaves);
-  } else if (!(origin.z >= m_from && origin.z <= m_to)) {
-    return false;
+    from = std::max(t_min, enters);
+    to = std::min(t_max, leaves);
+    passage.leaves = (enters > t_min && enters < t_max) || (leaves > t_min && leaves < t_max);
+  } else {
+    if (!(origin.z >= m_from && origin.z <= m_to)) return false;
+    passage.caps[kLowCap] = passage.caps[kHighCap] = std::numeric_limits<double>::quiet_NaN();
   }
-  const Vec3 first = origin + direction * t_min, last = origin + direction * t_max;
-  if (!is_finite(first) || !is_finite(last)) return true;
-  double u1 = first.x, v1 = first.y, u2 = last.x, v2 = last.y;
+  const auto by_bounds = [&] { return BoxRay(ray).meets(m_reach, t_min, t_max); };
+  const Vec3 first = origin + direction * from, last = origin + direction * to;
+  Vec2 begin{first.x, first.y}, end{last.x, last.y};
   if (m_sweep == Sweep::kConic) {
     // Towards the tip it has no end.
     constexpr double kTip = 1e-3;
-    if (!(first.z * last.z > 0.0) || std::min(std::fabs(first.z), std::fabs(last.z)) < kTip) return true;
-    u1 /= first.z;
-    v1 /= first.z;
-    u2 /= last.z;
-    v2 /= last.z;
+    if (!(first.z * last.z > 0.0) || std::min(std::fabs(first.z), std::fabs(last.z)) < kTip) return by_bounds();
+    begin = {begin.u / first.z, begin.v / first.z};
+    end = {end.u / last.z, end.v / last.z};
   }
-  const double size = std::fabs(origin.x) + std::fabs(origin.y) + std::fabs(u1) + std::fabs(v1) +
-                      std::fabs(u2) + std::fabs(v2) + std::fabs(origin.z) + std::fabs(m_from) + std::fabs(m_to);
+  const double size = std::fabs(origin.x) + std::fabs(origin.y) + std::fabs(begin.u) + std::fabs(begin.v) +
+                      std::fabs(end.u) + std::fabs(end.v) + std::fabs(origin.z) + std::fabs(m_from) + std::fabs(m_to);
+  if (!std::isfinite(size)) return by_bounds();
   const double by = kSlack * size * (m_sweep == Sweep::kConic ? 1e3 : 1.0);
-  region = {{std::min(u1, u2) - by, std::min(v1, v2) - by}, {std::max(u1, u2) + by, std::max(v1, v2) + by}};
-  return true;
+  passage.way = {end.u - begin.u, end.v - begin.v};
+  passage.middle = {0.5 * (begin.u + end.u), 0.5 * (begin.v + end.v)};
+  passage.region = {{std::min(begin.u, end.u) - by, std::min(begin.v, end.v) - by},
+                    {std::max(begin.u, end.u) + by, std::max(begin.v, end.v) + by}};
+  return passage.region.meets({m_outline->lo(), m_outline->hi()});
 }
 
-bool Prism::may_meet(const Ray& ray, const Vec3& origin, const Vec3& direction, double t_min, double t_max,
-                     Outline::Box& region) const {
-  if (!shadow(origin, direction, t_min, t_max, region)) return false;
-  if (std::isfinite(region.lo.u)) return region.meets({m_outline->lo(), m_outline->hi()});
-  return BoxRay(ray).meets(m_reach, t_min, t_max);
-}
-
-template <class Visit>
-void Prism::walls(const Vec3& origin, const Vec3& direction, const Outline::Box& region, Visit&& visit) const {
+template <bool first, class Visit>
+void Prism::walls(const Vec3& origin, const Vec3& direction, const Passage& passage, Visit&& visit) const {
   // Plane in which the ray and the direction of the sweep lie, as a line across the outline.
   Vec3 plane{direction.y, -direction.x, origin.y * direction.x - origin.x * direction.y};
   if (m_sweep == Sweep::kConic) plane = cross(origin, direction);
   if (plane.x == 0.0 && plane.y == 0.0) return;
-  m_outline->crossings(plane.x, plane.y, plane.z, region, [&](std::uint32_t piece, double s) {
+  const auto met = [&](std::uint32_t piece, double s) {
     const Vec2 p = m_outline->pieces()[piece].at(s);
     double du = direction.x, dv = direction.y, u = p.u - origin.x, v = p.v - origin.y;
     if (m_sweep == Sweep::kConic) {
@@ -123,33 +130,40 @@ void Prism::walls(const Vec3& origin, const Vec3& direction, const Outline::Box&
     }
     const double t = std::fabs(du) > std::fabs(dv) ? u / du : v / dv;
     const double height = origin.z + t * direction.z;
-    return !(height >= m_from && height <= m_to) || visit(t, kFirstWall + piece, s);
-  });
+    return !(height >= m_from && height <= m_to) ? !first : visit(t, kFirstWall + piece, s);
+  };
+  if (first && std::isfinite(passage.middle.u)) {
+    m_outline->first_crossings(plane.x, plane.y, plane.z, passage.way, passage.region, met);
+  } else {
+    m_outline->crossings(plane.x, plane.y, plane.z, passage.region, [&](std::uint32_t piece, double s) {
+      return met(piece, s) || first;
+    });
+  }
 }
 
-/// Where the line of the ray meets a cap.
-bool Prism::met_cap(std::uint32_t cap, const Vec3& origin, const Vec3& direction, double& t) const {
-  if (m_open || direction.z == 0.0) return false;
-  const double height = cap == kLowCap ? m_from : m_to;
-  t = (height - origin.z) / direction.z;
-  return contains(origin.x + t * direction.x, origin.y + t * direction.y, height);
+/// Whether the place where the ray's line meets a cap's plane is on the cap.
+bool Prism::is_on_cap(std::uint32_t cap, const Vec3& origin, const Vec3& direction, const Passage& passage) const {
+  const double t = passage.caps[cap];
+  return !m_open && contains(origin.x + t * direction.x, origin.y + t * direction.y, cap == kLowCap ? m_from : m_to);
 }
 
 /// The cap that the ray comes to first is before all else: walls lie between the caps.
 bool Prism::nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const {
   const Vec3 origin = swept(ray.origin), direction = swept(ray.direction);
-  Outline::Box region;
-  if (!may_meet(ray, origin, direction, t_min, t_max, region)) return false;
+  Passage passage;
+  if (!passes(ray, origin, direction, t_min, t_max, passage)) return false;
   const std::uint32_t first = direction.z > 0.0 ? kLowCap : kHighCap;
-  double t;
-  if (met_cap(first, origin, direction, t) && t > t_min && t < t_max) {
+  double t = passage.caps[first];
+  if (t > t_min && t < t_max && is_on_cap(first, origin, direction, passage)) {
     hit = {t, first, 0.0, 0.0};
     return true;
   }
   bool found = false;
   double best = t_max;
-  walls(origin, direction, region, [&](double at, std::uint32_t element, double place) {
-    if (at > t_min && at < best) {
+  walls<true>(origin, direction, passage, [&](double at, std::uint32_t element, double place) {
+    if (!(at > t_min && at < t_max)) return false;
+    // Where two meet the one that was made first counts.
+    if (at < best || (found && at == best && element < hit.element)) {
       hit = {at, element, place, 0.0};
       best = at;
       found = true;
@@ -157,8 +171,9 @@ bool Prism::nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) c
     return true;
   });
   const std::uint32_t last = first == kLowCap ? kHighCap : kLowCap;
+  t = passage.caps[last];
   // Where they meet the cap counts.
-  if (met_cap(last, origin, direction, t) && t > t_min && t < t_max && t <= best) {
+  if (t > t_min && t < t_max && t <= best && is_on_cap(last, origin, direction, passage)) {
     hit = {t, last, 0.0, 0.0};
     found = true;
   }
@@ -167,14 +182,16 @@ bool Prism::nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) c
 
 bool Prism::any(const Ray& ray, double t_min, double t_max) const {
   const Vec3 origin = swept(ray.origin), direction = swept(ray.direction);
-  Outline::Box region;
-  if (!may_meet(ray, origin, direction, t_min, t_max, region)) return false;
-  double t;
+  Passage passage;
+  if (!passes(ray, origin, direction, t_min, t_max, passage)) return false;
+  // From inside to beyond a cap it meets that or a wall.
+  if (passage.leaves && !m_open && m_outline->is_known_inside(passage.middle)) return true;
   for (const std::uint32_t cap : {kLowCap, kHighCap}) {
-    if (met_cap(cap, origin, direction, t) && t > t_min && t < t_max) return true;
+    const double t = passage.caps[cap];
+    if (t > t_min && t < t_max && is_on_cap(cap, origin, direction, passage)) return true;
   }
   bool found = false;
-  walls(origin, direction, region, [&](double at, std::uint32_t, double) {
+  walls<false>(origin, direction, passage, [&](double at, std::uint32_t, double) {
     return !(found = at > t_min && at < t_max);
   });
   return found;
@@ -182,17 +199,17 @@ bool Prism::any(const Ray& ray, double t_min, double t_max) const {
 
 void Prism::all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const {
   const Vec3 origin = swept(ray.origin), direction = swept(ray.direction);
-  Outline::Box region;
-  if (!may_meet(ray, origin, direction, t_min, t_max, region)) return;
+  Passage passage;
+  if (!passes(ray, origin, direction, t_min, t_max, passage)) return;
   const auto add = [&](double t, std::uint32_t element, double place) {
     if (t > t_min && t < t_max) hits.push_back({t, element, place, 0.0});
     return true;
   };
   for (const std::uint32_t cap : {kLowCap, kHighCap}) {
-    double t;
-    if (met_cap(cap, origin, direction, t)) add(t, cap, 0.0);
+    const double t = passage.caps[cap];
+    if (t > t_min && t < t_max && is_on_cap(cap, origin, direction, passage)) add(t, cap, 0.0);
   }
-  walls(origin, direction, region, add);
+  walls<false>(origin, direction, passage, add);
 }
 
 bool Prism::inside(const Vec3& p) const {

@@ -37,12 +37,20 @@ class Prism final : public Shape {
     return m_sweep == Sweep::kAlongZ ? p : Vec3{p.x, p.z, p.y};
   }
   bool contains(double u, double v, double height) const;
-  bool met_cap(std::uint32_t cap, const Vec3& origin, const Vec3& direction, double& t) const;
-  bool may_meet(const Ray& ray, const Vec3& origin, const Vec3& direction, double t_min, double t_max,
-                Outline::Box& region) const;
-  template <class Visit>
-  void walls(const Vec3& origin, const Vec3& direction, const Outline::Box& region, Visit&& visit) const;
-  bool shadow(const Vec3& origin, const Vec3& direction, double t_min, double t_max, Outline::Box& region) const;
+  /// The part of a ray between the caps and t_min and t_max.
+  struct Passage {
+    double caps[2];       ///< where the ray's line meets their planes; along them no numbers
+    bool leaves = false;  ///< an end of the part is on a cap, within t_min .. t_max
+    Vec2 way;             ///< of the part, over the outline
+    Vec2 middle;          ///< of the part, over the outline; infinite: unknown
+    Outline::Box region;  ///< where walls may be met, over the outline; a little wider
+  };
+  bool passes(const Ray& ray, const Vec3& origin, const Vec3& direction, double t_min, double t_max,
+              Passage& passage) const;
+  bool is_on_cap(std::uint32_t cap, const Vec3& origin, const Vec3& direction, const Passage& passage) const;
+  /// What visit() answers: crossings(), or where `first` first_crossings().
+  template <bool first, class Visit>
+  void walls(const Vec3& origin, const Vec3& direction, const Passage& passage, Visit&& visit) const;
 
   std::string_view m_name;
   std::shared_ptr<const Outline> m_outline;

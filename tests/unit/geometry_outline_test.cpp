@@ -68,11 +68,56 @@ TEST(UnitCoreOutline, PrismsAnswerAnyAsNearestDoes) {
         prism.all(ray, from, to, all);
         ASSERT_EQ(prism.any(ray, from, to), is_met);
         ASSERT_EQ(all.empty(), !is_met);
-        for (const ShapeHit& one : all) ASSERT_GE(one.t, hit.t);
+        // Of those at one place that which was made first.
+        for (const ShapeHit& one : all) {
+          ASSERT_TRUE(one.t > hit.t || (one.t == hit.t && one.element >= hit.element));
+        }
         met += is_met;
       }
       EXPECT_GT(met, 500);
     }
+  }
+}
+
+TEST(UnitCoreOutline, FirstCrossingsHoldTheFirst) {
+  Random random(11);
+  const Outline outline = ring(1.0, {0.2, 0.1});
+  int left_out = 0, met = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const Vec2 from{random.in(-2, 2), random.in(-2, 2)}, way{random.in(-1, 1), random.in(-1, 1)};
+    const double a = way.v, b = -way.u, c = from.v * way.u - from.u * way.v;
+    const Outline::Box everywhere{{-9, -9}, {9, 9}};
+    const auto place = [&](std::uint32_t piece, double s) {
+      const Vec2 p = outline.pieces()[piece].at(s);
+      return (p.u - from.u) * way.u + (p.v - from.v) * way.v;
+    };
+    double first = 1e9, first_of_all = 1e9;
+    int seen = 0, all = 0;
+    outline.first_crossings(a, b, c, way, everywhere, [&](std::uint32_t piece, double s) {
+      ++seen;
+      if (place(piece, s) <= 0.0) return false;
+      first = std::min(first, place(piece, s));
+      return true;
+    });
+    outline.crossings(a, b, c, everywhere, [&](std::uint32_t piece, double s) {
+      ++all;
+      if (place(piece, s) > 0.0) first_of_all = std::min(first_of_all, place(piece, s));
+      return true;
+    });
+    ASSERT_EQ(first, first_of_all);
+    left_out += all - seen;
+    met += first < 1e9;
+  }
+  EXPECT_GT(met, 2000);
+  EXPECT_GT(left_out, 2000);
+}
+
+TEST(UnitCoreOutline, ReachesAsFarAlongAnAxisAsANearbyWayDoes) {
+  const Outline outline = ring(1.0, {0.2, 0.1});
+  for (const Vec2 n : {Vec2{1, 0}, Vec2{-1, 0}, Vec2{0, 1}, Vec2{0, -1}}) {
+    const double turned = 6e-17, far = outline.farthest({n.u + turned * n.v, n.v - turned * n.u});
+    const double more = 1e-9;
+    EXPECT_NEAR(far, outline.farthest({n.u + more * n.v, n.v - more * n.u}), 3e-9);
   }
 }
 
