@@ -56,31 +56,6 @@ double volume(const core::Bounds& b) {
 
 using Regions = std::vector<std::shared_ptr<const core::Object>>;
 
-std::shared_ptr<const core::Object> box_region(const core::Bounds& box) {
-  return std::make_shared<core::Leaf>(std::make_unique<core::Box>(box.lo, box.hi), core::Transform());
-}
-
-/// Stock asks these for hits without asking their boxes first.
-bool has_no_box_test(const ObjectDesc& object) {
-  return std::holds_alternative<PlaneShape>(object.shape) ||
-         std::holds_alternative<SphereShape>(object.shape) ||
-         std::holds_alternative<BoxShape>(object.shape) ||
-         std::holds_alternative<TriangleShape>(object.shape) ||
-         std::holds_alternative<PolyShape>(object.shape) ||
-         std::holds_alternative<Sparse<SmoothTriangleShape>>(object.shape);
-}
-
-/// A clip that leaves surfaces beyond its box, as a height field does all below it: stock shows
-/// them to rays that meet the box.
-bool leaves_box(const ObjectDesc& clip, const core::Object* built) {
-  constexpr double kFinite = 1e9;
-  if (!built || clip.inverse || built->solid_bounds().is_finite()) return false;
-  bool is_whole = true;
-  const core::Bounds box = stock_box(clip, is_whole);
-  const Vec3 size = box.hi - box.lo;
-  return size.x < kFinite && size.y < kFinite && size.z < kFinite;
-}
-
 /// What is left of bounds that stock drops: their common box, if it is smaller than stock's own.
 Regions boxed(const Regions& bounds, const core::Bounds& own) {
   core::Bounds box = core::Bounds::everything();
@@ -89,7 +64,8 @@ Regions boxed(const Regions& bounds, const core::Bounds& own) {
   }
   if (box.is_empty() || !box.is_finite() || !(volume(box) < volume(own))) return {};
   Regions kept;
-  kept.push_back(box_region(box));
+  kept.push_back(std::make_shared<core::Leaf>(std::make_unique<core::Box>(box.lo, box.hi),
+                                              core::Transform()));
   return kept;
 }
 
@@ -207,12 +183,6 @@ void ObjectBuilder::set_regions(const ObjectDesc& object, const core::Transform&
     ObjectDesc alone = object;
     alone.bounded_by.clear();
     bounds = boxed(bounds, core::transformed(stock_box(alone, is_whole), outer));
-  }
-  if (!clips.empty() && !has_no_box_test(object) &&
-      std::any_of(object.clipped_by.begin(), object.clipped_by.end(),
-                  [&](const Ref<ObjectDesc>& clip) { return leaves_box(*clip, made[clip.get()].get()); })) {
-    bool is_whole = true;
-    bounds.push_back(box_region(core::transformed(stock_box(object, is_whole), outer)));
   }
   if (!clips.empty()) out.set_clips(std::move(clips));
   if (!bounds.empty()) out.set_bounding(std::move(bounds));

@@ -79,9 +79,6 @@ class BoxFinder {
 
   Bounds of(const ObjectDesc& object) {
     Bounds box = kept(std::visit([&](const auto& shape) { return leaf(shape, object); }, object.shape));
-    if (const auto* quadric = std::get_if<QuadricShape>(&object.shape)) {
-      if (!object.clipped_by.empty()) box = clipped(*quadric, object);
-    }
     for (const auto* regions : {&object.bounded_by, &object.clipped_by}) {
       Bounds common = everything();
       for (const Ref<ObjectDesc>& region : *regions) {
@@ -94,21 +91,6 @@ class BoxFinder {
   }
 
  private:
-  /// Of quadrics what the boxes of their clips leave is counted axis by axis.
-  Bounds clipped(const QuadricShape& s, const ObjectDesc& o) {
-    Bounds box = everything();
-    for (const Ref<ObjectDesc>& clip : o.clipped_by) {
-      if (!clip->inverse) box.intersect(limited(*clip, false));
-    }
-    ObjectDesc alone;
-    alone.keyword = o.keyword;
-    alone.shape = s;
-    alone.transform = o.transform;
-    NotYet missing;
-    if (const auto made = ObjectBuilder(missing).geometry(alone)) box.intersect(made->bounds());
-    return box.is_empty() ? everything() : kept(box);
-  }
-
   /// What a part of an intersection leaves, or its outside: of planes only those along an axis have
   /// a box, all others have none outside.
   Bounds limited(const ObjectDesc& part, bool outside) {

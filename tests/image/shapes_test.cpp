@@ -135,23 +135,6 @@ TEST(ImageShapesHeightField, SolidBelowItsBox) {
   EXPECT_TRUE(same_as_stock({.sdl = sdl, .width = 120, .height = 90, .arguments = {}, .files = {}}));
 }
 
-/// What a height field clips goes down without end, for rays that meet stock's box.
-TEST(ImageShapesHeightField, ClipsBelowItsBox) {
-  const std::string clip = " clipped_by { height_field { png \"plasma2.png\" translate <-.5,0,-.5> scale <6,2,6> } } ";
-  const std::string clipped[] = {
-      "quadric { <1,0,1>, 0, 0, -1" + clip + "}",
-      "union { quadric { <1,.1,1>, 0, 0, -1 scale .9" + clip + "} sphere { <2,0,-2>, .3 } }",
-      "cylinder { -30*y, 30*y, 2.5 open" + clip + "}",
-      "intersection { quadric { <1,0,1>, 0, 0, -1 } plane { y, 5 }" + clip + "}",
-  };
-  for (const std::string& object : clipped) {
-    const std::string sdl = "#version 3.7; global_settings { assumed_gamma 1 }\n"
-                            "camera { location <0,6,-9> angle 80 look_at 0 } light_source { <-4,7,-6>, 1 }\n"
-                            "object { " + object + " pigment { rgb <.9,.7,.3> } }";
-    EXPECT_TRUE(same_as_stock({.sdl = sdl, .width = 80, .height = 60, .arguments = {}, .files = {}})) << object;
-  }
-}
-
 INSTANTIATE_TEST_SUITE_P(Each, ImageShapes, ::testing::ValuesIn(kCases),
                          [](const auto& one) { return std::string(one.param.name); });
 
