@@ -26,13 +26,6 @@ void count(Counters& counters, const Object& object) {
   }
 }
 
-/// Where a ray is at t_min, a little on the point's side: what lies no nearer to the light than that,
-/// as all of a flat top's neighbours in its plane, is not asked. The light is where the ray ends.
-double first_w(const LightBuffer::Spot& spot, double t_min, double t_max) {
-  constexpr double kShare = 0.75;  // far from rounding
-  return spot.w * (1.0 - kShare * t_min / (t_max + t_min));
-}
-
 }  // namespace
 
 template <class Count>
@@ -114,7 +107,6 @@ template <class Count>
       ++begin;
     }
     const double inverse_dd = 1.0 / dot(ray.direction, ray.direction);
-    const double w = first_w(spot, t_min, t_max);
     const Entry* const end = begin + cell->opaque;
     const bool choice = recall && cell->opaque > 1;
     std::uint64_t last = 0;
@@ -122,10 +114,10 @@ template <class Count>
     if (choice) {
       last = std::atomic_ref(cell->last).load(std::memory_order_relaxed);
       first = expected(last, spot.part, begin, end, *recall);
-      if (!(first->near_w < w)) first = begin;
+      if (!(first->near_w < spot.w)) first = begin;
     }
     const Entry* next = begin;
-    for (const Entry* entry = first; entry < end && entry->near_w < w; entry = next++) {
+    for (const Entry* entry = first; entry < end && entry->near_w < spot.w; entry = next++) {
       const Caster& caster = m_casters[entry->caster];
       if (blocks(caster, ray, inverse_dd, t_min, t_max, arena, count)) {
         if (recall) {
@@ -182,8 +174,8 @@ void LightBuffer::all_transparent(const Spot& spot, const Ray& ray, double t_min
   for (const Caster& caster : m_always_transparent) ask(caster);
   if (!spot.cell) return;
   const Entry* entry = m_entries.data() + spot.cell->first + (spot.cell->covered ? 1 : 0) + spot.cell->opaque;
-  const double w = first_w(spot, t_min, t_max);
-  for (const Entry* end = entry + spot.cell->transparent; entry < end && entry->near_w < w; ++entry) {
+  for (const Entry* end = entry + spot.cell->transparent; entry < end && entry->near_w < spot.w;
+       ++entry) {
     ask(m_casters[entry->caster]);
   }
 }

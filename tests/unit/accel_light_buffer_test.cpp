@@ -236,25 +236,4 @@ TEST(UnitCoreLightBufferRules, CrowdIsRefused) {
   EXPECT_TRUE(LightBuffer({9, 9, 9}, objects, kTolerance, 64).crowded());
 }
 
-TEST(UnitCoreLightBufferTops, NeighboursInAPointsPlaneAreNotAsked) {
-  std::vector<std::unique_ptr<Object>> objects;
-  for (int i = 0; i < 20; ++i) {
-    const Transform turned = Transform::translation({i * 0.5, 0.0, 0.0});
-    objects.push_back(std::make_unique<Leaf>(std::make_unique<Cone>(Vec3{0, 0, 0}, 0.4, Vec3{0, 1, 0}, 0.3, false), turned));
-  }
-  const Vec3 light{5, 40, 3};
-  const LightBuffer buffer(light, objects, kTolerance, 64);
-  HitArena arena;
-  for (int i = 0; i < 20; ++i) {
-    const Vec3 point{i * 0.5 + 0.1, 1.0, 0.1}, to = light - point;
-    const double distance = length(to);
-    LightBuffer::Spot spot;
-    buffer.locate(point, spot);
-    ASSERT_TRUE(buffer.serves(spot, distance));
-    Counters counters;
-    EXPECT_FALSE(buffer.any_opaque(spot, {point, to / distance}, kTolerance, distance - kTolerance, arena, &counters).blocker);
-    EXPECT_EQ(counters.primitive_tests, 0u) << i;
-  }
-}
-
 }  // namespace
