@@ -54,7 +54,7 @@ class LightBuffer {
   };
   struct Answer {
     const Object* blocker = nullptr;
-    bool foreseen = false;  ///< the first finite object that was asked, or known without asking
+    bool foreseen = false;  ///< a plane, the first of the cell that was asked, or what covers the cell
   };
   /// As Hierarchy::any_opaque, for a ray from the point of `spot` to the light: t_min is the
   /// tolerance, t_max the way to the light less the tolerance. `recall`: null, near ones first.

@@ -82,6 +82,14 @@ TEST_F(ImageShadowCaches, WithLightBuffersAutoNeedsHardlyMoreTestsThanTheBest) {
   }
 }
 
+TEST_F(ImageShadowCaches, AutoDoesWithoutWhereASearchCostsNextToNothing) {
+  for (const Small& small : kSpd) {
+    const auto s = run(small, {"+W180", "+H120"});
+    EXPECT_EQ(s.at("auto").at("cached"), 0) << small.scene;
+    EXPECT_LE(number(s.at("auto").at("measured")), 0.04 * number(s.at("rays"))) << small.scene;
+  }
+}
+
 // Small sheets without light buffers: `auto` once hardly used a cache there (0.7 % of the bound).
 TEST_F(ImageShadowCaches, AutoTakesACacheSoonWhereOnePays) {
   for (const Small& small : {Small{"balls", 4}, Small{"gears", 4}, Small{"rings", 3}}) {
