@@ -5,4 +5,7 @@ extern "C" const char* __tsan_default_suppressions();
 extern "C" const char* __tsan_default_suppressions() {
   return "race:/oneapi/tbb/\nrace:libtbb.so\n";
 }
+/// Reports whose older stack is forgotten cannot be told apart from others: remember as much as it can.
+extern "C" const char* __tsan_default_options();
+extern "C" const char* __tsan_default_options() { return "history_size=7"; }
 #endif
