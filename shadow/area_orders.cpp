@@ -21,13 +21,13 @@ class SquareOrder : public Sequence {
   struct Square {
     std::size_t left = 0, top = 0, columns = 0, rows = 0;
   };
-  /// Appends the square's pixels but for the first `skip`, at most `count`; returns how many.
+  /// Writes the square's pixels but for the first `skip`, at most `count`; returns how many.
   virtual std::size_t list_square(const Square& square, std::size_t skip, std::size_t count,
-                                  std::vector<core::Pixel>& out) const = 0;
+                                  core::Pixel* out) const = 0;
   const std::size_t m_side;
 
  private:
-  void list(std::size_t first, std::size_t count, std::vector<core::Pixel>& out) const final {
+  void list(std::size_t first, std::size_t count, core::Pixel* out) const final {
     Square s;
     s.top = first / (m_width * m_side) * m_side;
     s.rows = std::min(m_side, m_height - s.top);
@@ -35,7 +35,9 @@ class SquareOrder : public Sequence {
     std::size_t skip = first - s.top * m_width - s.left * s.rows;
     while (count > 0) {
       s.columns = std::min(m_side, m_width - s.left);
-      count -= list_square(s, skip, count, out);
+      const std::size_t listed = list_square(s, skip, count, out);
+      out += listed;
+      count -= listed;
       skip = 0;
       s.left += m_side;
       if (s.left < m_width) continue;
@@ -52,11 +54,11 @@ class TileOrder final : public SquareOrder {
 
  private:
   std::size_t list_square(const Square& s, std::size_t skip, std::size_t count,
-                          std::vector<core::Pixel>& out) const override {
+                          core::Pixel* out) const override {
     const std::size_t number = std::min(count, s.columns * s.rows - skip);
     std::size_t x = skip % s.columns, y = skip / s.columns;
     for (std::size_t i = 0; i < number; ++i) {
-      out.push_back(at(s.left + x, s.top + y));
+      *out++ = at(s.left + x, s.top + y);
       if (++x < s.columns) continue;
       x = 0;
       ++y;
@@ -65,9 +67,9 @@ class TileOrder final : public SquareOrder {
   }
 };
 
-/// A pixel of a square, from its left and top.
+/// A pixel of a square, from its left and top. Without initializers, so that many are copied at once.
 struct Place {
-  std::uint8_t x = 0, y = 0;
+  std::uint8_t x, y;
 };
 
 /// The Hilbert curve through a square, from the upper left corner to the upper right one.
@@ -130,10 +132,13 @@ class HilbertOrder final : public SquareOrder {
     return kCurve;
   }
   std::size_t list_square(const Square& s, std::size_t skip, std::size_t count,
-                          std::vector<core::Pixel>& out) const override {
+                          core::Pixel* out) const override {
     const std::span<const Place> places = places_of(s);
     const std::size_t number = std::min(count, places.size() - skip);
-    for (const Place& p : places.subspan(skip, number)) out.push_back(at(s.left + p.x, s.top + p.y));
+    const core::Pixel corner = at(s.left, s.top);
+    for (const Place& p : places.subspan(skip, number)) {
+      *out++ = {corner.column + p.x, corner.row + p.y};
+    }
     return number;
   }
 
@@ -146,7 +151,7 @@ class StripOrder final : public Sequence {
       : Sequence(r), m_strips(std::move(strips)), m_group(std::min(height, m_height)) {}
 
  private:
-  void list(std::size_t first, std::size_t count, std::vector<core::Pixel>& out) const override {
+  void list(std::size_t first, std::size_t count, core::Pixel* out) const override {
     const std::vector<Strip>& strips = m_strips->strips;
     const std::vector<std::size_t>& before = m_strips->before;
     std::size_t top = first / (m_width * m_group) * m_group;
@@ -158,7 +163,7 @@ class StripOrder final : public Sequence {
     std::size_t x = first % (strips[i].end - strips[i].begin);
     std::size_t y = first / (strips[i].end - strips[i].begin);
     for (; count > 0; --count) {
-      out.push_back({static_cast<std::uint32_t>(strips[i].begin + x), at(0, top + y).row});
+      *out++ = {static_cast<std::uint32_t>(strips[i].begin + x), at(0, top + y).row};
       if (++x < strips[i].end - strips[i].begin) continue;
       x = 0;
       if (++y < rows) continue;

@@ -9,10 +9,10 @@ class RowOrder final : public Sequence {
   using Sequence::Sequence;
 
  private:
-  void list(std::size_t first, std::size_t count, std::vector<core::Pixel>& out) const override {
+  void list(std::size_t first, std::size_t count, core::Pixel* out) const override {
     std::size_t x = first % m_width, y = first / m_width;
     for (; count > 0; --count) {
-      out.push_back(at(x, y));
+      *out++ = at(x, y);
       if (++x < m_width) continue;
       x = 0;
       ++y;
@@ -25,10 +25,10 @@ class ColumnOrder final : public Sequence {
   using Sequence::Sequence;
 
  private:
-  void list(std::size_t first, std::size_t count, std::vector<core::Pixel>& out) const override {
+  void list(std::size_t first, std::size_t count, core::Pixel* out) const override {
     std::size_t x = first / m_height, y = first % m_height;
     for (; count > 0; --count) {
-      out.push_back(at(x, y));
+      *out++ = at(x, y);
       if (++y < m_height) continue;
       y = 0;
       ++x;
@@ -41,14 +41,14 @@ class ViewOrder final : public Sequence {
   ViewOrder(const PixelRegion& r, SharedViews views) : Sequence(r), m_views(std::move(views)) {}
 
  private:
-  void list(std::size_t first, std::size_t count, std::vector<core::Pixel>& out) const override {
+  void list(std::size_t first, std::size_t count, core::Pixel* out) const override {
     std::size_t view = 0;
     for (; first >= (*m_views)[view].size() * m_height; ++view) {
       first -= (*m_views)[view].size() * m_height;
     }
     std::size_t lens = first % (*m_views)[view].size(), y = first / (*m_views)[view].size();
     for (; count > 0; --count) {
-      out.push_back({(*m_views)[view][lens], at(0, y).row});
+      *out++ = {(*m_views)[view][lens], at(0, y).row};
       if (++lens < (*m_views)[view].size()) continue;
       lens = 0;
       if (++y < m_height) continue;

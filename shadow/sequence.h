@@ -29,14 +29,13 @@ class Sequence : public core::PixelOrder {
 
   void pixels(std::size_t job, std::vector<core::Pixel>& out) const final {
     const std::size_t first = job * m_job, last = std::min(m_count, first + m_job);
-    out.clear();
-    out.reserve(last - first);
-    list(first, last - first, out);
+    out.resize(last - first);  // most often as long as the job before
+    list(first, last - first, out.data());
   }
 
  protected:
-  /// Appends `count` pixels of the sequence, beginning with number `first`.
-  virtual void list(std::size_t first, std::size_t count, std::vector<core::Pixel>& out) const = 0;
+  /// Writes `count` pixels of the sequence, beginning with number `first`.
+  virtual void list(std::size_t first, std::size_t count, core::Pixel* out) const = 0;
 
   core::Pixel at(std::size_t x, std::size_t y) const {
     return {static_cast<std::uint32_t>(m_region.left + x),
