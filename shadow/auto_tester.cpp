@@ -1,6 +1,7 @@
 #include "shadow/auto_tester.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "core/scene/scene.h"
 
@@ -24,10 +25,14 @@ constexpr std::uint32_t kToFill = 8;  ///< periods; an empty grid has no hits
 constexpr double kOlder = 0.875;   ///< what counts of the period before
 constexpr double kSamplesCost = 4e5;  ///< of searches in a period: beside that samples are little
 
+constexpr std::uint64_t kForever = std::numeric_limits<std::uint64_t>::max();
+
 }  // namespace
 
 void AutoTester::Samples::grow_old() {
-  for (double* sum : {&count, &searched, &blocked, &searched_blocked, &tests}) *sum *= kOlder;
+  for (double* sum : {&count, &searched, &blocked, &searched_blocked, &tests, &pairs, &repeats, &changes}) {
+    *sum *= kOlder;
+  }
 }
 
 double AutoTester::Samples::search() const {
@@ -61,31 +66,41 @@ AutoTester::AutoTester(const core::ShadowContext& context)
     : m_plain(context, true), m_measures(context.count_tests ? context.counters : &m_own),
       m_cascade(*context.scene), m_objects(context.scene->objects().size()),
       m_watches(context.scene->lights().size()),
-      m_alone(m_watches.size(), kFirstPeriod - kBurst) {
+      m_modes(m_watches.size()) {
   m_own.by_type = false;
   for (Watch& watch : m_watches) watch.cells.least = kToFill;
-  for (std::size_t i = 0; i < m_alone.size(); ++i) {
-    if (context.scene->light_buffer(i)) m_alone[i] = kForever;
+  for (std::size_t i = 0; i < m_modes.size(); ++i) {
+    if (context.scene->light_buffer(i)) m_modes[i].until = kForever;
   }
 }
 
-core::Visibility AutoTester::watched(const core::ShadowQuery& query) {
-  if (m_plain.context().scene->light_buffer(query.light)) [[unlikely]] {
-    m_alone[query.light] = kForever;
+/// Where a part ends: the next one's first ray. Of samples every one.
+core::Visibility AutoTester::watched(const core::ShadowQuery& query, core::ShadowCounts& counts) {
+  Watch& watch = m_watches[query.light];
+  Mode& mode = m_modes[query.light];
+  if (watch.in_burst == kBurst) {
+    watch.in_burst = 0;
+    end_period(query.light, watch, counts);
+    mode = {counts.rays + watch.period - kBurst, part_of(watch)};
     return visibility(query);
   }
-  Watch& watch = m_watches[query.light];
-  if (watch.left == 0) [[unlikely]] {
-    next_part(query.light, watch);
-    if (m_alone[query.light] > 0) return visibility(query);
-  }
-  --watch.left;
-  core::ShadowCounts& counts = m_plain.context().counters->lights[query.light];
   ++counts.rays;
-  if (watch.part == Part::kSamples) [[unlikely]] return sampled(query, watch, counts);
+  return sampled(query, watch, counts);
+}
+
+AutoTester::Part AutoTester::part_of(const Watch& watch) {
+  if (watch.grid.on) return Part::kGrid;
+  if (!watch.cascade.on) return Part::kPlain;
+  return watch.cells.on ? Part::kCascade : Part::kAround;
+}
+
+core::Visibility AutoTester::cached(const core::ShadowQuery& query, Part part,
+                                    core::ShadowCounts& counts) {
+  ++counts.rays;
   ++counts.cached;
-  if (watch.part == Part::kGrid) return visibility_by(*m_grid, query, m_plain, counts);
-  return visibility_by(m_cascade, query, m_plain, counts);
+  if (part == Part::kAround) return visibility_by(m_cascade.around(), query, m_plain, counts);
+  if (part == Part::kCascade) return visibility_by(m_cascade, query, m_plain, counts);
+  return visibility_by(*m_grid, query, m_plain, counts);
 }
 
 core::Visibility AutoTester::sampled(const core::ShadowQuery& query, Watch& watch,
@@ -102,33 +117,32 @@ core::Visibility AutoTester::sampled(const core::ShadowQuery& query, Watch& watc
     watch.samples.searched_blocked += search;
     watch.samples.tests += seen.blocker->test_cost();
   }
+  compare(watch, {query.tree_place, seen.blocker});
   if (watch.grid.on) {
     m_grid->searched(query, {}, seen.blocker);
-  } else if (watch.cascade.on) {
+  } else if (watch.cells.on) {
     m_cascade.searched(query, m_cascade.spot(query), seen.blocker);
+  } else if (watch.cascade.on) {
+    m_cascade.around().searched(query, m_cascade.spot(query), seen.blocker);
   }
   return seen;
 }
 
-void AutoTester::next_part(std::uint32_t light, Watch& watch) {
-  if (watch.part != Part::kSamples) {
-    watch.part = Part::kSamples;
-    watch.left = kBurst;
-    return;
-  }
-  end_period(light, watch);
-  const std::uint32_t others = watch.period - kBurst;
-  if (watch.cached()) {
-    watch.part = watch.grid.on ? Part::kGrid : Part::kCascade;
-    watch.left = others;
-  } else {
-    m_alone[light] = others;  // and then the samples
-    watch.left = kBurst;
-  }
+/// With what came last at its place.
+void AutoTester::compare(Watch& watch, const Sample& sample) {
+  const auto end = watch.burst.rend();
+  const auto before = std::find_if(end - watch.in_burst, end, [&](const Sample& other) {
+    return other.place == sample.place;
+  });
+  watch.burst[watch.in_burst++] = sample;
+  if (before == end) return;
+  watch.samples.pairs += 1.0;
+  if (!before->blocker) return;
+  (before->blocker == sample.blocker ? watch.samples.repeats : watch.samples.changes) += 1.0;
 }
 
-void AutoTester::end_period(std::uint32_t light, Watch& watch) {
-  if (watch.cached()) count(light, watch);
+void AutoTester::end_period(std::uint32_t light, Watch& watch, const core::ShadowCounts& counts) {
+  if (watch.cached()) count(light, watch, counts);
   const bool was_cached = watch.cached();
   if (decide(watch)) {
     watch.period = 4 * kFirstPeriod;
@@ -139,16 +153,13 @@ void AutoTester::end_period(std::uint32_t light, Watch& watch) {
                                                   std::max(most, 4.0 * kFirstPeriod)));
   }
   watch.samples.grow_old();
-  m_cascade.grid_use(light).on = watch.cells.on;
   if (watch.grid.on && !m_grid) m_grid.emplace(*m_plain.context().scene);
-  const core::ShadowCounts& counts = m_plain.context().counters->lights[light];
   const Cascade::GridUse& use = m_cascade.grid_use(light);
   watch.before = {counts.hits, counts.misses, use.asked, use.hits, use.misses};
 }
 
 /// What the caches saved in the period.
-void AutoTester::count(std::uint32_t light, Watch& watch) {
-  const core::ShadowCounts& counts = m_plain.context().counters->lights[light];
+void AutoTester::count(std::uint32_t light, Watch& watch, const core::ShadowCounts& counts) {
   const auto since = [](std::uint64_t now, std::uint64_t then) {
     return static_cast<double>(now - then);
   };

@@ -17,6 +17,7 @@
 // The picture is the plain tester's, as with every cache. One a thread; threads decide apart.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -32,14 +33,15 @@ class AutoTester final : public core::ShadowTester {
   static constexpr std::string_view kName = "auto";
   explicit AutoTester(const core::ShadowContext& context);
   core::Visibility visibility(const core::ShadowQuery& query) override {
-    std::uint32_t& alone = m_alone[query.light];
-    if (alone == 0) return watched(query);
-    --alone;
-    return m_plain.visibility(query);
+    core::ShadowCounts& counts = m_plain.context().counters->lights[query.light];
+    const Mode mode = m_modes[query.light];
+    if (counts.rays >= mode.until) [[unlikely]] return watched(query, counts);
+    if (mode.part == Part::kPlain) return m_plain.visibility(query);
+    return cached(query, mode.part, counts);
   }
 
-  static constexpr std::uint32_t kBurst = 8;         ///< samples a period
-  static constexpr std::uint32_t kFirstPeriod = 64;  ///< rays of a light
+  static constexpr std::uint32_t kBurst = 8;          ///< samples a period
+  static constexpr std::uint32_t kFirstPeriod = 128;  ///< rays of a light
   static constexpr std::uint32_t kMostPeriod = 1u << 14, kMostCached = 1u << 11;
 
  private:
@@ -48,6 +50,9 @@ class AutoTester final : public core::ShadowTester {
   struct Samples {
     double count = 0.0, searched = 0.0;
     double blocked = 0.0, searched_blocked = 0.0, tests = 0.0;  ///< tests: of the blockers alone
+    /// Those with one before them in the burst at the same place of the ray tree, and how many of
+    /// them that one's blocker would have answered, or not.
+    double pairs = 0.0, repeats = 0.0, changes = 0.0;
     void grow_old();
     double search() const;  ///< mean cost
     double hit() const;     ///< what it saves that a blocked ray is answered at once
@@ -67,12 +72,22 @@ class AutoTester final : public core::ShadowTester {
   struct Before {
     std::uint64_t hits = 0, misses = 0, grid_asked = 0, grid_hits = 0, grid_misses = 0;
   };
-  enum class Part : std::uint8_t { kCascade, kGrid, kSamples };
-  /// What a light is at.
+  /// Samples are the end of each period; before them one of the others goes on.
+  enum class Part : std::uint8_t { kPlain, kAround, kCascade, kGrid };
+  /// What a light is at. Nothing else is looked at while it goes on.
+  struct Mode {
+    std::uint64_t until = kFirstPeriod - kBurst;  ///< rays of the light, all parts together
+    Part part = Part::kPlain;
+  };
+  struct Sample {
+    std::uint32_t place;  ///< in the ray tree
+    const core::Object* blocker;
+  };
+  /// What is known of a light.
   struct Watch {
-    std::uint32_t left = kBurst;  ///< rays of this part of the period, behind those alone
-    Part part = Part::kSamples;   ///< those
     std::uint32_t period = kFirstPeriod;
+    std::array<Sample, kBurst> burst;
+    std::uint32_t in_burst = 0;
     Samples samples;
     Choice cascade, cells, grid;  ///< cells: of the cascade; grid: alone
     double searched = 0.0;  ///< while it had a cache: what that would have cost without
@@ -80,14 +95,16 @@ class AutoTester final : public core::ShadowTester {
     bool cached() const { return cascade.on || grid.on; }
   };
 
-  static constexpr std::uint32_t kForever = 0xffffffffu;
-
-  [[gnu::noinline]] core::Visibility watched(const core::ShadowQuery& query);
+  [[gnu::noinline]] core::Visibility watched(const core::ShadowQuery& query,
+                                             core::ShadowCounts& counts);
+  [[gnu::noinline]] core::Visibility cached(const core::ShadowQuery& query, Part part,
+                                            core::ShadowCounts& counts);
   core::Visibility sampled(const core::ShadowQuery& query, Watch& watch,
                            core::ShadowCounts& counts);
-  void next_part(std::uint32_t light, Watch& watch);
-  void end_period(std::uint32_t light, Watch& watch);
-  void count(std::uint32_t light, Watch& watch);
+  static void compare(Watch& watch, const Sample& sample);
+  static Part part_of(const Watch& watch);
+  void end_period(std::uint32_t light, Watch& watch, const core::ShadowCounts& counts);
+  void count(std::uint32_t light, Watch& watch, const core::ShadowCounts& counts);
   bool decide(Watch& watch);
 
   core::PlainShadowTester m_plain;
@@ -97,7 +114,7 @@ class AutoTester final : public core::ShadowTester {
   std::optional<CacheTable<DirectionPolicy>> m_grid;  ///< none before it is used
   const std::size_t m_objects;                        ///< of the scene
   std::vector<Watch> m_watches;                       ///< one a light
-  std::vector<std::uint32_t> m_alone;  ///< of each light: rays to come that need no attention
+  std::vector<Mode> m_modes;                          ///< the same
 };
 
 }  // namespace lentray::shadow

@@ -33,6 +33,22 @@ class Tried {
   std::size_t m_count = 0;
 };
 
+/// Asks the entries, entry(0) to entry(count - 1), those that are there and were not tried yet, until
+/// one blocks (that one is returned) or so many were tried in all.
+template <class Entry, class Ask>
+[[gnu::always_inline]] inline const core::Object* ask_in_turn(Entry&& entry_at, std::size_t count,
+                                                              Tried& tried, std::size_t most,
+                                                              Ask&& ask) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const core::Object* entry = entry_at(i);
+    if (!entry || tried.has(entry)) continue;
+    if (ask(*entry)) return entry;
+    tried.add(entry);
+    if (tried.count() == most) break;
+  }
+  return nullptr;
+}
+
 struct FreeEntries {
   std::size_t bytes = 0;
   void operator()(const core::Object** entries) const { ::munmap(entries, bytes); }
@@ -68,15 +84,9 @@ class CacheTable {
   static bool empty(const Spot&) { return false; }
   template <class Ask>
   const core::Object* probe(const core::ShadowQuery& query, const Spot&, Tried& tried, Ask&& ask) {
-    const std::size_t most = tried.count() + Policy::kProbes;
-    for (const std::size_t key : m_policy.keys(query)) {
-      const core::Object* entry = m_entries[key];
-      if (!entry || tried.has(entry)) continue;
-      if (ask(*entry)) return entry;
-      tried.add(entry);
-      if (tried.count() == most) break;
-    }
-    return nullptr;
+    const auto keys = m_policy.keys(query);
+    return ask_in_turn([&](std::size_t i) { return m_entries[keys[i]]; }, keys.size(), tried,
+                       tried.count() + Policy::kProbes, ask);
   }
   void found(const core::ShadowQuery& query, const Spot& spot, const core::Object* blocker) {
     if constexpr (Policy::kProbes > 1) searched(query, spot, blocker);

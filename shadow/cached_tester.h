@@ -36,18 +36,26 @@ template <class Cache>
   return seen;
 }
 
-/// The ray is counted already.
+/// The full search's, where the cache knows nothing.
 template <class Cache>
-core::Visibility visibility_by(Cache& cache, const core::ShadowQuery& query,
-                               core::PlainShadowTester& plain, core::ShadowCounts& counts) {
-  const auto spot = cache.spot(query);
-  if (!cache.empty(spot)) return ask(cache, spot, query, plain, counts);
+core::Visibility search_for(Cache& cache, const typename Cache::Spot& spot,
+                            const core::ShadowQuery& query, core::PlainShadowTester& plain,
+                            core::ShadowCounts& counts) {
   const core::Visibility seen = plain.search(query);
   if (seen.blocker) [[unlikely]] {
     ++counts.blocked;
     cache.searched(query, spot, seen.blocker);
   }
   return seen;
+}
+
+/// The ray is counted already.
+template <class Cache>
+core::Visibility visibility_by(Cache& cache, const core::ShadowQuery& query,
+                               core::PlainShadowTester& plain, core::ShadowCounts& counts) {
+  const auto spot = cache.spot(query);
+  if (cache.empty(spot)) return search_for(cache, spot, query, plain, counts);
+  return ask(cache, spot, query, plain, counts);
 }
 
 template <class Cache>

@@ -28,7 +28,6 @@ class Cascade {
                             Ask&& ask) {
     if (const core::Object* entry = m_around.probe(query, spot, tried, ask)) return entry;
     GridUse& use = m_uses[query.light];
-    if (!use.on) return nullptr;
     find_cells(query);
     ++use.asked;
     const std::size_t before = tried.count();
@@ -44,30 +43,26 @@ class Cascade {
   }
   void searched(const core::ShadowQuery& query, const Spot& spot, const core::Object* blocker) {
     m_around.searched(query, spot, blocker);
-    if (blocker && m_uses[query.light].on) {
+    if (blocker) {
       if (!m_cells_known) find_cells(query);
       remember(blocker);
     }
     m_cells_known = false;
   }
 
-  /// Of a light: whether the grid is asked at all, and what came of it.
+  /// Without the grid.
+  Neighbourhood& around() { return m_around; }
+  /// Of a light: what came of asking the grid.
   struct GridUse {
-    bool on = true;
     std::uint64_t asked = 0, hits = 0, misses = 0;  ///< misses: probes in vain
   };
-  GridUse& grid_use(std::size_t light) { return m_uses[light]; }
+  const GridUse& grid_use(std::size_t light) const { return m_uses[light]; }
 
  private:
   template <class Ask>
   const core::Object* probe_cells(Tried& tried, Ask&& ask) {
-    for (const std::size_t cell : m_cells) {
-      const core::Object* entry = m_entries[cell];
-      if (!entry || tried.has(entry)) continue;
-      if (ask(*entry)) return entry;
-      tried.add(entry);
-    }
-    return nullptr;
+    return ask_in_turn([&](std::size_t i) { return m_entries[m_cells[i]]; }, m_cells.size(),
+                       tried, tried.count() + m_cells.size(), ask);
   }
   void find_cells(const core::ShadowQuery& query) {
     if (!m_grid) {

@@ -4,6 +4,7 @@
 // their slots: where it is light no object is tried, and little more is done than without a cache.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <string_view>
 #include <vector>
@@ -34,13 +35,9 @@ class Neighbourhood {
   }
   template <class Ask>
   const core::Object* probe(const core::ShadowQuery&, const Spot& spot, Tried& tried, Ask&& ask) {
-    for (const core::Object* entry : {spot.column[0], spot.row[0], spot.row[1], spot.column[1]}) {
-      if (!entry || tried.has(entry)) continue;
-      if (ask(*entry)) return entry;
-      tried.add(entry);
-      if (tried.count() == kProbes) break;
-    }
-    return nullptr;
+    const std::array entries{spot.column[0], spot.row[0], spot.row[1], spot.column[1]};
+    return ask_in_turn([&](std::size_t i) { return entries[i]; }, entries.size(), tried, kProbes,
+                       ask);
   }
   void found(const core::ShadowQuery& query, const Spot& spot, const core::Object* blocker) {
     searched(query, spot, blocker);
