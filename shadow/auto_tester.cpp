@@ -8,49 +8,38 @@
 namespace lentray::shadow {
 namespace {
 
-// In units of core/accel/test_cost.h.
-constexpr double kSearch = 16.0;  ///< beside the tests of a search
-constexpr double kProbe = 16.0;   ///< asking an object by itself, beside its test
-constexpr double kLook = 6.0;     ///< into an empty neighbourhood
-constexpr double kCells = 45.0;   ///< into the cascade's cells
-constexpr double kKeys = 70.0;    ///< into those of `grid`, for every ray
-constexpr double kDear = 4000.0;  ///< a search beside which no cache's own cost matters
-/// Hits and probes in vain that a cache is trusted to make, of blocked rays.
-constexpr double kHits = 0.7, kMisses = 0.6;
-constexpr double kWorthIt = 0.02;  ///< what must so be saved, a part of the searches
-constexpr double kAtALoss = 0.01;  ///< what a cache may cost before it is given up
-/// Of the searches so far, for each object: the grid asks them all where they are when it begins.
-constexpr double kBeforeCells = 800.0;
-constexpr std::uint32_t kToFill = 8;  ///< periods; an empty grid has no hits
-constexpr double kOlder = 0.875;   ///< what counts of the period before
-constexpr double kSamplesCost = 4e5;  ///< of searches in a period: beside that samples are little
+// Rays of a light.
+constexpr std::uint32_t kFirstPeriod = 256;
+constexpr std::uint32_t kMostPeriod = 1u << 14, kMostCached = 1u << 11;
+/// Samples a period, and every how many of them the search is measured. With a cache its own counts tell
+/// the rest.
+constexpr std::uint32_t kRow = 32, kMeasured = 8, kRowCached = 8;
 
+// In units of core/accel/test_cost.h.
+constexpr double kDear = 4000.0;  ///< a search beside which no cache's own cost matters
+constexpr double kSamplesCost = 2e5;  ///< of searches in a period: beside that samples are little
+/// For each object: the grid asks them all where they are when it begins.
+constexpr double kBeforeCells = 24.0;
+
+constexpr double kWorthIt = 0.01;  ///< what a cache must promise to save, a part of the searches
+constexpr double kAtALoss = 0.01;  ///< what it may cost before it is given up
+constexpr double kLarge = 0.06;    ///< the same after a single period
+constexpr std::uint32_t kToFill = 8;  ///< periods; an empty grid has no hits
+/// Of rays that are blocked and the neighbourhood has no hit for: those that its cells have one for.
+/// And probes in vain of those that ask them.
+constexpr double kCellHits = 0.6, kCellMisses = 0.6;
+constexpr double kMissesAsked = 1.7;  ///< probes of the neighbourhood that sent one on to the cells
+constexpr double kOlder = 0.875;      ///< what counts of the period before
 constexpr std::uint64_t kForever = std::numeric_limits<std::uint64_t>::max();
+
+double since(std::uint64_t now, std::uint64_t then) { return static_cast<double>(now - then); }
 
 }  // namespace
 
-void AutoTester::Samples::grow_old() {
-  for (double* sum : {&count, &searched, &blocked, &searched_blocked, &tests, &pairs, &repeats, &changes}) {
-    *sum *= kOlder;
-  }
-}
-
-double AutoTester::Samples::search() const {
-  return kSearch + (count > 0.0 ? searched / count : 0.0);
-}
-
-double AutoTester::Samples::hit() const {
-  return blocked > 0.0 ? kSearch + (searched_blocked - tests) / blocked - kProbe : 0.0;
-}
-
-double AutoTester::Samples::miss() const {
-  return kProbe + (blocked > 0.0 ? tests / blocked : 0.0);
-}
-
 bool AutoTester::Choice::decide(bool promising) {
   ++periods;
-  const bool other = on ? periods >= least && saved <= -kAtALoss * searched
-                        : periods >= wait && promising;
+  const bool losing = saved <= -(periods < least ? kLarge : kAtALoss) * searched;
+  const bool other = on ? losing : periods >= wait && promising;
   if (other) {
     if (on) wait *= 4;
     on = !on;
@@ -66,32 +55,31 @@ AutoTester::AutoTester(const core::ShadowContext& context)
     : m_plain(context, true), m_measures(context.count_tests ? context.counters : &m_own),
       m_cascade(*context.scene), m_objects(context.scene->objects().size()),
       m_watches(context.scene->lights().size()),
-      m_modes(m_watches.size()) {
+      m_modes(m_watches.size(), {kFirstPeriod - kRow}) {
   m_own.by_type = false;
-  for (Watch& watch : m_watches) watch.cells.least = kToFill;
+  for (Watch& watch : m_watches) {
+    watch.period = kFirstPeriod;
+    watch.samples = kRow;
+    watch.cells.least = kToFill;
+  }
   for (std::size_t i = 0; i < m_modes.size(); ++i) {
     if (context.scene->light_buffer(i)) m_modes[i].until = kForever;
   }
 }
 
-/// Where a part ends: the next one's first ray. Of samples every one.
+/// The samples, and the first ray of the next period.
 core::Visibility AutoTester::watched(const core::ShadowQuery& query, core::ShadowCounts& counts) {
   Watch& watch = m_watches[query.light];
-  Mode& mode = m_modes[query.light];
-  if (watch.in_burst == kBurst) {
-    watch.in_burst = 0;
-    end_period(query.light, watch, counts);
-    mode = {counts.rays + watch.period - kBurst, part_of(watch)};
+  if (watch.taken == watch.samples) {
+    begin_period(query.light, watch, counts);
     return visibility(query);
+  }
+  if (watch.taken == 0) {
+    watch.known.begin_row();
+    if (watch.cached()) count(query.light, watch, counts);
   }
   ++counts.rays;
   return sampled(query, watch, counts);
-}
-
-AutoTester::Part AutoTester::part_of(const Watch& watch) {
-  if (watch.grid.on) return Part::kGrid;
-  if (!watch.cascade.on) return Part::kPlain;
-  return watch.cells.on ? Part::kCascade : Part::kAround;
 }
 
 core::Visibility AutoTester::cached(const core::ShadowQuery& query, Part part,
@@ -105,19 +93,17 @@ core::Visibility AutoTester::cached(const core::ShadowQuery& query, Part part,
 
 core::Visibility AutoTester::sampled(const core::ShadowQuery& query, Watch& watch,
                                      core::ShadowCounts& counts) {
-  ++counts.measured;
-  const double before = m_measures->test_cost;
-  const core::Visibility seen = m_plain.search(query, m_measures);
-  const double search = m_measures->test_cost - before;
-  watch.samples.count += 1.0;
-  watch.samples.searched += search;
-  if (seen.blocker) {
-    ++counts.blocked;
-    watch.samples.blocked += 1.0;
-    watch.samples.searched_blocked += search;
-    watch.samples.tests += seen.blocker->test_cost();
+  core::Visibility seen;
+  if (watch.taken++ % (watch.cached() ? 1 : kMeasured) == 0) {
+    ++counts.measured;
+    const double before = m_measures->test_cost;
+    seen = m_plain.search(query, m_measures);
+    watch.known.add_cost(m_measures->test_cost - before, seen.blocker);
+  } else {
+    seen = m_plain.search(query);
   }
-  compare(watch, {query.tree_place, seen.blocker});
+  if (seen.blocker) ++counts.blocked;
+  watch.known.add(query.tree_place, seen.blocker);
   if (watch.grid.on) {
     m_grid->searched(query, {}, seen.blocker);
   } else if (watch.cells.on) {
@@ -128,73 +114,75 @@ core::Visibility AutoTester::sampled(const core::ShadowQuery& query, Watch& watc
   return seen;
 }
 
-/// With what came last at its place.
-void AutoTester::compare(Watch& watch, const Sample& sample) {
-  const auto end = watch.burst.rend();
-  const auto before = std::find_if(end - watch.in_burst, end, [&](const Sample& other) {
-    return other.place == sample.place;
-  });
-  watch.burst[watch.in_burst++] = sample;
-  if (before == end) return;
-  watch.samples.pairs += 1.0;
-  if (!before->blocker) return;
-  (before->blocker == sample.blocker ? watch.samples.repeats : watch.samples.changes) += 1.0;
-}
-
-void AutoTester::end_period(std::uint32_t light, Watch& watch, const core::ShadowCounts& counts) {
-  if (watch.cached()) count(light, watch, counts);
+void AutoTester::begin_period(std::uint32_t light, Watch& watch,
+                              const core::ShadowCounts& counts) {
   const bool was_cached = watch.cached();
   if (decide(watch)) {
-    watch.period = 4 * kFirstPeriod;
-  } else if (watch.cascade.periods >= 4 || watch.grid.on) {
-    const double most = std::min(kSamplesCost / watch.samples.search(),
+    watch.period = kFirstPeriod;
+  } else if (watch.cascade.periods >= 2 || watch.grid.on) {
+    const double most = std::min(kSamplesCost / watch.known.search(),
                                  1.0 * (was_cached ? kMostCached : kMostPeriod));
     watch.period = std::min(2 * watch.period, static_cast<std::uint32_t>(
-                                                  std::max(most, 4.0 * kFirstPeriod)));
+                                                  std::max(most, 2.0 * kFirstPeriod)));
   }
-  watch.samples.grow_old();
+  watch.known.grow_old();
+  watch.samples = watch.cached() ? kRowCached : kRow;
+  watch.taken = 0;
+  Mode& mode = m_modes[light];
+  mode.until = counts.rays + watch.period - watch.samples;
+  mode.part = watch.grid.on       ? Part::kGrid
+              : !watch.cascade.on ? Part::kPlain
+              : watch.cells.on    ? Part::kCascade
+                                  : Part::kAround;
   if (watch.grid.on && !m_grid) m_grid.emplace(*m_plain.context().scene);
   const Cascade::GridUse& use = m_cascade.grid_use(light);
-  watch.before = {counts.hits, counts.misses, use.asked, use.hits, use.misses};
+  watch.before = {counts.blocked, counts.hits, counts.misses, use.asked, use.hits, use.misses};
 }
 
 /// What the caches saved in the period.
 void AutoTester::count(std::uint32_t light, Watch& watch, const core::ShadowCounts& counts) {
-  const auto since = [](std::uint64_t now, std::uint64_t then) {
-    return static_cast<double>(now - then);
-  };
-  const double hit = watch.samples.hit(), miss = watch.samples.miss();
-  const double rays = watch.period - kBurst, searched = rays * watch.samples.search();
-  watch.searched += searched;
-  const double saved = since(counts.hits, watch.before.hits) * hit -
-                       since(counts.misses, watch.before.misses) * miss;
+  const Before& before = watch.before;
+  const double hit = watch.known.hit(), probe = watch.known.probe();
+  const double rays = watch.period - watch.samples, searched = rays * watch.known.search();
+  const double hits = since(counts.hits, before.hits), misses = since(counts.misses, before.misses);
+  const double saved = hits * hit - misses * probe;
   if (watch.grid.on) {
-    watch.grid.saved += saved - rays * kKeys;
+    watch.grid.saved += saved - rays * kKeysCost;
     watch.grid.searched += searched;
     return;
   }
+  watch.cascade.searched += searched;
+  watch.cascade.saved += saved - rays * kLookCost;
+  if (!watch.cells.on) {
+    const double asked = misses / kMissesAsked;
+    const double left = since(counts.blocked, before.blocked) - hits;
+    watch.cells.searched += searched;
+    const double hoped = kCellHits * left * hit - asked * (kCellsCost + kCellMisses * probe);
+    watch.hoped_of_cells += hoped;
+    watch.hoped_in_all += hoped;
+    return;
+  }
   const Cascade::GridUse& use = m_cascade.grid_use(light);
-  const double in_cells = since(use.hits, watch.before.grid_hits) * hit -
-                          since(use.misses, watch.before.grid_misses) * miss;
-  const double by_cells = in_cells - since(use.asked, watch.before.grid_asked) * kCells;
+  const double in_cells = since(use.hits, before.grid_hits) * hit -
+                          since(use.misses, before.grid_misses) * probe;
+  const double by_cells = in_cells - since(use.asked, before.grid_asked) * kCellsCost;
   watch.cells.saved += by_cells;
   watch.cells.searched += searched;
-  watch.cascade.saved += saved - in_cells + std::max(by_cells, 0.0) - rays * kLook;
-  watch.cascade.searched += searched;
+  watch.cascade.saved += std::max(by_cells, 0.0) - in_cells;
 }
 
 /// True if something else is used from now on.
 bool AutoTester::decide(Watch& watch) {
-  const Samples& samples = watch.samples;
-  const double blocked = samples.count > 0.0 ? samples.blocked / samples.count : 0.0;
-  const double hoped = blocked * (kHits * samples.hit() - kMisses * samples.miss()) - kLook;
-  const bool promising = hoped > kWorthIt * samples.search();
-  const bool dear = samples.search() > kDear;
-  const bool other = watch.grid.decide(promising && dear);
+  const double worth = kWorthIt * watch.known.search();
+  const bool dear = watch.known.search() > kDear;
+  const bool other = watch.grid.decide(dear && watch.known.saved_by_grid() > worth);
   if (watch.grid.on) return other;
-  const bool another = watch.cascade.decide(promising);
+  const bool another = watch.cascade.decide(watch.known.saved_by_neighbourhood() > worth);
   if (watch.cascade.on && !another) {
-    watch.cells.decide(watch.searched > kBeforeCells * static_cast<double>(m_objects));
+    const double set_up = m_cascade.has_cells() ? 0.0 : kBeforeCells * static_cast<double>(m_objects);
+    const bool promising = watch.hoped_of_cells > kWorthIt * watch.cells.searched;
+    watch.hoped_of_cells *= kOlder;
+    if (watch.cells.decide(promising && watch.hoped_in_all > set_up)) watch.hoped_of_cells = 0.0;
   }
   return other || another;
 }

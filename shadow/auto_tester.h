@@ -5,10 +5,9 @@
 // the way: nothing, the neighbourhood, the cascade (the neighbourhood, then a grid), or `grid` alone
 // where a search is very dear.
 //
-// Such a light's rays come in periods; the last few of each are samples: their searches are counted
-// (tests, weighted by what they cost), whatever a cache would have answered. While a light goes
-// without a cache, samples tell how much is blocked and what is searched for it; where a
-// cache with the usual hits would save something, one is used. From then on what it does is
+// Such a light's rays come in periods; the last few of each are samples (SearchSamples), searched for
+// whatever a cache would have answered. While a light goes without a cache, they tell whether
+// the neighbourhood would save something, and then it is used. From then on what it does is
 // counted ray by ray: hits, each worth the search of a blocked sample, and probes in vain; the same
 // for what the grid adds to the neighbourhood. Each stays as long as it costs next to nothing, and
 // is tried again when four times as many periods have passed. Periods grow until samples are little
@@ -17,7 +16,6 @@
 // The picture is the plain tester's, as with every cache. One a thread; threads decide apart.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -25,6 +23,7 @@
 #include "core/render/plain_shadow_tester.h"
 #include "shadow/cached_tester.h"
 #include "shadow/cascade.h"
+#include "shadow/search_samples.h"
 
 namespace lentray::shadow {
 
@@ -34,63 +33,45 @@ class AutoTester final : public core::ShadowTester {
   explicit AutoTester(const core::ShadowContext& context);
   core::Visibility visibility(const core::ShadowQuery& query) override {
     core::ShadowCounts& counts = m_plain.context().counters->lights[query.light];
-    const Mode mode = m_modes[query.light];
+    const Mode& mode = m_modes[query.light];
     if (counts.rays >= mode.until) [[unlikely]] return watched(query, counts);
     if (mode.part == Part::kPlain) return m_plain.visibility(query);
     return cached(query, mode.part, counts);
   }
 
-  static constexpr std::uint32_t kBurst = 8;          ///< samples a period
-  static constexpr std::uint32_t kFirstPeriod = 128;  ///< rays of a light
-  static constexpr std::uint32_t kMostPeriod = 1u << 14, kMostCached = 1u << 11;
-
  private:
   // Costs as in core/accel/test_cost.h. What is older counts less and less.
 
-  struct Samples {
-    double count = 0.0, searched = 0.0;
-    double blocked = 0.0, searched_blocked = 0.0, tests = 0.0;  ///< tests: of the blockers alone
-    /// Those with one before them in the burst at the same place of the ray tree, and how many of
-    /// them that one's blocker would have answered, or not.
-    double pairs = 0.0, repeats = 0.0, changes = 0.0;
-    void grow_old();
-    double search() const;  ///< mean cost
-    double hit() const;     ///< what it saves that a blocked ray is answered at once
-    double miss() const;    ///< a probe in vain
-  };
   /// Something that may be used, and what it has saved of what would have been searched.
   struct Choice {
     bool on = false;
     std::uint32_t periods = 0;  ///< since it was taken or given up
-    std::uint32_t wait = 4;     ///< so many before it is taken
-    std::uint32_t least = 2;    ///< so many before it is given up
+    std::uint32_t wait = 2;     ///< so many before it is taken
+    std::uint32_t least = 2;    ///< so many before it is given up, unless the loss is large
     double saved = 0.0, searched = 0.0;
     /// After a period. True if it was taken or given up.
     bool decide(bool promising);
   };
   /// Of a light's counts when the period began.
   struct Before {
-    std::uint64_t hits = 0, misses = 0, grid_asked = 0, grid_hits = 0, grid_misses = 0;
+    std::uint64_t blocked = 0, hits = 0, misses = 0, grid_asked = 0, grid_hits = 0, grid_misses = 0;
   };
-  /// Samples are the end of each period; before them one of the others goes on.
+  /// Before the samples of a period one of these goes on.
   enum class Part : std::uint8_t { kPlain, kAround, kCascade, kGrid };
   /// What a light is at. Nothing else is looked at while it goes on.
   struct Mode {
-    std::uint64_t until = kFirstPeriod - kBurst;  ///< rays of the light, all parts together
+    std::uint64_t until;  ///< rays of the light, all together
     Part part = Part::kPlain;
-  };
-  struct Sample {
-    std::uint32_t place;  ///< in the ray tree
-    const core::Object* blocker;
   };
   /// What is known of a light.
   struct Watch {
-    std::uint32_t period = kFirstPeriod;
-    std::array<Sample, kBurst> burst;
-    std::uint32_t in_burst = 0;
-    Samples samples;
+    std::uint32_t period = 0;   ///< rays, with the samples
+    std::uint32_t samples = 0;  ///< of this period
+    std::uint32_t taken = 0;
+    SearchSamples known;
     Choice cascade, cells, grid;  ///< cells: of the cascade; grid: alone
-    double searched = 0.0;  ///< while it had a cache: what that would have cost without
+    /// What cells would have saved while the neighbourhood was alone: of late, and in all.
+    double hoped_of_cells = 0.0, hoped_in_all = 0.0;
     Before before;
     bool cached() const { return cascade.on || grid.on; }
   };
@@ -101,9 +82,7 @@ class AutoTester final : public core::ShadowTester {
                                             core::ShadowCounts& counts);
   core::Visibility sampled(const core::ShadowQuery& query, Watch& watch,
                            core::ShadowCounts& counts);
-  static void compare(Watch& watch, const Sample& sample);
-  static Part part_of(const Watch& watch);
-  void end_period(std::uint32_t light, Watch& watch, const core::ShadowCounts& counts);
+  void begin_period(std::uint32_t light, Watch& watch, const core::ShadowCounts& counts);
   void count(std::uint32_t light, Watch& watch, const core::ShadowCounts& counts);
   bool decide(Watch& watch);
 

@@ -52,6 +52,7 @@ class Cascade {
 
   /// Without the grid.
   Neighbourhood& around() { return m_around; }
+  bool has_cells() const { return m_grid.has_value(); }  ///< setting them up takes a while
   /// Of a light: what came of asking the grid.
   struct GridUse {
     std::uint64_t asked = 0, hits = 0, misses = 0;  ///< misses: probes in vain
