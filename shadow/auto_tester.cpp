@@ -52,19 +52,29 @@ bool AutoTester::Choice::decide(bool promising) {
 }
 
 AutoTester::AutoTester(const core::ShadowContext& context)
-    : m_plain(context, true), m_measures(context.count_tests ? context.counters : &m_own),
+    : m_plain(context, true), m_counting(context.count_tests ? context.counters : nullptr),
+      m_measures(m_counting ? m_counting : &m_own),
       m_cascade(*context.scene), m_objects(context.scene->objects().size()),
       m_watches(context.scene->lights().size()),
-      m_modes(m_watches.size(), {kFirstPeriod - kRow}) {
+      m_modes(m_watches.size()), m_alone(m_watches.size(), kFirstPeriod - kRow) {
   m_own.by_type = false;
   for (Watch& watch : m_watches) {
     watch.period = kFirstPeriod;
     watch.samples = kRow;
     watch.cells.least = kToFill;
   }
-  for (std::size_t i = 0; i < m_modes.size(); ++i) {
-    if (context.scene->light_buffer(i)) m_modes[i].until = kForever;
+  for (std::size_t i = 0; i < m_alone.size(); ++i) {
+    if (context.scene->light_buffer(i)) m_alone[i] = kForever;
   }
+}
+
+core::Visibility AutoTester::cached(const core::ShadowQuery& query, Part part,
+                                    core::ShadowCounts& counts) {
+  ++counts.rays;
+  ++counts.cached;
+  if (part == Part::kAround) return visibility_by(m_cascade.around(), query, m_plain, counts);
+  if (part == Part::kCascade) return visibility_by(m_cascade, query, m_plain, counts);
+  return visibility_by(*m_grid, query, m_plain, counts);
 }
 
 /// The samples, and the first ray of the next period.
@@ -78,40 +88,35 @@ core::Visibility AutoTester::watched(const core::ShadowQuery& query, core::Shado
     watch.known.begin_row();
     if (watch.cached()) count(query.light, watch, counts);
   }
-  ++counts.rays;
   return sampled(query, watch, counts);
-}
-
-core::Visibility AutoTester::cached(const core::ShadowQuery& query, Part part,
-                                    core::ShadowCounts& counts) {
-  ++counts.rays;
-  ++counts.cached;
-  if (part == Part::kAround) return visibility_by(m_cascade.around(), query, m_plain, counts);
-  if (part == Part::kCascade) return visibility_by(m_cascade, query, m_plain, counts);
-  return visibility_by(*m_grid, query, m_plain, counts);
 }
 
 core::Visibility AutoTester::sampled(const core::ShadowQuery& query, Watch& watch,
                                      core::ShadowCounts& counts) {
-  core::Visibility seen;
-  if (watch.taken++ % (watch.cached() ? 1 : kMeasured) == 0) {
-    ++counts.measured;
-    const double before = m_measures->test_cost;
-    seen = m_plain.search(query, m_measures);
-    watch.known.add_cost(m_measures->test_cost - before, seen.blocker);
-  } else {
-    seen = m_plain.search(query);
-  }
+  const bool measured = watch.cached() || (watch.taken % kMeasured == 0 && watch.known.dark());
+  ++watch.taken;
+  ++counts.rays;
+  const double before = m_measures->test_cost;
+  const core::Visibility seen = m_plain.search(query, measured ? m_measures : m_counting);
   if (seen.blocker) ++counts.blocked;
   watch.known.add(query.tree_place, seen.blocker);
-  if (watch.grid.on) {
-    m_grid->searched(query, {}, seen.blocker);
-  } else if (watch.cells.on) {
-    m_cascade.searched(query, m_cascade.spot(query), seen.blocker);
-  } else if (watch.cascade.on) {
-    m_cascade.around().searched(query, m_cascade.spot(query), seen.blocker);
+  if (measured) {
+    ++counts.measured;
+    watch.known.add_cost(m_measures->test_cost - before, seen.blocker);
   }
+  if (watch.cached()) remember(query, watch, seen.blocker);
   return seen;
+}
+
+void AutoTester::remember(const core::ShadowQuery& query, const Watch& watch,
+                          const core::Object* blocker) {
+  if (watch.grid.on) {
+    m_grid->searched(query, {}, blocker);
+  } else if (watch.cells.on) {
+    m_cascade.searched(query, m_cascade.spot(query), blocker);
+  } else {
+    m_cascade.around().searched(query, m_cascade.spot(query), blocker);
+  }
 }
 
 void AutoTester::begin_period(std::uint32_t light, Watch& watch,
@@ -128,12 +133,11 @@ void AutoTester::begin_period(std::uint32_t light, Watch& watch,
   watch.known.grow_old();
   watch.samples = watch.cached() ? kRowCached : kRow;
   watch.taken = 0;
-  Mode& mode = m_modes[light];
-  mode.until = counts.rays + watch.period - watch.samples;
-  mode.part = watch.grid.on       ? Part::kGrid
-              : !watch.cascade.on ? Part::kPlain
-              : watch.cells.on    ? Part::kCascade
-                                  : Part::kAround;
+  const std::uint64_t until = counts.rays + watch.period - watch.samples;
+  m_alone[light] = watch.cached() ? 0 : until;
+  m_modes[light] = {until, watch.grid.on    ? Part::kGrid
+                           : watch.cells.on ? Part::kCascade
+                                            : Part::kAround};
   if (watch.grid.on && !m_grid) m_grid.emplace(*m_plain.context().scene);
   const Cascade::GridUse& use = m_cascade.grid_use(light);
   watch.before = {counts.blocked, counts.hits, counts.misses, use.asked, use.hits, use.misses};

@@ -33,10 +33,9 @@ class AutoTester final : public core::ShadowTester {
   explicit AutoTester(const core::ShadowContext& context);
   core::Visibility visibility(const core::ShadowQuery& query) override {
     core::ShadowCounts& counts = m_plain.context().counters->lights[query.light];
+    if (counts.rays < m_alone[query.light]) return m_plain.visibility(query);
     const Mode& mode = m_modes[query.light];
-    if (counts.rays >= mode.until) [[unlikely]] return watched(query, counts);
-    if (mode.part == Part::kPlain) return m_plain.visibility(query);
-    return cached(query, mode.part, counts);
+    return counts.rays < mode.until ? cached(query, mode.part, counts) : watched(query, counts);
   }
 
  private:
@@ -56,12 +55,12 @@ class AutoTester final : public core::ShadowTester {
   struct Before {
     std::uint64_t blocked = 0, hits = 0, misses = 0, grid_asked = 0, grid_hits = 0, grid_misses = 0;
   };
-  /// Before the samples of a period one of these goes on.
-  enum class Part : std::uint8_t { kPlain, kAround, kCascade, kGrid };
-  /// What a light is at. Nothing else is looked at while it goes on.
+  /// Caches, before the samples of a period.
+  enum class Part : std::uint8_t { kAround, kCascade, kGrid };
+  /// What a light with a cache is at. Nothing else is looked at while it goes on.
   struct Mode {
-    std::uint64_t until;  ///< rays of the light, all together
-    Part part = Part::kPlain;
+    std::uint64_t until = 0;  ///< rays of the light, all together
+    Part part = Part::kAround;
   };
   /// What is known of a light.
   struct Watch {
@@ -76,24 +75,27 @@ class AutoTester final : public core::ShadowTester {
     bool cached() const { return cascade.on || grid.on; }
   };
 
-  [[gnu::noinline]] core::Visibility watched(const core::ShadowQuery& query,
-                                             core::ShadowCounts& counts);
   [[gnu::noinline]] core::Visibility cached(const core::ShadowQuery& query, Part part,
                                             core::ShadowCounts& counts);
+  [[gnu::noinline]] core::Visibility watched(const core::ShadowQuery& query,
+                                             core::ShadowCounts& counts);
   core::Visibility sampled(const core::ShadowQuery& query, Watch& watch,
                            core::ShadowCounts& counts);
+  void remember(const core::ShadowQuery& query, const Watch& watch, const core::Object* blocker);
   void begin_period(std::uint32_t light, Watch& watch, const core::ShadowCounts& counts);
   void count(std::uint32_t light, Watch& watch, const core::ShadowCounts& counts);
   bool decide(Watch& watch);
 
   core::PlainShadowTester m_plain;
   core::Counters m_own;        ///< of samples, where nobody else counts
-  core::Counters* m_measures;  ///< that, or the run's
+  core::Counters* const m_counting;  ///< the run's, or null
+  core::Counters* const m_measures;  ///< the run's, or those
   Cascade m_cascade;
   std::optional<CacheTable<DirectionPolicy>> m_grid;  ///< none before it is used
   const std::size_t m_objects;                        ///< of the scene
   std::vector<Watch> m_watches;                       ///< one a light
   std::vector<Mode> m_modes;                          ///< the same
+  std::vector<std::uint64_t> m_alone;  ///< the same: so many rays are searched for, and that is all
 };
 
 }  // namespace lentray::shadow

@@ -8,21 +8,10 @@ namespace {
 constexpr double kChangeHits = 0.3, kChangeMisses = 2.3;
 constexpr double kGridHits = 0.85, kGridMisses = 1.9;  ///< of blocked rays
 constexpr double kGuessed = 2.0;    ///< searches for a blocker, as long as others, before any was seen
-constexpr double kGuessedTest = 6.0;
+constexpr double kGuessedTest = 6.0, kGuessedSearch = 50.0;  ///< costs, before any was seen
 constexpr double kOlder = 0.75;    ///< what counts of the period before
 
 }  // namespace
-
-void SearchSamples::add(std::uint32_t tree_place, const core::Object* blocker) {
-  const std::uint64_t bit = std::uint64_t{1} << tree_place;
-  const core::Object* before = m_last[tree_place];
-  m_last[tree_place] = blocker;
-  if (m_known & bit) {
-    m_sums.pairs += 1.0;
-    if (before) (before == blocker ? m_sums.repeats : m_sums.changes) += 1.0;
-  }
-  m_known |= bit;
-}
 
 void SearchSamples::add_cost(double search, const core::Object* blocker) {
   m_sums.count += 1.0;
@@ -41,7 +30,7 @@ void SearchSamples::grow_old() {
 }
 
 double SearchSamples::search() const {
-  return kSearchCost + (m_sums.count > 0.0 ? m_sums.searched / m_sums.count : 0.0);
+  return kSearchCost + (m_sums.count > 0.0 ? m_sums.searched / m_sums.count : kGuessedSearch);
 }
 
 double SearchSamples::probe() const {

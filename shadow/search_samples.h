@@ -22,7 +22,18 @@ class SearchSamples {
  public:
   /// A row of samples begins: the one before the next is far away.
   void begin_row() { m_known = 0; }
-  void add(std::uint32_t tree_place, const core::Object* blocker);
+  void add(std::uint32_t tree_place, const core::Object* blocker) {
+    const std::uint64_t bit = std::uint64_t{1} << tree_place;
+    const core::Object* before = m_last[tree_place];
+    m_last[tree_place] = blocker;
+    if (m_known & bit) {
+      m_sums.pairs += 1.0;
+      if (before) (before == blocker ? m_sums.repeats : m_sums.changes) += 1.0;
+    }
+    m_known |= bit;
+  }
+  /// Whether there is something to save, as far as they tell.
+  bool dark() const { return m_sums.repeats + m_sums.changes > 0.0; }
   /// Of one of them: what its search cost.
   void add_cost(double search, const core::Object* blocker);
   void grow_old();
