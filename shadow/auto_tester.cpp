@@ -13,7 +13,7 @@ constexpr std::uint32_t kFirstPeriod = 256;
 constexpr std::uint32_t kMostPeriod = 1u << 14, kMostCached = 1u << 11;
 /// Samples a period, and every how many of them the search is measured. With a cache its own counts tell
 /// the rest.
-constexpr std::uint32_t kRow = 32, kMeasured = 8, kRowCached = 8;
+constexpr std::uint32_t kRow = 16, kMeasured = 8, kRowCached = 8;
 
 // In units of core/accel/test_cost.h.
 constexpr double kDear = 4000.0;  ///< a search beside which no cache's own cost matters
@@ -30,7 +30,7 @@ constexpr std::uint32_t kToFill = 8;  ///< periods; an empty grid has no hits
 constexpr double kCellHits = 0.6, kCellMisses = 0.6;
 constexpr double kMissesAsked = 1.7;  ///< probes of the neighbourhood that sent one on to the cells
 constexpr double kOlder = 0.875;      ///< what counts of the period before
-constexpr std::uint64_t kForever = std::numeric_limits<std::uint64_t>::max();
+constexpr std::int64_t kForever = std::numeric_limits<std::int64_t>::max();
 
 double since(std::uint64_t now, std::uint64_t then) { return static_cast<double>(now - then); }
 
@@ -68,13 +68,18 @@ AutoTester::AutoTester(const core::ShadowContext& context)
   }
 }
 
-core::Visibility AutoTester::cached(const core::ShadowQuery& query, Part part,
-                                    core::ShadowCounts& counts) {
+core::Visibility AutoTester::attended(const core::ShadowQuery& query) {
+  core::ShadowCounts& counts = m_plain.context().counters->lights[query.light];
+  Mode& mode = m_modes[query.light];
+  if (counts.rays >= mode.until) [[unlikely]] return watched(query, counts);
   ++counts.rays;
   ++counts.cached;
-  if (part == Part::kAround) return visibility_by(m_cascade.around(), query, m_plain, counts);
-  if (part == Part::kCascade) return visibility_by(m_cascade, query, m_plain, counts);
-  return visibility_by(*m_grid, query, m_plain, counts);
+  double* vain = &mode.vain;
+  if (mode.part == Part::kAround) {
+    return visibility_by(m_cascade.around(), query, m_plain, counts, vain);
+  }
+  if (mode.part == Part::kCascade) return visibility_by(m_cascade, query, m_plain, counts, vain);
+  return visibility_by(*m_grid, query, m_plain, counts, vain);
 }
 
 /// The samples, and the first ray of the next period.
@@ -82,7 +87,7 @@ core::Visibility AutoTester::watched(const core::ShadowQuery& query, core::Shado
   Watch& watch = m_watches[query.light];
   if (watch.taken == watch.samples) {
     begin_period(query.light, watch, counts);
-    return visibility(query);
+    return visibility(query);  // the first one
   }
   if (watch.taken == 0) {
     watch.known.begin_row();
@@ -133,11 +138,11 @@ void AutoTester::begin_period(std::uint32_t light, Watch& watch,
   watch.known.grow_old();
   watch.samples = watch.cached() ? kRowCached : kRow;
   watch.taken = 0;
-  const std::uint64_t until = counts.rays + watch.period - watch.samples;
-  m_alone[light] = watch.cached() ? 0 : until;
-  m_modes[light] = {until, watch.grid.on    ? Part::kGrid
-                           : watch.cells.on ? Part::kCascade
-                                            : Part::kAround};
+  const std::uint32_t others = watch.period - watch.samples;
+  m_alone[light] = watch.cached() ? 0 : others;
+  m_modes[light] = {counts.rays + others, watch.grid.on    ? Part::kGrid
+                                          : watch.cells.on ? Part::kCascade
+                                                           : Part::kAround};
   if (watch.grid.on && !m_grid) m_grid.emplace(*m_plain.context().scene);
   const Cascade::GridUse& use = m_cascade.grid_use(light);
   watch.before = {counts.blocked, counts.hits, counts.misses, use.asked, use.hits, use.misses};
@@ -146,9 +151,10 @@ void AutoTester::begin_period(std::uint32_t light, Watch& watch,
 /// What the caches saved in the period.
 void AutoTester::count(std::uint32_t light, Watch& watch, const core::ShadowCounts& counts) {
   const Before& before = watch.before;
-  const double hit = watch.known.hit(), probe = watch.known.probe();
   const double rays = watch.period - watch.samples, searched = rays * watch.known.search();
   const double hits = since(counts.hits, before.hits), misses = since(counts.misses, before.misses);
+  const double hit = watch.known.hit();
+  const double probe = kProbeCost + (misses > 0.0 ? m_modes[light].vain / misses : 0.0);
   const double saved = hits * hit - misses * probe;
   if (watch.grid.on) {
     watch.grid.saved += saved - rays * kKeysCost;

@@ -32,10 +32,8 @@ class AutoTester final : public core::ShadowTester {
   static constexpr std::string_view kName = "auto";
   explicit AutoTester(const core::ShadowContext& context);
   core::Visibility visibility(const core::ShadowQuery& query) override {
-    core::ShadowCounts& counts = m_plain.context().counters->lights[query.light];
-    if (counts.rays < m_alone[query.light]) return m_plain.visibility(query);
-    const Mode& mode = m_modes[query.light];
-    return counts.rays < mode.until ? cached(query, mode.part, counts) : watched(query, counts);
+    if (--m_alone[query.light] >= 0) return m_plain.visibility(query);
+    return attended(query);
   }
 
  private:
@@ -61,6 +59,7 @@ class AutoTester final : public core::ShadowTester {
   struct Mode {
     std::uint64_t until = 0;  ///< rays of the light, all together
     Part part = Part::kAround;
+    double vain = 0.0;  ///< tests of probes in vain
   };
   /// What is known of a light.
   struct Watch {
@@ -75,8 +74,7 @@ class AutoTester final : public core::ShadowTester {
     bool cached() const { return cascade.on || grid.on; }
   };
 
-  [[gnu::noinline]] core::Visibility cached(const core::ShadowQuery& query, Part part,
-                                            core::ShadowCounts& counts);
+  [[gnu::noinline]] core::Visibility attended(const core::ShadowQuery& query);
   [[gnu::noinline]] core::Visibility watched(const core::ShadowQuery& query,
                                              core::ShadowCounts& counts);
   core::Visibility sampled(const core::ShadowQuery& query, Watch& watch,
@@ -95,7 +93,7 @@ class AutoTester final : public core::ShadowTester {
   const std::size_t m_objects;                        ///< of the scene
   std::vector<Watch> m_watches;                       ///< one a light
   std::vector<Mode> m_modes;                          ///< the same
-  std::vector<std::uint64_t> m_alone;  ///< the same: so many rays are searched for, and that is all
+  std::vector<std::int64_t> m_alone;  ///< the same: so many rays to come that are just searched for
 };
 
 }  // namespace lentray::shadow

@@ -10,12 +10,12 @@
 namespace lentray::shadow {
 
 /// The cache's answer where it has entries worth a look, else the full search's, which the cache
-/// then knows.
+/// then knows. `vain` grows by the tests that were in vain (core/accel/test_cost.h), unless it is null.
 template <class Cache>
 [[gnu::noinline]] core::Visibility ask(Cache& cache, const typename Cache::Spot& spot,
                                        const core::ShadowQuery& query,
                                        core::PlainShadowTester& plain,
-                                       core::ShadowCounts& counts) {
+                                       core::ShadowCounts& counts, double* vain) {
   Tried tried;
   const core::Object* entry = cache.probe(query, spot, tried, [&](const core::Object& asked) {
     return plain.blocks(asked, query);
@@ -23,6 +23,7 @@ template <class Cache>
   const std::size_t failed = tried.count();
   counts.misses += failed;
   counts.probes += failed;
+  if (vain) *vain += tried.test_cost();
   if (entry) {
     ++counts.probes;
     ++counts.hits;
@@ -52,10 +53,11 @@ core::Visibility search_for(Cache& cache, const typename Cache::Spot& spot,
 /// The ray is counted already.
 template <class Cache>
 core::Visibility visibility_by(Cache& cache, const core::ShadowQuery& query,
-                               core::PlainShadowTester& plain, core::ShadowCounts& counts) {
+                               core::PlainShadowTester& plain, core::ShadowCounts& counts,
+                               double* vain = nullptr) {
   const auto spot = cache.spot(query);
   if (cache.empty(spot)) return search_for(cache, spot, query, plain, counts);
-  return ask(cache, spot, query, plain, counts);
+  return ask(cache, spot, query, plain, counts, vain);
 }
 
 template <class Cache>

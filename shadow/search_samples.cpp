@@ -24,7 +24,8 @@ void SearchSamples::add_cost(double search, const core::Object* blocker) {
 
 void SearchSamples::grow_old() {
   for (double* sum : {&m_sums.count, &m_sums.searched, &m_sums.blocked, &m_sums.searched_blocked,
-                      &m_sums.tests, &m_sums.pairs, &m_sums.repeats, &m_sums.changes}) {
+                      &m_sums.tests, &m_sums.pairs, &m_sums.repeats, &m_sums.changes,
+                      &m_sums.vain}) {
     *sum *= kOlder;
   }
 }
@@ -33,27 +34,25 @@ double SearchSamples::search() const {
   return kSearchCost + (m_sums.count > 0.0 ? m_sums.searched / m_sums.count : kGuessedSearch);
 }
 
-double SearchSamples::probe() const {
-  return kProbeCost +
-         (m_sums.tests + kGuessed * kGuessedTest) / (m_sums.blocked + kGuessed);
-}
-
 double SearchSamples::hit() const {
-  const double found = (m_sums.searched_blocked + kGuessed * (search() - kSearchCost)) /
-                       (m_sums.blocked + kGuessed);
-  return kSearchCost + found - probe();
+  const double seen = m_sums.blocked + kGuessed;
+  const double tests = (m_sums.tests + kGuessed * kGuessedTest) / seen;
+  const double found = (m_sums.searched_blocked + kGuessed * (search() - kSearchCost)) / seen;
+  return kSearchCost + found - kProbeCost - tests;
 }
 
 double SearchSamples::saved_by_neighbourhood() const {
   if (m_sums.pairs == 0.0) return -kLookCost;
   const double hits = m_sums.repeats + kChangeHits * m_sums.changes;
-  const double misses = kChangeMisses * m_sums.changes;
-  return (hits * hit() - misses * probe()) / m_sums.pairs - kLookCost;
+  const double vain = kChangeMisses * (m_sums.changes * kProbeCost + m_sums.vain);
+  return (hits * hit() - vain) / m_sums.pairs - kLookCost;
 }
 
 double SearchSamples::saved_by_grid() const {
   if (m_sums.count == 0.0) return -kKeysCost;
-  return m_sums.blocked / m_sums.count * (kGridHits * hit() - kGridMisses * probe()) - kKeysCost;
+  const double vain = m_sums.changes > 0.0 ? m_sums.vain / m_sums.changes : kGuessedTest;
+  return m_sums.blocked / m_sums.count * (kGridHits * hit() - kGridMisses * (kProbeCost + vain)) -
+         kKeysCost;
 }
 
 }  // namespace lentray::shadow

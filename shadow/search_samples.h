@@ -28,7 +28,11 @@ class SearchSamples {
     m_last[tree_place] = blocker;
     if (m_known & bit) {
       m_sums.pairs += 1.0;
-      if (before) (before == blocker ? m_sums.repeats : m_sums.changes) += 1.0;
+      if (before && before == blocker) m_sums.repeats += 1.0;
+      if (before && before != blocker) {
+        m_sums.changes += 1.0;
+        m_sums.vain += before->test_cost();
+      }
     }
     m_known |= bit;
   }
@@ -40,7 +44,6 @@ class SearchSamples {
 
   double search() const;  ///< mean cost
   double hit() const;     ///< what it saves that a blocked ray is answered at once
-  double probe() const;   ///< what one in vain costs
   /// What the neighbourhood would save a ray. Less than 0: it would cost so much.
   double saved_by_neighbourhood() const;
   double saved_by_grid() const;  ///< the same of `grid` alone
@@ -52,6 +55,7 @@ class SearchSamples {
     /// With one before them in the row at the same place, and how many of them that one's blocker would
     /// have answered, or not.
     double pairs = 0.0, repeats = 0.0, changes = 0.0;
+    double vain = 0.0;  ///< the latter ones' tests
   };
 
   Sums m_sums;
