@@ -101,13 +101,15 @@ core::Visibility AutoTester::sampled(const core::ShadowQuery& query, Watch& watc
   const bool measured = watch.cached() || (watch.taken % kMeasured == 0 && watch.known.dark());
   ++watch.taken;
   ++counts.rays;
-  const double before = m_measures->test_cost;
+  const double cost = m_measures->test_cost;
+  const std::uint64_t asked = m_measures->primitive_tests;
   const core::Visibility seen = m_plain.search(query, measured ? m_measures : m_counting);
   if (seen.blocker) ++counts.blocked;
   watch.known.add(query.tree_place, seen.blocker);
   if (measured) {
     ++counts.measured;
-    watch.known.add_cost(m_measures->test_cost - before, seen.blocker);
+    watch.known.add_cost(m_measures->test_cost - cost, m_measures->primitive_tests - asked,
+                         seen.blocker);
   }
   if (watch.cached()) remember(query, watch, seen.blocker);
   return seen;
@@ -184,10 +186,12 @@ void AutoTester::count(std::uint32_t light, Watch& watch, const core::ShadowCoun
 /// True if something else is used from now on.
 bool AutoTester::decide(Watch& watch) {
   const double worth = kWorthIt * watch.known.search();
+  const bool steady = watch.known.steady();
   const bool dear = watch.known.search() > kDear;
-  const bool other = watch.grid.decide(dear && watch.known.saved_by_grid() > worth);
+  const bool other = watch.grid.decide(steady && dear && watch.known.saved_by_grid() > worth);
   if (watch.grid.on) return other;
-  const bool another = watch.cascade.decide(watch.known.saved_by_neighbourhood() > worth);
+  const bool another =
+      watch.cascade.decide(steady && watch.known.saved_by_neighbourhood() > worth);
   if (watch.cascade.on && !another) {
     const double set_up = m_cascade.has_cells() ? 0.0 : kBeforeCells * static_cast<double>(m_objects);
     const bool promising = watch.hoped_of_cells > kWorthIt * watch.cells.searched;

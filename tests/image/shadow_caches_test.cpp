@@ -107,6 +107,20 @@ TEST_F(ImageShadowCaches, AutoTakesACacheSoonWhereOnePays) {
   }
 }
 
+// Of tetra and tree little is blocked, and the hierarchy finds soon that nothing is in the way.
+TEST_F(ImageShadowCaches, WithoutLightBuffersAutoLeavesCachesAloneWhereNonePays) {
+  for (const Small& small : {Small{"tetra", 3}, Small{"tetra", 5}, Small{"tree", 6}, Small{"tree", 8}}) {
+    const Words words{"+W300", "+H300", "-UL"};
+    Words off = words;
+    off.push_back("Shadow_Cache=off");
+    const auto s = run(small, words);
+    const std::string where = small.scene + std::to_string(small.size);
+    EXPECT_LE(number(s.at("auto").at("cached")), 0.02 * number(s.at("rays"))) << where;
+    EXPECT_LE(number(s.at("auto").at("measured")), 0.01 * number(s.at("rays"))) << where;
+    EXPECT_LE(tests(s), 1.01 * tests(run(small, off))) << where;
+  }
+}
+
 // Where it is light nothing is asked: of tree's shadow rays 1 in 70 is blocked.
 TEST_F(ImageShadowCaches, TheNeighbourhoodAsksWhereItIsDarkOnly) {
   for (const char* cache : {"neighbourhood", "cascade"}) {
