@@ -74,7 +74,7 @@ core::Visibility AutoTester::attended(const core::ShadowQuery& query) {
   if (counts.rays >= mode.until) [[unlikely]] return watched(query, counts);
   ++counts.rays;
   ++counts.cached;
-  double* vain = &mode.vain;
+  const auto vain = [&mode](const Tried& tried) { mode.vain += tried.test_cost(); };
   if (mode.part == Part::kAround) {
     return visibility_by(m_cascade.around(), query, m_plain, counts, vain);
   }

@@ -11,7 +11,7 @@
 // counted ray by ray: hits, each worth the search of a blocked sample, and probes in vain; the same
 // for what the grid adds to the neighbourhood. Each stays as long as it costs next to nothing, and
 // is tried again when four times as many periods have passed. Periods grow until samples are little
-// beside searches.
+// beside searches. Objects solved by iteration are left alone: counts tell too little of their tests.
 // Decisions rest on counts, never on times: one thread decides the same in every run.
 // The picture is the plain tester's, as with every cache. One a thread; threads decide apart.
 #pragma once

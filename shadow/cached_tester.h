@@ -10,12 +10,12 @@
 namespace lentray::shadow {
 
 /// The cache's answer where it has entries worth a look, else the full search's, which the cache
-/// then knows. `vain` grows by the tests that were in vain (core/accel/test_cost.h), unless it is null.
-template <class Cache>
+/// then knows. `vain` is told of the entries asked in vain.
+template <class Cache, class Vain>
 [[gnu::noinline]] core::Visibility ask(Cache& cache, const typename Cache::Spot& spot,
                                        const core::ShadowQuery& query,
                                        core::PlainShadowTester& plain,
-                                       core::ShadowCounts& counts, double* vain) {
+                                       core::ShadowCounts& counts, Vain vain) {
   Tried tried;
   const core::Object* entry = cache.probe(query, spot, tried, [&](const core::Object& asked) {
     return plain.blocks(asked, query);
@@ -23,7 +23,7 @@ template <class Cache>
   const std::size_t failed = tried.count();
   counts.misses += failed;
   counts.probes += failed;
-  if (vain) *vain += tried.test_cost();
+  vain(tried);
   if (entry) {
     ++counts.probes;
     ++counts.hits;
@@ -50,11 +50,15 @@ core::Visibility search_for(Cache& cache, const typename Cache::Spot& spot,
   return seen;
 }
 
+struct Unwatched {
+  void operator()(const Tried&) const {}
+};
+
 /// The ray is counted already.
-template <class Cache>
+template <class Cache, class Vain = Unwatched>
 core::Visibility visibility_by(Cache& cache, const core::ShadowQuery& query,
                                core::PlainShadowTester& plain, core::ShadowCounts& counts,
-                               double* vain = nullptr) {
+                               Vain vain = {}) {
   const auto spot = cache.spot(query);
   if (cache.empty(spot)) return search_for(cache, spot, query, plain, counts);
   return ask(cache, spot, query, plain, counts, vain);
