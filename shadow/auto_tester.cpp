@@ -19,7 +19,7 @@ constexpr std::uint32_t kRow = 16, kMeasured = 8, kRowCached = 8;
 constexpr double kDear = 4000.0;  ///< a search beside which no cache's own cost matters
 constexpr double kSamplesCost = 2e5;  ///< of searches in a period: beside that samples are little
 /// For each object: the grid asks them all where they are when it begins.
-constexpr double kBeforeCells = 24.0;
+constexpr double kSetUp = 24.0;
 
 constexpr double kWorthIt = 0.01;  ///< what a cache must promise to save, a part of the searches
 constexpr double kAtALoss = 0.01;  ///< what it may cost before it is given up
@@ -36,10 +36,10 @@ double since(std::uint64_t now, std::uint64_t then) { return static_cast<double>
 
 }  // namespace
 
-bool AutoTester::Choice::decide(bool promising) {
+bool AutoTester::Choice::decide(bool promising, bool steady) {
   ++periods;
-  const bool losing = saved <= -(periods < least ? kLarge : kAtALoss) * searched;
-  const bool other = on ? losing : periods >= wait && promising;
+  const bool losing = !steady || saved <= -(periods < least ? kLarge : kAtALoss) * searched;
+  const bool other = on ? losing : periods >= wait && promising && steady;
   if (other) {
     if (on) wait *= 4;
     on = !on;
@@ -102,14 +102,12 @@ core::Visibility AutoTester::sampled(const core::ShadowQuery& query, Watch& watc
   ++watch.taken;
   ++counts.rays;
   const double cost = m_measures->test_cost;
-  const std::uint64_t asked = m_measures->primitive_tests;
   const core::Visibility seen = m_plain.search(query, measured ? m_measures : m_counting);
   if (seen.blocker) ++counts.blocked;
   watch.known.add(query.tree_place, seen.blocker);
   if (measured) {
     ++counts.measured;
-    watch.known.add_cost(m_measures->test_cost - cost, m_measures->primitive_tests - asked,
-                         seen.blocker);
+    watch.known.add_cost(m_measures->test_cost - cost, seen.blocker);
   }
   if (watch.cached()) remember(query, watch, seen.blocker);
   return seen;
@@ -129,7 +127,7 @@ void AutoTester::remember(const core::ShadowQuery& query, const Watch& watch,
 void AutoTester::begin_period(std::uint32_t light, Watch& watch,
                               const core::ShadowCounts& counts) {
   const bool was_cached = watch.cached();
-  if (decide(watch)) {
+  if (decide(watch, counts.rays)) {
     watch.period = kFirstPeriod;
   } else if (watch.cascade.periods >= 2 || watch.grid.on) {
     const double most = std::min(kSamplesCost / watch.known.search(),
@@ -183,20 +181,21 @@ void AutoTester::count(std::uint32_t light, Watch& watch, const core::ShadowCoun
   watch.cascade.saved += std::max(by_cells, 0.0) - in_cells;
 }
 
-/// True if something else is used from now on.
-bool AutoTester::decide(Watch& watch) {
-  const double worth = kWorthIt * watch.known.search();
-  const bool steady = watch.known.steady();
-  const bool dear = watch.known.search() > kDear;
-  const bool other = watch.grid.decide(steady && dear && watch.known.saved_by_grid() > worth);
+/// True if something else is used from now on. `rays`: so far.
+bool AutoTester::decide(Watch& watch, std::uint64_t rays) {
+  const SearchSamples& known = watch.known;
+  const double worth = kWorthIt * known.search(), set_up = kSetUp * static_cast<double>(m_objects);
+  const double by_grid = known.saved_by_grid();
+  const bool pays = by_grid > worth && (m_grid || by_grid * static_cast<double>(rays) > 4.0 * set_up);
+  const bool steady = known.steady();
+  const bool other = watch.grid.decide(pays && known.search() > kDear, steady);
   if (watch.grid.on) return other;
-  const bool another =
-      watch.cascade.decide(steady && watch.known.saved_by_neighbourhood() > worth);
+  const bool another = watch.cascade.decide(known.saved_by_neighbourhood() > worth, steady);
   if (watch.cascade.on && !another) {
-    const double set_up = m_cascade.has_cells() ? 0.0 : kBeforeCells * static_cast<double>(m_objects);
     const bool promising = watch.hoped_of_cells > kWorthIt * watch.cells.searched;
+    const bool in_time = m_cascade.has_cells() || watch.hoped_in_all > set_up;
     watch.hoped_of_cells *= kOlder;
-    if (watch.cells.decide(promising && watch.hoped_in_all > set_up)) watch.hoped_of_cells = 0.0;
+    if (watch.cells.decide(promising && in_time, steady)) watch.hoped_of_cells = 0.0;
   }
   return other || another;
 }

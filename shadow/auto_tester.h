@@ -47,7 +47,7 @@ class AutoTester final : public core::ShadowTester {
     std::uint32_t least = 2;    ///< so many before it is given up, unless the loss is large
     double saved = 0.0, searched = 0.0;
     /// After a period. True if it was taken or given up.
-    bool decide(bool promising);
+    bool decide(bool promising, bool steady);
   };
   /// Of a light's counts when the period began.
   struct Before {
@@ -82,7 +82,7 @@ class AutoTester final : public core::ShadowTester {
   void remember(const core::ShadowQuery& query, const Watch& watch, const core::Object* blocker);
   void begin_period(std::uint32_t light, Watch& watch, const core::ShadowCounts& counts);
   void count(std::uint32_t light, Watch& watch, const core::ShadowCounts& counts);
-  bool decide(Watch& watch);
+  bool decide(Watch& watch, std::uint64_t rays);
 
   core::PlainShadowTester m_plain;
   core::Counters m_own;        ///< of samples, where nobody else counts

@@ -1,7 +1,5 @@
 #include "shadow/search_samples.h"
 
-#include <algorithm>
-
 namespace lentray::shadow {
 namespace {
 
@@ -15,11 +13,9 @@ constexpr double kOlder = 0.75;    ///< what counts of the period before
 
 }  // namespace
 
-void SearchSamples::add_cost(double search, std::uint64_t asked, const core::Object* blocker) {
+void SearchSamples::add_cost(double search, const core::Object* blocker) {
   m_sums.count += 1.0;
   m_sums.searched += search;
-  // A search that meets boxes alone is steady, too.
-  m_sums.asked += static_cast<double>(std::max<std::uint64_t>(asked, 1));
   if (!blocker) return;
   m_sums.blocked += 1.0;
   m_sums.searched_blocked += search;
@@ -27,7 +23,7 @@ void SearchSamples::add_cost(double search, std::uint64_t asked, const core::Obj
 }
 
 void SearchSamples::grow_old() {
-  for (double* sum : {&m_sums.count, &m_sums.searched, &m_sums.asked, &m_sums.blocked,
+  for (double* sum : {&m_sums.count, &m_sums.searched, &m_sums.blocked,
                       &m_sums.searched_blocked, &m_sums.tests, &m_sums.pairs, &m_sums.repeats, &m_sums.changes,
                       &m_sums.vain}) {
     *sum *= kOlder;

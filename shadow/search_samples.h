@@ -14,7 +14,7 @@ namespace lentray::shadow {
 // What a cache itself costs.
 inline constexpr double kSearchCost = 14.0;  ///< of a search, beside its tests
 inline constexpr double kProbeCost = 26.0;   ///< asking an object by itself, beside its test
-inline constexpr double kLookCost = 9.0;     ///< a look into the neighbourhood, for every ray
+inline constexpr double kLookCost = 8.0;     ///< a look into the neighbourhood, for every ray
 inline constexpr double kCellsCost = 32.0;   ///< into the cascade's cells
 inline constexpr double kKeysCost = 50.0;    ///< into those of `grid`, for every ray
 
@@ -38,8 +38,8 @@ class SearchSamples {
   }
   /// Whether there is something to save, as far as they tell.
   bool dark() const { return m_sums.repeats + m_sums.changes > 0.0; }
-  /// Of one of them: what its search cost, and how many objects were asked.
-  void add_cost(double search, std::uint64_t asked, const core::Object* blocker);
+  /// Of one of them: what its search cost.
+  void add_cost(double search, const core::Object* blocker);
   void grow_old();
 
   double search() const;  ///< mean cost
@@ -47,20 +47,22 @@ class SearchSamples {
   /// What the neighbourhood would save a ray. Less than 0: it would cost so much.
   double saved_by_neighbourhood() const;
   double saved_by_grid() const;  ///< the same of `grid` alone
-  /// False where objects are so dear that their costs say little: those that are solved by iteration take
-  /// a box test or thousands, and most often the latter where they blocked a ray nearby.
-  bool steady() const { return m_sums.searched <= kMostATest * m_sums.asked; }
+  /// False where what blocks is so dear that counts say little: objects solved by iteration take next to
+  /// nothing or thousands of steps, and most often the latter where they blocked a ray nearby.
+  bool steady() const {
+    return m_sums.tests + m_sums.vain <= kMostATest * (m_sums.blocked + m_sums.changes);
+  }
 
  private:
   struct Sums {
-    double count = 0.0, searched = 0.0, asked = 0.0;
+    double count = 0.0, searched = 0.0;
     double blocked = 0.0, searched_blocked = 0.0, tests = 0.0;  ///< tests: of the blockers alone
     /// With one before them in the row at the same place, and how many of them that one's blocker would
     /// have answered, or not.
     double pairs = 0.0, repeats = 0.0, changes = 0.0;
     double vain = 0.0;  ///< the latter ones' tests
   };
-  static constexpr double kMostATest = 200.0;
+  static constexpr double kMostATest = 400.0;
 
   Sums m_sums;
   std::array<const core::Object*, core::kTreePlaces> m_last{};  ///< blockers in the row, by place
