@@ -11,8 +11,8 @@ namespace {
 // Rays of a light.
 constexpr std::uint32_t kFirstPeriod = 256;
 constexpr std::uint32_t kMostPeriod = 1u << 14, kMostCached = 1u << 11;
-/// Samples a period, and every how many of them the search is measured. With a cache its own counts tell
-/// the rest.
+/// Samples a period, and every how many of them the search is measured where it is dark (else the first
+/// alone). With a cache its own counts tell the rest.
 constexpr std::uint32_t kRow = 16, kMeasured = 8, kRowCached = 8;
 
 // In units of core/accel/test_cost.h.
@@ -21,8 +21,8 @@ constexpr double kSamplesCost = 2e5;  ///< of searches in a period: beside that 
 /// For each object: the grid asks them all where they are when it begins.
 constexpr double kSetUp = 24.0;
 
-constexpr double kWorthIt = 0.01;  ///< what a cache must promise to save, a part of the searches
-constexpr double kAtALoss = 0.01;  ///< what it may cost before it is given up
+constexpr double kWorthIt = 0.0;   ///< what a cache must promise to save, a part of the searches
+constexpr double kAtALoss = 0.02;  ///< what it may cost before it is given up
 constexpr double kLarge = 0.06;    ///< the same after a single period
 constexpr std::uint32_t kToFill = 8;  ///< periods; an empty grid has no hits
 /// Of rays that are blocked and the neighbourhood has no hit for: those that its cells have one for.
@@ -41,7 +41,7 @@ bool AutoTester::Choice::decide(bool promising, bool steady) {
   const bool losing = !steady || saved <= -(periods < least ? kLarge : kAtALoss) * searched;
   const bool other = on ? losing : periods >= wait && promising && steady;
   if (other) {
-    if (on) wait *= 4;
+    if (on) wait *= 2;
     on = !on;
     periods = 0;
     saved = searched = 0.0;
@@ -98,7 +98,8 @@ core::Visibility AutoTester::watched(const core::ShadowQuery& query, core::Shado
 
 core::Visibility AutoTester::sampled(const core::ShadowQuery& query, Watch& watch,
                                      core::ShadowCounts& counts) {
-  const bool measured = watch.cached() || (watch.taken % kMeasured == 0 && watch.known.dark());
+  const bool measured = watch.cached() || watch.taken == 0 ||
+                        (watch.taken % kMeasured == 0 && watch.known.dark());
   ++watch.taken;
   ++counts.rays;
   const double cost = m_measures->test_cost;

@@ -13,8 +13,8 @@ namespace lentray::shadow {
 
 // What a cache itself costs.
 inline constexpr double kSearchCost = 14.0;  ///< of a search, beside its tests
-inline constexpr double kProbeCost = 26.0;   ///< asking an object by itself, beside its test
-inline constexpr double kLookCost = 8.0;     ///< a look into the neighbourhood, for every ray
+inline constexpr double kProbeCost = 24.0;   ///< asking an object by itself, beside its test
+inline constexpr double kLookCost = 6.0;     ///< a look into the neighbourhood, for every ray
 inline constexpr double kCellsCost = 32.0;   ///< into the cascade's cells
 inline constexpr double kKeysCost = 50.0;    ///< into those of `grid`, for every ray
 
