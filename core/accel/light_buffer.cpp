@@ -12,7 +12,7 @@
 namespace lentray::core {
 namespace {
 
-constexpr double kCellCost = 6.0;  ///< as Counters::test_cost has it
+constexpr double kCellCost = 6.0, kVolumeCost = 3.0;  ///< as Counters::test_cost has them
 
 void count(Counters& counters, const Object& object) {
   counters.test_cost += object.test_cost();
@@ -26,13 +26,28 @@ void count(Counters& counters, const Object& object) {
   }
 }
 
+/// What a search counts; the other policy is empty and costs nothing. To find a point outside a volume
+/// is a test of bounds.
+struct Tally {
+  Counters& counters;
+  void test(const Object* object) const { count(counters, *object); }
+  void outside() const {
+    ++counters.bounds_tests;
+    counters.test_cost += kVolumeCost;
+  }
+};
+struct NoTally {
+  void test(const Object*) const {}
+  void outside() const {}
+};
+
 }  // namespace
 
 template <class Count>
 const Object* LightBuffer::plane_blocker(const Ray& ray, double t_min, double t_max,
                                          Count count) const {
   for (const Flat& plane : m_planes) {
-    count(plane.object);
+    count.test(plane.object);
     const double t = plane_crossing(plane.normal, plane.distance, ray);
     if (t > t_min && t < t_max) return plane.object;
   }
@@ -41,26 +56,26 @@ const Object* LightBuffer::plane_blocker(const Ray& ray, double t_min, double t_
 
 template <class Count>
 [[gnu::always_inline]] inline bool LightBuffer::blocks(const Caster& caster, const Ray& ray,
-                                                       double inverse_dd, double t_min,
-                                                       double t_max, HitArena& arena,
-                                                       Count count) const {
-  count(caster.object);
+                                                       double t_min, double t_max,
+                                                       HitArena& arena, Count count) const {
+  count.test(caster.object);
   ShapeHit hit;
   switch (caster.kind) {
-    case Kind::kSphere: {
+    case LightKind::kSphere: {
       const Round& sphere = m_spheres[caster.sphere];
       double t0 = 0.0, t1 = 0.0;
+      const double inverse_dd = 1.0 / dot(ray.direction, ray.direction);
       if (!sphere_roots(ray, inverse_dd, sphere.centre, sphere.radius2, t0, t1)) return false;
       const double t = t0 > t_min ? t0 : t1;
       return t > t_min && t < t_max;
     }
-    case Kind::kPolygon:
+    case LightKind::kPolygon:
       return static_cast<const Polygon*>(caster.shape)->Polygon::nearest(ray, t_min, t_max, hit);
-    case Kind::kTriangle:
+    case LightKind::kTriangle:
       return static_cast<const TriangleShape*>(caster.shape)->nearest(ray, t_min, t_max, hit);
-    case Kind::kBox:
+    case LightKind::kBox:
       return static_cast<const Box*>(caster.shape)->Box::nearest(ray, t_min, t_max, hit);
-    case Kind::kAny: break;
+    case LightKind::kAny: break;
   }
   return caster.object->any(ray, t_min, t_max, arena);
 }
@@ -106,7 +121,6 @@ template <class Count>
       if (spot.w > begin->near_w) return {m_casters[begin->caster].object, true};
       ++begin;
     }
-    const double inverse_dd = 1.0 / dot(ray.direction, ray.direction);
     const Entry* const end = begin + cell->opaque;
     const bool choice = recall && cell->opaque > 1;
     std::uint64_t last = 0;
@@ -116,22 +130,30 @@ template <class Count>
       first = expected(last, spot.part, begin, end, *recall);
       if (!(first->near_w < spot.w)) first = begin;
     }
+    const LightProbe probe(ray.origin - m_light, spot.w, t_min, m_reach);
     const Entry* next = begin;
+    bool foreseen = true;
     for (const Entry* entry = first; entry < end && entry->near_w < spot.w; entry = next++) {
+      if (probe.is_outside(m_volumes[entry->caster])) {
+        count.outside();
+        if (next == first) ++next;
+        continue;
+      }
       const Caster& caster = m_casters[entry->caster];
-      if (blocks(caster, ray, inverse_dd, t_min, t_max, arena, count)) {
+      if (blocks(caster, ray, t_min, t_max, arena, count)) {
         if (recall) {
           recall->caster = entry->caster;
           const auto place = static_cast<std::uint64_t>(entry - begin + 1);
           if (choice && (last >> 4 * spot.part & 15) != place) remember(*cell, spot.part, place);
         }
-        return {caster.object, entry == first};
+        return {caster.object, foreseen};
       }
+      foreseen = false;
       if (next == first) ++next;
     }
   }
   for (const Caster& caster : m_always_opaque) {
-    count(caster.object);
+    count.test(caster.object);
     if (caster.object->any(ray, t_min, t_max, arena)) return {caster.object, false};
   }
   return {};
@@ -142,7 +164,7 @@ LightBuffer::Answer LightBuffer::any_opaque_counted(const Spot& spot, const Ray&
                                                     Counters& counters, Recall* recall) const {
   ++counters.bounds_tests;
   counters.test_cost += kCellCost;
-  const auto counted = [&counters](const Object* object) { count(counters, *object); };
+  const Tally counted{counters};
   if (const Object* plane = plane_blocker(ray, t_min, t_max, counted)) return {plane, true};
   return other_blocker(spot, ray, t_min, t_max, arena, recall, counted);
 }
@@ -153,7 +175,7 @@ LightBuffer::Answer LightBuffer::any_opaque(const Spot& spot, const Ray& ray, do
   if (counters) {
     return any_opaque_counted(spot, ray, t_min, t_max, arena, *counters, recall);
   }
-  const auto uncounted = [](const Object*) {};
+  const NoTally uncounted;
   if (const Object* plane = plane_blocker(ray, t_min, t_max, uncounted)) return {plane, true};
   if (!spot.cell && m_always_opaque.empty()) return {};
   return other_blocker(spot, ray, t_min, t_max, arena, recall, uncounted);
@@ -182,6 +204,7 @@ void LightBuffer::all_transparent(const Spot& spot, const Ray& ray, double t_min
 
 std::size_t LightBuffer::memory() const {
   std::size_t bytes = sizeof(*this) + m_casters.capacity() * sizeof(Caster) +
+                      m_volumes.capacity() * sizeof(LightVolume) +
                       m_planes.capacity() * sizeof(Flat) +
                       m_spheres.capacity() * sizeof(Round) + m_entries.capacity() * sizeof(Entry);
   for (const std::vector<Grid>& grids : m_faces) {

@@ -13,7 +13,9 @@
 #include <memory>
 #include <vector>
 
+#include "core/accel/light_drawing.h"
 #include "core/accel/light_raster.h"
+#include "core/accel/light_volume.h"
 #include "core/base/counters.h"
 #include "core/geometry/object.h"
 
@@ -73,11 +75,10 @@ class LightBuffer {
     LightRaster raster;
     std::vector<Cell> cells;
   };
-  enum class Kind : std::uint8_t { kAny, kSphere, kPolygon, kTriangle, kBox };
   struct Caster {
     const Object* object;
     const Shape* shape;    ///< asked without a detour where the kind is known
-    Kind kind;
+    LightKind kind;
     bool opaque;
     std::uint32_t place;   ///< as Hit::place
     std::uint32_t sphere;  ///< place in m_spheres
@@ -99,8 +100,8 @@ class LightBuffer {
   Answer other_blocker(const Spot& spot, const Ray& to_light, double t_min, double t_max,
                        HitArena& arena, Recall* recall, Count count) const;
   template <class Count>
-  bool blocks(const Caster& caster, const Ray& to_light, double inverse_dd, double t_min,
-              double t_max, HitArena& arena, Count count) const;
+  bool blocks(const Caster& caster, const Ray& to_light, double t_min, double t_max,
+              HitArena& arena, Count count) const;
   Answer any_opaque_counted(const Spot& spot, const Ray& to_light, double t_min, double t_max,
                             HitArena& arena, Counters& counters, Recall* recall) const;
   static const Entry* expected(std::uint64_t last, std::uint32_t part, const Entry* begin,
@@ -111,6 +112,8 @@ class LightBuffer {
   bool m_crowded = false;
   double m_tolerance, m_least_distance;
   std::vector<Caster> m_casters;        ///< by distance
+  std::vector<LightVolume> m_volumes;   ///< of the casters
+  double m_reach = 0.0;                 ///< of the volumes
   std::vector<Round> m_spheres;
   std::vector<Flat> m_planes;
   std::vector<Caster> m_always_opaque, m_always_transparent;  ///< other infinite ones, near ones

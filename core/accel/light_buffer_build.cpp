@@ -4,15 +4,13 @@
 #include <cmath>
 #include <limits>
 #include <typeinfo>
+#include <utility>
 
 #include "core/accel/light_buffer.h"
+#include "core/accel/light_drawing.h"
 #include "core/accel/light_outline.h"
-#include "core/geometry/box.h"
 #include "core/geometry/plane.h"
-#include "core/geometry/polygon.h"
-#include "core/geometry/smooth_triangle.h"
 #include "core/geometry/sphere.h"
-#include "core/geometry/triangle.h"
 
 namespace lentray::core {
 namespace {
@@ -27,71 +25,14 @@ double distance_of(const Bounds& box) {  // from the origin
   return length(d);
 }
 
-Bounds relative(const Bounds& b, const Vec3& light) { return {b.lo - light, b.hi - light}; }
+double farthest_of(const Bounds& box) {
+  const auto axis = [](double lo, double hi) { return std::max(-lo, hi); };
+  return length(Vec3{axis(box.lo.x, box.hi.x), axis(box.lo.y, box.hi.y), axis(box.lo.z, box.hi.z)});
+}
 
 /// A float below (above) a number that is not negative.
 float down(double w) { return static_cast<float>(w * (1.0 - 0x1p-22)); }
 float up(double w) { return static_cast<float>(w * (1.0 + 0x1p-22)); }
-
-/// The shape itself where it stands plainly in the world.
-const Shape* plain_shape(const Object& object) {
-  if (typeid(object) != typeid(Leaf)) return nullptr;
-  const auto& leaf = static_cast<const Leaf&>(object);
-  return leaf.transform() || !leaf.clips().empty() || !leaf.bounding().empty() ? nullptr : &leaf.shape();
-}
-
-/// Ends of the edges of a polygon's contours, relative to the light.
-void edge_ends(const std::vector<Vec3>& points, const Vec3& light, std::vector<Vec3>& ends) {
-  ends.clear();
-  std::size_t start = 0;
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    ends.push_back(points[i - 1] - light);
-    ends.push_back(points[i] - light);
-    if (points[i] == points[start]) start = ++i;
-  }
-}
-
-void add_face(const std::array<Vec3, 4>& corners, LightOutline& outline,
-              std::vector<LightCell>& out) {
-  const Vec3 normal = normalized(cross(corners[1] - corners[0], corners[3] - corners[0]));
-  std::array<Vec3, 8> ends;
-  for (std::size_t i = 0; i < 4; ++i) {
-    ends[2 * i] = corners[i];
-    ends[2 * i + 1] = corners[(i + 1) % 4];
-  }
-  outline.flat(ends, normal, dot(normal, corners[0]), out);
-}
-
-/// Each side's cells overlap those of its neighbours: one entry a cell, the darkest.
-void add_box(const Bounds& box, LightOutline& outline, std::vector<LightCell>& out) {
-  for (int axis = 0; axis < 3; ++axis) {
-    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-    for (const bool high : {false, true}) {
-      // Only sides that face the light: the others are behind them.
-      const double at = high ? box.hi[axis] : box.lo[axis];
-      if (high ? at >= 0.0 : at <= 0.0) continue;
-      std::array<Vec3, 4> corners;
-      for (std::size_t c = 0; c < 4; ++c) {
-        corners[c][axis] = at;
-        corners[c][u] = (c == 1 || c == 2) ? box.hi[u] : box.lo[u];
-        corners[c][v] = c >= 2 ? box.hi[v] : box.lo[v];
-      }
-      add_face(corners, outline, out);
-    }
-  }
-  std::sort(out.begin(), out.end(),
-            [](const LightCell& a, const LightCell& b) { return a.cell < b.cell; });
-  std::size_t kept = 0;
-  for (const LightCell& next : out) {
-    if (kept > 0 && out[kept - 1].cell == next.cell) {
-      out[kept - 1].near_w = std::min(out[kept - 1].near_w, next.near_w);
-      out[kept - 1].full_w = std::min(out[kept - 1].full_w, next.full_w);
-    } else {
-      out[kept++] = next;
-    }
-  }
-  out.resize(kept);
-}
 
 /// The window of all casters, then ever smaller ones of those that are small in the last.
 template <class Shown>
@@ -121,7 +62,7 @@ std::vector<LightWindow> nested_windows(const std::vector<Shown>& shown) {
 
 class LightBuffer::Builder {
  public:
-  explicit Builder(LightBuffer& buffer) : m_buffer(buffer) {}
+  explicit Builder(LightBuffer& buffer) : m_buffer(buffer), m_drawing(buffer.m_light) {}
   void add(const Object& object, std::size_t place_if_infinite, std::size_t place_if_finite);
   void build(std::uint32_t cells);
 
@@ -145,16 +86,19 @@ class LightBuffer::Builder {
     std::uint32_t cover = 0;  ///< what blocks all beyond
   };
 
-  static Kind kind_of(const Shape* shape);
   bool is_crowd(std::uint32_t cells) const;
   void add_grids(int face, std::uint32_t cells);
   void fill(Grid& grid);
-  void outline(const Shown& shown, LightOutline& outline);
   void keep(Grid& grid);
   void sort_cell(Entry* first, Entry* last) const;
+  static LightDrawing::Subject subject_of(const Placed& placed) {
+    return {*placed.caster.object, placed.caster.shape, placed.caster.kind, placed.box, placed.distance};
+  }
 
   LightBuffer& m_buffer;
+  LightDrawing m_drawing;
   std::vector<Placed> m_placed;
+  std::vector<std::uint8_t> m_drawn;  ///< of the casters: has its volume
   // Of the face and the grid that are being filled.
   std::vector<Shown> m_shown;
   std::vector<LightCell> m_touched;
@@ -162,17 +106,7 @@ class LightBuffer::Builder {
   std::vector<Dark> m_dark;
   std::vector<Entry> m_sorted;
   std::vector<std::uint32_t> m_next;
-  std::vector<Vec3> m_points;
 };
-
-LightBuffer::Kind LightBuffer::Builder::kind_of(const Shape* shape) {
-  if (!shape) return Kind::kAny;
-  const std::type_info& type = typeid(*shape);
-  if (type == typeid(Sphere)) return Kind::kSphere;
-  if (type == typeid(Polygon)) return Kind::kPolygon;
-  if (type == typeid(Triangle) || type == typeid(SmoothTriangle)) return Kind::kTriangle;
-  return type == typeid(Box) ? Kind::kBox : Kind::kAny;
-}
 
 /// True if it is certain before anything is drawn: casters so small that they darken no whole cell
 /// drop nothing behind them, and there are too many. Looks at some of them.
@@ -218,7 +152,7 @@ void LightBuffer::Builder::add(const Object& object, std::size_t place_if_infini
   const double distance = bounds.is_finite() ? distance_of(box) : 0.0;
   const Shape* shape = plain_shape(object);
   const std::size_t place = bounds.is_finite() ? place_if_finite : place_if_infinite;
-  const Caster caster{&object, shape, kind_of(shape), object.is_opaque(),
+  const Caster caster{&object, shape, light_kind(shape), object.is_opaque(),
                       static_cast<std::uint32_t>(place), 0};
   if (shape && typeid(*shape) == typeid(Plane) && object.is_opaque()) {
     const auto& plane = static_cast<const Plane&>(*shape);
@@ -242,11 +176,14 @@ void LightBuffer::Builder::build(std::uint32_t cells) {
   for (const Placed& p : m_placed) {
     all.include(p.box);
     m_buffer.m_casters.push_back(p.caster);
-    if (p.caster.kind != Kind::kSphere) continue;
+    if (p.caster.kind != LightKind::kSphere) continue;
     const auto& sphere = static_cast<const Sphere&>(*p.caster.shape);
     m_buffer.m_casters.back().sphere = static_cast<std::uint32_t>(m_buffer.m_spheres.size());
     m_buffer.m_spheres.push_back({sphere.centre(), sphere.radius2()});
   }
+  m_drawn.assign(m_placed.size(), 0);
+  m_buffer.m_volumes.resize(m_placed.size());
+  m_buffer.m_reach = all.is_empty() ? 0.0 : 2.0 * farthest_of(all);
   for (int face = 0; face < LightFace::kFaces && !m_buffer.m_crowded; ++face) {
     if (!all.is_empty() && !window_of(all, face).is_empty()) add_grids(face, cells);
   }
@@ -276,57 +213,19 @@ void LightBuffer::Builder::add_grids(int face, std::uint32_t cells) {
   }
 }
 
-void LightBuffer::Builder::outline(const Shown& shown, LightOutline& outline) {
-  const Placed& placed = m_placed[shown.caster];
-  const Vec3& light = m_buffer.m_light;
-  const Shape* shape = placed.caster.shape;
-  m_points.clear();
-  switch (placed.caster.kind) {
-    case Kind::kSphere: {
-      const auto& sphere = static_cast<const Sphere&>(*shape);
-      return outline.sphere(sphere.centre() - light, sphere.radius(), shown.window, m_touched);
-    }
-    case Kind::kPolygon: {
-      const auto& polygon = static_cast<const Polygon&>(*shape);
-      edge_ends(polygon.points(), light, m_points);
-      const Vec3 normal = polygon.normal({}, {});
-      return outline.flat(m_points, normal, dot(normal, m_points[0]), m_touched);
-    }
-    case Kind::kTriangle: {
-      const auto& p = static_cast<const TriangleShape&>(*shape).vertices();
-      for (std::size_t i = 0; i < 3; ++i) {
-        m_points.push_back(p[i] - light);
-        m_points.push_back(p[(i + 1) % 3] - light);
-      }
-      const Vec3 normal = normalized(cross(p[1] - p[0], p[2] - p[0]));
-      return outline.flat(m_points, normal, dot(normal, m_points[0]), m_touched);
-    }
-    case Kind::kBox: {
-      const auto& box = static_cast<const Box&>(*shape);
-      const Bounds around = relative({box.lo(), box.hi()}, light);
-      if (around.contains({})) return outline.box(around, shown.window, m_touched);
-      return add_box(around, outline, m_touched);
-    }
-    case Kind::kAny: break;
-  }
-  // Less than its box, where it is a shape that was turned.
-  if (typeid(*placed.caster.object) == typeid(Leaf)) {
-    const auto& leaf = static_cast<const Leaf&>(*placed.caster.object);
-    leaf.shape().hull(m_points);
-    for (Vec3& p : m_points) p = (leaf.transform() ? leaf.transform()->point(p) : p) - light;
-  } else {
-    add_corners(placed.box, m_points);
-  }
-  outline.hull(m_points, placed.box, shown.window, m_touched);
-}
-
 void LightBuffer::Builder::fill(Grid& grid) {
   LightOutline drawn(grid.raster);
+  const LightVolumes volumes(m_buffer.m_reach);
   m_found.clear();
   m_dark.assign(grid.cells.size(), {});
   for (const Shown& shown : m_shown) {
     m_touched.clear();
-    outline(shown, drawn);
+    const LightDrawing::Subject subject = subject_of(m_placed[shown.caster]);
+    m_drawing.outline(subject, shown.window, drawn, m_touched);
+    if (m_touched.empty()) continue;
+    if (!std::exchange(m_drawn[shown.caster], 1)) {
+      m_buffer.m_volumes[shown.caster] = m_drawing.volume(subject, volumes);
+    }
     if (m_found.size() > kMostPerCell * grid.cells.size()) {
       m_buffer.m_crowded = true;
       return;

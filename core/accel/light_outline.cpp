@@ -83,17 +83,21 @@ void LightOutline::fill_rows(const Range& range, double near_w, std::vector<Ligh
   }
 }
 
+void LightOutline::all(const Range& r, double near_w, std::vector<LightCell>& out) const {
+  for (int row = r.first[1]; row <= r.last[1]; ++row) {
+    for (int column = r.first[0]; column <= r.last[0]; ++column) {
+      out.push_back({cell(column, row), near_w});
+    }
+  }
+}
+
 void LightOutline::box(const Bounds& box, const LightWindow& window, std::vector<LightCell>& out) {
   const Range r = range_of(window);
   if (r.empty) return;
   const int axis = m_raster.face() / 2;
   const double near_w =
       lower(std::max(m_raster.face() & 1 ? -box.hi[axis] : box.lo[axis], 0.0));
-  for (int row = r.first[1]; row <= r.last[1]; ++row) {
-    for (int column = r.first[0]; column <= r.last[0]; ++column) {
-      out.push_back({cell(column, row), near_w});
-    }
-  }
+  all(r, near_w, out);
 }
 
 /// m_points into m_hull: the corners of their convex hull in turn.
@@ -129,8 +133,7 @@ void LightOutline::hull(std::span<const Vec3> points, const Bounds& in, const Li
   }
   const Range r = range_of(window);
   if (r.empty) return;
-  const bool small = r.last[0] - r.first[0] < 2 && r.last[1] - r.first[1] < 2;
-  if (small || points.empty() || !(w0 > 1e-3 * far) || !(w0 > 0.0)) return box(in, window, out);
+  if (is_small(r) || points.empty() || !(w0 > 1e-3 * far) || !(w0 > 0.0)) return box(in, window, out);
   m_points.clear();
   for (const Vec3& p : points) m_points.push_back(point_of(p));
   turn_into_hull();
@@ -163,9 +166,10 @@ void LightOutline::sphere(const Vec3& centre, double radius, const LightWindow& 
   exact.cut(-1.0 - kSlack, 1.0 + kSlack);
   const Range r = range_of(exact);
   if (r.empty) return;
+  const double near_w = lower(cw - radius);
+  if (is_small(r)) return all(r, near_w, out);
   const double v_turn = cv / (tangent2 - cv * cv);
   const double v[2] = {v_turn * (cw + cu * u[0]), v_turn * (cw + cu * u[1])};
-  const double near_w = lower(cw - radius);
 
   const double a = cu * cu - tangent2, over_a = 1.0 / a;
   const auto span_at = [&](double at) -> Span {

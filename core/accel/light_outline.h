@@ -24,6 +24,8 @@ class LightOutline {
  public:
   explicit LightOutline(const LightRaster& raster) : m_raster(raster) {}
 
+  /// In so few cells that a box is as good as any outline.
+  bool is_small(const LightWindow& window) const { return is_small(range_of(window)); }
   void box(const Bounds& box, const LightWindow& window, std::vector<LightCell>& out);
   /// What is in the box and in the convex hull of the points.
   void hull(std::span<const Vec3> points, const Bounds& box, const LightWindow& window,
@@ -41,6 +43,9 @@ class LightOutline {
   struct Span { double lo, hi; };
 
   Range range_of(const LightWindow& window) const;
+  static bool is_small(const Range& r) {
+    return r.last[0] - r.first[0] < 2 && r.last[1] - r.first[1] < 2;
+  }
   Point point_of(const Vec3& v) const;  ///< w > 0
   double w_of(const Vec3& v) const { return LightFace::w_of(m_raster.face(), v); }
   std::uint32_t cell(int column, int row) const {
@@ -50,6 +55,7 @@ class LightOutline {
   /// Calls visit(row, least x, most x) for the rows of the range that the line, widened, lies in.
   template <class Visit>
   void along(Point a, Point b, const Range& range, Visit&& visit) const;
+  void all(const Range& range, double near_w, std::vector<LightCell>& out) const;
   void clear_rows(const Range& range);
   void widen_row(const Range& range, int row, double least, double most);
   void fill_rows(const Range& range, double near_w, std::vector<LightCell>& out) const;

@@ -1,0 +1,184 @@
+#include "core/accel/light_drawing.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <typeinfo>
+
+#include "core/geometry/box.h"
+#include "core/geometry/cone.h"
+#include "core/geometry/cylinder.h"
+#include "core/geometry/polygon.h"
+#include "core/geometry/smooth_triangle.h"
+#include "core/geometry/sphere.h"
+#include "core/geometry/triangle.h"
+
+namespace lentray::core {
+namespace {
+
+void add_face(const std::array<Vec3, 4>& corners, LightOutline& outline,
+              std::vector<LightCell>& out) {
+  const Vec3 normal = normalized(cross(corners[1] - corners[0], corners[3] - corners[0]));
+  std::array<Vec3, 8> ends;
+  for (std::size_t i = 0; i < 4; ++i) {
+    ends[2 * i] = corners[i];
+    ends[2 * i + 1] = corners[(i + 1) % 4];
+  }
+  outline.flat(ends, normal, dot(normal, corners[0]), out);
+}
+
+/// Each side's cells overlap those of its neighbours: one entry a cell, the darkest.
+void add_box(const Bounds& box, LightOutline& outline, std::vector<LightCell>& out) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+    for (const bool high : {false, true}) {
+      // Only sides that face the light: the others are behind them.
+      const double at = high ? box.hi[axis] : box.lo[axis];
+      if (high ? at >= 0.0 : at <= 0.0) continue;
+      std::array<Vec3, 4> corners;
+      for (std::size_t c = 0; c < 4; ++c) {
+        corners[c][axis] = at;
+        corners[c][u] = (c == 1 || c == 2) ? box.hi[u] : box.lo[u];
+        corners[c][v] = c >= 2 ? box.hi[v] : box.lo[v];
+      }
+      add_face(corners, outline, out);
+    }
+  }
+  std::sort(out.begin(), out.end(),
+            [](const LightCell& a, const LightCell& b) { return a.cell < b.cell; });
+  std::size_t kept = 0;
+  for (const LightCell& next : out) {
+    if (kept > 0 && out[kept - 1].cell == next.cell) {
+      out[kept - 1].near_w = std::min(out[kept - 1].near_w, next.near_w);
+      out[kept - 1].full_w = std::min(out[kept - 1].full_w, next.full_w);
+    } else {
+      out[kept++] = next;
+    }
+  }
+  out.resize(kept);
+}
+
+Vec3 triangle_normal(const Shape& shape) {
+  const auto& p = static_cast<const TriangleShape&>(shape).vertices();
+  return normalized(cross(p[1] - p[0], p[2] - p[0]));
+}
+
+}  // namespace
+
+LightKind light_kind(const Shape* shape) {
+  if (!shape) return LightKind::kAny;
+  const std::type_info& type = typeid(*shape);
+  if (type == typeid(Sphere)) return LightKind::kSphere;
+  if (type == typeid(Polygon)) return LightKind::kPolygon;
+  if (type == typeid(Triangle) || type == typeid(SmoothTriangle)) return LightKind::kTriangle;
+  return type == typeid(Box) ? LightKind::kBox : LightKind::kAny;
+}
+
+const Shape* plain_shape(const Object& object) {
+  if (typeid(object) != typeid(Leaf)) return nullptr;
+  const auto& leaf = static_cast<const Leaf&>(object);
+  return leaf.transform() || !leaf.clips().empty() || !leaf.bounding().empty() ? nullptr : &leaf.shape();
+}
+
+/// Into m_points: the ends of its edges in pairs, relative to the light.
+void LightDrawing::triangle_ends(const Shape& shape) {
+  const auto& p = static_cast<const TriangleShape&>(shape).vertices();
+  m_points.clear();
+  for (std::size_t i = 0; i < 3; ++i) {
+    m_points.push_back(p[i] - m_light);
+    m_points.push_back(p[(i + 1) % 3] - m_light);
+  }
+}
+
+/// The same, of all contours.
+void LightDrawing::polygon_ends(const Shape& shape) {
+  const std::vector<Vec3>& points = static_cast<const Polygon&>(shape).points();
+  m_points.clear();
+  std::size_t start = 0;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    m_points.push_back(points[i - 1] - m_light);
+    m_points.push_back(points[i] - m_light);
+    if (points[i] == points[start]) start = ++i;
+  }
+}
+
+void LightDrawing::outline(const Subject& subject, const LightWindow& window,
+                           LightOutline& outline, std::vector<LightCell>& out) {
+  const Shape* shape = subject.shape;
+  switch (subject.kind) {
+    case LightKind::kSphere: {
+      const auto& sphere = static_cast<const Sphere&>(*shape);
+      return outline.sphere(sphere.centre() - m_light, sphere.radius(), window, out);
+    }
+    case LightKind::kPolygon: {
+      polygon_ends(*shape);
+      const Vec3 normal = shape->normal({}, {});
+      return outline.flat(m_points, normal, dot(normal, m_points[0]), out);
+    }
+    case LightKind::kTriangle: {
+      triangle_ends(*shape);
+      const Vec3 normal = triangle_normal(*shape);
+      return outline.flat(m_points, normal, dot(normal, m_points[0]), out);
+    }
+    case LightKind::kBox: {
+      const auto& box = static_cast<const Box&>(*shape);
+      const Bounds around = relative({box.lo(), box.hi()}, m_light);
+      if (around.contains({})) return outline.box(around, window, out);
+      return add_box(around, outline, out);
+    }
+    case LightKind::kAny: break;
+  }
+  // Less than its box, where it is a shape that was turned.
+  m_points.clear();
+  if (outline.is_small(window)) return outline.box(subject.box, window, out);
+  if (typeid(subject.object) == typeid(Leaf)) {
+    const auto& leaf = static_cast<const Leaf&>(subject.object);
+    leaf.shape().hull(m_points);
+    for (Vec3& p : m_points) p = (leaf.transform() ? leaf.transform()->point(p) : p) - m_light;
+  } else {
+    add_corners(subject.box, m_points);
+  }
+  outline.hull(m_points, subject.box, window, out);
+}
+
+LightVolume LightDrawing::ball_volume(const Subject& subject, const LightVolumes& volumes) const {
+  const Ball& ball = subject.object.ball();
+  if (!ball.is_finite()) return {};
+  return volumes.sphere(ball.centre() - m_light, ball.radius(), subject.distance);
+}
+
+LightVolume LightDrawing::volume(const Subject& subject, const LightVolumes& volumes) const {
+  switch (subject.kind) {
+    case LightKind::kSphere: {
+      const auto& sphere = static_cast<const Sphere&>(*subject.shape);
+      return volumes.sphere(sphere.centre() - m_light, sphere.radius(), subject.distance);
+    }
+    case LightKind::kPolygon: {
+      const Vec3 normal = subject.shape->normal({}, {});
+      LightVolume volume;
+      if (m_points.size() > 2 * 4) volume = ball_volume(subject, volumes);
+      volumes.polygon(m_points, normal, dot(normal, m_points[0]), subject.distance, volume);
+      return volume;
+    }
+    case LightKind::kTriangle:
+      return volumes.triangle(m_points[0], m_points[2], m_points[4], subject.distance);
+    case LightKind::kBox:
+    case LightKind::kAny: break;
+  }
+  if (m_points.size() != 16 || !subject.shape) return ball_volume(subject, volumes);
+  const std::type_info& type = typeid(*subject.shape);
+  if (type != typeid(Cone) && type != typeid(Cylinder)) return ball_volume(subject, volumes);
+  // Their hulls are octagons about the ends' circles.
+  constexpr double kInner = 0.9238795325112868;  // cos(pi / 8)
+  Vec3 a, b;
+  for (std::size_t i = 0; i < 8; ++i) {
+    a += m_points[i];
+    b += m_points[i + 8];
+  }
+  a *= 0.125;
+  b *= 0.125;
+  return volumes.capsule(a, kInner * length(m_points[0] - a), b, kInner * length(m_points[8] - b),
+                         subject.distance);
+}
+
+}  // namespace lentray::core

@@ -1,0 +1,90 @@
+// A volume that holds all points an object may darken: up to four planes through the light along its
+// outline, and one that it lies behind, in floats. A point that is outside by more than all rounding,
+// of these numbers and of the objects' own tests, needs no test; of a point inside nothing is known.
+// Relative to the light, in world units. Immutable, any number of threads.
+// Held to the objects' tests by tests/unit/accel_light_volume_test.cpp.
+#pragma once
+
+#include <immintrin.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+
+#include "core/base/vec3.h"
+
+namespace lentray::core {
+
+/// All zero: nothing is outside.
+struct alignas(64) LightVolume {
+  float x[4] = {}, y[4] = {}, z[4] = {};  ///< of the planes' normals, which point inwards; lengths
+                                          ///< at most 1, not much less
+  float plane[4] = {};                    ///< normal, away from the light; less its distance
+};
+
+/// A point ready to be asked for.
+class LightProbe {
+ public:
+  /// `w`: the largest part of `point`. `t_min`: a shadow ray from there must go farther.
+  /// `reach`: of the volumes; beyond, nothing is outside.
+  LightProbe(const Vec3& point, double w, double t_min, double reach)
+      : m_x(_mm_set1_ps(static_cast<float>(point.x))),
+        m_y(_mm_set1_ps(static_cast<float>(point.y))),
+        m_z(_mm_set1_ps(static_cast<float>(point.z))),
+        m_least(_mm_set1_ps(w < reach ? -kSlack * static_cast<float>(w)
+                                      : -std::numeric_limits<float>::infinity())),
+        m_w(static_cast<float>(w)),
+        m_t_min(static_cast<float>(t_min)) {}
+
+  bool is_outside(const LightVolume& volume) const {
+    const __m128 x = _mm_mul_ps(m_x, _mm_load_ps(volume.x)), y = _mm_mul_ps(m_y, _mm_load_ps(volume.y));
+    const __m128 inside = _mm_add_ps(_mm_add_ps(x, y), _mm_mul_ps(m_z, _mm_load_ps(volume.z)));
+    return _mm_movemask_ps(_mm_cmplt_ps(inside, m_least)) != 0 || is_before(volume.plane);
+  }
+
+ private:
+  /// Of w: rounding in floats comes to less than half of it, that in doubles, which a volume must
+  /// be sure of, to less than a quarter.
+  static constexpr float kSlack = 0x1p-19f;
+
+  /// A hit that is farther than t_min along the ray is farther behind the point than the share
+  /// t_min / length of the plane's distance.
+  bool is_before(const float (&plane)[4]) const {
+    constexpr float kLongest = 1.7320509f;  // of w
+    const float share = 1.0f + m_t_min / (kLongest * m_w);
+    const float behind = _mm_cvtss_f32(m_x) * plane[0] + _mm_cvtss_f32(m_y) * plane[1] +
+                         _mm_cvtss_f32(m_z) * plane[2] + share * plane[3];
+    return behind < _mm_cvtss_f32(m_least);
+  }
+
+  __m128 m_x, m_y, m_z, m_least;
+  float m_w, m_t_min;
+};
+
+/// Makes volumes: of one light's objects, for points not farther than `reach`. `distance`: of the object's
+/// box from the light.
+class LightVolumes {
+ public:
+  explicit LightVolumes(double reach);
+  double reach() const { return m_reach; }
+
+  LightVolume triangle(const Vec3& a, const Vec3& b, const Vec3& c, double distance) const;
+  /// To a volume, by the ends of its edges in pairs and its plane, dot(normal, x) = offset, normal of
+  /// length 1. Edges count where it is a convex polygon of at most four.
+  void polygon(std::span<const Vec3> edge_ends, const Vec3& normal, double offset,
+               double distance, LightVolume& volume) const;
+  LightVolume sphere(const Vec3& centre, double radius, double distance) const;
+  /// The hull of two spheres.
+  LightVolume capsule(const Vec3& a, double radius_a, const Vec3& b, double radius_b,
+                      double distance) const;
+
+ private:
+  void set_side(LightVolume& volume, int lane, const Vec3& inwards, double far, double least) const;
+  void set_plane(LightVolume& volume, const Vec3& normal, double offset, double far) const;
+
+  double m_reach;
+  double m_least;  ///< size times distance that is sure
+};
+
+}  // namespace lentray::core
