@@ -56,14 +56,12 @@ TEST_F(ImageShadowCaches, AutoHasThemTooWhereTheSearchIsDear) {
   }
 }
 
-// The cache inside the light buffers, whose probes are part of the search. Of the teapot's smooth
-// triangles two neighbours often share a part of a cell.
+// The cache inside the light buffers, whose probes are part of the search.
 TEST_F(ImageShadowCaches, AutoHasThemTooWithLightBuffersInAnyOrder) {
   for (const Small& small : kSpd) {
-    const double least = std::string(small.scene) == "teapot" ? 0.92 : 0.95;
     for (const char* order : {"rows", "views", "columns", "adaptive"}) {
       const auto s = run(small, {"+W600", "+H400", std::string("Pixel_Order=") + order});
-      EXPECT_GE(of_bound(s), least) << small.scene << " " << order;
+      EXPECT_GE(of_bound(s), 0.95) << small.scene << " " << order;
       EXPECT_EQ(s.at("cache").at("probes"), 0) << small.scene;
       EXPECT_EQ(s.at("auto").at("measured"), 0) << small.scene;
     }
