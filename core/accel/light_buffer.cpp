@@ -130,26 +130,28 @@ template <class Count>
       first = expected(last, spot.part, begin, end, *recall);
       if (!(first->near_w < spot.w)) first = begin;
     }
-    const LightProbe probe(ray.origin - m_light, spot.w, t_min, m_reach);
-    const Entry* next = begin;
-    bool foreseen = true;
-    for (const Entry* entry = first; entry < end && entry->near_w < spot.w; entry = next++) {
-      if (probe.is_outside(m_volumes[entry->caster])) {
-        count.outside();
-        if (next == first) ++next;
-        continue;
-      }
-      const Caster& caster = m_casters[entry->caster];
-      if (blocks(caster, ray, t_min, t_max, arena, count)) {
-        if (recall) {
-          recall->caster = entry->caster;
-          const auto place = static_cast<std::uint64_t>(entry - begin + 1);
-          if (choice && (last >> 4 * spot.part & 15) != place) remember(*cell, spot.part, place);
+    if (first < end && first->near_w < spot.w) {
+      const LightProbe probe(ray.origin - m_light, spot.w, t_min, m_reach);
+      const Entry *entry = first, *next = begin;
+      bool foreseen = true;
+      do {
+        if (probe.is_outside(m_volumes[entry->caster])) {
+          count.outside();
+        } else {
+          const Caster& caster = m_casters[entry->caster];
+          if (blocks(caster, ray, t_min, t_max, arena, count)) {
+            if (recall) {
+              recall->caster = entry->caster;
+              const auto place = static_cast<std::uint64_t>(entry - begin + 1);
+              if (choice && (last >> 4 * spot.part & 15) != place) remember(*cell, spot.part, place);
+            }
+            return {caster.object, foreseen};
+          }
+          foreseen = false;
         }
-        return {caster.object, foreseen};
-      }
-      foreseen = false;
-      if (next == first) ++next;
+        if (next == first) ++next;
+        entry = next++;
+      } while (entry < end && entry->near_w < spot.w);
     }
   }
   for (const Caster& caster : m_always_opaque) {

@@ -49,7 +49,7 @@ class LightBuffer {
   /// The shadow cache inside the buffer. Each cell remembers which of its opaque objects blocked last,
   /// in each of its parts; that one is asked before the others, and where none is known yet, the one
   /// that blocked the thread's last ray to this light, if it is in the cell, or else the nearest to the
-  /// light. A probe costs nothing where it does not block: to be lit a point must pass all of its
+  /// light. What the point is outside the volume of is passed over. A probe costs nothing where it does not block: to be lit a point must pass all of its
   /// cell. What cells know the threads share; it changes no answer but which blocker is named.
   struct Recall {
     std::uint32_t caster = ~0u;  ///< of the last blocked ray
