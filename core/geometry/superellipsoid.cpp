@@ -30,16 +30,30 @@ struct Stations {
   }
 };
 
+/// The dual of the norm: the most that a x + b y is where norm(x, y, p) is 1.
+double dual_norm(double a, double b, double p) {
+  return p <= 1.0 ? std::max(a, b) : norm(a, b, p / (p - 1.0));
+}
+
+/// A little outside: what rounding and the roots' errors never reach.
+constexpr double kOut = 1.0 + 1e-9;
+
+/// Keeps the part of [lo, hi] in which |p + t d| <= half. Of a ray along the planes all is kept.
+void clip_to_slab(double p, double d, double half, double& lo, double& hi) {
+  const double inverse = 1.0 / d, middle = -p * inverse, reach = std::fabs(half * inverse);
+  lo = std::max(lo, middle - reach);
+  hi = std::min(hi, middle + reach);
+}
+
 /// The part of the ray within the cube; false if it misses.
 bool clip_to_cube(const Ray& ray, double& lo, double& hi) {
-  constexpr double kHalf = 1.0 + 1e-9;
   for (int axis = 0; axis < 3; ++axis) {
     const double p = ray.origin[axis], d = ray.direction[axis];
     if (d == 0.0) {
-      if (std::fabs(p) > kHalf) return false;
+      if (std::fabs(p) > kOut) return false;
       continue;
     }
-    const double a = (-kHalf - p) / d, b = (kHalf - p) / d;
+    const double a = (-kOut - p) / d, b = (kOut - p) / d;
     lo = std::max(lo, std::min(a, b));
     hi = std::min(hi, std::max(a, b));
   }
@@ -75,7 +89,11 @@ double turning_point(const Function& f, double lo, double hi, double sign) {
 }  // namespace
 
 Superellipsoid::Superellipsoid(double e, double n) 
-    : m_round_xy(2.0 / e), m_round_z(2.0 / n), m_convex(e <= 2.0 && n <= 2.0) {}
+    : m_round_xy(2.0 / e), m_round_z(2.0 / n), m_convex(e <= 2.0 && n <= 2.0) {
+  const double xy = dual_norm(1.0, 1.0, m_round_xy), z = dual_norm(1.0, 1.0, m_round_z);
+  m_half_of_two = {kOut * xy, kOut * z, kOut * z};
+  m_half_of_three = kOut * dual_norm(xy, 1.0, m_round_z);
+}
 
 double Superellipsoid::value(const Vec3& p) const {
   return norm(norm(std::fabs(p.x), std::fabs(p.y), m_round_xy), std::fabs(p.z), m_round_z) - 1.0;
@@ -84,11 +102,8 @@ double Superellipsoid::value(const Vec3& p) const {
 /// The dual norm; a concave one reaches as far as the octahedron of its corners.
 Bounds Superellipsoid::bounds_in(const Transform& t) const {
   if (keeps_axes(t)) return Shape::bounds_in(t);
-  const auto dual = [](double a, double b, double p) {
-    return p <= 1.0 ? std::max(a, b) : norm(a, b, p / (p - 1.0));
-  };
   return support_bounds(t, [&](const Vec3& d) {
-    return dual(dual(std::fabs(d.x), std::fabs(d.y), m_round_xy), std::fabs(d.z), m_round_z);
+    return dual_norm(dual_norm(std::fabs(d.x), std::fabs(d.y), m_round_xy), std::fabs(d.z), m_round_z);
   });
 }
 
@@ -100,7 +115,10 @@ struct Superellipsoid::Sloped {
     const Sloped &high = a.value < b.value ? b : a, &low = a.value < b.value ? a : b;
     const double ratio = low.value / high.value;
     if (!(ratio > 0.0)) return high;
-    const double share = std::pow(ratio, p), sum = 1.0 + share, root = std::pow(sum, 1.0 / p);
+    // Half the price of pow, whose last digits are lost in the sums.
+    const double share = std::exp(p * std::log(ratio)), sum = 1.0 + share;
+    if (sum == 1.0) return high;
+    const double root = std::exp(std::log(sum) / p);
     return {high.value * root, (high.slope + low.slope * (share / ratio)) * (root / sum)};
   }
 };
@@ -133,26 +151,73 @@ bool Superellipsoid::approach(const Ray& ray, double from, double to, double& t)
   return true;
 }
 
-/// The same from both ends of what the cube leaves of the ray, counted from its middle, so that far
-/// origins do not cost digits.
-template <class Visit>
-void Superellipsoid::convex_crossings(const Ray& ray, double lo, double hi, Visit&& visit) const {
-  const double middle = 0.5 * (lo + hi);
-  const Ray near{ray.at(middle), ray.direction};
-  lo = -Bounds::kInf;
-  hi = Bounds::kInf;
-  double in, out;
-  if (!clip_to_cube(near, lo, hi) || !approach(near, lo, hi, in)) return;
-  if (!visit(middle + in)) return;
-  // Where rounding says that it leaves nowhere it leaves there.
-  visit(middle + (approach(near, hi, in, out) ? out : in));
+/// The part of the ray within the planes about a convex body; false if it misses.
+bool Superellipsoid::clip(const Ray& ray, double& lo, double& hi) const {
+  const Vec3 &p = ray.origin, &d = ray.direction;
+  for (int i = 0; i < 3; ++i) clip_to_slab(p[i], d[i], kOut, lo, hi);
+  if (!(lo < hi)) return false;
+  for (int i = 0; i < 3; ++i) {
+    const int j = i == 2 ? 0 : i + 1;
+    const double half = m_half_of_two[static_cast<std::size_t>(i)];
+    clip_to_slab(p[i] + p[j], d[i] + d[j], half, lo, hi);
+    clip_to_slab(p[i] - p[j], d[i] - d[j], half, lo, hi);
+  }
+  if (!(lo < hi)) return false;
+  const double half = m_half_of_three;
+  clip_to_slab(p.x + p.y + p.z, d.x + d.y + d.z, half, lo, hi);
+  clip_to_slab(p.x + p.y - p.z, d.x + d.y - d.z, half, lo, hi);
+  clip_to_slab(p.x - p.y + p.z, d.x - d.y + d.z, half, lo, hi);
+  clip_to_slab(p.x - p.y - p.z, d.x - d.y - d.z, half, lo, hi);
+  return lo < hi && std::isfinite(lo) && std::isfinite(hi);
 }
 
-template <class Visit>
+/// The same from both ends of what the planes leave of the ray, counted from its middle, so that far
+/// origins do not cost digits. A convex function lies above its tangents: those at the ray's start
+/// and at the middle turn most rays away. `kAnywhere`: any t beyond the first crossing does for it.
+template <bool kAnywhere, class Visit>
+void Superellipsoid::convex_crossings(const Ray& ray, double t_min, double t_max, Visit&& visit) const {
+  constexpr double kSure = 1e-12, kFar = 1e4;
+  double lo = -Bounds::kInf, hi = Bounds::kInf;
+  if (!clip(ray, lo, hi) || hi <= t_min || lo >= t_max) return;
+  const double middle = 0.5 * (lo + hi), start = t_min - middle;
+  const Ray near{ray.at(middle), ray.direction};
+  const bool far = std::fabs(middle) > kFar * (hi - lo);
+  lo = far ? -Bounds::kInf : lo - middle;
+  hi = far ? Bounds::kInf : hi - middle;
+  if (far && !clip(near, lo, hi)) return;
+  bool starts_inside = false;
+  if (start > lo && start < hi) {
+    const Sloped f = along(near, start);
+    if (f.value > kSure && f.slope >= 0.0) return;
+    starts_inside = f.value < -kSure;
+  }
+  double in, out;
+  if (!starts_inside) {
+    const Sloped f = along(near, 0.0);
+    if (f.value > kSure) {
+      const double tangent = -f.value / f.slope;
+      if (!(tangent > lo && tangent < hi)) return;
+      (f.slope < 0.0 ? lo : hi) = tangent;
+    } else if (kAnywhere && f.value < -kSure && start <= lo && middle > t_min && middle < t_max) {
+      visit(middle);
+      return;
+    }
+    if (!approach(near, lo, hi, in)) return;
+    if (!visit(middle + in)) return;
+  }
+  // Where rounding says that it leaves nowhere it leaves there.
+  if (approach(near, hi, lo, out)) {
+    visit(middle + out);
+  } else if (!starts_inside) {
+    visit(middle + in);
+  }
+}
+
+template <bool kAnywhere, class Visit>
 void Superellipsoid::crossings(const Ray& ray, double t_min, double t_max, Visit&& visit) const {
+  if (m_convex) return convex_crossings<kAnywhere>(ray, t_min, t_max, visit);
   double lo = -Bounds::kInf, hi = Bounds::kInf;
   if (!clip_to_cube(ray, lo, hi) || hi <= t_min || lo >= t_max) return;
-  if (m_convex) return convex_crossings(ray, lo, hi, visit);
   Stations stations;
   stations.t[stations.count++] = lo;
   const Vec3 &p = ray.origin, &d = ray.direction;
@@ -184,12 +249,18 @@ void Superellipsoid::crossings(const Ray& ray, double t_min, double t_max, Visit
 }
 
 bool Superellipsoid::nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const {
-  const auto each = [&](auto&& visit) { crossings(ray, t_min, t_max, visit); };
+  const auto each = [&](auto&& visit) { crossings<false>(ray, t_min, t_max, visit); };
+  return first_of_ordered(each, t_min, t_max, hit);
+}
+
+bool Superellipsoid::any(const Ray& ray, double t_min, double t_max) const {
+  ShapeHit hit;
+  const auto each = [&](auto&& visit) { crossings<true>(ray, t_min, t_max, visit); };
   return first_of_ordered(each, t_min, t_max, hit);
 }
 
 void Superellipsoid::all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const {
-  const auto each = [&](auto&& visit) { crossings(ray, t_min, t_max, visit); };
+  const auto each = [&](auto&& visit) { crossings<false>(ray, t_min, t_max, visit); };
   append_ordered(each, t_min, t_max, hits);
 }
 
