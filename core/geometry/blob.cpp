@@ -65,7 +65,10 @@ Blob::Blob(double threshold, std::vector<BlobField> fields)
       most = std::max(most, sum);
     }
     m_scales.push_back(std::sqrt(most));
+    const double scale = f.length == 0.0 ? similarity_scale(f.to_blob) * f.radius : 0.0;
+    m_rounds.push_back({f.to_blob.point({}), scale > 0.0 ? 1.0 / (scale * scale) : 0.0});
   }
+  m_bounds = bounds_in(Transform());
   if (m_fields.size() < kMany || !m_reach.is_finite()) return;
   WideBvh::Options options;
   options.max_leaf = 1;  // its box is tested then
@@ -78,27 +81,24 @@ void Blob::drop_shortcuts() {
 }
 
 template <class Visit>
-void Blob::for_fields(const Ray& ray, Visit&& visit) const {
+void Blob::for_fields(const Ray& ray, double t_min, Visit&& visit) const {
   if (m_search.order().empty()) {
     const BoxRay box_ray(ray);
-    for (std::size_t i = 0; i < m_fields.size(); ++i) {
-      if (box_ray.meets(m_boxes[i], -Bounds::kInf, Bounds::kInf)) visit(m_fields[i]);
+    for (std::uint32_t i = 0; i < m_fields.size(); ++i) {
+      if (box_ray.meets(m_boxes[i], t_min, Bounds::kInf)) visit(i);
     }
     return;
   }
-  Found found;
   const auto add = [&](std::uint32_t place, double&) {
-    found.push_back(m_search.order()[WideBvh::first_of(place)]);
+    visit(m_search.order()[WideBvh::first_of(place)]);
     return false;
   };
   CountNothing nothing;
   if (has_avx2()) {
-    m_search.traverse_avx2<false>(ray, -Bounds::kInf, Bounds::kInf, add, nothing);
+    m_search.traverse_avx2<false>(ray, t_min, Bounds::kInf, add, nothing);
   } else {
-    m_search.traverse_portable(ray, -Bounds::kInf, Bounds::kInf, add, nothing);
+    m_search.traverse_portable(ray, t_min, Bounds::kInf, add, nothing);
   }
-  std::sort(found.begin(), found.end());
-  for (const std::uint32_t i : found) visit(m_fields[i]);
 }
 
 template <class Visit>
@@ -148,34 +148,57 @@ Bounds Blob::bounds_in(const Transform& t) const {
   });
 }
 
-void Blob::find_reaches(const BlobField& field, const Ray& ray, Reaches& out) const {
-  const Matrix& into = field.to_blob.inverse_rows();
-  const Vec3 p = point_into(into, ray.origin), d = vector_into(into, ray.direction);
-  const double scale = 1.0 / (field.radius * field.radius);
-  const auto add = [&](double z, bool round, double lo, double hi) {
-    // Distance from the point at height z, or from the axis.
-    const double pz = round ? p.z - z : 0.0, dz = round ? d.z : 0.0;
-    const double q2 = (d.x * d.x + d.y * d.y + dz * dz) * scale;
-    const double q1 = 2.0 * (p.x * d.x + p.y * d.y + pz * dz) * scale;
-    const double q0 = (p.x * p.x + p.y * p.y + pz * pz) * scale;
-    double from = -Bounds::kInf, to = Bounds::kInf, roots[2];
+/// Those that end beyond t_min.
+void Blob::find_reaches(std::uint32_t index, const Ray& ray, double t_min, Reaches& out) const {
+  const BlobField& field = m_fields[index];
+  const auto add = [&](const Vec3& p, const Vec3& d, double scale, auto&& clip_it) {
+    const double q2 = dot(d, d) * scale, q1 = 2.0 * dot(p, d) * scale, q0 = dot(p, p) * scale;
+    double from = -Bounds::kInf, to = Bounds::kInf;
     if (q2 > 0.0) {
-      if (solve_quadratic(q2, q1, q0 - 1.0, roots) < 2) return;
-      from = roots[0];
-      to = roots[1];
+      // As solve_quadratic() does it, but for the tests that it needs.
+      const double under = q1 * q1 - 4.0 * q2 * (q0 - 1.0);
+      if (!(under > 0.0)) return;
+      const double q = -0.5 * (q1 + std::copysign(std::sqrt(under), q1));
+      const double a = (q0 - 1.0) / q, b = q / q2;
+      from = std::min(a, b);
+      to = std::max(a, b);
     } else if (q0 >= 1.0) {
       return;
     }
-    clip(p.z, d.z, lo, hi, from, to);
-    if (from < to) out.push_back({from, to, q2, q1, q0, field.strength});
+    clip_it(from, to);
+    if (from < to && to > t_min) out.push_back({from, to, q2, q1, q0, field.strength, index});
   };
-  if (field.length == 0.0) {
-    add(0.0, true, -Bounds::kInf, Bounds::kInf);
+  if (const Round& round = m_rounds[index]; round.scale > 0.0) {
+    add(ray.origin - round.centre, ray.direction, round.scale, [](double&, double&) {});
     return;
   }
-  add(0.0, true, -Bounds::kInf, 0.0);
-  add(0.0, false, 0.0, field.length);
-  add(field.length, true, field.length, Bounds::kInf);
+  const Matrix& into = field.to_blob.inverse_rows();
+  const Vec3 p = point_into(into, ray.origin), d = vector_into(into, ray.direction);
+  const double scale = 1.0 / (field.radius * field.radius);
+  if (field.length == 0.0) {
+    add(p, d, scale, [](double&, double&) {});
+    return;
+  }
+  // Distance from the ends, and from the axis between them.
+  const auto within = [&](double lo, double hi) {
+    return [&, lo, hi](double& from, double& to) { clip(p.z, d.z, lo, hi, from, to); };
+  };
+  add(p, d, scale, within(-Bounds::kInf, 0.0));
+  add({p.x, p.y, 0.0}, {d.x, d.y, 0.0}, scale, within(0.0, field.length));
+  add({p.x, p.y, p.z - field.length}, d, scale, within(field.length, Bounds::kInf));
+}
+
+/// Whether the fields can add up to the threshold there.
+bool Blob::may_hold(const Reach* const* active, std::size_t count, double from, double to) const {
+  constexpr double kSlack = 1e-9;
+  double most = 0.0, size = 0.0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Reach& r = *active[i];
+    size += std::fabs(r.strength);
+    const double rest = 1.0 - (r.strength > 0.0 ? r.least(from, to) : std::max(r.share(from), r.share(to)));
+    if (rest > 0.0) most += r.strength * rest * rest;
+  }
+  return most > m_threshold - kSlack * size;
 }
 
 template <class Visit>
@@ -187,34 +210,52 @@ void Blob::crossings(const Ray& from_afar, double t_min, double t_max, Visit&& v
   t_min -= shift;
   t_max -= shift;
   Reaches reaches;
-  for_fields(ray, [&](const BlobField& field) { find_reaches(field, ray, reaches); });
-  boost::container::small_vector<double, 48> ends;
-  for (const Reach& r : reaches) {
-    ends.push_back(r.from);
-    ends.push_back(r.to);
-  }
-  std::sort(ends.begin(), ends.end());
-  for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
-    const double from = ends[i], to = ends[i + 1];
-    if (!(from < to) || to <= t_min || from >= t_max) continue;
+  for_fields(ray, t_min, [&](std::uint32_t field) { find_reaches(field, ray, t_min, reaches); });
+  if (reaches.empty()) return;
+  // In the order of their beginnings; those that have begun and not ended are `active`.
+  boost::container::small_vector<const Reach*, 24> order(reaches.size(), boost::container::default_init);
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = &reaches[i];
+  std::sort(order.begin(), order.end(), [](const Reach* a, const Reach* b) {
+    return a->from < b->from || (a->from == b->from && a->field < b->field);
+  });
+  boost::container::small_vector<const Reach*, 24> active(order.size(), boost::container::default_init);
+  std::size_t begun = 0, count = 0;
+  double from = order[0]->from;
+  while (true) {
+    // From here on: those that end leave, those that begin come.
+    std::size_t left = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      if (active[i]->to > from) active[left++] = active[i];
+    }
+    count = left;
+    while (begun < order.size() && order[begun]->from <= from) active[count++] = order[begun++];
+    if (count == 0) {
+      if (begun == order.size()) return;
+      from = order[begun]->from;
+      continue;
+    }
+    double to = begun < order.size() ? order[begun]->from : Bounds::kInf;
+    for (std::size_t i = 0; i < count; ++i) to = std::min(to, active[i]->to);
+    const double start = from;
+    from = to;
+    if (to <= t_min) continue;
+    if (start >= t_max) return;
+    if (!may_hold(active.data(), count, start, to)) continue;
     // The sum of the fields here, counted from the middle: a quartic.
-    const double middle = 0.5 * (from + to);
+    const double middle = 0.5 * (start + to);
     double c[5] = {0.0, 0.0, 0.0, 0.0, -m_threshold};
-    bool any = false;
-    for (const Reach& r : reaches) {
-      if (!(r.from <= from && r.to >= to)) continue;
-      any = true;
+    for (std::size_t i = 0; i < count; ++i) {
+      const Reach& r = *active[i];
       const double a = r.q2, b = r.q1 + 2.0 * r.q2 * middle;
-      const double rest = 1.0 - (r.q0 + middle * (r.q1 + middle * r.q2));  // 1 - share there
+      const double rest = 1.0 - r.share(middle);
       c[0] += r.strength * a * a;
       c[1] += r.strength * 2.0 * a * b;
       c[2] += r.strength * (b * b - 2.0 * a * rest);
       c[3] -= r.strength * 2.0 * b * rest;
       c[4] += r.strength * rest * rest;
     }
-    if (!any) continue;
     double roots[4];
-    const int n = solve_between(c, 4, from - middle, to - middle, roots);
+    const int n = solve_between(c, 4, start - middle, to - middle, roots);
     for (int k = 0; k < n; ++k) {
       if (!visit(roots[k] + middle + shift)) return;
     }

@@ -3,6 +3,7 @@
 // Source: reference manual 3.7, "Blob"; compared with stock by image.shapes.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "core/accel/wide_bvh.h"
@@ -25,7 +26,7 @@ class Blob final : public Shape {
   Blob(double threshold, std::vector<BlobField> fields);
 
   std::string_view name() const override { return "blob"; }
-  Bounds bounds() const override { return bounds_in(Transform()); }
+  Bounds bounds() const override { return m_bounds; }
   /// Searched for in a few hundred cells.
   Bounds bounds_in(const Transform& t) const override;
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
@@ -40,26 +41,42 @@ class Blob final : public Shape {
     double from, to;
     double q2, q1, q0;        ///< (distance / radius)^2 = q2 t2 + q1 t + q0
     double strength;
+    std::uint32_t field;
+
+    double share(double t) const { return q0 + t * (q1 + t * q2); }
+    /// The least of it between two points.
+    double least(double a, double b) const {
+      const double turn = q2 > 0.0 ? std::clamp(-0.5 * q1 / q2, a, b) : q1 > 0.0 ? a : b;
+      return share(turn);
+    }
   };
   class Reaches;
-  /// Calls visit(field) for those that the ray, on both sides of its origin, or the point may reach;
-  /// in order.
+  /// What a ray asks of a field: where it is a ball in the blob's space too, a point and a radius.
+  struct Round {
+    Vec3 centre;
+    double scale = 0.0;  ///< 1 / radius^2; 0: it is none
+  };
+  /// Calls visit(i) for the fields that the ray may reach beyond t_min, in any order.
   template <class Visit>
-  void for_fields(const Ray& ray, Visit&& visit) const;
+  void for_fields(const Ray& ray, double t_min, Visit&& visit) const;
+  /// Calls visit(field) for those that the point may be in, in order.
   template <class Visit>
   void for_fields(const Vec3& p, Visit&& visit) const;
   bool may_hold(const Vec3& centre, double reach) const;
-  void find_reaches(const BlobField& field, const Ray& ray, Reaches& out) const;
+  void find_reaches(std::uint32_t field, const Ray& ray, double t_min, Reaches& out) const;
+  bool may_hold(const Reach* const* active, std::size_t count, double from, double to) const;
   /// Calls visit(t) in order along the ray; stops when it returns false.
   template <class Visit>
   void crossings(const Ray& from_afar, double t_min, double t_max, Visit&& visit) const;
 
   double m_threshold;
   std::vector<BlobField> m_fields;
+  std::vector<Round> m_rounds;   ///< one a field
   std::vector<double> m_scales;  ///< how much longer at most than in the blob's a length is in a field's space
   std::vector<Bounds> m_boxes;   ///< of each field, a little wider
   WideBvh m_search;              ///< over them, where there are many
   Bounds m_reach;                ///< of all fields
+  Bounds m_bounds;
 };
 
 }  // namespace lentray::core
