@@ -124,11 +124,19 @@ bool Blob::may_hold(const Vec3& centre, double reach) const {
   double most = 0.0;
   for (std::size_t i = 0; i < m_fields.size(); ++i) {
     const BlobField& f = m_fields[i];
-    Vec3 p = f.to_blob.inverse_point(centre);
-    p.z -= std::clamp(p.z, 0.0, f.length);
-    const double distance = length(p), stretch = reach * m_scales[i];
+    double distance, stretch;  // of the radius
+    if (const Round& round = m_rounds[i]; round.scale > 0.0) {
+      const double scale = std::sqrt(round.scale);
+      distance = length(centre - round.centre) * scale;
+      stretch = reach * scale;
+    } else {
+      Vec3 p = point_into(f.to_blob.inverse_rows(), centre);
+      p.z -= std::clamp(p.z, 0.0, f.length);
+      distance = length(p) / f.radius;
+      stretch = reach * m_scales[i] / f.radius;
+    }
     const double at = f.strength > 0.0 ? std::max(0.0, distance - stretch) : distance + stretch;
-    const double rest = 1.0 - at * at / (f.radius * f.radius);
+    const double rest = 1.0 - at * at;
     if (rest > 0.0) most += f.strength * rest * rest;
   }
   constexpr double kSlack = 2e-6;  // more than that of inside()
@@ -136,7 +144,7 @@ bool Blob::may_hold(const Vec3& centre, double reach) const {
 }
 
 Bounds Blob::bounds_in(const Transform& t) const {
-  constexpr double kFine = 1.0 / 64.0;
+  constexpr double kFine = 1.0 / 32.0;
   constexpr int kTests = 40000, kFewest = 64, kMost = 2000;
   if (!m_reach.is_finite()) return transformed(m_reach, t);
   const int budget = std::clamp(kTests / static_cast<int>(m_fields.size()), kFewest, kMost);
@@ -255,7 +263,7 @@ void Blob::crossings(const Ray& from_afar, double t_min, double t_max, Visit&& v
       c[4] += r.strength * rest * rest;
     }
     double roots[4];
-    const int n = solve_between(c, 4, start - middle, to - middle, roots);
+    const int n = solve_between(c, 4, std::max(start, t_min) - middle, to - middle, roots);
     for (int k = 0; k < n; ++k) {
       if (!visit(roots[k] + middle + shift)) return;
     }
