@@ -119,24 +119,27 @@ void Blob::for_fields(const Vec3& p, Visit&& visit) const {
   for (const std::uint32_t i : found) visit(m_fields[i]);
 }
 
-/// Whether the fields can add up to the threshold anywhere in the ball.
-bool Blob::may_hold(const Vec3& centre, double reach) const {
+/// Whether the fields can add up to the threshold anywhere in the box.
+bool Blob::may_hold(const Vec3& centre, const Vec3& half) const {
+  const double reach = length(half);
   double most = 0.0;
   for (std::size_t i = 0; i < m_fields.size(); ++i) {
     const BlobField& f = m_fields[i];
-    double distance, stretch;  // of the radius
+    double share;  // the least for what adds, the most for what takes away
     if (const Round& round = m_rounds[i]; round.scale > 0.0) {
-      const double scale = std::sqrt(round.scale);
-      distance = length(centre - round.centre) * scale;
-      stretch = reach * scale;
+      const Vec3 to = centre - round.centre;
+      const auto side = [&](double way, double by) {
+        return f.strength > 0.0 ? std::max(0.0, std::fabs(way) - by) : std::fabs(way) + by;
+      };
+      share = length_squared({side(to.x, half.x), side(to.y, half.y), side(to.z, half.z)}) * round.scale;
     } else {
       Vec3 p = point_into(f.to_blob.inverse_rows(), centre);
       p.z -= std::clamp(p.z, 0.0, f.length);
-      distance = length(p) / f.radius;
-      stretch = reach * m_scales[i] / f.radius;
+      const double distance = length(p), stretch = reach * m_scales[i];
+      const double at = f.strength > 0.0 ? std::max(0.0, distance - stretch) : distance + stretch;
+      share = at * at / (f.radius * f.radius);
     }
-    const double at = f.strength > 0.0 ? std::max(0.0, distance - stretch) : distance + stretch;
-    const double rest = 1.0 - at * at;
+    const double rest = 1.0 - share;
     if (rest > 0.0) most += f.strength * rest * rest;
   }
   constexpr double kSlack = 2e-6;  // more than that of inside()
@@ -144,7 +147,7 @@ bool Blob::may_hold(const Vec3& centre, double reach) const {
 }
 
 Bounds Blob::bounds_in(const Transform& t) const {
-  constexpr double kFine = 1.0 / 32.0;
+  constexpr double kFine = 1.0 / 64.0;
   constexpr int kTests = 40000, kFewest = 64, kMost = 2000;
   if (!m_reach.is_finite()) return transformed(m_reach, t);
   const int budget = std::clamp(kTests / static_cast<int>(m_fields.size()), kFewest, kMost);
@@ -152,7 +155,7 @@ Bounds Blob::bounds_in(const Transform& t) const {
   return support_bounds(t, [&](const Vec3& d) {
     const double wide = std::fabs(d.x) * size.x + std::fabs(d.y) * size.y + std::fabs(d.z) * size.z;
     return searched_support(m_reach, d, kFine * wide, budget,
-                            [&](const Vec3& centre, double reach) { return may_hold(centre, reach); });
+                            [&](const Vec3& centre, const Vec3& half) { return may_hold(centre, half); });
   });
 }
 

@@ -62,7 +62,7 @@ class Blob final : public Shape {
   /// Calls visit(field) for those that the point may be in, in order.
   template <class Visit>
   void for_fields(const Vec3& p, Visit&& visit) const;
-  bool may_hold(const Vec3& centre, double reach) const;
+  bool may_hold(const Vec3& centre, const Vec3& half) const;
   void find_reaches(std::uint32_t field, const Ray& ray, double t_min, Reaches& out) const;
   bool may_hold(const Reach* const* active, std::size_t count, double from, double to) const;
   /// Calls visit(t) in order along the ray; stops when it returns false.

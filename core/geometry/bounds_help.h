@@ -102,8 +102,8 @@ inline double most_of_cubic(double a, double b, double c, double d) {
   return most;
 }
 
-/// The support of a set of which may_hold(centre, reach) tells whether a ball can have a part in
-/// it: the most that d.p can be in the box, to within `fine`, or less closely if more than `budget`
+/// The support of a set of which may_hold(centre, half) tells whether a box can have a part in it:
+/// the most that d.p can be in the box, to within `fine`, or less closely if more than `budget`
 /// cells have to be looked at. Never too little.
 template <class MayHold>
 double searched_support(const Bounds& box, const Vec3& d, double fine, int budget, const MayHold& may_hold) {
@@ -128,7 +128,7 @@ double searched_support(const Bounds& box, const Vec3& d, double fine, int budge
     for (int i = 0; i < 8; ++i) {
       const Vec3 centre = top.centre + Vec3{i & 1 ? half.x : -half.x, i & 2 ? half.y : -half.y,
                                             i & 4 ? half.z : -half.z};
-      if (!may_hold(centre, length(half))) continue;
+      if (!may_hold(centre, half)) continue;
       cells.push_back({dot(d, centre) + reach(half), centre, half});
       std::push_heap(cells.begin(), cells.end(), less_far);
     }

@@ -62,7 +62,8 @@ Bounds JuliaFractal<Map>::box_in(const Transform& t) const {
   if (Map::kRemembers) return transformed(all, t);
   return support_bounds(t, [&](const Vec3& d) {
     const double size = length(d), widest = (r + kNear) * size;
-    const double far = searched_support(all, d, kFine * widest, kTests, [&](const Vec3& p, double reach) {
+    const double far = searched_support(all, d, kFine * widest, kTests, [&](const Vec3& p, const Vec3& half) {
+      const double reach = length(half);
       return length(p) - reach <= r && m_map.may_hold(p, reach);
     });
     return std::min(widest, far + kNear * size);
