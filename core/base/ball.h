@@ -37,6 +37,20 @@ class Ball {
     return (length_squared(to) * (1.0 - kSlack) - m_radius2) * length_squared(ray.direction) >
            along * along;
   }
+  /// Cuts [lo, hi] to where the line may be in it; false if it is nowhere.
+  bool cut(const Ray& ray, double& lo, double& hi) const {
+    if (!is_finite()) return true;
+    constexpr double kSlack = 1e-12;
+    const Vec3 to = m_centre - ray.origin;
+    const double size = length_squared(ray.direction), along = dot(to, ray.direction);
+    const double far = length_squared(to);
+    const double chord = along * along - size * (far * (1.0 - kSlack) - m_radius2);
+    if (!(chord >= 0.0)) return false;
+    const double half = std::sqrt(chord);
+    lo = std::max(lo, (along - half) / size);
+    hi = std::min(hi, (along + half) / size);
+    return lo <= hi;
+  }
 
  private:
   Vec3 m_centre;

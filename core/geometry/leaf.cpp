@@ -17,6 +17,12 @@ Leaf::Leaf(std::unique_ptr<Shape> shape, const Transform& to_world) : m_shape(st
   fit_ball();
 }
 
+void Leaf::clips_have_changed() {
+  Ball kept;
+  for (const auto& clip : clips()) kept = smaller(kept, clip->solid_ball());
+  m_shape->keep_within(m_transform ? transformed(kept, m_transform->inverse()) : kept);
+}
+
 Bounds Leaf::bounds() const {
   return limited(m_box);
 }

@@ -99,6 +99,7 @@ class Object {
   void set_clips(std::vector<std::shared_ptr<const Object>> clips) {
     m_clips = std::move(clips);
     fit_ball();
+    clips_have_changed();
   }
   const std::vector<std::shared_ptr<const Object>>& clips() const { return m_clips; }
   /// bounded_by: rays that miss one of these, starting outside it, miss the object.
@@ -121,6 +122,7 @@ class Object {
   Bounds limited(Bounds b) const;
   /// The ball before own clips and bounded_by.
   virtual Ball surface_ball() const = 0;
+  virtual void clips_have_changed() {}
   /// To be called when anything has changed that the ball depends on.
   void fit_ball();
   void drop_ball() { m_ball = Ball(); }
@@ -170,6 +172,7 @@ class Leaf final : public Object {
     return {m_transform->inverse_point(ray.origin), m_transform->inverse_vector(ray.direction)};
   }
   Ball surface_ball() const override { return m_shape_ball; }
+  void clips_have_changed() override;
 
   std::unique_ptr<Shape> m_shape;
   std::unique_ptr<const Transform> m_transform;  ///< apart: few have one, and it is large

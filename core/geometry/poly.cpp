@@ -10,10 +10,10 @@ namespace lentray::core {
 namespace {
 
 constexpr int kMost = Poly::kMaxOrder + 1;
+constexpr int kNested = 6;  ///< highest order whose rays' polynomials are worked out without loops
 
 /// powers[n][m]: coefficient of t^m in (p + d t)^n, for n up to `order`.
-template <int kSize>
-void powers_of(double p, double d, int order, double (&powers)[kSize][kSize]) {
+void powers_of(double p, double d, int order, double (&powers)[kMost][kMost]) {
   powers[0][0] = 1.0;
   for (int n = 1; n <= order; ++n) {
     powers[n][0] = powers[n - 1][0] * p;
@@ -21,6 +21,45 @@ void powers_of(double p, double d, int order, double (&powers)[kSize][kSize]) {
     powers[n][n] = powers[n - 1][n - 1] * d;
   }
 }
+
+/// c = c (p + d t), of `kOrder` before.
+template <int kOrder>
+inline void times_line(double* c, double p, double d) {
+  c[kOrder + 1] = c[kOrder] * d;
+#pragma GCC unroll 8
+  for (int m = kOrder; m > 0; --m) c[m] = c[m] * p + c[m - 1] * d;
+  c[0] *= p;
+}
+
+/// The ray's start and direction along one axis.
+struct Along {
+  double p, d;
+};
+
+/// Horner's rule with a line for the variable, in z, then y, then x: the polynomial, of rising
+/// powers of t, whose coefficients follow one another at `from`. `kVariables` is 1 for z alone.
+template <int kVariables, int kOrder>
+struct Nested {
+  template <int kDone = 0>
+  static inline const double* sum(const Along* axes, const double* from, double* out) {
+    if constexpr (kDone > 0) times_line<kDone - 1>(out, axes[0].p, axes[0].d);
+    if constexpr (kVariables == 1) {
+      out[0] = kDone > 0 ? out[0] + *from : *from;
+      ++from;
+    } else {
+      // What the power of this variable that is left, kOrder - kDone, is multiplied by.
+      double inner[kDone + 1];
+      from = Nested<kVariables - 1, kDone>::sum(axes + 1, from, inner);
+      for (int m = 0; m < kDone; ++m) out[m] += inner[m];
+      out[kDone] = kDone > 0 ? out[kDone] + inner[kDone] : inner[kDone];
+    }
+    if constexpr (kDone < kOrder) {
+      return sum<kDone + 1>(axes, from, out);
+    } else {
+      return from;
+    }
+  }
+};
 
 double power(double x, int n) {
   double r = 1.0;
@@ -32,6 +71,8 @@ double power(double x, int n) {
 
 Poly::Poly(std::string_view name, int order, const std::vector<double>& coefficients)
     : m_name(name), m_order(order) {
+  if (order <= kNested) m_all = coefficients;
+  m_all.resize(static_cast<std::size_t>((order + 1) * (order + 2) * (order + 3) / 6));
   std::size_t next = 0;
   for (int i = order; i >= 0; --i) {
     for (int j = order - i; j >= 0; --j) {
@@ -50,11 +91,19 @@ double Poly::value(const Vec3& p) const {
   return sum;
 }
 
-/// The polynomial of t at p + d t, highest power first. Terms of the same power of x, and of x and
-/// y, come one after the other and are multiplied by it once.
-template <int kSize>
+/// The polynomial of t at p + d t, highest power first.
+template <int kOrder>
 void Poly::along(const Vec3& p, const Vec3& d, double* c) const {
-  double x[kSize][kSize], y[kSize][kSize], z[kSize][kSize];
+  const Along axes[3] = {{p.x, d.x}, {p.y, d.y}, {p.z, d.z}};
+  double rising[kOrder + 1];
+  Nested<3, kOrder>::sum(axes, m_all.data(), rising);
+  for (int m = 0; m <= kOrder; ++m) c[m] = rising[kOrder - m];
+}
+
+/// The same of any order. Terms of the same power of x, and of x and y, come one after the other and
+/// are multiplied by it once.
+void Poly::along_any(const Vec3& p, const Vec3& d, double* c) const {
+  double x[kMost][kMost], y[kMost][kMost], z[kMost][kMost];
   powers_of(p.x, d.x, m_order, x);
   powers_of(p.y, d.y, m_order, y);
   powers_of(p.z, d.z, m_order, z);
@@ -63,13 +112,13 @@ void Poly::along(const Vec3& p, const Vec3& d, double* c) const {
       for (int b = 0; b <= order; ++b) to[a + b] += by[a] * from[b];
     }
   };
-  double line[kSize] = {};  // of rising powers
+  double line[kMost] = {};  // of rising powers
   for (auto t = m_terms.begin(); t != m_terms.end();) {
     const int i = t->i, rest = m_order - i;
-    double plane[kSize] = {};
+    double plane[kMost] = {};
     while (t != m_terms.end() && t->i == i) {
       const int j = t->j, most = t->k;
-      double row[kSize] = {};
+      double row[kMost] = {};
       for (; t != m_terms.end() && t->i == i && t->j == j; ++t) {
         for (int b = 0; b <= t->k; ++b) row[b] += t->c * z[t->k][b];
       }
@@ -87,18 +136,19 @@ int Poly::crossings(const Ray& ray, double t_min, double t_max, double* roots) c
   const Vec3 d = ray.direction / length_of_unit;
   const double shift = -dot(ray.origin, d);
   const Vec3 p = ray.origin + d * shift;
-  std::array<double, kMost> c;
-  if (m_order <= 4) {
-    along<5>(p, d, c.data());
-  } else if (m_order <= 8) {
-    along<9>(p, d, c.data());
-  } else {
-    along<kMost>(p, d, c.data());
-  }
   // t_max does not cut: the roots' last bits would tell what else the ray has met.
-  const double from = t_min * length_of_unit - shift;
-  if (t_max * length_of_unit - shift <= from) return 0;
-  const int n = solve_between_bounds(c.data(), m_order, from, std::numeric_limits<double>::infinity(), roots);
+  double from = t_min * length_of_unit - shift, to = std::numeric_limits<double>::infinity();
+  if (t_max * length_of_unit - shift <= from || !m_kept.cut({p, d}, from, to)) return 0;
+  std::array<double, kMost> c;
+  switch (m_order) {
+    case 2: along<2>(p, d, c.data()); break;
+    case 3: along<3>(p, d, c.data()); break;
+    case 4: along<4>(p, d, c.data()); break;
+    case 5: along<5>(p, d, c.data()); break;
+    case 6: along<6>(p, d, c.data()); break;
+    default: along_any(p, d, c.data());
+  }
+  const int n = solve_between_bounds(c.data(), m_order, from, to, roots);
   for (int i = 0; i < n; ++i) roots[i] = (roots[i] + shift) / length_of_unit;
   return n;
 }

@@ -23,19 +23,23 @@ class Poly final : public Shape {
   bool finds_all_at_once() const override { return true; }
   bool inside(const Vec3& p) const override;
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
+  void keep_within(const Ball& ball) override { m_kept = ball; }
 
  private:
   struct Term {
     double c;
     int i, j, k;  ///< powers of x, y, z
   };
-  template <int kSize>
+  template <int kOrder>
   void along(const Vec3& p, const Vec3& d, double* c) const;
+  void along_any(const Vec3& p, const Vec3& d, double* c) const;
   int crossings(const Ray& ray, double t_min, double t_max, double* roots) const;
   double value(const Vec3& p) const;
 
   std::string_view m_name;
   int m_order;
+  std::vector<double> m_all;  ///< every coefficient, in the manual's order
+  Ball m_kept;                ///< of what crossings are asked for
   std::vector<Term> m_terms;  ///< powers of x falling, then of y, then of z
 };
 

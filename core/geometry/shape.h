@@ -73,6 +73,9 @@ class Shape {
   /// The same shape in the space `t` leads to, or null if this kind cannot hold it
   /// (then the object keeps the transform and moves the rays).
   virtual std::unique_ptr<Shape> baked(const Transform& t) const { (void)t; return nullptr; }
+  /// Before the shape is asked: crossings beyond the ball are not wanted, and may be left out. For
+  /// shapes that search the whole ray otherwise.
+  virtual void keep_within(const Ball& ball) { (void)ball; }
   /// For tests, before the shape is shared or asked: infinite boxes and plain lists instead of those
   /// that only spare work. Answers keep their bits; bounds() may become infinite.
   virtual void drop_shortcuts() {}
