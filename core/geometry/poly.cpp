@@ -148,7 +148,8 @@ int Poly::crossings(const Ray& ray, double t_min, double t_max, double* roots) c
     case 6: along<6>(p, d, c.data()); break;
     default: along_any(p, d, c.data());
   }
-  const int n = solve_between_bounds(c.data(), m_order, from, to, roots);
+  const int n = m_kept.is_finite() ? solve_between(c.data(), m_order, from, to, roots)
+                                   : solve_between_bounds(c.data(), m_order, from, to, roots);
   for (int i = 0; i < n; ++i) roots[i] = (roots[i] + shift) / length_of_unit;
   return n;
 }

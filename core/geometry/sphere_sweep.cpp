@@ -11,74 +11,93 @@
 namespace lentray::core {
 namespace {
 
-constexpr int kMostOrder = 10;
-
-/// Coefficients of rising powers.
+/// Of an order that is known when it is compiled, so that loops unroll. Coefficients of rising powers.
+template <std::size_t kOrder>
 struct Polynomial {
-  std::array<double, kMostOrder + 1> c{};
-  int order = 0;
+  std::array<double, kOrder + 1> c{};
 
   double at(double u) const {
-    double sum = c[static_cast<std::size_t>(order)];
-    for (int i = order - 1; i >= 0; --i) sum = sum * u + c[static_cast<std::size_t>(i)];
+    double sum = c[kOrder];
+    if constexpr (kOrder == 1) return sum * u + c[0];
+    if constexpr (kOrder > 1) {
+#pragma GCC unroll 12
+      for (std::size_t i = kOrder; i-- > 0;) sum = sum * u + c[i];
+    }
     return sum;
   }
   /// Largest coefficient: what rounding errors are measured by.
   double size() const {
     double most = 0.0;
-    for (int i = 0; i <= order; ++i) most = std::max(most, std::fabs(c[static_cast<std::size_t>(i)]));
+    for (const double one : c) most = std::max(most, std::fabs(one));
     return most;
   }
-  int roots(double* out) const {
-    double falling[kMostOrder + 1];
-    for (int i = 0; i <= order; ++i) falling[i] = c[static_cast<std::size_t>(order - i)];
-    return order == 0 ? 0 : solve_between(falling, order, 0.0, 1.0, out);
+  int roots(double from, double to, double* out) const {
+    if constexpr (kOrder == 0) return 0;
+    double falling[kOrder + 1];
+    for (std::size_t i = 0; i <= kOrder; ++i) falling[i] = c[kOrder - i];
+    return solve_between(falling, static_cast<int>(kOrder), from, to, out);
   }
 };
 
-Polynomial product(const Polynomial& a, const Polynomial& b) {
-  Polynomial out;
-  out.order = a.order + b.order;
-  for (int i = 0; i <= a.order; ++i) {
-    for (int j = 0; j <= b.order; ++j) {
-      out.c[static_cast<std::size_t>(i + j)] +=
-          a.c[static_cast<std::size_t>(i)] * b.c[static_cast<std::size_t>(j)];
-    }
+template <std::size_t kA, std::size_t kB>
+Polynomial<kA + kB> operator*(const Polynomial<kA>& a, const Polynomial<kB>& b) {
+  Polynomial<kA + kB> out;
+#pragma GCC unroll 12
+  for (std::size_t i = 0; i <= kA; ++i) {
+#pragma GCC unroll 12
+    for (std::size_t j = 0; j <= kB; ++j) out.c[i + j] += a.c[i] * b.c[j];
   }
   return out;
 }
 
-void add(Polynomial& to, const Polynomial& p, double times) {
-  to.order = std::max(to.order, p.order);
-  for (int i = 0; i <= p.order; ++i) {
-    to.c[static_cast<std::size_t>(i)] += times * p.c[static_cast<std::size_t>(i)];
-  }
+template <std::size_t kOrder>
+void add(Polynomial<kOrder>& to, const Polynomial<kOrder>& p, double times) {
+#pragma GCC unroll 12
+  for (std::size_t i = 0; i <= kOrder; ++i) to.c[i] += times * p.c[i];
 }
 
-Polynomial slope_of(const Polynomial& p) {
-  Polynomial out;
-  out.order = std::max(0, p.order - 1);
-  for (int i = 1; i <= p.order; ++i) {
-    out.c[static_cast<std::size_t>(i - 1)] = i * p.c[static_cast<std::size_t>(i)];
-  }
+template <std::size_t kOrder>
+Polynomial<kOrder - 1> slope_of(const Polynomial<kOrder>& p) {
+  Polynomial<kOrder - 1> out;
+#pragma GCC unroll 12
+  for (std::size_t i = 1; i <= kOrder; ++i) out.c[i - 1] = static_cast<double>(i) * p.c[i];
   return out;
 }
 
 /// |p - C(u)|^2 - r(u)^2.
-Polynomial squared_gap(const SweepPiece& piece, const Vec3& p) {
-  Polynomial gap;
+template <std::size_t kOrder>
+Polynomial<2 * kOrder> squared_gap(const SweepPiece& piece, const Vec3& p) {
+  Polynomial<2 * kOrder> gap;
   for (int axis = 0; axis < 3; ++axis) {
-    Polynomial along;
-    along.order = piece.order;
+    Polynomial<kOrder> along;
     along.c[0] = p[axis] - piece.centre[0][axis];
-    for (std::size_t i = 1; i < 4; ++i) along.c[i] = -piece.centre[i][axis];
-    add(gap, product(along, along), 1.0);
+    for (std::size_t i = 1; i <= kOrder; ++i) along.c[i] = -piece.centre[i][axis];
+    add(gap, along * along, 1.0);
   }
-  Polynomial radius;
-  radius.order = piece.order;
-  for (std::size_t i = 0; i < 4; ++i) radius.c[i] = piece.radius[i];
-  add(gap, product(radius, radius), -1.0);
+  Polynomial<kOrder> radius;
+  for (std::size_t i = 0; i <= kOrder; ++i) radius.c[i] = piece.radius[i];
+  add(gap, radius * radius, -1.0);
   return gap;
+}
+
+/// How far a point is within any sphere of a piece, as r^2 less the squared distance.
+template <std::size_t kOrder>
+double depth_in(const SweepPiece& piece, const Vec3& p) {
+  const Polynomial<2 * kOrder> gap = squared_gap<kOrder>(piece, p);
+  double deepest = std::max(-gap.at(0.0), -gap.at(1.0));
+  double root[2 * kOrder - 1];
+  const int n = slope_of(gap).roots(0.0, 1.0, root);
+  for (int i = 0; i < n; ++i) deepest = std::max(deepest, -gap.at(root[i]));
+  return deepest;
+}
+
+/// Whether p(u) may be 0 or more between 0 and 1.
+bool may_be_positive(const Polynomial<2>& p) {
+  constexpr double kSlack = -1e-9;
+  const double least = kSlack * p.size();
+  if (p.c[0] >= least || p.at(1.0) >= least) return true;
+  return p.c[2] < 0.0 && p.c[1] > 0.0 && p.c[1] < -2.0 * p.c[2] &&
+         p.c[0] - 0.25 * p.c[1] * p.c[1] / p.c[2] >= least;
 }
 
 /// How far any of the spheres reaches; their radius may be below 0.
@@ -136,10 +155,8 @@ Bounds SphereSweep::bounds_in(const Transform& t) const {
   return all;
 }
 
-void SphereSweep::drop_shortcuts() {
-  m_boxes.assign(m_boxes.size(), Bounds::everything());
-  m_parts.assign(m_parts.size(), Bounds::everything());
-}
+/// The parts tell where roots are looked for, and so what their last bits are: they stay.
+void SphereSweep::drop_shortcuts() { m_boxes.assign(m_boxes.size(), Bounds::everything()); }
 
 void SphereSweep::sphere_crossings(std::uint32_t index, double u, const Line& line,
                                    ShapeHits& out) const {
@@ -151,41 +168,50 @@ void SphereSweep::sphere_crossings(std::uint32_t index, double u, const Line& li
   out.push_back({line.t_of(-b + std::sqrt(under)), index, u, 0.0});
 }
 
-void SphereSweep::piece_crossings(std::uint32_t index, const Line& line, ShapeHits& out) const {
+template <std::size_t kOrder>
+void SphereSweep::piece_crossings(std::uint32_t index, const Line& line, double from, double to,
+                                  ShapeHits& out) const {
   // Where the ray is nearly square to the path, both extremes of t fall together: there t hardly
   // depends on u.
   constexpr double kSquare = 1e-6;
   const SweepPiece& piece = m_pieces[index];
-  Polynomial b;
-  b.order = piece.order;
+  Polynomial<kOrder> b;
   b.c[0] = dot(line.direction, line.point - piece.centre[0]);
-  for (std::size_t i = 1; i < 4; ++i) b.c[i] = -dot(line.direction, piece.centre[i]);
-  const Polynomial c = squared_gap(piece, line.point);
-  const Polynomial db = slope_of(b), dc = slope_of(c);
+  for (std::size_t i = 1; i <= kOrder; ++i) b.c[i] = -dot(line.direction, piece.centre[i]);
+  const auto c = squared_gap<kOrder>(piece, line.point);
+  if constexpr (kOrder == 1) {
+    Polynomial<2> under = b * b;
+    add(under, c, -1.0);
+    if (!may_be_positive(under)) return;
+    sphere_crossings(index, 0.0, line, out);
+    sphere_crossings(index, 1.0, line, out);
+  }
+  const auto db = slope_of(b);
+  const auto dc = slope_of(c);
 
   const auto visit = [&](double u, int side) {
     const double bu = b.at(u), under = bu * bu - c.at(u);
     if (!(under >= 0.0)) return;
     out.push_back({line.t_of(-bu + side * std::sqrt(under)), index, u, 0.0});
   };
-  double root[kMostOrder];
+  double root[4 * kOrder];
   if (db.size() <= kSquare) {
-    const int n = dc.roots(root);
+    const int n = dc.roots(from, to, root);
     for (int i = 0; i < n; ++i) {
       visit(root[i], -1);
       visit(root[i], 1);
     }
     return;
   }
-  Polynomial extreme = product(dc, dc);
-  add(extreme, product(product(b, db), dc), -4.0);
-  add(extreme, product(product(db, db), c), 4.0);
-  int n = extreme.roots(root);
+  auto extreme = dc * dc;
+  add(extreme, (b * db) * dc, -4.0);
+  add(extreme, (db * db) * c, 4.0);
+  int n = extreme.roots(from, to, root);
   for (int i = 0; i < n; ++i) {
     const double u = root[i];
     visit(u, db.at(u) * (2.0 * b.at(u) * db.at(u) - dc.at(u)) < 0.0 ? -1 : 1);
   }
-  n = db.roots(root);
+  n = db.roots(from, to, root);
   for (int i = 0; i < n; ++i) {
     if (std::fabs(dc.at(root[i])) > kSquare * dc.size()) continue;
     visit(root[i], -1);
@@ -193,14 +219,19 @@ void SphereSweep::piece_crossings(std::uint32_t index, const Line& line, ShapeHi
   }
 }
 
-bool SphereSweep::met(const BoxRay& ray, std::uint32_t piece, double t_min, double t_max) const {
-  if (!ray.meets(m_boxes[piece], t_min, t_max)) return false;
-  const auto first = m_parts.begin() + piece * kParts;
-  return std::any_of(first, first + kParts, [&](const Bounds& b) { return ray.meets(b, t_min, t_max); });
+std::pair<std::uint32_t, std::uint32_t> SphereSweep::parts_met(const BoxRay& ray, std::uint32_t piece,
+                                                               double t_min) const {
+  const Bounds* parts = &m_parts[static_cast<std::size_t>(piece) * kParts];
+  std::uint32_t first = 0, last = kParts;
+  while (first < kParts && !ray.meets(parts[first], t_min, Bounds::kInf)) ++first;
+  if (first == kParts) return {0, 0};
+  while (!ray.meets(parts[last - 1], t_min, Bounds::kInf)) --last;
+  return {first, last};
 }
 
 /// All that may be on the surface, ascending; some are within other spheres.
 void SphereSweep::crossings(const Ray& ray, double t_min, double t_max, ShapeHits& out) const {
+  constexpr double kPart = 1.0 / kParts, kOver = 1e-9;
   Line line;
   line.speed = length(ray.direction);
   line.direction = ray.direction / line.speed;
@@ -208,31 +239,33 @@ void SphereSweep::crossings(const Ray& ray, double t_min, double t_max, ShapeHit
   line.point = ray.origin + line.direction * line.shift;
   const BoxRay box_ray(ray);
   for (std::uint32_t i = 0; i < m_pieces.size(); ++i) {
-    if (!met(box_ray, i, t_min, t_max)) continue;
-    sphere_crossings(i, 0.0, line, out);
-    sphere_crossings(i, 1.0, line, out);
-    piece_crossings(i, line, out);
+    if (!box_ray.meets(m_boxes[i], t_min, t_max)) continue;
+    if (m_pieces[i].order == 1) {
+      piece_crossings<1>(i, line, 0.0, 1.0, out);
+      continue;
+    }
+    const auto [first, end] = parts_met(box_ray, i, t_min);
+    if (first == end) continue;
+    if (first == 0) sphere_crossings(i, 0.0, line, out);
+    if (end == kParts) sphere_crossings(i, 1.0, line, out);
+    const double from = std::max(0.0, first * kPart - kOver), to = std::min(1.0, end * kPart + kOver);
+    piece_crossings<3>(i, line, from, to, out);
   }
   std::sort(out.begin(), out.end(), [](const ShapeHit& a, const ShapeHit& b) {
     return std::tie(a.t, a.element, a.u) < std::tie(b.t, b.element, b.u);
   });
 }
 
-double SphereSweep::depth_in(const SweepPiece& piece, const Vec3& p) const {
-  const Polynomial gap = squared_gap(piece, p);
-  double deepest = std::max(-gap.at(0.0), -gap.at(1.0));
-  double root[kMostOrder];
-  const int n = slope_of(gap).roots(root);
-  for (int i = 0; i < n; ++i) deepest = std::max(deepest, -gap.at(root[i]));
-  return deepest;
-}
-
 bool SphereSweep::within(const Vec3& p, double margin) const {
   for (std::size_t i = 0; i < m_pieces.size(); ++i) {
     if (!m_boxes[i].contains(p)) continue;
+    if (m_pieces[i].order == 1) {
+      if (depth_in<1>(m_pieces[i], p) > margin) return true;
+      continue;
+    }
     const auto first = m_parts.begin() + static_cast<std::ptrdiff_t>(i * kParts);
     const bool near = std::any_of(first, first + kParts, [&](const Bounds& b) { return b.contains(p); });
-    if (near && depth_in(m_pieces[i], p) > margin) return true;
+    if (near && depth_in<3>(m_pieces[i], p) > margin) return true;
   }
   return false;
 }

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "core/geometry/shape.h"
@@ -45,21 +46,22 @@ class SphereSweep final : public Shape {
  private:
   struct Line;
   void crossings(const Ray& ray, double t_min, double t_max, ShapeHits& out) const;
-  void piece_crossings(std::uint32_t index, const Line& line, ShapeHits& out) const;
+  /// Of a piece of order kOrder, between two parameters; of a straight one with its end spheres.
+  template <std::size_t kOrder>
+  void piece_crossings(std::uint32_t index, const Line& line, double from, double to, ShapeHits& out) const;
   void sphere_crossings(std::uint32_t index, double u, const Line& line, ShapeHits& out) const;
   /// Calls `visit` with each crossing in order, until it returns false.
   template <class Visit>
   void on_surface(const Ray& ray, double t_min, double t_max, Visit&& visit) const;
-  /// How far a point is within any sphere of a piece, as r^2 less the squared distance.
-  double depth_in(const SweepPiece& piece, const Vec3& p) const;
   bool within(const Vec3& p, double margin) const;
 
   std::vector<SweepPiece> m_pieces;
   static constexpr std::uint32_t kParts = 8;
-  bool met(const BoxRay& ray, std::uint32_t piece, double t_min, double t_max) const;
+  /// The first part that the ray may meet beyond t_min, and that after the last; both 0 if none.
+  std::pair<std::uint32_t, std::uint32_t> parts_met(const BoxRay& ray, std::uint32_t piece, double t_min) const;
 
   std::vector<Bounds> m_boxes;  ///< one a piece
-  std::vector<Bounds> m_parts;  ///< kParts a piece, along it
+  std::vector<Bounds> m_parts;  ///< kParts a piece, along it; asked for curved ones
   Bounds m_bounds;
 };
 

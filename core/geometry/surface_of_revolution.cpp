@@ -116,12 +116,21 @@ void SurfaceOfRevolution::crossings(const Ray& ray, double t_min, double t_max,
       lo = std::max(lo, std::min(t0, t1));
       hi = std::min(hi, std::max(t0, t1));
     }
+    // Within the cylinder as wide as the piece.
+    if (a2 > 0.0) {
+      const double chord = b * b - a2 * (c - p.widest2 * (1.0 + kSlack));
+      if (!(chord > 0.0)) continue;
+      const double half = std::sqrt(chord);
+      lo = std::max(lo, (-b - half) / a2);
+      hi = std::min(hi, (half - b) / a2);
+    }
     if (!(lo <= hi) || t_max - shift <= lo) continue;
     const double cubic[4] = {p.c3 * climb * climb * climb,
                              (p.c2 + 3.0 * p.c3 * g) * climb * climb - a2, p.slope(g) * climb - 2.0 * b,
                              p.at(g) - c};
     double root[3];
-    const int n = solve_between_bounds(cubic, 3, lo, hi, root);
+    const int n = std::isfinite(hi) ? solve_between(cubic, 3, lo, hi, root)
+                                    : solve_between_bounds(cubic, 3, lo, hi, root);
     for (int k = 0; k < n; ++k) {
       const double s = g + climb * root[k];
       if (s >= -margin && s <= p.high - p.low + margin) visit(shift + root[k], i, 0.0);
