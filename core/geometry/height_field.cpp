@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kFullHeight = 65536.0;
 constexpr double kMargin = 0.001;  ///< of the box above and below the heights
+constexpr double kSlack = 1e-6;    ///< as wide as the heights' own rounding
 
 /// The part of the ray within the box.
 bool clip(const Bounds& box, const Ray& ray, double& lo, double& hi) {
@@ -31,17 +32,38 @@ struct Stepper {
   int cell = 0, step = 0;
   double next = Bounds::kInf, delta = Bounds::kInf;  ///< t of the next border, t from one to the next
 
-  Stepper(double p, double d, double from, int cells) {
+  Stepper(double p, double d, double from, int cells) : m_p(p), m_d(d) {
     cell = std::clamp(static_cast<int>(std::floor(p + d * from)), 0, cells - 1);
     if (d == 0.0) return;
     step = d > 0.0 ? 1 : -1;
     delta = 1.0 / std::fabs(d);
-    next = (cell + (d > 0.0 ? 1 : 0) - p) / d;
+    next = t_of(cell + (d > 0.0 ? 1 : 0));
+  }
+  double t_of(int border) const { return (border - m_p) / m_d; }
+  /// The first cell of the block that the present one is in.
+  int block_begin() const { return cell & ~(HeightGrid::kBlock - 1); }
+  /// t where that block ends.
+  double block_end() const {
+    return step == 0 ? Bounds::kInf : t_of(block_begin() + (step > 0 ? HeightGrid::kBlock : 0));
+  }
+  /// To the first cell beyond the block, or, within it, to that at t.
+  void leave_block() { set(block_begin() + (step > 0 ? HeightGrid::kBlock : -1)); }
+  void go_within_block(double t) {
+    const int begin = block_begin(), at = static_cast<int>(std::floor(m_p + m_d * t));
+    set(std::clamp(at, begin, begin + HeightGrid::kBlock - 1));
   }
   void advance() {
     cell += step;
     next += delta;
   }
+
+ private:
+  void set(int to) {
+    cell = to;
+    if (step != 0) next = t_of(cell + (step > 0 ? 1 : 0));
+  }
+
+  double m_p, m_d;
 };
 
 }  // namespace
@@ -52,6 +74,7 @@ HeightGrid::HeightGrid(int width, int depth, std::vector<std::uint16_t> heights,
     m_lowest = std::min(m_lowest, static_cast<double>(height));
     m_highest = std::max(m_highest, static_cast<double>(height));
   }
+  find_blocks();
   if (!smooth) return;
   constexpr double kScale = 32767.0;
   for (int z = 0; z < depth; ++z) {
@@ -60,6 +83,24 @@ HeightGrid::HeightGrid(int width, int depth, std::vector<std::uint16_t> heights,
       m_normals.push_back({static_cast<std::int16_t>(kScale * n.x),
                            static_cast<std::int16_t>(kScale * n.y),
                            static_cast<std::int16_t>(kScale * n.z)});
+    }
+  }
+}
+
+void HeightGrid::find_blocks() {
+  m_blocks_across = (m_width - 2) / kBlock + 1;
+  const int down = (m_depth - 2) / kBlock + 1;
+  for (int z = 0; z < down; ++z) {
+    for (int x = 0; x < m_blocks_across; ++x) {
+      Range range;
+      for (int j = z * kBlock; j <= std::min((z + 1) * kBlock, m_depth - 1); ++j) {
+        for (int i = x * kBlock; i <= std::min((x + 1) * kBlock, m_width - 1); ++i) {
+          const std::uint16_t height = m_heights[index(i, j)];
+          range.low = std::min(range.low, height);
+          range.high = std::max(range.high, height);
+        }
+      }
+      m_blocks.push_back(range);
     }
   }
 }
@@ -75,10 +116,11 @@ Vec3 HeightGrid::mean_normal(int x, int z) const {
         std::max(z1, z2) >= m_depth) {
       continue;
     }
-    const double y = height(x, z);
-    const Vec3 a(x2 - x, height(x2, z2) - y, z2 - z), b(x1 - x, height(x1, z1) - y, z1 - z);
-    const Vec3 n = normalized(cross(a, b));
-    sum += n.y < 0.0 ? -n : n;
+    // One of the two lies along x, the other along z.
+    const double y = height(x, z), rise1 = height(x1, z1) - y, rise2 = height(x2, z2) - y;
+    const double along_x = z1 == z ? (x1 - x) * rise1 : (x2 - x) * rise2;
+    const double along_z = z1 == z ? (z2 - z) * rise2 : (z1 - z) * rise1;
+    sum += normalized(Vec3(-along_x, 1.0, -along_z));
   }
   return normalized(sum);
 }
@@ -122,8 +164,6 @@ void HeightField::cell(int x, int z, const Ray& ray, double from, double to, Vis
   const double y1 = m_grid->height(x, z), y2 = m_grid->height(x + 1, z);
   const double y3 = m_grid->height(x, z + 1), y4 = m_grid->height(x + 1, z + 1);
   const double ya = ray.origin.y + from * ray.direction.y, yb = ray.origin.y + to * ray.direction.y;
-  // As wide as the heights' own rounding.
-  constexpr double kSlack = 1e-6;
   if (std::max({y1, y2, y3, y4}) < std::min(ya, yb) - kSlack ||
       std::min({y1, y2, y3, y4}) > std::max(ya, yb) + kSlack) {
     return;
@@ -141,6 +181,13 @@ void HeightField::cell(int x, int z, const Ray& ray, double from, double to, Vis
   };
   triangle({y1 - y2, 1.0, y1 - y3}, {double(x), y1, double(z)}, 1.0, 0);
   triangle({y3 - y4, 1.0, y2 - y4}, {double(x + 1), y4, double(z + 1)}, -1.0, 1);
+}
+
+/// What cell() asks of every cell of a block at once.
+bool HeightField::block_may_be_met(int x, int z, const Ray& ray, double from, double to) const {
+  const HeightGrid::Range& range = m_grid->block(x / HeightGrid::kBlock, z / HeightGrid::kBlock);
+  const double ya = ray.origin.y + from * ray.direction.y, yb = ray.origin.y + to * ray.direction.y;
+  return range.high >= std::min(ya, yb) - kSlack && range.low <= std::max(ya, yb) + kSlack;
 }
 
 /// Looks through all cells for those over which the ray passes between `first` and `last`.
@@ -175,7 +222,22 @@ void HeightField::walk(const Ray& ray, double t_min, double t_max, Visit&& visit
   }
   // Triangles reach a little into the cells beside their own: one more cell is looked at.
   double from = first;
+  int known_x = -1, known_z = -1;  // the block that has been looked at
   while (x.cell >= 0 && x.cell < columns && z.cell >= 0 && z.cell < rows) {
+    if (const int bx = x.block_begin(), bz = z.block_begin(); bx != known_x || bz != known_z) {
+      known_x = bx;
+      known_z = bz;
+      const double x_end = x.block_end(), z_end = z.block_end();
+      const double end = std::min({x_end, z_end, last});
+      if (!block_may_be_met(bx, bz, in_grid, from, end)) {
+        if (end >= last || !go_on(from)) return;
+        Stepper &leaves = x_end < z_end ? x : z, &stays = x_end < z_end ? z : x;
+        stays.go_within_block(end);
+        leaves.leave_block();
+        from = end;
+        continue;
+      }
+    }
     const double to = std::min({x.next, z.next, last});
     cell(x.cell, z.cell, in_grid, from, to, within_box);
     if (to >= last || !go_on(from)) return;

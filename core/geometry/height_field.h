@@ -27,16 +27,28 @@ class HeightGrid {
   double lowest() const { return m_lowest; }
   double highest() const { return m_highest; }
 
+  /// Cells come in blocks of kBlock x kBlock; what their corners' heights lie between.
+  static constexpr int kBlock = 8;
+  struct Range {
+    std::uint16_t low = 65535, high = 0;
+  };
+  const Range& block(int x, int z) const {
+    return m_blocks[static_cast<std::size_t>(z) * static_cast<std::size_t>(m_blocks_across) + static_cast<std::size_t>(x)];
+  }
+
  private:
   std::size_t index(int x, int z) const {
     return static_cast<std::size_t>(z) * static_cast<std::size_t>(m_width) +
            static_cast<std::size_t>(x);
   }
   Vec3 mean_normal(int x, int z) const;
+  void find_blocks();
 
   int m_width, m_depth;
   std::vector<std::uint16_t> m_heights;
   std::vector<std::array<std::int16_t, 3>> m_normals;
+  std::vector<Range> m_blocks;
+  int m_blocks_across = 0;
   double m_lowest = 65535.0, m_highest = 0.0;
 };
 
@@ -65,6 +77,7 @@ class HeightField final : public Shape {
   void for_cells_met(const Ray& ray, double first, double last, Visit&& visit) const;
   template <class Visit>
   void cell(int x, int z, const Ray& ray, double from, double to, Visit&& visit) const;
+  bool block_may_be_met(int x, int z, const Ray& ray, double from, double to) const;
   Vec3 flat_normal(std::uint32_t element) const;
 
   std::shared_ptr<const HeightGrid> m_grid;

@@ -18,11 +18,7 @@ struct Polynomial {
 
   double at(double u) const {
     double sum = c[kOrder];
-    if constexpr (kOrder == 1) return sum * u + c[0];
-    if constexpr (kOrder > 1) {
-#pragma GCC unroll 12
-      for (std::size_t i = kOrder; i-- > 0;) sum = sum * u + c[i];
-    }
+    for (std::size_t i = kOrder; i-- > 0;) sum = sum * u + c[i];
     return sum;
   }
   /// Largest coefficient: what rounding errors are measured by.
