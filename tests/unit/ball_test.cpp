@@ -46,6 +46,29 @@ TEST(UnitBall, TurnsAwayWhatMissesAndNothingElse) {
   EXPECT_GT(met, 3000);
 }
 
+TEST(UnitBall, CutsALineToWhatIsInIt) {
+  Rays rays;
+  const Vec3 centre{3.0, -2.0, 5.0};
+  const double radius = 0.7;
+  const Ball ball(centre, radius);
+  int met = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const Vec3 through = centre + rays.point(1.2), from = centre + rays.point(i % 2 == 0 ? 3.0 : 3e4);
+    const Ray ray{from, (through - from) * 0.37};
+    double lo = -Bounds::kInf, hi = Bounds::kInf;
+    const bool is_met = ball.cut(ray, lo, hi);
+    if (length(through - centre) < radius) {
+      ASSERT_TRUE(is_met);
+    }
+    if (!is_met) continue;
+    ++met;
+    for (const double t : {lo, hi}) EXPECT_NEAR(length(ray.at(t) - centre), radius, i % 2 == 0 ? 1e-4 : 2e-2);
+    const double t = 1.0 / 0.37;
+    EXPECT_EQ(t > lo && t < hi, length(through - centre) < ball.radius()) << length(through - centre);
+  }
+  EXPECT_GT(met, 3000);
+}
+
 TEST(UnitBall, OfNothingAndOfAllTurnsNothingAway) {
   const Ray ray{{0, 0, -5}, {1, 0, 0}};
   EXPECT_FALSE(Ball().is_missed_by(ray));

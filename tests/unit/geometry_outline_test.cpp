@@ -158,6 +158,34 @@ TEST(UnitGeometryClips, TheNearestOfAPolynomialIsTheFirstOfAllThatAreKept) {
   EXPECT_GT(met, 200);
 }
 
+/// Searched within the clips' ball it has the crossings that it has along the whole ray.
+TEST(UnitGeometryClips, APolynomialLosesNoCrossingToTheBallOfItsClips) {
+  Random random(5);
+  for (const int order : {3, 4, 6, 7}) {
+    const auto count = static_cast<std::size_t>((order + 1) * (order + 2) * (order + 3) / 6);
+    std::vector<double> c;
+    for (std::size_t i = 0; i < count; ++i) c.push_back(random.in(-1, 1));
+    const Transform place = Transform::scaling({0.7, 1.3, 0.9}).then(Transform::translation({2, -1, 3}));
+    Leaf whole(std::make_unique<Poly>("poly", order, c), place), clipped(std::make_unique<Poly>("poly", order, c), place);
+    const auto clip = std::make_shared<Leaf>(std::make_unique<Sphere>(Vec3{2.3, -1.2, 3.1}, 0.8), Transform());
+    clipped.set_clips({clip});
+    HitArena arena;
+    int met = 0;
+    for (int i = 0; i < 4000; ++i) {
+      const Ray ray{{random.in(0, 4), random.in(-3, 1), random.in(1, 5)},
+                    {random.in(-1, 1), random.in(-1, 1), random.in(-1, 1)}};
+      std::vector<Hit> all, kept;
+      whole.all(ray, 1e-6, Bounds::kInf, all, arena);
+      clipped.all(ray, 1e-6, Bounds::kInf, kept, arena);
+      std::erase_if(all, [&](const Hit& hit) { return !clip->inside(ray.at(hit.t)); });
+      ASSERT_EQ(kept.size(), all.size()) << order << ' ' << i;
+      for (std::size_t k = 0; k < kept.size(); ++k) EXPECT_NEAR(kept[k].t, all[k].t, 1e-9 * (1.0 + all[k].t));
+      met += !kept.empty();
+    }
+    EXPECT_GT(met, 200) << order;
+  }
+}
+
 TEST(UnitAccelLightBuffer, ManySmallCastersAreACrowd) {
   Random random(9);
   std::vector<std::unique_ptr<Object>> objects;
