@@ -77,10 +77,8 @@ Bounds SurfaceOfRevolution::bounds_in(const Transform& t) const {
   });
 }
 
-void SurfaceOfRevolution::drop_shortcuts() {
-  m_reach = Bounds::everything();
-  for (Piece& p : m_pieces) p.widest2 = Bounds::kInf;
-}
+/// The pieces' widths tell where roots are looked for, and so what their last bits are: they stay.
+void SurfaceOfRevolution::drop_shortcuts() { m_reach = Bounds::everything(); }
 
 template <class Visit>
 void SurfaceOfRevolution::crossings(const Ray& ray, double t_min, double t_max,

@@ -163,11 +163,22 @@ TEST(UnitGeometryClips, APolynomialLosesNoCrossingToTheBallOfItsClips) {
   Random random(5);
   for (const int order : {3, 4, 6, 7}) {
     const auto count = static_cast<std::size_t>((order + 1) * (order + 2) * (order + 3) / 6);
+    const Vec3 on{0.3, -0.2, 0.1};  // the surface goes through the middle of the clip
     std::vector<double> c;
-    for (std::size_t i = 0; i < count; ++i) c.push_back(random.in(-1, 1));
+    double sum = 0.0;
+    for (int i = order; i >= 0; --i) {
+      for (int j = order - i; j >= 0; --j) {
+        for (int k = order - i - j; k >= 0; --k) {
+          c.push_back(random.in(-1, 1));
+          sum += c.back() * std::pow(on.x, i) * std::pow(on.y, j) * std::pow(on.z, k);
+        }
+      }
+    }
+    ASSERT_EQ(c.size(), count);
+    c.back() -= sum;
     const Transform place = Transform::scaling({0.7, 1.3, 0.9}).then(Transform::translation({2, -1, 3}));
     Leaf whole(std::make_unique<Poly>("poly", order, c), place), clipped(std::make_unique<Poly>("poly", order, c), place);
-    const auto clip = std::make_shared<Leaf>(std::make_unique<Sphere>(Vec3{2.3, -1.2, 3.1}, 0.8), Transform());
+    const auto clip = std::make_shared<Leaf>(std::make_unique<Sphere>(place.point(on), 0.8), Transform());
     clipped.set_clips({clip});
     HitArena arena;
     int met = 0;
