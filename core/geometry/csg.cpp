@@ -265,7 +265,7 @@ bool Csg::keeps(std::size_t child, const Vec3& p) const {
 template <class Visit>
 void Csg::for_children_met(const Ray& ray, double t_min, double t_max, Visit&& visit) const {
   // Boxes that parts leave decide for the ray from its start on, as in stock.
-  const double boxes_from = m_leaves_bounds ? std::min(t_min, 0.0) : t_min;
+  const double boxes_from = std::min(t_min, 0.0);
   if (!m_search && !joins(m_kind) && ball().is_finite()) {
     // Who met the whole's ball meets most of the parts' boxes: their own tests are as quick.
     for (std::size_t i = m_children.size(); i-- > 0;) {

@@ -34,12 +34,15 @@ Bounds Object::limited(Bounds b) const {
   for (const auto& clip : m_clips) b.intersect(clip->solid_bounds());
   if (b.is_empty()) return Bounds();
   if (b.is_finite()) return b;
+  // Rays that meet the bounds show what lies beyond them, too: these alone count, as in stock.
+  Bounds common = Bounds::everything();
   for (const auto& bound : m_bounding) {
     Bounds box = bound->solid_bounds();
     box.include(bound->bounds());
-    b.intersect(box);
+    common.intersect(box);
   }
-  return b.is_empty() ? Bounds() : b;
+  if (common.is_empty()) return Bounds();
+  return common.is_finite() ? common : b;
 }
 
 }  // namespace lentray::core

@@ -9,6 +9,7 @@
 #include "core/geometry/prism.h"
 #include "core/material/blob_texture.h"
 #include "parser/build/blob_fields.h"
+#include "parser/build/box_region.h"
 #include "parser/build/build_error.h"
 #include "parser/build/light_scope.h"
 #include "parser/build/lights.h"
@@ -163,8 +164,8 @@ core::Attributes ObjectBuilder::attributes(const Inherited& looks) {
   return a;
 }
 
-void ObjectBuilder::set_regions(const ObjectDesc& object, const core::Transform& outer, bool keep_bounds,
-                                core::Object& out) {
+void ObjectBuilder::set_regions(const ObjectDesc& object, const core::Transform& outer, bool on_list,
+                                bool keep_bounds, core::Object& out) {
   std::map<const ObjectDesc*, std::shared_ptr<const core::Object>> made;
   const auto region = [&](const Ref<ObjectDesc>& desc) {
     std::shared_ptr<const core::Object>& slot = made[desc.get()];
@@ -185,6 +186,8 @@ void ObjectBuilder::set_regions(const ObjectDesc& object, const core::Transform&
     bounds = boxed(bounds, core::transformed(stock_box(alone, is_whole), outer));
   }
   if (!clips.empty()) out.set_clips(std::move(clips));
+  const Reach reach = !on_list ? Reach::kPart : m_has_hierarchy ? Reach::kByBoxes : Reach::kOneByOne;
+  if (auto box = box_region(object, outer, reach, out)) bounds.push_back(std::move(box));
   if (!bounds.empty()) out.set_bounding(std::move(bounds));
 }
 
@@ -231,7 +234,7 @@ std::unique_ptr<core::Object> ObjectBuilder::build_whole(const ObjectDesc& objec
   }
   const bool cheap = !csg && !std::holds_alternative<QuadricShape>(object.shape) &&
                      !std::holds_alternative<PolyShape>(object.shape);
-  set_regions(object, outer, !(from.on_list && cheap), *out);
+  set_regions(object, outer, from.on_list, !(from.on_list && cheap), *out);
   if (object.inverse) out->set_inverse(true);
   if (m_cutaways) m_cutaways->record(*out, object, object.texture ? looks.texture : nullptr);
   return out;

@@ -33,6 +33,8 @@ class ObjectBuilder {
   /// Geometry alone: attributes stay empty, lights are left out.
   explicit ObjectBuilder(NotYet& not_yet);
 
+  /// False: so few objects and lights that stock asks each. To be set before the first is added.
+  void set_has_hierarchy(bool has) { m_has_hierarchy = has; }
   /// One statement of the scene level: appends to the parts.
   void add(const ObjectDesc& object, const Ref<TextureDesc>& default_texture);
 
@@ -77,8 +79,8 @@ class ObjectBuilder {
                       const Inherited& from);
   const core::LightSelection* selection(const LightScope& scope);
   Inherited resolve(const ObjectDesc& object, const core::Transform& outer, const Inherited& from);
-  void set_regions(const ObjectDesc& object, const core::Transform& outer, bool keep_bounds,
-                   core::Object& out);
+  void set_regions(const ObjectDesc& object, const core::Transform& outer, bool on_list,
+                   bool keep_bounds, core::Object& out);
   core::Attributes attributes(const Inherited& looks);
   const core::Texture* compile(const Ref<TextureDesc>& texture);
   Ref<TextureDesc> moved(const Ref<TextureDesc>& texture, const core::Transform& transform);
@@ -87,6 +89,7 @@ class ObjectBuilder {
   core::SceneParts* m_parts = nullptr;   ///< null: geometry alone
   TextureCompiler* m_textures = nullptr;
   NotYet& m_not_yet;
+  bool m_has_hierarchy = true;
   TextLayout m_texts;
   SlopeWatches m_slope_watches;
   Ref<TextureDesc> m_default;

@@ -1,3 +1,4 @@
+#include "parser/build/box_region.h"
 #include "parser/build/scene.h"
 
 #include "parser/build/atmosphere.h"
@@ -88,6 +89,14 @@ void warn_about_gamma(const SceneDesc& scene, Diagnostics& diagnostics) {
   }
 }
 
+bool has_hierarchy(const SceneDesc& scene) {
+  std::size_t n = 0;
+  for (const SceneObject& object : scene.objects) {
+    if (n < kHierarchyFrom) n += count_on_list(*object.object);
+  }
+  return n >= kHierarchyFrom;
+}
+
 }  // namespace
 
 core::SceneParts build_scene(const SceneDesc& scene, Diagnostics& diagnostics,
@@ -101,6 +110,7 @@ core::SceneParts build_scene(const SceneDesc& scene, Diagnostics& diagnostics,
 
   NotYet not_yet;
   ObjectBuilder builder(parts, textures, not_yet);
+  builder.set_has_hierarchy(has_hierarchy(scene));
   try {
     for (const SceneObject& object : scene.objects) {
       builder.add(*object.object, object.default_texture);

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/geometry/bounds_help.h"
 #include "core/geometry/julia_fractal.h"
 #include "parser/build/object_builder.h"
+#include "parser/build/quadric_box.h"
 
 namespace lentray::parser {
 namespace {
@@ -13,11 +15,16 @@ using core::Bounds;
 using core::Transform;
 
 constexpr double kHuge = 1e10;       ///< where boxes end
-constexpr double kCritical = 1e6;    ///< a CSG's box longer than this is taken for infinite
+constexpr double kCritical = 1e6;    ///< a CSG's or quadric's box longer than this is taken for infinite
 constexpr double kThickness = 1e-3;  ///< flat things are given this much to both sides
 constexpr double kTiny = 1e-10;
 
 Bounds everything() { return {Vec3(-kHuge), Vec3(kHuge)}; }
+
+bool is_long(const Bounds& b) {
+  const Vec3 size = b.hi - b.lo;
+  return size.x > kCritical || size.y > kCritical || size.z > kCritical;
+}
 
 /// Through memory: where it makes vectors of such roundings, g++ 12 leaves them out.
 double single(double x) {
@@ -73,12 +80,23 @@ Bounds about(const Vec3& centre, double radius) {
   return {centre - Vec3(radius), centre + Vec3(radius)};
 }
 
+bool is_height_field(const ObjectDesc& object) {
+  return std::holds_alternative<Sparse<HeightFieldShape>>(object.shape);
+}
+
+/// What bounds or clips these in their own braces has no part in their boxes.
+bool is_boxed_first(const ObjectDesc& object) {
+  return is_height_field(object) || std::holds_alternative<std::shared_ptr<const BlobShape>>(object.shape) ||
+         std::holds_alternative<Sparse<JuliaFractalShape>>(object.shape);
+}
+
 class BoxFinder {
  public:
   explicit BoxFinder(bool& is_whole) : m_is_whole(is_whole) {}
 
   Bounds of(const ObjectDesc& object) {
     Bounds box = kept(std::visit([&](const auto& shape) { return leaf(shape, object); }, object.shape));
+    if (!object.reopened && is_boxed_first(object)) return rounded(box);
     for (const auto* regions : {&object.bounded_by, &object.clipped_by}) {
       Bounds common = everything();
       for (const Ref<ObjectDesc>& region : *regions) {
@@ -87,10 +105,32 @@ class BoxFinder {
       common = kept(common);
       if (!regions->empty() && volume(common) < volume(box)) box = common;
     }
-    return {box.lo, {single(box.hi.x), single(box.hi.y), single(box.hi.z)}};
+    return rounded(box);
+  }
+
+  /// Of a quadric, with what its clips or its siblings leave.
+  Bounds of_quadric(const ObjectDesc& object, const Bounds& limits) {
+    const auto& quadric = std::get<QuadricShape>(object.shape);
+    const std::array<double, 10> c = moved_quadric(quadric.c, *object.transform);
+    if (has_products(c)) {
+      const Bounds before = leaf(quadric, object);
+      return volume(kept(limits)) < volume(before) ? kept(limits) : before;
+    }
+    const Bounds box = quadric_box(c, limits);
+    return is_long(box) ? everything() : kept(box);
+  }
+
+  Bounds clip_limits(const ObjectDesc& object) {
+    Bounds limits = everything();
+    for (const Ref<ObjectDesc>& clip : object.clipped_by) limits.intersect(limited(*clip, false));
+    return limits;
   }
 
  private:
+  static Bounds rounded(const Bounds& box) {
+    return {box.lo, {single(box.hi.x), single(box.hi.y), single(box.hi.z)}};
+  }
+
   /// What a part of an intersection leaves, or its outside: of planes only those along an axis have
   /// a box, all others have none outside.
   Bounds limited(const ObjectDesc& part, bool outside) {
@@ -179,30 +219,46 @@ class BoxFinder {
     const bool all = s.operation == CsgOperation::kUnion || s.operation == CsgOperation::kMerge ||
                      s.operation == CsgOperation::kLightGroup;
     Bounds box = all ? Bounds() : everything();
+    if (all) {
+      for (const Ref<ObjectDesc>& child : *s.children) box.include(of(*child));
+    } else {
+      cut_by_parts(s, box);
+    }
+    if (box.is_empty() || is_long(box)) return everything();
+    return moved(kept(box), *o.transform);
+  }
+  /// Quadrics come last: what the others leave limits them. Height fields, whose solids are endless,
+  /// leave everything.
+  void cut_by_parts(const CsgShape& s, Bounds& box) {
+    std::vector<const ObjectDesc*> quadrics;
     bool outside = false;
     for (const Ref<ObjectDesc>& child : *s.children) {
-      if (all && !child->is_light()) box.include(of(*child));
-      if (!all && !child->is_light()) box.intersect(limited(*child, outside));
+      const bool is_kept = child->inverse == outside;
+      if (std::holds_alternative<QuadricShape>(child->shape)) {
+        if (is_kept) quadrics.push_back(child.get());
+      } else if (!child->is_light() && !is_height_field(*child)) {
+        box.intersect(limited(*child, outside));
+      }
       outside = s.operation == CsgOperation::kDifference;
     }
-    const Vec3 size = box.hi - box.lo;
-    const bool long_one = size.x > kCritical || size.y > kCritical || size.z > kCritical;
-    if (box.is_empty() || long_one) return everything();
-    return moved(kept(box), *o.transform);
+    const Bounds limits = box;
+    for (const ObjectDesc* quadric : quadrics) {
+      box.intersect(of(*quadric));
+      box.intersect(of_quadric(*quadric, limits));
+    }
   }
   Bounds leaf(const std::shared_ptr<const BicubicPatchShape>& s, const ObjectDesc& o) {
     Bounds box;
     for (const Vec3& p : s->points) box.include(o.transform->point(p));
     return kept(box);
   }
-  /// One with products of two coordinates has none.
+  /// One with products of two coordinates has none but what is left from before it was turned.
   Bounds leaf(const QuadricShape& s, const ObjectDesc& o) {
-    const Bounds box = built(s, o);
-    if (s.c[3] != 0.0 || s.c[4] != 0.0 || s.c[5] != 0.0) return everything();
-    return box.hi.x - box.lo.x < kHuge && box.hi.y - box.lo.y < kHuge &&
-                   box.hi.z - box.lo.z < kHuge
-               ? box
-               : everything();
+    if (s.box.is_stored()) return *s.box;
+    const std::array<double, 10> c = moved_quadric(s.c, *o.transform);
+    if (has_products(c)) return everything();
+    const Bounds box = quadric_box(c, everything());
+    return is_long(box) ? everything() : kept(box);
   }
   /// Of a sphere about each element, a cylinder's round ends counted apart; where an element is
   /// placed its sphere is as wide as the box of the placed box from the middle to a corner.
@@ -282,6 +338,26 @@ class BoxFinder {
 
 core::Bounds stock_box(const ObjectDesc& object, bool& is_whole) {
   return BoxFinder(is_whole).of(object);
+}
+
+void keep_clipped_box(ObjectDesc& object) {
+  auto* quadric = std::get_if<QuadricShape>(&object.shape);
+  if (!quadric) return;
+  bool is_whole = true;
+  BoxFinder finder(is_whole);
+  quadric->box = finder.of_quadric(object, finder.clip_limits(object));
+}
+
+void turn_box(ObjectDesc& object, const core::Transform& before, const core::Transform& turn) {
+  auto* quadric = std::get_if<QuadricShape>(&object.shape);
+  if (!quadric || (!quadric->box.is_stored() && core::keeps_axes(turn))) return;
+  bool is_whole = true;
+  ObjectDesc unturned;
+  unturned.shape = *quadric;
+  unturned.transform = before;
+  const Bounds box = BoxFinder(is_whole).of(unturned);
+  if (!quadric->box.is_stored() && is_long(box)) return;
+  quadric->box = is_long(box) ? box : kept(core::transformed(box, turn));
 }
 
 }  // namespace lentray::parser

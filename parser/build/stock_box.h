@@ -2,7 +2,7 @@
 // where they place one object beside another. It is a box of boxes: a turned object has the box of
 // its turned box, a CSG the box of its parts' boxes; what bounds or clips it lends its own box if that
 // is smaller. In the space of the scene, single precision.
-// Source: measured on stock (tests/compat/language/objects.cases).
+// Source: measured on stock (tests/compat/language/objects.cases, extents.cases).
 #pragma once
 
 #include "core/base/bounds.h"
@@ -12,5 +12,10 @@ namespace lentray::parser {
 
 /// Infinite sides are at +-1e10. `is_whole` becomes false if parts have no geometry yet.
 core::Bounds stock_box(const ObjectDesc& object, bool& is_whole);
+
+/// Stock finds a quadric's box when it is clipped and moves the box from then on: to be called when
+/// the object has got a clip, and with the transform that it has had when it gets another.
+void keep_clipped_box(ObjectDesc& object);
+void turn_box(ObjectDesc& object, const core::Transform& before, const core::Transform& turn);
 
 }  // namespace lentray::parser

@@ -12,6 +12,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/base/bounds.h"
 #include "core/base/color.h"
 #include "core/base/transform.h"
 #include "core/base/vec3.h"
@@ -44,7 +45,10 @@ struct TriangleShape { std::array<Vec3, 3> p; };
 struct SmoothTriangleShape { std::array<Vec3, 3> p, n; };
 struct PolygonShape { std::vector<Vec3> points; };           ///< closed sub-polygons, as written
 /// a x2 + b y2 + c z2 + d xy + e xz + f yz + g x + h y + i z + j = 0
-struct QuadricShape { std::array<double, 10> c{}; };
+struct QuadricShape {
+  std::array<double, 10> c{};
+  Sparse<core::Bounds> box;             ///< that stock found before later transforms, moved by them
+};
 
 struct MeshFace {
   std::array<int, 3> vertex{0, 0, 0};
@@ -192,6 +196,7 @@ struct ObjectDesc {
   std::optional<bool> double_illuminate;   ///< of a CSG: holds for everything in it
   std::optional<bool> hollow;           ///< unset: a surrounding CSG may set it
   bool sturm = false, hierarchy = true, uv_mapping = false;
+  bool reopened = false;                ///< went through the braces of object {}
   bool copied = false;                  ///< made from an identifier: of use to nested light groups
   std::optional<double> radiosity_importance;
   PhotonFlags photons;

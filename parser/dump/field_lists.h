@@ -98,7 +98,7 @@ LENTRAY_FIELDS(DiscShape, centre, normal, radius, hole)
 LENTRAY_FIELDS(TriangleShape, p)
 LENTRAY_FIELDS(SmoothTriangleShape, p, n)
 LENTRAY_FIELDS(PolygonShape, points)
-LENTRAY_FIELDS(QuadricShape, c)
+LENTRAY_FIELDS(QuadricShape, c, box)
 LENTRAY_FIELDS(MeshFace, vertex, normal, uv, texture)
 LENTRAY_FIELDS(MeshShape, vertices, normals, uvs, textures, faces, inside_vector, compiled)
 LENTRAY_FIELDS(CsgShape, operation, children, split_union, cutaway_textures, global_lights)
@@ -128,7 +128,7 @@ LENTRAY_FIELDS(TextShape, font, text, thickness, offset)
 LENTRAY_FIELDS(ObjectDesc, where, keyword, shape, transform, texture, interior_texture, interior,
                clipped_by, bounded_by, bounds_are_clips, inverse, no_shadow, no_image, no_reflection,
                no_radiosity, double_illuminate, hollow, sturm, hierarchy, uv_mapping,
-               copied, radiosity_importance, photons, nesting, compiled)
+               reopened, copied, radiosity_importance, photons, nesting, compiled)
 LENTRAY_FIELDS(SceneObject, object, default_texture, default_importance)
 LENTRAY_FIELDS(SceneDesc, objects, dropped, camera, global, background, has_background, background_version,
                fogs, rainbows, sky_sphere, atmosphere_media, atmosphere_ior, language_version)

@@ -87,6 +87,7 @@ Ref<ObjectDesc> parse_object_block(Parser& parser, Context& context, const Locat
   const auto named = parser.accept_value<Ref<ObjectDesc>>();
   auto object = std::make_shared<ObjectDesc>(named ? **named : *expect_object(parser, context));
   if (named) object->copied = true;
+  object->reopened = true;
   object->where = where;
   parse_object_modifiers(parser, context, *object);
   measure(parser, *object);

@@ -1,5 +1,6 @@
 #include "parser/grammar/object_modifiers.h"
 
+#include "parser/build/stock_box.h"
 #include "parser/grammar/helpers.h"
 #include "parser/grammar/object.h"
 #include "parser/grammar/object_shapes.h"
@@ -19,10 +20,10 @@ void check_region(Parser& parser, const std::vector<Ref<ObjectDesc>>& regions) {
 }
 
 /// The objects of clipped_by or bounded_by, with transforms that hold for all of them.
-std::vector<Ref<ObjectDesc>> parse_regions(Parser& parser, Context& context, bool bounds) {
+std::vector<Ref<ObjectDesc>> parse_regions(Parser& parser, Context& context) {
   std::vector<Ref<ObjectDesc>> regions{expect_object(parser, context)};
   while (Ref<ObjectDesc> more = accept_object(parser, context)) regions.push_back(std::move(more));
-  if (bounds) check_region(parser, regions);
+  check_region(parser, regions);
   if (const auto transform = parser.accept_transforms()) {
     for (Ref<ObjectDesc>& region : regions) region = transformed(region, *transform);
   }
@@ -41,7 +42,7 @@ void parse_bounded_by(Parser& parser, Context& context, ObjectDesc& object) {
     object.bounded_by = object.clipped_by;
     object.bounds_are_clips = true;
   } else {
-    append(object.bounded_by, parse_regions(parser, context, true));
+    append(object.bounded_by, parse_regions(parser, context));
   }
   parser.expect(Punct::kRightCurly);
 }
@@ -54,7 +55,8 @@ void parse_clipped_by(Parser& parser, Context& context, ObjectDesc& object) {
     object.clipped_by = object.bounded_by;
     object.bounds_are_clips = true;
   } else {
-    append(object.clipped_by, parse_regions(parser, context, false));
+    append(object.clipped_by, parse_regions(parser, context));
+    keep_clipped_box(object);
   }
   parser.expect(Punct::kRightCurly);
 }

@@ -1,5 +1,6 @@
 #include "parser/grammar/transform.h"
 
+#include "parser/build/stock_box.h"
 #include "parser/descriptions/interior.h"
 #include "parser/descriptions/texture.h"
 
@@ -7,6 +8,7 @@ namespace lentray::parser {
 
 void apply_transform(ObjectDesc& object, const core::Transform& transform) {
   if (transform.is_identity()) return;
+  turn_box(object, *object.transform, transform);
   object.transform = object.transform->then(transform);
   if (!object.uv_mapping) {
     if (object.texture) object.texture = transformed(object.texture, transform);

@@ -1,0 +1,66 @@
+#include "parser/build/box_region.h"
+
+#include <algorithm>
+
+#include "core/geometry/box.h"
+#include "parser/build/stock_box.h"
+
+namespace lentray::parser {
+namespace {
+
+/// Asked one by one these are asked for hits without their boxes first.
+bool has_no_box_test(const ObjectDesc& object) {
+  return std::holds_alternative<PlaneShape>(object.shape) ||
+         std::holds_alternative<SphereShape>(object.shape) ||
+         std::holds_alternative<BoxShape>(object.shape) ||
+         std::holds_alternative<TriangleShape>(object.shape) ||
+         std::holds_alternative<PolyShape>(object.shape) ||
+         std::holds_alternative<Sparse<SmoothTriangleShape>>(object.shape);
+}
+
+/// Of others no surface stands out of stock's box.
+bool may_leave(const ObjectDesc& object, bool in_intersection) {
+  if (!object.clipped_by.empty()) return true;
+  const CsgShape* csg = object.csg();
+  if (!csg) return in_intersection && std::holds_alternative<QuadricShape>(object.shape);
+  const bool cuts = csg->operation == CsgOperation::kIntersection || csg->operation == CsgOperation::kDifference;
+  return std::any_of(csg->children->begin(), csg->children->end(),
+                     [&](const Ref<ObjectDesc>& child) { return may_leave(*child, cuts); });
+}
+
+bool holds(const core::Bounds& box, const core::Bounds& all) {
+  constexpr double kSlack = 1e-5;  // of both boxes' roundings
+  for (int axis = 0; axis < 3; ++axis) {
+    const double slack = kSlack * (box.hi[axis] - box.lo[axis]);
+    if (all.lo[axis] < box.lo[axis] - slack || all.hi[axis] > box.hi[axis] + slack) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::shared_ptr<const core::Object> box_region(const ObjectDesc& object, const core::Transform& outer,
+                                               Reach reach, const core::Object& built) {
+  if (reach == Reach::kPart || !may_leave(object, false)) return nullptr;
+  if (reach == Reach::kOneByOne && has_no_box_test(object)) return nullptr;
+  constexpr double kFinite = 1e9;
+  bool is_whole = true;
+  const core::Bounds own = stock_box(object, is_whole);
+  const Vec3 size = own.hi - own.lo;
+  if (!is_whole || own.is_empty() || std::max({size.x, size.y, size.z}) > kFinite) return nullptr;
+  const core::Bounds box = core::transformed(own, outer), seen = built.bounds();
+  if (seen.is_empty() || holds(box, seen)) return nullptr;
+  return std::make_shared<core::Leaf>(std::make_unique<core::Box>(box.lo, box.hi), core::Transform());
+}
+
+std::size_t count_on_list(const ObjectDesc& object) {
+  const CsgShape* csg = object.csg();
+  const bool is_split = csg && object.clipped_by.empty() && object.bounded_by.empty() &&
+                        (csg->operation == CsgOperation::kUnion || csg->operation == CsgOperation::kLightGroup);
+  if (!is_split) return 1;
+  std::size_t n = 0;
+  for (const Ref<ObjectDesc>& child : *csg->children) n += count_on_list(*child);
+  return n;
+}
+
+}  // namespace lentray::parser
