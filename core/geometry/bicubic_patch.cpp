@@ -19,6 +19,9 @@ struct Weights {
   }
 };
 
+/// Along both together: a net of more pieces would need more memory than a picture shows.
+constexpr int kMostHalvings = 18;
+
 /// Stock's, for slopes that lie in a line.
 constexpr double kFlat = 1e-10;
 
@@ -140,9 +143,10 @@ class BicubicPatch::NetMaker {
 BicubicPatch::BicubicPatch(const std::array<Vec3, 16>& points, int u_steps, int v_steps,
                            double flatness)
     : m_points(points), m_u_steps(u_steps), m_v_steps(v_steps), m_flatness(flatness) {
-  constexpr int kMostSteps = 8;
-  const auto rows = std::uint32_t{1} << std::clamp(u_steps, 0, kMostSteps);
-  const auto columns = std::uint32_t{1} << std::clamp(v_steps, 0, kMostSteps);
+  constexpr int kMostSteps = 16;
+  int by_u = std::clamp(u_steps, 0, kMostSteps), by_v = std::clamp(v_steps, 0, kMostSteps);
+  while (by_u + by_v > kMostHalvings) --(by_u > by_v ? by_u : by_v);
+  const auto rows = std::uint32_t{1} << by_u, columns = std::uint32_t{1} << by_v;
   NetMaker maker(*this, rows, columns);
   maker.add({points, 0, rows, 0, columns});
   m_net = std::make_unique<Mesh>(std::make_shared<const TriangleMesh>(maker.take()), std::nullopt,

@@ -15,8 +15,8 @@ namespace lentray::core {
 
 class BicubicPatch final : public Shape {
  public:
-  /// Rows of four points; steps 0 to 8. A piece is flat enough if its control points are nearer
-  /// than `flatness` to a plane through its corners; 0: none is.
+  /// Rows of four points; steps 0 to 16, both together at most 18. A piece is flat enough if its
+  /// control points are nearer than `flatness` to a plane through its corners; 0: none is.
   BicubicPatch(const std::array<Vec3, 16>& points, int u_steps, int v_steps, double flatness);
 
   std::string_view name() const override { return "bicubic_patch"; }

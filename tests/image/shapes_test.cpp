@@ -66,6 +66,8 @@ const Case kCases[] = {
     {"isosurface_evaluate", "isosurface { function { f_ridged_mf(x, 0, z, .8, 2, 5, .9, 2, 3)*.4 - .5 - y + y*y }"
                             " evaluate 2, 1.1, .8 threshold -.2 contained_by { box { -1, 1 } } }", false},
     {"bicubic_patch", "bicubic_patch { type 1 u_steps 3 v_steps 4 " PATCH "}", false},
+    {"patch_many_steps", "bicubic_patch { type 1 u_steps 9 v_steps 9 " PATCH "}", false},
+    {"patch_many_u", "bicubic_patch { type 1 u_steps 12 v_steps 1 " PATCH "}", false},
     {"patch_flatness", "bicubic_patch { type 1 flatness .1 u_steps 4 v_steps 4 " PATCH "}", false},
     {"patch_flatness_type_0", "bicubic_patch { type 0 flatness .5 u_steps 5 v_steps 5 " PATCH "}", false},
     {"patch_flatness_more_v", "bicubic_patch { type 1 flatness .02 u_steps 1 v_steps 5 " PATCH "}", false},
