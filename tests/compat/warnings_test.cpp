@@ -136,6 +136,21 @@ TEST(CompatWarnings, GradientsAreReportedAsInStock) {
   }
 }
 
+/// Stock is silent about copies of a declared isosurface and about parts of CSG; they can have holes as well.
+TEST(CompatWarnings, GradientsOfCopiesAndPartsAreReportedToo) {
+  const std::string head = std::string(kHead) + "camera { orthographic location -5*z direction z right 8*x up 2*y }\n";
+  const std::string waves = "isosurface { function { x*x + y*y*2 + z*z - 1 + .1*sin(x*15)*sin(z*14) }"
+                            " contained_by { box { -1.2, 1.2 } } max_gradient 3 }";
+  for (const std::string& scene :
+       {head + "#declare F = " + waves + " object { F } object { F translate 3*x }",
+        head + "#declare U = union { " + waves + " sphere { 9, 1 } } object { U translate x }",
+        head + "intersection { sphere { 0, 2 } " + waves + " }"}) {
+    const std::vector<std::string> options = {"+W64", "+H16", "+WT1"};
+    EXPECT_TRUE(gradients(Program::kStock, run(Program::kStock, scene, options).console).empty()) << scene;
+    EXPECT_FALSE(gradients(Program::kLentray, run(Program::kLentray, scene, options).console).empty()) << scene;
+  }
+}
+
 TEST(CompatWarnings, StreamsGoWhereStockSendsThem) {
   const std::string scene =
       "sphere { 0, 1 scale 0 }\n#warning \"careful\\n\"\n#debug \"debugged\\n\"\n"
