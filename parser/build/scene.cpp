@@ -1,7 +1,7 @@
-#include "parser/build/box_region.h"
 #include "parser/build/scene.h"
 
 #include "parser/build/atmosphere.h"
+#include "parser/build/box_region.h"
 #include "parser/build/build_error.h"
 #include "parser/build/object_builder.h"
 
