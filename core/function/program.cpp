@@ -181,10 +181,7 @@ Program::Lanes Program::execute(Lanes* frame) const {
       }
       case ProgramOp::kNoise: {
         const int generator = *m_calls[i.jump].noise_generator;
-        const Lanes x = frame[i.b], y = frame[i.b + 1], z = frame[i.b + 2];
-        // Stored as one: who loads what was stored in halves waits.
-        const double first = noise(x[0], y[0], z[0], generator);
-        frame[i.target] = Lanes{first, noise(x[1], y[1], z[1], generator)};
+        frame[i.target] = noise(frame[i.b], frame[i.b + 1], frame[i.b + 2], generator);
         break;
       }
       default: return value(i.a);

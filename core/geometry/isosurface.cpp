@@ -39,6 +39,11 @@ class Isosurface::Field {
     for (double& value : values) value -= m_surface.m_set.threshold;
     return values;
   }
+  std::array<double, 2> both(const Vec3& a, const Vec3& b) {
+    if (m_is_wide) return (*this)({a, b});
+    const double first = (*this)(a);
+    return {first, (*this)(b)};
+  }
 
  private:
   const Isosurface& m_surface;
@@ -68,7 +73,8 @@ struct Isosurface::Search {
 
   /// The first t in [from, to] where the function is below 0. `reach`: how much it can fall there.
   /// `f_middle`: the function in the middle, if it is known already.
-  bool find(double from, double f_from, double to, double f_to, double reach, double f_middle, double& t) {
+  [[gnu::always_inline]] bool find(double from, double f_from, double to, double f_to, double reach, double f_middle,
+                                   double& t) {
     const IsosurfaceSettings& set = surface.m_set;
     const double span = to - from;
     const double rise = std::fabs(f_to - f_from);
@@ -80,36 +86,37 @@ struct Isosurface::Search {
         reach = gradient * speed * span;
       }
     }
+    const bool is_free = f_from + f_to - reach >= 0.0;
+    if (is_free && f_to >= 0.0) return false;
     const double middle = from + 0.5 * span;
     if (span < accuracy || !(from < middle && middle < to)) {
       t = to;
       return f_to < 0.0;
     }
-    if (f_from + f_to - reach >= 0.0) return false;
-    double f_first = kUnknown, f_last = kUnknown;
+    return !is_free && find_in_halves({from, f_from, middle, f_middle, to, f_to}, reach, t);
+  }
+
+  struct Halves {
+    double from, f_from, middle, f_middle, to, f_to;
+  };
+  [[gnu::noinline]] bool find_in_halves(const Halves& h, double reach, double& t) {
+    const double half = 0.5 * reach;
+    double f_middle = h.f_middle, f_first = kUnknown, f_last = kUnknown;
     if (std::isnan(f_middle)) {
       // Which half is probably looked at next, as if the function were linear.
-      const double half = 0.5 * reach, mean = 0.5 * (f_from + f_to);
-      const bool first = f_from + mean < half, last = mean + f_to < half;
-      if (field.is_wide() && (first || last) && 0.5 * span >= accuracy) {
-        const double next = first ? from + 0.5 * (middle - from) : middle + 0.5 * (to - middle);
-        const std::array<double, 2> f = field({ray.at(middle), ray.at(next)});
+      const double mean = 0.5 * (h.f_from + h.f_to);
+      const bool first = h.f_from + mean < half, last = mean + h.f_to < half;
+      if (field.is_wide() && (first || last) && 0.5 * (h.to - h.from) >= accuracy) {
+        const double next = first ? h.from + 0.5 * (h.middle - h.from) : h.middle + 0.5 * (h.to - h.middle);
+        const std::array<double, 2> f = field({ray.at(h.middle), ray.at(next)});
         f_middle = sign * f[0];
         (first ? f_first : f_last) = sign * f[1];
       } else {
-        f_middle = at(middle);
+        f_middle = at(h.middle);
       }
     }
-    const double half = 0.5 * reach;
-    return (!is_free(from, f_from, middle, f_middle, half) && find(from, f_from, middle, f_middle, half, f_first, t)) ||
-           (!is_free(middle, f_middle, to, f_to, half) && find(middle, f_middle, to, f_to, half, f_last, t));
-  }
-
-  /// True if find() would say at once that there is nothing; half of its calls, spared.
-  bool is_free(double from, double f_from, double to, double f_to, double reach) {
-    if (surface.m_set.evaluates || !(f_to >= 0.0 && f_from + f_to - reach >= 0.0)) return false;
-    note(std::fabs(f_to - f_from), to - from);
-    return true;
+    return find(h.from, h.f_from, h.middle, f_middle, half, f_first, t) ||
+           find(h.middle, f_middle, h.to, h.f_to, half, f_last, t);
   }
   void note(double rise, double span) {
     if (rise > steepest * span) steepest = rise / span;
@@ -192,13 +199,20 @@ void Isosurface::crossings(const Ray& ray, Visit&& visit) const {
   const double skin = m_set.max_gradient * m_set.accuracy * kSkin;
   const double beyond = accuracy * kStep;
   int found = 0;
-  double here = field(ray.at(from));  // at `from`, always
+  std::optional<double> there;
+  double here;  // at `from`, always
+  if (field.is_wide()) {
+    const auto ends = field({ray.at(from), ray.at(to)});
+    here = ends[0];
+    there = ends[1];
+  } else {
+    here = field(ray.at(from));
+  }
   const auto begin_behind = [&] {
     from = beyond;
     here = field(ray.at(from));
     if (here < 0.0) search.sign = -1.0;
   };
-  std::optional<double> there;
   const auto at_end = [&] { return there ? *there : there.emplace(field(ray.at(to))); };
   if (!m_set.open) {
     if (from > accuracy) {
@@ -270,9 +284,10 @@ Vec3 Isosurface::normal(const Vec3& p, const ShapeHit& hit) const {
     if (std::fabs(length(out) - m_set.radius) < kOnSphere) return out;
   }
   Field field(*this);
-  const double here = field(p), step = m_set.accuracy;
-  const Vec3 slope{field(p + Vec3{step, 0, 0}) - here, field(p + Vec3{0, step, 0}) - here,
-                   field(p + Vec3{0, 0, step}) - here};
+  const double step = m_set.accuracy;
+  const auto [here, along_x] = field.both(p, p + Vec3{step, 0, 0});
+  const auto [along_y, along_z] = field.both(p + Vec3{0, step, 0}, p + Vec3{0, 0, step});
+  const Vec3 slope{along_x - here, along_y - here, along_z - here};
   return slope == Vec3{} ? Vec3{1, 0, 0} : slope;
 }
 

@@ -21,6 +21,9 @@ struct Turbulence {
 /// 0..1. Generator 1: the original; 2: range corrected; 3: Perlin's.
 /// By value: a point that was just written part by part and is read whole holds the processor up.
 double noise(double x, double y, double z, int generator);
+/// The same at two points side by side, in less time than one after the other.
+using NoisePair [[gnu::vector_size(16)]] = double;
+NoisePair noise(NoisePair x, NoisePair y, NoisePair z, int generator);
 inline double noise(const Vec3& p, int generator) { return noise(p.x, p.y, p.z, generator); }
 /// A vector of noise, about -1..1 each; the same for all generators.
 Vec3 vector_noise(const Vec3& point);

@@ -1,0 +1,72 @@
+// Noise remembers cells: what it gives must not depend on what was asked for before.
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <random>
+#include <thread>
+#include <vector>
+
+#include "core/pattern/noise.h"
+
+namespace lentray::core {
+namespace {
+
+std::vector<Vec3> points() {
+  std::mt19937_64 random(3);
+  std::vector<Vec3> all{{0, 0, 0}, {-0.0, -0.0, -0.0}, {1, 2, 3}, {-1, -2, -3}, {-1e-11, 1e-11, 0.5}, {4096, -4096, 8192},
+                        {1e9, 2, 3}, {-2.2e9, 1e12, 3}, {1e300, 0, 0}};
+  all.push_back({std::numeric_limits<double>::quiet_NaN(), 0, 0});
+  all.push_back({0, std::numeric_limits<double>::infinity(), 0});
+  for (const double size : {0.9, 7.0, 60.0, 3e4, 3e9}) {
+    std::uniform_real_distribution<double> place(-size, size);
+    for (int i = 0; i < 400; ++i) all.push_back({place(random), place(random), place(random)});
+  }
+  return all;
+}
+
+std::uint64_t bits(double v) { return std::isnan(v) ? 0 : std::bit_cast<std::uint64_t>(v); }
+
+/// Of a thread that has been asked for nothing yet.
+std::vector<double> asked_afresh(const std::vector<Vec3>& all, int generator) {
+  std::vector<double> values;
+  for (const Vec3& p : all) {
+    std::thread([&] { values.push_back(noise(p, generator)); }).join();
+  }
+  return values;
+}
+
+TEST(Noise, DoesNotDependOnWhatWasAskedBefore) {
+  const std::vector<Vec3> all = points();
+  for (const int generator : {1, 2, 3}) {
+    const std::vector<double> fresh = asked_afresh(all, generator);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      EXPECT_EQ(bits(fresh[i]), bits(noise(all[i], generator)));
+      EXPECT_EQ(bits(fresh[i]), bits(noise(all[i], generator))) << "known by now";
+    }
+    // Cells 8 apart share a place where cells are kept.
+    for (int i = 0; i < 200; ++i) {
+      const Vec3 p{0.25 + 8.0 * (i % 3), 0.5 - 8.0 * (i % 2), 0.75};
+      double value = 0.0;
+      std::thread([&] { value = noise(p, generator); }).join();
+      EXPECT_EQ(bits(value), bits(noise(p, generator)));
+    }
+  }
+}
+
+TEST(Noise, TwoAtOnceAreLikeOneAfterTheOther) {
+  const std::vector<Vec3> all = points();
+  for (const int generator : {1, 2, 3}) {
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const Vec3 &p = all[i], &q = all[(i * 7 + 1) % all.size()];
+      const NoisePair pair = noise(NoisePair{p.x, q.x}, NoisePair{p.y, q.y}, NoisePair{p.z, q.z}, generator);
+      EXPECT_EQ(bits(pair[0]), bits(noise(p, generator)));
+      EXPECT_EQ(bits(pair[1]), bits(noise(q, generator)));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace lentray::core
