@@ -68,37 +68,40 @@ void Csg::set_inverse(bool inverse) {
   fence_children();
 }
 
+Csg::Fence Csg::fence_of(const Object& child) {
+  const Bounds solid = child.solid_bounds(), hollow = child.void_bounds();
+  const bool beyond = !hollow.is_empty() ? hollow.is_finite() : true;
+  return {child.bounds(), child.solid_leaves_bounds() ? Bounds::everything() : beyond ? hollow : solid, beyond};
+}
+
 /// Boxes from those of the children: what is kept of a child's surface lies in all siblings
 /// (intersection); what is kept of a union lies in one of them.
 void Csg::fence_children() {
   const std::size_t n = m_children.size();
-  m_fences.assign(n, {});
   const bool join = joins(m_kind);
+  const bool later = join && n >= kMany;  // most such unions are split into their parts and never ask
+  m_fences.clear();
+  if (!later) m_fences.reserve(n);
   m_surface = Bounds();
   m_solid = join ? Bounds() : Bounds::everything();
   m_void = join ? Bounds::everything() : Bounds();
   m_leaves_bounds = false;
   std::vector<Bounds> before(join ? 0 : n + 1, Bounds::everything());
   for (std::size_t i = 0; i < n; ++i) {
-    const Bounds solid = m_children[i]->solid_bounds(), hollow = m_children[i]->void_bounds();
-    Fence& fence = m_fences[i];
-    fence.surface = m_children[i]->bounds();
-    fence.beyond = !hollow.is_empty() ? hollow.is_finite() : true;
-    fence.decide = fence.beyond ? hollow : solid;
-    if (m_children[i]->solid_leaves_bounds()) {
-      m_leaves_bounds = true;
-      fence.decide = Bounds::everything();
-    }
+    const Object& child = *m_children[i];
+    const Bounds solid = child.solid_bounds(), hollow = child.void_bounds();
+    if (child.solid_leaves_bounds()) m_leaves_bounds = true;
     if (join) {
       m_solid.include(solid);
       m_void.intersect(hollow);
-      m_surface.include(fence.surface);
+      m_surface.include(child.bounds());
     } else {
       before[i + 1] = before[i];
       before[i + 1].intersect(solid);
       m_solid.intersect(solid);
       m_void.include(hollow);
     }
+    if (!later) m_fences.push_back(fence_of(child));
   }
   Bounds after = Bounds::everything();
   for (std::size_t i = join ? 0 : n; i-- > 0;) {
@@ -139,6 +142,7 @@ Ball Csg::solid_ball() const {
 
 /// Where parts leave their boxes the boxes decide, as in stock, and stay.
 void Csg::drop_shortcuts() {
+  if (m_fences.empty()) fill_fences();
   for (auto& child : m_children) child->drop_shortcuts();
   m_search = nullptr;
   drop_ball();
@@ -152,7 +156,13 @@ const Csg::Search& Csg::search() const {
   return *m_search;
 }
 
+void Csg::fill_fences() const {
+  m_fences.reserve(m_children.size());
+  for (const auto& child : m_children) m_fences.push_back(fence_of(*child));
+}
+
 void Csg::build_search() const {
+  if (m_fences.empty()) fill_fences();
   std::vector<Bounds> surfaces(m_children.size()), solids(m_children.size());
   for (std::size_t i = 0; i < m_children.size(); ++i) {
     const Fence& fence = m_fences[i];

@@ -227,6 +227,8 @@ class Csg final : public Object {
   bool keeps(std::size_t child, const Vec3& p) const;
   bool kept_nearest(const Ray&, double t_min, double t_max, Hit&, HitArena&) const;
   void fence_children();
+  static Fence fence_of(const Object& child);
+  void fill_fences() const;
   Ball surface_ball() const override;
   const Search& search() const;
   void build_search() const;
@@ -235,7 +237,7 @@ class Csg final : public Object {
   std::string_view m_name;
   Bounds m_surface, m_solid, m_void;  ///< before own clips
   bool m_leaves_bounds = false;       ///< a child's solid does
-  std::vector<Fence> m_fences;        ///< one a child
+  mutable std::vector<Fence> m_fences;  ///< one a child; of many that are joined, made by search()
   std::unique_ptr<Search> m_search;   ///< where there are many children
   std::vector<std::unique_ptr<Object>> m_children;
 };

@@ -69,9 +69,7 @@ bool Prism::contains(double u, double v, double height) const {
 /// False if the ray meets nothing for sure.
 [[gnu::always_inline]] inline bool Prism::passes(const Ray& ray, const Vec3& origin, const Vec3& direction, double t_min, double t_max,
                    Passage& passage) const {
-  constexpr double kInf = Bounds::kInf, kSlack = 1e-9;
-  passage.region = {{-kInf, -kInf}, {kInf, kInf}};
-  passage.middle = {kInf, kInf};
+  constexpr double kSlack = 1e-9;
   double from = t_min, to = t_max;
   if (direction.z != 0.0) {
     // Where all of it lies behind t_min, that is known without a division.
@@ -106,15 +104,16 @@ bool Prism::contains(double u, double v, double height) const {
                       std::fabs(end.u) + std::fabs(end.v) + std::fabs(origin.z) + std::fabs(m_from) + std::fabs(m_to);
   if (!std::isfinite(size)) return by_bounds();
   const double by = kSlack * size * (m_sweep == Sweep::kConic ? 1e3 : 1.0);
-  passage.way = {end.u - begin.u, end.v - begin.v};
-  passage.middle = {0.5 * (begin.u + end.u), 0.5 * (begin.v + end.v)};
-  passage.region = {{std::min(begin.u, end.u) - by, std::min(begin.v, end.v) - by},
-                    {std::max(begin.u, end.u) + by, std::max(begin.v, end.v) + by}};
-  return passage.region.meets({m_outline->lo(), m_outline->hi()});
+  passage.way = {{{std::min(begin.u, end.u) - by, std::min(begin.v, end.v) - by},
+                  {std::max(begin.u, end.u) + by, std::max(begin.v, end.v) + by}},
+                 begin, end, by, true};
+  return passage.way.region.meets({m_outline->lo(), m_outline->hi()});
 }
 
 template <bool first, class Visit>
-void Prism::walls(const Vec3& origin, const Vec3& direction, const Passage& passage, Visit&& visit) const {
+void Prism::walls(const Vec3& origin, const Vec3& direction, const Passage& passage, const Outline::Walk& walk,
+                  Visit&& visit) const {
+  if (walk.rows == 0) return;
   // Plane in which the ray and the direction of the sweep lie, as a line across the outline.
   Vec3 plane{direction.y, -direction.x, origin.y * direction.x - origin.x * direction.y};
   if (m_sweep == Sweep::kConic) plane = cross(origin, direction);
@@ -132,10 +131,10 @@ void Prism::walls(const Vec3& origin, const Vec3& direction, const Passage& pass
     const double height = origin.z + t * direction.z;
     return !(height >= m_from && height <= m_to) ? !first : visit(t, kFirstWall + piece, s);
   };
-  if (first && std::isfinite(passage.middle.u)) {
-    m_outline->first_crossings(plane.x, plane.y, plane.z, passage.way, passage.region, met);
+  if (first && passage.way.is_known) {
+    m_outline->first_crossings(plane.x, plane.y, plane.z, passage.way, walk, met);
   } else {
-    m_outline->crossings(plane.x, plane.y, plane.z, passage.region, [&](std::uint32_t piece, double s) {
+    m_outline->crossings(plane.x, plane.y, plane.z, passage.way, walk, [&](std::uint32_t piece, double s) {
       return met(piece, s) || first;
     });
   }
@@ -158,9 +157,11 @@ bool Prism::nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) c
     hit = {t, first, 0.0, 0.0};
     return true;
   }
+  const Outline::Walk walk = m_outline->walk(passage.way);
+  if (walk.is_outside()) return false;
   bool found = false;
   double best = t_max;
-  walls<true>(origin, direction, passage, [&](double at, std::uint32_t element, double place) {
+  walls<true>(origin, direction, passage, walk, [&](double at, std::uint32_t element, double place) {
     if (!(at > t_min && at < t_max)) return false;
     // Where two meet the one that was made first counts.
     if (at < best || (found && at == best && element < hit.element)) {
@@ -184,14 +185,16 @@ bool Prism::any(const Ray& ray, double t_min, double t_max) const {
   const Vec3 origin = swept(ray.origin), direction = swept(ray.direction);
   Passage passage;
   if (!passes(ray, origin, direction, t_min, t_max, passage)) return false;
+  const Outline::Walk walk = m_outline->walk(passage.way);
+  if (walk.is_outside()) return false;
   // From inside to beyond a cap it meets that or a wall.
-  if (passage.leaves && !m_open && m_outline->is_known_inside(passage.middle)) return true;
+  if (passage.leaves && !m_open && walk.is_inside_somewhere()) return true;
   for (const std::uint32_t cap : {kLowCap, kHighCap}) {
     const double t = passage.caps[cap];
     if (t > t_min && t < t_max && is_on_cap(cap, origin, direction, passage)) return true;
   }
   bool found = false;
-  walls<false>(origin, direction, passage, [&](double at, std::uint32_t, double) {
+  walls<false>(origin, direction, passage, walk, [&](double at, std::uint32_t, double) {
     return !(found = at > t_min && at < t_max);
   });
   return found;
@@ -201,6 +204,8 @@ void Prism::all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) con
   const Vec3 origin = swept(ray.origin), direction = swept(ray.direction);
   Passage passage;
   if (!passes(ray, origin, direction, t_min, t_max, passage)) return;
+  const Outline::Walk walk = m_outline->walk(passage.way);
+  if (walk.is_outside()) return;
   const auto add = [&](double t, std::uint32_t element, double place) {
     if (t > t_min && t < t_max) hits.push_back({t, element, place, 0.0});
     return true;
@@ -209,7 +214,7 @@ void Prism::all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) con
     const double t = passage.caps[cap];
     if (t > t_min && t < t_max && is_on_cap(cap, origin, direction, passage)) add(t, cap, 0.0);
   }
-  walls<false>(origin, direction, passage, add);
+  walls<false>(origin, direction, passage, walk, add);
 }
 
 bool Prism::inside(const Vec3& p) const {

@@ -41,16 +41,15 @@ class Prism final : public Shape {
   struct Passage {
     double caps[2];       ///< where the ray's line meets their planes; along them no numbers
     bool leaves = false;  ///< an end of the part is on a cap, within t_min .. t_max
-    Vec2 way;             ///< of the part, over the outline
-    Vec2 middle;          ///< of the part, over the outline; infinite: unknown
-    Outline::Box region;  ///< where walls may be met, over the outline; a little wider
+    Outline::Way way;     ///< of the part, over the outline: where walls may be met
   };
   bool passes(const Ray& ray, const Vec3& origin, const Vec3& direction, double t_min, double t_max,
               Passage& passage) const;
   bool is_on_cap(std::uint32_t cap, const Vec3& origin, const Vec3& direction, const Passage& passage) const;
   /// What visit() answers: crossings(), or where `first` first_crossings().
   template <bool first, class Visit>
-  void walls(const Vec3& origin, const Vec3& direction, const Passage& passage, Visit&& visit) const;
+  void walls(const Vec3& origin, const Vec3& direction, const Passage& passage, const Outline::Walk& walk,
+             Visit&& visit) const;
 
   std::string_view m_name;
   std::shared_ptr<const Outline> m_outline;

@@ -86,20 +86,23 @@ TEST(UnitCoreOutline, FirstCrossingsHoldTheFirst) {
   for (int i = 0; i < 20000; ++i) {
     const Vec2 from{random.in(-2, 2), random.in(-2, 2)}, way{random.in(-1, 1), random.in(-1, 1)};
     const double a = way.v, b = -way.u, c = from.v * way.u - from.u * way.v;
-    const Outline::Box everywhere{{-9, -9}, {9, 9}};
+    Outline::Way everywhere{{{-9, -9}, {9, 9}}};
+    everywhere.begin = from;
+    everywhere.end = {from.u + way.u, from.v + way.v};
+    const Outline::Walk walk = outline.walk(everywhere);
     const auto place = [&](std::uint32_t piece, double s) {
       const Vec2 p = outline.pieces()[piece].at(s);
       return (p.u - from.u) * way.u + (p.v - from.v) * way.v;
     };
     double first = 1e9, first_of_all = 1e9;
     int seen = 0, all = 0;
-    outline.first_crossings(a, b, c, way, everywhere, [&](std::uint32_t piece, double s) {
+    outline.first_crossings(a, b, c, everywhere, walk, [&](std::uint32_t piece, double s) {
       ++seen;
       if (place(piece, s) <= 0.0) return false;
       first = std::min(first, place(piece, s));
       return true;
     });
-    outline.crossings(a, b, c, everywhere, [&](std::uint32_t piece, double s) {
+    outline.crossings(a, b, c, everywhere, walk, [&](std::uint32_t piece, double s) {
       ++all;
       if (place(piece, s) > 0.0) first_of_all = std::min(first_of_all, place(piece, s));
       return true;
@@ -110,6 +113,60 @@ TEST(UnitCoreOutline, FirstCrossingsHoldTheFirst) {
   }
   EXPECT_GT(met, 2000);
   EXPECT_GT(left_out, 2000);
+}
+
+/// Ways of all lengths: nothing is left out on them, and what is said of their insides is so.
+TEST(UnitCoreOutline, WalksComeToAllThatIsOnTheWay) {
+  Random random(13);
+  constexpr double kNear = 1e-3;
+  for (const double scale : {1.0, 1e4}) {
+    const Outline outline = ring(scale, {0.2 * scale, 0.1 * scale});
+    int outside = 0, inside = 0;
+    for (int i = 0; i < 6000; ++i) {
+      const double reach = scale * std::pow(10.0, random.in(-4, 0.5)), lean = i % 7 == 0 ? 1e-9 : i % 7 == 1 ? 1e-3 : 1.0;
+      const Vec2 from{scale * random.in(-2, 2), scale * random.in(-2, 2)};
+      const Vec2 to{from.u + reach * random.in(-1, 1), from.v + lean * reach * random.in(-1, 1)};
+      const double by = 1e-9 * scale;
+      const Outline::Way way{{{std::min(from.u, to.u) - by, std::min(from.v, to.v) - by},
+                              {std::max(from.u, to.u) + by, std::max(from.v, to.v) + by}}, from, to, by, true};
+      const Outline::Walk walk = outline.walk(way), portable = outline.walk(way, true);
+      ASSERT_EQ(walk.rows, portable.rows);
+      ASSERT_EQ(walk.columns, portable.columns);
+      ASSERT_EQ(walk.meets_inside, portable.meets_inside);
+      ASSERT_EQ(walk.is_sure, portable.is_sure);
+      outside += walk.is_outside();
+      inside += walk.is_inside_somewhere();
+      constexpr int kPlaces = 300;
+      bool found = false;
+      for (int k = 0; k <= kPlaces; ++k) {
+        const double s = static_cast<double>(k) / kPlaces;
+        const Vec2 p{from.u + s * (to.u - from.u), from.v + s * (to.v - from.v)};
+        if (walk.is_outside()) ASSERT_FALSE(outline.contains(p.u, p.v));
+        for (const double du : {0.0, -kNear, kNear}) {
+          for (const double dv : {0.0, -kNear, kNear}) {
+            found = found || outline.contains(p.u + du * scale, p.v + dv * scale);
+          }
+        }
+      }
+      if (walk.is_inside_somewhere()) ASSERT_TRUE(found);
+      // The crossings between both ends, of all pieces and of those on the way.
+      const double a = to.v - from.v, b = from.u - to.u, c = from.v * to.u - from.u * to.v;
+      const auto count = [&](const Outline::Way& on, const Outline::Walk& its) {
+        int between = 0;
+        outline.crossings(a, b, c, on, its, [&](std::uint32_t piece, double s) {
+          const Vec2 p = outline.pieces()[piece].at(s);
+          const double along = (p.u - from.u) * (to.u - from.u) + (p.v - from.v) * (to.v - from.v);
+          between += along > 0.0 && along < (to.u - from.u) * (to.u - from.u) + (to.v - from.v) * (to.v - from.v);
+          return true;
+        });
+        return between;
+      };
+      const Outline::Way anywhere;
+      ASSERT_EQ(count(way, walk), count(anywhere, outline.walk(anywhere)));
+    }
+    EXPECT_GT(outside, 1000);
+    EXPECT_GT(inside, 500);
+  }
 }
 
 TEST(UnitCoreOutline, ReachesAsFarAlongAnAxisAsANearbyWayDoes) {

@@ -38,7 +38,7 @@ std::vector<double> asked_afresh(const std::vector<Vec3>& all, int generator) {
   return values;
 }
 
-TEST(Noise, DoesNotDependOnWhatWasAskedBefore) {
+TEST(UnitCoreNoise, DoesNotDependOnWhatWasAskedBefore) {
   const std::vector<Vec3> all = points();
   for (const int generator : {1, 2, 3}) {
     const std::vector<double> fresh = asked_afresh(all, generator);
@@ -56,7 +56,7 @@ TEST(Noise, DoesNotDependOnWhatWasAskedBefore) {
   }
 }
 
-TEST(Noise, TwoAtOnceAreLikeOneAfterTheOther) {
+TEST(UnitCoreNoise, TwoAtOnceAreLikeOneAfterTheOther) {
   const std::vector<Vec3> all = points();
   for (const int generator : {1, 2, 3}) {
     for (std::size_t i = 0; i < all.size(); ++i) {
