@@ -239,7 +239,7 @@ TEST(UnitGeometryClips, APolynomialLosesNoCrossingToTheBallOfItsClips) {
     clipped.set_clips({clip});
     HitArena arena;
     int met = 0;
-    for (int i = 0; i < 4000; ++i) {
+    for (int i = 0; i < 8000; ++i) {
       const Ray ray{{random.in(0, 4), random.in(-3, 1), random.in(1, 5)},
                     {random.in(-1, 1), random.in(-1, 1), random.in(-1, 1)}};
       std::vector<Hit> all, kept;
