@@ -1,8 +1,7 @@
 // Shadow_Cache=auto: for each light the cache that costs least, or none.
 //
-// A light with a light buffer has one inside that (LightBuffer::Recall): which of a cell's objects
-// is asked first. Its probes cost nothing, so nothing is left to decide. For the others it is counted on
-// the way: nothing, the neighbourhood, the cascade (the neighbourhood, then a grid), or `grid` alone
+// A light with a light buffer needs none: what blocks is nearly always the first object of the cell that
+// is asked, and counts as a hit then. For the others it is counted on the way: nothing, the neighbourhood, the cascade (the neighbourhood, then a grid), or `grid` alone
 // where a search is very dear.
 //
 // Such a light's rays come in periods; the last few of each are samples (SearchSamples), searched for

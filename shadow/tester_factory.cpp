@@ -21,7 +21,7 @@ class Factory final : public core::ShadowTesterFactory {
   }
 };
 
-/// Where every light has a light buffer with the cache inside, nothing is left to decide.
+/// Where every light has a light buffer, which foresees what blocks, nothing is left to decide.
 class AutoFactory final : public core::ShadowTesterFactory {
  public:
   std::unique_ptr<core::ShadowTester> make(const core::ShadowContext& context) const override {

@@ -1,8 +1,5 @@
 #include "core/accel/light_buffer.h"
 
-#include <atomic>
-#include <bit>
-
 #include "core/geometry/box.h"
 #include "core/geometry/plane.h"
 #include "core/geometry/polygon.h"
@@ -55,9 +52,10 @@ const Object* LightBuffer::plane_blocker(const Ray& ray, double t_min, double t_
 }
 
 template <class Count>
-[[gnu::always_inline]] inline bool LightBuffer::blocks(const Caster& caster, const Ray& ray,
-                                                       double t_min, double t_max,
-                                                       HitArena& arena, Count count) const {
+[[gnu::always_inline]] inline LightBuffer::Probe LightBuffer::probe(
+    const Caster& caster, const Ray& ray, double t_min, double t_max, HitArena& arena,
+    Count count) const {
+  const auto probe_of = [](bool blocks) { return blocks ? Probe::kBlocks : Probe::kMisses; };
   count.test(caster.object);
   ShapeHit hit;
   switch (caster.kind) {
@@ -65,55 +63,29 @@ template <class Count>
       const Round& sphere = m_spheres[caster.sphere];
       double t0 = 0.0, t1 = 0.0;
       const double inverse_dd = 1.0 / dot(ray.direction, ray.direction);
-      if (!sphere_roots(ray, inverse_dd, sphere.centre, sphere.radius2, t0, t1)) return false;
+      if (!sphere_roots(ray, inverse_dd, sphere.centre, sphere.radius2, t0, t1)) {
+        return Probe::kOutside;
+      }
       const double t = t0 > t_min ? t0 : t1;
-      return t > t_min && t < t_max;
+      return probe_of(t > t_min && t < t_max);
     }
     case LightKind::kPolygon:
-      return static_cast<const Polygon*>(caster.shape)->Polygon::nearest(ray, t_min, t_max, hit);
+      return probe_of(
+          static_cast<const Polygon*>(caster.shape)->Polygon::nearest(ray, t_min, t_max, hit));
     case LightKind::kTriangle:
-      return static_cast<const TriangleShape*>(caster.shape)->nearest(ray, t_min, t_max, hit);
+      return probe_of(
+          static_cast<const TriangleShape*>(caster.shape)->nearest(ray, t_min, t_max, hit));
     case LightKind::kBox:
-      return static_cast<const Box*>(caster.shape)->Box::nearest(ray, t_min, t_max, hit);
+      return probe_of(static_cast<const Box*>(caster.shape)->Box::nearest(ray, t_min, t_max, hit));
     case LightKind::kAny: break;
   }
-  return caster.object->any(ray, t_min, t_max, arena);
-}
-
-/// Of more than one opaque entry, the one to ask first.
-inline const LightBuffer::Entry* LightBuffer::expected(std::uint64_t last, std::uint32_t part,
-                                                       const Entry* begin, const Entry* end,
-                                                       const Recall& recall) {
-  if (const std::uint64_t here = last >> 4 * part & 15) return begin + here - 1;
-  for (const Entry* entry = begin; entry < end; ++entry) {
-    if (entry->caster == recall.caster) return entry;
-  }
-  return last == 0 ? begin : begin + (last >> (std::countr_zero(last) & ~3) & 15) - 1;
-}
-
-/// For the part and, as a guess, for those beside it where nothing is known yet.
-[[gnu::noinline]] void LightBuffer::remember(const Cell& cell, std::uint32_t part,
-                                             std::uint64_t value) {
-  if (value > 15) return;
-  constexpr std::uint32_t kSide = LightRaster::kParts;
-  const std::atomic_ref remembered(cell.last);
-  std::uint64_t last = remembered.load(std::memory_order_relaxed);
-  last = (last & ~(15ull << 4 * part)) | value << 4 * part;
-  const auto guess = [&](std::uint32_t beside) {
-    if ((last >> 4 * beside & 15) == 0) last |= value << 4 * beside;
-  };
-  const std::uint32_t column = part % kSide, row = part / kSide;
-  if (column > 0) guess(part - 1);
-  if (column + 1 < kSide) guess(part + 1);
-  if (row > 0) guess(part - kSide);
-  if (row + 1 < kSide) guess(part + kSide);
-  remembered.store(last, std::memory_order_relaxed);
+  return probe_of(caster.object->any(ray, t_min, t_max, arena));
 }
 
 /// Not inlined, so that any_opaque() needs no frame where there are planes alone.
 template <class Count>
 [[gnu::noinline]] LightBuffer::Answer LightBuffer::other_blocker(
-    const Spot& spot, const Ray& ray, double t_min, double t_max, HitArena& arena, Recall* recall,
+    const Spot& spot, const Ray& ray, double t_min, double t_max, HitArena& arena,
     Count count) const {
   if (const Cell* cell = spot.cell) {
     const Entry* begin = m_entries.data() + cell->first;
@@ -122,36 +94,20 @@ template <class Count>
       ++begin;
     }
     const Entry* const end = begin + cell->opaque;
-    const bool choice = recall && cell->opaque > 1;
-    std::uint64_t last = 0;
-    const Entry* first = begin;
-    if (choice) {
-      last = std::atomic_ref(cell->last).load(std::memory_order_relaxed);
-      first = expected(last, spot.part, begin, end, *recall);
-      if (!(first->near_w < spot.w)) first = begin;
-    }
-    if (first < end && first->near_w < spot.w) {
-      const LightProbe probe(ray.origin - m_light, spot.w, t_min, m_reach);
-      const Entry *entry = first, *next = begin;
+    if (begin < end && begin->near_w < spot.w) {
+      const LightProbe point(ray.origin - m_light, spot.w, t_min, m_reach);
       bool foreseen = true;
+      const Entry* entry = begin;
       do {
-        if (probe.is_outside(m_volumes[entry->caster])) {
+        if (point.is_outside(m_volumes[entry->caster])) {
           count.outside();
-        } else {
-          const Caster& caster = m_casters[entry->caster];
-          if (blocks(caster, ray, t_min, t_max, arena, count)) {
-            if (recall) {
-              recall->caster = entry->caster;
-              const auto place = static_cast<std::uint64_t>(entry - begin + 1);
-              if (choice && (last >> 4 * spot.part & 15) != place) remember(*cell, spot.part, place);
-            }
-            return {caster.object, foreseen};
-          }
-          foreseen = false;
+          continue;
         }
-        if (next == first) ++next;
-        entry = next++;
-      } while (entry < end && entry->near_w < spot.w);
+        const Caster& caster = m_casters[entry->caster];
+        const Probe answer = probe(caster, ray, t_min, t_max, arena, count);
+        if (answer == Probe::kBlocks) return {caster.object, foreseen};
+        if (answer == Probe::kMisses) foreseen = false;
+      } while (++entry < end && entry->near_w < spot.w);
     }
   }
   for (const Caster& caster : m_always_opaque) {
@@ -163,24 +119,24 @@ template <class Count>
 
 LightBuffer::Answer LightBuffer::any_opaque_counted(const Spot& spot, const Ray& ray, double t_min,
                                                     double t_max, HitArena& arena,
-                                                    Counters& counters, Recall* recall) const {
+                                                    Counters& counters) const {
   ++counters.bounds_tests;
   counters.test_cost += kCellCost;
   const Tally counted{counters};
   if (const Object* plane = plane_blocker(ray, t_min, t_max, counted)) return {plane, true};
-  return other_blocker(spot, ray, t_min, t_max, arena, recall, counted);
+  return other_blocker(spot, ray, t_min, t_max, arena, counted);
 }
 
 LightBuffer::Answer LightBuffer::any_opaque(const Spot& spot, const Ray& ray, double t_min,
-                                            double t_max, HitArena& arena, Counters* counters,
-                                            Recall* recall) const {
+                                            double t_max, HitArena& arena,
+                                            Counters* counters) const {
   if (counters) {
-    return any_opaque_counted(spot, ray, t_min, t_max, arena, *counters, recall);
+    return any_opaque_counted(spot, ray, t_min, t_max, arena, *counters);
   }
   const NoTally uncounted;
   if (const Object* plane = plane_blocker(ray, t_min, t_max, uncounted)) return {plane, true};
   if (!spot.cell && m_always_opaque.empty()) return {};
-  return other_blocker(spot, ray, t_min, t_max, arena, recall, uncounted);
+  return other_blocker(spot, ray, t_min, t_max, arena, uncounted);
 }
 
 void LightBuffer::all_transparent(const Spot& spot, const Ray& ray, double t_min, double t_max,

@@ -3,7 +3,7 @@
 // what wholly covers a cell nothing is kept: all is dark there, whatever else stands in it.
 // Only where to look is taken from it; what blocks a ray is decided by the objects' own tests, or
 // is certain by a margin far above rounding, so that answers are those of the hierarchy.
-// World space. Immutable once built, but for what cells remember (atomic); any number of threads.
+// World space. Immutable once built; any number of threads.
 // Held to the hierarchy's answers by tests/unit/accel_light_buffer_test.cpp.
 #pragma once
 
@@ -37,7 +37,6 @@ class LightBuffer {
   struct Spot {
     const Cell* cell = nullptr;  ///< null: nothing finite can darken the point
     double w = 0.0;
-    std::uint32_t part = 0;      ///< of the cell
     bool known = false;  ///< it was asked for
   };
   /// Written in place: who copied it at once would wait for it.
@@ -46,22 +45,16 @@ class LightBuffer {
   /// rounding, nor where so much stands behind one another that the hierarchy is the better choice.
   bool serves(const Spot& spot, double distance) const;
 
-  /// The shadow cache inside the buffer. Each cell remembers which of its opaque objects blocked last,
-  /// in each of its parts; that one is asked before the others, and where none is known yet, the one
-  /// that blocked the thread's last ray to this light, if it is in the cell, or else the nearest to the
-  /// light. What the point is outside the volume of is passed over. A probe costs nothing where it does not block: to be lit a point must pass all of its
-  /// cell. What cells know the threads share; it changes no answer but which blocker is named.
-  struct Recall {
-    std::uint32_t caster = ~0u;  ///< of the last blocked ray
-  };
   struct Answer {
     const Object* blocker = nullptr;
-    bool foreseen = false;  ///< a plane, the first of the cell that was asked, or what covers the cell
+    /// No other object of the cell was asked but such whose volumes and, for spheres, cones the point is
+    /// outside of. A plane, and what covers the cell, are.
+    bool foreseen = false;
   };
   /// As Hierarchy::any_opaque, for a ray from the point of `spot` to the light: t_min is the
-  /// tolerance, t_max the way to the light less the tolerance. `recall`: null, near ones first.
+  /// tolerance, t_max the way to the light less the tolerance.
   Answer any_opaque(const Spot& spot, const Ray& to_light, double t_min, double t_max,
-                    HitArena& arena, Counters* counters, Recall* recall = nullptr) const;
+                    HitArena& arena, Counters* counters) const;
   /// As Hierarchy::all_transparent.
   void all_transparent(const Spot& spot, const Ray& to_light, double t_min, double t_max,
                        std::vector<Hit>& hits, HitArena& arena, Counters* counters) const;
@@ -93,20 +86,19 @@ class LightBuffer {
     const Object* object;
   };
   class Builder;
+  /// Outside: the ray's line does not come near, as with a volume.
+  enum class Probe : std::uint8_t { kOutside, kMisses, kBlocks };
 
   template <class Count>
   const Object* plane_blocker(const Ray& to_light, double t_min, double t_max, Count count) const;
   template <class Count>
   Answer other_blocker(const Spot& spot, const Ray& to_light, double t_min, double t_max,
-                       HitArena& arena, Recall* recall, Count count) const;
+                       HitArena& arena, Count count) const;
   template <class Count>
-  bool blocks(const Caster& caster, const Ray& to_light, double t_min, double t_max,
+  Probe probe(const Caster& caster, const Ray& to_light, double t_min, double t_max,
               HitArena& arena, Count count) const;
   Answer any_opaque_counted(const Spot& spot, const Ray& to_light, double t_min, double t_max,
-                            HitArena& arena, Counters& counters, Recall* recall) const;
-  static const Entry* expected(std::uint64_t last, std::uint32_t part, const Entry* begin,
-                               const Entry* end, const Recall& recall);
-  static void remember(const Cell& cell, std::uint32_t part, std::uint64_t value);
+                            HitArena& arena, Counters& counters) const;
 
   Vec3 m_light;
   bool m_crowded = false;
@@ -128,11 +120,7 @@ struct LightBuffer::Entry {
   std::uint32_t caster;
 };
 
-/// What is asked of a cell is in one piece, so that remembering touches no memory that a search does
-/// not touch.
-struct alignas(16) LightBuffer::Cell {
-  /// Places among the opaque entries, from 1, 4 bits a part; 0: none. For std::atomic_ref.
-  alignas(8) mutable std::uint64_t last = 0;
+struct alignas(8) LightBuffer::Cell {
   std::uint32_t first = 0;  ///< entry: what covers it, if anything; opaque casters; the others
   std::uint8_t opaque = 0, transparent = 0;
   bool covered = false;  ///< the first entry blocks all beyond its near_w
@@ -150,10 +138,9 @@ inline void LightBuffer::locate(const Vec3& point, Spot& spot) const {
   spot.w = std::fabs(v[side / 2]);
   spot.cell = nullptr;
   for (const Grid& grid : m_faces[static_cast<std::size_t>(side)]) {
-    const LightRaster::Place place = grid.raster.place_of(v, spot.w);
-    if (place.cell < 0) continue;
-    spot.cell = &grid.cells[static_cast<std::size_t>(place.cell)];
-    spot.part = place.part;
+    const std::int64_t cell = grid.raster.cell_of(v, spot.w);
+    if (cell < 0) continue;
+    spot.cell = &grid.cells[static_cast<std::size_t>(cell)];
     __builtin_prefetch(spot.cell);
     break;
   }

@@ -177,8 +177,8 @@ LightVolume LightDrawing::volume(const Subject& subject, const LightVolumes& vol
   }
   a *= 0.125;
   b *= 0.125;
-  return volumes.capsule(a, kInner * length(m_points[0] - a), b, kInner * length(m_points[8] - b),
-                         subject.distance);
+  return volumes.cone(a, kInner * length(m_points[0] - a), b, kInner * length(m_points[8] - b),
+                      subject.distance);
 }
 
 }  // namespace lentray::core

@@ -44,8 +44,6 @@ LightRaster::LightRaster(int face, const LightWindow& window, int columns, int r
     m_size[a] = size[a];
     m_lo[a] = window.lo[a] - 2.0 * LightWindow::kSlack;
     m_per_cell[a] = size[a] / (window.hi[a] + 2.0 * LightWindow::kSlack - m_lo[a]);
-    m_per_part[a] = kParts * m_per_cell[a];
-    m_limit[a] = 1.0 * kParts * size[a];
   }
 }
 

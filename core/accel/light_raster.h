@@ -46,22 +46,13 @@ class LightRaster {
   std::uint32_t cells() const {
     return static_cast<std::uint32_t>(m_size[0]) * static_cast<std::uint32_t>(m_size[1]);
   }
-  /// Cells have kParts x kParts parts, told apart by what remembers answers.
-  static constexpr std::uint32_t kParts = 4;
-  struct Place {
-    std::int64_t cell;
-    std::uint32_t part;
-  };
   /// The cell of a direction of this face with that w > 0; -1 outside.
-  Place place_of(const Vec3& v, double w) const {
+  std::int64_t cell_of(const Vec3& v, double w) const {
     const double along[3] = {v.x, v.y, v.z}, over_w = 1.0 / w;
-    const double x = (along[m_u] * over_w - m_lo[0]) * m_per_part[0];
-    const double y = (along[m_v] * over_w - m_lo[1]) * m_per_part[1];
-    if (!(x >= 0.0 && y >= 0.0 && x < m_limit[0] && y < m_limit[1])) return {-1, 0};
-    const auto column = static_cast<std::uint32_t>(static_cast<std::int32_t>(x));
-    const auto row = static_cast<std::uint32_t>(static_cast<std::int32_t>(y));
-    return {static_cast<std::int64_t>(row / kParts) * m_size[0] + column / kParts,
-            row % kParts * kParts + column % kParts};
+    const double x = (along[m_u] * over_w - m_lo[0]) * m_per_cell[0];
+    const double y = (along[m_v] * over_w - m_lo[1]) * m_per_cell[1];
+    if (!(x >= 0.0 && y >= 0.0 && x < m_size[0] && y < m_size[1])) return -1;
+    return static_cast<std::int64_t>(static_cast<std::int32_t>(y)) * m_size[0] + static_cast<std::int32_t>(x);
   }
 
   int face() const { return m_face; }
@@ -79,7 +70,6 @@ class LightRaster {
   int m_face = 0, m_u = 0, m_v = 1;
   int m_size[2] = {0, 0};
   double m_lo[2] = {0.0, 0.0}, m_per_cell[2] = {0.0, 0.0};
-  double m_per_part[2] = {0.0, 0.0}, m_limit[2] = {0.0, 0.0};  ///< in parts
 };
 
 }  // namespace lentray::core

@@ -118,9 +118,10 @@ LightVolume LightVolumes::sphere(const Vec3& centre, double radius, double dista
   return volume;
 }
 
-/// Two planes that touch both spheres, and at each end one that touches its own.
-LightVolume LightVolumes::capsule(const Vec3& a, double radius_a, const Vec3& b, double radius_b,
-                                  double distance) const {
+/// Two planes that touch the spheres of the ends, and at each end one through the outermost corner of the
+/// section that the plane through light and axis cuts: discs square to the axis reach no farther.
+LightVolume LightVolumes::cone(const Vec3& a, double radius_a, const Vec3& b, double radius_b,
+                               double distance) const {
   LightVolume volume;
   const double aa = dot(a, a), ab = dot(a, b), bb = dot(b, b);
   const Vec3 across = cross(a, b);
@@ -136,15 +137,19 @@ LightVolume LightVolumes::capsule(const Vec3& a, double radius_a, const Vec3& b,
   const Vec3 in = a * p + b * q, side = across * std::sqrt(rest * over);
   set(volume, 0, in + side);
   set(volume, 1, in - side);
-  const auto end = [&](int lane, const Vec3& own, double radius, double own2, const Vec3& inwards,
-                       const Vec3& other, double other_radius) {
-    const double tangent2 = own2 - radius * radius;
-    if (!(tangent2 > 0.0)) return;
-    const Vec3 normal = own * (radius / own2) + inwards * (std::sqrt(tangent2 * over) / own2);
-    if (dot(normal, other) >= other_radius) set(volume, lane, normal);
+  const Vec3 axis = b - a;
+  const Vec3 rise = cross(across, axis) * std::sqrt(over / length_squared(axis));
+  const Vec3 at_a[2] = {a + rise * radius_a, a - rise * radius_a};
+  const Vec3 at_b[2] = {b + rise * radius_b, b - rise * radius_b};
+  // `around` turns from this end to the other.
+  const auto end = [&](int lane, const Vec3 (&own)[2], const Vec3 (&other)[2], const Vec3& around) {
+    const bool first = dot(cross(around, own[0]), own[1]) >= 0.0;
+    const Vec3 normal = cross(around, own[first ? 0 : 1]);
+    if (!(dot(normal, other[0]) >= 0.0 && dot(normal, other[1]) >= 0.0)) return;
+    set(volume, lane, normal / length(normal));
   };
-  end(2, a, radius_a, aa, cross(across, a), b, radius_b);
-  end(3, b, radius_b, bb, cross(b, across), a, radius_a);
+  end(2, at_a, at_b, across);
+  end(3, at_b, at_a, -across);
   return volume;
 }
 

@@ -75,9 +75,9 @@ class LightVolumes {
   void polygon(std::span<const Vec3> edge_ends, const Vec3& normal, double offset,
                double distance, LightVolume& volume) const;
   LightVolume sphere(const Vec3& centre, double radius, double distance) const;
-  /// The hull of two spheres.
-  LightVolume capsule(const Vec3& a, double radius_a, const Vec3& b, double radius_b,
-                      double distance) const;
+  /// A cone or a cylinder, by its ends' middles and radii.
+  LightVolume cone(const Vec3& a, double radius_a, const Vec3& b, double radius_b,
+                   double distance) const;
 
  private:
   void set_side(LightVolume& volume, int lane, const Vec3& inwards, double far, double least) const;

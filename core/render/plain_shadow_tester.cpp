@@ -26,17 +26,17 @@ double entry_distance(const Bounds& box, const Ray& ray) {
 
 }  // namespace
 
-PlainShadowTester::PlainShadowTester(const ShadowContext& context, bool recall)
+PlainShadowTester::PlainShadowTester(const ShadowContext& context, bool count_hits)
     : m_context(context),
       m_tolerance(kShadowTolerance * context.scene->tolerance_scale()),
       m_hierarchy(context.scene->hierarchy()),
       m_test_counters(context.count_tests ? context.counters : nullptr),
       m_any_transparent(context.scene->needs().transparent_shadows),
       m_interiors(context.scene->needs().interiors),
+      m_counts_hits(count_hits),
       m_bailout(context.scene->settings().adc_bailout) {
   const std::size_t lights = context.scene->lights().size();
   if (context.counters->lights.size() < lights) context.counters->lights.resize(lights);
-  if (recall) m_recall.resize(lights);
 }
 
 Visibility PlainShadowTester::search(const ShadowQuery& query, Counters* tests) {
@@ -51,11 +51,10 @@ Visibility PlainShadowTester::search(const ShadowQuery& query, Counters* tests) 
   if (buffer && !buffer->serves(*spot, query.distance)) buffer = nullptr;
   const Object* blocker = nullptr;
   if (buffer) {
-    LightBuffer::Recall* recall = m_recall.empty() ? nullptr : &m_recall[query.light];
-    const LightBuffer::Answer answer = buffer->any_opaque(
-        *spot, query.ray, m_tolerance, reach, *m_context.arena, tests, recall);
+    const LightBuffer::Answer answer =
+        buffer->any_opaque(*spot, query.ray, m_tolerance, reach, *m_context.arena, tests);
     blocker = answer.blocker;
-    if (recall && blocker) {
+    if (blocker && m_counts_hits) {
       ShadowCounts& counts = m_context.counters->lights[query.light];
       ++(answer.foreseen ? counts.hits : counts.misses);
     }

@@ -18,8 +18,8 @@ class Hierarchy;
 
 class PlainShadowTester final : public ShadowTester {
  public:
-  /// `recall`: light buffers ask first what blocked last in a cell, and `hits` counts what it blocks.
-  explicit PlainShadowTester(const ShadowContext& context, bool recall = false);
+  /// `count_hits`: what light buffers foresee counts as a hit of a cache, other blockers as misses.
+  explicit PlainShadowTester(const ShadowContext& context, bool count_hits = false);
 
   Visibility visibility(const ShadowQuery& query) override {
     ShadowCounts& counts = m_context.counters->lights[query.light];
@@ -53,9 +53,8 @@ class PlainShadowTester final : public ShadowTester {
   const Hierarchy& m_hierarchy;
   Counters* m_test_counters;
   bool m_any_transparent;
-  bool m_interiors;
+  bool m_interiors, m_counts_hits;
   double m_bailout;
-  std::vector<LightBuffer::Recall> m_recall;  ///< one a light, or none
   LightBuffer::Spot m_spot;  ///< of the query, where it has none
   InteriorStack m_inside;
   std::vector<Hit> m_hits;

@@ -141,14 +141,18 @@ TEST(UnitCoreOutline, WalksComeToAllThatIsOnTheWay) {
       for (int k = 0; k <= kPlaces; ++k) {
         const double s = static_cast<double>(k) / kPlaces;
         const Vec2 p{from.u + s * (to.u - from.u), from.v + s * (to.v - from.v)};
-        if (walk.is_outside()) ASSERT_FALSE(outline.contains(p.u, p.v));
+        if (walk.is_outside()) {
+          ASSERT_FALSE(outline.contains(p.u, p.v));
+        }
         for (const double du : {0.0, -kNear, kNear}) {
           for (const double dv : {0.0, -kNear, kNear}) {
             found = found || outline.contains(p.u + du * scale, p.v + dv * scale);
           }
         }
       }
-      if (walk.is_inside_somewhere()) ASSERT_TRUE(found);
+      if (walk.is_inside_somewhere()) {
+        ASSERT_TRUE(found);
+      }
       // The crossings between both ends, of all pieces and of those on the way.
       const double a = to.v - from.v, b = from.u - to.u, c = from.v * to.u - from.u * to.v;
       const auto count = [&](const Outline::Way& on, const Outline::Walk& its) {
