@@ -158,7 +158,7 @@ struct ShapeMaker {
     set.max_gradient = s.max_gradient;
     if (s.evaluate) {
       set.evaluates = true;
-      set.max_gradient = (*s.evaluate)[0];
+      set.max_gradient = std::max(s.max_gradient, (*s.evaluate)[0]);  // stock's first ray begins there
       set.growth = (*s.evaluate)[1];
       set.shrinking = (*s.evaluate)[2];
     }

@@ -63,6 +63,8 @@ const Case kCases[] = {
                        " contained_by { sphere { 0, 1.1 } } rotate 40*y }"},
     {"isosurface_open", "isosurface { function { y + f_noise3d(x*3, 0, z*3)*.6 } max_gradient 3 open"
                         " contained_by { box { <-1.2,-.9,-1.2>, <1.2,.5,1.2> } } }", false},
+    {"isosurface_evaluate_begins_at_max_gradient", "isosurface { function { 6*y - sin(3*x)*2 - z*z } max_gradient 9"
+                                                   " evaluate 1, 1, 1 contained_by { box { -1, 1 } } }", false},
     {"isosurface_evaluate", "isosurface { function { f_ridged_mf(x, 0, z, .8, 2, 5, .9, 2, 3)*.4 - .5 - y + y*y }"
                             " evaluate 2, 1.1, .8 threshold -.2 contained_by { box { -1, 1 } } }", false},
     {"bicubic_patch", "bicubic_patch { type 1 u_steps 3 v_steps 4 " PATCH "}", false},
