@@ -21,7 +21,6 @@ constexpr double kSamplesCost = 2e5;  ///< of searches in a period: beside that 
 /// For each object: the grid asks them all where they are when it begins.
 constexpr double kSetUp = 24.0;
 
-constexpr double kWorthIt = 0.0;   ///< what a cache must promise to save, a part of the searches
 constexpr double kAtALoss = 0.02;  ///< what it may cost before it is given up
 constexpr double kLarge = 0.06;    ///< the same after a single period
 constexpr std::uint32_t kToFill = 8;  ///< periods; an empty grid has no hits
@@ -185,15 +184,15 @@ void AutoTester::count(std::uint32_t light, Watch& watch, const core::ShadowCoun
 /// True if something else is used from now on. `rays`: so far.
 bool AutoTester::decide(Watch& watch, std::uint64_t rays) {
   const SearchSamples& known = watch.known;
-  const double worth = kWorthIt * known.search(), set_up = kSetUp * static_cast<double>(m_objects);
+  const double set_up = kSetUp * static_cast<double>(m_objects);
   const double by_grid = known.saved_by_grid();
-  const bool pays = by_grid > worth && (m_grid || by_grid * static_cast<double>(rays) > 4.0 * set_up);
+  const bool pays = by_grid > 0.0 && (m_grid || by_grid * static_cast<double>(rays) > 4.0 * set_up);
   const bool steady = known.steady();
   const bool other = watch.grid.decide(pays && known.search() > kDear, steady);
   if (watch.grid.on) return other;
-  const bool another = watch.cascade.decide(known.saved_by_neighbourhood() > worth, steady);
+  const bool another = watch.cascade.decide(known.saved_by_neighbourhood() > 0.0, steady);
   if (watch.cascade.on && !another) {
-    const bool promising = watch.hoped_of_cells > kWorthIt * watch.cells.searched;
+    const bool promising = watch.hoped_of_cells > 0.0;
     const bool in_time = m_cascade.has_cells() || watch.hoped_in_all > set_up;
     watch.hoped_of_cells *= kOlder;
     if (watch.cells.decide(promising && in_time, steady)) watch.hoped_of_cells = 0.0;

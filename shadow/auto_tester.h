@@ -1,15 +1,15 @@
 // Shadow_Cache=auto: for each light the cache that costs least, or none.
 //
 // A light with a light buffer needs none: what blocks is nearly always the first object of the cell that
-// is asked, and counts as a hit then. For the others it is counted on the way: nothing, the neighbourhood, the cascade (the neighbourhood, then a grid), or `grid` alone
-// where a search is very dear.
+// is asked, and counts as a hit then. For the others it is counted on the way: nothing, the
+// neighbourhood, the cascade (the neighbourhood, then a grid), or `grid` alone where a search is very dear.
 //
 // Such a light's rays come in periods; the last few of each are samples (SearchSamples), searched for
 // whatever a cache would have answered. While a light goes without a cache, they tell whether
 // the neighbourhood would save something, and then it is used. From then on what it does is
 // counted ray by ray: hits, each worth the search of a blocked sample, and probes in vain; the same
 // for what the grid adds to the neighbourhood. Each stays as long as it costs next to nothing, and
-// is tried again when four times as many periods have passed. Periods grow until samples are little
+// is tried again when twice as many periods have passed. Periods grow until samples are little
 // beside searches. Objects solved by iteration are left alone: counts tell too little of their tests.
 // Decisions rest on counts, never on times: one thread decides the same in every run.
 // The picture is the plain tester's, as with every cache. One a thread; threads decide apart.

@@ -38,7 +38,7 @@ class Tried {
   std::size_t m_count = 0;
 };
 
-/// Asks the entries, entry(0) to entry(count - 1), those that are there and were not tried yet, until
+/// Asks entry_at(0) to entry_at(count - 1), those that are there and were not tried yet, until
 /// one blocks (that one is returned) or so many were tried in all.
 template <class Entry, class Ask>
 [[gnu::always_inline]] inline const core::Object* ask_in_turn(Entry&& entry_at, std::size_t count,
