@@ -240,33 +240,35 @@ void Hierarchy::Impl::average_costs(const std::vector<ObjectEntry>& entries) {
 
 Hierarchy::Impl::Impl(const std::vector<std::unique_ptr<Object>>& objects,
                       Accelerator accelerator, bool portable) {
-  std::vector<ObjectEntry> entries;
-  entries.reserve(objects.size());
+  ObjectList listed;
+  listed.reserve(objects.size());
   for (std::size_t i = 0; i < objects.size(); ++i) {
     const Object& object = *objects[i];
-    ObjectEntry entry{&object, object.bounds(), static_cast<std::uint32_t>(i), flags_of(object),
-                      type_of(object)};
-    if (entry.bounds.is_empty() && !has_nan(entry.bounds)) continue;  // nothing meets it
+    const Bounds box = object.bounds();
+    ObjectEntry entry{&object, static_cast<std::uint32_t>(i), flags_of(object), type_of(object)};
+    if (box.is_empty() && !has_nan(box)) continue;  // nothing meets it
     // Of equal distances infinite objects win, as in stock: a floor over a box that ends there.
-    if (!entry.bounds.is_finite()) {
+    if (!box.is_finite()) {
       ++infinite;
     } else {
       entry.index += static_cast<std::uint32_t>(objects.size());
     }
     any_flags |= entry.flags;
-    entries.push_back(entry);
+    listed.add(entry, box);
   }
-  average_costs(entries);
+  average_costs(listed.entries);
   if (accelerator != Accelerator::kBvh) box_cost = kSingleBox;
-  all.emplace(entries, accelerator, portable);
-  if ((any_flags & (kNoShadow | kTransparent)) == 0) return;
-  std::vector<ObjectEntry> casters, filtering;
-  for (const ObjectEntry& entry : entries) {
-    if (entry.flags & kNoShadow) continue;
-    (entry.flags & kTransparent ? filtering : casters).push_back(entry);
+  if ((any_flags & (kNoShadow | kTransparent)) != 0) {
+    ObjectList casters, filtering;
+    for (std::size_t i = 0; i < listed.entries.size(); ++i) {
+      const ObjectEntry& entry = listed.entries[i];
+      if (entry.flags & kNoShadow) continue;
+      (entry.flags & kTransparent ? filtering : casters).add(entry, listed.boxes[i]);
+    }
+    opaque.emplace(std::move(casters), accelerator, portable);
+    filters.emplace(std::move(filtering), accelerator, portable);
   }
-  opaque.emplace(casters, accelerator, portable);
-  filters.emplace(filtering, accelerator, portable);
+  all.emplace(std::move(listed), accelerator, portable);
 }
 
 Hierarchy::Hierarchy(const std::vector<std::unique_ptr<Object>>& objects, Accelerator accelerator,

@@ -38,13 +38,9 @@ ObjectTree::Kind ObjectTree::kind_of(const Object& object) {
   return type == typeid(Polygon) && PolygonPack::fits(static_cast<const Polygon&>(shape)) ? kPolygons : kOthers;
 }
 
-ObjectTree::ObjectTree(std::span<const ObjectEntry> objects, Accelerator accelerator,
-                       bool portable)
+ObjectTree::ObjectTree(ObjectList objects, Accelerator accelerator, bool portable)
     : m_avx2(!portable && has_avx2()) {
-  m_entries.reserve(objects.size());
-  for (const ObjectEntry& entry : objects) {
-    (entry.bounds.is_finite() ? m_entries : m_unbounded).push_back(entry);
-  }
+  keep_bounded(std::move(objects));
   std::stable_partition(m_unbounded.begin(), m_unbounded.end(),
                         [](const ObjectEntry& entry) { return bare_plane(*entry.object) != nullptr; });
   for (const ObjectEntry& entry : m_unbounded) {
@@ -53,18 +49,35 @@ ObjectTree::ObjectTree(std::span<const ObjectEntry> objects, Accelerator acceler
     m_planes.push_back({plane->unit_normal(), plane->distance()});
   }
   if (accelerator == Accelerator::kList) return;
-  std::vector<Bounds> boxes;
-  boxes.reserve(m_entries.size());
-  for (const ObjectEntry& entry : m_entries) boxes.push_back(entry.bounds);
   if (accelerator == Accelerator::kGrid) {
-    m_grid = UniformGrid(boxes);
+    m_grid = UniformGrid(m_boxes);
     return;
   }
-  build_tree(boxes);
+  build_tree();
 }
 
-void ObjectTree::build_tree(const std::vector<Bounds>& boxes) {
-  if (boxes.size() >> kFirstBits != 0) {
+/// In place: there may be a million.
+void ObjectTree::keep_bounded(ObjectList objects) {
+  m_entries = std::move(objects.entries);
+  m_boxes = std::move(objects.boxes);
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < m_entries.size(); ++i) {
+    if (!m_boxes[i].is_finite()) {
+      m_unbounded.push_back(m_entries[i]);
+      continue;
+    }
+    if (kept != i) {
+      m_entries[kept] = m_entries[i];
+      m_boxes[kept] = m_boxes[i];
+    }
+    ++kept;
+  }
+  m_entries.resize(kept);
+  m_boxes.resize(kept);
+}
+
+void ObjectTree::build_tree() {
+  if (m_entries.size() >> kFirstBits != 0) {
     throw std::length_error("more objects than a bounding hierarchy holds");
   }
   std::vector<std::uint8_t> kinds;
@@ -76,7 +89,8 @@ void ObjectTree::build_tree(const std::vector<Bounds>& boxes) {
   WideBvh::Options options;
   options.kinds = kinds;
   options.kind_costs = kCosts;
-  m_tree = WideBvh(boxes, options);
+  m_tree = WideBvh(m_boxes, options);
+  m_boxes = {};
   std::vector<ObjectEntry> placed;
   placed.reserve(m_tree.order().size());
   for (const std::uint32_t part : m_tree.order()) placed.push_back(m_entries[part]);
@@ -144,6 +158,7 @@ std::uint32_t ObjectTree::code_of(std::uint32_t first, std::uint32_t count, Kind
 std::size_t ObjectTree::memory() const {
   return m_tree.memory() + m_grid.memory() +
          (m_entries.capacity() + m_unbounded.capacity()) * sizeof(ObjectEntry) +
+         m_boxes.capacity() * sizeof(Bounds) +
          m_planes.capacity() * sizeof(BarePlane) +
          m_spheres.capacity() * sizeof(SpherePack) +
          m_triangles.capacity() * sizeof(TrianglePack) +

@@ -23,15 +23,29 @@ namespace lentray::core {
 /// An object with what a search asks first, side by side.
 struct ObjectEntry {
   const Object* object = nullptr;
-  Bounds bounds;
   std::uint32_t index = 0;  ///< who comes first of equal distances; never 0 twice
   std::uint8_t flags = 0, type = 0;
+};
+
+/// What a tree is made of. Boxes are apart: a hierarchy needs them only while it is built.
+struct ObjectList {
+  std::vector<ObjectEntry> entries;
+  std::vector<Bounds> boxes;  ///< one an entry
+
+  void reserve(std::size_t n) {
+    entries.reserve(n);
+    boxes.reserve(n);
+  }
+  void add(const ObjectEntry& entry, const Bounds& box) {
+    entries.push_back(entry);
+    boxes.push_back(box);
+  }
 };
 
 class ObjectTree {
  public:
   /// `portable`: no AVX2 even where there is any.
-  ObjectTree(std::span<const ObjectEntry> objects, Accelerator accelerator, bool portable);
+  ObjectTree(ObjectList objects, Accelerator accelerator, bool portable);
 
   /// Calls what.object(entry) and, for packs, what.lanes(mask, hits, entries of the lanes) for
   /// all that the ray may meet between t_min and what.limit(); both return true to end the search.
@@ -94,7 +108,8 @@ class ObjectTree {
     return each(m_entries.data() + (code & ((1u << kFirstBits) - 1)), code >> kFirstBits, what);
   }
 
-  void build_tree(const std::vector<Bounds>& boxes);
+  void keep_bounded(ObjectList objects);
+  void build_tree();
   /// Searches without a tree. An object's own box is asked first; `tally` counts boxes and cells.
   template <class Search, class Limit>
   void search_list(Search& what, const Limit& limit) const;
@@ -105,6 +120,7 @@ class ObjectTree {
   static bool meets(const Bounds& box, const Ray& ray, double limit);
 
   std::vector<ObjectEntry> m_entries;    ///< of the tree, by place; of grid and list as given
+  std::vector<Bounds> m_boxes;           ///< theirs; with a tree none
   std::vector<ObjectEntry> m_unbounded;  ///< the infinite ones, tried one by one, planes first
   struct BarePlane {
     Vec3 normal;  ///< unit
@@ -198,9 +214,9 @@ struct ObjectTree::LeafOfObjects {
 
 template <class Search, class Limit>
 void ObjectTree::search_list(Search& what, const Limit& limit) const {
-  for (const ObjectEntry& e : m_entries) {
+  for (std::size_t i = 0; i < m_entries.size(); ++i) {
     what.tally.add(1);
-    if (meets(e.bounds, what.ray, limit()) && what.object(e)) return;
+    if (meets(m_boxes[i], what.ray, limit()) && what.object(m_entries[i])) return;
   }
 }
 
@@ -215,8 +231,7 @@ void ObjectTree::search_grid(Search& what, const Limit& limit) const {
     for (const std::uint32_t part : parts) {
       if (std::exchange(asked[part % kRemembered], part) == part) continue;
       what.tally.add(1);
-      const ObjectEntry& e = m_entries[part];
-      if (meets(e.bounds, what.ray, limit()) && what.object(e)) return true;
+      if (meets(m_boxes[part], what.ray, limit()) && what.object(m_entries[part])) return true;
     }
     return false;
   });
@@ -235,7 +250,7 @@ void ObjectTree::search_cells_at_once(Search& what, double t_max) const {
   found.erase(std::unique(found.begin(), found.end()), found.end());
   for (const std::uint32_t part : found) {
     what.tally.add(1);
-    if (meets(m_entries[part].bounds, what.ray, t_max) && what.object(m_entries[part])) return;
+    if (meets(m_boxes[part], what.ray, t_max) && what.object(m_entries[part])) return;
   }
 }
 

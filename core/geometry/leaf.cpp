@@ -11,10 +11,9 @@ Leaf::Leaf(std::unique_ptr<Shape> shape, const Transform& to_world) : m_shape(st
     }
   }
   m_box = m_transform ? m_shape->bounds_in(*m_transform) : m_shape->bounds();
-  m_shape_ball = m_transform ? smaller(transformed(m_shape->ball(), *m_transform),
-                                       ball_around(m_shape->bounds(), *m_transform))
-                             : m_shape->ball();
-  fit_ball();
+  set_ball(m_transform ? smaller(transformed(m_shape->ball(), *m_transform),
+                                 ball_around(m_shape->bounds(), *m_transform))
+                       : m_shape->ball());
 }
 
 void Leaf::clips_have_changed() {
@@ -50,7 +49,7 @@ Ball Leaf::solid_ball() const {
   Ball ball;
   const bool bounded = !is_inverse() && m_shape->is_solid() && !m_shape->solid_is_unbounded() &&
                        !m_shape->solid_leaves_bounds();
-  if (bounded) ball = m_shape_ball;
+  if (bounded) ball = first_ball();
   for (const auto& clip : clips()) ball = smaller(ball, clip->solid_ball());
   return ball;
 }

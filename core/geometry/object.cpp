@@ -10,14 +10,14 @@ std::vector<Hit>& HitArena::acquire() {
 }
 
 bool Object::passes_clips(const Vec3& p) const {
-  for (const auto& clip : m_clips) {
+  for (const auto& clip : clips()) {
     if (!clip->inside(p)) return false;
   }
   return true;
 }
 
 bool Object::passes_bounding(const Ray& ray, HitArena& arena) const {
-  for (const auto& bound : m_bounding) {
+  for (const auto& bound : bounding()) {
     if (!bound->inside(ray.origin) && !bound->any(ray, 0.0, Bounds::kInf, arena)) return false;
   }
   return true;
@@ -25,18 +25,19 @@ bool Object::passes_bounding(const Ray& ray, HitArena& arena) const {
 
 void Object::fit_ball() {
   m_ball = surface_ball();
-  for (const auto& clip : m_clips) m_ball = smaller(m_ball, clip->solid_ball());
-  for (const auto& bound : m_bounding) m_ball = smaller(m_ball, bound->solid_ball());
+  if (!m_limits) return;
+  for (const auto& clip : m_limits->clips) m_ball = smaller(m_ball, clip->solid_ball());
+  for (const auto& bound : m_limits->bounding) m_ball = smaller(m_ball, bound->solid_ball());
 }
 
 Bounds Object::limited(Bounds b) const {
-  if (m_clips.empty() && m_bounding.empty()) return b;
-  for (const auto& clip : m_clips) b.intersect(clip->solid_bounds());
+  if (!m_limits) return b;
+  for (const auto& clip : m_limits->clips) b.intersect(clip->solid_bounds());
   if (b.is_empty()) return Bounds();
   if (b.is_finite()) return b;
   // Rays that meet the bounds show what lies beyond them, too: these alone count, as in stock.
   Bounds common = Bounds::everything();
-  for (const auto& bound : m_bounding) {
+  for (const auto& bound : m_limits->bounding) {
     Bounds box = bound->solid_bounds();
     box.include(bound->bounds());
     common.intersect(box);

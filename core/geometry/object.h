@@ -55,6 +55,8 @@ class HitArena {
 
 class Object {
  public:
+  using Regions = std::vector<std::shared_ptr<const Object>>;
+
   virtual ~Object() = default;
   virtual std::string_view name() const = 0;
   /// Everything of the surface that rays can meet, clipping counted. May be infinite.
@@ -96,18 +98,18 @@ class Object {
   virtual void set_inverse(bool inverse) { m_inverse = inverse; }
   bool is_inverse() const { return m_inverse; }
   /// Surfaces are kept where they are inside every clipping object.
-  void set_clips(std::vector<std::shared_ptr<const Object>> clips) {
-    m_clips = std::move(clips);
+  void set_clips(Regions clips) {
+    limits().clips = std::move(clips);
     fit_ball();
     clips_have_changed();
   }
-  const std::vector<std::shared_ptr<const Object>>& clips() const { return m_clips; }
+  const Regions& clips() const { return m_limits ? m_limits->clips : kNoRegions; }
   /// bounded_by: rays that miss one of these, starting outside it, miss the object.
-  void set_bounding(std::vector<std::shared_ptr<const Object>> b) {
-    m_bounding = std::move(b);
+  void set_bounding(Regions b) {
+    limits().bounding = std::move(b);
     fit_ball();
   }
-  const std::vector<std::shared_ptr<const Object>>& bounding() const { return m_bounding; }
+  const Regions& bounding() const { return m_limits ? m_limits->bounding : kNoRegions; }
   /// True when every leaf's textures are fully opaque (set by the scene compiler).
   bool is_opaque() const { return m_opaque; }
   void set_opaque(bool opaque) { m_opaque = opaque; }
@@ -126,11 +128,25 @@ class Object {
   /// To be called when anything has changed that the ball depends on.
   void fit_ball();
   void drop_ball() { m_ball = Ball(); }
+  /// The first ball, before there are clips or bounded_by.
+  void set_ball(const Ball& ball) { m_ball = ball; }
+  const Ball& first_ball() const { return m_limits ? m_limits->first_ball : m_ball; }
 
  private:
+  /// Apart: few objects have any, and there may be a million of these.
+  struct Limits {
+    Regions clips, bounding;
+    Ball first_ball;
+  };
+  Limits& limits() {
+    if (!m_limits) m_limits = std::make_unique<Limits>(Limits{{}, {}, m_ball});
+    return *m_limits;
+  }
+  static inline const Regions kNoRegions;
+
   Ball m_ball;
   Attributes m_attributes;
-  std::vector<std::shared_ptr<const Object>> m_clips, m_bounding;
+  std::unique_ptr<Limits> m_limits;
   bool m_inverse = false;
   bool m_opaque = false;
   double m_test_cost = 1.0;
@@ -171,13 +187,12 @@ class Leaf final : public Object {
   Ray to_shape(const Ray& ray) const {
     return {m_transform->inverse_point(ray.origin), m_transform->inverse_vector(ray.direction)};
   }
-  Ball surface_ball() const override { return m_shape_ball; }
+  Ball surface_ball() const override { return first_ball(); }
   void clips_have_changed() override;
 
   std::unique_ptr<Shape> m_shape;
   std::unique_ptr<const Transform> m_transform;  ///< apart: few have one, and it is large
   Bounds m_box;  ///< of the shape, in the world
-  Ball m_shape_ball;  ///< the same
 };
 
 enum class CsgKind { kUnion, kIntersection, kDifference, kMerge };

@@ -66,9 +66,10 @@ std::unique_ptr<Shape> Sphere::baked(const Transform& t) const {
   const bool only_scaled = t.vector({1, 0, 0}) == Vec3{scale, 0, 0} &&
                            t.vector({0, 1, 0}) == Vec3{0, scale, 0} &&
                            t.vector({0, 0, 1}) == Vec3{0, 0, scale};
-  sphere->m_turn = m_turn;
   if (!only_scaled) {
-    sphere->m_turn = std::make_shared<const Transform>(m_turn ? m_turn->then(t) : t);
+    sphere->m_turn = std::make_unique<const Transform>(m_turn ? m_turn->then(t) : t);
+  } else if (m_turn) {
+    sphere->m_turn = std::make_unique<const Transform>(*m_turn);
   }
   return sphere;
 }

@@ -52,7 +52,7 @@ class Sphere final : public Shape {
  private:
   Vec3 m_centre;
   double m_radius, m_radius2;
-  std::shared_ptr<const Transform> m_turn;  ///< object to here, for uv; null: only moved, scaled
+  std::unique_ptr<const Transform> m_turn;  ///< object to here, for uv; null: only moved, scaled
 };
 
 }  // namespace lentray::core

@@ -95,7 +95,7 @@ Scene::Scene(SceneParts parts, const CompileOptions& options) : m_parts(std::mov
   m_tolerance_scale = tolerance_scale_of(m_parts.objects);
   m_needs = find_needs(m_parts);
   if (options.general_path) m_needs = everything_needed(std::move(m_needs), m_parts.settings);
-  m_solids = std::make_unique<SolidIndex>(m_parts.objects, split.groups);
+  m_solids = std::make_unique<SolidIndex>(m_parts.objects, std::move(split.groups));
   m_hierarchy = std::make_unique<Hierarchy>(m_parts.objects, options.accelerator);
   m_light_buffers.resize(m_parts.lights.size());
   if (options.light_buffer_pixels == 0 || options.accelerator != Accelerator::kBvh) return;

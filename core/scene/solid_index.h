@@ -1,5 +1,5 @@
-// Which objects hold a point. World space. Any number of threads. Few questions are answered from a
-// list: the hierarchy is built when there are more, for most pictures ask once.
+// Which objects hold a point. World space. Any number of threads. Few questions are answered by asking
+// all objects: a list and a hierarchy are made when there are more, for most pictures ask once.
 #pragma once
 
 #include <atomic>
@@ -15,10 +15,10 @@ namespace lentray::core {
 
 class SolidIndex {
  public:
-  /// Borrows the objects. groups[i]: number of the top-level object that objects[i] is a part of.
-  /// Objects that cannot hold anything are left out.
-  SolidIndex(const std::vector<std::unique_ptr<Object>>& objects,
-             const std::vector<std::uint32_t>& groups);
+  /// Borrows the objects and their list. groups[i]: number of the top-level object that objects[i] is
+  /// a part of.
+  SolidIndex(const std::vector<std::unique_ptr<Object>>& objects, std::vector<std::uint32_t> groups)
+      : m_objects(objects), m_groups(std::move(groups)) {}
 
   /// Replaces `out`, scene order; of one group's parts with one interior only the first.
   void containing(const Vec3& p, std::vector<const Object*>& out) const;
@@ -29,12 +29,16 @@ class SolidIndex {
     Bounds bounds;
     std::uint32_t index = 0, group = 0;
   };
+  Solid solid(std::size_t i) const;
+  /// Makes what follows it, when it is first called.
   const WideBvh& tree() const;
 
-  std::vector<Solid> m_bounded, m_unbounded;
+  const std::vector<std::unique_ptr<Object>>& m_objects;
+  std::vector<std::uint32_t> m_groups;
   mutable std::atomic<int> m_asked{0};
   mutable std::once_flag m_once;
-  mutable WideBvh m_tree;  ///< over m_bounded; see tree()
+  mutable std::vector<Solid> m_bounded, m_unbounded;  ///< but objects that cannot hold anything
+  mutable WideBvh m_tree;  ///< over m_bounded
 };
 
 }  // namespace lentray::core
