@@ -375,8 +375,15 @@ class WideCollapser {
       : m_tree(tree), m_nodes(nodes), m_statistics(statistics) {}
 
   std::uint32_t emit(std::uint32_t root, int depth);
+  /// Nodes that emit() will make.
+  std::size_t count(std::uint32_t root) const;
 
  private:
+  struct Children {
+    std::uint32_t child[WideNode::kWidth];
+    int used = 0;
+  };
+  Children children_of(std::uint32_t root) const;
   static void set_box(WideNode& node, int slot, const FloatBox& box);
 
   const BinaryBuilder& m_tree;
@@ -394,10 +401,10 @@ void WideCollapser::set_box(WideNode& node, int slot, const FloatBox& box) {
   }
 }
 
-std::uint32_t WideCollapser::emit(std::uint32_t root, int depth) {
-  std::uint32_t children[WideNode::kWidth];
+WideCollapser::Children WideCollapser::children_of(std::uint32_t root) const {
+  Children out;
+  auto& [children, used] = out;
   float areas[WideNode::kWidth];
-  int used = 0;
   const auto add = [&](int slot, std::uint32_t child) {
     children[slot] = child;
     areas[slot] = m_tree[child].count == 0 ? m_tree[child].box.surface() : -1.0f;
@@ -418,6 +425,20 @@ std::uint32_t WideCollapser::emit(std::uint32_t root, int depth) {
     add(largest, open.left);
     add(used++, open.right);
   }
+  return out;
+}
+
+std::size_t WideCollapser::count(std::uint32_t root) const {
+  const auto [children, used] = children_of(root);
+  std::size_t n = 1;
+  for (int i = 0; i < used; ++i) {
+    if (m_tree[children[i]].count == 0) n += count(children[i]);
+  }
+  return n;
+}
+
+std::uint32_t WideCollapser::emit(std::uint32_t root, int depth) {
+  const auto [children, used] = children_of(root);
   const auto self = static_cast<std::uint32_t>(m_nodes.size());
   WideNode& node = m_nodes.emplace_back();
   node.used = static_cast<std::uint32_t>(used);
@@ -475,8 +496,9 @@ void WideBvh::build(std::span<const Bounds> boxes, const Options& options) {
   BinaryBuilder builder(boxes, m_order, m_frame, options);
   const std::uint32_t root = builder.run();
   for (std::uint32_t i = 0; i < m_order.size(); ++i) m_order[i] = builder.part_at(i);
-  WideCollapser(builder, m_nodes, m_statistics).emit(root, 1);
-  m_nodes.shrink_to_fit();
+  WideCollapser collapser(builder, m_nodes, m_statistics);
+  m_nodes.reserve(collapser.count(root));  // cheaper than copies of what there may be a million of
+  collapser.emit(root, 1);
   m_statistics.nodes = m_nodes.size();
   m_statistics.parts = m_order.size();
 }

@@ -53,9 +53,11 @@ TriangleMesh::TriangleMesh(MeshData data) : m_data(std::move(data)) {
   WideBvh::Options options;
   options.pack = options.max_leaf = kPack;
   m_bvh = WideBvh(boxes, options);
+  boxes = {};  // their memory serves what is made next
   m_data.faces.clear();
   m_data.faces.reserve(faces.size());
   for (const std::uint32_t part : m_bvh.order()) m_data.faces.push_back(faces[part]);
+  faces = {};
   fill_packs();
 }
 

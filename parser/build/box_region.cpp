@@ -20,9 +20,9 @@ bool has_no_box_test(const ObjectDesc& object) {
 
 /// Of others no surface stands out of stock's box.
 bool may_leave(const ObjectDesc& object, bool in_intersection) {
-  if (!object.clipped_by.empty()) return true;
+  if (!object.rare->clipped_by.empty()) return true;
   const CsgShape* csg = object.csg();
-  if (!csg) return in_intersection && std::holds_alternative<QuadricShape>(object.shape);
+  if (!csg) return in_intersection && std::holds_alternative<Sparse<QuadricShape>>(object.shape);
   const bool cuts = csg->operation == CsgOperation::kIntersection || csg->operation == CsgOperation::kDifference;
   return std::any_of(csg->children->begin(), csg->children->end(),
                      [&](const Ref<ObjectDesc>& child) { return may_leave(*child, cuts); });
@@ -55,7 +55,7 @@ std::shared_ptr<const core::Object> box_region(const ObjectDesc& object, const c
 
 std::size_t count_on_list(const ObjectDesc& object) {
   const CsgShape* csg = object.csg();
-  const bool is_split = csg && object.clipped_by.empty() && object.bounded_by.empty() &&
+  const bool is_split = csg && object.rare->clipped_by.empty() && object.rare->bounded_by.empty() &&
                         (csg->operation == CsgOperation::kUnion || csg->operation == CsgOperation::kLightGroup);
   if (!is_split) return 1;
   std::size_t n = 0;

@@ -129,9 +129,10 @@ ObjectBuilder::Inherited ObjectBuilder::resolve(const ObjectDesc& object, const 
   // A part without a texture of its own takes its whole's with it.
   looks.uv_mapping = object.uv_mapping || (!object.texture && from.uv_mapping);
   if (object.texture) looks.texture = moved(object.texture, texture_move);
-  if (object.interior_texture) looks.interior_texture = moved(object.interior_texture, texture_move);
-  if (object.interior || (object.texture && !from.interior)) {
-    Ref<InteriorDesc> interior = object.interior;
+  const RareParts& rare = *object.rare;
+  if (rare.interior_texture) looks.interior_texture = moved(rare.interior_texture, texture_move);
+  if (rare.interior || (object.texture && !from.interior)) {
+    Ref<InteriorDesc> interior = rare.interior;
     if (interior && !interior->media.empty()) interior = transformed(interior, outer);
     // Every object that has one has its own: stock tells nested objects apart by it.
     if (const auto made = m_textures->interior(interior, looks.texture)) {
@@ -173,16 +174,16 @@ void ObjectBuilder::set_regions(const ObjectDesc& object, const core::Transform&
     return slot;
   };
   Regions clips, bounds;
-  for (const Ref<ObjectDesc>& clip : object.clipped_by) {
+  for (const Ref<ObjectDesc>& clip : object.rare->clipped_by) {
     if (auto built = region(clip)) clips.push_back(std::move(built));
   }
-  for (const Ref<ObjectDesc>& bound : object.bounded_by) {
+  for (const Ref<ObjectDesc>& bound : object.rare->bounded_by) {
     if (auto built = region(bound)) bounds.push_back(std::move(built));
   }
   if (!keep_bounds && !bounds.empty()) {
     bool is_whole = true;
     ObjectDesc alone = object;
-    alone.bounded_by.clear();
+    alone.rare.edit().bounded_by.clear();
     bounds = boxed(bounds, core::transformed(stock_box(alone, is_whole), outer));
   }
   if (!clips.empty()) out.set_clips(std::move(clips));
@@ -221,8 +222,8 @@ std::unique_ptr<core::Object> ObjectBuilder::build_whole(const ObjectDesc& objec
   if (csg) {
     Inherited for_children = looks;
     // The parts of an unclipped union of the scene's list come to hang in the list themselves.
-    for_children.on_list = from.on_list && is_plain_union(object) && object.clipped_by.empty() &&
-                           object.bounded_by.empty();
+    for_children.on_list = from.on_list && is_plain_union(object) && object.rare->clipped_by.empty() &&
+                           object.rare->bounded_by.empty();
     out = build_csg(object, *csg, to_world, for_children);
   } else {
     out = build_leaf(object, to_world, looks);
@@ -232,7 +233,7 @@ std::unique_ptr<core::Object> ObjectBuilder::build_whole(const ObjectDesc& objec
   if (const auto* blob = std::get_if<std::shared_ptr<const BlobShape>>(&object.shape)) {
     add_element_textures(**blob, to_world, *out);
   }
-  const bool cheap = !csg && !std::holds_alternative<QuadricShape>(object.shape) &&
+  const bool cheap = !csg && !std::holds_alternative<Sparse<QuadricShape>>(object.shape) &&
                      !std::holds_alternative<PolyShape>(object.shape);
   set_regions(object, outer, from.on_list, !(from.on_list && cheap), *out);
   if (object.inverse) out->set_inverse(true);

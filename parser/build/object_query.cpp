@@ -11,14 +11,15 @@ constexpr double kMinDistance = 1e-4;  ///< trace() does not see what is nearer
 
 ObjectQuery::ObjectQuery(const ObjectDesc& object) {
   CompiledSlot& slot = object.compiled;
-  if (!slot.tried) {
+  if (!slot.made) {
     NotYet missing;
-    slot.object = ObjectBuilder(missing).geometry(object);
-    slot.is_whole = missing.empty();
-    slot.tried = true;
+    CompiledSlot::Compiled made;
+    made.object = ObjectBuilder(missing).geometry(object);
+    made.is_whole = missing.empty();
+    slot.made = std::make_shared<const CompiledSlot::Compiled>(std::move(made));
   }
-  m_object = slot.object;
-  m_is_whole = slot.is_whole;
+  m_object = slot.made->object;
+  m_is_whole = slot.made->is_whole;
 }
 
 bool ObjectQuery::inside(const core::Vec3& point) const { return m_object && m_object->inside(point); }

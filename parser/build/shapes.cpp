@@ -130,8 +130,8 @@ struct ShapeMaker {
   ShapePointer operator()(const PolygonShape& s) const {
     return std::make_unique<core::Polygon>(s.points);
   }
-  ShapePointer operator()(const QuadricShape& s) const {
-    return std::make_unique<core::Quadric>(s.c);
+  ShapePointer operator()(const Sparse<QuadricShape>& s) const {
+    return std::make_unique<core::Quadric>(s->c);
   }
   ShapePointer operator()(const Sparse<HeightFieldShape>& shape) const {
     const HeightFieldShape& s = *shape;

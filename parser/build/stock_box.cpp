@@ -97,7 +97,7 @@ class BoxFinder {
   Bounds of(const ObjectDesc& object) {
     Bounds box = kept(std::visit([&](const auto& shape) { return leaf(shape, object); }, object.shape));
     if (!object.reopened && is_boxed_first(object)) return rounded(box);
-    for (const auto* regions : {&object.bounded_by, &object.clipped_by}) {
+    for (const auto* regions : {&object.rare->bounded_by, &object.rare->clipped_by}) {
       Bounds common = everything();
       for (const Ref<ObjectDesc>& region : *regions) {
         if (!region->inverse) common.intersect(of(*region));
@@ -110,10 +110,10 @@ class BoxFinder {
 
   /// Of a quadric, with what its clips or its siblings leave.
   Bounds of_quadric(const ObjectDesc& object, const Bounds& limits) {
-    const auto& quadric = std::get<QuadricShape>(object.shape);
+    const QuadricShape& quadric = *std::get<Sparse<QuadricShape>>(object.shape);
     const std::array<double, 10> c = moved_quadric(quadric.c, *object.transform);
     if (has_products(c)) {
-      const Bounds before = leaf(quadric, object);
+      const Bounds before = leaf(std::get<Sparse<QuadricShape>>(object.shape), object);
       return volume(kept(limits)) < volume(before) ? kept(limits) : before;
     }
     const Bounds box = quadric_box(c, limits);
@@ -122,7 +122,7 @@ class BoxFinder {
 
   Bounds clip_limits(const ObjectDesc& object) {
     Bounds limits = everything();
-    for (const Ref<ObjectDesc>& clip : object.clipped_by) limits.intersect(limited(*clip, false));
+    for (const Ref<ObjectDesc>& clip : object.rare->clipped_by) limits.intersect(limited(*clip, false));
     return limits;
   }
 
@@ -234,7 +234,7 @@ class BoxFinder {
     bool outside = false;
     for (const Ref<ObjectDesc>& child : *s.children) {
       const bool is_kept = child->inverse == outside;
-      if (std::holds_alternative<QuadricShape>(child->shape)) {
+      if (std::holds_alternative<Sparse<QuadricShape>>(child->shape)) {
         if (is_kept) quadrics.push_back(child.get());
       } else if (!child->is_light() && !is_height_field(*child)) {
         box.intersect(limited(*child, outside));
@@ -253,7 +253,8 @@ class BoxFinder {
     return kept(box);
   }
   /// One with products of two coordinates has none but what is left from before it was turned.
-  Bounds leaf(const QuadricShape& s, const ObjectDesc& o) {
+  Bounds leaf(const Sparse<QuadricShape>& shape, const ObjectDesc& o) {
+    const QuadricShape& s = *shape;
     if (s.box.is_stored()) return *s.box;
     const std::array<double, 10> c = moved_quadric(s.c, *o.transform);
     if (has_products(c)) return everything();
@@ -341,23 +342,23 @@ core::Bounds stock_box(const ObjectDesc& object, bool& is_whole) {
 }
 
 void keep_clipped_box(ObjectDesc& object) {
-  auto* quadric = std::get_if<QuadricShape>(&object.shape);
+  auto* quadric = std::get_if<Sparse<QuadricShape>>(&object.shape);
   if (!quadric) return;
   bool is_whole = true;
   BoxFinder finder(is_whole);
-  quadric->box = finder.of_quadric(object, finder.clip_limits(object));
+  quadric->edit().box = finder.of_quadric(object, finder.clip_limits(object));
 }
 
 void turn_box(ObjectDesc& object, const core::Transform& before, const core::Transform& turn) {
-  auto* quadric = std::get_if<QuadricShape>(&object.shape);
-  if (!quadric || (!quadric->box.is_stored() && core::keeps_axes(turn))) return;
+  auto* quadric = std::get_if<Sparse<QuadricShape>>(&object.shape);
+  if (!quadric || (!(*quadric)->box.is_stored() && core::keeps_axes(turn))) return;
   bool is_whole = true;
   ObjectDesc unturned;
   unturned.shape = *quadric;
   unturned.transform = before;
   const Bounds box = BoxFinder(is_whole).of(unturned);
-  if (!quadric->box.is_stored() && is_long(box)) return;
-  quadric->box = is_long(box) ? box : kept(core::transformed(box, turn));
+  if (!(*quadric)->box.is_stored() && is_long(box)) return;
+  quadric->edit().box = is_long(box) ? box : kept(core::transformed(box, turn));
 }
 
 }  // namespace lentray::parser

@@ -157,7 +157,7 @@ struct TextShape {
 /// Large ones apart: there may be a million of the small.
 using ShapeDesc =
     std::variant<SphereShape, BoxShape, PlaneShape, CylinderShape, ConeShape, TorusShape, DiscShape,
-                 TriangleShape, Sparse<SmoothTriangleShape>, PolygonShape, QuadricShape,
+                 TriangleShape, Sparse<SmoothTriangleShape>, PolygonShape, Sparse<QuadricShape>,
                  std::shared_ptr<const MeshShape>, CsgShape, LightShape,
                  std::shared_ptr<const BlobShape>, std::shared_ptr<const BicubicPatchShape>,
                  Sparse<HeightFieldShape>, Sparse<IsosurfaceShape>, Sparse<JuliaFractalShape>, LatheShape, OvusShape,
@@ -166,16 +166,26 @@ using ShapeDesc =
 
 /// The object compiled for inside(), trace() and the extents; a copy starts without it.
 struct CompiledSlot {
-  bool tried = false;
-  bool is_whole = true;   ///< false: parts of it have no geometry yet
-  std::shared_ptr<const core::Object> object;
+  struct Compiled {
+    std::shared_ptr<const core::Object> object;
+    bool is_whole = true;   ///< false: parts of it have no geometry yet
+  };
+  std::shared_ptr<const Compiled> made;   ///< null: not tried yet
   CompiledSlot() = default;
   CompiledSlot(const CompiledSlot&) {}
   CompiledSlot& operator=(const CompiledSlot&) {
-    tried = false;
-    object.reset();
+    made.reset();
     return *this;
   }
+};
+
+/// What few objects have. Apart, as there may be a million objects; named in dumps as if it were not.
+struct RareParts {
+  Ref<TextureDesc> interior_texture;    ///< null: the same as `texture`
+  Ref<InteriorDesc> interior;           ///< null: inherited
+  std::vector<Ref<ObjectDesc>> clipped_by, bounded_by;
+  std::optional<double> radiosity_importance;
+  PhotonFlags photons;
 };
 
 struct ObjectDesc {
@@ -186,9 +196,7 @@ struct ObjectDesc {
 
   // Looks and bounds have been moved by the transforms that followed them in the statement.
   Ref<TextureDesc> texture;             ///< null: inherited, at last the default texture
-  Ref<TextureDesc> interior_texture;    ///< null: the same as `texture`
-  Ref<InteriorDesc> interior;           ///< null: inherited
-  std::vector<Ref<ObjectDesc>> clipped_by, bounded_by;
+  Sparse<RareParts> rare;
   bool bounds_are_clips = false;        ///< bounded_by { clipped_by } or the other way round
 
   bool inverse = false;
@@ -198,8 +206,6 @@ struct ObjectDesc {
   bool sturm = false, hierarchy = true, uv_mapping = false;
   bool reopened = false;                ///< went through the braces of object {}
   bool copied = false;                  ///< made from an identifier: of use to nested light groups
-  std::optional<double> radiosity_importance;
-  PhotonFlags photons;
 
   Nesting nesting;                      ///< objects and looks in it
 

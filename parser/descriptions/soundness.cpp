@@ -27,7 +27,7 @@ struct SimpleShape {
   bool operator()(const DiscShape&) const { return true; }
   bool operator()(const TriangleShape&) const { return true; }
   bool operator()(const Sparse<SmoothTriangleShape>&) const { return true; }
-  bool operator()(const QuadricShape&) const { return true; }
+  bool operator()(const Sparse<QuadricShape>&) const { return true; }
   bool operator()(const std::shared_ptr<const MeshShape>& mesh) const {
     return std::all_of(mesh->textures.begin(), mesh->textures.end(), is_plain);
   }
@@ -44,9 +44,10 @@ struct SimpleShape {
 }  // namespace
 
 bool is_sound(const ObjectDesc& object, const Ref<TextureDesc>& default_texture) {
-  if (object.interior || !object.clipped_by.empty() || !object.bounded_by.empty()) return false;
+  const RareParts& rare = *object.rare;
+  if (rare.interior || !rare.clipped_by.empty() || !rare.bounded_by.empty()) return false;
   return is_plain(object.texture ? object.texture : default_texture) &&
-         is_plain(object.interior_texture) && std::visit(SimpleShape{default_texture}, object.shape);
+         is_plain(rare.interior_texture) && std::visit(SimpleShape{default_texture}, object.shape);
 }
 
 }  // namespace lentray::parser

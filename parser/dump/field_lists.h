@@ -125,10 +125,11 @@ LENTRAY_FIELDS(SuperellipsoidShape, e, n)
 LENTRAY_FIELDS(TextShape, font, text, thickness, offset)
 
 // Objects and the whole.
-LENTRAY_FIELDS(ObjectDesc, where, keyword, shape, transform, texture, interior_texture, interior,
-               clipped_by, bounded_by, bounds_are_clips, inverse, no_shadow, no_image, no_reflection,
-               no_radiosity, double_illuminate, hollow, sturm, hierarchy, uv_mapping,
-               reopened, copied, radiosity_importance, photons, nesting, compiled)
+LENTRAY_FIELDS(RareParts, interior_texture, interior, clipped_by, bounded_by, radiosity_importance,
+               photons)
+LENTRAY_FIELDS(ObjectDesc, where, keyword, shape, transform, texture, rare, bounds_are_clips, inverse,
+               no_shadow, no_image, no_reflection, no_radiosity, double_illuminate, hollow, sturm,
+               hierarchy, uv_mapping, reopened, copied, nesting, compiled)
 LENTRAY_FIELDS(SceneObject, object, default_texture, default_importance)
 LENTRAY_FIELDS(SceneDesc, objects, dropped, camera, global, background, has_background, background_version,
                fogs, rainbows, sky_sphere, atmosphere_media, atmosphere_ior, language_version)

@@ -122,6 +122,7 @@ class Dumper {
     Json out = Json::object();
     Fields<T>::visit(v, [&](const char* name, const auto& member) {
       Json made = value(member);
+      if constexpr (std::is_same_v<decltype(member), const Sparse<RareParts>&>) return out.update(made);
       if (made != unset.at(name)) out[name] = std::move(made);
     });
     return out;

@@ -212,7 +212,7 @@ Ref<ObjectDesc> parse_light_group(Parser& parser, Context& context, const Locati
     } else if (parser.accept(Keyword::kGlobalLights)) {
       std::get<CsgShape>(object->shape).global_lights = optional_float(parser, 1.0) > 0.5;
     } else if (parser.accept(Keyword::kPhotons)) {
-      parse_photon_flags(parser, object->photons, false);
+      parse_photon_flags(parser, object->rare.edit().photons, false);
     } else {
       parser.fail_expected("an object, a transform, global_lights, photons or }");
     }

@@ -116,11 +116,14 @@ void keep_nesting(Parser& parser, Nesting& place, const Nesting& counted, const 
 void measure(Parser& parser, ObjectDesc& object) {
   Nesting nesting;
   std::visit(HoldShape{nesting}, object.shape);
-  hold_each(nesting, object.clipped_by);
-  hold_each(nesting, object.bounded_by);
   hold_one(nesting, object.texture);
-  hold_one(nesting, object.interior_texture);
-  hold_one(nesting, object.interior);
+  if (object.rare.is_stored()) {
+    const RareParts& rare = *object.rare;
+    hold_each(nesting, rare.clipped_by);
+    hold_each(nesting, rare.bounded_by);
+    hold_one(nesting, rare.interior_texture);
+    hold_one(nesting, rare.interior);
+  }
   keep_nesting(parser, object.nesting, nesting, object.where, "objects");
 }
 

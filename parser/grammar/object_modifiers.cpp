@@ -38,11 +38,11 @@ void parse_bounded_by(Parser& parser, Context& context, ObjectDesc& object) {
   parser.expect(Punct::kLeftCurly);
   if (object.bounds_are_clips) parser.fail("Cannot add bounds after linking bounds and clips.");
   if (parser.accept(Keyword::kClippedBy)) {
-    if (!object.bounded_by.empty()) parser.fail("Cannot link clips with previous bounds.");
-    object.bounded_by = object.clipped_by;
+    if (!object.rare->bounded_by.empty()) parser.fail("Cannot link clips with previous bounds.");
+    if (object.rare.is_stored()) object.rare.edit().bounded_by = object.rare->clipped_by;
     object.bounds_are_clips = true;
   } else {
-    append(object.bounded_by, parse_regions(parser, context));
+    append(object.rare.edit().bounded_by, parse_regions(parser, context));
   }
   parser.expect(Punct::kRightCurly);
 }
@@ -51,11 +51,11 @@ void parse_clipped_by(Parser& parser, Context& context, ObjectDesc& object) {
   parser.expect(Punct::kLeftCurly);
   if (object.bounds_are_clips) parser.fail("Cannot add clips after linking bounds and clips.");
   if (parser.accept(Keyword::kBoundedBy)) {
-    if (!object.clipped_by.empty()) parser.fail("Cannot link bounds with previous clips.");
-    object.clipped_by = object.bounded_by;
+    if (!object.rare->clipped_by.empty()) parser.fail("Cannot link bounds with previous clips.");
+    if (object.rare.is_stored()) object.rare.edit().clipped_by = object.rare->bounded_by;
     object.bounds_are_clips = true;
   } else {
-    append(object.clipped_by, parse_regions(parser, context));
+    append(object.rare.edit().clipped_by, parse_regions(parser, context));
     keep_clipped_box(object);
   }
   parser.expect(Punct::kRightCurly);
@@ -64,7 +64,7 @@ void parse_clipped_by(Parser& parser, Context& context, ObjectDesc& object) {
 void parse_radiosity(Parser& parser, Context&, ObjectDesc& object) {
   parser.expect(Punct::kLeftCurly);
   while (parser.accept(Keyword::kImportance)) {
-    object.radiosity_importance = parse_importance(parser);
+    object.rare.edit().radiosity_importance = parse_importance(parser);
   }
   parser.expect(Punct::kRightCurly);
 }
@@ -141,7 +141,7 @@ constexpr std::array kModifiers{
     ModifierEntry{Keyword::kNoShadow,
                   [](Parser&, Context&, ObjectDesc& object) { object.no_shadow = true; }},
     ModifierEntry{Keyword::kPhotons, [](Parser& parser, Context&,
-                                        ObjectDesc& object) { parse_photon_flags(parser, object.photons, false); }},
+                                        ObjectDesc& object) { parse_photon_flags(parser, object.rare.edit().photons, false); }},
     ModifierEntry{Keyword::kRadiosity, parse_radiosity},
     ModifierEntry{Keyword::kSplitUnion, parse_split_union},
     ModifierEntry{Keyword::kSturm, parse_switch<&ObjectDesc::sturm>, has_sturm,
@@ -151,12 +151,14 @@ constexpr std::array kModifiers{
 
 /// Looks, in the form in which their productions build them up.
 bool accept_object_looks(Parser& parser, Context& context, ObjectDesc& object) {
-  Looks looks{std::move(object.texture), std::move(object.interior_texture),
-              std::move(object.interior)};
+  Looks looks{std::move(object.texture), object.rare->interior_texture, object.rare->interior};
   const bool accepted = accept_looks(parser, context.materials, looks);
   object.texture = std::move(looks.texture);
-  object.interior_texture = std::move(looks.interior_texture);
-  object.interior = std::move(looks.interior);
+  if (looks.interior_texture != object.rare->interior_texture || looks.interior != object.rare->interior) {
+    RareParts& rare = object.rare.edit();
+    rare.interior_texture = std::move(looks.interior_texture);
+    rare.interior = std::move(looks.interior);
+  }
   return accepted;
 }
 
@@ -229,7 +231,7 @@ void parse_object_modifiers(Parser& parser, Context& context, ObjectDesc& object
                            word_list(kModifiers) + " or }");
     }
   }
-  if (!object.texture && object.interior_texture) {
+  if (!object.texture && object.rare->interior_texture) {
     parser.fail("interior_texture requires an exterior texture.");
   }
 }

@@ -12,15 +12,15 @@ void apply_transform(ObjectDesc& object, const core::Transform& transform) {
   object.transform = object.transform->then(transform);
   if (!object.uv_mapping) {
     if (object.texture) object.texture = transformed(object.texture, transform);
-    if (object.interior_texture) {
-      object.interior_texture = transformed(object.interior_texture, transform);
-    }
   }
-  if (object.interior && !object.interior->media.empty()) {
-    object.interior = transformed(object.interior, transform);
+  if (!object.rare.is_stored()) return;
+  RareParts& rare = object.rare.edit();
+  if (!object.uv_mapping && rare.interior_texture) {
+    rare.interior_texture = transformed(rare.interior_texture, transform);
   }
-  for (Ref<ObjectDesc>& clip : object.clipped_by) clip = transformed(clip, transform);
-  for (Ref<ObjectDesc>& bound : object.bounded_by) bound = transformed(bound, transform);
+  if (rare.interior && !rare.interior->media.empty()) rare.interior = transformed(rare.interior, transform);
+  for (Ref<ObjectDesc>& clip : rare.clipped_by) clip = transformed(clip, transform);
+  for (Ref<ObjectDesc>& bound : rare.bounded_by) bound = transformed(bound, transform);
 }
 
 Ref<ObjectDesc> transformed(const Ref<ObjectDesc>& object, const core::Transform& transform) {

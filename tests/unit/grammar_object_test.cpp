@@ -37,7 +37,7 @@ TEST(UnitParserObject, Flat) {
   EXPECT_EQ(s.shape<TriangleShape>(0).p[2], Vec3(0, 1, 0));
   EXPECT_EQ(s.shape<Sparse<SmoothTriangleShape>>(1)->n[1], Vec3(0, 0, 1));
   EXPECT_EQ(s.shape<PolygonShape>(2).points.size(), 4u);
-  for (int i = 0; i < 10; ++i) EXPECT_EQ(s.shape<QuadricShape>(3).c[i], i + 1.0);
+  for (int i = 0; i < 10; ++i) EXPECT_EQ(s.shape<Sparse<QuadricShape>>(3)->c[i], i + 1.0);
 }
 
 TEST(UnitParserObject, CsgChildrenInOrder) {
@@ -85,18 +85,18 @@ TEST(UnitParserObject, TransformsComposeInOrder) {
 TEST(UnitParserObject, ClipsFollowLaterTransformsOnly) {
   const SceneText s(
       "sphere { 0, 1 translate x clipped_by { plane { y, 0 } } translate y*3 }");
-  ASSERT_EQ(s.object().clipped_by.size(), 1u);
-  expect_near(s.object().clipped_by[0]->transform->point({}), {0, 3, 0});
+  ASSERT_EQ(s.object().rare->clipped_by.size(), 1u);
+  expect_near(s.object().rare->clipped_by[0]->transform->point({}), {0, 3, 0});
 }
 
 TEST(UnitParserObject, BoundsLinkedWithClips) {
   const SceneText s(
       "sphere { 0, 1 clipped_by { box { -1, 1 } box { 0, 1 } rotate y*90 } bounded_by { clipped_by } }"
       "sphere { 0, 1 bounded_by { box { -1, 1 } } clipped_by { bounded_by } }");
-  EXPECT_EQ(s.object(0).clipped_by.size(), 2u);
-  EXPECT_EQ(s.object(0).bounded_by.size(), 2u);
-  expect_near(s.object(0).bounded_by[1]->transform->point({1, 0, 0}), {0, 0, -1});
-  EXPECT_EQ(s.object(1).clipped_by.size(), 1u);
+  EXPECT_EQ(s.object(0).rare->clipped_by.size(), 2u);
+  EXPECT_EQ(s.object(0).rare->bounded_by.size(), 2u);
+  expect_near(s.object(0).rare->bounded_by[1]->transform->point({1, 0, 0}), {0, 0, -1});
+  EXPECT_EQ(s.object(1).rare->clipped_by.size(), 1u);
   EXPECT_TRUE(s.object(1).bounds_are_clips);
 }
 

@@ -114,7 +114,7 @@ TEST(UnitParserScene, EveryKindCanBeDeclared) {
       "camera { A } fog { B } rainbow { C } sky_sphere { D } light_source { E }"
       "sphere { 0, 1 material { J } }");
   EXPECT_EQ(s.scene.objects.size(), 2u);
-  EXPECT_TRUE(s.object(1).interior);
+  EXPECT_TRUE(s.object(1).rare->interior);
 }
 
 TEST(ErrorParserScene, UnknownStatement) {
