@@ -135,11 +135,13 @@ class BinaryBuilder {
   std::uint32_t run() { return split(0, m_count, 0, m_all, m_alike); }
   const Branch& operator[](std::uint32_t i) const { return m_branches[i]; }
   std::uint32_t part_at(std::uint32_t place) const { return m_items[place].part(); }
+  /// When nobody asks for part_at() any more.
+  void drop_items() { m_items = Untouched<Item>(0); }
 
  private:
   /// Few parts need few bins.
   static int bins_for(std::uint32_t count) { return count <= 8 ? 4 : count <= 32 ? 8 : 16; }
-  static constexpr double kNodeCost = 0.35;  // of one binary step: an 8-wide node does about three
+  static constexpr double kNodeCost = 0.5;  // of one binary step: an 8-wide node does about three
   static constexpr std::uint32_t kMostSampled = 2048;
   struct Bin {
     FloatBox box;
@@ -374,21 +376,24 @@ class WideCollapser {
   WideCollapser(const BinaryBuilder& tree, std::vector<WideNode>& nodes, WideBvh::Statistics& statistics)
       : m_tree(tree), m_nodes(nodes), m_statistics(statistics) {}
 
-  std::uint32_t emit(std::uint32_t root, int depth);
-  /// Nodes that emit() will make.
-  std::size_t count(std::uint32_t root) const;
+  void emit(std::uint32_t root);
 
  private:
-  struct Children {
-    std::uint32_t child[WideNode::kWidth];
+  /// A node before its boxes are copied. How many there are is known first: the nodes are large, and
+  /// copies of a growing list of them cost more than all else here.
+  struct Plan {
+    std::uint32_t branch[WideNode::kWidth];
+    std::uint32_t child[WideNode::kWidth];  ///< as the node has it
     int used = 0;
   };
-  Children children_of(std::uint32_t root) const;
+  Plan planned(std::uint32_t root) const;
+  std::uint32_t plan(std::uint32_t root, int depth);
   static void set_box(WideNode& node, int slot, const FloatBox& box);
 
   const BinaryBuilder& m_tree;
   std::vector<WideNode>& m_nodes;
   WideBvh::Statistics& m_statistics;
+  std::vector<Plan> m_plans;  ///< one a node
 };
 
 void WideCollapser::set_box(WideNode& node, int slot, const FloatBox& box) {
@@ -401,68 +406,70 @@ void WideCollapser::set_box(WideNode& node, int slot, const FloatBox& box) {
   }
 }
 
-WideCollapser::Children WideCollapser::children_of(std::uint32_t root) const {
-  Children out;
-  auto& [children, used] = out;
+WideCollapser::Plan WideCollapser::planned(std::uint32_t root) const {
+  Plan out;
   float areas[WideNode::kWidth];
-  const auto add = [&](int slot, std::uint32_t child) {
-    children[slot] = child;
-    areas[slot] = m_tree[child].count == 0 ? m_tree[child].box.surface() : -1.0f;
+  const auto add = [&](int slot, std::uint32_t branch) {
+    out.branch[slot] = branch;
+    areas[slot] = m_tree[branch].count == 0 ? m_tree[branch].box.surface() : -1.0f;
   };
   if (m_tree[root].count > 0) {
-    add(used++, root);
+    add(out.used++, root);
   } else {
-    add(used++, m_tree[root].left);
-    add(used++, m_tree[root].right);
+    add(out.used++, m_tree[root].left);
+    add(out.used++, m_tree[root].right);
   }
-  while (used < WideNode::kWidth) {
+  while (out.used < WideNode::kWidth) {
     int largest = 0;
-    for (int i = 1; i < used; ++i) {
+    for (int i = 1; i < out.used; ++i) {
       if (areas[i] > areas[largest]) largest = i;
     }
     if (areas[largest] < 0.0f) break;
-    const Branch& open = m_tree[children[largest]];
+    const Branch& open = m_tree[out.branch[largest]];
     add(largest, open.left);
-    add(used++, open.right);
+    add(out.used++, open.right);
   }
   return out;
 }
 
-std::size_t WideCollapser::count(std::uint32_t root) const {
-  const auto [children, used] = children_of(root);
-  std::size_t n = 1;
-  for (int i = 0; i < used; ++i) {
-    if (m_tree[children[i]].count == 0) n += count(children[i]);
-  }
-  return n;
-}
-
-std::uint32_t WideCollapser::emit(std::uint32_t root, int depth) {
-  const auto [children, used] = children_of(root);
-  const auto self = static_cast<std::uint32_t>(m_nodes.size());
-  WideNode& node = m_nodes.emplace_back();
-  node.used = static_cast<std::uint32_t>(used);
-  for (int i = 0; i < WideNode::kWidth; ++i) {
-    node.child[i] = WideNode::kLeaf;
-    for (int a = 0; a < 3; ++a) {
-      node.planes[a][0][i] = 64.0f;
-      node.planes[a][1][i] = -64.0f;
-    }
-    if (i < used) set_box(node, i, m_tree[children[i]].box);
-  }
+std::uint32_t WideCollapser::plan(std::uint32_t root, int depth) {
+  const auto self = static_cast<std::uint32_t>(m_plans.size());
+  const Plan made = planned(root);
+  m_plans.push_back(made);
   m_statistics.depth = std::max(m_statistics.depth, depth);
-  for (int i = 0; i < used; ++i) {
-    const Branch& b = m_tree[children[i]];
+  for (int i = 0; i < made.used; ++i) {
+    const Branch& b = m_tree[made.branch[i]];
     std::uint32_t child = 0;
     if (b.count > 0) {
       child = WideNode::kLeaf | b.count << WideNode::kFirstBits | b.first;
       ++m_statistics.leaves;
     } else {
-      child = emit(children[i], depth + 1);
+      child = plan(made.branch[i], depth + 1);
     }
-    m_nodes[self].child[i] = child;
+    m_plans[self].child[i] = child;
   }
   return self;
+}
+
+void WideCollapser::emit(std::uint32_t root) {
+  plan(root, 1);
+  m_nodes.reserve(m_plans.size());
+  for (const Plan& plan : m_plans) {
+    WideNode& node = m_nodes.emplace_back();
+    node.used = static_cast<std::uint32_t>(plan.used);
+    for (int i = 0; i < WideNode::kWidth; ++i) {
+      const bool taken = i < plan.used;
+      node.child[i] = taken ? plan.child[i] : WideNode::kLeaf;
+      if (taken) {
+        set_box(node, i, m_tree[plan.branch[i]].box);
+        continue;
+      }
+      for (int a = 0; a < 3; ++a) {
+        node.planes[a][0][i] = 64.0f;
+        node.planes[a][1][i] = -64.0f;
+      }
+    }
+  }
 }
 
 WideFrame frame_of(const Bounds& all) {
@@ -496,9 +503,8 @@ void WideBvh::build(std::span<const Bounds> boxes, const Options& options) {
   BinaryBuilder builder(boxes, m_order, m_frame, options);
   const std::uint32_t root = builder.run();
   for (std::uint32_t i = 0; i < m_order.size(); ++i) m_order[i] = builder.part_at(i);
-  WideCollapser collapser(builder, m_nodes, m_statistics);
-  m_nodes.reserve(collapser.count(root));  // cheaper than copies of what there may be a million of
-  collapser.emit(root, 1);
+  builder.drop_items();  // the memory serves what is made next
+  WideCollapser(builder, m_nodes, m_statistics).emit(root);
   m_statistics.nodes = m_nodes.size();
   m_statistics.parts = m_order.size();
 }

@@ -79,6 +79,7 @@ ObjectBuilder::ObjectBuilder(NotYet& not_yet) : m_not_yet(not_yet) {}
 
 void ObjectBuilder::add(const ObjectDesc& object, const Ref<TextureDesc>& default_texture) {
   m_default = default_texture ? default_texture : standard_texture();
+  m_last = {};
   Inherited nothing;
   nothing.on_list = true;
   add_to_list(object, core::Transform(), nothing);
@@ -144,8 +145,10 @@ ObjectBuilder::Inherited ObjectBuilder::resolve(const ObjectDesc& object, const 
 }
 
 const core::Texture* ObjectBuilder::compile(const Ref<TextureDesc>& texture) {
+  if (m_last.made && m_last.texture == texture) return m_last.made;
   const std::shared_ptr<const core::Texture> made = m_textures->texture(texture, m_default);
   if (m_owned.insert(made.get()).second) m_parts->textures.push_back(made);
+  m_last = {texture, made.get()};
   return made.get();
 }
 
@@ -290,8 +293,9 @@ std::unique_ptr<core::Object> ObjectBuilder::build_leaf(const ObjectDesc& object
     shape = std::move(made);
   } else {
     shape = build_shape(object);
-    if (auto* surface = dynamic_cast<core::Isosurface*>(shape.get()); surface && m_parts) {
-      surface->set_watch(m_slope_watches.of(*std::get<Sparse<IsosurfaceShape>>(object.shape), object.where));
+    const auto* surface = std::get_if<Sparse<IsosurfaceShape>>(&object.shape);
+    if (surface && shape && m_parts) {
+      static_cast<core::Isosurface&>(*shape).set_watch(m_slope_watches.of(**surface, object.where));
     }
   }
   if (!shape) {

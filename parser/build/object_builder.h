@@ -95,6 +95,12 @@ class ObjectBuilder {
   Ref<TextureDesc> m_default;
   std::shared_ptr<Cutaways> m_cutaways;  ///< of the object being built; null: it has none
   std::set<const core::Texture*> m_owned;
+  /// What was compiled last, with the default as it is: most objects look like the one before.
+  struct Last {
+    Ref<TextureDesc> texture;
+    const core::Texture* made = nullptr;
+  };
+  Last m_last;
   /// Textures by origin and transform, so that equal parts share what is compiled.
   std::map<std::pair<Ref<TextureDesc>, core::Matrix>, Ref<TextureDesc>> m_moved;
   std::map<std::pair<bool, std::vector<std::uint32_t>>, const core::LightSelection*> m_selections;
