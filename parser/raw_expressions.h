@@ -117,7 +117,7 @@ class RawExpressions {
   bool whole(double& x);
   bool operand(double& x);
   bool identifier(double& x);
-  bool literal(double& x);
+  bool alone(double& x);
 
   // raw_functions.cpp
   bool float_function(double& x);

@@ -6,17 +6,25 @@
 
 namespace lentray::parser {
 
-// Most arguments are numbers as they stand.
-inline bool RawExpressions::literal(double& x) {
-  if (m_at->kind != TokenKind::kNumber || m_at[1].kind != TokenKind::kPunct) return false;
+// Most arguments are numbers or names as they stand.
+inline bool RawExpressions::alone(double& x) {
+  const bool is_number = m_at->kind == TokenKind::kNumber;
+  if ((!is_number && m_at->kind != TokenKind::kIdentifier) || m_at[1].kind != TokenKind::kPunct) return false;
   const Punct next = m_at[1].punct;
   if (next != Punct::kComma && next != Punct::kRightParen && next != Punct::kGreater) return false;
-  x = m_at++->number;
+  if (is_number) {
+    x = m_at++->number;
+    return true;
+  }
+  const Number* number = held<Number>(*m_at);
+  if (!number || number->size != 1) return false;
+  x = number->v[0];
+  ++m_at;
   return true;
 }
 
 bool RawExpressions::scalar(double& x, Level level) {
-  if (literal(x) || only_floats(level, true, x)) return true;
+  if (alone(x) || only_floats(level, true, x)) return true;
   Number n;
   if (m_operands_left > 0 && (level == Level::kAdditive ? additive(n) : expression(n)) && n.size == 1) {
     x = n.v[0];

@@ -176,15 +176,15 @@ TEST(UnitMaterialTexture, TurbulenceOutsideWarpsIsNearestThePattern) {
 TEST(UnitMaterialTexture, MaterialBringsTextureAndInterior) {
   const LooksText text("material { M }", "#declare M = material { texture { pigment { rgb 1 } }"
                                          " interior { ior 1.5 fade_distance 2 } }");
-  ASSERT_TRUE(text.object().rare->interior);
-  EXPECT_EQ(text.object().rare->interior->ior, 1.5);
-  EXPECT_EQ(text.object().rare->interior->fade_distance, 2.0);
+  ASSERT_TRUE(text.object().interior);
+  EXPECT_EQ(text.object().interior->ior, 1.5);
+  EXPECT_EQ(text.object().interior->fade_distance, 2.0);
 }
 
 TEST(UnitMaterialInterior, IorOfAnOldFinishWins) {
   const LooksText text("pigment { rgb 1 } finish { ior 1.7 } interior { ior 1.2 }");
   std::set<std::string> not_yet;
-  const auto interior = compile_interior(text.object().rare->interior, text.object().texture, not_yet);
+  const auto interior = compile_interior(text.object().interior, text.object().texture, not_yet);
   EXPECT_NEAR(interior->ior, 1.7, 1e-6);
 }
 
@@ -192,9 +192,9 @@ TEST(UnitMaterialInterior, MediaIsKeptAndNamed) {
   const LooksText text("interior { media { emission .1 density { spherical color_map { [0 rgb 0]"
                        " [1 rgb 1] } } } }");
   std::set<std::string> not_yet;
-  EXPECT_TRUE(compile_interior(text.object().rare->interior, nullptr, not_yet)->has_media);
+  EXPECT_TRUE(compile_interior(text.object().interior, nullptr, not_yet)->has_media);
   EXPECT_EQ(not_yet.count("media"), 1u);
-  EXPECT_EQ(text.object().rare->interior->media.front()->densities.size(), 1u);
+  EXPECT_EQ(text.object().interior->media.front()->densities.size(), 1u);
 }
 
 }  // namespace
