@@ -141,7 +141,9 @@ class BinaryBuilder {
  private:
   /// Few parts need few bins.
   static int bins_for(std::uint32_t count) { return count <= 8 ? 4 : count <= 32 ? 8 : 16; }
-  static constexpr double kNodeCost = 0.5;  // of one binary step: an 8-wide node does about three
+  // Of one binary step. An 8-wide node does about three, in the time of one test; the rest is that nodes are
+  // made and fetched.
+  static constexpr double kNodeCost = 0.5;
   static constexpr std::uint32_t kMostSampled = 2048;
   struct Bin {
     FloatBox box;
