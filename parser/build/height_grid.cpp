@@ -9,6 +9,7 @@
 
 #include "core/base/color.h"
 #include "core/image/reader.h"
+#include "parser/build/palette_entries.h"
 #include "parser/build/picture_reader.h"
 
 namespace lentray::parser {

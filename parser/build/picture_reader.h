@@ -38,7 +38,4 @@ class PictureReader {
 /// A scene's `gamma` for an image file (less than 0: sRGB): stored values to linear ones.
 std::function<float(float)> gamma_decoder(double gamma);
 
-/// The palette entry of each pixel of a PNG or GIF, rows from the top; empty if it has no palette.
-std::vector<std::uint8_t> palette_entries(const core::StoredImage& stored, const std::string& path);
-
 }  // namespace lentray::parser

@@ -1,8 +1,10 @@
-// Pictures of few bits against stock: palettes of TARGA, BMP and GIF files, whose entries are the heights of
-// height fields, and TARGA files of five bits a colour.
+// Pictures of few bits against stock: palettes of TARGA, BMP, PNG and GIF files, whose entries are the heights
+// of height fields, and TARGA files of five bits a colour.
 #include <gtest/gtest.h>
+#include <zlib.h>
 
 #include <string>
+#include <vector>
 
 #include "tests/support/render.h"
 
@@ -46,7 +48,47 @@ std::string targa_head(int type, int entry_bits, int bits, int alpha_bits) {
          word(kSide) + word(kSide) + bytes({bits, 0x20 | alpha_bits});
 }
 
+/// Entries 2 i and 2 i + 1 have one colour.
+std::string twin(int i) { return bytes({(i / 2 * 53 + 20) % 256, (i / 2 * 31 + 90) % 256, (i / 2 * 97 + 7) % 256}); }
+
+std::string chunk(const std::string& body) {
+  const auto big = [](uLong v) { return bytes({int(v >> 24 & 255), int(v >> 16 & 255), int(v >> 8 & 255), int(v & 255)}); };
+  return big(body.size() - 4) + body + big(crc32(0, reinterpret_cast<const Bytef*>(body.data()), uInt(body.size())));
+}
+
+std::string png_of_twins() {
+  const std::string rows = repeated(kSide, [](int y) {
+    return std::string(1, '\0') + pixels().substr(static_cast<std::size_t>(y) * kSide, kSide);
+  });
+  uLongf size = compressBound(rows.size());
+  std::string packed(size, '\0');
+  compress(reinterpret_cast<Bytef*>(packed.data()), &size, reinterpret_cast<const Bytef*>(rows.data()), rows.size());
+  return "\x89PNG\r\n\x1a\n" +
+         chunk("IHDR" + bytes({0, 0, 0, kSide, 0, 0, 0, kSide, 8, 3, 0, 0, 0})) +
+         chunk("PLTE" + repeated(kEntries, twin)) + chunk("IDAT" + packed.substr(0, size)) + chunk("IEND");
+}
+
+/// Five bits a code, and a code that starts anew before they would have to grow.
+std::string gif_of_twins() {
+  constexpr int kBits = 5, kClear = 16, kEnd = 17;
+  std::vector<int> codes;
+  for (int i = 0; i < kSide * kSide; ++i) {
+    if (i % 8 == 0) codes.push_back(kClear);
+    codes.push_back(entry(i));
+  }
+  codes.push_back(kEnd);
+  std::string packed((codes.size() * kBits + 7) / 8, '\0');
+  for (std::size_t i = 0; i < codes.size() * kBits; ++i) {
+    if (codes[i / kBits] >> i % kBits & 1) packed[i / 8] = static_cast<char>(packed[i / 8] | 1 << i % 8);
+  }
+  return "GIF87a" + word(kSide) + word(kSide) + bytes({0xf3, 0, 0}) + repeated(kEntries, twin) + "," + word(0) +
+         word(0) + word(kSide) + word(kSide) + bytes({0, 4, static_cast<int>(packed.size())}) + packed +
+         bytes({0, ';'});
+}
+
 std::string file(const std::string& name) {
+  if (name == "twins.png") return png_of_twins();
+  if (name == "twins.gif") return gif_of_twins();
   const auto rows = [](auto&& head) {
     return repeated(kSide, [&](int y) { return head + pixels().substr(static_cast<std::size_t>(y) * kSide, kSide); });
   };
@@ -80,7 +122,7 @@ TEST_P(ImagePaletteFiles, HeightsAndColours) {
 
 INSTANTIATE_TEST_SUITE_P(Each, ImagePaletteFiles,
                          ::testing::Values("palette.tga", "packed.tga", "palette16.tga", "colours16.tga", "greys.tga",
-                                           "palette.bmp"),
+                                           "palette.bmp", "twins.png", "twins.gif"),
                          [](const auto& one) {
                            std::string name = one.param;
                            name[name.find('.')] = '_';
