@@ -225,7 +225,10 @@ class BoxFinder {
       cut_by_parts(s, box);
     }
     if (box.is_empty() || is_long(box)) return everything();
-    return moved(kept(box), *o.transform);
+    if (s.turns->empty()) return moved(kept(box), *o.transform);
+    box = kept(box);
+    for (const Transform& turn : *s.turns) box = moved(box, turn);
+    return box;
   }
   /// Quadrics come last: what the others leave limits them. Height fields, whose solids are endless,
   /// leave everything.
@@ -349,9 +352,29 @@ void keep_clipped_box(ObjectDesc& object) {
   quadric->edit().box = finder.of_quadric(object, finder.clip_limits(object));
 }
 
-void turn_box(ObjectDesc& object, const core::Transform& before, const core::Transform& turn) {
+namespace {
+
+/// A box of a box is larger only where both were turned.
+void add_turn(CsgShape& csg, const Transform& before, const Transform& turn) {
+  if (csg.turns->empty()) {
+    if (!core::keeps_axes(before) && !core::keeps_axes(turn)) csg.turns.edit() = {before, turn};
+  } else if (core::keeps_axes(turn)) {
+    csg.turns.edit().back() = csg.turns->back().then(turn);
+  } else {
+    csg.turns.edit().push_back(turn);
+  }
+}
+
+}  // namespace
+
+void turn_box(ObjectDesc& object, const core::Transform& since, const core::Transform& turn) {
+  if (auto* csg = std::get_if<CsgShape>(&object.shape)) {
+    add_turn(*csg, object.transform->then(since), turn);
+    return;
+  }
   auto* quadric = std::get_if<Sparse<QuadricShape>>(&object.shape);
   if (!quadric || (!(*quadric)->box.is_stored() && core::keeps_axes(turn))) return;
+  const Transform before = object.transform->then(since);
   bool is_whole = true;
   ObjectDesc unturned;
   unturned.shape = *quadric;

@@ -14,8 +14,10 @@ namespace lentray::parser {
 core::Bounds stock_box(const ObjectDesc& object, bool& is_whole);
 
 /// Stock finds a quadric's box when it is clipped and moves the box from then on: to be called when
-/// the object has got a clip, and with the transform that it has had when it gets another.
+/// the object has got a clip.
 void keep_clipped_box(ObjectDesc& object);
-void turn_box(ObjectDesc& object, const core::Transform& before, const core::Transform& turn);
+/// Boxes of quadrics and CSG grow with every turn: to be called with each statement, and with what came since
+/// the object's own transform was composed.
+void turn_box(ObjectDesc& object, const core::Transform& since, const core::Transform& turn);
 
 }  // namespace lentray::parser

@@ -75,6 +75,8 @@ struct CsgShape {
   bool split_union = true;
   bool cutaway_textures = false;
   bool global_lights = false;      ///< light_group
+  /// What the transform was made of where there was more than one turn: for stock_box(), which grows with each.
+  Sparse<std::vector<core::Transform>> turns;
 };
 struct LightShape { Ref<LightDesc> light; };
 

@@ -205,10 +205,7 @@ void parse_photon_flags(Parser& parser, PhotonFlags& photons, bool of_light) {
 }
 
 bool accept_object_modifier(Parser& parser, Context& context, ObjectDesc& object) {
-  if (const auto transform = parser.accept_transforms()) {
-    apply_transform(object, *transform);
-    return true;
-  }
+  if (accept_transforms(parser, object)) return true;
   if (const ModifierEntry* entry = find_entry<kModifiers>(parser.peek())) {
     if (entry->allowed && !entry->allowed(object)) {
       parser.fail(std::string(spelling(entry->keyword)) + " holds for " + entry->objects + " only.");

@@ -3,12 +3,13 @@
 #include "parser/build/stock_box.h"
 #include "parser/descriptions/interior.h"
 #include "parser/descriptions/texture.h"
+#include "parser/parser.h"
 
 namespace lentray::parser {
 
-void apply_transform(ObjectDesc& object, const core::Transform& transform) {
-  if (transform.is_identity()) return;
-  turn_box(object, *object.transform, transform);
+namespace {
+
+void move(ObjectDesc& object, const core::Transform& transform) {
   object.transform = object.transform->then(transform);
   if (!object.uv_mapping) {
     if (object.texture) object.texture = transformed(object.texture, transform);
@@ -21,6 +22,26 @@ void apply_transform(ObjectDesc& object, const core::Transform& transform) {
   if (rare.interior && !rare.interior->media.empty()) rare.interior = transformed(rare.interior, transform);
   for (Ref<ObjectDesc>& clip : rare.clipped_by) clip = transformed(clip, transform);
   for (Ref<ObjectDesc>& bound : rare.bounded_by) bound = transformed(bound, transform);
+}
+
+}  // namespace
+
+void apply_transform(ObjectDesc& object, const core::Transform& transform) {
+  if (transform.is_identity()) return;
+  turn_box(object, {}, transform);
+  move(object, transform);
+}
+
+bool accept_transforms(Parser& parser, ObjectDesc& object) {
+  auto step = parser.accept_transform();
+  if (!step) return false;
+  core::Transform all;  // boxes go step by step, all the rest at once
+  for (; step; step = parser.accept_transform()) {
+    turn_box(object, all, *step);
+    all = all.then(*step);
+  }
+  if (!all.is_identity()) move(object, all);
+  return true;
 }
 
 Ref<ObjectDesc> transformed(const Ref<ObjectDesc>& object, const core::Transform& transform) {

@@ -6,9 +6,14 @@
 
 namespace lentray::parser {
 
+class Parser;
+
 /// Moves everything the object has been given so far: shape, looks, interior, clips, bounds.
 /// Textures stay where uv_mapping holds them to the surface.
 void apply_transform(ObjectDesc& object, const core::Transform& transform);
+
+/// The same with all transforms that are written next; false if none is.
+bool accept_transforms(Parser& parser, ObjectDesc& object);
 
 /// A moved copy; the same object if the transform is the identity.
 Ref<ObjectDesc> transformed(const Ref<ObjectDesc>& object, const core::Transform& transform);
