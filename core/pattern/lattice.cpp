@@ -134,7 +134,7 @@ LENTRAY_AVX2 [[gnu::noinline]] void KnownCell::fill(__m128i of) {
 }
 
 /// Those asked for lately: a search for a surface, or a picture's next pixel, asks for the same again.
-constexpr std::size_t kKnownCells = 512;
+constexpr std::size_t kKnownCells = 2048;
 thread_local constinit std::array<KnownCell, kKnownCells> t_cells{};
 
 /// A point, and the cell it lies in.
