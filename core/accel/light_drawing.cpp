@@ -105,6 +105,7 @@ void LightDrawing::polygon_ends(const Shape& shape) {
 void LightDrawing::outline(const Subject& subject, const LightWindow& window,
                            LightOutline& outline, std::vector<LightCell>& out) {
   const Shape* shape = subject.shape;
+  m_corners.clear();
   switch (subject.kind) {
     case LightKind::kSphere: {
       const auto& sphere = static_cast<const Sphere&>(*shape);
@@ -139,12 +140,27 @@ void LightDrawing::outline(const Subject& subject, const LightWindow& window,
     add_corners(subject.box, m_points);
   }
   outline.hull(m_points, subject.box, window, out);
+  m_numbers.clear();
+  outline.corners(m_numbers);
+  for (const std::uint32_t i : m_numbers) m_corners.push_back(m_points[i]);
 }
 
-LightVolume LightDrawing::ball_volume(const Subject& subject, const LightVolumes& volumes) const {
+/// Of the object's ball, or of what was drawn where that is narrower.
+LightVolume LightDrawing::unknown_volume(const Subject& subject, const LightVolumes& volumes) const {
   const Ball& ball = subject.object.ball();
-  if (!ball.is_finite()) return {};
-  return volumes.sphere(ball.centre() - m_light, ball.radius(), subject.distance);
+  LightVolume volume;
+  double area = Bounds::kInf;
+  if (ball.is_finite()) {
+    const Vec3 centre = ball.centre() - m_light;
+    const double radius2 = ball.radius() * ball.radius(), tangent2 = dot(centre, centre) - radius2;
+    volume = volumes.sphere(centre, ball.radius(), subject.distance);
+    if (tangent2 > 0.0) area = 4.0 * radius2 / tangent2;
+  }
+  constexpr std::size_t kOfBox = 8;
+  if (m_points.size() == kOfBox && !m_corners.empty()) {
+    volumes.box(m_points, m_corners, subject.distance, area, volume);
+  }
+  return volume;
 }
 
 LightVolume LightDrawing::volume(const Subject& subject, const LightVolumes& volumes) const {
@@ -156,7 +172,7 @@ LightVolume LightDrawing::volume(const Subject& subject, const LightVolumes& vol
     case LightKind::kPolygon: {
       const Vec3 normal = subject.shape->normal({}, {});
       LightVolume volume;
-      if (m_points.size() > 2 * 4) volume = ball_volume(subject, volumes);
+      if (m_points.size() > 2 * 4) volume = unknown_volume(subject, volumes);
       volumes.polygon(m_points, normal, dot(normal, m_points[0]), subject.distance, volume);
       return volume;
     }
@@ -165,9 +181,9 @@ LightVolume LightDrawing::volume(const Subject& subject, const LightVolumes& vol
     case LightKind::kBox:
     case LightKind::kAny: break;
   }
-  if (m_points.size() != 16 || !subject.shape) return ball_volume(subject, volumes);
+  if (m_points.size() != 16 || !subject.shape) return unknown_volume(subject, volumes);
   const std::type_info& type = typeid(*subject.shape);
-  if (type != typeid(Cone) && type != typeid(Cylinder)) return ball_volume(subject, volumes);
+  if (type != typeid(Cone) && type != typeid(Cylinder)) return unknown_volume(subject, volumes);
   // Their hulls are octagons about the ends' circles.
   constexpr double kInner = 0.9238795325112868;  // cos(pi / 8)
   Vec3 a, b;

@@ -40,12 +40,14 @@ class LightDrawing {
   LightVolume volume(const Subject& subject, const LightVolumes& volumes) const;
 
  private:
-  LightVolume ball_volume(const Subject& subject, const LightVolumes& volumes) const;
+  LightVolume unknown_volume(const Subject& subject, const LightVolumes& volumes) const;
   void triangle_ends(const Shape& shape);
   void polygon_ends(const Shape& shape);
 
   Vec3 m_light;
   std::vector<Vec3> m_points;  ///< what was drawn last by: ends of edges, a hull, or none
+  std::vector<std::uint32_t> m_numbers;
+  std::vector<Vec3> m_corners;  ///< of the hull's outline in turn, or none
 };
 
 }  // namespace lentray::core

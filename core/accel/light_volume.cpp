@@ -1,5 +1,8 @@
 #include "core/accel/light_volume.h"
 
+#include "core/accel/light_sides.h"
+#include "core/base/bounds.h"
+
 namespace lentray::core {
 namespace {
 
@@ -151,6 +154,51 @@ LightVolume LightVolumes::cone(const Vec3& a, double radius_a, const Vec3& b, do
   end(2, at_a, at_b, across);
   end(3, at_b, at_a, -across);
   return volume;
+}
+
+/// The sides through the light and the outline, but for those that are dropped, and of the box's faces towards
+/// the light the one that shows largest.
+void LightVolumes::box(std::span<const Vec3> corners, std::span<const Vec3> outline, double distance, double area,
+                       LightVolume& volume) const {
+  const double least = m_least / distance;
+  if (!(distance > least) || outline.size() < 3 || outline.size() > LightSides::kMost) return;
+  Vec3 middle;
+  double far = 0.0;
+  for (const Vec3& p : corners) {
+    middle += p * (1.0 / static_cast<double>(corners.size()));
+    far = std::max(far, sum_of_parts(p));
+  }
+  const Vec3 edges[3] = {corners[1] - corners[0], corners[2] - corners[0], corners[4] - corners[0]};
+  const Vec3 faces[3] = {cross(edges[1], edges[2]), cross(edges[2], edges[0]), cross(edges[0], edges[1])};
+  double shown[3];
+  for (int a = 0; a < 3; ++a) shown[a] = std::fabs(dot(faces[a], middle));
+  const Vec3& face = faces[std::max_element(shown, shown + 3) - shown];
+  const double along = dot(face, middle) < 0.0 ? -1.0 : 1.0;
+  double offset = Bounds::kInf;
+  for (const Vec3& p : corners) offset = std::min(offset, along * dot(face, p));
+  if (offset > 0.0) set_plane(volume, face * along, offset, far);
+
+  // Across the way to its middle.
+  const Vec3 in = normalized(middle), right = normalized(cross(in, std::fabs(in.x) < 0.5 ? Vec3{1, 0, 0} : Vec3{0, 1, 0}));
+  const Vec3 up = cross(in, right);
+  Vec2 seen[LightSides::kMost];
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const double depth = dot(outline[i], in);
+    if (!(depth > 0.0)) return;
+    seen[i] = {dot(outline[i], right) / depth, dot(outline[i], up) / depth};
+  }
+  LightSides sides({seen, outline.size()});
+  constexpr std::size_t kLanes = 4;
+  while (sides.count() > kLanes) {
+    if (!sides.drop()) return;
+  }
+  if (!(sides.area() < area)) return;
+  for (int lane = 0; lane < static_cast<int>(kLanes); ++lane) volume.x[lane] = volume.y[lane] = volume.z[lane] = 0.0f;
+  for (std::size_t i = 0; i < sides.count(); ++i) {
+    const Vec3 &a = outline[sides.begin(i)], &b = outline[sides.end(i)];
+    const Vec3 normal = cross(a, b - a);
+    set_side(volume, static_cast<int>(i), dot(normal, middle) < 0.0 ? -normal : normal, far, least);
+  }
 }
 
 }  // namespace lentray::core

@@ -1,12 +1,9 @@
 #include "core/geometry/outline.h"
 
-#include <immintrin.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "core/base/processor.h"
 #include "core/geometry/bounds_help.h"
 #include "core/geometry/roots.h"
 
@@ -35,15 +32,38 @@ double root_between(const double f[4], double lo, double hi, double at_lo, doubl
 }
 
 constexpr double kMarkSlack = 1e-3;  ///< of a square: far above rounding
-constexpr float kWaySlack = 1e-4f;   ///< of a square: by how much ways may be off
 
 double along(const Vec2& p, double a, double b, double c) { return a * p.u + b * p.v + c; }
 
-}  // namespace
-
-Vec2 CurvePiece::at(double s) const {
-  return {((a.u * s + b.u) * s + c.u) * s + d.u, ((a.v * s + b.v) * s + c.v) * s + d.v};
+/// line_crossings() of a straight or quadratic piece: a s2 + b s + c, which becomes `end`, whose sign counts.
+int quadratic_crossings(double a, double b, double c, double end, double s[3]) {
+  const bool begins = c > 0.0, ends = end > 0.0;
+  const auto share = [](double at) { return std::clamp(at, 0.0, 1.0); };
+  if (a == 0.0) {
+    if (begins == ends) return 0;
+    s[0] = share(c / (c - end));
+    return 1;
+  }
+  if (begins == ends) {
+    // Both ends are on one side: it turns on the other, or does not cross.
+    const double middle = b + 2.0 * a;
+    if ((begins ? b < 0.0 && middle > 0.0 : b > 0.0 && middle < 0.0) == false) return 0;
+    if ((c - b * b / (4.0 * a) > 0.0) == begins) return 0;
+  }
+  const double root = std::sqrt(std::max(b * b - 4.0 * a * c, 0.0));
+  /// Where it rises, or falls, through 0; without cancellation.
+  const auto crossing = [&](bool rises) {
+    const double slope = rises ? root : -root;
+    if ((b > 0.0) != rises) return share((slope - b) / (2.0 * a));
+    return c == 0.0 ? 0.0 : share(-2.0 * c / (b + slope));
+  };
+  s[0] = crossing(!begins);
+  if (begins != ends) return 1;
+  s[1] = crossing(begins);
+  return 2;
 }
+
+}  // namespace
 
 Vec2 CurvePiece::slope(double s) const {
   return {(3.0 * a.u * s + 2.0 * b.u) * s + c.u, (3.0 * a.v * s + 2.0 * b.v) * s + c.v};
@@ -81,6 +101,8 @@ CurvePiece CurvePiece::bezier(const Vec2& from, const Vec2& control1, const Vec2
 int line_crossings(const CurvePiece& piece, double a, double b, double c, double s[3]) {
   const double f[4] = {a * piece.a.u + b * piece.a.v, a * piece.b.u + b * piece.b.v,
                        a * piece.c.u + b * piece.c.v, along(piece.d, a, b, c)};
+  const double end = along(piece.end, a, b, c);
+  if (f[0] == 0.0) return quadratic_crossings(f[1], f[2], f[3], end, s);
   double turns[3];
   int pieces = 0;
   // Where the slope's coefficients in Bernstein's form have one sign, it has no root; theirs is sure.
@@ -89,7 +111,7 @@ int line_crossings(const CurvePiece& piece, double a, double b, double c, double
   const double sure = kRounding * (std::fabs(f[0]) + std::fabs(f[1]) + std::fabs(f[2]));
   const bool rises = f[2] > sure && middle > sure && last > sure;
   const bool falls = f[2] < -sure && middle < -sure && last < -sure;
-  if (!rises && !falls && (f[0] != 0.0 || f[1] != 0.0)) {
+  if (!rises && !falls) {
     double roots[2];
     const int n = solve_quadratic(3.0 * f[0], 2.0 * f[1], f[2], roots);
     for (int i = 0; i < n; ++i) {
@@ -103,7 +125,7 @@ int line_crossings(const CurvePiece& piece, double a, double b, double c, double
   for (int i = 0; i < pieces; ++i) {
     const double to = turns[i];
     const double value =
-        i + 1 == pieces ? along(piece.end, a, b, c) : ((f[0] * to + f[1]) * to + f[2]) * to + f[3];
+        i + 1 == pieces ? end : ((f[0] * to + f[1]) * to + f[2]) * to + f[3];
     if ((value > 0.0) != (before > 0.0)) s[count++] = root_between(f, from, to, before, value);
     before = value;
     from = to;
@@ -132,44 +154,40 @@ void Outline::fill_squares() {
   m_rows_per_v = m_side / height;
   m_mixed.fill(~0u);
   m_inside.fill(0);
-  m_words = (m_pieces.size() + 63) / 64;
   // Neither numbers so close together that rounding would matter nor infinite ones.
   const double far = std::max({std::fabs(m_lo.u), std::fabs(m_lo.v), std::fabs(m_hi.u), std::fabs(m_hi.v)});
   constexpr double kCoarse = 1e-6;
-  if (!(std::min(width, height) > kCoarse * far && std::isfinite(far))) {
+  const bool are_known = std::min(width, height) > kCoarse * far && std::isfinite(far);
+  m_search.fill(m_boxes, {m_lo, m_hi}, are_known);
+  if (!are_known) {
     m_side = 1;
     m_columns_per_u = m_rows_per_v = 0.0;
-    m_in_rows.assign(m_words, ~std::uint64_t{0});
-    if (m_pieces.size() % 64 != 0) m_in_rows.back() >>= 64 - m_pieces.size() % 64;
-    m_in_columns = m_in_rows;
     return;
   }
   m_mixed.fill(0);
-  m_in_rows.assign(m_words * static_cast<std::size_t>(m_side), 0);
-  m_in_columns = m_in_rows;
-  for (std::size_t i = 0; i < m_pieces.size(); ++i) mark(i);
+  for (std::size_t i = 0; i < m_pieces.size(); ++i) mark(m_pieces[i], m_boxes[i]);
   for (int row = 0; row < m_side; ++row) {
     const auto r = static_cast<std::size_t>(row);
-    bool known = false, inside = false;
+    const double v = m_lo.v + (row + 0.5) / m_rows_per_v;
+    double before = m_lo.u - width;
+    bool passed = true, inside = false;  // passed: pieces may be between the last square without any and this
     for (int column = 0; column < m_side; ++column) {
       const std::uint32_t bit = 1u << column;
-      if (m_mixed[r] & bit) {
-        known = false;
-        continue;
+      if ((m_mixed[r] & bit) == 0) {
+        const double u = m_lo.u + (column + 0.5) / m_columns_per_u;
+        if (passed) inside ^= is_odd(v, before, u);
+        before = u;
+        if (inside) m_inside[r] |= bit;
       }
-      if (!known) inside = contains_counted(m_lo.u + (column + 0.5) / m_columns_per_u, m_lo.v + (row + 0.5) / m_rows_per_v);
-      known = true;
-      if (inside) m_inside[r] |= bit;
+      passed = (m_mixed[r] & bit) != 0;
     }
   }
 }
 
 /// In parts between the turns of the curve and a few more places: each part lies in the box of its
 /// ends.
-void Outline::mark(std::size_t index) {
+void Outline::mark(const CurvePiece& piece, const PlaneBox& box) {
   constexpr int kMostParts = 16;
-  const CurvePiece& piece = m_pieces[index];
-  const Box& box = m_boxes[index];
   const double squares = std::max((box.hi.u - box.lo.u) * m_columns_per_u, (box.hi.v - box.lo.v) * m_rows_per_v);
   const int parts = static_cast<int>(std::clamp(squares * 2.0, 1.0, static_cast<double>(kMostParts)));
   double places[kMostParts + 5];
@@ -188,110 +206,21 @@ void Outline::mark(std::size_t index) {
   Vec2 from = piece.d;
   for (int i = 0; i <= count; ++i) {
     const Vec2 to = i < count ? piece.at(places[i]) : piece.end;
-    mark(index, Box{{std::min(from.u, to.u), std::min(from.v, to.v)}, {std::max(from.u, to.u), std::max(from.v, to.v)}});
+    mark({{std::min(from.u, to.u), std::min(from.v, to.v)}, {std::max(from.u, to.u), std::max(from.v, to.v)}});
     from = to;
   }
 }
 
-void Outline::mark(std::size_t index, const Box& box) {
+void Outline::mark(const PlaneBox& box) {
   const double by_u = kMarkSlack / m_columns_per_u, by_v = kMarkSlack / m_rows_per_v;
   const int first_column = column_of(box.lo.u - by_u), last_column = column_of(box.hi.u + by_u);
   const int first_row = row_of(box.lo.v - by_v), last_row = row_of(box.hi.v + by_v);
   const std::uint32_t columns = (2u << last_column) - (1u << first_column);
-  const std::size_t word = index / 64;
-  const std::uint64_t bit = std::uint64_t{1} << index % 64;
-  for (int row = first_row; row <= last_row; ++row) {
-    m_mixed[static_cast<std::size_t>(row)] |= columns;
-    m_in_rows[static_cast<std::size_t>(row) * m_words + word] |= bit;
-  }
-  for (int column = first_column; column <= last_column; ++column) {
-    m_in_columns[static_cast<std::size_t>(column) * m_words + word] |= bit;
-  }
+  for (int row = first_row; row <= last_row; ++row) m_mixed[static_cast<std::size_t>(row)] |= columns;
 }
 
-/// What is said of squares holds a little beyond them too, as far as pieces were marked.
-Outline::Walk Outline::walk(const Way& way, bool portable) const {
-  constexpr double kLeastRise = 0.1;  // of a row: where floats tell the columns well enough
-  Walk walk;
-  const Box& region = way.region;
-  if (!region.meets({m_lo, m_hi})) return walk;
-  Rows rows{row_of(region.lo.v), row_of(region.hi.v)};
-  const int first_column = column_of(region.lo.u), last_column = column_of(region.hi.u);
-  const double slack = way.slack * std::max(m_columns_per_u, m_rows_per_v);
-  const bool is_exact = way.is_known && slack < kWaySlack;
-  const double du = (way.end.u - way.begin.u) * m_columns_per_u, dv = (way.end.v - way.begin.v) * m_rows_per_v;
-  if (is_exact && rows.first != rows.last && first_column != last_column && std::fabs(dv) > kLeastRise) {
-    const Vec2& low = dv > 0.0 ? way.begin : way.end;
-    rows.begin = static_cast<float>(rows.first - (low.v - m_lo.v) * m_rows_per_v);
-    rows.rise = static_cast<float>(std::fabs(dv));
-    rows.column = static_cast<float>((low.u - m_lo.u) * m_columns_per_u);
-    rows.columns_a_row = static_cast<float>(du / dv);
-    walk.is_sure = true;
-    !portable && has_avx2() ? meet_avx2(rows, walk) : meet_portable(rows, walk);
-    return walk;
-  }
-  walk.is_sure = is_exact && (rows.first == rows.last || first_column == last_column);
-  for (int row = rows.first; row <= rows.last; ++row) meet(row, (2u << last_column) - (1u << first_column), walk);
-  return walk;
-}
-
-void Outline::meet(int row, std::uint32_t columns, Walk& walk) const {
-  const std::uint32_t mixed = m_mixed[static_cast<std::size_t>(row)] & columns;
-  walk.columns |= mixed;
-  walk.rows |= static_cast<std::uint32_t>(mixed != 0) << row;
-  walk.meets_inside = walk.meets_inside || (m_inside[static_cast<std::size_t>(row)] & columns) != 0;
-}
-
-void Outline::meet_portable(const Rows& rows, Walk& walk) const {
-  const auto last_square = static_cast<float>(m_side - 1);
-  const auto column_at = [&](float at) { return rows.column + std::clamp(at, 0.0f, rows.rise) * rows.columns_a_row; };
-  const auto square = [&](float at) { return static_cast<int>(std::clamp(at, 0.0f, last_square)); };
-  for (int row = rows.first; row <= rows.last; ++row) {
-    const float at = rows.begin + static_cast<float>(row - rows.first);
-    const float a = column_at(at), b = column_at(at + 1.0f);
-    meet(row, (2u << square(std::max(a, b) + kWaySlack)) - (1u << square(std::min(a, b) - kWaySlack)), walk);
-  }
-}
-
-/// Eight rows at once.
-LENTRAY_AVX2 void Outline::meet_avx2(const Rows& rows, Walk& walk) const {
-  const __m256 zero = _mm256_setzero_ps(), slack = _mm256_set1_ps(kWaySlack);
-  const __m256 last_square = _mm256_set1_ps(static_cast<float>(m_side - 1)), rise = _mm256_set1_ps(rows.rise);
-  const __m256i steps = _mm256_set_epi32(7, 6, 5, 4, 3, 2, 1, 0);
-  const auto column_at = [&](__m256 at) LENTRAY_AVX2 {
-    const __m256 along = _mm256_min_ps(_mm256_max_ps(at, zero), rise);
-    return _mm256_add_ps(_mm256_set1_ps(rows.column), _mm256_mul_ps(along, _mm256_set1_ps(rows.columns_a_row)));
-  };
-  const auto square = [&](__m256 at) LENTRAY_AVX2 {
-    return _mm256_cvttps_epi32(_mm256_min_ps(_mm256_max_ps(at, zero), last_square));
-  };
-  const auto those = [&](__m256i columns, const std::uint32_t* of) LENTRAY_AVX2 {
-    return _mm256_and_si256(columns, _mm256_loadu_si256(reinterpret_cast<const __m256i*>(of)));
-  };
-  __m256i mixed_columns = _mm256_setzero_si256(), inside = mixed_columns;
-  for (int row = rows.first; row <= rows.last; row += 8) {
-    const __m256i step = _mm256_add_epi32(steps, _mm256_set1_epi32(row - rows.first));
-    const __m256 at = _mm256_add_ps(_mm256_set1_ps(rows.begin), _mm256_cvtepi32_ps(step));
-    const __m256 a = column_at(at), b = column_at(_mm256_add_ps(at, _mm256_set1_ps(1.0f)));
-    const __m256i first = square(_mm256_sub_ps(_mm256_min_ps(a, b), slack));
-    const __m256i last = square(_mm256_add_ps(_mm256_max_ps(a, b), slack));
-    __m256i columns = _mm256_sub_epi32(_mm256_sllv_epi32(_mm256_set1_epi32(2), last),
-                                       _mm256_sllv_epi32(_mm256_set1_epi32(1), first));
-    columns = _mm256_andnot_si256(_mm256_cmpgt_epi32(step, _mm256_set1_epi32(rows.last - rows.first)), columns);
-    const __m256i mixed = those(columns, m_mixed.data() + row);
-    mixed_columns = _mm256_or_si256(mixed_columns, mixed);
-    inside = _mm256_or_si256(inside, those(columns, m_inside.data() + row));
-    const int none = _mm256_movemask_ps(_mm256_castsi256_ps(_mm256_cmpeq_epi32(mixed, _mm256_setzero_si256())));
-    walk.rows |= static_cast<std::uint32_t>(~none & 0xFF) << row;
-  }
-  walk.meets_inside = _mm256_testz_si256(inside, inside) == 0;
-  __m128i four = _mm_or_si128(_mm256_castsi256_si128(mixed_columns), _mm256_extracti128_si256(mixed_columns, 1));
-  four = _mm_or_si128(four, _mm_unpackhi_epi64(four, four));
-  walk.columns = static_cast<std::uint32_t>(_mm_cvtsi128_si32(four) | _mm_extract_epi32(four, 1));
-}
-
-Outline::Box Outline::box_of(const CurvePiece& piece) {
-  Box box{{std::min(piece.d.u, piece.end.u), std::min(piece.d.v, piece.end.v)},
+PlaneBox Outline::box_of(const CurvePiece& piece) {
+  PlaneBox box{{std::min(piece.d.u, piece.end.u), std::min(piece.d.v, piece.end.v)},
           {std::max(piece.d.u, piece.end.u), std::max(piece.d.v, piece.end.v)}};
   const auto include = [&](double a, double b, double c) {
     double roots[2];
@@ -332,35 +261,41 @@ void Outline::drop_boxes() {
   fill_squares();
 }
 
-bool Outline::contains(double u, double v) const {
-  if (!(u >= m_lo.u && u <= m_hi.u && v >= m_lo.v && v <= m_hi.v)) return false;
+/// From the next place in the row that is known.
+bool Outline::contains_counted(double u, double v) const {
   const auto row = static_cast<std::size_t>(row_of(v));
-  const std::uint32_t bit = 1u << column_of(u);
-  return m_mixed[row] & bit ? contains_counted(u, v) : (m_inside[row] & bit) != 0;
+  const std::uint32_t own = 1u << column_of(u), known = ~m_mixed[row];
+  const auto middle = [&](int column) { return m_lo.u + (column + 0.5) / m_columns_per_u; };
+  const auto inside = [&](int column) { return (m_inside[row] >> column & 1u) != 0; };
+  if (const std::uint32_t before = known & (own - 1); before != 0) {
+    const int column = std::bit_width(before) - 1;
+    return inside(column) != is_odd(v, middle(column), u);
+  }
+  const std::uint32_t after = known & ~(own | (own - 1)) & ((2u << (m_side - 1)) - 1);
+  if (after == 0) return is_odd(v, u, kInf);
+  const int column = std::countr_zero(after);
+  return inside(column) != is_odd(v, u, middle(column));
 }
 
-bool Outline::contains_counted(double u, double v) const {
-  bool inside = false;
-  const auto count = [&](std::size_t i) {
-    const Box& box = m_boxes[i];
-    if (v < box.lo.v || v > box.hi.v || u > box.hi.u) return;
-    if (u < box.lo.u) {  // all of it is beyond: how often it crosses follows from its ends
-      if ((m_pieces[i].d.v > v) != (m_pieces[i].end.v > v)) inside = !inside;
-      return;
+bool Outline::is_odd(double v, double from, double to) const {
+  bool odd = false;
+  m_search.along({{from, v}, {std::min(to, m_hi.u), v}, 0.0, true}, [&](std::size_t i) {
+    const PlaneBox& box = m_boxes[i];
+    if (v < box.lo.v || v > box.hi.v || from > box.hi.u || to < box.lo.u) return true;
+    const CurvePiece& piece = m_pieces[i];
+    if (from < box.lo.u && to >= box.hi.u) {  // how often it crosses follows from its ends
+      odd ^= (piece.d.v > v) != (piece.end.v > v);
+      return true;
     }
     double s[3];
-    const int n = line_crossings(m_pieces[i], 0.0, 1.0, -v, s);
+    const int n = line_crossings(piece, 0.0, 1.0, -v, s);
     for (int k = 0; k < n; ++k) {
-      if (m_pieces[i].at(s[k]).u > u) inside = !inside;
+      const double u = piece.at(s[k]).u;
+      odd ^= u > from && u <= to;
     }
-  };
-  const std::uint64_t* const in_row = &m_in_rows[static_cast<std::size_t>(row_of(v)) * m_words];
-  for (std::size_t word = 0; word < m_words; ++word) {
-    for (std::uint64_t bits = in_row[word]; bits != 0; bits &= bits - 1) {
-      count(64 * word + static_cast<std::size_t>(std::countr_zero(bits)));
-    }
-  }
-  return inside;
+    return true;
+  });
+  return odd;
 }
 
 }  // namespace lentray::core

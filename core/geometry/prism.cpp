@@ -57,13 +57,17 @@ void Prism::drop_shortcuts() {
   m_reach = Bounds::everything();
 }
 
+/// False at the tip.
+bool Prism::on_outline(double& u, double& v, double height) const {
+  if (m_sweep != Sweep::kConic) return true;
+  if (height == 0.0) return false;
+  u /= height;
+  v /= height;
+  return true;
+}
+
 bool Prism::contains(double u, double v, double height) const {
-  if (m_sweep == Sweep::kConic) {
-    if (height == 0.0) return false;
-    u /= height;
-    v /= height;
-  }
-  return m_outline->contains(u, v);
+  return on_outline(u, v, height) && m_outline->contains(u, v);
 }
 
 /// False if the ray meets nothing for sure.
@@ -85,7 +89,6 @@ bool Prism::contains(double u, double v, double height) const {
     if (!(enters - slack <= t_max && leaves + slack >= t_min)) return false;
     from = std::max(t_min, enters);
     to = std::min(t_max, leaves);
-    passage.leaves = (enters > t_min && enters < t_max) || (leaves > t_min && leaves < t_max);
   } else {
     if (!(origin.z >= m_from && origin.z <= m_to)) return false;
     passage.caps[kLowCap] = passage.caps[kHighCap] = std::numeric_limits<double>::quiet_NaN();
@@ -104,22 +107,19 @@ bool Prism::contains(double u, double v, double height) const {
                       std::fabs(end.u) + std::fabs(end.v) + std::fabs(origin.z) + std::fabs(m_from) + std::fabs(m_to);
   if (!std::isfinite(size)) return by_bounds();
   const double by = kSlack * size * (m_sweep == Sweep::kConic ? 1e3 : 1.0);
-  passage.way = {{{std::min(begin.u, end.u) - by, std::min(begin.v, end.v) - by},
-                  {std::max(begin.u, end.u) + by, std::max(begin.v, end.v) + by}},
-                 begin, end, by, true};
-  return passage.way.region.meets({m_outline->lo(), m_outline->hi()});
+  passage.way = {begin, end, by, true};
+  const Vec2 &lo = m_outline->lo(), &hi = m_outline->hi();
+  return std::min(begin.u, end.u) - by <= hi.u && std::max(begin.u, end.u) + by >= lo.u &&
+         std::min(begin.v, end.v) - by <= hi.v && std::max(begin.v, end.v) + by >= lo.v;
 }
 
 template <bool first, class Visit>
-void Prism::walls(const Vec3& origin, const Vec3& direction, const Passage& passage, const Outline::Walk& walk,
-                  Visit&& visit) const {
-  if (walk.rows == 0) return;
+void Prism::walls(const Vec3& origin, const Vec3& direction, const Passage& passage, Visit&& visit) const {
   // Plane in which the ray and the direction of the sweep lie, as a line across the outline.
   Vec3 plane{direction.y, -direction.x, origin.y * direction.x - origin.x * direction.y};
   if (m_sweep == Sweep::kConic) plane = cross(origin, direction);
   if (plane.x == 0.0 && plane.y == 0.0) return;
-  const auto met = [&](std::uint32_t piece, double s) {
-    const Vec2 p = m_outline->pieces()[piece].at(s);
+  const auto met = [&](std::uint32_t piece, double s, const Vec2& p) {
     double du = direction.x, dv = direction.y, u = p.u - origin.x, v = p.v - origin.y;
     if (m_sweep == Sweep::kConic) {
       du -= direction.z * p.u;
@@ -132,10 +132,10 @@ void Prism::walls(const Vec3& origin, const Vec3& direction, const Passage& pass
     return !(height >= m_from && height <= m_to) ? !first : visit(t, kFirstWall + piece, s);
   };
   if (first && passage.way.is_known) {
-    m_outline->first_crossings(plane.x, plane.y, plane.z, passage.way, walk, met);
+    m_outline->first_crossings(plane.x, plane.y, plane.z, passage.way, met);
   } else {
-    m_outline->crossings(plane.x, plane.y, plane.z, passage.way, walk, [&](std::uint32_t piece, double s) {
-      return met(piece, s) || first;
+    m_outline->crossings(plane.x, plane.y, plane.z, passage.way, [&](std::uint32_t piece, double s, const Vec2& p) {
+      return met(piece, s, p) || first;
     });
   }
 }
@@ -157,11 +157,9 @@ bool Prism::nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) c
     hit = {t, first, 0.0, 0.0};
     return true;
   }
-  const Outline::Walk walk = m_outline->walk(passage.way);
-  if (walk.is_outside()) return false;
   bool found = false;
   double best = t_max;
-  walls<true>(origin, direction, passage, walk, [&](double at, std::uint32_t element, double place) {
+  walls<true>(origin, direction, passage, [&](double at, std::uint32_t element, double place) {
     if (!(at > t_min && at < t_max)) return false;
     // Where two meet the one that was made first counts.
     if (at < best || (found && at == best && element < hit.element)) {
@@ -185,27 +183,29 @@ bool Prism::any(const Ray& ray, double t_min, double t_max) const {
   const Vec3 origin = swept(ray.origin), direction = swept(ray.direction);
   Passage passage;
   if (!passes(ray, origin, direction, t_min, t_max, passage)) return false;
-  const Outline::Walk walk = m_outline->walk(passage.way);
-  if (walk.is_outside()) return false;
-  // From inside to beyond a cap it meets that or a wall.
-  if (passage.leaves && !m_open && walk.is_inside_somewhere()) return true;
+  // What needs no counting first: a cap well within the outline, then walls.
+  bool unsure[2] = {};
   for (const std::uint32_t cap : {kLowCap, kHighCap}) {
     const double t = passage.caps[cap];
-    if (t > t_min && t < t_max && is_on_cap(cap, origin, direction, passage)) return true;
+    if (m_open || !(t > t_min && t < t_max)) continue;
+    double u = origin.x + t * direction.x, v = origin.y + t * direction.y;
+    if (!on_outline(u, v, cap == kLowCap ? m_from : m_to)) continue;
+    const Outline::Place place = m_outline->place(u, v);
+    if (place == Outline::Place::kInside) return true;
+    unsure[cap] = place == Outline::Place::kUnsure;
   }
   bool found = false;
-  walls<false>(origin, direction, passage, walk, [&](double at, std::uint32_t, double) {
+  walls<false>(origin, direction, passage, [&](double at, std::uint32_t, double) {
     return !(found = at > t_min && at < t_max);
   });
-  return found;
+  return found || (unsure[kLowCap] && is_on_cap(kLowCap, origin, direction, passage)) ||
+         (unsure[kHighCap] && is_on_cap(kHighCap, origin, direction, passage));
 }
 
 void Prism::all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const {
   const Vec3 origin = swept(ray.origin), direction = swept(ray.direction);
   Passage passage;
   if (!passes(ray, origin, direction, t_min, t_max, passage)) return;
-  const Outline::Walk walk = m_outline->walk(passage.way);
-  if (walk.is_outside()) return;
   const auto add = [&](double t, std::uint32_t element, double place) {
     if (t > t_min && t < t_max) hits.push_back({t, element, place, 0.0});
     return true;
@@ -214,7 +214,7 @@ void Prism::all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) con
     const double t = passage.caps[cap];
     if (t > t_min && t < t_max && is_on_cap(cap, origin, direction, passage)) add(t, cap, 0.0);
   }
-  walls<false>(origin, direction, passage, walk, add);
+  walls<false>(origin, direction, passage, add);
 }
 
 bool Prism::inside(const Vec3& p) const {

@@ -36,20 +36,20 @@ class Prism final : public Shape {
   Vec3 swept(const Vec3& p) const {
     return m_sweep == Sweep::kAlongZ ? p : Vec3{p.x, p.z, p.y};
   }
+  /// Of a place at that height, on the outline.
+  bool on_outline(double& u, double& v, double height) const;
   bool contains(double u, double v, double height) const;
   /// The part of a ray between the caps and t_min and t_max.
   struct Passage {
-    double caps[2];       ///< where the ray's line meets their planes; along them no numbers
-    bool leaves = false;  ///< an end of the part is on a cap, within t_min .. t_max
-    Outline::Way way;     ///< of the part, over the outline: where walls may be met
+    double caps[2];  ///< where the ray's line meets their planes; along them no numbers
+    PlaneWay way;    ///< of the part, over the outline: where walls may be met
   };
   bool passes(const Ray& ray, const Vec3& origin, const Vec3& direction, double t_min, double t_max,
               Passage& passage) const;
   bool is_on_cap(std::uint32_t cap, const Vec3& origin, const Vec3& direction, const Passage& passage) const;
   /// What visit() answers: crossings(), or where `first` first_crossings().
   template <bool first, class Visit>
-  void walls(const Vec3& origin, const Vec3& direction, const Passage& passage, const Outline::Walk& walk,
-             Visit&& visit) const;
+  void walls(const Vec3& origin, const Vec3& direction, const Passage& passage, Visit&& visit) const;
 
   std::string_view m_name;
   std::shared_ptr<const Outline> m_outline;

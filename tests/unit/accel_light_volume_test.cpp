@@ -7,10 +7,12 @@
 #include <functional>
 
 #include "core/accel/light_buffer.h"
+#include "core/accel/light_outline.h"
 #include "core/geometry/box.h"
 #include "core/geometry/cone.h"
 #include "core/geometry/cylinder.h"
 #include "core/geometry/polygon.h"
+#include "core/geometry/prism.h"
 #include "core/geometry/sphere.h"
 #include "core/geometry/torus.h"
 #include "core/geometry/triangle.h"
@@ -158,6 +160,20 @@ const Kind kKinds[] = {
        return std::make_unique<Torus>(0.6 * size, 0.2 * size);
      },
      true},
+    {"turned box",
+     [](SceneMaker& make, const Vec3&, double size) {
+       return std::make_unique<Box>(Vec3{-0.3, -0.5, -0.1} * size, Vec3{0.4, 0.2, 0.4 * make.unit()} * size);
+     },
+     true},
+    {"letter",
+     [](SceneMaker& make, const Vec3&, double size) {
+       const Vec2 a{-0.5 * size, -0.4 * size}, b{0.5 * size, -0.3 * size}, c{0.1 * size, 0.6 * size};
+       std::vector<CurvePiece> pieces{CurvePiece::line(a, b), CurvePiece::conic(b, {0.2 * size, 0.0}, c),
+                                      CurvePiece::line(c, a)};
+       return std::make_unique<Prism>("text", std::make_shared<const Outline>(std::move(pieces)), Prism::Sweep::kAlongZ,
+                                      0.0, 0.3 * size * std::pow(10.0, -4.0 * make.unit()), make.integer(2) == 0);
+     },
+     true},
 };
 
 struct Place {
@@ -226,6 +242,45 @@ TEST(UnitCoreLightVolumeRules, MostLitPointsAskNothing) {
   EXPECT_FALSE(outside({1e3, 0, 30}));  // beyond the reach nothing is known
   EXPECT_FALSE(outside({1e300, 1e300, 1e300}));
   EXPECT_FALSE(LightProbe({3, 2, 7}, 7.0, 1e-3, 20.0).is_outside(LightVolume()));
+}
+
+/// The same of a box that was turned, whose outline is dropped to four sides.
+TEST(UnitCoreLightVolumeRules, PointsAroundATurnedBoxAskNothing) {
+  const LightVolumes volumes(20.0);
+  const Transform turn = Transform::rotation({20, 30, 40}).then(Transform::translation({0.5, -0.3, 6}));
+  std::vector<Vec3> corners, outline;
+  add_corners({{-1, -0.6, -0.4}, {1, 0.6, 0.4}}, corners);
+  for (Vec3& p : corners) p = turn.point(p);
+  Bounds box;
+  for (const Vec3& p : corners) box.include(p);
+  constexpr int kTowardsZ = 4;
+  const LightWindow window = window_of(box, kTowardsZ);
+  const LightRaster raster(kTowardsZ, window, 32, 32);
+  LightOutline drawn(raster);
+  std::vector<LightCell> cells;
+  std::vector<std::uint32_t> numbers;
+  drawn.hull(corners, box, window, cells);
+  drawn.corners(numbers);
+  for (const std::uint32_t i : numbers) outline.push_back(corners[i]);
+  ASSERT_EQ(outline.size(), 6u);
+  LightVolume volume, unwanted;
+  volumes.box(corners, outline, 4.0, Bounds::kInf, volume);
+  volumes.box(corners, outline, 4.0, 1e-3, unwanted);
+  SceneMaker make({"rules", 1.0, 0.1, {0, 0, 0}, 3.0, false, false});
+  const auto outside = [&](const LightVolume& of, const Vec3& p) {
+    return LightProbe(p, std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)}), 1e-3, 20.0).is_outside(of);
+  };
+  int beside = 0, kept = 0;
+  for (int i = 0; i < 10000; ++i) {
+    const Vec3 in = turn.point({2.0 * make.unit() - 1.0, 1.2 * make.unit() - 0.6, 0.8 * make.unit() - 0.4});
+    EXPECT_FALSE(outside(volume, in * 1.8));
+    EXPECT_FALSE(outside(unwanted, in * 1.8));
+    const Vec3 at = Vec3{0.5, -0.3, 6.0} * 1.8 + make.point() * 3.0;
+    beside += outside(volume, at);
+    kept += outside(unwanted, at);
+  }
+  EXPECT_GT(beside, 5000);
+  EXPECT_LT(kept, beside);  // its face alone
 }
 
 }  // namespace

@@ -86,23 +86,20 @@ TEST(UnitCoreOutline, FirstCrossingsHoldTheFirst) {
   for (int i = 0; i < 20000; ++i) {
     const Vec2 from{random.in(-2, 2), random.in(-2, 2)}, way{random.in(-1, 1), random.in(-1, 1)};
     const double a = way.v, b = -way.u, c = from.v * way.u - from.u * way.v;
-    Outline::Way everywhere{{{-9, -9}, {9, 9}}};
-    everywhere.begin = from;
-    everywhere.end = {from.u + way.u, from.v + way.v};
-    const Outline::Walk walk = outline.walk(everywhere);
+    const PlaneWay everywhere{from, {from.u + way.u, from.v + way.v}};
     const auto place = [&](std::uint32_t piece, double s) {
       const Vec2 p = outline.pieces()[piece].at(s);
       return (p.u - from.u) * way.u + (p.v - from.v) * way.v;
     };
     double first = 1e9, first_of_all = 1e9;
     int seen = 0, all = 0;
-    outline.first_crossings(a, b, c, everywhere, walk, [&](std::uint32_t piece, double s) {
+    outline.first_crossings(a, b, c, everywhere, [&](std::uint32_t piece, double s, const Vec2&) {
       ++seen;
       if (place(piece, s) <= 0.0) return false;
       first = std::min(first, place(piece, s));
       return true;
     });
-    outline.crossings(a, b, c, everywhere, walk, [&](std::uint32_t piece, double s) {
+    outline.crossings(a, b, c, everywhere, [&](std::uint32_t piece, double s, const Vec2&) {
       ++all;
       if (place(piece, s) > 0.0) first_of_all = std::min(first_of_all, place(piece, s));
       return true;
@@ -115,61 +112,80 @@ TEST(UnitCoreOutline, FirstCrossingsHoldTheFirst) {
   EXPECT_GT(left_out, 2000);
 }
 
-/// Ways of all lengths: nothing is left out on them, and what is said of their insides is so.
-TEST(UnitCoreOutline, WalksComeToAllThatIsOnTheWay) {
+/// Ways of all lengths and directions: no crossing on them is left out.
+TEST(UnitCoreOutline, NoCrossingOnTheWayIsLeftOut) {
   Random random(13);
-  constexpr double kNear = 1e-3;
   for (const double scale : {1.0, 1e4}) {
     const Outline outline = ring(scale, {0.2 * scale, 0.1 * scale});
-    int outside = 0, inside = 0;
-    for (int i = 0; i < 6000; ++i) {
+    int met = 0;
+    for (int i = 0; i < 20000; ++i) {
       const double reach = scale * std::pow(10.0, random.in(-4, 0.5)), lean = i % 7 == 0 ? 1e-9 : i % 7 == 1 ? 1e-3 : 1.0;
       const Vec2 from{scale * random.in(-2, 2), scale * random.in(-2, 2)};
       const Vec2 to{from.u + reach * random.in(-1, 1), from.v + lean * reach * random.in(-1, 1)};
-      const double by = 1e-9 * scale;
-      const Outline::Way way{{{std::min(from.u, to.u) - by, std::min(from.v, to.v) - by},
-                              {std::max(from.u, to.u) + by, std::max(from.v, to.v) + by}}, from, to, by, true};
-      const Outline::Walk walk = outline.walk(way), portable = outline.walk(way, true);
-      ASSERT_EQ(walk.rows, portable.rows);
-      ASSERT_EQ(walk.columns, portable.columns);
-      ASSERT_EQ(walk.meets_inside, portable.meets_inside);
-      ASSERT_EQ(walk.is_sure, portable.is_sure);
-      outside += walk.is_outside();
-      inside += walk.is_inside_somewhere();
-      constexpr int kPlaces = 300;
-      bool found = false;
-      for (int k = 0; k <= kPlaces; ++k) {
-        const double s = static_cast<double>(k) / kPlaces;
-        const Vec2 p{from.u + s * (to.u - from.u), from.v + s * (to.v - from.v)};
-        if (walk.is_outside()) {
-          ASSERT_FALSE(outline.contains(p.u, p.v));
-        }
-        for (const double du : {0.0, -kNear, kNear}) {
-          for (const double dv : {0.0, -kNear, kNear}) {
-            found = found || outline.contains(p.u + du * scale, p.v + dv * scale);
-          }
-        }
-      }
-      if (walk.is_inside_somewhere()) {
-        ASSERT_TRUE(found);
-      }
-      // The crossings between both ends, of all pieces and of those on the way.
       const double a = to.v - from.v, b = from.u - to.u, c = from.v * to.u - from.u * to.v;
-      const auto count = [&](const Outline::Way& on, const Outline::Walk& its) {
+      const auto count = [&](const PlaneWay& way) {
         int between = 0;
-        outline.crossings(a, b, c, on, its, [&](std::uint32_t piece, double s) {
-          const Vec2 p = outline.pieces()[piece].at(s);
+        outline.crossings(a, b, c, way, [&](std::uint32_t, double, const Vec2& p) {
           const double along = (p.u - from.u) * (to.u - from.u) + (p.v - from.v) * (to.v - from.v);
           between += along > 0.0 && along < (to.u - from.u) * (to.u - from.u) + (to.v - from.v) * (to.v - from.v);
           return true;
         });
         return between;
       };
-      const Outline::Way anywhere;
-      ASSERT_EQ(count(way, walk), count(anywhere, outline.walk(anywhere)));
+      const int crossings = count({from, to, 1e-9 * scale, true});
+      ASSERT_EQ(crossings, count({}));
+      // They tell apart the inside from the outside.
+      ASSERT_EQ(crossings % 2 != 0, outline.contains(from.u, from.v) != outline.contains(to.u, to.v));
+      met += crossings > 0;
     }
-    EXPECT_GT(outside, 1000);
-    EXPECT_GT(inside, 500);
+    EXPECT_GT(met, 1000);
+  }
+}
+
+/// Every number of boxes: those that a way passes through are named, with AVX2 and without, and most others
+/// are not.
+TEST(UnitCorePlaneBoxes, NameWhatAWayPassesThrough) {
+  Random random(17);
+  for (const std::size_t count : {1u, 7u, 35u, 64u, 65u, 700u}) {
+    std::vector<PlaneBox> boxes;
+    PlaneBox around{{1e9, 1e9}, {-1e9, -1e9}};
+    for (std::size_t i = 0; i < count; ++i) {
+      const Vec2 lo{random.in(3, 5), random.in(-2, 0)};
+      boxes.push_back({lo, {lo.u + random.in(0, 0.1), lo.v + (i % 5 == 1 ? 0.0 : random.in(0.01, 0.1))}});
+      around.lo = {std::min(around.lo.u, boxes[i].lo.u), std::min(around.lo.v, boxes[i].lo.v)};
+      around.hi = {std::max(around.hi.u, boxes[i].hi.u), std::max(around.hi.v, boxes[i].hi.v)};
+    }
+    PlaneBoxes search, blind;
+    search.fill(boxes, around, true);
+    blind.fill(boxes, around, false);
+    std::size_t all = 0, named = 0;
+    for (int i = 0; i < 500; ++i) {
+      const double reach = std::pow(10.0, random.in(-3, 1));
+      const Vec2 from{random.in(3, 5), random.in(-2, 0)};
+      const PlaneWay way{from, {from.u + reach * random.in(-1, 1), from.v + reach * random.in(-1, 1)}, 1e-9, true};
+      std::vector<bool> fast(count), portable(count);
+      std::size_t seen = 0;
+      search.along(way, [&](std::size_t box) { return fast[box] = true; });
+      search.along(way, [&](std::size_t box) { return portable[box] = true; }, true);
+      blind.along(way, [&](std::size_t) { return ++seen > 0; });
+      ASSERT_EQ(seen, count);
+      for (std::size_t box = 0; box < count; ++box) {
+        double first = 0.0, last = 1.0;  // of the way, where it is in the box
+        const auto cut = [&](double at, double along, double lo, double hi) {
+          const double a = (lo - at) / along, b = (hi - at) / along;
+          first = std::max(first, std::min(a, b));
+          last = std::min(last, std::max(a, b));
+        };
+        cut(from.u, way.end.u - from.u, boxes[box].lo.u, boxes[box].hi.u);
+        cut(from.v, way.end.v - from.v, boxes[box].lo.v, boxes[box].hi.v);
+        if (first <= last) {
+          ASSERT_TRUE(fast[box] && portable[box]) << count << ' ' << i << ' ' << box;
+        }
+        named += fast[box];
+      }
+      all += count;
+    }
+    EXPECT_LT(named * 4, all) << count;
   }
 }
 

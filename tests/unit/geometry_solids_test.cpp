@@ -170,16 +170,15 @@ TEST(UnitCoreOutline, PointsAtCornersAndOnEdgesCountOnce) {
   const Vec2 a{0, 0}, b{1, 0}, c{1, 1}, d{0, 1};
   const Outline square({CurvePiece::line(a, b), CurvePiece::line(b, c), CurvePiece::line(c, d),
                         CurvePiece::line(d, a)});
-  const Outline::Way all;
-  const Outline::Walk walk = square.walk(all);
+  const PlaneWay all;
   for (double v : {-0.5, 0.0, 0.25, 1.0, 1.5}) {
     int crossings = 0;
-    square.crossings(0.0, 1.0, -v, all, walk, [&](std::uint32_t, double) { return ++crossings > 0; });
+    square.crossings(0.0, 1.0, -v, all, [&](std::uint32_t, double, const Vec2&) { return ++crossings > 0; });
     EXPECT_EQ(crossings % 2, 0) << v;
   }
   // Along a diagonal, through two corners.
   int crossings = 0;
-  square.crossings(1.0, -1.0, 0.0, all, walk, [&](std::uint32_t, double) { return ++crossings > 0; });
+  square.crossings(1.0, -1.0, 0.0, all, [&](std::uint32_t, double, const Vec2&) { return ++crossings > 0; });
   EXPECT_EQ(crossings, 2);
   EXPECT_TRUE(square.contains(0.5, 0.5));
   EXPECT_FALSE(square.contains(1.5, 0.0));
