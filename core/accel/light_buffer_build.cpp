@@ -217,6 +217,7 @@ void LightBuffer::Builder::fill(Grid& grid) {
   LightOutline drawn(grid.raster);
   const LightVolumes volumes(m_buffer.m_reach);
   m_found.clear();
+  m_found.reserve(kMostPerCell * grid.cells.size());  // what is not touched costs nothing
   m_dark.assign(grid.cells.size(), {});
   for (const Shown& shown : m_shown) {
     m_touched.clear();

@@ -105,7 +105,6 @@ void LightDrawing::polygon_ends(const Shape& shape) {
 void LightDrawing::outline(const Subject& subject, const LightWindow& window,
                            LightOutline& outline, std::vector<LightCell>& out) {
   const Shape* shape = subject.shape;
-  m_corners.clear();
   switch (subject.kind) {
     case LightKind::kSphere: {
       const auto& sphere = static_cast<const Sphere&>(*shape);
@@ -124,6 +123,8 @@ void LightDrawing::outline(const Subject& subject, const LightWindow& window,
     case LightKind::kBox: {
       const auto& box = static_cast<const Box&>(*shape);
       const Bounds around = relative({box.lo(), box.hi()}, m_light);
+      m_points.clear();
+      add_corners(around, m_points);
       if (around.contains({})) return outline.box(around, window, out);
       return add_box(around, outline, out);
     }
@@ -131,7 +132,6 @@ void LightDrawing::outline(const Subject& subject, const LightWindow& window,
   }
   // Less than its box, where it is a shape that was turned.
   m_points.clear();
-  if (outline.is_small(window)) return outline.box(subject.box, window, out);
   if (typeid(subject.object) == typeid(Leaf)) {
     const auto& leaf = static_cast<const Leaf&>(subject.object);
     leaf.shape().hull(m_points);
@@ -139,10 +139,7 @@ void LightDrawing::outline(const Subject& subject, const LightWindow& window,
   } else {
     add_corners(subject.box, m_points);
   }
-  outline.hull(m_points, subject.box, window, out);
-  m_numbers.clear();
-  outline.corners(m_numbers);
-  for (const std::uint32_t i : m_numbers) m_corners.push_back(m_points[i]);
+  outline.is_small(window) ? outline.box(subject.box, window, out) : outline.hull(m_points, subject.box, window, out);
 }
 
 /// Of the object's ball, or of what was drawn where that is narrower.
@@ -157,9 +154,7 @@ LightVolume LightDrawing::unknown_volume(const Subject& subject, const LightVolu
     if (tangent2 > 0.0) area = 4.0 * radius2 / tangent2;
   }
   constexpr std::size_t kOfBox = 8;
-  if (m_points.size() == kOfBox && !m_corners.empty()) {
-    volumes.box(m_points, m_corners, subject.distance, area, volume);
-  }
+  if (m_points.size() == kOfBox) volumes.box(m_points, subject.distance, area, volume);
   return volume;
 }
 

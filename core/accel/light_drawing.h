@@ -46,8 +46,6 @@ class LightDrawing {
 
   Vec3 m_light;
   std::vector<Vec3> m_points;  ///< what was drawn last by: ends of edges, a hull, or none
-  std::vector<std::uint32_t> m_numbers;
-  std::vector<Vec3> m_corners;  ///< of the hull's outline in turn, or none
 };
 
 }  // namespace lentray::core

@@ -126,7 +126,6 @@ void LightOutline::turn_into_hull() {
 
 void LightOutline::hull(std::span<const Vec3> points, const Bounds& in, const LightWindow& window,
                         std::vector<LightCell>& out) {
-  m_hull.clear();
   double w0 = Bounds::kInf, far = 0.0;
   for (const Vec3& p : points) {
     w0 = std::min(w0, w_of(p));
@@ -136,10 +135,7 @@ void LightOutline::hull(std::span<const Vec3> points, const Bounds& in, const Li
   if (r.empty) return;
   if (is_small(r) || points.empty() || !(w0 > 1e-3 * far) || !(w0 > 0.0)) return box(in, window, out);
   m_points.clear();
-  for (const Vec3& p : points) {
-    m_points.push_back(point_of(p));
-    m_points.back().number = static_cast<std::uint32_t>(m_points.size() - 1);
-  }
+  for (const Vec3& p : points) m_points.push_back(point_of(p));
   turn_into_hull();
   clear_rows(r);
   for (std::size_t i = 0; i < m_hull.size(); ++i) {

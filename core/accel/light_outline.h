@@ -30,10 +30,6 @@ class LightOutline {
   /// What is in the box and in the convex hull of the points.
   void hull(std::span<const Vec3> points, const Bounds& box, const LightWindow& window,
             std::vector<LightCell>& out);
-  /// Appends those of the last hull's points that its outline turns at, in turn; none where a box was drawn.
-  void corners(std::vector<std::uint32_t>& numbers) const {
-    for (const Point& p : m_hull) numbers.push_back(p.number);
-  }
   void sphere(const Vec3& centre, double radius, const LightWindow& window,
               std::vector<LightCell>& out);
   /// Even-odd, edges of any number of contours as pairs of ends, all in the plane
@@ -43,10 +39,7 @@ class LightOutline {
 
  private:
   struct Range { int first[2], last[2]; bool empty; };
-  struct Point {  ///< in cells
-    double x, y;
-    std::uint32_t number = 0;  ///< of the hull's point
-  };
+  struct Point { double x, y; };  ///< in cells
   struct Span { double lo, hi; };
 
   Range range_of(const LightWindow& window) const;

@@ -1,12 +1,10 @@
 #include "core/accel/light_volume.h"
 
-#include "core/accel/light_sides.h"
-#include "core/base/bounds.h"
-
 namespace lentray::core {
 namespace {
 
 constexpr double kEdgeOn = 0x1p-20;   ///< a plane nearer to the light than this of its size has no side
+constexpr double kRounding = 0x1p-30; ///< of a corner beside a plane, to its distance
 constexpr double kFlat = 0x1p-23;     ///< of the distance: corners farther off are not in their plane
 constexpr double kLeastLength = 1e-6; ///< squared, to a cone's radius: a flatter one's side is not sure
 constexpr double kOfDistance = 1e-6;  ///< more than rounding of a plane's distance in floats
@@ -156,48 +154,46 @@ LightVolume LightVolumes::cone(const Vec3& a, double radius_a, const Vec3& b, do
   return volume;
 }
 
-/// The sides through the light and the outline, but for those that are dropped, and of the box's faces towards
-/// the light the one that shows largest.
-void LightVolumes::box(std::span<const Vec3> corners, std::span<const Vec3> outline, double distance, double area,
-                       LightVolume& volume) const {
+/// Of the six edges of its outline the two that are along the edge out of the face that shows largest are left
+/// out: that adds least.
+void LightVolumes::box(std::span<const Vec3> corners, double distance, double area, LightVolume& volume) const {
   const double least = m_least / distance;
-  if (!(distance > least) || outline.size() < 3 || outline.size() > LightSides::kMost) return;
-  Vec3 middle;
-  double far = 0.0;
-  for (const Vec3& p : corners) {
-    middle += p * (1.0 / static_cast<double>(corners.size()));
-    far = std::max(far, sum_of_parts(p));
-  }
+  if (!(distance > least)) return;
   const Vec3 edges[3] = {corners[1] - corners[0], corners[2] - corners[0], corners[4] - corners[0]};
   const Vec3 faces[3] = {cross(edges[1], edges[2]), cross(edges[2], edges[0]), cross(edges[0], edges[1])};
-  double shown[3];
+  const Vec3 middle = (corners[0] + corners[7]) * 0.5;
+  double shown[3], far = 0.0;
   for (int a = 0; a < 3; ++a) shown[a] = std::fabs(dot(faces[a], middle));
-  const Vec3& face = faces[std::max_element(shown, shown + 3) - shown];
-  const double along = dot(face, middle) < 0.0 ? -1.0 : 1.0;
-  double offset = Bounds::kInf;
-  for (const Vec3& p : corners) offset = std::min(offset, along * dot(face, p));
-  if (offset > 0.0) set_plane(volume, face * along, offset, far);
+  for (const Vec3& p : corners) far = std::max(far, sum_of_parts(p));
+  const int out = shown[0] > shown[1] ? (shown[0] > shown[2] ? 0 : 2) : (shown[1] > shown[2] ? 1 : 2);
+  const Vec3& face = faces[out];
+  const double low = dot(face, corners[0]), high = dot(face, corners[7]);
+  if (low * high > 0.0) set_plane(volume, low > 0.0 ? face : -face, std::min(std::fabs(low), std::fabs(high)), far);
 
-  // Across the way to its middle.
-  const Vec3 in = normalized(middle), right = normalized(cross(in, std::fabs(in.x) < 0.5 ? Vec3{1, 0, 0} : Vec3{0, 1, 0}));
-  const Vec3 up = cross(in, right);
-  Vec2 seen[LightSides::kMost];
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    const double depth = dot(outline[i], in);
-    if (!(depth > 0.0)) return;
-    seen[i] = {dot(outline[i], right) / depth, dot(outline[i], up) / depth};
-  }
-  LightSides sides({seen, outline.size()});
-  constexpr std::size_t kLanes = 4;
-  while (sides.count() > kLanes) {
-    if (!sides.drop()) return;
-  }
-  if (!(sides.area() < area)) return;
-  for (int lane = 0; lane < static_cast<int>(kLanes); ++lane) volume.x[lane] = volume.y[lane] = volume.z[lane] = 0.0f;
-  for (std::size_t i = 0; i < sides.count(); ++i) {
-    const Vec3 &a = outline[sides.begin(i)], &b = outline[sides.end(i)];
-    const Vec3 normal = cross(a, b - a);
-    set_side(volume, static_cast<int>(i), dot(normal, middle) < 0.0 ? -normal : normal, far, least);
+  const int first = (out + 1) % 3, second = (out + 2) % 3;
+  const double added = shown[first] * shown[second] / shown[out], square = length_squared(middle);
+  if (!(shown[0] + shown[1] + shown[2] + added < area * square * std::sqrt(square))) return;
+  int lane = 0;
+  for (const int along : {first, second}) {
+    const std::size_t u = along == 0 ? 2 : 1, v = along == 2 ? 2 : 4;
+    const std::size_t numbers[4] = {0, u, v, u + v};  // of corners where the four edges that way begin
+    const auto beyond = [&](const Vec3& normal, std::size_t i) { return dot(normal, corners[numbers[i]]); };
+    // The outermost to either side; all around the light there are none.
+    Vec3 least_side = cross(corners[0], edges[along]), most_side = least_side;
+    for (std::size_t i = 1; i < 4; ++i) {
+      if (beyond(least_side, i) < 0.0) least_side = cross(corners[numbers[i]], edges[along]);
+      if (beyond(most_side, i) > 0.0) most_side = cross(corners[numbers[i]], edges[along]);
+    }
+    bool is_around = false;
+    for (std::size_t i = 0; i < 4; ++i) {
+      is_around = is_around || beyond(least_side, i) < -kRounding * sum_of_parts(least_side) * far ||
+                  beyond(most_side, i) > kRounding * sum_of_parts(most_side) * far;
+    }
+    for (const Vec3& inwards : {least_side, -most_side}) {
+      volume.x[lane] = volume.y[lane] = volume.z[lane] = 0.0f;
+      if (!is_around) set_side(volume, lane, inwards, far, least);
+      ++lane;
+    }
   }
 }
 

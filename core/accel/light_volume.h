@@ -78,10 +78,9 @@ class LightVolumes {
   /// A cone or a cylinder, by its ends' middles and radii.
   LightVolume cone(const Vec3& a, double radius_a, const Vec3& b, double radius_b,
                    double distance) const;
-  /// To a volume, of a box that may be turned: its corners as add_corners() has them, and those of its
-  /// outline in turn. Its sides count where four of them leave less than `area`, seen at distance 1.
-  void box(std::span<const Vec3> corners, std::span<const Vec3> outline, double distance, double area,
-           LightVolume& volume) const;
+  /// To a volume, of a box that may be turned, by its corners as add_corners() has them: a side along each of
+  /// four edges, where that leaves less than `area`, seen at distance 1, and the face that shows largest.
+  void box(std::span<const Vec3> corners, double distance, double area, LightVolume& volume) const;
 
  private:
   void set_side(LightVolume& volume, int lane, const Vec3& inwards, double far, double least) const;
