@@ -51,24 +51,26 @@ void PlaneBoxes::fill(const std::vector<PlaneBox>& boxes, const PlaneBox& around
 
 PlaneBoxes::Line::Line(const PlaneWay& way, const Vec2& lo, const Vec2& share) {
   constexpr double kFar = 0x1p9;  // of the box around: farther, floats tell too little
-  const double u0 = (way.begin.u - lo.u) * share.u, u1 = (way.end.u - lo.u) * share.u;
-  const double v0 = (way.begin.v - lo.v) * share.v, v1 = (way.end.v - lo.v) * share.v;
-  const double du = u1 - u0, dv = v1 - v0, along_u = std::fabs(du), along_v = std::fabs(dv);
-  const double middle_u = 0.5 * (u0 + u1), middle_v = 0.5 * (v0 + v1);
-  const double far = std::fabs(middle_u) + std::fabs(middle_v) + along_u + along_v;
+  const __m128d sign = _mm_set1_pd(-0.0), one_half = _mm_set1_pd(0.5), shares = _mm_loadu_pd(&share.u);
+  const auto in_shares = [&](const Vec2& p) {
+    return _mm_mul_pd(_mm_sub_pd(_mm_loadu_pd(&p.u), _mm_loadu_pd(&lo.u)), shares);
+  };
+  const auto sum = [](__m128d uv) { return _mm_cvtsd_f64(_mm_add_sd(uv, _mm_unpackhi_pd(uv, uv))); };
+  const __m128d begin = in_shares(way.begin), end = in_shares(way.end);
+  const __m128d along = _mm_sub_pd(end, begin), length = _mm_andnot_pd(sign, along);
+  const __m128d between = _mm_mul_pd(_mm_add_pd(begin, end), one_half);
+  const double far = sum(_mm_add_pd(_mm_andnot_pd(sign, between), length));
   if (!way.is_known || !(share.u > 0.0) || !(far < kFar)) {
-    u = v = nu = nv = reach = 0.0f;
-    wide_u = wide_v = 1e15f;
+    middle[0] = middle[1] = across[0] = across[1] = reach = 0.0f;
+    half[0] = half[1] = 1e15f;
     return;
   }
   const double slack = kRounding * (1.0 + far) + way.slack * std::max(share.u, share.v);
-  u = static_cast<float>(middle_u);
-  v = static_cast<float>(middle_v);
-  wide_u = static_cast<float>(0.5 * along_u + slack);
-  wide_v = static_cast<float>(0.5 * along_v + slack);
-  nu = static_cast<float>(dv);
-  nv = static_cast<float>(-du);
-  reach = static_cast<float>((along_u + along_v) * slack);
+  const auto put = [](float* at, __m128d uv) { _mm_storel_pi(reinterpret_cast<__m64*>(at), _mm_cvtpd_ps(uv)); };
+  put(middle, between);
+  put(half, _mm_add_pd(_mm_mul_pd(length, one_half), _mm_set1_pd(slack)));
+  put(across, _mm_xor_pd(_mm_shuffle_pd(along, along, 1), _mm_set_pd(-0.0, 0.0)));
+  reach = static_cast<float>(sum(length) * slack);
 }
 
 std::uint64_t PlaneBoxes::touched_portable(const Line& line, const Eight* first, std::size_t count) {
@@ -76,10 +78,10 @@ std::uint64_t PlaneBoxes::touched_portable(const Line& line, const Eight* first,
   for (std::size_t i = 0; i < count * kLanes; ++i) {
     const Eight& eight = first[i / kLanes];
     const std::size_t lane = i % kLanes;
-    const float u = eight.u[lane] - line.u, v = eight.v[lane] - line.v, du = eight.du[lane], dv = eight.dv[lane];
-    const bool beside = std::fabs(u) > du + line.wide_u || std::fabs(v) > dv + line.wide_v;
-    const float reach = du * std::fabs(line.nu) + (dv * std::fabs(line.nv) + line.reach);
-    const bool across = std::fabs(u * line.nu + v * line.nv) > reach;
+    const float u = eight.u[lane] - line.middle[0], v = eight.v[lane] - line.middle[1], du = eight.du[lane], dv = eight.dv[lane];
+    const bool beside = std::fabs(u) > du + line.half[0] || std::fabs(v) > dv + line.half[1];
+    const float reach = du * std::fabs(line.across[0]) + (dv * std::fabs(line.across[1]) + line.reach);
+    const bool across = std::fabs(u * line.across[0] + v * line.across[1]) > reach;
     if (!beside && !across) touched |= std::uint64_t{1} << i;
   }
   return touched;
@@ -87,9 +89,9 @@ std::uint64_t PlaneBoxes::touched_portable(const Line& line, const Eight* first,
 
 LENTRAY_AVX2 std::uint64_t PlaneBoxes::touched_avx2(const Line& line, const Eight* first, std::size_t count) {
   const __m256 sign = _mm256_set1_ps(-0.0f);
-  const __m256 middle_u = _mm256_set1_ps(line.u), middle_v = _mm256_set1_ps(line.v);
-  const __m256 wide_u = _mm256_set1_ps(line.wide_u), wide_v = _mm256_set1_ps(line.wide_v);
-  const __m256 nu = _mm256_set1_ps(line.nu), nv = _mm256_set1_ps(line.nv), reach = _mm256_set1_ps(line.reach);
+  const __m256 middle_u = _mm256_set1_ps(line.middle[0]), middle_v = _mm256_set1_ps(line.middle[1]);
+  const __m256 wide_u = _mm256_set1_ps(line.half[0]), wide_v = _mm256_set1_ps(line.half[1]);
+  const __m256 nu = _mm256_set1_ps(line.across[0]), nv = _mm256_set1_ps(line.across[1]), reach = _mm256_set1_ps(line.reach);
   const __m256 abs_nu = _mm256_andnot_ps(sign, nu), abs_nv = _mm256_andnot_ps(sign, nv);
   std::uint64_t touched = 0;
   for (std::size_t i = count; i-- > 0;) {

@@ -42,9 +42,9 @@ class PlaneBoxes {
   /// A way in the same numbers, wider by what it may be off.
   struct Line {
     Line(const PlaneWay& way, const Vec2& lo, const Vec2& share);
-    float u, v, wide_u, wide_v;  ///< the box of the way
-    float nu, nv;                ///< across it
-    float reach;                 ///< how far along that it may be off
+    float middle[2], half[2];  ///< the box of the way
+    float across[2];
+    float reach;               ///< how far along `across` it may be off
   };
   static std::vector<Eight> eights(const std::vector<PlaneBox>& boxes, const Vec2& lo, const Vec2& share);
   /// A bit for each of up to kSet boxes that the line may touch.

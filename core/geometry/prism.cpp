@@ -22,6 +22,7 @@ Prism::Prism(std::string_view name, std::shared_ptr<const Outline> outline, Swee
       m_sweep(sweep),
       m_from(std::min(from, to)),
       m_to(std::max(from, to)),
+      m_farther(std::fabs(from) + std::fabs(to)),
       m_open(open),
       m_reach(widened(Prism::bounds())) {}
 
@@ -104,7 +105,7 @@ bool Prism::contains(double u, double v, double height) const {
     end = {end.u / last.z, end.v / last.z};
   }
   const double size = std::fabs(origin.x) + std::fabs(origin.y) + std::fabs(begin.u) + std::fabs(begin.v) +
-                      std::fabs(end.u) + std::fabs(end.v) + std::fabs(origin.z) + std::fabs(m_from) + std::fabs(m_to);
+                      std::fabs(end.u) + std::fabs(end.v) + std::fabs(origin.z) + m_farther;
   if (!std::isfinite(size)) return by_bounds();
   const double by = kSlack * size * (m_sweep == Sweep::kConic ? 1e3 : 1.0);
   passage.way = {begin, end, by, true};

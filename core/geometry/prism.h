@@ -55,6 +55,7 @@ class Prism final : public Shape {
   std::shared_ptr<const Outline> m_outline;
   Sweep m_sweep;
   double m_from, m_to;
+  double m_farther;  ///< not less than both, of either sign
   bool m_open;
   Bounds m_reach;  ///< a little more than bounds()
 };
