@@ -66,7 +66,7 @@ bool worth_buffers(std::size_t objects, std::uint64_t pixels) {
 /// More objects and more pixels are worth finer cells.
 std::uint32_t buffer_cells(std::size_t objects, std::uint64_t pixels) {
   constexpr std::uint64_t kLeast = 1u << 10, kMost = 1u << 18;
-  const std::uint64_t wanted = std::min<std::uint64_t>(6 * objects + 8192, pixels / 12);
+  const std::uint64_t wanted = std::min<std::uint64_t>(6 * objects + 8192, pixels / 24);
   return static_cast<std::uint32_t>(std::clamp(wanted, kLeast, kMost));
 }
 
