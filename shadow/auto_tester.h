@@ -4,13 +4,15 @@
 // is asked, and counts as a hit then. For the others it is counted on the way: nothing, the
 // neighbourhood, the cascade (the neighbourhood, then a grid), or `grid` alone where a search is very dear.
 //
-// Such a light's rays come in periods; the last few of each are samples (SearchSamples), searched for
-// whatever a cache would have answered. While a light goes without a cache, they tell whether
-// the neighbourhood would save something, and then it is used. From then on what it does is
+// Such a light's rays come in periods, at the end of which is decided. The last few rays of a period are
+// samples (SearchSamples), searched for whatever a cache would have answered. While a light goes
+// without a cache, they and the rays that are blocked tell what the neighbourhood would save; once
+// that is more than a trial may cost, it is used. From then on what it does is
 // counted ray by ray: hits, each worth the search of a blocked sample, and probes in vain; the same
-// for what the grid adds to the neighbourhood. Each stays as long as it costs next to nothing, and
-// is tried again when twice as many periods have passed. Periods grow until samples are little
-// beside searches. Objects solved by iteration are left alone: counts tell too little of their tests.
+// for what the grid adds to the neighbourhood. Each stays as long as it costs next to nothing; what its
+// trials lost it must promise twice before the next. Without a cache samples are left out where
+// little is blocked, and may cost a small share of the searches; with one, periods grow.
+// Objects solved by iteration are left alone: counts tell too little of their tests.
 // Decisions rest on counts, never on times: one thread decides the same in every run.
 // The picture is the plain tester's, as with every cache. One a thread; threads decide apart.
 #pragma once
@@ -31,49 +33,81 @@ class AutoTester final : public core::ShadowTester {
   static constexpr std::string_view kName = "auto";
   explicit AutoTester(const core::ShadowContext& context);
   core::Visibility visibility(const core::ShadowQuery& query) override {
-    if (--m_alone[query.light] >= 0) return m_plain.visibility(query);
-    return attended(query);
+    if (--m_alone[query.light] < 0) return m_ways[query.light](*this, query);
+    return searched(query);
   }
 
  private:
   // Costs as in core/accel/test_cost.h. What is older counts less and less.
 
-  /// Something that may be used, and what it has saved of what would have been searched.
+  /// Something that may be used. It is taken when it promises more than twice what it lost before,
+  /// and given up when it lost more than a trial may.
   struct Choice {
     bool on = false;
-    std::uint32_t periods = 0;  ///< since it was taken or given up
-    std::uint32_t wait = 2;     ///< so many before it is taken
-    std::uint32_t least = 2;    ///< so many before it is given up, unless the loss is large
-    double saved = 0.0, searched = 0.0;
-    /// After a period. True if it was taken or given up.
-    bool decide(bool promising, bool steady);
+    double hoped = 0.0;  ///< while it is off: what it would have saved since it last promised nothing
+    double lost = 0.0;   ///< by all its trials; what it saved in others was taken off
+    double saved = 0.0, searched = 0.0;  ///< while it is on, of late: of what would have been searched
+    double in_all = 0.0;                 ///< while it is on: saved
+    /// After a period without it, which it would have saved so much of. True if it was taken.
+    bool take(double hope, bool steady);
+    /// After a period with it. True if it was given up. `trial`: what it may lose at first.
+    bool give_up(double trial, bool steady);
+    void add(double saved_now, double searched_now);
   };
   /// Of a light's counts when the period began.
   struct Before {
-    std::uint64_t blocked = 0, hits = 0, misses = 0, grid_asked = 0, grid_hits = 0, grid_misses = 0;
-  };
-  /// Caches, before the samples of a period.
-  enum class Part : std::uint8_t { kAround, kCascade, kGrid };
-  /// What a light with a cache is at. Nothing else is looked at while it goes on.
-  struct Mode {
-    std::uint64_t until = 0;  ///< rays of the light, all together
-    Part part = Part::kAround;
-    double vain = 0.0;  ///< tests of probes in vain
+    std::uint64_t rays = 0, blocked = 0, hits = 0, misses = 0;
+    std::uint64_t grid_asked = 0, grid_hits = 0, grid_misses = 0;
   };
   /// What is known of a light.
   struct Watch {
     std::uint32_t period = 0;   ///< rays, with the samples
     std::uint32_t samples = 0;  ///< of this period
     std::uint32_t taken = 0;
+    bool promising = true;  ///< enough is blocked for a cache
+    double searched = 0.0, sampled = 0.0;  ///< in all: what searches cost, and samples on top
     SearchSamples known;
     Choice cascade, cells, grid;  ///< cells: of the cascade; grid: alone
-    /// What cells would have saved while the neighbourhood was alone: of late, and in all.
-    double hoped_of_cells = 0.0, hoped_in_all = 0.0;
+    double hope_of_cells = 0.0;  ///< what they would have saved in the period
     Before before;
     bool cached() const { return cascade.on || grid.on; }
   };
 
-  [[gnu::noinline]] core::Visibility attended(const core::ShadowQuery& query);
+  core::ShadowCounts& counts_of(const core::ShadowQuery& query) {
+    return m_plain.context().counters->lights[query.light];
+  }
+  core::Visibility searched(const core::ShadowQuery& query) {
+    core::ShadowCounts& counts = counts_of(query);
+    ++counts.rays;
+    const core::Visibility seen = m_plain.search(query);
+    if (seen.blocker) ++counts.blocked;
+    return seen;
+  }
+  /// The way of a light with a cache, which it asks: so many rays, then samples.
+  using Way = core::Visibility (*)(AutoTester& self, const core::ShadowQuery& query);
+  template <class AnAsker>
+  [[gnu::always_inline]] static core::Visibility ask(AutoTester& self,
+                                                     const core::ShadowQuery& query,
+                                                     AnAsker& asker) {
+    core::ShadowCounts& counts = self.counts_of(query);
+    if (--self.m_cached[query.light] < 0) [[unlikely]] return self.watched(query, counts);
+    ++counts.rays;
+    ++counts.cached;
+    return asker.visibility(query, counts);
+  }
+  static core::Visibility ask_around(AutoTester& self, const core::ShadowQuery& query) {
+    return ask(self, query, self.m_ask_around);
+  }
+  static core::Visibility ask_cascade(AutoTester& self, const core::ShadowQuery& query) {
+    return ask(self, query, self.m_ask_cascade);
+  }
+  static core::Visibility ask_grid(AutoTester& self, const core::ShadowQuery& query) {
+    return ask(self, query, *self.m_ask_grid);
+  }
+  static Way way_of(const Watch& watch) {
+    if (watch.grid.on) return ask_grid;
+    return watch.cells.on ? ask_cascade : ask_around;
+  }
   [[gnu::noinline]] core::Visibility watched(const core::ShadowQuery& query,
                                              core::ShadowCounts& counts);
   core::Visibility sampled(const core::ShadowQuery& query, Watch& watch,
@@ -81,7 +115,9 @@ class AutoTester final : public core::ShadowTester {
   void remember(const core::ShadowQuery& query, const Watch& watch, const core::Object* blocker);
   void begin_period(std::uint32_t light, Watch& watch, const core::ShadowCounts& counts);
   void count(std::uint32_t light, Watch& watch, const core::ShadowCounts& counts);
-  bool decide(Watch& watch, std::uint64_t rays);
+  bool decide(Watch& watch, const core::ShadowCounts& counts);
+  double hoped_of_cells() const;
+  std::uint32_t next_period(const Watch& watch, bool other) const;
 
   core::PlainShadowTester m_plain;
   core::Counters m_own;        ///< of samples, where nobody else counts
@@ -89,10 +125,15 @@ class AutoTester final : public core::ShadowTester {
   core::Counters* const m_measures;  ///< the run's, or those
   Cascade m_cascade;
   std::optional<CacheTable<DirectionPolicy>> m_grid;  ///< none before it is used
+  std::vector<double> m_vain;                         ///< probes in vain of this period, one a light
+  Asker<Neighbourhood, true> m_ask_around;
+  Asker<Cascade, true> m_ask_cascade;
+  std::optional<Asker<CacheTable<DirectionPolicy>, true>> m_ask_grid;
   const std::size_t m_objects;                        ///< of the scene
   std::vector<Watch> m_watches;                       ///< one a light
-  std::vector<Mode> m_modes;                          ///< the same
-  std::vector<std::int64_t> m_alone;  ///< the same: so many rays to come that are just searched for
+  /// The same: so many rays to come that are just searched for, or ask a cache; and how the latter.
+  std::vector<std::int64_t> m_alone, m_cached;
+  std::vector<Way> m_ways;
 };
 
 }  // namespace lentray::shadow

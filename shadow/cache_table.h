@@ -27,11 +27,6 @@ class Tried {
   }
   void add(const core::Object* object) { m_objects[m_count++] = object; }
   std::size_t count() const { return m_count; }
-  double test_cost() const {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < m_count; ++i) sum += m_objects[i]->test_cost();
-    return sum;
-  }
 
  private:
   std::array<const core::Object*, 8> m_objects;

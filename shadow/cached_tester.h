@@ -9,76 +9,77 @@
 
 namespace lentray::shadow {
 
-/// The cache's answer where it has entries worth a look, else the full search's, which the cache
-/// then knows. `vain` is told of the entries asked in vain.
-template <class Cache, class Vain>
-[[gnu::noinline]] core::Visibility ask(Cache& cache, const typename Cache::Spot& spot,
-                                       const core::ShadowQuery& query,
-                                       core::PlainShadowTester& plain,
-                                       core::ShadowCounts& counts, Vain vain) {
-  Tried tried;
-  const core::Object* entry = cache.probe(query, spot, tried, [&](const core::Object& asked) {
-    return plain.blocks(asked, query);
-  });
-  const std::size_t failed = tried.count();
-  counts.misses += failed;
-  counts.probes += failed;
-  vain(tried);
-  if (entry) {
+/// Asks a cache, and what the cache does not know searches for. `kWatched`: sums what the probes in
+/// vain cost, in units of core/accel/test_cost.h, one sum a light. All must outlive it.
+template <class Cache, bool kWatched = false>
+class Asker {
+ public:
+  Asker(Cache& cache, core::PlainShadowTester& plain, double* vain = nullptr)
+      : m_cache(cache), m_plain(plain), m_vain(vain) {}
+
+  /// The cache's answer where it has entries worth a look, else the full search's, which the cache
+  /// then knows. The ray is counted already.
+  [[gnu::always_inline]] core::Visibility visibility(const core::ShadowQuery& query,
+                                                     core::ShadowCounts& counts) {
+    const typename Cache::Spot spot = m_cache.spot(query);
+    const bool empty = Cache::empty(spot);
+    if (!empty) {
+      if (const core::Object* entry = ask(spot, query, counts)) return {core::Rgb(0.0f), entry};
+    }
+    return search(spot, empty, query, counts);
+  }
+
+ private:
+  [[gnu::always_inline]] const core::Object* ask(const typename Cache::Spot& spot,
+                                                 const core::ShadowQuery& query,
+                                                 core::ShadowCounts& counts) {
+    Tried tried;
+    const core::Object* entry = m_cache.probe(query, spot, tried, [&](const core::Object& asked) {
+      if (m_plain.blocks(asked, query)) return true;
+      if constexpr (kWatched) m_vain[query.light] += asked.test_cost();
+      return false;
+    });
+    const std::size_t failed = tried.count();
+    counts.misses += failed;
+    counts.probes += failed;
+    if (!entry) return nullptr;
     ++counts.probes;
     ++counts.hits;
     ++counts.blocked;
-    cache.found(query, spot, entry);
-    return {core::Rgb(0.0f), entry};
+    m_cache.found(query, spot, entry);
+    return entry;
   }
-  const core::Visibility seen = plain.search(query);
-  if (seen.blocker) ++counts.blocked;
-  cache.searched(query, spot, seen.blocker);
-  return seen;
-}
 
-/// The full search's, where the cache knows nothing.
-template <class Cache>
-core::Visibility search_for(Cache& cache, const typename Cache::Spot& spot,
-                            const core::ShadowQuery& query, core::PlainShadowTester& plain,
-                            core::ShadowCounts& counts) {
-  const core::Visibility seen = plain.search(query);
-  if (seen.blocker) [[unlikely]] {
-    ++counts.blocked;
-    cache.searched(query, spot, seen.blocker);
+  [[gnu::always_inline]] core::Visibility search(const typename Cache::Spot& spot, bool empty,
+                                                 const core::ShadowQuery& query,
+                                                 core::ShadowCounts& counts) {
+    const core::Visibility seen = m_plain.search(query);
+    if (seen.blocker) ++counts.blocked;
+    if (seen.blocker || !empty) m_cache.searched(query, spot, seen.blocker);
+    return seen;
   }
-  return seen;
-}
 
-struct Unwatched {
-  void operator()(const Tried&) const {}
+  Cache& m_cache;
+  core::PlainShadowTester& m_plain;
+  double* const m_vain;
 };
-
-/// The ray is counted already.
-template <class Cache, class Vain = Unwatched>
-core::Visibility visibility_by(Cache& cache, const core::ShadowQuery& query,
-                               core::PlainShadowTester& plain, core::ShadowCounts& counts,
-                               Vain vain = {}) {
-  const auto spot = cache.spot(query);
-  if (cache.empty(spot)) return search_for(cache, spot, query, plain, counts);
-  return ask(cache, spot, query, plain, counts, vain);
-}
 
 template <class Cache>
 class CachedTester final : public core::ShadowTester {
  public:
   explicit CachedTester(const core::ShadowContext& context)
-      : m_plain(context), m_cache(*context.scene) {}
+      : m_plain(context), m_cache(*context.scene), m_asker(m_cache, m_plain) {}
 
   core::Visibility visibility(const core::ShadowQuery& query) override {
     core::ShadowCounts& counts = m_plain.context().counters->lights[query.light];
     ++counts.rays;
-    return visibility_by(m_cache, query, m_plain, counts);
+    return m_asker.visibility(query, counts);
   }
 
  private:
   core::PlainShadowTester m_plain;
   Cache m_cache;
+  Asker<Cache> m_asker;
 };
 
 }  // namespace lentray::shadow

@@ -65,7 +65,7 @@ class Cascade {
     return ask_in_turn([&](std::size_t i) { return m_entries[m_cells[i]]; }, m_cells.size(),
                        tried, tried.count() + m_cells.size(), ask);
   }
-  void find_cells(const core::ShadowQuery& query) {
+  [[gnu::noinline]] void find_cells(const core::ShadowQuery& query) {
     if (!m_grid) {
       m_grid.emplace(m_scene);  // looks at all objects
       m_entries = zeroed_entries(m_grid->slots());

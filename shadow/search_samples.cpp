@@ -9,7 +9,7 @@ constexpr double kChangeHits = 0.3, kChangeMisses = 2.3;
 constexpr double kGridHits = 0.85, kGridMisses = 1.9;  ///< of blocked rays
 constexpr double kGuessed = 2.0;    ///< searches for a blocker, as long as others, before any was seen
 constexpr double kGuessedTest = 6.0, kGuessedSearch = 50.0;  ///< costs, before any was seen
-constexpr double kOlder = 0.75;    ///< what counts of the period before
+constexpr double kOlder = 0.85;    ///< what counts of the period before
 
 }  // namespace
 
@@ -42,10 +42,13 @@ double SearchSamples::hit() const {
 }
 
 double SearchSamples::saved_by_neighbourhood() const {
-  if (m_sums.pairs == 0.0) return -kLookCost;
-  const double hits = m_sums.repeats + kChangeHits * m_sums.changes;
-  const double vain = kChangeMisses * (m_sums.changes * kProbeCost + m_sums.vain);
-  return (hits * hit() - vain) / m_sums.pairs - kLookCost;
+  const double dark = m_sums.repeats + m_sums.changes;
+  if (dark == 0.0) return -kLookCost;
+  // One more change than was seen: few samples promise little.
+  const double changes = m_sums.changes + 1.0;
+  const double hits = m_sums.repeats + kChangeHits * changes;
+  const double vain = kChangeMisses * (changes * kProbeCost + m_sums.vain + kGuessedTest);
+  return m_blocked * (hits * hit() - vain) / (dark + 1.0) - kLookCost;
 }
 
 double SearchSamples::saved_by_grid() const {

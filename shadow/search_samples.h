@@ -13,8 +13,8 @@ namespace lentray::shadow {
 
 // What a cache itself costs.
 inline constexpr double kSearchCost = 14.0;  ///< of a search, beside its tests
-inline constexpr double kProbeCost = 24.0;   ///< asking an object by itself, beside its test
-inline constexpr double kLookCost = 6.0;     ///< a look into the neighbourhood, for every ray
+inline constexpr double kProbeCost = 20.0;   ///< asking an object by itself, beside its test
+inline constexpr double kLookCost = 8.0;     ///< a look into the neighbourhood, for every ray
 inline constexpr double kCellsCost = 32.0;   ///< into the cascade's cells
 inline constexpr double kKeysCost = 50.0;    ///< into those of `grid`, for every ray
 
@@ -36,12 +36,13 @@ class SearchSamples {
     }
     m_known |= bit;
   }
-  /// Whether there is something to save, as far as they tell.
-  bool dark() const { return m_sums.repeats + m_sums.changes > 0.0; }
   /// Of one of them: what its search cost.
   void add_cost(double search, const core::Object* blocker);
   void grow_old();
+  /// Of all rays of late, not the samples alone: the share that was blocked.
+  void set_blocked(double share) { m_blocked = share; }
 
+  bool any() const { return m_sums.count > 0.0; }
   double search() const;  ///< mean cost
   double hit() const;     ///< what it saves that a blocked ray is answered at once
   /// What the neighbourhood would save a ray. Less than 0: it would cost so much.
@@ -65,6 +66,7 @@ class SearchSamples {
   static constexpr double kMostATest = 400.0;
 
   Sums m_sums;
+  double m_blocked = 0.0;
   std::array<const core::Object*, core::kTreePlaces> m_last{};  ///< blockers in the row, by place
   std::uint64_t m_known = 0;                                   ///< which places had one, or none
   static_assert(core::kTreePlaces <= 64);
