@@ -20,10 +20,8 @@ std::string SlopeWatch::advice() const {
       m_max_gradient < kLarge ? std::min(kShare * found, kMost) : kShareOfLarge * found;
   const char* what = nullptr;
   if (found - m_max_gradient > let_pass) {
-    what = m_evaluates ? "max_gradient %.3f is too small: evaluate found the function as steep as %.3f; with that as "
-                         "max_gradient it is found without evaluate"
-                       : "max_gradient %.3f is too small: the function is as steep as %.3f, and the isosurface may "
-                         "have holes";
+    what = "max_gradient %.3f is too small: the function is as steep as %.3f, and the isosurface may have "
+           "holes";
   } else if (m_max_gradient - found > std::max(kGenerousShare * found, kGenerous)) {
     what = "max_gradient %.3f is more than is needed: the function is no steeper than %.3f along the rays "
            "of this picture, and with less it renders faster";

@@ -12,9 +12,7 @@ namespace lentray::core {
 
 class SlopeWatch {
  public:
-  /// `evaluates`: the search grows its gradient itself, so that one too small leaves holes less often.
-  explicit SlopeWatch(double max_gradient, bool evaluates = false)
-      : m_max_gradient(max_gradient), m_evaluates(evaluates) {}
+  explicit SlopeWatch(double max_gradient) : m_max_gradient(max_gradient) {}
 
   void note(double slope) {
     double seen = m_steepest.load(std::memory_order_relaxed);
@@ -30,7 +28,6 @@ class SlopeWatch {
 
  private:
   double m_max_gradient;
-  bool m_evaluates;
   std::atomic<double> m_steepest{0.0};
 };
 

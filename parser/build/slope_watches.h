@@ -15,9 +15,11 @@ namespace lentray::parser {
 
 class SlopeWatches {
  public:
+  /// Null where `evaluate` looks for the gradient itself.
   std::shared_ptr<core::SlopeWatch> of(const IsosurfaceShape& surface, const Location& where) {
+    if (surface.evaluate) return nullptr;
     auto& watch = m_watches[{where.file, where.offset, surface.max_gradient}];
-    if (!watch) watch = std::make_shared<core::SlopeWatch>(surface.max_gradient, bool(surface.evaluate));
+    if (!watch) watch = std::make_shared<core::SlopeWatch>(surface.max_gradient);
     return watch;
   }
 

@@ -40,13 +40,6 @@ TEST(UnitCoreSlopeWatch, SaysThatMaxGradientIsLarge) {
   }
 }
 
-TEST(UnitCoreSlopeWatch, SaysWhatEvaluateFound) {
-  SlopeWatch watch(2.0, true);
-  watch.note(5.0);
-  EXPECT_NE(watch.advice().find("evaluate found the function as steep as 5.000"), std::string::npos) << watch.advice();
-  EXPECT_FALSE(has_holes(watch.advice()));
-}
-
 TEST(UnitCoreSlopeWatch, KeepsTheSteepestOfAllThreads) {
   SlopeWatch watch(1.0);
   EXPECT_EQ(watch.advice(), "") << "nothing was seen";
