@@ -143,7 +143,7 @@ class BinaryBuilder {
   static int bins_for(std::uint32_t count) { return count <= 8 ? 4 : count <= 32 ? 8 : 16; }
   // Of one binary step. An 8-wide node does about three, in the time of one test; the rest is that nodes are
   // made and fetched.
-  static constexpr double kNodeCost = 0.5;
+  static constexpr double kNodeCost = 0.4;
   static constexpr std::uint32_t kMostSampled = 2048;
   struct Bin {
     FloatBox box;
