@@ -83,10 +83,9 @@ class Lexer {
     while (skip_space()) {
       const std::size_t before = m_tokens.size();
       one();
-      if (m_tokens.size() < before) open = 0;  // a vector became one token
       if (m_tokens.size() != before + 1) continue;
       const Token& last = m_tokens.back();
-      if (last.is(Punct::kLess)) open = 1;
+      if (last.is(Punct::kLess)) open = last.name == 0;  // no whole vector
       if (last.is(Punct::kGreater)) open = 0;
       if (last.is(Punct::kComma) && open == 0 && m_tokens.size() >= count) break;
     }
@@ -374,7 +373,8 @@ class Lexer {
     }
     const Punct punct = kBytes.puncts[static_cast<unsigned char>(c)];
     if (punct != Punct::kNone) {
-      if (punct != Punct::kGreater || !close_vector()) add(TokenKind::kPunct).punct = punct;
+      if (punct == Punct::kLess && vector()) return;
+      add(TokenKind::kPunct).punct = punct;
       ++m_pos;
       return;
     }
@@ -401,29 +401,39 @@ class Lexer {
     }
   }
 
-  // At a `>`: if all since the `<` are numbers, and that `<` can only begin a vector, they become
-  // one token.
-  bool close_vector() {
-    std::array<double, 5> values;  // from the last to the first
-    std::size_t count = 0, at = m_tokens.size();
-    for (;;) {
-      if (at < 4 || count == values.size() || m_tokens[at - 1].kind != TokenKind::kNumber) return false;
-      values[count] = m_tokens[--at].number;
-      if (m_tokens[at - 1].is(Punct::kMinus)) {
-        values[count] = -values[count];
-        --at;
+  // At a `<`: numbers as most stand in a text, without comments, up to a `>` are one token where it can only
+  // begin a vector. Nothing is read otherwise.
+  bool vector() {
+    constexpr std::size_t kMost = 5;
+    if (!expects_operand(m_tokens.size())) return false;
+    std::vector<double>& components = m_list.components;
+    const std::size_t start = m_pos, first = components.size();
+    bool ends_in_number;
+    do {
+      ++m_pos;
+      skip_blanks();
+      const bool minus = here() == '-';
+      if (minus) {
+        ++m_pos;
+        skip_blanks();
       }
-      ++count;
-      if (m_tokens[at - 1].is(Punct::kLess)) break;
-      if (!m_tokens[at - 1].is(Punct::kComma)) return false;
-      --at;
+      ends_in_number = starts_number();
+      if (!ends_in_number) break;
+      const double number = read_number();
+      components.push_back(minus ? -number : number);
+      skip_blanks();
+    } while (here() == ',' && components.size() < first + kMost);
+    const std::size_t end = m_pos, count = components.size() - first;
+    m_pos = start;
+    if (!ends_in_number || at(end) != '>' || at(end + 1) == '=' || count < 2) {
+      components.resize(first);
+      return false;
     }
-    Token& less = m_tokens[at - 1];
-    if (count < 2 || !expects_operand(at - 1)) return false;
-    less.name = static_cast<NameId>(count);
-    less.jump = m_list.components.size();
-    for (std::size_t i = count; i-- > 0;) m_list.components.push_back(values[i]);
-    m_tokens.resize(at);
+    Token& t = add(TokenKind::kPunct);
+    t.punct = Punct::kLess;
+    t.name = static_cast<NameId>(count);
+    t.jump = first;
+    m_pos = end + 1;
     return true;
   }
 

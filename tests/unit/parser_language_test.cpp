@@ -296,6 +296,28 @@ TEST(UnitParserLexer, PiecesHoldTheSameTokens) {
   EXPECT_GT(count, 5u);
 }
 
+TEST(UnitParserLexer, VectorsOfNumbersAreOneTokenWhereTheyCanBeNothingElse) {
+  parser::NameTable names;
+  const auto list = [&](const char* text) { return parser::tokenise(1, text, names); };
+  const auto whole = list("A = < 1,- 2.5\n, .5 > B");
+  ASSERT_EQ(whole->size(), 4u);
+  EXPECT_TRUE(whole->tokens[2].is(parser::Punct::kLess));
+  EXPECT_EQ(whole->tokens[2].where.offset, 4u);
+  EXPECT_EQ(whole->tokens[2].name, 3u);
+  EXPECT_EQ(whole->components, (std::vector<double>{1.0, -2.5, 0.5}));
+  EXPECT_EQ(whole->tokens[3].where.offset, 21u);
+  EXPECT_EQ(list("A = <1, 2, 3, 4, 5>")->size(), 3u);
+  struct Apart { const char* text; std::size_t tokens; };
+  for (const Apart& a : {Apart{"A <1, 2>", 6}, Apart{"A = <1>", 5}, Apart{"A = <1, 2,>", 8}, Apart{"A = <1, 2>= 3", 8},
+                         Apart{"A = <1, x>", 7}, Apart{"A = <1, 2 3>", 8}, Apart{"A = <1, 2", 6}, Apart{"A = <", 3},
+                         Apart{"A = <1, /* */ 2>", 7}, Apart{"A = <1, 2, 3, 4, 5, 6>", 15}}) {
+    const auto apart = list(a.text);
+    EXPECT_EQ(apart->size(), a.tokens) << a.text;
+    EXPECT_TRUE(apart->components.empty()) << a.text;
+    EXPECT_EQ(apart->tokens[2].name, 0u) << a.text;
+  }
+}
+
 TEST(UnitParserLexer, NumbersAreRoundedCorrectly) {
   std::uint32_t random = 1;
   const auto next = [&](std::uint32_t below) { return (random = random * 1664525u + 1013904223u) / 65536u % below; };
