@@ -184,7 +184,8 @@ Program::Lanes Program::execute(Lanes* frame) const {
         frame[i.target] = noise(frame[i.b], frame[i.b + 1], frame[i.b + 2], generator);
         break;
       }
-      default: return value(i.a);
+      case ProgramOp::kEnd: return value(i.a);
+      default: __builtin_unreachable();  // straight: no jumps, no calls
     }
   }
 }

@@ -73,13 +73,14 @@ struct Isosurface::Search {
 
   /// The first t in [from, to] where the function is below 0. `reach`: how much it can fall there.
   /// `f_middle`: the function in the middle, if it is known already.
+  template <bool kEvaluates>
   [[gnu::always_inline]] bool find(double from, double f_from, double to, double f_to, double reach, double f_middle,
                                    double& t) {
-    const IsosurfaceSettings& set = surface.m_set;
     const double span = to - from;
     const double rise = std::fabs(f_to - f_from);
     note(rise, span);
-    if (set.evaluates) {
+    if constexpr (kEvaluates) {
+      const IsosurfaceSettings& set = surface.m_set;
       const double slope = rise / (speed * span);
       if (gradient < slope * set.growth) {
         gradient = slope * set.growth * set.growth;
@@ -93,12 +94,13 @@ struct Isosurface::Search {
       t = to;
       return f_to < 0.0;
     }
-    return !is_free && find_in_halves({from, f_from, middle, f_middle, to, f_to}, reach, t);
+    return !is_free && find_in_halves<kEvaluates>({from, f_from, middle, f_middle, to, f_to}, reach, t);
   }
 
   struct Halves {
     double from, f_from, middle, f_middle, to, f_to;
   };
+  template <bool kEvaluates>
   [[gnu::noinline]] bool find_in_halves(const Halves& h, double reach, double& t) {
     const double half = 0.5 * reach;
     double f_middle = h.f_middle, f_first = kUnknown, f_last = kUnknown;
@@ -115,8 +117,8 @@ struct Isosurface::Search {
         f_middle = at(h.middle);
       }
     }
-    return find(h.from, h.f_from, h.middle, f_middle, half, f_first, t) ||
-           find(h.middle, f_middle, h.to, h.f_to, half, f_last, t);
+    return find<kEvaluates>(h.from, h.f_from, h.middle, f_middle, half, f_first, t) ||
+           find<kEvaluates>(h.middle, f_middle, h.to, h.f_to, half, f_last, t);
   }
   void note(double rise, double span) {
     if (rise > steepest * span) steepest = rise / span;
@@ -131,8 +133,9 @@ struct Isosurface::Search {
     }
     f_to *= sign;
     const IsosurfaceSettings& set = surface.m_set;
-    if (set.evaluates && gradient > set.max_gradient) gradient *= set.shrinking;
-    return find(from, f_from, to, f_to, gradient * speed * (to - from), kUnknown, t);
+    if (!set.evaluates) return find<false>(from, f_from, to, f_to, gradient * speed * (to - from), kUnknown, t);
+    if (gradient > set.max_gradient) gradient *= set.shrinking;
+    return find<true>(from, f_from, to, f_to, gradient * speed * (to - from), kUnknown, t);
   }
 };
 
