@@ -336,7 +336,8 @@ Lens sheet (lengths in mm):
   Sheet_Distance=n     Lens_Front=n            (scene units)
   View=j               that view alone
 
-  Pixel_Order=auto|rows|views|columns|combined(w)|strips(w,h)|tiles|hilbert|adaptive
+  Pixel_Order=auto|rows|views|columns|combined(w)|strips(w,h)|tiles|serpentine|hilbert|
+              adaptive
   Shadow_Cache=auto|off|last|depth|tree|neighbourhood|grid|cascade
   Accelerator=bvh|grid|list   -UL
   Max_Memory=n[M|G]          how much to use; half of the machine's  (Band_Height=rows)

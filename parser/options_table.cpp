@@ -187,8 +187,8 @@ void choose(Options& o, const Given& g, std::string& out, const char* what,
 }
 
 void set_order(Options& o, const Given& g) {
-  constexpr std::string_view kThere[] = {"auto",   "rows",  "views",   "columns", "combined",
-                                         "strips", "tiles", "hilbert", "adaptive"};
+  constexpr std::string_view kThere[] = {"auto",   "rows",  "views",      "columns", "combined",
+                                         "strips", "tiles", "serpentine", "hilbert", "adaptive"};
   // combined(4), strips(4,32): the order itself judges its numbers.
   const std::size_t bracket = std::min(g.value.find('('), g.value.size());
   Given name = g;

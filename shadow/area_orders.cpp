@@ -1,4 +1,4 @@
-// Orders over areas: tiles, strips of lenses, Hilbert curves.
+// Orders over areas: tiles, serpentines, strips of lenses, Hilbert curves.
 #include <array>
 #include <bit>
 #include <iterator>
@@ -62,6 +62,27 @@ class TileOrder final : public SquareOrder {
       if (++x < s.columns) continue;
       x = 0;
       ++y;
+    }
+    return number;
+  }
+};
+
+/// Column after column, down and up in turn: neighbours follow each other as along a column, in
+/// less memory than a whole column's rays meet.
+class SerpentineOrder final : public SquareOrder {
+ public:
+  using SquareOrder::SquareOrder;
+
+ private:
+  std::size_t list_square(const Square& s, std::size_t skip, std::size_t count,
+                          core::Pixel* out) const override {
+    const std::size_t number = std::min(count, s.columns * s.rows - skip);
+    std::size_t x = skip / s.rows, y = skip % s.rows;
+    for (std::size_t i = 0; i < number; ++i) {
+      *out++ = at(s.left + x, s.top + (x % 2 == 0 ? y : s.rows - 1 - y));
+      if (++y < s.rows) continue;
+      y = 0;
+      ++x;
     }
     return number;
   }
@@ -183,6 +204,10 @@ class StripOrder final : public Sequence {
 
 OrderPtr make_tile_order(const PixelRegion& region, std::size_t side) {
   return std::make_unique<TileOrder>(region, side);
+}
+
+OrderPtr make_serpentine_order(const PixelRegion& region, std::size_t side) {
+  return std::make_unique<SerpentineOrder>(region, side);
 }
 
 OrderPtr make_strip_order(const PixelRegion& region, SharedStrips strips, std::size_t height) {

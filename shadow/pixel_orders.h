@@ -9,9 +9,11 @@
 //                 second of every lens, and so on
 //   strips(w,h)   the same for h rows at a time: strips of w x h pixels, each as rows
 //   tiles    squares of 32 pixels, a row of squares after another, each square as rows
+//   serpentine  squares of 64 pixels, a row of squares after another, each column after column,
+//            down and up in turn
 //   hilbert  squares of 64 pixels, a row of squares after another, each along a Hilbert curve
 //   adaptive strips that follow the shadows: shadow/adaptive_order.h
-//   auto     columns where there is a lens sheet, else hilbert; in low bands
+//   auto     serpentine where there is a lens sheet, else hilbert
 //
 // Views and strips: shadow/lens_columns.h. Without a lens sheet there is one view, the same as
 // rows, and strips(w,h) are tiles of w x h. Without numbers, combined is combined(4), and strips
@@ -30,9 +32,11 @@
 namespace lentray::shadow {
 
 inline constexpr std::uint32_t kTile = 32;     ///< pixels, the side of a square of `tiles`
+inline constexpr std::uint32_t kSerpentine = 64;  ///< of `serpentine`
 inline constexpr std::uint32_t kHilbert = 64;  ///< and of `hilbert`
 
-/// auto, rows, views, columns, combined, strips, tiles, hilbert, adaptive: in this order.
+/// auto, rows, views, columns, combined, strips, tiles, serpentine, hilbert, adaptive: in this
+/// order.
 const std::vector<std::string_view>& order_names();
 
 /// Throws std::invalid_argument with the list of names for one that is not there, or for numbers

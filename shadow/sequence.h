@@ -70,6 +70,8 @@ OrderPtr make_column_order(const PixelRegion& region);
 OrderPtr make_view_order(const PixelRegion& region, SharedViews views);
 /// Squares of `side` pixels.
 OrderPtr make_tile_order(const PixelRegion& region, std::size_t side);
+/// Squares of `side` pixels, each column after column, down and up in turn.
+OrderPtr make_serpentine_order(const PixelRegion& region, std::size_t side);
 /// Rows in groups of `height`; in a group strip after strip, each strip row after row.
 OrderPtr make_strip_order(const PixelRegion& region, SharedStrips strips, std::size_t height);
 /// Squares of kHilbert pixels, each along a Hilbert curve; one square ends beside where the next

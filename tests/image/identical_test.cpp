@@ -22,7 +22,7 @@ void expect_identical(const std::vector<std::string>& scene) {
   // Every order with every cache; bands, threads and accelerators change from run to run, so that
   // each meets every order and every cache.
   for (const char* order :
-       {"rows", "views", "columns", "combined(4)", "strips(3,7)", "tiles", "hilbert",
+       {"rows", "views", "columns", "combined(4)", "strips(3,7)", "tiles", "serpentine", "hilbert",
         "adaptive", "auto"}) {
     for (const char* cache : {"off", "last", "depth", "tree", "neighbourhood", "grid", "cascade", "auto"}) {
       const int threads = kThreads[(run + run / 7) % std::size(kThreads)];

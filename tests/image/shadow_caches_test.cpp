@@ -177,11 +177,12 @@ TEST_F(ImageShadowCaches, AutoNeedsHardlyMoreTestsThanTheBest) {
   }
 }
 
-// The rule of Pixel_Order=auto: columns on a sheet, hilbert without. Counts of the cache `last`.
+// The rule of Pixel_Order=auto: serpentine on a sheet, hilbert without. Counts of the cache `last`.
 TEST_F(ImageShadowCaches, TheOrderOfAutoNeedsTheFewestTestsOrNearly) {
   for (const Small& small : kSpd) {
     double least = 1e300;
-    for (const char* order : {"rows", "views", "columns", "tiles", "hilbert", "strips(4,32)"}) {
+    for (const char* order : {"rows", "views", "columns", "tiles", "serpentine", "hilbert",
+                              "strips(4,32)"}) {
       least = std::min(least, tests(run(small, {"+W300", "+H200", "-UL", "Shadow_Cache=last",
                                                 std::string("Pixel_Order=") + order})));
     }

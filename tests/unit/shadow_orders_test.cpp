@@ -160,6 +160,41 @@ TEST(UnitShadowOrders, HilbertGoesFromNeighbourToNeighbour) {
   }
 }
 
+TEST(UnitShadowOrders, SerpentineGoesDownAndUpColumnsOfSquares) {
+  // Two squares and a bit across, one and a bit down.
+  constexpr std::uint32_t kSide = shadow::kSerpentine, kWide = 2 * kSide + 5, kHigh = kSide + 3;
+  std::vector<core::Pixel> wanted;
+  for (std::uint32_t top = 0; top < kHigh; top += kSide) {
+    const std::uint32_t end = std::min(top + kSide, kHigh);
+    for (std::uint32_t c = 0; c < kWide; ++c) {
+      if (c % kSide % 2 == 0) {
+        for (std::uint32_t r = top; r < end; ++r) wanted.push_back({c, r});
+      } else {
+        for (std::uint32_t r = end; r-- > top;) wanted.push_back({c, r});
+      }
+    }
+  }
+  const auto pixels = all(*shadow::make_order("serpentine", kWide, kHigh));
+  ASSERT_EQ(pixels.size(), wanted.size());
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    ASSERT_EQ(pixels[i].column, wanted[i].column) << i;
+    ASSERT_EQ(pixels[i].row, wanted[i].row) << i;
+  }
+}
+
+TEST(UnitShadowOrders, AutoIsSerpentineOnASheetAndHilbertWithout) {
+  const auto lenses = sheet(150, 15.0);
+  const auto same = [](const std::vector<core::Pixel>& a, const std::vector<core::Pixel>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& p, const auto& q) {
+      return p.column == q.column && p.row == q.row;
+    });
+  };
+  const shadow::PixelRegion region{0, 0, 150, 70};
+  EXPECT_TRUE(same(all(*shadow::make_order("auto", region, &lenses)),
+                   all(*shadow::make_order("serpentine", region, &lenses))));
+  EXPECT_TRUE(same(all(*shadow::make_order("auto", region)), all(*shadow::make_order("hilbert", region))));
+}
+
 TEST(UnitShadowOrders, WithoutASheetThereIsOneView) {
   const auto views = all(*shadow::make_order("views", 40, 30));
   const auto rows = all(*shadow::make_order("rows", 40, 30));
@@ -232,7 +267,7 @@ TEST(ErrorShadowOrders, UnknownNameListsWhatThereIs) {
     FAIL() << "no exception";
   } catch (const std::invalid_argument& e) {
     EXPECT_STREQ(e.what(), "unknown pixel order 'diagonal': there are auto, rows, views, columns, combined, "
-                           "strips, tiles, hilbert, adaptive");
+                           "strips, tiles, serpentine, hilbert, adaptive");
   }
 }
 
