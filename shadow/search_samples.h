@@ -15,7 +15,7 @@ namespace lentray::shadow {
 inline constexpr double kSearchCost = 14.0;  ///< of a search, beside its tests
 inline constexpr double kProbeCost = 20.0;   ///< asking an object by itself, beside its test
 inline constexpr double kLookCost = 8.0;     ///< a look into the neighbourhood, for every ray
-inline constexpr double kCellsCost = 32.0;   ///< into the cascade's cells
+inline constexpr double kCellsCost = 96.0;   ///< into the cascade's cells: most of it is memory to be fetched
 inline constexpr double kKeysCost = 50.0;    ///< into those of `grid`, for every ray
 
 class SearchSamples {
