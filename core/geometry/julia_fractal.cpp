@@ -33,6 +33,7 @@ class JuliaFractal final : public Shape {
   Bounds bounds_in(const Transform& t) const override { return box_in(t); }
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
+  bool any(const Ray& ray, double t_min, double t_max) const override;
   bool inside(const Vec3& p) const override { return m_map.holds(p); }
   /// Where y stands for z the solid has no end along z.
   bool solid_leaves_bounds() const override { return Map::kRemembers; }
@@ -44,8 +45,12 @@ class JuliaFractal final : public Shape {
   using Memory = typename Map::Memory;
   Bounds box_in(const Transform& t) const;
   double refined(Vec3 p, const Vec3& direction, double step, bool within, Memory& memory) const;
+  template <class Visit, class Anywhere>
+  void crossings(const Ray& ray, Visit&& visit, Anywhere&& anywhere) const;
   template <class Visit>
-  void crossings(const Ray& ray, Visit&& visit) const;
+  void crossings(const Ray& ray, Visit&& visit) const {
+    crossings(ray, visit, [](double, double) { return false; });
+  }
 
   Map m_map;
   Bounds m_box;
@@ -77,6 +82,24 @@ double JuliaFractal<Map>::refined(Vec3 p, const Vec3& direction, double step, bo
                                   Memory& memory) const {
   double reached = 0.0;
   bool same = false;
+  if constexpr (Map::kThreeAtOnce) {
+    // Both middles that may come next are asked for with this one.
+    while (0.5 * step > kTolerance) {
+      const double half = 0.5 * step;
+      step = 0.5 * half;
+      const Vec3 middle = p + direction * half;
+      const std::array<Vec3, 3> asked{middle, middle + direction * step, p + direction * step};
+      const std::array<bool, 3> held = m_map.hold(asked);
+      same = held[0] == within;
+      if (same) reached += half;
+      const int next = same ? 1 : 2;
+      if (same) p = middle;
+      same = held[next] == within;
+      if (!same) continue;
+      p = asked[next];
+      reached += step;
+    }
+  }
   while (step > kTolerance) {
     step *= 0.5;
     const Vec3 middle = p + direction * step;
@@ -95,10 +118,11 @@ double JuliaFractal<Map>::refined(Vec3 p, const Vec3& direction, double step, bo
   return reached;
 }
 
-/// Calls visit(t, what the hit remembers) for the crossings in order, until that returns false.
+/// Calls visit(t, what the hit remembers) for the crossings in order, until that returns false. One that
+/// anywhere(from, to) wants to know no better is not refined, and the last.
 template <class Map>
-template <class Visit>
-void JuliaFractal<Map>::crossings(const Ray& ray, Visit&& visit) const {
+template <class Visit, class Anywhere>
+void JuliaFractal<Map>::crossings(const Ray& ray, Visit&& visit, Anywhere&& anywhere) const {
   const double size = length_squared(ray.direction);
   if (size == 0.0) return;
   constexpr double kUnit = 1e-14;
@@ -128,6 +152,7 @@ void JuliaFractal<Map>::crossings(const Ray& ray, Visit&& visit) const {
     const Vec3 next = p + direction * step;
     double next_step;
     if (m_map.step(next, direction, next_step, memory) != within) {
+      if (anywhere(depth * scale, (depth + step) * scale)) return;
       const double reached = refined(p, direction, step, within, memory);
       if (!visit((depth + reached) * scale, m_map.remembered(memory))) return;
       within = !within;
@@ -152,6 +177,29 @@ bool JuliaFractal<Map>::nearest(const Ray& ray, double t_min, double t_max, Shap
     if (found) hit = {t, 0, remembered.u, remembered.v};
     return false;
   });
+  return found;
+}
+
+/// The same answer. Where in the range the crossing is does not matter then.
+template <class Map>
+bool JuliaFractal<Map>::any(const Ray& ray, double t_min, double t_max) const {
+  constexpr double kRounding = 1e-12;
+  bool found = false, hidden = false;
+  crossings(
+      ray,
+      [&](double t, const Vec2&) {
+        if (!(t > t_min)) {
+          hidden = t != t_min;
+          return true;
+        }
+        found = !hidden && t < t_max;
+        return false;
+      },
+      [&](double from, double to) {
+        if (!(from > t_min && to + kRounding * std::fabs(to) < t_max)) return false;
+        found = !hidden;
+        return true;
+      });
   return found;
 }
 

@@ -5,8 +5,12 @@
 // how steps are chosen, are stock's, measured by image.julia.
 #pragma once
 
+#include <emmintrin.h>
+
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 #include "core/geometry/complex_functions.h"
@@ -56,10 +60,15 @@ inline Common::Common(const JuliaSettings& s)
   escape = s.hypercomplex ? radius * radius : radius * radius + kTolerance;
 }
 
-/// A number of four parts, or the change of one.
-struct Quaternion {
-  double x, y, z, w;
+/// Two doubles side by side, handled as one.
+using Pair = double __attribute__((vector_size(16)));
+
+/// A number of four parts, or the change of one; of Pairs two of them.
+template <class Part>
+struct Quaternions {
+  Part x, y, z, w;
 };
+using Quaternion = Quaternions<double>;
 
 inline double size_squared(const Quaternion& q) {
   return q.x * q.x + (q.y * q.y + q.z * q.z + q.w * q.w);
@@ -70,8 +79,10 @@ struct QuaternionSquare {
   static constexpr double kDegree = 2.0;
   /// Radius of a ball about what a ball of radius r about a number of that size is mapped to.
   static double grown(double size, double r) { return r * (2.0 * size + r); }
-  static Quaternion next(const Quaternion& q, double xx, double rest, const std::array<double, 4>& c) {
-    const double twice = 2.0 * q.x;
+  template <class Part>
+  static Quaternions<Part> next(const Quaternions<Part>& q, const Part& xx, const Part& rest,
+                                const std::array<double, 4>& c) {
+    const Part twice = 2.0 * q.x;
     return {xx - rest + c[0], twice * q.y + c[1], twice * q.z + c[2], twice * q.w + c[3]};
   }
   static void carry(const Quaternion& q, Quaternion& d) {
@@ -84,8 +95,10 @@ struct QuaternionSquare {
 struct QuaternionCube {
   static constexpr double kDegree = 3.0;
   static double grown(double size, double r) { return r * (3.0 * size * (size + r) + r * r); }
-  static Quaternion next(const Quaternion& q, double xx, double rest, const std::array<double, 4>& c) {
-    const double side = 3.0 * xx - rest;
+  template <class Part>
+  static Quaternions<Part> next(const Quaternions<Part>& q, const Part& xx, const Part& rest,
+                                const std::array<double, 4>& c) {
+    const Part side = 3.0 * xx - rest;
     return {q.x * (xx - 3.0 * rest) + c[0], q.y * side + c[1], q.z * side + c[2],
             q.w * side + c[3]};
   }
@@ -101,7 +114,7 @@ struct QuaternionCube {
 template <class Rule>
 class QuaternionMap {
  public:
-  static constexpr bool kRemembers = false;
+  static constexpr bool kRemembers = false, kThreeAtOnce = true;
   struct Memory {
     explicit Memory(const QuaternionMap&) {}
   };
@@ -120,7 +133,29 @@ class QuaternionMap {
   }
   bool holds(const Vec3& p, Memory&) const { return holds(p); }
 
-  /// As holds(); `step`: the least distance to the set. Of the product of the orbit, which divides
+  /// holds() of three points. Each orbit waits for its last number: side by side they take little
+  /// longer than one.
+  std::array<bool, 3> hold(const std::array<Vec3, 3>& p) const {
+    Quaternions<Pair> q[2];
+    for (int i = 0; i < 2; ++i) {
+      const Vec3 &a = p[i == 0 ? 0 : 2], &b = p[i == 0 ? 1 : 2];
+      q[i] = {Pair{a.x, b.x}, Pair{a.y, b.y}, Pair{a.z, b.z}, Pair{m_common.fourth(a), m_common.fourth(b)}};
+    }
+    const __m128d escape = _mm_set1_pd(m_common.escape);
+    __m128d lost[2] = {_mm_setzero_pd(), _mm_setzero_pd()};
+    for (int round = 0; round < m_common.rounds; ++round) {
+      for (int i = 0; i < 2; ++i) {
+        const Pair rest = q[i].y * q[i].y + q[i].z * q[i].z + q[i].w * q[i].w, xx = q[i].x * q[i].x;
+        lost[i] = _mm_or_pd(lost[i], _mm_cmpgt_pd(rest + xx, escape));
+        q[i] = Rule::next(q[i], xx, rest, m_common.c);
+      }
+      if (_mm_movemask_pd(_mm_and_pd(lost[0], lost[1])) == 3) break;
+    }
+    const int first = _mm_movemask_pd(lost[0]), second = _mm_movemask_pd(lost[1]);
+    return {(first & 1) == 0, (first & 2) == 0, (second & 1) == 0};
+  }
+
+  /// As holds(); `step`: the least distance to the set, or 0 where that is less than the least step. Of the product of the orbit, which divides
   /// it, only the length is wanted, and lengths of quaternions multiply.
   bool step(const Vec3& p, const Vec3&, double& step, Memory&) const {
     Quaternion q = start(p);
@@ -128,7 +163,7 @@ class QuaternionMap {
     for (int i = 0; i < m_common.rounds; ++i) {
       const double rest = q.y * q.y + q.z * q.z + q.w * q.w, xx = q.x * q.x, size = rest + xx;
       if (size > m_common.escape) {
-        step = power * std::log(size) / std::sqrt(product);
+        step = is_short(size, power, product) ? 0.0 : power * std::log(size) / std::sqrt(product);
         return false;
       }
       product *= size;
@@ -174,12 +209,17 @@ class QuaternionMap {
 
  private:
   Quaternion start(const Vec3& p) const { return {p.x, p.y, p.z, m_common.fourth(p)}; }
+  /// Certain by the binary exponent, which is at most 1 less than the logarithm.
+  bool is_short(double size, double power, double product) const {
+    constexpr double kLn2 = 0.6931471805599454, kSure = 1.0 + 1e-9, kHuge = 1e300;
+    if (!(size < kHuge && product < kHuge)) return false;
+    const auto exponent = static_cast<int>(std::bit_cast<std::uint64_t>(size) >> 52) - 1023;
+    const double most = kSure * power * kLn2 * (exponent + 1);
+    return most * most < m_common.least_step * m_common.least_step * product;
+  }
 
   Common m_common;
 };
-
-/// Two doubles side by side, handled as one.
-using Pair = double __attribute__((vector_size(16)));
 
 /// A hypercomplex number <x, y, z, w> as the two complex numbers <x - w, y + z>, <x + w, y - z>
 /// which its functions map one by one.
@@ -276,7 +316,7 @@ inline double step_by_slope(double size, double slope, double least) {
 template <class Rule>
 class HypercomplexMap {
  public:
-  static constexpr bool kRemembers = false;
+  static constexpr bool kRemembers = false, kThreeAtOnce = false;
   struct Memory {
     explicit Memory(const HypercomplexMap&) {}
   };
@@ -355,7 +395,7 @@ class HypercomplexMap {
 template <class F>
 class FunctionMap {
  public:
-  static constexpr bool kRemembers = true;
+  static constexpr bool kRemembers = true, kThreeAtOnce = false;
   /// The numbers of the last orbits, each over the start of those before.
   class Memory {
    public:
