@@ -91,12 +91,22 @@ void Lathe::crossings(const Ray& ray, double t_min, double t_max, Visit&& visit)
   const AboutAxis about(ray);
   const double from = ray.origin.y + t_min * about.climb, to = ray.origin.y + t_max * about.climb;
   const double least = std::min(from, to), most = std::max(from, to);
+  const bool horizontal = std::fabs(about.climb) <= kHorizontal * about.across;
+  const double inverse_climb = 1.0 / about.climb;
   for (std::uint32_t i = 0; i < m_pieces.size(); ++i) {
     const Piece& piece = m_pieces[i];
     if (about.near2 > piece.widest * piece.widest * (1.0 + kSlack)) continue;
     const double margin = kSlack * (1.0 + piece.high - piece.low);
     if (most < piece.low - margin || least > piece.high + margin) continue;
-    const bool horizontal = std::fabs(about.climb) <= kHorizontal * about.across;
+    if (!horizontal) {
+      // At the piece's height the ray may be farther from the axis than the piece.
+      constexpr double kSure = 1e-6;
+      const double off = kSure * (1.0 + piece.high - piece.low);
+      const double a = (std::max(piece.low, least) - off - about.height) * inverse_climb;
+      const double b = (std::min(piece.high, most) + off - about.height) * inverse_climb;
+      const double away = std::max({0.0, std::min(a, b), -std::max(a, b)}) * about.across;
+      if (about.near2 + away * away > piece.widest * piece.widest * (1.0 + kSure)) continue;
+    }
     double s[6];
     const int n = horizontal ? line_crossings(piece.curve, 0.0, 1.0, -about.height, s)
                              : places(piece.curve, about, s);
