@@ -129,7 +129,8 @@ void Poly::along_any(const Vec3& p, const Vec3& d, double* c) const {
   for (int m = 0; m <= m_order; ++m) c[m] = line[m_order - m];
 }
 
-int Poly::crossings(const Ray& ray, double t_min, double t_max, double* roots) const {
+/// Those that lie between t_min and infinity, ascending; the first, and maybe others, if it is asked for alone.
+int Poly::crossings(const Ray& ray, double t_min, double t_max, bool first_alone, double* roots) const {
   // Counted from the ray's nearest point to the origin and in unit lengths, so that coefficients
   // stay small.
   const double length_of_unit = length(ray.direction);
@@ -148,15 +149,20 @@ int Poly::crossings(const Ray& ray, double t_min, double t_max, double* roots) c
     case 6: along<6>(p, d, c.data()); break;
     default: along_any(p, d, c.data());
   }
-  const int n = m_kept.is_finite() ? solve_between(c.data(), m_order, from, to, roots)
-                                   : solve_between_bounds(c.data(), m_order, from, to, roots);
-  for (int i = 0; i < n; ++i) roots[i] = (roots[i] + shift) / length_of_unit;
-  return n;
+  const auto solve = [&](bool first) {
+    const int n = m_kept.is_finite() ? solve_between(c.data(), m_order, from, to, roots, first)
+                                     : solve_between_bounds(c.data(), m_order, from, to, roots, first);
+    for (int i = 0; i < n; ++i) roots[i] = (roots[i] + shift) / length_of_unit;
+    return n;
+  };
+  const int n = solve(first_alone);
+  // By rounding the first may lie before t_min.
+  return first_alone && n > 0 && !(roots[n - 1] > t_min) ? solve(false) : n;
 }
 
 bool Poly::nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const {
   double roots[kMost];
-  const int n = crossings(ray, t_min, t_max, roots);
+  const int n = crossings(ray, t_min, t_max, true, roots);
   for (int i = 0; i < n; ++i) {
     if (!(roots[i] > t_min && roots[i] < t_max)) continue;
     hit = {roots[i], 0, 0.0, 0.0};
@@ -167,7 +173,7 @@ bool Poly::nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) co
 
 void Poly::all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const {
   double roots[kMost];
-  const int n = crossings(ray, t_min, t_max, roots);
+  const int n = crossings(ray, t_min, t_max, false, roots);
   for (int i = 0; i < n; ++i) {
     if (roots[i] > t_min && roots[i] < t_max) hits.push_back({roots[i], 0, 0.0, 0.0});
   }

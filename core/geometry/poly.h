@@ -33,7 +33,7 @@ class Poly final : public Shape {
   template <int kOrder>
   void along(const Vec3& p, const Vec3& d, double* c) const;
   void along_any(const Vec3& p, const Vec3& d, double* c) const;
-  int crossings(const Ray& ray, double t_min, double t_max, double* roots) const;
+  int crossings(const Ray& ray, double t_min, double t_max, bool first_alone, double* roots) const;
   double value(const Vec3& p) const;
 
   std::string_view m_name;

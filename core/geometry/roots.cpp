@@ -357,19 +357,20 @@ int solve_between(const double* c, int order, double lo, double hi, double* root
   return solve_pieces(c, order, lo, hi, rootless_derivative(c, order, lo, hi), roots);
 }
 
-int solve_between_bounds(const double* c, int order, double lo, double hi, double* roots) {
+int solve_between_bounds(const double* c, int order, double lo, double hi, double* roots,
+                         bool first_alone) {
   while (order > 1 && c[0] == 0.0) {
     ++c;
     --order;
   }
   const double bound = order > 1 ? roots_bound(c, order) : std::numeric_limits<double>::infinity();
-  if (!std::isfinite(bound) && order > 1) return solve_between_bounds(c + 1, order - 1, lo, hi, roots);
+  if (!std::isfinite(bound) && order > 1) return solve_between_bounds(c + 1, order - 1, lo, hi, roots, first_alone);
   const double from = std::max(lo, -bound), to = std::min(hi, bound);
   // Of a cubic over all that a ray has before it the derivative's roots are found at once: cheaper.
   if (order == 3 && from <= to && !std::isfinite(hi)) {
     return solve_pieces(c, order, from, to, rootless_derivative(c, order, from, to), roots);
   }
-  return solve_between(c, order, from, to, roots);
+  return solve_between(c, order, from, to, roots, first_alone);
 }
 
 }  // namespace lentray::core

@@ -20,6 +20,7 @@ int solve_quartic(const double c[5], double roots[4]);
 int solve_between(const double* c, int order, double lo, double hi, double* roots,
                   bool first_alone = false);
 /// The same where lo and hi may be infinite.
-int solve_between_bounds(const double* c, int order, double lo, double hi, double* roots);
+int solve_between_bounds(const double* c, int order, double lo, double hi, double* roots,
+                         bool first_alone = false);
 
 }  // namespace lentray::core
