@@ -18,7 +18,8 @@ bool Object::passes_clips(const Vec3& p) const {
 
 bool Object::passes_bounding(const Ray& ray, HitArena& arena) const {
   for (const auto& bound : bounding()) {
-    if (!bound->inside(ray.origin) && !bound->any(ray, 0.0, Bounds::kInf, arena)) return false;
+    // Most rays that come here meet it.
+    if (!bound->any(ray, 0.0, Bounds::kInf, arena) && !bound->inside(ray.origin)) return false;
   }
   return true;
 }
