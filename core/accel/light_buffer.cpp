@@ -104,6 +104,10 @@ template <class Count>
           continue;
         }
         const Caster& caster = m_casters[entry->caster];
+        if (caster.object == spot.unmet) {
+          foreseen = false;
+          continue;
+        }
         const Probe answer = probe(caster, ray, t_min, t_max, arena, count);
         if (answer == Probe::kBlocks) return {caster.object, foreseen};
         if (answer == Probe::kMisses) foreseen = false;
@@ -143,6 +147,7 @@ void LightBuffer::all_transparent(const Spot& spot, const Ray& ray, double t_min
                                   std::vector<Hit>& hits, HitArena& arena,
                                   Counters* counters) const {
   const auto ask = [&](const Caster& caster) {
+    if (caster.object == spot.unmet) return;
     if (counters) count(*counters, *caster.object);
     const std::size_t before = hits.size();
     caster.object->all(ray, t_min, t_max, hits, arena);

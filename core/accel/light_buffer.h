@@ -38,8 +38,10 @@ class LightBuffer {
     const Cell* cell = nullptr;  ///< null: nothing finite can darken the point
     double w = 0.0;
     bool known = false;  ///< it was asked for
+    /// An object that no ray from there to the light meets, for it starts on its outside; or null.
+    const Object* unmet = nullptr;
   };
-  /// Written in place: who copied it at once would wait for it.
+  /// Written in place, but for `unmet`: who copied it at once would wait for it.
   void locate(const Vec3& point, Spot& spot) const;
   /// True where the buffer may answer for a point at that distance from the light: not too near for its
   /// rounding, nor where so much stands behind one another that the hierarchy is the better choice.

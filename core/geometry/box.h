@@ -20,6 +20,7 @@ class Box final : public Shape {
   bool inside(const Vec3& p) const override;
   /// By side: ShapeHit::element is 2 * axis + (1 if the upper side).
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
+  Convexity convexity() const override { return Convexity::kConvex; }
   bool has_uv() const override { return true; }
   Vec2 uv(const Vec3& p, const ShapeHit& hit) const override;
   /// Under moves and scales along the axes.

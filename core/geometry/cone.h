@@ -26,6 +26,7 @@ class Cone final : public Shape {
   bool inside(const Vec3& p) const override;
   /// ShapeHit::element: 0 side, 1 base, 2 cap.
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
+  Convexity convexity() const override { return m_open ? Convexity::kOpen : Convexity::kConvex; }
   /// Under similarities.
   std::unique_ptr<Shape> baked(const Transform& t) const override;
 

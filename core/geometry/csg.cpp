@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <cmath>
 #include <mutex>
+#include <numbers>
 
 #include "core/accel/wide_bvh.h"
 #include "core/geometry/box_ray.h"
@@ -21,21 +23,47 @@ std::string_view keyword(CsgKind kind) {
 
 bool joins(CsgKind kind) { return kind == CsgKind::kUnion || kind == CsgKind::kMerge; }
 
-/// A list of the arena, for as long as it is needed.
+/// A list of the arena, from when it is asked for first for as long as it is needed.
 class ScratchHits {
  public:
-  explicit ScratchHits(HitArena& arena) : m_arena(arena), m_list(arena.acquire()) {}
-  ~ScratchHits() { m_arena.release(); }
+  explicit ScratchHits(HitArena& arena) : m_arena(arena) {}
+  ~ScratchHits() {
+    if (m_list) m_arena.release();
+  }
   ScratchHits(const ScratchHits&) = delete;
   ScratchHits& operator=(const ScratchHits&) = delete;
-  std::vector<Hit>& operator*() { return m_list; }
+  std::vector<Hit>& operator*() {
+    if (!m_list) m_list = &m_arena.acquire();
+    return *m_list;
+  }
 
  private:
   HitArena& m_arena;
-  std::vector<Hit>& m_list;
+  std::vector<Hit>* m_list = nullptr;
 };
 
 }  // namespace
+
+/// Where a ray is in the core, and what it meets of it.
+struct Csg::Chord {
+  const std::vector<Hit>& hits;  ///< all beyond t_min
+  double from, to;               ///< between which t, widened by more than rounding, any part's hits can be kept
+
+  Chord(const std::vector<Hit>& found, const Ray& ray, double t_min, bool convex)
+      : hits(found), from(t_min), to(found[0].t) {
+    double first = to;
+    for (const Hit& hit : found) {
+      to = std::max(to, hit.t);
+      first = std::min(first, hit.t);
+    }
+    constexpr double kShare = 1e-9, kOfPlace = 1e-11;
+    const auto size = [](const Vec3& v) { return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z); };
+    const double slack = kShare * (std::fabs(first) + std::fabs(to)) + kOfPlace * size(ray.origin) / size(ray.direction);
+    if (convex && found.size() > 1) from = first - slack;
+    to += slack;
+  }
+  bool has(double t) const { return t >= from && t <= to; }
+};
 
 /// Hierarchies over the children's boxes; those with infinite ones are listed apart.
 struct Csg::Search {
@@ -86,11 +114,13 @@ void Csg::fence_children() {
   m_solid = join ? Bounds() : Bounds::everything();
   m_void = join ? Bounds::everything() : Bounds();
   m_leaves_bounds = false;
+  m_lies_in_parts = !join;
   std::vector<Bounds> before(join ? 0 : n + 1, Bounds::everything());
   for (std::size_t i = 0; i < n; ++i) {
     const Object& child = *m_children[i];
     const Bounds solid = child.solid_bounds(), hollow = child.void_bounds();
     if (child.solid_leaves_bounds()) m_leaves_bounds = true;
+    m_lies_in_parts = m_lies_in_parts && child.lies_in_parts();
     if (join) {
       m_solid.include(solid);
       m_void.intersect(hollow);
@@ -115,7 +145,35 @@ void Csg::fence_children() {
   if (m_void.is_empty()) m_void = Bounds();
   m_search = m_children.size() < kMany ? nullptr : std::make_unique<Search>();
   fit_ball();
+  choose_tests();
 }
+
+/// Which boxes and parts are asked first. The core is the smallest there is.
+void Csg::choose_tests() {
+  m_core = kNobody;
+  m_closed = false;
+  if (m_search) return;
+  // A ball that is hardly larger than the box turns rays away for less.
+  constexpr double kMuchLarger = 3.0;
+  const auto is_tight = [](const auto& child) {
+    const Vec3 size = child->bounds().hi - child->bounds().lo;
+    const double radius = child->ball().radius();
+    return radius * radius * 2.0 * std::numbers::pi < kMuchLarger * (size.x * size.y + size.y * size.z + size.z * size.x);
+  };
+  m_asks_boxes = joins(m_kind) && (m_leaves_bounds || !std::all_of(m_children.begin(), m_children.end(), is_tight));
+  m_closed = !m_leaves_bounds && clips().empty() && bounding().empty() &&
+             std::all_of(m_children.begin(), m_children.end(), [](const auto& child) { return child->is_closed(); });
+  if (joins(m_kind) || m_leaves_bounds) return;
+  double least = Bounds::kInf;
+  for (std::size_t i = 0; i < m_children.size(); ++i) {
+    const double radius = m_children[i]->is_closed() ? m_children[i]->solid_ball().radius() : Bounds::kInf;
+    if (!(radius < least)) continue;
+    least = radius;
+    m_core = i;
+  }
+}
+
+bool Csg::is_closed() const { return m_closed && clips().empty() && bounding().empty(); }
 
 Ball Csg::surface_ball() const {
   if (m_leaves_bounds) return {};  // rays that miss the parts' balls may still be asked for inside()
@@ -145,6 +203,7 @@ void Csg::drop_shortcuts() {
   if (m_fences.empty()) fill_fences();
   for (auto& child : m_children) child->drop_shortcuts();
   m_search = nullptr;
+  m_core = kNobody;
   drop_ball();
   if (m_leaves_bounds) return;
   for (Fence& fence : m_fences) fence = {Bounds::everything(), Bounds::everything(), false};
@@ -270,37 +329,61 @@ bool Csg::keeps(std::size_t child, const Vec3& p) const {
   return m_kind == CsgKind::kMerge ? !any_inside(p, child) : every_inside(p, child);
 }
 
-/// Calls visit(child, t_max&) for the children whose box the ray meets, the last child first
-/// where they are few; visit may lower t_max, and answers true to end.
+/// Those whose box the ray meets, the core and then the last child first where they are few; visit may
+/// lower t_max, and answers true to end. `chord` is null where nothing is known.
 template <class Visit>
-void Csg::for_children_met(const Ray& ray, double t_min, double t_max, Visit&& visit) const {
+void Csg::for_children_met(const Ray& ray, double t_min, double t_max, HitArena& arena, Visit&& visit) const {
+  if (m_core != kNobody) {
+    const Object& core = *m_children[m_core];
+    ScratchHits scratch(arena);
+    std::vector<Hit>& found = *scratch;
+    core.all(ray, t_min, Bounds::kInf, found, arena);
+    if (found.empty()) return;  // nowhere beyond t_min
+    const Chord chord(found, ray, t_min, core.convexity() == Convexity::kConvex);
+    if (!(chord.from < t_max) || visit(m_core, t_max, &chord)) return;
+    for (std::size_t i = m_children.size(); i-- > 0;) {
+      if (i != m_core && visit(i, t_max, &chord)) return;
+    }
+    return;
+  }
+  constexpr Chord* kNone = nullptr;
   // Boxes that parts leave decide for the ray from its start on, as in stock.
   const double boxes_from = std::min(t_min, 0.0);
-  if (!m_search && !joins(m_kind) && ball().is_finite()) {
+  if (!m_search && !m_asks_boxes && ball().is_finite()) {
     // Who met the whole's ball meets most of the parts' boxes: their own tests are as quick.
     for (std::size_t i = m_children.size(); i-- > 0;) {
-      if (visit(i, t_max)) return;
+      if (visit(i, t_max, kNone)) return;
     }
     return;
   }
   if (!m_search) {
     const BoxRay box_ray(ray);
     for (std::size_t i = m_children.size(); i-- > 0;) {
-      if (box_ray.meets(m_fences[i].surface, boxes_from, t_max) && visit(i, t_max)) return;
+      if (box_ray.meets(m_fences[i].surface, boxes_from, t_max) && visit(i, t_max, kNone)) return;
     }
     return;
   }
   const Search& search = this->search();
   for (const std::uint32_t i : search.open_surfaces) {
-    if (visit(i, t_max)) return;
+    if (visit(i, t_max, kNone)) return;
   }
   search.surfaces.traverse(
       ray, boxes_from, t_max, [&](std::uint32_t first, std::uint32_t count, double& limit) {
         for (std::uint32_t place = first; place < first + count; ++place) {
-          if (visit(search.surfaces.order()[place], limit)) return true;
+          if (visit(search.surfaces.order()[place], limit, kNone)) return true;
         }
         return false;
       });
+}
+
+/// A child's, in the list that is given unless the chord has them; then some are beyond t_max.
+[[gnu::always_inline]] inline const std::vector<Hit>& Csg::crossings(
+    std::size_t i, const Ray& ray, double t_min, double t_max, const Chord* chord, std::vector<Hit>& list,
+    HitArena& arena) const {
+  if (chord && i == m_core) return chord->hits;
+  list.clear();
+  m_children[i]->all(ray, t_min, t_max, list, arena);
+  return list;
 }
 
 bool Csg::nearest(const Ray& ray, double t_min, double t_max, Hit& hit, HitArena& arena) const {
@@ -323,7 +406,7 @@ bool Csg::kept_nearest(const Ray& ray, double t_min, double t_max, Hit& hit, Hit
   const bool keep_all = m_kind == CsgKind::kUnion;
   std::size_t owner = kNobody;
   ScratchHits scratch(arena);
-  for_children_met(ray, t_min, t_max, [&](std::size_t i, double& limit) {
+  for_children_met(ray, t_min, t_max, arena, [&](std::size_t i, double& limit, const Chord* chord) {
     const bool wins_ties = owner != kNobody && i > owner;
     const double to = wins_ties ? std::nextafter(limit, Bounds::kInf) : limit;
     if (keep_all) {
@@ -334,11 +417,9 @@ bool Csg::kept_nearest(const Ray& ray, double t_min, double t_max, Hit& hit, Hit
       owner = i;
       return false;
     }
-    (*scratch).clear();
-    m_children[i]->all(ray, t_min, to, *scratch, arena);
     double best = to;
-    for (const Hit& next : *scratch) {
-      if (!(next.t < best) || !keeps(i, ray.at(next.t))) continue;
+    for (const Hit& next : crossings(i, ray, t_min, to, chord, *scratch, arena)) {
+      if (!(next.t < best) || (chord && !chord->has(next.t)) || !keeps(i, ray.at(next.t))) continue;
       hit = next;
       best = limit = next.t;
       owner = i;
@@ -354,11 +435,10 @@ bool Csg::any(const Ray& ray, double t_min, double t_max, HitArena& arena) const
   const bool keep_all = m_kind == CsgKind::kUnion && clips().empty();
   bool found = false;
   ScratchHits scratch(arena);
-  for_children_met(ray, t_min, t_max, [&](std::size_t i, double&) {
+  for_children_met(ray, t_min, t_max, arena, [&](std::size_t i, double&, const Chord* chord) {
     if (keep_all) return found = m_children[i]->any(ray, t_min, t_max, arena);
-    (*scratch).clear();
-    m_children[i]->all(ray, t_min, t_max, *scratch, arena);
-    for (const Hit& h : *scratch) {
+    for (const Hit& h : crossings(i, ray, t_min, t_max, chord, *scratch, arena)) {
+      if (chord && !(chord->has(h.t) && h.t < t_max)) continue;
       const Vec3 p = ray.at(h.t);
       if (keeps(i, p) && passes_clips(p)) return found = true;
     }
@@ -371,12 +451,13 @@ void Csg::all(const Ray& ray, double t_min, double t_max, std::vector<Hit>& hits
               HitArena& arena) const {
   if (ball().is_missed_by(ray)) return;
   if (!bounding().empty() && !passes_bounding(ray, arena)) return;
-  for_children_met(ray, t_min, t_max, [&](std::size_t i, double&) {
+  for_children_met(ray, t_min, t_max, arena, [&](std::size_t i, double&, const Chord* chord) {
     // Where nothing can be dropped the child's hits need no list of their own.
     const std::size_t first = hits.size();
     m_children[i]->all(ray, t_min, t_max, hits, arena);
     if (m_kind == CsgKind::kUnion && clips().empty()) return false;
     const auto drop = [&](const Hit& h) {
+      if (chord && !chord->has(h.t)) return true;
       const Vec3 p = ray.at(h.t);
       return !keeps(i, p) || (!clips().empty() && !passes_clips(p));
     };

@@ -19,6 +19,7 @@ class Disc final : public Shape {
   bool inside(const Vec3& p) const override;
   bool solid_leaves_bounds() const override { return true; }
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
+  Convexity convexity() const override { return Convexity::kFlat; }
   /// Under similarities.
   std::unique_ptr<Shape> baked(const Transform& t) const override;
 

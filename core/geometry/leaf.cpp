@@ -10,6 +10,7 @@ Leaf::Leaf(std::unique_ptr<Shape> shape, const Transform& to_world) : m_shape(st
       m_transform = std::make_unique<const Transform>(to_world);
     }
   }
+  set_convexity(m_shape->convexity());
   m_box = m_transform ? m_shape->bounds_in(*m_transform) : m_shape->bounds();
   set_ball(m_transform ? smaller(transformed(m_shape->ball(), *m_transform),
                                  ball_around(m_shape->bounds(), *m_transform))

@@ -90,6 +90,11 @@ class Object {
   /// Holds all that inside() can answer true for and the surface, whatever bounded_by says;
   /// everything where one of them is infinite.
   virtual Ball solid_ball() const = 0;
+  /// True where all of the surface lies in the solid of every part that is not inverse: a single
+  /// shape, or an intersection of such.
+  virtual bool lies_in_parts() const = 0;
+  /// True of finite solids that no ray leaves without a crossing that all() tells of.
+  virtual bool is_closed() const = 0;
 
   const Attributes& attributes() const { return m_attributes; }
   void set_attributes(const Attributes& a) { m_attributes = a; }
@@ -97,6 +102,8 @@ class Object {
   /// (union to intersection, intersection to merge, of inverse parts), as stock does it.
   virtual void set_inverse(bool inverse) { m_inverse = inverse; }
   bool is_inverse() const { return m_inverse; }
+  /// Of a leaf: that of its shape; none of inverse ones and of CSG.
+  Convexity convexity() const { return m_inverse ? Convexity::kNone : m_convexity; }
   /// Surfaces are kept where they are inside every clipping object.
   void set_clips(Regions clips) {
     limits().clips = std::move(clips);
@@ -130,6 +137,7 @@ class Object {
   void drop_ball() { m_ball = Ball(); }
   /// The first ball, before there are clips or bounded_by.
   void set_ball(const Ball& ball) { m_ball = ball; }
+  void set_convexity(Convexity convexity) { m_convexity = convexity; }
   const Ball& first_ball() const { return m_limits ? m_limits->first_ball : m_ball; }
 
  private:
@@ -149,6 +157,7 @@ class Object {
   std::unique_ptr<Limits> m_limits;
   bool m_inverse = false;
   bool m_opaque = false;
+  Convexity m_convexity = Convexity::kNone;
   double m_test_cost = 1.0;
 };
 
@@ -163,6 +172,10 @@ class Leaf final : public Object {
   bool solid_leaves_bounds() const override;
   Bounds void_bounds() const override;
   Ball solid_ball() const override;
+  bool lies_in_parts() const override { return true; }
+  bool is_closed() const override {
+    return convexity() == Convexity::kConvex && clips().empty() && bounding().empty();
+  }
   bool nearest(const Ray&, double t_min, double t_max, Hit&, HitArena&) const override;
   void all(const Ray&, double t_min, double t_max, std::vector<Hit>&, HitArena&) const override;
   bool any(const Ray&, double t_min, double t_max, HitArena&) const override;
@@ -217,6 +230,8 @@ class Csg final : public Object {
   bool solid_leaves_bounds() const override;
   Bounds void_bounds() const override;
   Ball solid_ball() const override;
+  bool lies_in_parts() const override { return m_lies_in_parts; }
+  bool is_closed() const override;
 
   /// After `inverse`: what it works as. Only kUnion may be split into its parts.
   CsgKind kind() const { return m_kind; }
@@ -232,10 +247,15 @@ class Csg final : public Object {
     bool beyond = false;
   };
   struct Search;
+  struct Chord;
   static constexpr std::size_t kNobody = ~std::size_t{0};
 
+  /// Calls visit(child, t_max&, chord) for the children that the ray may meet.
   template <class Visit>
-  void for_children_met(const Ray& ray, double t_min, double t_max, Visit&& visit) const;
+  void for_children_met(const Ray& ray, double t_min, double t_max, HitArena& arena, Visit&& visit) const;
+  const std::vector<Hit>& crossings(std::size_t child, const Ray& ray, double t_min, double t_max, const Chord* chord,
+                                    std::vector<Hit>& list, HitArena& arena) const;
+  void choose_tests();
   bool child_inside(std::size_t child, const Vec3& p) const;
   bool any_inside(const Vec3& p, std::size_t except) const;
   bool every_inside(const Vec3& p, std::size_t except) const;
@@ -252,6 +272,11 @@ class Csg final : public Object {
   std::string_view m_name;
   Bounds m_surface, m_solid, m_void;  ///< before own clips
   bool m_leaves_bounds = false;       ///< a child's solid does
+  bool m_lies_in_parts = false;
+  bool m_closed = false;              ///< all children are
+  bool m_asks_boxes = true;           ///< of few children; else their own tests turn rays away as well
+  /// Of an intersection of few: a closed part, in whose solid all that is kept lies. Else nobody.
+  std::size_t m_core = kNobody;
   mutable std::vector<Fence> m_fences;  ///< one a child; of many that are joined, made by search()
   std::unique_ptr<Search> m_search;   ///< where there are many children
   std::vector<std::unique_ptr<Object>> m_children;

@@ -19,6 +19,8 @@ class Ovus final : public Shape {
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
   bool inside(const Vec3& p) const override;
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
+  /// Where spheres and torus join a root may be lost.
+  Convexity convexity() const override { return Convexity::kOpen; }
   bool has_uv() const override { return true; }
   /// As on a sphere about the point half a top radius up.
   Vec2 uv(const Vec3& p, const ShapeHit& hit) const override;

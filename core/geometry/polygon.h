@@ -55,6 +55,7 @@ class Polygon final : public Shape {
   bool outside(const Vec3&) const override { return false; }
   bool is_solid() const override { return false; }
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
+  Convexity convexity() const override { return Convexity::kFlat; }
   std::unique_ptr<Shape> baked(const Transform& t) const override;
   std::size_t memory() const override;
 

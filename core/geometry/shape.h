@@ -22,6 +22,14 @@ struct ShapeHit {
 };
 using ShapeHits = std::vector<ShapeHit>;
 
+/// What is certain of a ray that leaves a surface on the side to which its normal points.
+enum class Convexity : std::uint8_t {
+  kNone,    ///< nothing
+  kConvex,  ///< it does not meet the surface again: that lies behind the normal's plane
+  kOpen,    ///< the same, but a ray that is in the solid may leave it without a crossing
+  kFlat,    ///< the same as of kOpen, on either side
+};
+
 class Shape {
  public:
   virtual ~Shape() = default;
@@ -63,6 +71,8 @@ class Shape {
   virtual bool solid_leaves_bounds() const { return false; }
   /// False for patches, which `inverse` does not change.
   virtual bool is_solid() const { return true; }
+  /// But for rounding, and of hits from outside alone. Patches whose normal is not that of their plane have none.
+  virtual Convexity convexity() const { return Convexity::kNone; }
   /// Shading normal, not necessarily unit, pointing as stock's does (outwards for solids).
   virtual Vec3 normal(const Vec3& p, const ShapeHit& hit) const = 0;
   /// Texture coordinates for uv_mapping. Kinds without any of their own (has_uv) take x and y of

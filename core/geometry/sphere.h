@@ -44,6 +44,7 @@ class Sphere final : public Shape {
   bool inside(const Vec3& p) const override;
   bool outside(const Vec3& p) const override;
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
+  Convexity convexity() const override { return Convexity::kConvex; }
   bool has_uv() const override { return true; }
   Vec2 uv(const Vec3& p, const ShapeHit& hit) const override;
   /// Under similarities.

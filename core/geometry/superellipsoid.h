@@ -21,6 +21,7 @@ class Superellipsoid final : public Shape {
   bool any(const Ray& ray, double t_min, double t_max) const override;
   bool inside(const Vec3& p) const override;
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
+  Convexity convexity() const override { return m_convex ? Convexity::kConvex : Convexity::kNone; }
 
  private:
   /// A norm of p (of degree 1) less 1.

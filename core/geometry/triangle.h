@@ -13,6 +13,7 @@ class Triangle final : public TriangleShape {
 
   std::string_view name() const override { return "triangle"; }
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
+  Convexity convexity() const override { return Convexity::kFlat; }
   std::unique_ptr<Shape> baked(const Transform& t) const override;
 
  private:

@@ -59,6 +59,7 @@ class PathTracer final : public Tracer {
         m_max_level(scene.settings().max_trace_level),
         m_bailout(scene.settings().adc_bailout),
         m_min_distance(kMinHitDistance * scene.tolerance_scale()),
+        m_shadow_tolerance(kShadowTolerance * scene.tolerance_scale()),
         m_atmosphere_ior(scene.settings().atmosphere_ior),
         m_mirror_images(scene.settings().mirror_images),
         m_legacy_opacity(scene.settings().language_version < 370),
@@ -173,6 +174,7 @@ class PathTracer final : public Tracer {
   double random();
   Frame& enter_frame();
   void look_ahead(const Surface& at, Frame& frame) const;
+  void find_unmet(const Surface& at, Frame& frame) const;
 
   const Scene& m_scene;
   const Hierarchy& m_hierarchy;
@@ -183,6 +185,7 @@ class PathTracer final : public Tracer {
   const int m_max_level;
   const double m_bailout;
   const double m_min_distance;  ///< kMinHitDistance in this scene
+  const double m_shadow_tolerance;  ///< kShadowTolerance in this scene
   const double m_atmosphere_ior;
   const bool m_mirror_images;
   const bool m_legacy_opacity;

@@ -101,7 +101,32 @@ void PathTracer<kFeatures>::look_ahead(const Surface& at, Frame& frame) const {
       LightBuffer::Spot& spot = frame.spots[i];
       spot.known =
           source.buffer && !source.surely_behind(source.position - at.point(), at.normal);
+      spot.unmet = nullptr;
       if (spot.known) source.buffer->locate(at.point(), spot);
+    }
+  }
+  if (at.context.hit->leaf->convexity() != Convexity::kNone) find_unmet(at, frame);
+}
+
+/// Where all of the object lies behind the plane of its surface, but for rounding, rays to the lights before it
+/// do not meet it. Rounding can have the point so far within that one with less than `slope` for the cosine is
+/// not out before the tolerance.
+template <unsigned kFeatures>
+[[gnu::noinline]] void PathTracer<kFeatures>::find_unmet(const Surface& at, Frame& frame) const {
+  constexpr double kLeast = 1e-3, kRounding = 1e-9;
+  const Hit& hit = *at.context.hit;
+  if (!hit.object->lies_in_parts()) return;
+  const bool either_side = hit.leaf->convexity() == Convexity::kFlat && hit.object == hit.leaf;
+  if (at.from_behind && !either_side) return;
+  const Vec3& p = at.point();
+  const double off = kRounding * (std::fabs(p.x) + std::fabs(p.y) + std::fabs(p.z) + hit.t);
+  const double slope = std::max(kLeast, off / m_shadow_tolerance);
+  for (const std::span<const std::uint32_t> lights : lights_of(at.looks)) {
+    for (const std::uint32_t i : lights) {
+      if (!frame.spots[i].known || !m_sources[i].straight) continue;
+      const Vec3 to = m_sources[i].position - p;
+      const double up = dot(at.normal, to);
+      if (up > 0.0 && up * up > slope * slope * length_squared(to)) frame.spots[i].unmet = hit.object;
     }
   }
 }
