@@ -80,8 +80,9 @@ Bounds SurfaceOfRevolution::bounds_in(const Transform& t) const {
 /// The pieces' widths tell where roots are looked for, and so what their last bits are: they stay.
 void SurfaceOfRevolution::drop_shortcuts() { m_reach = Bounds::everything(); }
 
+/// Pieces as the ray comes to them; those that it comes to beyond t_max, which visit may lower, are left out.
 template <class Visit>
-void SurfaceOfRevolution::crossings(const Ray& ray, double t_min, double t_max,
+void SurfaceOfRevolution::crossings(const Ray& ray, double t_min, const double& t_max,
                                     Visit&& visit) const {
   constexpr double kSlack = 1e-9, kLevel = 1e-10;
   if (!BoxRay(ray).meets(m_reach, t_min, t_max)) return;
@@ -101,7 +102,9 @@ void SurfaceOfRevolution::crossings(const Ray& ray, double t_min, double t_max,
     if (m_cap2 > 0.0) flat(m_pieces.back().high, m_cap2, cap());
   }
   const double climb = d.y;
-  for (std::uint32_t i = 0; i < m_pieces.size(); ++i) {
+  const auto pieces = static_cast<std::uint32_t>(m_pieces.size());
+  for (std::uint32_t k = 0; k < pieces; ++k) {
+    const std::uint32_t i = climb < 0.0 ? pieces - 1 - k : k;
     const Piece& p = m_pieces[i];
     if (about.near2 > p.widest2 * (1.0 + kSlack)) continue;
     // t_max does not cut: the roots' last bits would tell what else the ray has met.
@@ -129,17 +132,35 @@ void SurfaceOfRevolution::crossings(const Ray& ray, double t_min, double t_max,
     double root[3];
     const int n = std::isfinite(hi) ? solve_between(cubic, 3, lo, hi, root)
                                     : solve_between_bounds(cubic, 3, lo, hi, root);
-    for (int k = 0; k < n; ++k) {
-      const double s = g + climb * root[k];
-      if (s >= -margin && s <= p.high - p.low + margin) visit(shift + root[k], i, 0.0);
+    for (int j = 0; j < n; ++j) {
+      const double s = g + climb * root[j];
+      if (s >= -margin && s <= p.high - p.low + margin) visit(shift + root[j], i, 0.0);
     }
   }
 }
 
 bool SurfaceOfRevolution::nearest(const Ray& ray, double t_min, double t_max,
                                   ShapeHit& hit) const {
-  const auto each = [&](auto&& visit) { crossings(ray, t_min, t_max, visit); };
-  return nearest_of_all(each, t_min, t_max, hit);
+  bool found = false;
+  crossings(ray, t_min, t_max, [&](double t, std::uint32_t element, double) {
+    // Where two pieces meet the lower one counts.
+    const bool wins_tie = found && hit.element < base() && element < hit.element;
+    if (!(t > t_min && (t < t_max || (wins_tie && t == t_max)))) return;
+    hit = {t, element, 0.0, 0.0};
+    t_max = t;
+    found = true;
+  });
+  return found;
+}
+
+bool SurfaceOfRevolution::any(const Ray& ray, double t_min, double t_max) const {
+  bool found = false;
+  crossings(ray, t_min, t_max, [&](double t, std::uint32_t, double) {
+    if (!(t > t_min && t < t_max)) return;
+    found = true;
+    t_max = -Bounds::kInf;
+  });
+  return found;
 }
 
 void SurfaceOfRevolution::all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const {

@@ -20,6 +20,7 @@ class SurfaceOfRevolution final : public Shape {
   Bounds bounds_in(const Transform& t) const override;
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
+  bool any(const Ray& ray, double t_min, double t_max) const override;
   bool inside(const Vec3& p) const override;
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
   bool has_uv() const override { return true; }
@@ -36,7 +37,7 @@ class SurfaceOfRevolution final : public Shape {
     double slope(double s) const { return (3.0 * c3 * s + 2.0 * c2) * s + c1; }
   };
   template <class Visit>
-  void crossings(const Ray& ray, double t_min, double t_max, Visit&& visit) const;
+  void crossings(const Ray& ray, double t_min, const double& t_max, Visit&& visit) const;
   std::uint32_t base() const { return static_cast<std::uint32_t>(m_pieces.size()); }
   std::uint32_t cap() const { return base() + 1; }
 
