@@ -105,7 +105,10 @@ void PathTracer<kFeatures>::look_ahead(const Surface& at, Frame& frame) const {
       if (spot.known) source.buffer->locate(at.point(), spot);
     }
   }
-  if (at.context.hit->leaf->convexity() != Convexity::kNone) find_unmet(at, frame);
+  // A test of what is simpler costs no more.
+  constexpr double kWorthwhile = 12.0;
+  const Hit& hit = *at.context.hit;
+  if (hit.object->test_cost() >= kWorthwhile && hit.leaf->convexity() != Convexity::kNone) find_unmet(at, frame);
 }
 
 /// Where all of the object lies behind the plane of its surface, but for rounding, rays to the lights before it
