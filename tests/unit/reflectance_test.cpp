@@ -32,6 +32,19 @@ TEST(UnitCoreReflectance, DiffuseFollowsTheCosineAndBrilliance) {
   EXPECT_EQ(diffuse_light(finish, 0.8, light, pigment, 0.0, 1.0, 0.5), Rgb()) << "no crand alone";
 }
 
+TEST(UnitCoreReflectance, WholePowersAreAsNearAsOthers) {
+  for (const double exponent : {0.0, 0.5, 1.0, 2.0, 3.0, 20.0, 20.000001, 100.0, 1000.0, 1024.0, 1025.0, 1e9, 1e300, -2.0}) {
+    for (const double x : {1e-300, 0.01, 0.3, 0.999, 1.0, 1.0000001}) {
+      const double expected = std::pow(x, exponent);
+      if (std::isinf(expected)) {
+        EXPECT_TRUE(std::isinf(power(x, exponent))) << x << ' ' << exponent;
+      } else {
+        EXPECT_NEAR(power(x, exponent), expected, 1e-12 * expected) << x << ' ' << exponent;
+      }
+    }
+  }
+}
+
 TEST(UnitCoreReflectance, PhongIsAPowerOfTheMirrorAngle) {
   Illumination on = face_on();
   on.towards_light = {0.6, 0.8, 0};
