@@ -8,9 +8,7 @@
 #include <emmintrin.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 #include <vector>
 
 #include "core/geometry/complex_functions.h"
@@ -155,7 +153,7 @@ class QuaternionMap {
     return {(first & 1) == 0, (first & 2) == 0, (second & 1) == 0};
   }
 
-  /// As holds(); `step`: the least distance to the set, or 0 where that is less than the least step. Of the product of the orbit, which divides
+  /// As holds(); `step`: the least distance to the set. Of the product of the orbit, which divides
   /// it, only the length is wanted, and lengths of quaternions multiply.
   bool step(const Vec3& p, const Vec3&, double& step, Memory&) const {
     Quaternion q = start(p);
@@ -163,7 +161,7 @@ class QuaternionMap {
     for (int i = 0; i < m_common.rounds; ++i) {
       const double rest = q.y * q.y + q.z * q.z + q.w * q.w, xx = q.x * q.x, size = rest + xx;
       if (size > m_common.escape) {
-        step = is_short(size, power, product) ? 0.0 : power * std::log(size) / std::sqrt(product);
+        step = power * std::log(size) / std::sqrt(product);
         return false;
       }
       product *= size;
@@ -209,14 +207,6 @@ class QuaternionMap {
 
  private:
   Quaternion start(const Vec3& p) const { return {p.x, p.y, p.z, m_common.fourth(p)}; }
-  /// Certain by the binary exponent, which is at most 1 less than the logarithm.
-  bool is_short(double size, double power, double product) const {
-    constexpr double kLn2 = 0.6931471805599454, kSure = 1.0 + 1e-9, kHuge = 1e300;
-    if (!(size < kHuge && product < kHuge)) return false;
-    const auto exponent = static_cast<int>(std::bit_cast<std::uint64_t>(size) >> 52) - 1023;
-    const double most = kSure * power * kLn2 * (exponent + 1);
-    return most * most < m_common.least_step * m_common.least_step * product;
-  }
 
   Common m_common;
 };
