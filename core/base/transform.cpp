@@ -1,8 +1,8 @@
 #include "core/base/transform.h"
 
-#include <emmintrin.h>
-
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 
 namespace lentray::core {
@@ -121,8 +121,8 @@ bool Transform::is_identity() const {
   static_assert(sizeof(Matrix) == 12 * sizeof(double));
   const double* const a = m_rows[0].data();
   const double* const b = kIdentity[0].data();
-  int differ = 0;
-  for (int i = 0; i < 12; i += 2) differ |= _mm_movemask_pd(_mm_cmpneq_pd(_mm_loadu_pd(a + i), _mm_loadu_pd(b + i)));
+  std::uint64_t differ = 0;  // all bits but the sign are 0 where two numbers are equal
+  for (int i = 0; i < 12; ++i) differ |= std::bit_cast<std::uint64_t>(a[i] - b[i]) << 1;
   return differ == 0;
 }
 

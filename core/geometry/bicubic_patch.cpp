@@ -141,8 +141,8 @@ class BicubicPatch::NetMaker {
 };
 
 BicubicPatch::BicubicPatch(const std::array<Vec3, 16>& points, int u_steps, int v_steps,
-                           double flatness)
-    : m_points(points), m_u_steps(u_steps), m_v_steps(v_steps), m_flatness(flatness) {
+                           double flatness, const Corners& corners)
+    : m_points(points), m_u_steps(u_steps), m_v_steps(v_steps), m_flatness(flatness), m_corners(corners) {
   constexpr int kMostSteps = 16;
   int by_u = std::clamp(u_steps, 0, kMostSteps), by_v = std::clamp(v_steps, 0, kMostSteps);
   while (by_u + by_v > kMostHalvings) --(by_u > by_v ? by_u : by_v);
@@ -156,7 +156,7 @@ BicubicPatch::BicubicPatch(const std::array<Vec3, 16>& points, int u_steps, int 
 std::unique_ptr<Shape> BicubicPatch::baked(const Transform& t) const {
   std::array<Vec3, 16> moved = m_points;
   for (Vec3& p : moved) p = t.point(p);
-  return std::make_unique<BicubicPatch>(moved, m_u_steps, m_v_steps, m_flatness);
+  return std::make_unique<BicubicPatch>(moved, m_u_steps, m_v_steps, m_flatness, m_corners);
 }
 
 void BicubicPatch::evaluate(double u, double v, Vec3& place, Vec3& by_u, Vec3& by_v) const {
@@ -174,7 +174,14 @@ void BicubicPatch::evaluate(double u, double v, Vec3& place, Vec3& by_u, Vec3& b
 
 Vec2 BicubicPatch::uv(const Vec3& p, const ShapeHit& hit) const {
   const Vec2 at = m_net->uv(p, hit);
-  return {at.v, at.u};
+  const double u = at.v, v = at.u;  // along a row, and from row to row
+  const double weights[] = {(1.0 - u) * (1.0 - v), u * (1.0 - v), u * v, (1.0 - u) * v};
+  Vec2 out;
+  for (std::size_t i = 0; i < 4; ++i) {
+    out.u += weights[i] * m_corners[i].u;
+    out.v += weights[i] * m_corners[i].v;
+  }
+  return out;
 }
 
 }  // namespace lentray::core

@@ -15,9 +15,13 @@ namespace lentray::core {
 
 class BicubicPatch final : public Shape {
  public:
+  using Corners = std::array<Vec2, 4>;  ///< texture coordinates: of points 0, 3, 15, 12
+  static constexpr Corners kUnitSquare{Vec2{0, 0}, Vec2{1, 0}, Vec2{1, 1}, Vec2{0, 1}};
+
   /// Rows of four points; steps 0 to 16, both together at most 18. A piece is flat enough if its
   /// control points are nearer than `flatness` to a plane through its corners; 0: none is.
-  BicubicPatch(const std::array<Vec3, 16>& points, int u_steps, int v_steps, double flatness);
+  BicubicPatch(const std::array<Vec3, 16>& points, int u_steps, int v_steps, double flatness,
+               const Corners& corners = kUnitSquare);
 
   std::string_view name() const override { return "bicubic_patch"; }
   Bounds bounds() const override { return m_net->bounds(); }
@@ -46,6 +50,7 @@ class BicubicPatch final : public Shape {
   std::array<Vec3, 16> m_points;
   int m_u_steps, m_v_steps;
   double m_flatness;
+  Corners m_corners;
   std::unique_ptr<Mesh> m_net;  ///< its texture coordinates are u and v
 };
 

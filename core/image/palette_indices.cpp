@@ -8,6 +8,10 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <string_view>
+
+#include "core/image/palette_bitmaps.h"
+#include "core/image/png_errors.h"
 
 namespace lentray::core {
 namespace {
@@ -16,12 +20,10 @@ struct Close {
   void operator()(std::FILE* file) const { std::fclose(file); }
 };
 
-/// libpng reports by a function that must not return.
-[[noreturn]] void on_error(png_structp, png_const_charp message) { throw std::runtime_error(message); }
-void on_warning(png_structp, png_const_charp) {}
+using Entries = std::vector<std::uint8_t>;
 
 struct PngReader {
-  png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, on_error, on_warning);
+  png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, png_fails, png_warns);
   png_infop info = png ? png_create_info_struct(png) : nullptr;
   PngReader() = default;
   PngReader(const PngReader&) = delete;
@@ -29,51 +31,63 @@ struct PngReader {
   ~PngReader() { png_destroy_read_struct(&png, &info, nullptr); }
 };
 
-PaletteIndices from_png(std::FILE* file) {
+Entries from_png(std::FILE* file, const StoredImage& stored) {
   PngReader reader;
   if (!reader.info) throw std::runtime_error("out of memory");
   png_set_user_limits(reader.png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
   png_init_io(reader.png, file);
   png_read_info(reader.png, reader.info);
   if (png_get_color_type(reader.png, reader.info) != PNG_COLOR_TYPE_PALETTE) return {};
+  if (png_get_image_width(reader.png, reader.info) != stored.width) return {};
+  if (png_get_image_height(reader.png, reader.info) != stored.height) return {};
   png_set_packing(reader.png);  // a byte for each pixel of 1, 2 or 4 bits
   const int passes = png_set_interlace_handling(reader.png);
   png_read_update_info(reader.png, reader.info);
-  PaletteIndices read;
-  read.width = png_get_image_width(reader.png, reader.info);
-  read.height = png_get_image_height(reader.png, reader.info);
-  read.entries.resize(std::size_t{read.width} * read.height);
+  Entries entries(std::size_t{stored.width} * stored.height);
   for (int pass = 0; pass < passes; ++pass) {
-    for (std::uint32_t row = 0; row < read.height; ++row) {
-      png_read_row(reader.png, read.entries.data() + std::size_t{row} * read.width, nullptr);
+    for (std::uint32_t row = 0; row < stored.height; ++row) {
+      png_read_row(reader.png, entries.data() + std::size_t{row} * stored.width, nullptr);
     }
   }
-  return read;
+  return entries;
 }
 
-PaletteIndices from_gif(const std::filesystem::path& path) {
+int read_gif(GifFileType* gif, GifByteType* to, int size) {
+  return static_cast<int>(std::fread(to, 1, static_cast<std::size_t>(size), static_cast<std::FILE*>(gif->UserData)));
+}
+
+Entries from_gif(std::FILE* file, const StoredImage& stored) {
   int error = 0;
-  const auto close = [](GifFileType* file) { DGifCloseFile(file, nullptr); };
-  const std::unique_ptr<GifFileType, decltype(close)> gif(DGifOpenFileName(path.c_str(), &error), close);
+  const auto close = [](GifFileType* gif) { DGifCloseFile(gif, nullptr); };
+  const std::unique_ptr<GifFileType, decltype(close)> gif(DGifOpen(file, read_gif, &error), close);
   if (!gif || DGifSlurp(gif.get()) != GIF_OK || gif->ImageCount < 1) return {};
   const SavedImage& picture = gif->SavedImages[0];
-  const GifImageDesc& place = picture.ImageDesc;
-  PaletteIndices read{static_cast<std::uint32_t>(place.Width), static_cast<std::uint32_t>(place.Height), {}};
-  read.entries.assign(picture.RasterBits, picture.RasterBits + std::size_t{read.width} * read.height);
-  return read;
+  const auto width = static_cast<std::uint32_t>(picture.ImageDesc.Width);
+  const auto height = static_cast<std::uint32_t>(picture.ImageDesc.Height);
+  if (width != stored.width || height != stored.height) return {};
+  return {picture.RasterBits, picture.RasterBits + std::size_t{width} * height};
+}
+
+std::string all_of(std::FILE* file) {
+  std::string bytes;
+  std::array<char, 1 << 16> part{};
+  while (const std::size_t size = std::fread(part.data(), 1, part.size(), file)) bytes.append(part.data(), size);
+  return bytes;
 }
 
 }  // namespace
 
-PaletteIndices read_palette_indices(const std::filesystem::path& path) {
+Entries palette_entries(const StoredImage& stored, const std::filesystem::path& path, bool is_targa) {
   const std::unique_ptr<std::FILE, Close> file(std::fopen(path.c_str(), "rbe"));
   std::array<char, 6> head{};
   if (!file || std::fread(head.data(), 1, head.size(), file.get()) != head.size()) return {};
   const std::string_view begins(head.data(), head.size());
+  std::rewind(file.get());
   try {
-    if (begins.starts_with("GIF8")) return from_gif(path);
-    std::rewind(file.get());
-    if (begins.starts_with("\x89PNG")) return from_png(file.get());
+    if (begins.starts_with("GIF8")) return from_gif(file.get(), stored);
+    if (begins.starts_with("\x89PNG")) return from_png(file.get(), stored);
+    if (begins.starts_with("BM")) return bitmap_entries(all_of(file.get()), stored.width, stored.height);
+    if (is_targa) return targa_entries(all_of(file.get()), stored.width, stored.height);
   } catch (const std::runtime_error&) {
   }
   return {};

@@ -10,17 +10,10 @@
 #include <vector>
 
 #include "core/image/picture_encoder.h"
+#include "core/image/png_errors.h"
 
 namespace lentray::core {
 namespace {
-
-/// libpng reports by a function that must not return: an exception leaves its frames, which hold
-/// nothing of their own.
-[[noreturn]] void on_error(png_structp png, png_const_charp message) {
-  const auto* complaint = static_cast<const std::string*>(png_get_error_ptr(png));
-  throw std::runtime_error(complaint->empty() ? message : *complaint);
-}
-void on_warning(png_structp, png_const_charp) {}
 
 class PngEncoder final : public PictureEncoder {
  public:
@@ -31,7 +24,7 @@ class PngEncoder final : public PictureEncoder {
     m_file = std::fopen(path.c_str(), "wbe");
     if (!m_file) throw std::runtime_error(std::strerror(errno));
     std::setvbuf(m_file, m_buffer.data(), _IOFBF, m_buffer.size());
-    m_png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &m_complaint, on_error, on_warning);
+    m_png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &m_complaint, png_fails, png_warns);
     m_info = m_png ? png_create_info_struct(m_png) : nullptr;
     if (!m_info) throw std::runtime_error("out of memory");
     png_set_write_fn(m_png, this, write, nullptr);

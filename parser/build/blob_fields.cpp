@@ -1,5 +1,7 @@
 #include "parser/build/blob_fields.h"
 
+#include <cmath>
+
 #include "core/geometry/bounds_help.h"
 
 namespace lentray::parser {
@@ -20,7 +22,7 @@ std::vector<core::BlobField> blob_fields(const BlobShape& blob) {
   std::vector<core::BlobField> fields;
   for (const BlobElement& e : blob.elements) {
     core::BlobField field;
-    field.radius = e.radius;
+    field.radius = std::fabs(e.radius);
     field.strength = e.strength;
     const Vec3 axis = e.b - e.a;
     if (e.kind == BlobElement::Kind::kCylinder && length(axis) > 0.0) {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/base/color.h"
+#include "core/image/palette_indices.h"
 #include "core/image/reader.h"
-#include "parser/build/palette_entries.h"
 #include "parser/build/picture_reader.h"
 
 namespace lentray::parser {
@@ -91,7 +91,7 @@ std::uint16_t grey_byte(float value) {
 Heights of_picture(const HeightFieldShape& field) {
   const core::StoredImage stored = core::read_image(field.file);
   Heights heights{static_cast<int>(stored.width), static_cast<int>(stored.height), {}};
-  const std::vector<std::uint8_t> entries = palette_entries(stored, field.file);
+  const std::vector<std::uint8_t> entries = core::palette_entries(stored, field.file, field.file_type == "tga");
   if (field.file_type == "pot" && !entries.empty()) return of_potentials(stored, entries);
   const float most = stored.bits == 8 ? 255.0f : stored.bits == 16 ? kFull : 1.0f;
   std::function<float(float)> decode;

@@ -49,6 +49,19 @@ std::vector<const FunctionDesc*> functions_of(const ObjectDesc& object) {
   return all;
 }
 
+/// Parts without an interior of their own share the whole's, and the last of them says for all whether it is
+/// hollow.
+std::optional<bool> shared_hollow(const ObjectDesc& object, std::optional<bool> from) {
+  if (object.hollow) from = object.hollow;
+  const CsgShape* csg = object.csg();
+  if (!csg) return from.value_or(false);
+  for (auto child = csg->children->rbegin(); child != csg->children->rend(); ++child) {
+    if ((*child)->is_light() || (*child)->rare->interior) continue;
+    if (const auto hollow = shared_hollow(**child, from)) return hollow;
+  }
+  return std::nullopt;
+}
+
 double volume(const core::Bounds& b) {
   if (b.is_empty()) return 0.0;
   const Vec3 d = b.hi - b.lo;
@@ -123,6 +136,8 @@ ObjectBuilder::Inherited ObjectBuilder::resolve(const ObjectDesc& object, const 
   looks.no_image = from.no_image || object.no_image;
   looks.no_reflection = from.no_reflection || object.no_reflection;
   if (object.hollow) looks.hollow = object.hollow;
+  if (object.rare->interior || !from.in_whole) looks.shared_hollow = shared_hollow(object, from.hollow);
+  looks.in_whole = true;
   // The outermost double_illuminate overrides those inside it.
   if (!from.double_illuminate) looks.double_illuminate = object.double_illuminate;
   if (!m_parts) return looks;
@@ -157,7 +172,7 @@ core::Attributes ObjectBuilder::attributes(const Inherited& looks) {
   a.no_shadow = looks.no_shadow;
   a.no_image = looks.no_image;
   a.no_reflection = looks.no_reflection;
-  a.hollow = looks.hollow.value_or(false);
+  a.hollow = looks.shared_hollow.value_or(false);
   a.uv_mapping = looks.uv_mapping;
   a.double_illuminate = looks.double_illuminate.value_or(false);
   a.interior = looks.interior;
@@ -393,6 +408,7 @@ void ObjectBuilder::add_looks_like(const ObjectDesc& object, const core::Transfo
   if (from.lights) around.lights = &scope;
   Inherited looks = resolve(object, to_world, around);
   looks.no_shadow = true;
+  looks.in_whole = false;
   // The kernel's list holds it: a light in a CSG takes no part in the CSG.
   add_to_list(*light.looks_like, to_world, looks);
 }

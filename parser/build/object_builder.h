@@ -53,6 +53,8 @@ class ObjectBuilder {
     bool uv_mapping = false;
     bool no_shadow = false, no_image = false, no_reflection = false;
     const LightScope* lights = nullptr;  ///< null: in no light_group
+    std::optional<bool> shared_hollow;   ///< of all that have the same interior
+    bool in_whole = false;  ///< is a part of something
     bool on_list = false;   ///< hangs directly in the scene's list: stock drops needless bounds there
   };
 

@@ -8,8 +8,8 @@
 #include <functional>
 #include <utility>
 
+#include "core/image/palette_indices.h"
 #include "core/image/reader.h"
-#include "parser/build/palette_entries.h"
 
 namespace lentray::parser {
 namespace {
@@ -72,9 +72,13 @@ core::PictureLayout layout_of(const ImageDesc& image) {
 std::shared_ptr<const core::Picture> made_clearer(const core::Picture& picture,
                                                   const ImageDesc& image) {
   auto clearer = std::make_shared<core::Picture>(picture);
+  const bool replaces = !clearer->indices.empty();  // as entries of a palette are set, not added to
+  const auto clear = [&](float& part, const std::optional<double>& all) {
+    if (all) part = static_cast<float>(*all) + (replaces ? 0.0f : part);
+  };
   for (core::Colour& pixel : clearer->pixels) {
-    pixel.filter += static_cast<float>(image.filter_all.value_or(0.0));
-    pixel.transmit += static_cast<float>(image.transmit_all.value_or(0.0));
+    clear(pixel.filter, image.filter_all);
+    clear(pixel.transmit, image.transmit_all);
   }
   for (std::size_t i = 0; i < clearer->indices.size(); ++i) {
     for (const auto& [entry, value] : image.filters) {
@@ -124,7 +128,7 @@ std::shared_ptr<const core::Picture> PictureReader::read_file(const ImageDesc& i
   const Decoder decode = decoder(image, stored, colours, m_settings);
   const float most = stored.bits == 8 ? 255.0f : stored.bits == 16 ? 65535.0f : 1.0f;
   const bool rgb = stored.channels >= 3;
-  std::vector<std::uint8_t> indices = palette_entries(stored, image.path);
+  std::vector<std::uint8_t> indices = core::palette_entries(stored, image.path, image.type == "tga");
   std::vector<float> table;
   if (stored.bits == 8) {
     for (int v = 0; v < 256; ++v) {
@@ -142,7 +146,10 @@ std::shared_ptr<const core::Picture> PictureReader::read_file(const ImageDesc& i
   auto picture = std::make_shared<core::Picture>();
   picture->width = static_cast<int>(stored.width);
   picture->height = static_cast<int>(stored.height);
-  picture->has_alpha = stored.channels == 2 || stored.channels == 4;
+  const bool stored_alpha = stored.channels == 2 || stored.channels == 4;
+  // Stock's palettes of these have transparencies, though it be none.
+  const bool clear_palette = !indices.empty() && (image.type == "png" || image.type == "tga");
+  picture->has_alpha = stored_alpha || clear_palette;
   picture->indices = std::move(indices);
   picture->pixels.reserve(std::size_t{stored.width} * stored.height);
   for (std::uint32_t row = 0; row < stored.height; ++row) {
@@ -150,7 +157,7 @@ std::shared_ptr<const core::Picture> PictureReader::read_file(const ImageDesc& i
       const float red = value(column, row, 0);
       core::Colour c{{red, rgb ? value(column, row, 1) : red, rgb ? value(column, row, 2) : red},
                      0.0f, 0.0f};
-      if (picture->has_alpha) {
+      if (stored_alpha) {
         c.transmit = 1.0f - stored.at(column, row, stored.channels - 1) / most;
       }
       picture->pixels.push_back(c);

@@ -138,8 +138,8 @@ struct ShapeMaker {
     return std::make_unique<core::HeightField>(build_height_grid(s), s.water_level);
   }
   ShapePointer operator()(const std::shared_ptr<const BicubicPatchShape>& s) const {
-    return std::make_unique<core::BicubicPatch>(s->points, s->u_steps, s->v_steps,
-                                                s->flatness);
+    return std::make_unique<core::BicubicPatch>(s->points, s->u_steps, s->v_steps, s->flatness,
+                                                s->uv.value_or(core::BicubicPatch::kUnitSquare));
   }
   ShapePointer operator()(const std::shared_ptr<const BlobShape>& s) const {
     return std::make_unique<core::Blob>(s->threshold, blob_fields(*s));

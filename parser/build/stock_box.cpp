@@ -64,16 +64,16 @@ Transform standing(const Vec3& origin, const Vec3& axis, double radius, double l
       .then(Transform::translation(origin));
 }
 
-bool is_rotation(const Transform& t) {
-  constexpr double kNear = 1e-9;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = i; j < 3; ++j) {
-      double product = 0.0;
-      for (std::size_t k = 0; k < 3; ++k) product += t.rows()[i][k] * t.rows()[j][k];
-      if (std::fabs(product - (i == j ? 1.0 : 0.0)) > kNear) return false;
-    }
-  }
-  return true;
+/// How much larger a ball has become, less than 0 if turned inside out.
+double ball_scale(const Transform& t) {
+  const double scale = core::similarity_scale(t);
+  return dot(cross(t.vector({1, 0, 0}), t.vector({0, 1, 0})), t.vector({0, 0, 1})) < 0.0 ? -scale : scale;
+}
+
+/// The box of balls, and what has turned it since.
+template <typename Shape>
+Bounds turned_since(const Bounds& box, const Shape& s, const Transform& all) {
+  return s.ball.is_stored() ? moved(kept(box), s.ball->inverse().then(all)) : kept(box);
 }
 
 Bounds about(const Vec3& centre, double radius) {
@@ -150,8 +150,9 @@ class BoxFinder {
   }
 
   Bounds leaf(const SphereShape& s, const ObjectDesc& o) {
-    if (is_rotation(*o.transform)) return kept(about(o.transform->point(s.centre), s.radius));
-    return moved(about(s.centre, s.radius), *o.transform);
+    const Transform& placing = s.ball.is_stored() ? *s.ball : *o.transform;
+    const double radius = s.radius * std::fabs(ball_scale(placing));
+    return turned_since(about(placing.point(s.centre), radius), s, *o.transform);
   }
   Bounds leaf(const BoxShape& s, const ObjectDesc& o) {
     Bounds box;
@@ -305,16 +306,19 @@ class BoxFinder {
     box.include(s->container.b);
     return moved(kept(box), *o.transform);
   }
-  /// Of all its spheres, twice as wide for a cubic spline. They turn with it.
+  /// Of all its spheres, twice as wide for a cubic spline; after `scale -1` their radii are below 0.
   Bounds leaf(const SphereSweepShape& s, const ObjectDesc& o) {
-    const bool turns = is_rotation(*o.transform);
-    const double wide = s.spline == CurveKind::kCubic ? 2.0 : 1.0;
+    const Transform& placing = s.ball.is_stored() ? *s.ball : *o.transform;
+    const double wide = (s.spline == CurveKind::kCubic ? 2.0 : 1.0) * ball_scale(placing);
     Bounds box;
     for (std::size_t i = 0; i < s.centres.size(); ++i) {
-      const Vec3 centre = turns ? o.transform->point(s.centres[i]) : s.centres[i];
-      box.include(about(centre, wide * s.radii[i]));
+      const Bounds ball = about(placing.point(s.centres[i]), wide * s.radii[i]);
+      for (int axis = 0; axis < 3; ++axis) {
+        box.lo[axis] = std::min(box.lo[axis], ball.lo[axis]);
+        box.hi[axis] = std::max(box.hi[axis], ball.hi[axis]);
+      }
     }
-    return turns ? kept(box) : moved(kept(box), *o.transform);
+    return turned_since(box, s, *o.transform);
   }
   /// All others by the bounds of their geometry.
   template <typename Shape>
@@ -367,7 +371,17 @@ void add_turn(CsgShape& csg, const Transform& before, const Transform& turn) {
 
 }  // namespace
 
-void turn_box(ObjectDesc& object, const core::Transform& since, const core::Transform& turn) {
+void turn_box(ObjectDesc& object, const core::Transform& since, const core::Transform& turn, bool plain) {
+  if (!plain) {
+    static const Sparse<Transform> kUnmoved{Transform()};
+    const auto stop_being_balls = [&](auto* shape) {
+      if (!shape || shape->ball.is_stored()) return;
+      shape->ball = object.transform.is_stored() ? object.transform : kUnmoved;
+      if (!since.is_identity()) shape->ball.edit() = shape->ball->then(since);
+    };
+    stop_being_balls(std::get_if<SphereShape>(&object.shape));
+    stop_being_balls(std::get_if<SphereSweepShape>(&object.shape));
+  }
   if (auto* csg = std::get_if<CsgShape>(&object.shape)) {
     add_turn(*csg, object.transform->then(since), turn);
     return;

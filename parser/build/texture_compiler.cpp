@@ -227,7 +227,8 @@ core::TexturePtr TextureCompiler::Impl::compile_patterned(const TextureLayerDesc
   if (pattern.kind == PatternKind::kMaterialMap) {
     std::vector<core::TexturePtr> materials;
     for (auto& entry : entries) materials.push_back(std::move(entry.second));
-    return core::make_material_map(inner, pictures.get(*pattern.own->image, true), std::move(materials));
+    // Numbers of textures are what the file holds, whatever its gamma.
+    return core::make_material_map(inner, pictures.get(*pattern.own->image, false), std::move(materials));
   }
   core::PlacedPattern placed{inner, compile_pattern(pattern, build), compile_wave(pattern)};
   return core::make_texture_map(std::move(placed), core::BlendMap(std::move(entries)));

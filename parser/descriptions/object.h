@@ -34,7 +34,11 @@ using core::Vec3;
 
 // ---- shapes of the first part -------------------------------------------------------------
 
-struct SphereShape { Vec3 centre; double radius = 1.0; };
+struct SphereShape {
+  Vec3 centre;
+  double radius = 1.0;
+  Sparse<core::Transform> ball;         ///< for stock_box(): what placed it while it was one; stored: it is none now
+};
 struct BoxShape { Vec3 corner1, corner2; };
 struct PlaneShape { Vec3 normal; double distance = 0.0; };   ///< normal as written
 struct CylinderShape { Vec3 base, cap; double radius = 1.0; bool open = false; };
@@ -148,6 +152,7 @@ struct SphereSweepShape {
   std::vector<Vec3> centres;
   std::vector<double> radii;
   double tolerance = 1e-6;
+  Sparse<core::Transform> ball;         ///< as a sphere's
 };
 struct SuperellipsoidShape { double e = 1.0, n = 1.0; };
 struct TextShape {

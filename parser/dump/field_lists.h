@@ -88,7 +88,7 @@ LENTRAY_FIELDS(GlobalDesc, where, assumed_gamma, gamma_is_srgb, assumed_gamma_ve
                mm_per_unit, radiosity, photons, subsurface)
 
 // Shapes.
-LENTRAY_FIELDS(SphereShape, centre, radius)
+LENTRAY_FIELDS(SphereShape, centre, radius, ball)
 LENTRAY_FIELDS(BoxShape, corner1, corner2)
 LENTRAY_FIELDS(PlaneShape, normal, distance)
 LENTRAY_FIELDS(CylinderShape, base, cap, radius, open)
@@ -120,7 +120,7 @@ LENTRAY_FIELDS(ParametricShape, functions, lo, hi, container, max_gradient, accu
 LENTRAY_FIELDS(PolyShape, order, coefficients)
 LENTRAY_FIELDS(PrismShape, spline, conic_sweep, open, height1, height2, points)
 LENTRAY_FIELDS(SorShape, points, open)
-LENTRAY_FIELDS(SphereSweepShape, spline, centres, radii, tolerance)
+LENTRAY_FIELDS(SphereSweepShape, spline, centres, radii, tolerance, ball)
 LENTRAY_FIELDS(SuperellipsoidShape, e, n)
 LENTRAY_FIELDS(TextShape, font, text, thickness, offset)
 

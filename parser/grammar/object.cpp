@@ -64,16 +64,16 @@ Ref<ObjectDesc> parse_shape_block(Parser& parser, Context& context, const ShapeE
                                   const Location& where) {
   parser.expect(Punct::kLeftCurly);
   auto object = make_recycled<ObjectDesc>();
-  // An identifier alone is the object itself; in a CSG more objects may follow it.
-  Ref<ObjectDesc> named;
-  if (auto value = parser.accept_value<Ref<ObjectDesc>>()) named = *value;
-  if (named && !(entry.csg && at_object(parser))) {
-    *object = *named;
+  if (const auto named = parser.accept_value<Ref<ObjectDesc>>()) {
+    if (entry.csg && at_object(parser)) {
+      parser.fail_expected("a modifier or } behind an identifier that comes first (as a part it is written "
+                           "object { Name })");
+    }
+    *object = **named;
     object->copied = true;
   } else {
     object->keyword = spelling(entry.keyword);
-    object->shape = entry.csg ? parse_csg(parser, context, *entry.csg, named)
-                                 : entry.read(parser, context);
+    object->shape = entry.csg ? parse_csg(parser, context, *entry.csg) : entry.read(parser, context);
   }
   object->where = where;
   parse_object_modifiers(parser, context, *object);

@@ -12,6 +12,8 @@
 namespace lentray::parser {
 namespace {
 
+constexpr double kTiny = 1e-10;  ///< stock's measure of "nothing" in lengths
+
 /// Behind `function` comes the body; stock also takes the bare name of one.
 Ref<FunctionDesc> parse_function_argument(Parser& parser) {
   parser.expect(Keyword::kFunction);
@@ -83,6 +85,7 @@ BlobElement parse_blob_element(Parser& parser, Context& context, BlobElement::Ki
   parser.parse_comma();
   if (kind == BlobElement::Kind::kCylinder) {
     e.b = parser.parse_vector();
+    if (length(e.b - e.a) < kTiny) parser.fail("Degenerate cylinder in a blob: both ends are one point.");
     parser.parse_comma();
   }
   e.radius = parser.parse_float();

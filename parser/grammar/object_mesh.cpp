@@ -80,18 +80,29 @@ struct MeshReader {
         parser.parse_comma();
       }
     }
-    int count = 0;
-    while (count < 3 && parser.accept(Keyword::kTexture)) {
-      face.texture[count++] = textures.index(parse_texture(parser, context.materials));
-      parser.parse_comma();
+    if (parser.at(Keyword::kTexture)) {
+      const auto layers = accept_material_value(parser, context.materials);
+      face.texture.fill(textures.index(std::get<Ref<TextureDesc>>(*layers)));
     }
-    for (int i = count; count > 0 && i < 3; ++i) face.texture[i] = face.texture[0];
-    end_block(parser, "one of uv_vectors, texture");
+    if (parser.accept(Keyword::kTextureList)) parse_corner_textures(parser, face);
+    end_block(parser, "one of uv_vectors, texture, texture_list");
     if (face.vertex[0] == face.vertex[1] || face.vertex[1] == face.vertex[2] ||
         face.vertex[2] == face.vertex[0]) {
       return;  // degenerate: stock leaves it out
     }
     mesh.faces.push_back(face);
+  }
+
+ private:
+  void parse_corner_textures(Parser& parser, MeshFace& face) {
+    parser.expect(Punct::kLeftCurly);
+    for (int& texture : face.texture) {
+      const auto named = parser.accept_value<Ref<TextureDesc>>();
+      if (!named) parser.fail_expected("three texture identifiers, one for each corner");
+      texture = textures.index(*named);
+      parser.parse_comma();
+    }
+    parser.expect(Punct::kRightCurly);
   }
 };
 

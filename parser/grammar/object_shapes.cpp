@@ -179,8 +179,7 @@ ShapeDesc parse_quadric(Parser& parser, Context&) {
   return s;
 }
 
-ShapeDesc parse_csg(Parser& parser, Context& context, CsgOperation operation,
-                    const Ref<ObjectDesc>& first) {
+ShapeDesc parse_csg(Parser& parser, Context& context, CsgOperation operation) {
   auto children = std::make_shared<Children>();
   const bool solid = operation == CsgOperation::kIntersection || operation == CsgOperation::kDifference;
   const auto add = [&](Ref<ObjectDesc> child) {
@@ -189,7 +188,6 @@ ShapeDesc parse_csg(Parser& parser, Context& context, CsgOperation operation,
     }
     children->push_back(std::move(child));
   };
-  if (first) add(first);
   while (Ref<ObjectDesc> child = accept_object(parser, context)) add(std::move(child));
   if (children->size() < 2 && operation != CsgOperation::kLightGroup &&
       parser.language_version() >= 150) {

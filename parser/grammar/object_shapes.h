@@ -22,9 +22,7 @@ ShapeDesc parse_polygon(Parser& parser, Context& context);
 ShapeDesc parse_quadric(Parser& parser, Context& context);
 ShapeDesc parse_mesh(Parser& parser, Context& context);
 ShapeDesc parse_mesh2(Parser& parser, Context& context);
-/// `first`: a child that has been read already, or null.
-ShapeDesc parse_csg(Parser& parser, Context& context, CsgOperation operation,
-                    const Ref<ObjectDesc>& first = nullptr);
+ShapeDesc parse_csg(Parser& parser, Context& context, CsgOperation operation);
 
 /// It has no inside: triangles, bicubic patches, parametrics, meshes without an inside_vector,
 /// lights, and any CSG that holds one of these.

@@ -54,6 +54,7 @@ void parse_transparency(Parser& parser, std::optional<double>& all,
                         std::vector<std::pair<int, double>>& entries) {
   if (parser.accept(Keyword::kAll)) {
     all = parser.parse_float();
+    entries.clear();  // those that were given before are among all
     return;
   }
   const int index = static_cast<int>(parser.parse_float() + 0.01);

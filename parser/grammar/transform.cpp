@@ -1,5 +1,8 @@
 #include "parser/grammar/transform.h"
 
+#include <optional>
+
+#include "core/geometry/bounds_help.h"
 #include "parser/build/stock_box.h"
 #include "parser/descriptions/interior.h"
 #include "parser/descriptions/texture.h"
@@ -9,7 +12,16 @@ namespace lentray::parser {
 
 namespace {
 
-void move(ObjectDesc& object, const core::Transform& transform) {
+void move(ObjectDesc& object, const core::Transform& transform, bool plain);
+
+Ref<ObjectDesc> moved(const Ref<ObjectDesc>& object, const core::Transform& transform, bool plain) {
+  auto copy = std::make_shared<ObjectDesc>(*object);
+  turn_box(*copy, {}, transform, plain);
+  move(*copy, transform, plain);
+  return copy;
+}
+
+void move(ObjectDesc& object, const core::Transform& transform, bool plain) {
   object.transform = object.transform->then(transform);
   if (!object.uv_mapping) {
     if (object.texture) object.texture = transformed(object.texture, transform);
@@ -20,27 +32,46 @@ void move(ObjectDesc& object, const core::Transform& transform) {
     rare.interior_texture = transformed(rare.interior_texture, transform);
   }
   if (rare.interior && !rare.interior->media.empty()) rare.interior = transformed(rare.interior, transform);
-  for (Ref<ObjectDesc>& clip : rare.clipped_by) clip = transformed(clip, transform);
-  for (Ref<ObjectDesc>& bound : rare.bounded_by) bound = transformed(bound, transform);
+  for (Ref<ObjectDesc>& clip : rare.clipped_by) clip = moved(clip, transform, plain);
+  for (Ref<ObjectDesc>& bound : rare.bounded_by) bound = moved(bound, transform, plain);
+}
+
+/// The next statement, if it is a transform, and whether it is plain: see turn_box().
+struct Step {
+  std::optional<core::Transform> transform;
+  bool plain;
+};
+
+Step accept_step(Parser& parser) {
+  const bool scale = parser.at(Keyword::kScale);
+  const bool composed = parser.at(Keyword::kMatrix) || parser.at(Keyword::kTransform);
+  Step step{parser.accept_transform(), !composed};
+  if (!scale) return step;
+  const core::Matrix& m = step.transform->rows();
+  step.plain = m[0][0] == m[1][1] && m[0][0] == m[2][2];
+  return step;
 }
 
 }  // namespace
 
 void apply_transform(ObjectDesc& object, const core::Transform& transform) {
   if (transform.is_identity()) return;
-  turn_box(object, {}, transform);
-  move(object, transform);
+  const bool plain = core::similarity_scale(transform) > 0.0;
+  turn_box(object, {}, transform, plain);
+  move(object, transform, plain);
 }
 
 bool accept_transforms(Parser& parser, ObjectDesc& object) {
-  auto step = parser.accept_transform();
-  if (!step) return false;
+  Step step = accept_step(parser);
+  if (!step.transform) return false;
   core::Transform all;  // boxes go step by step, all the rest at once
-  for (; step; step = parser.accept_transform()) {
-    turn_box(object, all, *step);
-    all = all.then(*step);
+  bool plain = true;
+  for (; step.transform; step = accept_step(parser)) {
+    turn_box(object, all, *step.transform, step.plain);
+    all = all.then(*step.transform);
+    plain = plain && step.plain;
   }
-  if (!all.is_identity()) move(object, all);
+  if (!all.is_identity()) move(object, all, plain);
   return true;
 }
 
