@@ -14,6 +14,7 @@ constexpr const char* kLooks = R"(
 #declare A = texture { pigment { rgb <.9,.2,.1> } }
 #declare B = texture { pigment { checker rgb <.2,.8,.2> rgb 1 scale .2 } finish { reflection .3 } }
 #declare C = texture { pigment { rgb <.2,.3,.9> } finish { phong 1 } }
+#declare Over = texture { pigment { gradient y color_map { [0 rgbt 1] [1 rgb <1,1,0>] } } }
 #declare Clear = texture { pigment { rgbt <.8,1,.8,.8> } finish { specular .4 } }
 )";
 
@@ -28,9 +29,8 @@ const Case kCases[] = {
                         " smooth_triangle { <1,0,.5>, -z, <-1,0,.5>, y, <0,1,-1.5>, x texture_list { C, A, B } } }"},
     {"corner_textures_win", "mesh { triangle { <-1,0,.5>, <1,0,.5>, <0,2,0> texture { B } texture_list { A A C } }"
                             " triangle { <1,0,.5>, <-1,0,.5>, <0,1,-1.5> } texture { A } rotate 20*y }"},
-    {"layers_of_a_triangle", "mesh { triangle { <-1,0,.5>, <1,0,.5>, <0,2,0> texture { B }"
-                             " texture { pigment { gradient y color_map { [0 rgbt 1] [1 rgb <1,1,0>] } } } }"
-                             " triangle { <1,0,.5>, <-1,0,.5>, <0,1,-1.5> texture { A } texture { C } texture { B } } }"},
+    {"layers_of_a_triangle", "mesh { triangle { <-1,0,.5>, <1,0,.5>, <0,2,0> texture { B } texture { Over } }"
+                             " triangle { <1,0,.5>, <-1,0,.5>, <0,1,-1.5> texture { A } texture { C } texture { Over } } }"},
     {"uv_vectors_of_a_patch", PATCH("uv_vectors <.2,.1>, <.9,0>, <.8,1>, <0,.8>")},
     {"uv_vectors_of_a_turned_patch", "object {" PATCH("uv_vectors <0,0>, <0,2>, <1,2>, <1,0>") "rotate 30*y scale <1,1,.8> }"},
     {"uv_vectors_none", "object {" PATCH("") "rotate 30*y }"},

@@ -81,8 +81,8 @@ TEST(UnitBuildObjects, SwitchesAreInherited) {
   const auto& children = csg(*parts.objects.at(0)).children();
   EXPECT_TRUE(children[0]->attributes().no_shadow && children[0]->attributes().no_image);
   EXPECT_FALSE(children[0]->attributes().no_reflection);
-  EXPECT_TRUE(children[0]->attributes().hollow);
-  EXPECT_FALSE(children[1]->attributes().hollow);          // said otherwise
+  EXPECT_FALSE(children[0]->attributes().hollow);          // the last part says it for the interior they share
+  EXPECT_FALSE(children[1]->attributes().hollow);
   EXPECT_TRUE(children[1]->attributes().double_illuminate);  // the CSG overrides
 }
 
