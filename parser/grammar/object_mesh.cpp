@@ -80,10 +80,9 @@ struct MeshReader {
         parser.parse_comma();
       }
     }
-    if (parser.at(Keyword::kTexture)) {
-      const auto layers = accept_material_value(parser, context.materials);
-      face.texture.fill(textures.index(std::get<Ref<TextureDesc>>(*layers)));
-    }
+    Ref<TextureDesc> texture;  // the last one alone counts, as in stock
+    while (parser.accept(Keyword::kTexture)) texture = parse_texture(parser, context.materials);
+    if (texture) face.texture.fill(textures.index(texture));
     if (parser.accept(Keyword::kTextureList)) parse_corner_textures(parser, face);
     end_block(parser, "one of uv_vectors, texture, texture_list");
     if (face.vertex[0] == face.vertex[1] || face.vertex[1] == face.vertex[2] ||

@@ -29,7 +29,7 @@ const Case kCases[] = {
                         " smooth_triangle { <1,0,.5>, -z, <-1,0,.5>, y, <0,1,-1.5>, x texture_list { C, A, B } } }"},
     {"corner_textures_win", "mesh { triangle { <-1,0,.5>, <1,0,.5>, <0,2,0> texture { B } texture_list { A A C } }"
                             " triangle { <1,0,.5>, <-1,0,.5>, <0,1,-1.5> } texture { A } rotate 20*y }"},
-    {"layers_of_a_triangle", "mesh { triangle { <-1,0,.5>, <1,0,.5>, <0,2,0> texture { B } texture { Over } }"
+    {"last_texture_of_a_triangle", "mesh { triangle { <-1,0,.5>, <1,0,.5>, <0,2,0> texture { B } texture { Over } }"
                              " triangle { <1,0,.5>, <-1,0,.5>, <0,1,-1.5> texture { A } texture { C } texture { Over } } }"},
     {"uv_vectors_of_a_patch", PATCH("uv_vectors <.2,.1>, <.9,0>, <.8,1>, <0,.8>")},
     {"uv_vectors_of_a_turned_patch", "object {" PATCH("uv_vectors <0,0>, <0,2>, <1,2>, <1,0>") "rotate 30*y scale <1,1,.8> }"},
