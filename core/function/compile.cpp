@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "core/function/noise_function.h"
 #include "core/function/program.h"
 
 namespace lentray::core {
@@ -18,8 +19,8 @@ class Compiler {
 
   std::shared_ptr<const Function> run(const FunctionNode& root) {
     const std::int16_t result = operand(root);
-    return std::make_shared<Program>(std::move(m_code), std::move(m_constants),
-                                     std::move(m_callees), m_parameters, m_used, result);
+    return std::make_shared<Program>(ProgramParts{std::move(m_code), std::move(m_constants), std::move(m_callees),
+                                                  std::move(m_noises), m_parameters, m_used, result});
   }
 
  private:
@@ -133,8 +134,23 @@ class Compiler {
       return false;
     }
     m_code.pop_back();
+    if (emit_with_noise(op, target, a, product)) return true;
     emit(op == FunctionOp::kAdd ? ProgramOp::kAddProduct : ProgramOp::kSubtractProduct, target, a, product.a);
     m_code.back().jump = static_cast<std::uint16_t>(product.b);
+    return true;
+  }
+
+  /// The same, where a side of the product is the noise that was computed last.
+  bool emit_with_noise(FunctionOp op, std::int16_t target, std::int16_t a, const Instruction& product) {
+    if (m_code.empty() || m_landed >= m_code.size() || product.a == product.b) return false;
+    const Instruction noise = m_code.back();
+    const std::int16_t at = noise.target;
+    if (noise.kind != ProgramOp::kNoise || at < static_cast<std::int16_t>(m_first_between)) return false;
+    if (product.a != at && product.b != at) return false;
+    m_code.pop_back();
+    emit(op == FunctionOp::kAdd ? ProgramOp::kAddNoise : ProgramOp::kSubtractNoise, target, a,
+         product.a == at ? product.b : product.a);
+    m_code.back().jump = noise.jump;
     return true;
   }
 
@@ -180,6 +196,7 @@ class Compiler {
   }
 
   void call(const FunctionNode& node, std::int16_t target) {
+    if (const auto* noise = dynamic_cast<const NoiseFunction*>(node.callee.get())) return call_noise(node, *noise, target);
     const std::size_t first = m_next;
     for (std::size_t i = 0; i < node.operands.size(); ++i) allocate();
     for (std::size_t i = 0; i < node.operands.size(); ++i) {
@@ -189,6 +206,27 @@ class Compiler {
                                 static_cast<std::int16_t>(first));
     m_callees.push_back(node.callee);
     m_code[at].jump = static_cast<std::uint16_t>(m_callees.size() - 1);
+  }
+
+  void call_noise(const FunctionNode& node, const NoiseFunction& noise, std::int16_t target) {
+    NoiseTerm term{&noise.generator()};
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const FunctionNode& coordinate = *node.operands[i];
+      double value = 0.0;
+      const bool is_known = fold(coordinate, value);
+      if (is_known && value == 0.0 && term.plane < 0) {
+        term.plane = static_cast<int>(i);
+        continue;
+      }
+      const bool is_product = !is_known && coordinate.op == FunctionOp::kMultiply;
+      term.number[count] = operand(is_product ? *coordinate.operands[0] : coordinate);
+      term.factor[count++] = is_product ? operand(*coordinate.operands[1]) : constant(1.0);
+    }
+    m_callees.push_back(node.callee);
+    m_noises.push_back(term);
+    emit(ProgramOp::kNoise, target, 0);
+    m_code.back().jump = static_cast<std::uint16_t>(m_noises.size() - 1);
   }
 
   // From the first to the last value in steps of one, as long as it is not beyond the last. Never
@@ -224,6 +262,7 @@ class Compiler {
   std::vector<Instruction> m_code;
   std::vector<double> m_constants;
   std::vector<std::shared_ptr<const Function>> m_callees;
+  std::vector<NoiseTerm> m_noises;
 };
 
 }  // namespace

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/function/noise_function.h"
 #include "core/pattern/noise.h"
 
 namespace lentray::core {
@@ -69,20 +68,15 @@ double apply(FunctionOp op, double a, double b) {
   }
 }
 
-Program::Program(std::vector<Instruction> code, std::vector<double> constants,
-                 std::vector<std::shared_ptr<const Function>> callees, std::size_t parameters,
-                 std::size_t frame, std::int16_t result)
-    : m_code(std::move(code)), m_constants(std::move(constants)), m_callees(std::move(callees)),
-      m_parameters(parameters), m_frame(frame) {
+Program::Program(ProgramParts parts)
+    : m_code(std::move(parts.code)), m_constants(std::move(parts.constants)), m_callees(std::move(parts.callees)),
+      m_noises(std::move(parts.noises)), m_parameters(parts.parameters), m_frame(parts.frame) {
   for (const auto& callee : m_callees) {
-    const auto* noise = dynamic_cast<const NoiseFunction*>(callee.get());
-    m_calls.push_back({callee.get(), callee->parameters(), callee->results() == 1,
-                       noise ? &noise->generator() : nullptr});
+    m_calls.push_back({callee.get(), callee->parameters(), callee->results() == 1});
   }
   std::reverse(m_constants.begin(), m_constants.end());
-  m_code.push_back({ProgramOp::kEnd, FunctionOp::kConstant, 0, result, 0, 0});
+  m_code.push_back({ProgramOp::kEnd, FunctionOp::kConstant, 0, parts.result, 0, 0});
   for (Instruction& i : m_code) {
-    if (i.kind == ProgramOp::kCall && m_calls[i.jump].noise_generator) i.kind = ProgramOp::kNoise;
     if (i.kind >= ProgramOp::kJump && i.kind <= ProgramOp::kCall) m_is_straight = false;
     if (i.kind != ProgramOp::kArithmetic) continue;
     if (i.op == FunctionOp::kAdd) i.kind = ProgramOp::kAdd;
@@ -124,6 +118,14 @@ bool Program::Frame::prepare(const Program& program) {
   return true;
 }
 
+template <class Number>
+[[gnu::always_inline]] inline Number Program::noise_of(const Instruction& i, const Number* frame) const {
+  const NoiseTerm& term = m_noises[i.jump];
+  const auto at = [&](std::size_t k) -> Number { return frame[term.number[k]] * frame[term.factor[k]]; };
+  if (term.plane >= 0) return noise_in_plane(term.plane, at(0), at(1), *term.generator);
+  return noise(at(0), at(1), at(2), *term.generator);
+}
+
 double Program::execute(double* frame) const {
   const auto value = [frame](std::int16_t i) { return frame[i]; };
   const Instruction* const code = m_code.data();
@@ -143,9 +145,9 @@ double Program::execute(double* frame) const {
       case ProgramOp::kJumpNotZero: if (value(i.a) != 0.0) next = code + i.jump; break;
       case ProgramOp::kJumpPast: if (!(value(i.a) <= value(i.b))) next = code + i.jump; break;
       case ProgramOp::kCall: call(i, frame); break;
-      case ProgramOp::kNoise:
-        frame[i.target] = noise(frame[i.b], frame[i.b + 1], frame[i.b + 2], *m_calls[i.jump].noise_generator);
-        break;
+      case ProgramOp::kNoise: frame[i.target] = noise_of(i, frame); break;
+      case ProgramOp::kAddNoise: frame[i.target] = value(i.a) + value(i.b) * noise_of(i, frame); break;
+      case ProgramOp::kSubtractNoise: frame[i.target] = value(i.a) - value(i.b) * noise_of(i, frame); break;
       case ProgramOp::kEnd: return value(i.a);
       default: __builtin_unreachable();
     }
@@ -157,7 +159,7 @@ bool Program::WideFrame::prepare(const Program& program) {
   if (!program.m_is_straight || program.m_parameters != 3 || constants + program.m_frame > kSmallFrame) return false;
   m_program = &program;
   m_arguments = m_memory.data() + constants;
-  for (std::size_t i = 0; i < constants; ++i) m_memory[i] = Lanes{} + program.m_constants[i];
+  for (std::size_t i = 0; i < constants; ++i) m_memory[i] = Lanes{program.m_constants[i], program.m_constants[i]};
   for (std::size_t i = 0; i < 3; ++i) m_arguments[i] = Lanes{};
   return true;
 }
@@ -179,11 +181,9 @@ Program::Lanes Program::execute(Lanes* frame) const {
         frame[i.target] = Lanes{first, apply(i.op, a[1], b[1])};
         break;
       }
-      case ProgramOp::kNoise: {
-        const int generator = *m_calls[i.jump].noise_generator;
-        frame[i.target] = noise(frame[i.b], frame[i.b + 1], frame[i.b + 2], generator);
-        break;
-      }
+      case ProgramOp::kNoise: frame[i.target] = noise_of(i, frame); break;
+      case ProgramOp::kAddNoise: frame[i.target] = value(i.a) + value(i.b) * noise_of(i, frame); break;
+      case ProgramOp::kSubtractNoise: frame[i.target] = value(i.a) - value(i.b) * noise_of(i, frame); break;
       case ProgramOp::kEnd: return value(i.a);
       default: __builtin_unreachable();  // straight: no jumps, no calls
     }

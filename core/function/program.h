@@ -32,7 +32,9 @@ enum class ProgramOp : std::uint8_t {
   kMultiply,
   kAddProduct,       ///< target = a + b * c, rounded twice
   kSubtractProduct,  ///< target = a - b * c, rounded twice
-  kNoise,        ///< target = noise at the registers from b, callee number `jump`
+  kNoise,          ///< target = noise, term number `jump`
+  kAddNoise,       ///< target = a + b * noise, rounded twice
+  kSubtractNoise,  ///< target = a - b * noise, rounded twice
   kEnd,          ///< the result is a
 };
 
@@ -44,15 +46,30 @@ struct alignas(16) Instruction {
   std::int16_t c() const { return static_cast<std::int16_t>(jump); }  ///< of those with three operands
 };
 
+/// Noise at a point whose coordinates are products, as in f_noise3d(x*2, y*2, z*2): number * factor.
+struct NoiseTerm {
+  const int* generator;  ///< of a callee
+  int plane = -1;        ///< the coordinate that is 0 whatever x, y, z are, if there is one
+  std::array<std::int16_t, 3> number{}, factor{};  ///< in a plane: of the two others, then 0
+};
+
+/// What the compiler makes.
+struct ProgramParts {
+  std::vector<Instruction> code;
+  std::vector<double> constants;
+  std::vector<std::shared_ptr<const Function>> callees;
+  std::vector<NoiseTerm> noises;
+  std::size_t parameters = 0, frame = 0;
+  std::int16_t result = 0;
+};
+
 class Program final : public Function {
  public:
   static constexpr std::size_t kSmallFrame = 48;
   static constexpr std::size_t kLargestFrame = 2048;
   static constexpr std::size_t kMostConstants = 32000;
 
-  Program(std::vector<Instruction> code, std::vector<double> constants,
-          std::vector<std::shared_ptr<const Function>> callees, std::size_t parameters,
-          std::size_t frame, std::int16_t result);
+  explicit Program(ProgramParts parts);
 
   std::size_t parameters() const override { return m_parameters; }
   double evaluate(std::span<const double> arguments) const override;
@@ -108,6 +125,8 @@ class Program final : public Function {
   double execute(double* frame) const;
   Lanes execute(Lanes* frame) const;
   void call(const Instruction& i, double* frame) const;
+  template <class Number>
+  Number noise_of(const Instruction& i, const Number* frame) const;
 
   std::vector<Instruction> m_code;
   std::vector<double> m_constants;  ///< last first: they lie before the registers
@@ -117,9 +136,9 @@ class Program final : public Function {
     const Function* function;
     std::size_t parameters;
     bool has_one_result;
-    const int* noise_generator;  ///< null: not plain noise
   };
   std::vector<Callee> m_calls;
+  std::vector<NoiseTerm> m_noises;
   std::size_t m_parameters, m_frame;
   bool m_is_straight = true;  ///< no jumps, no calls but of noise
 };

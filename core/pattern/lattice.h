@@ -60,5 +60,8 @@ LENTRAY_AVX2 inline __m256d s_curve(__m256d t) {
 double lattice_noise(double x, double y, double z, int generator);
 /// The same at two points.
 NoisePair lattice_noise(NoisePair x, NoisePair y, NoisePair z, int generator);
+/// To the bit the same where the coordinate number `axis` is 0; u and v are the two others.
+double lattice_noise_in_plane(int axis, double u, double v, int generator);
+NoisePair lattice_noise_in_plane(int axis, NoisePair u, NoisePair v, int generator);
 
 }  // namespace lentray::core

@@ -148,6 +148,22 @@ NoisePair noise(NoisePair x, NoisePair y, NoisePair z, int generator) {
   return NoisePair{first, noise(x[1], y[1], z[1], generator)};
 }
 
+namespace {
+
+template <class Number>
+Number in_plane(int axis, Number u, Number v, int generator) {
+  if (generator != 3) return lattice_noise_in_plane(axis, u, v, generator);
+  const Number zero{};
+  if (axis == 0) return noise(zero, u, v, generator);
+  return axis == 1 ? noise(u, zero, v, generator) : noise(u, v, zero, generator);
+}
+
+}  // namespace
+
+double noise_in_plane(int axis, double u, double v, int generator) { return in_plane(axis, u, v, generator); }
+
+NoisePair noise_in_plane(int axis, NoisePair u, NoisePair v, int generator) { return in_plane(axis, u, v, generator); }
+
 double turbulence(const Vec3& point, const Turbulence& turbulence, int generator) {
   // Generators above 1 have their range stretched here; only the first octave is clamped.
   double value = noise(point, generator);

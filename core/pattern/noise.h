@@ -24,6 +24,9 @@ double noise(double x, double y, double z, int generator);
 /// The same at two points side by side, in less time than one after the other.
 using NoisePair [[gnu::vector_size(16)]] = double;
 NoisePair noise(NoisePair x, NoisePair y, NoisePair z, int generator);
+/// Where the coordinate number `axis` is 0, and u and v are the two others: noise's bits in less time.
+double noise_in_plane(int axis, double u, double v, int generator);
+NoisePair noise_in_plane(int axis, NoisePair u, NoisePair v, int generator);
 inline double noise(const Vec3& p, int generator) { return noise(p.x, p.y, p.z, generator); }
 /// A vector of noise, about -1..1 each; the same for all generators.
 Vec3 vector_noise(const Vec3& point);

@@ -34,7 +34,7 @@ class Trees {
 
   FunctionNodePtr tree(int depth) {
     const int kind = depth == 0 ? pick(2) : pick(12);
-    if (kind == 0) return constant_node(std::uniform_real_distribution<double>(-2.0, 2.0)(m_random));
+    if (kind == 0) return constant();
     if (kind == 1) {
       auto leaf = std::make_unique<FunctionNode>();
       leaf->op = Op::kParameter;
@@ -56,6 +56,12 @@ class Trees {
   }
 
  private:
+  FunctionNodePtr constant() {
+    const int kind = pick(6);
+    if (kind == 0) return constant_node(0.0);
+    if (kind == 1) return constant_node(-0.0);
+    return constant_node(std::uniform_real_distribution<double>(-2.0, 2.0)(m_random));
+  }
   FunctionNodePtr less(int depth) { return make_node(Op::kLess, tree(depth - 1), tree(depth - 1)); }
   int pick(std::size_t count) { return static_cast<int>(m_random() % count); }
 

@@ -68,5 +68,31 @@ TEST(UnitCoreNoise, TwoAtOnceAreLikeOneAfterTheOther) {
   }
 }
 
+TEST(UnitCoreNoise, InAPlaneItIsTheSame) {
+  const std::vector<Vec3> all = points();
+  for (const int generator : {1, 2, 3}) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto in_plane = [&](Vec3 p) {
+        p[axis] = 0.0;
+        return p;
+      };
+      for (std::size_t i = 0; i < all.size(); ++i) {
+        const Vec3 p = in_plane(all[i]), q = in_plane(all[(i * 7 + 1) % all.size()]);
+        const int u = axis == 0 ? 1 : 0, v = axis == 2 ? 1 : 2;
+        EXPECT_EQ(bits(noise_in_plane(axis, p[u], p[v], generator)), bits(noise(p, generator))) << i;
+        const NoisePair pair = noise_in_plane(axis, NoisePair{p[u], q[u]}, NoisePair{p[v], q[v]}, generator);
+        EXPECT_EQ(bits(pair[0]), bits(noise(p, generator))) << i;
+        EXPECT_EQ(bits(pair[1]), bits(noise(q, generator))) << i;
+      }
+    }
+  }
+  // Cells that share a place where cells are kept, at once and one after the other.
+  for (int i = 0; i < 300; ++i) {
+    const NoisePair u{0.25 + 16.0 * (i % 5), 0.25 - 16.0 * (i % 3)}, v{0.75 - i % 4, 0.75 + i % 2};
+    const NoisePair pair = noise_in_plane(1, u, v, 2);
+    for (int k : {0, 1}) EXPECT_EQ(bits(pair[k]), bits(noise(u[k], 0.0, v[k], 2)));
+  }
+}
+
 }  // namespace
 }  // namespace lentray::core
