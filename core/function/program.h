@@ -100,16 +100,14 @@ class Program final : public Function {
   /// more time than one, which waits for itself. Bits are those of one after the other.
   class WideFrame {
    public:
-    static constexpr std::size_t kPoints = 2;
     /// False if the program has another number of parameters, does not fit, or holds jumps or calls
     /// but of noise.
     bool prepare(const Program& program);
-    std::array<double, kPoints> operator()(const std::array<Vec3, kPoints>& points) {
-      m_arguments[0] = Lanes{points[0].x, points[1].x};
-      m_arguments[1] = Lanes{points[0].y, points[1].y};
-      m_arguments[2] = Lanes{points[0].z, points[1].z};
-      const Lanes result = m_program->execute(m_arguments);
-      return {result[0], result[1]};
+    Lanes operator()(Lanes x, Lanes y, Lanes z) {
+      m_arguments[0] = x;
+      m_arguments[1] = y;
+      m_arguments[2] = z;
+      return m_program->execute(m_arguments);
     }
 
    private:

@@ -25,6 +25,7 @@ constexpr double kCoarse = 0.05, kFine = 5e-4;
 /// The function less its threshold, for many points.
 class Isosurface::Field {
  public:
+  using Lanes = Program::Lanes;
   explicit Field(const Isosurface& surface)
       : m_surface(surface),
         m_is_ready(surface.m_program && m_frame.prepare(*surface.m_program)),
@@ -34,15 +35,14 @@ class Isosurface::Field {
   }
   /// Whether two points take little more time than one.
   bool is_wide() const { return m_is_wide; }
-  std::array<double, 2> operator()(const std::array<Vec3, 2>& points) {
-    std::array<double, 2> values = m_wide(points);
-    for (double& value : values) value -= m_surface.m_set.threshold;
-    return values;
+  Lanes along(const Ray& ray, Lanes t) {
+    return m_wide(ray.origin.x + ray.direction.x * t, ray.origin.y + ray.direction.y * t,
+                  ray.origin.z + ray.direction.z * t) - m_surface.m_set.threshold;
   }
-  std::array<double, 2> both(const Vec3& a, const Vec3& b) {
-    if (m_is_wide) return (*this)({a, b});
+  Lanes both(const Vec3& a, const Vec3& b) {
+    if (m_is_wide) return m_wide(Lanes{a.x, b.x}, Lanes{a.y, b.y}, Lanes{a.z, b.z}) - m_surface.m_set.threshold;
     const double first = (*this)(a);
-    return {first, (*this)(b)};
+    return Lanes{first, (*this)(b)};
   }
 
  private:
@@ -61,14 +61,19 @@ struct Isosurface::Search {
   double gradient;   ///< steepest that counts
   double accuracy;
   double sign = 1.0;
-  double steepest = 0.0;  ///< seen so far, times the speed
+  /// Times the speed: what need not be told, or was seen since. Beyond what other rays have shown a
+  /// steeper piece is rare, and the processor does not expect it.
+  double steepest = surface.m_watch ? surface.m_watch->steepest() * speed * kSurelyLess : kInf;
+  const double told = steepest;
 
   ~Search() {
-    if (surface.m_watch) surface.m_watch->note(steepest / speed);
+    if (steepest > told) surface.m_watch->note(steepest / speed);
   }
 
   double at(double t) { return sign * field(ray.at(t)); }
 
+  static constexpr double kInf = std::numeric_limits<double>::infinity();
+  static constexpr double kSurelyLess = 1.0 - 1e-12;  ///< whatever is rounded
   static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
   /// The first t in [from, to] where the function is below 0. `reach`: how much it can fall there.
@@ -94,31 +99,31 @@ struct Isosurface::Search {
       t = to;
       return f_to < 0.0;
     }
-    return !is_free && find_in_halves<kEvaluates>({from, f_from, middle, f_middle, to, f_to}, reach, t);
+    return !is_free && find_in_halves<kEvaluates>(from, f_from, middle, f_middle, to, f_to, reach, t);
   }
 
-  struct Halves {
-    double from, f_from, middle, f_middle, to, f_to;
-  };
+  /// Each number by itself, in a register: they would be read two at a time from where they were just
+  /// written one by one, which holds the processor up.
   template <bool kEvaluates>
-  [[gnu::noinline]] bool find_in_halves(const Halves& h, double reach, double& t) {
+  [[gnu::noinline]] bool find_in_halves(double from, double f_from, double middle, double f_middle, double to,
+                                        double f_to, double reach, double& t) {
     const double half = 0.5 * reach;
-    double f_middle = h.f_middle, f_first = kUnknown, f_last = kUnknown;
+    double f_first = kUnknown, f_last = kUnknown;
     if (std::isnan(f_middle)) {
       // Which half is probably looked at next, as if the function were linear.
-      const double mean = 0.5 * (h.f_from + h.f_to);
-      const bool first = h.f_from + mean < half, last = mean + h.f_to < half;
-      if (field.is_wide() && (first || last) && 0.5 * (h.to - h.from) >= accuracy) {
-        const double next = first ? h.from + 0.5 * (h.middle - h.from) : h.middle + 0.5 * (h.to - h.middle);
-        const std::array<double, 2> f = field({ray.at(h.middle), ray.at(next)});
-        f_middle = sign * f[0];
-        (first ? f_first : f_last) = sign * f[1];
+      const double mean = 0.5 * (f_from + f_to);
+      const bool first = f_from + mean < half, last = mean + f_to < half;
+      if (field.is_wide() && (first || last) && 0.5 * (to - from) >= accuracy) {
+        const double next = first ? from + 0.5 * (middle - from) : middle + 0.5 * (to - middle);
+        const Field::Lanes f = sign * field.along(ray, Field::Lanes{middle, next});
+        f_middle = f[0];
+        (first ? f_first : f_last) = f[1];
       } else {
-        f_middle = at(h.middle);
+        f_middle = at(middle);
       }
     }
-    return find<kEvaluates>(h.from, h.f_from, h.middle, f_middle, half, f_first, t) ||
-           find<kEvaluates>(h.middle, f_middle, h.to, h.f_to, half, f_last, t);
+    return find<kEvaluates>(from, f_from, middle, f_middle, half, f_first, t) ||
+           find<kEvaluates>(middle, f_middle, to, f_to, half, f_last, t);
   }
   void note(double rise, double span) {
     if (rise > steepest * span) steepest = rise / span;
@@ -205,7 +210,7 @@ void Isosurface::crossings(const Ray& ray, Visit&& visit) const {
   std::optional<double> there;
   double here;  // at `from`, always
   if (field.is_wide()) {
-    const auto ends = field({ray.at(from), ray.at(to)});
+    const auto ends = field.along(ray, Field::Lanes{from, to});
     here = ends[0];
     there = ends[1];
   } else {
@@ -288,9 +293,10 @@ Vec3 Isosurface::normal(const Vec3& p, const ShapeHit& hit) const {
   }
   Field field(*this);
   const double step = m_set.accuracy;
-  const auto [here, along_x] = field.both(p, p + Vec3{step, 0, 0});
-  const auto [along_y, along_z] = field.both(p + Vec3{0, step, 0}, p + Vec3{0, 0, step});
-  const Vec3 slope{along_x - here, along_y - here, along_z - here};
+  const Field::Lanes first = field.both(p, p + Vec3{step, 0, 0});
+  const Field::Lanes second = field.both(p + Vec3{0, step, 0}, p + Vec3{0, 0, step});
+  const double here = first[0];
+  const Vec3 slope{first[1] - here, second[0] - here, second[1] - here};
   return slope == Vec3{} ? Vec3{1, 0, 0} : slope;
 }
 

@@ -92,7 +92,7 @@ TEST(UnitCoreFunctionProgram, TwoPointsAtOnceAreEachAlone) {
     if (!frame.prepare(dynamic_cast<const Program&>(*function))) continue;
     ++wide;
     const Point a = trees.point(), b = trees.point();
-    const auto values = frame({Vec3{a[0], a[1], a[2]}, Vec3{b[0], b[1], b[2]}});
+    const auto values = frame(Program::Lanes{a[0], b[0]}, Program::Lanes{a[1], b[1]}, Program::Lanes{a[2], b[2]});
     ASSERT_EQ(bits(values[0]), bits(function->evaluate(a))) << "tree " << i;
     ASSERT_EQ(bits(values[1]), bits(function->evaluate(b))) << "tree " << i;
   }
