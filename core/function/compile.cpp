@@ -196,7 +196,10 @@ class Compiler {
   }
 
   void call(const FunctionNode& node, std::int16_t target) {
-    if (const auto* noise = dynamic_cast<const NoiseFunction*>(node.callee.get())) return call_noise(node, *noise, target);
+    if (const auto* noise = dynamic_cast<const NoiseFunction*>(node.callee.get())) {
+      call_noise(node, *noise, target);
+      return;
+    }
     const std::size_t first = m_next;
     for (std::size_t i = 0; i < node.operands.size(); ++i) allocate();
     for (std::size_t i = 0; i < node.operands.size(); ++i) {

@@ -115,7 +115,8 @@ LENTRAY_AVX2 [[gnu::noinline]] NoisePair in_new_cells(int axis, NoisePair u, Noi
 LENTRAY_AVX2 [[gnu::noinline]] NoisePair plane_pair_avx2(int axis, NoisePair u, NoisePair v, int generator) {
   const Places places(_mm256_set_m128d(_mm_unpackhi_pd(u, v), _mm_unpacklo_pd(u, v)));
   const PlaneCell &a = places.known(0), &b = places.known(1);
-  if (!is(a, places.key(0, axis)) || !is(b, places.key(1, axis))) [[unlikely]] return in_new_cells(axis, u, v, generator);
+  const bool are_known = is(a, places.key(0, axis)) && is(b, places.key(1, axis));
+  if (!are_known) [[unlikely]] return in_new_cells(axis, u, v, generator);
   const CornerValues values = corner_values(places, a, b);
   const __m256d even = _mm256_unpacklo_pd(values.first, values.second);
   const __m256d odd = _mm256_unpackhi_pd(values.first, values.second);

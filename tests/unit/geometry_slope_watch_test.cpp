@@ -2,10 +2,14 @@
 // one slope (k z) seen along z. compat.warnings holds both programs to each other.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <memory>
 #include <string>
 #include <thread>
 #include <vector>
 
+#include "core/geometry/isosurface.h"
 #include "core/geometry/slope_watch.h"
 
 namespace lentray::core {
@@ -52,6 +56,38 @@ TEST(UnitCoreSlopeWatch, KeepsTheSteepestOfAllThreads) {
   for (std::thread& thread : threads) thread.join();
   EXPECT_EQ(watch.steepest(), 3999.0);
   EXPECT_NE(watch.advice().find("3999.000"), std::string::npos);
+}
+
+struct Bowl final : Function {
+  std::size_t parameters() const override { return 3; }
+  std::string not_yet() const override { return {}; }
+  double evaluate(std::span<const double> a) const override { return a[2] + 0.3 * a[0] * a[0] + std::sin(3.0 * a[1]); }
+};
+
+/// Of rays along z that lean by `lean`, one after the other, of these lengths.
+double steepest(const std::vector<double>& leans, double length) {
+  IsosurfaceSettings set;
+  set.function = std::make_shared<Bowl>();
+  set.max_gradient = 5.0;
+  Isosurface surface(set);
+  const auto watch = std::make_shared<SlopeWatch>(set.max_gradient);
+  surface.set_watch(watch);
+  for (const double lean : leans) {
+    ShapeHit hit;
+    surface.nearest({{-3.0 * lean, -3.0 * lean, 3.0}, Vec3{lean, lean, -1.0} * length}, 0.0, 1e9, hit);
+  }
+  return watch->steepest();
+}
+
+TEST(UnitCoreSlopeWatch, IsToldTheSteepestWhateverRayComesFirst) {
+  for (const double length : {1.0, 0.01}) {
+    const double a = steepest({0.0}, length), b = steepest({0.1}, length), c = steepest({0.3}, length);
+    EXPECT_TRUE(a != b && b != c && a != c);
+    for (const std::vector<double>& leans : std::vector<std::vector<double>>{
+             {0.0, 0.1, 0.3}, {0.3, 0.1, 0.0}, {0.1, 0.3, 0.3, 0.0, 0.1}, {0.3, 0.0, 0.1}}) {
+      EXPECT_EQ(steepest(leans, length), std::max({a, b, c}));
+    }
+  }
 }
 
 }  // namespace
