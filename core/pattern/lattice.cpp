@@ -10,9 +10,7 @@
 namespace lentray::core {
 namespace {
 
-constexpr double kEpsilon = 1e-10;
 constexpr int kLattice = 4096;
-constexpr int kLatticeOrigin = 10000;
 
 /// 0..4095 shuffled, twice in a row so that index + 1 needs no wrap.
 using HashTable = std::array<std::uint16_t, 2 * kLattice>;
@@ -38,7 +36,7 @@ struct CellAxis {
   double weight_near, weight_far;
 
   explicit CellAxis(double x) {
-    const double below = x >= 0.0 ? x : x - (1.0 - kEpsilon);
+    const double below = x >= 0.0 ? x : x - (1.0 - kCellEpsilon);
     // Beyond all cells, and for nan, what the processor makes of the conversion.
     const std::int64_t cell = std::fabs(below) < 9e18 ? static_cast<std::int64_t>(below)
                                                       : std::numeric_limits<std::int64_t>::min();
@@ -159,7 +157,7 @@ struct Place {
  private:
   LENTRAY_AVX2 Place(__m256d p, __m128i c) : point(p), cell(c), known(t_cells[slot(c)]) {}
   LENTRAY_AVX2 static __m256d below(__m256d p) {
-    return _mm256_blendv_pd(p, _mm256_sub_pd(p, _mm256_set1_pd(1.0 - kEpsilon)), p);
+    return _mm256_blendv_pd(p, _mm256_sub_pd(p, _mm256_set1_pd(1.0 - kCellEpsilon)), p);
   }
   /// Neighbours have different ones.
   LENTRAY_AVX2 static std::size_t slot(__m128i cell) {

@@ -43,6 +43,11 @@ LENTRAY_AVX2 inline __m128d in_range(__m128d value, int generator) {
   return _mm_min_pd(each(1.0), _mm_max_pd(_mm_setzero_pd(), sum));
 }
 
+/// The cell of a negative number: less 1 - kCellEpsilon, without its fraction.
+inline constexpr double kCellEpsilon = 1e-10;
+/// Added to what is hashed.
+inline constexpr int kLatticeOrigin = 10000;
+
 /// Beyond, cells are not counted in 32 bits.
 inline constexpr double kFarCell = 1e9;
 

@@ -9,9 +9,6 @@
 namespace lentray::core {
 namespace {
 
-constexpr int kLatticeOrigin = 10000;
-constexpr double kEpsilon = 1e-10;
-
 /// Which coordinates u and v are.
 constexpr int first_of(int axis) { return axis == 0 ? 1 : 0; }
 constexpr int second_of(int axis) { return axis == 2 ? 1 : 2; }
@@ -53,7 +50,7 @@ struct Places {
   __m128i cell;
 
   LENTRAY_AVX2 explicit Places(__m256d p)
-      : point(p), cell(_mm256_cvttpd_epi32(_mm256_blendv_pd(p, _mm256_sub_pd(p, _mm256_set1_pd(1.0 - kEpsilon)), p))) {}
+      : point(p), cell(_mm256_cvttpd_epi32(_mm256_blendv_pd(p, _mm256_sub_pd(p, _mm256_set1_pd(1.0 - kCellEpsilon)), p))) {}
 
   LENTRAY_AVX2 __m128i key(int which, int axis) const {
     const __m128i tag = _mm_set1_epi32(axis + 1);
