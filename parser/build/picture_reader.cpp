@@ -8,6 +8,7 @@
 #include <functional>
 #include <utility>
 
+#include "core/base/color.h"
 #include "core/image/palette_indices.h"
 #include "core/image/reader.h"
 
@@ -133,10 +134,10 @@ std::shared_ptr<const core::Picture> PictureReader::read_file(const ImageDesc& i
   if (stored.bits == 8) {
     for (int v = 0; v < 256; ++v) {
       const float decoded = decode(static_cast<float>(v) / 255.0f);
-      // Stock keeps decoded greys in the 8 bits they came in, and cuts them off; greys of palettes
-      // and TARGA files are colours.
-      const bool cut = stored.channels == 1 && indices.empty() && image.type != "tga";
-      table.push_back(cut ? std::floor(decoded * 255.0f + 1e-4f) / 255.0f : decoded);
+      // Stock's greys of PNG files go through the weights of a colour and are cut to the 8 bits they came in,
+      // which takes some one lower; greys of palettes and other files are as decoded.
+      const bool cut = stored.channels == 1 && indices.empty() && image.type == "png";
+      table.push_back(cut ? std::floor(core::grey({decoded, decoded, decoded}) * 255.0f) / 255.0f : decoded);
     }
   }
   const auto value = [&](std::uint32_t column, std::uint32_t row, int channel) {

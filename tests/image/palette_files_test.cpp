@@ -56,17 +56,19 @@ std::string chunk(const std::string& body) {
   return big(body.size() - 4) + body + big(crc32(0, reinterpret_cast<const Bytef*>(body.data()), uInt(body.size())));
 }
 
-std::string png_of_twins() {
-  const std::string rows = repeated(kSide, [](int y) {
-    return std::string(1, '\0') + pixels().substr(static_cast<std::size_t>(y) * kSide, kSide);
+/// `kind`: 0 grey, 3 by palette. `pixels`: kSide rows.
+std::string png(int kind, const std::string& palette, const std::string& pixels) {
+  const std::string rows = repeated(kSide, [&](int y) {
+    return std::string(1, '\0') + pixels.substr(static_cast<std::size_t>(y) * kSide, kSide);
   });
   uLongf size = compressBound(rows.size());
   std::string packed(size, '\0');
   compress(reinterpret_cast<Bytef*>(packed.data()), &size, reinterpret_cast<const Bytef*>(rows.data()), rows.size());
   return "\x89PNG\r\n\x1a\n" +
-         chunk("IHDR" + bytes({0, 0, 0, kSide, 0, 0, 0, kSide, 8, 3, 0, 0, 0})) +
-         chunk("PLTE" + repeated(kEntries, twin)) + chunk("IDAT" + packed.substr(0, size)) + chunk("IEND");
+         chunk("IHDR" + bytes({0, 0, 0, kSide, 0, 0, 0, kSide, 8, kind, 0, 0, 0})) + palette + chunk("IDAT" + packed.substr(0, size)) + chunk("IEND");
 }
+
+std::string png_of_twins() { return png(3, chunk("PLTE" + repeated(kEntries, twin)), pixels()); }
 
 /// Five bits a code, and a code that starts anew before they would have to grow.
 std::string gif_of_twins() {
@@ -197,6 +199,31 @@ TEST(ImagePaletteFilesNone, MaterialsByRed) {
       "light_source { -9*z, 1 } plane { z, 0 texture { material_map { png \"plasma3.png\" texture { pigment { rgb x } }"
       " texture { pigment { rgb y } } texture { pigment { rgb z } } } scale 2 } }";
   EXPECT_TRUE(same_as_stock({.sdl = sdl, .width = 64, .height = 48, .arguments = {}, .files = {}}));
+}
+
+/// Greys 0 .. 143; each texture is a colour of its own.
+TEST(ImagePaletteFilesNone, MaterialsByGrey) {
+  std::string textures;
+  for (int i = 0; i < kSide * kSide; ++i) {
+    textures += "texture { pigment { rgb <" + std::to_string(i) + "," + std::to_string(i * 7 % 256) +
+                ",99>/255 } finish { ambient 1 diffuse 0 } }\n";
+  }
+  const std::string greys = png(0, "", repeated(kSide * kSide, [](int i) { return bytes({i}); }));
+  const std::string sdl =
+      "#version 3.7; global_settings { assumed_gamma 1 } camera { location -3*z look_at 0 angle 50 }\n"
+      "plane { z, 0 texture { material_map { png \"greys.png\" " + textures + " } scale 2 } }";
+  EXPECT_TRUE(same_as_stock(
+      {.sdl = sdl, .width = 96, .height = 72, .arguments = {"File_Gamma=1.0"}, .files = {{"greys.png", greys}}}));
+}
+
+/// Greys of other files than PNG are not cut to 8 bits once they are decoded.
+TEST(ImagePaletteFilesNone, GreyMapsThatAreDecoded) {
+  const std::string map = "P5\n12 12\n255\n" + repeated(kSide * kSide, [](int i) { return bytes({i / 4}); });
+  const std::string sdl =
+      "#version 3.7; global_settings { assumed_gamma 1 } camera { location -3*z look_at 0 angle 50 }\n"
+      "plane { z, 0 pigment { image_map { pgm \"greys.pgm\" gamma 1.6 } scale 2 } finish { ambient 9 diffuse 0 } }";
+  EXPECT_TRUE(same_as_stock(
+      {.sdl = sdl, .width = 96, .height = 72, .arguments = {"File_Gamma=1.0"}, .files = {{"greys.pgm", map}}}));
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, ImagePaletteFiles,
