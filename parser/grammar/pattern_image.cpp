@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <string>
 
+#include "core/image/palette_size.h"
 #include "parser/grammar/helpers.h"
 #include "parser/grammar/pattern.h"
 
@@ -49,15 +50,31 @@ void parse_image_function(Parser& parser, ImageDesc& image) {
   image.function = parser.parse_function_body();
 }
 
+/// That the picture has this entry in its palette; below 0 stock does not look. What is not read (IFF) is not known.
+void check_entry(Parser& parser, const ImageDesc& image, const char* word, const Location& where, int index) {
+  if (image.type == "iff" || image.type == "sys") return;
+  const std::string all = std::string(word) + " all is for the whole picture";
+  const int size = image.path.empty() ? 0 : core::palette_size(image.path, image.type == "tga");
+  if (size == 0) {
+    parser.fail_at(where, "expected all: " + (image.path.empty() ? "the function" : "'" + image.name + "'") +
+                              " has no palette of which this could be an entry; " + all);
+  }
+  if (index < size) return;
+  parser.fail_at(where, "expected an entry of the palette of '" + image.name + "', 0 to " + std::to_string(size - 1) +
+                            ", found " + std::to_string(index) + "; " + all);
+}
+
 /// `filter all f`, `filter index, f` and the same of transmit.
-void parse_transparency(Parser& parser, std::optional<double>& all,
+void parse_transparency(Parser& parser, const ImageDesc& image, const char* word, std::optional<double>& all,
                         std::vector<std::pair<int, double>>& entries) {
   if (parser.accept(Keyword::kAll)) {
     all = parser.parse_float();
     entries.clear();  // those that were given before are among all
     return;
   }
+  const Location where = parser.location();
   const int index = static_cast<int>(parser.parse_float() + 0.01);
+  check_entry(parser, image, word, where, index);
   parser.parse_comma();
   entries.emplace_back(index, parser.parse_float());
 }
@@ -134,9 +151,9 @@ std::shared_ptr<const ImageDesc> parse_image_map(Parser& parser) {
   for (;;) {
     if (accept_image_modifier(parser, *image)) continue;
     if (parser.accept(Keyword::kFilter) || parser.accept(Keyword::kAlpha)) {
-      parse_transparency(parser, image->filter_all, image->filters);
+      parse_transparency(parser, *image, "filter", image->filter_all, image->filters);
     } else if (parser.accept(Keyword::kTransmit)) {
-      parse_transparency(parser, image->transmit_all, image->transmits);
+      parse_transparency(parser, *image, "transmit", image->transmit_all, image->transmits);
     } else {
       break;
     }

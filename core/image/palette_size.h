@@ -1,0 +1,13 @@
+// How many entries the palette of a picture file has, from its head alone. Errors: none, files that cannot be read
+// have no palette. Threads: any number. Source: the formats of PNG, GIF, BMP and TARGA; compared with stock by
+// image.palette_files.
+#pragma once
+
+#include <filesystem>
+
+namespace lentray::core {
+
+/// 0: the file has no palette. TARGA files are not marked: the scene says that it is one.
+int palette_size(const std::filesystem::path& path, bool is_targa);
+
+}  // namespace lentray::core
