@@ -14,9 +14,8 @@ bool normals_disagree(const Vec3& face, const std::array<Vec3, 3>& n) {
 SmoothTriangle::SmoothTriangle(const Vec3& a, const Vec3& na, const Vec3& b, const Vec3& nb,
                                const Vec3& c, const Vec3& nc)
     : TriangleShape(a, b, c, triangle_is_degenerate(a, b, c) ||
-                                 normals_disagree(cross(c - a, b - a),
-                                                  {normalized(na), normalized(nb), normalized(nc)})),
-      m_normals{normalized(na), normalized(nb), normalized(nc)} {}
+                                 normals_disagree(cross(c - a, b - a), {na, nb, nc})),
+      m_normals{na, nb, nc} {}
 
 Vec3 SmoothTriangle::normal(const Vec3&, const ShapeHit& hit) const {
   return m_normals[0] * (1.0 - hit.u - hit.v) + m_normals[1] * hit.u + m_normals[2] * hit.v;

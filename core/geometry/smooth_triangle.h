@@ -10,7 +10,7 @@ namespace lentray::core {
 
 class SmoothTriangle final : public TriangleShape {
  public:
-  /// Normals need not be unit. A degenerate triangle is allowed: nothing meets it.
+  /// The longer a normal, the more it weighs: a transform changes their lengths. A degenerate triangle is allowed: nothing meets it.
   SmoothTriangle(const Vec3& a, const Vec3& na, const Vec3& b, const Vec3& nb, const Vec3& c,
                  const Vec3& nc);
 
@@ -21,7 +21,7 @@ class SmoothTriangle final : public TriangleShape {
   std::unique_ptr<Shape> baked(const Transform& t) const override;
 
  private:
-  std::array<Vec3, 3> m_normals;  ///< unit
+  std::array<Vec3, 3> m_normals;
 };
 
 }  // namespace lentray::core

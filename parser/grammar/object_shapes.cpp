@@ -136,6 +136,7 @@ ShapeDesc parse_smooth_triangle(Parser& parser, Context&) {
   if (is_degenerate(s.p) || flat) {
     parser.warn_at(where, "Degenerate triangle: it has no area or a normal of no length.");
   }
+  for (Vec3& n : s.n) n = normalized(n);
   return s;
 }
 
@@ -195,6 +196,10 @@ ShapeDesc parse_csg(Parser& parser, Context& context, CsgOperation operation) {
   }
   CsgShape s;
   s.operation = operation;
+  s.has_smooth_triangles = std::any_of(children->begin(), children->end(), [](const Ref<ObjectDesc>& child) {
+    const CsgShape* csg = child->csg();
+    return csg ? csg->has_smooth_triangles : std::holds_alternative<Sparse<SmoothTriangleShape>>(child->shape);
+  });
   s.children = std::move(children);
   return s;
 }

@@ -2,6 +2,9 @@
 // for inside().
 #include <gtest/gtest.h>
 
+#include <string>
+#include <vector>
+
 #include "tests/support/render.h"
 
 namespace lentray::test {
@@ -126,6 +129,23 @@ TEST_P(ImageShapes, InCsg) {
                           " translate <-1.2,1.4,1.5> pigment { rgb <.8,.9,.3> } }";
   EXPECT_TRUE(same_as_stock({.sdl = sdl, .width = 120, .height = 90, .arguments = {}, .files = {}},
                             GetParam().grade));
+}
+
+/// Normals of smooth triangles become units with `scale`, not with `matrix` or `transform`.
+TEST(ImageShapesSmoothTriangle, Transformed) {
+  const std::string triangle = "smooth_triangle { <-.5,-.5,0>,<-.6,-.4,-.5>,<.5,-.5,.1>,<.7,-.1,-.4>,<0,.5,-.1>,<.1,.9,-.5> ";
+  const std::string shear = "matrix <1,0,0,.5,1,0,.6,0,1,0,0,0> ";
+  const std::vector<std::string> moves = {
+      shear, shear + "scale <1,1,2>", "scale <1,1,3> " + shear, "scale <2,1,.5> rotate 20*z", "matrix <1,0,0,0,1,0,0,0,3,0,0,0>",
+      "transform { scale <1,1,.4> rotate 20*z }", "scale <1,1,2> " + shear + "scale <1,.8,1> rotate 10*x"};
+  std::string sdl = kStage;
+  for (std::size_t i = 0; i < 2 * moves.size(); ++i) {
+    const std::string& move = moves[i % moves.size()];
+    sdl += i < moves.size() ? triangle + move : "union { " + triangle + "} sphere { 9*y, .1 } " + move;
+    sdl += " translate <" + std::to_string(.9 * double(i % 5) - 1.8) + "," + std::to_string(.9 * double(i / 5) - .8) +
+           ",0> pigment { rgb <.9,.5,.3> } finish { phong .8 } }\n";
+  }
+  EXPECT_TRUE(same_as_stock({.sdl = sdl, .width = 160, .height = 120, .arguments = {}, .files = {}}));
 }
 
 /// The solid goes down without end, below the field's box too.
