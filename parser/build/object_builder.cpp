@@ -202,7 +202,7 @@ void ObjectBuilder::set_regions(const ObjectDesc& object, const core::Transform&
     bool is_whole = true;
     ObjectDesc alone = object;
     alone.rare.edit().bounded_by.clear();
-    bounds = boxed(bounds, core::transformed(stock_box(alone, is_whole), outer));
+    bounds = heeds_regions(object) ? boxed(bounds, core::transformed(stock_box(alone, is_whole), outer)) : Regions();
   }
   if (!clips.empty()) out.set_clips(std::move(clips));
   const Reach reach = !on_list ? Reach::kPart : m_has_hierarchy ? Reach::kByBoxes : Reach::kOneByOne;
@@ -252,7 +252,8 @@ std::unique_ptr<core::Object> ObjectBuilder::build_whole(const ObjectDesc& objec
     add_element_textures(**blob, to_world, *out);
   }
   const bool cheap = !csg && !std::holds_alternative<Sparse<QuadricShape>>(object.shape) &&
-                     !std::holds_alternative<PolyShape>(object.shape);
+                     !std::holds_alternative<PolyShape>(object.shape) &&
+                     !std::holds_alternative<Sparse<TextShape>>(object.shape);
   set_regions(object, outer, from.on_list, !(from.on_list && cheap), *out);
   if (object.inverse) out->set_inverse(true);
   if (m_cutaways) m_cutaways->record(*out, object, object.texture ? looks.texture : nullptr);

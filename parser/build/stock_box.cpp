@@ -84,19 +84,13 @@ bool is_height_field(const ObjectDesc& object) {
   return std::holds_alternative<Sparse<HeightFieldShape>>(object.shape);
 }
 
-/// What bounds or clips these in their own braces has no part in their boxes.
-bool is_boxed_first(const ObjectDesc& object) {
-  return is_height_field(object) || std::holds_alternative<std::shared_ptr<const BlobShape>>(object.shape) ||
-         std::holds_alternative<Sparse<JuliaFractalShape>>(object.shape);
-}
-
 class BoxFinder {
  public:
   explicit BoxFinder(bool& is_whole) : m_is_whole(is_whole) {}
 
   Bounds of(const ObjectDesc& object) {
     Bounds box = kept(std::visit([&](const auto& shape) { return leaf(shape, object); }, object.shape));
-    if (!object.reopened && is_boxed_first(object)) return rounded(box);
+    if (!heeds_regions(object)) return rounded(box);
     for (const auto* regions : {&object.rare->bounded_by, &object.rare->clipped_by}) {
       Bounds common = everything();
       for (const Ref<ObjectDesc>& region : *regions) {
@@ -346,6 +340,12 @@ class BoxFinder {
 
 core::Bounds stock_box(const ObjectDesc& object, bool& is_whole) {
   return BoxFinder(is_whole).of(object);
+}
+
+bool heeds_regions(const ObjectDesc& object) {
+  return object.reopened ||
+         !(is_height_field(object) || std::holds_alternative<std::shared_ptr<const BlobShape>>(object.shape) ||
+           std::holds_alternative<Sparse<JuliaFractalShape>>(object.shape));
 }
 
 void keep_clipped_box(ObjectDesc& object) {

@@ -12,6 +12,9 @@ namespace lentray::parser {
 
 /// Infinite sides are at +-1e10. `is_whole` becomes false if parts have no geometry yet.
 core::Bounds stock_box(const ObjectDesc& object, bool& is_whole);
+/// False: what bounds or clips the object has no part in its box, which stock finds later: that of blobs,
+/// height fields and julia fractals in their own braces.
+bool heeds_regions(const ObjectDesc& object);
 
 /// Stock finds a quadric's box when it is clipped and moves the box from then on: to be called when
 /// the object has got a clip.

@@ -1,0 +1,50 @@
+// bounded_by tighter than the object, against stock: text is cut by it; blobs, height fields and julia
+// fractals heed it but in their own braces. Lights cast no shadows: those of stock change with the order of rays.
+#include <gtest/gtest.h>
+
+#include "tests/support/render.h"
+
+namespace lentray::test {
+namespace {
+
+testing::AssertionResult looks_the_same(const std::string& objects) {
+  return same_as_stock({.sdl = "#version 3.7; global_settings { assumed_gamma 1 }\n"
+                               "camera { location <0,1.5,-6> angle 42 look_at <0,.7,0> }\n"
+                               "light_source { <-4,7,-6>, .8 shadowless } light_source { <5,9,-7>, .2 shadowless }\n"
+                               "#default { pigment { rgb <.9,.7,.3> } finish { ambient .2 } }\n"
+                               "plane { y, -1 pigment { checker rgb .9 rgb .4 } finish { reflection .3 } }\n" + objects,
+                        .width = 100, .height = 75, .arguments = {}, .files = {}});
+}
+
+const std::string kBound = " bounded_by { sphere { <.2,.8,0>, .5 } } ";
+
+struct Case {
+  const char* name;
+  const char* sdl;
+};
+
+class ImageOwnBounds : public ::testing::TestWithParam<Case> {};
+
+TEST_P(ImageOwnBounds, InItsBraces) { EXPECT_TRUE(looks_the_same(GetParam().sdl + kBound + "}")); }
+
+TEST_P(ImageOwnBounds, InBracesAround) {
+  EXPECT_TRUE(looks_the_same("object { " + std::string(GetParam().sdl) + "}" + kBound + "}"));
+}
+
+TEST_P(ImageOwnBounds, OfAPart) {
+  EXPECT_TRUE(looks_the_same("merge { " + std::string(GetParam().sdl) + kBound + "} sphere { 2*x, .2 } }"));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Each, ImageOwnBounds,
+    ::testing::Values(
+        Case{"text", "text { ttf \"crystal.ttf\" \"ABC\" .3, 0 translate -x scale <1.5,2,1>"},
+        Case{"blob", "blob { threshold .3 sphere { y, 1.3, 1 }"},
+        Case{"height_field", "height_field { png \"plasma2.png\" translate <-.5,0,-.5> scale <3,2,3>"},
+        Case{"julia_fractal", "julia_fractal { <-.2,.8,0,0> quaternion max_iteration 6 precision 20 translate .8*y"},
+        Case{"isosurface", "isosurface { function { x*x+y*y+z*z-1 } contained_by { box { -1.1, 1.1 } }"
+                           " max_gradient 4 translate y"}),
+    [](const auto& one) { return std::string(one.param.name); });
+
+}  // namespace
+}  // namespace lentray::test
