@@ -13,6 +13,7 @@
 #include "parser/build/build_error.h"
 #include "parser/build/light_scope.h"
 #include "parser/build/lights.h"
+#include "parser/build/quadric_box.h"
 #include "parser/build/shapes.h"
 #include "parser/build/stock_box.h"
 #include "parser/build/text_shape.h"
@@ -81,6 +82,17 @@ Regions boxed(const Regions& bounds, const core::Bounds& own) {
   kept.push_back(std::make_shared<core::Leaf>(std::make_unique<core::Box>(box.lo, box.hi),
                                               core::Transform()));
   return kept;
+}
+
+/// Of an object in the scene's list: whether it seems to stock worth a test of its bounds.
+bool keeps_bounds(const ObjectDesc& object) {
+  if (const auto* quadric = std::get_if<Sparse<QuadricShape>>(&object.shape)) {
+    const auto& clips = object.rare->clipped_by;
+    const bool is_limited = std::any_of(clips.begin(), clips.end(), [](const auto& clip) { return !clip->inverse; });
+    return has_products((*quadric)->c) || (!is_limited && is_open_all_around((*quadric)->c));
+  }
+  return object.csg() || std::holds_alternative<PolyShape>(object.shape) ||
+         std::holds_alternative<Sparse<TextShape>>(object.shape);
 }
 
 }  // namespace
@@ -251,10 +263,7 @@ std::unique_ptr<core::Object> ObjectBuilder::build_whole(const ObjectDesc& objec
   if (const auto* blob = std::get_if<std::shared_ptr<const BlobShape>>(&object.shape)) {
     add_element_textures(**blob, to_world, *out);
   }
-  const bool cheap = !csg && !std::holds_alternative<Sparse<QuadricShape>>(object.shape) &&
-                     !std::holds_alternative<PolyShape>(object.shape) &&
-                     !std::holds_alternative<Sparse<TextShape>>(object.shape);
-  set_regions(object, outer, from.on_list, !(from.on_list && cheap), *out);
+  set_regions(object, outer, from.on_list, !from.on_list || keeps_bounds(object), *out);
   if (object.inverse) out->set_inverse(true);
   if (m_cutaways) m_cutaways->record(*out, object, object.texture ? looks.texture : nullptr);
   return out;

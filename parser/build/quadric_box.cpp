@@ -37,6 +37,17 @@ class Centred {
   std::array<double, 3> square, linear, centre{};
   double level;  ///< what the squares add up to
 
+  /// The axis whose square has the other sign; 3: there is none.
+  std::size_t odd_axis() const {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+      if ((square[i] > 0.0) != (square[j] > 0.0) && (square[j] > 0.0) == (square[k] > 0.0)) return i;
+    }
+    return 3;
+  }
+  /// True of two sheets that face each other along that axis.
+  bool has_two_sheets(std::size_t odd) const { return level * (square[odd] > 0.0 ? -1.0 : 1.0) < 0.0; }
+
  private:
   static double flattened(double x) { return std::fabs(x) < kTiny ? 0.0 : x; }
 };
@@ -60,18 +71,14 @@ class BoxCut {
   /// axis lets them be.
   void cut_by_squares() {
     const auto& a = m_surface.square;
-    std::size_t odd = 3;  // the axis whose square has the other sign
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-      if ((a[i] > 0.0) != (a[j] > 0.0) && (a[j] > 0.0) == (a[k] > 0.0)) odd = i;
-    }
+    const std::size_t odd = m_surface.odd_axis();
     if (odd == 3) {
       for (int i = 0; i < 3 && m_surface.level > 0.0; ++i) cut(i, m_surface.level / a[index(i)]);
       return;
     }
     const int axis = static_cast<int>(odd);
-    const double sign = a[odd] > 0.0 ? -1.0 : 1.0, centre = m_surface.centre[odd];
-    if (m_surface.level * sign < 0.0) return;
+    const double centre = m_surface.centre[odd];
+    if (m_surface.has_two_sheets(odd)) return;
     const double far = std::max(std::fabs(m_box.lo[axis] - centre), std::fabs(m_box.hi[axis] - centre));
     // Stock counts every waist as that of the hyperboloid whose level is 1.
     const double waist = m_surface.level == 0.0 ? 0.0 : 1.0;
@@ -115,6 +122,15 @@ class BoxCut {
 
 bool has_products(const std::array<double, 10>& c) {
   return std::fabs(c[3]) > kTiny || std::fabs(c[4]) > kTiny || std::fabs(c[5]) > kTiny;
+}
+
+bool is_open_all_around(const std::array<double, 10>& c) {
+  const Centred surface(c);
+  for (const double square : surface.square) {
+    if (square == 0.0) return false;
+  }
+  const std::size_t odd = surface.odd_axis();
+  return odd < 3 && !surface.has_two_sheets(odd);
 }
 
 std::array<double, 10> moved_quadric(const std::array<double, 10>& c, const core::Transform& t) {

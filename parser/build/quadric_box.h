@@ -15,6 +15,8 @@ namespace lentray::parser {
 std::array<double, 10> moved_quadric(const std::array<double, 10>& c, const core::Transform& t);
 
 bool has_products(const std::array<double, 10>& c);
+/// Cones and hyperboloids of one sheet; for an equation without products.
+bool is_open_all_around(const std::array<double, 10>& c);
 
 /// Of the surface within `limits`, for an equation without products. Where nothing is known it is
 /// `limits`.

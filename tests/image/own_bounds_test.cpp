@@ -46,5 +46,23 @@ INSTANTIATE_TEST_SUITE_P(
                            " max_gradient 4 translate y"}),
     [](const auto& one) { return std::string(one.param.name); });
 
+/// Bounds of quadrics become boxes but for products of two coordinates, cones and hyperboloids of one sheet.
+class ImageQuadricBounds : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(ImageQuadricBounds, AsStock) {
+  EXPECT_TRUE(looks_the_same("quadric { " + std::string(GetParam()) + kBound + "}"));
+}
+
+#define BOX " clipped_by { box { -2, <2,1.6,2> } }"
+INSTANTIATE_TEST_SUITE_P(
+    Each, ImageQuadricBounds,
+    ::testing::Values("<1,1,1>, 0, <0,-2,0>, 0", "<1,0,1>, 0, 0, -.6", "<1,0,1>, 0, 0, -.6" BOX,
+                      "<1,0,1>, 0, 0, -.6 rotate 30*z", "<1,0,1>, 0, <0,-1,0>, 0", "<0,0,1>, 0, 0, -.01",
+                      "<-1,1,-1>, 0, 0, -.1", "<1,-1,1>, 0, 0, 0", "<1,-1,1>, 0, 0, 0" BOX,
+                      "<1,-1,1>, 0, 0, 0 clipped_by { plane { y+.2*x, 1.6 } }",
+                      "<1,-1,1>, 0, 0, 0 clipped_by { sphere { y, .3 inverse } }", "<1,-1,1>, 0, 0, -.1 rotate 30*z",
+                      "<1,1,1>, <.2,.1,0>, <0,-2,0>, 0", "<1,1,1>, <.2,.1,0>, <0,-2,0>, 0" BOX));
+#undef BOX
+
 }  // namespace
 }  // namespace lentray::test
