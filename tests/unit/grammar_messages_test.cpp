@@ -272,6 +272,9 @@ const Program kPrograms[] = {
     {PIGMENT("image_map { function 2, 2 x }"), "{ after the size of the image"},
     {PIGMENT("image_map { <1,0,0> png \"bad.png\" }"), "the orientation of an image has no meaning any more"},
     {PIGMENT("image_map { 5 }"), "an image file"},
+    {PIGMENT("image_map { png \"bad.png\" filter 0, 1 }"), "expected all: 'bad.png' has no palette of which this could be an entry; filter all is for the whole picture"},
+    {PIGMENT("image_map { function 2, 2 { x } transmit 0, 1 }"), "expected all: the function has no palette"},
+    {PIGMENT("image_map { gif \"two.gif\" transmit 2, 1 }"), "expected an entry of the palette of 'two.gif', 0 to 1, found 2; transmit all is for the whole picture"},
     {PIGMENT("image_map { png \"bad.png\" repeat 0 }"), "the repeat of an image must be greater than 0 both ways"},
     {PIGMENT("image_map { png \"bad.png\" phong }"), "one of interpolate, map_type, once, use_color, use_index, use_alpha, repeat, offset, filter, transmit or }"},
     {NORMAL("bump_map { png \"bad.png\" phong }"), "one of interpolate, map_type, once, use_color, use_index, use_alpha, repeat, offset, bump_size or }"},
@@ -365,6 +368,7 @@ TEST(GrammarMessages, EachIsHeard) {
   const diff::TemporaryFolder folder;
   diff::write_text(folder / "bad.png", "no picture");
   diff::write_text(folder / "bad.ttf", "no font");
+  diff::write_text(folder / "two.gif", std::string("GIF89a\1\0\1\0\200\0\0", 13) + "abcdef");
   diff::write_text(folder / "bad.df3", "no");
   diff::write_text(folder / "odd.df3", std::string("\0\2\0\1\0\1", 6) + "abcde");
   const fs::path before = fs::current_path();
