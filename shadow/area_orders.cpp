@@ -24,6 +24,20 @@ class SquareOrder : public Sequence {
   /// Writes the square's pixels but for the first `skip`, at most `count`; returns how many.
   virtual std::size_t list_square(const Square& square, std::size_t skip, std::size_t count,
                                   core::Pixel* out) const = 0;
+  /// A square as lines of `length` pixels each; pixel_at(line, along) is where one lies.
+  template <class PixelAt>
+  static std::size_t list_lines(const Square& s, std::size_t length, std::size_t skip,
+                                std::size_t count, core::Pixel* out, PixelAt&& pixel_at) {
+    const std::size_t number = std::min(count, s.columns * s.rows - skip);
+    std::size_t line = skip / length, along = skip % length;
+    for (std::size_t i = 0; i < number; ++i) {
+      *out++ = pixel_at(line, along);
+      if (++along < length) continue;
+      along = 0;
+      ++line;
+    }
+    return number;
+  }
   const std::size_t m_side;
 
  private:
@@ -55,15 +69,9 @@ class TileOrder final : public SquareOrder {
  private:
   std::size_t list_square(const Square& s, std::size_t skip, std::size_t count,
                           core::Pixel* out) const override {
-    const std::size_t number = std::min(count, s.columns * s.rows - skip);
-    std::size_t x = skip % s.columns, y = skip / s.columns;
-    for (std::size_t i = 0; i < number; ++i) {
-      *out++ = at(s.left + x, s.top + y);
-      if (++x < s.columns) continue;
-      x = 0;
-      ++y;
-    }
-    return number;
+    return list_lines(s, s.columns, skip, count, out, [&](std::size_t y, std::size_t x) {
+      return at(s.left + x, s.top + y);
+    });
   }
 };
 
@@ -76,15 +84,9 @@ class SerpentineOrder final : public SquareOrder {
  private:
   std::size_t list_square(const Square& s, std::size_t skip, std::size_t count,
                           core::Pixel* out) const override {
-    const std::size_t number = std::min(count, s.columns * s.rows - skip);
-    std::size_t x = skip / s.rows, y = skip % s.rows;
-    for (std::size_t i = 0; i < number; ++i) {
-      *out++ = at(s.left + x, s.top + (x % 2 == 0 ? y : s.rows - 1 - y));
-      if (++y < s.rows) continue;
-      y = 0;
-      ++x;
-    }
-    return number;
+    return list_lines(s, s.rows, skip, count, out, [&](std::size_t x, std::size_t y) {
+      return at(s.left + x, s.top + (x % 2 == 0 ? y : s.rows - 1 - y));
+    });
   }
 };
 

@@ -31,9 +31,9 @@
 
 namespace lentray::shadow {
 
-inline constexpr std::uint32_t kTile = 32;     ///< pixels, the side of a square of `tiles`
+inline constexpr std::uint32_t kTile = 32;        ///< pixels, the side of a square of `tiles`
 inline constexpr std::uint32_t kSerpentine = 64;  ///< of `serpentine`
-inline constexpr std::uint32_t kHilbert = 64;  ///< and of `hilbert`
+inline constexpr std::uint32_t kHilbert = 64;     ///< and of `hilbert`
 
 /// auto, rows, views, columns, combined, strips, tiles, serpentine, hilbert, adaptive: in this
 /// order.

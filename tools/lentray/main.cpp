@@ -50,7 +50,7 @@ void set_signals() {
 /// What reading a scene gave back is used again by what is built of it: memory from the system costs
 /// more than filling it. Blocks above the first limit still come and go one by one. The heap's first
 /// part lies on the system's large pages where it has them, asked for before anything is there; to
-/// get small ones took up to a tenth of a small picture's time.
+/// get small ones took 4 to 8 % of a small picture's time.
 void keep_memory() {
   constexpr int kLargePages = 256 << 20;
   constexpr std::uintptr_t kLargePage = 2 << 20, kMoreThanLeft = 256 << 10;
