@@ -24,7 +24,8 @@ std::uint8_t flags_of(const Object& object) {
 
 constexpr std::uint8_t unseen_by(RayKind kind) {
   switch (kind) {
-    case RayKind::kCamera: return kNoImage;
+    case RayKind::kCamera:
+    case RayKind::kTransmitted: return kNoImage;
     case RayKind::kReflection: return kNoReflection;
     case RayKind::kShadow: return kNoShadow;
   }
@@ -172,7 +173,9 @@ struct Hierarchy::Impl {
                T& tally) const {
     NearestSearch<T> what{ray, t_min, static_cast<std::uint8_t>(unseen_by(kind) & any_flags),
                           hit, arena, tally, {t_max}};
+    arena.ray_kind = kind;
     all->search<true>(what);
+    arena.ray_kind = RayKind::kShadow;
     return what.finish();
   }
   template <class T>

@@ -7,7 +7,6 @@
 // counting costs nothing.
 #pragma once
 
-#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -16,13 +15,6 @@
 #include "core/geometry/object.h"
 
 namespace lentray::core {
-
-/// Which objects a ray passes by unseen.
-enum class RayKind : std::uint8_t {
-  kCamera,      ///< skips no_image
-  kReflection,  ///< skips no_reflection
-  kShadow,      ///< skips no_shadow
-};
 
 class Hierarchy {
  public:

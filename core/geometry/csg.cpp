@@ -148,9 +148,23 @@ void Csg::fence_children() {
   choose_tests();
 }
 
+/// As stock has it: parts of unions and merges go by their own flags, those of other CSG by the
+/// whole's, and so do parts of a union for rays straight from the camera.
+bool Csg::is_unseen(std::size_t child, RayKind kind) const {
+  if (!joins(m_kind)) return false;
+  const Attributes& looks = m_children[child]->attributes();
+  switch (kind) {
+    case RayKind::kCamera: return looks.no_image && m_kind == CsgKind::kMerge;
+    case RayKind::kTransmitted: return looks.no_image;
+    case RayKind::kReflection: return looks.no_reflection;
+    case RayKind::kShadow: break;
+  }
+  return false;
+}
+
 /// Which boxes and parts are asked first. The core is the smallest there is.
 void Csg::choose_tests() {
-  m_core = kNobody;
+  m_core = hides_parts() ? kHidden : kNobody;
   m_closed = false;
   if (m_search) return;
   // A ball that is hardly larger than the box turns rays away for less.
@@ -161,7 +175,7 @@ void Csg::choose_tests() {
     return radius * radius * 2.0 * std::numbers::pi < kMuchLarger * (size.x * size.y + size.y * size.z + size.z * size.x);
   };
   m_asks_boxes = joins(m_kind) && (m_leaves_bounds || !std::all_of(m_children.begin(), m_children.end(), is_tight));
-  m_closed = !m_leaves_bounds && clips().empty() && bounding().empty() &&
+  m_closed = !m_leaves_bounds && m_core != kHidden && clips().empty() && bounding().empty() &&
              std::all_of(m_children.begin(), m_children.end(), [](const auto& child) { return child->is_closed(); });
   if (joins(m_kind) || m_leaves_bounds) return;
   double least = Bounds::kInf;
@@ -203,7 +217,7 @@ void Csg::drop_shortcuts() {
   if (m_fences.empty()) fill_fences();
   for (auto& child : m_children) child->drop_shortcuts();
   m_search = nullptr;
-  m_core = kNobody;
+  if (m_core != kHidden) m_core = kNobody;
   drop_ball();
   if (m_leaves_bounds) return;
   for (Fence& fence : m_fences) fence = {Bounds::everything(), Bounds::everything(), false};
@@ -323,16 +337,37 @@ bool Csg::inside(const Vec3& p) const {
   return joins(m_kind) ? any_inside(p, kNobody) : every_inside(p, kNobody);
 }
 
-/// Whether a point of a child's surface belongs to the whole's.
-bool Csg::keeps(std::size_t child, const Vec3& p) const {
+bool Csg::hides_parts() const {
+  for (std::size_t i = 0; i < m_children.size(); ++i) {
+    if (is_unseen(i, RayKind::kTransmitted) || is_unseen(i, RayKind::kReflection)) return true;
+  }
+  return false;
+}
+
+[[gnu::noinline, gnu::cold]] bool Csg::any_seen_inside(const Vec3& p, std::size_t except, RayKind kind) const {
+  for (std::size_t i = 0; i < m_children.size(); ++i) {
+    if (i != except && !is_unseen(i, kind) && m_children[i]->inside(p)) return true;
+  }
+  return false;
+}
+
+/// Whether a point of a child's surface belongs to the whole's, as far as the ray sees it.
+[[gnu::always_inline]] inline bool Csg::keeps(std::size_t child, const Vec3& p, const HitArena& arena) const {
   if (m_kind == CsgKind::kUnion) return true;
-  return m_kind == CsgKind::kMerge ? !any_inside(p, child) : every_inside(p, child);
+  if (m_kind != CsgKind::kMerge) return every_inside(p, child);
+  if (m_core == kHidden) [[unlikely]] return !any_seen_inside(p, child, arena.ray_kind);
+  return !any_inside(p, child);
 }
 
 /// Those whose box the ray meets, the core and then the last child first where they are few; visit may
 /// lower t_max, and answers true to end. `chord` is null where nothing is known.
 template <class Visit>
 void Csg::for_children_met(const Ray& ray, double t_min, double t_max, HitArena& arena, Visit&& visit) const {
+  if (m_core == kHidden) [[unlikely]] {
+    return for_boxes_met(ray, t_min, t_max, [&](std::size_t i, double& limit, const Chord* chord) {
+      return !is_unseen(i, arena.ray_kind) && visit(i, limit, chord);
+    });
+  }
   if (m_core != kNobody) {
     const Object& core = *m_children[m_core];
     ScratchHits scratch(arena);
@@ -346,6 +381,12 @@ void Csg::for_children_met(const Ray& ray, double t_min, double t_max, HitArena&
     }
     return;
   }
+  for_boxes_met(ray, t_min, t_max, visit);
+}
+
+/// The same without a core.
+template <class Visit>
+void Csg::for_boxes_met(const Ray& ray, double t_min, double t_max, Visit&& visit) const {
   constexpr Chord* kNone = nullptr;
   // Boxes that parts leave decide for the ray from its start on, as in stock.
   const double boxes_from = std::min(t_min, 0.0);
@@ -419,7 +460,7 @@ bool Csg::kept_nearest(const Ray& ray, double t_min, double t_max, Hit& hit, Hit
     }
     double best = to;
     for (const Hit& next : crossings(i, ray, t_min, to, chord, *scratch, arena)) {
-      if (!(next.t < best) || (chord && !chord->has(next.t)) || !keeps(i, ray.at(next.t))) continue;
+      if (!(next.t < best) || (chord && !chord->has(next.t)) || !keeps(i, ray.at(next.t), arena)) continue;
       hit = next;
       best = limit = next.t;
       owner = i;
@@ -440,7 +481,7 @@ bool Csg::any(const Ray& ray, double t_min, double t_max, HitArena& arena) const
     for (const Hit& h : crossings(i, ray, t_min, t_max, chord, *scratch, arena)) {
       if (chord && !(chord->has(h.t) && h.t < t_max)) continue;
       const Vec3 p = ray.at(h.t);
-      if (keeps(i, p) && passes_clips(p)) return found = true;
+      if (keeps(i, p, arena) && passes_clips(p)) return found = true;
     }
     return false;
   });
@@ -459,7 +500,7 @@ void Csg::all(const Ray& ray, double t_min, double t_max, std::vector<Hit>& hits
     const auto drop = [&](const Hit& h) {
       if (chord && !chord->has(h.t)) return true;
       const Vec3 p = ray.at(h.t);
-      return !keeps(i, p) || (!clips().empty() && !passes_clips(p));
+      return !keeps(i, p, arena) || (!clips().empty() && !passes_clips(p));
     };
     hits.erase(std::remove_if(hits.begin() + static_cast<std::ptrdiff_t>(first), hits.end(), drop),
                hits.end());

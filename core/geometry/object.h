@@ -20,6 +20,14 @@ struct LightSelection;
 class Leaf;
 class Object;
 
+/// Which objects a ray passes by unseen.
+enum class RayKind : std::uint8_t {
+  kCamera,       ///< not yet through anything; skips no_image
+  kTransmitted,  ///< gone on through surfaces alone; skips no_image
+  kReflection,   ///< reflected once or more; skips no_reflection
+  kShadow,       ///< skips no_shadow
+};
+
 /// Looks and switches of an object, after inheritance through CSG is resolved.
 struct Attributes {
   const Texture* texture = nullptr;           ///< owned by the scene; never null after compiling
@@ -47,6 +55,7 @@ class HitArena {
   std::vector<Hit>& acquire();
   void release() { --m_used; }
   ShapeHits shape_hits;
+  RayKind ray_kind = RayKind::kShadow;  ///< of the ray under way: CSG has parts that some do not see
 
  private:
   std::vector<std::unique_ptr<std::vector<Hit>>> m_lists;
@@ -249,17 +258,23 @@ class Csg final : public Object {
   struct Search;
   struct Chord;
   static constexpr std::size_t kNobody = ~std::size_t{0};
+  static constexpr std::size_t kHidden = kNobody - 1;
 
   /// Calls visit(child, t_max&, chord) for the children that the ray may meet.
   template <class Visit>
   void for_children_met(const Ray& ray, double t_min, double t_max, HitArena& arena, Visit&& visit) const;
+  template <class Visit>
+  void for_boxes_met(const Ray& ray, double t_min, double t_max, Visit&& visit) const;
   const std::vector<Hit>& crossings(std::size_t child, const Ray& ray, double t_min, double t_max, const Chord* chord,
                                     std::vector<Hit>& list, HitArena& arena) const;
   void choose_tests();
+  bool hides_parts() const;
+  bool is_unseen(std::size_t child, RayKind kind) const;
   bool child_inside(std::size_t child, const Vec3& p) const;
   bool any_inside(const Vec3& p, std::size_t except) const;
   bool every_inside(const Vec3& p, std::size_t except) const;
-  bool keeps(std::size_t child, const Vec3& p) const;
+  bool keeps(std::size_t child, const Vec3& p, const HitArena& arena) const;
+  bool any_seen_inside(const Vec3& p, std::size_t except, RayKind kind) const;
   bool kept_nearest(const Ray&, double t_min, double t_max, Hit&, HitArena&) const;
   void fence_children();
   static Fence fence_of(const Object& child);
@@ -275,7 +290,8 @@ class Csg final : public Object {
   bool m_lies_in_parts = false;
   bool m_closed = false;              ///< all children are
   bool m_asks_boxes = true;           ///< of few children; else their own tests turn rays away as well
-  /// Of an intersection of few: a closed part, in whose solid all that is kept lies. Else nobody.
+  /// Of an intersection of few: a closed part, in whose solid all that is kept lies. Else nobody, or
+  /// kHidden where some rays do not see some parts of what is joined.
   std::size_t m_core = kNobody;
   mutable std::vector<Fence> m_fences;  ///< one a child; of many that are joined, made by search()
   std::unique_ptr<Search> m_search;   ///< where there are many children

@@ -37,12 +37,12 @@ inline constexpr unsigned kAllPaths = 16;
 struct RayState {
   explicit RayState(const Ray& r) : ray(r) {}
   /// Not an aggregate: that would clear the whole stack first.
-  RayState(const Ray& r, const InteriorStack& in, std::uint32_t tree_place, bool was_reflected)
-      : ray(r), inside(in), place(std::min(tree_place, kTreePlaces - 1)), reflected(was_reflected) {}
+  RayState(const Ray& r, const InteriorStack& in, std::uint32_t tree_place, RayKind ray_kind)
+      : ray(r), inside(in), place(std::min(tree_place, kTreePlaces - 1)), kind(ray_kind) {}
   const Ray& ray;
   InteriorStack inside;
   std::uint32_t place = 1;  ///< in the ray tree, see ShadowQuery
-  bool reflected = false;  ///< once reflected, `no_reflection` counts and `no_image` does not
+  RayKind kind = RayKind::kCamera;
 };
 
 template <unsigned kFeatures>

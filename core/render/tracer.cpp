@@ -59,8 +59,7 @@ Radiance PathTracer<kFeatures>::follow(const RayState& state, float weight, int 
                                        bool straight_on) {
   if (level >= m_max_level || weight < m_bailout) return {};
   Hit hit;
-  const RayKind kind = state.reflected ? RayKind::kReflection : RayKind::kCamera;
-  if (!m_hierarchy.nearest(state.ray, m_min_distance, Bounds::kInf, kind, hit, m_arena,
+  if (!m_hierarchy.nearest(state.ray, m_min_distance, Bounds::kInf, state.kind, hit, m_arena,
                            m_test_counters)) {
     Radiance sky = sky_radiance(m_scene, state.ray.direction);
     if (m_air) pass_open_air(state, kOpenAir, sky);
@@ -386,7 +385,7 @@ Rgb PathTracer<kFeatures>::mirror_image(const Vec3& normal, float weight, const 
   }
   ++m_counters.reflected_rays;
   const Ray ray{at.point(), normalized(out)};
-  const RayState next(ray, at.state.inside, 2 * at.state.place, true);
+  const RayState next(ray, at.state.inside, 2 * at.state.place, RayKind::kReflection);
   Rgb seen = follow(next, weight, at.level).rgb;
   if (film && film->irid > 0.0) {
     seen *= film_tint(*film, film_thickness(*film, at.point()), m_scene.settings().irid_wavelength,
@@ -410,7 +409,8 @@ bool PathTracer<kFeatures>::add_transmitted(const Stack& stack, const Surface& a
   const float most = greatest({std::fabs(filter.r), std::fabs(filter.g), std::fabs(filter.b)});
   const float weight = at.weight * most;
   Ray onward{at.point(), at.ray().direction};
-  RayState next(onward, at.state.inside, 2 * at.state.place + 1, at.state.reflected);
+  RayState next(onward, at.state.inside, 2 * at.state.place + 1,
+                std::max(at.state.kind, RayKind::kTransmitted));
   const InteriorEntry interior = at.interior();
   const double ratio = m_start_interiors ? enter(interior, next.inside) : 1.0;
 

@@ -30,7 +30,7 @@ class UnitCoreHierarchy : public ::testing::TestWithParam<TestScene> {};
 
 void expect_same(const Hierarchy& list, const Hierarchy& tree, const Ray& ray, double t_min,
                  double t_max, HitArena& arena, int& found) {
-  for (const RayKind kind : {RayKind::kCamera, RayKind::kReflection, RayKind::kShadow}) {
+  for (const RayKind kind : {RayKind::kCamera, RayKind::kTransmitted, RayKind::kReflection, RayKind::kShadow}) {
     Hit a, b;
     const bool hit = list.nearest(ray, t_min, t_max, kind, a, arena, nullptr);
     ASSERT_EQ(tree.nearest(ray, t_min, t_max, kind, b, arena, nullptr), hit);
