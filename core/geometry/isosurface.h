@@ -37,6 +37,7 @@ class Isosurface final : public Shape {
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
   bool any(const Ray& ray, double t_min, double t_max) const override;
+  bool tells_all() const override { return false; }
   bool inside(const Vec3& p) const override;
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
 

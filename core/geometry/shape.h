@@ -59,6 +59,8 @@ class Shape {
 
   /// True where all() costs no more than nearest(), which works all out too.
   virtual bool finds_all_at_once() const { return false; }
+  /// False where a ray that begins anew at one crossing may meet some that all() leaves out.
+  virtual bool tells_all() const { return true; }
   /// As `inside` in SDL, before any `inverse`. Shapes without a solid answer false.
   virtual bool inside(const Vec3& p) const = 0;
   /// As `inside` of the inverse. Not always the opposite: a point on a surface may be in both or

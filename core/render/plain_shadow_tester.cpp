@@ -32,6 +32,7 @@ PlainShadowTester::PlainShadowTester(const ShadowContext& context, bool count_hi
       m_hierarchy(context.scene->hierarchy()),
       m_test_counters(context.count_tests ? context.counters : nullptr),
       m_any_transparent(context.scene->needs().transparent_shadows),
+      m_begins_anew(context.scene->needs().shadows_begin_anew),
       m_interiors(context.scene->needs().interiors),
       m_counts_hits(count_hits),
       m_bailout(context.scene->settings().adc_bailout) {
@@ -84,51 +85,62 @@ void PlainShadowTester::order_ties(const Ray& ray) {
   if (tied) std::sort(m_order.begin(), m_order.end());
 }
 
-Rgb PlainShadowTester::filter_through(const ShadowQuery& query, const LightBuffer* buffer,
-                                      const LightBuffer::Spot* spot, double reach,
-                                      Counters* tests) {
-  Rgb filter(1.0f);
+void PlainShadowTester::find_filters(const Ray& ray, const LightBuffer* buffer, const LightBuffer::Spot* spot,
+                                     double reach, Counters* tests) {
   m_hits.clear();
-  if (buffer) {
-    buffer->all_transparent(*spot, query.ray, m_tolerance, reach, m_hits, *m_context.arena,
-                            tests);
-  } else {
-    m_hierarchy.all_transparent(query.ray, m_tolerance, reach, m_hits, *m_context.arena,
-                                tests);
-  }
-  if (m_hits.empty()) return filter;
   m_order.clear();
+  if (buffer) {
+    buffer->all_transparent(*spot, ray, m_tolerance, reach, m_hits, *m_context.arena, tests);
+  } else {
+    m_hierarchy.all_transparent(ray, m_tolerance, reach, m_hits, *m_context.arena, tests);
+  }
+  if (m_hits.empty()) return;
   for (std::size_t i = 0; i < m_hits.size(); ++i) {
     m_order.push_back({m_hits[i].t, 0.0, m_hits[i].place, static_cast<std::uint32_t>(i)});
   }
   std::sort(m_order.begin(), m_order.end());
-  order_ties(query.ray);
+  order_ties(ray);
+}
+
+Rgb PlainShadowTester::filter_through(const ShadowQuery& query, const LightBuffer* buffer,
+                                      const LightBuffer::Spot* spot, double reach,
+                                      Counters* tests) {
+  Rgb filter(1.0f);
+  find_filters(query.ray, buffer, spot, reach, tests);
+  if (m_order.empty()) return filter;
   // A surface that follows the one before within the tolerance does not count.
   double last = 0.0;
   m_inside.clear();
   if (m_interiors && query.inside) m_inside = *query.inside;
-  for (const Place& at : m_order) {
+  Ray ray = query.ray;
+  for (std::size_t i = 0; i < m_order.size(); ++i) {
+    const Place& at = m_order[i];
     if (!(at.t - last > m_tolerance)) continue;
     const Hit& hit = m_hits[at.index];
     const InteriorEntry entry = interior_of(hit.leaf->attributes(), hit.object);
     const bool leaves = m_interiors && m_inside.remove(entry.key);
-    filter *= surface_filter(hit, at.t - last, query, leaves);
+    filter *= surface_filter(hit, ray, at.t - last, leaves);
     if (filter.is_black()) break;
     if (m_interiors && !leaves) m_inside.push(entry);
     last = at.t;
+    if (!m_begins_anew) continue;
+    ray.origin = ray.at(last);
+    reach -= last;
+    last = 0.0;
+    find_filters(ray, buffer, spot, reach, tests);
+    i = ~std::size_t{0};
   }
   return filter;
 }
 
 // Texture maps blend what their textures let through. `inside`: the light came through the
 // interior of that surface to here.
-Rgb PlainShadowTester::surface_filter(const Hit& hit, double depth, const ShadowQuery& query,
-                                      bool inside) {
+Rgb PlainShadowTester::surface_filter(const Hit& hit, const Ray& ray, double depth, bool inside) {
   const Attributes& looks = hit.leaf->attributes();
-  const Vec3 point = query.ray.at(hit.t);
+  const Vec3 point = ray.at(hit.t);
   const Interior* interior = looks.interior;
   const bool caustics = interior && interior->caustics != 0.0;
-  const Vec3& along = query.ray.direction;
+  const Vec3& along = ray.direction;
   Vec3 normal = hit.leaf->normal(point, hit.shape);
   const bool from_behind = dot(normal, along) > 0.0;
   if (from_behind) normal = -normal;

@@ -42,17 +42,20 @@ class PlainShadowTester final : public ShadowTester {
   const ShadowContext& context() const { return m_context; }
 
  private:
+  /// Fills m_hits with the filtering surfaces up to `reach`, and m_order.
+  void find_filters(const Ray& ray, const LightBuffer* buffer, const LightBuffer::Spot* spot, double reach,
+                    Counters* tests);
   void order_ties(const Ray& ray);
   /// `buffer`: of the light, with the `spot` there, or null.
   Rgb filter_through(const ShadowQuery& query, const LightBuffer* buffer,
                      const LightBuffer::Spot* spot, double reach, Counters* tests);
-  Rgb surface_filter(const Hit& hit, double depth, const ShadowQuery& query, bool inside);
+  Rgb surface_filter(const Hit& hit, const Ray& ray, double depth, bool inside);
 
   ShadowContext m_context;
   double m_tolerance;  ///< kShadowTolerance in this scene
   const Hierarchy& m_hierarchy;
   Counters* m_test_counters;
-  bool m_any_transparent;
+  bool m_any_transparent, m_begins_anew;
   bool m_interiors, m_counts_hits;
   double m_bailout;
   LightBuffer::Spot m_spot;  ///< of the query, where it has none

@@ -21,6 +21,7 @@ constexpr Feature kFeatures[] = {
     {"clipping", &Needs::clipping},
     {"transparency", &Needs::transparency},
     {"transparent shadows", &Needs::transparent_shadows},
+    {"shadows that begin anew behind each surface", &Needs::shadows_begin_anew},
     {"refraction", &Needs::refraction},
     {"interiors", &Needs::interiors},
     {"reflection", &Needs::reflection},

@@ -16,6 +16,7 @@ struct Needs {
   bool clipping = false;
   bool transparency = false;         ///< any texture with filter or transmit
   bool transparent_shadows = false;  ///< any shadow caster that is not opaque
+  bool shadows_begin_anew = false;   ///< of these any with a shape that does not tell all crossings at once
   bool refraction = false;           ///< any interior with ior != 1 that can be seen through
   bool interiors = false;
   bool reflection = false;

@@ -93,10 +93,12 @@ class Finder {
     if (a.no_image || a.no_reflection || a.no_shadow) m_needs.visibility_flags = true;
     const Bounds bounds = object.bounds();
     if (!bounds.is_finite() && !bounds.is_empty()) m_needs.infinite_objects = true;
-    if (!object.is_opaque() && !a.no_shadow) m_needs.transparent_shadows = true;
+    const bool filters = !object.is_opaque() && !a.no_shadow;
+    if (filters) m_needs.transparent_shadows = true;
     look_at_structure(object);
     every_leaf(object, [&](const Leaf& leaf) {
       look_at_leaf(leaf);
+      if (filters && !leaf.shape().tells_all()) m_needs.shadows_begin_anew = true;
       return true;
     });
   }
@@ -187,6 +189,7 @@ Needs find_needs(const SceneParts& parts) { return Finder(parts).run(); }
 Needs everything_needed(Needs found, const SceneSettings& settings) {
   Needs all;
   all.primitives = std::move(found.primitives);
+  all.shadows_begin_anew = found.shadows_begin_anew;  // this alone changes what is found
   for (bool Needs::*feature :
        {&Needs::infinite_objects, &Needs::csg, &Needs::clipping, &Needs::transparency,
         &Needs::transparent_shadows, &Needs::refraction, &Needs::interiors, &Needs::reflection,

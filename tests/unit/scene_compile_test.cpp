@@ -141,7 +141,7 @@ TEST(UnitCoreScene, APlainSceneNeedsNothing) {
   const auto scene = b.compile();
   const Needs& n = scene->needs();
   for (const bool needed :
-       {n.infinite_objects, n.csg, n.clipping, n.transparency, n.transparent_shadows, n.refraction,
+       {n.infinite_objects, n.csg, n.clipping, n.transparency, n.transparent_shadows, n.shadows_begin_anew, n.refraction,
         n.interiors, n.reflection, n.layered_textures, n.textures_by_place, n.interior_textures,
         n.highlights, n.area_lights, n.spot_lights, n.fading_lights, n.shadowless_lights,
         n.visibility_flags, n.sky_sphere}) {
