@@ -85,16 +85,19 @@ void PlainShadowTester::order_ties(const Ray& ray) {
   if (tied) std::sort(m_order.begin(), m_order.end());
 }
 
-void PlainShadowTester::find_filters(const Ray& ray, const LightBuffer* buffer, const LightBuffer::Spot* spot,
-                                     double reach, Counters* tests) {
+[[gnu::always_inline]] inline void PlainShadowTester::find_filters(const Ray& ray, const LightBuffer* buffer,
+                                                                   const LightBuffer::Spot* spot, double reach,
+                                                                   Counters* tests) {
   m_hits.clear();
-  m_order.clear();
   if (buffer) {
     buffer->all_transparent(*spot, ray, m_tolerance, reach, m_hits, *m_context.arena, tests);
   } else {
     m_hierarchy.all_transparent(ray, m_tolerance, reach, m_hits, *m_context.arena, tests);
   }
-  if (m_hits.empty()) return;
+}
+
+void PlainShadowTester::order_filters(const Ray& ray) {
+  m_order.clear();
   for (std::size_t i = 0; i < m_hits.size(); ++i) {
     m_order.push_back({m_hits[i].t, 0.0, m_hits[i].place, static_cast<std::uint32_t>(i)});
   }
@@ -105,16 +108,28 @@ void PlainShadowTester::find_filters(const Ray& ray, const LightBuffer* buffer, 
 Rgb PlainShadowTester::filter_through(const ShadowQuery& query, const LightBuffer* buffer,
                                       const LightBuffer::Spot* spot, double reach,
                                       Counters* tests) {
-  Rgb filter(1.0f);
   find_filters(query.ray, buffer, spot, reach, tests);
-  if (m_order.empty()) return filter;
-  // A surface that follows the one before within the tolerance does not count.
-  double last = 0.0;
+  if (m_hits.empty()) return Rgb(1.0f);
   m_inside.clear();
   if (m_interiors && query.inside) m_inside = *query.inside;
-  Ray ray = query.ray;
-  for (std::size_t i = 0; i < m_order.size(); ++i) {
-    const Place& at = m_order[i];
+  Rgb filter(1.0f);
+  double last = filter_found(query.ray, filter);
+  if (!m_begins_anew) return filter;
+  for (Ray ray = query.ray; !filter.is_black(); last = filter_found(ray, filter)) {
+    ray.origin = ray.at(last);
+    reach -= last;
+    find_filters(ray, buffer, spot, reach, tests);
+    if (m_hits.empty()) break;
+  }
+  return filter;
+}
+
+/// Multiplies by what m_hits let through; with m_begins_anew the first of them. Answers where the last was.
+double PlainShadowTester::filter_found(const Ray& ray, Rgb& filter) {
+  order_filters(ray);
+  // A surface that follows the one before within the tolerance does not count.
+  double last = 0.0;
+  for (const Place& at : m_order) {
     if (!(at.t - last > m_tolerance)) continue;
     const Hit& hit = m_hits[at.index];
     const InteriorEntry entry = interior_of(hit.leaf->attributes(), hit.object);
@@ -123,14 +138,9 @@ Rgb PlainShadowTester::filter_through(const ShadowQuery& query, const LightBuffe
     if (filter.is_black()) break;
     if (m_interiors && !leaves) m_inside.push(entry);
     last = at.t;
-    if (!m_begins_anew) continue;
-    ray.origin = ray.at(last);
-    reach -= last;
-    last = 0.0;
-    find_filters(ray, buffer, spot, reach, tests);
-    i = ~std::size_t{0};
+    if (m_begins_anew) break;
   }
-  return filter;
+  return last;
 }
 
 // Texture maps blend what their textures let through. `inside`: the light came through the

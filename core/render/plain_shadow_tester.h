@@ -42,9 +42,12 @@ class PlainShadowTester final : public ShadowTester {
   const ShadowContext& context() const { return m_context; }
 
  private:
-  /// Fills m_hits with the filtering surfaces up to `reach`, and m_order.
+  /// Fills m_hits with the filtering surfaces up to `reach`.
   void find_filters(const Ray& ray, const LightBuffer* buffer, const LightBuffer::Spot* spot, double reach,
                     Counters* tests);
+  double filter_found(const Ray& ray, Rgb& filter);
+  /// Fills m_order.
+  void order_filters(const Ray& ray);
   void order_ties(const Ray& ray);
   /// `buffer`: of the light, with the `spot` there, or null.
   Rgb filter_through(const ShadowQuery& query, const LightBuffer* buffer,
