@@ -129,6 +129,9 @@ class Object {
   /// True when every leaf's textures are fully opaque (set by the scene compiler).
   bool is_opaque() const { return m_opaque; }
   void set_opaque(bool opaque) { m_opaque = opaque; }
+  /// Which object of the source it comes from: parts of a union that is split share the number (set by the scene).
+  std::uint32_t whole() const { return m_whole; }
+  void set_whole(std::uint32_t number) { m_whole = number; }
   /// core/accel/test_cost.h (set by the scene compiler).
   double test_cost() const { return m_test_cost; }
   void set_test_cost(double cost) { m_test_cost = cost; }
@@ -167,6 +170,7 @@ class Object {
   bool m_inverse = false;
   bool m_opaque = false;
   Convexity m_convexity = Convexity::kNone;
+  std::uint32_t m_whole = 0;
   double m_test_cost = 1.0;
 };
 

@@ -1,10 +1,12 @@
 // The interiors a ray travels in, innermost last. Every object has one: without an `interior`
-// statement it is a plain one with the ior of the atmosphere, told apart by the object.
+// statement it is a plain one with the ior of the atmosphere, told apart by the object
+// of the source: parts of a union share it.
 // Source: reference manual 3.7, "Interior"; the order of nested and overlapping ones is stock's.
 #pragma once
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 
 #include "core/geometry/object.h"
 #include "core/material/interior.h"
@@ -13,7 +15,7 @@ namespace lentray::core {
 
 /// Without initialisers on purpose: a stack is copied with every ray and mostly empty.
 struct InteriorEntry {
-  const void* key;           ///< identity: the interior, or the object that has none
+  std::uintptr_t key;        ///< identity: the interior, or the source's object that has none
   const Interior* interior;  ///< null: plain
   bool hollow;               ///< the air outside goes on in it
   double ior(double atmosphere_ior) const { return interior ? interior->ior : atmosphere_ior; }
@@ -21,8 +23,9 @@ struct InteriorEntry {
 
 /// The interior of a surface: `attributes` are those of the leaf, `object` is the scene's.
 inline InteriorEntry interior_of(const Attributes& attributes, const Object* object) {
-  if (attributes.interior) return {attributes.interior, attributes.interior, attributes.hollow};
-  return {object, nullptr, attributes.hollow};
+  const Interior* own = attributes.interior;
+  if (own) return {reinterpret_cast<std::uintptr_t>(own), own, attributes.hollow};
+  return {std::uintptr_t{2} * object->whole() + 1, nullptr, attributes.hollow};  // no address is odd
 }
 
 /// Deeper nesting than kCapacity is not followed: what is pushed beyond is forgotten.
@@ -44,7 +47,7 @@ class InteriorStack {
   void push(const InteriorEntry& entry) {
     if (m_size < kCapacity) m_entries[m_size++] = entry;
   }
-  bool contains(const void* key) const {
+  bool contains(std::uintptr_t key) const {
     for (std::size_t i = 0; i < m_size; ++i) {
       if (m_entries[i].key == key) return true;
     }
@@ -58,7 +61,7 @@ class InteriorStack {
     return true;
   }
   /// Removes the outermost entry of that key; false if there is none.
-  bool remove(const void* key) {
+  bool remove(std::uintptr_t key) {
     std::size_t i = 0;
     while (i < m_size && m_entries[i].key != key) ++i;
     if (i == m_size) return false;

@@ -34,6 +34,7 @@ struct Splitter {
       for (auto& child : children) add(std::move(child), group);
       return;
     }
+    object->set_whole(group);
     objects.push_back(std::move(object));
     groups.push_back(group);
   }

@@ -45,6 +45,12 @@ const Case kCases[] = {
     {"hollow_in_difference", FOG "difference { box { <-1,0,-1>, <1,2,1> hollow } sphere { <.5,1,-.5>, .9 } texture { Clear } }"},
     {"hollow_in_merge", FOG "merge { sphere { <-.3,1,0>, .9 } sphere { <.3,1,0>, .9 hollow } texture { Clear } }"},
     {"hollow_with_ior", FOG "union { sphere { <-1,1,0>, .8 hollow } sphere { <1,1,0>, .8 } texture { Clear } interior { ior 1.2 } }"},
+    {"overlap_in_union", FOG "union { sphere { <-.4,1,0>, .8 texture { Clear } } sphere { <.4,1,-.2>, .8 texture { Clear } } }"},
+    {"overlap_in_nested_unions", FOG "union { union { sphere { <-.4,1,0>, .8 } sphere { <.4,1,-.2>, .8 } } sphere { <0,1.5,0>, .5 }"
+                                 " texture { Clear } }"},
+    {"overlap_around_the_camera", FOG "union { sphere { <0,2,-6>, 3 } sphere { <.5,2,-1.5>, 2 } texture { Clear } }"},
+    {"overlap_in_union_that_refracts", FOG "union { sphere { <-.4,1,0>, .8 interior { ior 1.2 } } sphere { <.4,1,-.2>, .8 }"
+                                       " sphere { <0,1.5,0>, .5 } texture { Clear } }"},
     {"blob_of_negative_radius", "blob { threshold .3 sphere { y, -1.1, 1 } cylinder { <-1,.6,0>, <1,.6,-.3>, -.6, 1 } texture { C } }"},
 };
 
