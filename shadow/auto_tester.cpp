@@ -66,30 +66,30 @@ AutoTester::AutoTester(const core::ShadowContext& context)
       m_ask_cascade(m_cascade, m_plain, m_vain.data()),
       m_objects(context.scene->objects().size()),
       m_watches(context.scene->lights().size()),
-      m_alone(m_watches.size(), kFirst - kRow),
-      m_cached(m_watches.size(), 0), m_ways(m_watches.size(), ask_around) {
+      m_turns(m_watches.size()) {
   m_own.by_type = false;
   for (Watch& watch : m_watches) {
     watch.period = kFirst;
     watch.samples = kRow;
   }
-  for (std::size_t i = 0; i < m_alone.size(); ++i) {
-    if (context.scene->light_buffer(i)) m_alone[i] = kForever;
+  for (std::size_t i = 0; i < m_turns.size(); ++i) {
+    m_turns[i].left = context.scene->light_buffer(i) ? kForever : kFirst - kRow;
+    m_turns[i].counts = &context.counters->lights[i];
   }
 }
 
 /// The samples, and the first ray of the next period.
-core::Visibility AutoTester::watched(const core::ShadowQuery& query, core::ShadowCounts& counts) {
+core::Visibility AutoTester::watched(const core::ShadowQuery& query, Turn& turn) {
   Watch& watch = m_watches[query.light];
   if (watch.taken == 0) {
-    count(query.light, watch, counts);
+    count(query.light, watch, *turn.counts);
     watch.known.begin_row();
   }
   if (watch.taken == watch.samples) {
-    begin_period(query.light, watch, counts);
+    begin_period(query.light, watch, turn);
     return visibility(query);  // the first one
   }
-  return sampled(query, watch, counts);
+  return sampled(query, watch, *turn.counts);
 }
 
 core::Visibility AutoTester::sampled(const core::ShadowQuery& query, Watch& watch,
@@ -122,17 +122,15 @@ void AutoTester::remember(const core::ShadowQuery& query, const Watch& watch,
   }
 }
 
-void AutoTester::begin_period(std::uint32_t light, Watch& watch,
-                              const core::ShadowCounts& counts) {
+void AutoTester::begin_period(std::uint32_t light, Watch& watch, Turn& turn) {
+  const core::ShadowCounts& counts = *turn.counts;
   const bool other = decide(watch, counts);
   watch.period = next_period(watch, other);
   if (watch.samples > 0) watch.known.grow_old();
   watch.samples = watch.cached() ? kRowCached : kRow;
   watch.taken = 0;
-  const std::uint32_t others = watch.period - watch.samples;
-  m_alone[light] = watch.cached() ? 0 : others;
-  m_cached[light] = watch.cached() ? others : 0;
-  m_ways[light] = way_of(watch);
+  turn.left = watch.period - watch.samples;
+  turn.ask = asked_by(watch);
   if (watch.grid.on && !m_grid) {
     m_grid.emplace(*m_plain.context().scene);
     m_ask_grid.emplace(*m_grid, m_plain, m_vain.data());

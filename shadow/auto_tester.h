@@ -33,8 +33,10 @@ class AutoTester final : public core::ShadowTester {
   static constexpr std::string_view kName = "auto";
   explicit AutoTester(const core::ShadowContext& context);
   core::Visibility visibility(const core::ShadowQuery& query) override {
-    if (--m_alone[query.light] < 0) return m_ways[query.light](*this, query);
-    return searched(query);
+    Turn& turn = m_turns[query.light];
+    if (--turn.left < 0) [[unlikely]] return watched(query, turn);
+    if (turn.ask) return turn.ask(*this, query, *turn.counts);
+    return searched(query, *turn.counts);
   }
 
  private:
@@ -73,47 +75,52 @@ class AutoTester final : public core::ShadowTester {
     bool cached() const { return cascade.on || grid.on; }
   };
 
-  core::ShadowCounts& counts_of(const core::ShadowQuery& query) {
-    return m_plain.context().counters->lights[query.light];
-  }
-  core::Visibility searched(const core::ShadowQuery& query) {
-    core::ShadowCounts& counts = counts_of(query);
+  core::Visibility searched(const core::ShadowQuery& query, core::ShadowCounts& counts) {
     ++counts.rays;
     const core::Visibility seen = m_plain.search(query);
     if (seen.blocker) ++counts.blocked;
     return seen;
   }
-  /// The way of a light with a cache, which it asks: so many rays, then samples.
-  using Way = core::Visibility (*)(AutoTester& self, const core::ShadowQuery& query);
+  /// Asks a cache.
+  using Ask = core::Visibility (*)(AutoTester& self, const core::ShadowQuery& query,
+                                   core::ShadowCounts& counts);
+  /// What comes next of a light: so many rays that ask a cache, or are just searched for (null). Then
+  /// samples.
+  struct Turn {
+    std::int64_t left = 0;
+    Ask ask = nullptr;
+    core::ShadowCounts* counts = nullptr;
+  };
   template <class AnAsker>
-  [[gnu::always_inline]] static core::Visibility ask(AutoTester& self,
-                                                     const core::ShadowQuery& query,
+  [[gnu::always_inline]] static core::Visibility ask(const core::ShadowQuery& query,
+                                                     core::ShadowCounts& counts,
                                                      AnAsker& asker) {
-    core::ShadowCounts& counts = self.counts_of(query);
-    if (--self.m_cached[query.light] < 0) [[unlikely]] return self.watched(query, counts);
     ++counts.rays;
     ++counts.cached;
     return asker.visibility(query, counts);
   }
-  static core::Visibility ask_around(AutoTester& self, const core::ShadowQuery& query) {
-    return ask(self, query, self.m_ask_around);
+  static core::Visibility ask_around(AutoTester& self, const core::ShadowQuery& query,
+                                     core::ShadowCounts& counts) {
+    return ask(query, counts, self.m_ask_around);
   }
-  static core::Visibility ask_cascade(AutoTester& self, const core::ShadowQuery& query) {
-    return ask(self, query, self.m_ask_cascade);
+  static core::Visibility ask_cascade(AutoTester& self, const core::ShadowQuery& query,
+                                      core::ShadowCounts& counts) {
+    return ask(query, counts, self.m_ask_cascade);
   }
-  static core::Visibility ask_grid(AutoTester& self, const core::ShadowQuery& query) {
-    return ask(self, query, *self.m_ask_grid);
+  static core::Visibility ask_grid(AutoTester& self, const core::ShadowQuery& query,
+                                   core::ShadowCounts& counts) {
+    return ask(query, counts, *self.m_ask_grid);
   }
-  static Way way_of(const Watch& watch) {
+  static Ask asked_by(const Watch& watch) {
     if (watch.grid.on) return ask_grid;
-    return watch.cells.on ? ask_cascade : ask_around;
+    if (watch.cells.on) return ask_cascade;
+    return watch.cascade.on ? ask_around : nullptr;
   }
-  [[gnu::noinline]] core::Visibility watched(const core::ShadowQuery& query,
-                                             core::ShadowCounts& counts);
+  [[gnu::noinline]] core::Visibility watched(const core::ShadowQuery& query, Turn& turn);
   core::Visibility sampled(const core::ShadowQuery& query, Watch& watch,
                            core::ShadowCounts& counts);
   void remember(const core::ShadowQuery& query, const Watch& watch, const core::Object* blocker);
-  void begin_period(std::uint32_t light, Watch& watch, const core::ShadowCounts& counts);
+  void begin_period(std::uint32_t light, Watch& watch, Turn& turn);
   void count(std::uint32_t light, Watch& watch, const core::ShadowCounts& counts);
   bool decide(Watch& watch, const core::ShadowCounts& counts);
   double hoped_of_cells() const;
@@ -131,9 +138,7 @@ class AutoTester final : public core::ShadowTester {
   std::optional<Asker<CacheTable<DirectionPolicy>, true>> m_ask_grid;
   const std::size_t m_objects;                        ///< of the scene
   std::vector<Watch> m_watches;                       ///< one a light
-  /// The same: so many rays to come that are just searched for, or ask a cache; and how the latter.
-  std::vector<std::int64_t> m_alone, m_cached;
-  std::vector<Way> m_ways;
+  std::vector<Turn> m_turns;                          ///< the same
 };
 
 }  // namespace lentray::shadow
