@@ -21,9 +21,6 @@ namespace lentray::parser {
 
 struct Interpreter;
 
-/// The sRGB transfer curve, towards linear light.
-double decode_srgb(double component);
-
 class Expressions {
  public:
   explicit Expressions(Interpreter& in) : m_in(in), m_raw(in) {}
@@ -58,9 +55,6 @@ class Expressions {
 
   // expressions_spline.cpp
   Ref<SplineDesc> parse_spline();   ///< after `spline`
-
-  /// Turns an sRGB component into the scene's working space; assumed_gamma sets it.
-  double (*srgb_to_linear)(double) = decode_srgb;
 
   /// `NAME = EXPRESSION;`, where it stands so in the token list: the token of the name, and `;` comes
   /// next. Null, and nothing read, if anything else stands there.

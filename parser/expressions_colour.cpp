@@ -1,6 +1,5 @@
 // Colours: `rgb 1`, `rgbft <..>`, `srgb <..>`, `color red 1 green .5`, `Red*0.5 filter .2` ...
-#include <cmath>
-
+#include "parser/gamma.h"
 #include "parser/interpreter.h"
 
 namespace lentray::parser {
@@ -28,12 +27,6 @@ int component(Keyword k) {
 
 }  // namespace
 
-double decode_srgb(double c) {
-  // In single precision throughout, as stock: held by tests/compat/language_expressions_test.cpp.
-  const float x = static_cast<float>(c);
-  return x <= 0.04045f ? x / 12.92f : std::pow((x + 0.055f) / 1.055f, 2.4f);
-}
-
 bool Expressions::at_colour_keyword() {
   const Token& t = m_in.tokens.peek();
   return t.kind == TokenKind::kKeyword &&
@@ -58,6 +51,9 @@ Number Expressions::colour_from(Keyword keyword) {
   const bool srgb = keyword == Keyword::kSrgb || keyword == Keyword::kSrgbf ||
                     keyword == Keyword::kSrgbt || keyword == Keyword::kSrgbft;
   const int size = both ? 5 : filter || transmit ? 4 : 3;
+  if (srgb && !m_in.working_gamma) {
+    m_in.fail(m_in.tokens.peek().where, "sRGB colours need an assumed_gamma before them");
+  }
   Location where;
   Number n = parse_located(RawExpressions::Level::kEverything, size, where);
   if (n.size > size) {
@@ -71,7 +67,8 @@ Number Expressions::colour_from(Keyword keyword) {
     n.v[3] = 0.0;
   }
   if (srgb) {
-    for (std::size_t i = 0; i < 3; ++i) n.v[i] = srgb_to_linear(n.v[i]);
+    const Gamma working = Gamma::of(*m_in.working_gamma);
+    for (std::size_t i = 0; i < 3; ++i) n.v[i] = Gamma::srgb().recoded(static_cast<float>(n.v[i]), working);
   }
   return n;
 }

@@ -48,6 +48,8 @@ struct Interpreter {
   bool version_first = true;  ///< no declaration stood before the first #version
   std::vector<std::uint32_t> random;   ///< states of the streams of seed()
 
+  /// What assumed_gamma has said so far; less than 0: sRGB.
+  std::optional<double> working_gamma;
   bool utf8 = false;          ///< charset of string literals; else ASCII
   std::string scene_folder;
   std::map<std::string, std::shared_ptr<const TokenList>> texts;  ///< by path

@@ -164,9 +164,8 @@ const ParserOptions& Parser::options() const { return m_impl->in.options; }
 Diagnostics& Parser::diagnostics() { return m_impl->in.diagnostics; }
 SourceManager& Parser::sources() { return m_impl->in.sources; }
 
-void Parser::set_srgb_decoder(double (*decoder)(double)) {
-  m_impl->in.expressions.srgb_to_linear = decoder;
-}
+void Parser::set_working_gamma(double gamma) { m_impl->in.working_gamma = gamma; }
+std::optional<double> Parser::working_gamma() const { return m_impl->in.working_gamma; }
 
 void Parser::set_utf8(bool utf8) { m_impl->in.utf8 = utf8; }
 

@@ -125,8 +125,9 @@ class Parser {
   const ParserOptions& options() const;
   Diagnostics& diagnostics();
   SourceManager& sources();
-  /// How srgb colours become linear; the statement that reads assumed_gamma may change it.
-  void set_srgb_decoder(double (*decoder)(double));
+  /// What srgb colours and pictures become, less than 0: sRGB; the statement that reads assumed_gamma sets it.
+  void set_working_gamma(double gamma);
+  std::optional<double> working_gamma() const;
   /// Whether string literals are UTF-8 rather than ASCII; the statement that reads charset sets it.
   void set_utf8(bool utf8);
   /// Which noise functions are made of; the statement that reads noise_generator sets it.

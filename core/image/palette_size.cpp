@@ -6,6 +6,8 @@
 #include <fstream>
 #include <string_view>
 
+#include "core/image/png_chunks.h"
+
 namespace lentray::core {
 namespace {
 
@@ -17,22 +19,11 @@ std::uint32_t little(const Head& head, std::size_t at, std::size_t bytes) {
   return value;
 }
 
-/// Chunks come one behind the other, the palette before the pixels.
 int of_png(std::ifstream& file, const Head& head) {
   constexpr std::size_t kColourType = 25;
-  constexpr std::streamoff kSignature = 8, kAround = 12;  ///< length, name and checksum of a chunk
   constexpr unsigned char kByPalette = 3;
   if (head[kColourType] != kByPalette) return 0;
-  for (std::streamoff at = kSignature;;) {
-    std::array<unsigned char, 8> chunk{};
-    file.seekg(at);
-    if (!file.read(reinterpret_cast<char*>(chunk.data()), chunk.size())) return 0;
-    const std::uint32_t length = std::uint32_t{chunk[0]} << 24 | std::uint32_t{chunk[1]} << 16 |
-                                 std::uint32_t{chunk[2]} << 8 | chunk[3];
-    const std::string_view name(reinterpret_cast<const char*>(chunk.data()) + 4, 4);
-    if (name == "PLTE") return static_cast<int>(length / 3);
-    at += kAround + static_cast<std::streamoff>(length);
-  }
+  return static_cast<int>(find_png_chunk(file, "PLTE").value_or(0) / 3);
 }
 
 int of_gif(const Head& head) {
@@ -58,7 +49,6 @@ int palette_size(const std::filesystem::path& path, bool is_targa) {
   std::ifstream file(path, std::ios::binary);
   Head head{};
   file.read(reinterpret_cast<char*>(head.data()), static_cast<std::streamsize>(head.size()));
-  file.clear();
   const std::string_view begins(reinterpret_cast<const char*>(head.data()), head.size());
   if (begins.starts_with("GIF8")) return of_gif(head);
   if (begins.starts_with("\x89PNG")) return of_png(file, head);

@@ -10,7 +10,7 @@
 #include "core/base/color.h"
 #include "core/image/palette_indices.h"
 #include "core/image/reader.h"
-#include "parser/build/picture_reader.h"
+#include "parser/gamma.h"
 
 namespace lentray::parser {
 namespace {
@@ -95,7 +95,9 @@ Heights of_picture(const HeightFieldShape& field) {
   if (field.file_type == "pot" && !entries.empty()) return of_potentials(stored, entries);
   const float most = stored.bits == 8 ? 255.0f : stored.bits == 16 ? kFull : 1.0f;
   std::function<float(float)> decode;
-  if (field.file_gamma) decode = gamma_decoder(*field.file_gamma);
+  if (field.file_gamma) {
+    decode = [from = Gamma::of(*field.file_gamma)](float v) { return from.recoded(v, Gamma::linear()); };
+  }
   const bool grey_png = field.file_type == "png" && stored.channels == 1 && stored.bits == 8;
   for (std::uint32_t row = 0; row < stored.height; ++row) {
     for (std::uint32_t column = 0; column < stored.width; ++column) {

@@ -6,47 +6,42 @@
 #include <cstdint>
 #include <fstream>
 #include <functional>
+#include <optional>
 #include <utility>
 
 #include "core/base/color.h"
 #include "core/image/palette_indices.h"
+#include "core/image/png_chunks.h"
 #include "core/image/reader.h"
+#include "parser/gamma.h"
 
 namespace lentray::parser {
 namespace {
 
-using Decoder = std::function<float(float)>;
-
-float srgb_to_linear(float v) {
-  return v <= 0.04045f ? v / 12.92f : std::pow((v + 0.055f) / 1.055f, 2.4f);
-}
-
 bool is_linear_format(const std::string& type) { return type == "exr" || type == "hdr"; }
 
-/// How stored values become linear light. Files that do not say are sRGB; portable pixmaps and
-/// floating-point files are linear in 3.7.
-Decoder file_decoder(const ImageDesc& image, const core::StoredImage& stored) {
-  if (image.gamma != 0.0) return gamma_decoder(image.gamma);
-  if (is_linear_format(image.type) || image.type == "ppm" || image.type == "pgm") {
-    return [](float v) { return v; };
-  }
-  const auto gamma = stored.attributes.find("oiio:Gamma");
-  if (image.type == "png" && gamma != stored.attributes.end()) {
-    const float g = std::strtof(gamma->second.c_str(), nullptr);
-    if (g > 0.0f) return [g](float v) { return std::pow(v, g); };
-  }
-  return srgb_to_linear;
+/// What is stored in the working gamma, whatever that is.
+bool is_raw_format(const std::string& type) {
+  return type == "ppm" || type == "pgm" || type == "tif" || type == "tiff";
 }
 
-/// From the file to the working space; nothing where the scene asks for none.
-Decoder decoder(const ImageDesc& image, const core::StoredImage& stored, bool colours,
-                const TextureSettings& settings) {
-  const bool asked = image.gamma != 0.0;
-  if (!asked && (!colours || !settings.decode_images)) return [](float v) { return v; };
-  const Decoder linear = file_decoder(image, stored);
-  const auto working = static_cast<float>(settings.assumed_gamma);
-  if (!colours || working == 1.0f) return linear;
-  return [linear, working](float v) { return std::pow(linear(v), 1.0f / working); };
+/// What the scene or the file says of its values, or the format; nothing: they stay as they are.
+std::optional<Gamma> file_gamma(const ImageDesc& image, bool colours) {
+  if (image.gamma != 0.0) return Gamma::of(image.gamma);
+  if (!colours || image.decoding == ImageDesc::Decoding::kNone || is_raw_format(image.type)) return std::nullopt;
+  if (is_linear_format(image.type)) return Gamma::linear();
+  const double marked = image.type == "png" ? core::png_gamma(image.path) : 0.0;
+  if (marked != 0.0) return Gamma::of(marked);
+  if (image.decoding == ImageDesc::Decoding::kMarked) return std::nullopt;
+  return Gamma::srgb();
+}
+
+/// From the file to the working space, heights and patterns to linear values.
+std::function<float(float)> decoder(const ImageDesc& image, bool colours) {
+  const std::optional<Gamma> stored = file_gamma(image, colours);
+  if (!stored) return [](float v) { return v; };
+  const Gamma working = colours ? Gamma::of(image.working_gamma) : Gamma::linear();
+  return [from = *stored, working](float v) { return from.recoded(v, working); };
 }
 
 core::PictureLayout layout_of(const ImageDesc& image) {
@@ -110,7 +105,8 @@ core::MappedPicturePtr PictureReader::get(const ImageDesc& image, bool colours) 
 std::shared_ptr<const core::Picture> PictureReader::read(const ImageDesc& image, bool colours) {
   if (image.function) return evaluate(image);
   if (image.path.empty()) return missing(image.name);
-  const std::string key = image.path + (colours ? "|c|" : "|h|") + std::to_string(image.gamma);
+  const std::string key = image.path + (colours ? "|c|" : "|h|") + image.type + "|" + std::to_string(image.gamma) + "|" +
+                          std::to_string(image.working_gamma) + "|" + std::to_string(static_cast<int>(image.decoding));
   const auto known = m_files.find(key);
   if (known != m_files.end()) return known->second;
   auto picture = read_file(image, colours);
@@ -126,7 +122,7 @@ std::shared_ptr<const core::Picture> PictureReader::read_file(const ImageDesc& i
   } catch (const core::ImageError&) {
     return missing(image.name);
   }
-  const Decoder decode = decoder(image, stored, colours, m_settings);
+  const std::function<float(float)> decode = decoder(image, colours);
   const float most = stored.bits == 8 ? 255.0f : stored.bits == 16 ? 65535.0f : 1.0f;
   const bool rgb = stored.channels >= 3;
   std::vector<std::uint8_t> indices = core::palette_entries(stored, image.path, image.type == "tga");
@@ -201,11 +197,6 @@ std::shared_ptr<const core::Picture> PictureReader::missing(const std::string& n
   picture->width = picture->height = 1;
   picture->pixels.push_back({{0.5f, 0.5f, 0.5f}, 0.0f, 0.0f});
   return picture;
-}
-
-std::function<float(float)> gamma_decoder(double gamma) {
-  if (gamma < 0.0) return srgb_to_linear;
-  return [g = static_cast<float>(gamma)](float v) { return std::pow(v, g); };
 }
 
 }  // namespace lentray::parser

@@ -3,7 +3,6 @@
 // Source: reference manual 3.7, "Image Map", "Gamma"; compared with stock by image.pictures.
 #pragma once
 
-#include <functional>
 #include <map>
 #include <memory>
 #include <set>
@@ -11,7 +10,6 @@
 
 #include "core/image/reader.h"
 #include "core/material/picture.h"
-#include "parser/build/texture_compiler.h"
 #include "parser/descriptions/pattern.h"
 
 namespace lentray::parser {
@@ -19,8 +17,7 @@ namespace lentray::parser {
 /// Reads each file once. Pictures that cannot be had are named in `not_yet` and are one grey pixel.
 class PictureReader {
  public:
-  PictureReader(const TextureSettings& settings, std::set<std::string>& not_yet)
-      : m_settings(settings), m_not_yet(not_yet) {}
+  explicit PictureReader(std::set<std::string>& not_yet) : m_not_yet(not_yet) {}
   /// `colours`: decoded to the working space; heights and patterns are taken as stored.
   core::MappedPicturePtr get(const ImageDesc& image, bool colours);
 
@@ -30,12 +27,8 @@ class PictureReader {
   std::shared_ptr<const core::Picture> evaluate(const ImageDesc& image);
   std::shared_ptr<const core::Picture> missing(const std::string& name);
 
-  const TextureSettings& m_settings;
   std::set<std::string>& m_not_yet;
   std::map<std::string, std::shared_ptr<const core::Picture>> m_files;  ///< by path and decoding
 };
-
-/// A scene's `gamma` for an image file (less than 0: sRGB): stored values to linear ones.
-std::function<float(float)> gamma_decoder(double gamma);
 
 }  // namespace lentray::parser

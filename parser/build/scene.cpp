@@ -44,9 +44,6 @@ TextureSettings texture_settings(const SceneDesc& scene, const core::SceneSettin
   t.number_of_waves = scene.global.number_of_waves;
   t.language_version = scene.language_version;
   t.noise_generator = settings.noise_generator;
-  // Where colours are written as they are, those of image files are taken as they are.
-  t.decode_images = settings.assumed_gamma > 0.0;
-  t.assumed_gamma = settings.assumed_gamma > 0.0 ? settings.assumed_gamma : 2.2;
   return t;
 }
 

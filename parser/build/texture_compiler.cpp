@@ -66,7 +66,7 @@ struct TextureCompiler::Impl {
 
   explicit Impl(const TextureSettings& s)
       : settings(s),
-        pictures(settings, not_yet),
+        pictures(not_yet),
         build{settings, not_yet,
               [this](const Ref<PigmentDesc>& p) { return compile(p, core::Placement()); },
               [this](const ImageDesc& image) { return pictures.get(image, false); }} {}

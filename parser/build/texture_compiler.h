@@ -19,8 +19,6 @@ struct TextureSettings {
   int noise_generator = 2;    ///< global_settings; 3.7's default is 2
   int number_of_waves = 10;   ///< global_settings
   int language_version = 370;
-  double assumed_gamma = 1.0; ///< of the working space, for the colours of image files
-  bool decode_images = true;  ///< false: their values are used as stored
 };
 
 class TextureCompiler {

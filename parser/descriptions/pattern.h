@@ -72,6 +72,9 @@ struct ImageDesc {
   Ref<FunctionDesc> function;
   int function_width = 0, function_height = 0;
   double gamma = 0.0;        ///< 0: the file's own; -1: srgb
+  double working_gamma = 1.0;  ///< of the scene where the image stands; -1: srgb
+  /// Which files are decoded to the working gamma without `gamma`.
+  enum class Decoding { kNone, kMarked, kAll } decoding = Decoding::kAll;
   std::optional<bool> premultiplied;
   bool once = false;
   int map_type = 0, interpolate = 0;

@@ -49,7 +49,7 @@ LENTRAY_FIELDS(WarpDesc, kind, transform, turbulence, axis, width, flip, offset,
                uncertainty, radius, strength, power, inverse, repeats, uncertain, orientation,
                distance_exponent, major_radius, plane_offset)
 LENTRAY_FIELDS(ImageDesc, type, name, path, function, function_width, function_height, gamma,
-               premultiplied, once, map_type, interpolate, use, repeat, offset, filter_all,
+               working_gamma, decoding, premultiplied, once, map_type, interpolate, use, repeat, offset, filter_all,
                transmit_all, filters, transmits)
 LENTRAY_FIELDS(PatternParameters, vector, brick_size, mortar, agate_turbulence, arms, quilt0, quilt1,
                facets_coords, facets_size, facets_metric, crackle_form, crackle_metric,

@@ -64,6 +64,15 @@ const char* name_of(ImageDesc::Use use) {
   return "";
 }
 
+const char* name_of(ImageDesc::Decoding decoding) {
+  switch (decoding) {
+    case ImageDesc::Decoding::kNone: return "none";
+    case ImageDesc::Decoding::kMarked: return "marked";
+    case ImageDesc::Decoding::kAll: return "all";
+  }
+  return "";
+}
+
 const char* name_of(CsgOperation operation) {
   switch (operation) {
     case CsgOperation::kUnion: return "union";

@@ -13,6 +13,7 @@ const char* name_of(PatternKind kind);
 const char* name_of(WaveForm form);
 const char* name_of(WarpDesc::Kind kind);
 const char* name_of(ImageDesc::Use use);
+const char* name_of(ImageDesc::Decoding decoding);
 const char* name_of(CsgOperation operation);
 const char* name_of(BlobElement::Kind kind);
 const char* name_of(CurveKind kind);

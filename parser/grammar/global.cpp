@@ -24,13 +24,16 @@ void parse_assumed_gamma(Parser& parser, GlobalDesc& global) {
   const bool again = global.assumed_gamma || global.gamma_is_srgb;
   if (again) parser.warn("New instance of assumed_gamma ignored.");
   if (parser.accept(Keyword::kSrgb)) {
-    if (!again) global.gamma_is_srgb = true;
+    if (again) return;
+    global.gamma_is_srgb = true;
+    parser.set_working_gamma(-1.0);
     return;
   }
   const double gamma = parser.parse_float();
   check(parser, gamma > 0.0, "assumed_gamma must be greater than 0.");
   if (again) return;
   global.assumed_gamma = gamma;
+  parser.set_working_gamma(gamma);
 }
 
 void parse_noise_generator(Parser& parser, GlobalDesc& global) {

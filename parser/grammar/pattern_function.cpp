@@ -91,7 +91,7 @@ Ref<FunctionDesc> parse_pattern_function(Parser& parser, MaterialContext& contex
                              return compiler.pigment(inner);
                            },
                            [&](const ImageDesc& image) {
-                             return PictureReader(settings, not_yet).get(image, false);
+                             return PictureReader(not_yet).get(image, false);
                            }};
   auto placed = compile_placed(pigment->pattern, core::Placement(), build);
   desc->function = std::make_shared<PatternFunction>(std::move(placed), first_of(not_yet));

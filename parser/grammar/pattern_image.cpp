@@ -35,6 +35,15 @@ void find_image(Parser& parser, ImageDesc& image, const Location& where) {
   if (image.path.empty()) parser.fail_at(where, "cannot find the image file '" + image.name + "'");
 }
 
+/// Pictures are decoded as the scene stands where they are read; before 3.7 files that do not say what they are
+/// stay as they are, and all of them before an assumed_gamma.
+void set_decoding(const Parser& parser, ImageDesc& image) {
+  using Decoding = ImageDesc::Decoding;
+  const bool old = parser.language_version() < 370;
+  image.working_gamma = parser.working_gamma().value_or(1.0);
+  image.decoding = !old ? Decoding::kAll : parser.working_gamma() ? Decoding::kMarked : Decoding::kNone;
+}
+
 int to_size(double x) { return static_cast<int>(std::clamp(x, 0.0, 2147483647.0)); }
 
 void parse_image_function(Parser& parser, ImageDesc& image) {
@@ -108,6 +117,7 @@ std::shared_ptr<ImageDesc> parse_image_source(Parser& parser) {
     image->type = extension.empty() ? "png" : lower(extension.substr(1));
   }
   find_image(parser, *image, where);
+  set_decoding(parser, *image);
   for (;;) {
     if (parser.accept(Keyword::kGamma)) {
       image->gamma = parser.accept(Keyword::kSrgb) ? -1.0 : parser.parse_float();

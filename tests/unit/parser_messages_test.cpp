@@ -37,7 +37,7 @@ const char* const kPrograms[] = {
     "#macro M(A) #declare B = A + 1; #end #declare S = array[1] M(S[0])", "#declare P = sphere {0, 1} #declare A = 1 + P;",
     "#declare A = <1,2,3,4,5,6>;", "#declare A = <1>;", "#declare A = (1).gray;", "#declare A = x.pigment;", "#declare A = x.t;",
     "#declare S = spline {}", "#declare S = spline {0, x 1, y} #declare A = S(1, pi);",
-    "#declare F = function(a) {a} #declare A = F(1, 2);", "#declare A = rgb <1,2,3,4>;", "#declare A = color ;  light_source { 0 pigment }",
+    "#declare F = function(a) {a} #declare A = F(1, 2);", "#declare A = rgb <1,2,3,4>;", "#declare A = srgb .5;", "#declare A = color ;  light_source { 0 pigment }",
     "#declare A = rand(5);", "#declare A = dimensions(1);", "#declare A = array[1] #declare B = dimension_size(A, 2);",
     "#declare A = acos(2);", "#declare A = ln(0);", "#declare A = atan2(0, 0);", "#declare A = sqrt(-1);", "#declare A = pow(0, 0);",
     "#declare A = \"\\q\"", "#debug \"\xC3\xA9\"", "#debug 1", "#render \"a\"", "#declare S = \"0123456789\" #while (1) #declare S = concat(S, S) #end",
