@@ -10,6 +10,7 @@
 #include "core/base/color.h"
 #include "core/image/palette_indices.h"
 #include "core/image/reader.h"
+#include "parser/build/tiff_bytes.h"
 #include "parser/gamma.h"
 
 namespace lentray::parser {
@@ -89,7 +90,8 @@ std::uint16_t grey_byte(float value) {
 /// Palette entries count 256 each; grey, and colours of 16 bits, by their grey; the red of colours
 /// of 8 bits is the high byte, the green the low one.
 Heights of_picture(const HeightFieldShape& field) {
-  const core::StoredImage stored = core::read_image(field.file);
+  core::StoredImage stored = core::read_image(field.file);
+  if (field.file_type == "tiff") make_tiff_bytes(stored);
   Heights heights{static_cast<int>(stored.width), static_cast<int>(stored.height), {}};
   const std::vector<std::uint8_t> entries = core::palette_entries(stored, field.file, field.file_type == "tga");
   if (field.file_type == "pot" && !entries.empty()) return of_potentials(stored, entries);

@@ -13,16 +13,18 @@
 #include "core/image/palette_indices.h"
 #include "core/image/png_chunks.h"
 #include "core/image/reader.h"
+#include "parser/build/tiff_bytes.h"
 #include "parser/gamma.h"
 
 namespace lentray::parser {
 namespace {
 
+bool is_tiff(const std::string& type) { return type == "tif" || type == "tiff"; }
 bool is_linear_format(const std::string& type) { return type == "exr" || type == "hdr"; }
 
 /// What is stored in the working gamma, whatever that is.
 bool is_raw_format(const std::string& type) {
-  return type == "ppm" || type == "pgm" || type == "tif" || type == "tiff";
+  return type == "ppm" || type == "pgm" || is_tiff(type);
 }
 
 /// What the scene or the file says of its values, or the format; nothing: they stay as they are.
@@ -106,7 +108,8 @@ std::shared_ptr<const core::Picture> PictureReader::read(const ImageDesc& image,
   if (image.function) return evaluate(image);
   if (image.path.empty()) return missing(image.name);
   const std::string key = image.path + (colours ? "|c|" : "|h|") + image.type + "|" + std::to_string(image.gamma) + "|" +
-                          std::to_string(image.working_gamma) + "|" + std::to_string(static_cast<int>(image.decoding));
+                          std::to_string(image.working_gamma) + "|" + std::to_string(static_cast<int>(image.decoding)) +
+                          (image.premultiplied ? *image.premultiplied ? "|p" : "|s" : "");
   const auto known = m_files.find(key);
   if (known != m_files.end()) return known->second;
   auto picture = read_file(image, colours);
@@ -122,6 +125,7 @@ std::shared_ptr<const core::Picture> PictureReader::read_file(const ImageDesc& i
   } catch (const core::ImageError&) {
     return missing(image.name);
   }
+  if (is_tiff(image.type)) make_tiff_bytes(stored);
   const std::function<float(float)> decode = decoder(image, colours);
   const float most = stored.bits == 8 ? 255.0f : stored.bits == 16 ? 65535.0f : 1.0f;
   const bool rgb = stored.channels >= 3;
@@ -144,9 +148,12 @@ std::shared_ptr<const core::Picture> PictureReader::read_file(const ImageDesc& i
   picture->width = static_cast<int>(stored.width);
   picture->height = static_cast<int>(stored.height);
   const bool stored_alpha = stored.channels == 2 || stored.channels == 4;
-  // Stock's palettes of these have transparencies, though it be none.
+  // Patterns take such colours as they are.
+  const bool multiplied = colours && image.premultiplied.value_or(is_tiff(image.type) || image.type == "exr");
+  // Stock's pictures of these have transparencies, though it be none.
+  const bool clear_colours = is_tiff(image.type) && !has_tiff_palette(stored);
   const bool clear_palette = !indices.empty() && (image.type == "png" || image.type == "tga");
-  picture->has_alpha = stored_alpha || clear_palette;
+  picture->has_alpha = stored_alpha || clear_colours || clear_palette;
   picture->indices = std::move(indices);
   picture->pixels.reserve(std::size_t{stored.width} * stored.height);
   for (std::uint32_t row = 0; row < stored.height; ++row) {
@@ -155,7 +162,9 @@ std::shared_ptr<const core::Picture> PictureReader::read_file(const ImageDesc& i
       core::Colour c{{red, rgb ? value(column, row, 1) : red, rgb ? value(column, row, 2) : red},
                      0.0f, 0.0f};
       if (stored_alpha) {
-        c.transmit = 1.0f - stored.at(column, row, stored.channels - 1) / most;
+        const float alpha = stored.at(column, row, stored.channels - 1) / most;
+        c.transmit = 1.0f - alpha;
+        if (multiplied && alpha > 0.0f) c.rgb = {c.rgb.r / alpha, c.rgb.g / alpha, c.rgb.b / alpha};
       }
       picture->pixels.push_back(c);
     }

@@ -3,19 +3,16 @@
 #include <gtest/gtest.h>
 #include <zlib.h>
 
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "tests/support/render.h"
+#include "tests/image/picture_values.h"
 
 namespace lentray::test {
 namespace {
 
-using Files = std::vector<std::pair<std::string, std::string>>;
-
-constexpr int kWidth = 8;
+constexpr int kWidth = kValueColumns;
 
 int sample(int column, int channel) {
   constexpr int kStart[] = {5, 30, 200, 90}, kStep[] = {37, 61, 97, 23};
@@ -63,53 +60,19 @@ Files files() {
 
 std::string type_of(const std::string& name) { return name.substr(name.size() - 3); }
 
-/// What a program writes with #write(OUT, ...), or its complaint.
-std::string written(bool stock, const std::string& sdl) {
-  const diff::TemporaryFolder folder;
-  for (const auto& [name, contents] : files()) diff::write_text(folder / name, contents);
-  diff::write_text(folder / "scene.pov", sdl);
-  const diff::RunResult run =
-      stock ? diff::run({"povray", "+Iscene.pov", "-F", "+W4", "+H4", "-D"}, folder.path(), 60.0)
-            : run_lentray({"scene.pov", "--parse-only", "+W4", "+H4"}, folder.path());
-  return run.status == 0 ? diff::read_text(folder / "values.txt") : "FAILED\n" + run.output;
-}
-
-void expect_same_text(const std::string& sdl) {
-  const std::string wanted = written(true, sdl), found = written(false, sdl);
-  EXPECT_FALSE(wanted.starts_with("FAILED")) << wanted;
-  EXPECT_FALSE(wanted.empty());
-  std::istringstream ours(found), stock(wanted);
-  std::string about, word, wanted_word;
-  while (stock >> wanted_word) {
-    ASSERT_TRUE(ours >> word) << found;
-    if (wanted_word[0] >= 'a') about = wanted_word;
-    if (wanted_word == word) continue;
-    EXPECT_NEAR(std::stod(word), std::stod(wanted_word), 2e-7) << about << " in " << sdl.substr(0, 90);
-  }
-}
-
-std::string values(const std::string& function, int number, const std::string& value) {
-  const std::string name = "F" + std::to_string(number);
-  return "#declare " + name + " = function { " + function + " }\n#local I = 0; #while (I < " + std::to_string(kWidth) +
-         ") #local C = " + name + "((I+.5)/" + std::to_string(kWidth) + ", .5, 0); #write(OUT, " + value +
-         ", \"\\n\") #local I = I + 1; #end\n";
-}
-
 class ImagePictureGamma : public ::testing::TestWithParam<std::pair<const char*, const char*>> {};
 
 TEST_P(ImagePictureGamma, Values) {
-  std::string sdl = std::string(GetParam().second) + "\n#fopen OUT \"values.txt\" write\n";
+  std::string sdl = std::string(GetParam().second) + kOpenValues;
   int number = 0;
   for (const auto& [name, contents] : files()) {
     for (const char* gamma : {"", " gamma 1.6"}) {
       const std::string file = type_of(name) + " \"" + name + "\"" + gamma;
       sdl += "#write(OUT, \"" + name + "\\n\")\n";
-      sdl += values("pigment { image_map { " + file + " } }", number++, "vstr(5, C, \" \", 0, 9)");
-      sdl += values("pattern { image_pattern { " + file + " } }", number++, "str(C, 0, 9)");
-      sdl += values("pattern { pigment_pattern { image_map { " + file + " } } }", number++, "str(C, 0, 9)");
+      sdl += picture_values(file, number++);
     }
   }
-  expect_same_text(sdl);
+  expect_same_values(sdl, files());
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -129,18 +92,30 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(ImageGammaOfColours, SrgbInEachWorkingSpace) {
   for (const std::string gamma : {"1", "1.5", "2.2", "srgb"}) {
-    expect_same_text("#version 3.7; global_settings { assumed_gamma " + gamma +
-                     " }\n#fopen OUT \"values.txt\" write\n"
+    expect_same_values("#version 3.7; global_settings { assumed_gamma " + gamma +
+                     " }" + kOpenValues +
                      "#declare C = color srgbft <.2,.5,.8,.03,.4>; #write(OUT, vstr(5, C, \" \", 0, 9), \"\\n\")\n"
-                     "#declare C = color srgb <-.2,1.5,.04>; #write(OUT, vstr(5, C, \" \", 0, 9), \"\\n\")\n");
+                     "#declare C = color srgb <-.2,1.5,.04>; #write(OUT, vstr(5, C, \" \", 0, 9), \"\\n\")\n", {});
   }
 }
 
 TEST(ImageGammaOfColours, SrgbNeedsAssumedGamma) {
   for (const std::string version : {"3.6", "3.7"}) {
     const std::string sdl = "#version " + version + ";\n#declare C = color srgb .5;\n";
-    EXPECT_TRUE(written(true, sdl).starts_with("FAILED"));
-    EXPECT_NE(written(false, sdl).find("scene.pov:2:25: error: "), std::string::npos);
+    EXPECT_TRUE(written(true, sdl, {}).starts_with("FAILED"));
+    EXPECT_NE(written(false, sdl, {}).find("scene.pov:2:25: error: "), std::string::npos);
+  }
+}
+
+/// Colours that were multiplied by their alpha; patterns take them as they are.
+TEST(ImageGammaOfColours, Premultiplied) {
+  for (const std::string gamma : {"1", "2.2"}) {
+    std::string sdl = "#version 3.7; global_settings { assumed_gamma " + gamma + " }" + kOpenValues;
+    int number = 0;
+    for (const char* words : {"", " premultiplied on", " premultiplied off", " gamma 1.6 premultiplied on"}) {
+      sdl += picture_values("png \"clear.png\"" + std::string(words), number++);
+    }
+    expect_same_values(sdl, files());
   }
 }
 

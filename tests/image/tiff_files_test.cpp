@@ -1,0 +1,132 @@
+// TIFF files as pictures and heights against stock: greys, colours and palettes of 8 and 16 bits, with and
+// without alpha, which colours may be multiplied by.
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "tests/image/picture_values.h"
+
+namespace lentray::test {
+namespace {
+
+constexpr int kWidth = kValueColumns, kHeight = 2;
+
+enum Alpha { kUnspecified = 0, kMultiplied = 1, kApart = 2, kNone = 9 };
+enum Meaning { kWhiteIsZero = 0, kBlackIsZero = 1, kColours = 2, kPalette = 3 };
+
+struct Tiff {
+  const char* name;
+  Meaning meaning;
+  int bits;
+  Alpha alpha;
+};
+
+std::string little(unsigned value, int bytes) {
+  std::string all;
+  for (int i = 0; i < bytes; ++i) all += static_cast<char>(value >> 8 * i & 255);
+  return all;
+}
+
+unsigned sample(int pixel, int channel) {
+  constexpr unsigned kStart[] = {5, 30, 200}, kStep[] = {37, 61, 97};
+  const auto i = static_cast<std::size_t>(channel);
+  return (kStart[i] + kStep[i] * static_cast<unsigned>(pixel)) % 256;
+}
+
+std::string pixels(const Tiff& tiff, int channels) {
+  constexpr unsigned kAlpha[] = {0, 70, 81, 100, 128, 200, 254, 255};
+  std::string all;
+  for (int pixel = 0; pixel < kWidth * kHeight; ++pixel) {
+    for (int c = 0; c < channels; ++c) {
+      const unsigned high = sample(pixel, c), low = sample(pixel, 1);
+      all += tiff.bits == 16 ? little(high * 256 + low, 2) : little(tiff.meaning == kPalette ? static_cast<unsigned>(pixel) : high, 1);
+    }
+    if (tiff.alpha == kNone) continue;
+    const unsigned alpha = kAlpha[pixel % 8];
+    all += tiff.bits == 16 ? little(alpha * 257, 2) : little(alpha, 1);
+  }
+  return all;
+}
+
+std::string palette() {
+  std::string all;
+  for (int c = 0; c < 3; ++c) {
+    for (int i = 0; i < 256; ++i) all += little(sample(i, c) * 257, 2);
+  }
+  return all;
+}
+
+/// Entries of the directory whose values do not fit are put behind it, the pixels at last.
+std::string file(const Tiff& tiff) {
+  const int channels = tiff.meaning == kColours ? 3 : 1, all_channels = channels + (tiff.alpha == kNone ? 0 : 1);
+  const std::string image = pixels(tiff, channels);
+  const unsigned entries = 9 + (tiff.meaning == kPalette ? 1 : 0) + (tiff.alpha == kNone ? 0 : 1);
+  const unsigned behind = 8 + 2 + 12 * entries + 4;
+  std::string directory, values;
+  const auto add = [&](unsigned tag, unsigned bytes, unsigned count, const std::string& value) {
+    directory += little(tag, 2) + little(bytes == 2 ? 3 : 4, 2) + little(count, 4);
+    if (value.size() <= 4) {
+      directory += value + std::string(4 - value.size(), '\0');
+    } else {
+      directory += little(behind + static_cast<unsigned>(values.size()), 4);
+      values += value;
+    }
+  };
+  std::string bits;
+  for (int i = 0; i < all_channels; ++i) bits += little(static_cast<unsigned>(tiff.bits), 2);
+  const unsigned start = behind + (bits.size() > 4 ? static_cast<unsigned>(bits.size()) : 0) +
+                         (tiff.meaning == kPalette ? 6 * 256 : 0);
+  add(256, 4, 1, little(kWidth, 4));
+  add(257, 4, 1, little(kHeight, 4));
+  add(258, 2, static_cast<unsigned>(all_channels), bits);
+  add(259, 2, 1, little(1, 2));  // not packed
+  add(262, 2, 1, little(tiff.meaning, 2));
+  add(273, 4, 1, little(start, 4));
+  add(277, 2, 1, little(static_cast<unsigned>(all_channels), 2));
+  add(278, 4, 1, little(kHeight, 4));
+  add(279, 4, 1, little(static_cast<unsigned>(image.size()), 4));
+  if (tiff.meaning == kPalette) add(320, 2, 3 * 256, palette());
+  if (tiff.alpha != kNone) add(338, 2, 1, little(tiff.alpha, 2));
+  return std::string("II*\0\x08\0\0\0", 8) + little(entries, 2) + directory + little(0, 4) + values + image;
+}
+
+const Tiff kTiffs[] = {
+    {"Grey", kBlackIsZero, 8, kNone},          {"GreyFromWhite", kWhiteIsZero, 8, kNone},
+    {"DeepGrey", kBlackIsZero, 16, kNone},     {"DeepGreyFromWhite", kWhiteIsZero, 16, kNone},
+    {"GreyAlpha", kBlackIsZero, 8, kApart},    {"GreyMultiplied", kBlackIsZero, 8, kMultiplied},
+    {"DeepGreyAlpha", kBlackIsZero, 16, kApart}, {"Colours", kColours, 8, kNone},
+    {"DeepColours", kColours, 16, kNone},      {"Alpha", kColours, 8, kApart},
+    {"Multiplied", kColours, 8, kMultiplied},  {"OfSomeKind", kColours, 8, kUnspecified},
+    {"DeepAlpha", kColours, 16, kApart},       {"DeepMultiplied", kColours, 16, kMultiplied},
+    {"Palette", kPalette, 8, kNone}};
+
+class ImageTiffFiles : public ::testing::TestWithParam<Tiff> {};
+
+TEST_P(ImageTiffFiles, Values) {
+  const std::string image = "tiff \"a.tif\"";
+  for (const std::string gamma : {"1", "2.2"}) {
+    std::string sdl = "#version 3.7; global_settings { assumed_gamma " + gamma + " }" + kOpenValues;
+    int number = 0;
+    for (const char* words : {"", " gamma 1.6", " premultiplied on", " premultiplied off"}) {
+      sdl += picture_values(image + words, number++);
+    }
+    sdl += values("pattern { image_pattern { " + image + " use_alpha } }", "A", "str(C, 0, 9)");
+    expect_same_values(sdl, {{"a.tif", file(GetParam())}});
+  }
+}
+
+TEST_P(ImageTiffFiles, Heights) {
+  if (GetParam().meaning == kPalette) return;  // heights are colours, not entries: docs/language.md
+  const std::string sdl =
+      "#version 3.7; global_settings { assumed_gamma 1 } camera { location <0,2,-1.5> look_at 0 angle 60 }\n"
+      "light_source { <-3,4,-5>, 1 } height_field { tiff \"a.tif\" translate <-.5,0,-.5> scale 2 pigment { rgb 1 } }";
+  EXPECT_TRUE(same_as_stock({.sdl = sdl, .width = 80, .height = 60, .arguments = {}, .files = {{"a.tif", file(GetParam())}}}));
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, ImageTiffFiles, ::testing::ValuesIn(kTiffs),
+                         [](const auto& one) { return std::string(one.param.name); });
+
+}  // namespace
+}  // namespace lentray::test
