@@ -1,24 +1,21 @@
 #include "core/image/palette_indices.h"
 
-#include <gif_lib.h>
 #include <png.h>
 
 #include <array>
 #include <cstdio>
-#include <memory>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 
+#include "core/image/gif_picture.h"
+#include "core/image/open_file.h"
 #include "core/image/palette_bitmaps.h"
 #include "core/image/png_errors.h"
 
 namespace lentray::core {
 namespace {
-
-struct Close {
-  void operator()(std::FILE* file) const { std::fclose(file); }
-};
 
 using Entries = std::vector<std::uint8_t>;
 
@@ -52,20 +49,10 @@ Entries from_png(std::FILE* file, const StoredImage& stored) {
   return entries;
 }
 
-int read_gif(GifFileType* gif, GifByteType* to, int size) {
-  return static_cast<int>(std::fread(to, 1, static_cast<std::size_t>(size), static_cast<std::FILE*>(gif->UserData)));
-}
-
 Entries from_gif(std::FILE* file, const StoredImage& stored) {
-  int error = 0;
-  const auto close = [](GifFileType* gif) { DGifCloseFile(gif, nullptr); };
-  const std::unique_ptr<GifFileType, decltype(close)> gif(DGifOpen(file, read_gif, &error), close);
-  if (!gif || DGifSlurp(gif.get()) != GIF_OK || gif->ImageCount < 1) return {};
-  const SavedImage& picture = gif->SavedImages[0];
-  const auto width = static_cast<std::uint32_t>(picture.ImageDesc.Width);
-  const auto height = static_cast<std::uint32_t>(picture.ImageDesc.Height);
-  if (width != stored.width || height != stored.height) return {};
-  return {picture.RasterBits, picture.RasterBits + std::size_t{width} * height};
+  GifPicture picture = read_gif_picture(file);
+  if (picture.width != stored.width || picture.height != stored.height) return {};
+  return std::move(picture.entries);
 }
 
 std::string all_of(std::FILE* file) {
@@ -78,7 +65,7 @@ std::string all_of(std::FILE* file) {
 }  // namespace
 
 Entries palette_entries(const StoredImage& stored, const std::filesystem::path& path, bool is_targa) {
-  const std::unique_ptr<std::FILE, Close> file(std::fopen(path.c_str(), "rbe"));
+  const OpenFile file(std::fopen(path.c_str(), "rbe"));
   std::array<char, 6> head{};
   if (!file || std::fread(head.data(), 1, head.size(), file.get()) != head.size()) return {};
   const std::string_view begins(head.data(), head.size());

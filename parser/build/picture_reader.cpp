@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/base/color.h"
+#include "core/image/gif_picture.h"
 #include "core/image/palette_indices.h"
 #include "core/image/png_chunks.h"
 #include "core/image/reader.h"
@@ -126,6 +127,7 @@ std::shared_ptr<const core::Picture> PictureReader::read_file(const ImageDesc& i
     return missing(image.name);
   }
   if (is_tiff(image.type)) make_tiff_bytes(stored);
+  core::restore_clear_colours(stored, image.path);
   const std::function<float(float)> decode = decoder(image, colours);
   const float most = stored.bits == 8 ? 255.0f : stored.bits == 16 ? 65535.0f : 1.0f;
   const bool rgb = stored.channels >= 3;

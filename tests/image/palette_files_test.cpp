@@ -70,8 +70,8 @@ std::string png(int kind, const std::string& palette, const std::string& pixels)
 
 std::string png_of_twins() { return png(3, chunk("PLTE" + repeated(kEntries, twin)), pixels()); }
 
-/// Five bits a code, and a code that starts anew before they would have to grow.
-std::string gif_of_twins() {
+/// Five bits a code, and a code that starts anew before they would have to grow. `extension` stands before the picture.
+std::string gif_of_twins(const std::string& extension) {
   constexpr int kBits = 5, kClear = 16, kEnd = 17;
   std::vector<int> codes;
   for (int i = 0; i < kSide * kSide; ++i) {
@@ -83,7 +83,7 @@ std::string gif_of_twins() {
   for (std::size_t i = 0; i < codes.size() * kBits; ++i) {
     if (codes[i / kBits] >> i % kBits & 1) packed[i / 8] = static_cast<char>(packed[i / 8] | 1 << i % 8);
   }
-  return "GIF87a" + word(kSide) + word(kSide) + bytes({0xf3, 0, 0}) + repeated(kEntries, twin) + "," + word(0) +
+  return "GIF89a" + word(kSide) + word(kSide) + bytes({0xf3, 0, 0}) + repeated(kEntries, twin) + extension + "," + word(0) +
          word(0) + word(kSide) + word(kSide) + bytes({0, 4, static_cast<int>(packed.size())}) + packed +
          bytes({0, ';'});
 }
@@ -128,7 +128,8 @@ std::string bitmap_runs(int bits) {
 
 std::string file_of_twins(const std::string& name) {
   if (name == "twins.png") return png_of_twins();
-  if (name == "twins.gif") return gif_of_twins();
+  if (name == "twins.gif") return gif_of_twins("");
+  if (name == "twins_clear.gif") return gif_of_twins("!" + bytes({0xf9, 4, 1, 0, 0, 5, 0}));  // entry 5 is clear
   if (name == "twins.bmp") return bitmap(8, 0, twin_entries(), pixels());
   if (name == "twins_runs.bmp") return bitmap(8, 1, twin_entries(), bitmap_runs(8));
   if (name == "twins_runs4.bmp") return bitmap(4, 2, twin_entries(), bitmap_runs(4));
@@ -250,7 +251,7 @@ TEST(ImagePaletteFilesNone, GreyMapsThatAreDecoded) {
 
 INSTANTIATE_TEST_SUITE_P(Each, ImagePaletteFiles,
                          ::testing::Values("palette.tga", "packed.tga", "palette16.tga", "colours16.tga", "greys.tga",
-                                           "palette.bmp", "twins.png", "twins.gif", "twins.tga", "twins_packed.tga",
+                                           "palette.bmp", "twins.png", "twins.gif", "twins_clear.gif", "twins.tga", "twins_packed.tga",
                                            "twins.bmp", "twins_runs.bmp", "twins4.bmp", "twins_runs4.bmp"),
                          [](const auto& one) {
                            std::string name = one.param;
