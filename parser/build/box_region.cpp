@@ -18,14 +18,19 @@ bool has_no_box_test(const ObjectDesc& object) {
          std::holds_alternative<Sparse<SmoothTriangleShape>>(object.shape);
 }
 
-/// Of others no surface stands out of stock's box.
-bool may_leave(const ObjectDesc& object, bool in_intersection) {
-  if (!object.rare->clipped_by.empty()) return true;
+bool cuts(const CsgShape* csg) {
+  return csg && (csg->operation == CsgOperation::kIntersection || csg->operation == CsgOperation::kDifference);
+}
+
+/// Of others no surface stands out of stock's box. `in_cut`: somewhere in an intersection or difference, where
+/// the surfaces of other parts are seen inside this one beyond its bounds, which box it.
+bool may_leave(const ObjectDesc& object, const CsgShape* around, bool in_cut) {
+  if (!object.rare->clipped_by.empty() || (in_cut && !object.rare->bounded_by.empty())) return true;
   const CsgShape* csg = object.csg();
-  if (!csg) return in_intersection && std::holds_alternative<Sparse<QuadricShape>>(object.shape);
-  const bool cuts = csg->operation == CsgOperation::kIntersection || csg->operation == CsgOperation::kDifference;
-  return std::any_of(csg->children->begin(), csg->children->end(),
-                     [&](const Ref<ObjectDesc>& child) { return may_leave(*child, cuts); });
+  if (!csg) return cuts(around) && std::holds_alternative<Sparse<QuadricShape>>(object.shape);
+  return std::any_of(csg->children->begin(), csg->children->end(), [&](const Ref<ObjectDesc>& child) {
+    return may_leave(*child, csg, in_cut || cuts(csg));
+  });
 }
 
 bool holds(const core::Bounds& box, const core::Bounds& all) {
@@ -41,7 +46,7 @@ bool holds(const core::Bounds& box, const core::Bounds& all) {
 
 std::shared_ptr<const core::Object> box_region(const ObjectDesc& object, const core::Transform& outer,
                                                Reach reach, const core::Object& built) {
-  if (reach == Reach::kPart || !may_leave(object, false)) return nullptr;
+  if (reach == Reach::kPart || !may_leave(object, nullptr, false)) return nullptr;
   if (reach == Reach::kOneByOne && has_no_box_test(object)) return nullptr;
   constexpr double kFinite = 1e9;
   bool is_whole = true;

@@ -1,5 +1,6 @@
 // Rays that miss stock's box of an object miss the object, whatever stands out of the box: what a
-// height field clips, which has no lower end, and quadrics for which stock counts too little.
+// height field clips, which has no lower end, quadrics for which stock counts too little, and what is cut by parts
+// with bounds of their own.
 // Source: measured on stock (tests/image/clip_boxes_test.cpp). Errors: none. Threads: any.
 #pragma once
 

@@ -46,6 +46,36 @@ INSTANTIATE_TEST_SUITE_P(
                            " max_gradient 4 translate y"}),
     [](const auto& one) { return std::string(one.param.name); });
 
+/// Surfaces of other parts are seen inside a bounded part beyond its bounds, as far as the whole has stock's box.
+class ImageBoundsOfCutParts : public ::testing::TestWithParam<Case> {};
+
+TEST_P(ImageBoundsOfCutParts, InAnIntersection) {
+  EXPECT_TRUE(looks_the_same("intersection { " + std::string(GetParam().sdl) + kBound + "} box { -2, <.3,1.1,2> } }"));
+}
+
+TEST_P(ImageBoundsOfCutParts, InUnions) {
+  const std::string part = std::string(GetParam().sdl) + kBound + "} ";
+  EXPECT_TRUE(looks_the_same("intersection { union { " + part + "sphere { x, .3 } } box { -2, <1.3,1.1,2> } }"));
+  EXPECT_TRUE(looks_the_same("union { sphere { 2*x, .3 } intersection { " + part + "box { -2, <.3,1.1,2> } } }"));
+}
+
+TEST_P(ImageBoundsOfCutParts, InADifference) {
+  EXPECT_TRUE(looks_the_same("difference { box { <-2,-.9,-1>, <1,1.1,1> } " + std::string(GetParam().sdl) + kBound + "} }"));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Each, ImageBoundsOfCutParts,
+    ::testing::Values(
+        Case{"sphere", "sphere { .8*y, 1"}, Case{"box", "box { <-1,0,-1>, <1,1.8,1> rotate 20*y"},
+        Case{"union", "union { sphere { .8*y, 1 } box { 0, 1.3 }"}, Case{"disc", "disc { <0,.8,0>, <.2,.3,-1>, 1.2"},
+        Case{"cubic", "cubic { <1,0,0,0,0,0,0,0,0,1,0,0,0,1,0,0,0,-1,0,0> translate .3*y"},
+        Case{"sor", "sor { 6, <.6,-.5>, <.8,0>, <1,.5>, <.6,1>, <.8,1.5>, <.5,2>"},
+        Case{"lathe", "lathe { linear_spline 6, <0,-.5>, <.8,0>, <1,.5>, <.6,1>, <.8,1.5>, <0,2>"},
+        Case{"prism", "prism { linear_sweep linear_spline 0, 1.5, 5, <-1,-1>, <1,-1>, <1.2,1>, <-.8,.9>, <-1,-1> scale .9"},
+        Case{"superellipsoid", "superellipsoid { <.4,.3> translate .8*y"},
+        Case{"sphere_sweep", "sphere_sweep { linear_spline 3, <-1,0,0>, .4, <0,1.6,0>, .5, <1,.3,0>, .3"}),
+    [](const auto& one) { return std::string(one.param.name); });
+
 /// Bounds of quadrics become boxes but for products of two coordinates, cones and hyperboloids of one sheet.
 class ImageQuadricBounds : public ::testing::TestWithParam<const char*> {};
 
