@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "core/image/palette_size.h"
@@ -60,10 +61,13 @@ void parse_image_function(Parser& parser, ImageDesc& image) {
 }
 
 /// That the picture has this entry in its palette; below 0 stock does not look. What is not read (IFF) is not known.
-void check_entry(Parser& parser, const ImageDesc& image, const char* word, const Location& where, int index) {
+/// `known` keeps what the file has said once.
+void check_entry(Parser& parser, const ImageDesc& image, std::optional<int>& known, const char* word,
+                 const Location& where, int index) {
   if (image.type == "iff" || image.type == "sys") return;
   const std::string all = std::string(word) + " all is for the whole picture";
-  const int size = image.path.empty() ? 0 : core::palette_size(image.path, image.type == "tga");
+  if (!known) known = image.path.empty() ? 0 : core::palette_size(image.path, image.type == "tga");
+  const int size = *known;
   if (size == 0) {
     parser.fail_at(where, "expected all: " + (image.path.empty() ? "the function" : "'" + image.name + "'") +
                               " has no palette of which this could be an entry; " + all);
@@ -74,8 +78,8 @@ void check_entry(Parser& parser, const ImageDesc& image, const char* word, const
 }
 
 /// `filter all f`, `filter index, f` and the same of transmit.
-void parse_transparency(Parser& parser, const ImageDesc& image, const char* word, std::optional<double>& all,
-                        std::vector<std::pair<int, double>>& entries) {
+void parse_transparency(Parser& parser, const ImageDesc& image, std::optional<int>& palette, const char* word,
+                        std::optional<double>& all, std::vector<std::pair<int, double>>& entries) {
   if (parser.accept(Keyword::kAll)) {
     all = parser.parse_float();
     entries.clear();  // those that were given before are among all
@@ -83,7 +87,7 @@ void parse_transparency(Parser& parser, const ImageDesc& image, const char* word
   }
   const Location where = parser.location();
   const int index = static_cast<int>(parser.parse_float() + 0.01);
-  check_entry(parser, image, word, where, index);
+  check_entry(parser, image, palette, word, where, index);
   parser.parse_comma();
   entries.emplace_back(index, parser.parse_float());
 }
@@ -158,12 +162,13 @@ bool accept_image_modifier(Parser& parser, ImageDesc& image) {
 std::shared_ptr<const ImageDesc> parse_image_map(Parser& parser) {
   parser.expect(Punct::kLeftCurly);
   auto image = parse_image_source(parser);
+  std::optional<int> palette;
   for (;;) {
     if (accept_image_modifier(parser, *image)) continue;
     if (parser.accept(Keyword::kFilter) || parser.accept(Keyword::kAlpha)) {
-      parse_transparency(parser, *image, "filter", image->filter_all, image->filters);
+      parse_transparency(parser, *image, palette, "filter", image->filter_all, image->filters);
     } else if (parser.accept(Keyword::kTransmit)) {
-      parse_transparency(parser, *image, "transmit", image->transmit_all, image->transmits);
+      parse_transparency(parser, *image, palette, "transmit", image->transmit_all, image->transmits);
     } else {
       break;
     }
