@@ -28,7 +28,6 @@ ShapeDesc parse_csg(Parser& parser, Context& context, CsgOperation operation);
 /// lights, and any CSG that holds one of these.
 bool is_patch(const ObjectDesc& object);
 
-// Read and kept; rendered later.
 ShapeDesc parse_bicubic_patch(Parser& parser, Context& context);
 ShapeDesc parse_blob(Parser& parser, Context& context);
 ShapeDesc parse_height_field(Parser& parser, Context& context);
