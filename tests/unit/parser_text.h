@@ -84,6 +84,7 @@ inline Parsed parse_text(const std::string& text,
   NoProductions productions;
   try {
     parser::Parser parser(sources, diagnostics, options, productions);
+    parser.set_working_gamma(1.0);  // global_settings are read past: as if they had said so
     parser.open(folder / "scene.pov");
     for (; !parser.at_end(); ++out.tokens) parser.next();
   } catch (const parser::ParseError& error) {
