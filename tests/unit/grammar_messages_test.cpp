@@ -41,6 +41,8 @@ const Program kPrograms[] = {
     {"", "there are no objects in the scene"},
     {"#default { sphere { 0, 1 } }", "one of texture, pigment, normal, finish, camera, radiosity or }"},
     {"@0 #version 3.7; sphere { 0, 1 }", "assumed_gamma is not specified: 1.0 is used."},
+    {"@0 #version 3.7; #declare C = srgb .5; global_settings { assumed_gamma 1 }",
+     "sRGB colours need an assumed_gamma before them"},
     {"@0 sphere { 0, 1 }", "assumed_gamma is not specified: gamma correction is off, as it was before #version 3.7."},
     {"camera { aperture 1 blur_samples 3 mesh_camera { 2, 0, mesh { triangle { x, y, z } } } } sphere { 0, 1 }", "several rays a pixel"},
     {"camera { aperture 1 blur_samples 3 focal_point 0 } sphere { 0, 1 }", "focal blur"},
