@@ -25,27 +25,24 @@ Csg* splittable(Object& object) {
 
 struct Splitter {
   std::vector<std::unique_ptr<Object>> objects;
-  std::vector<std::uint32_t> groups;  ///< which object of the source each came from
 
-  void add(std::unique_ptr<Object> object, std::uint32_t group) {
+  /// `whole`: which object of the source it comes from.
+  void add(std::unique_ptr<Object> object, std::uint32_t whole) {
     if (Csg* csg = splittable(*object)) {
       auto children = csg->take_children();
       make_room(children.size());
-      for (auto& child : children) add(std::move(child), group);
+      for (auto& child : children) add(std::move(child), whole);
       return;
     }
-    object->set_whole(group);
+    object->set_whole(whole);
     objects.push_back(std::move(object));
-    groups.push_back(group);
   }
 
  private:
-  /// For a large union at once; many small ones grow the lists as ever.
+  /// For a large union at once; many small ones grow the list as ever.
   void make_room(std::size_t more) {
     if (objects.capacity() - objects.size() >= more) return;
-    const std::size_t room = std::max(objects.size() + more, 2 * objects.capacity());
-    objects.reserve(room);
-    groups.reserve(room);
+    objects.reserve(std::max(objects.size() + more, 2 * objects.capacity()));
   }
 };
 
@@ -85,8 +82,8 @@ double tolerance_scale_of(const std::vector<std::unique_ptr<Object>>& objects) {
 
 Scene::Scene(SceneParts parts, const CompileOptions& options) : m_parts(std::move(parts)) {
   Splitter split;
-  std::uint32_t group = 0;
-  for (auto& object : m_parts.objects) split.add(std::move(object), group++);
+  std::uint32_t whole = 0;
+  for (auto& object : m_parts.objects) split.add(std::move(object), whole++);
   m_parts.objects = std::move(split.objects);
   set_opacity(m_parts.objects);
   for (auto& object : m_parts.objects) object->set_test_cost(test_cost(*object));
@@ -96,7 +93,7 @@ Scene::Scene(SceneParts parts, const CompileOptions& options) : m_parts(std::mov
   m_tolerance_scale = tolerance_scale_of(m_parts.objects);
   m_needs = find_needs(m_parts);
   if (options.general_path) m_needs = everything_needed(std::move(m_needs), m_parts.settings);
-  m_solids = std::make_unique<SolidIndex>(m_parts.objects, std::move(split.groups));
+  m_solids = std::make_unique<SolidIndex>(m_parts.objects);
   m_hierarchy = std::make_unique<Hierarchy>(m_parts.objects, options.accelerator);
   m_light_buffers.resize(m_parts.lights.size());
   if (options.light_buffer_pixels == 0 || options.accelerator != Accelerator::kBvh) return;

@@ -6,7 +6,7 @@ namespace lentray::core {
 
 SolidIndex::Solid SolidIndex::solid(std::size_t i) const {
   const Object& object = *m_objects[i];
-  return {&object, object.solid_bounds(), static_cast<std::uint32_t>(i), m_groups[i]};
+  return {&object, object.solid_bounds(), static_cast<std::uint32_t>(i)};
 }
 
 const WideBvh& SolidIndex::tree() const {
@@ -46,16 +46,7 @@ void SolidIndex::containing(const Vec3& p, std::vector<const Object*>& out) cons
   if (found.empty()) return;
   std::sort(found.begin(), found.end(),
             [](const Solid& a, const Solid& b) { return a.index < b.index; });
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    const Solid& s = found[i];
-    const bool counted = std::any_of(found.begin(), found.begin() + static_cast<long>(i),
-                                     [&](const Solid& o) {
-                                       return o.group == s.group &&
-                                              o.object->attributes().interior ==
-                                                  s.object->attributes().interior;
-                                     });
-    if (!counted) out.push_back(s.object);
-  }
+  for (const Solid& solid : found) out.push_back(solid.object);
 }
 
 }  // namespace lentray::core

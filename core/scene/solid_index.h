@@ -15,26 +15,23 @@ namespace lentray::core {
 
 class SolidIndex {
  public:
-  /// Borrows the objects and their list. groups[i]: number of the top-level object that objects[i] is
-  /// a part of.
-  SolidIndex(const std::vector<std::unique_ptr<Object>>& objects, std::vector<std::uint32_t> groups)
-      : m_objects(objects), m_groups(std::move(groups)) {}
+  /// Borrows the objects and their list.
+  explicit SolidIndex(const std::vector<std::unique_ptr<Object>>& objects) : m_objects(objects) {}
 
-  /// Replaces `out`, scene order; of one group's parts with one interior only the first.
+  /// Replaces `out`, scene order. Parts of a union that is split count each, as in stock.
   void containing(const Vec3& p, std::vector<const Object*>& out) const;
 
  private:
   struct Solid {
     const Object* object = nullptr;
     Bounds bounds;
-    std::uint32_t index = 0, group = 0;
+    std::uint32_t index = 0;
   };
   Solid solid(std::size_t i) const;
   /// Makes what follows it, when it is first called.
   const WideBvh& tree() const;
 
   const std::vector<std::unique_ptr<Object>>& m_objects;
-  std::vector<std::uint32_t> m_groups;
   mutable std::atomic<int> m_asked{0};
   mutable std::once_flag m_once;
   mutable std::vector<Solid> m_bounded, m_unbounded;  ///< but objects that cannot hold anything
