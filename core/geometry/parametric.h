@@ -36,6 +36,7 @@ class Parametric final : public Shape {
   Bounds bounds() const override { return m_bounds; }
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
+  bool tells_all() const override { return false; }
   bool inside(const Vec3&) const override { return false; }
   bool outside(const Vec3&) const override { return false; }
   bool is_solid() const override { return false; }

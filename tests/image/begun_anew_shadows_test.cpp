@@ -16,6 +16,9 @@ struct Case {
   more " translate y }"
 #define WAVES(more)                                                                                             \
   "isosurface { function { y + .3*sin(5*x)*sin(5*z) } contained_by { box { -1,1 } } max_gradient 3 " more " translate y }"
+#define SHEET(more)                                                                                             \
+  "parametric { function { u } function { 1+.2*sin(2*u)*cos(2*v) } function { v } <-1,-1>,<1,1> contained_by {"   \
+  " box { <-1.1,.5,-1.1>, <1.1,1.4,1.1> } } accuracy .005 max_gradient 1.2 " more "}"
 
 const Case kCases[] = {
     {"alone", SHELL(CLEAR)},
@@ -29,6 +32,8 @@ const Case kCases[] = {
     {"in_difference", "difference { box { <-1.2,.1,-1.2>, <1.2,1.1,1.2> }" SHELL("max_trace 2") CLEAR "}"},
     {"in_merge", "merge {" SHELL("") "sphere { <.8,1,0>, .6 }" CLEAR "}"},
     {"in_union", "union {" SHELL("") "sphere { <.8,1,0>, .6 }" CLEAR "clipped_by { plane { y,1.4 } } }"},
+    {"parametric", SHEET(CLEAR)},
+    {"parametric_turned", "object {" SHEET(CLEAR) "rotate <30,20,0> translate .3*y }"},
     {"with_interiors", SHELL(CLEAR "interior { ior 1.2 fade_power 2 fade_distance .6 caustics .3 }")
                        "sphere { <-.7,1,-.2>, .6" CLEAR "interior { ior 1.5 fade_power 1 fade_distance .5 } }"},
 };
