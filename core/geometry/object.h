@@ -249,6 +249,9 @@ class Csg final : public Object {
   /// After `inverse`: what it works as. Only kUnion may be split into its parts.
   CsgKind kind() const { return m_kind; }
   const std::vector<std::unique_ptr<Object>>& children() const { return m_children; }
+  /// `split_union off`: its parts stay together, and count as one solid.
+  void keep_whole() { m_kept_whole = true; }
+  bool is_kept_whole() const { return m_kept_whole; }
   /// For the scene compiler, which hands an unclipped top-level union's parts to the hierarchy.
   std::vector<std::unique_ptr<Object>> take_children() { return std::move(m_children); }
 
@@ -292,6 +295,7 @@ class Csg final : public Object {
   Bounds m_surface, m_solid, m_void;  ///< before own clips
   bool m_leaves_bounds = false;       ///< a child's solid does
   bool m_lies_in_parts = false;
+  bool m_kept_whole = false;
   bool m_closed = false;              ///< all children are
   bool m_asks_boxes = true;           ///< of few children; else their own tests turn rays away as well
   /// Of an intersection of few: a closed part, in whose solid all that is kept lies. Else nobody, or

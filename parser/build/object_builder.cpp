@@ -289,7 +289,9 @@ std::unique_ptr<core::Object> ObjectBuilder::build_csg(const ObjectDesc& object,
     if (built) children.push_back(std::move(built));
   }
   if (children.empty()) return nullptr;
-  return std::make_unique<core::Csg>(csg_kind(csg.operation), std::move(children));
+  auto whole = std::make_unique<core::Csg>(csg_kind(csg.operation), std::move(children));
+  if (!csg.split_union) whole->keep_whole();
+  return whole;
 }
 
 std::unique_ptr<core::Object> ObjectBuilder::build_leaf(const ObjectDesc& object,

@@ -54,6 +54,8 @@ const Case kCases[] = {
                                          " sphere { <0,2.2,-6.2>, 1 } texture { Clear } }"},
     {"camera_in_two_parts_that_refract", "union { sphere { <0,2,-6>, 3 } sphere { <.5,2,-5.5>, 2 } texture { Clear }"
                                          " interior { ior 1.2 fade_power 2 fade_distance 2 } }"},
+    {"camera_in_two_parts_kept_whole", FOG "union { sphere { <0,2,-6>, 3 } sphere { <.5,2,-5.5>, 2 } texture { Clear }"
+                                       " split_union off }"},
     {"camera_in_two_parts_of_a_merge", FOG "merge { sphere { <0,2,-6>, 3 } sphere { <.5,2,-5.5>, 2 } texture { Clear } }"},
     {"overlap_in_union_that_refracts", FOG "union { sphere { <-.4,1,0>, .8 interior { ior 1.2 } } sphere { <.4,1,-.2>, .8 }"
                                        " sphere { <0,1.5,0>, .5 } texture { Clear } }"},
