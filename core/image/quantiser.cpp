@@ -5,17 +5,10 @@
 #include <cmath>
 #include <limits>
 
+#include "core/image/srgb.h"
+
 namespace lentray::core {
 namespace {
-
-// IEC 61966-2-1, as stock's default file gamma.
-float srgb_encoded(float linear) {
-  if (linear <= 0.0031308f) return linear * 12.92f;
-  return 1.055f * std::pow(linear, 1.0f / 2.4f) - 0.055f;
-}
-float linear_of_srgb(float v) {
-  return v <= 0.04045f ? v / 12.92f : std::pow((v + 0.055f) / 1.055f, 2.4f);
-}
 
 float power(float value, double exponent) {
   return value <= 0.0f ? value : static_cast<float>(std::pow(double{value}, exponent));
@@ -38,7 +31,7 @@ unsigned scaled_to_integer(float encoded, int bits) {
 unsigned quantised(float linear, const ImageFormat& format) {
   float value = linear_of(linear, format);
   if (format.srgb) {
-    value = srgb_encoded(value);
+    value = srgb_of_linear(value);
   } else if (format.file_gamma != 1.0) {
     value = power(value, 1.0 / format.file_gamma);
   }

@@ -1,5 +1,7 @@
 // Blobs, with textures of their components.
 // Source: reference manual 3.7, "Blob".
+#include <memory>
+
 #include "parser/grammar/helpers.h"
 #include "parser/grammar/object.h"
 #include "parser/grammar/object_shapes.h"

@@ -1,6 +1,8 @@
 // Shapes made of curves.
 // Source: reference manual 3.7, "Lathe", "Prism", "Surface of Revolution", "Sphere Sweep".
+#include <cmath>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "parser/grammar/helpers.h"
