@@ -23,10 +23,9 @@ std::uint16_t height_of(float value) {
   return static_cast<std::uint16_t>(std::clamp(value * kFull, 0.0f, kFull));
 }
 
-/// Values of functions that are no heights come in again from the other side, as in stock.
-std::uint16_t wrapped(double value) {
+/// What is no height comes in again from the other side, as in stock.
+std::uint16_t wrapped(double height) {
   constexpr double kMost = 2147483647.0;
-  const double height = value * static_cast<double>(kFull);
   return std::fabs(height) < kMost ? static_cast<std::uint16_t>(static_cast<std::int32_t>(height)) : 0;
 }
 
@@ -62,7 +61,7 @@ Heights of_function(const HeightFieldShape& field) {
       if (function.results() == 5) {
         heights.values.push_back(cut_grey(result[0], result[1], result[2]));
       } else {
-        heights.values.push_back(wrapped(result[0]));
+        heights.values.push_back(wrapped(result[0] * static_cast<double>(kFull)));
       }
     }
   }
@@ -87,8 +86,8 @@ std::uint16_t grey_byte(float value) {
   return static_cast<std::uint16_t>(257 * static_cast<int>(core::grey({value, value, value}) * 255.0f));
 }
 
-/// Palette entries count 256 each; grey, and colours of 16 bits, by their grey; the red of colours
-/// of 8 bits is the high byte, the green the low one.
+/// Palette entries count 256 each; grey, and colours of 16 bits, by their grey; the red of other colours
+/// is the high byte, the green the low one. Floats beyond the full height come in again from the other side.
 Heights of_picture(const HeightFieldShape& field) {
   core::StoredImage stored = core::read_image(field.file);
   if (field.file_type == "tiff") make_tiff_bytes(stored);
@@ -113,11 +112,10 @@ Heights of_picture(const HeightFieldShape& field) {
         heights.values.push_back(grey_byte(channel(0)));
       } else if (stored.channels < 3) {
         heights.values.push_back(height_of(channel(0)));
-      } else if (stored.bits > 8) {
+      } else if (stored.bits == 16) {
         heights.values.push_back(height_of(core::grey({channel(0), channel(1), channel(2)})));
       } else {
-        heights.values.push_back(
-            static_cast<std::uint16_t>((channel(0) * 256.0 + channel(1)) * 255.0));
+        heights.values.push_back(wrapped((channel(0) * 256.0 + channel(1)) * 255.0));
       }
     }
   }
