@@ -110,7 +110,7 @@ struct KnownCell {
   LENTRAY_AVX2 void fill(__m128i of);
 };
 
-LENTRAY_AVX2 [[gnu::noinline]] void KnownCell::fill(__m128i of) {
+[[gnu::noinline]] LENTRAY_AVX2 void KnownCell::fill(__m128i of) {
   _mm_store_si128(reinterpret_cast<__m128i*>(index.data()), of);
   const auto place = [&](int axis) { return (index[static_cast<std::size_t>(axis)] + kLatticeOrigin) & (kLattice - 1); };
   const auto hash = [](int i) { return static_cast<int>(kHash[static_cast<unsigned>(i)]); };
@@ -173,7 +173,7 @@ struct CornerValues {
   __m256d first, last;
 };
 
-LENTRAY_AVX2 [[gnu::always_inline]] inline CornerValues corner_values(const Place& at) {
+[[gnu::always_inline]] LENTRAY_AVX2 inline CornerValues corner_values(const Place& at) {
   const __m256d near = _mm256_sub_pd(at.point, _mm256_cvtepi32_pd(at.cell));
   const __m256d far = _mm256_sub_pd(near, _mm256_set1_pd(1.0));
   const __m256d weight_far = s_curve(near), weight_near = _mm256_sub_pd(_mm256_set1_pd(1.0), weight_far);
@@ -196,12 +196,12 @@ LENTRAY_AVX2 [[gnu::always_inline]] inline CornerValues corner_values(const Plac
 /// lattice_noise_portable, to the bit, in range. Calls nothing where the cell is known.
 LENTRAY_AVX2 double lattice_noise_avx2(double x, double y, double z, int generator);
 
-LENTRAY_AVX2 [[gnu::noinline]] double in_new_cell(double x, double y, double z, int generator) {
+[[gnu::noinline]] LENTRAY_AVX2 double in_new_cell(double x, double y, double z, int generator) {
   if (!Place(_mm256_set_pd(1.0, z, y, x)).make_known()) return in_range(lattice_noise_portable({x, y, z}), generator);
   return lattice_noise_avx2(x, y, z, generator);
 }
 
-LENTRAY_AVX2 [[gnu::noinline]] double lattice_noise_avx2(double x, double y, double z, int generator) {
+[[gnu::noinline]] LENTRAY_AVX2 double lattice_noise_avx2(double x, double y, double z, int generator) {
   const Place place(_mm256_set_pd(1.0, z, y, x));
   if (!place.is_known()) [[unlikely]] return in_new_cell(x, y, z, generator);
   const CornerValues values = corner_values(place);
@@ -218,12 +218,12 @@ LENTRAY_AVX2 [[gnu::noinline]] double lattice_noise_avx2(double x, double y, dou
   return in_range(sum, generator);
 }
 
-LENTRAY_AVX2 [[gnu::noinline]] NoisePair one_by_one(NoisePair x, NoisePair y, NoisePair z, int generator) {
+[[gnu::noinline]] LENTRAY_AVX2 NoisePair one_by_one(NoisePair x, NoisePair y, NoisePair z, int generator) {
   const double first = lattice_noise_avx2(x[0], y[0], z[0], generator);
   return NoisePair{first, lattice_noise_avx2(x[1], y[1], z[1], generator)};
 }
 
-LENTRAY_AVX2 [[gnu::noinline]] NoisePair lattice_pair_avx2(NoisePair x, NoisePair y, NoisePair z, int generator) {
+[[gnu::noinline]] LENTRAY_AVX2 NoisePair lattice_pair_avx2(NoisePair x, NoisePair y, NoisePair z, int generator) {
   const __m128d one = _mm_set1_pd(1.0);
   const Place place(_mm256_set_m128d(_mm_unpacklo_pd(z, one), _mm_unpacklo_pd(x, y)));
   const Place other(_mm256_set_m128d(_mm_unpackhi_pd(z, one), _mm_unpackhi_pd(x, y)));

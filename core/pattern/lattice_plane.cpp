@@ -29,7 +29,7 @@ struct PlaneCell {
   LENTRAY_AVX2 void fill(__m128i of, int axis);
 };
 
-LENTRAY_AVX2 [[gnu::noinline]] void PlaneCell::fill(__m128i of, int axis) {
+[[gnu::noinline]] LENTRAY_AVX2 void PlaneCell::fill(__m128i of, int axis) {
   _mm_store_si128(reinterpret_cast<__m128i*>(key.data()), of);
   for (int corner = 0; corner < 4; ++corner) {
     const auto at = in_space(axis, key[0] + (corner & 1), key[2] + (corner >> 1));
@@ -73,7 +73,14 @@ struct CornerValues {
   __m256d first, second;
 };
 
-LENTRAY_AVX2 [[gnu::always_inline]] inline CornerValues corner_values(const Places& at, const PlaneCell& a,
+[[gnu::always_inline]] LENTRAY_AVX2 inline __m256d values(const PlaneCell& cell, __m256d pu, __m256d pv, __m256d wu,
+                                                          __m256d wv) {
+  const auto& g = cell.corners;
+  const __m256d sum = _mm256_add_pd(_mm256_load_pd(g[0]), _mm256_mul_pd(_mm256_load_pd(g[1]), pu));
+  return _mm256_mul_pd(_mm256_mul_pd(wu, wv), _mm256_add_pd(sum, _mm256_mul_pd(_mm256_load_pd(g[2]), pv)));
+}
+
+[[gnu::always_inline]] LENTRAY_AVX2 inline CornerValues corner_values(const Places& at, const PlaneCell& a,
                                                                       const PlaneCell& b) {
   const __m256d near = _mm256_sub_pd(at.point, _mm256_cvtepi32_pd(at.cell));
   const __m256d far = _mm256_sub_pd(near, _mm256_set1_pd(1.0));
@@ -81,11 +88,6 @@ LENTRAY_AVX2 [[gnu::always_inline]] inline CornerValues corner_values(const Plac
   const __m256d u = _mm256_unpacklo_pd(near, far), v = _mm256_unpackhi_pd(near, far);
   const __m256d weight_u = _mm256_unpacklo_pd(weight_near, weight_far);
   const __m256d weight_v = _mm256_unpackhi_pd(weight_near, weight_far);
-  const auto values = [](const PlaneCell& cell, __m256d pu, __m256d pv, __m256d wu, __m256d wv) LENTRAY_AVX2 {
-    const auto& g = cell.corners;
-    const __m256d sum = _mm256_add_pd(_mm256_load_pd(g[0]), _mm256_mul_pd(_mm256_load_pd(g[1]), pu));
-    return _mm256_mul_pd(_mm256_mul_pd(wu, wv), _mm256_add_pd(sum, _mm256_mul_pd(_mm256_load_pd(g[2]), pv)));
-  };
   return {values(a, _mm256_permute2f128_pd(u, u, 0x00), _mm256_permute4x64_pd(v, 0x50),
                  _mm256_permute2f128_pd(weight_u, weight_u, 0x00), _mm256_permute4x64_pd(weight_v, 0x50)),
           values(b, _mm256_permute2f128_pd(u, u, 0x11), _mm256_permute4x64_pd(v, 0xFA),
@@ -94,7 +96,7 @@ LENTRAY_AVX2 [[gnu::always_inline]] inline CornerValues corner_values(const Plac
 
 LENTRAY_AVX2 NoisePair plane_pair_avx2(int axis, NoisePair u, NoisePair v, int generator);
 
-LENTRAY_AVX2 [[gnu::noinline]] NoisePair in_new_cells(int axis, NoisePair u, NoisePair v, int generator) {
+[[gnu::noinline]] LENTRAY_AVX2 NoisePair in_new_cells(int axis, NoisePair u, NoisePair v, int generator) {
   const Places places(_mm256_set_m128d(_mm_unpackhi_pd(u, v), _mm_unpacklo_pd(u, v)));
   PlaneCell &a = places.known(0), &b = places.known(1);
   const __m128i key_a = places.key(0, axis), key_b = places.key(1, axis);
@@ -109,7 +111,7 @@ LENTRAY_AVX2 [[gnu::noinline]] NoisePair in_new_cells(int axis, NoisePair u, Noi
   return plane_pair_avx2(axis, u, v, generator);
 }
 
-LENTRAY_AVX2 [[gnu::noinline]] NoisePair plane_pair_avx2(int axis, NoisePair u, NoisePair v, int generator) {
+[[gnu::noinline]] LENTRAY_AVX2 NoisePair plane_pair_avx2(int axis, NoisePair u, NoisePair v, int generator) {
   const Places places(_mm256_set_m128d(_mm_unpackhi_pd(u, v), _mm_unpacklo_pd(u, v)));
   const PlaneCell &a = places.known(0), &b = places.known(1);
   const bool are_known = is(a, places.key(0, axis)) && is(b, places.key(1, axis));

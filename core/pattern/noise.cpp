@@ -95,7 +95,7 @@ double solid_noise_portable(const Vec3& p) {
 }
 
 /// solid_noise_portable, to the bit.
-LENTRAY_AVX2 [[gnu::noinline]] double solid_noise_avx2(double px, double py, double pz) {
+[[gnu::noinline]] LENTRAY_AVX2 double solid_noise_avx2(double px, double py, double pz) {
   const __m256d p = _mm256_set_pd(0.0, pz, py, px);
   if (!is_near(p)) return solid_noise_portable({px, py, pz});
   const __m256d t = _mm256_add_pd(p, _mm256_set1_pd(kSolidOrigin)), whole = _mm256_floor_pd(t);
