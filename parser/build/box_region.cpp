@@ -58,13 +58,17 @@ std::shared_ptr<const core::Object> box_region(const ObjectDesc& object, const c
   return std::make_shared<core::Leaf>(std::make_unique<core::Box>(box.lo, box.hi), core::Transform());
 }
 
-std::size_t count_on_list(const ObjectDesc& object) {
+bool splits_on_list(const ObjectDesc& object) {
   const CsgShape* csg = object.csg();
-  const bool is_split = csg && object.rare->clipped_by.empty() && object.rare->bounded_by.empty() &&
-                        (csg->operation == CsgOperation::kUnion || csg->operation == CsgOperation::kLightGroup);
-  if (!is_split) return 1;
+  return csg && csg->split_union && !object.inverse && object.rare->clipped_by.empty() &&
+         object.rare->bounded_by.empty() &&
+         (csg->operation == CsgOperation::kUnion || csg->operation == CsgOperation::kLightGroup);
+}
+
+std::size_t count_on_list(const ObjectDesc& object) {
+  if (!splits_on_list(object)) return 1;
   std::size_t n = 0;
-  for (const Ref<ObjectDesc>& child : *csg->children) n += count_on_list(*child);
+  for (const Ref<ObjectDesc>& child : *object.csg()->children) n += count_on_list(*child);
   return n;
 }
 

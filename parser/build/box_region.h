@@ -23,6 +23,9 @@ enum class Reach {
 std::shared_ptr<const core::Object> box_region(const ObjectDesc& object, const core::Transform& outer,
                                                Reach reach, const core::Object& built);
 
+/// Whether the parts of this object of the scene's list come to hang in the list themselves.
+bool splits_on_list(const ObjectDesc& object);
+
 /// How many objects and lights the object is in the scene's list.
 std::size_t count_on_list(const ObjectDesc& object);
 

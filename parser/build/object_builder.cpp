@@ -32,11 +32,6 @@ core::CsgKind csg_kind(CsgOperation operation) {
   return core::CsgKind::kUnion;
 }
 
-bool is_plain_union(const ObjectDesc& object) {
-  const CsgShape* csg = object.csg();
-  return csg && (csg->operation == CsgOperation::kUnion || csg->operation == CsgOperation::kLightGroup);
-}
-
 /// The functions that make the shape.
 std::vector<const FunctionDesc*> functions_of(const ObjectDesc& object) {
   std::vector<const FunctionDesc*> all;
@@ -249,11 +244,11 @@ std::unique_ptr<core::Object> ObjectBuilder::build_whole(const ObjectDesc& objec
   const Inherited looks = resolve(object, outer, from);
   const CsgShape* csg = object.csg();
   std::unique_ptr<core::Object> out;
+  // The parts of an unclipped union of the scene's list come to hang in the list themselves.
+  const bool is_split = from.on_list && splits_on_list(object);
   if (csg) {
     Inherited for_children = looks;
-    // The parts of an unclipped union of the scene's list come to hang in the list themselves.
-    for_children.on_list = from.on_list && is_plain_union(object) && object.rare->clipped_by.empty() &&
-                           object.rare->bounded_by.empty();
+    for_children.on_list = is_split;
     out = build_csg(object, *csg, to_world, for_children);
   } else {
     out = build_leaf(object, to_world, looks);
@@ -263,7 +258,7 @@ std::unique_ptr<core::Object> ObjectBuilder::build_whole(const ObjectDesc& objec
   if (const auto* blob = std::get_if<std::shared_ptr<const BlobShape>>(&object.shape)) {
     add_element_textures(**blob, to_world, *out);
   }
-  set_regions(object, outer, from.on_list, !from.on_list || keeps_bounds(object), *out);
+  set_regions(object, outer, from.on_list && !is_split, !from.on_list || keeps_bounds(object), *out);
   if (object.inverse) out->set_inverse(true);
   if (m_cutaways) m_cutaways->record(*out, object, object.texture ? looks.texture : nullptr);
   return out;

@@ -57,6 +57,14 @@ TEST(ImageClipBoxesList, ShortAndLong) {
   }
 }
 
+/// Parts of a union of the list are objects of their own, with what they do not show or hide.
+TEST(ImageClipBoxesList, PartsOfUnionsKeepTheirLooks) {
+  for (const std::string looks : {"no_shadow", "no_image", "no_reflection", ""}) {
+    EXPECT_TRUE(looks_the_same("union { union { torus { 2.5, 1 rotate 90*x } " + looks + kByField + "} sphere { <2,1,-2>, .6 } }"
+                               " plane { y, -1 finish { reflection .4 } }")) << looks;
+  }
+}
+
 /// The boxes of a CSG's parts are not asked, only that of the whole.
 TEST(ImageClipBoxesList, PartsOfACsg) {
   for (const std::string shape : {"sphere { 0, 5", "cylinder { -5*y, 5*y, 5", "superellipsoid { <.5,.5> scale 5",
