@@ -3,6 +3,8 @@
 // Source: reference manual 3.7, "Patterns"; values compared with stock by image.patterns.
 #pragma once
 
+#include <emmintrin.h>
+
 #include <cmath>
 #include <cstdint>
 #include <memory>
@@ -24,11 +26,11 @@ class Pattern {
   }
 };
 
-/// The whole number at or below: std::floor is a call where the processor need not have it. |v| is
-/// below 2^63: placements clamp coordinates.
+/// The whole number at or below: std::floor is a call where the processor need not have it. Beyond 2^63,
+/// where functions may ask, and of nan some whole number.
 inline std::int64_t whole_below(double v) {
-  const auto i = static_cast<std::int64_t>(v);
-  return i - (v < static_cast<double>(i) ? 1 : 0);
+  const std::int64_t i = _mm_cvttsd_si64(_mm_set_sd(v));
+  return static_cast<std::int64_t>(static_cast<std::uint64_t>(i) - (v < static_cast<double>(i) ? 1 : 0));
 }
 
 using PatternPtr = std::unique_ptr<const Pattern>;
