@@ -47,7 +47,7 @@ int places(const CurvePiece& curve, const AboutAxis& ray, double s[6]) {
 
 }  // namespace
 
-Lathe::Lathe(std::vector<CurvePiece> pieces) {
+Lathe::Lathe(std::vector<CurvePiece> pieces, double hole) : m_hole2(hole > 0.0 ? hole * hole : 0.0) {
   for (const CurvePiece& curve : pieces) {
     const Outline alone({curve});
     const double widest = std::max(std::fabs(alone.lo().u), std::fabs(alone.hi().u));
@@ -138,7 +138,9 @@ void Lathe::all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) con
 }
 
 bool Lathe::inside(const Vec3& p) const {
-  const double r = std::sqrt(p.x * p.x + p.z * p.z);
+  const double r2 = p.x * p.x + p.z * p.z;
+  if (r2 < m_hole2) return false;
+  const double r = std::sqrt(r2);
   bool in = false;
   for (const Piece& piece : m_pieces) {
     if (p.y < piece.low || p.y > piece.high) continue;

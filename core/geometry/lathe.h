@@ -13,14 +13,15 @@ namespace lentray::core {
 
 class Lathe final : public Shape {
  public:
-  explicit Lathe(std::vector<CurvePiece> pieces);
+  /// `hole`: nothing nearer to the axis is inside.
+  explicit Lathe(std::vector<CurvePiece> pieces, double hole = 0.0);
 
   std::string_view name() const override { return "lathe"; }
   Bounds bounds() const override;
   Bounds bounds_in(const Transform& t) const override;
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
-  /// Between the curve and the axis, counted by crossings outwards.
+  /// Between the curve and the axis or the hole, counted by crossings outwards.
   bool inside(const Vec3& p) const override;
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
   bool has_uv() const override { return true; }
@@ -38,6 +39,7 @@ class Lathe final : public Shape {
 
   Bounds m_reach;  ///< a little more than bounds()
   std::vector<Piece> m_pieces;
+  double m_hole2;  ///< its radius, squared; 0: none
 };
 
 }  // namespace lentray::core

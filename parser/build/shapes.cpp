@@ -96,6 +96,17 @@ std::pair<Vec3, Vec3> sorted(const ContainerShape& box) {
   return corners;
 }
 
+/// How near a lathe's curve comes to the axis, in stock; of Bezier curves their control points count.
+double hole_of(const LatheShape& s, const std::vector<core::CurvePiece>& pieces) {
+  double least = core::Bounds::kInf;
+  if (s.spline == CurveKind::kBezier) {
+    for (const core::Vec2& p : s.points) least = std::min(least, p.u);
+  } else {
+    for (const core::CurvePiece& piece : pieces) least = std::min(least, -piece.farthest({-1.0, 0.0}));
+  }
+  return least;
+}
+
 struct ShapeMaker {
   const ObjectDesc& object;
 
@@ -180,7 +191,9 @@ struct ShapeMaker {
     return core::make_julia_fractal(set);
   }
   ShapePointer operator()(const LatheShape& s) const {
-    return std::make_unique<core::Lathe>(spline_pieces(s.spline, s.points, false));
+    auto pieces = spline_pieces(s.spline, s.points, false);
+    const double hole = hole_of(s, pieces);
+    return std::make_unique<core::Lathe>(std::move(pieces), hole);
   }
   ShapePointer operator()(const OvusShape& s) const {
     // The lower sphere is then within the upper one, as stock has it.

@@ -1,0 +1,60 @@
+// Shapes that are open or hollow as parts of CSG and as clips, against stock: what counts as their inside.
+#include <gtest/gtest.h>
+
+#include "tests/support/render.h"
+
+namespace lentray::test {
+namespace {
+
+testing::AssertionResult looks_the_same(const std::string& objects) {
+  return same_as_stock({.sdl = "#version 3.7; global_settings { assumed_gamma 1 }\n"
+                               "camera { location <1,5,-3.5> angle 42 look_at <0,.7,0> }\n"
+                               "light_source { <-4,7,-6>, .8 } light_source { <5,9,-7>, .2 shadowless }\n"
+                               "#default { pigment { rgb <.9,.7,.3> } finish { ambient .2 } }\n"
+                               "plane { y, -1 pigment { checker rgb .9 rgb .4 } }\n" + objects,
+                        .width = 80, .height = 60, .arguments = {}, .files = {}});
+}
+
+const std::string kBlock = "box { <-1.2,-.8,0>, <1.2,1.53,1.2>";
+
+struct Case {
+  const char* name;
+  std::string sdl;
+};
+
+class ImageOpenShapes : public ::testing::TestWithParam<Case> {};
+
+TEST_P(ImageOpenShapes, Alone) { EXPECT_TRUE(looks_the_same(GetParam().sdl + "}")); }
+
+TEST_P(ImageOpenShapes, Cut) {
+  EXPECT_TRUE(looks_the_same("intersection { " + GetParam().sdl + "} box { -2, <.3,1.12,2> } }"));
+  EXPECT_TRUE(looks_the_same("difference { " + GetParam().sdl + "} box { <-.2,.1,-2>, <2,1.12,.1> } }"));
+}
+
+TEST_P(ImageOpenShapes, Cutting) {
+  EXPECT_TRUE(looks_the_same("difference { " + kBlock + "} " + GetParam().sdl + "} }"));
+  EXPECT_TRUE(looks_the_same("difference { " + kBlock + "} " + GetParam().sdl + " rotate 35*x } }"));
+}
+
+TEST_P(ImageOpenShapes, InAMerge) {
+  EXPECT_TRUE(looks_the_same("merge { " + GetParam().sdl + "} sphere { <.5,.8,-.3>, .8 } pigment { rgbt <.2,.8,.9,.6> } }"));
+}
+
+TEST_P(ImageOpenShapes, Clipping) {
+  EXPECT_TRUE(looks_the_same(kBlock + " clipped_by { " + GetParam().sdl + "} } }"));
+  EXPECT_TRUE(looks_the_same(kBlock + " clipped_by { " + GetParam().sdl + " inverse } } }"));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Lathes, ImageOpenShapes,
+    ::testing::Values(
+        Case{"linear", "lathe { linear_spline 4, <.3,-.5>, <1,0>, <.6,1>, <.9,1.8>"},
+        Case{"turning_back", "lathe { linear_spline 5, <.3,0>, <1,-.3>, <.9,1.6>, <.5,1.2>, <.6,.4>"},
+        Case{"quadratic", "lathe { quadratic_spline 4, <.2,-.8>, <1,-.5>, <.4,.5>, <1,1.5>"},
+        Case{"cubic", "lathe { cubic_spline 5, <.5,-.8>, <1.3,-.6>, <.5,.2>, <.5,1.1>, <1.5,1.8>"},
+        Case{"bezier", "lathe { bezier_spline 8, <.3,-.5>, <1.4,0>, <1.2,.3>, <.9,.8>,"
+                       " <.5,1>, <.2,1.2>, <.9,1.4>, <.3,1.8>"}),
+    [](const auto& one) { return std::string(one.param.name); });
+
+}  // namespace
+}  // namespace lentray::test
