@@ -52,8 +52,12 @@ void Csg::fence_children() {
   }
   Bounds after = Bounds::everything();
   for (std::size_t i = join ? 0 : n; i-- > 0;) {
-    m_fences[i].surface.intersect(before[i]);
-    m_fences[i].surface.intersect(after);
+    if (m_leaves_bounds) {
+      m_fences[i].surface = m_solid;  // a ray that meets the whole's box sees all, as in stock
+    } else {
+      m_fences[i].surface.intersect(before[i]);
+      m_fences[i].surface.intersect(after);
+    }
     if (m_fences[i].surface.is_empty()) m_fences[i].surface = Bounds();
     after.intersect(m_children[i]->solid_bounds());
     m_surface.include(m_fences[i].surface);
@@ -163,7 +167,9 @@ Bounds Csg::bounds() const { return limited(m_surface); }
 
 Bounds Csg::solid_bounds() const {
   Bounds b = m_solid;
-  for (const auto& clip : clips()) b.intersect(clip->solid_bounds());
+  for (const auto& clip : clips()) {
+    if (!clip->solid_leaves_bounds()) b.intersect(clip->solid_bounds());
+  }
   return b.is_empty() ? Bounds() : b;
 }
 

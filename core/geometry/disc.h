@@ -18,6 +18,8 @@ class Disc final : public Shape {
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
   bool inside(const Vec3& p) const override;
   bool solid_leaves_bounds() const override { return true; }
+  /// The box of a slab about the disc's square, as stock turns it.
+  Bounds csg_bounds_in(const Transform& t) const override;
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
   Convexity convexity() const override { return Convexity::kFlat; }
   /// Under similarities.
@@ -26,6 +28,7 @@ class Disc final : public Shape {
  private:
   Vec3 m_centre, m_normal;  ///< unit
   double m_radius, m_hole;
+  Vec3 m_side1, m_side2, m_thick;  ///< from the slab's middle to its faces
 };
 
 }  // namespace lentray::core

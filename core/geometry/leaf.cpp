@@ -28,14 +28,33 @@ Bounds Leaf::bounds() const {
 }
 
 Bounds Leaf::solid_bounds() const {
+  if (Leaf::solid_leaves_bounds()) return stock_bounds();
   Bounds b;
   if (is_inverse() || m_shape->solid_is_unbounded()) {
     b = Bounds::everything();
   } else if (m_shape->is_solid()) {
     b = m_box;
   }
-  for (const auto& clip : clips()) b.intersect(clip->solid_bounds());
+  for (const auto& clip : clips()) {
+    if (!clip->solid_leaves_bounds()) b.intersect(clip->solid_bounds());
+  }
   return b.is_empty() ? Bounds() : b;
+}
+
+/// Of a shape that leaves its box: of that, and of the common boxes of what bounds and what clips it, the smallest.
+Bounds Leaf::stock_bounds() const {
+  const auto volume = [](const Bounds& b) {
+    const Vec3 size = b.hi - b.lo;
+    return size.x * size.y * size.z;
+  };
+  Bounds b = m_shape->csg_bounds_in(m_transform ? *m_transform : Transform());
+  for (const Regions* regions : {&bounding(), &clips()}) {
+    Bounds common = Bounds::everything();
+    for (const auto& region : *regions) common.intersect(region->solid_bounds());
+    if (common.is_empty()) return Bounds();
+    if (common.is_finite() && volume(common) < volume(b)) b = common;
+  }
+  return b;
 }
 
 bool Leaf::solid_leaves_bounds() const { return m_shape->solid_leaves_bounds() && !is_inverse(); }

@@ -72,7 +72,7 @@ bool Mesh::any(const Ray& ray, double t_min, double t_max) const {
 }
 
 bool Mesh::inside(const Vec3& p) const {
-  return m_inside_vector && bounds().contains(p) &&
+  return m_inside_vector && (m_triangles->data().is_open || bounds().contains(p)) &&
          m_triangles->odd_crossings({p, *m_inside_vector}, kSelf);
 }
 

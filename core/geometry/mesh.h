@@ -49,6 +49,8 @@ class Mesh final : public Shape {
   bool inside(const Vec3& p) const override;
   bool outside(const Vec3& p) const override;
   bool is_solid() const override { return m_inside_vector.has_value(); }
+  /// Where triangles are missing points beyond the box count as inside, too.
+  bool solid_leaves_bounds() const override { return is_solid() && m_triangles->data().is_open; }
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
   bool has_uv() const override { return true; }
   Vec2 uv(const Vec3& p, const ShapeHit& hit) const override;

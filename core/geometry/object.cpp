@@ -33,7 +33,9 @@ void Object::fit_ball() {
 
 Bounds Object::limited(Bounds b) const {
   if (!m_limits) return b;
-  for (const auto& clip : m_limits->clips) b.intersect(clip->solid_bounds());
+  for (const auto& clip : m_limits->clips) {
+    if (!clip->solid_leaves_bounds()) b.intersect(clip->solid_bounds());
+  }
   if (b.is_empty()) return Bounds();
   if (b.is_finite()) return b;
   // Rays that meet the bounds show what lies beyond them, too: these alone count, as in stock.

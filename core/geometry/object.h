@@ -207,6 +207,7 @@ class Leaf final : public Object {
   void set_inverse(bool inverse) override;
 
  private:
+  Bounds stock_bounds() const;
   bool shape_nearest(const Ray&, double t_min, double t_max, ShapeHit&) const;
   bool unclipped_nearest(const Ray&, double t_min, double t_max, ShapeHit&, HitArena&) const;
   /// The direction keeps its length, so that t is the same in both spaces.

@@ -68,9 +68,11 @@ class Shape {
   virtual bool outside(const Vec3& p) const { return !inside(p); }
   /// True where bounds() holds the surface alone and inside() is true beyond it.
   virtual bool solid_is_unbounded() const { return false; }
-  /// The same, but stock takes the box for the solid's when it bounds a CSG, so that rays which
-  /// miss the box miss the CSG.
+  /// The same, but stock takes a box for the solid's when it bounds a CSG, so that rays which miss the
+  /// box miss the CSG.
   virtual bool solid_leaves_bounds() const { return false; }
+  /// That box, after a transform.
+  virtual Bounds csg_bounds_in(const Transform& t) const { return bounds_in(t); }
   /// False for patches, which `inverse` does not change.
   virtual bool is_solid() const { return true; }
   /// But for rounding, and of hits from outside alone. Patches whose normal is not that of their plane have none.

@@ -30,6 +30,7 @@ struct MeshData {
   std::vector<Vec3> normals;   ///< unit
   std::vector<Vec2> uvs;
   std::vector<MeshFace> faces;
+  bool is_open = false;        ///< some edge has an odd number of faces; told where there is an inside_vector
 };
 
 class TriangleMesh {

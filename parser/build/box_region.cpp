@@ -45,8 +45,8 @@ bool holds(const core::Bounds& box, const core::Bounds& all) {
 }  // namespace
 
 std::shared_ptr<const core::Object> box_region(const ObjectDesc& object, const core::Transform& outer,
-                                               Reach reach, const core::Object& built) {
-  if (reach == Reach::kPart || !may_leave(object, nullptr, false)) return nullptr;
+                                               Reach reach, bool open_bounds, const core::Object& built) {
+  if (reach == Reach::kPart || !(open_bounds || may_leave(object, nullptr, false))) return nullptr;
   if (reach == Reach::kOneByOne && has_no_box_test(object)) return nullptr;
   constexpr double kFinite = 1e9;
   bool is_whole = true;
@@ -56,6 +56,12 @@ std::shared_ptr<const core::Object> box_region(const ObjectDesc& object, const c
   const core::Bounds box = core::transformed(own, outer), seen = built.bounds();
   if (seen.is_empty() || holds(box, seen)) return nullptr;
   return std::make_shared<core::Leaf>(std::make_unique<core::Box>(box.lo, box.hi), core::Transform());
+}
+
+bool have_open_inside(const core::Object::Regions& bounds) {
+  return std::any_of(bounds.begin(), bounds.end(), [](const auto& bound) {
+    return bound->solid_leaves_bounds() || !bound->solid_bounds().is_finite();
+  });
 }
 
 bool splits_on_list(const ObjectDesc& object) {

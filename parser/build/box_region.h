@@ -19,9 +19,12 @@ enum class Reach {
 };
 
 /// Stock's box as a region that bounds `built`, which has its clips; null where it changes nothing.
-/// World space; `outer` is what moves the statement there.
+/// World space; `outer` is what moves the statement there. `open_bounds`: have_open_inside().
 std::shared_ptr<const core::Object> box_region(const ObjectDesc& object, const core::Transform& outer,
-                                               Reach reach, const core::Object& built);
+                                               Reach reach, bool open_bounds, const core::Object& built);
+
+/// Whether some of what bounds an object has an inside beyond its own box.
+bool have_open_inside(const core::Object::Regions& bounds);
 
 /// Whether the parts of this object of the scene's list come to hang in the list themselves.
 bool splits_on_list(const ObjectDesc& object);

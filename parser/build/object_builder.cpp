@@ -66,13 +66,15 @@ double volume(const core::Bounds& b) {
 
 using Regions = std::vector<std::shared_ptr<const core::Object>>;
 
-/// What is left of bounds that stock drops: their common box, if it is smaller than stock's own.
-Regions boxed(const Regions& bounds, const core::Bounds& own) {
+/// What is left of bounds that stock drops: their common box, if it is smaller than stock's own. All boxes are
+/// stock's.
+Regions boxed(const std::vector<Ref<ObjectDesc>>& bounds, const core::Transform& outer, const core::Bounds& own) {
   core::Bounds box = core::Bounds::everything();
-  for (const auto& bound : bounds) {
-    if (!bound->is_inverse()) box.intersect(bound->bounds());
+  bool is_whole = true;
+  for (const Ref<ObjectDesc>& bound : bounds) {
+    if (!bound->inverse) box.intersect(core::transformed(stock_box(*bound, is_whole), outer));
   }
-  if (box.is_empty() || !box.is_finite() || !(volume(box) < volume(own))) return {};
+  if (!is_whole || box.is_empty() || !box.is_finite() || !(volume(box) < volume(own))) return {};
   Regions kept;
   kept.push_back(std::make_shared<core::Leaf>(std::make_unique<core::Box>(box.lo, box.hi),
                                               core::Transform()));
@@ -205,15 +207,16 @@ void ObjectBuilder::set_regions(const ObjectDesc& object, const core::Transform&
   for (const Ref<ObjectDesc>& bound : object.rare->bounded_by) {
     if (auto built = region(bound)) bounds.push_back(std::move(built));
   }
+  const bool open_bounds = have_open_inside(bounds);
   if (!keep_bounds && !bounds.empty()) {
     bool is_whole = true;
     ObjectDesc alone = object;
     alone.rare.edit().bounded_by.clear();
-    bounds = heeds_regions(object) ? boxed(bounds, core::transformed(stock_box(alone, is_whole), outer)) : Regions();
+    bounds = heeds_regions(object) ? boxed(object.rare->bounded_by, outer, core::transformed(stock_box(alone, is_whole), outer)) : Regions();
   }
   if (!clips.empty()) out.set_clips(std::move(clips));
   const Reach reach = !on_list ? Reach::kPart : m_has_hierarchy ? Reach::kByBoxes : Reach::kOneByOne;
-  if (auto box = box_region(object, outer, reach, out)) bounds.push_back(std::move(box));
+  if (auto box = box_region(object, outer, reach, open_bounds, out)) bounds.push_back(std::move(box));
   if (!bounds.empty()) out.set_bounding(std::move(bounds));
 }
 
@@ -305,7 +308,7 @@ std::unique_ptr<core::Object> ObjectBuilder::build_leaf(const ObjectDesc& object
   }
   std::unique_ptr<core::Shape> shape;
   if (const auto* mesh = std::get_if<std::shared_ptr<const MeshShape>>(&object.shape)) {
-    std::unique_ptr<core::Mesh> made = build_mesh(object);
+    std::unique_ptr<core::Mesh> made = build_mesh(object, to_world);
     if (m_parts && !(*mesh)->textures.empty()) {
       std::vector<const core::Texture*> textures;
       const core::Transform move = object.uv_mapping ? core::Transform() : to_world;

@@ -1,5 +1,6 @@
 #include "parser/build/object_query.h"
 
+#include "parser/build/box_region.h"
 #include "parser/build/object_builder.h"
 
 namespace lentray::parser {
@@ -14,7 +15,15 @@ ObjectQuery::ObjectQuery(const ObjectDesc& object) {
   if (!slot.made) {
     NotYet missing;
     CompiledSlot::Compiled made;
-    made.object = ObjectBuilder(missing).geometry(object);
+    auto whole = ObjectBuilder(missing).geometry(object);
+    if (whole && have_open_inside(whole->bounding())) {
+      auto bounding = whole->bounding();
+      if (auto box = box_region(object, core::Transform(), Reach::kOneByOne, true, *whole)) {
+        bounding.push_back(std::move(box));
+        whole->set_bounding(std::move(bounding));
+      }
+    }
+    made.object = std::move(whole);
     made.is_whole = missing.empty();
     slot.made = std::make_shared<const CompiledSlot::Compiled>(std::move(made));
   }

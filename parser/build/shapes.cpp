@@ -56,6 +56,33 @@ bool is_flat(const core::MeshData& data, const std::array<std::uint32_t, 3>& nor
   return length_squared(a - b) <= kEqual && length_squared(a - c) <= kEqual;
 }
 
+/// Whether some edge, by where it is, has an odd number of faces.
+bool has_open_edges(const core::MeshData& data) {
+  const auto key = [](const Vec3& p) { return std::array<double, 3>{p.x + 0.0, p.y + 0.0, p.z + 0.0}; };
+  std::map<std::array<double, 3>, std::uint32_t> places;
+  std::vector<std::uint32_t> place_of;
+  place_of.reserve(data.vertices.size());
+  for (const Vec3& p : data.vertices) {
+    place_of.push_back(places.try_emplace(key(p), static_cast<std::uint32_t>(places.size())).first->second);
+  }
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
+  edges.reserve(data.faces.size() * 3);
+  for (const core::MeshFace& face : data.faces) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (face.vertex[i] >= place_of.size()) return false;  // refused later
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+      edges.push_back(std::minmax(place_of[face.vertex[i]], place_of[face.vertex[(i + 1) % 3]]));
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  for (std::size_t first = 0, end = 0; first < edges.size(); first = end) {
+    while (end < edges.size() && edges[end] == edges[first]) ++end;
+    if ((end - first) % 2 != 0) return true;
+  }
+  return false;
+}
+
 /// The kernel's form of a mesh. Stock replaces null normals by <1, 0, 0>.
 core::MeshData mesh_data(const MeshShape& mesh) {
   core::MeshData data;
@@ -73,6 +100,7 @@ core::MeshData mesh_data(const MeshShape& mesh) {
     core::MeshFace& last = data.faces.back();
     if (is_flat(data, last.normal)) last.normal = {core::kNone, core::kNone, core::kNone};
   }
+  data.is_open = mesh.inside_vector && has_open_edges(data);
   return data;
 }
 
@@ -246,14 +274,16 @@ struct ShapeMaker {
 
 }  // namespace
 
-std::unique_ptr<core::Mesh> build_mesh(const ObjectDesc& object) {
+std::unique_ptr<core::Mesh> build_mesh(const ObjectDesc& object, const core::Transform& to_world) {
   const auto* mesh = std::get_if<std::shared_ptr<const MeshShape>>(&object.shape);
   if (!mesh) return nullptr;
   if (!(*mesh)->compiled) {
     (*mesh)->compiled = std::make_shared<const core::TriangleMesh>(mesh_data(**mesh));
   }
-  return std::make_unique<core::Mesh>((*mesh)->compiled, (*mesh)->inside_vector,
-                                      object.keyword == "mesh2");
+  // Stock does not turn it with the mesh.
+  std::optional<Vec3> inside_vector = (*mesh)->inside_vector;
+  if (inside_vector) inside_vector = to_world.inverse_vector(*inside_vector);
+  return std::make_unique<core::Mesh>((*mesh)->compiled, inside_vector, object.keyword == "mesh2");
 }
 
 ShapePointer build_shape(const ObjectDesc& object) {

@@ -14,6 +14,7 @@ namespace lentray::parser {
 std::unique_ptr<core::Shape> build_shape(const ObjectDesc& object);
 
 /// The mesh of a mesh or mesh2, textures not set; null for other shapes.
-std::unique_ptr<core::Mesh> build_mesh(const ObjectDesc& object);
+std::unique_ptr<core::Mesh> build_mesh(const ObjectDesc& object,
+                                       const core::Transform& to_world = core::Transform());
 
 }  // namespace lentray::parser

@@ -17,6 +17,9 @@ testing::AssertionResult looks_the_same(const std::string& objects) {
 
 const std::string kBlock = "box { <-1.2,-.8,0>, <1.2,1.53,1.2>";
 
+const std::string kPyramid = "mesh { triangle { <-1,0,-1>, <1,0,-1>, <0,1.7,0> } triangle { <1,0,-1>, <0,0,1>, <0,1.7,0> }"
+                             " triangle { <0,0,1>, <-1,0,-1>, <0,1.7,0> } ";
+
 struct Case {
   const char* name;
   std::string sdl;
@@ -54,6 +57,48 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"cubic", "lathe { cubic_spline 5, <.5,-.8>, <1.3,-.6>, <.5,.2>, <.5,1.1>, <1.5,1.8>"},
         Case{"bezier", "lathe { bezier_spline 8, <.3,-.5>, <1.4,0>, <1.2,.3>, <.9,.8>,"
                        " <.5,1>, <.2,1.2>, <.9,1.4>, <.3,1.8>"}),
+    [](const auto& one) { return std::string(one.param.name); });
+
+/// Half-spaces and meshes without a bottom: an inside without end, yet rays that miss their box miss what they cut.
+INSTANTIATE_TEST_SUITE_P(
+    BeyondTheirBoxes, ImageOpenShapes,
+    ::testing::Values(
+        Case{"disc", "disc { <0,.8,0>, <.2,.6,-1>, 1.1"},
+        Case{"ring", "disc { <0,.8,0>, <.2,1,-.3>, 1.1, .5"},
+        Case{"scaled_disc", "disc { <0,.8,0>, <.2,.6,-1>, 1.1 scale <1,.7,1.2>"},
+        Case{"pyramid_without_floor", kPyramid + "inside_vector <.1,1,.2>"},
+        Case{"pyramid_looked_at_from_above", kPyramid + "inside_vector <0,-1,.1>"}),
+    [](const auto& one) { return std::string(one.param.name); });
+
+/// As bounds: rays that miss the box of the whole miss it, also those that begin inside. Lights cast no shadows.
+class ImageOpenBounds : public ::testing::TestWithParam<Case> {};
+
+TEST_P(ImageOpenBounds, OfCsg) {
+  const auto looks_the_same = [](const std::string& objects) {
+    return same_as_stock({.sdl = "#version 3.7; global_settings { assumed_gamma 1 }\n"
+                                 "camera { location <1,5,-3.5> angle 42 look_at <0,.7,0> }\n"
+                                 "light_source { <-4,7,-6>, 1 shadowless }\n"
+                                 "plane { y, -1 pigment { checker rgb .9 rgb .4 } }\n" + objects,
+                          .width = 80, .height = 60, .arguments = {}, .files = {}});
+  };
+  const std::string rest = " bounded_by { " + GetParam().sdl + "} } pigment { rgbt <.2,.8,.9,.6> } }";
+  EXPECT_TRUE(looks_the_same("merge { box { <-1.2,-.8,0>, <1.2,1.53,1.2> } sphere { <.2,.6,0>, .7 }" + rest));
+  EXPECT_TRUE(looks_the_same("difference { box { <-1.2,-.8,0>, <1.2,1.53,1.2> } sphere { <.2,.6,0>, .7 }" + rest));
+  EXPECT_TRUE(looks_the_same("box { <-1.2,-.8,0>, <1.2,1.53,1.2>" + rest));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Each, ImageOpenBounds,
+    ::testing::Values(
+        Case{"bounded_ring", "disc { <0,.8,0>, <.2,1,-.3>, 1.1, .5 bounded_by { sphere { <.2,.8,-.2>, .9 } }"},
+        Case{"disc", "disc { <0,.8,0>, <.2,.6,-1>, 1.1"},
+        Case{"ring", "disc { <0,.8,0>, <.2,1,-.3>, 1.1, .5"},
+        Case{"pyramid_without_floor", kPyramid + "inside_vector <.1,1,.2>"},
+        Case{"height_field", "height_field { png \"plasma2.png\" translate <-.5,0,-.5> scale <2.2,1.6,2.2>"},
+        Case{"tilted_cylinder", "cylinder { <0,-.6,0>, <.2,1.4,0>, .8"},
+        Case{"torus", "torus { .8, .3 rotate 20*x translate .5*y"},
+        Case{"bezier_prism", "prism { linear_sweep bezier_spline -.5, 1.5, 8, <-1,-1>,<0,-1.5>,<.5,-.5>,<1,-1>,"
+                             " <1,-1>,<1.5,1>,<-1.5,1.5>,<-1,-1> open scale .8"}),
     [](const auto& one) { return std::string(one.param.name); });
 
 }  // namespace
