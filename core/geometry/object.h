@@ -126,6 +126,9 @@ class Object {
     fit_ball();
   }
   const Regions& bounding() const { return m_limits ? m_limits->bounding : kNoRegions; }
+  /// Where a camera may be inside it: beyond its box stock does not ask.
+  Bounds start_bounds() const { return m_limits ? m_limits->start : Bounds::everything(); }
+  void set_start_bounds(const Bounds& box) { limits().start = box; }
   /// True when every leaf's textures are fully opaque (set by the scene compiler).
   bool is_opaque() const { return m_opaque; }
   void set_opaque(bool opaque) { m_opaque = opaque; }
@@ -157,9 +160,10 @@ class Object {
   struct Limits {
     Regions clips, bounding;
     Ball first_ball;
+    Bounds start = Bounds::everything();
   };
   Limits& limits() {
-    if (!m_limits) m_limits = std::make_unique<Limits>(Limits{{}, {}, m_ball});
+    if (!m_limits) m_limits = std::make_unique<Limits>(Limits{{}, {}, m_ball, Bounds::everything()});
     return *m_limits;
   }
   static inline const Regions kNoRegions;

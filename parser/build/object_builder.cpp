@@ -220,6 +220,16 @@ void ObjectBuilder::set_regions(const ObjectDesc& object, const core::Transform&
   if (!bounds.empty()) out.set_bounding(std::move(bounds));
 }
 
+/// Of others all that is inside lies in stock's box.
+void ObjectBuilder::set_start_bounds(const ObjectDesc& object, const core::Transform& outer, core::Object& out) {
+  if (out.solid_bounds().is_finite() && out.bounding().empty()) return;
+  bool is_whole = true;
+  const core::Bounds box = core::transformed(stock_box(object, is_whole), outer);
+  const Vec3 size = box.hi - box.lo;
+  constexpr double kFinite = 1e9;
+  if (is_whole && std::max({size.x, size.y, size.z}) < kFinite) out.set_start_bounds(box);
+}
+
 std::unique_ptr<core::Object> ObjectBuilder::build(const ObjectDesc& object, const core::Transform& outer,
                                                    const Inherited& from) {
   try {
@@ -263,6 +273,7 @@ std::unique_ptr<core::Object> ObjectBuilder::build_whole(const ObjectDesc& objec
   }
   set_regions(object, outer, from.on_list && !is_split, !from.on_list || keeps_bounds(object), *out);
   if (object.inverse) out->set_inverse(true);
+  if (from.on_list) set_start_bounds(object, outer, *out);
   if (m_cutaways) m_cutaways->record(*out, object, object.texture ? looks.texture : nullptr);
   return out;
 }
