@@ -84,6 +84,14 @@ bool is_height_field(const ObjectDesc& object) {
   return std::holds_alternative<Sparse<HeightFieldShape>>(object.shape);
 }
 
+/// Those that `inverse` and a difference leave as they are, their boxes too.
+bool has_no_outside(const ObjectDesc& object) {
+  return std::holds_alternative<TriangleShape>(object.shape) || std::holds_alternative<PolygonShape>(object.shape) ||
+         std::holds_alternative<Sparse<SmoothTriangleShape>>(object.shape) ||
+         std::holds_alternative<std::shared_ptr<const BicubicPatchShape>>(object.shape) ||
+         std::holds_alternative<Sparse<ParametricShape>>(object.shape);
+}
+
 class BoxFinder {
  public:
   explicit BoxFinder(bool& is_whole) : m_is_whole(is_whole) {}
@@ -130,6 +138,7 @@ class BoxFinder {
   Bounds limited(const ObjectDesc& part, bool outside) {
     const auto* plane = std::get_if<PlaneShape>(&part.shape);
     if (part.inverse) outside = !outside;
+    if (has_no_outside(part)) outside = false;
     if (!plane) return outside ? everything() : of(part);
     Bounds box = everything();
     const Vec3 normal =
