@@ -1,8 +1,11 @@
 // The functions of a complex number that hypercomplex Julia sets iterate: principal values, their
 // logarithms and roots cut along the negative real axis. Near poles they overflow to infinity.
+// Those of exponentials, sines and cosines take two numbers side by side, the others one.
 #pragma once
 
 #include <cmath>
+
+#include "core/base/pair_math.h"
 
 namespace lentray::core {
 
@@ -14,22 +17,32 @@ inline Complex operator*(const Complex& a, const Complex& b) {
   return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
 }
 
+/// Two complex numbers.
+struct ComplexPair {
+  Pair re, im;
+};
+
 namespace complex_functions {
 
-/// cosh and sinh of one number.
+// slope_squared: of a value's squared size, no less than that of the function's slope there. At a distance d
+// from there it is at most e^d times as steep.
+
+/// cosh and sinh of both numbers.
 struct Hyperbolic {
-  explicit Hyperbolic(double x) {
-    const double e = std::exp(x), inverse = 1.0 / e;
+  explicit Hyperbolic(Pair x) {
+    const Pair e = exp(x), inverse = 1.0 / e;
     cosh = 0.5 * (e + inverse);
     sinh = 0.5 * (e - inverse);
   }
-  double cosh, sinh;
+  Pair cosh, sinh;
 };
 
 struct Exp {
-  Complex operator()(const Complex& z) const {
-    const double size = std::exp(z.re);
-    return {size * std::cos(z.im), size * std::sin(z.im)};
+  static Pair slope_squared(Pair size_squared) { return size_squared; }
+  ComplexPair operator()(const ComplexPair& z) const {
+    const Pair size = exp(z.re);
+    const CosSin turn = cos_sin(z.im);
+    return {size * turn.cos, size * turn.sin};
   }
 };
 
@@ -40,47 +53,57 @@ struct Ln {
 };
 
 struct Sin {
-  Complex operator()(const Complex& z) const {
+  static Pair slope_squared(Pair size_squared) { return 1.0 + size_squared; }
+  ComplexPair operator()(const ComplexPair& z) const {
     const Hyperbolic h(z.im);
-    return {std::sin(z.re) * h.cosh, std::cos(z.re) * h.sinh};
+    const CosSin turn = cos_sin(z.re);
+    return {turn.sin * h.cosh, turn.cos * h.sinh};
   }
 };
 
 struct Cos {
-  Complex operator()(const Complex& z) const {
+  static Pair slope_squared(Pair size_squared) { return 1.0 + size_squared; }
+  ComplexPair operator()(const ComplexPair& z) const {
     const Hyperbolic h(z.im);
-    return {std::cos(z.re) * h.cosh, -std::sin(z.re) * h.sinh};
+    const CosSin turn = cos_sin(z.re);
+    return {turn.cos * h.cosh, -turn.sin * h.sinh};
   }
 };
 
 struct Sinh {
-  Complex operator()(const Complex& z) const {
+  static Pair slope_squared(Pair size_squared) { return 1.0 + size_squared; }
+  ComplexPair operator()(const ComplexPair& z) const {
     const Hyperbolic h(z.re);
-    return {h.sinh * std::cos(z.im), h.cosh * std::sin(z.im)};
+    const CosSin turn = cos_sin(z.im);
+    return {h.sinh * turn.cos, h.cosh * turn.sin};
   }
 };
 
 struct Cosh {
-  Complex operator()(const Complex& z) const {
+  static Pair slope_squared(Pair size_squared) { return 1.0 + size_squared; }
+  ComplexPair operator()(const ComplexPair& z) const {
     const Hyperbolic h(z.re);
-    return {h.cosh * std::cos(z.im), h.sinh * std::sin(z.im)};
+    const CosSin turn = cos_sin(z.im);
+    return {h.cosh * turn.cos, h.sinh * turn.sin};
   }
 };
 
 /// By double angles: tan z = (sin 2x + i sinh 2y) / (cos 2x + cosh 2y).
 struct Tan {
-  Complex operator()(const Complex& z) const {
+  ComplexPair operator()(const ComplexPair& z) const {
     const Hyperbolic h(2.0 * z.im);
-    const double inverse = 1.0 / (std::cos(2.0 * z.re) + h.cosh);
-    return {std::sin(2.0 * z.re) * inverse, h.sinh * inverse};
+    const CosSin turn = cos_sin(2.0 * z.re);
+    const Pair inverse = 1.0 / (turn.cos + h.cosh);
+    return {turn.sin * inverse, h.sinh * inverse};
   }
 };
 
 struct Tanh {
-  Complex operator()(const Complex& z) const {
+  ComplexPair operator()(const ComplexPair& z) const {
     const Hyperbolic h(2.0 * z.re);
-    const double inverse = 1.0 / (h.cosh + std::cos(2.0 * z.im));
-    return {h.sinh * inverse, std::sin(2.0 * z.im) * inverse};
+    const CosSin turn = cos_sin(2.0 * z.im);
+    const Pair inverse = 1.0 / (h.cosh + turn.cos);
+    return {h.sinh * inverse, turn.sin * inverse};
   }
 };
 
@@ -145,9 +168,11 @@ struct Atan {
 
 struct Power {
   Complex exponent;
-  Complex operator()(const Complex& z) const {
-    if (z.re == 0.0 && z.im == 0.0) return {};
-    return Exp()(Ln()(z) * exponent);
+  ComplexPair operator()(const ComplexPair& z) const {
+    const Complex a = Ln()({z.re[0], z.im[0]}) * exponent, b = Ln()({z.re[1], z.im[1]}) * exponent;
+    const ComplexPair power = Exp()({Pair{a.re, b.re}, Pair{a.im, b.im}});
+    const PairBits is_zero = (z.re == 0.0) & (z.im == 0.0);
+    return {pair_math::chosen(is_zero, Pair{}, power.re), pair_math::chosen(is_zero, Pair{}, power.im)};
   }
 };
 

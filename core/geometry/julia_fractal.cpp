@@ -40,6 +40,7 @@ class JuliaFractal final : public Shape {
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override {
     return m_map.normal(p, {hit.u, hit.v});
   }
+  void drop_shortcuts() override { m_foresees = false; }
 
  private:
   using Memory = typename Map::Memory;
@@ -52,8 +53,11 @@ class JuliaFractal final : public Shape {
     crossings(ray, visit, [](double, double) { return false; });
   }
 
+  static constexpr double kSureStep = 1.0 + 1e-6;  ///< whatever is rounded
+
   Map m_map;
   Bounds m_box;
+  bool m_foresees = true;  ///< asks how far a ray stays within
 };
 
 /// Cells that the set has no part in are ruled out by their orbits. Where those say nothing it is
@@ -146,16 +150,39 @@ void JuliaFractal<Map>::crossings(const Ray& ray, Visit&& visit, Anywhere&& anyw
     if (depth > end) return;
     within = m_map.step(p, direction, step, memory);
   }
+  const double least = m_map.common().least_step;
+  // Steps from p on that are known to end within, and whether the memory is of p, or of a point before some
+  // that were not asked for.
+  double sure = 0.0;
+  bool is_of_p = within, is_old = false;
   while (depth < end && (within || depth <= leaves)) {
-    if (!(step >= m_map.common().least_step)) step = m_map.common().least_step;
+    if (!(step >= least)) step = least;
     if (depth + step > end) return;
     const Vec3 next = p + direction * step;
-    double next_step;
-    if (m_map.step(next, direction, next_step, memory) != within) {
-      if (anywhere(depth * scale, (depth + step) * scale)) return;
-      const double reached = refined(p, direction, step, within, memory);
-      if (!visit((depth + reached) * scale, m_map.remembered(memory))) return;
-      within = !within;
+    double next_step = least;
+    if constexpr (Map::kForesees) {
+      if (is_of_p && m_foresees) sure = m_map.room(memory, least) / least;
+      is_of_p = false;
+    }
+    if (Map::kForesees && sure >= kSureStep) {
+      sure -= 1.0;
+      is_old = true;
+    } else {
+      is_of_p = m_map.step(next, direction, next_step, memory);
+      if (is_of_p != within) {
+        if (anywhere(depth * scale, (depth + step) * scale)) return;
+        if (is_old) {
+          double unused;
+          m_map.step(p, direction, unused, memory);
+          m_map.step(next, direction, unused, memory);
+        }
+        const double reached = refined(p, direction, step, within, memory);
+        if (!visit((depth + reached) * scale, m_map.remembered(memory))) return;
+        within = !within;
+        is_of_p = false;
+        sure = 0.0;
+      }
+      is_old = false;
     }
     depth += step;
     p = next;

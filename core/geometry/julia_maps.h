@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 #include <vector>
 
 #include "core/geometry/complex_functions.h"
@@ -44,6 +45,7 @@ struct Common {
 
 /// What rounding can add to the size of an orbit, generously.
 inline constexpr double kLoose = 1.0 + 1e-9;
+inline constexpr double kExpMore = 0.7183;   ///< e^r - 1 is less than r and this times the square of r, up to 1
 inline constexpr double kTolerance = 1e-7;  ///< how near surfaces are found, along the ray
 
 inline Common::Common(const JuliaSettings& s)
@@ -57,9 +59,6 @@ inline Common::Common(const JuliaSettings& s)
   radius = julia_sphere(c, s.hypercomplex);
   escape = s.hypercomplex ? radius * radius : radius * radius + kTolerance;
 }
-
-/// Two doubles side by side, handled as one.
-using Pair = double __attribute__((vector_size(16)));
 
 /// A number of four parts, or the change of one; of Pairs two of them.
 template <class Part>
@@ -112,7 +111,7 @@ struct QuaternionCube {
 template <class Rule>
 class QuaternionMap {
  public:
-  static constexpr bool kRemembers = false, kThreeAtOnce = true;
+  static constexpr bool kRemembers = false, kThreeAtOnce = true, kForesees = false;
   struct Memory {
     explicit Memory(const QuaternionMap&) {}
   };
@@ -213,9 +212,7 @@ class QuaternionMap {
 
 /// A hypercomplex number <x, y, z, w> as the two complex numbers <x - w, y + z>, <x + w, y - z>
 /// which its functions map one by one.
-struct Duplex {
-  Pair re, im;
-};
+using Duplex = ComplexPair;
 
 /// The first number of an orbit. Where a ray enters the sphere the last bit of its size decides
 /// whether it starts inside the set, so that is summed in stock's order.
@@ -306,7 +303,7 @@ inline double step_by_slope(double size, double slope, double least) {
 template <class Rule>
 class HypercomplexMap {
  public:
-  static constexpr bool kRemembers = false, kThreeAtOnce = false;
+  static constexpr bool kRemembers = false, kThreeAtOnce = false, kForesees = false;
   struct Memory {
     explicit Memory(const HypercomplexMap&) {}
   };
@@ -386,6 +383,8 @@ template <class F>
 class FunctionMap {
  public:
   static constexpr bool kRemembers = true, kThreeAtOnce = false;
+  /// Whether room() is known.
+  static constexpr bool kForesees = requires(const Pair& size) { F::slope_squared(size); };
   /// The numbers of the last orbits, each over the start of those before.
   class Memory {
    public:
@@ -438,6 +437,38 @@ class FunctionMap {
     step = step_by_slope(size, slope, m_common.least_step);
     return false;
   }
+  /// Radius of a ball about a point within that is within too, of the point's orbit: the orbit of the ball,
+  /// as discs that grow; about a number the function's slope grows no faster than the exponential. 0 where it
+  /// would be less than `wanted`.
+  double room(const Memory& orbit, double wanted) const {
+    constexpr int kMost = 31;
+    constexpr double kRounding = 1e-12;
+    if (m_common.rounds > kMost) return 0.0;
+    const double edge = std::sqrt(m_common.escape) / kLoose, widest = std::sqrt(2.0) * m_common.stretch();
+    double left[kMost], slope[kMost], growth = widest, least = edge / widest;
+    for (int i = 0; i < m_common.rounds; ++i) {
+      const Pair re = orbit[i + 1].re - m_c.re, im = orbit[i + 1].im - m_c.im;
+      const Pair squares = F::slope_squared(re * re + im * im);
+      slope[i] = std::sqrt(std::max(squares[0], squares[1]));
+      left[i] = edge - std::sqrt(size_squared(orbit[i]));
+      if (!(left[i] > wanted * growth)) return 0.0;
+      least = std::min(least, left[i] / growth);
+      growth *= slope[i];
+    }
+    const auto stays = [&](double reach) {
+      double r = reach * widest;
+      for (int i = 0; i < m_common.rounds; ++i) {
+        r += kRounding;
+        if (!(r < left[i] && r < 1.0)) return false;
+        r = slope[i] * (r + kExpMore * r * r);
+      }
+      return true;
+    };
+    for (const double share : {0.9, 0.6}) {
+      if (stays(share * least)) return share * least;
+    }
+    return 0.0;
+  }
   /// The direction of the normal, as a point of the octahedron unfolded to a square.
   Vec2 remembered(const Memory& orbit) const {
     const Vec3 n = gradient(orbit, m_common.rounds, [&](int i) { return value(orbit[i]); });
@@ -455,6 +486,10 @@ class FunctionMap {
 
  private:
   Duplex value(const Duplex& z) const {
+    if constexpr (std::is_invocable_v<const F&, const Duplex&>) return m_function(z);
+    else return of_each(z);
+  }
+  Duplex of_each(const Duplex& z) const {
     const Complex a = m_function({z.re[0], z.im[0]}), b = m_function({z.re[1], z.im[1]});
     return {Pair{a.re, b.re}, Pair{a.im, b.im}};
   }
