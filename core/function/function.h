@@ -6,6 +6,8 @@
 #include <span>
 #include <string>
 
+#include "core/base/pair_math.h"
+
 namespace lentray::core {
 
 class Function {
@@ -15,6 +17,9 @@ class Function {
   virtual std::size_t parameters() const = 0;
   /// Arguments in order; exactly parameters() of them.
   virtual double evaluate(std::span<const double> arguments) const = 0;
+  /// Whether two points take little more time than one. Then evaluate_pair() gives both, to the bit.
+  virtual bool takes_pairs() const { return false; }
+  virtual Pair evaluate_pair(std::span<const Pair>) const { return Pair{}; }
   /// Names what makes it impossible to evaluate yet (an internal f_* function, say); empty if it can be.
   virtual std::string not_yet() const = 0;
 

@@ -39,12 +39,11 @@ constexpr Entry kEntries[] = {
     {"f_noise_generator", 1},
 };
 
-using Evaluator = double (*)(const double*);
-
-Evaluator evaluator_of(std::string_view name) {
+/// Null where there is none.
+const InternalFormula* formula_of(std::string_view name) {
   for (const auto table : {algebraic_formulas(), curve_formulas(), solid_formulas(), noise_formulas()}) {
     for (const InternalFormula& formula : table) {
-      if (formula.name == name) return formula.evaluate;
+      if (formula.name == name) return &formula;
     }
   }
   return nullptr;
@@ -53,16 +52,22 @@ Evaluator evaluator_of(std::string_view name) {
 // f_pattern has no pattern when it is called by itself: 0, as in stock.
 class Internal final : public Function {
  public:
-  explicit Internal(const Entry& entry) : m_entry(entry), m_evaluator(evaluator_of(entry.name)) {}
+  explicit Internal(const Entry& entry) : m_entry(entry) {
+    if (const InternalFormula* formula = formula_of(entry.name)) m_formula = *formula;
+  }
   std::size_t parameters() const override { return static_cast<std::size_t>(m_entry.extra) + 3; }
   double evaluate(std::span<const double> arguments) const override {
-    return m_evaluator ? m_evaluator(arguments.data()) : 0.0;
+    return m_formula.evaluate ? m_formula.evaluate(arguments.data()) : 0.0;
+  }
+  bool takes_pairs() const override { return m_formula.evaluate_pair != nullptr; }
+  Pair evaluate_pair(std::span<const Pair> arguments) const override {
+    return m_formula.evaluate_pair(arguments.data());
   }
   std::string not_yet() const override { return {}; }
 
  private:
   const Entry& m_entry;
-  Evaluator m_evaluator;
+  InternalFormula m_formula{};
 };
 
 }  // namespace

@@ -10,11 +10,15 @@
 #include <span>
 #include <string_view>
 
+#include "core/base/pair_math.h"
+
 namespace lentray::core {
 
 struct InternalFormula {
   std::string_view name;
   double (*evaluate)(const double* arguments);
+  /// The same at two points, in less time than one after the other; null where there is nothing to gain.
+  Pair (*evaluate_pair)(const Pair* arguments) = nullptr;
 };
 
 std::span<const InternalFormula> algebraic_formulas();   ///< polynomials in x, y, z
@@ -34,7 +38,10 @@ struct FormulaPoint {
   double ring() const { return std::sqrt(ring2()); }
 };
 
-inline double squared(double v) { return v * v; }
+template <class Number>
+Number squared(Number v) {
+  return v * v;
+}
 inline double cubed(double v) { return v * v * v; }
 
 /// A field of strength P0, held within +-10.

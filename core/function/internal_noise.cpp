@@ -18,30 +18,59 @@ int whole(double parameter) {
 /// Parameters choose a noise generator by their last two bits.
 int generator_of(double parameter) { return whole(parameter) & 3; }
 
+// Formulas are of one point (double) or of two (Pair), whose parameters are the same then.
+double first(double a) { return a; }
+double first(Pair a) { return a[0]; }
+double size_of(double a) { return std::fabs(a); }
+Pair size_of(Pair a) { return pair_math::size_of(a); }
+double within_unit(double a) { return std::clamp(a, 0.0, 1.0); }
+Pair within_unit(Pair a) {
+  const Pair above = pair_math::chosen(a < 0.0, Pair{}, a);
+  return pair_math::chosen(1.0 < above, Pair{1.0, 1.0}, above);
+}
+
+template <class Number>
+struct NoisePoint {
+  Number x, y, z;
+  explicit NoisePoint(const Number* a) : x(a[0]), y(a[1]), z(a[2]) {}
+  NoisePoint(Number px, Number py, Number pz) : x(px), y(py), z(pz) {}
+  NoisePoint operator*(double s) const { return {x * s, y * s, z * s}; }
+};
+
 /// Noise between -1 and 1.
-double signed_noise(const Vec3& point, int generator) { return noise(point, generator) * 2.0 - 1.0; }
+template <class Number>
+Number signed_noise(const NoisePoint<Number>& p, int generator) {
+  return noise(p.x, p.y, p.z, generator) * 2.0 - 1.0;
+}
 
-double noise3d(const double* a) { return noise(a[0], a[1], a[2], 2); }
+template <class Number>
+Number noise3d(const Number* a) {
+  return noise(a[0], a[1], a[2], 2);
+}
 
-double noise_generator(const double* a) { return noise(a[0], a[1], a[2], generator_of(a[3])); }
+template <class Number>
+Number noise_generator(const Number* a) {
+  return noise(a[0], a[1], a[2], generator_of(first(a[3])));
+}
 
 // Heterogeneous multifractal: P0 exponent, P1 lacunarity, P2 octaves, P3 offset, P4 how often the
 // sum so far weighs an octave, P5 generator.
-double hetero_mf(const double* a) {
-  const FormulaPoint q(a);
-  const int generator = generator_of(q.p[5]), weighings = whole(q.p[4]);
-  const double octaves = std::min(q.p[2], kMostOctaves);
-  Vec3 point(q.x, q.y, q.z);
-  double sum = signed_noise(point, generator) + q.p[3];
-  const double damping = std::pow(q.p[1], -q.p[0]);
+template <class Number>
+Number hetero_mf(const Number* a) {
+  const double lacunarity = first(a[4]), offset = first(a[6]);
+  const int generator = generator_of(first(a[8])), weighings = whole(first(a[7]));
+  const double octaves = std::min(first(a[5]), kMostOctaves);
+  NoisePoint<Number> point(a);
+  Number sum = signed_noise(point, generator) + offset;
+  const double damping = std::pow(lacunarity, -first(a[3]));
   double strength = damping;
-  const auto octave = [&] { return (signed_noise(point, generator) + q.p[3]) * strength; };
-  point = point * q.p[1];
+  const auto octave = [&] { return (signed_noise(point, generator) + offset) * strength; };
+  point = point * lacunarity;
   for (int i = 1; i < octaves; ++i) {
-    double more = octave();
+    Number more = octave();
     for (int n = 0; n < weighings; ++n) more *= sum;
     sum += more;
-    point = point * q.p[1];
+    point = point * lacunarity;
     strength *= damping;
   }
   const double rest = octaves - whole(octaves);
@@ -50,22 +79,24 @@ double hetero_mf(const double* a) {
 }
 
 // Folded noise: P0 lacunarity, P1 octaves, P2 gain, P3 offset, P4 where the fold is, P5 generator.
-double ridge(const double* a) {
-  const FormulaPoint q(a);
-  const int generator = generator_of(q.p[5]), octaves = whole(q.p[1]);
-  const double offset = q.p[3], fold = q.p[4];
+template <class Number>
+Number ridge(const Number* a) {
+  const double lacunarity = first(a[3]), gain = first(a[5]), offset = first(a[6]), fold = first(a[7]);
+  const int generator = generator_of(first(a[8])), octaves = whole(first(a[4]));
   const double fold_scale = 1.0 / std::max(fold, 1.0 - fold);
-  const double rest = std::min(q.p[1], kMostOctaves) - octaves;
-  const Vec3 point(q.x, q.y, q.z);
+  const double rest = std::min(first(a[4]), kMostOctaves) - octaves;
+  const NoisePoint<Number> point(a);
   const auto folded = [&](double frequency) {
-    return std::fabs(noise(point * frequency, generator) - fold) * fold_scale - offset;
+    const NoisePoint<Number> at = point * frequency;
+    return size_of(noise(at.x, at.y, at.z, generator) - fold) * fold_scale - offset;
   };
-  double sum = folded(1.0), weights = 1.0, frequency = q.p[0], weight = q.p[2];
+  Number sum = folded(1.0);
+  double weights = 1.0, frequency = lacunarity, weight = gain;
   for (int i = 2; i <= octaves; ++i) {
     sum += weight * folded(frequency);
     weights += weight;
-    frequency *= q.p[0];
-    weight *= q.p[2];
+    frequency *= lacunarity;
+    weight *= gain;
   }
   if (rest != 0.0) {
     sum += weight * rest * folded(frequency);
@@ -104,26 +135,47 @@ OctaveWeights& octave_weights(double lacunarity, double exponent) {
 }
 
 // Ridged multifractal: P0 exponent, P1 lacunarity, P2 octaves, P3 offset, P4 gain, P5 generator.
-double ridged_mf(const double* a) {
-  const FormulaPoint q(a);
-  const int generator = generator_of(q.p[5]);
-  Vec3 point(q.x, q.y, q.z);
-  const auto crest = [&] { return squared(q.p[3] - std::fabs(signed_noise(point, generator))); };
-  double signal = crest(), sum = signal, frequency = 1.0;
-  OctaveWeights& weights = octave_weights(q.p[1], q.p[0]);
-  for (int i = 1; i < std::min(q.p[2], kMostOctaves); ++i) {
-    point = point * q.p[1];
-    frequency *= q.p[1];
-    const double weight = std::clamp(signal * q.p[4], 0.0, 1.0);
+template <class Number>
+Number ridged_mf(const Number* a) {
+  const double lacunarity = first(a[4]), octaves = std::min(first(a[5]), kMostOctaves), offset = first(a[6]);
+  const double gain = first(a[7]);
+  const int generator = generator_of(first(a[8]));
+  NoisePoint<Number> point(a);
+  const auto crest = [&] { return squared(offset - size_of(signed_noise(point, generator))); };
+  Number signal = crest(), sum = signal;
+  double frequency = 1.0;
+  OctaveWeights& weights = octave_weights(lacunarity, first(a[3]));
+  for (int i = 1; i < octaves; ++i) {
+    point = point * lacunarity;
+    frequency *= lacunarity;
+    const Number weight = within_unit(signal * gain);
     signal = crest() * weight;
     sum += signal * weights.at(i, frequency);
   }
   return sum;
 }
 
-constexpr InternalFormula kFormulas[] = {{"f_hetero_mf", hetero_mf}, {"f_noise3d", noise3d},
-                                         {"f_noise_generator", noise_generator},
-                                         {"f_ridge", ridge}, {"f_ridged_mf", ridged_mf}};
+/// Both points at once, where their parameters are the same.
+template <Pair (*kFormula)(const Pair*), double (*kOfOne)(const double*), int kParameters>
+Pair of_both(const Pair* a) {
+  bool are_same = true;
+  for (int i = 3; i < 3 + kParameters; ++i) are_same = are_same && a[i][0] == a[i][1];
+  if (are_same) return kFormula(a);
+  double one[3 + kParameters], other[3 + kParameters];
+  for (int i = 0; i < 3 + kParameters; ++i) {
+    one[i] = a[i][0];
+    other[i] = a[i][1];
+  }
+  const double value = kOfOne(one);
+  return Pair{value, kOfOne(other)};
+}
+
+constexpr InternalFormula kFormulas[] = {
+    {"f_hetero_mf", hetero_mf, of_both<hetero_mf, hetero_mf, 6>},
+    {"f_noise3d", noise3d, of_both<noise3d, noise3d, 0>},
+    {"f_noise_generator", noise_generator, of_both<noise_generator, noise_generator, 1>},
+    {"f_ridge", ridge, of_both<ridge, ridge, 6>},
+    {"f_ridged_mf", ridged_mf, of_both<ridged_mf, ridged_mf, 6>}};
 
 }  // namespace
 

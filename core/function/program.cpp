@@ -77,7 +77,8 @@ Program::Program(ProgramParts parts)
   std::reverse(m_constants.begin(), m_constants.end());
   m_code.push_back({ProgramOp::kEnd, FunctionOp::kConstant, 0, parts.result, 0, 0});
   for (Instruction& i : m_code) {
-    if (i.kind >= ProgramOp::kJump && i.kind <= ProgramOp::kCall) m_is_straight = false;
+    if (i.kind >= ProgramOp::kJump && i.kind < ProgramOp::kCall) m_is_straight = false;
+    if (i.kind == ProgramOp::kCall && !m_callees[i.jump]->takes_pairs()) m_is_straight = false;
     if (i.kind != ProgramOp::kArithmetic) continue;
     if (i.op == FunctionOp::kAdd) i.kind = ProgramOp::kAdd;
     if (i.op == FunctionOp::kSubtract) i.kind = ProgramOp::kSubtract;
@@ -181,11 +182,16 @@ Program::Lanes Program::execute(Lanes* frame) const {
         frame[i.target] = Lanes{first, apply(i.op, a[1], b[1])};
         break;
       }
+      case ProgramOp::kCall: {
+        const Callee& callee = m_calls[i.jump];
+        frame[i.target] = callee.function->evaluate_pair({frame + i.b, callee.parameters});
+        break;
+      }
       case ProgramOp::kNoise: frame[i.target] = noise_of(i, frame); break;
       case ProgramOp::kAddNoise: frame[i.target] = value(i.a) + value(i.b) * noise_of(i, frame); break;
       case ProgramOp::kSubtractNoise: frame[i.target] = value(i.a) - value(i.b) * noise_of(i, frame); break;
       case ProgramOp::kEnd: return value(i.a);
-      default: __builtin_unreachable();  // straight: no jumps, no calls
+      default: __builtin_unreachable();  // straight: no jumps
     }
   }
 }

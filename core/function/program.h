@@ -76,7 +76,7 @@ class Program final : public Function {
   std::string not_yet() const override;
 
   /// A register of two points.
-  using Lanes [[gnu::vector_size(16)]] = double;
+  using Lanes = Pair;
 
   /// For who asks often: memory of a run whose constants lie in place already.
   class Frame {
@@ -101,7 +101,7 @@ class Program final : public Function {
   class WideFrame {
    public:
     /// False if the program has another number of parameters, does not fit, or holds jumps or calls
-    /// but of noise.
+    /// but of functions that take pairs.
     bool prepare(const Program& program);
     Lanes operator()(Lanes x, Lanes y, Lanes z) {
       m_arguments[0] = x;
@@ -138,7 +138,7 @@ class Program final : public Function {
   std::vector<Callee> m_calls;
   std::vector<NoiseTerm> m_noises;
   std::size_t m_parameters, m_frame;
-  bool m_is_straight = true;  ///< no jumps, no calls but of noise
+  bool m_is_straight = true;  ///< no jumps, no calls but of what takes pairs
 };
 
 /// The arithmetic of one operation; b is ignored by those of one operand.

@@ -155,16 +155,9 @@ struct Place {
   }
 
  private:
-  LENTRAY_AVX2 Place(__m256d p, __m128i c) : point(p), cell(c), known(t_cells[slot(c)]) {}
+  LENTRAY_AVX2 Place(__m256d p, __m128i c) : point(p), cell(c), known(t_cells[lattice_slot(c) % kKnownCells]) {}
   LENTRAY_AVX2 static __m256d below(__m256d p) {
     return _mm256_blendv_pd(p, _mm256_sub_pd(p, _mm256_set1_pd(1.0 - kCellEpsilon)), p);
-  }
-  /// Neighbours have different ones.
-  LENTRAY_AVX2 static std::size_t slot(__m128i cell) {
-    const __m128i low_halves = _mm_set_epi8(-1, -1, -1, -1, -1, -1, -1, -1, -1, -1, 9, 8, 5, 4, 1, 0);
-    const __m128i sums = _mm_madd_epi16(_mm_shuffle_epi8(cell, low_halves), _mm_set_epi16(0, 0, 0, 0, 0, 64, 8, 1));
-    const auto both = static_cast<std::uint64_t>(_mm_cvtsi128_si64(sums));
-    return (both + (both >> 32)) % kKnownCells;
   }
 };
 

@@ -61,6 +61,14 @@ LENTRAY_AVX2 inline __m256d s_curve(__m256d t) {
   return _mm256_mul_pd(_mm256_mul_pd(t, t), slope);
 }
 
+/// Where a cell of x, y, z may be kept, before it is taken modulo the number of places; neighbours have different ones.
+LENTRAY_AVX2 inline std::size_t lattice_slot(__m128i cell) {
+  const __m128i low_halves = _mm_set_epi8(-1, -1, -1, -1, -1, -1, -1, -1, -1, -1, 9, 8, 5, 4, 1, 0);
+  const __m128i sums = _mm_madd_epi16(_mm_shuffle_epi8(cell, low_halves), _mm_set_epi16(0, 0, 0, 0, 0, 64, 8, 1));
+  const auto both = static_cast<std::uint64_t>(_mm_cvtsi128_si64(sums));
+  return (both + (both >> 32));
+}
+
 /// Noise of generator 1 or 2 at a point, 0..1.
 double lattice_noise(double x, double y, double z, int generator);
 /// The same at two points.

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <random>
 
+#include "core/function/internal.h"
 #include "core/function/noise_function.h"
 #include "core/function/program.h"
 
@@ -97,6 +98,31 @@ TEST(UnitCoreFunctionProgram, TwoPointsAtOnceAreEachAlone) {
     ASSERT_EQ(bits(values[1]), bits(function->evaluate(b))) << "tree " << i;
   }
   EXPECT_GT(wide, 2000);
+}
+
+// Formulas of noise: where the parameters of both points are the same, and where one differs.
+TEST(UnitCoreFunctionProgram, FormulasOfTwoPointsAreEachAlone) {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> place(-20.0, 20.0), share(0.1, 2.0);
+  int paired = 0;
+  for (int number = 0; const auto function = internal_function(number); ++number) {
+    if (!function->takes_pairs()) continue;
+    ++paired;
+    for (int i = 0; i < 300; ++i) {
+      std::array<double, 9> one{}, other{};
+      std::array<Pair, 9> both{};
+      for (std::size_t k = 0; k < 9; ++k) {
+        one[k] = k < 3 ? place(random) : k == 8 ? i % 4 : k == 5 ? 1.0 + i % 5 + 0.25 * (i % 2) : share(random);
+        other[k] = k < 3 ? place(random) : one[k];
+        if (i % 10 == 0 && k == static_cast<std::size_t>(3 + i / 10 % 6)) other[k] += 1.0;
+        both[k] = Pair{one[k], other[k]};
+      }
+      const Pair value = function->evaluate_pair({both.data(), function->parameters()});
+      EXPECT_EQ(std::bit_cast<std::uint64_t>(value[0]), std::bit_cast<std::uint64_t>(function->evaluate({one.data(), function->parameters()})));
+      EXPECT_EQ(std::bit_cast<std::uint64_t>(value[1]), std::bit_cast<std::uint64_t>(function->evaluate({other.data(), function->parameters()})));
+    }
+  }
+  EXPECT_EQ(paired, 5);
 }
 
 }  // namespace
