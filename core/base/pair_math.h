@@ -3,6 +3,8 @@
 // Taylor's series, after the argument is reduced by multiples of ln 2 or pi/2 in parts (Cody and Waite 1980).
 #pragma once
 
+#include <emmintrin.h>
+
 #include <cmath>
 
 namespace lentray::core {
@@ -31,6 +33,8 @@ template <class System>
 }
 
 }  // namespace pair_math
+
+inline Pair sqrt(Pair x) { return _mm_sqrt_pd(x); }
 
 inline Pair exp(Pair x) {
   constexpr double kMost = 700.0;  // beyond, powers of two are no normal numbers

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/pair_math.h"
 #include "core/geometry/bounds_help.h"
 
 namespace lentray::core {
@@ -32,16 +33,20 @@ struct Stepper {
   int cell = 0, step = 0;
   double next = Bounds::kInf, delta = Bounds::kInf;  ///< t of the next border, t from one to the next
 
-  Stepper(double p, double d, double from, int cells) : m_p(p), m_d(d) {
-    cell = std::clamp(static_cast<int>(std::floor(p + d * from)), 0, cells - 1);
-    if (d == 0.0) return;
+  /// Numbers below 0 are clamped all the same: there is no need to round them down.
+  Stepper(double p, double d, double from, int cells) : m_p(p), m_d(d), m_cells(cells) {
+    cell = std::clamp(static_cast<int>(p + d * from), 0, cells - 1);
+    m_inverse = 1.0 / d;
+    delta = std::fabs(m_inverse);
+    if (!(delta < Bounds::kInf)) return;
     step = d > 0.0 ? 1 : -1;
-    delta = 1.0 / std::fabs(d);
     next = t_of(cell + (d > 0.0 ? 1 : 0));
   }
-  double t_of(int border) const { return (border - m_p) / m_d; }
+  double t_of(int border) const { return (border - m_p) * m_inverse; }
   /// The first cell of the block that the present one is in.
   int block_begin() const { return cell & ~(HeightGrid::kBlock - 1); }
+  /// How many cells of it there are.
+  int block_cells() const { return std::min(HeightGrid::kBlock, m_cells - block_begin()); }
   /// t where that block ends.
   double block_end() const {
     return step == 0 ? Bounds::kInf : t_of(block_begin() + (step > 0 ? HeightGrid::kBlock : 0));
@@ -49,9 +54,10 @@ struct Stepper {
   /// To the first cell beyond the block, or, within it, to that at t.
   void leave_block() { set(block_begin() + (step > 0 ? HeightGrid::kBlock : -1)); }
   void go_within_block(double t) {
-    const int begin = block_begin(), at = static_cast<int>(std::floor(m_p + m_d * t));
-    set(std::clamp(at, begin, begin + HeightGrid::kBlock - 1));
+    const int begin = block_begin();
+    set(std::clamp(static_cast<int>(m_p + m_d * t), begin, begin + HeightGrid::kBlock - 1));
   }
+  bool is_within() const { return static_cast<unsigned>(cell) < static_cast<unsigned>(m_cells); }
   void advance() {
     cell += step;
     next += delta;
@@ -63,7 +69,8 @@ struct Stepper {
     if (step != 0) next = t_of(cell + (step > 0 ? 1 : 0));
   }
 
-  double m_p, m_d;
+  double m_p, m_d, m_inverse;
+  int m_cells;
 };
 
 }  // namespace
@@ -105,23 +112,35 @@ void HeightGrid::find_blocks() {
   }
 }
 
-/// Of the four triangles between a corner and its neighbours along the grid's lines.
+/// Of the four triangles between a corner and its neighbours along the grid's lines; where there are less,
+/// of those.
 Vec3 HeightGrid::mean_normal(int x, int z) const {
-  static constexpr int kAround[5][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 0}};
-  Vec3 sum;
-  for (int i = 0; i < 4; ++i) {
-    const int x1 = x + kAround[i][0], z1 = z + kAround[i][1];
-    const int x2 = x + kAround[i + 1][0], z2 = z + kAround[i + 1][1];
-    if (std::min({x1, x2, z1, z2}) < 0 || std::max(x1, x2) >= m_width ||
-        std::max(z1, z2) >= m_depth) {
-      continue;
+  const bool is_inside = x > 0 && z > 0 && x + 1 < m_width && z + 1 < m_depth;
+  const double y = height(x, z);
+  // Slopes towards greater and towards smaller x and z.
+  const double after_x = x + 1 < m_width ? height(x + 1, z) - y : 0.0, before_x = x > 0 ? y - height(x - 1, z) : 0.0;
+  const double after_z = z + 1 < m_depth ? height(x, z + 1) - y : 0.0, before_z = z > 0 ? y - height(x, z - 1) : 0.0;
+  if (is_inside) {
+    // The triangles in order, two at a time.
+    const Pair xs[2] = {Pair{after_x, before_x}, Pair{before_x, after_x}};
+    const Pair zs[2] = {Pair{after_z, after_z}, Pair{before_z, before_z}};
+    Vec3 sum;
+    for (int i = 0; i < 2; ++i) {
+      const Pair scale = 1.0 / sqrt(xs[i] * xs[i] + 1.0 + zs[i] * zs[i]);
+      const Pair along_x = -xs[i] * scale, along_z = -zs[i] * scale;
+      for (int lane = 0; lane < 2; ++lane) sum += Vec3(along_x[lane], scale[lane], along_z[lane]);
     }
-    // One of the two lies along x, the other along z.
-    const double y = height(x, z), rise1 = height(x1, z1) - y, rise2 = height(x2, z2) - y;
-    const double along_x = z1 == z ? (x1 - x) * rise1 : (x2 - x) * rise2;
-    const double along_z = z1 == z ? (z2 - z) * rise2 : (z1 - z) * rise1;
-    sum += normalized(Vec3(-along_x, 1.0, -along_z));
+    return normalized(sum);
   }
+  Vec3 sum;
+  const auto add = [&](bool is_there, double along_x, double along_z) {
+    if (is_there) sum += normalized(Vec3(-along_x, 1.0, -along_z));
+  };
+  const bool right = x + 1 < m_width, left = x > 0, far = z + 1 < m_depth, near = z > 0;
+  add(right && far, after_x, after_z);
+  add(left && far, before_x, after_z);
+  add(left && near, before_x, before_z);
+  add(right && near, after_x, before_z);
   return normalized(sum);
 }
 
@@ -159,35 +178,45 @@ std::unique_ptr<Shape> HeightField::baked(const Transform& t) const {
   return copy;
 }
 
+namespace {
+
+/// Both of a cell's triangles that a line meets, near enough: visit(t, 0 or 1).
 template <class Visit>
-void HeightField::cell(int x, int z, const Ray& ray, double from, double to, Visit&& visit) const {
-  const double y1 = m_grid->height(x, z), y2 = m_grid->height(x + 1, z);
-  const double y3 = m_grid->height(x, z + 1), y4 = m_grid->height(x + 1, z + 1);
-  const double ya = ray.origin.y + from * ray.direction.y, yb = ray.origin.y + to * ray.direction.y;
-  if (std::max({y1, y2, y3, y4}) < std::min(ya, yb) - kSlack ||
-      std::min({y1, y2, y3, y4}) > std::max(ya, yb) + kSlack) {
-    return;
-  }
+inline void for_triangles(int x, int z, double y1, double y2, double y3, double y4, const Ray& ray, Visit&& visit) {
   constexpr double kEdge = 1e-4;
-  const auto number = static_cast<std::uint32_t>(z) * static_cast<std::uint32_t>(m_grid->width()) +
-                      static_cast<std::uint32_t>(x);
   const auto triangle = [&](const Vec3& n, const Vec3& corner, double outwards, std::uint32_t which) {
     const double slope = dot(n, ray.direction);
     if (slope == 0.0) return;
     const double t = dot(n, corner - ray.origin) / slope;
     const double u = outwards * (ray.origin.x + t * ray.direction.x - corner.x);
     const double v = outwards * (ray.origin.z + t * ray.direction.z - corner.z);
-    if (u >= -kEdge && v >= -kEdge && u + v <= 1.0 + kEdge) visit(t, 2 * number + which);
+    if (u >= -kEdge && v >= -kEdge && u + v <= 1.0 + kEdge) visit(t, which);
   };
   triangle({y1 - y2, 1.0, y1 - y3}, {double(x), y1, double(z)}, 1.0, 0);
   triangle({y3 - y4, 1.0, y2 - y4}, {double(x + 1), y4, double(z + 1)}, -1.0, 1);
 }
 
+}  // namespace
+
+/// Whether it passes between y_from and y_to. `corner`: the cell's first height.
+template <class Visit>
+[[gnu::always_inline]] inline void HeightField::cell(int x, int z, const std::uint16_t* corner, const Ray& ray,
+                                                     double y_from, double y_to, Visit&& visit) const {
+  const std::uint16_t* const beyond = corner + m_grid->width();
+  const double y1 = corner[0], y2 = corner[1], y3 = beyond[0], y4 = beyond[1];
+  if (std::max({y1, y2, y3, y4}) < std::min(y_from, y_to) - kSlack) return;
+  if (std::min({y1, y2, y3, y4}) > std::max(y_from, y_to) + kSlack) return;
+  for_triangles(x, z, y1, y2, y3, y4, ray, [&](double t, std::uint32_t which) {
+    const auto number = static_cast<std::uint32_t>(z) * static_cast<std::uint32_t>(m_grid->width()) +
+                        static_cast<std::uint32_t>(x);
+    visit(t, 2 * number + which);
+  });
+}
+
 /// What cell() asks of every cell of a block at once.
-bool HeightField::block_may_be_met(int x, int z, const Ray& ray, double from, double to) const {
+inline bool HeightField::block_may_be_met(int x, int z, double y_from, double y_to) const {
   const HeightGrid::Range& range = m_grid->block(x / HeightGrid::kBlock, z / HeightGrid::kBlock);
-  const double ya = ray.origin.y + from * ray.direction.y, yb = ray.origin.y + to * ray.direction.y;
-  return range.high >= std::min(ya, yb) - kSlack && range.low <= std::max(ya, yb) + kSlack;
+  return range.high >= std::min(y_from, y_to) - kSlack && range.low <= std::max(y_from, y_to) + kSlack;
 }
 
 /// Looks through all cells for those over which the ray passes between `first` and `last`.
@@ -210,39 +239,53 @@ void HeightField::walk(const Ray& ray, double t_min, double t_max, Visit&& visit
   if (!clip(m_box, in_grid, lo, hi)) return;
   const double first = std::max(lo, t_min), last = hi;
   if (!(first <= std::min(hi, t_max))) return;
-  const int columns = m_grid->width() - 1, rows = m_grid->depth() - 1;
-  Stepper x(in_grid.origin.x, in_grid.direction.x, first, columns);
-  Stepper z(in_grid.origin.z, in_grid.direction.z, first, rows);
   const auto within_box = [&](double t, std::uint32_t element) {
     if (t >= lo && t <= hi && t > t_min && t < t_max) visit(t, element);
   };
+  const auto height_at = [&](double t) { return in_grid.origin.y + t * in_grid.direction.y; };
   if (!m_steps) {
-    for_cells_met(in_grid, first, last, [&](int i, int j) { cell(i, j, in_grid, first, last, within_box); });
+    for_cells_met(in_grid, first, last, [&](int i, int j) {
+      cell(i, j, m_grid->corner(i, j), in_grid, height_at(first), height_at(last), within_box);
+    });
     return;
   }
+  Stepper x(in_grid.origin.x, in_grid.direction.x, first, m_grid->width() - 1);
+  Stepper z(in_grid.origin.z, in_grid.direction.z, first, m_grid->depth() - 1);
+  const std::ptrdiff_t row = z.step * static_cast<std::ptrdiff_t>(m_grid->width());
   // Triangles reach a little into the cells beside their own: one more cell is looked at.
-  double from = first;
-  int known_x = -1, known_z = -1;  // the block that has been looked at
-  while (x.cell >= 0 && x.cell < columns && z.cell >= 0 && z.cell < rows) {
-    if (const int bx = x.block_begin(), bz = z.block_begin(); bx != known_x || bz != known_z) {
-      known_x = bx;
-      known_z = bz;
-      const double x_end = x.block_end(), z_end = z.block_end();
-      const double end = std::min({x_end, z_end, last});
-      if (!block_may_be_met(bx, bz, in_grid, from, end)) {
-        if (end >= last || !go_on(from)) return;
-        Stepper &leaves = x_end < z_end ? x : z, &stays = x_end < z_end ? z : x;
+  double from = first, y_from = height_at(from);
+  while (x.is_within() && z.is_within()) {
+    const int bx = x.block_begin(), bz = z.block_begin();
+    const double x_end = x.block_end(), z_end = z.block_end();
+    const double end = std::min({x_end, z_end, last}), y_end = height_at(end);
+    if (!block_may_be_met(bx, bz, y_from, y_end)) {
+      if (end >= last || !go_on(from)) return;
+      const auto pass = [end](Stepper& leaves, Stepper& stays) {
         stays.go_within_block(end);
         leaves.leave_block();
-        from = end;
-        continue;
-      }
+      };
+      if (x_end < z_end) pass(x, z);
+      else pass(z, x);
+      from = end;
+      y_from = y_end;
+      continue;
     }
-    const double to = std::min({x.next, z.next, last});
-    cell(x.cell, z.cell, in_grid, from, to, within_box);
-    if (to >= last || !go_on(from)) return;
-    from = to;
-    (x.next < z.next ? x : z).advance();
+    const auto columns = static_cast<unsigned>(x.block_cells()), rows = static_cast<unsigned>(z.block_cells());
+    const std::uint16_t* corner = m_grid->corner(x.cell, z.cell);
+    do {
+      const double to = std::min({x.next, z.next, last}), y_to = height_at(to);
+      cell(x.cell, z.cell, corner, in_grid, y_from, y_to, within_box);
+      if (to >= last || !go_on(from)) return;
+      from = to;
+      y_from = y_to;
+      if (x.next < z.next) {
+        x.advance();
+        corner += x.step;
+      } else {
+        z.advance();
+        corner += row;
+      }
+    } while (static_cast<unsigned>(x.cell - bx) < columns && static_cast<unsigned>(z.cell - bz) < rows);
   }
 }
 
@@ -255,6 +298,14 @@ bool HeightField::nearest(const Ray& ray, double t_min, double t_max, ShapeHit& 
   };
   walk(ray, t_min, t_max, visit, [&](double before) { return before < best; });
   return best < t_max;
+}
+
+bool HeightField::any(const Ray& ray, double t_min, double t_max) const {
+  bool found = false;
+  walk(
+      ray, t_min, t_max, [&](double, std::uint32_t) { found = true; },
+      [&](double before) { return !found && before < t_max; });
+  return found;
 }
 
 void HeightField::all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const {

@@ -21,6 +21,8 @@ class HeightGrid {
   int width() const { return m_width; }
   int depth() const { return m_depth; }
   double height(int x, int z) const { return m_heights[index(x, z)]; }
+  /// Where the height is kept: the next along x lies behind it, the next along z width() further.
+  const std::uint16_t* corner(int x, int z) const { return &m_heights[index(x, z)]; }
   bool is_smooth() const { return !m_normals.empty(); }
   /// Grid space, of any length; with the few digits that stock keeps.
   Vec3 corner_normal(int x, int z) const;
@@ -61,6 +63,7 @@ class HeightField final : public Shape {
   Bounds bounds() const override;
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
+  bool any(const Ray& ray, double t_min, double t_max) const override;
   /// Everything below the surface, beyond the box too.
   bool inside(const Vec3& p) const override;
   bool solid_is_unbounded() const override { return true; }
@@ -76,8 +79,8 @@ class HeightField final : public Shape {
   template <class Visit>
   void for_cells_met(const Ray& ray, double first, double last, Visit&& visit) const;
   template <class Visit>
-  void cell(int x, int z, const Ray& ray, double from, double to, Visit&& visit) const;
-  bool block_may_be_met(int x, int z, const Ray& ray, double from, double to) const;
+  void cell(int x, int z, const std::uint16_t* corner, const Ray& ray, double y_from, double y_to, Visit&& visit) const;
+  bool block_may_be_met(int x, int z, double y_from, double y_to) const;
   Vec3 flat_normal(std::uint32_t element) const;
 
   std::shared_ptr<const HeightGrid> m_grid;
