@@ -12,6 +12,7 @@ namespace {
 constexpr double kFullHeight = 65536.0;
 constexpr double kMargin = 0.001;  ///< of the box above and below the heights
 constexpr double kSlack = 1e-6;    ///< as wide as the heights' own rounding
+constexpr double kEdge = 1e-4;     ///< how far triangles reach beyond their edges, in cells
 
 /// The part of the ray within the box.
 bool clip(const Bounds& box, const Ray& ray, double& lo, double& hi) {
@@ -73,6 +74,41 @@ struct Stepper {
   int m_cells;
 };
 
+/// Where a ray is within a block's slab, or may be: as far beside it as triangles reach and numbers are rounded.
+class SlabTest {
+ public:
+  /// `cell`: t from one border to the next, along the axis where that is least.
+  SlabTest(const Ray& ray, double cell)
+      : m_ray(ray), m_beyond(cell < Bounds::kInf ? 2.0 * kEdge * cell : 0.0),
+        m_rounding(kRounding * (std::fabs(ray.origin.x) + std::fabs(ray.origin.z))),
+        m_rounding_up(kRounding * std::fabs(ray.origin.y)) {}
+
+  struct Part {
+    bool is_met;
+    double from, to;  ///< `to` is infinite where it is not left before the end
+  };
+  Part part(const HeightGrid::Slab& slab, double from, double end) const {
+    const double along_x = slab.along_x, along_z = slab.along_z;
+    const double above = m_ray.origin.y - (along_x * m_ray.origin.x + along_z * m_ray.origin.z);
+    const double rate = m_ray.direction.y - (along_x * m_ray.direction.x + along_z * m_ray.direction.z);
+    const double more = m_beyond * std::fabs(rate) + m_rounding * (std::fabs(along_x) + std::fabs(along_z)) + m_rounding_up;
+    const double low = slab.low - more, high = slab.high + more;
+    const double first = above + from * rate, last = above + end * rate;
+    Part part{std::max(first, last) >= low && std::min(first, last) <= high, from, Bounds::kInf};
+    if (!part.is_met) return part;
+    if (first > high) part.from = (high - above) / rate;
+    if (first < low) part.from = (low - above) / rate;
+    if (last > high) part.to = (high - above) / rate;
+    if (last < low) part.to = (low - above) / rate;
+    return part;
+  }
+
+ private:
+  static constexpr double kRounding = 1e-14;
+  const Ray& m_ray;
+  double m_beyond, m_rounding, m_rounding_up;
+};
+
 }  // namespace
 
 HeightGrid::HeightGrid(int width, int depth, std::vector<std::uint16_t> heights, bool smooth)
@@ -98,18 +134,38 @@ void HeightGrid::find_blocks() {
   m_blocks_across = (m_width - 2) / kBlock + 1;
   const int down = (m_depth - 2) / kBlock + 1;
   for (int z = 0; z < down; ++z) {
-    for (int x = 0; x < m_blocks_across; ++x) {
-      Range range;
-      for (int j = z * kBlock; j <= std::min((z + 1) * kBlock, m_depth - 1); ++j) {
-        for (int i = x * kBlock; i <= std::min((x + 1) * kBlock, m_width - 1); ++i) {
-          const std::uint16_t height = m_heights[index(i, j)];
-          range.low = std::min(range.low, height);
-          range.high = std::max(range.high, height);
-        }
-      }
-      m_blocks.push_back(range);
+    for (int x = 0; x < m_blocks_across; ++x) m_blocks.push_back(slab(x * kBlock, z * kBlock));
+  }
+}
+
+/// Of the block that begins there, along the plane that its heights are nearest to.
+HeightGrid::Slab HeightGrid::slab(int x, int z) const {
+  constexpr double kBeyond = 4.0 * kEdge, kRounding = 1e-6;
+  const int x_end = std::min(x + kBlock, m_width - 1), z_end = std::min(z + kBlock, m_depth - 1);
+  const double x_middle = 0.5 * (x + x_end), z_middle = 0.5 * (z + z_end);
+  double rise_x = 0.0, rise_z = 0.0, size_x = 0.0, size_z = 0.0;
+  for (int j = z; j <= z_end; ++j) {
+    for (int i = x; i <= x_end; ++i) {
+      const double dx = i - x_middle, dz = j - z_middle, y = height(i, j);
+      rise_x += dx * y;
+      rise_z += dz * y;
+      size_x += dx * dx;
+      size_z += dz * dz;
     }
   }
+  Slab slab{static_cast<float>(rise_x / size_x), static_cast<float>(rise_z / size_z), 0.0F, 0.0F};
+  double low = Bounds::kInf, high = -Bounds::kInf;
+  for (int j = z; j <= z_end; ++j) {
+    for (int i = x; i <= x_end; ++i) {
+      const double above = height(i, j) - (double(slab.along_x) * i + double(slab.along_z) * j);
+      low = std::min(low, above);
+      high = std::max(high, above);
+    }
+  }
+  const double more = kSlack + kBeyond * (high - low);
+  slab.low = static_cast<float>(low - more - kRounding * std::fabs(low));
+  slab.high = static_cast<float>(high + more + kRounding * std::fabs(high));
+  return slab;
 }
 
 /// Of the four triangles between a corner and its neighbours along the grid's lines; where there are less,
@@ -183,7 +239,6 @@ namespace {
 /// Both of a cell's triangles that a line meets, near enough: visit(t, 0 or 1).
 template <class Visit>
 inline void for_triangles(int x, int z, double y1, double y2, double y3, double y4, const Ray& ray, Visit&& visit) {
-  constexpr double kEdge = 1e-4;
   const auto triangle = [&](const Vec3& n, const Vec3& corner, double outwards, std::uint32_t which) {
     const double slope = dot(n, ray.direction);
     if (slope == 0.0) return;
@@ -211,12 +266,6 @@ template <class Visit>
                         static_cast<std::uint32_t>(x);
     visit(t, 2 * number + which);
   });
-}
-
-/// What cell() asks of every cell of a block at once.
-inline bool HeightField::block_may_be_met(int x, int z, double y_from, double y_to) const {
-  const HeightGrid::Range& range = m_grid->block(x / HeightGrid::kBlock, z / HeightGrid::kBlock);
-  return range.high >= std::min(y_from, y_to) - kSlack && range.low <= std::max(y_from, y_to) + kSlack;
 }
 
 /// Looks through all cells for those over which the ray passes between `first` and `last`.
@@ -253,13 +302,12 @@ void HeightField::walk(const Ray& ray, double t_min, double t_max, Visit&& visit
   Stepper z(in_grid.origin.z, in_grid.direction.z, first, m_grid->depth() - 1);
   const std::ptrdiff_t row = z.step * static_cast<std::ptrdiff_t>(m_grid->width());
   // Triangles reach a little into the cells beside their own: one more cell is looked at.
-  double from = first, y_from = height_at(from);
+  const SlabTest test(in_grid, std::min(x.delta, z.delta));
+  double from = first;
   while (x.is_within() && z.is_within()) {
-    const int bx = x.block_begin(), bz = z.block_begin();
-    const double x_end = x.block_end(), z_end = z.block_end();
-    const double end = std::min({x_end, z_end, last}), y_end = height_at(end);
-    if (!block_may_be_met(bx, bz, y_from, y_end)) {
-      if (end >= last || !go_on(from)) return;
+    const double x_end = x.block_end(), z_end = z.block_end(), end = std::min({x_end, z_end, last});
+    const auto go_past_block = [&] {
+      if (end >= last || !go_on(from)) return false;
       const auto pass = [end](Stepper& leaves, Stepper& stays) {
         stays.go_within_block(end);
         leaves.leave_block();
@@ -267,11 +315,23 @@ void HeightField::walk(const Ray& ray, double t_min, double t_max, Visit&& visit
       if (x_end < z_end) pass(x, z);
       else pass(z, x);
       from = end;
-      y_from = y_end;
+      return true;
+    };
+    const int bx = x.block_begin(), bz = z.block_begin();
+    const auto within = test.part(m_grid->block(bx / HeightGrid::kBlock, bz / HeightGrid::kBlock), from, end);
+    if (!within.is_met) {
+      if (!go_past_block()) return;
       continue;
     }
+    if (within.from > from) {
+      from = within.from;
+      x.go_within_block(from);
+      z.go_within_block(from);
+    }
+    double y_from = height_at(from);
     const auto columns = static_cast<unsigned>(x.block_cells()), rows = static_cast<unsigned>(z.block_cells());
     const std::uint16_t* corner = m_grid->corner(x.cell, z.cell);
+    bool is_in_block = true;
     do {
       const double to = std::min({x.next, z.next, last}), y_to = height_at(to);
       cell(x.cell, z.cell, corner, in_grid, y_from, y_to, within_box);
@@ -281,11 +341,14 @@ void HeightField::walk(const Ray& ray, double t_min, double t_max, Visit&& visit
       if (x.next < z.next) {
         x.advance();
         corner += x.step;
+        is_in_block = static_cast<unsigned>(x.cell - bx) < columns;
       } else {
         z.advance();
         corner += row;
+        is_in_block = static_cast<unsigned>(z.cell - bz) < rows;
       }
-    } while (static_cast<unsigned>(x.cell - bx) < columns && static_cast<unsigned>(z.cell - bz) < rows);
+    } while (is_in_block && from <= within.to);
+    if (is_in_block && !go_past_block()) return;
   }
 }
 

@@ -29,12 +29,13 @@ class HeightGrid {
   double lowest() const { return m_lowest; }
   double highest() const { return m_highest; }
 
-  /// Cells come in blocks of kBlock x kBlock; what their corners' heights lie between.
+  /// Cells come in blocks of kBlock x kBlock; their triangles, and a little beyond these, lie between
+  /// low and high above the plane y = along_x * x + along_z * z.
   static constexpr int kBlock = 8;
-  struct Range {
-    std::uint16_t low = 65535, high = 0;
+  struct Slab {
+    float along_x, along_z, low, high;
   };
-  const Range& block(int x, int z) const {
+  const Slab& block(int x, int z) const {
     return m_blocks[static_cast<std::size_t>(z) * static_cast<std::size_t>(m_blocks_across) + static_cast<std::size_t>(x)];
   }
 
@@ -45,11 +46,12 @@ class HeightGrid {
   }
   Vec3 mean_normal(int x, int z) const;
   void find_blocks();
+  Slab slab(int x, int z) const;
 
   int m_width, m_depth;
   std::vector<std::uint16_t> m_heights;
   std::vector<std::array<std::int16_t, 3>> m_normals;
-  std::vector<Range> m_blocks;
+  std::vector<Slab> m_blocks;
   int m_blocks_across = 0;
   double m_lowest = 65535.0, m_highest = 0.0;
 };
@@ -80,7 +82,6 @@ class HeightField final : public Shape {
   void for_cells_met(const Ray& ray, double first, double last, Visit&& visit) const;
   template <class Visit>
   void cell(int x, int z, const std::uint16_t* corner, const Ray& ray, double y_from, double y_to, Visit&& visit) const;
-  bool block_may_be_met(int x, int z, double y_from, double y_to) const;
   Vec3 flat_normal(std::uint32_t element) const;
 
   std::shared_ptr<const HeightGrid> m_grid;
