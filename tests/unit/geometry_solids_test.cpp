@@ -211,5 +211,44 @@ TEST(UnitCoreHeightField, HitsLieOnItsTriangles) {
   EXPECT_LE(wrong, met / 500);  // triangles reach a ten-thousandth of a cell over their edges
 }
 
+// Blocks of cells that a ray passes by are left out: of gentle, of rough and of stepped fields.
+TEST(UnitCoreHeightField, BlocksChangeNothing) {
+  Random random(7);
+  for (int kind = 0; kind < 3; ++kind) {
+    constexpr int kWidth = 61, kDepth = 47;
+    std::vector<std::uint16_t> heights;
+    for (int z = 0; z < kDepth; ++z) {
+      for (int x = 0; x < kWidth; ++x) {
+        const double wave = 30000 + 20000 * std::sin(x * 0.13) * std::cos(z * 0.11);
+        heights.push_back(static_cast<std::uint16_t>(kind == 0   ? wave
+                                                     : kind == 1 ? random.in(0, 65535)
+                                                                 : (x / 9 + z / 7) % 3 * 20000 + 100));
+      }
+    }
+    const HeightField field(std::make_shared<const HeightGrid>(kWidth, kDepth, heights, false), kind == 0 ? 0.4 : 0.0);
+    HeightField plain(field);
+    plain.drop_shortcuts();
+    int met = 0, different = 0;
+    for (int round = 0; round < 4000; ++round) {
+      const Vec3 to{random.in(0, 1), random.in(0, 1), random.in(0, 1)};
+      Vec3 from = round % 7 == 0 ? to + random.vector(1e5) : random.vector(2.0) + Vec3(0.5);
+      if (round % 5 == 0) from[round % 3] = to[round % 3];
+      if (round % 11 == 0) from[(round + 1) % 3] = to[(round + 1) % 3];
+      const Ray ray{from, normalized(to - from)};
+      ShapeHit hit, expected;
+      const bool is_met = field.nearest(ray, 1e-9, kInf, hit);
+      const bool is_expected = plain.nearest(ray, 1e-9, kInf, expected);
+      met += is_expected;
+      different += is_met != is_expected || field.any(ray, 1e-9, kInf) != is_expected ||
+                   (is_met && (hit.t != expected.t || hit.element != expected.element));
+      if (!is_met) continue;
+      const double t_max = hit.t * random.in(0.5, 1.5), t_min = 0.2 * hit.t;
+      different += field.any(ray, t_min, t_max) != plain.nearest(ray, t_min, t_max, expected);
+    }
+    EXPECT_GT(met, 1000);
+    EXPECT_EQ(different, 0) << kind;
+  }
+}
+
 }  // namespace
 }  // namespace lentray::core
