@@ -55,6 +55,8 @@ double bracketed(const double* c, int any_order, double lo, double hi, double fl
     ((f < 0.0) == (flo < 0.0) ? lo : hi) = x;
     double next = x - f / slope;
     const double step_size = std::fabs(next - x);
+    // One end of the bracket is x by now: its middle would begin again from afar.
+    if (step_size <= kClose * std::fabs(x)) return x;
     const bool crawls = step_size > 0.5 * last && step_size > kLarge * std::fabs(x);
     if (crawls || !(next > lo && next < hi)) next = middle_of(lo, hi);
     const double change = std::fabs(next - x);
