@@ -38,12 +38,18 @@ double middle_of(double lo, double hi) {
 /// The root in [lo, hi], where the values flo and fhi have opposite signs. Large Newton steps that
 /// do not halve from one to the next only crawl, as they do far from all roots: none is taken.
 template <int kOrder>
-double bracketed(const double* c, int any_order, double lo, double hi, double flo) {
+double bracketed(const double* c, int any_order, double lo, double hi, double flo, double fhi) {
   const int order = kOrder != kAnyOrder ? kOrder : any_order;
   constexpr double kClose = 2.3e-16, kLarge = 1e-3;
   constexpr int kMaxSteps = 200;
-  if (lo < 0.0 && hi > 0.0 && c[order] != 0.0) ((c[order] < 0.0) == (flo < 0.0) ? lo : hi) = 0.0;
-  double x = 0.5 * (lo + hi), last = hi - lo;
+  if (lo < 0.0 && hi > 0.0 && c[order] != 0.0) {
+    const bool is_above = (c[order] < 0.0) == (flo < 0.0);
+    (is_above ? lo : hi) = 0.0;
+    (is_above ? flo : fhi) = c[order];
+  }
+  // Where the line between the ends is 0.
+  double x = lo + (hi - lo) * (flo / (flo - fhi)), last = hi - lo;
+  if (!(x > lo && x < hi)) x = 0.5 * (lo + hi);
   for (int step = 0; step < kMaxSteps; ++step) {
     double f = c[0], slope = 0.0;
 #pragma GCC unroll 8
@@ -128,7 +134,7 @@ int solve_pieces(const double* c, int order, double lo, double hi, int rootless,
     if (fb == 0.0) {
       if (n < order && (n == 0 || roots[n - 1] != b)) roots[n++] = b;
     } else if (fa != 0.0 && (fa < 0.0) != (fb < 0.0) && n < order) {
-      roots[n++] = bracketed<kAnyOrder>(c, order, a, b, fa);
+      roots[n++] = bracketed<kAnyOrder>(c, order, a, b, fa, fb);
     }
     a = b;
     fa = fb;
@@ -233,7 +239,7 @@ class RootParting {
     if (found == Signs::kOne) {
       const double flo = value<kOrder>(m_c, kOrder, lo), fhi = value<kOrder>(m_c, kOrder, hi);
       if ((flo < 0.0 && fhi > 0.0) || (flo > 0.0 && fhi < 0.0)) {
-        add(bracketed<kOrder>(m_c, kOrder, lo, hi, flo));
+        add(bracketed<kOrder>(m_c, kOrder, lo, hi, flo, fhi));
         return;
       }
     }
