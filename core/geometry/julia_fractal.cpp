@@ -1,6 +1,8 @@
 #include "core/geometry/julia_fractal.h"
 
+#include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "core/geometry/bounds_help.h"
 #include "core/geometry/box_ray.h"
@@ -27,6 +29,7 @@ template <class Map>
 class JuliaFractal final : public Shape {
  public:
   explicit JuliaFractal(Map map) : m_map(std::move(map)), m_box(box_in(Transform())) {}
+  JuliaFractal(Map map, const Bounds& box) : m_map(std::move(map)), m_box(box) {}
 
   std::string_view name() const override { return "julia_fractal"; }
   Bounds bounds() const override { return m_box; }
@@ -238,24 +241,29 @@ void JuliaFractal<Map>::all(const Ray& ray, double t_min, double t_max, ShapeHit
   });
 }
 
+/// Copies of a declared set follow one another: each thread keeps the last one's box.
 template <class Map>
-std::unique_ptr<Shape> made(Map map) {
-  return std::make_unique<JuliaFractal<Map>>(std::move(map));
+std::unique_ptr<Shape> made(const JuliaSettings& s, Map map) {
+  thread_local std::optional<std::pair<JuliaSettings, Bounds>> last;
+  if (last && last->first == s) return std::make_unique<JuliaFractal<Map>>(std::move(map), last->second);
+  auto shape = std::make_unique<JuliaFractal<Map>>(std::move(map));
+  last.emplace(s, shape->bounds());
+  return shape;
 }
 
 template <class F>
 std::unique_ptr<Shape> made_of(const JuliaSettings& s, F function) {
-  return made(julia::FunctionMap<F>(s, function));
+  return made(s, julia::FunctionMap<F>(s, function));
 }
 
 std::unique_ptr<Shape> make_hypercomplex(const JuliaSettings& s) {
   namespace f = complex_functions;
   using julia::HypercomplexMap;
   switch (s.function) {
-    case JuliaFunction::kSqr: return made(HypercomplexMap<julia::DuplexSquare<true>>(s));
+    case JuliaFunction::kSqr: return made(s, HypercomplexMap<julia::DuplexSquare<true>>(s));
     // Stock squares here as well, but walks by other steps.
-    case JuliaFunction::kCube: return made(HypercomplexMap<julia::DuplexSquare<false>>(s));
-    case JuliaFunction::kReciprocal: return made(HypercomplexMap<julia::DuplexReciprocal>(s));
+    case JuliaFunction::kCube: return made(s, HypercomplexMap<julia::DuplexSquare<false>>(s));
+    case JuliaFunction::kReciprocal: return made(s, HypercomplexMap<julia::DuplexReciprocal>(s));
     case JuliaFunction::kExp: return made_of(s, f::Exp());
     case JuliaFunction::kLn: return made_of(s, f::Ln());
     case JuliaFunction::kSin: return made_of(s, f::Sin());
@@ -287,8 +295,8 @@ double julia_sphere(const std::array<double, 4>& c, bool hypercomplex) {
 std::unique_ptr<Shape> make_julia_fractal(const JuliaSettings& s) {
   if (s.hypercomplex) return make_hypercomplex(s);
   switch (s.function) {
-    case JuliaFunction::kSqr: return made(julia::QuaternionMap<julia::QuaternionSquare>(s));
-    case JuliaFunction::kCube: return made(julia::QuaternionMap<julia::QuaternionCube>(s));
+    case JuliaFunction::kSqr: return made(s, julia::QuaternionMap<julia::QuaternionSquare>(s));
+    case JuliaFunction::kCube: return made(s, julia::QuaternionMap<julia::QuaternionCube>(s));
     default: throw std::invalid_argument("quaternion fractals have the functions sqr and cube only");
   }
 }

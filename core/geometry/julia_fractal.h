@@ -29,6 +29,7 @@ struct JuliaSettings {
   double precision = 20.0;                    ///< 1 / the least step
   int max_iteration = 20;                     ///< at least 1
   Vec2 exponent;                              ///< of kPwr: real and imaginary part
+  friend bool operator==(const JuliaSettings&, const JuliaSettings&) = default;
 };
 
 /// Radius of the sphere about the origin that orbits must stay in.

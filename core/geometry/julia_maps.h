@@ -8,7 +8,9 @@
 #include <emmintrin.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <type_traits>
 #include <vector>
 
@@ -300,6 +302,13 @@ inline double step_by_slope(double size, double slope, double least) {
   return size > least * fall && size < kLongest * least * fall ? size / fall : least;
 }
 
+/// 2^exponent, of which only large ones need the system.
+inline double power_of_two(int exponent) {
+  constexpr int kBias = 1023, kMantissaBits = 52;
+  if (exponent > kBias) return std::ldexp(1.0, exponent);
+  return std::bit_cast<double>(static_cast<std::uint64_t>(kBias + exponent) << kMantissaBits);
+}
+
 template <class Rule>
 class HypercomplexMap {
  public:
@@ -345,7 +354,7 @@ class HypercomplexMap {
     step = m_common.least_step;
     if (!trail.escaped) return true;
     double slope = dot(trail.gradient(), direction);
-    if (Rule::kScaled) slope *= std::ldexp(1.0, std::max(trail.rounds, 1));
+    if (Rule::kScaled) slope *= power_of_two(std::max(trail.rounds, 1));
     step = step_by_slope(trail.size, slope, m_common.least_step);
     return false;
   }
