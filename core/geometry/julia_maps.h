@@ -473,7 +473,7 @@ class FunctionMap {
       }
       return true;
     };
-    for (const double share : {0.9, 0.6}) {
+    for (const double share : {0.7, 0.4}) {
       if (stays(share * least)) return share * least;
     }
     return 0.0;
