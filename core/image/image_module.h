@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <string>
 
 #include "core/image/picture_encoder.h"
 #include "core/image/reader.h"
@@ -17,6 +18,8 @@ class ImageModule {
                                                   const PictureSpec& spec) const = 0;
   /// Errors: std::runtime_error with the reason alone.
   virtual StoredImage read(const std::filesystem::path& path) const = 0;
+  /// Of the bytes of a TIFF file. Errors: as read().
+  virtual StoredImage read_tiff(const std::string& file) const = 0;
 };
 
 /// Loads it. Errors: ImageError if it is not beside the program.

@@ -12,6 +12,7 @@
 #include "core/image/gif_picture.h"
 #include "core/image/open_file.h"
 #include "core/image/palette_bitmaps.h"
+#include "core/image/palette_tiff.h"
 #include "core/image/png_errors.h"
 
 namespace lentray::core {
@@ -74,6 +75,9 @@ Entries palette_entries(const StoredImage& stored, const std::filesystem::path& 
     if (begins.starts_with("GIF8")) return from_gif(file.get(), stored);
     if (begins.starts_with("\x89PNG")) return from_png(file.get(), stored);
     if (begins.starts_with("BM")) return bitmap_entries(all_of(file.get()), stored.width, stored.height);
+    if (begins.starts_with("II*") || begins.starts_with(std::string_view("MM\0*", 4))) {
+      return tiff_entries(all_of(file.get()), stored.width, stored.height);
+    }
     if (is_targa) return targa_entries(all_of(file.get()), stored.width, stored.height);
   } catch (const std::runtime_error&) {
   }

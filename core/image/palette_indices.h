@@ -1,7 +1,7 @@
-// Palette entries of the pixels of PNG, GIF, TARGA and BMP files, as stored: two entries may have one colour,
+// Palette entries of the pixels of PNG, GIF, TIFF, TARGA and BMP files, as stored: two entries may have one colour,
 // so that pictures that were read as colours cannot tell them. Errors: none, files that cannot be read have
 // no entries (core/image/reader.h complains). Threads: any number.
-// Source: libpng, core/image/gif_picture.h and core/image/palette_bitmaps.h; compared with stock by image.palette_files.
+// Source: libpng, core/image/gif_picture.h, palette_bitmaps.h and palette_tiff.h; compared with stock by image.palette_files.
 #pragma once
 
 #include <cstdint>

@@ -4,9 +4,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <fstream>
+#include <iterator>
+#include <string>
 #include <string_view>
 
 #include "core/image/file_bytes.h"
+#include "core/image/palette_tiff.h"
 #include "core/image/png_chunks.h"
 
 namespace lentray::core {
@@ -49,7 +52,10 @@ int palette_size(const std::filesystem::path& path, bool is_targa) {
   if (begins.starts_with("GIF8")) return of_gif(head);
   if (begins.starts_with("\x89PNG")) return of_png(file, head);
   if (begins.starts_with("BM")) return of_bitmap(head);
-  return is_targa ? of_targa(head) : 0;
+  if (is_targa) return of_targa(head);
+  file.clear();
+  file.seekg(0);
+  return tiff_palette_size(std::string{std::istreambuf_iterator<char>(file), {}});
 }
 
 }  // namespace lentray::core

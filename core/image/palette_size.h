@@ -1,5 +1,5 @@
-// How many entries the palette of a picture file has, from its head alone. Errors: none, files that cannot be read
-// have no palette. Threads: any number. Source: the formats of PNG, GIF, BMP and TARGA; compared with stock by
+// How many entries the palette of a picture file has, without its pixels. Errors: none, files that cannot be read
+// have no palette. Threads: any number. Source: the formats of PNG, GIF, BMP, TIFF and TARGA; compared with stock by
 // image.palette_files.
 #pragma once
 

@@ -254,6 +254,15 @@ void MappedPicture::for_pixels(const Vec2& place, Visit visit) const {
 }
 
 Colour MappedPicture::colour(const Vec2& place) const {
+  Colour colour = mixed(place);
+  const float alpha = 1.0f - colour.transmit;
+  if (m_layout.premultiplied && alpha > 0.0f && alpha != 1.0f) {
+    colour.rgb = {colour.rgb.r / alpha, colour.rgb.g / alpha, colour.rgb.b / alpha};
+  }
+  return colour;
+}
+
+Colour MappedPicture::mixed(const Vec2& place) const {
   if (m_layout.interpolation == Interpolation::kNone) {
     return m_picture->pixels[pixel(static_cast<int>(place.u), static_cast<int>(place.v))];
   }

@@ -34,6 +34,7 @@ struct PictureLayout {
   PictureShape shape = PictureShape::kPlanar;
   Interpolation interpolation = Interpolation::kNone;
   bool once = false;
+  bool premultiplied = false;  ///< colours are by their alpha, of which filter and transmit given for the map are part
   Vec2 repeat{1, 1}, offset;
 };
 
@@ -50,6 +51,8 @@ class MappedPicture {
   bool once() const { return m_layout.once; }
 
  private:
+  /// As stored, several pixels where they are mixed.
+  Colour mixed(const Vec2& place) const;
   bool on_shape(const Vec3& point, Vec2& place) const;
   std::size_t pixel(int column, int row) const;
   /// Calls visit(pixel, weight) for all that count at a place.

@@ -90,7 +90,7 @@ std::uint16_t grey_byte(float value) {
 /// is the high byte, the green the low one. Floats beyond the full height come in again from the other side.
 Heights of_picture(const HeightFieldShape& field) {
   core::StoredImage stored = core::read_image(field.file);
-  if (field.file_type == "tiff") make_tiff_bytes(stored);
+  if (field.file_type == "tiff") make_tiff_bytes(stored, field.file);
   Heights heights{static_cast<int>(stored.width), static_cast<int>(stored.height), {}};
   const std::vector<std::uint8_t> entries = core::palette_entries(stored, field.file, field.file_type == "tga");
   if (field.file_type == "pot" && !entries.empty()) return of_potentials(stored, entries);

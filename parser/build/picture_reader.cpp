@@ -47,7 +47,7 @@ std::function<float(float)> decoder(const ImageDesc& image, bool colours) {
   return [from = *stored, working](float v) { return from.recoded(v, working); };
 }
 
-core::PictureLayout layout_of(const ImageDesc& image) {
+core::PictureLayout layout_of(const ImageDesc& image, bool colours) {
   core::PictureLayout layout;
   switch (image.map_type) {
     case 1: layout.shape = core::PictureShape::kSpherical; break;
@@ -64,6 +64,8 @@ core::PictureLayout layout_of(const ImageDesc& image) {
   layout.once = image.once;
   layout.repeat = image.repeat;
   layout.offset = image.offset;
+  // Patterns take such colours as they are.
+  layout.premultiplied = colours && image.premultiplied.value_or(is_tiff(image.type) || image.type == "exr");
   return layout;
 }
 
@@ -102,15 +104,14 @@ core::MappedPicturePtr PictureReader::get(const ImageDesc& image, bool colours) 
   if (image.filter_all || image.transmit_all || !image.filters.empty() || !image.transmits.empty()) {
     picture = made_clearer(*picture, image);
   }
-  return std::make_shared<core::MappedPicture>(picture, layout_of(image));
+  return std::make_shared<core::MappedPicture>(picture, layout_of(image, colours));
 }
 
 std::shared_ptr<const core::Picture> PictureReader::read(const ImageDesc& image, bool colours) {
   if (image.function) return evaluate(image);
   if (image.path.empty()) return missing(image.name);
   const std::string key = image.path + (colours ? "|c|" : "|h|") + image.type + "|" + std::to_string(image.gamma) + "|" +
-                          std::to_string(image.working_gamma) + "|" + std::to_string(static_cast<int>(image.decoding)) +
-                          (image.premultiplied ? *image.premultiplied ? "|p" : "|s" : "");
+                          std::to_string(image.working_gamma) + "|" + std::to_string(static_cast<int>(image.decoding));
   const auto known = m_files.find(key);
   if (known != m_files.end()) return known->second;
   auto picture = read_file(image, colours);
@@ -126,7 +127,7 @@ std::shared_ptr<const core::Picture> PictureReader::read_file(const ImageDesc& i
   } catch (const core::ImageError&) {
     return missing(image.name);
   }
-  if (is_tiff(image.type)) make_tiff_bytes(stored);
+  if (is_tiff(image.type)) make_tiff_bytes(stored, image.path);
   core::restore_clear_colours(stored, image.path);
   const std::function<float(float)> decode = decoder(image, colours);
   const float most = stored.bits == 8 ? 255.0f : stored.bits == 16 ? 65535.0f : 1.0f;
@@ -150,8 +151,6 @@ std::shared_ptr<const core::Picture> PictureReader::read_file(const ImageDesc& i
   picture->width = static_cast<int>(stored.width);
   picture->height = static_cast<int>(stored.height);
   const bool stored_alpha = stored.channels == 2 || stored.channels == 4;
-  // Patterns take such colours as they are.
-  const bool multiplied = colours && image.premultiplied.value_or(is_tiff(image.type) || image.type == "exr");
   // Stock's pictures of these have transparencies, though it be none.
   const bool clear_colours = is_tiff(image.type) && !has_tiff_palette(stored);
   const bool clear_palette = !indices.empty() && (image.type == "png" || image.type == "tga");
@@ -164,9 +163,7 @@ std::shared_ptr<const core::Picture> PictureReader::read_file(const ImageDesc& i
       core::Colour c{{red, rgb ? value(column, row, 1) : red, rgb ? value(column, row, 2) : red},
                      0.0f, 0.0f};
       if (stored_alpha) {
-        const float alpha = stored.at(column, row, stored.channels - 1) / most;
-        c.transmit = 1.0f - alpha;
-        if (multiplied && alpha > 0.0f) c.rgb = {c.rgb.r / alpha, c.rgb.g / alpha, c.rgb.b / alpha};
+        c.transmit = 1.0f - stored.at(column, row, stored.channels - 1) / most;
       }
       picture->pixels.push_back(c);
     }

@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <string>
 
+#include "core/image/palette_tiff.h"
+
 namespace lentray::parser {
 namespace {
 
@@ -30,7 +32,11 @@ bool is_tiff_of(const core::StoredImage& image, const std::string& interpretatio
 
 }  // namespace
 
-void make_tiff_bytes(core::StoredImage& image) {
+void make_tiff_bytes(core::StoredImage& image, const std::filesystem::path& path) {
+  if (has_tiff_palette(image)) {
+    core::restore_palette_colours(image, path);
+    return;
+  }
   if (image.bits == 16) {
     // OpenImageIO turns those of 8 bits round, not these.
     if (is_tiff_of(image, "0")) {

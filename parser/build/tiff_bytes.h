@@ -1,12 +1,15 @@
-// TIFF files as stock sees them: of 8 bits a value, and colours multiplied by their alpha.
+// TIFF files as stock sees them: of 8 bits a value but for palettes, and colours multiplied by their alpha.
 // Source: reference manual 3.7, "Image Map"; compared with stock by image.tiff_files.
 #pragma once
+
+#include <filesystem>
 
 #include "core/image/reader.h"
 
 namespace lentray::parser {
 
-void make_tiff_bytes(core::StoredImage& image);
+/// `path`: of the file it was read from.
+void make_tiff_bytes(core::StoredImage& image, const std::filesystem::path& path);
 bool has_tiff_palette(const core::StoredImage& image);
 
 }  // namespace lentray::parser

@@ -1,4 +1,5 @@
 // The module's one entry, and reading.
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
 #include <array>
@@ -31,9 +32,11 @@ void drop_low_bits(StoredImage& image) {
   }
 }
 
-StoredImage read_picture(const std::filesystem::path& path) {
+/// `memory`: in place of the file.
+StoredImage read_picture(const std::filesystem::path& path, OIIO::Filesystem::IOProxy* memory = nullptr) {
   OIIO::ImageSpec as_stored;
   as_stored.attribute("oiio:UnassociatedAlpha", 1);
+  if (memory) as_stored.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &memory);
   const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(path.string(), &as_stored);
   if (!input) throw std::runtime_error(OIIO::geterror());
   const OIIO::ImageSpec& spec = input->spec();
@@ -80,6 +83,10 @@ class Module final : public ImageModule {
     return make_openimageio_encoder(path, spec);
   }
   StoredImage read(const std::filesystem::path& path) const override { return read_picture(path); }
+  StoredImage read_tiff(const std::string& file) const override {
+    OIIO::Filesystem::IOMemReader memory(file.data(), file.size());
+    return read_picture("memory.tif", &memory);
+  }
 };
 
 }  // namespace
