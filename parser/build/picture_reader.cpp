@@ -152,7 +152,7 @@ std::shared_ptr<const core::Picture> PictureReader::read_file(const ImageDesc& i
   picture->height = static_cast<int>(stored.height);
   const bool stored_alpha = stored.channels == 2 || stored.channels == 4;
   // Stock's pictures of these have transparencies, though it be none.
-  const bool clear_colours = is_tiff(image.type) && !has_tiff_palette(stored);
+  const bool clear_colours = is_linear_format(image.type) || (is_tiff(image.type) && !has_tiff_palette(stored));
   const bool clear_palette = !indices.empty() && (image.type == "png" || image.type == "tga");
   picture->has_alpha = stored_alpha || clear_colours || clear_palette;
   picture->indices = std::move(indices);

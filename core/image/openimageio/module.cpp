@@ -2,7 +2,9 @@
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <fstream>
 #include <memory>
 #include <stdexcept>
@@ -29,6 +31,17 @@ void drop_low_bits(StoredImage& image) {
   for (std::size_t i = 0; i < image.samples.size(); ++i) {
     if (channels >= 3 && static_cast<int>(i % static_cast<std::size_t>(channels)) == 3) continue;
     image.samples[i] = static_cast<float>(static_cast<int>(image.samples[i]) & 0xf8);
+  }
+}
+
+/// Radiance's mantissas of 8 bits stand for the middles of their steps, as in Radiance itself and in stock. The largest
+/// of the three has its upper bit set, so that it tells the step.
+void lift_to_middles(StoredImage& image) {
+  for (std::size_t i = 0; i + 2 < image.samples.size(); i += 3) {
+    const float largest = std::max({image.samples[i], image.samples[i + 1], image.samples[i + 2]});
+    if (largest <= 0.0f) continue;
+    const float half_step = std::ldexp(0.5f, std::ilogb(largest) - 7);
+    for (std::size_t c = i; c < i + 3; ++c) image.samples[c] += half_step;
   }
 }
 
@@ -65,6 +78,7 @@ StoredImage read_picture(const std::filesystem::path& path, OIIO::Filesystem::IO
   if (image.bits == 8 && std::string(input->format_name()) == "targa" && has_five_bits(path)) {
     drop_low_bits(image);
   }
+  if (image.channels == 3 && std::string(input->format_name()) == "hdr") lift_to_middles(image);
   for (const OIIO::ParamValue& value : spec.extra_attribs) {
     image.attributes[value.name().string()] = value.get_string();
   }
