@@ -141,7 +141,7 @@ struct AllSearch {
   bool object(const ObjectEntry& e) {
     tally.test(e.type);
     const std::size_t before = hits.size();
-    e.object->all(ray, t_min, t_max, hits, arena);
+    e.object->all_alone(ray, t_min, t_max, hits, arena);
     for (std::size_t i = before; i < hits.size(); ++i) {
       hits[i].object = e.object;
       hits[i].place = e.index;

@@ -150,7 +150,7 @@ void LightBuffer::all_transparent(const Spot& spot, const Ray& ray, double t_min
     if (caster.object == spot.unmet) return;
     if (counters) count(*counters, *caster.object);
     const std::size_t before = hits.size();
-    caster.object->all(ray, t_min, t_max, hits, arena);
+    caster.object->all_alone(ray, t_min, t_max, hits, arena);
     for (std::size_t i = before; i < hits.size(); ++i) {
       hits[i].object = caster.object;
       hits[i].place = caster.place;

@@ -36,7 +36,9 @@ class JuliaFractal final : public Shape {
   Bounds bounds_in(const Transform& t) const override { return box_in(t); }
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
+  void all_alone(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
   bool any(const Ray& ray, double t_min, double t_max) const override;
+  bool tells_all() const override { return false; }
   bool inside(const Vec3& p) const override { return m_map.holds(p); }
   /// Where y stands for z the solid has no end along z.
   bool solid_leaves_bounds() const override { return Map::kRemembers; }
@@ -239,6 +241,12 @@ void JuliaFractal<Map>::all(const Ray& ray, double t_min, double t_max, ShapeHit
     if (t > t_min && t < t_max) hits.push_back({t, 0, remembered.u, remembered.v});
     return t < t_max;
   });
+}
+
+template <class Map>
+void JuliaFractal<Map>::all_alone(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const {
+  ShapeHit hit;
+  if (nearest(ray, t_min, t_max, hit)) hits.push_back(hit);
 }
 
 /// Copies of a declared set follow one another: each thread keeps the last one's box.

@@ -127,16 +127,26 @@ bool Leaf::any(const Ray& ray, double t_min, double t_max, HitArena& arena) cons
   return m_shape->any(to_shape(ray), t_min, t_max);
 }
 
-void Leaf::all(const Ray& ray, double t_min, double t_max, std::vector<Hit>& hits,
-               HitArena& arena) const {
+template <class Ask>
+void Leaf::gather(const Ray& ray, std::vector<Hit>& hits, HitArena& arena, Ask&& ask) const {
   if (ball().is_missed_by(ray)) return;
   if (!bounding().empty() && !passes_bounding(ray, arena)) return;
   arena.shape_hits.clear();
-  m_shape->all(m_transform ? to_shape(ray) : ray, t_min, t_max, arena.shape_hits);
+  ask(m_transform ? to_shape(ray) : ray);
   for (const ShapeHit& found : arena.shape_hits) {
     if (!clips().empty() && !passes_clips(ray.at(found.t))) continue;
     hits.push_back({found.t, this, nullptr, found});
   }
+}
+
+void Leaf::all(const Ray& ray, double t_min, double t_max, std::vector<Hit>& hits,
+               HitArena& arena) const {
+  gather(ray, hits, arena, [&](const Ray& in_shape) { m_shape->all(in_shape, t_min, t_max, arena.shape_hits); });
+}
+
+void Leaf::all_alone(const Ray& ray, double t_min, double t_max, std::vector<Hit>& hits,
+                     HitArena& arena) const {
+  gather(ray, hits, arena, [&](const Ray& in_shape) { m_shape->all_alone(in_shape, t_min, t_max, arena.shape_hits); });
 }
 
 bool Leaf::inside(const Vec3& p) const {

@@ -82,6 +82,10 @@ class Object {
   virtual bool nearest(const Ray& ray, double t_min, double t_max, Hit& hit, HitArena& arena) const = 0;
   /// Appends all crossings, in any order.
   virtual void all(const Ray& ray, double t_min, double t_max, std::vector<Hit>& hits, HitArena& arena) const = 0;
+  /// The same of an object that is no part of another (Shape::all_alone).
+  virtual void all_alone(const Ray& ray, double t_min, double t_max, std::vector<Hit>& hits, HitArena& arena) const {
+    all(ray, t_min, t_max, hits, arena);
+  }
   virtual bool any(const Ray& ray, double t_min, double t_max, HitArena& arena) const {
     Hit hit;
     return nearest(ray, t_min, t_max, hit, arena);
@@ -195,6 +199,7 @@ class Leaf final : public Object {
   }
   bool nearest(const Ray&, double t_min, double t_max, Hit&, HitArena&) const override;
   void all(const Ray&, double t_min, double t_max, std::vector<Hit>&, HitArena&) const override;
+  void all_alone(const Ray&, double t_min, double t_max, std::vector<Hit>&, HitArena&) const override;
   bool any(const Ray&, double t_min, double t_max, HitArena&) const override;
   bool inside(const Vec3& p) const override;
   void leaves(std::vector<const Leaf*>& out) const override { out.push_back(this); }
@@ -212,6 +217,9 @@ class Leaf final : public Object {
 
  private:
   Bounds stock_bounds() const;
+  /// ask(ray in the shape) fills the arena's hits.
+  template <class Ask>
+  void gather(const Ray& ray, std::vector<Hit>& hits, HitArena& arena, Ask&& ask) const;
   bool shape_nearest(const Ray&, double t_min, double t_max, ShapeHit&) const;
   bool unclipped_nearest(const Ray&, double t_min, double t_max, ShapeHit&, HitArena&) const;
   /// The direction keeps its length, so that t is the same in both spaces.

@@ -51,6 +51,10 @@ class Shape {
   virtual bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const = 0;
   /// Appends every crossing, in any order (CSG and clipping need them all).
   virtual void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const = 0;
+  /// What a ray of light meets of the shape alone: for some that is less, as of nearest().
+  virtual void all_alone(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const {
+    all(ray, t_min, t_max, hits);
+  }
   /// Whether there is any crossing. The answer is the same as that of nearest().
   virtual bool any(const Ray& ray, double t_min, double t_max) const {
     ShapeHit hit;

@@ -20,6 +20,8 @@ struct Case {
   "parametric { function { u } function { 1+.2*sin(2*u)*cos(2*v) } function { v } <-1,-1>,<1,1> contained_by {"   \
   " box { <-1.1,.5,-1.1>, <1.1,1.4,1.1> } } accuracy .005 max_gradient 1.2 " more "}"
 
+#define JULIA(more) "julia_fractal { " more " translate y }"
+
 const Case kCases[] = {
     {"alone", SHELL(CLEAR)},
     {"two_surfaces", SHELL("max_trace 2" CLEAR)},
@@ -34,6 +36,9 @@ const Case kCases[] = {
     {"in_union", "union {" SHELL("") "sphere { <.8,1,0>, .6 }" CLEAR "clipped_by { plane { y,1.4 } } }"},
     {"parametric", SHEET(CLEAR)},
     {"parametric_turned", "object {" SHEET(CLEAR) "rotate <30,20,0> translate .3*y }"},
+    {"julia", JULIA("<-.083,0,-.83,-.025> quaternion sqr max_iteration 8 precision 15" CLEAR)},
+    {"julia_cube", JULIA("<-.162,.163,.56,-.599> quaternion cube max_iteration 6 precision 20" CLEAR "interior { ior 1.3 }")},
+    {"julia_of_function", JULIA("<-.6,.2,0,.1> hypercomplex exp max_iteration 6 precision 20 slice <0,0,0,1>, .1" CLEAR)},
     {"with_interiors", SHELL(CLEAR "interior { ior 1.2 fade_power 2 fade_distance .6 caustics .3 }")
                        "sphere { <-.7,1,-.2>, .6" CLEAR "interior { ior 1.5 fade_power 1 fade_distance .5 } }"},
 };
