@@ -277,7 +277,10 @@ class BoxFinder {
       const Vec3 size = placed.hi - placed.lo;
       box.include(about(placing.point({0, 0, z}), std::max({size.x, size.y, size.z})));
     };
+    const auto adds = [](const BlobElement& e) { return e.strength > 0.0; };
+    const bool any_adds = std::any_of(s->elements.begin(), s->elements.end(), adds);
     for (const BlobElement& e : s->elements) {
+      if (any_adds && !adds(e)) continue;
       if (e.kind == BlobElement::Kind::kSphere) {
         add(Transform::translation(e.a).then(e.transform), 0.0, e.radius);
         continue;
