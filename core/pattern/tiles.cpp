@@ -14,9 +14,9 @@ constexpr double kEpsilon = 1e-10;
 class Checker final : public Pattern {
  public:
   double value(const Vec3& p) const override {
-    const std::int64_t sum =
-        whole_below(p.x + kEpsilon) + whole_below(p.y + kEpsilon) + whole_below(p.z + kEpsilon);
-    return sum & 1 ? 1.0 : 0.0;
+    const std::int64_t parity =
+        whole_below(p.x + kEpsilon) ^ whole_below(p.y + kEpsilon) ^ whole_below(p.z + kEpsilon);
+    return parity & 1 ? 1.0 : 0.0;
   }
 };
 
