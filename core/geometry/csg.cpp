@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/geometry/box_ray.h"
@@ -6,6 +7,13 @@
 
 namespace lentray::core {
 namespace {
+
+constexpr double kCoincide = 1e-9;  ///< of the distances: roundings of hits stay below
+
+/// The sizes that the rounding of a hit at t goes by.
+double distances(const Ray& ray, double t) {
+  return std::fabs(t) + std::fabs(ray.origin.x) + std::fabs(ray.origin.y) + std::fabs(ray.origin.z);
+}
 
 std::string_view keyword(CsgKind kind) {
   switch (kind) {
@@ -177,12 +185,44 @@ bool Csg::hides_parts() const {
   return false;
 }
 
-/// Whether a point of a child's surface belongs to the whole's, as far as the ray sees it.
-[[gnu::always_inline]] inline bool Csg::keeps(std::size_t child, const Vec3& p, const HitArena& arena) const {
+/// Hits of one ray that siblings seem to hide. Where surfaces coincide roundings say which is within the other,
+/// and each may seem to hide the other.
+struct Csg::Hidden {
+  std::array<double, 8> at;
+  unsigned count = 0;
+
+  /// Whether there was one at the same t; it is remembered for the next.
+  bool again(const Ray& ray, double t) {
+    const double near = kCoincide * distances(ray, t);
+    const unsigned known = std::min<unsigned>(count, at.size());
+    for (unsigned i = 0; i < known; ++i) {
+      if (std::fabs(at[i] - t) < near) return true;
+    }
+    at[count++ % at.size()] = t;
+    return false;
+  }
+};
+
+/// Whether the whole does so at the ray's t: then it has a surface there, whatever the parts hide.
+[[gnu::noinline, gnu::cold]] bool Csg::begins_or_ends(const Ray& ray, double t) const {
+  const double past = kCoincide * distances(ray, t);
+  const Vec3 before = ray.at(t - past), behind = ray.at(t + past);
+  return joins(m_kind) ? any_inside(before, kNobody) != any_inside(behind, kNobody)
+                       : every_inside(before, kNobody) != every_inside(behind, kNobody);
+}
+
+/// Whether the child's surface at the ray's t belongs to the whole's, as far as the ray sees it.
+[[gnu::always_inline]] inline bool Csg::keeps(std::size_t child, const Ray& ray, double t, const Chord* chord,
+                                              Hidden& hidden, const HitArena& arena) const {
   if (m_kind == CsgKind::kUnion) return true;
-  if (m_kind != CsgKind::kMerge) return every_inside(p, child);
-  if (m_core == kHidden) [[unlikely]] return !any_seen_inside(p, child, arena.ray_kind);
-  return !any_inside(p, child);
+  if (m_core == kHidden) [[unlikely]] return !any_seen_inside(ray.at(t), child, arena.ray_kind);
+  if (m_kind == CsgKind::kMerge) {
+    if (!any_inside(ray.at(t), child)) return true;
+  } else {
+    if ((!chord || chord->has(t)) && every_inside(ray.at(t), child)) return true;
+    if (m_kind == CsgKind::kDifference) return false;
+  }
+  return hidden.again(ray, t) && begins_or_ends(ray, t);
 }
 
 /// Those whose box the ray meets, the core and then the last child first where they are few; visit may
@@ -272,6 +312,7 @@ bool Csg::nearest(const Ray& ray, double t_min, double t_max, Hit& hit, HitArena
 bool Csg::kept_nearest(const Ray& ray, double t_min, double t_max, Hit& hit, HitArena& arena) const {
   const bool keep_all = m_kind == CsgKind::kUnion;
   std::size_t owner = kNobody;
+  Hidden hidden;
   ScratchHits scratch(arena);
   for_children_met(ray, t_min, t_max, arena, [&](std::size_t i, double& limit, const Chord* chord) {
     const bool wins_ties = owner != kNobody && i > owner;
@@ -286,7 +327,7 @@ bool Csg::kept_nearest(const Ray& ray, double t_min, double t_max, Hit& hit, Hit
     }
     double best = to;
     for (const Hit& next : crossings(i, ray, t_min, to, chord, *scratch, arena)) {
-      if (!(next.t < best) || (chord && !chord->has(next.t)) || !keeps(i, ray.at(next.t), arena)) continue;
+      if (!(next.t < best) || !keeps(i, ray, next.t, chord, hidden, arena)) continue;
       hit = next;
       best = limit = next.t;
       owner = i;
@@ -301,13 +342,13 @@ bool Csg::any(const Ray& ray, double t_min, double t_max, HitArena& arena) const
   if (!bounding().empty() && !passes_bounding(ray, arena)) return false;
   const bool keep_all = m_kind == CsgKind::kUnion && clips().empty();
   bool found = false;
+  Hidden hidden;
   ScratchHits scratch(arena);
   for_children_met(ray, t_min, t_max, arena, [&](std::size_t i, double&, const Chord* chord) {
     if (keep_all) return found = m_children[i]->any(ray, t_min, t_max, arena);
     for (const Hit& h : crossings(i, ray, t_min, t_max, chord, *scratch, arena)) {
-      if (chord && !(chord->has(h.t) && h.t < t_max)) continue;
-      const Vec3 p = ray.at(h.t);
-      if (keeps(i, p, arena) && passes_clips(p)) return found = true;
+      if (chord && !(h.t < t_max)) continue;
+      if (keeps(i, ray, h.t, chord, hidden, arena) && passes_clips(ray.at(h.t))) return found = true;
     }
     return false;
   });
@@ -318,15 +359,14 @@ void Csg::all(const Ray& ray, double t_min, double t_max, std::vector<Hit>& hits
               HitArena& arena) const {
   if (ball().is_missed_by(ray)) return;
   if (!bounding().empty() && !passes_bounding(ray, arena)) return;
+  Hidden hidden;
   for_children_met(ray, t_min, t_max, arena, [&](std::size_t i, double&, const Chord* chord) {
     // Where nothing can be dropped the child's hits need no list of their own.
     const std::size_t first = hits.size();
     m_children[i]->all(ray, t_min, t_max, hits, arena);
     if (m_kind == CsgKind::kUnion && clips().empty()) return false;
     const auto drop = [&](const Hit& h) {
-      if (chord && !chord->has(h.t)) return true;
-      const Vec3 p = ray.at(h.t);
-      return !keeps(i, p, arena) || (!clips().empty() && !passes_clips(p));
+      return !keeps(i, ray, h.t, chord, hidden, arena) || (!clips().empty() && !passes_clips(ray.at(h.t)));
     };
     hits.erase(std::remove_if(hits.begin() + static_cast<std::ptrdiff_t>(first), hits.end(), drop),
                hits.end());

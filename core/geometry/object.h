@@ -277,6 +277,7 @@ class Csg final : public Object {
   };
   struct Search;
   struct Chord;
+  struct Hidden;
   static constexpr std::size_t kNobody = ~std::size_t{0};
   static constexpr std::size_t kHidden = kNobody - 1;
 
@@ -293,7 +294,8 @@ class Csg final : public Object {
   bool child_inside(std::size_t child, const Vec3& p) const;
   bool any_inside(const Vec3& p, std::size_t except) const;
   bool every_inside(const Vec3& p, std::size_t except) const;
-  bool keeps(std::size_t child, const Vec3& p, const HitArena& arena) const;
+  bool begins_or_ends(const Ray& ray, double t) const;
+  bool keeps(std::size_t child, const Ray& ray, double t, const Chord* chord, Hidden& hidden, const HitArena& arena) const;
   bool any_seen_inside(const Vec3& p, std::size_t except, RayKind kind) const;
   bool kept_nearest(const Ray&, double t_min, double t_max, Hit&, HitArena&) const;
   void fence_children();
