@@ -163,6 +163,14 @@ void Csg::build_search() const {
   m_search->solids = WideBvh(solids);
 }
 
+void Csg::set_box(const Bounds& box) {
+  if (!m_leaves_bounds || joins(m_kind)) return;
+  m_solid = m_surface = box;
+  for (Fence& fence : m_fences) fence.surface = box;
+  m_search = m_children.size() < kMany ? nullptr : std::make_unique<Search>();
+  fit_ball();
+}
+
 Bounds Csg::bounds() const { return limited(m_surface); }
 
 Bounds Csg::solid_bounds() const {

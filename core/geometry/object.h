@@ -262,6 +262,9 @@ class Csg final : public Object {
   /// After `inverse`: what it works as. Only kUnion may be split into its parts.
   CsgKind kind() const { return m_kind; }
   const std::vector<std::unique_ptr<Object>>& children() const { return m_children; }
+  /// Where parts leave their bounds (solid_leaves_bounds()): the box that rays must meet, in place of that of the
+  /// parts' boxes. Before clips and bounding are set.
+  void set_box(const Bounds& box);
   /// `split_union off`: its parts stay together, and count as one solid.
   void keep_whole() { m_kept_whole = true; }
   bool is_kept_whole() const { return m_kept_whole; }

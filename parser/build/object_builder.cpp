@@ -220,6 +220,14 @@ void ObjectBuilder::set_regions(const ObjectDesc& object, const core::Transform&
   if (!bounds.empty()) out.set_bounding(std::move(bounds));
 }
 
+/// The box of a turned CSG is that of its parts' boxes, turned.
+void ObjectBuilder::set_stock_box(const ObjectDesc& object, const core::Transform& outer, core::Object& out) {
+  bool is_whole = true;
+  const core::Bounds box = core::transformed(stock_box(object, is_whole), outer);
+  auto* csg = dynamic_cast<core::Csg*>(&out);
+  if (csg && is_whole && !box.is_empty()) csg->set_box(box);
+}
+
 /// Of others all that is inside lies in stock's box.
 void ObjectBuilder::set_start_bounds(const ObjectDesc& object, const core::Transform& outer, core::Object& out) {
   if (out.solid_bounds().is_finite() && out.bounding().empty()) return;
@@ -263,6 +271,7 @@ std::unique_ptr<core::Object> ObjectBuilder::build_whole(const ObjectDesc& objec
     Inherited for_children = looks;
     for_children.on_list = is_split;
     out = build_csg(object, *csg, to_world, for_children);
+    if (out && out->solid_leaves_bounds()) set_stock_box(object, outer, *out);
   } else {
     out = build_leaf(object, to_world, looks);
   }

@@ -81,6 +81,7 @@ class ObjectBuilder {
                       const Inherited& from);
   const core::LightSelection* selection(const LightScope& scope);
   Inherited resolve(const ObjectDesc& object, const core::Transform& outer, const Inherited& from);
+  static void set_stock_box(const ObjectDesc& object, const core::Transform& outer, core::Object& out);
   static void set_start_bounds(const ObjectDesc& object, const core::Transform& outer, core::Object& out);
   void set_regions(const ObjectDesc& object, const core::Transform& outer, bool on_list,
                    bool keep_bounds, core::Object& out);

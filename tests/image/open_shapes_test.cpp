@@ -70,6 +70,19 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"pyramid_looked_at_from_above", kPyramid + "inside_vector <0,-1,.1>"}),
     [](const auto& one) { return std::string(one.param.name); });
 
+/// The box of a turned CSG is that of its parts' boxes, turned; each time it is turned.
+TEST(ImageOpenShapesTurned, HaveTheBoxOfABox) {
+  const std::string disc = "disc { <.1,0,.25>, <.6,.2,.9>, .7, .2 }", cut = disc + " box { <-.6,-.6,-.6>, <.6,.4,.6> }";
+  for (const std::string object : {"difference { " + cut + " rotate 30 }", "difference { " + cut + " matrix <1,.3,0,0,1,.1,.2,0,1,0,.1,0> }",
+                                   "union { difference { " + cut + " rotate 30 } sphere { 2*y, .5 } rotate 20*y }",
+                                   "difference { difference { " + cut + " rotate 30 } sphere { 1, 1 } rotate 20*y }"}) {
+    const std::string sdl = "#version 3.7; global_settings { assumed_gamma 1 }\n"
+                            "camera { location <-1,2.2,-3.8> look_at 0 angle 50 } light_source { <-4,7,-6>, 1 }\n"
+                            "plane { y, -1.6 pigment { checker rgb .9 rgb .5 } } #default { pigment { rgb <1,.5,.3> } }\n" + object;
+    EXPECT_TRUE(same_as_stock({.sdl = sdl, .width = 100, .height = 75, .arguments = {}, .files = {}})) << object;
+  }
+}
+
 /// As bounds: rays that miss the box of the whole miss it, also those that begin inside. Lights cast no shadows.
 class ImageOpenBounds : public ::testing::TestWithParam<Case> {};
 
