@@ -73,7 +73,7 @@ INSTANTIATE_TEST_SUITE_P(
 /// The box of a turned CSG is that of its parts' boxes, turned; each time it is turned.
 TEST(ImageOpenShapesTurned, HaveTheBoxOfABox) {
   const std::string disc = "disc { <.1,0,.25>, <.6,.2,.9>, .7, .2 }", cut = disc + " box { <-.6,-.6,-.6>, <.6,.4,.6> }";
-  for (const std::string object : {"difference { " + cut + " rotate 30 }", "difference { " + cut + " matrix <1,.3,0,0,1,.1,.2,0,1,0,.1,0> }",
+  for (const std::string& object : {"difference { " + cut + " rotate 30 }", "difference { " + cut + " matrix <1,.3,0,0,1,.1,.2,0,1,0,.1,0> }",
                                    "union { difference { " + cut + " rotate 30 } sphere { 2*y, .5 } rotate 20*y }",
                                    "difference { difference { " + cut + " rotate 30 } sphere { 1, 1 } rotate 20*y }"}) {
     const std::string sdl = "#version 3.7; global_settings { assumed_gamma 1 }\n"
