@@ -87,7 +87,7 @@ class BicubicPatch::NetMaker {
  public:
   NetMaker(const BicubicPatch& patch, std::uint32_t rows, std::uint32_t columns)
       : m_patch(&patch), m_rows(rows), m_columns(columns),
-        m_corners(std::size_t{rows + 1} * (columns + 1), kNone) {}
+        m_corners(std::size_t{rows + 1} * (columns + 1), kNoIndex) {}
 
   void add(Piece piece) {
     const bool by_u = piece.last_row - piece.row > 1, by_v = piece.last_column - piece.column > 1;
@@ -113,16 +113,16 @@ class BicubicPatch::NetMaker {
     const std::uint32_t a = corner(piece.row, piece.column), b = corner(piece.row, piece.last_column);
     const std::uint32_t c = corner(piece.last_row, piece.last_column);
     const std::uint32_t d = corner(piece.last_row, piece.column);
-    for (const std::array<std::uint32_t, 3>& corners : {std::array{a, b, c}, std::array{a, c, d}}) {
-      MeshFace face{};
-      face.vertex = face.normal = face.uv = corners;
-      m_data.faces.push_back(face);
+    for (const MeshTriple& corners : {MeshTriple{a, b, c}, MeshTriple{a, c, d}}) {
+      m_data.faces.push_back(corners);
+      m_data.face_normals.list.push_back(corners);
+      m_data.face_uvs.list.push_back(corners);
     }
   }
 
   std::uint32_t corner(std::uint32_t row, std::uint32_t column) {
     std::uint32_t& known = m_corners[std::size_t{row} * (m_columns + 1) + column];
-    if (known == kNone) {
+    if (known == kNoIndex) {
       known = static_cast<std::uint32_t>(m_data.vertices.size());
       const double u = static_cast<double>(row) / m_rows, v = static_cast<double>(column) / m_columns;
       Vec3 place, by_u, by_v;
@@ -136,7 +136,7 @@ class BicubicPatch::NetMaker {
 
   const BicubicPatch* m_patch;
   std::uint32_t m_rows, m_columns;
-  std::vector<std::uint32_t> m_corners;  ///< numbers of those met, else kNone
+  std::vector<std::uint32_t> m_corners;  ///< numbers of those met, else kNoIndex
   MeshData m_data;
 };
 

@@ -17,7 +17,7 @@ Mesh::Mesh(std::shared_ptr<const TriangleMesh> triangles, std::optional<Vec3> in
 void Mesh::set_textures(std::vector<const Texture*> textures) { m_textures = std::move(textures); }
 
 int Mesh::textures_at(const ShapeHit& hit, MeshTexture out[3]) const {
-  const auto& index = m_triangles->data().faces[hit.element].texture;
+  const MeshTriple index = m_triangles->data().face_textures[hit.element];
   const auto texture = [&](std::uint32_t i) {
     return i < m_textures.size() ? m_textures[i] : nullptr;
   };
@@ -34,8 +34,8 @@ int Mesh::textures_at(const ShapeHit& hit, MeshTexture out[3]) const {
 Bounds Mesh::bounds_in(const Transform& t) const {
   Bounds b;
   const MeshData& data = m_triangles->data();
-  for (const MeshFace& f : data.faces) {
-    for (const std::uint32_t v : f.vertex) b.include(t.point(data.vertices[v]));
+  for (const MeshTriple& f : data.faces) {
+    for (const std::uint32_t v : f) b.include(t.point(data.vertices[v]));
   }
   return padded(b);
 }
@@ -46,8 +46,8 @@ Ball Mesh::ball() const {
   const Bounds box = bounds();
   if (!box.is_finite() || data.faces.size() > kLargestBaked) return Ball::around(box);
   double farthest2 = 0.0;
-  for (const MeshFace& f : data.faces) {
-    for (const std::uint32_t v : f.vertex) {
+  for (const MeshTriple& f : data.faces) {
+    for (const std::uint32_t v : f) {
       farthest2 = std::max(farthest2, length_squared(data.vertices[v] - box.centre()));
     }
   }
@@ -80,20 +80,19 @@ bool Mesh::outside(const Vec3& p) const { return m_inside_vector && !inside(p); 
 
 Vec3 Mesh::normal(const Vec3&, const ShapeHit& hit) const {
   const MeshData& data = m_triangles->data();
-  const MeshFace& f = data.faces[hit.element];
-  if (f.normal[0] != kNone && f.normal[1] != kNone && f.normal[2] != kNone) {
-    return data.normals[f.normal[0]] * (1.0 - hit.u - hit.v) + data.normals[f.normal[1]] * hit.u +
-           data.normals[f.normal[2]] * hit.v;
+  const MeshTriple n = data.face_normals[hit.element];
+  if (n[0] != kNoIndex && n[1] != kNoIndex && n[2] != kNoIndex) {
+    return data.normals[n[0]] * (1.0 - hit.u - hit.v) + data.normals[n[1]] * hit.u + data.normals[n[2]] * hit.v;
   }
-  const Vec3 &a = data.vertices[f.vertex[0]], &b = data.vertices[f.vertex[1]],
-             &c = data.vertices[f.vertex[2]];
+  const MeshTriple& f = data.faces[hit.element];
+  const Vec3 &a = data.vertices[f[0]], &b = data.vertices[f[1]], &c = data.vertices[f[2]];
   return m_mirrored ? cross(b - a, c - a) : cross(c - a, b - a);
 }
 
 Vec2 Mesh::uv(const Vec3&, const ShapeHit& hit) const {
   const MeshData& data = m_triangles->data();
-  const auto& index = data.faces[hit.element].uv;
-  if (index[0] == kNone || index[1] == kNone || index[2] == kNone) return {};  // as in stock
+  const MeshTriple index = data.face_uvs[hit.element];
+  if (index[0] == kNoIndex || index[1] == kNoIndex || index[2] == kNoIndex) return {};  // as in stock
   const Vec2 &a = data.uvs[index[0]], &b = data.uvs[index[1]], &c = data.uvs[index[2]];
   const double w = 1.0 - hit.u - hit.v;
   return {a.u * w + b.u * hit.u + c.u * hit.v, a.v * w + b.v * hit.u + c.v * hit.v};

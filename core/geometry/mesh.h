@@ -28,7 +28,7 @@ class Mesh final : public Shape {
   Mesh(std::shared_ptr<const TriangleMesh> triangles, std::optional<Vec3> inside_vector,
        bool is_mesh2);
 
-  /// The textures that MeshFace::texture counts in; borrowed, owned by the scene. Call before
+  /// The textures that MeshData::face_textures counts in; borrowed, owned by the scene. Call before
   /// the mesh is given to a Leaf.
   void set_textures(std::vector<const Texture*> textures);
   const std::vector<const Texture*>& textures() const { return m_textures; }

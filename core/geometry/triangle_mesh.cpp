@@ -8,10 +8,20 @@
 namespace lentray::core {
 namespace {
 
-void check(const std::array<std::uint32_t, 3>& index, std::size_t size, bool optional) {
-  for (const std::uint32_t i : index) {
-    if (i >= size && !(optional && i == kNone)) throw std::out_of_range("mesh index beyond its list");
+void check(const std::vector<MeshTriple>& triples, std::size_t size, bool optional) {
+  for (const MeshTriple& triple : triples) {
+    for (const std::uint32_t i : triple) {
+      if (i >= size && !(optional && i == kNoIndex)) throw std::out_of_range("mesh index beyond its list");
+    }
   }
+}
+
+MeshTriples in_order(const MeshTriples& triples, const std::vector<std::uint32_t>& order) {
+  MeshTriples out;
+  if (triples.empty()) return out;
+  out.list.reserve(order.size());
+  for (const std::uint32_t face : order) out.list.push_back(triples[face]);
+  return out;
 }
 
 /// Even-odd test of the ray against the triangle seen along it. Shared edges give the same bits
@@ -30,23 +40,17 @@ bool covers(const double x[3], const double y[3]) {
 }  // namespace
 
 TriangleMesh::TriangleMesh(MeshData data) : m_data(std::move(data)) {
-  std::vector<MeshFace> faces = std::move(m_data.faces);
-  std::size_t kept = 0;
-  for (const MeshFace& f : faces) {
-    check(f.vertex, m_data.vertices.size(), false);
-    check(f.normal, m_data.normals.size(), true);
-    check(f.uv, m_data.uvs.size(), true);
-    const auto& v = m_data.vertices;
-    if (triangle_is_degenerate(v[f.vertex[0]], v[f.vertex[1]], v[f.vertex[2]])) {
-      ++m_dropped;
-    } else {
-      faces[kept++] = f;
-    }
-  }
-  faces.resize(kept);
-  std::vector<Bounds> boxes(faces.size());
-  for (std::size_t i = 0; i < faces.size(); ++i) {
-    for (const std::uint32_t v : faces[i].vertex) boxes[i].include(m_data.vertices[v]);
+  check(m_data.faces, m_data.vertices.size(), false);
+  check(m_data.face_normals.list, m_data.normals.size(), true);
+  check(m_data.face_uvs.list, m_data.uvs.size(), true);
+  std::vector<Bounds> boxes(m_data.faces.size());  // degenerate faces have none and are left out
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    const MeshTriple& f = m_data.faces[i];
+    const Vec3 &a = m_data.vertices[f[0]], &b = m_data.vertices[f[1]], &c = m_data.vertices[f[2]];
+    if (triangle_is_degenerate(a, b, c)) continue;
+    boxes[i].include(a);
+    boxes[i].include(b);
+    boxes[i].include(c);
     m_bounds.include(boxes[i]);
   }
   m_bounds = padded(m_bounds);
@@ -54,27 +58,29 @@ TriangleMesh::TriangleMesh(MeshData data) : m_data(std::move(data)) {
   options.pack = options.max_leaf = kPack;
   m_bvh = WideBvh(boxes, options);
   boxes = {};  // their memory serves what is made next
-  m_data.faces.clear();
-  m_data.faces.reserve(faces.size());
-  for (const std::uint32_t part : m_bvh.order()) m_data.faces.push_back(faces[part]);
-  faces = {};
+  const std::vector<std::uint32_t>& order = m_bvh.order();
+  m_dropped = m_data.faces.size() - order.size();
+  std::vector<MeshTriple> faces;
+  faces.reserve(order.size());
+  for (const std::uint32_t face : order) faces.push_back(m_data.faces[face]);
+  m_data.faces = std::move(faces);
+  for (MeshTriples* list : {&m_data.face_normals, &m_data.face_uvs, &m_data.face_textures}) {
+    *list = in_order(*list, order);
+  }
   fill_packs();
 }
 
 void TriangleMesh::fill_packs() {
   m_packs.reserve(m_bvh.statistics().leaves);
-  m_leaves.reserve(m_bvh.statistics().leaves);
   m_bvh.relabel([&](std::uint32_t first, std::uint32_t count) {
     TrianglePack& pack = m_packs.emplace_back();
+    pack.first = first;
+    pack.count = count;
     for (std::uint32_t lane = 0; lane < count; ++lane) {
-      for (int corner = 0; corner < 3; ++corner) {
-        const auto& vertex = m_data.faces[first + lane].vertex;
-        const Vec3& p = m_data.vertices[vertex[static_cast<std::size_t>(corner)]];
-        for (int axis = 0; axis < 3; ++axis) pack.corner[corner][axis][lane] = p[axis];
-      }
+      const MeshTriple& f = m_data.faces[first + lane];
+      pack.set(static_cast<int>(lane), m_data.vertices[f[0]], m_data.vertices[f[1]], m_data.vertices[f[2]]);
     }
-    m_leaves.push_back({first, count});
-    return static_cast<std::uint32_t>(m_leaves.size() - 1);
+    return static_cast<std::uint32_t>(m_packs.size() - 1);
   });
 }
 
@@ -90,7 +96,7 @@ struct TriangleMesh::Search {
       const int i = std::countr_zero(mask);
       const std::uint32_t face = first + static_cast<std::uint32_t>(i);
       const double t = hits.t[i];
-      if (!(t < t_max || (best.face != kNone && t == t_max && face < best.face))) continue;
+      if (!(t < t_max || (best.face != kNoIndex && t == t_max && face < best.face))) continue;
       best = {t, hits.u[i], hits.v[i], face};
       if (kAny) return true;
       t_max = t;
@@ -108,7 +114,7 @@ struct TriangleMesh::PackLeaf {
   bool operator()(std::uint32_t code, double& t_max) {
     PackHits hits;
     const unsigned mask = intersect_portable(mesh.m_packs[code], ray, what.t_min, t_max, hits);
-    const bool end = mask != 0 && what.lanes(mask, hits, mesh.m_leaves[code].first);
+    const bool end = mask != 0 && what.lanes(mask, hits, mesh.m_packs[code].first);
     t_max = what.t_max;
     return end;
   }
@@ -122,7 +128,7 @@ struct TriangleMesh::PackLeafAvx2 {
   LENTRAY_AVX2 bool operator()(std::uint32_t code, double& t_max) {
     PackHits hits;
     const unsigned mask = intersect_avx2(mesh.m_packs[code], ray, what.t_min, t_max, hits);
-    const bool end = mask != 0 && what.lanes(mask, hits, mesh.m_leaves[code].first);
+    const bool end = mask != 0 && what.lanes(mask, hits, mesh.m_packs[code].first);
     t_max = what.t_max;
     return end;
   }
@@ -142,7 +148,7 @@ bool TriangleMesh::search(const Ray& ray, double t_min, double t_max, FaceHit& h
     m_bvh.traverse_portable(ray, t_min, t_max, leaf, nothing);
   }
   hit = what.best;
-  return hit.face != kNone;
+  return hit.face != kNoIndex;
 }
 
 bool TriangleMesh::nearest(const Ray& ray, double t_min, double t_max, FaceHit& hit) const {
@@ -160,7 +166,7 @@ bool TriangleMesh::odd_crossings(const Ray& ray, double t_min) const {
   for_faces_near(ray, t_min, Bounds::kInf, [&](std::uint32_t face) {
     double x[3], y[3], z[3];
     for (int k = 0; k < 3; ++k) {
-      const Vec3 p = m_data.vertices[m_data.faces[face].vertex[static_cast<std::size_t>(k)]] - s.origin;
+      const Vec3 p = m_data.vertices[m_data.faces[face][static_cast<std::size_t>(k)]] - s.origin;
       z[k] = p[s.kz];
       x[k] = p[s.kx] - s.sx * z[k];
       y[k] = p[s.ky] - s.sy * z[k];
@@ -176,8 +182,9 @@ bool TriangleMesh::odd_crossings(const Ray& ray, double t_min) const {
 std::size_t TriangleMesh::memory() const {
   return sizeof(*this) + m_data.vertices.capacity() * sizeof(Vec3) +
          m_data.normals.capacity() * sizeof(Vec3) + m_data.uvs.capacity() * sizeof(Vec2) +
-         m_data.faces.capacity() * sizeof(MeshFace) +
-         m_packs.capacity() * sizeof(TrianglePack) + m_leaves.capacity() * sizeof(LeafFaces) +
+         (m_data.faces.capacity() + m_data.face_normals.list.capacity() +
+          m_data.face_uvs.list.capacity() + m_data.face_textures.list.capacity()) * sizeof(MeshTriple) +
+         m_packs.capacity() * sizeof(TrianglePack) +
          m_bvh.memory();
 }
 

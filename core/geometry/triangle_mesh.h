@@ -2,36 +2,16 @@
 // shared const (by several placed copies too, and by threads). Space: object.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
 #include "core/accel/packs.h"
 #include "core/accel/wide_bvh.h"
 #include "core/base/bounds.h"
+#include "core/geometry/mesh_data.h"
 #include "core/geometry/triangle_test.h"
 
 namespace lentray::core {
-
-inline constexpr std::uint32_t kNone = 0xffffffffu;
-
-/// A face: corners, and for each corner its normal, uv vector and texture, kNone if it has none.
-struct MeshFace {
-  std::array<std::uint32_t, 3> vertex{};
-  std::array<std::uint32_t, 3> normal{kNone, kNone, kNone};
-  std::array<std::uint32_t, 3> uv{kNone, kNone, kNone};
-  /// mesh: all three alike; mesh2 may give one a corner, blended over the face.
-  std::array<std::uint32_t, 3> texture{kNone, kNone, kNone};
-};
-
-/// What the parser fills; indices are into these lists (texture: into the Mesh's own list).
-struct MeshData {
-  std::vector<Vec3> vertices;
-  std::vector<Vec3> normals;   ///< unit
-  std::vector<Vec2> uvs;
-  std::vector<MeshFace> faces;
-  bool is_open = false;        ///< some edge has an odd number of faces; told where there is an inside_vector
-};
 
 class TriangleMesh {
  public:
@@ -41,7 +21,7 @@ class TriangleMesh {
 
   struct FaceHit {
     double t = 0.0, wb = 0.0, wc = 0.0;
-    std::uint32_t face = kNone;
+    std::uint32_t face = kNoIndex;
   };
   /// Of hits at equal t the one on the face first in order.
   bool nearest(const Ray& ray, double t_min, double t_max, FaceHit& hit) const;
@@ -68,14 +48,11 @@ class TriangleMesh {
   std::size_t memory() const;
 
  private:
-  struct LeafFaces {
-    std::uint32_t first, count;
-  };
   template <class Visit>
   void for_faces_near(const Ray& ray, double t_min, double t_max, Visit&& visit) const {
     const auto leaf = [&](std::uint32_t code, double&) {
-      const LeafFaces& faces = m_leaves[code];
-      for (std::uint32_t i = 0; i < faces.count; ++i) visit(faces.first + i);
+      const TrianglePack& pack = m_packs[code];
+      for (std::uint32_t i = 0; i < pack.count; ++i) visit(pack.first + i);
       return false;
     };
     CountNothing nothing;
@@ -86,7 +63,7 @@ class TriangleMesh {
     }
   }
   bool meets(const ShearedRay& ray, std::uint32_t face, FaceHit& hit) const {
-    const auto& v = m_data.faces[face].vertex;
+    const MeshTriple& v = m_data.faces[face];
     TriangleHit found;
     if (!intersect_triangle(ray, m_data.vertices[v[0]], m_data.vertices[v[1]], m_data.vertices[v[2]], found))
       return false;
@@ -107,7 +84,6 @@ class TriangleMesh {
   MeshData m_data;  ///< faces in the hierarchy's order
   WideBvh m_bvh;
   std::vector<TrianglePack> m_packs;  ///< one a leaf; the hierarchy's leaf codes count them
-  std::vector<LeafFaces> m_leaves;
   Bounds m_bounds;
   std::size_t m_dropped = 0;
 };

@@ -27,18 +27,16 @@ core::Vec3 rounded(const core::Vec3& p) { return {single(p.x), single(p.y), sing
 camera::MeshCameraFaces camera_faces(const MeshShape& mesh, bool rounds_first) {
   auto faces = std::make_shared<std::vector<camera::MeshCameraFace>>();
   faces->reserve(mesh.faces.size());
-  for (const MeshFace& from : mesh.faces) {
+  for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
     camera::MeshCameraFace face;
-    const auto index = [](int i) { return static_cast<std::size_t>(i); };
+    const core::MeshTriple &vertices = mesh.faces[i], normals = mesh.face_normals[i], uvs = mesh.face_uvs[i];
     for (std::size_t k = 0; k < 3; ++k) {
-      face.corner[k] = rounded(mesh.vertices[index(from.vertex[k])]);
-      if (from.normal[k] >= 0) {
-        face.normals[k] = rounded(normalized(mesh.normals[index(from.normal[k])]));
-      }
-      if (from.uv[k] >= 0) face.uv[k] = mesh.uvs[index(from.uv[k])];
+      face.corner[k] = rounded(mesh.vertices[vertices[k]]);
+      if (normals[k] != core::kNoIndex) face.normals[k] = rounded(normalized(mesh.normals[normals[k]]));
+      if (uvs[k] != core::kNoIndex) face.uv[k] = mesh.uvs[uvs[k]];
     }
     const auto corner = [&](std::size_t k) {
-      return rounds_first ? face.corner[k] : mesh.vertices[index(from.vertex[k])];
+      return rounds_first ? face.corner[k] : mesh.vertices[vertices[k]];
     };
     face.normal =
         rounded(normalized(cross(corner(2) - corner(0), corner(1) - corner(0))));

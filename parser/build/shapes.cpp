@@ -41,17 +41,11 @@ namespace {
 
 using ShapePointer = std::unique_ptr<core::Shape>;
 
-std::array<std::uint32_t, 3> indices(const std::array<int, 3>& from) {
-  std::array<std::uint32_t, 3> to;
-  for (int i = 0; i < 3; ++i) to[i] = from[i] < 0 ? core::kNone : static_cast<std::uint32_t>(from[i]);
-  return to;
-}
-
 /// Equal normals are no normals: the triangle's own counts then, in stock, which points where the
 /// order of the vertices says. The distance squared as stock's.
-bool is_flat(const core::MeshData& data, const std::array<std::uint32_t, 3>& normals) {
+bool is_flat(const core::MeshData& data, const core::MeshTriple& normals) {
   constexpr double kEqual = 1e-10;
-  if (normals[0] == core::kNone) return false;
+  if (normals[0] == core::kNoIndex) return false;
   const Vec3 &a = data.normals[normals[0]], &b = data.normals[normals[1]], &c = data.normals[normals[2]];
   return length_squared(a - b) <= kEqual && length_squared(a - c) <= kEqual;
 }
@@ -67,12 +61,12 @@ bool has_open_edges(const core::MeshData& data) {
   }
   std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
   edges.reserve(data.faces.size() * 3);
-  for (const core::MeshFace& face : data.faces) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (face.vertex[i] >= place_of.size()) return false;  // refused later
+  for (const core::MeshTriple& face : data.faces) {
+    for (const std::uint32_t v : face) {
+      if (v >= place_of.size()) return false;  // refused later
     }
     for (std::size_t i = 0; i < 3; ++i) {
-      edges.push_back(std::minmax(place_of[face.vertex[i]], place_of[face.vertex[(i + 1) % 3]]));
+      edges.push_back(std::minmax(place_of[face[i]], place_of[face[(i + 1) % 3]]));
     }
   }
   std::sort(edges.begin(), edges.end());
@@ -93,12 +87,12 @@ core::MeshData mesh_data(const MeshShape& mesh) {
     const Vec3 unit = normalized(n);
     data.normals.push_back(unit == Vec3{} ? Vec3{1.0, 0.0, 0.0} : unit);
   }
-  data.faces.reserve(mesh.faces.size());
-  for (const MeshFace& face : mesh.faces) {
-    data.faces.push_back({indices(face.vertex), indices(face.normal), indices(face.uv),
-                          indices(face.texture)});
-    core::MeshFace& last = data.faces.back();
-    if (is_flat(data, last.normal)) last.normal = {core::kNone, core::kNone, core::kNone};
+  data.faces = mesh.faces;
+  data.face_normals = mesh.face_normals;
+  data.face_uvs = mesh.face_uvs;
+  data.face_textures = mesh.face_textures;
+  for (core::MeshTriple& normals : data.face_normals.list) {
+    if (is_flat(data, normals)) normals = {core::kNoIndex, core::kNoIndex, core::kNoIndex};
   }
   data.is_open = mesh.inside_vector && has_open_edges(data);
   return data;

@@ -214,8 +214,8 @@ class BoxFinder {
   }
   Bounds leaf(const std::shared_ptr<const MeshShape>& s, const ObjectDesc& o) {
     Bounds box;
-    for (const MeshFace& face : s->faces) {
-      for (const int v : face.vertex) box.include(s->vertices[static_cast<std::size_t>(v)]);
+    for (const core::MeshTriple& face : s->faces) {
+      for (const std::uint32_t v : face) box.include(s->vertices[v]);
     }
     return moved(kept(box), *o.transform);
   }

@@ -16,6 +16,7 @@
 #include "core/base/color.h"
 #include "core/base/transform.h"
 #include "core/base/vec3.h"
+#include "core/geometry/mesh_data.h"
 #include "parser/descriptions/light.h"
 #include "parser/descriptions/nesting.h"
 #include "parser/source.h"
@@ -54,18 +55,15 @@ struct QuadricShape {
   Sparse<core::Bounds> box;             ///< that stock found before later transforms, moved by them
 };
 
-struct MeshFace {
-  std::array<int, 3> vertex{0, 0, 0};
-  std::array<int, 3> normal{-1, -1, -1};    ///< into normals; -1: flat
-  std::array<int, 3> uv{-1, -1, -1};        ///< into uvs; -1: none
-  std::array<int, 3> texture{-1, -1, -1};   ///< into textures; -1: the object's
-};
 /// mesh and mesh2 alike.
 struct MeshShape {
   std::vector<Vec3> vertices, normals;
   std::vector<Vec2> uvs;
   std::vector<Ref<TextureDesc>> textures;
-  std::vector<MeshFace> faces;
+  std::vector<core::MeshTriple> faces;     ///< into vertices
+  core::MeshTriples face_normals;          ///< into normals; none: flat
+  core::MeshTriples face_uvs;              ///< into uvs
+  core::MeshTriples face_textures;         ///< into textures; none: the object's
   std::optional<Vec3> inside_vector;
   /// The triangles as the kernel has them, made when first asked; placed copies share them.
   mutable std::shared_ptr<const core::TriangleMesh> compiled;

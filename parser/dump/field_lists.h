@@ -99,8 +99,8 @@ LENTRAY_FIELDS(TriangleShape, p)
 LENTRAY_FIELDS(SmoothTriangleShape, p, n)
 LENTRAY_FIELDS(PolygonShape, points)
 LENTRAY_FIELDS(QuadricShape, c, box)
-LENTRAY_FIELDS(MeshFace, vertex, normal, uv, texture)
-LENTRAY_FIELDS(MeshShape, vertices, normals, uvs, textures, faces, inside_vector, compiled)
+LENTRAY_FIELDS(MeshShape, vertices, normals, uvs, textures, faces, face_normals, face_uvs, face_textures, inside_vector,
+               compiled)
 LENTRAY_FIELDS(CsgShape, operation, children, split_union, cutaway_textures, global_lights, has_smooth_triangles,
                turns)
 LENTRAY_FIELDS(LightShape, light)

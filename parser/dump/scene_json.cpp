@@ -88,6 +88,15 @@ class Dumper {
     return out;
   }
 
+  /// None is -1.
+  Json other(const core::MeshTriples& triples) {
+    Json out = Json::array();
+    for (const auto& [a, b, c] : triples.list) {
+      out.push_back({static_cast<std::int32_t>(a), static_cast<std::int32_t>(b), static_cast<std::int32_t>(c)});
+    }
+    return out;
+  }
+
   Json shared(const std::shared_ptr<const core::TriangleMesh>&) { return {}; }
   Json shared(const Ref<FunctionDesc>& f) {
     if (!f) return {};

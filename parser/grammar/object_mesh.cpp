@@ -11,6 +11,8 @@
 namespace lentray::parser {
 namespace {
 
+constexpr core::MeshTriple kNoTriple{core::kNoIndex, core::kNoIndex, core::kNoIndex};
+
 struct BitsHash {
   template <std::size_t kCount>
   std::size_t operator()(const std::array<std::uint64_t, kCount>& bits) const {
@@ -31,30 +33,30 @@ std::uint64_t bits_of(double x) {
 class PointPool {
  public:
   explicit PointPool(std::vector<Vec3>& points) : m_points(points) {}
-  int index(const Vec3& p) {
+  std::uint32_t index(const Vec3& p) {
     const auto [it, fresh] = m_index.try_emplace(
-        std::array{bits_of(p.x), bits_of(p.y), bits_of(p.z)}, static_cast<int>(m_points.size()));
+        std::array{bits_of(p.x), bits_of(p.y), bits_of(p.z)}, static_cast<std::uint32_t>(m_points.size()));
     if (fresh) m_points.push_back(p);
     return it->second;
   }
 
  private:
   std::vector<Vec3>& m_points;
-  std::unordered_map<std::array<std::uint64_t, 3>, int, BitsHash> m_index;
+  std::unordered_map<std::array<std::uint64_t, 3>, std::uint32_t, BitsHash> m_index;
 };
 
 class TexturePool {
  public:
   explicit TexturePool(std::vector<Ref<TextureDesc>>& textures) : m_textures(textures) {}
-  int index(const Ref<TextureDesc>& texture) {
-    const auto [it, fresh] = m_index.try_emplace(texture.get(), static_cast<int>(m_textures.size()));
+  std::uint32_t index(const Ref<TextureDesc>& texture) {
+    const auto [it, fresh] = m_index.try_emplace(texture.get(), static_cast<std::uint32_t>(m_textures.size()));
     if (fresh) m_textures.push_back(texture);
     return it->second;
   }
 
  private:
   std::vector<Ref<TextureDesc>>& m_textures;
-  std::unordered_map<const TextureDesc*, int> m_index;
+  std::unordered_map<const TextureDesc*, std::uint32_t> m_index;
 };
 
 /// What is under construction while a `mesh` is read.
@@ -65,43 +67,48 @@ struct MeshReader {
 
   void parse_face(Parser& parser, Context& context, bool smooth) {
     parser.expect(Punct::kLeftCurly);
-    MeshFace face;
-    for (int i = 0; i < 3; ++i) {
-      face.vertex[i] = vertices.index(parser.parse_vector());
+    core::MeshTriple corners, corner_normals = kNoTriple, corner_uvs = kNoTriple, corner_textures = kNoTriple;
+    for (std::size_t i = 0; i < 3; ++i) {
+      corners[i] = vertices.index(parser.parse_vector());
       parser.parse_comma();
       if (!smooth) continue;
-      face.normal[i] = normals.index(parser.parse_vector());
+      corner_normals[i] = normals.index(parser.parse_vector());
       parser.parse_comma();
     }
     if (parser.accept(Keyword::kUvVectors)) {
-      for (int i = 0; i < 3; ++i) {
-        face.uv[i] = static_cast<int>(mesh.uvs.size());
+      for (std::uint32_t& uv : corner_uvs) {
+        uv = static_cast<std::uint32_t>(mesh.uvs.size());
         mesh.uvs.push_back(parse_uv(parser));
         parser.parse_comma();
       }
     }
     Ref<TextureDesc> texture;  // the last one alone counts, as in stock
     while (parser.accept(Keyword::kTexture)) texture = parse_texture(parser, context.materials);
-    if (texture) face.texture.fill(textures.index(texture));
-    if (parser.accept(Keyword::kTextureList)) parse_corner_textures(parser, face);
+    if (texture) corner_textures.fill(textures.index(texture));
+    if (parser.accept(Keyword::kTextureList)) corner_textures = parse_corner_textures(parser);
     end_block(parser, "one of uv_vectors, texture, texture_list");
-    if (face.vertex[0] == face.vertex[1] || face.vertex[1] == face.vertex[2] ||
-        face.vertex[2] == face.vertex[0]) {
+    if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]) {
       return;  // degenerate: stock leaves it out
     }
-    mesh.faces.push_back(face);
+    const std::size_t face = mesh.faces.size();
+    mesh.faces.push_back(corners);
+    mesh.face_normals.set(face, corner_normals);
+    mesh.face_uvs.set(face, corner_uvs);
+    mesh.face_textures.set(face, corner_textures);
   }
 
  private:
-  void parse_corner_textures(Parser& parser, MeshFace& face) {
+  core::MeshTriple parse_corner_textures(Parser& parser) {
+    core::MeshTriple list;
     parser.expect(Punct::kLeftCurly);
-    for (int& texture : face.texture) {
+    for (std::uint32_t& texture : list) {
       const auto named = parser.accept_value<Ref<TextureDesc>>();
       if (!named) parser.fail_expected("three texture identifiers, one for each corner");
       texture = textures.index(*named);
       parser.parse_comma();
     }
     parser.expect(Punct::kRightCurly);
+    return list;
   }
 };
 
@@ -145,21 +152,27 @@ std::array<int, 3> parse_triple(Parser& parser) {
   return {to_int(v.x), to_int(v.y), to_int(v.z)};
 }
 
+core::MeshTriple checked(Parser& parser, const std::array<int, 3>& triple, std::size_t size, const char* what) {
+  for (const int i : triple) check_index(parser, i, size, what);
+  return {static_cast<std::uint32_t>(triple[0]), static_cast<std::uint32_t>(triple[1]),
+          static_cast<std::uint32_t>(triple[2])};
+}
+
 /// A face of mesh2: three vertices and up to three textures.
-MeshFace parse_indexed_face(Parser& parser, const MeshShape& mesh) {
-  MeshFace face;
-  face.vertex = parse_triple(parser);
-  for (const int i : face.vertex) check_index(parser, i, mesh.vertices.size(), "Mesh vertex");
+core::MeshTriple parse_indexed_face(Parser& parser, MeshShape& mesh) {
+  const core::MeshTriple corners = checked(parser, parse_triple(parser), mesh.vertices.size(), "Mesh vertex");
   parser.parse_comma();
-  int count = 0;
+  core::MeshTriple textures = kNoTriple;
+  std::size_t count = 0;
   while (count < 3 && at_float(parser)) {
     const int t = parser.parse_int();
     check_index(parser, t, mesh.textures.size(), "Mesh texture");
-    face.texture[count++] = t;
+    textures[count++] = static_cast<std::uint32_t>(t);
     parser.parse_comma();
   }
-  for (int i = count; count > 0 && i < 3; ++i) face.texture[i] = face.texture[0];
-  return face;
+  for (std::size_t i = count; count > 0 && i < 3; ++i) textures[i] = textures[0];
+  mesh.face_textures.set(mesh.faces.size(), textures);
+  return corners;
 }
 
 struct Mesh2Reader {
@@ -209,29 +222,29 @@ struct Mesh2Reader {
   void connect(Parser& parser) {
     if (mesh.vertices.empty()) parser.fail_expected("vertex_vectors");
     if (mesh.faces.empty()) parser.fail_expected("face_indices");
-    for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
-      MeshFace& face = mesh.faces[i];
-      if (!mesh.normals.empty()) {
-        if (has_normal_indices) {
-          if (i < normal_indices.size()) face.normal = normal_indices[i];
-        } else {
-          face.normal = face.vertex;
-        }
-        if (face.normal[0] >= 0) {
-          for (const int n : face.normal) check_index(parser, n, mesh.normals.size(), "Mesh normal");
-        }
-      }
-      if (!mesh.uvs.empty()) {
-        if (has_uv_indices) {
-          if (i < uv_indices.size()) face.uv = uv_indices[i];
-        } else {
-          face.uv = face.vertex;
-        }
-        if (face.uv[0] >= 0) {
-          for (const int n : face.uv) check_index(parser, n, mesh.uvs.size(), "Mesh uv");
-        }
-      }
+    if (!mesh.normals.empty()) {
+      mesh.face_normals =
+          connected(parser, has_normal_indices, normal_indices, mesh.normals.size(), "Mesh normal");
     }
+    if (!mesh.uvs.empty()) {
+      mesh.face_uvs = connected(parser, has_uv_indices, uv_indices, mesh.uvs.size(), "Mesh uv");
+    }
+  }
+
+ private:
+  core::MeshTriples connected(Parser& parser, bool has_indices, const std::vector<std::array<int, 3>>& indices,
+                              std::size_t size, const char* what) const {
+    core::MeshTriples triples;
+    for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
+      std::array<int, 3> own{-1, -1, -1};
+      if (!has_indices) {
+        for (std::size_t k = 0; k < 3; ++k) own[k] = static_cast<int>(mesh.faces[i][k]);
+      } else if (i < indices.size()) {
+        own = indices[i];
+      }
+      if (own[0] >= 0) triples.set(i, checked(parser, own, size, what));
+    }
+    return triples;
   }
 };
 

@@ -135,11 +135,8 @@ MeshData bumpy(int n, unsigned seed) {
   }
   for (int i = 0; i < n; ++i) {
     for (int j = 0; j < n; ++j) {
-      MeshFace f;
-      f.vertex = {id(i, j), id(i + 1, j), id(i + 1, j + 1)};
-      data.faces.push_back(f);
-      f.vertex = {id(i, j), id(i + 1, j + 1), id(i, j + 1)};
-      data.faces.push_back(f);
+      data.faces.push_back({id(i, j), id(i + 1, j), id(i + 1, j + 1)});
+      data.faces.push_back({id(i, j), id(i + 1, j + 1), id(i, j + 1)});
     }
   }
   return data;
@@ -151,8 +148,8 @@ TEST(UnitCoreMesh, MatchesEveryTriangleTried) {
   EXPECT_EQ(triangles->dropped(), 48u);  // two degenerate ones a column at the poles
   const Mesh mesh(triangles, Vec3{0, 1, 0}, true);
   std::vector<Triangle> all;
-  for (const MeshFace& f : data.faces) {
-    all.emplace_back(data.vertices[f.vertex[0]], data.vertices[f.vertex[1]], data.vertices[f.vertex[2]]);
+  for (const MeshTriple& f : data.faces) {
+    all.emplace_back(data.vertices[f[0]], data.vertices[f[1]], data.vertices[f[2]]);
   }
   Random random(4);
   int met = 0;
@@ -202,9 +199,8 @@ TEST(UnitCoreMesh, NormalsTexturesUvAndErrors) {
   data.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   data.normals = {{0, 0, -1}, {1, 0, 0}, {0, 1, 0}};
   data.uvs = {{0, 0}, {4, 0}, {0, 8}};
-  data.faces.resize(1);
-  data.faces[0].vertex = data.faces[0].normal = data.faces[0].uv = {0, 1, 2};
-  data.faces[0].texture = {0, 0, 1};
+  data.faces = data.face_normals.list = data.face_uvs.list = {{0, 1, 2}};
+  data.face_textures.set(0, {0, 0, 1});
   MeshData bad = data;
   Mesh mesh(std::make_shared<const TriangleMesh>(data), std::nullopt, true);
   const auto* red = reinterpret_cast<const Texture*>(&data);
@@ -222,7 +218,7 @@ TEST(UnitCoreMesh, NormalsTexturesUvAndErrors) {
   EXPECT_EQ(share[0].texture, red);
   EXPECT_EQ(share[2].texture, blue);
   EXPECT_DOUBLE_EQ(share[2].weight, 0.5);
-  bad.faces[0].vertex[2] = 3;
+  bad.faces[0][2] = 3;
   EXPECT_THROW(TriangleMesh{bad}, std::out_of_range);
 }
 

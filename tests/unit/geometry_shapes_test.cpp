@@ -36,11 +36,7 @@ double radial(const Vec3& p) { return std::hypot(p.x, p.z); }
 std::unique_ptr<Shape> tetrahedron() {
   MeshData data;
   data.vertices = {{-1, -1, -1}, {1, -1, -1}, {0, -1, 1}, {0, 1, 0}};
-  data.faces.resize(4);
-  data.faces[0].vertex = {0, 1, 2};
-  data.faces[1].vertex = {0, 1, 3};
-  data.faces[2].vertex = {1, 2, 3};
-  data.faces[3].vertex = {2, 0, 3};
+  data.faces = {{0, 1, 2}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
   return std::make_unique<Mesh>(std::make_shared<const TriangleMesh>(std::move(data)),
                                 Vec3{0.1, 1, 0.03}, false);
 }

@@ -108,7 +108,9 @@ TEST(UnitParserObject, Mesh) {
   EXPECT_EQ(mesh.faces.size(), 2u);   // the third has no area
   EXPECT_EQ(mesh.vertices.size(), 4u);
   EXPECT_EQ(mesh.normals.size(), 1u);
-  EXPECT_EQ(mesh.faces[0].normal[0], -1);
+  EXPECT_EQ(mesh.face_normals[0][0], core::kNoIndex);
+  EXPECT_EQ(mesh.face_normals[1][0], 0u);
+  EXPECT_TRUE(mesh.face_textures.empty());
   EXPECT_EQ(mesh.uvs.size(), 3u);
   EXPECT_EQ(*mesh.inside_vector, Vec3(0, 0, 1));
 }
@@ -121,10 +123,10 @@ TEST(UnitParserObject, Mesh2) {
       " face_indices { 2, <0,1,2>, 0, <1,3,2>, 1, 0, 1 } uv_indices { 2, <0,1,2>, <2,1,0> } }");
   const MeshShape& mesh = *s.shape<std::shared_ptr<const MeshShape>>();
   ASSERT_EQ(mesh.faces.size(), 2u);
-  EXPECT_EQ(mesh.faces[0].texture, (std::array{0, 0, 0}));
-  EXPECT_EQ(mesh.faces[1].texture, (std::array{1, 0, 1}));
-  EXPECT_EQ(mesh.faces[1].normal, (std::array{1, 3, 2}));   // without normal_indices: the vertices'
-  EXPECT_EQ(mesh.faces[1].uv, (std::array{2, 1, 0}));
+  EXPECT_EQ(mesh.face_textures[0], (core::MeshTriple{0, 0, 0}));
+  EXPECT_EQ(mesh.face_textures[1], (core::MeshTriple{1, 0, 1}));
+  EXPECT_EQ(mesh.face_normals[1], (core::MeshTriple{1, 3, 2}));   // without normal_indices: the vertices'
+  EXPECT_EQ(mesh.face_uvs[1], (core::MeshTriple{2, 1, 0}));
 }
 
 TEST(UnitParserObject, PolynomialPutsTermsWherePolyHasThem) {

@@ -207,15 +207,15 @@ TEST(UnitShapeShortcutsOfMesh, AreThoseOfItsFaces) {
       const core::ShearedRay sheared(ray);
       core::TriangleMesh::FaceHit found, expected;
       for (std::uint32_t face = 0; face < mesh.data().faces.size(); ++face) {
-        const auto& v = mesh.data().faces[face].vertex;
+        const auto& v = mesh.data().faces[face];
         const auto& p = mesh.data().vertices;
         core::TriangleHit hit;
         if (!core::intersect_triangle(sheared, p[v[0]], p[v[1]], p[v[2]], hit)) continue;
-        if (!(hit.t > kFrom) || (expected.face != core::kNone && !(hit.t < expected.t))) continue;
+        if (!(hit.t > kFrom) || (expected.face != core::kNoIndex && !(hit.t < expected.t))) continue;
         expected = {hit.t, hit.wb, hit.wc, face};
       }
-      ASSERT_EQ(mesh.nearest(ray, kFrom, Bounds::kInf, found), expected.face != core::kNone);
-      if (expected.face == core::kNone) continue;
+      ASSERT_EQ(mesh.nearest(ray, kFrom, Bounds::kInf, found), expected.face != core::kNoIndex);
+      if (expected.face == core::kNoIndex) continue;
       ++met;
       EXPECT_TRUE(found.face == expected.face && same(found.t, expected.t) && same(found.wb, expected.wb) &&
                   same(found.wc, expected.wc));

@@ -52,7 +52,7 @@ void set_signals() {
 /// part lies on the system's large pages where it has them, asked for before anything is there; to
 /// get small ones took 4 to 8 % of a small picture's time.
 void keep_memory() {
-  constexpr int kLargePages = 256 << 20;
+  constexpr int kLargePages = 64 << 20;
   constexpr std::uintptr_t kLargePage = 2 << 20, kMoreThanLeft = 256 << 10;
   mallopt(M_MMAP_THRESHOLD, 32 << 20);
   mallopt(M_TRIM_THRESHOLD, 1 << 30);
