@@ -1,13 +1,9 @@
 // lentray: renders POV-Ray scenes, also as integral images for lenticular sheets.
 #include <malloc.h>
-#include <sys/mman.h>
-#include <unistd.h>
 
 #include <atomic>
 #include <csignal>
-#include <cstdint>
 #include <cstdio>
-#include <cstdlib>
 #include <exception>
 #include <new>
 #include <optional>
@@ -48,28 +44,11 @@ void set_signals() {
 }
 
 /// What reading a scene gave back is used again by what is built of it: memory from the system costs
-/// more than filling it. Blocks above the first limit still come and go one by one. The heap's first
-/// part lies on the system's large pages where it has them, asked for before anything is there; to
-/// get small ones took 4 to 8 % of a small picture's time.
+/// more than filling it. Blocks above the first limit still come and go one by one.
 void keep_memory() {
-  constexpr int kLargePages = 64 << 20;
-  constexpr std::uintptr_t kLargePage = 2 << 20, kMoreThanLeft = 256 << 10;
   mallopt(M_MMAP_THRESHOLD, 32 << 20);
   mallopt(M_TRIM_THRESHOLD, 1 << 30);
-  mallopt(M_TOP_PAD, kLargePages);
-  void* const first = std::malloc(kMoreThanLeft);
-  const auto start = reinterpret_cast<std::uintptr_t>(first);
-  // Beyond the block, as the heap has written where that ends.
-  const auto begin = (start + kMoreThanLeft + kLargePage) & ~(kLargePage - 1);
-  const auto end = reinterpret_cast<std::uintptr_t>(sbrk(0)) & ~(kLargePage - 1);
-  std::free(first);
   mallopt(M_TOP_PAD, 1 << 20);
-  // Another allocator has its blocks elsewhere.
-  const bool on_heap = first && begin < end && end - begin <= 2 * static_cast<std::uintptr_t>(kLargePages);
-  if (!on_heap) return;
-  // Refused where there are no such pages: no harm. What lies before the first one is left unused.
-  if (madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE) != 0) return;
-  [[maybe_unused]] static void* const before = std::malloc(begin - start);
 }
 
 using parser::Stream;
