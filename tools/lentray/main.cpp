@@ -43,10 +43,10 @@ void set_signals() {
   std::signal(SIGPIPE, SIG_IGN);
 }
 
-/// What reading a scene gave back is used again by what is built of it: memory from the system costs
-/// more than filling it. Blocks above the first limit still come and go one by one.
+/// What reading a scene gave back is used again by what is built of it, large blocks too: memory from
+/// the system costs more than filling it.
 void keep_memory() {
-  mallopt(M_MMAP_THRESHOLD, 32 << 20);
+  mallopt(M_MMAP_MAX, 0);
   mallopt(M_TRIM_THRESHOLD, 1 << 30);
   mallopt(M_TOP_PAD, 1 << 20);
 }
