@@ -75,7 +75,12 @@ Ball Leaf::solid_ball() const {
 }
 
 void Leaf::set_inverse(bool inverse) {
-  if (m_shape->is_solid()) Object::set_inverse(inverse);
+  if (m_shape->is_solid()) {
+    Object::set_inverse(inverse);
+    m_turns_normal = inverse && m_shape->inverse_turns_normal();
+  } else if (inverse && m_shape->inverse_turns_normal()) {
+    m_turns_normal = !m_turns_normal;  // is_inverse() stays false, so that every inversion asks for true
+  }
 }
 
 bool Leaf::shape_nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const {
@@ -158,10 +163,10 @@ bool Leaf::inside(const Vec3& p) const {
 Vec3 Leaf::normal(const Vec3& world_point, const ShapeHit& hit) const {
   if (m_transform) {
     const Vec3 n = m_transform->normal(m_shape->normal(m_transform->inverse_point(world_point), hit));
-    return normalized(is_inverse() ? -n : n);
+    return normalized(m_turns_normal ? -n : n);
   }
   const Vec3 n = m_shape->normal(world_point, hit);
-  return normalized(is_inverse() ? -n : n);
+  return normalized(m_turns_normal ? -n : n);
 }
 
 Vec2 Leaf::uv(const Vec3& world_point, const ShapeHit& hit) const {

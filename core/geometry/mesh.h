@@ -49,6 +49,7 @@ class Mesh final : public Shape {
   bool inside(const Vec3& p) const override;
   bool outside(const Vec3& p) const override;
   bool is_solid() const override { return m_inside_vector.has_value(); }
+  bool inverse_turns_normal() const override { return true; }
   /// Where triangles are missing points beyond the box count as inside, too.
   bool solid_leaves_bounds() const override { return is_solid() && m_triangles->data().is_open; }
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;

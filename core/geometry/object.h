@@ -232,6 +232,7 @@ class Leaf final : public Object {
   std::unique_ptr<Shape> m_shape;
   std::unique_ptr<const Transform> m_transform;  ///< apart: few have one, and it is large
   Bounds m_box;  ///< of the shape, in the world
+  bool m_turns_normal = false;
 };
 
 enum class CsgKind { kUnion, kIntersection, kDifference, kMerge };

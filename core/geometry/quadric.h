@@ -21,6 +21,8 @@ class Quadric final : public Shape {
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
   bool inside(const Vec3& p) const override;
+  /// Stock turns the sign of the polynomial, and the normal once more.
+  bool inverse_turns_normal() const override { return false; }
   bool outside(const Vec3& p) const override;
   bool solid_is_unbounded() const override { return m_solid_unbounded; }
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;

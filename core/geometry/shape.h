@@ -79,6 +79,8 @@ class Shape {
   virtual Bounds csg_bounds_in(const Transform& t) const { return bounds_in(t); }
   /// False for patches, which `inverse` does not change.
   virtual bool is_solid() const { return true; }
+  /// Whether the normal of the inverse points the other way, which decides what is behind.
+  virtual bool inverse_turns_normal() const { return is_solid(); }
   /// But for rounding, and of hits from outside alone. Patches whose normal is not that of their plane have none.
   virtual Convexity convexity() const { return Convexity::kNone; }
   /// Shading normal, not necessarily unit, pointing as stock's does (outwards for solids).

@@ -134,7 +134,8 @@ struct SphereSweep::Line {
   double t_of(double along) const { return (along + shift) / speed; }
 };
 
-SphereSweep::SphereSweep(std::vector<SweepPiece> pieces) : m_pieces(std::move(pieces)) {
+SphereSweep::SphereSweep(std::vector<SweepPiece> pieces, double tolerance)
+    : m_pieces(std::move(pieces)), m_tolerance(tolerance) {
   for (const SweepPiece& piece : m_pieces) {
     m_boxes.push_back(box_of(piece, Transform()));
     m_bounds.include(m_boxes.back());
@@ -275,6 +276,7 @@ void SphereSweep::on_surface(const Ray& ray, double t_min, double t_max, Visit&&
   // Grows to the most that a ray ever meets, then costs nothing.
   thread_local ShapeHits found;
   found.clear();
+  t_min = std::max(t_min, m_tolerance);
   crossings(ray, t_min, t_max, found);
   for (const ShapeHit& hit : found) {
     if (!(hit.t > t_min && hit.t < t_max)) continue;

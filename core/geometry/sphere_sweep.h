@@ -32,13 +32,15 @@ struct BoxRay;
 
 class SphereSweep final : public Shape {
  public:
-  explicit SphereSweep(std::vector<SweepPiece> pieces);
+  /// `tolerance`: along rays, in the world; what they meet before it does not count, as in stock.
+  explicit SphereSweep(std::vector<SweepPiece> pieces, double tolerance = 0.0);
 
   std::string_view name() const override { return "sphere_sweep"; }
   Bounds bounds() const override { return m_bounds; }
   Bounds bounds_in(const Transform& t) const override;
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
+  bool tells_all() const override { return m_tolerance <= kFine; }
   bool inside(const Vec3& p) const override;
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
   void drop_shortcuts() override;
@@ -55,6 +57,7 @@ class SphereSweep final : public Shape {
   void on_surface(const Ray& ray, double t_min, double t_max, Visit&& visit) const;
   bool within(const Vec3& p, double margin) const;
 
+  static constexpr double kFine = 1e-4;  ///< a tolerance below which rays that begin anew miss nothing
   std::vector<SweepPiece> m_pieces;
   static constexpr std::uint32_t kParts = 8;
   /// The first part that the ray may meet beyond t_min, and that after the last; both 0 if none.
@@ -63,6 +66,7 @@ class SphereSweep final : public Shape {
   std::vector<Bounds> m_boxes;  ///< one a piece
   std::vector<Bounds> m_parts;  ///< kParts a piece, along it; asked for curved ones
   Bounds m_bounds;
+  double m_tolerance;
 };
 
 }  // namespace lentray::core

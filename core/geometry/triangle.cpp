@@ -12,7 +12,6 @@ std::unique_ptr<Shape> Triangle::baked(const Transform& t) const {
   auto moved = std::make_unique<Triangle>(t.point(m_vertices[0]), t.point(m_vertices[1]),
                                           t.point(m_vertices[2]));
   moved->m_degenerate |= m_degenerate;
-  moved->m_normal = normalized(t.normal(m_normal));  // a mirror does not turn it round
   return moved;
 }
 

@@ -11,11 +11,11 @@ void textures_at(const SurfaceContext& surface, bool from_behind, double least,
   const Hit& hit = *surface.hit;
   const Vec3 point = texture_point(surface);
   const Attributes& looks = hit.leaf->attributes();
-  const Texture* own =
-      from_behind && looks.interior_texture ? looks.interior_texture : looks.texture;
+  const bool interior = from_behind && looks.interior_texture;
+  const Texture* own = interior ? looks.interior_texture : looks.texture;
   const Shape& shape = hit.leaf->shape();
   const Mesh* mesh = typeid(shape) == typeid(Mesh) ? static_cast<const Mesh*>(&shape) : nullptr;
-  if (!mesh || !mesh->has_textures()) {
+  if (!mesh || !mesh->has_textures() || interior) {
     own->resolve(point, surface, 1.0, out);
     return;
   }

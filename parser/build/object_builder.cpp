@@ -81,6 +81,11 @@ Regions boxed(const std::vector<Ref<ObjectDesc>>& bounds, const core::Transform&
   return kept;
 }
 
+/// Stock asks no patch for what clips it: the clips only lend their box.
+bool forgets_clips(const ObjectDesc& object) {
+  return std::holds_alternative<std::shared_ptr<const BicubicPatchShape>>(object.shape);
+}
+
 /// Of an object in the scene's list: whether it seems to stock worth a test of its bounds.
 bool keeps_bounds(const ObjectDesc& object) {
   if (const auto* quadric = std::get_if<Sparse<QuadricShape>>(&object.shape)) {
@@ -214,7 +219,7 @@ void ObjectBuilder::set_regions(const ObjectDesc& object, const core::Transform&
     alone.rare.edit().bounded_by.clear();
     bounds = heeds_regions(object) ? boxed(object.rare->bounded_by, outer, core::transformed(stock_box(alone, is_whole), outer)) : Regions();
   }
-  if (!clips.empty()) out.set_clips(std::move(clips));
+  if (!clips.empty() && !forgets_clips(object)) out.set_clips(std::move(clips));
   const Reach reach = !on_list ? Reach::kPart : m_has_hierarchy ? Reach::kByBoxes : Reach::kOneByOne;
   if (auto box = box_region(object, outer, reach, open_bounds, out)) bounds.push_back(std::move(box));
   if (!bounds.empty()) out.set_bounding(std::move(bounds));
@@ -371,6 +376,7 @@ void ObjectBuilder::add_element_textures(const BlobShape& blob, const core::Tran
       std::move(elements), m_parts->settings.adc_bailout);
   m_parts->textures.push_back(mixed);
   looks.texture = mixed.get();
+  looks.interior_texture = nullptr;  // stock mixes those of the outside there too
   out.set_attributes(looks);
 }
 

@@ -10,6 +10,7 @@
 #include "core/geometry/blob.h"
 #include "core/geometry/box.h"
 #include "core/geometry/cone.h"
+#include "core/geometry/double_cone.h"
 #include "core/geometry/cylinder.h"
 #include "core/geometry/disc.h"
 #include "core/geometry/plane.h"
@@ -145,6 +146,12 @@ struct ShapeMaker {
     return std::make_unique<core::Cylinder>(s.base, s.cap, s.radius, s.open);
   }
   ShapePointer operator()(const ConeShape& s) const {
+    // Stock goes by the end of the larger radius, below zero or not. Both below: a cylinder.
+    const double larger = std::max(s.base_radius, s.cap_radius), smaller = std::min(s.base_radius, s.cap_radius);
+    if (larger < 0.0) return std::make_unique<core::Cone>(s.base, larger, s.cap, larger, s.open);
+    if (larger > 0.0 && smaller < 0.0) {
+      return std::make_unique<core::DoubleCone>(s.base, s.base_radius, s.cap, s.cap_radius, s.open);
+    }
     return std::make_unique<core::Cone>(s.base, s.base_radius, s.cap, s.cap_radius, s.open);
   }
   ShapePointer operator()(const TorusShape& s) const {
@@ -228,7 +235,7 @@ struct ShapeMaker {
     return std::make_unique<core::SurfaceOfRevolution>(s.points, s.open);
   }
   ShapePointer operator()(const SphereSweepShape& s) const {
-    return std::make_unique<core::SphereSweep>(sweep_pieces(s));
+    return std::make_unique<core::SphereSweep>(sweep_pieces(s), s.tolerance);
   }
   ShapePointer operator()(const Sparse<ParametricShape>& shape) const {
     const ParametricShape& s = *shape;

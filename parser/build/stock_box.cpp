@@ -177,7 +177,7 @@ class BoxFinder {
     const Vec3 narrow = wider_base ? s.cap : s.base, wide = wider_base ? s.base : s.cap;
     const double small = wider_base ? s.cap_radius : s.base_radius;
     const double large = wider_base ? s.base_radius : s.cap_radius;
-    if (large - small < kTiny) return leaf(CylinderShape{s.base, s.cap, large, s.open}, o);
+    if (large - small < kTiny || large < 0.0) return leaf(CylinderShape{s.base, s.cap, large, s.open}, o);
     const double length = core::length(wide - narrow);
     const Vec3 axis = (wide - narrow) / length;
     const double below = small * length / (large - small);

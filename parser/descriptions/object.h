@@ -47,7 +47,7 @@ struct ConeShape { Vec3 base, cap; double base_radius = 1.0, cap_radius = 0.0; b
 struct TorusShape { double major = 1.0, minor = 0.25; };
 struct DiscShape { Vec3 centre, normal{0, 0, 1}; double radius = 1.0, hole = 0.0; };
 struct TriangleShape { std::array<Vec3, 3> p; };
-struct SmoothTriangleShape { std::array<Vec3, 3> p, n; };    ///< n: weigh as they are long, see transform.cpp
+struct SmoothTriangleShape { std::array<Vec3, 3> p, n; };    ///< n: weigh as they are long, see triangle_steps.cpp
 struct PolygonShape { std::vector<Vec3> points; };           ///< closed sub-polygons, as written
 /// a x2 + b y2 + c z2 + d xy + e xz + f yz + g x + h y + i z + j = 0
 struct QuadricShape {
@@ -77,7 +77,7 @@ struct CsgShape {
   bool split_union = true;
   bool cutaway_textures = false;
   bool global_lights = false;      ///< light_group
-  bool has_smooth_triangles = false;
+  bool has_triangles = false;
   /// What the transform was made of where there was more than one turn: for stock_box(), which grows with each.
   Sparse<std::vector<core::Transform>> turns;
 };

@@ -101,7 +101,7 @@ LENTRAY_FIELDS(PolygonShape, points)
 LENTRAY_FIELDS(QuadricShape, c, box)
 LENTRAY_FIELDS(MeshShape, vertices, normals, uvs, textures, faces, face_normals, face_uvs, face_textures, inside_vector,
                compiled)
-LENTRAY_FIELDS(CsgShape, operation, children, split_union, cutaway_textures, global_lights, has_smooth_triangles,
+LENTRAY_FIELDS(CsgShape, operation, children, split_union, cutaway_textures, global_lights, has_triangles,
                turns)
 LENTRAY_FIELDS(LightShape, light)
 LENTRAY_FIELDS(BlobElement, kind, a, b, radius, strength, transform, texture)

@@ -5,6 +5,7 @@
 
 #include "parser/grammar/helpers.h"
 #include "parser/grammar/object.h"
+#include "parser/grammar/triangle_steps.h"
 
 namespace lentray::parser {
 namespace {
@@ -196,10 +197,8 @@ ShapeDesc parse_csg(Parser& parser, Context& context, CsgOperation operation) {
   }
   CsgShape s;
   s.operation = operation;
-  s.has_smooth_triangles = std::any_of(children->begin(), children->end(), [](const Ref<ObjectDesc>& child) {
-    const CsgShape* csg = child->csg();
-    return csg ? csg->has_smooth_triangles : std::holds_alternative<Sparse<SmoothTriangleShape>>(child->shape);
-  });
+  s.has_triangles = std::any_of(children->begin(), children->end(),
+                                [](const Ref<ObjectDesc>& child) { return has_triangles(child->shape); });
   s.children = std::move(children);
   return s;
 }

@@ -1,8 +1,5 @@
 #include "parser/grammar/transform.h"
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -12,6 +9,7 @@
 #include "parser/build/stock_box.h"
 #include "parser/descriptions/interior.h"
 #include "parser/descriptions/texture.h"
+#include "parser/grammar/triangle_steps.h"
 #include "parser/parser.h"
 
 namespace lentray::parser {
@@ -19,43 +17,6 @@ namespace lentray::parser {
 namespace {
 
 void move(ObjectDesc& object, const core::Transform& transform, bool plain);
-
-/// The shape once more if it changes. Stock's `scale` makes the normals of smooth triangles units as they are placed
-/// then; `matrix` and `transform` leave them as long as they become, and what is longer weighs more between the
-/// corners. `placed`: what leads out of the object, with the scale.
-std::optional<ShapeDesc> with_even_normals(const ShapeDesc& shape, const core::Transform& placed) {
-  constexpr double kAsLong = 1e-12;
-  if (const auto* csg = std::get_if<CsgShape>(&shape)) {
-    if (!csg->has_smooth_triangles) return std::nullopt;
-    std::shared_ptr<Children> children;  // large ones are shared as long as they are the same
-    for (std::size_t i = 0; i < csg->children->size(); ++i) {
-      const ObjectDesc& child = *(*csg->children)[i];
-      auto even = with_even_normals(child.shape, child.transform->then(placed));
-      if (!even) continue;
-      if (!children) children = std::make_shared<Children>(*csg->children);
-      auto copy = std::make_shared<ObjectDesc>(child);
-      copy->shape = std::move(*even);
-      (*children)[i] = std::move(copy);
-    }
-    if (!children) return std::nullopt;
-    CsgShape changed = *csg;
-    changed.children = std::move(children);
-    return changed;
-  }
-  const auto* triangle = std::get_if<Sparse<SmoothTriangleShape>>(&shape);
-  if (!triangle) return std::nullopt;
-  SmoothTriangleShape even = **triangle;
-  std::array<double, 3> lengths{};
-  for (std::size_t i = 0; i < lengths.size(); ++i) lengths[i] = length(placed.normal(even.n[i]));
-  const auto [least, most] = std::minmax_element(lengths.begin(), lengths.end());
-  if (!(*least > 0.0) || *most - *least <= kAsLong * *most) return std::nullopt;
-  for (std::size_t i = 0; i < lengths.size(); ++i) even.n[i] = even.n[i] / lengths[i];
-  return Sparse<SmoothTriangleShape>(even);
-}
-
-void make_normals_even(ObjectDesc& object, const core::Transform& outer) {
-  if (auto even = with_even_normals(object.shape, object.transform->then(outer))) object.shape = std::move(*even);
-}
 
 Ref<ObjectDesc> moved(const Ref<ObjectDesc>& object, const core::Transform& transform, bool plain) {
   auto copy = std::make_shared<ObjectDesc>(*object);
@@ -102,7 +63,7 @@ void apply_transform(ObjectDesc& object, const core::Transform& transform) {
   if (transform.is_identity()) return;
   const bool plain = core::similarity_scale(transform) > 0.0;
   turn_box(object, {}, transform, plain);
-  make_normals_even(object, transform);
+  move_triangles(object, {}, transform, true);
   move(object, transform, plain);
 }
 
@@ -113,8 +74,8 @@ bool accept_transforms(Parser& parser, ObjectDesc& object) {
   bool plain = true;
   for (; step.transform; step = accept_step(parser)) {
     turn_box(object, all, *step.transform, step.plain);
+    move_triangles(object, all, *step.transform, step.is_scale);
     all = all.then(*step.transform);
-    if (step.is_scale) make_normals_even(object, all);
     plain = plain && step.plain;
   }
   if (!all.is_identity()) move(object, all, plain);

@@ -46,6 +46,20 @@ INSTANTIATE_TEST_SUITE_P(
                            " max_gradient 4 translate y"}),
     [](const auto& one) { return std::string(one.param.name); });
 
+/// A patch is not cut by what clips it, which only lends its box.
+TEST(ImageOwnBounds, ClipsOfAPatch) {
+  const std::string patch = "bicubic_patch { type 1 u_steps 3 v_steps 3 flatness 0"
+                            " <-1,.2,-.9>, <-.4,1.2,-.9>, <.4,.1,-.8>, <.9,.6,-.9>, <-1,.5,-.4>, <-.4,1.1,-.3>, <.3,.3,-.2>,"
+                            " <.9,1.2,-.4>, <-.9,0,.2>, <-.2,.7,.2>, <.3,1,.2>, <1,.3,.3>, <-.8,.3,.9>, <-.2,1,.8>, <.2,.1,.9>,"
+                            " <1,1.1,.8> ";
+  for (const char* clip : {"sphere { .5*y, .6 }", "box { -.5, .8 }", "plane { x, 0 }", "box { -.5, .8 inverse }",
+                           "box { -.5, .8 } plane { x, 0 }"}) {
+    const std::string clipped = patch + "clipped_by { " + std::string(clip) + " } rotate 20*y }";
+    EXPECT_TRUE(looks_the_same("object { " + clipped + " translate -1.3*x } union { " + clipped + " sphere { x, .2 } }"
+                               "difference { box { <-1,0,-.7>, <.8,.6,1> } " + clipped + " translate <2,.5,1> }")) << clip;
+  }
+}
+
 /// Surfaces of other parts are seen inside a bounded part beyond its bounds, as far as the whole has stock's box.
 class ImageBoundsOfCutParts : public ::testing::TestWithParam<Case> {};
 
