@@ -69,6 +69,23 @@ void Csg::fence_children() {
   choose_tests();
 }
 
+void Csg::open_parts() {
+  if (m_leaves_bounds) open_parts(m_surface);
+}
+
+void Csg::open_parts(const Bounds& whole) {
+  for (std::size_t i = 0; i < m_children.size(); ++i) {
+    auto* part = dynamic_cast<Csg*>(m_children[i].get());
+    if (!part || !part->m_leaves_bounds) continue;
+    part->m_solid = part->m_surface = whole;
+    for (Fence& fence : part->m_fences) fence.surface = whole;
+    if (part->m_search) part->m_search = std::make_unique<Search>();
+    part->open_parts(whole);
+    part->fit_ball();
+    if (i < m_fences.size()) m_fences[i].surface = whole;
+  }
+}
+
 /// Which boxes and parts are asked first. The core is the smallest there is.
 void Csg::choose_tests() {
   m_core = hides_parts() ? kHidden : kNobody;
@@ -164,7 +181,7 @@ void Csg::build_search() const {
 }
 
 void Csg::set_box(const Bounds& box) {
-  if (!m_leaves_bounds || joins(m_kind)) return;
+  if (!m_leaves_bounds) return;
   m_solid = m_surface = box;
   for (Fence& fence : m_fences) fence.surface = box;
   m_search = m_children.size() < kMany ? nullptr : std::make_unique<Search>();

@@ -266,6 +266,9 @@ class Csg final : public Object {
   /// Where parts leave their bounds (solid_leaves_bounds()): the box that rays must meet, in place of that of the
   /// parts' boxes. Before clips and bounding are set.
   void set_box(const Bounds& box);
+  /// Once the whole is complete, which no other CSG has as a part and which is not split: rays that meet its box see
+  /// all of the parts that leave theirs, as stock asks parts without a look at their boxes.
+  void open_parts();
   /// `split_union off`: its parts stay together, and count as one solid.
   void keep_whole() { m_kept_whole = true; }
   bool is_kept_whole() const { return m_kept_whole; }
@@ -303,6 +306,7 @@ class Csg final : public Object {
   bool any_seen_inside(const Vec3& p, std::size_t except, RayKind kind) const;
   bool kept_nearest(const Ray&, double t_min, double t_max, Hit&, HitArena&) const;
   void fence_children();
+  void open_parts(const Bounds& whole);
   static Fence fence_of(const Object& child);
   void fill_fences() const;
   Ball surface_ball() const override;

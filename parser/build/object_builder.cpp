@@ -287,6 +287,9 @@ std::unique_ptr<core::Object> ObjectBuilder::build_whole(const ObjectDesc& objec
   }
   set_regions(object, outer, from.on_list && !is_split, !from.on_list || keeps_bounds(object), *out);
   if (object.inverse) out->set_inverse(true);
+  if (csg && !is_split && (from.on_list || !from.in_whole) && out->solid_leaves_bounds()) {
+    if (auto* whole = dynamic_cast<core::Csg*>(out.get())) whole->open_parts();
+  }
   if (from.on_list) set_start_bounds(object, outer, *out);
   if (m_cutaways) m_cutaways->record(*out, object, object.texture ? looks.texture : nullptr);
   return out;

@@ -71,6 +71,29 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& one) { return std::string(one.param.name); });
 
 /// The box of a turned CSG is that of its parts' boxes, turned; each time it is turned.
+/// Of parts of CSG stock asks no box, but only of the whole, and of the parts of a union that is split.
+class ImageOpenPartsOf : public ::testing::TestWithParam<Case> {};
+
+TEST_P(ImageOpenPartsOf, WhatJoinsThem) {
+  const auto [name, around] = GetParam();
+  const auto joined = [&around = around](const std::string& parts) {
+    std::string sdl = around;
+    return looks_the_same(sdl.replace(sdl.find('*'), 1, parts));
+  };
+  EXPECT_TRUE(joined("sphere { -x, .5 } intersection { disc { <0,.3,0>, <.1,1,.2>, 1, .2 } plane { <-.1,.5,-.6>, .29 } }"));
+  EXPECT_TRUE(joined("sphere { x, .6 } merge { sphere { -x, .4 } difference { disc { 0, y, 1, .2 } plane { y+x, -1 } } }"));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Each, ImageOpenPartsOf,
+    ::testing::Values(Case{"merge", "merge { * }"}, Case{"turned_merge", "merge { * rotate <10,0,20> }"},
+                      Case{"union", "union { * }"}, Case{"whole_union", "union { * split_union off }"},
+                      Case{"clipped_union", "union { * clipped_by { box { -1.5, 1.5 } } }"},
+                      Case{"cut_union", "intersection { union { * } box { -1.3, 1.4 } }"},
+                      Case{"notched_union", "difference { union { * } box { -1.5, <1.5,.1,1.5> } }"},
+                      Case{"union_of_a_merge", "union { merge { * } sphere { 2*y, .1 } }"}),
+    [](const auto& one) { return std::string(one.param.name); });
+
 TEST(ImageOpenShapesTurned, HaveTheBoxOfABox) {
   const std::string disc = "disc { <.1,0,.25>, <.6,.2,.9>, .7, .2 }", cut = disc + " box { <-.6,-.6,-.6>, <.6,.4,.6> }";
   for (const std::string& object : {"difference { " + cut + " rotate 30 }", "difference { " + cut + " matrix <1,.3,0,0,1,.1,.2,0,1,0,.1,0> }",

@@ -36,6 +36,8 @@ inline const ShapeCase kShapeCases[] = {
     {"cone", "cone { <-.3,-1,.2>, 1.1, <.4,1.2,-.3>, .2 }"},
     {"cone_pointed", "cone { -y, .8, y, 0 }"},
     {"cone_open", "cone { <0,-1,1>, .2, <0,1,-.5>, .9 open }"},
+    {"cone_double", "cone { <-.3,-1,.2>, -.5, <.4,1.2,-.3>, .9 }"},
+    {"cone_double_open", "cone { <0,-1,1>, -.7, <0,1,-.5>, .4 open }"},
     {"torus", "torus { 1, .3 }"},
     {"torus_thick", "torus { .6, .8 }"},
     {"disc", "disc { <.2,.3,.1>, <1,2,-.5>, 1.3, .4 }"},
