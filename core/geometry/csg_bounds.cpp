@@ -77,11 +77,8 @@ void Csg::open_parts(const Bounds& whole) {
   for (std::size_t i = 0; i < m_children.size(); ++i) {
     auto* part = dynamic_cast<Csg*>(m_children[i].get());
     if (!part || !part->m_leaves_bounds) continue;
-    part->m_solid = part->m_surface = whole;
-    for (Fence& fence : part->m_fences) fence.surface = whole;
-    if (part->m_search) part->m_search = std::make_unique<Search>();
+    part->set_box(whole);
     part->open_parts(whole);
-    part->fit_ball();
     if (i < m_fences.size()) m_fences[i].surface = whole;
   }
 }

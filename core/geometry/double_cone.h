@@ -1,5 +1,5 @@
 // cone { base, radius, cap, radius } with radii of different signs: two cones that meet in their tip.
-// Space: object, or world once baked. Source: pictures of stock (tests/image/double_cones_test.cpp).
+// Space: object. Source: pictures of stock (tests/image/double_cones_test.cpp).
 #pragma once
 
 #include "core/geometry/cone.h"

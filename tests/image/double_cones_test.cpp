@@ -2,24 +2,18 @@
 // a cylinder.
 #include <gtest/gtest.h>
 
-#include "tests/support/render.h"
+#include <string>
+
+#include "tests/image/floor_scene.h"
 
 namespace lentray::test {
 namespace {
-
-testing::AssertionResult looks_the_same(const std::string& objects) {
-  return same_as_stock({.sdl = "#version 3.7; global_settings { assumed_gamma 1 }\n"
-                               "camera { location <0,1.5,-4> angle 42 look_at 0 }\n"
-                               "light_source { <-4,7,-6>, .8 } light_source { <4,7,-6>, .3 }\n"
-                               "plane { y, -1.6 pigment { checker rgb .9 rgb .5 } }\n" + objects,
-                        .width = 100, .height = 75, .arguments = {}, .files = {}});
-}
 
 class ImageDoubleCones : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(ImageDoubleCones, AsStock) {
   const std::string cone = "cone { " + std::string(GetParam()) + " pigment { rgb x } ";
-  EXPECT_TRUE(looks_the_same(
+  EXPECT_TRUE(same_on_the_floor(
       cone + "scale .6 translate <-.9,.5,0> }" + cone + "rotate <40,20,-70> scale <.6,.4,.7> translate .6*y }" +
       "difference { box { -1, .5 } " + cone + "rotate 90*z translate .4 } pigment { rgb z } scale .5 translate <-.8,-.7,0> }" +
       "intersection { " + cone + "} box { -1, <1,.5,0> } pigment { rgb z } rotate y*70 scale .7 translate <1,.4,0> }" +

@@ -6,18 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "tests/support/render.h"
+#include "tests/image/floor_scene.h"
 
 namespace lentray::test {
 namespace {
-
-testing::AssertionResult looks_the_same(const std::string& objects) {
-  return same_as_stock({.sdl = "#version 3.7; global_settings { assumed_gamma 1 }\n"
-                               "camera { location <0,1.5,-4> angle 42 look_at 0 }\n"
-                               "light_source { <-4,7,-6>, .8 } light_source { <4,7,-6>, .3 }\n"
-                               "plane { y, -1.6 pigment { checker rgb .9 rgb .5 } }\n" + objects,
-                        .width = 100, .height = 75, .arguments = {}, .files = {}});
-}
 
 const std::string kLooks = " pigment { rgb x } interior_texture { pigment { rgb y } } ";
 
@@ -38,9 +30,9 @@ std::string row(const std::string& one, const std::string& around, const std::st
 TEST(ImageTriangleSides, TurnWithEachStep) {
   for (const char* corner : {"<.383,.944,.228>", "<.383,-.3,.228>"}) {
     const std::string one = "triangle { " + std::string(corner) + ", <.522,-.687,.628>, <.596,-.056,.978>" + kLooks;
-    EXPECT_TRUE(looks_the_same(row(one, "object", "")));
-    EXPECT_TRUE(looks_the_same(row(one, "union", "rotate 170*y")));
-    EXPECT_TRUE(looks_the_same(row(one, "union { sphere { 0, .1 } union", "} rotate 100*x rotate 90*y")));
+    EXPECT_TRUE(same_on_the_floor(row(one, "object", "")));
+    EXPECT_TRUE(same_on_the_floor(row(one, "union", "rotate 170*y")));
+    EXPECT_TRUE(same_on_the_floor(row(one, "union { sphere { 0, .1 } union", "} rotate 100*x rotate 90*y")));
   }
 }
 
@@ -57,7 +49,7 @@ TEST(ImageTriangleSides, SmoothOnesAreDropped) {
     all += one + steps + "scale .6 " + place + " }\n";
     all += "union { " + one + "} sphere { x, .2 } " + steps + "scale .6 " + place + " translate .8*y }\n";
   }
-  EXPECT_TRUE(looks_the_same(all));
+  EXPECT_TRUE(same_on_the_floor(all));
 }
 
 struct Case {
@@ -71,10 +63,10 @@ TEST_P(ImageSides, OfTheInverse) {
   const std::string part = std::string(GetParam().sdl) + kLooks, box = "box { <-1.2,-1.2,-.4>, <1.2,.31,.33> pigment { rgb z } } ";
   const std::string place[] = {"scale .5 translate <-1.1,.5,0> }", "scale .5 translate <.1,.5,0> }",
                                "scale .5 translate <-.6,-.7,0> }", "scale .5 translate <.6,-.7,0> }"};
-  EXPECT_TRUE(looks_the_same(part + place[0] + part + "clipped_by { plane { x+z, .1 inverse } } " + place[1] +
+  EXPECT_TRUE(same_on_the_floor(part + place[0] + part + "clipped_by { plane { x+z, .1 inverse } } " + place[1] +
                              "difference { " + box + part + "} " + place[2] +
                              "difference { " + box + "difference { box { -2, <2,.3,2> } " + part + "} } " + place[3]));
-  EXPECT_TRUE(looks_the_same(part + "inverse clipped_by { box { -1, .9 } } " + place[0] + "intersection { " + box + part + "} " + place[1] +
+  EXPECT_TRUE(same_on_the_floor(part + "inverse clipped_by { box { -1, .9 } } " + place[0] + "intersection { " + box + part + "} " + place[1] +
                              "difference { " + box + part + "inverse } " + place[2] +
                              "intersection { " + box + part + "inverse } " + place[3]));
 }
