@@ -16,12 +16,16 @@ class Bent final : public Camera {
   Bent(std::unique_ptr<Camera> straight, std::shared_ptr<const core::NormalPerturbation> normal)
       : m_straight(std::move(straight)), m_normal(std::move(normal)) {}
   bool ray(double column, double row, core::Ray& ray) const override;
+  bool ray_at(const core::PixelPlace& place, core::Ray& out) const override;
+  core::PixelLattice lattice(std::uint32_t width) const override { return m_straight->lattice(width); }
   std::string_view name() const override { return m_straight->name(); }
   std::uint32_t width() const override { return m_straight->width(); }
   std::uint32_t height() const override { return m_straight->height(); }
   Properties describe() const override { return m_straight->describe(); }
 
  private:
+  void bend(double column, double row, core::Ray& ray) const;
+
   std::unique_ptr<Camera> m_straight;
   std::shared_ptr<const core::NormalPerturbation> m_normal;
 };

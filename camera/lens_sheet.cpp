@@ -64,16 +64,38 @@ LensSheet::LensSheet(const LensParameters& lens, std::uint32_t width, double eye
   m_columns.reserve(width);
   for (std::uint32_t k = 0; k < width; ++k) {
     // Not through lengths: rounding there would move whole pixels at fractional N.
-    const auto i = static_cast<std::uint32_t>(std::floor((k + 0.5) / m_lens.pixels));
-    m_columns.push_back(place(k + 0.5, i));
+    m_columns.push_back(place(k + 0.5, lens_of(k)));
     if (m_columns.back().dark) ++m_dark;
   }
 }
 
-LensColumn LensSheet::place(double column, std::uint32_t lens) const {
-  const double print_pitch = m_lens.print_pitch();
+LensColumn LensSheet::place(double column, std::int64_t lens) const {
   // e first, in cells: the difference of two lengths would lose digits on a wide sheet.
-  const double cells = column / m_lens.pixels - lens - 0.5;
+  return at(column / m_lens.pixels - static_cast<double>(lens) - 0.5, static_cast<double>(lens));
+}
+
+std::int64_t LensSheet::lens_of(std::int64_t k) const {
+  return static_cast<std::int64_t>(std::floor((static_cast<double>(k) + 0.5) / m_lens.pixels));
+}
+
+LensColumn LensSheet::beside(std::int64_t k, double across, double turn) const {
+  const auto lens = static_cast<double>(lens_of(k));
+  const double column = static_cast<double>(k) + 0.5 + turn;
+  return at(column / m_lens.pixels - lens - 0.5, lens + across);
+}
+
+std::int64_t LensSheet::left_of(std::int64_t k) const {
+  const std::int64_t lens = lens_of(k) - 1;
+  // The nearest whole number to k - N is at most half a pixel off and so at most one column beyond
+  // the lens's own.
+  std::int64_t column = std::llround(static_cast<double>(k) - m_lens.pixels);
+  if (lens_of(column) < lens) ++column;
+  if (lens_of(column) > lens) --column;
+  return column;
+}
+
+LensColumn LensSheet::at(double cells, double lens) const {
+  const double print_pitch = m_lens.print_pitch();
   LensColumn c;
   c.lens = lens;
   c.axis = (lens + 0.5 - m_lenses / 2.0) * m_lens.pitch;

@@ -48,7 +48,7 @@ double pixels_for_dpi(const LensParameters& lens, double dpi);
 
 /// Where a pixel column lies under its lens.
 struct LensColumn {
-  std::uint32_t lens = 0;    ///< i = floor((k + 1/2)/N)
+  double lens = 0.0;         ///< i = floor((k + 1/2)/N); between whole numbers: beside a lens's axis
   double axis = 0.0;         ///< x_i, mm from the sheet's middle
   double cell_centre = 0.0;  ///< c_i, in the print
   double centre = 0.0;       ///< X_k, in the print
@@ -72,7 +72,9 @@ class LensSheet {
   /// L = W/N: fractional when the last lens is cut.
   double lenses() const { return m_lenses; }
   /// Lenses that own at least one pixel.
-  std::uint32_t lens_count() const { return m_columns.back().lens + 1; }
+  std::uint32_t lens_count() const {
+    return static_cast<std::uint32_t>(m_columns.back().lens) + 1;
+  }
   /// L P: the sheet's width in mm.
   double sheet_width() const { return m_lenses * m_lens.pitch; }
   /// L P': the print's width in mm.
@@ -80,7 +82,16 @@ class LensSheet {
 
   const LensColumn& column(std::uint32_t k) const { return m_columns[k]; }
   /// A place that need not be a pixel's centre, under a given lens (for finer sampling).
-  LensColumn place(double column, std::uint32_t lens) const;
+  LensColumn place(double column, std::int64_t lens) const;
+  /// What column k (of the sheet or beyond its edges) shows beside its lens's axis, `across` lenses
+  /// to the right, as if a lens stood there with the same strip of the print behind it; `turn`
+  /// pixels of the print off the column's middle.
+  LensColumn beside(std::int64_t k, double across, double turn) const;
+  /// The lens of a column, of the sheet or beyond its edges.
+  std::int64_t lens_of(std::int64_t k) const;
+  /// The column of the lens before that shows most nearly the same: k - N for whole N, else the one
+  /// whose offset in its cell is nearest.
+  std::int64_t left_of(std::int64_t k) const;
 
   /// Whole N: the number of views; 0 when N is fractional.
   std::uint32_t views() const;
@@ -103,6 +114,9 @@ class LensSheet {
   LensModel cheapest_model(double within_pixels) const;
 
  private:
+  /// `cells`: the offset from the cell's middle, in cells.
+  LensColumn at(double cells, double lens) const;
+
   LensParameters m_lens;
   double m_eye_slope;
   double m_shift;  ///< of the print, mm

@@ -52,7 +52,32 @@ bool Lenticular::ray(double column, double row, core::Ray& ray) const {
   const auto k = static_cast<std::uint32_t>(whole);
   if (column == whole + 0.5) return aim(m_columns[k], row, ray);
   // Between centres a place stays under the lens its pixel belongs to.
-  return aim(make_column(m_sheet.place(column, m_sheet.column(k).lens)), row, ray);
+  return aim(make_column(m_sheet.place(column, m_sheet.lens_of(k))), row, ray);
+}
+
+bool Lenticular::ray_at(const core::PixelPlace& place, core::Ray& out) const {
+  const double row = place.row + 0.5 + place.down;
+  const bool is_inside =
+      place.column >= 0 && static_cast<std::size_t>(place.column) < m_columns.size();
+  if (is_inside && place.across == 0.0 && place.turn == 0.0) {
+    return aim(m_columns[static_cast<std::size_t>(place.column)], row, out);
+  }
+  return aim(make_column(m_sheet.beside(place.column, place.across, place.turn)), row, out);
+}
+
+core::PixelLattice Lenticular::lattice(std::uint32_t width) const {
+  core::PixelLattice out;
+  out.step = m_sheet.views();
+  out.left.resize(width);
+  for (std::uint32_t k = 0; k < width; ++k) {
+    out.left[k] = static_cast<std::int32_t>(m_sheet.left_of(k));
+    const std::int64_t lens = m_sheet.lens_of(k);
+    if (lens % core::PixelLattice::kTile == 0 && (k == 0 || m_sheet.lens_of(k - 1) != lens)) {
+      out.tiles.push_back(k);
+    }
+  }
+  out.tiles.push_back(width);
+  return out;
 }
 
 double Lenticular::print_height() const {
@@ -115,6 +140,13 @@ bool SheetView::ray(double column, double row, core::Ray& ray) const {
   // Within a pixel the view's picture runs across the lens's N pixels' worth of sheet; only the
   // centre is a ray of the sheet, so finer places fall on it.
   return m_lenticular.ray(lens * m_lenticular.sheet().views() + m_view + 0.5, row, ray);
+}
+
+bool SheetView::ray_at(const core::PixelPlace& place, core::Ray& out) const {
+  core::PixelPlace on_sheet = place;
+  on_sheet.column = place.column * static_cast<std::int32_t>(m_lenticular.sheet().views()) +
+                    static_cast<std::int32_t>(m_view);
+  return m_lenticular.ray_at(on_sheet, out);
 }
 
 Properties SheetView::describe() const {

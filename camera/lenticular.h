@@ -34,6 +34,10 @@ class Lenticular final : public Camera {
   Lenticular(const LensParameters& lens, const SheetPlacement& placement, std::uint32_t width,
              std::uint32_t height);
   bool ray(double column, double row, core::Ray& ray) const override;
+  /// A pixel's area is its lens's width, across which its direction goes on as that of lenses in
+  /// between would: with V infinite it stays, with V finite the rays of a view meet at its eye.
+  bool ray_at(const core::PixelPlace& place, core::Ray& out) const override;
+  core::PixelLattice lattice(std::uint32_t width) const override;
   std::string_view name() const override { return "lenticular"; }
   std::uint32_t width() const override { return m_sheet.width(); }
   std::uint32_t height() const override { return m_height; }
@@ -82,6 +86,7 @@ class SheetView final : public Camera {
   /// The sheet must outlive the view and must have it (j < views()).
   SheetView(const Lenticular& lenticular, std::uint32_t view);
   bool ray(double column, double row, core::Ray& ray) const override;
+  bool ray_at(const core::PixelPlace& place, core::Ray& out) const override;
   std::string_view name() const override { return "lenticular"; }
   std::uint32_t width() const override { return m_width; }
   std::uint32_t height() const override { return m_lenticular.height(); }

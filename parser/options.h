@@ -40,6 +40,19 @@ struct RenderOptions {
   bool srgb = true;                       ///< File_Gamma=sRGB
   double file_gamma = 2.2;                ///< unless srgb
   bool alpha = false;
+  /// Columns and rows that are rendered, both ends included, from 1; what is below 1 is a part of the
+  /// width or height.
+  std::optional<double> start_column, end_column, start_row, end_row;
+
+  // Antialiasing.
+  bool antialias = false;
+  int sampling_method = 1;                ///< 1: adaptive, 2: recursive
+  double antialias_threshold = 0.3;       ///< 0..1
+  int antialias_depth = 3;                ///< 1..9
+  double antialias_gamma = 2.5;           ///< 0: colours are compared as they are
+  bool jitter = true;
+  double jitter_amount = 1.0;             ///< 0..1
+  int antialias_angles = 1;               ///< directions averaged within a pixel of a lens sheet
 
   // Messages.
   bool verbose = true;                    ///< progress

@@ -58,9 +58,32 @@ void set_create_ini(Options& o, const Given& g) {
   not_yet(o, g, "writing an INI file");
 }
 
+/// As stock, which cuts numbers to what they may be.
+double within(const Given& g, double least, double most) { return std::clamp(number(g), least, most); }
+
+/// +A and +A0.2 turn it on, -A and -A0.2 off; the number is kept either way.
 void set_antialias(Options& o, const Given& g) {
-  if (g.sign != 0 && !g.value.empty()) (void)number(g);
-  if (g.sign != 0 ? g.sign == '+' : truth(o, g)) not_yet(o, g, "antialiasing");
+  if (g.sign != 0 && !g.value.empty()) o.antialias_threshold = within(g, 0.0, 1.0);
+  o.antialias = truth(o, g);
+}
+void set_threshold(Options& o, const Given& g) { o.antialias_threshold = within(g, 0.0, 1.0); }
+void set_sampling(Options& o, const Given& g) {
+  o.sampling_method = static_cast<int>(whole_number(g, 0, 2));
+}
+void set_antialias_gamma(Options& o, const Given& g) { o.antialias_gamma = std::max(number(g), 0.0); }
+void set_depth(Options& o, const Given& g) { o.antialias_depth = static_cast<int>(within(g, 1.0, 9.0)); }
+void set_jitter(Options& o, const Given& g) {
+  if (g.sign != 0 && !g.value.empty()) o.jitter_amount = within(g, 0.0, 1.0);
+  o.jitter = truth(o, g);
+}
+void set_jitter_amount(Options& o, const Given& g) { o.jitter_amount = within(g, 0.0, 1.0); }
+void set_angles(Options& o, const Given& g) {
+  o.antialias_angles = static_cast<int>(whole_number(g, 1, 64));
+}
+template <std::optional<double> Options::*member>
+void set_edge(Options& o, const Given& g) {
+  o.*member = number(g);
+  if (*(o.*member) < 0.0) refuse(g, "a column or row from 1 on, or a part from 0 to 1, is expected");
 }
 void set_dither(Options& o, const Given& g) {
   if (g.sign != 0 ? g.sign == '+' : truth(o, g)) not_yet(o, g, "dithering");
@@ -286,7 +309,6 @@ void set_threads(Options& o, const Given& g) {
   o.threads = static_cast<int>(whole_number(g, 1, 512));
 }
 void set_clock(Options& o, const Given& g) { o.clock = number(g); }
-void set_depth(Options&, const Given& g) { (void)whole_number(g, 1, 9); }
 void set_level(Options& o, const Given& g) {
   o.warning_level = static_cast<int>(whole_number(g, 0, 10));
 }
@@ -316,10 +338,10 @@ constexpr OptionRow kTable[] = {
     // Picture.
     {"Width", "W", set_width},
     {"Height", "H", set_height},
-    {"Start_Column", "SC", later<"rendering a part of the picture">},
-    {"Start_Row", "SR", later<"rendering a part of the picture">},
-    {"End_Column", "EC", later<"rendering a part of the picture">},
-    {"End_Row", "ER", later<"rendering a part of the picture">},
+    {"Start_Column", "SC", set_edge<&Options::start_column>},
+    {"Start_Row", "SR", set_edge<&Options::start_row>},
+    {"End_Column", "EC", set_edge<&Options::end_column>},
+    {"End_Row", "ER", set_edge<&Options::end_row>},
     {"Continue_Trace", "C", only_off<"continuing a picture">},
     {"Create_Ini", "GI", set_create_ini},
     {"Output_to_File", "F", set_output},
@@ -335,12 +357,13 @@ constexpr OptionRow kTable[] = {
     {"Quality", "Q", set_quality},
     {"Work_Threads", "WT", set_threads},
     {"Antialias", "A", set_antialias},
-    {"Sampling_Method", "AM", later<"antialiasing">},
-    {"Antialias_Threshold", "", ignore},
+    {"Sampling_Method", "AM", set_sampling},
+    {"Antialias_Threshold", "", set_threshold},
     {"Antialias_Depth", "R", set_depth},
-    {"Antialias_Gamma", "AG", ignore},
-    {"Jitter", "J", ignore},
-    {"Jitter_Amount", "", ignore},
+    {"Antialias_Gamma", "AG", set_antialias_gamma},
+    {"Jitter", "J", set_jitter},
+    {"Jitter_Amount", "", set_jitter_amount},
+    {"Antialias_Angle", "", set_angles},
     {"Radiosity_File_Name", "RF", later<"radiosity">},
     {"Radiosity_From_File", "RFI", only_off<"radiosity">},
     {"Radiosity_To_File", "RFO", only_off<"radiosity">},

@@ -170,15 +170,16 @@ std::vector<std::string_view> names_of_orders() {
 
 class Orders final : public core::BandOrders {
  public:
-  Orders(const Asked& asked, std::uint32_t width, const camera::LensSheet* sheet,
+  Orders(const Asked& asked, const PixelColumns& columns, const camera::LensSheet* sheet,
          const RunMeter* meter)
-      : m_width(width), m_make(asked.entry->prepare({0, width, sheet, meter}, asked.numbers)) {}
+      : m_columns(columns),
+        m_make(asked.entry->prepare({columns.left, columns.right, sheet, meter}, asked.numbers)) {}
   std::unique_ptr<core::PixelOrder> band(std::uint32_t top, std::uint32_t bottom) const override {
-    return m_make({0, top, m_width, bottom});
+    return m_make({m_columns.left, top, m_columns.right, bottom});
   }
 
  private:
-  const std::uint32_t m_width;
+  const PixelColumns m_columns;
   const Maker m_make;
 };
 
@@ -205,10 +206,11 @@ std::unique_ptr<core::PixelOrder> make_order(std::string_view name, std::uint32_
   return make_order(name, PixelRegion{0, 0, width, height});
 }
 
-std::unique_ptr<core::BandOrders> make_band_orders(std::string_view name, std::uint32_t width,
+std::unique_ptr<core::BandOrders> make_band_orders(std::string_view name,
+                                                   const PixelColumns& columns,
                                                    const camera::LensSheet* sheet,
                                                    const RunMeter* meter) {
-  return std::make_unique<Orders>(asked_for(name), width, sheet, meter);
+  return std::make_unique<Orders>(asked_for(name), columns, sheet, meter);
 }
 
 bool follows_shadows(std::string_view name) {

@@ -47,9 +47,14 @@ std::unique_ptr<core::PixelOrder> make_order(std::string_view name, const PixelR
 std::unique_ptr<core::PixelOrder> make_order(std::string_view name, std::uint32_t width,
                                              std::uint32_t height);
 
+/// The columns of an image that are rendered: [left, right).
+struct PixelColumns {
+  std::uint32_t left = 0, right = 0;
+};
+
 /// The same for the bands of an image, inside which an order stays. `meter` is for orders that
 /// follow the shadows, and outlives them; null: they keep to fixed sizes.
-std::unique_ptr<core::BandOrders> make_band_orders(std::string_view name, std::uint32_t width,
+std::unique_ptr<core::BandOrders> make_band_orders(std::string_view name, const PixelColumns& columns,
                                                    const camera::LensSheet* sheet = nullptr,
                                                    const RunMeter* meter = nullptr);
 /// Whether the order wants a meter. Throws as make_order().

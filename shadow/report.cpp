@@ -84,7 +84,7 @@ json to_json(const RunReport& report) {
                  {"reflected", c.reflected_rays},
                  {"refracted", c.refracted_rays},
                  {"shadow", all.rays}};
-  out["pixels"] = {{"dark", c.dark_pixels}};
+  out["pixels"] = {{"dark", c.dark_pixels}, {"antialiased", c.antialiased_pixels}};
   out["shadow"] = counts_json(all);
   if (!report.shadow_log.empty()) out["shadow"]["log"] = log_json(report.shadow_log);
   out["lights"] = std::move(lights);

@@ -13,10 +13,7 @@
 
 namespace lentray::shadow {
 
-/// The part of the image to render, in pixels: columns [left, right), rows [top, bottom).
-struct PixelRegion {
-  std::uint32_t left = 0, top = 0, right = 0, bottom = 0;
-};
+using core::PixelRegion;
 
 class Sequence : public core::PixelOrder {
  public:

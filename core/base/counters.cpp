@@ -7,6 +7,7 @@ void Counters::merge(const Counters& other) {
   reflected_rays += other.reflected_rays;
   refracted_rays += other.refracted_rays;
   dark_pixels += other.dark_pixels;
+  antialiased_pixels += other.antialiased_pixels;
   bounds_tests += other.bounds_tests;
   primitive_tests += other.primitive_tests;
   test_cost += other.test_cost;

@@ -23,6 +23,7 @@ struct ShadowCounts {
 struct Counters {
   std::uint64_t camera_rays = 0, reflected_rays = 0, refracted_rays = 0;
   std::uint64_t dark_pixels = 0;  ///< camera gave no ray (total internal reflection in the sheet)
+  std::uint64_t antialiased_pixels = 0;  ///< that got more samples than antialiasing gives to all
   std::uint64_t bounds_tests = 0, primitive_tests = 0;
   double test_cost = 0.0;  ///< of all these tests, in units of core/accel/test_cost.h
   std::map<std::string, std::uint64_t, std::less<>> tests_by_type;  ///< filled when merging

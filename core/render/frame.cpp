@@ -26,43 +26,29 @@ struct Work {
   std::mutex merge{};
   Counters total{};
   std::exception_ptr failure{};
-
-  bool cancelled() const {
-    return options.cancel && options.cancel->load(std::memory_order_relaxed);
-  }
 };
 
-/// A pixel as the image keeps it: not premultiplied, and with alpha the background taken out.
-void store(const Radiance& seen, const Work& work, float* out) {
-  Rgb rgb = seen.rgb;
-  float alpha = 1.0f;
-  if (work.options.alpha) {
-    alpha = std::clamp(1.0f - seen.transmit, 0.0f, 1.0f);
-    rgb -= work.scene.settings().background.rgb * seen.transmit;
-    rgb = alpha > 0.0f ? rgb * (1.0f / alpha) : Rgb{};
-  }
-  out[0] = rgb.r;
-  out[1] = rgb.g;
-  out[2] = rgb.b;
-  out[3] = alpha;
+PixelRegion region_of(const FrameShape& shape, const FrameOptions& options) {
+  return options.region.value_or(PixelRegion{0, 0, shape.width, shape.height});
 }
 
-/// False if the frame was cancelled meanwhile.
-bool render_job(const Work& work, const BandQueue::Job& job, std::vector<Pixel>& pixels,
-                Tracer& tracer, Counters& counters) {
-  job.band->order->pixels(job.index, pixels);
-  for (const Pixel& pixel : pixels) {
-    if (work.cancelled()) return false;
-    Ray ray;
-    Radiance seen;
-    if (work.camera.ray(pixel.column + 0.5, pixel.row + 0.5, ray)) {
-      seen = tracer.trace(ray, pixel);
-    } else {
-      ++counters.dark_pixels;
-    }
-    store(seen, work, job.band->image.pixel(pixel.column, pixel.row - job.band->top));
-  }
-  return true;
+/// 0: sRGB, see ComparedSpace.
+double working_gamma(const SceneSettings& settings) {
+  if (settings.assumed_gamma > 0.0) return settings.assumed_gamma;
+  return settings.assumed_gamma_set ? 0.0 : 1.0;
+}
+
+FilmSetup film_setup(const Scene* scene, const RaySource& camera, const FrameShape& shape,
+                     const FrameOptions& options) {
+  FilmSetup setup;
+  setup.width = shape.width;
+  setup.height = shape.height;
+  setup.region = region_of(shape, options);
+  setup.antialiasing = options.antialiasing;
+  setup.alpha = options.alpha;
+  if (options.antialiasing.method != 0) setup.lattice = camera.lattice(shape.width);
+  if (scene) setup.space = {options.antialiasing.gamma, working_gamma(scene->settings())};
+  return setup;
 }
 
 /// One thread's share: takes jobs in order while there are any.
@@ -74,15 +60,16 @@ void take_jobs(Work& work) {
       work.shadows.make({&work.scene, &arena, &counters, work.options.count_tests});
   const std::unique_ptr<Tracer> tracer =
       Tracer::make(work.scene, *tester, arena, counters, work.options.count_tests);
-  std::vector<Pixel> pixels;
+  Sampler sampler(work.scene, work.camera, {work.options.angles, work.options.alpha}, *tracer);
+  FilmThread thread{.sampler = sampler, .counters = counters, .cancel = work.options.cancel};
   BandQueue::Job job;
   while (work.queue.next(job)) {
-    if (!render_job(work, job, pixels, *tracer, counters)) {
+    if (!job.band->film->work(job.stage, job.index, thread)) {
       work.queue.stop();
       break;
     }
     work.queue.finish(job);
-    const std::size_t done = work.pixels_done.fetch_add(pixels.size()) + pixels.size();
+    const std::size_t done = work.pixels_done.fetch_add(thread.pixels.size()) + thread.pixels.size();
     if (work.progress) work.progress->advance(static_cast<double>(done) / work.pixels);
   }
   const std::lock_guard lock(work.merge);
@@ -102,15 +89,23 @@ void run(Work& work) {
 
 }  // namespace
 
-double bytes_a_band_row(std::uint32_t width) {
-  return static_cast<double>(BandQueue::kInMemory * 4 * sizeof(float)) * width;
+double bytes_a_band_row(const Antialiasing& antialiasing, std::uint32_t width) {
+  return BandQueue::kInMemory * Film::bytes_a_row(antialiasing, width);
+}
+
+FilmColumns traced_columns(const RaySource& camera, const FrameShape& shape, const FrameOptions& options) {
+  return Film::traced_columns(film_setup(nullptr, camera, shape, options));
 }
 
 Counters render_frame(const Scene& scene, const RaySource& camera, const FrameShape& shape,
                       const BandOrders& orders, const ShadowTesterFactory& shadows,
                       const FrameOptions& options, BandSink& sink, Progress* progress) {
-  Work work{scene,    camera,   shadows, options,
-            progress, BandQueue(shape, orders, sink), 1.0 * shape.width * shape.height};
+  FrameShape bands = shape;
+  bands.is_whole = !options.region;
+  const std::uint32_t grain = Film::rows_together(options.antialiasing);
+  bands.band_height = std::max(1u, (shape.band_height + grain - 1) / grain) * grain;
+  const auto film = Film::make(film_setup(&scene, camera, shape, options), orders);
+  Work work{scene, camera, shadows, options, progress, BandQueue(bands, *film, sink), 1.0 * shape.width * shape.height};
   const unsigned machine = std::max(1u, std::thread::hardware_concurrency());
   const unsigned threads = options.threads > 0 ? static_cast<unsigned>(options.threads) : machine;
   {

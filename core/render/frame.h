@@ -1,9 +1,10 @@
-// A whole picture: orders give pixels, camera gives rays, tracer gives colours, finished bands of
-// rows go to a sink. The picture has the same bits for every order, tester, band height and number
-// of threads.
+// A whole picture: a film asks for samples (core/render/film.h), a sampler makes them of rays
+// (core/render/sampler.h), a tracer gives the rays' light, finished bands of rows go to a sink.
+// The picture has the same bits for every order, tester, band height and number of threads.
 #pragma once
 
 #include <atomic>
+#include <optional>
 
 #include "core/base/counters.h"
 #include "core/render/band_queue.h"
@@ -20,12 +21,17 @@ struct FrameOptions {
   int threads = 0;            ///< 0: all of the machine
   bool count_tests = false;   ///< fill bounds and primitive tests (Statistics_File)
   bool alpha = false;         ///< +UA: background transparent
+  Antialiasing antialiasing{};
+  int angles = 1;             ///< Antialias_Angle, see SamplerOptions
+  std::optional<PixelRegion> region{};  ///< the pixels that are rendered; the others are black
   /// Set from outside (a signal, another thread) to stop soon; the sink then lacks bands.
   const std::atomic<bool>* cancel = nullptr;
 };
 
 /// Bytes that render_frame() holds for each row of a band.
-double bytes_a_band_row(std::uint32_t width);
+double bytes_a_band_row(const Antialiasing& antialiasing, std::uint32_t width);
+/// The columns that `orders` are to have, and the rows of which a band must be a multiple.
+FilmColumns traced_columns(const RaySource& camera, const FrameShape& shape, const FrameOptions& options);
 
 /// Renders every pixel; returns the merged counts.
 Counters render_frame(const Scene& scene, const RaySource& camera, const FrameShape& shape,

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -15,6 +16,7 @@
 #include "core/light/area_light.h"
 #include "core/light/light_ray.h"
 #include "core/render/interior_stack.h"
+#include "core/render/random_key.h"
 #include "core/render/reflectance.h"
 #include "core/render/sky.h"
 #include "core/render/start_interiors.h"
@@ -72,7 +74,8 @@ class PathTracer final : public Tracer {
     }
   }
 
-  Radiance trace(const Ray& ray, Pixel pixel) override;
+  using Tracer::trace;
+  Radiance trace(const Ray& ray, Pixel pixel, std::uint64_t key) override;
 
  private:
   static constexpr bool kTransparency = (kFeatures & kPathTransparency) != 0;
@@ -196,8 +199,8 @@ class PathTracer final : public Tracer {
   std::size_t m_depth = 0;
   AreaScratch m_area;
   Pixel m_pixel;
-  bool m_random_known = false;  ///< m_random_state is of this pixel
-  std::uint64_t m_random_state = 0;
+  std::uint64_t m_key = 0;  ///< of the sample
+  std::optional<RandomSequence> m_random;  ///< of the sample, once it is asked for
 };
 
 /// The path of exactly these features (a superset of what the scene needs); for Tracer::make and

@@ -1,9 +1,22 @@
-// Where camera rays come from; camera/ implements it. Immutable, any number of threads.
+// Where camera rays come from; camera/ implements it. World space. Immutable, any number of threads.
 #pragma once
 
+#include <cstdint>
+
 #include "core/base/ray.h"
+#include "core/render/pixel_lattice.h"
 
 namespace lentray::core {
+
+/// A place in a pixel's own area. What the area is, the camera decides: a pixel of an ordinary
+/// picture has its square of the picture, one of a lens sheet its lens's width.
+struct PixelPlace {
+  std::int32_t column = 0, row = 0;  ///< may lie outside the picture
+  double across = 0.0, down = 0.0;   ///< from the pixel's centre, in its area's width and height
+  /// From the middle of the directions the pixel covers, -0.5 to 0.5; only pixels of a lens sheet
+  /// cover more than one.
+  double turn = 0.0;
+};
 
 class RaySource {
  public:
@@ -12,6 +25,12 @@ class RaySource {
   /// row 0 on top. World space; the direction is unit unless the camera documents otherwise.
   /// False: the pixel shows nothing and is black.
   virtual bool ray(double column, double row, Ray& ray) const = 0;
+  /// Ray through a place of a pixel's area. At a pixel's centre the same as ray(), bit for bit.
+  virtual bool ray_at(const PixelPlace& place, Ray& out) const {
+    return ray(place.column + 0.5 + place.across, place.row + 0.5 + place.down, out);
+  }
+  /// How the areas of the pixels of a picture of that width join.
+  virtual PixelLattice lattice(std::uint32_t width) const { return PixelLattice::in_rows(width); }
 };
 
 }  // namespace lentray::core

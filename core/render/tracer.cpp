@@ -26,13 +26,6 @@ bool reflects(const Finish& finish) {
   return !finish.reflection_max.is_black() || !finish.reflection_min.is_black();
 }
 
-std::uint64_t mixed(std::uint64_t x) {  // splitmix64
-  x += 0x9e3779b97f4a7c15ull;
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ull;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111ebull;
-  return x ^ (x >> 31);
-}
-
 float opacity_of(const Colour& c, bool legacy) {
   // Scenes before 3.7 weigh the filter by the brightest channel.
   if (legacy) return 1.0f - (c.filter * greatest(c.rgb) + c.transmit);
@@ -42,12 +35,13 @@ float opacity_of(const Colour& c, bool legacy) {
 }  // namespace
 
 template <unsigned kFeatures>
-Radiance PathTracer<kFeatures>::trace(const Ray& ray, Pixel pixel) {
+Radiance PathTracer<kFeatures>::trace(const Ray& ray, Pixel pixel, std::uint64_t key) {
   Ray unit;
   const bool is_unit = !(std::fabs(length_squared(ray.direction) - 1.0) > kUnitSlack);
   if (!is_unit) unit = {ray.origin, normalized(ray.direction)};
   m_pixel = pixel;
-  m_random_known = false;
+  m_key = key;
+  m_random.reset();
   ++m_counters.camera_rays;
   RayState state(is_unit ? ray : unit);
   if (m_start_interiors) state.inside = m_start_interiors->at(ray.origin);
@@ -476,13 +470,8 @@ double PathTracer<kFeatures>::relative_ior(const InteriorEntry& entry,
 
 template <unsigned kFeatures>
 double PathTracer<kFeatures>::random() {
-  if (!m_random_known) {
-    const std::uint64_t pixel = static_cast<std::uint64_t>(m_pixel.row) << 32 | m_pixel.column;
-    m_random_state = mixed(pixel ^ 0x6c656e74726179ull);
-    m_random_known = true;
-  }
-  m_random_state = mixed(m_random_state);
-  return static_cast<double>(m_random_state >> 11) * 0x1.0p-53;
+  if (!m_random) m_random.emplace(m_key, RandomSequence::Use::kShading);
+  return m_random->next();
 }
 
 namespace {

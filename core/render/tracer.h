@@ -3,6 +3,7 @@
 // "Global Settings"; constants measured on stock with tests/image.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 
 #include "core/base/color.h"
@@ -25,8 +26,12 @@ struct Radiance {
 class Tracer {
  public:
   virtual ~Tracer() = default;
-  /// The colour along a camera ray of a pixel.
-  virtual Radiance trace(const Ray& ray, Pixel pixel) = 0;
+  /// The colour along a camera ray of a pixel; `key` is the sample's (core/render/random_key.h).
+  virtual Radiance trace(const Ray& ray, Pixel pixel, std::uint64_t key) = 0;
+  /// Of the pixel's sample 0.
+  Radiance trace(const Ray& ray, Pixel pixel) {
+    return trace(ray, pixel, std::uint64_t{pixel.row} << 32 | pixel.column);
+  }
   /// Picks the specialised tracer that scene.needs() allows (the general one if the scene was
   /// compiled with general_path). All give the same bits.
   static std::unique_ptr<Tracer> make(const Scene& scene, ShadowTester& shadows, HitArena& arena,

@@ -87,7 +87,7 @@ TEST_F(UnitParserOptions, LaterOptionsOverrideEarlierOnes) {
 }
 
 TEST_F(UnitParserOptions, TheFirstDefaultIniIsReadBeforeTheCommandLine) {
-  write("first.ini", "Width=11\nAntialias=On\n");
+  write("first.ini", "Width=11\nDither=On\n");
   write("second.ini", "Width=22\nHeight=33\n");
   OptionSources sources;
   sources.default_ini_files = {"missing.ini", "first.ini", "second.ini"};
@@ -96,7 +96,7 @@ TEST_F(UnitParserOptions, TheFirstDefaultIniIsReadBeforeTheCommandLine) {
   EXPECT_EQ(o.height, 44);
   // What a system-wide file asks for and is not there yet must not stop a run.
   ASSERT_EQ(o.warnings.size(), 1u);
-  EXPECT_NE(o.warnings[0].find("first.ini:2: option Antialias=On: not yet"), std::string::npos);
+  EXPECT_NE(o.warnings[0].find("first.ini:2: option Dither=On: not yet"), std::string::npos);
 }
 
 TEST_F(UnitParserOptions, IniSections) {
@@ -248,13 +248,47 @@ TEST_F(ErrorParserOptions, BadValues) {
   expect_message({"--dump-rays"}, "needs the name of a file");
 }
 
+TEST_F(UnitParserOptions, Antialiasing) {
+  const RenderOptions none = read({"+W80"});
+  EXPECT_FALSE(none.antialias);
+  EXPECT_EQ(none.sampling_method, 1);
+  EXPECT_EQ(none.antialias_threshold, 0.3);
+  EXPECT_EQ(none.antialias_depth, 3);
+  EXPECT_EQ(none.antialias_gamma, 2.5);
+  EXPECT_TRUE(none.jitter);
+  EXPECT_EQ(none.jitter_amount, 1.0);
+  EXPECT_EQ(none.antialias_angles, 1);
+  const RenderOptions all = read({"+A0.12", "+AM2", "+R4", "+J0.5", "+AG2.2", "Antialias_Angle=4"});
+  EXPECT_TRUE(all.antialias);
+  EXPECT_EQ(all.sampling_method, 2);
+  EXPECT_EQ(all.antialias_threshold, 0.12);
+  EXPECT_EQ(all.antialias_depth, 4);
+  EXPECT_EQ(all.antialias_gamma, 2.2);
+  EXPECT_EQ(all.jitter_amount, 0.5);
+  EXPECT_EQ(all.antialias_angles, 4);
+  EXPECT_TRUE(read({"Antialias=On"}).antialias);
+  EXPECT_FALSE(read({"+A", "-A"}).antialias);
+  EXPECT_FALSE(read({"Jitter=Off"}).jitter);
+  EXPECT_FALSE(read({"-J"}).jitter);
+  // Cut to what they may be, as in stock.
+  EXPECT_EQ(read({"Antialias_Threshold=3"}).antialias_threshold, 1.0);
+  EXPECT_EQ(read({"+R20"}).antialias_depth, 9);
+  EXPECT_EQ(read({"Jitter_Amount=-1"}).jitter_amount, 0.0);
+  expect_message({"+AM3"}, "a whole number from 0 to 2");
+  expect_message({"+Afoo"}, "a number is expected");
+  expect_message({"Antialias_Angle=0"}, "a whole number from 1 to 64");
+}
+
+TEST_F(UnitParserOptions, PartsOfThePicture) {
+  const RenderOptions o = read({"+SC0.25", "+EC30", "Start_Row=2", "End_Row=0.75"});
+  EXPECT_EQ(o.start_column, 0.25);
+  EXPECT_EQ(o.end_column, 30.0);
+  EXPECT_EQ(o.start_row, 2.0);
+  EXPECT_EQ(o.end_row, 0.75);
+  expect_message({"+SC-2"}, "a column or row from 1 on");
+}
+
 TEST_F(ErrorParserOptions, NotYetByName) {
-  expect_message({"+A"}, "option +A: not yet: antialiasing");
-  expect_message({"+A0.1"}, "not yet: antialiasing");
-  expect_message({"Antialias=On"}, "not yet: antialiasing");
-  EXPECT_EQ(message({"-A", "Antialias=Off"}), "");
-  expect_message({"+AM2"}, "not yet: antialiasing");
-  expect_message({"+SR0.5"}, "not yet: rendering a part of the picture");
   expect_message({"+C"}, "not yet: continuing a picture");
   expect_message({"+KFF10"}, "not yet: animation");
   expect_message({"+FT"}, "not yet: the output type Targa");

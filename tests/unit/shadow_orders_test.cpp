@@ -56,7 +56,7 @@ TEST(UnitShadowOrders, EveryPixelOnce) {
         const auto lenses = sheet(size.width, pixels);
         expect_all(*shadow::make_order(name, {0, 0, size.width, size.height}, &lenses), size.width,
                    0, size.height);
-        const auto bands = shadow::make_band_orders(name, size.width, &lenses);
+        const auto bands = shadow::make_band_orders(name, {0, size.width}, &lenses);
         for (const std::uint32_t height : {1u, 7u, 32u, 500u}) {
           for (std::uint32_t top = 0; top < size.height; top += height) {
             const std::uint32_t bottom = std::min(top + height, size.height);

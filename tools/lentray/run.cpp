@@ -43,8 +43,20 @@ namespace {
 using parser::RenderOptions;
 using Clock = std::chrono::steady_clock;
 
+core::Antialiasing antialiasing(const RenderOptions& o) {
+  core::Antialiasing out;
+  if (o.antialias) out.method = o.sampling_method;
+  out.threshold = o.antialias_threshold;
+  out.depth = o.antialias_depth;
+  out.jitter = o.jitter ? o.jitter_amount : 0.0;
+  out.gamma = o.antialias_gamma;
+  return out;
+}
+
 /// What a band's row takes in memory, with a share for the encoder.
-double bytes_a_row(std::uint32_t width) { return 1.25 * core::bytes_a_band_row(width); }
+double bytes_a_row(const RenderOptions& o, std::uint32_t width) {
+  return 1.25 * core::bytes_a_band_row(antialiasing(o), width);
+}
 
 /// What a run has become so far.
 struct Run {
@@ -79,7 +91,7 @@ void check_outputs(Run& run) {
     throw parser::OptionError("Shadow_Log goes into the statistics: name a Statistics_File");
   }
   const auto width = static_cast<std::uint32_t>(o.width);
-  parser::check_picture_size(o.width, o.height, bytes_a_row(width), machine_memory());
+  parser::check_picture_size(o.width, o.height, bytes_a_row(o, width), machine_memory());
   if (!o.statistics_file.empty()) core::check_writable(o.statistics_file);
   if (!o.output_to_file) return;
   run.output = parser::output_path(o, run.type);
@@ -196,7 +208,7 @@ core::FrameShape shape_of(Run& run) {
   const camera::Camera& camera = run.camera.camera();
   core::FrameShape shape{camera.width(), camera.height(), o.band_height};
   const double limit = o.max_memory > 0.0 ? o.max_memory : 0.5 * machine_memory();
-  const double row = bytes_a_row(shape.width);
+  const double row = bytes_a_row(o, shape.width);
   if (o.band_height == 0) {
     // In steps, so that the same run gets the same bands.
     constexpr double kStep = 16.0 * 1024 * 1024;
@@ -208,12 +220,14 @@ core::FrameShape shape_of(Run& run) {
                              "take; that is " + parser::memory_text(scene + row));
     }
   }
-  shape.band_height = std::min(shape.band_height, shape.height);
+  // Tiles of antialiasing are not cut.
+  const std::uint32_t grain = core::Film::rows_together(antialiasing(o));
+  shape.band_height = (std::min(shape.band_height, shape.height) + grain - 1) / grain * grain;
   run.report.band_height = shape.band_height;
   run.report.bands = (shape.height + shape.band_height - 1) / shape.band_height;
   if (o.verbose) {
     const double share = std::min(1.0, 1.0 * run.report.bands / core::BandQueue::kInMemory);
-    const double bytes = share * core::bytes_a_band_row(shape.width) * shape.band_height;
+    const double bytes = share * core::bytes_a_band_row(antialiasing(o), shape.width) * shape.band_height;
     run.texts.write(parser::Stream::kRender,
                     "Bands: " + std::to_string(run.report.bands) + " of " +
                         std::to_string(shape.band_height) +
@@ -221,6 +235,30 @@ core::FrameShape shape_of(Run& run) {
                         " of at most " + parser::memory_text(limit) + "\n");
   }
   return shape;
+}
+
+/// How many of `size` columns or rows lie before an edge; what is below 1 is a part of them all.
+/// As stock: a start of 1 is the first column, an end of 1 the whole width.
+std::uint32_t columns_before(double edge, std::uint32_t size, bool is_start, const char* name) {
+  const bool is_part = is_start ? edge < 1.0 : edge <= 1.0;
+  const double before = is_part ? std::floor(edge * size) : std::floor(edge) - (is_start ? 1.0 : 0.0);
+  if (before > size || (is_start && before >= size)) {
+    throw parser::OptionError(std::string(name) + " lies beyond the picture's " + std::to_string(size));
+  }
+  return static_cast<std::uint32_t>(before);
+}
+
+/// The pixels that are rendered, if not all.
+std::optional<core::PixelRegion> region_of(const RenderOptions& o, const core::FrameShape& shape) {
+  if (!o.start_column && !o.end_column && !o.start_row && !o.end_row) return std::nullopt;
+  core::PixelRegion region;
+  region.left = columns_before(o.start_column.value_or(1.0), shape.width, true, "Start_Column");
+  region.top = columns_before(o.start_row.value_or(1.0), shape.height, true, "Start_Row");
+  region.right = columns_before(o.end_column.value_or(1.0), shape.width, false, "End_Column");
+  region.bottom = columns_before(o.end_row.value_or(1.0), shape.height, false, "End_Row");
+  if (region.left >= region.right) throw parser::OptionError("Start_Column lies behind End_Column");
+  if (region.top >= region.bottom) throw parser::OptionError("Start_Row lies behind End_Row");
+  return region;
 }
 
 /// What the picture told about the numbers it was given.
@@ -245,9 +283,14 @@ bool render(Run& run, const std::atomic<bool>& cancel) {
   const core::ShadowTesterFactory* asked = testers.get();
   if (o.shadow_log) asked = &log;
   const shadow::RunMeter meter(*asked, lenses ? static_cast<std::uint32_t>(lenses->lens().pixels) : 0);
-  const auto orders = shadow::make_band_orders(o.pixel_order, shape.width, lenses, &meter);
   if (shadow::follows_shadows(o.pixel_order)) asked = &meter;
   core::FrameOptions frame;
+  frame.antialiasing = antialiasing(o);
+  frame.angles = o.antialias_angles;
+  frame.region = region_of(o, shape);
+  const core::FilmColumns columns = core::traced_columns(camera, shape, frame);
+  const auto orders =
+      shadow::make_band_orders(o.pixel_order, {columns.left, columns.right}, lenses, &meter);
   frame.threads = o.threads;
   frame.count_tests = !o.statistics_file.empty();
   frame.alpha = o.alpha;
@@ -309,7 +352,7 @@ Status run(const RenderOptions& options, const std::atomic<bool>& cancel,
     return kDone;
   }
   const camera::Camera& camera = run.camera.camera();
-  parser::check_picture_size(camera.width(), camera.height(), bytes_a_row(camera.width()),
+  parser::check_picture_size(camera.width(), camera.height(), bytes_a_row(options, camera.width()),
                              machine_memory());
   if (!render(run, cancel)) return kAborted;
   report_slopes(run);

@@ -1,0 +1,83 @@
+#include "core/render/film.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/render/film_centres.h"
+#include "core/render/film_corners.h"
+
+namespace lentray::core {
+namespace {
+
+/// One sample a pixel.
+class PlainBand final : public FilmBand {
+ public:
+  PlainBand(const FilmSetup& setup, std::unique_ptr<PixelOrder> order, std::uint32_t top, Image& image)
+      : m_alpha(setup.alpha), m_order(std::move(order)), m_top(top), m_image(image) {}
+  std::size_t stages() const override { return 1; }
+  std::size_t jobs(std::size_t) const override { return m_order->jobs(); }
+
+  bool work(std::size_t, std::size_t job, FilmThread& thread) override {
+    m_order->pixels(job, thread.pixels);
+    for (const Pixel& pixel : thread.pixels) {
+      if (thread.cancelled()) return false;
+      Radiance seen;
+      if (!thread.sampler.centre(pixel, seen)) {
+        ++thread.counters.dark_pixels;
+        seen = {};  // black, not clear
+      }
+      store(seen, m_alpha, m_image.pixel(pixel.column, pixel.row - m_top));
+    }
+    return true;
+  }
+
+ private:
+  const bool m_alpha;
+  const std::unique_ptr<PixelOrder> m_order;
+  const std::uint32_t m_top;
+  Image& m_image;
+};
+
+class PlainFilm final : public Film {
+ public:
+  PlainFilm(FilmSetup setup, const BandOrders& orders) : m_setup(std::move(setup)), m_orders(orders) {}
+  std::unique_ptr<FilmBand> band(std::uint32_t top, std::uint32_t bottom, Image& image) const override {
+    const std::uint32_t first = std::max(top, m_setup.region.top);
+    const std::uint32_t end = std::min(bottom, m_setup.region.bottom);
+    if (first >= end || m_setup.region.left >= m_setup.region.right) return nullptr;
+    return std::make_unique<PlainBand>(m_setup, m_orders.band(first, end), top, image);
+  }
+
+ private:
+  const FilmSetup m_setup;
+  const BandOrders& m_orders;
+};
+
+}  // namespace
+
+std::unique_ptr<Film> Film::make(FilmSetup setup, const BandOrders& orders) {
+  switch (setup.antialiasing.method) {
+    case 1: return make_film_of_centres(std::move(setup), orders);
+    case 2: return make_film_of_corners(std::move(setup), orders);
+    default: return std::make_unique<PlainFilm>(std::move(setup), orders);
+  }
+}
+
+std::uint32_t Film::rows_together(const Antialiasing& antialiasing) {
+  return antialiasing.method == 1 ? PixelLattice::kTile : 1;
+}
+
+FilmColumns Film::traced_columns(const FilmSetup& setup) {
+  switch (setup.antialiasing.method) {
+    case 1: return traced_columns_of_centres(setup);
+    case 2: return traced_columns_of_corners(setup);
+    default: return {setup.region.left, setup.region.right};
+  }
+}
+
+double Film::bytes_a_row(const Antialiasing& antialiasing, std::uint32_t width) {
+  constexpr double kImage = 4 * sizeof(float), kSample = sizeof(Radiance) + sizeof(Compared);
+  return (antialiasing.method == 0 ? kImage : kImage + kSample) * width;
+}
+
+}  // namespace lentray::core

@@ -1,0 +1,94 @@
+// The film: turns what a picture is asked for into the samples of its pixels, and samples into
+// colours. It works on bands of rows. A band goes through stages, each of which is cut into jobs;
+// the jobs of a stage may run at once, and a stage begins when the one before it has ended.
+// Pixels of the image; colours linear in the scene's working space.
+//
+//   no antialiasing   one sample a pixel, in the pixel order
+//   method 1          core/render/film_centres.h
+//   method 2          core/render/film_corners.h
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/base/counters.h"
+#include "core/image/image.h"
+#include "core/render/antialiasing.h"
+#include "core/render/pixel_lattice.h"
+#include "core/render/pixel_order.h"
+#include "core/render/sampler.h"
+
+namespace lentray::core {
+
+/// What one thread works with. Buffers grow and are used again.
+struct FilmThread {
+  Sampler& sampler;
+  Counters& counters;
+  const std::atomic<bool>* cancel = nullptr;
+  std::vector<Pixel> pixels{};         ///< what the last job worked on
+  std::vector<Compared> above{}, row{};  ///< of film_centres
+  std::vector<std::uint8_t> above_sampled{}, row_sampled{};
+  struct Finer { Radiance seen; Compared compared; std::uint32_t stamp = 0; };
+  std::vector<Finer> finer{};          ///< of film_corners: the samples within a pixel
+  std::uint32_t stamp = 0;
+
+  bool cancelled() const { return cancel && cancel->load(std::memory_order_relaxed); }
+};
+
+class FilmBand {
+ public:
+  virtual ~FilmBand() = default;
+  virtual std::size_t stages() const = 0;
+  virtual std::size_t jobs(std::size_t stage) const = 0;
+  /// False if it was cancelled meanwhile. Different jobs of a stage: any threads at once.
+  virtual bool work(std::size_t stage, std::size_t job, FilmThread& thread) = 0;
+};
+
+/// What all bands of a picture have in common.
+struct FilmSetup {
+  std::uint32_t width = 0, height = 0;
+  PixelRegion region;          ///< the pixels that are asked for; the others stay black
+  Antialiasing antialiasing;
+  bool alpha = false;
+  PixelLattice lattice;
+  ComparedSpace space{2.5, 1.0};
+};
+
+/// The columns that a film traces pixels of in a pixel order, for those that are asked for.
+struct FilmColumns {
+  std::uint32_t left = 0, right = 0;
+};
+
+/// Immutable, any number of threads.
+class Film {
+ public:
+  /// `orders` is for traced_columns(); it outlives the film.
+  static std::unique_ptr<Film> make(FilmSetup setup, const BandOrders& orders);
+  virtual ~Film() = default;
+  /// The rows [top, bottom), into an image that begins with row `top` and is black. Null if no
+  /// pixel of them is asked for.
+  virtual std::unique_ptr<FilmBand> band(std::uint32_t top, std::uint32_t bottom,
+                                         Image& image) const = 0;
+
+  /// A band begins at a multiple of so many rows.
+  static std::uint32_t rows_together(const Antialiasing& antialiasing);
+  static FilmColumns traced_columns(const FilmSetup& setup);
+  /// Bytes a band takes for each row, the image's own included.
+  static double bytes_a_row(const Antialiasing& antialiasing, std::uint32_t width);
+};
+
+/// A pixel as the image keeps it: not premultiplied.
+inline void store(const Radiance& seen, bool alpha, float* out) {
+  const float opacity = alpha ? std::clamp(1.0f - seen.transmit, 0.0f, 1.0f) : 1.0f;
+  Rgb rgb = seen.rgb;
+  if (alpha) rgb = opacity > 0.0f ? rgb * (1.0f / opacity) : Rgb{};
+  out[0] = rgb.r;
+  out[1] = rgb.g;
+  out[2] = rgb.b;
+  out[3] = opacity;
+}
+
+}  // namespace lentray::core
