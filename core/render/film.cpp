@@ -19,16 +19,14 @@ class PlainBand final : public FilmBand {
 
   bool work(std::size_t, std::size_t job, FilmThread& thread) override {
     m_order->pixels(job, thread.pixels);
-    for (const Pixel& pixel : thread.pixels) {
-      if (thread.cancelled()) return false;
-      Radiance seen;
-      if (!thread.sampler.centre(pixel, seen)) {
-        ++thread.counters.dark_pixels;
-        seen = {};  // black, not clear
-      }
-      store(seen, m_alpha, m_image.pixel(pixel.column, pixel.row - m_top));
-    }
-    return true;
+    const bool alpha = m_alpha;
+    const std::uint32_t top = m_top;
+    Image& image = m_image;
+    const std::atomic<bool>* cancel = thread.cancel;
+    return thread.sampler.centres(
+        thread.pixels, thread.counters,
+        [alpha, top, &image](const Pixel& p, const Radiance& seen) { store(seen, alpha, image.pixel(p.column, p.row - top)); },
+        [cancel] { return cancel && cancel->load(std::memory_order_relaxed); });
   }
 
  private:

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "core/render/ray_source.h"
 #include "core/render/tracer.h"
@@ -21,18 +22,29 @@ class Sampler {
       : m_background(scene.settings().background.rgb), m_camera(camera), m_options(options),
         m_tracer(tracer) {}
 
-  /// Sample 0 of a pixel of the image at its centre.
-  bool centre(const Pixel& pixel, Radiance& out) {
-    if (is_mean()) {
-      return sample({.column = static_cast<std::int32_t>(pixel.column),
-                     .row = static_cast<std::int32_t>(pixel.row)}, 0, out);
+  /// Sample 0 of each of those pixels of the image, at their centres: `keep(pixel, radiance)`.
+  /// Pixels without a ray are black and counted. False if `stop()` said so before one of them.
+  template <class Keep, class Stop>
+  bool centres(const std::vector<Pixel>& pixels, Counters& counters, const Keep& keep, const Stop& stop) {
+    if (is_mean()) return mean_centres(pixels, counters, keep, stop);
+    const RaySource& camera = m_camera;
+    Tracer& tracer = m_tracer;
+    const bool alpha = m_options.alpha;
+    for (const Pixel& pixel : pixels) {
+      if (stop()) return false;
+      Ray ray;
+      Radiance seen;
+      if (camera.ray(pixel.column + 0.5, pixel.row + 0.5, ray)) {
+        seen = tracer.trace(ray, pixel);
+        if (alpha) seen.rgb -= m_background * seen.transmit;
+      } else {
+        ++counters.dark_pixels;
+      }
+      keep(pixel, seen);
     }
-    Ray ray;
-    if (!m_camera.ray(pixel.column + 0.5, pixel.row + 0.5, ray)) return false;
-    out = m_tracer.trace(ray, pixel);
-    if (m_options.alpha) out.rgb -= m_background * out.transmit;
     return true;
   }
+
   /// `index`: of the samples of a pixel, for its random numbers. Without a ray black and, as in
   /// stock, clear; false if no ray at all belongs to the place. Premultiplied.
   bool sample(const PixelPlace& place, std::uint32_t index, Radiance& out);
@@ -40,6 +52,20 @@ class Sampler {
  private:
   /// Whether a sample is more than one ray.
   bool is_mean() const { return m_options.angles > 1; }
+  template <class Keep, class Stop>
+  bool mean_centres(const std::vector<Pixel>& pixels, Counters& counters, const Keep& keep, const Stop& stop) {
+    for (const Pixel& pixel : pixels) {
+      if (stop()) return false;
+      Radiance seen;
+      if (!sample({.column = static_cast<std::int32_t>(pixel.column), .row = static_cast<std::int32_t>(pixel.row)},
+                  0, seen)) {
+        ++counters.dark_pixels;
+        seen = {};  // not clear
+      }
+      keep(pixel, seen);
+    }
+    return true;
+  }
   bool direction(const PixelPlace& place, std::uint64_t key, Radiance& out);
   bool single(const PixelPlace& place, std::uint64_t key, Radiance& out);
 

@@ -3,6 +3,7 @@
 // "Global Settings"; constants measured on stock with tests/image.
 #pragma once
 
+#include <bit>
 #include <cstdint>
 #include <memory>
 
@@ -30,7 +31,8 @@ class Tracer {
   virtual Radiance trace(const Ray& ray, Pixel pixel, std::uint64_t key) = 0;
   /// Of the pixel's sample 0.
   Radiance trace(const Ray& ray, Pixel pixel) {
-    return trace(ray, pixel, std::uint64_t{pixel.row} << 32 | pixel.column);
+    static_assert(std::endian::native == std::endian::little);  // sample_key() of a pixel is its bits
+    return trace(ray, pixel, std::bit_cast<std::uint64_t>(pixel));
   }
   /// Picks the specialised tracer that scene.needs() allows (the general one if the scene was
   /// compiled with general_path). All give the same bits.
