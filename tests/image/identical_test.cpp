@@ -150,6 +150,24 @@ light_group {
 #end
 )";
 
+/// Several tiles, whose edges cut lenses' neighbours.
+TEST(ImageIdentical, AntialiasedInTiles) {
+  expect_identical({scene_file("demo.pov"), "+A0.2", "+R2", "+W140", "+H130"});
+}
+
+TEST(ImageIdentical, AntialiasedByCorners) {
+  expect_identical({scene_file("demo.pov"), "+A0.1", "+AM2", "+R2", "+W120", "+H90"});
+}
+
+TEST(ImageIdentical, AntialiasedSheetInTiles) {
+  expect_identical({scene_file("demo.pov"), "Lenticular=On", "Lens_Pixels=1.2", "+A0.2", "+R2", "+W160", "+H130"});
+}
+
+TEST(ImageIdentical, AntialiasedSheetByCorners) {
+  expect_identical({scene_file("demo.pov"), "Lenticular=On", "Lens_Pixels=7.37", "Antialias_Angle=2", "+A0.2", "+AM2",
+                    "+R2", "+W72", "+H48"});
+}
+
 class ImageIdenticalOccluders : public ::testing::Test {
  protected:
   void expect(std::vector<std::string> arguments) {

@@ -238,8 +238,10 @@ core::FrameShape shape_of(Run& run) {
 }
 
 /// How many of `size` columns or rows lie before an edge; what is below 1 is a part of them all.
-/// As stock: a start of 1 is the first column, an end of 1 the whole width.
-std::uint32_t columns_before(double edge, std::uint32_t size, bool is_start, const char* name) {
+/// As stock: a start of 1 is the first column, an end of 1 the whole width; and 0.9 is the float
+/// next to it, which leaves a column less than a reader might think.
+std::uint32_t columns_before(double given, std::uint32_t size, bool is_start, const char* name) {
+  const double edge = static_cast<float>(given);
   const bool is_part = is_start ? edge < 1.0 : edge <= 1.0;
   const double before = is_part ? std::floor(edge * size) : std::floor(edge) - (is_start ? 1.0 : 0.0);
   if (before > size || (is_start && before >= size)) {

@@ -1,0 +1,216 @@
+#include "core/render/film.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <set>
+
+#include "core/geometry/sphere.h"
+#include "core/render/frame.h"
+#include "core/render/plain_shadow_tester.h"
+#include "core/render/random_key.h"
+
+using namespace lentray::core;
+
+namespace {
+
+TEST(UnitCoreRandomKey, PixelsSamplesAndUsesHaveNumbersOfTheirOwn) {
+  std::set<std::uint64_t> keys;
+  for (std::int32_t column = -2; column < 20; ++column) {
+    for (std::int32_t row = -2; row < 20; ++row) {
+      for (std::uint32_t sample = 0; sample < 12; ++sample) keys.insert(sample_key(column, row, sample));
+    }
+  }
+  EXPECT_EQ(keys.size(), 22u * 22 * 12);
+  EXPECT_EQ(sample_key(7, 3, 0), std::uint64_t{3} << 32 | 7);
+  RandomSequence shading(5, RandomSequence::Use::kShading), film(5, RandomSequence::Use::kFilm);
+  EXPECT_NE(shading.next(), film.next());
+  double sum = 0.0;
+  for (std::uint32_t i = 0; i < 4000; ++i) {
+    const double value = RandomSequence(sample_key(1, 1, i), RandomSequence::Use::kFilm).next();
+    ASSERT_GE(value, 0.0);
+    ASSERT_LT(value, 1.0);
+    sum += value;
+  }
+  EXPECT_NEAR(sum / 4000, 0.5, 0.02);
+}
+
+TEST(UnitCorePixelLattice, OfAnOrdinaryPicture) {
+  const PixelLattice lattice = PixelLattice::in_rows(300);
+  EXPECT_EQ(lattice.width(), 300u);
+  EXPECT_EQ(lattice.left[0], -1);
+  EXPECT_EQ(lattice.left[299], 298);
+  EXPECT_EQ(lattice.tiles, (std::vector<std::uint32_t>{0, 128, 256, 300}));
+  EXPECT_EQ(lattice.leftmost(), -1);
+  EXPECT_EQ(PixelLattice::in_rows(0).leftmost(), 0);
+}
+
+TEST(UnitCoreComparedSpace, SumsChannelsAtTheGammaOfTheEye) {
+  const ComparedSpace eye(2.5, 1.0);
+  const Compared a = eye.of({{0.5f, 0.25f, 4.0f}, 0.25f}), b = eye.of({{0.5f, 0.5f, -1.0f}, 0.0f});
+  EXPECT_NEAR(a.distance(b),
+              std::pow(0.5, 0.4) - std::pow(0.25, 0.4) + std::pow(4.0, 0.4) + 0.25, 1e-5);
+  EXPECT_NEAR(ComparedSpace(2.5, 2.0).of({Rgb(0.5f), 0.0f}).rgb.g, std::pow(0.25, 0.4), 1e-5);
+  const double decoded = std::pow((0.5 + 0.055) / 1.055, 2.4);
+  EXPECT_NEAR(ComparedSpace(2.5, 0.0).of({Rgb(0.5f), 0.0f}).rgb.b, std::pow(decoded, 0.4), 1e-5);
+  EXPECT_EQ(ComparedSpace(0.0, 2.2).of({Rgb(-0.5f), 0.0f}).rgb.r, -0.5f);
+}
+
+/// Parallel rays along z; the picture is 4 units wide and high about the origin.
+struct Window final : RaySource {
+  explicit Window(double pixels) : size(pixels) {}
+  bool ray(double column, double row, Ray& ray) const override {
+    ray = {{4.0 * column / size - 2, 2 - 4.0 * row / size, -5}, {0, 0, 1}};
+    return true;
+  }
+  double size;
+};
+
+struct Rows final : PixelOrder {
+  Rows(std::uint32_t columns, std::uint32_t first, std::uint32_t end) : width(columns), top(first), bottom(end) {}
+  std::size_t jobs() const override { return bottom - top; }
+  void pixels(std::size_t job, std::vector<Pixel>& out) const override {
+    out.clear();
+    for (std::uint32_t i = 0; i < width; ++i) out.push_back({i, top + static_cast<std::uint32_t>(job)});
+  }
+  std::uint32_t width, top, bottom;
+};
+
+struct RowBands final : BandOrders {
+  explicit RowBands(std::uint32_t columns) : width(columns) {}
+  std::unique_ptr<PixelOrder> band(std::uint32_t top, std::uint32_t bottom) const override {
+    return std::make_unique<Rows>(width, top, bottom);
+  }
+  std::uint32_t width;
+};
+
+struct Whole final : BandSink {
+  explicit Whole(std::uint32_t size) : image(size, size) {}
+  void put(const Image& band, std::uint32_t top) override {
+    std::copy_n(band.pixel(0, 0), std::size_t{4} * band.width * band.height, image.pixel(0, top));
+  }
+  Image image;
+};
+
+/// A white disc that is as bright everywhere, before black.
+std::unique_ptr<Scene> disc_scene(float ambient) {
+  struct White final : Pigment {
+    Colour colour(const Vec3&, const SurfaceContext&) const override { return {Rgb(1.0f), 0, 0}; }
+    bool is_opaque() const override { return true; }
+  };
+  SceneParts parts;
+  TextureLayer layer;
+  layer.pigment = std::make_shared<White>();
+  layer.finish.ambient = Rgb(ambient);
+  layer.finish.diffuse = 0.0f;
+  parts.textures.push_back(std::make_shared<LayeredTexture>(std::vector{layer}));
+  auto leaf = std::make_unique<Leaf>(std::make_unique<Sphere>(Vec3{0, 0, 0}, 1.3), Transform());
+  Attributes looks;
+  looks.texture = parts.textures.front().get();
+  leaf->set_attributes(looks);
+  parts.objects.push_back(std::move(leaf));
+  return std::make_unique<Scene>(std::move(parts), CompileOptions{});
+}
+
+struct Rendered { Image image; Counters counters; };
+Rendered render(const Scene& scene, std::uint32_t size, const Antialiasing& aa, int threads = 1, std::uint32_t band = 64) {
+  Whole whole(size);
+  FrameOptions options{.threads = threads};
+  options.antialiasing = aa;
+  Counters counters = render_frame(scene, Window(size), {size, size, band}, RowBands(size),
+                                   PlainShadowTesterFactory(), options, whole, nullptr);
+  return {std::move(whole.image), std::move(counters)};
+}
+
+double brightness(const Image& image) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < image.rgba.size(); i += 4) sum += image.rgba[i];
+  return sum * 4.0 * 4.0 / (image.width * image.height);
+}
+
+TEST(UnitCoreFilm, EveryMethodSeesTheDisc) {
+  const auto scene = disc_scene(1.0f);
+  const double area = 3.14159265 * 1.3 * 1.3;
+  for (const int method : {1, 2}) {
+    for (const double jitter : {0.0, 1.0}) {
+      const Rendered seen = render(*scene, 40, {.method = method, .depth = 4, .jitter = jitter});
+      EXPECT_NEAR(brightness(seen.image), area, 0.01 * area) << method;
+    }
+  }
+}
+
+TEST(UnitCoreFilm, OnlyEdgesGetMoreSamples) {
+  const auto scene = disc_scene(1.0f);
+  const Rendered plain = render(*scene, 64, {});
+  EXPECT_EQ(plain.counters.camera_rays, 64u * 64);
+  EXPECT_EQ(plain.counters.antialiased_pixels, 0u);
+  for (const int method : {1, 2}) {
+    const Rendered edges = render(*scene, 64, {.method = method});
+    EXPECT_GT(edges.counters.antialiased_pixels, 64u) << "about the disc's outline of 130 pixels";
+    EXPECT_LT(edges.counters.antialiased_pixels, 500u);
+    const Rendered flat = render(*disc_scene(0.0f), 64, {.method = method});
+    EXPECT_EQ(flat.counters.antialiased_pixels, 0u);
+    EXPECT_EQ(flat.counters.camera_rays, method == 1 ? 64u * 64 + 2 * 64 : 65u * 65);
+  }
+  // Threshold 0: every pixel, each by its depth.
+  EXPECT_EQ(render(*scene, 64, {.method = 1, .threshold = 0.0, .depth = 2}).counters.camera_rays,
+            64u * 64 + 2 * 64 + 64u * 64 * 4);
+  EXPECT_EQ(render(*scene, 64, {.method = 2, .threshold = 0.0, .depth = 2}).counters.camera_rays,
+            65u * 65 + 64u * 64 * 5);
+}
+
+TEST(UnitCoreFilm, SameBitsForAnyBandAndNumberOfThreads) {
+  const auto scene = disc_scene(1.0f);
+  for (const int method : {1, 2}) {
+    const Antialiasing aa{.method = method, .threshold = 0.1, .depth = 2};
+    const Rendered first = render(*scene, 300, aa, 1, 300);
+    for (const int threads : {1, 2, 5}) {
+      for (const std::uint32_t band : {1u, 7u, 128u, 200u}) {
+        EXPECT_EQ(render(*scene, 300, aa, threads, band).image.rgba, first.image.rgba)
+            << "method " << method << ", " << threads << " threads, bands of " << band;
+      }
+    }
+  }
+}
+
+TEST(UnitCoreFilm, PartsOfAPictureTakeNoMoreThanTheirTiles) {
+  const auto scene = disc_scene(1.0f);
+  for (const int method : {0, 1, 2}) {
+    Whole whole(300);
+    FrameOptions options{.threads = 2};
+    options.antialiasing = {.method = method, .threshold = 1.0};
+    options.region = PixelRegion{140, 140, 150, 150};
+    const FilmColumns columns = traced_columns(Window(300), {300, 300, 300}, options);
+    EXPECT_LE(columns.left, 140u);
+    EXPECT_GE(columns.right, 150u);
+    struct Part final : BandOrders {
+      explicit Part(const FilmColumns& c) : columns(c) {}
+      std::unique_ptr<PixelOrder> band(std::uint32_t top, std::uint32_t bottom) const override {
+        struct Columns final : PixelOrder {
+          Columns(const FilmColumns& c, std::uint32_t t, std::uint32_t b) : columns(c), top(t), bottom(b) {}
+          std::size_t jobs() const override { return bottom - top; }
+          void pixels(std::size_t job, std::vector<Pixel>& out) const override {
+            out.clear();
+            for (std::uint32_t k = columns.left; k < columns.right; ++k) {
+              out.push_back({k, top + static_cast<std::uint32_t>(job)});
+            }
+          }
+          FilmColumns columns;
+          std::uint32_t top, bottom;
+        };
+        return std::make_unique<Columns>(columns, top, bottom);
+      }
+      FilmColumns columns;
+    };
+    const Part orders(columns);
+    const Counters c = render_frame(*scene, Window(300), {300, 300, 300}, orders, PlainShadowTesterFactory(), options,
+                                    whole, nullptr);
+    const std::uint64_t expected[] = {100, 130 * 130, 121};
+    EXPECT_EQ(c.camera_rays, expected[method] + 9 * c.antialiased_pixels);
+    EXPECT_EQ(whole.image.pixel(139, 145)[0], 0.0f);
+    EXPECT_EQ(whole.image.pixel(145, 145)[0], 1.0f);
+  }
+}
+
+}  // namespace
