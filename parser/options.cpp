@@ -321,6 +321,9 @@ they may stand in INI files (file.ini, file.ini[section]) or on the command line
 
   +Ifile  +Ofile       scene and picture (- for standard input and output)
   +Wn  +Hn             size of the picture in pixels
+  +SCn +ECn +SRn +ERn  render from a column and row to another only (below 1: parts of the size)
+  +A[t]                antialiasing, of colours that differ by t (0 to 1; 0.3)
+  +AM1|2 +Rn +J[n] -J  its method, depth (1 to 9; 3), jitter (0 to 1; 1); +AGn  gamma (2.5)
   +FN8 +FN16 +FE       PNG of 8 or 16 bits, OpenEXR; TIFF by a name that ends in .tif; -F: no file
   +Lfolder             where include files are
   +Qn                  quality, 0 to 11
@@ -335,6 +338,7 @@ Lens sheet (lengths in mm):
   View_Distance=n|inf  Lens_Model=paraxial|pinhole
   Sheet_Distance=n     Lens_Front=n            (scene units)
   View=j               that view alone
+  Antialias_Angle=n    with n directions averaged in every pixel
 
   Pixel_Order=auto|rows|views|columns|combined(w)|strips(w,h)|tiles|serpentine|hilbert|
               adaptive
