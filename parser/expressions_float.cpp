@@ -16,8 +16,8 @@ bool Expressions::keyword_float(Keyword keyword, double& value) {
     case Keyword::kPi: value = std::numbers::pi; return true;
     case Keyword::kTrue: case Keyword::kYes: case Keyword::kOn: value = 1.0; return true;
     case Keyword::kFalse: case Keyword::kNo: case Keyword::kOff: value = 0.0; return true;
-    case Keyword::kClock: value = m_in.options.clock; return true;
-    case Keyword::kClockOn: value = m_in.options.frame_number > 0 ? 1.0 : 0.0; return true;
+    case Keyword::kClock: value = m_in.options.frame.clock; return true;
+    case Keyword::kClockOn: value = m_in.options.frame.clock_on ? 1.0 : 0.0; return true;
     case Keyword::kVersion: value = m_in.version / 100.0; return true;
     case Keyword::kNow: {
       // Days since the year 2000 began.

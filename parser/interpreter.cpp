@@ -88,12 +88,13 @@ void Interpreter::declare_constants() {
     symbols.declare_global(names.intern(name)).reset(std::move(value));
   };
   const auto number = [&](std::string_view name, double x) { declare(name, Number::scalar(x)); };
-  number("clock_delta", 0.0);
-  number("frame_number", options.frame_number);
-  number("initial_frame", 0.0);
-  number("final_frame", 0.0);
-  number("initial_clock", 0.0);
-  number("final_clock", 0.0);
+  const FrameClock& frame = options.frame;
+  number("clock_delta", frame.clock_delta);
+  number("frame_number", frame.frame_number);
+  number("initial_frame", frame.initial_frame);
+  number("final_frame", frame.final_frame);
+  number("initial_clock", frame.initial_clock);
+  number("final_clock", frame.final_clock);
   number("image_width", options.image_width);
   number("image_height", options.image_height);
   for (const auto& [name, text] : options.declares) {

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "camera/lens_request.h"
+#include "parser/animation.h"
 #include "parser/ini.h"
 
 namespace lentray::parser {
@@ -26,6 +27,8 @@ struct RenderOptions {
   std::vector<std::string> library_paths; ///< as given, in order, no doubles
   std::vector<std::pair<std::string, std::string>> declares;
   double clock = 0.0;
+  bool clock_given = false;
+  AnimationOptions animation;
   int language_version = 0;               ///< x 100; 0: the scene decides
 
   // Picture.

@@ -5,6 +5,8 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <cstdio>
+#include <limits>
 
 namespace lentray::parser {
 namespace {
@@ -58,25 +60,22 @@ void set_create_ini(Options& o, const Given& g) {
   not_yet(o, g, "writing an INI file");
 }
 
-/// As stock, which cuts numbers to what they may be.
-double within(const Given& g, double least, double most) { return std::clamp(number(g), least, most); }
-
 /// +A and +A0.2 turn it on, -A and -A0.2 off; the number is kept either way.
 void set_antialias(Options& o, const Given& g) {
-  if (g.sign != 0 && !g.value.empty()) o.antialias_threshold = within(g, 0.0, 1.0);
+  if (g.sign != 0 && !g.value.empty()) o.antialias_threshold = cut_number(o, g, 0.0, 1.0);
   o.antialias = truth(o, g);
 }
-void set_threshold(Options& o, const Given& g) { o.antialias_threshold = within(g, 0.0, 1.0); }
+void set_threshold(Options& o, const Given& g) { o.antialias_threshold = cut_number(o, g, 0.0, 1.0); }
 void set_sampling(Options& o, const Given& g) {
-  o.sampling_method = static_cast<int>(whole_number(g, 0, 2));
+  o.sampling_method = static_cast<int>(cut_whole(o, g, 0, 2));
 }
 void set_antialias_gamma(Options& o, const Given& g) { o.antialias_gamma = std::max(number(g), 0.0); }
-void set_depth(Options& o, const Given& g) { o.antialias_depth = static_cast<int>(within(g, 1.0, 9.0)); }
+void set_depth(Options& o, const Given& g) { o.antialias_depth = static_cast<int>(cut_whole(o, g, 1, 9)); }
 void set_jitter(Options& o, const Given& g) {
-  if (g.sign != 0 && !g.value.empty()) o.jitter_amount = within(g, 0.0, 1.0);
+  if (g.sign != 0 && !g.value.empty()) o.jitter_amount = cut_number(o, g, 0.0, 1.0);
   o.jitter = truth(o, g);
 }
-void set_jitter_amount(Options& o, const Given& g) { o.jitter_amount = within(g, 0.0, 1.0); }
+void set_jitter_amount(Options& o, const Given& g) { o.jitter_amount = cut_number(o, g, 0.0, 1.0); }
 void set_angles(Options& o, const Given& g) {
   o.antialias_angles = static_cast<int>(whole_number(g, 1, 64));
 }
@@ -300,17 +299,40 @@ void set_memory(Options& o, const Given& g) {
 void set_band(Options& o, const Given& g) {
   o.band_height = static_cast<std::uint32_t>(whole_number(g, 1, 2'147'483'647));
 }
-void set_width(Options& o, const Given& g) { o.width = whole_number(g, 1, 2'147'483'647); }
-void set_height(Options& o, const Given& g) { o.height = whole_number(g, 1, 2'147'483'647); }
-void set_quality(Options& o, const Given& g) {
-  o.quality = static_cast<int>(whole_number(g, 0, 11));
+/// A size of less than a pixel is no size, and one that does not fit is not meant.
+std::int64_t size(Options& o, const Given& g) {
+  const std::int64_t value = cut_whole(o, g, std::numeric_limits<std::int32_t>::min(), std::int64_t{1} << 40);
+  if (value < 1 || value > std::numeric_limits<std::int32_t>::max()) {
+    refuse(g, "a whole number from 1 to 2147483647 is expected");
+  }
+  return value;
 }
-void set_threads(Options& o, const Given& g) {
-  o.threads = static_cast<int>(whole_number(g, 1, 512));
+void set_width(Options& o, const Given& g) { o.width = size(o, g); }
+void set_height(Options& o, const Given& g) { o.height = size(o, g); }
+void set_quality(Options& o, const Given& g) { o.quality = static_cast<int>(cut_whole(o, g, 0, 11)); }
+void set_threads(Options& o, const Given& g) { o.threads = static_cast<int>(cut_whole(o, g, 1, 512)); }
+constexpr double kAnyFloat = std::numeric_limits<float>::max();
+void set_clock(Options& o, const Given& g) {
+  o.clock = cut_number(o, g, -kAnyFloat, kAnyFloat);
+  o.clock_given = true;
 }
-void set_clock(Options& o, const Given& g) { o.clock = number(g); }
+constexpr int kMostFrames = 2'000'000'000;
+template <std::optional<int> AnimationOptions::*member>
+void set_frame(Options& o, const Given& g) {
+  o.animation.*member = static_cast<int>(cut_whole(o, g, 0, kMostFrames));
+}
+template <std::optional<double> AnimationOptions::*member>
+void set_clock_of(Options& o, const Given& g) {
+  o.animation.*member = cut_number(o, g, -kAnyFloat, kAnyFloat);
+}
+template <std::optional<double> AnimationOptions::*member>
+void set_subset(Options& o, const Given& g) { o.animation.*member = cut_number(o, g, 0.0, kMostFrames); }
+void set_frame_step(Options& o, const Given& g) {
+  o.animation.step = static_cast<int>(cut_whole(o, g, 1, kMostFrames));
+}
+void set_cyclic(Options& o, const Given& g) { o.animation.cyclic = truth(o, g); }
 void set_level(Options& o, const Given& g) {
-  o.warning_level = static_cast<int>(whole_number(g, 0, 10));
+  o.warning_level = static_cast<int>(cut_whole(o, g, 0, 10));
 }
 void set_file_bits(Options& o, const Given& g) { set_bits(o, g, g.value); }
 void set_display(Options&, const Given& g) {
@@ -325,16 +347,16 @@ constexpr OptionRow kTable[] = {
     {"Declare", "", add_declare},
     {"Version", "MV", set_version},
     {"Clock", "K", set_clock},
-    {"Initial_Frame", "KFI", later<"animation">},
-    {"Final_Frame", "KFF", later<"animation">},
-    {"Initial_Clock", "KI", later<"animation">},
-    {"Final_Clock", "KF", later<"animation">},
-    {"Subset_Start_Frame", "SF", later<"animation">},
-    {"Subset_End_Frame", "EF", later<"animation">},
-    {"Frame_Step", "STP", later<"animation">},
-    {"Cyclic_Animation", "KC", only_off<"animation">},
-    {"Field_Render", "UF", only_off<"field rendering">},
-    {"Odd_Field", "UO", only_off<"field rendering">},
+    {"Initial_Frame", "KFI", set_frame<&AnimationOptions::initial_frame>},
+    {"Final_Frame", "KFF", set_frame<&AnimationOptions::final_frame>},
+    {"Initial_Clock", "KI", set_clock_of<&AnimationOptions::initial_clock>},
+    {"Final_Clock", "KF", set_clock_of<&AnimationOptions::final_clock>},
+    {"Subset_Start_Frame", "SF", set_subset<&AnimationOptions::subset_start>},
+    {"Subset_End_Frame", "EF", set_subset<&AnimationOptions::subset_end>},
+    {"Frame_Step", "STP", set_frame_step},
+    {"Cyclic_Animation", "KC", set_cyclic},
+    {"Field_Render", "UF", ignore},
+    {"Odd_Field", "UO", ignore},
     // Picture.
     {"Width", "W", set_width},
     {"Height", "H", set_height},
@@ -497,6 +519,46 @@ double number(const GivenOption& given) {
     refuse(given, "a number is expected");
   }
   return value;
+}
+
+namespace {
+
+/// The number a text begins with, and what is behind it.
+double leading_number(const GivenOption& given, std::string_view& rest) {
+  std::string_view text = given.value;
+  while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
+  if (!text.empty() && text.front() == '+') text.remove_prefix(1);
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || !std::isfinite(value)) refuse(given, "a number is expected");
+  rest = text.substr(static_cast<std::size_t>(end - text.data()));
+  return value;
+}
+
+double cut(RenderOptions& options, const GivenOption& given, double value, std::string_view rest, double least,
+           double most) {
+  const double taken = std::clamp(value, least, most);
+  if (taken != value || !rest.empty()) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.10g", taken);
+    options.warnings.push_back(given.where + "option " + given.shown + ": taken as " + text);
+  }
+  return taken;
+}
+
+}  // namespace
+
+double cut_number(RenderOptions& options, const GivenOption& given, double least, double most) {
+  std::string_view rest;
+  const double value = leading_number(given, rest);
+  return cut(options, given, value, rest, least, most);
+}
+
+std::int64_t cut_whole(RenderOptions& options, const GivenOption& given, std::int64_t least, std::int64_t most) {
+  std::string_view rest;
+  const double value = std::trunc(leading_number(given, rest));
+  return static_cast<std::int64_t>(
+      cut(options, given, value, rest, static_cast<double>(least), static_cast<double>(most)));
 }
 
 double positive(const GivenOption& given) {

@@ -33,6 +33,11 @@ std::span<const OptionRow> option_table();
 bool truth(RenderOptions& options, const GivenOption& given);  ///< of a switch: its sign
 std::int64_t whole_number(const GivenOption& given, std::int64_t least, std::int64_t most);
 double number(const GivenOption& given);
+/// As stock reads the numbers of its own options: what follows the number is dropped, a whole number
+/// loses its fraction, and what is too small or large is cut to the range. A warning tells of all but
+/// the fraction.
+std::int64_t cut_whole(RenderOptions& options, const GivenOption& given, std::int64_t least, std::int64_t most);
+double cut_number(RenderOptions& options, const GivenOption& given, double least, double most);
 double positive(const GivenOption& given);
 /// An error, or a warning when a default INI file asked for it.
 void not_yet(RenderOptions& options, const GivenOption& given, const std::string& what);

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "core/base/transform.h"
+#include "parser/animation.h"
 #include "parser/diagnostics.h"
 #include "parser/limits.h"
 #include "parser/source.h"
@@ -48,8 +49,7 @@ class Productions {
 struct ParserOptions {
   std::vector<std::string> library_paths;                      ///< +L, in order
   std::vector<std::pair<std::string, std::string>> declares;   ///< Declare=NAME=VALUE, VALUE float or string
-  double clock = 0.0;
-  int frame_number = 0;                                        ///< 0: a still
+  FrameClock frame;
   int image_width = 160, image_height = 120;
   int language_version = 0;                                    ///< Version=, x 100; 0: the scene decides
   Limits limits;

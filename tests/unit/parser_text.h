@@ -75,7 +75,6 @@ inline Parsed parse_text(const std::string& text,
   for (const auto& [name, content] : files) diff::write_text(folder / name, content);
   diff::write_text(folder / "scene.pov", text);
   options.library_paths.push_back("/usr/share/povray-3.7/include");
-  options.frame_number = 0;
   parser::SourceManager sources;
   parser::Diagnostics diagnostics(sources);
   Parsed out;

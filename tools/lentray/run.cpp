@@ -102,11 +102,10 @@ parser::ParserOptions parser_options(const RenderOptions& o) {
   parser::ParserOptions out;
   out.library_paths = o.library_paths;
   out.declares = o.declares;
-  out.clock = o.clock;
+  out.frame = parser::still_clock(o.clock, o.clock_given);
   out.image_width = static_cast<int>(o.width);
   out.image_height = static_cast<int>(o.height);
   out.language_version = o.language_version;
-  out.frame_number = 0;  // a still, as in stock
   return out;
 }
 
