@@ -271,7 +271,7 @@ std::string output_path(const RenderOptions& options, OutputType& type) {
   const bool folder = !out.empty() && (out.back() == '/' || fs::is_directory(out, error));
   if (folder && out.back() != '/') out += '/';
   if (out.empty() || folder) {
-    return out + (options.input == "-" ? "stdin" : fs::path(options.input).stem().string()) +
+    return out + (options.input == "-" ? "stdin" : fs::path(options.input).stem().string()) + options.frame_digits +
            extension(type);
   }
   // A device takes the bytes as they come.
@@ -283,7 +283,12 @@ std::string output_path(const RenderOptions& options, OutputType& type) {
   }
   const bool has_it = ends_with(out, extension(type)) ||
                       (type == OutputType::kTiff && ends_with(out, ".tiff"));
-  return has_it ? out : out + extension(type);
+  return has_it ? frame_path(options, out) : out + options.frame_digits + extension(type);
+}
+
+std::string frame_path(const RenderOptions& options, const std::string& path) {
+  const fs::path whole = path;
+  return (whole.parent_path() / (whole.stem().string() + options.frame_digits + whole.extension().string())).string();
 }
 
 std::string memory_text(double bytes) {

@@ -29,6 +29,7 @@ struct RenderOptions {
   double clock = 0.0;
   bool clock_given = false;
   AnimationOptions animation;
+  std::string frame_digits;               ///< of the frame that is rendered: before the extensions of its files
   int language_version = 0;               ///< x 100; 0: the scene decides
 
   // Picture.
@@ -98,6 +99,9 @@ OptionSources installed_sources();
 
 /// argv without the program's name.
 RenderOptions read_options(std::span<const std::string> arguments, const OptionSources& sources);
+
+/// "a.json" of frame 07 is "a07.json".
+std::string frame_path(const RenderOptions& options, const std::string& path);
 
 /// Where the picture goes: stock's rules (no name: the scene's, in the current folder; a folder,
 /// ending with / : the scene's name there; the type's extension is added unless it is there),

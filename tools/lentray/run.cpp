@@ -1,373 +1,58 @@
 #include "tools/lentray/run.h"
 
-#include <tbb/global_control.h>
-
 #include <algorithm>
-#include <chrono>
-#include <cmath>
 #include <cstdio>
-#include <iomanip>
-#include <memory>
-#include <nlohmann/json.hpp>
-#include <optional>
-#include <sstream>
-#include <stdexcept>
-#include <thread>
 
-#include "camera/scene_probe.h"
-#include "core/render/frame.h"
-#include "core/scene/scene.h"
-#include "parser/build/scene.h"
-#include "parser/diagnostics.h"
-#include "parser/dump/scene_json.h"
-#include "parser/read_scene.h"
-#include "shadow/pixel_orders.h"
-#include "shadow/report.h"
-#include "shadow/run_log.h"
-#include "shadow/run_meter.h"
-#include "shadow/tester_factory.h"
-#include "tools/lentray/camera_setup.h"
-#include "tools/lentray/explain.h"
-#include "tools/lentray/machine.h"
-#include "tools/lentray/output.h"
-#include "tools/lentray/picture_file.h"
-#include "tools/lentray/progress_bar.h"
-#include "tools/lentray/quality.h"
-#include "tools/lentray/ray_dump.h"
+#include "parser/animation.h"
+#include "tools/lentray/picture_run.h"
 #include "tools/lentray/scene_file.h"
-#include "tools/lentray/text_streams.h"
 
 namespace lentray::tool {
 namespace {
 
-using parser::RenderOptions;
-using Clock = std::chrono::steady_clock;
-
-core::Antialiasing antialiasing(const RenderOptions& o) {
-  core::Antialiasing out;
-  if (o.antialias) out.method = o.sampling_method;
-  out.threshold = o.antialias_threshold;
-  out.depth = o.antialias_depth;
-  out.jitter = o.jitter ? o.jitter_amount : 0.0;
-  out.gamma = o.antialias_gamma;
-  return out;
-}
-
-/// What a band's row takes in memory, with a share for the encoder.
-double bytes_a_row(const RenderOptions& o, std::uint32_t width) {
-  return 1.25 * core::bytes_a_band_row(antialiasing(o), width);
-}
-
-/// What a run has become so far.
-struct Run {
-  const RenderOptions& options;
-  TextStreams& texts;
-  std::vector<std::string>& warnings;
-  std::string output;                  ///< where the picture goes; empty: nowhere
-  parser::OutputType type = parser::OutputType::kPng;
-  std::unique_ptr<core::Scene> scene{};
-  std::vector<std::string> not_rendered{};
-  std::vector<core::WatchedSlope> slopes{};
-  CameraSetup camera{};
-  shadow::RunReport report{};
-};
-
-/// The numbers of an order such as strips(4,32).
-void check_order(const RenderOptions& o) {
-  try {
-    shadow::make_order(o.pixel_order, 1, 1);
-  } catch (const std::invalid_argument& error) {
-    throw parser::OptionError(error.what());
+/// What several frames warn of is said once.
+void add_new(const std::vector<std::string>& more, std::vector<std::string>& warnings) {
+  for (const std::string& text : more) {
+    if (std::find(warnings.begin(), warnings.end(), text) == warnings.end()) warnings.push_back(text);
   }
 }
 
-/// Files are asked for before anything is read, so that no work is lost on them.
-void check_outputs(Run& run) {
-  const RenderOptions& o = run.options;
-  const bool renders = !o.explain && !o.parse_only && !o.dump && o.dump_rays.empty();
-  if (!o.dump_rays.empty() && o.dump_rays != "-") core::check_writable(o.dump_rays);
-  if (!renders) return;
-  if (o.shadow_log && o.statistics_file.empty()) {
-    throw parser::OptionError("Shadow_Log goes into the statistics: name a Statistics_File");
-  }
-  const auto width = static_cast<std::uint32_t>(o.width);
-  parser::check_picture_size(o.width, o.height, bytes_a_row(o, width), machine_memory());
-  if (!o.statistics_file.empty()) core::check_writable(o.statistics_file);
-  if (!o.output_to_file) return;
-  run.output = parser::output_path(o, run.type);
-  if (run.output != "-") core::check_writable(run.output);
+std::string frame_line(const parser::FrameClock& clock, std::size_t number, std::size_t count) {
+  char text[128];
+  std::snprintf(text, sizeof text, "Frame %d (%zu of %zu), clock %g\n", clock.frame_number, number, count, clock.clock);
+  return text;
 }
 
-parser::ParserOptions parser_options(const RenderOptions& o) {
-  parser::ParserOptions out;
-  out.library_paths = o.library_paths;
-  out.declares = o.declares;
-  out.frame = parser::still_clock(o.clock, o.clock_given);
-  out.image_width = static_cast<int>(o.width);
-  out.image_height = static_cast<int>(o.height);
-  out.language_version = o.language_version;
-  return out;
-}
-
-void connect(parser::Diagnostics& diagnostics, Run& run) {
-  diagnostics.connect(parser::Stream::kWarning, [&run](std::string_view text) {
-    run.warnings.emplace_back(text);
-  });
-  for (const auto stream : {parser::Stream::kDebug, parser::Stream::kRender, parser::Stream::kStatistics}) {
-    diagnostics.connect(stream, [&run, stream](std::string_view text) { run.texts.write(stream, text); });
-  }
-}
-
-/// --parse-only, --dump: text -> descriptions, checked as far as they can be without rendering.
-void parse_alone(Run& run, const std::string& path) {
-  const RenderOptions& o = run.options;
-  parser::SourceManager sources;
-  parser::Diagnostics diagnostics(sources);
-  connect(diagnostics, run);
-  const double before = cpu_seconds();
-  parser::ParserOptions options = parser_options(o);
-  options.only_check = !o.dump;
-  const parser::SceneDesc scene = parser::read_descriptions(path, sources, diagnostics, options);
-  const double seconds = cpu_seconds() - before;
-  parser::build_scene(scene, diagnostics, {o.quality});
-  if (o.dump) {
-    const auto json = parser::scene_json(scene, sources);
-    std::puts(json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
-  }
-  if (!o.verbose) return;
-  std::fprintf(stderr, "Parsed: %zu objects and lights, %zu warnings, %.3f s\n",
-               scene.objects.size() + scene.dropped, diagnostics.warnings().size(), seconds);
-}
-
-/// Text -> descriptions -> compiled scene and camera.
-void read_scene(Run& run, const std::string& path) {
-  const RenderOptions& o = run.options;
-  parser::SourceManager sources;
-  parser::Diagnostics diagnostics(sources);
-  connect(diagnostics, run);
-
-  const double before = cpu_seconds();
-  parser::SceneDesc description =
-      parser::read_descriptions(path, sources, diagnostics, parser_options(o));
-  const double parsed = cpu_seconds();
-  run.report.parse_cpu_s = parsed - before;
-
-  core::SceneParts parts = parser::build_scene(description, diagnostics, {o.quality});
-  description.objects = {};  // their memory is used again by what is built next
-  run.not_rendered = parts.not_rendered;
-  run.slopes = parts.slopes;
-  reduce(parts, o.quality);
-  core::CompileOptions compile;
-  if (o.accelerator == "grid") compile.accelerator = core::Accelerator::kGrid;
-  if (o.accelerator == "list") compile.accelerator = core::Accelerator::kList;
-  if (o.light_buffer) {
-    compile.light_buffer_pixels =
-        static_cast<std::uint64_t>(o.width) * static_cast<std::uint64_t>(o.height);
-  }
-  run.scene = std::make_unique<core::Scene>(std::move(parts), compile);
-  run.report.compile_cpu_s = cpu_seconds() - parsed;
-
-  const auto textures =
-      parser::texture_settings(description, run.scene->settings(), {.quality = o.quality});
-  const auto request =
-      parser::camera_request(description.camera.value_or(parser::CameraDesc{}), textures);
-  run.camera = make_camera(request, o, camera::probe_of(*run.scene));
-  for (std::string& text : run.camera.warnings) run.warnings.push_back("warning: " + text);
-  run.camera.warnings.clear();
-}
-
-shadow::LensReport lens_report(const camera::Lenticular& sheet) {
-  shadow::LensReport out;
-  out.parameters = sheet.sheet().lens();
-  out.lenses = sheet.sheet().lenses();
-  out.views = sheet.sheet().views();
-  out.lens_front = sheet.placement().front;
-  out.scene_units_per_mm = sheet.scale();
-  out.sheet_width = sheet.sheet().sheet_width();
-  out.sheet_height = sheet.placement().height / sheet.scale();
-  return out;
-}
-
-void write_statistics(Run& run) {
-  const RenderOptions& o = run.options;
-  run.report.scene = o.input;
-  run.report.pixel_order = o.pixel_order;
-  run.report.shadow_cache = o.shadow_cache;
-  run.report.accelerator = o.accelerator;
-  run.report.peak_bytes = peak_bytes();
-  if (run.camera.sheet) run.report.lens = lens_report(*run.camera.sheet);
-  nlohmann::json statistics = shadow::to_json(run.report);
-  if (run.camera.sheet) statistics["lens"].update(lens_json(run.camera.camera()));
-  write_text_file(o.statistics_file, statistics.dump(2) + "\n");
-}
-
-/// Rows in a band, and how they are reported.
-core::FrameShape shape_of(Run& run) {
-  const RenderOptions& o = run.options;
-  const camera::Camera& camera = run.camera.camera();
-  core::FrameShape shape{camera.width(), camera.height(), o.band_height};
-  const double limit = o.max_memory > 0.0 ? o.max_memory : 0.5 * machine_memory();
-  const double row = bytes_a_row(o, shape.width);
-  if (o.band_height == 0) {
-    // In steps, so that the same run gets the same bands.
-    constexpr double kStep = 16.0 * 1024 * 1024;
-    const double scene = std::ceil(resident_bytes() / kStep) * kStep;
-    shape.band_height =
-        shadow::band_height(o.pixel_order, shape.width, shape.height, row, limit - scene);
-    if (shape.band_height * row > limit - scene) {
-      run.warnings.push_back("warning: Max_Memory is less than the scene and a row of the picture "
-                             "take; that is " + parser::memory_text(scene + row));
+/// Every frame reads the scene afresh, for it may read what the frame before wrote.
+Status run_frames(const parser::RenderOptions& options, const std::string& scene, const std::atomic<bool>& cancel,
+                  TextStreams& texts, std::vector<std::string>& warnings) {
+  const std::vector<parser::AnimationFrame> frames = parser::frames_of(options.animation);
+  parser::RenderOptions one = options;
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    if (options.verbose) texts.write(parser::Stream::kRender, frame_line(frames[i].clock, i + 1, frames.size()));
+    one.frame_digits = frames[i].digits;
+    std::vector<std::string> more;
+    Status status = kDone;
+    try {
+      status = run_picture({one, frames[i].clock, scene, i + 1 == frames.size()}, cancel, texts, more);
+    } catch (...) {
+      add_new(more, warnings);
+      throw;
     }
+    add_new(more, warnings);
+    if (status != kDone) return status;
   }
-  // Tiles of antialiasing are not cut.
-  const std::uint32_t grain = core::Film::rows_together(antialiasing(o));
-  shape.band_height = (std::min(shape.band_height, shape.height) + grain - 1) / grain * grain;
-  run.report.band_height = shape.band_height;
-  run.report.bands = (shape.height + shape.band_height - 1) / shape.band_height;
-  if (o.verbose) {
-    const double share = std::min(1.0, 1.0 * run.report.bands / core::BandQueue::kInMemory);
-    const double bytes = share * core::bytes_a_band_row(antialiasing(o), shape.width) * shape.band_height;
-    run.texts.write(parser::Stream::kRender,
-                    "Bands: " + std::to_string(run.report.bands) + " of " +
-                        std::to_string(shape.band_height) +
-                        (shape.band_height == 1 ? " row, " : " rows, ") + parser::memory_text(bytes) +
-                        " of at most " + parser::memory_text(limit) + "\n");
-  }
-  return shape;
-}
-
-/// How many of `size` columns or rows lie before an edge; what is below 1 is a part of them all.
-/// As stock: a start of 1 is the first column, an end of 1 the whole width; and 0.9 is the float
-/// next to it, which leaves a column less than a reader might think.
-std::uint32_t columns_before(double given, std::uint32_t size, bool is_start, const char* name) {
-  const double edge = static_cast<float>(given);
-  const bool is_part = is_start ? edge < 1.0 : edge <= 1.0;
-  const double before = is_part ? std::floor(edge * size) : std::floor(edge) - (is_start ? 1.0 : 0.0);
-  if (before > size || (is_start && before >= size)) {
-    throw parser::OptionError(std::string(name) + " lies beyond the picture's " + std::to_string(size));
-  }
-  return static_cast<std::uint32_t>(before);
-}
-
-/// The pixels that are rendered, if not all.
-std::optional<core::PixelRegion> region_of(const RenderOptions& o, const core::FrameShape& shape) {
-  if (!o.start_column && !o.end_column && !o.start_row && !o.end_row) return std::nullopt;
-  core::PixelRegion region;
-  region.left = columns_before(o.start_column.value_or(1.0), shape.width, true, "Start_Column");
-  region.top = columns_before(o.start_row.value_or(1.0), shape.height, true, "Start_Row");
-  region.right = columns_before(o.end_column.value_or(1.0), shape.width, false, "End_Column");
-  region.bottom = columns_before(o.end_row.value_or(1.0), shape.height, false, "End_Row");
-  if (region.left >= region.right) throw parser::OptionError("Start_Column lies behind End_Column");
-  if (region.top >= region.bottom) throw parser::OptionError("Start_Row lies behind End_Row");
-  return region;
-}
-
-/// What the picture told about the numbers it was given.
-void report_slopes(Run& run) {
-  for (const core::WatchedSlope& slope : run.slopes) {
-    const std::string advice = slope.watch->advice();
-    if (!advice.empty()) run.warnings.push_back(slope.place + ": warning: " + advice);
-  }
-}
-
-/// False if the run was cancelled.
-bool render(Run& run, const std::atomic<bool>& cancel) {
-  const RenderOptions& o = run.options;
-  const camera::Camera& camera = run.camera.camera();
-  // One view of a sheet is an ordinary picture.
-  const camera::LensSheet* lenses =
-      run.camera.sheet && !run.camera.view ? &run.camera.sheet->sheet() : nullptr;
-  const core::FrameShape shape = shape_of(run);
-  auto testers = shadowless_tester(o.quality);
-  if (!testers) testers = shadow::make_tester_factory(o.shadow_cache);
-  const shadow::RunLog log(*testers);
-  const core::ShadowTesterFactory* asked = testers.get();
-  if (o.shadow_log) asked = &log;
-  const shadow::RunMeter meter(*asked, lenses ? static_cast<std::uint32_t>(lenses->lens().pixels) : 0);
-  if (shadow::follows_shadows(o.pixel_order)) asked = &meter;
-  core::FrameOptions frame;
-  frame.antialiasing = antialiasing(o);
-  frame.angles = o.antialias_angles;
-  frame.region = region_of(o, shape);
-  const core::FilmColumns columns = core::traced_columns(camera, shape, frame);
-  const auto orders =
-      shadow::make_band_orders(o.pixel_order, {columns.left, columns.right}, lenses, &meter);
-  frame.threads = o.threads;
-  frame.count_tests = !o.statistics_file.empty();
-  frame.alpha = o.alpha;
-  frame.cancel = &cancel;
-  run.report.threads =
-      o.threads > 0 ? o.threads : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  run.report.tests_counted = frame.count_tests;
-  run.report.width = shape.width;
-  run.report.height = shape.height;
-  std::optional<ProgressBar> bar;
-  if (o.verbose) bar.emplace("Rendering");
-  const double before = cpu_seconds();
-  PictureFile picture(run.output, run.type, o, run.scene->settings(), run.camera);
-  run.report.counters = core::render_frame(*run.scene, camera, shape, *orders, *asked, frame,
-                                           picture, bar ? &*bar : nullptr);
-  if (cancel.load()) return false;
-  run.report.shadow_log = log.lights();
-  picture.finish();
-  run.report.write_cpu_s = picture.cpu_seconds();
-  run.report.render_cpu_s = cpu_seconds() - before - run.report.write_cpu_s;
-  return true;
-}
-
-/// The program ends soon, and the system takes its memory back at once: nobody need visit the scene's
-/// parts first.
-void leave_to_system(std::unique_ptr<core::Scene> scene) {
-  [[maybe_unused]] static const core::Scene* left = nullptr;  // reached until the end
-  left = scene.release();
+  return kDone;
 }
 
 }  // namespace
 
-Status run(const RenderOptions& options, const std::atomic<bool>& cancel,
+Status run(const parser::RenderOptions& options, const std::atomic<bool>& cancel,
            TextStreams& texts, std::vector<std::string>& warnings) {
-  const auto start = Clock::now();
-  Run run{options, texts, warnings, {}};
-  // Building the scene takes no more threads than rendering it.
-  std::optional<tbb::global_control> threads;
-  if (options.threads > 0) {
-    threads.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(options.threads));
-  }
   const SceneFile file(options);
-  check_order(options);
-  check_outputs(run);
-  if (options.parse_only || options.dump) {
-    parse_alone(run, file.path());
-    return kDone;
-  }
-  read_scene(run, file.path());
-  if (options.explain) {
-    std::fputs(explanation(*run.scene, run.camera, run.not_rendered).c_str(), stdout);
-    return kDone;
-  }
-  for (const std::string& line : run.camera.report) {
-    texts.write(parser::Stream::kRender, line + "\n");
-  }
-  if (!options.dump_rays.empty()) {
-    dump_rays(run.camera.camera(), options.dump_rays);
-    return kDone;
-  }
-  const camera::Camera& camera = run.camera.camera();
-  parser::check_picture_size(camera.width(), camera.height(), bytes_a_row(options, camera.width()),
-                             machine_memory());
-  if (!render(run, cancel)) return kAborted;
-  report_slopes(run);
-  run.report.wall_s = std::chrono::duration<double>(Clock::now() - start).count();
-  if (!options.statistics_file.empty()) write_statistics(run);
-  if (options.verbose) {
-    std::ostringstream text;
-    text << (run.output.empty() ? "No file" : run.output) << ": " << camera.width() << " x "
-         << camera.height() << " pixels in " << std::fixed << std::setprecision(2)
-         << run.report.wall_s << " s\n";
-    run.texts.write(parser::Stream::kStatistics, text.str());
-  }
-  leave_to_system(std::move(run.scene));
-  return kDone;
+  if (parser::is_animation(options.animation)) return run_frames(options, file.path(), cancel, texts, warnings);
+  const parser::FrameClock clock = parser::still_clock(options.clock, options.clock_given);
+  return run_picture({options, clock, file.path()}, cancel, texts, warnings);
 }
 
 }  // namespace lentray::tool

@@ -1,8 +1,5 @@
-// One run: read the scene, build and compile it, place the camera, render, write.
-// Everything that can be refused is refused before rendering starts. Messages go to standard
-// error; warnings are gathered and listed at the end.
-// Errors, each worded for the user: parser::OptionError, parser::ParseError, camera::CameraError,
-// core::ImageError.
+// One run of the program: a picture, or the frames of an animation one after another.
+// Errors: as tools/lentray/picture_run.h. Frames that are done stay when a later one fails.
 #pragma once
 
 #include <atomic>

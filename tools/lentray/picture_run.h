@@ -1,0 +1,29 @@
+// One picture, a still or a frame: read the scene, build and compile it, place the camera, render,
+// write. Everything that can be refused is refused before rendering starts. Messages go to standard
+// error; warnings are gathered.
+// Errors, each worded for the user: parser::OptionError, parser::ParseError, camera::CameraError,
+// core::ImageError. One thread calls.
+#pragma once
+
+#include <atomic>
+#include <string>
+#include <vector>
+
+#include "parser/animation.h"
+#include "parser/options.h"
+#include "tools/lentray/run.h"
+#include "tools/lentray/text_streams.h"
+
+namespace lentray::tool {
+
+struct Picture {
+  const parser::RenderOptions& options;
+  const parser::FrameClock& clock;
+  const std::string& scene;  ///< path of the file
+  bool is_last = true;       ///< the program ends after it
+};
+
+Status run_picture(const Picture& picture, const std::atomic<bool>& cancel, TextStreams& texts,
+                   std::vector<std::string>& warnings);
+
+}  // namespace lentray::tool
