@@ -15,7 +15,7 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
 }
 
-/// A line up to its comment; quotes protect semicolons.
+/// A line up to its comment, which ; or # begins; quotes protect both.
 std::string_view without_comment(std::string_view line) {
   char quote = 0;
   for (std::size_t i = 0; i < line.size(); ++i) {
@@ -24,7 +24,7 @@ std::string_view without_comment(std::string_view line) {
       if (c == quote) quote = 0;
     } else if (c == '"' || (c == '\'' && line.find('\'', i + 1) != std::string_view::npos)) {
       quote = c;
-    } else if (c == ';') {
+    } else if (c == ';' || c == '#') {
       return line.substr(0, i);
     }
   }
@@ -119,10 +119,11 @@ IniName ini_name(std::string_view text) {
   return name;
 }
 
-std::optional<std::vector<IniLine>> ini_lines(std::string_view text, const std::string& file,
-                                              const IniName& name) {
-  std::vector<IniLine> out;
-  bool reading = !name.has_label, found = reading;
+IniSection ini_lines(std::string_view text, const std::string& file, const IniName& name) {
+  IniSection out;
+  out.is_there = !name.has_label;
+  // What stands before the first label holds for every section.
+  bool reading = true;
   for_lines(text, [&](std::string_view line, int number) {
     if (line.front() == '[') {
       const auto label = label_of(line);
@@ -130,12 +131,11 @@ std::optional<std::vector<IniLine>> ini_lines(std::string_view text, const std::
         throw OptionError(file + ":" + std::to_string(number) + ": a section label lacks its ]");
       }
       reading = name.has_label && same_word(*label, name.label);
-      found = found || reading;
+      out.is_there = out.is_there || reading;
       return;
     }
-    if (reading) append_line(line, number, out);
+    if (reading) append_line(line, number, out.lines);
   });
-  if (!found) return std::nullopt;
   return out;
 }
 
@@ -147,19 +147,20 @@ std::vector<std::string> ini_labels(std::string_view text) {
   return out;
 }
 
-std::vector<IniLine> read_ini(const std::string& path, const IniName& name) {
+IniSection read_ini(const std::string& path, const IniName& name, std::vector<std::string>& warnings) {
   std::ifstream in(path, std::ios::binary);
   std::ostringstream text;
   if (in) text << in.rdbuf();
   if (!in) throw OptionError("cannot read the INI file '" + path + "'");
-  auto lines = ini_lines(text.str(), path, name);
-  if (lines) return std::move(*lines);
+  IniSection out = ini_lines(text.str(), path, name);
+  if (out.is_there) return out;
   std::string known;
   for (const std::string& label : ini_labels(text.str())) {
     known += (known.empty() ? "" : ", ") + label;
   }
-  throw OptionError("'" + path + "' has no section [" + name.label + "]" +
-                    (known.empty() ? "" : ": there are " + known));
+  warnings.push_back("'" + path + "' has no section [" + name.label + "]" +
+                     (known.empty() ? "" : ": there are " + known));
+  return out;
 }
 
 }  // namespace lentray::parser

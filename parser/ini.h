@@ -1,7 +1,7 @@
 // INI files as POV-Ray reads them: one `Name=Value` a line, or switches, or the name of another
-// INI file; `;` starts a comment; [labelled] sections. Without a label the part before the first
-// section is read, with one only that section (letter case ignored).
-// Source: tutorial 3.7, "Using INI Files"; measured on stock (.ini is added, quotes, sections).
+// INI file; `;` or `#` starts a comment; [labelled] sections. The part before the first section is read
+// always, and with a label every section of that label as well (letter case ignored).
+// Source: tutorial 3.7, "Using INI Files"; measured on stock (.ini is added, quotes, sections, #).
 // Errors: OptionError. Pure functions; any number of threads.
 #pragma once
 
@@ -34,12 +34,16 @@ struct IniName {
 };
 IniName ini_name(std::string_view text);
 
-/// The lines of a section in a text. `file` is for messages. nullopt: no such section.
-std::optional<std::vector<IniLine>> ini_lines(std::string_view text, const std::string& file,
-                                              const IniName& name);
+struct IniSection {
+  std::vector<IniLine> lines;  ///< of the part before all sections, and of the section
+  bool is_there = false;       ///< the section that was asked for; true if none was
+};
 
-/// The same of a file.
-std::vector<IniLine> read_ini(const std::string& path, const IniName& name);
+/// The lines of a section in a text. `file` is for messages.
+IniSection ini_lines(std::string_view text, const std::string& file, const IniName& name);
+
+/// The same of a file. As in stock, a section that is not there is no error; a warning tells of it.
+IniSection read_ini(const std::string& path, const IniName& name, std::vector<std::string>& warnings);
 
 /// Labels of a text's sections, as written.
 std::vector<std::string> ini_labels(std::string_view text);

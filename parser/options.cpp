@@ -124,7 +124,7 @@ void Reader::file(const IniName& name, const std::string& path, GivenOption give
     throw OptionError(given.where + "INI files are nested more than " + std::to_string(kNesting) +
                       " deep");
   }
-  for (const IniLine& line : read_ini(path, name)) {
+  for (const IniLine& line : read_ini(path, name, m_options.warnings).lines) {
     GivenOption next;
     next.from_defaults = given.from_defaults;
     next.where = path + ":" + std::to_string(line.line) + ": ";

@@ -112,9 +112,13 @@ TEST_F(UnitParserOptions, IniSections) {
   EXPECT_EQ(read({"res"}).height, 100);
   EXPECT_EQ(read({"res"}).input, "my scene.pov");
   EXPECT_EQ(read({"res.ini[low]"}).width, 80);
-  EXPECT_EQ(read({"res.ini[low]"}).height, 120);
-  EXPECT_EQ(read({"res.ini[low]"}).input, "");
+  EXPECT_EQ(read({"res.ini[low]"}).height, 100) << "what stands before all sections holds for each";
+  EXPECT_EQ(read({"res.ini[low]"}).input, "my scene.pov");
   EXPECT_EQ(read({"res[REALLY HIGH]"}).width, 800);
+  const RenderOptions missing = read({"res[medium]"});
+  EXPECT_EQ(missing.width, 120);
+  ASSERT_EQ(missing.warnings.size(), 1u);
+  EXPECT_NE(missing.warnings[0].find("has no section [medium]: there are Low, Really High"), std::string::npos);
 }
 
 TEST_F(UnitParserOptions, IniFilesNestAndLieOnLibraryPaths) {
@@ -328,7 +332,11 @@ TEST_F(ErrorParserOptions, IniMessagesNameFileAndLine) {
   write("b.ini", "+W4 +Hx\n");
   expect_message({"b.ini"}, "b.ini:1: option +Hx: a number is expected");
   write("c.ini", "[one]\n[two words]\n");
-  expect_message({"c.ini[three]"}, "'c.ini' has no section [three]: there are one, two words");
+  EXPECT_NE(read({"c.ini[three]"}).warnings.at(0).find("'c.ini' has no section [three]: there are one, two words"),
+            std::string::npos);
+  write("e.ini", "# a comment\nWidth=20 # another\n#Height=3\nOutput_File_Name=\"a#b.png\"\n");
+  EXPECT_EQ(read({"e.ini"}).width, 20);
+  EXPECT_EQ(read({"e.ini"}).output, "a#b.png");
   write("d.ini", "[open\n");
   expect_message({"d.ini"}, "d.ini:1: a section label lacks its ]");
   write("self.ini", "self\n");
