@@ -8,8 +8,9 @@
 
 Both render live in a copy of the examples. The scenes are of all kinds; left out are those that stock
 itself renders at random (crand, jittered lights, stripes finer than a sample) and those in which single
-rays along the picture's very middle or at its very edge graze an edge or meet a pole (advanced/float5,
-interior/iortest, objects/csg/granite, camera/panoramic), for samples of method 2 lie just there. Stock renders in one block, larger than the picture: its first method begins
+rays along the picture's very middle, at its very edge or at a seam graze an edge or meet a pole
+(advanced/float5, interior/iortest, objects/csg/granite, camera/panoramic, textures/normals/normmap),
+for samples of method 2 lie just there. Stock renders in one block, larger than the picture: its first method begins
 anew in each block (docs/rendering.md). The exit status is 1 unless every
 picture reaches its grade (docs/compare.md) or, with --cost, unless lentray takes at most a third of
 stock's time at the median and never more.
@@ -30,10 +31,10 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 EXAMPLES = pathlib.Path("/usr/share/doc/povray/examples")
 SCENES = """
 advanced/infinitybox advanced/landscape advanced/sombrero advanced/sunsethf advanced/swirlbox
-advanced/teapot/teapot advanced/whiltile advanced/woodbox advanced/cliche/sign advanced/wallstucco
+advanced/teapot/teapot advanced/whiltile advanced/woodbox advanced/cliche/sign textures/patterns/agate
 objects/blob objects/chesmsh objects/isosurfaces objects/lathe1a camera/cylinder3 camera/fisheye
-interior/skysph1 lights/spotlite incdemo/glasses/glass incdemo/metals/golds incdemo/woods/woods2
-interior/fog_std textures/finishes/cluster textures/normals/normmap
+interior/skysph1 lights/spotlite incdemo/glasses/glass language/trace-wicker incdemo/woods/woods2
+interior/fog_std textures/finishes/cluster textures/normals/normavg
 """.split()
 GRADES = ["fails", "close", "match", "exact"]
 ONE_BLOCK = "+BS4096"

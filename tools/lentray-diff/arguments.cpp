@@ -164,7 +164,8 @@ class Parsing {
   void on_ini(const std::string& text, int depth) {
     if (depth > 10) throw OptionError("'" + text + "' includes itself");
     const parser::IniName name = parser::ini_name(text);
-    for (const parser::IniLine& line : parser::read_ini(name.file, name)) {
+    std::vector<std::string> warnings;  // lentray's own run tells them
+    for (const parser::IniLine& line : parser::read_ini(name.file, name, warnings).lines) {
       switch (line.kind) {
         case parser::IniLine::Kind::kOption:
           on_option(line.text, line.value, fs::current_path());
