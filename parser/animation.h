@@ -36,7 +36,8 @@ struct AnimationFrame {
 /// both are 1.
 bool is_animation(const AnimationOptions& options);
 
-/// All frames of an animation in order, at least one. An animation of one frame has its initial clock.
+/// All frames of an animation in order, at least one. An animation of one frame has its
+/// initial clock (in stock it is 0/0).
 std::vector<AnimationFrame> frames_of(const AnimationOptions& options);
 
 /// A still's: `given`: Clock= or +K was.

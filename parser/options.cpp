@@ -169,7 +169,7 @@ void Reader::bare(const std::string& text, const GivenOption& given, int depth) 
 bool long_option(std::span<const std::string> arguments, std::size_t& at, RenderOptions& options) {
   const std::string& text = arguments[at];
   if (text == "-?" || text == "--help" || same_word(text, "-help")) return options.help = true;
-  if (text == "--version") return options.version = true;
+  if (text == "--version" || same_word(text, "-version")) return options.version = true;
   if (text.rfind("--", 0) != 0) return false;
   const std::size_t equals = text.find('=');
   const std::string name = text.substr(0, equals);
@@ -327,6 +327,7 @@ they may stand in INI files (file.ini, file.ini[section]) or on the command line
   +Ifile  +Ofile       scene and picture (- for standard input and output)
   +Wn  +Hn             size of the picture in pixels
   +SCn +ECn +SRn +ERn  render from a column and row to another only (below 1: parts of the size)
+  +KFIn +KFFn +KIn +KFn  frames and clocks of an animation; +SFn +EFn +STPn  some; +KC cyclic; +Kn clock
   +A[t]                antialiasing, of colours that differ by t (0 to 1; 0.3)
   +AM1|2 +Rn +J[n] -J  its method, depth (1 to 9; 3), jitter (0 to 1; 1); +AGn  gamma (2.5)
   +FN8 +FN16 +FE       PNG of 8 or 16 bits, OpenEXR; TIFF by a name that ends in .tif; -F: no file
