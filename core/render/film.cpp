@@ -20,7 +20,7 @@ class PlainBand final : public FilmBand {
   bool work(std::size_t, std::size_t job, FilmThread& thread) override {
     m_order->pixels(job, thread.pixels);
     for (const Pixel& pixel : thread.pixels) {
-      if (thread.cancelled()) return false;
+      if (!thread.begins(pixel)) return false;
       Radiance seen;
       if (!thread.sampler.centre(pixel, seen)) {
         ++thread.counters.dark_pixels;
@@ -73,6 +73,13 @@ FilmColumns Film::traced_columns(const FilmSetup& setup) {
     case 2: return traced_columns_of_corners(setup);
     default: return {setup.region.left, setup.region.right};
   }
+}
+
+PixelRegion Film::traced_region(const FilmSetup& setup) {
+  const FilmColumns columns = traced_columns(setup);
+  const std::uint32_t tile = rows_together(setup.antialiasing);
+  const std::uint32_t bottom = (setup.region.bottom + tile - 1) / tile * tile;
+  return {columns.left, setup.region.top / tile * tile, columns.right, std::min(bottom, setup.height)};
 }
 
 double Film::bytes_a_row(const Antialiasing& antialiasing, std::uint32_t width) {
