@@ -21,6 +21,11 @@ double visits(const WorkCells::Cell& cell, std::size_t stage) {
   return cell.visits[stage].load(std::memory_order_relaxed);
 }
 
+/// CPU seconds of stage 0.
+double spent(const WorkCells::Cell& cell) {
+  return 1e-9 * static_cast<double>(cell.nanoseconds.load(std::memory_order_relaxed));
+}
+
 /// How what was done compares with what was foreseen for it, `all` with all.
 double ratio(double real, double foreseen, double all) {
   const double trust = kTrust * all;
@@ -100,20 +105,23 @@ WorkEstimate::Work WorkEstimate::work() const {
   return out;
 }
 
-/// Adds stage 0; what a sample of each cell takes.
+/// Adds stage 0; what a sample of each cell takes. What was foreseen is compared with what was
+/// done in cells that were probed before they were traced: others were not foreseen well.
 std::vector<double> WorkEstimate::sample_seconds(const std::vector<Expected>& foreseen, Work& out) const {
-  double all = 0.0, done = 0.0;
+  double left = 0.0, done = 0.0, real = 0.0;
   for (std::size_t i = 0; i < foreseen.size(); ++i) {
-    const double pixels = m_repeats * m_cells.pixels(i);
-    all += foreseen[i].seconds * pixels;
-    done += foreseen[i].seconds * std::min(visits(m_cells[i], 0), pixels);
+    const double pixels = m_repeats * m_cells.pixels(i), visited = std::min(visits(m_cells[i], 0), pixels);
+    left += foreseen[i].seconds * (pixels - visited);
+    if (m_levels.front().sums[i].probes == 0.0) continue;
+    done += foreseen[i].seconds * visited;
+    real += spent(m_cells[i]);
   }
-  const double real = m_cells.seconds(0), times = ratio(real, done, all);
+  out.done += m_cells.seconds(0);
+  const double times = ratio(real, done, left + m_cells.seconds(0));
   std::vector<double> seconds(foreseen.size());
-  out.done += real;
   for (std::size_t i = 0; i < foreseen.size(); ++i) {
-    const double visited = visits(m_cells[i], 0), spent = 1e-9 * static_cast<double>(m_cells[i].nanoseconds.load(std::memory_order_relaxed));
-    seconds[i] = (spent + kVisits * times * foreseen[i].seconds) / (visited + kVisits);
+    const double visited = visits(m_cells[i], 0);
+    seconds[i] = (spent(m_cells[i]) + kVisits * times * foreseen[i].seconds) / (visited + kVisits);
     out.left += seconds[i] * std::max(0.0, m_repeats * m_cells.pixels(i) - visited);
   }
   return seconds;

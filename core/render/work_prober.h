@@ -24,7 +24,8 @@ class WorkProber {
   int probes() const { return m_probes; }
 
  private:
-  double time(const Pixel& pixel, Compared& out);
+  /// Sample 0 of a pixel, as the film takes it.
+  Compared sample(std::uint32_t column, std::uint32_t row);
   void probe(const Pixel& pixel, std::size_t cell, WorkEstimate& estimate);
 
   const FilmSetup& m_film;

@@ -55,18 +55,18 @@ GRASS = """#declare R = seed(3); union { #for (I, 1, 9000)
 
 # name: scene text or a path in the examples, options
 SCENES = {
-    "glass_below": (HEAD + SUN + FLOOR + BALLS, "+W1600 +H1200 -A"),
-    "glass_below_aa1": (HEAD + SUN + FLOOR + BALLS, "+W640 +H480 +A0.1 +AM1 +R3"),
-    "glass_below_aa2": (HEAD + SUN + FLOOR + BALLS, "+W640 +H480 +A0.1 +AM2 +R3"),
-    "glass_above": (HEAD + SUN + FLOOR + BALLS.replace("0.45 +", "2.8 +"), "+W1600 +H1200 -A"),
-    "lamps_below": (HEAD + LAMPS + FLOOR + GRASS, "+W480 +H360 -A"),
-    "csg_corner": (HEAD + SUN + PIERCED + "object { Pierced rotate <30, 30, 0> translate <2.6, 0.2, 0> }",
-                   "+W1600 +H1200 -A"),
-    "one_object_aa1": (HEAD + SUN + FLOOR + HILLS, "+W800 +H600 +A0.2 +AM1 +R3"),
-    "grass_aa1": (HEAD + SUN + GRASS, "+W640 +H480 +A0.1 +AM1 +R4"),
+    "glass_below": (HEAD + SUN + FLOOR + BALLS, "+W4000 +H3000 -A"),
+    "glass_below_aa1": (HEAD + SUN + FLOOR + BALLS, "+W2400 +H1800 +A0.1 +AM1 +R3"),
+    "glass_below_aa2": (HEAD + SUN + FLOOR + BALLS, "+W2000 +H1500 +A0.1 +AM2 +R3"),
+    "glass_above": (HEAD + SUN + FLOOR + BALLS.replace("0.45 +", "2.8 +"), "+W4000 +H3000 -A"),
+    "lamps_below": (HEAD + LAMPS + FLOOR + GRASS, "+W1280 +H960 -A"),
+    "csg_corner": (HEAD + LAMPS + PIERCED + "object { Pierced rotate <30, 30, 0> translate <2.6, 0.2, 0> }",
+                   "+W640 +H480 -A"),
+    "one_object_aa1": (HEAD + LAMPS + FLOOR + HILLS, "+W640 +H480 +A0.2 +AM1 +R3"),
+    "grass_aa1": (HEAD + SUN + GRASS, "+W3200 +H2400 +A0.1 +AM1 +R4"),
     "part_aa2": (HEAD + LAMPS + FLOOR + PIERCED + "object { Pierced rotate <30, 30, 0> translate <1, 1, 0> }",
-                 "+W800 +H600 +A0.2 +AM2 +R3 +SR200 +ER560 +SC300 +EC800"),
-    "example_chess": ("advanced/chess2.pov", "+W400 +H300 +A0.2 +AM1 +R3"),
+                 "+W200 +H150 +A0.2 +AM2 +R3 +SR50 +ER140 +SC75 +EC200"),
+    "example_chess": ("advanced/chess2.pov", "+W1600 +H1200 +A0.2 +AM1 +R3"),
 }
 
 
