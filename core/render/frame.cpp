@@ -97,6 +97,10 @@ void run(Work& work) {
 
 }  // namespace
 
+unsigned frame_threads(const FrameOptions& options) {
+  return options.threads > 0 ? static_cast<unsigned>(options.threads) : std::max(1u, std::thread::hardware_concurrency());
+}
+
 double bytes_a_band_row(const Antialiasing& antialiasing, std::uint32_t width) {
   return BandQueue::kInMemory * Film::bytes_a_row(antialiasing, width);
 }
@@ -120,8 +124,7 @@ Counters render_frame(const Scene& scene, const RaySource& camera, const FrameSh
     watch.emplace(scene, camera, shadows, options, setup, bands.band_height, *progress);
   }
   Work work{scene, camera, shadows, options, watch ? &*watch : nullptr, BandQueue(bands, *film, sink)};
-  const unsigned machine = std::max(1u, std::thread::hardware_concurrency());
-  const unsigned threads = options.threads > 0 ? static_cast<unsigned>(options.threads) : machine;
+  const unsigned threads = frame_threads(options);
   {
     // Not tasks of oneTBB: as many as asked for must run at once, and they wait for each other.
     std::vector<std::jthread> others;

@@ -28,6 +28,8 @@ struct FrameOptions {
   const std::atomic<bool>* cancel = nullptr;
 };
 
+/// How many threads a frame takes.
+unsigned frame_threads(const FrameOptions& options);
 /// Bytes that render_frame() holds for each row of a band.
 double bytes_a_band_row(const Antialiasing& antialiasing, std::uint32_t width);
 /// The columns that `orders` are to have, and the rows of which a band must be a multiple.

@@ -26,6 +26,7 @@ class WorkCells {
   /// `region`: the pixels that are traced; not empty.
   explicit WorkCells(const PixelRegion& region);
 
+  std::uint32_t side() const { return 1u << m_shift; }  ///< of a cell, pixels
   std::uint32_t columns() const { return m_columns; }
   std::uint32_t rows() const { return m_rows; }
   std::size_t size() const { return m_cells.size(); }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/render/pixel_lattice.h"
+
 namespace lentray::core {
 namespace {
 
@@ -14,6 +16,8 @@ constexpr double kPairs = 4.0;
 constexpr double kVisits = 16.0;
 /// The share of all work that must be done before it says as much as the probes alone.
 constexpr double kTrust = 0.1;
+/// The side of what one thread traces at a time, in the pixel orders that are usual.
+constexpr std::uint32_t kJob = 64;
 /// Of a pixel that is looked at and not antialiased.
 constexpr double kLookSeconds = 60e-9;
 
@@ -36,12 +40,12 @@ double ratio(double real, double foreseen, double all) {
 
 FinerWork FinerWork::of(const Antialiasing& antialiasing) {
   switch (antialiasing.method) {
-    case 1: return {1.0 * antialiasing.depth * antialiasing.depth, 3.0};
+    case 1: return {1.0 * antialiasing.depth * antialiasing.depth, 3.0, PixelLattice::kTile};
     case 2: {
       // Five samples cut a square; about half of its quarters are cut again and share some.
       double samples = 0.0, squares = 1.0;
       for (int i = 1; i < antialiasing.depth; ++i, squares *= 2.0) samples += squares * (i == 1 ? 5.0 : 4.0);
-      return {samples, 2.0};
+      return {samples, 2.0, kJob};
     }
     default: return {};
   }
@@ -105,6 +109,17 @@ WorkEstimate::Work WorkEstimate::work() const {
   return out;
 }
 
+void WorkEstimate::add_left(const std::vector<double>& left, std::uint32_t job, Work& out) const {
+  const std::uint32_t side = std::max(1u, job / m_cells.side());
+  const std::uint32_t across = (m_cells.columns() + side - 1) / side, down = (m_cells.rows() + side - 1) / side;
+  std::vector<double> jobs(std::size_t{across} * down);
+  for (std::size_t i = 0; i < left.size(); ++i) {
+    out.left += left[i];
+    jobs[i / m_cells.columns() / side * across + i % m_cells.columns() / side] += left[i];
+  }
+  for (const double one : jobs) out.longest = std::max(out.longest, one);
+}
+
 /// Adds stage 0; what a sample of each cell takes. What was foreseen is compared with what was
 /// done in cells that were probed before they were traced: others were not foreseen well.
 std::vector<double> WorkEstimate::sample_seconds(const std::vector<Expected>& foreseen, Work& out) const {
@@ -118,12 +133,13 @@ std::vector<double> WorkEstimate::sample_seconds(const std::vector<Expected>& fo
   }
   out.done += m_cells.seconds(0);
   const double times = ratio(real, done, left + m_cells.seconds(0));
-  std::vector<double> seconds(foreseen.size());
+  std::vector<double> seconds(foreseen.size()), rest(foreseen.size());
   for (std::size_t i = 0; i < foreseen.size(); ++i) {
     const double visited = visits(m_cells[i], 0);
     seconds[i] = (spent(m_cells[i]) + kVisits * times * foreseen[i].seconds) / (visited + kVisits);
-    out.left += seconds[i] * std::max(0.0, m_repeats * m_cells.pixels(i) - visited);
+    rest[i] = seconds[i] * std::max(0.0, m_repeats * m_cells.pixels(i) - visited);
   }
+  add_left(rest, kJob, out);
   return seconds;
 }
 
@@ -152,8 +168,9 @@ void WorkEstimate::add_finer(const std::vector<Expected>& foreseen, const std::v
   const double real = m_cells.seconds(1), times = ratio(real, done, all);
   out.done += real;
   for (std::size_t i = 0; i < foreseen.size(); ++i) {
-    out.left += times * pixel[i] * std::max(0.0, m_cells.pixels(i) - visits(m_cells[i], 1));
+    pixel[i] *= times * std::max(0.0, m_cells.pixels(i) - visits(m_cells[i], 1));
   }
+  add_left(pixel, m_finer.job, out);
 }
 
 }  // namespace lentray::core

@@ -19,6 +19,7 @@ namespace lentray::core {
 struct FinerWork {
   double samples = 0.0;     ///< of a pixel that is antialiased; 0: there is no stage 1
   double neighbours = 3.0;  ///< independent pairs of samples that have a pixel antialiased
+  std::uint32_t job = 64;   ///< the side of the square of pixels that one thread does, about
   static FinerWork of(const Antialiasing& antialiasing);
 };
 
@@ -32,6 +33,7 @@ class WorkEstimate {
 
   struct Work {
     double done = 0.0, left = 0.0;
+    double longest = 0.0;  ///< left of a single job: no more than one thread works on it
     double fraction() const { return done + left > 0.0 ? done / (done + left) : 0.0; }
   };
   Work work() const;
@@ -47,6 +49,8 @@ class WorkEstimate {
   struct Level { std::uint32_t columns = 0, rows = 0; std::vector<Sum> sums{}; };
 
   std::vector<Expected> expected() const;
+  /// Adds what is left of the cells in a stage with jobs of squares of that side, in pixels.
+  void add_left(const std::vector<double>& left, std::uint32_t job, Work& out) const;
   std::vector<double> sample_seconds(const std::vector<Expected>& expected, Work& out) const;
   void add_finer(const std::vector<Expected>& expected, const std::vector<double>& seconds, Work& out) const;
 

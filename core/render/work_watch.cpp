@@ -61,11 +61,16 @@ void WorkWatch::follow(std::stop_token& stop) {
   WorkEstimate estimate(m_cells, FinerWork::of(m_film.antialiasing), repeats(m_film.antialiasing, m_band_height, Film::traced_region(m_film)));
   WorkProber prober(m_scene, m_camera, m_shadows, m_options, m_film, m_cells);
   WorkPace pace;
+  const unsigned threads = frame_threads(m_options);
   do {
     const WorkEstimate::Work work = estimate.work();
     const double now = since(start);
     pace.add(now, work.done);
-    if (prober.probes() >= kLeastProbes) m_progress.advance(work.fraction(), pace.seconds(work.left));
+    if (prober.probes() >= kLeastProbes) {
+      // At the end some threads have nothing to do; a job that is left takes its one thread as long.
+      const double one_thread = std::max(1.0, work.done > 0.0 ? threads * now / work.done : 1.0);
+      m_progress.advance(work.fraction(), std::max(pace.seconds(work.left), one_thread * work.longest));
+    }
     const double allowed = kFirstShare * (work.done + work.left) + (kShare - kFirstShare) * work.done;
     bool is_more = true;
     while (is_more && !stop.stop_requested() && since(start) < now + kProbing &&

@@ -113,6 +113,15 @@ TEST(UnitCoreWorkEstimate, AntialiasingIsASecondStageWhereSamplesDiffer) {
   EXPECT_EQ(estimate.work().left, 0.0);
 }
 
+TEST(UnitCoreWorkEstimate, OneThreadDoesTheLongestJob) {
+  WorkCells cells({0, 0, 256, 64});
+  WorkEstimate estimate(cells, {});
+  for (std::size_t i = 0; i < cells.size(); ++i) estimate.probe(i, 1e-3, 0, 0);
+  EXPECT_NEAR(estimate.work().longest, estimate.work().left / 4.0, 1e-6) << "squares of 64";
+  for (std::size_t i = 0; i < cells.size(); ++i) visit(cells, i, i % 16 == 0 ? 128 : 256, 0.256);
+  EXPECT_NEAR(estimate.work().longest, estimate.work().left, 1e-9);
+}
+
 TEST(UnitCoreWorkEstimate, OverlappingBandsTraceMoreThanThePixels) {
   WorkCells cells(kRegion);
   WorkEstimate estimate(cells, {}, 1.5);
