@@ -28,6 +28,14 @@ double repeats(const Antialiasing& antialiasing, std::uint32_t band_height, cons
   return 1.0 + (antialiasing.method == 1 ? 2.0 : 1.0) / band_height;
 }
 
+/// At the end threads have nothing to do while others finish their jobs: half of a long job, on
+/// average; and a job takes its one thread as long as it takes.
+double seconds_left(const WorkEstimate::Work& work, const WorkPace& pace, unsigned threads, double now) {
+  const double one_thread = std::max(1.0, work.done > 0.0 ? threads * now / work.done : 1.0);
+  const double longest = one_thread * work.longest;
+  return std::max(longest, pace.seconds(work.left) + 0.5 * longest * (threads - 1.0) / threads);
+}
+
 }  // namespace
 
 WorkWatch::WorkWatch(const Scene& scene, const RaySource& camera, const ShadowTesterFactory& shadows,
@@ -67,9 +75,7 @@ void WorkWatch::follow(std::stop_token& stop) {
     const double now = since(start);
     pace.add(now, work.done);
     if (prober.probes() >= kLeastProbes) {
-      // At the end some threads have nothing to do; a job that is left takes its one thread as long.
-      const double one_thread = std::max(1.0, work.done > 0.0 ? threads * now / work.done : 1.0);
-      m_progress.advance(work.fraction(), std::max(pace.seconds(work.left), one_thread * work.longest));
+      m_progress.advance(work.fraction(), seconds_left(work, pace, threads, now));
     }
     const double allowed = kFirstShare * (work.done + work.left) + (kShare - kFirstShare) * work.done;
     bool is_more = true;
