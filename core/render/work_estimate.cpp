@@ -12,6 +12,8 @@ namespace {
 constexpr double kAround = 1.0;
 /// Pairs of neighbours that a cell needs to be believed.
 constexpr double kPairs = 4.0;
+/// So many differing pairs of probes weigh as much as the belief that all sides are alike.
+constexpr double kDiffering = 30.0;
 /// Visits that a cell needs before its own time is believed.
 constexpr double kVisits = 16.0;
 /// The share of all work that must be done before it says as much as the probes alone.
@@ -153,7 +155,9 @@ void WorkEstimate::add_finer(const std::vector<Expected>& foreseen, const std::v
     from_probes += m_cells.pixels(i) * foreseen[i].differing;
     from_threads += m_cells.pixels(i) * (m_cells[i].differing.load(std::memory_order_relaxed) / pairs);
   }
-  const double sides = from_threads > 0.0 && from_probes > 0.0 ? from_probes / from_threads : 1.0;
+  const double known = m_levels.back().sums.front().differing;
+  const double sides =
+      from_threads > 0.0 ? 1.0 + (from_probes / from_threads - 1.0) * known / (known + kDiffering) : 1.0;
   std::vector<double> pixel(foreseen.size());
   double all = 0.0, done = 0.0;
   for (std::size_t i = 0; i < foreseen.size(); ++i) {

@@ -16,7 +16,7 @@ using Clock = std::chrono::steady_clock;
 constexpr double kFirst = 1.0;     ///< seconds without a bar
 constexpr double kReports = 0.2;   ///< seconds between two reports
 constexpr double kProbing = 0.1;   ///< seconds of probing without a look at what is left
-constexpr int kLeastProbes = 100;  ///< before anything is said
+constexpr int kLeastProbes = 150;  ///< before anything is said
 /// Of all work: what probes may take at first, and in all.
 constexpr double kFirstShare = 0.004, kShare = 0.008;
 
