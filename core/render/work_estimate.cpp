@@ -10,6 +10,9 @@ namespace {
 
 /// A square's own probes count as these, and what is around it as one of them.
 constexpr double kAround = 1.0;
+/// So many pairs of probes weigh as much as those around. How many pixels are antialiased rises ever
+/// slower with the share of pairs that differ: a share that is guessed from one probe foresees too few.
+constexpr double kPairsAround = 8.0;
 /// Pairs of neighbours that a cell needs to be believed.
 constexpr double kPairs = 4.0;
 /// So many differing pairs of probes weigh as much as the belief that all sides are alike.
@@ -93,10 +96,10 @@ std::vector<WorkEstimate::Expected> WorkEstimate::expected() const {
       const std::size_t row = k / level.columns, column = k % level.columns;
       const bool is_top = i + 1 == m_levels.size();
       const Expected& around = outer[is_top ? 0 : row / 2 * outer_columns + column / 2];
-      const double weight = is_top ? 1e-9 : kAround;
+      const double weight = is_top ? 1e-9 : kAround, pairs = is_top ? 1e-9 : kPairsAround;
       const Sum& sum = level.sums[k];
       inner[k].seconds = (sum.seconds + weight * around.seconds) / (sum.probes + weight);
-      inner[k].differing = (sum.differing + 2.0 * weight * around.differing) / (sum.pairs + 2.0 * weight);
+      inner[k].differing = (sum.differing + pairs * around.differing) / (sum.pairs + pairs);
     }
     outer.swap(inner);
   }

@@ -1,12 +1,13 @@
 #include "core/render/work_meter.h"
 
+#include <algorithm>
 #include <ctime>
 
 namespace lentray::core {
 namespace {
 
-/// Time between two looks at the clock: enough to make them cheap, little enough for a bar.
-constexpr double kShort = 50e-6, kLong = 2e-3;
+/// Seconds between two looks at the clock, about: enough to make them cheap, little enough for a bar.
+constexpr double kBetween = 200e-6;
 constexpr std::uint32_t kMost = 256;
 
 }  // namespace
@@ -55,8 +56,8 @@ void WorkMeter::share_time() {
     }
   }
   m_visits = 0;
-  if (spent < kShort && m_most < kMost) m_most *= 2;
-  if (spent > kLong && m_most > 1) m_most /= 2;
+  const double fitting = all * kBetween / std::max(spent, 1e-9);
+  m_most = static_cast<std::uint32_t>(std::clamp(fitting, 1.0, std::min<double>(kMost, 2.0 * m_most)));
 }
 
 bool WorkMeter::are_neighbours(std::int32_t column, std::int32_t row) const {
