@@ -22,11 +22,16 @@ class PlainBand final : public FilmBand {
     const bool alpha = m_alpha;
     const std::uint32_t top = m_top;
     Image& image = m_image;
-    const std::atomic<bool>* cancel = thread.cancel;
-    return thread.sampler.centres(
-        thread.pixels, thread.counters,
-        [alpha, top, &image](const Pixel& p, const Radiance& seen) { store(seen, alpha, image.pixel(p.column, p.row - top)); },
-        [cancel] { return cancel && cancel->load(std::memory_order_relaxed); });
+    const auto keep = [alpha, top, &image](const Pixel& p, const Radiance& seen) {
+      store(seen, alpha, image.pixel(p.column, p.row - top));
+    };
+    if (thread.meter) {
+      const auto stop = [&thread](const Pixel& p) { return !thread.begins(p); };
+      return thread.sampler.centres(thread.pixels, thread.counters, keep, stop);
+    }
+    const std::atomic<bool>* cancel = &thread.cancel;
+    const auto stop = [cancel](const Pixel&) { return cancel->load(std::memory_order_relaxed); };
+    return thread.sampler.centres(thread.pixels, thread.counters, keep, stop);
   }
 
  private:
@@ -71,6 +76,13 @@ FilmColumns Film::traced_columns(const FilmSetup& setup) {
     case 2: return traced_columns_of_corners(setup);
     default: return {setup.region.left, setup.region.right};
   }
+}
+
+PixelRegion Film::traced_region(const FilmSetup& setup) {
+  const FilmColumns columns = traced_columns(setup);
+  const std::uint32_t tile = rows_together(setup.antialiasing);
+  const std::uint32_t bottom = (setup.region.bottom + tile - 1) / tile * tile;
+  return {columns.left, setup.region.top / tile * tile, columns.right, std::min(bottom, setup.height)};
 }
 
 double Film::bytes_a_row(const Antialiasing& antialiasing, std::uint32_t width) {

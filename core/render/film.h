@@ -20,6 +20,7 @@
 #include "core/render/pixel_lattice.h"
 #include "core/render/pixel_order.h"
 #include "core/render/sampler.h"
+#include "core/render/work_meter.h"
 
 namespace lentray::core {
 
@@ -27,7 +28,8 @@ namespace lentray::core {
 struct FilmThread {
   Sampler& sampler;
   Counters& counters;
-  const std::atomic<bool>* cancel = nullptr;
+  const std::atomic<bool>& cancel;
+  WorkMeter* meter = nullptr;          ///< null: nobody watches
   std::vector<Pixel> pixels{};         ///< what the last job worked on
   std::vector<Compared> above{}, row{};  ///< of film_centres
   std::vector<std::uint8_t> above_sampled{}, row_sampled{};
@@ -35,7 +37,14 @@ struct FilmThread {
   std::vector<Finer> finer{};          ///< of film_corners: the samples within a pixel
   std::uint32_t stamp = 0;
 
-  bool cancelled() const { return cancel && cancel->load(std::memory_order_relaxed); }
+  /// Work on a pixel begins; false: it is not to, as the frame was cancelled.
+  bool begins(std::int32_t x, std::int32_t y) const {
+    if (meter) meter->pixel(x, y);
+    return !cancel.load(std::memory_order_relaxed);
+  }
+  bool begins(const Pixel& pixel) const {
+    return begins(static_cast<std::int32_t>(pixel.column), static_cast<std::int32_t>(pixel.row));
+  }
 };
 
 class FilmBand {
@@ -76,6 +85,8 @@ class Film {
   /// A band begins at a multiple of so many rows.
   static std::uint32_t rows_together(const Antialiasing& antialiasing);
   static FilmColumns traced_columns(const FilmSetup& setup);
+  /// The pixels of the image that are traced for those that are asked for.
+  static PixelRegion traced_region(const FilmSetup& setup);
   /// Bytes a band takes for each row, the image's own included.
   static double bytes_a_row(const Antialiasing& antialiasing, std::uint32_t width);
 };

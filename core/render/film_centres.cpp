@@ -122,7 +122,7 @@ class CentresBand final : public FilmBand {
     if (job < m_order->jobs()) {
       m_order->pixels(job, thread.pixels);
       for (const Pixel& p : thread.pixels) {
-        if (thread.cancelled()) return false;
+        if (!thread.begins(p)) return false;
         const bool seen = trace(static_cast<std::int32_t>(p.column), static_cast<std::int32_t>(p.row), thread);
         if (!seen && p.row >= m_top && p.row < m_bottom) ++thread.counters.dark_pixels;
       }
@@ -132,7 +132,7 @@ class CentresBand final : public FilmBand {
     const std::size_t first = (job - m_order->jobs()) * kBorderJob;
     const std::size_t end = std::min(m_border.size(), first + kBorderJob);
     for (std::size_t i = first; i < end; ++i) {
-      if (thread.cancelled()) return false;
+      if (!thread.begins(m_border[i].first, m_border[i].second)) return false;
       trace(m_border[i].first, m_border[i].second, thread);
     }
     return true;
@@ -150,6 +150,7 @@ class CentresBand final : public FilmBand {
     Centre& out = centre(column, row);
     const bool seen = thread.sampler.sample({.column = column, .row = row}, 0, out.seen);
     out.compared = m_setup.space.of(out.seen);
+    if (thread.meter) thread.meter->seen(column, row, out.compared);
     return seen;
   }
 
@@ -221,8 +222,8 @@ class CentresBand final : public FilmBand {
   bool follow_row(const Chain& chain, std::uint32_t row, FilmThread& thread) {
     std::fill(thread.row_sampled.begin(), thread.row_sampled.end(), std::uint8_t{0});
     for (std::size_t i = 0; i < chain.columns.size(); ++i) {
-      if (thread.cancelled()) return false;
       const std::uint32_t k = chain.columns[i], left = chain.left[i];
+      if (!thread.begins({k, row})) return false;
       const Centre& here = centre(static_cast<std::int32_t>(k), static_cast<std::int32_t>(row));
       thread.row[i] = here.compared;
       put(k, row, here.seen);

@@ -5,10 +5,13 @@
 #include <exception>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <thread>
 #include <vector>
 
 #include "core/render/tracer.h"
+#include "core/render/work_meter.h"
+#include "core/render/work_watch.h"
 
 namespace lentray::core {
 namespace {
@@ -19,10 +22,8 @@ struct Work {
   const RaySource& camera;
   const ShadowTesterFactory& shadows;
   const FrameOptions& options;
-  Progress* progress;
+  WorkWatch* watch;  ///< null: nobody asks for the progress
   BandQueue queue;
-  const double pixels;
-  std::atomic<std::size_t> pixels_done{0};
   std::mutex merge{};
   Counters total{};
   std::exception_ptr failure{};
@@ -61,16 +62,23 @@ void take_jobs(Work& work) {
   const std::unique_ptr<Tracer> tracer =
       Tracer::make(work.scene, *tester, arena, counters, work.options.count_tests);
   Sampler sampler(work.scene, work.camera, {work.options.angles, work.options.alpha}, *tracer);
-  FilmThread thread{.sampler = sampler, .counters = counters, .cancel = work.options.cancel};
+  std::optional<WorkMeter> meter;
+  if (work.watch) {
+    const FilmSetup& film = work.watch->film();
+    meter.emplace(work.watch->cells(), film.lattice, film.antialiasing.threshold);
+  }
+  static constexpr std::atomic<bool> kNever{false};
+  FilmThread thread{.sampler = sampler, .counters = counters,
+                    .cancel = work.options.cancel ? *work.options.cancel : kNever, .meter = meter ? &*meter : nullptr};
   BandQueue::Job job;
   while (work.queue.next(job)) {
+    if (meter) meter->begin(job.stage);
     if (!job.band->film->work(job.stage, job.index, thread)) {
       work.queue.stop();
       break;
     }
+    if (meter) meter->end();
     work.queue.finish(job);
-    const std::size_t done = work.pixels_done.fetch_add(thread.pixels.size()) + thread.pixels.size();
-    if (work.progress) work.progress->advance(static_cast<double>(done) / work.pixels);
   }
   const std::lock_guard lock(work.merge);
   work.total.merge(counters);
@@ -89,6 +97,10 @@ void run(Work& work) {
 
 }  // namespace
 
+unsigned frame_threads(const FrameOptions& options) {
+  return options.threads > 0 ? static_cast<unsigned>(options.threads) : std::max(1u, std::thread::hardware_concurrency());
+}
+
 double bytes_a_band_row(const Antialiasing& antialiasing, std::uint32_t width) {
   return BandQueue::kInMemory * Film::bytes_a_row(antialiasing, width);
 }
@@ -104,17 +116,24 @@ Counters render_frame(const Scene& scene, const RaySource& camera, const FrameSh
   bands.is_whole = !options.region;
   const std::uint32_t grain = Film::rows_together(options.antialiasing);
   bands.band_height = std::max(1u, (shape.band_height + grain - 1) / grain) * grain;
-  const auto film = Film::make(film_setup(&scene, camera, shape, options), orders);
-  Work work{scene, camera, shadows, options, progress, BandQueue(bands, *film, sink), 1.0 * shape.width * shape.height};
-  const unsigned machine = std::max(1u, std::thread::hardware_concurrency());
-  const unsigned threads = options.threads > 0 ? static_cast<unsigned>(options.threads) : machine;
+  const FilmSetup setup = film_setup(&scene, camera, shape, options);
+  const auto film = Film::make(setup, orders);
+  const PixelRegion traced = Film::traced_region(setup);
+  std::optional<WorkWatch> watch;
+  if (progress && traced.left < traced.right && traced.top < traced.bottom) {
+    watch.emplace(scene, camera, shadows, options, setup, bands.band_height, *progress);
+  }
+  Work work{scene, camera, shadows, options, watch ? &*watch : nullptr, BandQueue(bands, *film, sink)};
+  const unsigned threads = frame_threads(options);
   {
     // Not tasks of oneTBB: as many as asked for must run at once, and they wait for each other.
     std::vector<std::jthread> others;
     for (unsigned i = 1; i < threads; ++i) others.emplace_back([&work] { run(work); });
     run(work);
   }
+  watch.reset();
   if (work.failure) std::rethrow_exception(work.failure);
+  if (progress && !(options.cancel && options.cancel->load())) progress->advance(1.0, 0.0);
   return std::move(work.total);
 }
 

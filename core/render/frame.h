@@ -28,12 +28,15 @@ struct FrameOptions {
   const std::atomic<bool>* cancel = nullptr;
 };
 
+/// How many threads a frame takes.
+unsigned frame_threads(const FrameOptions& options);
 /// Bytes that render_frame() holds for each row of a band.
 double bytes_a_band_row(const Antialiasing& antialiasing, std::uint32_t width);
 /// The columns that `orders` are to have, and the rows of which a band must be a multiple.
 FilmColumns traced_columns(const RaySource& camera, const FrameShape& shape, const FrameOptions& options);
 
-/// Renders every pixel; returns the merged counts.
+/// Renders every pixel; returns the merged counts. `progress` (or null) hears nothing in the first
+/// second, then several times a second, and the end.
 Counters render_frame(const Scene& scene, const RaySource& camera, const FrameShape& shape,
                       const BandOrders& orders, const ShadowTesterFactory& shadows,
                       const FrameOptions& options, BandSink& sink, Progress* progress);

@@ -6,7 +6,9 @@ namespace lentray::core {
 class Progress {
  public:
   virtual ~Progress() = default;
-  virtual void advance(double fraction_done) = 0;  ///< 0..1, monotonic enough for a bar
+  /// `fraction_done`: of the work, 0..1; may fall when the rest turns out to be more.
+  /// `seconds_left`: of time, as foreseen now.
+  virtual void advance(double fraction_done, double seconds_left) = 0;
 };
 
 }  // namespace lentray::core

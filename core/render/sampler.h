@@ -23,7 +23,7 @@ class Sampler {
         m_tracer(tracer) {}
 
   /// Sample 0 of each of those pixels of the image, at their centres: `keep(pixel, radiance)`.
-  /// Pixels without a ray are black and counted. False if `stop()` said so before one of them.
+  /// Pixels without a ray are black and counted. False if `stop(pixel)` said so before one of them.
   template <class Keep, class Stop>
   bool centres(const std::vector<Pixel>& pixels, Counters& counters, const Keep& keep, const Stop& stop) {
     if (is_mean()) return mean_centres(pixels, counters, keep, stop);
@@ -31,7 +31,7 @@ class Sampler {
     Tracer& tracer = m_tracer;
     const bool alpha = m_options.alpha;
     for (const Pixel& pixel : pixels) {
-      if (stop()) return false;
+      if (stop(pixel)) return false;
       Ray ray;
       Radiance seen;
       if (camera.ray(pixel.column + 0.5, pixel.row + 0.5, ray)) {
@@ -55,7 +55,7 @@ class Sampler {
   template <class Keep, class Stop>
   bool mean_centres(const std::vector<Pixel>& pixels, Counters& counters, const Keep& keep, const Stop& stop) {
     for (const Pixel& pixel : pixels) {
-      if (stop()) return false;
+      if (stop(pixel)) return false;
       Radiance seen;
       if (!sample({.column = static_cast<std::int32_t>(pixel.column), .row = static_cast<std::int32_t>(pixel.row)},
                   0, seen)) {

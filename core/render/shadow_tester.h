@@ -57,6 +57,8 @@ class ShadowTesterFactory {
  public:
   virtual ~ShadowTesterFactory() = default;
   virtual std::unique_ptr<ShadowTester> make(const ShadowContext& context) const = 0;
+  /// The same without what watches its testers and keeps what it saw.
+  virtual const ShadowTesterFactory& unwatched() const { return *this; }
 };
 
 /// Blockers nearer than this to the point, or to the light, do not count. Stock's tolerance;

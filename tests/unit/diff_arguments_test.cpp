@@ -53,7 +53,7 @@ TEST_F(UnitDiffArguments, IniFilesAreReadForStock) {
   write_text(m_folder / "o.ini", "; comment\nLenticular=On\nDeclare=Size=3\n[small]\nQuality=4\n");
   const std::string ini = (m_folder / "o.ini").string();
   EXPECT_EQ(parse({ini}).stock.arguments, (Words{"Declare=Size=3"}));
-  EXPECT_EQ(parse({ini + "[small]"}).stock.arguments, (Words{"Quality=4"}));
+  EXPECT_EQ(parse({ini + "[small]"}).stock.arguments, (Words{"Declare=Size=3", "Quality=4"}));
   EXPECT_EQ(parse({ini}).for_lentray, (Words{ini}));
 }
 

@@ -2,44 +2,65 @@
 
 #include <unistd.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <utility>
 
 namespace lentray::tool {
+namespace {
 
-using Clock = std::chrono::steady_clock;
+constexpr int kSteps = 20;  ///< lines for a whole picture
 
-ProgressBar::ProgressBar(std::string what)
-    : m_what(std::move(what)), m_terminal(isatty(STDERR_FILENO) != 0), m_start(Clock::now()) {}
+/// As exact as it helps: 7.4 s, 52 s, 12 min 30 s, 3 h 5 min.
+std::string time_text(double seconds) {
+  char text[64];
+  if (seconds < 9.95) {
+    std::snprintf(text, sizeof text, "%.1f s", std::max(0.0, seconds));
+  } else if (seconds < 99.5) {
+    std::snprintf(text, sizeof text, "%.0f s", seconds);
+  } else if (seconds < 3570.0) {
+    const long long tens = std::llround(seconds / 10.0);
+    std::snprintf(text, sizeof text, "%lld min %lld s", tens / 6, tens % 6 * 10);
+  } else {
+    const long long minutes = std::llround(seconds / 60.0);
+    std::snprintf(text, sizeof text, "%lld h %lld min", minutes / 60, minutes % 60);
+  }
+  return text;
+}
+
+}  // namespace
+
+ProgressBar::ProgressBar(std::string what) : m_what(std::move(what)), m_terminal(isatty(STDERR_FILENO) != 0) {}
 
 ProgressBar::~ProgressBar() {
   if (m_terminal && m_done > 0.0) std::fputs("\r\033[K", stderr);
 }
 
-void ProgressBar::advance(double fraction_done) {
+void ProgressBar::advance(double fraction_done, double seconds_left) {
   const std::lock_guard lock(m_mutex);
-  if (fraction_done <= m_done) return;  // threads may report out of order
-  m_done = fraction_done;
+  m_done = std::max(m_done, fraction_done);
   if (m_terminal) {
-    const auto now = Clock::now();
-    if (now - m_drawn < std::chrono::milliseconds(100) && fraction_done < 1.0) return;
-    m_drawn = now;
-    draw(fraction_done);
+    draw(seconds_left);
     return;
   }
-  const int tenths = static_cast<int>(fraction_done * 10.0);
-  if (tenths <= m_tenths) return;
-  m_tenths = tenths;
-  std::fprintf(stderr, "%s: %d %%\n", m_what.c_str(), tenths * 10);
+  const int steps = static_cast<int>(m_done * kSteps);
+  if (steps <= m_steps) return;
+  m_steps = steps;
+  const int percent = steps * 100 / kSteps;
+  if (steps == kSteps) {
+    std::fprintf(stderr, "%s: %d %%\n", m_what.c_str(), percent);
+  } else {
+    std::fprintf(stderr, "%s: %d %%, %s left\n", m_what.c_str(), percent, time_text(seconds_left).c_str());
+  }
 }
 
-void ProgressBar::draw(double fraction) {
+void ProgressBar::draw(double seconds_left) const {
   constexpr int kWidth = 40;
-  const int full = static_cast<int>(fraction * kWidth);
-  const double spent = std::chrono::duration<double>(Clock::now() - m_start).count();
-  std::fprintf(stderr, "\r%s [%.*s%*s] %3d %%  %.0f s left \033[K", m_what.c_str(), full,
+  const int full = static_cast<int>(m_done * kWidth);
+  std::fprintf(stderr, "\r%s [%.*s%*s] %3d %%  %s left \033[K", m_what.c_str(), full,
                "########################################", kWidth - full, "",
-               static_cast<int>(fraction * 100.0), spent / fraction - spent);
+               static_cast<int>(m_done * 100.0), time_text(seconds_left).c_str());
   std::fflush(stderr);
 }
 

@@ -1,7 +1,7 @@
-// Progress on standard error: a bar on a terminal, a line every tenth otherwise.
+// Progress on standard error: a bar on a terminal, a line every twentieth otherwise. Both tell the
+// time left.
 #pragma once
 
-#include <chrono>
 #include <mutex>
 #include <string>
 
@@ -13,17 +13,15 @@ class ProgressBar final : public core::Progress {
  public:
   explicit ProgressBar(std::string what);
   ~ProgressBar() override;
-  void advance(double fraction_done) override;
+  void advance(double fraction_done, double seconds_left) override;
 
  private:
-  void draw(double fraction);
+  void draw(double seconds_left) const;
   const std::string m_what;
   const bool m_terminal;
-  const std::chrono::steady_clock::time_point m_start;
   std::mutex m_mutex;
-  std::chrono::steady_clock::time_point m_drawn;
-  double m_done = 0.0;
-  int m_tenths = 0;
+  double m_done = 0.0;  ///< the most there was: a bar does not go back
+  int m_steps = 0;      ///< that lines were printed for
 };
 
 }  // namespace lentray::tool
