@@ -1,22 +1,15 @@
 #include "core/pattern/lattice.h"
 
 #include <array>
-#include <cmath>
-#include <limits>
 #include <utility>
 
-#include "core/pattern/noise_table.h"
+#include "core/pattern/lattice_cell.h"
 
 namespace lentray::core {
 namespace {
 
-constexpr int kLattice = 4096;
-
-/// 0..4095 shuffled, twice in a row so that index + 1 needs no wrap.
-using HashTable = std::array<std::uint16_t, 2 * kLattice>;
-
-HashTable make_hash_table() {
-  HashTable table{};
+LatticeHashTable make_hash_table() {
+  LatticeHashTable table{};
   for (int i = 0; i < kLattice; ++i) table[static_cast<std::size_t>(i)] = static_cast<std::uint16_t>(i);
   TableRandom random(0);
   for (int i = kLattice - 1; i >= 0; --i) {
@@ -27,73 +20,14 @@ HashTable make_hash_table() {
   return table;
 }
 
-const HashTable kHash = make_hash_table();
+}  // namespace
 
-/// One axis of a lattice cell: its index, the point's place in it and the two weights.
-struct CellAxis {
-  int index;
-  double near, far;          ///< from the lower and the upper corner
-  double weight_near, weight_far;
+const LatticeHashTable kLatticeHash = make_hash_table();
 
-  explicit CellAxis(double x) {
-    const double below = x >= 0.0 ? x : x - (1.0 - kCellEpsilon);
-    // Beyond all cells, and for nan, what the processor makes of the conversion.
-    const std::int64_t cell = std::fabs(below) < 9e18 ? static_cast<std::int64_t>(below)
-                                                      : std::numeric_limits<std::int64_t>::min();
-    index = static_cast<int>((cell + kLatticeOrigin) & (kLattice - 1));
-    near = x - static_cast<double>(cell);
-    far = near - 1.0;
-    weight_far = s_curve(near);
-    weight_near = 1.0 - weight_far;
-  }
-};
-
-/// The eight corners of the cell a point lies in, with the gradients' place in the table.
-struct Cell {
-  CellAxis x, y, z;
-  std::array<int, 4> columns;  ///< hashes of (x, y): bit 0 x, bit 1 y
-
-  explicit Cell(const Vec3& p) : x(p.x), y(p.y), z(p.z) {
-    for (int i = 0; i < 4; ++i) {
-      const int a = kHash[static_cast<std::size_t>(x.index + (i & 1))];
-      columns[static_cast<std::size_t>(i)] =
-          kHash[static_cast<std::size_t>(a ^ (y.index + (i >> 1)))];
-    }
-  }
-  const double* gradient(int column, int layer) const {
-    const int hash = columns[static_cast<std::size_t>(column)] ^ (z.index + layer);
-    return &kNoiseGradients[kHash[static_cast<std::size_t>(hash)] & 0xFFu];
-  }
-};
-
-inline double corner(const double* g, double x, double y, double z) {
-  return g[0] * 0.5 + g[1] * x + g[2] * y + g[3] * z;
-}
-
-/// Calls `visit(gradient, weight, x, y, z)` for the corners in the order 000, 100, 010, 110, 001 ...
-/// Spelled out: as a loop it is not unrolled, and takes half as long again.
-template <typename Visit>
-inline void for_corners(const Cell& cell, Visit visit) {
-  const auto one = [&](int column, int layer) {
-    const bool far_x = column & 1, far_y = column & 2;
-    const double weight = (far_x ? cell.x.weight_far : cell.x.weight_near) *
-                          (far_y ? cell.y.weight_far : cell.y.weight_near) *
-                          (layer ? cell.z.weight_far : cell.z.weight_near);
-    visit(cell.gradient(column, layer), weight, far_x ? cell.x.far : cell.x.near,
-          far_y ? cell.y.far : cell.y.near, layer ? cell.z.far : cell.z.near);
-  };
-  one(0, 0);
-  one(1, 0);
-  one(2, 0);
-  one(3, 0);
-  one(0, 1);
-  one(1, 1);
-  one(2, 1);
-  one(3, 1);
-}
+namespace {
 
 double lattice_noise_portable(const Vec3& point) {
-  const Cell cell(point);
+  const LatticeCell cell(point);
   double sum = 0.0;
   for_corners(cell, [&](const double* g, double weight, double x, double y, double z) {
     sum += weight * corner(g, x, y, z);
@@ -113,12 +47,12 @@ struct KnownCell {
 [[gnu::noinline]] LENTRAY_AVX2 void KnownCell::fill(__m128i of) {
   _mm_store_si128(reinterpret_cast<__m128i*>(index.data()), of);
   const auto place = [&](int axis) { return (index[static_cast<std::size_t>(axis)] + kLatticeOrigin) & (kLattice - 1); };
-  const auto hash = [](int i) { return static_cast<int>(kHash[static_cast<unsigned>(i)]); };
+  const auto hash = [](int i) { return static_cast<int>(kLatticeHash[static_cast<unsigned>(i)]); };
   const int x = place(0), y = place(1), z = place(2), low = hash(x), high = hash(x + 1);
   const int columns[4] = {hash(low ^ y), hash(high ^ y), hash(low ^ (y + 1)), hash(high ^ (y + 1))};
   for (int layer = 0; layer < 2; ++layer) {
     const auto gradient = [&](int column) LENTRAY_AVX2 {
-      return _mm256_loadu_pd(&kNoiseGradients[kHash[static_cast<unsigned>(columns[column] ^ (z + layer))] & 0xFFu]);
+      return _mm256_loadu_pd(&kNoiseGradients[kLatticeHash[static_cast<unsigned>(columns[column] ^ (z + layer))] & 0xFFu]);
     };
     const __m256d a = gradient(0), b = gradient(1), c = gradient(2), d = gradient(3);
     const __m256d ab = _mm256_unpacklo_pd(a, b), ab_odd = _mm256_unpackhi_pd(a, b);
@@ -247,17 +181,8 @@ NoisePair lattice_noise(NoisePair x, NoisePair y, NoisePair z, int generator) {
   return NoisePair{first, lattice_noise(x[1], y[1], z[1], generator)};
 }
 
-Vec3 vector_noise(const Vec3& point) {
-  const Cell cell(point);
-  Vec3 result;
-  for_corners(cell, [&](const double* g, double weight, double x, double y, double z) {
-    result += Vec3(corner(g, x, y, z), corner(g + 4, x, y, z), corner(g + 8, x, y, z)) * weight;
-  });
-  return result;
-}
-
 unsigned lattice_hash(int x, int y, int z) {
-  const auto at = [](int i) { return static_cast<int>(kHash[static_cast<std::size_t>(i)]); };
+  const auto at = [](int i) { return static_cast<int>(kLatticeHash[static_cast<std::size_t>(i)]); };
   return static_cast<unsigned>(at(at(at(x & 0xFFF) ^ (y & 0xFFF)) ^ (z & 0xFFF)));
 }
 

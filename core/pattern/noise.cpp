@@ -63,17 +63,6 @@ double turbulence(const Vec3& point, const Turbulence& turbulence, int generator
   return value;
 }
 
-Vec3 vector_turbulence(const Vec3& point, const Turbulence& turbulence) {
-  Vec3 result = vector_noise(point);
-  double scale = turbulence.lambda, weight = turbulence.omega;
-  for (int octave = 2; octave <= turbulence.octaves; ++octave) {
-    result += vector_noise(point * scale) * weight;
-    scale *= turbulence.lambda;
-    weight *= turbulence.omega;
-  }
-  return result;
-}
-
 double cycloidal(double value) {
   return std::sin((value - std::trunc(value)) * (2.0 * std::numbers::pi));
 }
