@@ -161,6 +161,7 @@ TEST_F(ImageProgram, StatisticsAndMetadataTellTheLens) {
             0);
   const auto json = nlohmann::json::parse(diff::read_text(path("s.json")));
   EXPECT_EQ(json["image"]["width"], 150);
+  EXPECT_EQ(json["image"]["working_gamma"], 1.0);
   EXPECT_EQ(json["lens"]["pixels"], 7.5);
   EXPECT_EQ(json["lens"]["views"], 0);
   EXPECT_EQ(json["lens"]["model"], "paraxial");

@@ -349,6 +349,34 @@ TEST(UnitCameraLensSheet, OnlySnellMissesTheEye) {
   EXPECT_NEAR(one.largest_eye_miss(), largest, 1e-12);
 }
 
+TEST(UnitCameraLensSheet, LeftOfIsTheSameViewAtWholePixels) {
+  const LensSheet sheet({1.124, 3.03, 1.6, 5}, 48);
+  for (int k = -9; k < 60; ++k) EXPECT_EQ(sheet.left_of(k), k - 5);
+}
+
+TEST(UnitCameraLensSheet, LeftOfIsTheNearestOffsetOfTheLensBefore) {
+  for (const double pixels : {1.0, 1.3, 2.5, 7.37, 12.4, 15.000001, 1.0 / 0.07}) {
+    LensParameters lens;
+    lens.pixels = pixels;
+    lens.view_distance = 400.0;
+    const LensSheet sheet(lens, 200, 0.2);
+    for (int k = 0; k < 200; ++k) {
+      const std::int64_t left = sheet.left_of(k);
+      SCOPED_TRACE("N " + std::to_string(pixels) + " column " + std::to_string(k));
+      ASSERT_EQ(sheet.lens_of(left), sheet.lens_of(k) - 1);
+      ASSERT_LT(left, k);
+      const double offset = sheet.column(k).cell_offset;
+      const auto away = [&](std::int64_t column) {
+        return std::fabs(sheet.beside(column, 0.0, 0.0).cell_offset - offset);
+      };
+      for (std::int64_t other = left - 2; other <= left + 2; ++other) {
+        if (sheet.lens_of(other) != sheet.lens_of(left)) continue;
+        EXPECT_LE(away(left), away(other) + 1e-12) << other;
+      }
+    }
+  }
+}
+
 TEST(UnitCameraLensSheet, BadParametersAreNamed) {
   LensParameters lens;
   EXPECT_EQ(complaint(lens), "");

@@ -234,5 +234,70 @@ TEST(UnitCameraOrthographic, PixelsOfAnObliqueFrame) {
   expect_near(ray.direction, {0.6, 0.0, 0.8}, 1e-15);
 }
 
+// Places of a pixel's area.
+
+/// Of the sheets above, a few lenses wide.
+std::vector<Lenticular> sheets_of_places() {
+  std::vector<Lenticular> out;
+  for (const LensParameters& lens :
+       {LensParameters{1.124, 3.03, 1.6, 15, kInf, LensModel::kPinhole},
+        LensParameters{1.124, 3.03, 1.6, 14, 400, LensModel::kParaxial},
+        LensParameters{0.508, 1.4, 1.56, 7, 250, LensModel::kPinhole},
+        LensParameters{0.508, 1.4, 1.56, 12.4, 250, LensModel::kPinhole}}) {
+    SheetPlacement place = rotated_sheet(6.5, 4.1);
+    place.front = 2.75;
+    place.eye_slope_x = 0.2;
+    place.eye_slope_y = -0.1;
+    out.emplace_back(lens, place, 93, 11);
+  }
+  return out;
+}
+
+TEST(UnitCameraLenticular, ThePixelsCentreIsItsRayBitForBit) {
+  for (const Lenticular& camera : sheets_of_places()) {
+    for (int k = 0; k < 93; ++k) {
+      for (int row = 0; row < 11; ++row) {
+        Ray ray, at;
+        ASSERT_TRUE(camera.ray(k + 0.5, row + 0.5, ray));
+        ASSERT_TRUE(camera.ray_at({.column = k, .row = row}, at));
+        EXPECT_TRUE(at.origin == ray.origin && at.direction == ray.direction) << k << ' ' << row;
+      }
+    }
+  }
+}
+
+TEST(UnitCameraLenticular, NeighboursOfAViewJoinAtWholePixels) {
+  for (const Lenticular& camera : sheets_of_places()) {
+    const auto views = static_cast<std::int32_t>(camera.sheet().views());
+    if (views == 0) continue;
+    for (int k = -views; k < 93; ++k) {  // beyond the left edge too
+      for (const double turn : {0.0, 0.3, -0.5}) {
+        Ray right, left;
+        ASSERT_TRUE(camera.ray_at({.column = k, .row = 4, .across = 0.5, .turn = turn}, right));
+        ASSERT_TRUE(camera.ray_at({.column = k + views, .row = 4, .across = -0.5, .turn = turn}, left));
+        expect_near(right.origin, left.origin, 1e-13);
+        expect_near(right.direction, left.direction, 1e-13);
+      }
+    }
+  }
+}
+
+TEST(UnitCameraLenticular, RowsAndDirectionsJoin) {
+  for (const Lenticular& camera : sheets_of_places()) {
+    for (int k = 0; k < 92; ++k) {
+      Ray a, b;
+      ASSERT_TRUE(camera.ray_at({.column = k, .row = 4, .across = 0.2, .down = 0.5}, a));
+      ASSERT_TRUE(camera.ray_at({.column = k, .row = 5, .across = 0.2, .down = -0.5}, b));
+      expect_near(a.origin, b.origin, 1e-13);
+      expect_near(a.direction, b.direction, 1e-13);
+      if (camera.sheet().lens_of(k) != camera.sheet().lens_of(k + 1)) continue;
+      ASSERT_TRUE(camera.ray_at({.column = k, .row = 4, .across = 0.2, .turn = 0.5}, a));
+      ASSERT_TRUE(camera.ray_at({.column = k + 1, .row = 4, .across = 0.2, .turn = -0.5}, b));
+      expect_near(a.origin, b.origin, 1e-13);
+      expect_near(a.direction, b.direction, 1e-13);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace lentray::camera

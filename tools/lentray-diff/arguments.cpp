@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <cstdlib>
 #include <functional>
 #include <map>
@@ -65,6 +66,7 @@ class Parsing {
         {"--threads", [&](const std::string& v) {
            m_out.stock.processes = static_cast<int>(positive_number(name, v)); }},
         {"--write-wrappers", [&](const std::string& v) { m_out.wrappers = v; }},
+        {"--samples", [&](const std::string& v) { samples(v); }},
         {"--bits", [&](const std::string& v) { bits(v); }},
         {"--time-limit", [&](const std::string& v) {
            m_out.stock.seconds = positive_number(name, v); }}};
@@ -86,6 +88,12 @@ class Parsing {
       throw OptionError("--grade: '" + name + "'; there are exact, match, close");
     }
     m_out.asked = *grade;
+  }
+
+  void samples(const std::string& value) {
+    const double n = positive_number("--samples", value);
+    if (n != std::floor(n) || n > 64) throw OptionError("--samples: 1 to 64, each way");
+    m_out.stock.samples = static_cast<int>(n);
   }
 
   void bits(const std::string& value) {
@@ -215,7 +223,10 @@ lentray-diff A B [Lens_Pixels=N] compare two pictures, lens by lens if N is give
                                  (or found in a picture that lentray wrote)
 
 All options of lentray are passed on (Lenticular=On, Declare=, +W, +H, +L, files.ini ...);
-stock sees the same scene through wrapper scenes: neither antialiases.
+stock sees the same scene through wrapper scenes. Antialiasing (+A, +AM, +R, +J, +AG and their long
+names) reaches both; without +A neither antialiases. Jitter is random in both: -J for equal pictures.
+Stock cannot antialias a mesh_camera (fractional N; Snell's law at a finite V): there the reference
+is the mean of many samples. With Antialias_Angle=n it is the mean of n times as many views.
 
   --grade G        exact, match (default) or close: what the whole must reach; every lens and
                    view must reach match at least (or G, if that is less)
@@ -224,6 +235,7 @@ stock sees the same scene through wrapper scenes: neither antialiases.
   --no-pictures    none of them
   --all-lenses     a line for every lens, not for the worst only
   --threads N      threads of lentray, and processes of stock at a time (default: all)
+  --samples N      samples each way over a pixel of an antialiased mesh_camera (default 8: 64 a pixel)
   --bits B         8 or 16 bits a colour (default 8)
   --time-limit S   seconds for one process of stock
   --keep FOLDER    wrapper scenes and stock's pictures stay there

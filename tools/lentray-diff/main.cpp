@@ -10,9 +10,11 @@
 #include "core/image/compare.h"
 #include "core/image/file_swap.h"
 #include "core/image/reader.h"
+#include "parser/options.h"
 #include "tools/lentray-diff/arguments.h"
 #include "tools/lentray-diff/process.h"
 #include "tools/lentray-diff/report.h"
+#include "tools/lentray-diff/sampling.h"
 #include "tools/lentray-diff/sheet.h"
 #include "tools/lentray-diff/stock.h"
 
@@ -50,10 +52,11 @@ Ours render_ours(const Arguments& a) {
   command.insert(command.end(), a.for_lentray.begin(), a.for_lentray.end());
   for (const std::string& word :
        {"+I" + a.scene.string(), "+O" + picture.string(),
-        std::string(a.stock.bits == 16 ? "+FN16" : "+FN8"), std::string("-A"), std::string("-V"),
+        std::string(a.stock.bits == 16 ? "+FN16" : "+FN8"), std::string("-V"),
         "+WT" + std::to_string(a.stock.processes), "Statistics_File=" + statistics.string()}) {
     command.push_back(word);
   }
+  for (const std::string& word : words(a.stock.antialiasing)) command.push_back(word);
   const auto start = std::chrono::steady_clock::now();
   const RunResult result = run(command);
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
@@ -64,34 +67,68 @@ Ours render_ours(const Arguments& a) {
   return {core::read_image(picture), json::parse(read_text(statistics)), taken.count()};
 }
 
-std::string describe(const Sheet& s, Way way) {
+/// How stock makes the reference.
+std::string reference(Way way, const StockOptions& stock) {
+  const int angles = stock.antialiasing.angles, samples = samples_a_pixel(way, stock);
+  std::string text = name_of(way);
+  if (samples == 1) return text;
+  text += ", the mean of ";
+  if (samples > angles) {
+    text += std::to_string(stock.samples) + " x " + std::to_string(stock.samples) + " samples";
+    if (angles > 1) text += " at ";
+  }
+  if (angles > 1) text += std::to_string(angles) + " directions";
+  return text + " a pixel";
+}
+
+std::string describe(const Sheet& s, Way way, const StockOptions& stock) {
   char text[240];
   char distance[40] = "V infinite";
   if (s.is_finite()) std::snprintf(distance, sizeof distance, "V = %.6g mm", s.view_distance);
   std::snprintf(text, sizeof text,
-                "integral image %u x %u: %.6g lenses of %.6g pixels, %s, %s; stock by %s", s.columns,
-                s.rows, s.lenses(), s.pixels, distance, s.paraxial ? "paraxial" : "pinhole",
-                name_of(way));
-  return text;
+                "integral image %u x %u: %.6g lenses of %.6g pixels, %s, %s; stock by ", s.columns,
+                s.rows, s.lenses(), s.pixels, distance, s.paraxial ? "paraxial" : "pinhole");
+  return text + reference(way, stock);
 }
 
-Pair render_both(const Arguments& a) {
+/// `sampled`: stock takes single samples where it cannot antialias.
+void say_what_to_expect(const StockOptions& stock, bool sampled) {
+  if (is_random(stock.antialiasing)) {
+    std::cout << "jitter is on, and its random numbers differ from stock's: pixels cannot be expected "
+                 "to be equal (-J turns it off)\n";
+  }
+  if (sampled && stock.antialiasing.on) {
+    std::cout << "stock cannot antialias a mesh_camera, and takes other samples than lentray: no more "
+                 "than close can be expected\n";
+  }
+}
+
+Pair render_both(const Arguments& given) {
+  Arguments a = given;
+  const parser::RenderOptions options = parser::read_options(a.for_lentray, {});
+  a.stock.antialiasing = antialiasing_of(options);
   Ours ours = render_ours(a);
+  a.stock.colours = colour_spaces_of(ours.statistics, options);
   Pair pair;
   pair.about = {{"scene", a.scene.string()},
+                {"antialiased", a.stock.antialiasing.on},
                 {"width", ours.picture.width},
                 {"height", ours.picture.height},
                 {"lentray_wall_s", ours.seconds}};
   const auto start = std::chrono::steady_clock::now();
   const std::optional<Sheet> sheet = sheet_of(ours.statistics);
   if (!sheet) {
+    a.stock.antialiasing.angles = 1;
+    say_what_to_expect(a.stock, false);
     std::cout << a.scene.string() << ": " << ours.picture.width << " x " << ours.picture.height
               << ", in its own camera\n";
     pair.stock = stock_picture(a.scene, ours.picture.width, ours.picture.height, a.stock);
     pair.about["way"] = "the scene's own camera";
   } else {
     const Way way = best_way(*sheet);
-    std::cout << a.scene.string() << ": " << describe(*sheet, way) << "\n";
+    std::cout << a.scene.string() << ": " << describe(*sheet, way, a.stock) << "\n";
+    say_what_to_expect(a.stock, way == Way::mesh_camera);
+    pair.about["samples_a_pixel"] = samples_a_pixel(way, a.stock);
     pair.about["way"] = name_of(way);
     pair.about["lens"] = ours.statistics["lens"];
     if (a.view) {
@@ -177,7 +214,7 @@ int only_write_wrappers(const Arguments& a) {
   const std::optional<Sheet> sheet = sheet_of(render_ours(a).statistics);
   if (!sheet) throw std::runtime_error("the picture is no integral image: it needs no wrapper");
   write_wrappers(a.scene, *sheet, a.wrappers);
-  std::cout << describe(*sheet, best_way(*sheet)) << "; written to " << a.wrappers.string()
+  std::cout << describe(*sheet, best_way(*sheet), a.stock) << "; written to " << a.wrappers.string()
             << std::endl;
   return kReached;
 }

@@ -27,10 +27,11 @@ double Sheet::cell_offset(std::uint32_t view) const {
   return ((view + 0.5) / pixels - 0.5) * print_pitch();
 }
 
-std::optional<double> Sheet::slope(std::uint32_t column) const {
+std::optional<double> Sheet::slope(std::uint32_t column, const PixelOffset& place) const {
   const std::uint32_t lens = lens_of(column);
-  const double cell = ((column + 0.5) / pixels - (lens + 0.5)) * print_pitch();
-  const double along = is_finite() ? axis(lens) * focal_length / (ior * view_distance) : 0.0;
+  const double cell = ((column + 0.5 + place.turn) / pixels - (lens + 0.5)) * print_pitch();
+  const double along =
+      is_finite() ? axis(lens + place.across) * focal_length / (ior * view_distance) : 0.0;
   const double offset = cell + along + print_shift();
   if (paraxial) return ior * offset / focal_length;
   const double sine = ior * std::sin(std::atan(offset / focal_length));
@@ -45,6 +46,13 @@ double Sheet::print_shift() const {
 
 std::uint32_t Sheet::view_width(std::uint32_t view) const {
   return view < columns ? (columns - 1 - view) / views() + 1 : 0;
+}
+
+Sheet Sheet::finer(int parts) const {
+  Sheet out = *this;
+  out.pixels = pixels * parts;
+  out.columns = columns * static_cast<std::uint32_t>(parts);
+  return out;
 }
 
 namespace {

@@ -5,6 +5,7 @@
 // Space: world. Lens data in mm, the rest in scene units. For pixel column k of lens i:
 //   o = e + x_i f/(nV) + print shift, tan t = n o/f (paraxial) or sin t = n sin atan(o/f),
 //   v = tan t r + d + (Y/V + eye_slope_y) u through C + x_i r + Y u.
+// A place off the pixel's centre has another x_i (across), Y (down) or e (turn).
 // Errors: std::runtime_error that names a key that is missing or wrong. Immutable once made.
 #pragma once
 
@@ -15,6 +16,13 @@
 #include "core/base/vec3.h"
 
 namespace lentray::diff {
+
+/// A place in the area of a pixel and in the directions it covers, each -0.5 to 0.5 off the centre.
+struct PixelOffset {
+  double across = 0.0;  ///< to the right, in lenses: under a lens with the same print behind it
+  double down = 0.0;    ///< in rows
+  double turn = 0.0;    ///< to the right in the print, in pixels
+};
 
 struct Sheet {
   core::Vec3 centre;                                ///< C
@@ -34,7 +42,7 @@ struct Sheet {
   double print_pitch() const;                                 ///< P'
   double scale() const { return width / (lenses() * pitch); } ///< s, scene units per mm
   std::uint32_t lens_of(std::uint32_t column) const;
-  double axis(std::uint32_t lens) const { return (lens + 0.5 - lenses() / 2.0) * pitch; }
+  double axis(double lens) const { return (lens + 0.5 - lenses() / 2.0) * pitch; }
   double row_height(std::uint32_t row) const { return (0.5 - (row + 0.5) / rows) * height; }
   /// e_j of view j, mm: the same for every lens.
   double cell_offset(std::uint32_t view) const;
@@ -42,9 +50,11 @@ struct Sheet {
   /// eye_slope_x; with V infinite, what the model sees along eye_slope_x.
   double print_shift() const;
   /// tan t; nothing on total internal reflection.
-  std::optional<double> slope(std::uint32_t column) const;
+  std::optional<double> slope(std::uint32_t column, const PixelOffset& offset = {}) const;
   /// Lenses that have view j.
   std::uint32_t view_width(std::uint32_t view) const;
+  /// The same sheet with every pixel cut into `parts` columns.
+  Sheet finer(int parts) const;
 };
 
 /// From the statistics of lentray. Nothing if the picture is no integral image.

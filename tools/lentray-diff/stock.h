@@ -1,5 +1,6 @@
 // Stock POV-Ray, run as it is installed: one picture, or all views of a lens sheet interlaced.
-// Always without antialiasing, display and jitter, one thread a process.
+// Antialiased where the options ask for it; what stock cannot antialias itself is the mean of many
+// pictures (tools/lentray-diff/sampling.h).
 // Errors: std::runtime_error with the last lines stock said. Threads: any number.
 #pragma once
 
@@ -8,6 +9,8 @@
 #include <vector>
 
 #include "core/image/reader.h"
+#include "tools/lentray-diff/antialiasing.h"
+#include "tools/lentray-diff/mean.h"
 #include "tools/lentray-diff/sheet.h"
 #include "tools/lentray-diff/wrapper.h"
 
@@ -17,6 +20,9 @@ struct StockOptions {
   std::string povray = "povray";
   int processes = 1;                                ///< at the same time
   int bits = 8;                                     ///< 8 or 16
+  Antialiasing antialiasing;
+  int samples = 8;                                  ///< antialiased mesh_camera: samples each way
+  ColourSpaces colours;                             ///< for means
   double seconds = 0.0;                             ///< time limit of a process, 0: none
   std::vector<std::filesystem::path> library_paths; ///< besides the scene's folder, absolute
   std::vector<std::string> arguments;               ///< passed on, such as Declare=Size=2
@@ -41,8 +47,5 @@ void write_wrappers(const std::filesystem::path& scene, const Sheet& sheet,
 
 /// Column i*N + j of the result is column i of views[j].
 core::StoredImage interlaced(const std::vector<core::StoredImage>& views, std::uint32_t columns);
-
-/// The output's lines that tell what went wrong.
-std::string last_words(const std::string& output);
 
 }  // namespace lentray::diff

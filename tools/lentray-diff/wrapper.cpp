@@ -238,12 +238,12 @@ struct ColumnMesh {
   }
 };
 
-/// The faces of a column. A face's ray starts at its centroid and runs along (P3 - P1) x (P2 - P1).
-std::string column_mesh(const Sheet& s, const ColumnMesh& mesh) {
+/// The faces of a column, `down` rows below the pixels' centres. A face's ray starts at its centroid and runs along (P3 - P1) x (P2 - P1).
+std::string column_mesh(const Sheet& s, const ColumnMesh& mesh, double down) {
   std::ostringstream out;
   out << "mesh {\n";
   for (std::uint32_t r = 0; r < s.rows; ++r) {
-    const double y = s.rows / 2.0 - r - 0.5, normal = y * mesh.normal_step;
+    const double y = s.rows / 2.0 - r - 0.5 - down, normal = y * mesh.normal_step;
     // Its place in the transform's shear is undone, so that starts stay in their plane.
     const Vec3 c = Vec3{0.0, 1.0, s.eye_slope_y * mesh.stretch} * (y * mesh.start_step);
     const Vec3 across{0.25, 0.0, 0.0}, upwards{0.0, 0.25, -0.25 * normal};
@@ -254,11 +254,18 @@ std::string column_mesh(const Sheet& s, const ColumnMesh& mesh) {
   return out.str();
 }
 
-std::string array_of(const char* name, const Sheet& s, double (*value)(const Sheet&, std::uint32_t)) {
+/// A number for every column at every offset.
+template <class Value>
+std::string array_of(const char* name, const Sheet& s, const std::vector<PixelOffset>& offsets,
+                     const Value& value) {
   std::ostringstream out;
-  out << "#declare " << name << " = array[" << s.columns << "] {\n";
-  for (std::uint32_t k = 0; k < s.columns; ++k) {
-    out << (k ? ",\n" : "") << text_of(value(s, k));
+  out << "#declare " << name << " = array[" << s.columns * offsets.size() << "] {\n";
+  const char* between = "";
+  for (const PixelOffset& offset : offsets) {
+    for (std::uint32_t k = 0; k < s.columns; ++k) {
+      out << between << text_of(value(k, offset));
+      between = ",\n";
+    }
   }
   out << "\n}\n";
   return out.str();
@@ -266,14 +273,16 @@ std::string array_of(const char* name, const Sheet& s, double (*value)(const She
 
 }  // namespace
 
-std::string mesh_scene(const Sheet& s, const Included& scene) {
+std::string mesh_scene(const Sheet& s, const Included& scene,
+                       const std::vector<PixelOffset>& offsets) {
   const ColumnMesh mesh(s);
   std::ostringstream out;
-  out << head(scene) << "#declare Lentray_Diff_Column = " << column_mesh(s, mesh)
-      << array_of("Lentray_Diff_T", s,
-                  [](const Sheet& x, std::uint32_t k) { return x.slope(k).value_or(0.0); })
-      << array_of("Lentray_Diff_X", s, [](const Sheet& x, std::uint32_t k) {
-           return x.axis(x.lens_of(k)) * x.scale();
+  out << head(scene) << "#declare Lentray_Diff_Column = "
+      << column_mesh(s, mesh, offsets.at(0).down)
+      << array_of("Lentray_Diff_T", s, offsets,
+                  [&](std::uint32_t k, const PixelOffset& o) { return s.slope(k, o).value_or(0.0); })
+      << array_of("Lentray_Diff_X", s, offsets, [&](std::uint32_t k, const PixelOffset& o) {
+           return s.axis(s.lens_of(k) + o.across) * s.scale();
          });
   const auto vector = [](const Vec3& v) {
     return text_of(v.x) + "," + text_of(v.y) + "," + text_of(v.z);
@@ -281,7 +290,8 @@ std::string mesh_scene(const Sheet& s, const Included& scene) {
   const double rise = s.eye_slope_y;
   // The normal (0, m, 1) becomes (T, rise + m/stretch, 1), for it transforms by the inverse
   // transpose; then comes the place in the sheet, and the sheet's in the world.
-  out << "camera {\n  mesh_camera { 1 1\n    #for (Lentray_Diff_K, 0, " << s.columns - 1 << ")\n"
+  out << "camera {\n  mesh_camera { 1 1\n    #for (Lentray_Diff_K, 0, "
+      << s.columns * offsets.size() - 1 << ")\n"
       << "      #local Lentray_Diff_U = Lentray_Diff_T[Lentray_Diff_K];\n"
       << "      mesh { Lentray_Diff_Column\n        matrix <1,0,-Lentray_Diff_U, 0,"
       << text_of(mesh.stretch) << "," << text_of(-rise * mesh.stretch) << ", 0,0,1,\n"

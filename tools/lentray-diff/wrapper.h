@@ -45,7 +45,9 @@ std::string view_scene(const Sheet& sheet, std::uint32_t view, Way way, const In
 /// The whole integral image, lying on its side: `rows` pixels wide and `columns` high, for a
 /// mesh_camera is most exact where a row of its picture is a column of the sheet. POV-Ray 3.7 shows
 /// mesh row k - 1 in image row k: there the picture must be rendered one row higher (`lag`).
-std::string mesh_scene(const Sheet& sheet, const Included& scene);
+/// With several offsets, all equally far down, one such image lies below the other.
+std::string mesh_scene(const Sheet& sheet, const Included& scene,
+                       const std::vector<PixelOffset>& offsets = {PixelOffset{}});
 
 /// The integral image in what stock rendered of mesh_scene(); dark pixels black.
 core::StoredImage mesh_picture(const core::StoredImage& rendered, const Sheet& sheet, bool lag);

@@ -188,6 +188,13 @@ shadow::LensReport lens_report(const camera::Lenticular& sheet) {
   return out;
 }
 
+/// Of the space in which colours are computed: a power, "sRGB", or null where they go to the file as
+/// they are.
+nlohmann::json working_gamma(const core::SceneSettings& settings) {
+  if (settings.assumed_gamma > 0.0) return settings.assumed_gamma;
+  return settings.assumed_gamma_set ? nlohmann::json("sRGB") : nlohmann::json();
+}
+
 void write_statistics(Run& run) {
   const RenderOptions& o = run.options;
   run.report.scene = o.input;
@@ -197,6 +204,7 @@ void write_statistics(Run& run) {
   run.report.peak_bytes = peak_bytes();
   if (run.camera.sheet) run.report.lens = lens_report(*run.camera.sheet);
   nlohmann::json statistics = shadow::to_json(run.report);
+  statistics["image"]["working_gamma"] = working_gamma(run.scene->settings());
   if (run.camera.sheet) statistics["lens"].update(lens_json(run.camera.camera()));
   write_text_file(parser::frame_path(o, o.statistics_file), statistics.dump(2) + "\n");
 }

@@ -1,0 +1,42 @@
+#include "tools/lentray-diff/antialiasing.h"
+
+#include <cstdio>
+
+#include "parser/options.h"
+
+namespace lentray::diff {
+
+Antialiasing antialiasing_of(const parser::RenderOptions& options) {
+  Antialiasing out;
+  out.on = options.antialias;
+  out.method = options.sampling_method;
+  out.threshold = options.antialias_threshold;
+  out.depth = options.antialias_depth;
+  out.jitter = options.jitter ? options.jitter_amount : 0.0;
+  out.gamma = options.antialias_gamma;
+  out.angles = options.antialias_angles;
+  return out;
+}
+
+std::vector<std::string> words(const Antialiasing& a) {
+  if (!a.on) return {"-A", "-J"};
+  const auto option = [](const char* name, double value) {
+    char text[80];
+    std::snprintf(text, sizeof text, "%s=%.17g", name, value);
+    return std::string(text);
+  };
+  std::vector<std::string> out{"Antialias=On", "Sampling_Method=" + std::to_string(a.method),
+                               option("Antialias_Threshold", a.threshold),
+                               "Antialias_Depth=" + std::to_string(a.depth),
+                               option("Antialias_Gamma", a.gamma)};
+  if (a.jitter > 0.0) {
+    out.insert(out.end(), {"Jitter=On", option("Jitter_Amount", a.jitter)});
+  } else {
+    out.emplace_back("Jitter=Off");
+  }
+  return out;
+}
+
+bool is_random(const Antialiasing& a) { return a.on && a.jitter > 0.0; }
+
+}  // namespace lentray::diff

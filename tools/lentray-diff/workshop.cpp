@@ -1,0 +1,115 @@
+#include "tools/lentray-diff/workshop.h"
+
+#include <algorithm>
+#include <sstream>
+#include <stdexcept>
+
+namespace lentray::diff {
+
+namespace fs = std::filesystem;
+using core::StoredImage;
+
+Workshop::Workshop(const fs::path& scene, const StockOptions& options) : m_options(options) {
+  if (!fs::is_regular_file(scene)) {
+    throw std::runtime_error("there is no scene '" + scene.string() + "'");
+  }
+  m_scene = fs::absolute(scene);
+  m_root = options.keep.empty() ? m_temporary.path() : fs::absolute(options.keep);
+  fs::create_directories(m_root);
+}
+
+Included Workshop::included() {
+  const std::string text = read_text(m_scene);
+  copy_includes(text, 0);
+  bool changed = false;
+  const std::string readable = without_lenticular(text, changed);
+  if (!changed) return {version_directive(text), m_scene.string()};
+  const fs::path copy = m_root / ("plain-" + m_scene.filename().string());
+  write_text(copy, readable);
+  return {version_directive(text), copy.string()};
+}
+
+StoredImage Workshop::render_text(const std::string& name, const std::string& text,
+                                  const Shot& shot) const {
+  const fs::path folder = m_root / name;
+  fs::create_directories(folder);
+  write_text(folder / (name + ".pov"), text);
+  return render(folder, folder / (name + ".pov"), shot);
+}
+
+StoredImage Workshop::render_scene(const Shot& shot) const {
+  const fs::path folder = m_root / "picture";
+  fs::create_directories(folder);
+  return render(folder, m_scene, shot);
+}
+
+void Workshop::copy_includes(const std::string& text, int depth) {
+  constexpr int deepest = 20;  // files may include themselves under a condition
+  for (const std::string& name : included_files(text)) {
+    std::vector<fs::path> places{m_scene.parent_path() / name};
+    for (const fs::path& p : m_options.library_paths) places.push_back(p / name);
+    const auto file = std::find_if(places.begin(), places.end(),
+                                   [](const fs::path& p) { return fs::is_regular_file(p); });
+    if (file == places.end() || depth > deepest || fs::path(name).is_absolute()) continue;
+    const std::string inner = read_text(*file);
+    copy_includes(inner, depth + 1);
+    bool changed = false;
+    const std::string readable = without_lenticular(inner, changed);
+    if (!changed) continue;
+    fs::create_directories((m_root / name).parent_path());
+    write_text(m_root / name, readable);
+  }
+}
+
+StoredImage Workshop::render(const fs::path& folder, const fs::path& scene,
+                             const Shot& shot) const {
+  const fs::path picture = folder / (shot.as_light ? "stock.exr" : "stock.png");
+  // An option file in the folder, for paths with spaces in them.
+  std::ostringstream ini;
+  ini << "Input_File_Name=\"" << scene.string() << "\"\nOutput_File_Name=\"" << picture.string()
+      << "\"\nLibrary_Path=\"" << m_root.string() << "\"\nLibrary_Path=\""
+      << m_scene.parent_path().string() << "\"\n";
+  for (const fs::path& p : m_options.library_paths) ini << "Library_Path=\"" << p.string() << "\"\n";
+  write_text(folder / "stock.ini", ini.str());
+  std::vector<std::string> command{m_options.povray, "stock.ini", "+W" + std::to_string(shot.width),
+                                   "+H" + std::to_string(shot.height)};
+  command.emplace_back(shot.as_light ? "+FE" : m_options.bits == 16 ? "+FN16" : "+FN8");
+  command.insert(command.end(), m_options.arguments.begin(), m_options.arguments.end());
+  for (const std::string& word : words(shot.antialiased ? m_options.antialiasing : Antialiasing())) {
+    command.push_back(word);
+  }
+  if (shot.antialiased) {  // method 1 begins anew in each block
+    command.push_back("+BS" + std::to_string(std::max({shot.width, shot.height, 32u})));
+  }
+  for (const char* fixed : {"-D", "-P", "-V", "+WT1"}) command.emplace_back(fixed);
+  std::error_code ignored;
+  fs::remove(picture, ignored);
+  const RunResult result = run(command, folder, m_options.seconds);
+  if (result.timed_out) throw std::runtime_error("stock POV-Ray took too long");
+  if (result.status != 0 || !fs::exists(picture)) {
+    throw std::runtime_error("stock POV-Ray cannot render '" + m_scene.string() + "' (status " +
+                             std::to_string(result.status) + "):\n" + last_words(result.output));
+  }
+  return core::read_image(picture);
+}
+
+std::string last_words(const std::string& output) {
+  std::vector<std::string> lines;
+  std::istringstream in(output);
+  for (std::string line; std::getline(in, line);) {
+    if (line.find_first_not_of(" \t\r") != std::string::npos) lines.push_back(line);
+  }
+  // The message itself stands some lines above the end, behind the banner.
+  std::size_t first = lines.size() > 12 ? lines.size() - 12 : 0;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (lines[i].find("rror:") != std::string::npos) {
+      first = i > 2 ? i - 2 : 0;
+      break;
+    }
+  }
+  std::string text;
+  for (std::size_t i = first; i < lines.size() && i < first + 14; ++i) text += lines[i] + "\n";
+  return text;
+}
+
+}  // namespace lentray::diff
