@@ -138,7 +138,8 @@ TEST_F(AntialiasedSheet, MeansAreTakenInTheWorkingSpace) {
                      std::string(settings) +
                          "\ncamera { location <0,1,-6> look_at 0 right x up y }\n"
                          "light_source { <20,40,-30> rgb 1 }\nbackground { rgb <.1,.2,.4> }\n"
-                         "box { <-.97,-1.03,-1>, <1.02,.91,1> rotate <7,31,0> pigment { checker rgb 1.8, rgb .03 scale .13 } }\n");
+                         "box { <-.97,-1.03,-1>, <1.02,.91,1> rotate <7,31,0>\n"
+                         "  pigment { checker rgb 1.8, rgb .03 scale .13 } }\n");
     expect({"own", (m_folder / "scene.pov").string()}, "exact",
            {"Lens_Pixels=3", "+W48", "+H40", "+A0.0", "-J", "Antialias_Angle=4"});
   }
@@ -152,11 +153,13 @@ TEST_F(AntialiasedSheet, WithoutAntialiasingItDoesNotPass) {
   ASSERT_EQ(compare(kScenes[0], words).status, 0);  // p-ours.png is without now
   fs::rename(m_folder / "p-ours.png", m_folder / "bare.png");
   ASSERT_EQ(compare(kScenes[0], antialiased).status, 0);
-  EXPECT_EQ(run_diff({"bare.png", "p-stock.png", "Lens_Pixels=5", "--no-pictures"}, m_folder.path()).status, 1);
+  const Words pictures{"bare.png", "p-stock.png", "Lens_Pixels=5", "--no-pictures"};
+  EXPECT_EQ(run_diff(pictures, m_folder.path()).status, 1);
 }
 
 TEST_F(AntialiasedSheet, JitterIsSaidToBeRandom) {
-  const diff::RunResult result = compare(kScenes[0], {"Lens_Pixels=3", "+W60", "+H60", "+A", "--grade", "close"});
+  const diff::RunResult result =
+      compare(kScenes[0], {"Lens_Pixels=3", "+W60", "+H60", "+A", "--grade", "close"});
   EXPECT_EQ(result.status, 0) << result.output;
   EXPECT_NE(result.output.find("jitter is on"), std::string::npos) << result.output;
 }
