@@ -1,4 +1,5 @@
-// One sample of a picture: the mean light of the rays that belong to a place of a pixel's area.
+// One sample of a picture: the mean light of the rays that belong to a place of a pixel's area, over
+// the directions within a pixel of a lens sheet, and over the camera's aperture for each of them.
 // World space, colours linear in the scene's working space. One a thread.
 #pragma once
 
@@ -18,12 +19,12 @@ class Sampler {
  public:
   Sampler(const Scene& scene, const RaySource& camera, const SamplerOptions& options,
           Tracer& tracer)
-      : m_background(scene.settings().background.rgb), m_camera(camera), m_options(options),
-        m_tracer(tracer) {}
+      : m_background(scene.settings().background.rgb), m_camera(camera), m_blur(camera.blur()),
+        m_options(options), m_is_mean(options.angles > 1 || m_blur), m_tracer(tracer) {}
 
   /// Sample 0 of a pixel of the image at its centre.
   bool centre(const Pixel& pixel, Radiance& out) {
-    if (is_mean()) {
+    if (m_is_mean) {
       return sample({.column = static_cast<std::int32_t>(pixel.column),
                      .row = static_cast<std::int32_t>(pixel.row)}, 0, out);
     }
@@ -38,14 +39,16 @@ class Sampler {
   bool sample(const PixelPlace& place, std::uint32_t index, Radiance& out);
 
  private:
-  /// Whether a sample is more than one ray.
-  bool is_mean() const { return m_options.angles > 1; }
+  /// One of the directions within a pixel.
   bool direction(const PixelPlace& place, std::uint64_t key, Radiance& out);
-  bool single(const PixelPlace& place, std::uint64_t key, Radiance& out);
+  bool blurred(const PixelPlace& place, std::uint64_t key, Radiance& out);
+  void trace(const Ray& ray, const PixelPlace& place, std::uint64_t key, Radiance& out);
 
   const Rgb m_background;
   const RaySource& m_camera;
+  const FocalBlur* const m_blur;
   const SamplerOptions m_options;
+  const bool m_is_mean;  ///< whether a sample is more than one ray
   Tracer& m_tracer;
 };
 
