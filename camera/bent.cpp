@@ -20,4 +20,10 @@ bool Bent::ray_at(const core::PixelPlace& place, core::Ray& out) const {
   return true;
 }
 
+bool Bent::lens_ray_at(const core::PixelPlace& place, double x, double y, core::Ray& out) const {
+  if (!m_straight->lens_ray_at(place, x, y, out)) return false;
+  bend(place.column + 0.5 + place.across, place.row + 0.5 + place.down, out);
+  return true;
+}
+
 }  // namespace lentray::camera

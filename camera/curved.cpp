@@ -103,7 +103,7 @@ Vec3 Curved::spherical(double x, double y) const {
   return turn(m_projection.up, x * m_angles.horizontal * kRadians).vector(lifted);
 }
 
-bool Curved::ray(double column, double row, core::Ray& ray) const {
+bool Curved::aim(double column, double row, core::Ray& ray) const {
   const double x = column / m_width - 0.5, y = 0.5 - row / m_height;
   const double a = x * m_angles.angle * kRadians, b = y * m_angles.angle * kRadians;
   const Vec3& start = m_projection.location;
@@ -134,8 +134,18 @@ bool Curved::ray(double column, double row, core::Ray& ray) const {
       ray.origin = start + m_projection.right * (x * m_wide);
       break;
   }
-  ray.direction = normalized(direction);
+  ray.direction = direction;
   return true;
+}
+
+bool Curved::ray(double column, double row, core::Ray& ray) const {
+  if (!aim(column, row, ray)) return false;
+  ray.direction = normalized(ray.direction);
+  return true;
+}
+
+bool Curved::sight(const core::PixelPlace& place, core::Ray& out) const {
+  return aim(place.column + 0.5 + place.across, place.row + 0.5 + place.down, out);
 }
 
 std::optional<CurvedKind> curved_kind(std::string_view word, int cylinder_type) {

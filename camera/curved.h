@@ -27,12 +27,14 @@ class Curved final : public Camera {
   Curved(CurvedKind kind, const Projection& projection, const CurvedAngles& angles,
          std::uint32_t width, std::uint32_t height);
   bool ray(double column, double row, core::Ray& ray) const override;
+  bool sight(const core::PixelPlace& place, core::Ray& out) const override;
   std::string_view name() const override;
   std::uint32_t width() const override { return m_width; }
   std::uint32_t height() const override { return m_height; }
   Properties describe() const override { return {{"camera", std::string(name())}}; }
 
  private:
+  bool aim(double column, double row, core::Ray& ray) const;
   /// x, y: -1/2..1/2 across the picture and up it; the direction may have any length.
   bool fisheye(double x, double y, core::Vec3& direction) const;
   bool omnimax(double x, double y, core::Vec3& direction) const;

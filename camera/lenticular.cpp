@@ -62,7 +62,19 @@ bool Lenticular::ray_at(const core::PixelPlace& place, core::Ray& out) const {
   if (is_inside && place.across == 0.0 && place.turn == 0.0) {
     return aim(m_columns[static_cast<std::size_t>(place.column)], row, out);
   }
-  return aim(make_column(m_sheet.beside(place.column, place.across, place.turn)), row, out);
+  return aim(column_at(place), row, out);
+}
+
+Lenticular::Column Lenticular::column_at(const core::PixelPlace& place) const {
+  return make_column(m_sheet.beside(place.column, place.across, place.turn));
+}
+
+bool Lenticular::sight(const core::PixelPlace& place, core::Ray& out) const {
+  const Column c = column_at(place);
+  if (c.dark) return false;
+  const double y = row_height(place.row + 0.5 + place.down);
+  out = {c.axis + m_place.up * y, c.slope + m_place.up * (y * m_inverse_distance)};
+  return true;
 }
 
 core::PixelLattice Lenticular::lattice(std::uint32_t width) const {
@@ -142,11 +154,19 @@ bool SheetView::ray(double column, double row, core::Ray& ray) const {
   return m_lenticular.ray(lens * m_lenticular.sheet().views() + m_view + 0.5, row, ray);
 }
 
+core::PixelPlace SheetView::on_sheet(const core::PixelPlace& place) const {
+  core::PixelPlace out = place;
+  out.column = place.column * static_cast<std::int32_t>(m_lenticular.sheet().views()) +
+               static_cast<std::int32_t>(m_view);
+  return out;
+}
+
 bool SheetView::ray_at(const core::PixelPlace& place, core::Ray& out) const {
-  core::PixelPlace on_sheet = place;
-  on_sheet.column = place.column * static_cast<std::int32_t>(m_lenticular.sheet().views()) +
-                    static_cast<std::int32_t>(m_view);
-  return m_lenticular.ray_at(on_sheet, out);
+  return m_lenticular.ray_at(on_sheet(place), out);
+}
+
+bool SheetView::sight(const core::PixelPlace& place, core::Ray& out) const {
+  return m_lenticular.sight(on_sheet(place), out);
 }
 
 Properties SheetView::describe() const {

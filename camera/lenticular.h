@@ -37,6 +37,8 @@ class Lenticular final : public Camera {
   /// A pixel's area is its lens's width, across which its direction goes on as that of lenses in
   /// between would: with V infinite it stays, with V finite the rays of a view meet at its eye.
   bool ray_at(const core::PixelPlace& place, core::Ray& out) const override;
+  /// From the sheet's plane, one scene unit of its normal long.
+  bool sight(const core::PixelPlace& place, core::Ray& out) const override;
   core::PixelLattice lattice(std::uint32_t width) const override;
   std::string_view name() const override { return "lenticular"; }
   std::uint32_t width() const override { return m_sheet.width(); }
@@ -48,6 +50,8 @@ class Lenticular final : public Camera {
   bool front_was_clamped() const { return m_clamped; }
   /// s: scene units a millimetre.
   double scale() const { return m_scale; }
+  /// V in scene units; infinite as it may be.
+  double eye_distance() const { return 1.0 / m_inverse_distance; }
   /// Height Y of a place in the image's rows, scene units from the sheet's middle.
   double row_height(double row) const { return (0.5 - row / m_height) * m_place.height; }
   /// Pixels that show nothing.
@@ -69,6 +73,7 @@ class Lenticular final : public Camera {
     bool dark = false;
   };
   Column make_column(const LensColumn& c) const;
+  Column column_at(const core::PixelPlace& place) const;
   bool aim(const Column& c, double row, core::Ray& ray) const;
 
   LensSheet m_sheet;
@@ -87,12 +92,15 @@ class SheetView final : public Camera {
   SheetView(const Lenticular& lenticular, std::uint32_t view);
   bool ray(double column, double row, core::Ray& ray) const override;
   bool ray_at(const core::PixelPlace& place, core::Ray& out) const override;
+  bool sight(const core::PixelPlace& place, core::Ray& out) const override;
   std::string_view name() const override { return "lenticular"; }
   std::uint32_t width() const override { return m_width; }
   std::uint32_t height() const override { return m_lenticular.height(); }
   Properties describe() const override;
 
  private:
+  core::PixelPlace on_sheet(const core::PixelPlace& place) const;
+
   const Lenticular& m_lenticular;
   std::uint32_t m_view, m_width;
 };

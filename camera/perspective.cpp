@@ -5,12 +5,21 @@ namespace lentray::camera {
 Perspective::Perspective(const Projection& projection, std::uint32_t width, std::uint32_t height)
     : m_projection(projection), m_width(width), m_height(height) {}
 
-bool Perspective::ray(double column, double row, core::Ray& ray) const {
+core::Ray Perspective::aim(double column, double row) const {
   const double x0 = column / m_width - 0.5;
   const double y0 = 0.5 - row / m_height;
-  ray.origin = m_projection.location;
-  ray.direction = core::normalized(m_projection.direction + m_projection.right * x0 +
-                                   m_projection.up * y0);
+  return {m_projection.location,
+          m_projection.direction + m_projection.right * x0 + m_projection.up * y0};
+}
+
+bool Perspective::ray(double column, double row, core::Ray& ray) const {
+  ray = aim(column, row);
+  ray.direction = core::normalized(ray.direction);
+  return true;
+}
+
+bool Perspective::sight(const core::PixelPlace& place, core::Ray& out) const {
+  out = aim(place.column + 0.5 + place.across, place.row + 0.5 + place.down);
   return true;
 }
 

@@ -33,7 +33,8 @@ class RandomSequence {
   enum class Use : std::uint64_t {
     kShading = 0x6c656e74726179,  ///< lights' areas, crand, rainbows: along the ray's path
     kFilm = 0x66696c6d,           ///< the place of a sample in its pixel
-    kAperture = 0x61706572,       ///< the place of a ray in a camera's aperture
+    kAperture = 0x61706572,       ///< the point of a camera's aperture a ray starts at
+    kPixelPlace = 0x706c616365,   ///< the places in a pixel of the rays of one blurred sample
   };
   RandomSequence(std::uint64_t key, Use use) : m_state(mixed(key ^ static_cast<std::uint64_t>(use))) {}
   double next() {

@@ -18,6 +18,8 @@ struct PixelPlace {
   double turn = 0.0;
 };
 
+class FocalBlur;
+
 class RaySource {
  public:
   virtual ~RaySource() = default;
@@ -28,6 +30,14 @@ class RaySource {
   /// Ray through a place of a pixel's area. At a pixel's centre the same as ray(), bit for bit.
   virtual bool ray_at(const PixelPlace& place, Ray& out) const {
     return ray(place.column + 0.5 + place.across, place.row + 0.5 + place.down, out);
+  }
+  /// How a camera with an aperture blurs; null: all rays of a place are one. Lives as long as it.
+  virtual const FocalBlur* blur() const { return nullptr; }
+  /// Ray through a place of a pixel's area from a point of the aperture, in the aperture's own units
+  /// (core/render/focal_blur.h). All such rays meet where the camera is in focus.
+  virtual bool lens_ray_at(const PixelPlace& place, [[maybe_unused]] double x, [[maybe_unused]] double y,
+                           Ray& out) const {
+    return ray_at(place, out);
   }
   /// How the areas of the pixels of a picture of that width join.
   virtual PixelLattice lattice(std::uint32_t width) const { return PixelLattice::in_rows(width); }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/render/focal_blur.h"
 #include "core/render/random_key.h"
 
 namespace lentray::core {
@@ -25,15 +26,38 @@ bool Sampler::sample(const PixelPlace& place, std::uint32_t index, Radiance& out
 }
 
 bool Sampler::direction(const PixelPlace& place, std::uint64_t key, Radiance& out) {
-  return single(place, key, out);
+  if (m_blur) return blurred(place, key, out);
+  Ray ray;
+  out = {Rgb(), 1.0f};
+  if (!m_camera.ray_at(place, ray)) return false;
+  trace(ray, place, key, out);
+  return true;
 }
 
-bool Sampler::single(const PixelPlace& place, std::uint64_t key, Radiance& out) {
-  Ray ray;
-  if (!m_camera.ray_at(place, ray)) {
-    out = {Rgb(), 1.0f};
-    return false;
+bool Sampler::blurred(const PixelPlace& place, std::uint64_t key, Radiance& out) {
+  BlurEstimate estimate(*m_blur, key);
+  bool any = false;
+  while (estimate.wants_more()) {
+    // Numbers that are no direction's part of the sample, but for 0.
+    const auto part = estimate.rays() * static_cast<std::uint32_t>(std::max(1, m_options.angles));
+    const std::uint64_t ray_key = part_key(key, part);
+    const BlurRay way = estimate.next(ray_key);
+    PixelPlace through = place;
+    through.across += way.across;
+    through.down += way.down;
+    Ray ray;
+    Radiance one{Rgb(), 1.0f};
+    if (m_camera.lens_ray_at(through, way.x, way.y, ray)) {
+      trace(ray, place, ray_key, one);
+      any = true;
+    }
+    estimate.add(one);
   }
+  out = estimate.mean();
+  return any;
+}
+
+void Sampler::trace(const Ray& ray, const PixelPlace& place, std::uint64_t key, Radiance& out) {
   // Caches of shadows know the picture's pixels only.
   const Pixel pixel{static_cast<std::uint32_t>(std::max(place.column, 0)),
                     static_cast<std::uint32_t>(std::max(place.row, 0))};
@@ -43,7 +67,6 @@ bool Sampler::single(const PixelPlace& place, std::uint64_t key, Radiance& out) 
   } else {
     out.transmit = 0.0f;
   }
-  return true;
 }
 
 }  // namespace lentray::core

@@ -1,4 +1,5 @@
-// One sample of a picture: the mean light of the rays that belong to a place of a pixel's area.
+// One sample of a picture: the mean light of the rays that belong to a place of a pixel's area, over
+// the directions within a pixel of a lens sheet, and over the camera's aperture for each of them.
 // World space, colours linear in the scene's working space. One a thread.
 #pragma once
 
@@ -19,14 +20,14 @@ class Sampler {
  public:
   Sampler(const Scene& scene, const RaySource& camera, const SamplerOptions& options,
           Tracer& tracer)
-      : m_background(scene.settings().background.rgb), m_camera(camera), m_options(options),
-        m_tracer(tracer) {}
+      : m_background(scene.settings().background.rgb), m_camera(camera), m_blur(camera.blur()),
+        m_options(options), m_is_mean(options.angles > 1 || m_blur), m_tracer(tracer) {}
 
   /// Sample 0 of each of those pixels of the image, at their centres: `keep(pixel, radiance)`.
   /// Pixels without a ray are black and counted. False if `stop(pixel)` said so before one of them.
   template <class Keep, class Stop>
   bool centres(const std::vector<Pixel>& pixels, Counters& counters, const Keep& keep, const Stop& stop) {
-    if (is_mean()) return mean_centres(pixels, counters, keep, stop);
+    if (m_is_mean) return mean_centres(pixels, counters, keep, stop);
     const RaySource& camera = m_camera;
     Tracer& tracer = m_tracer;
     const bool alpha = m_options.alpha;
@@ -50,8 +51,6 @@ class Sampler {
   bool sample(const PixelPlace& place, std::uint32_t index, Radiance& out);
 
  private:
-  /// Whether a sample is more than one ray.
-  bool is_mean() const { return m_options.angles > 1; }
   template <class Keep, class Stop>
   bool mean_centres(const std::vector<Pixel>& pixels, Counters& counters, const Keep& keep, const Stop& stop) {
     for (const Pixel& pixel : pixels) {
@@ -66,12 +65,16 @@ class Sampler {
     }
     return true;
   }
+  /// One of the directions within a pixel.
   bool direction(const PixelPlace& place, std::uint64_t key, Radiance& out);
-  bool single(const PixelPlace& place, std::uint64_t key, Radiance& out);
+  bool blurred(const PixelPlace& place, std::uint64_t key, Radiance& out);
+  void trace(const Ray& ray, const PixelPlace& place, std::uint64_t key, Radiance& out);
 
   const Rgb m_background;
   const RaySource& m_camera;
+  const FocalBlur* const m_blur;
   const SamplerOptions m_options;
+  const bool m_is_mean;  ///< whether a sample is more than one ray
   Tracer& m_tracer;
 };
 

@@ -67,8 +67,8 @@ struct SceneParts {
 struct CompileOptions {
   bool general_path = false;  ///< no specialisation: for the test that both give the same bits
   Accelerator accelerator = Accelerator::kBvh;
-  /// Light_Buffer: cells of directions about each light, for about so many pixels; 0: none. Only
-  /// beside the hierarchy: who asks for a grid or a list asks for its search.
+  /// Light_Buffer: cells of directions about each light, for about so many camera rays;
+  /// 0: none. Only beside the hierarchy: who asks for a grid or a list asks for its search.
   std::uint64_t light_buffer_pixels = 0;
 };
 

@@ -3,6 +3,7 @@
 #include <map>
 #include <utility>
 
+#include "core/base/color.h"
 #include "core/pattern/single.h"
 #include "parser/descriptions/object.h"
 
@@ -61,6 +62,25 @@ camera::MeshCameraSetup mesh_setup(const CameraDesc& camera) {
   return setup;
 }
 
+/// As in stock, both an aperture and a number of samples make focal blur.
+std::optional<camera::BlurRequest> blur_request(const CameraDesc& camera,
+                                                const TextureSettings& settings) {
+  if (camera.aperture == 0.0 || camera.blur_samples <= 0) return std::nullopt;
+  camera::BlurRequest request;
+  request.aperture = camera.aperture;
+  request.focal_distance = camera.focal_distance;
+  if (camera.has_focal_point) request.focal_point = camera.focal_point;
+  request.samples = {camera.blur_samples, camera.blur_samples_min, camera.confidence,
+                     camera.variance, {}};
+  if (camera.bokeh) {
+    const auto pigment = TextureCompiler(settings).pigment(camera.bokeh);
+    request.samples.weight = [pigment](double x, double y) {
+      return static_cast<double>(core::grey(pigment->colour({x, y, 0.0}).rgb));
+    };
+  }
+  return request;
+}
+
 }  // namespace
 
 CameraRequest camera_request(const CameraDesc& camera, const TextureSettings& settings) {
@@ -71,6 +91,7 @@ CameraRequest camera_request(const CameraDesc& camera, const TextureSettings& se
   request.cylinder_type = camera.cylinder_type;
   request.angles = {camera.angle, camera.horizontal_angle, camera.vertical_angle};
   if (camera.normal) request.normal = TextureCompiler(settings).normal(camera.normal);
+  request.blur = blur_request(camera, settings);
   if (camera.kind == CameraKind::kMesh) request.mesh = mesh_setup(camera);
   if (camera.kind != CameraKind::kLenticular) return request;
   const LensDesc& lens = camera.lens;

@@ -10,6 +10,7 @@
 #include "camera/lens_request.h"
 #include "camera/mesh_camera.h"
 #include "camera/projection.h"
+#include "camera/thin_lens.h"
 #include "parser/build/texture_compiler.h"
 #include "parser/descriptions/camera.h"
 
@@ -23,6 +24,7 @@ struct CameraRequest {
   camera::LensRequest lens;       ///< of `lenticular`, empty otherwise
   std::optional<camera::MeshCameraSetup> mesh;                  ///< of `mesh_camera`
   std::shared_ptr<const core::NormalPerturbation> normal;       ///< that bends the rays, or null
+  std::optional<camera::BlurRequest> blur;                      ///< focal blur, if there is any
 };
 
 /// A scene without a camera has stock's default one: pass a default CameraDesc.

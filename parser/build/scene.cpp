@@ -62,7 +62,6 @@ void note_missing(const SceneDesc& scene, NotYet& not_yet) {
   note(!scene.atmosphere_media.empty(), "media", g.where);
   if (!scene.camera) return;
   const CameraDesc& camera = *scene.camera;
-  note(camera.aperture != 0.0 && camera.blur_samples > 0, "focal blur", camera.where);
   note(camera.kind == CameraKind::kMesh && camera.rays_per_pixel > 1, "several rays a pixel",
        camera.where);
 }

@@ -63,14 +63,15 @@ struct CameraDesc {
 
   LensDesc lens;                         ///< of kLenticular
 
-  // Kept; rendered later.
-  double aperture = 0.0;
-  int blur_samples = 0, blur_samples_min = 0;
+  // Focal blur: there is some where both aperture and blur_samples are not 0.
+  double aperture = 0.0;                 ///< scene units; the disc is half as wide
+  int blur_samples = 0, blur_samples_min = 0;  ///< at most, at least
   double confidence = 0.9, variance = 1.0 / 10000.0;
   core::Vec3 focal_point{0.0, 0.0, 1.0};
   bool has_focal_point = false;
-  double focal_distance = -1.0;
+  double focal_distance = -1.0;          ///< from location, along direction
   Ref<PigmentDesc> bokeh;
+
   Ref<NormalDesc> normal;
   // mesh_camera
   int rays_per_pixel = 1, distribution = 0;

@@ -72,6 +72,25 @@ TEST(ImageIdentical, DemoInItsOwnCamera) {
   expect_identical({scene_file("demo.pov"), "+W120", "+H90"});
 }
 
+const char* const kBlurred = R"(#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0.3,2,-6> look_at <0,0.7,0> angle 40 aperture 0.8 focal_point 0 blur_samples 5,12 }
+light_source { <3,9,-4> rgb 0.7 }
+light_source { <-5,6,-3> rgb 0.5 area_light x*2, z*2, 4, 4 adaptive 1 jitter }
+plane { y, 0 pigment { checker rgb 0.9, rgb <0.6,0.7,0.9> } finish { reflection 0.15 } }
+sphere { <-1,0.8,0>, 0.8 pigment { rgb <0.9,0.5,0.3> } finish { phong 0.6 crand 0.1 } }
+sphere { <0.7,0.6,-1.4>, 0.6 pigment { rgb <0.6,1,0.8> filter 0.8 } interior { ior 1.3 } }
+box { <1.2,0,1>, <2.2,1.3,2> pigment { rgb <0.5,0.8,0.4> } }
+)";
+
+TEST(ImageIdentical, FocalBlur) {
+  const diff::TemporaryFolder folder;
+  diff::write_text(folder / "blurred.pov", kBlurred);
+  const std::string scene = "+I" + (folder / "blurred.pov").string();
+  expect_identical({scene, "+W40", "+H30"});
+  expect_identical({scene, "Lenticular=On", "Lens_Pixels=6", "Antialias_Angle=2", "+W36", "+H20"});
+}
+
 /// A sheet without thickness tilted so that it rises from 3e-4 to 4e-3 above a plane, under the light: across the
 /// distance below which blockers are not seen. A cache that tests what it remembers otherwise
 /// than the full search does lets the order of pixels show here; stock's does.

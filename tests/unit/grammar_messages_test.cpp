@@ -45,7 +45,6 @@ const Program kPrograms[] = {
      "sRGB colours need an assumed_gamma before them"},
     {"@0 sphere { 0, 1 }", "assumed_gamma is not specified: gamma correction is off, as it was before #version 3.7."},
     {"camera { aperture 1 blur_samples 3 mesh_camera { 2, 0, mesh { triangle { x, y, z } } } } sphere { 0, 1 }", "several rays a pixel"},
-    {"camera { aperture 1 blur_samples 3 focal_point 0 } sphere { 0, 1 }", "focal blur"},
     // fog, rainbow, sky
     {"@1.5 fog { 5 color rgb 1 }", "the distance of a fog wants the word distance"},
     {"fog { fogtype 2 }", "one of fog_type, distance, color, turbulence, octaves, lambda, omega, turb_depth, fog_offset, fog_alt, up, a transform or }"},

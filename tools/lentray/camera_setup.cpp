@@ -3,10 +3,12 @@
 #include <utility>
 
 #include "camera/bent.h"
+#include "camera/blurred.h"
 #include "camera/conversion.h"
 #include "camera/curved.h"
 #include "camera/orthographic.h"
 #include "camera/perspective.h"
+#include "camera/thin_lens.h"
 
 namespace lentray::tool {
 namespace {
@@ -54,6 +56,17 @@ std::unique_ptr<camera::Camera> make_ordinary(const parser::CameraRequest& reque
   throw camera::CameraError("the camera kind `" + request.kind + "`: not yet");
 }
 
+void blur_sheet(const parser::CameraRequest& request, CameraSetup& setup) {
+  const camera::ThinLens lens =
+      request.kind == "lenticular"
+          ? camera::lens_of_statement(*setup.sheet, *request.blur)
+          : camera::lens_of_conversion(*setup.sheet, request.projection, *request.blur);
+  std::shared_ptr<const camera::Camera> sharp = setup.sheet;
+  if (setup.view) sharp = setup.view;
+  setup.blurred =
+      std::make_unique<camera::Blurred>(std::move(sharp), lens, request.blur->samples);
+}
+
 }  // namespace
 
 CameraSetup make_camera(const parser::CameraRequest& request, const parser::RenderOptions& options,
@@ -65,6 +78,13 @@ CameraSetup make_camera(const parser::CameraRequest& request, const parser::Rend
                                 " needs a lens sheet: add Lenticular=On");
     }
     setup.ordinary = make_ordinary(request, options);
+    if (request.blur && request.mesh) {
+      setup.warnings.push_back("a mesh_camera has no aperture: its picture is not blurred");
+    } else if (request.blur) {
+      setup.ordinary = std::make_unique<camera::Blurred>(
+          std::move(setup.ordinary), camera::lens_of_camera(request.projection, *request.blur),
+          request.blur->samples);
+    }
     if (request.normal) {
       setup.ordinary =
           std::make_unique<camera::Bent>(std::move(setup.ordinary), request.normal);
@@ -90,8 +110,9 @@ CameraSetup make_camera(const parser::CameraRequest& request, const parser::Rend
       throw camera::CameraError("there is no view " + std::to_string(*options.view) +
                                 ": the views are 0 to " + std::to_string(views - 1));
     }
-    setup.view = std::make_unique<camera::SheetView>(*setup.sheet, *options.view);
+    setup.view = std::make_shared<camera::SheetView>(*setup.sheet, *options.view);
   }
+  if (request.blur) blur_sheet(request, setup);
   return setup;
 }
 

@@ -16,11 +16,13 @@ namespace lentray::tool {
 
 struct CameraSetup {
   std::unique_ptr<camera::Camera> ordinary;    ///< or
-  std::unique_ptr<camera::Lenticular> sheet;   ///< a lens sheet, and perhaps
-  std::unique_ptr<camera::SheetView> view;     ///< one view of it
+  std::shared_ptr<camera::Lenticular> sheet;   ///< a lens sheet, and perhaps
+  std::shared_ptr<camera::SheetView> view;     ///< one view of it
+  std::unique_ptr<camera::Camera> blurred;     ///< the sheet or its view with an aperture, or null
   std::vector<std::string> report, warnings;
 
   const camera::Camera& camera() const {
+    if (blurred) return *blurred;
     if (view) return *view;
     if (sheet) return *sheet;
     return *ordinary;

@@ -15,6 +15,7 @@
 #include <thread>
 
 #include "camera/scene_probe.h"
+#include "core/render/focal_blur.h"
 #include "core/render/frame.h"
 #include "core/scene/scene.h"
 #include "parser/build/scene.h"
@@ -139,6 +140,12 @@ void parse_alone(Run& run, const std::string& path) {
                scene.objects.size() + scene.dropped, diagnostics.warnings().size(), seconds);
 }
 
+/// At most, and without antialiasing.
+int rays_a_pixel(const parser::SceneDesc& scene) {
+  if (!scene.camera || scene.camera->aperture == 0.0) return 1;
+  return std::clamp(scene.camera->blur_samples, 1, core::FocalBlur::kMostRays);
+}
+
 /// Text -> descriptions -> compiled scene and camera.
 void read_scene(Run& run, const std::string& path) {
   const RenderOptions& o = run.options;
@@ -161,8 +168,9 @@ void read_scene(Run& run, const std::string& path) {
   if (o.accelerator == "grid") compile.accelerator = core::Accelerator::kGrid;
   if (o.accelerator == "list") compile.accelerator = core::Accelerator::kList;
   if (o.light_buffer) {
-    compile.light_buffer_pixels =
-        static_cast<std::uint64_t>(o.width) * static_cast<std::uint64_t>(o.height);
+    compile.light_buffer_pixels = static_cast<std::uint64_t>(o.width) *
+                                  static_cast<std::uint64_t>(o.height) *
+                                  static_cast<std::uint64_t>(rays_a_pixel(description));
   }
   run.scene = std::make_unique<core::Scene>(std::move(parts), compile);
   run.report.compile_cpu_s = cpu_seconds() - parsed;

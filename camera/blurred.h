@@ -1,0 +1,46 @@
+// A camera with an aperture: focal blur. World space.
+#pragma once
+
+#include <memory>
+
+#include "camera/camera.h"
+#include "camera/thin_lens.h"
+#include "core/render/focal_blur.h"
+
+namespace lentray::camera {
+
+class Blurred final : public Camera {
+ public:
+  Blurred(std::shared_ptr<const Camera> sharp, const ThinLens& lens,
+          const core::FocalBlurOptions& samples)
+      : m_sharp(std::move(sharp)), m_lens(lens), m_blur(samples) {}
+  /// Through the middle of the aperture.
+  bool ray(double column, double row, core::Ray& ray) const override {
+    return m_sharp->ray(column, row, ray);
+  }
+  bool ray_at(const core::PixelPlace& place, core::Ray& out) const override {
+    return m_sharp->ray_at(place, out);
+  }
+  bool sight(const core::PixelPlace& place, core::Ray& out) const override {
+    return m_sharp->sight(place, out);
+  }
+  const core::FocalBlur* blur() const override { return &m_blur; }
+  bool lens_ray_at(const core::PixelPlace& place, double x, double y, core::Ray& out) const override {
+    core::Ray sight;
+    if (!m_sharp->sight(place, sight)) return false;
+    out = m_lens.through(sight, x, y);
+    return true;
+  }
+  core::PixelLattice lattice(std::uint32_t width) const override { return m_sharp->lattice(width); }
+  std::string_view name() const override { return m_sharp->name(); }
+  std::uint32_t width() const override { return m_sharp->width(); }
+  std::uint32_t height() const override { return m_sharp->height(); }
+  Properties describe() const override { return m_sharp->describe(); }
+
+ private:
+  std::shared_ptr<const Camera> m_sharp;
+  ThinLens m_lens;
+  core::FocalBlur m_blur;
+};
+
+}  // namespace lentray::camera
