@@ -11,8 +11,9 @@ constexpr std::size_t kMostBytes = 1 << 20;
 class MemoryWriter final : public parser::FileWriter {
  public:
   explicit MemoryWriter(std::string& text) : m_text(text) {}
-  void write(std::string_view bytes) override {
+  std::string write(std::string_view bytes) override {
     if (m_text.size() + bytes.size() <= kMostBytes) m_text += bytes;
+    return {};
   }
 
  private:

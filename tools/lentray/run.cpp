@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <iomanip>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -20,6 +21,7 @@
 #include "parser/build/scene.h"
 #include "parser/diagnostics.h"
 #include "parser/dump/scene_json.h"
+#include "parser/povray_conf.h"
 #include "parser/read_scene.h"
 #include "shadow/pixel_orders.h"
 #include "shadow/report.h"
@@ -27,6 +29,7 @@
 #include "shadow/run_meter.h"
 #include "shadow/tester_factory.h"
 #include "tools/lentray/camera_setup.h"
+#include "tools/lentray/commands.h"
 #include "tools/lentray/explain.h"
 #include "tools/lentray/machine.h"
 #include "tools/lentray/output.h"
@@ -34,6 +37,7 @@
 #include "tools/lentray/progress_bar.h"
 #include "tools/lentray/quality.h"
 #include "tools/lentray/ray_dump.h"
+#include "tools/lentray/scene_disk.h"
 #include "tools/lentray/scene_file.h"
 #include "tools/lentray/text_streams.h"
 
@@ -81,12 +85,15 @@ void check_order(const RenderOptions& o) {
   }
 }
 
+bool renders(const RenderOptions& o) {
+  return !o.explain && !o.parse_only && !o.dump && o.dump_rays.empty();
+}
+
 /// Files are asked for before anything is read, so that no work is lost on them.
 void check_outputs(Run& run) {
   const RenderOptions& o = run.options;
-  const bool renders = !o.explain && !o.parse_only && !o.dump && o.dump_rays.empty();
   if (!o.dump_rays.empty() && o.dump_rays != "-") core::check_writable(o.dump_rays);
-  if (!renders) return;
+  if (!renders(o)) return;
   if (o.shadow_log && o.statistics_file.empty()) {
     throw parser::OptionError("Shadow_Log goes into the statistics: name a Statistics_File");
   }
@@ -122,7 +129,8 @@ void connect(parser::Diagnostics& diagnostics, Run& run) {
 /// --parse-only, --dump: text -> descriptions, checked as far as they can be without rendering.
 void parse_alone(Run& run, const std::string& path) {
   const RenderOptions& o = run.options;
-  parser::SourceManager sources;
+  const SceneDisk disk(o, path, run.warnings);
+  parser::SourceManager sources(disk.files());
   parser::Diagnostics diagnostics(sources);
   connect(diagnostics, run);
   const double before = cpu_seconds();
@@ -143,7 +151,8 @@ void parse_alone(Run& run, const std::string& path) {
 /// Text -> descriptions -> compiled scene and camera.
 void read_scene(Run& run, const std::string& path) {
   const RenderOptions& o = run.options;
-  parser::SourceManager sources;
+  const SceneDisk disk(o, path, run.warnings);
+  parser::SourceManager sources(disk.files());
   parser::Diagnostics diagnostics(sources);
   connect(diagnostics, run);
 
@@ -323,20 +332,22 @@ void leave_to_system(std::unique_ptr<core::Scene> scene) {
   left = scene.release();
 }
 
-}  // namespace
+CommandContext command_context(const Run& run) {
+  const RenderOptions& o = run.options;
+  CommandContext context;
+  parser::OutputType type = o.type;
+  context.output = parser::output_path(o, type);
+  context.scene = o.input == "-" ? "stdin" : std::filesystem::path(o.input).stem().string();
+  context.clock = o.clock;
+  context.width = o.width;
+  context.height = o.height;
+  return context;
+}
 
-Status run(const RenderOptions& options, const std::atomic<bool>& cancel,
-           TextStreams& texts, std::vector<std::string>& warnings) {
-  const auto start = Clock::now();
-  Run run{options, texts, warnings, {}};
-  // Building the scene takes no more threads than rendering it.
-  std::optional<tbb::global_control> threads;
-  if (options.threads > 0) {
-    threads.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(options.threads));
-  }
+/// Reads, renders and writes, or tells about the scene instead.
+Status make_still(Run& run, Clock::time_point start, const std::atomic<bool>& cancel) {
+  const RenderOptions& options = run.options;
   const SceneFile file(options);
-  check_order(options);
-  check_outputs(run);
   if (options.parse_only || options.dump) {
     parse_alone(run, file.path());
     return kDone;
@@ -347,7 +358,7 @@ Status run(const RenderOptions& options, const std::atomic<bool>& cancel,
     return kDone;
   }
   for (const std::string& line : run.camera.report) {
-    texts.write(parser::Stream::kRender, line + "\n");
+    run.texts.write(parser::Stream::kRender, line + "\n");
   }
   if (!options.dump_rays.empty()) {
     dump_rays(run.camera.camera(), options.dump_rays);
@@ -369,6 +380,53 @@ Status run(const RenderOptions& options, const std::atomic<bool>& cancel,
   }
   leave_to_system(std::move(run.scene));
   return kDone;
+}
+
+/// The still with the commands before and after it.
+template <typename Still>
+Status with_commands(Commands& commands, const CommandContext& context, Still still) {
+  using parser::CommandKind;
+  const Action first = commands.run(CommandKind::kPreScene, context);
+  if (first == Action::kQuit || first == Action::kSkipAll) return kDone;
+  if (first == Action::kAbort) return kAborted;
+  if (first == Action::kGoOn) {
+    Action frame = commands.run(CommandKind::kPreFrame, context);
+    if (frame == Action::kGoOn) {
+      const Status status = still();
+      if (status != kDone) return status;
+      frame = commands.run(CommandKind::kPostFrame, context);
+    }
+    if (frame == Action::kQuit) return kDone;
+    if (frame == Action::kAbort) return kAborted;
+  }
+  return commands.run(CommandKind::kPostScene, context) == Action::kAbort ? kAborted : kDone;
+}
+
+}  // namespace
+
+Status run(const RenderOptions& options, const std::atomic<bool>& cancel,
+           TextStreams& texts, std::vector<std::string>& warnings) {
+  const auto start = Clock::now();
+  Run run{options, texts, warnings, {}};
+  // Building the scene takes no more threads than rendering it.
+  std::optional<tbb::global_control> threads;
+  if (options.threads > 0) {
+    threads.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(options.threads));
+  }
+  check_order(options);
+  check_outputs(run);
+  const auto still = [&] { return make_still(run, start, cancel); };
+  if (!renders(options)) return still();
+  Commands commands(options, parser::installed_confs(), texts);
+  const CommandContext context = command_context(run);
+  try {
+    const Status status = with_commands(commands, context, still);
+    if (status == kAborted) commands.run(parser::CommandKind::kUserAbort, context);
+    return status;
+  } catch (...) {
+    commands.run(parser::CommandKind::kFatalError, context);
+    throw;
+  }
 }
 
 }  // namespace lentray::tool

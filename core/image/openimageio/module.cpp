@@ -45,12 +45,35 @@ void lift_to_middles(StoredImage& image) {
   }
 }
 
-/// `memory`: in place of the file.
-StoredImage read_picture(const std::filesystem::path& path, OIIO::Filesystem::IOProxy* memory = nullptr) {
+using Input = std::unique_ptr<OIIO::ImageInput>;
+
+/// The formats of scenes, those that are known by their first bytes first.
+constexpr std::array kPlainFormats = {"png", "jpeg", "tiff", "openexr", "hdr", "bmp", "gif", "pnm", "targa"};
+
+/// A handle says nothing of the format: the file's name does, else its bytes do.
+Input open_handle(const std::filesystem::path& path, const std::filesystem::path& named,
+                  const OIIO::ImageSpec& as_stored) {
+  const Input likely = OIIO::ImageInput::create(named.filename().string());
+  const std::string_view first = likely ? likely->format_name() : "";
+  for (const bool is_likely : {true, false}) {
+    for (const char* format : kPlainFormats) {
+      if ((first == format) != is_likely) continue;
+      Input input = OIIO::ImageInput::create(format);
+      OIIO::ImageSpec spec;
+      if (input && input->open(path.string(), spec, as_stored)) return input;
+    }
+  }
+  throw std::runtime_error("it is no picture in a format of scenes");
+}
+
+/// `named`: see ImageModule::read(). `memory`: in place of the file.
+StoredImage read_picture(const std::filesystem::path& path, const std::filesystem::path& named,
+                         OIIO::Filesystem::IOProxy* memory = nullptr) {
   OIIO::ImageSpec as_stored;
   as_stored.attribute("oiio:UnassociatedAlpha", 1);
   if (memory) as_stored.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &memory);
-  const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(path.string(), &as_stored);
+  const Input input = named.empty() ? OIIO::ImageInput::open(path.string(), &as_stored)
+                                    : open_handle(path, named, as_stored);
   if (!input) throw std::runtime_error(OIIO::geterror());
   const OIIO::ImageSpec& spec = input->spec();
   StoredImage image;
@@ -96,10 +119,12 @@ class Module final : public ImageModule {
                                           const PictureSpec& spec) const override {
     return make_openimageio_encoder(path, spec);
   }
-  StoredImage read(const std::filesystem::path& path) const override { return read_picture(path); }
+  StoredImage read(const std::filesystem::path& path, const std::filesystem::path& named) const override {
+    return read_picture(path, named);
+  }
   StoredImage read_tiff(const std::string& file) const override {
     OIIO::Filesystem::IOMemReader memory(file.data(), file.size());
-    return read_picture("memory.tif", &memory);
+    return read_picture("memory.tif", {}, &memory);
   }
 };
 
