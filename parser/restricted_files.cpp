@@ -94,37 +94,32 @@ Descriptor RestrictedFiles::judged_to_write(const std::string& path) const {
   return held;
 }
 
-/// A new file. Its folder is held and judged, and the file made in that very folder.
-Descriptor RestrictedFiles::made(const std::string& path) const {
+/// A hold on the folder that a new file may be made in. Empty if there is no such folder.
+Descriptor RestrictedFiles::judged_folder(const std::string& path) const {
   const fs::path name(path);
-  const Descriptor folder = look_at(name.has_parent_path() ? name.parent_path().string() : ".");
+  Descriptor folder = look_at(name.has_parent_path() ? name.parent_path().string() : ".");
   const fs::path place = folder ? fs::path(real_path(folder)) / name.filename() : would_lie(path);
   const std::string rule = m_rules.against_writing(place);
   if (!rule.empty()) refuse(path, place.string(), rule);
-  if (!folder || !name.has_filename()) return Descriptor();
-  const int flags = O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_NOCTTY | O_CLOEXEC;
-  return Descriptor(::openat(folder.number(), name.filename().c_str(), flags, 0666));
+  return name.has_filename() ? std::move(folder) : Descriptor();
 }
 
 bool RestrictedFiles::may_write(const std::string& path) const {
   if (const Descriptor held = judged_to_write(path)) {
     return S_ISREG(status_of(held).st_mode) && ::access(handle_of(held).c_str(), W_OK) == 0;
   }
-  const fs::path name(path);
-  const Descriptor folder = look_at(name.has_parent_path() ? name.parent_path().string() : ".");
-  const fs::path place = folder ? fs::path(real_path(folder)) / name.filename() : would_lie(path);
-  const std::string rule = m_rules.against_writing(place);
-  if (!rule.empty()) refuse(path, place.string(), rule);
-  return folder && name.has_filename() && ::access(handle_of(folder).c_str(), W_OK | X_OK) == 0;
+  const Descriptor folder = judged_folder(path);
+  return folder && ::access(handle_of(folder).c_str(), W_OK | X_OK) == 0;
 }
 
 std::unique_ptr<FileWriter> RestrictedFiles::open(const std::string& path, bool append) {
   if (const Descriptor held = judged_to_write(path)) {
     return make_writer(reopen(held, O_WRONLY | (append ? O_APPEND : O_TRUNC)));
   }
-  Descriptor file = made(path);
-  if (file && append) ::fcntl(file.number(), F_SETFL, O_APPEND);
-  return make_writer(std::move(file));
+  const Descriptor folder = judged_folder(path);
+  if (!folder) return nullptr;
+  const int flags = O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_NOCTTY | O_CLOEXEC | (append ? O_APPEND : 0);
+  return make_writer(Descriptor(::openat(folder.number(), fs::path(path).filename().c_str(), flags, 0666)));
 }
 
 }  // namespace lentray::parser

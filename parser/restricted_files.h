@@ -29,7 +29,7 @@ class RestrictedFiles final : public Files {
  private:
   Descriptor judged(const std::string& path) const;
   Descriptor judged_to_write(const std::string& path) const;
-  Descriptor made(const std::string& path) const;
+  Descriptor judged_folder(const std::string& path) const;
 
   FileRules m_rules;
   std::map<std::pair<dev_t, ino_t>, Descriptor> m_held;   ///< what is held lends its number to no other file
