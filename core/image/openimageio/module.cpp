@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <fstream>
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 #include "core/image/image_module.h"
 #include "core/image/openimageio/encoder.h"
@@ -47,18 +49,28 @@ void lift_to_middles(StoredImage& image) {
 
 using Input = std::unique_ptr<OIIO::ImageInput>;
 
-/// The formats of scenes, those that are known by their first bytes first.
-constexpr std::array kPlainFormats = {"png", "jpeg", "tiff", "openexr", "hdr", "bmp", "gif", "pnm", "targa"};
+struct PlainFormat {
+  const char* name;
+  const char* extensions;   ///< each between blanks
+};
 
-/// A handle says nothing of the format: the file's name does, else its bytes do.
+/// The formats of scenes, those that are known by their first bytes first.
+constexpr std::array kPlainFormats = {
+    PlainFormat{"png", " .png "}, PlainFormat{"jpeg", " .jpg .jpeg "}, PlainFormat{"tiff", " .tif .tiff "},
+    PlainFormat{"openexr", " .exr "}, PlainFormat{"hdr", " .hdr .rgbe "}, PlainFormat{"bmp", " .bmp "},
+    PlainFormat{"gif", " .gif "}, PlainFormat{"pnm", " .ppm .pgm .pbm .pnm "}, PlainFormat{"targa", " .tga "}};
+
+/// A handle says nothing of the format: the file's name does, else its bytes do. OpenImageIO is never told
+/// the name, which it would open.
 Input open_handle(const std::filesystem::path& path, const std::filesystem::path& named,
                   const OIIO::ImageSpec& as_stored) {
-  const Input likely = OIIO::ImageInput::create(named.filename().string());
-  const std::string_view first = likely ? likely->format_name() : "";
+  std::string extension = " " + named.extension().string() + " ";
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   for (const bool is_likely : {true, false}) {
-    for (const char* format : kPlainFormats) {
-      if ((first == format) != is_likely) continue;
-      Input input = OIIO::ImageInput::create(format);
+    for (const PlainFormat& format : kPlainFormats) {
+      const bool fits = std::string_view(format.extensions).find(extension) != std::string_view::npos;
+      if (fits != is_likely) continue;
+      Input input = OIIO::ImageInput::create(format.name);
       OIIO::ImageSpec spec;
       if (input && input->open(path.string(), spec, as_stored)) return input;
     }
