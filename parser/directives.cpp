@@ -79,10 +79,10 @@ void Directives::include(const std::string& name, const Location& where) {
     m_in.fail(where, "includes and macros nest too deeply: a file that includes itself?");
   }
   m_in.count_turn();
-  const std::optional<std::string> path = m_in.find_file(name);
-  const auto list = path ? m_in.load(*path) : nullptr;
+  const std::optional<std::string> path = m_in.find_file(name, where);
+  const auto list = path ? m_in.load(*path, where) : nullptr;
   if (!list) {
-    std::string message = "cannot find the include file '" + name + "', looked in: .";
+    std::string message = "cannot find the include file '" + shown_name(name) + "', looked in: .";
     if (!m_in.scene_folder.empty()) message += ", " + m_in.scene_folder;
     for (const std::string& folder : m_in.options.library_paths) message += ", " + folder;
     m_in.fail(where, message);

@@ -145,10 +145,11 @@ bool Expressions::float_function(Keyword keyword, double& value) {
     case Keyword::kDimensionSize: value = array_dimension(true); return true;
     case Keyword::kVal: case Keyword::kAsc: case Keyword::kStrlen: case Keyword::kFileExists: {
       m_in.tokens.expect(Punct::kLeftParen);
+      const Location named = m_in.tokens.peek_operand().where;
       const std::string text = keyword == Keyword::kFileExists ? parse_path() : parse_string();
       m_in.tokens.expect(Punct::kRightParen);
       if (keyword == Keyword::kVal) value = std::strtod(text.c_str(), nullptr);
-      else if (keyword == Keyword::kFileExists) value = text.empty() || m_in.find_exactly(text) ? 1.0 : 0.0;
+      else if (keyword == Keyword::kFileExists) value = text.empty() || m_in.find_exactly(text, named) ? 1.0 : 0.0;
       else if (keyword == Keyword::kAsc) value = first_character(text);
       else value = static_cast<double>(count_characters(text));
       return true;

@@ -1,31 +1,33 @@
 #include "parser/files.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <cstdio>
 #include <filesystem>
 
 #include "parser/loose_path.h"
+#include "parser/opened_file.h"
 
 namespace lentray::parser {
 namespace {
 
-using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
+namespace fs = std::filesystem;
 
-class DiskWriter final : public FileWriter {
- public:
-  explicit DiskWriter(File file) : m_file(std::move(file)) {}
-  void write(std::string_view bytes) override {
-    std::fwrite(bytes.data(), 1, bytes.size(), m_file.get());
-  }
-
- private:
-  File m_file;
-};
+/// Reading a pipe could wait for ever, a device never end.
+void refuse_special(const std::string& path, const struct stat& status) {
+  const std::string kind = special_kind(status);
+  if (kind.empty()) return;
+  throw FileRefused("'" + shown_name(path) + "' is " + kind + ": a scene reads plain files only");
+}
 
 class Disk final : public Files {
  public:
   bool exists(const std::string& path) const override {
-    std::error_code error;
-    return std::filesystem::exists(path, error) && !std::filesystem::is_directory(path, error);
+    struct stat status{};
+    if (::stat(path.c_str(), &status) != 0 || S_ISDIR(status.st_mode)) return false;
+    refuse_special(path, status);
+    return true;
   }
 
   std::optional<std::string> find_loosely(const std::string& folder,
@@ -34,32 +36,32 @@ class Disk final : public Files {
   }
 
   std::optional<std::string> read(const std::string& path) const override {
+    const Descriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
+    if (!file || S_ISDIR(status_of(file).st_mode)) return std::nullopt;
+    refuse_special(path, status_of(file));
+    return read_all(file);
+  }
+
+  std::optional<std::string> read_scene(const std::string& path) const override {
+    const Descriptor file(::open(path.c_str(), O_RDONLY | O_NOCTTY | O_CLOEXEC));
+    return file ? read_all(file) : std::nullopt;
+  }
+
+  bool may_write(const std::string& path) const override {
     std::error_code error;
-    if (std::filesystem::is_directory(path, error)) return std::nullopt;
-    const File file(std::fopen(path.c_str(), "rbe"), &std::fclose);
-    if (!file) return std::nullopt;
-    const auto size = std::filesystem::file_size(path, error);  // an error for pipes
-    // One byte more than there is, so that the first piece is the last.
-    std::size_t piece = error ? 0 : static_cast<std::size_t>(size) + 1;
-    std::string bytes;
-    bytes.reserve(piece);
-    for (std::size_t end = 0;; piece = 0) {
-      constexpr std::size_t kPiece = std::size_t{1} << 16;
-      bytes.resize(end + (piece ? piece : kPiece));
-      const std::size_t wanted = bytes.size() - end;
-      const std::size_t got = std::fread(bytes.data() + end, 1, wanted, file.get());
-      end += got;
-      if (got == wanted) continue;
-      bytes.resize(end);
-      break;
+    if (fs::exists(path, error)) {
+      return !fs::is_directory(path, error) && ::access(path.c_str(), W_OK) == 0;
     }
-    if (std::ferror(file.get())) return std::nullopt;
-    return bytes;
+    const std::string folder = fs::path(path).parent_path().string();
+    return fs::path(path).has_filename() && ::access(folder.empty() ? "." : folder.c_str(), W_OK | X_OK) == 0;
   }
 
   std::unique_ptr<FileWriter> open(const std::string& path, bool append) override {
-    File file(std::fopen(path.c_str(), append ? "ab" : "wb"), &std::fclose);
-    return file ? std::make_unique<DiskWriter>(std::move(file)) : nullptr;
+    // A pipe that nobody reads fails instead of waiting.
+    const int flags = O_WRONLY | O_CREAT | O_NONBLOCK | O_NOCTTY | O_CLOEXEC | (append ? O_APPEND : O_TRUNC);
+    Descriptor file(::open(path.c_str(), flags, 0666));
+    if (file) ::fcntl(file.number(), F_SETFL, append ? O_APPEND : 0);
+    return make_writer(std::move(file));
   }
 };
 
@@ -68,6 +70,21 @@ class Disk final : public Files {
 Files& disk_files() {
   static Disk disk;
   return disk;
+}
+
+std::string shown_name(std::string_view name) {
+  std::string shown;
+  for (const char c : name) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte >= 0x20 && byte != 0x7F) {
+      shown += c;
+      continue;
+    }
+    char escape[8];
+    std::snprintf(escape, sizeof escape, "\\x%02x", byte);
+    shown += escape;
+  }
+  return shown;
 }
 
 }  // namespace lentray::parser

@@ -36,10 +36,17 @@ void Interpreter::warn(const Location& where, const std::string& message) {
   diagnostics.warn(where, message, stream.stack(names));
 }
 
-std::shared_ptr<const TokenList> Interpreter::load(const std::string& path) {
+std::shared_ptr<const TokenList> Interpreter::load_scene(const std::string& path) {
+  auto text = sources.disk().read_scene(path);
+  if (!text) return nullptr;
+  const std::uint32_t file = sources.add(path, std::move(*text));
+  return tokenise(file, sources.text(file), names);
+}
+
+std::shared_ptr<const TokenList> Interpreter::load(const std::string& path, const Location& where) {
   const auto found = texts.find(path);
   if (found != texts.end()) return found->second;
-  const auto file = sources.load(path);
+  const auto file = ask_files(where, [&](Files&) { return sources.load(path); });
   if (!file) return nullptr;
   auto list = tokenise(*file, sources.text(*file), names);
   texts.emplace(path, list);
@@ -53,13 +60,43 @@ std::vector<std::string> Interpreter::search_folders() const {
   return folders;
 }
 
-std::optional<std::string> Interpreter::find_file(const std::string& name) {
-  if (auto found = find_exactly(name)) return found;
+void Interpreter::check_file_name(const std::string& name, const Location& where) {
+  if (name.find('\0') != name.npos) fail(where, "no file has a name with a NUL in it: '" + shown_name(name) + "'");
+}
+
+/// `refused` keeps the first reason why not.
+bool Interpreter::may_read(const std::string& path, std::string& refused) const {
+  try {
+    return sources.disk().exists(path);
+  } catch (const FileRefused& why) {
+    if (refused.empty()) refused = why.what();
+    return false;
+  }
+}
+
+std::optional<std::string> Interpreter::find_file(const std::string& name, const Location& where) {
+  check_file_name(name, where);
+  std::string refused;
+  if (auto found = search(name, refused)) return found;
+  if (auto found = search_loosely(name, refused)) return found;
+  if (!refused.empty()) fail(where, refused);
+  return std::nullopt;
+}
+
+std::optional<std::string> Interpreter::find_exactly(const std::string& name, const Location& where) {
+  check_file_name(name, where);
+  std::string refused;
+  auto found = search(name, refused);
+  if (!found && !refused.empty()) fail(where, refused);
+  return found;
+}
+
+std::optional<std::string> Interpreter::search_loosely(const std::string& name, std::string& refused) {
   std::vector<std::string> folders = search_folders();
   folders.insert(folders.begin(), "");
   for (const std::string& folder : folders) {
     const auto found = sources.disk().find_loosely(folder, name);
-    if (!found) continue;
+    if (!found || !may_read(*found, refused)) continue;
     if (!m_warned_of_names) {
       warn(tokens.location(), "there is no file '" + name + "', read '" + *found +
                                   "' as Windows would (of other such names nothing is said)");
@@ -70,15 +107,14 @@ std::optional<std::string> Interpreter::find_file(const std::string& name) {
   return std::nullopt;
 }
 
-std::optional<std::string> Interpreter::find_exactly(const std::string& name) const {
+std::optional<std::string> Interpreter::search(const std::string& name, std::string& refused) const {
   namespace fs = std::filesystem;
-  const auto there = [&](const std::string& path) { return sources.disk().exists(path); };
   if (name.empty()) return std::nullopt;
-  if (there(name)) return name;
+  if (may_read(name, refused)) return name;
   if (fs::path(name).is_absolute()) return std::nullopt;
   for (const std::string& folder : search_folders()) {
     std::string path = (fs::path(folder) / name).string();
-    if (there(path)) return path;
+    if (may_read(path, refused)) return path;
   }
   return std::nullopt;
 }

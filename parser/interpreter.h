@@ -68,11 +68,27 @@ struct Interpreter {
     }
   }
 
+  /// What `ask` asks of the scene's files; a file that is refused is a mistake of the scene at `where`.
+  template <typename Ask>
+  auto ask_files(const Location& where, Ask ask) {
+    try {
+      return ask(sources.disk());
+    } catch (const FileRefused& refused) {
+      fail(where, refused.what());
+    }
+  }
+
+  /// The scene itself as tokens; null if it cannot be read.
+  std::shared_ptr<const TokenList> load_scene(const std::string& path);
   /// Reads a file as tokens, once; null if it cannot be read.
-  std::shared_ptr<const TokenList> load(const std::string& path);
+  std::shared_ptr<const TokenList> load(const std::string& path, const Location& where);
   /// In the current folder, the scene's and the libraries'; then as Windows would, with a warning.
-  std::optional<std::string> find_file(const std::string& name);
-  std::optional<std::string> find_exactly(const std::string& name) const;
+  /// Fails if there is only one that may not be read.
+  std::optional<std::string> find_file(const std::string& name, const Location& where);
+  /// The same without the Windows names.
+  std::optional<std::string> find_exactly(const std::string& name, const Location& where);
+  /// Fails if no file can have this name.
+  void check_file_name(const std::string& name, const Location& where);
 
   /// Defines what every scene finds declared, and the Declare= options.
   void declare_constants();
@@ -92,6 +108,9 @@ struct Interpreter {
 
  private:
   std::vector<std::string> search_folders() const;
+  bool may_read(const std::string& path, std::string& refused) const;
+  std::optional<std::string> search(const std::string& name, std::string& refused) const;
+  std::optional<std::string> search_loosely(const std::string& name, std::string& refused);
 
   [[noreturn]] void too_many_turns();
   [[noreturn]] void stack_exhausted();

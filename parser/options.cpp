@@ -208,7 +208,7 @@ const char* extension(OutputType type) {
 OptionSources installed_sources() {
   OptionSources sources;
   if (const char* file = std::getenv("POVINI")) sources.default_ini_files.emplace_back(file);
-  sources.default_ini_files.emplace_back("povray.ini");
+  sources.default_ini_files.emplace_back(kFolderIni);
   if (const char* home = std::getenv("HOME")) {
     sources.default_ini_files.push_back(std::string(home) + "/.povray/3.7/povray.ini");
   }
@@ -219,15 +219,16 @@ OptionSources installed_sources() {
   return sources;
 }
 
-RenderOptions read_options(std::span<const std::string> arguments, const OptionSources& sources) {
+namespace {
+
+RenderOptions read_with(const std::string& default_ini, std::span<const std::string> arguments,
+                        const OptionSources& sources) {
   RenderOptions options;
   Reader reader(options);
-  for (const std::string& ini : sources.default_ini_files) {
-    if (!is_file(ini)) continue;
+  if (!default_ini.empty()) {
     GivenOption given;
     given.from_defaults = true;
-    reader.file({ini, "", false}, ini, given, 1);
-    break;
+    reader.file({default_ini, "", false}, default_ini, given, 1);
   }
   for (std::size_t at = 0; at < arguments.size(); ++at) {
     const std::string text = arguments[at];
@@ -260,6 +261,29 @@ RenderOptions read_options(std::span<const std::string> arguments, const OptionS
     for (const std::string& path : options.library_paths) known = known || path == clean;
     if (!known) options.library_paths.push_back(std::move(clean));
   }
+  return options;
+}
+
+/// The first that exists, from one on.
+std::string first_ini(const std::vector<std::string>& names, std::size_t from) {
+  for (std::size_t i = from; i < names.size(); ++i) {
+    if (is_file(names[i])) return names[i];
+  }
+  return {};
+}
+
+}  // namespace
+
+RenderOptions read_options(std::span<const std::string> arguments, const OptionSources& sources) {
+  const std::vector<std::string>& inis = sources.default_ini_files;
+  const std::string ini = first_ini(inis, 0);
+  RenderOptions options = read_with(ini, arguments, sources);
+  if (!options.restrict_io || ini != kFolderIni) return options;
+  // It may have come with the scene, and could name folders, files and commands.
+  const auto folders = std::find(inis.begin(), inis.end(), kFolderIni);
+  options = read_with(first_ini(inis, static_cast<std::size_t>(folders - inis.begin()) + 1), arguments, sources);
+  options.restrict_io = true;
+  options.warnings.push_back("Restrict_IO=On: the current folder's povray.ini is not read; name it to have it read");
   return options;
 }
 
@@ -352,6 +376,8 @@ Lens sheet (lengths in mm):
   Accelerator=bvh|grid|list   -UL
   Max_Memory=n[M|G]          how much to use; half of the machine's  (Band_Height=rows)
   Statistics_File=x.json     what the run did (docs/statistics.md); Shadow_Log=On: more of shadows
+  Restrict_IO=On             for strangers' scenes: files only where the manual's rules permit
+                             (docs/security.md)
   --parse-only         reads the scene and reports; renders nothing
   --dump               what the scene says, as JSON (docs/language.md); renders nothing
   --explain            what the scene needs of the renderer; renders nothing

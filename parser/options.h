@@ -6,6 +6,7 @@
 // cannot be, and what is known but not implemented yet. One thread.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -20,6 +21,17 @@
 namespace lentray::parser {
 
 enum class OutputType { kPng, kTiff, kExr };
+
+/// When a program of the user's is run.
+enum class CommandKind { kPreScene, kPreFrame, kPostFrame, kPostScene, kUserAbort, kFatalError };
+inline constexpr std::size_t kCommands = 6;
+
+/// A command of an INI file, and what its exit status leads to.
+struct ShellCommand {
+  std::string text;        ///< as written; empty: none
+  char action = 'I';       ///< I, S, A, Q, U or F
+  bool on_success = false; ///< the action is for status 0 instead of all others
+};
 
 struct RenderOptions {
   // Scene.
@@ -58,6 +70,10 @@ struct RenderOptions {
   double jitter_amount = 1.0;             ///< 0..1
   int antialias_angles = 1;               ///< directions averaged within a pixel of a lens sheet
 
+  // Safety.
+  bool restrict_io = false;               ///< rules for what a scene reads and writes
+  std::array<ShellCommand, kCommands> commands;  ///< by CommandKind
+
   // Messages.
   bool verbose = true;                    ///< progress
   int warning_level = 10;                 ///< 0: no warnings
@@ -92,6 +108,9 @@ struct OptionSources {
   /// Folders that end the list of library paths where they exist: POV-Ray's own include files.
   std::vector<std::string> standard_libraries;
 };
+
+/// The default INI file that whoever sends a scene could send along.
+inline constexpr const char* kFolderIni = "povray.ini";
 
 /// POVINI, ./povray.ini, ~/.povray/3.7/povray.ini, /etc/povray/3.7/povray.ini; and where packages
 /// put POV-Ray's include files.

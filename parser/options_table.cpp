@@ -88,6 +88,30 @@ void set_dither(Options& o, const Given& g) {
   if (g.sign != 0 ? g.sign == '+' : truth(o, g)) not_yet(o, g, "dithering");
 }
 
+/// As the manual has it: a command line names no commands.
+void only_in_ini(const Given& g) {
+  if (g.where.empty()) refuse(g, "commands to run and what they lead to stand in INI files only");
+}
+template <CommandKind kind>
+void set_command(Options& o, const Given& g) {
+  only_in_ini(g);
+  o.commands[static_cast<std::size_t>(kind)].text = g.value;
+}
+/// A letter, perhaps after - or !, which turn the meaning of the exit status round.
+template <CommandKind kind>
+void set_return(Options& o, const Given& g) {
+  only_in_ini(g);
+  const bool turned = g.value.starts_with('-') || g.value.starts_with('!');
+  const char letter = g.value.size() > turned
+      ? static_cast<char>(std::toupper(static_cast<unsigned char>(g.value[turned]))) : ' ';
+  if (std::string_view("ISAQUF").find(letter) == std::string_view::npos) {
+    refuse(g, "I, S, A, Q, U or F, perhaps after - or !, is expected");
+  }
+  ShellCommand& command = o.commands[static_cast<std::size_t>(kind)];
+  command.action = letter;
+  command.on_success = turned;
+}
+
 void add_library(Options& o, const Given& g) {
   if (g.value.empty()) refuse(g, "a folder is expected");
   if (std::find(o.library_paths.begin(), o.library_paths.end(), g.value) == o.library_paths.end()) {
@@ -435,19 +459,20 @@ constexpr OptionRow kTable[] = {
     {"Warning_File", "", set_stream_file<&Options::warning_file, "warning.out">},
     {"All_File", "", set_stream_file<&Options::all_file, "alltext.out">},
     {"Append_File", "GP", set_bool<&Options::append_files>},
-    // Programs to run: not from a renderer that reads other people's files.
-    {"Pre_Scene_Command", "", later<"running commands">},
-    {"Pre_Frame_Command", "", later<"running commands">},
-    {"Post_Scene_Command", "", later<"running commands">},
-    {"Post_Frame_Command", "", later<"running commands">},
-    {"User_Abort_Command", "", later<"running commands">},
-    {"Fatal_Error_Command", "", later<"running commands">},
-    {"Pre_Scene_Return", "", ignore},
-    {"Pre_Frame_Return", "", ignore},
-    {"Post_Scene_Return", "", ignore},
-    {"Post_Frame_Return", "", ignore},
-    {"User_Abort_Return", "", ignore},
-    {"Fatal_Error_Return", "", ignore},
+    // Programs to run.
+    {"Pre_Scene_Command", "", set_command<CommandKind::kPreScene>},
+    {"Pre_Frame_Command", "", set_command<CommandKind::kPreFrame>},
+    {"Post_Scene_Command", "", set_command<CommandKind::kPostScene>},
+    {"Post_Frame_Command", "", set_command<CommandKind::kPostFrame>},
+    {"User_Abort_Command", "", set_command<CommandKind::kUserAbort>},
+    {"Fatal_Error_Command", "", set_command<CommandKind::kFatalError>},
+    {"Pre_Scene_Return", "", set_return<CommandKind::kPreScene>},
+    {"Pre_Frame_Return", "", set_return<CommandKind::kPreFrame>},
+    {"Post_Scene_Return", "", set_return<CommandKind::kPostScene>},
+    {"Post_Frame_Return", "", set_return<CommandKind::kPostFrame>},
+    {"User_Abort_Return", "", set_return<CommandKind::kUserAbort>},
+    {"Fatal_Error_Return", "", set_return<CommandKind::kFatalError>},
+    {"Restrict_IO", "", set_bool<&Options::restrict_io>},
     // Lentray's own.
     {"Lenticular", "", set_bool<&Options::lenticular>},
     {"Lens_Pitch", "", set_pitch},

@@ -21,7 +21,7 @@ Parser::~Parser() = default;
 
 void Parser::open(const std::string& path) {
   Interpreter& in = m_impl->in;
-  const auto list = in.load(path);
+  const auto list = in.load_scene(path);
   if (!list) in.diagnostics.fail({}, "cannot read the scene '" + path + "'");
   in.scene_folder = std::filesystem::path(path).parent_path().string();
   in.declare_constants();
@@ -176,8 +176,22 @@ void Parser::set_noise_generator(int generator) {
   m_impl->in.noise_generator_set = true;
 }
 
-std::optional<std::string> Parser::find_file(const std::string& name) {
-  return m_impl->in.find_file(name);
+std::optional<std::string> Parser::find_file(const std::string& name, const Location& where) {
+  return m_impl->in.find_file(name, where);
 }
+
+std::optional<FoundFile> Parser::find_to_open(const std::string& name, const Location& where) {
+  const auto path = find_file(name, where);
+  if (!path) return std::nullopt;
+  return FoundFile{*path, m_impl->in.ask_files(where, [&](Files& files) { return files.hold(*path); })};
+}
+
+void Parser::check_writable(const std::string& name, const Location& where) {
+  m_impl->in.check_file_name(name, where);
+  const bool may = m_impl->in.ask_files(where, [&](const Files& files) { return files.may_write(name); });
+  if (!may) fail_at(where, "cannot open '" + shown_name(name) + "' for writing");
+}
+
+void Parser::finish() { m_impl->in.files.finish(); }
 
 }  // namespace lentray::parser

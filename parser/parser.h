@@ -71,6 +71,8 @@ class Parser {
   const Token& peek();
   Token next();
   bool at_end();                          ///< end of the scene
+  /// After the end: what the scene has written is on the disk, or this fails.
+  void finish();
   bool at(Keyword keyword);
   bool at(Punct punct);
   bool accept(Keyword keyword);           ///< consume if it is next
@@ -134,7 +136,12 @@ class Parser {
   void set_noise_generator(int generator);
   int noise_generator() const;
   /// Finds a file as `#include` does (current folder, folder of the scene, library paths).
-  std::optional<std::string> find_file(const std::string& name);
+  /// Fails at `where` if there is only one that may not be read.
+  std::optional<std::string> find_file(const std::string& name, const Location& where);
+  /// The same of a file that something else than the parser will open.
+  std::optional<FoundFile> find_to_open(const std::string& name, const Location& where);
+  /// Fails if a file that the scene will have written cannot be.
+  void check_writable(const std::string& name, const Location& where);
 
  private:
   struct Impl;

@@ -10,7 +10,9 @@ SceneDesc read_descriptions(const std::string& path, SourceManager& sources, Dia
   Grammar grammar;
   Parser parser(sources, diagnostics, options, grammar);
   parser.open(path);
-  return parse_scene(parser, grammar);
+  SceneDesc scene = parse_scene(parser, grammar);
+  parser.finish();
+  return scene;
 }
 
 ReadScene read_scene(const std::string& path, SourceManager& sources, Diagnostics& diagnostics,

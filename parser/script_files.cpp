@@ -53,6 +53,25 @@ void append_value(std::string& text, const Number& n) {
 
 }  // namespace
 
+ScriptFile::~ScriptFile() {
+  if (std::string message = close(); !message.empty()) lost->push_back({where, std::move(message)});
+}
+
+std::string ScriptFile::close() {
+  const std::string wrong = out ? out->close() : "";
+  out.reset();
+  return wrong.empty() ? "" : "'" + shown_name(path) + "' was not written whole: " + wrong;
+}
+
+void ScriptFiles::finish() {
+  for (const auto& written : m_written) {
+    const auto file = written.lock();
+    if (!file) continue;
+    if (const std::string message = file->close(); !message.empty()) m_in.fail(file->where, message);
+  }
+  if (!m_lost->empty()) m_in.fail(m_lost->front().where, m_lost->front().message);
+}
+
 void ScriptFiles::open() {
   TokenReader& tokens = m_in.tokens;
   const Token name = tokens.read_name("an identifier for the file");
@@ -60,18 +79,23 @@ void ScriptFiles::open() {
   const Location where = tokens.peek_operand().where;
   auto file = std::make_shared<ScriptFile>();
   file->path = m_in.expressions.parse_path();
+  file->where = where;
   if (tokens.accept(Keyword::kRead)) {
-    const auto found = m_in.find_file(file->path);
+    const auto found = m_in.find_file(file->path, where);
     // Always read anew: this scene may have written it.
-    const auto number = found ? m_in.sources.load(*found) : std::nullopt;
-    if (!number) m_in.fail(where, "cannot open '" + file->path + "' for reading");
+    const auto number =
+        found ? m_in.ask_files(where, [&](Files&) { return m_in.sources.load(*found); }) : std::nullopt;
+    if (!number) m_in.fail(where, "cannot open '" + shown_name(file->path) + "' for reading");
     file->in = std::make_unique<TokenPieces>(*number, m_in.sources.text(*number), m_in.names);
     file->in->next();
   } else {
     const bool append = tokens.accept(Keyword::kAppend);
     if (!append) tokens.expect(Keyword::kWrite);
-    file->out = m_in.sources.disk().open(file->path, append);
-    if (!file->out) m_in.fail(where, "cannot open '" + file->path + "' for writing");
+    m_in.check_file_name(file->path, where);
+    file->out = m_in.ask_files(where, [&](Files& files) { return files.open(file->path, append); });
+    if (!file->out) m_in.fail(where, "cannot open '" + shown_name(file->path) + "' for writing");
+    file->lost = m_lost;
+    m_written.push_back(file);
     m_in.texts.erase(file->path);
   }
   Symbol& symbol = m_in.symbols.declare_global(name.name);
@@ -91,6 +115,7 @@ std::shared_ptr<ScriptFile> ScriptFiles::file(bool closing) {
     m_in.texts.erase(file->path);
     symbol->extras->file.reset();
     m_in.symbols.remove(name.name);
+    if (const std::string message = file->close(); !message.empty()) m_in.fail(name.where, message);
   }
   return file;
 }
@@ -133,7 +158,8 @@ void ScriptFiles::write() {
       tokens.fail_expected("a string, float or vector to write");
     }
   }
-  out->out->write(text);
+  const std::string wrong = out->out->write(text);
+  if (!wrong.empty()) m_in.fail(where, "cannot write '" + shown_name(out->path) + "': " + wrong);
 }
 
 void ScriptFiles::write_binary(std::string& text, const BinaryFormat& format) {

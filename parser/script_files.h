@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "parser/files.h"
 #include "parser/lexer.h"
@@ -15,8 +16,23 @@ struct Interpreter;
 struct Symbol;
 struct BinaryFormat;
 
+/// A written file that could not be written whole, as was seen when nobody could be told.
+struct LostFile {
+  Location where;             ///< of its #fopen
+  std::string message;
+};
+
 struct ScriptFile {
+  ScriptFile() = default;
+  ~ScriptFile();
+  ScriptFile(const ScriptFile&) = delete;
+  ScriptFile& operator=(const ScriptFile&) = delete;
+  /// What went wrong, as a message; empty if nothing did.
+  std::string close();
+
   std::string path;
+  Location where;             ///< of its #fopen
+  std::shared_ptr<std::vector<LostFile>> lost;
   std::unique_ptr<FileWriter> out;
   std::unique_ptr<TokenPieces> in;
   std::size_t position = 0;   ///< in the piece at hand
@@ -30,6 +46,8 @@ class ScriptFiles {
   void close();
   void read();
   void write();
+  /// At the end of the scene: closes what is still open. Fails if anything written was lost.
+  void finish();
 
  private:
   std::shared_ptr<ScriptFile> file(bool closing);
@@ -39,6 +57,8 @@ class ScriptFiles {
   Symbol* plain_target();
   void write_binary(std::string& text, const BinaryFormat& format);
   Interpreter& m_in;
+  std::vector<std::weak_ptr<ScriptFile>> m_written;
+  std::shared_ptr<std::vector<LostFile>> m_lost = std::make_shared<std::vector<LostFile>>();
 };
 
 }  // namespace lentray::parser

@@ -16,8 +16,9 @@ class ImageModule {
   virtual ~ImageModule() = default;
   virtual std::unique_ptr<PictureEncoder> encoder(const std::filesystem::path& path,
                                                   const PictureSpec& spec) const = 0;
+  /// `named` as read_image() says; empty if `path` is no handle.
   /// Errors: std::runtime_error with the reason alone.
-  virtual StoredImage read(const std::filesystem::path& path) const = 0;
+  virtual StoredImage read(const std::filesystem::path& path, const std::filesystem::path& named) const = 0;
   /// Of the bytes of a TIFF file. Errors: as read().
   virtual StoredImage read_tiff(const std::string& file) const = 0;
 };

@@ -27,7 +27,10 @@ struct StoredImage {
   }
 };
 
-StoredImage read_image(const std::filesystem::path& path);
+/// `named`: what the file is called, where `path` is only a handle on it; its end tells the format,
+/// and messages name it. Through a handle only the formats that POV-Ray knows are read: some others
+/// are lists of further files to open.
+StoredImage read_image(const std::filesystem::path& path, const std::filesystem::path& named = {});
 
 /// Integer samples are written as they are (`bits` 8 or 16; PNG or TIFF by the extension).
 void write_stored(const StoredImage& image, const std::filesystem::path& path);

@@ -19,11 +19,11 @@ double number_at(const std::vector<unsigned char>& bytes, std::size_t from, std:
 
 }  // namespace
 
-std::shared_ptr<const core::DensityGrid> read_density_file(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
+std::shared_ptr<const core::DensityGrid> read_density_file(const FoundFile& found) {
+  std::ifstream file(found.handle, std::ios::binary);
   const std::vector<unsigned char> bytes{std::istreambuf_iterator<char>(file), {}};
   if (!file || bytes.size() < kHeader) {
-    throw std::runtime_error("cannot read the density file \"" + path + "\"");
+    throw std::runtime_error("cannot read the density file \"" + found.path + "\"");
   }
   auto grid = std::make_shared<core::DensityGrid>();
   std::size_t voxels = 1;
@@ -34,7 +34,7 @@ std::shared_ptr<const core::DensityGrid> read_density_file(const std::string& pa
   const std::size_t length = bytes.size() - kHeader;
   const std::size_t width = voxels == 0 ? 0 : length / voxels;
   if (voxels == 0 || width * voxels != length || (width != 1 && width != 2 && width != 4)) {
-    throw std::runtime_error("the density file \"" + path + "\" has " + std::to_string(length) +
+    throw std::runtime_error("the density file \"" + found.path + "\" has " + std::to_string(length) +
                              " bytes for " + std::to_string(voxels) +
                              " voxels: expected 1, 2 or 4 a voxel");
   }

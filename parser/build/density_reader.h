@@ -3,13 +3,13 @@
 #pragma once
 
 #include <memory>
-#include <string>
 
 #include "core/pattern/density_grid.h"
+#include "parser/files.h"
 
 namespace lentray::parser {
 
 /// Throws std::runtime_error if the file cannot be read or its length fits no size of voxel.
-std::shared_ptr<const core::DensityGrid> read_density_file(const std::string& path);
+std::shared_ptr<const core::DensityGrid> read_density_file(const FoundFile& found);
 
 }  // namespace lentray::parser

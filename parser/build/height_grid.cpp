@@ -89,10 +89,10 @@ std::uint16_t grey_byte(float value) {
 /// Palette entries count 256 each; grey, and colours of 16 bits, by their grey; the red of other colours
 /// is the high byte, the green the low one. Floats beyond the full height come in again from the other side.
 Heights of_picture(const HeightFieldShape& field) {
-  core::StoredImage stored = core::read_image(field.file);
-  if (field.file_type == "tiff") make_tiff_bytes(stored, field.file);
+  core::StoredImage stored = core::read_image(field.file.handle, field.file.path);
+  if (field.file_type == "tiff") make_tiff_bytes(stored, field.file.handle);
   Heights heights{static_cast<int>(stored.width), static_cast<int>(stored.height), {}};
-  const std::vector<std::uint8_t> entries = core::palette_entries(stored, field.file, field.file_type == "tga");
+  const std::vector<std::uint8_t> entries = core::palette_entries(stored, field.file.handle, field.file_type == "tga");
   if (field.file_type == "pot" && !entries.empty()) return of_potentials(stored, entries);
   const float most = stored.bits == 8 ? 255.0f : stored.bits == 16 ? kFull : 1.0f;
   std::function<float(float)> decode;

@@ -150,7 +150,7 @@ core::PatternPtr compile_organic(const PatternDesc& p, const TextureSettings& se
 }
 
 core::PatternPtr compile_density(const PatternDesc& p) {
-  if (p.own->density_path.empty()) {
+  if (p.own->density_path.path.empty()) {
     throw std::runtime_error("cannot find the density file \"" + p.own->density_file + "\"");
   }
   core::GridInterpolation interpolation = core::GridInterpolation::kTricubic;

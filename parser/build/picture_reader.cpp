@@ -33,7 +33,7 @@ std::optional<Gamma> file_gamma(const ImageDesc& image, bool colours) {
   if (image.gamma != 0.0) return Gamma::of(image.gamma);
   if (!colours || image.decoding == ImageDesc::Decoding::kNone || is_raw_format(image.type)) return std::nullopt;
   if (is_linear_format(image.type)) return Gamma::linear();
-  const double marked = image.type == "png" ? core::png_gamma(image.path) : 0.0;
+  const double marked = image.type == "png" ? core::png_gamma(image.path.handle) : 0.0;
   if (marked != 0.0) return Gamma::of(marked);
   if (image.decoding == ImageDesc::Decoding::kMarked) return std::nullopt;
   return Gamma::srgb();
@@ -109,8 +109,8 @@ core::MappedPicturePtr PictureReader::get(const ImageDesc& image, bool colours) 
 
 std::shared_ptr<const core::Picture> PictureReader::read(const ImageDesc& image, bool colours) {
   if (image.function) return evaluate(image);
-  if (image.path.empty()) return missing(image.name);
-  const std::string key = image.path + (colours ? "|c|" : "|h|") + image.type + "|" + std::to_string(image.gamma) + "|" +
+  if (image.path.path.empty()) return missing(image.name);
+  const std::string key = image.path.path + (colours ? "|c|" : "|h|") + image.type + "|" + std::to_string(image.gamma) + "|" +
                           std::to_string(image.working_gamma) + "|" + std::to_string(static_cast<int>(image.decoding));
   const auto known = m_files.find(key);
   if (known != m_files.end()) return known->second;
@@ -123,16 +123,16 @@ std::shared_ptr<const core::Picture> PictureReader::read_file(const ImageDesc& i
                                                               bool colours) {
   core::StoredImage stored;
   try {
-    stored = core::read_image(image.path);
+    stored = core::read_image(image.path.handle, image.path.path);
   } catch (const core::ImageError&) {
     return missing(image.name);
   }
-  if (is_tiff(image.type)) make_tiff_bytes(stored, image.path);
-  core::restore_clear_colours(stored, image.path);
+  if (is_tiff(image.type)) make_tiff_bytes(stored, image.path.handle);
+  core::restore_clear_colours(stored, image.path.handle);
   const std::function<float(float)> decode = decoder(image, colours);
   const float most = stored.bits == 8 ? 255.0f : stored.bits == 16 ? 65535.0f : 1.0f;
   const bool rgb = stored.channels >= 3;
-  std::vector<std::uint8_t> indices = core::palette_entries(stored, image.path, image.type == "tga");
+  std::vector<std::uint8_t> indices = core::palette_entries(stored, image.path.handle, image.type == "tga");
   std::vector<float> table;
   if (stored.bits == 8) {
     for (int v = 0; v < 256; ++v) {

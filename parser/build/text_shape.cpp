@@ -17,11 +17,11 @@ using core::Vec2;
 
 class FontFile {
  public:
-  explicit FontFile(const std::string& path) {
+  explicit FontFile(const FoundFile& found) {
     if (FT_Init_FreeType(&m_library) != 0) throw std::runtime_error("FreeType does not start");
-    if (FT_New_Face(m_library, path.c_str(), 0, &m_face) != 0) {
+    if (FT_New_Face(m_library, found.handle.c_str(), 0, &m_face) != 0) {
       FT_Done_FreeType(m_library);
-      throw std::runtime_error("cannot read the font '" + path + "'");
+      throw std::runtime_error("cannot read the font '" + found.path + "'");
     }
     select_character_map();
   }
@@ -116,7 +116,7 @@ class TextLayout::Font {
     std::shared_ptr<const core::Outline> outline;  ///< null: nothing to see
   };
 
-  explicit Font(const std::string& path) : m_file(path) {}
+  explicit Font(const FoundFile& found) : m_file(found) {}
   FT_Face face() const { return m_file.face(); }
   double em() const { return face()->units_per_EM; }
 
@@ -138,7 +138,7 @@ TextLayout::TextLayout() = default;
 TextLayout::~TextLayout() = default;
 
 std::vector<PlacedGlyph> TextLayout::place(const TextShape& text) {
-  std::unique_ptr<Font>& font = m_fonts[text.font];
+  std::unique_ptr<Font>& font = m_fonts[text.font.path];
   if (!font) font = std::make_unique<Font>(text.font);
   const FT_Face face = font->face();
   const double em = font->em();

@@ -100,7 +100,8 @@ struct BicubicPatchShape {
   std::optional<std::array<Vec2, 4>> uv;
 };
 struct HeightFieldShape {
-  std::string file_type, file;
+  std::string file_type;
+  FoundFile file;
   std::optional<double> file_gamma;     ///< less than 0: sRGB
   Ref<FunctionDesc> function;           ///< instead of a file
   Ref<PigmentDesc> pigment;             ///< `function w, h { pigment {...} }`
@@ -155,7 +156,8 @@ struct SphereSweepShape {
 };
 struct SuperellipsoidShape { double e = 1.0, n = 1.0; };
 struct TextShape {
-  std::string font, text;              ///< path of the font's file
+  FoundFile font;
+  std::string text;
   double thickness = 1.0;
   Vec3 offset;
 };

@@ -68,7 +68,8 @@ struct WarpDesc {
 /// while parsing (path), and read when it is used.
 struct ImageDesc {
   std::string type;          ///< keyword or extension: "png"; "function" for a computed one
-  std::string name, path;    ///< as written; found file, empty if it was not found
+  std::string name;          ///< as written
+  FoundFile path;            ///< empty if it was not found
   Ref<FunctionDesc> function;
   int function_width = 0, function_height = 0;
   double gamma = 0.0;        ///< 0: the file's own; -1: srgb
@@ -115,7 +116,8 @@ struct PatternParameters {
   Ref<ObjectDesc> object;         ///< object, potential
   bool potential_threshold = false;
   Ref<PigmentDesc> pigment;       ///< pigment_pattern
-  std::string density_file, density_path;
+  std::string density_file;
+  FoundFile density_path;
   int density_interpolate = 0;
 };
 

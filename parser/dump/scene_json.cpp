@@ -41,6 +41,7 @@ class Dumper {
   template <typename T>
   Json value(const T& v) {
     if constexpr (HasFields<T>) return fields(v);
+    else if constexpr (std::is_same_v<T, FoundFile>) return v.path;
     else if constexpr (std::is_same_v<T, bool> || std::is_integral_v<T> || std::is_same_v<T, std::string> || std::is_same_v<T, std::string_view>) return v;
     else if constexpr (std::is_floating_point_v<T>) return number(v);
     else if constexpr (std::is_enum_v<T>) return name_of(v);

@@ -211,9 +211,15 @@ bool accept_photon_setting(Parser& parser, PhotonSettings& p) {
   } else if (parser.accept(Keyword::kMaxTraceLevel)) {
     p.max_trace_level = parser.parse_int();
   } else if (parser.accept(Keyword::kLoadFile)) {
+    const Location where = parser.location();
     p.load_file = parser.parse_string();
+    if (!parser.find_file(p.load_file, where)) {
+      parser.fail_at(where, "cannot find the photon file '" + shown_name(p.load_file) + "'");
+    }
   } else if (parser.accept(Keyword::kSaveFile)) {
+    const Location where = parser.location();
     p.save_file = parser.parse_string();
+    parser.check_writable(p.save_file, where);
   } else if (parser.accept(Keyword::kMedia)) {
     p.media_steps = parser.parse_int();
     check(parser, p.media_steps >= 0, "The steps of photons' media must not be negative.");
@@ -237,9 +243,6 @@ void parse_photons(Parser& parser, GlobalDesc& global) {
   check(parser, p.gather_max == 0 || p.gather_min <= p.gather_max,
         "The first number of gather must not be greater than the second.");
   if (p.gather_max == 0) parser.warn("gather is 0: there are no photons.");
-  if (!p.load_file.empty() && !parser.find_file(p.load_file)) {
-    parser.fail("cannot find the photon file '" + p.load_file + "'");
-  }
   parser.expect(Punct::kRightCurly);
 }
 

@@ -93,11 +93,11 @@ ShapeDesc parse_height_field(Parser& parser, Context&) {
       }
     }
     const Location where = parser.location();
-    s.file = parser.parse_string();
-    auto path = parser.find_file(s.file);
-    if (!path && !s.file_type.empty()) path = parser.find_file(s.file + "." + s.file_type);
-    if (!path) parser.fail_at(where, "Cannot find the height_field's file \"" + s.file + "\".");
-    s.file = *path;
+    const std::string name = parser.parse_string();
+    auto found = parser.find_to_open(name, where);
+    if (!found && !s.file_type.empty()) found = parser.find_to_open(name + "." + s.file_type, where);
+    if (!found) parser.fail_at(where, "Cannot find the height_field's file \"" + shown_name(name) + "\".");
+    s.file = std::move(*found);
   }
   while (true) {
     if (parser.accept(Keyword::kGamma)) {
@@ -176,18 +176,19 @@ ShapeDesc parse_superellipsoid(Parser& parser, Context&) {
 ShapeDesc parse_text(Parser& parser, Context&) {
   TextShape s;
   const Location where = parser.location();
+  std::string name;
   if (parser.accept(Keyword::kInternal)) {
     static constexpr std::array kFonts{"povlogo.ttf", "timrom.ttf", "cyrvetic.ttf", "crystal.ttf"};
     const int number = parser.parse_int();
-    s.font = kFonts[number >= 0 && number < 4 ? static_cast<std::size_t>(number) : 0];
+    name = kFonts[number >= 0 && number < 4 ? static_cast<std::size_t>(number) : 0];
   } else {
     if (!parser.accept(Keyword::kTtf)) parser.fail_expected("ttf or internal");
-    s.font = parser.parse_string();
+    name = parser.parse_string();
   }
-  auto path = parser.find_file(s.font);
-  if (!path) path = parser.find_file(s.font + ".ttf");
-  if (!path) parser.fail_at(where, "Cannot find the font file \"" + s.font + "\".");
-  s.font = *path;
+  auto found = parser.find_to_open(name, where);
+  if (!found) found = parser.find_to_open(name + ".ttf", where);
+  if (!found) parser.fail_at(where, "Cannot find the font file \"" + shown_name(name) + "\".");
+  s.font = std::move(*found);
   parser.parse_comma();
   s.text = parser.parse_string();
   parser.parse_comma();

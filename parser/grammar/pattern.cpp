@@ -153,8 +153,9 @@ void read_image_pattern(const Reader& r) {
 void read_density_file(const Reader& r) {
   r.parser.expect(Keyword::kDf3);
   PatternParameters& own = r.pattern.own.edit();
+  const Location where = r.parser.location();
   own.density_file = r.parser.parse_path();
-  own.density_path = r.parser.find_file(own.density_file).value_or("");
+  own.density_path = r.parser.find_to_open(own.density_file, where).value_or(FoundFile{});
 }
 
 void read_range(Parser& parser, double& low, double& high) {

@@ -29,11 +29,12 @@ std::string lower(std::string text) {
 }
 
 void find_image(Parser& parser, ImageDesc& image, const Location& where) {
-  image.path = parser.find_file(image.name).value_or("");
-  if (image.path.empty() && !std::filesystem::path(image.name).has_extension()) {
-    image.path = parser.find_file(image.name + "." + image.type).value_or("");
+  auto found = parser.find_to_open(image.name, where);
+  if (!found && !std::filesystem::path(image.name).has_extension()) {
+    found = parser.find_to_open(image.name + "." + image.type, where);
   }
-  if (image.path.empty()) parser.fail_at(where, "cannot find the image file '" + image.name + "'");
+  if (!found) parser.fail_at(where, "cannot find the image file '" + shown_name(image.name) + "'");
+  image.path = std::move(*found);
 }
 
 /// Pictures are decoded as the scene stands where they are read; before 3.7 files that do not say what they are
@@ -66,10 +67,10 @@ void check_entry(Parser& parser, const ImageDesc& image, std::optional<int>& kno
                  const Location& where, int index) {
   if (image.type == "iff" || image.type == "sys") return;
   const std::string all = std::string(word) + " all is for the whole picture";
-  if (!known) known = image.path.empty() ? 0 : core::palette_size(image.path, image.type == "tga");
+  if (!known) known = image.path.path.empty() ? 0 : core::palette_size(image.path.handle, image.type == "tga");
   const int size = *known;
   if (size == 0) {
-    parser.fail_at(where, "expected all: " + (image.path.empty() ? "the function" : "'" + image.name + "'") +
+    parser.fail_at(where, "expected all: " + (image.path.path.empty() ? "the function" : "'" + image.name + "'") +
                               " has no palette of which this could be an entry; " + all);
   }
   if (index < size) return;

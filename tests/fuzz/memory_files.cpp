@@ -5,14 +5,16 @@
 namespace lentray::test {
 namespace {
 
-// What a scene writes beyond this is dropped: a loop can write without end.
+// What a scene writes beyond this fails: a loop can write without end.
 constexpr std::size_t kMostBytes = 1 << 20;
 
 class MemoryWriter final : public parser::FileWriter {
  public:
   explicit MemoryWriter(std::string& text) : m_text(text) {}
-  void write(std::string_view bytes) override {
-    if (m_text.size() + bytes.size() <= kMostBytes) m_text += bytes;
+  std::string write(std::string_view bytes) override {
+    if (m_text.size() + bytes.size() > kMostBytes) return "no space left";
+    m_text += bytes;
+    return {};
   }
 
  private:

@@ -20,6 +20,7 @@ class MemoryFiles final : public parser::Files {
   std::optional<std::string> find_loosely(const std::string& folder,
                                           const std::string& name) const override;
   std::optional<std::string> read(const std::string& path) const override;
+  bool may_write(const std::string& path) const override { return !path.empty(); }
   std::unique_ptr<parser::FileWriter> open(const std::string& path, bool append) override;
 
  private:

@@ -170,7 +170,7 @@ TEST(UnitParserObject, KeptShapes) {
   EXPECT_EQ(s.shape<Sparse<ParametricShape>>(7)->precompute_depth, 5);
   EXPECT_TRUE(s.shape<PrismShape>(10).conic_sweep);
   EXPECT_EQ(s.shape<SphereSweepShape>(12).radii[3], 0.3);
-  EXPECT_EQ(std::filesystem::path(s.shape<Sparse<TextShape>>(15)->font).filename(), "cyrvetic.ttf");
+  EXPECT_EQ(std::filesystem::path(s.shape<Sparse<TextShape>>(15)->font.path).filename(), "cyrvetic.ttf");
 }
 
 TEST(UnitParserObject, ExtentInsideTrace) {

@@ -323,7 +323,45 @@ TEST_F(ErrorParserOptions, NotYetByName) {
   EXPECT_EQ(read({"Pixel_Order=Adaptive"}).pixel_order, "adaptive");
   EXPECT_EQ(read({"Accelerator=Grid"}).accelerator, "grid");
   expect_message({"Accelerator=octree"}, "unknown accelerator: there are bvh, grid, list");
-  expect_message({"Post_Scene_Command=rm"}, "not yet: running commands");
+}
+
+TEST_F(ErrorParserOptions, CommandsStandInIniFilesOnly) {
+  expect_message({"Post_Scene_Command=rm"}, "stand in INI files only");
+  expect_message({"Pre_Frame_Return=F"}, "stand in INI files only");
+  write("bad.ini", "Pre_Frame_Return=-X\n");
+  expect_message({"bad.ini"}, "bad.ini:1: option Pre_Frame_Return=-X: I, S, A, Q, U or F, perhaps after - or !");
+}
+
+TEST_F(UnitParserOptions, CommandsOfIniFiles) {
+  write("a.ini", "Pre_Scene_Command=make \"a b\" %s\nPre_Scene_Return=!s\nUser_Abort_Return = F\n");
+  const RenderOptions o = read({"a.ini"});
+  const ShellCommand& first = o.commands[static_cast<std::size_t>(CommandKind::kPreScene)];
+  EXPECT_EQ(first.text, "make \"a b\" %s");
+  EXPECT_EQ(first.action, 'S');
+  EXPECT_TRUE(first.on_success);
+  const ShellCommand& abort = o.commands[static_cast<std::size_t>(CommandKind::kUserAbort)];
+  EXPECT_EQ(abort.text, "");
+  EXPECT_EQ(abort.action, 'F');
+  EXPECT_FALSE(abort.on_success);
+}
+
+// It may have come with a stranger's scene.
+TEST_F(UnitParserOptions, RestrictIoLeavesTheFoldersIniAlone) {
+  write("povray.ini", "Library_Path=outside\nWidth=33\nRestrict_IO=Off\n");
+  write("users.ini", "Height=44\n");
+  const OptionSources sources{{"povray.ini", "users.ini"}, {}};
+  EXPECT_EQ(read({}, sources).width, 33);
+  EXPECT_FALSE(read({}, sources).restrict_io);
+  const RenderOptions o = read({"Restrict_IO=On"}, sources);
+  EXPECT_TRUE(o.restrict_io);
+  EXPECT_TRUE(o.library_paths.empty());
+  EXPECT_EQ(o.width, 160);
+  EXPECT_EQ(o.height, 44);
+  ASSERT_EQ(o.warnings.size(), 1u);
+  EXPECT_NE(o.warnings[0].find("povray.ini is not read"), std::string::npos);
+  EXPECT_EQ(read({"Restrict_IO=On", "povray.ini", "Restrict_IO=On"}, sources).width, 33) << "named, it is the user's";
+  write("povray.ini", "Width=33\nRestrict_IO=On\n");
+  EXPECT_TRUE(read({}, sources).restrict_io);
 }
 
 TEST_F(ErrorParserOptions, IniMessagesNameFileAndLine) {

@@ -133,7 +133,9 @@ int main(int argc, char** argv) {
       throw;
     }
   });
-  if (status == tool::kAborted) std::fputs("lentray: stopped; no picture was written\n", stderr);
+  if (status == tool::kAborted) {
+    std::fputs(g_cancel ? "lentray: stopped; no picture was written\n" : "lentray: stopped by a command\n", stderr);
+  }
   print_warnings(options, warnings);
   return status;
 }

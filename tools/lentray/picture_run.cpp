@@ -35,6 +35,7 @@
 #include "tools/lentray/progress_bar.h"
 #include "tools/lentray/quality.h"
 #include "tools/lentray/ray_dump.h"
+#include "tools/lentray/scene_disk.h"
 #include "tools/lentray/text_streams.h"
 
 namespace lentray::tool {
@@ -85,9 +86,8 @@ void check_order(const RenderOptions& o) {
 /// Files are asked for before anything is read, so that no work is lost on them.
 void check_outputs(Run& run) {
   const RenderOptions& o = run.options;
-  const bool renders = !o.explain && !o.parse_only && !o.dump && o.dump_rays.empty();
   if (!o.dump_rays.empty() && o.dump_rays != "-") core::check_writable(o.dump_rays);
-  if (!renders) return;
+  if (!renders(o)) return;
   if (o.shadow_log && o.statistics_file.empty()) {
     throw parser::OptionError("Shadow_Log goes into the statistics: name a Statistics_File");
   }
@@ -122,7 +122,8 @@ void connect(parser::Diagnostics& diagnostics, Run& run) {
 /// --parse-only, --dump: text -> descriptions, checked as far as they can be without rendering.
 void parse_alone(Run& run, const std::string& path) {
   const RenderOptions& o = run.options;
-  parser::SourceManager sources;
+  const SceneDisk disk(o, path, run.warnings);
+  parser::SourceManager sources(disk.files());
   parser::Diagnostics diagnostics(sources);
   connect(diagnostics, run);
   const double before = cpu_seconds();
@@ -149,7 +150,8 @@ int rays_a_pixel(const parser::SceneDesc& scene) {
 /// Text -> descriptions -> compiled scene and camera.
 void read_scene(Run& run, const std::string& path) {
   const RenderOptions& o = run.options;
-  parser::SourceManager sources;
+  const SceneDisk disk(o, path, run.warnings);
+  parser::SourceManager sources(disk.files());
   parser::Diagnostics diagnostics(sources);
   connect(diagnostics, run);
 
@@ -339,6 +341,10 @@ void leave_to_system(std::unique_ptr<core::Scene> scene) {
 }
 
 }  // namespace
+
+bool renders(const RenderOptions& o) {
+  return !o.explain && !o.parse_only && !o.dump && o.dump_rays.empty();
+}
 
 Status run_picture(const Picture& what, const std::atomic<bool>& cancel, TextStreams& texts,
                    std::vector<std::string>& warnings) {

@@ -23,6 +23,9 @@ struct Picture {
   bool is_last = true;       ///< the program ends after it
 };
 
+/// Whether a run with these options makes pictures, rather than tells about the scene.
+bool renders(const parser::RenderOptions& options);
+
 Status run_picture(const Picture& picture, const std::atomic<bool>& cancel, TextStreams& texts,
                    std::vector<std::string>& warnings);
 

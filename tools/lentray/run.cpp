@@ -2,13 +2,19 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 
 #include "parser/animation.h"
+#include "parser/povray_conf.h"
+#include "tools/lentray/commands.h"
 #include "tools/lentray/picture_run.h"
 #include "tools/lentray/scene_file.h"
 
 namespace lentray::tool {
 namespace {
+
+using parser::CommandKind;
+using parser::RenderOptions;
 
 /// What several frames warn of is said once.
 void add_new(const std::vector<std::string>& more, std::vector<std::string>& warnings) {
@@ -23,36 +29,133 @@ std::string frame_line(const parser::FrameClock& clock, std::size_t number, std:
   return text;
 }
 
-/// Every frame reads the scene afresh, for it may read what the frame before wrote.
-Status run_frames(const parser::RenderOptions& options, const std::string& scene, const std::atomic<bool>& cancel,
-                  TextStreams& texts, std::vector<std::string>& warnings) {
-  const std::vector<parser::AnimationFrame> frames = parser::frames_of(options.animation);
-  parser::RenderOptions one = options;
-  for (std::size_t i = 0; i < frames.size(); ++i) {
-    if (options.verbose) texts.write(parser::Stream::kRender, frame_line(frames[i].clock, i + 1, frames.size()));
-    one.frame_digits = frames[i].digits;
-    std::vector<std::string> more;
-    Status status = kDone;
+CommandContext command_context(const RenderOptions& o, const parser::FrameClock& clock) {
+  CommandContext context;
+  parser::OutputType type = o.type;
+  context.output = parser::output_path(o, type);
+  context.scene = o.input == "-" ? "stdin" : std::filesystem::path(o.input).stem().string();
+  context.frame = clock.frame_number;
+  context.clock = clock.clock;
+  context.width = o.width;
+  context.height = o.height;
+  return context;
+}
+
+/// All frames there are: those of the animation, or the still alone.
+struct Frames {
+  std::vector<parser::AnimationFrame> list;
+  bool is_animation = false;
+};
+
+Frames frames_of(const RenderOptions& o) {
+  if (parser::is_animation(o.animation)) return {parser::frames_of(o.animation), true};
+  return {{{parser::still_clock(o.clock, o.clock_given), ""}}, false};
+}
+
+/// One run of the program over its frames. Every frame reads the scene afresh, for it may read what the
+/// frame before wrote.
+class Loop {
+ public:
+  Loop(const RenderOptions& options, const std::string& scene, const std::atomic<bool>& cancel, TextStreams& texts,
+       std::vector<std::string>& warnings)
+      : m_options(options), m_scene(scene), m_cancel(cancel), m_texts(texts), m_warnings(warnings),
+        m_frames(frames_of(options)) {}
+
+  Status without_commands() {
+    for (std::size_t i = 0; i < m_frames.list.size(); ++i) {
+      const Status status = make(i);
+      if (status != kDone) return status;
+    }
+    return kDone;
+  }
+
+  Status with_commands(Commands& commands) {
+    const CommandContext scene = command_context(m_options, m_frames.list.front().clock);
     try {
-      status = run_picture({one, frames[i].clock, scene, i + 1 == frames.size()}, cancel, texts, more);
+      const Status status = scene_with_commands(commands, scene);
+      if (status == kAborted) commands.run(CommandKind::kUserAbort, scene);
+      return status;
     } catch (...) {
-      add_new(more, warnings);
+      commands.run(CommandKind::kFatalError, scene);
       throw;
     }
-    add_new(more, warnings);
-    if (status != kDone) return status;
   }
-  return kDone;
-}
+
+ private:
+  /// What a frame leads to.
+  enum class Next { kFrame, kEndOfScene, kQuit, kAbort };
+
+  Status make(std::size_t i) {
+    const parser::AnimationFrame& frame = m_frames.list[i];
+    RenderOptions one = m_options;
+    one.frame_digits = frame.digits;
+    if (m_frames.is_animation && one.verbose) {
+      m_texts.write(parser::Stream::kRender, frame_line(frame.clock, i + 1, m_frames.list.size()));
+    }
+    std::vector<std::string> more;
+    try {
+      const Status status =
+          run_picture({one, frame.clock, m_scene, i + 1 == m_frames.list.size()}, m_cancel, m_texts, more);
+      add_new(more, m_warnings);
+      return status;
+    } catch (...) {
+      add_new(more, m_warnings);
+      throw;
+    }
+  }
+
+  Next frame_with_commands(Commands& commands, std::size_t i) {
+    RenderOptions one = m_options;
+    one.frame_digits = m_frames.list[i].digits;
+    const CommandContext context = command_context(one, m_frames.list[i].clock);
+    switch (commands.run(CommandKind::kPreFrame, context)) {
+      case Action::kGoOn: break;
+      case Action::kSkip: return Next::kFrame;
+      case Action::kSkipAll: return Next::kEndOfScene;
+      case Action::kQuit: return Next::kQuit;
+      case Action::kAbort: return Next::kAbort;
+    }
+    if (make(i) == kAborted) return Next::kAbort;
+    switch (commands.run(CommandKind::kPostFrame, context)) {
+      case Action::kGoOn: return Next::kFrame;
+      case Action::kSkip:
+      case Action::kSkipAll: return Next::kEndOfScene;
+      case Action::kQuit: return Next::kQuit;
+      case Action::kAbort: break;
+    }
+    return Next::kAbort;
+  }
+
+  Status scene_with_commands(Commands& commands, const CommandContext& scene) {
+    const Action first = commands.run(CommandKind::kPreScene, scene);
+    if (first == Action::kQuit || first == Action::kSkipAll) return kDone;
+    if (first == Action::kAbort) return kAborted;
+    Next next = first == Action::kSkip ? Next::kEndOfScene : Next::kFrame;
+    for (std::size_t i = 0; i < m_frames.list.size() && next == Next::kFrame; ++i) {
+      next = frame_with_commands(commands, i);
+    }
+    if (next == Next::kQuit) return kDone;
+    if (next == Next::kAbort) return kAborted;
+    return commands.run(CommandKind::kPostScene, scene) == Action::kAbort ? kAborted : kDone;
+  }
+
+  const RenderOptions& m_options;
+  const std::string& m_scene;
+  const std::atomic<bool>& m_cancel;
+  TextStreams& m_texts;
+  std::vector<std::string>& m_warnings;
+  const Frames m_frames;
+};
 
 }  // namespace
 
-Status run(const parser::RenderOptions& options, const std::atomic<bool>& cancel,
-           TextStreams& texts, std::vector<std::string>& warnings) {
+Status run(const RenderOptions& options, const std::atomic<bool>& cancel, TextStreams& texts,
+           std::vector<std::string>& warnings) {
   const SceneFile file(options);
-  if (parser::is_animation(options.animation)) return run_frames(options, file.path(), cancel, texts, warnings);
-  const parser::FrameClock clock = parser::still_clock(options.clock, options.clock_given);
-  return run_picture({options, clock, file.path()}, cancel, texts, warnings);
+  Loop loop(options, file.path(), cancel, texts, warnings);
+  if (!renders(options)) return loop.without_commands();
+  Commands commands(options, parser::installed_confs(), texts);
+  return loop.with_commands(commands);
 }
 
 }  // namespace lentray::tool

@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <fstream>
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 #include "core/image/image_module.h"
 #include "core/image/openimageio/encoder.h"
@@ -45,12 +47,45 @@ void lift_to_middles(StoredImage& image) {
   }
 }
 
-/// `memory`: in place of the file.
-StoredImage read_picture(const std::filesystem::path& path, OIIO::Filesystem::IOProxy* memory = nullptr) {
+using Input = std::unique_ptr<OIIO::ImageInput>;
+
+struct PlainFormat {
+  const char* name;
+  const char* extensions;   ///< each between blanks
+};
+
+/// The formats of scenes, those that are known by their first bytes first.
+constexpr std::array kPlainFormats = {
+    PlainFormat{"png", " .png "}, PlainFormat{"jpeg", " .jpg .jpeg "}, PlainFormat{"tiff", " .tif .tiff "},
+    PlainFormat{"openexr", " .exr "}, PlainFormat{"hdr", " .hdr .rgbe "}, PlainFormat{"bmp", " .bmp "},
+    PlainFormat{"gif", " .gif "}, PlainFormat{"pnm", " .ppm .pgm .pbm .pnm "}, PlainFormat{"targa", " .tga "}};
+
+/// A handle says nothing of the format: the file's name does, else its bytes do. OpenImageIO is never told
+/// the name, which it would open.
+Input open_handle(const std::filesystem::path& path, const std::filesystem::path& named,
+                  const OIIO::ImageSpec& as_stored) {
+  std::string extension = " " + named.extension().string() + " ";
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  for (const bool is_likely : {true, false}) {
+    for (const PlainFormat& format : kPlainFormats) {
+      const bool fits = std::string_view(format.extensions).find(extension) != std::string_view::npos;
+      if (fits != is_likely) continue;
+      Input input = OIIO::ImageInput::create(format.name);
+      OIIO::ImageSpec spec;
+      if (input && input->open(path.string(), spec, as_stored)) return input;
+    }
+  }
+  throw std::runtime_error("it is no picture in a format of scenes");
+}
+
+/// `named`: see ImageModule::read(). `memory`: in place of the file.
+StoredImage read_picture(const std::filesystem::path& path, const std::filesystem::path& named,
+                         OIIO::Filesystem::IOProxy* memory = nullptr) {
   OIIO::ImageSpec as_stored;
   as_stored.attribute("oiio:UnassociatedAlpha", 1);
   if (memory) as_stored.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &memory);
-  const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(path.string(), &as_stored);
+  const Input input = named.empty() ? OIIO::ImageInput::open(path.string(), &as_stored)
+                                    : open_handle(path, named, as_stored);
   if (!input) throw std::runtime_error(OIIO::geterror());
   const OIIO::ImageSpec& spec = input->spec();
   StoredImage image;
@@ -96,10 +131,12 @@ class Module final : public ImageModule {
                                           const PictureSpec& spec) const override {
     return make_openimageio_encoder(path, spec);
   }
-  StoredImage read(const std::filesystem::path& path) const override { return read_picture(path); }
+  StoredImage read(const std::filesystem::path& path, const std::filesystem::path& named) const override {
+    return read_picture(path, named);
+  }
   StoredImage read_tiff(const std::string& file) const override {
     OIIO::Filesystem::IOMemReader memory(file.data(), file.size());
-    return read_picture("memory.tif", &memory);
+    return read_picture("memory.tif", {}, &memory);
   }
 };
 
