@@ -350,6 +350,7 @@ they may stand in INI files (file.ini, file.ini[section]) or on the command line
 
   +Ifile  +Ofile       scene and picture (- for standard input and output)
   +Wn  +Hn             size of the picture in pixels
+  +C                   go on with what a stopped run did not finish
   +SCn +ECn +SRn +ERn  render from a column and row to another only (below 1: parts of the size)
   +KFIn +KFFn +KIn +KFn  frames and clocks of an animation; +SFn +EFn +STPn  some; +KC cyclic; +Kn clock
   +A[t]                antialiasing, of colours that differ by t (0 to 1; 0.3)

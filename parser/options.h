@@ -56,6 +56,7 @@ struct RenderOptions {
   bool srgb = true;                       ///< File_Gamma=sRGB
   double file_gamma = 2.2;                ///< unless srgb
   bool alpha = false;
+  bool continues = false;                 ///< +C: a picture that was cut off is gone on with
   /// Columns and rows that are rendered, both ends included, from 1; what is below 1 is a part of the
   /// width or height.
   std::optional<double> start_column, end_column, start_row, end_row;
@@ -83,6 +84,8 @@ struct RenderOptions {
   std::string debug_file, warning_file, statistic_file, render_file, fatal_file,
       all_file;                           ///< that the texts go to as well; empty: none
   bool append_files = false;              ///< what they hold is kept
+  bool create_ini = false;                ///< write all options to ini_path()
+  std::string ini_file;                   ///< empty: the scene's name
 
   // Lens sheet.
   bool lenticular = false;                ///< make a sheet of the scene's camera

@@ -54,10 +54,14 @@ void set_stream_file(Options& o, const Given& g) {
   }
 }
 void set_create_ini(Options& o, const Given& g) {
+  o.create_ini = g.sign != '-';
+  o.ini_file = g.value;
   for (const char* word : {"false", "no", "off", "0"}) {
-    if (same_word(g.value, word)) return;
+    if (same_word(g.value, word)) o.create_ini = false;
   }
-  not_yet(o, g, "writing an INI file");
+  for (const char* word : {"true", "yes", "on", "1"}) {
+    if (same_word(g.value, word)) o.ini_file = "";
+  }
 }
 
 /// +A and +A0.2 turn it on, -A and -A0.2 off; the number is kept either way.
@@ -388,7 +392,7 @@ constexpr OptionRow kTable[] = {
     {"Start_Row", "SR", set_edge<&Options::start_row>},
     {"End_Column", "EC", set_edge<&Options::end_column>},
     {"End_Row", "ER", set_edge<&Options::end_row>},
-    {"Continue_Trace", "C", only_off<"continuing a picture">},
+    {"Continue_Trace", "C", set_bool<&Options::continues>},
     {"Create_Ini", "GI", set_create_ini},
     {"Output_to_File", "F", set_output},
     {"Output_File_Type", "", set_type},

@@ -12,14 +12,26 @@ namespace {
 /// One sample a pixel.
 class PlainBand final : public FilmBand {
  public:
-  PlainBand(const FilmSetup& setup, std::unique_ptr<PixelOrder> order, std::uint32_t top, Image& image)
-      : m_alpha(setup.alpha), m_order(std::move(order)), m_top(top), m_image(image) {}
+  /// Rows [first, end); the image begins with row `top`.
+  PlainBand(const FilmSetup& setup, const BandOrders& orders, std::uint32_t first, std::uint32_t end,
+            std::uint32_t top, Image& image)
+      : m_setup(setup), m_order(orders.band(first, end)), m_top(top), m_image(image) {
+    recall_colours(setup, 0, first, end, top, image);
+  }
   std::size_t stages() const override { return 1; }
   std::size_t jobs(std::size_t) const override { return m_order->jobs(); }
 
   bool work(std::size_t, std::size_t job, FilmThread& thread) override {
     m_order->pixels(job, thread.pixels);
-    const bool alpha = m_alpha;
+    leave_out(m_setup.known(0), thread.pixels);
+    if (!trace(thread)) return false;
+    if (m_setup.keeps()) keep_colours(m_setup, 0, m_top, m_image, thread);
+    return true;
+  }
+
+ private:
+  bool trace(FilmThread& thread) {
+    const bool alpha = m_setup.alpha;
     const std::uint32_t top = m_top;
     Image& image = m_image;
     const auto keep = [alpha, top, &image](const Pixel& p, const Radiance& seen) {
@@ -34,8 +46,7 @@ class PlainBand final : public FilmBand {
     return thread.sampler.centres(thread.pixels, thread.counters, keep, stop);
   }
 
- private:
-  const bool m_alpha;
+  const FilmSetup& m_setup;
   const std::unique_ptr<PixelOrder> m_order;
   const std::uint32_t m_top;
   Image& m_image;
@@ -48,7 +59,7 @@ class PlainFilm final : public Film {
     const std::uint32_t first = std::max(top, m_setup.region.top);
     const std::uint32_t end = std::min(bottom, m_setup.region.bottom);
     if (first >= end || m_setup.region.left >= m_setup.region.right) return nullptr;
-    return std::make_unique<PlainBand>(m_setup, m_orders.band(first, end), top, image);
+    return std::make_unique<PlainBand>(m_setup, m_orders, first, end, top, image);
   }
 
  private:
@@ -57,6 +68,29 @@ class PlainFilm final : public Film {
 };
 
 }  // namespace
+
+void leave_out(const PixelSet* known, std::vector<Pixel>& pixels) {
+  if (known) std::erase_if(pixels, [known](const Pixel& p) { return known->has(p); });
+}
+
+void recall_colours(const FilmSetup& setup, std::size_t stage, std::uint32_t top, std::uint32_t bottom,
+                    std::uint32_t image_top, Image& image) {
+  if (!setup.known(stage)) return;
+  setup.ledger->recall(stage, top, bottom, [image_top, &image](const Pixel& p, const float* values) {
+    std::copy_n(values, PictureLedger::kValues, image.pixel(p.column, p.row - image_top));
+  });
+}
+
+void keep_colours(const FilmSetup& setup, std::size_t stage, std::uint32_t image_top, Image& image,
+                  FilmThread& thread) {
+  std::erase_if(thread.pixels, [&setup](const Pixel& p) { return !setup.region.has(p); });
+  thread.values.clear();
+  for (const Pixel& p : thread.pixels) {
+    const float* colour = image.pixel(p.column, p.row - image_top);
+    thread.values.insert(thread.values.end(), colour, colour + PictureLedger::kValues);
+  }
+  setup.ledger->add(stage, thread.pixels, thread.values);
+}
 
 std::unique_ptr<Film> Film::make(FilmSetup setup, const BandOrders& orders) {
   switch (setup.antialiasing.method) {

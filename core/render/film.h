@@ -18,6 +18,7 @@
 #include "core/image/image.h"
 #include "core/render/antialiasing.h"
 #include "core/render/pixel_lattice.h"
+#include "core/render/picture_ledger.h"
 #include "core/render/pixel_order.h"
 #include "core/render/sampler.h"
 #include "core/render/work_meter.h"
@@ -31,6 +32,7 @@ struct FilmThread {
   const std::atomic<bool>& cancel;
   WorkMeter* meter = nullptr;          ///< null: nobody watches
   std::vector<Pixel> pixels{};         ///< what the last job worked on
+  std::vector<float> values{};         ///< what the ledger keeps of them
   std::vector<Compared> above{}, row{};  ///< of film_centres
   std::vector<std::uint8_t> above_sampled{}, row_sampled{};
   struct Finer { Radiance seen; Compared compared; std::uint32_t stamp = 0; };
@@ -64,7 +66,21 @@ struct FilmSetup {
   bool alpha = false;
   PixelLattice lattice;
   ComparedSpace space{2.5, 1.0};
+  PictureLedger* ledger = nullptr;  ///< null: nothing is kept
+
+  /// Null: nothing is known.
+  const PixelSet* known(std::size_t stage) const { return ledger ? ledger->known(stage) : nullptr; }
+  bool keeps() const { return ledger && ledger->listens(); }
 };
+
+/// Pixels of an order that are not known yet.
+void leave_out(const PixelSet* known, std::vector<Pixel>& pixels);
+/// Known colours, into an image whose first row is `image_top`.
+void recall_colours(const FilmSetup& setup, std::size_t stage, std::uint32_t top, std::uint32_t bottom,
+                    std::uint32_t image_top, Image& image);
+/// The colours of the thread's pixels go to the ledger.
+void keep_colours(const FilmSetup& setup, std::size_t stage, std::uint32_t image_top, Image& image,
+                  FilmThread& thread);
 
 /// The columns that a film traces pixels of in a pixel order, for those that are asked for.
 struct FilmColumns {

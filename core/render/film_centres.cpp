@@ -106,6 +106,7 @@ class CentresBand final : public FilmBand {
       }
     }
     m_centres.resize(plan.stride * (bottom - top + 2));
+    recall(first, std::min(bottom + 1, m_setup.height));
   }
 
   std::size_t stages() const override { return 2; }
@@ -116,16 +117,22 @@ class CentresBand final : public FilmBand {
   bool work(std::size_t stage, std::size_t job, FilmThread& thread) override {
     if (stage == 1) {
       const auto tile = static_cast<std::uint32_t>(job / m_plan.chains.size());
-      const std::uint32_t top = m_top + tile * kTile;
-      return follow(m_plan.chains[job % m_plan.chains.size()], top, std::min(top + kTile, m_bottom), thread);
+      const std::uint32_t top = m_top + tile * kTile, bottom = std::min(top + kTile, m_bottom);
+      const Chain& chain = m_plan.chains[job % m_plan.chains.size()];
+      if (is_known(chain, top, bottom)) return true;
+      if (!follow(chain, top, bottom, thread)) return false;
+      if (m_setup.keeps()) keep_colours(m_setup, 1, m_image_top, m_image, thread);
+      return true;
     }
     if (job < m_order->jobs()) {
       m_order->pixels(job, thread.pixels);
+      leave_out(m_setup.known(0), thread.pixels);
       for (const Pixel& p : thread.pixels) {
         if (!thread.begins(p)) return false;
         const bool seen = trace(static_cast<std::int32_t>(p.column), static_cast<std::int32_t>(p.row), thread);
         if (!seen && p.row >= m_top && p.row < m_bottom) ++thread.counters.dark_pixels;
       }
+      if (m_setup.keeps()) keep_centres(thread);
       return true;
     }
     thread.pixels.clear();
@@ -144,6 +151,38 @@ class CentresBand final : public FilmBand {
   Centre& centre(std::int32_t column, std::int32_t row) {
     return m_centres[static_cast<std::size_t>(row - (static_cast<std::int32_t>(m_top) - 1)) * m_plan.stride +
                      static_cast<std::size_t>(column - m_plan.base)];
+  }
+
+  void recall(std::uint32_t first, std::uint32_t end) {
+    recall_colours(m_setup, 1, m_top, m_bottom, m_image_top, m_image);
+    if (!m_setup.known(0)) return;
+    m_setup.ledger->recall(0, first, end, [this](const Pixel& p, const float* v) {
+      if (p.column < m_plan.columns.left || p.column >= m_plan.columns.right) return;
+      Centre& out = centre(static_cast<std::int32_t>(p.column), static_cast<std::int32_t>(p.row));
+      out.seen = {{v[0], v[1], v[2]}, v[3]};
+      out.compared = m_setup.space.of(out.seen);
+    });
+  }
+
+  void keep_centres(FilmThread& thread) {
+    thread.values.clear();
+    for (const Pixel& p : thread.pixels) {
+      const Radiance& seen = centre(static_cast<std::int32_t>(p.column), static_cast<std::int32_t>(p.row)).seen;
+      thread.values.insert(thread.values.end(), {seen.rgb.r, seen.rgb.g, seen.rgb.b, seen.transmit});
+    }
+    m_setup.ledger->add(0, thread.pixels, thread.values);
+  }
+
+  /// All colours of the chain in the rows [top, bottom).
+  bool is_known(const Chain& chain, std::uint32_t top, std::uint32_t bottom) const {
+    const PixelSet* known = m_setup.known(1);
+    if (!known) return false;
+    for (std::uint32_t row = top; row < bottom; ++row) {
+      for (const std::uint32_t k : chain.columns) {
+        if (m_setup.region.has({k, row}) && !known->has({k, row})) return false;
+      }
+    }
+    return true;
   }
 
   bool trace(std::int32_t column, std::int32_t row, FilmThread& thread) {

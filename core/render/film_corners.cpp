@@ -46,6 +46,7 @@ class CornersBand final : public FilmBand {
       const std::uint32_t first = row < m_setup.height ? plan.columns.right : region.left;
       for (std::uint32_t k = first; k < region.right + plan.step; ++k) m_border.push_back({k, row});
     }
+    recall(std::min(bottom + 1, m_setup.height));
   }
 
   std::size_t stages() const override { return 2; }
@@ -54,10 +55,19 @@ class CornersBand final : public FilmBand {
     return m_corner_order->jobs() + (m_border.size() + kBorderJob - 1) / kBorderJob;
   }
   bool work(std::size_t stage, std::size_t job, FilmThread& thread) override {
-    if (stage == 1) return cut_pixels(job, thread);
+    if (stage == 1) {
+      m_order->pixels(job, thread.pixels);
+      leave_out(m_setup.known(1), thread.pixels);
+      if (!cut_pixels(thread)) return false;
+      if (m_setup.keeps()) keep_colours(m_setup, 1, m_image_top, m_image, thread);
+      return true;
+    }
     if (job < m_corner_order->jobs()) {
       m_corner_order->pixels(job, thread.pixels);
-      return trace_corners(thread.pixels.data(), thread.pixels.size(), thread);
+      leave_out(known_corners(), thread.pixels);
+      if (!trace_corners(thread.pixels.data(), thread.pixels.size(), thread)) return false;
+      if (m_setup.keeps() && m_plan.step > 0) keep_corners(thread);
+      return true;
     }
     thread.pixels.clear();
     const std::size_t first = (job - m_corner_order->jobs()) * kBorderJob;
@@ -72,6 +82,30 @@ class CornersBand final : public FilmBand {
     const std::size_t k = column - m_setup.region.left;
     const std::size_t place = m_plan.step > 0 ? k + (right ? m_plan.step : 0) : 2 * k + (right ? 1 : 0);
     return m_corners[(row - m_top) * m_plan.stride + place];
+  }
+
+  /// Where pixels do not join, each has two, and none is kept.
+  const PixelSet* known_corners() const { return m_plan.step > 0 ? m_setup.known(0) : nullptr; }
+
+  void recall(std::uint32_t end) {
+    recall_colours(m_setup, 1, m_top, m_bottom, m_image_top, m_image);
+    if (!known_corners()) return;
+    m_setup.ledger->recall(0, m_top, end, [this](const Pixel& p, const float* v) {
+      if (p.column < m_plan.columns.left || p.column >= m_plan.columns.right) return;
+      Corner& out = corner(p.column, p.row);
+      out.seen = {{v[0], v[1], v[2]}, v[3]};
+      out.compared = m_setup.space.of(out.seen);
+      out.has_ray = true;
+    });
+  }
+
+  void keep_corners(FilmThread& thread) {
+    thread.values.clear();
+    for (const Pixel& p : thread.pixels) {
+      const Radiance& seen = corner(p.column, p.row).seen;
+      thread.values.insert(thread.values.end(), {seen.rgb.r, seen.rgb.g, seen.rgb.b, seen.transmit});
+    }
+    m_setup.ledger->add(0, thread.pixels, thread.values);
   }
 
   bool trace_corners(const Pixel* pixels, std::size_t count, FilmThread& thread) {
@@ -92,8 +126,7 @@ class CornersBand final : public FilmBand {
     if (thread.meter) thread.meter->seen(place.column, place.row, out.compared);
   }
 
-  bool cut_pixels(std::size_t job, FilmThread& thread) {
-    m_order->pixels(job, thread.pixels);
+  bool cut_pixels(FilmThread& thread) {
     const std::size_t side = m_plan.places + 1;
     if (thread.finer.size() < side * side) thread.finer.assign(side * side, {});
     for (const Pixel& pixel : thread.pixels) {

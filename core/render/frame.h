@@ -9,6 +9,7 @@
 #include "core/base/counters.h"
 #include "core/render/band_queue.h"
 #include "core/render/band_sink.h"
+#include "core/render/picture_ledger.h"
 #include "core/render/pixel_order.h"
 #include "core/render/progress.h"
 #include "core/render/ray_source.h"
@@ -24,6 +25,7 @@ struct FrameOptions {
   Antialiasing antialiasing{};
   int angles = 1;             ///< Antialias_Angle, see SamplerOptions
   std::optional<PixelRegion> region{};  ///< the pixels that are rendered; the others are black
+  PictureLedger* ledger = nullptr;  ///< what is known of the picture, and what becomes known; or null
   /// Set from outside (a signal, another thread) to stop soon; the sink then lacks bands.
   const std::atomic<bool>* cancel = nullptr;
 };

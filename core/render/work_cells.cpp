@@ -23,12 +23,22 @@ WorkCells::WorkCells(const PixelRegion& region) : m_region(region) {
   m_cells = std::vector<Cell>(measure());
 }
 
-std::uint32_t WorkCells::pixels(std::size_t cell) const {
+void WorkCells::leave_out(const PixelSet& known, std::size_t stage) {
+  for (std::uint32_t row = m_region.top; row < m_region.bottom; ++row) {
+    for (std::uint32_t k = m_region.left; k < m_region.right; ++k) {
+      if (!known.has({k, row})) continue;
+      ++m_cells[index(static_cast<std::int32_t>(k), static_cast<std::int32_t>(row))].known[stage];
+    }
+  }
+}
+
+std::uint32_t WorkCells::pixels(std::size_t cell, std::size_t stage) const {
   const auto part = [this](std::uint32_t start, std::uint32_t end, std::size_t k) {
     const std::uint32_t first = start + (static_cast<std::uint32_t>(k) << m_shift);
     return std::min(end, first + (1u << m_shift)) - first;
   };
-  return part(m_region.left, m_region.right, cell % m_columns) * part(m_region.top, m_region.bottom, cell / m_columns);
+  return part(m_region.left, m_region.right, cell % m_columns) * part(m_region.top, m_region.bottom, cell / m_columns) -
+         m_cells[cell].known[stage];
 }
 
 }  // namespace lentray::core

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/render/picture_ledger.h"
 #include "core/render/pixel_order.h"
 
 namespace lentray::core {
@@ -19,6 +20,7 @@ class WorkCells {
 
   struct Cell {
     std::array<std::atomic<std::uint32_t>, kStages> visits{};  ///< pixels
+    std::array<std::uint32_t, kStages> known{};                ///< pixels that are not visited
     std::atomic<std::uint64_t> nanoseconds{0};                 ///< of stage 0
     std::atomic<std::uint32_t> pairs{0}, differing{0};         ///< neighbouring samples of stage 0
   };
@@ -34,8 +36,10 @@ class WorkCells {
   std::uint32_t index(std::int32_t column, std::int32_t row) const {
     return place(row, m_region.top, m_rows) * m_columns + place(column, m_region.left, m_columns);
   }
-  /// How many pixels of the region a cell has.
-  std::uint32_t pixels(std::size_t cell) const;
+  /// How many pixels of the region a cell has that are visited in a stage.
+  std::uint32_t pixels(std::size_t cell, std::size_t stage) const;
+  /// Pixels of the region that are in the set are not visited. Before any work begins.
+  void leave_out(const PixelSet& known, std::size_t stage);
   Cell& operator[](std::size_t cell) { return m_cells[cell]; }
   const Cell& operator[](std::size_t cell) const { return m_cells[cell]; }
 

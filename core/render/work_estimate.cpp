@@ -81,7 +81,7 @@ void WorkEstimate::probe(std::size_t cell, double seconds, int pairs, int differ
 }
 
 bool WorkEstimate::is_traced(std::size_t cell) const {
-  return visits(m_cells[cell], 0) >= m_cells.pixels(cell);
+  return visits(m_cells[cell], 0) >= m_cells.pixels(cell, 0);
 }
 
 /// From the whole picture down to the cells; the fewer probes a square has, the more it is like the
@@ -130,7 +130,7 @@ void WorkEstimate::add_left(const std::vector<double>& left, std::uint32_t job, 
 std::vector<double> WorkEstimate::sample_seconds(const std::vector<Expected>& foreseen, Work& out) const {
   double left = 0.0, done = 0.0, real = 0.0;
   for (std::size_t i = 0; i < foreseen.size(); ++i) {
-    const double pixels = m_repeats * m_cells.pixels(i), visited = std::min(visits(m_cells[i], 0), pixels);
+    const double pixels = m_repeats * m_cells.pixels(i, 0), visited = std::min(visits(m_cells[i], 0), pixels);
     left += foreseen[i].seconds * (pixels - visited);
     if (m_levels.front().sums[i].probes == 0.0) continue;
     done += foreseen[i].seconds * visited;
@@ -142,7 +142,7 @@ std::vector<double> WorkEstimate::sample_seconds(const std::vector<Expected>& fo
   for (std::size_t i = 0; i < foreseen.size(); ++i) {
     const double visited = visits(m_cells[i], 0);
     seconds[i] = (spent(m_cells[i]) + kVisits * times * foreseen[i].seconds) / (visited + kVisits);
-    rest[i] = seconds[i] * std::max(0.0, m_repeats * m_cells.pixels(i) - visited);
+    rest[i] = seconds[i] * std::max(0.0, m_repeats * m_cells.pixels(i, 0) - visited);
   }
   add_left(rest, kJob, out);
   return seconds;
@@ -155,8 +155,8 @@ void WorkEstimate::add_finer(const std::vector<Expected>& foreseen, const std::v
   for (std::size_t i = 0; i < foreseen.size(); ++i) {
     const double pairs = m_cells[i].pairs.load(std::memory_order_relaxed);
     if (pairs == 0.0) continue;
-    from_probes += m_cells.pixels(i) * foreseen[i].differing;
-    from_threads += m_cells.pixels(i) * (m_cells[i].differing.load(std::memory_order_relaxed) / pairs);
+    from_probes += m_cells.pixels(i, 1) * foreseen[i].differing;
+    from_threads += m_cells.pixels(i, 1) * (m_cells[i].differing.load(std::memory_order_relaxed) / pairs);
   }
   const double known = m_levels.back().sums.front().differing;
   const double sides =
@@ -169,13 +169,13 @@ void WorkEstimate::add_finer(const std::vector<Expected>& foreseen, const std::v
     const double share = std::clamp((differing + kPairs * foreseen[i].differing) / (pairs + kPairs), 0.0, 1.0);
     const double antialiased = 1.0 - std::pow(1.0 - share, m_finer.neighbours);
     pixel[i] = kLookSeconds + antialiased * m_finer.samples * seconds[i];
-    all += pixel[i] * m_cells.pixels(i);
-    done += pixel[i] * std::min<double>(visits(m_cells[i], 1), m_cells.pixels(i));
+    all += pixel[i] * m_cells.pixels(i, 1);
+    done += pixel[i] * std::min<double>(visits(m_cells[i], 1), m_cells.pixels(i, 1));
   }
   const double real = m_cells.seconds(1), times = ratio(real, done, all);
   out.done += real;
   for (std::size_t i = 0; i < foreseen.size(); ++i) {
-    pixel[i] *= times * std::max(0.0, m_cells.pixels(i) - visits(m_cells[i], 1));
+    pixel[i] *= times * std::max(0.0, m_cells.pixels(i, 1) - visits(m_cells[i], 1));
   }
   add_left(pixel, m_finer.job, out);
 }

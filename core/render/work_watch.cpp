@@ -42,7 +42,12 @@ WorkWatch::WorkWatch(const Scene& scene, const RaySource& camera, const ShadowTe
                      const FrameOptions& options, FilmSetup film, std::uint32_t band_height, Progress& progress)
     : m_scene(scene), m_camera(camera), m_shadows(shadows), m_options(options), m_film(std::move(film)),
       m_band_height(band_height), m_progress(progress), m_cells(Film::traced_region(m_film)),
-      m_thread([this](std::stop_token stop) { run(std::move(stop)); }) {}
+      m_thread() {
+  for (std::size_t stage = 0; stage < WorkCells::kStages; ++stage) {
+    if (const PixelSet* known = m_film.known(stage)) m_cells.leave_out(*known, stage);
+  }
+  m_thread = std::jthread([this](std::stop_token stop) { run(std::move(stop)); });
+}
 
 WorkWatch::~WorkWatch() {
   m_thread.request_stop();

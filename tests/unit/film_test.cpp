@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <map>
 #include <memory>
+#include <mutex>
 #include <set>
 
 #include "core/geometry/sphere.h"
@@ -113,11 +116,47 @@ std::unique_ptr<Scene> disc_scene(float ambient) {
   return std::make_unique<Scene>(std::move(parts), CompileOptions{});
 }
 
+/// Remembers what it is told, but for the jobs whose number is not a multiple of `every`.
+struct Memory final : PictureLedger {
+  explicit Memory(std::size_t n) : every(n) {}
+  const PixelSet* known(std::size_t stage) const override { return sets[stage].get(); }
+  void recall(std::size_t stage, std::uint32_t top, std::uint32_t bottom,
+              const std::function<void(const Pixel&, const float*)>& tell) override {
+    for (const auto& [at, value] : values[stage]) {
+      if (at.first >= top && at.first < bottom) tell({at.second, at.first}, value.data());
+    }
+  }
+  bool listens() const override { return every > 0; }
+  void add(std::size_t stage, const std::vector<Pixel>& pixels, const std::vector<float>& all) override {
+    const std::lock_guard lock(mutex);
+    ASSERT_EQ(all.size(), pixels.size() * kValues);
+    if (count++ % every != 0) return;
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+      auto& value = values[stage][{pixels[i].row, pixels[i].column}];
+      std::copy_n(all.data() + i * kValues, kValues, value.begin());
+    }
+  }
+  /// From now on it knows, and listens no more.
+  void turn(std::uint32_t size) {
+    every = 0;
+    for (std::size_t stage = 0; stage < kStages; ++stage) {
+      sets[stage] = std::make_unique<PixelSet>(size, size);
+      for (const auto& [at, value] : values[stage]) sets[stage]->add({at.second, at.first});
+    }
+  }
+  std::size_t every, count = 0;
+  std::mutex mutex;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::array<float, kValues>> values[kStages];
+  std::unique_ptr<PixelSet> sets[kStages];
+};
+
 struct Rendered { Image image; Counters counters; };
-Rendered render(const Scene& scene, std::uint32_t size, const Antialiasing& aa, int threads = 1, std::uint32_t band = 64) {
+Rendered render(const Scene& scene, std::uint32_t size, const Antialiasing& aa, int threads = 1, std::uint32_t band = 64,
+                PictureLedger* ledger = nullptr) {
   Whole whole(size);
   FrameOptions options{.threads = threads};
   options.antialiasing = aa;
+  options.ledger = ledger;
   Counters counters = render_frame(scene, Window(size), {size, size, band}, RowBands(size),
                                    PlainShadowTesterFactory(), options, whole, nullptr);
   return {std::move(whole.image), std::move(counters)};
@@ -170,6 +209,24 @@ TEST(UnitCoreFilm, SameBitsForAnyBandAndNumberOfThreads) {
         EXPECT_EQ(render(*scene, 300, aa, threads, band).image.rgba, first.image.rgba)
             << "method " << method << ", " << threads << " threads, bands of " << band;
       }
+    }
+  }
+}
+
+TEST(UnitCoreFilm, WhatALedgerKnowsIsNotTracedAgain) {
+  const auto scene = disc_scene(1.0f);
+  for (const int method : {0, 1, 2}) {
+    const Antialiasing aa{.method = method, .threshold = 0.1, .depth = 2};
+    const Rendered whole = render(*scene, 300, aa);
+    for (const std::size_t every : {1u, 2u, 3u}) {
+      Memory memory(every);
+      const Rendered first = render(*scene, 300, aa, 2, 64, &memory);
+      EXPECT_EQ(first.image.rgba, whole.image.rgba);
+      memory.turn(300);
+      const Rendered second = render(*scene, 300, aa, 2, 200, &memory);
+      EXPECT_EQ(second.image.rgba, whole.image.rgba) << "method " << method << ", every " << every;
+      const double share = 1.0 * second.counters.camera_rays / whole.counters.camera_rays;
+      EXPECT_LT(share, 1.0 - 0.5 / every) << "method " << method << ", every " << every;
     }
   }
 }

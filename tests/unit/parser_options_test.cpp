@@ -317,7 +317,6 @@ TEST_F(UnitParserOptions, PartsOfThePicture) {
 }
 
 TEST_F(ErrorParserOptions, NotYetByName) {
-  expect_message({"+C"}, "not yet: continuing a picture");
   expect_message({"+FT"}, "not yet: the output type Targa");
   expect_message({"Lens_Model=thick"}, "not yet: lens model 'thick' (there are paraxial, pinhole)");
   EXPECT_EQ(read({"Pixel_Order=Adaptive"}).pixel_order, "adaptive");

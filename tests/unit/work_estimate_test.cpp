@@ -29,7 +29,7 @@ TEST(UnitCoreWorkEstimate, CellsCoverTheRegionAndNoMore) {
   EXPECT_EQ(cells.columns(), 3u);
   EXPECT_EQ(cells.rows(), 2u);
   std::uint32_t all = 0;
-  for (std::size_t i = 0; i < cells.size(); ++i) all += cells.pixels(i);
+  for (std::size_t i = 0; i < cells.size(); ++i) all += cells.pixels(i, 0);
   EXPECT_EQ(all, 41u * 17u);
   EXPECT_EQ(cells.index(-1, -1), 0u);
   EXPECT_EQ(cells.index(26, 36), 4u);

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <iomanip>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -29,9 +30,11 @@
 #include "shadow/tester_factory.h"
 #include "tools/lentray/camera_setup.h"
 #include "tools/lentray/explain.h"
+#include "tools/lentray/identity.h"
 #include "tools/lentray/machine.h"
 #include "tools/lentray/output.h"
 #include "tools/lentray/picture_file.h"
+#include "tools/lentray/picture_journal.h"
 #include "tools/lentray/progress_bar.h"
 #include "tools/lentray/quality.h"
 #include "tools/lentray/ray_dump.h"
@@ -71,6 +74,7 @@ struct Run {
   std::vector<std::string> not_rendered{};
   std::vector<core::WatchedSlope> slopes{};
   CameraSetup camera{};
+  Identity identity{};                 ///< of this picture; its files once the scene is read
   shadow::RunReport report{};
 };
 
@@ -122,7 +126,7 @@ void connect(parser::Diagnostics& diagnostics, Run& run) {
 /// --parse-only, --dump: text -> descriptions, checked as far as they can be without rendering.
 void parse_alone(Run& run, const std::string& path) {
   const RenderOptions& o = run.options;
-  const SceneDisk disk(o, path, run.warnings);
+  SceneDisk disk(o, path, run.warnings);
   parser::SourceManager sources(disk.files());
   parser::Diagnostics diagnostics(sources);
   connect(diagnostics, run);
@@ -150,7 +154,7 @@ int rays_a_pixel(const parser::SceneDesc& scene) {
 /// Text -> descriptions -> compiled scene and camera.
 void read_scene(Run& run, const std::string& path) {
   const RenderOptions& o = run.options;
-  const SceneDisk disk(o, path, run.warnings);
+  SceneDisk disk(o, path, run.warnings);
   parser::SourceManager sources(disk.files());
   parser::Diagnostics diagnostics(sources);
   connect(diagnostics, run);
@@ -184,6 +188,7 @@ void read_scene(Run& run, const std::string& path) {
   run.camera = make_camera(request, o, camera::probe_of(*run.scene));
   for (std::string& text : run.camera.warnings) run.warnings.push_back("warning: " + text);
   run.camera.warnings.clear();
+  for (const auto& [file, sum] : disk.seen()) run.identity.files[file == path ? "" : file] = sum;
 }
 
 shadow::LensReport lens_report(const camera::Lenticular& sheet) {
@@ -288,8 +293,42 @@ void report_slopes(Run& run) {
   }
 }
 
+bool goes_to_file(const Run& run) {
+  std::error_code error;
+  const auto status = std::filesystem::status(run.output, error);
+  return !run.output.empty() && run.output != "-" &&
+         (!std::filesystem::exists(status) || std::filesystem::is_regular_file(status));
+}
+
+/// With +C. True if the picture is there already; throws if what was begun is of something else.
+bool is_there_already(Run& run, const std::string& scene) {
+  if (!run.options.continues || !goes_to_file(run)) return false;
+  const bool exists = std::filesystem::exists(run.output);
+  const auto earlier = PictureJournal::earlier(run.output);
+  if (earlier) {
+    Identity now = run.identity;
+    now.files = earlier->identity.files;
+    std::string why = difference(earlier->identity, now);
+    if (why.empty() && run.options.input != "-") why = difference_of_files(earlier->identity, scene);
+    if (!why.empty()) {
+      throw parser::OptionError("'" + run.output + "' cannot be gone on with: " + why +
+                                (earlier->is_finished ? " since the frame was made" : "") +
+                                " (without +C everything is begun anew)");
+    }
+  }
+  if (!exists || (earlier && !earlier->is_finished)) return false;
+  run.texts.write(parser::Stream::kRender, run.output + ": there already, and kept (+C)\n");
+  return true;
+}
+
+void tell_of_journal(Run& run, PictureJournal& journal) {
+  if (!journal.keep()) return;
+  run.texts.write(parser::Stream::kRender,
+                  "What is done is kept in '" + journal_path(run.output) + "': +C goes on with it\n");
+}
+
 /// False if the run was cancelled.
-bool render(Run& run, const std::atomic<bool>& cancel) {
+bool render(Run& run, const std::atomic<bool>& cancel, bool is_frame) {
   const RenderOptions& o = run.options;
   const camera::Camera& camera = run.camera.camera();
   // One view of a sheet is an ordinary picture.
@@ -303,7 +342,13 @@ bool render(Run& run, const std::atomic<bool>& cancel) {
   if (o.shadow_log) asked = &log;
   const shadow::RunMeter meter(*asked, lenses ? static_cast<std::uint32_t>(lenses->lens().pixels) : 0);
   if (shadow::follows_shadows(o.pixel_order)) asked = &meter;
+  std::optional<PictureJournal> journal;
+  if (goes_to_file(run)) {
+    journal.emplace(run.output, shape.width, shape.height, run.identity);
+    if (o.continues) journal->go_on();
+  }
   core::FrameOptions frame;
+  frame.ledger = journal ? &*journal : nullptr;
   frame.antialiasing = antialiasing(o);
   frame.angles = o.antialias_angles;
   frame.region = region_of(o, shape);
@@ -325,9 +370,17 @@ bool render(Run& run, const std::atomic<bool>& cancel) {
   PictureFile picture(run.output, run.type, o, run.scene->settings(), run.camera);
   run.report.counters = core::render_frame(*run.scene, camera, shape, *orders, *asked, frame,
                                            picture, bar ? &*bar : nullptr);
-  if (cancel.load()) return false;
+  if (cancel.load()) {
+    if (journal) tell_of_journal(run, *journal);
+    return false;
+  }
   run.report.shadow_log = log.lights();
   picture.finish();
+  if (journal) journal->finish(is_frame);
+  if (journal && !journal->trouble().empty()) {
+    run.warnings.push_back("warning: '" + journal_path(run.output) + "' could not be written (" + journal->trouble() +
+                           "): had this run been cut off, +C would not have gone on with it");
+  }
   run.report.write_cpu_s = picture.cpu_seconds();
   run.report.render_cpu_s = cpu_seconds() - before - run.report.write_cpu_s;
   return true;
@@ -362,6 +415,8 @@ Status run_picture(const Picture& what, const std::atomic<bool>& cancel, TextStr
     parse_alone(run, what.scene);
     return kDone;
   }
+  run.identity = identity_of(options, what.clock);
+  if (renders(options) && is_there_already(run, what.scene)) return kDone;
   read_scene(run, what.scene);
   if (options.explain) {
     std::fputs(explanation(*run.scene, run.camera, run.not_rendered).c_str(), stdout);
@@ -377,7 +432,7 @@ Status run_picture(const Picture& what, const std::atomic<bool>& cancel, TextStr
   const camera::Camera& camera = run.camera.camera();
   parser::check_picture_size(camera.width(), camera.height(), bytes_a_row(options, camera.width()),
                              machine_memory());
-  if (!render(run, cancel)) return kAborted;
+  if (!render(run, cancel, what.is_frame)) return kAborted;
   report_slopes(run);
   run.report.wall_s = std::chrono::duration<double>(Clock::now() - start).count();
   if (!options.statistics_file.empty()) write_statistics(run);

@@ -21,6 +21,7 @@ struct Picture {
   const parser::FrameClock& clock;
   const std::string& scene;  ///< path of the file
   bool is_last = true;       ///< the program ends after it
+  bool is_frame = false;     ///< of an animation
 };
 
 /// Whether a run with these options makes pictures, rather than tells about the scene.

@@ -5,8 +5,11 @@
 #include <filesystem>
 
 #include "parser/animation.h"
+#include "parser/create_ini.h"
 #include "parser/povray_conf.h"
 #include "tools/lentray/commands.h"
+#include "tools/lentray/output.h"
+#include "tools/lentray/picture_journal.h"
 #include "tools/lentray/picture_run.h"
 #include "tools/lentray/scene_file.h"
 
@@ -95,12 +98,23 @@ class Loop {
     std::vector<std::string> more;
     try {
       const Status status =
-          run_picture({one, frame.clock, m_scene, i + 1 == m_frames.list.size()}, m_cancel, m_texts, more);
+          run_picture({one, frame.clock, m_scene, i + 1 == m_frames.list.size(), m_frames.is_animation}, m_cancel, m_texts, more);
       add_new(more, m_warnings);
       return status;
     } catch (...) {
       add_new(more, m_warnings);
       throw;
+    }
+  }
+
+  /// Frames say that they are finished only while there is one that is not.
+  void forget_frames() const {
+    if (!m_frames.is_animation || !m_options.output_to_file) return;
+    RenderOptions one = m_options;
+    for (const parser::AnimationFrame& frame : m_frames.list) {
+      one.frame_digits = frame.digits;
+      parser::OutputType type = one.type;
+      PictureJournal::forget(parser::output_path(one, type));
     }
   }
 
@@ -136,6 +150,7 @@ class Loop {
     }
     if (next == Next::kQuit) return kDone;
     if (next == Next::kAbort) return kAborted;
+    forget_frames();
     return commands.run(CommandKind::kPostScene, scene) == Action::kAbort ? kAborted : kDone;
   }
 
@@ -152,6 +167,7 @@ class Loop {
 Status run(const RenderOptions& options, const std::atomic<bool>& cancel, TextStreams& texts,
            std::vector<std::string>& warnings) {
   const SceneFile file(options);
+  if (const std::string ini = parser::ini_path(options); !ini.empty()) write_text_file(ini, parser::ini_text(options));
   Loop loop(options, file.path(), cancel, texts, warnings);
   if (!renders(options)) return loop.without_commands();
   Commands commands(options, parser::installed_confs(), texts);

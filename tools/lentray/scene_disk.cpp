@@ -40,6 +40,7 @@ SceneDisk::SceneDisk(const parser::RenderOptions& options, const std::string& sc
     m_memory = std::make_unique<parser::MemoryWrites>(*m_files);
     m_files = m_memory.get();
   }
+  m_watched.emplace(*m_files);
 }
 
 }  // namespace lentray::tool

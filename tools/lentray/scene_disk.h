@@ -2,12 +2,15 @@
 // render nothing and leave nothing behind, with what the scene writes kept in memory. One thread.
 #pragma once
 
+#include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "parser/files.h"
 #include "parser/options.h"
+#include "parser/watched_files.h"
 
 namespace lentray::tool {
 
@@ -16,11 +19,14 @@ class SceneDisk {
   /// `warnings` gets what is wrong with povray.conf.
   SceneDisk(const parser::RenderOptions& options, const std::string& scene, std::vector<std::string>& warnings);
   /// Must outlive whatever reads the scene's pictures and fonts.
-  parser::Files& files() const { return *m_files; }
+  parser::Files& files() { return *m_watched; }
+  /// Checksums of what was read, by path.
+  const std::map<std::string, std::uint64_t>& seen() const { return m_watched->seen(); }
 
  private:
   std::unique_ptr<parser::Files> m_restricted, m_memory;
   parser::Files* m_files;
+  std::optional<parser::WatchedFiles> m_watched;
 };
 
 }  // namespace lentray::tool
