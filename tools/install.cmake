@@ -6,6 +6,7 @@ include(GNUInstallDirs)
 set(LENTRAY_PROGRAMS lentray lentray-diff lentray-model lentray-grouping)
 set(LENTRAY_MODULES lib/lentray)  # a folder of the package's own: no multiarch
 # Programs of the build tree find the module beside themselves, installed ones along this path.
+set_target_properties(lentray_openimageio PROPERTIES NO_SONAME ON)
 set_target_properties(${LENTRAY_PROGRAMS} PROPERTIES INSTALL_RPATH "$ORIGIN/../${LENTRAY_MODULES}")
 install(TARGETS ${LENTRAY_PROGRAMS} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(TARGETS lentray_openimageio LIBRARY DESTINATION ${LENTRAY_MODULES})
@@ -54,7 +55,7 @@ file(CONFIGURE OUTPUT ${manual_folder}/copyright CONTENT
 Upstream-Name: lentray
 
 Files: *
-Copyright: The Lentray project
+Copyright: 2026 The Lentray project
 License: Apache-2.0
  On Debian systems the text of this license is in /usr/share/common-licenses/Apache-2.0.
 ")
