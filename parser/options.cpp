@@ -64,7 +64,7 @@ class Reader {
  public:
   explicit Reader(RenderOptions& options) : m_options(options) {}
 
-  void named(const std::string& name, GivenOption given);
+  void named(const std::string& name, GivenOption given, int depth);
   void switched(const std::string& text, GivenOption given);
   void file(const IniName& name, const std::string& path, GivenOption given, int depth);
   void bare(const std::string& text, const GivenOption& given, int depth);
@@ -74,7 +74,8 @@ class Reader {
   RenderOptions& m_options;
 };
 
-void Reader::named(const std::string& name, GivenOption given) {
+void Reader::named(const std::string& name, GivenOption given, int depth) {
+  if (same_word(name, "Include_Ini")) return bare(given.value, given, depth + 1);
   for (const OptionRow& row : option_table()) {
     if (!row.name.empty() && same_word(row.name, name)) return row.apply(m_options, given);
   }
@@ -132,7 +133,7 @@ void Reader::file(const IniName& name, const std::string& path, GivenOption give
       case IniLine::Kind::kOption:
         next.shown = line.text + "=" + line.value;
         next.value = line.value;
-        named(line.text, next);
+        named(line.text, next, depth);
         break;
       case IniLine::Kind::kSwitch:
         next.shown = line.text;
@@ -245,7 +246,7 @@ RenderOptions read_with(const std::string& default_ini, std::span<const std::str
       reader.switched(text, given);
     } else if (looks_like_option(text, equals)) {
       given.value = unquoted(text.substr(equals + 1));
-      reader.named(text.substr(0, equals), given);
+      reader.named(text.substr(0, equals), given, 0);
     } else {
       reader.bare(text, given, 1);
     }

@@ -14,6 +14,7 @@ constexpr std::size_t kColumns = 79;
 constexpr OptionHelp kScene[] = {
     {"Input_File_Name", "file", "The scene; - is standard input. A bare name that ends in .pov means the same.", ""},
     {"Library_Path", "folder", "Where include files, fonts, pictures and INI files are looked for besides. May be given several times.", ""},
+    {"Include_Ini", "file", "An INI file, perhaps with [part], that is read at this place.", ""},
     {"Declare", "NAME=VALUE", "An identifier that the scene finds declared: a number, or a string in double quotes.", ""},
     {"Version", "n", "The language's version until the scene's own #version, such as 3.7.", ""},
     {"Include_Header", "file", "Not yet: a file included before the scene.", ""},
@@ -28,6 +29,8 @@ constexpr OptionHelp kAnimation[] = {
     {"Subset_End_Frame", "n", "Render up to this frame, or part.", ""},
     {"Frame_Step", "n", "Render every n-th frame.", ""},
     {"Cyclic_Animation", kSwitch, "The last frame does not repeat the first.", ""},
+    {"Clockless_Animation", kSwitch, "Not yet but off.", ""},
+    {"Real_Time_Raytracing", kSwitch, "Not yet but off.", ""},
     {"Field_Render", kSwitch, "Read and ignored.", ""},
     {"Odd_Field", kSwitch, "Read and ignored.", ""},
 };

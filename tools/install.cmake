@@ -6,7 +6,6 @@ include(GNUInstallDirs)
 set(LENTRAY_PROGRAMS lentray lentray-diff lentray-model lentray-grouping)
 set(LENTRAY_MODULES lib/lentray)  # a folder of the package's own: no multiarch
 # Programs of the build tree find the module beside themselves, installed ones along this path.
-set_target_properties(lentray_openimageio PROPERTIES NO_SONAME ON)
 set_target_properties(${LENTRAY_PROGRAMS} PROPERTIES INSTALL_RPATH "$ORIGIN/../${LENTRAY_MODULES}")
 install(TARGETS ${LENTRAY_PROGRAMS} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(TARGETS lentray_openimageio LIBRARY DESTINATION ${LENTRAY_MODULES})

@@ -172,7 +172,9 @@ _lentray_complete() {
     esac
   done
 }
-complete -F _lentray_complete %s povray
+complete -F _lentray_complete %s
+# A povray that is lentray.
+case $(readlink -f "$(type -P povray)" 2>/dev/null) in */lentray) complete -F _lentray_complete povray ;; esac
 """
 
 
@@ -189,7 +191,7 @@ def bash_completion(helps):
     return BASH % (words, values, " ".join(about.name for about in helps))
 
 
-ZSH = """#compdef %s povray
+ZSH = """#compdef %s
 # Completion of lentray's programs for zsh: options, their values, scenes and files.
 local -a all
 case ${service:t} in

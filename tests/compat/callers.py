@@ -131,7 +131,7 @@ def cases():
         yield Case("blender" + (" radiosity" if radiosity else ""),
                    "blender -b --factory-startup --python-exit-code 1 --python script.py",
                    {"script.py": BLENDER.format(radiosity=radiosity)}, ["blender"],
-                   grade="" if radiosity else "match")
+                   grade="" if radiosity else "match", short="" if radiosity else "+UA with a background")
     yield Case("vapory file", f"{PYTHON} script.py", {"script.py": VAPORY.format(
         call="scene.render('out.png', width=160, height=120, antialiasing=0.001)")}, ["python:vapory"])
     yield Case("vapory array", f"{PYTHON} script.py", {"script.py": VAPORY.format(

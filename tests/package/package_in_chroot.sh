@@ -80,13 +80,13 @@ render lentray picture.pov +W160 +H120 -V
 written picture.png 89504e47
 render lentray /usr/share/doc/lentray/examples/demo.pov +W240 +H180 Lenticular=On -V +Odemo.png
 written demo.png 89504e47
-render lentray-diff scene.png picture.png --grade exact --no-pictures
+inside lentray-diff /work/scene.png /work/scene.tif --grade exact --no-pictures | tail -1 || fail "lentray-diff"
 # As povray, for a program that runs povray; the real one came along with its include files.
 mkdir -p "$root/usr/local/bin"
 ln -s ../../bin/lentray "$root/usr/local/bin/povray"
-render /usr/local/bin/povray +Iscene.pov +Oas-povray.tif +W160 +H120 -D
-written as-povray.tif 49492a00
-cmp "$root/work/scene.tif" "$root/work/as-povray.tif" || fail "the link named povray renders another picture"
+render /usr/local/bin/povray +Iscene.pov +Oas-povray.png +W160 +H120 -D
+written as-povray.png 89504e47
+cmp "$root/work/scene.png" "$root/work/as-povray.png" || fail "the link named povray renders another picture"
 render /usr/local/bin/povray --version
 grep -q '^POV-Ray 3\.7' "$root/work/log" || fail "povray --version does not begin with POV-Ray 3.7"
 [ -s "$root/usr/share/man/man1/lentray.1.gz" ] || echo "(minbase systems leave manual pages out)"
