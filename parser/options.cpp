@@ -285,7 +285,7 @@ RenderOptions read_options(std::span<const std::string> arguments, const OptionS
   const auto folders = std::find(inis.begin(), inis.end(), kFolderIni);
   options = read_with(first_ini(inis, static_cast<std::size_t>(folders - inis.begin()) + 1), arguments, sources);
   options.restrict_io = true;
-  options.warnings.push_back("Restrict_IO=On: the current folder's povray.ini is not read; name it to have it read");
+  options.warnings.emplace_back("Restrict_IO=On: the current folder's povray.ini is not read; name it to have it read");
   return options;
 }
 

@@ -158,7 +158,8 @@ class Parsing {
       m_out.for_lentray.push_back(word);
       return on_ini(word, 0);
     }
-    static constexpr std::array picture_extensions{".png", ".tif", ".tiff", ".exr"};
+    static constexpr std::array picture_extensions{".png", ".tif", ".tiff", ".exr",
+                                                   ".ppm", ".pgm", ".bmp", ".tga", ".jpg", ".hdr"};
     if (std::find(picture_extensions.begin(), picture_extensions.end(), extension) !=
         picture_extensions.end()) {
       m_out.pictures.emplace_back(word);
