@@ -224,22 +224,19 @@ are POV-Ray's, on the command line or in INI files (file.ini, file.ini[part]).
   +SCn +ECn +SRn +ERn     from a column and row to another only
   +A[t] -A                antialiasing, of colours that differ by t (0.3)
   +AMn +Rn +J[n] -J       its method (1 or 2), depth (1 to 9) and jitter
-  +FN +FN16 +FE -F        PNG of 8 or 16 bits, OpenEXR, no file
-  +UA                     what nothing covers is clear
-  +Lfolder                where include files are besides
-  +Qn +WTn -V             quality (0 to 11), threads, no progress
+  +FN +FN16 +FE -F +UA    PNG of 8 or 16 bits, OpenEXR, no file; with alpha
+  +Lfolder +Qn +WTn -V    include files' folder, quality, threads, no progress
   +KFIn +KFFn +KIn +KFn   frames and clocks of an animation; +Kn: a clock
   Declare=NAME=VALUE      an identifier of the scene
-  Restrict_IO=On          for strangers' scenes
+  Restrict_IO=On          for strangers' scenes: files where the rules permit
+  --parse-only            reads the scene and reports; renders nothing
+  --help=all --version    all options; the manual page has them too
 
 Lens sheet (lengths in mm):
   Lenticular=On           make a sheet of the scene's camera
   Lens_Pitch= | Lens_LPI= | Lens_Pixels= | Print_DPI=
   Lens_Focal_Length=  Lens_IOR=  Lens_Model=paraxial|pinhole
   View_Distance=n|inf  Sheet_Distance=n  View=j (that view alone)
-
-  --parse-only            reads the scene and reports; renders nothing
-  --help=all  --version   all options; the manual page has them too
 )";
 }
 
