@@ -159,6 +159,14 @@ def cases():
     yield Case("lines shell pipe", "povray +Iscene.pov +O- +FN +W160 +H120 -D -GA 2>log | cat > out.png", scene)
     yield Case("lines shell declare", "povray +Iscene +W160 +H120 -D Declare=Turn=50 +K0.5 -V +WT1 +Osub/", {**scene, "sub/": ""})
     yield Case("lines animation", "povray scene.pov +W80 +H60 -D +KFI1 +KFF3 +KI0 +KF1 -GA", scene)
+    # POV-Ray's own scripts, which take options of a comment in the scene.
+    scripts = "/usr/share/povray-3.7/scripts/"
+    yield Case("povray's render_scene", f"sh {scripts}render_scene.sh pictures scene.pov",
+               {"scene.pov": "// +w160 +h120 -d +a0.2\n" + SCENE, "pictures/": ""}, [scripts + "render_scene.sh"])
+    yield Case("povray's render_anim", f"sh {scripts}render_anim.sh pictures scene.pov",
+               {"scene.pov": SCENE, "pictures/": "", "scene.ini":
+                "Input_File_Name=scene.pov\nWidth=80\nHeight=60\nInitial_Frame=1\nFinal_Frame=2\nDisplay=off\n"},
+               [scripts + "render_anim.sh"])
     # Grids: parts of a picture, by rows and by columns, in formats that can be put together.
     yield Case("lines grid png", [f"povray scene.pov +W160 +H120 +SR{a} +ER{b} +FN +Opart{a}.png -D -GA"
                                   for a, b in ((1, 40), (41, 80), (81, 120))], scene)
@@ -238,6 +246,8 @@ def compare(case, folder, link, bin_folder):
     faults, grades = [], []
     if (status_ours == 0) != (status_stock == 0) or (status_ours != status_stock and status_ours > 2):
         faults.append(f"status {status_ours}, stock {status_stock}: {' / '.join(said.strip().splitlines()[-2:])}")
+    if status_stock == 0 and not files_below(stock) - set(case.files):
+        faults.append("stock wrote nothing: the case tests nothing")
     only_ours, only_stock = files_below(ours) - files_below(stock), files_below(stock) - files_below(ours)
     if only_ours:
         faults.append("files too many: " + " ".join(sorted(only_ours)))
