@@ -64,7 +64,7 @@ class Reader {
  public:
   explicit Reader(RenderOptions& options) : m_options(options) {}
 
-  void named(const std::string& name, GivenOption given);
+  void named(const std::string& name, GivenOption given, int depth);
   void switched(const std::string& text, GivenOption given);
   void file(const IniName& name, const std::string& path, GivenOption given, int depth);
   void bare(const std::string& text, const GivenOption& given, int depth);
@@ -74,7 +74,8 @@ class Reader {
   RenderOptions& m_options;
 };
 
-void Reader::named(const std::string& name, GivenOption given) {
+void Reader::named(const std::string& name, GivenOption given, int depth) {
+  if (same_word(name, "Include_Ini")) return bare(given.value, given, depth + 1);
   for (const OptionRow& row : option_table()) {
     if (!row.name.empty() && same_word(row.name, name)) return row.apply(m_options, given);
   }
@@ -132,7 +133,7 @@ void Reader::file(const IniName& name, const std::string& path, GivenOption give
       case IniLine::Kind::kOption:
         next.shown = line.text + "=" + line.value;
         next.value = line.value;
-        named(line.text, next);
+        named(line.text, next, depth);
         break;
       case IniLine::Kind::kSwitch:
         next.shown = line.text;
@@ -169,6 +170,7 @@ void Reader::bare(const std::string& text, const GivenOption& given, int depth) 
 bool long_option(std::span<const std::string> arguments, std::size_t& at, RenderOptions& options) {
   const std::string& text = arguments[at];
   if (text == "-?" || text == "--help" || same_word(text, "-help")) return options.help = true;
+  if (same_word(text, "--help=all")) return options.help = options.help_all = true;
   if (text == "--version" || same_word(text, "-version")) return options.version = true;
   if (text.rfind("--", 0) != 0) return false;
   const std::size_t equals = text.find('=');
@@ -186,7 +188,7 @@ bool long_option(std::span<const std::string> arguments, std::size_t& at, Render
     return true;
   }
   throw OptionError("unknown option '" + text +
-                    "'; there are --help, --version, --parse-only, --dump, --explain "
+                    "'; there are --help, --help=all, --version, --parse-only, --dump, --explain "
                     "and --dump-rays FILE");
 }
 
@@ -244,7 +246,7 @@ RenderOptions read_with(const std::string& default_ini, std::span<const std::str
       reader.switched(text, given);
     } else if (looks_like_option(text, equals)) {
       given.value = unquoted(text.substr(equals + 1));
-      reader.named(text.substr(0, equals), given);
+      reader.named(text.substr(0, equals), given, 0);
     } else {
       reader.bare(text, given, 1);
     }
@@ -283,7 +285,7 @@ RenderOptions read_options(std::span<const std::string> arguments, const OptionS
   const auto folders = std::find(inis.begin(), inis.end(), kFolderIni);
   options = read_with(first_ini(inis, static_cast<std::size_t>(folders - inis.begin()) + 1), arguments, sources);
   options.restrict_io = true;
-  options.warnings.push_back("Restrict_IO=On: the current folder's povray.ini is not read; name it to have it read");
+  options.warnings.emplace_back("Restrict_IO=On: the current folder's povray.ini is not read; name it to have it read");
   return options;
 }
 
@@ -340,51 +342,6 @@ void check_picture_size(std::int64_t width, std::int64_t height, double bytes_a_
   if (static_cast<double>(width) * static_cast<double>(height) > kMost) {
     throw OptionError(picture + " is too large: the limit is 1048576 x 1048576");
   }
-}
-
-std::string help_text() {
-  return R"(usage: lentray [options] scene.pov
-
-Renders POV-Ray scenes, also as integral images for lenticular sheets. Options are POV-Ray's;
-they may stand in INI files (file.ini, file.ini[section]) or on the command line as Name=Value.
-
-  +Ifile  +Ofile       scene and picture (- for standard input and output)
-  +Wn  +Hn             size of the picture in pixels
-  +C                   go on with what a stopped run did not finish
-  +SCn +ECn +SRn +ERn  render from a column and row to another only (below 1: parts of the size)
-  +KFIn +KFFn +KIn +KFn  frames and clocks of an animation; +SFn +EFn +STPn  some; +KC cyclic; +Kn clock
-  +A[t]                antialiasing, of colours that differ by t (0 to 1; 0.3)
-  +AM1|2 +Rn +J[n] -J  its method, depth (1 to 9; 3), jitter (0 to 1; 1); +AGn  gamma (2.5)
-  +FN8 +FN16 +FE       PNG of 8 or 16 bits, OpenEXR; TIFF by a name that ends in .tif; -F: no file
-  +Lfolder             where include files are
-  +Qn                  quality, 0 to 11
-  +WTn                 threads
-  -V                   no progress
-  Declare=NAME=VALUE   an identifier of the scene
-  File_Gamma=n         sRGB, or the exponent (1: linear)
-
-Lens sheet (lengths in mm):
-  Lenticular=On        make a sheet of the scene's camera
-  Lens_Pitch= | Lens_LPI=   Lens_Focal_Length=   Lens_IOR=   Lens_Pixels= | Print_DPI=
-  View_Distance=n|inf  Lens_Model=paraxial|pinhole
-  Sheet_Distance=n     Lens_Front=n            (scene units)
-  View=j               that view alone
-  Antialias_Angle=n    with n directions averaged in every pixel
-
-  Pixel_Order=auto|rows|views|columns|combined(w)|strips(w,h)|tiles|serpentine|hilbert|
-              adaptive
-  Shadow_Cache=auto|off|last|depth|tree|neighbourhood|grid|cascade
-  Accelerator=bvh|grid|list   -UL
-  Max_Memory=n[M|G]          how much to use; half of the machine's  (Band_Height=rows)
-  Statistics_File=x.json     what the run did (docs/statistics.md); Shadow_Log=On: more of shadows
-  Restrict_IO=On             for strangers' scenes: files only where the manual's rules permit
-                             (docs/security.md)
-  --parse-only         reads the scene and reports; renders nothing
-  --dump               what the scene says, as JSON (docs/language.md); renders nothing
-  --explain            what the scene needs of the renderer; renders nothing
-  --dump-rays FILE     every camera ray (docs/lens.md); renders nothing
-  --help  --version
-)";
 }
 
 }  // namespace lentray::parser

@@ -100,7 +100,7 @@ struct RenderOptions {
   std::uint32_t band_height = 0;          ///< rows; 0: as the memory allows
   std::string statistics_file, dump_rays;
   bool shadow_log = false;    ///< runs, blockers and costs of shadow rays go into the statistics
-  bool parse_only = false, dump = false, explain = false, help = false, version = false;
+  bool parse_only = false, dump = false, explain = false, help = false, help_all = false, version = false;
 
   std::vector<std::string> warnings;      ///< about the options themselves
 };
@@ -137,8 +137,5 @@ void check_picture_size(std::int64_t width, std::int64_t height, double bytes_a_
 
 /// "24 MB", "1.5 GB": powers of 1000.
 std::string memory_text(double bytes);
-
-/// The text of --help.
-std::string help_text();
 
 }  // namespace lentray::parser

@@ -371,6 +371,7 @@ constexpr OptionRow kTable[] = {
     // Scene.
     {"Input_File_Name", "I", set_text<&Options::input>},
     {"Include_Header", "HI", later<"a header include file">},
+    {"Include_Ini", "", ignore},  // whoever reads names reads it at once
     {"Library_Path", "L", add_library},
     {"Declare", "", add_declare},
     {"Version", "MV", set_version},
@@ -383,6 +384,8 @@ constexpr OptionRow kTable[] = {
     {"Subset_End_Frame", "EF", set_subset<&AnimationOptions::subset_end>},
     {"Frame_Step", "STP", set_frame_step},
     {"Cyclic_Animation", "KC", set_cyclic},
+    {"Clockless_Animation", "", only_off<"animation without a clock">},
+    {"Real_Time_Raytracing", "", only_off<"real-time raytracing">},
     {"Field_Render", "UF", ignore},
     {"Odd_Field", "UO", ignore},
     // Picture.

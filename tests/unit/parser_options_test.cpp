@@ -422,5 +422,31 @@ TEST_F(UnitParserOptions, OddBooleansAreOffWithAWarning) {
   EXPECT_NE(o.warnings[0].find("neither on nor off"), std::string::npos);
 }
 
+TEST_F(UnitParserOptions, IncludeIniReadsAFileAtItsPlace) {
+  write("in.ini", "Width=77\nHeight=33\n[part]\nWidth=88\n");
+  write("out.ini", "Height=11\nInclude_Ini=\"in.ini\"\nWidth=99\n");
+  EXPECT_EQ(read({"out.ini"}).width, 99);
+  EXPECT_EQ(read({"out.ini"}).height, 33);
+  const RenderOptions options = read({"Include_Ini=in[part]", "+H40"});
+  EXPECT_EQ(options.width, 88);
+  EXPECT_EQ(options.height, 40);
+  write("self.ini", "Include_Ini=self.ini\n");
+  expect_message({"Include_Ini=self.ini"}, "nested more than 10 deep");
+  expect_message({"Include_Ini=nowhere.ini"}, "there is no INI file 'nowhere.ini'");
+}
+
+TEST_F(UnitParserOptions, OptionsOfAnimationsThatAreOffDoNothing) {
+  EXPECT_NO_THROW((void)read({"Clockless_Animation=off", "Real_Time_Raytracing=off"}));
+  expect_message({"Real_Time_Raytracing=on"}, "not yet: real-time raytracing");
+  expect_message({"Clockless_Animation=on"}, "not yet: animation without a clock");
+}
+
+TEST_F(UnitParserOptions, HelpIsShortOrLong) {
+  EXPECT_TRUE(read({"--help"}).help);
+  EXPECT_FALSE(read({"--help"}).help_all);
+  EXPECT_TRUE(read({"--help=all"}).help_all);
+  expect_message({"--help=some"}, "unknown option '--help=some'");
+}
+
 }  // namespace
 }  // namespace lentray::parser

@@ -158,7 +158,8 @@ class Parsing {
       m_out.for_lentray.push_back(word);
       return on_ini(word, 0);
     }
-    static constexpr std::array picture_extensions{".png", ".tif", ".tiff", ".exr"};
+    static constexpr std::array picture_extensions{".png", ".tif", ".tiff", ".exr",
+                                                   ".ppm", ".pgm", ".bmp", ".tga", ".jpg", ".hdr"};
     if (std::find(picture_extensions.begin(), picture_extensions.end(), extension) !=
         picture_extensions.end()) {
       m_out.pictures.emplace_back(word);
@@ -218,28 +219,37 @@ Arguments parse_arguments(const std::vector<std::string>& words) {
 }
 
 std::string usage() {
-  return R"(lentray-diff SCENE [options]     render SCENE with lentray and with stock POV-Ray, compare
-lentray-diff A B [Lens_Pixels=N] compare two pictures, lens by lens if N is given
-                                 (or found in a picture that lentray wrote)
+  return R"(usage: lentray-diff [options] scene.pov [options of lentray]
+       lentray-diff [options] picture picture [Lens_Pixels=n]
 
-All options of lentray are passed on (Lenticular=On, Declare=, +W, +H, +L, files.ini ...);
-stock sees the same scene through wrapper scenes. Antialiasing (+A, +AM, +R, +J, +AG and their long
-names) reaches both; without +A neither antialiases. Jitter is random in both: -J for equal pictures.
-Stock cannot antialias a mesh_camera (fractional N; Snell's law at a finite V): there the reference
-is the mean of many samples. With Antialias_Angle=n it is the mean of n times as many views.
+Compares pictures of lentray with stock POV-Ray's, lens by lens. Of a scene, it
+renders both; or two pictures are given, and the pixels of a lens are, or stand
+in a picture that lentray wrote.
 
-  --grade G        exact, match (default) or close: what the whole must reach; every lens and
-                   view must reach match at least (or G, if that is less)
+All options of lentray are passed on (Lenticular=On, Declare=, +W, +H, +L,
+files.ini ...); stock sees the same scene through wrapper scenes. Antialiasing
+(+A, +AM, +R, +J, +AG and their long names) reaches both; without +A neither
+antialiases. Jitter is random in both: -J for equal pictures. Stock cannot
+antialias a mesh_camera (fractional Lens_Pixels; Snell's law at a finite
+View_Distance): there the reference is the mean of many samples. With
+Antialias_Angle=n it is the mean of n times as many views.
+
+  --grade G        exact, match (default) or close: what the whole must reach;
+                   every lens and view must reach match at least (or G, if that
+                   is less)
   --json FILE      all figures as JSON
-  --output PREFIX  pictures PREFIX-ours, -stock, -heat, -side.png (default: SCENE-diff)
+  --output PREFIX  pictures PREFIX-ours, -stock, -heat, -side.png
+                   (default: SCENE-diff)
   --no-pictures    none of them
   --all-lenses     a line for every lens, not for the worst only
-  --threads N      threads of lentray, and processes of stock at a time (default: all)
-  --samples N      samples each way over a pixel of an antialiased mesh_camera (default 8: 64 a pixel)
+  --threads N      threads of lentray, and processes of stock at a time (all)
+  --samples N      samples each way over a pixel of an antialiased mesh_camera
+                   (default 8: 64 a pixel)
   --bits B         8 or 16 bits a colour (default 8)
   --time-limit S   seconds for one process of stock
   --keep FOLDER    wrapper scenes and stock's pictures stay there
-  --write-wrappers FOLDER   write the wrapper scenes for stock (viewJ.pov, mesh.pov), do no more
+  --write-wrappers FOLDER  write the wrapper scenes for stock (viewJ.pov,
+                   mesh.pov), do no more
   --lentray FILE   the lentray to use (default: the one beside this program)
   --povray FILE    the stock POV-Ray to use (default: povray)
 

@@ -116,22 +116,29 @@ Arguments parse_arguments(const std::vector<std::string>& words) {
 }
 
 std::string usage() {
-  return R"(lentray-grouping SCENE... [Name=Value ...] [options of lentray]
+  return R"(usage: lentray-grouping scene.pov ... [Name=Value ...] [options of lentray]
 
-Renders each scene with every pixel order, shadow cache and accelerator that is asked for, one
-thread, and says what each costs and how often the cache was right. Every picture is compared with
-the first: they must be the same, bit for bit.
+Measures pixel orders, shadow caches and accelerators on scenes: one thread,
+what each costs and how often the cache was right. Every picture is compared
+with the first: they must be the same, bit for bit.
 
-  Orders=rows,columns,...   also combined(w), strips(w,h); all, as Pixel_Order= has them
-  Caches=off,last,...       all, as Shadow_Cache= has them
-  Accelerators=bvh       without light buffers: bvh, grid, list; buffer: bvh with them
-  Sizes=2,3,4            the scenes in these sizes (Declare=Size=), as the SPD scenes have them
-  Repeats=5              timed runs of each, interleaved; the median counts; 0: counts alone
-  CSV=file  HTML=file    HTML holds charts, which need gnuplot
-  Gains=file             CSV of what columns save against rows and views, with Cm/Ch and equation 2
+  Orders=rows,columns,...  also combined(w), strips(w,h); all, as Pixel_Order=
+                         of lentray has them
+  Caches=off,last,...    all, as Shadow_Cache= has them
+  Accelerators=bvh,...   without light buffers: bvh, grid, list; buffer: bvh
+                         with them (bvh)
+  Sizes=2,3,4            the scenes in these sizes (Declare=Size=), as the SPD
+                         scenes have them
+  Repeats=n              timed runs of each, interleaved; the median counts; 0:
+                         counts alone (5)
+  CSV=file               the table
+  HTML=file              the table with charts, which need gnuplot
+  Gains=file             CSV of what columns save against rows and views, with
+                         Cm/Ch and equation 2
   Lentray=file           the program to run; the one beside this one
 
 All else goes to lentray: +W +H Declare= Lenticular=On Lens_Pixels= +L ...
+
 Exit status: 0 done, 1 something went wrong, 2 pictures differ.
 )";
 }

@@ -223,36 +223,49 @@ Arguments parse_arguments(const std::vector<std::string>& words) {
 }
 
 std::string usage() {
-  return R"(lentray-model [Name=Value ...] [--measure]
+  return R"(usage: lentray-model [Name=Value ...] [--measure]
 
-The shadow cache in integral ray tracing after Youssef, Aggoun, Wolf and McCormick: how many shadow
-rays of successive pixels hit the cache when one square shadow lies on a plane behind a lens sheet.
-By the paper's equations, by enumeration, and (--measure) by rendering. Lengths are mm.
+Models the shadow cache in integral ray tracing, after Youssef, Aggoun, Wolf
+and McCormick: how many shadow rays of successive pixels hit the cache when one
+square shadow lies on a plane behind a lens sheet. By the paper's equations, by
+enumeration, and (--measure) by rendering. Lengths are mm.
 
-  Lens_Pitch=1.124 | Lens_LPI=   Lens_Focal_Length=3.03   Lens_IOR=1.6   Lens_Pixels=15
-  Lens_Model=pinhole|paraxial
-  Lenses=133             lenses of the sheet, seen from infinity
+  Lens_Pitch=n | Lens_LPI=n  pitch of the lenses (1.124)
+  Lens_Focal_Length=n    (3.03)
+  Lens_IOR=n             (1.6)
+  Lens_Pixels=n          pixels a lens (15)
+  Lens_Model=paraxial|pinhole  (pinhole)
+  Lenses=n               lenses of the sheet, seen from infinity (133)
   Rows=n                 rows of square pixels (as many as there are columns)
   A=first:last:step      size of the shadow (0.5:40:1)
   D=first:last:step      how far behind the sheet it is (0:40:1)
-  Xstart=0.3  Ystart=    its left and its upper edge, right of and below the sheet's middle; Ystart
-                         as Xstart. The shadow is [Xstart, Xstart+A] x [Ystart, Ystart+A]
-  Alpha=printed          equation 6 as it is printed; refracted: with the refractive index in it
-  Strip_Width=w,...      besides the strips that fit the shadow: combined(w), and with
-  Strip_Height=h,...     these strips(w,h)
-  --measure              renders the shadow, pixels in each order, and logs the hits
+  Xstart=n               its left edge, right of the sheet's middle (0.3)
+  Ystart=n               its upper edge, below the middle; as Xstart. The
+                         shadow is [Xstart, Xstart+A] x [Ystart, Ystart+A]
+  Alpha=printed|refracted  equation 6 as it is printed, or with the refractive
+                         index in it (printed)
+  Strip_Width=w,...      besides the strips that fit the shadow: combined(w)
+  Strip_Height=h,...     and with these strips(w,h)
+  --measure              renders the shadow, pixels in each order, and logs the
+                         hits
 
-  CSV=file               style,A,D,xstart,closed_form,enumerated,measured; - is standard output
+  CSV=file               style,A,D,xstart,closed_form,enumerated,measured; - is
+                         standard output
   Deviations=file        CSV of where the equations fail, and by how much
-  Figures=10,11,...      charts of the paper's figures: 10 to 17, 23, 24a to 24e (rendered); and of
-                         where the equations fail: near, theta, small, wide, edges; or all
-  Folder=.  Format=png   where the charts go, as figure-10.png and so on; svg
-  Slice_A=20 Slice_D=13  where figures cut the surfaces
+  Figures=10,11,...      charts of the paper's figures: 10 to 17, 23, 24a to 24e
+                         (rendered); and of where the equations fail: near,
+                         theta, small, wide, edges; or all
+  Folder=folder          where the charts go, as figure-10.png and so on (.)
+  Format=png|svg         (png)
+  Slice_A=n              where figures cut the surfaces (20)
+  Slice_D=n              (13)
   Threads=n              all of the machine's
 
-Without CSV, Deviations and Figures the table of deviations is shown. Charts need gnuplot.
-Exit status: 0 done, 1 something is wrong with what was asked for or could not be written, 2
-measured and enumerated differ.
+Without CSV, Deviations and Figures the table of deviations is shown. Charts
+need gnuplot.
+
+Exit status: 0 done, 1 something is wrong with what was asked for or could not
+be written, 2 measured and enumerated differ.
 )";
 }
 

@@ -5,6 +5,7 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <new>
 #include <optional>
 #include <string>
@@ -15,6 +16,7 @@
 #include "parser/build/build_error.h"
 #include "parser/diagnostics.h"
 #include "parser/options.h"
+#include "parser/options_help.h"
 #include "tools/lentray/run.h"
 #include "tools/lentray/text_streams.h"
 #include "tools/lentray/version.h"
@@ -96,6 +98,22 @@ int guarded(Work work) {
   }
 }
 
+/// By a link, for programs that run povray.
+bool called_as_povray(const std::filesystem::path& program) { return program.filename().string().starts_with("povray"); }
+
+/// Stock tells of itself on standard error, and callers look for "POV-Ray 3.7" there.
+void tell(const parser::RenderOptions& options, bool as_povray) {
+  std::FILE* const out = as_povray ? stderr : stdout;
+  if (options.help) {
+    std::fputs((options.help_all ? parser::full_help_text() : parser::help_text()).c_str(), out);
+  } else if (as_povray) {
+    std::fprintf(out, "POV-Ray %s compatible: Lentray %s\n\nThis is not POV-Ray, but a renderer that reads its scenes and options.\n",
+                 tool::kPovRayVersion, tool::kVersion);
+  } else {
+    std::fprintf(out, "Lentray %s\n", tool::kVersion);
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -108,12 +126,8 @@ int main(int argc, char** argv) {
     return static_cast<int>(tool::kDone);
   });
   if (status != tool::kDone) return status;
-  if (options.help) {
-    std::fputs(parser::help_text().c_str(), stdout);
-    return tool::kDone;
-  }
-  if (options.version) {
-    std::printf("Lentray %s\n", tool::kVersion);
+  if (options.help || options.version) {
+    tell(options, called_as_povray(argc > 0 ? argv[0] : ""));
     return tool::kDone;
   }
   status = guarded([&] {
