@@ -153,6 +153,7 @@ void add_work(const RenderOptions& o, Lines& out) {
   out.name("Statistics_File", o.statistics_file);
   out.add("Shadow_Log", o.shadow_log);
   out.add("Restrict_IO", o.restrict_io);
+  out.add("Strict", o.strict);
 }
 
 }  // namespace

@@ -72,6 +72,7 @@ struct RenderOptions {
   int antialias_angles = 1;               ///< directions averaged within a pixel of a lens sheet
 
   // Safety.
+  bool strict = false;                    ///< what a picture would lack is an error
   bool restrict_io = false;               ///< rules for what a scene reads and writes
   std::array<ShellCommand, kCommands> commands;  ///< by CommandKind
 

@@ -124,6 +124,7 @@ constexpr OptionHelp kCommandLines[] = {
 };
 constexpr OptionHelp kSafety[] = {
     {"Restrict_IO", kSwitch, "For strangers' scenes: files only where the rules of POV-Ray's manual permit (security.md).", ""},
+    {"Strict", kSwitch, "A scene that asks for what is not rendered yet is an error before anything is rendered, instead of a warning.", ""},
     {"--parse-only", "", "Reads the scene, says what is wrong with it, renders nothing and leaves nothing behind.", ""},
     {"--dump", "", "Writes what the scene says as JSON; renders nothing.", ""},
     {"--explain", "", "Says what the scene needs of the renderer; renders nothing.", ""},

@@ -480,6 +480,7 @@ constexpr OptionRow kTable[] = {
     {"User_Abort_Return", "", set_return<CommandKind::kUserAbort>},
     {"Fatal_Error_Return", "", set_return<CommandKind::kFatalError>},
     {"Restrict_IO", "", set_bool<&Options::restrict_io>},
+    {"Strict", "", set_bool<&Options::strict>},
     // Lentray's own.
     {"Lenticular", "", set_bool<&Options::lenticular>},
     {"Lens_Pitch", "", set_pitch},

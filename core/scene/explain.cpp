@@ -116,7 +116,7 @@ std::string explain(const Scene& scene) {
     (needs.*member ? present : absent).emplace_back(name);
   }
   list(out, "used", present);
-  list(out, "left out", absent);
+  list(out, "not needed", absent);
   line(out, "trace level") << needs.greatest_depth << " at most (max_trace_level "
                            << scene.settings().max_trace_level << ")\n";
 

@@ -183,9 +183,36 @@ TEST_F(ImageProgram, ExplainNamesWhatIsNeeded) {
   EXPECT_EQ(result.status, 0);
   EXPECT_NE(result.output.find("reflection"), std::string::npos);
   EXPECT_NE(result.output.find("2 sphere"), std::string::npos);
-  EXPECT_NE(result.output.find("left out"), std::string::npos);
+  EXPECT_NE(result.output.find("not needed"), std::string::npos);
   EXPECT_NE(result.output.find("Light buffers"), std::string::npos);
   EXPECT_FALSE(exists("scene.png"));
+}
+
+TEST_F(ImageProgram, WhatAPictureWillLackIsSaidBeforeItIsRendered) {
+  diff::write_text(path("lacks.pov"), "#version 3.7; global_settings { assumed_gamma 1 } light_source { -9*z, 1 }\n"
+        "sphere { 5*z, 1 pigment { rgbt 1 } hollow interior { media { emission 1 } } }\n");
+  const std::string text = lentray({"lacks.pov", "+W16", "+H12"}).output;
+  EXPECT_LT(text.find("left out of the picture: media"), text.find("Rendering: 100 %")) << text;
+  for (const bool parses : {false, true}) {
+    std::vector<std::string> arguments{"lacks.pov", "+W16", "+H12", "Strict=On", "+Ostrict.png"};
+    if (parses) arguments.push_back("--parse-only");
+    const auto strict = lentray(arguments);
+    EXPECT_EQ(strict.status, 1);
+    EXPECT_NE(strict.output.find("Strict=On: the picture would lack media"), std::string::npos) << strict.output;
+    EXPECT_FALSE(exists("strict.png"));
+  }
+  EXPECT_EQ(lentray({"scene.pov", "+W16", "+H12", "Strict=On"}).status, 0);
+}
+
+TEST_F(ImageProgram, ASummaryAtTheEnd) {
+  const std::string text = lentray({"scene.pov", "+W16", "+H12", "+A0.1"}).output;
+  for (const char* part : {"Pixels:  192, antialiased ", "Rays:    camera ", "Seconds: reading ", "Memory:  ",
+                           "scene.png: 16 x 12 pixels in "}) {
+    EXPECT_NE(text.find(part), std::string::npos) << text;
+  }
+  EXPECT_EQ(text.find("Bands"), std::string::npos);
+  lentray({"scene.pov", "+W16", "+H12", "-V", "Statistic_File=stats.txt"});
+  EXPECT_TRUE(exists("stats.txt"));
 }
 
 TEST_F(ImageProgram, ProgressOnlyWhenWanted) {

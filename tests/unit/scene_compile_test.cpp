@@ -274,7 +274,7 @@ TEST(UnitCoreScene, ExplainTellsWhatTheSceneNeeds) {
   EXPECT_NE(text.find("2 sphere"), std::string::npos) << text;
   EXPECT_NE(text.find("transparency, transparent shadows, refraction, interiors"),
             std::string::npos) << text;
-  EXPECT_LT(text.find("left out"), text.find("reflection")) << text;
+  EXPECT_LT(text.find("not needed"), text.find("reflection")) << text;
   EXPECT_EQ(text.back(), '\n');
 }
 

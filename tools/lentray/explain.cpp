@@ -14,7 +14,7 @@ std::string explanation(const core::Scene& scene, const CameraSetup& setup,
   for (const std::string& line : setup.report) out << "  " << line << "\n";
   out << core::explain(scene);
   if (!not_rendered.empty()) {
-    out << "Not rendered yet\n";
+    out << "Missing from the picture\n";
     for (const std::string& feature : not_rendered) out << "  " << feature << "\n";
   }
   return out.str();

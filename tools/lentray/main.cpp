@@ -20,6 +20,7 @@
 #include "tools/lentray/run.h"
 #include "tools/lentray/text_streams.h"
 #include "tools/lentray/version.h"
+#include "tools/lentray/warnings.h"
 
 namespace {
 
@@ -61,11 +62,6 @@ std::string line(const std::string& text) {
 
 /// Where texts go once the options are known.
 std::optional<tool::TextStreams> g_texts;
-
-void print_warnings(const parser::RenderOptions& options, const std::vector<std::string>& warnings) {
-  if (options.warning_level == 0) return;
-  for (const std::string& text : warnings) g_texts->write(Stream::kWarning, line(text));
-}
 
 /// What ended the run is said whatever the options are.
 int fail(const char* prefix, const std::string& text, int status) {
@@ -120,7 +116,6 @@ int main(int argc, char** argv) {
   keep_memory();
   const std::vector<std::string> arguments(argv + 1, argv + argc);
   parser::RenderOptions options;
-  std::vector<std::string> warnings;
   int status = guarded([&] {
     options = parser::read_options(arguments, parser::installed_sources());
     return static_cast<int>(tool::kDone);
@@ -135,21 +130,21 @@ int main(int argc, char** argv) {
     return static_cast<int>(tool::kDone);
   });
   if (status != tool::kDone) return status;
-  for (const std::string& text : options.warnings) warnings.push_back("warning: " + text);
+  tool::Warnings warnings(*g_texts, options.warning_level);
+  for (const std::string& text : options.warnings) warnings.add("warning: " + text);
+  warnings.say();
   set_signals();
   status = guarded([&] {
     try {
       return static_cast<int>(tool::run(options, g_cancel, *g_texts, warnings));
     } catch (...) {
       // Warnings first: they often tell what the error is about.
-      print_warnings(options, warnings);
-      warnings.clear();
+      warnings.say();
       throw;
     }
   });
   if (status == tool::kAborted) {
     std::fputs(g_cancel ? "lentray: stopped; no picture was written\n" : "lentray: stopped by a command\n", stderr);
   }
-  print_warnings(options, warnings);
   return status;
 }

@@ -38,6 +38,7 @@
 #include "tools/lentray/progress_bar.h"
 #include "tools/lentray/quality.h"
 #include "tools/lentray/ray_dump.h"
+#include "tools/lentray/run_summary.h"
 #include "tools/lentray/scene_disk.h"
 #include "tools/lentray/text_streams.h"
 
@@ -67,7 +68,7 @@ struct Run {
   const RenderOptions& options;
   const parser::FrameClock& clock;
   TextStreams& texts;
-  std::vector<std::string>& warnings;
+  Warnings& warnings;
   std::string output;                  ///< where the picture goes; empty: nowhere
   parser::OutputType type = parser::OutputType::kPng;
   std::unique_ptr<core::Scene> scene{};
@@ -116,11 +117,19 @@ parser::ParserOptions parser_options(const RenderOptions& o, const parser::Frame
 
 void connect(parser::Diagnostics& diagnostics, Run& run) {
   diagnostics.connect(parser::Stream::kWarning, [&run](std::string_view text) {
-    run.warnings.emplace_back(text);
+    run.warnings.add(std::string(text));
   });
   for (const auto stream : {parser::Stream::kDebug, parser::Stream::kRender, parser::Stream::kStatistics}) {
     diagnostics.connect(stream, [&run, stream](std::string_view text) { run.texts.write(stream, text); });
   }
+}
+
+/// With Strict=On nothing may be missing from the picture.
+void refuse_if_strict(const RenderOptions& o, const std::vector<std::string>& not_rendered) {
+  if (!o.strict || not_rendered.empty()) return;
+  std::string list;
+  for (const std::string& feature : not_rendered) list += (list.empty() ? "" : ", ") + feature;
+  throw parser::OptionError("Strict=On: the picture would lack " + list);
 }
 
 /// --parse-only, --dump: text -> descriptions, checked as far as they can be without rendering.
@@ -135,7 +144,9 @@ void parse_alone(Run& run, const std::string& path) {
   options.only_check = !o.dump;
   const parser::SceneDesc scene = parser::read_descriptions(path, sources, diagnostics, options);
   const double seconds = cpu_seconds() - before;
-  parser::build_scene(scene, diagnostics, {o.quality});
+  const core::SceneParts parts = parser::build_scene(scene, diagnostics, {o.quality});
+  run.warnings.say();
+  refuse_if_strict(o, parts.not_rendered);
   if (o.dump) {
     const auto json = parser::scene_json(scene, sources);
     std::puts(json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
@@ -186,42 +197,9 @@ void read_scene(Run& run, const std::string& path) {
   const auto request =
       parser::camera_request(description.camera.value_or(parser::CameraDesc{}), textures);
   run.camera = make_camera(request, o, camera::probe_of(*run.scene));
-  for (std::string& text : run.camera.warnings) run.warnings.push_back("warning: " + text);
+  for (std::string& text : run.camera.warnings) run.warnings.add("warning: " + text);
   run.camera.warnings.clear();
   for (const auto& [file, sum] : disk.seen()) run.identity.files[file == path ? "" : file] = sum;
-}
-
-shadow::LensReport lens_report(const camera::Lenticular& sheet) {
-  shadow::LensReport out;
-  out.parameters = sheet.sheet().lens();
-  out.lenses = sheet.sheet().lenses();
-  out.views = sheet.sheet().views();
-  out.lens_front = sheet.placement().front;
-  out.scene_units_per_mm = sheet.scale();
-  out.sheet_width = sheet.sheet().sheet_width();
-  out.sheet_height = sheet.placement().height / sheet.scale();
-  return out;
-}
-
-/// Of the space in which colours are computed: a power, "sRGB", or null where they go to the file as
-/// they are.
-nlohmann::json working_gamma(const core::SceneSettings& settings) {
-  if (settings.assumed_gamma > 0.0) return settings.assumed_gamma;
-  return settings.assumed_gamma_set ? nlohmann::json("sRGB") : nlohmann::json();
-}
-
-void write_statistics(Run& run) {
-  const RenderOptions& o = run.options;
-  run.report.scene = o.input;
-  run.report.pixel_order = o.pixel_order;
-  run.report.shadow_cache = o.shadow_cache;
-  run.report.accelerator = o.accelerator;
-  run.report.peak_bytes = peak_bytes();
-  if (run.camera.sheet) run.report.lens = lens_report(*run.camera.sheet);
-  nlohmann::json statistics = shadow::to_json(run.report);
-  statistics["image"]["working_gamma"] = working_gamma(run.scene->settings());
-  if (run.camera.sheet) statistics["lens"].update(lens_json(run.camera.camera()));
-  write_text_file(parser::frame_path(o, o.statistics_file), statistics.dump(2) + "\n");
 }
 
 /// Rows in a band, and how they are reported.
@@ -238,7 +216,7 @@ core::FrameShape shape_of(Run& run) {
     shape.band_height =
         shadow::band_height(o.pixel_order, shape.width, shape.height, row, limit - scene);
     if (shape.band_height * row > limit - scene) {
-      run.warnings.push_back("warning: Max_Memory is less than the scene and a row of the picture "
+      run.warnings.add("warning: Max_Memory is less than the scene and a row of the picture "
                              "take; that is " + parser::memory_text(scene + row));
     }
   }
@@ -247,15 +225,6 @@ core::FrameShape shape_of(Run& run) {
   shape.band_height = (std::min(shape.band_height, shape.height) + grain - 1) / grain * grain;
   run.report.band_height = shape.band_height;
   run.report.bands = (shape.height + shape.band_height - 1) / shape.band_height;
-  if (o.verbose) {
-    const double share = std::min(1.0, 1.0 * run.report.bands / core::BandQueue::kInMemory);
-    const double bytes = share * core::bytes_a_band_row(antialiasing(o), shape.width) * shape.band_height;
-    run.texts.write(parser::Stream::kRender,
-                    "Bands: " + std::to_string(run.report.bands) + " of " +
-                        std::to_string(shape.band_height) +
-                        (shape.band_height == 1 ? " row, " : " rows, ") + parser::memory_text(bytes) +
-                        " of at most " + parser::memory_text(limit) + "\n");
-  }
   return shape;
 }
 
@@ -289,7 +258,7 @@ std::optional<core::PixelRegion> region_of(const RenderOptions& o, const core::F
 void report_slopes(Run& run) {
   for (const core::WatchedSlope& slope : run.slopes) {
     const std::string advice = slope.watch->advice();
-    if (!advice.empty()) run.warnings.push_back(slope.place + ": warning: " + advice);
+    if (!advice.empty()) run.warnings.add(slope.place + ": warning: " + advice);
   }
 }
 
@@ -378,7 +347,7 @@ bool render(Run& run, const std::atomic<bool>& cancel, bool is_frame) {
   picture.finish();
   if (journal) journal->finish(is_frame);
   if (journal && !journal->trouble().empty()) {
-    run.warnings.push_back("warning: '" + journal_path(run.output) + "' could not be written (" + journal->trouble() +
+    run.warnings.add("warning: '" + journal_path(run.output) + "' could not be written (" + journal->trouble() +
                            "): had this run been cut off, +C would not have gone on with it");
   }
   run.report.write_cpu_s = picture.cpu_seconds();
@@ -400,7 +369,7 @@ bool renders(const RenderOptions& o) {
 }
 
 Status run_picture(const Picture& what, const std::atomic<bool>& cancel, TextStreams& texts,
-                   std::vector<std::string>& warnings) {
+                   Warnings& warnings) {
   const auto start = Clock::now();
   const RenderOptions& options = what.options;
   Run run{options, what.clock, texts, warnings, {}};
@@ -418,6 +387,8 @@ Status run_picture(const Picture& what, const std::atomic<bool>& cancel, TextStr
   run.identity = identity_of(options, what.clock);
   if (renders(options) && is_there_already(run, what.scene)) return kDone;
   read_scene(run, what.scene);
+  warnings.say();
+  refuse_if_strict(options, run.not_rendered);
   if (options.explain) {
     std::fputs(explanation(*run.scene, run.camera, run.not_rendered).c_str(), stdout);
     return kDone;
@@ -434,14 +405,18 @@ Status run_picture(const Picture& what, const std::atomic<bool>& cancel, TextStr
                              machine_memory());
   if (!render(run, cancel, what.is_frame)) return kAborted;
   report_slopes(run);
+  warnings.say();
   run.report.wall_s = std::chrono::duration<double>(Clock::now() - start).count();
-  if (!options.statistics_file.empty()) write_statistics(run);
+  run.report.peak_bytes = peak_bytes();
+  if (!options.statistics_file.empty()) {
+    write_text_file(parser::frame_path(options, options.statistics_file),
+                    statistics(run.report, options, run.camera, run.scene->settings()).dump(2) + "\n");
+  }
+  const std::string text = summary(run.report, run.output);
   if (options.verbose) {
-    std::ostringstream text;
-    text << (run.output.empty() ? "No file" : run.output) << ": " << camera.width() << " x "
-         << camera.height() << " pixels in " << std::fixed << std::setprecision(2)
-         << run.report.wall_s << " s\n";
-    run.texts.write(parser::Stream::kStatistics, text.str());
+    texts.write(parser::Stream::kStatistics, text);
+  } else {
+    texts.log(parser::Stream::kStatistics, text);
   }
   if (what.is_last) leave_to_system(std::move(run.scene));
   return kDone;

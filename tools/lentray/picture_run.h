@@ -1,6 +1,6 @@
 // One picture, a still or a frame: read the scene, build and compile it, place the camera, render,
 // write. Everything that can be refused is refused before rendering starts. Messages go to standard
-// error; warnings are gathered.
+// error; warnings are said before rendering, and what comes later at the end.
 // Errors, each worded for the user: parser::OptionError, parser::ParseError, camera::CameraError,
 // core::ImageError. One thread calls.
 #pragma once
@@ -13,6 +13,7 @@
 #include "parser/options.h"
 #include "tools/lentray/run.h"
 #include "tools/lentray/text_streams.h"
+#include "tools/lentray/warnings.h"
 
 namespace lentray::tool {
 
@@ -28,6 +29,6 @@ struct Picture {
 bool renders(const parser::RenderOptions& options);
 
 Status run_picture(const Picture& picture, const std::atomic<bool>& cancel, TextStreams& texts,
-                   std::vector<std::string>& warnings);
+                   Warnings& warnings);
 
 }  // namespace lentray::tool

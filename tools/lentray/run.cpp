@@ -1,6 +1,5 @@
 #include "tools/lentray/run.h"
 
-#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 
@@ -18,13 +17,6 @@ namespace {
 
 using parser::CommandKind;
 using parser::RenderOptions;
-
-/// What several frames warn of is said once.
-void add_new(const std::vector<std::string>& more, std::vector<std::string>& warnings) {
-  for (const std::string& text : more) {
-    if (std::find(warnings.begin(), warnings.end(), text) == warnings.end()) warnings.push_back(text);
-  }
-}
 
 std::string frame_line(const parser::FrameClock& clock, std::size_t number, std::size_t count) {
   char text[128];
@@ -60,7 +52,7 @@ Frames frames_of(const RenderOptions& o) {
 class Loop {
  public:
   Loop(const RenderOptions& options, const std::string& scene, const std::atomic<bool>& cancel, TextStreams& texts,
-       std::vector<std::string>& warnings)
+       Warnings& warnings)
       : m_options(options), m_scene(scene), m_cancel(cancel), m_texts(texts), m_warnings(warnings),
         m_frames(frames_of(options)) {}
 
@@ -95,16 +87,8 @@ class Loop {
     if (m_frames.is_animation && one.verbose) {
       m_texts.write(parser::Stream::kRender, frame_line(frame.clock, i + 1, m_frames.list.size()));
     }
-    std::vector<std::string> more;
-    try {
-      const Status status =
-          run_picture({one, frame.clock, m_scene, i + 1 == m_frames.list.size(), m_frames.is_animation}, m_cancel, m_texts, more);
-      add_new(more, m_warnings);
-      return status;
-    } catch (...) {
-      add_new(more, m_warnings);
-      throw;
-    }
+    const bool is_last = i + 1 == m_frames.list.size();
+    return run_picture({one, frame.clock, m_scene, is_last, m_frames.is_animation}, m_cancel, m_texts, m_warnings);
   }
 
   /// Frames say that they are finished only while there is one that is not.
@@ -158,14 +142,14 @@ class Loop {
   const std::string& m_scene;
   const std::atomic<bool>& m_cancel;
   TextStreams& m_texts;
-  std::vector<std::string>& m_warnings;
+  Warnings& m_warnings;
   const Frames m_frames;
 };
 
 }  // namespace
 
 Status run(const RenderOptions& options, const std::atomic<bool>& cancel, TextStreams& texts,
-           std::vector<std::string>& warnings) {
+           Warnings& warnings) {
   const SceneFile file(options);
   if (const std::string ini = parser::ini_path(options); !ini.empty()) write_text_file(ini, parser::ini_text(options));
   Loop loop(options, file.path(), cancel, texts, warnings);

@@ -8,6 +8,7 @@
 
 #include "parser/options.h"
 #include "tools/lentray/text_streams.h"
+#include "tools/lentray/warnings.h"
 
 namespace lentray::tool {
 
@@ -15,8 +16,8 @@ namespace lentray::tool {
 enum Status : int { kDone = 0, kUserError = 1, kAborted = 2, kInternalError = 3 };
 
 /// `cancel` set from outside ends the run with kAborted and leaves no file behind.
-/// `warnings` grows; the caller prints them, also when run() throws.
+/// `warnings`: what was not said when run() throws, the caller says.
 Status run(const parser::RenderOptions& options, const std::atomic<bool>& cancel,
-           TextStreams& texts, std::vector<std::string>& warnings);
+           TextStreams& texts, Warnings& warnings);
 
 }  // namespace lentray::tool

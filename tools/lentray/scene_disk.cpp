@@ -12,7 +12,7 @@ namespace {
 namespace fs = std::filesystem;
 
 std::unique_ptr<parser::Files> restricted(const parser::RenderOptions& o, const std::string& scene,
-                                          std::vector<std::string>& warnings) {
+                                          Warnings& warnings) {
   parser::UsersFolders folders;
   folders.scene = fs::path(scene).parent_path().string();
   parser::OutputType type = o.type;
@@ -22,7 +22,7 @@ std::unique_ptr<parser::Files> restricted(const parser::RenderOptions& o, const 
   folders.installed = parser::installed_sources().standard_libraries;
   std::vector<parser::PovrayConf> confs = parser::installed_confs();
   for (const parser::PovrayConf& conf : confs) {
-    for (const std::string& text : conf.warnings) warnings.push_back("warning: " + text);
+    for (const std::string& text : conf.warnings) warnings.add("warning: " + text);
   }
   return std::make_unique<parser::RestrictedFiles>(parser::FileRules(folders, std::move(confs)));
 }
@@ -30,7 +30,7 @@ std::unique_ptr<parser::Files> restricted(const parser::RenderOptions& o, const 
 }  // namespace
 
 SceneDisk::SceneDisk(const parser::RenderOptions& options, const std::string& scene,
-                     std::vector<std::string>& warnings)
+                     Warnings& warnings)
     : m_files(&parser::disk_files()) {
   if (options.restrict_io) {
     m_restricted = restricted(options, scene, warnings);

@@ -11,13 +11,14 @@
 #include "parser/files.h"
 #include "parser/options.h"
 #include "parser/watched_files.h"
+#include "tools/lentray/warnings.h"
 
 namespace lentray::tool {
 
 class SceneDisk {
  public:
   /// `warnings` gets what is wrong with povray.conf.
-  SceneDisk(const parser::RenderOptions& options, const std::string& scene, std::vector<std::string>& warnings);
+  SceneDisk(const parser::RenderOptions& options, const std::string& scene, Warnings& warnings);
   /// Must outlive whatever reads the scene's pictures and fonts.
   parser::Files& files() { return *m_watched; }
   /// Checksums of what was read, by path.

@@ -1,0 +1,88 @@
+#include "tools/lentray/run_summary.h"
+
+#include <cstdarg>
+#include <cstdint>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "tools/lentray/output.h"
+
+namespace lentray::tool {
+namespace {
+
+shadow::LensReport lens_report(const camera::Lenticular& sheet) {
+  shadow::LensReport out;
+  out.parameters = sheet.sheet().lens();
+  out.lenses = sheet.sheet().lenses();
+  out.views = sheet.sheet().views();
+  out.lens_front = sheet.placement().front;
+  out.scene_units_per_mm = sheet.scale();
+  out.sheet_width = sheet.sheet().sheet_width();
+  out.sheet_height = sheet.placement().height / sheet.scale();
+  return out;
+}
+
+/// Of the space in which colours are computed: a power, "sRGB", or null where they go to the file as
+/// they are.
+nlohmann::json working_gamma(const core::SceneSettings& settings) {
+  if (settings.assumed_gamma > 0.0) return settings.assumed_gamma;
+  return settings.assumed_gamma_set ? nlohmann::json("sRGB") : nlohmann::json();
+}
+
+/// 1234567 as "1,234,567".
+std::string grouped(std::uint64_t number) {
+  std::string text = std::to_string(number);
+  for (std::size_t i = text.size(); i > 3; i -= 3) text.insert(i - 3, ",");
+  return text;
+}
+
+std::string share(std::uint64_t part, std::uint64_t all) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.1f %%", all == 0 ? 0.0 : 100.0 * static_cast<double>(part) / static_cast<double>(all));
+  return text;
+}
+
+[[gnu::format(printf, 1, 2)]] std::string format(const char* how, ...) {
+  char text[256];
+  va_list values;
+  va_start(values, how);
+  std::vsnprintf(text, sizeof text, how, values);
+  va_end(values);
+  return text;
+}
+
+}  // namespace
+
+nlohmann::json statistics(const shadow::RunReport& report, const parser::RenderOptions& o,
+                          const CameraSetup& camera, const core::SceneSettings& settings) {
+  shadow::RunReport whole = report;
+  whole.scene = o.input;
+  whole.pixel_order = o.pixel_order;
+  whole.shadow_cache = o.shadow_cache;
+  whole.accelerator = o.accelerator;
+  if (camera.sheet) whole.lens = lens_report(*camera.sheet);
+  nlohmann::json out = shadow::to_json(whole);
+  out["image"]["working_gamma"] = working_gamma(settings);
+  if (camera.sheet) out["lens"].update(lens_json(camera.camera()));
+  return out;
+}
+
+std::string summary(const shadow::RunReport& report, const std::string& output) {
+  const core::Counters& c = report.counters;
+  const std::uint64_t pixels = std::uint64_t{report.width} * report.height;
+  core::ShadowCounts shadow;
+  for (const core::ShadowCounts& light : c.lights) shadow.add(light);
+  std::string out = "Pixels:  " + grouped(pixels);
+  if (c.antialiased_pixels > 0) out += ", antialiased " + grouped(c.antialiased_pixels) + " (" + share(c.antialiased_pixels, pixels) + ")";
+  out += "\nRays:    camera " + grouped(c.camera_rays) + ", reflected " + grouped(c.reflected_rays) + ", refracted " +
+         grouped(c.refracted_rays) + ", shadow " + grouped(shadow.rays);
+  if (shadow.rays > 0) out += " (" + share(shadow.blocked, shadow.rays) + " blocked)";
+  out += format("\nSeconds: reading %.2f, building %.2f, rendering %.2f (CPU, %d thread%s), writing %.2f\n",
+                report.parse_cpu_s, report.compile_cpu_s, report.render_cpu_s, report.threads,
+                report.threads == 1 ? "" : "s", report.write_cpu_s);
+  out += format("Memory:  %.0f MB at most\n", static_cast<double>(report.peak_bytes) * 1e-6);
+  return out + (output.empty() ? "No file" : output) +
+         format(": %u x %u pixels in %.2f s\n", report.width, report.height, report.wall_s);
+}
+
+}  // namespace lentray::tool
