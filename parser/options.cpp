@@ -270,6 +270,10 @@ RenderOptions read_with(const std::string& default_ini, std::span<const std::str
       reader.bare(text, given, 1);
     }
   }
+  const bool has_grey = options.type == OutputType::kPng || options.type == OutputType::kPpm || options.type == OutputType::kTiff;
+  if (options.grayscale && !has_grey) {
+    throw OptionError("Grayscale_Output: there is grey in PNG, PPM and TIFF files only");
+  }
   if (options.all_console) {
     options.debug_console = options.warning_console = options.statistic_console =
         options.render_console = options.fatal_console = *options.all_console;
@@ -324,7 +328,8 @@ std::string output_path(const RenderOptions& options, OutputType& type) {
   if (!any_case) end = extension(type);
   const std::string scene = options.input == "-" ? "stdin" : options.input;
   std::string folder = out.substr(0, out.rfind('/') + 1), name = out.substr(folder.size());
-  if (out.empty()) folder = scene.substr(0, scene.rfind('/') + 1);
+  // A stranger's folder may hold a link under that name.
+  if (out.empty() && !options.restrict_io) folder = scene.substr(0, scene.rfind('/') + 1);
   if (name.empty() || name == end) {
     name = fs::path(scene).stem().string();
   } else if (name.back() == '.') {

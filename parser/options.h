@@ -131,7 +131,8 @@ RenderOptions read_options(std::span<const std::string> arguments, const OptionS
 /// "a.json" of frame 07 is "a07.json".
 std::string frame_path(const RenderOptions& options, const std::string& path);
 
-/// Where the picture goes: stock's rules (no name: the scene's, beside the scene; a folder, ending
+/// Where the picture goes: stock's rules (no name: the scene's, beside the scene, but with
+/// Restrict_IO in the current folder; a folder, ending
 /// with / : the scene's name there; the type's extension is added unless it is there, letter case
 /// told apart), except that .tif, .tiff and .exr choose the type when no option did.
 /// "-": standard output. Sets `type` to what the file will be.

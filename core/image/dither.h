@@ -1,7 +1,7 @@
 // Dithering: quantisation errors are spread over neighbours, or a fixed pattern is laid over the picture.
 // Space: light in the picture's working space; levels are steps of the file's integers. Pixels come row by row
 // from the top, each row from the left. One thread. Source: reference manual 3.7, "Output File Dithering"; the
-// weights and their order measured on stock, tests/image/dither_test.cpp.
+// weights and their order measured on stock, tests/image/file_types_test.cpp.
 #pragma once
 
 #include <array>

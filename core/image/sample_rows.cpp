@@ -12,9 +12,6 @@ namespace {
 /// Where nothing hides the background there may be light all the same.
 constexpr float kLeastAlpha = 1e-6f;
 
-/// OpenEXR's own weights of grey, for sRGB's primaries.
-float luminance(const Rgb& c) { return 0.2126f * c.r + 0.7152f * c.g + 0.0722f * c.b; }
-
 ImageFormat with_levels(ImageFormat format) {
   format.bits = stored_as(format).levels;
   return format;
@@ -129,13 +126,8 @@ void SampleRows::floats(const float* from, std::size_t pixels) {
   m_floats.resize(pixels * static_cast<std::size_t>(m_channels));
   float* to = m_floats.data();
   for (std::size_t p = 0; p < pixels; ++p, from += 4, to += m_channels) {
-    const Rgb rgb{linear_of(from[0], m_format), linear_of(from[1], m_format), linear_of(from[2], m_format)};
-    if (m_stored.grey) {
-      to[0] = luminance(rgb);
-    } else {
-      for (int c = 0; c < 3; ++c) to[c] = rgb[c];
-    }
-    if (m_stored.alpha) to[m_colours] = from[3];
+    for (int c = 0; c < 3; ++c) to[c] = linear_of(from[c], m_format);
+    if (m_stored.alpha) to[3] = from[3];
   }
 }
 

@@ -1,6 +1,6 @@
 // Rows of a picture as a file's samples: straight or premultiplied, encoded, dithered, rounded.
 // Space: the format's; alpha is a share, not light, and has no gamma. Errors: none. One thread.
-// Source: measured on stock, tests/image/file_types_test.cpp and dither_test.cpp.
+// Source: measured on stock, tests/image/file_types_test.cpp.
 #pragma once
 
 #include <cstdint>

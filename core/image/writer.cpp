@@ -126,7 +126,7 @@ StoredAs stored_as(const ImageFormat& format) {
     case FileType::tiff:
       if (format.grey) return {16, 16, format.alpha, true};
       return {fine.bits, fine.bits, format.alpha, false};
-    case FileType::exr: return {32, 32, format.alpha, format.grey};
+    case FileType::exr: return {32, 32, format.alpha, false};
     case FileType::targa:
     case FileType::compressed_targa:
     case FileType::bmp: return {8, 8, format.alpha, false};

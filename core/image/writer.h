@@ -42,7 +42,7 @@ struct ImageFormat {
   double working_gamma = 1.0;  ///< the picture's own gamma (assumed_gamma if rendered in it)
   bool working_srgb = false;   ///< the picture holds sRGB-encoded values (instead)
   bool alpha = false;          ///< store the alpha channel, in types that have one
-  bool grey = false;           ///< of 16 bits in PNG, PPM and TIFF, luminance in OpenEXR; not in other types
+  bool grey = false;           ///< of 16 bits, in PNG, PPM and TIFF
   DitherMethod dither = DitherMethod::none;  ///< not of JPEG and OpenEXR
   int quality = 85;            ///< of JPEG, 2 to 100
 };

@@ -70,11 +70,6 @@ OIIO::TypeDesc sample_type(const PictureSpec& picture) {
 OIIO::ImageSpec spec_of(const PictureSpec& picture) {
   OIIO::ImageSpec spec(static_cast<int>(picture.width), static_cast<int>(picture.height), picture.channels,
                        picture.half ? OIIO::TypeDesc(OIIO::TypeDesc::HALF) : sample_type(picture));
-  if (picture.type == FileType::exr && picture.channels < 3) {
-    spec.channelnames[0] = "Y";
-    if (picture.channels == 2) spec.alpha_channel = 1;
-    if (picture.channels == 2) spec.channelnames[1] = "A";
-  }
   if (picture.type == FileType::jpeg) {
     spec.attribute("Compression", "jpeg:" + std::to_string(picture.quality));
     spec.attribute("jpeg:subsampling", "4:4:4");
