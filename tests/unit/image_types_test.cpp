@@ -59,7 +59,7 @@ TEST_P(UnitImageTypes, ComeBack) {
   for (std::uint32_t y = 0; y < 37; ++y) {
     for (std::uint32_t x = 0; x < width; ++x) {
       for (int c = 0; c < 3; ++c) {
-        ASSERT_NEAR(back.at(x, y, c) / all, quantised(image.pixel(x, y)[c], format) / levels, 0.6 / all)
+        ASSERT_NEAR(back.at(x, y, c) / all, quantised(image.pixel(x, y)[c], format) / levels, 1.1 / all)  // the reader of PPM rounds once more
             << x << ' ' << y << ' ' << c;
       }
     }
