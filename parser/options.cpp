@@ -202,7 +202,28 @@ bool looks_like_option(const std::string& text, std::size_t& equals) {
 }
 
 const char* extension(OutputType type) {
-  return type == OutputType::kPng ? ".png" : type == OutputType::kTiff ? ".tif" : ".exr";
+  switch (type) {
+    case OutputType::kPng: return ".png";
+    case OutputType::kTiff: return ".tif";
+    case OutputType::kExr: return ".exr";
+    case OutputType::kTarga:
+    case OutputType::kCompressedTarga: return ".tga";
+    case OutputType::kJpeg: return ".jpg";
+    case OutputType::kPpm: return ".ppm";
+    case OutputType::kBmp: return ".bmp";
+    case OutputType::kRadiance: break;
+  }
+  return ".hdr";
+}
+
+/// Of types whose names choose them: TIFF, which stock has not, and OpenEXR. Empty: none.
+std::string_view choosing_extension(std::string_view name, OutputType& type) {
+  for (const std::string_view end : {".tif", ".tiff", ".exr"}) {
+    if (!ends_with(name, end)) continue;
+    type = end == ".exr" ? OutputType::kExr : OutputType::kTiff;
+    return end;
+  }
+  return {};
 }
 
 }  // namespace
@@ -251,6 +272,10 @@ RenderOptions read_with(const std::string& default_ini, std::span<const std::str
       reader.bare(text, given, 1);
     }
   }
+  const bool has_grey = options.type == OutputType::kPng || options.type == OutputType::kPpm || options.type == OutputType::kTiff;
+  if (options.grayscale && !has_grey) {
+    throw OptionError("Grayscale_Output: there is grey in PNG, PPM and TIFF files only");
+  }
   if (options.all_console) {
     options.debug_console = options.warning_console = options.statistic_console =
         options.render_console = options.fatal_console = *options.all_console;
@@ -291,25 +316,31 @@ RenderOptions read_options(std::span<const std::string> arguments, const OptionS
 
 std::string output_path(const RenderOptions& options, OutputType& type) {
   type = options.type;
-  if (options.output == "-") return "-";
-  std::string out = options.output;
+  const std::string& out = options.output;
+  if (out == "-") return "-";
   std::error_code error;
-  const bool folder = !out.empty() && (out.back() == '/' || fs::is_directory(out, error));
-  if (folder && out.back() != '/') out += '/';
-  if (out.empty() || folder) {
-    return out + (options.input == "-" ? "stdin" : fs::path(options.input).stem().string()) + options.frame_digits +
-           extension(type);
-  }
   // A device takes the bytes as they come.
-  if (fs::exists(out, error) && !fs::is_regular_file(out, error)) return out;
-  if (!options.type_given) {
-    if (ends_with(out, ".png")) type = OutputType::kPng;
-    if (ends_with(out, ".tif") || ends_with(out, ".tiff")) type = OutputType::kTiff;
-    if (ends_with(out, ".exr")) type = OutputType::kExr;
+  if (!out.empty() && fs::exists(out, error) && !fs::is_regular_file(out, error) && !fs::is_directory(out, error)) {
+    return out;
   }
-  const bool has_it = ends_with(out, extension(type)) ||
-                      (type == OutputType::kTiff && ends_with(out, ".tiff"));
-  return has_it ? frame_path(options, out) : out + options.frame_digits + extension(type);
+  std::string_view end;
+  if (!options.type_given) end = choosing_extension(out, type);
+  if (type == OutputType::kTiff && ends_with(out, ".tiff")) end = ".tiff";
+  const bool any_case = !end.empty();
+  if (!any_case) end = extension(type);
+  const std::string scene = options.input == "-" ? "stdin" : options.input;
+  std::string folder = out.substr(0, out.rfind('/') + 1), name = out.substr(folder.size());
+  // A stranger's folder may hold a link under that name.
+  if (out.empty() && !options.restrict_io) folder = scene.substr(0, scene.rfind('/') + 1);
+  if (name.empty() || name == end) {
+    name = fs::path(scene).stem().string();
+  } else if (name.back() == '.') {
+    name.pop_back();
+  } else if (any_case ? ends_with(name, end) : name.ends_with(end)) {
+    end = std::string_view(out).substr(out.size() - end.size());
+    name.resize(name.size() - end.size());
+  }
+  return folder + name + options.frame_digits + std::string(end);
 }
 
 std::string frame_path(const RenderOptions& options, const std::string& path) {

@@ -20,7 +20,10 @@
 
 namespace lentray::parser {
 
-enum class OutputType { kPng, kTiff, kExr };
+enum class OutputType { kPng, kTiff, kExr, kTarga, kCompressedTarga, kJpeg, kPpm, kBmp, kRadiance };
+
+/// Dither_Method: B2, B3, B4; D1, D2; FS.
+enum class DitherType { kBayer2, kBayer3, kBayer4, kLine, kPlane, kFloydSteinberg };
 
 /// When a program of the user's is run.
 enum class CommandKind { kPreScene, kPreFrame, kPostFrame, kPostScene, kUserAbort, kFatalError };
@@ -52,9 +55,15 @@ struct RenderOptions {
   bool output_to_file = true;
   OutputType type = OutputType::kPng;
   bool type_given = false;                ///< not only by a default INI file
-  int bits = 8;                           ///< 8 or 16 a channel; OpenEXR always has float
+  int bits = 8;                           ///< a channel, 5 to 16, of PNG and PPM; 32: OpenEXR as float, not half
+  bool grayscale = false;                 ///< Grayscale_Output
+  int compression = 0;                    ///< JPEG's quality, 2 to 100; 0 and 1: the usual one
+  bool dither = false;
+  DitherType dither_type = DitherType::kFloydSteinberg;
   bool srgb = true;                       ///< File_Gamma=sRGB
   double file_gamma = 2.2;                ///< unless srgb
+  bool display_srgb = true;               ///< Display_Gamma=sRGB: what files of scenes without gamma are taken for
+  double display_gamma = 2.2;             ///< unless display_srgb
   bool alpha = false;
   bool continues = false;                 ///< +C: a picture that was cut off is gone on with
   /// Columns and rows that are rendered, both ends included, from 1; what is below 1 is a part of the
@@ -126,9 +135,10 @@ RenderOptions read_options(std::span<const std::string> arguments, const OptionS
 /// "a.json" of frame 07 is "a07.json".
 std::string frame_path(const RenderOptions& options, const std::string& path);
 
-/// Where the picture goes: stock's rules (no name: the scene's, in the current folder; a folder,
-/// ending with / : the scene's name there; the type's extension is added unless it is there),
-/// except that .png, .tif, .tiff and .exr choose the type when no option did.
+/// Where the picture goes: stock's rules (no name: the scene's, beside the scene, but with
+/// Restrict_IO in the current folder; a folder, ending
+/// with / : the scene's name there; the type's extension is added unless it is there, letter case
+/// told apart), except that .tif, .tiff and .exr choose the type when no option did.
 /// "-": standard output. Sets `type` to what the file will be.
 std::string output_path(const RenderOptions& options, OutputType& type);
 

@@ -44,14 +44,16 @@ constexpr OptionHelp kPicture[] = {
     {"Quality", "n", "0 to 11 (9). Below 9 the picture gets simpler: without reflection, shadows, textures.", ""},
     {"Output_File_Name", "file", "The picture, or a folder for it; - is standard output. Without it the picture has the scene's name and is in the current folder.", ""},
     {"Output_to_File", kSwitch, "Whether there is a file at all. The switch takes the type as well, and the bits of a channel behind it, as +FN16.", "+F[type], -F"},
-    {"Output_File_Type", "N|E|TIFF", "N is PNG, E OpenEXR. Without it the end of the file's name decides, else it is PNG.", ""},
+    {"Output_File_Type", "N|P|T|C|J|B|E|H|TIFF", "N is PNG, P PPM, T and C Targa (C compressed), J JPEG, B BMP, E OpenEXR, H Radiance. Bits may stand behind it, and behind N and P a g for grey. Without it a name that ends in .tif, .tiff or .exr decides, else it is PNG.", ""},
     {"Output_Alpha", kSwitch, "Pixels that nothing covers are clear.", ""},
-    {"Bits_Per_Color", "8|16", "Bits of a channel in the file (8).", ""},
-    {"Bits_Per_Colour", "8|16", "The same.", ""},
+    {"Bits_Per_Color", "n", "Bits of a channel in the file, 5 to 16 (8), of PNG and PPM; 32 makes OpenEXR of floats instead of halves.", ""},
+    {"Grayscale_Output", kSwitch, "The file is grey, of 16 bits; PNG and PPM only.", ""},
+    {"Bits_Per_Colour", "n", "The same.", ""},
     {"File_Gamma", "n|sRGB", "How the file's values are encoded (sRGB); 1 is linear.", ""},
-    {"Compression", "n", "Read and ignored.", ""},
-    {"Dither", kSwitch, "Not yet but off.", ""},
-    {"Dither_Method", "name", "Read and ignored.", ""},
+    {"Compression", "n", "JPEG's quality, 2 to 100 (85).", ""},
+    {"Display_Gamma", "n|sRGB", "What the values of scenes before 3.7 without assumed_gamma are taken for (sRGB).", ""},
+    {"Dither", kSwitch, "Rounding errors are spread over pixels, which hides steps of colour.", "+TH[method], -TH"},
+    {"Dither_Method", "B2|B3|B4|D1|D2|FS", "Bayer's matrices, diffusion along the line or the plane, Floyd and Steinberg's (FS).", ""},
     {"Continue_Trace", kSwitch, "Go on with what a stopped or killed run did not finish, and keep what is there already.", ""},
     {"Create_Ini", "file", "Where to write all options, as an INI file that asks for the same again; on for the scene's name with .ini.", ""},
 };
@@ -141,7 +143,6 @@ constexpr OptionHelp kIgnored[] = {
     {"Display", kSwitch, "No picture is shown while it is rendered.", ""},
     {"Video_Mode", "x", "", ""},
     {"Palette", "x", "", ""},
-    {"Display_Gamma", "n", "", ""},
     {"Pause_When_Done", kSwitch, "", ""},
     {"Preview_Start_Size", "n", "", ""},
     {"Preview_End_Size", "n", "", ""},
@@ -225,7 +226,8 @@ are POV-Ray's, on the command line or in INI files (file.ini, file.ini[part]).
   +SCn +ECn +SRn +ERn     from a column and row to another only
   +A[t] -A                antialiasing, of colours that differ by t (0.3)
   +AMn +Rn +J[n] -J       its method (1 or 2), depth (1 to 9) and jitter
-  +FN +FN16 +FE -F +UA    PNG of 8 or 16 bits, OpenEXR, no file; with alpha
+  +FN16 +FJ +FE -F +UA    PNG of 16 bits, JPEG, OpenEXR, no file; with alpha
+  +C                      go on with what a stopped run did not finish
   +Lfolder +Qn +WTn -V    include files' folder, quality, threads, no progress
   +KFIn +KFFn +KIn +KFn   frames and clocks of an animation; +Kn: a clock
   Declare=NAME=VALUE      an identifier of the scene

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <utility>
 
 namespace lentray::parser {
 namespace {
@@ -88,8 +89,21 @@ void set_edge(Options& o, const Given& g) {
   o.*member = number(g);
   if (*(o.*member) < 0.0) refuse(g, "a column or row from 1 on, or a part from 0 to 1, is expected");
 }
+void set_dither_type(Options& o, const Given& g) {
+  constexpr std::pair<std::string_view, DitherType> kMethods[] = {
+      {"B2", DitherType::kBayer2}, {"B3", DitherType::kBayer3}, {"B4", DitherType::kBayer4},
+      {"D1", DitherType::kLine},   {"D2", DitherType::kPlane},  {"FS", DitherType::kFloydSteinberg}};
+  for (const auto& [word, method] : kMethods) {
+    if (!same_word(word, g.value)) continue;
+    o.dither_type = method;
+    return;
+  }
+  refuse(g, "unknown way of dithering: there are B2, B3, B4, D1, D2 and FS");
+}
+/// +THxx turns it on, -THxx off; the method is kept either way.
 void set_dither(Options& o, const Given& g) {
-  if (g.sign != 0 ? g.sign == '+' : truth(o, g)) not_yet(o, g, "dithering");
+  if (g.sign != 0 && !g.value.empty()) set_dither_type(o, g);
+  o.dither = truth(o, g);
 }
 
 /// As the manual has it: a command line names no commands.
@@ -142,50 +156,50 @@ void add_declare(Options& o, const Given& g) {
 }
 
 struct TypeWord { std::string_view word; OutputType type; };
-constexpr TypeWord kTypes[] = {{"N", OutputType::kPng},    {"PNG", OutputType::kPng},
-                               {"TIFF", OutputType::kTiff}, {"TIF", OutputType::kTiff},
-                               {"E", OutputType::kExr},    {"EXR", OutputType::kExr}};
-struct OtherType { char letter; std::string_view name; };
-constexpr OtherType kOtherTypes[] = {{'B', "BMP"},  {'C', "compressed Targa"}, {'H', "Radiance HDR"},
-                                     {'J', "JPEG"}, {'P', "PPM"},  {'S', "the system's own format"},
-                                     {'T', "Targa"}};
+/// Stock knows the letters alone and takes PNG for P, TIFF for T; those words are ours.
+constexpr TypeWord kTypes[] = {
+    {"N", OutputType::kPng},    {"PNG", OutputType::kPng},   {"TIFF", OutputType::kTiff},
+    {"TIF", OutputType::kTiff}, {"E", OutputType::kExr},     {"EXR", OutputType::kExr},
+    {"T", OutputType::kTarga},  {"TGA", OutputType::kTarga}, {"C", OutputType::kCompressedTarga},
+    {"J", OutputType::kJpeg},   {"JPG", OutputType::kJpeg},  {"JPEG", OutputType::kJpeg},
+    {"P", OutputType::kPpm},    {"PPM", OutputType::kPpm},   {"B", OutputType::kBmp},
+    {"BMP", OutputType::kBmp},  {"H", OutputType::kRadiance}, {"HDR", OutputType::kRadiance}};
+
+constexpr int kFloatBits = 32;
 
 void set_bits(Options& o, const Given& g, std::string_view digits) {
   Given only = g;
   only.value = std::string(digits);
-  const std::int64_t bits = whole_number(only, 1, 64);
-  if (bits != 8 && bits != 16) {
-    not_yet(o, g, "a file of " + std::to_string(bits) + " bits a channel (there are 8 and 16)");
-    return;
-  }
-  o.bits = static_cast<int>(bits);
+  std::from_chars(digits.data(), digits.data() + digits.size(), o.bits);
+  if (o.bits != kFloatBits) o.bits = static_cast<int>(cut_whole(o, only, 5, 16));
 }
 
+/// A type, and behind it bits or, of some, g for grey: N16, Pg.
 void set_type(Options& o, const Given& g) {
   std::string_view text = g.value;
   const std::size_t letters = std::find_if(text.begin(), text.end(), [](unsigned char c) {
     return !std::isalpha(c);
   }) - text.begin();
-  const std::string_view word = text.substr(0, letters), digits = text.substr(letters);
+  std::string_view word = text.substr(0, letters);
+  const std::string_view digits = text.substr(letters);
   if (!word.empty()) {
+    if (same_word(word, "Ng") || same_word(word, "Pg")) {
+      o.grayscale = true;
+      word = word.substr(0, 1);
+    }
     const auto* row = std::find_if(std::begin(kTypes), std::end(kTypes),
                                    [&](const TypeWord& t) { return same_word(t.word, word); });
-    if (row != std::end(kTypes)) {
-      o.type = row->type;
-      o.type_given = !g.from_defaults;
-    } else {
-      for (const OtherType& other : kOtherTypes) {
-        if (word.size() == 1 && same_word(word, std::string_view(&other.letter, 1))) {
-          not_yet(o, g, "the output type " + std::string(other.name) +
-                            " (there are N: PNG, E: OpenEXR, TIFF)");
-          return;
-        }
-      }
-      refuse(g, "unknown output type: there are N (PNG), E (OpenEXR) and TIFF");
+    if (row == std::end(kTypes)) {
+      refuse(g, "unknown output type: there are N (PNG), P (PPM), T and C (Targa), J (JPEG), B (BMP), E (OpenEXR), "
+                "H (Radiance) and TIFF; g for grey stands behind N and P");
     }
+    o.type = row->type;
+    o.type_given = !g.from_defaults;
   }
   if (!digits.empty()) set_bits(o, g, digits);
 }
+
+void set_compression(Options& o, const Given& g) { o.compression = static_cast<int>(cut_whole(o, g, 0, 255)); }
 
 void set_output(Options& o, const Given& g) {
   if (g.sign == 0) {
@@ -196,13 +210,10 @@ void set_output(Options& o, const Given& g) {
   set_type(o, g);
 }
 
+template <bool Options::*srgb, double Options::*power>
 void set_gamma(Options& o, const Given& g) {
-  if (same_word(g.value, "sRGB")) {
-    o.srgb = true;
-    return;
-  }
-  o.file_gamma = positive(g);
-  o.srgb = false;
+  o.*srgb = same_word(g.value, "sRGB");
+  if (!(o.*srgb)) o.*power = positive(g);
 }
 
 void set_version(Options& o, const Given& g) {
@@ -403,10 +414,12 @@ constexpr OptionRow kTable[] = {
     {"Output_Alpha", "UA", set_bool<&Options::alpha>},
     {"Bits_Per_Color", "", set_file_bits},
     {"Bits_Per_Colour", "", set_file_bits},
-    {"Compression", "", ignore},
-    {"File_Gamma", "", set_gamma},
+    {"Grayscale_Output", "", set_bool<&Options::grayscale>},
+    {"Compression", "", set_compression},
+    {"File_Gamma", "", set_gamma<&Options::srgb, &Options::file_gamma>},
+    {"Display_Gamma", "", set_gamma<&Options::display_srgb, &Options::display_gamma>},
     {"Dither", "TH", set_dither},
-    {"Dither_Method", "", ignore},
+    {"Dither_Method", "", set_dither_type},
     {"Quality", "Q", set_quality},
     {"Work_Threads", "WT", set_threads},
     {"Antialias", "A", set_antialias},
@@ -426,7 +439,6 @@ constexpr OptionRow kTable[] = {
     {"Display", "D", set_display},
     {"Video_Mode", "", ignore},
     {"Palette", "", ignore},
-    {"Display_Gamma", "", ignore},
     {"Pause_When_Done", "P", ignore},
     {"Preview_Start_Size", "SP", ignore},
     {"Preview_End_Size", "EP", ignore},

@@ -1,7 +1,8 @@
 // How far two pictures of the same size differ, and the grade that earns.
 //
 // Unit of every difference: 1/255 of full scale, whatever the bits of the files. The difference of
-// a pixel is the largest over R, G and B (grey counts as all three); alpha is not compared.
+// a pixel is the largest over R, G and B (grey counts as all three); alpha is not compared
+// (core/image/display.h makes pictures in which it is seen).
 // Grades, from what stock POV-Ray renders reproduce of each other:
 //   exact  at least 99.9 % of the pixels within 1/255
 //   match  at least 99 % within 2/255 (of a single lens: or all but 30 pixels), and PSNR >= 40 dB

@@ -10,7 +10,7 @@ namespace lentray::core {
 
 struct Image {
   std::uint32_t width = 0, height = 0;
-  std::vector<float> rgba;  ///< 4 floats a pixel, linear light, alpha 1: opaque, not premultiplied
+  std::vector<float> rgba;  ///< 4 floats a pixel, linear light, alpha 1: opaque, premultiplied
 
   Image() = default;
   Image(std::uint32_t w, std::uint32_t h) : width(w), height(h), rgba(std::size_t{4} * w * h, 0.0f) {}

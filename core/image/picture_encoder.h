@@ -1,6 +1,7 @@
 // One kind of file on its way to disk, in the file's own samples. PNG is written by libpng at
-// once; the other kinds by OpenImageIO, which is loaded when it is needed first: its libraries
-// take longer to start than a small picture takes to render.
+// once, and what is little more than rows of bytes (Targa, PPM, BMP, Radiance) here; the other
+// kinds by OpenImageIO, which is loaded when it is needed first: its libraries take longer to
+// start than a small picture takes to render.
 // Errors: std::runtime_error with the reason alone. One thread at a time.
 #pragma once
 
@@ -17,6 +18,9 @@ struct PictureSpec {
   std::uint32_t width = 0, height = 0;
   int channels = 3;          ///< 1 grey, 2 with alpha, 3 RGB, 4 RGBA; alpha not premultiplied
   int bits = 8;              ///< 8 or 16: integers; 32: float
+  int levels = 0;            ///< bits that tell something; 0: all
+  bool half = false;         ///< OpenEXR keeps 16 of the float's bits
+  int quality = 85;          ///< of JPEG
   bool tagged = false;       ///< what follows is known and goes into the file
   bool srgb = true;
   double file_gamma = 1.0;   ///< unless srgb
@@ -32,7 +36,9 @@ class PictureEncoder {
   virtual void close() = 0;
 };
 
-std::unique_ptr<PictureEncoder> make_png_encoder(const std::filesystem::path& path,
-                                                 const PictureSpec& spec);
+using MakeEncoder = std::unique_ptr<PictureEncoder>(const std::filesystem::path& path, const PictureSpec& spec);
+MakeEncoder make_png_encoder, make_targa_encoder, make_ppm_encoder, make_bmp_encoder;
+/// Samples are Radiance's four bytes a pixel.
+MakeEncoder make_radiance_encoder;
 
 }  // namespace lentray::core

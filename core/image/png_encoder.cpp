@@ -67,10 +67,15 @@ class PngEncoder final : public PictureEncoder {
     // the time of zlib's default and gives files of the same size.
     png_set_filter(m_png, PNG_FILTER_TYPE_BASE, PNG_FILTER_UP);
     png_set_compression_strategy(m_png, Z_RLE);
-    if (spec.tagged && spec.srgb) {
-      png_set_sRGB_gAMA_and_cHRM(m_png, m_info, PNG_sRGB_INTENT_ABSOLUTE);
-    } else if (spec.tagged) {
-      png_set_gAMA(m_png, m_info, 1.0 / spec.file_gamma);
+    if (spec.tagged) {
+      constexpr double kLikeSrgb = 2.2;
+      png_set_gAMA(m_png, m_info, 1.0 / (spec.srgb ? kLikeSrgb : spec.file_gamma));
+      if (spec.srgb) png_set_sRGB(m_png, m_info, PNG_sRGB_INTENT_PERCEPTUAL);
+    }
+    if (spec.levels != 0 && spec.levels != spec.bits) {
+      const auto bits = static_cast<png_byte>(spec.levels);
+      const png_color_8 telling{.red = bits, .green = bits, .blue = bits, .gray = bits, .alpha = bits};
+      png_set_sBIT(m_png, m_info, &telling);
     }
     const ImageMetadata& data = spec.metadata;
     if (data.dpi_x > 0.0 && data.dpi_y > 0.0) {

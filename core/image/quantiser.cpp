@@ -14,6 +14,12 @@ float power(float value, double exponent) {
   return value <= 0.0f ? value : static_cast<float>(std::pow(double{value}, exponent));
 }
 
+/// Powers less than a hundredth apart are one; values then stay as they are.
+bool is_alike(const ImageFormat& f) {
+  if (f.srgb || f.working_srgb) return f.srgb && f.working_srgb;
+  return std::fabs(f.working_gamma / f.file_gamma - 1.0) < 0.01;
+}
+
 }  // namespace
 
 float linear_of(float value, const ImageFormat& format) {
@@ -28,14 +34,24 @@ unsigned scaled_to_integer(float encoded, int bits) {
   return static_cast<unsigned>(std::min(level, max));
 }
 
-unsigned quantised(float linear, const ImageFormat& format) {
-  float value = linear_of(linear, format);
-  if (format.srgb) {
-    value = srgb_of_linear(value);
-  } else if (format.file_gamma != 1.0) {
-    value = power(value, 1.0 / format.file_gamma);
-  }
-  return scaled_to_integer(value, format.bits);
+float encoded(float value, const ImageFormat& format) {
+  if (is_alike(format)) return value;
+  const float linear = linear_of(value, format);
+  if (format.srgb) return srgb_of_linear(linear);
+  return format.file_gamma == 1.0 ? linear : power(linear, 1.0 / format.file_gamma);
+}
+
+float decoded(float value, const ImageFormat& format) {
+  ImageFormat back = format;
+  back.working_gamma = format.file_gamma;
+  back.working_srgb = format.srgb;
+  back.file_gamma = format.working_gamma;
+  back.srgb = format.working_srgb;
+  return encoded(value, back);
+}
+
+unsigned quantised(float value, const ImageFormat& format) {
+  return scaled_to_integer(encoded(value, format), format.bits);
 }
 
 Quantiser::Quantiser(const ImageFormat& format) : m_format(format) {

@@ -51,8 +51,10 @@ class Quantiser {
   std::vector<std::uint8_t> m_start; ///< by the leading bits of a value: its level or less
 };
 
-/// A value in the picture's working space as linear light.
+/// A value in the picture's working space as linear light, and as the file encodes it; and back.
 float linear_of(float value, const ImageFormat& format);
+float encoded(float value, const ImageFormat& format);
+float decoded(float value, const ImageFormat& format);
 
 /// clip(floor(v * max + 0.5)); NaN becomes 0.
 unsigned scaled_to_integer(float encoded, int bits);

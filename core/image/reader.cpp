@@ -1,6 +1,7 @@
 #include "core/image/reader.h"
 
 #include "core/image/image_module.h"
+#include "core/image/png_chunks.h"
 
 namespace lentray::core {
 
@@ -15,6 +16,13 @@ StoredImage read_image(const std::filesystem::path& path, const std::filesystem:
     image = module.read(path, named == path ? std::filesystem::path() : named);
   } catch (const std::exception& e) {
     fail(e.what());
+  }
+  // Files of floats hold linear light; PNG says what it holds, if it is one.
+  if (image.bits == 32) {
+    image.gamma = 1.0;
+    image.premultiplied = image.channels == 2 || image.channels == 4;
+  } else if (is_png(path)) {
+    image.gamma = png_gamma(path);
   }
   return image;
 }

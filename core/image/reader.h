@@ -16,6 +16,8 @@ struct StoredImage {
   std::uint32_t width = 0, height = 0;
   int channels = 0;            ///< 1 grey, 2 with alpha, 3 RGB, 4 RGBA
   int bits = 8;                ///< 8 or 16: integers 0 .. 2^bits - 1; 32: float
+  double gamma = 0.0;          ///< the power that makes the values linear; below 0: sRGB; 0: the file does not say
+  bool premultiplied = false;  ///< by alpha
   std::vector<float> samples;  ///< row 0 on top, channels interleaved
   std::map<std::string, std::string> attributes;  ///< whatever the file says of itself, as text
 

@@ -2,15 +2,15 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
-#include <functional>
+#include <iterator>
 #include <memory>
+#include <string_view>
 
 #include "core/image/file_swap.h"
 #include "core/image/image_module.h"
 #include "core/image/picture_encoder.h"
-#include "core/image/quantiser.h"
 #include "core/image/reader.h"
+#include "core/image/sample_rows.h"
 
 namespace lentray::core {
 
@@ -31,7 +31,19 @@ void check_size(std::uint32_t width, std::uint32_t height, std::size_t values, s
 }
 
 std::unique_ptr<PictureEncoder> make_encoder(const fs::path& path, const PictureSpec& spec) {
-  if (spec.type == FileType::png && spec.bits != 32) return make_png_encoder(path, spec);
+  switch (spec.type) {
+    case FileType::png:
+      if (spec.bits != 32) return make_png_encoder(path, spec);
+      break;
+    case FileType::targa:
+    case FileType::compressed_targa: return make_targa_encoder(path, spec);
+    case FileType::ppm: return make_ppm_encoder(path, spec);
+    case FileType::bmp: return make_bmp_encoder(path, spec);
+    case FileType::radiance: return make_radiance_encoder(path, spec);
+    case FileType::tiff:
+    case FileType::exr:
+    case FileType::jpeg: break;
+  }
   return image_module().encoder(path, spec);
 }
 
@@ -43,9 +55,8 @@ class OpenPicture {
     guard([&] { m_encoder = make_encoder(m_swap.temporary(), spec); });
   }
 
-  template <class Sample>
-  void put(const std::vector<Sample>& samples, std::uint32_t rows) {
-    guard([&] { m_encoder->put(samples.data(), rows); });
+  void put(const void* samples, std::uint32_t rows) {
+    guard([&] { m_encoder->put(samples, rows); });
     m_next += rows;
   }
 
@@ -76,57 +87,18 @@ class OpenPicture {
   std::uint32_t m_next = 0;
 };
 
-template <class Sample, class Quantise>
-void encode_by(const Quantise quantise, const Image& band, std::uint32_t first,
-               std::uint32_t rows, const ImageFormat& format, std::vector<Sample>& samples) {
-  const std::size_t channels = format.alpha ? 4 : 3, count = std::size_t{band.width} * rows;
-  samples.resize(count * channels);
-  const float* from = band.pixel(0, first);
-  Sample* to = samples.data();
-  for (std::size_t p = 0; p < count; ++p, from += 4, to += channels) {
-    for (int c = 0; c < 3; ++c) to[c] = static_cast<Sample>(quantise(from[c]));
-    // Alpha is a share, not light: no gamma.
-    if (format.alpha) to[3] = static_cast<Sample>(scaled_to_integer(from[3], format.bits));
-  }
-}
-
-/// Rows of a band as a file's integers.
-template <class Sample>
-void encode(const Image& band, std::uint32_t first, std::uint32_t rows, const Quantiser& quantise,
-            const ImageFormat& format, std::vector<Sample>& samples) {
-  if (quantise.has_table()) {
-    encode_by(quantise.table(), band, first, rows, format, samples);
-  } else {
-    encode_by(std::cref(quantise), band, first, rows, format, samples);
-  }
-}
-
-/// The same for OpenEXR: linear light, premultiplied.
-void encode(const Image& band, std::uint32_t first, std::uint32_t rows, const Quantiser&,
-            const ImageFormat& format, std::vector<float>& samples) {
-  const std::size_t channels = format.alpha ? 4 : 3, count = std::size_t{band.width} * rows;
-  samples.resize(count * channels);
-  const float* from = band.pixel(0, first);
-  float* to = samples.data();
-  for (std::size_t p = 0; p < count; ++p, from += 4, to += channels) {
-    const float alpha = format.alpha ? from[3] : 1.0f;
-    for (int c = 0; c < 3; ++c) to[c] = linear_of(from[c], format) * alpha;
-    if (format.alpha) to[3] = alpha;
-  }
-}
-
 PictureSpec spec_of(std::uint32_t width, std::uint32_t height, const ImageFormat& format,
                     const ImageMetadata& metadata, const fs::path& path) {
   check_size(width, height, 1, 1, path);
-  if (format.type != FileType::exr && format.bits != 8 && format.bits != 16) {
-    throw ImageError("cannot write '" + path.string() + "': " + std::to_string(format.bits) +
-                     " bits a colour; there are 8 and 16");
-  }
+  const StoredAs stored = stored_as(format);
   return {.type = format.type,
           .width = width,
           .height = height,
-          .channels = format.alpha ? 4 : 3,
-          .bits = format.type == FileType::exr ? 32 : format.bits,
+          .channels = (stored.grey ? 1 : 3) + (stored.alpha ? 1 : 0),
+          .bits = stored.bits,
+          .levels = stored.levels,
+          .half = stored.bits == 32 && format.bits < 32,
+          .quality = format.quality,
           .tagged = true,
           .srgb = format.srgb,
           .file_gamma = format.file_gamma,
@@ -137,9 +109,45 @@ template <class Sample>
 void write_samples(const fs::path& path, const PictureSpec& spec,
                    const std::vector<Sample>& samples) {
   OpenPicture picture(path, spec);
-  picture.put(samples, spec.height);
+  picture.put(samples.data(), spec.height);
   picture.finish();
 }
+
+}  // namespace
+
+StoredAs stored_as(const ImageFormat& format) {
+  const int levels = std::clamp(format.bits, 5, 16);
+  const StoredAs fine{levels <= 8 ? 8 : 16, levels, format.alpha, false};
+  switch (format.type) {
+    case FileType::png:
+      return format.grey ? StoredAs{16, 16, format.alpha, true} : fine;
+    case FileType::ppm:
+      return format.grey ? StoredAs{16, 16, false, true} : StoredAs{fine.bits, levels, false, false};
+    case FileType::tiff:
+      if (format.grey) return {16, 16, format.alpha, true};
+      return {fine.bits, fine.bits, format.alpha, false};
+    case FileType::exr: return {32, 32, format.alpha, false};
+    case FileType::targa:
+    case FileType::compressed_targa:
+    case FileType::bmp: return {8, 8, format.alpha, false};
+    case FileType::jpeg:
+    case FileType::radiance: break;
+  }
+  return {};
+}
+
+namespace {
+
+struct Extension {
+  std::string_view text;
+  FileType type;
+};
+/// The usual one of a type first.
+constexpr Extension kExtensions[] = {
+    {".png", FileType::png},   {".tif", FileType::tiff},  {".tiff", FileType::tiff},
+    {".exr", FileType::exr},   {".tga", FileType::targa}, {".tga", FileType::compressed_targa},
+    {".jpg", FileType::jpeg},  {".jpeg", FileType::jpeg}, {".ppm", FileType::ppm},
+    {".bmp", FileType::bmp},   {".hdr", FileType::radiance}};
 
 }  // namespace
 
@@ -147,35 +155,30 @@ FileType file_type_of(const fs::path& path) {
   std::string extension = path.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  if (extension == ".png") return FileType::png;
-  if (extension == ".tif" || extension == ".tiff") return FileType::tiff;
-  if (extension == ".exr") return FileType::exr;
+  std::string known;
+  for (const Extension& row : kExtensions) {
+    if (extension == row.text) return row.type;
+    if (row.type != FileType::compressed_targa) known += (known.empty() ? "" : ", ") + std::string(row.text);
+  }
   throw ImageError("cannot write '" + path.string() + "': unknown kind of picture '" + extension +
-                   "'; there are .png, .tif, .tiff, .exr");
+                   "'; there are " + known);
 }
 
 std::string extension_of(FileType type) {
-  switch (type) {
-    case FileType::png: return ".png";
-    case FileType::tiff: return ".tif";
-    case FileType::exr: break;
-  }
-  return ".exr";
+  const auto* row = std::find_if(std::begin(kExtensions), std::end(kExtensions),
+                                 [&](const Extension& e) { return e.type == type; });
+  return std::string(row->text);
 }
 
 struct PictureWriter::Parts {
   const std::uint32_t width;
-  const ImageFormat format;
-  const Quantiser quantise;
+  SampleRows samples;
   OpenPicture picture;
-  std::vector<std::uint8_t> bytes{};
-  std::vector<std::uint16_t> words{};
-  std::vector<float> floats{};
 };
 
 PictureWriter::PictureWriter(const fs::path& path, std::uint32_t width, std::uint32_t height,
                              const ImageFormat& format, const ImageMetadata& metadata)
-    : m_parts(new Parts{width, format, Quantiser(format),
+    : m_parts(new Parts{width, SampleRows(format, width),
                         OpenPicture(path, spec_of(width, height, format, metadata, path))}) {}
 
 PictureWriter::~PictureWriter() = default;
@@ -185,17 +188,7 @@ void PictureWriter::put(const Image& band) {
   if (band.width != p.width) p.picture.fail("a band has another width");
   for (std::uint32_t first = 0; first < band.height; first += kRowsAtATime) {
     const std::uint32_t rows = std::min(kRowsAtATime, band.height - first);
-    const auto put = [&](auto& samples) {
-      encode(band, first, rows, p.quantise, p.format, samples);
-      p.picture.put(samples, rows);
-    };
-    if (p.format.type == FileType::exr) {
-      put(p.floats);
-    } else if (p.format.bits == 8) {
-      put(p.bytes);
-    } else {
-      put(p.words);
-    }
+    p.picture.put(p.samples.next(band, first, rows), rows);
   }
 }
 
@@ -215,6 +208,9 @@ void write_stored(const StoredImage& image, const fs::path& path) {
              std::size_t{image.width} * image.height * image.channels, path);
   const FileType type = file_type_of(path);
   const bool floats = type == FileType::exr || image.bits == 32;
+  if (type != FileType::png && type != FileType::tiff && type != FileType::exr) {
+    throw ImageError("cannot write '" + path.string() + "' as it is stored: there are .png, .tif, .exr");
+  }
   const PictureSpec spec{.type = type,
                          .width = image.width,
                          .height = image.height,

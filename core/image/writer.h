@@ -1,12 +1,14 @@
-// Pictures to files: PNG and TIFF (8 or 16 bit), OpenEXR (float); which library writes which is
-// told in core/image/picture_encoder.h.
+// Pictures to files: POV-Ray's output types, and TIFF; which library writes which is told in
+// core/image/picture_encoder.h.
 //
-// Units: the picture holds linear light; integer files hold clip(floor(v * max + 0.5)) of the
-// encoded value, OpenEXR holds linear float with premultiplied alpha. dpi is pixels an inch.
+// Units: the picture holds light in its working space; integer files hold clip(floor(v * max + 0.5))
+// of the encoded value, and alpha by which it is not multiplied; OpenEXR and Radiance hold linear
+// light, premultiplied. Files without alpha hold colours over black. dpi is pixels an inch.
 // Errors: ImageError, with the path and the reason; the file that stood at the path before is
 // then still whole, for a picture is written beside its place and renamed. The path "-" is
 // standard output, which gets the picture when it is whole.
-// Threads: any number, on different paths. Source: measured on stock, tests/unit/image_*.
+// Threads: any number, on different paths. Source: measured on stock, tests/unit/image_*
+// and tests/image/file_types_test.cpp.
 #pragma once
 
 #include <cstdint>
@@ -26,16 +28,23 @@ class ImageError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-enum class FileType { png, tiff, exr };
+enum class FileType { png, tiff, exr, targa, compressed_targa, jpeg, ppm, bmp, radiance };
+
+/// Dither_Method: B2, B3, B4; D1, D2; FS.
+enum class DitherMethod { none, bayer2, bayer3, bayer4, line, plane, floyd_steinberg };
 
 struct ImageFormat {
   FileType type = FileType::png;
-  int bits = 8;                ///< 8 or 16; OpenEXR always has 32-bit float
+  int bits = 8;                ///< a channel, 5 to 16: PNG and PPM as they are, TIFF 8 or 16, OpenEXR half;
+                               ///< 32: OpenEXR float. The other types have 8
   bool srgb = true;            ///< File_Gamma=sRGB, the default
   double file_gamma = 1.0;     ///< power law, used unless srgb; 1 stores linear values
   double working_gamma = 1.0;  ///< the picture's own gamma (assumed_gamma if rendered in it)
   bool working_srgb = false;   ///< the picture holds sRGB-encoded values (instead)
-  bool alpha = false;          ///< store the alpha channel
+  bool alpha = false;          ///< store the alpha channel, in types that have one
+  bool grey = false;           ///< of 16 bits, in PNG, PPM and TIFF
+  DitherMethod dither = DitherMethod::none;  ///< not of JPEG and OpenEXR
+  int quality = 85;            ///< of JPEG, 2 to 100
 };
 
 struct ImageMetadata {
@@ -46,10 +55,18 @@ struct ImageMetadata {
   std::vector<std::pair<std::string, std::string>> fields;
 };
 
+/// What a file of that format holds.
+struct StoredAs {
+  int bits = 8;        ///< a channel takes: 8 or 16, 32 for float
+  int levels = 8;      ///< bits that tell something: what is stored has 2^levels values
+  bool alpha = false, grey = false;
+};
+StoredAs stored_as(const ImageFormat& format);
+
 /// By the extension, letter case ignored. Throws ImageError that lists what there is.
 FileType file_type_of(const std::filesystem::path& path);
 
-/// ".png", ".tif" or ".exr".
+/// With its dot: ".png".
 std::string extension_of(FileType type);
 
 /// Throws ImageError if a picture of that size could not be put there: no folder, no
@@ -75,8 +92,8 @@ class PictureWriter {
 void write_image(const Image& image, const std::filesystem::path& path, const ImageFormat& format,
                  const ImageMetadata& metadata = {});
 
-/// One linear value as the file's integer: encoded, scaled to 2^bits - 1, rounded, clipped.
+/// A value of the picture as the file's integer: encoded, scaled to 2^bits - 1, rounded, clipped.
 /// A NaN becomes 0.
-unsigned quantised(float linear, const ImageFormat& format);
+unsigned quantised(float value, const ImageFormat& format);
 
 }  // namespace lentray::core

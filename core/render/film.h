@@ -107,14 +107,12 @@ class Film {
   static double bytes_a_row(const Antialiasing& antialiasing, std::uint32_t width);
 };
 
-/// A pixel as the image keeps it: not premultiplied.
+/// A pixel as the image keeps it: premultiplied.
 inline void store(const Radiance& seen, bool alpha, float* out) {
   const float opacity = alpha ? std::clamp(1.0f - seen.transmit, 0.0f, 1.0f) : 1.0f;
-  Rgb rgb = seen.rgb;
-  if (alpha) rgb = opacity > 0.0f ? rgb * (1.0f / opacity) : Rgb{};
-  out[0] = rgb.r;
-  out[1] = rgb.g;
-  out[2] = rgb.b;
+  out[0] = seen.rgb.r;
+  out[1] = seen.rgb.g;
+  out[2] = seen.rgb.b;
   out[3] = opacity;
 }
 

@@ -62,7 +62,7 @@ void take_jobs(Work& work) {
       work.shadows.make({&work.scene, &arena, &counters, work.options.count_tests});
   const std::unique_ptr<Tracer> tracer =
       Tracer::make(work.scene, *tester, arena, counters, work.options.count_tests);
-  Sampler sampler(work.scene, work.camera, {work.options.angles, work.options.alpha}, *tracer);
+  Sampler sampler(work.camera, {work.options.angles, work.options.alpha}, *tracer);
   std::optional<WorkMeter> meter;
   if (work.watch) {
     const FilmSetup& film = work.watch->film();

@@ -21,7 +21,7 @@ namespace lentray::core {
 struct FrameOptions {
   int threads = 0;            ///< 0: all of the machine
   bool count_tests = false;   ///< fill bounds and primitive tests (Statistics_File)
-  bool alpha = false;         ///< +UA: background transparent
+  bool alpha = false;         ///< +UA, for a scene with SceneSettings::alpha
   Antialiasing antialiasing{};
   int angles = 1;             ///< Antialias_Angle, see SamplerOptions
   std::optional<PixelRegion> region{};  ///< the pixels that are rendered; the others are black

@@ -62,11 +62,7 @@ void Sampler::trace(const Ray& ray, const PixelPlace& place, std::uint64_t key, 
   const Pixel pixel{static_cast<std::uint32_t>(std::max(place.column, 0)),
                     static_cast<std::uint32_t>(std::max(place.row, 0))};
   out = m_tracer.trace(ray, pixel, key);
-  if (m_options.alpha) {
-    out.rgb -= m_background * out.transmit;
-  } else {
-    out.transmit = 0.0f;
-  }
+  if (!m_options.alpha) out.transmit = 0.0f;
 }
 
 }  // namespace lentray::core

@@ -13,15 +13,14 @@ namespace lentray::core {
 
 struct SamplerOptions {
   int angles = 1;           ///< Antialias_Angle: directions within a pixel of a lens sheet
-  bool alpha = false;       ///< +UA: the background is taken out; without, it is opaque
+  bool alpha = false;       ///< +UA; without, every sample is opaque
 };
 
 class Sampler {
  public:
-  Sampler(const Scene& scene, const RaySource& camera, const SamplerOptions& options,
+  Sampler(const RaySource& camera, const SamplerOptions& options,
           Tracer& tracer)
-      : m_background(scene.settings().background.rgb), m_camera(camera), m_blur(camera.blur()),
-        m_options(options), m_is_mean(options.angles > 1 || m_blur), m_tracer(tracer) {}
+      : m_camera(camera), m_blur(camera.blur()), m_options(options), m_is_mean(options.angles > 1 || m_blur), m_tracer(tracer) {}
 
   /// Sample 0 of each of those pixels of the image, at their centres: `keep(pixel, radiance)`.
   /// Pixels without a ray are black and counted. False if `stop(pixel)` said so before one of them.
@@ -30,14 +29,12 @@ class Sampler {
     if (m_is_mean) return mean_centres(pixels, counters, keep, stop);
     const RaySource& camera = m_camera;
     Tracer& tracer = m_tracer;
-    const bool alpha = m_options.alpha;
     for (const Pixel& pixel : pixels) {
       if (stop(pixel)) return false;
       Ray ray;
       Radiance seen;
       if (camera.ray(pixel.column + 0.5, pixel.row + 0.5, ray)) {
         seen = tracer.trace(ray, pixel);
-        if (alpha) seen.rgb -= m_background * seen.transmit;
       } else {
         ++counters.dark_pixels;
       }
@@ -70,7 +67,6 @@ class Sampler {
   bool blurred(const PixelPlace& place, std::uint64_t key, Radiance& out);
   void trace(const Ray& ray, const PixelPlace& place, std::uint64_t key, Radiance& out);
 
-  const Rgb m_background;
   const RaySource& m_camera;
   const FocalBlur* const m_blur;
   const SamplerOptions m_options;

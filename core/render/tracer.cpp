@@ -55,7 +55,7 @@ Radiance PathTracer<kFeatures>::follow(const RayState& state, float weight, int 
   Hit hit;
   if (!m_hierarchy.nearest(state.ray, m_min_distance, Bounds::kInf, state.kind, hit, m_arena,
                            m_test_counters)) {
-    Radiance sky = sky_radiance(m_scene, state.ray.direction);
+    Radiance sky = sky_radiance(m_scene, state.ray.direction, state.kind == RayKind::kReflection);
     if (m_air) pass_open_air(state, kOpenAir, sky);
     return sky;
   }

@@ -21,7 +21,7 @@ inline constexpr double kMinHitDistance = 1e-4;
 
 struct Radiance {
   Rgb rgb;
-  float transmit = 0.0f;  ///< 1: the background is seen through, nothing was hit (1 - alpha)
+  float transmit = 0.0f;  ///< of the picture's background, with +UA (1 - alpha); rgb is premultiplied
 };
 
 class Tracer {

@@ -25,7 +25,7 @@ WorkProber::WorkProber(const Scene& scene, const RaySource& camera, const Shadow
     : m_film(film), m_region(Film::traced_region(film)), m_cells(cells),
       m_tester(shadows.unwatched().make({&scene, &m_arena, &m_counters, options.count_tests})),
       m_tracer(Tracer::make(scene, *m_tester, m_arena, m_counters, options.count_tests)),
-      m_sampler(scene, camera, {options.angles, options.alpha}, *m_tracer) {
+      m_sampler(camera, {options.angles, options.alpha}, *m_tracer) {
   m_counters.lights.resize(scene.lights().size());
   m_clock = 1.0;
   for (int i = 0; i < 16; ++i) {

@@ -30,7 +30,8 @@ struct SceneSettings {
   Rgb ambient_light{1.0f, 1.0f, 1.0f};
   double assumed_gamma = 1.0;      ///< 1: linear; scene colours are decoded by the parser already
   bool assumed_gamma_set = false;
-  Colour background;               ///< black, opaque unless the scene says otherwise
+  Colour background;               ///< opaque unless `alpha`
+  bool alpha = false;              ///< +UA: the picture is as clear as what its rays see of the sky
   bool mirror_images = true;       ///< false: reflection dims what conserves energy, shows nothing
   double atmosphere_ior = 1.0;
   int noise_generator = 2;         ///< for thin films of uneven thickness

@@ -10,7 +10,22 @@ namespace {
 
 constexpr int kAirQuality = 9;
 
-core::SceneSettings build_settings(const SceneDesc& scene) {
+/// Without +UA a background that is clear is laid over black; its filter is passed over, as in stock. With it, one
+/// from before #version 3.7 is seen in mirrors only, as if there were none.
+void set_background(const SceneDesc& scene, bool alpha, core::SceneSettings& s) {
+  s.alpha = alpha;
+  s.background.rgb = scene.background.rgb;
+  const bool is_layer = scene.has_background && scene.background_version >= 370;
+  if (!alpha) {
+    if (is_layer) s.background.rgb *= 1.0f - scene.background.transmit;
+  } else if (is_layer) {
+    s.background = scene.background;
+  } else {
+    s.background.transmit = 1.0f;
+  }
+}
+
+core::SceneSettings build_settings(const SceneDesc& scene, bool alpha) {
   core::SceneSettings s;
   const GlobalDesc& g = scene.global;
   if (g.max_trace_level) s.max_trace_level = *g.max_trace_level;
@@ -27,11 +42,7 @@ core::SceneSettings build_settings(const SceneDesc& scene) {
   // Without one, scenes older than 3.5 have the noise of their time.
   s.noise_generator = g.noise_generator.value_or(scene.language_version < 350 ? 1 : 2);
   s.atmosphere_ior = scene.atmosphere_ior;
-  s.background.rgb = scene.background.rgb;
-  if (scene.background_version >= 370) {
-    // From 3.7 on a transparent background is laid over black when no alpha is written.
-    s.background.rgb *= 1.0f - scene.background.filter - scene.background.transmit;
-  }
+  set_background(scene, alpha, s);
   return s;
 }
 
@@ -98,7 +109,7 @@ bool has_hierarchy(const SceneDesc& scene) {
 core::SceneParts build_scene(const SceneDesc& scene, Diagnostics& diagnostics,
                              const BuildOptions& options) {
   core::SceneParts parts;
-  parts.settings = build_settings(scene);
+  parts.settings = build_settings(scene, options.alpha);
   warn_about_gamma(scene, diagnostics);
 
   const TextureSettings for_textures = texture_settings(scene, parts.settings, options);

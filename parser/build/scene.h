@@ -9,7 +9,8 @@
 namespace lentray::parser {
 
 struct BuildOptions {
-  int quality = 9;   ///< +Q
+  int quality = 9;     ///< +Q
+  bool alpha = false;  ///< +UA
 };
 
 /// Features that are kept and not rendered yet go to SceneParts::not_rendered, sorted, and are

@@ -16,7 +16,7 @@ TEST(UnitParserCreateIni, AsksForTheSameRunAgain) {
       {"a.pov"},
       {"+Isome where/a b.pov", "+W641", "+H77", "+A0.07", "+AM2", "+R5", "-J", "+AG1.8", "Declare=X=3.25",
        "Declare=T=\"text\"", "+L/tmp/a folder", "+SC0.25", "+EC100", "+SR3", "+ER0.5", "+Q7", "+UA", "+WT3",
-       "+Oout/of here.png", "+FN16", "File_Gamma=1.7", "+C", "-V", "+WL5", "-GS", "+GFfatal.txt"},
+       "+Oout/of here.png", "+FN16", "File_Gamma=1.7", "+THB3", "Grayscale_Output=on", "Compression=50", "Display_Gamma=1.8", "+C", "-V", "+WL5", "-GS", "+GFfatal.txt"},
       {"a.pov", "+K0.1", "+MV3.5"},
       {"a.pov", "+KFI3", "+KFF12", "+KI0.5", "+KF2", "+SF0.5", "+EF11", "+STP2", "+KC"},
       {"a.pov", "Lenticular=On", "Lens_Pitch=0.7", "Lens_Focal_Length=2.1", "Lens_IOR=1.56", "Lens_Pixels=12.4",

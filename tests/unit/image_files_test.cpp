@@ -6,6 +6,7 @@
 #include <fstream>
 #include <regex>
 
+#include "core/base/color.h"
 #include "core/image/file_swap.h"
 #include "core/image/quantiser.h"
 #include "core/image/reader.h"
@@ -108,9 +109,12 @@ TEST(UnitImageFiles, IntegersComeBack) {
         for (std::uint32_t y = 0; y < 5; ++y) {
           for (std::uint32_t x = 0; x < 7; ++x) {
             for (int c = 0; c < 3; ++c) {
-              ASSERT_EQ(back.at(x, y, c), quantised(image.pixel(x, y)[c], format)) << name;
+              const float* p = image.pixel(x, y);
+              // Files hold straight colours, and pixels brighter than opaque are made as opaque as bright.
+              const float whole = alpha ? std::max(0.5f, grey({p[0], p[1], p[2]})) : 1.0f;
+              ASSERT_EQ(back.at(x, y, c), quantised(p[c] / whole, format)) << name;
             }
-            if (alpha) { ASSERT_EQ(back.at(x, y, 3), bits == 8 ? 128 : 32768); }
+            if (alpha && y < 2) { ASSERT_EQ(back.at(x, y, 3), bits == 8 ? 128 : 32768); }
           }
         }
       }
@@ -121,10 +125,13 @@ TEST(UnitImageFiles, IntegersComeBack) {
 TEST(UnitImageFiles, OpenExrKeepsFloats) {
   const TemporaryFolder folder;
   const Image image = ramp(6, 3);
-  write_image(image, folder / "a.exr", format_of(FileType::exr, 8));
+  write_image(image, folder / "a.exr", format_of(FileType::exr, 32));
   const StoredImage back = read_image(folder / "a.exr");
   EXPECT_EQ(back.bits, 32);
+  EXPECT_EQ(back.gamma, 1.0);
   EXPECT_EQ(back.at(4, 2, 1), image.pixel(4, 2)[1]);
+  write_image(image, folder / "a.exr", format_of(FileType::exr, 8));
+  EXPECT_NEAR(read_image(folder / "a.exr").at(4, 2, 1), image.pixel(4, 2)[1], 1.0 / 2048);
 }
 
 TEST(UnitImageFiles, MetadataComesBack) {
@@ -273,9 +280,9 @@ TEST(ErrorImage, EachSaysWhatIsWrong) {
   diff::write_text(folder / "file", "x");
   EXPECT_NE(message_of(folder / "file/a.png", image, {}).find("is not a folder"), std::string::npos);
   EXPECT_NE(message_of(folder / "a.png", Image(), {}).find("empty"), std::string::npos);
-  EXPECT_NE(message_of(folder / "a.png", image, format_of(FileType::png, 12)).find("8 and 16"),
+  EXPECT_NE(message_of(folder / "a.tga", Image(65536, 1), format_of(FileType::targa, 8)).find("65535"),
             std::string::npos);
-  EXPECT_THROW(file_type_of("a.jpg"), ImageError);
+  EXPECT_THROW(file_type_of("a.gif"), ImageError);
   EXPECT_EQ(file_type_of("A.TIFF"), FileType::tiff);
   EXPECT_THROW(read_image(folder / "nothing.png"), ImageError);
   EXPECT_THROW(read_image(folder / "file"), ImageError);
@@ -286,7 +293,9 @@ TEST(ErrorImage, GoodFileSurvivesFailure) {
   write_image(ramp(3, 3), folder / "a.png", {});
   const std::string before = diff::read_text(folder / "a.png");
   EXPECT_NE(message_of(folder / "a.png", Image(), {}), "no error");
-  EXPECT_NE(message_of(folder / "a.png", ramp(4, 4), format_of(FileType::png, 7)), "no error");
+  Image cut = ramp(4, 4);
+  cut.rgba.pop_back();
+  EXPECT_NE(message_of(folder / "a.png", cut, {}), "no error");
   EXPECT_EQ(diff::read_text(folder / "a.png"), before);
 }
 

@@ -87,7 +87,7 @@ TEST_F(UnitParserOptions, LaterOptionsOverrideEarlierOnes) {
 }
 
 TEST_F(UnitParserOptions, TheFirstDefaultIniIsReadBeforeTheCommandLine) {
-  write("first.ini", "Width=11\nDither=On\n");
+  write("first.ini", "Width=11\nCreate_Ini=On\n");
   write("second.ini", "Width=22\nHeight=33\n");
   OptionSources sources;
   sources.default_ini_files = {"missing.ini", "first.ini", "second.ini"};
@@ -96,7 +96,7 @@ TEST_F(UnitParserOptions, TheFirstDefaultIniIsReadBeforeTheCommandLine) {
   EXPECT_EQ(o.height, 44);
   // What a system-wide file asks for and is not there yet must not stop a run.
   ASSERT_EQ(o.warnings.size(), 1u);
-  EXPECT_NE(o.warnings[0].find("first.ini:2: option Dither=On: not yet"), std::string::npos);
+  EXPECT_NE(o.warnings[0].find("first.ini:2: option Create_Ini=On: not yet"), std::string::npos);
 }
 
 TEST_F(UnitParserOptions, IniSections) {
@@ -189,16 +189,55 @@ TEST_F(UnitParserOptions, LensOptions) {
   EXPECT_EQ(read({"--dump-rays=x"}).dump_rays, "x");
 }
 
+TEST_F(UnitParserOptions, OutputFiles) {
+  using Pair = std::pair<const char*, OutputType>;
+  for (const auto& [given, type] :
+       {Pair{"+FN", OutputType::kPng}, Pair{"+FT", OutputType::kTarga}, Pair{"+Fc", OutputType::kCompressedTarga},
+        Pair{"+FJ", OutputType::kJpeg}, Pair{"+FP", OutputType::kPpm}, Pair{"+FB", OutputType::kBmp},
+        Pair{"+FE", OutputType::kExr}, Pair{"+FH", OutputType::kRadiance},
+        Pair{"Output_File_Type=T", OutputType::kTarga}, Pair{"Output_File_Type=TIFF", OutputType::kTiff}}) {
+    EXPECT_EQ(read({given}).type, type) << given;
+  }
+  EXPECT_EQ(read({"+FP10"}).bits, 10);
+  EXPECT_EQ(read({"+FN99"}).bits, 16);
+  EXPECT_EQ(read({"Bits_Per_Colour=3"}).bits, 5);
+  EXPECT_TRUE(read({"+FNg"}).grayscale);
+  EXPECT_TRUE(read({"+FP", "Grayscale_Output=on"}).grayscale);
+  EXPECT_EQ(read({"Compression=40"}).compression, 40);
+  EXPECT_EQ(read({"Display_Gamma=1.8"}).display_gamma, 1.8);
+  EXPECT_FALSE(read({"Display_Gamma=1.8"}).display_srgb);
+  EXPECT_FALSE(read({}).dither);
+  EXPECT_TRUE(read({"+TH"}).dither);
+  EXPECT_EQ(read({"+TH"}).dither_type, DitherType::kFloydSteinberg);
+  EXPECT_EQ(read({"+THb3"}).dither_type, DitherType::kBayer3);
+  EXPECT_FALSE(read({"-THD2"}).dither);
+  EXPECT_EQ(read({"-THD2"}).dither_type, DitherType::kPlane);
+  EXPECT_TRUE(read({"Dither=on", "Dither_Method=D1"}).dither);
+}
+
 TEST_F(UnitParserOptions, OutputPaths) {
   fs::create_directory("out");
   const auto path = [](const std::vector<std::string>& arguments) {
     OutputType type;
     return output_path(read(arguments), type);
   };
-  EXPECT_EQ(path({"+Idir/scene.pov"}), "scene.png");
-  EXPECT_EQ(path({"+Idir/scene.pov", "+FE"}), "scene.exr");
+  EXPECT_EQ(path({"+Idir/scene.pov"}), "dir/scene.png");
+  EXPECT_EQ(path({"+Idir/scene.pov", "+FE"}), "dir/scene.exr");
+  EXPECT_EQ(path({"+Idir/scene.pov", "Restrict_IO=On"}), "scene.png");
+  EXPECT_EQ(path({"+Idir/scene.pov", "+Ofoo"}), "foo.png");
   EXPECT_EQ(path({"+Iscene.pov", "+Oout/"}), "out/scene.png");
-  EXPECT_EQ(path({"+Iscene.pov", "+Oout"}), "out/scene.png");
+  EXPECT_EQ(path({"+Idir/scene.pov", "+Oout/.png"}), "out/scene.png");
+  EXPECT_EQ(path({"+Iscene.pov", "+O.png"}), "scene.png");
+  EXPECT_EQ(path({"+Iscene.pov", "+Oout"}), "out.png");
+  EXPECT_EQ(path({"+Iscene.pov", "+Ofoo."}), "foo.png");
+  EXPECT_EQ(path({"+Iscene.pov", "+Ofoo.PNG"}), "foo.PNG.png");
+  EXPECT_EQ(path({"+Iscene.pov", "+Ofoo.tga"}), "foo.tga.png");
+  EXPECT_EQ(path({"+Iscene.pov", "+Ofoo.tga", "+FC"}), "foo.tga");
+  EXPECT_EQ(path({"+Iscene.pov", "+Ofoo.jpeg", "+FJ"}), "foo.jpeg.jpg");
+  EXPECT_EQ(path({"+Iscene.pov", "+Ofoo.tif", "+FN"}), "foo.tif.png");
+  EXPECT_EQ(path({"+Iscene.pov", "+Ofoo.png", "+FB"}), "foo.png.bmp");
+  EXPECT_EQ(path({"+Iscene.pov", "+Ofoo", "+FPg"}), "foo.ppm");
+  EXPECT_EQ(path({"+Iscene.pov", "+Ofoo", "+FH"}), "foo.hdr");
   EXPECT_EQ(path({"+Iscene.pov", "+Ofoo"}), "foo.png");
   EXPECT_EQ(path({"+Iscene.pov", "+Ofoo.v2"}), "foo.v2.png");
   EXPECT_EQ(path({"+Iscene.pov", "+Ofoo.png", "+FE"}), "foo.png.exr");
@@ -317,7 +356,10 @@ TEST_F(UnitParserOptions, PartsOfThePicture) {
 }
 
 TEST_F(ErrorParserOptions, NotYetByName) {
-  expect_message({"+FT"}, "not yet: the output type Targa");
+  expect_message({"+FS"}, "unknown output type");
+  expect_message({"+FTg"}, "unknown output type");
+  expect_message({"+FE", "Grayscale_Output=on"}, "there is grey in PNG, PPM and TIFF files only");
+  expect_message({"+THx"}, "unknown way of dithering");
   expect_message({"Lens_Model=thick"}, "not yet: lens model 'thick' (there are paraxial, pinhole)");
   EXPECT_EQ(read({"Pixel_Order=Adaptive"}).pixel_order, "adaptive");
   EXPECT_EQ(read({"Accelerator=Grid"}).accelerator, "grid");

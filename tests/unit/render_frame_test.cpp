@@ -88,9 +88,11 @@ struct Bar final : Progress {
   int calls = 0;
 };
 
-std::unique_ptr<Scene> ball_scene() {
+/// `clear`: for +UA, with a background that is clear.
+std::unique_ptr<Scene> ball_scene(bool clear = false) {
   SceneParts parts;
-  parts.settings.background = {Rgb(0.25f, 0.5f, 0.75f), 0, 0};
+  parts.settings.alpha = clear;
+  parts.settings.background = {Rgb(0.25f, 0.5f, 0.75f), 0, clear ? 1.0f : 0.0f};
   TextureLayer layer;
   layer.pigment = std::make_shared<Wavy>();
   parts.textures.push_back(std::make_shared<LayeredTexture>(std::vector{layer}));
@@ -142,11 +144,11 @@ TEST(UnitCoreFrame, SameBitsForAnyOrderBandAndNumberOfThreads) {
 }
 
 TEST(UnitCoreFrame, PixelsWithoutRayAreBlackAndAlphaLeavesTheBackgroundOut) {
-  const auto scene = ball_scene();
+  const auto scene = ball_scene(), clear_scene = ball_scene(true);
   Whole opaque, alpha;
   const PlainShadowTesterFactory shadows;
   render_frame(*scene, Window(), {64, 64, 20}, RowBands(), shadows, {}, opaque, nullptr);
-  render_frame(*scene, Window(), {64, 64, 20}, RowBands(), shadows, {.alpha = true}, alpha, nullptr);
+  render_frame(*clear_scene, Window(), {64, 64, 20}, RowBands(), shadows, {.alpha = true}, alpha, nullptr);
   EXPECT_EQ(opaque.image.pixel(63, 5)[0], 0.0f);
   EXPECT_EQ(opaque.image.pixel(63, 5)[3], 1.0f);
   EXPECT_EQ(opaque.image.pixel(0, 0)[2], 0.75f);

@@ -203,7 +203,15 @@ TEST(UnitCoreTracer, NothingIsHit) {
   const auto scene = b.compile();
   const Radiance seen = Kit(*scene).look({0, 2, 0}, {0, -1, 0});
   EXPECT_EQ(seen.rgb, Rgb(0.1f, 0.2f, 0.3f));
-  EXPECT_FLOAT_EQ(seen.transmit, 1.0f);
+  EXPECT_FLOAT_EQ(seen.transmit, 0.0f);
+  // With +UA a background is a layer, and colours are premultiplied.
+  Builder clear;
+  clear.parts.settings.alpha = true;
+  clear.parts.settings.background = {Rgb(0.1f, 0.2f, 0.3f), 0, 0.75f};
+  const auto clear_scene = clear.compile();
+  const Radiance layer = Kit(*clear_scene).look({0, 2, 0}, {0, -1, 0});
+  EXPECT_EQ(layer.rgb, Rgb(0.1f, 0.2f, 0.3f) * 0.25f);
+  EXPECT_FLOAT_EQ(layer.transmit, 0.75f);
 }
 
 TEST(UnitCoreTracer, ShadowsAreColouredByWhatTheyPass) {

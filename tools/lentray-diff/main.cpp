@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/image/compare.h"
+#include "core/image/display.h"
 #include "core/image/file_swap.h"
 #include "core/image/reader.h"
 #include "parser/options.h"
@@ -165,6 +166,23 @@ Pair read_both(const Arguments& a) {
   return pair;
 }
 
+/// Both as viewers show them. Where in a comparison of renderers one of them has no alpha because it was put together of views, that of the
+/// other is left out.
+Pair shown(Pair pair, bool are_files) {
+  if (!are_files) {
+    if (pair.stock.gamma == 0.0) pair.stock.gamma = pair.ours.gamma;
+    if (pair.ours.channels != pair.stock.channels) {
+      if (pair.ours.channels == 4) pair.ours = core::without_alpha(pair.ours);
+      if (pair.stock.channels == 4) pair.stock = core::without_alpha(pair.stock);
+    }
+  }
+  if (!core::is_shown_as_stored(pair.ours) || !core::is_shown_as_stored(pair.stock)) {
+    pair.ours = core::displayed(pair.ours);
+    pair.stock = core::displayed(pair.stock);
+  }
+  return pair;
+}
+
 LensComparison compare_pair(const Pair& pair) {
   if (pair.lens_pixels > 0.0) return core::compare_lenses(pair.ours, pair.stock, pair.lens_pixels);
   LensComparison result;
@@ -172,7 +190,7 @@ LensComparison compare_pair(const Pair& pair) {
   return result;
 }
 
-void write_pictures(const Arguments& a, const Pair& pair) {
+void write_pictures(const Arguments& a, const Pair& pair, const Pair& seen) {
   const auto put = [&](const char* kind, const StoredImage& image) {
     fs::path path = a.prefix;
     path += std::string("-") + kind + ".png";
@@ -184,18 +202,19 @@ void write_pictures(const Arguments& a, const Pair& pair) {
     put("ours", pair.ours);
     put("stock", pair.stock);
   }
-  put("heat", heat_map(pair.ours, pair.stock));
-  put("side", side_by_side(pair.ours, pair.stock));
+  put("heat", heat_map(seen.ours, seen.stock));
+  put("side", side_by_side(seen.ours, seen.stock));
 }
 
 int compare_and_report(const Arguments& a) {
   if (!a.json.empty()) core::check_writable(a.json);
   if (a.write_pictures) core::check_writable(a.prefix.string() + "-ours.png");
   const Pair pair = a.pictures.empty() ? render_both(a) : read_both(a);
-  const LensComparison result = compare_pair(pair);
+  const Pair seen = shown(pair, !a.pictures.empty());
+  const LensComparison result = compare_pair(seen);
   const bool reached = reaches(result, a.asked);
   std::cout << table(result, a.all_lenses);
-  if (a.write_pictures) write_pictures(a, pair);
+  if (a.write_pictures) write_pictures(a, pair, seen);
   if (!a.json.empty()) {
     json all = to_json(result);
     all.update(pair.about);

@@ -47,11 +47,10 @@ void Mean::add(std::uint32_t column, std::uint32_t row, const StoredImage& light
                std::uint32_t light_column, std::uint32_t light_row) {
   const bool has_alpha = light.channels == 2 || light.channels == 4;
   const float alpha = has_alpha ? light.at(light_column, light_row, light.channels - 1) : 1.0f;
-  if (!(alpha > 0.0f)) return;
   double* sum = &m_sums[(std::size_t{row} * m_width + column) * 4];
   for (int c = 0; c < 3; ++c) {
     const int channel = light.channels < 3 ? 0 : c;
-    sum[c] += alpha * working(light.at(light_column, light_row, channel) / alpha);
+    sum[c] += working(light.at(light_column, light_row, channel));
   }
   sum[3] += alpha;
 }

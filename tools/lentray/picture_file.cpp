@@ -1,5 +1,6 @@
 #include "tools/lentray/picture_file.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <variant>
 
@@ -14,27 +15,50 @@ core::FileType file_type(parser::OutputType type) {
   switch (type) {
     case parser::OutputType::kPng: return core::FileType::png;
     case parser::OutputType::kTiff: return core::FileType::tiff;
-    case parser::OutputType::kExr: break;
+    case parser::OutputType::kExr: return core::FileType::exr;
+    case parser::OutputType::kTarga: return core::FileType::targa;
+    case parser::OutputType::kCompressedTarga: return core::FileType::compressed_targa;
+    case parser::OutputType::kJpeg: return core::FileType::jpeg;
+    case parser::OutputType::kPpm: return core::FileType::ppm;
+    case parser::OutputType::kBmp: return core::FileType::bmp;
+    case parser::OutputType::kRadiance: break;
   }
-  return core::FileType::exr;
+  return core::FileType::radiance;
+}
+
+core::DitherMethod dither_method(const parser::RenderOptions& options) {
+  if (!options.dither) return core::DitherMethod::none;
+  switch (options.dither_type) {
+    case parser::DitherType::kBayer2: return core::DitherMethod::bayer2;
+    case parser::DitherType::kBayer3: return core::DitherMethod::bayer3;
+    case parser::DitherType::kBayer4: return core::DitherMethod::bayer4;
+    case parser::DitherType::kLine: return core::DitherMethod::line;
+    case parser::DitherType::kPlane: return core::DitherMethod::plane;
+    case parser::DitherType::kFloydSteinberg: break;
+  }
+  return core::DitherMethod::floyd_steinberg;
 }
 
 core::ImageFormat format_of(parser::OutputType type, const parser::RenderOptions& options,
                             const core::SceneSettings& settings) {
+  constexpr int kLeastQuality = 2, kBestQuality = 100;
   core::ImageFormat format;
   format.type = file_type(type);
   format.bits = options.bits;
+  format.alpha = options.alpha;
+  format.grey = options.grayscale;
+  format.dither = dither_method(options);
+  if (options.compression >= kLeastQuality) format.quality = std::min(options.compression, kBestQuality);
   format.srgb = options.srgb;
   format.file_gamma = options.file_gamma;
-  format.alpha = options.alpha;
   if (settings.assumed_gamma > 0.0) {
     format.working_gamma = settings.assumed_gamma;
   } else if (settings.assumed_gamma_set) {
     format.working_srgb = true;
   } else {
-    // Scenes older than 3.7 without an assumed_gamma: colours go to the file as they are.
-    format.srgb = false;
-    format.file_gamma = 1.0;
+    // Scenes older than 3.7 without an assumed_gamma: colours are the display's, and so is the file.
+    format.srgb = format.working_srgb = options.display_srgb;
+    format.file_gamma = format.working_gamma = options.display_gamma;
   }
   return format;
 }

@@ -144,7 +144,7 @@ void parse_alone(Run& run, const std::string& path) {
   options.only_check = !o.dump;
   const parser::SceneDesc scene = parser::read_descriptions(path, sources, diagnostics, options);
   const double seconds = cpu_seconds() - before;
-  const core::SceneParts parts = parser::build_scene(scene, diagnostics, {o.quality});
+  const core::SceneParts parts = parser::build_scene(scene, diagnostics, {o.quality, o.alpha});
   run.warnings.say();
   refuse_if_strict(o, parts.not_rendered);
   if (o.dump) {
@@ -176,7 +176,7 @@ void read_scene(Run& run, const std::string& path) {
   const double parsed = cpu_seconds();
   run.report.parse_cpu_s = parsed - before;
 
-  core::SceneParts parts = parser::build_scene(description, diagnostics, {o.quality});
+  core::SceneParts parts = parser::build_scene(description, diagnostics, {o.quality, o.alpha});
   description.objects = {};  // their memory is used again by what is built next
   run.not_rendered = parts.not_rendered;
   run.slopes = parts.slopes;

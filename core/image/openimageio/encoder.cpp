@@ -16,9 +16,15 @@ const char* plugin_name(FileType type) {
   switch (type) {
     case FileType::png: return "png";
     case FileType::tiff: return "tiff";
-    case FileType::exr: break;
+    case FileType::exr: return "openexr";
+    case FileType::jpeg: return "jpeg";
+    case FileType::targa:
+    case FileType::compressed_targa: return "targa";
+    case FileType::ppm: return "pnm";
+    case FileType::bmp: return "bmp";
+    case FileType::radiance: break;
   }
-  return "openexr";
+  return "hdr";
 }
 
 std::string field_lines(const ImageMetadata& metadata) {
@@ -32,10 +38,10 @@ std::string field_lines(const ImageMetadata& metadata) {
 
 void put_metadata(OIIO::ImageSpec& spec, FileType type, const ImageMetadata& metadata) {
   if (!metadata.software.empty()) spec.attribute("Software", metadata.software);
-  const std::string description =
-      type == FileType::tiff ? field_lines(metadata) : metadata.description;
+  const bool has_lines = type == FileType::tiff || type == FileType::jpeg;
+  const std::string description = has_lines ? field_lines(metadata) : metadata.description;
   if (!description.empty()) spec.attribute("ImageDescription", description);
-  if (type != FileType::tiff) {
+  if (!has_lines) {
     for (const auto& [name, value] : metadata.fields) spec.attribute(name, value);
   }
   if (metadata.dpi_x > 0.0 && metadata.dpi_y > 0.0) {
@@ -55,12 +61,19 @@ void put_colour_space(OIIO::ImageSpec& spec, const PictureSpec& picture) {
   }
 }
 
+/// Of the samples in memory.
+OIIO::TypeDesc sample_type(const PictureSpec& picture) {
+  if (picture.bits == 32) return OIIO::TypeDesc::FLOAT;
+  return picture.bits == 8 ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::UINT16;
+}
+
 OIIO::ImageSpec spec_of(const PictureSpec& picture) {
-  const OIIO::TypeDesc type = picture.bits == 32  ? OIIO::TypeDesc::FLOAT
-                              : picture.bits == 8 ? OIIO::TypeDesc::UINT8
-                                                  : OIIO::TypeDesc::UINT16;
-  OIIO::ImageSpec spec(static_cast<int>(picture.width), static_cast<int>(picture.height),
-                       picture.channels, type);
+  OIIO::ImageSpec spec(static_cast<int>(picture.width), static_cast<int>(picture.height), picture.channels,
+                       picture.half ? OIIO::TypeDesc(OIIO::TypeDesc::HALF) : sample_type(picture));
+  if (picture.type == FileType::jpeg) {
+    spec.attribute("Compression", "jpeg:" + std::to_string(picture.quality));
+    spec.attribute("jpeg:subsampling", "4:4:4");
+  }
   put_colour_space(spec, picture);
   put_metadata(spec, picture.type, picture.metadata);
   return spec;
@@ -69,7 +82,7 @@ OIIO::ImageSpec spec_of(const PictureSpec& picture) {
 class Encoder final : public PictureEncoder {
  public:
   Encoder(const std::filesystem::path& path, const PictureSpec& picture)
-      : m_file(path), m_spec(spec_of(picture)) {
+      : m_file(path), m_spec(spec_of(picture)), m_samples(sample_type(picture)) {
     m_output = OIIO::ImageOutput::create(plugin_name(picture.type));
     if (!m_output) throw std::runtime_error(OIIO::geterror());
     m_output->set_ioproxy(&m_file);
@@ -89,7 +102,7 @@ class Encoder final : public PictureEncoder {
 
   void put(const void* samples, std::uint32_t rows) override {
     const int first = static_cast<int>(m_next), end = static_cast<int>(m_next + rows);
-    check(m_output->write_scanlines(first, end, 0, m_spec.format, samples));
+    check(m_output->write_scanlines(first, end, 0, m_samples, samples));
     m_next += rows;
   }
 
@@ -109,6 +122,7 @@ class Encoder final : public PictureEncoder {
 
   CheckedFile m_file;
   const OIIO::ImageSpec m_spec;
+  const OIIO::TypeDesc m_samples;
   std::unique_ptr<OIIO::ImageOutput> m_output;
   std::uint32_t m_next = 0;
 };

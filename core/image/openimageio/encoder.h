@@ -1,4 +1,4 @@
-// TIFF, OpenEXR and whatever else OpenImageIO writes. See core/image/picture_encoder.h.
+// TIFF, OpenEXR, JPEG and whatever else OpenImageIO writes. See core/image/picture_encoder.h.
 #pragma once
 
 #include "core/image/picture_encoder.h"
