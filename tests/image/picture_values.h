@@ -25,7 +25,7 @@ inline std::string written(bool stock, const std::string& sdl, const Files& file
   diff::write_text(folder / "scene.pov", sdl);
   const diff::RunResult run =
       stock ? diff::run({"povray", "+Iscene.pov", "-F", "+W4", "+H4", "-D"}, folder.path(), 60.0)
-            : run_lentray({"scene.pov", "--parse-only", "+W4", "+H4"}, folder.path());
+            : run_lentray({"scene.pov", "-F", "+W4", "+H4"}, folder.path());
   return run.status == 0 ? diff::read_text(folder / "values.txt") : "FAILED\n" + run.output;
 }
 
