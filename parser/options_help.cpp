@@ -227,9 +227,8 @@ are POV-Ray's, on the command line or in INI files (file.ini, file.ini[part]).
   +A[t] -A                antialiasing, of colours that differ by t (0.3)
   +AMn +Rn +J[n] -J       its method (1 or 2), depth (1 to 9) and jitter
   +FN16 +FJ +FE -F +UA    PNG of 16 bits, JPEG, OpenEXR, no file; with alpha
-  +C                      go on with what a stopped run did not finish
   +Lfolder +Qn +WTn -V    include files' folder, quality, threads, no progress
-  +KFIn +KFFn +KIn +KFn   frames and clocks of an animation; +Kn: a clock
+  +KFIn +KFFn +Kn +C      frames and clock of an animation; go on after a stop
   Declare=NAME=VALUE      an identifier of the scene
   Restrict_IO=On          for strangers' scenes: files where the rules permit
   --parse-only            reads the scene and reports; renders nothing

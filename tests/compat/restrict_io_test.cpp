@@ -288,7 +288,11 @@ TEST(CompatRestrictIo, WhatIsPermittedWorks) {
 // Pictures are opened by what was judged, not by name: their names still tell the format, or are wrong about it.
 TEST(CompatRestrictIo, PicturesAreTheSame) {
   const World world;
-  core::StoredImage picture{5, 4, 3, 8, {}, {}};
+  core::StoredImage picture;
+  picture.width = 5;
+  picture.height = 4;
+  picture.channels = 3;
+  picture.bits = 8;
   for (int i = 0; i < 60; ++i) picture.samples.push_back(static_cast<float>(4 * i));
   core::write_stored(picture, world / "work/a.png");
   core::write_stored(picture, world / "work/a.tif");

@@ -87,7 +87,7 @@ TEST_F(UnitParserOptions, LaterOptionsOverrideEarlierOnes) {
 }
 
 TEST_F(UnitParserOptions, TheFirstDefaultIniIsReadBeforeTheCommandLine) {
-  write("first.ini", "Width=11\nCreate_Ini=On\n");
+  write("first.ini", "Width=11\nLens_Model=thick\n");
   write("second.ini", "Width=22\nHeight=33\n");
   OptionSources sources;
   sources.default_ini_files = {"missing.ini", "first.ini", "second.ini"};
@@ -96,7 +96,7 @@ TEST_F(UnitParserOptions, TheFirstDefaultIniIsReadBeforeTheCommandLine) {
   EXPECT_EQ(o.height, 44);
   // What a system-wide file asks for and is not there yet must not stop a run.
   ASSERT_EQ(o.warnings.size(), 1u);
-  EXPECT_NE(o.warnings[0].find("first.ini:2: option Create_Ini=On: not yet"), std::string::npos);
+  EXPECT_NE(o.warnings[0].find("first.ini:2: option Lens_Model=thick: not yet"), std::string::npos);
 }
 
 TEST_F(UnitParserOptions, IniSections) {
