@@ -43,7 +43,7 @@ std::vector<std::string> command(Reader reader) {
   if (reader == Reader::kStock) {
     return {"povray", "+Iscene.pov", "-F", "+W4", "+H4", "-D", "-GD", "-GR", "-GS", library};
   }
-  return {LENTRAY_BIN_DIR "/lentray", "scene.pov", "--parse-only", "+W4", "+H4", "-V", library};
+  return {LENTRAY_BIN_DIR "/lentray", "scene.pov", "-F", "+W4", "+H4", "-V", library};
 }
 
 // What a program says about its failure, without the banner.

@@ -247,7 +247,6 @@ class ErrorProgram : public ImageProgram {
 };
 
 TEST_F(ErrorProgram, OptionsThatAreNotThereYet) {
-  expect({"scene.pov", "+C"}, "option +C: not yet: continuing a picture");
   expect({"scene.pov", "Lens_Model=thick", "Lenticular=On"}, "not yet: lens model 'thick'");
 }
 
