@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <string_view>
 
+#include "parser/options_table.h"
+
 namespace lentray::parser {
 namespace {
 
@@ -39,33 +41,6 @@ class Lines {
  private:
   std::string m_text;
 };
-
-const char* type_letter(OutputType type) {
-  switch (type) {
-    case OutputType::kPng: break;
-    case OutputType::kTiff: return "TIFF";
-    case OutputType::kExr: return "E";
-    case OutputType::kTarga: return "T";
-    case OutputType::kCompressedTarga: return "C";
-    case OutputType::kJpeg: return "J";
-    case OutputType::kPpm: return "P";
-    case OutputType::kBmp: return "B";
-    case OutputType::kRadiance: return "H";
-  }
-  return "N";
-}
-
-const char* dither_name(DitherType type) {
-  switch (type) {
-    case DitherType::kBayer2: return "B2";
-    case DitherType::kBayer3: return "B3";
-    case DitherType::kBayer4: return "B4";
-    case DitherType::kLine: return "D1";
-    case DitherType::kPlane: return "D2";
-    case DitherType::kFloydSteinberg: break;
-  }
-  return "FS";
-}
 
 void add_lens(const RenderOptions& o, Lines& out) {
   out.add("Lenticular", o.lenticular);
@@ -124,12 +99,12 @@ void add_animation(const RenderOptions& o, Lines& out) {
 void add_file(const RenderOptions& o, Lines& out) {
   out.add("Output_To_File", o.output_to_file);
   out.name("Output_File_Name", o.output);
-  out.add("Output_File_Type", std::string_view(type_letter(o.type)));
+  out.add("Output_File_Type", word_of(o.type));
   out.number("Bits_Per_Color", o.bits);
   out.add("Grayscale_Output", o.grayscale);
   if (o.compression > 0) out.number("Compression", o.compression);
   out.add("Dither", o.dither);
-  out.add("Dither_Method", std::string_view(dither_name(o.dither_type)));
+  out.add("Dither_Method", word_of(o.dither_type));
   out.add("Display_Gamma", o.display_srgb ? "sRGB" : text_of(o.display_gamma));
   out.add("File_Gamma", o.srgb ? "sRGB" : text_of(o.file_gamma));
   out.add("Continue_Trace", o.continues);

@@ -31,23 +31,19 @@ std::string_view without_comment(std::string_view line) {
   return line;
 }
 
-/// The switches of a line, parted by blanks outside quotes; quotes stay.
-std::vector<std::string> switches_of(std::string_view line) {
-  std::vector<std::string> out;
-  std::string word;
+/// Takes the first word off a line, up to a blank outside quotes; quotes stay.
+std::string_view take_word(std::string_view& line) {
   char quote = 0;
-  for (const char c : line) {
-    if (quote == 0 && std::isspace(static_cast<unsigned char>(c))) {
-      if (!word.empty()) out.push_back(std::move(word));
-      word.clear();
-      continue;
-    }
+  std::size_t end = 0;
+  for (; end < line.size(); ++end) {
+    const char c = line[end];
+    if (quote == 0 && std::isspace(static_cast<unsigned char>(c))) break;
     if (quote == c) quote = 0;
     else if (quote == 0 && (c == '"' || c == '\'')) quote = c;
-    word += c;
   }
-  if (!word.empty()) out.push_back(std::move(word));
-  return out;
+  const std::string_view word = line.substr(0, end);
+  line = trimmed(line.substr(end));
+  return word;
 }
 
 std::optional<std::string> label_of(std::string_view line) {
@@ -57,20 +53,38 @@ std::optional<std::string> label_of(std::string_view line) {
   return std::string(trimmed(line.substr(1, end - 1)));
 }
 
-void append_line(std::string_view line, int number, std::vector<IniLine>& out) {
-  if (line.front() == '+' || line.front() == '-') {
-    for (std::string& word : switches_of(line)) {
-      out.push_back({IniLine::Kind::kSwitch, number, std::move(word), {}});
+bool is_switch(std::string_view text) { return text.front() == '+' || text.front() == '-'; }
+
+IniLine option_of(std::string_view text, std::size_t equals, int number) {
+  return {IniLine::Kind::kOption, number, std::string(trimmed(text.substr(0, equals))),
+          unquoted(text.substr(equals + 1))};
+}
+
+/// Switches, behind which one Name=Value may stand.
+void append_switches(std::string_view line, int number, std::vector<IniLine>& out) {
+  while (!line.empty()) {
+    const std::string_view rest = line;
+    const std::string_view word = take_word(line);
+    const std::size_t equals = word.find('=');
+    if (!is_switch(word) && equals != std::string_view::npos) {
+      out.push_back(option_of(rest, equals, number));
+      return;
     }
+    out.push_back({IniLine::Kind::kSwitch, number, std::string(word), {}});
+  }
+}
+
+void append_line(std::string_view line, int number, std::vector<IniLine>& out) {
+  if (is_switch(line)) {
+    append_switches(line, number, out);
     return;
   }
   const std::size_t equals = line.find('=');
-  if (equals == std::string_view::npos) {
-    out.push_back({IniLine::Kind::kNested, number, unquoted(line), {}});
+  if (equals != std::string_view::npos) {
+    out.push_back(option_of(line, equals, number));
     return;
   }
-  out.push_back({IniLine::Kind::kOption, number, std::string(trimmed(line.substr(0, equals))),
-                 unquoted(line.substr(equals + 1))});
+  out.push_back({IniLine::Kind::kNested, number, unquoted(line), {}});
 }
 
 /// Calls back with every line that is not blank, comments and blanks around it removed.

@@ -1,6 +1,7 @@
-// INI files as POV-Ray reads them: one `Name=Value` a line, or switches, or the name of another
-// INI file; `;` or `#` starts a comment; [labelled] sections. The part before the first section is read
-// always, and with a label every section of that label as well (letter case ignored).
+// INI files as POV-Ray reads them: one `Name=Value` a line, or switches, perhaps with one
+// `Name=Value` behind them, or the name of another INI file; `;` or `#` starts a comment; [labelled]
+// sections. The part before the first section is read always, and with a label every section of
+// that label as well (letter case ignored).
 // Source: tutorial 3.7, "Using INI Files"; measured on stock (.ini is added, quotes, sections, #).
 // Errors: OptionError. Pure functions; any number of threads.
 #pragma once

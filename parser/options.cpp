@@ -201,26 +201,11 @@ bool looks_like_option(const std::string& text, std::size_t& equals) {
   return true;
 }
 
-const char* extension(OutputType type) {
-  switch (type) {
-    case OutputType::kPng: return ".png";
-    case OutputType::kTiff: return ".tif";
-    case OutputType::kExr: return ".exr";
-    case OutputType::kTarga:
-    case OutputType::kCompressedTarga: return ".tga";
-    case OutputType::kJpeg: return ".jpg";
-    case OutputType::kPpm: return ".ppm";
-    case OutputType::kBmp: return ".bmp";
-    case OutputType::kRadiance: break;
-  }
-  return ".hdr";
-}
-
 /// Of types whose names choose them: TIFF, which stock has not, and OpenEXR. Empty: none.
-std::string_view choosing_extension(std::string_view name, OutputType& type) {
+std::string_view choosing_extension(std::string_view name, core::FileType& type) {
   for (const std::string_view end : {".tif", ".tiff", ".exr"}) {
     if (!ends_with(name, end)) continue;
-    type = end == ".exr" ? OutputType::kExr : OutputType::kTiff;
+    type = end == ".exr" ? core::FileType::exr : core::FileType::tiff;
     return end;
   }
   return {};
@@ -272,7 +257,7 @@ RenderOptions read_with(const std::string& default_ini, std::span<const std::str
       reader.bare(text, given, 1);
     }
   }
-  const bool has_grey = options.type == OutputType::kPng || options.type == OutputType::kPpm || options.type == OutputType::kTiff;
+  const bool has_grey = options.type == core::FileType::png || options.type == core::FileType::ppm || options.type == core::FileType::tiff;
   if (options.grayscale && !has_grey) {
     throw OptionError("Grayscale_Output: there is grey in PNG, PPM and TIFF files only");
   }
@@ -314,7 +299,7 @@ RenderOptions read_options(std::span<const std::string> arguments, const OptionS
   return options;
 }
 
-std::string output_path(const RenderOptions& options, OutputType& type) {
+std::string output_path(const RenderOptions& options, core::FileType& type) {
   type = options.type;
   const std::string& out = options.output;
   if (out == "-") return "-";
@@ -325,9 +310,10 @@ std::string output_path(const RenderOptions& options, OutputType& type) {
   }
   std::string_view end;
   if (!options.type_given) end = choosing_extension(out, type);
-  if (type == OutputType::kTiff && ends_with(out, ".tiff")) end = ".tiff";
+  if (type == core::FileType::tiff && ends_with(out, ".tiff")) end = ".tiff";
   const bool any_case = !end.empty();
-  if (!any_case) end = extension(type);
+  const std::string usual = core::extension_of(type);
+  if (!any_case) end = usual;
   const std::string scene = options.input == "-" ? "stdin" : options.input;
   std::string folder = out.substr(0, out.rfind('/') + 1), name = out.substr(folder.size());
   // A stranger's folder may hold a link under that name.

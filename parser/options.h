@@ -15,15 +15,11 @@
 #include <vector>
 
 #include "camera/lens_request.h"
+#include "core/image/writer.h"
 #include "parser/animation.h"
 #include "parser/ini.h"
 
 namespace lentray::parser {
-
-enum class OutputType { kPng, kTiff, kExr, kTarga, kCompressedTarga, kJpeg, kPpm, kBmp, kRadiance };
-
-/// Dither_Method: B2, B3, B4; D1, D2; FS.
-enum class DitherType { kBayer2, kBayer3, kBayer4, kLine, kPlane, kFloydSteinberg };
 
 /// When a program of the user's is run.
 enum class CommandKind { kPreScene, kPreFrame, kPostFrame, kPostScene, kUserAbort, kFatalError };
@@ -53,13 +49,13 @@ struct RenderOptions {
   int threads = 0;                        ///< 0: all of the machine
   std::string output;                     ///< as given; see output_path()
   bool output_to_file = true;
-  OutputType type = OutputType::kPng;
+  core::FileType type = core::FileType::png;
   bool type_given = false;                ///< not only by a default INI file
   int bits = 8;                           ///< a channel, 5 to 16, of PNG and PPM; 32: OpenEXR as float, not half
   bool grayscale = false;                 ///< Grayscale_Output
   int compression = 0;                    ///< JPEG's quality, 2 to 100; 0 and 1: the usual one
   bool dither = false;
-  DitherType dither_type = DitherType::kFloydSteinberg;
+  core::DitherMethod dither_type = core::DitherMethod::floyd_steinberg;
   bool srgb = true;                       ///< File_Gamma=sRGB
   double file_gamma = 2.2;                ///< unless srgb
   bool display_srgb = true;               ///< Display_Gamma=sRGB: what files of scenes without gamma are taken for
@@ -140,7 +136,7 @@ std::string frame_path(const RenderOptions& options, const std::string& path);
 /// with / : the scene's name there; the type's extension is added unless it is there, letter case
 /// told apart), except that .tif, .tiff and .exr choose the type when no option did.
 /// "-": standard output. Sets `type` to what the file will be.
-std::string output_path(const RenderOptions& options, OutputType& type);
+std::string output_path(const RenderOptions& options, core::FileType& type);
 
 /// Throws OptionError if a picture has more pixels than can be thought of (2^40), or one row, which
 /// takes `bytes_a_row`, does not fit into `memory` bytes.

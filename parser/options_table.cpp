@@ -5,9 +5,10 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <utility>
+
+#include "parser/option_values.h"
 
 namespace lentray::parser {
 namespace {
@@ -89,10 +90,13 @@ void set_edge(Options& o, const Given& g) {
   o.*member = number(g);
   if (*(o.*member) < 0.0) refuse(g, "a column or row from 1 on, or a part from 0 to 1, is expected");
 }
+struct DitherWord { std::string_view word; core::DitherMethod method; };
+constexpr DitherWord kMethods[] = {
+    {"B2", core::DitherMethod::bayer2}, {"B3", core::DitherMethod::bayer3},
+    {"B4", core::DitherMethod::bayer4}, {"D1", core::DitherMethod::line},
+    {"D2", core::DitherMethod::plane},  {"FS", core::DitherMethod::floyd_steinberg}};
+
 void set_dither_type(Options& o, const Given& g) {
-  constexpr std::pair<std::string_view, DitherType> kMethods[] = {
-      {"B2", DitherType::kBayer2}, {"B3", DitherType::kBayer3}, {"B4", DitherType::kBayer4},
-      {"D1", DitherType::kLine},   {"D2", DitherType::kPlane},  {"FS", DitherType::kFloydSteinberg}};
   for (const auto& [word, method] : kMethods) {
     if (!same_word(word, g.value)) continue;
     o.dither_type = method;
@@ -155,15 +159,16 @@ void add_declare(Options& o, const Given& g) {
   o.declares.emplace_back(name, is_text ? value.substr(1, value.size() - 2) : value);
 }
 
-struct TypeWord { std::string_view word; OutputType type; };
-/// Stock knows the letters alone and takes PNG for P, TIFF for T; those words are ours.
+struct TypeWord { std::string_view word; core::FileType type; };
+/// Stock knows the letters alone and takes PNG for P, TIFF for T; those words are ours. The first
+/// word of a type is the one that is written.
 constexpr TypeWord kTypes[] = {
-    {"N", OutputType::kPng},    {"PNG", OutputType::kPng},   {"TIFF", OutputType::kTiff},
-    {"TIF", OutputType::kTiff}, {"E", OutputType::kExr},     {"EXR", OutputType::kExr},
-    {"T", OutputType::kTarga},  {"TGA", OutputType::kTarga}, {"C", OutputType::kCompressedTarga},
-    {"J", OutputType::kJpeg},   {"JPG", OutputType::kJpeg},  {"JPEG", OutputType::kJpeg},
-    {"P", OutputType::kPpm},    {"PPM", OutputType::kPpm},   {"B", OutputType::kBmp},
-    {"BMP", OutputType::kBmp},  {"H", OutputType::kRadiance}, {"HDR", OutputType::kRadiance}};
+    {"N", core::FileType::png},    {"PNG", core::FileType::png},   {"TIFF", core::FileType::tiff},
+    {"TIF", core::FileType::tiff}, {"E", core::FileType::exr},     {"EXR", core::FileType::exr},
+    {"T", core::FileType::targa},  {"TGA", core::FileType::targa}, {"C", core::FileType::compressed_targa},
+    {"J", core::FileType::jpeg},   {"JPG", core::FileType::jpeg},  {"JPEG", core::FileType::jpeg},
+    {"P", core::FileType::ppm},    {"PPM", core::FileType::ppm},   {"B", core::FileType::bmp},
+    {"BMP", core::FileType::bmp},  {"H", core::FileType::radiance}, {"HDR", core::FileType::radiance}};
 
 constexpr int kFloatBits = 32;
 
@@ -520,102 +525,12 @@ constexpr OptionRow kTable[] = {
 
 std::span<const OptionRow> option_table() { return kTable; }
 
-void refuse(const GivenOption& given, const std::string& why) {
-  throw OptionError(given.where + "option " + given.shown + ": " + why);
+std::string_view word_of(core::FileType type) {
+  return std::ranges::find(kTypes, type, &TypeWord::type)->word;
 }
 
-bool truth(RenderOptions& options, const GivenOption& given) {
-  if (given.sign != 0) return given.sign == '+';
-  for (const char* word : {"true", "yes", "on", "1"}) {
-    if (same_word(given.value, word)) return true;
-  }
-  for (const char* word : {"false", "no", "off", "0"}) {
-    if (same_word(given.value, word)) return false;
-  }
-  // As in stock, whatever is not on is off; that deserves a word.
-  options.warnings.push_back(given.where + "option " + given.shown +
-                             ": neither on nor off, taken as off");
-  return false;
-}
-
-std::int64_t whole_number(const GivenOption& given, std::int64_t least, std::int64_t most) {
-  std::string_view text = given.value;
-  if (!text.empty() && text.front() == '+') text.remove_prefix(1);
-  std::int64_t value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool range_error = error == std::errc::result_out_of_range;
-  if (text.empty() || (error != std::errc() && !range_error) || end != text.data() + text.size()) {
-    refuse(given, "a whole number is expected");
-  }
-  if (range_error || value < least || value > most) {
-    refuse(given, "a whole number from " + std::to_string(least) + " to " + std::to_string(most) +
-                      " is expected");
-  }
-  return value;
-}
-
-double number(const GivenOption& given) {
-  std::string_view text = given.value;
-  if (!text.empty() && text.front() == '+') text.remove_prefix(1);
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (text.empty() || error != std::errc() || end != text.data() + text.size() ||
-      !std::isfinite(value)) {
-    refuse(given, "a number is expected");
-  }
-  return value;
-}
-
-namespace {
-
-/// The number a text begins with, and what is behind it.
-double leading_number(const GivenOption& given, std::string_view& rest) {
-  std::string_view text = given.value;
-  while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
-  if (!text.empty() && text.front() == '+') text.remove_prefix(1);
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || !std::isfinite(value)) refuse(given, "a number is expected");
-  rest = text.substr(static_cast<std::size_t>(end - text.data()));
-  return value;
-}
-
-double cut(RenderOptions& options, const GivenOption& given, double value, std::string_view rest, double least,
-           double most) {
-  const double taken = std::clamp(value, least, most);
-  if (taken != value || !rest.empty()) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.10g", taken);
-    options.warnings.push_back(given.where + "option " + given.shown + ": taken as " + text);
-  }
-  return taken;
-}
-
-}  // namespace
-
-double cut_number(RenderOptions& options, const GivenOption& given, double least, double most) {
-  std::string_view rest;
-  const double value = leading_number(given, rest);
-  return cut(options, given, value, rest, least, most);
-}
-
-std::int64_t cut_whole(RenderOptions& options, const GivenOption& given, std::int64_t least, std::int64_t most) {
-  std::string_view rest;
-  const double value = std::trunc(leading_number(given, rest));
-  return static_cast<std::int64_t>(
-      cut(options, given, value, rest, static_cast<double>(least), static_cast<double>(most)));
-}
-
-double positive(const GivenOption& given) {
-  const double value = number(given);
-  if (!(value > 0.0)) refuse(given, "a number greater than 0 is expected");
-  return value;
-}
-
-void not_yet(RenderOptions& options, const GivenOption& given, const std::string& what) {
-  const std::string text = given.where + "option " + given.shown + ": not yet: " + what;
-  if (!given.from_defaults) throw OptionError(text);
-  options.warnings.push_back(text);
+std::string_view word_of(core::DitherMethod method) {
+  return std::ranges::find(kMethods, method, &DitherWord::method)->word;
 }
 
 }  // namespace lentray::parser

@@ -1,28 +1,35 @@
 #include "parser/watched_files.h"
 
 #include <cstdio>
-#include <cstring>
 #include <memory>
 
 namespace lentray::parser {
 namespace {
 
-struct Sum {
-  std::uint64_t value = 0x6a09e667f3bcc908;  // any number
+/// Takes bytes in any parts.
+class Sum {
+ public:
   void add(const char* bytes, std::size_t size) {
-    for (; size >= 8; bytes += 8, size -= 8) {
-      std::uint64_t word = 0;
-      std::memcpy(&word, bytes, 8);
-      mix(word);
+    for (; size > 0; --size, ++bytes) {
+      m_word = m_word << 8 | static_cast<unsigned char>(*bytes);
+      if (++m_count % 8 == 0) mix();
     }
-    std::uint64_t rest = 0;
-    std::memcpy(&rest, bytes, size);
-    mix(rest ^ (size + 1) << 56);
   }
-  void mix(std::uint64_t word) {
-    value = (value ^ word) * 0x9e3779b97f4a7c15;
-    value ^= value >> 29;
+  std::uint64_t end() {
+    mix();
+    m_word = m_count;
+    mix();
+    return m_value;
   }
+
+ private:
+  void mix() {
+    m_value = (m_value ^ m_word) * 0x9e3779b97f4a7c15;
+    m_value ^= m_value >> 29;
+    m_word = 0;
+  }
+  std::uint64_t m_value = 0x6a09e667f3bcc908;  // any number
+  std::uint64_t m_word = 0, m_count = 0;
 };
 
 }  // namespace
@@ -30,17 +37,19 @@ struct Sum {
 std::uint64_t checksum(std::string_view bytes) {
   Sum sum;
   sum.add(bytes.data(), bytes.size());
-  return sum.value;
+  return sum.end();
 }
 
 std::optional<std::uint64_t> file_checksum(const std::string& path) {
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
   if (!file) return std::nullopt;
-  std::string bytes;
+  Sum sum;
   std::string part(std::size_t{1} << 16, '\0');
-  while (const std::size_t got = std::fread(part.data(), 1, part.size(), file.get())) bytes.append(part, 0, got);
+  while (const std::size_t got = std::fread(part.data(), 1, part.size(), file.get())) {
+    sum.add(part.data(), got);
+  }
   if (std::ferror(file.get())) return std::nullopt;
-  return checksum(bytes);
+  return sum.end();
 }
 
 void WatchedFiles::saw(const std::string& path, std::uint64_t sum) const {

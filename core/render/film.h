@@ -17,8 +17,8 @@
 #include "core/base/counters.h"
 #include "core/image/image.h"
 #include "core/render/antialiasing.h"
-#include "core/render/pixel_lattice.h"
 #include "core/render/picture_ledger.h"
+#include "core/render/pixel_lattice.h"
 #include "core/render/pixel_order.h"
 #include "core/render/sampler.h"
 #include "core/render/work_meter.h"
@@ -73,6 +73,11 @@ struct FilmSetup {
   bool keeps() const { return ledger && ledger->listens(); }
 };
 
+/// The columns that a film traces pixels of in a pixel order, for those that are asked for.
+struct FilmColumns {
+  std::uint32_t left = 0, right = 0;
+};
+
 /// Pixels of an order that are not known yet.
 void leave_out(const PixelSet* known, std::vector<Pixel>& pixels);
 /// Known colours, into an image whose first row is `image_top`.
@@ -81,11 +86,26 @@ void recall_colours(const FilmSetup& setup, std::size_t stage, std::uint32_t top
 /// The colours of the thread's pixels go to the ledger.
 void keep_colours(const FilmSetup& setup, std::size_t stage, std::uint32_t image_top, Image& image,
                   FilmThread& thread);
-
-/// The columns that a film traces pixels of in a pixel order, for those that are asked for.
-struct FilmColumns {
-  std::uint32_t left = 0, right = 0;
-};
+/// The samples of the thread's pixels, one each of stage 0, go to the ledger. `sample_of(pixel)` is what
+/// was seen.
+template <typename SampleOf>
+void keep_samples(const FilmSetup& setup, FilmThread& thread, SampleOf sample_of) {
+  thread.values.clear();
+  for (const Pixel& p : thread.pixels) {
+    const Radiance& seen = sample_of(p);
+    thread.values.insert(thread.values.end(), {seen.rgb.r, seen.rgb.g, seen.rgb.b, seen.transmit});
+  }
+  setup.ledger->add(0, thread.pixels, thread.values);
+}
+/// Known samples of the rows [top, bottom) and the columns: `tell(pixel, seen)`.
+template <typename Tell>
+void recall_samples(const FilmSetup& setup, FilmColumns columns, std::uint32_t top,
+                    std::uint32_t bottom, Tell tell) {
+  setup.ledger->recall(0, top, bottom, [&](const Pixel& p, const float* v) {
+    if (p.column < columns.left || p.column >= columns.right) return;
+    tell(p, Radiance{{v[0], v[1], v[2]}, v[3]});
+  });
+}
 
 /// Immutable, any number of threads.
 class Film {

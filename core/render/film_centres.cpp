@@ -132,7 +132,9 @@ class CentresBand final : public FilmBand {
         const bool seen = trace(static_cast<std::int32_t>(p.column), static_cast<std::int32_t>(p.row), thread);
         if (!seen && p.row >= m_top && p.row < m_bottom) ++thread.counters.dark_pixels;
       }
-      if (m_setup.keeps()) keep_centres(thread);
+      if (m_setup.keeps()) {
+        keep_samples(m_setup, thread, [this](const Pixel& p) { return centre(p).seen; });
+      }
       return true;
     }
     thread.pixels.clear();
@@ -153,24 +155,18 @@ class CentresBand final : public FilmBand {
                      static_cast<std::size_t>(column - m_plan.base)];
   }
 
+  Centre& centre(const Pixel& p) {
+    return centre(static_cast<std::int32_t>(p.column), static_cast<std::int32_t>(p.row));
+  }
+
   void recall(std::uint32_t first, std::uint32_t end) {
     recall_colours(m_setup, 1, m_top, m_bottom, m_image_top, m_image);
     if (!m_setup.known(0)) return;
-    m_setup.ledger->recall(0, first, end, [this](const Pixel& p, const float* v) {
-      if (p.column < m_plan.columns.left || p.column >= m_plan.columns.right) return;
-      Centre& out = centre(static_cast<std::int32_t>(p.column), static_cast<std::int32_t>(p.row));
-      out.seen = {{v[0], v[1], v[2]}, v[3]};
-      out.compared = m_setup.space.of(out.seen);
+    recall_samples(m_setup, m_plan.columns, first, end, [this](const Pixel& p, const Radiance& seen) {
+      Centre& out = centre(p);
+      out.seen = seen;
+      out.compared = m_setup.space.of(seen);
     });
-  }
-
-  void keep_centres(FilmThread& thread) {
-    thread.values.clear();
-    for (const Pixel& p : thread.pixels) {
-      const Radiance& seen = centre(static_cast<std::int32_t>(p.column), static_cast<std::int32_t>(p.row)).seen;
-      thread.values.insert(thread.values.end(), {seen.rgb.r, seen.rgb.g, seen.rgb.b, seen.transmit});
-    }
-    m_setup.ledger->add(0, thread.pixels, thread.values);
   }
 
   /// All colours of the chain in the rows [top, bottom).

@@ -66,7 +66,9 @@ class CornersBand final : public FilmBand {
       m_corner_order->pixels(job, thread.pixels);
       leave_out(known_corners(), thread.pixels);
       if (!trace_corners(thread.pixels.data(), thread.pixels.size(), thread)) return false;
-      if (m_setup.keeps() && m_plan.step > 0) keep_corners(thread);
+      if (m_setup.keeps() && m_plan.step > 0) {
+        keep_samples(m_setup, thread, [this](const Pixel& p) { return corner(p.column, p.row).seen; });
+      }
       return true;
     }
     thread.pixels.clear();
@@ -90,22 +92,12 @@ class CornersBand final : public FilmBand {
   void recall(std::uint32_t end) {
     recall_colours(m_setup, 1, m_top, m_bottom, m_image_top, m_image);
     if (!known_corners()) return;
-    m_setup.ledger->recall(0, m_top, end, [this](const Pixel& p, const float* v) {
-      if (p.column < m_plan.columns.left || p.column >= m_plan.columns.right) return;
+    recall_samples(m_setup, m_plan.columns, m_top, end, [this](const Pixel& p, const Radiance& seen) {
       Corner& out = corner(p.column, p.row);
-      out.seen = {{v[0], v[1], v[2]}, v[3]};
-      out.compared = m_setup.space.of(out.seen);
+      out.seen = seen;
+      out.compared = m_setup.space.of(seen);
       out.has_ray = true;
     });
-  }
-
-  void keep_corners(FilmThread& thread) {
-    thread.values.clear();
-    for (const Pixel& p : thread.pixels) {
-      const Radiance& seen = corner(p.column, p.row).seen;
-      thread.values.insert(thread.values.end(), {seen.rgb.r, seen.rgb.g, seen.rgb.b, seen.transmit});
-    }
-    m_setup.ledger->add(0, thread.pixels, thread.values);
   }
 
   bool trace_corners(const Pixel* pixels, std::size_t count, FilmThread& thread) {

@@ -1,6 +1,6 @@
-// The ledger of a picture: what its films have found out so far, kept outside so that a run that is cut off can
-// be gone on with. A film finds something out in stages (FilmBand): without antialiasing the colours of
-// the pixels; with it first one sample of every pixel, then their colours.
+// The ledger of a picture: what its films have found out so far, kept outside so that a run that is
+// cut off can be gone on with. A film finds something out in stages (FilmBand): without antialiasing
+// the colours of the pixels; with it first one sample of every pixel, then their colours.
 // Pixels of the image; four floats a pixel, which are the film's own.
 #pragma once
 
@@ -22,12 +22,9 @@ class PixelSet {
     const std::size_t i = index(p);
     return (m_bits[i / 64] >> (i % 64) & 1) != 0;
   }
-  /// False if it was there already.
-  bool add(const Pixel& p) {
+  void add(const Pixel& p) {
     const std::size_t i = index(p);
-    const bool is_new = (m_bits[i / 64] >> (i % 64) & 1) == 0;
     m_bits[i / 64] |= std::uint64_t{1} << (i % 64);
-    return is_new;
   }
 
  private:

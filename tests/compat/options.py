@@ -44,14 +44,14 @@ FILES = {
 ONE_BLOCK = "+BS4096"  # stock's antialiasing begins anew in each block
 GRADES = ["fails", "close", "match", "exact"]
 
-Line = collections.namedtuple("Line", "text grade known bare")
+Line = collections.namedtuple("Line", "text grade bare")
 GROUPS = {}
 
 
-def group(title, lines, grade="exact", bare=False, known=""):
+def group(title, lines, grade="exact", bare=False):
     """`bare`: nothing is added to the line; else scene and size."""
     for text in lines.strip().splitlines():
-        GROUPS.setdefault(title, []).append(Line(text.strip(), grade, known, bare))
+        GROUPS.setdefault(title, []).append(Line(text.strip(), grade, bare))
 
 
 group("Scene", """

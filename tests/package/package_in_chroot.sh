@@ -47,8 +47,8 @@ for file in /usr/bin/lentray /usr/bin/lentray-diff /usr/bin/lentray-model /usr/b
 done
 
 step "scenes"
-mkdir "$root/work"
-cat >"$root/work/scene.pov" <<'SCENE'
+mkdir "$root/scenes"
+cat >"$root/scenes/scene.pov" <<'SCENE'
 #version 3.7;
 global_settings { assumed_gamma 1 }
 #include "colors.inc"
@@ -58,18 +58,18 @@ light_source { <4, 6, -5>, White }
 plane { y, -1 pigment { checker White, Gray30 } }
 sphere { 0, 1 texture { T_Stone24 } }
 SCENE
-render() { inside sh -c 'cd /work && exec "$@"' sh "$@" 2>"$root/work/log" || { cat "$root/work/log"; fail "$*"; }; }
+render() { inside sh -c 'cd /scenes && exec "$@"' sh "$@" 2>"$root/scenes/log" || { cat "$root/scenes/log"; fail "$*"; }; }
 written() { # FILE, what file types it may begin with
-  [ -s "$root/work/$1" ] || fail "$1 was not written"
-  [ "$(head -c4 "$root/work/$1" | od -An -tx1 | tr -d ' ')" = "$2" ] || fail "$1 is no such picture"
-  echo "$1: $(stat -c %s "$root/work/$1") bytes"
+  [ -s "$root/scenes/$1" ] || fail "$1 was not written"
+  [ "$(head -c4 "$root/scenes/$1" | od -An -tx1 | tr -d ' ')" = "$2" ] || fail "$1 is no such picture"
+  echo "$1: $(stat -c %s "$root/scenes/$1") bytes"
 }
 render lentray scene.pov +W160 +H120 -V
 written scene.png 89504e47
 # The OpenImageIO module: another way out, and a way in.
 render lentray scene.pov +W160 +H120 -V +Oscene.tif
 written scene.tif 49492a00
-cat >"$root/work/picture.pov" <<'SCENE'
+cat >"$root/scenes/picture.pov" <<'SCENE'
 #version 3.7;
 global_settings { assumed_gamma 1 }
 camera { orthographic location <.5, .5, -1> direction z right x up y }
@@ -79,20 +79,20 @@ render lentray picture.pov +W160 +H120 -V
 written picture.png 89504e47
 render lentray /usr/share/doc/lentray/examples/demo.pov +W240 +H180 Lenticular=On -V +Odemo.png
 written demo.png 89504e47
-inside lentray-diff /work/scene.png /work/scene.tif --grade exact --no-pictures | tail -1 || fail "lentray-diff"
+inside lentray-diff /scenes/scene.png /scenes/scene.tif --grade exact --no-pictures | tail -1 || fail "lentray-diff"
 # As povray, for a program that runs povray; the real one came along with its include files.
 mkdir -p "$root/usr/local/bin"
 ln -s ../../bin/lentray "$root/usr/local/bin/povray"
 render /usr/local/bin/povray +Iscene.pov +Oas-povray.png +W160 +H120 -D
 written as-povray.png 89504e47
-cmp "$root/work/scene.png" "$root/work/as-povray.png" || fail "the link named povray renders another picture"
+cmp "$root/scenes/scene.png" "$root/scenes/as-povray.png" || fail "the link named povray renders another picture"
 render /usr/local/bin/povray --version
-grep -q '^POV-Ray 3\.7' "$root/work/log" || fail "povray --version does not begin with POV-Ray 3.7"
+grep -q '^POV-Ray 3\.7' "$root/scenes/log" || fail "povray --version does not begin with POV-Ray 3.7"
 [ -s "$root/usr/share/man/man1/lentray.1.gz" ] || echo "(minbase systems leave manual pages out)"
 rm "$root/usr/local/bin/povray"
 
 step "removed without remains"
-rm -r "$root/work" "$root/lentray.deb" "$root/apt.log"
+rm -r "$root/scenes" "$root/lentray.deb" "$root/apt.log"
 inside apt-get purge -q -y lentray >/dev/null 2>&1 || fail "apt-get purge"
 left=$(inside find / -xdev -path /proc -prune -o -name '*lentray*' -print)
 [ -z "$left" ] || fail "left behind: $left"

@@ -60,7 +60,7 @@ TEST_F(UnitParserOptions, DefaultsAreStocks) {
   EXPECT_EQ(o.bits, 8);
   EXPECT_TRUE(o.srgb);
   EXPECT_TRUE(o.output_to_file);
-  EXPECT_EQ(o.type, OutputType::kPng);
+  EXPECT_EQ(o.type, core::FileType::png);
   EXPECT_FALSE(o.lenticular);
 }
 
@@ -121,6 +121,19 @@ TEST_F(UnitParserOptions, IniSections) {
   EXPECT_NE(missing.warnings[0].find("has no section [medium]: there are Low, Really High"), std::string::npos);
 }
 
+TEST_F(UnitParserOptions, AnIniLineOfSwitchesMayEndInAnOption) {
+  write("animated.ini", "+Ia.pov +kf0.5 +kff20 +kc declare=fp=0\n+W64 Library_Path=some folder\n");
+  fs::create_directory("some folder");
+  const RenderOptions o = read({"animated"});
+  ASSERT_EQ(o.declares.size(), 1u);
+  EXPECT_EQ(o.declares[0].first, "fp");
+  EXPECT_EQ(o.declares[0].second, "0");
+  EXPECT_EQ(o.animation.final_frame, 20);
+  EXPECT_EQ(o.width, 64);
+  ASSERT_FALSE(o.library_paths.empty());
+  EXPECT_EQ(o.library_paths.back(), "some folder");
+}
+
 TEST_F(UnitParserOptions, IniFilesNestAndLieOnLibraryPaths) {
   fs::create_directory("lib");
   write("lib/more.ini", "Height=77\n[x]\nHeight=78\n");
@@ -148,8 +161,8 @@ TEST_F(UnitParserOptions, Declares) {
 }
 
 TEST_F(UnitParserOptions, OutputTypes) {
-  EXPECT_EQ(read({"+FE"}).type, OutputType::kExr);
-  EXPECT_EQ(read({"Output_File_Type=TIFF"}).type, OutputType::kTiff);
+  EXPECT_EQ(read({"+FE"}).type, core::FileType::exr);
+  EXPECT_EQ(read({"Output_File_Type=TIFF"}).type, core::FileType::tiff);
   EXPECT_EQ(read({"+FN16"}).bits, 16);
   EXPECT_EQ(read({"Bits_Per_Color=16"}).bits, 16);
   const RenderOptions off = read({"-FN16"});
@@ -190,12 +203,12 @@ TEST_F(UnitParserOptions, LensOptions) {
 }
 
 TEST_F(UnitParserOptions, OutputFiles) {
-  using Pair = std::pair<const char*, OutputType>;
+  using Pair = std::pair<const char*, core::FileType>;
   for (const auto& [given, type] :
-       {Pair{"+FN", OutputType::kPng}, Pair{"+FT", OutputType::kTarga}, Pair{"+Fc", OutputType::kCompressedTarga},
-        Pair{"+FJ", OutputType::kJpeg}, Pair{"+FP", OutputType::kPpm}, Pair{"+FB", OutputType::kBmp},
-        Pair{"+FE", OutputType::kExr}, Pair{"+FH", OutputType::kRadiance},
-        Pair{"Output_File_Type=T", OutputType::kTarga}, Pair{"Output_File_Type=TIFF", OutputType::kTiff}}) {
+       {Pair{"+FN", core::FileType::png}, Pair{"+FT", core::FileType::targa}, Pair{"+Fc", core::FileType::compressed_targa},
+        Pair{"+FJ", core::FileType::jpeg}, Pair{"+FP", core::FileType::ppm}, Pair{"+FB", core::FileType::bmp},
+        Pair{"+FE", core::FileType::exr}, Pair{"+FH", core::FileType::radiance},
+        Pair{"Output_File_Type=T", core::FileType::targa}, Pair{"Output_File_Type=TIFF", core::FileType::tiff}}) {
     EXPECT_EQ(read({given}).type, type) << given;
   }
   EXPECT_EQ(read({"+FP10"}).bits, 10);
@@ -208,17 +221,17 @@ TEST_F(UnitParserOptions, OutputFiles) {
   EXPECT_FALSE(read({"Display_Gamma=1.8"}).display_srgb);
   EXPECT_FALSE(read({}).dither);
   EXPECT_TRUE(read({"+TH"}).dither);
-  EXPECT_EQ(read({"+TH"}).dither_type, DitherType::kFloydSteinberg);
-  EXPECT_EQ(read({"+THb3"}).dither_type, DitherType::kBayer3);
+  EXPECT_EQ(read({"+TH"}).dither_type, core::DitherMethod::floyd_steinberg);
+  EXPECT_EQ(read({"+THb3"}).dither_type, core::DitherMethod::bayer3);
   EXPECT_FALSE(read({"-THD2"}).dither);
-  EXPECT_EQ(read({"-THD2"}).dither_type, DitherType::kPlane);
+  EXPECT_EQ(read({"-THD2"}).dither_type, core::DitherMethod::plane);
   EXPECT_TRUE(read({"Dither=on", "Dither_Method=D1"}).dither);
 }
 
 TEST_F(UnitParserOptions, OutputPaths) {
   fs::create_directory("out");
   const auto path = [](const std::vector<std::string>& arguments) {
-    OutputType type;
+    core::FileType type;
     return output_path(read(arguments), type);
   };
   EXPECT_EQ(path({"+Idir/scene.pov"}), "dir/scene.png");
@@ -246,9 +259,9 @@ TEST_F(UnitParserOptions, OutputPaths) {
   EXPECT_EQ(path({"+Iscene.pov", "+O/dev/null"}), "/dev/null");
   EXPECT_EQ(path({"+I-"}), "stdin.png");
   EXPECT_EQ(path({"+Iscene.pov", "+O-"}), "-");
-  OutputType type;
+  core::FileType type;
   (void)output_path(read({"+Ofoo.EXR"}), type);
-  EXPECT_EQ(type, OutputType::kExr);
+  EXPECT_EQ(type, core::FileType::exr);
 }
 
 TEST_F(UnitParserOptions, StandardLibrariesComeLast) {

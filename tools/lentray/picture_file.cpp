@@ -11,43 +11,15 @@
 namespace lentray::tool {
 namespace {
 
-core::FileType file_type(parser::OutputType type) {
-  switch (type) {
-    case parser::OutputType::kPng: return core::FileType::png;
-    case parser::OutputType::kTiff: return core::FileType::tiff;
-    case parser::OutputType::kExr: return core::FileType::exr;
-    case parser::OutputType::kTarga: return core::FileType::targa;
-    case parser::OutputType::kCompressedTarga: return core::FileType::compressed_targa;
-    case parser::OutputType::kJpeg: return core::FileType::jpeg;
-    case parser::OutputType::kPpm: return core::FileType::ppm;
-    case parser::OutputType::kBmp: return core::FileType::bmp;
-    case parser::OutputType::kRadiance: break;
-  }
-  return core::FileType::radiance;
-}
-
-core::DitherMethod dither_method(const parser::RenderOptions& options) {
-  if (!options.dither) return core::DitherMethod::none;
-  switch (options.dither_type) {
-    case parser::DitherType::kBayer2: return core::DitherMethod::bayer2;
-    case parser::DitherType::kBayer3: return core::DitherMethod::bayer3;
-    case parser::DitherType::kBayer4: return core::DitherMethod::bayer4;
-    case parser::DitherType::kLine: return core::DitherMethod::line;
-    case parser::DitherType::kPlane: return core::DitherMethod::plane;
-    case parser::DitherType::kFloydSteinberg: break;
-  }
-  return core::DitherMethod::floyd_steinberg;
-}
-
-core::ImageFormat format_of(parser::OutputType type, const parser::RenderOptions& options,
+core::ImageFormat format_of(core::FileType type, const parser::RenderOptions& options,
                             const core::SceneSettings& settings) {
   constexpr int kLeastQuality = 2, kBestQuality = 100;
   core::ImageFormat format;
-  format.type = file_type(type);
+  format.type = type;
   format.bits = options.bits;
   format.alpha = options.alpha;
   format.grey = options.grayscale;
-  format.dither = dither_method(options);
+  if (options.dither) format.dither = options.dither_type;
   if (options.compression >= kLeastQuality) format.quality = std::min(options.compression, kBestQuality);
   format.srgb = options.srgb;
   format.file_gamma = options.file_gamma;
@@ -91,7 +63,7 @@ core::ImageMetadata metadata(const CameraSetup& setup) {
 
 }  // namespace
 
-PictureFile::PictureFile(const std::string& path, parser::OutputType type,
+PictureFile::PictureFile(const std::string& path, core::FileType type,
                          const parser::RenderOptions& options,
                          const core::SceneSettings& settings, const CameraSetup& camera) {
   if (path.empty()) return;

@@ -17,7 +17,7 @@ class PictureFile final : public core::BandSink {
  public:
   /// `path` "-": standard output; empty: nowhere. Bands hold colours of the scene's working
   /// space, which `settings` tells.
-  PictureFile(const std::string& path, parser::OutputType type,
+  PictureFile(const std::string& path, core::FileType type,
               const parser::RenderOptions& options, const core::SceneSettings& settings,
               const CameraSetup& camera);
 

@@ -210,7 +210,10 @@ void PictureJournal::begin() {
   } else if (::flock(m_file, LOCK_EX | LOCK_NB) != 0) {
     m_trouble = "another run is at the same picture";
     m_is_off = true;
-  } else if (::ftruncate(m_file, 0) == 0) {
+  } else if (::ftruncate(m_file, 0) != 0) {
+    m_trouble = std::strerror(errno);
+    m_is_off = true;
+  } else {
     write(start_text(m_identity, false));
   }
   if (m_is_off && m_file >= 0) {

@@ -7,11 +7,9 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <iomanip>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <sstream>
 #include <stdexcept>
 #include <thread>
 
@@ -70,7 +68,7 @@ struct Run {
   TextStreams& texts;
   Warnings& warnings;
   std::string output;                  ///< where the picture goes; empty: nowhere
-  parser::OutputType type = parser::OutputType::kPng;
+  core::FileType type = core::FileType::png;
   std::unique_ptr<core::Scene> scene{};
   std::vector<std::string> not_rendered{};
   std::vector<core::WatchedSlope> slopes{};
@@ -202,7 +200,7 @@ void read_scene(Run& run, const std::string& path) {
   for (const auto& [file, sum] : disk.seen()) run.identity.files[file == path ? "" : file] = sum;
 }
 
-/// Rows in a band, and how they are reported.
+/// The picture's size, and the rows that are made at a time.
 core::FrameShape shape_of(Run& run) {
   const RenderOptions& o = run.options;
   const camera::Camera& camera = run.camera.camera();

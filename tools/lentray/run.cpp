@@ -26,7 +26,7 @@ std::string frame_line(const parser::FrameClock& clock, std::size_t number, std:
 
 CommandContext command_context(const RenderOptions& o, const parser::FrameClock& clock) {
   CommandContext context;
-  parser::OutputType type = o.type;
+  core::FileType type = o.type;
   context.output = parser::output_path(o, type);
   context.scene = o.input == "-" ? "stdin" : std::filesystem::path(o.input).stem().string();
   context.frame = clock.frame_number;
@@ -97,7 +97,7 @@ class Loop {
     RenderOptions one = m_options;
     for (const parser::AnimationFrame& frame : m_frames.list) {
       one.frame_digits = frame.digits;
-      parser::OutputType type = one.type;
+      core::FileType type = one.type;
       PictureJournal::forget(parser::output_path(one, type));
     }
   }

@@ -15,7 +15,7 @@ std::unique_ptr<parser::Files> restricted(const parser::RenderOptions& o, const 
                                           Warnings& warnings) {
   parser::UsersFolders folders;
   folders.scene = fs::path(scene).parent_path().string();
-  parser::OutputType type = o.type;
+  core::FileType type = o.type;
   const std::string output = o.output_to_file ? parser::output_path(o, type) : "";
   if (output != "-") folders.output = fs::path(output).parent_path().string();
   folders.libraries = o.library_paths;
