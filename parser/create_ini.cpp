@@ -63,6 +63,7 @@ void add_picture(const RenderOptions& o, Lines& out) {
   for (const auto& [name, value] : o.declares) {
     out.add("Declare", name + "=" + (is_number(value) ? value : '"' + value + '"'));
   }
+  out.name("Include_Header", o.include_header);
   if (o.language_version != 0) out.number("Version", o.language_version / 100.0);
   out.number("Width", static_cast<double>(o.width));
   out.number("Height", static_cast<double>(o.height));

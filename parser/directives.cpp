@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "parser/interpreter.h"
 #include "parser/text.h"
@@ -79,7 +80,8 @@ void Directives::include(const std::string& name, const Location& where) {
     m_in.fail(where, "includes and macros nest too deeply: a file that includes itself?");
   }
   m_in.count_turn();
-  const std::optional<std::string> path = m_in.find_file(name, where);
+  std::optional<std::string> path = m_in.find_file(name, where);
+  if (!path && !std::filesystem::path(name).has_extension()) path = m_in.find_file(name + ".inc", where);
   const auto list = path ? m_in.load(*path, where) : nullptr;
   if (!list) {
     std::string message = "cannot find the include file '" + shown_name(name) + "', looked in: .";

@@ -41,6 +41,7 @@ struct RenderOptions {
   bool clock_given = false;
   AnimationOptions animation;
   std::string frame_digits;               ///< of the frame that is rendered: before the extensions of its files
+  std::string include_header;             ///< a file that is included before the scene; empty: none
   int language_version = 0;               ///< x 100; 0: the scene decides
 
   // Picture.

@@ -17,7 +17,7 @@ constexpr OptionHelp kScene[] = {
     {"Include_Ini", "file", "An INI file, perhaps with [part], that is read at this place.", ""},
     {"Declare", "NAME=VALUE", "An identifier that the scene finds declared: a number, or a string in double quotes.", ""},
     {"Version", "n", "The language's version until the scene's own #version, such as 3.7.", ""},
-    {"Include_Header", "file", "Not yet: a file included before the scene.", ""},
+    {"Include_Header", "file", "A file that is included before the scene.", ""},
 };
 constexpr OptionHelp kAnimation[] = {
     {"Clock", "n", "The scene's clock (0).", ""},

@@ -386,7 +386,7 @@ void set_display(Options&, const Given& g) {
 constexpr OptionRow kTable[] = {
     // Scene.
     {"Input_File_Name", "I", set_text<&Options::input>},
-    {"Include_Header", "HI", later<"a header include file">},
+    {"Include_Header", "HI", set_text<&Options::include_header>},
     {"Include_Ini", "", ignore},  // whoever reads names reads it at once
     {"Library_Path", "L", add_library},
     {"Declare", "", add_declare},

@@ -30,6 +30,8 @@ void Parser::open(const std::string& path) {
   frame.list = list;
   frame.cursor = list->begin();
   frame.end = list->end();
+  const std::string& header = in.options.include_header;
+  if (!header.empty()) in.directives.include(header, {});
 }
 
 const Token& Parser::peek() { return m_impl->in.tokens.peek(); }

@@ -49,6 +49,7 @@ class Productions {
 struct ParserOptions {
   std::vector<std::string> library_paths;                      ///< +L, in order
   std::vector<std::pair<std::string, std::string>> declares;   ///< Declare=NAME=VALUE, VALUE float or string
+  std::string include_header;                                  ///< read before the scene; empty: none
   FrameClock frame;
   int image_width = 160, image_height = 120;
   int language_version = 0;                                    ///< Version=, x 100; 0: the scene decides

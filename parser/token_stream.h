@@ -56,6 +56,7 @@ class TokenStream {
     std::vector<StackEntry> entries;
     for (auto f = m_frames.rbegin(); f != m_frames.rend(); ++f) {
       if (f->kind == FrameKind::kScene) continue;
+      if (f->call.file == 0) continue;  // Include_Header's
       std::string what = f->kind == FrameKind::kMacro
                              ? "in macro " + std::string(names.text(f->name)) + ", invoked from"
                              : std::string("included from");

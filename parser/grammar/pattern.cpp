@@ -1,6 +1,7 @@
 #include "parser/grammar/pattern.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <string>
 
 #include "core/base/vec3.h"
@@ -155,7 +156,11 @@ void read_density_file(const Reader& r) {
   PatternParameters& own = r.pattern.own.edit();
   const Location where = r.parser.location();
   own.density_file = r.parser.parse_path();
-  own.density_path = r.parser.find_to_open(own.density_file, where).value_or(FoundFile{});
+  auto found = r.parser.find_to_open(own.density_file, where);
+  if (!found && !std::filesystem::path(own.density_file).has_extension()) {
+    found = r.parser.find_to_open(own.density_file + ".df3", where);
+  }
+  own.density_path = found.value_or(FoundFile{});
 }
 
 void read_range(Parser& parser, double& low, double& high) {

@@ -336,8 +336,6 @@ group("Others", "scene.pov\nscene\n+Q9 scene.pov\n--help\n-help\n-h\n-?\n--versi
 
 # Differences that stay, by line, with the reason.
 KNOWN = {
-    "+HIheader.inc": "not there yet",
-    "Include_Header=header.inc": "not there yet",
     "+RFO": "not there yet: radiosity",
     "+W0": "refused; stock crashes and leaves its state",
     "+WT0": "one thread; stock renders nothing",

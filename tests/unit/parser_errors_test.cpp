@@ -40,6 +40,16 @@ TEST(ErrorParser, MissingInclude) {
   EXPECT_TRUE(has(p.message, "/usr/share/povray-3.7/include")) << p.message;
 }
 
+TEST(ErrorParser, TheHeaderIsIncludedFromNowhere) {
+  parser::ParserOptions options;
+  options.include_header = "header";
+  const Parsed lacking = parse_text("#debug \"scene\"", {}, options);
+  EXPECT_TRUE(has(lacking.message, "cannot find the include file 'header'")) << lacking.error;
+  const Parsed bad = parse_text("", {{"header.inc", "#declare A = ;\n"}}, options);
+  EXPECT_TRUE(has(bad.error, "header.inc:1:14: error")) << bad.error;
+  EXPECT_FALSE(has(bad.error, "included from")) << bad.error;
+}
+
 TEST(ErrorParser, StackOfIncludesAndMacros) {
   const Parsed p = parse_text("#include \"a.inc\"\n",
                               {{"a.inc", "#macro Outer(n)\n  Inner(n*2)\n#end\n#include \"b.inc\"\n"},

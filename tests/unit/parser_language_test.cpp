@@ -153,6 +153,18 @@ TEST(UnitParserArray, CopiesAndReferences) {
                      "#ifdef (A[1]) #debug \"1\" #else #debug \"0\" #end"), "b0");
 }
 
+TEST(UnitParserIncludes, TheHeaderComesBeforeTheScene) {
+  parser::ParserOptions options;
+  options.include_header = "header.inc";
+  const Parsed p = parse_text("#debug str(A,0,0)", {{"header.inc", "#declare A = 7;\n"}}, options);
+  EXPECT_EQ(p.debug, "7") << p.error;
+}
+
+TEST(UnitParserIncludes, NamesWithoutAnExtensionGetTheUsualOne) {
+  const Parsed p = parse_text("#include \"part\" #debug str(A,0,0)", {{"part.inc", "#declare A = 8;\n"}});
+  EXPECT_EQ(p.debug, "8") << p.error;
+}
+
 TEST(UnitParserFiles, WriteReadInclude) {
   EXPECT_EQ(debug_of("#declare N = \"" + std::string("/tmp/lentray_front_test.inc") + "\";\n"
                      "#fopen F N write #write (F, 1.5, \",\", <1,2,3>, \",\\\"s\\\"\\n\") #fclose F\n"

@@ -106,6 +106,7 @@ parser::ParserOptions parser_options(const RenderOptions& o, const parser::Frame
   parser::ParserOptions out;
   out.library_paths = o.library_paths;
   out.declares = o.declares;
+  out.include_header = o.include_header;
   out.frame = clock;
   out.image_width = static_cast<int>(o.width);
   out.image_height = static_cast<int>(o.height);
