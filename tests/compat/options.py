@@ -38,6 +38,15 @@ FILES = {
     "nested.ini": "a.ini\nWidth=24\n",
     "hash.ini": "# a comment\nWidth=40 ; of the picture\nHeight=30\nInput_File_Name=\"scene.pov\"\n",
     "switches.ini": "+Iscene.pov +W40\n+H30\n-D\n",
+    "line.ini": "+Iscene.pov +W40 +H30 Declare=Red=0.2\n",
+    "pre.ini": "Input_File_Name=scene.pov\nWidth=40\nHeight=30\nPre_Scene_Command=touch %s-%h-%w.txt\n",
+    "fails.ini": "+Iscene.pov +W40 +H30\nPre_Scene_Command=false\nPre_Scene_Return=F\n",
+    "quits.ini": "+Iscene.pov +W40 +H30\nPre_Scene_Command=false\nPre_Scene_Return=Q\n",
+    "skips.ini": "+Iscene.pov +W40 +H30\nPre_Scene_Command=false\nPre_Scene_Return=S\n",
+    "succeeds.ini": "+Iscene.pov +W40 +H30\nPre_Scene_Command=true\nPre_Scene_Return=-F\n",
+    "frames.ini": "+Iscene.pov +W40 +H30 +KFF3\nPre_Frame_Command=touch a%n-%k.txt\n"
+                  "Post_Frame_Command=touch b%n.txt\nPost_Scene_Command=touch %s.txt\n",
+    "frame_skips.ini": "+Iscene.pov +W40 +H30 +KFF3\nPre_Frame_Command=test %n != 2\nPre_Frame_Return=S\n",
     "empty.ini": "; nothing\n",
     "crlf.ini": "Width=40\r\nHeight=30\r\nInput_File_Name=scene.pov\r\n",
 }
@@ -65,6 +74,9 @@ Input_File_Name=other.pov
 Declare=Red=0.2
 Declare=Red=0.2 Declare=Red=0.7
 +HIheader.inc
++HIheader
++HIheader.inc +HIother.inc
++HImissing.inc
 Include_Header=header.inc
 Include_Header=missing.inc
 +MV3.5
@@ -331,6 +343,14 @@ hash.ini
 switches.ini
 crlf.ini
 missing.ini
+line.ini
+pre.ini
+fails.ini
+quits.ini
+skips.ini
+succeeds.ini
+frames.ini
+frame_skips.ini
 """, bare=True)
 group("Others", "scene.pov\nscene\n+Q9 scene.pov\n--help\n-help\n-h\n-?\n--version\n-version\n--generation\n+ZZ\nNo_Such=1\nWidth\n", bare=True)
 

@@ -69,12 +69,16 @@ TEST_F(UnitCommands, StatusAndAction) {
 
 TEST_F(UnitCommands, NothingRunsUnlessAllowed) {
   const std::string made = (m_folder / "made").string();
-  of(CommandKind::kPreScene) = {"touch " + made + "; exit 1", 'F', false};
+  of(CommandKind::kPreScene) = {"touch " + made + "; exit 1", 'I', false};
   for (const auto shellout : {PovrayConf::Shellout::kForbidden, PovrayConf::Shellout::kUnsaid}) {
     EXPECT_EQ(run(CommandKind::kPreScene, shellout), Action::kGoOn);
     EXPECT_FALSE(std::filesystem::exists(made));
     EXPECT_NE(texts().find("Pre_Scene_Command: not run; 'allowed' below [Shellout Security] in "), std::string::npos);
   }
+  of(CommandKind::kPreScene).action = 'F';
+  EXPECT_THROW(run(CommandKind::kPreScene, PovrayConf::Shellout::kForbidden), parser::OptionError)
+      << "as in stock, what may not run has failed";
+  EXPECT_FALSE(std::filesystem::exists(made));
   EXPECT_THROW(run(CommandKind::kPreScene), parser::OptionError);
   EXPECT_TRUE(std::filesystem::exists(made));
 }
