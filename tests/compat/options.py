@@ -44,6 +44,10 @@ FILES = {
     "quits.ini": "+Iscene.pov +W40 +H30\nPre_Scene_Command=false\nPre_Scene_Return=Q\n",
     "skips.ini": "+Iscene.pov +W40 +H30\nPre_Scene_Command=false\nPre_Scene_Return=S\n",
     "succeeds.ini": "+Iscene.pov +W40 +H30\nPre_Scene_Command=true\nPre_Scene_Return=-F\n",
+    "ends.ini": "+Iscene.pov +W40 +H30\nPost_Scene_Command=false\nPost_Scene_Return=F\n",
+    "frame_ends.ini": "+Iscene.pov +W40 +H30\nPost_Frame_Command=false\nPost_Frame_Return=!F\n",
+    "abort.ini": "+Iscene.pov +W40 +H30\nUser_Abort_Command=false\nUser_Abort_Return=F\n",
+    "fatal.ini": "+Imissing.pov +W40 +H30\nFatal_Error_Command=false\nFatal_Error_Return=I\n",
     "frames.ini": "+Iscene.pov +W40 +H30 +KFF3\nPre_Frame_Command=touch a%n-%k.txt\n"
                   "Post_Frame_Command=touch b%n.txt\nPost_Scene_Command=touch %s.txt\n",
     "frame_skips.ini": "+Iscene.pov +W40 +H30 +KFF3\nPre_Frame_Command=test %n != 2\nPre_Frame_Return=S\n",
@@ -71,6 +75,12 @@ Input_File_Name=other.pov
 +Iuses.pov Library_Path=inc
 +Iuses.pov Library_Path="inc"
 +Iuses.pov
+Include_Ini=a.ini
+Clockless_Animation=off
+Real_Time_Raytracing=off
+Radiosity_From_File=off
+BSP_IsectCost=100
+Bits_Per_Colour=8
 Declare=Red=0.2
 Declare=Red=0.2 Declare=Red=0.7
 +HIheader.inc
@@ -349,6 +359,10 @@ fails.ini
 quits.ini
 skips.ini
 succeeds.ini
+ends.ini
+frame_ends.ini
+abort.ini
+fatal.ini
 frames.ini
 frame_skips.ini
 """, bare=True)
@@ -356,6 +370,7 @@ group("Others", "scene.pov\nscene\n+Q9 scene.pov\n--help\n-help\n-h\n-?\n--versi
 
 # Differences that stay, by line, with the reason.
 KNOWN = {
+    "ends.ini": "status 1, as the manual says; stock has 0",
     "+RFO": "not there yet: radiosity",
     "+W0": "refused; stock crashes and leaves its state",
     "+WT0": "one thread; stock renders nothing",
@@ -426,7 +441,10 @@ def document(results):
         for line in lines:
             what = results[line]
             note = "yes" if not what else KNOWN.get(line.text, "no") + f" ({what})"
-            out.append(f"| `{line.text.replace('|', chr(92) + '|')}` | {note} |")
+            shown = f"`{line.text.replace('|', chr(92) + '|')}`"
+            if line.text.endswith(".ini") and line.text in FILES:
+                shown += ", which says `" + FILES[line.text].strip().replace("\r", "").replace("\n", "` `") + "`"
+            out.append(f"| {shown} | {note} |")
         out.append("")
     return "\n".join(out)
 

@@ -39,6 +39,20 @@ TEST_F(UnitGroupingTool, Arguments) {
   EXPECT_EQ(a.html, "a.html");
 }
 
+TEST_F(UnitGroupingTool, OwnOptionsAreLong) {
+  const Arguments a = parse_arguments({"--orders", "rows,strips(4,8)", scene(), "--csv=a.csv",
+                                       "--sizes", "2,3", "-UL"});
+  EXPECT_EQ(a.orders, (Words{"rows", "strips(4,8)"}));
+  EXPECT_EQ(a.csv, "a.csv");
+  EXPECT_EQ(a.sizes, (Words{"2", "3"}));
+  EXPECT_EQ(a.scenes, Words{scene()});
+  EXPECT_EQ(a.for_lentray, Words{"-UL"});
+  EXPECT_TRUE(parse_arguments({"--version"}).version);
+  EXPECT_EQ(error_of({scene(), "--csv"}), "--csv needs a value");
+  EXPECT_EQ(error_of({scene(), "--repeats", "x"}),
+            "option --repeats x: a whole number is expected");
+}
+
 TEST_F(UnitGroupingTool, Lists) {
   EXPECT_EQ(list_of("a,b(1,2),c"), (Words{"a", "b(1,2)", "c"}));
   EXPECT_EQ(list_of("a"), Words{"a"});
@@ -52,8 +66,8 @@ TEST_F(UnitGroupingTool, Errors) {
   EXPECT_NE(error_of({scene(), "Orders="}).find("a list of names"), std::string::npos);
   EXPECT_NE(error_of({scene(), "Orders=rows,"}).find("a list of names"), std::string::npos);
   EXPECT_NE(error_of({scene(), "Repeats=-1"}).find("from 0 to 1000"), std::string::npos);
-  EXPECT_NE(error_of({scene(), "Pixel_Order=rows"}).find("Orders="), std::string::npos);
-  EXPECT_EQ(error_of({scene(), "--fast"}), "unknown option '--fast'; there is --help");
+  EXPECT_NE(error_of({scene(), "Pixel_Order=rows"}).find("--orders"), std::string::npos);
+  EXPECT_EQ(error_of({scene(), "--fast"}), "unknown option '--fast'; --help tells all");
 }
 
 Trial trial(const char* order, std::uint64_t hits, std::vector<double> cpu_s) {

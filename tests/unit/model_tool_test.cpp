@@ -80,9 +80,10 @@ TEST(ErrorModelTool, EachWithAMessage) {
   EXPECT_NE(error_of({"Lenses=900000"}).find("too large"), std::string::npos);
   EXPECT_NE(error_of({"Figures=18"}).find("there are 10, 11, 12"), std::string::npos);
   EXPECT_NE(error_of({"Format=gif"}).find("there are png, svg"), std::string::npos);
-  EXPECT_NE(error_of({"Strip_Height=3"}).find("needs a Strip_Width"), std::string::npos);
+  EXPECT_NE(error_of({"Strip_Height=3"}).find("needs a --strip-width"), std::string::npos);
   EXPECT_EQ(error_of({"Lens_Pich=1"}).substr(0, 33), "unknown option 'Lens_Pich'; there");
-  EXPECT_EQ(error_of({"CSV"}), "CSV needs a value: CSV=...");
+  EXPECT_EQ(error_of({"--csv"}), "--csv needs a value");
+  EXPECT_EQ(error_of({"--strip-height", "3"}), "--strip-height needs a --strip-width");
   EXPECT_EQ(error_of({}), "no error");
 }
 

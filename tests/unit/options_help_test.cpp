@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <set>
 #include <sstream>
 
@@ -49,6 +50,25 @@ TEST(UnitOptionsHelp, WhatIsToldIsThere) {
   EXPECT_EQ(option_forms({"Width", "n", "", ""}), "Width=n, +Wn");
   EXPECT_EQ(option_forms({"Output_Alpha", "on|off", "", ""}), "Output_Alpha=on|off, +UA, -UA");
   EXPECT_EQ(option_forms({"Lens_Pitch", "mm", "", ""}), "Lens_Pitch=mm");
+}
+
+/// docs/options.md, which a slow test writes, has every option of stock's in at least one line.
+TEST(UnitOptionsHelp, EveryOptionOfStocksIsComparedWithStock) {
+  std::ifstream file(std::string(LENTRAY_SOURCE_DIR) + "/docs/options.md");
+  std::ostringstream document;
+  document << file.rdbuf();
+  ASSERT_TRUE(file);
+  const std::string text = document.str();
+  bool own = false;
+  for (const OptionRow& row : option_table()) {
+    own = own || row.name == "Restrict_IO";  // ours from here on, but for Light_Buffer
+    if (row.name == "Antialias_Angle" || (own && row.switch_name.empty())) continue;
+    const bool named = text.find(std::string(row.name) + "=") != text.npos;
+    const bool switched = !row.switch_name.empty() &&
+        (text.find("+" + std::string(row.switch_name)) != text.npos ||
+         text.find("-" + std::string(row.switch_name)) != text.npos);
+    EXPECT_TRUE(named || switched) << row.name;
+  }
 }
 
 /// Names in front of a = and switches of the short help.

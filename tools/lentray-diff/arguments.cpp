@@ -52,6 +52,7 @@ class Parsing {
  private:
   void own(const std::string& word, const std::vector<std::string>& words, std::size_t& i) {
     if (word == "--help") { m_out.help = true; return; }
+    if (word == "--version") { m_out.version = true; return; }
     if (word == "--no-pictures") { m_out.write_pictures = false; return; }
     if (word == "--all-lenses") { m_out.all_lenses = true; return; }
     const std::size_t equals = word.find('=');
@@ -75,7 +76,7 @@ class Parsing {
       std::string known;
       for (const auto& entry : table) known += " " + entry.first;
       throw OptionError("unknown option '" + name + "'; there are" + known +
-                        " --no-pictures --all-lenses --help");
+                        " --no-pictures --all-lenses --help --version");
     }
     if (equals != std::string::npos) return found->second(word.substr(equals + 1));
     if (++i >= words.size()) throw OptionError(name + " needs a value");
@@ -190,7 +191,7 @@ class Parsing {
   }
 
   void finish() const {
-    if (m_out.help) return;
+    if (m_out.help || m_out.version) return;
     if (!m_out.pictures.empty()) {
       if (!m_out.scene.empty() || m_out.pictures.size() != 2) {
         throw OptionError("give a scene, or two pictures");

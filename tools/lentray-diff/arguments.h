@@ -15,7 +15,7 @@
 namespace lentray::diff {
 
 struct Arguments {
-  bool help = false;
+  bool help = false, version = false;
   std::filesystem::path scene;                    ///< empty when two pictures are compared
   std::vector<std::filesystem::path> pictures;    ///< none or two
   std::optional<double> lens_pixels;              ///< Lens_Pixels=, for two pictures

@@ -14,6 +14,7 @@
 #include "parser/options.h"
 #include "tools/lentray-diff/arguments.h"
 #include "tools/lentray-diff/process.h"
+#include "tools/lentray/version.h"
 #include "tools/lentray-diff/report.h"
 #include "tools/lentray-diff/sampling.h"
 #include "tools/lentray-diff/sheet.h"
@@ -241,6 +242,10 @@ int only_write_wrappers(const Arguments& a) {
 int run_main(const std::vector<std::string>& words) {
   try {
     const Arguments arguments = parse_arguments(words);
+    if (arguments.version) {
+      std::cout << "lentray-diff " << tool::kVersion << std::endl;
+      return kReached;
+    }
     if (arguments.help || words.empty()) {
       std::cout << usage();
       return arguments.help ? kReached : kError;

@@ -1,7 +1,7 @@
 #include "tools/lentray-grouping/arguments.h"
 
 #include "parser/ini.h"
-#include "parser/options_table.h"
+#include "parser/own_option.h"
 #include "shadow/pixel_orders.h"
 #include "shadow/tester_factory.h"
 
@@ -30,44 +30,33 @@ std::filesystem::path place(const GivenOption& given) {
   return given.value;
 }
 
-struct Row {
-  const char* name;
-  void (*apply)(Arguments&, const GivenOption&);
-};
+using Apply = void (*)(Arguments&, const GivenOption&);
 
-constexpr Row kOptions[] = {
-    {"Orders", [](Arguments& a, const GivenOption& g) { a.orders = names(g); }},
-    {"Caches", [](Arguments& a, const GivenOption& g) { a.caches = names(g); }},
-    {"Accelerators", [](Arguments& a, const GivenOption& g) { a.accelerators = names(g); }},
-    {"Sizes", [](Arguments& a, const GivenOption& g) { a.sizes = names(g); }},
-    {"Repeats", [](Arguments& a, const GivenOption& g) {
-       a.repeats = static_cast<int>(parser::whole_number(g, 0, 1000)); }},
-    {"CSV", [](Arguments& a, const GivenOption& g) { a.csv = place(g); }},
-    {"HTML", [](Arguments& a, const GivenOption& g) { a.html = place(g); }},
-    {"Gains", [](Arguments& a, const GivenOption& g) { a.gains = place(g); }},
-    {"Lentray", [](Arguments& a, const GivenOption& g) { a.lentray = place(g); }},
+constexpr std::string_view kNames[] = {"Orders",  "Caches", "Accelerators", "Sizes", "Repeats",
+                                       "CSV",     "HTML",   "Gains",        "Lentray"};
+constexpr Apply kApply[] = {
+    [](Arguments& a, const GivenOption& g) { a.orders = names(g); },
+    [](Arguments& a, const GivenOption& g) { a.caches = names(g); },
+    [](Arguments& a, const GivenOption& g) { a.accelerators = names(g); },
+    [](Arguments& a, const GivenOption& g) { a.sizes = names(g); },
+    [](Arguments& a, const GivenOption& g) {
+      a.repeats = static_cast<int>(parser::whole_number(g, 0, 1000));
+    },
+    [](Arguments& a, const GivenOption& g) { a.csv = place(g); },
+    [](Arguments& a, const GivenOption& g) { a.html = place(g); },
+    [](Arguments& a, const GivenOption& g) { a.gains = place(g); },
+    [](Arguments& a, const GivenOption& g) { a.lentray = place(g); },
 };
+static_assert(std::size(kNames) == std::size(kApply));
 
-/// True if the word was an option of ours.
-bool own(Arguments& arguments, const std::string& word) {
-  const std::size_t equals = word.find('=');
-  if (equals == std::string::npos) return false;
-  const std::string_view name = std::string_view(word).substr(0, equals);
+/// What this program says to lentray itself.
+void refuse_ours(const std::string& word) {
+  const std::string name = word.substr(0, word.find('='));
   for (const char* ours : kOurs) {
-    if (parser::same_word(name, ours)) {
-      throw OptionError(std::string(ours) +
-                        " is this program's to say: Orders=, Caches=, Accelerators=");
-    }
+    if (!parser::same_word(name, ours)) continue;
+    throw OptionError(std::string(ours) +
+                      " is this program's to say: --orders, --caches, --accelerators");
   }
-  for (const Row& row : kOptions) {
-    if (!parser::same_word(name, row.name)) continue;
-    GivenOption given;
-    given.shown = word;
-    given.value = parser::unquoted(word.substr(equals + 1));
-    row.apply(arguments, given);
-    return true;
-  }
-  return false;
 }
 
 }  // namespace
@@ -91,13 +80,17 @@ Arguments parse_arguments(const std::vector<std::string>& words) {
   Arguments arguments;
   arguments.orders.assign(shadow::order_names().begin(), shadow::order_names().end());
   arguments.caches.assign(shadow::tester_names().begin(), shadow::tester_names().end());
-  for (const std::string& word : words) {
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const std::string& word = words[i];
+    refuse_ours(word);
     if (word == "--help" || word == "-?") {
       arguments.help = true;
-    } else if (own(arguments, word)) {
-      continue;
+    } else if (word == "--version") {
+      arguments.version = true;
+    } else if (const auto own = parser::own_option(words, i, kNames)) {
+      kApply[own->index](arguments, own->given);
     } else if (word.rfind("--", 0) == 0) {
-      throw OptionError("unknown option '" + word + "'; there is --help");
+      throw OptionError("unknown option '" + word + "'; --help tells all");
     } else if (word[0] == '+' || word[0] == '-' || word.find('=') != std::string::npos ||
                word.find(".ini") != std::string::npos) {
       arguments.for_lentray.push_back(word);
@@ -105,7 +98,7 @@ Arguments parse_arguments(const std::vector<std::string>& words) {
       arguments.scenes.push_back(word);
     }
   }
-  if (arguments.help) return arguments;
+  if (arguments.help || arguments.version) return arguments;
   if (arguments.scenes.empty()) throw OptionError("no scene given");
   for (const std::string& scene : arguments.scenes) {
     if (!std::filesystem::is_regular_file(scene)) {
@@ -116,26 +109,27 @@ Arguments parse_arguments(const std::vector<std::string>& words) {
 }
 
 std::string usage() {
-  return R"(usage: lentray-grouping scene.pov ... [Name=Value ...] [options of lentray]
+  return R"(usage: lentray-grouping scene.pov ... [options] [options of lentray]
 
 Measures pixel orders, shadow caches and accelerators on scenes: one thread,
 what each costs and how often the cache was right. Every picture is compared
 with the first: they must be the same, bit for bit.
 
-  Orders=rows,columns,...  also combined(w), strips(w,h); all, as Pixel_Order=
-                         of lentray has them
-  Caches=off,last,...    all, as Shadow_Cache= has them
-  Accelerators=bvh,...   without light buffers: bvh, grid, list; buffer: bvh
+  --orders rows,columns,...  also combined(w), strips(w,h); all, as
+                         Pixel_Order= of lentray has them
+  --caches off,last,...  all, as Shadow_Cache= has them
+  --accelerators bvh,... without light buffers: bvh, grid, list; buffer: bvh
                          with them (bvh)
-  Sizes=2,3,4            the scenes in these sizes (Declare=Size=), as the SPD
+  --sizes 2,3,4          the scenes in these sizes (Declare=Size=), as the SPD
                          scenes have them
-  Repeats=n              timed runs of each, interleaved; the median counts; 0:
+  --repeats n            timed runs of each, interleaved; the median counts; 0:
                          counts alone (5)
-  CSV=file               the table
-  HTML=file              the table with charts, which need gnuplot
-  Gains=file             CSV of what columns save against rows and views, with
+  --csv file             the table
+  --html file            the table with charts, which need gnuplot
+  --gains file           CSV of what columns save against rows and views, with
                          Cm/Ch and equation 2
-  Lentray=file           the program to run; the one beside this one
+  --lentray file         the program to run; the one beside this one
+  --help, --version
 
 All else goes to lentray: +W +H Declare= Lenticular=On Lens_Pixels= +L ...
 

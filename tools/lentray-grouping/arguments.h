@@ -1,5 +1,4 @@
-// The command line of lentray-grouping: its own Name=Value options, and lentray's, which go to it
-// as they are. Errors: parser::OptionError. Pure.
+// The command line of lentray-grouping: its own options, and lentray's, which go to it as they are. Errors: parser::OptionError. Pure.
 #pragma once
 
 #include <filesystem>
@@ -9,7 +8,7 @@
 namespace lentray::grouping {
 
 struct Arguments {
-  bool help = false;
+  bool help = false, version = false;
   std::vector<std::string> scenes;
   std::vector<std::string> orders, caches;  ///< all there are, unless said otherwise
   std::vector<std::string> accelerators{"bvh"};

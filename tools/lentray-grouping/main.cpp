@@ -8,6 +8,7 @@
 #include "core/image/writer.h"
 #include "tools/lentray-grouping/report.h"
 #include "tools/lentray-model/gnuplot.h"
+#include "tools/lentray/version.h"
 
 namespace lentray::grouping {
 namespace {
@@ -37,6 +38,10 @@ int run_main(const std::vector<std::string>& words) {
     const Arguments arguments = parse_arguments(words);
     if (arguments.help) {
       std::cout << usage();
+      return kDone;
+    }
+    if (arguments.version) {
+      std::cout << "lentray-grouping " << tool::kVersion << std::endl;
       return kDone;
     }
     std::string command = "lentray-grouping";

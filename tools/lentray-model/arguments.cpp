@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "parser/ini.h"
-#include "parser/options_table.h"
+#include "parser/own_option.h"
 #include "tools/lentray-model/figures.h"
 
 namespace lentray::model {
@@ -122,62 +122,57 @@ std::filesystem::path place(const GivenOption& g) {
   return g.value;
 }
 
-struct Row {
-  const char* name;
-  void (*apply)(Arguments&, const GivenOption&);
-};
+using Apply = void (*)(Arguments&, const GivenOption&);
 
+constexpr std::string_view kNames[] = {
+    "Lens_Pitch", "Lens_LPI", "Lens_Focal_Length", "Lens_IOR", "Lens_Pixels",
+    "Lens_Model", "Lenses", "Rows", "A", "D",
+    "Xstart", "Ystart", "Slice_A", "Slice_D", "Strip_Width",
+    "Strip_Height", "Alpha", "CSV", "Deviations", "Figures",
+    "Folder", "Format", "Threads"};
 using A = Arguments;
 using G = GivenOption;
-constexpr Row kOptions[] = {
-    {"Lens_Pitch", [](A& a, const G& g) { a.lens.pitch = parser::positive(g); }},
-    {"Lens_LPI", [](A& a, const G& g) { a.lens.pitch = 25.4 / parser::positive(g); }},
-    {"Lens_Focal_Length", [](A& a, const G& g) { a.lens.focal_length = parser::positive(g); }},
-    {"Lens_IOR", set_ior},
-    {"Lens_Pixels", set_pixels},
-    {"Lens_Model", set_model},
-    {"Lenses", [](A& a, const G& g) { a.lenses = count(g); }},
-    {"Rows", [](A& a, const G& g) { a.rows = count(g); }},
-    {"A", [](A& a, const G& g) { a.a = range_of(g, false); }},
-    {"D", [](A& a, const G& g) { a.d = range_of(g, true); }},
-    {"Xstart", [](A& a, const G& g) { a.x = parser::number(g); }},
-    {"Ystart", [](A& a, const G& g) { a.y = parser::number(g); }},
-    {"Slice_A", [](A& a, const G& g) { a.slice_a = parser::positive(g); }},
-    {"Slice_D", [](A& a, const G& g) { a.slice_d = parser::positive(g); }},
-    {"Strip_Width", [](A& a, const G& g) { a.strip_widths = whole_numbers(g); }},
-    {"Strip_Height", [](A& a, const G& g) { a.strip_heights = whole_numbers(g); }},
-    {"Alpha", set_alpha},
-    {"CSV", [](A& a, const G& g) { a.csv = place(g); }},
-    {"Deviations", [](A& a, const G& g) { a.deviations = place(g); }},
-    {"Figures", set_figures},
-    {"Folder", [](A& a, const G& g) { a.folder = place(g); }},
-    {"Format", set_format},
-    {"Threads", [](A& a, const G& g) {
-       a.threads = static_cast<int>(parser::whole_number(g, 1, 512)); }},
+constexpr Apply kApply[] = {
+    [](A& a, const G& g) { a.lens.pitch = parser::positive(g); },  // Lens_Pitch
+    [](A& a, const G& g) { a.lens.pitch = 25.4 / parser::positive(g); },  // Lens_LPI
+    [](A& a, const G& g) { a.lens.focal_length = parser::positive(g); },  // Lens_Focal_Length
+    set_ior,  // Lens_IOR
+    set_pixels,  // Lens_Pixels
+    set_model,  // Lens_Model
+    [](A& a, const G& g) { a.lenses = count(g); },  // Lenses
+    [](A& a, const G& g) { a.rows = count(g); },  // Rows
+    [](A& a, const G& g) { a.a = range_of(g, false); },  // A
+    [](A& a, const G& g) { a.d = range_of(g, true); },  // D
+    [](A& a, const G& g) { a.x = parser::number(g); },  // Xstart
+    [](A& a, const G& g) { a.y = parser::number(g); },  // Ystart
+    [](A& a, const G& g) { a.slice_a = parser::positive(g); },  // Slice_A
+    [](A& a, const G& g) { a.slice_d = parser::positive(g); },  // Slice_D
+    [](A& a, const G& g) { a.strip_widths = whole_numbers(g); },  // Strip_Width
+    [](A& a, const G& g) { a.strip_heights = whole_numbers(g); },  // Strip_Height
+    set_alpha,  // Alpha
+    [](A& a, const G& g) { a.csv = place(g); },  // CSV
+    [](A& a, const G& g) { a.deviations = place(g); },  // Deviations
+    set_figures,  // Figures
+    [](A& a, const G& g) { a.folder = place(g); },  // Folder
+    set_format,  // Format
+    [](A& a, const G& g) { a.threads = static_cast<int>(parser::whole_number(g, 1, 512)); },  // Threads
 };
+static_assert(std::size(kNames) == std::size(kApply));
 
-void apply(Arguments& arguments, const std::string& word) {
-  const std::size_t equals = word.find('=');
-  const std::string name = word.substr(0, equals);
+[[noreturn]] void unknown(const std::string& word) {
   std::string known;
-  for (const Row& row : kOptions) {
-    known += std::string(" ") + row.name;
-    if (lower(name) != lower(row.name)) continue;
-    if (equals == std::string::npos) throw OptionError(name + " needs a value: " + name + "=...");
-    GivenOption given;
-    given.shown = word;
-    given.value = parser::unquoted(word.substr(equals + 1));
-    row.apply(arguments, given);
-    return;
+  for (const std::string_view name : kNames) {
+    known += " " + (name.starts_with("Lens_") ? std::string(name) : parser::long_name(name));
   }
-  throw OptionError("unknown option '" + name + "'; there are" + known + " --measure --help");
+  throw OptionError("unknown option '" + word.substr(0, word.find('=')) + "'; there are" + known +
+                    " --measure --help --version");
 }
 
 /// What the options can only be judged on together.
 void check(const Arguments& a) {
   if (const std::string why = camera::complaint(a.lens); !why.empty()) throw OptionError(why);
   if (!a.strip_heights.empty() && a.strip_widths.empty()) {
-    throw OptionError("Strip_Height needs a Strip_Width");
+    throw OptionError("--strip-height needs a --strip-width");
   }
   const double columns = std::round(a.lenses * a.lens.pixels);
   if (columns > kMostPixels) {
@@ -185,7 +180,7 @@ void check(const Arguments& a) {
   }
   const double points = static_cast<double>(a.a.values().size()) *
                         static_cast<double>(a.d.values().size());
-  if (points > kMostPoints) throw OptionError("A and D make more than 1000000 points");
+  if (points > kMostPoints) throw OptionError("--a and --d make more than 1000000 points");
 }
 
 }  // namespace
@@ -209,21 +204,26 @@ std::vector<shadow::Style> Arguments::styles() const {
 
 Arguments parse_arguments(const std::vector<std::string>& words) {
   Arguments arguments;
-  for (const std::string& word : words) {
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const std::string& word = words[i];
     if (word == "--help" || word == "-?") {
       arguments.help = true;
+    } else if (word == "--version") {
+      arguments.version = true;
     } else if (word == "--measure") {
       arguments.measure = true;
+    } else if (const auto own = parser::own_option(words, i, kNames)) {
+      kApply[own->index](arguments, own->given);
     } else {
-      apply(arguments, word);
+      unknown(word);
     }
   }
-  if (!arguments.help) check(arguments);
+  if (!arguments.help && !arguments.version) check(arguments);
   return arguments;
 }
 
 std::string usage() {
-  return R"(usage: lentray-model [Name=Value ...] [--measure]
+  return R"(usage: lentray-model [options]
 
 Models the shadow cache in integral ray tracing, after Youssef, Aggoun, Wolf
 and McCormick: how many shadow rays of successive pixels hit the cache when one
@@ -235,34 +235,35 @@ enumeration, and (--measure) by rendering. Lengths are mm.
   Lens_IOR=n             (1.6)
   Lens_Pixels=n          pixels a lens (15)
   Lens_Model=paraxial|pinhole  (pinhole)
-  Lenses=n               lenses of the sheet, seen from infinity (133)
-  Rows=n                 rows of square pixels (as many as there are columns)
-  A=first:last:step      size of the shadow (0.5:40:1)
-  D=first:last:step      how far behind the sheet it is (0:40:1)
-  Xstart=n               its left edge, right of the sheet's middle (0.3)
-  Ystart=n               its upper edge, below the middle; as Xstart. The
-                         shadow is [Xstart, Xstart+A] x [Ystart, Ystart+A]
-  Alpha=printed|refracted  equation 6 as it is printed, or with the refractive
-                         index in it (printed)
-  Strip_Width=w,...      besides the strips that fit the shadow: combined(w)
-  Strip_Height=h,...     and with these strips(w,h)
+  --lenses n             lenses of the sheet, seen from infinity (133)
+  --rows n               rows of square pixels (as many as there are columns)
+  --a first:last:step    size of the shadow (0.5:40:1)
+  --d first:last:step    how far behind the sheet it is (0:40:1)
+  --xstart n             its left edge, right of the sheet's middle (0.3)
+  --ystart n             its upper edge, below the middle; as --xstart. The
+                         shadow is [xstart, xstart+a] x [ystart, ystart+a]
+  --alpha printed|refracted  equation 6 as it is printed, or with the
+                         refractive index in it (printed)
+  --strip-width w,...    besides the strips that fit the shadow: combined(w)
+  --strip-height h,...   and with these strips(w,h)
   --measure              renders the shadow, pixels in each order, and logs the
                          hits
 
-  CSV=file               style,A,D,xstart,closed_form,enumerated,measured; - is
+  --csv file             style,A,D,xstart,closed_form,enumerated,measured; - is
                          standard output
-  Deviations=file        CSV of where the equations fail, and by how much
-  Figures=10,11,...      charts of the paper's figures: 10 to 17, 23, 24a to 24e
+  --deviations file      CSV of where the equations fail, and by how much
+  --figures 10,11,...    charts of the paper's figures: 10 to 17, 23, 24a to 24e
                          (rendered); and of where the equations fail: near,
                          theta, small, wide, edges; or all
-  Folder=folder          where the charts go, as figure-10.png and so on (.)
-  Format=png|svg         (png)
-  Slice_A=n              where figures cut the surfaces (20)
-  Slice_D=n              (13)
-  Threads=n              all of the machine's
+  --folder folder        where the charts go, as figure-10.png and so on (.)
+  --format png|svg       (png)
+  --slice-a n            where figures cut the surfaces (20)
+  --slice-d n            (13)
+  --threads n            all of the machine's
+  --help, --version
 
-Without CSV, Deviations and Figures the table of deviations is shown. Charts
-need gnuplot.
+Without --csv, --deviations and --figures the table of deviations
+is shown. Charts need gnuplot.
 
 Exit status: 0 done, 1 something is wrong with what was asked for or could not
 be written, 2 measured and enumerated differ.

@@ -1,4 +1,4 @@
-// The command line of lentray-model: Name=Value, letter case of names does not matter.
+// The command line of lentray-model: its own options, and the lens's as lentray has them.
 // Errors: parser::OptionError, worded for the user. Pure.
 #pragma once
 
@@ -19,7 +19,7 @@ struct Range {
 };
 
 struct Arguments {
-  bool help = false;
+  bool help = false, version = false;
   camera::LensParameters lens;             ///< the paper's unless said otherwise
   std::uint32_t lenses = 133, rows = 0;    ///< rows 0: as many as columns
   Range a{0.5, 40.0, 1.0}, d{0.0, 40.0, 1.0};

@@ -14,6 +14,7 @@
 #include "tools/lentray-model/deviations.h"
 #include "tools/lentray-model/figures.h"
 #include "tools/lentray-model/gnuplot.h"
+#include "tools/lentray/version.h"
 
 namespace lentray::model {
 namespace {
@@ -94,6 +95,10 @@ int run_main(const std::vector<std::string>& words) {
     const Arguments arguments = parse_arguments(words);
     if (arguments.help) {
       std::cout << usage();
+      return kDone;
+    }
+    if (arguments.version) {
+      std::cout << "lentray-model " << tool::kVersion << std::endl;
       return kDone;
     }
     return model(arguments);
