@@ -36,7 +36,7 @@ void ByteFile::close() {
 }
 
 void put_little(std::vector<std::uint8_t>& to, std::uint64_t number, int size) {
-  for (int i = 0; i < size; ++i) to.push_back(static_cast<std::uint8_t>(number >> (8 * i)));
+  for (int i = 0; i < size; ++i, number >>= 8) to.push_back(static_cast<std::uint8_t>(number));
 }
 
 }  // namespace lentray::core
