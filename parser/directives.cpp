@@ -5,10 +5,19 @@
 #include <filesystem>
 
 #include "parser/interpreter.h"
+#include "parser/keywords.h"
 #include "parser/text.h"
 
 namespace lentray::parser {
 namespace {
+
+constexpr Keyword kDirectives[] = {
+    Keyword::kIf,      Keyword::kIfdef,  Keyword::kIfndef,  Keyword::kElse,    Keyword::kElseif,
+    Keyword::kEnd,     Keyword::kSwitch, Keyword::kCase,    Keyword::kRange,   Keyword::kWhile,
+    Keyword::kFor,     Keyword::kBreak,  Keyword::kMacro,   Keyword::kDeclare, Keyword::kLocal,
+    Keyword::kUndef,   Keyword::kInclude, Keyword::kVersion, Keyword::kDefault, Keyword::kDebug,
+    Keyword::kWarning, Keyword::kError,  Keyword::kRender,  Keyword::kStatistics, Keyword::kFopen,
+    Keyword::kFclose,  Keyword::kRead,   Keyword::kWrite};
 
 // Stock cuts long messages; scenes are not known to rely on it, comparisons of output are.
 std::string cut(std::string text, std::size_t longest, std::size_t kept) {
@@ -17,6 +26,10 @@ std::string cut(std::string text, std::size_t longest, std::size_t kept) {
 }
 
 }  // namespace
+
+bool Directives::has(Keyword keyword) {
+  return std::ranges::find(kDirectives, keyword) != std::end(kDirectives);
+}
 
 void Directives::execute(const Token& directive) {
   m_in.guard_stack();
@@ -45,12 +58,10 @@ void Directives::execute(const Token& directive) {
     case Keyword::kWrite: return m_in.files.write();
     default: break;
   }
-  static constexpr std::string_view kNames[] = {
-      "if", "ifdef", "ifndef", "else", "elseif", "end", "switch", "case", "range", "while", "for",
-      "break", "macro", "declare", "local", "undef", "include", "version", "default", "debug",
-      "warning", "error", "render", "statistics", "fopen", "fclose", "read", "write"};
+  std::vector<std::string_view> names;
+  for (const Keyword keyword : kDirectives) names.push_back(spelling(keyword));
   const std::string_view word = m_in.names.text(directive.name);
-  const std::string_view near = nearest_name(word, kNames);
+  const std::string_view near = nearest_name(word, names);
   m_in.fail(directive.where, "unknown directive #" + std::string(word) +
                                  (near.empty() ? "" : ", did you mean #" + std::string(near) + "?"));
 }

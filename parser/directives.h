@@ -30,6 +30,8 @@ class Directives {
   bool parse_defined();
   /// The value of an identifier, an expression or a description, as #declare takes it.
   Value parse_rvalue();
+  /// Whether a keyword is a directive's.
+  static bool has(Keyword keyword);
   /// Replays a file; fails if it is not found.
   void include(const std::string& name, const Location& where);
 

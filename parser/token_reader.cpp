@@ -9,6 +9,15 @@
 
 namespace lentray::parser {
 
+namespace {
+
+bool is_unmarked_directive(const Token& token) {
+  return token.kind == TokenKind::kKeyword &&
+         (token.keyword == Keyword::kDeclare || token.keyword == Keyword::kInclude);
+}
+
+}  // namespace
+
 Token TokenReader::next() {
   if (!m_ready) fetch();
   const Token token = m_token;
@@ -36,7 +45,8 @@ bool TokenReader::must_hold() {
   if (!raw) return false;
   const Symbol* symbol =
       raw->kind == TokenKind::kIdentifier ? m_symbols.find(raw->name) : nullptr;
-  if (raw->kind != TokenKind::kDirective && !(symbol && symbol->macro())) return false;
+  const bool is_directive = raw->kind == TokenKind::kDirective || is_unmarked_directive(*raw);
+  if (!is_directive && !(symbol && symbol->macro())) return false;
   m_held = true;
   m_boundary.where = raw->where;
   return true;
@@ -64,8 +74,8 @@ void TokenReader::fetch(bool may_hold) {
     }
     switch (raw->kind) {
       case TokenKind::kDirective:
-        if (raw->keyword == Keyword::kMaxTraceLevel) {  // a statement that old scenes write with a #
-          Token statement = *raw;
+        if (raw->keyword != Keyword::kNone && !Directives::has(raw->keyword)) {
+          Token statement = *raw;  // which some scenes write with a #
           statement.kind = TokenKind::kKeyword;
           show(statement);
           return;
@@ -78,7 +88,7 @@ void TokenReader::fetch(bool may_hold) {
         continue;
       case TokenKind::kKeyword:
         // The oldest dialects have directives without the #.
-        if (raw->keyword == Keyword::kDeclare || raw->keyword == Keyword::kInclude ||
+        if (is_unmarked_directive(*raw) ||
             (raw->keyword == Keyword::kDefault && m_stream.look() &&
              m_stream.look()->is(Punct::kLeftCurly))) {
           m_in.directives.execute_unmarked(*raw);

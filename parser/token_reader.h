@@ -45,11 +45,12 @@ class TokenReader {
     consume();
     return true;
   }
-  void expect(Keyword k) {
-    if (!accept(k)) fail_without(k);
-  }
-  void expect(Punct p) {
-    if (!accept(p)) fail_without(p);
+  /// As for an operand: nothing is held back.
+  template <typename Word>
+  void expect(Word word) {
+    if (pass_plain(word)) return;
+    if (!peek_operand().is(word)) fail_without(word);
+    consume();
   }
   void comma() { accept(Punct::kComma); }
 

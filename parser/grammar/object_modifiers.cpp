@@ -71,10 +71,13 @@ void parse_radiosity(Parser& parser, Context&, ObjectDesc& object) {
 
 void parse_split_union(Parser& parser, Context&, ObjectDesc& object) {
   auto* csg = std::get_if<CsgShape>(&object.shape);
-  if (!csg || csg->operation != CsgOperation::kUnion) {
+  const bool is_union = csg && csg->operation == CsgOperation::kUnion;
+  const bool is_merge = csg && csg->operation == CsgOperation::kMerge;  // where it means nothing
+  if (!is_union && !is_merge) {
     parser.fail("split_union holds for a union only.");
   }
-  csg->split_union = parser.parse_bool();
+  const bool splits = parser.parse_bool();
+  if (is_union) csg->split_union = splits;
 }
 
 bool has_cutaway(const ObjectDesc& object) {

@@ -40,6 +40,27 @@ TEST(UnitParserObject, Flat) {
   for (int i = 0; i < 10; ++i) EXPECT_EQ(s.shape<Sparse<QuadricShape>>(3)->c[i], i + 1.0);
 }
 
+TEST(UnitParserObject, ADirectiveMayStandBeforeTheBrace) {
+  const SceneText s("#local A = #if (1) merge #else union #end { sphere { 0, 1 } sphere { x, 1 } } object { A }");
+  EXPECT_EQ(s.shape<CsgShape>().operation, CsgOperation::kMerge);
+}
+
+TEST(UnitParserObject, ADirectiveWithoutItsHashEndsADeclaration) {
+  const SceneText s("#declare T = texture { pigment { rgb x } } declare S = sphere { 0, 1 texture { T } } object { S }");
+  EXPECT_EQ(s.object(0).keyword, "sphere");
+}
+
+TEST(UnitParserObject, AHashBeforeAStatementMeansNothing) {
+  const SceneText s("#sphere { 0, 1 #pigment { rgb 1 } } #declare A = 1; #object { box { 0, A } }");
+  EXPECT_EQ(s.object(0).keyword, "sphere");
+  EXPECT_EQ(s.object(1).keyword, "box");
+}
+
+TEST(UnitParserObject, SplitUnionMeansNothingInAMerge) {
+  const SceneText s("merge { sphere { 0, 1 } sphere { x, 1 } split_union off }");
+  EXPECT_TRUE(s.shape<CsgShape>().split_union);
+}
+
 TEST(UnitParserObject, CsgChildrenInOrder) {
   const SceneText s("#declare A = sphere { 0, 1 } difference { box { 0, 1 } A object { A translate x } }");
   const CsgShape& csg = s.shape<CsgShape>();
