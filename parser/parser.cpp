@@ -170,6 +170,7 @@ void Parser::set_working_gamma(double gamma) { m_impl->in.working_gamma = gamma;
 std::optional<double> Parser::working_gamma() const { return m_impl->in.working_gamma; }
 
 void Parser::set_utf8(bool utf8) { m_impl->in.utf8 = utf8; }
+bool Parser::utf8() const { return m_impl->in.utf8; }
 
 int Parser::noise_generator() const { return *m_impl->in.noise_generator; }
 

@@ -133,6 +133,7 @@ class Parser {
   std::optional<double> working_gamma() const;
   /// Whether string literals are UTF-8 rather than ASCII; the statement that reads charset sets it.
   void set_utf8(bool utf8);
+  bool utf8() const;
   /// Which noise functions are made of; the statement that reads noise_generator sets it.
   void set_noise_generator(int generator);
   int noise_generator() const;

@@ -40,6 +40,16 @@ double first_character(std::string_view text) {
   return lead;
 }
 
+std::u32string characters_of(std::string_view text) {
+  std::u32string out;
+  while (!text.empty()) {
+    out += static_cast<char32_t>(first_character(text));
+    text.remove_prefix(1);
+    while (!text.empty() && continues(text.front())) text.remove_prefix(1);
+  }
+  return out;
+}
+
 double character_difference(std::string_view a, std::string_view b) {
   std::size_t i = 0;
   while (i < a.size() && i < b.size() && a[i] == b[i]) ++i;

@@ -14,6 +14,8 @@ std::size_t count_characters(std::string_view text);
 std::string substring(std::string_view text, std::size_t first, std::size_t count);
 /// The code of the first character; 0 if there is none.
 double first_character(std::string_view text);
+/// The codes of all characters.
+std::u32string characters_of(std::string_view text);
 /// The difference of the codes of the first characters that differ, as stock's strcmp(); 0: equal.
 double character_difference(std::string_view a, std::string_view b);
 /// chr() knows it.

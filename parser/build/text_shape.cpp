@@ -9,6 +9,8 @@
 #include FT_FREETYPE_H
 #include FT_OUTLINE_H
 
+#include "parser/text.h"
+
 namespace lentray::parser {
 namespace {
 
@@ -23,7 +25,7 @@ class FontFile {
       FT_Done_FreeType(m_library);
       throw std::runtime_error("cannot read the font '" + found.path + "'");
     }
-    select_character_map();
+    list_character_maps();
   }
   ~FontFile() {
     FT_Done_Face(m_face);
@@ -33,21 +35,30 @@ class FontFile {
   FontFile& operator=(const FontFile&) = delete;
   FT_Face face() const { return m_face; }
 
+  /// The first that the font's tables have, in stock's order; 0: none.
+  FT_UInt index_of(FT_ULong character, bool unicode) const {
+    static constexpr std::array<std::size_t, kMaps> kPlain{0, 1, 2, 3}, kUnicode{2, 1, 0, 3};
+    for (const std::size_t k : unicode ? kUnicode : kPlain) {
+      if (!m_maps[k] || FT_Set_Charmap(m_face, m_maps[k]) != 0) continue;
+      if (const FT_UInt index = FT_Get_Char_Index(m_face, character)) return index;
+    }
+    return 0;
+  }
+
  private:
-  /// Macintosh Roman before Unicode, as stock prefers for plain text.
-  void select_character_map() {
-    static constexpr std::array<std::pair<int, int>, 4> kPreferred{{{1, 0}, {3, 1}, {0, 3}, {3, 0}}};
-    for (const auto& [platform, encoding] : kPreferred) {
-      for (int i = 0; i < m_face->num_charmaps; ++i) {
+  void list_character_maps() {
+    static constexpr std::array<std::pair<int, int>, kMaps> kEncodings{{{1, 0}, {3, 1}, {0, 3}, {3, 0}}};
+    for (std::size_t k = 0; k < kMaps; ++k) {
+      for (int i = 0; i < m_face->num_charmaps && !m_maps[k]; ++i) {
         const FT_CharMap map = m_face->charmaps[i];
-        if (map->platform_id == platform && map->encoding_id == encoding) {
-          FT_Set_Charmap(m_face, map);
-          return;
-        }
+        if (std::pair<int, int>(map->platform_id, map->encoding_id) == kEncodings[k]) m_maps[k] = map;
       }
     }
   }
 
+  static constexpr std::size_t kMaps = 4;
+  /// Macintosh Roman, Unicode of Windows, Unicode, symbols of Windows; null: the font has none.
+  std::array<FT_CharMap, kMaps> m_maps{};
   FT_Library m_library = nullptr;
   FT_Face m_face = nullptr;
 };
@@ -118,6 +129,7 @@ class TextLayout::Font {
 
   explicit Font(const FoundFile& found) : m_file(found) {}
   FT_Face face() const { return m_file.face(); }
+  FT_UInt index_of(FT_ULong character, bool unicode) const { return m_file.index_of(character, unicode); }
   double em() const { return face()->units_per_EM; }
 
   const Glyph& glyph(FT_UInt index) {
@@ -146,8 +158,8 @@ std::vector<PlacedGlyph> TextLayout::place(const TextShape& text) {
   core::Vec3 pen;
   FT_UInt before = 0;
   bool first = true;
-  for (const unsigned char character : text.text) {
-    const FT_UInt index = FT_Get_Char_Index(face, character);
+  for (const char32_t character : characters_of(text.text)) {
+    const FT_UInt index = font->index_of(character, text.unicode);
     const Font::Glyph& glyph = font->glyph(index);
     if (!glyph.is_there) continue;
     FT_Vector kerning{};
@@ -156,7 +168,7 @@ std::vector<PlacedGlyph> TextLayout::place(const TextShape& text) {
     const double start = first ? -glyph.bearing : static_cast<double>(kerning.x);
     if (glyph.outline) glyphs.push_back({glyph.outline, pen + core::Vec3{start / em, 0.0, 0.0}});
     pen.x += (glyph.advance + start) / em;
-    pen += text.offset;
+    pen += core::Vec3{text.offset.x, text.offset.y, 0.0};
     before = index;
     first = false;
   }

@@ -157,9 +157,10 @@ struct SphereSweepShape {
 struct SuperellipsoidShape { double e = 1.0, n = 1.0; };
 struct TextShape {
   FoundFile font;
-  std::string text;
+  std::string text;      ///< UTF-8
   double thickness = 1.0;
-  Vec3 offset;
+  Vec3 offset;           ///< added after each glyph; its z means nothing
+  bool unicode = false;  ///< charset utf8: a font's Unicode table comes before Macintosh's
 };
 
 /// Large ones apart: there may be a million of the small.

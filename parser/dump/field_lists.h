@@ -123,7 +123,7 @@ LENTRAY_FIELDS(PrismShape, spline, conic_sweep, open, height1, height2, points)
 LENTRAY_FIELDS(SorShape, points, open)
 LENTRAY_FIELDS(SphereSweepShape, spline, centres, radii, tolerance, ball)
 LENTRAY_FIELDS(SuperellipsoidShape, e, n)
-LENTRAY_FIELDS(TextShape, font, text, thickness, offset)
+LENTRAY_FIELDS(TextShape, font, text, thickness, offset, unicode)
 
 // Objects and the whole.
 LENTRAY_FIELDS(RareParts, interior_texture, interior, clipped_by, bounded_by, radiosity_importance,

@@ -195,6 +195,7 @@ ShapeDesc parse_text(Parser& parser, Context&) {
   s.thickness = parser.parse_float();
   parser.parse_comma();
   s.offset = parser.parse_vector();
+  s.unicode = parser.utf8();
   return s;
 }
 

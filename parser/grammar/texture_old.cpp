@@ -82,10 +82,7 @@ bool accept_pigment_word(Parser& parser, MaterialContext& context, OldTexture& o
   PigmentDesc& pigment = *old.pigment;
   for (const auto& [word, kind] : kPigments) {
     if (!parser.accept(word)) continue;
-    pigment.pattern.kind = kind;
-    if (kind == PatternKind::kMarble || kind == PatternKind::kWood) {
-      pigment.pattern.wave = WaveForm::kTriangle;
-    }
+    pigment.pattern.kind = kind;  // as in stock marble and wood have no triangle wave here
     read_pigment_arguments(parser, pigment);
     return true;
   }
