@@ -4,6 +4,7 @@
 #include <cctype>
 #include <cstdio>
 #include <numeric>
+#include <utility>
 
 namespace lentray::parser {
 namespace {
@@ -44,6 +45,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 // Deep recursion would bury the message: the ends of a long stack are enough.
 constexpr std::size_t kStackShown = 12;
+constexpr std::size_t kPlacesShown = 3;  // of one warning
 
 }  // namespace
 
@@ -85,9 +87,17 @@ std::string Diagnostics::format(const Location& where, std::string_view severity
 void Diagnostics::warn(const Location& where, const std::string& message,
                        std::vector<StackEntry> stack) {
   if (!m_given.insert(place(where) + ": " + message).second) return;
+  if (++m_places[message] > kPlacesShown) return;
   std::string text = format(where, "warning", message, stack);
   write(Stream::kWarning, text);
   m_warnings.push_back({where, message, std::move(stack), std::move(text)});
+}
+
+void Diagnostics::report_repeats() {
+  for (const auto& [message, places] : std::exchange(m_places, {})) {
+    if (places <= kPlacesShown) continue;
+    warn({}, "at " + std::to_string(places - kPlacesShown) + " more places: " + message);
+  }
 }
 
 bool Diagnostics::has_warned(const Location& where, const std::string& message) const {
@@ -95,8 +105,8 @@ bool Diagnostics::has_warned(const Location& where, const std::string& message) 
 }
 
 void Diagnostics::fail(const Location& where, const std::string& message,
-                       std::vector<StackEntry> stack) {
-  std::string text = format(where, "error", message, stack);
+                       std::vector<StackEntry> stack, const std::string& shown) {
+  std::string text = format(where, "error", shown.empty() ? message : shown, stack);
   throw ParseError({where, message, std::move(stack), std::move(text)});
 }
 

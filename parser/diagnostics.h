@@ -6,6 +6,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <set>
 #include <span>
 #include <stdexcept>
@@ -56,12 +57,16 @@ class Diagnostics {
   void connect(Stream stream, Sink sink);
   void write(Stream stream, std::string_view text);
 
-  /// The same warning at the same place (in a loop, a macro) is given once.
+  /// The same warning at the same place (in a loop, a macro) is given once, and at three places at
+  /// most; report_repeats() tells how many more there are (and forgets them).
   void warn(const Location& where, const std::string& message, std::vector<StackEntry> stack = {});
   /// Whether it has been given: then its stack need not be made.
   bool has_warned(const Location& where, const std::string& message) const;
+  /// `shown`: what people read in place of a long message; empty: the message.
   [[noreturn]] void fail(const Location& where, const std::string& message,
-                         std::vector<StackEntry> stack = {});
+                         std::vector<StackEntry> stack = {}, const std::string& shown = "");
+
+  void report_repeats();
 
   /// A feature the scene really uses and that is parsed, kept and not rendered yet. The build step
   /// calls this; report_not_yet() then names all of them in one warning (and forgets them).
@@ -81,7 +86,8 @@ class Diagnostics {
   const SourceManager& m_sources;
   Sink m_sinks[kStreams];
   std::vector<Diagnostic> m_warnings;
-  std::set<std::string> m_given;   // places and messages of the warnings given
+  std::set<std::string> m_given;   // places and messages of the warnings
+  std::map<std::string, std::size_t> m_places;  // of each message, in how many places
   std::set<std::string> m_not_yet;
   Location m_first_not_yet;
 };

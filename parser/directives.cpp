@@ -124,8 +124,12 @@ void Directives::message(const Token& directive) {
 }
 
 void Directives::version() {
-  if (!m_in.version_set && m_in.tokens.started()) m_in.version_first = false;
+  const bool is_late = m_in.tokens.started();
   const Location where = m_in.tokens.peek_operand().where;
+  if (!m_in.has_own_version && m_in.is_in_scene(where)) {
+    m_in.has_own_version = true;
+    if (is_late) m_in.late_version = where;
+  }
   double number = 0.0;
   bool ends = false;
   {

@@ -13,7 +13,7 @@ Interpreter::Interpreter(SourceManager& sources_, Diagnostics& diagnostics_,
   m_stack_base = stack_address();
   if (options.language_version > 0) {
     version = options.language_version;
-    version_set = true;
+    version_set = has_own_version = true;
     *noise_generator = version < 350 ? 1 : 2;
   }
 }
@@ -27,8 +27,8 @@ void Interpreter::too_many_turns() {
                               " turns of loops and calls of macros: an endless loop?");
 }
 
-void Interpreter::fail(const Location& where, const std::string& message) {
-  diagnostics.fail(where, message, stream.stack(names));
+void Interpreter::fail(const Location& where, const std::string& message, const std::string& shown) {
+  diagnostics.fail(where, message, stream.stack(names), shown);
 }
 
 void Interpreter::warn(const Location& where, const std::string& message) {
@@ -148,7 +148,10 @@ void Interpreter::declare_constants() {
 std::string Interpreter::suggestion(std::string_view name) const {
   std::vector<std::string_view> known;
   for (const NameId id : symbols.visible_names()) known.push_back(names.text(id));
-  for (std::size_t i = 1; i < static_cast<std::size_t>(Keyword::kEndOfKeywords); ++i) {
+  // Nobody who writes T means the reserved word t.
+  constexpr std::size_t kShortest = 3;
+  const std::size_t end = name.size() < kShortest ? 1 : static_cast<std::size_t>(Keyword::kEndOfKeywords);
+  for (std::size_t i = 1; i < end; ++i) {
     known.push_back(spelling(static_cast<Keyword>(i)));
   }
   const std::string_view near = nearest_name(name, known);

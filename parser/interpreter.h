@@ -45,16 +45,20 @@ struct Interpreter {
   /// The scene's, as far as it is known; set by global_settings or by the version.
   std::shared_ptr<int> noise_generator = std::make_shared<int>(2);
   bool noise_generator_set = false;
-  bool version_first = true;  ///< no declaration stood before the first #version
+  bool has_own_version = false;          ///< the scene's file has a #version, or an option said it
+  std::optional<Location> late_version;  ///< of the first one, if the file said something before it
   std::vector<std::uint32_t> random;   ///< states of the streams of seed()
 
   /// What assumed_gamma has said so far; less than 0: sRGB.
   std::optional<double> working_gamma;
   bool utf8 = false;          ///< charset of string literals; else ASCII
   std::string scene_folder;
+  std::uint32_t scene_file = 0;   ///< of its locations
+  bool is_in_scene(const Location& where) const { return where.file == scene_file; }
   std::map<std::string, std::shared_ptr<const TokenList>> texts;  ///< by path
 
-  [[noreturn]] void fail(const Location& where, const std::string& message);
+  [[noreturn]] void fail(const Location& where, const std::string& message,
+                         const std::string& shown = "");
   void warn(const Location& where, const std::string& message);
 
   /// What `ask` finds out of an object that is made for it; what cannot be made is a mistake of the

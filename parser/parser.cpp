@@ -23,6 +23,7 @@ void Parser::open(const std::string& path) {
   Interpreter& in = m_impl->in;
   const auto list = in.load_scene(path);
   if (!list) in.diagnostics.fail({}, "cannot read the scene '" + path + "'");
+  in.scene_file = list->begin()->where.file;
   in.scene_folder = std::filesystem::path(path).parent_path().string();
   in.declare_constants();
   in.symbols.declare_global(in.names.intern("input_file_name")).reset(path);
@@ -161,7 +162,8 @@ Location Parser::location() {
 
 int Parser::language_version() const { return m_impl->in.version; }
 bool Parser::language_version_set() const { return m_impl->in.version_set; }
-bool Parser::language_version_first() const { return m_impl->in.version_first; }
+bool Parser::has_own_version() const { return m_impl->in.has_own_version; }
+std::optional<Location> Parser::late_version() const { return m_impl->in.late_version; }
 const ParserOptions& Parser::options() const { return m_impl->in.options; }
 Diagnostics& Parser::diagnostics() { return m_impl->in.diagnostics; }
 SourceManager& Parser::sources() { return m_impl->in.sources; }

@@ -246,13 +246,42 @@ std::string TokenReader::describe(const Token& token) const {
   }
 }
 
+namespace {
+
+/// "one of a, b, c ..." with a few of its words: what looks like the word found comes first.
+std::string shortened(std::string_view what, std::string_view found) {
+  constexpr std::string_view kBegin = "one of ", kBrace = " or }";
+  constexpr std::size_t kMost = 6;
+  std::vector<std::string_view> words;
+  const bool or_brace = what.ends_with(kBrace);
+  if (what.starts_with(kBegin)) {
+    std::string_view rest = what.substr(kBegin.size());
+    if (or_brace) rest.remove_suffix(kBrace.size());
+    while (!rest.empty()) {
+      const std::size_t end = std::min(rest.find(", "), rest.size());
+      words.push_back(rest.substr(0, end));
+      rest.remove_prefix(std::min(end + 2, rest.size()));
+    }
+  }
+  if (words.size() <= kMost + 1) return std::string(what);
+  const auto near = std::ranges::find(words, nearest_name(found, words));
+  if (near != words.end()) std::rotate(words.begin(), near, near + 1);
+  std::string out(kBegin);
+  for (std::size_t i = 0; i < kMost; ++i) out += (i > 0 ? ", " : "") + std::string(words[i]);
+  const std::string others = std::to_string(words.size() - kMost) + " others";
+  return out + (or_brace ? ", " + others + std::string(kBrace) : " or " + others);
+}
+
+}  // namespace
+
 void TokenReader::fail_expected(std::string_view what) {
   const Token token = peek();
-  std::string message = "expected " + std::string(what) + " but found " + describe(token);
-  if (token.kind == TokenKind::kIdentifier && !m_symbols.find(token.name)) {
-    message += m_in.suggestion(m_in.names.text(token.name));
-  }
-  m_in.fail(token.kind == TokenKind::kEnd ? m_last : token.where, message);
+  const bool is_word = token.kind == TokenKind::kIdentifier || token.kind == TokenKind::kKeyword;
+  const std::string_view found = is_word ? m_in.names.text(token.name) : std::string_view{};
+  std::string but = " but found " + describe(token);
+  if (token.kind == TokenKind::kIdentifier && !m_symbols.find(token.name)) but += m_in.suggestion(found);
+  m_in.fail(token.kind == TokenKind::kEnd ? m_last : token.where,
+            "expected " + std::string(what) + but, "expected " + shortened(what, found) + but);
 }
 
 TokenReader::Hold::Hold(TokenReader& reader)

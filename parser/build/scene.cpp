@@ -138,6 +138,7 @@ core::SceneParts build_scene(const SceneDesc& scene, Diagnostics& diagnostics,
     diagnostics.not_yet(feature, where);
   }
   diagnostics.report_not_yet();
+  diagnostics.report_repeats();
   return parts;
 }
 

@@ -95,6 +95,7 @@ bool accept_diffuse_word(Parser& parser, FinishDesc& finish) {
     finish.brilliance = parser.parse_float();
   } else if (parser.accept(Keyword::kCrand)) {
     finish.crand = parser.parse_float();
+    warn_of_random_numbers(parser, "crand");
   } else {
     return false;
   }
@@ -123,6 +124,7 @@ bool accept_highlight_word(Parser& parser, FinishDesc& finish) {
 
 /// Words that belong to the interior since POV-Ray 3.1.
 bool accept_interior_word(Parser& parser, FinishDesc& finish) {
+  const Location where = parser.location();
   const char* word = "ior";
   if (parser.accept(Keyword::kIor)) {
     finish.ior = parser.parse_float();
@@ -135,7 +137,7 @@ bool accept_interior_word(Parser& parser, FinishDesc& finish) {
   } else {
     return false;
   }
-  parser.warn(std::string(word) + " belongs in the interior { } of an object, not in a finish");
+  parser.warn_at(where, std::string(word) + " belongs in the interior { } of an object, not in a finish");
   return true;
 }
 

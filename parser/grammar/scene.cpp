@@ -107,9 +107,13 @@ void warn_about_version(Parser& parser) {
   if (!parser.language_version_set()) {
     diagnostics.warn({}, "the scene has no #version: it is read with today's grammar and rendered as "
                          "one from before 3.7");
-  } else if (!parser.language_version_first()) {
-    diagnostics.warn({}, "the #version of the scene stands behind other declarations: they were read "
-                         "with another one");
+  } else if (!parser.has_own_version()) {
+    diagnostics.warn({}, "the scene has no #version of its own: its include files leave it at " +
+                             std::to_string(parser.language_version() / 100) + "." +
+                             std::to_string(parser.language_version() % 100 / 10));
+  } else if (const auto late = parser.late_version()) {
+    diagnostics.warn(*late, "the #version of the scene stands behind other declarations: they were "
+                            "read with another one");
   }
   if (parser.language_version() <= 310) {
     diagnostics.warn({}, "the scene ends with a #version of 3.1 or earlier: faults of those programs "

@@ -255,6 +255,17 @@ TEST(ErrorParserObject, InteriorTextureAlone) {
   EXPECT_EQ(failure("sphere { 0, 1 interior_texture { pigment { rgb 1 } } }"),
             "interior_texture requires an exterior texture.");
 }
+TEST(ErrorParserObject, LongListsAreShownInPart) {
+  try {
+    SceneText("sphere { 0, 1 pigmnt { rgb 1 } }");
+    ADD_FAILURE() << "no error";
+  } catch (const ParseError& error) {
+    const std::string text = error.what();
+    EXPECT_NE(text.find("expected one of pigment, translate, rotate, scale, matrix, transform, "), text.npos) << text;
+    EXPECT_NE(text.find(" others or } but found the undeclared identifier 'pigmnt', did you mean 'pigment'?"), text.npos) << text;
+    EXPECT_NE(error.message().find("double_illuminate"), text.npos) << "whole for programs";
+  }
+}
 TEST(ErrorParserObject, SplitUnionElsewhere) {
   EXPECT_EQ(failure("sphere { 0, 1 split_union on }"), "split_union holds for a union only.");
 }

@@ -50,6 +50,12 @@ TEST(ErrorParser, TheHeaderIsIncludedFromNowhere) {
   EXPECT_FALSE(has(bad.error, "included from")) << bad.error;
 }
 
+TEST(ErrorParser, NoReservedLetterIsProposed) {
+  const Parsed p = parse_text("#declare A = T;\n");
+  EXPECT_FALSE(has(p.message, "did you mean")) << p.message;
+  EXPECT_TRUE(has(parse_text("#declare Red = 1; #declare A = red2;\n").message, "did you mean 'Red'")) << p.message;
+}
+
 TEST(ErrorParser, StackOfIncludesAndMacros) {
   const Parsed p = parse_text("#include \"a.inc\"\n",
                               {{"a.inc", "#macro Outer(n)\n  Inner(n*2)\n#end\n#include \"b.inc\"\n"},
