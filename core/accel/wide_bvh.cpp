@@ -12,23 +12,25 @@
 #include <stdexcept>
 
 namespace lentray::core {
-void WideLimits::approach(Vec3& o, const Vec3& d, double& error) {
+void WideLimits::approach(Vec3& o, const Vec3& d, double& error, bool has_far) {
   const double far = std::max({std::fabs(o.x), std::fabs(o.y), std::fabs(o.z)});
   error += far * 0x1p-48;
   const double reach = 1.125 + 2.0 * error;  // a little before the boxes
   double enter = -Bounds::kInf, leave = Bounds::kInf;
+  bool passes = false;  // by the middle, perhaps towards far boxes
   for (int a = 0; a < 3; ++a) {
     if (std::fabs(d[a]) < kLeastComponent) {
-      if (std::fabs(o[a]) > reach) misses = true;
+      if (std::fabs(o[a]) > reach) passes = true;
       continue;
     }
     const double t1 = (-reach - o[a]) / d[a], t2 = (reach - o[a]) / d[a];
     enter = std::max(enter, std::min(t1, t2));
     leave = std::min(leave, std::max(t1, t2));
   }
-  if (misses || !(enter <= leave)) {
-    misses = true;
-    return;
+  if (passes || !(enter <= leave)) {
+    misses = !has_far;
+    if (misses) return;
+    enter = -dot(o, d) / dot(d, d);
   }
   o += d * enter;
   start = enter / rate;
@@ -45,7 +47,9 @@ WideRay::WideRay(const Ray& ray, const WideFrame& frame) {
   if (misses) return;
   d /= rate;
   double error = frame.pad;
-  if (std::max({std::fabs(o.x), std::fabs(o.y), std::fabs(o.z)}) > kNear) approach(o, d, error);
+  if (std::max({std::fabs(o.x), std::fabs(o.y), std::fabs(o.z)}) > kNear) {
+    approach(o, d, error, frame.has_far);
+  }
   if (misses) return;
   for (int a = 0; a < 3; ++a) {
     const double component = std::copysign(std::max(std::fabs(d[a]), kLeastComponent), d[a]);
@@ -71,7 +75,7 @@ struct FloatBox {
   }
   /// Half of it; not of an empty box.
   float surface() const {
-    const __m128 d = _mm_add_ps(high, low);
+    const __m128 d = _mm_min_ps(_mm_add_ps(high, low), _mm_set1_ps(1e18f));  // its square is a float
     const __m128 products = _mm_mul_ps(d, _mm_shuffle_ps(d, d, _MM_SHUFFLE(3, 0, 2, 1)));
     const __m128 y = _mm_shuffle_ps(products, products, 1), z = _mm_movehl_ps(products, products);
     return _mm_cvtss_f32(_mm_add_ss(_mm_add_ss(products, y), z));
@@ -474,10 +478,46 @@ void WideCollapser::emit(std::uint32_t root) {
   }
 }
 
-WideFrame frame_of(const Bounds& all) {
+double reach_from(const Vec3& middle, const Bounds& box) {
+  double reach = 0.0;
+  for (int a = 0; a < 3; ++a) {
+    reach = std::max({reach, std::fabs(box.lo[a] - middle[a]), std::fabs(box.hi[a] - middle[a])});
+  }
+  return reach;
+}
+
+/// The bounds of all boxes but of a few that reach much farther than the rest.
+Bounds bulk_of(std::span<const Bounds> boxes, const std::vector<std::uint32_t>& parts, const Bounds& all) {
+  constexpr std::size_t kFewest = 16, kMostSampled = 1024;
+  constexpr double kMuchFarther = 1024.0;
+  if (parts.size() < kFewest) return all;
+  const std::size_t step = std::max<std::size_t>(1, parts.size() / kMostSampled);
+  const auto quantile = [&](double part, auto&& value_of) {
+    std::vector<double> values;
+    for (std::size_t i = 0; i < parts.size(); i += step) values.push_back(value_of(boxes[parts[i]]));
+    const auto at = values.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1));
+    std::nth_element(values.begin(), at, values.end());
+    return *at;
+  };
+  Vec3 middle;
+  for (int a = 0; a < 3; ++a) {
+    middle[a] = quantile(0.5, [a](const Bounds& b) { return b.lo[a] * 0.5 + b.hi[a] * 0.5; });
+  }
+  const double limit = kMuchFarther * quantile(0.9, [&](const Bounds& b) { return reach_from(middle, b); });
+  if (!(reach_from(middle, all) > limit)) return all;
+  Bounds bulk;
+  for (const std::uint32_t part : parts) {
+    if (reach_from(middle, boxes[part]) <= limit) bulk.include(boxes[part]);
+  }
+  return bulk;
+}
+
+/// `bulk`: of the boxes that the frame is made for, among `all`.
+WideFrame frame_of(const Bounds& bulk, const Bounds& all) {
   WideFrame frame;
-  frame.offset = all.lo * 0.5 + all.hi * 0.5;
-  const Vec3 half = all.hi * 0.5 - all.lo * 0.5;
+  frame.has_far = !(bulk.lo == all.lo && bulk.hi == all.hi);
+  frame.offset = bulk.lo * 0.5 + bulk.hi * 0.5;
+  const Vec3 half = bulk.hi * 0.5 - bulk.lo * 0.5;
   const double size = std::max({half.x, half.y, half.z, 1e-290});
   int exponent = 0;
   std::frexp(size, &exponent);  // size < 2^exponent
@@ -501,7 +541,7 @@ void WideBvh::build(std::span<const Bounds> boxes, const Options& options) {
   if (m_order.size() >> WideNode::kFirstBits != 0) {
     throw std::length_error("more parts than a bounding hierarchy holds");
   }
-  m_frame = frame_of(m_bounds);
+  m_frame = frame_of(bulk_of(boxes, m_order, m_bounds), m_bounds);
   BinaryBuilder builder(boxes, m_order, m_frame, options);
   const std::uint32_t root = builder.run();
   for (std::uint32_t i = 0; i < m_order.size(); ++i) m_order[i] = builder.part_at(i);

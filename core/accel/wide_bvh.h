@@ -8,6 +8,8 @@
 // of all boxes 0, half size 1), rounded outwards; far origins are first moved to the boxes in
 // double; origin, limits and distances carry their rounding outwards. So neither coordinates of
 // 1e7, rays along an axis or in the plane of a box's side, nor flat boxes lose a hit.
+// A few boxes that reach a thousand times farther than the others do not count for the frame: a
+// vertex at 1e30 leaves the boxes of the rest as sharp as they are.
 //
 // Immutable once built; any number of threads. AVX2 is used where the processor has it; the
 // order of the leaves visited may differ then, the set of hits found does not.
@@ -46,6 +48,7 @@ struct WideFrame {
   Vec3 offset;
   double scale = 1.0;
   double pad = 0.0;  ///< rounding to allow for, in the tree's units
+  bool has_far = false;  ///< there are boxes beyond -1 .. 1
   Vec3 point(const Vec3& p) const { return (p - offset) * scale; }
 };
 
@@ -79,7 +82,7 @@ struct WideLimits {
 
  protected:
   /// Moves the origin; `error` grows by what that and its distance cost.
-  void approach(Vec3& origin, const Vec3& direction, double& error);
+  void approach(Vec3& origin, const Vec3& direction, double& error, bool has_far);
 };
 
 /// A ray as the box tests see it: in the tree's frame, direction scaled so that its largest
@@ -122,7 +125,7 @@ struct WideRayAvx2 : WideLimits {
       _mm256_store_pd(from, o);
       _mm256_store_pd(along, d);
       Vec3 moved{from[0], from[1], from[2]};
-      approach(moved, Vec3{along[0], along[1], along[2]} / rate, error);
+      approach(moved, Vec3{along[0], along[1], along[2]} / rate, error, frame.has_far);
       o = _mm256_set_pd(0.0, moved.z, moved.y, moved.x);
     }
     const __m256d least = _mm256_mul_pd(largest, _mm256_set1_pd(kLeastComponent));

@@ -30,6 +30,7 @@ struct TestBoxes {
   double detail;  ///< of their sizes
   Vec3 offset;
   double far;     ///< distance of the rays' starts
+  double outliers = 1.0;  ///< one box in 30 is so many times farther away
 };
 
 class UnitCoreWideBvh : public ::testing::TestWithParam<TestBoxes> {};
@@ -38,7 +39,8 @@ class Maker {
  public:
   explicit Maker(const TestBoxes& setup) : m_setup(setup) {}
   Bounds box() {
-    const Vec3 c = m_setup.offset + point() * m_setup.scale;
+    const double scale = ++m_boxes % 30 == 0 ? m_setup.scale * m_setup.outliers : m_setup.scale;
+    const Vec3 c = m_setup.offset + point() * scale;
     Vec3 size = Vec3{unit(), unit(), unit()} * m_setup.detail;
     if (integer(4) == 0) size[integer(3)] = 0.0;  // flat
     if (integer(8) == 0) size = {};
@@ -75,6 +77,7 @@ class Maker {
 
  private:
   const TestBoxes& m_setup;
+  int m_boxes = 0;
   std::mt19937_64 m_random{12345};
 };
 
@@ -120,7 +123,10 @@ INSTANTIATE_TEST_SUITE_P(
                       TestBoxes{"SmallAndFarFromOrigin", 10.0, 1.0, {1e7, -1e7, 5e6}, 30.0},
                       TestBoxes{"SeenFromFar", 10.0, 1.0, {}, 1e7},
                       TestBoxes{"TinyFromVeryFar", 1e-3, 1e-4, {1, 2, 3}, 1e5},
-                      TestBoxes{"WideRange", 1e6, 1e-2, {}, 1e3}),
+                      TestBoxes{"WideRange", 1e6, 1e-2, {}, 1e3},
+                      TestBoxes{"SomeFar", 10.0, 1.0, {}, 30.0, 1e6},
+                      TestBoxes{"SomeFarSeenFromBetween", 10.0, 1.0, {}, 1e5, 1e6},
+                      TestBoxes{"SomeVeryFar", 10.0, 1.0, {3, 2, 1}, 30.0, 1e11}),
     [](const auto& tested) { return std::string(tested.param.name); });
 
 TEST(UnitCoreWideBvhShape, RaysInThePlanesOfFlatBoxesMeetThem) {
@@ -280,6 +286,20 @@ TEST(UnitCoreWideBvhShape, OddInputIsHarmless) {
   // Many boxes alike: the build must end, and not run deep.
   const WideBvh alike(std::vector<Bounds>(5000, Bounds{{0, 0, 0}, {1, 1, 1}}));
   EXPECT_LT(alike.statistics().depth, 16);
+}
+
+TEST(UnitCoreWideBvhShape, AFarBoxLeavesTheOthersSharp) {
+  std::vector<Bounds> boxes;
+  for (int i = 0; i < 10000; ++i) {
+    const Vec3 at(i % 100, 0, i / 100);
+    boxes.push_back({at, at + Vec3(1, i == 5050 ? 1e30 : 1, 1)});
+  }
+  const WideBvh bvh(boxes);
+  Visited seen{bvh, {}};
+  CountNothing nothing;
+  bvh.traverse_portable({{20.5, 1e4, 20.5}, {0, -1, 0}}, 0.0, Bounds::kInf, seen, nothing);
+  EXPECT_TRUE(seen.parts.count(2020));
+  EXPECT_LT(seen.parts.size(), 40u);
 }
 
 TEST(UnitCoreWideBvhShape, UnevenlySpreadBoxesStayWithinTheStack) {
