@@ -166,15 +166,21 @@ struct Hierarchy::Impl {
   // and the others.
   std::optional<ObjectTree> opaque, filters;
 
+  std::optional<ObjectTree> afar;  ///< what is seen beyond kFarthest
+
   const ObjectTree& opaque_casters() const { return opaque ? *opaque : *all; }
 
   template <class T>
   bool nearest(const Ray& ray, double t_min, double t_max, RayKind kind, Hit& hit, HitArena& arena,
                T& tally) const {
     NearestSearch<T> what{ray, t_min, static_cast<std::uint8_t>(unseen_by(kind) & any_flags),
-                          hit, arena, tally, {t_max}};
+                          hit, arena, tally, {std::min(t_max, kFarthest)}};
     arena.ray_kind = kind;
     all->search<true>(what);
+    if (afar && !what.best.entry) {
+      what.best.t = t_max;
+      afar->search<true>(what);
+    }
     arena.ray_kind = RayKind::kShadow;
     return what.finish();
   }
@@ -271,6 +277,11 @@ Hierarchy::Impl::Impl(const std::vector<std::unique_ptr<Object>>& objects,
     opaque.emplace(std::move(casters), accelerator, portable);
     filters.emplace(std::move(filtering), accelerator, portable);
   }
+  ObjectList far;
+  for (std::size_t i = 0; i < listed.entries.size(); ++i) {
+    if (is_seen_afar(*listed.entries[i].object)) far.add(listed.entries[i], listed.boxes[i]);
+  }
+  if (!far.entries.empty()) afar.emplace(std::move(far), accelerator, portable);
   all.emplace(std::move(listed), accelerator, portable);
 }
 
@@ -328,6 +339,7 @@ void Hierarchy::all_transparent(const Ray& ray, double t_min, double t_max,
 
 std::size_t Hierarchy::memory() const {
   std::size_t bytes = sizeof(Impl) + m_impl->all->memory();
+  if (m_impl->afar) bytes += m_impl->afar->memory();
   if (m_impl->opaque) bytes += m_impl->opaque->memory() + m_impl->filters->memory();
   return bytes;
 }

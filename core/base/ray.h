@@ -6,6 +6,9 @@
 
 namespace lentray::core {
 
+/// Stock sees most surfaces up to this distance only, along a ray of unit direction.
+inline constexpr double kFarthest = 1e7;
+
 struct Ray {
   Vec3 origin;
   Vec3 direction;

@@ -92,7 +92,7 @@ struct Isosurface::Search {
         reach = gradient * speed * span;
       }
     }
-    const bool is_free = f_from + f_to - reach >= 0.0;
+    const bool is_free = !(f_from + f_to - reach < 0.0);  // as in stock where the function is no number
     if (is_free && f_to >= 0.0) return false;
     const double middle = from + 0.5 * span;
     if (span < accuracy || !(from < middle && middle < to)) {

@@ -23,12 +23,14 @@ ObjectQuery::ObjectQuery(const ObjectDesc& object) {
         whole->set_bounding(std::move(bounding));
       }
     }
+    if (whole && core::is_seen_afar(*whole)) made.farthest = core::Bounds::kInf;
     made.object = std::move(whole);
     made.is_whole = missing.empty();
     slot.made = std::make_shared<const CompiledSlot::Compiled>(std::move(made));
   }
   m_object = slot.made->object;
   m_is_whole = slot.made->is_whole;
+  m_farthest = slot.made->farthest;
 }
 
 bool ObjectQuery::inside(const core::Vec3& point) const { return m_object && m_object->inside(point); }
@@ -40,7 +42,7 @@ bool ObjectQuery::trace(const core::Vec3& origin, const core::Vec3& direction, c
   if (!m_object || ray.direction == core::Vec3{}) return false;
   core::Hit hit;
   core::HitArena arena;
-  if (!m_object->nearest(ray, kMinDistance, core::Bounds::kInf, hit, arena)) return false;
+  if (!m_object->nearest(ray, kMinDistance, m_farthest, hit, arena)) return false;
   point = ray.at(hit.t);
   normal = hit.leaf->normal(point, hit.shape);
   return true;

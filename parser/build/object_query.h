@@ -23,6 +23,7 @@ class ObjectQuery {
  private:
   std::shared_ptr<const core::Object> m_object;  ///< null: nothing of it is rendered
   bool m_is_whole = true;
+  double m_farthest = core::kFarthest;
 };
 
 }  // namespace lentray::parser

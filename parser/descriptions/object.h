@@ -14,6 +14,7 @@
 
 #include "core/base/bounds.h"
 #include "core/base/color.h"
+#include "core/base/ray.h"
 #include "core/base/transform.h"
 #include "core/base/vec3.h"
 #include "core/geometry/mesh_data.h"
@@ -178,6 +179,7 @@ struct CompiledSlot {
   struct Compiled {
     std::shared_ptr<const core::Object> object;
     bool is_whole = true;   ///< false: parts of it have no geometry yet
+    double farthest = core::kFarthest;  ///< up to which trace() sees it
   };
   std::shared_ptr<const Compiled> made;   ///< null: not tried yet
   CompiledSlot() = default;

@@ -23,6 +23,14 @@ const Case kCases[] = {
     {"declare_without_hash", "#declare T = texture { pigment { rgb x } } declare S = sphere { 0, 1 texture { T } } object { S }"},
     {"split_union_in_a_merge", "merge { sphere { 0, 1 } sphere { x, 1 } pigment { rgb 1 } split_union off }"},
     {"text_escape", "text { ttf \"timrom.ttf\" \"\\u00e9Z\\u0041\" .2, 0 pigment { rgb 1 } }"},
+    {"isosurface_that_is_no_number", "isosurface { function { sin(z + x) + pow(z, 1.35) } contained_by { box { -2, 2 } }"
+                                     " max_gradient 4 pigment { rgb 1 } finish { ambient 1 } }"},
+    {"sky_sphere_too_far", "sphere { 0, 1e9 hollow pigment { rgb y } finish { ambient 1 diffuse 0 } } plane { y, -1 pigment { checker rgb 1 rgb x } }"},
+    {"far_box_is_seen", "box { -1e8, 1e8 pigment { rgb y } finish { ambient 1 diffuse 0 } hollow } sphere { 0, 1 pigment { rgb x } }"},
+    {"stretched_sky_is_seen", "sphere { 0, 1 scale <1e9, 1e8, 1e9> hollow pigment { gradient y scale 2e8 } finish { ambient 1 diffuse 0 } }"},
+    {"trace_has_an_end", "#declare N = <0,0,0>; #declare S = sphere { 0, 1e9 } #declare B = box { -1e8, 1e8 }"
+                         " #declare P = trace(S, <0,0,0>, z, N); box { -.5, .5 pigment { rgb vlength(N)*x + y } translate -x }"
+                         " #declare P = trace(B, <0,0,0>, z, N); box { -.5, .5 pigment { rgb vlength(N)*x + z } translate x }"},
     {"text_offset_has_no_z", "text { ttf \"cyrvetic.ttf\" \"Tent\" .3, <.1,.05,-.3> pigment { rgb 1 } rotate 30*y translate -x }"},
 };
 
