@@ -6,6 +6,7 @@ void Counters::merge(const Counters& other) {
   camera_rays += other.camera_rays;
   reflected_rays += other.reflected_rays;
   refracted_rays += other.refracted_rays;
+  cut_rays += other.cut_rays;
   dark_pixels += other.dark_pixels;
   antialiased_pixels += other.antialiased_pixels;
   bounds_tests += other.bounds_tests;

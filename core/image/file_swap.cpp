@@ -8,6 +8,8 @@
 #include <atomic>
 #include <cerrno>
 #include <cstring>
+#include <mutex>
+#include <set>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -81,6 +83,25 @@ void check_writable(const fs::path& wanted) {
   }
 }
 
+namespace {
+
+/// Temporary files there are.
+struct Temporaries {
+  std::mutex mutex;
+  std::set<fs::path> files;
+};
+Temporaries& temporaries() {
+  static auto* const all = new Temporaries;  // outlives whoever ends last
+  return *all;
+}
+
+}  // namespace
+
+void FileSwap::remove_temporaries() {
+  const std::lock_guard lock(temporaries().mutex);
+  for (const fs::path& file : temporaries().files) (void)::unlink(file.c_str());
+}
+
 FileSwap::FileSwap(const fs::path& place) : m_place(place) {
   if (place == kStandardOutput) {
     m_device = true;
@@ -94,6 +115,8 @@ FileSwap::FileSwap(const fs::path& place) : m_place(place) {
 
 FileSwap::~FileSwap() {
   std::error_code ignored;
+  const std::lock_guard lock(temporaries().mutex);
+  temporaries().files.erase(m_temporary);
   if (!m_committed) fs::remove(m_temporary, ignored);
   ::close(m_lock);
 }
@@ -122,6 +145,8 @@ void FileSwap::make_temporary() {
     ::close(m_lock);  // taken for a left-over before it was locked
     m_lock = -1;
   }
+  const std::lock_guard lock(temporaries().mutex);
+  temporaries().files.insert(m_temporary);
 }
 
 void FileSwap::copy_to_device() {
@@ -153,6 +178,8 @@ void FileSwap::copy_to_device() {
 void FileSwap::commit() {
   if (m_device) return copy_to_device();  // the destructor removes the temporary file
   std::error_code error;
+  struct stat before{};
+  if (::stat(m_place.c_str(), &before) == 0) (void)::fchmod(m_lock, before.st_mode & 07777);
   fs::rename(m_temporary, m_place, error);
   if (error) fail(m_place, error.message());
   m_committed = true;

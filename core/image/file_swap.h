@@ -26,6 +26,8 @@ class FileSwap {
 
   const std::filesystem::path& temporary() const { return m_temporary; }
   void commit();
+  /// Of all objects: for a program that ends in the middle of its work. Any thread.
+  static void remove_temporaries();
 
  private:
   void make_temporary();

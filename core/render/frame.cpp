@@ -9,6 +9,7 @@
 #include <thread>
 #include <vector>
 
+#include "core/render/render_threads.h"
 #include "core/render/tracer.h"
 #include "core/render/work_meter.h"
 #include "core/render/work_watch.h"
@@ -125,13 +126,8 @@ Counters render_frame(const Scene& scene, const RaySource& camera, const FrameSh
     watch.emplace(scene, camera, shadows, options, setup, bands.band_height, *progress);
   }
   Work work{scene, camera, shadows, options, watch ? &*watch : nullptr, BandQueue(bands, *film, sink)};
-  const unsigned threads = frame_threads(options);
-  {
-    // Not tasks of oneTBB: as many as asked for must run at once, and they wait for each other.
-    std::vector<std::jthread> others;
-    for (unsigned i = 1; i < threads; ++i) others.emplace_back([&work] { run(work); });
-    run(work);
-  }
+  // Not tasks of oneTBB: they wait for each other.
+  run_on_threads(frame_threads(options), [&work] { run(work); });
   watch.reset();
   if (work.failure) std::rethrow_exception(work.failure);
   if (progress && !(options.cancel && options.cancel->load())) progress->advance(1.0, 0.0);

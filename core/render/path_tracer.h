@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -18,6 +19,7 @@
 #include "core/render/interior_stack.h"
 #include "core/render/random_key.h"
 #include "core/render/reflectance.h"
+#include "core/render/render_threads.h"
 #include "core/render/sky.h"
 #include "core/render/start_interiors.h"
 #include "core/render/surface_textures.h"
@@ -197,6 +199,8 @@ class PathTracer final : public Tracer {
   std::unique_ptr<StartInteriors> m_start_interiors;
   std::vector<std::unique_ptr<Frame>> m_frames;
   std::size_t m_depth = 0;
+  std::size_t m_deepest = std::numeric_limits<std::size_t>::max();  ///< known when the stack ends
+  const std::uintptr_t m_stack_end = middle_of_stack();
   AreaScratch m_area;
   Pixel m_pixel;
   std::uint64_t m_key = 0;  ///< of the sample

@@ -52,6 +52,10 @@ template <unsigned kFeatures>
 Radiance PathTracer<kFeatures>::follow(const RayState& state, float weight, int level,
                                        bool straight_on) {
   if (level >= m_max_level || weight < m_bailout) return {};
+  if (m_depth >= m_deepest) {
+    ++m_counters.cut_rays;
+    return {};
+  }
   Hit hit;
   if (!m_hierarchy.nearest(state.ray, m_min_distance, Bounds::kInf, state.kind, hit, m_arena,
                            m_test_counters)) {
@@ -74,6 +78,10 @@ template <unsigned kFeatures>
 typename PathTracer<kFeatures>::Frame& PathTracer<kFeatures>::enter_frame() {
   if (m_depth == m_frames.size()) {
     m_frames.push_back(std::make_unique<Frame>(m_scene.lights().size()));
+    // Clear surfaces do not count as levels, so that there may be any number of them. Half of the
+    // stack is for steps that take more of it than these.
+    const auto here = reinterpret_cast<std::uintptr_t>(__builtin_frame_address(0));
+    if (here < m_stack_end) m_deepest = m_depth + 1;
   }
   Frame& frame = *m_frames[m_depth++];
   if constexpr (kLayers) {

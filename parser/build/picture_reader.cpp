@@ -14,6 +14,7 @@
 #include "core/image/palette_indices.h"
 #include "core/image/png_chunks.h"
 #include "core/image/reader.h"
+#include "parser/build/build_error.h"
 #include "parser/build/tiff_bytes.h"
 #include "parser/gamma.h"
 
@@ -124,8 +125,8 @@ std::shared_ptr<const core::Picture> PictureReader::read_file(const ImageDesc& i
   core::StoredImage stored;
   try {
     stored = core::read_image(image.path.handle, image.path.path);
-  } catch (const core::ImageError&) {
-    return missing(image.name);
+  } catch (const core::ImageError& error) {
+    throw BuildError(image.where, error.what());
   }
   if (is_tiff(image.type)) make_tiff_bytes(stored, image.path.handle);
   core::restore_clear_colours(stored, image.path.handle);

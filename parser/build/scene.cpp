@@ -122,12 +122,12 @@ core::SceneParts build_scene(const SceneDesc& scene, Diagnostics& diagnostics,
     for (const SceneObject& object : scene.objects) {
       builder.add(*object.object, object.default_texture);
     }
+    if (scene.sky_sphere) parts.sky_sphere = build_sky(*scene.sky_sphere, textures);
+    if (options.quality >= kAirQuality) {
+      parts.atmosphere = build_atmosphere(scene, for_textures.noise_generator);
+    }
   } catch (const BuildError& error) {
     diagnostics.fail(error.where(), error.what());
-  }
-  if (scene.sky_sphere) parts.sky_sphere = build_sky(*scene.sky_sphere, textures);
-  if (options.quality >= kAirQuality) {
-    parts.atmosphere = build_atmosphere(scene, for_textures.noise_generator);
   }
   parts.slopes = builder.slope_watches().named(diagnostics);
   note_missing(scene, not_yet);

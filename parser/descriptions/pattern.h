@@ -70,6 +70,7 @@ struct ImageDesc {
   std::string type;          ///< keyword or extension: "png"; "function" for a computed one
   std::string name;          ///< as written
   FoundFile path;            ///< empty if it was not found
+  Location where;            ///< of the name
   Ref<FunctionDesc> function;
   int function_width = 0, function_height = 0;
   double gamma = 0.0;        ///< 0: the file's own; -1: srgb

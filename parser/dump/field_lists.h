@@ -48,7 +48,7 @@ LENTRAY_FIELDS(TurbulenceDesc, amount, octaves, lambda, omega)
 LENTRAY_FIELDS(WarpDesc, kind, transform, turbulence, axis, width, flip, offset, centre, repeat,
                uncertainty, radius, strength, power, inverse, repeats, uncertain, orientation,
                distance_exponent, major_radius, plane_offset)
-LENTRAY_FIELDS(ImageDesc, type, name, path, function, function_width, function_height, gamma,
+LENTRAY_FIELDS(ImageDesc, type, name, path, where, function, function_width, function_height, gamma,
                working_gamma, decoding, premultiplied, once, map_type, interpolate, use, repeat, offset, filter_all,
                transmit_all, filters, transmits)
 LENTRAY_FIELDS(PatternParameters, vector, brick_size, mortar, agate_turbulence, arms, quilt0, quilt1,

@@ -78,6 +78,10 @@ void parse_area_light(Parser& parser, Context&, LightDesc& light) {
   if (light.size1 <= 0 || light.size2 <= 0) {
     parser.fail("The numbers of lights of an area_light must be greater than zero.");
   }
+  constexpr double kMostLights = 1e8;  // stock fails somewhere beyond
+  if (static_cast<double>(light.size1) * light.size2 > kMostLights) {
+    parser.fail("An area_light has at most 100,000,000 lights.");
+  }
 }
 
 bool needs_area(Keyword word) {

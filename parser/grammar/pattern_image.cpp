@@ -29,6 +29,7 @@ std::string lower(std::string text) {
 }
 
 void find_image(Parser& parser, ImageDesc& image, const Location& where) {
+  image.where = where;
   auto found = parser.find_to_open(image.name, where);
   if (!found && !std::filesystem::path(image.name).has_extension()) {
     found = parser.find_to_open(image.name + "." + image.type, where);

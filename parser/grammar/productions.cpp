@@ -1,5 +1,6 @@
 #include "parser/grammar/productions.h"
 
+#include "parser/build/build_error.h"
 #include "parser/build/stock_box.h"
 #include "parser/grammar/atmosphere.h"
 #include "parser/grammar/camera.h"
@@ -70,7 +71,11 @@ void Grammar::extent(const ObjectDesc& object, core::Vec3& lo, core::Vec3& hi) {
 }
 
 Ref<FunctionDesc> Grammar::pattern_function(Parser& parser) {
-  return parse_pattern_function(parser, m_context.materials);
+  try {
+    return parse_pattern_function(parser, m_context.materials);
+  } catch (const BuildError& error) {  // of a picture
+    parser.fail_at(error.where(), error.what());
+  }
 }
 
 }  // namespace lentray::parser

@@ -134,5 +134,17 @@ TEST_F(BadInput, DiffSaysErrorsWithStatusTwo) {
   EXPECT_EQ(status({"a.png", "a.png", "--no-pictures"}), 0);
 }
 
+// Clear surfaces are no levels of max_trace_level; stock's stack overflows here.
+TEST(ImageBadInput, ClearSurfacesBehindOneAnotherMayBeMany) {
+  const SceneText scene{.sdl = "#version 3.7; global_settings { assumed_gamma 1 } background { rgb <.2,.4,.6> }\n"
+                               "camera { location -3*z look_at 0 }\n"
+                               "#for (I, 0, 12000) disc { z*I/1000, z, 50 pigment { rgbt 1 } } #end\n",
+                        .width = 4, .height = 3, .arguments = {}, .files = {}};
+  const StoredImage picture = lentray_render(scene);
+  const SceneText without{.sdl = "#version 3.7; global_settings { assumed_gamma 1 } background { rgb <.2,.4,.6> }\n",
+                          .width = 4, .height = 3, .arguments = {}, .files = {}};
+  EXPECT_TRUE(same_bits(picture, lentray_render(without)));
+}
+
 }  // namespace
 }  // namespace lentray::test

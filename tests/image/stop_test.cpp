@@ -124,6 +124,27 @@ INSTANTIATE_TEST_SUITE_P(Signals, ImageStopSignal,
                                            std::pair{SIGINT, "a.exr"}, std::pair{SIGTERM, "a.png"},
                                            std::pair{SIGHUP, "a.png"}));
 
+// Reading and a dear pixel are not asked whether they should stop; they are ended.
+TEST_F(ImageStop, WhateverItIsAtTheRunEndsSoon) {
+  diff::write_text(m_folder / "reads.pov", "#while (1) #end\n");
+  diff::write_text(m_folder / "dear.pov",
+                   "#version 3.7; global_settings { assumed_gamma 1 } camera { location -5*z look_at 0 }\n"
+                   "light_source { <3, 5, -5>, 1 area_light x, y, 9000, 9000 }\n"
+                   "plane { y, -1 pigment { rgb 1 } } sphere { 0, 1 pigment { rgbt .5 } }\n");
+  diff::write_text(m_folder / "a.png", "an older picture");
+  for (const char* scene : {"reads.pov", "dear.pov"}) {
+    Running run({scene, "+W40", "+H30", "-V", "-GA", "+Oa.png"}, m_folder.path());
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    const auto then = std::chrono::steady_clock::now();
+    run.signal(SIGTERM);
+    EXPECT_EQ(run.wait(), 2) << scene << text("log");
+    EXPECT_LT(std::chrono::steady_clock::now() - then, std::chrono::seconds(10)) << scene;
+    EXPECT_NE(text("log").find("stopped; no picture was written"), std::string::npos) << scene << text("log");
+    EXPECT_EQ(text("a.png"), "an older picture");
+    EXPECT_EQ(parts().size(), 0u) << scene;
+  }
+}
+
 TEST_F(ImageStop, AKilledRunLeavesTheOldPictureAndTheNextClearsUp) {
   diff::write_text(m_folder / "a.png", "an older picture");
   Running run(slow("a.png"), m_folder.path());

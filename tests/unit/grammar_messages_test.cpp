@@ -122,6 +122,7 @@ const Program kPrograms[] = {
     {"light_source { 0 looks_like { sphere { 0, 1 } } looks_like { sphere { 0, 1 } } }", "Only one looks_like allowed per light_source."},
     {"light_source { 0 projected_through { sphere { 0, 1 } } projected_through { sphere { 0, 1 } } }", "Only one projected_through allowed per light_source."},
     {"light_source { 0 point_at x }", "point_at needs spotlight, cylinder or parallel before it in a light_source."},
+    {"light_source { 0 area_light x, y, 1e9, 1e9 }", "An area_light has at most 100,000,000 lights."},
     {"light_source { 0 area_light x, y, 0, 2 }", "The numbers of lights of an area_light must be greater than zero."},
     {"light_source { 0 circular }", "circular only affects an area_light."},
     {"light_source { 0 spotlite }", "one of translate, rotate, scale, matrix, transform, adaptive,"},
@@ -273,7 +274,9 @@ const Program kPrograms[] = {
     {PIGMENT("bozo color_map { [0 \"a\"] }"), "a color"},
     {PIGMENT("bozo color_map { [0, 1 rgb 1 \"a\"] }"), "a second color"},
     {PIGMENT("image_map { png \"none.png\" }"), "cannot find the image file 'none.png'"},
-    {PIGMENT("image_map { png \"bad.png\" }"), "image 'bad.png' (it cannot be read)"},
+    {PIGMENT("image_map { png \"bad.png\" }"), "cannot read 'bad.png': "},
+    {"#declare F = function { pigment { image_map { png \"bad.png\" } } }", "cannot read 'bad.png': "},
+    {"sphere { 0, 1 } sky_sphere { pigment { image_map { png \"bad.png\" } } }", "cannot read 'bad.png': "},
     {PIGMENT("image_map { function 2, 2 x }"), "{ after the size of the image"},
     {PIGMENT("image_map { <1,0,0> png \"bad.png\" }"), "the orientation of an image has no meaning any more"},
     {PIGMENT("image_map { 5 }"), "an image file"},
@@ -313,7 +316,7 @@ const Program kPrograms[] = {
 const char* const kUnheard[] = {
     "FreeType does not start", "this kind of spline is not known here", "too few points for this spline",
     "a sphere_sweep of this spline needs at least ",
-    "the function of a height_field has the parameters x, y, z"};
+    "the function of a height_field has the parameters x, y, z", "image '", "' (it cannot be read)"};
 
 // A version in front: "@3.1 text"; 3.7 with assumed_gamma unless told; "@0" takes the text as it is.
 std::string scene_of(const std::string& text) {

@@ -235,6 +235,18 @@ TEST(UnitImageFiles, LongNamesHaveRoomForTheTemporaryOne) {
   EXPECT_EQ(read_image(folder / name).width, 3u);
 }
 
+TEST(UnitImageFiles, AFileThatIsWrittenAgainKeepsItsMode) {
+  const diff::TemporaryFolder folder;
+  diff::write_text(folder / "a.png", "before");
+  std::filesystem::permissions(folder / "a.png", std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
+  FileSwap swap(folder / "a.png");
+  diff::write_text(swap.temporary(), "after");
+  swap.commit();
+  EXPECT_EQ(diff::read_text(folder / "a.png"), "after");
+  EXPECT_EQ(std::filesystem::status(folder / "a.png").permissions(),
+            std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
+}
+
 TEST(UnitImageFiles, NoPartIsLeftBehind) {
   const TemporaryFolder folder;
   write_image(ramp(9, 9), folder / "a.png", {});

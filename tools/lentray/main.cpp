@@ -1,14 +1,14 @@
 // lentray: renders POV-Ray scenes, also as integral images for lenticular sheets.
 #include <malloc.h>
 
-#include <atomic>
-#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <new>
 #include <optional>
+#include <stdexcept>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "camera/lens_request.h"
@@ -18,6 +18,7 @@
 #include "parser/options.h"
 #include "parser/options_help.h"
 #include "tools/lentray/run.h"
+#include "tools/lentray/stop_signals.h"
 #include "tools/lentray/text_streams.h"
 #include "tools/lentray/version.h"
 #include "tools/lentray/warnings.h"
@@ -25,26 +26,6 @@
 namespace {
 
 using namespace lentray;
-
-// A signal handler can reach nothing else.
-std::atomic<bool> g_cancel{false};
-static_assert(std::atomic<bool>::is_always_lock_free);
-
-extern "C" void on_signal(int signal) {
-  g_cancel = true;
-  std::signal(signal, SIG_DFL);  // the second one ends the program at once
-}
-
-void set_signals() {
-  for (const int stop : {SIGINT, SIGTERM, SIGHUP}) {
-    // Where a shell has a program ignore them, as nohup does, it stays so.
-    if (std::signal(stop, on_signal) == SIG_IGN) std::signal(stop, SIG_IGN);
-  }
-  // A full disk, a limit on the size of files and a reader that went away fail the writing, with
-  // a message, instead of ending the program.
-  std::signal(SIGXFSZ, SIG_IGN);
-  std::signal(SIGPIPE, SIG_IGN);
-}
 
 /// What reading a scene gave back is used again by what is built of it, large blocks too: memory from
 /// the system costs more than filling it.
@@ -89,6 +70,10 @@ int guarded(Work work) {
     return fail(kError, error.what(), tool::kUserError);
   } catch (const std::bad_alloc&) {
     return fail(kError, "there is not enough memory for this scene and picture", tool::kUserError);
+  } catch (const std::length_error&) {  // more than any memory holds
+    return fail(kError, "there is not enough memory for this scene and picture", tool::kUserError);
+  } catch (const std::system_error& error) {
+    return fail(kError, error.what(), tool::kUserError);
   } catch (const std::exception& error) {
     return fail("lentray: internal error: ", error.what(), tool::kInternalError);
   }
@@ -133,10 +118,10 @@ int main(int argc, char** argv) {
   tool::Warnings warnings(*g_texts, options.warning_level);
   for (const std::string& text : options.warnings) warnings.add("warning: " + text);
   warnings.say();
-  set_signals();
+  const tool::StopSignals stop;
   status = guarded([&] {
     try {
-      return static_cast<int>(tool::run(options, g_cancel, *g_texts, warnings));
+      return static_cast<int>(tool::run(options, stop.asked(), *g_texts, warnings));
     } catch (...) {
       // Warnings first: they often tell what the error is about.
       warnings.say();
@@ -144,7 +129,7 @@ int main(int argc, char** argv) {
     }
   });
   if (status == tool::kAborted) {
-    std::fputs(g_cancel ? "lentray: stopped; no picture was written\n" : "lentray: stopped by a command\n", stderr);
+    stop.asked() ? tool::tell_stopped() : (void)std::fputs("lentray: stopped by a command\n", stderr);
   }
   return status;
 }

@@ -259,6 +259,10 @@ void report_slopes(Run& run) {
     const std::string advice = slope.watch->advice();
     if (!advice.empty()) run.warnings.add(slope.place + ": warning: " + advice);
   }
+  if (const std::uint64_t cut = run.report.counters.cut_rays; cut > 0) {
+    run.warnings.add("warning: " + std::to_string(cut) + " rays met more surfaces behind one another "
+                     "than there is memory for, and ended there");
+  }
 }
 
 bool goes_to_file(const Run& run) {
