@@ -45,7 +45,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 // Deep recursion would bury the message: the ends of a long stack are enough.
 constexpr std::size_t kStackShown = 12;
-constexpr std::size_t kPlacesShown = 3;  // of one warning
+constexpr std::size_t kPlacesShown = 8;  // of one warning
 
 }  // namespace
 
@@ -96,7 +96,8 @@ void Diagnostics::warn(const Location& where, const std::string& message,
 void Diagnostics::report_repeats() {
   for (const auto& [message, places] : std::exchange(m_places, {})) {
     if (places <= kPlacesShown) continue;
-    warn({}, "at " + std::to_string(places - kPlacesShown) + " more places: " + message);
+    const std::size_t more = places - kPlacesShown;
+    warn({}, "at " + std::to_string(more) + (more == 1 ? " more place: " : " more places: ") + message);
   }
 }
 

@@ -57,7 +57,7 @@ class Diagnostics {
   void connect(Stream stream, Sink sink);
   void write(Stream stream, std::string_view text);
 
-  /// The same warning at the same place (in a loop, a macro) is given once, and at three places at
+  /// The same warning at the same place (in a loop, a macro) is given once, and at eight places at
   /// most; report_repeats() tells how many more there are (and forgets them).
   void warn(const Location& where, const std::string& message, std::vector<StackEntry> stack = {});
   /// Whether it has been given: then its stack need not be made.

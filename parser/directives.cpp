@@ -128,7 +128,7 @@ void Directives::version() {
   const Location where = m_in.tokens.peek_operand().where;
   if (!m_in.has_own_version && m_in.is_in_scene(where)) {
     m_in.has_own_version = true;
-    if (is_late) m_in.late_version = where;
+    m_in.is_version_late = is_late;
   }
   double number = 0.0;
   bool ends = false;

@@ -46,7 +46,7 @@ struct Interpreter {
   std::shared_ptr<int> noise_generator = std::make_shared<int>(2);
   bool noise_generator_set = false;
   bool has_own_version = false;          ///< the scene's file has a #version, or an option said it
-  std::optional<Location> late_version;  ///< of the first one, if the file said something before it
+  bool is_version_late = false;          ///< the first one there stands behind something else
   std::vector<std::uint32_t> random;   ///< states of the streams of seed()
 
   /// What assumed_gamma has said so far; less than 0: sRGB.

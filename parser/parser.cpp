@@ -163,7 +163,7 @@ Location Parser::location() {
 int Parser::language_version() const { return m_impl->in.version; }
 bool Parser::language_version_set() const { return m_impl->in.version_set; }
 bool Parser::has_own_version() const { return m_impl->in.has_own_version; }
-std::optional<Location> Parser::late_version() const { return m_impl->in.late_version; }
+bool Parser::is_version_late() const { return m_impl->in.is_version_late; }
 const ParserOptions& Parser::options() const { return m_impl->in.options; }
 Diagnostics& Parser::diagnostics() { return m_impl->in.diagnostics; }
 SourceManager& Parser::sources() { return m_impl->in.sources; }

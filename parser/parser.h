@@ -125,8 +125,7 @@ class Parser {
   int language_version() const;           ///< x 100: 370
   bool language_version_set() const;      ///< false: the scene has no #version yet
   bool has_own_version() const;           ///< not only its include files have one
-  /// Of the #version of the scene's own file, if it says something before.
-  std::optional<Location> late_version() const;
+  bool is_version_late() const;           ///< the scene's file says something before its #version
   const ParserOptions& options() const;
   Diagnostics& diagnostics();
   SourceManager& sources();

@@ -12,14 +12,15 @@
 namespace lentray::core {
 namespace {
 
-enum Flag : std::uint8_t { kNoImage = 1, kNoReflection = 2, kNoShadow = 4, kTransparent = 8 };
+enum Flag : std::uint8_t { kNoImage = 1, kNoReflection = 2, kNoShadow = 4, kTransparent = 8, kNear = 16 };
 
 std::uint8_t flags_of(const Object& object) {
   const Attributes& a = object.attributes();
   return static_cast<std::uint8_t>((a.no_image ? kNoImage : 0) |
                                    (a.no_reflection ? kNoReflection : 0) |
                                    (a.no_shadow ? kNoShadow : 0) |
-                                   (object.is_opaque() ? 0 : kTransparent));
+                                   (object.is_opaque() ? 0 : kTransparent) |
+                                   (is_seen_afar(object) ? 0 : kNear));
 }
 
 constexpr std::uint8_t unseen_by(RayKind kind) {
@@ -166,10 +167,15 @@ struct Hierarchy::Impl {
   // and the others.
   std::optional<ObjectTree> opaque, filters;
 
-  std::optional<ObjectTree> afar;  ///< what is seen beyond kFarthest
+  double reach = 0.0;  ///< the farthest coordinate of any finite object
 
   const ObjectTree& opaque_casters() const { return opaque ? *opaque : *all; }
 
+  /// Whether anything finite is farther than kFarthest from the ray's origin; sometimes wrongly true.
+  bool may_see_afar(const Ray& ray) const {
+    const Vec3& o = ray.origin;
+    return 2.0 * (reach + std::fabs(o.x) + std::fabs(o.y) + std::fabs(o.z)) > kFarthest;
+  }
   template <class T>
   bool nearest(const Ray& ray, double t_min, double t_max, RayKind kind, Hit& hit, HitArena& arena,
                T& tally) const {
@@ -177,9 +183,10 @@ struct Hierarchy::Impl {
                           hit, arena, tally, {std::min(t_max, kFarthest)}};
     arena.ray_kind = kind;
     all->search<true>(what);
-    if (afar && !what.best.entry) {
+    if (!what.best.entry && t_max > kFarthest && may_see_afar(ray)) {
       what.best.t = t_max;
-      afar->search<true>(what);
+      what.unseen |= kNear;
+      all->search<true>(what);
     }
     arena.ray_kind = RayKind::kShadow;
     return what.finish();
@@ -261,6 +268,9 @@ Hierarchy::Impl::Impl(const std::vector<std::unique_ptr<Object>>& objects,
       ++infinite;
     } else {
       entry.index += static_cast<std::uint32_t>(objects.size());
+      for (int axis = 0; axis < 3; ++axis) {
+        reach = std::max({reach, std::fabs(box.lo[axis]), std::fabs(box.hi[axis])});
+      }
     }
     any_flags |= entry.flags;
     listed.add(entry, box);
@@ -277,11 +287,6 @@ Hierarchy::Impl::Impl(const std::vector<std::unique_ptr<Object>>& objects,
     opaque.emplace(std::move(casters), accelerator, portable);
     filters.emplace(std::move(filtering), accelerator, portable);
   }
-  ObjectList far;
-  for (std::size_t i = 0; i < listed.entries.size(); ++i) {
-    if (is_seen_afar(*listed.entries[i].object)) far.add(listed.entries[i], listed.boxes[i]);
-  }
-  if (!far.entries.empty()) afar.emplace(std::move(far), accelerator, portable);
   all.emplace(std::move(listed), accelerator, portable);
 }
 
@@ -339,7 +344,6 @@ void Hierarchy::all_transparent(const Ray& ray, double t_min, double t_max,
 
 std::size_t Hierarchy::memory() const {
   std::size_t bytes = sizeof(Impl) + m_impl->all->memory();
-  if (m_impl->afar) bytes += m_impl->afar->memory();
   if (m_impl->opaque) bytes += m_impl->opaque->memory() + m_impl->filters->memory();
   return bytes;
 }

@@ -175,17 +175,14 @@ Vec2 Leaf::uv(const Vec3& world_point, const ShapeHit& hit) const {
 }
 
 bool is_seen_afar(const Object& object) {
-  const Bounds box = object.bounds();
-  const Vec3 reach{std::max(std::fabs(box.lo.x), std::fabs(box.hi.x)),
-                   std::max(std::fabs(box.lo.y), std::fabs(box.hi.y)),
-                   std::max(std::fabs(box.lo.z), std::fabs(box.hi.z))};
-  if (!box.is_finite() || length(reach) < 0.5 * kFarthest) return false;
-  std::vector<const Leaf*> leaves;
-  object.leaves(leaves);
-  return std::ranges::any_of(leaves, [](const Leaf* leaf) {
+  const auto is_one = [](const Leaf* leaf) {
     const std::string_view name = leaf->name();
     return leaf->transform() || name == "box" || name == "cylinder" || name == "cone";
-  });
+  };
+  if (const auto* leaf = dynamic_cast<const Leaf*>(&object)) return is_one(leaf);
+  std::vector<const Leaf*> leaves;
+  object.leaves(leaves);
+  return std::ranges::any_of(leaves, is_one);
 }
 
 }  // namespace lentray::core

@@ -182,8 +182,8 @@ class Object {
   double m_test_cost = 1.0;
 };
 
-/// Whether stock sees an object beyond kFarthest: if a part of it is a box, cylinder or cone, or is stretched,
-/// and reaches so far. For building; walks through all parts.
+/// Whether stock sees an object beyond kFarthest: if a part of it is a box, cylinder or cone, or is
+/// stretched. For building; walks through all parts.
 bool is_seen_afar(const Object& object);
 
 /// A shape in the world.

@@ -27,7 +27,11 @@ bool cuts(const CsgShape* csg) {
 bool may_leave(const ObjectDesc& object, const CsgShape* around, bool in_cut) {
   if (!object.rare->clipped_by.empty() || (in_cut && !object.rare->bounded_by.empty())) return true;
   const CsgShape* csg = object.csg();
-  if (!csg) return cuts(around) && std::holds_alternative<Sparse<QuadricShape>>(object.shape);
+  if (!csg) {
+    // The solid of a height field is endless. Stock's box of a union does not know that.
+    if (std::holds_alternative<Sparse<HeightFieldShape>>(object.shape)) return in_cut && !cuts(around);
+    return cuts(around) && std::holds_alternative<Sparse<QuadricShape>>(object.shape);
+  }
   return std::any_of(csg->children->begin(), csg->children->end(), [&](const Ref<ObjectDesc>& child) {
     return may_leave(*child, csg, in_cut || cuts(csg));
   });

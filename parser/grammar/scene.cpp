@@ -111,8 +111,8 @@ void warn_about_version(Parser& parser) {
     diagnostics.warn({}, "the scene has no #version of its own: its include files leave it at " +
                              std::to_string(parser.language_version() / 100) + "." +
                              std::to_string(parser.language_version() % 100 / 10));
-  } else if (const auto late = parser.late_version()) {
-    diagnostics.warn(*late, "the #version of the scene stands behind other declarations: they were "
+  } else if (parser.is_version_late()) {
+    diagnostics.warn({}, "the #version of the scene stands behind other declarations: they were "
                             "read with another one");
   }
   if (parser.language_version() <= 310) {

@@ -31,6 +31,9 @@ const Case kCases[] = {
     {"trace_has_an_end", "#declare N = <0,0,0>; #declare S = sphere { 0, 1e9 } #declare B = box { -1e8, 1e8 }"
                          " #declare P = trace(S, <0,0,0>, z, N); box { -.5, .5 pigment { rgb vlength(N)*x + y } translate -x }"
                          " #declare P = trace(B, <0,0,0>, z, N); box { -.5, .5 pigment { rgb vlength(N)*x + z } translate x }"},
+    {"height_field_in_a_union_that_is_cut", "difference { union { height_field { function 16, 16 { .5 + .4*sin(x*9)*cos(y*9) }"
+                                            " pigment { rgb x } rotate 180*z translate <.5,0,-.5> scale <2,1.2,2> } }"
+                                            " box { <-20,0,-20> <20,4,20> pigment { rgb y } } translate .8*y } plane { y, -1 pigment { rgb 1 } }"},
     {"text_offset_has_no_z", "text { ttf \"cyrvetic.ttf\" \"Tent\" .3, <.1,.05,-.3> pigment { rgb 1 } rotate 30*y translate -x }"},
 };
 

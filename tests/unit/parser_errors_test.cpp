@@ -56,6 +56,17 @@ TEST(ErrorParser, NoReservedLetterIsProposed) {
   EXPECT_TRUE(has(parse_text("#declare Red = 1; #declare A = red2;\n").message, "did you mean 'Red'")) << p.message;
 }
 
+TEST(ErrorParser, AWarningIsGivenAtEightPlacesAtMost) {
+  parser::SourceManager sources;
+  parser::Diagnostics diagnostics(sources);
+  const std::uint32_t file = sources.add("a.pov", std::string(100, '\n'));
+  for (std::uint32_t i = 0; i < 11; ++i) diagnostics.warn({file, i}, "something");
+  EXPECT_EQ(diagnostics.warnings().size(), 8u);
+  diagnostics.report_repeats();
+  ASSERT_EQ(diagnostics.warnings().size(), 9u);
+  EXPECT_EQ(diagnostics.warnings().back().message, "at 3 more places: something");
+}
+
 TEST(ErrorParser, StackOfIncludesAndMacros) {
   const Parsed p = parse_text("#include \"a.inc\"\n",
                               {{"a.inc", "#macro Outer(n)\n  Inner(n*2)\n#end\n#include \"b.inc\"\n"},
