@@ -1,6 +1,7 @@
 #include "parser/directives.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 
@@ -28,7 +29,12 @@ std::string cut(std::string text, std::size_t longest, std::size_t kept) {
 }  // namespace
 
 bool Directives::has(Keyword keyword) {
-  return std::ranges::find(kDirectives, keyword) != std::end(kDirectives);
+  static constexpr auto kHas = [] {
+    std::array<bool, static_cast<std::size_t>(Keyword::kEndOfKeywords)> has{};
+    for (const Keyword directive : kDirectives) has[static_cast<std::size_t>(directive)] = true;
+    return has;
+  }();
+  return kHas[static_cast<std::size_t>(keyword)];
 }
 
 void Directives::execute(const Token& directive) {
