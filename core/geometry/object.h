@@ -182,8 +182,9 @@ class Object {
   double m_test_cost = 1.0;
 };
 
-/// Whether stock sees an object beyond kFarthest: if a part of it is a box, cylinder or cone, or is
-/// stretched. For building; walks through all parts.
+/// Whether rays may meet an object beyond kFarthest: if a part of it is a box, cylinder or cone, or keeps
+/// a transform of its own. For building; walks through all parts. Where this is not what stock does:
+/// docs/language.md.
 bool is_seen_afar(const Object& object);
 
 /// A shape in the world.

@@ -129,7 +129,7 @@ TEST_F(ImageStop, WhateverItIsAtTheRunEndsSoon) {
   diff::write_text(m_folder / "reads.pov", "#while (1) #end\n");
   diff::write_text(m_folder / "dear.pov",
                    "#version 3.7; global_settings { assumed_gamma 1 } camera { location -5*z look_at 0 }\n"
-                   "light_source { <3, 5, -5>, 1 area_light x, y, 9000, 9000 }\n"
+                   "#for (I, 1, 8) light_source { <3, 5, -5>*I, 1 area_light x, y, 9000, 9000 } #end\n"
                    "plane { y, -1 pigment { rgb 1 } } sphere { 0, 1 pigment { rgbt .5 } }\n");
   diff::write_text(m_folder / "a.png", "an older picture");
   for (const char* scene : {"reads.pov", "dear.pov"}) {

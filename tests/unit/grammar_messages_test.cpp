@@ -277,6 +277,7 @@ const Program kPrograms[] = {
     {PIGMENT("image_map { png \"bad.png\" }"), "cannot read 'bad.png': "},
     {"#declare F = function { pigment { image_map { png \"bad.png\" } } }", "cannot read 'bad.png': "},
     {"sphere { 0, 1 } sky_sphere { pigment { image_map { png \"bad.png\" } } }", "cannot read 'bad.png': "},
+    {PIGMENT("image_map { function 0, 2 { x } }"), "image 'function' (it cannot be read)"},
     {PIGMENT("image_map { function 2, 2 x }"), "{ after the size of the image"},
     {PIGMENT("image_map { <1,0,0> png \"bad.png\" }"), "the orientation of an image has no meaning any more"},
     {PIGMENT("image_map { 5 }"), "an image file"},
@@ -316,7 +317,7 @@ const Program kPrograms[] = {
 const char* const kUnheard[] = {
     "FreeType does not start", "this kind of spline is not known here", "too few points for this spline",
     "a sphere_sweep of this spline needs at least ",
-    "the function of a height_field has the parameters x, y, z", "image '", "' (it cannot be read)"};
+    "the function of a height_field has the parameters x, y, z"};
 
 // A version in front: "@3.1 text"; 3.7 with assumed_gamma unless told; "@0" takes the text as it is.
 std::string scene_of(const std::string& text) {

@@ -14,11 +14,11 @@
 #include "parser/options.h"
 #include "tools/lentray-diff/arguments.h"
 #include "tools/lentray-diff/process.h"
-#include "tools/lentray/version.h"
 #include "tools/lentray-diff/report.h"
 #include "tools/lentray-diff/sampling.h"
 #include "tools/lentray-diff/sheet.h"
 #include "tools/lentray-diff/stock.h"
+#include "tools/lentray/version.h"
 
 namespace lentray::diff {
 namespace {

@@ -1,4 +1,5 @@
-// The command line of lentray-grouping: its own options, and lentray's, which go to it as they are. Errors: parser::OptionError. Pure.
+// The command line of lentray-grouping: its own options, and lentray's, which go to it
+// as they are. Errors: parser::OptionError. Pure.
 #pragma once
 
 #include <filesystem>
