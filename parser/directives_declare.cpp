@@ -1,5 +1,6 @@
 // #declare, #local, #undef, arrays, and what may stand on their right side.
 // Source: reference manual 3.7, "Identifiers", "Arrays"; semicolons and scopes measured on stock.
+#include "core/base/memory_limit.h"
 #include "parser/interpreter.h"
 
 namespace lentray::parser {
@@ -242,6 +243,11 @@ Value Directives::array_value() {
     tokens.expect(Punct::kRightSquare);
   }
   if (array->sizes.empty()) tokens.fail_expected("'[' and the size of the array");
+  try {
+    core::check_room(count * sizeof(Value));
+  } catch (const core::NoRoom& error) {
+    m_in.fail(tokens.location(), error.what());
+  }
   array->elements.resize(static_cast<std::size_t>(count));
   if (tokens.at(Punct::kLeftCurly)) array_initialiser(*array, 0, 0);
   return array;

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "core/base/memory_limit.h"
 #include "parser/options_table.h"
 
 namespace lentray::parser {
@@ -334,27 +335,14 @@ std::string frame_path(const RenderOptions& options, const std::string& path) {
   return (whole.parent_path() / (whole.stem().string() + options.frame_digits + whole.extension().string())).string();
 }
 
-std::string memory_text(double bytes) {
-  char buffer[32];
-  const char* unit = "MB";
-  double value = bytes / 1e6;
-  for (const char* next : {"GB", "TB", "PB"}) {
-    if (value < 1000.0) break;
-    value /= 1000.0;
-    unit = next;
-  }
-  std::snprintf(buffer, sizeof buffer, "%.3g %s", value, unit);
-  return buffer;
-}
-
 void check_picture_size(std::int64_t width, std::int64_t height, double bytes_a_row,
                         double memory) {
   constexpr double kMost = 1024.0 * 1024.0 * 1024.0 * 1024.0;
   const std::string picture =
       "a picture of " + std::to_string(width) + " x " + std::to_string(height) + " pixels";
   if (bytes_a_row > memory) {
-    throw OptionError(picture + " needs " + memory_text(bytes_a_row) +
-                      " of memory for a row; there are " + memory_text(memory));
+    throw OptionError(picture + " needs " + core::memory_text(bytes_a_row) +
+                      " of memory for a row; there are " + core::memory_text(memory));
   }
   if (static_cast<double>(width) * static_cast<double>(height) > kMost) {
     throw OptionError(picture + " is too large: the limit is 1048576 x 1048576");

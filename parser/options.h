@@ -143,7 +143,4 @@ std::string output_path(const RenderOptions& options, core::FileType& type);
 /// takes `bytes_a_row`, does not fit into `memory` bytes.
 void check_picture_size(std::int64_t width, std::int64_t height, double bytes_a_row, double memory);
 
-/// "24 MB", "1.5 GB": powers of 1000.
-std::string memory_text(double bytes);
-
 }  // namespace lentray::parser

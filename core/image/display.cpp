@@ -28,10 +28,11 @@ bool is_shown_as_stored(const StoredImage& image) {
 StoredImage without_alpha(const StoredImage& image) {
   StoredImage out = image;
   out.channels = image.channels - (has_alpha(image) ? 1 : 0);
-  out.samples.clear();
+  out.samples.assign(std::size_t{image.width} * image.height * static_cast<std::size_t>(out.channels), 0.0f);
+  std::size_t to = 0;
   for (std::size_t i = 0; i < image.samples.size(); ++i) {
     const auto channel = static_cast<int>(i % static_cast<std::size_t>(image.channels));
-    if (channel < out.channels) out.samples.push_back(image.samples[i]);
+    if (channel < out.channels) out.samples[to++] = image.samples[i];
   }
   return out;
 }
@@ -44,7 +45,7 @@ StoredImage displayed(const StoredImage& image) {
   out.height = image.height;
   out.channels = 3;
   out.attributes = image.attributes;
-  out.samples.reserve(std::size_t{3} * image.width * image.height);
+  out.samples.assign(std::size_t{3} * image.width * image.height, 0.0f);
   for (std::uint32_t y = 0; y < image.height; ++y) {
     for (std::uint32_t x = 0; x < image.width; ++x) {
       const float alpha = has_alpha(image) ? std::clamp(image.at(x, y, image.channels - 1) / most, 0.0f, 1.0f) : 1.0f;
@@ -52,7 +53,7 @@ StoredImage displayed(const StoredImage& image) {
       for (int c = 0; c < 3; ++c) {
         float value = image.at(x, y, image.channels < 3 ? 0 : c) / most;
         if (image.premultiplied && alpha > 0.0f) value /= alpha;
-        out.samples.push_back(kScale * (shown(value, image.gamma) * alpha + behind * (1.0f - alpha)));
+        out.at(x, y, c) = kScale * (shown(value, image.gamma) * alpha + behind * (1.0f - alpha));
       }
     }
   }

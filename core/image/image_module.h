@@ -2,6 +2,7 @@
 // Threads: any number.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -11,16 +12,20 @@
 
 namespace lentray::core {
 
+using CheckPictureRoom = void (*)(std::uint64_t width, std::uint64_t height, int channels, int bytes);
+
 class ImageModule {
  public:
   virtual ~ImageModule() = default;
   virtual std::unique_ptr<PictureEncoder> encoder(const std::filesystem::path& path,
                                                   const PictureSpec& spec) const = 0;
-  /// `named` as read_image() says; empty if `path` is no handle.
+  /// `named`: what the file is called, for `path` may be only a handle on it.
   /// Errors: std::runtime_error with the reason alone.
-  virtual StoredImage read(const std::filesystem::path& path, const std::filesystem::path& named) const = 0;
+  /// `check_room`: check_picture_room() (core/image/format_readers.h), which the module cannot see.
+  virtual StoredImage read(const std::filesystem::path& path, const std::filesystem::path& named,
+                           CheckPictureRoom check_room) const = 0;
   /// Of the bytes of a TIFF file. Errors: as read().
-  virtual StoredImage read_tiff(const std::string& file) const = 0;
+  virtual StoredImage read_tiff(const std::string& file, CheckPictureRoom check_room) const = 0;
 };
 
 /// Loads it. Errors: ImageError if it is not beside the program.

@@ -34,28 +34,6 @@ class Canvas {
   bool m_top_first = false;
 };
 
-bool read_targa(const Bytes& file, Canvas& canvas) {
-  constexpr std::size_t kHead = 18, kPlain = 1, kRuns = 9, kTopFirst = 0x20, kIsRun = 0x80;
-  const std::size_t type = file.byte(2);
-  if (file.byte(1) != 1 || (type != kPlain && type != kRuns) || file.byte(16) != 8) return false;
-  if (!canvas.has_size(file.word(12), file.word(14))) return false;
-  canvas.put_top_first((file.byte(17) & kTopFirst) != 0);
-  std::size_t at = kHead + file.byte(0) + file.word(5) * ((file.byte(7) + 7) / 8);
-  std::size_t left = 0;  // of a packet
-  bool is_run = false;
-  for (std::size_t pixel = 0; pixel < canvas.width() * canvas.height(); ++pixel) {
-    if (type == kRuns && left == 0) {
-      const std::size_t head = file.byte(at++);
-      is_run = (head & kIsRun) != 0;
-      left = (head & (kIsRun - 1)) + 1;
-    }
-    canvas.put(pixel % canvas.width(), pixel / canvas.width(), file.byte(at));
-    if (left > 0) --left;
-    if (!is_run || left == 0) ++at;
-  }
-  return true;
-}
-
 /// Of 4 or 8 bits: pairs of a count and an entry, or of 0 and what happens next.
 void read_runs(const Bytes& file, std::size_t at, std::size_t bits, Canvas& canvas) {
   constexpr std::size_t kEndOfRow = 0, kEnd = 1, kMove = 2;
@@ -114,24 +92,15 @@ bool read_bitmap(const Bytes& file, Canvas& canvas) {
   return true;
 }
 
-template <class Read>
-std::vector<std::uint8_t> entries_of(std::string_view file, std::uint32_t width, std::uint32_t height, Read&& read) {
+}  // namespace
+
+std::vector<std::uint8_t> bitmap_entries(std::string_view file, std::uint32_t width, std::uint32_t height) {
   Canvas canvas(width, height);
   try {
-    if (read(Bytes(file), canvas)) return canvas.take();
+    if (read_bitmap(Bytes(file), canvas)) return canvas.take();
   } catch (const std::runtime_error&) {
   }
   return {};
-}
-
-}  // namespace
-
-std::vector<std::uint8_t> targa_entries(std::string_view file, std::uint32_t width, std::uint32_t height) {
-  return entries_of(file, width, height, read_targa);
-}
-
-std::vector<std::uint8_t> bitmap_entries(std::string_view file, std::uint32_t width, std::uint32_t height) {
-  return entries_of(file, width, height, read_bitmap);
 }
 
 }  // namespace lentray::core

@@ -1,7 +1,6 @@
-// Palette entries of the pixels of TARGA and BMP files, from their bytes. Errors: none, files that are
+// Palette entries of the pixels of BMP files, from their bytes. Errors: none, files that are
 // something else, have another size or end early have no entries. Threads: any number.
-// Source: Truevision's TARGA specification 2.0, Microsoft's description of bitmaps; compared with stock by
-// image.palette_files.
+// Source: Microsoft's description of bitmaps; compared with stock by image.palette_files.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +9,6 @@
 
 namespace lentray::core {
 
-/// Of types 1 and 9, the latter in runs, a byte a pixel.
-std::vector<std::uint8_t> targa_entries(std::string_view file, std::uint32_t width, std::uint32_t height);
 /// Of 1, 4 and 8 bits a pixel; those of 4 and 8 may be in runs.
 std::vector<std::uint8_t> bitmap_entries(std::string_view file, std::uint32_t width, std::uint32_t height);
 

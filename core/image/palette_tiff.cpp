@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "core/image/file_bytes.h"
+#include "core/image/format_readers.h"
 #include "core/image/image_module.h"
 
 namespace lentray::core {
@@ -78,13 +79,13 @@ std::vector<std::uint8_t> tiff_entries(std::string file, std::uint32_t width, st
   const Directory directory(file);
   if (!directory.has_palette()) return {};
   file[directory.place(kMeaning) + (directory.is_big() ? 1 : 0)] = static_cast<char>(kGreys);
-  const StoredImage greys = image_module().read_tiff(file);
+  const StoredImage greys = image_module().read_tiff(file, check_picture_room);
   if (greys.width != width || greys.height != height || greys.channels != 1 || greys.bits != 8) return {};
   std::vector<std::uint8_t> entries;
   entries.reserve(greys.samples.size());
   const int most = directory.entries() - 1;
-  for (const float grey : greys.samples) {
-    entries.push_back(static_cast<std::uint8_t>((static_cast<int>(grey) * most + 127) / 255));
+  for (std::size_t i = 0; i < greys.samples.size(); ++i) {
+    entries.push_back(static_cast<std::uint8_t>((static_cast<int>(greys.samples[i]) * most + 127) / 255));
   }
   return entries;
 }
@@ -101,19 +102,18 @@ int tiff_palette_size(std::string_view file) {
 void restore_palette_colours(StoredImage& image, const std::filesystem::path& path) {
   std::ifstream stream(path, std::ios::binary);
   const std::string file{std::istreambuf_iterator<char>(stream), {}};
-  std::vector<std::uint8_t> entries;
   std::vector<std::uint16_t> colours;
   try {
-    entries = tiff_entries(file, image.width, image.height);
-    if (!entries.empty()) colours = colours_of(Directory(file));
+    if (!image.entries.empty()) colours = colours_of(Directory(file));
   } catch (const std::runtime_error&) {
   }
   if (colours.empty()) return;
   image.channels = 3;
   image.bits = 16;
-  image.samples.clear();
-  for (const std::uint8_t entry : entries) {
-    for (std::size_t c = 0; c < 3; ++c) image.samples.push_back(colours[3u * entry + c]);
+  std::vector<std::uint16_t>& samples = image.samples.store<std::uint16_t>(3 * image.entries.size());
+  std::size_t to = 0;
+  for (const std::uint8_t entry : image.entries) {
+    for (std::size_t c = 0; c < 3; ++c) samples[to++] = colours[3u * entry + c];
   }
 }
 

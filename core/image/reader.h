@@ -1,5 +1,6 @@
-// Pictures from files, as stored: no gamma, no premultiplication, no conversion. Formats: all
-// that OpenImageIO reads. Errors: ImageError (core/image/writer.h). Threads: any number.
+// Pictures from files, as stored: no gamma, no premultiplication, no conversion. PNG, GIF, JPEG and TARGA are read
+// here; BMP, PPM, PGM, TIFF, OpenEXR and Radiance by OpenImageIO. Errors: ImageError (core/image/writer.h), also where
+// the memory that is allowed (core/base/memory_limit.h) does not hold the picture. Threads: any number.
 #pragma once
 
 #include <cstdint>
@@ -8,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "core/image/samples.h"
 #include "core/image/writer.h"
 
 namespace lentray::core {
@@ -18,21 +20,29 @@ struct StoredImage {
   int bits = 8;                ///< 8 or 16: integers 0 .. 2^bits - 1; 32: float
   double gamma = 0.0;          ///< the power that makes the values linear; below 0: sRGB; 0: the file does not say
   bool premultiplied = false;  ///< by alpha
-  std::vector<float> samples;  ///< row 0 on top, channels interleaved
+  Samples samples;             ///< row 0 on top, channels interleaved
+  /// Palette entries of the pixels, row 0 on top; empty: there is no palette. Two entries may have one colour,
+  /// which the samples cannot tell.
+  std::vector<std::uint8_t> entries;
   std::map<std::string, std::string> attributes;  ///< whatever the file says of itself, as text
 
-  float at(std::uint32_t column, std::uint32_t row, int channel) const {
-    return samples[(std::size_t{row} * width + column) * channels + channel];
+  std::size_t place(std::uint32_t column, std::uint32_t row, int channel) const {
+    return (std::size_t{row} * width + column) * static_cast<std::size_t>(channels) + static_cast<std::size_t>(channel);
   }
-  float& at(std::uint32_t column, std::uint32_t row, int channel) {
-    return samples[(std::size_t{row} * width + column) * channels + channel];
+  float at(std::uint32_t column, std::uint32_t row, int channel) const { return samples[place(column, row, channel)]; }
+  Samples::Reference at(std::uint32_t column, std::uint32_t row, int channel) {
+    return samples[place(column, row, channel)];
   }
 };
 
-/// `named`: what the file is called, where `path` is only a handle on it; its end tells the format,
-/// and messages name it. Through a handle only the formats that POV-Ray knows are read: some others
-/// are lists of further files to open.
-StoredImage read_image(const std::filesystem::path& path, const std::filesystem::path& named = {});
+/// What a file is called where its path is only a handle on it: its end tells the format where its first bytes do
+/// not, and messages name it. `is_targa`: such files are not marked, but the scene says so.
+struct NamedFile {
+  std::filesystem::path path, name{};
+  bool is_targa = false;
+};
+StoredImage read_image(const NamedFile& file);
+StoredImage read_image(const std::filesystem::path& path);
 
 /// Integer samples are written as they are (`bits` 8 or 16; PNG or TIFF by the extension).
 void write_stored(const StoredImage& image, const std::filesystem::path& path);

@@ -105,6 +105,13 @@ PictureSpec spec_of(std::uint32_t width, std::uint32_t height, const ImageFormat
           .metadata = metadata};
 }
 
+template <typename Value>
+std::vector<Value> copied(const Samples& samples) {
+  std::vector<Value> values(samples.size());
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<Value>(samples[i]);
+  return values;
+}
+
 template <class Sample>
 void write_samples(const fs::path& path, const PictureSpec& spec,
                    const std::vector<Sample>& samples) {
@@ -217,13 +224,11 @@ void write_stored(const StoredImage& image, const fs::path& path) {
                          .channels = image.channels,
                          .bits = floats ? 32 : image.bits};
   if (floats) {
-    write_samples(path, spec, image.samples);
+    write_samples(path, spec, copied<float>(image.samples));
   } else if (image.bits == 8) {
-    write_samples(path, spec,
-                  std::vector<std::uint8_t>(image.samples.begin(), image.samples.end()));
+    write_samples(path, spec, copied<std::uint8_t>(image.samples));
   } else {
-    write_samples(path, spec,
-                  std::vector<std::uint16_t>(image.samples.begin(), image.samples.end()));
+    write_samples(path, spec, copied<std::uint16_t>(image.samples));
   }
 }
 

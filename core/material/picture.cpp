@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "core/pattern/single.h"
@@ -52,13 +53,18 @@ std::array<double, 4> cubic_weights(double p) {
           0.5 * p * (p * (3.0 * q + 1.0) + 1.0), -0.5 * q * p * p};
 }
 
+bool has_only_opaque(const Picture& picture) {
+  for (std::size_t i = 0; i < picture.pixels(); ++i) {
+    if (!picture.colour(i).is_opaque()) return false;
+  }
+  return true;
+}
+
 class PicturePigment final : public Pigment {
  public:
   PicturePigment(Placement placement, MappedPicturePtr picture)
       : m_placement(std::move(placement)), m_picture(std::move(picture)) {
-    m_opaque = !m_picture->once() &&
-               std::all_of(m_picture->picture().pixels.begin(), m_picture->picture().pixels.end(),
-                           [](const Colour& c) { return c.is_opaque(); });
+    m_opaque = !m_picture->once() && has_only_opaque(m_picture->picture());
   }
   Colour colour(const Vec3& point, const SurfaceContext& surface) const override {
     const auto place = m_picture->place(m_placement.inwards(point, surface));
@@ -81,7 +87,7 @@ class PicturePattern final : public Pattern {
     if (!place) return 0.0;
     const Colour c = m_picture->colour(*place);
     double value = grey(c.rgb);
-    if (m_alpha) value = m_picture->picture().has_alpha ? c.transmit : c.rgb.r;
+    if (m_alpha) value = m_picture->picture().has_alpha() ? c.transmit : c.rgb.r;
     return std::clamp(value, 0.0, 1.0);
   }
 
@@ -117,7 +123,7 @@ class PictureDisplacement final : public Displacement {
 
  private:
   double height(Vec2 place) const {
-    const double width = m_picture->picture().width, rows = m_picture->picture().height;
+    const double width = m_picture->picture().width(), rows = m_picture->picture().height();
     if (place.u < 0.0) place.u += width;
     if (place.u >= width) place.u -= width;
     if (place.v >= rows) place.v -= rows;
@@ -166,11 +172,70 @@ class MaterialMap final : public Texture {
 
 }  // namespace
 
+Picture::Picture(int width, int height, std::vector<Colour> pixels)
+    : m_width(width), m_height(height), m_colours(std::move(pixels)) {}
+
+Picture::Picture(int width, int height, std::vector<std::uint8_t> entries, const std::array<Colour, 256>& palette)
+    : m_width(width), m_height(height), m_colours(palette.begin(), palette.end()), m_entries(std::move(entries)) {}
+
+Picture::Picture(int width, int height, int channels, std::vector<std::uint8_t> samples, std::vector<float> values)
+    : m_width(width), m_height(height), m_channels(channels), m_bytes(std::move(samples)), m_values(std::move(values)) {}
+
+Picture::Picture(int width, int height, int channels, std::vector<std::uint16_t> samples, std::vector<float> values)
+    : m_width(width), m_height(height), m_channels(channels), m_words(std::move(samples)), m_values(std::move(values)) {}
+
+template <typename Value>
+Colour Picture::of_samples(const std::vector<Value>& samples, std::size_t pixel) const {
+  const auto channels = static_cast<std::size_t>(m_channels);
+  const Value* const from = samples.data() + pixel * channels;
+  Colour colour{};
+  if (channels < 3) {
+    const float grey = m_values[from[0]];
+    colour.rgb = {grey, grey, grey};
+  } else {
+    colour.rgb = {m_values[from[0]], m_values[from[1]], m_values[from[2]]};
+  }
+  constexpr float kMost = std::numeric_limits<Value>::max();
+  const float transmit = channels % 2 == 0 ? 1.0f - static_cast<float>(from[channels - 1]) / kMost : 0.0f;
+  colour.filter = m_filter;
+  colour.transmit = m_transmit + transmit;
+  return colour;
+}
+
+Colour Picture::colour(std::size_t pixel) const {
+  if (!m_bytes.empty()) return of_samples(m_bytes, pixel);
+  if (!m_words.empty()) return of_samples(m_words, pixel);
+  return m_colours[m_entries.empty() ? pixel : m_entries[pixel]];
+}
+
+void Picture::clear_all(std::optional<double> filter, std::optional<double> transmit) {
+  if (m_colours.empty()) {
+    m_filter = static_cast<float>(filter.value_or(0.0));
+    m_transmit = static_cast<float>(transmit.value_or(0.0));
+    return;
+  }
+  const bool replaces = has_palette();
+  const auto clear = [&](float& part, const std::optional<double>& all) {
+    if (all) part = static_cast<float>(*all) + (replaces ? 0.0f : part);
+  };
+  for (Colour& colour : m_colours) {
+    clear(colour.filter, filter);
+    clear(colour.transmit, transmit);
+  }
+}
+
+void Picture::set_filter(int entry, double filter) {
+  m_colours[static_cast<std::size_t>(entry)].filter = static_cast<float>(filter);
+}
+void Picture::set_transmit(int entry, double transmit) {
+  m_colours[static_cast<std::size_t>(entry)].transmit = static_cast<float>(transmit);
+}
+
 MappedPicture::MappedPicture(std::shared_ptr<const Picture> picture, const PictureLayout& layout)
     : m_picture(std::move(picture)),
       m_layout(layout),
-      m_width(single(m_picture->width * layout.repeat.u)),
-      m_height(single(m_picture->height * layout.repeat.v)) {}
+      m_width(single(m_picture->width() * layout.repeat.u)),
+      m_height(single(m_picture->height() * layout.repeat.v)) {}
 
 bool MappedPicture::on_shape(const Vec3& p, Vec2& place) const {
   const auto outside = [](double v) { return v < 0.0 || v > 1.0; };
@@ -204,7 +269,7 @@ bool MappedPicture::on_shape(const Vec3& p, Vec2& place) const {
 }
 
 std::optional<Vec2> MappedPicture::place(const Vec3& point) const {
-  const double width = m_picture->width, height = m_picture->height;
+  const double width = m_picture->width(), height = m_picture->height();
   Vec2 place;
   if (!on_shape(point, place)) return std::nullopt;
   place.u += kEpsilon - m_layout.offset.u * width;
@@ -217,7 +282,7 @@ std::optional<Vec2> MappedPicture::place(const Vec3& point) const {
 }
 
 std::size_t MappedPicture::pixel(int column, int row) const {
-  const int width = m_picture->width, height = m_picture->height;
+  const int width = m_picture->width(), height = m_picture->height();
   const int x = m_layout.once ? std::clamp(column, 0, width - 1) : wrap(column, width);
   const int y = m_layout.once ? std::clamp(row, 0, height - 1) : wrap(row, height);
   return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
@@ -264,17 +329,17 @@ Colour MappedPicture::colour(const Vec2& place) const {
 
 Colour MappedPicture::mixed(const Vec2& place) const {
   if (m_layout.interpolation == Interpolation::kNone) {
-    return m_picture->pixels[pixel(static_cast<int>(place.u), static_cast<int>(place.v))];
+    return m_picture->colour(pixel(static_cast<int>(place.u), static_cast<int>(place.v)));
   }
   Mixer mixer;
-  for_pixels(place, [&](std::size_t i, double weight) { mixer.add(m_picture->pixels[i], weight); });
+  for_pixels(place, [&](std::size_t i, double weight) { mixer.add(m_picture->colour(i), weight); });
   return mixer.mixed();
 }
 
 std::optional<int> MappedPicture::index(const Vec2& place) const {
-  if (m_picture->indices.empty()) return std::nullopt;
+  if (!m_picture->has_palette()) return std::nullopt;
   double sum = 0.0;
-  for_pixels(place, [&](std::size_t i, double weight) { sum += m_picture->indices[i] * weight; });
+  for_pixels(place, [&](std::size_t i, double weight) { sum += m_picture->entry(i) * weight; });
   return static_cast<int>(sum);
 }
 

@@ -4,6 +4,8 @@
 // Source: reference manual 3.7, "Image Map"; compared with stock by image.pictures.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -19,12 +21,44 @@
 
 namespace lentray::core {
 
-/// Colours in the scene's working space.
-struct Picture {
-  int width = 0, height = 0;
-  std::vector<Colour> pixels;
-  std::vector<std::uint8_t> indices;  ///< palette entries of the pixels; empty: it has no palette
-  bool has_alpha = false;
+/// A picture's colours in the scene's working space.
+class Picture {
+ public:
+  /// Pixels count along rows, row 0 on top.
+  Picture(int width, int height, std::vector<Colour> pixels);
+  /// By palette: `entries` of the pixels.
+  Picture(int width, int height, std::vector<std::uint8_t> entries, const std::array<Colour, 256>& palette);
+  /// `samples` as in the file: 1 to 4 channels, grey or RGB, with alpha last. `values`: what each sample of a colour
+  /// stands for; alpha is linear from 0 to the last.
+  Picture(int width, int height, int channels, std::vector<std::uint8_t> samples, std::vector<float> values);
+  Picture(int width, int height, int channels, std::vector<std::uint16_t> samples, std::vector<float> values);
+
+  int width() const { return m_width; }
+  int height() const { return m_height; }
+  std::size_t pixels() const { return static_cast<std::size_t>(m_width) * static_cast<std::size_t>(m_height); }
+  Colour colour(std::size_t pixel) const;
+  bool has_palette() const { return !m_entries.empty(); }
+  int entry(std::size_t pixel) const { return m_entries[pixel]; }
+  bool has_alpha() const { return m_has_alpha; }
+  void set_alpha(bool has_alpha) { m_has_alpha = has_alpha; }
+
+  /// filter and transmit that a scene gives to all: entries of a palette are set, others added to.
+  void clear_all(std::optional<double> filter, std::optional<double> transmit);
+  /// To one entry of the palette.
+  void set_filter(int entry, double filter);
+  void set_transmit(int entry, double transmit);
+
+ private:
+  template <typename Value>
+  Colour of_samples(const std::vector<Value>& samples, std::size_t pixel) const;
+
+  int m_width, m_height, m_channels = 0;
+  bool m_has_alpha = false;
+  std::vector<Colour> m_colours;         ///< of pixels, or of the palette
+  std::vector<std::uint8_t> m_entries, m_bytes;
+  std::vector<std::uint16_t> m_words;
+  std::vector<float> m_values;
+  float m_filter = 0.0f, m_transmit = 0.0f;  ///< added to all
 };
 
 enum class PictureShape { kPlanar = 0, kSpherical = 1, kCylindrical = 2, kTorus = 5 };

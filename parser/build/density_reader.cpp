@@ -1,9 +1,13 @@
 #include "parser/build/density_reader.h"
 
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
+#include <system_error>
 #include <vector>
+
+#include "core/base/memory_limit.h"
 
 namespace lentray::parser {
 namespace {
@@ -20,6 +24,8 @@ double number_at(const std::vector<unsigned char>& bytes, std::size_t from, std:
 }  // namespace
 
 std::shared_ptr<const core::DensityGrid> read_density_file(const FoundFile& found) {
+  std::error_code error;
+  core::check_room(2.0 * static_cast<double>(std::filesystem::file_size(found.handle, error)));
   std::ifstream file(found.handle, std::ios::binary);
   const std::vector<unsigned char> bytes{std::istreambuf_iterator<char>(file), {}};
   if (!file || bytes.size() < kHeader) {
@@ -39,6 +45,7 @@ std::shared_ptr<const core::DensityGrid> read_density_file(const FoundFile& foun
                              " voxels: expected 1, 2 or 4 a voxel");
   }
   const double full = width == 1 ? 255.0 : width == 2 ? 65535.0 : 4294967295.0;
+  core::check_room(static_cast<double>(voxels) * sizeof(float));
   grid->values.reserve(voxels);
   for (std::size_t i = 0; i < voxels; ++i) {
     grid->values.push_back(static_cast<float>(number_at(bytes, kHeader + i * width, width) / full));

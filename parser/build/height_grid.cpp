@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/base/color.h"
-#include "core/image/palette_indices.h"
+#include "core/base/memory_limit.h"
 #include "core/image/reader.h"
 #include "parser/build/tiff_bytes.h"
 #include "parser/gamma.h"
@@ -46,11 +46,14 @@ struct Heights {
   std::vector<std::uint16_t> values;
 };
 
+constexpr double kBytesAHeight = 2 * sizeof(std::uint16_t);  // and the tree above them
+
 Heights of_function(const HeightFieldShape& field) {
   const core::Function& function = *field.function->function;
   if (function.parameters() != 3) {
     throw std::runtime_error("the function of a height_field has the parameters x, y, z");
   }
+  core::check_room(static_cast<double>(field.width) * field.height * kBytesAHeight);
   Heights heights{field.width, field.height, {}};
   const auto step = [](int i, int count) { return static_cast<double>(i) / (count - 1); };
   std::array<double, core::kMostResults> result{};
@@ -89,10 +92,10 @@ std::uint16_t grey_byte(float value) {
 /// Palette entries count 256 each; grey, and colours of 16 bits, by their grey; the red of other colours
 /// is the high byte, the green the low one. Floats beyond the full height come in again from the other side.
 Heights of_picture(const HeightFieldShape& field) {
-  core::StoredImage stored = core::read_image(field.file.handle, field.file.path);
+  core::StoredImage stored = core::read_image({.path = field.file.handle, .name = field.file.path, .is_targa = field.file_type == "tga"});
   if (field.file_type == "tiff") make_tiff_bytes(stored, field.file.handle);
   Heights heights{static_cast<int>(stored.width), static_cast<int>(stored.height), {}};
-  const std::vector<std::uint8_t> entries = core::palette_entries(stored, field.file.handle, field.file_type == "tga");
+  const std::vector<std::uint8_t>& entries = stored.entries;
   if (field.file_type == "pot" && !entries.empty()) return of_potentials(stored, entries);
   const float most = stored.bits == 8 ? 255.0f : stored.bits == 16 ? kFull : 1.0f;
   std::function<float(float)> decode;

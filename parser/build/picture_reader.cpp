@@ -4,14 +4,12 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <fstream>
 #include <functional>
 #include <optional>
 #include <utility>
 
 #include "core/base/color.h"
-#include "core/image/gif_picture.h"
-#include "core/image/palette_indices.h"
+#include "core/base/memory_limit.h"
 #include "core/image/png_chunks.h"
 #include "core/image/reader.h"
 #include "parser/build/build_error.h"
@@ -74,21 +72,14 @@ core::PictureLayout layout_of(const ImageDesc& image, bool colours) {
 std::shared_ptr<const core::Picture> made_clearer(const core::Picture& picture,
                                                   const ImageDesc& image) {
   auto clearer = std::make_shared<core::Picture>(picture);
-  const bool replaces = !clearer->indices.empty();  // as entries of a palette are set, not added to
-  const auto clear = [&](float& part, const std::optional<double>& all) {
-    if (all) part = static_cast<float>(*all) + (replaces ? 0.0f : part);
-  };
-  for (core::Colour& pixel : clearer->pixels) {
-    clear(pixel.filter, image.filter_all);
-    clear(pixel.transmit, image.transmit_all);
+  clearer->clear_all(image.filter_all, image.transmit_all);
+  if (!clearer->has_palette()) return clearer;
+  const auto is_entry = [](int entry) { return entry >= 0 && entry < 256; };
+  for (const auto& [entry, value] : image.filters) {
+    if (is_entry(entry)) clearer->set_filter(entry, value);
   }
-  for (std::size_t i = 0; i < clearer->indices.size(); ++i) {
-    for (const auto& [entry, value] : image.filters) {
-      if (clearer->indices[i] == entry) clearer->pixels[i].filter = static_cast<float>(value);
-    }
-    for (const auto& [entry, value] : image.transmits) {
-      if (clearer->indices[i] == entry) clearer->pixels[i].transmit = static_cast<float>(value);
-    }
+  for (const auto& [entry, value] : image.transmits) {
+    if (is_entry(entry)) clearer->set_transmit(entry, value);
   }
   return clearer;
 }
@@ -96,6 +87,78 @@ std::shared_ptr<const core::Picture> made_clearer(const core::Picture& picture,
 /// Values of a function are kept in 16 bits, as in stock.
 float sixteen_bits(double value) {
   return static_cast<float>(std::floor(std::clamp(value, 0.0, 1.0) * 65535.0 + 0.5) / 65535.0);
+}
+
+using Decode = std::function<float(float)>;
+
+/// What each sample of 8 bits stands for.
+std::vector<float> byte_values(const core::StoredImage& stored, const std::string& type, const Decode& decode) {
+  // Stock's greys of PNG files go through the weights of a colour and are cut to the 8 bits they came in,
+  // which takes some one lower; greys of palettes and other files are as decoded.
+  const bool cut = stored.channels == 1 && stored.entries.empty() && type == "png";
+  std::vector<float> values;
+  for (int v = 0; v < 256; ++v) {
+    const float value = decode(static_cast<float>(v) / 255.0f);
+    values.push_back(cut ? std::floor(core::grey({value, value, value}) * 255.0f) / 255.0f : value);
+  }
+  return values;
+}
+
+/// Of any samples, a colour a pixel.
+class Colours {
+ public:
+  Colours(const core::StoredImage& stored, const Decode& decode, std::vector<float> byte_values)
+      : m_stored(stored), m_decode(decode), m_values(std::move(byte_values)),
+        m_most(stored.bits == 8 ? 255.0f : stored.bits == 16 ? 65535.0f : 1.0f) {}
+  core::Colour operator()(std::size_t pixel) const {
+    const auto channels = static_cast<std::size_t>(m_stored.channels);
+    const std::size_t from = pixel * channels;
+    const float red = value(from);
+    core::Colour c{{red, channels > 2 ? value(from + 1) : red, channels > 2 ? value(from + 2) : red}, 0.0f, 0.0f};
+    if (channels % 2 == 0) c.transmit = 1.0f - m_stored.samples[from + channels - 1] / m_most;
+    return c;
+  }
+
+ private:
+  float value(std::size_t i) const {
+    const float v = m_stored.samples[i];
+    return m_values.empty() ? m_decode(v / m_most) : m_values[static_cast<std::size_t>(v)];
+  }
+  const core::StoredImage& m_stored;
+  const Decode& m_decode;
+  const std::vector<float> m_values;
+  const float m_most;
+};
+
+/// As small as the file has it: bytes stay bytes, entries entries.
+core::Picture decoded(core::StoredImage stored, const ImageDesc& image, bool colours) {
+  const Decode decode = decoder(image, colours);
+  const int width = static_cast<int>(stored.width), height = static_cast<int>(stored.height);
+  const std::size_t pixels = std::size_t{stored.width} * stored.height;
+  std::vector<float> values;
+  if (stored.bits == 8) values = byte_values(stored, image.type, decode);
+  if (!stored.entries.empty()) {
+    const Colours colour(stored, decode, values);
+    std::array<core::Colour, 256> palette{};
+    std::array<bool, 256> is_known{};
+    for (std::size_t i = 0; i < pixels; ++i) {
+      const std::uint8_t entry = stored.entries[i];
+      if (!std::exchange(is_known[entry], true)) palette[entry] = colour(i);
+    }
+    return {width, height, std::move(stored.entries), palette};
+  }
+  if (stored.samples.is_stored_as<std::uint8_t>() && stored.bits == 8) {
+    return {width, height, stored.channels, stored.samples.take<std::uint8_t>(), std::move(values)};
+  }
+  constexpr std::size_t kWords = 65536;
+  if (stored.samples.is_stored_as<std::uint16_t>() && stored.bits == 16 && pixels > kWords) {
+    for (std::size_t v = 0; v < kWords; ++v) values.push_back(decode(static_cast<float>(v) / 65535.0f));
+    return {width, height, stored.channels, stored.samples.take<std::uint16_t>(), std::move(values)};
+  }
+  const Colours colour(stored, decode, std::move(values));
+  std::vector<core::Colour> all(pixels);
+  for (std::size_t i = 0; i < pixels; ++i) all[i] = colour(i);
+  return {width, height, std::move(all)};
 }
 
 }  // namespace
@@ -124,51 +187,18 @@ std::shared_ptr<const core::Picture> PictureReader::read_file(const ImageDesc& i
                                                               bool colours) {
   core::StoredImage stored;
   try {
-    stored = core::read_image(image.path.handle, image.path.path);
+    stored = core::read_image({.path = image.path.handle, .name = image.path.path, .is_targa = image.type == "tga"});
   } catch (const core::ImageError& error) {
     throw BuildError(image.where, error.what());
   }
   if (is_tiff(image.type)) make_tiff_bytes(stored, image.path.handle);
-  core::restore_clear_colours(stored, image.path.handle);
-  const std::function<float(float)> decode = decoder(image, colours);
-  const float most = stored.bits == 8 ? 255.0f : stored.bits == 16 ? 65535.0f : 1.0f;
-  const bool rgb = stored.channels >= 3;
-  std::vector<std::uint8_t> indices = core::palette_entries(stored, image.path.handle, image.type == "tga");
-  std::vector<float> table;
-  if (stored.bits == 8) {
-    for (int v = 0; v < 256; ++v) {
-      const float decoded = decode(static_cast<float>(v) / 255.0f);
-      // Stock's greys of PNG files go through the weights of a colour and are cut to the 8 bits they came in,
-      // which takes some one lower; greys of palettes and other files are as decoded.
-      const bool cut = stored.channels == 1 && indices.empty() && image.type == "png";
-      table.push_back(cut ? std::floor(core::grey({decoded, decoded, decoded}) * 255.0f) / 255.0f : decoded);
-    }
-  }
-  const auto value = [&](std::uint32_t column, std::uint32_t row, int channel) {
-    const float v = stored.at(column, row, channel);
-    return table.empty() ? decode(v / most) : table[static_cast<std::size_t>(v)];
-  };
-  auto picture = std::make_shared<core::Picture>();
-  picture->width = static_cast<int>(stored.width);
-  picture->height = static_cast<int>(stored.height);
+  const bool has_palette = !stored.entries.empty();
   const bool stored_alpha = stored.channels == 2 || stored.channels == 4;
   // Stock's pictures of these have transparencies, though it be none.
   const bool clear_colours = is_linear_format(image.type) || (is_tiff(image.type) && !has_tiff_palette(stored));
-  const bool clear_palette = !indices.empty() && (image.type == "png" || image.type == "tga");
-  picture->has_alpha = stored_alpha || clear_colours || clear_palette;
-  picture->indices = std::move(indices);
-  picture->pixels.reserve(std::size_t{stored.width} * stored.height);
-  for (std::uint32_t row = 0; row < stored.height; ++row) {
-    for (std::uint32_t column = 0; column < stored.width; ++column) {
-      const float red = value(column, row, 0);
-      core::Colour c{{red, rgb ? value(column, row, 1) : red, rgb ? value(column, row, 2) : red},
-                     0.0f, 0.0f};
-      if (stored_alpha) {
-        c.transmit = 1.0f - stored.at(column, row, stored.channels - 1) / most;
-      }
-      picture->pixels.push_back(c);
-    }
-  }
+  const bool clear_palette = has_palette && (image.type == "png" || image.type == "tga");
+  auto picture = std::make_shared<core::Picture>(decoded(std::move(stored), image, colours));
+  picture->set_alpha(stored_alpha || clear_colours || clear_palette);
   return picture;
 }
 
@@ -179,33 +209,34 @@ std::shared_ptr<const core::Picture> PictureReader::evaluate(const ImageDesc& im
       image.function_height < 1) {
     return missing(not_yet.empty() ? "function" : not_yet);
   }
-  auto picture = std::make_shared<core::Picture>();
-  picture->width = image.function_width;
-  picture->height = image.function_height;
+  const int width = image.function_width, height = image.function_height;
+  try {
+    core::check_room(static_cast<double>(width) * height * sizeof(core::Colour));
+  } catch (const core::NoRoom& error) {
+    throw BuildError(image.where, error.what());
+  }
   const auto step = [](int i, int count) { return static_cast<double>(i) / (count - 1); };
   std::array<double, core::kMostResults> result{};
   const bool coloured = function->results() == 5;
-  for (int row = 0; row < picture->height; ++row) {
-    for (int column = 0; column < picture->width; ++column) {
-      const std::array<double, 3> at = {step(column, picture->width), step(row, picture->height), 0.0};
+  std::vector<core::Colour> pixels;
+  for (int row = 0; row < height; ++row) {
+    for (int column = 0; column < width; ++column) {
+      const std::array<double, 3> at = {step(column, width), step(row, height), 0.0};
       function->evaluate_all(at, result);
       const float red = sixteen_bits(result[0]);
-      picture->pixels.push_back(
-          coloured ? core::Colour{{red, sixteen_bits(result[1]), sixteen_bits(result[2])}, 0.0f,
-                                  sixteen_bits(result[4])}
-                   : core::Colour{{red, red, red}, 0.0f, 0.0f});
+      pixels.push_back(coloured ? core::Colour{{red, sixteen_bits(result[1]), sixteen_bits(result[2])}, 0.0f,
+                                               sixteen_bits(result[4])}
+                                : core::Colour{{red, red, red}, 0.0f, 0.0f});
     }
   }
-  picture->has_alpha = coloured;
+  auto picture = std::make_shared<core::Picture>(width, height, std::move(pixels));
+  picture->set_alpha(coloured);
   return picture;
 }
 
 std::shared_ptr<const core::Picture> PictureReader::missing(const std::string& name) {
   m_not_yet.insert("image '" + name + "' (it cannot be read)");
-  auto picture = std::make_shared<core::Picture>();
-  picture->width = picture->height = 1;
-  picture->pixels.push_back({{0.5f, 0.5f, 0.5f}, 0.0f, 0.0f});
-  return picture;
+  return std::make_shared<core::Picture>(1, 1, std::vector<core::Colour>{{{0.5f, 0.5f, 0.5f}, 0.0f, 0.0f}});
 }
 
 }  // namespace lentray::parser

@@ -1,7 +1,10 @@
 #include "parser/build/tiff_bytes.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "core/image/palette_tiff.h"
 
@@ -9,9 +12,9 @@ namespace lentray::parser {
 namespace {
 
 /// Greys are cut, colours rounded.
-float eight_bits(float sixteen, bool is_grey) {
+std::uint8_t eight_bits(float sixteen, bool is_grey) {
   const int value = static_cast<int>(sixteen);
-  return static_cast<float>(is_grey ? value >> 8 : (value + 128) / 257);
+  return static_cast<std::uint8_t>(is_grey ? value >> 8 : (value + 128) / 257);
 }
 
 float multiplied(float value, float alpha) {
@@ -40,9 +43,11 @@ void make_tiff_bytes(core::StoredImage& image, const std::filesystem::path& path
   if (image.bits == 16) {
     // OpenImageIO turns those of 8 bits round, not these.
     if (is_tiff_of(image, "0")) {
-      for (float& sample : image.samples) sample = 65535.0f - sample;
+      for (std::size_t i = 0; i < image.samples.size(); ++i) image.samples[i] = 65535.0f - image.samples[i];
     }
-    for (float& sample : image.samples) sample = eight_bits(sample, image.channels < 3);
+    std::vector<std::uint8_t> bytes(image.samples.size());
+    for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = eight_bits(image.samples[i], image.channels < 3);
+    image.samples.store(std::move(bytes));
     image.bits = 8;
     if (image.channels == 2) drop_alpha(image);
   }

@@ -56,6 +56,7 @@ void parse_image_function(Parser& parser, ImageDesc& image) {
   parser.parse_comma();
   const double height = parser.parse_float() + 0.5;
   check_points(parser, where, width, height);
+  image.where = where;
   image.function_width = to_size(width);
   image.function_height = to_size(height);
   if (!parser.at(Punct::kLeftCurly)) parser.fail_expected("{ after the size of the image");

@@ -89,7 +89,10 @@ TEST(ImageParametricAccuracy, DarkensNoMoreThanStock) {
   ASSERT_EQ(ours.samples.size(), coarse.samples.size());
   for (std::size_t at = 0; at < ours.samples.size(); at += 3) {
     const auto same_pixel = [&](const StoredImage& stock) {
-      return std::equal(&ours.samples[at], &ours.samples[at] + 3, &stock.samples[at]);
+      for (std::size_t i = at; i < at + 3; ++i) {
+        if (ours.samples[i] != stock.samples[i]) return false;
+      }
+      return true;
     };
     EXPECT_TRUE(same_pixel(coarse) || same_pixel(fine)) << "pixel " << at / 3;
   }

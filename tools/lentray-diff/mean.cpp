@@ -71,12 +71,13 @@ StoredImage Mean::picture(int samples, int bits) const {
   out.height = m_height;
   out.channels = 3;
   out.bits = bits;
-  out.samples.reserve(std::size_t{3} * m_width * m_height);
+  out.samples.assign(std::size_t{3} * m_width * m_height, 0.0f);
+  std::size_t to = 0;
   for (std::size_t i = 0; i < m_sums.size(); i += 4) {
     const double weight = m_spaces.alpha ? std::max(m_sums[i + 3], 1e-30) : samples;
     for (int c = 0; c < 3; ++c) {
-      out.samples.push_back(
-          static_cast<float>(core::quantised(static_cast<float>(m_sums[i + c] / weight), format)));
+      out.samples[to++] =
+          static_cast<float>(core::quantised(static_cast<float>(m_sums[i + c] / weight), format));
     }
   }
   return out;

@@ -4,7 +4,6 @@
 #include <time.h>
 #include <unistd.h>
 
-#include <fstream>
 #include <limits>
 
 namespace lentray::tool {
@@ -28,13 +27,6 @@ std::uint64_t peak_bytes() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
-}
-
-double resident_bytes() {
-  std::ifstream file("/proc/self/statm");
-  double total = 0.0, resident = 0.0;
-  file >> total >> resident;
-  return resident * static_cast<double>(sysconf(_SC_PAGE_SIZE));
 }
 
 double machine_memory() {

@@ -9,9 +9,8 @@ namespace lentray::tool {
 double cpu_seconds();
 double thread_cpu_seconds();
 
-/// Bytes: the most and what is held now; of the machine (infinite where it does not tell).
+/// Bytes: the most that was held; of the machine (infinite where it does not tell).
 std::uint64_t peak_bytes();
-double resident_bytes();
 double machine_memory();
 
 }  // namespace lentray::tool

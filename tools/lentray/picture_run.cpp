@@ -14,6 +14,7 @@
 #include <thread>
 
 #include "camera/scene_probe.h"
+#include "core/base/memory_limit.h"
 #include "core/render/focal_blur.h"
 #include "core/render/frame.h"
 #include "core/scene/scene.h"
@@ -211,12 +212,12 @@ core::FrameShape shape_of(Run& run) {
   if (o.band_height == 0) {
     // In steps, so that the same run gets the same bands.
     constexpr double kStep = 16.0 * 1024 * 1024;
-    const double scene = std::ceil(resident_bytes() / kStep) * kStep;
+    const double scene = std::ceil(core::resident_bytes() / kStep) * kStep;
     shape.band_height =
         shadow::band_height(o.pixel_order, shape.width, shape.height, row, limit - scene);
     if (shape.band_height * row > limit - scene) {
-      run.warnings.add("warning: Max_Memory is less than the scene and a row of the picture "
-                             "take; that is " + parser::memory_text(scene + row));
+      throw parser::OptionError("Max_Memory is less than the scene and a row of the picture take; that is " +
+                                core::memory_text(scene + row));
     }
   }
   // Tiles of antialiasing are not cut.
@@ -376,6 +377,7 @@ Status run_picture(const Picture& what, const std::atomic<bool>& cancel, TextStr
   const auto start = Clock::now();
   const RenderOptions& options = what.options;
   Run run{options, what.clock, texts, warnings, {}};
+  core::limit_memory(options.max_memory > 0.0 ? options.max_memory : machine_memory());
   // Building the scene takes no more threads than rendering it.
   std::optional<tbb::global_control> threads;
   if (options.threads > 0) {

@@ -6,7 +6,6 @@
 #include <array>
 #include <cctype>
 #include <cmath>
-#include <fstream>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -17,24 +16,6 @@
 
 namespace lentray::core {
 namespace {
-
-/// Whether a TARGA file has five bits a colour, in its pixels or its palette.
-bool has_five_bits(const std::filesystem::path& path) {
-  std::array<unsigned char, 18> head{};
-  std::ifstream file(path, std::ios::binary);
-  file.read(reinterpret_cast<char*>(head.data()), static_cast<std::streamsize>(head.size()));
-  const int bits = head[1] == 1 && head[16] == 8 ? head[7] : head[16];
-  return bits == 15 || bits == 16;
-}
-
-/// As stock: the five bits are the upper ones of eight, the others 0.
-void drop_low_bits(StoredImage& image) {
-  const int channels = image.channels;
-  for (std::size_t i = 0; i < image.samples.size(); ++i) {
-    if (channels >= 3 && static_cast<int>(i % static_cast<std::size_t>(channels)) == 3) continue;
-    image.samples[i] = static_cast<float>(static_cast<int>(image.samples[i]) & 0xf8);
-  }
-}
 
 /// Radiance's mantissas of 8 bits stand for the middles of their steps, as in Radiance itself and in stock. The largest
 /// of the three has its upper bit set, so that it tells the step.
@@ -54,16 +35,16 @@ struct PlainFormat {
   const char* extensions;   ///< each between blanks
 };
 
-/// The formats of scenes, those that are known by their first bytes first.
+/// The formats of scenes that are not read without OpenImageIO, those that are known by their first bytes first.
+/// JPEG: of four colours. OpenImageIO knows others, some of which are lists of further files to open.
 constexpr std::array kPlainFormats = {
-    PlainFormat{"png", " .png "}, PlainFormat{"jpeg", " .jpg .jpeg "}, PlainFormat{"tiff", " .tif .tiff "},
-    PlainFormat{"openexr", " .exr "}, PlainFormat{"hdr", " .hdr .rgbe "}, PlainFormat{"bmp", " .bmp "},
-    PlainFormat{"gif", " .gif "}, PlainFormat{"pnm", " .ppm .pgm .pbm .pnm "}, PlainFormat{"targa", " .tga "}};
+    PlainFormat{"jpeg", " .jpg .jpeg "}, PlainFormat{"tiff", " .tif .tiff "}, PlainFormat{"openexr", " .exr "},
+    PlainFormat{"hdr", " .hdr .rgbe "}, PlainFormat{"bmp", " .bmp "}, PlainFormat{"pnm", " .ppm .pgm .pbm .pnm "}};
 
-/// A handle says nothing of the format: the file's name does, else its bytes do. OpenImageIO is never told
-/// the name, which it would open.
-Input open_handle(const std::filesystem::path& path, const std::filesystem::path& named,
-                  const OIIO::ImageSpec& as_stored) {
+/// The file's name says what it is likely to be, its bytes what it is. OpenImageIO is never told the name, which
+/// it would open.
+Input open_file(const std::filesystem::path& path, const std::filesystem::path& named,
+                const OIIO::ImageSpec& as_stored) {
   std::string extension = " " + named.extension().string() + " ";
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   for (const bool is_likely : {true, false}) {
@@ -78,15 +59,14 @@ Input open_handle(const std::filesystem::path& path, const std::filesystem::path
   throw std::runtime_error("it is no picture in a format of scenes");
 }
 
-/// `named`: see ImageModule::read(). `memory`: in place of the file.
-StoredImage read_picture(const std::filesystem::path& path, const std::filesystem::path& named,
-                         OIIO::Filesystem::IOProxy* memory = nullptr) {
-  OIIO::ImageSpec as_stored;
-  as_stored.attribute("oiio:UnassociatedAlpha", 1);
-  if (memory) as_stored.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &memory);
-  const Input input = named.empty() ? OIIO::ImageInput::open(path.string(), &as_stored)
-                                    : open_handle(path, named, as_stored);
-  if (!input) throw std::runtime_error(OIIO::geterror());
+template <typename Value>
+bool read_samples(OIIO::ImageInput& input, OIIO::TypeDesc type, CheckPictureRoom check_room, StoredImage& image) {
+  check_room(image.width, image.height, image.channels, sizeof(Value));
+  const std::size_t count = std::size_t{image.width} * image.height * static_cast<std::size_t>(image.channels);
+  return input.read_image(0, 0, 0, image.channels, type, image.samples.store<Value>(count).data());
+}
+
+StoredImage read_picture(const Input& input, CheckPictureRoom check_room) {
   const OIIO::ImageSpec& spec = input->spec();
   StoredImage image;
   image.width = static_cast<std::uint32_t>(spec.width);
@@ -95,29 +75,21 @@ StoredImage read_picture(const std::filesystem::path& path, const std::filesyste
   image.bits = spec.format == OIIO::TypeDesc::UINT8    ? 8
                : spec.format == OIIO::TypeDesc::UINT16 ? 16
                                                        : 32;
-  image.samples.resize(std::size_t{image.width} * image.height * image.channels);
-  bool read = false;
-  const auto read_integers = [&](auto sample, OIIO::TypeDesc type) {
-    std::vector<decltype(sample)> values(image.samples.size());
-    read = input->read_image(0, 0, 0, spec.nchannels, type, values.data());
-    image.samples.assign(values.begin(), values.end());
-  };
-  if (image.bits == 8) {
-    read_integers(std::uint8_t{}, OIIO::TypeDesc::UINT8);
-  } else if (image.bits == 16) {
-    read_integers(std::uint16_t{}, OIIO::TypeDesc::UINT16);
-  } else {
-    read = input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, image.samples.data());
-  }
-  if (!read) throw std::runtime_error(input->geterror());
-  if (image.bits == 8 && std::string(input->format_name()) == "targa" && has_five_bits(path)) {
-    drop_low_bits(image);
-  }
+  const bool is_read = image.bits == 8    ? read_samples<std::uint8_t>(*input, OIIO::TypeDesc::UINT8, check_room, image)
+                       : image.bits == 16 ? read_samples<std::uint16_t>(*input, OIIO::TypeDesc::UINT16, check_room, image)
+                                          : read_samples<float>(*input, OIIO::TypeDesc::FLOAT, check_room, image);
+  if (!is_read) throw std::runtime_error(input->geterror());
   if (image.channels == 3 && std::string(input->format_name()) == "hdr") lift_to_middles(image);
   for (const OIIO::ParamValue& value : spec.extra_attribs) {
     image.attributes[value.name().string()] = value.get_string();
   }
   return image;
+}
+
+OIIO::ImageSpec as_stored() {
+  OIIO::ImageSpec spec;
+  spec.attribute("oiio:UnassociatedAlpha", 1);
+  return spec;
 }
 
 class Module final : public ImageModule {
@@ -131,12 +103,18 @@ class Module final : public ImageModule {
                                           const PictureSpec& spec) const override {
     return make_openimageio_encoder(path, spec);
   }
-  StoredImage read(const std::filesystem::path& path, const std::filesystem::path& named) const override {
-    return read_picture(path, named);
+  StoredImage read(const std::filesystem::path& path, const std::filesystem::path& named,
+                   CheckPictureRoom check_room) const override {
+    return read_picture(open_file(path, named, as_stored()), check_room);
   }
-  StoredImage read_tiff(const std::string& file) const override {
+  StoredImage read_tiff(const std::string& file, CheckPictureRoom check_room) const override {
     OIIO::Filesystem::IOMemReader memory(file.data(), file.size());
-    return read_picture("memory.tif", {}, &memory);
+    OIIO::Filesystem::IOProxy* proxy = &memory;
+    OIIO::ImageSpec from_memory = as_stored();
+    from_memory.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
+    const Input input = OIIO::ImageInput::open("memory.tif", &from_memory);
+    if (!input) throw std::runtime_error(OIIO::geterror());
+    return read_picture(input, check_room);
   }
 };
 
