@@ -15,8 +15,8 @@ enum class Kind { kPalette = 1, kColours = 2, kGreys = 3 };
 
 struct Head {
   Kind kind{};
-  bool runs = false, top_first = false, right_first = false;
-  std::size_t width = 0, height = 0, bits = 0, alpha_bits = 0;
+  bool runs = false, top_first = false;
+  std::size_t width = 0, height = 0, bits = 0;
   std::size_t palette = 0, first_entry = 0, entries = 0, entry_bits = 0, pixels = 0;  ///< `palette`, `pixels`: where they begin
 };
 
@@ -28,7 +28,7 @@ bool is_one_of(std::size_t value, std::initializer_list<std::size_t> values) {
 }
 
 Head read_head(const Bytes& file) {
-  constexpr std::size_t kLength = 18, kRuns = 8, kRightFirst = 0x10, kTopFirst = 0x20;
+  constexpr std::size_t kLength = 18, kRuns = 8, kTopFirst = 0x20;
   Head head;
   const std::size_t type = file.byte(2);
   if (!is_one_of(type & ~kRuns, {1, 2, 3})) throw std::runtime_error("it is no TARGA file");
@@ -37,10 +37,7 @@ Head read_head(const Bytes& file) {
   head.width = file.word(12);
   head.height = file.word(14);
   head.bits = file.byte(16);
-  const std::size_t flags = file.byte(17);
-  head.alpha_bits = flags & 15;
-  head.right_first = (flags & kRightFirst) != 0;
-  head.top_first = (flags & kTopFirst) != 0;
+  head.top_first = (file.byte(17) & kTopFirst) != 0;
   head.palette = kLength + file.byte(0);
   const bool has_palette = file.byte(1) != 0;
   if (has_palette) {
@@ -101,8 +98,7 @@ void for_pixels(const Bytes& file, const Head& head, Put put) {
   for (std::size_t y = 0; y < head.height; ++y) {
     const std::size_t row = head.top_first ? y : head.height - 1 - y;
     for (std::size_t x = 0; x < head.width; ++x) {
-      const std::size_t column = head.right_first ? head.width - 1 - x : x;
-      put(row * head.width + column, walk.next());
+      put(row * head.width + x, walk.next());
     }
   }
 }
@@ -135,7 +131,7 @@ StoredImage read_targa(std::string_view bytes) {
     return image;
   }
   const bool is_grey = head.kind == Kind::kGreys;
-  const bool has_alpha = is_grey ? head.bits == 16 : head.bits == 32 || (head.bits == 16 && head.alpha_bits > 0);
+  const bool has_alpha = is_grey ? head.bits == 16 : head.bits == 32 || head.bits == 16;
   image.channels = (is_grey ? 1 : 3) + (has_alpha ? 1 : 0);
   const auto channels = static_cast<std::size_t>(image.channels);
   check_picture_room(head.width, head.height, image.channels, 1);

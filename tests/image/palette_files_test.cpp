@@ -215,6 +215,16 @@ TEST_P(ImagePaletteFiles, EntriesThatAreNotThere) {
   }
 }
 
+/// The upper bit of 16 is alpha though the head tells of none, and columns go from left to right whatever it tells.
+TEST(ImagePaletteFilesNone, TargaFlagsThatNobodyHeeds) {
+  const std::string map = targa_head(2, 0, 16, 0x10) + repeated(kSide * kSide, [](int i) { return word(i * 2654435 % 65536); });
+  const std::string sdl =
+      "#version 3.7; global_settings { assumed_gamma 1 } camera { location -3*z look_at 0 angle 50 }\n"
+      "plane { z, 3 pigment { checker rgb 1 rgb x scale .3 } finish { ambient 1 diffuse 0 } }\n"
+      "plane { z, 0 pigment { image_map { tga \"flags.tga\" } } finish { ambient 1 diffuse 0 } }";
+  EXPECT_TRUE(same_as_stock({.sdl = sdl, .width = 64, .height = 48, .arguments = {}, .files = {{"flags.tga", map}}}));
+}
+
 /// Numbers of textures are as stored where there is no palette, too.
 TEST(ImagePaletteFilesNone, MaterialsByRed) {
   const std::string sdl =
