@@ -23,7 +23,6 @@ double resident_bytes() {
 }
 
 void limit_memory(double bytes) { g_limit = bytes; }
-double memory_limit() { return g_limit; }
 
 void check_room(double bytes) {
   constexpr double kSmall = 1 << 20;
@@ -31,7 +30,8 @@ void check_room(double bytes) {
   if (bytes < kSmall || limit == std::numeric_limits<double>::infinity()) return;
   const double left = std::max(0.0, limit - resident_bytes());
   if (bytes > left) {
-    throw NoRoom("this takes " + memory_text(bytes) + " of memory, and " + memory_text(left) + " are left (Max_Memory)");
+    throw NoRoom("this takes " + memory_text(bytes) + " of memory, and " + memory_text(left) +
+                 " are left (Max_Memory)");
   }
 }
 

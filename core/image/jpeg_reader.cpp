@@ -39,13 +39,12 @@ std::optional<StoredImage> read_jpeg(std::FILE* file) {
   jpeg_decompress_struct& jpeg = decoder.jpeg;
   jpeg_stdio_src(&jpeg, file);
   jpeg_read_header(&jpeg, TRUE);
-  if (jpeg.jpeg_color_space != JCS_GRAYSCALE && jpeg.jpeg_color_space != JCS_YCbCr && jpeg.jpeg_color_space != JCS_RGB) {
-    return std::nullopt;
-  }
+  const J_COLOR_SPACE space = jpeg.jpeg_color_space;
+  if (space != JCS_GRAYSCALE && space != JCS_YCbCr && space != JCS_RGB) return std::nullopt;
   StoredImage image;
   image.width = jpeg.image_width;
   image.height = jpeg.image_height;
-  image.channels = jpeg.jpeg_color_space == JCS_GRAYSCALE ? 1 : 3;
+  image.channels = space == JCS_GRAYSCALE ? 1 : 3;
   // A progressive file is held as coefficients besides, of two bytes.
   check_picture_room(image.width, image.height, image.channels, jpeg_has_multiple_scans(&jpeg) ? 3 : 1);
   const std::size_t row_bytes = std::size_t{image.width} * static_cast<std::size_t>(image.channels);

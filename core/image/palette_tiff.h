@@ -19,7 +19,7 @@ std::vector<std::uint8_t> tiff_entries(std::string file, std::uint32_t width, st
 /// 0: there is none.
 int tiff_palette_size(std::string_view file);
 
-/// `image`, which was read from this file, whose palette is one of these, gets the colours of its entries: 16 bits.
+/// `image`, which was read from this file, gets the colours that its palette has for its entries: 16 bits.
 void restore_palette_colours(StoredImage& image, const std::filesystem::path& path);
 
 }  // namespace lentray::core

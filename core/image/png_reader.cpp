@@ -1,7 +1,6 @@
 #include <png.h>
 
 #include <bit>
-#include <cmath>
 #include <stdexcept>
 #include <string>
 
@@ -62,7 +61,9 @@ class PngReader {
   void read_rows(const StoredImage& image, std::size_t row_values, std::vector<Value>& values) {
     const int passes = png_set_interlace_handling(m_png);
     png_read_update_info(m_png, m_info);
-    if (png_get_rowbytes(m_png, m_info) != row_values * sizeof(Value)) throw std::runtime_error("rows of another length");
+    if (png_get_rowbytes(m_png, m_info) != row_values * sizeof(Value)) {
+      throw std::runtime_error("rows of another length");
+    }
     for (int pass = 0; pass < passes; ++pass) {
       for (std::uint32_t row = 0; row < image.height; ++row) {
         png_read_row(m_png, reinterpret_cast<png_bytep>(values.data() + row * row_values), nullptr);

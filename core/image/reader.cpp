@@ -40,6 +40,8 @@ void add_entries(StoredImage& image, std::string_view begins, std::FILE* file, c
     } else if (begins.starts_with("II*") || begins.starts_with(std::string_view("MM\0*", 4))) {
       image.entries = tiff_entries(all_of(file, path), image.width, image.height);
     }
+  } catch (const NoRoom&) {
+    throw;
   } catch (const std::runtime_error&) {  // no TIFF file of those that have entries
   }
 }

@@ -17,7 +17,8 @@ struct Head {
   Kind kind{};
   bool runs = false, top_first = false;
   std::size_t width = 0, height = 0, bits = 0;
-  std::size_t palette = 0, first_entry = 0, entries = 0, entry_bits = 0, pixels = 0;  ///< `palette`, `pixels`: where they begin
+  std::size_t first_entry = 0, entries = 0, entry_bits = 0;
+  std::size_t palette = 0, pixels = 0;  ///< where they begin in the file
 };
 
 bool is_one_of(std::size_t value, std::initializer_list<std::size_t> values) {

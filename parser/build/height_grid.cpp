@@ -46,7 +46,7 @@ struct Heights {
   std::vector<std::uint16_t> values;
 };
 
-constexpr double kBytesAHeight = 2 * sizeof(std::uint16_t);  // and the tree above them
+constexpr double kBytesAHeight = 2 * sizeof(std::uint16_t);  // with what a grid keeps beside its heights
 
 Heights of_function(const HeightFieldShape& field) {
   const core::Function& function = *field.function->function;

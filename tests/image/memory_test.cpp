@@ -67,7 +67,7 @@ TEST(ImageMemory, TooLittleIsSaid) {
   diff::write_text(folder / "scene.pov", kScene);
   const auto result = run_lentray({"scene.pov", "+W40", "+H30", "Max_Memory=1M", "Statistics_File=s.json"}, folder.path());
   EXPECT_EQ(result.status, 1);
-  EXPECT_NE(result.output.find("Max_Memory"), std::string::npos) << result.output;
+  EXPECT_NE(result.output.find("Max_Memory is less than the scene and a row of the picture take"), std::string::npos) << result.output;
   EXPECT_FALSE(std::filesystem::exists(folder / "scene.png"));
 }
 
@@ -82,9 +82,9 @@ std::string large_png() {
 /// Whatever is large and has its size in the scene is asked about first, at its place.
 TEST(ImageMemory, WhatIsTooLargeIsNotBegun) {
   for (const std::string text : {"#declare A = array[50000000];",
-                             "sphere { 0, 1 pigment { image_map { function 9000, 9000 { x } } } }",
-                             "height_field { function 9900, 9900 { x } }",
-                             "plane { y, 0 pigment { image_map { png \"large.png\" } } }"}) {
+                                 "sphere { 0, 1 pigment { image_map { function 9000, 9000 { x } } } }",
+                                 "height_field { function 9900, 9900 { x } }",
+                                 "plane { y, 0 pigment { image_map { png \"large.png\" } } }"}) {
     const diff::TemporaryFolder folder;
     diff::write_text(folder / "large.png", large_png());
     diff::write_text(folder / "scene.pov", "#version 3.7; global_settings { assumed_gamma 1 }\n" + text + "\n");

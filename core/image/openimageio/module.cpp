@@ -75,9 +75,12 @@ StoredImage read_picture(const Input& input, CheckPictureRoom check_room) {
   image.bits = spec.format == OIIO::TypeDesc::UINT8    ? 8
                : spec.format == OIIO::TypeDesc::UINT16 ? 16
                                                        : 32;
-  const bool is_read = image.bits == 8    ? read_samples<std::uint8_t>(*input, OIIO::TypeDesc::UINT8, check_room, image)
-                       : image.bits == 16 ? read_samples<std::uint16_t>(*input, OIIO::TypeDesc::UINT16, check_room, image)
-                                          : read_samples<float>(*input, OIIO::TypeDesc::FLOAT, check_room, image);
+  const auto read_all = [&](auto sample, OIIO::TypeDesc type) {
+    return read_samples<decltype(sample)>(*input, type, check_room, image);
+  };
+  const bool is_read = image.bits == 8    ? read_all(std::uint8_t{}, OIIO::TypeDesc::UINT8)
+                       : image.bits == 16 ? read_all(std::uint16_t{}, OIIO::TypeDesc::UINT16)
+                                          : read_all(0.0f, OIIO::TypeDesc::FLOAT);
   if (!is_read) throw std::runtime_error(input->geterror());
   if (image.channels == 3 && std::string(input->format_name()) == "hdr") lift_to_middles(image);
   for (const OIIO::ParamValue& value : spec.extra_attribs) {
