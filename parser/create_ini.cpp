@@ -147,6 +147,7 @@ void add_work(const RenderOptions& o, Lines& out) {
   out.add("Shadow_Cache", o.shadow_cache);
   out.add("Accelerator", o.accelerator);
   out.add("Light_Buffer", o.light_buffer);
+  if (o.max_time > 0.0) out.number("Max_Time", o.max_time);
   if (o.max_memory > 0.0) out.number("Max_Memory", o.max_memory);
   if (o.band_height > 0) out.number("Band_Height", o.band_height);
   out.name("Statistics_File", o.statistics_file);

@@ -83,6 +83,7 @@ constexpr OptionHelp kSheet[] = {
 };
 constexpr OptionHelp kWork[] = {
     {"Work_Threads", "n", "Threads (all of the machine).", ""},
+    {"Max_Time", "n[s|m|h]", "How long the run may take; it ends with status 2, and +C goes on (no limit).", ""},
     {"Max_Memory", "n[M|G]", "How much memory to use (half of the machine's).", ""},
     {"Band_Height", "n", "Rows that are traced at a time (what fits).", ""},
     {"Pixel_Order", "auto|rows|views|columns|combined|strips|tiles|serpentine|hilbert|adaptive",

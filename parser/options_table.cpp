@@ -312,20 +312,41 @@ void set_sheet(Options& o, const Given& g) {
 void set_view(Options& o, const Given& g) {
   o.view = static_cast<std::uint32_t>(whole_number(g, 0, 1'000'000));
 }
-/// Bytes, or with a unit: K, M, G or T, as B, KB and KiB, powers of 1024.
-void set_memory(Options& o, const Given& g) {
-  constexpr std::string_view kUnits[] = {"", "K", "M", "G", "T"};
-  constexpr double kLeast = 1024.0 * 1024.0;
+/// A number greater than 0 and the letters behind it, such as 1.5 GiB.
+struct Quantity {
+  double number = 0.0;
+  std::string unit;
+};
+Quantity quantity(const Given& g) {
   std::string text = g.value;
   const std::size_t letters = std::find_if(text.begin(), text.end(), [](unsigned char c) {
     return std::isalpha(c);
   }) - text.begin();
-  const std::string unit = text.substr(letters);
+  Quantity out;
+  out.unit = text.substr(letters);
   text.erase(letters);
   while (!text.empty() && text.back() == ' ') text.pop_back();
   Given only = g;
   only.value = text;
-  double bytes = positive(only);
+  out.number = positive(only);
+  return out;
+}
+/// Seconds, or with a unit: s, m or h.
+void set_time(Options& o, const Given& g) {
+  const auto [number, unit] = quantity(g);
+  constexpr std::pair<std::string_view, double> kUnits[] = {{"", 1.0}, {"s", 1.0}, {"m", 60.0}, {"h", 3600.0}};
+  for (const auto& [name, seconds] : kUnits) {
+    if (!same_word(unit, name)) continue;
+    o.max_time = number * seconds;
+    return;
+  }
+  refuse(g, "unknown unit '" + unit + "': there are s, m and h");
+}
+/// Bytes, or with a unit: K, M, G or T, as B, KB and KiB, powers of 1024.
+void set_memory(Options& o, const Given& g) {
+  constexpr std::string_view kUnits[] = {"", "K", "M", "G", "T"};
+  constexpr double kLeast = 1024.0 * 1024.0;
+  auto [bytes, unit] = quantity(g);
   for (const std::string_view row : kUnits) {
     const std::string name(row);
     if (same_word(unit, name) || same_word(unit, name + "B") ||
@@ -517,6 +538,7 @@ constexpr OptionRow kTable[] = {
     {"Accelerator", "", set_accelerator},
     {"Light_Buffer", "UL", set_bool<&Options::light_buffer>},
     {"Max_Memory", "", set_memory},
+    {"Max_Time", "", set_time},
     {"Band_Height", "", set_band},
     {"Statistics_File", "", set_text<&Options::statistics_file>},
 };

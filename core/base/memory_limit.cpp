@@ -23,6 +23,7 @@ double resident_bytes() {
 }
 
 void limit_memory(double bytes) { g_limit = bytes; }
+double memory_limit() { return g_limit; }
 
 void check_room(double bytes) {
   constexpr double kSmall = 1 << 20;

@@ -18,6 +18,7 @@ double resident_bytes();
 
 /// Bytes; infinity, as at first: no limit.
 void limit_memory(double bytes);
+double memory_limit();
 
 /// Before something large is made: throws NoRoom if `bytes` more than what is held now go beyond the limit. Smaller
 /// things are not asked about.

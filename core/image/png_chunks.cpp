@@ -29,13 +29,6 @@ std::optional<std::uint32_t> find_png_chunk(std::istream& file, std::string_view
   }
 }
 
-bool is_png(const std::filesystem::path& path) {
-  constexpr std::string_view kSignature = "\x89PNG\r\n\x1a\n";
-  std::array<char, 8> head{};
-  std::ifstream file(path, std::ios::binary);
-  return file.read(head.data(), head.size()) && std::string_view(head.data(), head.size()) == kSignature;
-}
-
 double png_gamma(const std::filesystem::path& path) {
   constexpr double kWhole = 100000.0;
   std::ifstream file(path, std::ios::binary);

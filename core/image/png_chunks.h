@@ -13,9 +13,6 @@ namespace lentray::core {
 /// Length of the first chunk of that name before the pixels; the file then stands at its contents.
 std::optional<std::uint32_t> find_png_chunk(std::istream& file, std::string_view name);
 
-/// By its first bytes.
-bool is_png(const std::filesystem::path& path);
-
 /// What the file says of its values: the power that makes them linear, less than 0 for sRGB's curve;
 /// 0 if it says nothing.
 double png_gamma(const std::filesystem::path& path);

@@ -17,10 +17,8 @@ namespace {
 
 class PngEncoder final : public PictureEncoder {
  public:
-  PngEncoder(const std::filesystem::path& path, const PictureSpec& spec)
-      : m_row_bytes(std::size_t{spec.width} * static_cast<std::size_t>(spec.channels) *
-                    static_cast<std::size_t>(spec.bits / 8)),
-        m_buffer(std::size_t{1} << 18) {
+  /// What throws here is followed by the destructor, for the other constructor is through.
+  PngEncoder(const std::filesystem::path& path, const PictureSpec& spec) : PngEncoder(spec) {
     m_file = std::fopen(path.c_str(), "wbe");
     if (!m_file) throw std::runtime_error(std::strerror(errno));
     std::setvbuf(m_file, m_buffer.data(), _IOFBF, m_buffer.size());
@@ -50,6 +48,11 @@ class PngEncoder final : public PictureEncoder {
   }
 
  private:
+  explicit PngEncoder(const PictureSpec& spec)
+      : m_row_bytes(std::size_t{spec.width} * static_cast<std::size_t>(spec.channels) *
+                    static_cast<std::size_t>(spec.bits / 8)),
+        m_buffer(std::size_t{1} << 18) {}
+
   static void write(png_structp png, png_bytep data, png_size_t size) {
     auto& self = *static_cast<PngEncoder*>(png_get_io_ptr(png));
     if (std::fwrite(data, 1, size, self.m_file) == size) return;

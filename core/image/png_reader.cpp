@@ -16,13 +16,14 @@ class PngReader {
     if (!m_info) throw std::runtime_error("out of memory");
     png_set_user_limits(m_png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);  // its own are a million
     png_init_io(m_png, file);
-    png_read_info(m_png, m_info);
   }
   ~PngReader() { png_destroy_read_struct(&m_png, &m_info, nullptr); }
   PngReader(const PngReader&) = delete;
   PngReader& operator=(const PngReader&) = delete;
 
+  /// Apart from the constructor, for what throws there is not taken apart again.
   StoredImage image() {
+    png_read_info(m_png, m_info);
     StoredImage image;
     image.width = png_get_image_width(m_png, m_info);
     image.height = png_get_image_height(m_png, m_info);

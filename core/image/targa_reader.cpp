@@ -52,6 +52,11 @@ Head read_head(const Bytes& file) {
                                                   : is_one_of(head.bits, {8, 16});
   if (!good) throw std::runtime_error("a TARGA file of so many bits a pixel is not known");
   if (head.width == 0 || head.height == 0) throw std::runtime_error("the picture is empty");
+  // A run's packet is a byte and its pixel, for 128 pixels at most.
+  const std::size_t stored = file.size() > head.pixels ? file.size() - head.pixels : 0, bytes = (head.bits + 7) / 8;
+  if (head.width * head.height > (head.runs ? stored / (bytes + 1) * 128 : stored / bytes)) {
+    throw std::runtime_error("the file ends early");
+  }
   return head;
 }
 

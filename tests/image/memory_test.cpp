@@ -95,6 +95,20 @@ TEST(ImageMemory, WhatIsTooLargeIsNotBegun) {
   }
 }
 
+/// What grows bit by bit is ended when it has grown too large.
+TEST(ImageMemory, WhatGrowsIsStopped) {
+  for (const std::string text : {"union { #while (1) sphere { 0, 1 } #end }",
+                                 "mesh { #declare I = 0; #while (1) triangle { <I, 0, 0>, x, <0, 1, I> } #declare I = I + 1; #end }"}) {
+    const diff::TemporaryFolder folder;
+    diff::write_text(folder / "scene.pov", "#version 3.7; global_settings { assumed_gamma 1 }\n" + text + "\n");
+    diff::write_text(folder / "scene.png", "an older picture");
+    const auto result = run_lentray({"scene.pov", "+W40", "+H30", "Max_Memory=200M"}, folder.path());
+    EXPECT_EQ(result.status, 1) << text << result.output;
+    EXPECT_NE(result.output.find("(Max_Memory): 210 MB"), std::string::npos) << text << result.output;
+    EXPECT_EQ(diff::read_text(folder / "scene.png"), "an older picture");
+  }
+}
+
 /// A print of 20 inches at 1200 dots an inch, with all defaults.
 TEST(SlowMemory, ALargePrintFitsIntoTwoGiB) {
   const auto json = statistics({"+W24000", "+H24000", "Lenticular=On", "Print_DPI=1200"}, 3500.0);

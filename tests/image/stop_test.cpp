@@ -145,6 +145,39 @@ TEST_F(ImageStop, WhateverItIsAtTheRunEndsSoon) {
   }
 }
 
+TEST_F(ImageStop, TheTimeEndsWhateverItIsAt) {
+  diff::write_text(m_folder / "reads.pov", "#while (1) #end\n");
+  diff::write_text(m_folder / "a.png", "an older picture");
+  for (const char* scene : {"reads.pov", "noise.pov"}) {
+    const auto then = std::chrono::steady_clock::now();
+    Running run({scene, "+W9000", "+H9000", "-V", "+Oa.png", "Max_Time=1"}, m_folder.path());
+    EXPECT_EQ(run.wait(), 2) << scene << text("log");
+    const auto taken = std::chrono::steady_clock::now() - then;
+    EXPECT_GT(taken, std::chrono::milliseconds(900)) << scene;
+    EXPECT_LT(taken, std::chrono::seconds(10)) << scene;
+    EXPECT_NE(text("log").find("the time is over (Max_Time); no picture was written"), std::string::npos) << scene << text("log");
+    EXPECT_EQ(text("a.png"), "an older picture");
+    EXPECT_EQ(parts().size(), 0u) << scene;
+  }
+}
+
+TEST_F(ImageStop, ARunWhoseTimeIsOverIsGoneOnWith) {
+  const std::vector<std::string> words{"noise.pov", "+W6000", "+H5000", "-V", "+WT2", "+Oa.png", "Band_Height=64"};
+  const auto with = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> all = words;
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  };
+  int runs = 0, status = 2;
+  for (; status == 2 && runs < 100; ++runs) status = Running(with({"+C", "Max_Time=2s"}), m_folder.path()).wait();
+  EXPECT_EQ(status, 0) << text("log");
+  EXPECT_GT(runs, 1);
+  const std::string parts_joined = text("a.png");
+  fs::remove(m_folder / "a.png");
+  EXPECT_EQ(Running(with({}), m_folder.path()).wait(), 0);
+  EXPECT_TRUE(text("a.png") == parts_joined);
+}
+
 TEST_F(ImageStop, AKilledRunLeavesTheOldPictureAndTheNextClearsUp) {
   diff::write_text(m_folder / "a.png", "an older picture");
   Running run(slow("a.png"), m_folder.path());

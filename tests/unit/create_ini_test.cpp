@@ -21,7 +21,7 @@ TEST(UnitParserCreateIni, AsksForTheSameRunAgain) {
       {"a.pov", "+KFI3", "+KFF12", "+KI0.5", "+KF2", "+SF0.5", "+EF11", "+STP2", "+KC"},
       {"a.pov", "Lenticular=On", "Lens_Pitch=0.7", "Lens_Focal_Length=2.1", "Lens_IOR=1.56", "Lens_Pixels=12.4",
        "View_Distance=400", "Sheet_Distance=7", "Lens_Model=pinhole", "View=3", "Antialias_Angle=4",
-       "Pixel_Order=strips(4,32)", "Shadow_Cache=tree", "Accelerator=grid", "-UL", "Max_Memory=100M",
+       "Pixel_Order=strips(4,32)", "Shadow_Cache=tree", "Accelerator=grid", "-UL", "Max_Memory=100M", "Max_Time=90",
        "Band_Height=7", "Statistics_File=s.json", "Restrict_IO=On"}};
   for (const auto& arguments : runs) {
     const diff::TemporaryFolder folder;

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "tests/fuzz/file_input.h"
 #include "tests/fuzz/mutator.h"
 #include "tests/fuzz/read_input.h"
 #include "tools/lentray-diff/process.h"
@@ -17,9 +18,24 @@ TEST(FuzzInputs, AllEnd) {
   const auto library = include_files("/usr/share/povray-3.7/include");
   std::size_t count = 0;
   for (const auto& entry : fs::directory_iterator(fs::path(LENTRAY_SOURCE_DIR) / "tests/fuzz/inputs")) {
+    if (!entry.is_regular_file()) continue;
     SCOPED_TRACE(entry.path().filename().string());
     read_input(diff::read_text(entry.path()), library);
     ++count;
+  }
+  EXPECT_GT(count, 0u);
+}
+
+/// The sanitizers see leaks and reading beyond what there is.
+TEST(FuzzInputs, FilesOfPicturesFontsAndDensitiesAllEnd) {
+  std::size_t count = 0;
+  for (const auto& [folder, use] : {std::pair{"picture", &use_picture}, std::pair{"data", &use_font_or_densities}}) {
+    for (const auto& entry : fs::directory_iterator(fs::path(LENTRAY_SOURCE_DIR) / "tests/fuzz/inputs" / folder)) {
+      SCOPED_TRACE(entry.path().filename().string());
+      const std::string bytes = diff::read_text(entry.path());
+      use(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
+      ++count;
+    }
   }
   EXPECT_GT(count, 0u);
 }

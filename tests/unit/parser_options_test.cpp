@@ -453,6 +453,12 @@ TEST_F(ErrorParserOptions, AbsurdSizesNameTheMemory) {
 }
 
 TEST_F(UnitParserOptions, MemoryTakesUnits) {
+  EXPECT_EQ(read({}).max_time, 0.0);
+  EXPECT_EQ(read({"Max_Time=90"}).max_time, 90.0);
+  EXPECT_EQ(read({"max_time=1.5h"}).max_time, 5400.0);
+  EXPECT_EQ(read({"Max_Time=10 m"}).max_time, 600.0);
+  expect_message({"Max_Time=3d"}, "unknown unit 'd': there are s, m and h");
+  expect_message({"Max_Time=0"}, "a number greater than 0 is expected");
   EXPECT_EQ(read({}).max_memory, 0.0);
   EXPECT_EQ(read({"Max_Memory=2G"}).max_memory, 2147483648.0);
   EXPECT_EQ(read({"max_memory=1.5GiB"}).max_memory, 1610612736.0);

@@ -18,7 +18,7 @@
 #include "parser/options.h"
 #include "parser/options_help.h"
 #include "tools/lentray/run.h"
-#include "tools/lentray/stop_signals.h"
+#include "tools/lentray/run_guard.h"
 #include "tools/lentray/text_streams.h"
 #include "tools/lentray/version.h"
 #include "tools/lentray/warnings.h"
@@ -118,10 +118,11 @@ int main(int argc, char** argv) {
   tool::Warnings warnings(*g_texts, options.warning_level);
   for (const std::string& text : options.warnings) warnings.add("warning: " + text);
   warnings.say();
-  const tool::StopSignals stop;
+  tool::RunGuard guard;
+  if (options.max_time > 0.0) guard.limit_time(options.max_time);
   status = guarded([&] {
     try {
-      return static_cast<int>(tool::run(options, stop.asked(), *g_texts, warnings));
+      return static_cast<int>(tool::run(options, guard.asked(), *g_texts, warnings));
     } catch (...) {
       // Warnings first: they often tell what the error is about.
       warnings.say();
@@ -129,7 +130,7 @@ int main(int argc, char** argv) {
     }
   });
   if (status == tool::kAborted) {
-    stop.asked() ? tool::tell_stopped() : (void)std::fputs("lentray: stopped by a command\n", stderr);
+    guard.asked() ? tool::tell_stopped() : (void)std::fputs("lentray: stopped by a command\n", stderr);
   }
   return status;
 }

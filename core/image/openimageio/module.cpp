@@ -59,9 +59,12 @@ Input open_file(const std::filesystem::path& path, const std::filesystem::path& 
   throw std::runtime_error("it is no picture in a format of scenes");
 }
 
+/// OpenImageIO holds as many besides the picture, which may be wide and low.
+constexpr int kRowsAtOnce = 16;
+
 template <typename Value>
 bool read_samples(OIIO::ImageInput& input, OIIO::TypeDesc type, CheckPictureRoom check_room, StoredImage& image) {
-  check_room(image.width, image.height, image.channels, sizeof(Value));
+  check_room(image.width, std::uint64_t{image.height} + kRowsAtOnce, image.channels, sizeof(Value));
   const std::size_t count = std::size_t{image.width} * image.height * static_cast<std::size_t>(image.channels);
   return input.read_image(0, 0, 0, image.channels, type, image.samples.store<Value>(count).data());
 }
@@ -101,6 +104,7 @@ class Module final : public ImageModule {
   Module() {
     OIIO::attribute("threads", 1);
     OIIO::attribute("exr_threads", -1);
+    OIIO::attribute("read_chunk", kRowsAtOnce);
   }
   std::unique_ptr<PictureEncoder> encoder(const std::filesystem::path& path,
                                           const PictureSpec& spec) const override {
