@@ -1,6 +1,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/base/whole.h"
 #include "core/material/normals.h"
 #include "core/pattern/noise.h"
 #include "core/pattern/shapes.h"
@@ -123,8 +124,7 @@ class Facets final : public Displacement {
     constexpr double kEpsilon = 1e-10;
     const Vec3 cell{std::floor(p.x - kEpsilon), std::floor(p.y - kEpsilon),
                     std::floor(p.z - kEpsilon)};
-    const std::size_t seed = lattice_hash(static_cast<int>(cell.x), static_cast<int>(cell.y),
-                                          static_cast<int>(cell.z));
+    const std::size_t seed = lattice_hash(whole_of(cell.x), whole_of(cell.y), whole_of(cell.z));
     return cell + Vec3(lattice_random(seed), lattice_random(seed + 1), lattice_random(seed + 2));
   }
   double distance(const Vec3& d) const {

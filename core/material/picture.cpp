@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "core/base/whole.h"
 #include "core/pattern/single.h"
 
 namespace lentray::core {
@@ -16,7 +17,8 @@ constexpr double kTwoPi = 2.0 * std::numbers::pi;
 
 double wrap(double value, double size) {
   const double rest = std::fmod(value, size);
-  return rest < 0.0 ? rest + size : rest;
+  if (rest < 0.0) return rest + size;
+  return rest >= 0.0 ? rest : 0.0;  // of what is no number
 }
 
 int wrap(int value, int size) {
@@ -150,7 +152,7 @@ class MaterialMap final : public Texture {
     if (place) {
       const auto entry = m_picture->index(*place);
       number = static_cast<std::size_t>(
-          entry ? *entry : static_cast<int>(m_picture->colour(*place).rgb.r * 255.0f));
+          entry ? *entry : whole_of(m_picture->colour(*place).rgb.r * 255.0f));
     }
     // Stock counts round only beyond the number of textures, and stops at the last.
     if (number > m_textures.size()) number %= m_textures.size();

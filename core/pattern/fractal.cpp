@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/whole.h"
+
 namespace lentray::core {
 namespace {
 
@@ -72,8 +74,8 @@ class FractalPattern final : public Pattern {
       case 4: return z.re * z.re * factor;
       case 5: return z.im * z.im * factor;
       case 6: return std::sqrt(z.norm()) * factor;
-      case 7: return remainder(iteration, static_cast<int>(factor)) / factor;
-      case 8: return remainder(iteration, static_cast<int>(1.0 + factor)) / factor;
+      case 7: return remainder(iteration, whole_of(factor)) / factor;
+      case 8: return remainder(iteration, whole_of(1.0 + factor)) / factor;
       default: return 0.0;
     }
   }

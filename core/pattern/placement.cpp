@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <numbers>
 
+#include "core/base/whole.h"
+
 namespace lentray::core {
 namespace {
 
@@ -74,7 +76,7 @@ class BlackHoleWarp final : public Warp {
     int block[3] = {0, 0, 0};
     for (int axis = 0; axis < 3; ++axis) {
       if (m_hole.repeat[axis] < kEpsilon) continue;
-      block[axis] = static_cast<int>(std::floor(point[axis] / m_hole.repeat[axis]));
+      block[axis] = whole_of(std::floor(point[axis] / m_hole.repeat[axis]));
     }
     if (m_hole.uncertain) {
       const unsigned seed = lattice_hash(block[0], block[1], block[2]);

@@ -28,7 +28,7 @@ class Hexagon final : public Pattern {
     constexpr double kPeriod = 5.196152424;
     const double z = p.z < 0.0 ? kPeriod - std::fabs(p.z) : p.z;
     const double gx = wrap(std::fabs(p.x) / 0.5), gz = wrap(z / kHeight);
-    const int column = static_cast<int>(gx) % 6, row = static_cast<int>(gz) % 6;
+    const int column = static_cast<int>(gx), row = static_cast<int>(gz);
     static constexpr char kOuter[] = {0, 1, 1, 2, 2, 0}, kInner[] = {2, 2, 0, 0, 1, 1};
     static constexpr char kBelow[] = {0, 2, 1, 0, 2, 1}, kAbove[] = {2, 1, 0, 2, 1, 0};
     if (column == 0 || column == 5) return kOuter[row];
@@ -40,7 +40,11 @@ class Hexagon final : public Pattern {
   }
 
  private:
-  static double wrap(double g) { return g - std::floor(g / 6.0) * 6.0; }
+  /// From 0 on and below 6, whatever it is of.
+  static double wrap(double g) {
+    const double rest = g - std::floor(g / 6.0) * 6.0;
+    return rest > 0.0 && rest < 6.0 ? rest : 0.0;
+  }
 };
 
 class Square final : public Pattern {
