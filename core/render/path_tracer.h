@@ -138,6 +138,7 @@ class PathTracer final : public Tracer {
     Rgb filter{1.0f, 1.0f, 1.0f};
     double transparency = 1.0;
     Vec3 top_normal;
+    const Finish* top_finish = nullptr;
     std::size_t layers = 0;  ///< done
   };
 
@@ -167,8 +168,8 @@ class PathTracer final : public Tracer {
                Frame& frame);
   Rgb shadowed(const Rgb& colour, const LightRay& ray, ShadowQuery& query, const Frame& frame);
   Rgb area_shadowed(const Rgb& colour, const LightRay& ray, ShadowQuery& query);
-  /// `film`: the finish whose thin film tints the image, or null.
-  Rgb mirror_image(const Vec3& normal, float weight, const Surface& at, const Finish* film);
+  /// `film`: the finish whose thin film tints the image.
+  Rgb mirror_image(const Vec3& normal, float weight, const Surface& at, const Finish& film);
   double film_thickness(const Finish& finish, const Vec3& point) const;
   /// Adds what is seen through the surface; true on total internal reflection.
   bool add_transmitted(const Stack& stack, const Surface& at, Radiance& result);

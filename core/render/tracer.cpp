@@ -206,7 +206,10 @@ void PathTracer<kFeatures>::shade_layer(const TextureLayer& layer, Surface& at, 
     at.context.normal = layer.normal->perturb(at.texture_point, at.normal, at.context);
   }
   const Vec3& normal = layer.normal ? at.context.normal : at.normal;
-  if (kTransparency && stack.layers == 0) stack.top_normal = normal;
+  if (kTransparency && stack.layers == 0) {
+    stack.top_normal = normal;
+    stack.top_finish = &finish;
+  }
   if constexpr (kReflection) {
     frame.mirrors[stack.layers] = mirror_of(finish, colour.rgb, normal, at, stack);
   }
@@ -256,7 +259,7 @@ void PathTracer<kFeatures>::add_mirror_images(const Stack& stack, bool total_ref
     const Mirror& mirror = frame.mirrors[i];
     if (mirror.colour.is_black()) continue;
     if (total_reflection && nearly_equal(stack.top_normal, mirror.normal)) continue;
-    Rgb image = mirror_image(mirror.normal, mirror.weight, at, mirror.finish);
+    Rgb image = mirror_image(mirror.normal, mirror.weight, at, *mirror.finish);
     if (mirror.exponent != 1.0) {
       for (int c = 0; c < 3; ++c) {
         image[c] = static_cast<float>(std::pow(image[c], mirror.exponent));
@@ -373,7 +376,7 @@ Rgb PathTracer<kFeatures>::area_shadowed(const Rgb& colour, const LightRay& ray,
 
 template <unsigned kFeatures>
 Rgb PathTracer<kFeatures>::mirror_image(const Vec3& normal, float weight, const Surface& at,
-                                        const Finish* film) {
+                                        const Finish& film) {
   const Vec3& incoming = at.ray().direction;
   Vec3 out = incoming + normal * (-2.0 * dot(incoming, normal));
   // A perturbed normal may send the ray through the real surface: mirror it back.
@@ -389,8 +392,8 @@ Rgb PathTracer<kFeatures>::mirror_image(const Vec3& normal, float weight, const 
   const Ray ray{at.point(), normalized(out)};
   const RayState next(ray, at.state.inside, 2 * at.state.place, RayKind::kReflection);
   Rgb seen = follow(next, weight, at.level).rgb;
-  if (film && film->irid > 0.0) {
-    seen *= film_tint(*film, film_thickness(*film, at.point()), m_scene.settings().irid_wavelength,
+  if (film.irid > 0.0) {
+    seen *= film_tint(film, film_thickness(film, at.point()), m_scene.settings().irid_wavelength,
                       normal, ray.direction, incoming);
   }
   return seen;
@@ -431,7 +434,7 @@ bool PathTracer<kFeatures>::add_transmitted(const Stack& stack, const Surface& a
     const double under_root = 1.0 + ratio * ratio * (cosine * cosine - 1.0);
     if (under_root < 0.0) {
       // Total internal reflection: the layers do not filter it.
-      result.rgb += fade * mirror_image(stack.top_normal, weight, at, nullptr);
+      result.rgb += fade * mirror_image(stack.top_normal, weight, at, *stack.top_finish);
       return true;
     }
     onward.direction =

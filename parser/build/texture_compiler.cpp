@@ -215,7 +215,8 @@ core::TexturePtr TextureCompiler::Impl::compile_patterned(const TextureLayerDesc
                                                           const core::Placement& outer) {
   const PatternDesc& pattern = layer.pattern;
   if (pattern.kind == PatternKind::kUvMapping) {
-    return compile(layer.map->entries.front().item, uv_placement());
+    // Where the point lies does not matter then, but normals follow the transforms.
+    return compile(layer.map->entries.front().item, outer.then(compile_placement(pattern)).then(uv_placement()));
   }
   // Entries are evaluated where the pattern is: its placement goes into them.
   const core::Placement inner = outer.then(compile_placement(pattern));

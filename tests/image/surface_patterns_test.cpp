@@ -51,6 +51,10 @@ const Case kCases[] = {
                        " rotate 30*y }"},
     {"uv_normal", "sphere { 0, 1 pigment { rgb .8 } normal { uv_mapping gradient x 1 scale .1 }"
                   " finish { phong .5 } rotate 20*x }"},
+    {"uv_texture_normal_turned", "sphere { 0, 1 texture { uv_mapping pigment { rgb .9 } normal { bumps .5 scale <.1,.03,1> } }"
+                                 " rotate 40*y }"},
+    {"uv_texture_normal_stretched", "sphere { 0, 1 texture { uv_mapping pigment { rgb .9 } normal { bumps .5 scale <.1,.03,1> } }"
+                                    " scale <1,.6,1.2> rotate 30*x }"},
     {"uv_shadow", "sphere { 0, .9 hollow pigment { uv_mapping checker rgbf <1,.2,.2,.9> rgbt <.2,.3,1,.7>"
                   " scale .2 } }"},
     {"slope", "sphere { 0, 1 pigment { slope y color_map { Steep } } rotate 40*z }"},
@@ -67,6 +71,8 @@ const Case kCases[] = {
     {"irid", "sphere { 0, 1 pigment { rgb .6 } finish { irid { .6 thickness .4 } phong .6 } }"},
     {"irid_turbulent", "sphere { 0, 1 pigment { rgb .6 } finish { diffuse .8 irid { .35 thickness .3 turbulence .7 }"
                        " reflection .4 } } global_settings { irid_wavelength rgb <.3,.2,.1> }"},
+    {"irid_total_reflection", "torus { .8, .4 pigment { rgbt .8 } finish { irid { .3 thickness 2 } phong .6 } interior { ior 1.3 }"
+                              " rotate 60*x }"},
     {"density", "box { .02, .97 pigment { density_file df3 \"spiral.df3\" color_map { Steep } }"
                 " translate -.5 scale 1.8 rotate 20*y }"},
     {"density_linear", "box { .01, .99 pigment { density_file df3 \"spiral.df3\" interpolate 1 }"
