@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "core/base/memory_limit.h"
+#include "core/image/exr_head.h"
 #include "core/image/format_readers.h"
 #include "core/image/image_module.h"
 #include "core/image/open_file.h"
@@ -46,7 +47,18 @@ void add_entries(StoredImage& image, std::string_view begins, std::FILE* file, c
   }
 }
 
+/// Before OpenEXR sees it.
+void check_exr_room(std::FILE* file, const std::filesystem::path& path) {
+  constexpr int kChannels = 3, kBytes = 2;  // at least
+  std::string head(1 << 16, '\0');
+  head.resize(std::fread(head.data(), 1, head.size(), file));
+  std::rewind(file);
+  const ExrWindow window = exr_window(head, std::filesystem::file_size(path));
+  check_picture_room(window.width, window.height, kChannels, kBytes);
+}
+
 StoredImage by_openimageio(const NamedFile& named, std::string_view begins, std::FILE* file) {
+  if (begins.starts_with("v/1\1")) check_exr_room(file, named.path);
   StoredImage image = image_module().read(named.path, named.name, check_picture_room);
   // Files of floats hold linear light.
   if (image.bits == 32) {
