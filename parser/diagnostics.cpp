@@ -6,21 +6,19 @@
 #include <numeric>
 #include <utility>
 
+#include "parser/shown.h"
+
 namespace lentray::parser {
 namespace {
 
 void to_standard_error(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); }
 
-// The line and a caret under the column; tabs stay tabs so that the caret lines up.
+// The line and a caret under the column.
 std::string excerpt(const SourceManager& sources, const Location& where) {
   const std::string_view line = sources.line(where);
   if (line.empty()) return {};
-  const std::size_t column = sources.position(where).column;
-  std::string caret = "  ";
-  for (std::size_t i = 0; i + 1 < column; ++i) {
-    caret += i < line.size() && line[i] == '\t' ? '\t' : ' ';
-  }
-  return "  " + std::string(line) + "\n" + caret + "^\n";
+  const ShownLine shown = shown_line(line, sources.position(where).column);
+  return "  " + shown.line + "\n  " + shown.indent + "^\n";
 }
 
 // Letters put in, left out, changed, or exchanged with their neighbour; case does not count.
@@ -70,7 +68,7 @@ std::string Diagnostics::format(const Location& where, std::string_view severity
                                 std::string_view message,
                                 std::span<const StackEntry> stack) const {
   std::string text = place(where) + ": " + std::string(severity) + ": " +
-                     std::string(message) + "\n" + excerpt(m_sources, where);
+                     shown_message(shown_text(message)) + "\n" + excerpt(m_sources, where);
   for (std::size_t i = 0; i < stack.size(); ++i) {
     if (stack.size() > kStackShown && i == kStackShown / 2) {
       const std::size_t skipped = stack.size() - kStackShown;

@@ -7,6 +7,7 @@
 
 #include "parser/interpreter.h"
 #include "parser/keywords.h"
+#include "parser/shown.h"
 #include "parser/text.h"
 
 namespace lentray::parser {

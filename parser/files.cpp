@@ -8,6 +8,7 @@
 
 #include "parser/loose_path.h"
 #include "parser/opened_file.h"
+#include "parser/shown.h"
 
 namespace lentray::parser {
 namespace {
@@ -70,21 +71,6 @@ class Disk final : public Files {
 Files& disk_files() {
   static Disk disk;
   return disk;
-}
-
-std::string shown_name(std::string_view name) {
-  std::string shown;
-  for (const char c : name) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte >= 0x20 && byte != 0x7F) {
-      shown += c;
-      continue;
-    }
-    char escape[8];
-    std::snprintf(escape, sizeof escape, "\\x%02x", byte);
-    shown += escape;
-  }
-  return shown;
 }
 
 }  // namespace lentray::parser

@@ -54,7 +54,4 @@ class Files {
 /// The disk; one for all, safe from any thread. Pipes and devices can be written, not read.
 Files& disk_files();
 
-/// A name for messages: control characters, which could forge lines of a message, as \x0a.
-std::string shown_name(std::string_view name);
-
 }  // namespace lentray::parser

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "parser/keywords.h"
+#include "parser/shown.h"
 
 namespace lentray::parser {
 Interpreter::Interpreter(SourceManager& sources_, Diagnostics& diagnostics_,

@@ -7,6 +7,8 @@
 #include <cctype>
 #include <filesystem>
 
+#include "parser/shown.h"
+
 namespace lentray::parser {
 namespace {
 

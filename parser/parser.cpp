@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "parser/interpreter.h"
+#include "parser/shown.h"
 
 namespace lentray::parser {
 

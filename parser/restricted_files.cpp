@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "parser/loose_path.h"
+#include "parser/shown.h"
 
 namespace lentray::parser {
 namespace {

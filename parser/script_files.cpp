@@ -5,6 +5,7 @@
 
 #include "parser/interpreter.h"
 #include "parser/number_text.h"
+#include "parser/shown.h"
 #include "parser/text.h"
 
 namespace lentray::parser {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "parser/grammar/helpers.h"
+#include "parser/shown.h"
 
 namespace lentray::parser {
 namespace {

@@ -7,6 +7,7 @@
 #include "parser/grammar/helpers.h"
 #include "parser/grammar/object.h"
 #include "parser/grammar/object_shapes.h"
+#include "parser/shown.h"
 
 namespace lentray::parser {
 namespace {

@@ -6,6 +6,7 @@
 #include "core/image/palette_size.h"
 #include "parser/grammar/helpers.h"
 #include "parser/grammar/pattern.h"
+#include "parser/shown.h"
 
 namespace lentray::parser {
 namespace {

@@ -121,6 +121,35 @@ TEST_F(BadInput, KilledWhileRendering) {
   EXPECT_EQ(diff::read_text(m_folder / "a.png"), m_before);
 }
 
+/// What cannot be written is said, whatever it is and wherever it goes.
+TEST_F(BadInput, NothingIsLostSilently) {
+  const std::string lentray = "'" + program("lentray").string() + "' +Igood.pov +W40 +H30 -V ";
+  for (const std::string what : {"--dump", "--explain", "--help", "--version", "--dump-rays=-", "+O-", "+GA/dev/full +Ob.png",
+                                 "+GS/dev/full +Ob.png", "Statistics_File=/dev/full +Ob.png", "+GI/dev/full +Ob.png"}) {
+    const bool to_output = what.find("/dev/full") == std::string::npos;
+    for (const std::string where : {">/dev/full", ">&-"}) {
+      if (!to_output && where == ">&-") continue;
+      const RunResult result = diff::run({"/bin/sh", "-c", lentray + what + (to_output ? " " + where : "")}, m_folder.path());
+      EXPECT_EQ(result.status, 1) << what << where << result.output;
+      EXPECT_NE(result.output.find("cannot write"), std::string::npos) << what << where << result.output;
+    }
+  }
+  for (const char* other : {"lentray-diff", "lentray-model", "lentray-grouping"}) {
+    const RunResult result =
+        diff::run({"/bin/sh", "-c", "'" + program(other).string() + "' --help >/dev/full"}, m_folder.path());
+    EXPECT_EQ(result.status, 1) << other << result.output;
+    EXPECT_NE(result.output.find("cannot write"), std::string::npos) << other << result.output;
+  }
+}
+
+/// No file of the program gets the number of a stream that is closed.
+TEST_F(BadInput, ClosedStreamsAreNotFiles) {
+  const RunResult result = diff::run(
+      {"/bin/sh", "-c", "'" + program("lentray").string() + "' +Igood.pov +Ob.png +W40 +H30 +V <&- >&- 2>&-"}, m_folder.path());
+  EXPECT_EQ(result.status, 0);
+  EXPECT_TRUE(diff::read_text(m_folder / "b.png") == m_before);
+}
+
 TEST_F(BadInput, DiffSaysErrorsWithStatusTwo) {
   const auto status = [&](const std::vector<std::string>& arguments) {
     return run_diff(arguments, m_folder.path()).status;

@@ -12,6 +12,7 @@
 #include "parser/memory_writes.h"
 #include "parser/povray_conf.h"
 #include "parser/restricted_files.h"
+#include "parser/shown.h"
 #include "tools/lentray-diff/process.h"
 
 namespace lentray::parser {

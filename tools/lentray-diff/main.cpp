@@ -18,6 +18,7 @@
 #include "tools/lentray-diff/sampling.h"
 #include "tools/lentray-diff/sheet.h"
 #include "tools/lentray-diff/stock.h"
+#include "tools/lentray/standard_streams.h"
 #include "tools/lentray/version.h"
 
 namespace lentray::diff {
@@ -262,5 +263,7 @@ int run_main(const std::vector<std::string>& words) {
 }  // namespace lentray::diff
 
 int main(int count, char** words) {
-  return lentray::diff::run_main(std::vector<std::string>(words + 1, words + count));
+  lentray::tool::hold_standard_streams();
+  const int status = lentray::diff::run_main(std::vector<std::string>(words + 1, words + count));
+  return lentray::tool::finish_standard_output("lentray-diff", status);
 }

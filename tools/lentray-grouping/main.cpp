@@ -8,6 +8,7 @@
 #include "core/image/writer.h"
 #include "tools/lentray-grouping/report.h"
 #include "tools/lentray-model/gnuplot.h"
+#include "tools/lentray/standard_streams.h"
 #include "tools/lentray/version.h"
 
 namespace lentray::grouping {
@@ -57,5 +58,7 @@ int run_main(const std::vector<std::string>& words) {
 }  // namespace lentray::grouping
 
 int main(int count, char** words) {
-  return lentray::grouping::run_main(std::vector<std::string>(words + 1, words + count));
+  lentray::tool::hold_standard_streams();
+  const int status = lentray::grouping::run_main(std::vector<std::string>(words + 1, words + count));
+  return lentray::tool::finish_standard_output("lentray-grouping", status);
 }

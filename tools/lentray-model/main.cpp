@@ -14,6 +14,7 @@
 #include "tools/lentray-model/deviations.h"
 #include "tools/lentray-model/figures.h"
 #include "tools/lentray-model/gnuplot.h"
+#include "tools/lentray/standard_streams.h"
 #include "tools/lentray/version.h"
 
 namespace lentray::model {
@@ -112,5 +113,7 @@ int run_main(const std::vector<std::string>& words) {
 }  // namespace lentray::model
 
 int main(int count, char** words) {
-  return lentray::model::run_main(std::vector<std::string>(words + 1, words + count));
+  lentray::tool::hold_standard_streams();
+  const int status = lentray::model::run_main(std::vector<std::string>(words + 1, words + count));
+  return lentray::tool::finish_standard_output("lentray-model", status);
 }

@@ -10,6 +10,7 @@
 #include <cstdio>
 
 #include "parser/files.h"
+#include "parser/shown.h"
 
 namespace lentray::tool {
 namespace {

@@ -19,6 +19,7 @@
 #include "parser/options_help.h"
 #include "tools/lentray/run.h"
 #include "tools/lentray/run_guard.h"
+#include "tools/lentray/standard_streams.h"
 #include "tools/lentray/text_streams.h"
 #include "tools/lentray/version.h"
 #include "tools/lentray/warnings.h"
@@ -52,10 +53,11 @@ int fail(const char* prefix, const std::string& text, int status) {
   return status;
 }
 
+constexpr const char* kError = "lentray: ";
+
 /// Runs `work`; what it throws becomes a message and an exit status.
 template <typename Work>
 int guarded(Work work) {
-  constexpr const char* kError = "lentray: ";
   try {
     return work();
   } catch (const parser::ParseError& error) {
@@ -95,10 +97,7 @@ void tell(const parser::RenderOptions& options, bool as_povray) {
   }
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  keep_memory();
+int run_main(int argc, char** argv) {
   const std::vector<std::string> arguments(argv + 1, argv + argc);
   parser::RenderOptions options;
   int status = guarded([&] {
@@ -132,5 +131,14 @@ int main(int argc, char** argv) {
   if (status == tool::kAborted) {
     guard.asked() ? tool::tell_stopped() : (void)std::fputs("lentray: stopped by a command\n", stderr);
   }
+  if (status == tool::kDone && !g_texts->trouble().empty()) return fail(kError, g_texts->trouble(), tool::kUserError);
   return status;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  tool::hold_standard_streams();
+  keep_memory();
+  return tool::finish_standard_output("lentray", run_main(argc, argv));
 }

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdio>
 #include <memory>
+#include <string>
 #include <string_view>
 
 #include "parser/diagnostics.h"
@@ -22,12 +23,18 @@ class TextStreams {
   void write(parser::Stream stream, std::string_view text);
   /// To the files alone.
   void log(parser::Stream stream, std::string_view text);
+  /// Which file did not take all that was written to it, and why; empty: there is none.
+  std::string trouble() const;
 
  private:
   struct Close {
     void operator()(std::FILE* file) const { std::fclose(file); }
   };
-  using File = std::unique_ptr<std::FILE, Close>;
+  struct File {
+    std::unique_ptr<std::FILE, Close> file;
+    std::string name;
+  };
+  static File open(const std::string& name, bool append);
 
   std::array<bool, parser::kStreams> m_console{};
   std::array<File, parser::kStreams> m_files;
