@@ -93,6 +93,13 @@ double sheet_distance(const Projection& p, const Conversion& conversion, const V
 
 Sheet finish(const LensParameters& lens, const SheetPlacement& place, std::uint32_t width,
              std::uint32_t height, std::vector<std::string> report, const SceneProbe& probe) {
+  constexpr double kFarthest = 1e30;  // scene units; squares of such numbers are finite
+  for (const double size : {place.width, place.height, 1.0 / place.width, 1.0 / place.height, place.front,
+                            core::length(place.centre)}) {
+    if (!(std::fabs(size) < kFarthest)) {
+      throw CameraError("the sheet is too large, too small or too far away to be computed");
+    }
+  }
   Sheet sheet;
   sheet.camera = std::make_unique<Lenticular>(lens, place, width, height);
   sheet.report = std::move(report);

@@ -89,6 +89,7 @@ LensParameters resolve(const LensRequest& request, std::uint32_t width, const Ey
     const double per_mm = eye->sheet_width / (width / lens.pixels * lens.pitch);
     lens.view_distance = eye->distance / per_mm;
   }
+  if (const std::string why = complaint(lens); !why.empty()) throw CameraError(why);  // of what was computed
   return lens;
 }
 

@@ -25,6 +25,17 @@ std::string complaint(const LensParameters& lens) {
     return "a lens must be at least one pixel wide";
   }
   if (!(lens.view_distance > 0.0)) return "the viewing distance must be greater than 0 mm";
+  // Beyond what anybody makes, so that what follows can be computed.
+  constexpr double kLeast = 1e-6, kMost = 1e6, kMostIor = 100.0, kFarthestEye = 1e12;
+  const auto beyond = [](double value) { return value < kLeast || value > kMost; };
+  if (beyond(lens.pitch)) return "the lens pitch must be 1e-6 to 1e6 mm";
+  if (beyond(lens.focal_length)) return "the lens focal length must be 1e-6 to 1e6 mm";
+  if (lens.ior > kMostIor) return "the refractive index of the lens must be 100 at most";
+  if (lens.pixels > kMost) return "a lens must be a million pixels wide at most";
+  const bool finite = std::isfinite(lens.view_distance);
+  if (finite && (lens.view_distance < kLeast || lens.view_distance > kFarthestEye)) {
+    return "the viewing distance must be 1e-6 to 1e12 mm";
+  }
   return {};
 }
 

@@ -41,6 +41,7 @@ DepthRange visible_depths(const Lenticular& sheet, const SceneProbe& probe) {
 }
 
 std::string parallax_text(const Lenticular& sheet, double step) {
+  if (!std::isfinite(step)) return "at the eyes, which is no parallax";
   const double sweep = step * (sheet.sheet().lens().pixels - 1.0);
   return "parallax " + format(step) + " pixels a view, " + format(sweep) + " over all views";
 }

@@ -138,7 +138,8 @@ Ref<FunctionDesc> FunctionParser::compiled(const core::FunctionNode& root, const
   desc->depth = m_scope.depth;
   desc->calls = m_scope.calls;
   try {
-    desc->function = core::compile_function(root, m_scope.parameters.size(), m_scope.most_locals);
+    desc->function = core::compile_function(root, m_scope.parameters.size(), m_scope.most_locals,
+                                            limits.function_terms);
   } catch (const std::length_error& error) {
     m_in.fail(where, error.what());
   }

@@ -17,6 +17,7 @@ struct Limits {
   std::size_t function_depth = 200;            ///< functions calling functions
   std::size_t function_operands = 10'000;      ///< in the text of one function
   double object_parts = 1e8;                   ///< in one object or look, each as often as it is used
+  double function_terms = 1e6;                 ///< of one sum or product
   double function_calls = 1e6;                 ///< that one value of a function takes
 };
 

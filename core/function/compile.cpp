@@ -9,13 +9,12 @@
 namespace lentray::core {
 namespace {
 
-constexpr double kMostTerms = 1e6;   // of a sum or product
 constexpr double kFarthest = 9e15;   // beyond, steps of one do not move a number
 
 class Compiler {
  public:
-  Compiler(std::size_t parameters, std::size_t locals)
-      : m_parameters(parameters), m_first_between(parameters + locals), m_next(m_first_between), m_used(m_next) {}
+  Compiler(std::size_t parameters, std::size_t locals, double most_terms)
+      : m_parameters(parameters), m_most_terms(most_terms), m_first_between(parameters + locals), m_next(m_first_between), m_used(m_next) {}
 
   std::shared_ptr<const Function> run(const FunctionNode& root) {
     const std::int16_t result = operand(root);
@@ -233,7 +232,7 @@ class Compiler {
   }
 
   // From the first to the last value in steps of one, as long as it is not beyond the last. Never
-  // more than kMostTerms, and only where steps of one move on: else it would not end.
+  // more than m_most_terms, and only where steps of one move on: else it would not end.
   void series(const FunctionNode& node, std::int16_t target) {
     const bool sum = node.op == FunctionOp::kSum;
     const std::int16_t variable = local(node.index);
@@ -243,7 +242,7 @@ class Compiler {
     into(*node.operands[1], last);
     emit(ProgramOp::kArithmetic, last, last, constant(kFarthest), FunctionOp::kMin);
     const std::int16_t limit = allocate();
-    emit(ProgramOp::kArithmetic, limit, variable, constant(kMostTerms), FunctionOp::kAdd);
+    emit(ProgramOp::kArithmetic, limit, variable, constant(m_most_terms), FunctionOp::kAdd);
     emit(ProgramOp::kArithmetic, last, last, limit, FunctionOp::kMin);
     const std::int16_t total = allocate();
     emit(ProgramOp::kMove, total, constant(sum ? 0.0 : 1.0));
@@ -259,7 +258,9 @@ class Compiler {
     emit(ProgramOp::kMove, target, total);
   }
 
-  const std::size_t m_parameters, m_first_between;
+  const std::size_t m_parameters;
+  const double m_most_terms;
+  const std::size_t m_first_between;
   std::size_t m_next, m_used;
   std::size_t m_landed = 0;  ///< where jumps led last
   std::vector<Instruction> m_code;
@@ -286,8 +287,8 @@ FunctionNodePtr make_node(FunctionOp op, FunctionNodePtr a, FunctionNodePtr b, F
 }
 
 std::shared_ptr<const Function> compile_function(const FunctionNode& root, std::size_t parameters,
-                                                 std::size_t locals) {
-  return Compiler(parameters, locals).run(root);
+                                                 std::size_t locals, double most_terms) {
+  return Compiler(parameters, locals, most_terms).run(root);
 }
 
 }  // namespace lentray::core

@@ -42,9 +42,9 @@ FunctionNodePtr constant_node(double value);
 FunctionNodePtr make_node(FunctionOp op, FunctionNodePtr a, FunctionNodePtr b = nullptr,
                           FunctionNodePtr c = nullptr);
 
-/// Compiles a tree for `parameters` parameters and `locals` variables of sums. Throws
+/// Compiles a tree for `parameters` parameters and `locals` variables of sums, which end after `most_terms`. Throws
 /// std::length_error if it needs more intermediate values than a program may have.
 std::shared_ptr<const Function> compile_function(const FunctionNode& root, std::size_t parameters,
-                                                 std::size_t locals);
+                                                 std::size_t locals, double most_terms);
 
 }  // namespace lentray::core

@@ -16,6 +16,7 @@ parser::Limits small_limits() {
   limits.nesting = 1000;
   limits.value_depth = 200;
   limits.function_calls = 1e3;
+  limits.function_terms = 100;
   limits.layers = 50;
   limits.object_parts = 1e3;
   return limits;

@@ -231,6 +231,13 @@ TEST(ErrorCameraConversion, RefusalsAreByName) {
               (void)sheet_of_camera("perspective", plain_camera(), thin, 640, 480, {});
             }).find("one pixel"),
             std::string::npos);
+  for (const double distance : {1e-300, 1e300}) {
+    Conversion absurd;
+    absurd.sheet_distance = distance;
+    EXPECT_NE(message([&] { (void)sheet_of_camera("perspective", plain_camera(), absurd, 640, 480, {}); })
+                  .find("to be computed"),
+              std::string::npos);
+  }
 }
 
 }  // namespace

@@ -396,5 +396,20 @@ TEST(UnitCameraLensSheet, BadParametersAreNamed) {
   EXPECT_NE(complaint(lens).find("viewing distance"), std::string::npos);
 }
 
+TEST(UnitCameraLensSheet, AbsurdParametersAreNamed) {
+  const auto refused = [](double LensParameters::*member, std::initializer_list<double> values) {
+    for (const double value : values) {
+      LensParameters lens;
+      lens.*member = value;
+      EXPECT_NE(complaint(lens), "") << value;
+    }
+  };
+  refused(&LensParameters::pitch, {1e-300, 1e-7, 1e7, 1e300});
+  refused(&LensParameters::focal_length, {1e-320, 1e-7, 1e7, 1e300});
+  refused(&LensParameters::ior, {101.0, 1e300});
+  refused(&LensParameters::pixels, {1e7, 1e300});
+  refused(&LensParameters::view_distance, {1e-300, 1e13, 1e300});
+}
+
 }  // namespace
 }  // namespace lentray::camera

@@ -76,7 +76,7 @@ TEST(UnitCoreFunctionProgram, IsItsTree) {
   Trees trees(true);
   for (int i = 0; i < 3000; ++i) {
     const FunctionNodePtr tree = trees.tree(5);
-    const auto function = compile_function(*tree, 3, 0);
+    const auto function = compile_function(*tree, 3, 0, 1e6);
     for (int k = 0; k < 4; ++k) {
       const Point p = trees.point();
       ASSERT_EQ(bits(function->evaluate(p)), bits(value_of(*tree, p))) << "tree " << i;
@@ -88,7 +88,7 @@ TEST(UnitCoreFunctionProgram, TwoPointsAtOnceAreEachAlone) {
   Trees trees(false);
   int wide = 0;
   for (int i = 0; i < 3000; ++i) {
-    const auto function = compile_function(*trees.tree(4), 3, 0);
+    const auto function = compile_function(*trees.tree(4), 3, 0, 1e6);
     Program::WideFrame frame;
     if (!frame.prepare(dynamic_cast<const Program&>(*function))) continue;
     ++wide;

@@ -42,7 +42,7 @@ class NoProductions final : public parser::Productions {
     parser.next();
     skip_block(parser);
     auto desc = std::make_shared<parser::FunctionDesc>();
-    desc->function = core::compile_function(*core::constant_node(0.5), 3, 0);
+    desc->function = core::compile_function(*core::constant_node(0.5), 3, 0, 1e6);
     return desc;
   }
 
