@@ -131,8 +131,11 @@ TEST_F(ImageStop, WhateverItIsAtTheRunEndsSoon) {
                    "#version 3.7; global_settings { assumed_gamma 1 } camera { location -5*z look_at 0 }\n"
                    "#for (I, 1, 8) light_source { <3, 5, -5>*I, 1 area_light x, y, 9000, 9000 } #end\n"
                    "plane { y, -1 pigment { rgb 1 } } sphere { 0, 1 pigment { rgbt .5 } }\n");
+  diff::write_text(m_folder / "builds.pov",
+                   "#version 3.7; #include \"functions.inc\"\n"
+                   "height_field { function 9900, 9900 { f_noise3d(x*50, y*50, 0) + f_noise3d(x*99, y, 1) } pigment { rgb 1 } }\n");
   diff::write_text(m_folder / "a.png", "an older picture");
-  for (const char* scene : {"reads.pov", "dear.pov"}) {
+  for (const char* scene : {"reads.pov", "builds.pov", "dear.pov"}) {
     Running run({scene, "+W40", "+H30", "-V", "-GA", "+Oa.png"}, m_folder.path());
     std::this_thread::sleep_for(std::chrono::milliseconds(500));
     const auto then = std::chrono::steady_clock::now();
