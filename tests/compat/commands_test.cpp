@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/lentray-diff/process.h"
+#include "tools/common/process.h"
 
 namespace lentray::test {
 namespace {
@@ -23,14 +23,14 @@ struct Outcome {
 
 /// In an own namespace `program` renders the scene as the INI lines say. Commands write to "log".
 Outcome run(const std::string& program, const std::string& shellout, const std::string& scene, const std::string& ini) {
-  const diff::TemporaryFolder folder;
-  diff::write_text(folder / "scene.pov", scene);
-  diff::write_text(folder / "all.ini", "Input_File_Name=scene.pov\n" + ini);
-  diff::write_text(folder / "conf", "[Shellout Security]\n" + shellout + "\n");
+  const tool::TemporaryFolder folder;
+  tool::write_text(folder / "scene.pov", scene);
+  tool::write_text(folder / "all.ini", "Input_File_Name=scene.pov\n" + ini);
+  tool::write_text(folder / "conf", "[Shellout Security]\n" + shellout + "\n");
   const std::string script = std::string("mount --bind conf ") + kConf + " && HOME=$PWD exec " + program +
                              " all.ini +W4 +H4 -D -V +Oout.png";
-  const diff::RunResult result = diff::run({"unshare", "-rm", "sh", "-c", script}, folder.path(), 60.0);
-  return {result.status, fs::exists(folder / "log") ? diff::read_text(folder / "log") : "", result.output,
+  const tool::RunResult result = tool::run_program({"unshare", "-rm", "sh", "-c", script}, folder.path(), 60.0);
+  return {result.status, fs::exists(folder / "log") ? tool::read_text(folder / "log") : "", result.output,
           fs::exists(folder / "out.png")};
 }
 
@@ -38,7 +38,7 @@ class CompatCommands : public ::testing::Test {
  protected:
   void SetUp() override {
     const std::string probe = std::string("mount --bind /dev/null ") + kConf;
-    if (diff::run({"unshare", "-rm", "sh", "-c", probe}).status != 0) GTEST_SKIP() << "no namespace for another povray.conf";
+    if (tool::run_program({"unshare", "-rm", "sh", "-c", probe}).status != 0) GTEST_SKIP() << "no namespace for another povray.conf";
   }
 };
 

@@ -14,7 +14,7 @@
 #include "parser/spline.h"
 #include "tests/compat/include_names.h"
 #include "tests/compat/language_cases.h"
-#include "tools/lentray-diff/process.h"
+#include "tools/common/process.h"
 
 namespace lentray::test {
 namespace {
@@ -158,8 +158,8 @@ std::string Use::operator()(const std::shared_ptr<parser::ArrayValue>& array) co
 
 /// The text of a case of this kind as language_cases.h runs it.
 LanguageCase make_case(const std::string& where, const std::string& text) {
-  const diff::TemporaryFolder folder;
-  diff::write_text(folder / "one.cases", text + "\n");
+  const tool::TemporaryFolder folder;
+  tool::write_text(folder / "one.cases", text + "\n");
   LanguageCase made = read_cases(folder / "one.cases").cases.at(0);
   made.where = where;
   return made;
@@ -176,10 +176,10 @@ std::string setup_of(const std::string& file) { return included(file) + kTools; 
 
 /// What the names mean once the file has been included, as our own parser knows it.
 std::map<std::string, Value> values_of(const std::string& file, const std::vector<std::string>& names) {
-  const diff::TemporaryFolder folder;
+  const tool::TemporaryFolder folder;
   std::string text = "#version 3.7;\n" + included(file) + "End_Of_Include_\n";
   for (const std::string& name : names) text += name + "\n";
-  diff::write_text(folder / "scene.pov", text);
+  tool::write_text(folder / "scene.pov", text);
   parser::SourceManager sources;
   parser::Diagnostics diagnostics(sources);
   diagnostics.connect(parser::Stream::kWarning, {});
@@ -246,7 +246,7 @@ GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(CompatIncludes);
 
 TEST_P(CompatIncludes, EveryNameIsUsed) {
   const std::string file = GetParam();
-  const IncludeNames names = declared_names(diff::read_text(kIncludes / file));
+  const IncludeNames names = declared_names(tool::read_text(kIncludes / file));
   LanguageCases cases = written_cases(file);
   cases.setup = setup_of(file) + cases.setup;
   for (const std::string& macro : names.macros) {

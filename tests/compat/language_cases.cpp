@@ -5,7 +5,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "tools/lentray-diff/process.h"
+#include "tools/common/process.h"
 
 namespace lentray::test {
 namespace {
@@ -62,7 +62,7 @@ std::string between(const std::string& all, std::size_t begin, std::size_t end) 
 
 LanguageCases read_cases(const fs::path& file) {
   LanguageCases out;
-  std::istringstream in(diff::read_text(file));
+  std::istringstream in(tool::read_text(file));
   int number = 0;
   std::string* last = nullptr;
   std::string kind, body;
@@ -108,11 +108,11 @@ std::vector<std::string> results(Reader reader, const LanguageCases& cases,
   std::vector<std::string> out(count, "NOT REACHED");
   if (messages) messages->assign(count, "");
   for (std::size_t first = 0; first < count;) {
-    const diff::TemporaryFolder folder;
-    diff::write_text(folder / "scene.pov", program(cases, first));
-    const diff::RunResult run = diff::run(command(reader), folder.path(), 120.0);
+    const tool::TemporaryFolder folder;
+    tool::write_text(folder / "scene.pov", program(cases, first));
+    const tool::RunResult run = tool::run_program(command(reader), folder.path(), 120.0);
     const std::string all =
-        fs::exists(folder / "out.txt") ? diff::read_text(folder / "out.txt") : std::string();
+        fs::exists(folder / "out.txt") ? tool::read_text(folder / "out.txt") : std::string();
     std::size_t last = count;
     std::size_t at = all.find(mark(first));
     for (std::size_t i = first; i < count && at != std::string::npos; ++i) {

@@ -54,7 +54,7 @@ TEST(CompatLanguage, StandardMacros) {
 }
 
 TEST(CompatLanguage, FilesWrittenAndRead) {
-  const diff::TemporaryFolder folder;
+  const tool::TemporaryFolder folder;
   const std::string file = "\"" + (folder / "data.txt").string() + "\"";
   expect_same_debug(
       "#version 3.7;\n#fopen F " + file + " write\n#for (I,1,3) #write (F, I, \",\", <I,I*I,1/I>, "

@@ -47,9 +47,9 @@ TEST(CompatFunctions, OfPatternsAndPigments) {
       "#declare R = function { pigment { crackle color_map { [0 rgb <1,.5,.2>] [1 rgbt <0,.3,.9,.4>] } } }\n"
       "#declare S = function(a) { P(a, a*2, 1) + 2*Q(a, 0, 0) + R(a, a, a).green }\n";
   for (const std::string& value : values) sdl += "#debug concat(\"value \", " + value + ", \"\\n\")\n";
-  const diff::TemporaryFolder folder;
-  diff::write_text(folder / "scene.pov", sdl);
-  const diff::RunResult ours = run_lentray({"scene.pov", "+W4", "+H4", "-F"}, folder.path());
+  const tool::TemporaryFolder folder;
+  tool::write_text(folder / "scene.pov", sdl);
+  const tool::RunResult ours = run_lentray({"scene.pov", "+W4", "+H4", "-F"}, folder.path());
   const std::vector<std::string> wanted = lines_of(stock_debug(sdl));
   ASSERT_EQ(wanted.size(), values.size());
   for (const std::string& line : wanted) {

@@ -12,12 +12,12 @@
 namespace lentray::test {
 
 inline std::string stock_debug(const std::string& sdl) {
-  const diff::TemporaryFolder folder;
-  diff::write_text(folder / "scene.pov", sdl);
-  const diff::RunResult run =
-      diff::run({"povray", "+Iscene.pov", "+Oscene.png", "+W4", "+H4", "-D", "+L/usr/share/povray-3.7/include",
+  const tool::TemporaryFolder folder;
+  tool::write_text(folder / "scene.pov", sdl);
+  const tool::RunResult run =
+      tool::run_program({"povray", "+Iscene.pov", "+Oscene.png", "+W4", "+H4", "-D", "+L/usr/share/povray-3.7/include",
                  "+GDdebug.txt"}, folder.path(), 60.0);
-  const std::string text = diff::read_text(folder / "debug.txt");
+  const std::string text = tool::read_text(folder / "debug.txt");
   return run.status == 0 ? text : text + "\nSTOCK FAILED\n" + run.output;
 }
 

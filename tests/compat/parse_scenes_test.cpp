@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "tools/lentray-diff/process.h"
+#include "tools/common/process.h"
 
 namespace lentray::test {
 namespace {
@@ -13,13 +13,13 @@ TEST(SlowParseScenes, AsStock) {
   if (!std::filesystem::exists("/usr/share/doc/povray/examples")) {
     GTEST_SKIP() << "povray-examples is not installed";
   }
-  const diff::RunResult run = diff::run({"python3", LENTRAY_SOURCE_DIR "/tests/compat/parse_scenes.py",
+  const tool::RunResult run = tool::run_program({"python3", LENTRAY_SOURCE_DIR "/tests/compat/parse_scenes.py",
                                          "--bin", LENTRAY_BIN_DIR}, {}, 3500.0);
   EXPECT_EQ(run.status, 0) << run.output;
 }
 
 TEST(SlowSceneCases, AsStock) {
-  const diff::RunResult run = diff::run({"python3", LENTRAY_SOURCE_DIR "/tests/compat/scene_cases.py",
+  const tool::RunResult run = tool::run_program({"python3", LENTRAY_SOURCE_DIR "/tests/compat/scene_cases.py",
                                          "--bin", LENTRAY_BIN_DIR}, {}, 3500.0);
   EXPECT_EQ(run.status, 0) << run.output;
 }

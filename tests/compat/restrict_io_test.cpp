@@ -10,14 +10,14 @@
 #include <vector>
 
 #include "core/image/reader.h"
-#include "tools/lentray-diff/process.h"
+#include "tools/common/process.h"
 
 namespace lentray::test {
 namespace {
 
 namespace fs = std::filesystem;
-using diff::read_text;
-using diff::write_text;
+using tool::read_text;
+using tool::write_text;
 
 constexpr const char* kHead = "#version 3.7; global_settings { assumed_gamma 1 } camera { location -5*z look_at 0 }\n";
 constexpr const char* kSecret = "SECRET";
@@ -50,13 +50,13 @@ class World {
     m_before = outside();
   }
 
-  diff::RunResult run(const std::string& statement, std::vector<std::string> options) const {
+  tool::RunResult run(const std::string& statement, std::vector<std::string> options) const {
     write_text(m_root / "work/scene.pov", kHead + statement + "\n");
     std::vector<std::string> command = {"env", "HOME=" + (m_root / "home").string(), "POVINI=",
                                         LENTRAY_BIN_DIR "/lentray",
                                         "+Iscene.pov", "+W4", "+H4", "-F", "-V", "+L../lib"};
     command.insert(command.end(), options.begin(), options.end());
-    return diff::run(command, m_root / "work", 60.0);
+    return tool::run_program(command, m_root / "work", 60.0);
   }
 
   /// With OUT for the folder outside.
@@ -84,7 +84,7 @@ class World {
     return all;
   }
 
-  diff::TemporaryFolder m_folder;
+  tool::TemporaryFolder m_folder;
   fs::path m_root;
   std::map<std::string, std::string> m_before;
 };
@@ -196,7 +196,7 @@ bool tells_secret(const std::string& output) {
 void expect_refused(const World& world, const Attempt& attempt, const std::vector<std::string>& options) {
   const std::string statement = world.with_names(attempt.statement);
   SCOPED_TRACE(statement);
-  const diff::RunResult result = world.run(statement, options);
+  const tool::RunResult result = world.run(statement, options);
   EXPECT_EQ(result.status, 1);
   EXPECT_FALSE(result.timed_out);
   EXPECT_TRUE(has_place(result.output)) << result.output;
@@ -216,7 +216,7 @@ TEST(CompatRestrictIo, TheAttemptsAreReal) {
   int successes = 0;
   for (const Attempt& attempt : kAttempts) {
     const World world;
-    const diff::RunResult result = world.run(world.with_names(attempt.statement), {});
+    const tool::RunResult result = world.run(world.with_names(attempt.statement), {});
     successes += tells_secret(result.output) || !world.is_unharmed();
   }
   EXPECT_GE(successes, 30);
@@ -233,7 +233,7 @@ TEST(CompatRestrictIo, NorWithoutRendering) {
 TEST(CompatRestrictIo, FolderIniLendsNoFolder) {
   const World world;
   write_text(world / "work/povray.ini", "Library_Path=../outside\nRestrict_IO=Off\nAll_File=../outside/made\n");
-  const diff::RunResult result = world.run("#include \"secret.inc\"", {"Restrict_IO=On"});
+  const tool::RunResult result = world.run("#include \"secret.inc\"", {"Restrict_IO=On"});
   EXPECT_EQ(result.status, 1);
   EXPECT_NE(result.output.find("cannot find the include file 'secret.inc'"), std::string::npos) << result.output;
   EXPECT_NE(result.output.find("povray.ini is not read"), std::string::npos) << result.output;
@@ -246,7 +246,7 @@ TEST(CompatRestrictIo, NamedIni) {
   write_text(world / "work/users.ini", "Library_Path=../outside\n");
   write_text(world / "outside/plain.inc", "#warning \"READ\"\n");
   EXPECT_NE(world.run("#include \"plain.inc\"", {"users.ini", "Restrict_IO=On"}).output.find("READ"), std::string::npos);
-  const diff::RunResult result = world.run("#include \"../home/.povray/3.7/povray.conf\"", {"users.ini", "Restrict_IO=On"});
+  const tool::RunResult result = world.run("#include \"../home/.povray/3.7/povray.conf\"", {"users.ini", "Restrict_IO=On"});
   EXPECT_TRUE(has_place(result.output)) << result.output;
 }
 
@@ -278,7 +278,7 @@ TEST(CompatRestrictIo, WhatIsPermittedWorks) {
         "#fopen F \"d.df3\" write #write (F, uint16be 1, 1, 1, uint8 9) #fclose F "
         "sphere { 0, 1 pigment { density_file df3 \"d.df3\" } }"}) {
     for (const char* mode : {"Restrict_IO=On", "Restrict_IO=Off", "--parse-only"}) {
-      const diff::RunResult result = world.run(statement, {mode});
+      const tool::RunResult result = world.run(statement, {mode});
       EXPECT_EQ(result.status, 0) << mode << ' ' << statement << '\n' << result.output;
       EXPECT_EQ(result.output.find("cannot"), std::string::npos) << mode << ' ' << statement << '\n' << result.output;
     }
@@ -314,7 +314,7 @@ TEST(CompatRestrictIo, OneFileIsHeldOnce) {
   const std::string many = "#fopen F \"p.pgm\" write #write (F, \"P2 2 2 255 0 255 255 0 \") #fclose F #for (I, 1, 1500) "
                            "sphere { I, 1 pigment { image_map { pgm \"p.pgm\" } } } text { ttf \"timrom.ttf\" \"a\" 1, 0 } #end";
   for (const char* mode : {"Restrict_IO=On", "--parse-only"}) {
-    const diff::RunResult result = world.run(many, {mode, "+W1", "+H1"});
+    const tool::RunResult result = world.run(many, {mode, "+W1", "+H1"});
     EXPECT_EQ(result.status, 0) << result.output;
   }
 }
@@ -346,7 +346,7 @@ TEST(CompatFiles, PipesAndDevicesNeverBlock) {
         "#fopen F \"/dev/zero\" read", "#if (file_exists(\"pipe\")) #end", "text { ttf \"pipe\" \"a\" 1, 0 }",
         "sphere { 0, 1 pigment { image_map { png \"pipe.png\" } } }", "height_field { png \"/dev/zero\" }",
         "sphere { 0, 1 pigment { density_file df3 \"pipe\" } }"}) {
-    const diff::RunResult result = world.run(statement, {});
+    const tool::RunResult result = world.run(statement, {});
     EXPECT_EQ(result.status, 1) << statement;
     EXPECT_FALSE(result.timed_out) << statement;
     EXPECT_TRUE(has_place(result.output)) << statement << '\n' << result.output;
@@ -361,7 +361,7 @@ TEST(CompatFiles, LostWritesAreErrors) {
                         {"#fopen F \"/dev/full\" append #write (F, 1)", 10},
                         {"#fopen F \"/dev/full\" write #write (F, 1) #undef F", 10},
                         {"#fopen F \"/dev/full\" write #write (F, 1) #fopen F \"a\" write", 10}}) {
-    const diff::RunResult result = world.run(std::string(c.statement) + " sphere { 0, 1 }", {});
+    const tool::RunResult result = world.run(std::string(c.statement) + " sphere { 0, 1 }", {});
     EXPECT_EQ(result.status, 1) << c.statement;
     EXPECT_NE(result.output.find("scene.pov:2:" + std::to_string(c.column) + ": error: "), std::string::npos)
         << c.statement << '\n' << result.output;
@@ -377,7 +377,7 @@ TEST(CompatFiles, RunsWithoutRenderingLeaveNothing) {
       "#fopen F \"old.txt\" append #write (F, \"\\\"added\\\"\") #fclose F "
       "#fopen F \"old.txt\" read #read (F, A, B) #warning concat(A, B, str(New, 0, 0), str(file_exists(\"new.inc\"), 0, 0))";
   for (const char* mode : {"--parse-only", "--dump"}) {
-    const diff::RunResult result = world.run(statement, {mode});
+    const tool::RunResult result = world.run(statement, {mode});
     EXPECT_EQ(result.status, 0) << result.output;
     EXPECT_NE(result.output.find("oldadded71"), std::string::npos) << result.output;
     EXPECT_FALSE(fs::exists(world / "work/new.inc"));

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/lentray-diff/process.h"
+#include "tools/common/process.h"
 
 namespace lentray::test {
 namespace {
@@ -25,18 +25,18 @@ struct Outcome {
 enum class Program { kStock, kLentray };
 
 Outcome run(Program program, const std::string& scene, std::vector<std::string> options) {
-  const diff::TemporaryFolder folder;
-  diff::write_text(folder / "scene.pov", scene);
+  const tool::TemporaryFolder folder;
+  tool::write_text(folder / "scene.pov", scene);
   std::vector<std::string> command = {
       program == Program::kStock ? "povray" : LENTRAY_BIN_DIR "/lentray", "+Iscene.pov", "+Oscene.png",
       "+W4", "+H4", "-D", "-V"};
   command.insert(command.end(), options.begin(), options.end());
-  const diff::RunResult result = diff::run(command, folder.path(), 60.0);
+  const tool::RunResult result = tool::run_program(command, folder.path(), 60.0);
   Outcome out{result.status, result.output, {}};
   for (const auto& entry : fs::directory_iterator(folder.path())) {
     const std::string name = entry.path().filename().string();
     const std::string end = entry.path().extension().string();
-    if (end == ".txt" || end == ".out") out.files[name] = diff::read_text(entry.path());
+    if (end == ".txt" || end == ".out") out.files[name] = tool::read_text(entry.path());
   }
   return out;
 }
@@ -196,13 +196,13 @@ TEST(CompatWarnings, StreamsGoWhereStockSendsThem) {
 TEST(CompatWarnings, FilesAreBegunAnewOrGoneOnWith) {
   for (const Program program : {Program::kStock, Program::kLentray}) {
     for (const bool append : {false, true}) {
-      const diff::TemporaryFolder folder;
-      diff::write_text(folder / "scene.pov", "sphere { 0, 1 scale 0 }");
-      diff::write_text(folder / "w.txt", "old\n");
+      const tool::TemporaryFolder folder;
+      tool::write_text(folder / "scene.pov", "sphere { 0, 1 scale 0 }");
+      tool::write_text(folder / "w.txt", "old\n");
       const std::string name = program == Program::kStock ? "povray" : LENTRAY_BIN_DIR "/lentray";
-      diff::run({name, "+Iscene.pov", "-F", "+W4", "+H4", "-D", "+GWw.txt", append ? "+GP" : "-GP"},
+      tool::run_program({name, "+Iscene.pov", "-F", "+W4", "+H4", "-D", "+GWw.txt", append ? "+GP" : "-GP"},
                 folder.path(), 60.0);
-      EXPECT_EQ(diff::read_text(folder / "w.txt").rfind("old", 0) == 0, append) << name;
+      EXPECT_EQ(tool::read_text(folder / "w.txt").rfind("old", 0) == 0, append) << name;
     }
   }
 }

@@ -59,7 +59,7 @@ class Stock {
  public:
   Stock() {
     options.processes = 2;
-    write_text(m_folder / "scene.pov", kScene);
+    tool::write_text(m_folder / "scene.pov", kScene);
   }
   StoredImage operator()(const Sheet& s, Way way) const {
     return stock_integral(m_folder / "scene.pov", s, way, options);
@@ -68,7 +68,7 @@ class Stock {
   StockOptions options;
 
  private:
-  TemporaryFolder m_folder;
+  tool::TemporaryFolder m_folder;
 };
 
 LensComparison two_ways(const Sheet& s, Way way) {
@@ -122,8 +122,8 @@ TEST(CompatWrapper, MiddleViewIsTheOrdinaryPicture) {
   put("right", s.right * s.width);
   put("up", s.up * s.height);
   plain << "}\n";
-  const TemporaryFolder folder;
-  write_text(folder / "plain.pov", plain.str());
+  const tool::TemporaryFolder folder;
+  tool::write_text(folder / "plain.pov", plain.str());
   EXPECT_TRUE(test::same_bits(view, stock_picture(folder / "plain.pov", 20, 24, stock.options)));
 }
 
@@ -136,8 +136,8 @@ TEST(CompatWrapper, DeclareReachesTheScene) {
 }
 
 TEST(CompatWrapper, BrokenSceneIsReported) {
-  const TemporaryFolder folder;
-  write_text(folder / "broken.pov", "#version 3.7;\nsphere { <0,0,0> 1 pigmen }\n");
+  const tool::TemporaryFolder folder;
+  tool::write_text(folder / "broken.pov", "#version 3.7;\nsphere { <0,0,0> 1 pigmen }\n");
   try {
     stock_integral(folder / "broken.pov", sheet(5, 50, kFar, true), Way::orthographic_views, {});
     FAIL() << "no error";
@@ -247,9 +247,9 @@ TEST(UnitWrapper, IncludedFiles) {
 }
 
 TEST(CompatWrapper, LenticularCameraInAnIncludeFile) {
-  const TemporaryFolder folder;
-  write_text(folder / "cam.inc", "camera { lenticular location <0,0,0> lens_pitch 1.124 }\n");
-  write_text(folder / "scene.pov", std::string(kScene) + "#include \"cam.inc\"\n");
+  const tool::TemporaryFolder folder;
+  tool::write_text(folder / "cam.inc", "camera { lenticular location <0,0,0> lens_pitch 1.124 }\n");
+  tool::write_text(folder / "scene.pov", std::string(kScene) + "#include \"cam.inc\"\n");
   const Stock stock;
   const Sheet s = sheet(3, 30, kFar, true);
   const StoredImage with = stock_integral(folder / "scene.pov", s, best_way(s), stock.options);

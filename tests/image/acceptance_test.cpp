@@ -19,18 +19,18 @@ std::string text_of(const json& report, const std::string& output) {
 class Acceptance : public ::testing::Test {
  protected:
   /// Runs lentray-diff; the JSON lands in m_report.
-  diff::RunResult compare(std::vector<std::string> arguments) {
+  tool::RunResult compare(std::vector<std::string> arguments) {
     arguments.insert(arguments.end(), {"--json", "report.json", "--output", "p"});
-    const diff::RunResult result = run_diff(arguments, m_folder.path());
+    const tool::RunResult result = run_diff(arguments, m_folder.path());
     if (fs::exists(m_folder / "report.json")) {
-      m_report = json::parse(diff::read_text(m_folder / "report.json"));
+      m_report = json::parse(tool::read_text(m_folder / "report.json"));
     }
     return result;
   }
 
   void expect_exact(std::vector<std::string> arguments) {
     arguments.insert(arguments.end(), {"--grade", "exact"});
-    const diff::RunResult result = compare(std::move(arguments));
+    const tool::RunResult result = compare(std::move(arguments));
     ASSERT_EQ(result.status, 0) << text_of(m_report, result.output);
     EXPECT_EQ(m_report["whole"]["grade"], "exact");
     for (const char* parts : {"lenses", "views"}) {
@@ -44,7 +44,7 @@ class Acceptance : public ::testing::Test {
     }
   }
 
-  diff::TemporaryFolder m_folder;
+  tool::TemporaryFolder m_folder;
   json m_report;
 };
 
@@ -64,12 +64,12 @@ TEST_F(Acceptance, DemoFromItsEyeIsExact) {
 }
 
 TEST_F(Acceptance, DemoInItsOwnCameraIsExact) {
-  const diff::RunResult result = compare({scene_file("demo.pov"), "+W240", "+H180", "--grade", "exact"});
+  const tool::RunResult result = compare({scene_file("demo.pov"), "+W240", "+H180", "--grade", "exact"});
   EXPECT_EQ(result.status, 0) << text_of(m_report, result.output);
 }
 
 TEST_F(Acceptance, FractionalLensPixels) {
-  const diff::RunResult result = compare(
+  const tool::RunResult result = compare(
       {scene_file("demo.pov"), "Lenticular=On", "Lens_Pixels=7.37", "+W240", "+H180"});
   EXPECT_EQ(result.status, 0) << text_of(m_report, result.output);
   EXPECT_TRUE(m_report["views"].empty());
@@ -77,14 +77,14 @@ TEST_F(Acceptance, FractionalLensPixels) {
 }
 
 TEST_F(Acceptance, SnellsLawFromAFiniteDistance) {
-  const diff::RunResult result = compare(
+  const tool::RunResult result = compare(
       {scene_file("demo.pov"), "Lenticular=On", "Lens_Model=pinhole", "+W240", "+H180"});
   EXPECT_EQ(result.status, 0) << text_of(m_report, result.output);
   EXPECT_EQ(m_report["way"], "mesh_camera");
 }
 
 TEST_F(Acceptance, ViewAlone) {
-  const diff::RunResult result = compare({scene_file("demo.pov"), "Lenticular=On", "Lens_Pixels=5",
+  const tool::RunResult result = compare({scene_file("demo.pov"), "Lenticular=On", "Lens_Pixels=5",
                                           "View=3", "+W400", "+H60", "--grade", "exact"});
   EXPECT_EQ(result.status, 0) << text_of(m_report, result.output);
   EXPECT_EQ(m_report["width"], 80);
@@ -94,7 +94,7 @@ TEST_F(Acceptance, ViewAlone) {
 TEST_F(Acceptance, ExampleScene) {
   const std::string scene = "/usr/share/doc/povray/examples/advanced/sombrero.pov";
   if (!fs::exists(scene)) GTEST_SKIP() << "povray-examples is not installed";
-  diff::RunResult result = compare({scene, "+W160", "+H120"});
+  tool::RunResult result = compare({scene, "+W160", "+H120"});
   EXPECT_EQ(result.status, 0) << text_of(m_report, result.output);
   result = compare({scene, "Lenticular=On", "+W240", "+H180"});
   EXPECT_EQ(result.status, 0) << text_of(m_report, result.output);
@@ -116,15 +116,15 @@ class Mutation : public Acceptance {
   }
 
   void SetUp() override {
-    diff::write_text(m_folder / "right.pov", scene("4*x", kRight));
-    const diff::RunResult result = compare({"right.pov", "+W300", "+H60"});
+    tool::write_text(m_folder / "right.pov", scene("4*x", kRight));
+    const tool::RunResult result = compare({"right.pov", "+W300", "+H60"});
     ASSERT_EQ(result.status, 0) << text_of(m_report, result.output);
   }
 
   /// Exit status of lentray-diff for what lentray makes of a changed sheet.
   int status_for(const std::string& right, const std::string& lens) {
-    diff::write_text(m_folder / "wrong.pov", scene(right, lens));
-    const diff::RunResult made =
+    tool::write_text(m_folder / "wrong.pov", scene(right, lens));
+    const tool::RunResult made =
         run_lentray({"+Iwrong.pov", "+Owrong.png", "+W300", "+H60", "-V"}, m_folder.path());
     EXPECT_EQ(made.status, 0) << made.output;
     return run_diff({"wrong.png", "p-stock.png", "Lens_Pixels=15", "--no-pictures"}, m_folder.path())

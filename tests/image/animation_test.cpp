@@ -30,20 +30,20 @@ std::vector<std::string> pictures_in(const fs::path& folder) {
 }
 
 void expect_as_stock(std::vector<std::string> arguments) {
-  const diff::TemporaryFolder folder;
+  const tool::TemporaryFolder folder;
   std::vector<std::string> names[2];
   arguments.insert(arguments.end(), {"+Iscene.pov", "+W60", "+H40", "-D", "-GA", "+WT1"});
   for (const bool ours : {false, true}) {
     const fs::path place = folder / (ours ? "ours" : "stock");
     fs::create_directory(place);
-    diff::write_text(place / "scene.pov", kMoving);
+    tool::write_text(place / "scene.pov", kMoving);
     std::vector<std::string> command = arguments;
     if (ours) {
-      const diff::RunResult run = run_lentray(command, place);
+      const tool::RunResult run = run_lentray(command, place);
       ASSERT_EQ(run.status, 0) << run.output;
     } else {
       command.insert(command.begin(), "povray");
-      diff::run(command, place, 300.0);
+      tool::run_program(command, place, 300.0);
     }
     names[ours ? 1 : 0] = pictures_in(place);
   }
@@ -63,13 +63,13 @@ TEST(ImageAnimation, FrameZero) { expect_as_stock({"+KFI0", "+KFF2", "+Oa.b"}); 
 TEST(ImageAnimation, NoLoop) { expect_as_stock({"+KFI1", "+KFF1", "+K0.3"}); }
 
 TEST(ImageAnimation, AFrameReadsWhatTheOneBeforeWrote) {
-  const diff::TemporaryFolder folder;
-  diff::write_text(folder / "scene.pov", R"(#version 3.7; global_settings { assumed_gamma 1 }
+  const tool::TemporaryFolder folder;
+  tool::write_text(folder / "scene.pov", R"(#version 3.7; global_settings { assumed_gamma 1 }
 #if (frame_number = 1) #declare Seen = 0; #else #fopen In "count.txt" read #read (In, Seen) #fclose In #end
 #fopen Out "count.txt" write #write (Out, Seen + 1, ",") #fclose Out
 camera { location -3*z look_at 0 } sphere { 0, 1 pigment { rgb Seen/4 } finish { ambient 1 } }
 )");
-  const diff::RunResult run =
+  const tool::RunResult run =
       run_lentray({"+Iscene.pov", "+W16", "+H12", "+KFF4", "+FN16", "-V", "Statistics_File=s.json"}, folder.path());
   ASSERT_EQ(run.status, 0) << run.output;
   float last = -1.0f;

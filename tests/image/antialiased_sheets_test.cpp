@@ -29,15 +29,15 @@ const Scene kScenes[] = {{"demo", "demo.pov"},
 class AntialiasedSheet : public ::testing::Test {
  protected:
   /// Runs lentray-diff on the scene as an integral image; its JSON lands in m_report.
-  diff::RunResult compare(const Scene& scene, const Words& more) {
+  tool::RunResult compare(const Scene& scene, const Words& more) {
     Words words{(source_folder() / "scenes" / scene.file).string(), "Lenticular=On",
                 // Most of a small picture's time stock waits.
                 "--threads", "8", "--json", "report.json", "--output", "p"};
     words.insert(words.end(), scene.options.begin(), scene.options.end());
     words.insert(words.end(), more.begin(), more.end());
-    diff::RunResult result = run_diff(words, m_folder.path());
+    tool::RunResult result = run_diff(words, m_folder.path());
     m_report = fs::exists(m_folder / "report.json")
-                   ? json::parse(diff::read_text(m_folder / "report.json"))
+                   ? json::parse(tool::read_text(m_folder / "report.json"))
                    : json();
     return result;
   }
@@ -46,11 +46,11 @@ class AntialiasedSheet : public ::testing::Test {
       GTEST_SKIP() << "povray-examples is not installed";
     }
     more.insert(more.end(), {"--grade", grade, "--no-pictures"});
-    const diff::RunResult result = compare(scene, more);
+    const tool::RunResult result = compare(scene, more);
     EXPECT_EQ(result.status, 0) << result.output;
   }
 
-  diff::TemporaryFolder m_folder;
+  tool::TemporaryFolder m_folder;
   json m_report;
 };
 
@@ -125,7 +125,7 @@ TEST_F(AntialiasedSheet, AViewAlone) {
 }
 
 TEST_F(AntialiasedSheet, IniFilesReachBothRenderers) {
-  diff::write_text(m_folder / "fine.ini", "Antialias=On\nAntialias_Threshold=0.05\nJitter=Off\n"
+  tool::write_text(m_folder / "fine.ini", "Antialias=On\nAntialias_Threshold=0.05\nJitter=Off\n"
                                           "Sampling_Method=2\nAntialias_Depth=2\n");
   expect(kScenes[0], "exact", {(m_folder / "fine.ini").string(), "Lens_Pixels=3", "+W60", "+H40"});
   EXPECT_EQ(m_report["antialiased"], true);
@@ -134,7 +134,7 @@ TEST_F(AntialiasedSheet, IniFilesReachBothRenderers) {
 /// The working space is not linear light: the mean of samples is taken there.
 TEST_F(AntialiasedSheet, MeansAreTakenInTheWorkingSpace) {
   for (const char* settings : {"#version 3.7; global_settings { assumed_gamma 2.2 }", "#version 3.5;"}) {
-    diff::write_text(m_folder / "scene.pov",
+    tool::write_text(m_folder / "scene.pov",
                      std::string(settings) +
                          "\ncamera { location <0,1,-6> look_at 0 right x up y }\n"
                          "light_source { <20,40,-30> rgb 1 }\nbackground { rgb <.1,.2,.4> }\n"
@@ -158,7 +158,7 @@ TEST_F(AntialiasedSheet, WithoutAntialiasingItDoesNotPass) {
 }
 
 TEST_F(AntialiasedSheet, JitterIsSaidToBeRandom) {
-  const diff::RunResult result =
+  const tool::RunResult result =
       compare(kScenes[0], {"Lens_Pixels=3", "+W60", "+H60", "+A", "--grade", "close"});
   EXPECT_EQ(result.status, 0) << result.output;
   EXPECT_NE(result.output.find("jitter is on"), std::string::npos) << result.output;

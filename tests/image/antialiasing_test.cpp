@@ -136,12 +136,12 @@ TEST(ImageParts, AsStockCutsThem) {
 }
 
 TEST(ImageParts, WhatLeavesNothingIsRefused) {
-  const diff::TemporaryFolder folder;
-  diff::write_text(folder / "a.pov", kLinear + kEdges);
+  const tool::TemporaryFolder folder;
+  tool::write_text(folder / "a.pov", kLinear + kEdges);
   for (const auto& [option, message] : std::vector<std::pair<std::string, std::string>>{
            {"+SC200", "Start_Column lies beyond the picture's 80"}, {"+ER70", "End_Row lies beyond the picture's 60"},
            {"+SR40", "Start_Row lies behind End_Row"}}) {
-    const diff::RunResult run =
+    const tool::RunResult run =
         run_lentray({"+Ia.pov", "+W80", "+H60", "+ER30", option, "+Oa.png", "-V"}, folder.path());
     EXPECT_NE(run.status, 0);
     EXPECT_NE(run.output.find(message), std::string::npos) << run.output;

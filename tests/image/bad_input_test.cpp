@@ -9,8 +9,8 @@ namespace lentray::test {
 namespace {
 
 namespace fs = std::filesystem;
-using diff::RunResult;
-using diff::TemporaryFolder;
+using tool::RunResult;
+using tool::TemporaryFolder;
 
 constexpr const char* kGood = "#version 3.7;\nglobal_settings { assumed_gamma 1 }\n"
                               "camera { location <0,0,-3> look_at 0 }\n"
@@ -24,12 +24,12 @@ class BadInput : public ::testing::Test {
     put("good.pov", kGood);
     const RunResult result = render("good.pov");
     ASSERT_EQ(result.status, 0) << result.output;
-    m_before = diff::read_text(m_folder / "a.png");
+    m_before = tool::read_text(m_folder / "a.png");
     ASSERT_FALSE(m_before.empty());
   }
 
   void put(const std::string& name, const std::string& text) {
-    diff::write_text(m_folder / name, text);
+    tool::write_text(m_folder / name, text);
   }
 
   RunResult render(const std::string& scene, const std::vector<std::string>& more = {},
@@ -51,7 +51,7 @@ class BadInput : public ::testing::Test {
   }
 
   void expect_unharmed() {
-    EXPECT_EQ(diff::read_text(m_folder / "a.png"), m_before) << "the good picture was touched";
+    EXPECT_EQ(tool::read_text(m_folder / "a.png"), m_before) << "the good picture was touched";
     for (const auto& entry : fs::directory_iterator(m_folder.path())) {
       EXPECT_EQ(entry.path().string().find(".part"), std::string::npos)
           << "left behind: " << entry.path();
@@ -118,7 +118,7 @@ TEST_F(BadInput, KilledWhileRendering) {
                      "pigment { rgb 1 } finish { reflection 0.8 } } #end\n");
   const RunResult result = render("big.pov", {"+W6000", "+H6000", "+WT1"}, 0.5);
   EXPECT_TRUE(result.timed_out) << "too fast to be killed";
-  EXPECT_EQ(diff::read_text(m_folder / "a.png"), m_before);
+  EXPECT_EQ(tool::read_text(m_folder / "a.png"), m_before);
 }
 
 /// What cannot be written is said, whatever it is and wherever it goes.
@@ -129,14 +129,14 @@ TEST_F(BadInput, NothingIsLostSilently) {
     const bool to_output = what.find("/dev/full") == std::string::npos;
     for (const std::string where : {">/dev/full", ">&-"}) {
       if (!to_output && where == ">&-") continue;
-      const RunResult result = diff::run({"/bin/sh", "-c", lentray + what + (to_output ? " " + where : "")}, m_folder.path());
+      const RunResult result = tool::run_program({"/bin/sh", "-c", lentray + what + (to_output ? " " + where : "")}, m_folder.path());
       EXPECT_EQ(result.status, 1) << what << where << result.output;
       EXPECT_NE(result.output.find("cannot write"), std::string::npos) << what << where << result.output;
     }
   }
   for (const char* other : {"lentray-diff", "lentray-model", "lentray-grouping"}) {
     const RunResult result =
-        diff::run({"/bin/sh", "-c", "'" + program(other).string() + "' --help >/dev/full"}, m_folder.path());
+        tool::run_program({"/bin/sh", "-c", "'" + program(other).string() + "' --help >/dev/full"}, m_folder.path());
     EXPECT_EQ(result.status, 1) << other << result.output;
     EXPECT_NE(result.output.find("cannot write"), std::string::npos) << other << result.output;
   }
@@ -144,10 +144,10 @@ TEST_F(BadInput, NothingIsLostSilently) {
 
 /// No file of the program gets the number of a stream that is closed.
 TEST_F(BadInput, ClosedStreamsAreNotFiles) {
-  const RunResult result = diff::run(
+  const RunResult result = tool::run_program(
       {"/bin/sh", "-c", "'" + program("lentray").string() + "' +Igood.pov +Ob.png +W40 +H30 +V <&- >&- 2>&-"}, m_folder.path());
   EXPECT_EQ(result.status, 0);
-  EXPECT_TRUE(diff::read_text(m_folder / "b.png") == m_before);
+  EXPECT_TRUE(tool::read_text(m_folder / "b.png") == m_before);
 }
 
 TEST_F(BadInput, DiffSaysErrorsWithStatusTwo) {

@@ -30,7 +30,7 @@ plane { y, -1 pigment { gradient x color_map { [0 rgb 0] [1 rgb .3] } scale 7 } 
 class Both {
  public:
   Both(const std::string& sdl, const Words& words) : m_words(words) {
-    diff::write_text(m_folder / "a.pov", sdl);
+    tool::write_text(m_folder / "a.pov", sdl);
     Words all{"+Ia.pov", "+W83", "+H61", "-D", "-V"};
     all.insert(all.end(), words.begin(), words.end());
     for (const char* who : {"stock", "lentray"}) {
@@ -39,7 +39,7 @@ class Both {
       Words command{who == std::string("stock") ? "povray" : program("lentray").string()};
       command.insert(command.end(), all.begin(), all.end());
       command.push_back("+O" + std::string(who) + "/");
-      const auto result = diff::run(command, m_folder.path(), 60.0);
+      const auto result = tool::run_program(command, m_folder.path(), 60.0);
       EXPECT_EQ(result.status, 0) << who << ": " << result.output;
     }
   }
@@ -66,7 +66,7 @@ class Both {
 
  private:
   Words m_words;
-  diff::TemporaryFolder m_folder;
+  tool::TemporaryFolder m_folder;
 };
 
 std::string with_head(const std::string& head) { return head + kScene; }
@@ -179,13 +179,13 @@ TEST(ImageFileNames, AreStocks) {
         Words{"+Is.pov", "+Oq.tga", "+FT", "+KFI9", "+KFF10"}}) {
     std::vector<std::string> names;
     for (const std::string& renderer : {std::string("povray"), program("lentray").string()}) {
-      const diff::TemporaryFolder folder;
+      const tool::TemporaryFolder folder;
       fs::create_directory(folder / "in");
       fs::create_directory(folder / "sub");
-      for (const char* scene : {"s.pov", "in/x.y.pov"}) diff::write_text(folder / scene, "#version 3.7; camera { }");
+      for (const char* scene : {"s.pov", "in/x.y.pov"}) tool::write_text(folder / scene, "#version 3.7; camera { }");
       Words command{renderer, "+W4", "+H3", "-D"};
       command.insert(command.end(), words.begin(), words.end());
-      EXPECT_EQ(diff::run(command, folder.path(), 60.0).status, 0);
+      EXPECT_EQ(tool::run_program(command, folder.path(), 60.0).status, 0);
       std::vector<std::string> made;
       for (const auto& entry : fs::recursive_directory_iterator(folder.path())) {
         if (!entry.is_regular_file() || entry.path().extension() == ".pov") continue;
@@ -201,8 +201,8 @@ TEST(ImageFileNames, AreStocks) {
 }
 
 TEST(ImageDiffProgram, ComparesWhatViewersShow) {
-  const diff::TemporaryFolder folder;
-  diff::write_text(folder / "a.pov", with_head("#version 3.7; global_settings { assumed_gamma 1 }"));
+  const tool::TemporaryFolder folder;
+  tool::write_text(folder / "a.pov", with_head("#version 3.7; global_settings { assumed_gamma 1 }"));
   const auto render = [&](const Words& more) {
     Words words{"+Ia.pov", "+W40", "+H30", "-V"};
     words.insert(words.end(), more.begin(), more.end());
@@ -221,7 +221,7 @@ TEST(ImageDiffProgram, ComparesWhatViewersShow) {
   EXPECT_EQ(compare("clear.png", "clear.exr"), 0);
   EXPECT_EQ(compare("clear.png", "srgb.png"), 1);
   // The same values, of which one file says something else.
-  const std::string bytes = diff::read_text(folder / "gamma.png");
+  const std::string bytes = tool::read_text(folder / "gamma.png");
   core::StoredImage image = core::read_image(folder / "gamma.png");
   image.attributes.clear();
   core::write_stored(image, folder / "untagged.png");

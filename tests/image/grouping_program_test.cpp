@@ -20,19 +20,19 @@ sphere { 0, 1 pigment { rgb <1,0,0> } }
 
 class ImageGroupingProgram : public ::testing::Test {
  protected:
-  void SetUp() override { diff::write_text(m_folder / "a.pov", kScene); }
-  diff::RunResult run(std::vector<std::string> words) const {
+  void SetUp() override { tool::write_text(m_folder / "a.pov", kScene); }
+  tool::RunResult run(std::vector<std::string> words) const {
     words.insert(words.begin(), program("lentray-grouping").string());
-    return diff::run(words, m_folder.path(), 300);
+    return tool::run_program(words, m_folder.path(), 300);
   }
   nlohmann::json shadow(const std::string& cache) const {
     const auto result = run_lentray({"+Ia.pov", "+W90", "+H60", "-F", "-V", "-UL", "+WT1", "Lenticular=On",
                                      "Shadow_Log=On", "Statistics_File=s.json",
                                      "Shadow_Cache=" + cache}, m_folder.path());
     EXPECT_EQ(result.status, 0) << result.output;
-    return nlohmann::json::parse(diff::read_text(m_folder / "s.json")).at("shadow");
+    return nlohmann::json::parse(tool::read_text(m_folder / "s.json")).at("shadow");
   }
-  const diff::TemporaryFolder m_folder;
+  const tool::TemporaryFolder m_folder;
 };
 
 TEST_F(ImageGroupingProgram, TableCsvAndPage) {
@@ -41,10 +41,10 @@ TEST_F(ImageGroupingProgram, TableCsvAndPage) {
                            "CSV=a.csv", "HTML=a.html"});
   EXPECT_EQ(result.status, 0) << result.output;
   EXPECT_NE(result.output.find("equation 2"), std::string::npos) << result.output;
-  const std::string csv = diff::read_text(m_folder / "a.csv");
+  const std::string csv = tool::read_text(m_folder / "a.csv");
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 4 * 2 * 3);
   EXPECT_EQ(csv.find(",no\n"), std::string::npos) << "a picture differs";
-  const std::string page = diff::read_text(m_folder / "a.html");
+  const std::string page = tool::read_text(m_folder / "a.html");
   EXPECT_NE(page.find("<svg"), std::string::npos);
   EXPECT_NE(page.find("</html>"), std::string::npos);
 }
@@ -55,7 +55,7 @@ TEST_F(ImageGroupingProgram, GainsOverSizesAndAccelerators) {
                            "Caches=last", "Accelerators=bvh,grid,list", "Sizes=1,2", "Repeats=0",
                            "Gains=g.csv"});
   EXPECT_EQ(result.status, 0) << result.output;
-  std::istringstream lines(diff::read_text(m_folder / "g.csv"));
+  std::istringstream lines(tool::read_text(m_folder / "g.csv"));
   std::string line;
   std::vector<double> costs;
   std::getline(lines, line);
@@ -78,7 +78,7 @@ TEST_F(ImageGroupingProgram, ColumnsSaveWhatThePaperSaysOnTheMosaic) {
                            "Gains=g.csv"});
   EXPECT_EQ(result.status, 0) << result.output;
   // size, accelerator, cache, against, Cm, blocked, hits of columns, of the other, saved, equation 2
-  std::istringstream lines(diff::read_text(m_folder / "g.csv"));
+  std::istringstream lines(tool::read_text(m_folder / "g.csv"));
   std::string line;
   std::getline(lines, line);
   int found = 0;

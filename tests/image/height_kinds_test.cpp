@@ -63,20 +63,20 @@ class ImageHeightKinds : public ::testing::TestWithParam<Kind> {};
 
 TEST_P(ImageHeightKinds, AsStock) {
   const Kind& kind = GetParam();
-  const diff::TemporaryFolder folder;
-  diff::write_text(folder / "colours.ppm", colours());
+  const tool::TemporaryFolder folder;
+  tool::write_text(folder / "colours.ppm", colours());
   const std::string file = std::string("heights.") + kind.suffix;
   std::vector<std::string> command = {"oiiotool", "colours.ppm"};
   command.insert(command.end(), kind.as.begin(), kind.as.end());
   command.insert(command.end(), {"-o", file});
-  const diff::RunResult made = diff::run(command, folder.path(), 60.0);
+  const tool::RunResult made = tool::run_program(command, folder.path(), 60.0);
   ASSERT_EQ(made.status, 0) << made.output;
   const std::string sdl = std::string(R"(#version 3.7; global_settings { assumed_gamma 1 }
 camera { location <2.2,2.6,-4> look_at <0,.2,0> angle 45 }
 light_source { <-4,7,-6>, 1 } light_source { <5,3,-2>, .3 } plane { y, -1.2 pigment { checker rgb .9 rgb .5 } }
 height_field { )") + kind.type + " \"" + file + "\" " + kind.gamma +
                           " scale <2.4,1.4,2.4> translate <-1.2,-.6,-1.2> pigment { rgb <.9,.5,.3> } }";
-  EXPECT_TRUE(same_as_stock({.sdl = sdl, .width = 120, .height = 90, .arguments = {}, .files = {{file, diff::read_text(folder / file)}}}));
+  EXPECT_TRUE(same_as_stock({.sdl = sdl, .width = 120, .height = 90, .arguments = {}, .files = {{file, tool::read_text(folder / file)}}}));
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, ImageHeightKinds, ::testing::ValuesIn(kKinds),

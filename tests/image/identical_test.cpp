@@ -11,7 +11,7 @@ namespace fs = std::filesystem;
 
 /// Renders the scene in every way and holds each picture against the first.
 void expect_identical(const std::vector<std::string>& scene) {
-  const diff::TemporaryFolder folder;
+  const tool::TemporaryFolder folder;
   StoredImage first;
   // Bands as high as the picture, a row, odd, and more than a row of tiles.
   const std::vector<std::string> bands{"", "Band_Height=1", "Band_Height=7", "Band_Height=40"};
@@ -37,7 +37,7 @@ void expect_identical(const std::vector<std::string>& scene) {
       arguments.insert(arguments.end(), way.begin(), way.end());
       arguments.insert(arguments.end(), search.begin(), search.end());
       arguments.insert(arguments.end(), {"+Oa.png", "+FN16", "-V"});
-      const diff::RunResult result = run_lentray(arguments, folder.path());
+      const tool::RunResult result = run_lentray(arguments, folder.path());
       ASSERT_EQ(result.status, 0) << result.output;
       const StoredImage picture = core::read_image(folder / "a.png");
       if (first.samples.empty()) first = picture;
@@ -84,8 +84,8 @@ box { <1.2,0,1>, <2.2,1.3,2> pigment { rgb <0.5,0.8,0.4> } }
 )";
 
 TEST(ImageIdentical, FocalBlur) {
-  const diff::TemporaryFolder folder;
-  diff::write_text(folder / "blurred.pov", kBlurred);
+  const tool::TemporaryFolder folder;
+  tool::write_text(folder / "blurred.pov", kBlurred);
   const std::string scene = "+I" + (folder / "blurred.pov").string();
   expect_identical({scene, "+W40", "+H30"});
   expect_identical({scene, "Lenticular=On", "Lens_Pixels=6", "Antialias_Angle=2", "+W36", "+H20"});
@@ -108,8 +108,8 @@ sphere { <0.4,0.8,0>, 0.3 pigment { rgb <1,0,0> } finish { reflection 0.5 } }
 }
 
 TEST(ImageIdentical, PlateJustAboveAFloor) {
-  const diff::TemporaryFolder folder;
-  diff::write_text(folder / "plate.pov", plate_scene(0.0));
+  const tool::TemporaryFolder folder;
+  tool::write_text(folder / "plate.pov", plate_scene(0.0));
   expect_identical({"+I" + (folder / "plate.pov").string(), "+W80", "+H60"});
   expect_identical({"+I" + (folder / "plate.pov").string(), "Lenticular=On", "+W90", "+H60"});
   // The near end lets light through: without that the scene would prove nothing.
@@ -190,8 +190,8 @@ TEST(ImageIdentical, AntialiasedSheetByCorners) {
 class ImageIdenticalOccluders : public ::testing::Test {
  protected:
   void expect(std::vector<std::string> arguments) {
-    const diff::TemporaryFolder folder;
-    diff::write_text(folder / "occluders.pov", kOccluders);
+    const tool::TemporaryFolder folder;
+    tool::write_text(folder / "occluders.pov", kOccluders);
     arguments.insert(arguments.begin(), "+I" + (folder / "occluders.pov").string());
     expect_identical(arguments);
   }

@@ -25,12 +25,12 @@ constexpr double kMiB = 1024.0 * 1024.0;
 
 /// Renders the scene and returns the statistics; width and height are those of the PNG's header.
 nlohmann::json statistics(std::vector<std::string> arguments, double seconds = 300.0) {
-  const diff::TemporaryFolder folder;
-  diff::write_text(folder / "scene.pov", kScene);
+  const tool::TemporaryFolder folder;
+  tool::write_text(folder / "scene.pov", kScene);
   arguments.insert(arguments.end(), {"scene.pov", "-V", "Statistics_File=s.json"});
-  const diff::RunResult result = run_lentray(arguments, folder.path(), seconds);
+  const tool::RunResult result = run_lentray(arguments, folder.path(), seconds);
   EXPECT_EQ(result.status, 0) << result.output;
-  const auto json = nlohmann::json::parse(diff::read_text(folder / "s.json"));
+  const auto json = nlohmann::json::parse(tool::read_text(folder / "s.json"));
   std::ifstream picture(folder / "scene.png", std::ios::binary);
   unsigned char header[24] = {};
   picture.read(reinterpret_cast<char*>(header), sizeof header);
@@ -63,8 +63,8 @@ TEST(ImageMemory, MaxMemoryIsKept) {
 }
 
 TEST(ImageMemory, TooLittleIsSaid) {
-  const diff::TemporaryFolder folder;
-  diff::write_text(folder / "scene.pov", kScene);
+  const tool::TemporaryFolder folder;
+  tool::write_text(folder / "scene.pov", kScene);
   const auto result = run_lentray({"scene.pov", "+W40", "+H30", "Max_Memory=1M", "Statistics_File=s.json"}, folder.path());
   EXPECT_EQ(result.status, 1);
   EXPECT_NE(result.output.find("Max_Memory is less than the scene and a row of the picture take"), std::string::npos) << result.output;
@@ -85,9 +85,9 @@ TEST(ImageMemory, WhatIsTooLargeIsNotBegun) {
                                  "sphere { 0, 1 pigment { image_map { function 9000, 9000 { x } } } }",
                                  "height_field { function 9900, 9900 { x } }",
                                  "plane { y, 0 pigment { image_map { png \"large.png\" } } }"}) {
-    const diff::TemporaryFolder folder;
-    diff::write_text(folder / "large.png", large_png());
-    diff::write_text(folder / "scene.pov", "#version 3.7; global_settings { assumed_gamma 1 }\n" + text + "\n");
+    const tool::TemporaryFolder folder;
+    tool::write_text(folder / "large.png", large_png());
+    tool::write_text(folder / "scene.pov", "#version 3.7; global_settings { assumed_gamma 1 }\n" + text + "\n");
     const auto result = run_lentray({"scene.pov", "+W40", "+H30", "Max_Memory=200M"}, folder.path());
     EXPECT_EQ(result.status, 1) << text << result.output;
     EXPECT_NE(result.output.find("(Max_Memory)"), std::string::npos) << text << result.output;
@@ -99,13 +99,13 @@ TEST(ImageMemory, WhatIsTooLargeIsNotBegun) {
 TEST(ImageMemory, WhatGrowsIsStopped) {
   for (const std::string text : {"union { #while (1) sphere { 0, 1 } #end }",
                                  "mesh { #declare I = 0; #while (1) triangle { <I, 0, 0>, x, <0, 1, I> } #declare I = I + 1; #end }"}) {
-    const diff::TemporaryFolder folder;
-    diff::write_text(folder / "scene.pov", "#version 3.7; global_settings { assumed_gamma 1 }\n" + text + "\n");
-    diff::write_text(folder / "scene.png", "an older picture");
+    const tool::TemporaryFolder folder;
+    tool::write_text(folder / "scene.pov", "#version 3.7; global_settings { assumed_gamma 1 }\n" + text + "\n");
+    tool::write_text(folder / "scene.png", "an older picture");
     const auto result = run_lentray({"scene.pov", "+W40", "+H30", "Max_Memory=200M"}, folder.path());
     EXPECT_EQ(result.status, 1) << text << result.output;
     EXPECT_NE(result.output.find("(Max_Memory): 210 MB"), std::string::npos) << text << result.output;
-    EXPECT_EQ(diff::read_text(folder / "scene.png"), "an older picture");
+    EXPECT_EQ(tool::read_text(folder / "scene.png"), "an older picture");
   }
 }
 

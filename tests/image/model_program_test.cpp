@@ -12,15 +12,15 @@ namespace fs = std::filesystem;
 
 class ImageModelProgram : public ::testing::Test {
  protected:
-  diff::RunResult run(std::vector<std::string> words) const {
+  tool::RunResult run(std::vector<std::string> words) const {
     words.insert(words.begin(), program("lentray-model").string());
-    return diff::run(words, m_folder.path(), 300);
+    return tool::run_program(words, m_folder.path(), 300);
   }
   std::size_t files() const {
     return static_cast<std::size_t>(
         std::distance(fs::directory_iterator(m_folder.path()), fs::directory_iterator()));
   }
-  const diff::TemporaryFolder m_folder;
+  const tool::TemporaryFolder m_folder;
 };
 
 TEST_F(ImageModelProgram, CsvAndMeasuring) {
@@ -29,7 +29,7 @@ TEST_F(ImageModelProgram, CsvAndMeasuring) {
   EXPECT_EQ(result.status, 0) << result.output;
   EXPECT_NE(result.output.find("measured equals enumerated at 60 of 60 points"), std::string::npos)
       << result.output;
-  const std::string csv = diff::read_text(m_folder / "out.csv");
+  const std::string csv = tool::read_text(m_folder / "out.csv");
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 61);
   EXPECT_EQ(files(), 1u) << "nothing is left beside it";
 }
@@ -48,10 +48,10 @@ TEST_F(ImageModelProgram, ChartsOfEveryKind) {
     const StoredImage chart = core::read_image(m_folder / ("figure-" + std::string(name) + ".png"));
     EXPECT_GT(chart.width, 800u) << name;
   }
-  EXPECT_EQ(diff::read_text(m_folder / "figure-11.csv").substr(0, 18), "\"A, mm\",rows print");
+  EXPECT_EQ(tool::read_text(m_folder / "figure-11.csv").substr(0, 18), "\"A, mm\",rows print");
   const auto svg = run({"Figures=13", "Format=svg"});
   EXPECT_EQ(svg.status, 0) << svg.output;
-  EXPECT_NE(diff::read_text(m_folder / "figure-13.svg").find("<svg"), std::string::npos);
+  EXPECT_NE(tool::read_text(m_folder / "figure-13.svg").find("<svg"), std::string::npos);
 }
 
 TEST_F(ImageModelProgram, WithoutFilesATable) {
@@ -62,7 +62,7 @@ TEST_F(ImageModelProgram, WithoutFilesATable) {
 }
 
 TEST_F(ImageModelProgram, ErrorsLeaveWhatWasThere) {
-  diff::write_text(m_folder / "out.csv", "mine");
+  tool::write_text(m_folder / "out.csv", "mine");
   for (const std::vector<std::string>& words :
        {std::vector<std::string>{"CSV=out.csv", "A=x"},
         {"CSV=out.csv", "Deviations=nowhere/d.csv"},
@@ -72,7 +72,7 @@ TEST_F(ImageModelProgram, ErrorsLeaveWhatWasThere) {
     const auto result = run(words);
     EXPECT_EQ(result.status, 1) << words.back();
     EXPECT_EQ(result.output.substr(0, 15), "lentray-model: ") << result.output;
-    EXPECT_EQ(diff::read_text(m_folder / "out.csv"), "mine");
+    EXPECT_EQ(tool::read_text(m_folder / "out.csv"), "mine");
   }
   EXPECT_EQ(run({"CSV=/dev/full", "A=1", "D=1"}).status, 1) << "a full disk";
   EXPECT_EQ(files(), 1u);
@@ -87,7 +87,7 @@ TEST_F(ImageModelProgram, Help) {
 TEST_F(ImageModelProgram, NumbersOfOrdersAreJudgedBeforeTheScene) {
   const auto result = run_lentray({"+Inowhere.pov", "Pixel_Order=strips(0,3)"}, m_folder.path());
   EXPECT_EQ(result.status, 1);
-  diff::write_text(m_folder / "a.pov", "#version 3.7;\n#error \"read\"\n");
+  tool::write_text(m_folder / "a.pov", "#version 3.7;\n#error \"read\"\n");
   const auto order = run_lentray({"+Ia.pov", "Pixel_Order=strips(0,3)"}, m_folder.path());
   EXPECT_EQ(order.status, 1);
   EXPECT_NE(order.output.find("strips takes a width and a height"), std::string::npos) << order.output;

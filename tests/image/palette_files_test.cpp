@@ -197,17 +197,17 @@ TEST_P(ImagePaletteFiles, EntriesByNumber) {
 TEST_P(ImagePaletteFiles, EntriesThatAreNotThere) {
   const std::string name = GetParam(), type = name.substr(name.size() - 3);
   const bool has_palette = name != "colours16.tga" && name != "greys.tga";
-  const diff::TemporaryFolder folder;
-  diff::write_text(folder / name, file(name));
+  const tool::TemporaryFolder folder;
+  tool::write_text(folder / name, file(name));
   for (const std::string entry : {"filter all", "transmit 15,", "filter 16,"}) {
-    diff::write_text(folder / "scene.pov", "#version 3.7; global_settings { assumed_gamma 1 }\nsphere { 0, 1 pigment { image_map { " +
+    tool::write_text(folder / "scene.pov", "#version 3.7; global_settings { assumed_gamma 1 }\nsphere { 0, 1 pigment { image_map { " +
                                                type + " \"" + name + "\"\n " + entry + " .5 } } }\n");
     const std::vector<std::string> arguments{"+Iscene.pov", "+Oa.png", "+W4", "+H3", "-D"};
     std::vector<std::string> stock_arguments{"povray"};
     stock_arguments.insert(stock_arguments.end(), arguments.begin(), arguments.end());
     const bool is_there = entry == "filter all" || (has_palette && entry == "transmit 15,");
-    const diff::RunResult stock = diff::run(stock_arguments, folder.path(), 60.0);
-    const diff::RunResult ours = run_lentray(arguments, folder.path());
+    const tool::RunResult stock = tool::run_program(stock_arguments, folder.path(), 60.0);
+    const tool::RunResult ours = run_lentray(arguments, folder.path());
     EXPECT_EQ(stock.status == 0, is_there) << entry << stock.output;
     EXPECT_EQ(ours.status, is_there ? 0 : 1) << entry << ours.output;
     const std::string place = "scene.pov:3:" + std::to_string(entry.find(' ') + 3) + ": error: expected ";

@@ -20,13 +20,13 @@ inline const char* const kOpenValues = "\n#fopen OUT \"values.txt\" write\n";
 
 /// What a program writes with #write(OUT, ...), or its complaint.
 inline std::string written(bool stock, const std::string& sdl, const Files& files) {
-  const diff::TemporaryFolder folder;
-  for (const auto& [name, contents] : files) diff::write_text(folder / name, contents);
-  diff::write_text(folder / "scene.pov", sdl);
-  const diff::RunResult run =
-      stock ? diff::run({"povray", "+Iscene.pov", "-F", "+W4", "+H4", "-D"}, folder.path(), 60.0)
+  const tool::TemporaryFolder folder;
+  for (const auto& [name, contents] : files) tool::write_text(folder / name, contents);
+  tool::write_text(folder / "scene.pov", sdl);
+  const tool::RunResult run =
+      stock ? tool::run_program({"povray", "+Iscene.pov", "-F", "+W4", "+H4", "-D"}, folder.path(), 60.0)
             : run_lentray({"scene.pov", "-F", "+W4", "+H4"}, folder.path());
-  return run.status == 0 ? diff::read_text(folder / "values.txt") : "FAILED\n" + run.output;
+  return run.status == 0 ? tool::read_text(folder / "values.txt") : "FAILED\n" + run.output;
 }
 
 /// The same words, numbers but for the last bits of a single one.

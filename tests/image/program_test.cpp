@@ -6,7 +6,7 @@
 
 #include "core/image/reader.h"
 #include "tests/support/render.h"
-#include "tools/lentray-diff/process.h"
+#include "tools/common/process.h"
 
 namespace lentray::test {
 namespace {
@@ -29,18 +29,18 @@ box { <-2.5,0,-1>, <-1.5,1.2,0> pigment { rgbf <.3,.9,.3,.6> } }
 
 class ImageProgram : public ::testing::Test {
  protected:
-  void SetUp() override { diff::write_text(m_folder / "scene.pov", kScene); }
-  diff::RunResult lentray(const std::vector<std::string>& arguments) {
+  void SetUp() override { tool::write_text(m_folder / "scene.pov", kScene); }
+  tool::RunResult lentray(const std::vector<std::string>& arguments) {
     return run_lentray(arguments, m_folder.path());
   }
-  diff::RunResult shell(const std::string& command) {
-    return diff::run({"/bin/sh", "-c", command}, m_folder.path());
+  tool::RunResult shell(const std::string& command) {
+    return tool::run_program({"/bin/sh", "-c", command}, m_folder.path());
   }
   fs::path path(const std::string& name) const { return m_folder / name; }
   bool exists(const std::string& name) const { return fs::exists(path(name)); }
 
  private:
-  diff::TemporaryFolder m_folder;
+  tool::TemporaryFolder m_folder;
 };
 
 /// What the levels leave out: quick colours, patterns, layers, normals, glass, mirrors, shadows.
@@ -106,7 +106,7 @@ TEST_F(ImageProgram, StandardInputAndOutput) {
 }
 
 TEST_F(ImageProgram, IniFilesWithSections) {
-  diff::write_text(path("job.ini"),
+  tool::write_text(path("job.ini"),
                    "Input_File_Name=scene.pov\n+W9 +H7\n[large]\nInput_File_Name=scene.pov\n"
                    "Width=20\nHeight=10\nOutput_File_Name=large.png\n");
   EXPECT_EQ(lentray({"job", "-V"}).status, 0);
@@ -117,7 +117,7 @@ TEST_F(ImageProgram, IniFilesWithSections) {
 }
 
 TEST_F(ImageProgram, DeclareReachesTheScene) {
-  diff::write_text(path("d.pov"),
+  tool::write_text(path("d.pov"),
                    "#version 3.7; global_settings { assumed_gamma 1 } background { rgb Grey }\n");
   EXPECT_EQ(lentray({"d.pov", "+W2", "+H2", "-V", "Declare=Grey=1", "File_Gamma=1"}).status, 0);
   EXPECT_EQ(core::read_image(path("d.png")).at(0, 0, 0), 255.0f);
@@ -159,7 +159,7 @@ TEST_F(ImageProgram, StatisticsAndMetadataTellTheLens) {
                      "Statistics_File=s.json"})
                 .status,
             0);
-  const auto json = nlohmann::json::parse(diff::read_text(path("s.json")));
+  const auto json = nlohmann::json::parse(tool::read_text(path("s.json")));
   EXPECT_EQ(json["image"]["width"], 150);
   EXPECT_EQ(json["image"]["working_gamma"], 1.0);
   EXPECT_EQ(json["lens"]["pixels"], 7.5);
@@ -189,7 +189,7 @@ TEST_F(ImageProgram, ExplainNamesWhatIsNeeded) {
 }
 
 TEST_F(ImageProgram, WhatAPictureWillLackIsSaidBeforeItIsRendered) {
-  diff::write_text(path("lacks.pov"), "#version 3.7; global_settings { assumed_gamma 1 } light_source { -9*z, 1 }\n"
+  tool::write_text(path("lacks.pov"), "#version 3.7; global_settings { assumed_gamma 1 } light_source { -9*z, 1 }\n"
         "sphere { 5*z, 1 pigment { rgbt 1 } hollow interior { media { emission 1 } } }\n");
   const std::string text = lentray({"lacks.pov", "+W16", "+H12"}).output;
   EXPECT_LT(text.find("left out of the picture: media"), text.find("Rendering: 100 %")) << text;
@@ -253,7 +253,7 @@ TEST_F(ErrorProgram, OptionsThatAreNotThereYet) {
 TEST_F(ErrorProgram, NoSceneAtAll) { expect({"+W10"}, "no scene was named"); }
 
 TEST_F(ErrorProgram, CamerasWithoutASheet) {
-  diff::write_text(path("f.pov"), "#version 3.7;\ncamera { fisheye angle 90 }\n");
+  tool::write_text(path("f.pov"), "#version 3.7;\ncamera { fisheye angle 90 }\n");
   expect({"f.pov", "Lenticular=On", "+W30", "+H20"}, "a `fisheye` camera has no lens sheet");
 }
 

@@ -14,7 +14,7 @@
 #include "camera/lenticular.h"
 #include "core/image/reader.h"
 #include "tests/support/render.h"
-#include "tools/lentray-diff/process.h"
+#include "tools/common/process.h"
 #include "tools/lentray-diff/sheet.h"
 #include "tools/lentray-diff/wrapper.h"
 
@@ -144,11 +144,11 @@ double decoded(const core::StoredImage& image, std::uint32_t column, std::uint32
 }
 
 /// The four frames of a scene in stock.
-std::vector<core::StoredImage> stock_frames(const diff::TemporaryFolder& folder,
+std::vector<core::StoredImage> stock_frames(const tool::TemporaryFolder& folder,
                                             const std::string& scene, std::uint32_t width,
                                             std::uint32_t height) {
-  diff::write_text(folder / "wrapper.pov", scene);
-  const auto result = diff::run(
+  tool::write_text(folder / "wrapper.pov", scene);
+  const auto result = tool::run_program(
       {"povray", "+Iwrapper.pov", "+Of_.png", "+W" + std::to_string(width),
        "+H" + std::to_string(height), "+KFI0", "+KFF3", "+FN16", "-A", "-J", "-D", "-V", "+WT1",
        "File_Gamma=1.0"},
@@ -203,8 +203,8 @@ TEST_P(ImageRaysViews, AgreeWithStocksObliqueCameras) {
   const diff::Sheet sheet = sheet_of(camera);
   const diff::Way way =
       sheet.is_finite() ? diff::Way::perspective_views : diff::Way::orthographic_views;
-  const diff::TemporaryFolder folder;
-  diff::write_text(folder / "probe.pov", probe_scene(trial));
+  const tool::TemporaryFolder folder;
+  tool::write_text(folder / "probe.pov", probe_scene(trial));
   const std::uint32_t last = camera.sheet().views() - 1;
   double largest = 0.0;
   for (const std::uint32_t view : {0u, 3u, last / 2, last}) {
@@ -249,8 +249,8 @@ TEST_P(ImageRaysMesh, AgreeWithStocksMeshCamera) {
   const Trial& trial = GetParam();
   const Lenticular camera = camera_of(trial);
   ASSERT_EQ(camera.sheet().dark_columns(), 0u);
-  const diff::TemporaryFolder folder;
-  diff::write_text(folder / "probe.pov", probe_scene(trial));
+  const tool::TemporaryFolder folder;
+  tool::write_text(folder / "probe.pov", probe_scene(trial));
   // The mesh's picture lies on its side. POV-Ray 3.7 repeats its first row, so there is one more.
   const auto frames =
       stock_frames(folder, diff::mesh_scene(sheet_of(camera), {"#version 3.7;", "probe.pov"}),
@@ -299,8 +299,8 @@ INSTANTIATE_TEST_SUITE_P(
 /// A probe that cannot tell rays apart proves nothing: a sheet one part in ten thousand off fails.
 TEST(ImageRaysProbe, SeesSmallMistakes) {
   Trial trial{"", lens(1.124, 3.03, 1.6, 15, kInf, LensModel::kPinhole), 60, 5, 6.5, 4.1, 0.0};
-  const diff::TemporaryFolder folder;
-  diff::write_text(folder / "probe.pov", probe_scene(trial));
+  const tool::TemporaryFolder folder;
+  tool::write_text(folder / "probe.pov", probe_scene(trial));
   const diff::Sheet sheet = sheet_of(camera_of(trial));
   const auto frames = stock_frames(
       folder,
@@ -394,8 +394,8 @@ class ImageRaysDump : public ::testing::TestWithParam<Trial> {};
 
 TEST_P(ImageRaysDump, FollowsTheFormulae) {
   const Trial& trial = GetParam();
-  const diff::TemporaryFolder folder;
-  diff::write_text(folder / "scene.pov", lenticular_scene(trial));
+  const tool::TemporaryFolder folder;
+  tool::write_text(folder / "scene.pov", lenticular_scene(trial));
   const auto result = run_lentray({"+Iscene.pov", "+W" + std::to_string(trial.columns),
                                    "+H" + std::to_string(trial.rows), "-F", "-V", "--dump-rays",
                                    "rays.txt"},

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/render.h"
-#include "tools/lentray-diff/process.h"
+#include "tools/common/process.h"
 
 namespace lentray::test {
 namespace {
@@ -12,8 +12,8 @@ namespace {
 namespace fs = std::filesystem;
 
 testing::AssertionResult listed_scenes_match(const fs::path& list, double seconds) {
-  const diff::RunResult result =
-      diff::run({"python3", (source_folder() / "tests/compat/scenes.py").string(), "--no-docs",
+  const tool::RunResult result =
+      tool::run_program({"python3", (source_folder() / "tests/compat/scenes.py").string(), "--no-docs",
                  "--bin", program("lentray").parent_path().string(), "--list", list.string(),
                  "--grade", "match"},
                 {}, seconds);
@@ -22,8 +22,8 @@ testing::AssertionResult listed_scenes_match(const fs::path& list, double second
 }
 
 TEST(ImageScenes, TenQuickOnesMatch) {
-  const diff::TemporaryFolder folder;
-  diff::write_text(folder / "list.txt",
+  const tool::TemporaryFolder folder;
+  tool::write_text(folder / "list.txt",
                    "advanced/teapot/teapot2.pov\nadvanced/bwstripe.pov\ncamera/fisheye.pov\n"
                    "camera/perspective.pov\nincdemo/woods/teak.pov\nincdemo/shapes2.pov\n"
                    "objects/ttf1.pov\nobjects/quartic/piriform.pov\nobjects/superel1.pov\n"

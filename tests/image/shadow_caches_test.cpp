@@ -29,7 +29,7 @@ class ImageShadowCaches : public ::testing::Test {
     words.insert(words.end(), more.begin(), more.end());
     const auto result = run_lentray(words, m_folder.path());
     EXPECT_EQ(result.status, 0) << result.output;
-    return nlohmann::json::parse(diff::read_text(m_folder / "s.json"));
+    return nlohmann::json::parse(tool::read_text(m_folder / "s.json"));
   }
   static double number(const nlohmann::json& j) { return j.get<double>(); }
   static double of_bound(const nlohmann::json& s) {
@@ -38,7 +38,7 @@ class ImageShadowCaches : public ::testing::Test {
   static double tests(const nlohmann::json& s) { return number(s.at("log").at("tests")); }
 
  private:
-  const diff::TemporaryFolder m_folder;
+  const tool::TemporaryFolder m_folder;
 };
 
 TEST_F(ImageShadowCaches, TheGridHasNearlyAllHitsThereCanBeInAnyOrder) {

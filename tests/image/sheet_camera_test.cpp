@@ -131,8 +131,8 @@ Line expected(const Case& c, std::uint32_t column, std::uint32_t row) {
 /// Every ray of a dump; the scene is `sdl` and something to see.
 std::vector<Line> dumped(const std::string& sdl, std::uint32_t width,
                          const std::vector<std::string>& options, std::string* said = nullptr) {
-  const diff::TemporaryFolder folder;
-  diff::write_text(folder / "scene.pov", sdl);
+  const tool::TemporaryFolder folder;
+  tool::write_text(folder / "scene.pov", sdl);
   std::vector<std::string> arguments{"+Iscene.pov", "+W" + std::to_string(width),
                                      "+H" + std::to_string(kRows), "-F", "-V", "--dump-rays",
                                      "rays.txt"};
@@ -362,8 +362,8 @@ INSTANTIATE_TEST_SUITE_P(Cameras, SheetCameraMiddleView,
 class SheetCameraViews : public SheetCameraPicture {};
 
 TEST_P(SheetCameraViews, AreStocks) {
-  const diff::TemporaryFolder folder;
-  diff::write_text(folder / "scene.pov", scene_of(trial()));
+  const tool::TemporaryFolder folder;
+  tool::write_text(folder / "scene.pov", scene_of(trial()));
   std::vector<std::string> arguments = options_of(trial());
   arguments.insert(arguments.end(),
                    {"scene.pov", "+W" + std::to_string(columns_of(trial())), "+H60", "--threads", "1",
@@ -384,13 +384,13 @@ INSTANTIATE_TEST_SUITE_P(Cameras, SheetCameraViews,
 
 nlohmann::json lens_of(const std::string& camera, std::vector<std::string> more, std::string& said,
                        const std::string& things = kThings) {
-  const diff::TemporaryFolder folder;
-  diff::write_text(folder / "scene.pov", things + camera + "\n");
+  const tool::TemporaryFolder folder;
+  tool::write_text(folder / "scene.pov", things + camera + "\n");
   more.insert(more.end(), {"+Iscene.pov", "+Oo.png", "+W200", "+H30", "-V", "Statistics_File=s.json"});
   const auto result = run_lentray(more, folder.path());
   said = result.output;
   if (result.status != 0) return {};
-  return nlohmann::json::parse(diff::read_text(folder / "s.json"))["lens"];
+  return nlohmann::json::parse(tool::read_text(folder / "s.json"))["lens"];
 }
 
 TEST(SheetCamera, WithoutLookAtTheMedianDepthCounts) {

@@ -24,8 +24,8 @@ class ImageSpd : public ::testing::TestWithParam<SpdScene> {
     std::vector<std::string> arguments{file(), "Declare=Size=" + std::to_string(GetParam().size),
                                        "--grade", "match"};
     arguments.insert(arguments.end(), more.begin(), more.end());
-    const diff::TemporaryFolder folder;
-    const diff::RunResult result = run_diff(arguments, folder.path());
+    const tool::TemporaryFolder folder;
+    const tool::RunResult result = run_diff(arguments, folder.path());
     EXPECT_EQ(result.status, 0) << result.output;
   }
 };
@@ -37,7 +37,7 @@ TEST_P(ImageSpd, IntegralMatchesStock) {
 }
 
 TEST_P(ImageSpd, HasThePublishedObjects) {
-  const diff::RunResult result = run_lentray({"+I" + file(), "--explain"});
+  const tool::RunResult result = run_lentray({"+I" + file(), "--explain"});
   ASSERT_EQ(result.status, 0) << result.output;
   EXPECT_NE(result.output.find(" " + std::to_string(GetParam().published) +
                                " after splitting unions"), std::string::npos) << result.output;

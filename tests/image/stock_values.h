@@ -43,10 +43,10 @@ inline std::vector<double> stock_values(const std::string& function, const std::
     scene << "#write(OUT, str(" << e << ", 0, 15), \"\\n\")\n";
   }
   scene << "#declare I = I + 1; #end\n#fclose OUT\n";
-  const diff::TemporaryFolder folder;
-  diff::write_text(folder / "scene.pov", scene.str());
-  const diff::RunResult result =
-      diff::run({"povray", "+Iscene.pov", "+Oout.png", "+W1", "+H1", "-D"}, folder.path(), 300.0);
+  const tool::TemporaryFolder folder;
+  tool::write_text(folder / "scene.pov", scene.str());
+  const tool::RunResult result =
+      tool::run_program({"povray", "+Iscene.pov", "+Oout.png", "+W1", "+H1", "-D"}, folder.path(), 300.0);
   std::vector<double> values;
   std::ifstream lines(folder / "values.txt");
   for (std::string line; std::getline(lines, line);) values.push_back(std::stod(line));

@@ -16,7 +16,7 @@ namespace lentray::test {
 namespace {
 
 namespace fs = std::filesystem;
-using diff::TemporaryFolder;
+using tool::TemporaryFolder;
 
 /// Each pixel another grey: does not compress.
 constexpr const char* kNoise = "#version 3.7;\nglobal_settings { assumed_gamma 1 }\n"
@@ -71,7 +71,7 @@ class Running {
 
 class ImageStop : public ::testing::Test {
  protected:
-  void SetUp() override { diff::write_text(m_folder / "noise.pov", kNoise); }
+  void SetUp() override { tool::write_text(m_folder / "noise.pov", kNoise); }
 
   /// Temporary files in the folder.
   std::vector<fs::path> parts() const {
@@ -91,14 +91,14 @@ class ImageStop : public ::testing::Test {
     return comes([&] { return !parts().empty() && fs::file_size(parts()[0]) > 0; });
   }
 
-  diff::RunResult render(const std::string& output, const std::string& before = "",
+  tool::RunResult render(const std::string& output, const std::string& before = "",
                          const std::string& after = "") const {
-    return diff::run({"/bin/sh", "-c", before + " '" + program("lentray").string() +
+    return tool::run_program({"/bin/sh", "-c", before + " '" + program("lentray").string() +
                                            "' noise.pov +W300 +H200 -V +O" + output + " " + after},
                      m_folder.path());
   }
 
-  std::string text(const std::string& name) const { return diff::read_text(m_folder / name); }
+  std::string text(const std::string& name) const { return tool::read_text(m_folder / name); }
 
   TemporaryFolder m_folder;
 };
@@ -108,7 +108,7 @@ class ImageStopSignal : public ImageStop,
 
 TEST_P(ImageStopSignal, LeavesTheOldPictureAndNothingElse) {
   const auto& [number, name] = GetParam();
-  diff::write_text(m_folder / name, "an older picture");
+  tool::write_text(m_folder / name, "an older picture");
   Running run(slow(name), m_folder.path());
   ASSERT_TRUE(begun());
   const auto then = std::chrono::steady_clock::now();
@@ -126,15 +126,15 @@ INSTANTIATE_TEST_SUITE_P(Signals, ImageStopSignal,
 
 // Reading and a dear pixel are not asked whether they should stop; they are ended.
 TEST_F(ImageStop, WhateverItIsAtTheRunEndsSoon) {
-  diff::write_text(m_folder / "reads.pov", "#while (1) #end\n");
-  diff::write_text(m_folder / "dear.pov",
+  tool::write_text(m_folder / "reads.pov", "#while (1) #end\n");
+  tool::write_text(m_folder / "dear.pov",
                    "#version 3.7; global_settings { assumed_gamma 1 } camera { location -5*z look_at 0 }\n"
                    "#for (I, 1, 8) light_source { <3, 5, -5>*I, 1 area_light x, y, 9000, 9000 } #end\n"
                    "plane { y, -1 pigment { rgb 1 } } sphere { 0, 1 pigment { rgbt .5 } }\n");
-  diff::write_text(m_folder / "builds.pov",
+  tool::write_text(m_folder / "builds.pov",
                    "#version 3.7; #include \"functions.inc\"\n"
                    "height_field { function 9900, 9900 { f_noise3d(x*50, y*50, 0) + f_noise3d(x*99, y, 1) } pigment { rgb 1 } }\n");
-  diff::write_text(m_folder / "a.png", "an older picture");
+  tool::write_text(m_folder / "a.png", "an older picture");
   for (const char* scene : {"reads.pov", "builds.pov", "dear.pov"}) {
     Running run({scene, "+W40", "+H30", "-V", "-GA", "+Oa.png"}, m_folder.path());
     std::this_thread::sleep_for(std::chrono::milliseconds(500));
@@ -149,8 +149,8 @@ TEST_F(ImageStop, WhateverItIsAtTheRunEndsSoon) {
 }
 
 TEST_F(ImageStop, TheTimeEndsWhateverItIsAt) {
-  diff::write_text(m_folder / "reads.pov", "#while (1) #end\n");
-  diff::write_text(m_folder / "a.png", "an older picture");
+  tool::write_text(m_folder / "reads.pov", "#while (1) #end\n");
+  tool::write_text(m_folder / "a.png", "an older picture");
   for (const char* scene : {"reads.pov", "noise.pov"}) {
     const auto then = std::chrono::steady_clock::now();
     Running run({scene, "+W9000", "+H9000", "-V", "+Oa.png", "Max_Time=1"}, m_folder.path());
@@ -182,7 +182,7 @@ TEST_F(ImageStop, ARunWhoseTimeIsOverIsGoneOnWith) {
 }
 
 TEST_F(ImageStop, AKilledRunLeavesTheOldPictureAndTheNextClearsUp) {
-  diff::write_text(m_folder / "a.png", "an older picture");
+  tool::write_text(m_folder / "a.png", "an older picture");
   Running run(slow("a.png"), m_folder.path());
   ASSERT_TRUE(begun());
   run.signal(SIGKILL);
@@ -248,7 +248,7 @@ TEST_F(ImageStop, AFullDeviceHasItsReason) {
 }
 
 TEST_F(ImageStop, AReaderThatWentAway) {
-  const auto result = diff::run(
+  const auto result = tool::run_program(
       {"/bin/sh", "-c", "export TMPDIR=\"$PWD\"; { '" + program("lentray").string() +
                             "' noise.pov +W600 +H400 +FN16 -V +O-; echo status $? >&2; } | :"},
       m_folder.path());

@@ -159,17 +159,17 @@ TEST(ImageTiffPalettes, EntriesByNumber) {
 }
 
 TEST(ImageTiffPalettes, EntriesThatAreNotThere) {
-  const diff::TemporaryFolder folder;
-  diff::write_text(folder / "a.tif", palette_file());
+  const tool::TemporaryFolder folder;
+  tool::write_text(folder / "a.tif", palette_file());
   for (const bool is_there : {true, false}) {
-    diff::write_text(folder / "scene.pov",
+    tool::write_text(folder / "scene.pov",
                      "#version 3.7; global_settings { assumed_gamma 1 }\nsphere { 0, 1 pigment { image_map { tiff \"a.tif\"\n filter " +
                          std::string(is_there ? "255" : "256") + ", .5 } } }\n");
     const std::vector<std::string> arguments{"+Iscene.pov", "+Oa.png", "+W4", "+H3", "-D"};
     std::vector<std::string> stock_arguments{"povray"};
     stock_arguments.insert(stock_arguments.end(), arguments.begin(), arguments.end());
-    EXPECT_EQ(diff::run(stock_arguments, folder.path(), 60.0).status == 0, is_there);
-    const diff::RunResult ours = run_lentray(arguments, folder.path());
+    EXPECT_EQ(tool::run_program(stock_arguments, folder.path(), 60.0).status == 0, is_there);
+    const tool::RunResult ours = run_lentray(arguments, folder.path());
     EXPECT_EQ(ours.status, is_there ? 0 : 1) << ours.output;
     EXPECT_EQ(ours.output.find("scene.pov:3:9: error: expected an entry of the palette") == std::string::npos, is_there) << ours.output;
   }

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/render.h"
-#include "tools/lentray-diff/process.h"
+#include "tools/common/process.h"
 
 namespace lentray::stability {
 namespace {
@@ -13,7 +13,7 @@ testing::AssertionResult no_worse_than_stock(const std::vector<std::string>& wor
       "python3", (test::source_folder() / "tests/stability/shapes.py").string(), "--no-docs",
       "--check", "--bin", test::program("lentray").parent_path().string()};
   command.insert(command.end(), words.begin(), words.end());
-  const diff::RunResult result = diff::run(command, {}, seconds);
+  const tool::RunResult result = tool::run_program(command, {}, seconds);
   if (result.status == 0) return testing::AssertionSuccess();
   return testing::AssertionFailure() << result.output;
 }

@@ -9,15 +9,15 @@
 namespace lentray::test {
 
 namespace fs = std::filesystem;
-using diff::RunResult;
+using tool::RunResult;
 
 namespace {
 
 void put_files(const SceneText& scene, const fs::path& folder) {
-  diff::write_text(folder / "scene.pov", scene.sdl);
+  tool::write_text(folder / "scene.pov", scene.sdl);
   for (const auto& [name, contents] : scene.files) {
     fs::create_directories((folder / name).parent_path());
-    diff::write_text(folder / name, contents);
+    tool::write_text(folder / name, contents);
   }
 }
 
@@ -61,15 +61,15 @@ fs::path source_folder() { return LENTRAY_SOURCE_DIR; }
 fs::path program(const std::string& name) { return fs::path(LENTRAY_BIN_DIR) / name; }
 
 StoredImage stock_render(const SceneText& scene) {
-  const diff::TemporaryFolder folder;
+  const tool::TemporaryFolder folder;
   put_files(scene, folder.path());
   std::vector<std::string> command = arguments_for(scene, "stock.png");
   command.insert(command.begin(), "povray");
-  return picture_of(diff::run(command, folder.path(), 300.0), folder / "stock.png", "stock POV-Ray");
+  return picture_of(tool::run_program(command, folder.path(), 300.0), folder / "stock.png", "stock POV-Ray");
 }
 
 StoredImage lentray_render(const SceneText& scene, const std::vector<std::string>& more) {
-  const diff::TemporaryFolder folder;
+  const tool::TemporaryFolder folder;
   put_files(scene, folder.path());
   std::vector<std::string> arguments = arguments_for(scene, "ours.png");
   arguments.insert(arguments.end(), more.begin(), more.end());
@@ -80,24 +80,24 @@ RunResult run_lentray(const std::vector<std::string>& arguments, const fs::path&
                       double seconds) {
   std::vector<std::string> command{program("lentray").string()};
   command.insert(command.end(), arguments.begin(), arguments.end());
-  return diff::run(command, folder, seconds);
+  return tool::run_program(command, folder, seconds);
 }
 
 RunResult run_diff(const std::vector<std::string>& arguments, const fs::path& folder,
                    double seconds) {
   std::vector<std::string> command{program("lentray-diff").string()};
   command.insert(command.end(), arguments.begin(), arguments.end());
-  return diff::run(command, folder, seconds);
+  return tool::run_program(command, folder, seconds);
 }
 
 nlohmann::json lentray_statistics(const SceneText& scene, const std::vector<std::string>& more) {
-  const diff::TemporaryFolder folder;
+  const tool::TemporaryFolder folder;
   put_files(scene, folder.path());
   std::vector<std::string> arguments = arguments_for(scene, "ours.png");
   arguments.insert(arguments.end(), more.begin(), more.end());
   arguments.push_back("Statistics_File=statistics.json");
   picture_of(run_lentray(arguments, folder.path()), folder / "ours.png", "lentray");
-  return nlohmann::json::parse(diff::read_text(folder / "statistics.json"));
+  return nlohmann::json::parse(tool::read_text(folder / "statistics.json"));
 }
 
 std::string describe(const Comparison& c) {

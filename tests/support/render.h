@@ -19,7 +19,7 @@
 
 #include "core/image/compare.h"
 #include "core/image/reader.h"
-#include "tools/lentray-diff/process.h"
+#include "tools/common/process.h"
 
 namespace lentray::test {
 
@@ -43,9 +43,9 @@ StoredImage stock_render(const SceneText& scene);
 StoredImage lentray_render(const SceneText& scene, const std::vector<std::string>& more = {});
 
 /// lentray with just these arguments, in that folder.
-diff::RunResult run_lentray(const std::vector<std::string>& arguments,
+tool::RunResult run_lentray(const std::vector<std::string>& arguments,
                             const std::filesystem::path& folder = {}, double seconds = 300.0);
-diff::RunResult run_diff(const std::vector<std::string>& arguments,
+tool::RunResult run_diff(const std::vector<std::string>& arguments,
                          const std::filesystem::path& folder = {}, double seconds = 600.0);
 
 /// lentray's Statistics_File for the scene.

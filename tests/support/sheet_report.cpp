@@ -25,12 +25,12 @@ double psnr_of(const json& part) {
 
 SheetRun compare_sheet(std::vector<std::string> arguments, const std::string& grade,
                        double seconds) {
-  const diff::TemporaryFolder folder;
+  const tool::TemporaryFolder folder;
   arguments.insert(arguments.end(), {"--no-pictures", "--json", "report.json", "--grade", grade});
-  const diff::RunResult result = run_diff(arguments, folder.path(), seconds);
+  const tool::RunResult result = run_diff(arguments, folder.path(), seconds);
   SheetRun run{result.status, {}, result.output};
   if (std::filesystem::exists(folder / "report.json")) {
-    run.report = json::parse(diff::read_text(folder / "report.json"));
+    run.report = json::parse(tool::read_text(folder / "report.json"));
   }
   return run;
 }

@@ -5,7 +5,7 @@
 
 #include <filesystem>
 
-#include "tools/lentray-diff/process.h"
+#include "tools/common/process.h"
 
 namespace lentray::tool {
 namespace {
@@ -30,9 +30,9 @@ class UnitCommands : public ::testing::Test {
     Commands commands(m_options, {conf_of(shellout)}, texts);
     return commands.run(kind, {"o.png", "s", 7, 0.5, 4, 3});
   }
-  std::string texts() const { return diff::read_text(m_folder / "texts"); }
+  std::string texts() const { return tool::read_text(m_folder / "texts"); }
 
-  diff::TemporaryFolder m_folder;
+  tool::TemporaryFolder m_folder;
   parser::RenderOptions m_options;
 };
 

@@ -4,7 +4,7 @@
 
 #include <fstream>
 
-#include "tools/lentray-diff/process.h"
+#include "tools/common/process.h"
 
 namespace lentray::parser {
 namespace {
@@ -24,7 +24,7 @@ TEST(UnitParserCreateIni, AsksForTheSameRunAgain) {
        "Pixel_Order=strips(4,32)", "Shadow_Cache=tree", "Accelerator=grid", "-UL", "Max_Memory=100M", "Max_Time=90",
        "Band_Height=7", "Statistics_File=s.json", "Restrict_IO=On"}};
   for (const auto& arguments : runs) {
-    const diff::TemporaryFolder folder;
+    const tool::TemporaryFolder folder;
     const std::string text = ini_text(read(arguments)), path = (folder / "again.ini").string();
     std::ofstream(path) << text;
     const RenderOptions again = read({path});

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "parser/ini.h"
-#include "tools/lentray-diff/process.h"
+#include "tools/common/process.h"
 #include "tools/lentray-diff/report.h"
 
 namespace lentray::diff {
@@ -18,12 +18,12 @@ using Words = std::vector<std::string>;
 
 class UnitDiffArguments : public ::testing::Test {
  protected:
-  void SetUp() override { write_text(m_folder / "a.pov", "#version 3.7;\n"); }
+  void SetUp() override { tool::write_text(m_folder / "a.pov", "#version 3.7;\n"); }
   Arguments parse(Words words) {
     words.insert(words.begin(), (m_folder / "a.pov").string());
     return parse_arguments(words);
   }
-  TemporaryFolder m_folder;
+  tool::TemporaryFolder m_folder;
 };
 
 TEST_F(UnitDiffArguments, SceneOptionsReachBoth) {
@@ -50,7 +50,7 @@ TEST_F(UnitDiffArguments, OutputNamesThePictures) {
 }
 
 TEST_F(UnitDiffArguments, IniFilesAreReadForStock) {
-  write_text(m_folder / "o.ini", "; comment\nLenticular=On\nDeclare=Size=3\n[small]\nQuality=4\n");
+  tool::write_text(m_folder / "o.ini", "; comment\nLenticular=On\nDeclare=Size=3\n[small]\nQuality=4\n");
   const std::string ini = (m_folder / "o.ini").string();
   EXPECT_EQ(parse({ini}).stock.arguments, (Words{"Declare=Size=3"}));
   EXPECT_EQ(parse({ini + "[small]"}).stock.arguments, (Words{"Declare=Size=3", "Quality=4"}));

@@ -13,14 +13,14 @@
 #include "parser/povray_conf.h"
 #include "parser/restricted_files.h"
 #include "parser/shown.h"
-#include "tools/lentray-diff/process.h"
+#include "tools/common/process.h"
 
 namespace lentray::parser {
 namespace {
 
 namespace fs = std::filesystem;
-using diff::read_text;
-using diff::write_text;
+using tool::read_text;
+using tool::write_text;
 
 /// Folders "work" (the scene's, with "sub") and "outside", which has a file "secret".
 class UnitFileRules : public ::testing::Test {
@@ -41,7 +41,7 @@ class UnitFileRules : public ::testing::Test {
   }
 
  private:
-  diff::TemporaryFolder m_folder;
+  tool::TemporaryFolder m_folder;
 
  protected:
   const fs::path root, work, outside;

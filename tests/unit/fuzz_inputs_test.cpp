@@ -7,7 +7,7 @@
 #include "tests/fuzz/file_input.h"
 #include "tests/fuzz/mutator.h"
 #include "tests/fuzz/read_input.h"
-#include "tools/lentray-diff/process.h"
+#include "tools/common/process.h"
 
 namespace lentray::test {
 namespace {
@@ -20,7 +20,7 @@ TEST(FuzzInputs, AllEnd) {
   for (const auto& entry : fs::directory_iterator(fs::path(LENTRAY_SOURCE_DIR) / "tests/fuzz/inputs")) {
     if (!entry.is_regular_file()) continue;
     SCOPED_TRACE(entry.path().filename().string());
-    read_input(diff::read_text(entry.path()), library);
+    read_input(tool::read_text(entry.path()), library);
     ++count;
   }
   EXPECT_GT(count, 0u);
@@ -32,7 +32,7 @@ TEST(FuzzInputs, FilesOfPicturesFontsAndDensitiesAllEnd) {
   for (const auto& [folder, use] : {std::pair{"picture", &use_picture}, std::pair{"data", &use_font_or_densities}}) {
     for (const auto& entry : fs::directory_iterator(fs::path(LENTRAY_SOURCE_DIR) / "tests/fuzz/inputs" / folder)) {
       SCOPED_TRACE(entry.path().filename().string());
-      const std::string bytes = diff::read_text(entry.path());
+      const std::string bytes = tool::read_text(entry.path());
       use(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
       ++count;
     }

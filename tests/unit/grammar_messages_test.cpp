@@ -10,7 +10,7 @@
 
 #include "parser/build/camera.h"
 #include "parser/read_scene.h"
-#include "tools/lentray-diff/process.h"
+#include "tools/common/process.h"
 
 namespace lentray::test {
 namespace {
@@ -330,7 +330,7 @@ std::string scene_of(const std::string& text) {
 }
 
 std::string messages_of(const fs::path& folder, const std::string& text) {
-  diff::write_text(folder / "scene.pov", text);
+  tool::write_text(folder / "scene.pov", text);
   parser::SourceManager sources;
   parser::Diagnostics diagnostics(sources);
   for (std::size_t i = 0; i < parser::kStreams; ++i) {
@@ -359,7 +359,7 @@ std::string messages_of(const fs::path& folder, const std::string& text) {
 std::vector<std::string> texts_of(const fs::path& file) {
   static const std::regex comment("//[^\n]*"), joined("\"\\s*\\n\\s*\""),
       literal("\"((?:[^\"\\\\\\n]|\\\\.)*)\""), escape("\\\\(.)");
-  std::string text = std::regex_replace(diff::read_text(file), comment, "");
+  std::string text = std::regex_replace(tool::read_text(file), comment, "");
   text = std::regex_replace(text, joined, "");
   std::vector<std::string> found;
   for (std::sregex_iterator at(text.begin(), text.end(), literal), end; at != end; ++at) {
@@ -374,12 +374,12 @@ std::vector<std::string> texts_of(const fs::path& file) {
 }
 
 TEST(GrammarMessages, EachIsHeard) {
-  const diff::TemporaryFolder folder;
-  diff::write_text(folder / "bad.png", "no picture");
-  diff::write_text(folder / "bad.ttf", "no font");
-  diff::write_text(folder / "two.gif", std::string("GIF89a\1\0\1\0\200\0\0", 13) + "abcdef");
-  diff::write_text(folder / "bad.df3", "no");
-  diff::write_text(folder / "odd.df3", std::string("\0\2\0\1\0\1", 6) + "abcde");
+  const tool::TemporaryFolder folder;
+  tool::write_text(folder / "bad.png", "no picture");
+  tool::write_text(folder / "bad.ttf", "no font");
+  tool::write_text(folder / "two.gif", std::string("GIF89a\1\0\1\0\200\0\0", 13) + "abcdef");
+  tool::write_text(folder / "bad.df3", "no");
+  tool::write_text(folder / "odd.df3", std::string("\0\2\0\1\0\1", 6) + "abcde");
   const fs::path before = fs::current_path();
   fs::current_path(folder.path());
   std::string heard;

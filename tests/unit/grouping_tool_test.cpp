@@ -3,7 +3,7 @@
 
 #include "parser/ini.h"
 #include "tools/lentray-grouping/report.h"
-#include "tools/lentray-diff/process.h"
+#include "tools/common/process.h"
 
 namespace lentray::grouping {
 namespace {
@@ -12,7 +12,7 @@ using Words = std::vector<std::string>;
 
 class UnitGroupingTool : public ::testing::Test {
  protected:
-  void SetUp() override { diff::write_text(m_folder / "a.pov", "#version 3.7;\n"); }
+  void SetUp() override { tool::write_text(m_folder / "a.pov", "#version 3.7;\n"); }
   std::string scene() const { return (m_folder / "a.pov").string(); }
   std::string error_of(const Words& words) const {
     try {
@@ -22,7 +22,7 @@ class UnitGroupingTool : public ::testing::Test {
     }
     return "no error";
   }
-  const diff::TemporaryFolder m_folder;
+  const tool::TemporaryFolder m_folder;
 };
 
 TEST_F(UnitGroupingTool, Arguments) {

@@ -11,13 +11,13 @@
 #include "core/image/quantiser.h"
 #include "core/image/reader.h"
 #include "core/image/writer.h"
-#include "tools/lentray-diff/process.h"
+#include "tools/common/process.h"
 
 namespace lentray::core {
 namespace {
 
 namespace fs = std::filesystem;
-using diff::TemporaryFolder;
+using tool::TemporaryFolder;
 
 Image ramp(std::uint32_t width, std::uint32_t height) {
   Image image(width, height);
@@ -162,7 +162,7 @@ TEST(UnitImageFiles, SamePictureSameBytes) {
   const TemporaryFolder folder;
   write_image(ramp(9, 9), folder / "a.png", {});
   write_image(ramp(9, 9), folder / "b.png", {});
-  EXPECT_EQ(diff::read_text(folder / "a.png"), diff::read_text(folder / "b.png"));
+  EXPECT_EQ(tool::read_text(folder / "a.png"), tool::read_text(folder / "b.png"));
 }
 
 /// A file's bytes but for the time of writing, which TIFF and OpenEXR hold.
@@ -177,7 +177,7 @@ TEST(UnitImageFiles, BandsMakeTheSameFile) {
   for (const char* name : {"a.png", "a.tif", "a.exr"}) {
     const ImageFormat format = format_of(file_type_of(name), 16);
     write_image(image, folder / name, format);
-    const std::string whole = without_time(diff::read_text(folder / name));
+    const std::string whole = without_time(tool::read_text(folder / name));
     for (const std::uint32_t height : {1u, 10u, 33u, 76u}) {
       PictureWriter writer(folder / name, 50, 77, format);
       for (std::uint32_t top = 0; top < 77; top += height) {
@@ -187,7 +187,7 @@ TEST(UnitImageFiles, BandsMakeTheSameFile) {
       }
       writer.finish();
       EXPECT_TRUE(read_image(folder / name).samples.size() == 50 * 77 * 3);
-      EXPECT_TRUE(without_time(diff::read_text(folder / name)) == whole) << name;
+      EXPECT_TRUE(without_time(tool::read_text(folder / name)) == whole) << name;
     }
   }
 }
@@ -208,7 +208,7 @@ TEST(UnitImageFiles, GivenUpHalfWayNothingIsLeft) {
 
 /// A file of that name, as a killed process leaves it.
 fs::path left_over(const TemporaryFolder& folder, const std::string& name) {
-  diff::write_text(folder / name, "half a picture");
+  tool::write_text(folder / name, "half a picture");
   return folder / name;
 }
 
@@ -236,13 +236,13 @@ TEST(UnitImageFiles, LongNamesHaveRoomForTheTemporaryOne) {
 }
 
 TEST(UnitImageFiles, AFileThatIsWrittenAgainKeepsItsMode) {
-  const diff::TemporaryFolder folder;
-  diff::write_text(folder / "a.png", "before");
+  const tool::TemporaryFolder folder;
+  tool::write_text(folder / "a.png", "before");
   std::filesystem::permissions(folder / "a.png", std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
   FileSwap swap(folder / "a.png");
-  diff::write_text(swap.temporary(), "after");
+  tool::write_text(swap.temporary(), "after");
   swap.commit();
-  EXPECT_EQ(diff::read_text(folder / "a.png"), "after");
+  EXPECT_EQ(tool::read_text(folder / "a.png"), "after");
   EXPECT_EQ(std::filesystem::status(folder / "a.png").permissions(),
             std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
 }
@@ -266,7 +266,7 @@ TEST(UnitImageFiles, NoPartIsLeftBehind) {
 TEST(UnitImageFiles, LinksAreFollowed) {
   const TemporaryFolder folder;
   fs::create_directory(folder / "real");
-  diff::write_text(folder / "real/a.png", "old");
+  tool::write_text(folder / "real/a.png", "old");
   fs::create_symlink("real/a.png", folder / "link.png");
   write_image(ramp(3, 3), folder / "link.png", {});
   EXPECT_TRUE(fs::is_symlink(folder / "link.png"));
@@ -289,7 +289,7 @@ TEST(ErrorImage, EachSaysWhatIsWrong) {
   fs::create_directory(folder / "taken.png");
   EXPECT_NE(message_of(folder / "taken.png", image, {}).find("a folder has that name"),
             std::string::npos);
-  diff::write_text(folder / "file", "x");
+  tool::write_text(folder / "file", "x");
   EXPECT_NE(message_of(folder / "file/a.png", image, {}).find("is not a folder"), std::string::npos);
   EXPECT_NE(message_of(folder / "a.png", Image(), {}).find("empty"), std::string::npos);
   EXPECT_NE(message_of(folder / "a.tga", Image(65536, 1), format_of(FileType::targa, 8)).find("65535"),
@@ -303,12 +303,12 @@ TEST(ErrorImage, EachSaysWhatIsWrong) {
 TEST(ErrorImage, GoodFileSurvivesFailure) {
   const TemporaryFolder folder;
   write_image(ramp(3, 3), folder / "a.png", {});
-  const std::string before = diff::read_text(folder / "a.png");
+  const std::string before = tool::read_text(folder / "a.png");
   EXPECT_NE(message_of(folder / "a.png", Image(), {}), "no error");
   Image cut = ramp(4, 4);
   cut.rgba.pop_back();
   EXPECT_NE(message_of(folder / "a.png", cut, {}), "no error");
-  EXPECT_EQ(diff::read_text(folder / "a.png"), before);
+  EXPECT_EQ(tool::read_text(folder / "a.png"), before);
 }
 
 }  // namespace

@@ -11,12 +11,12 @@
 #include "core/image/quantiser.h"
 #include "core/image/reader.h"
 #include "core/image/writer.h"
-#include "tools/lentray-diff/process.h"
+#include "tools/common/process.h"
 
 namespace lentray::core {
 namespace {
 
-using diff::TemporaryFolder;
+using tool::TemporaryFolder;
 
 /// Runs and single pixels, opaque.
 Image stripes(std::uint32_t width, std::uint32_t height) {

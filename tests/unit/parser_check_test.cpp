@@ -3,7 +3,7 @@
 
 #include "parser/build/scene.h"
 #include "parser/read_scene.h"
-#include "tools/lentray-diff/process.h"
+#include "tools/common/process.h"
 
 namespace lentray::test {
 namespace {
@@ -11,8 +11,8 @@ namespace {
 using namespace parser;
 
 parser::SceneDesc checked(const std::string& text) {
-  const diff::TemporaryFolder folder;
-  diff::write_text(folder / "scene.pov", text);
+  const tool::TemporaryFolder folder;
+  tool::write_text(folder / "scene.pov", text);
   SourceManager sources;
   Diagnostics diagnostics(sources);
   diagnostics.connect(Stream::kWarning, {});

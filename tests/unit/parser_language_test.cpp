@@ -209,8 +209,8 @@ TEST(UnitParserFunction, OfManyTerms) {
 }
 
 TEST(UnitParserWords, ContextualWordsStayIdentifiers) {
-  const diff::TemporaryFolder folder;
-  diff::write_text(folder / "s.pov", "#declare lens_pitch = 3; lenticular lens_pitch 1.5 view_distance -2");
+  const tool::TemporaryFolder folder;
+  tool::write_text(folder / "s.pov", "#declare lens_pitch = 3; lenticular lens_pitch 1.5 view_distance -2");
   parser::SourceManager sources;
   parser::Diagnostics diagnostics(sources);
   NoProductions productions;

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "tests/fuzz/read_input.h"
-#include "tools/lentray-diff/process.h"
+#include "tools/common/process.h"
 
 namespace lentray::test {
 namespace {
@@ -121,7 +121,7 @@ std::vector<Site> sites() {
           is_one("interpreter"))) {
       continue;
     }
-    const std::string text = diff::read_text(entry.path());
+    const std::string text = tool::read_text(entry.path());
     for (const char* call : {"fail(", "fail_expected(", "warn(", "bad("}) {
       for (std::size_t at = text.find(call); at != std::string::npos; at = text.find(call, at + 1)) {
         if (at > 0 && (std::isalnum(static_cast<unsigned char>(text[at - 1])) || text[at - 1] == '_')) continue;

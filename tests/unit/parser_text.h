@@ -8,7 +8,7 @@
 
 #include "core/function/node.h"
 #include "parser/parser.h"
-#include "tools/lentray-diff/process.h"
+#include "tools/common/process.h"
 
 namespace lentray::test {
 
@@ -71,9 +71,9 @@ struct Parsed {
 inline Parsed parse_text(const std::string& text,
                          const std::map<std::string, std::string>& files = {},
                          parser::ParserOptions options = {}) {
-  const diff::TemporaryFolder folder;
-  for (const auto& [name, content] : files) diff::write_text(folder / name, content);
-  diff::write_text(folder / "scene.pov", text);
+  const tool::TemporaryFolder folder;
+  for (const auto& [name, content] : files) tool::write_text(folder / name, content);
+  tool::write_text(folder / "scene.pov", text);
   options.library_paths.push_back("/usr/share/povray-3.7/include");
   parser::SourceManager sources;
   parser::Diagnostics diagnostics(sources);

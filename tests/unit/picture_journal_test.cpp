@@ -6,7 +6,7 @@
 #include <fstream>
 #include <map>
 
-#include "tools/lentray-diff/process.h"
+#include "tools/common/process.h"
 
 namespace lentray::tool {
 namespace {
@@ -35,7 +35,7 @@ struct UnitPictureJournal : testing::Test {
     return out;
   }
 
-  diff::TemporaryFolder folder;
+  tool::TemporaryFolder folder;
   parser::RenderOptions options;
 };
 

@@ -13,13 +13,13 @@
 #include "core/image/reader.h"
 #include "parser/options.h"
 #include "tools/lentray-diff/arguments.h"
-#include "tools/lentray-diff/process.h"
+#include "tools/common/process.h"
 #include "tools/lentray-diff/report.h"
 #include "tools/lentray-diff/sampling.h"
 #include "tools/lentray-diff/sheet.h"
 #include "tools/lentray-diff/stock.h"
-#include "tools/lentray/standard_streams.h"
-#include "tools/lentray/version.h"
+#include "tools/common/standard_streams.h"
+#include "tools/common/version.h"
 
 namespace lentray::diff {
 namespace {
@@ -48,7 +48,7 @@ fs::path program_beside_us(const char* name) {
 }
 
 Ours render_ours(const Arguments& a) {
-  const TemporaryFolder folder;
+  const tool::TemporaryFolder folder;
   const fs::path picture = folder / "ours.png", statistics = folder / "statistics.json";
   std::vector<std::string> command{
       (a.lentray.empty() ? program_beside_us("lentray") : a.lentray).string()};
@@ -61,13 +61,13 @@ Ours render_ours(const Arguments& a) {
   }
   for (const std::string& word : words(a.stock.antialiasing)) command.push_back(word);
   const auto start = std::chrono::steady_clock::now();
-  const RunResult result = run(command);
+  const tool::RunResult result = tool::run_program(command);
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   std::cerr << result.output;  // its warnings are the user's to see
   if (result.status != 0) {
     throw std::runtime_error("lentray ended with status " + std::to_string(result.status));
   }
-  return {core::read_image(picture), json::parse(read_text(statistics)), taken.count()};
+  return {core::read_image(picture), json::parse(tool::read_text(statistics)), taken.count()};
 }
 
 /// How stock makes the reference.
@@ -223,7 +223,7 @@ int compare_and_report(const Arguments& a) {
     all["asked"] = std::string(core::name_of(a.asked));
     all["reached"] = reached;
     core::FileSwap swap(a.json);
-    write_text(swap.temporary(), all.dump(2) + "\n");
+    tool::write_text(swap.temporary(), all.dump(2) + "\n");
     swap.commit();
   }
   std::cout << "grade " << core::name_of(result.whole.grade) << "; " << core::name_of(a.asked)

@@ -28,7 +28,7 @@ bool is_dark(const Sheet& sheet, std::uint32_t view, Way way) {
 }
 
 bool mesh_rows_lag(const StockOptions& options) {
-  const std::string said = run({options.povray, "--version"}).output;
+  const std::string said = tool::run_program({options.povray, "--version"}).output;
   const std::size_t at = said.find("POV-Ray ");
   return at == std::string::npos || said.compare(at + 8, 3, "3.7") == 0;
 }

@@ -19,13 +19,13 @@ Workshop::Workshop(const fs::path& scene, const StockOptions& options) : m_optio
 }
 
 Included Workshop::included() {
-  const std::string text = read_text(m_scene);
+  const std::string text = tool::read_text(m_scene);
   copy_includes(text, 0);
   bool changed = false;
   const std::string readable = without_lenticular(text, changed);
   if (!changed) return {version_directive(text), m_scene.string()};
   const fs::path copy = m_root / ("plain-" + m_scene.filename().string());
-  write_text(copy, readable);
+  tool::write_text(copy, readable);
   return {version_directive(text), copy.string()};
 }
 
@@ -33,7 +33,7 @@ StoredImage Workshop::render_text(const std::string& name, const std::string& te
                                   const Shot& shot) const {
   const fs::path folder = m_root / name;
   fs::create_directories(folder);
-  write_text(folder / (name + ".pov"), text);
+  tool::write_text(folder / (name + ".pov"), text);
   return render(folder, folder / (name + ".pov"), shot);
 }
 
@@ -51,13 +51,13 @@ void Workshop::copy_includes(const std::string& text, int depth) {
     const auto file = std::find_if(places.begin(), places.end(),
                                    [](const fs::path& p) { return fs::is_regular_file(p); });
     if (file == places.end() || depth > deepest || fs::path(name).is_absolute()) continue;
-    const std::string inner = read_text(*file);
+    const std::string inner = tool::read_text(*file);
     copy_includes(inner, depth + 1);
     bool changed = false;
     const std::string readable = without_lenticular(inner, changed);
     if (!changed) continue;
     fs::create_directories((m_root / name).parent_path());
-    write_text(m_root / name, readable);
+    tool::write_text(m_root / name, readable);
   }
 }
 
@@ -70,7 +70,7 @@ StoredImage Workshop::render(const fs::path& folder, const fs::path& scene,
       << "\"\nLibrary_Path=\"" << m_root.string() << "\"\nLibrary_Path=\""
       << m_scene.parent_path().string() << "\"\n";
   for (const fs::path& p : m_options.library_paths) ini << "Library_Path=\"" << p.string() << "\"\n";
-  write_text(folder / "stock.ini", ini.str());
+  tool::write_text(folder / "stock.ini", ini.str());
   std::vector<std::string> command{m_options.povray, "stock.ini", "+W" + std::to_string(shot.width),
                                    "+H" + std::to_string(shot.height)};
   command.emplace_back(shot.as_light ? "+FE" : m_options.bits == 16 ? "+FN16" : "+FN8");
@@ -84,7 +84,7 @@ StoredImage Workshop::render(const fs::path& folder, const fs::path& scene,
   for (const char* fixed : {"-D", "-P", "-V", "+WT1"}) command.emplace_back(fixed);
   std::error_code ignored;
   fs::remove(picture, ignored);
-  const RunResult result = run(command, folder, m_options.seconds);
+  const tool::RunResult result = tool::run_program(command, folder, m_options.seconds);
   if (result.timed_out) throw std::runtime_error("stock POV-Ray took too long");
   if (result.status != 0 || !fs::exists(picture)) {
     throw std::runtime_error("stock POV-Ray cannot render '" + m_scene.string() + "' (status " +

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "core/image/reader.h"
-#include "tools/lentray-diff/process.h"
+#include "tools/common/process.h"
 #include "tools/lentray-diff/stock.h"
 #include "tools/lentray-diff/wrapper.h"
 
@@ -42,7 +42,7 @@ class Workshop {
                            const Shot& shot) const;
 
   const StockOptions& m_options;
-  TemporaryFolder m_temporary;
+  tool::TemporaryFolder m_temporary;
   std::filesystem::path m_scene, m_root;
 };
 

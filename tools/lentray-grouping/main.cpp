@@ -7,9 +7,9 @@
 
 #include "core/image/writer.h"
 #include "tools/lentray-grouping/report.h"
-#include "tools/lentray-model/gnuplot.h"
-#include "tools/lentray/standard_streams.h"
-#include "tools/lentray/version.h"
+#include "tools/common/gnuplot.h"
+#include "tools/common/standard_streams.h"
+#include "tools/common/version.h"
 
 namespace lentray::grouping {
 namespace {
@@ -20,15 +20,15 @@ int experiment(const Arguments& arguments, const std::string& command) {
   for (const auto& place : {arguments.csv, arguments.html, arguments.gains}) {
     if (!place.empty()) core::check_writable(place);
   }
-  if (!arguments.html.empty()) model::check_gnuplot();
+  if (!arguments.html.empty()) tool::check_gnuplot();
   const bool terminal = ::isatty(STDERR_FILENO) != 0;
   const std::vector<Trial> trials = run_trials(arguments, [&](const std::string& what) {
     if (terminal) std::cerr << what << std::endl;
   });
   std::cout << table_of(trials);
-  if (!arguments.csv.empty()) model::write_whole(arguments.csv, csv_of(trials));
-  if (!arguments.gains.empty()) model::write_whole(arguments.gains, gains_csv_of(trials));
-  if (!arguments.html.empty()) model::write_whole(arguments.html, html_of(trials, command));
+  if (!arguments.csv.empty()) tool::write_whole(arguments.csv, csv_of(trials));
+  if (!arguments.gains.empty()) tool::write_whole(arguments.gains, gains_csv_of(trials));
+  if (!arguments.html.empty()) tool::write_whole(arguments.html, html_of(trials, command));
   const bool same = std::all_of(trials.begin(), trials.end(),
                                 [](const Trial& t) { return t.same_picture; });
   return same ? kDone : kDiffer;

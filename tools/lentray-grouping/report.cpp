@@ -4,12 +4,12 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "tools/lentray-model/csv.h"
-#include "tools/lentray-model/gnuplot.h"
+#include "tools/common/csv.h"
+#include "tools/common/gnuplot.h"
 
 namespace lentray::grouping {
 
-using model::csv_field;
+using tool::csv_field;
 
 namespace {
 
@@ -69,7 +69,7 @@ std::string bars(const Group& group, Value value) {
 std::string bar_chart(const Group& group, const std::string& title, const std::string& data) {
   const std::size_t caches = caches_of(group).size();
   std::string script =
-      model::gnuplot_preamble("svg", 620, 380) + "set datafile separator '\\t'\nset title '" +
+      tool::gnuplot_preamble("svg", 620, 380) + "set datafile separator '\\t'\nset title '" +
       title + "' noenhanced\nset style data histogram\nset style fill solid 0.8\nset grid y\n" +
       "set yrange [0:*]\nset xtics rotate by -30 noenhanced\n"
       "set key outside right noenhanced\nplot ";
@@ -77,7 +77,7 @@ std::string bar_chart(const Group& group, const std::string& title, const std::s
     script += std::string(i > 0 ? ", " : "") + "'data' using " + std::to_string(i + 2) +
               ":xtic(1) title columnheader";
   }
-  return model::gnuplot(script + "\n", data);
+  return tool::gnuplot(script + "\n", data);
 }
 
 /// Time against what equation 1 counts, and its line.
@@ -89,13 +89,13 @@ std::string cost_chart(const Group& group, const std::string& title) {
             format("%.6g", t.median()) + "\t" + t.order + " " + t.cache + "\n";
   }
   const std::string script =
-      model::gnuplot_preamble("svg", 620, 380) + "set datafile separator '\\t'\nset title '" +
+      tool::gnuplot_preamble("svg", 620, 380) + "set datafile separator '\\t'\nset title '" +
       title + "' noenhanced\nset xlabel 'tests for shadow rays, millions'\nset ylabel 'CPU, s'\n" +
       "set grid\nset xrange [0:*]\nset yrange [0:*]\nset key outside right\n" +
       "plot 'data' using 1:2 with points pointtype 7 title 'measured', " +
       format("%.9g", fit.rest) + " + " + format("%.9g", fit.per_test * 1e6) +
       "*x title 'equation 1'\n";
-  return model::gnuplot(script, data);
+  return tool::gnuplot(script, data);
 }
 
 std::string escaped(const std::string& text) {
@@ -155,13 +155,13 @@ std::string gain_chart(const std::vector<Trial>& trials) {
   }
   if (count < 2) return {};
   const std::string script =
-      model::gnuplot_preamble("svg", 900, 420) +
+      tool::gnuplot_preamble("svg", 900, 420) +
       "set datafile separator '\\t'\nset xlabel 'Cm/Ch, tests'\nset ylabel 'columns save, %'\n"
       "set logscale x\nset grid\nset key outside right\n"
       "plot 'data' using 1:2 with points pointtype 7 title 'time', "
       "'data' using 1:3 with points pointtype 5 title 'tests (equation 1)', "
       "'data' using 1:4 with points pointtype 4 pointsize 1.5 title 'equation 2'\n";
-  return "<h2>What columns save against rows and views</h2>\n" + model::gnuplot(script, data);
+  return "<h2>What columns save against rows and views</h2>\n" + tool::gnuplot(script, data);
 }
 
 /// Who was fastest, and how far auto is from it; empty where nothing was timed.

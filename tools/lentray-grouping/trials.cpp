@@ -6,7 +6,7 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "tools/lentray-diff/process.h"
+#include "tools/common/process.h"
 
 namespace lentray::grouping {
 
@@ -44,9 +44,9 @@ json render(const Arguments& arguments, const Trial& trial, const fs::path& fold
   if (!trial.size.empty()) add({"Declare=Size=" + trial.size});
   add(arguments.for_lentray);
   add(more);
-  const diff::RunResult result = diff::run(command);
+  const tool::RunResult result = tool::run_program(command);
   if (result.status != 0) throw std::runtime_error("lentray failed:\n" + result.output);
-  return json::parse(diff::read_text(folder / "s.json"));
+  return json::parse(tool::read_text(folder / "s.json"));
 }
 
 /// Counts, and the picture's bytes.
@@ -58,7 +58,7 @@ std::string log_run(const Arguments& arguments, Trial& trial, const fs::path& fo
   trial.rays = shadow.at("rays");
   trial.blocked = shadow.at("blocked");
   trial.hits = shadow.at("cache").at("hits");
-  if (trial.rays == 0) return diff::read_text(picture);
+  if (trial.rays == 0) return tool::read_text(picture);
   const json& log = shadow.at("log");
   trial.pairs = log.at("pairs");
   trial.most_hits = log.at("most_hits");
@@ -66,7 +66,7 @@ std::string log_run(const Arguments& arguments, Trial& trial, const fs::path& fo
   trial.miss_tests = log.at("miss_tests");
   trial.runs = log.at("runs").at("count");
   trial.longest_run = log.at("runs").at("longest");
-  return diff::read_text(picture);
+  return tool::read_text(picture);
 }
 
 std::vector<Trial> trials_of(const Arguments& arguments, const std::string& scene,
@@ -135,7 +135,7 @@ std::vector<Trial> run_scene(const Arguments& arguments, std::vector<Trial> tria
 std::vector<Trial> run_trials(const Arguments& arguments,
                               const std::function<void(const std::string&)>& tell) {
   std::vector<Trial> all;
-  const diff::TemporaryFolder folder;
+  const tool::TemporaryFolder folder;
   for (const std::string& scene : arguments.scenes) {
     for (const std::string& size : arguments.sizes) {
       std::vector<Trial> trials =

@@ -1,9 +1,12 @@
+#include "tools/common/csv.h"
 #include "tools/lentray-model/deviations.h"
 
 #include <cmath>
 #include <cstdio>
 
 namespace lentray::model {
+
+using tool::number_text;
 
 using shadow::paper::Alpha;
 

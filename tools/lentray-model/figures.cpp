@@ -5,10 +5,16 @@
 #include <stdexcept>
 
 #include "core/image/writer.h"
-#include "tools/lentray-model/gnuplot.h"
+#include "tools/common/gnuplot.h"
 #include "tools/lentray-model/sweeps.h"
 
 namespace lentray::model {
+
+using tool::number_text;
+using tool::check_gnuplot;
+using tool::gnuplot;
+using tool::gnuplot_preamble;
+using tool::write_whole;
 
 namespace fs = std::filesystem;
 using shadow::Style;

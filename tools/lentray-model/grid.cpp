@@ -11,6 +11,9 @@
 
 namespace lentray::model {
 
+using tool::csv_field;
+using tool::number_text;
+
 using shadow::paper::Alpha;
 
 Point model_point(const shadow::PaperSheet& sheet, const shadow::Enumeration& enumeration,

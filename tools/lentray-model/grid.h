@@ -10,7 +10,7 @@
 
 #include "shadow/hit_model/enumeration.h"
 #include "tools/lentray-model/arguments.h"
-#include "tools/lentray-model/csv.h"
+#include "tools/common/csv.h"
 
 namespace lentray::model {
 

@@ -13,11 +13,13 @@
 #include "tools/lentray-model/arguments.h"
 #include "tools/lentray-model/deviations.h"
 #include "tools/lentray-model/figures.h"
-#include "tools/lentray-model/gnuplot.h"
-#include "tools/lentray/standard_streams.h"
-#include "tools/lentray/version.h"
+#include "tools/common/gnuplot.h"
+#include "tools/common/standard_streams.h"
+#include "tools/common/version.h"
 
 namespace lentray::model {
+
+using tool::write_whole;
 namespace {
 
 enum Status : int { kDone = 0, kError = 1, kDiffer = 2 };

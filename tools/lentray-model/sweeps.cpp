@@ -1,3 +1,4 @@
+#include "tools/common/csv.h"
 #include "tools/lentray-model/sweeps.h"
 
 #include <algorithm>
@@ -5,6 +6,9 @@
 #include <stdexcept>
 
 namespace lentray::model {
+
+using tool::csv_field;
+using tool::number_text;
 namespace {
 
 constexpr int kSteps = 600;

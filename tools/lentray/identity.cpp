@@ -11,7 +11,7 @@
 
 #include "parser/create_ini.h"
 #include "parser/watched_files.h"
-#include "tools/lentray/version.h"
+#include "tools/common/version.h"
 
 namespace lentray::tool {
 namespace {

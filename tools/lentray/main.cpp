@@ -19,9 +19,9 @@
 #include "parser/options_help.h"
 #include "tools/lentray/run.h"
 #include "tools/lentray/run_guard.h"
-#include "tools/lentray/standard_streams.h"
+#include "tools/common/standard_streams.h"
 #include "tools/lentray/text_streams.h"
-#include "tools/lentray/version.h"
+#include "tools/common/version.h"
 #include "tools/lentray/warnings.h"
 
 namespace {

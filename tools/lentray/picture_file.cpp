@@ -5,8 +5,8 @@
 #include <variant>
 
 #include "camera/text.h"
-#include "tools/lentray/machine.h"
-#include "tools/lentray/version.h"
+#include "tools/common/machine.h"
+#include "tools/common/version.h"
 
 namespace lentray::tool {
 namespace {

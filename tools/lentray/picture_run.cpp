@@ -30,7 +30,7 @@
 #include "tools/lentray/camera_setup.h"
 #include "tools/lentray/explain.h"
 #include "tools/lentray/identity.h"
-#include "tools/lentray/machine.h"
+#include "tools/common/machine.h"
 #include "tools/lentray/output.h"
 #include "tools/lentray/picture_file.h"
 #include "tools/lentray/picture_journal.h"

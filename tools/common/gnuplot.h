@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <string>
 
-namespace lentray::model {
+namespace lentray::tool {
 
 /// Throws if gnuplot cannot be started.
 void check_gnuplot();
@@ -17,4 +17,4 @@ std::string gnuplot(const std::string& script, const std::string& data);
 
 void write_whole(const std::filesystem::path& place, const std::string& bytes);
 
-}  // namespace lentray::model
+}  // namespace lentray::tool

@@ -1,4 +1,4 @@
-#include "tools/lentray/standard_streams.h"
+#include "tools/common/standard_streams.h"
 
 #include <fcntl.h>
 #include <unistd.h>

@@ -1,8 +1,8 @@
-#include "tools/lentray-model/csv.h"
+#include "tools/common/csv.h"
 
 #include <cstdio>
 
-namespace lentray::model {
+namespace lentray::tool {
 
 std::string number_text(double value) {
   char buffer[32];
@@ -14,4 +14,4 @@ std::string csv_field(const std::string& text) {
   return text.find(',') == std::string::npos ? text : '"' + text + '"';
 }
 
-}  // namespace lentray::model
+}  // namespace lentray::tool

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace lentray::diff {
+namespace lentray::tool {
 
 struct RunResult {
   int status = 0;           ///< exit status; 128 + n when ended by signal n
@@ -16,7 +16,7 @@ struct RunResult {
 
 /// `command[0]` is looked for along PATH. The current folder of the child is `folder`
 /// (empty: ours). seconds 0: no limit.
-RunResult run(const std::vector<std::string>& command, const std::filesystem::path& folder = {},
+RunResult run_program(const std::vector<std::string>& command, const std::filesystem::path& folder = {},
               double seconds = 0.0);
 
 /// A new empty folder that goes away, with all it holds, with the object.
@@ -37,4 +37,4 @@ class TemporaryFolder {
 std::string read_text(const std::filesystem::path& path);
 void write_text(const std::filesystem::path& path, const std::string& text);
 
-}  // namespace lentray::diff
+}  // namespace lentray::tool

@@ -1,13 +1,13 @@
-#include "tools/lentray-model/gnuplot.h"
+#include "tools/common/gnuplot.h"
 
 #include <stdexcept>
 
 #include "core/image/file_swap.h"
-#include "tools/lentray-diff/process.h"
+#include "tools/common/process.h"
 
-namespace lentray::model {
+namespace lentray::tool {
 
-void check_gnuplot() { diff::run({"gnuplot", "--version"}); }
+void check_gnuplot() { run_program({"gnuplot", "--version"}); }
 
 std::string gnuplot_preamble(const std::string& format, int width, int height) {
   const std::string terminal = format == "svg" ? "svg enhanced" : "pngcairo enhanced";
@@ -17,20 +17,20 @@ std::string gnuplot_preamble(const std::string& format, int width, int height) {
 }
 
 std::string gnuplot(const std::string& script, const std::string& data) {
-  const diff::TemporaryFolder folder;
-  diff::write_text(folder / "data", data);
-  diff::write_text(folder / "script", script);
-  const diff::RunResult result = diff::run({"gnuplot", "script"}, folder.path());
+  const TemporaryFolder folder;
+  write_text(folder / "data", data);
+  write_text(folder / "script", script);
+  const RunResult result = run_program({"gnuplot", "script"}, folder.path());
   if (result.status != 0 || !std::filesystem::exists(folder / "chart")) {
     throw std::runtime_error("gnuplot could not draw a chart: " + result.output);
   }
-  return diff::read_text(folder / "chart");
+  return read_text(folder / "chart");
 }
 
 void write_whole(const std::filesystem::path& place, const std::string& bytes) {
   core::FileSwap swap(place);
-  diff::write_text(swap.temporary(), bytes);
+  write_text(swap.temporary(), bytes);
   swap.commit();
 }
 
-}  // namespace lentray::model
+}  // namespace lentray::tool

@@ -1,4 +1,4 @@
-#include "tools/lentray-diff/process.h"
+#include "tools/common/process.h"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -14,7 +14,7 @@
 #include <stdexcept>
 #include <system_error>
 
-namespace lentray::diff {
+namespace lentray::tool {
 
 namespace fs = std::filesystem;
 
@@ -56,7 +56,7 @@ bool read_all(int from, double seconds, std::string& into) {
 
 }  // namespace
 
-RunResult run(const std::vector<std::string>& command, const fs::path& folder, double seconds) {
+RunResult run_program(const std::vector<std::string>& command, const fs::path& folder, double seconds) {
   std::vector<std::string> words = command;
   std::vector<char*> arguments;
   for (std::string& w : words) arguments.push_back(w.data());
@@ -116,4 +116,4 @@ void write_text(const fs::path& path, const std::string& text) {
   if (!file.flush()) throw std::runtime_error("cannot write '" + path.string() + "'");
 }
 
-}  // namespace lentray::diff
+}  // namespace lentray::tool

@@ -1,4 +1,4 @@
-#include "tools/lentray/machine.h"
+#include "tools/common/machine.h"
 
 #include <sys/resource.h>
 #include <time.h>

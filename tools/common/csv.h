@@ -3,11 +3,11 @@
 
 #include <string>
 
-namespace lentray::model {
+namespace lentray::tool {
 
 /// Up to 12 digits, so that 0.1 * 3 is 0.3.
 std::string number_text(double value);
 /// In quotes where it must be (RFC 4180).
 std::string csv_field(const std::string& text);
 
-}  // namespace lentray::model
+}  // namespace lentray::tool
