@@ -1,0 +1,72 @@
+// What a batch knows of one picture: a line of the manifest.
+//
+// Paths: `source` is absolute; `picture`, `views` and those of the comparison are relative to the batch's
+// folder. Times in seconds, memory in bytes. As JSON, members that say nothing are left out.
+// Errors: std::invalid_argument where a line is no row. Threads: any number.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace lentray::batch {
+
+/// done: the picture is there. failed: there is none, and `reason` tells why. skipped: none was asked for.
+enum class State { done, failed, skipped };
+std::string_view name_of(State state);
+
+/// A file as it was when it was read. The checksum decides; size and time save computing it.
+struct FileStamp {
+  std::uint64_t size = 0;
+  std::int64_t modified = 0;  ///< ns since 1970
+  std::uint64_t sum = 0;
+};
+
+/// Stock's picture beside ours.
+struct Verdict {
+  std::string grade;                   ///< exact, match, close, differs; fails: only stock has a picture; empty: stock has none
+  std::string note;                    ///< why there is no grade, or what to expect of it
+  std::optional<double> psnr;          ///< dB; none: the pictures are equal, or were not compared
+  double beyond_1 = 0.0, beyond_2 = 0.0;  ///< shares of the pixels that differ by more than 1/255, 2/255
+  double largest = 0.0;                ///< difference, in 1/255
+  double stock_cpu = 0.0, stock_wall = 0.0;
+  std::string stock, difference;       ///< pictures; the difference is scaled as tools/lentray-diff/report.h says
+  /// Of an integral image: how many lenses and views have each grade.
+  std::map<std::string, int> lens_grades, view_grades;
+};
+
+struct Row {
+  std::string name;                    ///< unique in the batch: the scene's path below its folder, without ".pov"; "#12": frame
+  std::string source;                  ///< the scene
+  std::optional<int> frame;            ///< of an animation
+  State state = State::failed;
+  std::string reason;                  ///< one line
+  std::vector<std::string> command;    ///< as it was run, in the scene's folder
+  int status = 0;                      ///< exit status; 128 + n: ended by signal n
+  std::vector<std::string> messages;   ///< lines that the program wrote, progress apart
+  int warnings = 0;
+  std::string picture;
+  std::uint32_t width = 0, height = 0;
+  std::uint64_t bytes = 0;             ///< of the picture's file
+  std::vector<std::string> views;      ///< files of --views, from the left
+  double lens_pixels = 0.0;            ///< pixels a lens of an integral image; 0: no integral image
+  std::vector<std::string> left_out;   ///< what the scene has and the picture lacks
+  double wall = 0.0, cpu = 0.0, reading = 0.0, building = 0.0, rendering = 0.0, writing = 0.0;
+  std::uint64_t memory = 0;            ///< most that was held
+  int attempts = 1;                    ///< runs of the program that it took
+  std::string finished;                ///< UTC, ISO 8601
+  std::optional<Verdict> verdict;      ///< of --compare
+
+  // What it depends on.
+  std::string key;                     ///< of program and options
+  std::map<std::string, FileStamp> files;  ///< that were read, the scene too, by absolute path
+  std::vector<std::string> missing;    ///< absolute paths that were looked for in vain
+};
+
+nlohmann::json to_json(const Row& row);
+Row row_of(const nlohmann::json& json);
+
+}  // namespace lentray::batch
