@@ -82,7 +82,7 @@ class Parsing {
         other(words[i]);
       }
     }
-    m_out.table_command = command_of(words);
+    m_out.words = words;
     finish();
   }
 
@@ -92,7 +92,7 @@ class Parsing {
     const std::string name = words[i].substr(0, equals);
     const std::map<std::string, bool*> switches{
         {"--help", &m_out.help}, {"--version", &m_out.version}, {"--frames", &m_out.frames},
-        {"--views", &m_out.views}, {"--compare", &m_out.compare}, {"--retry", &m_out.retry}, {"--quiet", &m_out.quiet}};
+        {"--views", &m_out.views}, {"--compare", &m_out.compare}, {"--retry", &m_out.retry}, {"--quiet", &m_out.quiet}, {"--slurm", &m_out.slurm}};
     const std::map<std::string, std::function<void(const std::string&)>> values{
         {"--out", [&](const std::string& v) { m_out.out = v; }},
         {"--jobs", [&](const std::string& v) { m_out.jobs = count_of(name, v); }},
@@ -101,6 +101,9 @@ class Parsing {
         {"--grade", [&](const std::string& v) { grade(v); }},
         {"--table", [&](const std::string& v) { m_out.table = fs::absolute(v); }},
         {"--lentray", [&](const std::string& v) { m_out.lentray = v; }},
+        {"--sbatch", [&](const std::string& v) { m_out.sbatch = v; }},
+        {"--worker", [&](const std::string& v) { m_out.worker = v; }},
+        {"--task", [&](const std::string& v) { m_out.task = v == "0" ? 0 : count_of(name, v); }},
         {"--povray", [&](const std::string& v) { m_out.povray = v; }}};
     if (const auto at = switches.find(name); at != switches.end() && equals == std::string::npos) {
       *at->second = true;
@@ -202,15 +205,9 @@ class Parsing {
     }
   }
 
-  /// As a reader would type it.
-  static std::string command_of(const std::vector<std::string>& words) {
-    std::string out = "lentray-batch";
-    for (const std::string& word : words) out += " " + word;
-    return out;
-  }
-
   void finish() {
-    if (m_out.help || m_out.version) return;
+    if (m_out.help || m_out.version || !m_out.worker.empty()) return;
+    if (!m_out.sbatch.empty() && !m_out.slurm) throw OptionError("--sbatch gives options to Slurm: it needs --slurm");
     if (m_out.inputs.empty()) throw OptionError("no folder and no scene was named; lentray-batch --help tells how");
     if (m_out.out.empty()) throw OptionError("--out DIR is missing: the folder for pictures, manifest and page");
     m_out.out = fs::absolute(m_out.out).lexically_normal();
@@ -231,6 +228,7 @@ Arguments parse_arguments(const std::vector<std::string>& words) {
   const fs::path beside = fs::read_symlink("/proc/self/exe").parent_path();
   arguments.lentray = arguments.lentray.empty() ? beside / "lentray" : fs::absolute(arguments.lentray);
   arguments.diff = beside / "lentray-diff";
+  arguments.merge = beside / "lentray-merge";
   return arguments;
 }
 
@@ -261,6 +259,9 @@ memory: the folders stay as they are.
   --no-scene-ini   scene.ini is not read
   --retry          tries again what failed, though nothing has changed
   --quiet          no progress
+  --slurm          renders as an array of jobs of Slurm (docs/cluster.md);
+                   bands of large pictures are jobs of their own
+  --sbatch OPTIONS further options of sbatch, as "--partition=night --mem=4G"
   --lentray FILE   the lentray to use (default: the one beside this program)
   --povray FILE    the stock POV-Ray to use (default: povray)
 

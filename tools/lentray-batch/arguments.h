@@ -26,11 +26,15 @@ struct Arguments {
   int jobs = 0;                                ///< scenes at a time; 0: as many as there are processors
   double time_limit = 0.0;                     ///< seconds a scene; 0: none
   double memory_limit = 0.0;                   ///< bytes a scene; 0: half of the machine's
-  std::filesystem::path lentray, diff;         ///< programs
+  std::filesystem::path lentray, diff, merge;  ///< programs
+  bool slurm = false;                          ///< pictures are made by jobs of Slurm
+  std::string sbatch;                          ///< further options of sbatch
+  std::filesystem::path worker;                ///< the folder of a run of Slurm whose task is to be done; empty: no worker
+  int task = 0;
+  std::vector<std::string> words;              ///< the command line
   std::string povray = "povray";
   std::optional<core::Grade> asked;            ///< what every scene must reach
   std::filesystem::path table;                 ///< Markdown; empty: none
-  std::string table_command;                   ///< what the table says that it is made by
 };
 
 Arguments parse_arguments(const std::vector<std::string>& words);

@@ -85,8 +85,9 @@ Row row_without_job(const Plan&, const Scene& scene, State state, const std::str
   return row;
 }
 
-Job::Job(const Plan& plan, Scene scene, const parser::RenderOptions& options, std::optional<parser::AnimationFrame> frame)
-    : m_plan(plan), m_scene(std::move(scene)), m_options(options), m_frame(std::move(frame)) {
+Job::Job(const Plan& plan, Scene scene, const parser::RenderOptions& options, std::optional<parser::AnimationFrame> frame,
+         std::optional<Band> band)
+    : m_plan(plan), m_scene(std::move(scene)), m_options(options), m_frame(std::move(frame)), m_band(band) {
   m_row.name = m_scene.name;
   if (m_frame) {
     m_row.frame = m_frame->clock.frame_number;
@@ -96,9 +97,53 @@ Job::Job(const Plan& plan, Scene scene, const parser::RenderOptions& options, st
   m_row.attempts = 0;
   m_row.key = key_of(plan, m_options, m_frame);
   m_row.picture = m_scene.name + (m_frame ? m_frame->digits : "") + core::extension_of(m_options.type);
+  if (!m_band) return;
+  m_row.name += "~" + std::to_string(m_band->index);
+  m_row.band = std::to_string(m_band->index) + "/" + std::to_string(m_band->count);
+  m_row.picture = band_picture(m_row.picture, m_band->index);
 }
 
-fs::path Job::run_file(const char* kind) const { return m_plan.state->file(m_row.name, m_row.key, kind); }
+std::string band_picture(const std::string& picture, int index) {
+  return ".lentray-batch/bands/" + picture + "." + std::to_string(index) + fs::path(picture).extension().string();
+}
+
+fs::path Job::kept_file(const char* kind) const { return m_plan.state->file(m_row.name, m_row.key, kind); }
+
+fs::path Job::run_file(const char* kind) const {
+  if (m_plan.scratch.empty()) return kept_file(kind);
+  fs::path place = root() / "runs" / m_row.name;
+  place += std::string(".") + kind;
+  fs::create_directories(place.parent_path());
+  return place;
+}
+
+/// Below it files are made.
+fs::path Job::root() const {
+  if (m_plan.scratch.empty()) return m_plan.arguments.out;
+  return m_band ? m_plan.scratch / ("band" + std::to_string(m_band->index)) : m_plan.scratch;
+}
+
+/// What was made in the scratch folder is moved to its place. What stood there is of the same picture: another worker
+/// was at it too.
+void Job::publish() {
+  if (m_plan.scratch.empty()) return;
+  const fs::path made = root() / (m_scene.name + (m_frame ? m_frame->digits : "") + core::extension_of(m_options.type));
+  fs::create_directories(picture_path().parent_path());
+  fs::rename(made, picture_path());
+}
+
+void Job::publish_statistics(const Row& band) const {
+  std::error_code error;
+  fs::rename(m_plan.state->file(band.name, band.key, "statistics"), kept_file("statistics"), error);
+}
+
+void Job::move_from_scratch(const std::string& picture) const {
+  std::error_code error;
+  if (m_plan.scratch.empty() || !fs::exists(root() / picture, error)) return;
+  const fs::path place = m_plan.arguments.out / picture;
+  fs::create_directories(place.parent_path(), error);
+  fs::rename(root() / picture, place, error);
+}
 fs::path Job::picture_path() const { return m_plan.arguments.out / m_row.picture; }
 
 std::string Job::limits() const {
@@ -114,17 +159,19 @@ bool Job::files_are_current() const {
          });
 }
 
-bool Job::is_up_to_date(const Row* known) const {
-  if (known == nullptr || known->key != m_row.key || known->source != m_row.source) return false;
-  if (known->state == State::failed) {
-    if (m_plan.arguments.retry || known->limits != limits()) return false;
-  } else {
-    std::error_code error;
-    if (known->picture != m_row.picture || !fs::is_regular_file(picture_path(), error)) return false;
-  }
+bool Job::fits(const Row& row) const {
+  if (row.key != m_row.key || row.source != m_row.source) return false;
+  std::error_code error;
+  if (row.state == State::done && !fs::is_regular_file(m_plan.arguments.out / row.picture, error)) return false;
   Job then = *this;
-  then.m_row = *known;
+  then.m_row = row;
   return then.files_are_current();
+}
+
+bool Job::is_up_to_date(const Row* known) const {
+  if (known == nullptr || known->picture != m_row.picture) return false;
+  if (known->state == State::failed && (m_plan.arguments.retry || known->limits != limits())) return false;
+  return fits(*known);
 }
 
 void Job::adopt(const Row& known) {
@@ -151,13 +198,13 @@ bool Job::adopt_left_over() {
 }
 
 bool Job::can_go_on() const {
-  if (modified(picture_path().string() + ".lentray-state") == 0) return false;
+  if (!m_plan.scratch.empty() || modified(picture_path().string() + ".lentray-state") == 0) return false;
   Job then = *this;
   then.read_dependencies(modified(run_file("read")));
   return then.files_are_current();
 }
 
-std::vector<std::string> Job::scene_words() const {
+std::vector<std::string> Job::words() const {
   std::vector<std::string> words = m_plan.arguments.for_lentray;
   if (m_plan.arguments.scene_ini && !m_scene.ini.empty()) words.push_back(m_scene.ini.string());
   if (m_frame) {
@@ -174,11 +221,14 @@ Launch Job::render(int threads, double memory) {
   launch.log = run_file("log");
   const bool goes_on = can_go_on();
   launch.command = {m_plan.arguments.lentray.string()};
-  for (const std::string& word : scene_words()) launch.command.push_back(word);
-  const fs::path picture = m_plan.arguments.out / (m_scene.name + core::extension_of(m_options.type));
+  for (const std::string& word : words()) launch.command.push_back(word);
+  const fs::path picture = root() / (m_scene.name + core::extension_of(m_options.type));
   fs::create_directories(picture.parent_path());
   launch.command.insert(launch.command.end(),
                         {"+I" + m_scene.source.filename().string(), "+O" + picture.string(), "+WT" + std::to_string(threads)});
+  if (m_band) {
+    launch.command.insert(launch.command.end(), {"+SR" + std::to_string(m_band->first_row), "+ER" + std::to_string(m_band->last_row)});
+  }
   m_row.command = launch.command;  // as by hand, but for what the batch needs for itself
   char bytes[32];
   std::snprintf(bytes, sizeof bytes, "%.0f", memory);
@@ -222,8 +272,10 @@ void Job::rendered(const Ended& ended, bool stopped) {
   if (ended.status != 0) return fail(ended);
   m_row.state = State::done;
   m_row.reason.clear();
+  publish();
   m_has_picture = true;
   read_statistics();
+  if (!m_plan.scratch.empty()) fs::rename(run_file("statistics"), kept_file("statistics"));
   m_row.finished = utc_now();
 }
 
@@ -298,7 +350,7 @@ void Job::read_statistics() {
 }
 
 bool Job::needs_views() const {
-  if (!m_plan.arguments.views || !m_has_picture || m_row.lens_pixels <= 0.0 || m_views_failed) return false;
+  if (m_band || !m_plan.arguments.views || !m_has_picture || m_row.lens_pixels <= 0.0 || m_views_failed) return false;
   return m_row.views.empty();
 }
 
@@ -321,7 +373,7 @@ void Job::views_split(const Ended& ended) {
 }
 
 bool Job::needs_comparison() const {
-  if (!m_plan.arguments.compare || m_row.verdict) return false;
+  if (m_band || !m_plan.arguments.compare || m_row.verdict) return false;
   return m_has_picture || m_is_over;
 }
 
@@ -329,16 +381,16 @@ Launch Job::compare(int processes) {
   Launch launch;
   launch.folder = m_scene.source.parent_path();
   launch.log = run_file("comparison");
-  const fs::path prefix = m_plan.arguments.out / "compare" / fs::path(m_row.picture).replace_extension();
+  const fs::path prefix = root() / "compare" / fs::path(m_row.picture).replace_extension();
   fs::create_directories(prefix.parent_path());
   launch.command = {m_plan.arguments.diff.string()};
-  for (const std::string& word : scene_words()) launch.command.push_back(word);
+  for (const std::string& word : words()) launch.command.push_back(word);
   launch.command.insert(launch.command.end(),
                         {"+I" + m_scene.source.string(), "--output=" + prefix.string(), "--threads=" + std::to_string(processes),
                          "--povray=" + m_plan.arguments.povray, "--json=" + run_file("verdict").string()});
   if (m_has_picture) {
     launch.command.insert(launch.command.end(),
-                          {"--ours=" + picture_path().string(), "--statistics=" + run_file("statistics").string()});
+                          {"--ours=" + picture_path().string(), "--statistics=" + kept_file("statistics").string()});
   } else {
     launch.command.emplace_back("--stock-alone");
   }
@@ -358,6 +410,7 @@ void Job::compared(const Ended& ended) {
     v.stock_cpu = all.value("stock_cpu_s", 0.0);
     v.stock_wall = all.value("stock_wall_s", 0.0);
     const std::string begin = "compare/" + fs::path(m_row.picture).replace_extension().string();
+    for (const char* kind : {"-stock.png", "-heat.png"}) move_from_scratch(begin + kind);
     v.stock = begin + "-stock.png";
     v.grade = "fails";
     if (m_has_picture) {

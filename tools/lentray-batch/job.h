@@ -26,21 +26,36 @@ struct Plan {
   double memory = 0.0;           ///< bytes of the machine
   std::uint64_t program = 0;     ///< checksum of lentray
   const StateFolder* state = nullptr;
+  std::filesystem::path scratch;  ///< a worker's own: files are made there and moved to their places; empty: none
 
   double memory_limit() const { return arguments.memory_limit > 0.0 ? arguments.memory_limit : 0.5 * memory; }
 };
 
+/// Rows of a picture that a job makes alone.
+struct Band {
+  int index = 0, count = 1;
+  std::int64_t first_row = 1, last_row = 1;  ///< as +SR and +ER
+};
+
 class Job {
  public:
-  /// `frame`: of an animation; none: a still.
-  Job(const Plan& plan, Scene scene, const parser::RenderOptions& options, std::optional<parser::AnimationFrame> frame);
+  /// `frame`: of an animation; none: a still. `band`: none: the whole picture.
+  Job(const Plan& plan, Scene scene, const parser::RenderOptions& options, std::optional<parser::AnimationFrame> frame,
+      std::optional<Band> band = std::nullopt);
 
   const std::string& name() const { return m_row.name; }
   const Row& row() const { return m_row; }
+  const Scene& scene() const { return m_scene; }
+  const parser::RenderOptions& options() const { return m_options; }
+  const std::optional<parser::AnimationFrame>& frame() const { return m_frame; }
+  /// The options of its runs: the batch's, scene.ini, and its frame.
+  std::vector<std::string> words() const;
 
   /// True if `known` (may be null) is a row of this very picture and nothing of it has changed. What --compare and
   /// --views ask for may still be missing.
   bool is_up_to_date(const Row* known) const;
+  /// True if a row, perhaps of a band of it, is of this picture, and what it was made of is as it was.
+  bool fits(const Row& row) const;
   /// Takes over what is known, or what a batch that was killed has left.
   void adopt(const Row& known);
   bool adopt_left_over();
@@ -58,6 +73,8 @@ class Job {
   void views_split(const Ended& ended);
   Launch compare(int processes);
   void compared(const Ended& ended);
+  /// Of a band: the comparison of the whole picture needs what it says of the lens.
+  void publish_statistics(const Row& band) const;
   /// It is not to be run any more; or is, after all.
   void give_up(const std::string& reason);
   void try_again() { m_is_over = false; }
@@ -66,8 +83,11 @@ class Job {
 
  private:
   std::filesystem::path run_file(const char* kind) const;
+  std::filesystem::path kept_file(const char* kind) const;
+  std::filesystem::path root() const;
+  void publish();
+  void move_from_scratch(const std::string& picture) const;
   std::filesystem::path picture_path() const;
-  std::vector<std::string> scene_words() const;
   std::string limits() const;
   void read_dependencies(std::int64_t since);
   void read_statistics();
@@ -80,12 +100,15 @@ class Job {
   const Scene m_scene;
   const parser::RenderOptions m_options;
   const std::optional<parser::AnimationFrame> m_frame;
+  const std::optional<Band> m_band;
   Row m_row;
   std::int64_t m_started = 0;
   bool m_has_picture = false, m_is_over = false, m_lacked_memory = false;
   bool m_views_failed = false;
 };
 
+/// Where a band of a picture is kept until all are there, relative to the batch's folder.
+std::string band_picture(const std::string& picture, int index);
 /// The scene's options: the batch's, then those of scene.ini. Throws parser::OptionError.
 parser::RenderOptions options_of(const Plan& plan, const Scene& scene);
 /// A row without a picture: of a part, or of a scene whose options cannot be.

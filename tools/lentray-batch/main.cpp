@@ -15,11 +15,13 @@
 #include "tools/common/standard_streams.h"
 #include "tools/common/version.h"
 #include "tools/lentray-batch/arguments.h"
+#include "tools/lentray-batch/cluster.h"
 #include "tools/lentray-batch/manifest.h"
 #include "tools/lentray-batch/progress.h"
 #include "tools/lentray-batch/scan.h"
 #include "tools/lentray-batch/scheduler.h"
 #include "tools/lentray-batch/table.h"
+#include "tools/lentray-batch/worker.h"
 
 namespace lentray::batch {
 namespace {
@@ -32,6 +34,13 @@ void write_whole(const fs::path& place, const std::string& text) {
   core::FileSwap swap(place);
   tool::write_text(swap.temporary(), text);
   swap.commit();
+}
+
+/// As a reader would type it.
+std::string command_of(const std::vector<std::string>& words) {
+  std::string out = "lentray-batch";
+  for (const std::string& word : words) out += " " + word;
+  return out;
 }
 
 /// The jobs of a scene: one, or one a frame.
@@ -58,13 +67,25 @@ class Batch {
     find();
     BatchProgress progress(m_names.size(), m_kept, m_plan.arguments.quiet);
     for (const std::string& warning : m_warnings) progress.say("warning: " + warning);
-    Scheduler scheduler(m_plan, m_manifest, progress);
+    if (m_plan.arguments.slurm && !on_cluster(progress)) return finish(false);
+    Scheduler scheduler(m_plan, [this](const Row& row) { m_manifest.put(row); }, progress);
     for (std::unique_ptr<Job>& job : m_jobs) scheduler.add(std::move(job));
     const bool is_done = scheduler.run();
     return finish(is_done);
   }
 
  private:
+  /// False if a signal stopped it.
+  bool on_cluster(BatchProgress& progress) {
+    std::vector<Job*> jobs;
+    for (const std::unique_ptr<Job>& job : m_jobs) {
+      if (job->needs_picture()) jobs.push_back(job.get());
+    }
+    if (!Cluster(m_plan, m_manifest, progress).run(jobs)) return false;
+    std::erase_if(m_jobs, [](const std::unique_ptr<Job>& job) { return !job->needs_views() && !job->needs_comparison(); });
+    return true;
+  }
+
   Plan plan_of(Arguments arguments) {
     Plan plan;
     plan.arguments = std::move(arguments);
@@ -145,7 +166,7 @@ class Batch {
       return kStopped;
     }
     const Arguments& a = m_plan.arguments;
-    if (!a.table.empty()) write_whole(a.table, table(rows(), a.table_command, stock_version()));
+    if (!a.table.empty()) write_whole(a.table, table(rows(), command_of(a.words), stock_version()));
     return summary();
   }
 
@@ -197,6 +218,7 @@ int run_main(const std::vector<std::string>& words) {
       std::fputs(usage().c_str(), stdout);
       return arguments.help ? kAll : kNoBatch;
     }
+    if (!arguments.worker.empty()) return do_task(arguments);
     return Batch(arguments).run();
   } catch (const std::exception& error) {
     std::fprintf(stderr, "lentray-batch: %s\n", error.what());

@@ -69,6 +69,7 @@ std::string_view name_of(State state) { return kStates.at(static_cast<std::size_
 json to_json(const Row& r) {
   json out{{"name", r.name}, {"source", r.source}, {"state", name_of(r.state)}};
   if (r.frame) out["frame"] = *r.frame;
+  put(out, "band", r.band);
   put(out, "reason", r.reason);
   put(out, "command", r.command);
   put(out, "status", r.status);
@@ -105,6 +106,7 @@ Row row_of(const json& from) try {
   from.at("source").get_to(r.source);
   r.state = state_named(from.at("state").get<std::string>());
   if (const auto at = from.find("frame"); at != from.end()) r.frame = at->get<int>();
+  take(from, "band", r.band);
   take(from, "reason", r.reason);
   take(from, "command", r.command);
   take(from, "status", r.status);

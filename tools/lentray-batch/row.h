@@ -39,9 +39,10 @@ struct Verdict {
 };
 
 struct Row {
-  std::string name;                    ///< unique in the batch: the scene's path below its folder, without ".pov"; "#12": frame
+  std::string name;                    ///< unique in the batch: the scene's path below its folder, without ".pov"; "#12": frame; "~2": band
   std::string source;                  ///< the scene
   std::optional<int> frame;            ///< of an animation
+  std::string band;                    ///< "2/16": rows of the picture alone, the third of 16 parts
   State state = State::failed;
   std::string reason;                  ///< one line
   std::vector<std::string> command;    ///< as it was run, in the scene's folder

@@ -18,8 +18,8 @@ constexpr double kStockTime = 5.0;    ///< how many times a scene's limit stock 
 
 }  // namespace
 
-Scheduler::Scheduler(const Plan& plan, Manifest& manifest, BatchProgress& progress)
-    : m_plan(plan), m_manifest(manifest), m_progress(progress), m_told(Clock::now()) {}
+Scheduler::Scheduler(const Plan& plan, std::function<void(const Row&)> keep, BatchProgress& progress)
+    : m_plan(plan), m_keep(std::move(keep)), m_progress(progress), m_told(Clock::now()) {}
 
 int Scheduler::slots() const { return m_plan.arguments.jobs > 0 ? m_plan.arguments.jobs : m_plan.processors; }
 
@@ -40,7 +40,7 @@ void Scheduler::next(Job& job) {
 }
 
 void Scheduler::finish(Job& job) {
-  m_manifest.put(job.row());
+  m_keep(job.row());
   m_progress.finished(job.row());
   m_news = true;
 }

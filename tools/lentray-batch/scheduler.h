@@ -2,7 +2,7 @@
 //
 // Every picture begins small: one thread, with others beside it. One that takes longer than kSmall seconds, or more
 // memory than its share, is stopped and gone on with when the small ones are done: alone, with all processors and the
-// whole memory that a scene may take. Views and comparisons take a processor each. Rows go into the manifest as
+// whole memory that a scene may take. Views and comparisons take a processor each. Rows are handed on as
 // pictures are finished. Errors: none of a scene ends the run. One thread.
 #pragma once
 
@@ -13,14 +13,14 @@
 
 #include "tools/lentray-batch/child.h"
 #include "tools/lentray-batch/job.h"
-#include "tools/lentray-batch/manifest.h"
 #include "tools/lentray-batch/progress.h"
 
 namespace lentray::batch {
 
 class Scheduler {
  public:
-  Scheduler(const Plan& plan, Manifest& manifest, BatchProgress& progress);
+  /// `keep` gets each row once it is complete.
+  Scheduler(const Plan& plan, std::function<void(const Row&)> keep, BatchProgress& progress);
 
   void add(std::unique_ptr<Job> job);
   /// Called about once a minute while pictures are being finished.
@@ -54,7 +54,7 @@ class Scheduler {
   void stop_all();
 
   const Plan& m_plan;
-  Manifest& m_manifest;
+  const std::function<void(const Row&)> m_keep;
   BatchProgress& m_progress;
   std::vector<std::unique_ptr<Job>> m_jobs;
   std::deque<Job*> m_small, m_large, m_after;  ///< m_after: views and comparisons

@@ -23,10 +23,11 @@ constexpr off_t kReserve = 4 << 20;  ///< bytes: some thousand rows
 
 }  // namespace
 
-StateFolder::StateFolder(const fs::path& out) : m_path(out / ".lentray-batch") {
+StateFolder::StateFolder(const fs::path& out, Access access) : m_path(out / ".lentray-batch") {
   std::error_code error;
   fs::create_directories(m_path, error);
   if (error) fail(out, error.value());
+  if (access == Access::shared) return;
   m_lock = ::open((m_path / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
   if (m_lock < 0) fail(out, errno);
   if (::flock(m_lock, LOCK_EX | LOCK_NB) != 0) {
@@ -40,6 +41,7 @@ StateFolder::StateFolder(const fs::path& out) : m_path(out / ".lentray-batch") {
 }
 
 StateFolder::~StateFolder() {
+  if (m_lock < 0) return;
   std::error_code error;
   fs::remove(m_path / "reserve", error);
   ::close(m_lock);

@@ -9,8 +9,10 @@ namespace lentray::batch {
 
 class StateFolder {
  public:
+  /// alone: the batch itself, one at a time; shared: a worker of the batch.
+  enum class Access { alone, shared };
   /// Makes `out` and what belongs to it. Throws where that cannot be done, and while another batch works there.
-  explicit StateFolder(const std::filesystem::path& out);
+  explicit StateFolder(const std::filesystem::path& out, Access access = Access::alone);
   ~StateFolder();
   StateFolder(const StateFolder&) = delete;
   StateFolder& operator=(const StateFolder&) = delete;

@@ -1,0 +1,127 @@
+#include "tools/lentray-batch/estimate.h"
+
+#include <algorithm>
+#include <deque>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "tools/common/process.h"
+
+namespace lentray::batch {
+
+using nlohmann::json;
+
+namespace {
+
+constexpr double kCoarse = 8.0;      ///< times fewer columns and rows
+constexpr double kLeastWidth = 48.0, kLeastHeight = 12.0;
+constexpr double kStart = 0.03;      ///< seconds that starting a program takes
+constexpr double kLongest = 60.0;    ///< seconds of a coarse render; what takes longer is taken for that much
+
+double pixels(const parser::RenderOptions& o) { return static_cast<double>(o.width) * static_cast<double>(o.height); }
+
+Estimate bare(const Job& job) {
+  Estimate e;
+  e.name = job.name();
+  e.fixed = kStart;
+  const parser::RenderOptions& o = job.options();
+  const bool is_part = o.start_column || o.end_column || o.start_row || o.end_row;
+  // Bands are joined by what their files say, which PNG files do.
+  if (!is_part && o.type == core::FileType::png) e.rows = o.height;
+  return e;
+}
+
+/// A render of few pixels under way.
+struct Coarse {
+  const Job* job = nullptr;
+  std::string statistics;
+  double scale = 1.0;  ///< pixels of the picture to those of this render
+  std::unique_ptr<Child> child;
+};
+
+Coarse start(const Plan& plan, const Job& job, const std::string& place) {
+  const parser::RenderOptions& o = job.options();
+  const auto fewer = [](double size, double least) { return std::min(size, std::max(least, std::ceil(size / kCoarse))); };
+  const double width = fewer(static_cast<double>(o.width), kLeastWidth), height = fewer(static_cast<double>(o.height), kLeastHeight);
+  Coarse coarse;
+  coarse.job = &job;
+  coarse.statistics = place + ".json";
+  coarse.scale = pixels(o) / (width * height);
+  Launch launch;
+  launch.folder = job.scene().source.parent_path();
+  launch.log = place + ".log";
+  launch.command = {plan.arguments.lentray.string()};
+  for (const std::string& word : job.words()) launch.command.push_back(word);
+  for (const std::string& word :
+       {"+I" + job.scene().source.filename().string(), "+W" + std::to_string(static_cast<int>(width)),
+        "+H" + std::to_string(static_cast<int>(height)), std::string("-F"), std::string("-V"), std::string("+WT1"),
+        std::string("Count_Tests=Off"), std::string("Scene_Writes=memory"), "Statistics_File=" + coarse.statistics}) {
+    launch.command.push_back(word);
+  }
+  coarse.child = std::make_unique<Child>(launch);
+  return coarse;
+}
+
+void read(const Coarse& coarse, const Ended& ended, Estimate& e) {
+  std::ifstream file(coarse.statistics, std::ios::binary);
+  const json all = file ? json::parse(file, nullptr, false) : json();
+  if (ended.status == 0 && all.is_object()) {
+    const json& time = all.at("time");
+    e.fixed = kStart + time.at("parse_cpu_s").get<double>() + time.at("compile_cpu_s").get<double>();
+    e.rendering = time.at("render_cpu_s").get<double>() * coarse.scale;
+  } else {
+    e.fixed = ended.cpu;
+    e.rendering = ended.wall >= kLongest ? kLongest * coarse.scale : 0.0;
+  }
+}
+
+/// From a row of the same picture, whatever has changed since.
+bool from_earlier(const Job& job, const std::map<std::string, Row>& earlier, Estimate& e) {
+  const auto at = earlier.find(job.name());
+  if (at == earlier.end() || at->second.rendering <= 0.0 || at->second.width == 0) return false;
+  const Row& row = at->second;
+  e.fixed = kStart + row.reading + row.building;
+  e.rendering = row.rendering * pixels(job.options()) / (static_cast<double>(row.width) * row.height);
+  return true;
+}
+
+}  // namespace
+
+std::optional<std::vector<Estimate>> estimates_of(const Plan& plan, const std::vector<Job*>& jobs,
+                                                  const std::map<std::string, Row>& earlier) {
+  std::vector<Estimate> out;
+  std::map<std::string, std::size_t> first;  // of a scene's frames
+  std::vector<std::size_t> same_as;
+  std::deque<std::size_t> waiting;
+  for (const Job* job : jobs) {
+    const std::size_t i = out.size();
+    out.push_back(bare(*job));
+    same_as.push_back(first.emplace(job->scene().name, i).first->second);
+    if (same_as[i] == i && !from_earlier(*job, earlier, out[i])) waiting.push_back(i);
+  }
+  const tool::TemporaryFolder folder;
+  std::map<std::size_t, Coarse> running;
+  const auto most = static_cast<std::size_t>(plan.processors);
+  while (!waiting.empty() || !running.empty()) {
+    while (!waiting.empty() && running.size() < most) {
+      const std::size_t i = waiting.front();
+      waiting.pop_front();
+      running[i] = start(plan, *jobs[i], (folder / std::to_string(i)).string());
+    }
+    if (wait_for_news(std::chrono::milliseconds(200)) != 0) return std::nullopt;
+    std::erase_if(running, [&out](auto& entry) {
+      auto& [i, coarse] = entry;
+      const auto ended = coarse.child->ended();
+      if (ended) read(coarse, *ended, out[i]);
+      if (!ended && coarse.child->seconds() > kLongest) coarse.child->kill();
+      return ended.has_value();
+    });
+  }
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    out[i].fixed = out[same_as[i]].fixed;
+    out[i].rendering = out[same_as[i]].rendering;
+  }
+  return out;
+}
+
+}  // namespace lentray::batch
