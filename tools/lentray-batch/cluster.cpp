@@ -198,6 +198,20 @@ void Cluster::take(const Row& row) {
   merge(name, all);
 }
 
+/// "1-60,61-120"
+std::string Cluster::rows_of_bands(const std::string& name) const {
+  std::map<int, std::string> rows;
+  for (const std::vector<Work>& task : m_tasks) {
+    for (const Work& work : task) {
+      const Item& i = work.item;
+      if (i.name == name) rows[i.band] = std::to_string(i.first_row) + "-" + std::to_string(i.last_row);
+    }
+  }
+  std::string out;
+  for (const auto& [band, text] : rows) out += (out.empty() ? "" : ",") + text;
+  return out;
+}
+
 void Cluster::merge(const std::string& name, const std::vector<Row>& bands) {
   Job& job = *m_jobs.at(name);
   Row row = joined(bands);
@@ -206,7 +220,7 @@ void Cluster::merge(const std::string& name, const std::vector<Row>& bands) {
   if (row.state == State::done) {
     std::vector<std::string> command{m_plan.arguments.merge.string()};
     for (const Row& band : bands) command.push_back((out / band.picture).string());
-    command.insert(command.end(), {"--out", (out / row.picture).string()});
+    command.insert(command.end(), {"--rows", rows_of_bands(name), "--out", (out / row.picture).string()});
     fs::create_directories((out / row.picture).parent_path());
     const tool::RunResult result = tool::run_program(command);
     if (result.status == 0) {

@@ -31,6 +31,7 @@ class Cluster {
   bool wait();
   void collect();
   void take(const Row& row);
+  std::string rows_of_bands(const std::string& name) const;
   void merge(const std::string& name, const std::vector<Row>& bands);
 
   const Plan& m_plan;
