@@ -60,7 +60,7 @@ function showGrades() {
   const legend = element("ul", { class: "legend" });
   there.forEach((grade, i) => {
     const part = element("span", { class: "fill-" + grade });
-    part.style.flexGrow = summary.grades[grade];
+    part.style.flexGrow = summary.grades[grade] / total;
     stack.append(part);
     legend.append(element("li", {}, element("i", { class: "fill-" + grade }), words[i]));
   });
@@ -202,6 +202,15 @@ function smallPicture(card, row) {
   return box;
 }
 
+/** The folder stands over the name. */
+function captionOf(card) {
+  const cut = card.name.lastIndexOf("/") + 1;
+  return element("div", { class: "caption", title: clean(card.name) },
+    element("span", { class: "folder" }, clean(card.name.slice(0, cut))),
+    element("span", { class: "name" }, clean(card.name.slice(cut))),
+    element("span", { class: "time" }, card.time ? seconds(card.time) : ""));
+}
+
 function makeCard(card) {
   const row = card.animation && card.frames.length && card.state !== "failed" ? card.frames[0] : card.row;
   const picture = element("div", { class: "picture" }, smallPicture(card, row));
@@ -209,8 +218,7 @@ function makeCard(card) {
   else if (card.animation) picture.append(element("span", { class: "mark" }, many(card.rows.length, "frame")));
   const open = element("a", { class: "open", href: addressOf({ ...defaults, scene: card.name }), draggable: "false",
     onclick: (event) => { if (!event.ctrlKey && !event.metaKey && !event.shiftKey) { event.preventDefault(); openCard(card); } } },
-    picture, element("div", { class: "caption" }, element("span", { class: "name", title: clean(card.name) }, clean(card.name)),
-      element("span", { class: "time" }, card.state === "skipped" ? "" : seconds(card.time))));
+    picture, captionOf(card));
   card.element = element("article", { class: `card is-${card.state}` }, open);
   if (card.animation && card.frames.length > 1 && card.image) {
     card.element.append(player(card.frames, (frame) => { card.image.src = card.image.source = jpeg(frame.picture); }));

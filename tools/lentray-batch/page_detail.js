@@ -52,8 +52,7 @@ function askForTilt() {
 window.addEventListener("deviceorientation", (event) => {
   const kReach = 25;  // degrees to either side
   if (!tilted || event.gamma === null) return;
-  const across = screen.orientation?.type?.startsWith("landscape") ? (screen.orientation.angle === 90 ? event.beta : -event.beta)
-    : event.gamma;
+  const across = { 90: event.beta, 180: -event.gamma, 270: -event.beta }[screen.orientation?.angle] ?? event.gamma;
   // A screen turned to the right is seen from further left.
   tilted.show(tilted.middle - across / kReach * tilted.middle);
 });
@@ -101,31 +100,39 @@ function large(row) {
   return box;
 }
 
+/** What the panel can show of a row: label, what it is, how to make it. */
+function waysToLook(row) {
+  const v = row.verdict || {}, integral = Boolean(row.lens_pixels), ways = [];
+  if (row.tilt) ways.push(["Tilt to look", "", () => largeTilt(row)]);
+  ways.push([row.tilt ? "Integral image" : "Ours", row.tilt ? "Interlaced, as it is printed" : "",
+    () => [row.state === "done" ? large(row) : instead(row), ""]]);
+  const other = (name, small, href, shown, text) => {
+    const there = { state: "done", width: row.width, height: row.height, picture: small, href, shown };
+    if (small || (href && shown)) ways.push([name, text, () => [large(there), text]]);
+  };
+  other("Stock", v.stock_picture, v.stock, v.stock_shown && !integral, integral ? "Stock's middle view" : "");
+  other("Difference", v.difference_picture, v.difference, v.difference_shown, integral ? "Of the interlaced pictures" : "");
+  return ways;
+}
+
 /** The picture in the panel, with what chooses how it is looked at. */
 function looks(card, row, setRow) {
   const stage = element("div", { class: "stage" }), under = element("div", { class: "under" });
-  const showPicture = () => { tilted = null; stage.replaceChildren(row.state === "done" ? large(row) : instead(row)); };
-  if (row.tilt) {
-    const place = element("span", {});
-    const choose = (isTilt) => {
-      buttons[0].setAttribute("aria-pressed", isTilt);
-      buttons[1].setAttribute("aria-pressed", !isTilt);
-      if (!isTilt) { showPicture(); place.textContent = "Interlaced, as it is printed"; return; }
-      const [box, text] = largeTilt(row);
-      stage.replaceChildren(box);
-      place.replaceChildren(text);
-    };
-    const buttons = [element("button", { type: "button", onclick: () => choose(true) }, "Tilt to look"),
-      element("button", { type: "button", onclick: () => choose(false) }, "Integral image")];
-    choose(true);
-    under.append(element("span", { class: "choice", role: "group", "aria-label": "Way of looking" }, ...buttons), place);
-  } else {
-    showPicture();
-  }
+  const ways = waysToLook(row), place = element("span", {});
+  const buttons = ways.map(([label], i) => element("button", { type: "button", onclick: () => choose(i) }, label));
+  const choose = (which) => {
+    tilted = null;
+    buttons.forEach((button, i) => button.setAttribute("aria-pressed", String(i === which)));
+    const [picture, text] = ways[which][2]();
+    stage.replaceChildren(picture);
+    place.replaceChildren(text || ways[which][1]);
+  };
+  choose(0);
+  if (ways.length > 1) under.append(element("span", { class: "choice", role: "group", "aria-label": "Which picture" }, ...buttons));
+  under.append(place);
   if (card.frames.length > 1) {
     const at = Math.max(0, card.frames.indexOf(row));
     under.append(player(card.frames, (frame) => {
-      row = frame;
       showSmall(stage, frame);
       setRow(frame);
     }, at));
@@ -163,13 +170,14 @@ function timesOf(row) {
     parts.forEach(([name, value], i) => {
       if (value) {
         const part = element("span", { class: `part-${i + 1}` });
-        part.style.flexGrow = value;
+        part.style.flexGrow = value / sum;
         stack.append(part);
       }
       legend.append(element("li", {}, element("i", { class: `part-${i + 1}` }), `${name} ${seconds(value)}`));
     });
     section.append(stack, legend);
   }
+  if (!sum && !row.wall && !row.cpu) return "";
   const list = listOf([["on the clock", row.wall && seconds(row.wall)], ["processor", row.cpu && seconds(row.cpu)],
     ["memory", row.memory && bytes(row.memory)], ["runs it took", row.attempts]]);
   list.style.marginTop = "8px";
@@ -181,7 +189,7 @@ function pictureFacts(row) {
   const views = (row.views || []).flatMap((href, i) => [i ? " " : "", link(href, String(i + 1))]);
   if (row.view_count > (row.views || []).length) views.push(` … ${row.view_count} in all`);
   const size = row.width ? `${row.width} × ${row.height} pixels` + (row.bytes ? `, ${bytes(row.bytes)}` : "") : "";
-  return titled("Picture", listOf([["file", row.href && [link(row.href, clean(row.file))]], ["size", size],
+  return titled(row.href ? "Picture" : "Scene", listOf([["file", row.href && [link(row.href, clean(row.file))]], ["size", size],
     ["pixels a lens", row.lens_pixels && String(Math.round(row.lens_pixels * 1e4) / 1e4)],
     ["views", views.length ? views : ""], ["left out", row.left_out && clean(row.left_out.join(", "))],
     ["scene", clean(row.source || "")], ["frame", row.frame !== undefined && String(row.frame)],
@@ -291,7 +299,6 @@ function comparisonOf(row) {
 function factsOf(card, row, setFrame) {
   const facts = element("div", { class: "facts" });
   const failed = card.animation ? card.list.filter((one) => one.state === "failed") : [];
-  if (row.state !== "done" && row.reason) facts.append(element("p", { class: row.state === "failed" ? "reason" : "" }, clean(row.reason)));
   if (failed.length) {
     const list = element("div", { class: "filters" });
     for (const one of failed.slice(0, 50)) {
