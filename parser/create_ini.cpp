@@ -97,9 +97,7 @@ void add_animation(const RenderOptions& o, Lines& out) {
   out.add("Cyclic_Animation", a.cyclic);
 }
 
-void add_file(const RenderOptions& o, Lines& out) {
-  out.add("Output_To_File", o.output_to_file);
-  out.name("Output_File_Name", o.output);
+void add_format(const RenderOptions& o, Lines& out) {
   out.add("Output_File_Type", word_of(o.type));
   out.number("Bits_Per_Color", o.bits);
   out.add("Grayscale_Output", o.grayscale);
@@ -108,6 +106,12 @@ void add_file(const RenderOptions& o, Lines& out) {
   out.add("Dither_Method", word_of(o.dither_type));
   out.add("Display_Gamma", o.display_srgb ? "sRGB" : text_of(o.display_gamma));
   out.add("File_Gamma", o.srgb ? "sRGB" : text_of(o.file_gamma));
+}
+
+void add_file(const RenderOptions& o, Lines& out) {
+  out.add("Output_To_File", o.output_to_file);
+  out.name("Output_File_Name", o.output);
+  add_format(o, out);
   out.add("Continue_Trace", o.continues);
 }
 
@@ -152,6 +156,9 @@ void add_work(const RenderOptions& o, Lines& out) {
   if (o.band_height > 0) out.number("Band_Height", o.band_height);
   out.name("Statistics_File", o.statistics_file);
   out.add("Shadow_Log", o.shadow_log);
+  out.add("Count_Tests", o.count_tests);
+  out.name("Dependencies_File", o.dependencies_file);
+  out.add("Scene_Writes", std::string_view(o.writes_to_disk ? "disk" : "memory"));
   out.add("Restrict_IO", o.restrict_io);
   out.add("Strict", o.strict);
 }
@@ -174,6 +181,12 @@ std::string ini_text(const RenderOptions& o) {
 std::string picture_lines(const RenderOptions& o) {
   Lines out;
   add_picture(o, out);
+  return out.take();
+}
+
+std::string file_lines(const RenderOptions& o) {
+  Lines out;
+  add_format(o, out);
   return out.take();
 }
 

@@ -15,6 +15,9 @@ std::string ini_text(const RenderOptions& options);
 /// Those lines that decide what colours the pixels get, the frame's clock apart.
 std::string picture_lines(const RenderOptions& options);
 
+/// Those that decide how a picture's file holds them, its name apart.
+std::string file_lines(const RenderOptions& options);
+
 /// Where Create_Ini writes: "" for nowhere, and the scene's name with .ini where it was only turned on.
 std::string ini_path(const RenderOptions& options);
 

@@ -93,6 +93,8 @@ constexpr OptionHelp kWork[] = {
     {"Light_Buffer", kSwitch, "Shadow rays to point lights are looked up where the light sees (on).", ""},
     {"Statistics_File", "file", "Counts, times and the lens, as JSON.", ""},
     {"Shadow_Log", kSwitch, "More of shadows in that file.", ""},
+    {"Count_Tests", kSwitch, "Tests of bounds and shapes in that file, which takes a little time (on).", ""},
+    {"Dependencies_File", "file", "Files that the scene reads, writes and looks for in vain, as JSON.", ""},
 };
 constexpr OptionHelp kMessages[] = {
     {"Verbose", kSwitch, "Progress (on).", ""},
@@ -126,6 +128,7 @@ constexpr OptionHelp kCommandLines[] = {
     {"Fatal_Error_Return", "[!]I|S|A|Q|U|F", "", ""},
 };
 constexpr OptionHelp kSafety[] = {
+    {"Scene_Writes", "disk|memory", "Where files that the scene writes are kept; in memory only the scene sees them (disk).", ""},
     {"Restrict_IO", kSwitch, "For strangers' scenes: files only where the rules of POV-Ray's manual permit (security.md).", ""},
     {"Strict", kSwitch, "A scene that asks for what is not rendered yet is an error before anything is rendered, instead of a warning.", ""},
     {"--parse-only", "", "Reads the scene, says what is wrong with it, renders nothing and leaves nothing behind.", ""},

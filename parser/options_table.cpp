@@ -331,6 +331,10 @@ Quantity quantity(const Given& g) {
   out.number = positive(only);
   return out;
 }
+void set_scene_writes(Options& o, const Given& g) {
+  if (!same_word(g.value, "disk") && !same_word(g.value, "memory")) refuse(g, "disk or memory is expected");
+  o.writes_to_disk = same_word(g.value, "disk");
+}
 /// Seconds, or with a unit: s, m or h.
 void set_time(Options& o, const Given& g) {
   const auto [number, unit] = quantity(g);
@@ -541,6 +545,9 @@ constexpr OptionRow kTable[] = {
     {"Max_Time", "", set_time},
     {"Band_Height", "", set_band},
     {"Statistics_File", "", set_text<&Options::statistics_file>},
+    {"Count_Tests", "", set_bool<&Options::count_tests>},
+    {"Dependencies_File", "", set_text<&Options::dependencies_file>},
+    {"Scene_Writes", "", set_scene_writes},
 };
 
 }  // namespace

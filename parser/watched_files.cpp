@@ -56,9 +56,19 @@ void WatchedFiles::saw(const std::string& path, std::uint64_t sum) const {
   if (!m_written.contains(path)) m_seen[path] = sum;
 }
 
+bool WatchedFiles::exists(const std::string& path) const {
+  const bool is_there = m_below.exists(path);
+  if (!is_there && !m_written.contains(path)) m_missing.insert(path);
+  return is_there;
+}
+
 std::optional<std::string> WatchedFiles::read(const std::string& path) const {
   std::optional<std::string> text = m_below.read(path);
-  if (text) saw(path, checksum(*text));
+  if (text) {
+    saw(path, checksum(*text));
+  } else if (!m_written.contains(path)) {
+    m_missing.insert(path);
+  }
   return text;
 }
 

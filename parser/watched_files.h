@@ -22,8 +22,12 @@ class WatchedFiles final : public Files {
   explicit WatchedFiles(Files& below) : m_below(below) {}
   /// Checksums by path.
   const std::map<std::string, std::uint64_t>& seen() const { return m_seen; }
+  /// Paths that were looked for in vain.
+  const std::set<std::string>& missing() const { return m_missing; }
+  /// Paths that the scene wrote.
+  const std::set<std::string>& written() const { return m_written; }
 
-  bool exists(const std::string& path) const override { return m_below.exists(path); }
+  bool exists(const std::string& path) const override;
   std::optional<std::string> find_loosely(const std::string& folder, const std::string& name) const override {
     return m_below.find_loosely(folder, name);
   }
@@ -38,6 +42,7 @@ class WatchedFiles final : public Files {
 
   Files& m_below;
   mutable std::map<std::string, std::uint64_t> m_seen;
+  mutable std::set<std::string> m_missing;
   std::set<std::string> m_written;
 };
 

@@ -3,7 +3,7 @@
 #   cmake --install build/release --prefix X
 include(GNUInstallDirs)
 
-set(LENTRAY_PROGRAMS lentray lentray-diff lentray-model lentray-grouping)
+set(LENTRAY_PROGRAMS lentray lentray-batch lentray-diff lentray-model lentray-grouping)
 set(LENTRAY_MODULES lib/lentray)  # a folder of the package's own: no multiarch
 # Programs of the build tree find the module beside themselves, installed ones along this path.
 set_target_properties(${LENTRAY_PROGRAMS} PROPERTIES INSTALL_RPATH "$ORIGIN/../${LENTRAY_MODULES}")

@@ -22,7 +22,7 @@ TEST(UnitParserCreateIni, AsksForTheSameRunAgain) {
       {"a.pov", "Lenticular=On", "Lens_Pitch=0.7", "Lens_Focal_Length=2.1", "Lens_IOR=1.56", "Lens_Pixels=12.4",
        "View_Distance=400", "Sheet_Distance=7", "Lens_Model=pinhole", "View=3", "Antialias_Angle=4",
        "Pixel_Order=strips(4,32)", "Shadow_Cache=tree", "Accelerator=grid", "-UL", "Max_Memory=100M", "Max_Time=90",
-       "Band_Height=7", "Statistics_File=s.json", "Restrict_IO=On"}};
+       "Band_Height=7", "Statistics_File=s.json", "Count_Tests=Off", "Dependencies_File=d.json", "Scene_Writes=memory", "Restrict_IO=On"}};
   for (const auto& arguments : runs) {
     const tool::TemporaryFolder folder;
     const std::string text = ini_text(read(arguments)), path = (folder / "again.ini").string();

@@ -8,6 +8,8 @@ namespace lentray::tool {
 /// Seconds of processor time of the process, over all threads; of the calling thread alone.
 double cpu_seconds();
 double thread_cpu_seconds();
+/// Of programs that this one ran and that have ended, with all that they ran.
+double cpu_seconds_of_children();
 
 /// Bytes: the most that was held; of the machine (infinite where it does not tell).
 std::uint64_t peak_bytes();

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -22,6 +23,7 @@ namespace {
 
 /// In the child, after fork: only async-signal-safe calls.
 [[noreturn]] void become(char* const* arguments, const char* folder, int output) {
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // it must not outlive whoever waits for it
   const int nothing = ::open("/dev/null", O_RDONLY);
   ::dup2(nothing, STDIN_FILENO);
   ::dup2(output, STDOUT_FILENO);

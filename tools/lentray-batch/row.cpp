@@ -89,6 +89,7 @@ json to_json(const Row& r) {
   put(out, "writing_s", r.writing);
   put(out, "memory", r.memory);
   out["attempts"] = r.attempts;
+  put(out, "limits", r.limits);
   put(out, "finished", r.finished);
   if (r.verdict) out["verdict"] = to_json(*r.verdict);
   put(out, "key", r.key);
@@ -124,6 +125,7 @@ Row row_of(const json& from) try {
   take(from, "writing_s", r.writing);
   take(from, "memory", r.memory);
   take(from, "attempts", r.attempts);
+  take(from, "limits", r.limits);
   take(from, "finished", r.finished);
   if (const auto at = from.find("verdict"); at != from.end()) r.verdict = verdict_of(*at);
   take(from, "key", r.key);

@@ -57,6 +57,7 @@ struct Row {
   double wall = 0.0, cpu = 0.0, reading = 0.0, building = 0.0, rendering = 0.0, writing = 0.0;
   std::uint64_t memory = 0;            ///< most that was held
   int attempts = 1;                    ///< runs of the program that it took
+  std::string limits;                  ///< of time and memory, that a picture failed within
   std::string finished;                ///< UTC, ISO 8601
   std::optional<Verdict> verdict;      ///< of --compare
 

@@ -54,6 +54,7 @@ class Parsing {
     if (word == "--help") { m_out.help = true; return; }
     if (word == "--version") { m_out.version = true; return; }
     if (word == "--no-pictures") { m_out.write_pictures = false; return; }
+    if (word == "--stock-alone") { m_out.stock_alone = true; return; }
     if (word == "--all-lenses") { m_out.all_lenses = true; return; }
     const std::size_t equals = word.find('=');
     const std::string name = word.substr(0, equals);
@@ -66,6 +67,8 @@ class Parsing {
         {"--povray", [&](const std::string& v) { m_out.stock.povray = v; }},
         {"--threads", [&](const std::string& v) {
            m_out.stock.processes = static_cast<int>(positive_number(name, v)); }},
+        {"--ours", [&](const std::string& v) { m_out.ours = v; }},
+        {"--statistics", [&](const std::string& v) { m_out.statistics = v; }},
         {"--write-wrappers", [&](const std::string& v) { m_out.wrappers = v; }},
         {"--samples", [&](const std::string& v) { samples(v); }},
         {"--bits", [&](const std::string& v) { bits(v); }},
@@ -76,7 +79,7 @@ class Parsing {
       std::string known;
       for (const auto& entry : table) known += " " + entry.first;
       throw OptionError("unknown option '" + name + "'; there are" + known +
-                        " --no-pictures --all-lenses --help --version");
+                        " --no-pictures --all-lenses --stock-alone --help --version");
     }
     if (equals != std::string::npos) return found->second(word.substr(equals + 1));
     if (++i >= words.size()) throw OptionError(name + " needs a value");
@@ -200,6 +203,7 @@ class Parsing {
       return;
     }
     if (m_out.scene.empty()) throw OptionError("no scene given");
+    if (m_out.ours.empty() != m_out.statistics.empty()) throw OptionError("--ours and --statistics go together");
     if (!m_out.scene.has_extension()) m_out.scene += ".pov";
     if (!fs::is_regular_file(m_out.scene)) {
       throw OptionError("there is no scene '" + m_out.scene.string() + "'");
@@ -251,6 +255,12 @@ Antialias_Angle=n it is the mean of n times as many views.
   --keep FOLDER    wrapper scenes and stock's pictures stay there
   --write-wrappers FOLDER  write the wrapper scenes for stock (viewJ.pov,
                    mesh.pov), do no more
+  --ours PICTURE, --statistics FILE
+                   what lentray made of the scene with these options before
+                   (its Statistics_File): it is not rendered again, and of
+                   the pictures only -stock and -heat are written
+  --stock-alone    stock's picture of the scene's own camera, for where
+                   lentray has none
   --lentray FILE   the lentray to use (default: the one beside this program)
   --povray FILE    the stock POV-Ray to use (default: povray)
 

@@ -27,6 +27,8 @@ struct Arguments {
   bool write_pictures = true, all_lenses = false;
   std::filesystem::path lentray;                  ///< the program; empty: beside lentray-diff
   std::vector<std::string> for_lentray;
+  bool stock_alone = false;                       ///< stock's picture, with nothing to compare it with
+  std::filesystem::path ours, statistics;         ///< of lentray's run of the scene, which is then not repeated
   StockOptions stock;                             ///< processes: also lentray's threads
 };
 

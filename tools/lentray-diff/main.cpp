@@ -13,6 +13,7 @@
 #include "core/image/reader.h"
 #include "parser/options.h"
 #include "tools/lentray-diff/arguments.h"
+#include "tools/common/machine.h"
 #include "tools/common/process.h"
 #include "tools/lentray-diff/report.h"
 #include "tools/lentray-diff/sampling.h"
@@ -48,6 +49,10 @@ fs::path program_beside_us(const char* name) {
 }
 
 Ours render_ours(const Arguments& a) {
+  if (!a.ours.empty()) {
+    const json statistics = json::parse(tool::read_text(a.statistics));
+    return {core::read_image(a.ours), statistics, statistics.at("time").at("wall_s").get<double>()};
+  }
   const tool::TemporaryFolder folder;
   const fs::path picture = folder / "ours.png", statistics = folder / "statistics.json";
   std::vector<std::string> command{
@@ -119,6 +124,7 @@ Pair render_both(const Arguments& given) {
                 {"height", ours.picture.height},
                 {"lentray_wall_s", ours.seconds}};
   const auto start = std::chrono::steady_clock::now();
+  const double cpu_before = tool::cpu_seconds_of_children();
   const std::optional<Sheet> sheet = sheet_of(ours.statistics);
   if (!sheet) {
     a.stock.antialiasing.angles = 1;
@@ -144,6 +150,7 @@ Pair render_both(const Arguments& given) {
   }
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   pair.about["stock_wall_s"] = taken.count();
+  pair.about["stock_cpu_s"] = tool::cpu_seconds_of_children() - cpu_before;
   pair.ours = std::move(ours.picture);
   return pair;
 }
@@ -200,12 +207,33 @@ void write_pictures(const Arguments& a, const Pair& pair, const Pair& seen) {
     std::cout << "  " << path.string() << "\n";
   };
   std::cout << "pictures:\n";
-  if (a.pictures.empty()) {
-    put("ours", pair.ours);
-    put("stock", pair.stock);
-  }
+  const bool has_ours = a.pictures.empty() && a.ours.empty();
+  if (has_ours) put("ours", pair.ours);
+  if (a.pictures.empty()) put("stock", pair.stock);
   put("heat", heat_map(seen.ours, seen.stock));
-  put("side", side_by_side(seen.ours, seen.stock));
+  if (a.ours.empty()) put("side", side_by_side(seen.ours, seen.stock));
+}
+
+/// Stock's picture, and what it took.
+int render_stock_alone(const Arguments& a) {
+  const parser::RenderOptions options = parser::read_options(a.for_lentray, {});
+  StockOptions stock = a.stock;
+  stock.antialiasing = antialiasing_of(options);
+  stock.antialiasing.angles = 1;
+  const auto start = std::chrono::steady_clock::now();
+  const StoredImage picture = stock_picture(a.scene, static_cast<std::uint32_t>(options.width),
+                                            static_cast<std::uint32_t>(options.height), stock);
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  const fs::path place = a.prefix.string() + "-stock.png";
+  core::write_stored(picture, place);
+  std::cout << place.string() << std::endl;
+  if (a.json.empty()) return kReached;
+  const json all{{"scene", a.scene.string()}, {"stock_wall_s", taken.count()},
+                 {"stock_cpu_s", tool::cpu_seconds_of_children()}};
+  core::FileSwap swap(a.json);
+  tool::write_text(swap.temporary(), all.dump(2) + "\n");
+  swap.commit();
+  return kReached;
 }
 
 int compare_and_report(const Arguments& a) {
@@ -251,6 +279,7 @@ int run_main(const std::vector<std::string>& words) {
       std::cout << usage();
       return arguments.help ? kReached : kError;
     }
+    if (arguments.stock_alone) return render_stock_alone(arguments);
     if (!arguments.wrappers.empty()) return only_write_wrappers(arguments);
     return compare_and_report(arguments);
   } catch (const std::exception& e) {

@@ -98,6 +98,7 @@ void check_outputs(Run& run) {
   const auto width = static_cast<std::uint32_t>(o.width);
   parser::check_picture_size(o.width, o.height, bytes_a_row(o, width), machine_memory());
   if (!o.statistics_file.empty()) core::check_writable(parser::frame_path(o, o.statistics_file));
+  if (!o.dependencies_file.empty()) core::check_writable(parser::frame_path(o, o.dependencies_file));
   if (!o.output_to_file) return;
   run.output = parser::output_path(o, run.type);
   if (run.output != "-") core::check_writable(run.output);
@@ -162,10 +163,22 @@ int rays_a_pixel(const parser::SceneDesc& scene) {
   return std::clamp(scene.camera->blur_samples, 1, core::FocalBlur::kMostRays);
 }
 
-/// Text -> descriptions -> compiled scene and camera.
-void read_scene(Run& run, const std::string& path) {
+/// The picture's files are known as soon as the scene is read, and those of one that cannot be read
+/// as far as it was.
+void write_dependencies(const Run& run, const SceneDisk& disk) {
   const RenderOptions& o = run.options;
-  SceneDisk disk(o, path, run.warnings);
+  if (o.dependencies_file.empty()) return;
+  nlohmann::json out{{"program", run.identity.program},
+                     {"read", disk.seen()},
+                     {"missing", disk.watched().missing()},
+                     {"written", disk.watched().written()}};
+  write_text_file(parser::frame_path(o, o.dependencies_file),
+                  out.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+}
+
+/// Text -> descriptions -> compiled scene and camera.
+void compile_scene(Run& run, const std::string& path, SceneDisk& disk) {
+  const RenderOptions& o = run.options;
   parser::SourceManager sources(disk.files());
   parser::Diagnostics diagnostics(sources);
   connect(diagnostics, run);
@@ -199,6 +212,17 @@ void read_scene(Run& run, const std::string& path) {
   run.camera = make_camera(request, o, camera::probe_of(*run.scene));
   for (std::string& text : run.camera.warnings) run.warnings.add("warning: " + text);
   run.camera.warnings.clear();
+}
+
+void read_scene(Run& run, const std::string& path) {
+  SceneDisk disk(run.options, path, run.warnings);
+  try {
+    compile_scene(run, path, disk);
+  } catch (...) {
+    write_dependencies(run, disk);
+    throw;
+  }
+  write_dependencies(run, disk);
   for (const auto& [file, sum] : disk.seen()) run.identity.files[file == path ? "" : file] = sum;
 }
 
@@ -329,7 +353,7 @@ bool render(Run& run, const std::atomic<bool>& cancel, bool is_frame) {
   const auto orders =
       shadow::make_band_orders(o.pixel_order, {columns.left, columns.right}, lenses, &meter);
   frame.threads = o.threads;
-  frame.count_tests = !o.statistics_file.empty();
+  frame.count_tests = !o.statistics_file.empty() && o.count_tests;
   frame.alpha = o.alpha;
   frame.cancel = &cancel;
   run.report.threads =
@@ -414,8 +438,9 @@ Status run_picture(const Picture& what, const std::atomic<bool>& cancel, TextStr
   run.report.wall_s = std::chrono::duration<double>(Clock::now() - start).count();
   run.report.peak_bytes = peak_bytes();
   if (!options.statistics_file.empty()) {
-    write_text_file(parser::frame_path(options, options.statistics_file),
-                    statistics(run.report, options, run.camera, run.scene->settings()).dump(2) + "\n");
+    nlohmann::json all = statistics(run.report, options, run.camera, run.scene->settings());
+    all["not_rendered"] = run.not_rendered;
+    write_text_file(parser::frame_path(options, options.statistics_file), all.dump(2) + "\n");
   }
   const std::string text = summary(run.report, run.output);
   if (options.verbose) {

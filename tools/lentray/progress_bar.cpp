@@ -3,31 +3,15 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <utility>
+
+#include "tools/common/duration.h"
 
 namespace lentray::tool {
 namespace {
 
 constexpr int kSteps = 20;  ///< lines for a whole picture
-
-/// As exact as it helps: 7.4 s, 52 s, 12 min 30 s, 3 h 5 min.
-std::string time_text(double seconds) {
-  char text[64];
-  if (seconds < 9.95) {
-    std::snprintf(text, sizeof text, "%.1f s", std::max(0.0, seconds));
-  } else if (seconds < 99.5) {
-    std::snprintf(text, sizeof text, "%.0f s", seconds);
-  } else if (seconds < 3570.0) {
-    const long long tens = std::llround(seconds / 10.0);
-    std::snprintf(text, sizeof text, "%lld min %lld s", tens / 6, tens % 6 * 10);
-  } else {
-    const long long minutes = std::llround(seconds / 60.0);
-    std::snprintf(text, sizeof text, "%lld h %lld min", minutes / 60, minutes % 60);
-  }
-  return text;
-}
 
 }  // namespace
 
@@ -51,7 +35,7 @@ void ProgressBar::advance(double fraction_done, double seconds_left) {
   if (steps == kSteps) {
     std::fprintf(stderr, "%s: %d %%\n", m_what.c_str(), percent);
   } else {
-    std::fprintf(stderr, "%s: %d %%, %s left\n", m_what.c_str(), percent, time_text(seconds_left).c_str());
+    std::fprintf(stderr, "%s: %d %%, %s left\n", m_what.c_str(), percent, duration_text(seconds_left).c_str());
   }
 }
 
@@ -60,7 +44,7 @@ void ProgressBar::draw(double seconds_left) const {
   const int full = static_cast<int>(m_done * kWidth);
   std::fprintf(stderr, "\r%s [%.*s%*s] %3d %%  %s left \033[K", m_what.c_str(), full,
                "########################################", kWidth - full, "",
-               static_cast<int>(m_done * 100.0), time_text(seconds_left).c_str());
+               static_cast<int>(m_done * 100.0), duration_text(seconds_left).c_str());
   std::fflush(stderr);
 }
 

@@ -36,7 +36,7 @@ SceneDisk::SceneDisk(const parser::RenderOptions& options, const std::string& sc
     m_restricted = restricted(options, scene, warnings);
     m_files = m_restricted.get();
   }
-  if (options.parse_only || options.dump) {
+  if (options.parse_only || options.dump || !options.writes_to_disk) {
     m_memory = std::make_unique<parser::MemoryWrites>(*m_files);
     m_files = m_memory.get();
   }

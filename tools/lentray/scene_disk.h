@@ -23,6 +23,7 @@ class SceneDisk {
   parser::Files& files() { return *m_watched; }
   /// Checksums of what was read, by path.
   const std::map<std::string, std::uint64_t>& seen() const { return m_watched->seen(); }
+  const parser::WatchedFiles& watched() const { return *m_watched; }
 
  private:
   std::unique_ptr<parser::Files> m_restricted, m_memory;

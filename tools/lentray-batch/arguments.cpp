@@ -1,0 +1,280 @@
+#include "tools/lentray-batch/arguments.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+#include <map>
+
+#include "parser/ini.h"
+#include "parser/options.h"
+
+namespace lentray::batch {
+
+namespace fs = std::filesystem;
+using parser::OptionError;
+using parser::same_word;
+
+namespace {
+
+double positive_number(const std::string& option, const std::string& text, std::string_view& unit) {
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  if (end == text.c_str() || !(value > 0.0) || !std::isfinite(value)) {
+    throw OptionError(option + ": '" + text + "': a number greater than 0 is expected");
+  }
+  unit = std::string_view(text).substr(static_cast<std::size_t>(end - text.c_str()));
+  return value;
+}
+
+double seconds_of(const std::string& option, const std::string& text) {
+  std::string_view unit;
+  const double value = positive_number(option, text, unit);
+  if (unit.empty() || unit == "s") return value;
+  if (unit == "m") return 60.0 * value;
+  if (unit == "h") return 3600.0 * value;
+  throw OptionError(option + ": unknown unit '" + std::string(unit) + "': there are s, m and h");
+}
+
+double bytes_of(const std::string& option, const std::string& text) {
+  std::string_view unit;
+  const double value = positive_number(option, text, unit);
+  if (unit.empty()) return value;
+  constexpr std::string_view kUnits = "KMGT";
+  const std::size_t at = kUnits.find(static_cast<char>(std::toupper(static_cast<unsigned char>(unit[0]))));
+  if (unit.size() > 1 || at == std::string_view::npos) {
+    throw OptionError(option + ": unknown unit '" + std::string(unit) + "': there are K, M, G and T");
+  }
+  return value * std::pow(1024.0, static_cast<double>(at + 1));
+}
+
+int count_of(const std::string& option, const std::string& text) {
+  std::string_view unit;
+  const double value = positive_number(option, text, unit);
+  if (!unit.empty() || value != std::floor(value) || value > 1e6) {
+    throw OptionError(option + ": '" + text + "': a whole number is expected");
+  }
+  return static_cast<int>(value);
+}
+
+bool is_ini(const std::string& word) {
+  std::string extension = fs::path(parser::ini_name(word).file).extension().string();
+  std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension == ".ini";
+}
+
+/// What the batch itself decides of every run.
+constexpr std::array kOurs{"Input_File_Name", "Output_File_Name", "Output_To_File", "Continue_Trace", "Statistics_File",
+                           "Dependencies_File", "Scene_Writes", "Create_Ini", "Work_Threads", "Max_Time", "Max_Memory",
+                           "View"};
+constexpr std::array kPaths{"Library_Path", "Include_Header", "Include_Ini"};
+
+class Parsing {
+ public:
+  explicit Parsing(Arguments& arguments) : m_out(arguments) {}
+
+  void all(const std::vector<std::string>& words) {
+    for (std::size_t i = 0; i < words.size(); ++i) {
+      if (words[i].starts_with("--")) {
+        own(words, i);
+      } else {
+        other(words[i]);
+      }
+    }
+    m_out.table_command = command_of(words);
+    finish();
+  }
+
+ private:
+  void own(const std::vector<std::string>& words, std::size_t& i) {
+    const std::size_t equals = words[i].find('=');
+    const std::string name = words[i].substr(0, equals);
+    const std::map<std::string, bool*> switches{
+        {"--help", &m_out.help}, {"--version", &m_out.version}, {"--frames", &m_out.frames},
+        {"--views", &m_out.views}, {"--compare", &m_out.compare}, {"--retry", &m_out.retry}, {"--quiet", &m_out.quiet}};
+    const std::map<std::string, std::function<void(const std::string&)>> values{
+        {"--out", [&](const std::string& v) { m_out.out = v; }},
+        {"--jobs", [&](const std::string& v) { m_out.jobs = count_of(name, v); }},
+        {"--time-limit", [&](const std::string& v) { m_out.time_limit = seconds_of(name, v); }},
+        {"--memory-limit", [&](const std::string& v) { m_out.memory_limit = bytes_of(name, v); }},
+        {"--grade", [&](const std::string& v) { grade(v); }},
+        {"--table", [&](const std::string& v) { m_out.table = fs::absolute(v); }},
+        {"--lentray", [&](const std::string& v) { m_out.lentray = v; }},
+        {"--povray", [&](const std::string& v) { m_out.povray = v; }}};
+    if (const auto at = switches.find(name); at != switches.end() && equals == std::string::npos) {
+      *at->second = true;
+      return;
+    }
+    if (name == "--no-scene-ini" && equals == std::string::npos) {
+      m_out.scene_ini = false;
+      return;
+    }
+    const auto found = values.find(name);
+    if (found == values.end()) {
+      std::string known = " --no-scene-ini";
+      for (const auto& entry : switches) known += " " + entry.first;
+      for (const auto& entry : values) known += " " + entry.first;
+      throw OptionError((switches.contains(name) ? "no value belongs to '" : "unknown option '") + name + "'; there are" + known);
+    }
+    std::string value;
+    if (equals != std::string::npos) {
+      value = words[i].substr(equals + 1);
+    } else if (++i < words.size()) {
+      value = words[i];
+    }
+    if (value.empty()) throw OptionError(name + " needs a value");
+    found->second(value);
+  }
+
+  void grade(const std::string& name) {
+    m_out.asked = core::grade_named(name);
+    if (!m_out.asked || *m_out.asked == core::Grade::fails) {
+      throw OptionError("--grade: '" + name + "'; there are exact, match, close");
+    }
+    m_out.compare = true;
+  }
+
+  void other(const std::string& word) {
+    std::error_code error;
+    const bool is_switch = word.size() > 1 && (word[0] == '+' || word[0] == '-');
+    if (!is_switch && !is_ini(word) && fs::exists(word, error)) {
+      m_out.inputs.emplace_back(word);
+    } else if (is_switch || word.find('=') != std::string::npos) {
+      m_out.for_lentray.push_back(with_whole_path(word, is_switch));
+    } else if (is_ini(word)) {
+      m_out.for_lentray.push_back(fs::absolute(word).string());
+    } else {
+      throw OptionError("there is no folder or scene '" + word + "'");
+    }
+  }
+
+  /// A path in an option of lentray's, seen from any folder.
+  static std::string with_whole_path(const std::string& word, bool is_switch) {
+    if (is_switch) {
+      const bool is_library = word.size() > 2 && std::tolower(static_cast<unsigned char>(word[1])) == 'l';
+      const bool is_header = word.size() > 3 && same_word(word.substr(1, 2), "hi");
+      const std::size_t name = is_library ? 2 : is_header ? 3 : 0;
+      return name == 0 ? word : word.substr(0, name) + fs::absolute(parser::unquoted(word.substr(name))).string();
+    }
+    const std::size_t equals = word.find('=');
+    for (const char* path : kPaths) {
+      if (!same_word(word.substr(0, equals), path)) continue;
+      return word.substr(0, equals + 1) + fs::absolute(parser::unquoted(word.substr(equals + 1))).string();
+    }
+    return word;
+  }
+
+  void refuse_what_the_batch_decides() const {
+    for (const std::string& word : m_out.for_lentray) {
+      const std::string name = word.substr(0, word.find('='));
+      for (const char* ours : kOurs) {
+        if (same_word(name, ours)) throw OptionError("'" + word + "': the batch decides that of every scene itself" + instead(ours));
+      }
+      if (word.size() < 2 || (word[0] != '+' && word[0] != '-')) continue;
+      const std::string two = word.substr(1, 2);
+      const char letter = static_cast<char>(std::tolower(static_cast<unsigned char>(word[1])));
+      if (letter == 'i' || letter == 'o' || same_word(two, "wt") || same_word(word.substr(1), "f") ||
+          same_word(word.substr(1), "c") || same_word(two, "gi")) {
+        throw OptionError("'" + word + "': the batch decides that of every scene itself" +
+                          instead(letter == 'o' ? "Output_File_Name" : same_word(two, "wt") ? "Work_Threads" : ""));
+      }
+    }
+  }
+
+  static std::string instead(std::string_view what) {
+    if (what == "Output_File_Name") return " (--out says where pictures go)";
+    if (what == "Max_Time") return " (--time-limit)";
+    if (what == "Max_Memory") return " (--memory-limit)";
+    if (what == "Work_Threads") return " (--jobs)";
+    if (what == "View") return " (--views)";
+    return "";
+  }
+
+  /// Library paths that stand in INI files are relative to the current folder, as POV-Ray has it.
+  void check_lentrays() const {
+    const parser::RenderOptions options = parser::read_options(m_out.for_lentray, {});
+    if (options.help || options.version || options.parse_only || options.dump || options.explain || !options.dump_rays.empty()) {
+      throw OptionError("a batch renders; what else lentray does is done with lentray itself");
+    }
+    for (const std::string& folder : options.library_paths) {
+      if (fs::path(folder).is_relative()) m_out.for_lentray.push_back("Library_Path=" + fs::absolute(folder).string());
+    }
+  }
+
+  /// As a reader would type it.
+  static std::string command_of(const std::vector<std::string>& words) {
+    std::string out = "lentray-batch";
+    for (const std::string& word : words) out += " " + word;
+    return out;
+  }
+
+  void finish() {
+    if (m_out.help || m_out.version) return;
+    if (m_out.inputs.empty()) throw OptionError("no folder and no scene was named; lentray-batch --help tells how");
+    if (m_out.out.empty()) throw OptionError("--out DIR is missing: the folder for pictures, manifest and page");
+    m_out.out = fs::absolute(m_out.out).lexically_normal();
+    if (!m_out.out.has_filename()) m_out.out = m_out.out.parent_path();
+    if (!m_out.table.empty() && !m_out.compare) throw OptionError("--table shows grades: it needs --compare");
+    refuse_what_the_batch_decides();
+    check_lentrays();
+  }
+
+  Arguments& m_out;
+};
+
+}  // namespace
+
+Arguments parse_arguments(const std::vector<std::string>& words) {
+  Arguments arguments;
+  Parsing(arguments).all(words);
+  const fs::path beside = fs::read_symlink("/proc/self/exe").parent_path();
+  arguments.lentray = arguments.lentray.empty() ? beside / "lentray" : fs::absolute(arguments.lentray);
+  arguments.diff = beside / "lentray-diff";
+  return arguments;
+}
+
+std::string usage() {
+  return R"(usage: lentray-batch FOLDER|SCENE... --out DIR [options of lentray]
+
+Renders folders of POV-Ray scenes. Every scene gets its picture in DIR, a row
+in DIR/manifest.jsonl and a place on the page DIR/index.html. One bad scene does
+not stop the others. Started again it renders what is missing or out of date:
+where the scene, a file that it reads, an option or the program has changed.
+
+Options of lentray hold for all scenes (+W, +A, Lenticular=On, a profile.ini);
+scene.ini beside scene.pov holds for that scene besides, and comes last. Files
+that others include and that have no camera of their own are left out. Scenes
+are rendered in their own folders, as by hand, but what they write is kept in
+memory: the folders stay as they are.
+
+  --out DIR        where pictures, manifest and page go
+  --frames         animations, frame by frame; without it a still of each
+  --views          the views of integral images besides, as pictures
+  --compare        stock POV-Ray's picture beside each, its grade, the
+                   difference, the ratio of times
+  --grade G        exact, match or close: what every scene must reach
+  --table FILE     the comparison as a Markdown table
+  --jobs N         scenes at a time (as many as there are processors)
+  --time-limit T   seconds a scene may take (90, 90s, 10m, 2h; no limit)
+  --memory-limit M bytes a scene may take (800M, 2G; half of the machine's)
+  --no-scene-ini   scene.ini is not read
+  --retry          tries again what failed, though nothing has changed
+  --quiet          no progress
+  --lentray FILE   the lentray to use (default: the one beside this program)
+  --povray FILE    the stock POV-Ray to use (default: povray)
+
+Small scenes are rendered side by side, large ones one after another with all
+processors. A signal (Ctrl-C) stops within a second; the same command goes on
+from there. A second one ends at once, and loses nothing that is finished.
+
+Exit status: 0 every picture is there (and reaches --grade), 1 some are not, 2
+the batch could not be run, 3 it was stopped.
+
+Examples:
+  lentray-batch scenes --out pictures +W800 +H600 +A0.3
+  lentray-batch scenes --out sheets sheet.ini Lenticular=On --views
+)";
+}
+
+}  // namespace lentray::batch

@@ -1,0 +1,378 @@
+#include "tools/lentray-batch/job.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstring>
+#include <ctime>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "core/image/reader.h"
+#include "parser/create_ini.h"
+#include "parser/watched_files.h"
+#include "tools/common/process.h"
+#include "tools/lentray-batch/messages.h"
+#include "tools/lentray-batch/stamps.h"
+#include "tools/lentray-batch/views.h"
+
+namespace lentray::batch {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+namespace {
+
+constexpr std::size_t kMostMessages = 200;
+
+std::string hexadecimal(std::uint64_t value) {
+  char text[17];
+  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(value));
+  return text;
+}
+
+std::string utc_now() {
+  const std::time_t now = std::time(nullptr);
+  std::tm parts{};
+  gmtime_r(&now, &parts);
+  char text[32];
+  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
+  return text;
+}
+
+/// What decides the picture, but for the files that its scene reads.
+std::string key_of(const Plan& plan, const parser::RenderOptions& o, const std::optional<parser::AnimationFrame>& frame) {
+  std::string text = hexadecimal(plan.program) + "\n" + parser::picture_lines(o) + parser::file_lines(o);
+  for (const std::string& folder : o.library_paths) text += folder + "\n";
+  text += std::string(o.strict ? "strict " : "") + (o.restrict_io ? "restricted " : "") + (o.clock_given ? std::to_string(o.clock) : "");
+  if (frame) {
+    const parser::FrameClock& c = frame->clock;
+    for (const double value : {c.clock, c.initial_clock, c.final_clock, c.clock_delta, double(c.frame_number),
+                               double(c.initial_frame), double(c.final_frame)}) {
+      char digits[32];
+      std::snprintf(digits, sizeof digits, " %.17g", value);
+      text += digits;
+    }
+  }
+  return hexadecimal(parser::checksum(text));
+}
+
+json read_json(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return file ? json::parse(file, nullptr, false) : json();
+}
+
+std::string signal_text(int signal) {
+  const char* name = sigdescr_np(signal);
+  return "ended by signal " + std::to_string(signal) + (name == nullptr ? "" : std::string(" (") + name + ")");
+}
+
+}  // namespace
+
+parser::RenderOptions options_of(const Plan& plan, const Scene& scene) {
+  std::vector<std::string> words = plan.arguments.for_lentray;
+  if (plan.arguments.scene_ini && !scene.ini.empty()) words.push_back(scene.ini.string());
+  return parser::read_options(words, {});
+}
+
+Row row_without_job(const Plan&, const Scene& scene, State state, const std::string& reason) {
+  Row row;
+  row.name = scene.name;
+  row.source = scene.source.string();
+  row.state = state;
+  row.reason = reason;
+  row.attempts = 0;
+  row.finished = utc_now();
+  return row;
+}
+
+Job::Job(const Plan& plan, Scene scene, const parser::RenderOptions& options, std::optional<parser::AnimationFrame> frame)
+    : m_plan(plan), m_scene(std::move(scene)), m_options(options), m_frame(std::move(frame)) {
+  m_row.name = m_scene.name;
+  if (m_frame) {
+    m_row.frame = m_frame->clock.frame_number;
+    m_row.name += "#" + m_frame->digits;
+  }
+  m_row.source = m_scene.source.string();
+  m_row.attempts = 0;
+  m_row.key = key_of(plan, m_options, m_frame);
+  m_row.picture = m_scene.name + (m_frame ? m_frame->digits : "") + core::extension_of(m_options.type);
+}
+
+fs::path Job::run_file(const char* kind) const { return m_plan.state->file(m_row.name, m_row.key, kind); }
+fs::path Job::picture_path() const { return m_plan.arguments.out / m_row.picture; }
+
+std::string Job::limits() const {
+  return "time " + std::to_string(m_plan.arguments.time_limit) + ", memory " + std::to_string(m_plan.arguments.memory_limit);
+}
+
+bool Job::files_are_current() const {
+  return !m_row.files.empty() &&
+         std::ranges::all_of(m_row.files, [](const auto& file) { return is_as_it_was(file.first, file.second); }) &&
+         std::ranges::none_of(m_row.missing, [](const std::string& path) {
+           std::error_code error;
+           return fs::exists(path, error);
+         });
+}
+
+bool Job::is_up_to_date(const Row* known) const {
+  if (known == nullptr || known->key != m_row.key || known->source != m_row.source) return false;
+  if (known->state == State::failed) {
+    if (m_plan.arguments.retry || known->limits != limits()) return false;
+  } else {
+    std::error_code error;
+    if (known->picture != m_row.picture || !fs::is_regular_file(picture_path(), error)) return false;
+  }
+  Job then = *this;
+  then.m_row = *known;
+  return then.files_are_current();
+}
+
+void Job::adopt(const Row& known) {
+  m_row = known;
+  m_has_picture = known.state == State::done;
+  m_is_over = known.state == State::failed;
+  if (!m_plan.arguments.compare) m_row.verdict.reset();
+}
+
+/// The picture is there, younger than what its scene read, and that has not changed: only the row is missing.
+bool Job::adopt_left_over() {
+  const std::int64_t read = modified(run_file("read")), picture = modified(picture_path());
+  if (read == 0 || picture < read || modified(picture_path().string() + ".lentray-state") != 0) return false;
+  read_dependencies(read);
+  if (!files_are_current()) return false;
+  if (modified(run_file("statistics")) < picture && m_options.lenticular) return false;
+  m_row.state = State::done;
+  m_has_picture = true;
+  m_row.attempts = 1;
+  read_log();
+  read_statistics();
+  m_row.finished = utc_now();
+  return true;
+}
+
+bool Job::can_go_on() const {
+  if (modified(picture_path().string() + ".lentray-state") == 0) return false;
+  Job then = *this;
+  then.read_dependencies(modified(run_file("read")));
+  return then.files_are_current();
+}
+
+std::vector<std::string> Job::scene_words() const {
+  std::vector<std::string> words = m_plan.arguments.for_lentray;
+  if (m_plan.arguments.scene_ini && !m_scene.ini.empty()) words.push_back(m_scene.ini.string());
+  if (m_frame) {
+    for (const char* which : {"+SF", "+EF"}) words.push_back(which + std::to_string(m_frame->clock.frame_number));
+  } else if (parser::is_animation(m_options.animation)) {
+    words.insert(words.end(), {"+KFI1", "+KFF1"});
+  }
+  return words;
+}
+
+Launch Job::render(int threads, double memory) {
+  Launch launch;
+  launch.folder = m_scene.source.parent_path();
+  launch.log = run_file("log");
+  const bool goes_on = can_go_on();
+  launch.command = {m_plan.arguments.lentray.string()};
+  for (const std::string& word : scene_words()) launch.command.push_back(word);
+  const fs::path picture = m_plan.arguments.out / (m_scene.name + core::extension_of(m_options.type));
+  fs::create_directories(picture.parent_path());
+  launch.command.insert(launch.command.end(),
+                        {"+I" + m_scene.source.filename().string(), "+O" + picture.string(), "+WT" + std::to_string(threads)});
+  m_row.command = launch.command;  // as by hand, but for what the batch needs for itself
+  char bytes[32];
+  std::snprintf(bytes, sizeof bytes, "%.0f", memory);
+  launch.command.insert(launch.command.end(),
+                        {"-V", "-D", "-P", "Count_Tests=Off", "Max_Memory=" + std::string(bytes),
+                         "Statistics_File=" + run_file("statistics").string(), "Dependencies_File=" + run_file("read").string(),
+                         "Scene_Writes=memory"});
+  if (goes_on) launch.command.emplace_back("+C");
+  if (m_frame) {  // the names of files of frames end in their digits
+    for (const char* kind : {"statistics", "read"}) {
+      std::error_code error;
+      fs::remove(run_file(kind), error);
+    }
+  }
+  m_plan.state->forget_others(m_row.name, m_row.key);
+  m_started = now();
+  m_lacked_memory = false;
+  ++m_row.attempts;
+  return launch;
+}
+
+void Job::rendered(const Ended& ended, bool stopped) {
+  m_row.wall += ended.wall;
+  m_row.cpu += ended.cpu;
+  m_row.memory = std::max(m_row.memory, ended.memory);
+  m_row.status = ended.status;
+  if (m_frame) {
+    // Lentray adds the frame's digits to both names.
+    for (const char* kind : {"statistics", "read"}) {
+      const fs::path plain = run_file(kind);
+      fs::path numbered = plain;
+      numbered.replace_extension();
+      numbered += m_frame->digits + plain.extension().string();
+      std::error_code error;
+      fs::rename(numbered, plain, error);
+    }
+  }
+  read_log();
+  read_dependencies(m_started);
+  if (stopped && ended.status == 2) return;
+  if (ended.status != 0) return fail(ended);
+  m_row.state = State::done;
+  m_row.reason.clear();
+  m_has_picture = true;
+  read_statistics();
+  m_row.finished = utc_now();
+}
+
+void Job::fail(const Ended& ended) {
+  std::string reason;
+  for (const std::string& line : m_row.messages) {
+    const bool is_error = line.find("error:") != std::string::npos ||
+                          (line.starts_with("lentray: ") && line.find("warning:") == std::string::npos);
+    if (is_error) reason = line;
+  }
+  if (ended.status > 128) reason = signal_text(ended.status - 128);
+  if (reason.empty()) reason = "exit status " + std::to_string(ended.status);
+  if (reason.starts_with("lentray: ")) reason.erase(0, 9);
+  m_lacked_memory = ended.status == 1 && (reason.find("Max_Memory") != std::string::npos ||
+                                          reason.find("not enough memory") != std::string::npos);
+  give_up(reason);
+}
+
+void Job::give_up(const std::string& reason) {
+  m_is_over = true;
+  m_has_picture = false;
+  m_row.state = State::failed;
+  m_row.reason = reason;
+  m_row.limits = limits();
+  m_row.finished = utc_now();
+  if (m_row.files.empty()) {
+    if (const auto stamp = stamp_of(m_scene.source)) m_row.files[m_scene.source.string()] = *stamp;
+  }
+}
+
+void Job::read_log() {
+  std::ifstream file(run_file("log"), std::ios::binary);
+  m_row.messages.clear();
+  m_row.warnings = 0;
+  for (std::string line; std::getline(file, line);) {
+    if (line.find("warning:") != std::string::npos) ++m_row.warnings;
+    if (m_row.messages.size() >= kMostMessages) continue;
+    m_row.messages.push_back(one_line(line));
+  }
+}
+
+void Job::read_dependencies(std::int64_t since) {
+  const json read = read_json(run_file("read"));
+  m_row.files.clear();
+  m_row.missing.clear();
+  if (!read.is_object() || modified(run_file("read")) < since) return;
+  const fs::path folder = m_scene.source.parent_path();
+  const auto absolute = [&](const std::string& path) { return (folder / path).lexically_normal().string(); };
+  for (const auto& [path, sum] : read.at("read").items()) {
+    m_row.files[absolute(path)] = stamp_read(absolute(path), sum.get<std::uint64_t>(), since);
+  }
+  for (const json& path : read.at("missing")) m_row.missing.push_back(absolute(path.get<std::string>()));
+  if (m_plan.arguments.scene_ini && !m_scene.ini.empty()) {
+    if (const auto stamp = stamp_of(m_scene.ini)) m_row.files[m_scene.ini.string()] = *stamp;
+  }
+}
+
+void Job::read_statistics() {
+  std::error_code error;
+  m_row.bytes = fs::file_size(picture_path(), error);
+  const json all = read_json(run_file("statistics"));
+  if (!all.is_object()) return;
+  all.at("image").at("width").get_to(m_row.width);
+  all.at("image").at("height").get_to(m_row.height);
+  const json& time = all.at("time");
+  time.at("parse_cpu_s").get_to(m_row.reading);
+  time.at("compile_cpu_s").get_to(m_row.building);
+  time.at("render_cpu_s").get_to(m_row.rendering);
+  time.at("write_cpu_s").get_to(m_row.writing);
+  all.at("not_rendered").get_to(m_row.left_out);
+  m_row.lens_pixels = m_options.view ? 0.0 : all.value("/lens/pixels"_json_pointer, 0.0);
+}
+
+bool Job::needs_views() const {
+  if (!m_plan.arguments.views || !m_has_picture || m_row.lens_pixels <= 0.0 || m_views_failed) return false;
+  return m_row.views.empty();
+}
+
+Launch Job::split_views() {
+  Launch launch;
+  launch.log = run_file("views");
+  const fs::path picture = picture_path(), out = m_plan.arguments.out;
+  const double pixels = m_row.lens_pixels;
+  m_row.views = view_names(m_row.picture, pixels);
+  launch.work = [picture, out, pixels, names = m_row.views] { return write_views(picture, pixels, out, names); };
+  return launch;
+}
+
+void Job::views_split(const Ended& ended) {
+  if (ended.status == 0) return;
+  m_row.views.clear();
+  m_views_failed = true;
+  m_row.messages.push_back("views: " + one_line(tool::read_text(run_file("views"))));
+  ++m_row.warnings;
+}
+
+bool Job::needs_comparison() const {
+  if (!m_plan.arguments.compare || m_row.verdict) return false;
+  return m_has_picture || m_is_over;
+}
+
+Launch Job::compare(int processes) {
+  Launch launch;
+  launch.folder = m_scene.source.parent_path();
+  launch.log = run_file("comparison");
+  const fs::path prefix = m_plan.arguments.out / "compare" / fs::path(m_row.picture).replace_extension();
+  fs::create_directories(prefix.parent_path());
+  launch.command = {m_plan.arguments.diff.string()};
+  for (const std::string& word : scene_words()) launch.command.push_back(word);
+  launch.command.insert(launch.command.end(),
+                        {"+I" + m_scene.source.string(), "--output=" + prefix.string(), "--threads=" + std::to_string(processes),
+                         "--povray=" + m_plan.arguments.povray, "--json=" + run_file("verdict").string()});
+  if (m_has_picture) {
+    launch.command.insert(launch.command.end(),
+                          {"--ours=" + picture_path().string(), "--statistics=" + run_file("statistics").string()});
+  } else {
+    launch.command.emplace_back("--stock-alone");
+  }
+  std::error_code error;
+  fs::remove(run_file("verdict"), error);
+  return launch;
+}
+
+void Job::compared(const Ended& ended) {
+  Verdict v;
+  const json all = read_json(run_file("verdict"));
+  if (ended.status > 128) {
+    v.note = signal_text(ended.status - 128);
+  } else if (ended.status == 2 || !all.is_object()) {
+    v.note = last_error(tool::read_text(run_file("comparison")));
+  } else {
+    v.stock_cpu = all.value("stock_cpu_s", 0.0);
+    v.stock_wall = all.value("stock_wall_s", 0.0);
+    const std::string begin = "compare/" + fs::path(m_row.picture).replace_extension().string();
+    v.stock = begin + "-stock.png";
+    v.grade = "fails";
+    if (m_has_picture) {
+      const json& whole = all.at("whole");
+      v.difference = begin + "-heat.png";
+      v.grade = whole.at("grade") == "fails" ? "differs" : whole.at("grade").get<std::string>();
+      if (!whole.at("psnr").is_null()) v.psnr = whole.at("psnr").get<double>();
+      v.beyond_1 = whole.at("beyond_1").get<double>();
+      v.beyond_2 = whole.at("beyond_2").get<double>();
+      v.largest = whole.at("largest").get<double>();
+      for (const json& lens : all.value("lenses", json::array())) ++v.lens_grades[lens.at("grade").get<std::string>()];
+      for (const json& view : all.value("views", json::array())) ++v.view_grades[view.at("grade").get<std::string>()];
+    }
+  }
+  m_row.verdict = v;
+}
+
+}  // namespace lentray::batch

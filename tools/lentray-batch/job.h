@@ -1,0 +1,94 @@
+// One picture of a batch: what is to be run for it, and what became of that.
+//
+// A picture is made by one run of lentray or, where that is stopped to be gone on with by more threads, by several.
+// Then come its views, and stock's picture beside it. The row is complete when all has been done.
+// Errors: parser::OptionError where the scene's own options cannot be. One thread.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "parser/options.h"
+#include "tools/lentray-batch/arguments.h"
+#include "tools/lentray-batch/child.h"
+#include "tools/lentray-batch/row.h"
+#include "tools/lentray-batch/scan.h"
+#include "tools/lentray-batch/state_folder.h"
+
+namespace lentray::batch {
+
+/// What all jobs of a batch share.
+struct Plan {
+  Arguments arguments;
+  int processors = 1;
+  double memory = 0.0;           ///< bytes of the machine
+  std::uint64_t program = 0;     ///< checksum of lentray
+  const StateFolder* state = nullptr;
+
+  double memory_limit() const { return arguments.memory_limit > 0.0 ? arguments.memory_limit : 0.5 * memory; }
+};
+
+class Job {
+ public:
+  /// `frame`: of an animation; none: a still.
+  Job(const Plan& plan, Scene scene, const parser::RenderOptions& options, std::optional<parser::AnimationFrame> frame);
+
+  const std::string& name() const { return m_row.name; }
+  const Row& row() const { return m_row; }
+
+  /// True if `known` (may be null) is a row of this very picture and nothing of it has changed. What --compare and
+  /// --views ask for may still be missing.
+  bool is_up_to_date(const Row* known) const;
+  /// Takes over what is known, or what a batch that was killed has left.
+  void adopt(const Row& known);
+  bool adopt_left_over();
+
+  bool needs_picture() const { return !m_has_picture && !m_is_over; }
+  bool needs_views() const;
+  bool needs_comparison() const;
+
+  Launch render(int threads, double memory);
+  /// `stopped`: it was asked to, to be gone on with.
+  void rendered(const Ended& ended, bool stopped);
+  /// The run took more memory than it was given, and may be given more.
+  bool lacked_memory() const { return m_lacked_memory; }
+  Launch split_views();
+  void views_split(const Ended& ended);
+  Launch compare(int processes);
+  void compared(const Ended& ended);
+  /// It is not to be run any more; or is, after all.
+  void give_up(const std::string& reason);
+  void try_again() { m_is_over = false; }
+  /// Seconds that all runs for the picture took.
+  double seconds() const { return m_row.wall; }
+
+ private:
+  std::filesystem::path run_file(const char* kind) const;
+  std::filesystem::path picture_path() const;
+  std::vector<std::string> scene_words() const;
+  std::string limits() const;
+  void read_dependencies(std::int64_t since);
+  void read_statistics();
+  void read_log();
+  void fail(const Ended& ended);
+  bool files_are_current() const;
+  bool can_go_on() const;
+
+  const Plan& m_plan;
+  const Scene m_scene;
+  const parser::RenderOptions m_options;
+  const std::optional<parser::AnimationFrame> m_frame;
+  Row m_row;
+  std::int64_t m_started = 0;
+  bool m_has_picture = false, m_is_over = false, m_lacked_memory = false;
+  bool m_views_failed = false;
+};
+
+/// The scene's options: the batch's, then those of scene.ini. Throws parser::OptionError.
+parser::RenderOptions options_of(const Plan& plan, const Scene& scene);
+/// A row without a picture: of a part, or of a scene whose options cannot be.
+Row row_without_job(const Plan& plan, const Scene& scene, State state, const std::string& reason);
+
+}  // namespace lentray::batch

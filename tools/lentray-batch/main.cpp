@@ -1,0 +1,215 @@
+// lentray-batch: folders of scenes rendered in one go, with a manifest and a page of what became of each.
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <iostream>
+#include <set>
+#include <thread>
+
+#include "core/image/file_swap.h"
+#include "parser/options.h"
+#include "parser/watched_files.h"
+#include "tools/common/duration.h"
+#include "tools/common/machine.h"
+#include "tools/common/process.h"
+#include "tools/common/standard_streams.h"
+#include "tools/common/version.h"
+#include "tools/lentray-batch/arguments.h"
+#include "tools/lentray-batch/manifest.h"
+#include "tools/lentray-batch/progress.h"
+#include "tools/lentray-batch/scan.h"
+#include "tools/lentray-batch/scheduler.h"
+#include "tools/lentray-batch/table.h"
+
+namespace lentray::batch {
+namespace {
+
+namespace fs = std::filesystem;
+
+enum Status : int { kAll = 0, kSome = 1, kNoBatch = 2, kStopped = 3 };
+
+void write_whole(const fs::path& place, const std::string& text) {
+  core::FileSwap swap(place);
+  tool::write_text(swap.temporary(), text);
+  swap.commit();
+}
+
+/// The jobs of a scene: one, or one a frame.
+std::vector<std::unique_ptr<Job>> jobs_of(const Plan& plan, const Scene& scene) {
+  const parser::RenderOptions options = options_of(plan, scene);
+  std::vector<std::unique_ptr<Job>> jobs;
+  if (plan.arguments.frames && parser::is_animation(options.animation)) {
+    for (const parser::AnimationFrame& frame : parser::frames_of(options.animation)) {
+      jobs.push_back(std::make_unique<Job>(plan, scene, options, frame));
+    }
+  } else {
+    jobs.push_back(std::make_unique<Job>(plan, scene, options, std::nullopt));
+  }
+  return jobs;
+}
+
+/// One run of the program.
+class Batch {
+ public:
+  explicit Batch(Arguments arguments)
+      : m_state(arguments.out), m_plan(plan_of(std::move(arguments))), m_manifest(m_plan.arguments.out, m_state) {}
+
+  Status run() {
+    find();
+    BatchProgress progress(m_names.size(), m_kept, m_plan.arguments.quiet);
+    for (const std::string& warning : m_warnings) progress.say("warning: " + warning);
+    Scheduler scheduler(m_plan, m_manifest, progress);
+    for (std::unique_ptr<Job>& job : m_jobs) scheduler.add(std::move(job));
+    const bool is_done = scheduler.run();
+    return finish(is_done);
+  }
+
+ private:
+  Plan plan_of(Arguments arguments) {
+    Plan plan;
+    plan.arguments = std::move(arguments);
+    plan.processors = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    plan.memory = tool::machine_memory();
+    plan.state = &m_state;
+    const auto sum = parser::file_checksum(plan.arguments.lentray.string());
+    if (!sum) throw std::runtime_error("there is no program '" + plan.arguments.lentray.string() + "'");
+    plan.program = *sum;
+    return plan;
+  }
+
+  /// Scenes, and of each what is to be done.
+  void find() {
+    Scan scan = find_scenes(m_plan.arguments.inputs, m_plan.arguments.out, m_manifest.names());
+    m_warnings = std::move(scan.warnings);
+    for (const Scene& scene : scan.scenes) {
+      if (!scene.part_of.empty()) {
+        put(row_without_job(m_plan, scene, State::skipped, "a part of " + scene.part_of + ": it has no camera of its own"));
+        continue;
+      }
+      try {
+        for (std::unique_ptr<Job>& job : jobs_of(m_plan, scene)) add(std::move(job));
+      } catch (const parser::OptionError& error) {
+        put(row_without_job(m_plan, scene, State::failed, error.what()));
+      }
+    }
+    // Rows of scenes that are gone go too; those of other inputs stay.
+    std::vector<std::string> gone;
+    for (const auto& [name, row] : m_manifest.rows()) {
+      std::error_code error;
+      if (!m_names.contains(name) && !fs::exists(row.source, error)) gone.push_back(name);
+    }
+    for (const std::string& name : gone) m_manifest.drop(name);
+  }
+
+  void put(const Row& row) {
+    m_names.insert(row.name);
+    ++m_kept;
+    m_manifest.put(row);
+  }
+
+  void add(std::unique_ptr<Job> job) {
+    m_names.insert(job->name());
+    const Row* known = m_manifest.find(job->name());
+    bool is_new = true;
+    if (job->is_up_to_date(known)) {
+      job->adopt(*known);
+      is_new = false;
+    } else {
+      job->adopt_left_over();
+    }
+    if (!is_new && !job->needs_views() && !job->needs_comparison()) {
+      ++m_kept;
+      return;
+    }
+    m_jobs.push_back(std::move(job));
+  }
+
+  /// Of the scenes of this run.
+  std::vector<Row> rows() const {
+    std::vector<Row> out;
+    for (const std::string& name : m_names) out.push_back(*m_manifest.find(name));
+    return out;
+  }
+
+  Status finish(bool is_done) {
+    if (!m_manifest.trouble().empty() || is_done) {
+      try {
+        m_manifest.tidy();
+      } catch (const std::exception& error) {
+        m_state.free_reserve();
+        m_manifest.tidy();
+      }
+    }
+    if (!is_done) {
+      std::fputs("lentray-batch: stopped; the same command goes on from here\n", stderr);
+      return kStopped;
+    }
+    const Arguments& a = m_plan.arguments;
+    if (!a.table.empty()) write_whole(a.table, table(rows(), a.table_command, stock_version()));
+    return summary();
+  }
+
+  std::string stock_version() const {
+    const std::string said = tool::run_program({m_plan.arguments.povray, "--version"}).output;
+    const std::size_t at = said.find("POV-Ray ");
+    return at == std::string::npos ? "" : said.substr(at + 8, said.find_first_of(" \n", at + 8) - at - 8);
+  }
+
+  Status summary() const {
+    std::size_t done = 0, failed = 0, skipped = 0, warned = 0, below = 0;
+    std::map<std::string, int> grades;
+    for (const std::string& name : m_names) {
+      const Row& row = *m_manifest.find(name);
+      done += row.state == State::done ? 1 : 0;
+      failed += row.state == State::failed ? 1 : 0;
+      skipped += row.state == State::skipped ? 1 : 0;
+      warned += row.warnings > 0 ? 1 : 0;
+      if (!row.verdict) continue;
+      ++grades[row.verdict->grade.empty() ? "not compared" : row.verdict->grade];
+      const auto grade = core::grade_named(row.verdict->grade);
+      if (m_plan.arguments.asked && !row.verdict->grade.empty() && (!grade || *grade < *m_plan.arguments.asked)) ++below;
+    }
+    std::string text = std::to_string(done) + " done, " + std::to_string(failed) + " failed, " + std::to_string(skipped) +
+                       " left out (parts), " + std::to_string(warned) + " with warnings";
+    for (const auto& [grade, count] : grades) text += ", " + std::to_string(count) + " " + grade;
+    if (below > 0) text += "; " + std::to_string(below) + " below the grade that is asked for";
+    std::printf("%s\n%s\n", text.c_str(), (m_plan.arguments.out / "index.html").c_str());
+    return (m_plan.arguments.asked ? below : failed) > 0 ? kSome : kAll;
+  }
+
+  StateFolder m_state;
+  const Plan m_plan;
+  Manifest m_manifest;
+  std::vector<std::unique_ptr<Job>> m_jobs;
+  std::set<std::string> m_names;
+  std::size_t m_kept = 0;
+  std::vector<std::string> m_warnings;
+};
+
+int run_main(const std::vector<std::string>& words) {
+  try {
+    const Arguments arguments = parse_arguments(words);
+    if (arguments.version) {
+      std::printf("lentray-batch %s\n", tool::kVersion);
+      return kAll;
+    }
+    if (arguments.help || words.empty()) {
+      std::fputs(usage().c_str(), stdout);
+      return arguments.help ? kAll : kNoBatch;
+    }
+    return Batch(arguments).run();
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "lentray-batch: %s\n", error.what());
+    return kNoBatch;
+  }
+}
+
+}  // namespace
+}  // namespace lentray::batch
+
+int main(int count, char** words) {
+  lentray::tool::hold_standard_streams();
+  lentray::batch::hold_signals();
+  const int status = lentray::batch::run_main(std::vector<std::string>(words + 1, words + count));
+  return lentray::tool::finish_standard_output("lentray-batch", status);
+}

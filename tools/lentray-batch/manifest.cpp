@@ -1,0 +1,84 @@
+#include "tools/lentray-batch/manifest.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <utility>
+
+#include "core/image/file_swap.h"
+#include "tools/common/process.h"
+
+namespace lentray::batch {
+
+namespace {
+
+std::string line_of(const Row& row) {
+  return to_json(row).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace
+
+Manifest::Manifest(const std::filesystem::path& out, StateFolder& state) : m_path(out / "manifest.jsonl"), m_state(state) {
+  std::ifstream file(m_path, std::ios::binary);
+  for (std::string line; std::getline(file, line);) {
+    m_is_cut = file.eof();
+    const nlohmann::json json = nlohmann::json::parse(line, nullptr, false);
+    if (json.is_discarded()) continue;
+    try {
+      Row row = row_of(json);
+      m_rows[row.name] = std::move(row);
+    } catch (const std::invalid_argument&) {
+      // No row of ours.
+    }
+  }
+}
+
+const Row* Manifest::find(const std::string& name) const {
+  const auto at = m_rows.find(name);
+  return at == m_rows.end() ? nullptr : &at->second;
+}
+
+std::map<std::string, std::string> Manifest::names() const {
+  std::map<std::string, std::string> out;
+  for (const auto& [name, row] : m_rows) out[row.source] = name.substr(0, row.frame ? name.rfind('#') : name.size());
+  return out;
+}
+
+void Manifest::put(Row row) {
+  m_pending += line_of(row);
+  m_rows[row.name] = std::move(row);
+  if (append(m_pending) || (m_state.free_reserve() && append(m_pending))) {
+    m_pending.clear();
+    m_trouble.clear();
+  }
+}
+
+bool Manifest::append(const std::string& lines) {
+  const int file = ::open(m_path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+  const std::string text = (m_is_cut ? "\n" : "") + lines;
+  const ssize_t put = file < 0 ? -1 : ::write(file, text.data(), text.size());
+  const int error = errno;
+  if (file >= 0) ::close(file);
+  m_is_cut = put > 0 ? text[static_cast<std::size_t>(put) - 1] != '\n' : m_is_cut;
+  if (put == static_cast<ssize_t>(text.size())) return true;
+  m_trouble = put < 0 ? std::strerror(error) : "no space left on the device";
+  return false;
+}
+
+void Manifest::tidy() {
+  std::string all;
+  for (const auto& [name, row] : m_rows) all += line_of(row);
+  core::FileSwap swap(m_path);
+  tool::write_text(swap.temporary(), all);
+  swap.commit();
+  m_pending.clear();
+  m_trouble.clear();
+  m_is_cut = false;
+}
+
+}  // namespace lentray::batch

@@ -1,0 +1,43 @@
+// The manifest of a batch: DIR/manifest.jsonl, a row a line (tools/lentray-batch/row.h). Of a name that stands there
+// twice the last row holds. A row is appended whole when its picture is in its place; tidy() leaves one a name.
+// A line that was cut off is passed over.
+// Errors: std::runtime_error. One thread.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "tools/lentray-batch/row.h"
+#include "tools/lentray-batch/state_folder.h"
+
+namespace lentray::batch {
+
+class Manifest {
+ public:
+  /// Reads what there is.
+  Manifest(const std::filesystem::path& out, StateFolder& state);
+
+  const std::map<std::string, Row>& rows() const { return m_rows; }
+  const Row* find(const std::string& name) const;
+  /// Names by source, frames apart.
+  std::map<std::string, std::string> names() const;
+  void put(Row row);
+  void drop(const std::string& name) { m_rows.erase(name); }
+  /// Rewrites the file, sorted by name. Throws where that cannot be done.
+  void tidy();
+  /// Why rows could not be written so far; empty: all are.
+  const std::string& trouble() const { return m_trouble; }
+
+ private:
+  bool append(const std::string& lines);
+
+  const std::filesystem::path m_path;
+  StateFolder& m_state;
+  std::map<std::string, Row> m_rows;
+  std::string m_pending;  ///< lines that found no room
+  std::string m_trouble;
+  bool m_is_cut = false;  ///< the file does not end in a line's end
+};
+
+}  // namespace lentray::batch

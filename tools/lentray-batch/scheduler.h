@@ -1,0 +1,67 @@
+// Runs the jobs of a batch within the machine's processors and memory.
+//
+// Every picture begins small: one thread, with others beside it. One that takes longer than kSmall seconds, or more
+// memory than its share, is stopped and gone on with when the small ones are done: alone, with all processors and the
+// whole memory that a scene may take. Views and comparisons take a processor each. Rows go into the manifest as
+// pictures are finished. Errors: none of a scene ends the run. One thread.
+#pragma once
+
+#include <deque>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "tools/lentray-batch/child.h"
+#include "tools/lentray-batch/job.h"
+#include "tools/lentray-batch/manifest.h"
+#include "tools/lentray-batch/progress.h"
+
+namespace lentray::batch {
+
+class Scheduler {
+ public:
+  Scheduler(const Plan& plan, Manifest& manifest, BatchProgress& progress);
+
+  void add(std::unique_ptr<Job> job);
+  /// Called about once a minute while pictures are being finished.
+  void now_and_then(std::function<void()> work) { m_now_and_then = std::move(work); }
+  /// False if a signal stopped it.
+  bool run();
+
+ private:
+  enum class Kind { small, large, views, comparison };
+  struct Running {
+    Job* job;
+    Kind kind;
+    std::unique_ptr<Child> child;
+    bool is_asked = false;     ///< to stop
+    bool is_set_back = false;  ///< to be gone on with later
+    std::string over;          ///< why it is ended for good
+    double asked_at = 0.0;     ///< seconds after its start
+  };
+
+  int slots() const;
+  void fill();
+  bool start(Job& job, Kind kind);
+  void next(Job& job);
+  void reap();
+  void ended(Running& run, const Ended& how);
+  void watch();
+  void watch_time(Running& run);
+  void watch_memory();
+  void set_back(Running& run);
+  void finish(Job& job);
+  void stop_all();
+
+  const Plan& m_plan;
+  Manifest& m_manifest;
+  BatchProgress& m_progress;
+  std::vector<std::unique_ptr<Job>> m_jobs;
+  std::deque<Job*> m_small, m_large, m_after;  ///< m_after: views and comparisons
+  std::vector<Running> m_running;
+  std::function<void()> m_now_and_then;
+  std::chrono::steady_clock::time_point m_watched{}, m_told;
+  bool m_news = false;
+};
+
+}  // namespace lentray::batch

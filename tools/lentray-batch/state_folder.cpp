@@ -1,0 +1,75 @@
+#include "tools/lentray-batch/state_folder.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <stdexcept>
+#include <system_error>
+
+namespace lentray::batch {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr off_t kReserve = 4 << 20;  ///< bytes: some thousand rows
+
+[[noreturn]] void fail(const fs::path& place, int error) {
+  throw std::runtime_error("cannot write into the folder '" + place.string() + "': " + std::strerror(error));
+}
+
+}  // namespace
+
+StateFolder::StateFolder(const fs::path& out) : m_path(out / ".lentray-batch") {
+  std::error_code error;
+  fs::create_directories(m_path, error);
+  if (error) fail(out, error.value());
+  m_lock = ::open((m_path / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  if (m_lock < 0) fail(out, errno);
+  if (::flock(m_lock, LOCK_EX | LOCK_NB) != 0) {
+    throw std::runtime_error("another lentray-batch works in '" + out.string() + "'");
+  }
+  const int reserve = ::open((m_path / "reserve").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  if (reserve < 0) fail(out, errno);
+  // Where there is no room for it there may be room for pictures all the same.
+  (void)::posix_fallocate(reserve, 0, kReserve);
+  ::close(reserve);
+}
+
+StateFolder::~StateFolder() {
+  std::error_code error;
+  fs::remove(m_path / "reserve", error);
+  ::close(m_lock);
+}
+
+fs::path StateFolder::file(const std::string& name, const std::string& key, const std::string& kind) const {
+  const fs::path place = m_path / "runs" / (name + "." + key + "." + kind);
+  std::error_code error;
+  fs::create_directories(place.parent_path(), error);
+  if (error) fail(place.parent_path(), error.value());
+  return place;
+}
+
+void StateFolder::forget_others(const std::string& name, const std::string& key) const {
+  const fs::path place = m_path / "runs" / name;
+  const std::string begin = place.filename().string() + ".", ours = begin + key + ".";
+  std::error_code error;
+  for (fs::directory_iterator at(place.parent_path(), error), end; !error && at != end; at.increment(error)) {
+    const std::string file = at->path().filename().string();
+    // "<name>.<16 digits>.<kind>"
+    const std::size_t dot = file.find('.', begin.size());
+    if (!file.starts_with(begin) || file.starts_with(ours) || dot != begin.size() + 16) continue;
+    std::error_code ignored;
+    fs::remove(at->path(), ignored);
+  }
+}
+
+bool StateFolder::free_reserve() {
+  std::error_code error;
+  return fs::remove(m_path / "reserve", error);
+}
+
+}  // namespace lentray::batch

@@ -1,0 +1,31 @@
+// What a batch keeps for itself in DIR/.lentray-batch: a lock, files of runs, thumbnails, and a reserve of disk space.
+// Errors: std::runtime_error, worded for the user. One thread.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace lentray::batch {
+
+class StateFolder {
+ public:
+  /// Makes `out` and what belongs to it. Throws where that cannot be done, and while another batch works there.
+  explicit StateFolder(const std::filesystem::path& out);
+  ~StateFolder();
+  StateFolder(const StateFolder&) = delete;
+  StateFolder& operator=(const StateFolder&) = delete;
+
+  const std::filesystem::path& path() const { return m_path; }
+  /// A file of the run of a picture under that key, such as "log"; its folder is made.
+  std::filesystem::path file(const std::string& name, const std::string& key, const std::string& kind) const;
+  /// Of all keys of that picture but this one.
+  void forget_others(const std::string& name, const std::string& key) const;
+  /// Gives the reserve back to a disk that is full, so that rows and page can still be written. False: it is gone already.
+  bool free_reserve();
+
+ private:
+  std::filesystem::path m_path;
+  int m_lock = -1;
+};
+
+}  // namespace lentray::batch

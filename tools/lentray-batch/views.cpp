@@ -1,0 +1,59 @@
+#include "tools/lentray-batch/views.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <exception>
+
+#include "core/image/file_swap.h"
+
+namespace lentray::batch {
+
+namespace fs = std::filesystem;
+
+std::uint32_t view_count(double lens_pixels) { return static_cast<std::uint32_t>(std::max(1.0, std::floor(lens_pixels))); }
+
+core::StoredImage view_of(const core::StoredImage& integral, double lens_pixels, std::uint32_t view) {
+  core::StoredImage out;
+  out.width = static_cast<std::uint32_t>(std::ceil(integral.width / lens_pixels));
+  out.height = integral.height;
+  out.channels = integral.channels;
+  out.bits = integral.bits;
+  out.gamma = integral.gamma;
+  const auto channels = static_cast<std::size_t>(out.channels);
+  out.samples.assign(std::size_t{out.width} * out.height * channels, 0.0f);
+  for (std::uint32_t lens = 0; lens < out.width; ++lens) {
+    const double at = std::floor(lens * lens_pixels + view + 0.5 * (lens_pixels - view_count(lens_pixels)) + 0.5);
+    const std::uint32_t column = std::min(static_cast<std::uint32_t>(at), integral.width - 1);
+    for (std::uint32_t row = 0; row < out.height; ++row) {
+      for (int c = 0; c < out.channels; ++c) out.at(lens, row, c) = integral.at(column, row, c);
+    }
+  }
+  return out;
+}
+
+std::vector<std::string> view_names(const std::string& picture, double lens_pixels) {
+  const fs::path folder = fs::path(picture).replace_extension().string() + "-views";
+  std::vector<std::string> names;
+  for (std::uint32_t j = 0; j < view_count(lens_pixels); ++j) {
+    char name[32];
+    std::snprintf(name, sizeof name, "view%0*u.png", view_count(lens_pixels) > 100 ? 3 : 2, j);
+    names.push_back((folder / name).string());
+  }
+  return names;
+}
+
+int write_views(const fs::path& picture, double lens_pixels, const fs::path& folder, const std::vector<std::string>& names) try {
+  const core::StoredImage integral = core::read_image(picture);
+  for (std::size_t j = 0; j < names.size(); ++j) {
+    const fs::path place = folder / names[j];
+    fs::create_directories(place.parent_path());
+    core::write_stored(view_of(integral, lens_pixels, static_cast<std::uint32_t>(j)), place);
+  }
+  return 0;
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "%s\n", error.what());
+  return 1;
+}
+
+}  // namespace lentray::batch
