@@ -1,0 +1,115 @@
+#include "tools/lentray-batch/page.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <string_view>
+#include <utility>
+
+#include "tools/lentray-batch/page_cards.h"
+#include "tools/lentray-batch/page_data.h"
+#include "tools/lentray-batch/page_pictures.h"
+#include "tools/lentray-batch/page_sources.h"
+
+namespace lentray::batch {
+namespace {
+
+using nlohmann::json;
+
+std::string html_text(const std::string& text) {
+  // JSON's way repairs what is no UTF-8.
+  const std::string repaired = json(text).dump(-1, ' ', false, json::error_handler_t::replace);
+  std::string safe;
+  for (const char c : json::parse(repaired).get<std::string>()) {
+    switch (c) {
+      case '&': safe += "&amp;"; break;
+      case '<': safe += "&lt;"; break;
+      case '>': safe += "&gt;"; break;
+      case '"': safe += "&quot;"; break;
+      default: safe += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+    }
+  }
+  return safe;
+}
+
+/// The frame of the page with each "{{name}}" replaced, once, by what it stands for.
+std::string filled(const std::vector<std::pair<std::string_view, std::string_view>>& parts) {
+  std::string out;
+  std::string_view rest = kPageHtml;
+  for (const auto& [name, text] : parts) {
+    const std::string mark = "{{" + std::string(name) + "}}";
+    const std::size_t at = rest.find(mark);
+    out.append(rest.substr(0, at)).append(text);
+    rest.remove_prefix(at + mark.size());
+  }
+  return out.append(rest);
+}
+
+void put(json& out, const char* name, std::string& base64) {
+  if (!base64.empty()) out[name] = std::move(base64);
+}
+
+void add_pictures(json& data, std::vector<RowPictures> pictures) {
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    json& row = data["rows"][i];
+    put(row, "picture", pictures[i].picture);
+    put(row, "tilt", pictures[i].tilt);
+    if (pictures[i].tilt_views > 0) row["tilt_views"] = pictures[i].tilt_views;
+    put(row, "problem", pictures[i].problem);
+    if (!row.contains("verdict")) continue;
+    put(row["verdict"], "stock_picture", pictures[i].stock);
+    put(row["verdict"], "difference_picture", pictures[i].difference);
+  }
+}
+
+/// The rows of the page and their text, cut until it leaves half of the room to pictures, or at least fits.
+struct Text {
+  std::vector<Row> rows;
+  std::vector<Card> cards;
+  TextLimits limits;
+  std::size_t bytes = 0;
+};
+
+Text text_within(const std::vector<Row>& rows, const PageOptions& options, std::size_t room) {
+  Text text{rows, cards_of(rows), {}, 0};
+  for (;;) {
+    for (const TextLimits& limits : text_limits()) {
+      text.limits = limits;
+      text.bytes = script_text(page_data(text.rows, text.cards, options, limits)).size();
+      if (text.bytes <= room / 2) return text;
+    }
+    if (text.bytes <= room || text.rows.empty()) return text;
+    // Failed rows stay longest.
+    std::stable_sort(text.rows.begin(), text.rows.end(), [](const Row& a, const Row& b) {
+      return (a.state == State::failed) > (b.state == State::failed);
+    });
+    text.rows.resize(text.rows.size() / 2);
+    text.cards = cards_of(text.rows);
+  }
+}
+
+}  // namespace
+
+std::string page(const std::vector<Row>& rows, const PageOptions& options) {
+  constexpr std::size_t kReserve = 4096;
+  const std::string title = html_text(options.title);
+  const std::size_t frame = kPageHtml.size() + kPageCss.size() + kPageJs.size() + title.size() + kReserve;
+  const std::size_t room = options.most_bytes - std::min(options.most_bytes, frame);
+  const Text text = text_within(rows, options, room);
+  // The text of rows that are to come takes room too.
+  const double times = text.rows.empty() ? 1.0
+      : std::max(1.0, static_cast<double>(options.expected_rows) / static_cast<double>(text.rows.size()));
+  const double text_room = std::min(static_cast<double>(text.bytes) * times, static_cast<double>(text.bytes + room) / 2);
+  const auto picture_room = static_cast<std::size_t>(std::max(0.0, static_cast<double>(room) - text_room));
+  const std::size_t step = step_that_fits(text.rows, text.cards, options.expected_rows, picture_room);
+  std::string out;
+  for (std::size_t s = step; s < picture_steps().size(); ++s) {
+    json data = page_data(text.rows, text.cards, options, text.limits);
+    data["summary"]["all_rows"] = rows.size();
+    add_pictures(data, pictures_of(text.rows, text.cards, options.folder, picture_steps()[s]));
+    out = filled({{"title", title}, {"style", kPageCss}, {"data", script_text(data)}, {"script", kPageJs}});
+    if (out.size() <= options.most_bytes) break;
+  }
+  return out;
+}
+
+}  // namespace lentray::batch

@@ -1,0 +1,82 @@
+#include "tools/lentray-batch/page_thumbnails.h"
+
+#include <cstdint>
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <string_view>
+#include <system_error>
+
+namespace lentray::batch {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// FNV-1a of 64 bits.
+std::uint64_t sum_of(std::string_view text, std::uint64_t sum) {
+  for (const char c : text) sum = (sum ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
+  return sum;
+}
+
+}  // namespace
+
+std::optional<std::string> ThumbnailStore::name_of(const fs::path& picture, const std::string& recipe) {
+  std::error_code error;
+  if (!fs::is_regular_file(picture, error)) return std::nullopt;
+  const std::uintmax_t size = fs::file_size(picture, error);
+  if (error) return std::nullopt;
+  const auto modified = fs::last_write_time(picture, error).time_since_epoch().count();
+  if (error) return std::nullopt;
+  const std::string text = picture.string() + '\n' + std::to_string(size) + '\n' + std::to_string(modified) + '\n' + recipe;
+  char name[40];
+  std::snprintf(name, sizeof name, "%016llx%016llx.jpg",
+                static_cast<unsigned long long>(sum_of(text, 0xcbf29ce484222325u)),
+                static_cast<unsigned long long>(sum_of(text, 0x6c62272e07bb0142u)));
+  return name;
+}
+
+std::optional<std::string> ThumbnailStore::find(const std::string& name) {
+  m_asked_for.insert(name);
+  std::ifstream file(m_folder / name, std::ios::binary);
+  if (!file) return std::nullopt;
+  std::string jpeg{std::istreambuf_iterator<char>(file), {}};
+  const bool is_whole = jpeg.starts_with("\xff\xd8") && jpeg.ends_with("\xff\xd9");
+  return is_whole ? std::optional(std::move(jpeg)) : std::nullopt;
+}
+
+void ThumbnailStore::keep(const std::string& name, const std::string& jpeg) {
+  std::error_code error;
+  fs::create_directories(m_folder, error);
+  const fs::path whole = m_folder / name, part = m_folder / (name + ".part");
+  std::ofstream file(part, std::ios::binary);
+  file.write(jpeg.data(), static_cast<std::streamsize>(jpeg.size()));
+  file.close();
+  if (file) fs::rename(part, whole, error);
+  if (!file || error) fs::remove(part, error);
+}
+
+void ThumbnailStore::delete_others() const {
+  std::error_code error;
+  for (fs::directory_iterator at(m_folder, error), end; !error && at != end; at.increment(error)) {
+    std::error_code ignored;
+    if (m_asked_for.count(at->path().filename().string()) == 0) fs::remove(at->path(), ignored);
+  }
+}
+
+std::string base64(const std::string& bytes) {
+  static constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    std::uint32_t group = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      group = group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+    }
+    for (std::size_t k = 0; k < 4; ++k) {
+      text += i + k > bytes.size() ? '=' : kDigits[group >> (18 - 6 * k) & 63u];
+    }
+  }
+  return text;
+}
+
+}  // namespace lentray::batch

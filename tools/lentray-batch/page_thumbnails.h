@@ -1,0 +1,33 @@
+// JPEG files that are kept from one page to the next, in a folder of their own. A name stands for a picture file as
+// it is now and for what is made of it. What was not asked for is deleted at the end.
+// Errors: none; where nothing can be kept, it is made again. Threads: one at a time.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <set>
+#include <string>
+
+namespace lentray::batch {
+
+class ThumbnailStore {
+ public:
+  /// The folder is made when there is something to keep.
+  explicit ThumbnailStore(std::filesystem::path folder) : m_folder(std::move(folder)) {}
+
+  /// The name of what `recipe` makes of the picture; nothing where there is no such file.
+  static std::optional<std::string> name_of(const std::filesystem::path& picture, const std::string& recipe);
+
+  std::optional<std::string> find(const std::string& name);
+  void keep(const std::string& name, const std::string& jpeg);
+  void delete_others() const;
+
+ private:
+  std::filesystem::path m_folder;
+  std::set<std::string> m_asked_for{};
+};
+
+/// RFC 4648, with padding.
+std::string base64(const std::string& bytes);
+
+}  // namespace lentray::batch
