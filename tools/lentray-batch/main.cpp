@@ -1,5 +1,6 @@
 // lentray-batch: folders of scenes rendered in one go, with a manifest and a page of what became of each.
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <exception>
 #include <iostream>
@@ -17,6 +18,8 @@
 #include "tools/lentray-batch/arguments.h"
 #include "tools/lentray-batch/cluster.h"
 #include "tools/lentray-batch/manifest.h"
+#include "tools/lentray-batch/messages.h"
+#include "tools/lentray-batch/page.h"
 #include "tools/lentray-batch/progress.h"
 #include "tools/lentray-batch/scan.h"
 #include "tools/lentray-batch/scheduler.h"
@@ -70,6 +73,7 @@ class Batch {
     if (m_plan.arguments.slurm && !on_cluster(progress)) return finish(false);
     Scheduler scheduler(m_plan, [this](const Row& row) { m_manifest.put(row); }, progress);
     for (std::unique_ptr<Job>& job : m_jobs) scheduler.add(std::move(job));
+    scheduler.now_and_then([this] { write_page(false); });
     const bool is_done = scheduler.run();
     return finish(is_done);
   }
@@ -145,11 +149,41 @@ class Batch {
     m_jobs.push_back(std::move(job));
   }
 
-  /// Of the scenes of this run.
+  /// Of the scenes of this run, as far as they are known.
   std::vector<Row> rows() const {
     std::vector<Row> out;
-    for (const std::string& name : m_names) out.push_back(*m_manifest.find(name));
+    for (const std::string& name : m_names) {
+      if (const Row* row = m_manifest.find(name)) out.push_back(*row);
+    }
     return out;
+  }
+
+  /// In a process of its own: pictures that are read for it take memory, and may be anything.
+  void write_page(bool is_finished) {
+    const fs::path log = m_state.path() / "page.log";
+    PageOptions options;
+    options.title = m_plan.arguments.inputs.front().string();
+    options.folder = m_plan.arguments.out;
+    options.is_finished = is_finished;
+    options.expected_rows = m_names.size();
+    options.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - m_start).count();
+    Launch launch;
+    launch.log = log;
+    launch.work = [this, &options] {
+      try {
+        write_whole(options.folder / "index.html", page(rows(), options));
+        return 0;
+      } catch (const std::exception& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+        return 1;
+      }
+    };
+    Child child(launch);
+    std::optional<Ended> ended;
+    while (!(ended = child.ended())) {
+      if (wait_for_news(std::chrono::milliseconds(200)) != 0) throw std::runtime_error("stopped while the page was made; the same command makes it");
+    }
+    if (ended->status != 0) throw std::runtime_error("the page could not be written: " + last_error(tool::read_text(log)));
   }
 
   Status finish(bool is_done) {
@@ -166,6 +200,7 @@ class Batch {
       return kStopped;
     }
     const Arguments& a = m_plan.arguments;
+    write_page(true);
     if (!a.table.empty()) write_whole(a.table, table(rows(), command_of(a.words), stock_version()));
     return summary();
   }
@@ -205,6 +240,7 @@ class Batch {
   std::set<std::string> m_names;
   std::size_t m_kept = 0;
   std::vector<std::string> m_warnings;
+  const std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
 };
 
 int run_main(const std::vector<std::string>& words) {
