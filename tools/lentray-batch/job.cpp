@@ -56,6 +56,13 @@ std::string key_of(const Plan& plan, const parser::RenderOptions& o, const std::
   return hexadecimal(parser::checksum(text));
 }
 
+/// Even what a program says finds no room there.
+bool is_full(const fs::path& folder) {
+  std::error_code error;
+  const fs::space_info space = fs::space(folder, error);
+  return !error && space.available < 65536;
+}
+
 json read_json(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
   return file ? json::parse(file, nullptr, false) : json();
@@ -287,6 +294,7 @@ void Job::fail(const Ended& ended) {
     if (is_error) reason = line;
   }
   if (ended.status > 128) reason = signal_text(ended.status - 128);
+  if (reason.empty() && is_full(m_plan.arguments.out)) reason = "no space is left on the disk of '" + m_plan.arguments.out.string() + "'";
   if (reason.empty()) reason = "exit status " + std::to_string(ended.status);
   if (reason.starts_with("lentray: ")) reason.erase(0, 9);
   m_lacked_memory = ended.status == 1 && (reason.find("Max_Memory") != std::string::npos ||

@@ -187,22 +187,35 @@ class Batch {
   }
 
   Status finish(bool is_done) {
-    if (!m_manifest.trouble().empty() || is_done) {
-      try {
-        m_manifest.tidy();
-      } catch (const std::exception& error) {
-        m_state.free_reserve();
-        m_manifest.tidy();
-      }
-    }
+    const bool is_kept = keep_rows(is_done);
     if (!is_done) {
       std::fputs("lentray-batch: stopped; the same command goes on from here\n", stderr);
       return kStopped;
     }
     const Arguments& a = m_plan.arguments;
-    write_page(true);
+    bool has_page = true;
+    try {
+      write_page(true);
+    } catch (const std::exception& error) {
+      has_page = false;
+      std::fprintf(stderr, "lentray-batch: %s\n", error.what());
+    }
     if (!a.table.empty()) write_whole(a.table, table(rows(), command_of(a.words), stock_version()));
-    return summary();
+    const Status status = summary();
+    return is_kept && has_page ? status : kSome;
+  }
+
+  /// False if rows could not be written. On a full disk the file stays as it was appended to.
+  bool keep_rows(bool is_done) {
+    if (!is_done && m_manifest.trouble().empty()) return true;
+    try {
+      m_manifest.tidy();
+    } catch (const std::exception& error) {
+      if (m_manifest.trouble().empty()) return true;
+      std::fprintf(stderr, "lentray-batch: rows of the manifest are lost: %s\n", error.what());
+      return false;
+    }
+    return true;
   }
 
   std::string stock_version() const {
