@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "parser/ini.h"
+#include "tools/common/csv.h"
 #include "tools/lentray-model/deviations.h"
 #include "tools/lentray-model/figures.h"
 #include "tools/lentray-model/sweeps.h"
@@ -199,10 +200,10 @@ TEST(UnitModelTool, SweepsReachTheCorners) {
 }
 
 TEST(UnitModelTool, NumbersAreShort) {
-  EXPECT_EQ(number_text(0.1 * 3), "0.3");
-  EXPECT_EQ(number_text(40), "40");
-  EXPECT_EQ(csv_field("rows"), "rows");
-  EXPECT_EQ(csv_field("strips(2,4)"), "\"strips(2,4)\"");
+  EXPECT_EQ(tool::number_text(0.1 * 3), "0.3");
+  EXPECT_EQ(tool::number_text(40), "40");
+  EXPECT_EQ(tool::csv_field("rows"), "rows");
+  EXPECT_EQ(tool::csv_field("strips(2,4)"), "\"strips(2,4)\"");
 }
 
 }  // namespace
