@@ -192,7 +192,8 @@ def check_detail_and_keys(page):
     expect(page.is_open(), "a click opens the scene")
     equal(page.hash(), "#scene=plain%2Ffirst+scene", "address")
     page.wait("""const i = document.querySelector('.stage img');
-        return i.complete && i.naturalWidth === 160 && i.src.includes('first%20scene.png')""", "the file itself is shown")
+        return i.complete && i.naturalWidth === 160 && i.src.includes('first%20scene.png')""",
+              "the file itself is shown")
     text = page.one("#detail-body").text
     for words in ("first.pov:3: warning: dull", "cd /scenes/plain && lentray 'first scene.pov' +W160 'it'\\''s'",
         "160 × 120 pixels", "1 file"):
