@@ -42,9 +42,11 @@ const channel = (v) => (v /= 255, v <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.05
 const numbers = (c) => c.match(/[\\d.]+/g).map(Number);
 const light = (c) => 0.2126 * channel(c[0]) + 0.7152 * channel(c[1]) + 0.0722 * channel(c[2]);
 const behind = (e) => { for (; e; e = e.parentElement) {
-  const c = numbers(getComputedStyle(e).backgroundColor); if (c.length < 4 || c[3] === 1) return c; } return [255, 255, 255]; };
+  const c = numbers(getComputedStyle(e).backgroundColor);
+  if (c.length < 4 || c[3] === 1) return c; } return [255, 255, 255]; };
 const low = [];
-for (const e of document.querySelectorAll("h1, h2, h3, p, dt, dd, button, a, .badge, .instead, .time, .folder, .legend li, pre, li")) {
+const texts = "h1, h2, h3, p, dt, dd, button, a, .badge, .instead, .time, .folder, .legend li, pre, li";
+for (const e of document.querySelectorAll(texts)) {
   if (!e.textContent.trim() || !e.getClientRects().length || e.disabled) continue;
   const a = light(numbers(getComputedStyle(e).color)), b = light(behind(e));
   const ratio = (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
@@ -112,8 +114,8 @@ class Page:
         ActionChains(self.driver).send_keys(*keys).perform()
 
     def card(self, name):
-        return self.js("return [...document.querySelectorAll('.card')].find(e => e.querySelector('.caption').title === arguments[0])",
-                       name)
+        return self.js("""return [...document.querySelectorAll('.card')]
+            .find(e => e.querySelector('.caption').title === arguments[0])""", name)
 
     def scroll_to(self, element):
         self.js("arguments[0].scrollIntoView({block: 'center'})", element)
@@ -150,7 +152,8 @@ def check_filters_and_address(page):
         page.click_filter(key)
         equal(len(page.names()), count, f"cards with the filter {key}")
         equal(page.hash(), "" if key == "all" else f"#filter={key}", "address")
-        equal(page.js("return [...document.querySelectorAll('#filters [aria-pressed=true]')].map(e => e.dataset.key)"), [key],
+        equal(page.js("return [...document.querySelectorAll('#filters [aria-pressed=true]')].map(e => e.dataset.key)"),
+            [key],
               "pressed")
     page.one("#search").send_keys("dull")
     equal(page.names(), ["plain/first scene"], "search in messages")
@@ -188,13 +191,16 @@ def check_detail_and_keys(page):
     page.one(".card .open").click()
     expect(page.is_open(), "a click opens the scene")
     equal(page.hash(), "#scene=plain%2Ffirst+scene", "address")
-    page.wait("const i = document.querySelector('.stage img'); return i.complete && i.naturalWidth === 160 && i.src.includes('first%20scene.png')",
+    page.wait("""const i = document.querySelector('.stage img');
+        return i.complete && i.naturalWidth === 160 && i.src.includes('first%20scene.png')""",
               "the file itself is shown")
     text = page.one("#detail-body").text
-    for words in ("first.pov:3: warning: dull", "cd /scenes/plain && lentray 'first scene.pov' +W160 'it'\\''s'", "160 × 120 pixels", "1 file"):
+    for words in ("first.pov:3: warning: dull", "cd /scenes/plain && lentray 'first scene.pov' +W160 'it'\\''s'",
+        "160 × 120 pixels", "1 file"):
         expect(words in text, f"no '{words}' in: {text}")
     page.one("details summary").click()
-    page.wait("return document.querySelector('details').innerText.includes('/scenes/plain/first scene.pov')", "files on demand")
+    page.wait("return document.querySelector('details').innerText.includes('/scenes/plain/first scene.pov')",
+        "files on demand")
     page.one("#detail .plain").click()
     page.wait("return document.querySelector('#detail .plain').textContent === 'Copied'", "the command is copied")
     page.press(Keys.ARROW_RIGHT)
@@ -226,8 +232,10 @@ def check_tilt_by_touch(page):
     page.open(width=360, height=740, mobile=True)
     box = page.js("return arguments[0].querySelector('.tilts')", page.card("lens/five"))
     page.scroll_to(box)
-    area = page.js("const r = arguments[0].getBoundingClientRect(); return [r.left, r.top + r.height / 2, r.width]", box)
-    touch = lambda kind, points: page.driver.execute_cdp_cmd("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
+    area = page.js("const r = arguments[0].getBoundingClientRect(); return [r.left, r.top + r.height / 2, r.width]",
+        box)
+    touch = lambda kind, points: page.driver.execute_cdp_cmd("Input.dispatchTouchEvent",
+        {"type": kind, "touchPoints": points})
     touch("touchStart", [{"x": area[0] + area[2] / 2, "y": area[1]}])
     for part in (0.6, 0.7, 0.8, 0.95):
         touch("touchMove", [{"x": area[0] + area[2] * part, "y": area[1]}])
@@ -253,9 +261,11 @@ def check_tilt_by_keys_and_device(page):
     page.red_of(box, REDS[0], "the device turned right")
     page.js(turn, 0)
     page.red_of(box, REDS[2], "the device straight")
-    equal(page.js("const r = arguments[0].getBoundingClientRect(); return Math.round(100 * r.width / r.height)", box), 133, "proportions")
+    equal(page.js("const r = arguments[0].getBoundingClientRect(); return Math.round(100 * r.width / r.height)", box),
+        133, "proportions")
     page.js("document.querySelectorAll('.choice button')[1].click()")
-    page.wait("const i = document.querySelector('.stage img'); return i.complete && i.naturalWidth === 400", "the integral image itself")
+    page.wait("const i = document.querySelector('.stage img'); return i.complete && i.naturalWidth === 400",
+        "the integral image itself")
 
 
 def check_animation(page):
@@ -278,8 +288,8 @@ def check_comparison(page):
     text = page.one("#detail-body").text
     for words in ("differs", "31.20 dB", "2.0", "7.00 ×", "stock", "difference", "32 and more"):
         expect(words in text, f"no '{words}' in: {text}")
-    page.wait("return [...document.querySelectorAll('.compared img')].filter(i => i.complete && i.naturalWidth === 160).length === 3",
-              "three pictures")
+    page.wait("""return [...document.querySelectorAll('.compared img')]
+        .filter(i => i.complete && i.naturalWidth === 160).length === 3""", "three pictures")
     page.js("[...document.querySelectorAll('.choice button')].find(e => e.textContent === 'Difference').click()")
     page.wait("return document.querySelector('.stage img').src.endsWith('difference/one.png')", "the difference, large")
 
@@ -298,14 +308,16 @@ def check_widths(page):
     for width, least, most in ((360, 2, 2), (768, 3, 3), (1920, 7, 8)):
         page.open(width=width, height=800, mobile=width == 360)
         expect(page.js("return document.documentElement.scrollWidth") <= width, f"it scrolls sideways at {width}")
-        tops = page.js("return [...document.querySelectorAll('.card')].map(e => Math.round(e.getBoundingClientRect().top))")
+        tops = page.js("""return [...document.querySelectorAll('.card')]
+            .map(e => Math.round(e.getBoundingClientRect().top))""")
         expect(least <= tops.count(tops[0]) <= most, f"{tops.count(tops[0])} cards a row at {width}")
         for scene in page.names():
             page.js("location.hash = '#' + new URLSearchParams({scene: arguments[0]})", scene)
             page.wait("return document.getElementById('detail').open", f"{scene} opens")
             inside = page.js("const b = document.getElementById('detail-body'); return b.scrollWidth - b.clientWidth")
             expect(inside <= 0, f"the panel of {scene} scrolls sideways at {width}")
-            expect(page.js("return document.documentElement.scrollWidth") <= width, f"{scene} makes it scroll at {width}")
+            expect(page.js("return document.documentElement.scrollWidth") <= width,
+                f"{scene} makes it scroll at {width}")
 
 
 def check_contrast(page):

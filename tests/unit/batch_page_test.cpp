@@ -161,7 +161,8 @@ Verdict graded(const std::string& grade, double stock_cpu = 0.0) {
   return verdict;
 }
 
-Verdict graded(const std::string& grade, const std::string& stock, const std::string& difference, double stock_cpu = 0.0) {
+Verdict graded(const std::string& grade, const std::string& stock, const std::string& difference,
+               double stock_cpu = 0.0) {
   Verdict verdict = graded(grade, stock_cpu);
   verdict.stock = stock;
   verdict.difference = difference;
@@ -298,7 +299,8 @@ TEST_F(UnitBatchPageOf, StrangersTextStaysText) {
   with.title = "<script>&\"\x07\xff";
   const std::string text = page({row}, with);
   const json data = data_of(text);
-  EXPECT_EQ(data["cards"][0]["name"], "</script><script>alert(1)</script> \"ü\" \x01\x1b[31m \xEF\xBF\xBD\xEF\xBF\xBD");
+  EXPECT_EQ(data["cards"][0]["name"],
+            "</script><script>alert(1)</script> \"ü\" \x01\x1b[31m \xEF\xBF\xBD\xEF\xBF\xBD");
   EXPECT_EQ(data["rows"][0]["messages"][1], std::string("nul\0byte", 8));
   EXPECT_NE(text.find("<title>&lt;script&gt;&amp;&quot; \xEF\xBF\xBD</title>"), std::string::npos);
   std::size_t scripts = 0;
@@ -530,21 +532,23 @@ class UnitBatchPageForBrowser : public UnitBatchPageOf {};
 
 TEST_F(UnitBatchPageForBrowser, Write) {
   std::vector<Row> rows;
-  const auto plain = [](int shade) { return columns(160, 120, [=](std::uint32_t x) { return Colour{shade, int(x), 90}; }); };
+  const auto plain = [](int shade) {
+    return columns(160, 120, [=](std::uint32_t x) { return Colour{shade, int(x), 90}; });
+  };
+  const auto lens = [](std::uint32_t x) { return Colour{int(x % 5) * 40 + 40, 90, 90}; };
   rows.push_back(shown("plain/first scene", plain(200), "pictures/first scene.png"));
   rows.back().messages = {"first.pov:3: warning: dull", "Rendered."};
   rows.back().warnings = 1;
   rows.back().command = {"lentray", "first scene.pov", "+W160", "it's"};
   rows.back().files["/scenes/plain/first scene.pov"] = {};
-  // Five views of one colour each: red is the column, 40 j.
-  rows.push_back(shown("lens/five", columns(400, 300, [](std::uint32_t x) { return Colour{int(x % 5) * 40 + 40, 90, 90}; }),
-                       "pictures/five.png"));
+  // Five views of one colour each: red is 40 j + 40.
+  rows.push_back(shown("lens/five", columns(400, 300, lens), "pictures/five.png"));
   rows.back().lens_pixels = 5.0;
-  rows.push_back(shown("lens/tall", columns(90, 300, [](std::uint32_t x) { return Colour{int(x % 5) * 40 + 40, 90, 90}; }),
-                       "pictures/tall.png"));
+  rows.push_back(shown("lens/tall", columns(90, 300, lens), "pictures/tall.png"));
   rows.back().lens_pixels = 4.5;
   for (int i = 1; i <= 4; ++i) {
-    rows.push_back(shown("moving/film#" + std::to_string(i), plain(60 * i), "pictures/film" + std::to_string(i) + ".png"));
+    const std::string number = std::to_string(i);
+    rows.push_back(shown("moving/film#" + number, plain(60 * i), "pictures/film" + number + ".png"));
     rows.back().frame = i;
   }
   rows.push_back(shown("compared/one", plain(10), "pictures/one.png"));

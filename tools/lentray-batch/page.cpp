@@ -98,7 +98,8 @@ std::string page(const std::vector<Row>& rows, const PageOptions& options) {
   // The text of rows that are to come takes room too.
   const double times = text.rows.empty() ? 1.0
       : std::max(1.0, static_cast<double>(options.expected_rows) / static_cast<double>(text.rows.size()));
-  const double text_room = std::min(static_cast<double>(text.bytes) * times, static_cast<double>(text.bytes + room) / 2);
+  const double text_room =
+      std::min(static_cast<double>(text.bytes) * times, static_cast<double>(text.bytes + room) / 2);
   const auto picture_room = static_cast<std::size_t>(std::max(0.0, static_cast<double>(room) - text_room));
   const std::size_t step = step_that_fits(text.rows, text.cards, options.expected_rows, picture_room);
   std::string out;

@@ -41,11 +41,13 @@ function bytes(n) {
   return `${unit === 0 || n >= 100 ? Math.round(n) : fixed(n, 1)} ${units[unit]}`;
 }
 const times = (ratio) => `${fixed(ratio, ratio < 10 ? 2 : ratio < 100 ? 1 : 0)} ×`;
-const percent = (share) => share === 0 ? "0 %" : share < 0.00005 ? "under 0.01 %" : `${fixed(100 * share, share < 0.1 ? 2 : 1)} %`;
+const percent = (share) => share === 0 ? "0 %" : share < 0.00005 ? "under 0.01 %" :
+    `${fixed(100 * share, share < 0.1 ? 2 : 1)} %`;
 const many = (n, one, more) => `${n} ${n === 1 ? one : more || one + "s"}`;
 
 const kGrades = ["exact", "match", "close", "differs", "fails"];
-const tileOf = (label, value, kind) => element("div", { class: kind }, element("dt", {}, label), element("dd", {}, value));
+const tileOf = (label, value, kind) => element("div", { class: kind }, element("dt", {}, label),
+    element("dd", {}, value));
 const jpeg = (base64) => "data:image/jpeg;base64," + base64;
 const link = (href, text) => element("a", { href, target: "_blank", rel: "noopener" }, text);
 
@@ -56,7 +58,8 @@ function showGrades() {
   if (total === 0) return;
   const there = kGrades.filter((grade) => summary.grades[grade]);
   const words = there.map((grade) => `${summary.grades[grade]} ${grade}`);
-  const stack = element("div", { class: "stack", role: "img", "aria-label": "Grades against stock: " + words.join(", ") });
+  const label = "Grades against stock: " + words.join(", ");
+  const stack = element("div", { class: "stack", role: "img", "aria-label": label });
   const legend = element("ul", { class: "legend" });
   there.forEach((grade, i) => {
     const part = element("span", { class: "fill-" + grade });
@@ -76,6 +79,10 @@ function showHead() {
     ? ` The page has room for ${rows.length} of ${summary.all_rows} rows; the manifest has all.` : "";
   byId("status").append(`${many(summary.cards, "scene")}` +
     (rows.length > summary.cards ? `, ${many(rows.length, "picture")}` : "") + `. ${state}${cut}`);
+  if (!summary.finished) {
+    byId("status").append(" ", element("button", { type: "button", class: "plain", onclick: () => location.reload() },
+        "Load again"));
+  }
   const tiles = byId("tiles");
   tiles.append(tileOf("done", summary.done));
   if (summary.failed) tiles.append(tileOf("failed", summary.failed, "is-bad"));
@@ -166,8 +173,10 @@ function frameOf(row, image, within) {
 }
 
 function instead(row) {
-  const [head, text] = row.state === "failed" ? ["Failed", row.reason] : row.state === "skipped" ? ["Skipped", row.reason]
-    : row.problem ? ["No picture to show", row.problem] : ["No small picture", row.href ? "The link leads to the picture." : ""];
+  let [head, text] = ["No small picture", row.href ? "The link leads to the picture." : ""];
+  if (row.problem) [head, text] = ["No picture to show", row.problem];
+  if (row.state === "failed") [head, text] = ["Failed", row.reason];
+  if (row.state === "skipped") [head, text] = ["Skipped", row.reason];
   return element("div", { class: "instead" }, element("strong", {}, head), clean(text || ""));
 }
 
@@ -193,7 +202,9 @@ function smallPicture(card, row) {
   if (row.picture) image.source = jpeg(row.picture);
   else if (row.shown && !row.problem && !row.lens_pixels) image.source = row.href;
   else return instead(row);
-  image.addEventListener("error", () => image.closest(".frame")?.replaceWith(instead({ ...row, problem: "It cannot be shown." })));
+  image.addEventListener("error", () => {
+    image.closest(".frame")?.replaceWith(instead({ ...row, problem: "It cannot be shown." }));
+  });
   seen.observe(image);
   card.image = image;
   const box = frameOf(row, image);
@@ -217,7 +228,11 @@ function makeCard(card) {
   if (row.tilt) picture.append(element("span", { class: "mark" }, "tilt"));
   else if (card.animation) picture.append(element("span", { class: "mark" }, many(card.rows.length, "frame")));
   const open = element("a", { class: "open", href: addressOf({ ...defaults, scene: card.name }), draggable: "false",
-    onclick: (event) => { if (!event.ctrlKey && !event.metaKey && !event.shiftKey) { event.preventDefault(); openCard(card); } } },
+    onclick: (event) => {
+      if (event.ctrlKey || event.metaKey || event.shiftKey) return;
+      event.preventDefault();
+      openCard(card);
+    } },
     picture, captionOf(card));
   card.element = element("article", { class: `card is-${card.state}` }, open);
   if (card.animation && card.frames.length > 1 && card.image) {
@@ -229,7 +244,8 @@ function makeCard(card) {
 // Animations: a slider over the frames that have small pictures, and a button that plays them.
 
 function player(frames, show, first = 0) {
-  const slider = element("input", { type: "range", min: 0, max: frames.length - 1, value: first, "aria-label": "Frame" });
+  const slider = element("input", { type: "range", min: 0, max: frames.length - 1, value: first,
+      "aria-label": "Frame" });
   const number = element("span", {}, "");
   let timer = 0;
   const go = (i) => {
@@ -241,7 +257,8 @@ function player(frames, show, first = 0) {
   const play = element("button", { type: "button", "aria-label": "Play", onclick: () => toggle(!timer) }, "▶");
   const toggle = (on) => {
     clearInterval(timer);
-    timer = on ? setInterval(() => play.isConnected ? go((Number(slider.value) + 1) % frames.length) : toggle(false), 100) : 0;
+    const next = () => play.isConnected ? go((Number(slider.value) + 1) % frames.length) : toggle(false);
+    timer = on ? setInterval(next, 100) : 0;
     play.textContent = timer ? "❚❚" : "▶";
     play.setAttribute("aria-label", timer ? "Pause" : "Play");
   };
@@ -263,7 +280,9 @@ function showCards() {
   byId("none").hidden = visible.length > 0;
   byId("shown").textContent = visible.length === cards.length ? many(cards.length, "scene")
     : `${visible.length} of ${many(cards.length, "scene")}`;
-  for (const button of byId("filters").children) button.setAttribute("aria-pressed", String(button.dataset.key === state.filter));
+  for (const button of byId("filters").children) {
+    button.setAttribute("aria-pressed", String(button.dataset.key === state.filter));
+  }
   byId("sort").value = state.sort;
   if (byId("search").value !== state.search) byId("search").value = state.search;
 }
@@ -286,7 +305,8 @@ function start() {
   showHead();
   for (const [key, label, , count] of kFilters) {
     byId("filters").append(element("button", { type: "button", "data-key": key, "aria-pressed": "false",
-      disabled: count === 0 && key !== "all", onclick: () => set({ filter: key }) }, label, element("b", {}, String(count))));
+      disabled: count === 0 && key !== "all", onclick: () => set({ filter: key }) }, label,
+          element("b", {}, String(count))));
   }
   for (const [key, label] of kSorts) byId("sort").append(element("option", { value: key }, label));
   cards.forEach(makeCard);
@@ -299,7 +319,8 @@ function start() {
   dialog.addEventListener("close", closeDetail);
   dialog.addEventListener("click", (event) => { if (event.target === dialog) dialog.close(); });
   document.addEventListener("keydown", (event) => {
-    if (event.ctrlKey || event.metaKey || event.altKey || /^(INPUT|SELECT|TEXTAREA)$/.test(event.target.tagName)) return;
+    const isTyping = ["INPUT", "SELECT", "TEXTAREA"].includes(event.target.tagName);
+    if (event.ctrlKey || event.metaKey || event.altKey || isTyping) return;
     if (dialog.open && event.key === "ArrowLeft") step(-1);
     else if (dialog.open && event.key === "ArrowRight") step(1);
     else if (!dialog.open && event.key === "/") byId("search").focus();

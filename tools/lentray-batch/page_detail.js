@@ -13,7 +13,8 @@ function tiltable(box, row, onView) {
       box.append(canvas);
     }
     if (canvas.width !== strip.naturalWidth) { canvas.width = strip.naturalWidth; canvas.height = height; }
-    canvas.getContext("2d").drawImage(strip, 0, current * height, strip.naturalWidth, height, 0, 0, canvas.width, canvas.height);
+    canvas.getContext("2d").drawImage(strip, 0, current * height, strip.naturalWidth, height, 0, 0, canvas.width,
+        canvas.height);
     canvas.dataset.view = current;
   };
   const show = (view) => {
@@ -90,7 +91,8 @@ let opened = null;
 function large(row) {
   const kMostPixels = 16e6;
   const full = row.shown && row.href && row.width * row.height <= kMostPixels ? row.href : "";
-  const image = element("img", { alt: "The picture", src: full || (row.picture ? jpeg(row.picture) : ""), class: "large" });
+  const image = element("img", { alt: "The picture", src: full || (row.picture ? jpeg(row.picture) : ""),
+      class: "large" });
   if (!full && !row.picture) return instead(row);
   image.addEventListener("error", () => {
     if (row.picture && image.src !== jpeg(row.picture)) image.src = jpeg(row.picture);
@@ -111,7 +113,8 @@ function waysToLook(row) {
     if (small || (href && shown)) ways.push([name, text, () => [large(there), text]]);
   };
   other("Stock", v.stock_picture, v.stock, v.stock_shown && !integral, integral ? "Stock's middle view" : "");
-  other("Difference", v.difference_picture, v.difference, v.difference_shown, integral ? "Of the interlaced pictures" : "");
+  other("Difference", v.difference_picture, v.difference, v.difference_shown,
+    integral ? "Of the interlaced pictures" : "");
   return ways;
 }
 
@@ -128,7 +131,8 @@ function looks(card, row, setRow) {
     place.replaceChildren(text || ways[which][1]);
   };
   choose(0);
-  if (ways.length > 1) under.append(element("span", { class: "choice", role: "group", "aria-label": "Which picture" }, ...buttons));
+  if (ways.length > 1) under.append(element("span", { class: "choice", role: "group", "aria-label": "Which picture" },
+      ...buttons));
   under.append(place);
   if (card.frames.length > 1) {
     const at = Math.max(0, card.frames.indexOf(row));
@@ -160,7 +164,8 @@ function listOf(pairs) {
 }
 
 function timesOf(row) {
-  const parts = [["reading", row.reading], ["building", row.building], ["rendering", row.rendering], ["writing", row.writing]];
+  const parts = [["reading", row.reading], ["building", row.building], ["rendering", row.rendering],
+      ["writing", row.writing]];
   const sum = parts.reduce((all, [, value]) => all + (value || 0), 0);
   const section = titled("Times");
   if (sum > 0) {
@@ -186,12 +191,14 @@ function timesOf(row) {
 }
 
 function pictureFacts(row) {
-  const views = (row.views || []).flatMap((href, i) => [i ? " " : "", link(href, String(i + 1))]);
+  const views = (row.views || []).flatMap((href, i) => [i ? " " : "", link(href, String(i))]);
   if (row.view_count > (row.views || []).length) views.push(` … ${row.view_count} in all`);
   const size = row.width ? `${row.width} × ${row.height} pixels` + (row.bytes ? `, ${bytes(row.bytes)}` : "") : "";
-  return titled(row.href ? "Picture" : "Scene", listOf([["file", row.href && [link(row.href, clean(row.file))]], ["size", size],
+  return titled(row.href ? "Picture" : "Scene", listOf([
+    ["file", row.href && [link(row.href, clean(row.file))]], ["size", size],
     ["pixels a lens", row.lens_pixels && String(Math.round(row.lens_pixels * 1e4) / 1e4)],
-    ["views", views.length ? views : ""], ["left out", row.left_out && clean(row.left_out.join(", "))],
+    ["views, by the column of a lens", views.length ? views : ""],
+    ["left out", row.left_out && clean(row.left_out.join(", "))],
     ["scene", clean(row.source || "")], ["frame", row.frame !== undefined && String(row.frame)],
     ["finished", row.finished && clean(row.finished)], ["exit status", row.status && String(row.status)]]));
 }
@@ -274,20 +281,23 @@ function comparisonPictures(row) {
       v.difference_shown));
   const marks = element("ol", {});
   for (const mark of ["0", "1", "2", "4", "12", "32 and more"]) marks.append(element("li", {}, mark));
-  const heat = element("div", { class: "heat" }, element("div", { class: "scale", role: "img",
-    "aria-label": "Scale of the difference: black 0, blue 1, green 2, yellow 4, red 12, white 32 and more, in 1/255" }), marks,
-    "Difference of the channel that differs most, in 1/255");
+  const label = "Scale of the difference, in 1/255: black 0, blue 1, green 2, yellow 4, red 12, white 32 and more";
+  const heat = element("div", { class: "heat" }, element("div", { class: "scale", role: "img", "aria-label": label }),
+    marks, "Difference of the channel that differs most, in 1/255");
   return element("div", {}, all, v.difference ? heat : "");
 }
 
-const gradesText = (grades) => kGrades.filter((grade) => grades?.[grade]).map((grade) => `${grades[grade]} ${grade}`).join(", ");
+function gradesText(grades) {
+  return kGrades.filter((grade) => grades?.[grade]).map((grade) => `${grades[grade]} ${grade}`).join(", ");
+}
 
 function comparisonOf(row) {
   const v = row.verdict;
   if (!v) return "";
   const isEqual = v.psnr === undefined && (v.grade === "exact") && !v.largest;
   return titled("Against stock POV-Ray", listOf([
-    ["grade", v.grade ? [badge(v.grade, "is-" + v.grade)] : "none: stock has no picture"], ["note", v.note && clean(v.note)],
+    ["grade", v.grade ? [badge(v.grade, "is-" + v.grade)] : "none: stock has no picture"],
+    ["note", v.note && clean(v.note)],
     ["PSNR", isEqual ? "equal pictures" : v.psnr !== undefined ? `${fixed(v.psnr, 2)} dB` : ""],
     ["beyond 1/255", v.grade && v.grade !== "fails" ? `${percent(v.beyond_1 || 0)} of the pixels` : ""],
     ["beyond 2/255", v.grade && v.grade !== "fails" ? `${percent(v.beyond_2 || 0)} of the pixels` : ""],
@@ -302,7 +312,8 @@ function factsOf(card, row, setFrame) {
   if (failed.length) {
     const list = element("div", { class: "filters" });
     for (const one of failed.slice(0, 50)) {
-      list.append(element("button", { type: "button", title: clean(one.reason || ""), onclick: () => setFrame(one) }, String(one.frame)));
+      list.append(element("button", { type: "button", title: clean(one.reason || ""), onclick: () => setFrame(one) },
+          String(one.frame)));
     }
     if (failed.length > 50) list.append(`… ${failed.length - 50} more`);
     facts.append(titled(many(failed.length, "failed frame"), list));
@@ -312,7 +323,8 @@ function factsOf(card, row, setFrame) {
       card.frames.length < card.rows.length && String(card.frames.length)], ["on the clock", seconds(card.time)],
       ["warnings", card.warnings && String(card.warnings)]])));
   }
-  for (const part of [messagesOf(row), comparisonOf(row), timesOf(row), pictureFacts(row), commandOf(row), filesOf(row)]) {
+  for (const part of [messagesOf(row), comparisonOf(row), timesOf(row), pictureFacts(row), commandOf(row),
+      filesOf(row)]) {
     if (part) facts.append(part);
   }
   return facts;
@@ -320,7 +332,8 @@ function factsOf(card, row, setFrame) {
 
 function showDetail() {
   const card = opened;
-  let row = (state.frame !== "" && card.list.find((one) => String(one.frame) === state.frame)) || (card.frames[0] ?? card.row);
+  let row = (state.frame !== "" && card.list.find((one) => String(one.frame) === state.frame)) ||
+      (card.frames[0] ?? card.row);
   if (card.state === "failed" && state.frame === "") row = card.row;
   byId("detail-name").textContent = clean(card.name);
   const place = visible.indexOf(card);

@@ -52,7 +52,7 @@ std::size_t bytes_within(std::size_t bytes, std::size_t pixels) {
   return std::min(bytes, kHead + pixels / kPixelsAByte);
 }
 
-/// Pixels of a row's small picture and of its tilt, by the size that the row tells.
+/// The most that a row's small picture may take, by the size that the row tells.
 std::size_t picture_bytes(const Row& row, const PictureStep& step) {
   if (step.side == 0) return 0;
   const std::uint32_t width = row.width > 0 ? row.width : step.side, height = row.height > 0 ? row.height : step.side;
@@ -65,7 +65,8 @@ std::size_t tilt_bytes(const Row& row, const PictureStep& step) {
   if (views < 2) return 0;
   const std::uint32_t width = row.width > 0 ? row.width : step.side, height = row.height > 0 ? row.height : step.side;
   const ThumbnailSize size = size_within(width, height, columns_of_view(width, row.lens_pixels), step.tilt_side);
-  return bytes_within(step.tilt_bytes, std::size_t{size.width} * (size.height + kBlock) * static_cast<std::size_t>(views));
+  const std::size_t pixels = std::size_t{size.width} * (size.height + kBlock) * static_cast<std::size_t>(views);
+  return bytes_within(step.tilt_bytes, pixels);
 }
 
 /// Which pictures a row has on the page.
@@ -152,8 +153,9 @@ class PictureFile {
   std::optional<StoredImage> m_image{};
 };
 
-/// Whole: of a difference, whose lenses are neighbours on purpose.
-std::string compared(ThumbnailStore& store, const fs::path& path, const Row& row, const PictureStep& step, bool is_whole) {
+/// `is_whole`: a difference, which is shown interlaced.
+std::string compared(ThumbnailStore& store, const fs::path& path, const Row& row, const PictureStep& step,
+                     bool is_whole) {
   PictureFile file(store, path);
   const std::size_t most = picture_bytes(row, step);
   return is_whole || !is_integral(row) ? file.whole(step.side, most) : file.middle(row.lens_pixels, step.side, most);
@@ -224,7 +226,8 @@ std::vector<std::size_t> shown_frames(const std::vector<Row>& rows, const Card& 
 std::size_t step_that_fits(const std::vector<Row>& rows, const std::vector<Card>& cards, std::size_t expected_rows,
                            std::size_t room) {
   const std::vector<Wanted> wants = wanted(rows, cards);
-  const double times = rows.empty() ? 1.0 : std::max(1.0, static_cast<double>(expected_rows) / static_cast<double>(rows.size()));
+  const double count = std::max(1.0, static_cast<double>(rows.size()));
+  const double times = std::max(1.0, static_cast<double>(expected_rows) / count);
   const std::vector<PictureStep>& steps = picture_steps();
   for (std::size_t s = 0; s + 1 < steps.size(); ++s) {
     std::size_t sum = 0;

@@ -27,7 +27,8 @@ std::optional<std::string> ThumbnailStore::name_of(const fs::path& picture, cons
   if (error) return std::nullopt;
   const auto modified = fs::last_write_time(picture, error).time_since_epoch().count();
   if (error) return std::nullopt;
-  const std::string text = picture.string() + '\n' + std::to_string(size) + '\n' + std::to_string(modified) + '\n' + recipe;
+  const std::string text =
+      picture.string() + '\n' + std::to_string(size) + '\n' + std::to_string(modified) + '\n' + recipe;
   char name[40];
   std::snprintf(name, sizeof name, "%016llx%016llx.jpg",
                 static_cast<unsigned long long>(sum_of(text, 0xcbf29ce484222325u)),
