@@ -6,7 +6,7 @@
 #   slurm_cluster.sh env FOLDER                prints what a shell must export: eval "$(slurm_cluster.sh env FOLDER)"
 #   slurm_cluster.sh kill-node FOLDER N        node N is lost: its daemon, its job steps and all they started
 #   slurm_cluster.sh kill-daemon FOLDER N      its daemon alone; what it had started runs on, as Slurm leaves it
-#   slurm_cluster.sh revive-node FOLDER N      returns when the node takes jobs again
+#   slurm_cluster.sh revive-node FOLDER N      started again, with nothing running; returns when it takes jobs
 #   slurm_cluster.sh stop FOLDER               ends all of it, jobs too, and removes what start made
 #   slurm_cluster.sh selftest                  an array of 8 tasks; a node is lost while it works
 #
@@ -187,8 +187,10 @@ kill_daemon() {
 
 revive_node() {
   if is_ours "$(pid_of "slurmd.$1")" slurmd; then fail "$1 runs already"; fi
+  kill_work_of "$1"  # a machine that starts again has nothing running
   start_node "$1"
-  until_true 30 node_is_up "$1" || fail "$1 does not come back: $(tail -3 "$folder/slurmd.$1.log")"
+  until_true 30 node_is_up "$1" || scontrol update nodename="$1" state=resume 2>/dev/null || true
+  until_true 10 node_is_up "$1" || fail "$1 does not come back: $(tail -3 "$folder/slurmd.$1.log")"
 }
 
 stop() {
