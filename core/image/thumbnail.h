@@ -3,7 +3,7 @@
 // Light is averaged over areas, as the file's gamma says it is stored; what is transparent stands before a
 // checkerboard of greys. Units: pixels; samples of 8 bits, with sRGB's curve. Space: row 0 on top.
 // Besides the picture, memory holds one row of it and the result. Errors: std::invalid_argument where a size is 0;
-// std::runtime_error from libjpeg. Threads: any number. Source: DESIGN.md 1 for the columns of a view.
+// std::runtime_error from libjpeg. Threads: any number. Source: docs/lens.md for the columns of a view.
 #pragma once
 
 #include <cstdint>

@@ -11,7 +11,7 @@ import shutil
 import subprocess
 import sys
 
-PROGRAMS = ("lentray", "lentray-diff", "lentray-model", "lentray-grouping")
+PROGRAMS = ("lentray", "lentray-batch", "lentray-diff", "lentray-merge", "lentray-model", "lentray-grouping")
 failed = 0
 
 
@@ -51,12 +51,13 @@ def main():
     share = os.path.join(build, "share")
     bash = os.path.join(share, "completion.bash")
     shells = {shell: open(os.path.join(share, "completion." + shell), encoding="utf-8").read() for shell in ("bash", "zsh")}
+    least = {"lentray": 180, "lentray-merge": 3}
     for program in PROGRAMS:
         command = [os.path.join(build, "bin", program)]
         text = subprocess.run(command + ["--help=all" if program == "lentray" else "--help"], capture_output=True,
                               text=True).stdout
         options = options_of(text)
-        expect(len(options) > (180 if program == "lentray" else 8), f"{program}: only {len(options)} options found")
+        expect(len(options) > least.get(program, 8), f"{program}: only {len(options)} options found")
         offered = completed(bash, program + " ")
         path = os.path.join(share, program + ".1.gz")
         page = gzip.open(path, "rt", encoding="utf-8").read().replace("\\-", "-")

@@ -102,6 +102,7 @@ class Parsing {
         {"--table", [&](const std::string& v) { m_out.table = fs::absolute(v); }},
         {"--lentray", [&](const std::string& v) { m_out.lentray = v; }},
         {"--sbatch", [&](const std::string& v) { m_out.sbatch = v; }},
+        {"--task-time", [&](const std::string& v) { m_out.task_time = seconds_of(name, v); }},
         {"--worker", [&](const std::string& v) { m_out.worker = v; }},
         {"--task", [&](const std::string& v) { m_out.task = v == "0" ? 0 : count_of(name, v); }},
         {"--povray", [&](const std::string& v) { m_out.povray = v; }}};
@@ -261,6 +262,8 @@ memory: the folders stay as they are.
   --quiet          no progress
   --slurm          renders as an array of jobs of Slurm (docs/cluster.md);
                    bands of large pictures are jobs of their own
+  --task-time T    how long a task of the array should take (as the work and the
+                   nodes suggest, at most 3 minutes)
   --sbatch OPTIONS further options of sbatch, as "--partition=night --mem=4G"
   --lentray FILE   the lentray to use (default: the one beside this program)
   --povray FILE    the stock POV-Ray to use (default: povray)

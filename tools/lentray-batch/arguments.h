@@ -28,6 +28,7 @@ struct Arguments {
   double memory_limit = 0.0;                   ///< bytes a scene; 0: half of the machine's
   std::filesystem::path lentray, diff, merge;  ///< programs
   bool slurm = false;                          ///< pictures are made by jobs of Slurm
+  double task_time = 0.0;                      ///< seconds a task of Slurm should take; 0: by the work and the nodes
   std::string sbatch;                          ///< further options of sbatch
   std::filesystem::path worker;                ///< the folder of a run of Slurm whose task is to be done; empty: no worker
   int task = 0;

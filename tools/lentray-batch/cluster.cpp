@@ -135,7 +135,8 @@ bool Cluster::prepare(const std::vector<Job*>& jobs) {
   m_progress.say("estimating " + std::to_string(jobs.size()) + " pictures by coarse renders");
   const auto estimates = estimates_of(m_plan, jobs, m_manifest.rows());
   if (!estimates) return false;
-  const double seconds = task_seconds(*estimates, m_slurm.processors());
+  const double asked = m_plan.arguments.task_time;
+  const double seconds = asked > 0.0 ? asked : task_seconds(*estimates, m_slurm.processors());
   for (const Task& task : pack(*estimates, seconds)) {
     std::vector<Work> list;
     for (const Item& item : task) {

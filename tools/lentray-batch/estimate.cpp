@@ -5,6 +5,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "core/render/film.h"
 #include "tools/common/process.h"
 
 namespace lentray::batch {
@@ -26,8 +27,15 @@ Estimate bare(const Job& job) {
   e.fixed = kStart;
   const parser::RenderOptions& o = job.options();
   const bool is_part = o.start_column || o.end_column || o.start_row || o.end_row;
-  // Bands are joined by what their files say, which PNG files do.
-  if (!is_part && o.type == core::FileType::png) e.rows = o.height;
+  // Errors that dithering passes on do not end at a band's edge.
+  const bool passes_on = o.dither && (o.dither_type == core::DitherMethod::line || o.dither_type == core::DitherMethod::plane ||
+                                      o.dither_type == core::DitherMethod::floyd_steinberg);
+  if (!is_part && !passes_on && o.type == core::FileType::png) e.rows = o.height;
+  if (o.antialias) {
+    core::Antialiasing how;
+    how.method = o.sampling_method;
+    e.grain = core::Film::rows_together(how);
+  }
   return e;
 }
 

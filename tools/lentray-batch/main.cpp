@@ -162,7 +162,7 @@ class Batch {
   void write_page(bool is_finished) {
     const fs::path log = m_state.path() / "page.log";
     PageOptions options;
-    options.title = m_plan.arguments.inputs.front().string();
+    for (const fs::path& input : m_plan.arguments.inputs) options.title += (options.title.empty() ? "" : ", ") + input.string();
     options.folder = m_plan.arguments.out;
     options.is_finished = is_finished;
     options.expected_rows = m_names.size();

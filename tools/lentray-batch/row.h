@@ -52,7 +52,7 @@ struct Row {
   std::string picture;
   std::uint32_t width = 0, height = 0;
   std::uint64_t bytes = 0;             ///< of the picture's file
-  std::vector<std::string> views;      ///< files of --views, from the left
+  std::vector<std::string> views;      ///< files of --views, as their pixels lie behind a lens: the first is the right eye's
   double lens_pixels = 0.0;            ///< pixels a lens of an integral image; 0: no integral image
   std::vector<std::string> left_out;   ///< what the scene has and the picture lacks
   double wall = 0.0, cpu = 0.0, reading = 0.0, building = 0.0, rendering = 0.0, writing = 0.0;

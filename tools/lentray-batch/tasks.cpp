@@ -16,10 +16,15 @@ double seconds_of(const Task& task) {
   return std::accumulate(task.begin(), task.end(), 0.0, [](double sum, const Item& item) { return sum + item.seconds; });
 }
 
+/// Rows before band k.
+std::int64_t edge(const Estimate& e, std::int64_t k, std::int64_t bands) {
+  return k == bands ? e.rows : e.rows / e.grain * k / bands * e.grain;
+}
+
 int bands_of(const Estimate& e, double seconds) {
   if (e.rows < 2 * kFewestRows || seconds_of(e) <= 1.5 * seconds) return 1;
   const double room = std::max(seconds - e.fixed, e.fixed);  // what is repeated stays below a half
-  const double most = static_cast<double>(e.rows / kFewestRows);
+  const double most = static_cast<double>(e.rows / std::max(kFewestRows, e.grain));
   return static_cast<int>(std::clamp(std::ceil(e.rendering / room), 1.0, most));
 }
 
@@ -37,8 +42,8 @@ std::vector<Task> pack(const std::vector<Estimate>& pictures, double seconds) {
     const int bands = bands_of(e, seconds);
     for (int k = 0; k < bands; ++k) {
       Item item{e.name, k, bands, 1, 0, e.fixed + e.rendering / bands};
-      item.first_row = 1 + e.rows * k / bands;
-      item.last_row = e.rows * (k + 1) / bands;
+      item.first_row = 1 + edge(e, k, bands);
+      item.last_row = edge(e, k + 1, bands);
       items.push_back(item);
     }
   }

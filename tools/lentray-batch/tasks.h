@@ -14,6 +14,7 @@ struct Estimate {
   double fixed = 0.0;          ///< seconds of a processor that every part of it takes: reading, building
   double rendering = 0.0;      ///< seconds of a processor for all rows
   std::int64_t rows = 0;       ///< of the picture; 0: it cannot be cut into bands
+  std::int64_t grain = 1;      ///< bands begin at multiples of so many rows, which are traced together
 };
 
 /// A picture, or rows of it.

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <exception>
 
-#include "core/image/file_swap.h"
+#include "core/image/thumbnail.h"
 
 namespace lentray::batch {
 
@@ -14,19 +14,17 @@ namespace fs = std::filesystem;
 std::uint32_t view_count(double lens_pixels) { return static_cast<std::uint32_t>(std::max(1.0, std::floor(lens_pixels))); }
 
 core::StoredImage view_of(const core::StoredImage& integral, double lens_pixels, std::uint32_t view) {
+  const std::vector<std::uint32_t> columns = core::view_columns(integral.width, lens_pixels, view);
   core::StoredImage out;
-  out.width = static_cast<std::uint32_t>(std::ceil(integral.width / lens_pixels));
+  out.width = static_cast<std::uint32_t>(columns.size());
   out.height = integral.height;
   out.channels = integral.channels;
   out.bits = integral.bits;
   out.gamma = integral.gamma;
-  const auto channels = static_cast<std::size_t>(out.channels);
-  out.samples.assign(std::size_t{out.width} * out.height * channels, 0.0f);
+  out.samples.assign(std::size_t{out.width} * out.height * static_cast<std::size_t>(out.channels), 0.0f);
   for (std::uint32_t lens = 0; lens < out.width; ++lens) {
-    const double at = std::floor(lens * lens_pixels + view + 0.5 * (lens_pixels - view_count(lens_pixels)) + 0.5);
-    const std::uint32_t column = std::min(static_cast<std::uint32_t>(at), integral.width - 1);
     for (std::uint32_t row = 0; row < out.height; ++row) {
-      for (int c = 0; c < out.channels; ++c) out.at(lens, row, c) = integral.at(column, row, c);
+      for (int c = 0; c < out.channels; ++c) out.at(lens, row, c) = integral.at(columns[lens], row, c);
     }
   }
   return out;

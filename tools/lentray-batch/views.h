@@ -1,5 +1,6 @@
 // The views of an integral image, taken apart: view j is what is seen through all lenses in the same direction, columns
-// j, j + N, j + 2N ...; where N is fractional, the nearest column. Views of views() are counted from 0 at the left of a cell.
+// j, j + N, j + 2N ...; where N is fractional, the nearest column. View 0, at the left behind each lens, is what the eye
+// farthest to the right sees.
 // Errors: core::ImageError. Threads: any number.
 #pragma once
 
@@ -14,7 +15,7 @@ namespace lentray::batch {
 
 /// Whole pixels a lens.
 std::uint32_t view_count(double lens_pixels);
-/// L x H pixels, L the lenses that are whole or cut.
+/// L x H pixels, L the whole lenses.
 core::StoredImage view_of(const core::StoredImage& integral, double lens_pixels, std::uint32_t view);
 
 /// "a/b-views/view00.png" for the picture "a/b.png", ...
