@@ -137,12 +137,14 @@ class Parsing {
     const bool clock = letter == 'k' && !value.empty() &&
                        (std::isdigit(static_cast<unsigned char>(value[0])) || value[0] == '.' ||
                         value[0] == '-' || value[0] == '+');
-    if (letter == 'q' || two == "mv" || two == "ua" || clock) m_out.stock.arguments.push_back(word);
+    const bool frames = two == "kf" || two == "ki" || two == "kc" || two == "sf" || two == "ef" || lower(word.substr(1)).starts_with("stp");
+    if (letter == 'q' || two == "mv" || two == "ua" || clock || frames) m_out.stock.arguments.push_back(word);
   }
 
   void on_option(const std::string& name, const std::string& value, const fs::path& folder) {
-    static constexpr std::array seen_in_stock{"declare", "quality", "version",     "clock",
-                                              "initial_clock", "file_gamma", "output_alpha"};
+    static constexpr std::array seen_in_stock{
+        "declare", "quality", "version", "clock", "file_gamma", "output_alpha", "initial_clock", "final_clock",
+        "initial_frame", "final_frame", "subset_start_frame", "subset_end_frame", "frame_step", "cyclic_animation"};
     const std::string key = lower(name);
     if (key == "input_file_name") m_out.scene = value;
     if (key == "output_file_name") set_prefix(value);

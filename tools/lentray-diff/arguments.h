@@ -1,6 +1,6 @@
 // The command line of lentray-diff: its own options, and lentray's, which go to lentray as they
 // are and to stock as far as they change what is seen there (Declare=, +L, +Q, +MV, +K, +UA,
-// File_Gamma=, also from .ini files).
+// File_Gamma=, frames and clocks, also from .ini files).
 // Errors: parser::OptionError. Pure but for reading .ini files.
 #pragma once
 

@@ -9,6 +9,20 @@ namespace lentray::diff {
 namespace fs = std::filesystem;
 using core::StoredImage;
 
+namespace {
+
+/// Pictures of stock's in a folder.
+std::vector<fs::path> made(const fs::path& folder) {
+  std::vector<fs::path> out;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const std::string extension = entry.path().extension().string();
+    if (entry.path().filename().string().starts_with("stock") && (extension == ".png" || extension == ".exr")) out.push_back(entry.path());
+  }
+  return out;
+}
+
+}  // namespace
+
 Workshop::Workshop(const fs::path& scene, const StockOptions& options) : m_options(options) {
   if (!fs::is_regular_file(scene)) {
     throw std::runtime_error("there is no scene '" + scene.string() + "'");
@@ -82,15 +96,15 @@ StoredImage Workshop::render(const fs::path& folder, const fs::path& scene,
     command.push_back("+BS" + std::to_string(std::max({shot.width, shot.height, 32u})));
   }
   for (const char* fixed : {"-D", "-P", "-V", "+WT1"}) command.emplace_back(fixed);
-  std::error_code ignored;
-  fs::remove(picture, ignored);
+  for (const fs::path& earlier : made(folder)) fs::remove(earlier);
   const tool::RunResult result = tool::run_program(command, folder, m_options.seconds);
   if (result.timed_out) throw std::runtime_error("stock POV-Ray took too long");
-  if (result.status != 0 || !fs::exists(picture)) {
+  const std::vector<fs::path> pictures = made(folder);  // of a frame: its number stands in the name
+  if (result.status != 0 || pictures.size() != 1) {
     throw std::runtime_error("stock POV-Ray cannot render '" + m_scene.string() + "' (status " +
                              std::to_string(result.status) + "):\n" + last_words(result.output));
   }
-  return core::read_image(picture);
+  return core::read_image(pictures.front());
 }
 
 std::string last_words(const std::string& output) {
