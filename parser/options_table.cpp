@@ -135,6 +135,7 @@ void set_return(Options& o, const Given& g) {
 }
 
 void add_library(Options& o, const Given& g) {
+  if (g.value.empty() && g.sign == 0) return;
   if (g.value.empty()) refuse(g, "a folder is expected");
   if (std::find(o.library_paths.begin(), o.library_paths.end(), g.value) == o.library_paths.end()) {
     o.library_paths.push_back(g.value);
@@ -227,9 +228,10 @@ void set_version(Options& o, const Given& g) {
   o.language_version = static_cast<int>(std::lround(v * 100.0));
 }
 
+/// As in stock, `Include_Header=` says that there is none.
 template <std::string Options::*member>
 void set_text(Options& o, const Given& g) {
-  if (g.value.empty()) refuse(g, "a name is expected");
+  if (g.value.empty() && g.sign != 0) refuse(g, "a name is expected");
   o.*member = g.value;
 }
 

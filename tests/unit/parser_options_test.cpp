@@ -313,6 +313,7 @@ TEST_F(ErrorParserOptions, BadValues) {
   expect_message({"Width=99999999999999999999"}, "a whole number from 1");
   expect_message({"Width="}, "a number is expected");
   expect_message({"+I"}, "a name is expected");
+  expect_message({"+L"}, "a folder is expected");
   expect_message({"+FX"}, "unknown output type");
   expect_message({"File_Gamma=0"}, "greater than 0");
   expect_message({"Lens_Pitch=-1"}, "greater than 0");
@@ -500,6 +501,13 @@ TEST_F(UnitParserOptions, OptionsOfAnimationsThatAreOffDoNothing) {
   EXPECT_NO_THROW((void)read({"Clockless_Animation=off", "Real_Time_Raytracing=off"}));
   expect_message({"Real_Time_Raytracing=on"}, "not yet: real-time raytracing");
   expect_message({"Clockless_Animation=on"}, "not yet: animation without a clock");
+}
+
+TEST_F(UnitParserOptions, EmptyNamesSayThatThereIsNone) {
+  const RenderOptions o = read({"+Ia.pov", "Include_Header=a.inc", "Include_Header=", "Output_File_Name=", "Library_Path="});
+  EXPECT_EQ(o.input, "a.pov");
+  EXPECT_EQ(o.include_header, "");
+  EXPECT_TRUE(o.library_paths.empty());
 }
 
 TEST_F(UnitParserOptions, HelpIsShortOrLong) {

@@ -23,7 +23,7 @@ struct Launch {
 };
 
 struct Ended {
-  int status = 0;            ///< exit status; 128 + n: ended by signal n
+  int status = 0;            ///< exit status; 128 + n: ended by signal n; 126: the folder cannot be entered, 127: no such program
   double wall = 0.0, cpu = 0.0;  ///< seconds; cpu with all that it ran
   std::uint64_t memory = 0;  ///< bytes, the most that one of them held
 };

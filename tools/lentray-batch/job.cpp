@@ -295,6 +295,7 @@ void Job::fail(const Ended& ended) {
   }
   if (ended.status > 128) reason = signal_text(ended.status - 128);
   if (reason.empty() && is_full(m_plan.arguments.out)) reason = "no space is left on the disk of '" + m_plan.arguments.out.string() + "'";
+  if (reason.empty() && ended.status == 126) reason = "the folder of the scene cannot be entered";
   if (reason.empty()) reason = "exit status " + std::to_string(ended.status);
   if (reason.starts_with("lentray: ")) reason.erase(0, 9);
   m_lacked_memory = ended.status == 1 && (reason.find("Max_Memory") != std::string::npos ||

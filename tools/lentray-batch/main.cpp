@@ -68,8 +68,8 @@ class Batch {
 
   Status run() {
     find();
-    BatchProgress progress(m_names.size(), m_kept, m_plan.arguments.quiet);
-    for (const std::string& warning : m_warnings) progress.say("warning: " + warning);
+    BatchProgress progress(m_kept + m_jobs.size(), m_kept, m_plan.arguments.quiet);
+    for (const std::string& warning : m_warnings) progress.say(warning);
     if (m_plan.arguments.slurm && !on_cluster(progress)) return finish(false);
     Scheduler scheduler(m_plan, [this](const Row& row) { m_manifest.put(row); }, progress);
     for (std::unique_ptr<Job>& job : m_jobs) scheduler.add(std::move(job));
@@ -105,7 +105,7 @@ class Batch {
   /// Scenes, and of each what is to be done.
   void find() {
     Scan scan = find_scenes(m_plan.arguments.inputs, m_plan.arguments.out, m_manifest.names());
-    m_warnings = std::move(scan.warnings);
+    for (const std::string& text : scan.warnings) m_warnings.push_back("warning: " + text);
     for (const Scene& scene : scan.scenes) {
       if (!scene.part_of.empty()) {
         put(row_without_job(m_plan, scene, State::skipped, "a part of " + scene.part_of + ": it has no camera of its own"));
@@ -128,8 +128,8 @@ class Batch {
 
   void put(const Row& row) {
     m_names.insert(row.name);
-    ++m_kept;
     m_manifest.put(row);
+    if (row.state == State::failed) m_warnings.push_back(row.name + ": failed: " + row.reason);
   }
 
   void add(std::unique_ptr<Job> job) {

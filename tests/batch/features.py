@@ -1,0 +1,130 @@
+"""What a batch does besides stills: frames, views, comparisons, exceptions of a scene, stops, what is out of date.
+
+  tests/batch/features.py [--bin build/release/bin]
+"""
+import argparse
+import os
+import pathlib
+import signal
+import subprocess
+import tempfile
+import time
+
+import batch_tools as tools
+
+MOVING = tools.scene(1).replace("sphere { <", "sphere { clock*x + <")
+SLOW = tools.scene(2).replace("5, 5 }", "60, 60 }")
+
+
+def frames(check, folder, binaries):
+    scenes = folder / "frames"
+    scenes.mkdir()
+    (scenes / "ball.pov").write_text(MOVING)
+    (scenes / "ball.ini").write_text("Initial_Frame=1\nFinal_Frame=12\nFinal_Clock=2\nWidth=60\nHeight=45\n")
+    done = tools.run(binaries, scenes, "--out", folder / "frames-out", "--frames", "--compare")
+    by_hand = folder / "by-hand"
+    by_hand.mkdir()
+    subprocess.run([binaries / "lentray", "ball.ini", "+Iball.pov", f"+O{by_hand}/ball.png", "-V"], cwd=scenes, check=True,
+                   capture_output=True)
+    made = {name: sum_ for name, sum_ in tools.pictures(folder / "frames-out").items() if not name.startswith("compare/")}
+    check(done.returncode == 0 and len(made) == 12, f"frames: {done.returncode}, {sorted(made)}, {done.stderr[-300:]}")
+    check(made == tools.pictures(by_hand), "frames are not those of lentray's animation")
+    grades = {row["name"]: row["verdict"]["grade"] for row in tools.rows(folder / "frames-out").values()}
+    check(len(grades) == 12 and set(grades.values()) == {"exact"}, f"frames against stock: {grades}")
+    still = tools.run(binaries, scenes, "--out", folder / "still-out")
+    check(list(tools.pictures(folder / "still-out")) == ["ball.png"], f"a still: {still.stderr[-300:]}")
+
+
+def sheets(check, folder, binaries):
+    scenes = folder / "sheets"
+    scenes.mkdir()
+    (scenes / "a.pov").write_text(tools.scene(3))
+    (scenes / "fisheye.pov").write_text(tools.scene(4).replace("camera {", "camera { fisheye angle 150"))
+    (folder / "sheet.ini").write_text("Lenticular=On\nLens_Pixels=6\nView_Distance=inf\n")
+    options = [scenes, "--out", folder / "sheets-out", folder / "sheet.ini", "+W120", "+H60"]
+    done = tools.run(binaries, *options, "--views", "--compare")
+    rows = tools.rows(folder / "sheets-out")
+    check(done.returncode == 1, f"sheets: {done.returncode}")
+    check(rows["fisheye"]["state"] == "failed" and "no lens sheet" in rows["fisheye"]["reason"], f"{rows['fisheye']}")
+    row = rows["a"]
+    check(row["lens_pixels"] == 6 and row["verdict"]["grade"] == "exact", f"sheet: {row}")
+    check(row["verdict"]["view_grades"] == {"exact": 6} and row["verdict"]["lens_grades"] == {"exact": 20}, f"{row['verdict']}")
+    for j in (0, 5):
+        subprocess.run([binaries / "lentray", "a.pov", folder / "sheet.ini", "+W120", "+H60", f"View={j}", "-V", f"+O{folder}/view{j}.png"],
+                       cwd=scenes, check=True, capture_output=True)
+        same = subprocess.run([binaries / "lentray-diff", folder / f"view{j}.png", folder / "sheets-out" / row["views"][j],
+                               "--no-pictures", "--grade", "exact"], capture_output=True, text=True, check=False)
+        check(same.returncode == 0 and "equal" in same.stdout, f"view {j}: {same.stdout}")
+
+
+def out_of_date(check, folder, binaries):
+    scenes, out = folder / "dates", folder / "dates-out"
+    tools.write_scenes(scenes, 3)
+    (scenes / "scene00.pov").write_text('#include "colour.inc"\n' + tools.scene(0))
+    (scenes / "colour.inc").write_text("#declare C = rgb 1;\n")
+    (scenes / "scene01.pov").write_text('#if (file_exists("later.inc")) #include "later.inc" #end\n' + tools.scene(1))
+    program, log = tools.logged_lentray(folder, binaries)
+
+    def calls(*options):
+        log.unlink(missing_ok=True)
+        tools.run(binaries, scenes, "--out", out, "+W40", "+H30", "--lentray", program, *options)
+        return sorted(pathlib.Path(c).stem for c in tools.calls(log))
+
+    everything = ["scene00", "scene01", "scene02"]
+    check(calls() == everything and calls() == [], "a batch that is done is done")
+    os.utime(scenes / "scene02.pov")
+    check(calls() == [], "a file that was only touched")
+    (scenes / "colour.inc").write_text("#declare C = rgb 0;\n")
+    check(calls() == ["scene00"], "an include file that has changed")
+    (scenes / "later.inc").write_text("#declare D = 1;\n")
+    check(calls() == ["scene01"], "a file that was looked for in vain has come to be")
+    (out / "scene02.png").unlink()
+    check(calls() == ["scene02"], "a picture that is gone")
+    (scenes / "scene02.ini").write_text("+Q3\n")
+    check(calls() == ["scene02"], "an exception of a scene")
+    check(calls("--quiet", "Shadow_Cache=off") == [], "options that decide nothing")
+    check(calls("+A") == everything, "an option that decides the picture")
+    program.write_text(program.read_text() + "# another version\n")
+    check(calls("+A") == everything, "another program")
+    (scenes / "scene02.pov").unlink()
+    calls("+A")
+    check("scene02" not in tools.rows(out), "a scene that is gone")
+
+
+def stops(check, folder, binaries):
+    """Ctrl-C: within a second, nothing lost, and the next run goes on within the picture."""
+    scenes, out = folder / "stops", folder / "stops-out"
+    scenes.mkdir()
+    (scenes / "slow.pov").write_text(SLOW)
+    options = ["+W640", "+H480", "+A0.1", "-J"]
+    command = [binaries / "lentray-batch", str(scenes), "--out", str(out), *options]
+    for number, then in ((signal.SIGINT, []), (signal.SIGTERM, [signal.SIGTERM])):
+        batch = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+        time.sleep(4)
+        start = time.monotonic()
+        batch.send_signal(number)
+        for second in then:
+            batch.send_signal(second)
+        _, said = batch.communicate(timeout=60)
+        check(batch.returncode == 3, f"status {batch.returncode} after a signal: {said}")
+        check(time.monotonic() - start < 2.0, f"{time.monotonic() - start:.1f} s to stop")
+        check("goes on from here" in said, said)
+        check((out / "slow.png.lentray-state").exists(), "the picture's journal is gone")
+    left = subprocess.run(["pgrep", "-f", str(scenes)], capture_output=True, text=True, check=False).stdout
+    check(left == "", f"still running: {left}")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--bin", type=pathlib.Path, default=tools.BIN)
+    binaries = parser.parse_args().bin.resolve()
+    check = tools.Checks()
+    with tempfile.TemporaryDirectory() as temporary:
+        folder = pathlib.Path(temporary)
+        for part in (frames, sheets, out_of_date, stops):
+            part(check, folder, binaries)
+    check.end()
+
+
+if __name__ == "__main__":
+    main()
