@@ -68,18 +68,21 @@ class Batch {
 
   Status run() {
     find();
-    BatchProgress progress(m_kept + m_jobs.size(), m_kept, m_plan.arguments.quiet);
-    for (const std::string& warning : m_warnings) progress.say(warning);
-    if (m_plan.arguments.slurm && !on_cluster(progress)) return finish(false);
-    Scheduler scheduler(m_plan, [this](const Row& row) { m_manifest.put(row); }, progress);
-    for (std::unique_ptr<Job>& job : m_jobs) scheduler.add(std::move(job));
-    scheduler.now_and_then([this] { write_page(false); });
-    const bool is_done = scheduler.run();
-    return finish(is_done);
+    return finish(render());
   }
 
  private:
   /// False if a signal stopped it.
+  bool render() {
+    BatchProgress progress(m_kept + m_jobs.size(), m_kept, m_plan.arguments.quiet);
+    for (const std::string& warning : m_warnings) progress.say(warning);
+    if (m_plan.arguments.slurm && !on_cluster(progress)) return false;
+    Scheduler scheduler(m_plan, [this](const Row& row) { m_manifest.put(row); }, progress);
+    for (std::unique_ptr<Job>& job : m_jobs) scheduler.add(std::move(job));
+    scheduler.now_and_then([this] { write_page(false); });
+    return scheduler.run();
+  }
+
   bool on_cluster(BatchProgress& progress) {
     std::vector<Job*> jobs;
     for (const std::unique_ptr<Job>& job : m_jobs) {
