@@ -2,7 +2,6 @@
 
 #include <stdexcept>
 
-#include "core/image/file_swap.h"
 #include "tools/common/process.h"
 
 namespace lentray::tool {
@@ -25,12 +24,6 @@ std::string gnuplot(const std::string& script, const std::string& data) {
     throw std::runtime_error("gnuplot could not draw a chart: " + result.output);
   }
   return read_text(folder / "chart");
-}
-
-void write_whole(const std::filesystem::path& place, const std::string& bytes) {
-  core::FileSwap swap(place);
-  write_text(swap.temporary(), bytes);
-  swap.commit();
 }
 
 }  // namespace lentray::tool

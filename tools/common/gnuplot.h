@@ -1,6 +1,5 @@
-// Charts by gnuplot, and text files that appear whole or not at all. Shared by tools that chart.
-// Errors: std::runtime_error without gnuplot or with what it says; core::ImageError where nothing
-// can be written. Threads: any number.
+// Charts by gnuplot. Shared by tools that chart.
+// Errors: std::runtime_error without gnuplot or with what it says. Threads: any number.
 #pragma once
 
 #include <filesystem>
@@ -14,7 +13,5 @@ void check_gnuplot();
 std::string gnuplot_preamble(const std::string& format, int width, int height);
 /// The chart's bytes. The script begins with gnuplot_preamble() and reads `data` from 'data'.
 std::string gnuplot(const std::string& script, const std::string& data);
-
-void write_whole(const std::filesystem::path& place, const std::string& bytes);
 
 }  // namespace lentray::tool

@@ -15,6 +15,8 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "core/image/file_swap.h"
+
 namespace lentray::tool {
 
 namespace fs = std::filesystem;
@@ -116,6 +118,12 @@ void write_text(const fs::path& path, const std::string& text) {
   std::ofstream file(path, std::ios::binary);
   file << text;
   if (!file.flush()) throw std::runtime_error("cannot write '" + path.string() + "'");
+}
+
+void write_whole(const fs::path& place, const std::string& bytes) {
+  core::FileSwap swap(place);
+  write_text(swap.temporary(), bytes);
+  swap.commit();
 }
 
 }  // namespace lentray::tool

@@ -7,7 +7,6 @@
 #include <ctime>
 #include <stdexcept>
 
-#include "core/image/file_swap.h"
 #include "tools/common/duration.h"
 #include "tools/common/process.h"
 #include "tools/lentray-batch/estimate.h"
@@ -20,12 +19,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int kMostSubmissions = 4;  ///< of the same work
-
-void write_whole(const fs::path& place, const std::string& text) {
-  core::FileSwap swap(place);
-  tool::write_text(swap.temporary(), text);
-  swap.commit();
-}
 
 /// In a shell script, whatever is in it.
 std::string quoted(const std::string& text) {
@@ -151,7 +144,7 @@ bool Cluster::prepare(const std::vector<Job*>& jobs) {
   m_folder = std::make_unique<RunFolder>(m_root / run_name());
   m_folder->write(m_plan.arguments.words, m_tasks);
   const fs::path self = fs::read_symlink("/proc/self/exe");
-  write_whole(m_folder->path() / "task.sh", "#!/bin/sh\nexec " + quoted(self.string()) + " --worker=" + quoted(m_folder->path().string()) +
+  tool::write_whole(m_folder->path() / "task.sh", "#!/bin/sh\nexec " + quoted(self.string()) + " --worker=" + quoted(m_folder->path().string()) +
                                                 " --task=\"$SLURM_ARRAY_TASK_ID\"\n");
   submit();
   return true;
@@ -168,7 +161,7 @@ void Cluster::submit() {
   }
   m_job = m_slurm.submit(m_folder->path() / "task.sh", ranges(numbers), m_folder->path() / "logs");
   ++m_submissions;
-  write_whole(m_root / "current", m_folder->path().filename().string() + " " + m_job);
+  tool::write_whole(m_root / "current", m_folder->path().filename().string() + " " + m_job);
   m_progress.say("job array " + m_job + " of Slurm: " + std::to_string(numbers.size()) + " tasks, about " + tool::duration_text(all) +
                  " of a processor");
 }

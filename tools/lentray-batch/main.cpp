@@ -7,7 +7,6 @@
 #include <set>
 #include <thread>
 
-#include "core/image/file_swap.h"
 #include "parser/options.h"
 #include "parser/watched_files.h"
 #include "tools/common/duration.h"
@@ -32,12 +31,6 @@ namespace {
 namespace fs = std::filesystem;
 
 enum Status : int { kAll = 0, kSome = 1, kNoBatch = 2, kStopped = 3 };
-
-void write_whole(const fs::path& place, const std::string& text) {
-  core::FileSwap swap(place);
-  tool::write_text(swap.temporary(), text);
-  swap.commit();
-}
 
 /// As a reader would type it.
 std::string command_of(const std::vector<std::string>& words) {
@@ -174,7 +167,7 @@ class Batch {
     launch.log = log;
     launch.work = [this, &options] {
       try {
-        write_whole(options.folder / "index.html", page(rows(), options));
+        tool::write_whole(options.folder / "index.html", page(rows(), options));
         return 0;
       } catch (const std::exception& error) {
         std::fprintf(stderr, "%s\n", error.what());
@@ -203,7 +196,7 @@ class Batch {
       has_page = false;
       std::fprintf(stderr, "lentray-batch: %s\n", error.what());
     }
-    if (!a.table.empty()) write_whole(a.table, table(rows(), command_of(a.words), stock_version()));
+    if (!a.table.empty()) tool::write_whole(a.table, table(rows(), command_of(a.words), stock_version()));
     const Status status = summary();
     return is_kept && has_page ? status : kSome;
   }

@@ -10,7 +10,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "core/image/file_swap.h"
 #include "tools/common/process.h"
 
 namespace lentray::batch {
@@ -73,9 +72,7 @@ bool Manifest::append(const std::string& lines) {
 void Manifest::tidy() {
   std::string all;
   for (const auto& [name, row] : m_rows) all += line_of(row);
-  core::FileSwap swap(m_path);
-  tool::write_text(swap.temporary(), all);
-  swap.commit();
+  tool::write_whole(m_path, all);
   m_pending.clear();
   m_trouble.clear();
   m_is_cut = false;

@@ -4,7 +4,6 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "core/image/file_swap.h"
 #include "tools/common/process.h"
 
 namespace lentray::batch {
@@ -40,26 +39,20 @@ Work work_of(const json& from) {
   return work;
 }
 
-void write_whole(const fs::path& place, const std::string& text) {
-  core::FileSwap swap(place);
-  tool::write_text(swap.temporary(), text);
-  swap.commit();
-}
-
 }  // namespace
 
 std::string name_of(const Item& item) { return item.bands > 1 ? item.name + "~" + std::to_string(item.band) : item.name; }
 
 void RunFolder::write(const std::vector<std::string>& words, const std::vector<std::vector<Work>>& tasks) const {
   for (const char* folder : {"results", "scratch", "logs"}) fs::create_directories(m_path / folder);
-  write_whole(m_path / "command.json", json{{"words", words}, {"folder", fs::current_path().string()}}.dump(1, ' ', false, kReplace));
+  tool::write_whole(m_path / "command.json", json{{"words", words}, {"folder", fs::current_path().string()}}.dump(1, ' ', false, kReplace));
   std::string lines;
   for (const std::vector<Work>& task : tasks) {
     json list = json::array();
     for (const Work& work : task) list.push_back(to_json(work));
     lines += list.dump(-1, ' ', false, kReplace) + "\n";
   }
-  write_whole(m_path / "tasks.jsonl", lines);
+  tool::write_whole(m_path / "tasks.jsonl", lines);
 }
 
 std::vector<std::string> RunFolder::words(fs::path& folder) const {

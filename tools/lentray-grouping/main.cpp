@@ -8,6 +8,7 @@
 #include "core/image/writer.h"
 #include "tools/lentray-grouping/report.h"
 #include "tools/common/gnuplot.h"
+#include "tools/common/process.h"
 #include "tools/common/standard_streams.h"
 #include "tools/common/version.h"
 

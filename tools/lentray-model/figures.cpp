@@ -6,6 +6,7 @@
 
 #include "core/image/writer.h"
 #include "tools/common/gnuplot.h"
+#include "tools/common/process.h"
 #include "tools/lentray-model/sweeps.h"
 
 namespace lentray::model {

@@ -14,6 +14,7 @@
 #include "tools/lentray-model/deviations.h"
 #include "tools/lentray-model/figures.h"
 #include "tools/common/gnuplot.h"
+#include "tools/common/process.h"
 #include "tools/common/standard_streams.h"
 #include "tools/common/version.h"
 
