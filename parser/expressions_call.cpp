@@ -1,5 +1,6 @@
 // Splines, and calls of functions and splines in ordinary expressions.
 #include <algorithm>
+#include <array>
 
 #include "parser/interpreter.h"
 #include "parser/spline.h"
@@ -86,16 +87,18 @@ Ref<SplineDesc> Expressions::parse_spline() {
     spline->kind = *kind;
     tokens.skip();
   }
+  std::array<double, 5> components{};
   while (!tokens.at(Punct::kRightCurly)) {
     const double at = parse_float();
     tokens.comma();
-    const Number value = parse_additive();
+    Number value = parse_additive();
     tokens.comma();
-    // A float stands for all components; how many there are, the longest value says.
-    Number whole = value;
-    promote(whole, 5);
+    // A float stands for two components. Those that a value lacks are those of the point written before it; how many
+    // the spline has, the longest value says (measured on stock: tests/compat/language/splines.cases).
+    if (value.size == 1) promote(value, 2);
+    std::copy_n(value.v.begin(), value.size, components.begin());
     spline->size = std::max(spline->size, value.size);
-    spline->add(at, whole.v);
+    spline->add(at, components);
   }
   if (spline->knots.empty()) tokens.fail_expected("the points of a spline");
   spline->size = std::max(spline->size, 2);

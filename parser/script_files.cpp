@@ -159,6 +159,8 @@ void ScriptFiles::write() {
       tokens.fail_expected("a string, float or vector to write");
     }
   }
+  // A directive or macro among what is written may have closed it.
+  if (!out->out) m_in.fail(where, "'" + shown_name(out->path) + "' was closed while #write was read");
   const std::string wrong = out->out->write(text);
   if (!wrong.empty()) m_in.fail(where, "cannot write '" + shown_name(out->path) + "': " + wrong);
 }

@@ -52,7 +52,8 @@ void SplineDesc::add(double at, const Values& value) {
   const auto place = std::lower_bound(knots.begin(), knots.end(), at,
                                       [](const SplineKnot& k, double t) { return k.at < t; });
   if (place != knots.end() && place->at == at) {
-    place->value = value;
+    const bool last = knots.size() > 1 && place + 1 == knots.end();
+    if (!last) place->value = value;
   } else {
     knots.insert(place, {at, value, {}});
   }

@@ -24,8 +24,8 @@ core::Fog build_fog(const FogDesc& desc, int noise_generator) {
   fog.up = normalized(desc.up);
   fog.turbulence_depth = desc.turb_depth;
   fog.noise_generator = noise_generator;
-  if (!(desc.turbulence == core::Vec3{})) {
-    fog.turbulence = core::Turbulence{desc.turbulence, desc.octaves, single(desc.lambda),
+  if (desc.turbulence) {
+    fog.turbulence = core::Turbulence{*desc.turbulence, desc.octaves, single(desc.lambda),
                                       single(desc.omega)};
   }
   return fog;

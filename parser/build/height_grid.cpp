@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <mutex>
 #include <stdexcept>
 #include <vector>
 
@@ -125,9 +126,7 @@ Heights of_picture(const HeightFieldShape& field) {
   return heights;
 }
 
-}  // namespace
-
-std::shared_ptr<const core::HeightGrid> build_height_grid(const HeightFieldShape& field) {
+std::shared_ptr<const core::HeightGrid> build_anew(const HeightFieldShape& field) {
   Heights heights = field.function ? of_function(field) : of_picture(field);
   if (heights.width < 2 || heights.depth < 2) {
     throw std::runtime_error("a height_field needs at least 2 x 2 heights");
@@ -140,6 +139,42 @@ std::shared_ptr<const core::HeightGrid> build_height_grid(const HeightFieldShape
   }
   return std::make_shared<const core::HeightGrid>(heights.width, heights.depth,
                                                   std::move(heights.values), field.smooth);
+}
+
+/// The grids that live. A description stays with its grid, so that no other one can have its address.
+class Grids {
+ public:
+  std::shared_ptr<const core::HeightGrid> of(const Sparse<HeightFieldShape>& field) {
+    if (auto grid = find(field)) return grid;
+    auto grid = build_anew(*field);
+    const std::lock_guard lock(m_mutex);
+    m_known.push_back({field, grid});
+    return grid;
+  }
+
+ private:
+  std::shared_ptr<const core::HeightGrid> find(const Sparse<HeightFieldShape>& field) {
+    const std::lock_guard lock(m_mutex);
+    std::erase_if(m_known, [](const auto& known) { return known.grid.expired(); });
+    for (const auto& known : m_known) {
+      if (&*known.field == &*field) return known.grid.lock();
+    }
+    return nullptr;
+  }
+
+  struct Known {
+    Sparse<HeightFieldShape> field;
+    std::weak_ptr<const core::HeightGrid> grid;
+  };
+  std::mutex m_mutex;
+  std::vector<Known> m_known;
+};
+
+}  // namespace
+
+std::shared_ptr<const core::HeightGrid> build_height_grid(const Sparse<HeightFieldShape>& field) {
+  static Grids grids;
+  return grids.of(field);
 }
 
 }  // namespace lentray::parser

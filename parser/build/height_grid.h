@@ -6,10 +6,12 @@
 
 #include "core/geometry/height_field.h"
 #include "parser/descriptions/object.h"
+#include "parser/sparse.h"
 
 namespace lentray::parser {
 
-/// Throws std::runtime_error if the picture cannot be read or is smaller than 2 x 2.
-std::shared_ptr<const core::HeightGrid> build_height_grid(const HeightFieldShape& field);
+/// Throws std::runtime_error if the picture cannot be read or is smaller than 2 x 2. As long as a grid lives, copies
+/// of the same description share it: objects made of it again, and questions for its bounds, cost nothing. Any thread.
+std::shared_ptr<const core::HeightGrid> build_height_grid(const Sparse<HeightFieldShape>& field);
 
 }  // namespace lentray::parser

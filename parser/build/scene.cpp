@@ -1,5 +1,7 @@
 #include "parser/build/scene.h"
 
+#include <algorithm>
+
 #include "parser/build/atmosphere.h"
 #include "parser/build/box_region.h"
 #include "parser/build/build_error.h"
@@ -96,6 +98,22 @@ void warn_about_gamma(const SceneDesc& scene, Diagnostics& diagnostics) {
   }
 }
 
+/// Once for each thing that the picture shows and that is random in stock: what include files declare does not count.
+void warn_of_random_numbers(const core::SceneParts& parts, const TextureCompiler& textures, Diagnostics& diagnostics) {
+  const auto warn = [&](bool used, const std::string& what) {
+    if (!used) return;
+    diagnostics.warn({}, what + ": its random numbers are not POV-Ray's, so pixels differ from POV-Ray's by as much as "
+                                "those of two such runs");
+  };
+  warn(textures.has_crand(), "crand");
+  warn(std::any_of(parts.lights.begin(), parts.lights.end(),
+                   [](const core::Light& light) { return light.has_area && light.area.jitter; }),
+       "jitter of area lights");
+  warn(std::any_of(parts.atmosphere.rainbows.begin(), parts.atmosphere.rainbows.end(),
+                   [](const core::Rainbow& rainbow) { return rainbow.jitter > 0.0; }),
+       "jitter of rainbows");
+}
+
 bool has_hierarchy(const SceneDesc& scene) {
   std::size_t n = 0;
   for (const SceneObject& object : scene.objects) {
@@ -129,6 +147,7 @@ core::SceneParts build_scene(const SceneDesc& scene, Diagnostics& diagnostics,
   } catch (const BuildError& error) {
     diagnostics.fail(error.where(), error.what());
   }
+  warn_of_random_numbers(parts, textures, diagnostics);
   parts.slopes = builder.slope_watches().named(diagnostics);
   note_missing(scene, not_yet);
   for (const std::string& feature : textures.not_yet()) not_yet.try_emplace(feature, Location{});

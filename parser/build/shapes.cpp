@@ -174,8 +174,7 @@ struct ShapeMaker {
     return std::make_unique<core::Quadric>(s->c);
   }
   ShapePointer operator()(const Sparse<HeightFieldShape>& shape) const {
-    const HeightFieldShape& s = *shape;
-    return std::make_unique<core::HeightField>(build_height_grid(s), s.water_level);
+    return std::make_unique<core::HeightField>(build_height_grid(shape), shape->water_level);
   }
   ShapePointer operator()(const std::shared_ptr<const BicubicPatchShape>& s) const {
     return std::make_unique<core::BicubicPatch>(s->points, s->u_steps, s->v_steps, s->flatness,

@@ -58,6 +58,7 @@ class Cache {
 struct TextureCompiler::Impl {
   TextureSettings settings;
   std::set<std::string> not_yet;
+  bool has_crand = false;
   PictureReader pictures;
   PatternBuild build;
   Cache<TextureDesc, core::Texture> textures;
@@ -203,6 +204,7 @@ core::TextureLayer TextureCompiler::Impl::compile_layer(const TextureLayerDesc& 
   core::TextureLayer result;
   result.pigment = compile(layer.pigment, outer);
   result.finish = compile_finish(*layer.finish, not_yet);
+  has_crand = has_crand || result.finish.crand > 0.0;
   result.normal = compile(layer.normal);
   // A kept scale leaves the length free; the tracer wants it 1.
   if (result.normal && (!outer.is_none() || layer.normal->no_bump_scale)) {
@@ -280,5 +282,6 @@ std::shared_ptr<const core::Interior> TextureCompiler::interior(const Ref<Interi
 }
 
 const std::set<std::string>& TextureCompiler::not_yet() const { return m_impl->not_yet; }
+bool TextureCompiler::has_crand() const { return m_impl->has_crand; }
 
 }  // namespace lentray::parser

@@ -38,6 +38,8 @@ class TextureCompiler {
 
   /// Names of what was asked for and is not rendered yet ("pattern crackle", "media").
   const std::set<std::string>& not_yet() const;
+  /// Whether a finish so far has crand.
+  bool has_crand() const;
 
  private:
   struct Impl;

@@ -19,7 +19,7 @@ struct FogDesc {
   double distance = 0.0;
   core::Colour colour;
   double turb_depth = 0.5;
-  core::Vec3 turbulence;
+  std::optional<core::Vec3> turbulence;  ///< octaves, lambda and omega set it, too; 0 stirs as well
   int octaves = 6;
   double lambda = 2.0, omega = 0.5;
   double fog_offset = 0.0, fog_alt = 0.0;

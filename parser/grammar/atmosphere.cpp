@@ -7,6 +7,11 @@ namespace {
 
 constexpr double kTiny = 1e-10;  ///< stock's measure of "nothing" in lengths
 
+/// Any word about turbulence sets it. Where it is 0, every place has the noise of the origin.
+void stir(FogDesc& fog) {
+  if (!fog.turbulence) fog.turbulence.emplace();
+}
+
 /// One item of a fog; false if none is next.
 bool accept_fog_item(Parser& parser, FogDesc& fog) {
   if (const auto transform = parser.accept_transforms()) {
@@ -20,10 +25,13 @@ bool accept_fog_item(Parser& parser, FogDesc& fog) {
     fog.turbulence = parser.parse_vector();
   } else if (parser.accept(Keyword::kOctaves)) {
     fog.octaves = parser.parse_int();
+    stir(fog);
   } else if (parser.accept(Keyword::kLambda)) {
     fog.lambda = parser.parse_float();
+    stir(fog);
   } else if (parser.accept(Keyword::kOmega)) {
     fog.omega = parser.parse_float();
+    stir(fog);
   } else if (parser.accept(Keyword::kTurbDepth)) {
     fog.turb_depth = parser.parse_float();
   } else if (parser.accept(Keyword::kFogOffset)) {

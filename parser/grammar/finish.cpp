@@ -95,7 +95,6 @@ bool accept_diffuse_word(Parser& parser, FinishDesc& finish) {
     finish.brilliance = parser.parse_float();
   } else if (parser.accept(Keyword::kCrand)) {
     finish.crand = parser.parse_float();
-    warn_of_random_numbers(parser, "crand");
   } else {
     return false;
   }

@@ -31,12 +31,6 @@ inline double optional_float(Parser& parser, double otherwise) {
   return at_float(parser) ? parser.parse_float() : otherwise;
 }
 
-/// Once a scene: of something that is random in stock, and random otherwise here.
-inline void warn_of_random_numbers(Parser& parser, const std::string& what) {
-  parser.diagnostics().warn({}, what + ": its random numbers are not POV-Ray's, so pixels differ from "
-                                       "POV-Ray's by as much as those of two such runs");
-}
-
 /// A switch that says "on" by standing alone.
 inline bool optional_switch(Parser& parser) { return optional_float(parser, 1.0) > 0.0; }
 

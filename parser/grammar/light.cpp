@@ -112,10 +112,7 @@ constexpr std::array kLightWords{
                  need_beam(p, l, "falloff");
                  l.falloff = p.parse_float();
                }},
-    LightEntry{Keyword::kJitter, [](Parser& parser, Context&, LightDesc& l) {
-                 l.jitter = true;
-                 warn_of_random_numbers(parser, "jitter of area lights");
-               }},
+    LightEntry{Keyword::kJitter, [](Parser&, Context&, LightDesc& l) { l.jitter = true; }},
     LightEntry{Keyword::kLooksLike, parse_looks_like},
     LightEntry{Keyword::kMediaAttenuation,
                [](Parser& p, Context&, LightDesc& l) { l.media_attenuation = optional_switch(p); }},

@@ -163,12 +163,24 @@ bool accept_image_modifier(Parser& parser, ImageDesc& image) {
   return true;
 }
 
+/// As stock, image_map takes only the numbers there are; the other uses of pictures take any.
+void check_numbers(Parser& parser, const ImageDesc& image) {
+  const auto is_one_of = [](int number, std::initializer_list<int> known) {
+    return std::find(known.begin(), known.end(), number) != known.end();
+  };
+  if (!is_one_of(image.interpolate, {0, 2, 3, 4})) parser.fail("interpolate of an image_map is 2, 3 or 4");
+  if (!is_one_of(image.map_type, {0, 1, 2, 5})) parser.fail("map_type of an image_map is 0, 1, 2 or 5");
+}
+
 std::shared_ptr<const ImageDesc> parse_image_map(Parser& parser) {
   parser.expect(Punct::kLeftCurly);
   auto image = parse_image_source(parser);
   std::optional<int> palette;
   for (;;) {
-    if (accept_image_modifier(parser, *image)) continue;
+    if (accept_image_modifier(parser, *image)) {
+      check_numbers(parser, *image);
+      continue;
+    }
     if (parser.accept(Keyword::kFilter) || parser.accept(Keyword::kAlpha)) {
       parse_transparency(parser, *image, palette, "filter", image->filter_all, image->filters);
     } else if (parser.accept(Keyword::kTransmit)) {

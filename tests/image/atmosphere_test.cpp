@@ -36,6 +36,7 @@ INSTANTIATE_TEST_SUITE_P(
         "fog { fog_type 2 distance 9 rgbf <.8,.8,.2,.4> fog_offset .1 fog_alt 1.5 up <.3,1,.1> }",
         "fog { distance 9 rgb .8 turbulence <.4,.6,.2> turb_depth .7 octaves 4 omega .6 }",
         "fog { fog_type 2 distance 5 rgb .8 fog_offset .6 fog_alt .7 turbulence .5 }",
+        "fog { fog_type 2 distance 26 rgb .8 fog_alt 1.4 turbulence 0 }", "fog { distance 9 rgb .8 lambda 2 }",
         "fog { distance 20 rgb .9 } fog { distance 5 fog_type 2 fog_alt .3 rgb <.1,.3,.5> }",
         "rainbow { direction z-.2*y angle 30 width 12 distance 20 color_map {"
         " [0 rgbt <.6,.2,.9,.9>] [.5 rgbt <.2,.9,.2,.7>] [1 rgbft <.9,.2,.1,.3,.8>] } }",

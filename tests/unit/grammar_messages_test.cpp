@@ -41,6 +41,7 @@ const Program kPrograms[] = {
      "the scene has no #version of its own: its include files leave it at 3.6"},
     {"sphere { 0, 1 finish { crand .1 } }", "crand: its random numbers are not POV-Ray's, so pixels differ from POV-Ray's by as much as those of two such runs"},
     {"sphere { 0, 1 } light_source { 9, 1 area_light x, y, 2, 2 jitter }", "jitter of area lights: its random numbers"},
+    {"sphere { 0, 1 } rainbow { direction z angle 40 width 5 jitter .1 color_map { [0 rgbt 1] } }", "jitter of rainbows: its"},
     {"@0 #version 3.0; sphere { 0, 1 }", "the scene ends with a #version of 3.1 or earlier: faults of those programs are not imitated"},
     {"", "there are no objects in the scene"},
     {"#default { sphere { 0, 1 } }", "one of texture, pigment, normal, finish, camera, radiosity or }"},
@@ -285,6 +286,8 @@ const Program kPrograms[] = {
     {PIGMENT("image_map { function 2, 2 { x } transmit 0, 1 }"), "expected all: the function has no palette"},
     {PIGMENT("image_map { gif \"two.gif\" transmit 2, 1 }"), "expected an entry of the palette of 'two.gif', 0 to 1, found 2; transmit all is for the whole picture"},
     {PIGMENT("image_map { png \"bad.png\" repeat 0 }"), "the repeat of an image must be greater than 0 both ways"},
+    {PIGMENT("image_map { png \"bad.png\" interpolate 1 }"), "interpolate of an image_map is 2, 3 or 4"},
+    {PIGMENT("image_map { png \"bad.png\" map_type 3 }"), "map_type of an image_map is 0, 1, 2 or 5"},
     {PIGMENT("image_map { png \"bad.png\" phong }"), "one of interpolate, map_type, once, use_color, use_index, use_alpha, repeat, offset, filter, transmit or }"},
     {NORMAL("bump_map { png \"bad.png\" phong }"), "one of interpolate, map_type, once, use_color, use_index, use_alpha, repeat, offset, bump_size or }"},
     {PIGMENT("bozo form <1,0,0>"), "'form' can only be used with crackle or pavement"},
@@ -402,6 +405,14 @@ TEST(GrammarMessages, EachIsHeard) {
     }
   }
   EXPECT_GT(count, 200u);
+}
+
+TEST(GrammarMessages, RandomNumbersOfIncludeFilesAreNotHeard) {
+  const tool::TemporaryFolder folder;
+  for (const char* text : {"#declare F = finish { crand .1 } sphere { 0, 1 }",
+                           "#declare L = light_source { 9, 1 area_light x, y, 2, 2 jitter } sphere { 0, 1 }"}) {
+    EXPECT_EQ(messages_of(folder.path(), scene_of(text)).find("random numbers"), std::string::npos) << text;
+  }
 }
 
 }  // namespace
