@@ -165,7 +165,7 @@ TEST_F(ImageStop, TheTimeEndsWhateverItIsAt) {
 }
 
 TEST_F(ImageStop, ARunWhoseTimeIsOverIsGoneOnWith) {
-  const std::vector<std::string> words{"noise.pov", "+W6000", "+H5000", "-V", "+WT2", "+Oa.png", "Band_Height=64"};
+  const std::vector<std::string> words{"noise.pov", "+W2400", "+H2000", "-V", "+WT2", "+Oa.png", "Band_Height=64"};
   const auto with = [&](const std::vector<std::string>& more) {
     std::vector<std::string> all = words;
     all.insert(all.end(), more.begin(), more.end());

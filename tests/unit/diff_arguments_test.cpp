@@ -36,10 +36,24 @@ TEST_F(UnitDiffArguments, SceneOptionsReachBoth) {
 }
 
 TEST_F(UnitDiffArguments, LensOptionsReachLentrayAlone) {
-  const Arguments a = parse({"Lenticular=On", "Lens_Pixels=7.37", "View=3", "+KFI1"});
-  EXPECT_EQ(a.for_lentray, (Words{"Lenticular=On", "Lens_Pixels=7.37", "View=3", "+KFI1"}));
+  const Arguments a = parse({"Lenticular=On", "Lens_Pixels=7.37", "View=3"});
+  EXPECT_EQ(a.for_lentray, (Words{"Lenticular=On", "Lens_Pixels=7.37", "View=3"}));
   EXPECT_TRUE(a.stock.arguments.empty());
   EXPECT_EQ(a.view, 3u);
+}
+
+TEST_F(UnitDiffArguments, FramesReachBoth) {
+  const Words frames{"+KFI1", "+KFF9", "Final_Clock=2", "+SF3", "+EF3"};
+  EXPECT_EQ(parse(frames).stock.arguments, frames);
+  EXPECT_EQ(parse(frames).for_lentray, frames);
+}
+
+TEST_F(UnitDiffArguments, PicturesThatAreThereNeedTheirStatistics) {
+  const Arguments a = parse({"--ours", "a.png", "--statistics=a.json"});
+  EXPECT_EQ(a.ours, "a.png");
+  EXPECT_EQ(a.statistics, "a.json");
+  EXPECT_THROW(parse({"--ours", "a.png"}), parser::OptionError);
+  EXPECT_TRUE(parse({"--stock-alone"}).stock_alone);
 }
 
 TEST_F(UnitDiffArguments, OutputNamesThePictures) {

@@ -58,6 +58,7 @@ const char* const kPrograms[] = {
     "global_settings { charset utf8 max_trace_level 1e300 }", "#fopen F \"none\" read", "#include concat(\"a\", chr(0))",
     "#declare S = \"0123456789\" #for (I, 1, 9) #declare S = concat(S, S) #end #fopen F \"f\" write #while (1) #write (F, S) #end", "#fopen F \"\" write", "#declare A = 1; #write (A, 1)",
     "#fopen F \"f\" write #fclose F #fopen F \"f\" read #write (F, 1)", "#fopen F \"f\" write #write (F, pigment)",
+    "#fopen F \"f\" write #write (F, 1 #fclose F, 2)",
     "#fopen F \"f\" write #read (F, A)", "FILE -\"a\"", "FILE <1,2,3,4,5,6>", "FILE <1>", "FILE }", "FILE 1 2",
     "#declare F = function {x/0}",     "# 5", "#declare A = array[1] #declare B = A[1] + 1;", "#declare sphere = 1;",
     "#version 3.0; #declare C = color red 1 alpha .5;"};
