@@ -148,7 +148,7 @@ bool Blob::may_hold(const Vec3& centre, const Vec3& half) const {
 
 Bounds Blob::bounds_in(const Transform& t) const {
   constexpr double kFine = 1.0 / 64.0;
-  constexpr int kTests = 40000, kFewest = 64, kMost = 2000;
+  constexpr int kTests = 2500, kFewest = 32, kMost = 2000;
   if (!m_reach.is_finite()) return transformed(m_reach, t);
   const int budget = std::clamp(kTests / static_cast<int>(m_fields.size()), kFewest, kMost);
   const Vec3 size = m_reach.hi - m_reach.lo;
