@@ -32,6 +32,7 @@ class FractalPattern final : public Pattern {
     const Complex point{p.x, p.y};
     const Complex c = m_fractal.julia ? Complex{m_fractal.parameter.u, m_fractal.parameter.v} : point;
     // The magnet's own set starts at 0; all others at the point.
+    if (m_fractal.magnet == 0 && m_fractal.exponent == 2) return quadratic(point, c);
     const bool from_zero = m_fractal.magnet != 0 && !m_fractal.julia;
     Complex z = from_zero ? Complex{} : point;
     double least = from_zero ? 10000.0 : z.norm();
@@ -45,6 +46,20 @@ class FractalPattern final : public Pattern {
   }
 
  private:
+  /// The same operations for z^2 + c, with the squares that the norm is made of used again.
+  double quadratic(Complex z, Complex c) const {
+    double re2 = z.re * z.re, im2 = z.im * z.im, least = re2 + im2;
+    for (int i = 0; i < m_fractal.iterations; ++i) {
+      const double product = z.re * z.im;
+      z = {re2 - im2 + c.re, product + product + c.im};
+      re2 = z.re * z.re;
+      im2 = z.im * z.im;
+      const double norm = re2 + im2;
+      least = std::min(least, norm);
+      if (norm > 4.0) return exterior(i, z);
+    }
+    return interior(z, least);
+  }
   Complex step(Complex z, Complex c) const {
     if (m_fractal.magnet == 1) {
       const Complex root = (z * z + c).plus(-1.0) / (2.0 * z + c).plus(-2.0);
