@@ -130,7 +130,7 @@ def main():
             check(whole.returncode == 0, f"the sheet whole: {whole.stderr[-300:]}")
             for what, meanwhile in (("bands", None), ("lost", lambda: lose_node(folder / "slurm", folder / "lost", 3))):
                 out = folder / what
-                status, said, seconds = through_slurm(binaries, env, sheets, "--out", out, "--task-time=3", *SHEET, meanwhile=meanwhile)
+                status, said, seconds = through_slurm(binaries, env, sheets, "--out", out, "--task-time=2", *SHEET, meanwhile=meanwhile)
                 counts = attempts(out)
                 print(said, f"{what}: {len(counts)} bands, {sum(counts.values())} rows of workers, {seconds:.1f} s", sep="")
                 check(status == 0, f"{what}: status {status}: {said[-500:]}")
