@@ -115,7 +115,8 @@ TEST_P(ImageStopSignal, LeavesTheOldPictureAndNothingElse) {
   run.signal(number);
   EXPECT_EQ(run.wait(), 2) << text("log");
   EXPECT_LT(std::chrono::steady_clock::now() - then, std::chrono::seconds(20));
-  EXPECT_EQ(text("log"), "lentray: stopped; no picture was written\n");
+  // A slow machine may have come to keep a journal by then, and says so before.
+  EXPECT_TRUE(text("log").ends_with("lentray: stopped; no picture was written\n")) << text("log");
   EXPECT_EQ(text(name), "an older picture");
   EXPECT_EQ(parts().size(), 0u);
 }
