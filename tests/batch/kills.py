@@ -40,7 +40,7 @@ def main():
         log.unlink()
 
         out = folder / "killed"
-        kills = repeated = 0
+        kills = repeated = kills_before = 0
         while kills < given.kills:
             done_before = set(tools.rows(out)) if (out / "manifest.jsonl").exists() else set()
             calls_before = len(tools.calls(log))
@@ -50,6 +50,8 @@ def main():
             time.sleep(rng.uniform(0.2, 1.8) * seconds / given.kills * 0.8)
             if batch.poll() is not None:  # quicker than thought: begun again from nothing
                 shutil.rmtree(out)
+                log.unlink(missing_ok=True)
+                kills_before = kills
                 continue
             os.kill(batch.pid, signal.SIGKILL)
             batch.wait()
@@ -62,7 +64,7 @@ def main():
         check(len(tools.pictures(out)) == given.scenes, "pictures are missing")
         check(repeated == 0, f"{repeated} pictures with a row were rendered again")
         calls = tools.calls(log)
-        most = given.scenes + given.kills * (os.cpu_count() or 1)
+        most = given.scenes + (given.kills - kills_before) * (os.cpu_count() or 1)
         check(len(calls) <= most, f"{len(calls)} runs of lentray for {given.scenes} scenes and {given.kills} kills")
         check(all(row["state"] == "done" for row in tools.rows(out).values()), "a row is not done")
         left = [p.name for p in out.rglob("*") if p.name.endswith((".part", ".lentray-state"))]
