@@ -8,6 +8,7 @@
 #include <string>
 
 #include "core/accel/object_tree.h"
+#include "core/object/leaf.h"
 
 namespace lentray::core {
 namespace {

@@ -1,10 +1,10 @@
 #include "core/accel/light_buffer.h"
 
-#include "core/geometry/box.h"
-#include "core/geometry/plane.h"
-#include "core/geometry/polygon.h"
-#include "core/geometry/sphere.h"
-#include "core/geometry/triangle_shape.h"
+#include "core/shape/box.h"
+#include "core/shape/plane.h"
+#include "core/shape/polygon.h"
+#include "core/shape/sphere.h"
+#include "core/shape/triangle_shape.h"
 
 namespace lentray::core {
 namespace {

@@ -8,8 +8,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "core/geometry/object.h"
 #include "core/material/interior.h"
+#include "core/object/object.h"
 
 namespace lentray::core {
 

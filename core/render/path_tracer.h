@@ -24,6 +24,7 @@
 #include "core/render/start_interiors.h"
 #include "core/render/surface_textures.h"
 #include "core/render/tracer.h"
+#include "core/scene/tolerances.h"
 
 namespace lentray::core {
 

@@ -5,9 +5,11 @@
 
 #include "core/accel/hierarchy.h"
 #include "core/accel/light_buffer.h"
+#include "core/object/leaf.h"
 #include "core/render/reflectance.h"
 #include "core/render/surface_textures.h"
 #include "core/scene/scene.h"
+#include "core/scene/tolerances.h"
 
 namespace lentray::core {
 namespace {

@@ -6,10 +6,10 @@
 #include <cstdint>
 #include <memory>
 
-#include "core/base/color.h"
 #include "core/accel/light_buffer.h"
+#include "core/base/color.h"
 #include "core/base/counters.h"
-#include "core/geometry/object.h"
+#include "core/object/object.h"
 
 namespace lentray::core {
 
@@ -60,9 +60,5 @@ class ShadowTesterFactory {
   /// The same without what watches its testers and keeps what it saw.
   virtual const ShadowTesterFactory& unwatched() const { return *this; }
 };
-
-/// Blockers nearer than this to the point, or to the light, do not count. Stock's tolerance;
-/// the cached test uses the same one.
-inline constexpr double kShadowTolerance = 1e-3;
 
 }  // namespace lentray::core

@@ -2,7 +2,8 @@
 
 #include <typeinfo>
 
-#include "core/geometry/mesh.h"
+#include "core/object/leaf.h"
+#include "core/shape/mesh.h"
 
 namespace lentray::core {
 

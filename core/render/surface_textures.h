@@ -2,8 +2,8 @@
 // mesh's faces. World space. Source: reference manual 3.7, "Interior Texture", "Mesh2".
 #pragma once
 
-#include "core/geometry/object.h"
 #include "core/material/texture.h"
+#include "core/object/leaf.h"
 
 namespace lentray::core {
 

@@ -7,8 +7,9 @@
 #include <cmath>
 #include <utility>
 
+#include "core/noise/noise.h"
+#include "core/object/leaf.h"
 #include "core/render/air.h"
-#include "core/pattern/noise.h"
 #include "core/render/path_tracer.h"
 
 namespace lentray::core {

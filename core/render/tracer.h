@@ -16,9 +16,6 @@
 
 namespace lentray::core {
 
-/// Hits nearer than this to a ray's start are not seen (stock's value, any ray but shadow rays).
-inline constexpr double kMinHitDistance = 1e-4;
-
 struct Radiance {
   Rgb rgb;
   float transmit = 0.0f;  ///< of the picture's background, with +UA (1 - alpha); rgb is premultiplied

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "parser/build/camera.h"
+#include "parser/compile/camera.h"
 #include "parser/read_scene.h"
 #include "tools/common/process.h"
 

@@ -13,8 +13,9 @@
 #include <stdexcept>
 #include <thread>
 
-#include "core/geometry/sphere.h"
+#include "core/object/leaf.h"
 #include "core/render/plain_shadow_tester.h"
+#include "core/shape/sphere.h"
 
 using namespace lentray::core;
 

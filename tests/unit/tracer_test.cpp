@@ -9,11 +9,12 @@
 #include <set>
 #include <string>
 
-#include "core/geometry/box.h"
-#include "core/geometry/plane.h"
-#include "core/geometry/sphere.h"
+#include "core/object/leaf.h"
 #include "core/render/path_tracer.h"
 #include "core/render/plain_shadow_tester.h"
+#include "core/shape/box.h"
+#include "core/shape/plane.h"
+#include "core/shape/sphere.h"
 #include "shadow/cache_policy.h"
 #include "shadow/direction_policy.h"
 #include "shadow/neighbourhood.h"
