@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "core/scene/scene.h"
+#include "core/trace/thread_context.h"
 
 namespace lentray::shadow {
 namespace {
@@ -58,14 +59,14 @@ bool AutoTester::Choice::give_up(double trial, bool steady) {
   return true;
 }
 
-AutoTester::AutoTester(const core::ShadowContext& context)
-    : m_plain(context, true), m_counting(context.count_tests ? context.counters : nullptr),
+AutoTester::AutoTester(core::ThreadContext& context)
+    : m_plain(context, true), m_counting(context.tests),
       m_measures(m_counting ? m_counting : &m_own),
-      m_cascade(*context.scene), m_vain(context.scene->lights().size(), 0.0),
+      m_cascade(context.scene), m_vain(context.scene.lights().size(), 0.0),
       m_ask_around(m_cascade.around(), m_plain, m_vain.data()),
       m_ask_cascade(m_cascade, m_plain, m_vain.data()),
-      m_objects(context.scene->objects().size()),
-      m_watches(context.scene->lights().size()),
+      m_objects(context.scene.objects().size()),
+      m_watches(context.scene.lights().size()),
       m_turns(m_watches.size()) {
   m_own.by_type = false;
   for (Watch& watch : m_watches) {
@@ -73,8 +74,8 @@ AutoTester::AutoTester(const core::ShadowContext& context)
     watch.samples = kRow;
   }
   for (std::size_t i = 0; i < m_turns.size(); ++i) {
-    m_turns[i].left = context.scene->light_buffer(i) ? kForever : kFirst - kRow;
-    m_turns[i].counts = &context.counters->lights[i];
+    m_turns[i].left = context.scene.light_buffer(i) ? kForever : kFirst - kRow;
+    m_turns[i].counts = &context.counters.lights[i];
   }
 }
 
@@ -132,7 +133,7 @@ void AutoTester::begin_period(std::uint32_t light, Watch& watch, Turn& turn) {
   turn.left = watch.period - watch.samples;
   turn.ask = asked_by(watch);
   if (watch.grid.on && !m_grid) {
-    m_grid.emplace(*m_plain.context().scene);
+    m_grid.emplace(m_plain.context().scene);
     m_ask_grid.emplace(*m_grid, m_plain, m_vain.data());
   }
   m_vain[light] = 0.0;

@@ -21,7 +21,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/render/plain_shadow_tester.h"
+#include "core/trace/plain_shadow_tester.h"
 #include "shadow/cached_tester.h"
 #include "shadow/cascade.h"
 #include "shadow/search_samples.h"
@@ -31,7 +31,7 @@ namespace lentray::shadow {
 class AutoTester final : public core::ShadowTester {
  public:
   static constexpr std::string_view kName = "auto";
-  explicit AutoTester(const core::ShadowContext& context);
+  explicit AutoTester(core::ThreadContext& context);
   core::Visibility visibility(const core::ShadowQuery& query) override {
     Turn& turn = m_turns[query.light];
     if (--turn.left < 0) [[unlikely]] return watched(query, turn);

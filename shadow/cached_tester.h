@@ -4,7 +4,8 @@
 // shared.
 #pragma once
 
-#include "core/render/plain_shadow_tester.h"
+#include "core/trace/plain_shadow_tester.h"
+#include "core/trace/thread_context.h"
 #include "shadow/cache_table.h"
 
 namespace lentray::shadow {
@@ -67,11 +68,11 @@ class Asker {
 template <class Cache>
 class CachedTester final : public core::ShadowTester {
  public:
-  explicit CachedTester(const core::ShadowContext& context)
-      : m_plain(context), m_cache(*context.scene), m_asker(m_cache, m_plain) {}
+  explicit CachedTester(core::ThreadContext& context)
+      : m_plain(context), m_cache(context.scene), m_asker(m_cache, m_plain) {}
 
   core::Visibility visibility(const core::ShadowQuery& query) override {
-    core::ShadowCounts& counts = m_plain.context().counters->lights[query.light];
+    core::ShadowCounts& counts = m_plain.context().counters.lights[query.light];
     ++counts.rays;
     return m_asker.visibility(query, counts);
   }

@@ -7,7 +7,7 @@
 #include <array>
 #include <cstdint>
 
-#include "core/render/shadow_tester.h"
+#include "core/trace/shadow_tester.h"
 
 namespace lentray::shadow {
 

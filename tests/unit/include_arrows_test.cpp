@@ -30,7 +30,7 @@ const std::vector<std::string> kRooms{
     "core/base",     "core/numeric",     "core/bvh",           "core/noise",
     "core/function", "core/pattern",     "core/image",         "core/image/openimageio",
     "core/shape",    "core/object",      "core/accel",         "core/light",
-    "core/material", "core/scene",       "core/render",        "camera",
+    "core/material", "core/scene",       "core/trace",       "core/render",        "camera",
     "shadow",        "shadow/hit_model", "parser/base",        "parser/files",
     "parser/source", "parser/options",   "parser/restrictions", "parser/tokens",
     "parser/values", "parser/descriptions", "parser/dump",     "parser/interpreter",

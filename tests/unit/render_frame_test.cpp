@@ -14,8 +14,8 @@
 #include <thread>
 
 #include "core/object/leaf.h"
-#include "core/render/plain_shadow_tester.h"
 #include "core/shape/sphere.h"
+#include "core/trace/plain_shadow_tester.h"
 
 using namespace lentray::core;
 

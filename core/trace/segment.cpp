@@ -1,4 +1,4 @@
-#include "core/render/air.h"
+#include "core/trace/segment.h"
 
 #include <algorithm>
 #include <cmath>
@@ -51,7 +51,7 @@ void pass_fogs(const std::vector<Fog>& fogs, const Ray& ray, double depth, Radia
 }
 
 /// Where in its band the ray is, 0..1, or less than 0; and how much the arc's end fades it.
-double place_in_band(const Rainbow& bow, const Ray& ray, const std::function<double()>& random,
+double place_in_band(const Rainbow& bow, const Ray& ray, SampleRandom& random,
                      double& fade) {
   const double x = dot(ray.direction, bow.right), y = dot(ray.direction, bow.up);
   const double around = std::sqrt(x * x + y * y);
@@ -60,7 +60,7 @@ double place_in_band(const Rainbow& bow, const Ray& ray, const std::function<dou
   const double ahead = dot(ray.direction, bow.antisolar);
   if (!(ahead >= 0.0)) return -1.0;
   double place = (std::acos(std::min(ahead, 1.0)) - bow.angle) / bow.width;
-  if (bow.jitter > 0.0) place += (2.0 * random() - 1.0) * bow.jitter;
+  if (bow.jitter > 0.0) place += (2.0 * random.next() - 1.0) * bow.jitter;
   if (!(place >= 0.0 && place <= 1.0 - kTiny)) return -1.0;
   fade = 0.0;
   const double fading = bow.arc_angle - bow.falloff_angle;
@@ -72,7 +72,7 @@ double place_in_band(const Rainbow& bow, const Ray& ray, const std::function<dou
 }
 
 void pass_rainbows(const std::vector<Rainbow>& rainbows, const Ray& ray, double depth,
-                   const std::function<double()>& random, Radiance& light) {
+                   SampleRandom& random, Radiance& light) {
   Rgb sum;
   float transmit = 1.0f;
   int met = 0;
@@ -104,10 +104,10 @@ void pass_rainbows(const std::vector<Rainbow>& rainbows, const Ray& ray, double 
 
 }  // namespace
 
-void pass_air(const Atmosphere& air, const Ray& ray, double depth,
-              const std::function<double()>& random, Radiance& light) {
-  if (!air.rainbows.empty()) pass_rainbows(air.rainbows, ray, depth, random, light);
-  if (!air.fogs.empty()) pass_fogs(air.fogs, ray, depth, light);
+void pass_segment(const Atmosphere& air, const Segment& segment, SampleRandom& random, Radiance& light) {
+  const auto& [ray, length] = segment;
+  if (!air.rainbows.empty()) pass_rainbows(air.rainbows, ray, length, random, light);
+  if (!air.fogs.empty()) pass_fogs(air.fogs, ray, length, light);
 }
 
 }  // namespace lentray::core

@@ -8,8 +8,8 @@
 #pragma once
 
 #include "core/base/vec3.h"
-#include "core/render/tracer.h"
 #include "core/scene/scene.h"
+#include "core/trace/radiance.h"
 
 namespace lentray::core {
 

@@ -1,9 +1,9 @@
-#include "core/render/sky.h"
+#include "core/trace/sky.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "core/render/reflectance.h"
+#include "core/trace/reflectance.h"
 
 namespace lentray::core {
 namespace {

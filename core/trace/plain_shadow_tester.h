@@ -9,8 +9,9 @@
 #include <vector>
 
 #include "core/material/texture.h"
-#include "core/render/interior_stack.h"
-#include "core/render/shadow_tester.h"
+#include "core/trace/interior_stack.h"
+#include "core/trace/shadow_tester.h"
+#include "core/trace/thread_context.h"
 
 namespace lentray::core {
 
@@ -19,10 +20,10 @@ class Hierarchy;
 class PlainShadowTester final : public ShadowTester {
  public:
   /// `count_hits`: what light buffers foresee counts as a hit of a cache, other blockers as misses.
-  explicit PlainShadowTester(const ShadowContext& context, bool count_hits = false);
+  explicit PlainShadowTester(ThreadContext& context, bool count_hits = false);
 
   Visibility visibility(const ShadowQuery& query) override {
-    ShadowCounts& counts = m_context.counters->lights[query.light];
+    ShadowCounts& counts = m_context.counters.lights[query.light];
     ++counts.rays;
     const Visibility seen = search(query);
     if (seen.blocker) ++counts.blocked;
@@ -37,9 +38,9 @@ class PlainShadowTester final : public ShadowTester {
   bool blocks(const Object& object, const ShadowQuery& query) const {
     const double reach = query.distance - m_tolerance;
     return reach > m_tolerance &&
-           object.any(query.ray, m_tolerance, reach, *m_context.arena);
+           object.any(query.ray, m_tolerance, reach, m_context.arena);
   }
-  const ShadowContext& context() const { return m_context; }
+  ThreadContext& context() const { return m_context; }
 
  private:
   /// Fills m_hits with the filtering surfaces up to `reach`.
@@ -54,7 +55,7 @@ class PlainShadowTester final : public ShadowTester {
                      const LightBuffer::Spot* spot, double reach, Counters* tests);
   Rgb surface_filter(const Hit& hit, const Ray& ray, double depth, bool inside);
 
-  ShadowContext m_context;
+  ThreadContext& m_context;
   double m_tolerance;  ///< kShadowTolerance in this scene
   const Hierarchy& m_hierarchy;
   Counters* m_test_counters;
@@ -75,7 +76,7 @@ class PlainShadowTester final : public ShadowTester {
 
 class PlainShadowTesterFactory final : public ShadowTesterFactory {
  public:
-  std::unique_ptr<ShadowTester> make(const ShadowContext& context) const override {
+  std::unique_ptr<ShadowTester> make(ThreadContext& context) const override {
     return std::make_unique<PlainShadowTester>(context);
   }
 };

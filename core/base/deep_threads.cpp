@@ -1,4 +1,4 @@
-#include "core/render/render_threads.h"
+#include "core/base/deep_threads.h"
 
 #include <pthread.h>
 

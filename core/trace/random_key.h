@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 namespace lentray::core {
 
@@ -44,6 +45,25 @@ class RandomSequence {
 
  private:
   std::uint64_t m_state;
+};
+
+/// The numbers of one sample, of one use; the sequence begins when the first is asked for.
+class SampleRandom {
+ public:
+  explicit SampleRandom(RandomSequence::Use use) : m_use(use) {}
+  void begin(std::uint64_t key) {
+    m_key = key;
+    m_sequence.reset();
+  }
+  double next() {
+    if (!m_sequence) m_sequence.emplace(m_key, m_use);
+    return m_sequence->next();
+  }
+
+ private:
+  RandomSequence::Use m_use;
+  std::uint64_t m_key = 0;
+  std::optional<RandomSequence> m_sequence;
 };
 
 }  // namespace lentray::core

@@ -96,6 +96,13 @@ Rgb metal_highlight(const Finish& finish, const Illumination& on);
 Rgb film_tint(const Finish& finish, double thickness, const Vec3& wavelengths, const Vec3& normal,
               const Vec3& from_light, const Vec3& eye);
 
+/// How thick the film is at a point (`irid { turbulence }`), world space.
+double film_thickness(const Finish& finish, const Vec3& point, int noise_generator);
+
+/// The mirrored direction of a ray at a layer's normal, not unit. A perturbed normal may send it through
+/// the real surface: `surface_normal` sends it back.
+Vec3 mirrored(const Vec3& incoming, const Vec3& normal, const Vec3& surface_normal);
+
 /// Ratio of interiors as the Fresnel formula takes it: beyond the surface over before it.
 struct Reflectivity {
   Rgb colour;

@@ -3,8 +3,10 @@
 // must give the same answer to the same query, whatever was asked before.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 
 #include "core/accel/light_buffer.h"
 #include "core/base/color.h"
@@ -13,8 +15,8 @@
 
 namespace lentray::core {
 
-class Scene;
 class InteriorStack;
+struct ThreadContext;
 
 inline constexpr std::uint32_t kTreePlaces = 64;
 
@@ -42,21 +44,18 @@ class ShadowTester {
  public:
   virtual ~ShadowTester() = default;
   virtual Visibility visibility(const ShadowQuery& query) = 0;
-};
-
-/// What a thread's tester works with; outlives it.
-struct ShadowContext {
-  const Scene* scene = nullptr;
-  HitArena* arena = nullptr;
-  Counters* counters = nullptr;  ///< never null; tests by type only if count_tests
-  bool count_tests = false;
+  /// Of a block of queries, one after the other.
+  virtual void visibilities(std::span<const ShadowQuery> queries, std::span<Visibility> out) {
+    for (std::size_t i = 0; i < queries.size(); ++i) out[i] = visibility(queries[i]);
+  }
 };
 
 /// Makes one tester a thread (const: called from many threads).
 class ShadowTesterFactory {
  public:
   virtual ~ShadowTesterFactory() = default;
-  virtual std::unique_ptr<ShadowTester> make(const ShadowContext& context) const = 0;
+  /// The context outlives the tester.
+  virtual std::unique_ptr<ShadowTester> make(ThreadContext& context) const = 0;
   /// The same without what watches its testers and keeps what it saw.
   virtual const ShadowTesterFactory& unwatched() const { return *this; }
 };

@@ -1,6 +1,6 @@
 // The tracer on small hand-made scenes: figures known from the formulae, paths that agree bit by
 // bit, and shadow caches that never change the picture.
-#include "core/render/tracer.h"
+#include "core/trace/integrator.h"
 
 #include <gtest/gtest.h>
 
@@ -10,11 +10,12 @@
 #include <string>
 
 #include "core/object/leaf.h"
-#include "core/render/path_tracer.h"
-#include "core/render/plain_shadow_tester.h"
 #include "core/shape/box.h"
 #include "core/shape/plane.h"
 #include "core/shape/sphere.h"
+#include "core/trace/path_integrator.h"
+#include "core/trace/plain_shadow_tester.h"
+#include "core/trace/thread_context.h"
 #include "shadow/cache_policy.h"
 #include "shadow/direction_policy.h"
 #include "shadow/neighbourhood.h"
@@ -100,16 +101,17 @@ struct Builder {
 struct Kit {
   explicit Kit(const Scene& s, const std::string& cache = "off")
       : scene(s),
-        tester(shadow::make_tester_factory(cache)->make({&s, &arena, &counters, false})),
-        tracer(Tracer::make(s, *tester, arena, counters, false)) {}
+        context(s, false),
+        tester(shadow::make_tester_factory(cache)->make(context)),
+        tracer(Integrator::make(context, *tester)) {}
   Radiance look(const Vec3& from, const Vec3& along, Pixel pixel = {}) {
     return tracer->trace({from, normalized(along)}, pixel);
   }
   const Scene& scene;
-  HitArena arena;
-  Counters counters;
+  ThreadContext context;
+  Counters& counters = context.counters;
   std::unique_ptr<ShadowTester> tester;
-  std::unique_ptr<Tracer> tracer;
+  std::unique_ptr<Integrator> tracer;
 };
 
 Colour rgb(float r, float g, float b) { return {{r, g, b}, 0.0f, 0.0f}; }
@@ -166,7 +168,7 @@ void furnish(Builder& b, bool transparency, bool reflection, bool layers, bool a
 
 constexpr std::uint32_t kWide = 48, kHigh = 36;
 
-std::vector<Radiance> picture(Tracer& tracer, const std::string& order_name = "rows") {
+std::vector<Radiance> picture(Integrator& tracer, const std::string& order_name = "rows") {
   std::vector<Radiance> out(kWide * kHigh);
   std::vector<Pixel> pixels;
   const auto order = shadow::make_order(order_name, kWide, kHigh);
@@ -187,7 +189,7 @@ bool same(const std::vector<Radiance>& a, const std::vector<Radiance>& b) {
   return a.size() == b.size();
 }
 
-TEST(UnitCoreTracer, DiffuseLightOfAKnownAngle) {
+TEST(UnitCoreIntegrator, DiffuseLightOfAKnownAngle) {
   Builder b;
   b.add(std::make_unique<Plane>(Vec3{0, 1, 0}, 0.0), b.plain(rgb(0.5f, 0.25f, 1.0f)));
   b.light({3, 4, 0});
@@ -198,7 +200,7 @@ TEST(UnitCoreTracer, DiffuseLightOfAKnownAngle) {
   EXPECT_FLOAT_EQ(seen.transmit, 0.0f);
 }
 
-TEST(UnitCoreTracer, NothingIsHit) {
+TEST(UnitCoreIntegrator, NothingIsHit) {
   Builder b;
   b.parts.settings.background = rgb(0.1f, 0.2f, 0.3f);
   const auto scene = b.compile();
@@ -215,7 +217,7 @@ TEST(UnitCoreTracer, NothingIsHit) {
   EXPECT_FLOAT_EQ(layer.transmit, 0.75f);
 }
 
-TEST(UnitCoreTracer, ShadowsAreColouredByWhatTheyPass) {
+TEST(UnitCoreIntegrator, ShadowsAreColouredByWhatTheyPass) {
   Builder b;
   b.add(std::make_unique<Plane>(Vec3{0, 1, 0}, 0.0), b.plain(rgb(1, 1, 1)));
   b.add(std::make_unique<Box>(Vec3{-1, 1, -1}, Vec3{1, 1.5, 1}),
@@ -231,7 +233,7 @@ TEST(UnitCoreTracer, ShadowsAreColouredByWhatTheyPass) {
   EXPECT_EQ(kit.counters.lights[0].blocked, 0u);
 }
 
-TEST(UnitCoreTracer, SurfacesWithinTheToleranceFilterOnce) {
+TEST(UnitCoreIntegrator, SurfacesWithinTheToleranceFilterOnce) {
   Builder b;
   b.add(std::make_unique<Plane>(Vec3{0, 1, 0}, 0.0), b.plain(rgb(1, 1, 1)));
   b.add(std::make_unique<Box>(Vec3{-1, 1, -1}, Vec3{1, 1.0005, 1}), b.plain({Rgb(0.5f), 1, 0}));
@@ -240,7 +242,7 @@ TEST(UnitCoreTracer, SurfacesWithinTheToleranceFilterOnce) {
   EXPECT_NEAR(Kit(*scene).look({0, 0.5, 0}, {0, -1, 0}).rgb.r, 0.5, 1e-5);
 }
 
-TEST(UnitCoreTracer, TotalReflectionBeyondTheCriticalAngle) {
+TEST(UnitCoreIntegrator, TotalReflectionBeyondTheCriticalAngle) {
   // From within glass that fills y < 0, looking up at 60 degrees from the normal: ior 2 mirrors.
   Builder b;
   b.parts.settings.background = rgb(1, 0, 0);
@@ -260,7 +262,7 @@ TEST(UnitCoreTracer, TotalReflectionBeyondTheCriticalAngle) {
   EXPECT_FLOAT_EQ(out.rgb.r, 0.5f) << "filtered";
 }
 
-TEST(UnitCoreTracer, RefractionFollowsSnell) {
+TEST(UnitCoreIntegrator, RefractionFollowsSnell) {
   // Down through glass whose floor glows in stripes of one third: find where the ray lands.
   for (const double x : {0.2, 0.5, 0.7}) {
     Builder b;
@@ -284,7 +286,7 @@ TEST(UnitCoreTracer, RefractionFollowsSnell) {
   }
 }
 
-TEST(UnitCoreTracer, LevelsEndInBlack) {
+TEST(UnitCoreIntegrator, LevelsEndInBlack) {
   Builder b;
   Finish mirror = dull();
   mirror.diffuse = 0;
@@ -300,7 +302,7 @@ TEST(UnitCoreTracer, LevelsEndInBlack) {
   EXPECT_EQ(kit.counters.reflected_rays, 3u) << "the last one is stopped before it is traced";
 }
 
-TEST(UnitCoreTracer, EveryPathThatHoldsTheSceneGivesTheSameBits) {
+TEST(UnitCoreIntegrator, EveryPathThatHoldsTheSceneGivesTheSameBits) {
   for (unsigned what = 0; what < kAllPaths; ++what) {
     Builder b;
     furnish(b, what & kPathTransparency, what & kPathReflection, what & kPathLayers,
@@ -311,11 +313,9 @@ TEST(UnitCoreTracer, EveryPathThatHoldsTheSceneGivesTheSameBits) {
     std::vector<Radiance> reference;
     for (unsigned features = 0; features < kAllPaths; ++features) {
       if ((features & needed) != needed) continue;
-      HitArena arena;
-      Counters counters;
-      PlainShadowTester tester({scene.get(), &arena, &counters, false});
-      const auto tracer =
-          make_path_tracer(features, *scene, tester, arena, counters, false);
+      ThreadContext context(*scene, false);
+      PlainShadowTester tester(context);
+      const auto tracer = make_path_integrator(features, context, tester);
       const std::vector<Radiance> seen = picture(*tracer);
       if (reference.empty()) reference = seen;
       EXPECT_TRUE(same(seen, reference)) << "scene " << what << ", path " << features;
@@ -323,7 +323,7 @@ TEST(UnitCoreTracer, EveryPathThatHoldsTheSceneGivesTheSameBits) {
   }
 }
 
-TEST(UnitCoreTracer, GeneralAndSpecialisedScenesGiveTheSameBits) {
+TEST(UnitCoreIntegrator, GeneralAndSpecialisedScenesGiveTheSameBits) {
   for (unsigned what = 0; what < kAllPaths; ++what) {
     std::vector<Radiance> seen[2];
     for (const bool general : {false, true}) {

@@ -1,4 +1,4 @@
-#include "core/render/plain_shadow_tester.h"
+#include "core/trace/plain_shadow_tester.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,10 +6,10 @@
 #include "core/accel/hierarchy.h"
 #include "core/accel/light_buffer.h"
 #include "core/object/leaf.h"
-#include "core/render/reflectance.h"
-#include "core/render/surface_textures.h"
 #include "core/scene/scene.h"
 #include "core/scene/tolerances.h"
+#include "core/trace/reflectance.h"
+#include "core/trace/surface_textures.h"
 
 namespace lentray::core {
 namespace {
@@ -28,24 +28,21 @@ double entry_distance(const Bounds& box, const Ray& ray) {
 
 }  // namespace
 
-PlainShadowTester::PlainShadowTester(const ShadowContext& context, bool count_hits)
+PlainShadowTester::PlainShadowTester(ThreadContext& context, bool count_hits)
     : m_context(context),
-      m_tolerance(kShadowTolerance * context.scene->tolerance_scale()),
-      m_hierarchy(context.scene->hierarchy()),
-      m_test_counters(context.count_tests ? context.counters : nullptr),
-      m_any_transparent(context.scene->needs().transparent_shadows),
-      m_begins_anew(context.scene->needs().shadows_begin_anew),
-      m_interiors(context.scene->needs().interiors),
+      m_tolerance(kShadowTolerance * context.scene.tolerance_scale()),
+      m_hierarchy(context.scene.hierarchy()),
+      m_test_counters(context.tests),
+      m_any_transparent(context.scene.needs().transparent_shadows),
+      m_begins_anew(context.scene.needs().shadows_begin_anew),
+      m_interiors(context.scene.needs().interiors),
       m_counts_hits(count_hits),
-      m_bailout(context.scene->settings().adc_bailout) {
-  const std::size_t lights = context.scene->lights().size();
-  if (context.counters->lights.size() < lights) context.counters->lights.resize(lights);
-}
+      m_bailout(context.scene.settings().adc_bailout) {}
 
 Visibility PlainShadowTester::search(const ShadowQuery& query, Counters* tests) {
   const double reach = query.distance - m_tolerance;
   if (!(reach > m_tolerance)) return {};
-  const LightBuffer* buffer = m_context.scene->light_buffer(query.light);
+  const LightBuffer* buffer = m_context.scene.light_buffer(query.light);
   const LightBuffer::Spot* spot = query.spot;
   if (buffer && !spot) {
     buffer->locate(query.ray.origin, m_spot);
@@ -55,15 +52,15 @@ Visibility PlainShadowTester::search(const ShadowQuery& query, Counters* tests) 
   const Object* blocker = nullptr;
   if (buffer) {
     const LightBuffer::Answer answer =
-        buffer->any_opaque(*spot, query.ray, m_tolerance, reach, *m_context.arena, tests);
+        buffer->any_opaque(*spot, query.ray, m_tolerance, reach, m_context.arena, tests);
     blocker = answer.blocker;
     if (blocker && m_counts_hits) {
-      ShadowCounts& counts = m_context.counters->lights[query.light];
+      ShadowCounts& counts = m_context.counters.lights[query.light];
       ++(answer.foreseen ? counts.hits : counts.misses);
     }
   } else {
     blocker =
-        m_hierarchy.any_opaque(query.ray, m_tolerance, reach, *m_context.arena, tests);
+        m_hierarchy.any_opaque(query.ray, m_tolerance, reach, m_context.arena, tests);
   }
   if (blocker) return {Rgb(0.0f), blocker};
   if (!m_any_transparent) return {};
@@ -92,9 +89,9 @@ void PlainShadowTester::order_ties(const Ray& ray) {
                                                                    Counters* tests) {
   m_hits.clear();
   if (buffer) {
-    buffer->all_transparent(*spot, ray, m_tolerance, reach, m_hits, *m_context.arena, tests);
+    buffer->all_transparent(*spot, ray, m_tolerance, reach, m_hits, m_context.arena, tests);
   } else {
-    m_hierarchy.all_transparent(ray, m_tolerance, reach, m_hits, *m_context.arena, tests);
+    m_hierarchy.all_transparent(ray, m_tolerance, reach, m_hits, m_context.arena, tests);
   }
 }
 

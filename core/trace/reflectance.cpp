@@ -1,7 +1,9 @@
-#include "core/render/reflectance.h"
+#include "core/trace/reflectance.h"
 
 #include <algorithm>
 #include <numbers>
+
+#include "core/noise/noise.h"
 
 namespace lentray::core {
 namespace {
@@ -72,6 +74,23 @@ Reflectivity reflectivity(const Finish& finish, double cosine, double relative_i
     result.colour *= metal_tint(finish.reflection_metallic, cosine, pigment);
   }
   return result;
+}
+
+double film_thickness(const Finish& finish, const Vec3& point, int noise_generator) {
+  if (finish.irid_turbulence == 0.0) return finish.irid_thickness;
+  const Turbulence uneven{{1, 1, 1}, 5, 2.0, 0.5};
+  const double noise = 2.0 * turbulence(point, uneven, noise_generator) - 1.0;
+  return finish.irid_thickness * (1.0 + noise * finish.irid_turbulence);
+}
+
+Vec3 mirrored(const Vec3& incoming, const Vec3& normal, const Vec3& surface_normal) {
+  const Vec3 out = incoming + normal * (-2.0 * dot(incoming, normal));
+  const double through = dot(out, surface_normal);
+  if (!(through < 0.0)) return out;
+  if (dot(out, normal) < 0.0) {
+    return incoming + surface_normal * (-2.0 * dot(incoming, surface_normal));
+  }
+  return out + surface_normal * (-2.0 * through);
 }
 
 Rgb film_tint(const Finish& finish, double thickness, const Vec3& wavelengths, const Vec3& normal,

@@ -6,8 +6,8 @@
 
 #include <vector>
 
-#include "core/render/interior_stack.h"
 #include "core/scene/scene.h"
+#include "core/trace/interior_stack.h"
 
 namespace lentray::core {
 

@@ -1,4 +1,4 @@
-#include "core/render/surface_textures.h"
+#include "core/trace/surface_textures.h"
 
 #include <typeinfo>
 

@@ -79,6 +79,15 @@ class InteriorStack {
   std::array<InteriorEntry, kCapacity> m_entries;
 };
 
+/// Changes the stack as a ray passes the surface of that interior; the ior before it over the ior behind.
+/// Nested objects count as cut out of those around them. Where objects overlap, the one that was entered
+/// last fills the overlap, and leaving the other one there bends nothing.
+double enter(const InteriorEntry& entry, double atmosphere_ior, InteriorStack& inside);
+
+/// For the Fresnel term: the ior behind the surface over the ior before it. Leaving a nested object
+/// compares with the innermost interior, which is most often the object itself, as in stock.
+double relative_ior(const InteriorEntry& entry, const InteriorStack& inside, double atmosphere_ior);
+
 /// What is left of light after `depth` in an interior, as seen by rays (shadows need a fade power).
 Rgb fade_in_interior(const Interior& interior, double depth);
 
