@@ -10,13 +10,11 @@
 
 namespace lentray::shadow {
 
-/// Asks a cache, and what the cache does not know searches for. `kWatched`: sums what the probes in
-/// vain cost, in units of core/accel/test_cost.h, one sum a light. All must outlive it.
-template <class Cache, bool kWatched = false>
+/// Asks a cache, and what the cache does not know searches for. Both must outlive it.
+template <class Cache>
 class Asker {
  public:
-  Asker(Cache& cache, core::PlainShadowTester& plain, double* vain = nullptr)
-      : m_cache(cache), m_plain(plain), m_vain(vain) {}
+  Asker(Cache& cache, core::PlainShadowTester& plain) : m_cache(cache), m_plain(plain) {}
 
   /// The cache's answer where it has entries worth a look, else the full search's, which the cache
   /// then knows. The ray is counted already.
@@ -35,11 +33,8 @@ class Asker {
                                                  const core::ShadowQuery& query,
                                                  core::ShadowCounts& counts) {
     Tried tried;
-    const core::Object* entry = m_cache.probe(query, spot, tried, [&](const core::Object& asked) {
-      if (m_plain.blocks(asked, query)) return true;
-      if constexpr (kWatched) m_vain[query.light] += asked.test_cost();
-      return false;
-    });
+    const core::Object* entry = m_cache.probe(
+        query, spot, tried, [&](const core::Object& asked) { return m_plain.blocks(asked, query); });
     const std::size_t failed = tried.count();
     counts.misses += failed;
     counts.probes += failed;
@@ -62,7 +57,6 @@ class Asker {
 
   Cache& m_cache;
   core::PlainShadowTester& m_plain;
-  double* const m_vain;
 };
 
 template <class Cache>

@@ -22,20 +22,6 @@ class Factory final : public core::ShadowTesterFactory {
   }
 };
 
-/// Where every light has a light buffer, which foresees what blocks, nothing is left to decide.
-class AutoFactory final : public core::ShadowTesterFactory {
- public:
-  std::unique_ptr<core::ShadowTester> make(core::ThreadContext& context) const override {
-    const auto& lights = context.scene.lights();
-    for (std::size_t i = 0; i < lights.size(); ++i) {
-      if (!lights[i].shadowless && !context.scene.light_buffer(i)) {
-        return std::make_unique<AutoTester>(context);
-      }
-    }
-    return std::make_unique<core::PlainShadowTester>(context, true);
-  }
-};
-
 struct Entry {
   std::string_view name;
   std::unique_ptr<core::ShadowTesterFactory> (*make)();
@@ -52,7 +38,7 @@ constexpr Entry entry_of() {
 }
 
 constexpr Entry kTesters[] = {
-    {AutoTester::kName, make_one<AutoFactory>},
+    {AutoTester::kName, make_one<Factory<AutoTester>>},
     {"off", make_one<core::PlainShadowTesterFactory>},
     entry_of<CacheTable<LastPolicy>>(),
     entry_of<CacheTable<DepthPolicy>>(),

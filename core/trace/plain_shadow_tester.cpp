@@ -39,7 +39,7 @@ PlainShadowTester::PlainShadowTester(ThreadContext& context, bool count_hits)
       m_counts_hits(count_hits),
       m_bailout(context.scene.settings().adc_bailout) {}
 
-Visibility PlainShadowTester::search(const ShadowQuery& query, Counters* tests) {
+Visibility PlainShadowTester::search(const ShadowQuery& query) {
   const double reach = query.distance - m_tolerance;
   if (!(reach > m_tolerance)) return {};
   const LightBuffer* buffer = m_context.scene.light_buffer(query.light);
@@ -52,7 +52,7 @@ Visibility PlainShadowTester::search(const ShadowQuery& query, Counters* tests) 
   const Object* blocker = nullptr;
   if (buffer) {
     const LightBuffer::Answer answer =
-        buffer->any_opaque(*spot, query.ray, m_tolerance, reach, m_context.arena, tests);
+        buffer->any_opaque(*spot, query.ray, m_tolerance, reach, m_context.arena, m_test_counters);
     blocker = answer.blocker;
     if (blocker && m_counts_hits) {
       ShadowCounts& counts = m_context.counters.lights[query.light];
@@ -60,11 +60,11 @@ Visibility PlainShadowTester::search(const ShadowQuery& query, Counters* tests) 
     }
   } else {
     blocker =
-        m_hierarchy.any_opaque(query.ray, m_tolerance, reach, m_context.arena, tests);
+        m_hierarchy.any_opaque(query.ray, m_tolerance, reach, m_context.arena, m_test_counters);
   }
   if (blocker) return {Rgb(0.0f), blocker};
   if (!m_any_transparent) return {};
-  return {filter_through(query, buffer, spot, reach, tests), nullptr};
+  return {filter_through(query, buffer, spot, reach), nullptr};
 }
 
 /// Of surfaces at one distance comes first that of the object whose box the ray enters first, as
@@ -85,13 +85,13 @@ void PlainShadowTester::order_ties(const Ray& ray) {
 }
 
 [[gnu::always_inline]] inline void PlainShadowTester::find_filters(const Ray& ray, const LightBuffer* buffer,
-                                                                   const LightBuffer::Spot* spot, double reach,
-                                                                   Counters* tests) {
+                                                                   const LightBuffer::Spot* spot,
+                                                                   double reach) {
   m_hits.clear();
   if (buffer) {
-    buffer->all_transparent(*spot, ray, m_tolerance, reach, m_hits, m_context.arena, tests);
+    buffer->all_transparent(*spot, ray, m_tolerance, reach, m_hits, m_context.arena, m_test_counters);
   } else {
-    m_hierarchy.all_transparent(ray, m_tolerance, reach, m_hits, m_context.arena, tests);
+    m_hierarchy.all_transparent(ray, m_tolerance, reach, m_hits, m_context.arena, m_test_counters);
   }
 }
 
@@ -105,9 +105,8 @@ void PlainShadowTester::order_filters(const Ray& ray) {
 }
 
 Rgb PlainShadowTester::filter_through(const ShadowQuery& query, const LightBuffer* buffer,
-                                      const LightBuffer::Spot* spot, double reach,
-                                      Counters* tests) {
-  find_filters(query.ray, buffer, spot, reach, tests);
+                                      const LightBuffer::Spot* spot, double reach) {
+  find_filters(query.ray, buffer, spot, reach);
   if (m_hits.empty()) return Rgb(1.0f);
   m_inside.clear();
   if (m_interiors && query.inside) m_inside = *query.inside;
@@ -117,7 +116,7 @@ Rgb PlainShadowTester::filter_through(const ShadowQuery& query, const LightBuffe
   for (Ray ray = query.ray; !filter.is_black(); last = filter_found(ray, filter)) {
     ray.origin = ray.at(last);
     reach -= last;
-    find_filters(ray, buffer, spot, reach, tests);
+    find_filters(ray, buffer, spot, reach);
     if (m_hits.empty()) break;
   }
   return filter;

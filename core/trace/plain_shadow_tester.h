@@ -31,9 +31,7 @@ class PlainShadowTester final : public ShadowTester {
   }
 
   /// The full search, not counted as a ray.
-  Visibility search(const ShadowQuery& query) { return search(query, m_test_counters); }
-  /// The same, its tests counted there (null: nowhere).
-  Visibility search(const ShadowQuery& query, Counters* tests);
+  Visibility search(const ShadowQuery& query);
   /// The same test against one opaque object of the scene: whether it alone blocks the query.
   bool blocks(const Object& object, const ShadowQuery& query) const {
     const double reach = query.distance - m_tolerance;
@@ -44,15 +42,14 @@ class PlainShadowTester final : public ShadowTester {
 
  private:
   /// Fills m_hits with the filtering surfaces up to `reach`.
-  void find_filters(const Ray& ray, const LightBuffer* buffer, const LightBuffer::Spot* spot, double reach,
-                    Counters* tests);
+  void find_filters(const Ray& ray, const LightBuffer* buffer, const LightBuffer::Spot* spot, double reach);
   double filter_found(const Ray& ray, Rgb& filter);
   /// Fills m_order.
   void order_filters(const Ray& ray);
   void order_ties(const Ray& ray);
   /// `buffer`: of the light, with the `spot` there, or null.
   Rgb filter_through(const ShadowQuery& query, const LightBuffer* buffer,
-                     const LightBuffer::Spot* spot, double reach, Counters* tests);
+                     const LightBuffer::Spot* spot, double reach);
   Rgb surface_filter(const Hit& hit, const Ray& ray, double depth, bool inside);
 
   ThreadContext& m_context;
