@@ -3,8 +3,9 @@
 #include <memory>
 
 #include "core/accel/hierarchy.h"
-#include "core/render/tracer.h"
+#include "core/object/leaf.h"
 #include "core/scene/scene.h"
+#include "core/scene/tolerances.h"
 
 namespace lentray::camera {
 

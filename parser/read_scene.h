@@ -7,10 +7,10 @@
 #include <string>
 
 #include "core/scene/scene.h"
-#include "parser/build/scene.h"
+#include "parser/compile/scene.h"
 #include "parser/descriptions/scene.h"
-#include "parser/diagnostics.h"
-#include "parser/parser.h"
+#include "parser/interpreter/parser.h"
+#include "parser/source/diagnostics.h"
 
 namespace lentray::parser {
 

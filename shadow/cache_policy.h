@@ -17,8 +17,8 @@
 #include <cstddef>
 #include <string_view>
 
-#include "core/render/shadow_tester.h"
 #include "core/scene/scene.h"
+#include "core/trace/shadow_tester.h"
 
 namespace lentray::shadow {
 

@@ -11,7 +11,7 @@
 #include <memory>
 #include <new>
 
-#include "core/render/plain_shadow_tester.h"
+#include "core/trace/plain_shadow_tester.h"
 #include "shadow/cache_policy.h"
 
 namespace lentray::shadow {

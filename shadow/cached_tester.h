@@ -4,18 +4,17 @@
 // shared.
 #pragma once
 
-#include "core/render/plain_shadow_tester.h"
+#include "core/trace/plain_shadow_tester.h"
+#include "core/trace/thread_context.h"
 #include "shadow/cache_table.h"
 
 namespace lentray::shadow {
 
-/// Asks a cache, and what the cache does not know searches for. `kWatched`: sums what the probes in
-/// vain cost, in units of core/accel/test_cost.h, one sum a light. All must outlive it.
-template <class Cache, bool kWatched = false>
+/// Asks a cache, and what the cache does not know searches for. Both must outlive it.
+template <class Cache>
 class Asker {
  public:
-  Asker(Cache& cache, core::PlainShadowTester& plain, double* vain = nullptr)
-      : m_cache(cache), m_plain(plain), m_vain(vain) {}
+  Asker(Cache& cache, core::PlainShadowTester& plain) : m_cache(cache), m_plain(plain) {}
 
   /// The cache's answer where it has entries worth a look, else the full search's, which the cache
   /// then knows. The ray is counted already.
@@ -34,11 +33,8 @@ class Asker {
                                                  const core::ShadowQuery& query,
                                                  core::ShadowCounts& counts) {
     Tried tried;
-    const core::Object* entry = m_cache.probe(query, spot, tried, [&](const core::Object& asked) {
-      if (m_plain.blocks(asked, query)) return true;
-      if constexpr (kWatched) m_vain[query.light] += asked.test_cost();
-      return false;
-    });
+    const core::Object* entry = m_cache.probe(
+        query, spot, tried, [&](const core::Object& asked) { return m_plain.blocks(asked, query); });
     const std::size_t failed = tried.count();
     counts.misses += failed;
     counts.probes += failed;
@@ -61,17 +57,16 @@ class Asker {
 
   Cache& m_cache;
   core::PlainShadowTester& m_plain;
-  double* const m_vain;
 };
 
 template <class Cache>
 class CachedTester final : public core::ShadowTester {
  public:
-  explicit CachedTester(const core::ShadowContext& context)
-      : m_plain(context), m_cache(*context.scene), m_asker(m_cache, m_plain) {}
+  explicit CachedTester(core::ThreadContext& context)
+      : m_plain(context), m_cache(context.scene), m_asker(m_cache, m_plain) {}
 
   core::Visibility visibility(const core::ShadowQuery& query) override {
-    core::ShadowCounts& counts = m_plain.context().counters->lights[query.light];
+    core::ShadowCounts& counts = m_plain.context().counters.lights[query.light];
     ++counts.rays;
     return m_asker.visibility(query, counts);
   }

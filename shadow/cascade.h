@@ -18,7 +18,7 @@ class Cascade {
  public:
   static constexpr std::string_view kName = "cascade";
   explicit Cascade(const core::Scene& scene)
-      : m_scene(scene), m_around(scene), m_uses(scene.lights().size()) {}
+      : m_scene(scene), m_around(scene) {}
 
   using Spot = Neighbourhood::Spot;
   Spot spot(const core::ShadowQuery& query) { return m_around.spot(query); }
@@ -27,14 +27,8 @@ class Cascade {
   const core::Object* probe(const core::ShadowQuery& query, const Spot& spot, Tried& tried,
                             Ask&& ask) {
     if (const core::Object* entry = m_around.probe(query, spot, tried, ask)) return entry;
-    GridUse& use = m_uses[query.light];
     find_cells(query);
-    ++use.asked;
-    const std::size_t before = tried.count();
-    const core::Object* entry = probe_cells(tried, ask);
-    if (entry) ++use.hits;
-    use.misses += tried.count() - before;
-    return entry;
+    return probe_cells(tried, ask);
   }
   void found(const core::ShadowQuery& query, const Spot& spot, const core::Object* blocker) {
     m_around.found(query, spot, blocker);
@@ -49,15 +43,6 @@ class Cascade {
     }
     m_cells_known = false;
   }
-
-  /// Without the grid.
-  Neighbourhood& around() { return m_around; }
-  bool has_cells() const { return m_grid.has_value(); }  ///< setting them up takes a while
-  /// Of a light: what came of asking the grid.
-  struct GridUse {
-    std::uint64_t asked = 0, hits = 0, misses = 0;  ///< misses: probes in vain
-  };
-  const GridUse& grid_use(std::size_t light) const { return m_uses[light]; }
 
  private:
   template <class Ask>
@@ -79,7 +64,6 @@ class Cascade {
 
   const core::Scene& m_scene;
   Neighbourhood m_around;
-  std::vector<GridUse> m_uses;  ///< one a light
   std::optional<DirectionPolicy> m_grid;  ///< none before it is used
   Entries m_entries;
   Keys<3> m_cells{};          ///< of this query

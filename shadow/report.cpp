@@ -11,7 +11,7 @@ json counts_json(const core::ShadowCounts& counts) {
   return {{"rays", counts.rays},
           {"blocked", counts.blocked},
           {"cache", {{"probes", counts.probes}, {"hits", counts.hits}, {"misses", counts.misses}}},
-          {"auto", {{"measured", counts.measured}, {"cached", counts.cached}}}};
+          {"auto", {{"cached", counts.cached}}}};
 }
 
 json lens_json(const LensReport& lens) {

@@ -4,6 +4,7 @@
 #include <bit>
 
 #include "core/scene/scene.h"
+#include "core/trace/thread_context.h"
 
 namespace lentray::shadow {
 
@@ -27,9 +28,9 @@ void LightRuns::add(const LightRuns& other) {
 class RunLog::Tester final : public core::ShadowTester {
  public:
   Tester(const RunLog& log, std::unique_ptr<core::ShadowTester> tester,
-         const core::ShadowContext& context)
-      : m_log(log), m_tester(std::move(tester)), m_counters(*context.counters),
-        m_lights(context.scene->lights().size()), m_current(m_lights.size(), 0) {}
+         core::ThreadContext& context)
+      : m_log(log), m_tester(std::move(tester)), m_counters(context.counters),
+        m_lights(context.scene.lights().size()), m_current(m_lights.size(), 0) {}
   ~Tester() override {
     for (std::size_t i = 0; i < m_lights.size(); ++i) end_run(i);
     m_log.take(m_lights);
@@ -69,7 +70,7 @@ class RunLog::Tester final : public core::ShadowTester {
   std::vector<std::uint64_t> m_current;
 };
 
-std::unique_ptr<core::ShadowTester> RunLog::make(const core::ShadowContext& context) const {
+std::unique_ptr<core::ShadowTester> RunLog::make(core::ThreadContext& context) const {
   return std::make_unique<Tester>(*this, m_testers.make(context), context);
 }
 

@@ -14,7 +14,7 @@
 #include <unordered_set>
 #include <vector>
 
-#include "core/render/shadow_tester.h"
+#include "core/trace/shadow_tester.h"
 
 namespace lentray::shadow {
 
@@ -26,7 +26,7 @@ struct LightRuns {
   std::uint64_t runs = 0, longest = 0;
   std::uint64_t blocked = 0, rays = 0;
   /// Tests of bounds and of primitives for all rays, a cache's probe counted as one; and those for
-  /// rays that the cache did not answer. Only where ShadowContext::count_tests is set.
+  /// rays that the cache did not answer. Only where ThreadContext::count_tests is set.
   std::uint64_t tests = 0, miss_tests = 0;
   std::unordered_set<const core::Object*> blockers;  ///< opaque ones
 
@@ -40,7 +40,7 @@ class RunLog final : public core::ShadowTesterFactory {
  public:
   /// Both must outlive the testers that are made.
   explicit RunLog(const core::ShadowTesterFactory& testers) : m_testers(testers) {}
-  std::unique_ptr<core::ShadowTester> make(const core::ShadowContext& context) const override;
+  std::unique_ptr<core::ShadowTester> make(core::ThreadContext& context) const override;
   const core::ShadowTesterFactory& unwatched() const override { return m_testers.unwatched(); }
   /// One a light of the scene; empty before a tester has gone away.
   const std::vector<LightRuns>& lights() const { return m_lights; }

@@ -4,15 +4,16 @@
 #include <vector>
 
 #include "core/scene/scene.h"
+#include "core/trace/thread_context.h"
 
 namespace lentray::shadow {
 
 class RunMeter::Tester final : public core::ShadowTester {
  public:
   Tester(const RunMeter& meter, std::unique_ptr<core::ShadowTester> tester,
-         const core::ShadowContext& context)
+         core::ThreadContext& context)
       : m_meter(meter), m_tester(std::move(tester)),
-        m_seen(context.scene->lights().size() * kSide * kSide) {}
+        m_seen(context.scene.lights().size() * kSide * kSide) {}
 
   core::Visibility visibility(const core::ShadowQuery& query) override {
     const core::Visibility seen = m_tester->visibility(query);
@@ -60,7 +61,7 @@ class RunMeter::Tester final : public core::ShadowTester {
   std::uint32_t m_rays = 0;
 };
 
-std::unique_ptr<core::ShadowTester> RunMeter::make(const core::ShadowContext& context) const {
+std::unique_ptr<core::ShadowTester> RunMeter::make(core::ThreadContext& context) const {
   return std::make_unique<Tester>(*this, m_testers.make(context), context);
 }
 

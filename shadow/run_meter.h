@@ -10,7 +10,7 @@
 #include <memory>
 #include <mutex>
 
-#include "core/render/shadow_tester.h"
+#include "core/trace/shadow_tester.h"
 
 namespace lentray::shadow {
 
@@ -22,7 +22,7 @@ class RunMeter final : public core::ShadowTesterFactory {
   /// `lens`: pixels from a lens to the next, 0 without a sheet. `testers` must outlive what is made.
   RunMeter(const core::ShadowTesterFactory& testers, std::uint32_t lens)
       : m_testers(testers), m_lens(lens) {}
-  std::unique_ptr<core::ShadowTester> make(const core::ShadowContext& context) const override;
+  std::unique_ptr<core::ShadowTester> make(core::ThreadContext& context) const override;
   const core::ShadowTesterFactory& unwatched() const override { return m_testers.unwatched(); }
 
   /// Pixels that a shadow goes on in that direction, on average of late; 0: nothing was seen yet.

@@ -2,8 +2,9 @@
 
 #include <stdexcept>
 
-#include "core/render/plain_shadow_tester.h"
 #include "core/scene/scene.h"
+#include "core/trace/plain_shadow_tester.h"
+#include "core/trace/thread_context.h"
 #include "shadow/auto_tester.h"
 #include "shadow/cached_tester.h"
 #include "shadow/cascade.h"
@@ -16,22 +17,8 @@ namespace {
 template <class Tester>
 class Factory final : public core::ShadowTesterFactory {
  public:
-  std::unique_ptr<core::ShadowTester> make(const core::ShadowContext& context) const override {
+  std::unique_ptr<core::ShadowTester> make(core::ThreadContext& context) const override {
     return std::make_unique<Tester>(context);
-  }
-};
-
-/// Where every light has a light buffer, which foresees what blocks, nothing is left to decide.
-class AutoFactory final : public core::ShadowTesterFactory {
- public:
-  std::unique_ptr<core::ShadowTester> make(const core::ShadowContext& context) const override {
-    const auto& lights = context.scene->lights();
-    for (std::size_t i = 0; i < lights.size(); ++i) {
-      if (!lights[i].shadowless && !context.scene->light_buffer(i)) {
-        return std::make_unique<AutoTester>(context);
-      }
-    }
-    return std::make_unique<core::PlainShadowTester>(context, true);
   }
 };
 
@@ -51,7 +38,7 @@ constexpr Entry entry_of() {
 }
 
 constexpr Entry kTesters[] = {
-    {AutoTester::kName, make_one<AutoFactory>},
+    {AutoTester::kName, make_one<Factory<AutoTester>>},
     {"off", make_one<core::PlainShadowTesterFactory>},
     entry_of<CacheTable<LastPolicy>>(),
     entry_of<CacheTable<DepthPolicy>>(),

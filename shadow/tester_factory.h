@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/render/shadow_tester.h"
+#include "core/trace/shadow_tester.h"
 
 namespace lentray::shadow {
 

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "core/accel/object_tree.h"
+#include "core/object/leaf.h"
 
 namespace lentray::core {
 namespace {
@@ -40,8 +41,6 @@ bool has_nan(const Bounds& b) {
   return any(b.lo) || any(b.hi);
 }
 
-/// Tests of one box among eight, and alone, as Counters::test_cost has them.
-constexpr double kPackedBox = 3.0, kSingleBox = 30.0;
 constexpr std::size_t kMaxTypes = 64;  // more kinds of objects than SDL has
 
 /// What a query counts; the other policy is empty and costs nothing.
@@ -156,10 +155,7 @@ struct AllSearch {
 struct Hierarchy::Impl {
   Impl(const std::vector<std::unique_ptr<Object>>& objects, Accelerator accelerator, bool portable);
 
-  std::vector<std::string> types;  ///< a name comes again where costs differ
-  std::vector<int> sizes;          ///< of the costs, powers of two
-  std::vector<double> type_costs;  ///< means of Object::test_cost, which is alike in a type
-  double box_cost = kPackedBox;
+  std::vector<std::string> types;
   std::uint8_t any_flags = 0;  ///< of any object
   std::size_t infinite = 0;
   std::optional<ObjectTree> all;
@@ -210,17 +206,13 @@ struct Hierarchy::Impl {
  private:
   void flush(const Tally& tally, Counters& counters) const;
   std::uint8_t type_of(const Object& object);
-  void average_costs(const std::vector<ObjectEntry>& entries);
 };
 
 void Hierarchy::Impl::flush(const Tally& tally, Counters& counters) const {
   counters.bounds_tests += tally.boxes;
-  counters.test_cost += box_cost * static_cast<double>(tally.boxes);
   for (std::size_t i = 0; i < types.size(); ++i) {
     if (tally.tests[i] == 0) continue;
     counters.primitive_tests += tally.tests[i];
-    counters.test_cost += tally.tests[i] * type_costs[i];
-    if (!counters.by_type) continue;
     const auto at = counters.tests_by_type.find(types[i]);
     if (at != counters.tests_by_type.end()) {
       at->second += tally.tests[i];
@@ -230,28 +222,15 @@ void Hierarchy::Impl::flush(const Tally& tally, Counters& counters) const {
   }
 }
 
-/// By name, and by cost within a factor of two.
 std::uint8_t Hierarchy::Impl::type_of(const Object& object) {
   std::string_view name = object.name();
-  const int size = std::ilogb(object.test_cost());
   for (std::size_t i = 0; i < types.size(); ++i) {
-    if (types[i] == name && sizes[i] == size) return static_cast<std::uint8_t>(i);
+    if (types[i] == name) return static_cast<std::uint8_t>(i);
   }
   if (types.size() == kMaxTypes) return kMaxTypes - 1;
   if (types.size() + 1 == kMaxTypes) name = "other";
   types.emplace_back(name);
-  sizes.push_back(size);
   return static_cast<std::uint8_t>(types.size() - 1);
-}
-
-void Hierarchy::Impl::average_costs(const std::vector<ObjectEntry>& entries) {
-  std::vector<double> number(types.size(), 0.0);
-  type_costs.assign(types.size(), 0.0);
-  for (const ObjectEntry& entry : entries) {
-    type_costs[entry.type] += entry.object->test_cost();
-    number[entry.type] += 1.0;
-  }
-  for (std::size_t i = 0; i < types.size(); ++i) type_costs[i] /= std::max(number[i], 1.0);
 }
 
 Hierarchy::Impl::Impl(const std::vector<std::unique_ptr<Object>>& objects,
@@ -275,8 +254,6 @@ Hierarchy::Impl::Impl(const std::vector<std::unique_ptr<Object>>& objects,
     any_flags |= entry.flags;
     listed.add(entry, box);
   }
-  average_costs(listed.entries);
-  if (accelerator != Accelerator::kBvh) box_cost = kSingleBox;
   if ((any_flags & (kNoShadow | kTransparent)) != 0) {
     ObjectList casters, filtering;
     for (std::size_t i = 0; i < listed.entries.size(); ++i) {

@@ -12,7 +12,7 @@
 
 #include "core/accel/accelerator.h"
 #include "core/base/counters.h"
-#include "core/geometry/object.h"
+#include "core/object/object.h"
 
 namespace lentray::core {
 

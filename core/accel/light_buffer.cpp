@@ -1,20 +1,16 @@
 #include "core/accel/light_buffer.h"
 
-#include "core/geometry/box.h"
-#include "core/geometry/plane.h"
-#include "core/geometry/polygon.h"
-#include "core/geometry/sphere.h"
-#include "core/geometry/triangle_shape.h"
+#include "core/shape/box.h"
+#include "core/shape/plane.h"
+#include "core/shape/polygon.h"
+#include "core/shape/sphere.h"
+#include "core/shape/triangle_shape.h"
 
 namespace lentray::core {
 namespace {
 
-constexpr double kCellCost = 6.0, kVolumeCost = 3.0;  ///< as Counters::test_cost has them
-
 void count(Counters& counters, const Object& object) {
-  counters.test_cost += object.test_cost();
   ++counters.primitive_tests;
-  if (!counters.by_type) return;
   const auto at = counters.tests_by_type.find(object.name());
   if (at != counters.tests_by_type.end()) {
     ++at->second;
@@ -30,7 +26,6 @@ struct Tally {
   void test(const Object* object) const { count(counters, *object); }
   void outside() const {
     ++counters.bounds_tests;
-    counters.test_cost += kVolumeCost;
   }
 };
 struct NoTally {
@@ -125,7 +120,6 @@ LightBuffer::Answer LightBuffer::any_opaque_counted(const Spot& spot, const Ray&
                                                     double t_max, HitArena& arena,
                                                     Counters& counters) const {
   ++counters.bounds_tests;
-  counters.test_cost += kCellCost;
   const Tally counted{counters};
   if (const Object* plane = plane_blocker(ray, t_min, t_max, counted)) return {plane, true};
   return other_blocker(spot, ray, t_min, t_max, arena, counted);

@@ -17,7 +17,7 @@
 #include "core/accel/light_raster.h"
 #include "core/accel/light_volume.h"
 #include "core/base/counters.h"
-#include "core/geometry/object.h"
+#include "core/object/object.h"
 
 namespace lentray::core {
 

@@ -9,8 +9,8 @@
 #include "core/accel/light_buffer.h"
 #include "core/accel/light_drawing.h"
 #include "core/accel/light_outline.h"
-#include "core/geometry/plane.h"
-#include "core/geometry/sphere.h"
+#include "core/shape/plane.h"
+#include "core/shape/sphere.h"
 
 namespace lentray::core {
 namespace {

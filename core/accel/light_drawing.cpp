@@ -5,13 +5,14 @@
 #include <cmath>
 #include <typeinfo>
 
-#include "core/geometry/box.h"
-#include "core/geometry/cone.h"
-#include "core/geometry/cylinder.h"
-#include "core/geometry/polygon.h"
-#include "core/geometry/smooth_triangle.h"
-#include "core/geometry/sphere.h"
-#include "core/geometry/triangle.h"
+#include "core/object/leaf.h"
+#include "core/shape/box.h"
+#include "core/shape/cone.h"
+#include "core/shape/cylinder.h"
+#include "core/shape/polygon.h"
+#include "core/shape/smooth_triangle.h"
+#include "core/shape/sphere.h"
+#include "core/shape/triangle.h"
 
 namespace lentray::core {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "core/accel/light_outline.h"
 #include "core/accel/light_volume.h"
-#include "core/geometry/object.h"
+#include "core/object/object.h"
 
 namespace lentray::core {
 

@@ -5,10 +5,11 @@
 #include <stdexcept>
 #include <typeinfo>
 
-#include "core/geometry/plane.h"
-#include "core/geometry/polygon.h"
-#include "core/geometry/sphere.h"
-#include "core/geometry/triangle.h"
+#include "core/object/leaf.h"
+#include "core/shape/plane.h"
+#include "core/shape/polygon.h"
+#include "core/shape/sphere.h"
+#include "core/shape/triangle.h"
 
 namespace lentray::core {
 namespace {

@@ -12,11 +12,11 @@
 #include <vector>
 
 #include "core/accel/accelerator.h"
-#include "core/accel/packs.h"
 #include "core/accel/uniform_grid.h"
-#include "core/accel/wide_bvh.h"
-#include "core/geometry/object.h"
-#include "core/geometry/plane.h"
+#include "core/bvh/wide_bvh.h"
+#include "core/object/object.h"
+#include "core/shape/packs.h"
+#include "core/shape/plane.h"
 
 namespace lentray::core {
 

@@ -4,8 +4,9 @@
 #include <typeinfo>
 #include <vector>
 
-#include "core/geometry/object.h"
-#include "core/geometry/polygon.h"
+#include "core/object/leaf.h"
+#include "core/object/object.h"
+#include "core/shape/polygon.h"
 
 namespace lentray::core {
 namespace {

@@ -11,7 +11,6 @@ void Counters::merge(const Counters& other) {
   antialiased_pixels += other.antialiased_pixels;
   bounds_tests += other.bounds_tests;
   primitive_tests += other.primitive_tests;
-  test_cost += other.test_cost;
   for (const auto& [type, count] : other.tests_by_type) tests_by_type[type] += count;
   if (lights.size() < other.lights.size()) lights.resize(other.lights.size());
   for (std::size_t i = 0; i < other.lights.size(); ++i) lights[i].add(other.lights[i]);

@@ -12,11 +12,10 @@ struct ShadowCounts {
   std::uint64_t rays = 0;     ///< searches towards a light, cache hits included
   std::uint64_t blocked = 0;  ///< ended by an opaque blocker
   std::uint64_t probes = 0, hits = 0, misses = 0;  ///< of the shadow cache
-  /// Of Shadow_Cache=auto: rays whose search was measured, and rays that asked a cache.
-  std::uint64_t measured = 0, cached = 0;
+  std::uint64_t cached = 0;   ///< of Shadow_Cache=auto: rays that asked a cache
   void add(const ShadowCounts& o) {
     rays += o.rays; blocked += o.blocked; probes += o.probes; hits += o.hits; misses += o.misses;
-    measured += o.measured; cached += o.cached;
+    cached += o.cached;
   }
 };
 
@@ -26,9 +25,7 @@ struct Counters {
   std::uint64_t dark_pixels = 0;  ///< camera gave no ray (total internal reflection in the sheet)
   std::uint64_t antialiased_pixels = 0;  ///< that got more samples than antialiasing gives to all
   std::uint64_t bounds_tests = 0, primitive_tests = 0;
-  double test_cost = 0.0;  ///< of all these tests, in units of core/accel/test_cost.h
   std::map<std::string, std::uint64_t, std::less<>> tests_by_type;  ///< filled when merging
-  bool by_type = true;               ///< whether tests_by_type is filled
   std::vector<ShadowCounts> lights;  ///< one a light of the scene
   void merge(const Counters& other);
 };

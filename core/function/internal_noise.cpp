@@ -1,7 +1,7 @@
 #include <array>
 
 #include "core/function/internal_formulas.h"
-#include "core/pattern/noise.h"
+#include "core/noise/noise.h"
 
 namespace lentray::core {
 namespace {

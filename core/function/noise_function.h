@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "core/function/function.h"
-#include "core/pattern/noise.h"
+#include "core/noise/noise.h"
 
 namespace lentray::core {
 

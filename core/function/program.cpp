@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/pattern/noise.h"
+#include "core/noise/noise.h"
 
 namespace lentray::core {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <vector>
 
-#include "core/geometry/blob.h"
 #include "core/material/texture.h"
+#include "core/shape/blob.h"
 
 namespace lentray::core {
 

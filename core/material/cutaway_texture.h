@@ -7,8 +7,8 @@
 
 #include <vector>
 
-#include "core/geometry/object.h"
 #include "core/material/texture.h"
+#include "core/object/object.h"
 
 namespace lentray::core {
 

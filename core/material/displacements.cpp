@@ -3,7 +3,7 @@
 
 #include "core/base/whole.h"
 #include "core/material/normals.h"
-#include "core/pattern/noise.h"
+#include "core/noise/noise.h"
 #include "core/pattern/shapes.h"
 
 namespace lentray::core {

@@ -5,7 +5,7 @@
 
 #include <optional>
 
-#include "core/pattern/noise.h"
+#include "core/noise/noise.h"
 #include "core/pattern/pattern.h"
 
 namespace lentray::core {

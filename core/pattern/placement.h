@@ -8,7 +8,7 @@
 
 #include "core/base/transform.h"
 #include "core/base/vec3.h"
-#include "core/pattern/noise.h"
+#include "core/noise/noise.h"
 #include "core/pattern/surface_context.h"
 
 namespace lentray::core {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "core/pattern/noise.h"
+#include "core/noise/noise.h"
 
 namespace lentray::core {
 namespace {

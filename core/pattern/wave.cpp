@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "core/pattern/noise.h"
+#include "core/noise/noise.h"
 #include "core/pattern/pattern.h"
 
 namespace lentray::core {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/base/color.h"
-#include "core/render/tracer.h"
+#include "core/trace/radiance.h"
 
 namespace lentray::core {
 

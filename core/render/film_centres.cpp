@@ -4,7 +4,7 @@
 #include <tuple>
 #include <utility>
 
-#include "core/render/random_key.h"
+#include "core/trace/random_key.h"
 
 namespace lentray::core {
 namespace {

@@ -14,9 +14,9 @@
 #include <vector>
 
 #include "core/base/vec3.h"
-#include "core/render/random_key.h"
 #include "core/render/ray_source.h"
-#include "core/render/tracer.h"
+#include "core/trace/random_key.h"
+#include "core/trace/radiance.h"
 
 namespace lentray::core {
 

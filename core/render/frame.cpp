@@ -9,10 +9,11 @@
 #include <thread>
 #include <vector>
 
-#include "core/render/render_threads.h"
-#include "core/render/tracer.h"
+#include "core/base/deep_threads.h"
 #include "core/render/work_meter.h"
 #include "core/render/work_watch.h"
+#include "core/trace/integrator.h"
+#include "core/trace/thread_context.h"
 
 namespace lentray::core {
 namespace {
@@ -56,21 +57,17 @@ FilmSetup film_setup(const Scene* scene, const RaySource& camera, const FrameSha
 
 /// One thread's share: takes jobs in order while there are any.
 void take_jobs(Work& work) {
-  Counters counters;
-  counters.lights.resize(work.scene.lights().size());
-  HitArena arena;
-  const std::unique_ptr<ShadowTester> tester =
-      work.shadows.make({&work.scene, &arena, &counters, work.options.count_tests});
-  const std::unique_ptr<Tracer> tracer =
-      Tracer::make(work.scene, *tester, arena, counters, work.options.count_tests);
-  Sampler sampler(work.camera, {work.options.angles, work.options.alpha}, *tracer);
+  ThreadContext context(work.scene, work.options.count_tests);
+  const std::unique_ptr<ShadowTester> tester = work.shadows.make(context);
+  const std::unique_ptr<Integrator> integrator = Integrator::make(context, *tester);
+  Sampler sampler(work.camera, {work.options.angles, work.options.alpha}, *integrator);
   std::optional<WorkMeter> meter;
   if (work.watch) {
     const FilmSetup& film = work.watch->film();
     meter.emplace(work.watch->cells(), film.lattice, film.antialiasing.threshold);
   }
   static constexpr std::atomic<bool> kNever{false};
-  FilmThread thread{.sampler = sampler, .counters = counters,
+  FilmThread thread{.sampler = sampler, .counters = context.counters,
                     .cancel = work.options.cancel ? *work.options.cancel : kNever, .meter = meter ? &*meter : nullptr};
   BandQueue::Job job;
   while (work.queue.next(job)) {
@@ -83,7 +80,7 @@ void take_jobs(Work& work) {
     work.queue.finish(job);
   }
   const std::lock_guard lock(work.merge);
-  work.total.merge(counters);
+  work.total.merge(context.counters);
 }
 
 /// The same; others do not wait for a thread that failed, and the first failure is kept.

@@ -13,8 +13,8 @@
 #include "core/render/pixel_order.h"
 #include "core/render/progress.h"
 #include "core/render/ray_source.h"
-#include "core/render/shadow_tester.h"
 #include "core/scene/scene.h"
+#include "core/trace/shadow_tester.h"
 
 namespace lentray::core {
 

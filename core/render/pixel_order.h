@@ -8,17 +8,9 @@
 #include <memory>
 #include <vector>
 
+#include "core/base/pixel.h"
+
 namespace lentray::core {
-
-struct Pixel { std::uint32_t column = 0, row = 0; };
-
-/// A part of the image, in pixels: columns [left, right), rows [top, bottom).
-struct PixelRegion {
-  std::uint32_t left = 0, top = 0, right = 0, bottom = 0;
-  bool has(const Pixel& p) const {
-    return p.column >= left && p.column < right && p.row >= top && p.row < bottom;
-  }
-};
 
 class PixelOrder {
  public:

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/render/focal_blur.h"
-#include "core/render/random_key.h"
+#include "core/trace/random_key.h"
 
 namespace lentray::core {
 
@@ -61,7 +61,7 @@ void Sampler::trace(const Ray& ray, const PixelPlace& place, std::uint64_t key, 
   // Caches of shadows know the picture's pixels only.
   const Pixel pixel{static_cast<std::uint32_t>(std::max(place.column, 0)),
                     static_cast<std::uint32_t>(std::max(place.row, 0))};
-  out = m_tracer.trace(ray, pixel, key);
+  out = m_integrator.trace(ray, pixel, key);
   if (!m_options.alpha) out.transmit = 0.0f;
 }
 

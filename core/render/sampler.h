@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/render/ray_source.h"
-#include "core/render/tracer.h"
+#include "core/trace/integrator.h"
 
 namespace lentray::core {
 
@@ -19,8 +19,8 @@ struct SamplerOptions {
 class Sampler {
  public:
   Sampler(const RaySource& camera, const SamplerOptions& options,
-          Tracer& tracer)
-      : m_camera(camera), m_blur(camera.blur()), m_options(options), m_is_mean(options.angles > 1 || m_blur), m_tracer(tracer) {}
+          Integrator& integrator)
+      : m_camera(camera), m_blur(camera.blur()), m_options(options), m_is_mean(options.angles > 1 || m_blur), m_integrator(integrator) {}
 
   /// Sample 0 of each of those pixels of the image, at their centres: `keep(pixel, radiance)`.
   /// Pixels without a ray are black and counted. False if `stop(pixel)` said so before one of them.
@@ -28,13 +28,13 @@ class Sampler {
   bool centres(const std::vector<Pixel>& pixels, Counters& counters, const Keep& keep, const Stop& stop) {
     if (m_is_mean) return mean_centres(pixels, counters, keep, stop);
     const RaySource& camera = m_camera;
-    Tracer& tracer = m_tracer;
+    Integrator& integrator = m_integrator;
     for (const Pixel& pixel : pixels) {
       if (stop(pixel)) return false;
       Ray ray;
       Radiance seen;
       if (camera.ray(pixel.column + 0.5, pixel.row + 0.5, ray)) {
-        seen = tracer.trace(ray, pixel);
+        seen = integrator.trace(ray, pixel);
       } else {
         ++counters.dark_pixels;
       }
@@ -71,7 +71,7 @@ class Sampler {
   const FocalBlur* const m_blur;
   const SamplerOptions m_options;
   const bool m_is_mean;  ///< whether a sample is more than one ray
-  Tracer& m_tracer;
+  Integrator& m_integrator;
 };
 
 }  // namespace lentray::core

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/render/tracer.h"
 #include "core/render/work_meter.h"
+#include "core/trace/integrator.h"
 
 namespace lentray::core {
 namespace {
@@ -23,10 +23,10 @@ constexpr int kMostOfRun = 64;
 WorkProber::WorkProber(const Scene& scene, const RaySource& camera, const ShadowTesterFactory& shadows,
                        const FrameOptions& options, const FilmSetup& film, const WorkCells& cells)
     : m_film(film), m_region(Film::traced_region(film)), m_cells(cells),
-      m_tester(shadows.unwatched().make({&scene, &m_arena, &m_counters, options.count_tests})),
-      m_tracer(Tracer::make(scene, *m_tester, m_arena, m_counters, options.count_tests)),
-      m_sampler(camera, {options.angles, options.alpha}, *m_tracer) {
-  m_counters.lights.resize(scene.lights().size());
+      m_context(scene, options.count_tests),
+      m_tester(shadows.unwatched().make(m_context)),
+      m_integrator(Integrator::make(m_context, *m_tester)),
+      m_sampler(camera, {options.angles, options.alpha}, *m_integrator) {
   m_clock = 1.0;
   for (int i = 0; i < 16; ++i) {
     const double start = thread_seconds();

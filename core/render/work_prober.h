@@ -9,6 +9,7 @@
 #include "core/render/film.h"
 #include "core/render/frame.h"
 #include "core/render/work_estimate.h"
+#include "core/trace/thread_context.h"
 
 namespace lentray::core {
 
@@ -31,10 +32,9 @@ class WorkProber {
   const FilmSetup& m_film;
   const PixelRegion m_region;
   const WorkCells& m_cells;
-  Counters m_counters;
-  HitArena m_arena;
+  ThreadContext m_context;
   const std::unique_ptr<ShadowTester> m_tester;
-  const std::unique_ptr<Tracer> m_tracer;
+  const std::unique_ptr<Integrator> m_integrator;
   Sampler m_sampler;
   double m_clock = 0.0;  ///< what reading the clock twice takes
   double m_across = 0.0, m_down = 0.0;  ///< the next place, 0..1 of the region

@@ -9,7 +9,7 @@
 #include "core/base/color.h"
 #include "core/base/vec3.h"
 #include "core/material/blend_map.h"
-#include "core/pattern/noise.h"
+#include "core/noise/noise.h"
 
 namespace lentray::core {
 

@@ -6,7 +6,9 @@
 #include <typeinfo>
 #include <utility>
 
-#include "core/geometry/mesh.h"
+#include "core/object/csg.h"
+#include "core/object/leaf.h"
+#include "core/shape/mesh.h"
 
 namespace lentray::core {
 namespace {

@@ -7,9 +7,10 @@
 #include "core/accel/hierarchy.h"
 #include "core/accel/light_buffer.h"
 #include "core/accel/test_cost.h"
-#include "core/render/shadow_tester.h"
+#include "core/object/csg.h"
 #include "core/scene/needs_finder.h"
 #include "core/scene/solid_index.h"
+#include "core/scene/tolerances.h"
 
 namespace lentray::core {
 namespace {

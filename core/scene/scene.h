@@ -9,11 +9,11 @@
 
 #include "core/accel/accelerator.h"
 #include "core/base/color.h"
-#include "core/geometry/object.h"
-#include "core/geometry/slope_watch.h"
 #include "core/light/light.h"
 #include "core/material/interior.h"
 #include "core/material/texture.h"
+#include "core/numeric/slope_watch.h"
+#include "core/object/object.h"
 #include "core/scene/atmosphere.h"
 #include "core/scene/needs.h"
 

@@ -8,8 +8,8 @@
 #include <mutex>
 #include <vector>
 
-#include "core/accel/wide_bvh.h"
-#include "core/geometry/object.h"
+#include "core/bvh/wide_bvh.h"
+#include "core/object/object.h"
 
 namespace lentray::core {
 

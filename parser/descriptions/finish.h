@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "core/base/color.h"
-#include "parser/source.h"
+#include "parser/source/source.h"
 
 namespace lentray::parser {
 

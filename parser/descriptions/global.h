@@ -7,7 +7,7 @@
 
 #include "core/base/color.h"
 #include "core/base/vec3.h"
-#include "parser/source.h"
+#include "parser/source/source.h"
 
 namespace lentray::parser {
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/base/color.h"
-#include "parser/source.h"
-#include "parser/value.h"
+#include "parser/source/source.h"
+#include "parser/values/value.h"
 
 namespace lentray::parser {
 

@@ -17,12 +17,12 @@
 #include "core/base/ray.h"
 #include "core/base/transform.h"
 #include "core/base/vec3.h"
-#include "core/geometry/mesh_data.h"
+#include "core/shape/mesh_data.h"
+#include "parser/base/sparse.h"
 #include "parser/descriptions/light.h"
 #include "parser/descriptions/nesting.h"
-#include "parser/source.h"
-#include "parser/sparse.h"
-#include "parser/value.h"
+#include "parser/source/source.h"
+#include "parser/values/value.h"
 
 namespace lentray::core {
 class Object;

@@ -13,10 +13,10 @@
 
 #include "core/base/transform.h"
 #include "core/base/vec3.h"
+#include "parser/base/sparse.h"
 #include "parser/descriptions/nesting.h"
-#include "parser/source.h"
-#include "parser/sparse.h"
-#include "parser/value.h"
+#include "parser/source/source.h"
+#include "parser/values/value.h"
 
 namespace lentray::parser {
 

@@ -8,7 +8,7 @@
 #include "parser/descriptions/camera.h"
 #include "parser/descriptions/global.h"
 #include "parser/descriptions/object.h"
-#include "parser/value.h"
+#include "parser/values/value.h"
 
 namespace lentray::parser {
 

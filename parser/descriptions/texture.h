@@ -4,10 +4,10 @@
 
 #include <vector>
 
+#include "parser/base/recycled.h"
 #include "parser/descriptions/finish.h"
 #include "parser/descriptions/normal.h"
 #include "parser/descriptions/pigment.h"
-#include "parser/recycled.h"
 
 namespace lentray::parser {
 

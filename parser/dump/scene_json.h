@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "parser/descriptions/scene.h"
-#include "parser/source.h"
+#include "parser/source/source.h"
 
 namespace lentray::parser {
 

@@ -4,7 +4,7 @@
 
 #include "parser/descriptions/atmosphere.h"
 #include "parser/grammar/context.h"
-#include "parser/parser.h"
+#include "parser/interpreter/parser.h"
 
 namespace lentray::parser {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "parser/base/shown.h"
 #include "parser/grammar/helpers.h"
-#include "parser/shown.h"
 
 namespace lentray::parser {
 namespace {

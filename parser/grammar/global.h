@@ -3,7 +3,7 @@
 
 #include "parser/descriptions/global.h"
 #include "parser/grammar/context.h"
-#include "parser/parser.h"
+#include "parser/interpreter/parser.h"
 
 namespace lentray::parser {
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <string_view>
 
-#include "parser/keywords.h"
-#include "parser/parser.h"
+#include "parser/interpreter/parser.h"
+#include "parser/tokens/keywords.h"
 
 namespace lentray::parser {
 

@@ -1,9 +1,9 @@
 #include "parser/grammar/material.h"
 
+#include "parser/base/recycled.h"
 #include "parser/grammar/helpers.h"
 #include "parser/grammar/nesting.h"
 #include "parser/grammar/pattern.h"
-#include "parser/recycled.h"
 
 namespace lentray::parser {
 namespace {

@@ -9,7 +9,7 @@
 #include "parser/descriptions/interior.h"
 #include "parser/descriptions/media.h"
 #include "parser/descriptions/texture.h"
-#include "parser/parser.h"
+#include "parser/interpreter/parser.h"
 
 namespace lentray::parser {
 

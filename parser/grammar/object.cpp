@@ -1,11 +1,11 @@
 #include "parser/grammar/object.h"
 
+#include "parser/base/recycled.h"
 #include "parser/grammar/helpers.h"
 #include "parser/grammar/light.h"
 #include "parser/grammar/nesting.h"
 #include "parser/grammar/object_modifiers.h"
 #include "parser/grammar/object_shapes.h"
-#include "parser/recycled.h"
 
 namespace lentray::parser {
 namespace {

@@ -4,9 +4,9 @@
 #include <cstring>
 #include <unordered_map>
 
-#include "parser/arithmetic.h"
 #include "parser/grammar/helpers.h"
 #include "parser/grammar/object_shapes.h"
+#include "parser/values/arithmetic.h"
 
 namespace lentray::parser {
 namespace {

@@ -1,10 +1,10 @@
 #include "parser/grammar/object_modifiers.h"
 
-#include "parser/build/stock_box.h"
 #include "parser/grammar/helpers.h"
 #include "parser/grammar/object.h"
 #include "parser/grammar/object_shapes.h"
 #include "parser/grammar/transform.h"
+#include "parser/stock/stock_box.h"
 
 namespace lentray::parser {
 namespace {

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <array>
 
+#include "parser/base/shown.h"
 #include "parser/grammar/helpers.h"
 #include "parser/grammar/object.h"
 #include "parser/grammar/object_shapes.h"
-#include "parser/shown.h"
 
 namespace lentray::parser {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "parser/descriptions/pattern.h"
 #include "parser/grammar/material.h"
-#include "parser/parser.h"
+#include "parser/interpreter/parser.h"
 
 namespace lentray::parser {
 

@@ -2,8 +2,8 @@
 #include <array>
 
 #include "core/function/function.h"
-#include "parser/build/pattern_compiler.h"
-#include "parser/build/picture_reader.h"
+#include "parser/compile/pattern_compiler.h"
+#include "parser/compile/picture_reader.h"
 #include "parser/grammar/helpers.h"
 #include "parser/grammar/pattern.h"
 

@@ -4,9 +4,9 @@
 #include <string>
 
 #include "core/image/palette_size.h"
+#include "parser/base/shown.h"
 #include "parser/grammar/helpers.h"
 #include "parser/grammar/pattern.h"
-#include "parser/shown.h"
 
 namespace lentray::parser {
 namespace {

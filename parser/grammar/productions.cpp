@@ -1,11 +1,11 @@
 #include "parser/grammar/productions.h"
 
-#include "parser/build/build_error.h"
-#include "parser/build/stock_box.h"
 #include "parser/grammar/atmosphere.h"
 #include "parser/grammar/camera.h"
 #include "parser/grammar/object.h"
 #include "parser/grammar/object_modifiers.h"
+#include "parser/source/build_error.h"
+#include "parser/stock/stock_box.h"
 
 namespace lentray::parser {
 

@@ -2,9 +2,9 @@
 // expressions call back. One Grammar a scene; not thread-safe.
 #pragma once
 
-#include "parser/build/object_query.h"
+#include "parser/compile/object_query.h"
 #include "parser/grammar/context.h"
-#include "parser/parser.h"
+#include "parser/interpreter/parser.h"
 
 namespace lentray::parser {
 

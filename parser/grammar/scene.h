@@ -5,7 +5,7 @@
 
 #include "parser/descriptions/scene.h"
 #include "parser/grammar/productions.h"
-#include "parser/parser.h"
+#include "parser/interpreter/parser.h"
 
 namespace lentray::parser {
 

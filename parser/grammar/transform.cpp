@@ -5,12 +5,12 @@
 #include <utility>
 #include <variant>
 
-#include "core/geometry/bounds_help.h"
-#include "parser/build/stock_box.h"
+#include "core/numeric/bounds_help.h"
 #include "parser/descriptions/interior.h"
 #include "parser/descriptions/texture.h"
 #include "parser/grammar/triangle_steps.h"
-#include "parser/parser.h"
+#include "parser/interpreter/parser.h"
+#include "parser/stock/stock_box.h"
 
 namespace lentray::parser {
 

@@ -7,10 +7,11 @@
 #include <utility>
 
 #include "camera/lenticular.h"
-#include "core/geometry/box.h"
-#include "core/geometry/polygon.h"
 #include "core/material/pigments.h"
+#include "core/object/leaf.h"
 #include "core/render/frame.h"
+#include "core/shape/box.h"
+#include "core/shape/polygon.h"
 #include "shadow/hit_model/ideal_orders.h"
 #include "shadow/pixel_orders.h"
 #include "shadow/run_log.h"

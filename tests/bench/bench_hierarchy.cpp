@@ -21,8 +21,9 @@
 #include <vector>
 
 #include "core/accel/hierarchy.h"
-#include "core/geometry/sphere.h"
-#include "core/geometry/triangle.h"
+#include "core/object/leaf.h"
+#include "core/shape/sphere.h"
+#include "core/shape/triangle.h"
 
 namespace lentray::core {
 namespace {

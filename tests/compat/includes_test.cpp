@@ -11,7 +11,7 @@
 #include "parser/grammar/object_shapes.h"
 #include "parser/grammar/productions.h"
 #include "parser/read_scene.h"
-#include "parser/spline.h"
+#include "parser/values/spline.h"
 #include "tests/compat/include_names.h"
 #include "tests/compat/language_cases.h"
 #include "tools/common/process.h"

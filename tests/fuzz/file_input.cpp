@@ -11,7 +11,8 @@
 #include <utility>
 
 #include "core/base/memory_limit.h"
-#include "core/render/tracer.h"
+#include "core/trace/integrator.h"
+#include "core/trace/thread_context.h"
 #include "parser/read_scene.h"
 #include "shadow/tester_factory.h"
 
@@ -62,15 +63,14 @@ class SceneFiles final : public parser::Files {
 };
 
 void trace(const core::Scene& scene) {
-  core::HitArena arena;
-  core::Counters counters;
+  core::ThreadContext context(scene, false);
   const auto testers = shadow::make_tester_factory("off");
-  const auto tester = testers->make({&scene, &arena, &counters, false});
-  const auto tracer = core::Tracer::make(scene, *tester, arena, counters, false);
+  const auto tester = testers->make(context);
+  const auto integrator = core::Integrator::make(context, *tester);
   constexpr int kSide = 8;
   for (int k = 0; k < kSide * kSide; ++k) {
     const Vec3 along{(k % kSide + 0.5) / kSide - 0.5, (k / kSide + 0.5) / kSide - 0.5, 1.0};
-    tracer->trace({{0, 0, -2}, normalized(along)}, {});
+    integrator->trace({{0, 0, -2}, normalized(along)}, {});
   }
 }
 

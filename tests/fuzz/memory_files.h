@@ -4,7 +4,7 @@
 
 #include <map>
 
-#include "parser/files.h"
+#include "parser/files/files.h"
 
 namespace lentray::test {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
-#include "parser/keywords.h"
+#include "parser/tokens/keywords.h"
 
 namespace lentray::test {
 namespace {

@@ -3,7 +3,7 @@
 // same there. Pattern values are doubles on both sides, colours floats.
 #include <gtest/gtest.h>
 
-#include "parser/build/pattern_compiler.h"
+#include "parser/compile/pattern_compiler.h"
 #include "tests/image/stock_values.h"
 #include "tests/unit/material_reading.h"
 

@@ -8,13 +8,14 @@
 #include <string>
 #include <vector>
 
-#include "core/accel/packs.h"
-#include "core/geometry/box.h"
-#include "core/geometry/cylinder.h"
-#include "core/geometry/plane.h"
-#include "core/geometry/polygon.h"
-#include "core/geometry/sphere.h"
-#include "core/geometry/triangle.h"
+#include "core/object/leaf.h"
+#include "core/shape/box.h"
+#include "core/shape/cylinder.h"
+#include "core/shape/packs.h"
+#include "core/shape/plane.h"
+#include "core/shape/polygon.h"
+#include "core/shape/sphere.h"
+#include "core/shape/triangle.h"
 #include "tests/unit/random_objects.h"
 
 using namespace lentray::core;

@@ -6,9 +6,10 @@
 #include <vector>
 
 #include "core/accel/hierarchy.h"
-#include "core/geometry/cone.h"
-#include "core/geometry/smooth_triangle.h"
-#include "core/geometry/torus.h"
+#include "core/object/leaf.h"
+#include "core/shape/cone.h"
+#include "core/shape/smooth_triangle.h"
+#include "core/shape/torus.h"
 #include "tests/unit/random_objects.h"
 
 using namespace lentray::core;

@@ -7,14 +7,15 @@
 #include <functional>
 
 #include "core/accel/light_buffer.h"
-#include "core/geometry/box.h"
-#include "core/geometry/cone.h"
-#include "core/geometry/cylinder.h"
-#include "core/geometry/polygon.h"
-#include "core/geometry/prism.h"
-#include "core/geometry/sphere.h"
-#include "core/geometry/torus.h"
-#include "core/geometry/triangle.h"
+#include "core/object/leaf.h"
+#include "core/shape/box.h"
+#include "core/shape/cone.h"
+#include "core/shape/cylinder.h"
+#include "core/shape/polygon.h"
+#include "core/shape/prism.h"
+#include "core/shape/sphere.h"
+#include "core/shape/torus.h"
+#include "core/shape/triangle.h"
 #include "tests/unit/random_objects.h"
 
 using namespace lentray::core;

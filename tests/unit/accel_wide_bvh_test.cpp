@@ -1,4 +1,4 @@
-#include "core/accel/wide_bvh.h"
+#include "core/bvh/wide_bvh.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
-#include "parser/options.h"
+#include "parser/options/options.h"
 #include "tools/common/process.h"
 #include "tools/lentray-batch/arguments.h"
 #include "tools/lentray-batch/job.h"

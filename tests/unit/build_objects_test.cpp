@@ -1,7 +1,9 @@
 // Descriptions -> the kernel's objects: bounds, inheritance of looks, switches, lights.
 #include <cmath>
 
-#include "core/geometry/mesh.h"
+#include "core/object/csg.h"
+#include "core/object/leaf.h"
+#include "core/shape/mesh.h"
 #include "tests/unit/scene_text.h"
 
 namespace lentray::parser::test {

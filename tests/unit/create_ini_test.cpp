@@ -1,4 +1,4 @@
-#include "parser/create_ini.h"
+#include "parser/options/create_ini.h"
 
 #include <gtest/gtest.h>
 

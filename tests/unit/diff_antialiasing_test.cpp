@@ -9,7 +9,7 @@
 #include <tuple>
 
 #include "core/image/srgb.h"
-#include "parser/options.h"
+#include "parser/options/options.h"
 #include "tools/lentray-diff/mean.h"
 #include "tools/lentray-diff/sampling.h"
 

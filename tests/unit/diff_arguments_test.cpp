@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "parser/ini.h"
+#include "parser/options/ini.h"
 #include "tools/common/process.h"
 #include "tools/lentray-diff/report.h"
 

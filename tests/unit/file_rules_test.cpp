@@ -1,6 +1,6 @@
 // Where scenes may read and write: povray.conf, the rules, files judged as they are opened, and writes that
 // stay in memory.
-#include "parser/file_rules.h"
+#include "parser/restrictions/file_rules.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -9,10 +9,10 @@
 #include <filesystem>
 #include <thread>
 
-#include "parser/memory_writes.h"
-#include "parser/povray_conf.h"
-#include "parser/restricted_files.h"
-#include "parser/shown.h"
+#include "parser/base/shown.h"
+#include "parser/files/memory_writes.h"
+#include "parser/restrictions/povray_conf.h"
+#include "parser/restrictions/restricted_files.h"
 #include "tools/common/process.h"
 
 namespace lentray::parser {

@@ -9,10 +9,11 @@
 #include <mutex>
 #include <set>
 
-#include "core/geometry/sphere.h"
+#include "core/object/leaf.h"
 #include "core/render/frame.h"
-#include "core/render/plain_shadow_tester.h"
-#include "core/render/random_key.h"
+#include "core/shape/sphere.h"
+#include "core/trace/plain_shadow_tester.h"
+#include "core/trace/random_key.h"
 
 using namespace lentray::core;
 

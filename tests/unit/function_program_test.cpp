@@ -10,6 +10,7 @@
 #include "core/function/internal.h"
 #include "core/function/noise_function.h"
 #include "core/function/program.h"
+#include "core/object/leaf.h"
 
 using namespace lentray::core;
 

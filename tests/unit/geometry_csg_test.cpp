@@ -3,15 +3,17 @@
 
 #include <algorithm>
 
-#include "core/geometry/box.h"
-#include "core/geometry/cone.h"
-#include "core/geometry/cylinder.h"
-#include "core/geometry/disc.h"
-#include "core/geometry/plane.h"
-#include "core/geometry/quadric.h"
-#include "core/geometry/sphere.h"
-#include "core/geometry/torus.h"
-#include "core/geometry/triangle.h"
+#include "core/object/csg.h"
+#include "core/object/leaf.h"
+#include "core/shape/box.h"
+#include "core/shape/cone.h"
+#include "core/shape/cylinder.h"
+#include "core/shape/disc.h"
+#include "core/shape/plane.h"
+#include "core/shape/quadric.h"
+#include "core/shape/sphere.h"
+#include "core/shape/torus.h"
+#include "core/shape/triangle.h"
 #include "tests/unit/geometry_help.h"
 
 namespace lentray::core {

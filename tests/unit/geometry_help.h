@@ -5,7 +5,7 @@
 #include <random>
 
 #include "core/base/ray.h"
-#include "core/geometry/object.h"
+#include "core/object/object.h"
 
 namespace lentray::core::geometry_test {
 

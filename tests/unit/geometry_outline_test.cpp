@@ -4,11 +4,12 @@
 #include <cmath>
 
 #include "core/accel/light_buffer.h"
-#include "core/geometry/object.h"
-#include "core/geometry/poly.h"
-#include "core/geometry/prism.h"
-#include "core/geometry/sphere.h"
-#include "core/pattern/noise.h"
+#include "core/noise/noise.h"
+#include "core/object/leaf.h"
+#include "core/object/object.h"
+#include "core/shape/poly.h"
+#include "core/shape/prism.h"
+#include "core/shape/sphere.h"
 #include "tests/unit/geometry_help.h"
 
 namespace lentray::core {

@@ -3,9 +3,9 @@
 
 #include <numbers>
 
-#include "core/geometry/mesh.h"
-#include "core/geometry/polygon.h"
-#include "core/geometry/triangle.h"
+#include "core/shape/mesh.h"
+#include "core/shape/polygon.h"
+#include "core/shape/triangle.h"
 #include "tests/unit/geometry_help.h"
 
 namespace lentray::core {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/geometry/roots.h"
+#include "core/numeric/roots.h"
 #include "tests/unit/geometry_help.h"
 
 namespace lentray::core {

@@ -1,9 +1,9 @@
 // Shapes that are found by walking: Julia fractals, parametric surfaces and isosurfaces.
 #include <gtest/gtest.h>
 
-#include "core/geometry/isosurface.h"
-#include "core/geometry/julia_fractal.h"
-#include "core/geometry/parametric.h"
+#include "core/shape/isosurface.h"
+#include "core/shape/julia_fractal.h"
+#include "core/shape/parametric.h"
 #include "tests/unit/geometry_help.h"
 
 namespace lentray::core {

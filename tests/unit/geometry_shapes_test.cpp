@@ -4,18 +4,19 @@
 #include <cmath>
 #include <functional>
 
-#include "core/geometry/box.h"
-#include "core/geometry/cone.h"
-#include "core/geometry/cylinder.h"
-#include "core/geometry/disc.h"
-#include "core/geometry/mesh.h"
-#include "core/geometry/plane.h"
-#include "core/geometry/polygon.h"
-#include "core/geometry/quadric.h"
-#include "core/geometry/smooth_triangle.h"
-#include "core/geometry/sphere.h"
-#include "core/geometry/torus.h"
-#include "core/geometry/triangle.h"
+#include "core/object/leaf.h"
+#include "core/shape/box.h"
+#include "core/shape/cone.h"
+#include "core/shape/cylinder.h"
+#include "core/shape/disc.h"
+#include "core/shape/mesh.h"
+#include "core/shape/plane.h"
+#include "core/shape/polygon.h"
+#include "core/shape/quadric.h"
+#include "core/shape/smooth_triangle.h"
+#include "core/shape/sphere.h"
+#include "core/shape/torus.h"
+#include "core/shape/triangle.h"
 #include "tests/unit/geometry_help.h"
 
 namespace lentray::core {

@@ -9,8 +9,8 @@
 #include <thread>
 #include <vector>
 
-#include "core/geometry/isosurface.h"
-#include "core/geometry/slope_watch.h"
+#include "core/numeric/slope_watch.h"
+#include "core/shape/isosurface.h"
 
 namespace lentray::core {
 namespace {

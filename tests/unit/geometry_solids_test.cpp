@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <functional>
 
-#include "core/geometry/blob.h"
-#include "core/geometry/height_field.h"
-#include "core/geometry/lathe.h"
-#include "core/geometry/poly.h"
-#include "core/geometry/prism.h"
-#include "core/geometry/superellipsoid.h"
+#include "core/shape/blob.h"
+#include "core/shape/height_field.h"
+#include "core/shape/lathe.h"
+#include "core/shape/poly.h"
+#include "core/shape/prism.h"
+#include "core/shape/superellipsoid.h"
 #include "tests/unit/geometry_help.h"
 
 namespace lentray::core {

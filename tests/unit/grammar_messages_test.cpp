@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "parser/build/camera.h"
+#include "parser/compile/camera.h"
 #include "parser/read_scene.h"
 #include "tools/common/process.h"
 
@@ -394,7 +394,7 @@ TEST(GrammarMessages, EachIsHeard) {
   }
   fs::current_path(before);
   std::size_t count = 0;
-  for (const char* part : {"grammar", "build"}) {
+  for (const char* part : {"grammar", "compile", "shapes", "stock"}) {
     for (const auto& file : fs::directory_iterator(fs::path(LENTRAY_SOURCE_DIR) / "parser" / part)) {
       for (const std::string& words : texts_of(file.path())) {
         ++count;

@@ -1,9 +1,9 @@
 // lentray-grouping's command line and what it computes from counts and times.
 #include <gtest/gtest.h>
 
-#include "parser/ini.h"
-#include "tools/lentray-grouping/report.h"
+#include "parser/options/ini.h"
 #include "tools/common/process.h"
+#include "tools/lentray-grouping/report.h"
 
 namespace lentray::grouping {
 namespace {

@@ -1,5 +1,5 @@
 // Heights are worked out once for a height_field and its copies.
-#include "parser/build/height_grid.h"
+#include "parser/shapes/height_grid.h"
 
 #include <gtest/gtest.h>
 

@@ -10,7 +10,7 @@
 
 #include <unistd.h>
 
-#include "parser/build/texture_compiler.h"
+#include "parser/compile/texture_compiler.h"
 #include "parser/grammar/productions.h"
 
 namespace lentray::parser::test {

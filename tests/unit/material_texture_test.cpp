@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "core/material/texture.h"
-#include "parser/build/finish.h"
+#include "parser/compile/finish.h"
 #include "tests/unit/material_reading.h"
 
 namespace lentray::parser::test {

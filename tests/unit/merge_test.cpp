@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "core/image/writer.h"
-#include "parser/options.h"
+#include "parser/options/options.h"
 #include "tools/common/process.h"
 #include "tools/lentray-merge/arguments.h"
 #include "tools/lentray-merge/join.h"

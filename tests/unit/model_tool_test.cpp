@@ -3,7 +3,7 @@
 
 #include <sstream>
 
-#include "parser/ini.h"
+#include "parser/options/ini.h"
 #include "tools/common/csv.h"
 #include "tools/lentray-model/deviations.h"
 #include "tools/lentray-model/figures.h"

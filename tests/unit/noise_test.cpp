@@ -9,7 +9,7 @@
 #include <thread>
 #include <vector>
 
-#include "core/pattern/noise.h"
+#include "core/noise/noise.h"
 
 namespace lentray::core {
 namespace {

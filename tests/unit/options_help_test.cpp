@@ -1,5 +1,5 @@
 // --help and --help=all against the table of options: nothing is left out, nothing is made up.
-#include "parser/options_help.h"
+#include "parser/options/options_help.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <set>
 #include <sstream>
 
-#include "parser/ini.h"
-#include "parser/options_table.h"
+#include "parser/options/ini.h"
+#include "parser/options/options_table.h"
 
 namespace lentray::parser {
 namespace {

@@ -1,4 +1,4 @@
-#include "parser/animation.h"
+#include "parser/options/animation.h"
 
 #include <gtest/gtest.h>
 

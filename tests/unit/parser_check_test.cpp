@@ -1,7 +1,7 @@
 // --parse-only keeps no object that cannot go wrong, and misses no mistake for it.
 #include <gtest/gtest.h>
 
-#include "parser/build/scene.h"
+#include "parser/compile/scene.h"
 #include "parser/read_scene.h"
 #include "tools/common/process.h"
 

@@ -1,9 +1,9 @@
 // The interpreter by itself: texts, directives, macros, scopes, contextual words.
 #include <gtest/gtest.h>
 
-#include "parser/keywords.h"
-#include "parser/lexer.h"
 #include "core/function/internal.h"
+#include "parser/tokens/keywords.h"
+#include "parser/tokens/lexer.h"
 #include "tests/unit/parser_text.h"
 
 namespace lentray::test {

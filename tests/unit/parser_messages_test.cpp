@@ -113,7 +113,7 @@ std::string longest_literal(const std::string& text, std::size_t i) {
 
 std::vector<Site> sites() {
   std::vector<Site> found;
-  for (const auto& entry : fs::directory_iterator(fs::path(LENTRAY_SOURCE_DIR) / "parser")) {
+  for (const auto& entry : fs::recursive_directory_iterator(fs::path(LENTRAY_SOURCE_DIR) / "parser")) {
     const std::string name = entry.path().filename().string();
     const auto is_one = [&](const char* start) { return name.rfind(start, 0) == 0; };
     if (entry.path().extension() != ".cpp" ||

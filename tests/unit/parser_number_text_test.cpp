@@ -1,5 +1,5 @@
 // str() and #write print as the C library does: the same text for every number tried.
-#include "parser/number_text.h"
+#include "parser/values/number_text.h"
 
 #include <gtest/gtest.h>
 

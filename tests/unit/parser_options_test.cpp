@@ -1,5 +1,5 @@
 // The command line and INI files: precedence, forms, sections, and every message.
-#include "parser/options.h"
+#include "parser/options/options.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

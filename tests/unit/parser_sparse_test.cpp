@@ -1,5 +1,5 @@
 // A value that most of its owners leave as it is made.
-#include "parser/sparse.h"
+#include "parser/base/sparse.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/function/node.h"
-#include "parser/parser.h"
+#include "parser/interpreter/parser.h"
 #include "tools/common/process.h"
 
 namespace lentray::test {

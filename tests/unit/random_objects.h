@@ -6,13 +6,14 @@
 #include <random>
 #include <vector>
 
-#include "core/geometry/box.h"
-#include "core/geometry/cylinder.h"
-#include "core/geometry/object.h"
-#include "core/geometry/plane.h"
-#include "core/geometry/polygon.h"
-#include "core/geometry/sphere.h"
-#include "core/geometry/triangle.h"
+#include "core/object/leaf.h"
+#include "core/object/object.h"
+#include "core/shape/box.h"
+#include "core/shape/cylinder.h"
+#include "core/shape/plane.h"
+#include "core/shape/polygon.h"
+#include "core/shape/sphere.h"
+#include "core/shape/triangle.h"
 
 namespace lentray::test {
 

@@ -1,4 +1,4 @@
-#include "core/render/reflectance.h"
+#include "core/trace/reflectance.h"
 
 #include <gtest/gtest.h>
 

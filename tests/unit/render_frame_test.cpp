@@ -13,8 +13,9 @@
 #include <stdexcept>
 #include <thread>
 
-#include "core/geometry/sphere.h"
-#include "core/render/plain_shadow_tester.h"
+#include "core/object/leaf.h"
+#include "core/shape/sphere.h"
+#include "core/trace/plain_shadow_tester.h"
 
 using namespace lentray::core;
 

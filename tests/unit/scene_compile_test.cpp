@@ -6,11 +6,13 @@
 #include <vector>
 
 #include "core/accel/hierarchy.h"
-#include "core/geometry/box.h"
-#include "core/geometry/plane.h"
-#include "core/geometry/sphere.h"
+#include "core/object/csg.h"
+#include "core/object/leaf.h"
 #include "core/scene/explain.h"
 #include "core/scene/scene.h"
+#include "core/shape/box.h"
+#include "core/shape/plane.h"
+#include "core/shape/sphere.h"
 
 using namespace lentray::core;
 

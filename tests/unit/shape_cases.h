@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/base/transform.h"
-#include "parser/parser.h"
+#include "parser/interpreter/parser.h"
 
 namespace lentray::parser::test {
 

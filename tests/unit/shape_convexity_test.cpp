@@ -4,6 +4,7 @@
 
 #include <random>
 
+#include "core/object/leaf.h"
 #include "tests/unit/scene_text.h"
 #include "tests/unit/shape_cases.h"
 

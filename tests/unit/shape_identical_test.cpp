@@ -3,7 +3,8 @@
 // of them.
 #include <bit>
 
-#include "core/render/tracer.h"
+#include "core/trace/integrator.h"
+#include "core/trace/thread_context.h"
 #include "shadow/tester_factory.h"
 #include "tests/unit/scene_text.h"
 #include "tests/unit/shape_cases_of_many.h"
@@ -24,15 +25,14 @@ std::vector<core::Radiance> picture(const std::string& sdl, const core::CompileO
     if (!shortcuts) object->drop_shortcuts();
   }
   const core::Scene scene(std::move(parts), options);
-  core::HitArena arena;
-  core::Counters counters;
-  const auto tester = shadow::make_tester_factory("off")->make({&scene, &arena, &counters, false});
-  const auto tracer = core::Tracer::make(scene, *tester, arena, counters, false);
+  core::ThreadContext context(scene, false);
+  const auto tester = shadow::make_tester_factory("off")->make(context);
+  const auto integrator = core::Integrator::make(context, *tester);
   std::vector<core::Radiance> seen;
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
       const Vec3 along{(x + 0.5) / width - 0.5, -0.55 - ((y + 0.5) / height - 0.5) * 0.7, 1.0};
-      seen.push_back(tracer->trace({{0.3, 7.0, -11.0}, core::normalized(along)}, {}));
+      seen.push_back(integrator->trace({{0.3, 7.0, -11.0}, core::normalized(along)}, {}));
     }
   }
   return seen;

@@ -5,7 +5,8 @@
 #include <random>
 #include <sstream>
 
-#include "core/geometry/mesh.h"
+#include "core/object/leaf.h"
+#include "core/shape/mesh.h"
 #include "tests/unit/scene_text.h"
 #include "tests/unit/shape_cases.h"
 #include "tests/unit/shape_cases_of_many.h"

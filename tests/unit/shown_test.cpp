@@ -1,7 +1,7 @@
 // What messages and the console show of a scene's text.
 #include <gtest/gtest.h>
 
-#include "parser/shown.h"
+#include "parser/base/shown.h"
 
 namespace lentray::parser::test {
 namespace {

@@ -7,8 +7,8 @@
 #include <functional>
 #include <map>
 
-#include "parser/ini.h"
-#include "parser/options.h"
+#include "parser/options/ini.h"
+#include "parser/options/options.h"
 
 namespace lentray::batch {
 

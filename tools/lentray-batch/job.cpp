@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "core/image/reader.h"
-#include "parser/create_ini.h"
-#include "parser/watched_files.h"
+#include "parser/files/watched_files.h"
+#include "parser/options/create_ini.h"
 #include "tools/common/process.h"
 #include "tools/lentray-batch/messages.h"
 #include "tools/lentray-batch/stamps.h"

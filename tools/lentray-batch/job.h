@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "parser/options.h"
+#include "parser/options/options.h"
 #include "tools/lentray-batch/arguments.h"
 #include "tools/lentray-batch/child.h"
 #include "tools/lentray-batch/row.h"

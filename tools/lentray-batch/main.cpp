@@ -7,8 +7,8 @@
 #include <set>
 #include <thread>
 
-#include "parser/options.h"
-#include "parser/watched_files.h"
+#include "parser/files/watched_files.h"
+#include "parser/options/options.h"
 #include "tools/common/duration.h"
 #include "tools/common/machine.h"
 #include "tools/common/process.h"

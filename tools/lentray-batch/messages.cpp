@@ -2,7 +2,7 @@
 
 #include <sstream>
 
-#include "parser/shown.h"
+#include "parser/base/shown.h"
 
 namespace lentray::batch {
 

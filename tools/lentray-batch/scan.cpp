@@ -8,7 +8,7 @@
 #include <set>
 #include <sstream>
 
-#include "parser/ini.h"
+#include "parser/options/ini.h"
 
 namespace lentray::batch {
 

@@ -3,7 +3,7 @@
 #include <sys/stat.h>
 #include <time.h>
 
-#include "parser/watched_files.h"
+#include "parser/files/watched_files.h"
 
 namespace lentray::batch {
 namespace {

@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "parser/watched_files.h"
+#include "parser/files/watched_files.h"
 #include "tools/common/machine.h"
 #include "tools/lentray-batch/run_folder.h"
 #include "tools/lentray-batch/scheduler.h"

@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-#include "parser/options.h"
+#include "parser/options/options.h"
 
 namespace lentray::diff {
 

@@ -9,7 +9,7 @@
 #include <map>
 #include <thread>
 
-#include "parser/ini.h"
+#include "parser/options/ini.h"
 
 namespace lentray::diff {
 

@@ -11,16 +11,16 @@
 #include "core/image/display.h"
 #include "core/image/file_swap.h"
 #include "core/image/reader.h"
-#include "parser/options.h"
-#include "tools/lentray-diff/arguments.h"
+#include "parser/options/options.h"
 #include "tools/common/machine.h"
 #include "tools/common/process.h"
+#include "tools/common/standard_streams.h"
+#include "tools/common/version.h"
+#include "tools/lentray-diff/arguments.h"
 #include "tools/lentray-diff/report.h"
 #include "tools/lentray-diff/sampling.h"
 #include "tools/lentray-diff/sheet.h"
 #include "tools/lentray-diff/stock.h"
-#include "tools/common/standard_streams.h"
-#include "tools/common/version.h"
 
 namespace lentray::diff {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "core/image/srgb.h"
 #include "core/image/writer.h"
-#include "parser/options.h"
+#include "parser/options/options.h"
 
 namespace lentray::diff {
 

@@ -1,7 +1,7 @@
 #include "tools/lentray-grouping/arguments.h"
 
-#include "parser/ini.h"
-#include "parser/own_option.h"
+#include "parser/options/ini.h"
+#include "parser/options/own_option.h"
 #include "shadow/pixel_orders.h"
 #include "shadow/tester_factory.h"
 

@@ -4,8 +4,8 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "parser/ini.h"
-#include "parser/own_option.h"
+#include "parser/options/ini.h"
+#include "parser/options/own_option.h"
 
 namespace lentray::merge {
 

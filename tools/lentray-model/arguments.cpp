@@ -5,8 +5,8 @@
 #include <cmath>
 #include <sstream>
 
-#include "parser/ini.h"
-#include "parser/own_option.h"
+#include "parser/options/ini.h"
+#include "parser/options/own_option.h"
 #include "tools/lentray-model/figures.h"
 
 namespace lentray::model {

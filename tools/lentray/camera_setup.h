@@ -9,8 +9,8 @@
 #include "camera/camera.h"
 #include "camera/lenticular.h"
 #include "camera/scene_probe.h"
-#include "parser/build/camera.h"
-#include "parser/options.h"
+#include "parser/compile/camera.h"
+#include "parser/options/options.h"
 
 namespace lentray::tool {
 

@@ -9,8 +9,8 @@
 #include <csignal>
 #include <cstdio>
 
-#include "parser/files.h"
-#include "parser/shown.h"
+#include "parser/base/shown.h"
+#include "parser/files/files.h"
 
 namespace lentray::tool {
 namespace {

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "parser/options.h"
-#include "parser/povray_conf.h"
+#include "parser/options/options.h"
+#include "parser/restrictions/povray_conf.h"
 #include "tools/lentray/text_streams.h"
 
 namespace lentray::tool {

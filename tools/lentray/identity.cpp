@@ -9,8 +9,8 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "parser/create_ini.h"
-#include "parser/watched_files.h"
+#include "parser/files/watched_files.h"
+#include "parser/options/create_ini.h"
 #include "tools/common/version.h"
 
 namespace lentray::tool {

@@ -6,8 +6,8 @@
 #include <map>
 #include <string>
 
-#include "parser/animation.h"
-#include "parser/options.h"
+#include "parser/options/animation.h"
+#include "parser/options/options.h"
 
 namespace lentray::tool {
 

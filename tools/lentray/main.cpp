@@ -13,15 +13,15 @@
 
 #include "camera/lens_request.h"
 #include "core/image/writer.h"
-#include "parser/build/build_error.h"
-#include "parser/diagnostics.h"
-#include "parser/options.h"
-#include "parser/options_help.h"
+#include "parser/options/options.h"
+#include "parser/options/options_help.h"
+#include "parser/source/build_error.h"
+#include "parser/source/diagnostics.h"
+#include "tools/common/standard_streams.h"
+#include "tools/common/version.h"
 #include "tools/lentray/run.h"
 #include "tools/lentray/run_guard.h"
-#include "tools/common/standard_streams.h"
 #include "tools/lentray/text_streams.h"
-#include "tools/common/version.h"
 #include "tools/lentray/warnings.h"
 
 namespace {

@@ -8,7 +8,7 @@
 #include "core/image/writer.h"
 #include "core/render/band_sink.h"
 #include "core/scene/scene.h"
-#include "parser/options.h"
+#include "parser/options/options.h"
 #include "tools/lentray/camera_setup.h"
 
 namespace lentray::tool {

@@ -10,8 +10,8 @@
 #include <cstring>
 #include <stdexcept>
 
-#include "parser/options.h"
-#include "parser/watched_files.h"
+#include "parser/files/watched_files.h"
+#include "parser/options/options.h"
 
 namespace lentray::tool {
 namespace {

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "parser/animation.h"
-#include "parser/options.h"
+#include "parser/options/animation.h"
+#include "parser/options/options.h"
 #include "tools/lentray/run.h"
 #include "tools/lentray/text_streams.h"
 #include "tools/lentray/warnings.h"

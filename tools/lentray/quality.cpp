@@ -10,7 +10,7 @@ class NoShadows final : public core::ShadowTester {
 
 class NoShadowsFactory final : public core::ShadowTesterFactory {
  public:
-  std::unique_ptr<core::ShadowTester> make(const core::ShadowContext&) const override {
+  std::unique_ptr<core::ShadowTester> make(core::ThreadContext&) const override {
     return std::make_unique<NoShadows>();
   }
 };

@@ -6,8 +6,8 @@
 
 #include <memory>
 
-#include "core/render/shadow_tester.h"
 #include "core/scene/scene.h"
+#include "core/trace/shadow_tester.h"
 
 namespace lentray::tool {
 

@@ -3,9 +3,9 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "parser/animation.h"
-#include "parser/create_ini.h"
-#include "parser/povray_conf.h"
+#include "parser/options/animation.h"
+#include "parser/options/create_ini.h"
+#include "parser/restrictions/povray_conf.h"
 #include "tools/lentray/commands.h"
 #include "tools/lentray/output.h"
 #include "tools/lentray/picture_journal.h"

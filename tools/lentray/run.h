@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "parser/options.h"
+#include "parser/options/options.h"
 #include "tools/lentray/text_streams.h"
 #include "tools/lentray/warnings.h"
 

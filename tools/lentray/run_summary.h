@@ -6,7 +6,7 @@
 #include <string>
 
 #include "core/scene/scene.h"
-#include "parser/options.h"
+#include "parser/options/options.h"
 #include "shadow/report.h"
 #include "tools/lentray/camera_setup.h"
 

@@ -2,9 +2,9 @@
 
 #include <filesystem>
 
-#include "parser/memory_writes.h"
-#include "parser/povray_conf.h"
-#include "parser/restricted_files.h"
+#include "parser/files/memory_writes.h"
+#include "parser/restrictions/povray_conf.h"
+#include "parser/restrictions/restricted_files.h"
 
 namespace lentray::tool {
 namespace {

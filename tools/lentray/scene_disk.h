@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "parser/files.h"
-#include "parser/options.h"
-#include "parser/watched_files.h"
+#include "parser/files/files.h"
+#include "parser/files/watched_files.h"
+#include "parser/options/options.h"
 #include "tools/lentray/warnings.h"
 
 namespace lentray::tool {

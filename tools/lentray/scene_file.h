@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "parser/options.h"
+#include "parser/options/options.h"
 
 namespace lentray::tool {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "parser/shown.h"
+#include "parser/base/shown.h"
 
 namespace lentray::tool {
 namespace {

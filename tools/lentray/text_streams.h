@@ -9,8 +9,8 @@
 #include <string>
 #include <string_view>
 
-#include "parser/diagnostics.h"
-#include "parser/options.h"
+#include "parser/options/options.h"
+#include "parser/source/diagnostics.h"
 
 namespace lentray::tool {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/geometry/roots.h"
+#include "core/numeric/roots.h"
 #include "tests/stability/polynomials/aberth.h"
 #include "tests/stability/polynomials/closed_forms.h"
 #include "tests/stability/polynomials/sturm.h"

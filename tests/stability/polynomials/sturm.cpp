@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/geometry/bracket.h"
+#include "core/numeric/bracket.h"
 
 namespace lentray::stability {
 namespace {

@@ -1,0 +1,568 @@
+#include "core/bvh/wide_bvh.h"
+
+#include <tbb/parallel_invoke.h>
+
+#include <algorithm>
+#include <atomic>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <new>
+#include <stdexcept>
+
+namespace lentray::core {
+void WideLimits::approach(Vec3& o, const Vec3& d, double& error, bool has_far) {
+  const double far = std::max({std::fabs(o.x), std::fabs(o.y), std::fabs(o.z)});
+  error += far * 0x1p-48;
+  const double reach = 1.125 + 2.0 * error;  // a little before the boxes
+  double enter = -Bounds::kInf, leave = Bounds::kInf;
+  bool passes = false;  // by the middle, perhaps towards far boxes
+  for (int a = 0; a < 3; ++a) {
+    if (std::fabs(d[a]) < kLeastComponent) {
+      if (std::fabs(o[a]) > reach) passes = true;
+      continue;
+    }
+    const double t1 = (-reach - o[a]) / d[a], t2 = (reach - o[a]) / d[a];
+    enter = std::max(enter, std::min(t1, t2));
+    leave = std::min(leave, std::max(t1, t2));
+  }
+  if (passes || !(enter <= leave)) {
+    misses = !has_far;
+    if (misses) return;
+    enter = -dot(o, d) / dot(d, d);
+  }
+  o += d * enter;
+  start = enter / rate;
+  slack = 4.0 * error;
+}
+
+WideRay::WideRay(const Ray& ray, const WideFrame& frame) {
+  Vec3 o = frame.point(ray.origin);
+  Vec3 d = ray.direction * frame.scale;
+  rate = std::max({std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)});
+  const double sum = std::fabs(o.x) + std::fabs(o.y) + std::fabs(o.z) + std::fabs(d.x) +
+                     std::fabs(d.y) + std::fabs(d.z);
+  misses = !(rate > 0.0 && sum < 1e300);  // no number is not less
+  if (misses) return;
+  d /= rate;
+  double error = frame.pad;
+  if (std::max({std::fabs(o.x), std::fabs(o.y), std::fabs(o.z)}) > kNear) {
+    approach(o, d, error, frame.has_far);
+  }
+  if (misses) return;
+  for (int a = 0; a < 3; ++a) {
+    const double component = std::copysign(std::max(std::fabs(d[a]), kLeastComponent), d[a]);
+    inverse[a] = static_cast<float>(1.0 / component);
+    entry[a] = component < 0.0 ? 1 : 0;
+    const float above = up(o[a] + error), below = down(o[a] - error);
+    near_origin[a] = entry[a] ? below : above;
+    far_origin[a] = entry[a] ? above : below;
+  }
+}
+
+namespace {
+
+/// A box in the tree's frame, in floats as the nodes have them; lows negated, so that one maximum
+/// joins boxes. Lane 3 is anything but a small or no number.
+struct FloatBox {
+  __m128 low = _mm_set1_ps(-std::numeric_limits<float>::infinity());
+  __m128 high = low;
+
+  void include(const FloatBox& b) {
+    low = _mm_max_ps(low, b.low);
+    high = _mm_max_ps(high, b.high);
+  }
+  /// Half of it; not of an empty box.
+  float surface() const {
+    const __m128 d = _mm_min_ps(_mm_add_ps(high, low), _mm_set1_ps(1e18f));  // its square is a float
+    const __m128 products = _mm_mul_ps(d, _mm_shuffle_ps(d, d, _MM_SHUFFLE(3, 0, 2, 1)));
+    const __m128 y = _mm_shuffle_ps(products, products, 1), z = _mm_movehl_ps(products, products);
+    return _mm_cvtss_f32(_mm_add_ss(_mm_add_ss(products, y), z));
+  }
+  /// Twice its middle.
+  __m128 middle() const { return _mm_sub_ps(high, low); }
+};
+
+/// A part while the tree is built: its box, whose lanes 3 hold the part's index and kind.
+struct Item {
+  FloatBox box;
+
+  static constexpr std::uint32_t kNumber = 0x40000000u;  // makes a plain float of 27 bits
+  std::uint32_t part() const { return lane3(box.low) & ~kNumber; }
+  std::uint32_t kind() const { return lane3(box.high) & ~kNumber; }
+  static std::uint32_t lane3(__m128 v) {
+    return static_cast<std::uint32_t>(_mm_cvtsi128_si32(_mm_shuffle_epi32(_mm_castps_si128(v), 0xff)));
+  }
+};
+
+/// Rounded outwards.
+Item item_of(const Bounds& bounds, const WideFrame& frame, std::uint32_t part, std::uint32_t kind) {
+  const Vec3 lo = frame.point(bounds.lo), hi = frame.point(bounds.hi);
+  const auto low = [&](double v) { return -WideLimits::down(v - frame.pad); };
+  const auto high = [&](double v) { return WideLimits::up(v + frame.pad); };
+  Item item;
+  item.box.low = _mm_set_ps(std::bit_cast<float>(Item::kNumber | part), low(lo.z), low(lo.y), low(lo.x));
+  item.box.high = _mm_set_ps(std::bit_cast<float>(Item::kNumber | kind), high(hi.z), high(hi.y), high(hi.x));
+  return item;
+}
+
+struct Branch {
+  FloatBox box;
+  std::uint32_t left, right;   ///< branches, if count is 0
+  std::uint32_t first, count;
+};
+
+/// An array that is not touched before it is used.
+template <class T>
+class Untouched {
+ public:
+  explicit Untouched(std::size_t n) : m_data(static_cast<T*>(::operator new(n * sizeof(T)))) {}
+  T& operator[](std::size_t i) { return m_data.get()[i]; }
+  const T& operator[](std::size_t i) const { return m_data.get()[i]; }
+
+ private:
+  struct Free {
+    void operator()(T* data) const { ::operator delete(data); }
+  };
+  static_assert(std::is_trivially_destructible_v<T>);
+  std::unique_ptr<T, Free> m_data;
+};
+
+/// Top-down binary build by the surface-area heuristic over binned centres, of samples where parts
+/// are many.
+class BinaryBuilder {
+ public:
+  BinaryBuilder(std::span<const Bounds> boxes, const std::vector<std::uint32_t>& parts,
+                const WideFrame& frame, const WideBvh::Options& options);
+
+  std::uint32_t run() { return split(0, m_count, 0, m_all, m_alike); }
+  const Branch& operator[](std::uint32_t i) const { return m_branches[i]; }
+  std::uint32_t part_at(std::uint32_t place) const { return m_items[place].part(); }
+  /// When nobody asks for part_at() any more.
+  void drop_items() { m_items = Untouched<Item>(0); }
+
+ private:
+  /// Few parts need few bins.
+  static int bins_for(std::uint32_t count) { return count <= 8 ? 4 : count <= 32 ? 8 : 16; }
+  // Of one binary step. An 8-wide node does about three, in the time of one test; the rest is that nodes are
+  // made and fetched.
+  static constexpr double kNodeCost = 0.4;
+  static constexpr std::uint32_t kMostSampled = 2048;
+  struct Bin {
+    FloatBox box;
+    std::uint32_t count = 0;
+  };
+  /// Of some parts: their box, and that of twice their middles.
+  struct Extent {
+    FloatBox box, middles;
+    void include(const Item& item) {
+      box.include(item.box);
+      const __m128 middle = item.box.middle();
+      middles.include({_mm_sub_ps(_mm_setzero_ps(), middle), middle});
+    }
+  };
+  /// bin_of: (middle - start) * per_bin, below 0 and above the bins too by rounding.
+  struct Bins {
+    __m128 start, per_bin;
+    bool any = false;  ///< else all middles are alike
+    Bins(const FloatBox& middles, int bins);
+    __m128 of(const Item& item) const {
+      return _mm_mul_ps(_mm_sub_ps(item.box.middle(), start), per_bin);
+    }
+  };
+  struct Split {
+    double cost = Bounds::kInf;
+    int axis = -1, bin = 0;
+  };
+
+  WideBvh::Options::Kind kind_of(const Item& item) const {
+    if (m_options.kinds.empty()) return {m_options.pack, m_options.cost, m_options.max_leaf};
+    return m_options.kind_costs[item.kind()];
+  }
+  bool one_kind(std::uint32_t first, std::uint32_t count) const {
+    const std::uint32_t kind = m_items[first].kind();
+    for (std::uint32_t i = first + 1; i < first + count; ++i) {
+      if (m_items[i].kind() != kind) return false;
+    }
+    return true;
+  }
+
+  std::uint32_t split(std::uint32_t first, std::uint32_t count, int depth, const Extent& extent, bool alike);
+  static double leaf_cost_parts(std::uint32_t count, int pack) {
+    return static_cast<double>((count + static_cast<std::uint32_t>(pack) - 1) / static_cast<std::uint32_t>(pack));
+  }
+  Split best_split(std::uint32_t first, std::uint32_t count, const FloatBox& middles, bool alike) const {
+    switch (bins_for(count)) {
+      case 4: return best_split<4>(first, count, middles, alike);
+      case 8: return best_split<8>(first, count, middles, alike);
+      default: return best_split<16>(first, count, middles, alike);
+    }
+  }
+  template <int kUsed>
+  Split best_split(std::uint32_t first, std::uint32_t count, const FloatBox& middles, bool alike) const;
+  template <class IsLeft>
+  std::uint32_t divide(std::uint32_t first, std::uint32_t count, Extent& left, Extent& right, IsLeft&& is_left);
+  std::uint32_t divide(std::uint32_t first, std::uint32_t count, const Split& split, const FloatBox& middles,
+                       Extent& left, Extent& right);
+
+  const WideBvh::Options& m_options;
+  std::uint32_t m_count;
+  Untouched<Item> m_items;
+  Untouched<Branch> m_branches;
+  Extent m_all;
+  bool m_alike = true;
+  std::atomic<std::uint32_t> m_used{0};
+};
+
+BinaryBuilder::BinaryBuilder(std::span<const Bounds> boxes, const std::vector<std::uint32_t>& parts,
+                             const WideFrame& frame, const WideBvh::Options& options)
+    : m_options(options),
+      m_count(static_cast<std::uint32_t>(parts.size())),
+      m_items(parts.size()),
+      m_branches(2 * parts.size()) {
+  for (std::uint32_t i = 0; i < m_count; ++i) {
+    const std::uint32_t part = parts[i], kind = options.kinds.empty() ? 0u : options.kinds[part];
+    m_items[i] = item_of(boxes[part], frame, part, kind);
+    m_all.include(m_items[i]);
+  }
+  m_alike = options.kinds.empty() || one_kind(0, m_count);
+}
+
+BinaryBuilder::Bins::Bins(const FloatBox& middles, int bins) : start(_mm_sub_ps(_mm_setzero_ps(), middles.low)) {
+  alignas(16) float size[4], rate[4] = {};
+  _mm_store_ps(size, _mm_add_ps(middles.high, middles.low));
+  for (int a = 0; a < 3; ++a) {
+    const float per = static_cast<float>(bins) / size[a];
+    if (!(size[a] > 0.0f && std::isfinite(per))) continue;
+    rate[a] = per;
+    any = true;
+  }
+  per_bin = _mm_load_ps(rate);
+}
+
+template <int kUsed>
+BinaryBuilder::Split BinaryBuilder::best_split(std::uint32_t first, std::uint32_t count,
+                                               const FloatBox& middles, bool alike) const {
+  const Bins place(middles, kUsed);
+  Split best;
+  if (!place.any) return best;
+  Bin bins[3][kUsed];
+  double weight = 0.0;
+  const __m128 last = _mm_set1_ps(kUsed - 1);
+  const std::uint32_t step = std::max(1u, count / kMostSampled), end = first + count;
+  for (std::uint32_t i = first; i < end; i += step) {
+    const Item& item = m_items[i];
+    const __m128i at = _mm_cvttps_epi32(_mm_max_ps(_mm_min_ps(place.of(item), last), _mm_setzero_ps()));
+    const auto add = [&](Bin& bin) {
+      bin.box.include(item.box);
+      ++bin.count;
+    };
+    add(bins[0][_mm_cvtsi128_si32(at)]);
+    add(bins[1][_mm_cvtsi128_si32(_mm_shuffle_epi32(at, 1))]);
+    add(bins[2][_mm_cvtsi128_si32(_mm_shuffle_epi32(at, 2))]);
+    if (alike) continue;
+    const auto kind = kind_of(item);
+    weight += kind.cost / kind.pack;
+  }
+  // Cost of one started pack of parts on average: small sides pay for whole packs.
+  const auto kind = kind_of(m_items[first]);
+  const int pack = step > 1 ? 1 : kind.pack;
+  const double packs_a_part = 1.0 / pack, started = packs_a_part * (pack - 1) + 1e-9;
+  const auto packs = [&](std::uint32_t n) {  // leaf_cost_parts without its division
+    return static_cast<double>(static_cast<std::int32_t>(n * packs_a_part + started));
+  };
+  const std::uint32_t sampled = (count + step - 1) / step;
+  const double pack_cost = (alike ? kind.cost / kind.pack : weight / sampled) * pack * step;
+  for (int a = 0; a < 3; ++a) {
+    double right_cost[kUsed];
+    FloatBox box;
+    std::uint32_t n = 0;
+    for (int b = kUsed - 1; b > 0; --b) {
+      box.include(bins[a][b].box);
+      n += bins[a][b].count;
+      right_cost[b] = n == 0 ? Bounds::kInf : box.surface() * packs(n) * pack_cost;
+    }
+    box = FloatBox{};
+    n = 0;
+    for (int b = 1; b < kUsed; ++b) {
+      box.include(bins[a][b - 1].box);
+      n += bins[a][b - 1].count;
+      if (n == 0) continue;
+      const double cost = box.surface() * packs(n) * pack_cost + right_cost[b];
+      if (cost < best.cost) best = {cost, a, b};
+    }
+  }
+  return best;
+}
+
+template <class IsLeft>
+std::uint32_t BinaryBuilder::divide(std::uint32_t first, std::uint32_t count, Extent& left, Extent& right,
+                                    IsLeft&& is_left) {
+  std::uint32_t from = first, to = first + count;
+  while (from < to) {
+    const Item item = m_items[from];
+    if (is_left(item)) {
+      left.include(item);
+      ++from;
+    } else {
+      right.include(item);
+      --to;
+      m_items[from] = m_items[to];
+      m_items[to] = item;
+    }
+  }
+  return from - first;
+}
+
+/// Orders the parts so that the left side comes first; returns how many that are.
+std::uint32_t BinaryBuilder::divide(std::uint32_t first, std::uint32_t count, const Split& split,
+                                    const FloatBox& middles, Extent& left, Extent& right) {
+  if (split.axis >= 0) {
+    const Bins place(middles, bins_for(count));
+    const __m128 limit = _mm_set1_ps(static_cast<float>(split.bin));
+    const int axis = 1 << split.axis;
+    const std::uint32_t n = divide(first, count, left, right, [&](const Item& item) {
+      return (_mm_movemask_ps(_mm_cmplt_ps(place.of(item), limit)) & axis) != 0;
+    });
+    if (n != 0 && n != count) return n;
+    left = right = Extent{};
+  }
+  const std::uint32_t n = count / 2;  // all middles alike
+  for (std::uint32_t i = 0; i < count; ++i) (i < n ? left : right).include(m_items[first + i]);
+  return n;
+}
+
+std::uint32_t BinaryBuilder::split(std::uint32_t first, std::uint32_t count, int depth, const Extent& extent,
+                                   bool alike) {
+  const std::uint32_t self = m_used.fetch_add(1);
+  Branch& branch = m_branches[self];
+  branch = {extent.box, 0, 0, first, count};
+  if (count == 1) return self;
+  alike = alike || one_kind(first, count);
+  const auto kind = kind_of(m_items[first]);
+  // Splits by area lean to one side at worst one part at a time; halving bounds the depth.
+  Split best;
+  if (depth < 40) best = best_split(first, count, extent.middles, alike);
+  if (alike && count <= static_cast<std::uint32_t>(kind.max_leaf)) {
+    const double area = extent.box.surface();
+    const double as_leaf = leaf_cost_parts(count, kind.pack) * kind.cost * area;
+    if (!(best.cost + kNodeCost * area < as_leaf)) return self;
+  }
+  Extent left, right;
+  std::uint32_t lefts;
+  if (!alike && count <= 4) {
+    // A few parts of different kinds: a leaf a kind.
+    const std::uint32_t index = m_items[first].kind();
+    lefts = divide(first, count, left, right, [&](const Item& item) { return item.kind() == index; });
+  } else {
+    lefts = divide(first, count, best, extent.middles, left, right);
+  }
+#ifdef __SANITIZE_THREAD__
+  // What oneTBB's library synchronises inside is not seen: every branch would be reported.
+  constexpr std::uint32_t kParallel = ~0u;
+#else
+  constexpr std::uint32_t kParallel = 4096;
+#endif
+  branch.count = 0;
+  const auto do_left = [&] { branch.left = split(first, lefts, depth + 1, left, alike); };
+  const auto do_right = [&] { branch.right = split(first + lefts, count - lefts, depth + 1, right, alike); };
+  if (count > kParallel) {
+    tbb::parallel_invoke(do_left, do_right);
+  } else {
+    do_left();
+    do_right();
+  }
+  return self;
+}
+
+/// Gathers the binary tree into nodes of eight, the largest branches opened first.
+class WideCollapser {
+ public:
+  WideCollapser(const BinaryBuilder& tree, std::vector<WideNode>& nodes, WideBvh::Statistics& statistics)
+      : m_tree(tree), m_nodes(nodes), m_statistics(statistics) {}
+
+  void emit(std::uint32_t root);
+
+ private:
+  /// A node before its boxes are copied. How many there are is known first: the nodes are large, and
+  /// copies of a growing list of them cost more than all else here.
+  struct Plan {
+    std::uint32_t branch[WideNode::kWidth];
+    std::uint32_t child[WideNode::kWidth];  ///< as the node has it
+    int used = 0;
+  };
+  Plan planned(std::uint32_t root) const;
+  std::uint32_t plan(std::uint32_t root, int depth);
+  static void set_box(WideNode& node, int slot, const FloatBox& box);
+
+  const BinaryBuilder& m_tree;
+  std::vector<WideNode>& m_nodes;
+  WideBvh::Statistics& m_statistics;
+  std::vector<Plan> m_plans;  ///< one a node
+};
+
+void WideCollapser::set_box(WideNode& node, int slot, const FloatBox& box) {
+  alignas(16) float low[4], high[4];
+  _mm_store_ps(low, box.low);
+  _mm_store_ps(high, box.high);
+  for (int a = 0; a < 3; ++a) {
+    node.planes[a][0][slot] = -low[a];
+    node.planes[a][1][slot] = high[a];
+  }
+}
+
+WideCollapser::Plan WideCollapser::planned(std::uint32_t root) const {
+  Plan out;
+  float areas[WideNode::kWidth];
+  const auto add = [&](int slot, std::uint32_t branch) {
+    out.branch[slot] = branch;
+    areas[slot] = m_tree[branch].count == 0 ? m_tree[branch].box.surface() : -1.0f;
+  };
+  if (m_tree[root].count > 0) {
+    add(out.used++, root);
+  } else {
+    add(out.used++, m_tree[root].left);
+    add(out.used++, m_tree[root].right);
+  }
+  while (out.used < WideNode::kWidth) {
+    int largest = 0;
+    for (int i = 1; i < out.used; ++i) {
+      if (areas[i] > areas[largest]) largest = i;
+    }
+    if (areas[largest] < 0.0f) break;
+    const Branch& open = m_tree[out.branch[largest]];
+    add(largest, open.left);
+    add(out.used++, open.right);
+  }
+  return out;
+}
+
+std::uint32_t WideCollapser::plan(std::uint32_t root, int depth) {
+  const auto self = static_cast<std::uint32_t>(m_plans.size());
+  const Plan made = planned(root);
+  m_plans.push_back(made);
+  m_statistics.depth = std::max(m_statistics.depth, depth);
+  for (int i = 0; i < made.used; ++i) {
+    const Branch& b = m_tree[made.branch[i]];
+    std::uint32_t child = 0;
+    if (b.count > 0) {
+      child = WideNode::kLeaf | b.count << WideNode::kFirstBits | b.first;
+      ++m_statistics.leaves;
+    } else {
+      child = plan(made.branch[i], depth + 1);
+    }
+    m_plans[self].child[i] = child;
+  }
+  return self;
+}
+
+void WideCollapser::emit(std::uint32_t root) {
+  plan(root, 1);
+  m_nodes.reserve(m_plans.size());
+  for (const Plan& plan : m_plans) {
+    WideNode& node = m_nodes.emplace_back();
+    node.used = static_cast<std::uint32_t>(plan.used);
+    for (int i = 0; i < WideNode::kWidth; ++i) {
+      const bool taken = i < plan.used;
+      node.child[i] = taken ? plan.child[i] : WideNode::kLeaf;
+      if (taken) {
+        set_box(node, i, m_tree[plan.branch[i]].box);
+        continue;
+      }
+      for (int a = 0; a < 3; ++a) {
+        node.planes[a][0][i] = 64.0f;
+        node.planes[a][1][i] = -64.0f;
+      }
+    }
+  }
+}
+
+double reach_from(const Vec3& middle, const Bounds& box) {
+  double reach = 0.0;
+  for (int a = 0; a < 3; ++a) {
+    reach = std::max({reach, std::fabs(box.lo[a] - middle[a]), std::fabs(box.hi[a] - middle[a])});
+  }
+  return reach;
+}
+
+/// The bounds of all boxes but of a few that reach much farther than the rest.
+Bounds bulk_of(std::span<const Bounds> boxes, const std::vector<std::uint32_t>& parts, const Bounds& all) {
+  constexpr std::size_t kFewest = 16, kMostSampled = 1024;
+  constexpr double kMuchFarther = 1024.0;
+  if (parts.size() < kFewest) return all;
+  const std::size_t step = std::max<std::size_t>(1, parts.size() / kMostSampled);
+  const auto quantile = [&](double part, auto&& value_of) {
+    std::vector<double> values;
+    for (std::size_t i = 0; i < parts.size(); i += step) values.push_back(value_of(boxes[parts[i]]));
+    const auto at = values.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1));
+    std::nth_element(values.begin(), at, values.end());
+    return *at;
+  };
+  Vec3 middle;
+  for (int a = 0; a < 3; ++a) {
+    middle[a] = quantile(0.5, [a](const Bounds& b) { return b.lo[a] * 0.5 + b.hi[a] * 0.5; });
+  }
+  const double limit = kMuchFarther * quantile(0.9, [&](const Bounds& b) { return reach_from(middle, b); });
+  if (!(reach_from(middle, all) > limit)) return all;
+  Bounds bulk;
+  for (const std::uint32_t part : parts) {
+    if (reach_from(middle, boxes[part]) <= limit) bulk.include(boxes[part]);
+  }
+  return bulk;
+}
+
+/// `bulk`: of the boxes that the frame is made for, among `all`.
+WideFrame frame_of(const Bounds& bulk, const Bounds& all) {
+  WideFrame frame;
+  frame.has_far = !(bulk.lo == all.lo && bulk.hi == all.hi);
+  frame.offset = bulk.lo * 0.5 + bulk.hi * 0.5;
+  const Vec3 half = bulk.hi * 0.5 - bulk.lo * 0.5;
+  const double size = std::max({half.x, half.y, half.z, 1e-290});
+  int exponent = 0;
+  std::frexp(size, &exponent);  // size < 2^exponent
+  frame.scale = std::ldexp(1.0, std::clamp(-exponent, -1000, 1000));
+  const double far = std::max({std::fabs(frame.offset.x), std::fabs(frame.offset.y),
+                               std::fabs(frame.offset.z)});
+  frame.pad = 0x1p-46 + far * frame.scale * 0x1p-48;
+  return frame;
+}
+
+}  // namespace
+
+void WideBvh::build(std::span<const Bounds> boxes, const Options& options) {
+  m_order.reserve(boxes.size());
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    if (boxes[i].is_empty()) continue;
+    m_order.push_back(static_cast<std::uint32_t>(i));
+    m_bounds.include(boxes[i]);
+  }
+  if (m_order.empty()) return;
+  if (m_order.size() >> WideNode::kFirstBits != 0) {
+    throw std::length_error("more parts than a bounding hierarchy holds");
+  }
+  m_frame = frame_of(bulk_of(boxes, m_order, m_bounds), m_bounds);
+  BinaryBuilder builder(boxes, m_order, m_frame, options);
+  const std::uint32_t root = builder.run();
+  for (std::uint32_t i = 0; i < m_order.size(); ++i) m_order[i] = builder.part_at(i);
+  builder.drop_items();  // the memory serves what is made next
+  WideCollapser(builder, m_nodes, m_statistics).emit(root);
+  m_statistics.nodes = m_nodes.size();
+  m_statistics.parts = m_order.size();
+}
+
+void WideBvh::open_boxes() {
+  constexpr float kInf = std::numeric_limits<float>::infinity();
+  for (WideNode& node : m_nodes) {
+    for (auto& [low, high] : node.planes) {
+      std::fill_n(low, node.used, -kInf);
+      std::fill_n(high, node.used, kInf);
+    }
+  }
+}
+
+std::size_t WideBvh::memory() const {
+  return m_nodes.capacity() * sizeof(WideNode) + m_order.capacity() * sizeof(std::uint32_t);
+}
+
+}  // namespace lentray::core

@@ -1,0 +1,377 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/numeric/box_ray.h"
+#include "core/object/csg_search.h"
+
+namespace lentray::core {
+namespace {
+
+constexpr double kCoincide = 1e-9;  ///< of the distances: roundings of hits stay below
+
+/// The sizes that the rounding of a hit at t goes by.
+double distances(const Ray& ray, double t) {
+  return std::fabs(t) + std::fabs(ray.origin.x) + std::fabs(ray.origin.y) + std::fabs(ray.origin.z);
+}
+
+std::string_view keyword(CsgKind kind) {
+  switch (kind) {
+    case CsgKind::kUnion: return "union";
+    case CsgKind::kIntersection: return "intersection";
+    case CsgKind::kDifference: return "difference";
+    default: return "merge";
+  }
+}
+
+/// A list of the arena, from when it is asked for first for as long as it is needed.
+class ScratchHits {
+ public:
+  explicit ScratchHits(HitArena& arena) : m_arena(arena) {}
+  ~ScratchHits() {
+    if (m_list) m_arena.release();
+  }
+  ScratchHits(const ScratchHits&) = delete;
+  ScratchHits& operator=(const ScratchHits&) = delete;
+  std::vector<Hit>& operator*() {
+    if (!m_list) m_list = &m_arena.acquire();
+    return *m_list;
+  }
+
+ private:
+  HitArena& m_arena;
+  std::vector<Hit>* m_list = nullptr;
+};
+
+}  // namespace
+
+/// Where a ray is in the core, and what it meets of it.
+struct Csg::Chord {
+  const std::vector<Hit>& hits;  ///< all beyond t_min
+  double from, to;               ///< between which t, widened by more than rounding, any part's hits can be kept
+
+  Chord(const std::vector<Hit>& found, const Ray& ray, double t_min, bool convex)
+      : hits(found), from(t_min), to(found[0].t) {
+    double first = to;
+    for (const Hit& hit : found) {
+      to = std::max(to, hit.t);
+      first = std::min(first, hit.t);
+    }
+    constexpr double kShare = 1e-9, kOfPlace = 1e-11;
+    const auto size = [](const Vec3& v) { return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z); };
+    const double slack = kShare * (std::fabs(first) + std::fabs(to)) + kOfPlace * size(ray.origin) / size(ray.direction);
+    if (convex && found.size() > 1) from = first - slack;
+    to += slack;
+  }
+  bool has(double t) const { return t >= from && t <= to; }
+};
+
+Csg::Csg(CsgKind kind, std::vector<std::unique_ptr<Object>> children)
+    : m_kind(kind), m_name(keyword(kind)), m_children(std::move(children)) {
+  if (kind == CsgKind::kDifference) {
+    for (std::size_t i = 1; i < m_children.size(); ++i) {
+      m_children[i]->set_inverse(!m_children[i]->is_inverse());
+    }
+  }
+  fence_children();
+}
+
+Csg::~Csg() = default;
+
+std::string_view Csg::name() const { return m_name; }
+
+void Csg::set_inverse(bool inverse) {
+  if (inverse == is_inverse()) return;
+  Object::set_inverse(inverse);
+  for (auto& child : m_children) child->set_inverse(!child->is_inverse());
+  m_kind = joins(m_kind) ? CsgKind::kIntersection : CsgKind::kMerge;
+  fence_children();
+}
+
+/// As stock has it: parts of unions and merges go by their own flags, those of other CSG by the
+/// whole's, and so do parts of a union for rays straight from the camera.
+bool Csg::is_unseen(std::size_t child, RayKind kind) const {
+  if (!joins(m_kind)) return false;
+  const Attributes& looks = m_children[child]->attributes();
+  switch (kind) {
+    case RayKind::kCamera: return looks.no_image && m_kind == CsgKind::kMerge;
+    case RayKind::kTransmitted: return looks.no_image;
+    case RayKind::kReflection: return looks.no_reflection;
+    case RayKind::kShadow: break;
+  }
+  return false;
+}
+
+void Csg::leaves(std::vector<const Leaf*>& out) const {
+  for (const auto& child : m_children) child->leaves(out);
+}
+
+bool Csg::child_inside(std::size_t child, const Vec3& p) const {
+  const Fence& fence = m_fences[child];
+  return fence.decide.contains(p) ? m_children[child]->inside(p) : fence.beyond;
+}
+
+bool Csg::any_inside(const Vec3& p, std::size_t except) const {
+  if (!m_search) {
+    for (std::size_t i = 0; i < m_children.size(); ++i) {
+      if (i != except && child_inside(i, p)) return true;
+    }
+    return false;
+  }
+  const Search& search = this->search();
+  for (const std::uint32_t i : search.open_solids) {
+    if (i != except && m_children[i]->inside(p)) return true;
+  }
+  std::size_t beyond = search.in_beyond;  // of those whose box p turns out to be outside of
+  if (except < m_fences.size() && m_fences[except].beyond && !m_fences[except].decide.contains(p)) --beyond;
+  const bool found = search.solids.at_point(p, [&](std::uint32_t first, std::uint32_t count) {
+    for (std::uint32_t place = first; place < first + count; ++place) {
+      const std::uint32_t i = search.solids.order()[place];
+      if (!m_fences[i].decide.contains(p)) continue;
+      if (m_fences[i].beyond) --beyond;
+      if (i != except && m_children[i]->inside(p)) return true;
+    }
+    return false;
+  });
+  return found || beyond > 0;
+}
+
+bool Csg::every_inside(const Vec3& p, std::size_t except) const {
+  if (!m_search) {
+    for (std::size_t i = 0; i < m_children.size(); ++i) {
+      if (i != except && !child_inside(i, p)) return false;
+    }
+    return true;
+  }
+  const Search& search = this->search();
+  for (const std::uint32_t i : search.open_solids) {
+    if (i != except && !m_children[i]->inside(p)) return false;
+  }
+  std::size_t beyond = search.out_beyond;
+  if (except < m_fences.size() && !m_fences[except].beyond && m_fences[except].decide.is_finite() &&
+      !m_fences[except].decide.contains(p)) {
+    --beyond;
+  } else if (except < m_fences.size() && !m_fences[except].beyond && m_fences[except].decide.is_empty()) {
+    --beyond;
+  }
+  const bool missing = search.solids.at_point(p, [&](std::uint32_t first, std::uint32_t count) {
+    for (std::uint32_t place = first; place < first + count; ++place) {
+      const std::uint32_t i = search.solids.order()[place];
+      if (!m_fences[i].decide.contains(p)) continue;
+      if (!m_fences[i].beyond) --beyond;
+      if (i != except && !m_children[i]->inside(p)) return true;
+    }
+    return false;
+  });
+  return !missing && beyond == 0;
+}
+
+bool Csg::inside(const Vec3& p) const {
+  if (!clips().empty() && !passes_clips(p)) return false;
+  return joins(m_kind) ? any_inside(p, kNobody) : every_inside(p, kNobody);
+}
+
+bool Csg::hides_parts() const {
+  for (std::size_t i = 0; i < m_children.size(); ++i) {
+    if (is_unseen(i, RayKind::kTransmitted) || is_unseen(i, RayKind::kReflection)) return true;
+  }
+  return false;
+}
+
+[[gnu::noinline, gnu::cold]] bool Csg::any_seen_inside(const Vec3& p, std::size_t except, RayKind kind) const {
+  for (std::size_t i = 0; i < m_children.size(); ++i) {
+    if (i != except && !is_unseen(i, kind) && m_children[i]->inside(p)) return true;
+  }
+  return false;
+}
+
+/// Hits of one ray that siblings seem to hide. Where surfaces coincide roundings say which is within the other,
+/// and each may seem to hide the other.
+struct Csg::Hidden {
+  std::array<double, 8> at;
+  unsigned count = 0;
+
+  /// Whether there was one at the same t; it is remembered for the next.
+  bool again(const Ray& ray, double t) {
+    const double near = kCoincide * distances(ray, t);
+    const unsigned known = std::min<unsigned>(count, at.size());
+    for (unsigned i = 0; i < known; ++i) {
+      if (std::fabs(at[i] - t) < near) return true;
+    }
+    at[count++ % at.size()] = t;
+    return false;
+  }
+};
+
+/// Whether the whole does so at the ray's t: then it has a surface there, whatever the parts hide.
+[[gnu::noinline, gnu::cold]] bool Csg::begins_or_ends(const Ray& ray, double t) const {
+  const double past = kCoincide * distances(ray, t);
+  const Vec3 before = ray.at(t - past), behind = ray.at(t + past);
+  return joins(m_kind) ? any_inside(before, kNobody) != any_inside(behind, kNobody)
+                       : every_inside(before, kNobody) != every_inside(behind, kNobody);
+}
+
+/// Whether the child's surface at the ray's t belongs to the whole's, as far as the ray sees it.
+[[gnu::always_inline]] inline bool Csg::keeps(std::size_t child, const Ray& ray, double t, const Chord* chord,
+                                              Hidden& hidden, const HitArena& arena) const {
+  if (m_kind == CsgKind::kUnion) return true;
+  if (m_core == kHidden) [[unlikely]] return !any_seen_inside(ray.at(t), child, arena.ray_kind);
+  if (m_kind == CsgKind::kMerge) {
+    if (!any_inside(ray.at(t), child)) return true;
+  } else {
+    if ((!chord || chord->has(t)) && every_inside(ray.at(t), child)) return true;
+    if (m_kind == CsgKind::kDifference) return false;
+  }
+  return hidden.again(ray, t) && begins_or_ends(ray, t);
+}
+
+/// Those whose box the ray meets, the core and then the last child first where they are few; visit may
+/// lower t_max, and answers true to end. `chord` is null where nothing is known.
+template <class Visit>
+void Csg::for_children_met(const Ray& ray, double t_min, double t_max, HitArena& arena, Visit&& visit) const {
+  if (m_core == kHidden) [[unlikely]] {
+    return for_boxes_met(ray, t_min, t_max, [&](std::size_t i, double& limit, const Chord* chord) {
+      return !is_unseen(i, arena.ray_kind) && visit(i, limit, chord);
+    });
+  }
+  if (m_core != kNobody) {
+    const Object& core = *m_children[m_core];
+    ScratchHits scratch(arena);
+    std::vector<Hit>& found = *scratch;
+    core.all(ray, t_min, Bounds::kInf, found, arena);
+    if (found.empty()) return;  // nowhere beyond t_min
+    const Chord chord(found, ray, t_min, core.convexity() == Convexity::kConvex);
+    if (!(chord.from < t_max) || visit(m_core, t_max, &chord)) return;
+    for (std::size_t i = m_children.size(); i-- > 0;) {
+      if (i != m_core && visit(i, t_max, &chord)) return;
+    }
+    return;
+  }
+  for_boxes_met(ray, t_min, t_max, visit);
+}
+
+/// The same without a core.
+template <class Visit>
+void Csg::for_boxes_met(const Ray& ray, double t_min, double t_max, Visit&& visit) const {
+  constexpr Chord* kNone = nullptr;
+  // Boxes that parts leave decide for the ray from its start on, as in stock.
+  const double boxes_from = std::min(t_min, 0.0);
+  if (!m_search && !m_asks_boxes && ball().is_finite()) {
+    // Who met the whole's ball meets most of the parts' boxes: their own tests are as quick.
+    for (std::size_t i = m_children.size(); i-- > 0;) {
+      if (visit(i, t_max, kNone)) return;
+    }
+    return;
+  }
+  if (!m_search) {
+    const BoxRay box_ray(ray);
+    for (std::size_t i = m_children.size(); i-- > 0;) {
+      if (box_ray.meets(m_fences[i].surface, boxes_from, t_max) && visit(i, t_max, kNone)) return;
+    }
+    return;
+  }
+  const Search& search = this->search();
+  for (const std::uint32_t i : search.open_surfaces) {
+    if (visit(i, t_max, kNone)) return;
+  }
+  search.surfaces.traverse(
+      ray, boxes_from, t_max, [&](std::uint32_t first, std::uint32_t count, double& limit) {
+        for (std::uint32_t place = first; place < first + count; ++place) {
+          if (visit(search.surfaces.order()[place], limit, kNone)) return true;
+        }
+        return false;
+      });
+}
+
+/// A child's, in the list that is given unless the chord has them; then some are beyond t_max.
+[[gnu::always_inline]] inline const std::vector<Hit>& Csg::crossings(
+    std::size_t i, const Ray& ray, double t_min, double t_max, const Chord* chord, std::vector<Hit>& list,
+    HitArena& arena) const {
+  if (chord && i == m_core) return chord->hits;
+  list.clear();
+  m_children[i]->all(ray, t_min, t_max, list, arena);
+  return list;
+}
+
+bool Csg::nearest(const Ray& ray, double t_min, double t_max, Hit& hit, HitArena& arena) const {
+  if (ball().is_missed_by(ray)) return false;
+  if (!bounding().empty() && !passes_bounding(ray, arena)) return false;
+  if (clips().empty()) return kept_nearest(ray, t_min, t_max, hit, arena);
+  Hit found;  // the caller's hit stays as it is unless there is one
+  while (kept_nearest(ray, t_min, t_max, found, arena)) {
+    if (passes_clips(ray.at(found.t))) {
+      hit = found;
+      return true;
+    }
+    t_min = found.t;
+  }
+  return false;
+}
+
+/// Nearest before own clips. Where surfaces coincide the last child's counts, as in stock.
+bool Csg::kept_nearest(const Ray& ray, double t_min, double t_max, Hit& hit, HitArena& arena) const {
+  const bool keep_all = m_kind == CsgKind::kUnion;
+  std::size_t owner = kNobody;
+  Hidden hidden;
+  ScratchHits scratch(arena);
+  for_children_met(ray, t_min, t_max, arena, [&](std::size_t i, double& limit, const Chord* chord) {
+    const bool wins_ties = owner != kNobody && i > owner;
+    const double to = wins_ties ? std::nextafter(limit, Bounds::kInf) : limit;
+    if (keep_all) {
+      Hit next;
+      if (!m_children[i]->nearest(ray, t_min, to, next, arena)) return false;
+      hit = next;
+      limit = next.t;
+      owner = i;
+      return false;
+    }
+    double best = to;
+    for (const Hit& next : crossings(i, ray, t_min, to, chord, *scratch, arena)) {
+      if (!(next.t < best) || !keeps(i, ray, next.t, chord, hidden, arena)) continue;
+      hit = next;
+      best = limit = next.t;
+      owner = i;
+    }
+    return false;
+  });
+  return owner != kNobody;
+}
+
+bool Csg::any(const Ray& ray, double t_min, double t_max, HitArena& arena) const {
+  if (ball().is_missed_by(ray)) return false;
+  if (!bounding().empty() && !passes_bounding(ray, arena)) return false;
+  const bool keep_all = m_kind == CsgKind::kUnion && clips().empty();
+  bool found = false;
+  Hidden hidden;
+  ScratchHits scratch(arena);
+  for_children_met(ray, t_min, t_max, arena, [&](std::size_t i, double&, const Chord* chord) {
+    if (keep_all) return found = m_children[i]->any(ray, t_min, t_max, arena);
+    for (const Hit& h : crossings(i, ray, t_min, t_max, chord, *scratch, arena)) {
+      if (chord && !(h.t < t_max)) continue;
+      if (keeps(i, ray, h.t, chord, hidden, arena) && passes_clips(ray.at(h.t))) return found = true;
+    }
+    return false;
+  });
+  return found;
+}
+
+void Csg::all(const Ray& ray, double t_min, double t_max, std::vector<Hit>& hits,
+              HitArena& arena) const {
+  if (ball().is_missed_by(ray)) return;
+  if (!bounding().empty() && !passes_bounding(ray, arena)) return;
+  Hidden hidden;
+  for_children_met(ray, t_min, t_max, arena, [&](std::size_t i, double&, const Chord* chord) {
+    // Where nothing can be dropped the child's hits need no list of their own.
+    const std::size_t first = hits.size();
+    m_children[i]->all(ray, t_min, t_max, hits, arena);
+    if (m_kind == CsgKind::kUnion && clips().empty()) return false;
+    const auto drop = [&](const Hit& h) {
+      return !keeps(i, ray, h.t, chord, hidden, arena) || (!clips().empty() && !passes_clips(ray.at(h.t)));
+    };
+    hits.erase(std::remove_if(hits.begin() + static_cast<std::ptrdiff_t>(first), hits.end(), drop),
+               hits.end());
+    return false;
+  });
+}
+
+}  // namespace lentray::core

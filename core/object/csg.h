@@ -1,0 +1,109 @@
+// Constructive solid geometry: unions, intersections, differences and merges of objects.
+// Space: world. Immutable while rendering; scratch memory comes from the caller's HitArena.
+// Source: reference manual 3.7, "Constructive Solid Geometry".
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "core/object/object.h"
+
+namespace lentray::core {
+
+enum class CsgKind { kUnion, kIntersection, kDifference, kMerge };
+
+/// A difference is the intersection of its first child with the inverses of the others (which
+/// the constructor inverts); bounds of children are taken when it is built, so children come
+/// complete: their inverse, clips and bounding set before.
+class Csg final : public Object {
+ public:
+  Csg(CsgKind kind, std::vector<std::unique_ptr<Object>> children);
+  ~Csg() override;
+  std::string_view name() const override;
+  Bounds bounds() const override;
+  bool nearest(const Ray&, double t_min, double t_max, Hit&, HitArena&) const override;
+  void all(const Ray&, double t_min, double t_max, std::vector<Hit>&, HitArena&) const override;
+  bool any(const Ray&, double t_min, double t_max, HitArena&) const override;
+  bool inside(const Vec3& p) const override;
+  void leaves(std::vector<const Leaf*>& out) const override;
+  void drop_shortcuts() override;
+  void set_inverse(bool inverse) override;
+  Bounds solid_bounds() const override;
+  bool solid_leaves_bounds() const override;
+  Bounds void_bounds() const override;
+  Ball solid_ball() const override;
+  bool lies_in_parts() const override { return m_lies_in_parts; }
+  bool is_closed() const override;
+
+  /// After `inverse`: what it works as. Only kUnion may be split into its parts.
+  CsgKind kind() const { return m_kind; }
+  const std::vector<std::unique_ptr<Object>>& children() const { return m_children; }
+  /// Where parts leave their bounds (solid_leaves_bounds()): the box that rays must meet, in place of that of the
+  /// parts' boxes. Before clips and bounding are set.
+  void set_box(const Bounds& box);
+  /// Once the whole is complete, which no other CSG has as a part and which is not split: rays that meet its box see
+  /// all of the parts that leave theirs, as stock asks parts without a look at their boxes.
+  void open_parts();
+  /// `split_union off`: its parts stay together, and count as one solid.
+  void keep_whole() { m_kept_whole = true; }
+  bool is_kept_whole() const { return m_kept_whole; }
+  /// For the scene compiler, which hands an unclipped top-level union's parts to the hierarchy.
+  std::vector<std::unique_ptr<Object>> take_children() { return std::move(m_children); }
+
+ private:
+  /// A child's boxes, so that most rays and points need not ask it.
+  struct Fence {
+    Bounds surface;  ///< of its surface, cut by what the siblings leave of it
+    Bounds decide;   ///< where inside() must be asked; elsewhere the answer is `beyond`
+    bool beyond = false;
+  };
+  struct Search;
+  struct Chord;
+  struct Hidden;
+  static constexpr std::size_t kNobody = ~std::size_t{0};
+  static constexpr std::size_t kHidden = kNobody - 1;
+
+  /// Calls visit(child, t_max&, chord) for the children that the ray may meet.
+  template <class Visit>
+  void for_children_met(const Ray& ray, double t_min, double t_max, HitArena& arena, Visit&& visit) const;
+  template <class Visit>
+  void for_boxes_met(const Ray& ray, double t_min, double t_max, Visit&& visit) const;
+  const std::vector<Hit>& crossings(std::size_t child, const Ray& ray, double t_min, double t_max, const Chord* chord,
+                                    std::vector<Hit>& list, HitArena& arena) const;
+  void choose_tests();
+  bool hides_parts() const;
+  bool is_unseen(std::size_t child, RayKind kind) const;
+  bool child_inside(std::size_t child, const Vec3& p) const;
+  bool any_inside(const Vec3& p, std::size_t except) const;
+  bool every_inside(const Vec3& p, std::size_t except) const;
+  bool begins_or_ends(const Ray& ray, double t) const;
+  bool keeps(std::size_t child, const Ray& ray, double t, const Chord* chord, Hidden& hidden, const HitArena& arena) const;
+  bool any_seen_inside(const Vec3& p, std::size_t except, RayKind kind) const;
+  bool kept_nearest(const Ray&, double t_min, double t_max, Hit&, HitArena&) const;
+  void fence_children();
+  void open_parts(const Bounds& whole);
+  static Fence fence_of(const Object& child);
+  void fill_fences() const;
+  Ball surface_ball() const override;
+  const Search& search() const;
+  void build_search() const;
+
+  CsgKind m_kind;
+  std::string_view m_name;
+  Bounds m_surface, m_solid, m_void;  ///< before own clips
+  bool m_leaves_bounds = false;       ///< a child's solid does
+  bool m_lies_in_parts = false;
+  bool m_kept_whole = false;
+  bool m_closed = false;              ///< all children are
+  bool m_asks_boxes = true;           ///< of few children; else their own tests turn rays away as well
+  /// Of an intersection of few: a closed part, in whose solid all that is kept lies. Else nobody, or
+  /// kHidden where some rays do not see some parts of what is joined.
+  std::size_t m_core = kNobody;
+  mutable std::vector<Fence> m_fences;  ///< one a child; of many that are joined, made by search()
+  std::unique_ptr<Search> m_search;   ///< where there are many children
+  std::vector<std::unique_ptr<Object>> m_children;
+};
+
+}  // namespace lentray::core

@@ -1,0 +1,202 @@
+// The boxes and balls of a CSG, from those of its parts, and which of them are asked first.
+#include <algorithm>
+#include <memory>
+#include <mutex>
+#include <numbers>
+
+#include "core/object/csg_search.h"
+
+namespace lentray::core {
+namespace {
+
+constexpr std::size_t kMany = 9;  // children from which a hierarchy over them pays
+
+}  // namespace
+
+Csg::Fence Csg::fence_of(const Object& child) {
+  const Bounds solid = child.solid_bounds(), hollow = child.void_bounds();
+  const bool beyond = !hollow.is_empty() ? hollow.is_finite() : true;
+  return {child.bounds(), child.solid_leaves_bounds() ? Bounds::everything() : beyond ? hollow : solid, beyond};
+}
+
+/// Boxes from those of the children: what is kept of a child's surface lies in all siblings
+/// (intersection); what is kept of a union lies in one of them.
+void Csg::fence_children() {
+  const std::size_t n = m_children.size();
+  const bool join = joins(m_kind);
+  const bool later = join && n >= kMany;  // most such unions are split into their parts and never ask
+  m_fences.clear();
+  if (!later) m_fences.reserve(n);
+  m_surface = Bounds();
+  m_solid = join ? Bounds() : Bounds::everything();
+  m_void = join ? Bounds::everything() : Bounds();
+  m_leaves_bounds = false;
+  m_lies_in_parts = !join;
+  std::vector<Bounds> before(join ? 0 : n + 1, Bounds::everything());
+  for (std::size_t i = 0; i < n; ++i) {
+    const Object& child = *m_children[i];
+    const Bounds solid = child.solid_bounds(), hollow = child.void_bounds();
+    if (child.solid_leaves_bounds()) m_leaves_bounds = true;
+    m_lies_in_parts = m_lies_in_parts && child.lies_in_parts();
+    if (join) {
+      m_solid.include(solid);
+      m_void.intersect(hollow);
+      m_surface.include(child.bounds());
+    } else {
+      before[i + 1] = before[i];
+      before[i + 1].intersect(solid);
+      m_solid.intersect(solid);
+      m_void.include(hollow);
+    }
+    if (!later) m_fences.push_back(fence_of(child));
+  }
+  Bounds after = Bounds::everything();
+  for (std::size_t i = join ? 0 : n; i-- > 0;) {
+    if (m_leaves_bounds) {
+      m_fences[i].surface = m_solid;  // a ray that meets the whole's box sees all, as in stock
+    } else {
+      m_fences[i].surface.intersect(before[i]);
+      m_fences[i].surface.intersect(after);
+    }
+    if (m_fences[i].surface.is_empty()) m_fences[i].surface = Bounds();
+    after.intersect(m_children[i]->solid_bounds());
+    m_surface.include(m_fences[i].surface);
+  }
+  if (m_solid.is_empty()) m_solid = Bounds();
+  if (m_void.is_empty()) m_void = Bounds();
+  m_search = m_children.size() < kMany ? nullptr : std::make_unique<Search>();
+  fit_ball();
+  choose_tests();
+}
+
+void Csg::open_parts() {
+  if (m_leaves_bounds) open_parts(m_surface);
+}
+
+void Csg::open_parts(const Bounds& whole) {
+  for (std::size_t i = 0; i < m_children.size(); ++i) {
+    auto* part = dynamic_cast<Csg*>(m_children[i].get());
+    if (!part || !part->m_leaves_bounds) continue;
+    part->set_box(whole);
+    part->open_parts(whole);
+    if (i < m_fences.size()) m_fences[i].surface = whole;
+  }
+}
+
+/// Which boxes and parts are asked first. The core is the smallest there is.
+void Csg::choose_tests() {
+  m_core = hides_parts() ? kHidden : kNobody;
+  m_closed = false;
+  if (m_search) return;
+  // A ball that is hardly larger than the box turns rays away for less.
+  constexpr double kMuchLarger = 3.0;
+  const auto is_tight = [](const auto& child) {
+    const Vec3 size = child->bounds().hi - child->bounds().lo;
+    const double radius = child->ball().radius();
+    return radius * radius * 2.0 * std::numbers::pi < kMuchLarger * (size.x * size.y + size.y * size.z + size.z * size.x);
+  };
+  m_asks_boxes = joins(m_kind) && (m_leaves_bounds || !std::all_of(m_children.begin(), m_children.end(), is_tight));
+  m_closed = !m_leaves_bounds && m_core != kHidden && clips().empty() && bounding().empty() &&
+             std::all_of(m_children.begin(), m_children.end(), [](const auto& child) { return child->is_closed(); });
+  if (joins(m_kind) || m_leaves_bounds) return;
+  double least = Bounds::kInf;
+  for (std::size_t i = 0; i < m_children.size(); ++i) {
+    const double radius = m_children[i]->is_closed() ? m_children[i]->solid_ball().radius() : Bounds::kInf;
+    if (!(radius < least)) continue;
+    least = radius;
+    m_core = i;
+  }
+}
+
+bool Csg::is_closed() const { return m_closed && clips().empty() && bounding().empty(); }
+
+Ball Csg::surface_ball() const {
+  if (m_leaves_bounds) return {};  // rays that miss the parts' balls may still be asked for inside()
+  Ball ball = Ball::around(m_surface);
+  // What is kept of a part lies in the solids of its siblings.
+  if (!joins(m_kind)) {
+    for (const auto& child : m_children) ball = smaller(ball, child->solid_ball());
+  }
+  return ball;
+}
+
+Ball Csg::solid_ball() const {
+  Ball ball;
+  if (!m_leaves_bounds && joins(m_kind)) {
+    Bounds all = m_surface;
+    all.include(m_solid);
+    ball = Ball::around(all);
+  } else if (!m_leaves_bounds) {
+    for (const auto& child : m_children) ball = smaller(ball, child->solid_ball());
+  }
+  for (const auto& clip : clips()) ball = smaller(ball, clip->solid_ball());
+  return ball;
+}
+
+/// Where parts leave their boxes the boxes decide, as in stock, and stay.
+void Csg::drop_shortcuts() {
+  if (m_fences.empty()) fill_fences();
+  for (auto& child : m_children) child->drop_shortcuts();
+  m_search = nullptr;
+  if (m_core != kHidden) m_core = kNobody;
+  drop_ball();
+  if (m_leaves_bounds) return;
+  for (Fence& fence : m_fences) fence = {Bounds::everything(), Bounds::everything(), false};
+}
+
+/// Built when it is asked for first: most unions are split into their parts and never ask.
+const Csg::Search& Csg::search() const {
+  std::call_once(m_search->once, [this] { build_search(); });
+  return *m_search;
+}
+
+void Csg::fill_fences() const {
+  m_fences.reserve(m_children.size());
+  for (const auto& child : m_children) m_fences.push_back(fence_of(*child));
+}
+
+void Csg::build_search() const {
+  if (m_fences.empty()) fill_fences();
+  std::vector<Bounds> surfaces(m_children.size()), solids(m_children.size());
+  for (std::size_t i = 0; i < m_children.size(); ++i) {
+    const Fence& fence = m_fences[i];
+    const auto index = static_cast<std::uint32_t>(i);
+    if (fence.surface.is_finite()) {
+      surfaces[i] = fence.surface;
+    } else if (!fence.surface.is_empty()) {
+      m_search->open_surfaces.push_back(index);
+    }
+    if (!fence.decide.is_finite() && !fence.decide.is_empty()) {
+      m_search->open_solids.push_back(index);
+      continue;
+    }
+    solids[i] = fence.decide;
+    ++(fence.beyond ? m_search->in_beyond : m_search->out_beyond);
+  }
+  m_search->surfaces = WideBvh(surfaces);
+  m_search->solids = WideBvh(solids);
+}
+
+void Csg::set_box(const Bounds& box) {
+  if (!m_leaves_bounds) return;
+  m_solid = m_surface = box;
+  for (Fence& fence : m_fences) fence.surface = box;
+  m_search = m_children.size() < kMany ? nullptr : std::make_unique<Search>();
+  fit_ball();
+}
+
+Bounds Csg::bounds() const { return limited(m_surface); }
+
+Bounds Csg::solid_bounds() const {
+  Bounds b = m_solid;
+  for (const auto& clip : clips()) {
+    if (!clip->solid_leaves_bounds()) b.intersect(clip->solid_bounds());
+  }
+  return b.is_empty() ? Bounds() : b;
+}
+
+bool Csg::solid_leaves_bounds() const { return m_leaves_bounds; }
+
+Bounds Csg::void_bounds() const { return clips().empty() ? m_void : Bounds::everything(); }
+
+}  // namespace lentray::core

@@ -1,0 +1,68 @@
+// A shape placed in the world. Space: world; the shape keeps one of its own where it cannot be moved.
+// Immutable while rendering; scratch memory comes from the caller's HitArena.
+#pragma once
+
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "core/base/transform.h"
+#include "core/object/object.h"
+#include "core/shape/shape.h"
+
+namespace lentray::core {
+
+/// A shape in the world.
+class Leaf final : public Object {
+ public:
+  /// The shape is baked into world space where it can be; otherwise the transform is kept.
+  Leaf(std::unique_ptr<Shape> shape, const Transform& to_world);
+  std::string_view name() const override { return m_shape->name(); }
+  Bounds bounds() const override;
+  Bounds solid_bounds() const override;
+  bool solid_leaves_bounds() const override;
+  Bounds void_bounds() const override;
+  Ball solid_ball() const override;
+  bool lies_in_parts() const override { return true; }
+  bool is_closed() const override {
+    return convexity() == Convexity::kConvex && clips().empty() && bounding().empty();
+  }
+  bool nearest(const Ray&, double t_min, double t_max, Hit&, HitArena&) const override;
+  void all(const Ray&, double t_min, double t_max, std::vector<Hit>&, HitArena&) const override;
+  void all_alone(const Ray&, double t_min, double t_max, std::vector<Hit>&, HitArena&) const override;
+  bool any(const Ray&, double t_min, double t_max, HitArena&) const override;
+  bool inside(const Vec3& p) const override;
+  void leaves(std::vector<const Leaf*>& out) const override { out.push_back(this); }
+  void drop_shortcuts() override {
+    m_shape->drop_shortcuts();
+    drop_ball();
+  }
+
+  const Shape& shape() const { return *m_shape; }
+  const Transform* transform() const { return m_transform.get(); }  ///< null: shape is in world space
+  /// Unit shading normal at a hit of this leaf, world space, as stock orients it.
+  Vec3 normal(const Vec3& world_point, const ShapeHit& hit) const;
+  Vec2 uv(const Vec3& world_point, const ShapeHit& hit) const;
+  void set_inverse(bool inverse) override;
+
+ private:
+  Bounds stock_bounds() const;
+  /// ask(ray in the shape) fills the arena's hits.
+  template <class Ask>
+  void gather(const Ray& ray, std::vector<Hit>& hits, HitArena& arena, Ask&& ask) const;
+  bool shape_nearest(const Ray&, double t_min, double t_max, ShapeHit&) const;
+  bool unclipped_nearest(const Ray&, double t_min, double t_max, ShapeHit&, HitArena&) const;
+  /// The direction keeps its length, so that t is the same in both spaces.
+  Ray to_shape(const Ray& ray) const {
+    return {m_transform->inverse_point(ray.origin), m_transform->inverse_vector(ray.direction)};
+  }
+  Ball surface_ball() const override { return first_ball(); }
+  void clips_have_changed() override;
+
+  std::unique_ptr<Shape> m_shape;
+  std::unique_ptr<const Transform> m_transform;  ///< apart: few have one, and it is large
+  Bounds m_box;  ///< of the shape, in the world
+  bool m_turns_normal = false;
+};
+
+}  // namespace lentray::core

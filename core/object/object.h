@@ -1,0 +1,146 @@
+// An object of a compiled scene: what rays can meet, with its looks, its clips and its bounds. Shapes
+// that stand in the world are core/object/leaf.h, CSG of objects is core/object/csg.h.
+// Space: world. Immutable while rendering; scratch memory comes from the caller's HitArena.
+// Source: reference manual 3.7, "Objects", "Object Modifiers".
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "core/base/ball.h"
+#include "core/base/bounds.h"
+#include "core/base/ray.h"
+#include "core/object/attributes.h"
+#include "core/object/hit.h"
+#include "core/shape/shape.h"
+
+namespace lentray::core {
+
+class Object {
+ public:
+  using Regions = std::vector<std::shared_ptr<const Object>>;
+
+  virtual ~Object() = default;
+  virtual std::string_view name() const = 0;
+  /// Everything of the surface that rays can meet, clipping counted. May be infinite.
+  virtual Bounds bounds() const = 0;
+  /// Everything that inside() can answer true for; infinite for most inverse objects.
+  virtual Bounds solid_bounds() const = 0;
+  /// True where inside() may be true beyond solid_bounds() all the same (discs, which count as
+  /// half-spaces yet bound a CSG by their surface's box, as in stock).
+  virtual bool solid_leaves_bounds() const = 0;
+  /// Everything that inside() can answer false for; infinite for most objects but inverse ones.
+  virtual Bounds void_bounds() const = 0;
+  /// Nearest crossing with t_min < t < t_max; fills t, leaf and shape, not `object`. Leaves the hit
+  /// as it was if there is none.
+  virtual bool nearest(const Ray& ray, double t_min, double t_max, Hit& hit, HitArena& arena) const = 0;
+  /// Appends all crossings, in any order.
+  virtual void all(const Ray& ray, double t_min, double t_max, std::vector<Hit>& hits, HitArena& arena) const = 0;
+  /// The same of an object that is no part of another (Shape::all_alone).
+  virtual void all_alone(const Ray& ray, double t_min, double t_max, std::vector<Hit>& hits, HitArena& arena) const {
+    all(ray, t_min, t_max, hits, arena);
+  }
+  virtual bool any(const Ray& ray, double t_min, double t_max, HitArena& arena) const {
+    Hit hit;
+    return nearest(ray, t_min, t_max, hit, arena);
+  }
+  /// As SDL's inside(): clipping and `inverse` count.
+  virtual bool inside(const Vec3& p) const = 0;
+  /// Every primitive below, itself included (for what looks and types occur).
+  virtual void leaves(std::vector<const Leaf*>& out) const = 0;
+  /// Shape::drop_shortcuts() of all shapes below, and the same of CSG. Bounds stay as they are.
+  virtual void drop_shortcuts() = 0;
+
+  /// A ray whose line misses it misses the object. It holds all of the surface but what stands out
+  /// of bounded_by.
+  const Ball& ball() const { return m_ball; }
+  /// Holds all that inside() can answer true for and the surface, whatever bounded_by says;
+  /// everything where one of them is infinite.
+  virtual Ball solid_ball() const = 0;
+  /// True where all of the surface lies in the solid of every part that is not inverse: a single
+  /// shape, or an intersection of such.
+  virtual bool lies_in_parts() const = 0;
+  /// True of finite solids that no ray leaves without a crossing that all() tells of.
+  virtual bool is_closed() const = 0;
+
+  const Attributes& attributes() const { return m_attributes; }
+  void set_attributes(const Attributes& a) { m_attributes = a; }
+  /// As `inverse` in SDL. Shapes without a solid stay as they are; CSG turns into its complement
+  /// (union to intersection, intersection to merge, of inverse parts), as stock does it.
+  virtual void set_inverse(bool inverse) { m_inverse = inverse; }
+  bool is_inverse() const { return m_inverse; }
+  /// Of a leaf: that of its shape; none of inverse ones and of CSG.
+  Convexity convexity() const { return m_inverse ? Convexity::kNone : m_convexity; }
+  /// Surfaces are kept where they are inside every clipping object.
+  void set_clips(Regions clips) {
+    limits().clips = std::move(clips);
+    fit_ball();
+    clips_have_changed();
+  }
+  const Regions& clips() const { return m_limits ? m_limits->clips : kNoRegions; }
+  /// bounded_by: rays that miss one of these, starting outside it, miss the object.
+  void set_bounding(Regions b) {
+    limits().bounding = std::move(b);
+    fit_ball();
+  }
+  const Regions& bounding() const { return m_limits ? m_limits->bounding : kNoRegions; }
+  /// Where a camera may be inside it: beyond its box stock does not ask.
+  Bounds start_bounds() const { return m_limits ? m_limits->start : Bounds::everything(); }
+  void set_start_bounds(const Bounds& box) { limits().start = box; }
+  /// True when every leaf's textures are fully opaque (set by the scene compiler).
+  bool is_opaque() const { return m_opaque; }
+  void set_opaque(bool opaque) { m_opaque = opaque; }
+  /// Which object of the source it comes from: parts of a union that is split share the number (set by the scene).
+  std::uint32_t whole() const { return m_whole; }
+  void set_whole(std::uint32_t number) { m_whole = number; }
+  /// core/accel/test_cost.h (set by the scene compiler).
+  double test_cost() const { return m_test_cost; }
+  void set_test_cost(double cost) { m_test_cost = cost; }
+
+ protected:
+  bool passes_clips(const Vec3& p) const;
+  bool passes_bounding(const Ray& ray, HitArena& arena) const;
+  /// `b` cut by the boxes of the clipping objects, and of bounded_by where it is infinite.
+  Bounds limited(Bounds b) const;
+  /// The ball before own clips and bounded_by.
+  virtual Ball surface_ball() const = 0;
+  virtual void clips_have_changed() {}
+  /// To be called when anything has changed that the ball depends on.
+  void fit_ball();
+  void drop_ball() { m_ball = Ball(); }
+  /// The first ball, before there are clips or bounded_by.
+  void set_ball(const Ball& ball) { m_ball = ball; }
+  void set_convexity(Convexity convexity) { m_convexity = convexity; }
+  const Ball& first_ball() const { return m_limits ? m_limits->first_ball : m_ball; }
+
+ private:
+  /// Apart: few objects have any, and there may be a million of these.
+  struct Limits {
+    Regions clips, bounding;
+    Ball first_ball;
+    Bounds start = Bounds::everything();
+  };
+  Limits& limits() {
+    if (!m_limits) m_limits = std::make_unique<Limits>(Limits{{}, {}, m_ball, Bounds::everything()});
+    return *m_limits;
+  }
+  static inline const Regions kNoRegions;
+
+  Ball m_ball;
+  Attributes m_attributes;
+  std::unique_ptr<Limits> m_limits;
+  bool m_inverse = false;
+  bool m_opaque = false;
+  Convexity m_convexity = Convexity::kNone;
+  std::uint32_t m_whole = 0;
+  double m_test_cost = 1.0;
+};
+
+/// Whether rays may meet an object beyond kFarthest: if a part of it is a box, cylinder or cone, or keeps
+/// a transform of its own. For building; walks through all parts. Where this is not what stock does:
+/// docs/language.md.
+bool is_seen_afar(const Object& object);
+
+}  // namespace lentray::core

@@ -1,0 +1,34 @@
+// box { corner, corner }. Space: object. Source: reference manual 3.7, "Box".
+#pragma once
+
+#include "core/shape/shape.h"
+
+namespace lentray::core {
+
+class Box final : public Shape {
+ public:
+  /// Any two opposite corners.
+  Box(const Vec3& corner1, const Vec3& corner2);
+
+  const Vec3& lo() const { return m_lo; }
+  const Vec3& hi() const { return m_hi; }
+
+  std::string_view name() const override { return "box"; }
+  Bounds bounds() const override { return {m_lo, m_hi}; }
+  bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
+  void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
+  bool inside(const Vec3& p) const override;
+  /// By side: ShapeHit::element is 2 * axis + (1 if the upper side).
+  Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
+  Convexity convexity() const override { return Convexity::kConvex; }
+  bool has_uv() const override { return true; }
+  Vec2 uv(const Vec3& p, const ShapeHit& hit) const override;
+  /// Under moves and scales along the axes.
+  std::unique_ptr<Shape> baked(const Transform& t) const override;
+
+ private:
+  bool interval(const Ray& ray, ShapeHit& in, ShapeHit& out) const;
+  Vec3 m_lo, m_hi;
+};
+
+}  // namespace lentray::core

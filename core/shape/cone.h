@@ -1,0 +1,42 @@
+// cone { base, radius, cap, radius [open] }, a frustum. Space: object, or world once baked.
+// Source: reference manual 3.7, "Cone".
+#pragma once
+
+#include "core/shape/crossings.h"
+#include "core/shape/shape.h"
+
+namespace lentray::core {
+
+class Cone final : public Shape {
+ public:
+  /// Ends must differ (is_degenerate otherwise: nothing meets it). Equal radii are allowed.
+  Cone(const Vec3& base, double base_radius, const Vec3& cap, double cap_radius, bool open = false);
+
+  bool is_degenerate() const { return !(m_length > 0.0) || (m_base_radius == 0.0 && m_slope == 0.0); }
+  bool is_open() const { return m_open; }
+
+  std::string_view name() const override { return "cone"; }
+  Bounds bounds() const override;
+  Bounds bounds_in(const Transform& t) const override;
+  Ball ball() const override;
+  void hull(std::vector<Vec3>& points) const override;
+  bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
+  void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
+  /// An open one is as solid as a closed one.
+  bool inside(const Vec3& p) const override;
+  /// ShapeHit::element: 0 side, 1 base, 2 cap.
+  Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
+  Convexity convexity() const override { return m_open ? Convexity::kOpen : Convexity::kConvex; }
+  /// Under similarities.
+  std::unique_ptr<Shape> baked(const Transform& t) const override;
+
+ private:
+  int crossings(const Ray& ray, double t_min, Crossing out[2]) const;
+
+  Vec3 m_base, m_axis;          ///< axis unit, from base to cap
+  double m_length;
+  double m_base_radius, m_cap_radius, m_slope;  ///< radius at height z: base_radius + slope * z
+  bool m_open;
+};
+
+}  // namespace lentray::core

@@ -1,0 +1,44 @@
+// cylinder { base, cap, radius [open] }. Space: object, or world once baked.
+// Source: reference manual 3.7, "Cylinder".
+#pragma once
+
+#include "core/shape/crossings.h"
+#include "core/shape/shape.h"
+
+namespace lentray::core {
+
+class Cylinder final : public Shape {
+ public:
+  /// Ends must differ (is_degenerate otherwise: nothing meets it).
+  Cylinder(const Vec3& base, const Vec3& cap, double radius, bool open = false);
+
+  bool is_degenerate() const { return !(m_length > 0.0) || !(m_radius > 0.0); }
+  const Vec3& base() const { return m_base; }
+  Vec3 cap() const { return m_base + m_axis * m_length; }
+  double radius() const { return m_radius; }
+  bool is_open() const { return m_open; }
+
+  std::string_view name() const override { return "cylinder"; }
+  Bounds bounds() const override;
+  Bounds bounds_in(const Transform& t) const override;
+  Ball ball() const override;
+  void hull(std::vector<Vec3>& points) const override;
+  bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
+  void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
+  /// An open one is as solid as a closed one.
+  bool inside(const Vec3& p) const override;
+  /// ShapeHit::element: 0 side, 1 base, 2 cap.
+  Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
+  Convexity convexity() const override { return m_open ? Convexity::kOpen : Convexity::kConvex; }
+  /// Under similarities.
+  std::unique_ptr<Shape> baked(const Transform& t) const override;
+
+ private:
+  int crossings(const Ray& ray, double t_min, Crossing out[2]) const;
+
+  Vec3 m_base, m_axis;  ///< axis unit, from base to cap
+  double m_length, m_radius;
+  bool m_open;
+};
+
+}  // namespace lentray::core

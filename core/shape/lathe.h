@@ -1,0 +1,45 @@
+// lathe: curves of line, quadratic and cubic pieces turned about the y axis. Space: object; of the
+// pieces u is the distance from the axis, v the height.
+// Source: reference manual 3.7, "Lathe"; compared with stock by image.shapes.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/shape/outline.h"
+#include "core/shape/shape.h"
+
+namespace lentray::core {
+
+class Lathe final : public Shape {
+ public:
+  /// `hole`: nothing nearer to the axis is inside.
+  explicit Lathe(std::vector<CurvePiece> pieces, double hole = 0.0);
+
+  std::string_view name() const override { return "lathe"; }
+  Bounds bounds() const override;
+  Bounds bounds_in(const Transform& t) const override;
+  bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
+  void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
+  /// Between the curve and the axis or the hole, counted by crossings outwards.
+  bool inside(const Vec3& p) const override;
+  Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
+  bool has_uv() const override { return true; }
+  /// Around, and along the pieces, each the same share.
+  Vec2 uv(const Vec3& p, const ShapeHit& hit) const override;
+  void drop_shortcuts() override;
+
+ private:
+  struct Piece {
+    CurvePiece curve;
+    double low, high, widest;  ///< heights, greatest distance from the axis
+  };
+  template <class Visit>
+  void crossings(const Ray& ray, double t_min, double t_max, Visit&& visit) const;
+
+  Bounds m_reach;  ///< a little more than bounds()
+  std::vector<Piece> m_pieces;
+  double m_hole2;  ///< its radius, squared; 0: none
+};
+
+}  // namespace lentray::core

@@ -1,0 +1,39 @@
+// ovus: an egg of two spheres and the inner part of a spindle torus that touches both smoothly.
+// Space: object; the lower sphere about the origin, the upper one about its top.
+// Source: reference manual 3.7, "Ovus"; compared with stock by image.shapes.
+#pragma once
+
+#include "core/shape/shape.h"
+
+namespace lentray::core {
+
+class Ovus final : public Shape {
+ public:
+  /// Radii 0 or more, top less than twice the bottom (beyond it is a sphere).
+  Ovus(double bottom, double top);
+
+  std::string_view name() const override { return "ovus"; }
+  Bounds bounds() const override;
+  Bounds bounds_in(const Transform& t) const override;
+  bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
+  void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
+  bool inside(const Vec3& p) const override;
+  Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
+  /// Where spheres and torus join a root may be lost.
+  Convexity convexity() const override { return Convexity::kOpen; }
+  bool has_uv() const override { return true; }
+  /// As on a sphere about the point half a top radius up.
+  Vec2 uv(const Vec3& p, const ShapeHit& hit) const override;
+
+ private:
+  bool may_meet_waist(const Vec3& q, const Vec3& d, double from) const;
+  template <class Visit>
+  void crossings(const Ray& ray, double t_min, double t_max, Visit&& visit) const;
+
+  double m_bottom, m_top;
+  double m_waist;               ///< radius of the torus' tube
+  double m_spindle, m_height;   ///< the tube's centre: distance beyond the axis, height
+  double m_low, m_high;         ///< heights where the spheres end
+};
+
+}  // namespace lentray::core

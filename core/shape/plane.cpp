@@ -1,0 +1,41 @@
+#include "core/shape/plane.h"
+
+namespace lentray::core {
+namespace {
+constexpr double kOnSurface = 1e-10;  // stock's tolerance
+}
+
+Plane::Plane(const Vec3& normal, double distance)
+    : m_normal(normalized(normal)), m_distance(distance) {}
+
+Bounds Plane::bounds() const {
+  Bounds b = Bounds::everything();
+  for (int i = 0; i < 3; ++i) {
+    if (m_normal[i] == 1.0) b.hi[i] = m_distance + kOnSurface + 1e-15 * std::fabs(m_distance);
+    if (m_normal[i] == -1.0) b.lo[i] = -m_distance - kOnSurface - 1e-15 * std::fabs(m_distance);
+  }
+  return b;
+}
+
+bool Plane::nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const {
+  const double t = plane_crossing(m_normal, m_distance, ray);
+  if (!(t > t_min && t < t_max)) return false;
+  hit = {t, 0, 0.0, 0.0};
+  return true;
+}
+
+void Plane::all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const {
+  ShapeHit hit;
+  if (Plane::nearest(ray, t_min, t_max, hit)) hits.push_back(hit);
+}
+
+bool Plane::inside(const Vec3& p) const { return dot(m_normal, p) - m_distance < kOnSurface; }
+bool Plane::outside(const Vec3& p) const { return m_distance - dot(m_normal, p) < kOnSurface; }
+Vec3 Plane::normal(const Vec3&, const ShapeHit&) const { return m_normal; }
+
+std::unique_ptr<Shape> Plane::baked(const Transform& t) const {
+  const Vec3 n = normalized(t.normal(m_normal));
+  return std::make_unique<Plane>(n, dot(n, t.point(m_normal * m_distance)));
+}
+
+}  // namespace lentray::core

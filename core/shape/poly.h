@@ -1,0 +1,46 @@
+// poly, cubic, quartic: surfaces of a polynomial of order 2 to 35 in x, y, z. Space: object.
+// Inside is where the polynomial is below 0.0001, as in stock.
+// Source: reference manual 3.7, "Poly, Cubic and Quartic"; compared with stock by image.shapes.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/shape/shape.h"
+
+namespace lentray::core {
+
+class Poly final : public Shape {
+ public:
+  static constexpr int kMaxOrder = 35;
+  /// Coefficients in the order of the manual: powers of x fall slowest, those of z fastest.
+  Poly(std::string_view name, int order, const std::vector<double>& coefficients);
+
+  std::string_view name() const override { return m_name; }
+  Bounds bounds() const override { return Bounds::everything(); }
+  bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
+  void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
+  bool finds_all_at_once() const override { return true; }
+  bool inside(const Vec3& p) const override;
+  Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
+  void keep_within(const Ball& ball) override { m_kept = ball; }
+
+ private:
+  struct Term {
+    double c;
+    int i, j, k;  ///< powers of x, y, z
+  };
+  template <int kOrder>
+  void along(const Vec3& p, const Vec3& d, double* c) const;
+  void along_any(const Vec3& p, const Vec3& d, double* c) const;
+  int crossings(const Ray& ray, double t_min, double t_max, bool first_alone, double* roots) const;
+  double value(const Vec3& p) const;
+
+  std::string_view m_name;
+  int m_order;
+  std::vector<double> m_all;  ///< every coefficient, in the manual's order
+  Ball m_kept;                ///< of what crossings are asked for
+  std::vector<Term> m_terms;  ///< powers of x falling, then of y, then of z
+};
+
+}  // namespace lentray::core

@@ -1,0 +1,36 @@
+// torus { major, minor [sturm] }, around the y axis. Space: object.
+// Source: reference manual 3.7, "Torus".
+#pragma once
+
+#include "core/shape/shape.h"
+
+namespace lentray::core {
+
+class Torus final : public Shape {
+ public:
+  /// `sturm` is kept for the record: the root finder always brackets, which is what it asks for.
+  Torus(double major, double minor, bool sturm = false);
+
+  double major_radius() const { return m_major; }
+  double minor_radius() const { return m_minor; }
+  bool is_sturm() const { return m_sturm; }
+
+  std::string_view name() const override { return "torus"; }
+  Bounds bounds() const override;
+  Bounds bounds_in(const Transform& t) const override;
+  Ball ball() const override { return {{}, m_major + m_minor}; }
+  bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
+  void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
+  /// Where minor > major (a spindle) all within the outer surface is inside.
+  bool inside(const Vec3& p) const override;
+  Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
+  bool has_uv() const override { return true; }
+  Vec2 uv(const Vec3& p, const ShapeHit& hit) const override;
+
+ private:
+  int crossings(const Ray& ray, double t_min, double t_max, bool first_alone, double out[4]) const;
+  double m_major, m_minor;
+  bool m_sturm;
+};
+
+}  // namespace lentray::core

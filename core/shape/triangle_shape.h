@@ -1,0 +1,35 @@
+// What triangle and smooth_triangle share: three corners, met from both sides, no solid.
+// Space: object, or world once baked.
+#pragma once
+
+#include <array>
+
+#include "core/shape/shape.h"
+
+namespace lentray::core {
+
+class TriangleShape : public Shape {
+ public:
+  const std::array<Vec3, 3>& vertices() const { return m_vertices; }
+  bool is_degenerate() const { return m_degenerate; }  ///< nothing meets it
+
+  Bounds bounds() const override;
+  /// ShapeHit::u, v: the weights of b and c.
+  bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const final;
+  void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const final;
+  bool inside(const Vec3&) const override { return false; }
+  bool outside(const Vec3&) const override { return false; }
+  bool is_solid() const override { return false; }
+
+ protected:
+  TriangleShape(const Vec3& a, const Vec3& b, const Vec3& c, bool degenerate)
+      : m_vertices{a, b, c}, m_degenerate(degenerate) {}
+
+  std::array<Vec3, 3> m_vertices;
+  bool m_degenerate;
+};
+
+/// No area, or corners that are not finite.
+bool triangle_is_degenerate(const Vec3& a, const Vec3& b, const Vec3& c);
+
+}  // namespace lentray::core

@@ -1,0 +1,50 @@
+#include "core/trace/interior_stack.h"
+
+#include <cmath>
+
+namespace lentray::core {
+namespace {
+
+constexpr double kNoDistance = 1e-10;
+constexpr double kExponentialPower = 1000.0;  ///< from here on the fading is exponential
+
+float channel(double colour, double depth, double power) {
+  if (power >= kExponentialPower) return static_cast<float>(std::exp(-(1.0 - colour) * depth));
+  return static_cast<float>(colour + (1.0 - colour) / (1.0 + std::pow(depth, power)));
+}
+
+}  // namespace
+
+double enter(const InteriorEntry& entry, double atmosphere_ior, InteriorStack& inside) {
+  const double ior = entry.ior(atmosphere_ior);
+  if (inside.empty()) {
+    inside.push(entry);
+    return atmosphere_ior / ior;
+  }
+  if (inside.back().key == entry.key) {
+    inside.remove(entry.key);
+    return ior / (inside.empty() ? atmosphere_ior : inside.back().ior(atmosphere_ior));
+  }
+  if (inside.remove(entry.key)) return 1.0;
+  const double before = inside.back().ior(atmosphere_ior);
+  inside.push(entry);
+  return before / ior;
+}
+
+double relative_ior(const InteriorEntry& entry, const InteriorStack& inside, double atmosphere_ior) {
+  const double ior = entry.ior(atmosphere_ior);
+  if (inside.empty()) return ior / atmosphere_ior;
+  const double innermost = inside.back().ior(atmosphere_ior);
+  if (!inside.contains(entry.key)) return ior / innermost;
+  return (inside.size() == 1 ? atmosphere_ior : innermost) / ior;
+}
+
+Rgb fade_in_interior(const Interior& interior, double depth) {
+  if (std::fabs(interior.fade_distance) <= kNoDistance) return Rgb(1.0f);
+  const double relative = depth / interior.fade_distance;
+  const Rgb& c = interior.fade_colour;
+  return {channel(c.r, relative, interior.fade_power), channel(c.g, relative, interior.fade_power),
+          channel(c.b, relative, interior.fade_power)};
+}
+
+}  // namespace lentray::core

@@ -1,0 +1,217 @@
+// The light that arrives at any point, on a surface or in the air: light after light, what of its
+// colour is left by everything that stands in the way. World space; colours linear. One a thread.
+// Source: reference manual 3.7, "Light Source", "Area Lights", "Light Groups".
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/accel/light_buffer.h"
+#include "core/light/area_light.h"
+#include "core/light/light_ray.h"
+#include "core/object/leaf.h"
+#include "core/scene/tolerances.h"
+#include "core/trace/shadow_tester.h"
+#include "core/trace/thread_context.h"
+
+namespace lentray::core {
+
+/// A light with what is asked first of it, side by side.
+struct LightSource {
+  LightSource(const Light& l, const LightBuffer* b)
+      : position(l.position), colour(l.colour), straight(is_straight(l)), even(is_even(l)),
+        shadowless(l.shadowless), light(l), buffer(b) {}
+  /// Certain without a square root that it is behind a surface. `to` leads to its position.
+  bool surely_behind(const Vec3& to, const Vec3& normal) const {
+    return straight && dot(normal, to) < 0.0;
+  }
+  Vec3 position;
+  Rgb colour;
+  bool straight, even, shadowless;
+  const Light& light;
+  const LightBuffer* buffer;  ///< null: the hierarchy answers for it
+};
+
+/// The lights that light something: two lists of their indices, in stock's order.
+using LightLists = std::array<std::span<const std::uint32_t>, 2>;
+
+/// A point whose light is asked for. Of a ray: how far it has come and what it travels in.
+struct LitPoint {
+  const Vec3& point;
+  int level;                    ///< trace level of the ray, 1: camera ray
+  std::uint32_t tree_place;     ///< as ShadowQuery's
+  const InteriorStack& inside;  ///< of the ray
+};
+
+/// What is known of the lights at one point: where it lies in their buffers, and what arrives of them,
+/// which all layers of a texture share. A buffer that is used from point to point.
+struct LightsAtPoint {
+  explicit LightsAtPoint(std::size_t lights) : arriving(lights), is_known(lights), spots(lights) {}
+  void forget_arriving() { std::fill(is_known.begin(), is_known.end(), std::uint8_t{0}); }
+  std::vector<Rgb> arriving;
+  std::vector<std::uint8_t> is_known;     ///< whether `arriving` is
+  std::vector<LightBuffer::Spot> spots;
+};
+
+/// `kArea`: there may be area lights. `kAskedAgain`: a point may be asked for more than once
+/// (LightsAtPoint::forget_arriving() between points).
+template <bool kArea, bool kAskedAgain>
+class LightLoop {
+ public:
+  LightLoop(ThreadContext& context, ShadowTester& shadows)
+      : m_context(context), m_scene(context.scene), m_shadows(shadows),
+        m_tolerance(kShadowTolerance * context.scene.tolerance_scale()) {
+    for (std::size_t i = 0; i < m_scene.lights().size(); ++i) {
+      m_sources.emplace_back(m_scene.lights()[i], m_scene.light_buffer(i));
+    }
+  }
+
+  std::size_t lights() const { return m_sources.size(); }
+  LightLists lights_of(const Attributes& looks) const {
+    if (!looks.lights) return {m_scene.global_lights()};
+    return {looks.lights->global ? m_scene.global_lights() : std::span<const std::uint32_t>(),
+            looks.lights->local};
+  }
+
+  /// Finds a point of a surface in the lights' buffers, so that their cells are in the processor's
+  /// cache when the loop comes to them. To be called before at(), once a point of a surface. Lights
+  /// behind the surface are most often not asked for: their spots stay unknown.
+  void look_ahead(const LightLists& lists, const Vec3& normal, const Hit& hit, bool from_behind,
+                  const Vec3& point, LightsAtPoint& known) const;
+
+  /// Calls the receiver for each light of the lists:
+  ///   bool receiver.may_face(source, to)     false: nothing of the light is wanted; cheap
+  ///   bool receiver.faces(direction)         the same, with the unit direction to the light
+  ///   receiver.receive(source, ray, colour)  what arrives of it, if that is not black
+  template <class Receiver>
+  [[gnu::always_inline]] void at(const LitPoint& lit, const LightLists& lists, LightsAtPoint& known, Receiver&& receiver) {
+    ShadowQuery query;
+    query.ray.origin = lit.point;
+    query.depth = lit.level;
+    query.tree_place = lit.tree_place;
+    query.column = m_context.pixel.column;
+    query.row = m_context.pixel.row;
+    query.inside = &lit.inside;
+    for (const std::span<const std::uint32_t> lights : lists) {
+      for (const std::uint32_t i : lights) {
+        const LightSource& source = m_sources[i];
+        const Vec3 to = source.position - lit.point;
+        if (!receiver.may_face(source, to)) continue;
+        const LightRay ray = source.straight ? ray_along(to) : light_ray(source.light, lit.point);
+        Rgb colour = source.even ? source.colour : light_colour(source.light, lit.point, ray);
+        if (is_dark(colour) || !receiver.faces(ray.direction)) continue;
+        if (!source.shadowless) {
+          colour = arriving(i, colour, ray, query, known);
+          if (is_dark(colour)) continue;
+        }
+        receiver.receive(source, ray, colour);
+      }
+    }
+  }
+
+ private:
+  /// What is left of a light's colour; fills in the query.
+  Rgb arriving(std::uint32_t light, const Rgb& colour, const LightRay& ray, ShadowQuery& query,
+               LightsAtPoint& known) {
+    if constexpr (kAskedAgain) {
+      if (known.is_known[light]) return known.arriving[light];
+    }
+    query.light = light;
+    Rgb result;
+    if constexpr (kArea) {
+      result = m_scene.lights()[light].has_area ? of_area(colour, ray, query)
+                                                : of_point(colour, ray, query, known);
+    } else {
+      result = of_point(colour, ray, query, known);
+    }
+    if constexpr (kAskedAgain) {
+      known.arriving[light] = result;
+      known.is_known[light] = 1;
+    }
+    return result;
+  }
+
+  Rgb of_point(const Rgb& colour, const LightRay& ray, ShadowQuery& query, const LightsAtPoint& known) {
+    const LightBuffer::Spot& spot = known.spots[query.light];
+    query.spot = spot.known ? &spot : nullptr;
+    query.sample = 0;
+    query.ray.direction = ray.direction;
+    query.distance = ray.distance;
+    return colour * m_shadows.visibility(query).filter;
+  }
+
+  Rgb of_area(const Rgb& colour, const LightRay& ray, ShadowQuery& query) {
+    const Light& source = m_scene.lights()[query.light];
+    query.spot = nullptr;
+    auto probe = [&](const Vec3& offset, std::uint32_t sample) {
+      const LightRay to_sample = light_ray(source, query.ray.origin, offset);
+      query.ray.direction = to_sample.direction;
+      query.distance = to_sample.distance;
+      query.sample = sample;
+      return colour * m_shadows.visibility(query).filter;
+    };
+    auto random_number = [this] { return m_context.random.next(); };
+    const AreaAxes axes = area_axes(source.area, ray.direction);
+    return AreaSampler(source.area, axes, m_context.area, probe, random_number).colour();
+  }
+
+  void find_unmet(const LightLists& lists, const Vec3& normal, const Hit& hit, bool from_behind,
+                  const Vec3& point, LightsAtPoint& known) const;
+
+  ThreadContext& m_context;
+  const Scene& m_scene;
+  ShadowTester& m_shadows;
+  const double m_tolerance;            ///< kShadowTolerance in this scene
+  std::vector<LightSource> m_sources;  ///< one a light of the scene
+};
+
+template <bool kArea, bool kAskedAgain>
+void LightLoop<kArea, kAskedAgain>::look_ahead(const LightLists& lists, const Vec3& normal, const Hit& hit,
+                                               bool from_behind, const Vec3& point,
+                                               LightsAtPoint& known) const {
+  for (const std::span<const std::uint32_t> lights : lists) {
+    for (const std::uint32_t i : lights) {
+      const LightSource& source = m_sources[i];
+      LightBuffer::Spot& spot = known.spots[i];
+      spot.known = source.buffer && !source.surely_behind(source.position - point, normal);
+      spot.unmet = nullptr;
+      if (spot.known) source.buffer->locate(point, spot);
+    }
+  }
+  // A test of what is simpler costs no more.
+  constexpr double kWorthwhile = 12.0;
+  if (hit.object->test_cost() >= kWorthwhile && hit.leaf->convexity() != Convexity::kNone) {
+    find_unmet(lists, normal, hit, from_behind, point, known);
+  }
+}
+
+/// An object that lies behind the plane of its own surface, but for rounding, is not met by shadow rays
+/// to lights before that plane. Rounding can put the point so far inside that a ray at less than `slope`
+/// (the cosine to the normal) is still inside at the tolerance.
+template <bool kArea, bool kAskedAgain>
+[[gnu::noinline]] void LightLoop<kArea, kAskedAgain>::find_unmet(const LightLists& lists, const Vec3& normal,
+                                                                 const Hit& hit, bool from_behind,
+                                                                 const Vec3& point,
+                                                                 LightsAtPoint& known) const {
+  constexpr double kLeast = 1e-3, kRounding = 1e-9;
+  if (!hit.object->lies_in_parts()) return;
+  const bool either_side = hit.leaf->convexity() == Convexity::kFlat && hit.object == hit.leaf;
+  if (from_behind && !either_side) return;
+  const double off = kRounding * (std::fabs(point.x) + std::fabs(point.y) + std::fabs(point.z) + hit.t);
+  const double slope = std::max(kLeast, off / m_tolerance);
+  for (const std::span<const std::uint32_t> lights : lists) {
+    for (const std::uint32_t i : lights) {
+      if (!known.spots[i].known || !m_sources[i].straight) continue;
+      const Vec3 to = m_sources[i].position - point;
+      const double up = dot(normal, to);
+      if (up > 0.0 && up * up > slope * slope * length_squared(to)) known.spots[i].unmet = hit.object;
+    }
+  }
+}
+
+}  // namespace lentray::core

@@ -1,0 +1,179 @@
+#include "core/trace/plain_shadow_tester.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/accel/hierarchy.h"
+#include "core/accel/light_buffer.h"
+#include "core/object/leaf.h"
+#include "core/scene/scene.h"
+#include "core/scene/tolerances.h"
+#include "core/trace/reflectance.h"
+#include "core/trace/surface_textures.h"
+
+namespace lentray::core {
+namespace {
+
+/// Where the ray enters the box: 0 inside, and for infinite ones.
+double entry_distance(const Bounds& box, const Ray& ray) {
+  if (!box.is_finite()) return 0.0;
+  double entry = 0.0;
+  for (int a = 0; a < 3; ++a) {
+    const double d = ray.direction[a];
+    if (d == 0.0) continue;
+    entry = std::max(entry, ((d > 0.0 ? box.lo[a] : box.hi[a]) - ray.origin[a]) / d);
+  }
+  return entry;
+}
+
+}  // namespace
+
+PlainShadowTester::PlainShadowTester(ThreadContext& context, bool count_hits)
+    : m_context(context),
+      m_tolerance(kShadowTolerance * context.scene.tolerance_scale()),
+      m_hierarchy(context.scene.hierarchy()),
+      m_test_counters(context.tests),
+      m_any_transparent(context.scene.needs().transparent_shadows),
+      m_begins_anew(context.scene.needs().shadows_begin_anew),
+      m_interiors(context.scene.needs().interiors),
+      m_counts_hits(count_hits),
+      m_bailout(context.scene.settings().adc_bailout) {}
+
+Visibility PlainShadowTester::search(const ShadowQuery& query) {
+  const double reach = query.distance - m_tolerance;
+  if (!(reach > m_tolerance)) return {};
+  const LightBuffer* buffer = m_context.scene.light_buffer(query.light);
+  const LightBuffer::Spot* spot = query.spot;
+  if (buffer && !spot) {
+    buffer->locate(query.ray.origin, m_spot);
+    spot = &m_spot;
+  }
+  if (buffer && !buffer->serves(*spot, query.distance)) buffer = nullptr;
+  const Object* blocker = nullptr;
+  if (buffer) {
+    const LightBuffer::Answer answer =
+        buffer->any_opaque(*spot, query.ray, m_tolerance, reach, m_context.arena, m_test_counters);
+    blocker = answer.blocker;
+    if (blocker && m_counts_hits) {
+      ShadowCounts& counts = m_context.counters.lights[query.light];
+      ++(answer.foreseen ? counts.hits : counts.misses);
+    }
+  } else {
+    blocker =
+        m_hierarchy.any_opaque(query.ray, m_tolerance, reach, m_context.arena, m_test_counters);
+  }
+  if (blocker) return {Rgb(0.0f), blocker};
+  if (!m_any_transparent) return {};
+  return {filter_through(query, buffer, spot, reach), nullptr};
+}
+
+/// Of surfaces at one distance comes first that of the object whose box the ray enters first, as
+/// in stock: what is left before what is entered. Then the scene's order; so the answer does not
+/// depend on who found them.
+void PlainShadowTester::order_ties(const Ray& ray) {
+  bool tied = false;
+  const auto tie = [&](std::size_t i) {
+    m_order[i].entry = entry_distance(m_hits[m_order[i].index].object->bounds(), ray);
+    tied = true;
+  };
+  for (std::size_t i = 1; i < m_order.size(); ++i) {
+    if (m_order[i].t != m_order[i - 1].t || m_order[i].place == m_order[i - 1].place) continue;
+    tie(i - 1);
+    tie(i);
+  }
+  if (tied) std::sort(m_order.begin(), m_order.end());
+}
+
+[[gnu::always_inline]] inline void PlainShadowTester::find_filters(const Ray& ray, const LightBuffer* buffer,
+                                                                   const LightBuffer::Spot* spot,
+                                                                   double reach) {
+  m_hits.clear();
+  if (buffer) {
+    buffer->all_transparent(*spot, ray, m_tolerance, reach, m_hits, m_context.arena, m_test_counters);
+  } else {
+    m_hierarchy.all_transparent(ray, m_tolerance, reach, m_hits, m_context.arena, m_test_counters);
+  }
+}
+
+void PlainShadowTester::order_filters(const Ray& ray) {
+  m_order.clear();
+  for (std::size_t i = 0; i < m_hits.size(); ++i) {
+    m_order.push_back({m_hits[i].t, 0.0, m_hits[i].place, static_cast<std::uint32_t>(i)});
+  }
+  std::sort(m_order.begin(), m_order.end());
+  order_ties(ray);
+}
+
+Rgb PlainShadowTester::filter_through(const ShadowQuery& query, const LightBuffer* buffer,
+                                      const LightBuffer::Spot* spot, double reach) {
+  find_filters(query.ray, buffer, spot, reach);
+  if (m_hits.empty()) return Rgb(1.0f);
+  m_inside.clear();
+  if (m_interiors && query.inside) m_inside = *query.inside;
+  Rgb filter(1.0f);
+  double last = filter_found(query.ray, filter);
+  if (!m_begins_anew) return filter;
+  for (Ray ray = query.ray; !filter.is_black(); last = filter_found(ray, filter)) {
+    ray.origin = ray.at(last);
+    reach -= last;
+    find_filters(ray, buffer, spot, reach);
+    if (m_hits.empty()) break;
+  }
+  return filter;
+}
+
+/// Multiplies by what m_hits let through; with m_begins_anew the first of them. Answers where the last was.
+double PlainShadowTester::filter_found(const Ray& ray, Rgb& filter) {
+  order_filters(ray);
+  // A surface that follows the one before within the tolerance does not count.
+  double last = 0.0;
+  for (const Place& at : m_order) {
+    if (!(at.t - last > m_tolerance)) continue;
+    const Hit& hit = m_hits[at.index];
+    const InteriorEntry entry = interior_of(hit.leaf->attributes(), hit.object);
+    const bool leaves = m_interiors && m_inside.remove(entry.key);
+    filter *= surface_filter(hit, ray, at.t - last, leaves);
+    if (filter.is_black()) break;
+    if (m_interiors && !leaves) m_inside.push(entry);
+    last = at.t;
+    if (m_begins_anew) break;
+  }
+  return last;
+}
+
+// Texture maps blend what their textures let through. `inside`: the light came through the
+// interior of that surface to here.
+Rgb PlainShadowTester::surface_filter(const Hit& hit, const Ray& ray, double depth, bool inside) {
+  const Attributes& looks = hit.leaf->attributes();
+  const Vec3 point = ray.at(hit.t);
+  const Interior* interior = looks.interior;
+  const bool caustics = interior && interior->caustics != 0.0;
+  const Vec3& along = ray.direction;
+  Vec3 normal = hit.leaf->normal(point, hit.shape);
+  const bool from_behind = dot(normal, along) > 0.0;
+  if (from_behind) normal = -normal;
+  SurfaceContext surface{point, normal, along, &hit};
+  const Vec3 placed = texture_point(surface);
+
+  m_textures.clear();
+  textures_at(surface, from_behind, m_bailout, m_textures);
+  Rgb sum;
+  for (const WeightedTexture& weighted : m_textures) {
+    Rgb through(1.0f);
+    for (const TextureLayer& layer : weighted.texture->layers()) {
+      const Colour* constant = layer.pigment->constant();
+      through *= passed(constant ? *constant : layer.pigment->colour(placed, surface));
+      if (!caustics) continue;
+      const double cosine =
+          dot(layer.normal ? layer.normal->perturb(placed, normal, surface) : normal, along);
+      through = times(through, 1.0 + std::pow(std::fabs(cosine), interior->caustics));
+    }
+    sum += times(through, weighted.weight);
+  }
+  if (inside && interior && interior->fade_power > 0.0) {
+    sum *= fade_in_interior(*interior, depth);
+  }
+  return sum;
+}
+
+}  // namespace lentray::core

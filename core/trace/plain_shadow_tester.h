@@ -1,0 +1,81 @@
+// The shadow tester without a cache: one search for an opaque blocker, then, where the scene has
+// any, one for what filters the light. World space. One a thread.
+// Source: reference manual 3.7, "Filter", "Caustics", "Attenuation"; the sequence of filters and
+// their spacing as measured on stock (tests/image/shading_shadows_test.cpp).
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <vector>
+
+#include "core/material/texture.h"
+#include "core/trace/interior_stack.h"
+#include "core/trace/shadow_tester.h"
+#include "core/trace/thread_context.h"
+
+namespace lentray::core {
+
+class Hierarchy;
+
+class PlainShadowTester final : public ShadowTester {
+ public:
+  /// `count_hits`: what light buffers foresee counts as a hit of a cache, other blockers as misses.
+  explicit PlainShadowTester(ThreadContext& context, bool count_hits = false);
+
+  Visibility visibility(const ShadowQuery& query) override {
+    ShadowCounts& counts = m_context.counters.lights[query.light];
+    ++counts.rays;
+    const Visibility seen = search(query);
+    if (seen.blocker) ++counts.blocked;
+    return seen;
+  }
+
+  /// The full search, not counted as a ray.
+  Visibility search(const ShadowQuery& query);
+  /// The same test against one opaque object of the scene: whether it alone blocks the query.
+  bool blocks(const Object& object, const ShadowQuery& query) const {
+    const double reach = query.distance - m_tolerance;
+    return reach > m_tolerance &&
+           object.any(query.ray, m_tolerance, reach, m_context.arena);
+  }
+  ThreadContext& context() const { return m_context; }
+
+ private:
+  /// Fills m_hits with the filtering surfaces up to `reach`.
+  void find_filters(const Ray& ray, const LightBuffer* buffer, const LightBuffer::Spot* spot, double reach);
+  double filter_found(const Ray& ray, Rgb& filter);
+  /// Fills m_order.
+  void order_filters(const Ray& ray);
+  void order_ties(const Ray& ray);
+  /// `buffer`: of the light, with the `spot` there, or null.
+  Rgb filter_through(const ShadowQuery& query, const LightBuffer* buffer,
+                     const LightBuffer::Spot* spot, double reach);
+  Rgb surface_filter(const Hit& hit, const Ray& ray, double depth, bool inside);
+
+  ThreadContext& m_context;
+  double m_tolerance;  ///< kShadowTolerance in this scene
+  const Hierarchy& m_hierarchy;
+  Counters* m_test_counters;
+  bool m_any_transparent, m_begins_anew;
+  bool m_interiors, m_counts_hits;
+  double m_bailout;
+  LightBuffer::Spot m_spot;  ///< of the query, where it has none
+  InteriorStack m_inside;
+  std::vector<Hit> m_hits;
+  struct Place {
+    double t, entry;             ///< entry: of the object's box, where distances tie
+    std::uint32_t place, index;  ///< of the object in the scene, of the hit in m_hits
+    auto operator<=>(const Place&) const = default;
+  };
+  std::vector<Place> m_order;
+  WeightedTextures m_textures;
+};
+
+class PlainShadowTesterFactory final : public ShadowTesterFactory {
+ public:
+  std::unique_ptr<ShadowTester> make(ThreadContext& context) const override {
+    return std::make_unique<PlainShadowTester>(context);
+  }
+};
+
+}  // namespace lentray::core

@@ -1,0 +1,63 @@
+// The question the light loop asks: what of a light reaches a point. World space.
+// One tester a thread; the plain one searches, shadow/ decorates it with caches. Every tester
+// must give the same answer to the same query, whatever was asked before.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include "core/accel/light_buffer.h"
+#include "core/base/color.h"
+#include "core/base/counters.h"
+#include "core/object/object.h"
+
+namespace lentray::core {
+
+class InteriorStack;
+struct ThreadContext;
+
+inline constexpr std::uint32_t kTreePlaces = 64;
+
+struct ShadowQuery {
+  Ray ray;                    ///< from the shaded point towards the light, unit direction
+  double distance = 0.0;      ///< to the light (or its plane, if parallel)
+  std::uint32_t light = 0;    ///< index into Scene::lights()
+  std::uint32_t sample = 0;   ///< of an area light, 0 otherwise
+  int depth = 1;              ///< trace level of the ray that is shaded, 1: camera ray
+  /// Way from the camera: 1, then 2p behind a reflection at p and 2p + 1 behind a refraction; the
+  /// far ends of the tree share kTreePlaces - 1.
+  std::uint32_t tree_place = 1;
+  std::uint32_t column = 0, row = 0;  ///< of the pixel, for caches that follow the image
+  /// Of the ray's origin in the light's buffer where that is known; null: to be found.
+  const LightBuffer::Spot* spot = nullptr;
+  const InteriorStack* inside = nullptr;  ///< of the ray that is shaded; null: nowhere special
+};
+
+struct Visibility {
+  Rgb filter{1.0f, 1.0f, 1.0f};      ///< 0 when blocked, else the product of the filters passed
+  const Object* blocker = nullptr;   ///< the opaque blocker, if that is what ended the search
+};
+
+class ShadowTester {
+ public:
+  virtual ~ShadowTester() = default;
+  virtual Visibility visibility(const ShadowQuery& query) = 0;
+  /// Of a block of queries, one after the other.
+  virtual void visibilities(std::span<const ShadowQuery> queries, std::span<Visibility> out) {
+    for (std::size_t i = 0; i < queries.size(); ++i) out[i] = visibility(queries[i]);
+  }
+};
+
+/// Makes one tester a thread (const: called from many threads).
+class ShadowTesterFactory {
+ public:
+  virtual ~ShadowTesterFactory() = default;
+  /// The context outlives the tester.
+  virtual std::unique_ptr<ShadowTester> make(ThreadContext& context) const = 0;
+  /// The same without what watches its testers and keeps what it saw.
+  virtual const ShadowTesterFactory& unwatched() const { return *this; }
+};
+
+}  // namespace lentray::core

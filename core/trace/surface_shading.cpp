@@ -1,0 +1,174 @@
+#include "core/trace/surface_shading.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/trace/reflectance.h"
+
+namespace lentray::core {
+namespace {
+
+constexpr double kGrazing = 1e-10;       ///< a light at less than this cosine is behind the surface
+constexpr int kOpacityByAlphaSince = 370;
+
+bool reflects(const Finish& finish) {
+  return !finish.reflection_max.is_black() || !finish.reflection_min.is_black();
+}
+
+float opacity_of(const Colour& c, bool legacy) {
+  // Scenes before 3.7 weigh the filter by the brightest channel.
+  if (legacy) return 1.0f - (c.filter * greatest(c.rgb) + c.transmit);
+  return 1.0f - c.filter - c.transmit;
+}
+
+}  // namespace
+
+template <unsigned kFeatures>
+SurfaceShading<kFeatures>::SurfaceShading(ThreadContext& context, ShadowTester& shadows)
+    : m_context(context),
+      m_settings(context.scene.settings()),
+      m_legacy_opacity(m_settings.language_version < kOpacityByAlphaSince),
+      m_lights(context, shadows) {}
+
+template <unsigned kFeatures>
+void SurfaceShading<kFeatures>::shade(const LayeredTexture& texture, Surface& at, ShadingBuffers& buffers,
+                                      LayerSum& sum) {
+  const auto& layers = texture.layers();
+  if constexpr (kReflection) {
+    if (buffers.mirrors.size() < layers.size()) buffers.mirrors.resize(layers.size());
+  }
+  for (auto layer = layers.rbegin();
+       layer != layers.rend() && sum.transparency > m_settings.adc_bailout; ++layer) {
+    shade_layer(*layer, at, sum, buffers);
+    ++sum.layers;
+  }
+}
+
+template <unsigned kFeatures>
+void SurfaceShading<kFeatures>::shade_layer(const TextureLayer& layer, Surface& at, LayerSum& sum,
+                                            ShadingBuffers& buffers) {
+  const Finish& finish = layer.finish;
+  const Colour* constant = layer.pigment->constant();
+  const Colour colour = constant ? *constant : layer.pigment->colour(at.texture_point, at.context);
+  if (layer.normal) {
+    at.context.normal = layer.normal->perturb(at.texture_point, at.normal, at.context);
+  }
+  const Vec3& normal = layer.normal ? at.context.normal : at.normal;
+  if (kTransparency && sum.layers == 0) {
+    sum.top_normal = normal;
+    sum.top_finish = &finish;
+  }
+  if constexpr (kReflection) {
+    buffers.mirrors[sum.layers] = mirror_of(finish, colour.rgb, normal, at, sum);
+  }
+
+  const double opacity = kTransparency || kLayers ? opacity_of(colour, m_legacy_opacity) : 1.0;
+  Rgb own = times(colour.rgb * finish.ambient * m_settings.ambient_light, opacity);
+  own += times(colour.rgb * finish.emission, opacity);
+  own += lit(finish, colour.rgb, normal, opacity, at, buffers.lights);
+  sum.light += own * sum.filter;
+
+  if constexpr (kTransparency || kLayers) {
+    sum.filter *= passed(colour);
+    if (kReflection && finish.conserve_energy) {
+      const Rgb& mirror = buffers.mirrors[sum.layers].colour;
+      sum.filter *= Rgb(std::min(1.0f, 1.0f - mirror.r), std::min(1.0f, 1.0f - mirror.g),
+                        std::min(1.0f, 1.0f - mirror.b));
+    }
+    sum.transparency = std::min(1.0, static_cast<double>(std::fabs(grey(sum.filter))));
+  } else {
+    sum.transparency = 0.0;
+  }
+}
+
+template <unsigned kFeatures>
+Mirror SurfaceShading<kFeatures>::mirror_of(const Finish& finish, const Rgb& pigment, const Vec3& normal,
+                                            const Surface& at, const LayerSum& sum) const {
+  Mirror mirror;
+  if (!reflects(finish)) return mirror;
+  const double cosine = -dot(at.ray().direction, normal);
+  const double ior = finish.reflection_fresnel
+                         ? relative_ior(at.interior(), at.state.inside, m_settings.atmosphere_ior)
+                         : 1.0;
+  const Reflectivity share = reflectivity(finish, cosine, ior, pigment);
+  mirror.normal = normal;
+  mirror.colour = share.colour;
+  mirror.weight = static_cast<float>(at.weight * sum.transparency) * share.weight;
+  mirror.exponent = 1.0 / finish.reflection_exponent;
+  mirror.finish = &finish;
+  return mirror;
+}
+
+/// Diffuse light and highlights of all lights.
+template <unsigned kFeatures>
+Rgb SurfaceShading<kFeatures>::lit(const Finish& finish, const Rgb& pigment, const Vec3& normal,
+                                   double opacity, const Surface& at, LightsAtPoint& known) {
+  struct Receiver {
+    SurfaceShading& shading;
+    const Finish& finish;
+    const Rgb& pigment;
+    const Vec3& normal;
+    const double opacity;
+    const Surface& surface;
+    const bool one_sided, front_only, shines;
+    bool behind = false;
+    double cosine = 0.0;
+    Rgb sum{};
+
+    bool may_face(const LightSource& source, const Vec3& to) const {
+      return !(front_only && source.surely_behind(to, normal));
+    }
+    bool faces(const Vec3& direction) {
+      cosine = dot(normal, direction);
+      behind = one_sided && cosine < kGrazing;
+      return !(behind && front_only);
+    }
+    void receive(const LightSource& source, const LightRay& ray, const Rgb& light) {
+      Rgb share = diffuse_light(finish, cosine, light, pigment,
+                                behind ? finish.diffuse_back : finish.diffuse, opacity,
+                                finish.crand > 0.0 ? shading.m_context.random.next() : 0.0);
+      if (shines && !source.shadowless && !behind) {
+        share += highlights(finish, {ray.direction, surface.ray().direction, normal, light, pigment});
+      }
+      if (finish.irid > 0.0) share *= shading.film(finish, normal, ray.direction, surface);
+      sum += share;
+    }
+  };
+  if (finish.diffuse == 0.0 && finish.diffuse_back == 0.0 && finish.specular == 0.0 &&
+      finish.phong == 0.0) {
+    return {};
+  }
+  const bool one_sided = !at.looks.double_illuminate;
+  Receiver receiver{*this, finish, pigment, normal, opacity, at,
+                    one_sided, one_sided && finish.diffuse_back == 0.0, has_highlights(finish)};
+  m_lights.at({at.point(), at.level, at.state.place, at.state.inside}, m_lights.lights_of(at.looks), known,
+              receiver);
+  return receiver.sum;
+}
+
+template <unsigned kFeatures>
+Rgb SurfaceShading<kFeatures>::film(const Finish& finish, const Vec3& normal, const Vec3& from_light,
+                                    const Surface& at) const {
+  return film_tint(finish, film_thickness(finish, at.point(), m_settings.noise_generator),
+                   m_settings.irid_wavelength, normal, from_light, at.ray().direction);
+}
+
+template class SurfaceShading<0>;
+template class SurfaceShading<1>;
+template class SurfaceShading<2>;
+template class SurfaceShading<3>;
+template class SurfaceShading<4>;
+template class SurfaceShading<5>;
+template class SurfaceShading<6>;
+template class SurfaceShading<7>;
+template class SurfaceShading<8>;
+template class SurfaceShading<9>;
+template class SurfaceShading<10>;
+template class SurfaceShading<11>;
+template class SurfaceShading<12>;
+template class SurfaceShading<13>;
+template class SurfaceShading<14>;
+template class SurfaceShading<15>;
+static_assert(kAllPaths == 16);
+
+}  // namespace lentray::core

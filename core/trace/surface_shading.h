@@ -1,0 +1,84 @@
+// What a surface itself sends along a ray: the layers of its texture, each with its pigment, normal and
+// finish under the lights. Rays that go on from the surface (mirrors, transparency) are the integrator's:
+// the shading leaves it what they are to be weighed by. World space; colours linear. One a thread.
+// Source: reference manual 3.7, "Finish", "Layered Textures"; the order of the steps and the weights
+// measured on stock (tests/image/shading_depth_test.cpp).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "core/material/texture.h"
+#include "core/trace/light_loop.h"
+#include "core/trace/path_features.h"
+#include "core/trace/ray_state.h"
+
+namespace lentray::core {
+
+/// A layer's mirror, whose image is traced after all layers.
+struct Mirror {
+  Vec3 normal;             ///< of the layer, facing the ray
+  Rgb colour;              ///< black: none
+  float weight = 0.0f;     ///< of the image's ray
+  double exponent = 1.0;
+  const Finish* finish = nullptr;
+};
+
+/// The sum over the layers of a texture, and what passes them all.
+struct LayerSum {
+  Rgb light;
+  Rgb filter{1.0f, 1.0f, 1.0f};  ///< on what is seen behind
+  double transparency = 1.0;     ///< 0..1: the filter's grey
+  Vec3 top_normal;
+  const Finish* top_finish = nullptr;
+  std::size_t layers = 0;        ///< shaded so far
+};
+
+/// Buffers of one surface on the way, used again from ray to ray.
+struct ShadingBuffers {
+  explicit ShadingBuffers(std::size_t light_count) : lights(light_count) {}
+  WeightedTextures textures;
+  std::vector<Mirror> mirrors;  ///< one a layer, if the path has mirrors
+  LightsAtPoint lights;
+};
+
+template <unsigned kFeatures>
+class SurfaceShading {
+ public:
+  SurfaceShading(ThreadContext& context, ShadowTester& shadows);
+
+  std::size_t lights() const { return m_lights.lights(); }
+  /// To be called before anything else of a surface.
+  void begin(const Surface& at, ShadingBuffers& buffers) const {
+    if constexpr (kLayers) {
+      buffers.textures.clear();
+      buffers.lights.forget_arriving();
+    }
+    m_lights.look_ahead(m_lights.lights_of(at.looks), at.normal, at.hit(), at.from_behind, at.point(),
+                        buffers.lights);
+  }
+  /// From the top layer down, until next to nothing passes.
+  void shade(const LayeredTexture& texture, Surface& at, ShadingBuffers& buffers, LayerSum& sum);
+  /// How the thin film of a finish tints light that leaves along `from_light`.
+  Rgb film(const Finish& finish, const Vec3& normal, const Vec3& from_light, const Surface& at) const;
+
+ private:
+  static constexpr bool kTransparency = (kFeatures & kPathTransparency) != 0;
+  static constexpr bool kReflection = (kFeatures & kPathReflection) != 0;
+  static constexpr bool kLayers = (kFeatures & kPathLayers) != 0;
+  static constexpr bool kArea = (kFeatures & kPathArea) != 0;
+
+  void shade_layer(const TextureLayer& layer, Surface& at, LayerSum& sum, ShadingBuffers& buffers);
+  Mirror mirror_of(const Finish& finish, const Rgb& pigment, const Vec3& normal, const Surface& at,
+                   const LayerSum& sum) const;
+  Rgb lit(const Finish& finish, const Rgb& pigment, const Vec3& normal, double opacity,
+          const Surface& at, LightsAtPoint& known);
+
+  ThreadContext& m_context;
+  const SceneSettings& m_settings;
+  const bool m_legacy_opacity;
+  LightLoop<kArea, kLayers> m_lights;
+};
+
+}  // namespace lentray::core

@@ -1,0 +1,33 @@
+// What one thread traces with: scratch that grows and is used again, counters, and the random numbers
+// of the sample that is traced. One a thread; it outlives what is made with it.
+#pragma once
+
+#include <cstdint>
+
+#include "core/base/counters.h"
+#include "core/base/pixel.h"
+#include "core/light/area_light.h"
+#include "core/object/hit.h"
+#include "core/scene/scene.h"
+#include "core/trace/random_key.h"
+
+namespace lentray::core {
+
+struct ThreadContext {
+  /// `count_tests`: whether tests of bounds and primitives are counted too.
+  ThreadContext(const Scene& s, bool count_tests) : scene(s), tests(count_tests ? &counters : nullptr) {
+    counters.lights.resize(s.lights().size());
+  }
+  ThreadContext(const ThreadContext&) = delete;
+  ThreadContext& operator=(const ThreadContext&) = delete;
+
+  const Scene& scene;
+  HitArena arena;
+  Counters counters;
+  Counters* const tests;  ///< where tests are counted; null: nowhere
+  AreaScratch area;
+  Pixel pixel;  ///< of the sample
+  SampleRandom random{RandomSequence::Use::kShading};
+};
+
+}  // namespace lentray::core

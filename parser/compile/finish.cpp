@@ -1,0 +1,68 @@
+#include "parser/compile/finish.h"
+
+#include "parser/compile/pattern_compiler.h"
+
+namespace lentray::parser {
+
+core::Finish compile_finish(const FinishDesc& finish, std::set<std::string>& not_yet) {
+  core::Finish result;
+  result.ambient = finish.ambient;
+  result.emission = finish.emission;
+  result.diffuse = single(finish.diffuse);
+  result.diffuse_back = single(finish.diffuse_back);
+  result.brilliance = single(finish.brilliance);
+  result.phong = single(finish.phong);
+  result.phong_size = single(finish.phong_size);
+  result.specular = single(finish.specular);
+  // Stock keeps a roughness of 0 as the exponent 0.
+  result.roughness_exponent =
+      finish.roughness == 0.0 ? 0.0 : single(1.0 / single(finish.roughness));
+  result.metallic = single(finish.metallic);
+  result.reflection_min = finish.reflection.minimum;
+  result.reflection_max = finish.reflection.maximum;
+  result.reflection_falloff = single(finish.reflection.falloff);
+  result.reflection_exponent = finish.reflection_exponent;
+  result.reflection_metallic = single(finish.reflection.metallic);
+  result.reflection_fresnel = finish.reflection.fresnel;
+  result.reflection_variable = finish.reflection.block;
+  result.conserve_energy = finish.conserve_energy;
+  result.crand = single(finish.crand);
+  result.irid = single(finish.irid);
+  result.irid_thickness = single(finish.irid_thickness);
+  result.irid_turbulence = single(finish.irid_turbulence);
+  if (finish.subsurface) not_yet.insert("subsurface");
+  return result;
+}
+
+std::shared_ptr<const core::Interior> compile_interior(const Ref<InteriorDesc>& interior,
+                                                       const Ref<TextureDesc>& texture,
+                                                       std::set<std::string>& not_yet) {
+  const FinishDesc* finish = nullptr;
+  if (texture && !texture->layers.back().is_patterned()) {
+    finish = texture->layers.back().finish.get();
+  }
+  const bool from_finish = finish && (finish->ior || finish->caustics);
+  if (!interior && !from_finish) return nullptr;
+  auto result = std::make_shared<core::Interior>();
+  if (interior) {
+    result->ior = single(interior->ior);
+    result->dispersion = single(interior->dispersion);
+    result->dispersion_samples = interior->dispersion_samples;
+    // Stock scales an interior's caustics by 45 and leaves a finish's as written (measured by
+    // tests/image, ImageShadingShadows.Caustics).
+    result->caustics = 45.0 * single(interior->caustics);
+    result->fade_distance = single(interior->fade_distance);
+    result->fade_power = single(interior->fade_power);
+    result->fade_colour = interior->fade_colour;
+    result->has_media = !interior->media.empty();
+  }
+  if (from_finish) {
+    if (finish->ior) result->ior = single(*finish->ior);
+    if (finish->caustics) result->caustics = single(*finish->caustics);
+  }
+  if (result->has_media) not_yet.insert("media");
+  if (result->dispersion != 1.0 && result->dispersion != 0.0) not_yet.insert("dispersion");
+  return result;
+}
+
+}  // namespace lentray::parser

@@ -1,0 +1,445 @@
+#include "parser/compile/object_builder.h"
+
+#include <algorithm>
+#include <new>
+#include <utility>
+
+#include "core/material/blob_texture.h"
+#include "core/object/csg.h"
+#include "core/object/leaf.h"
+#include "core/shape/box.h"
+#include "core/shape/isosurface.h"
+#include "parser/compile/light_scope.h"
+#include "parser/compile/lights.h"
+#include "parser/shapes/blob_fields.h"
+#include "parser/shapes/shape_geometry.h"
+#include "parser/shapes/shapes.h"
+#include "parser/shapes/text_shape.h"
+#include "parser/source/build_error.h"
+#include "parser/stock/box_region.h"
+#include "parser/stock/quadric_box.h"
+#include "parser/stock/stock_box.h"
+
+namespace lentray::parser {
+namespace {
+
+core::CsgKind csg_kind(CsgOperation operation) {
+  switch (operation) {
+    case CsgOperation::kMerge: return core::CsgKind::kMerge;
+    case CsgOperation::kIntersection: return core::CsgKind::kIntersection;
+    case CsgOperation::kDifference: return core::CsgKind::kDifference;
+    case CsgOperation::kUnion:
+    case CsgOperation::kLightGroup: return core::CsgKind::kUnion;
+  }
+  return core::CsgKind::kUnion;
+}
+
+/// Parts without an interior of their own share the whole's, and the last of them says for all whether it is
+/// hollow.
+std::optional<bool> shared_hollow(const ObjectDesc& object, std::optional<bool> from) {
+  if (object.hollow) from = object.hollow;
+  const CsgShape* csg = object.csg();
+  if (!csg) return from.value_or(false);
+  for (auto child = csg->children->rbegin(); child != csg->children->rend(); ++child) {
+    if ((*child)->is_light() || (*child)->rare->interior) continue;
+    if (const auto hollow = shared_hollow(**child, from)) return hollow;
+  }
+  return std::nullopt;
+}
+
+double volume(const core::Bounds& b) {
+  if (b.is_empty()) return 0.0;
+  const Vec3 d = b.hi - b.lo;
+  return d.x * d.y * d.z;
+}
+
+using Regions = std::vector<std::shared_ptr<const core::Object>>;
+
+/// What is left of bounds that stock drops: their common box, if it is smaller than stock's own. All boxes are
+/// stock's.
+Regions boxed(const std::vector<Ref<ObjectDesc>>& bounds, const core::Transform& outer, const core::Bounds& own) {
+  core::Bounds box = core::Bounds::everything();
+  bool is_whole = true;
+  for (const Ref<ObjectDesc>& bound : bounds) {
+    if (!bound->inverse) box.intersect(core::transformed(stock_box(*bound, is_whole), outer));
+  }
+  if (!is_whole || box.is_empty() || !box.is_finite() || !(volume(box) < volume(own))) return {};
+  Regions kept;
+  kept.push_back(std::make_shared<core::Leaf>(std::make_unique<core::Box>(box.lo, box.hi),
+                                              core::Transform()));
+  return kept;
+}
+
+/// Stock asks no patch for what clips it: the clips only lend their box.
+bool forgets_clips(const ObjectDesc& object) {
+  return std::holds_alternative<std::shared_ptr<const BicubicPatchShape>>(object.shape);
+}
+
+/// Of an object in the scene's list: whether it seems to stock worth a test of its bounds.
+bool keeps_bounds(const ObjectDesc& object) {
+  if (const auto* quadric = std::get_if<Sparse<QuadricShape>>(&object.shape)) {
+    const auto& clips = object.rare->clipped_by;
+    const bool is_limited = std::any_of(clips.begin(), clips.end(), [](const auto& clip) { return !clip->inverse; });
+    return has_products((*quadric)->c) || (!is_limited && is_open_all_around((*quadric)->c));
+  }
+  return object.csg() || std::holds_alternative<PolyShape>(object.shape) ||
+         std::holds_alternative<Sparse<TextShape>>(object.shape);
+}
+
+}  // namespace
+
+ObjectBuilder::ObjectBuilder(core::SceneParts& parts, TextureCompiler& textures, NotYet& not_yet)
+    : m_parts(&parts), m_textures(&textures), m_not_yet(not_yet) {}
+
+ObjectBuilder::ObjectBuilder(NotYet& not_yet) : m_not_yet(not_yet) {}
+
+void ObjectBuilder::add(const ObjectDesc& object, const Ref<TextureDesc>& default_texture) {
+  m_default = default_texture ? default_texture : standard_texture();
+  m_last = {};
+  Inherited nothing;
+  nothing.on_list = true;
+  add_to_list(object, core::Transform(), nothing);
+}
+
+void ObjectBuilder::add_to_list(const ObjectDesc& object, const core::Transform& outer,
+                                const Inherited& from) {
+  const auto around = std::exchange(
+      m_cutaways, Cutaways::occur_in(object) ? std::make_shared<Cutaways>() : nullptr);
+  auto built = build(object, outer, from);
+  const auto cutaways = std::exchange(m_cutaways, around);
+  if (!built) return;
+  if (cutaways) {
+    cutaways->apply(
+        *built, from.texture, [this](const Ref<TextureDesc>& t) { return compile(t); },
+        [this](auto texture) { m_parts->textures.push_back(std::move(texture)); },
+        m_parts->settings.adc_bailout);
+  }
+  m_parts->objects.push_back(std::move(built));
+}
+
+std::unique_ptr<core::Object> ObjectBuilder::geometry(const ObjectDesc& object,
+                                                      const core::Transform& to_world) {
+  ObjectBuilder plain(m_not_yet);
+  return plain.build(object, to_world, {});
+}
+
+Ref<TextureDesc> ObjectBuilder::moved(const Ref<TextureDesc>& texture, const core::Transform& transform) {
+  if (!texture || transform.is_identity()) return texture;
+  Ref<TextureDesc>& slot = m_moved[{texture, transform.rows()}];
+  if (!slot) slot = transformed(texture, transform);
+  return slot;
+}
+
+/// Looks and switches that hold for the object, in world space.
+ObjectBuilder::Inherited ObjectBuilder::resolve(const ObjectDesc& object, const core::Transform& outer,
+                                                const Inherited& from) {
+  Inherited looks = from;
+  looks.on_list = false;
+  looks.no_shadow = from.no_shadow || object.no_shadow;
+  looks.no_image = from.no_image || object.no_image;
+  looks.no_reflection = from.no_reflection || object.no_reflection;
+  if (object.hollow) looks.hollow = object.hollow;
+  if (object.rare->interior || !from.in_whole) looks.shared_hollow = shared_hollow(object, from.hollow);
+  looks.in_whole = true;
+  // The outermost double_illuminate overrides those inside it.
+  if (!from.double_illuminate) looks.double_illuminate = object.double_illuminate;
+  if (!m_parts) return looks;
+  const core::Transform texture_move = object.uv_mapping ? core::Transform() : outer;
+  // A part without a texture of its own takes its whole's with it.
+  looks.uv_mapping = object.uv_mapping || (!object.texture && from.uv_mapping);
+  if (object.texture) looks.texture = moved(object.texture, texture_move);
+  const RareParts& rare = *object.rare;
+  if (rare.interior_texture) looks.interior_texture = moved(rare.interior_texture, texture_move);
+  if (rare.interior || (object.texture && !from.interior)) {
+    Ref<InteriorDesc> interior = rare.interior;
+    if (interior && !interior->media.empty()) interior = transformed(interior, outer);
+    // Every object that has one has its own: stock tells nested objects apart by it.
+    if (const auto made = m_textures->interior(interior, looks.texture)) {
+      m_parts->interiors.push_back(std::make_shared<const core::Interior>(*made));
+      looks.interior = m_parts->interiors.back().get();
+    }
+  }
+  return looks;
+}
+
+const core::Texture* ObjectBuilder::compile(const Ref<TextureDesc>& texture) {
+  if (m_last.made && m_last.texture == texture) return m_last.made;
+  const std::shared_ptr<const core::Texture> made = m_textures->texture(texture, m_default);
+  if (m_owned.insert(made.get()).second) m_parts->textures.push_back(made);
+  m_last = {texture, made.get()};
+  return made.get();
+}
+
+core::Attributes ObjectBuilder::attributes(const Inherited& looks) {
+  core::Attributes a;
+  a.no_shadow = looks.no_shadow;
+  a.no_image = looks.no_image;
+  a.no_reflection = looks.no_reflection;
+  a.hollow = looks.shared_hollow.value_or(false);
+  a.uv_mapping = looks.uv_mapping;
+  a.double_illuminate = looks.double_illuminate.value_or(false);
+  a.interior = looks.interior;
+  if (!m_parts) return a;
+  a.texture = compile(looks.texture);
+  if (looks.interior_texture) a.interior_texture = compile(looks.interior_texture);
+  if (looks.lights) a.lights = selection(*looks.lights);
+  return a;
+}
+
+void ObjectBuilder::set_regions(const ObjectDesc& object, const core::Transform& outer, bool on_list,
+                                bool keep_bounds, core::Object& out) {
+  std::map<const ObjectDesc*, std::shared_ptr<const core::Object>> made;
+  const auto region = [&](const Ref<ObjectDesc>& desc) {
+    std::shared_ptr<const core::Object>& slot = made[desc.get()];
+    if (!slot) slot = geometry(*desc, outer);
+    return slot;
+  };
+  Regions clips, bounds;
+  for (const Ref<ObjectDesc>& clip : object.rare->clipped_by) {
+    if (auto built = region(clip)) clips.push_back(std::move(built));
+  }
+  for (const Ref<ObjectDesc>& bound : object.rare->bounded_by) {
+    if (auto built = region(bound)) bounds.push_back(std::move(built));
+  }
+  const bool open_bounds = have_open_inside(bounds);
+  if (!keep_bounds && !bounds.empty()) {
+    bool is_whole = true;
+    ObjectDesc alone = object;
+    alone.rare.edit().bounded_by.clear();
+    bounds = heeds_regions(object) ? boxed(object.rare->bounded_by, outer, core::transformed(stock_box(alone, is_whole), outer)) : Regions();
+  }
+  if (!clips.empty() && !forgets_clips(object)) out.set_clips(std::move(clips));
+  const Reach reach = !on_list ? Reach::kPart : m_has_hierarchy ? Reach::kByBoxes : Reach::kOneByOne;
+  if (auto box = box_region(object, outer, reach, open_bounds, out)) bounds.push_back(std::move(box));
+  if (!bounds.empty()) out.set_bounding(std::move(bounds));
+}
+
+/// The box of a turned CSG is that of its parts' boxes, turned.
+void ObjectBuilder::set_stock_box(const ObjectDesc& object, const core::Transform& outer, core::Object& out) {
+  bool is_whole = true;
+  const core::Bounds box = core::transformed(stock_box(object, is_whole), outer);
+  auto* csg = dynamic_cast<core::Csg*>(&out);
+  if (csg && is_whole && !box.is_empty()) csg->set_box(box);
+}
+
+/// Of others all that is inside lies in stock's box.
+void ObjectBuilder::set_start_bounds(const ObjectDesc& object, const core::Transform& outer, core::Object& out) {
+  if (out.solid_bounds().is_finite() && out.bounding().empty()) return;
+  bool is_whole = true;
+  const core::Bounds box = core::transformed(stock_box(object, is_whole), outer);
+  const Vec3 size = box.hi - box.lo;
+  constexpr double kFinite = 1e9;
+  if (is_whole && std::max({size.x, size.y, size.z}) < kFinite) out.set_start_bounds(box);
+}
+
+std::unique_ptr<core::Object> ObjectBuilder::build(const ObjectDesc& object, const core::Transform& outer,
+                                                   const Inherited& from) {
+  try {
+    return build_whole(object, outer, from);
+  } catch (const BuildError&) {
+    throw;  // of a part: its place is nearer
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw BuildError(object.where, error.what());
+  }
+}
+
+std::unique_ptr<core::Object> ObjectBuilder::build_whole(const ObjectDesc& object,
+                                                         const core::Transform& outer,
+                                                         const Inherited& from) {
+  const core::Transform to_world = object.transform.is_stored() ? object.transform->then(outer) : outer;
+  if (object.is_light()) {
+    if (m_parts) {
+      add_light(object, to_world, false);
+      add_looks_like(object, to_world, from);
+    }
+    return nullptr;
+  }
+  const Inherited looks = resolve(object, outer, from);
+  const CsgShape* csg = object.csg();
+  std::unique_ptr<core::Object> out;
+  // The parts of an unclipped union of the scene's list come to hang in the list themselves.
+  const bool is_split = from.on_list && splits_on_list(object);
+  if (csg) {
+    Inherited for_children = looks;
+    for_children.on_list = is_split;
+    out = build_csg(object, *csg, to_world, for_children);
+    if (out && out->solid_leaves_bounds()) set_stock_box(object, outer, *out);
+  } else {
+    out = build_leaf(object, to_world, looks);
+  }
+  if (!out) return nullptr;
+  out->set_attributes(attributes(looks));
+  if (const auto* blob = std::get_if<std::shared_ptr<const BlobShape>>(&object.shape)) {
+    add_element_textures(**blob, to_world, *out);
+  }
+  set_regions(object, outer, from.on_list && !is_split, !from.on_list || keeps_bounds(object), *out);
+  if (object.inverse) out->set_inverse(true);
+  if (csg && !is_split && (from.on_list || !from.in_whole) && out->solid_leaves_bounds()) {
+    if (auto* whole = dynamic_cast<core::Csg*>(out.get())) whole->open_parts();
+  }
+  if (from.on_list) set_start_bounds(object, outer, *out);
+  if (m_cutaways) m_cutaways->record(*out, object, object.texture ? looks.texture : nullptr);
+  return out;
+}
+
+std::unique_ptr<core::Object> ObjectBuilder::build_csg(const ObjectDesc& object, const CsgShape& csg,
+                                                       const core::Transform& to_world,
+                                                       const Inherited& looks) {
+  if (csg.operation == CsgOperation::kLightGroup && m_parts) {
+    return build_light_group(object, csg, to_world, looks);
+  }
+  const LightScope scope(looks.lights, object.copied);
+  Inherited for_children = looks;
+  if (looks.lights) for_children.lights = &scope;
+  std::vector<std::unique_ptr<core::Object>> children;
+  bool first = true;
+  for (const Ref<ObjectDesc>& child : *csg.children) {
+    auto built = build(*child, to_world, for_children);
+    const bool is_light = child->is_light();
+    // What the first part of a difference would be cut from is missing: so is the whole.
+    if (!built && !is_light && first && csg.operation == CsgOperation::kDifference) return nullptr;
+    if (!is_light) first = false;
+    if (built) children.push_back(std::move(built));
+  }
+  if (children.empty()) return nullptr;
+  auto whole = std::make_unique<core::Csg>(csg_kind(csg.operation), std::move(children));
+  if (!csg.split_union) whole->keep_whole();
+  return whole;
+}
+
+std::unique_ptr<core::Object> ObjectBuilder::build_leaf(const ObjectDesc& object,
+                                                        const core::Transform& to_world,
+                                                        const Inherited& looks) {
+  if (const auto* text = std::get_if<Sparse<TextShape>>(&object.shape)) {
+    return build_text(**text, to_world, looks);
+  }
+  if (const std::string missing = missing_function(object); !missing.empty()) {
+    note(missing, object.where);
+    return nullptr;
+  }
+  std::unique_ptr<core::Shape> shape;
+  if (const auto* mesh = std::get_if<std::shared_ptr<const MeshShape>>(&object.shape)) {
+    std::unique_ptr<core::Mesh> made = build_mesh(object, to_world);
+    if (m_parts && !(*mesh)->textures.empty()) {
+      std::vector<const core::Texture*> textures;
+      const core::Transform move = object.uv_mapping ? core::Transform() : to_world;
+      for (const Ref<TextureDesc>& t : (*mesh)->textures) textures.push_back(compile(moved(t, move)));
+      made->set_textures(std::move(textures));
+    }
+    shape = std::move(made);
+  } else {
+    shape = build_shape(object);
+    const auto* surface = std::get_if<Sparse<IsosurfaceShape>>(&object.shape);
+    if (surface && shape && m_parts) {
+      static_cast<core::Isosurface&>(*shape).set_watch(m_slope_watches.of(**surface, object.where));
+    }
+  }
+  if (!shape) {
+    note(std::string(object.keyword), object.where);
+    return nullptr;
+  }
+  return std::make_unique<core::Leaf>(std::move(shape), to_world);
+}
+
+/// The textures of a blob's elements, mixed; those without have the blob's.
+void ObjectBuilder::add_element_textures(const BlobShape& blob, const core::Transform& to_world,
+                                         core::Object& out) {
+  const bool has_any = std::any_of(blob.elements.begin(), blob.elements.end(),
+                                   [](const BlobElement& e) { return e.texture != nullptr; });
+  if (!m_parts || !has_any) return;
+  core::Attributes looks = out.attributes();
+  const std::shared_ptr<const core::Texture> own(std::shared_ptr<void>(), looks.texture);
+  const std::vector<core::BlobField> fields = blob_fields(blob);
+  std::vector<core::BlobTexture::Element> elements;
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    core::BlobField field = fields[i];
+    field.to_blob = field.to_blob.then(to_world);
+    const Ref<TextureDesc>& texture = blob.elements[i].texture;
+    elements.push_back({field, texture ? m_textures->texture(moved(texture, to_world), m_default)
+                                       : own});
+  }
+  const auto mixed = std::make_shared<const core::BlobTexture>(
+      std::move(elements), m_parts->settings.adc_bailout);
+  m_parts->textures.push_back(mixed);
+  looks.texture = mixed.get();
+  looks.interior_texture = nullptr;  // stock mixes those of the outside there too
+  out.set_attributes(looks);
+}
+
+/// A union of its glyphs.
+std::unique_ptr<core::Object> ObjectBuilder::build_text(const TextShape& text,
+                                                        const core::Transform& to_world,
+                                                        const Inherited& looks) {
+  const LightScope scope(looks.lights, false);
+  Inherited of_glyphs = looks;
+  if (looks.lights) of_glyphs.lights = &scope;
+  std::vector<std::unique_ptr<core::Object>> glyphs = text_glyphs(m_texts, text, to_world);
+  for (const auto& glyph : glyphs) glyph->set_attributes(attributes(of_glyphs));
+  if (glyphs.empty()) return nullptr;
+  return std::make_unique<core::Csg>(core::CsgKind::kUnion, std::move(glyphs));
+}
+
+/// Its lights come first: they light what stands before them, too.
+std::unique_ptr<core::Object> ObjectBuilder::build_light_group(const ObjectDesc& object,
+                                                               const CsgShape& csg,
+                                                               const core::Transform& to_world,
+                                                               const Inherited& looks) {
+  std::vector<std::uint32_t> lights;
+  for (const Ref<ObjectDesc>& child : *csg.children) {
+    if (!child->is_light()) continue;
+    lights.push_back(static_cast<std::uint32_t>(m_parts->lights.size()));
+    add_light(*child, child->transform->then(to_world), true);
+  }
+  const LightScope scope(looks.lights, object.copied, std::move(lights), csg.global_lights);
+  Inherited for_children = looks;
+  for_children.lights = &scope;
+  std::vector<std::unique_ptr<core::Object>> children;
+  for (const Ref<ObjectDesc>& child : *csg.children) {
+    if (child->is_light()) {
+      add_looks_like(*child, child->transform->then(to_world), for_children);
+    } else if (auto built = build(*child, to_world, for_children)) {
+      children.push_back(std::move(built));
+    }
+  }
+  if (children.empty()) return nullptr;
+  return std::make_unique<core::Csg>(core::CsgKind::kUnion, std::move(children));
+}
+
+void ObjectBuilder::add_light(const ObjectDesc& object, const core::Transform& to_world,
+                              bool grouped) {
+  const LightDesc& light = *std::get<LightShape>(object.shape).light;
+  m_parts->lights.push_back(build_light(light, to_world));
+  m_parts->lights.back().grouped = grouped;
+  if (light.projected_through) note("projected_through", object.where);
+  if (light.area_illumination) note("area_illumination", object.where);
+  if (light.media_attenuation) note("media_attenuation", object.where);
+}
+
+void ObjectBuilder::add_looks_like(const ObjectDesc& object, const core::Transform& to_world,
+                                   const Inherited& from) {
+  const LightDesc& light = *std::get<LightShape>(object.shape).light;
+  if (!light.looks_like) return;
+  const LightScope scope = LightScope::of_light(from.lights);
+  Inherited around = from;
+  if (from.lights) around.lights = &scope;
+  Inherited looks = resolve(object, to_world, around);
+  looks.no_shadow = true;
+  looks.in_whole = false;
+  // The kernel's list holds it: a light in a CSG takes no part in the CSG.
+  add_to_list(*light.looks_like, to_world, looks);
+}
+
+const core::LightSelection* ObjectBuilder::selection(const LightScope& scope) {
+  core::LightSelection lights{scope.global(), scope.local()};
+  const core::LightSelection*& slot = m_selections[{lights.global, lights.local}];
+  if (!slot) {
+    m_parts->light_selections.push_back(
+        std::make_unique<const core::LightSelection>(std::move(lights)));
+    slot = m_parts->light_selections.back().get();
+  }
+  return slot;
+}
+
+}  // namespace lentray::parser

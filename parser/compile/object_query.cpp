@@ -1,0 +1,52 @@
+#include "parser/compile/object_query.h"
+
+#include "core/object/leaf.h"
+#include "parser/compile/object_builder.h"
+#include "parser/stock/box_region.h"
+
+namespace lentray::parser {
+namespace {
+
+constexpr double kMinDistance = 1e-4;  ///< trace() does not see what is nearer
+
+}  // namespace
+
+ObjectQuery::ObjectQuery(const ObjectDesc& object) {
+  CompiledSlot& slot = object.compiled;
+  if (!slot.made) {
+    NotYet missing;
+    CompiledSlot::Compiled made;
+    auto whole = ObjectBuilder(missing).geometry(object);
+    if (whole && have_open_inside(whole->bounding())) {
+      auto bounding = whole->bounding();
+      if (auto box = box_region(object, core::Transform(), Reach::kOneByOne, true, *whole)) {
+        bounding.push_back(std::move(box));
+        whole->set_bounding(std::move(bounding));
+      }
+    }
+    if (whole && core::is_seen_afar(*whole)) made.farthest = core::Bounds::kInf;
+    made.object = std::move(whole);
+    made.is_whole = missing.empty();
+    slot.made = std::make_shared<const CompiledSlot::Compiled>(std::move(made));
+  }
+  m_object = slot.made->object;
+  m_is_whole = slot.made->is_whole;
+  m_farthest = slot.made->farthest;
+}
+
+bool ObjectQuery::inside(const core::Vec3& point) const { return m_object && m_object->inside(point); }
+
+bool ObjectQuery::trace(const core::Vec3& origin, const core::Vec3& direction, core::Vec3& point,
+                        core::Vec3& normal) const {
+  point = normal = core::Vec3{};
+  const core::Ray ray{origin, normalized(direction)};
+  if (!m_object || ray.direction == core::Vec3{}) return false;
+  core::Hit hit;
+  core::HitArena arena;
+  if (!m_object->nearest(ray, kMinDistance, m_farthest, hit, arena)) return false;
+  point = ray.at(hit.t);
+  normal = hit.leaf->normal(point, hit.shape);
+  return true;
+}
+
+}  // namespace lentray::parser

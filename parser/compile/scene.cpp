@@ -1,0 +1,164 @@
+#include "parser/compile/scene.h"
+
+#include <algorithm>
+
+#include "parser/compile/atmosphere.h"
+#include "parser/compile/object_builder.h"
+#include "parser/source/build_error.h"
+#include "parser/stock/box_region.h"
+
+namespace lentray::parser {
+namespace {
+
+constexpr int kAirQuality = 9;
+
+/// Without +UA a background that is clear is laid over black; its filter is passed over, as in stock. With it, one
+/// from before #version 3.7 is seen in mirrors only, as if there were none.
+void set_background(const SceneDesc& scene, bool alpha, core::SceneSettings& s) {
+  s.alpha = alpha;
+  s.background.rgb = scene.background.rgb;
+  const bool is_layer = scene.has_background && scene.background_version >= 370;
+  if (!alpha) {
+    if (is_layer) s.background.rgb *= 1.0f - scene.background.transmit;
+  } else if (is_layer) {
+    s.background = scene.background;
+  } else {
+    s.background.transmit = 1.0f;
+  }
+}
+
+core::SceneSettings build_settings(const SceneDesc& scene, bool alpha) {
+  core::SceneSettings s;
+  const GlobalDesc& g = scene.global;
+  if (g.max_trace_level) s.max_trace_level = *g.max_trace_level;
+  if (g.adc_bailout) s.adc_bailout = *g.adc_bailout;
+  if (g.ambient_light) s.ambient_light = *g.ambient_light;
+  s.language_version = scene.language_version;
+  s.assumed_gamma_set = g.assumed_gamma.has_value() || g.gamma_is_srgb;
+  if (g.assumed_gamma) {
+    s.assumed_gamma = *g.assumed_gamma;
+  } else {
+    s.assumed_gamma = g.gamma_is_srgb || scene.language_version < 370 ? 0.0 : 1.0;
+  }
+  s.irid_wavelength = g.irid_wavelength;
+  // Without one, scenes older than 3.5 have the noise of their time.
+  s.noise_generator = g.noise_generator.value_or(scene.language_version < 350 ? 1 : 2);
+  s.atmosphere_ior = scene.atmosphere_ior;
+  set_background(scene, alpha, s);
+  return s;
+}
+
+}  // namespace
+
+TextureSettings texture_settings(const SceneDesc& scene, const core::SceneSettings& settings,
+                                 const BuildOptions& options) {
+  TextureSettings t;
+  t.quality = options.quality;
+  t.number_of_waves = scene.global.number_of_waves;
+  t.language_version = scene.language_version;
+  t.noise_generator = settings.noise_generator;
+  return t;
+}
+
+namespace {
+
+void note_missing(const SceneDesc& scene, NotYet& not_yet) {
+  const auto note = [&](bool used, const char* feature, const Location& where) {
+    if (used) not_yet.try_emplace(feature, where);
+  };
+  const GlobalDesc& g = scene.global;
+  note(g.radiosity.has_value(), "radiosity", g.where);
+  note(g.photons.has_value() && (g.photons->count > 0 || g.photons->spacing > 0.0) &&
+           g.photons->gather_max > 0,
+       "photons", g.where);
+  note(g.subsurface.has_value(), "subsurface", g.where);
+  note(!scene.atmosphere_media.empty(), "media", g.where);
+  if (!scene.camera) return;
+  const CameraDesc& camera = *scene.camera;
+  note(camera.kind == CameraKind::kMesh && camera.rays_per_pixel > 1, "several rays a pixel",
+       camera.where);
+}
+
+std::unique_ptr<core::SkySphere> build_sky(const SkySphereDesc& sky, TextureCompiler& textures) {
+  auto out = std::make_unique<core::SkySphere>();
+  out->emission = sky.emission;
+  for (const Ref<PigmentDesc>& pigment : sky.pigments) {
+    out->pigments.push_back(textures.pigment(transformed(pigment, sky.transform)));
+  }
+  return out;
+}
+
+void warn_about_gamma(const SceneDesc& scene, Diagnostics& diagnostics) {
+  if (scene.global.assumed_gamma || scene.global.gamma_is_srgb) return;
+  if (scene.language_version < 370) {
+    diagnostics.warn({}, "assumed_gamma is not specified: gamma correction is off, as it was before "
+                         "#version 3.7.");
+  } else {
+    diagnostics.warn({}, "assumed_gamma is not specified: 1.0 is used.");
+  }
+}
+
+/// Once for each thing that the picture shows and that is random in stock: what include files declare does not count.
+void warn_of_random_numbers(const core::SceneParts& parts, const TextureCompiler& textures, Diagnostics& diagnostics) {
+  const auto warn = [&](bool used, const std::string& what) {
+    if (!used) return;
+    diagnostics.warn({}, what + ": its random numbers are not POV-Ray's, so pixels differ from POV-Ray's by as much as "
+                                "those of two such runs");
+  };
+  warn(textures.has_crand(), "crand");
+  warn(std::any_of(parts.lights.begin(), parts.lights.end(),
+                   [](const core::Light& light) { return light.has_area && light.area.jitter; }),
+       "jitter of area lights");
+  warn(std::any_of(parts.atmosphere.rainbows.begin(), parts.atmosphere.rainbows.end(),
+                   [](const core::Rainbow& rainbow) { return rainbow.jitter > 0.0; }),
+       "jitter of rainbows");
+}
+
+bool has_hierarchy(const SceneDesc& scene) {
+  std::size_t n = 0;
+  for (const SceneObject& object : scene.objects) {
+    if (n < kHierarchyFrom) n += count_on_list(*object.object);
+  }
+  return n >= kHierarchyFrom;
+}
+
+}  // namespace
+
+core::SceneParts build_scene(const SceneDesc& scene, Diagnostics& diagnostics,
+                             const BuildOptions& options) {
+  core::SceneParts parts;
+  parts.settings = build_settings(scene, options.alpha);
+  warn_about_gamma(scene, diagnostics);
+
+  const TextureSettings for_textures = texture_settings(scene, parts.settings, options);
+  TextureCompiler textures(for_textures);
+
+  NotYet not_yet;
+  ObjectBuilder builder(parts, textures, not_yet);
+  builder.set_has_hierarchy(has_hierarchy(scene));
+  try {
+    for (const SceneObject& object : scene.objects) {
+      builder.add(*object.object, object.default_texture);
+    }
+    if (scene.sky_sphere) parts.sky_sphere = build_sky(*scene.sky_sphere, textures);
+    if (options.quality >= kAirQuality) {
+      parts.atmosphere = build_atmosphere(scene, for_textures.noise_generator);
+    }
+  } catch (const BuildError& error) {
+    diagnostics.fail(error.where(), error.what());
+  }
+  warn_of_random_numbers(parts, textures, diagnostics);
+  parts.slopes = builder.slope_watches().named(diagnostics);
+  note_missing(scene, not_yet);
+  for (const std::string& feature : textures.not_yet()) not_yet.try_emplace(feature, Location{});
+
+  for (const auto& [feature, where] : not_yet) {
+    parts.not_rendered.push_back(feature);
+    diagnostics.not_yet(feature, where);
+  }
+  diagnostics.report_not_yet();
+  diagnostics.report_repeats();
+  return parts;
+}
+
+}  // namespace lentray::parser

@@ -1,0 +1,39 @@
+// What watches the isosurfaces of a scene that is built: all copies of a statement share one watch.
+// One thread.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <tuple>
+#include <vector>
+
+#include "core/scene/scene.h"
+#include "parser/descriptions/object.h"
+#include "parser/source/diagnostics.h"
+
+namespace lentray::parser {
+
+class SlopeWatches {
+ public:
+  /// Null where `evaluate` looks for the gradient itself.
+  std::shared_ptr<core::SlopeWatch> of(const IsosurfaceShape& surface, const Location& where) {
+    if (surface.evaluate) return nullptr;
+    auto& watch = m_watches[{where.file, where.offset, surface.max_gradient}];
+    if (!watch) watch = std::make_shared<core::SlopeWatch>(surface.max_gradient);
+    return watch;
+  }
+
+  /// In the order of their statements.
+  std::vector<core::WatchedSlope> named(const Diagnostics& diagnostics) const {
+    std::vector<core::WatchedSlope> all;
+    for (const auto& [key, watch] : m_watches) {
+      all.push_back({diagnostics.place({std::get<0>(key), std::get<1>(key)}), watch});
+    }
+    return all;
+  }
+
+ private:
+  std::map<std::tuple<std::uint32_t, std::uint32_t, double>, std::shared_ptr<core::SlopeWatch>> m_watches;
+};
+
+}  // namespace lentray::parser

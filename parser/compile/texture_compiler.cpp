@@ -1,0 +1,287 @@
+#include "parser/compile/texture_compiler.h"
+
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "core/material/normals.h"
+#include "core/material/picture.h"
+#include "core/material/pigments.h"
+#include "core/material/textures.h"
+#include "parser/compile/finish.h"
+#include "parser/compile/pattern_compiler.h"
+#include "parser/compile/picture_reader.h"
+
+namespace lentray::parser {
+namespace {
+
+// +Q: where a calculation begins or ends (measured on stock: image.quality).
+constexpr int kUnlitQuality = 1;
+constexpr int kQuickColourQuality = 5;
+constexpr int kNormalQuality = 8;
+
+/// The pigment's own colour, whatever the light.
+core::Finish unlit_finish() {
+  core::Finish finish;
+  finish.ambient = {};
+  finish.emission = core::Rgb(1.0f);
+  finish.diffuse = 0.0;
+  return finish;
+}
+
+/// The space of texture coordinates, wherever the pattern lies.
+core::Placement uv_placement() { return core::Placement({core::make_uv_warp()}); }
+
+core::Colour first_colour(const PigmentDesc& pigment) {
+  return pigment.colour_map ? pigment.colour_map->entries.front().item : pigment.colour;
+}
+
+/// What a description was compiled to. Holds the description, so that its address stays its own.
+template <typename Desc, typename Compiled>
+class Cache {
+ public:
+  template <typename Compile>
+  std::shared_ptr<const Compiled> get(const Ref<Desc>& desc, Compile compile) {
+    const auto found = m_entries.find(desc.get());
+    if (found != m_entries.end()) return found->second.second;
+    auto compiled = compile();
+    m_entries.emplace(desc.get(), std::pair(desc, compiled));
+    return compiled;
+  }
+
+ private:
+  std::unordered_map<const Desc*, std::pair<Ref<Desc>, std::shared_ptr<const Compiled>>> m_entries;
+};
+
+}  // namespace
+
+struct TextureCompiler::Impl {
+  TextureSettings settings;
+  std::set<std::string> not_yet;
+  bool has_crand = false;
+  PictureReader pictures;
+  PatternBuild build;
+  Cache<TextureDesc, core::Texture> textures;
+  Cache<PigmentDesc, core::Pigment> pigments;
+  Cache<NormalDesc, core::NormalPerturbation> normals;
+
+  explicit Impl(const TextureSettings& s)
+      : settings(s),
+        pictures(not_yet),
+        build{settings, not_yet,
+              [this](const Ref<PigmentDesc>& p) { return compile(p, core::Placement()); },
+              [this](const ImageDesc& image) { return pictures.get(image, false); }} {}
+
+  core::PigmentPtr compile(const Ref<PigmentDesc>& pigment, const core::Placement& outer);
+  core::PigmentPtr compile_fresh(const PigmentDesc& pigment, const core::Placement& outer);
+  core::NormalPtr compile(const Ref<NormalDesc>& normal);
+  core::NormalPtr compile_fresh(const NormalDesc& normal);
+  core::NormalPtr compile_pattern_normal(const NormalDesc& normal);
+  core::DisplacementPtr compile_displacement(const NormalDesc& normal);
+  core::TexturePtr compile(const Ref<TextureDesc>& texture, const core::Placement& outer);
+  core::TexturePtr compile_fresh(const TextureDesc& texture, const core::Placement& outer);
+  core::TexturePtr compile_patterned(const TextureLayerDesc& layer, const core::Placement& outer);
+  core::TextureLayer compile_layer(const TextureLayerDesc& layer, const core::Placement& outer);
+};
+
+core::PigmentPtr TextureCompiler::Impl::compile(const Ref<PigmentDesc>& pigment,
+                                                const core::Placement& outer) {
+  if (!outer.is_none()) return compile_fresh(*pigment, outer);
+  return pigments.get(pigment, [&] { return compile_fresh(*pigment, outer); });
+}
+
+core::PigmentPtr TextureCompiler::Impl::compile_fresh(const PigmentDesc& pigment,
+                                                      const core::Placement& outer) {
+  if (settings.quality <= kQuickColourQuality && pigment.quick_colour) {
+    return core::make_plain_pigment(*pigment.quick_colour);
+  }
+  const PatternDesc& pattern = pigment.pattern;
+  if (pattern.kind == PatternKind::kPlain) return core::make_plain_pigment(pigment.colour);
+  if (pattern.kind == PatternKind::kImageMap) {
+    return core::make_picture_pigment(outer.then(compile_placement(pattern)),
+                                      pictures.get(*pattern.own->image, true));
+  }
+  if (pattern.kind == PatternKind::kUvMapping) {
+    if (!pigment.pigment_map) return core::make_plain_pigment(first_colour(pigment));
+    const auto inner = compile(pigment.pigment_map->entries.front().item, core::Placement());
+    return core::make_placed_pigment(uv_placement(), inner);
+  }
+  std::vector<std::pair<double, core::PigmentPtr>> entries;
+  if (pigment.pigment_map) {
+    for (const auto& entry : pigment.pigment_map->entries) {
+      entries.emplace_back(entry.value, compile(entry.item, core::Placement()));
+    }
+  }
+  if (pattern.kind == PatternKind::kAverage) {
+    return core::make_average_pigment(outer.then(compile_placement(pattern)), std::move(entries));
+  }
+  core::PlacedPattern placed = compile_placed(pattern, outer, build);
+  if (!entries.empty()) {
+    return core::make_pigment_map_pigment(std::move(placed), core::BlendMap(std::move(entries)));
+  }
+  if (!pigment.colour_map) {
+    return core::make_colour_map_pigment(std::move(placed), default_colours(pattern.kind));
+  }
+  std::vector<std::pair<double, core::Colour>> colours;
+  for (const auto& entry : pigment.colour_map->entries) {
+    colours.emplace_back(entry.value, entry.item);
+  }
+  return core::make_colour_map_pigment(std::move(placed), core::BlendMap(std::move(colours)));
+}
+
+core::NormalPtr TextureCompiler::Impl::compile(const Ref<NormalDesc>& normal) {
+  if (!normal || settings.quality < kNormalQuality) return nullptr;
+  return normals.get(normal, [&] { return compile_fresh(*normal); });
+}
+
+core::DisplacementPtr TextureCompiler::Impl::compile_displacement(const NormalDesc& normal) {
+  const PatternDesc& p = normal.pattern;
+  const double amount = single(normal.amount);
+  switch (p.kind) {
+    case PatternKind::kBumps: return core::make_bumps_displacement(amount);
+    case PatternKind::kDents:
+      return core::make_dents_displacement(amount, noise_generator(p, settings));
+    case PatternKind::kWrinkles: return core::make_wrinkles_displacement(amount);
+    case PatternKind::kRipples:
+      return core::make_ripples_displacement(amount, settings.number_of_waves, single(p.frequency),
+                                             single(p.phase));
+    case PatternKind::kWaves:
+      return core::make_waves_displacement(amount, settings.number_of_waves, single(p.frequency),
+                                           single(p.phase));
+    case PatternKind::kQuilted:
+      return core::make_quilted_displacement(amount, single(p.own->quilt0), single(p.own->quilt1));
+    case PatternKind::kFacets:
+      return core::make_facets_displacement(p.own->facets_size, p.own->facets_coords, p.own->facets_metric);
+    case PatternKind::kBumpMap:
+      return core::make_picture_displacement(pictures.get(*p.own->image, false), amount,
+                                             p.own->image->use == ImageDesc::Use::kIndex);
+    default: return nullptr;
+  }
+}
+
+core::NormalPtr TextureCompiler::Impl::compile_pattern_normal(const NormalDesc& normal) {
+  const bool keep = normal.no_bump_scale;
+  if (auto displacement = compile_displacement(normal)) {
+    return core::make_displaced_normal(compile_placement(normal.pattern), std::move(displacement),
+                                       keep);
+  }
+  std::optional<core::BlendMap<core::SlopePoint>> slopes;
+  if (normal.slope_map) {
+    std::vector<std::pair<double, core::SlopePoint>> points;
+    for (const auto& entry : normal.slope_map->entries) {
+      points.emplace_back(entry.value, core::SlopePoint{entry.item.height, entry.item.slope});
+    }
+    slopes.emplace(std::move(points));
+  }
+  return core::make_slope_normal(compile_placed(normal.pattern, core::Placement(), build),
+                                 single(normal.amount), single(normal.accuracy), std::move(slopes),
+                                 keep);
+}
+
+core::NormalPtr TextureCompiler::Impl::compile_fresh(const NormalDesc& normal) {
+  const PatternDesc& pattern = normal.pattern;
+  if (pattern.kind == PatternKind::kPlain) return nullptr;
+  if (pattern.kind == PatternKind::kUvMapping) {
+    if (!normal.normal_map) return nullptr;
+    auto inner = compile(normal.normal_map->entries.front().item);
+    return inner ? core::make_placed_normal(uv_placement(), std::move(inner), false) : nullptr;
+  }
+  if (!normal.normal_map) return compile_pattern_normal(normal);
+  std::vector<std::pair<double, core::NormalPtr>> entries;
+  for (const auto& entry : normal.normal_map->entries) {
+    entries.emplace_back(entry.value, compile(entry.item));
+  }
+  if (pattern.kind == PatternKind::kAverage) {
+    return core::make_average_normal(compile_placement(pattern), std::move(entries),
+                                     normal.no_bump_scale);
+  }
+  return core::make_normal_map(compile_placed(pattern, core::Placement(), build),
+                               core::BlendMap(std::move(entries)), normal.no_bump_scale);
+}
+
+core::TextureLayer TextureCompiler::Impl::compile_layer(const TextureLayerDesc& layer,
+                                                        const core::Placement& outer) {
+  core::TextureLayer result;
+  result.pigment = compile(layer.pigment, outer);
+  result.finish = compile_finish(*layer.finish, not_yet);
+  has_crand = has_crand || result.finish.crand > 0.0;
+  result.normal = compile(layer.normal);
+  // A kept scale leaves the length free; the tracer wants it 1.
+  if (result.normal && (!outer.is_none() || layer.normal->no_bump_scale)) {
+    result.normal = core::make_placed_normal(outer, result.normal, false);
+  }
+  return result;
+}
+
+core::TexturePtr TextureCompiler::Impl::compile_patterned(const TextureLayerDesc& layer,
+                                                          const core::Placement& outer) {
+  const PatternDesc& pattern = layer.pattern;
+  if (pattern.kind == PatternKind::kUvMapping) {
+    // Where the point lies does not matter then, but normals follow the transforms.
+    return compile(layer.map->entries.front().item, outer.then(compile_placement(pattern)).then(uv_placement()));
+  }
+  // Entries are evaluated where the pattern is: its placement goes into them.
+  const core::Placement inner = outer.then(compile_placement(pattern));
+  std::vector<std::pair<double, core::TexturePtr>> entries;
+  for (const auto& entry : layer.map->entries) {
+    entries.emplace_back(entry.value, compile(entry.item, inner));
+  }
+  if (pattern.kind == PatternKind::kAverage) return core::make_average_texture(std::move(entries));
+  if (pattern.kind == PatternKind::kMaterialMap) {
+    std::vector<core::TexturePtr> materials;
+    for (auto& entry : entries) materials.push_back(std::move(entry.second));
+    // Numbers of textures are what the file holds, whatever its gamma.
+    return core::make_material_map(inner, pictures.get(*pattern.own->image, false), std::move(materials));
+  }
+  core::PlacedPattern placed{inner, compile_pattern(pattern, build), compile_wave(pattern)};
+  return core::make_texture_map(std::move(placed), core::BlendMap(std::move(entries)));
+}
+
+core::TexturePtr TextureCompiler::Impl::compile(const Ref<TextureDesc>& texture,
+                                                const core::Placement& outer) {
+  if (!outer.is_none()) return compile_fresh(*texture, outer);
+  return textures.get(texture, [&] { return compile_fresh(*texture, outer); });
+}
+
+core::TexturePtr TextureCompiler::Impl::compile_fresh(const TextureDesc& texture,
+                                                      const core::Placement& outer) {
+  // A patterned texture is never layered: the grammar refuses it.
+  if (texture.layers.back().is_patterned()) return compile_patterned(texture.layers.back(), outer);
+  std::vector<core::TextureLayer> layers;
+  if (settings.quality <= kUnlitQuality) {
+    // Of layers stock shows the bottom one.
+    auto pigment = core::make_opaque_pigment(compile(texture.layers.front().pigment, outer));
+    layers.push_back({std::move(pigment), unlit_finish(), nullptr});
+    return std::make_shared<core::LayeredTexture>(std::move(layers));
+  }
+  for (const TextureLayerDesc& layer : texture.layers) layers.push_back(compile_layer(layer, outer));
+  return std::make_shared<core::LayeredTexture>(std::move(layers));
+}
+
+TextureCompiler::TextureCompiler(const TextureSettings& settings)
+    : m_impl(std::make_unique<Impl>(settings)) {}
+TextureCompiler::~TextureCompiler() = default;
+
+std::shared_ptr<const core::Texture> TextureCompiler::texture(const Ref<TextureDesc>& texture,
+                                                              const Ref<TextureDesc>& fallback) {
+  return m_impl->compile(texture ? texture : fallback, core::Placement());
+}
+
+std::shared_ptr<const core::Pigment> TextureCompiler::pigment(const Ref<PigmentDesc>& pigment) {
+  return m_impl->compile(pigment, core::Placement());
+}
+
+std::shared_ptr<const core::NormalPerturbation> TextureCompiler::normal(
+    const Ref<NormalDesc>& normal) {
+  return m_impl->compile(normal);
+}
+
+std::shared_ptr<const core::Interior> TextureCompiler::interior(const Ref<InteriorDesc>& interior,
+                                                                const Ref<TextureDesc>& texture) {
+  return compile_interior(interior, texture, m_impl->not_yet);
+}
+
+const std::set<std::string>& TextureCompiler::not_yet() const { return m_impl->not_yet; }
+bool TextureCompiler::has_crand() const { return m_impl->has_crand; }
+
+}  // namespace lentray::parser

@@ -1,0 +1,162 @@
+#include "parser/interpreter/interpreter.h"
+
+#include <filesystem>
+
+#include "parser/base/shown.h"
+#include "parser/tokens/keywords.h"
+
+namespace lentray::parser {
+Interpreter::Interpreter(SourceManager& sources_, Diagnostics& diagnostics_,
+                         const ParserOptions& options_, Productions& productions_, Parser& parser_)
+    : sources(sources_), diagnostics(diagnostics_), options(options_), productions(productions_),
+      parser(parser_), tokens(*this, stream, symbols), expressions(*this), functions(*this), directives(*this),
+      files(*this) {
+  m_stack_base = stack_address();
+  if (options.language_version > 0) {
+    version = options.language_version;
+    version_set = has_own_version = true;
+    *noise_generator = version < 350 ? 1 : 2;
+  }
+}
+
+void Interpreter::stack_exhausted() {
+  fail(tokens.location(), "statements or expressions nest too deeply: endless recursion?");
+}
+
+void Interpreter::too_many_turns() {
+  fail(tokens.location(), "more than " + std::to_string(options.limits.turns) +
+                              " turns of loops and calls of macros: an endless loop?");
+}
+
+void Interpreter::fail(const Location& where, const std::string& message, const std::string& shown) {
+  diagnostics.fail(where, message, stream.stack(names), shown);
+}
+
+void Interpreter::warn(const Location& where, const std::string& message) {
+  if (diagnostics.has_warned(where, message)) return;
+  diagnostics.warn(where, message, stream.stack(names));
+}
+
+std::shared_ptr<const TokenList> Interpreter::load_scene(const std::string& path) {
+  auto text = sources.disk().read_scene(path);
+  if (!text) return nullptr;
+  const std::uint32_t file = sources.add(path, std::move(*text));
+  return tokenise(file, sources.text(file), names);
+}
+
+std::shared_ptr<const TokenList> Interpreter::load(const std::string& path, const Location& where) {
+  const auto found = texts.find(path);
+  if (found != texts.end()) return found->second;
+  const auto file = ask_files(where, [&](Files&) { return sources.load(path); });
+  if (!file) return nullptr;
+  auto list = tokenise(*file, sources.text(*file), names);
+  texts.emplace(path, list);
+  return list;
+}
+
+std::vector<std::string> Interpreter::search_folders() const {
+  std::vector<std::string> folders;
+  if (!scene_folder.empty()) folders.push_back(scene_folder);
+  folders.insert(folders.end(), options.library_paths.begin(), options.library_paths.end());
+  return folders;
+}
+
+void Interpreter::check_file_name(const std::string& name, const Location& where) {
+  if (name.find('\0') != name.npos) fail(where, "no file has a name with a NUL in it: '" + shown_name(name) + "'");
+}
+
+/// `refused` keeps the first reason why not.
+bool Interpreter::may_read(const std::string& path, std::string& refused) const {
+  try {
+    return sources.disk().exists(path);
+  } catch (const FileRefused& why) {
+    if (refused.empty()) refused = why.what();
+    return false;
+  }
+}
+
+std::optional<std::string> Interpreter::find_file(const std::string& name, const Location& where) {
+  check_file_name(name, where);
+  std::string refused;
+  if (auto found = search(name, refused)) return found;
+  if (auto found = search_loosely(name, refused)) return found;
+  if (!refused.empty()) fail(where, refused);
+  return std::nullopt;
+}
+
+std::optional<std::string> Interpreter::find_exactly(const std::string& name, const Location& where) {
+  check_file_name(name, where);
+  std::string refused;
+  auto found = search(name, refused);
+  if (!found && !refused.empty()) fail(where, refused);
+  return found;
+}
+
+std::optional<std::string> Interpreter::search_loosely(const std::string& name, std::string& refused) {
+  std::vector<std::string> folders = search_folders();
+  folders.insert(folders.begin(), "");
+  for (const std::string& folder : folders) {
+    const auto found = sources.disk().find_loosely(folder, name);
+    if (!found || !may_read(*found, refused)) continue;
+    if (!m_warned_of_names) {
+      warn(tokens.location(), "there is no file '" + name + "', read '" + *found +
+                                  "' as Windows would (of other such names nothing is said)");
+    }
+    m_warned_of_names = true;
+    return found;
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> Interpreter::search(const std::string& name, std::string& refused) const {
+  namespace fs = std::filesystem;
+  if (name.empty()) return std::nullopt;
+  if (may_read(name, refused)) return name;
+  if (fs::path(name).is_absolute()) return std::nullopt;
+  for (const std::string& folder : search_folders()) {
+    std::string path = (fs::path(folder) / name).string();
+    if (may_read(path, refused)) return path;
+  }
+  return std::nullopt;
+}
+
+void Interpreter::declare_constants() {
+  const auto declare = [&](std::string_view name, Value value) {
+    symbols.declare_global(names.intern(name)).reset(std::move(value));
+  };
+  const auto number = [&](std::string_view name, double x) { declare(name, Number::scalar(x)); };
+  const FrameClock& frame = options.frame;
+  number("clock_delta", frame.clock_delta);
+  number("frame_number", frame.frame_number);
+  number("initial_frame", frame.initial_frame);
+  number("final_frame", frame.final_frame);
+  number("initial_clock", frame.initial_clock);
+  number("final_clock", frame.final_clock);
+  number("image_width", options.image_width);
+  number("image_height", options.image_height);
+  for (const auto& [name, text] : options.declares) {
+    char* end = nullptr;
+    const double x = std::strtod(text.c_str(), &end);
+    if (!text.empty() && end == text.c_str() + text.size()) {
+      number(name, x);
+    } else {
+      const bool quoted = text.size() > 1 && text.front() == '"' && text.back() == '"';
+      declare(name, quoted ? text.substr(1, text.size() - 2) : text);
+    }
+  }
+}
+
+std::string Interpreter::suggestion(std::string_view name) const {
+  std::vector<std::string_view> known;
+  for (const NameId id : symbols.visible_names()) known.push_back(names.text(id));
+  // Nobody who writes T means the reserved word t.
+  constexpr std::size_t kShortest = 3;
+  const std::size_t end = name.size() < kShortest ? 1 : static_cast<std::size_t>(Keyword::kEndOfKeywords);
+  for (std::size_t i = 1; i < end; ++i) {
+    known.push_back(spelling(static_cast<Keyword>(i)));
+  }
+  const std::string_view near = nearest_name(name, known);
+  return near.empty() ? "" : ", did you mean '" + std::string(near) + "'?";
+}
+
+}  // namespace lentray::parser

@@ -1,0 +1,211 @@
+// Tokens as the grammar sees them: directives executed, macros invoked, array elements resolved,
+// files and macro bodies left at their ends. One token of look-ahead.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "parser/tokens/token.h"
+#include "parser/tokens/token_stream.h"
+#include "parser/values/symbols.h"
+
+namespace lentray::parser {
+
+struct Interpreter;
+
+class TokenReader {
+ public:
+  TokenReader(Interpreter& in, TokenStream& stream, SymbolTable& symbols)
+      : m_in(in), m_stream(stream), m_symbols(symbols) {
+    m_boundary.kind = TokenKind::kPunct;
+  }
+
+  const Token& peek() {
+    if (m_ready || show_plain()) return m_token;
+    fetch_or_hold();
+    return m_held ? m_boundary : m_token;
+  }
+  /// Where an operand must follow: a statement cannot end here, so nothing is held back.
+  const Token& peek_operand() {
+    if (!m_ready && !show_plain()) fetch();
+    return m_token;
+  }
+  Token next();
+  void skip() {
+    if (!m_ready && !show_plain()) fetch();
+    consume();
+  }
+
+  bool at(Keyword k) { return peek().is(k); }
+  bool at(Punct p) { return peek().is(p); }
+  template <typename Word>  // Keyword or Punct
+  bool accept(Word word) {
+    if (pass_plain(word)) return true;
+    if (!peek().is(word)) return false;
+    consume();
+    return true;
+  }
+  /// As for an operand: nothing is held back.
+  template <typename Word>
+  void expect(Word word) {
+    if (pass_plain(word)) return;
+    if (!peek_operand().is(word)) fail_without(word);
+    consume();
+  }
+  void comma() { accept(Punct::kComma); }
+
+  /// Of the identifier that peek() shows: its symbol (null if it has none), and the value it or its
+  /// array element holds (null if there is none). Valid until the next token is asked for.
+  Symbol* symbol() {
+    if (m_token.kind != TokenKind::kIdentifier) return nullptr;
+    Symbol* found = m_symbols.find(m_token.name);
+    return found ? &found->target() : nullptr;
+  }
+  Value* value() {
+    if (m_held || m_token.kind != TokenKind::kIdentifier) return nullptr;
+    Value* found = nullptr;
+    if (m_array) {
+      found = &m_array->elements[m_index];
+    } else if (Symbol* s = symbol()) {
+      found = &s->resolve();
+    }
+    return found && found->index() == 0 ? nullptr : found;
+  }
+  /// At `<`: reads a vector of literal numbers to its end, the commonest of all. False, and nothing
+  /// read, if anything else stands there.
+  bool accept_literal_vector(Number& n);
+  /// The token that comes next, if it stands in the text just so, and the list it is of; or null.
+  /// What RawExpressions can read begins there; go_on_at() says where it ended.
+  const Token* raw(const TokenList*& list) const {
+    if (m_stream.empty() || plain_names) return nullptr;
+    const Frame& frame = m_stream.top();
+    list = frame.list.get();
+    if (!m_ready) return frame.cursor;
+    return m_raw && m_raw + 1 == frame.cursor ? m_raw : nullptr;
+  }
+  void go_on_at(const Token* token) {
+    m_stream.top().cursor = token;
+    m_last = token[-1].where;
+    m_ready = false;
+    m_held = false;
+  }
+  /// If the identifier shown is an element of an array: that array and the index.
+  const std::shared_ptr<ArrayValue>& element_array() const { return m_array; }
+  std::size_t element_index() const { return m_index; }
+
+  /// The next token as it stands in the text, no macro invoked, for #declare, #ifdef and the like:
+  /// an identifier, or fails with what was expected.
+  Token read_name(std::string_view what);
+  /// The token after the one shown, as it stands in the text; null at the end of the frame.
+  const Token* following() const { return m_stream.look(); }
+
+  /// Where a message about "here" points: the token shown, else the last one read.
+  Location location() const { return m_ready ? m_token.where : m_last; }
+  std::string describe(const Token& token) const;
+  [[noreturn]] void fail_expected(std::string_view what);
+  [[noreturn]] void fail_without(Keyword k);
+  [[noreturn]] void fail_without(Punct p);
+
+  /// While one lives, a directive or macro that follows a complete value on the same level is left
+  /// for later, so that `#declare A = 1` without a semicolon ends there.
+  class Hold {
+   public:
+    explicit Hold(TokenReader& reader);
+    ~Hold();
+    Hold(const Hold&) = delete;
+    Hold& operator=(const Hold&) = delete;
+
+   private:
+    TokenReader& m_reader;
+    const bool m_active;
+    const int m_nesting;
+    const std::size_t m_depth;
+  };
+
+  /// Forgets the token shown (the cursor is about to be moved).
+  void drop() { m_ready = false; m_held = false; }
+  bool ready() const { return m_ready; }
+  /// Anything but a directive's own word has been read.
+  bool started() const { return m_last.file != 0; }
+  /// No macro is invoked while true.
+  bool plain_names = false;
+
+  /// `<` and `>` of a vector nest as parentheses do, but only the grammar knows which these are.
+  void enter() { ++m_nesting; }
+  void leave() { --m_nesting; }
+
+ private:
+  friend class Hold;
+  void fetch(bool may_hold = false);
+  void fetch_or_hold();
+  bool must_hold();
+  void consume() {
+    m_last = m_token.where;
+    if (m_token.kind == TokenKind::kEnd) return;  // it stays: the end can be asked for again
+    m_ready = false;
+    if (m_token.kind == TokenKind::kPunct && m_token.punct <= Punct::kRightSquare) nest(m_token.punct);
+  }
+  void nest(Punct punct) {
+    switch (punct) {
+      case Punct::kLeftCurly: case Punct::kLeftParen: case Punct::kLeftSquare: ++m_nesting; break;
+      case Punct::kRightCurly: case Punct::kRightParen: case Punct::kRightSquare: --m_nesting; break;
+      default: break;
+    }
+  }
+  /// Shows the next token if it is what most are: nothing that happens in between, no macro, no
+  /// element of an array.
+  bool show_plain() {
+    const Token* raw = m_stream.look();
+    if (!raw) return false;
+    if (!raw->passive) {
+      if (raw->kind != TokenKind::kIdentifier) return false;
+      const Symbol* symbol = m_symbols.find(raw->name);
+      if (!symbol || !symbol->is_plain()) return false;
+      if (std::holds_alternative<std::shared_ptr<ArrayValue>>(symbol->value)) return false;
+      if (m_array) m_array.reset();
+    }
+    m_stream.pass();
+    m_held = false;
+    m_token = *raw;
+    m_raw = raw;
+    m_ready = true;
+    return true;
+  }
+  /// Past the next token, if it is that word and not shown yet: most are never looked at otherwise.
+  template <typename Word>
+  bool pass_plain(Word word) {
+    const Token* raw = m_ready ? nullptr : m_stream.look();
+    if (!raw || !raw->passive || !raw->is(word)) return false;
+    m_stream.pass();
+    m_held = false;
+    m_last = raw->where;
+    if (raw->kind == TokenKind::kPunct && raw->punct <= Punct::kRightSquare) nest(raw->punct);
+    return true;
+  }
+  bool identifier(const Token& token);
+  void subscripts(const Token& token, std::shared_ptr<ArrayValue> array);
+  const Token& show(const Token& token) {
+    m_token = token;
+    m_raw = nullptr;
+    m_ready = true;
+    return m_token;
+  }
+
+  Interpreter& m_in;
+  TokenStream& m_stream;
+  SymbolTable& m_symbols;
+  Token m_token;
+  Token m_boundary;            ///< shown while a directive is held back: equals no token
+  const Token* m_raw = nullptr;  ///< the same in its list; null if it is an element of an array
+  bool m_ready = false;
+  bool m_held = false;
+  std::shared_ptr<ArrayValue> m_array;
+  std::size_t m_index = 0;
+  Location m_last;
+  int m_nesting = 0;           ///< brackets of all kinds consumed and not closed
+  bool m_holding = false;
+  int m_hold_nesting = 0;
+  std::size_t m_hold_depth = 0;
+};
+
+}  // namespace lentray::parser

@@ -1,0 +1,109 @@
+#include "parser/options/option_values.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <string_view>
+
+namespace lentray::parser {
+
+void refuse(const GivenOption& given, const std::string& why) {
+  throw OptionError(given.where + "option " + given.shown + ": " + why);
+}
+
+bool truth(RenderOptions& options, const GivenOption& given) {
+  if (given.sign != 0) return given.sign == '+';
+  for (const char* word : {"true", "yes", "on", "1"}) {
+    if (same_word(given.value, word)) return true;
+  }
+  for (const char* word : {"false", "no", "off", "0"}) {
+    if (same_word(given.value, word)) return false;
+  }
+  // As in stock, whatever is not on is off; that deserves a word.
+  options.warnings.push_back(given.where + "option " + given.shown +
+                             ": neither on nor off, taken as off");
+  return false;
+}
+
+std::int64_t whole_number(const GivenOption& given, std::int64_t least, std::int64_t most) {
+  std::string_view text = given.value;
+  if (!text.empty() && text.front() == '+') text.remove_prefix(1);
+  std::int64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool range_error = error == std::errc::result_out_of_range;
+  if (text.empty() || (error != std::errc() && !range_error) || end != text.data() + text.size()) {
+    refuse(given, "a whole number is expected");
+  }
+  if (range_error || value < least || value > most) {
+    refuse(given, "a whole number from " + std::to_string(least) + " to " + std::to_string(most) +
+                      " is expected");
+  }
+  return value;
+}
+
+double number(const GivenOption& given) {
+  std::string_view text = given.value;
+  if (!text.empty() && text.front() == '+') text.remove_prefix(1);
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (text.empty() || error != std::errc() || end != text.data() + text.size() ||
+      !std::isfinite(value)) {
+    refuse(given, "a number is expected");
+  }
+  return value;
+}
+
+namespace {
+
+/// The number a text begins with, and what is behind it.
+double leading_number(const GivenOption& given, std::string_view& rest) {
+  std::string_view text = given.value;
+  while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
+  if (!text.empty() && text.front() == '+') text.remove_prefix(1);
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || !std::isfinite(value)) refuse(given, "a number is expected");
+  rest = text.substr(static_cast<std::size_t>(end - text.data()));
+  return value;
+}
+
+double cut(RenderOptions& options, const GivenOption& given, double value, std::string_view rest, double least,
+           double most) {
+  const double taken = std::clamp(value, least, most);
+  if (taken != value || !rest.empty()) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.10g", taken);
+    options.warnings.push_back(given.where + "option " + given.shown + ": taken as " + text);
+  }
+  return taken;
+}
+
+}  // namespace
+
+double cut_number(RenderOptions& options, const GivenOption& given, double least, double most) {
+  std::string_view rest;
+  const double value = leading_number(given, rest);
+  return cut(options, given, value, rest, least, most);
+}
+
+std::int64_t cut_whole(RenderOptions& options, const GivenOption& given, std::int64_t least, std::int64_t most) {
+  std::string_view rest;
+  const double value = std::trunc(leading_number(given, rest));
+  return static_cast<std::int64_t>(
+      cut(options, given, value, rest, static_cast<double>(least), static_cast<double>(most)));
+}
+
+double positive(const GivenOption& given) {
+  const double value = number(given);
+  if (!(value > 0.0)) refuse(given, "a number greater than 0 is expected");
+  return value;
+}
+
+void not_yet(RenderOptions& options, const GivenOption& given, const std::string& what) {
+  const std::string text = given.where + "option " + given.shown + ": not yet: " + what;
+  if (!given.from_defaults) throw OptionError(text);
+  options.warnings.push_back(text);
+}
+
+}  // namespace lentray::parser

@@ -1,0 +1,34 @@
+// Reads the values of options, each with a message that shows the option.
+// Errors: OptionError. Any number of threads, each with options of its own.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "parser/options/options.h"
+
+namespace lentray::parser {
+
+/// One use of an option.
+struct GivenOption {
+  std::string shown;           ///< as the user wrote it, for messages
+  std::string where;           ///< "file.ini:12: " or empty
+  std::string value;
+  char sign = 0;               ///< '+' or '-' of a switch; 0: Name=Value
+  bool from_defaults = false;  ///< of a default INI file
+};
+
+[[noreturn]] void refuse(const GivenOption& given, const std::string& why);
+bool truth(RenderOptions& options, const GivenOption& given);  ///< of a switch: its sign
+std::int64_t whole_number(const GivenOption& given, std::int64_t least, std::int64_t most);
+double number(const GivenOption& given);
+/// As stock reads the numbers of its own options: what follows the number is dropped, a whole number
+/// loses its fraction, and what is too small or large is cut to the range. A warning tells of all but
+/// the fraction.
+std::int64_t cut_whole(RenderOptions& options, const GivenOption& given, std::int64_t least, std::int64_t most);
+double cut_number(RenderOptions& options, const GivenOption& given, double least, double most);
+double positive(const GivenOption& given);
+/// An error, or a warning when a default INI file asked for it.
+void not_yet(RenderOptions& options, const GivenOption& given, const std::string& what);
+
+}  // namespace lentray::parser

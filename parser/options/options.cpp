@@ -1,0 +1,352 @@
+#include "parser/options/options.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+
+#include "core/base/memory_limit.h"
+#include "parser/options/options_table.h"
+
+namespace lentray::parser {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kNesting = 10;  // levels of INI files inside INI files
+
+bool ends_with(std::string_view text, std::string_view end) {
+  return text.size() >= end.size() && same_word(text.substr(text.size() - end.size()), end);
+}
+
+bool is_file(const fs::path& path) {
+  std::error_code error;
+  return fs::is_regular_file(path, error);
+}
+
+/// Slips of the pen between two names, letter case ignored: letters missing, added, changed, or
+/// two neighbours exchanged.
+std::size_t slips(std::string_view a, std::string_view b) {
+  const auto same = [&](std::size_t i, std::size_t j) {
+    return same_word(a.substr(i, 1), b.substr(j, 1));
+  };
+  std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+  for (std::size_t i = 0; i <= a.size(); ++i) {
+    for (std::size_t j = 0; j <= b.size(); ++j) {
+      if (i == 0 || j == 0) {
+        d[i][j] = i + j;
+        continue;
+      }
+      d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1,
+                          d[i - 1][j - 1] + (same(i - 1, j - 1) ? 0 : 1)});
+      if (i > 1 && j > 1 && same(i - 1, j - 2) && same(i - 2, j - 1)) {
+        d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
+      }
+    }
+  }
+  return d[a.size()][b.size()];
+}
+
+/// The option's name that is nearest, if it is near at all.
+std::string_view near_name(std::string_view name) {
+  std::string_view best;
+  std::size_t fewest = std::max<std::size_t>(1, name.size() / 4) + 1;
+  for (const OptionRow& row : option_table()) {
+    const std::size_t n = slips(name, row.name);
+    if (n >= fewest) continue;
+    fewest = n;
+    best = row.name;
+  }
+  return best;
+}
+
+class Reader {
+ public:
+  explicit Reader(RenderOptions& options) : m_options(options) {}
+
+  void named(const std::string& name, GivenOption given, int depth);
+  void switched(const std::string& text, GivenOption given);
+  void file(const IniName& name, const std::string& path, GivenOption given, int depth);
+  void bare(const std::string& text, const GivenOption& given, int depth);
+
+ private:
+  std::string find(const std::string& name) const;
+  RenderOptions& m_options;
+};
+
+void Reader::named(const std::string& name, GivenOption given, int depth) {
+  if (same_word(name, "Include_Ini")) return bare(given.value, given, depth + 1);
+  for (const OptionRow& row : option_table()) {
+    if (!row.name.empty() && same_word(row.name, name)) return row.apply(m_options, given);
+  }
+  const std::string_view near = near_name(name);
+  const std::string message = given.where + "unknown option '" + name + "'" +
+                              (near.empty() ? "" : "; did you mean " + std::string(near) + "?");
+  if (!given.from_defaults) throw OptionError(message);
+  m_options.warnings.push_back(message);
+}
+
+void Reader::switched(const std::string& text, GivenOption given) {
+  given.sign = text.front();
+  const std::string_view body = std::string_view(text).substr(1);
+  const OptionRow* best = nullptr;
+  for (const OptionRow& row : option_table()) {
+    const std::size_t size = row.switch_name.size();
+    if (size == 0 || size > body.size() || !same_word(row.switch_name, body.substr(0, size))) {
+      continue;
+    }
+    if (!best || size > best->switch_name.size()) best = &row;
+  }
+  if (!best) {
+    throw OptionError(given.where + "unknown switch '" + text +
+                      "'; a scene file is named as +Ifile or by its name alone");
+  }
+  given.value = unquoted(body.substr(best->switch_name.size()));
+  best->apply(m_options, given);
+}
+
+/// An INI file is looked for as it is named, with .ini added, and then along the library paths.
+std::string Reader::find(const std::string& name) const {
+  std::vector<std::string> folders{""};
+  if (fs::path(name).is_relative()) {
+    folders.insert(folders.end(), m_options.library_paths.begin(), m_options.library_paths.end());
+  }
+  for (const std::string& folder : folders) {
+    for (const char* end : {"", ".ini", ".INI"}) {
+      const fs::path path = folder.empty() ? fs::path(name + end) : fs::path(folder) / (name + end);
+      if (is_file(path)) return path.string();
+    }
+  }
+  return {};
+}
+
+void Reader::file(const IniName& name, const std::string& path, GivenOption given, int depth) {
+  if (depth > kNesting) {
+    throw OptionError(given.where + "INI files are nested more than " + std::to_string(kNesting) +
+                      " deep");
+  }
+  for (const IniLine& line : read_ini(path, name, m_options.warnings).lines) {
+    GivenOption next;
+    next.from_defaults = given.from_defaults;
+    next.where = path + ":" + std::to_string(line.line) + ": ";
+    switch (line.kind) {
+      case IniLine::Kind::kOption:
+        next.shown = line.text + "=" + line.value;
+        next.value = line.value;
+        named(line.text, next, depth);
+        break;
+      case IniLine::Kind::kSwitch:
+        next.shown = line.text;
+        switched(line.text, next);
+        break;
+      case IniLine::Kind::kNested:
+        bare(line.text, next, depth + 1);
+        break;
+    }
+  }
+}
+
+/// A name without a switch: a scene, or an INI file with or without a section.
+void Reader::bare(const std::string& text, const GivenOption& given, int depth) {
+  const IniName name = ini_name(text);
+  if (!name.has_label && ends_with(name.file, ".pov")) {
+    m_options.input = name.file;
+    return;
+  }
+  const std::string path = find(name.file);
+  if (!path.empty()) return file(name, path, given, depth);
+  if (!name.has_label) {
+    for (const char* end : {".pov", ".POV"}) {
+      if (!is_file(name.file + end)) continue;
+      m_options.input = name.file + end;
+      return;
+    }
+  }
+  throw OptionError(given.where + "there is no INI file '" + name.file + "'" +
+                    (name.has_label ? "" : " and no scene of that name"));
+}
+
+/// `--name`, `--name VALUE` and `--name=VALUE`; true if it was one.
+bool long_option(std::span<const std::string> arguments, std::size_t& at, RenderOptions& options) {
+  const std::string& text = arguments[at];
+  if (text == "-?" || text == "--help" || same_word(text, "-help")) return options.help = true;
+  if (same_word(text, "--help=all")) return options.help = options.help_all = true;
+  if (text == "--version" || same_word(text, "-version")) return options.version = true;
+  if (text.rfind("--", 0) != 0) return false;
+  const std::size_t equals = text.find('=');
+  const std::string name = text.substr(0, equals);
+  if (name == "--explain") return options.explain = true;
+  if (name == "--parse-only") return options.parse_only = true;
+  if (name == "--dump") return options.dump = true;
+  if (name == "--dump-rays") {
+    if (equals != std::string::npos) {
+      options.dump_rays = text.substr(equals + 1);
+    } else if (at + 1 < arguments.size()) {
+      options.dump_rays = arguments[++at];
+    }
+    if (options.dump_rays.empty()) throw OptionError("--dump-rays needs the name of a file");
+    return true;
+  }
+  throw OptionError("unknown option '" + text +
+                    "'; there are --help, --help=all, --version, --parse-only, --dump, --explain "
+                    "and --dump-rays FILE");
+}
+
+bool looks_like_option(const std::string& text, std::size_t& equals) {
+  equals = text.find('=');
+  if (equals == std::string::npos || equals == 0) return false;
+  for (std::size_t i = 0; i < equals; ++i) {
+    if (!std::isalnum(static_cast<unsigned char>(text[i])) && text[i] != '_') return false;
+  }
+  return true;
+}
+
+/// Of types whose names choose them: TIFF, which stock has not, and OpenEXR. Empty: none.
+std::string_view choosing_extension(std::string_view name, core::FileType& type) {
+  for (const std::string_view end : {".tif", ".tiff", ".exr"}) {
+    if (!ends_with(name, end)) continue;
+    type = end == ".exr" ? core::FileType::exr : core::FileType::tiff;
+    return end;
+  }
+  return {};
+}
+
+}  // namespace
+
+OptionSources installed_sources() {
+  OptionSources sources;
+  if (const char* file = std::getenv("POVINI")) sources.default_ini_files.emplace_back(file);
+  sources.default_ini_files.emplace_back(kFolderIni);
+  if (const char* home = std::getenv("HOME")) {
+    sources.default_ini_files.push_back(std::string(home) + "/.povray/3.7/povray.ini");
+  }
+  sources.default_ini_files.emplace_back("/usr/local/etc/povray/3.7/povray.ini");
+  sources.default_ini_files.emplace_back("/etc/povray/3.7/povray.ini");
+  sources.standard_libraries = {"/usr/local/share/povray-3.7/include",
+                                "/usr/share/povray-3.7/include"};
+  return sources;
+}
+
+namespace {
+
+RenderOptions read_with(const std::string& default_ini, std::span<const std::string> arguments,
+                        const OptionSources& sources) {
+  RenderOptions options;
+  Reader reader(options);
+  if (!default_ini.empty()) {
+    GivenOption given;
+    given.from_defaults = true;
+    reader.file({default_ini, "", false}, default_ini, given, 1);
+  }
+  for (std::size_t at = 0; at < arguments.size(); ++at) {
+    const std::string text = arguments[at];
+    GivenOption given;
+    given.shown = text;
+    std::size_t equals = 0;
+    if (text.empty()) continue;
+    if (arguments.size() == 1 && (text == "+H" || text == "+h" || text == "-h")) {
+      options.help = true;
+    } else if (long_option(arguments, at, options)) {
+      continue;
+    } else if ((text.front() == '+' || text.front() == '-') && text.size() > 1) {
+      reader.switched(text, given);
+    } else if (looks_like_option(text, equals)) {
+      given.value = unquoted(text.substr(equals + 1));
+      reader.named(text.substr(0, equals), given, 0);
+    } else {
+      reader.bare(text, given, 1);
+    }
+  }
+  const bool has_grey = options.type == core::FileType::png || options.type == core::FileType::ppm || options.type == core::FileType::tiff;
+  if (options.grayscale && !has_grey) {
+    throw OptionError("Grayscale_Output: there is grey in PNG, PPM and TIFF files only");
+  }
+  if (options.all_console) {
+    options.debug_console = options.warning_console = options.statistic_console =
+        options.render_console = options.fatal_console = *options.all_console;
+  }
+  for (const std::string& folder : sources.standard_libraries) {
+    std::error_code error;
+    if (!fs::is_directory(folder, error)) continue;
+    std::string clean = folder;
+    bool known = false;
+    for (const std::string& path : options.library_paths) known = known || path == clean;
+    if (!known) options.library_paths.push_back(std::move(clean));
+  }
+  return options;
+}
+
+/// The first that exists, from one on.
+std::string first_ini(const std::vector<std::string>& names, std::size_t from) {
+  for (std::size_t i = from; i < names.size(); ++i) {
+    if (is_file(names[i])) return names[i];
+  }
+  return {};
+}
+
+}  // namespace
+
+RenderOptions read_options(std::span<const std::string> arguments, const OptionSources& sources) {
+  const std::vector<std::string>& inis = sources.default_ini_files;
+  const std::string ini = first_ini(inis, 0);
+  RenderOptions options = read_with(ini, arguments, sources);
+  if (!options.restrict_io || ini != kFolderIni) return options;
+  // It may have come with the scene, and could name folders, files and commands.
+  const auto folders = std::find(inis.begin(), inis.end(), kFolderIni);
+  options = read_with(first_ini(inis, static_cast<std::size_t>(folders - inis.begin()) + 1), arguments, sources);
+  options.restrict_io = true;
+  options.warnings.emplace_back("Restrict_IO=On: the current folder's povray.ini is not read; name it to have it read");
+  return options;
+}
+
+std::string output_path(const RenderOptions& options, core::FileType& type) {
+  type = options.type;
+  const std::string& out = options.output;
+  if (out == "-") return "-";
+  std::error_code error;
+  // A device takes the bytes as they come.
+  if (!out.empty() && fs::exists(out, error) && !fs::is_regular_file(out, error) && !fs::is_directory(out, error)) {
+    return out;
+  }
+  std::string_view end;
+  if (!options.type_given) end = choosing_extension(out, type);
+  if (type == core::FileType::tiff && ends_with(out, ".tiff")) end = ".tiff";
+  const bool any_case = !end.empty();
+  const std::string usual = core::extension_of(type);
+  if (!any_case) end = usual;
+  const std::string scene = options.input == "-" ? "stdin" : options.input;
+  std::string folder = out.substr(0, out.rfind('/') + 1), name = out.substr(folder.size());
+  // A stranger's folder may hold a link under that name.
+  if (out.empty() && !options.restrict_io) folder = scene.substr(0, scene.rfind('/') + 1);
+  if (name.empty() || name == end) {
+    name = fs::path(scene).stem().string();
+  } else if (name.back() == '.') {
+    name.pop_back();
+  } else if (any_case ? ends_with(name, end) : name.ends_with(end)) {
+    end = std::string_view(out).substr(out.size() - end.size());
+    name.resize(name.size() - end.size());
+  }
+  return folder + name + options.frame_digits + std::string(end);
+}
+
+std::string frame_path(const RenderOptions& options, const std::string& path) {
+  const fs::path whole = path;
+  return (whole.parent_path() / (whole.stem().string() + options.frame_digits + whole.extension().string())).string();
+}
+
+void check_picture_size(std::int64_t width, std::int64_t height, double bytes_a_row,
+                        double memory) {
+  constexpr double kMost = 1024.0 * 1024.0 * 1024.0 * 1024.0;
+  const std::string picture =
+      "a picture of " + std::to_string(width) + " x " + std::to_string(height) + " pixels";
+  if (bytes_a_row > memory) {
+    throw OptionError(picture + " needs " + core::memory_text(bytes_a_row) +
+                      " of memory for a row; there are " + core::memory_text(memory));
+  }
+  if (static_cast<double>(width) * static_cast<double>(height) > kMost) {
+    throw OptionError(picture + " is too large: the limit is 1048576 x 1048576");
+  }
+}
+
+}  // namespace lentray::parser

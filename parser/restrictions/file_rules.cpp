@@ -1,0 +1,100 @@
+#include "parser/restrictions/file_rules.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace lentray::parser {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool lies_below(const fs::path& place, const fs::path& folder) {
+  const auto [in_folder, in_place] = std::mismatch(folder.begin(), folder.end(), place.begin(), place.end());
+  return in_folder == folder.end() && in_place != place.end();
+}
+
+void add_folder(std::vector<fs::path>& folders, const std::string& folder) {
+  std::error_code error;
+  fs::path real = fs::canonical(folder.empty() ? "." : folder, error);
+  if (!error) folders.push_back(std::move(real));
+}
+
+/// What begins with a dot, or configures this program, could change what later runs do.
+bool is_own_name(const std::string& name) {
+  return name.starts_with('.') || name == "povray.ini" || name == "povray.conf";
+}
+
+bool has_own_name(const fs::path& place, const fs::path& folder) {
+  const fs::path rest = place.lexically_relative(folder);
+  return std::any_of(rest.begin(), rest.end(), [](const fs::path& part) { return is_own_name(part.string()); });
+}
+
+constexpr const char* kOwnNames =
+    "a scene does not write povray.ini, povray.conf and names that begin with a dot";
+
+/// Debian's include folder has links to fonts.
+void add_links(std::vector<fs::path>& files, const std::string& folder) {
+  std::error_code error;
+  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+    std::error_code no_file;
+    if (!it->is_symlink(no_file) || !it->is_regular_file(no_file)) continue;
+    files.push_back(fs::canonical(it->path(), no_file));
+  }
+}
+
+}  // namespace
+
+FileRules::FileRules(const UsersFolders& folders, std::vector<PovrayConf> confs) {
+  add_folder(m_reading, folders.scene);
+  add_folder(m_reading, ".");
+  for (const std::string& library : folders.libraries) add_folder(m_reading, library);
+  for (const std::string& installed : folders.installed) {
+    add_folder(m_reading, installed);
+    add_links(m_installed, installed);
+  }
+  add_folder(m_writing, ".");
+  add_folder(m_writing, folders.output);
+  for (PovrayConf& conf : confs) {
+    if (conf.files != PovrayConf::FileSecurity::kNone) m_confs.push_back(std::move(conf));
+  }
+}
+
+/// As the manual says, the strictest holds: each file must permit it.
+bool FileRules::conf_permits(const fs::path& place, bool writing) const {
+  const auto permits = [&](const PovrayConf& conf) {
+    if (!writing && conf.files == PovrayConf::FileSecurity::kReadOnly) return true;
+    return std::any_of(conf.permitted.begin(), conf.permitted.end(), [&](const PermittedPath& path) {
+      if (writing && !path.writing) return false;
+      if (!path.below) return place.parent_path() == path.folder;
+      return lies_below(place, path.folder) && !(writing && has_own_name(place, path.folder));
+    });
+  };
+  return !m_confs.empty() && std::all_of(m_confs.begin(), m_confs.end(), permits);
+}
+
+std::string FileRules::conf_names() const {
+  std::string names;
+  for (const PovrayConf& conf : m_confs) names += (names.empty() ? "; not permitted by " : " and by ") + conf.path;
+  return names;
+}
+
+std::string FileRules::against_reading(const fs::path& place) const {
+  for (const fs::path& folder : m_reading) {
+    if (lies_below(place, folder)) return {};
+  }
+  // What a scene may write, it may read.
+  if (against_writing(place).empty()) return {};
+  if (std::find(m_installed.begin(), m_installed.end(), place) != m_installed.end()) return {};
+  if (conf_permits(place, false)) return {};
+  return "a scene reads only below its folder, the current folder and the library paths" + conf_names();
+}
+
+std::string FileRules::against_writing(const fs::path& place) const {
+  for (const fs::path& folder : m_writing) {
+    if (lies_below(place, folder)) return has_own_name(place, folder) ? kOwnNames : "";
+  }
+  if (conf_permits(place, true)) return is_own_name(place.filename().string()) ? kOwnNames : "";
+  return "a scene writes only below the current folder and the output's folder" + conf_names();
+}
+
+}  // namespace lentray::parser

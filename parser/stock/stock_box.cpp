@@ -1,0 +1,411 @@
+#include "parser/stock/stock_box.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/numeric/bounds_help.h"
+#include "core/shape/julia_fractal.h"
+#include "parser/shapes/shape_geometry.h"
+#include "parser/stock/quadric_box.h"
+
+namespace lentray::parser {
+namespace {
+
+using core::Bounds;
+using core::Transform;
+
+constexpr double kHuge = 1e10;       ///< where boxes end
+constexpr double kCritical = 1e6;    ///< a CSG's or quadric's box longer than this is taken for infinite
+constexpr double kThickness = 1e-3;  ///< flat things are given this much to both sides
+constexpr double kTiny = 1e-10;
+
+Bounds everything() { return {Vec3(-kHuge), Vec3(kHuge)}; }
+
+bool is_long(const Bounds& b) {
+  const Vec3 size = b.hi - b.lo;
+  return size.x > kCritical || size.y > kCritical || size.z > kCritical;
+}
+
+/// Through memory: where it makes vectors of such roundings, g++ 12 leaves them out.
+double single(double x) {
+  const volatile auto rounded = static_cast<float>(x);
+  return rounded;
+}
+
+/// A corner and lengths is what is kept, in single precision.
+Bounds kept(const Bounds& b) {
+  Bounds out;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double lo = std::clamp(b.lo[axis], -kHuge, kHuge);
+    const double hi = std::clamp(b.hi[axis], -kHuge, kHuge);
+    out.lo[axis] = single(lo);
+    out.hi[axis] = out.lo[axis] + single(hi - lo);
+  }
+  return out;
+}
+
+/// Less than 0 for some that are inside out, as stock counts.
+double volume(const Bounds& b) {
+  const Vec3 size = b.hi - b.lo;
+  return size.x * size.y * size.z;
+}
+
+Bounds moved(const Bounds& b, const Transform& t) {
+  return t.is_identity() ? b : kept(core::transformed(b, t));
+}
+
+/// Unit lengths stand for `radius` across and `length` along the z axis, which becomes `axis`.
+Transform standing(const Vec3& origin, const Vec3& axis, double radius, double length) {
+  const bool upright = std::fabs(axis.z) > 1.0 - kTiny;
+  const Vec3 about = upright ? Vec3(1, 0, 0) : Vec3(-axis.y, axis.x, 0);
+  const double angle = upright ? (axis.z < 0.0 ? std::acos(-1.0) : 0.0) : std::acos(axis.z);
+  return Transform::scaling({radius, radius, length})
+      .then(Transform::axis_rotation(about, angle))
+      .then(Transform::translation(origin));
+}
+
+/// How much larger a ball has become, less than 0 if turned inside out.
+double ball_scale(const Transform& t) {
+  const double scale = core::similarity_scale(t);
+  return dot(cross(t.vector({1, 0, 0}), t.vector({0, 1, 0})), t.vector({0, 0, 1})) < 0.0 ? -scale : scale;
+}
+
+/// The box of balls, and what has turned it since.
+template <typename Shape>
+Bounds turned_since(const Bounds& box, const Shape& s, const Transform& all) {
+  return s.ball.is_stored() ? moved(kept(box), s.ball->inverse().then(all)) : kept(box);
+}
+
+Bounds about(const Vec3& centre, double radius) {
+  return {centre - Vec3(radius), centre + Vec3(radius)};
+}
+
+bool is_height_field(const ObjectDesc& object) {
+  return std::holds_alternative<Sparse<HeightFieldShape>>(object.shape);
+}
+
+/// Those that `inverse` and a difference leave as they are, their boxes too.
+bool has_no_outside(const ObjectDesc& object) {
+  return std::holds_alternative<TriangleShape>(object.shape) || std::holds_alternative<PolygonShape>(object.shape) ||
+         std::holds_alternative<Sparse<SmoothTriangleShape>>(object.shape) ||
+         std::holds_alternative<std::shared_ptr<const BicubicPatchShape>>(object.shape) ||
+         std::holds_alternative<Sparse<ParametricShape>>(object.shape);
+}
+
+class BoxFinder {
+ public:
+  explicit BoxFinder(bool& is_whole) : m_is_whole(is_whole) {}
+
+  Bounds of(const ObjectDesc& object) {
+    Bounds box = kept(std::visit([&](const auto& shape) { return leaf(shape, object); }, object.shape));
+    if (!heeds_regions(object)) return rounded(box);
+    for (const auto* regions : {&object.rare->bounded_by, &object.rare->clipped_by}) {
+      Bounds common = everything();
+      for (const Ref<ObjectDesc>& region : *regions) {
+        if (!region->inverse) common.intersect(of(*region));
+      }
+      common = kept(common);
+      if (!regions->empty() && volume(common) < volume(box)) box = common;
+    }
+    return rounded(box);
+  }
+
+  /// Of a quadric, with what its clips or its siblings leave.
+  Bounds of_quadric(const ObjectDesc& object, const Bounds& limits) {
+    const QuadricShape& quadric = *std::get<Sparse<QuadricShape>>(object.shape);
+    const std::array<double, 10> c = moved_quadric(quadric.c, *object.transform);
+    if (has_products(c)) {
+      const Bounds before = leaf(std::get<Sparse<QuadricShape>>(object.shape), object);
+      return volume(kept(limits)) < volume(before) ? kept(limits) : before;
+    }
+    const Bounds box = quadric_box(c, limits);
+    return is_long(box) ? everything() : kept(box);
+  }
+
+  Bounds clip_limits(const ObjectDesc& object) {
+    Bounds limits = everything();
+    for (const Ref<ObjectDesc>& clip : object.rare->clipped_by) limits.intersect(limited(*clip, false));
+    return limits;
+  }
+
+ private:
+  static Bounds rounded(const Bounds& box) {
+    return {box.lo, {single(box.hi.x), single(box.hi.y), single(box.hi.z)}};
+  }
+
+  /// What a part of an intersection leaves, or its outside: of planes only those along an axis have
+  /// a box, all others have none outside.
+  Bounds limited(const ObjectDesc& part, bool outside) {
+    const auto* plane = std::get_if<PlaneShape>(&part.shape);
+    if (part.inverse) outside = !outside;
+    if (has_no_outside(part)) outside = false;
+    if (!plane) return outside ? everything() : of(part);
+    Bounds box = everything();
+    const Vec3 normal =
+        core::normalized(part.transform->normal(plane->normal)) * (outside ? -1.0 : 1.0);
+    const Vec3 unit = core::normalized(plane->normal);
+    const Vec3 on = part.transform->point(unit * plane->distance);
+    for (int axis = 0; axis < 3; ++axis) {
+      if (normal[axis] > 1.0 - kTiny) box.hi[axis] = on[axis];
+      if (normal[axis] < kTiny - 1.0) box.lo[axis] = on[axis];
+    }
+    return box;
+  }
+
+  Bounds leaf(const SphereShape& s, const ObjectDesc& o) {
+    const Transform& placing = s.ball.is_stored() ? *s.ball : *o.transform;
+    const double radius = s.radius * std::fabs(ball_scale(placing));
+    return turned_since(about(placing.point(s.centre), radius), s, *o.transform);
+  }
+  Bounds leaf(const BoxShape& s, const ObjectDesc& o) {
+    Bounds box;
+    box.include(s.corner1);
+    box.include(s.corner2);
+    return moved(kept(box), *o.transform);
+  }
+  Bounds leaf(const PlaneShape&, const ObjectDesc&) { return everything(); }
+  Bounds leaf(const LightShape&, const ObjectDesc&) { return everything(); }
+  Bounds leaf(const CylinderShape& s, const ObjectDesc& o) {
+    const Vec3 axis = s.cap - s.base;
+    const double length = core::length(axis);
+    return moved({{-1, -1, 0}, {1, 1, 1}},
+                 standing(s.cap, -axis / length, s.radius, length).then(*o.transform));
+  }
+  /// A cone stands on its tip: from there its wider end is at 1.
+  Bounds leaf(const ConeShape& s, const ObjectDesc& o) {
+    const bool wider_base = s.base_radius > s.cap_radius;
+    const Vec3 narrow = wider_base ? s.cap : s.base, wide = wider_base ? s.base : s.cap;
+    const double small = wider_base ? s.cap_radius : s.base_radius;
+    const double large = wider_base ? s.base_radius : s.cap_radius;
+    if (large - small < kTiny || large < 0.0) return leaf(CylinderShape{s.base, s.cap, large, s.open}, o);
+    const double length = core::length(wide - narrow);
+    const Vec3 axis = (wide - narrow) / length;
+    const double below = small * length / (large - small);
+    return moved({{-1, -1, below / (below + length)}, {1, 1, 1}},
+                 standing(narrow - axis * below, axis, large, below + length).then(*o.transform));
+  }
+  Bounds leaf(const DiscShape& s, const ObjectDesc& o) {
+    return moved(kept({{-s.radius, -s.radius, -kThickness}, {s.radius, s.radius, kThickness}}),
+                 standing(s.centre, core::normalized(s.normal), 1, 1).then(*o.transform));
+  }
+  Bounds leaf(const TorusShape& s, const ObjectDesc& o) {
+    const double out = s.major + s.minor;
+    return moved(kept({{-out, -s.minor, -out}, {out, s.minor, out}}), *o.transform);
+  }
+  Bounds leaf(const SuperellipsoidShape&, const ObjectDesc& o) {
+    return moved(kept(about({}, 1.0001)), *o.transform);
+  }
+  Bounds leaf(const PolygonShape& s, const ObjectDesc& o) {
+    Bounds box;
+    for (const Vec3& p : s.points) box.include(o.transform->point(p));
+    for (int axis = 0; axis < 3; ++axis) {
+      if (box.hi[axis] - box.lo[axis] >= kThickness) continue;
+      box.lo[axis] -= kThickness;
+      box.hi[axis] += kThickness;
+    }
+    return kept(box);
+  }
+  Bounds leaf(const TriangleShape& s, const ObjectDesc& o) { return points(s.p, o); }
+  Bounds leaf(const Sparse<SmoothTriangleShape>& s, const ObjectDesc& o) { return points(s->p, o); }
+  Bounds points(const std::array<Vec3, 3>& corners, const ObjectDesc& o) {
+    Bounds box;
+    for (const Vec3& p : corners) box.include(o.transform->point(p));
+    return kept({box.lo - Vec3(kTiny), box.hi + Vec3(kTiny)});
+  }
+  Bounds leaf(const std::shared_ptr<const MeshShape>& s, const ObjectDesc& o) {
+    Bounds box;
+    for (const core::MeshTriple& face : s->faces) {
+      for (const std::uint32_t v : face) box.include(s->vertices[v]);
+    }
+    return moved(kept(box), *o.transform);
+  }
+  Bounds leaf(const CsgShape& s, const ObjectDesc& o) {
+    const bool all = s.operation == CsgOperation::kUnion || s.operation == CsgOperation::kMerge ||
+                     s.operation == CsgOperation::kLightGroup;
+    Bounds box = all ? Bounds() : everything();
+    if (all) {
+      for (const Ref<ObjectDesc>& child : *s.children) box.include(of(*child));
+    } else {
+      cut_by_parts(s, box);
+    }
+    if (box.is_empty() || is_long(box)) return everything();
+    if (s.turns->empty()) return moved(kept(box), *o.transform);
+    box = kept(box);
+    for (const Transform& turn : *s.turns) box = moved(box, turn);
+    return box;
+  }
+  /// Quadrics come last: what the others leave limits them. Height fields, whose solids are endless,
+  /// leave everything.
+  void cut_by_parts(const CsgShape& s, Bounds& box) {
+    std::vector<const ObjectDesc*> quadrics;
+    bool outside = false;
+    for (const Ref<ObjectDesc>& child : *s.children) {
+      const bool is_kept = child->inverse == outside;
+      if (std::holds_alternative<Sparse<QuadricShape>>(child->shape)) {
+        if (is_kept) quadrics.push_back(child.get());
+      } else if (!child->is_light() && !is_height_field(*child)) {
+        box.intersect(limited(*child, outside));
+      }
+      outside = s.operation == CsgOperation::kDifference;
+    }
+    const Bounds limits = box;
+    for (const ObjectDesc* quadric : quadrics) {
+      box.intersect(of(*quadric));
+      box.intersect(of_quadric(*quadric, limits));
+    }
+  }
+  Bounds leaf(const std::shared_ptr<const BicubicPatchShape>& s, const ObjectDesc& o) {
+    Bounds box;
+    for (const Vec3& p : s->points) box.include(o.transform->point(p));
+    return kept(box);
+  }
+  /// One with products of two coordinates has none but what is left from before it was turned.
+  Bounds leaf(const Sparse<QuadricShape>& shape, const ObjectDesc& o) {
+    const QuadricShape& s = *shape;
+    if (s.box.is_stored()) return *s.box;
+    const std::array<double, 10> c = moved_quadric(s.c, *o.transform);
+    if (has_products(c)) return everything();
+    const Bounds box = quadric_box(c, everything());
+    return is_long(box) ? everything() : kept(box);
+  }
+  /// Of a sphere about each element, a cylinder's round ends counted apart; where an element is
+  /// placed its sphere is as wide as the box of the placed box from the middle to a corner.
+  Bounds leaf(const std::shared_ptr<const BlobShape>& s, const ObjectDesc& o) {
+    Bounds box;
+    const auto add = [&](const Transform& placing, double z, double radius) {
+      const Bounds placed = core::transformed({Vec3(), Vec3(radius)}, placing);
+      const Vec3 size = placed.hi - placed.lo;
+      box.include(about(placing.point({0, 0, z}), std::max({size.x, size.y, size.z})));
+    };
+    const auto adds = [](const BlobElement& e) { return e.strength > 0.0; };
+    const bool any_adds = std::any_of(s->elements.begin(), s->elements.end(), adds);
+    for (const BlobElement& e : s->elements) {
+      if (any_adds && !adds(e)) continue;
+      if (e.kind == BlobElement::Kind::kSphere) {
+        add(Transform::translation(e.a).then(e.transform), 0.0, e.radius);
+        continue;
+      }
+      const double length = core::length(e.b - e.a);
+      const Transform placing = standing(e.a, (e.b - e.a) / length, 1.0, 1.0).then(e.transform);
+      add(placing, 0.0, e.radius);
+      add(placing, length, e.radius);
+      add(placing, 0.5 * length, std::hypot(e.radius, 0.5 * length));
+    }
+    return moved(kept(box), *o.transform);
+  }
+  Bounds leaf(const Sparse<JuliaFractalShape>& s, const ObjectDesc& o) {
+    return moved(kept(about({}, core::julia_sphere(s->parameter, s->hypercomplex))), *o.transform);
+  }
+  /// Of Bezier curves their control points count as well.
+  template <typename Shape>
+  Bounds of_points(Shape s, const ObjectDesc& o) {
+    if (s.spline == CurveKind::kBezier) s.spline = CurveKind::kLinear;
+    return built(s, o);
+  }
+  Bounds leaf(const LatheShape& s, const ObjectDesc& o) { return of_points(s, o); }
+  Bounds leaf(const PrismShape& s, const ObjectDesc& o) { return of_points(s, o); }
+  /// That of its container.
+  Bounds leaf(const Sparse<ParametricShape>& s, const ObjectDesc& o) {
+    if (s->container.sphere) return moved(kept(about(s->container.a, s->container.radius)), *o.transform);
+    Bounds box;
+    box.include(s->container.a);
+    box.include(s->container.b);
+    return moved(kept(box), *o.transform);
+  }
+  /// Of all its spheres, twice as wide for a cubic spline; after `scale -1` their radii are below 0.
+  Bounds leaf(const SphereSweepShape& s, const ObjectDesc& o) {
+    const Transform& placing = s.ball.is_stored() ? *s.ball : *o.transform;
+    const double wide = (s.spline == CurveKind::kCubic ? 2.0 : 1.0) * ball_scale(placing);
+    Bounds box;
+    for (std::size_t i = 0; i < s.centres.size(); ++i) {
+      const Bounds ball = about(placing.point(s.centres[i]), wide * s.radii[i]);
+      for (int axis = 0; axis < 3; ++axis) {
+        box.lo[axis] = std::min(box.lo[axis], ball.lo[axis]);
+        box.hi[axis] = std::max(box.hi[axis], ball.hi[axis]);
+      }
+    }
+    return turned_since(box, s, *o.transform);
+  }
+  /// All others by the bounds of their geometry.
+  template <typename Shape>
+  Bounds leaf(const Shape& s, const ObjectDesc& o) {
+    return built(s, o);
+  }
+  template <typename Shape>
+  Bounds built(const Shape& s, const ObjectDesc& o) {
+    ObjectDesc alone;
+    alone.keyword = o.keyword;
+    alone.where = o.where;
+    alone.shape = s;
+    const auto made = shape_geometry(alone, m_is_whole);
+    if (!made || made->bounds().is_empty()) return {Vec3(), Vec3()};
+    const Bounds box = made->bounds();
+    return box.is_finite() ? moved(kept(box), *o.transform) : kept(box);
+  }
+
+  bool& m_is_whole;
+};
+
+}  // namespace
+
+core::Bounds stock_box(const ObjectDesc& object, bool& is_whole) {
+  return BoxFinder(is_whole).of(object);
+}
+
+bool heeds_regions(const ObjectDesc& object) {
+  return object.reopened ||
+         !(is_height_field(object) || std::holds_alternative<std::shared_ptr<const BlobShape>>(object.shape) ||
+           std::holds_alternative<Sparse<JuliaFractalShape>>(object.shape));
+}
+
+void keep_clipped_box(ObjectDesc& object) {
+  auto* quadric = std::get_if<Sparse<QuadricShape>>(&object.shape);
+  if (!quadric) return;
+  bool is_whole = true;
+  BoxFinder finder(is_whole);
+  quadric->edit().box = finder.of_quadric(object, finder.clip_limits(object));
+}
+
+namespace {
+
+/// A box of a box is larger only where both were turned.
+void add_turn(CsgShape& csg, const Transform& before, const Transform& turn) {
+  if (csg.turns->empty()) {
+    if (!core::keeps_axes(before) && !core::keeps_axes(turn)) csg.turns.edit() = {before, turn};
+  } else if (core::keeps_axes(turn)) {
+    csg.turns.edit().back() = csg.turns->back().then(turn);
+  } else {
+    csg.turns.edit().push_back(turn);
+  }
+}
+
+}  // namespace
+
+void turn_box(ObjectDesc& object, const core::Transform& since, const core::Transform& turn, bool plain) {
+  if (!plain) {
+    static const Sparse<Transform> kUnmoved{Transform()};
+    const auto stop_being_balls = [&](auto* shape) {
+      if (!shape || shape->ball.is_stored()) return;
+      shape->ball = object.transform.is_stored() ? object.transform : kUnmoved;
+      if (!since.is_identity()) shape->ball.edit() = shape->ball->then(since);
+    };
+    stop_being_balls(std::get_if<SphereShape>(&object.shape));
+    stop_being_balls(std::get_if<SphereSweepShape>(&object.shape));
+  }
+  if (auto* csg = std::get_if<CsgShape>(&object.shape)) {
+    add_turn(*csg, object.transform->then(since), turn);
+    return;
+  }
+  auto* quadric = std::get_if<Sparse<QuadricShape>>(&object.shape);
+  if (!quadric || (!(*quadric)->box.is_stored() && core::keeps_axes(turn))) return;
+  const Transform before = object.transform->then(since);
+  bool is_whole = true;
+  ObjectDesc unturned;
+  unturned.shape = *quadric;
+  unturned.transform = before;
+  const Bounds box = BoxFinder(is_whole).of(unturned);
+  if (!(*quadric)->box.is_stored() && is_long(box)) return;
+  quadric->edit().box = is_long(box) ? box : kept(core::transformed(box, turn));
+}
+
+}  // namespace lentray::parser
