@@ -1,4 +1,4 @@
-// Finish and interior descriptions -> the kernel's. Internal to parser/build.
+// Finish and interior descriptions -> the kernel's. Internal to parser/compile.
 #pragma once
 
 #include <memory>

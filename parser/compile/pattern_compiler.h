@@ -1,4 +1,4 @@
-// Descriptions of patterns and their placement -> the kernel's. Internal to parser/build.
+// Descriptions of patterns and their placement -> the kernel's. Internal to parser/compile.
 #pragma once
 
 #include <functional>

@@ -1,5 +1,5 @@
 // Images of descriptions -> the kernel's pictures: files are decoded to the scene's working space,
-// functions are evaluated. Internal to parser/build.
+// functions are evaluated. Internal to parser/compile.
 // Source: reference manual 3.7, "Image Map", "Gamma"; compared with stock by image.pictures.
 #pragma once
 

@@ -3,7 +3,7 @@
 //
 // How a scene becomes descriptions: sources -> tokens (each file and macro tokenised once) ->
 // token stream (files, macros and loops replay tokens) -> directives executed on the way ->
-// productions (parser/grammar) -> descriptions (parser/descriptions) -> build (parser/build).
+// productions (parser/grammar) -> descriptions (parser/descriptions) -> compile (parser/compile).
 #pragma once
 
 #include <functional>

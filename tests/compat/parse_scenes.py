@@ -13,14 +13,16 @@ import collections
 import concurrent.futures
 import json
 import pathlib
+import os
 import re
+import resource
 import shutil
 import subprocess
 import sys
 import tempfile
 
-from scenes import EXAMPLES, ROOT, run
-
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+EXAMPLES = "/usr/share/doc/povray/examples"
 SIZE = ["+W8", "+H6", "-D", "+WT1"]
 # What both programs say in their own words: kind, stock's words, lentray's.
 KINDS = [
@@ -31,6 +33,22 @@ KINDS = [
     ("the scene's own #error", r"user error|parse halted by #error", r"#error"),
     ("time", r"longer than", r"longer than"),
 ]
+
+
+def run(command, folder, seconds):
+    """(status, output, CPU seconds) of a command that may use so many seconds of processor."""
+
+    def limit():
+        resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 1))
+
+    with tempfile.TemporaryFile() as log:
+        process = subprocess.Popen(command, cwd=folder, stdin=subprocess.DEVNULL, stdout=log,
+                                   stderr=subprocess.STDOUT, preexec_fn=limit)
+        _, status, usage = os.wait4(process.pid, 0)
+        process.returncode = os.waitstatus_to_exitcode(status)
+        log.seek(0)
+        text = log.read().decode(errors="replace")
+    return process.returncode, text, usage.ru_utime + usage.ru_stime
 
 
 def kind_of(message, column):
