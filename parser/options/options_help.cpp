@@ -42,7 +42,7 @@ constexpr OptionHelp kPicture[] = {
     {"Start_Row", "n", "Render from this row on, or part of the height.", ""},
     {"End_Row", "n", "Render up to this row, or part.", ""},
     {"Quality", "n", "0 to 11 (9). Below 9 the picture gets simpler: without reflection, shadows, textures.", ""},
-    {"Output_File_Name", "file", "The picture, or a folder for it; - is standard output. Without it the picture has the scene's name and is in the current folder.", ""},
+    {"Output_File_Name", "file", "The picture, or a folder for it; - is standard output. Without it the picture has the scene's name and lies beside it.", ""},
     {"Output_to_File", kSwitch, "Whether there is a file at all. The switch takes the type as well, and the bits of a channel behind it, as +FN16.", "+F[type], -F"},
     {"Output_File_Type", "N|P|T|C|J|B|E|H|TIFF", "N is PNG, P PPM, T and C Targa (C compressed), J JPEG, B BMP, E OpenEXR, H Radiance. Bits may stand behind it, and behind N and P a g for grey. Without it a name that ends in .tif, .tiff or .exr decides, else it is PNG.", ""},
     {"Output_Alpha", kSwitch, "Pixels that nothing covers are clear.", ""},

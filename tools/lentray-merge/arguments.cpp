@@ -81,9 +81,9 @@ byte: samples, gamma, resolution, lens data. Parts are PNG files of the whole
 picture's size, as lentray writes them, black outside of their rows; their order
 does not matter. Memory is taken for a few rows of each part.
 
-Rows are those that a part says it has (its text "lentray:rows"), or those of
---rows. Of a part that is not known to have certain rows, all that are not black
-count. Parts may have rows in common: these must be equal.
+Rows are those of --rows, or of a PNG file's text "lentray:rows", which programs
+that cut pictures may write (lentray does not). Of other parts all rows that are
+not black count. Parts may have rows in common: these must be equal.
 
   --out PICTURE          the picture, a PNG file; it appears when it is whole,
                          and what stood there before stays until then
