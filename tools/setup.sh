@@ -1,6 +1,7 @@
 #!/bin/sh
 # Installs every Debian package that building, testing and comparing need. May be run again at
 # any time: it does nothing, and needs neither root nor network, when all are there.
+#   tools/setup.sh [--list]      --list: names them alone
 set -eu
 
 packages="
@@ -9,6 +10,11 @@ packages="
   libopenimageio-dev openimageio-tools libopenexr-dev libpng-dev zlib1g-dev libgif-dev libjpeg-dev libfreetype-dev
   libgtest-dev libbenchmark-dev libembree-dev gnuplot-nox valgrind dpkg-dev file
   povray povray-includes povray-examples"
+
+if [ "${1:-}" = --list ]; then
+  echo $packages
+  exit 0
+fi
 
 is_installed() {
   dpkg-query -W -f '${db:Status-Abbrev}' "$1" 2>/dev/null | grep -q '^ii'

@@ -5,13 +5,12 @@
 // Held to the objects' tests by tests/unit/accel_light_volume_test.cpp.
 #pragma once
 
-#include <immintrin.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <span>
 
+#include "core/base/simd.h"
 #include "core/base/vec3.h"
 
 namespace lentray::core {
@@ -29,18 +28,18 @@ class LightProbe {
   /// `w`: the largest part of `point`. `t_min`: a shadow ray from there must go farther.
   /// `reach`: of the volumes; beyond, nothing is outside.
   LightProbe(const Vec3& point, double w, double t_min, double reach)
-      : m_x(_mm_set1_ps(static_cast<float>(point.x))),
-        m_y(_mm_set1_ps(static_cast<float>(point.y))),
-        m_z(_mm_set1_ps(static_cast<float>(point.z))),
-        m_least(_mm_set1_ps(w < reach ? -kSlack * static_cast<float>(w)
+      : m_x(simd::float4(static_cast<float>(point.x))),
+        m_y(simd::float4(static_cast<float>(point.y))),
+        m_z(simd::float4(static_cast<float>(point.z))),
+        m_least(simd::float4(w < reach ? -kSlack * static_cast<float>(w)
                                       : -std::numeric_limits<float>::infinity())),
         m_w(static_cast<float>(w)),
         m_t_min(static_cast<float>(t_min)) {}
 
   bool is_outside(const LightVolume& volume) const {
-    const __m128 x = _mm_mul_ps(m_x, _mm_load_ps(volume.x)), y = _mm_mul_ps(m_y, _mm_load_ps(volume.y));
-    const __m128 inside = _mm_add_ps(_mm_add_ps(x, y), _mm_mul_ps(m_z, _mm_load_ps(volume.z)));
-    return _mm_movemask_ps(_mm_cmplt_ps(inside, m_least)) != 0 || is_before(volume.plane);
+    const Float4 x = m_x * simd::float4_at(volume.x), y = m_y * simd::float4_at(volume.y);
+    const Float4 inside = (x + y) + m_z * simd::float4_at(volume.z);
+    return simd::signs(inside < m_least) != 0 || is_before(volume.plane);
   }
 
  private:
@@ -53,12 +52,11 @@ class LightProbe {
   bool is_before(const float (&plane)[4]) const {
     constexpr float kLongest = 1.7320509f;  // of w
     const float share = 1.0f + m_t_min / (kLongest * m_w);
-    const float behind = _mm_cvtss_f32(m_x) * plane[0] + _mm_cvtss_f32(m_y) * plane[1] +
-                         _mm_cvtss_f32(m_z) * plane[2] + share * plane[3];
-    return behind < _mm_cvtss_f32(m_least);
+    const float behind = m_x[0] * plane[0] + m_y[0] * plane[1] + m_z[0] * plane[2] + share * plane[3];
+    return behind < m_least[0];
   }
 
-  __m128 m_x, m_y, m_z, m_least;
+  Float4 m_x, m_y, m_z, m_least;
   float m_w, m_t_min;
 };
 

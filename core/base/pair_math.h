@@ -3,16 +3,16 @@
 // Taylor's series, after the argument is reduced by multiples of ln 2 or pi/2 in parts (Cody and Waite 1980).
 #pragma once
 
-#include <emmintrin.h>
-
 #include <cmath>
+
+#include "core/base/simd.h"
 
 namespace lentray::core {
 
 /// Two doubles, handled as one.
-using Pair [[gnu::vector_size(16)]] = double;
+using Pair = Double2;
 /// What a comparison of Pairs gives, a lane -1 or 0, and the bits of Pairs.
-using PairBits [[gnu::vector_size(16)]] = long long;
+using PairBits = Long2;
 
 namespace pair_math {
 
@@ -34,7 +34,7 @@ template <class System>
 
 }  // namespace pair_math
 
-inline Pair sqrt(Pair x) { return _mm_sqrt_pd(x); }
+inline Pair sqrt(Pair x) { return simd::sqrt(x); }
 
 inline Pair exp(Pair x) {
   constexpr double kMost = 700.0;  // beyond, powers of two are no normal numbers

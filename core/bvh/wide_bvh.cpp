@@ -66,22 +66,21 @@ namespace {
 /// A box in the tree's frame, in floats as the nodes have them; lows negated, so that one maximum
 /// joins boxes. Lane 3 is anything but a small or no number.
 struct FloatBox {
-  __m128 low = _mm_set1_ps(-std::numeric_limits<float>::infinity());
-  __m128 high = low;
+  Float4 low = simd::float4(-std::numeric_limits<float>::infinity());
+  Float4 high = low;
 
   void include(const FloatBox& b) {
-    low = _mm_max_ps(low, b.low);
-    high = _mm_max_ps(high, b.high);
+    low = simd::max(low, b.low);
+    high = simd::max(high, b.high);
   }
   /// Half of it; not of an empty box.
   float surface() const {
-    const __m128 d = _mm_min_ps(_mm_add_ps(high, low), _mm_set1_ps(1e18f));  // its square is a float
-    const __m128 products = _mm_mul_ps(d, _mm_shuffle_ps(d, d, _MM_SHUFFLE(3, 0, 2, 1)));
-    const __m128 y = _mm_shuffle_ps(products, products, 1), z = _mm_movehl_ps(products, products);
-    return _mm_cvtss_f32(_mm_add_ss(_mm_add_ss(products, y), z));
+    const Float4 d = simd::min(high + low, simd::float4(1e18f));  // its square is a float
+    const Float4 products = d * simd::shuffled<1, 2, 0, 3>(d);
+    return products[0] + products[1] + products[2];
   }
   /// Twice its middle.
-  __m128 middle() const { return _mm_sub_ps(high, low); }
+  Float4 middle() const { return high - low; }
 };
 
 /// A part while the tree is built: its box, whose lanes 3 hold the part's index and kind.
@@ -91,8 +90,8 @@ struct Item {
   static constexpr std::uint32_t kNumber = 0x40000000u;  // makes a plain float of 27 bits
   std::uint32_t part() const { return lane3(box.low) & ~kNumber; }
   std::uint32_t kind() const { return lane3(box.high) & ~kNumber; }
-  static std::uint32_t lane3(__m128 v) {
-    return static_cast<std::uint32_t>(_mm_cvtsi128_si32(_mm_shuffle_epi32(_mm_castps_si128(v), 0xff)));
+  static std::uint32_t lane3(Float4 v) {
+    return static_cast<std::uint32_t>(Int4(v)[3]);
   }
 };
 
@@ -102,8 +101,8 @@ Item item_of(const Bounds& bounds, const WideFrame& frame, std::uint32_t part, s
   const auto low = [&](double v) { return -WideLimits::down(v - frame.pad); };
   const auto high = [&](double v) { return WideLimits::up(v + frame.pad); };
   Item item;
-  item.box.low = _mm_set_ps(std::bit_cast<float>(Item::kNumber | part), low(lo.z), low(lo.y), low(lo.x));
-  item.box.high = _mm_set_ps(std::bit_cast<float>(Item::kNumber | kind), high(hi.z), high(hi.y), high(hi.x));
+  item.box.low = Float4{low(lo.x), low(lo.y), low(lo.z), std::bit_cast<float>(Item::kNumber | part)};
+  item.box.high = Float4{high(hi.x), high(hi.y), high(hi.z), std::bit_cast<float>(Item::kNumber | kind)};
   return item;
 }
 
@@ -158,17 +157,17 @@ class BinaryBuilder {
     FloatBox box, middles;
     void include(const Item& item) {
       box.include(item.box);
-      const __m128 middle = item.box.middle();
-      middles.include({_mm_sub_ps(_mm_setzero_ps(), middle), middle});
+      const Float4 middle = item.box.middle();
+      middles.include({Float4{} - middle, middle});
     }
   };
   /// bin_of: (middle - start) * per_bin, below 0 and above the bins too by rounding.
   struct Bins {
-    __m128 start, per_bin;
+    Float4 start, per_bin;
     bool any = false;  ///< else all middles are alike
     Bins(const FloatBox& middles, int bins);
-    __m128 of(const Item& item) const {
-      return _mm_mul_ps(_mm_sub_ps(item.box.middle(), start), per_bin);
+    Float4 of(const Item& item) const {
+      return (item.box.middle() - start) * per_bin;
     }
   };
   struct Split {
@@ -229,16 +228,16 @@ BinaryBuilder::BinaryBuilder(std::span<const Bounds> boxes, const std::vector<st
   m_alike = options.kinds.empty() || one_kind(0, m_count);
 }
 
-BinaryBuilder::Bins::Bins(const FloatBox& middles, int bins) : start(_mm_sub_ps(_mm_setzero_ps(), middles.low)) {
+BinaryBuilder::Bins::Bins(const FloatBox& middles, int bins) : start(Float4{} - middles.low) {
   alignas(16) float size[4], rate[4] = {};
-  _mm_store_ps(size, _mm_add_ps(middles.high, middles.low));
+  simd::store(size, middles.high + middles.low);
   for (int a = 0; a < 3; ++a) {
     const float per = static_cast<float>(bins) / size[a];
     if (!(size[a] > 0.0f && std::isfinite(per))) continue;
     rate[a] = per;
     any = true;
   }
-  per_bin = _mm_load_ps(rate);
+  per_bin = simd::float4_at(rate);
 }
 
 template <int kUsed>
@@ -249,18 +248,18 @@ BinaryBuilder::Split BinaryBuilder::best_split(std::uint32_t first, std::uint32_
   if (!place.any) return best;
   Bin bins[3][kUsed];
   double weight = 0.0;
-  const __m128 last = _mm_set1_ps(kUsed - 1);
+  const Float4 last = simd::float4(kUsed - 1);
   const std::uint32_t step = std::max(1u, count / kMostSampled), end = first + count;
   for (std::uint32_t i = first; i < end; i += step) {
     const Item& item = m_items[i];
-    const __m128i at = _mm_cvttps_epi32(_mm_max_ps(_mm_min_ps(place.of(item), last), _mm_setzero_ps()));
+    const Int4 at = simd::truncated(simd::max(simd::min(place.of(item), last), Float4{}));
     const auto add = [&](Bin& bin) {
       bin.box.include(item.box);
       ++bin.count;
     };
-    add(bins[0][_mm_cvtsi128_si32(at)]);
-    add(bins[1][_mm_cvtsi128_si32(_mm_shuffle_epi32(at, 1))]);
-    add(bins[2][_mm_cvtsi128_si32(_mm_shuffle_epi32(at, 2))]);
+    add(bins[0][at[0]]);
+    add(bins[1][at[1]]);
+    add(bins[2][at[2]]);
     if (alike) continue;
     const auto kind = kind_of(item);
     weight += kind.cost / kind.pack;
@@ -320,10 +319,10 @@ std::uint32_t BinaryBuilder::divide(std::uint32_t first, std::uint32_t count, co
                                     const FloatBox& middles, Extent& left, Extent& right) {
   if (split.axis >= 0) {
     const Bins place(middles, bins_for(count));
-    const __m128 limit = _mm_set1_ps(static_cast<float>(split.bin));
-    const int axis = 1 << split.axis;
+    const Float4 limit = simd::float4(static_cast<float>(split.bin));
+    const unsigned axis = 1u << split.axis;
     const std::uint32_t n = divide(first, count, left, right, [&](const Item& item) {
-      return (_mm_movemask_ps(_mm_cmplt_ps(place.of(item), limit)) & axis) != 0;
+      return (simd::signs(place.of(item) < limit) & axis) != 0;
     });
     if (n != 0 && n != count) return n;
     left = right = Extent{};
@@ -404,8 +403,8 @@ class WideCollapser {
 
 void WideCollapser::set_box(WideNode& node, int slot, const FloatBox& box) {
   alignas(16) float low[4], high[4];
-  _mm_store_ps(low, box.low);
-  _mm_store_ps(high, box.high);
+  simd::store(low, box.low);
+  simd::store(high, box.high);
   for (int a = 0; a < 3; ++a) {
     node.planes[a][0][slot] = -low[a];
     node.planes[a][1][slot] = high[a];

@@ -15,8 +15,6 @@
 // order of the leaves visited may differ then, the set of hits found does not.
 #pragma once
 
-#include <immintrin.h>
-
 #include <algorithm>
 #include <bit>
 #include <cstddef>
@@ -28,6 +26,7 @@
 #include "core/base/bounds.h"
 #include "core/base/processor.h"
 #include "core/base/ray.h"
+#include "core/base/simd.h"
 
 namespace lentray::core {
 
@@ -98,57 +97,52 @@ struct WideRay : WideLimits {
 
 /// The same for AVX2: products origin * inverse, so that a plane costs one fused operation.
 struct WideRayAvx2 : WideLimits {
-  __m128 inverse, near_product, far_product;  ///< lane 3 means nothing
+  Float4 inverse, near_product, far_product;  ///< lane 3 means nothing
   int entry[3];
 
   LENTRAY_AVX2 WideRayAvx2(const Ray& ray, const WideFrame& frame) {
-    const __m256d sign = _mm256_set1_pd(-0.0);
-    const __m256d xyz = _mm256_castsi256_pd(_mm256_set_epi64x(0, -1, -1, -1));
+    const Long4 xyz{-1, -1, -1, 0};
     // Both loads stay within the ray: (o, dx) and (oz, d).
-    const __m256d world_d = _mm256_permute4x64_pd(_mm256_loadu_pd(&ray.origin.z), 0x39);
-    const __m256d offset = _mm256_loadu_pd(&frame.offset.x);
-    const __m256d scale = _mm256_set1_pd(frame.scale);
-    const __m256d away = _mm256_sub_pd(_mm256_loadu_pd(&ray.origin.x), offset);
-    __m256d o = _mm256_and_pd(_mm256_mul_pd(away, scale), xyz);
-    const __m256d d = _mm256_and_pd(_mm256_mul_pd(world_d, scale), xyz);
-    const __m256d size_o = _mm256_andnot_pd(sign, o), size_d = _mm256_andnot_pd(sign, d);
-    __m256d largest = _mm256_max_pd(size_d, _mm256_permute4x64_pd(size_d, 0x4e));
-    largest = _mm256_max_pd(largest, _mm256_permute_pd(largest, 5));
-    rate = _mm256_cvtsd_f64(largest);
-    const __m256d finite = _mm256_cmp_pd(_mm256_add_pd(size_o, size_d), _mm256_set1_pd(1e300),
-                                         _CMP_LT_OQ);  // no number is not less
-    misses = !(rate > 0.0) || _mm256_movemask_pd(finite) != 15;
+    const Double4 world_d = simd::shuffled<1, 2, 3, 0>(simd::double4_at(&ray.origin.z));
+    const Double4 offset = simd::double4_at(&frame.offset.x);
+    const Double4 away = simd::double4_at(&ray.origin.x) - offset;
+    Double4 o = Double4(Long4(away * frame.scale) & xyz);
+    const Double4 d = Double4(Long4(world_d * frame.scale) & xyz);
+    const Double4 size_o = simd::abs(o), size_d = simd::abs(d);
+    Double4 largest = simd::max(size_d, simd::shuffled<2, 3, 0, 1>(size_d));
+    largest = simd::max(largest, simd::shuffled<1, 0, 3, 2>(largest));
+    rate = largest[0];
+    const bool are_finite = simd::signs(size_o + size_d < 1e300) == 15;  // no number is not less
+    misses = !(rate > 0.0) || !are_finite;
     double error = frame.pad;
-    if (_mm256_movemask_pd(_mm256_cmp_pd(size_o, _mm256_set1_pd(kNear), _CMP_GT_OQ)) != 0) {
+    if (simd::signs(size_o > kNear) != 0) {
       if (misses) return;
       alignas(32) double from[4], along[4];
-      _mm256_store_pd(from, o);
-      _mm256_store_pd(along, d);
+      simd::store(from, o);
+      simd::store(along, d);
       Vec3 moved{from[0], from[1], from[2]};
       approach(moved, Vec3{along[0], along[1], along[2]} / rate, error, frame.has_far);
-      o = _mm256_set_pd(0.0, moved.z, moved.y, moved.x);
+      o = Double4{moved.x, moved.y, moved.z, 0.0};
     }
-    const __m256d least = _mm256_mul_pd(largest, _mm256_set1_pd(kLeastComponent));
-    const __m256d component =
-        _mm256_or_pd(_mm256_max_pd(size_d, least), _mm256_and_pd(sign, d));
-    inverse = _mm256_cvtpd_ps(_mm256_div_pd(largest, component));
-    const __m256d rounded = _mm256_cvtps_pd(inverse);
-    const __m256d product = _mm256_mul_pd(o, rounded);
-    const __m256d around =
-        _mm256_mul_pd(_mm256_andnot_pd(sign, rounded), _mm256_set1_pd(error));
-    const __m128 wider = _mm_set1_ps(kWider), no_sign = _mm_castsi128_ps(_mm_set1_epi32(0x7fffffff));
-    const __m128 high = _mm256_cvtpd_ps(_mm256_add_pd(product, around));
-    const __m128 low = _mm256_cvtpd_ps(_mm256_sub_pd(product, around));
-    near_product = _mm_fmadd_ps(_mm_and_ps(high, no_sign), wider, high);
-    far_product = _mm_fnmadd_ps(_mm_and_ps(low, no_sign), wider, low);
-    const int negative = _mm_movemask_ps(inverse);
+    const Double4 least = largest * kLeastComponent;
+    const Double4 component = simd::with_signs(simd::max(size_d, least), d);
+    inverse = simd::narrowed(largest / component);
+    const Double4 rounded = simd::widened(inverse);
+    const Double4 product = o * rounded;
+    const Double4 around = simd::abs(rounded) * error;
+    const Float4 wider = simd::float4(kWider);
+    const Float4 high = simd::narrowed(product + around);
+    const Float4 low = simd::narrowed(product - around);
+    near_product = simd::fma(simd::abs(high), wider, high);
+    far_product = simd::fnma(simd::abs(low), wider, low);
+    const auto negative = static_cast<int>(simd::signs(inverse));
     entry[0] = negative & 1;
     entry[1] = negative >> 1 & 1;
     entry[2] = negative >> 2 & 1;
   }
   template <int kAxis>
-  LENTRAY_AVX2 static __m256 all(__m128 v) {
-    return _mm256_broadcastss_ps(_mm_permute_ps(v, kAxis * 0x55));
+  LENTRAY_AVX2 static Float8 all(Float4 v) {
+    return simd::float8(v[kAxis]);
   }
 };
 
@@ -274,14 +268,14 @@ LENTRAY_AVX2 bool WideBvh::traverse_avx2(const Ray& world, double t_min, double 
   if (m_nodes.empty()) return false;
   const WideRayAvx2 ray(world, m_frame);
   if (ray.misses) return false;
-  const __m256 ix = ray.all<0>(ray.inverse), iy = ray.all<1>(ray.inverse),
+  const Float8 ix = ray.all<0>(ray.inverse), iy = ray.all<1>(ray.inverse),
                iz = ray.all<2>(ray.inverse);
-  const __m256 nx = ray.all<0>(ray.near_product), ny = ray.all<1>(ray.near_product),
+  const Float8 nx = ray.all<0>(ray.near_product), ny = ray.all<1>(ray.near_product),
                nz = ray.all<2>(ray.near_product);
-  const __m256 fx = ray.all<0>(ray.far_product), fy = ray.all<1>(ray.far_product),
+  const Float8 fx = ray.all<0>(ray.far_product), fy = ray.all<1>(ray.far_product),
                fz = ray.all<2>(ray.far_product);
   const int ex = ray.entry[0], ey = ray.entry[1], ez = ray.entry[2];
-  const __m256 from = _mm256_set1_ps(ray.lower(t_min));
+  const Float8 from = simd::float8(ray.lower(t_min));
   float to = ray.upper(t_max);
   Entry stack[kStack];
   int top = 0;
@@ -301,18 +295,17 @@ LENTRAY_AVX2 bool WideBvh::traverse_avx2(const Ray& world, double t_min, double 
       const WideNode& node = m_nodes[at];
       count.add(node);
       const auto& p = node.planes;
-      const __m256 t1x = _mm256_fmsub_ps(_mm256_load_ps(p[0][ex]), ix, nx);
-      const __m256 t1y = _mm256_fmsub_ps(_mm256_load_ps(p[1][ey]), iy, ny);
-      const __m256 t1z = _mm256_fmsub_ps(_mm256_load_ps(p[2][ez]), iz, nz);
-      const __m256 t2x = _mm256_fmsub_ps(_mm256_load_ps(p[0][ex ^ 1]), ix, fx);
-      const __m256 t2y = _mm256_fmsub_ps(_mm256_load_ps(p[1][ey ^ 1]), iy, fy);
-      const __m256 t2z = _mm256_fmsub_ps(_mm256_load_ps(p[2][ez ^ 1]), iz, fz);
-      __m256 t1 = _mm256_max_ps(_mm256_max_ps(t1x, t1y), t1z);
-      __m256 t2 = _mm256_min_ps(_mm256_min_ps(t2x, t2y), t2z);
-      t1 = _mm256_max_ps(t1, from);
-      t2 = _mm256_min_ps(t2, _mm256_set1_ps(to));
-      std::uint32_t hit = static_cast<std::uint32_t>(
-          _mm256_movemask_ps(_mm256_cmp_ps(t1, t2, _CMP_LE_OQ)));
+      const Float8 t1x = simd::fms(simd::float8_at(p[0][ex]), ix, nx);
+      const Float8 t1y = simd::fms(simd::float8_at(p[1][ey]), iy, ny);
+      const Float8 t1z = simd::fms(simd::float8_at(p[2][ez]), iz, nz);
+      const Float8 t2x = simd::fms(simd::float8_at(p[0][ex ^ 1]), ix, fx);
+      const Float8 t2y = simd::fms(simd::float8_at(p[1][ey ^ 1]), iy, fy);
+      const Float8 t2z = simd::fms(simd::float8_at(p[2][ez ^ 1]), iz, fz);
+      Float8 t1 = simd::max(simd::max(t1x, t1y), t1z);
+      Float8 t2 = simd::min(simd::min(t2x, t2y), t2z);
+      t1 = simd::max(t1, from);
+      t2 = simd::min(t2, simd::float8(to));
+      std::uint32_t hit = simd::signs(t1 <= t2);
       if (hit != 0) {
         const int first = std::countr_zero(hit);
         hit &= hit - 1;
@@ -320,7 +313,7 @@ LENTRAY_AVX2 bool WideBvh::traverse_avx2(const Ray& world, double t_min, double 
           at = node.child[first];
           continue;
         }
-        _mm256_store_ps(entered, t1);
+        simd::store(entered, t1);
         const int base = top;
         stack[top++] = {entered[first], node.child[first]};
         do {

@@ -2,12 +2,10 @@
 // of generators 1 and 2.
 #pragma once
 
-#include <immintrin.h>
-
 #include <algorithm>
 #include <cstdint>
 
-#include "core/base/processor.h"
+#include "core/base/simd.h"
 #include "core/noise/noise.h"
 
 namespace lentray::core {
@@ -35,12 +33,11 @@ inline double in_range(double value, int generator) {
   return std::clamp(sum, 0.0, 1.0);
 }
 
-LENTRAY_AVX2 inline __m128d in_range(__m128d value, int generator) {
-  const auto each = [](double a) LENTRAY_AVX2 { return _mm_set1_pd(a); };
-  __m128d sum = _mm_add_pd(value, each(0.5));
-  if (generator == 3) sum = _mm_mul_pd(each(0.5), _mm_add_pd(_mm_mul_pd(each(1.59), value), each(0.985)));
-  if (generator == 2) sum = _mm_mul_pd(_mm_add_pd(value, each(1.05242)), each(0.48985582));
-  return _mm_min_pd(each(1.0), _mm_max_pd(_mm_setzero_pd(), sum));
+LENTRAY_AVX2 inline Double2 in_range(Double2 value, int generator) {
+  Double2 sum = value + 0.5;
+  if (generator == 3) sum = 0.5 * (1.59 * value + 0.985);
+  if (generator == 2) sum = (value + 1.05242) * 0.48985582;
+  return simd::min(simd::double2(1.0), simd::max(Double2{}, sum));
 }
 
 /// The cell of a negative number: less 1 - kCellEpsilon, without its fraction.
@@ -51,22 +48,20 @@ inline constexpr int kLatticeOrigin = 10000;
 /// Beyond, cells are not counted in 32 bits.
 inline constexpr double kFarCell = 1e9;
 
-LENTRAY_AVX2 inline bool is_near(__m256d p) {
-  const __m256d size = _mm256_andnot_pd(_mm256_set1_pd(-0.0), p);
-  return _mm256_movemask_pd(_mm256_cmp_pd(size, _mm256_set1_pd(kFarCell), _CMP_LT_OQ)) == 15;
+LENTRAY_AVX2 inline bool is_near(Double4 p) {
+  const Double4 size = simd::abs(p);
+  return simd::signs(size < kFarCell) == 15;
 }
 
-LENTRAY_AVX2 inline __m256d s_curve(__m256d t) {
-  const __m256d slope = _mm256_sub_pd(_mm256_set1_pd(3.0), _mm256_mul_pd(_mm256_set1_pd(2.0), t));
-  return _mm256_mul_pd(_mm256_mul_pd(t, t), slope);
+LENTRAY_AVX2 inline Double4 s_curve(Double4 t) {
+  const Double4 slope = 3.0 - 2.0 * t;
+  return t * t * slope;
 }
 
 /// Where a cell of x, y, z may be kept, before it is taken modulo the number of places; neighbours have different ones.
-LENTRAY_AVX2 inline std::size_t lattice_slot(__m128i cell) {
-  const __m128i low_halves = _mm_set_epi8(-1, -1, -1, -1, -1, -1, -1, -1, -1, -1, 9, 8, 5, 4, 1, 0);
-  const __m128i sums = _mm_madd_epi16(_mm_shuffle_epi8(cell, low_halves), _mm_set_epi16(0, 0, 0, 0, 0, 64, 8, 1));
-  const auto both = static_cast<std::uint64_t>(_mm_cvtsi128_si64(sums));
-  return (both + (both >> 32));
+LENTRAY_AVX2 inline std::size_t lattice_slot(Int4 cell) {
+  const std::uint64_t both = simd::packed_sums(cell);
+  return both + (both >> 32);
 }
 
 /// Noise of generator 1 or 2 at a point, 0..1.

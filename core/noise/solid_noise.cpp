@@ -1,7 +1,5 @@
 #include "core/noise/solid_noise.h"
 
-#include <immintrin.h>
-
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -91,11 +89,11 @@ struct KnownCell {
   alignas(32) double layers[2][3][4];
   alignas(16) std::array<int, 4> index{};  ///< along x, y, z, and 1; of none the last is 0
 
-  void fill(__m128i of);
+  void fill(Int4 of);
 };
 
-[[gnu::noinline]] void KnownCell::fill(__m128i of) {
-  _mm_store_si128(reinterpret_cast<__m128i*>(index.data()), of);
+[[gnu::noinline]] void KnownCell::fill(Int4 of) {
+  simd::store(index.data(), of);
   const auto permuted = [](int i) { return kSolid.permutation[static_cast<std::size_t>(i)]; };
   const auto within = [](int i) { return i & (SolidTables::kEntries - 1); };
   const int i = permuted(within(index[0])), j = permuted(within(index[0] + 1));
@@ -115,51 +113,50 @@ thread_local constinit std::array<KnownCell, kKnownCells> t_cells{};
 
 /// A point, and the cell it lies in.
 struct Place {
-  __m256d point;     ///< x, y, z moved, and anything
-  __m256d whole;     ///< of it
-  __m128i cell;      ///< x, y, z, and 1: unlike that of all cells kept, where it is beyond them
+  Double4 point;     ///< x, y, z moved, and anything
+  Double4 whole;     ///< of it
+  Int4 cell;         ///< x, y, z, and 1: unlike that of all cells kept, where it is beyond them
   KnownCell& known;  ///< where it is kept, if it is
 
-  LENTRAY_AVX2 explicit Place(__m256d p) : Place(p, _mm256_floor_pd(p)) {}
+  LENTRAY_AVX2 explicit Place(Double4 p) : Place(p, simd::floor(p)) {}
   LENTRAY_AVX2 bool is_known() const {
-    const __m128i same = _mm_cmpeq_epi32(cell, _mm_load_si128(reinterpret_cast<const __m128i*>(known.index.data())));
-    return _mm_movemask_epi8(same) == 0xFFFF;
+    return simd::are_same(cell, simd::int4_at(known.index.data()));
   }
 
  private:
-  LENTRAY_AVX2 Place(__m256d p, __m256d w) : Place(p, w, cell_of(w)) {}
-  LENTRAY_AVX2 Place(__m256d p, __m256d w, __m128i c) : point(p), whole(w), cell(c), known(t_cells[lattice_slot(c) % kKnownCells]) {}
-  LENTRAY_AVX2 static __m128i cell_of(__m256d whole) {
-    return _mm_blend_epi32(_mm256_cvttpd_epi32(whole), _mm_set1_epi32(1), 8);
+  LENTRAY_AVX2 Place(Double4 p, Double4 w) : Place(p, w, cell_of(w)) {}
+  LENTRAY_AVX2 Place(Double4 p, Double4 w, Int4 c) : point(p), whole(w), cell(c), known(t_cells[lattice_slot(c) % kKnownCells]) {}
+  LENTRAY_AVX2 static Int4 cell_of(Double4 whole) {
+    return simd::shuffled<0, 1, 2, 7>(simd::truncated(whole), simd::int4(1));
   }
 };
 
 /// Between the corners of a known cell along x: y low in both layers, y high in both; and the weights.
 struct AlongX {
-  __m256d value, weight;
+  Double4 value, weight;
 };
 
 [[gnu::always_inline]] LENTRAY_AVX2 inline AlongX along_x(const Place& at) {
-  const __m256d near = _mm256_sub_pd(at.point, at.whole), far = _mm256_sub_pd(near, _mm256_set1_pd(1.0));
-  const __m256d weight = s_curve(near);
-  const __m256d xz = _mm256_unpacklo_pd(near, far), only_y = _mm256_unpackhi_pd(near, far);
-  const __m256d x = _mm256_permute2f128_pd(xz, xz, 0), y = _mm256_permute4x64_pd(only_y, 0x50);
-  const auto layer = [&](const double(&g)[3][4], __m256d z) LENTRAY_AVX2 {
-    const __m256d sum = _mm256_add_pd(_mm256_mul_pd(x, _mm256_load_pd(g[0])), _mm256_mul_pd(y, _mm256_load_pd(g[1])));
-    return _mm256_add_pd(sum, _mm256_mul_pd(z, _mm256_load_pd(g[2])));
+  const Double4 near = at.point - at.whole, far = near - 1.0;
+  const Double4 weight = s_curve(near);
+  const Double4 xz = simd::shuffled<0, 4, 2, 6>(near, far), only_y = simd::shuffled<1, 5, 3, 7>(near, far);
+  const Double4 x = simd::shuffled<0, 1, 0, 1>(xz), y = simd::shuffled<0, 0, 1, 1>(only_y);
+  const auto layer = [&](const double(&g)[3][4], Double4 z) LENTRAY_AVX2 {
+    const Double4 sum = x * simd::double4_at(g[0]) + y * simd::double4_at(g[1]);
+    return sum + z * simd::double4_at(g[2]);
   };
-  const __m256d low = layer(at.known.layers[0], _mm256_permute4x64_pd(xz, 0xAA));
-  const __m256d high = layer(at.known.layers[1], _mm256_permute4x64_pd(xz, 0xFF));
-  const __m256d x_low = _mm256_unpacklo_pd(low, high), x_high = _mm256_unpackhi_pd(low, high);
-  const __m256d x_weight = _mm256_permute4x64_pd(weight, 0x00);
-  return {_mm256_add_pd(x_low, _mm256_mul_pd(x_weight, _mm256_sub_pd(x_high, x_low))), weight};
+  const Double4 low = layer(at.known.layers[0], simd::shuffled<2, 2, 2, 2>(xz));
+  const Double4 high = layer(at.known.layers[1], simd::shuffled<3, 3, 3, 3>(xz));
+  const Double4 x_low = simd::shuffled<0, 4, 2, 6>(low, high), x_high = simd::shuffled<1, 5, 3, 7>(low, high);
+  const Double4 x_weight = simd::shuffled<0, 0, 0, 0>(weight);
+  return {x_low + x_weight * (x_high - x_low), weight};
 }
 
 /// solid_noise_portable of both points, to the bit. Calls nothing where the cells are known.
 [[gnu::noinline]] LENTRAY_AVX2 NoisePair solid_pair_avx2(NoisePair x, NoisePair y, NoisePair z);
 
 [[gnu::noinline]] LENTRAY_AVX2 NoisePair in_new_cells(NoisePair x, NoisePair y, NoisePair z, const Place& a, const Place& b) {
-  const bool is_shared = &a.known == &b.known && _mm_movemask_epi8(_mm_cmpeq_epi32(a.cell, b.cell)) != 0xFFFF;
+  const bool is_shared = &a.known == &b.known && !simd::are_same(a.cell, b.cell);
   // Of two that share a place one only can be kept.
   if (is_shared || !is_near(a.point) || !is_near(b.point)) {
     const double first = solid_noise_portable({x[0], y[0], z[0]});
@@ -171,38 +168,34 @@ struct AlongX {
 }
 
 [[gnu::noinline]] LENTRAY_AVX2 NoisePair solid_pair_avx2(NoisePair x, NoisePair y, NoisePair z) {
-  const __m128d origin = _mm_set1_pd(kSolidOrigin);
-  const __m128d tx = _mm_add_pd(x, origin), ty = _mm_add_pd(y, origin), tz = _mm_add_pd(z, origin);
-  const Place a(_mm256_set_m128d(_mm_unpacklo_pd(tz, tz), _mm_unpacklo_pd(tx, ty)));
-  const Place b(_mm256_set_m128d(_mm_unpackhi_pd(tz, tz), _mm_unpackhi_pd(tx, ty)));
+  const Double2 tx = x + kSolidOrigin, ty = y + kSolidOrigin, tz = z + kSolidOrigin;
+  const Place a(simd::joined(simd::shuffled<0, 2>(tx, ty), simd::shuffled<0, 2>(tz)));
+  const Place b(simd::joined(simd::shuffled<1, 3>(tx, ty), simd::shuffled<1, 3>(tz)));
   if (!a.is_known() || !b.is_known()) [[unlikely]] return in_new_cells(x, y, z, a, b);
   const AlongX of_a = along_x(a), of_b = along_x(b);
-  const __m256d y_low = _mm256_permute2f128_pd(of_a.value, of_b.value, 0x20);
-  const __m256d y_high = _mm256_permute2f128_pd(of_a.value, of_b.value, 0x31);
-  const __m256d weights = _mm256_permute2f128_pd(of_a.weight, of_b.weight, 0x20);
-  const __m256d planes = _mm256_add_pd(
-      y_low, _mm256_mul_pd(_mm256_unpackhi_pd(weights, weights), _mm256_sub_pd(y_high, y_low)));
-  const __m128d first = _mm256_castpd256_pd128(planes), second = _mm256_extractf128_pd(planes, 1);
-  const __m128d z_low = _mm_unpacklo_pd(first, second), z_high = _mm_unpackhi_pd(first, second);
-  const __m128d z_weight =
-      _mm_unpacklo_pd(_mm256_extractf128_pd(of_a.weight, 1), _mm256_extractf128_pd(of_b.weight, 1));
-  return _mm_add_pd(z_low, _mm_mul_pd(z_weight, _mm_sub_pd(z_high, z_low)));
+  const Double4 y_low = simd::shuffled<0, 1, 4, 5>(of_a.value, of_b.value);
+  const Double4 y_high = simd::shuffled<2, 3, 6, 7>(of_a.value, of_b.value);
+  const Double4 weights = simd::shuffled<0, 1, 4, 5>(of_a.weight, of_b.weight);
+  const Double4 planes = y_low + simd::shuffled<1, 5, 3, 7>(weights) * (y_high - y_low);
+  const Double2 first = simd::first_half(planes), second = simd::last_half(planes);
+  const Double2 z_low = simd::shuffled<0, 2>(first, second), z_high = simd::shuffled<1, 3>(first, second);
+  const Double2 z_weight = simd::shuffled<0, 2>(simd::last_half(of_a.weight), simd::last_half(of_b.weight));
+  return z_low + z_weight * (z_high - z_low);
 }
 
 /// The same of one point.
 [[gnu::noinline]] LENTRAY_AVX2 double solid_noise_avx2(double x, double y, double z) {
-  const __m256d origin = _mm256_set1_pd(kSolidOrigin);
-  const Place at(_mm256_add_pd(_mm256_set_pd(z, z, y, x), origin));
+  const Place at(Double4{x, y, z, z} + kSolidOrigin);
   if (!at.is_known()) [[unlikely]] {
     if (!is_near(at.point)) return solid_noise_portable({x, y, z});
     at.known.fill(at.cell);
   }
   const AlongX of = along_x(at);
-  const __m128d y_low = _mm256_castpd256_pd128(of.value), y_high = _mm256_extractf128_pd(of.value, 1);
-  const __m128d y_weight = _mm256_castpd256_pd128(_mm256_unpackhi_pd(of.weight, of.weight));
-  const __m128d planes = _mm_add_pd(y_low, _mm_mul_pd(y_weight, _mm_sub_pd(y_high, y_low)));
-  const double first = _mm_cvtsd_f64(planes), second = _mm_cvtsd_f64(_mm_unpackhi_pd(planes, planes));
-  return first + _mm_cvtsd_f64(_mm256_extractf128_pd(of.weight, 1)) * (second - first);
+  const Double2 y_low = simd::first_half(of.value), y_high = simd::last_half(of.value);
+  const Double2 y_weight = simd::first_half(simd::shuffled<1, 5, 3, 7>(of.weight));
+  const Double2 planes = y_low + y_weight * (y_high - y_low);
+  const double first = planes[0], second = planes[1];
+  return first + simd::last_half(of.weight)[0] * (second - first);
 }
 
 }  // namespace

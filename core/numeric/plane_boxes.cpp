@@ -1,9 +1,9 @@
 #include "core/numeric/plane_boxes.h"
 
-#include <immintrin.h>
-
 #include <algorithm>
 #include <cmath>
+
+#include "core/base/simd.h"
 
 namespace lentray::core {
 namespace {
@@ -51,25 +51,24 @@ void PlaneBoxes::fill(const std::vector<PlaneBox>& boxes, const PlaneBox& around
 
 PlaneBoxes::Line::Line(const PlaneWay& way, const Vec2& lo, const Vec2& share) {
   constexpr double kFar = 0x1p9;  // of the box around: farther, floats tell too little
-  const __m128d sign = _mm_set1_pd(-0.0), one_half = _mm_set1_pd(0.5), shares = _mm_loadu_pd(&share.u);
+  const Double2 shares = simd::double2_at(&share.u);
   const auto in_shares = [&](const Vec2& p) {
-    return _mm_mul_pd(_mm_sub_pd(_mm_loadu_pd(&p.u), _mm_loadu_pd(&lo.u)), shares);
+    return (simd::double2_at(&p.u) - simd::double2_at(&lo.u)) * shares;
   };
-  const auto sum = [](__m128d uv) { return _mm_cvtsd_f64(_mm_add_sd(uv, _mm_unpackhi_pd(uv, uv))); };
-  const __m128d begin = in_shares(way.begin), end = in_shares(way.end);
-  const __m128d along = _mm_sub_pd(end, begin), length = _mm_andnot_pd(sign, along);
-  const __m128d between = _mm_mul_pd(_mm_add_pd(begin, end), one_half);
-  const double far = sum(_mm_add_pd(_mm_andnot_pd(sign, between), length));
+  const auto sum = [](Double2 uv) { return uv[0] + uv[1]; };
+  const Double2 begin = in_shares(way.begin), end = in_shares(way.end);
+  const Double2 along = end - begin, length = simd::abs(along);
+  const Double2 between = (begin + end) * 0.5;
+  const double far = sum(simd::abs(between) + length);
   if (!way.is_known || !(share.u > 0.0) || !(far < kFar)) {
     middle[0] = middle[1] = across[0] = across[1] = reach = 0.0f;
     half[0] = half[1] = 1e15f;
     return;
   }
   const double slack = kRounding * (1.0 + far) + way.slack * std::max(share.u, share.v);
-  const auto put = [](float* at, __m128d uv) { _mm_storel_pi(reinterpret_cast<__m64*>(at), _mm_cvtpd_ps(uv)); };
-  put(middle, between);
-  put(half, _mm_add_pd(_mm_mul_pd(length, one_half), _mm_set1_pd(slack)));
-  put(across, _mm_xor_pd(_mm_shuffle_pd(along, along, 1), _mm_set_pd(-0.0, 0.0)));
+  simd::store_narrowed(middle, between);
+  simd::store_narrowed(half, length * 0.5 + slack);
+  simd::store_narrowed(across, simd::shuffled<1, 0>(along) * Double2{1.0, -1.0});
   reach = static_cast<float>(sum(length) * slack);
 }
 
@@ -88,23 +87,22 @@ std::uint64_t PlaneBoxes::touched_portable(const Line& line, const Eight* first,
 }
 
 LENTRAY_AVX2 std::uint64_t PlaneBoxes::touched_avx2(const Line& line, const Eight* first, std::size_t count) {
-  const __m256 sign = _mm256_set1_ps(-0.0f);
-  const __m256 middle_u = _mm256_set1_ps(line.middle[0]), middle_v = _mm256_set1_ps(line.middle[1]);
-  const __m256 wide_u = _mm256_set1_ps(line.half[0]), wide_v = _mm256_set1_ps(line.half[1]);
-  const __m256 nu = _mm256_set1_ps(line.across[0]), nv = _mm256_set1_ps(line.across[1]), reach = _mm256_set1_ps(line.reach);
-  const __m256 abs_nu = _mm256_andnot_ps(sign, nu), abs_nv = _mm256_andnot_ps(sign, nv);
+  const Float8 middle_u = simd::float8(line.middle[0]), middle_v = simd::float8(line.middle[1]);
+  const Float8 wide_u = simd::float8(line.half[0]), wide_v = simd::float8(line.half[1]);
+  const Float8 nu = simd::float8(line.across[0]), nv = simd::float8(line.across[1]), reach = simd::float8(line.reach);
+  const Float8 abs_nu = simd::abs(nu), abs_nv = simd::abs(nv);
   std::uint64_t touched = 0;
   for (std::size_t i = count; i-- > 0;) {
     const Eight& eight = first[i];
-    const __m256 u = _mm256_sub_ps(_mm256_load_ps(eight.u), middle_u);
-    const __m256 v = _mm256_sub_ps(_mm256_load_ps(eight.v), middle_v);
-    const __m256 du = _mm256_load_ps(eight.du), dv = _mm256_load_ps(eight.dv);
-    const __m256 off = _mm256_fmadd_ps(u, nu, _mm256_mul_ps(v, nv));
-    const __m256 most = _mm256_fmadd_ps(du, abs_nu, _mm256_fmadd_ps(dv, abs_nv, reach));
-    __m256 in = _mm256_cmp_ps(_mm256_andnot_ps(sign, u), _mm256_add_ps(du, wide_u), _CMP_LE_OQ);
-    in = _mm256_and_ps(in, _mm256_cmp_ps(_mm256_andnot_ps(sign, v), _mm256_add_ps(dv, wide_v), _CMP_LE_OQ));
-    in = _mm256_and_ps(in, _mm256_cmp_ps(_mm256_andnot_ps(sign, off), most, _CMP_LE_OQ));
-    touched = touched << kLanes | static_cast<std::uint64_t>(_mm256_movemask_ps(in));
+    const Float8 u = simd::float8_at(eight.u) - middle_u;
+    const Float8 v = simd::float8_at(eight.v) - middle_v;
+    const Float8 du = simd::float8_at(eight.du), dv = simd::float8_at(eight.dv);
+    const Float8 off = simd::fma(u, nu, v * nv);
+    const Float8 most = simd::fma(du, abs_nu, simd::fma(dv, abs_nv, reach));
+    Int8 in = simd::abs(u) <= du + wide_u;
+    in &= simd::abs(v) <= dv + wide_v;
+    in &= simd::abs(off) <= most;
+    touched = touched << kLanes | simd::signs(in);
   }
   return touched;
 }

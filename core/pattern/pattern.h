@@ -3,12 +3,11 @@
 // Source: reference manual 3.7, "Patterns"; values compared with stock by image.patterns.
 #pragma once
 
-#include <emmintrin.h>
-
 #include <cmath>
 #include <cstdint>
 #include <memory>
 
+#include "core/base/simd.h"
 #include "core/base/vec3.h"
 #include "core/pattern/surface_context.h"
 
@@ -29,7 +28,7 @@ class Pattern {
 /// The whole number at or below: std::floor is a call where the processor need not have it. Beyond 2^63,
 /// where functions may ask, and of nan some whole number.
 inline std::int64_t whole_below(double v) {
-  const std::int64_t i = _mm_cvttsd_si64(_mm_set_sd(v));
+  const std::int64_t i = simd::truncated(v);
   return static_cast<std::int64_t>(static_cast<std::uint64_t>(i) - (v < static_cast<double>(i) ? 1 : 0));
 }
 

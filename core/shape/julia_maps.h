@@ -5,8 +5,6 @@
 // how steps are chosen, are stock's, measured by image.julia.
 #pragma once
 
-#include <emmintrin.h>
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -14,6 +12,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "core/base/simd.h"
 #include "core/numeric/complex_functions.h"
 #include "core/shape/julia_fractal.h"
 
@@ -140,17 +139,16 @@ class QuaternionMap {
       const Vec3 &a = p[i == 0 ? 0 : 2], &b = p[i == 0 ? 1 : 2];
       q[i] = {Pair{a.x, b.x}, Pair{a.y, b.y}, Pair{a.z, b.z}, Pair{m_common.fourth(a), m_common.fourth(b)}};
     }
-    const __m128d escape = _mm_set1_pd(m_common.escape);
-    __m128d lost[2] = {_mm_setzero_pd(), _mm_setzero_pd()};
+    PairBits lost[2] = {};
     for (int round = 0; round < m_common.rounds; ++round) {
       for (int i = 0; i < 2; ++i) {
         const Pair rest = q[i].y * q[i].y + q[i].z * q[i].z + q[i].w * q[i].w, xx = q[i].x * q[i].x;
-        lost[i] = _mm_or_pd(lost[i], _mm_cmpgt_pd(rest + xx, escape));
+        lost[i] |= rest + xx > m_common.escape;
         q[i] = Rule::next(q[i], xx, rest, m_common.c);
       }
-      if (_mm_movemask_pd(_mm_and_pd(lost[0], lost[1])) == 3) break;
+      if (simd::signs(lost[0] & lost[1]) == 3) break;
     }
-    const int first = _mm_movemask_pd(lost[0]), second = _mm_movemask_pd(lost[1]);
+    const unsigned first = simd::signs(lost[0]), second = simd::signs(lost[1]);
     return {(first & 1) == 0, (first & 2) == 0, (second & 1) == 0};
   }
 

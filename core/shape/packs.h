@@ -3,11 +3,10 @@
 // these repeat lane by lane (no fused operations); unit tests hold them to it.
 #pragma once
 
-#include <immintrin.h>
-
 #include <cstdint>
 #include <optional>
 
+#include "core/base/simd.h"
 #include "core/bvh/wide_bvh.h"
 #include "core/numeric/triangle_test.h"
 #include "core/shape/polygon.h"
@@ -144,130 +143,106 @@ inline unsigned intersect_portable(const PolygonPack& pack, const PackRay& r, do
   return mask;
 }
 
-LENTRAY_AVX2 inline __m256d dot_lanes(__m256d ax, __m256d ay, __m256d az, __m256d bx, __m256d by,
-                                      __m256d bz) {
-  return _mm256_add_pd(_mm256_add_pd(_mm256_mul_pd(ax, bx), _mm256_mul_pd(ay, by)),
-                       _mm256_mul_pd(az, bz));
+LENTRAY_AVX2 inline Double4 dot_lanes(Double4 ax, Double4 ay, Double4 az, Double4 bx, Double4 by, Double4 bz) {
+  return ax * bx + ay * by + az * bz;
 }
 
 LENTRAY_AVX2 inline unsigned intersect_avx2(const SpherePack& pack, const PackRay& r,
                                             double t_min, double t_max, PackHits& hits) {
   const Vec3& o = r.ray.origin;
   const Vec3& d = r.ray.direction;
-  const __m256d dx = _mm256_set1_pd(d.x), dy = _mm256_set1_pd(d.y), dz = _mm256_set1_pd(d.z);
-  const __m256d inverse_dd = _mm256_set1_pd(r.inverse_dd);
-  const __m256d ox = _mm256_sub_pd(_mm256_load_pd(pack.centre[0]), _mm256_set1_pd(o.x));
-  const __m256d oy = _mm256_sub_pd(_mm256_load_pd(pack.centre[1]), _mm256_set1_pd(o.y));
-  const __m256d oz = _mm256_sub_pd(_mm256_load_pd(pack.centre[2]), _mm256_set1_pd(o.z));
-  const __m256d tm = _mm256_mul_pd(dot_lanes(ox, oy, oz, dx, dy, dz), inverse_dd);
-  const __m256d px = _mm256_sub_pd(ox, _mm256_mul_pd(dx, tm));
-  const __m256d py = _mm256_sub_pd(oy, _mm256_mul_pd(dy, tm));
-  const __m256d pz = _mm256_sub_pd(oz, _mm256_mul_pd(dz, tm));
-  const __m256d h = _mm256_sub_pd(_mm256_load_pd(pack.radius2), dot_lanes(px, py, pz, px, py, pz));
-  const __m256d met = _mm256_cmp_pd(h, _mm256_setzero_pd(), _CMP_GE_OQ);
-  if (_mm256_movemask_pd(met) == 0) return 0;
-  const __m256d s = _mm256_sqrt_pd(_mm256_mul_pd(h, inverse_dd));
-  const __m256d t0 = _mm256_sub_pd(tm, s), t1 = _mm256_add_pd(tm, s);
-  const __m256d low = _mm256_set1_pd(t_min);
-  const __m256d t = _mm256_blendv_pd(t1, t0, _mm256_cmp_pd(t0, low, _CMP_GT_OQ));
-  const __m256d in = _mm256_and_pd(_mm256_cmp_pd(t, low, _CMP_GT_OQ),
-                                   _mm256_cmp_pd(t, _mm256_set1_pd(t_max), _CMP_LE_OQ));
-  _mm256_store_pd(hits.t, t);
-  _mm256_store_pd(hits.u, _mm256_setzero_pd());
-  _mm256_store_pd(hits.v, _mm256_setzero_pd());
-  return static_cast<unsigned>(_mm256_movemask_pd(_mm256_and_pd(met, in)));
+  const Double4 dx = simd::double4(d.x), dy = simd::double4(d.y), dz = simd::double4(d.z);
+  const Double4 inverse_dd = simd::double4(r.inverse_dd);
+  const Double4 ox = simd::double4_at(pack.centre[0]) - o.x;
+  const Double4 oy = simd::double4_at(pack.centre[1]) - o.y;
+  const Double4 oz = simd::double4_at(pack.centre[2]) - o.z;
+  const Double4 tm = dot_lanes(ox, oy, oz, dx, dy, dz) * inverse_dd;
+  const Double4 px = ox - dx * tm;
+  const Double4 py = oy - dy * tm;
+  const Double4 pz = oz - dz * tm;
+  const Double4 h = simd::double4_at(pack.radius2) - dot_lanes(px, py, pz, px, py, pz);
+  const Long4 met = h >= Double4{};
+  if (simd::signs(met) == 0) return 0;
+  const Double4 s = simd::sqrt(h * inverse_dd);
+  const Double4 t0 = tm - s, t1 = tm + s;
+  const Double4 low = simd::double4(t_min);
+  const Double4 t = simd::chosen(t0 > low, t0, t1);
+  const Long4 in = (t > low) & (t <= t_max);
+  simd::store(hits.t, t);
+  simd::store(hits.u, Double4{});
+  simd::store(hits.v, Double4{});
+  return simd::signs(met & in);
 }
 
 LENTRAY_AVX2 inline unsigned intersect_avx2(const TrianglePack& pack, const PackRay& r,
                                             double t_min, double t_max, PackHits& hits) {
   const ShearedRay& s = *r.sheared;
-  const __m256d ox = _mm256_set1_pd(s.origin[s.kx]), oy = _mm256_set1_pd(s.origin[s.ky]),
-                oz = _mm256_set1_pd(s.origin[s.kz]);
-  const __m256d sx = _mm256_set1_pd(s.sx), sy = _mm256_set1_pd(s.sy);
-  __m256d x[3], y[3], z[3];
+  const Double4 ox = simd::double4(s.origin[s.kx]), oy = simd::double4(s.origin[s.ky]),
+                oz = simd::double4(s.origin[s.kz]);
+  const Double4 sx = simd::double4(s.sx), sy = simd::double4(s.sy);
+  Double4 x[3], y[3], z[3];
   for (int c = 0; c < 3; ++c) {
-    z[c] = _mm256_sub_pd(_mm256_load_pd(pack.corner[c][s.kz]), oz);
-    x[c] = _mm256_sub_pd(_mm256_sub_pd(_mm256_load_pd(pack.corner[c][s.kx]), ox),
-                         _mm256_mul_pd(sx, z[c]));
-    y[c] = _mm256_sub_pd(_mm256_sub_pd(_mm256_load_pd(pack.corner[c][s.ky]), oy),
-                         _mm256_mul_pd(sy, z[c]));
+    z[c] = simd::double4_at(pack.corner[c][s.kz]) - oz;
+    x[c] = simd::double4_at(pack.corner[c][s.kx]) - ox - sx * z[c];
+    y[c] = simd::double4_at(pack.corner[c][s.ky]) - oy - sy * z[c];
   }
-  const __m256d u = _mm256_sub_pd(_mm256_mul_pd(x[2], y[1]), _mm256_mul_pd(y[2], x[1]));
-  const __m256d v = _mm256_sub_pd(_mm256_mul_pd(x[0], y[2]), _mm256_mul_pd(y[0], x[2]));
-  const __m256d w = _mm256_sub_pd(_mm256_mul_pd(x[1], y[0]), _mm256_mul_pd(y[1], x[0]));
-  const __m256d zero = _mm256_setzero_pd();
-  const __m256d below = _mm256_or_pd(_mm256_or_pd(_mm256_cmp_pd(u, zero, _CMP_LT_OQ),
-                                                  _mm256_cmp_pd(v, zero, _CMP_LT_OQ)),
-                                     _mm256_cmp_pd(w, zero, _CMP_LT_OQ));
-  const __m256d above = _mm256_or_pd(_mm256_or_pd(_mm256_cmp_pd(u, zero, _CMP_GT_OQ),
-                                                  _mm256_cmp_pd(v, zero, _CMP_GT_OQ)),
-                                     _mm256_cmp_pd(w, zero, _CMP_GT_OQ));
-  const __m256d det = _mm256_add_pd(_mm256_add_pd(u, v), w);
-  const __m256d met =
-      _mm256_andnot_pd(_mm256_and_pd(below, above), _mm256_cmp_pd(det, zero, _CMP_NEQ_UQ));
-  if (_mm256_movemask_pd(met) == 0) return 0;
-  const __m256d t = _mm256_div_pd(
-      _mm256_mul_pd(_mm256_add_pd(_mm256_add_pd(_mm256_mul_pd(u, z[0]), _mm256_mul_pd(v, z[1])),
-                                  _mm256_mul_pd(w, z[2])),
-                    _mm256_set1_pd(s.sz)),
-      det);
-  const __m256d in = _mm256_and_pd(_mm256_cmp_pd(t, _mm256_set1_pd(t_min), _CMP_GT_OQ),
-                                   _mm256_cmp_pd(t, _mm256_set1_pd(t_max), _CMP_LE_OQ));
-  const __m256d hit = _mm256_and_pd(met, in);
-  const int mask = _mm256_movemask_pd(hit);
+  const Double4 u = x[2] * y[1] - y[2] * x[1];
+  const Double4 v = x[0] * y[2] - y[0] * x[2];
+  const Double4 w = x[1] * y[0] - y[1] * x[0];
+  const Double4 zero{};
+  const Long4 below = (u < zero) | (v < zero) | (w < zero);
+  const Long4 above = (u > zero) | (v > zero) | (w > zero);
+  const Double4 det = u + v + w;
+  const Long4 met = ~(below & above) & (det != zero);
+  if (simd::signs(met) == 0) return 0;
+  const Double4 t = (u * z[0] + v * z[1] + w * z[2]) * s.sz / det;
+  const Long4 in = (t > t_min) & (t <= t_max);
+  const Long4 hit = met & in;
+  const unsigned mask = simd::signs(hit);
   if (mask == 0) return 0;
-  _mm256_store_pd(hits.t, t);
-  _mm256_store_pd(hits.u, _mm256_div_pd(v, det));
-  _mm256_store_pd(hits.v, _mm256_div_pd(w, det));
-  return static_cast<unsigned>(mask);
+  simd::store(hits.t, t);
+  simd::store(hits.u, v / det);
+  simd::store(hits.v, w / det);
+  return mask;
 }
 
 LENTRAY_AVX2 inline unsigned intersect_avx2(const PolygonPack& pack, const PackRay& r,
                                             double t_min, double t_max, PackHits& hits) {
   const Vec3& o = r.ray.origin;
   const Vec3& d = r.ray.direction;
-  const __m256d nx = _mm256_load_pd(pack.normal[0]), ny = _mm256_load_pd(pack.normal[1]),
-                nz = _mm256_load_pd(pack.normal[2]);
-  const __m256d slope =
-      dot_lanes(nx, ny, nz, _mm256_set1_pd(d.x), _mm256_set1_pd(d.y), _mm256_set1_pd(d.z));
-  const __m256d height =
-      dot_lanes(nx, ny, nz, _mm256_set1_pd(o.x), _mm256_set1_pd(o.y), _mm256_set1_pd(o.z));
-  const __m256d t = _mm256_div_pd(_mm256_sub_pd(_mm256_load_pd(pack.offset), height), slope);
-  __m256d met = _mm256_and_pd(_mm256_cmp_pd(t, _mm256_set1_pd(t_min), _CMP_GT_OQ),
-                              _mm256_cmp_pd(t, _mm256_set1_pd(t_max), _CMP_LE_OQ));
-  if (_mm256_movemask_pd(met) == 0) return 0;
+  const Double4 nx = simd::double4_at(pack.normal[0]), ny = simd::double4_at(pack.normal[1]),
+                nz = simd::double4_at(pack.normal[2]);
+  const Double4 slope = nx * d.x + ny * d.y + nz * d.z;
+  const Double4 height = nx * o.x + ny * o.y + nz * o.z;
+  const Double4 t = (simd::double4_at(pack.offset) - height) / slope;
+  Long4 met = (t > t_min) & (t <= t_max);
+  if (simd::signs(met) == 0) return 0;
   // The ray's numbers as two registers, (o, dx) and (oz, d): d is one place further up.
-  const __m256i from = _mm256_castpd_si256(_mm256_loadu_pd(&o.x));
-  const __m256i along = _mm256_castpd_si256(_mm256_loadu_pd(&o.z));
-  __m256d at[2];
+  const Int8 from = Int8(simd::double4_at(&o.x)), along = Int8(simd::double4_at(&o.z));
+  Double4 at[2];
   for (int a = 0; a < 2; ++a) {
-    const __m256i axis = _mm256_load_si256(reinterpret_cast<const __m256i*>(pack.axis[a]));
-    const __m256i next = _mm256_add_epi32(axis, _mm256_set1_epi32(2));
-    const __m256d oa = _mm256_castsi256_pd(_mm256_permutevar8x32_epi32(from, axis));
-    const __m256d da = _mm256_castsi256_pd(_mm256_permutevar8x32_epi32(along, next));
-    at[a] = _mm256_add_pd(oa, _mm256_mul_pd(t, da));
-    met = _mm256_and_pd(met, _mm256_cmp_pd(at[a], _mm256_load_pd(pack.lo[a]), _CMP_GE_OQ));
-    met = _mm256_and_pd(met, _mm256_cmp_pd(at[a], _mm256_load_pd(pack.hi[a]), _CMP_LE_OQ));
+    const Int8 axis = simd::int8_at(pack.axis[a]);
+    const Double4 oa = Double4(simd::picked(from, axis)), da = Double4(simd::picked(along, axis + 2));
+    at[a] = oa + t * da;
+    met &= at[a] >= simd::double4_at(pack.lo[a]);
+    met &= at[a] <= simd::double4_at(pack.hi[a]);
   }
-  if (_mm256_movemask_pd(met) == 0) return 0;
-  const __m256d u = at[0], v = at[1];
-  __m256d odd = _mm256_setzero_pd();
+  if (simd::signs(met) == 0) return 0;
+  const Double4 u = at[0], v = at[1];
+  Long4 odd{};
   for (const EvenOddLanes& e : pack.edges) {
-    const __m256d u0 = _mm256_load_pd(e.u0), u1 = _mm256_load_pd(e.u1);
-    const __m256d v0 = _mm256_load_pd(e.v0), v1 = _mm256_load_pd(e.v1);
-    const __m256d spans = _mm256_xor_pd(_mm256_cmp_pd(v0, v, _CMP_GE_OQ),
-                                        _mm256_cmp_pd(v1, v, _CMP_GE_OQ));
-    const __m256d right =
-        _mm256_cmp_pd(_mm256_mul_pd(_mm256_sub_pd(u, u1), _mm256_sub_pd(v1, v0)),
-                      _mm256_mul_pd(_mm256_sub_pd(v1, v), _mm256_sub_pd(u0, u1)), _CMP_LE_OQ);
-    odd = _mm256_xor_pd(odd, _mm256_and_pd(spans, right));
+    const Double4 u0 = simd::double4_at(e.u0), u1 = simd::double4_at(e.u1);
+    const Double4 v0 = simd::double4_at(e.v0), v1 = simd::double4_at(e.v1);
+    const Long4 spans = (v0 >= v) ^ (v1 >= v);
+    const Long4 right = (u - u1) * (v1 - v0) <= (v1 - v) * (u0 - u1);
+    odd ^= spans & right;
   }
-  const int mask = _mm256_movemask_pd(_mm256_and_pd(met, odd));
+  const unsigned mask = simd::signs(met & odd);
   if (mask == 0) return 0;
-  _mm256_store_pd(hits.t, t);
-  _mm256_store_pd(hits.u, _mm256_setzero_pd());
-  _mm256_store_pd(hits.v, _mm256_setzero_pd());
-  return static_cast<unsigned>(mask);
+  simd::store(hits.t, t);
+  simd::store(hits.u, Double4{});
+  simd::store(hits.v, Double4{});
+  return mask;
 }
 
 }  // namespace lentray::core

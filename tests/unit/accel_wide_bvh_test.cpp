@@ -101,7 +101,7 @@ TEST_P(UnitCoreWideBvh, NoBoxThatARayMeetsIsLost) {
     Visited portable{bvh, {}};
     bvh.traverse_portable(ray, t_min, t_max, portable, nothing);
     ASSERT_TRUE(portable.parts.count(target)) << "portable, ray " << i;
-    if (has_avx2()) {
+    if (can_run_avx2()) {
       Visited ordered{bvh, {}}, any{bvh, {}};
       bvh.traverse_avx2<true>(ray, t_min, t_max, ordered, nothing);
       ASSERT_TRUE(ordered.parts.count(target)) << "AVX2, ray " << i;
@@ -149,7 +149,7 @@ TEST(UnitCoreWideBvhShape, RaysInThePlanesOfFlatBoxesMeetThem) {
       Visited portable{bvh, {}}, avx2{bvh, {}};
       CountNothing nothing;
       bvh.traverse_portable(ray, 0, Bounds::kInf, portable, nothing);
-      if (has_avx2()) bvh.traverse_avx2<true>(ray, 0, Bounds::kInf, avx2, nothing);
+      if (can_run_avx2()) bvh.traverse_avx2<true>(ray, 0, Bounds::kInf, avx2, nothing);
       for (std::uint32_t b = 0; b < boxes.size(); ++b) {
         Bounds line{ray.origin, ray.origin};
         line.lo[axis] = -9;
@@ -157,7 +157,7 @@ TEST(UnitCoreWideBvhShape, RaysInThePlanesOfFlatBoxesMeetThem) {
         line.intersect(boxes[b]);
         if (line.is_empty()) continue;
         ASSERT_TRUE(portable.parts.count(b)) << axis << ' ' << i << ' ' << b;
-        if (has_avx2()) { ASSERT_TRUE(avx2.parts.count(b)) << axis << ' ' << i; }
+        if (can_run_avx2()) { ASSERT_TRUE(avx2.parts.count(b)) << axis << ' ' << i; }
       }
     }
   }
@@ -182,7 +182,7 @@ TEST(UnitCoreWideBvhShape, RaysFromAfarMeetTheCornersOfFlatBoxes) {
     CountNothing nothing;
     bvh.traverse_portable(ray, t, t, portable, nothing);
     ASSERT_TRUE(portable.parts.count(target)) << i;
-    if (!has_avx2()) continue;
+    if (!can_run_avx2()) continue;
     bvh.traverse_avx2<true>(ray, t, t, avx2, nothing);
     ASSERT_TRUE(avx2.parts.count(target)) << i;
   }

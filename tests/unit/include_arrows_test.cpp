@@ -1,6 +1,6 @@
 // The arrows between folders: core knows nobody, camera knows core, shadow and parser know camera and
 // core but not each other, tools and tests may know all; within them a room knows the rooms below it, so that there are no
-// circles. OpenImageIO stays in core/image.
+// circles. OpenImageIO stays in core/image, processors' instructions in core/base/simd.h.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -50,6 +50,10 @@ std::string fault(const std::string& file, const std::string& included) {
   const std::string to = slash == std::string::npos ? "" : included.substr(0, slash);
   if (to == "OpenImageIO" && file.rfind("core/image/openimageio/", 0) != 0) {
     return "OpenImageIO is for core/image/openimageio alone";
+  }
+  static const std::regex instructions("[a-z0-9]*intrin\\.h|arm_[a-z0-9]+\\.h");
+  if (std::regex_match(included, instructions) && file != "core/base/simd.h") {
+    return "instructions are for core/base/simd.h alone";
   }
   if (kMayInclude.count(to) != 0 && kMayInclude.at(from).count(to) == 0) {
     return from + " must not know " + to;
@@ -123,6 +127,9 @@ TEST(UnitHouseArrows, TheRulesCanFail) {
   EXPECT_NE(fault("tools/lentray/main.cpp", "tests/support/render.h"), "");
   EXPECT_NE(fault("tools/lentray/main.cpp", "OpenImageIO/imageio.h"), "");
   EXPECT_EQ(fault("core/image/openimageio/module.cpp", "OpenImageIO/imageio.h"), "");
+  EXPECT_NE(fault("core/bvh/wide_bvh.h", "immintrin.h"), "");
+  EXPECT_NE(fault("core/base/processor.h", "arm_neon.h"), "");
+  EXPECT_EQ(fault("core/base/simd.h", "immintrin.h"), "");
   EXPECT_EQ(fault("tools/lentray/main.cpp", "parser/interpreter/parser.h"), "");
   EXPECT_EQ(fault("core/base/ray.h", "vector"), "");
   EXPECT_NE(fault("core/shape/box.h", "core/object/object.h"), "");
