@@ -2,10 +2,10 @@
 
 #include <cmath>
 
+#include "core/base/tiny.h"
+
 namespace lentray::core {
 namespace {
-
-constexpr double kTiny = 1e-10;
 
 // Soft edge: 0 below `low`, 1 from `high` on, 3x^2 - 2x^3 between.
 double smooth_edge(double low, double high, double x) {

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
+#include "core/base/tiny.h"
 #include "core/numeric/bounds_help.h"
 
 namespace lentray::core {
 namespace {
 
-constexpr double kTiny = 1e-10;  // stock's, for points that coincide and for flatness
 constexpr int kMaxBands = 4096;
 
 bool same_place(const Vec3& a, const Vec3& b) {

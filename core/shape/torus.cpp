@@ -7,8 +7,8 @@
 
 namespace lentray::core {
 
-Torus::Torus(double major, double minor, bool sturm)
-    : m_major(std::fabs(major)), m_minor(std::fabs(minor)), m_sturm(sturm) {}
+Torus::Torus(double major, double minor)
+    : m_major(std::fabs(major)), m_minor(std::fabs(minor)) {}
 
 Bounds Torus::bounds() const { return bounds_in(Transform()); }
 

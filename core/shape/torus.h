@@ -8,12 +8,11 @@ namespace lentray::core {
 
 class Torus final : public Shape {
  public:
-  /// `sturm` is kept for the record: the root finder always brackets, which is what it asks for.
-  Torus(double major, double minor, bool sturm = false);
+  /// SDL's `sturm` changes nothing: the root finder always brackets.
+  Torus(double major, double minor);
 
   double major_radius() const { return m_major; }
   double minor_radius() const { return m_minor; }
-  bool is_sturm() const { return m_sturm; }
 
   std::string_view name() const override { return "torus"; }
   Bounds bounds() const override;
@@ -30,7 +29,6 @@ class Torus final : public Shape {
  private:
   int crossings(const Ray& ray, double t_min, double t_max, bool first_alone, double out[4]) const;
   double m_major, m_minor;
-  bool m_sturm;
 };
 
 }  // namespace lentray::core

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/accel/hierarchy.h"
+#include "core/base/tiny.h"
 #include "core/scene/tolerances.h"
 #include "core/trace/reflectance.h"
 #include "core/trace/segment.h"
@@ -15,7 +16,6 @@
 namespace lentray::core {
 namespace {
 
-constexpr double kTiny = 1e-10;
 constexpr double kUnitSlack = 1e-14;  ///< of the squared length of a direction
 
 bool nearly_equal(const Vec3& a, const Vec3& b) {

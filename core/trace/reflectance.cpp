@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <numbers>
 
+#include "core/base/tiny.h"
 #include "core/noise/noise.h"
 
 namespace lentray::core {
 namespace {
-
-constexpr double kTiny = 1e-10;
 
 double square(double x) { return x * x; }
 

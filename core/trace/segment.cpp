@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/tiny.h"
+
 namespace lentray::core {
 namespace {
-
-constexpr double kTiny = 1e-10;
 
 // The share of full density along the way between two heights, in units of the altitude: density is
 // 1 below 0 and 1 / (1 + y^2) above.

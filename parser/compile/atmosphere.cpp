@@ -3,16 +3,17 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/tiny.h"
 #include "core/pattern/single.h"
 #include "parser/descriptions/maps.h"
 
 namespace lentray::parser {
 namespace {
 
+using core::kTiny;
 using core::single;
 
 constexpr double kRadians = std::numbers::pi / 180.0;
-constexpr double kTiny = 1e-10;
 
 core::Fog build_fog(const FogDesc& desc, int noise_generator) {
   core::Fog fog;

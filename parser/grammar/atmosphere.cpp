@@ -1,11 +1,12 @@
 #include "parser/grammar/atmosphere.h"
 
+#include "core/base/tiny.h"
 #include "parser/grammar/helpers.h"
 
 namespace lentray::parser {
 namespace {
 
-constexpr double kTiny = 1e-10;  ///< stock's measure of "nothing" in lengths
+using core::kTiny;
 
 /// Any word about turbulence sets it. Where it is 0, every place has the noise of the origin.
 void stir(FogDesc& fog) {

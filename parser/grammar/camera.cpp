@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/tiny.h"
 #include "parser/grammar/helpers.h"
 #include "parser/grammar/object.h"
 
@@ -12,7 +13,7 @@ namespace {
 
 using core::Vec3;
 
-constexpr double kTiny = 1e-10;
+using core::kTiny;
 
 /// Length of `direction` that makes a picture of that width span `degrees`.
 double direction_length(double right_length, double degrees) {

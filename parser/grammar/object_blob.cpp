@@ -2,6 +2,7 @@
 // Source: reference manual 3.7, "Blob".
 #include <memory>
 
+#include "core/base/tiny.h"
 #include "parser/grammar/helpers.h"
 #include "parser/grammar/object.h"
 #include "parser/grammar/object_shapes.h"
@@ -10,7 +11,7 @@
 namespace lentray::parser {
 namespace {
 
-constexpr double kTiny = 1e-10;  ///< stock's measure of "nothing" in lengths
+using core::kTiny;
 
 void parse_blob_element_modifiers(Parser& parser, Context& context, BlobElement& element) {
   Looks looks;

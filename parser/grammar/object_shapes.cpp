@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/tiny.h"
 #include "parser/grammar/helpers.h"
 #include "parser/grammar/object.h"
 #include "parser/grammar/triangle_steps.h"
@@ -10,7 +11,7 @@
 namespace lentray::parser {
 namespace {
 
-constexpr double kTiny = 1e-10;  ///< stock's measure of "nothing" in lengths
+using core::kTiny;
 
 bool is_degenerate(const std::array<Vec3, 3>& p) {
   return length_squared(cross(p[1] - p[0], p[2] - p[0])) == 0.0;

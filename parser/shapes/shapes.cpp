@@ -155,7 +155,7 @@ struct ShapeMaker {
     return std::make_unique<core::Cone>(s.base, s.base_radius, s.cap, s.cap_radius, s.open);
   }
   ShapePointer operator()(const TorusShape& s) const {
-    return std::make_unique<core::Torus>(s.major, s.minor, object.sturm);
+    return std::make_unique<core::Torus>(s.major, s.minor);
   }
   ShapePointer operator()(const DiscShape& s) const {
     return std::make_unique<core::Disc>(s.centre, s.normal, s.radius, s.hole);

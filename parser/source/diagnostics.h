@@ -72,7 +72,6 @@ class Diagnostics {
   /// calls this; report_not_yet() then names all of them in one warning (and forgets them).
   void not_yet(const std::string& feature, const Location& where = {});
   void report_not_yet();
-  const std::set<std::string>& not_yet_features() const { return m_not_yet; }
 
   const std::vector<Diagnostic>& warnings() const { return m_warnings; }
 

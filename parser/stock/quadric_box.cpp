@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/tiny.h"
+
 namespace lentray::parser {
 namespace {
 
 using core::Bounds;
 
-constexpr double kTiny = 1e-10;
+using core::kTiny;
 
 /// The equation as squares of distances to a centre; of an axis that occurs only linearly the centre
 /// is where the constant, taken with the wrong sign as stock does, would be reached.

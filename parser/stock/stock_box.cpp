@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/tiny.h"
 #include "core/numeric/bounds_help.h"
 #include "core/shape/julia_fractal.h"
 #include "parser/shapes/shape_geometry.h"
@@ -17,7 +18,7 @@ using core::Transform;
 constexpr double kHuge = 1e10;       ///< where boxes end
 constexpr double kCritical = 1e6;    ///< a CSG's or quadric's box longer than this is taken for infinite
 constexpr double kThickness = 1e-3;  ///< flat things are given this much to both sides
-constexpr double kTiny = 1e-10;
+using core::kTiny;
 
 Bounds everything() { return {Vec3(-kHuge), Vec3(kHuge)}; }
 

@@ -78,7 +78,6 @@ struct Number {
     n.size = 3;
     return n;
   }
-  double as_float() const { return v[0]; }
   core::Vec3 xyz() const {
     return size == 1 ? core::Vec3(v[0]) : core::Vec3(v[0], v[1], v[2]);
   }

@@ -63,7 +63,7 @@ std::vector<Kind> solids() {
        [](const Vec3& p) { return std::max({radial(p) - 0.5 * (1.0 - p.y), -1 - p.y, p.y - 1.0}); }},
       {"torus", [] { return std::make_unique<Torus>(1.0, 0.3); },
        [](const Vec3& p) { return std::hypot(radial(p) - 1.0, p.y) - 0.3; }},
-      {"thin torus", [] { return std::make_unique<Torus>(1.0, 0.01, true); },
+      {"thin torus", [] { return std::make_unique<Torus>(1.0, 0.01); },
        [](const Vec3& p) { return std::hypot(radial(p) - 1.0, p.y) - 0.01; }},
       {"ellipsoid", [] { return std::make_unique<Quadric>(Vec3{1, 4, 2}, Vec3{}, Vec3{0.2, 0, 0}, -1.0); },
        [](const Vec3& p) { return p.x * p.x + 4 * p.y * p.y + 2 * p.z * p.z + 0.2 * p.x - 1.0; }},
