@@ -5,7 +5,7 @@
 
 #include "parser/grammar/helpers.h"
 #include "parser/grammar/object.h"
-#include "parser/grammar/triangle_steps.h"
+#include "parser/stock/triangle_steps.h"
 
 namespace lentray::parser {
 namespace {
