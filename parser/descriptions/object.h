@@ -21,6 +21,7 @@
 #include "parser/base/sparse.h"
 #include "parser/descriptions/light.h"
 #include "parser/descriptions/nesting.h"
+#include "parser/descriptions/placement.h"
 #include "parser/source/source.h"
 #include "parser/values/value.h"
 
@@ -36,11 +37,7 @@ using core::Vec3;
 
 // ---- shapes of the first part -------------------------------------------------------------
 
-struct SphereShape {
-  Vec3 centre;
-  double radius = 1.0;
-  Sparse<core::Transform> ball;         ///< for stock_box(): what placed it while it was one; stored: it is none now
-};
+struct SphereShape { Vec3 centre; double radius = 1.0; };
 struct BoxShape { Vec3 corner1, corner2; };
 struct PlaneShape { Vec3 normal; double distance = 0.0; };   ///< normal as written
 struct CylinderShape { Vec3 base, cap; double radius = 1.0; bool open = false; };
@@ -48,13 +45,10 @@ struct ConeShape { Vec3 base, cap; double base_radius = 1.0, cap_radius = 0.0; b
 struct TorusShape { double major = 1.0, minor = 0.25; };
 struct DiscShape { Vec3 centre, normal{0, 0, 1}; double radius = 1.0, hole = 0.0; };
 struct TriangleShape { std::array<Vec3, 3> p; };
-struct SmoothTriangleShape { std::array<Vec3, 3> p, n; };    ///< n: weigh as they are long, see triangle_steps.cpp
+struct SmoothTriangleShape { std::array<Vec3, 3> p, n; };    ///< n: weigh as they are long, see parser/stock/triangle_steps.h
 struct PolygonShape { std::vector<Vec3> points; };           ///< closed sub-polygons, as written
 /// a x2 + b y2 + c z2 + d xy + e xz + f yz + g x + h y + i z + j = 0
-struct QuadricShape {
-  std::array<double, 10> c{};
-  Sparse<core::Bounds> box;             ///< that stock found before later transforms, moved by them
-};
+struct QuadricShape { std::array<double, 10> c{}; };
 
 /// mesh and mesh2 alike.
 struct MeshShape {
@@ -79,8 +73,6 @@ struct CsgShape {
   bool cutaway_textures = false;
   bool global_lights = false;      ///< light_group
   bool has_triangles = false;
-  /// What the transform was made of where there was more than one turn: for stock_box(), which grows with each.
-  Sparse<std::vector<core::Transform>> turns;
 };
 struct LightShape { Ref<LightDesc> light; };
 
@@ -153,7 +145,6 @@ struct SphereSweepShape {
   std::vector<Vec3> centres;
   std::vector<double> radii;
   double tolerance = 1e-6;
-  Sparse<core::Transform> ball;         ///< as a sphere's
 };
 struct SuperellipsoidShape { double e = 1.0, n = 1.0; };
 struct TextShape {
@@ -203,7 +194,7 @@ struct ObjectDesc {
   Location where;
   std::string_view keyword;             ///< of the statement, for messages; a reserved word
   ShapeDesc shape;
-  Sparse<core::Transform> transform;
+  Sparse<Placement> transform;
 
   // Looks and bounds have been moved by the transforms that followed them in the statement.
   Ref<TextureDesc> texture;             ///< null: inherited, at last the default texture

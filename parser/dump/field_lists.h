@@ -88,7 +88,7 @@ LENTRAY_FIELDS(GlobalDesc, where, assumed_gamma, gamma_is_srgb, assumed_gamma_ve
                mm_per_unit, radiosity, photons, subsurface)
 
 // Shapes.
-LENTRAY_FIELDS(SphereShape, centre, radius, ball)
+LENTRAY_FIELDS(SphereShape, centre, radius)
 LENTRAY_FIELDS(BoxShape, corner1, corner2)
 LENTRAY_FIELDS(PlaneShape, normal, distance)
 LENTRAY_FIELDS(CylinderShape, base, cap, radius, open)
@@ -98,11 +98,10 @@ LENTRAY_FIELDS(DiscShape, centre, normal, radius, hole)
 LENTRAY_FIELDS(TriangleShape, p)
 LENTRAY_FIELDS(SmoothTriangleShape, p, n)
 LENTRAY_FIELDS(PolygonShape, points)
-LENTRAY_FIELDS(QuadricShape, c, box)
+LENTRAY_FIELDS(QuadricShape, c)
 LENTRAY_FIELDS(MeshShape, vertices, normals, uvs, textures, faces, face_normals, face_uvs, face_textures, inside_vector,
                compiled)
-LENTRAY_FIELDS(CsgShape, operation, children, split_union, cutaway_textures, global_lights, has_triangles,
-               turns)
+LENTRAY_FIELDS(CsgShape, operation, children, split_union, cutaway_textures, global_lights, has_triangles)
 LENTRAY_FIELDS(LightShape, light)
 LENTRAY_FIELDS(BlobElement, kind, a, b, radius, strength, transform, texture)
 LENTRAY_FIELDS(BlobShape, threshold, elements)
@@ -121,7 +120,7 @@ LENTRAY_FIELDS(ParametricShape, functions, lo, hi, container, max_gradient, accu
 LENTRAY_FIELDS(PolyShape, order, coefficients)
 LENTRAY_FIELDS(PrismShape, spline, conic_sweep, open, height1, height2, points)
 LENTRAY_FIELDS(SorShape, points, open)
-LENTRAY_FIELDS(SphereSweepShape, spline, centres, radii, tolerance, ball)
+LENTRAY_FIELDS(SphereSweepShape, spline, centres, radii, tolerance)
 LENTRAY_FIELDS(SuperellipsoidShape, e, n)
 LENTRAY_FIELDS(TextShape, font, text, thickness, offset, unicode)
 

@@ -69,7 +69,6 @@ class Dumper {
   }
   // No part of what the scene says.
   Json other(const CompiledSlot&) { return {}; }
-  Json other(const Sparse<core::Bounds>&) { return {}; }
   Json other(const Nesting&) { return {}; }
   template <typename T>
   Json other(const Sparse<T>& v) { return value(*v); }

@@ -4,7 +4,7 @@
 #include "parser/grammar/object.h"
 #include "parser/grammar/object_shapes.h"
 #include "parser/grammar/transform.h"
-#include "parser/stock/stock_box.h"
+#include "parser/stock/history.h"
 
 namespace lentray::parser {
 namespace {
@@ -56,7 +56,7 @@ void parse_clipped_by(Parser& parser, Context& context, ObjectDesc& object) {
     object.bounds_are_clips = true;
   } else {
     append(object.rare.edit().clipped_by, parse_regions(parser, context));
-    keep_clipped_box(object);
+    note_clips(object);
   }
   parser.expect(Punct::kRightCurly);
 }

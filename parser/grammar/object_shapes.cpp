@@ -6,7 +6,7 @@
 #include "core/base/tiny.h"
 #include "parser/grammar/helpers.h"
 #include "parser/grammar/object.h"
-#include "parser/grammar/triangle_steps.h"
+#include "parser/stock/triangle_steps.h"
 
 namespace lentray::parser {
 namespace {

@@ -5,28 +5,27 @@
 #include <utility>
 #include <variant>
 
-#include "core/numeric/bounds_help.h"
 #include "parser/descriptions/interior.h"
 #include "parser/descriptions/texture.h"
-#include "parser/grammar/triangle_steps.h"
 #include "parser/interpreter/parser.h"
-#include "parser/stock/stock_box.h"
+#include "parser/stock/history.h"
 
 namespace lentray::parser {
 
 namespace {
 
-void move(ObjectDesc& object, const core::Transform& transform, bool plain);
+void move(ObjectDesc& object, const TransformStep& step);
 
-Ref<ObjectDesc> moved(const Ref<ObjectDesc>& object, const core::Transform& transform, bool plain) {
+Ref<ObjectDesc> moved(const Ref<ObjectDesc>& object, const TransformStep& step) {
   auto copy = std::make_shared<ObjectDesc>(*object);
-  turn_box(*copy, {}, transform, plain);
-  move(*copy, transform, plain);
+  note_step(*copy, {}, step);
+  move(*copy, step);
   return copy;
 }
 
-void move(ObjectDesc& object, const core::Transform& transform, bool plain) {
-  object.transform = object.transform->then(transform);
+void move(ObjectDesc& object, const TransformStep& step) {
+  const core::Transform& transform = step.transform;
+  object.transform.edit().add(transform);
   if (!object.uv_mapping) {
     if (object.texture) object.texture = transformed(object.texture, transform);
   }
@@ -36,49 +35,40 @@ void move(ObjectDesc& object, const core::Transform& transform, bool plain) {
     rare.interior_texture = transformed(rare.interior_texture, transform);
   }
   if (rare.interior && !rare.interior->media.empty()) rare.interior = transformed(rare.interior, transform);
-  for (Ref<ObjectDesc>& clip : rare.clipped_by) clip = moved(clip, transform, plain);
-  for (Ref<ObjectDesc>& bound : rare.bounded_by) bound = moved(bound, transform, plain);
+  for (Ref<ObjectDesc>& clip : rare.clipped_by) clip = moved(clip, step);
+  for (Ref<ObjectDesc>& bound : rare.bounded_by) bound = moved(bound, step);
 }
 
-/// The next statement, if it is a transform, and whether it is plain: see turn_box().
-struct Step {
-  std::optional<core::Transform> transform;
-  bool plain;
-  bool is_scale;
-};
-
-Step accept_step(Parser& parser) {
-  const bool scale = parser.at(Keyword::kScale);
-  const bool composed = parser.at(Keyword::kMatrix) || parser.at(Keyword::kTransform);
-  Step step{parser.accept_transform(), !composed, scale};
-  if (!scale) return step;
-  const core::Matrix& m = step.transform->rows();
-  step.plain = m[0][0] == m[1][1] && m[0][0] == m[2][2];
-  return step;
+/// Of the next statement, if it is a transform.
+TransformKind kind_of_next(Parser& parser) {
+  if (parser.at(Keyword::kScale)) return TransformKind::kScale;
+  return parser.at(Keyword::kMatrix) || parser.at(Keyword::kTransform) ? TransformKind::kComposed : TransformKind::kMove;
 }
 
 }  // namespace
 
 void apply_transform(ObjectDesc& object, const core::Transform& transform) {
   if (transform.is_identity()) return;
-  const bool plain = core::similarity_scale(transform) > 0.0;
-  turn_box(object, {}, transform, plain);
-  move_triangles(object, {}, transform, true);
-  move(object, transform, plain);
+  const TransformStep step = step_of(TransformKind::kUnknown, transform);
+  note_step(object, {}, step);
+  move(object, step);
 }
 
 bool accept_transforms(Parser& parser, ObjectDesc& object) {
-  Step step = accept_step(parser);
-  if (!step.transform) return false;
-  core::Transform all;  // boxes go step by step, all the rest at once
-  bool plain = true;
-  for (; step.transform; step = accept_step(parser)) {
-    turn_box(object, all, *step.transform, step.plain);
-    move_triangles(object, all, *step.transform, step.is_scale);
-    all = all.then(*step.transform);
-    plain = plain && step.plain;
+  TransformKind kind = kind_of_next(parser);
+  std::optional<core::Transform> next = parser.accept_transform();
+  if (!next) return false;
+  core::Transform all;  // history goes step by step, all the rest at once
+  bool keep_balls = true;
+  while (next) {
+    const TransformStep step = step_of(kind, *next);
+    note_step(object, all, step);
+    all = all.then(*next);
+    keep_balls = keep_balls && step.keeps_balls;
+    kind = kind_of_next(parser);
+    next = parser.accept_transform();
   }
-  if (!all.is_identity()) move(object, all, plain);
+  if (!all.is_identity()) move(object, {all, keep_balls, true});
   return true;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "core/base/tiny.h"
 #include "core/numeric/bounds_help.h"
@@ -71,10 +72,15 @@ double ball_scale(const Transform& t) {
   return dot(cross(t.vector({1, 0, 0}), t.vector({0, 1, 0})), t.vector({0, 0, 1})) < 0.0 ? -scale : scale;
 }
 
-/// The box of balls, and what has turned it since.
-template <typename Shape>
-Bounds turned_since(const Bounds& box, const Shape& s, const Transform& all) {
-  return s.ball.is_stored() ? moved(kept(box), s.ball->inverse().then(all)) : kept(box);
+/// What placed balls while they were balls; null: it was the whole transform.
+const Transform* placing_of_ball(const ObjectDesc& object) {
+  const PlacementSteps& steps = *object.transform->steps;
+  return steps.empty() ? nullptr : &steps.front().transform;
+}
+
+/// The box of balls, and what has turned it since they were.
+Bounds turned_since(const Bounds& box, const Transform* placing, const Transform& all) {
+  return placing ? moved(kept(box), placing->inverse().then(all)) : kept(box);
 }
 
 Bounds about(const Vec3& centre, double radius) {
@@ -111,24 +117,6 @@ class BoxFinder {
     return rounded(box);
   }
 
-  /// Of a quadric, with what its clips or its siblings leave.
-  Bounds of_quadric(const ObjectDesc& object, const Bounds& limits) {
-    const QuadricShape& quadric = *std::get<Sparse<QuadricShape>>(object.shape);
-    const std::array<double, 10> c = moved_quadric(quadric.c, *object.transform);
-    if (has_products(c)) {
-      const Bounds before = leaf(std::get<Sparse<QuadricShape>>(object.shape), object);
-      return volume(kept(limits)) < volume(before) ? kept(limits) : before;
-    }
-    const Bounds box = quadric_box(c, limits);
-    return is_long(box) ? everything() : kept(box);
-  }
-
-  Bounds clip_limits(const ObjectDesc& object) {
-    Bounds limits = everything();
-    for (const Ref<ObjectDesc>& clip : object.rare->clipped_by) limits.intersect(limited(*clip, false));
-    return limits;
-  }
-
  private:
   static Bounds rounded(const Bounds& box) {
     return {box.lo, {single(box.hi.x), single(box.hi.y), single(box.hi.z)}};
@@ -154,9 +142,10 @@ class BoxFinder {
   }
 
   Bounds leaf(const SphereShape& s, const ObjectDesc& o) {
-    const Transform& placing = s.ball.is_stored() ? *s.ball : *o.transform;
+    const Transform* end = placing_of_ball(o);
+    const Transform& placing = end ? *end : *o.transform;
     const double radius = s.radius * std::fabs(ball_scale(placing));
-    return turned_since(about(placing.point(s.centre), radius), s, *o.transform);
+    return turned_since(about(placing.point(s.centre), radius), end, *o.transform);
   }
   Bounds leaf(const BoxShape& s, const ObjectDesc& o) {
     Bounds box;
@@ -230,9 +219,10 @@ class BoxFinder {
       cut_by_parts(s, box);
     }
     if (box.is_empty() || is_long(box)) return everything();
-    if (s.turns->empty()) return moved(kept(box), *o.transform);
     box = kept(box);
-    for (const Transform& turn : *s.turns) box = moved(box, turn);
+    const PlacementSteps& steps = *o.transform->steps;
+    if (steps.empty()) return moved(box, *o.transform);
+    for (const PlacementStep& step : steps) box = moved(box, step.transform);
     return box;
   }
   /// Quadrics come last: what the others leave limits them. Height fields, whose solids are endless,
@@ -260,14 +250,60 @@ class BoxFinder {
     for (const Vec3& p : s->points) box.include(o.transform->point(p));
     return kept(box);
   }
-  /// One with products of two coordinates has none but what is left from before it was turned.
-  Bounds leaf(const Sparse<QuadricShape>& shape, const ObjectDesc& o) {
-    const QuadricShape& s = *shape;
-    if (s.box.is_stored()) return *s.box;
-    const std::array<double, 10> c = moved_quadric(s.c, *o.transform);
+  Bounds leaf(const Sparse<QuadricShape>& s, const ObjectDesc& o) {
+    const std::optional<Bounds> box = kept_of(*s, *o.transform->steps);
+    return box ? *box : quadric_where(*s, *o.transform, everything());
+  }
+  /// Where its transform places it, with what `limits` leave. One with products of two coordinates has none but
+  /// what is left from before it was turned.
+  static Bounds quadric_where(const QuadricShape& s, const Transform& placed, const Bounds& limits) {
+    const std::array<double, 10> c = moved_quadric(s.c, placed);
     if (has_products(c)) return everything();
-    const Bounds box = quadric_box(c, everything());
+    const Bounds box = quadric_box(c, limits);
     return is_long(box) ? everything() : kept(box);
+  }
+  /// The same, where `before` is the box that it has kept, if any.
+  static Bounds limited_quadric(const QuadricShape& s, const Transform& placed, const std::optional<Bounds>& before,
+                                const Bounds& limits) {
+    if (!has_products(moved_quadric(s.c, placed))) return quadric_where(s, placed, limits);
+    const Bounds box = before ? *before : everything();
+    return volume(kept(limits)) < volume(box) ? kept(limits) : box;
+  }
+  /// Of a quadric, with what its siblings leave.
+  Bounds of_quadric(const ObjectDesc& object, const Bounds& limits) {
+    const QuadricShape& s = *std::get<Sparse<QuadricShape>>(object.shape);
+    return limited_quadric(s, *object.transform, kept_of(s, *object.transform->steps), limits);
+  }
+  /// The box that a quadric keeps from when it was clipped or turned first, moved by each step since.
+  std::optional<Bounds> kept_of(const QuadricShape& s, const PlacementSteps& steps) {
+    std::optional<Bounds> box;
+    Transform placed;
+    for (const PlacementStep& step : steps) {
+      switch (step.kind) {
+        case PlacementStep::Kind::kBefore: placed = step.transform; break;
+        case PlacementStep::Kind::kClips:
+          placed = step.transform;
+          box = limited_quadric(s, placed, box, clip_limits(step.clips));
+          break;
+        case PlacementStep::Kind::kTransform:
+          turn_quadric(s, placed, step.transform, box);
+          placed = placed.then(step.transform);
+          break;
+      }
+    }
+    return box;
+  }
+  static void turn_quadric(const QuadricShape& s, const Transform& placed, const Transform& turn,
+                           std::optional<Bounds>& box) {
+    if (!box && core::keeps_axes(turn)) return;
+    const Bounds before = rounded(kept(box ? *box : quadric_where(s, placed, everything())));
+    if (!box && is_long(before)) return;
+    box = is_long(before) ? before : kept(core::transformed(before, turn));
+  }
+  Bounds clip_limits(const std::vector<Ref<ObjectDesc>>& clips) {
+    Bounds limits = everything();
+    for (const Ref<ObjectDesc>& clip : clips) limits.intersect(limited(*clip, false));
+    return limits;
   }
   /// Of a sphere about each element, a cylinder's round ends counted apart; where an element is
   /// placed its sphere is as wide as the box of the placed box from the middle to a corner.
@@ -315,7 +351,8 @@ class BoxFinder {
   }
   /// Of all its spheres, twice as wide for a cubic spline; after `scale -1` their radii are below 0.
   Bounds leaf(const SphereSweepShape& s, const ObjectDesc& o) {
-    const Transform& placing = s.ball.is_stored() ? *s.ball : *o.transform;
+    const Transform* end = placing_of_ball(o);
+    const Transform& placing = end ? *end : *o.transform;
     const double wide = (s.spline == CurveKind::kCubic ? 2.0 : 1.0) * ball_scale(placing);
     Bounds box;
     for (std::size_t i = 0; i < s.centres.size(); ++i) {
@@ -325,7 +362,7 @@ class BoxFinder {
         box.hi[axis] = std::max(box.hi[axis], ball.hi[axis]);
       }
     }
-    return turned_since(box, s, *o.transform);
+    return turned_since(box, end, *o.transform);
   }
   /// All others by the bounds of their geometry.
   template <typename Shape>
@@ -357,56 +394,6 @@ bool heeds_regions(const ObjectDesc& object) {
   return object.reopened ||
          !(is_height_field(object) || std::holds_alternative<std::shared_ptr<const BlobShape>>(object.shape) ||
            std::holds_alternative<Sparse<JuliaFractalShape>>(object.shape));
-}
-
-void keep_clipped_box(ObjectDesc& object) {
-  auto* quadric = std::get_if<Sparse<QuadricShape>>(&object.shape);
-  if (!quadric) return;
-  bool is_whole = true;
-  BoxFinder finder(is_whole);
-  quadric->edit().box = finder.of_quadric(object, finder.clip_limits(object));
-}
-
-namespace {
-
-/// A box of a box is larger only where both were turned.
-void add_turn(CsgShape& csg, const Transform& before, const Transform& turn) {
-  if (csg.turns->empty()) {
-    if (!core::keeps_axes(before) && !core::keeps_axes(turn)) csg.turns.edit() = {before, turn};
-  } else if (core::keeps_axes(turn)) {
-    csg.turns.edit().back() = csg.turns->back().then(turn);
-  } else {
-    csg.turns.edit().push_back(turn);
-  }
-}
-
-}  // namespace
-
-void turn_box(ObjectDesc& object, const core::Transform& since, const core::Transform& turn, bool plain) {
-  if (!plain) {
-    static const Sparse<Transform> kUnmoved{Transform()};
-    const auto stop_being_balls = [&](auto* shape) {
-      if (!shape || shape->ball.is_stored()) return;
-      shape->ball = object.transform.is_stored() ? object.transform : kUnmoved;
-      if (!since.is_identity()) shape->ball.edit() = shape->ball->then(since);
-    };
-    stop_being_balls(std::get_if<SphereShape>(&object.shape));
-    stop_being_balls(std::get_if<SphereSweepShape>(&object.shape));
-  }
-  if (auto* csg = std::get_if<CsgShape>(&object.shape)) {
-    add_turn(*csg, object.transform->then(since), turn);
-    return;
-  }
-  auto* quadric = std::get_if<Sparse<QuadricShape>>(&object.shape);
-  if (!quadric || (!(*quadric)->box.is_stored() && core::keeps_axes(turn))) return;
-  const Transform before = object.transform->then(since);
-  bool is_whole = true;
-  ObjectDesc unturned;
-  unturned.shape = *quadric;
-  unturned.transform = before;
-  const Bounds box = BoxFinder(is_whole).of(unturned);
-  if (!(*quadric)->box.is_stored() && is_long(box)) return;
-  quadric->edit().box = is_long(box) ? box : kept(core::transformed(box, turn));
 }
 
 }  // namespace lentray::parser

@@ -16,12 +16,4 @@ core::Bounds stock_box(const ObjectDesc& object, bool& is_whole);
 /// height fields and julia fractals in their own braces.
 bool heeds_regions(const ObjectDesc& object);
 
-/// Stock finds a quadric's box when it is clipped and moves the box from then on: to be called when
-/// the object has got a clip.
-void keep_clipped_box(ObjectDesc& object);
-/// Boxes of quadrics and CSG grow with every turn: to be called with each statement, and with what came since
-/// the object's own transform was composed. Spheres and sphere sweeps keep their balls while statements are
-/// `plain`: rotate, translate, or scale alike along all axes, not matrix or transform.
-void turn_box(ObjectDesc& object, const core::Transform& since, const core::Transform& turn, bool plain);
-
 }  // namespace lentray::parser

@@ -1,4 +1,4 @@
-#include "parser/grammar/triangle_steps.h"
+#include "parser/stock/triangle_steps.h"
 
 #include <algorithm>
 #include <array>

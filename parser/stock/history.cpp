@@ -1,0 +1,83 @@
+#include "parser/stock/history.h"
+
+#include <variant>
+
+#include "core/numeric/bounds_help.h"
+#include "parser/stock/triangle_steps.h"
+
+namespace lentray::parser {
+namespace {
+
+using core::Transform;
+using Kind = PlacementStep::Kind;
+
+/// A ball's history ends where it stops being one.
+void end_ball(ObjectDesc& object, const Transform& since) {
+  if (object.transform->steps.is_stored()) return;
+  static const Sparse<PlacementSteps> kUnmoved{PlacementSteps{{Kind::kBefore, {}, {}}}};
+  if (!object.transform.is_stored() && since.is_identity()) {
+    object.transform.edit().steps = kUnmoved;
+  } else {
+    const Transform before = object.transform->then(since);
+    object.transform.edit().steps = PlacementSteps{{Kind::kBefore, before, {}}};
+  }
+}
+
+/// A box of a box is larger only where both were turned.
+void turn_csg(ObjectDesc& object, const Transform& since, const Transform& step) {
+  const PlacementSteps& steps = *object.transform->steps;
+  if (steps.empty()) {
+    const Transform before = object.transform->then(since);
+    if (core::keeps_axes(before) || core::keeps_axes(step)) return;
+    object.transform.edit().steps = PlacementSteps{{Kind::kBefore, before, {}}, {Kind::kTransform, step, {}}};
+  } else if (core::keeps_axes(step)) {
+    Transform& last = object.transform.edit().steps.edit().back().transform;
+    last = last.then(step);
+  } else {
+    object.transform.edit().steps.edit().push_back({Kind::kTransform, step, {}});
+  }
+}
+
+/// Of a quadric all counts from the first clip or turn on.
+void turn_quadric(ObjectDesc& object, const Transform& since, const Transform& step) {
+  if (object.transform->steps->empty()) {
+    if (core::keeps_axes(step)) return;
+    const Transform before = object.transform->then(since);
+    object.transform.edit().steps.edit().push_back({Kind::kBefore, before, {}});
+  }
+  object.transform.edit().steps.edit().push_back({Kind::kTransform, step, {}});
+}
+
+bool is_quadric(const ObjectDesc& object) { return std::holds_alternative<Sparse<QuadricShape>>(object.shape); }
+
+}  // namespace
+
+TransformStep step_of(TransformKind kind, const Transform& transform) {
+  const core::Matrix& m = transform.rows();
+  switch (kind) {
+    case TransformKind::kMove: return {transform, true, false};
+    case TransformKind::kScale: return {transform, m[0][0] == m[1][1] && m[0][0] == m[2][2], true};
+    case TransformKind::kComposed: return {transform, false, false};
+    case TransformKind::kUnknown: break;
+  }
+  return {transform, core::similarity_scale(transform) > 0.0, true};
+}
+
+void note_step(ObjectDesc& object, const Transform& since, const TransformStep& step) {
+  if (std::holds_alternative<SphereShape>(object.shape) || std::holds_alternative<SphereSweepShape>(object.shape)) {
+    if (!step.keeps_balls) end_ball(object, since);
+  } else if (object.csg()) {
+    turn_csg(object, since, step.transform);
+  } else if (is_quadric(object)) {
+    turn_quadric(object, since, step.transform);
+  }
+  move_triangles(object, since, step.transform, step.scales);
+}
+
+void note_clips(ObjectDesc& object) {
+  if (!is_quadric(object)) return;
+  const Transform so_far = *object.transform;
+  object.transform.edit().steps.edit().push_back({Kind::kClips, so_far, object.rare->clipped_by});
+}
+
+}  // namespace lentray::parser
