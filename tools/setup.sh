@@ -1,7 +1,8 @@
 #!/bin/sh
 # Installs every Debian package that building, testing and comparing need. May be run again at
 # any time: it does nothing, and needs neither root nor network, when all are there.
-#   tools/setup.sh [--list]      --list: names them alone
+#   tools/setup.sh [--list | --all]     --list: names them alone
+#                                       --all: also those that tools/test.sh --all needs
 set -eu
 
 packages="
@@ -11,6 +12,9 @@ packages="
   libgtest-dev libbenchmark-dev libembree-dev gnuplot-nox valgrind dpkg-dev file
   povray povray-includes povray-examples"
 
+if [ "${1:-}" = --all ]; then
+  packages="$packages clang-format clang-tidy"
+fi
 if [ "${1:-}" = --list ]; then
   echo $packages
   exit 0
