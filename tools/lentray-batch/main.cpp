@@ -70,6 +70,7 @@ class Batch {
     BatchProgress progress(m_kept + m_jobs.size(), m_kept, m_plan.arguments.quiet);
     for (const std::string& warning : m_warnings) progress.say(warning);
     if (m_plan.arguments.slurm && !on_cluster(progress)) return false;
+    m_manifest.reserve(m_jobs.size());
     Scheduler scheduler(m_plan, [this](const Row& row) { m_manifest.put(row); }, progress);
     for (std::unique_ptr<Job>& job : m_jobs) scheduler.add(std::move(job));
     scheduler.now_and_then([this] { write_page(false); });

@@ -4,6 +4,7 @@
 // Errors: std::runtime_error. One thread.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -22,6 +23,9 @@ class Manifest {
   const Row* find(const std::string& name) const;
   /// Names by source, frames apart.
   std::map<std::string, std::string> names() const;
+  /// Asks the disk for the room of so many rows to come, where it can give it: pictures of a disk that
+  /// fills cannot take it then.
+  void reserve(std::size_t rows) const;
   void put(Row row);
   void drop(const std::string& name) { m_rows.erase(name); }
   /// Rewrites the file, sorted by name. Throws where that cannot be done.
