@@ -56,7 +56,8 @@ std::array<double, 4> cubic_weights(double p) {
 }
 
 bool has_only_opaque(const Picture& picture) {
-  for (std::size_t i = 0; i < picture.pixels(); ++i) {
+  const std::size_t pixels = picture.is_evenly_clear() ? std::min<std::size_t>(1, picture.pixels()) : picture.pixels();
+  for (std::size_t i = 0; i < pixels; ++i) {
     if (!picture.colour(i).is_opaque()) return false;
   }
   return true;

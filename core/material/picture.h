@@ -41,6 +41,8 @@ class Picture {
   int entry(std::size_t pixel) const { return m_entries[pixel]; }
   bool has_alpha() const { return m_has_alpha; }
   void set_alpha(bool has_alpha) { m_has_alpha = has_alpha; }
+  /// Whether all pixels are as clear as each other: samples without an alpha channel.
+  bool is_evenly_clear() const { return m_colours.empty() && m_channels % 2 == 1; }
 
   /// filter and transmit that a scene gives to all: entries of a palette are set, others added to.
   void clear_all(std::optional<double> filter, std::optional<double> transmit);
