@@ -69,7 +69,7 @@ struct NearestSearch {
   double t_min;
   std::uint8_t unseen;  ///< objects with one of these flags are passed by; 0 if there are none
   Hit& hit;
-  HitArena& arena;
+  RayQuery query;
   T& tally;
   Best best;
 
@@ -80,7 +80,7 @@ struct NearestSearch {
     const double reach = e.index < best.index
                              ? std::nextafter(best.t, std::numeric_limits<double>::infinity())
                              : best.t;
-    if (e.object->nearest(ray, t_min, reach, hit, arena)) best = {hit.t, e.index, &e};
+    if (e.object->nearest(ray, t_min, reach, hit, query)) best = {hit.t, e.index, &e};
     return false;
   }
   bool lanes(unsigned mask, const PackHits& hits, const ObjectEntry* entries) {
@@ -176,15 +176,13 @@ struct Hierarchy::Impl {
   bool nearest(const Ray& ray, double t_min, double t_max, RayKind kind, Hit& hit, HitArena& arena,
                T& tally) const {
     NearestSearch<T> what{ray, t_min, static_cast<std::uint8_t>(unseen_by(kind) & any_flags),
-                          hit, arena, tally, {std::min(t_max, kFarthest)}};
-    arena.ray_kind = kind;
+                          hit, {arena, kind}, tally, {std::min(t_max, kFarthest)}};
     all->search<true>(what);
     if (!what.best.entry && t_max > kFarthest && may_see_afar(ray)) {
       what.best.t = t_max;
       what.unseen |= kNear;
       all->search<true>(what);
     }
-    arena.ray_kind = RayKind::kShadow;
     return what.finish();
   }
   template <class T>
@@ -242,7 +240,7 @@ Hierarchy::Impl::Impl(const std::vector<std::unique_ptr<Object>>& objects,
     const Bounds box = object.bounds();
     ObjectEntry entry{&object, static_cast<std::uint32_t>(i), flags_of(object), type_of(object)};
     if (box.is_empty() && !has_nan(box)) continue;  // nothing meets it
-    // Of equal distances infinite objects win, as in stock: a floor over a box that ends there.
+    // Of equal distances infinite objects win: a floor over a box that ends there.
     if (!box.is_finite()) {
       ++infinite;
     } else {

@@ -78,7 +78,7 @@ LightKind light_kind(const Shape* shape) {
 const Shape* plain_shape(const Object& object) {
   if (typeid(object) != typeid(Leaf)) return nullptr;
   const auto& leaf = static_cast<const Leaf&>(object);
-  return leaf.transform() || !leaf.clips().empty() || !leaf.bounding().empty() ? nullptr : &leaf.shape();
+  return leaf.transform() || !leaf.clips().empty() || !leaf.gates().empty() ? nullptr : &leaf.shape();
 }
 
 /// Into m_points: the ends of its edges in pairs, relative to the light.

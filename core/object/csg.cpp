@@ -88,8 +88,8 @@ void Csg::set_inverse(bool inverse) {
   fence_children();
 }
 
-/// As stock has it: parts of unions and merges go by their own flags, those of other CSG by the
-/// whole's, and so do parts of a union for rays straight from the camera.
+/// Parts of unions and merges go by their own flags, those of other CSG by the whole's, and so do parts of a union
+/// for rays straight from the camera.
 bool Csg::is_unseen(std::size_t child, RayKind kind) const {
   if (!joins(m_kind)) return false;
   const Attributes& looks = m_children[child]->attributes();
@@ -213,9 +213,9 @@ struct Csg::Hidden {
 
 /// Whether the child's surface at the ray's t belongs to the whole's, as far as the ray sees it.
 [[gnu::always_inline]] inline bool Csg::keeps(std::size_t child, const Ray& ray, double t, const Chord* chord,
-                                              Hidden& hidden, const HitArena& arena) const {
+                                              Hidden& hidden, const RayQuery& query) const {
   if (m_kind == CsgKind::kUnion) return true;
-  if (m_core == kHidden) [[unlikely]] return !any_seen_inside(ray.at(t), child, arena.ray_kind);
+  if (m_core == kHidden) [[unlikely]] return !any_seen_inside(ray.at(t), child, query.kind);
   if (m_kind == CsgKind::kMerge) {
     if (!any_inside(ray.at(t), child)) return true;
   } else {
@@ -228,17 +228,17 @@ struct Csg::Hidden {
 /// Those whose box the ray meets, the core and then the last child first where they are few; visit may
 /// lower t_max, and answers true to end. `chord` is null where nothing is known.
 template <class Visit>
-void Csg::for_children_met(const Ray& ray, double t_min, double t_max, HitArena& arena, Visit&& visit) const {
+void Csg::for_children_met(const Ray& ray, double t_min, double t_max, const RayQuery& query, Visit&& visit) const {
   if (m_core == kHidden) [[unlikely]] {
     return for_boxes_met(ray, t_min, t_max, [&](std::size_t i, double& limit, const Chord* chord) {
-      return !is_unseen(i, arena.ray_kind) && visit(i, limit, chord);
+      return !is_unseen(i, query.kind) && visit(i, limit, chord);
     });
   }
   if (m_core != kNobody) {
     const Object& core = *m_children[m_core];
-    ScratchHits scratch(arena);
+    ScratchHits scratch(query.arena);
     std::vector<Hit>& found = *scratch;
-    core.all(ray, t_min, Bounds::kInf, found, arena);
+    core.all(ray, t_min, Bounds::kInf, found, query);
     if (found.empty()) return;  // nowhere beyond t_min
     const Chord chord(found, ray, t_min, core.convexity() == Convexity::kConvex);
     if (!(chord.from < t_max) || visit(m_core, t_max, &chord)) return;
@@ -254,7 +254,7 @@ void Csg::for_children_met(const Ray& ray, double t_min, double t_max, HitArena&
 template <class Visit>
 void Csg::for_boxes_met(const Ray& ray, double t_min, double t_max, Visit&& visit) const {
   constexpr Chord* kNone = nullptr;
-  // Boxes that parts leave decide for the ray from its start on, as in stock.
+  // The boxes of gated parts decide for the whole ray, from its start on.
   const double boxes_from = std::min(t_min, 0.0);
   if (!m_search && !m_asks_boxes && ball().is_finite()) {
     // Who met the whole's ball meets most of the parts' boxes: their own tests are as quick.
@@ -286,19 +286,19 @@ void Csg::for_boxes_met(const Ray& ray, double t_min, double t_max, Visit&& visi
 /// A child's, in the list that is given unless the chord has them; then some are beyond t_max.
 [[gnu::always_inline]] inline const std::vector<Hit>& Csg::crossings(
     std::size_t i, const Ray& ray, double t_min, double t_max, const Chord* chord, std::vector<Hit>& list,
-    HitArena& arena) const {
+    const RayQuery& query) const {
   if (chord && i == m_core) return chord->hits;
   list.clear();
-  m_children[i]->all(ray, t_min, t_max, list, arena);
+  m_children[i]->all(ray, t_min, t_max, list, query);
   return list;
 }
 
-bool Csg::nearest(const Ray& ray, double t_min, double t_max, Hit& hit, HitArena& arena) const {
+bool Csg::nearest(const Ray& ray, double t_min, double t_max, Hit& hit, const RayQuery& query) const {
   if (ball().is_missed_by(ray)) return false;
-  if (!bounding().empty() && !passes_bounding(ray, arena)) return false;
-  if (clips().empty()) return kept_nearest(ray, t_min, t_max, hit, arena);
+  if (!gates().empty() && !passes_gates(ray, query)) return false;
+  if (clips().empty()) return kept_nearest(ray, t_min, t_max, hit, query);
   Hit found;  // the caller's hit stays as it is unless there is one
-  while (kept_nearest(ray, t_min, t_max, found, arena)) {
+  while (kept_nearest(ray, t_min, t_max, found, query)) {
     if (passes_clips(ray.at(found.t))) {
       hit = found;
       return true;
@@ -308,26 +308,26 @@ bool Csg::nearest(const Ray& ray, double t_min, double t_max, Hit& hit, HitArena
   return false;
 }
 
-/// Nearest before own clips. Where surfaces coincide the last child's counts, as in stock.
-bool Csg::kept_nearest(const Ray& ray, double t_min, double t_max, Hit& hit, HitArena& arena) const {
+/// Nearest before own clips. Where surfaces coincide the last child's counts.
+bool Csg::kept_nearest(const Ray& ray, double t_min, double t_max, Hit& hit, const RayQuery& query) const {
   const bool keep_all = m_kind == CsgKind::kUnion;
   std::size_t owner = kNobody;
   Hidden hidden;
-  ScratchHits scratch(arena);
-  for_children_met(ray, t_min, t_max, arena, [&](std::size_t i, double& limit, const Chord* chord) {
+  ScratchHits scratch(query.arena);
+  for_children_met(ray, t_min, t_max, query, [&](std::size_t i, double& limit, const Chord* chord) {
     const bool wins_ties = owner != kNobody && i > owner;
     const double to = wins_ties ? std::nextafter(limit, Bounds::kInf) : limit;
     if (keep_all) {
       Hit next;
-      if (!m_children[i]->nearest(ray, t_min, to, next, arena)) return false;
+      if (!m_children[i]->nearest(ray, t_min, to, next, query)) return false;
       hit = next;
       limit = next.t;
       owner = i;
       return false;
     }
     double best = to;
-    for (const Hit& next : crossings(i, ray, t_min, to, chord, *scratch, arena)) {
-      if (!(next.t < best) || !keeps(i, ray, next.t, chord, hidden, arena)) continue;
+    for (const Hit& next : crossings(i, ray, t_min, to, chord, *scratch, query)) {
+      if (!(next.t < best) || !keeps(i, ray, next.t, chord, hidden, query)) continue;
       hit = next;
       best = limit = next.t;
       owner = i;
@@ -337,18 +337,18 @@ bool Csg::kept_nearest(const Ray& ray, double t_min, double t_max, Hit& hit, Hit
   return owner != kNobody;
 }
 
-bool Csg::any(const Ray& ray, double t_min, double t_max, HitArena& arena) const {
+bool Csg::any(const Ray& ray, double t_min, double t_max, const RayQuery& query) const {
   if (ball().is_missed_by(ray)) return false;
-  if (!bounding().empty() && !passes_bounding(ray, arena)) return false;
+  if (!gates().empty() && !passes_gates(ray, query)) return false;
   const bool keep_all = m_kind == CsgKind::kUnion && clips().empty();
   bool found = false;
   Hidden hidden;
-  ScratchHits scratch(arena);
-  for_children_met(ray, t_min, t_max, arena, [&](std::size_t i, double&, const Chord* chord) {
-    if (keep_all) return found = m_children[i]->any(ray, t_min, t_max, arena);
-    for (const Hit& h : crossings(i, ray, t_min, t_max, chord, *scratch, arena)) {
+  ScratchHits scratch(query.arena);
+  for_children_met(ray, t_min, t_max, query, [&](std::size_t i, double&, const Chord* chord) {
+    if (keep_all) return found = m_children[i]->any(ray, t_min, t_max, query);
+    for (const Hit& h : crossings(i, ray, t_min, t_max, chord, *scratch, query)) {
       if (chord && !(h.t < t_max)) continue;
-      if (keeps(i, ray, h.t, chord, hidden, arena) && passes_clips(ray.at(h.t))) return found = true;
+      if (keeps(i, ray, h.t, chord, hidden, query) && passes_clips(ray.at(h.t))) return found = true;
     }
     return false;
   });
@@ -356,17 +356,17 @@ bool Csg::any(const Ray& ray, double t_min, double t_max, HitArena& arena) const
 }
 
 void Csg::all(const Ray& ray, double t_min, double t_max, std::vector<Hit>& hits,
-              HitArena& arena) const {
+              const RayQuery& query) const {
   if (ball().is_missed_by(ray)) return;
-  if (!bounding().empty() && !passes_bounding(ray, arena)) return;
+  if (!gates().empty() && !passes_gates(ray, query)) return;
   Hidden hidden;
-  for_children_met(ray, t_min, t_max, arena, [&](std::size_t i, double&, const Chord* chord) {
+  for_children_met(ray, t_min, t_max, query, [&](std::size_t i, double&, const Chord* chord) {
     // Where nothing can be dropped the child's hits need no list of their own.
     const std::size_t first = hits.size();
-    m_children[i]->all(ray, t_min, t_max, hits, arena);
+    m_children[i]->all(ray, t_min, t_max, hits, query);
     if (m_kind == CsgKind::kUnion && clips().empty()) return false;
     const auto drop = [&](const Hit& h) {
-      return !keeps(i, ray, h.t, chord, hidden, arena) || (!clips().empty() && !passes_clips(ray.at(h.t)));
+      return !keeps(i, ray, h.t, chord, hidden, query) || (!clips().empty() && !passes_clips(ray.at(h.t)));
     };
     hits.erase(std::remove_if(hits.begin() + static_cast<std::ptrdiff_t>(first), hits.end(), drop),
                hits.end());

@@ -16,22 +16,22 @@ enum class CsgKind { kUnion, kIntersection, kDifference, kMerge };
 
 /// A difference is the intersection of its first child with the inverses of the others (which
 /// the constructor inverts); bounds of children are taken when it is built, so children come
-/// complete: their inverse, clips and bounding set before.
+/// complete: their inverse, clips and gates set before.
 class Csg final : public Object {
  public:
   Csg(CsgKind kind, std::vector<std::unique_ptr<Object>> children);
   ~Csg() override;
   std::string_view name() const override;
   Bounds bounds() const override;
-  bool nearest(const Ray&, double t_min, double t_max, Hit&, HitArena&) const override;
-  void all(const Ray&, double t_min, double t_max, std::vector<Hit>&, HitArena&) const override;
-  bool any(const Ray&, double t_min, double t_max, HitArena&) const override;
+  bool nearest(const Ray&, double t_min, double t_max, Hit&, const RayQuery&) const override;
+  void all(const Ray&, double t_min, double t_max, std::vector<Hit>&, const RayQuery&) const override;
+  bool any(const Ray&, double t_min, double t_max, const RayQuery&) const override;
   bool inside(const Vec3& p) const override;
   void leaves(std::vector<const Leaf*>& out) const override;
   void drop_shortcuts() override;
   void set_inverse(bool inverse) override;
   Bounds solid_bounds() const override;
-  bool solid_leaves_bounds() const override;
+  bool is_gated() const override;
   Bounds void_bounds() const override;
   Ball solid_ball() const override;
   bool lies_in_parts() const override { return m_lies_in_parts; }
@@ -40,11 +40,11 @@ class Csg final : public Object {
   /// After `inverse`: what it works as. Only kUnion may be split into its parts.
   CsgKind kind() const { return m_kind; }
   const std::vector<std::unique_ptr<Object>>& children() const { return m_children; }
-  /// Where parts leave their bounds (solid_leaves_bounds()): the box that rays must meet, in place of that of the
-  /// parts' boxes. Before clips and bounding are set.
+  /// Where parts are gated: the box that rays must meet, in place of that of the parts' boxes. Before clips and
+  /// gates are set.
   void set_box(const Bounds& box);
-  /// Once the whole is complete, which no other CSG has as a part and which is not split: rays that meet its box see
-  /// all of the parts that leave theirs, as stock asks parts without a look at their boxes.
+  /// Once the whole is complete, which no other CSG has as a part and which is not split: the whole's box becomes
+  /// that of its gated CSG, so that rays which meet it see all of them.
   void open_parts();
   /// `split_union off`: its parts stay together, and count as one solid.
   void keep_whole() { m_kept_whole = true; }
@@ -67,11 +67,11 @@ class Csg final : public Object {
 
   /// Calls visit(child, t_max&, chord) for the children that the ray may meet.
   template <class Visit>
-  void for_children_met(const Ray& ray, double t_min, double t_max, HitArena& arena, Visit&& visit) const;
+  void for_children_met(const Ray& ray, double t_min, double t_max, const RayQuery& query, Visit&& visit) const;
   template <class Visit>
   void for_boxes_met(const Ray& ray, double t_min, double t_max, Visit&& visit) const;
   const std::vector<Hit>& crossings(std::size_t child, const Ray& ray, double t_min, double t_max, const Chord* chord,
-                                    std::vector<Hit>& list, HitArena& arena) const;
+                                    std::vector<Hit>& list, const RayQuery& query) const;
   void choose_tests();
   bool hides_parts() const;
   bool is_unseen(std::size_t child, RayKind kind) const;
@@ -79,9 +79,10 @@ class Csg final : public Object {
   bool any_inside(const Vec3& p, std::size_t except) const;
   bool every_inside(const Vec3& p, std::size_t except) const;
   bool begins_or_ends(const Ray& ray, double t) const;
-  bool keeps(std::size_t child, const Ray& ray, double t, const Chord* chord, Hidden& hidden, const HitArena& arena) const;
+  bool keeps(std::size_t child, const Ray& ray, double t, const Chord* chord, Hidden& hidden,
+             const RayQuery& query) const;
   bool any_seen_inside(const Vec3& p, std::size_t except, RayKind kind) const;
-  bool kept_nearest(const Ray&, double t_min, double t_max, Hit&, HitArena&) const;
+  bool kept_nearest(const Ray&, double t_min, double t_max, Hit&, const RayQuery&) const;
   void fence_children();
   void open_parts(const Bounds& whole);
   static Fence fence_of(const Object& child);
@@ -93,7 +94,7 @@ class Csg final : public Object {
   CsgKind m_kind;
   std::string_view m_name;
   Bounds m_surface, m_solid, m_void;  ///< before own clips
-  bool m_leaves_bounds = false;       ///< a child's solid does
+  bool m_gated_parts = false;
   bool m_lies_in_parts = false;
   bool m_kept_whole = false;
   bool m_closed = false;              ///< all children are

@@ -16,7 +16,7 @@ constexpr std::size_t kMany = 9;  // children from which a hierarchy over them p
 Csg::Fence Csg::fence_of(const Object& child) {
   const Bounds solid = child.solid_bounds(), hollow = child.void_bounds();
   const bool beyond = !hollow.is_empty() ? hollow.is_finite() : true;
-  return {child.bounds(), child.solid_leaves_bounds() ? Bounds::everything() : beyond ? hollow : solid, beyond};
+  return {child.bounds(), child.is_gated() ? Bounds::everything() : beyond ? hollow : solid, beyond};
 }
 
 /// Boxes from those of the children: what is kept of a child's surface lies in all siblings
@@ -30,13 +30,13 @@ void Csg::fence_children() {
   m_surface = Bounds();
   m_solid = join ? Bounds() : Bounds::everything();
   m_void = join ? Bounds::everything() : Bounds();
-  m_leaves_bounds = false;
+  m_gated_parts = false;
   m_lies_in_parts = !join;
   std::vector<Bounds> before(join ? 0 : n + 1, Bounds::everything());
   for (std::size_t i = 0; i < n; ++i) {
     const Object& child = *m_children[i];
     const Bounds solid = child.solid_bounds(), hollow = child.void_bounds();
-    if (child.solid_leaves_bounds()) m_leaves_bounds = true;
+    if (child.is_gated()) m_gated_parts = true;
     m_lies_in_parts = m_lies_in_parts && child.lies_in_parts();
     if (join) {
       m_solid.include(solid);
@@ -52,8 +52,8 @@ void Csg::fence_children() {
   }
   Bounds after = Bounds::everything();
   for (std::size_t i = join ? 0 : n; i-- > 0;) {
-    if (m_leaves_bounds) {
-      m_fences[i].surface = m_solid;  // a ray that meets the whole's box sees all, as in stock
+    if (m_gated_parts) {
+      m_fences[i].surface = m_solid;  // a ray that meets the whole's gate sees all
     } else {
       m_fences[i].surface.intersect(before[i]);
       m_fences[i].surface.intersect(after);
@@ -70,13 +70,13 @@ void Csg::fence_children() {
 }
 
 void Csg::open_parts() {
-  if (m_leaves_bounds) open_parts(m_surface);
+  if (m_gated_parts) open_parts(m_surface);
 }
 
 void Csg::open_parts(const Bounds& whole) {
   for (std::size_t i = 0; i < m_children.size(); ++i) {
     auto* part = dynamic_cast<Csg*>(m_children[i].get());
-    if (!part || !part->m_leaves_bounds) continue;
+    if (!part || !part->m_gated_parts) continue;
     part->set_box(whole);
     part->open_parts(whole);
     if (i < m_fences.size()) m_fences[i].surface = whole;
@@ -95,10 +95,10 @@ void Csg::choose_tests() {
     const double radius = child->ball().radius();
     return radius * radius * 2.0 * std::numbers::pi < kMuchLarger * (size.x * size.y + size.y * size.z + size.z * size.x);
   };
-  m_asks_boxes = joins(m_kind) && (m_leaves_bounds || !std::all_of(m_children.begin(), m_children.end(), is_tight));
-  m_closed = !m_leaves_bounds && m_core != kHidden && clips().empty() && bounding().empty() &&
+  m_asks_boxes = joins(m_kind) && (m_gated_parts || !std::all_of(m_children.begin(), m_children.end(), is_tight));
+  m_closed = !m_gated_parts && m_core != kHidden && clips().empty() && gates().empty() &&
              std::all_of(m_children.begin(), m_children.end(), [](const auto& child) { return child->is_closed(); });
-  if (joins(m_kind) || m_leaves_bounds) return;
+  if (joins(m_kind) || m_gated_parts) return;
   double least = Bounds::kInf;
   for (std::size_t i = 0; i < m_children.size(); ++i) {
     const double radius = m_children[i]->is_closed() ? m_children[i]->solid_ball().radius() : Bounds::kInf;
@@ -108,10 +108,10 @@ void Csg::choose_tests() {
   }
 }
 
-bool Csg::is_closed() const { return m_closed && clips().empty() && bounding().empty(); }
+bool Csg::is_closed() const { return m_closed && clips().empty() && gates().empty(); }
 
 Ball Csg::surface_ball() const {
-  if (m_leaves_bounds) return {};  // rays that miss the parts' balls may still be asked for inside()
+  if (m_gated_parts) return {};  // parts are seen, and asked for inside(), beyond their balls
   Ball ball = Ball::around(m_surface);
   // What is kept of a part lies in the solids of its siblings.
   if (!joins(m_kind)) {
@@ -122,25 +122,25 @@ Ball Csg::surface_ball() const {
 
 Ball Csg::solid_ball() const {
   Ball ball;
-  if (!m_leaves_bounds && joins(m_kind)) {
+  if (!m_gated_parts && joins(m_kind)) {
     Bounds all = m_surface;
     all.include(m_solid);
     ball = Ball::around(all);
-  } else if (!m_leaves_bounds) {
+  } else if (!m_gated_parts) {
     for (const auto& child : m_children) ball = smaller(ball, child->solid_ball());
   }
   for (const auto& clip : clips()) ball = smaller(ball, clip->solid_ball());
   return ball;
 }
 
-/// Where parts leave their boxes the boxes decide, as in stock, and stay.
+/// Where parts are gated their boxes are no shortcuts, and stay.
 void Csg::drop_shortcuts() {
   if (m_fences.empty()) fill_fences();
   for (auto& child : m_children) child->drop_shortcuts();
   m_search = nullptr;
   if (m_core != kHidden) m_core = kNobody;
   drop_ball();
-  if (m_leaves_bounds) return;
+  if (m_gated_parts) return;
   for (Fence& fence : m_fences) fence = {Bounds::everything(), Bounds::everything(), false};
 }
 
@@ -178,7 +178,7 @@ void Csg::build_search() const {
 }
 
 void Csg::set_box(const Bounds& box) {
-  if (!m_leaves_bounds) return;
+  if (!m_gated_parts) return;
   m_solid = m_surface = box;
   for (Fence& fence : m_fences) fence.surface = box;
   m_search = m_children.size() < kMany ? nullptr : std::make_unique<Search>();
@@ -188,14 +188,15 @@ void Csg::set_box(const Bounds& box) {
 Bounds Csg::bounds() const { return limited(m_surface); }
 
 Bounds Csg::solid_bounds() const {
+  if (const Bounds* gate = solid_gate()) return *gate;
   Bounds b = m_solid;
   for (const auto& clip : clips()) {
-    if (!clip->solid_leaves_bounds()) b.intersect(clip->solid_bounds());
+    if (!clip->is_gated()) b.intersect(clip->solid_bounds());
   }
   return b.is_empty() ? Bounds() : b;
 }
 
-bool Csg::solid_leaves_bounds() const { return m_leaves_bounds; }
+bool Csg::is_gated() const { return m_gated_parts || solid_gate(); }
 
 Bounds Csg::void_bounds() const { return clips().empty() ? m_void : Bounds::everything(); }
 

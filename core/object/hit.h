@@ -31,11 +31,17 @@ class HitArena {
   std::vector<Hit>& acquire();
   void release() { --m_used; }
   ShapeHits shape_hits;
-  RayKind ray_kind = RayKind::kShadow;  ///< of the ray under way: CSG has parts that some do not see
 
  private:
   std::vector<std::unique_ptr<std::vector<Hit>>> m_lists;
   std::size_t m_used = 0;
+};
+
+/// What comes with a ray: the thread's lists, and the ray's kind, for CSG has parts that some kinds do not see.
+struct RayQuery {
+  RayQuery(HitArena& lists, RayKind ray_kind = RayKind::kShadow) : arena(lists), kind(ray_kind) {}
+  HitArena& arena;
+  RayKind kind;
 };
 
 }  // namespace lentray::core

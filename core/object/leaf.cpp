@@ -10,7 +10,7 @@ Leaf::Leaf(std::unique_ptr<Shape> shape, const Transform& to_world) : m_shape(st
       m_transform = std::make_unique<const Transform>(to_world);
     }
   }
-  set_convexity(m_shape->convexity());
+  set_convexity(m_shape->traits().convexity);
   m_box = m_transform ? m_shape->bounds_in(*m_transform) : m_shape->bounds();
   set_ball(m_transform ? smaller(transformed(m_shape->ball(), *m_transform),
                                  ball_around(m_shape->bounds(), *m_transform))
@@ -28,57 +28,39 @@ Bounds Leaf::bounds() const {
 }
 
 Bounds Leaf::solid_bounds() const {
-  if (Leaf::solid_leaves_bounds()) return stock_bounds();
+  if (const Bounds* gate = solid_gate()) return *gate;
+  const ShapeTraits traits = m_shape->traits();
   Bounds b;
-  if (is_inverse() || m_shape->solid_is_unbounded()) {
+  if (is_inverse() || traits.solid_is_unbounded) {
     b = Bounds::everything();
-  } else if (m_shape->is_solid()) {
+  } else if (traits.is_solid) {
     b = m_box;
   }
   for (const auto& clip : clips()) {
-    if (!clip->solid_leaves_bounds()) b.intersect(clip->solid_bounds());
+    if (!clip->is_gated()) b.intersect(clip->solid_bounds());
   }
   return b.is_empty() ? Bounds() : b;
 }
 
-/// Of a shape that leaves its box: of that, and of the common boxes of what bounds and what clips it, the smallest.
-Bounds Leaf::stock_bounds() const {
-  const auto volume = [](const Bounds& b) {
-    const Vec3 size = b.hi - b.lo;
-    return size.x * size.y * size.z;
-  };
-  Bounds b = m_shape->csg_bounds_in(m_transform ? *m_transform : Transform());
-  for (const Regions* regions : {&bounding(), &clips()}) {
-    Bounds common = Bounds::everything();
-    for (const auto& region : *regions) common.intersect(region->solid_bounds());
-    if (common.is_empty()) return Bounds();
-    if (common.is_finite() && volume(common) < volume(b)) b = common;
-  }
-  return b;
-}
-
-bool Leaf::solid_leaves_bounds() const { return m_shape->solid_leaves_bounds() && !is_inverse(); }
-
 Bounds Leaf::void_bounds() const {
   if (!is_inverse() || !clips().empty()) return Bounds::everything();
-  if (m_shape->solid_is_unbounded() || m_shape->solid_leaves_bounds()) return Bounds::everything();
-  return m_box;
+  return m_shape->traits().solid_is_unbounded ? Bounds::everything() : m_box;
 }
 
 Ball Leaf::solid_ball() const {
+  const ShapeTraits traits = m_shape->traits();
   Ball ball;
-  const bool bounded = !is_inverse() && m_shape->is_solid() && !m_shape->solid_is_unbounded() &&
-                       !m_shape->solid_leaves_bounds();
-  if (bounded) ball = first_ball();
+  if (!is_inverse() && traits.is_solid && !traits.solid_is_unbounded) ball = first_ball();
   for (const auto& clip : clips()) ball = smaller(ball, clip->solid_ball());
   return ball;
 }
 
 void Leaf::set_inverse(bool inverse) {
-  if (m_shape->is_solid()) {
+  const ShapeTraits traits = m_shape->traits();
+  if (traits.is_solid) {
     Object::set_inverse(inverse);
-    m_turns_normal = inverse && m_shape->inverse_turns_normal();
-  } else if (inverse && m_shape->inverse_turns_normal()) {
+    m_turns_normal = inverse && traits.inverse_turns_normal;
+  } else if (inverse && traits.inverse_turns_normal) {
     m_turns_normal = !m_turns_normal;  // is_inverse() stays false, so that every inversion asks for true
   }
 }
@@ -88,11 +70,11 @@ bool Leaf::shape_nearest(const Ray& ray, double t_min, double t_max, ShapeHit& h
   return m_shape->nearest(to_shape(ray), t_min, t_max, hit);
 }
 
-bool Leaf::nearest(const Ray& ray, double t_min, double t_max, Hit& hit, HitArena& arena) const {
+bool Leaf::nearest(const Ray& ray, double t_min, double t_max, Hit& hit, const RayQuery& query) const {
   if (ball().is_missed_by(ray)) return false;
-  if (!bounding().empty() && !passes_bounding(ray, arena)) return false;
+  if (!gates().empty() && !passes_gates(ray, query)) return false;
   ShapeHit found;
-  const bool is_there = !clips().empty() ? unclipped_nearest(ray, t_min, t_max, found, arena)
+  const bool is_there = !clips().empty() ? unclipped_nearest(ray, t_min, t_max, found, query)
                         : m_transform    ? m_shape->nearest(to_shape(ray), t_min, t_max, found)
                                          : m_shape->nearest(ray, t_min, t_max, found);
   if (!is_there) return false;
@@ -103,13 +85,13 @@ bool Leaf::nearest(const Ray& ray, double t_min, double t_max, Hit& hit, HitAren
 }
 
 /// Where the first crossing is clipped away all others are found at once, not one after the other.
-bool Leaf::unclipped_nearest(const Ray& ray, double t_min, double t_max, ShapeHit& found, HitArena& arena) const {
-  if (!m_shape->finds_all_at_once()) {
+bool Leaf::unclipped_nearest(const Ray& ray, double t_min, double t_max, ShapeHit& found, const RayQuery& query) const {
+  if (!m_shape->traits().finds_all_at_once) {
     if (!shape_nearest(ray, t_min, t_max, found)) return false;
     if (passes_clips(ray.at(found.t))) return true;
     t_min = found.t;
   }
-  ShapeHits& all = arena.shape_hits;
+  ShapeHits& all = query.arena.shape_hits;
   all.clear();
   m_shape->all(m_transform ? to_shape(ray) : ray, t_min, t_max, all);
   bool is_there = false;
@@ -122,36 +104,39 @@ bool Leaf::unclipped_nearest(const Ray& ray, double t_min, double t_max, ShapeHi
   return is_there;
 }
 
-bool Leaf::any(const Ray& ray, double t_min, double t_max, HitArena& arena) const {
+bool Leaf::any(const Ray& ray, double t_min, double t_max, const RayQuery& query) const {
   if (ball().is_missed_by(ray)) return false;
-  if (!clips().empty() || !bounding().empty()) {
+  if (!clips().empty() || !gates().empty()) {
     Hit hit;
-    return Leaf::nearest(ray, t_min, t_max, hit, arena);
+    return Leaf::nearest(ray, t_min, t_max, hit, query);
   }
   if (!m_transform) return m_shape->any(ray, t_min, t_max);
   return m_shape->any(to_shape(ray), t_min, t_max);
 }
 
 template <class Ask>
-void Leaf::gather(const Ray& ray, std::vector<Hit>& hits, HitArena& arena, Ask&& ask) const {
+void Leaf::gather(const Ray& ray, std::vector<Hit>& hits, const RayQuery& query, Ask&& ask) const {
   if (ball().is_missed_by(ray)) return;
-  if (!bounding().empty() && !passes_bounding(ray, arena)) return;
-  arena.shape_hits.clear();
-  ask(m_transform ? to_shape(ray) : ray);
-  for (const ShapeHit& found : arena.shape_hits) {
+  if (!gates().empty() && !passes_gates(ray, query)) return;
+  ShapeHits& list = query.arena.shape_hits;
+  list.clear();
+  ask(m_transform ? to_shape(ray) : ray, list);
+  for (const ShapeHit& found : list) {
     if (!clips().empty() && !passes_clips(ray.at(found.t))) continue;
     hits.push_back({found.t, this, nullptr, found});
   }
 }
 
-void Leaf::all(const Ray& ray, double t_min, double t_max, std::vector<Hit>& hits,
-               HitArena& arena) const {
-  gather(ray, hits, arena, [&](const Ray& in_shape) { m_shape->all(in_shape, t_min, t_max, arena.shape_hits); });
+void Leaf::all(const Ray& ray, double t_min, double t_max, std::vector<Hit>& hits, const RayQuery& query) const {
+  gather(ray, hits, query, [&](const Ray& in_shape, ShapeHits& list) { m_shape->all(in_shape, t_min, t_max, list); });
 }
 
-void Leaf::all_alone(const Ray& ray, double t_min, double t_max, std::vector<Hit>& hits,
-                     HitArena& arena) const {
-  gather(ray, hits, arena, [&](const Ray& in_shape) { m_shape->all_alone(in_shape, t_min, t_max, arena.shape_hits); });
+void Leaf::all_alone(const Ray& ray, double t_min, double t_max, std::vector<Hit>& hits, const RayQuery& query) const {
+  gather(ray, hits, query, [&](const Ray& in_shape, ShapeHits& list) {
+    if (!m_shape->traits().tells_first_alone) return m_shape->all(in_shape, t_min, t_max, list);
+    ShapeHit first;
+    if (m_shape->nearest(in_shape, t_min, t_max, first)) list.push_back(first);
+  });
 }
 
 bool Leaf::inside(const Vec3& p) const {
@@ -170,7 +155,7 @@ Vec3 Leaf::normal(const Vec3& world_point, const ShapeHit& hit) const {
 }
 
 Vec2 Leaf::uv(const Vec3& world_point, const ShapeHit& hit) const {
-  if (!m_shape->has_uv() || !m_transform) return m_shape->uv(world_point, hit);
+  if (!m_shape->traits().has_uv || !m_transform) return m_shape->uv(world_point, hit);
   return m_shape->uv(m_transform->inverse_point(world_point), hit);
 }
 

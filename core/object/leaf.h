@@ -20,17 +20,16 @@ class Leaf final : public Object {
   std::string_view name() const override { return m_shape->name(); }
   Bounds bounds() const override;
   Bounds solid_bounds() const override;
-  bool solid_leaves_bounds() const override;
   Bounds void_bounds() const override;
   Ball solid_ball() const override;
   bool lies_in_parts() const override { return true; }
   bool is_closed() const override {
-    return convexity() == Convexity::kConvex && clips().empty() && bounding().empty();
+    return convexity() == Convexity::kConvex && clips().empty() && gates().empty();
   }
-  bool nearest(const Ray&, double t_min, double t_max, Hit&, HitArena&) const override;
-  void all(const Ray&, double t_min, double t_max, std::vector<Hit>&, HitArena&) const override;
-  void all_alone(const Ray&, double t_min, double t_max, std::vector<Hit>&, HitArena&) const override;
-  bool any(const Ray&, double t_min, double t_max, HitArena&) const override;
+  bool nearest(const Ray&, double t_min, double t_max, Hit&, const RayQuery&) const override;
+  void all(const Ray&, double t_min, double t_max, std::vector<Hit>&, const RayQuery&) const override;
+  void all_alone(const Ray&, double t_min, double t_max, std::vector<Hit>&, const RayQuery&) const override;
+  bool any(const Ray&, double t_min, double t_max, const RayQuery&) const override;
   bool inside(const Vec3& p) const override;
   void leaves(std::vector<const Leaf*>& out) const override { out.push_back(this); }
   void drop_shortcuts() override {
@@ -40,18 +39,17 @@ class Leaf final : public Object {
 
   const Shape& shape() const { return *m_shape; }
   const Transform* transform() const { return m_transform.get(); }  ///< null: shape is in world space
-  /// Unit shading normal at a hit of this leaf, world space, as stock orients it.
+  /// Unit shading normal at a hit of this leaf, world space.
   Vec3 normal(const Vec3& world_point, const ShapeHit& hit) const;
   Vec2 uv(const Vec3& world_point, const ShapeHit& hit) const;
   void set_inverse(bool inverse) override;
 
  private:
-  Bounds stock_bounds() const;
-  /// ask(ray in the shape) fills the arena's hits.
+  /// ask(ray in the shape, list) fills the list.
   template <class Ask>
-  void gather(const Ray& ray, std::vector<Hit>& hits, HitArena& arena, Ask&& ask) const;
+  void gather(const Ray& ray, std::vector<Hit>& hits, const RayQuery& query, Ask&& ask) const;
   bool shape_nearest(const Ray&, double t_min, double t_max, ShapeHit&) const;
-  bool unclipped_nearest(const Ray&, double t_min, double t_max, ShapeHit&, HitArena&) const;
+  bool unclipped_nearest(const Ray&, double t_min, double t_max, ShapeHit&, const RayQuery&) const;
   /// The direction keeps its length, so that t is the same in both spaces.
   Ray to_shape(const Ray& ray) const {
     return {m_transform->inverse_point(ray.origin), m_transform->inverse_vector(ray.direction)};

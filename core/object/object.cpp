@@ -13,10 +13,10 @@ bool Object::passes_clips(const Vec3& p) const {
   return true;
 }
 
-bool Object::passes_bounding(const Ray& ray, HitArena& arena) const {
-  for (const auto& bound : bounding()) {
+bool Object::passes_gates(const Ray& ray, const RayQuery& query) const {
+  for (const auto& gate : gates()) {
     // Most rays that come here meet it.
-    if (!bound->any(ray, 0.0, Bounds::kInf, arena) && !bound->inside(ray.origin)) return false;
+    if (!gate->any(ray, 0.0, Bounds::kInf, query) && !gate->inside(ray.origin)) return false;
   }
   return true;
 }
@@ -25,21 +25,22 @@ void Object::fit_ball() {
   m_ball = surface_ball();
   if (!m_limits) return;
   for (const auto& clip : m_limits->clips) m_ball = smaller(m_ball, clip->solid_ball());
-  for (const auto& bound : m_limits->bounding) m_ball = smaller(m_ball, bound->solid_ball());
+  for (const auto& gate : m_limits->gates) m_ball = smaller(m_ball, gate->solid_ball());
 }
 
 Bounds Object::limited(Bounds b) const {
   if (!m_limits) return b;
   for (const auto& clip : m_limits->clips) {
-    if (!clip->solid_leaves_bounds()) b.intersect(clip->solid_bounds());
+    if (!clip->is_gated()) b.intersect(clip->solid_bounds());
   }
   if (b.is_empty()) return Bounds();
   if (b.is_finite()) return b;
-  // Rays that meet the bounds show what lies beyond them, too: these alone count, as in stock.
+  // Rays that meet the gates show what lies beyond them, too. So the gates' box holds no surface, but where
+  // there is no other box it stands for one.
   Bounds common = Bounds::everything();
-  for (const auto& bound : m_limits->bounding) {
-    Bounds box = bound->solid_bounds();
-    box.include(bound->bounds());
+  for (const auto& gate : m_limits->gates) {
+    Bounds box = gate->solid_bounds();
+    box.include(gate->bounds());
     common.intersect(box);
   }
   if (common.is_empty()) return Bounds();

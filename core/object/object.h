@@ -1,4 +1,4 @@
-// An object of a compiled scene: what rays can meet, with its looks, its clips and its bounds. Shapes
+// An object of a compiled scene: what rays can meet, with its looks, its clips and its gates. Shapes
 // that stand in the world are core/object/leaf.h, CSG of objects is core/object/csg.h.
 // Space: world. Immutable while rendering; scratch memory comes from the caller's HitArena.
 // Source: reference manual 3.7, "Objects", "Object Modifiers".
@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -26,25 +27,25 @@ class Object {
   virtual std::string_view name() const = 0;
   /// Everything of the surface that rays can meet, clipping counted. May be infinite.
   virtual Bounds bounds() const = 0;
-  /// Everything that inside() can answer true for; infinite for most inverse objects.
+  /// Everything that inside() can answer true for, unless it is gated; infinite for most inverse objects.
   virtual Bounds solid_bounds() const = 0;
-  /// True where inside() may be true beyond solid_bounds() all the same (discs, which count as
-  /// half-spaces yet bound a CSG by their surface's box, as in stock).
-  virtual bool solid_leaves_bounds() const = 0;
+  /// True where the solid's bounds are a gate, of the object's own or of a part's: inside() may be true beyond it.
+  virtual bool is_gated() const { return solid_gate() != nullptr; }
   /// Everything that inside() can answer false for; infinite for most objects but inverse ones.
   virtual Bounds void_bounds() const = 0;
   /// Nearest crossing with t_min < t < t_max; fills t, leaf and shape, not `object`. Leaves the hit
   /// as it was if there is none.
-  virtual bool nearest(const Ray& ray, double t_min, double t_max, Hit& hit, HitArena& arena) const = 0;
+  virtual bool nearest(const Ray& ray, double t_min, double t_max, Hit& hit, const RayQuery& query) const = 0;
   /// Appends all crossings, in any order.
-  virtual void all(const Ray& ray, double t_min, double t_max, std::vector<Hit>& hits, HitArena& arena) const = 0;
-  /// The same of an object that is no part of another (Shape::all_alone).
-  virtual void all_alone(const Ray& ray, double t_min, double t_max, std::vector<Hit>& hits, HitArena& arena) const {
-    all(ray, t_min, t_max, hits, arena);
+  virtual void all(const Ray& ray, double t_min, double t_max, std::vector<Hit>& hits, const RayQuery& query) const = 0;
+  /// What a ray of light meets of an object that is no part of another (ShapeTraits::tells_first_alone).
+  virtual void all_alone(const Ray& ray, double t_min, double t_max, std::vector<Hit>& hits,
+                         const RayQuery& query) const {
+    all(ray, t_min, t_max, hits, query);
   }
-  virtual bool any(const Ray& ray, double t_min, double t_max, HitArena& arena) const {
+  virtual bool any(const Ray& ray, double t_min, double t_max, const RayQuery& query) const {
     Hit hit;
-    return nearest(ray, t_min, t_max, hit, arena);
+    return nearest(ray, t_min, t_max, hit, query);
   }
   /// As SDL's inside(): clipping and `inverse` count.
   virtual bool inside(const Vec3& p) const = 0;
@@ -54,9 +55,9 @@ class Object {
   virtual void drop_shortcuts() = 0;
 
   /// A ray whose line misses it misses the object. It holds all of the surface but what stands out
-  /// of bounded_by.
+  /// of the gates.
   const Ball& ball() const { return m_ball; }
-  /// Holds all that inside() can answer true for and the surface, whatever bounded_by says;
+  /// Holds all that inside() can answer true for and the surface, whatever the gates say;
   /// everything where one of them is infinite.
   virtual Ball solid_ball() const = 0;
   /// True where all of the surface lies in the solid of every part that is not inverse: a single
@@ -68,7 +69,7 @@ class Object {
   const Attributes& attributes() const { return m_attributes; }
   void set_attributes(const Attributes& a) { m_attributes = a; }
   /// As `inverse` in SDL. Shapes without a solid stay as they are; CSG turns into its complement
-  /// (union to intersection, intersection to merge, of inverse parts), as stock does it.
+  /// (union to intersection, intersection to merge, of inverse parts).
   virtual void set_inverse(bool inverse) { m_inverse = inverse; }
   bool is_inverse() const { return m_inverse; }
   /// Of a leaf: that of its shape; none of inverse ones and of CSG.
@@ -80,15 +81,19 @@ class Object {
     clips_have_changed();
   }
   const Regions& clips() const { return m_limits ? m_limits->clips : kNoRegions; }
-  /// bounded_by: rays that miss one of these, starting outside it, miss the object.
-  void set_bounding(Regions b) {
-    limits().bounding = std::move(b);
+  /// Regions that rays must meet: one that misses a gate, and does not begin inside it, misses the object
+  /// (`bounded_by` in SDL).
+  void set_gates(Regions gates) {
+    limits().gates = std::move(gates);
     fit_ball();
   }
-  const Regions& bounding() const { return m_limits ? m_limits->bounding : kNoRegions; }
-  /// Where a camera may be inside it: beyond its box stock does not ask.
-  Bounds start_bounds() const { return m_limits ? m_limits->start : Bounds::everything(); }
-  void set_start_bounds(const Bounds& box) { limits().start = box; }
+  const Regions& gates() const { return m_limits ? m_limits->gates : kNoRegions; }
+  /// A box to stand for the bounds of the solid: a CSG with this part, and who looks for the solids around a
+  /// point, leave alone what is beyond it. It holds until the object is inverted.
+  void set_solid_gate(const Bounds& box) {
+    limits().solid_gate = box;
+    limits().gate_is_of_inverse = m_inverse;
+  }
   /// True when every leaf's textures are fully opaque (set by the scene compiler).
   bool is_opaque() const { return m_opaque; }
   void set_opaque(bool opaque) { m_opaque = opaque; }
@@ -101,16 +106,21 @@ class Object {
 
  protected:
   bool passes_clips(const Vec3& p) const;
-  bool passes_bounding(const Ray& ray, HitArena& arena) const;
-  /// `b` cut by the boxes of the clipping objects, and of bounded_by where it is infinite.
+  bool passes_gates(const Ray& ray, const RayQuery& query) const;
+  /// Null: there is none, or one for the object's inverse.
+  const Bounds* solid_gate() const {
+    if (!m_limits || !m_limits->solid_gate || m_limits->gate_is_of_inverse != m_inverse) return nullptr;
+    return &*m_limits->solid_gate;
+  }
+  /// `b` cut by the boxes of the clipping objects, and of the gates where it is infinite.
   Bounds limited(Bounds b) const;
-  /// The ball before own clips and bounded_by.
+  /// The ball before own clips and gates.
   virtual Ball surface_ball() const = 0;
   virtual void clips_have_changed() {}
   /// To be called when anything has changed that the ball depends on.
   void fit_ball();
   void drop_ball() { m_ball = Ball(); }
-  /// The first ball, before there are clips or bounded_by.
+  /// The first ball, before there are clips or gates.
   void set_ball(const Ball& ball) { m_ball = ball; }
   void set_convexity(Convexity convexity) { m_convexity = convexity; }
   const Ball& first_ball() const { return m_limits ? m_limits->first_ball : m_ball; }
@@ -118,12 +128,13 @@ class Object {
  private:
   /// Apart: few objects have any, and there may be a million of these.
   struct Limits {
-    Regions clips, bounding;
+    Regions clips, gates;
     Ball first_ball;
-    Bounds start = Bounds::everything();
+    std::optional<Bounds> solid_gate;
+    bool gate_is_of_inverse = false;
   };
   Limits& limits() {
-    if (!m_limits) m_limits = std::make_unique<Limits>(Limits{{}, {}, m_ball, Bounds::everything()});
+    if (!m_limits) m_limits = std::make_unique<Limits>(Limits{{}, {}, m_ball, std::nullopt});
     return *m_limits;
   }
   static inline const Regions kNoRegions;
@@ -139,8 +150,7 @@ class Object {
 };
 
 /// Whether rays may meet an object beyond kFarthest: if a part of it is a box, cylinder or cone, or keeps
-/// a transform of its own. For building; walks through all parts. Where this is not what stock does:
-/// docs/language.md.
+/// a transform of its own. For building; walks through all parts. Source: docs/language.md.
 bool is_seen_afar(const Object& object);
 
 }  // namespace lentray::core

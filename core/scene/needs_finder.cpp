@@ -100,7 +100,7 @@ class Finder {
     look_at_structure(object);
     every_leaf(object, [&](const Leaf& leaf) {
       look_at_leaf(leaf);
-      if (filters && !leaf.shape().tells_all()) m_needs.shadows_begin_anew = true;
+      if (filters && !leaf.shape().traits().tells_all) m_needs.shadows_begin_anew = true;
       return true;
     });
   }

@@ -91,12 +91,12 @@ class Scene {
   const LightBuffer* light_buffer(std::size_t light) const { return m_light_buffers[light].get(); }
   const Needs& needs() const { return m_needs; }
   /// What kMinHitDistance and kShadowTolerance are multiplied by: 1, but less where all objects
-  /// together are less than a unit across. Stock's scenes of that size lose shadows, then everything.
+  /// together are less than a unit across: such scenes would lose shadows, then everything.
   double tolerance_scale() const { return m_tolerance_scale; }
   /// Objects after splitting top-level unions; the hierarchy and the cache speak of these.
   const std::vector<std::unique_ptr<Object>>& objects() const { return m_parts.objects; }
   /// Objects whose inside holds the point (a ray may start there), scene order. Every solid
-  /// counts, hollow ones and ones without an `interior` too, as in stock; of the parts of one
+  /// counts, hollow ones and ones without an `interior` too; of the parts of one
   /// union that share an interior only the first.
   void containing(const Vec3& p, std::vector<const Object*>& out) const;
 

@@ -6,9 +6,7 @@ namespace lentray::core {
 
 SolidIndex::Solid SolidIndex::solid(std::size_t i) const {
   const Object& object = *m_objects[i];
-  Bounds box = object.solid_bounds();
-  box.intersect(object.start_bounds());
-  return {&object, box.is_empty() ? Bounds() : box, static_cast<std::uint32_t>(i)};
+  return {&object, object.solid_bounds(), static_cast<std::uint32_t>(i)};
 }
 
 const WideBvh& SolidIndex::tree() const {

@@ -18,7 +18,7 @@ class SolidIndex {
   /// Borrows the objects and their list.
   explicit SolidIndex(const std::vector<std::unique_ptr<Object>>& objects) : m_objects(objects) {}
 
-  /// Replaces `out`, scene order. Parts of a union that is split count each, as in stock.
+  /// Replaces `out`, scene order. Parts of a union that is split count each.
   void containing(const Vec3& p, std::vector<const Object*>& out) const;
 
  private:

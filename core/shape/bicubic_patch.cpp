@@ -22,10 +22,10 @@ struct Weights {
 /// Along both together: a net of more pieces would need more memory than a picture shows.
 constexpr int kMostHalvings = 18;
 
-/// Stock's, for slopes that lie in a line.
+/// For slopes that lie in a line. Source: stock's.
 constexpr double kFlat = 1e-10;
 
-/// Stock's where the slopes give none.
+/// Where the slopes give none it is the x axis.
 Vec3 corner_normal(const Vec3& by_u, const Vec3& by_v) {
   const Vec3 n = cross(by_u, by_v);
   const bool known = length_squared(n) > kFlat * length_squared(by_u) * length_squared(by_v);

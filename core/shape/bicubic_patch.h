@@ -1,6 +1,6 @@
 // bicubic_patch: a Bezier patch as pieces of two triangles, shaded by normals between those of
 // their corners. The patch is halved along u and v until a piece is flat enough or u_steps and
-// v_steps are used up; neighbours that were not halved alike may leave cracks, as in stock.
+// v_steps are used up; neighbours that were not halved alike may leave cracks.
 // Space: object, or world once baked: flatness and the blending of normals count there.
 // Source: reference manual 3.7, "Bicubic Patch"; compared with stock by image.shapes.
 #pragma once
@@ -23,7 +23,9 @@ class BicubicPatch final : public Shape {
   BicubicPatch(const std::array<Vec3, 16>& points, int u_steps, int v_steps, double flatness,
                const Corners& corners = kUnitSquare);
 
-  std::string_view name() const override { return "bicubic_patch"; }
+  ShapeTraits traits() const override {
+    return {.name = "bicubic_patch", .is_solid = false, .has_uv = true, .inverse_turns_normal = false};
+  }
   Bounds bounds() const override { return m_net->bounds(); }
   Bounds bounds_in(const Transform& t) const override { return m_net->bounds_in(t); }
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override {
@@ -34,9 +36,7 @@ class BicubicPatch final : public Shape {
   }
   bool inside(const Vec3&) const override { return false; }
   bool outside(const Vec3&) const override { return false; }
-  bool is_solid() const override { return false; }
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override { return m_net->normal(p, hit); }
-  bool has_uv() const override { return true; }
   Vec2 uv(const Vec3& p, const ShapeHit& hit) const override;
   std::unique_ptr<Shape> baked(const Transform& t) const override;
   void drop_shortcuts() override { m_net->drop_shortcuts(); }

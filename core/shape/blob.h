@@ -25,7 +25,7 @@ class Blob final : public Shape {
  public:
   Blob(double threshold, std::vector<BlobField> fields);
 
-  std::string_view name() const override { return "blob"; }
+  ShapeTraits traits() const override { return {.name = "blob"}; }
   Bounds bounds() const override { return m_bounds; }
   /// Searched for in a few hundred cells.
   Bounds bounds_in(const Transform& t) const override;

@@ -13,15 +13,13 @@ class Box final : public Shape {
   const Vec3& lo() const { return m_lo; }
   const Vec3& hi() const { return m_hi; }
 
-  std::string_view name() const override { return "box"; }
+  ShapeTraits traits() const override { return {.name = "box", .convexity = Convexity::kConvex, .has_uv = true}; }
   Bounds bounds() const override { return {m_lo, m_hi}; }
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
   bool inside(const Vec3& p) const override;
   /// By side: ShapeHit::element is 2 * axis + (1 if the upper side).
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
-  Convexity convexity() const override { return Convexity::kConvex; }
-  bool has_uv() const override { return true; }
   Vec2 uv(const Vec3& p, const ShapeHit& hit) const override;
   /// Under moves and scales along the axes.
   std::unique_ptr<Shape> baked(const Transform& t) const override;

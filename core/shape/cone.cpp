@@ -113,7 +113,7 @@ bool Cone::inside(const Vec3& p) const {
   const Vec3 across = q - m_axis * z;
   const double r = m_base_radius + m_slope * z;
   const double widest = std::max(m_base_radius, m_cap_radius);
-  // Stock: the surface itself is outside of a closed one and inside of an open one.
+  // The surface itself is outside of a closed one and inside of an open one.
   const double slack = m_open ? kSolidTolerance : -kSolidTolerance;
   return dot(across, across) <= r * r + slack * widest * widest && z >= -slack * m_length &&
          z <= m_length * (1.0 + slack);

@@ -15,7 +15,9 @@ class Cone final : public Shape {
   bool is_degenerate() const { return !(m_length > 0.0) || (m_base_radius == 0.0 && m_slope == 0.0); }
   bool is_open() const { return m_open; }
 
-  std::string_view name() const override { return "cone"; }
+  ShapeTraits traits() const override {
+    return {.name = "cone", .convexity = m_open ? Convexity::kOpen : Convexity::kConvex};
+  }
   Bounds bounds() const override;
   Bounds bounds_in(const Transform& t) const override;
   Ball ball() const override;
@@ -26,7 +28,6 @@ class Cone final : public Shape {
   bool inside(const Vec3& p) const override;
   /// ShapeHit::element: 0 side, 1 base, 2 cap.
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
-  Convexity convexity() const override { return m_open ? Convexity::kOpen : Convexity::kConvex; }
   /// Under similarities.
   std::unique_ptr<Shape> baked(const Transform& t) const override;
 

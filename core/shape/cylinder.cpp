@@ -99,7 +99,7 @@ bool Cylinder::inside(const Vec3& p) const {
   const Vec3 q = p - m_base;
   const double z = dot(q, m_axis);
   const Vec3 across = q - m_axis * z;
-  // Stock: the surface itself is outside of a closed one and inside of an open one.
+  // The surface itself is outside of a closed one and inside of an open one.
   const double slack = m_open ? kSolidTolerance : -kSolidTolerance;
   return dot(across, across) <= m_radius * m_radius * (1.0 + slack) && z >= -slack * m_length &&
          z <= m_length * (1.0 + slack);

@@ -18,7 +18,9 @@ class Cylinder final : public Shape {
   double radius() const { return m_radius; }
   bool is_open() const { return m_open; }
 
-  std::string_view name() const override { return "cylinder"; }
+  ShapeTraits traits() const override {
+    return {.name = "cylinder", .convexity = m_open ? Convexity::kOpen : Convexity::kConvex};
+  }
   Bounds bounds() const override;
   Bounds bounds_in(const Transform& t) const override;
   Ball ball() const override;
@@ -29,7 +31,6 @@ class Cylinder final : public Shape {
   bool inside(const Vec3& p) const override;
   /// ShapeHit::element: 0 side, 1 base, 2 cap.
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
-  Convexity convexity() const override { return m_open ? Convexity::kOpen : Convexity::kConvex; }
   /// Under similarities.
   std::unique_ptr<Shape> baked(const Transform& t) const override;
 

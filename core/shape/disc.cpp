@@ -1,45 +1,19 @@
 #include "core/shape/disc.h"
 
 #include <cmath>
-#include <numbers>
 
 #include "core/numeric/bounds_help.h"
 
 namespace lentray::core {
-namespace {
-
-/// How stock turns the z axis to a normal.
-Transform upright(const Vec3& normal) {
-  constexpr double kAlong = 1e-10;
-  if (std::fabs(normal.z) <= 1.0 - kAlong) {
-    return Transform::axis_rotation({-normal.y, normal.x, 0.0}, std::acos(normal.z));
-  }
-  return Transform::axis_rotation({1.0, 0.0, 0.0}, normal.z < 0.0 ? std::numbers::pi : 0.0);
-}
-
-}  // namespace
 
 Disc::Disc(const Vec3& centre, const Vec3& normal, double radius, double hole)
     : m_centre(centre), m_normal(normalized(normal)), m_radius(std::fabs(radius)),
-      m_hole(std::fabs(hole)) {
-  constexpr double kThickness = 1e-3;
-  const Transform turn = upright(m_normal);
-  m_side1 = turn.vector({m_radius, 0.0, 0.0});
-  m_side2 = turn.vector({0.0, m_radius, 0.0});
-  m_thick = m_normal * kThickness;
-}
+      m_hole(std::fabs(hole)) {}
 
 Bounds Disc::bounds() const { return bounds_in(Transform()); }
 
 Bounds Disc::bounds_in(const Transform& t) const {
   return padded(circle_bounds(m_centre, m_normal, m_radius, t));
-}
-
-Bounds Disc::csg_bounds_in(const Transform& t) const {
-  const Vec3 a = t.vector(m_side1), b = t.vector(m_side2), c = t.vector(m_thick), centre = t.point(m_centre);
-  Vec3 half;
-  for (int axis = 0; axis < 3; ++axis) half[axis] = std::fabs(a[axis]) + std::fabs(b[axis]) + std::fabs(c[axis]);
-  return padded({centre - half, centre + half});
 }
 
 bool Disc::nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const {
@@ -64,11 +38,7 @@ Vec3 Disc::normal(const Vec3&, const ShapeHit&) const { return m_normal; }
 std::unique_ptr<Shape> Disc::baked(const Transform& t) const {
   const double scale = similarity_scale(t);
   if (scale == 0.0) return nullptr;
-  auto moved = std::make_unique<Disc>(t.point(m_centre), t.normal(m_normal), m_radius * scale, m_hole * scale);
-  moved->m_side1 = t.vector(m_side1);
-  moved->m_side2 = t.vector(m_side2);
-  moved->m_thick = t.vector(m_thick);
-  return moved;
+  return std::make_unique<Disc>(t.point(m_centre), t.normal(m_normal), m_radius * scale, m_hole * scale);
 }
 
 }  // namespace lentray::core

@@ -10,25 +10,22 @@ class Disc final : public Shape {
  public:
   Disc(const Vec3& centre, const Vec3& normal, double radius, double hole = 0.0);
 
-  std::string_view name() const override { return "disc"; }
+  ShapeTraits traits() const override {
+    return {.name = "disc", .convexity = Convexity::kFlat, .solid_is_unbounded = true};
+  }
   /// Of the surface alone.
   Bounds bounds() const override;
   Bounds bounds_in(const Transform& t) const override;
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
   bool inside(const Vec3& p) const override;
-  bool solid_leaves_bounds() const override { return true; }
-  /// The box of a slab about the disc's square, as stock turns it.
-  Bounds csg_bounds_in(const Transform& t) const override;
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
-  Convexity convexity() const override { return Convexity::kFlat; }
   /// Under similarities.
   std::unique_ptr<Shape> baked(const Transform& t) const override;
 
  private:
   Vec3 m_centre, m_normal;  ///< unit
   double m_radius, m_hole;
-  Vec3 m_side1, m_side2, m_thick;  ///< from the slab's middle to its faces
 };
 
 }  // namespace lentray::core

@@ -12,7 +12,7 @@ class DoubleCone final : public Shape {
   /// Ends must differ; one radius is below zero, the other above.
   DoubleCone(const Vec3& base, double base_radius, const Vec3& cap, double cap_radius, bool open = false);
 
-  std::string_view name() const override { return "cone"; }
+  ShapeTraits traits() const override { return {.name = "cone"}; }
   Bounds bounds() const override { return bounds_in(Transform()); }
   Bounds bounds_in(const Transform& t) const override;
   void hull(std::vector<Vec3>& points) const override;

@@ -24,7 +24,7 @@ class HeightGrid {
   /// Where the height is kept: the next along x lies behind it, the next along z width() further.
   const std::uint16_t* corner(int x, int z) const { return &m_heights[index(x, z)]; }
   bool is_smooth() const { return !m_normals.empty(); }
-  /// Grid space, of any length; with the few digits that stock keeps.
+  /// Grid space, of any length; rounded to few digits.
   Vec3 corner_normal(int x, int z) const;
   double lowest() const { return m_lowest; }
   double highest() const { return m_highest; }
@@ -61,14 +61,13 @@ class HeightField final : public Shape {
   /// `water_level` 0..1.
   HeightField(std::shared_ptr<const HeightGrid> grid, double water_level);
 
-  std::string_view name() const override { return "height_field"; }
+  ShapeTraits traits() const override { return {.name = "height_field", .solid_is_unbounded = true}; }
   Bounds bounds() const override;
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
   bool any(const Ray& ray, double t_min, double t_max) const override;
   /// Everything below the surface, beyond the box too.
   bool inside(const Vec3& p) const override;
-  bool solid_is_unbounded() const override { return true; }
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
   std::unique_ptr<Shape> baked(const Transform& t) const override;
   void drop_shortcuts() override { m_steps = false; }

@@ -16,8 +16,8 @@ namespace {
 constexpr std::uint32_t kSurface = 0;  ///< element; 1 .. 6 are the box's sides, lower first
 constexpr double kSkin = 4.0;          ///< in accuracies: how far off the surface counts as on it
 constexpr double kStep = 5.0;          ///< in accuracies: how far beyond a surface the search goes on
-/// Accuracies count along the ray, as in stock, where a surface that is scaled down vanishes in its
-/// own. One coarser than this share of the way through the container is replaced by a fine one.
+/// Accuracies count along the ray: a surface that is scaled down would vanish in its own.
+/// One coarser than this share of the way through the container is replaced by a fine one.
 constexpr double kCoarse = 0.05, kFine = 5e-4;
 
 }  // namespace
@@ -92,7 +92,7 @@ struct Isosurface::Search {
         reach = gradient * speed * span;
       }
     }
-    const bool is_free = !(f_from + f_to - reach < 0.0);  // as in stock where the function is no number
+    const bool is_free = !(f_from + f_to - reach < 0.0);  // so too where the function is no number
     if (is_free && f_to >= 0.0) return false;
     const double middle = from + 0.5 * span;
     if (span < accuracy || !(from < middle && middle < to)) {

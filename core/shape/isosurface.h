@@ -1,6 +1,6 @@
 // isosurface: where a function equals its threshold, within a box or a sphere; inside it is less.
 // Found by halving the way through the container, given that the function is never steeper than
-// `max_gradient`, down to pieces shorter than `accuracy`: as stock does, for scenes are tuned to it.
+// `max_gradient`, down to pieces shorter than `accuracy`: scenes are tuned to this search.
 // Space: object.
 // Source: reference manual 3.7, "Isosurface"; compared with stock by image.shapes.
 #pragma once
@@ -31,13 +31,12 @@ class Isosurface final : public Shape {
  public:
   explicit Isosurface(IsosurfaceSettings settings);
 
-  std::string_view name() const override { return "isosurface"; }
+  ShapeTraits traits() const override { return {.name = "isosurface", .tells_all = false}; }
   Bounds bounds() const override;
   Bounds bounds_in(const Transform& t) const override;
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
   bool any(const Ray& ray, double t_min, double t_max) const override;
-  bool tells_all() const override { return false; }
   bool inside(const Vec3& p) const override;
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
 

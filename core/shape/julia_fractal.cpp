@@ -31,17 +31,19 @@ class JuliaFractal final : public Shape {
   explicit JuliaFractal(Map map) : m_map(std::move(map)), m_box(box_in(Transform())) {}
   JuliaFractal(Map map, const Bounds& box) : m_map(std::move(map)), m_box(box) {}
 
-  std::string_view name() const override { return "julia_fractal"; }
+  /// Where y stands for z the solid has no end along z.
+  ShapeTraits traits() const override {
+    return {.name = "julia_fractal",
+            .solid_is_unbounded = Map::kRemembers,
+            .tells_all = false,
+            .tells_first_alone = true};
+  }
   Bounds bounds() const override { return m_box; }
   Bounds bounds_in(const Transform& t) const override { return box_in(t); }
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
-  void all_alone(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
   bool any(const Ray& ray, double t_min, double t_max) const override;
-  bool tells_all() const override { return false; }
   bool inside(const Vec3& p) const override { return m_map.holds(p); }
-  /// Where y stands for z the solid has no end along z.
-  bool solid_leaves_bounds() const override { return Map::kRemembers; }
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override {
     return m_map.normal(p, {hit.u, hit.v});
   }
@@ -66,7 +68,7 @@ class JuliaFractal final : public Shape {
 };
 
 /// Cells that the set has no part in are ruled out by their orbits. Where those say nothing it is
-/// the sphere's box, which stock keeps to where the solid leaves it.
+/// the sphere's box; the solid may leave it there.
 template <class Map>
 Bounds JuliaFractal<Map>::box_in(const Transform& t) const {
   constexpr double kFine = 1.0 / 64.0, kNear = 10.0 * kTolerance;
@@ -195,8 +197,8 @@ void JuliaFractal<Map>::crossings(const Ray& ray, Visit&& visit, Anywhere&& anyw
   }
 }
 
-/// A crossing that is too near for the ray hides all others, as in stock, where a Julia set tells no
-/// more than its first. A search that goes on where it found one, beyond a clipped hit, gets the next.
+/// A crossing that is too near for the ray hides all others: a Julia set tells a ray no more than its first.
+/// A search that goes on where it found one, beyond a clipped hit, gets the next.
 template <class Map>
 bool JuliaFractal<Map>::nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const {
   bool found = false, hidden = false;
@@ -243,12 +245,6 @@ void JuliaFractal<Map>::all(const Ray& ray, double t_min, double t_max, ShapeHit
   });
 }
 
-template <class Map>
-void JuliaFractal<Map>::all_alone(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const {
-  ShapeHit hit;
-  if (nearest(ray, t_min, t_max, hit)) hits.push_back(hit);
-}
-
 /// Copies of a declared set follow one another: each thread keeps the last one's box.
 template <class Map>
 std::unique_ptr<Shape> made(const JuliaSettings& s, Map map) {
@@ -269,7 +265,7 @@ std::unique_ptr<Shape> make_hypercomplex(const JuliaSettings& s) {
   using julia::HypercomplexMap;
   switch (s.function) {
     case JuliaFunction::kSqr: return made(s, HypercomplexMap<julia::DuplexSquare<true>>(s));
-    // Stock squares here as well, but walks by other steps.
+    // This squares as well, but walks by other steps. Source: stock's.
     case JuliaFunction::kCube: return made(s, HypercomplexMap<julia::DuplexSquare<false>>(s));
     case JuliaFunction::kReciprocal: return made(s, HypercomplexMap<julia::DuplexReciprocal>(s));
     case JuliaFunction::kExp: return made_of(s, f::Exp());

@@ -1,8 +1,8 @@
 // julia_fractal: the points of three dimensions whose four-dimensional number, iterated by
 // f(q) + parameter, stays within a sphere for so many rounds; quaternions or hypercomplex numbers.
 // Found by walking along the ray in steps of the distance that the orbit lets expect, at least
-// 1/precision, and halving the step that entered (or left) the set: as stock does, which loses what
-// is thinner than a step and where the estimate errs, for scenes are tuned to it.
+// 1/precision, and halving the step that entered (or left) the set. This loses what is thinner than a
+// step and where the estimate errs; scenes are tuned to it.
 // Space: object. Throws std::invalid_argument for a function that quaternions do not have.
 // Source: reference manual 3.7, "Julia Fractal"; Hart, Sandin, Kauffman, "Ray Tracing Deterministic
 // 3-D Fractals", 1989; compared with stock by image.julia.

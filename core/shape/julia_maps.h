@@ -215,7 +215,7 @@ class QuaternionMap {
 using Duplex = ComplexPair;
 
 /// The first number of an orbit. Where a ray enters the sphere the last bit of its size decides
-/// whether it starts inside the set, so that is summed in stock's order.
+/// whether it starts inside the set, so the order of that sum matters.
 struct DuplexStart {
   Duplex z;
   double size;
@@ -382,7 +382,7 @@ class HypercomplexMap {
   Duplex m_c;
 };
 
-/// Any other function of hypercomplex numbers. Here stock does two things that scenes show: it
+/// Any other function of hypercomplex numbers. Two things are odd here, and scenes show them: the search
 /// refines a hit with y in the place of z, and where that orbit is lost it takes the rest of the
 /// last longer one for the normal, of which the function itself is the derivative. So the orbits are
 /// kept, and a hit remembers its normal.

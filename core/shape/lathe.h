@@ -16,7 +16,7 @@ class Lathe final : public Shape {
   /// `hole`: nothing nearer to the axis is inside.
   explicit Lathe(std::vector<CurvePiece> pieces, double hole = 0.0);
 
-  std::string_view name() const override { return "lathe"; }
+  ShapeTraits traits() const override { return {.name = "lathe", .has_uv = true}; }
   Bounds bounds() const override;
   Bounds bounds_in(const Transform& t) const override;
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
@@ -24,7 +24,6 @@ class Lathe final : public Shape {
   /// Between the curve and the axis or the hole, counted by crossings outwards.
   bool inside(const Vec3& p) const override;
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
-  bool has_uv() const override { return true; }
   /// Around, and along the pieces, each the same share.
   Vec2 uv(const Vec3& p, const ShapeHit& hit) const override;
   void drop_shortcuts() override;

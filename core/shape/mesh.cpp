@@ -14,6 +14,15 @@ Mesh::Mesh(std::shared_ptr<const TriangleMesh> triangles, std::optional<Vec3> in
   if (inside_vector && length_squared(*inside_vector) > 0.0) m_inside_vector = normalized(*inside_vector);
 }
 
+/// Where triangles are missing points beyond the box may count as inside, too.
+ShapeTraits Mesh::traits() const {
+  const bool is_solid = m_inside_vector.has_value();
+  return {.name = m_is_mesh2 ? "mesh2" : "mesh",
+          .is_solid = is_solid,
+          .solid_is_unbounded = is_solid && m_triangles->data().is_open,
+          .has_uv = true};
+}
+
 void Mesh::set_textures(std::vector<const Texture*> textures) { m_textures = std::move(textures); }
 
 int Mesh::textures_at(const ShapeHit& hit, MeshTexture out[3]) const {
@@ -92,7 +101,7 @@ Vec3 Mesh::normal(const Vec3&, const ShapeHit& hit) const {
 Vec2 Mesh::uv(const Vec3&, const ShapeHit& hit) const {
   const MeshData& data = m_triangles->data();
   const MeshTriple index = data.face_uvs[hit.element];
-  if (index[0] == kNoIndex || index[1] == kNoIndex || index[2] == kNoIndex) return {};  // as in stock
+  if (index[0] == kNoIndex || index[1] == kNoIndex || index[2] == kNoIndex) return {};  // a face without uv vectors
   const Vec2 &a = data.uvs[index[0]], &b = data.uvs[index[1]], &c = data.uvs[index[2]];
   const double w = 1.0 - hit.u - hit.v;
   return {a.u * w + b.u * hit.u + c.u * hit.v, a.v * w + b.v * hit.u + c.v * hit.v};
@@ -117,11 +126,6 @@ void Mesh::drop_shortcuts() {
   auto triangles = std::make_shared<TriangleMesh>(*m_triangles);
   triangles->open_boxes();
   m_triangles = std::move(triangles);
-}
-
-std::size_t Mesh::memory() const {
-  return sizeof(*this) + m_triangles->memory() / static_cast<std::size_t>(m_triangles.use_count()) +
-         m_textures.capacity() * sizeof(const Texture*);
 }
 
 }  // namespace lentray::core

@@ -38,7 +38,7 @@ class Mesh final : public Shape {
 
   const TriangleMesh& triangles() const { return *m_triangles; }
 
-  std::string_view name() const override { return m_is_mesh2 ? "mesh2" : "mesh"; }
+  ShapeTraits traits() const override;
   Bounds bounds() const override { return m_triangles->bounds(); }
   Bounds bounds_in(const Transform& t) const override;
   Ball ball() const override;
@@ -48,17 +48,11 @@ class Mesh final : public Shape {
   bool any(const Ray& ray, double t_min, double t_max) const override;
   bool inside(const Vec3& p) const override;
   bool outside(const Vec3& p) const override;
-  bool is_solid() const override { return m_inside_vector.has_value(); }
-  bool inverse_turns_normal() const override { return true; }
-  /// Where triangles are missing points beyond the box count as inside, too.
-  bool solid_leaves_bounds() const override { return is_solid() && m_triangles->data().is_open; }
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
-  bool has_uv() const override { return true; }
   Vec2 uv(const Vec3& p, const ShapeHit& hit) const override;
   /// Small ones whose triangles are not shared; else the object keeps the transform.
   std::unique_ptr<Shape> baked(const Transform& t) const override;
   void drop_shortcuts() override;
-  std::size_t memory() const override;
 
  private:
   std::shared_ptr<const TriangleMesh> m_triangles;

@@ -12,7 +12,7 @@ class Ovus final : public Shape {
   /// Radii 0 or more, top less than twice the bottom (beyond it is a sphere).
   Ovus(double bottom, double top);
 
-  std::string_view name() const override { return "ovus"; }
+  ShapeTraits traits() const override { return {.name = "ovus", .convexity = Convexity::kOpen, .has_uv = true}; }
   Bounds bounds() const override;
   Bounds bounds_in(const Transform& t) const override;
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
@@ -20,8 +20,6 @@ class Ovus final : public Shape {
   bool inside(const Vec3& p) const override;
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
   /// Where spheres and torus join a root may be lost.
-  Convexity convexity() const override { return Convexity::kOpen; }
-  bool has_uv() const override { return true; }
   /// As on a sphere about the point half a top radius up.
   Vec2 uv(const Vec3& p, const ShapeHit& hit) const override;
 

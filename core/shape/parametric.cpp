@@ -11,8 +11,8 @@ constexpr int kMostLevels = 15;       ///< or as many as are to be precomputed, 
 constexpr int kMostHalvings = 96;     ///< in all: then a double's digits are used up
 constexpr double kAlong = 1e-10;      ///< directions below this run along an axis' planes
 constexpr double kEmptyPath = 1e-10;
-/// Accuracies count along the ray, as in stock, where a surface that is scaled down vanishes in its
-/// own. One coarser than this share of the surface's size is replaced by a fine one.
+/// Accuracies count along the ray: a surface that is scaled down would vanish in its own.
+/// One coarser than this share of the surface's size is replaced by a fine one.
 constexpr double kCoarse = 0.05, kFine = 5e-4;
 constexpr double kSlow = 0.05;        ///< sine of the angle to a plane, below which a ray creeps away from it
 
@@ -182,7 +182,7 @@ struct Parametric::Search {
   double accuracy, speed;
   double along;  ///< the accuracy of times
   /// The ray hardly moves along the last axis: it may enter that range long before it is where the
-  /// others are. Stock takes that time all the same; its surfaces then have holes.
+  /// others are. That time would leave holes in the surface.
   bool last_is_slow = false;
   std::array<double, 3> origin, inverse;
   std::array<bool, 3> runs_along;
@@ -336,7 +336,7 @@ bool Parametric::through_container(const Ray& ray, double& from, double& to) con
   return from <= to && to >= kNear;
 }
 
-/// The only hit that counts: what is nearer than the ray's asks for hides the rest, as in stock.
+/// The only hit that counts: what is nearer than the ray asks for hides the rest.
 bool Parametric::find(const Ray& ray, ShapeHit& hit) const {
   constexpr double kBegin = 4.0;  // in accuracies
   Search search(*this, ray);
@@ -369,11 +369,6 @@ Vec3 Parametric::normal(const Vec3&, const ShapeHit& hit) const {
     along_v[axis] = value(axis, hit.u, hit.v + m_set.accuracy) - here;
   }
   return cross(along_u, along_v);
-}
-
-std::size_t Parametric::memory() const {
-  return sizeof(*this) + m_kept.capacity() * sizeof(Kept) +
-         m_corners.capacity() * sizeof(std::array<Corners, 3>);
 }
 
 }  // namespace lentray::core

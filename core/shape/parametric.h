@@ -1,6 +1,6 @@
 // parametric: the points <x(u, v), y(u, v), z(u, v)> of a rectangle of u and v, within a box or a
 // sphere. Found by halving the rectangle, given that no function is steeper than `max_gradient`, down
-// to pieces smaller than `accuracy`: as stock does, for scenes are tuned to it. The surface so found
+// to pieces smaller than `accuracy`: scenes are tuned to this search. The surface so found
 // lies lower by the accuracy on each axis, and only its first point is known.
 // The boxes of the first halvings, which hold for every ray, are kept.
 // Space: object.
@@ -32,18 +32,16 @@ class Parametric final : public Shape {
  public:
   explicit Parametric(ParametricSettings settings);
 
-  std::string_view name() const override { return "parametric"; }
+  ShapeTraits traits() const override {
+    return {.name = "parametric", .is_solid = false, .has_uv = true, .tells_all = false, .inverse_turns_normal = false};
+  }
   Bounds bounds() const override { return m_bounds; }
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
-  bool tells_all() const override { return false; }
   bool inside(const Vec3&) const override { return false; }
   bool outside(const Vec3&) const override { return false; }
-  bool is_solid() const override { return false; }
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
-  bool has_uv() const override { return true; }
   Vec2 uv(const Vec3&, const ShapeHit& hit) const override { return {hit.u, hit.v}; }
-  std::size_t memory() const override;
 
  private:
   struct Range { double lo, hi; };

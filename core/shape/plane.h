@@ -20,12 +20,12 @@ class Plane final : public Shape {
   const Vec3& unit_normal() const { return m_normal; }
   double distance() const { return m_distance; }
 
-  std::string_view name() const override { return "plane"; }
+  ShapeTraits traits() const override { return {.name = "plane"}; }
   /// A half-space where the normal is along an axis, else infinite.
   Bounds bounds() const override;
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
-  /// On the surface: both inside and outside, within 1e-10, as stock has it.
+  /// On the surface: both inside and outside, within 1e-10.
   bool inside(const Vec3& p) const override;
   bool outside(const Vec3& p) const override;
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;

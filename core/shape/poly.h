@@ -1,5 +1,5 @@
 // poly, cubic, quartic: surfaces of a polynomial of order 2 to 35 in x, y, z. Space: object.
-// Inside is where the polynomial is below 0.0001, as in stock.
+// Inside is where the polynomial is below 0.0001.
 // Source: reference manual 3.7, "Poly, Cubic and Quartic"; compared with stock by image.shapes.
 #pragma once
 
@@ -16,11 +16,10 @@ class Poly final : public Shape {
   /// Coefficients in the order of the manual: powers of x fall slowest, those of z fastest.
   Poly(std::string_view name, int order, const std::vector<double>& coefficients);
 
-  std::string_view name() const override { return m_name; }
+  ShapeTraits traits() const override { return {.name = m_name, .finds_all_at_once = true}; }
   Bounds bounds() const override { return Bounds::everything(); }
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
-  bool finds_all_at_once() const override { return true; }
   bool inside(const Vec3& p) const override;
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
   void keep_within(const Ball& ball) override { m_kept = ball; }

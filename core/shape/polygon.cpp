@@ -56,10 +56,6 @@ bool EvenOdd::contains(double u, double v) const {
   return odd;
 }
 
-std::size_t EvenOdd::memory() const {
-  return m_first.capacity() * sizeof(std::uint32_t) + m_edges.capacity() * sizeof(Edge);
-}
-
 Polygon::Polygon(std::vector<Vec3> points) : m_points(std::move(points)) {
   if (m_points.size() < 3) {
     m_degenerate = true;
@@ -177,10 +173,6 @@ std::unique_ptr<Shape> Polygon::baked(const Transform& t) const {
   moved->m_many = EvenOdd();
   moved->flatten();
   return moved;
-}
-
-std::size_t Polygon::memory() const {
-  return sizeof(*this) + m_points.capacity() * sizeof(Vec3) + m_many.memory();
 }
 
 }  // namespace lentray::core

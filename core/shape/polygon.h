@@ -10,7 +10,7 @@
 
 namespace lentray::core {
 
-/// Even-odd test in the plane. Rule, stock's: an edge counts if one end has v >= the point's and
+/// Even-odd test in the plane. An edge counts if one end has v >= the point's and
 /// the other has not, and the edge is at or right of the point. Edges are sorted into bands of v.
 class EvenOdd {
  public:
@@ -20,7 +20,6 @@ class EvenOdd {
   EvenOdd() = default;
   explicit EvenOdd(std::vector<Edge> edges);
   bool contains(double u, double v) const;
-  std::size_t memory() const;
 
   static bool crosses(const Edge& e, double u, double v) {
     const bool spans = (e.v0 >= v) != (e.v1 >= v);  // both computed: cheaper than a wrong guess
@@ -40,24 +39,23 @@ class EvenOdd {
 class Polygon final : public Shape {
  public:
   /// Points as SDL lists them; a point within 1e-10 of a contour's first closes it, an unclosed
-  /// last contour is closed. A degenerate polygon is allowed: nothing meets it. Degenerate, as
-  /// in stock: all sides' cross products shorter than 1e-5, or a point out of plane by 1e-10.
+  /// last contour is closed. A degenerate polygon is allowed: nothing meets it. Degenerate:
+  /// all sides' cross products shorter than 1e-5, or a point out of plane by 1e-10.
   explicit Polygon(std::vector<Vec3> points);
 
   const std::vector<Vec3>& points() const { return m_points; }
   bool is_degenerate() const { return m_degenerate; }
 
-  std::string_view name() const override { return "polygon"; }
+  ShapeTraits traits() const override {
+    return {.name = "polygon", .convexity = Convexity::kFlat, .is_solid = false, .inverse_turns_normal = false};
+  }
   Bounds bounds() const override;
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
   bool inside(const Vec3&) const override { return false; }
   bool outside(const Vec3&) const override { return false; }
-  bool is_solid() const override { return false; }
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
-  Convexity convexity() const override { return Convexity::kFlat; }
   std::unique_ptr<Shape> baked(const Transform& t) const override;
-  std::size_t memory() const override;
 
  private:
   static constexpr std::uint32_t kFew = 4;  ///< edges that are simply looked through
@@ -66,7 +64,7 @@ class Polygon final : public Shape {
   void orient();
   void flatten();
 
-  Vec3 m_normal;                ///< unit, as stock orients it
+  Vec3 m_normal;                ///< unit
   double m_offset = 0.0;        ///< of the plane, along the normal
   double m_lo_u = 0.0, m_hi_u = 0.0, m_lo_v = 0.0, m_hi_v = 0.0;
   int m_u = 0, m_v = 1;         ///< the axes of the projection that the test in 2D works in

@@ -21,7 +21,7 @@ class Prism final : public Shape {
   Prism(std::string_view name, std::shared_ptr<const Outline> outline, Sweep sweep, double from,
         double to, bool open);
 
-  std::string_view name() const override { return m_name; }
+  ShapeTraits traits() const override { return {.name = m_name}; }
   Bounds bounds() const override;
   Bounds bounds_in(const Transform& t) const override;
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;

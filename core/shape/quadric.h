@@ -15,16 +15,16 @@ class Quadric final : public Shape {
   explicit Quadric(const std::array<double, 10>& coefficients);
   Quadric(const Vec3& squares, const Vec3& products, const Vec3& linear, double constant);
 
-  std::string_view name() const override { return "quadric"; }
+  /// The inverse has the sign of the polynomial turned, and the normal once more.
+  ShapeTraits traits() const override {
+    return {.name = "quadric", .solid_is_unbounded = m_solid_unbounded, .inverse_turns_normal = false};
+  }
   /// Tight for ellipsoids; for others as far as they are bounded along the axes.
   Bounds bounds() const override { return m_bounds; }
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
   bool inside(const Vec3& p) const override;
-  /// Stock turns the sign of the polynomial, and the normal once more.
-  bool inverse_turns_normal() const override { return false; }
   bool outside(const Vec3& p) const override;
-  bool solid_is_unbounded() const override { return m_solid_unbounded; }
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
   std::unique_ptr<Shape> baked(const Transform& t) const override;
 

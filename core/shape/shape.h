@@ -30,13 +30,27 @@ enum class Convexity : std::uint8_t {
   kFlat,    ///< the same as of kOpen, on either side
 };
 
+/// What holds for all points and rays alike.
+struct ShapeTraits {
+  std::string_view name;                   ///< SDL keyword of the statement, for statistics and messages ("sphere")
+  /// But for rounding, and of hits from outside alone. Patches whose normal is not that of their plane have none.
+  Convexity convexity = Convexity::kNone;
+  bool is_solid = true;                    ///< false for patches: they have no inside, and `inverse` changes nothing
+  bool solid_is_unbounded = false;         ///< bounds() holds the surface alone, and inside() may be true beyond it
+  bool has_uv = false;                     ///< texture coordinates of its own
+  bool finds_all_at_once = false;          ///< all() costs no more than nearest(), which works all out too
+  bool tells_all = true;                   ///< false: a ray that begins anew at one crossing may meet others
+  bool tells_first_alone = false;          ///< true: a ray of light meets no more of it than nearest() tells
+  bool inverse_turns_normal = true;        ///< that of the inverse points the other way: this decides what is behind
+};
+
 class Shape {
  public:
   virtual ~Shape() = default;
 
-  /// SDL keyword of the statement, for statistics and messages ("sphere").
-  virtual std::string_view name() const = 0;
-  /// Everything of the surface; of the solid too where that is finite. May be infinite.
+  virtual ShapeTraits traits() const = 0;
+  std::string_view name() const { return traits().name; }
+  /// Everything of the surface; of the solid too unless the traits say otherwise. May be infinite.
   virtual Bounds bounds() const = 0;
   /// The same after a transform; shapes override it where the box of the box is not tight.
   virtual Bounds bounds_in(const Transform& t) const { return transformed(bounds(), t); }
@@ -51,43 +65,20 @@ class Shape {
   virtual bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const = 0;
   /// Appends every crossing, in any order (CSG and clipping need them all).
   virtual void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const = 0;
-  /// What a ray of light meets of the shape alone: for some that is less, as of nearest().
-  virtual void all_alone(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const {
-    all(ray, t_min, t_max, hits);
-  }
   /// Whether there is any crossing. The answer is the same as that of nearest().
   virtual bool any(const Ray& ray, double t_min, double t_max) const {
     ShapeHit hit;
     return nearest(ray, t_min, t_max, hit);
   }
 
-  /// True where all() costs no more than nearest(), which works all out too.
-  virtual bool finds_all_at_once() const { return false; }
-  /// False where a ray that begins anew at one crossing may meet some that all() leaves out.
-  virtual bool tells_all() const { return true; }
   /// As `inside` in SDL, before any `inverse`. Shapes without a solid answer false.
   virtual bool inside(const Vec3& p) const = 0;
   /// As `inside` of the inverse. Not always the opposite: a point on a surface may be in both or
   /// neither, and shapes without a solid answer false again.
   virtual bool outside(const Vec3& p) const { return !inside(p); }
-  /// True where bounds() holds the surface alone and inside() is true beyond it.
-  virtual bool solid_is_unbounded() const { return false; }
-  /// The same, but stock takes a box for the solid's when it bounds a CSG, so that rays which miss the
-  /// box miss the CSG.
-  virtual bool solid_leaves_bounds() const { return false; }
-  /// That box, after a transform.
-  virtual Bounds csg_bounds_in(const Transform& t) const { return bounds_in(t); }
-  /// False for patches, which `inverse` does not change.
-  virtual bool is_solid() const { return true; }
-  /// Whether the normal of the inverse points the other way, which decides what is behind.
-  virtual bool inverse_turns_normal() const { return is_solid(); }
-  /// But for rounding, and of hits from outside alone. Patches whose normal is not that of their plane have none.
-  virtual Convexity convexity() const { return Convexity::kNone; }
-  /// Shading normal, not necessarily unit, pointing as stock's does (outwards for solids).
+  /// Shading normal, not necessarily unit; outwards for solids.
   virtual Vec3 normal(const Vec3& p, const ShapeHit& hit) const = 0;
-  /// Texture coordinates for uv_mapping. Kinds without any of their own (has_uv) take x and y of
-  /// the world point, as stock does.
-  virtual bool has_uv() const { return false; }
+  /// Texture coordinates for uv_mapping. Kinds without any of their own take x and y of the world point.
   virtual Vec2 uv(const Vec3& p, const ShapeHit& hit) const { (void)hit; return {p.x, p.y}; }
 
   /// The same shape in the space `t` leads to, or null if this kind cannot hold it
@@ -99,8 +90,6 @@ class Shape {
   /// For tests, before the shape is shared or asked: infinite boxes and plain lists instead of those
   /// that only spare work. Answers keep their bits; bounds() may become infinite.
   virtual void drop_shortcuts() {}
-  /// Bytes held, for the memory statistics.
-  virtual std::size_t memory() const { return sizeof(*this); }
 };
 
 }  // namespace lentray::core

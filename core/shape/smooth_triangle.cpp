@@ -3,7 +3,7 @@
 namespace lentray::core {
 namespace {
 
-/// Stock drops the triangle unless all normals are strictly on one side of it.
+/// Nothing meets the triangle unless all normals are strictly on one side of it.
 bool normals_disagree(const Vec3& face, const std::array<Vec3, 3>& n) {
   const double a = dot(face, n[0]), b = dot(face, n[1]), c = dot(face, n[2]);
   return !((a > 0.0 && b > 0.0 && c > 0.0) || (a < 0.0 && b < 0.0 && c < 0.0));

@@ -16,7 +16,9 @@ class SmoothTriangle final : public TriangleShape {
 
   const std::array<Vec3, 3>& normals() const { return m_normals; }
 
-  std::string_view name() const override { return "smooth_triangle"; }
+  ShapeTraits traits() const override {
+    return {.name = "smooth_triangle", .is_solid = false, .inverse_turns_normal = false};
+  }
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
   std::unique_ptr<Shape> baked(const Transform& t) const override;
 

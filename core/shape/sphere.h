@@ -34,7 +34,7 @@ class Sphere final : public Shape {
   double radius() const { return m_radius; }
   double radius2() const { return m_radius2; }
 
-  std::string_view name() const override { return "sphere"; }
+  ShapeTraits traits() const override { return {.name = "sphere", .convexity = Convexity::kConvex, .has_uv = true}; }
   Bounds bounds() const override;
   Bounds bounds_in(const Transform& t) const override;
   Ball ball() const override { return {m_centre, m_radius}; }
@@ -44,8 +44,6 @@ class Sphere final : public Shape {
   bool inside(const Vec3& p) const override;
   bool outside(const Vec3& p) const override;
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
-  Convexity convexity() const override { return Convexity::kConvex; }
-  bool has_uv() const override { return true; }
   Vec2 uv(const Vec3& p, const ShapeHit& hit) const override;
   /// Under similarities.
   std::unique_ptr<Shape> baked(const Transform& t) const override;

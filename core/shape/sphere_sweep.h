@@ -32,15 +32,14 @@ struct BoxRay;
 
 class SphereSweep final : public Shape {
  public:
-  /// `tolerance`: along rays, in the world; what they meet before it does not count, as in stock.
+  /// `tolerance`: along rays, in the world; what they meet before it does not count.
   explicit SphereSweep(std::vector<SweepPiece> pieces, double tolerance = 0.0);
 
-  std::string_view name() const override { return "sphere_sweep"; }
+  ShapeTraits traits() const override { return {.name = "sphere_sweep", .tells_all = m_tolerance <= kFine}; }
   Bounds bounds() const override { return m_bounds; }
   Bounds bounds_in(const Transform& t) const override;
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
-  bool tells_all() const override { return m_tolerance <= kFine; }
   bool inside(const Vec3& p) const override;
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
   void drop_shortcuts() override;

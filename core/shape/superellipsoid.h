@@ -13,7 +13,9 @@ class Superellipsoid final : public Shape {
  public:
   Superellipsoid(double e, double n);
 
-  std::string_view name() const override { return "superellipsoid"; }
+  ShapeTraits traits() const override {
+    return {.name = "superellipsoid", .convexity = m_convex ? Convexity::kConvex : Convexity::kNone};
+  }
   Bounds bounds() const override { return {{-1, -1, -1}, {1, 1, 1}}; }
   Bounds bounds_in(const Transform& t) const override;
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
@@ -21,7 +23,6 @@ class Superellipsoid final : public Shape {
   bool any(const Ray& ray, double t_min, double t_max) const override;
   bool inside(const Vec3& p) const override;
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
-  Convexity convexity() const override { return m_convex ? Convexity::kConvex : Convexity::kNone; }
 
  private:
   /// A norm of p (of degree 1) less 1.

@@ -15,7 +15,7 @@ class SurfaceOfRevolution final : public Shape {
   /// last only say how steep the curve is at their neighbours.
   SurfaceOfRevolution(const std::vector<Vec2>& points, bool open);
 
-  std::string_view name() const override { return "sor"; }
+  ShapeTraits traits() const override { return {.name = "sor", .has_uv = true}; }
   Bounds bounds() const override;
   Bounds bounds_in(const Transform& t) const override;
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
@@ -23,7 +23,6 @@ class SurfaceOfRevolution final : public Shape {
   bool any(const Ray& ray, double t_min, double t_max) const override;
   bool inside(const Vec3& p) const override;
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
-  bool has_uv() const override { return true; }
   /// Around, and with the height, each piece the same share; -1..0 and 1..2 on the caps.
   Vec2 uv(const Vec3& p, const ShapeHit& hit) const override;
   void drop_shortcuts() override;

@@ -14,7 +14,7 @@ class Torus final : public Shape {
   double major_radius() const { return m_major; }
   double minor_radius() const { return m_minor; }
 
-  std::string_view name() const override { return "torus"; }
+  ShapeTraits traits() const override { return {.name = "torus", .has_uv = true}; }
   Bounds bounds() const override;
   Bounds bounds_in(const Transform& t) const override;
   Ball ball() const override { return {{}, m_major + m_minor}; }
@@ -23,7 +23,6 @@ class Torus final : public Shape {
   /// Where minor > major (a spindle) all within the outer surface is inside.
   bool inside(const Vec3& p) const override;
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
-  bool has_uv() const override { return true; }
   Vec2 uv(const Vec3& p, const ShapeHit& hit) const override;
 
  private:

@@ -11,9 +11,10 @@ class Triangle final : public TriangleShape {
   /// A degenerate one is allowed: nothing meets it.
   Triangle(const Vec3& a, const Vec3& b, const Vec3& c);
 
-  std::string_view name() const override { return "triangle"; }
+  ShapeTraits traits() const override {
+    return {.name = "triangle", .convexity = Convexity::kFlat, .is_solid = false, .inverse_turns_normal = false};
+  }
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
-  Convexity convexity() const override { return Convexity::kFlat; }
   std::unique_ptr<Shape> baked(const Transform& t) const override;
 
  private:

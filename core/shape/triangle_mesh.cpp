@@ -179,13 +179,4 @@ bool TriangleMesh::odd_crossings(const Ray& ray, double t_min) const {
   return odd;
 }
 
-std::size_t TriangleMesh::memory() const {
-  return sizeof(*this) + m_data.vertices.capacity() * sizeof(Vec3) +
-         m_data.normals.capacity() * sizeof(Vec3) + m_data.uvs.capacity() * sizeof(Vec2) +
-         (m_data.faces.capacity() + m_data.face_normals.list.capacity() +
-          m_data.face_uvs.list.capacity() + m_data.face_textures.list.capacity()) * sizeof(MeshTriple) +
-         m_packs.capacity() * sizeof(TrianglePack) +
-         m_bvh.memory();
-}
-
 }  // namespace lentray::core

@@ -45,7 +45,6 @@ class TriangleMesh {
   const MeshData& data() const { return m_data; }
   std::size_t dropped() const { return m_dropped; }  ///< degenerate faces left out
   const Bounds& bounds() const { return m_bounds; }
-  std::size_t memory() const;
 
  private:
   template <class Visit>

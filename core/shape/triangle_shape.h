@@ -19,7 +19,6 @@ class TriangleShape : public Shape {
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const final;
   bool inside(const Vec3&) const override { return false; }
   bool outside(const Vec3&) const override { return false; }
-  bool is_solid() const override { return false; }
 
  protected:
   TriangleShape(const Vec3& a, const Vec3& b, const Vec3& c, bool degenerate)

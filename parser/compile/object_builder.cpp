@@ -7,7 +7,6 @@
 #include "core/material/blob_texture.h"
 #include "core/object/csg.h"
 #include "core/object/leaf.h"
-#include "core/shape/box.h"
 #include "core/shape/isosurface.h"
 #include "parser/compile/light_scope.h"
 #include "parser/compile/lights.h"
@@ -16,9 +15,7 @@
 #include "parser/shapes/shapes.h"
 #include "parser/shapes/text_shape.h"
 #include "parser/source/build_error.h"
-#include "parser/stock/box_region.h"
-#include "parser/stock/quadric_box.h"
-#include "parser/stock/stock_box.h"
+#include "parser/stock/gates.h"
 
 namespace lentray::parser {
 namespace {
@@ -45,45 +42,6 @@ std::optional<bool> shared_hollow(const ObjectDesc& object, std::optional<bool> 
     if (const auto hollow = shared_hollow(**child, from)) return hollow;
   }
   return std::nullopt;
-}
-
-double volume(const core::Bounds& b) {
-  if (b.is_empty()) return 0.0;
-  const Vec3 d = b.hi - b.lo;
-  return d.x * d.y * d.z;
-}
-
-using Regions = std::vector<std::shared_ptr<const core::Object>>;
-
-/// What is left of bounds that stock drops: their common box, if it is smaller than stock's own. All boxes are
-/// stock's.
-Regions boxed(const std::vector<Ref<ObjectDesc>>& bounds, const core::Transform& outer, const core::Bounds& own) {
-  core::Bounds box = core::Bounds::everything();
-  bool is_whole = true;
-  for (const Ref<ObjectDesc>& bound : bounds) {
-    if (!bound->inverse) box.intersect(core::transformed(stock_box(*bound, is_whole), outer));
-  }
-  if (!is_whole || box.is_empty() || !box.is_finite() || !(volume(box) < volume(own))) return {};
-  Regions kept;
-  kept.push_back(std::make_shared<core::Leaf>(std::make_unique<core::Box>(box.lo, box.hi),
-                                              core::Transform()));
-  return kept;
-}
-
-/// Stock asks no patch for what clips it: the clips only lend their box.
-bool forgets_clips(const ObjectDesc& object) {
-  return std::holds_alternative<std::shared_ptr<const BicubicPatchShape>>(object.shape);
-}
-
-/// Of an object in the scene's list: whether it seems to stock worth a test of its bounds.
-bool keeps_bounds(const ObjectDesc& object) {
-  if (const auto* quadric = std::get_if<Sparse<QuadricShape>>(&object.shape)) {
-    const auto& clips = object.rare->clipped_by;
-    const bool is_limited = std::any_of(clips.begin(), clips.end(), [](const auto& clip) { return !clip->inverse; });
-    return has_products((*quadric)->c) || (!is_limited && is_open_all_around((*quadric)->c));
-  }
-  return object.csg() || std::holds_alternative<PolyShape>(object.shape) ||
-         std::holds_alternative<Sparse<TextShape>>(object.shape);
 }
 
 }  // namespace
@@ -186,52 +144,6 @@ core::Attributes ObjectBuilder::attributes(const Inherited& looks) {
   return a;
 }
 
-void ObjectBuilder::set_regions(const ObjectDesc& object, const core::Transform& outer, bool on_list,
-                                bool keep_bounds, core::Object& out) {
-  std::map<const ObjectDesc*, std::shared_ptr<const core::Object>> made;
-  const auto region = [&](const Ref<ObjectDesc>& desc) {
-    std::shared_ptr<const core::Object>& slot = made[desc.get()];
-    if (!slot) slot = geometry(*desc, outer);
-    return slot;
-  };
-  Regions clips, bounds;
-  for (const Ref<ObjectDesc>& clip : object.rare->clipped_by) {
-    if (auto built = region(clip)) clips.push_back(std::move(built));
-  }
-  for (const Ref<ObjectDesc>& bound : object.rare->bounded_by) {
-    if (auto built = region(bound)) bounds.push_back(std::move(built));
-  }
-  const bool open_bounds = have_open_inside(bounds);
-  if (!keep_bounds && !bounds.empty()) {
-    bool is_whole = true;
-    ObjectDesc alone = object;
-    alone.rare.edit().bounded_by.clear();
-    bounds = heeds_regions(object) ? boxed(object.rare->bounded_by, outer, core::transformed(stock_box(alone, is_whole), outer)) : Regions();
-  }
-  if (!clips.empty() && !forgets_clips(object)) out.set_clips(std::move(clips));
-  const Reach reach = !on_list ? Reach::kPart : m_has_hierarchy ? Reach::kByBoxes : Reach::kOneByOne;
-  if (auto box = box_region(object, outer, reach, open_bounds, out)) bounds.push_back(std::move(box));
-  if (!bounds.empty()) out.set_bounding(std::move(bounds));
-}
-
-/// The box of a turned CSG is that of its parts' boxes, turned.
-void ObjectBuilder::set_stock_box(const ObjectDesc& object, const core::Transform& outer, core::Object& out) {
-  bool is_whole = true;
-  const core::Bounds box = core::transformed(stock_box(object, is_whole), outer);
-  auto* csg = dynamic_cast<core::Csg*>(&out);
-  if (csg && is_whole && !box.is_empty()) csg->set_box(box);
-}
-
-/// Of others all that is inside lies in stock's box.
-void ObjectBuilder::set_start_bounds(const ObjectDesc& object, const core::Transform& outer, core::Object& out) {
-  if (out.solid_bounds().is_finite() && out.bounding().empty()) return;
-  bool is_whole = true;
-  const core::Bounds box = core::transformed(stock_box(object, is_whole), outer);
-  const Vec3 size = box.hi - box.lo;
-  constexpr double kFinite = 1e9;
-  if (is_whole && std::max({size.x, size.y, size.z}) < kFinite) out.set_start_bounds(box);
-}
-
 std::unique_ptr<core::Object> ObjectBuilder::build(const ObjectDesc& object, const core::Transform& outer,
                                                    const Inherited& from) {
   try {
@@ -265,7 +177,6 @@ std::unique_ptr<core::Object> ObjectBuilder::build_whole(const ObjectDesc& objec
     Inherited for_children = looks;
     for_children.on_list = is_split;
     out = build_csg(object, *csg, to_world, for_children);
-    if (out && out->solid_leaves_bounds()) set_stock_box(object, outer, *out);
   } else {
     out = build_leaf(object, to_world, looks);
   }
@@ -274,12 +185,8 @@ std::unique_ptr<core::Object> ObjectBuilder::build_whole(const ObjectDesc& objec
   if (const auto* blob = std::get_if<std::shared_ptr<const BlobShape>>(&object.shape)) {
     add_element_textures(**blob, to_world, *out);
   }
-  set_regions(object, outer, from.on_list && !is_split, !from.on_list || keeps_bounds(object), *out);
-  if (object.inverse) out->set_inverse(true);
-  if (csg && !is_split && (from.on_list || !from.in_whole) && out->solid_leaves_bounds()) {
-    if (auto* whole = dynamic_cast<core::Csg*>(out.get())) whole->open_parts();
-  }
-  if (from.on_list) set_start_bounds(object, outer, *out);
+  const Standing standing{from.on_list, is_split, from.in_whole, m_has_hierarchy};
+  set_limits(object, outer, standing, [&](const ObjectDesc& region) { return geometry(region, outer); }, *out);
   if (m_cutaways) m_cutaways->record(*out, object, object.texture ? looks.texture : nullptr);
   return out;
 }

@@ -81,10 +81,6 @@ class ObjectBuilder {
                       const Inherited& from);
   const core::LightSelection* selection(const LightScope& scope);
   Inherited resolve(const ObjectDesc& object, const core::Transform& outer, const Inherited& from);
-  static void set_stock_box(const ObjectDesc& object, const core::Transform& outer, core::Object& out);
-  static void set_start_bounds(const ObjectDesc& object, const core::Transform& outer, core::Object& out);
-  void set_regions(const ObjectDesc& object, const core::Transform& outer, bool on_list,
-                   bool keep_bounds, core::Object& out);
   core::Attributes attributes(const Inherited& looks);
   const core::Texture* compile(const Ref<TextureDesc>& texture);
   Ref<TextureDesc> moved(const Ref<TextureDesc>& texture, const core::Transform& transform);

@@ -2,7 +2,7 @@
 
 #include "core/object/leaf.h"
 #include "parser/compile/object_builder.h"
-#include "parser/stock/box_region.h"
+#include "parser/stock/gates.h"
 
 namespace lentray::parser {
 namespace {
@@ -17,13 +17,7 @@ ObjectQuery::ObjectQuery(const ObjectDesc& object) {
     NotYet missing;
     CompiledSlot::Compiled made;
     auto whole = ObjectBuilder(missing).geometry(object);
-    if (whole && have_open_inside(whole->bounding())) {
-      auto bounding = whole->bounding();
-      if (auto box = box_region(object, core::Transform(), Reach::kOneByOne, true, *whole)) {
-        bounding.push_back(std::move(box));
-        whole->set_bounding(std::move(bounding));
-      }
-    }
+    if (whole) set_gates_alone(object, *whole);
     if (whole && core::is_seen_afar(*whole)) made.farthest = core::Bounds::kInf;
     made.object = std::move(whole);
     made.is_whole = missing.empty();

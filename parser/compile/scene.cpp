@@ -5,7 +5,7 @@
 #include "parser/compile/atmosphere.h"
 #include "parser/compile/object_builder.h"
 #include "parser/source/build_error.h"
-#include "parser/stock/box_region.h"
+#include "parser/stock/gates.h"
 
 namespace lentray::parser {
 namespace {

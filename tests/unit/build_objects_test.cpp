@@ -134,12 +134,12 @@ TEST(UnitBuildObjects, BoundsOfCheapObjectsBecomeBoxes) {
               "sphere { 0, 1 bounded_by { sphere { 0, .5 } } translate x }"
               "difference { sphere { 0, 1 } box { 0, 1 } bounded_by { sphere { 0, 2 } } }");
   const core::SceneParts parts = s.build();
-  EXPECT_TRUE(parts.objects[0]->bounding().empty());
-  ASSERT_EQ(parts.objects[1]->bounding().size(), 1u);
-  EXPECT_EQ(parts.objects[1]->bounding()[0]->name(), "box");
-  expect_near(parts.objects[1]->bounding()[0]->bounds().hi, {1.5, 0.5, 0.5}, 1e-6);
-  ASSERT_EQ(parts.objects[2]->bounding().size(), 1u);
-  EXPECT_EQ(parts.objects[2]->bounding()[0]->name(), "sphere");
+  EXPECT_TRUE(parts.objects[0]->gates().empty());
+  ASSERT_EQ(parts.objects[1]->gates().size(), 1u);
+  EXPECT_EQ(parts.objects[1]->gates()[0]->name(), "box");
+  expect_near(parts.objects[1]->gates()[0]->bounds().hi, {1.5, 0.5, 0.5}, 1e-6);
+  ASSERT_EQ(parts.objects[2]->gates().size(), 1u);
+  EXPECT_EQ(parts.objects[2]->gates()[0]->name(), "sphere");
 }
 
 TEST(UnitBuildObjects, MeshTextures) {

@@ -152,12 +152,19 @@ TEST(UnitCoreCsg, PatchesHaveNoInside) {
   const auto cut = csg(CsgKind::kDifference, leaf<Sphere>(Vec3{}, 1.0),
                        leaf<Triangle>(Vec3{-5, -5, 0}, Vec3{5, -5, 0}, Vec3{0, 5, 0}));
   EXPECT_EQ(depths(*cut, {{0, 0, -5}, {0, 0, 1}}), (std::vector<double>{5}));
-  const auto half = csg(CsgKind::kIntersection, leaf<Sphere>(Vec3{}, 1.0),
-                        leaf<Disc>(Vec3{}, Vec3{0, 0, 1}, 0.5));  // a half-space in CSG
-  EXPECT_EQ(depths(*half, {{0.2, 0, -5}, {0, 0, 1}}).size(), 2u);
-  EXPECT_TRUE(half->inside({0.8, 0, -0.1}));
-  // Stock's box for it is the disc's own: rays that miss that miss all.
-  EXPECT_EQ(depths(*half, {{0.8, 0, -5}, {0, 0, 1}}).size(), 0u);
+}
+
+TEST(UnitCoreCsg, RaysThatMissAPartsGateMissAll) {
+  for (const bool gated : {false, true}) {
+    auto disc = leaf<Disc>(Vec3{}, Vec3{0, 0, 1}, 0.5);  // a half-space in CSG
+    if (gated) disc->set_solid_gate(disc->bounds());
+    EXPECT_EQ(disc->solid_bounds().is_finite(), gated);
+    const auto half = csg(CsgKind::kIntersection, leaf<Sphere>(Vec3{}, 1.0), std::move(disc));
+    EXPECT_EQ(half->is_gated(), gated);
+    EXPECT_EQ(depths(*half, {{0.2, 0, -5}, {0, 0, 1}}).size(), 2u);
+    EXPECT_TRUE(half->inside({0.8, 0, -0.1}));
+    EXPECT_EQ(depths(*half, {{0.8, 0, -5}, {0, 0, 1}}).size(), gated ? 0u : 1u);
+  }
 }
 
 TEST(UnitCoreCsg, ManyChildrenMatchFew) {
@@ -252,7 +259,7 @@ TEST(UnitCoreClipping, InverseClipsAndInfiniteObjects) {
 
 TEST(UnitCoreBounding, RaysThatMissItMissTheObject) {
   auto sphere = leaf<Sphere>(Vec3{}, 1.0);
-  sphere->set_bounding({std::shared_ptr<const Object>(leaf<Box>(Vec3{-2, 0, -2}, Vec3{2, 2, 2}))});
+  sphere->set_gates({std::shared_ptr<const Object>(leaf<Box>(Vec3{-2, 0, -2}, Vec3{2, 2, 2}))});
   HitArena arena;
   Hit hit;
   EXPECT_TRUE(sphere->nearest({{0, 0.5, -5}, {0, 0, 1}}, 0, kInf, hit, arena));

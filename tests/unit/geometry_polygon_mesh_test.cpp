@@ -191,7 +191,7 @@ TEST(UnitCoreMesh, InsideByParityEvenThroughEdgesAndCorners) {
     EXPECT_NE(mesh.inside(d), mesh.outside(d));
   }
   const Mesh skin(std::make_shared<const TriangleMesh>(bumpy(16, 5)), std::nullopt, false);
-  EXPECT_FALSE(skin.inside({0, 0, 0}) || skin.outside({0, 0, 0}) || skin.is_solid());
+  EXPECT_FALSE(skin.inside({0, 0, 0}) || skin.outside({0, 0, 0}) || skin.traits().is_solid);
 }
 
 TEST(UnitCoreMesh, NormalsTexturesUvAndErrors) {

@@ -399,7 +399,7 @@ TEST(UnitCoreQuadric, UnboundedKindsAreBoundedWhereTheyCan) {
   EXPECT_NEAR(bowl.bounds().lo.y, 0.0, 1e-9);
   EXPECT_EQ(bowl.bounds().hi.y, kInf);
   const Quadric hollow(Vec3{-1, -1, -1}, {}, {}, 1.0);
-  EXPECT_TRUE(hollow.solid_is_unbounded());
+  EXPECT_TRUE(hollow.traits().solid_is_unbounded);
   EXPECT_TRUE(hollow.inside({5, 0, 0}));
   ShapeHit hit;
   ASSERT_TRUE(bowl.nearest({{0, 5, 0}, {0, -1, 0}}, 0, kInf, hit));

@@ -100,7 +100,7 @@ TEST(UnitCoreScene, UnionsAreSplitWhereTheirSurfaceIsThatOfTheirParts) {
   clipped->set_clips({b.ball(15, t)});
   b.parts.objects.push_back(std::move(clipped));
   auto bounded = b.csg(CsgKind::kUnion, b.ball(21, t), b.ball(24, t));
-  bounded->set_bounding({b.ball(21, t)});
+  bounded->set_gates({b.ball(21, t)});
   b.parts.objects.push_back(std::move(bounded));
   const auto scene = b.compile();
   ASSERT_EQ(scene->objects().size(), 7u);
