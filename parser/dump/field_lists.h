@@ -1,10 +1,10 @@
-// The members of all descriptions; see fields.h. A new member of a description is added here too:
-// the compiler asks for it.
+// The members of all descriptions but shapes, whose lists stand beside them; see fields.h. A new
+// member of a description is added here too: the compiler asks for it.
 #pragma once
 
+#include "parser/descriptions/fields.h"
 #include "parser/descriptions/interior.h"
 #include "parser/descriptions/scene.h"
-#include "parser/dump/fields.h"
 
 namespace lentray::parser {
 
@@ -86,43 +86,6 @@ LENTRAY_FIELDS(SubsurfaceSettings, samples_diffuse, samples_single, radiosity)
 LENTRAY_FIELDS(GlobalDesc, where, assumed_gamma, gamma_is_srgb, assumed_gamma_version, max_trace_level,
                adc_bailout, ambient_light, irid_wavelength, number_of_waves, noise_generator,
                mm_per_unit, radiosity, photons, subsurface)
-
-// Shapes.
-LENTRAY_FIELDS(SphereShape, centre, radius)
-LENTRAY_FIELDS(BoxShape, corner1, corner2)
-LENTRAY_FIELDS(PlaneShape, normal, distance)
-LENTRAY_FIELDS(CylinderShape, base, cap, radius, open)
-LENTRAY_FIELDS(ConeShape, base, cap, base_radius, cap_radius, open)
-LENTRAY_FIELDS(TorusShape, major, minor)
-LENTRAY_FIELDS(DiscShape, centre, normal, radius, hole)
-LENTRAY_FIELDS(TriangleShape, p)
-LENTRAY_FIELDS(SmoothTriangleShape, p, n)
-LENTRAY_FIELDS(PolygonShape, points)
-LENTRAY_FIELDS(QuadricShape, c)
-LENTRAY_FIELDS(MeshShape, vertices, normals, uvs, textures, faces, face_normals, face_uvs, face_textures, inside_vector,
-               compiled)
-LENTRAY_FIELDS(CsgShape, operation, children, split_union, cutaway_textures, global_lights, has_triangles)
-LENTRAY_FIELDS(LightShape, light)
-LENTRAY_FIELDS(BlobElement, kind, a, b, radius, strength, transform, texture)
-LENTRAY_FIELDS(BlobShape, threshold, elements)
-LENTRAY_FIELDS(BicubicPatchShape, type, u_steps, v_steps, flatness, points, uv)
-LENTRAY_FIELDS(HeightFieldShape, file_type, file, file_gamma, function, pigment, width, height,
-               water_level, smooth)
-LENTRAY_FIELDS(ContainerShape, sphere, a, b, radius)
-LENTRAY_FIELDS(IsosurfaceShape, function, container, threshold, accuracy, max_gradient, evaluate,
-               max_trace, all_intersections, open)
-LENTRAY_FIELDS(JuliaFractalShape, parameter, slice, slice_distance, precision, exponent,
-               max_iteration, hypercomplex, function)
-LENTRAY_FIELDS(LatheShape, spline, points)
-LENTRAY_FIELDS(OvusShape, bottom, top)
-LENTRAY_FIELDS(ParametricShape, functions, lo, hi, container, max_gradient, accuracy,
-               precompute_depth, precompute)
-LENTRAY_FIELDS(PolyShape, order, coefficients)
-LENTRAY_FIELDS(PrismShape, spline, conic_sweep, open, height1, height2, points)
-LENTRAY_FIELDS(SorShape, points, open)
-LENTRAY_FIELDS(SphereSweepShape, spline, centres, radii, tolerance)
-LENTRAY_FIELDS(SuperellipsoidShape, e, n)
-LENTRAY_FIELDS(TextShape, font, text, thickness, offset, unicode)
 
 // Objects and the whole.
 LENTRAY_FIELDS(RareParts, interior_texture, interior, clipped_by, bounded_by, radiosity_importance,

@@ -16,47 +16,12 @@ struct ShapeEntry {
   std::optional<CsgOperation> csg = std::nullopt;  ///< instead of `read`
 };
 
-template <int kOrder>
-ShapeDesc read_poly(Parser& parser, Context& context) {
-  return parse_poly(parser, context, kOrder);
-}
-
 constexpr std::array kShapes{
-    ShapeEntry{Keyword::kBicubicPatch, parse_bicubic_patch},
-    ShapeEntry{Keyword::kBlob, parse_blob},
-    ShapeEntry{Keyword::kBox, parse_box},
-    ShapeEntry{Keyword::kComposite, nullptr, CsgOperation::kUnion},
-    ShapeEntry{Keyword::kCone, parse_cone},
-    ShapeEntry{Keyword::kCubic, read_poly<3>},
-    ShapeEntry{Keyword::kCylinder, parse_cylinder},
-    ShapeEntry{Keyword::kDifference, nullptr, CsgOperation::kDifference},
-    ShapeEntry{Keyword::kDisc, parse_disc},
-    ShapeEntry{Keyword::kHeightField, parse_height_field},
-    ShapeEntry{Keyword::kIntersection, nullptr, CsgOperation::kIntersection},
-    ShapeEntry{Keyword::kIsosurface, parse_isosurface},
-    ShapeEntry{Keyword::kJuliaFractal, parse_julia_fractal},
-    ShapeEntry{Keyword::kLathe, parse_lathe},
-    ShapeEntry{Keyword::kMerge, nullptr, CsgOperation::kMerge},
-    ShapeEntry{Keyword::kMesh, parse_mesh},
-    ShapeEntry{Keyword::kMesh2, parse_mesh2},
-    ShapeEntry{Keyword::kOvus, parse_ovus},
-    ShapeEntry{Keyword::kParametric, parse_parametric},
-    ShapeEntry{Keyword::kPlane, parse_plane},
-    ShapeEntry{Keyword::kPoly, read_poly<0>},
-    ShapeEntry{Keyword::kPolygon, parse_polygon},
-    ShapeEntry{Keyword::kPolynomial, parse_polynomial},
-    ShapeEntry{Keyword::kPrism, parse_prism},
-    ShapeEntry{Keyword::kQuadric, parse_quadric},
-    ShapeEntry{Keyword::kQuartic, read_poly<4>},
-    ShapeEntry{Keyword::kSmoothTriangle, parse_smooth_triangle},
-    ShapeEntry{Keyword::kSor, parse_sor},
-    ShapeEntry{Keyword::kSphere, parse_sphere},
-    ShapeEntry{Keyword::kSphereSweep, parse_sphere_sweep},
-    ShapeEntry{Keyword::kSuperellipsoid, parse_superellipsoid},
-    ShapeEntry{Keyword::kText, parse_text},
-    ShapeEntry{Keyword::kTorus, parse_torus},
-    ShapeEntry{Keyword::kTriangle, parse_triangle},
-    ShapeEntry{Keyword::kUnion, nullptr, CsgOperation::kUnion},
+#define LENTRAY_SHAPE(keyword, production) ShapeEntry{Keyword::keyword, production},
+#define LENTRAY_CSG(keyword, operation) ShapeEntry{Keyword::keyword, nullptr, CsgOperation::operation},
+#include "parser/grammar/shapes.def"
+#undef LENTRAY_SHAPE
+#undef LENTRAY_CSG
 };
 
 /// `{ shape modifiers }` or `{ identifier modifiers }`, the keyword consumed.

@@ -27,11 +27,9 @@ std::size_t coefficient_index(int order, int a, int b, int c) {
   return index + (rest - b - c);
 }
 
-}  // namespace
-
-ShapeDesc parse_poly(Parser& parser, Context&, int order) {
+ShapeDesc parse_coefficients(Parser& parser, int order) {
   PolyShape s;
-  s.order = order > 0 ? order : parse_poly_order(parser);
+  s.order = order;
   const std::size_t count = coefficient_count(s.order);
   parser.expect(Punct::kLess);
   while (s.coefficients.size() < count) {
@@ -41,6 +39,12 @@ ShapeDesc parse_poly(Parser& parser, Context&, int order) {
   parser.expect(Punct::kGreater);
   return s;
 }
+
+}  // namespace
+
+ShapeDesc parse_poly(Parser& parser, Context&) { return parse_coefficients(parser, parse_poly_order(parser)); }
+ShapeDesc parse_cubic(Parser& parser, Context&) { return parse_coefficients(parser, 3); }
+ShapeDesc parse_quartic(Parser& parser, Context&) { return parse_coefficients(parser, 4); }
 
 ShapeDesc parse_polynomial(Parser& parser, Context&) {
   PolyShape s;

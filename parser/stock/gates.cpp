@@ -28,11 +28,6 @@ enum class Reach {
   kByBoxes    ///< through a hierarchy of boxes
 };
 
-double volume(const core::Bounds& b) {
-  const Vec3 size = b.hi - b.lo;
-  return size.x * size.y * size.z;
-}
-
 double longest_side(const core::Bounds& b) {
   const Vec3 size = b.hi - b.lo;
   return std::max({size.x, size.y, size.z});

@@ -46,12 +46,6 @@ Bounds kept(const Bounds& b) {
   return out;
 }
 
-/// Less than 0 for some that are inside out, as stock counts.
-double volume(const Bounds& b) {
-  const Vec3 size = b.hi - b.lo;
-  return size.x * size.y * size.z;
-}
-
 Bounds moved(const Bounds& b, const Transform& t) {
   return t.is_identity() ? b : kept(core::transformed(b, t));
 }

@@ -15,5 +15,10 @@ core::Bounds stock_box(const ObjectDesc& object, bool& is_whole);
 /// False: what bounds or clips the object has no part in its box, which stock finds later: that of blobs,
 /// height fields and julia fractals in their own braces.
 bool heeds_regions(const ObjectDesc& object);
+/// Less than 0 for some boxes that are inside out, as stock counts.
+inline double volume(const core::Bounds& b) {
+  const core::Vec3 size = b.hi - b.lo;
+  return size.x * size.y * size.z;
+}
 
 }  // namespace lentray::parser

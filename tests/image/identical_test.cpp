@@ -9,8 +9,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Renders the scene in every way and holds each picture against the first.
-void expect_identical(const std::vector<std::string>& scene) {
+enum class Ways { kAll, kHalf };
+
+/// Renders the scene in every way and holds each picture against the first. kHalf: each order meets
+/// every other cache, and each cache every other order.
+void expect_identical(const std::vector<std::string>& scene, Ways ways = Ways::kAll) {
   const tool::TemporaryFolder folder;
   StoredImage first;
   // Bands as high as the picture, a row, odd, and more than a row of tiles.
@@ -18,13 +21,16 @@ void expect_identical(const std::vector<std::string>& scene) {
   constexpr int kThreads[] = {1, 2, 5};
   const std::vector<std::vector<std::string>> accelerators{
       {}, {"Accelerator=grid"}, {"-UL"}, {"Accelerator=list"}};
-  std::size_t run = 0;
+  std::size_t run = 0, pair = 0;
   // Every order with every cache; bands, threads and accelerators change from run to run, so that
   // each meets every order and every cache.
   for (const char* order :
        {"rows", "views", "columns", "combined(4)", "strips(3,7)", "tiles", "serpentine", "hilbert",
         "adaptive", "auto"}) {
     for (const char* cache : {"off", "last", "depth", "tree", "neighbourhood", "grid", "cascade", "auto"}) {
+      const std::size_t row = pair / 8, column = pair % 8;
+      ++pair;
+      if (ways == Ways::kHalf && (row + column) % 2 == 1) continue;
       const int threads = kThreads[(run + run / 7) % std::size(kThreads)];
       std::vector<std::string> arguments = scene;
       const std::vector<std::string> way{std::string("Pixel_Order=") + order,
@@ -171,20 +177,21 @@ light_group {
 
 /// Several tiles, whose edges cut lenses' neighbours.
 TEST(ImageIdentical, AntialiasedInTiles) {
-  expect_identical({scene_file("demo.pov"), "+A0.2", "+R2", "+W140", "+H130"});
+  expect_identical({scene_file("demo.pov"), "+A0.2", "+R2", "+W140", "+H130"}, Ways::kHalf);
 }
 
 TEST(ImageIdentical, AntialiasedByCorners) {
-  expect_identical({scene_file("demo.pov"), "+A0.1", "+AM2", "+R2", "+W120", "+H90"});
+  expect_identical({scene_file("demo.pov"), "+A0.1", "+AM2", "+R2", "+W120", "+H90"}, Ways::kHalf);
 }
 
 TEST(ImageIdentical, AntialiasedSheetInTiles) {
-  expect_identical({scene_file("demo.pov"), "Lenticular=On", "Lens_Pixels=1.2", "+A0.2", "+R2", "+W160", "+H130"});
+  expect_identical({scene_file("demo.pov"), "Lenticular=On", "Lens_Pixels=1.2", "+A0.2", "+R2", "+W160", "+H130"},
+                  Ways::kHalf);
 }
 
 TEST(ImageIdentical, AntialiasedSheetByCorners) {
   expect_identical({scene_file("demo.pov"), "Lenticular=On", "Lens_Pixels=7.37", "Antialias_Angle=2", "+A0.2", "+AM2",
-                    "+R2", "+W72", "+H48"});
+                    "+R2", "+W72", "+H48"}, Ways::kHalf);
 }
 
 class ImageIdenticalOccluders : public ::testing::Test {
