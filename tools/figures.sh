@@ -33,6 +33,19 @@ figures() {
   $1 options docs/options.md '(10 min)' 'python3 tests/compat/options.py --write-docs' \
     tests/compat/options.py
 
+  $1 demo-picture README.md '(1 min)' \
+    'lentray scenes/demo.pov Lenticular=On View=0 +W4500 +H225 +A0.1 +Oout/left.png;
+     lentray scenes/demo.pov Lenticular=On View=7 +W4500 +H225 +A0.1 +Oout/middle.png;
+     lentray scenes/demo.pov Lenticular=On View=14 +W4500 +H225 +A0.1 +Oout/right.png;
+     lentray scenes/demo.pov Lenticular=On +W1200 +H900 +Oout/demo.png;
+     oiiotool out/left.png out/middle.png out/right.png out/demo.png --cut 300x225+480+390
+       --mosaic:pad=4 4x1 -o docs/demo.png' docs/demo.png
+  $1 antialiasing-picture docs/lens.md '(1 min)' \
+    'V="scenes/demo.pov Lenticular=On View=11 +W2400 +H120"; lentray $V +Oout/plain.png;
+     lentray $V +A0.1 +Oout/edges.png; lentray $V +A0.1 Antialias_Angle=8 +Oout/angles.png;
+     oiiotool out/plain.png --cut 80x60+60+40 out/edges.png --cut 80x60+60+40
+       out/angles.png --cut 80x60+60+40 --mosaic:pad=1 3x1
+       --resize:filter=box 1452x360 -o docs/antialiasing.png'
   $1 antialiasing docs/rendering.md '(20 min)' 'python3 tests/compat/antialiasing.py'
   $1 blur-convergence docs/rendering.md '(20 min)' 'python3 tests/bench/blur_convergence.py'
   $1 auto-cost docs/rendering.md '(30 min)' \
@@ -162,10 +175,9 @@ case ${1:-} in
   '')
     figures show
     echo
-    echo 'Put together by hand, no command makes them: docs/demo.png (from what tools/demo.sh leaves in out/),'
-    echo 'docs/antialiasing.png (a view of scenes/demo.pov), docs/batch.png (screenshots of'
-    echo 'tests/batch/page_in_browser.py), docs/stability/poly_pictures.png and coincident.png (from pictures'
-    echo 'of test_image).'
+    echo 'Put together by hand, no command makes them: docs/batch.png (from screenshots of'
+    echo 'tests/batch/page_in_browser.py), docs/stability/poly_pictures.png and coincident.png (from'
+    echo 'pictures of test_image).'
     ;;
   --check)
     figures check
