@@ -74,10 +74,6 @@ class Compiler {
     return static_cast<std::int16_t>(m_parameters + index);
   }
 
-  static bool is_arithmetic(FunctionOp op) {
-    return op >= FunctionOp::kNegate && op <= FunctionOp::kMin;
-  }
-
   /// What a node's arithmetic begins with, and the operations upon it, the last one first. A sum of
   /// thousands of terms is as deep to the left: nothing calls itself for that.
   struct Chain {

@@ -2,31 +2,13 @@
 // builds it; one thread.
 #pragma once
 
-#include <cstdint>
 #include <memory>
 #include <vector>
 
 #include "core/function/function.h"
+#include "core/function/operation.h"
 
 namespace lentray::core {
-
-enum class FunctionOp : std::uint8_t {
-  // Leaves.
-  kConstant,   ///< value
-  kParameter,  ///< index
-  kLocal,      ///< index: the variable of an enclosing sum or prod
-  // One operand.
-  kNegate, kNot, kAbs, kAcos, kAcosh, kAsin, kAsinh, kAtan, kAtanh, kCeil, kCos, kCosh, kDegrees,
-  kExp, kFloor, kInt, kLn, kLog, kRadians, kSin, kSinh, kSqr, kSqrt, kTan, kTanh,
-  // Two operands; comparisons give 1 or 0.
-  kAdd, kSubtract, kMultiply, kDivide, kLess, kLessEqual, kEqual, kNotEqual, kGreaterEqual,
-  kGreater, kAnd, kOr, kAtan2, kMod, kPow, kMax, kMin,
-  // Others.
-  kSelect,     ///< 3 or 4 operands, as select()
-  kChoose,     ///< c ? a : b
-  kCall,       ///< callee, operands its arguments, index the component of the result
-  kSum, kProd, ///< index the variable; operands first, last, expression
-};
 
 struct FunctionNode {
   FunctionOp op = FunctionOp::kConstant;

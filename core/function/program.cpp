@@ -12,12 +12,6 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
-// Stock's integers have 32 bits; what does not fit becomes the smallest.
-double whole(double a) {
-  constexpr double kLimit = 2147483648.0;
-  return a > -kLimit - 1.0 && a < kLimit ? static_cast<double>(static_cast<int>(a)) : -kLimit;
-}
-
 }  // namespace
 
 double apply(FunctionOp op, double a, double b) {
@@ -36,34 +30,10 @@ double apply(FunctionOp op, double a, double b) {
     case FunctionOp::kGreater: return a > b;
     case FunctionOp::kAnd: return a != 0.0 && b != 0.0;
     case FunctionOp::kOr: return a != 0.0 || b != 0.0;
-    case FunctionOp::kAbs: return std::fabs(a);
-    case FunctionOp::kAcos: return std::acos(a);
-    case FunctionOp::kAcosh: return std::acosh(a);
-    case FunctionOp::kAsin: return std::asin(a);
-    case FunctionOp::kAsinh: return std::asinh(a);
-    case FunctionOp::kAtan: return std::atan(a);
-    case FunctionOp::kAtanh: return std::atanh(a);
-    case FunctionOp::kAtan2: return std::atan2(a, b);
-    case FunctionOp::kCeil: return std::ceil(a);
-    case FunctionOp::kCos: return std::cos(a);
-    case FunctionOp::kCosh: return std::cosh(a);
-    case FunctionOp::kDegrees: return a / kDegree;
-    case FunctionOp::kExp: return std::exp(a);
-    case FunctionOp::kFloor: return std::floor(a);
-    case FunctionOp::kInt: return whole(a);
-    case FunctionOp::kLn: return std::log(a);
-    case FunctionOp::kLog: return std::log10(a);
-    case FunctionOp::kRadians: return a * kDegree;
-    case FunctionOp::kSin: return std::sin(a);
-    case FunctionOp::kSinh: return std::sinh(a);
-    case FunctionOp::kSqr: return a * a;
-    case FunctionOp::kSqrt: return std::sqrt(a);
-    case FunctionOp::kTan: return std::tan(a);
-    case FunctionOp::kTanh: return std::tanh(a);
-    case FunctionOp::kMod: return std::fmod(a, b);
-    case FunctionOp::kPow: return std::pow(a, b);
-    case FunctionOp::kMax: return a < b ? b : a;
-    case FunctionOp::kMin: return b < a ? b : a;
+#define LENTRAY_FLOAT_FUNCTION(name, arity, in_functions, undefined, value) \
+  case FunctionOp::name: return value;
+#include "core/function/float_functions.def"
+#undef LENTRAY_FLOAT_FUNCTION
     default: return 0.0;
   }
 }

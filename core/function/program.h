@@ -141,7 +141,4 @@ class Program final : public Function {
   bool m_is_straight = true;  ///< no jumps, no calls but of what takes pairs
 };
 
-/// The arithmetic of one operation; b is ignored by those of one operand.
-double apply(FunctionOp op, double a, double b);
-
 }  // namespace lentray::core

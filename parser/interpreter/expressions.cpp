@@ -10,12 +10,12 @@ namespace {
 constexpr std::size_t kComponents = 5;
 
 // The first dialect had no operators.
-constexpr int kOperators = 150;
+constexpr int kHasOperators = 150;
 
 }  // namespace
 
 bool Expressions::allows_raw() const {
-  return m_in.version >= kOperators && m_in.options.raw_expressions;
+  return m_in.version >= kHasOperators && m_in.options.raw_expressions;
 }
 
 bool Expressions::read_raw(RawExpressions::Level level, Number& n) {
@@ -151,7 +151,7 @@ Number Expressions::parse_number(int min_size, int max_size) {
 Number Expressions::parse_expression() {
   if (Number n; read_raw(RawExpressions::Level::kEverything, n)) return n;
   const Location where = m_in.tokens.peek_operand().where;
-  const Number condition = parse_logical();
+  const Number condition = parse_binary(Precedence::kLogical);
   if (!m_in.tokens.accept(Punct::kQuestion)) return condition;
   if (condition.size != 1) m_in.fail(where, "the condition of ?: must be a float");
   m_in.guard_stack();
@@ -161,65 +161,47 @@ Number Expressions::parse_expression() {
   return is_true(condition.v[0]) ? yes : no;
 }
 
-Number Expressions::parse_logical() {
-  Number left = parse_relational();
+// Operators that bind as `here` says, and what stands between them.
+Number Expressions::parse_binary(Precedence here) {
+  Number left = parse_closer(here);
   for (;;) {
-    const bool both = m_in.tokens.accept(Punct::kAmpersand);
-    if (!both && !m_in.tokens.accept(Punct::kBar)) return left;
-    logical(left, parse_relational(), both);
+    const Token& t = m_in.tokens.peek();
+    if (precedence(t) != here) return left;
+    const Punct op = t.punct;
+    m_in.tokens.skip();
+    if (!operate(op, left, parse_closer(here))) {
+      m_in.warn(m_in.tokens.location(), "division by zero");
+    }
   }
 }
 
-Number Expressions::parse_relational() {
-  if (at_string()) return Number::scalar(string_comparison());
-  Number left = parse_additive();
-  for (;;) {
-    const Token& t = m_in.tokens.peek();
-    if (t.kind != TokenKind::kPunct) return left;
-    const Punct op = t.punct;
-    if (!is_comparison(op)) return left;
-    m_in.tokens.skip();
-    compare(left, parse_additive(), op);
+// An operand of these: what binds closer.
+Number Expressions::parse_closer(Precedence here) {
+  switch (here) {
+    case Precedence::kLogical:
+      return at_string() ? Number::scalar(string_comparison())
+                         : parse_binary(Precedence::kComparison);
+    case Precedence::kComparison: return parse_additive();
+    case Precedence::kSum: return parse_binary(Precedence::kProduct);
+    default: return parse_factor();
   }
 }
 
 double Expressions::string_comparison() {
   const std::string left = parse_string();
   const Token op = m_in.tokens.next();
-  const auto compare = [&] { return left.compare(parse_string()); };
-  if (op.is(Punct::kLess)) return compare() < 0;
-  if (op.is(Punct::kLessEqual)) return compare() <= 0;
-  if (op.is(Punct::kEqual)) return compare() == 0;
-  if (op.is(Punct::kNotEqual)) return compare() != 0;
-  if (op.is(Punct::kGreater)) return compare() > 0;
-  if (op.is(Punct::kGreaterEqual)) return compare() >= 0;
-  m_in.fail(op.where, "expected a comparison (<, <=, =, !=, >=, >) after a string");
+  if (precedence(op) != Precedence::kComparison) {
+    m_in.fail(op.where, "expected a comparison (<, <=, =, !=, >=, >) after a string");
+  }
+  double order = left.compare(parse_string());
+  operate(op.punct, order, 0.0);
+  return order;
 }
 
 Number Expressions::parse_additive() {
-  if (m_in.version < kOperators) return parse_factor();
+  if (m_in.version < kHasOperators) return parse_factor();
   if (Number n; read_raw(RawExpressions::Level::kAdditive, n)) return n;
-  Number left = parse_term();
-  for (;;) {
-    const Token& t = m_in.tokens.peek();
-    const bool plus = t.is(Punct::kPlus);
-    if (!plus && !t.is(Punct::kMinus)) return left;
-    m_in.tokens.skip();
-    add(left, parse_term(), plus);
-  }
-}
-
-Number Expressions::parse_term() {
-  Number left = parse_factor();
-  for (;;) {
-    const Token& t = m_in.tokens.peek();
-    const bool times = t.is(Punct::kStar);
-    if (!times && !t.is(Punct::kSlash)) return left;
-    m_in.tokens.skip();
-    const Number right = parse_factor();
-    if (times) multiply(left, right);
-    else if (!divide(left, right)) m_in.warn(m_in.tokens.location(), "division by zero");
-  }
+  return parse_binary(Precedence::kSum);
 }
 
 Number Expressions::parse_factor() {

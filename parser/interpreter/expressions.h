@@ -14,7 +14,9 @@
 #include "parser/interpreter/raw_expressions.h"
 #include "parser/tokens/token.h"
 #include "parser/values/arithmetic.h"
+#include "parser/values/float_functions.h"
 #include "parser/values/number_text.h"
+#include "parser/values/operators.h"
 #include "parser/values/value.h"
 
 namespace lentray::parser {
@@ -74,9 +76,8 @@ class Expressions {
   const Token* raw_assignment(const TokenList*& list) const;
   Number parse_located(RawExpressions::Level level, int most, Location& where);
   double parse_one(RawExpressions::Level level);
-  Number parse_logical();
-  Number parse_relational();
-  Number parse_term();
+  Number parse_binary(Precedence here);
+  Number parse_closer(Precedence here);
   Number parse_factor();
   Number primary();
   Number vector_literal();
@@ -88,8 +89,8 @@ class Expressions {
   bool float_function(Keyword keyword, double& value);
   double float_argument();
   std::array<double, 2> two_floats();
-  double folded(Keyword function);
-  void outside_domain(Keyword function, double x, const Location& where);
+  double folded(core::FunctionOp op);
+  double outside_domain(Keyword function, double x, const Location& where);
   double select();
   double random(double stream);
   double array_dimension(bool size);

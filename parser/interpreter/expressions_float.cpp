@@ -46,10 +46,10 @@ std::array<double, 2> Expressions::two_floats() {
   return {a, b};
 }
 
-double Expressions::folded(Keyword function) {
+double Expressions::folded(core::FunctionOp op) {
   m_in.tokens.expect(Punct::kLeftParen);
   double x = parse_scalar_expression();
-  while (m_in.tokens.accept(Punct::kComma)) x = fold(function, x, parse_scalar_expression());
+  while (m_in.tokens.accept(Punct::kComma)) x = core::apply(op, x, parse_scalar_expression());
   m_in.tokens.expect(Punct::kRightParen);
   return x;
 }
@@ -100,37 +100,39 @@ double Expressions::array_dimension(bool size) {
   return result;
 }
 
-void Expressions::outside_domain(Keyword function, double x, const Location& where) {
+// What to go on with, if at all.
+double Expressions::outside_domain(Keyword function, double x, const Location& where) {
   const std::string name(spelling(function));
   if (function == Keyword::kAcos || function == Keyword::kAsin) {
     m_in.warn(where, "domain error in " + name);
-  } else if (function == Keyword::kSqrt) {
-    m_in.fail(where, "sqrt of the negative number " + std::to_string(x));
-  } else {
-    m_in.fail(where, name + " of " + std::to_string(x));
+    return std::clamp(x, -1.0, 1.0);
   }
+  if (function == Keyword::kSqrt) {
+    m_in.fail(where, "sqrt of the negative number " + std::to_string(x));
+  }
+  m_in.fail(where, name + " of " + std::to_string(x));
 }
 
 // After the keyword. False if it is no float function.
 bool Expressions::float_function(Keyword keyword, double& value) {
   const Location where = m_in.tokens.location();
-  const FunctionKind kind = function_kind(keyword);
-  if (kind == FunctionKind::kOneFloat) {
-    const double x = float_argument();
-    if (!in_domain(keyword, x)) outside_domain(keyword, x, where);
-    value = one_float(keyword, x);
+  const FunctionWord& word = function_word(keyword);
+  if (word.kind == FunctionKind::kOneFloat) {
+    double x = float_argument();
+    if (!is_defined(word.op, x)) x = outside_domain(keyword, x, where);
+    value = core::apply(word.op, x, 0.0);
     return true;
   }
-  if (kind == FunctionKind::kTwoFloats) {
+  if (word.kind == FunctionKind::kTwoFloats) {
     const auto [a, b] = two_floats();
-    if (!in_domain(keyword, a, b)) {
+    if (!is_defined(word.op, a, b)) {
       m_in.fail(where, std::string(spelling(keyword)) + "(0, 0) is not defined");
     }
-    value = parser::two_floats(keyword, a, b);
+    value = core::apply(word.op, a, b);
     return true;
   }
-  if (kind == FunctionKind::kFold) {
-    value = folded(keyword);
+  if (word.kind == FunctionKind::kFold) {
+    value = folded(word.op);
     return true;
   }
   switch (keyword) {

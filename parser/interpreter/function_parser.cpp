@@ -44,44 +44,6 @@ class MixtureOf final : public core::Function {
   Weights m_weights;
 };
 
-std::optional<FunctionOp> one_operand(Keyword k) {
-  switch (k) {
-    case Keyword::kAbs: return FunctionOp::kAbs;
-    case Keyword::kAcos: return FunctionOp::kAcos;
-    case Keyword::kAcosh: return FunctionOp::kAcosh;
-    case Keyword::kAsin: return FunctionOp::kAsin;
-    case Keyword::kAsinh: return FunctionOp::kAsinh;
-    case Keyword::kAtan: return FunctionOp::kAtan;
-    case Keyword::kAtanh: return FunctionOp::kAtanh;
-    case Keyword::kCeil: return FunctionOp::kCeil;
-    case Keyword::kCos: return FunctionOp::kCos;
-    case Keyword::kCosh: return FunctionOp::kCosh;
-    case Keyword::kDegrees: return FunctionOp::kDegrees;
-    case Keyword::kExp: return FunctionOp::kExp;
-    case Keyword::kFloor: return FunctionOp::kFloor;
-    case Keyword::kInt: return FunctionOp::kInt;
-    case Keyword::kLn: return FunctionOp::kLn;
-    case Keyword::kLog: return FunctionOp::kLog;
-    case Keyword::kRadians: return FunctionOp::kRadians;
-    case Keyword::kSin: return FunctionOp::kSin;
-    case Keyword::kSinh: return FunctionOp::kSinh;
-    case Keyword::kSqr: return FunctionOp::kSqr;
-    case Keyword::kSqrt: return FunctionOp::kSqrt;
-    case Keyword::kTan: return FunctionOp::kTan;
-    case Keyword::kTanh: return FunctionOp::kTanh;
-    default: return std::nullopt;
-  }
-}
-
-std::optional<FunctionOp> two_operands(Keyword k) {
-  switch (k) {
-    case Keyword::kAtan2: return FunctionOp::kAtan2;
-    case Keyword::kMod: return FunctionOp::kMod;
-    case Keyword::kPow: return FunctionOp::kPow;
-    default: return std::nullopt;
-  }
-}
-
 /// A number with its sign.
 std::optional<double> literal(const core::FunctionNode& node) {
   if (node.op == FunctionOp::kConstant) return node.value;
@@ -186,7 +148,7 @@ std::vector<NameId> FunctionParser::parameters() {
 }
 
 FunctionNodePtr FunctionParser::choice() {
-  FunctionNodePtr condition = logical_or();
+  FunctionNodePtr condition = binary(Precedence::kLogical);
   if (!m_in.tokens.accept(Punct::kQuestion)) return condition;
   FunctionNodePtr yes = choice();
   m_in.tokens.expect(Punct::kColon);
@@ -194,57 +156,16 @@ FunctionNodePtr FunctionParser::choice() {
   return make_node(FunctionOp::kChoose, std::move(condition), std::move(yes), std::move(no));
 }
 
-FunctionNodePtr FunctionParser::logical_or() {
-  FunctionNodePtr left = logical_and();
-  while (m_in.tokens.accept(Punct::kBar)) {
-    left = make_node(FunctionOp::kOr, std::move(left), logical_and());
-  }
-  return left;
-}
-
-FunctionNodePtr FunctionParser::logical_and() {
-  FunctionNodePtr left = relation();
-  while (m_in.tokens.accept(Punct::kAmpersand)) {
-    left = make_node(FunctionOp::kAnd, std::move(left), relation());
-  }
-  return left;
-}
-
-FunctionNodePtr FunctionParser::relation() {
-  FunctionNodePtr left = sum();
-  for (;;) {
-    const Token& t = m_in.tokens.peek();
-    FunctionOp op = FunctionOp::kConstant;
-    switch (t.kind == TokenKind::kPunct ? t.punct : Punct::kNone) {
-      case Punct::kLess: op = FunctionOp::kLess; break;
-      case Punct::kLessEqual: op = FunctionOp::kLessEqual; break;
-      case Punct::kEqual: op = FunctionOp::kEqual; break;
-      case Punct::kNotEqual: op = FunctionOp::kNotEqual; break;
-      case Punct::kGreaterEqual: op = FunctionOp::kGreaterEqual; break;
-      case Punct::kGreater: op = FunctionOp::kGreater; break;
-      default: return left;
-    }
-    m_in.tokens.skip();
-    left = make_node(op, std::move(left), sum());
-  }
-}
-
-FunctionNodePtr FunctionParser::sum() {
-  FunctionNodePtr left = product();
-  for (;;) {
-    const bool plus = m_in.tokens.accept(Punct::kPlus);
-    if (!plus && !m_in.tokens.accept(Punct::kMinus)) return left;
-    left = make_node(plus ? FunctionOp::kAdd : FunctionOp::kSubtract, std::move(left), product());
-  }
-}
-
-FunctionNodePtr FunctionParser::product() {
+// An operand and the operators behind it, those that bind at least so closely.
+FunctionNodePtr FunctionParser::binary(Precedence least) {
   FunctionNodePtr left = unary();
   for (;;) {
-    const bool times = m_in.tokens.accept(Punct::kStar);
-    if (!times && !m_in.tokens.accept(Punct::kSlash)) return left;
-    left = times ? make_node(FunctionOp::kMultiply, std::move(left), unary())
-                 : quotient(std::move(left));
+    const FunctionOperator here = function_operator(m_in.tokens.peek());
+    if (here.precedence < least) return left;
+    m_in.tokens.skip();
+    left = here.op == FunctionOp::kDivide
+               ? quotient(std::move(left))
+               : make_node(here.op, std::move(left), binary(closer(here.precedence)));
   }
 }
 
@@ -334,26 +255,11 @@ FunctionNodePtr FunctionParser::keyword(const Token& token) {
     tokens.skip();
     return core::constant_node(value);
   }
-  if (const auto op = one_operand(token.keyword)) {
+  if (const FunctionWord& word = function_word(token.keyword); word.in_functions) {
     tokens.skip();
-    tokens.expect(Punct::kLeftParen);
-    FunctionNodePtr a = choice();
-    tokens.expect(Punct::kRightParen);
-    return make_node(*op, std::move(a));
-  }
-  if (const auto op = two_operands(token.keyword)) {
-    tokens.skip();
-    tokens.expect(Punct::kLeftParen);
-    FunctionNodePtr a = choice();
-    tokens.comma();
-    FunctionNodePtr b = choice();
-    tokens.expect(Punct::kRightParen);
-    return make_node(*op, std::move(a), std::move(b));
+    return float_function(word);
   }
   switch (token.keyword) {
-    case Keyword::kDiv: tokens.skip(); return whole_quotient();
-    case Keyword::kMax: tokens.skip(); return fold(FunctionOp::kMax);
-    case Keyword::kMin: tokens.skip(); return fold(FunctionOp::kMin);
     case Keyword::kSelect: tokens.skip(); return select();
     case Keyword::kSum: tokens.skip(); return series(FunctionOp::kSum);
     case Keyword::kProd: tokens.skip(); return series(FunctionOp::kProd);
@@ -364,22 +270,22 @@ FunctionNodePtr FunctionParser::keyword(const Token& token) {
   tokens.fail_expected("an operand of the function");
 }
 
-FunctionNodePtr FunctionParser::fold(FunctionOp op) {
-  m_in.tokens.expect(Punct::kLeftParen);
-  FunctionNodePtr all = choice();
-  if (!m_in.tokens.at(Punct::kComma)) m_in.tokens.fail_expected("at least two arguments");
-  while (m_in.tokens.accept(Punct::kComma)) all = make_node(op, std::move(all), choice());
-  m_in.tokens.expect(Punct::kRightParen);
-  return all;
-}
-
-FunctionNodePtr FunctionParser::whole_quotient() {
-  m_in.tokens.expect(Punct::kLeftParen);
-  FunctionNodePtr a = choice();
-  m_in.tokens.comma();
-  FunctionNodePtr b = choice();
-  m_in.tokens.expect(Punct::kRightParen);
-  return make_node(FunctionOp::kInt, make_node(FunctionOp::kDivide, std::move(a), std::move(b)));
+// Behind its keyword.
+FunctionNodePtr FunctionParser::float_function(const FunctionWord& word) {
+  TokenReader& tokens = m_in.tokens;
+  tokens.expect(Punct::kLeftParen);
+  FunctionNodePtr value = choice();
+  if (word.kind == FunctionKind::kTwoFloats) {
+    tokens.comma();
+    value = make_node(word.op, std::move(value), choice());
+  } else if (word.kind == FunctionKind::kFold) {
+    if (!tokens.at(Punct::kComma)) tokens.fail_expected("at least two arguments");
+    while (tokens.accept(Punct::kComma)) value = make_node(word.op, std::move(value), choice());
+  } else {
+    value = make_node(word.op, std::move(value));
+  }
+  tokens.expect(Punct::kRightParen);
+  return value;
 }
 
 FunctionNodePtr FunctionParser::select() {

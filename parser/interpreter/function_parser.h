@@ -8,6 +8,8 @@
 
 #include "core/function/node.h"
 #include "parser/tokens/token.h"
+#include "parser/values/float_functions.h"
+#include "parser/values/operators.h"
 #include "parser/values/value.h"
 
 namespace lentray::parser {
@@ -36,11 +38,7 @@ class FunctionParser {
   std::vector<NameId> parameters();
 
   core::FunctionNodePtr choice();
-  core::FunctionNodePtr logical_or();
-  core::FunctionNodePtr logical_and();
-  core::FunctionNodePtr relation();
-  core::FunctionNodePtr sum();
-  core::FunctionNodePtr product();
+  core::FunctionNodePtr binary(Precedence least);
   core::FunctionNodePtr quotient(core::FunctionNodePtr left);
   core::FunctionNodePtr unary();
   core::FunctionNodePtr primary();
@@ -50,8 +48,7 @@ class FunctionParser {
                              const Location& where);
   core::FunctionNodePtr series(core::FunctionOp op);
   core::FunctionNodePtr select();
-  core::FunctionNodePtr fold(core::FunctionOp op);
-  core::FunctionNodePtr whole_quotient();   // div (a, b)
+  core::FunctionNodePtr float_function(const FunctionWord& word);
   core::FunctionNodePtr constant(const Token& name, const Number& number);
   core::FunctionNodePtr own_variable(const Token& token);
   int component(std::size_t size);

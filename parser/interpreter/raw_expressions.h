@@ -12,15 +12,14 @@
 
 #include "parser/tokens/lexer.h"
 #include "parser/values/arithmetic.h"
+#include "parser/values/float_functions.h"
 #include "parser/values/number_text.h"
+#include "parser/values/operators.h"
 #include "parser/values/symbols.h"
 
 namespace lentray::parser {
 
 struct Interpreter;
-
-/// Of operators: what binds closest comes last.
-enum class Precedence : std::uint8_t { kNone, kLogical, kComparison, kSum, kProduct };
 
 class RawExpressions {
  public:

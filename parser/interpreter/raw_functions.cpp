@@ -35,22 +35,23 @@ bool RawExpressions::float_function(double& x) {
 // Its bracket has been read.
 bool RawExpressions::float_value(Keyword function, double& x) {
   double other = 0.0;
-  switch (function_kind(function)) {
+  const FunctionWord& word = function_word(function);
+  switch (word.kind) {
     case FunctionKind::kOneFloat:
-      if (!argument(x) || !in_domain(function, x)) return false;
-      x = one_float(function, x);
+      if (!argument(x) || !is_defined(word.op, x)) return false;
+      x = core::apply(word.op, x, 0.0);
       return true;
     case FunctionKind::kTwoFloats:
       if (!argument(x)) return false;
       accept(Punct::kComma);
-      if (!argument(other) || !in_domain(function, x, other)) return false;
-      x = two_floats(function, x, other);
+      if (!argument(other) || !is_defined(word.op, x, other)) return false;
+      x = core::apply(word.op, x, other);
       return true;
     case FunctionKind::kFold:
       if (!argument(x)) return false;
       while (accept(Punct::kComma)) {
         if (!argument(other)) return false;
-        x = fold(function, x, other);
+        x = core::apply(word.op, x, other);
       }
       return true;
     default: break;

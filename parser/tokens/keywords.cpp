@@ -51,24 +51,20 @@ Keyword find_keyword(std::string_view word) {
 
 bool starts_operand(Keyword k) {
   switch (k) {
-    case Keyword::kAbs: case Keyword::kAcos: case Keyword::kAcosh: case Keyword::kAsc:
-    case Keyword::kAsin: case Keyword::kAsinh: case Keyword::kAtan: case Keyword::kAtan2:
-    case Keyword::kAtanh: case Keyword::kBitwiseAnd: case Keyword::kBitwiseOr:
-    case Keyword::kBitwiseXor: case Keyword::kCeil: case Keyword::kClock: case Keyword::kClockOn:
-    case Keyword::kCos: case Keyword::kCosh: case Keyword::kDefined: case Keyword::kDegrees:
-    case Keyword::kDimensionSize: case Keyword::kDimensions: case Keyword::kDiv: case Keyword::kExp:
-    case Keyword::kFalse: case Keyword::kFileExists: case Keyword::kFloor: case Keyword::kInside:
-    case Keyword::kInt: case Keyword::kLn: case Keyword::kLog: case Keyword::kMax:
-    case Keyword::kMaxExtent: case Keyword::kMin: case Keyword::kMinExtent: case Keyword::kMod:
-    case Keyword::kNo: case Keyword::kNow: case Keyword::kOff: case Keyword::kOn: case Keyword::kPi:
-    case Keyword::kPow: case Keyword::kRadians: case Keyword::kRand: case Keyword::kSeed:
-    case Keyword::kSelect: case Keyword::kSin: case Keyword::kSinh: case Keyword::kSqr:
-    case Keyword::kSqrt: case Keyword::kStrcmp: case Keyword::kStrlen: case Keyword::kT:
-    case Keyword::kTan: case Keyword::kTanh: case Keyword::kTrace: case Keyword::kTrue:
-    case Keyword::kU: case Keyword::kV: case Keyword::kVal: case Keyword::kVaxisRotate:
-    case Keyword::kVcross: case Keyword::kVdot: case Keyword::kVersion: case Keyword::kVlength:
-    case Keyword::kVnormalize: case Keyword::kVrotate: case Keyword::kVturbulence: case Keyword::kX:
-    case Keyword::kY: case Keyword::kYes: case Keyword::kZ:
+#define LENTRAY_FLOAT_FUNCTION(name, arity, in_functions, undefined, value) case Keyword::name:
+#include "core/function/float_functions.def"
+#undef LENTRAY_FLOAT_FUNCTION
+    case Keyword::kAsc: case Keyword::kClock: case Keyword::kClockOn: case Keyword::kDefined:
+    case Keyword::kDimensionSize: case Keyword::kDimensions: case Keyword::kFalse:
+    case Keyword::kFileExists: case Keyword::kInside: case Keyword::kMaxExtent:
+    case Keyword::kMinExtent: case Keyword::kNo: case Keyword::kNow: case Keyword::kOff:
+    case Keyword::kOn: case Keyword::kPi: case Keyword::kRand: case Keyword::kSeed:
+    case Keyword::kSelect: case Keyword::kStrcmp: case Keyword::kStrlen: case Keyword::kT:
+    case Keyword::kTrace: case Keyword::kTrue: case Keyword::kU: case Keyword::kV:
+    case Keyword::kVal: case Keyword::kVaxisRotate: case Keyword::kVcross: case Keyword::kVdot:
+    case Keyword::kVersion: case Keyword::kVlength: case Keyword::kVnormalize:
+    case Keyword::kVrotate: case Keyword::kVturbulence: case Keyword::kX: case Keyword::kY:
+    case Keyword::kYes: case Keyword::kZ:
       return true;
     default: return false;
   }

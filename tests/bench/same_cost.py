@@ -21,7 +21,6 @@ for an empty scene of one pixel. The limits are for the latter; the empty scene 
 The exit status is 0 if the median and the largest ratio are within --median and --largest, 1 if not or if a scene
 renders with one build only, 2 if the command cannot begin.
 """
-import argparse
 import collections
 import pathlib
 import re
@@ -34,7 +33,6 @@ import primitives
 import two_builds
 from two_builds import ROOT, SPD, Scene
 
-KINDS = ["spd", "primitives", "corpus", "auto"]
 SMALL, SHEET, CORPUS = ["+W96", "+H72"], ["+W150", "+H120"], ["+W64", "+H48"]
 EXAMPLES = """
 advanced/biscuit advanced/glasschess/glasschess advanced/isocacti advanced/landscape advanced/mtmand
@@ -70,6 +68,9 @@ def one_a_primitive(parser, args):
         path.write_text(primitives.STAGE + (text() if callable(text) else text))
         scenes.append(Scene("primitives", name, path, ["-A", *SMALL]))
     return scenes
+
+
+MAKERS = {"spd": spd, "primitives": one_a_primitive, "corpus": corpus, "auto": auto}
 
 
 def empty(args):
@@ -186,20 +187,13 @@ def judge(ratios, args):
 
 
 def read_arguments():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    two_builds.add_arguments(parser, KINDS)
+    parser = two_builds.parser_of(__doc__, MAKERS, 300, "a count")
     parser.add_argument("--median", type=float, default=1.02, metavar="R",
                         help="greatest median of the ratios that passes (default 1.02)")
     parser.add_argument("--largest", type=float, default=1.05, metavar="R",
                         help="greatest ratio of a scene that passes (default 1.05)")
     parser.add_argument("--meter", choices=list(METERS), help="how to count (default: perf where it works)")
-    parser.add_argument("--limit", type=float, default=300, metavar="S",
-                        help="processor seconds a count may take (default 300)")
-    args = parser.parse_args()
-    two_builds.check_arguments(parser, args)
-    if args.limit <= 0:
-        parser.error("--limit must be above 0")
-    args.programs = two_builds.two_programs(parser, args)
+    args = two_builds.read_arguments(parser)
     args.meter = choose_meter(parser, args.meter)
     print(f"instructions are counted by {args.meter}", file=sys.stderr)
     return parser, args
@@ -207,14 +201,7 @@ def read_arguments():
 
 def main():
     parser, args = read_arguments()
-    makers = dict(zip(KINDS, (spd, one_a_primitive, corpus, auto)))
-    with tempfile.TemporaryDirectory(prefix="same_cost-") as folder:
-        args.work = pathlib.Path(folder)
-        scenes = [scene for kind in KINDS if kind in (args.only or KINDS) for scene in makers[kind](parser, args)
-                  if args.match in scene.name]
-        if not scenes:
-            parser.error("no scenes are chosen")
-        rows = two_builds.each([empty(args), *scenes], args.jobs, lambda scene: work_on(scene, args))
+    rows = two_builds.of_all(parser, args, MAKERS, work_on, first=empty)
     return 0 if report(rows, args) else 1
 
 

@@ -22,7 +22,6 @@ the file are not are named, and are no difference.
 The exit status is 0 if nothing differs, 1 if something does or a kind has no picture that both make, 2 if the command
 cannot begin.
 """
-import argparse
 import array
 import collections
 import os
@@ -37,7 +36,6 @@ import two_builds
 import random_scenes
 from two_builds import ROOT, SPD, Scene
 
-KINDS = ["corpus", "sheets", "antialiased", "random"]
 VERDICTS = ["identical", "differ", "fail alike", "too long alike"]
 SMALL = ["+W160", "+H120"]
 
@@ -75,6 +73,9 @@ def made_up(parser, args):
         path.write_text(random_scenes.scene(random.Random(f"{args.seed} {k}")))
         scenes.append(Scene("random", f"{args.seed}_{k}", path, ["-A", *SMALL]))
     return scenes
+
+
+MAKERS = {"corpus": corpus, "sheets": sheets, "antialiased": antialiased, "random": made_up}
 
 
 def read_ppm(data):
@@ -203,7 +204,7 @@ def work_on(scene, args):
 def report(rows):
     """The table and the lists; true if nothing differs."""
     print(f"{'kind':<12} {'scenes':>7} {'identical':>10} {'differ':>7} {'fail alike':>11} {'too long alike':>15}")
-    for kind in [*(k for k in KINDS if any(s.kind == k for s, _ in rows)), "all"]:
+    for kind in [*(k for k in MAKERS if any(s.kind == k for s, _ in rows)), "all"]:
         of_kind = [result for scene, result in rows if kind in (scene.kind, "all")]
         counts = collections.Counter(result.verdict for result in of_kind)
         print("{:<12} {:7} {:10} {:7} {:11} {:15}".format(kind, len(of_kind), *(counts[v] for v in VERDICTS)))
@@ -230,34 +231,22 @@ def judge(rows):
 
 
 def read_arguments():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    two_builds.add_arguments(parser, KINDS)
-    parser.add_argument("--limit", type=float, default=60, metavar="S",
-                        help="processor seconds a scene may take (default 60)")
+    parser = two_builds.parser_of(__doc__, MAKERS, 60, "a scene")
     parser.add_argument("--random", type=int, default=50, metavar="N", help="how many random scenes (default 50)")
     parser.add_argument("--seed", type=int, default=1, metavar="S", help="which random scenes (default 1)")
     parser.add_argument("--keep", type=pathlib.Path, metavar="DIR",
                         help="keep pictures that differ there, with the commands that make them")
-    args = parser.parse_args()
-    two_builds.check_arguments(parser, args)
-    if args.limit <= 0 or args.random < 0:
-        parser.error("--limit must be above 0 and --random not below")
+    args = two_builds.read_arguments(parser)
+    if args.random < 0:
+        parser.error("--random must not be below 0")
     args.keep = args.keep and args.keep.resolve()
     args.threads = max(1, (os.cpu_count() or 1) // args.jobs)
-    args.programs = two_builds.two_programs(parser, args)
     return parser, args
 
 
 def main():
     parser, args = read_arguments()
-    makers = dict(zip(KINDS, (corpus, sheets, antialiased, made_up)))
-    with tempfile.TemporaryDirectory(prefix="same_pictures-") as folder:
-        args.work = pathlib.Path(folder)
-        scenes = [scene for kind in KINDS if kind in (args.only or KINDS) for scene in makers[kind](parser, args)
-                  if args.match in scene.name]
-        if not scenes:
-            parser.error("no scenes are chosen")
-        rows = two_builds.each(scenes, args.jobs, lambda scene: work_on(scene, args))
+    rows = two_builds.of_all(parser, args, MAKERS, work_on)
     return 0 if report(rows) else 1
 
 

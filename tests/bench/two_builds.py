@@ -1,4 +1,5 @@
-"""What same_pictures.py and same_cost.py share: two programs, runs that end, many scenes, progress."""
+"""What same_pictures.py and same_cost.py share: arguments, two programs, runs that end, many scenes, progress."""
+import argparse
 import collections
 import concurrent.futures
 import math
@@ -40,21 +41,31 @@ def two_programs(parser, args):
     return before, after
 
 
-def add_arguments(parser, kinds):
-    """What both commands are told."""
+def parser_of(description, kinds, limit, limited):
+    """With what both commands are told; `limited` has limit seconds by default."""
+    parser = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
     where = "a folder with bin/lentray in it, or a path to a lentray program"
     parser.add_argument("before", metavar="BEFORE", help=where)
     parser.add_argument("after", metavar="AFTER", help="the same of the other build")
-    parser.add_argument("--only", action="append", choices=kinds,
+    parser.add_argument("--only", action="append", choices=list(kinds),
                         help="this kind of scenes alone; may be given several times")
     parser.add_argument("--match", default="", metavar="WORD", help="only scenes whose name contains WORD")
     parser.add_argument("--jobs", type=int, default=1, metavar="N", help="scenes at a time (default 1)")
+    parser.add_argument("--limit", type=float, default=limit, metavar="S",
+                        help=f"processor seconds {limited} may take (default {limit:g})")
+    return parser
 
 
-def check_arguments(parser, args):
+def read_arguments(parser):
+    """The command line, with both programs."""
+    args = parser.parse_args()
     if args.jobs < 1:
         parser.error("--jobs must be at least 1")
+    if args.limit <= 0:
+        parser.error("--limit must be above 0")
     args.only = args.only or []
+    args.programs = two_programs(parser, args)
+    return args
 
 
 def examples(parser, names=None):
@@ -128,6 +139,22 @@ def each(scenes, jobs, work):
     print(f"{len(scenes)} scenes in {time.monotonic() - begun:.0f} s, "
           f"{used.ru_utime + used.ru_stime:.0f} s of processors", file=sys.stderr)
     return list(zip(scenes, answers))
+
+
+def of_all(parser, args, makers, work_on, first=None):
+    """(scene, work_on's answer) of the scenes that are chosen, behind the one that `first` makes.
+
+    makers has a function for each kind of scenes. All of them may write to args.work, which is gone afterwards.
+    """
+    with tempfile.TemporaryDirectory(prefix=pathlib.Path(parser.prog).stem + "-") as folder:
+        args.work = pathlib.Path(folder)
+        scenes = [scene for kind, maker in makers.items() if kind in (args.only or makers)
+                  for scene in maker(parser, args) if args.match in scene.name]
+        if not scenes:
+            parser.error("no scenes are chosen")
+        if first:
+            scenes.insert(0, first(args))
+        return each(scenes, args.jobs, lambda scene: work_on(scene, args))
 
 
 def main(command):
