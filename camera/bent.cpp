@@ -4,8 +4,7 @@ namespace lentray::camera {
 
 void Bent::bend(double column, double row, core::Ray& ray) const {
   const core::Vec3 place{column / width() - 0.5, 0.5 - row / height(), 0.0};
-  ray.direction =
-      normalized(m_normal->perturb(place, normalized(ray.direction), core::kNoSurface));
+  ray.direction = normalized(m_normal->perturb(place, normalized(ray.direction), core::kNoSurface));
 }
 
 bool Bent::ray(double column, double row, core::Ray& ray) const {

@@ -18,8 +18,11 @@ class Bent final : public Camera {
   bool ray(double column, double row, core::Ray& ray) const override;
   bool ray_at(const core::PixelPlace& place, core::Ray& out) const override;
   const core::FocalBlur* blur() const override { return m_straight->blur(); }
-  bool lens_ray_at(const core::PixelPlace& place, double x, double y, core::Ray& out) const override;
-  core::PixelLattice lattice(std::uint32_t width) const override { return m_straight->lattice(width); }
+  bool lens_ray_at(const core::PixelPlace& place, double x, double y,
+                   core::Ray& out) const override;
+  core::PixelLattice lattice(std::uint32_t width) const override {
+    return m_straight->lattice(width);
+  }
   std::string_view name() const override { return m_straight->name(); }
   std::uint32_t width() const override { return m_straight->width(); }
   std::uint32_t height() const override { return m_straight->height(); }

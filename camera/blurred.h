@@ -25,7 +25,8 @@ class Blurred final : public Camera {
     return m_sharp->sight(place, out);
   }
   const core::FocalBlur* blur() const override { return &m_blur; }
-  bool lens_ray_at(const core::PixelPlace& place, double x, double y, core::Ray& out) const override {
+  bool lens_ray_at(const core::PixelPlace& place, double x, double y,
+                   core::Ray& out) const override {
     core::Ray sight;
     if (!m_sharp->sight(place, sight)) return false;
     out = m_lens.through(sight, x, y);

@@ -23,7 +23,9 @@ class Camera : public core::RaySource {
  public:
   /// The ray at a place with the length that its direction has before it is made unit: at equal
   /// multiples of such directions an aperture is in focus (camera/thin_lens.h).
-  virtual bool sight(const core::PixelPlace& place, core::Ray& out) const { return ray_at(place, out); }
+  virtual bool sight(const core::PixelPlace& place, core::Ray& out) const {
+    return ray_at(place, out);
+  }
   /// SDL's word for the kind ("perspective", "orthographic", "lenticular").
   virtual std::string_view name() const = 0;
   /// The image size the camera was made for, in pixels.

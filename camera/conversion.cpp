@@ -82,8 +82,9 @@ double sheet_distance(const Projection& p, const Conversion& conversion, const V
     report.push_back("Sheet distance " + format(distance) +
                      ", the median depth of what the camera sees (it has no look_at)");
   } else {
-    throw CameraError("the camera has no look_at and sees nothing, so the sheet's distance is "
-                      "unknown: give Sheet_Distance");
+    throw CameraError(
+        "the camera has no look_at and sees nothing, so the sheet's distance is "
+        "unknown: give Sheet_Distance");
   }
   if (!(distance > 0.0) || !std::isfinite(distance)) {
     throw CameraError("Sheet_Distance must be greater than 0");
@@ -94,8 +95,8 @@ double sheet_distance(const Projection& p, const Conversion& conversion, const V
 Sheet finish(const LensParameters& lens, const SheetPlacement& place, std::uint32_t width,
              std::uint32_t height, std::vector<std::string> report, const SceneProbe& probe) {
   constexpr double kFarthest = 1e30;  // scene units; squares of such numbers are finite
-  for (const double size : {place.width, place.height, 1.0 / place.width, 1.0 / place.height, place.front,
-                            core::length(place.centre)}) {
+  for (const double size : {place.width, place.height, 1.0 / place.width, 1.0 / place.height,
+                            place.front, core::length(place.centre)}) {
     if (!(std::fabs(size) < kFarthest)) {
       throw CameraError("the sheet is too large, too small or too far away to be computed");
     }
@@ -124,8 +125,7 @@ Sheet sheet_of_statement(const Projection& projection, const LensRequest& reques
   if (!asked.view_distance) asked.view_distance = 0.0;
   if (!asked.model) asked.model = LensModel::kPinhole;
   const LensParameters lens = resolve(asked, width, nullptr);
-  place.front =
-      asked.front.value_or(std::min(place.width, eye_in_scene(lens, place, width)));
+  place.front = asked.front.value_or(std::min(place.width, eye_in_scene(lens, place, width)));
   return finish(lens, place, width, height, {}, probe);
 }
 
@@ -158,8 +158,7 @@ Sheet sheet_of_camera(std::string_view kind, const Projection& projection,
     const EyeInScene eye{depth, place.width};
     lens = resolve(conversion.lens, width, &eye);
   }
-  place.front =
-      conversion.lens.front.value_or(std::min(depth, eye_in_scene(lens, place, width)));
+  place.front = conversion.lens.front.value_or(std::min(depth, eye_in_scene(lens, place, width)));
   return finish(lens, place, width, height, std::move(report), probe);
 }
 

@@ -21,13 +21,8 @@ bool keeps_lengths(CurvedKind kind) {
 
 Curved::Curved(CurvedKind kind, const Projection& projection, const CurvedAngles& angles,
                std::uint32_t width, std::uint32_t height)
-    : m_kind(kind),
-      m_projection(projection),
-      m_angles(angles),
-      m_wide(length(projection.right)),
-      m_high(length(projection.up)),
-      m_width(width),
-      m_height(height) {
+    : m_kind(kind), m_projection(projection), m_angles(angles), m_wide(length(projection.right)),
+      m_high(length(projection.up)), m_width(width), m_height(height) {
   if (keeps_lengths(kind)) return;
   m_projection.right = normalized(m_projection.right);
   m_projection.up = normalized(m_projection.up);
@@ -90,7 +85,8 @@ Vec3 Curved::panoramic(double x, double y) const {
   constexpr double kStraightUp = 1e10, kTiny = 1e-10;
   const double along = (0.5 - x) * kPi, upwards = kPi * y;
   double slope = std::tan(upwards);
-  if (std::fabs(0.5 * kPi - std::fabs(upwards)) < kTiny) slope = std::copysign(kStraightUp, upwards);
+  if (std::fabs(0.5 * kPi - std::fabs(upwards)) < kTiny)
+    slope = std::copysign(kStraightUp, upwards);
   return frame(std::cos(along), slope, std::sin(along));
 }
 
@@ -98,8 +94,8 @@ Vec3 Curved::spherical(double x, double y) const {
   const auto turn = [](const Vec3& axis, double angle) {
     return core::Transform::axis_rotation(axis, angle);
   };
-  const Vec3 lifted = turn(m_projection.right, -y * m_angles.vertical * kRadians)
-                          .vector(m_projection.direction);
+  const Vec3 lifted =
+      turn(m_projection.right, -y * m_angles.vertical * kRadians).vector(m_projection.direction);
   return turn(m_projection.up, x * m_angles.horizontal * kRadians).vector(lifted);
 }
 

@@ -12,14 +12,21 @@
 namespace lentray::camera {
 
 enum class CurvedKind {
-  kFisheye, kUltraWideAngle, kOmnimax, kPanoramic, kSpherical,
-  kCylinder1, kCylinder2, kCylinder3, kCylinder4
+  kFisheye,
+  kUltraWideAngle,
+  kOmnimax,
+  kPanoramic,
+  kSpherical,
+  kCylinder1,
+  kCylinder2,
+  kCylinder3,
+  kCylinder4
 };
 
 /// Angles in degrees.
 struct CurvedAngles {
-  double angle = 90.0;                         ///< all kinds but panoramic and spherical
-  double horizontal = 360.0, vertical = 180.0; ///< spherical
+  double angle = 90.0;                          ///< all kinds but panoramic and spherical
+  double horizontal = 360.0, vertical = 180.0;  ///< spherical
 };
 
 class Curved final : public Camera {
@@ -46,7 +53,7 @@ class Curved final : public Camera {
   CurvedKind m_kind;
   Projection m_projection;  ///< vectors made unit where stock does so
   CurvedAngles m_angles;
-  double m_wide, m_high;    ///< lengths of right and up
+  double m_wide, m_high;  ///< lengths of right and up
   std::uint32_t m_width, m_height;
 };
 

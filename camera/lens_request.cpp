@@ -32,7 +32,8 @@ double pixels_of_dpi(const LensParameters& lens, double dpi, std::uint32_t width
   const double loss =
       per_mm * lens.focal_length * eye->sheet_width / (lens.ior * eye->distance * width);
   if (loss >= 1.0) {
-    throw CameraError("no sheet at " + format(dpi) + " pixels an inch lets the eye of this camera "
+    throw CameraError("no sheet at " + format(dpi) +
+                      " pixels an inch lets the eye of this camera "
                       "see one view: ask for lens pixels instead");
   }
   return per_mm * lens.pitch / (1.0 - loss);
@@ -89,7 +90,8 @@ LensParameters resolve(const LensRequest& request, std::uint32_t width, const Ey
     const double per_mm = eye->sheet_width / (width / lens.pixels * lens.pitch);
     lens.view_distance = eye->distance / per_mm;
   }
-  if (const std::string why = complaint(lens); !why.empty()) throw CameraError(why);  // of what was computed
+  if (const std::string why = complaint(lens); !why.empty())
+    throw CameraError(why);  // of what was computed
   return lens;
 }
 

@@ -67,8 +67,7 @@ double offset_of(const LensParameters& lens, double slope) {
 }
 
 LensSheet::LensSheet(const LensParameters& lens, std::uint32_t width, double eye_slope)
-    : m_lens(lens),
-      m_eye_slope(eye_slope),
+    : m_lens(lens), m_eye_slope(eye_slope),
       m_shift(lens.is_finite() ? eye_slope * lens.focal_length / lens.ior
                                : offset_of(lens, eye_slope)),
       m_lenses(width / lens.pixels) {
@@ -114,8 +113,8 @@ LensColumn LensSheet::at(double cells, double lens) const {
       c.axis * (1.0 + m_lens.focal_length / (m_lens.ior * m_lens.view_distance)) + m_shift;
   c.cell_offset = cells * print_pitch;
   c.centre = c.cell_centre + c.cell_offset;
-  c.lens_offset = c.cell_offset + m_shift +
-                  c.axis * m_lens.focal_length / (m_lens.ior * m_lens.view_distance);
+  c.lens_offset =
+      c.cell_offset + m_shift + c.axis * m_lens.focal_length / (m_lens.ior * m_lens.view_distance);
   c.dark = !slope_of(m_lens, c.lens_offset, c.slope);
   return c;
 }
@@ -145,7 +144,8 @@ double LensSheet::widest_pitch() const {
     // Offsets grow linearly with the pitch: o = a P + shift.
     const double a = (c.lens_offset - m_shift) / m_lens.pitch;
     if (a == 0.0) continue;
-    widest = std::min(widest, std::max(0.0, (limit - (a > 0.0 ? m_shift : -m_shift)) / std::fabs(a)));
+    widest =
+        std::min(widest, std::max(0.0, (limit - (a > 0.0 ? m_shift : -m_shift)) / std::fabs(a)));
   }
   return widest;
 }

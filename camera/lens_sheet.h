@@ -23,11 +23,11 @@ const char* name_of(LensModel model);
 /// A sheet as its maker describes it.
 struct LensParameters {
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  double pitch = 1.124;             ///< P, mm
-  double focal_length = 3.03;       ///< f, mm, measured in the lens material
-  double ior = 1.6;                 ///< n; 1: no refraction
-  double pixels = 15.0;             ///< N, pixels a lens; may be fractional
-  double view_distance = kInfinity; ///< V, mm
+  double pitch = 1.124;              ///< P, mm
+  double focal_length = 3.03;        ///< f, mm, measured in the lens material
+  double ior = 1.6;                  ///< n; 1: no refraction
+  double pixels = 15.0;              ///< N, pixels a lens; may be fractional
+  double view_distance = kInfinity;  ///< V, mm
   LensModel model = LensModel::kPinhole;
 
   bool is_finite() const { return view_distance < kInfinity; }
@@ -48,8 +48,8 @@ double pixels_for_dpi(const LensParameters& lens, double dpi);
 
 /// Where a pixel column lies under its lens.
 struct LensColumn {
-  double lens = 0.0;         ///< i = floor((k + 1/2)/N); between whole numbers: beside a lens's axis
-  double axis = 0.0;         ///< x_i, mm from the sheet's middle
+  double lens = 0.0;  ///< i = floor((k + 1/2)/N); between whole numbers: beside a lens's axis
+  double axis = 0.0;  ///< x_i, mm from the sheet's middle
   double cell_centre = 0.0;  ///< c_i, in the print
   double centre = 0.0;       ///< X_k, in the print
   double cell_offset = 0.0;  ///< e = X_k - c_i
@@ -72,9 +72,7 @@ class LensSheet {
   /// L = W/N: fractional when the last lens is cut.
   double lenses() const { return m_lenses; }
   /// Lenses that own at least one pixel.
-  std::uint32_t lens_count() const {
-    return static_cast<std::uint32_t>(m_columns.back().lens) + 1;
-  }
+  std::uint32_t lens_count() const { return static_cast<std::uint32_t>(m_columns.back().lens) + 1; }
   /// L P: the sheet's width in mm.
   double sheet_width() const { return m_lenses * m_lens.pitch; }
   /// L P': the print's width in mm.

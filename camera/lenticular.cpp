@@ -9,9 +9,7 @@ namespace lentray::camera {
 
 Lenticular::Lenticular(const LensParameters& lens, const SheetPlacement& placement,
                        std::uint32_t width, std::uint32_t height)
-    : m_sheet(lens, width, placement.eye_slope_x),
-      m_place(placement),
-      m_height(height),
+    : m_sheet(lens, width, placement.eye_slope_x), m_place(placement), m_height(height),
       m_scale(placement.width / m_sheet.sheet_width()),
       m_inverse_distance(1.0 / (lens.view_distance * m_scale)) {
   if (m_place.front * m_inverse_distance > 1.0) {
@@ -100,14 +98,17 @@ double Lenticular::print_height() const {
 std::vector<std::string> Lenticular::warnings() const {
   std::vector<std::string> out;
   if (m_clamped) {
-    out.push_back("lens_front reaches beyond the eye, where the rays cross: it is set to the viewing "
-                  "distance, " + format(m_place.front) + " scene units");
+    out.push_back(
+        "lens_front reaches beyond the eye, where the rays cross: it is set to the viewing "
+        "distance, " +
+        format(m_place.front) + " scene units");
   }
   if (m_sheet.dark_columns() > 0) {
     out.push_back(std::to_string(dark_pixels()) + " pixels (" +
                   std::to_string(m_sheet.dark_columns()) +
                   " columns) show nothing, for their light is totally reflected inside the sheet; "
-                  "the widest usable lens pitch is " + format(m_sheet.widest_pitch()) + " mm");
+                  "the widest usable lens pitch is " +
+                  format(m_sheet.widest_pitch()) + " mm");
   }
   return out;
 }

@@ -25,7 +25,7 @@ struct SheetPlacement {
   double width = 1.0, height = 1.0;  ///< scene units
   /// Slopes of the line eye - sheet's middle: -e_x/V, -e_y/V for an eye whose foot is (e_x, e_y).
   double eye_slope_x = 0.0, eye_slope_y = 0.0;
-  double front = 0.0;                ///< lens_front, scene units
+  double front = 0.0;  ///< lens_front, scene units
 };
 
 class Lenticular final : public Camera {

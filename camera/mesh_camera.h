@@ -17,8 +17,8 @@ namespace lentray::camera {
 
 struct MeshCameraFace {
   std::array<core::Vec3, 3> corner;
-  core::Vec3 normal;                    ///< unit
-  std::array<core::Vec3, 3> normals;    ///< of the corners; all null where the face is flat
+  core::Vec3 normal;                  ///< unit
+  std::array<core::Vec3, 3> normals;  ///< of the corners; all null where the face is flat
   std::array<core::Vec2, 3> uv;
 };
 /// Faces in the scene's order, degenerate ones left out; copies of a mesh share them.
@@ -56,8 +56,8 @@ class MeshCamera final : public Camera {
              core::Ray& ray) const;
 
   MeshCameraSetup m_setup;
-  std::unique_ptr<UvIndex> m_index;     ///< of the first part, for distribution 3
-  std::vector<std::size_t> m_before;    ///< faces of the parts before each, for distribution 1
+  std::unique_ptr<UvIndex> m_index;   ///< of the first part, for distribution 3
+  std::vector<std::size_t> m_before;  ///< faces of the parts before each, for distribution 1
   std::uint32_t m_width, m_height;
 };
 

@@ -3,9 +3,7 @@
 namespace lentray::camera {
 
 Orthographic::Orthographic(const Projection& projection, std::uint32_t width, std::uint32_t height)
-    : m_projection(projection),
-      m_direction(core::normalized(projection.direction)),
-      m_width(width),
+    : m_projection(projection), m_direction(core::normalized(projection.direction)), m_width(width),
       m_height(height) {}
 
 core::Ray Orthographic::aim(double column, double row) const {

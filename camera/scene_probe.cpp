@@ -13,8 +13,8 @@ SceneProbe probe_of(const core::Scene& scene) {
   auto arena = std::make_shared<core::HitArena>();
   return [&scene, arena](const core::Ray& ray, double limit) -> std::optional<ProbeHit> {
     core::Hit hit;
-    if (!scene.hierarchy().nearest(ray, core::kMinHitDistance * scene.tolerance_scale(), limit, core::RayKind::kCamera, hit,
-                                   *arena, nullptr)) {
+    if (!scene.hierarchy().nearest(ray, core::kMinHitDistance * scene.tolerance_scale(), limit,
+                                   core::RayKind::kCamera, hit, *arena, nullptr)) {
       return std::nullopt;
     }
     const core::Object* object = hit.object;

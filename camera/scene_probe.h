@@ -17,8 +17,8 @@ namespace lentray::camera {
 
 struct ProbeHit {
   double distance = 0.0;
-  std::string object;  ///< SDL's word for what was hit ("sphere")
-  const void* id = nullptr;  ///< tells objects of the same kind apart
+  std::string object;                                ///< SDL's word for what was hit ("sphere")
+  const void* id = nullptr;                          ///< tells objects of the same kind apart
   core::Bounds bounds = core::Bounds::everything();  ///< of the object; infinite for planes
 };
 

@@ -44,12 +44,12 @@ void on_rectangle(const SceneProbe& probe, const Vec3& centre, const Vec3& acros
                   const std::function<void(const Crossing&)>& visit) {
   for (int i = 0; i < kLines; ++i) {
     const double at = (i + 0.5) / kLines - 0.5;
-    for (const Crossing& c : crossings(probe, centre - across * 0.5 + down * at,
-                                       centre + across * 0.5 + down * at)) {
+    for (const Crossing& c :
+         crossings(probe, centre - across * 0.5 + down * at, centre + across * 0.5 + down * at)) {
       visit(c);
     }
-    for (const Crossing& c : crossings(probe, centre + across * at - down * 0.5,
-                                       centre + across * at + down * 0.5)) {
+    for (const Crossing& c :
+         crossings(probe, centre + across * at - down * 0.5, centre + across * at + down * 0.5)) {
       visit(c);
     }
   }
@@ -81,16 +81,16 @@ class ObjectList {
 /// The slope of a view's rays through the sheet's middle; `side` -1: the first view, 1: the last.
 double slope_of_view(const Lenticular& sheet, int side) {
   const LensParameters& lens = sheet.sheet().lens();
-  const double outermost = lens.ior * lens.print_pitch() / (2.0 * lens.focal_length) *
-                           (1.0 - 1.0 / lens.pixels);
+  const double outermost =
+      lens.ior * lens.print_pitch() / (2.0 * lens.focal_length) * (1.0 - 1.0 / lens.pixels);
   return sheet.placement().eye_slope_x + side * outermost;
 }
 
 /// Where the rays of a view start that pass the sheet at a point.
 Vec3 start_of(const Lenticular& sheet, int side, const Vec3& on_sheet) {
   const SheetPlacement& place = sheet.placement();
-  const Vec3 middle = place.right * slope_of_view(sheet, side) + place.normal +
-                      place.up * place.eye_slope_y;
+  const Vec3 middle =
+      place.right * slope_of_view(sheet, side) + place.normal + place.up * place.eye_slope_y;
   const double distance = sheet.sheet().lens().view_distance * sheet.scale();
   const Vec3 tilt = std::isfinite(distance) ? (on_sheet - place.centre) / distance : Vec3{};
   return on_sheet - (middle + tilt) * place.front;

@@ -48,8 +48,8 @@ std::string parallax_text(const Lenticular& sheet, double step) {
 
 std::string parallax_line(const Lenticular& sheet, const char* which, double depth) {
   return std::string(which) + " visible point " + format(std::fabs(depth)) +
-         (depth < 0.0 ? " before" : " behind") + " the sheet: " +
-         parallax_text(sheet, parallax(sheet, depth));
+         (depth < 0.0 ? " before" : " behind") +
+         " the sheet: " + parallax_text(sheet, parallax(sheet, depth));
 }
 
 /// "48 x 36 mm (1.89 x 1.417 in)".
@@ -67,10 +67,9 @@ std::vector<std::string> lens_lines(const Lenticular& sheet) {
                 format(lens.focal_length) + " mm, index " + format(lens.ior) + ", model " +
                 name_of(lens.model) + ", viewing distance " +
                 (lens.is_finite() ? format(lens.view_distance) + " mm" : "infinite"));
-  out.push_back("Paraxial rays are off Snell's law by at most " +
-                format(columns.paraxial_error()) + " pixels of the print; the cheapest model within " +
-                format(kModelTolerance) + " pixels is " +
-                name_of(columns.cheapest_model(kModelTolerance)));
+  out.push_back("Paraxial rays are off Snell's law by at most " + format(columns.paraxial_error()) +
+                " pixels of the print; the cheapest model within " + format(kModelTolerance) +
+                " pixels is " + name_of(columns.cheapest_model(kModelTolerance)));
   if (lens.is_finite() && lens.model == LensModel::kPinhole) {
     out.push_back("Rays miss the eyes of their views by at most " +
                   format(columns.largest_eye_miss()) + " pixels (Snell's law)");
@@ -112,8 +111,8 @@ std::vector<std::string> report_of(const Lenticular& sheet, const SceneProbe& pr
                 ", " + format(sheet.sheet().lenses()) + " lenses, " +
                 format(lens.lenses_per_inch()) + " lpi, " + format(lens.pixels) + " pixels a lens");
   out.push_back("Print " + size_text(sheet.print_width(), sheet.print_height()) + ", " +
-                format(sheet.print_dpi_x()) + " x " + format(sheet.print_dpi_y()) +
-                " ppi, pitch " + format(lens.print_pitch()) + " mm");
+                format(sheet.print_dpi_x()) + " x " + format(sheet.print_dpi_y()) + " ppi, pitch " +
+                format(lens.print_pitch()) + " mm");
   for (std::string& line : lens_lines(sheet)) out.push_back(std::move(line));
   if (!probe) return out;
   for (std::string& line : depth_lines(sheet, probe)) out.push_back(std::move(line));

@@ -25,7 +25,8 @@ Disc disc_of(const Vec3& up, const Vec3& axis, double aperture) {
 }
 
 /// `camera_depth`: of an infinite viewing distance's discs; depths are behind the sheet.
-ThinLens lens_of_sheet(const Lenticular& sheet, double aperture, double camera_depth, double focus) {
+ThinLens lens_of_sheet(const Lenticular& sheet, double aperture, double camera_depth,
+                       double focus) {
   const SheetPlacement& place = sheet.placement();
   const Disc disc = disc_of(place.up, place.normal, aperture);
   const double behind = sheet.sheet().lens().is_finite() ? sheet.eye_distance() : -camera_depth;
@@ -35,10 +36,7 @@ ThinLens lens_of_sheet(const Lenticular& sheet, double aperture, double camera_d
 }  // namespace
 
 ThinLens::ThinLens(const Vec3& across, const Vec3& down, double behind, double focus, double start)
-    : m_across(across),
-      m_down(down),
-      m_behind(behind),
-      m_reach(behind + focus),
+    : m_across(across), m_down(down), m_behind(behind), m_reach(behind + focus),
       m_start(start / m_reach) {
   const double least = 1e-9 * (std::fabs(behind) + std::fabs(focus));
   if (!(std::fabs(m_reach) > least)) {
@@ -57,8 +55,8 @@ core::Ray ThinLens::through(const core::Ray& sight, double x, double y) const {
 
 ThinLens lens_of_camera(const Projection& projection, const BlurRequest& request) {
   const Disc disc = disc_of(projection.up, projection.direction, request.aperture);
-  return {disc.across, disc.down, 0.0,
-          request.focal_distance / core::length(projection.direction), 0.0};
+  return {disc.across, disc.down, 0.0, request.focal_distance / core::length(projection.direction),
+          0.0};
 }
 
 ThinLens lens_of_conversion(const Lenticular& sheet, const Projection& projection,

@@ -19,9 +19,9 @@ namespace lentray::camera {
 
 /// What a camera statement says of focal blur.
 struct BlurRequest {
-  double aperture = 0.0;                   ///< scene units; the disc is half as wide
-  double focal_distance = 1.0;             ///< from location, along direction; scene units, > 0
-  std::optional<core::Vec3> focal_point;   ///< if the statement has one
+  double aperture = 0.0;                  ///< scene units; the disc is half as wide
+  double focal_distance = 1.0;            ///< from location, along direction; scene units, > 0
+  std::optional<core::Vec3> focal_point;  ///< if the statement has one
   core::FocalBlurOptions samples;
 };
 

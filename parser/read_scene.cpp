@@ -5,8 +5,8 @@
 
 namespace lentray::parser {
 
-SceneDesc read_descriptions(const std::string& path, SourceManager& sources, Diagnostics& diagnostics,
-                            const ParserOptions& options) {
+SceneDesc read_descriptions(const std::string& path, SourceManager& sources,
+                            Diagnostics& diagnostics, const ParserOptions& options) {
   Grammar grammar;
   Parser parser(sources, diagnostics, options, grammar);
   parser.open(path);

@@ -16,7 +16,7 @@ namespace lentray::parser {
 
 struct ReadScene {
   core::SceneParts parts;
-  CameraDesc camera;           ///< stock's default camera if the scene has none
+  CameraDesc camera;  ///< stock's default camera if the scene has none
   bool has_camera = false;
 };
 
@@ -25,7 +25,7 @@ ReadScene read_scene(const std::string& path, SourceManager& sources, Diagnostic
                      const ParserOptions& options, const BuildOptions& build = {});
 
 /// The descriptions alone.
-SceneDesc read_descriptions(const std::string& path, SourceManager& sources, Diagnostics& diagnostics,
-                            const ParserOptions& options);
+SceneDesc read_descriptions(const std::string& path, SourceManager& sources,
+                            Diagnostics& diagnostics, const ParserOptions& options);
 
 }  // namespace lentray::parser

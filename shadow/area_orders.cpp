@@ -69,9 +69,8 @@ class TileOrder final : public SquareOrder {
  private:
   std::size_t list_square(const Square& s, std::size_t skip, std::size_t count,
                           core::Pixel* out) const override {
-    return list_lines(s, s.columns, skip, count, out, [&](std::size_t y, std::size_t x) {
-      return at(s.left + x, s.top + y);
-    });
+    return list_lines(s, s.columns, skip, count, out,
+                      [&](std::size_t y, std::size_t x) { return at(s.left + x, s.top + y); });
   }
 };
 

@@ -33,8 +33,9 @@ class Asker {
                                                  const core::ShadowQuery& query,
                                                  core::ShadowCounts& counts) {
     Tried tried;
-    const core::Object* entry = m_cache.probe(
-        query, spot, tried, [&](const core::Object& asked) { return m_plain.blocks(asked, query); });
+    const core::Object* entry = m_cache.probe(query, spot, tried, [&](const core::Object& asked) {
+      return m_plain.blocks(asked, query);
+    });
     const std::size_t failed = tried.count();
     counts.misses += failed;
     counts.probes += failed;

@@ -17,8 +17,7 @@ namespace lentray::shadow {
 class Cascade {
  public:
   static constexpr std::string_view kName = "cascade";
-  explicit Cascade(const core::Scene& scene)
-      : m_scene(scene), m_around(scene) {}
+  explicit Cascade(const core::Scene& scene) : m_scene(scene), m_around(scene) {}
 
   using Spot = Neighbourhood::Spot;
   Spot spot(const core::ShadowQuery& query) { return m_around.spot(query); }
@@ -47,8 +46,8 @@ class Cascade {
  private:
   template <class Ask>
   const core::Object* probe_cells(Tried& tried, Ask&& ask) {
-    return ask_in_turn([&](std::size_t i) { return m_entries[m_cells[i]]; }, m_cells.size(),
-                       tried, tried.count() + m_cells.size(), ask);
+    return ask_in_turn([&](std::size_t i) { return m_entries[m_cells[i]]; }, m_cells.size(), tried,
+                       tried.count() + m_cells.size(), ask);
   }
   [[gnu::noinline]] void find_cells(const core::ShadowQuery& query) {
     if (!m_grid) {
@@ -66,7 +65,7 @@ class Cascade {
   Neighbourhood m_around;
   std::optional<DirectionPolicy> m_grid;  ///< none before it is used
   Entries m_entries;
-  Keys<3> m_cells{};          ///< of this query
+  Keys<3> m_cells{};           ///< of this query
   bool m_cells_known = false;  ///< it asked the grid
 };
 

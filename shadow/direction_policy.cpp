@@ -52,7 +52,7 @@ DirectionPolicy::DirectionPolicy(const core::Scene& scene) {
       along = light.position - cluster.middle;
       reach = length(along);
     }
-    frame.kind = light.parallel                            ? Kind::kParallel
+    frame.kind = light.parallel                       ? Kind::kParallel
                  : reach > kFarLight * cluster.radius ? Kind::kWindow
                                                       : Kind::kCube;
     if (frame.kind != Kind::kCube) {
@@ -70,7 +70,8 @@ DirectionPolicy::DirectionPolicy(const core::Scene& scene) {
 DirectionPolicy::Place DirectionPolicy::place_of(const core::ShadowQuery& query) const {
   const LightFrame& frame = m_lights[query.light];
   if (frame.kind == Kind::kParallel) {
-    return {0, folded(dot(query.ray.origin, frame.across)), folded(dot(query.ray.origin, frame.up))};
+    return {0, folded(dot(query.ray.origin, frame.across)),
+            folded(dot(query.ray.origin, frame.up))};
   }
   const core::Vec3& d = query.ray.direction;
   if (frame.kind == Kind::kWindow) {

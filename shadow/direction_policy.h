@@ -29,8 +29,13 @@ class DirectionPolicy {
       const double step = 2.0 / kMiddle;
       return cell(query, {place.face, place.u + du * step, place.v + dv * step}, kMiddle);
     };
-    return {cell(query, place, kFine), cell(query, place, kMiddle), tree(query),
-            cell(query, place, kCoarse), beside(-1, 0), beside(1, 0), beside(0, -1),
+    return {cell(query, place, kFine),
+            cell(query, place, kMiddle),
+            tree(query),
+            cell(query, place, kCoarse),
+            beside(-1, 0),
+            beside(1, 0),
+            beside(0, -1),
             beside(0, 1)};
   }
   Keys<4> homes(const core::ShadowQuery& query) const {
@@ -65,7 +70,8 @@ class DirectionPolicy {
     const auto i = static_cast<std::uint64_t>((place.u + 1.0) * 0.5 * cells + 1.0);
     const auto k = static_cast<std::uint64_t>((place.v + 1.0) * 0.5 * cells + 1.0);
     // Four by four cells side by side in memory.
-    std::uint64_t key = (i / 4 * 1024u + k / 4) * 6u + place.face + static_cast<std::uint64_t>(cells);
+    std::uint64_t key =
+        (i / 4 * 1024u + k / 4) * 6u + place.face + static_cast<std::uint64_t>(cells);
     key = (key * 0x9e3779b97f4a7c15ull >> 50) * 16u + i % 4 * 4 + k % 4;
     return query.light * kEach + static_cast<std::size_t>(key);
   }

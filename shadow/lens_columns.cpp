@@ -7,8 +7,8 @@ namespace lentray::shadow {
 std::vector<Strip> lenses_of(std::uint32_t width, const camera::LensSheet* sheet) {
   std::vector<Strip> lenses;
   for (std::uint32_t k = 0; k < width; ++k) {
-    const bool next = k > 0 && sheet != nullptr &&
-                      sheet->column(k).lens != sheet->column(k - 1).lens;
+    const bool next =
+        k > 0 && sheet != nullptr && sheet->column(k).lens != sheet->column(k - 1).lens;
     if (k == 0 || next) lenses.push_back({k, k});
     lenses.back().end = k + 1;
   }

@@ -30,8 +30,7 @@ class Neighbourhood {
     return block ? within(block, query) : Spot{};
   }
   static bool empty(const Spot& spot) {
-    return !spot.column ||
-           (!spot.column[0] && !spot.row[0] && !spot.row[1] && !spot.column[1]);
+    return !spot.column || (!spot.column[0] && !spot.row[0] && !spot.row[1] && !spot.column[1]);
   }
   /// Two of them, the nearest first. Written out: this is asked for most rays.
   template <class Ask>
@@ -45,8 +44,10 @@ class Neighbourhood {
     if (ask(*first)) return first;
     tried.add(first);
     const auto other = [first](const core::Object* entry) { return entry && entry != first; };
-    const core::Object* const second =
-        other(left) ? left : other(below) ? below : other(right) ? right : nullptr;
+    const core::Object* const second = other(left)    ? left
+                                       : other(below) ? below
+                                       : other(right) ? right
+                                                      : nullptr;
     if (!second) return nullptr;
     if (ask(*second)) return second;
     tried.add(second);

@@ -14,9 +14,9 @@
 namespace lentray::shadow {
 namespace {
 
-constexpr double kHighBand = 8.0 * 1024 * 1024;  ///< pixels, where an order gains by height
-constexpr double kLowBand = 512.0 * 1024;        ///< pixels, elsewhere
-constexpr std::uint32_t kLargestStrip = 1 << 20; ///< pixels
+constexpr double kHighBand = 8.0 * 1024 * 1024;   ///< pixels, where an order gains by height
+constexpr double kLowBand = 512.0 * 1024;         ///< pixels, elsewhere
+constexpr std::uint32_t kLargestStrip = 1 << 20;  ///< pixels
 
 using Numbers = std::array<std::uint32_t, 2>;
 using Maker = std::function<OrderPtr(const PixelRegion&)>;
@@ -71,8 +71,8 @@ Maker prepare_strips(const Columns& columns, const Numbers& numbers) {
 }
 
 Maker prepare_adaptive(const Columns& columns, const Numbers&) {
-  const auto blocks = std::make_shared<const LensBlocks>(
-      blocks_of(columns.left, columns.right, columns.sheet));
+  const auto blocks =
+      std::make_shared<const LensBlocks>(blocks_of(columns.left, columns.right, columns.sheet));
   return [blocks, meter = columns.meter](const PixelRegion& region) {
     return make_adaptive_order(region, blocks, meter);
   };

@@ -54,7 +54,8 @@ struct PixelColumns {
 
 /// The same for the bands of an image, inside which an order stays. `meter` is for orders that
 /// follow the shadows, and outlives them; null: they keep to fixed sizes.
-std::unique_ptr<core::BandOrders> make_band_orders(std::string_view name, const PixelColumns& columns,
+std::unique_ptr<core::BandOrders> make_band_orders(std::string_view name,
+                                                   const PixelColumns& columns,
                                                    const camera::LensSheet* sheet = nullptr,
                                                    const RunMeter* meter = nullptr);
 /// Whether the order wants a meter. Throws as make_order().

@@ -13,15 +13,20 @@
 namespace lentray::core {
 namespace {
 
-enum Flag : std::uint8_t { kNoImage = 1, kNoReflection = 2, kNoShadow = 4, kTransparent = 8, kNear = 16 };
+enum Flag : std::uint8_t {
+  kNoImage = 1,
+  kNoReflection = 2,
+  kNoShadow = 4,
+  kTransparent = 8,
+  kNear = 16
+};
 
 std::uint8_t flags_of(const Object& object) {
   const Attributes& a = object.attributes();
-  return static_cast<std::uint8_t>((a.no_image ? kNoImage : 0) |
-                                   (a.no_reflection ? kNoReflection : 0) |
-                                   (a.no_shadow ? kNoShadow : 0) |
-                                   (object.is_opaque() ? 0 : kTransparent) |
-                                   (is_seen_afar(object) ? 0 : kNear));
+  return static_cast<std::uint8_t>(
+      (a.no_image ? kNoImage : 0) | (a.no_reflection ? kNoReflection : 0) |
+      (a.no_shadow ? kNoShadow : 0) | (object.is_opaque() ? 0 : kTransparent) |
+      (is_seen_afar(object) ? 0 : kNear));
 }
 
 constexpr std::uint8_t unseen_by(RayKind kind) {
@@ -175,8 +180,13 @@ struct Hierarchy::Impl {
   template <class T>
   bool nearest(const Ray& ray, double t_min, double t_max, RayKind kind, Hit& hit, HitArena& arena,
                T& tally) const {
-    NearestSearch<T> what{ray, t_min, static_cast<std::uint8_t>(unseen_by(kind) & any_flags),
-                          hit, {arena, kind}, tally, {std::min(t_max, kFarthest)}};
+    NearestSearch<T> what{ray,
+                          t_min,
+                          static_cast<std::uint8_t>(unseen_by(kind) & any_flags),
+                          hit,
+                          {arena, kind},
+                          tally,
+                          {std::min(t_max, kFarthest)}};
     all->search<true>(what);
     if (!what.best.entry && t_max > kFarthest && may_see_afar(ray)) {
       what.best.t = t_max;
@@ -231,8 +241,8 @@ std::uint8_t Hierarchy::Impl::type_of(const Object& object) {
   return static_cast<std::uint8_t>(types.size() - 1);
 }
 
-Hierarchy::Impl::Impl(const std::vector<std::unique_ptr<Object>>& objects,
-                      Accelerator accelerator, bool portable) {
+Hierarchy::Impl::Impl(const std::vector<std::unique_ptr<Object>>& objects, Accelerator accelerator,
+                      bool portable) {
   ObjectList listed;
   listed.reserve(objects.size());
   for (std::size_t i = 0; i < objects.size(); ++i) {
@@ -302,9 +312,8 @@ const Object* Hierarchy::any_opaque(const Ray& ray, double t_min, double t_max, 
   return m_impl->any_opaque(ray, t_min, t_max, arena, none);
 }
 
-void Hierarchy::all_transparent(const Ray& ray, double t_min, double t_max,
-                                std::vector<Hit>& hits, HitArena& arena,
-                                Counters* counters) const {
+void Hierarchy::all_transparent(const Ray& ray, double t_min, double t_max, std::vector<Hit>& hits,
+                                HitArena& arena, Counters* counters) const {
   if (!m_impl->filters || m_impl->filters->empty()) return;
   if (counters) {
     m_impl->counted(*counters, [&](Tally& tally) {
@@ -326,8 +335,8 @@ std::size_t Hierarchy::memory() const {
 Hierarchy::Shape Hierarchy::statistics() const {
   const WideBvh::Statistics& s = m_impl->all->tree().statistics();
   const UniformGrid& grid = m_impl->all->grid();
-  return {s.nodes, s.leaves, m_impl->all->objects(), m_impl->infinite, s.depth,
-          grid.cells(), grid.entries()};
+  return {s.nodes, s.leaves,     m_impl->all->objects(), m_impl->infinite,
+          s.depth, grid.cells(), grid.entries()};
 }
 
 }  // namespace lentray::core

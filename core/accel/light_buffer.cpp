@@ -24,9 +24,7 @@ void count(Counters& counters, const Object& object) {
 struct Tally {
   Counters& counters;
   void test(const Object* object) const { count(counters, *object); }
-  void outside() const {
-    ++counters.bounds_tests;
-  }
+  void outside() const { ++counters.bounds_tests; }
 };
 struct NoTally {
   void test(const Object*) const {}
@@ -47,9 +45,10 @@ const Object* LightBuffer::plane_blocker(const Ray& ray, double t_min, double t_
 }
 
 template <class Count>
-[[gnu::always_inline]] inline LightBuffer::Probe LightBuffer::probe(
-    const Caster& caster, const Ray& ray, double t_min, double t_max, HitArena& arena,
-    Count count) const {
+[[gnu::always_inline]] inline LightBuffer::Probe LightBuffer::probe(const Caster& caster,
+                                                                    const Ray& ray, double t_min,
+                                                                    double t_max, HitArena& arena,
+                                                                    Count count) const {
   const auto probe_of = [](bool blocks) { return blocks ? Probe::kBlocks : Probe::kMisses; };
   count.test(caster.object);
   ShapeHit hit;
@@ -79,9 +78,10 @@ template <class Count>
 
 /// Not inlined, so that any_opaque() needs no frame where there are planes alone.
 template <class Count>
-[[gnu::noinline]] LightBuffer::Answer LightBuffer::other_blocker(
-    const Spot& spot, const Ray& ray, double t_min, double t_max, HitArena& arena,
-    Count count) const {
+[[gnu::noinline]] LightBuffer::Answer LightBuffer::other_blocker(const Spot& spot, const Ray& ray,
+                                                                 double t_min, double t_max,
+                                                                 HitArena& arena,
+                                                                 Count count) const {
   if (const Cell* cell = spot.cell) {
     const Entry* begin = m_entries.data() + cell->first;
     if (cell->covered) {
@@ -152,7 +152,8 @@ void LightBuffer::all_transparent(const Spot& spot, const Ray& ray, double t_min
   };
   for (const Caster& caster : m_always_transparent) ask(caster);
   if (!spot.cell) return;
-  const Entry* entry = m_entries.data() + spot.cell->first + (spot.cell->covered ? 1 : 0) + spot.cell->opaque;
+  const Entry* entry =
+      m_entries.data() + spot.cell->first + (spot.cell->covered ? 1 : 0) + spot.cell->opaque;
   for (const Entry* end = entry + spot.cell->transparent; entry < end && entry->near_w < spot.w;
        ++entry) {
     ask(m_casters[entry->caster]);
@@ -162,8 +163,8 @@ void LightBuffer::all_transparent(const Spot& spot, const Ray& ray, double t_min
 std::size_t LightBuffer::memory() const {
   std::size_t bytes = sizeof(*this) + m_casters.capacity() * sizeof(Caster) +
                       m_volumes.capacity() * sizeof(LightVolume) +
-                      m_planes.capacity() * sizeof(Flat) +
-                      m_spheres.capacity() * sizeof(Round) + m_entries.capacity() * sizeof(Entry);
+                      m_planes.capacity() * sizeof(Flat) + m_spheres.capacity() * sizeof(Round) +
+                      m_entries.capacity() * sizeof(Entry);
   for (const std::vector<Grid>& grids : m_faces) {
     for (const Grid& g : grids) bytes += g.cells.capacity() * sizeof(Cell);
   }

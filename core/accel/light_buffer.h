@@ -62,7 +62,9 @@ class LightBuffer {
                        std::vector<Hit>& hits, HitArena& arena, Counters* counters) const;
 
   std::size_t memory() const;
-  struct Statistics { std::size_t cells = 0, entries = 0, dark_cells = 0, always = 0; };
+  struct Statistics {
+    std::size_t cells = 0, entries = 0, dark_cells = 0, always = 0;
+  };
   Statistics statistics() const;
 
  private:
@@ -72,7 +74,7 @@ class LightBuffer {
   };
   struct Caster {
     const Object* object;
-    const Shape* shape;    ///< asked without a detour where the kind is known
+    const Shape* shape;  ///< asked without a detour where the kind is known
     LightKind kind;
     bool opaque;
     std::uint32_t place;   ///< as Hit::place
@@ -105,13 +107,13 @@ class LightBuffer {
   Vec3 m_light;
   bool m_crowded = false;
   double m_tolerance, m_least_distance;
-  std::vector<Caster> m_casters;        ///< by distance
-  std::vector<LightVolume> m_volumes;   ///< of the casters
-  double m_reach = 0.0;                 ///< of the volumes
+  std::vector<Caster> m_casters;       ///< by distance
+  std::vector<LightVolume> m_volumes;  ///< of the casters
+  double m_reach = 0.0;                ///< of the volumes
   std::vector<Round> m_spheres;
   std::vector<Flat> m_planes;
   std::vector<Caster> m_always_opaque, m_always_transparent;  ///< other infinite ones, near ones
-  std::vector<Entry> m_entries;         ///< of all cells
+  std::vector<Entry> m_entries;                               ///< of all cells
   /// Of each face the grids, one within the other, the finest first: where few large objects
   /// stand about many small ones, these get cells of their own size.
   std::array<std::vector<Grid>, LightFace::kFaces> m_faces;

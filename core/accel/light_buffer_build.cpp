@@ -15,9 +15,9 @@
 namespace lentray::core {
 namespace {
 
-constexpr std::size_t kMostPerCell = 16;  ///< entries, about: beyond, a hierarchy is faster
+constexpr std::size_t kMostPerCell = 16;   ///< entries, about: beyond, a hierarchy is faster
 constexpr std::uint32_t kMostInCell = 48;  ///< the same of a single one, at most 255
-constexpr double kNearLight = 1e-5;  ///< of the light's coordinates: nearer, rounding counts
+constexpr double kNearLight = 1e-5;        ///< of the light's coordinates: nearer, rounding counts
 
 double distance_of(const Bounds& box) {  // from the origin
   const auto axis = [](double lo, double hi) { return std::max({lo, -hi, 0.0}); };
@@ -92,7 +92,8 @@ class LightBuffer::Builder {
   void keep(Grid& grid);
   void sort_cell(Entry* first, Entry* last) const;
   static LightDrawing::Subject subject_of(const Placed& placed) {
-    return {*placed.caster.object, placed.caster.shape, placed.caster.kind, placed.box, placed.distance};
+    return {*placed.caster.object, placed.caster.shape, placed.caster.kind, placed.box,
+            placed.distance};
   }
 
   LightBuffer& m_buffer;
@@ -129,11 +130,13 @@ bool LightBuffer::Builder::is_crowd(std::uint32_t cells) const {
   }
   for (std::size_t face = 0; face < looked.size(); ++face) {
     if (looked[face].empty()) continue;
-    const double width = whole[face].hi[0] - whole[face].lo[0], height = whole[face].hi[1] - whole[face].lo[1];
+    const double width = whole[face].hi[0] - whole[face].lo[0],
+                 height = whole[face].hi[1] - whole[face].lo[1];
     const double per_unit = std::sqrt(cells / (width * height));
     double touched = 0.0, largest = 0.0;
     for (const LightWindow& w : looked[face]) {
-      const double here = ((w.hi[0] - w.lo[0]) * per_unit + 1.0) * ((w.hi[1] - w.lo[1]) * per_unit + 1.0);
+      const double here =
+          ((w.hi[0] - w.lo[0]) * per_unit + 1.0) * ((w.hi[1] - w.lo[1]) * per_unit + 1.0);
       touched += here;
       largest = std::max(largest, here);
     }
@@ -152,8 +155,8 @@ void LightBuffer::Builder::add(const Object& object, std::size_t place_if_infini
   const double distance = bounds.is_finite() ? distance_of(box) : 0.0;
   const Shape* shape = plain_shape(object);
   const std::size_t place = bounds.is_finite() ? place_if_finite : place_if_infinite;
-  const Caster caster{&object, shape, light_kind(shape), object.is_opaque(),
-                      static_cast<std::uint32_t>(place), 0};
+  const Caster caster{
+      &object, shape, light_kind(shape), object.is_opaque(), static_cast<std::uint32_t>(place), 0};
   if (shape && typeid(*shape) == typeid(Plane) && object.is_opaque()) {
     const auto& plane = static_cast<const Plane&>(*shape);
     m_buffer.m_planes.push_back({plane.unit_normal(), plane.distance(), &object});
@@ -238,7 +241,8 @@ void LightBuffer::Builder::fill(Grid& grid) {
       if (near > cell.full_w) continue;
       m_found.push_back({t.cell, {near, shown.caster}});
       // A hit within the tolerance of the light would not count.
-      if (!opaque || !(t.full_w < Bounds::kInf) || !(t.near_w > 2.0 * m_buffer.m_tolerance)) continue;
+      if (!opaque || !(t.full_w < Bounds::kInf) || !(t.near_w > 2.0 * m_buffer.m_tolerance))
+        continue;
       const float full = up(t.full_w + 2.0 * m_buffer.m_tolerance);
       if (full < cell.full_w) cell = {full, shown.caster};
     }

@@ -78,7 +78,8 @@ LightKind light_kind(const Shape* shape) {
 const Shape* plain_shape(const Object& object) {
   if (typeid(object) != typeid(Leaf)) return nullptr;
   const auto& leaf = static_cast<const Leaf&>(object);
-  return leaf.transform() || !leaf.clips().empty() || !leaf.gates().empty() ? nullptr : &leaf.shape();
+  return leaf.transform() || !leaf.clips().empty() || !leaf.gates().empty() ? nullptr
+                                                                            : &leaf.shape();
 }
 
 /// Into m_points: the ends of its edges in pairs, relative to the light.
@@ -103,8 +104,8 @@ void LightDrawing::polygon_ends(const Shape& shape) {
   }
 }
 
-void LightDrawing::outline(const Subject& subject, const LightWindow& window,
-                           LightOutline& outline, std::vector<LightCell>& out) {
+void LightDrawing::outline(const Subject& subject, const LightWindow& window, LightOutline& outline,
+                           std::vector<LightCell>& out) {
   const Shape* shape = subject.shape;
   switch (subject.kind) {
     case LightKind::kSphere: {
@@ -140,11 +141,13 @@ void LightDrawing::outline(const Subject& subject, const LightWindow& window,
   } else {
     add_corners(subject.box, m_points);
   }
-  outline.is_small(window) ? outline.box(subject.box, window, out) : outline.hull(m_points, subject.box, window, out);
+  outline.is_small(window) ? outline.box(subject.box, window, out)
+                           : outline.hull(m_points, subject.box, window, out);
 }
 
 /// Of the object's ball, or of what was drawn where that is narrower.
-LightVolume LightDrawing::unknown_volume(const Subject& subject, const LightVolumes& volumes) const {
+LightVolume LightDrawing::unknown_volume(const Subject& subject,
+                                         const LightVolumes& volumes) const {
   const Ball& ball = subject.object.ball();
   LightVolume volume;
   double area = Bounds::kInf;

@@ -8,10 +8,10 @@ namespace lentray::core {
 namespace {
 
 constexpr double kSlack = LightWindow::kSlack;
-constexpr double kCellSlack = 1e-3;   ///< in cells
-constexpr double kDepthSlack = 1e-6;  ///< relative, of w
-constexpr double kLeastSlope = 1e-4;  ///< a flat object seen more edge-on covers nothing for sure
-constexpr double kLeastSphere = 1e-6; ///< seen smaller, its outline is lost in rounding
+constexpr double kCellSlack = 1e-3;    ///< in cells
+constexpr double kDepthSlack = 1e-6;   ///< relative, of w
+constexpr double kLeastSlope = 1e-4;   ///< a flat object seen more edge-on covers nothing for sure
+constexpr double kLeastSphere = 1e-6;  ///< seen smaller, its outline is lost in rounding
 
 double lower(double w) { return w - kDepthSlack * std::fabs(w); }
 double upper(double w) { return w + kDepthSlack * std::fabs(w); }
@@ -37,9 +37,7 @@ LightOutline::Point LightOutline::point_of(const Vec3& v) const {
           m_raster.in_cells(1, v[m_raster.axis(1)] * over_w)};
 }
 
-double LightOutline::slack(int side) const {
-  return kSlack * m_raster.per_cell(side) + kCellSlack;
-}
+double LightOutline::slack(int side) const { return kSlack * m_raster.per_cell(side) + kCellSlack; }
 
 template <class Visit>
 void LightOutline::along(Point a, Point b, const Range& range, Visit&& visit) const {
@@ -57,7 +55,8 @@ void LightOutline::along(Point a, Point b, const Range& range, Visit&& visit) co
     double xa = b.y > a.y ? a.x + (ya - a.y) * slope : a.x;
     double xb = b.y > a.y ? a.x + (yb - a.y) * slope : b.x;
     if (xb < xa) std::swap(xa, xb);
-    visit(row, std::max(xa, std::min(a.x, b.x)) - across, std::min(xb, std::max(a.x, b.x)) + across);
+    visit(row, std::max(xa, std::min(a.x, b.x)) - across,
+          std::min(xb, std::max(a.x, b.x)) + across);
   }
 }
 
@@ -95,16 +94,14 @@ void LightOutline::box(const Bounds& box, const LightWindow& window, std::vector
   const Range r = range_of(window);
   if (r.empty) return;
   const int axis = m_raster.face() / 2;
-  const double near_w =
-      lower(std::max(m_raster.face() & 1 ? -box.hi[axis] : box.lo[axis], 0.0));
+  const double near_w = lower(std::max(m_raster.face() & 1 ? -box.hi[axis] : box.lo[axis], 0.0));
   all(r, near_w, out);
 }
 
 /// m_points into m_hull: the corners of their convex hull in turn.
 void LightOutline::turn_into_hull() {
-  std::sort(m_points.begin(), m_points.end(), [](const Point& a, const Point& b) {
-    return a.x < b.x || (a.x == b.x && a.y < b.y);
-  });
+  std::sort(m_points.begin(), m_points.end(),
+            [](const Point& a, const Point& b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
   const auto turns_left = [](const Point& a, const Point& b, const Point& c) {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x) > 0.0;
   };
@@ -133,7 +130,8 @@ void LightOutline::hull(std::span<const Vec3> points, const Bounds& in, const Li
   }
   const Range r = range_of(window);
   if (r.empty) return;
-  if (is_small(r) || points.empty() || !(w0 > 1e-3 * far) || !(w0 > 0.0)) return box(in, window, out);
+  if (is_small(r) || points.empty() || !(w0 > 1e-3 * far) || !(w0 > 0.0))
+    return box(in, window, out);
   m_points.clear();
   for (const Vec3& p : points) m_points.push_back(point_of(p));
   turn_into_hull();

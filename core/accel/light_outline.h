@@ -38,9 +38,16 @@ class LightOutline {
             std::vector<LightCell>& out);
 
  private:
-  struct Range { int first[2], last[2]; bool empty; };
-  struct Point { double x, y; };  ///< in cells
-  struct Span { double lo, hi; };
+  struct Range {
+    int first[2], last[2];
+    bool empty;
+  };
+  struct Point {
+    double x, y;
+  };  ///< in cells
+  struct Span {
+    double lo, hi;
+  };
 
   Range range_of(const LightWindow& window) const;
   static bool is_small(const Range& r) {

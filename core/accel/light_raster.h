@@ -52,7 +52,8 @@ class LightRaster {
     const double x = (along[m_u] * over_w - m_lo[0]) * m_per_cell[0];
     const double y = (along[m_v] * over_w - m_lo[1]) * m_per_cell[1];
     if (!(x >= 0.0 && y >= 0.0 && x < m_size[0] && y < m_size[1])) return -1;
-    return static_cast<std::int64_t>(static_cast<std::int32_t>(y)) * m_size[0] + static_cast<std::int32_t>(x);
+    return static_cast<std::int64_t>(static_cast<std::int32_t>(y)) * m_size[0] +
+           static_cast<std::int32_t>(x);
   }
 
   int face() const { return m_face; }

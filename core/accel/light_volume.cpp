@@ -3,10 +3,12 @@
 namespace lentray::core {
 namespace {
 
-constexpr double kEdgeOn = 0x1p-20;   ///< a plane nearer to the light than this of its size has no side
-constexpr double kRounding = 0x1p-30; ///< of a corner beside a plane, to its distance
-constexpr double kFlat = 0x1p-23;     ///< of the distance: corners farther off are not in their plane
-constexpr double kLeastLength = 1e-6; ///< squared, to a cone's radius: a flatter one's side is not sure
+constexpr double kEdgeOn =
+    0x1p-20;  ///< a plane nearer to the light than this of its size has no side
+constexpr double kRounding = 0x1p-30;  ///< of a corner beside a plane, to its distance
+constexpr double kFlat = 0x1p-23;  ///< of the distance: corners farther off are not in their plane
+constexpr double kLeastLength =
+    1e-6;  ///< squared, to a cone's radius: a flatter one's side is not sure
 constexpr double kOfDistance = 1e-6;  ///< more than rounding of a plane's distance in floats
 
 /// Not less than the length, at most 1.74 times as much.
@@ -132,7 +134,8 @@ LightVolume LightVolumes::cone(const Vec3& a, double radius_a, const Vec3& b, do
   if (!(across2 > least * least * std::max(aa, bb))) return volume;
   // normal = p a + q b +- r across with dot(normal, a) = radius_a, dot(normal, b) = radius_b, length 1.
   const double over = 1.0 / across2;
-  const double p = (radius_a * bb - radius_b * ab) * over, q = (radius_b * aa - radius_a * ab) * over;
+  const double p = (radius_a * bb - radius_b * ab) * over,
+               q = (radius_b * aa - radius_a * ab) * over;
   const double rest = 1.0 - (p * radius_a + q * radius_b);
   if (!(rest > 0.0)) return volume;  // one hides the other
   const Vec3 in = a * p + b * q, side = across * std::sqrt(rest * over);
@@ -143,7 +146,7 @@ LightVolume LightVolumes::cone(const Vec3& a, double radius_a, const Vec3& b, do
   const Vec3 at_a[2] = {a + rise * radius_a, a - rise * radius_a};
   const Vec3 at_b[2] = {b + rise * radius_b, b - rise * radius_b};
   // `around` turns from this end to the other.
-  const auto end = [&](int lane, const Vec3 (&own)[2], const Vec3 (&other)[2], const Vec3& around) {
+  const auto end = [&](int lane, const Vec3(&own)[2], const Vec3(&other)[2], const Vec3& around) {
     const bool first = dot(cross(around, own[0]), own[1]) >= 0.0;
     const Vec3 normal = cross(around, own[first ? 0 : 1]);
     if (!(dot(normal, other[0]) >= 0.0 && dot(normal, other[1]) >= 0.0)) return;
@@ -156,19 +159,23 @@ LightVolume LightVolumes::cone(const Vec3& a, double radius_a, const Vec3& b, do
 
 /// Of the six edges of its outline the two that are along the edge out of the face that shows largest are left
 /// out: that adds least.
-void LightVolumes::box(std::span<const Vec3> corners, double distance, double area, LightVolume& volume) const {
+void LightVolumes::box(std::span<const Vec3> corners, double distance, double area,
+                       LightVolume& volume) const {
   const double least = m_least / distance;
   if (!(distance > least)) return;
   const Vec3 edges[3] = {corners[1] - corners[0], corners[2] - corners[0], corners[4] - corners[0]};
-  const Vec3 faces[3] = {cross(edges[1], edges[2]), cross(edges[2], edges[0]), cross(edges[0], edges[1])};
+  const Vec3 faces[3] = {cross(edges[1], edges[2]), cross(edges[2], edges[0]),
+                         cross(edges[0], edges[1])};
   const Vec3 middle = (corners[0] + corners[7]) * 0.5;
   double shown[3], far = 0.0;
   for (int a = 0; a < 3; ++a) shown[a] = std::fabs(dot(faces[a], middle));
   for (const Vec3& p : corners) far = std::max(far, sum_of_parts(p));
-  const int out = shown[0] > shown[1] ? (shown[0] > shown[2] ? 0 : 2) : (shown[1] > shown[2] ? 1 : 2);
+  const int out =
+      shown[0] > shown[1] ? (shown[0] > shown[2] ? 0 : 2) : (shown[1] > shown[2] ? 1 : 2);
   const Vec3& face = faces[out];
   const double low = dot(face, corners[0]), high = dot(face, corners[7]);
-  if (low * high > 0.0) set_plane(volume, low > 0.0 ? face : -face, std::min(std::fabs(low), std::fabs(high)), far);
+  if (low * high > 0.0)
+    set_plane(volume, low > 0.0 ? face : -face, std::min(std::fabs(low), std::fabs(high)), far);
 
   const int first = (out + 1) % 3, second = (out + 2) % 3;
   const double added = shown[first] * shown[second] / shown[out], square = length_squared(middle);
@@ -176,8 +183,11 @@ void LightVolumes::box(std::span<const Vec3> corners, double distance, double ar
   int lane = 0;
   for (const int along : {first, second}) {
     const std::size_t u = along == 0 ? 2 : 1, v = along == 2 ? 2 : 4;
-    const std::size_t numbers[4] = {0, u, v, u + v};  // of corners where the four edges that way begin
-    const auto beyond = [&](const Vec3& normal, std::size_t i) { return dot(normal, corners[numbers[i]]); };
+    const std::size_t numbers[4] = {0, u, v,
+                                    u + v};  // of corners where the four edges that way begin
+    const auto beyond = [&](const Vec3& normal, std::size_t i) {
+      return dot(normal, corners[numbers[i]]);
+    };
     // The outermost to either side; all around the light there are none.
     Vec3 least_side = cross(corners[0], edges[along]), most_side = least_side;
     for (std::size_t i = 1; i < 4; ++i) {
@@ -186,7 +196,8 @@ void LightVolumes::box(std::span<const Vec3> corners, double distance, double ar
     }
     bool is_around = false;
     for (std::size_t i = 0; i < 4; ++i) {
-      is_around = is_around || beyond(least_side, i) < -kRounding * sum_of_parts(least_side) * far ||
+      is_around = is_around ||
+                  beyond(least_side, i) < -kRounding * sum_of_parts(least_side) * far ||
                   beyond(most_side, i) > kRounding * sum_of_parts(most_side) * far;
     }
     for (const Vec3& inwards : {least_side, -most_side}) {

@@ -32,9 +32,8 @@ class LightProbe {
         m_y(simd::float4(static_cast<float>(point.y))),
         m_z(simd::float4(static_cast<float>(point.z))),
         m_least(simd::float4(w < reach ? -kSlack * static_cast<float>(w)
-                                      : -std::numeric_limits<float>::infinity())),
-        m_w(static_cast<float>(w)),
-        m_t_min(static_cast<float>(t_min)) {}
+                                       : -std::numeric_limits<float>::infinity())),
+        m_w(static_cast<float>(w)), m_t_min(static_cast<float>(t_min)) {}
 
   bool is_outside(const LightVolume& volume) const {
     const Float4 x = m_x * simd::float4_at(volume.x), y = m_y * simd::float4_at(volume.y);
@@ -52,7 +51,8 @@ class LightProbe {
   bool is_before(const float (&plane)[4]) const {
     constexpr float kLongest = 1.7320509f;  // of w
     const float share = 1.0f + m_t_min / (kLongest * m_w);
-    const float behind = m_x[0] * plane[0] + m_y[0] * plane[1] + m_z[0] * plane[2] + share * plane[3];
+    const float behind =
+        m_x[0] * plane[0] + m_y[0] * plane[1] + m_z[0] * plane[2] + share * plane[3];
     return behind < m_least[0];
   }
 
@@ -70,8 +70,8 @@ class LightVolumes {
   LightVolume triangle(const Vec3& a, const Vec3& b, const Vec3& c, double distance) const;
   /// To a volume, by the ends of its edges in pairs and its plane, dot(normal, x) = offset, normal of
   /// length 1. Edges count where it is a convex polygon of at most four.
-  void polygon(std::span<const Vec3> edge_ends, const Vec3& normal, double offset,
-               double distance, LightVolume& volume) const;
+  void polygon(std::span<const Vec3> edge_ends, const Vec3& normal, double offset, double distance,
+               LightVolume& volume) const;
   LightVolume sphere(const Vec3& centre, double radius, double distance) const;
   /// A cone or a cylinder, by its ends' middles and radii.
   LightVolume cone(const Vec3& a, double radius_a, const Vec3& b, double radius_b,

@@ -35,15 +35,19 @@ ObjectTree::Kind ObjectTree::kind_of(const Object& object) {
   const Shape& shape = *bare;
   const std::type_info& type = typeid(shape);
   if (type == typeid(Sphere)) return kSpheres;
-  if (type == typeid(Triangle)) return static_cast<const Triangle&>(shape).is_degenerate() ? kOthers : kTriangles;
-  return type == typeid(Polygon) && PolygonPack::fits(static_cast<const Polygon&>(shape)) ? kPolygons : kOthers;
+  if (type == typeid(Triangle))
+    return static_cast<const Triangle&>(shape).is_degenerate() ? kOthers : kTriangles;
+  return type == typeid(Polygon) && PolygonPack::fits(static_cast<const Polygon&>(shape))
+             ? kPolygons
+             : kOthers;
 }
 
 ObjectTree::ObjectTree(ObjectList objects, Accelerator accelerator, bool portable)
     : m_avx2(!portable && has_avx2()) {
   keep_bounded(std::move(objects));
-  std::stable_partition(m_unbounded.begin(), m_unbounded.end(),
-                        [](const ObjectEntry& entry) { return bare_plane(*entry.object) != nullptr; });
+  std::stable_partition(m_unbounded.begin(), m_unbounded.end(), [](const ObjectEntry& entry) {
+    return bare_plane(*entry.object) != nullptr;
+  });
   for (const ObjectEntry& entry : m_unbounded) {
     const Plane* plane = bare_plane(*entry.object);
     if (!plane) break;
@@ -97,7 +101,8 @@ void ObjectTree::build_tree() {
   for (const std::uint32_t part : m_tree.order()) placed.push_back(m_entries[part]);
   m_entries = std::move(placed);
   std::size_t leaves[4] = {};
-  m_tree.for_each_leaf([&](std::uint32_t first, std::uint32_t) { ++leaves[kinds[m_tree.order()[first]]]; });
+  m_tree.for_each_leaf(
+      [&](std::uint32_t first, std::uint32_t) { ++leaves[kinds[m_tree.order()[first]]]; });
   m_spheres.reserve(leaves[kSpheres]);
   m_triangles.reserve(leaves[kTriangles]);
   m_polygons.reserve(leaves[kPolygons]);
@@ -159,10 +164,8 @@ std::uint32_t ObjectTree::code_of(std::uint32_t first, std::uint32_t count, Kind
 std::size_t ObjectTree::memory() const {
   return m_tree.memory() + m_grid.memory() +
          (m_entries.capacity() + m_unbounded.capacity()) * sizeof(ObjectEntry) +
-         m_boxes.capacity() * sizeof(Bounds) +
-         m_planes.capacity() * sizeof(BarePlane) +
-         m_spheres.capacity() * sizeof(SpherePack) +
-         m_triangles.capacity() * sizeof(TrianglePack) +
+         m_boxes.capacity() * sizeof(Bounds) + m_planes.capacity() * sizeof(BarePlane) +
+         m_spheres.capacity() * sizeof(SpherePack) + m_triangles.capacity() * sizeof(TrianglePack) +
          m_polygons.capacity() * sizeof(PolygonPack);
 }
 

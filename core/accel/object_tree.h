@@ -73,9 +73,12 @@ class ObjectTree {
   static constexpr double kBoxesFrom = 0.0;
   enum Kind : std::uint8_t { kOthers, kSpheres, kTriangles, kPolygons };
 
-  template <class Search> struct LeafPortable;
-  template <class Search> struct LeafAvx2;
-  template <class Search> struct LeafOfObjects;
+  template <class Search>
+  struct LeafPortable;
+  template <class Search>
+  struct LeafAvx2;
+  template <class Search>
+  struct LeafOfObjects;
 
   static Kind kind_of(const Object& object);
   std::uint32_t code_of(std::uint32_t first, std::uint32_t count, Kind kind);
@@ -241,11 +244,13 @@ void ObjectTree::search_grid(Search& what, const Limit& limit) const {
 template <class Search>
 void ObjectTree::search_cells_at_once(Search& what, double t_max) const {
   std::vector<std::uint32_t> found;
-  m_grid.walk(what.ray, [&] { return t_max; }, [&](std::span<const std::uint32_t> parts) {
-    what.tally.add(1);
-    found.insert(found.end(), parts.begin(), parts.end());
-    return false;
-  });
+  m_grid.walk(
+      what.ray, [&] { return t_max; },
+      [&](std::span<const std::uint32_t> parts) {
+        what.tally.add(1);
+        found.insert(found.end(), parts.begin(), parts.end());
+        return false;
+      });
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());
   for (const std::uint32_t part : found) {

@@ -20,19 +20,35 @@ constexpr double kOther = 100.0;  // solved by iteration, or by a hierarchy of i
 constexpr double kPart = 8.0;     // what CSG does about each of its parts
 constexpr double kTransform = 6.0;
 constexpr Row kCosts[] = {
-    {"sphere", 6},   {"triangle", 10},    {"smooth_triangle", 10}, {"box", 10},
-    {"plane", 6},    {"disc", 8},         {"cylinder", 16},       {"cone", 18},
-    {"quadric", 14},  {"torus", 80},       {"blob", 60},           {"ovus", 60},
-    {"mesh", 60},    {"mesh2", 60},       {"height_field", 80},   {"isosurface", 2000},
-    {"julia_fractal", 1500}, {"parametric", 5000}, {"superellipsoid", 500},
-    {"sphere_sweep", 400},   {"bicubic_patch", 200},
+    {"sphere", 6},
+    {"triangle", 10},
+    {"smooth_triangle", 10},
+    {"box", 10},
+    {"plane", 6},
+    {"disc", 8},
+    {"cylinder", 16},
+    {"cone", 18},
+    {"quadric", 14},
+    {"torus", 80},
+    {"blob", 60},
+    {"ovus", 60},
+    {"mesh", 60},
+    {"mesh2", 60},
+    {"height_field", 80},
+    {"isosurface", 2000},
+    {"julia_fractal", 1500},
+    {"parametric", 5000},
+    {"superellipsoid", 500},
+    {"sphere_sweep", 400},
+    {"bicubic_patch", 200},
 };
 
 double cost_of(const Leaf& leaf) {
   double cost = leaf.transform() ? kTransform : 0.0;
   const Shape& shape = leaf.shape();
   if (typeid(shape) == typeid(Polygon)) {
-    return cost + 10.0 + 0.3 * static_cast<double>(static_cast<const Polygon&>(shape).points().size());
+    return cost + 10.0 +
+           0.3 * static_cast<double>(static_cast<const Polygon&>(shape).points().size());
   }
   for (const Row& row : kCosts) {
     if (row.name == leaf.name()) return cost + row.cost;

@@ -35,7 +35,8 @@ UniformGrid::UniformGrid(std::span<const Bounds> boxes) {
   const auto visit = [&](auto&& each) {
     for (const std::uint32_t part : m_all) {
       const Vec3 pad = m_size * kPad;
-      const std::array<int, 3> lo = cell_of(boxes[part].lo - pad), hi = cell_of(boxes[part].hi + pad);
+      const std::array<int, 3> lo = cell_of(boxes[part].lo - pad),
+                               hi = cell_of(boxes[part].hi + pad);
       for (int z = lo[2]; z <= hi[2]; ++z) {
         for (int y = lo[1]; y <= hi[1]; ++y) {
           for (int x = lo[0]; x <= hi[0]; ++x) each(index({x, y, z}), part);

@@ -64,11 +64,11 @@ class UniformGrid {
   }
 
   Bounds m_box;
-  Vec3 m_size;                       ///< of a cell
+  Vec3 m_size;  ///< of a cell
   std::array<int, 3> m_cells{};
   std::vector<std::uint32_t> m_first;  ///< of a cell in m_parts; one more at the end
   std::vector<std::uint32_t> m_parts;
-  std::vector<std::uint32_t> m_all;    ///< every part, for rays from too far away
+  std::vector<std::uint32_t> m_all;  ///< every part, for rays from too far away
 };
 
 template <class Limit, class Cell>

@@ -13,10 +13,30 @@ struct Rgb {
 
   constexpr float operator[](int i) const { return i == 0 ? r : i == 1 ? g : b; }
   constexpr float& operator[](int i) { return i == 0 ? r : i == 1 ? g : b; }
-  constexpr Rgb& operator+=(const Rgb& o) { r += o.r; g += o.g; b += o.b; return *this; }
-  constexpr Rgb& operator-=(const Rgb& o) { r -= o.r; g -= o.g; b -= o.b; return *this; }
-  constexpr Rgb& operator*=(const Rgb& o) { r *= o.r; g *= o.g; b *= o.b; return *this; }
-  constexpr Rgb& operator*=(float s) { r *= s; g *= s; b *= s; return *this; }
+  constexpr Rgb& operator+=(const Rgb& o) {
+    r += o.r;
+    g += o.g;
+    b += o.b;
+    return *this;
+  }
+  constexpr Rgb& operator-=(const Rgb& o) {
+    r -= o.r;
+    g -= o.g;
+    b -= o.b;
+    return *this;
+  }
+  constexpr Rgb& operator*=(const Rgb& o) {
+    r *= o.r;
+    g *= o.g;
+    b *= o.b;
+    return *this;
+  }
+  constexpr Rgb& operator*=(float s) {
+    r *= s;
+    g *= s;
+    b *= s;
+    return *this;
+  }
   friend constexpr Rgb operator+(Rgb a, const Rgb& c) { return a += c; }
   friend constexpr Rgb operator-(Rgb a, const Rgb& c) { return a -= c; }
   friend constexpr Rgb operator*(Rgb a, const Rgb& c) { return a *= c; }

@@ -12,9 +12,13 @@ struct ShadowCounts {
   std::uint64_t rays = 0;     ///< searches towards a light, cache hits included
   std::uint64_t blocked = 0;  ///< ended by an opaque blocker
   std::uint64_t probes = 0, hits = 0, misses = 0;  ///< of the shadow cache
-  std::uint64_t cached = 0;   ///< of Shadow_Cache=auto: rays that asked a cache
+  std::uint64_t cached = 0;  ///< of Shadow_Cache=auto: rays that asked a cache
   void add(const ShadowCounts& o) {
-    rays += o.rays; blocked += o.blocked; probes += o.probes; hits += o.hits; misses += o.misses;
+    rays += o.rays;
+    blocked += o.blocked;
+    probes += o.probes;
+    hits += o.hits;
+    misses += o.misses;
     cached += o.cached;
   }
 };
@@ -26,7 +30,7 @@ struct Counters {
   std::uint64_t antialiased_pixels = 0;  ///< that got more samples than antialiasing gives to all
   std::uint64_t bounds_tests = 0, primitive_tests = 0;
   std::map<std::string, std::uint64_t, std::less<>> tests_by_type;  ///< filled when merging
-  std::vector<ShadowCounts> lights;  ///< one a light of the scene
+  std::vector<ShadowCounts> lights;                                 ///< one a light of the scene
   void merge(const Counters& other);
 };
 

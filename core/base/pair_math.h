@@ -21,7 +21,9 @@ inline constexpr double kRounding = 0x1.8p52;
 
 inline bool is_any(PairBits mask) { return (mask[0] | mask[1]) != 0; }
 inline Pair size_of(Pair x) { return Pair(PairBits(x) & 0x7FFFFFFFFFFFFFFF); }
-inline Pair chosen(PairBits mask, Pair yes, Pair no) { return Pair((PairBits(yes) & mask) | (PairBits(no) & ~mask)); }
+inline Pair chosen(PairBits mask, Pair yes, Pair no) {
+  return Pair((PairBits(yes) & mask) | (PairBits(no) & ~mask));
+}
 
 /// `value` where |x| <= most, else what the system's function gives.
 template <class System>
@@ -39,14 +41,17 @@ inline Pair sqrt(Pair x) { return simd::sqrt(x); }
 inline Pair exp(Pair x) {
   constexpr double kMost = 700.0;  // beyond, powers of two are no normal numbers
   constexpr double kLn2 = 0x1.62e42fefa38p-1, kLn2Rest = 0x1.ef35793c7673p-45;
-  const Pair shifted = x * 0x1.71547652b82fep+0 + pair_math::kRounding, times = shifted - pair_math::kRounding;
+  const Pair shifted = x * 0x1.71547652b82fep+0 + pair_math::kRounding,
+             times = shifted - pair_math::kRounding;
   const Pair r = (x - times * kLn2) - times * kLn2Rest, z = r * r, z2 = z * z;
   const Pair a = (1.0 / 2 + r * (1.0 / 6)) + z * (1.0 / 24 + r * (1.0 / 120));
   const Pair b = (1.0 / 720 + r * (1.0 / 5040)) + z * (1.0 / 40320 + r * (1.0 / 362880));
-  const Pair c = (1.0 / 3628800 + r * (1.0 / 39916800)) + z * (1.0 / 479001600 + r * (1.0 / 6227020800));
+  const Pair c =
+      (1.0 / 3628800 + r * (1.0 / 39916800)) + z * (1.0 / 479001600 + r * (1.0 / 6227020800));
   const Pair scale = Pair((PairBits(shifted) + 1023) << 52);
   const Pair value = (1.0 + (r + z * (a + z2 * (b + z2 * c)))) * scale;
-  if (!pair_math::is_any(~(pair_math::size_of(x) <= kMost))) [[likely]] return value;
+  if (!pair_math::is_any(~(pair_math::size_of(x) <= kMost))) [[likely]]
+    return value;
   return pair_math::mended(x, kMost, value, [](double one) { return std::exp(one); });
 }
 
@@ -56,8 +61,10 @@ struct CosSin {
 
 inline CosSin cos_sin(Pair x) {
   constexpr double kMost = 1e5;  // beyond, multiples of the parts are rounded
-  constexpr double kQuarter = 0x1.921fb544p+0, kNext = 0x1.0b4611a6p-34, kLast = 0x1.3198a2e037073p-69;
-  const Pair shifted = x * 0x1.45f306dc9c883p-1 + pair_math::kRounding, times = shifted - pair_math::kRounding;
+  constexpr double kQuarter = 0x1.921fb544p+0, kNext = 0x1.0b4611a6p-34,
+                   kLast = 0x1.3198a2e037073p-69;
+  const Pair shifted = x * 0x1.45f306dc9c883p-1 + pair_math::kRounding,
+             times = shifted - pair_math::kRounding;
   const Pair most = x - times * kQuarter, next = times * kNext;
   const Pair r = most - next, rest = ((most - r) - next) - times * kLast;
   const Pair z = r * r, z2 = z * z, half = 0.5 * z, about = 1.0 - half;
@@ -74,7 +81,8 @@ inline CosSin cos_sin(Pair x) {
   constexpr long long kSign = static_cast<long long>(1ULL << 63);
   CosSin result{Pair(PairBits(pair_math::chosen(are_changed, sine, cosine)) ^ (cos_sign & kSign)),
                 Pair(PairBits(pair_math::chosen(are_changed, cosine, sine)) ^ (sin_sign & kSign))};
-  if (!pair_math::is_any(~(pair_math::size_of(x) <= kMost))) [[likely]] return result;
+  if (!pair_math::is_any(~(pair_math::size_of(x) <= kMost))) [[likely]]
+    return result;
   result.cos = pair_math::mended(x, kMost, result.cos, [](double one) { return std::cos(one); });
   result.sin = pair_math::mended(x, kMost, result.sin, [](double one) { return std::sin(one); });
   return result;

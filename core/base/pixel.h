@@ -6,7 +6,9 @@
 namespace lentray::core {
 
 /// Row 0 is on top.
-struct Pixel { std::uint32_t column = 0, row = 0; };
+struct Pixel {
+  std::uint32_t column = 0, row = 0;
+};
 
 /// Columns [left, right), rows [top, bottom).
 struct PixelRegion {

@@ -51,11 +51,19 @@ using Int8 [[gnu::vector_size(32), gnu::may_alias]] = int;
 }  // namespace raw
 
 /// The numbers in memory from `from` on. Floats and ints must lie at multiples of the vector's size.
-LENTRAY_SIMD Double2 double2_at(const double* from) { return *reinterpret_cast<const raw::Double2*>(from); }
-LENTRAY_SIMD Float4 float4_at(const float* from) { return *reinterpret_cast<const raw::Float4*>(from); }
+LENTRAY_SIMD Double2 double2_at(const double* from) {
+  return *reinterpret_cast<const raw::Double2*>(from);
+}
+LENTRAY_SIMD Float4 float4_at(const float* from) {
+  return *reinterpret_cast<const raw::Float4*>(from);
+}
 LENTRAY_SIMD Int4 int4_at(const int* from) { return *reinterpret_cast<const raw::Int4*>(from); }
-LENTRAY_SIMD32 Double4 double4_at(const double* from) { return *reinterpret_cast<const raw::Double4*>(from); }
-LENTRAY_SIMD32 Float8 float8_at(const float* from) { return *reinterpret_cast<const raw::Float8*>(from); }
+LENTRAY_SIMD32 Double4 double4_at(const double* from) {
+  return *reinterpret_cast<const raw::Double4*>(from);
+}
+LENTRAY_SIMD32 Float8 float8_at(const float* from) {
+  return *reinterpret_cast<const raw::Float8*>(from);
+}
 LENTRAY_SIMD32 Int8 int8_at(const int* from) { return *reinterpret_cast<const raw::Int8*>(from); }
 
 LENTRAY_SIMD void store(float* to, Float4 v) { *reinterpret_cast<raw::Float4*>(to) = v; }
@@ -129,7 +137,9 @@ LENTRAY_SIMD32 Double4 chosen(V sign, Double4 yes, Double4 no) {
   return result;
 }
 
-LENTRAY_SIMD bool are_same(Int4 a, Int4 b) { return a[0] == b[0] && a[1] == b[1] && a[2] == b[2] && a[3] == b[3]; }
+LENTRAY_SIMD bool are_same(Int4 a, Int4 b) {
+  return a[0] == b[0] && a[1] == b[1] && a[2] == b[2] && a[3] == b[3];
+}
 
 /// The smaller and the larger; b where they are equal or one is no number.
 template <Half V>
@@ -178,7 +188,8 @@ LENTRAY_SIMD32 V fnma(V a, V b, V c) {
 
 /// Without their fractions; the least whole number of the type where that is none of it.
 LENTRAY_SIMD std::int64_t truncated(double v) {
-  return std::fabs(v) < 0x1p63 ? static_cast<std::int64_t>(v) : std::numeric_limits<std::int64_t>::min();
+  return std::fabs(v) < 0x1p63 ? static_cast<std::int64_t>(v)
+                               : std::numeric_limits<std::int64_t>::min();
 }
 LENTRAY_SIMD int truncated_int(double v) {
   return v > -0x1p31 - 1.0 && v < 0x1p31 ? static_cast<int>(v) : std::numeric_limits<int>::min();
@@ -201,7 +212,9 @@ LENTRAY_SIMD32 Double4 widened(Float4 v) { return __builtin_convertvector(v, Dou
 /// The first and the last two lanes, and four of those.
 LENTRAY_SIMD32 Double2 first_half(Double4 v) { return Double2{v[0], v[1]}; }
 LENTRAY_SIMD32 Double2 last_half(Double4 v) { return Double2{v[2], v[3]}; }
-LENTRAY_SIMD32 Double4 joined(Double2 first, Double2 last) { return Double4{first[0], first[1], last[0], last[1]}; }
+LENTRAY_SIMD32 Double4 joined(Double2 first, Double2 last) {
+  return Double4{first[0], first[1], last[0], last[1]};
+}
 
 /// A number of memory in all lanes: read as often as it is written, not shuffled from a vector just stored.
 LENTRAY_SIMD32 Double4 spread(const double* from) { return double4(*from); }
@@ -216,7 +229,8 @@ LENTRAY_SIMD32 Int8 picked(Int8 v, Int8 places) {
 /// The last 16 bits of the first three lanes, with a sign: x + 8 y, and 64 z in the upper half of the result.
 LENTRAY_SIMD32 std::uint64_t packed_sums(Int4 v) {
   const auto low = [&](int i) { return static_cast<int>(static_cast<std::int16_t>(v[i])); };
-  const auto sum = static_cast<std::uint32_t>(low(0) + 8 * low(1)), last = static_cast<std::uint32_t>(64 * low(2));
+  const auto sum = static_cast<std::uint32_t>(low(0) + 8 * low(1)),
+             last = static_cast<std::uint32_t>(64 * low(2));
   return sum | static_cast<std::uint64_t>(last) << 32;
 }
 
@@ -228,13 +242,17 @@ namespace x86 {
 
 template <Half V>
 LENTRAY_SIMD unsigned signs(V v) {
-  if constexpr (sizeof(V{}[0]) == 8) return static_cast<unsigned>(_mm_movemask_pd(__m128d(v)));
-  else return static_cast<unsigned>(_mm_movemask_ps(__m128(v)));
+  if constexpr (sizeof(V{}[0]) == 8)
+    return static_cast<unsigned>(_mm_movemask_pd(__m128d(v)));
+  else
+    return static_cast<unsigned>(_mm_movemask_ps(__m128(v)));
 }
 template <Whole V>
 LENTRAY_SIMD32 unsigned signs(V v) {
-  if constexpr (sizeof(V{}[0]) == 8) return static_cast<unsigned>(_mm256_movemask_pd(__m256d(v)));
-  else return static_cast<unsigned>(_mm256_movemask_ps(__m256(v)));
+  if constexpr (sizeof(V{}[0]) == 8)
+    return static_cast<unsigned>(_mm256_movemask_pd(__m256d(v)));
+  else
+    return static_cast<unsigned>(_mm256_movemask_ps(__m256(v)));
 }
 LENTRAY_SIMD Double2 abs(Double2 v) { return _mm_andnot_pd(_mm_set1_pd(-0.0), v); }
 LENTRAY_SIMD Float4 abs(Float4 v) { return _mm_andnot_ps(_mm_set1_ps(-0.0f), v); }
@@ -273,7 +291,9 @@ LENTRAY_SIMD32 Float8 fms(Float8 a, Float8 b, Float8 c) { return _mm256_fmsub_ps
 LENTRAY_SIMD std::int64_t truncated(double v) { return _mm_cvttsd_si64(_mm_set_sd(v)); }
 LENTRAY_SIMD Int4 truncated(Float4 v) { return Int4(_mm_cvttps_epi32(v)); }
 LENTRAY_SIMD32 Int4 truncated(Double4 v) { return Int4(_mm256_cvttpd_epi32(v)); }
-LENTRAY_SIMD void store_narrowed(float* to, Double2 v) { _mm_storel_pi(reinterpret_cast<__m64*>(to), _mm_cvtpd_ps(v)); }
+LENTRAY_SIMD void store_narrowed(float* to, Double2 v) {
+  _mm_storel_pi(reinterpret_cast<__m64*>(to), _mm_cvtpd_ps(v));
+}
 LENTRAY_SIMD32 Double4 widened(Int4 v) { return _mm256_cvtepi32_pd(__m128i(v)); }
 LENTRAY_SIMD32 Double4 widened(Float4 v) { return _mm256_cvtps_pd(v); }
 
@@ -281,11 +301,14 @@ LENTRAY_SIMD32 Double2 first_half(Double4 v) { return _mm256_castpd256_pd128(v);
 LENTRAY_SIMD32 Double2 last_half(Double4 v) { return _mm256_extractf128_pd(v, 1); }
 LENTRAY_SIMD32 Double4 joined(Double2 first, Double2 last) { return _mm256_set_m128d(last, first); }
 LENTRAY_SIMD32 Double4 spread(const double* from) { return _mm256_broadcast_sd(from); }
-LENTRAY_SIMD32 Int8 picked(Int8 v, Int8 places) { return Int8(_mm256_permutevar8x32_epi32(__m256i(v), __m256i(places))); }
+LENTRAY_SIMD32 Int8 picked(Int8 v, Int8 places) {
+  return Int8(_mm256_permutevar8x32_epi32(__m256i(v), __m256i(places)));
+}
 LENTRAY_SIMD32 std::uint64_t packed_sums(Int4 v) {
   const __m128i low_halves = _mm_set_epi8(-1, -1, -1, -1, -1, -1, -1, -1, -1, -1, 9, 8, 5, 4, 1, 0);
   const __m128i halves = _mm_shuffle_epi8(__m128i(v), low_halves);
-  return static_cast<std::uint64_t>(_mm_cvtsi128_si64(_mm_madd_epi16(halves, _mm_set_epi16(0, 0, 0, 0, 0, 64, 8, 1))));
+  return static_cast<std::uint64_t>(
+      _mm_cvtsi128_si64(_mm_madd_epi16(halves, _mm_set_epi16(0, 0, 0, 0, 0, 64, 8, 1))));
 }
 
 }  // namespace x86

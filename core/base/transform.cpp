@@ -14,14 +14,16 @@ Matrix product(const Matrix& a, const Matrix& b) {
   Matrix r;
   for (int i = 0; i < 4; ++i) {
     for (int j = 0; j < 3; ++j) {
-      r[i][j] = a[i][0] * b[0][j] + a[i][1] * b[1][j] + a[i][2] * b[2][j] + (i == 3 ? b[3][j] : 0.0);
+      r[i][j] =
+          a[i][0] * b[0][j] + a[i][1] * b[1][j] + a[i][2] * b[2][j] + (i == 3 ? b[3][j] : 0.0);
     }
   }
   return r;
 }
 
 bool invert(const Matrix& m, Matrix& out) {
-  const Vec3 a{m[0][0], m[0][1], m[0][2]}, b{m[1][0], m[1][1], m[1][2]}, c{m[2][0], m[2][1], m[2][2]};
+  const Vec3 a{m[0][0], m[0][1], m[0][2]}, b{m[1][0], m[1][1], m[1][2]},
+      c{m[2][0], m[2][1], m[2][2]};
   const Vec3 bc = cross(b, c), ca = cross(c, a), ab = cross(a, b);
   const double det = dot(a, bc);
   if (det == 0.0 || !std::isfinite(1.0 / det)) return false;

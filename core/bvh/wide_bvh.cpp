@@ -90,9 +90,7 @@ struct Item {
   static constexpr std::uint32_t kNumber = 0x40000000u;  // makes a plain float of 27 bits
   std::uint32_t part() const { return lane3(box.low) & ~kNumber; }
   std::uint32_t kind() const { return lane3(box.high) & ~kNumber; }
-  static std::uint32_t lane3(Float4 v) {
-    return static_cast<std::uint32_t>(Int4(v)[3]);
-  }
+  static std::uint32_t lane3(Float4 v) { return static_cast<std::uint32_t>(Int4(v)[3]); }
 };
 
 /// Rounded outwards.
@@ -101,14 +99,16 @@ Item item_of(const Bounds& bounds, const WideFrame& frame, std::uint32_t part, s
   const auto low = [&](double v) { return -WideLimits::down(v - frame.pad); };
   const auto high = [&](double v) { return WideLimits::up(v + frame.pad); };
   Item item;
-  item.box.low = Float4{low(lo.x), low(lo.y), low(lo.z), std::bit_cast<float>(Item::kNumber | part)};
-  item.box.high = Float4{high(hi.x), high(hi.y), high(hi.z), std::bit_cast<float>(Item::kNumber | kind)};
+  item.box.low =
+      Float4{low(lo.x), low(lo.y), low(lo.z), std::bit_cast<float>(Item::kNumber | part)};
+  item.box.high =
+      Float4{high(hi.x), high(hi.y), high(hi.z), std::bit_cast<float>(Item::kNumber | kind)};
   return item;
 }
 
 struct Branch {
   FloatBox box;
-  std::uint32_t left, right;   ///< branches, if count is 0
+  std::uint32_t left, right;  ///< branches, if count is 0
   std::uint32_t first, count;
 };
 
@@ -166,9 +166,7 @@ class BinaryBuilder {
     Float4 start, per_bin;
     bool any = false;  ///< else all middles are alike
     Bins(const FloatBox& middles, int bins);
-    Float4 of(const Item& item) const {
-      return (item.box.middle() - start) * per_bin;
-    }
+    Float4 of(const Item& item) const { return (item.box.middle() - start) * per_bin; }
   };
   struct Split {
     double cost = Bounds::kInf;
@@ -187,11 +185,14 @@ class BinaryBuilder {
     return true;
   }
 
-  std::uint32_t split(std::uint32_t first, std::uint32_t count, int depth, const Extent& extent, bool alike);
+  std::uint32_t split(std::uint32_t first, std::uint32_t count, int depth, const Extent& extent,
+                      bool alike);
   static double leaf_cost_parts(std::uint32_t count, int pack) {
-    return static_cast<double>((count + static_cast<std::uint32_t>(pack) - 1) / static_cast<std::uint32_t>(pack));
+    return static_cast<double>((count + static_cast<std::uint32_t>(pack) - 1) /
+                               static_cast<std::uint32_t>(pack));
   }
-  Split best_split(std::uint32_t first, std::uint32_t count, const FloatBox& middles, bool alike) const {
+  Split best_split(std::uint32_t first, std::uint32_t count, const FloatBox& middles,
+                   bool alike) const {
     switch (bins_for(count)) {
       case 4: return best_split<4>(first, count, middles, alike);
       case 8: return best_split<8>(first, count, middles, alike);
@@ -199,11 +200,13 @@ class BinaryBuilder {
     }
   }
   template <int kUsed>
-  Split best_split(std::uint32_t first, std::uint32_t count, const FloatBox& middles, bool alike) const;
+  Split best_split(std::uint32_t first, std::uint32_t count, const FloatBox& middles,
+                   bool alike) const;
   template <class IsLeft>
-  std::uint32_t divide(std::uint32_t first, std::uint32_t count, Extent& left, Extent& right, IsLeft&& is_left);
-  std::uint32_t divide(std::uint32_t first, std::uint32_t count, const Split& split, const FloatBox& middles,
-                       Extent& left, Extent& right);
+  std::uint32_t divide(std::uint32_t first, std::uint32_t count, Extent& left, Extent& right,
+                       IsLeft&& is_left);
+  std::uint32_t divide(std::uint32_t first, std::uint32_t count, const Split& split,
+                       const FloatBox& middles, Extent& left, Extent& right);
 
   const WideBvh::Options& m_options;
   std::uint32_t m_count;
@@ -216,9 +219,7 @@ class BinaryBuilder {
 
 BinaryBuilder::BinaryBuilder(std::span<const Bounds> boxes, const std::vector<std::uint32_t>& parts,
                              const WideFrame& frame, const WideBvh::Options& options)
-    : m_options(options),
-      m_count(static_cast<std::uint32_t>(parts.size())),
-      m_items(parts.size()),
+    : m_options(options), m_count(static_cast<std::uint32_t>(parts.size())), m_items(parts.size()),
       m_branches(2 * parts.size()) {
   for (std::uint32_t i = 0; i < m_count; ++i) {
     const std::uint32_t part = parts[i], kind = options.kinds.empty() ? 0u : options.kinds[part];
@@ -296,8 +297,8 @@ BinaryBuilder::Split BinaryBuilder::best_split(std::uint32_t first, std::uint32_
 }
 
 template <class IsLeft>
-std::uint32_t BinaryBuilder::divide(std::uint32_t first, std::uint32_t count, Extent& left, Extent& right,
-                                    IsLeft&& is_left) {
+std::uint32_t BinaryBuilder::divide(std::uint32_t first, std::uint32_t count, Extent& left,
+                                    Extent& right, IsLeft&& is_left) {
   std::uint32_t from = first, to = first + count;
   while (from < to) {
     const Item item = m_items[from];
@@ -332,8 +333,8 @@ std::uint32_t BinaryBuilder::divide(std::uint32_t first, std::uint32_t count, co
   return n;
 }
 
-std::uint32_t BinaryBuilder::split(std::uint32_t first, std::uint32_t count, int depth, const Extent& extent,
-                                   bool alike) {
+std::uint32_t BinaryBuilder::split(std::uint32_t first, std::uint32_t count, int depth,
+                                   const Extent& extent, bool alike) {
   const std::uint32_t self = m_used.fetch_add(1);
   Branch& branch = m_branches[self];
   branch = {extent.box, 0, 0, first, count};
@@ -353,7 +354,8 @@ std::uint32_t BinaryBuilder::split(std::uint32_t first, std::uint32_t count, int
   if (!alike && count <= 4) {
     // A few parts of different kinds: a leaf a kind.
     const std::uint32_t index = m_items[first].kind();
-    lefts = divide(first, count, left, right, [&](const Item& item) { return item.kind() == index; });
+    lefts =
+        divide(first, count, left, right, [&](const Item& item) { return item.kind() == index; });
   } else {
     lefts = divide(first, count, best, extent.middles, left, right);
   }
@@ -365,7 +367,9 @@ std::uint32_t BinaryBuilder::split(std::uint32_t first, std::uint32_t count, int
 #endif
   branch.count = 0;
   const auto do_left = [&] { branch.left = split(first, lefts, depth + 1, left, alike); };
-  const auto do_right = [&] { branch.right = split(first + lefts, count - lefts, depth + 1, right, alike); };
+  const auto do_right = [&] {
+    branch.right = split(first + lefts, count - lefts, depth + 1, right, alike);
+  };
   if (count > kParallel) {
     tbb::parallel_invoke(do_left, do_right);
   } else {
@@ -378,7 +382,8 @@ std::uint32_t BinaryBuilder::split(std::uint32_t first, std::uint32_t count, int
 /// Gathers the binary tree into nodes of eight, the largest branches opened first.
 class WideCollapser {
  public:
-  WideCollapser(const BinaryBuilder& tree, std::vector<WideNode>& nodes, WideBvh::Statistics& statistics)
+  WideCollapser(const BinaryBuilder& tree, std::vector<WideNode>& nodes,
+                WideBvh::Statistics& statistics)
       : m_tree(tree), m_nodes(nodes), m_statistics(statistics) {}
 
   void emit(std::uint32_t root);
@@ -486,15 +491,18 @@ double reach_from(const Vec3& middle, const Bounds& box) {
 }
 
 /// The bounds of all boxes but of a few that reach much farther than the rest.
-Bounds bulk_of(std::span<const Bounds> boxes, const std::vector<std::uint32_t>& parts, const Bounds& all) {
+Bounds bulk_of(std::span<const Bounds> boxes, const std::vector<std::uint32_t>& parts,
+               const Bounds& all) {
   constexpr std::size_t kFewest = 16, kMostSampled = 1024;
   constexpr double kMuchFarther = 1024.0;
   if (parts.size() < kFewest) return all;
   const std::size_t step = std::max<std::size_t>(1, parts.size() / kMostSampled);
   const auto quantile = [&](double part, auto&& value_of) {
     std::vector<double> values;
-    for (std::size_t i = 0; i < parts.size(); i += step) values.push_back(value_of(boxes[parts[i]]));
-    const auto at = values.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1));
+    for (std::size_t i = 0; i < parts.size(); i += step)
+      values.push_back(value_of(boxes[parts[i]]));
+    const auto at =
+        values.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1));
     std::nth_element(values.begin(), at, values.end());
     return *at;
   };
@@ -502,7 +510,8 @@ Bounds bulk_of(std::span<const Bounds> boxes, const std::vector<std::uint32_t>& 
   for (int a = 0; a < 3; ++a) {
     middle[a] = quantile(0.5, [a](const Bounds& b) { return b.lo[a] * 0.5 + b.hi[a] * 0.5; });
   }
-  const double limit = kMuchFarther * quantile(0.9, [&](const Bounds& b) { return reach_from(middle, b); });
+  const double limit =
+      kMuchFarther * quantile(0.9, [&](const Bounds& b) { return reach_from(middle, b); });
   if (!(reach_from(middle, all) > limit)) return all;
   Bounds bulk;
   for (const std::uint32_t part : parts) {
@@ -521,8 +530,8 @@ WideFrame frame_of(const Bounds& bulk, const Bounds& all) {
   int exponent = 0;
   std::frexp(size, &exponent);  // size < 2^exponent
   frame.scale = std::ldexp(1.0, std::clamp(-exponent, -1000, 1000));
-  const double far = std::max({std::fabs(frame.offset.x), std::fabs(frame.offset.y),
-                               std::fabs(frame.offset.z)});
+  const double far =
+      std::max({std::fabs(frame.offset.x), std::fabs(frame.offset.y), std::fabs(frame.offset.z)});
   frame.pad = 0x1p-46 + far * frame.scale * 0x1p-48;
   return frame;
 }

@@ -39,14 +39,14 @@ struct alignas(64) WideNode {
 
   float planes[3][2][kWidth];  ///< axis; 0 low, 1 high; empty slots are inside out
   std::uint32_t child[kWidth];
-  std::uint32_t used = 0;      ///< slots 0 .. used - 1 are taken
+  std::uint32_t used = 0;  ///< slots 0 .. used - 1 are taken
 };
 
 /// Maps the boxes' space to the tree's: p' = (p - offset) * scale, scale a power of two.
 struct WideFrame {
   Vec3 offset;
   double scale = 1.0;
-  double pad = 0.0;  ///< rounding to allow for, in the tree's units
+  double pad = 0.0;      ///< rounding to allow for, in the tree's units
   bool has_far = false;  ///< there are boxes beyond -1 .. 1
   Vec3 point(const Vec3& p) const { return (p - offset) * scale; }
 };
@@ -55,8 +55,8 @@ struct WideFrame {
 struct WideLimits {
   bool misses = false;  ///< the ray cannot meet any box
   double start = 0.0;
-  double rate = 1.0;    ///< largest component of the direction in the tree's frame
-  double slack = 0.0;   ///< rounding of t', absolute
+  double rate = 1.0;   ///< largest component of the direction in the tree's frame
+  double slack = 0.0;  ///< rounding of t', absolute
 
   /// Limits of t as the box tests use them, rounded outwards.
   float upper(double t) const { return up((t - start) * rate + slack); }
@@ -160,15 +160,22 @@ struct CountNothing {
 class WideBvh {
  public:
   struct Options {
-    int pack = 1;           ///< parts a leaf tests in the time of one (SIMD)
-    double cost = 1.0;      ///< of such a test, in node tests
-    int max_leaf = 8;       ///< parts a leaf, at most 15
+    int pack = 1;       ///< parts a leaf tests in the time of one (SIMD)
+    double cost = 1.0;  ///< of such a test, in node tests
+    int max_leaf = 8;   ///< parts a leaf, at most 15
     /// If not empty: one kind a part; leaves are then of one kind each, with that kind's costs.
     std::span<const std::uint8_t> kinds;
-    struct Kind { int pack = 1; double cost = 1.0; int max_leaf = 4; };
+    struct Kind {
+      int pack = 1;
+      double cost = 1.0;
+      int max_leaf = 4;
+    };
     std::span<const Kind> kind_costs;
   };
-  struct Statistics { std::size_t nodes = 0, leaves = 0, parts = 0; int depth = 0; };
+  struct Statistics {
+    std::size_t nodes = 0, leaves = 0, parts = 0;
+    int depth = 0;
+  };
 
   WideBvh() = default;
   /// Boxes must be finite. Parts with an empty box are left out.
@@ -203,7 +210,8 @@ class WideBvh {
     for (WideNode& node : m_nodes) {
       for (std::uint32_t i = 0; i < node.used; ++i) {
         std::uint32_t& child = node.child[i];
-        if (child & WideNode::kLeaf) child = WideNode::kLeaf | code(first_of(child), count_of(child));
+        if (child & WideNode::kLeaf)
+          child = WideNode::kLeaf | code(first_of(child), count_of(child));
       }
     }
   }
@@ -238,7 +246,10 @@ class WideBvh {
 
  private:
   /// A child to visit, and where its box is entered.
-  struct Entry { float t; std::uint32_t child; };
+  struct Entry {
+    float t;
+    std::uint32_t child;
+  };
   static constexpr int kMaxDepth = 80;
   static constexpr int kStack = kMaxDepth * (WideNode::kWidth - 1) + WideNode::kWidth;
 

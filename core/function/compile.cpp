@@ -9,17 +9,19 @@
 namespace lentray::core {
 namespace {
 
-constexpr double kFarthest = 9e15;   // beyond, steps of one do not move a number
+constexpr double kFarthest = 9e15;  // beyond, steps of one do not move a number
 
 class Compiler {
  public:
   Compiler(std::size_t parameters, std::size_t locals, double most_terms)
-      : m_parameters(parameters), m_most_terms(most_terms), m_first_between(parameters + locals), m_next(m_first_between), m_used(m_next) {}
+      : m_parameters(parameters), m_most_terms(most_terms), m_first_between(parameters + locals),
+        m_next(m_first_between), m_used(m_next) {}
 
   std::shared_ptr<const Function> run(const FunctionNode& root) {
     const std::int16_t result = operand(root);
-    return std::make_shared<Program>(ProgramParts{std::move(m_code), std::move(m_constants), std::move(m_callees),
-                                                  std::move(m_noises), m_parameters, m_used, result});
+    return std::make_shared<Program>(ProgramParts{std::move(m_code), std::move(m_constants),
+                                                  std::move(m_callees), std::move(m_noises),
+                                                  m_parameters, m_used, result});
   }
 
  private:
@@ -37,7 +39,8 @@ class Compiler {
         return static_cast<std::int16_t>(-static_cast<int>(i) - 1);
       }
     }
-    if (m_constants.size() >= Program::kMostConstants) throw std::length_error("function too complex");
+    if (m_constants.size() >= Program::kMostConstants)
+      throw std::length_error("function too complex");
     m_constants.push_back(value);
     return static_cast<std::int16_t>(-static_cast<int>(m_constants.size()));
   }
@@ -81,7 +84,8 @@ class Compiler {
     std::vector<const FunctionNode*> operations;
 
     explicit Chain(const FunctionNode& node) : first(&node) {
-      for (; is_arithmetic(first->op); first = first->operands[0].get()) operations.push_back(first);
+      for (; is_arithmetic(first->op); first = first->operands[0].get())
+        operations.push_back(first);
     }
     /// Takes off what can be computed now; true if `value` is then what the rest begins with.
     bool fold(double& value) {
@@ -113,7 +117,8 @@ class Compiler {
       const FunctionNode& step = *chain.operations.back();
       const std::int16_t b = step.operands.size() > 1 ? operand(*step.operands[1]) : a;
       const std::int16_t result = chain.operations.size() > 1 ? between : target;
-      if (!emit_with_product(step.op, result, a, b)) emit(ProgramOp::kArithmetic, result, a, b, step.op);
+      if (!emit_with_product(step.op, result, a, b))
+        emit(ProgramOp::kArithmetic, result, a, b, step.op);
       a = result;
       m_next = mark;
     }
@@ -123,24 +128,30 @@ class Compiler {
   bool emit_with_product(FunctionOp op, std::int16_t target, std::int16_t a, std::int16_t b) {
     if (op != FunctionOp::kAdd && op != FunctionOp::kSubtract) return false;
     // Registers above the variables are read once. Jumps may lead to what comes next.
-    if (b < static_cast<std::int16_t>(m_first_between) || m_code.empty() || m_landed == m_code.size()) return false;
+    if (b < static_cast<std::int16_t>(m_first_between) || m_code.empty() ||
+        m_landed == m_code.size())
+      return false;
     const Instruction product = m_code.back();
-    if (product.kind != ProgramOp::kArithmetic || product.op != FunctionOp::kMultiply || product.target != b) {
+    if (product.kind != ProgramOp::kArithmetic || product.op != FunctionOp::kMultiply ||
+        product.target != b) {
       return false;
     }
     m_code.pop_back();
     if (emit_with_noise(op, target, a, product)) return true;
-    emit(op == FunctionOp::kAdd ? ProgramOp::kAddProduct : ProgramOp::kSubtractProduct, target, a, product.a);
+    emit(op == FunctionOp::kAdd ? ProgramOp::kAddProduct : ProgramOp::kSubtractProduct, target, a,
+         product.a);
     m_code.back().jump = static_cast<std::uint16_t>(product.b);
     return true;
   }
 
   /// The same, where a side of the product is the noise that was computed last.
-  bool emit_with_noise(FunctionOp op, std::int16_t target, std::int16_t a, const Instruction& product) {
+  bool emit_with_noise(FunctionOp op, std::int16_t target, std::int16_t a,
+                       const Instruction& product) {
     if (m_code.empty() || m_landed >= m_code.size() || product.a == product.b) return false;
     const Instruction noise = m_code.back();
     const std::int16_t at = noise.target;
-    if (noise.kind != ProgramOp::kNoise || at < static_cast<std::int16_t>(m_first_between)) return false;
+    if (noise.kind != ProgramOp::kNoise || at < static_cast<std::int16_t>(m_first_between))
+      return false;
     if (product.a != at && product.b != at) return false;
     m_code.pop_back();
     emit(op == FunctionOp::kAdd ? ProgramOp::kAddNoise : ProgramOp::kSubtractNoise, target, a,

@@ -23,12 +23,12 @@ double boy_surface(const double* a) {
   const double root2 = std::numbers::sqrt2, w = 1.0 - q.z, s = q.x2 + q.y2, z4 = q.z2 * q.z2;
   const double first = 64.0 * cubed(w) * q.z2 * q.z;
   const double second = 48.0 * w * w * q.z2 * (3.0 * s + 2.0 * q.z2);
-  const double third = 27.0 * s * s - 24.0 * q.z2 * s +
-                       36.0 * root2 * q.y * q.z * (q.y2 - 3.0 * q.x2) + 4.0 * z4;
-  const double fourth = -81.0 * s * s - 72.0 * q.z2 * s +
-                        108.0 * root2 * q.x * q.z * (q.x2 - 3.0 * q.y2) + 4.0 * z4;
-  return limited(q, q.p[1] * (first - second + 12.0 * w * q.z * third +
-                              (9.0 * s - 2.0 * q.z2) * fourth));
+  const double third =
+      27.0 * s * s - 24.0 * q.z2 * s + 36.0 * root2 * q.y * q.z * (q.y2 - 3.0 * q.x2) + 4.0 * z4;
+  const double fourth =
+      -81.0 * s * s - 72.0 * q.z2 * s + 108.0 * root2 * q.x * q.z * (q.x2 - 3.0 * q.y2) + 4.0 * z4;
+  return limited(
+      q, q.p[1] * (first - second + 12.0 * w * q.z * third + (9.0 * s - 2.0 * q.z2) * fourth));
 }
 
 double crossed_trough(const double* a) {
@@ -59,14 +59,15 @@ double dupin_cyclid(const double* a) {
   const Q q(a);
   const double minor = q.p[1], major2 = squared(q.p[2]), cx = q.p[3], cy = q.p[4];
   const double cy2 = cy * cy, r2 = squared(q.p[5]);
-  const double outer = major2 - cy2 - squared(cx + minor), inner = major2 - cy2 - squared(cx - minor);
+  const double outer = major2 - cy2 - squared(cx + minor),
+               inner = major2 - cy2 - squared(cx - minor);
   const double along = cx * q.x + cy * q.y;
-  const double middle = (major2 + minor * minor - cy2 - cx * cx) * (2.0 * along - r2) -
-                        4.0 * cy * major2 * q.y;
+  const double middle =
+      (major2 + minor * minor - cy2 - cx * cx) * (2.0 * along - r2) - 4.0 * cy * major2 * q.y;
   const double fourth = squared(q.square());
-  return limited(q, -(outer * inner * fourth + 2.0 * r2 * middle * q.square() +
-                      4.0 * r2 * r2 * (along * (along - r2) + squared(minor * q.y)) +
-                      squared(r2 * r2)));
+  return limited(
+      q, -(outer * inner * fourth + 2.0 * r2 * middle * q.square() +
+           4.0 * r2 * r2 * (along * (along - r2) + squared(minor * q.y)) + squared(r2 * r2)));
 }
 
 // In stock the fractions 2/3, 1/4, 8/9 and 2/9 of the formula are 0 (integers): so they are here.
@@ -95,8 +96,8 @@ double heart(const double* a) {
 
 double hunt_surface(const double* a) {
   const Q q(a);
-  return limited(q, -4.0 * cubed(q.square() - 13.0) -
-                        27.0 * squared(3.0 * q.x2 + q.y2 - 4.0 * q.z2 - 12.0));
+  return limited(
+      q, -4.0 * cubed(q.square() - 13.0) - 27.0 * squared(3.0 * q.x2 + q.y2 - 4.0 * q.z2 - 12.0));
 }
 
 // The tori of degree four: the signs of y2 and z2 in the sum make the kind.
@@ -110,15 +111,15 @@ double hyperbolic_torus(const double* a) {
 double torus2(const double* a) {
   const Q q(a);
   const double m = squared(q.p[1]), n = squared(q.p[2]);
-  return limited(q, -squared(q.square()) + 2.0 * (m + n) * q.ring2() - 2.0 * (m - n) * q.y2 -
-                        squared(m - n));
+  return limited(
+      q, -squared(q.square()) + 2.0 * (m + n) * q.ring2() - 2.0 * (m - n) * q.y2 - squared(m - n));
 }
 
 double parabolic_torus(const double* a) {
   const Q q(a);
   const double m = squared(q.p[1]), n = squared(q.p[2]);
-  return limited(q, -squared(q.x2 + q.y2 - q.z) + (m + n) * (q.x2 - q.z) - (m - n) * q.y2 -
-                        squared(m - n));
+  return limited(
+      q, -squared(q.x2 + q.y2 - q.z) + (m + n) * (q.x2 - q.z) - (m - n) * q.y2 - squared(m - n));
 }
 
 double kampyle_of_eudoxus(const double* a) {
@@ -223,22 +224,42 @@ double witch_of_agnesi(const double* a) {
   return limited(q, q.p[1] * (1.0 - q.y) - q.ring2() * q.y);
 }
 
-constexpr InternalFormula kFormulas[] = {
-    {"f_bicorn", bicorn}, {"f_bifolia", bifolia}, {"f_boy_surface", boy_surface},
-    {"f_crossed_trough", crossed_trough}, {"f_cubic_saddle", cubic_saddle}, {"f_cushion", cushion},
-    {"f_devils_curve", devils_curve}, {"f_dupin_cyclid", dupin_cyclid}, {"f_enneper", enneper},
-    {"f_folium_surface", folium_surface}, {"f_glob", glob}, {"f_heart", heart},
-    {"f_hunt_surface", hunt_surface}, {"f_hyperbolic_torus", hyperbolic_torus},
-    {"f_kampyle_of_eudoxus", kampyle_of_eudoxus}, {"f_klein_bottle", klein_bottle},
-    {"f_kummer_surface_v1", kummer_surface_v1}, {"f_kummer_surface_v2", kummer_surface_v2},
-    {"f_lemniscate_of_gerono", lemniscate_of_gerono}, {"f_mitre", mitre},
-    {"f_nodal_cubic", nodal_cubic}, {"f_odd", cushion}, {"f_ovals_of_cassini", ovals_of_cassini},
-    {"f_parabolic_torus", parabolic_torus}, {"f_paraboloid", paraboloid}, {"f_pillow", pillow},
-    {"f_piriform", piriform}, {"f_quartic_cylinder", quartic_cylinder},
-    {"f_quartic_paraboloid", quartic_paraboloid}, {"f_quartic_saddle", quartic_saddle},
-    {"f_steiners_roman", steiners_roman}, {"f_strophoid", strophoid}, {"f_torus2", torus2},
-    {"f_torus_gumdrop", torus_gumdrop}, {"f_umbrella", umbrella},
-    {"f_witch_of_agnesi", witch_of_agnesi}};
+constexpr InternalFormula kFormulas[] = {{"f_bicorn", bicorn},
+                                         {"f_bifolia", bifolia},
+                                         {"f_boy_surface", boy_surface},
+                                         {"f_crossed_trough", crossed_trough},
+                                         {"f_cubic_saddle", cubic_saddle},
+                                         {"f_cushion", cushion},
+                                         {"f_devils_curve", devils_curve},
+                                         {"f_dupin_cyclid", dupin_cyclid},
+                                         {"f_enneper", enneper},
+                                         {"f_folium_surface", folium_surface},
+                                         {"f_glob", glob},
+                                         {"f_heart", heart},
+                                         {"f_hunt_surface", hunt_surface},
+                                         {"f_hyperbolic_torus", hyperbolic_torus},
+                                         {"f_kampyle_of_eudoxus", kampyle_of_eudoxus},
+                                         {"f_klein_bottle", klein_bottle},
+                                         {"f_kummer_surface_v1", kummer_surface_v1},
+                                         {"f_kummer_surface_v2", kummer_surface_v2},
+                                         {"f_lemniscate_of_gerono", lemniscate_of_gerono},
+                                         {"f_mitre", mitre},
+                                         {"f_nodal_cubic", nodal_cubic},
+                                         {"f_odd", cushion},
+                                         {"f_ovals_of_cassini", ovals_of_cassini},
+                                         {"f_parabolic_torus", parabolic_torus},
+                                         {"f_paraboloid", paraboloid},
+                                         {"f_pillow", pillow},
+                                         {"f_piriform", piriform},
+                                         {"f_quartic_cylinder", quartic_cylinder},
+                                         {"f_quartic_paraboloid", quartic_paraboloid},
+                                         {"f_quartic_saddle", quartic_saddle},
+                                         {"f_steiners_roman", steiners_roman},
+                                         {"f_strophoid", strophoid},
+                                         {"f_torus2", torus2},
+                                         {"f_torus_gumdrop", torus_gumdrop},
+                                         {"f_umbrella", umbrella},
+                                         {"f_witch_of_agnesi", witch_of_agnesi}};
 
 }  // namespace
 

@@ -77,13 +77,17 @@ double witch_of_agnesi_2d(const double* a) {
   return limited(q, q.p[2] - q.y * (squared(q.p[1]) + q.x2));
 }
 
-constexpr InternalFormula kFormulas[] = {
-    {"f_algbr_cyl1", algbr_cyl1}, {"f_algbr_cyl2", algbr_cyl2}, {"f_algbr_cyl3", algbr_cyl3},
-    {"f_algbr_cyl4", algbr_cyl4}, {"f_devils_curve_2d", devils_curve_2d},
-    {"f_folium_surface_2d", folium_surface_2d},
-    {"f_kampyle_of_eudoxus_2d", kampyle_of_eudoxus_2d},
-    {"f_lemniscate_of_gerono_2d", lemniscate_of_gerono_2d}, {"f_piriform_2d", piriform_2d},
-    {"f_strophoid_2d", strophoid_2d}, {"f_witch_of_agnesi_2d", witch_of_agnesi_2d}};
+constexpr InternalFormula kFormulas[] = {{"f_algbr_cyl1", algbr_cyl1},
+                                         {"f_algbr_cyl2", algbr_cyl2},
+                                         {"f_algbr_cyl3", algbr_cyl3},
+                                         {"f_algbr_cyl4", algbr_cyl4},
+                                         {"f_devils_curve_2d", devils_curve_2d},
+                                         {"f_folium_surface_2d", folium_surface_2d},
+                                         {"f_kampyle_of_eudoxus_2d", kampyle_of_eudoxus_2d},
+                                         {"f_lemniscate_of_gerono_2d", lemniscate_of_gerono_2d},
+                                         {"f_piriform_2d", piriform_2d},
+                                         {"f_strophoid_2d", strophoid_2d},
+                                         {"f_witch_of_agnesi_2d", witch_of_agnesi_2d}};
 
 }  // namespace
 

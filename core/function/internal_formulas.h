@@ -21,10 +21,10 @@ struct InternalFormula {
   Pair (*evaluate_pair)(const Pair* arguments) = nullptr;
 };
 
-std::span<const InternalFormula> algebraic_formulas();   ///< polynomials in x, y, z
-std::span<const InternalFormula> curve_formulas();       ///< plane curves, turned about y on demand
-std::span<const InternalFormula> solid_formulas();       ///< distances of round things
-std::span<const InternalFormula> noise_formulas();       ///< made of noise
+std::span<const InternalFormula> algebraic_formulas();  ///< polynomials in x, y, z
+std::span<const InternalFormula> curve_formulas();      ///< plane curves, turned about y on demand
+std::span<const InternalFormula> solid_formulas();      ///< distances of round things
+std::span<const InternalFormula> noise_formulas();      ///< made of noise
 
 /// The arguments with their squares at hand.
 struct FormulaPoint {
@@ -34,7 +34,7 @@ struct FormulaPoint {
       : x(a[0]), y(a[1]), z(a[2]), x2(x * x), y2(y * y), z2(z * z), p(a + 3) {}
   double square() const { return x2 + y2 + z2; }
   double radius() const { return std::sqrt(square()); }
-  double ring2() const { return x2 + z2; }             ///< squared distance from the y axis
+  double ring2() const { return x2 + z2; }  ///< squared distance from the y axis
   double ring() const { return std::sqrt(ring2()); }
 };
 

@@ -11,8 +11,8 @@ constexpr double kMostOctaves = 1000.0;
 
 /// A whole number within +-1000.
 int whole(double parameter) {
-  return static_cast<int>(std::isnan(parameter) ? 0.0
-                                                : std::clamp(parameter, -kMostOctaves, kMostOctaves));
+  return static_cast<int>(
+      std::isnan(parameter) ? 0.0 : std::clamp(parameter, -kMostOctaves, kMostOctaves));
 }
 
 /// Parameters choose a noise generator by their last two bits.
@@ -81,7 +81,8 @@ Number hetero_mf(const Number* a) {
 // Folded noise: P0 lacunarity, P1 octaves, P2 gain, P3 offset, P4 where the fold is, P5 generator.
 template <class Number>
 Number ridge(const Number* a) {
-  const double lacunarity = first(a[3]), gain = first(a[5]), offset = first(a[6]), fold = first(a[7]);
+  const double lacunarity = first(a[3]), gain = first(a[5]), offset = first(a[6]),
+               fold = first(a[7]);
   const int generator = generator_of(first(a[8])), octaves = whole(first(a[4]));
   const double fold_scale = 1.0 / std::max(fold, 1.0 - fold);
   const double rest = std::min(first(a[4]), kMostOctaves) - octaves;
@@ -109,7 +110,8 @@ Number ridge(const Number* a) {
 /// same numbers again and again: each thread keeps what it last worked out.
 class OctaveWeights {
  public:
-  OctaveWeights(double lacunarity, double exponent) : m_lacunarity(lacunarity), m_exponent(exponent) {}
+  OctaveWeights(double lacunarity, double exponent)
+      : m_lacunarity(lacunarity), m_exponent(exponent) {}
   bool are_of(double lacunarity, double exponent) const {
     return m_lacunarity == lacunarity && m_exponent == exponent;
   }
@@ -137,7 +139,8 @@ OctaveWeights& octave_weights(double lacunarity, double exponent) {
 // Ridged multifractal: P0 exponent, P1 lacunarity, P2 octaves, P3 offset, P4 gain, P5 generator.
 template <class Number>
 Number ridged_mf(const Number* a) {
-  const double lacunarity = first(a[4]), octaves = std::min(first(a[5]), kMostOctaves), offset = first(a[6]);
+  const double lacunarity = first(a[4]), octaves = std::min(first(a[5]), kMostOctaves),
+               offset = first(a[6]);
   const double gain = first(a[7]);
   const int generator = generator_of(first(a[8]));
   NoisePoint<Number> point(a);

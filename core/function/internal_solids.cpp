@@ -144,8 +144,7 @@ double comma(const double* a) {
   const double size = q.p[0], x = q.x == 0.0 && q.z == 0.0 ? 1e-4 : q.x;
   const double from_tail = std::hypot(x + size * 0.25, q.z);
   const double width = std::cos(std::atan2(q.z, x) * 0.5) * size * 0.5;
-  const double tail =
-      std::min(q.z, width - std::sqrt(squared(from_tail - size * 0.75) + q.y2));
+  const double tail = std::min(q.z, width - std::sqrt(squared(from_tail - size * 0.75) + q.y2));
   const double head = size * 0.5 - std::sqrt(squared(x - size * 0.5) + q.y2 + q.z2);
   return -std::max(tail, head);
 }
@@ -184,8 +183,8 @@ double spikes(const double* a) {
 
 double spikes_2d(const double* a) {
   const FormulaPoint q(a);
-  return q.y - q.p[0] * std::cos(q.p[1] * q.x) * std::cos(q.p[2] * q.z) *
-                   std::exp(-q.p[3] * q.ring2());
+  return q.y -
+         q.p[0] * std::cos(q.p[1] * q.x) * std::cos(q.p[2] * q.z) * std::exp(-q.p[3] * q.ring2());
 }
 
 // Woven threads: P0 and P1 their distances along x and z, P2 width, P3 wave height, P4 thickness.
@@ -214,12 +213,13 @@ double poly4(const double* a) {
 double polytubes(const double* a) {
   const FormulaPoint q(a);
   const double out = polynomial4(q.p + 1, q.y);
-  constexpr double kMostTubes = 1e6;   // and a number that is none makes none
+  constexpr double kMostTubes = 1e6;  // and a number that is none makes none
   const int tubes = q.p[0] > 0.0 ? static_cast<int>(std::min(q.p[0], kMostTubes)) : 0;
   double nearest = 10000.0;
   for (int i = 0; i < tubes; ++i) {
     const double angle = kTwoPi / q.p[0] * i;
-    nearest = std::min(nearest, std::hypot(q.x - out * std::sin(angle), q.z - out * std::cos(angle)));
+    nearest =
+        std::min(nearest, std::hypot(q.x - out * std::sin(angle), q.z - out * std::cos(angle)));
   }
   return nearest;
 }
@@ -233,15 +233,32 @@ double quantum(const double* a) {
   return 0.1 * (12.0 - wave * wave);
 }
 
-constexpr InternalFormula kFormulas[] = {
-    {"f_ellipsoid", ellipsoid}, {"f_helix1", helix1}, {"f_hex_x", hex_x}, {"f_hex_y", hex_y},
-    {"f_ph", latitude}, {"f_r", distance}, {"f_rounded_box", rounded_box}, {"f_sphere", sphere},
-    {"f_spiral", spiral}, {"f_superellipsoid", superellipsoid}, {"f_th", longitude},
-    {"f_torus", torus}, {"f_helix2", helix2}, {"f_helical_torus", helical_torus},
-    {"f_blob", blob}, {"f_blob2", blob2}, {"f_comma", comma},
-    {"f_cross_ellipsoids", cross_ellipsoids}, {"f_isect_ellipsoids", isect_ellipsoids},
-    {"f_flange_cover", flange_cover}, {"f_spikes", spikes}, {"f_spikes_2d", spikes_2d},
-    {"f_mesh1", mesh1}, {"f_poly4", poly4}, {"f_polytubes", polytubes}, {"f_quantum", quantum}};
+constexpr InternalFormula kFormulas[] = {{"f_ellipsoid", ellipsoid},
+                                         {"f_helix1", helix1},
+                                         {"f_hex_x", hex_x},
+                                         {"f_hex_y", hex_y},
+                                         {"f_ph", latitude},
+                                         {"f_r", distance},
+                                         {"f_rounded_box", rounded_box},
+                                         {"f_sphere", sphere},
+                                         {"f_spiral", spiral},
+                                         {"f_superellipsoid", superellipsoid},
+                                         {"f_th", longitude},
+                                         {"f_torus", torus},
+                                         {"f_helix2", helix2},
+                                         {"f_helical_torus", helical_torus},
+                                         {"f_blob", blob},
+                                         {"f_blob2", blob2},
+                                         {"f_comma", comma},
+                                         {"f_cross_ellipsoids", cross_ellipsoids},
+                                         {"f_isect_ellipsoids", isect_ellipsoids},
+                                         {"f_flange_cover", flange_cover},
+                                         {"f_spikes", spikes},
+                                         {"f_spikes_2d", spikes_2d},
+                                         {"f_mesh1", mesh1},
+                                         {"f_poly4", poly4},
+                                         {"f_polytubes", polytubes},
+                                         {"f_quantum", quantum}};
 
 }  // namespace
 

@@ -12,19 +12,31 @@ enum class FunctionOp : std::uint8_t {
   kParameter,  ///< index
   kLocal,      ///< index: the variable of an enclosing sum or prod
   // One operand.
-  kNegate, kNot,
+  kNegate,
+  kNot,
   // Two operands; comparisons give 1 or 0.
-  kAdd, kSubtract, kMultiply, kDivide, kLess, kLessEqual, kEqual, kNotEqual, kGreaterEqual,
-  kGreater, kAnd, kOr,
-  // One or two operands.
+  kAdd,
+  kSubtract,
+  kMultiply,
+  kDivide,
+  kLess,
+  kLessEqual,
+  kEqual,
+  kNotEqual,
+  kGreaterEqual,
+  kGreater,
+  kAnd,
+  kOr,
+// One or two operands.
 #define LENTRAY_FLOAT_FUNCTION(name, arity, in_functions, undefined, value) name,
 #include "core/function/float_functions.def"
 #undef LENTRAY_FLOAT_FUNCTION
   // Others.
-  kSelect,     ///< 3 or 4 operands, as select()
-  kChoose,     ///< c ? a : b
-  kCall,       ///< callee, operands its arguments, index the component of the result
-  kSum, kProd, ///< index the variable; operands first, last, expression
+  kSelect,  ///< 3 or 4 operands, as select()
+  kChoose,  ///< c ? a : b
+  kCall,    ///< callee, operands its arguments, index the component of the result
+  kSum,
+  kProd,  ///< index the variable; operands first, last, expression
 };
 
 /// apply() has it.

@@ -31,7 +31,8 @@ double apply(FunctionOp op, double a, double b) {
     case FunctionOp::kAnd: return a != 0.0 && b != 0.0;
     case FunctionOp::kOr: return a != 0.0 || b != 0.0;
 #define LENTRAY_FLOAT_FUNCTION(name, arity, in_functions, undefined, value) \
-  case FunctionOp::name: return value;
+  case FunctionOp::name:                                                    \
+    return value;
 #include "core/function/float_functions.def"
 #undef LENTRAY_FLOAT_FUNCTION
     default: return 0.0;
@@ -39,8 +40,9 @@ double apply(FunctionOp op, double a, double b) {
 }
 
 Program::Program(ProgramParts parts)
-    : m_code(std::move(parts.code)), m_constants(std::move(parts.constants)), m_callees(std::move(parts.callees)),
-      m_noises(std::move(parts.noises)), m_parameters(parts.parameters), m_frame(parts.frame) {
+    : m_code(std::move(parts.code)), m_constants(std::move(parts.constants)),
+      m_callees(std::move(parts.callees)), m_noises(std::move(parts.noises)),
+      m_parameters(parts.parameters), m_frame(parts.frame) {
   for (const auto& callee : m_callees) {
     m_calls.push_back({callee.get(), callee->parameters(), callee->results() == 1});
   }
@@ -90,9 +92,12 @@ bool Program::Frame::prepare(const Program& program) {
 }
 
 template <class Number>
-[[gnu::always_inline]] inline Number Program::noise_of(const Instruction& i, const Number* frame) const {
+[[gnu::always_inline]] inline Number Program::noise_of(const Instruction& i,
+                                                       const Number* frame) const {
   const NoiseTerm& term = m_noises[i.jump];
-  const auto at = [&](std::size_t k) -> Number { return frame[term.number[k]] * frame[term.factor[k]]; };
+  const auto at = [&](std::size_t k) -> Number {
+    return frame[term.number[k]] * frame[term.factor[k]];
+  };
   if (term.plane >= 0) return noise_in_plane(term.plane, at(0), at(1), *term.generator);
   return noise(at(0), at(1), at(2), *term.generator);
 }
@@ -108,17 +113,31 @@ double Program::execute(double* frame) const {
       case ProgramOp::kMultiply: frame[i.target] = value(i.a) * value(i.b); break;
       case ProgramOp::kArithmetic: frame[i.target] = apply(i.op, value(i.a), value(i.b)); break;
       case ProgramOp::kAddProduct: frame[i.target] = value(i.a) + value(i.b) * value(i.c()); break;
-      case ProgramOp::kSubtractProduct: frame[i.target] = value(i.a) - value(i.b) * value(i.c()); break;
+      case ProgramOp::kSubtractProduct:
+        frame[i.target] = value(i.a) - value(i.b) * value(i.c());
+        break;
       case ProgramOp::kMove: frame[i.target] = value(i.a); break;
       case ProgramOp::kJump: next = code + i.jump; break;
-      case ProgramOp::kJumpFalse: if (value(i.a) == 0.0) next = code + i.jump; break;
-      case ProgramOp::kJumpNotNegative: if (!(value(i.a) < 0.0)) next = code + i.jump; break;
-      case ProgramOp::kJumpNotZero: if (value(i.a) != 0.0) next = code + i.jump; break;
-      case ProgramOp::kJumpPast: if (!(value(i.a) <= value(i.b))) next = code + i.jump; break;
+      case ProgramOp::kJumpFalse:
+        if (value(i.a) == 0.0) next = code + i.jump;
+        break;
+      case ProgramOp::kJumpNotNegative:
+        if (!(value(i.a) < 0.0)) next = code + i.jump;
+        break;
+      case ProgramOp::kJumpNotZero:
+        if (value(i.a) != 0.0) next = code + i.jump;
+        break;
+      case ProgramOp::kJumpPast:
+        if (!(value(i.a) <= value(i.b))) next = code + i.jump;
+        break;
       case ProgramOp::kCall: call(i, frame); break;
       case ProgramOp::kNoise: frame[i.target] = noise_of(i, frame); break;
-      case ProgramOp::kAddNoise: frame[i.target] = value(i.a) + value(i.b) * noise_of(i, frame); break;
-      case ProgramOp::kSubtractNoise: frame[i.target] = value(i.a) - value(i.b) * noise_of(i, frame); break;
+      case ProgramOp::kAddNoise:
+        frame[i.target] = value(i.a) + value(i.b) * noise_of(i, frame);
+        break;
+      case ProgramOp::kSubtractNoise:
+        frame[i.target] = value(i.a) - value(i.b) * noise_of(i, frame);
+        break;
       case ProgramOp::kEnd: return value(i.a);
       default: __builtin_unreachable();
     }
@@ -127,10 +146,13 @@ double Program::execute(double* frame) const {
 
 bool Program::WideFrame::prepare(const Program& program) {
   const std::size_t constants = program.m_constants.size();
-  if (!program.m_is_straight || program.m_parameters != 3 || constants + program.m_frame > kSmallFrame) return false;
+  if (!program.m_is_straight || program.m_parameters != 3 ||
+      constants + program.m_frame > kSmallFrame)
+    return false;
   m_program = &program;
   m_arguments = m_memory.data() + constants;
-  for (std::size_t i = 0; i < constants; ++i) m_memory[i] = Lanes{program.m_constants[i], program.m_constants[i]};
+  for (std::size_t i = 0; i < constants; ++i)
+    m_memory[i] = Lanes{program.m_constants[i], program.m_constants[i]};
   for (std::size_t i = 0; i < 3; ++i) m_arguments[i] = Lanes{};
   return true;
 }
@@ -144,7 +166,9 @@ Program::Lanes Program::execute(Lanes* frame) const {
       case ProgramOp::kSubtract: frame[i.target] = value(i.a) - value(i.b); break;
       case ProgramOp::kMultiply: frame[i.target] = value(i.a) * value(i.b); break;
       case ProgramOp::kAddProduct: frame[i.target] = value(i.a) + value(i.b) * value(i.c()); break;
-      case ProgramOp::kSubtractProduct: frame[i.target] = value(i.a) - value(i.b) * value(i.c()); break;
+      case ProgramOp::kSubtractProduct:
+        frame[i.target] = value(i.a) - value(i.b) * value(i.c());
+        break;
       case ProgramOp::kMove: frame[i.target] = value(i.a); break;
       case ProgramOp::kArithmetic: {
         const Lanes a = value(i.a), b = value(i.b);
@@ -158,8 +182,12 @@ Program::Lanes Program::execute(Lanes* frame) const {
         break;
       }
       case ProgramOp::kNoise: frame[i.target] = noise_of(i, frame); break;
-      case ProgramOp::kAddNoise: frame[i.target] = value(i.a) + value(i.b) * noise_of(i, frame); break;
-      case ProgramOp::kSubtractNoise: frame[i.target] = value(i.a) - value(i.b) * noise_of(i, frame); break;
+      case ProgramOp::kAddNoise:
+        frame[i.target] = value(i.a) + value(i.b) * noise_of(i, frame);
+        break;
+      case ProgramOp::kSubtractNoise:
+        frame[i.target] = value(i.a) - value(i.b) * noise_of(i, frame);
+        break;
       case ProgramOp::kEnd: return value(i.a);
       default: __builtin_unreachable();  // straight: no jumps
     }

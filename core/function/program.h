@@ -18,24 +18,24 @@ namespace lentray::core {
 
 /// What one instruction does: the arithmetic of FunctionOp, and control.
 enum class ProgramOp : std::uint8_t {
-  kArithmetic,   ///< target = op(a, b)
-  kMove,         ///< target = a
-  kJump,         ///< to `jump`
-  kJumpFalse,    ///< to `jump` if a is 0
+  kArithmetic,  ///< target = op(a, b)
+  kMove,        ///< target = a
+  kJump,        ///< to `jump`
+  kJumpFalse,   ///< to `jump` if a is 0
   kJumpNotNegative,
   kJumpNotZero,
-  kJumpPast,     ///< to `jump` unless a <= b, so with nan too
-  kCall,         ///< target = component `a` of callee number `jump` called with registers from b
+  kJumpPast,  ///< to `jump` unless a <= b, so with nan too
+  kCall,      ///< target = component `a` of callee number `jump` called with registers from b
   // What functions do most: Program makes these of the others.
   kAdd,
   kSubtract,
   kMultiply,
   kAddProduct,       ///< target = a + b * c, rounded twice
   kSubtractProduct,  ///< target = a - b * c, rounded twice
-  kNoise,          ///< target = noise, term number `jump`
-  kAddNoise,       ///< target = a + b * noise, rounded twice
-  kSubtractNoise,  ///< target = a - b * noise, rounded twice
-  kEnd,          ///< the result is a
+  kNoise,            ///< target = noise, term number `jump`
+  kAddNoise,         ///< target = a + b * noise, rounded twice
+  kSubtractNoise,    ///< target = a - b * noise, rounded twice
+  kEnd,              ///< the result is a
 };
 
 struct alignas(16) Instruction {
@@ -43,7 +43,9 @@ struct alignas(16) Instruction {
   FunctionOp op = FunctionOp::kConstant;
   std::int16_t target = 0, a = 0, b = 0;
   std::uint16_t jump = 0;
-  std::int16_t c() const { return static_cast<std::int16_t>(jump); }  ///< of those with three operands
+  std::int16_t c() const {
+    return static_cast<std::int16_t>(jump);
+  }  ///< of those with three operands
 };
 
 /// Noise at a point whose coordinates are products, as in f_noise3d(x*2, y*2, z*2): number * factor.

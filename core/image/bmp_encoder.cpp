@@ -18,7 +18,8 @@ class BmpEncoder final : public PictureEncoder {
       : m_file(path), m_width(spec.width), m_left(spec.height), m_channels(spec.channels),
         m_row((std::uint64_t{spec.width} * static_cast<std::uint64_t>(spec.channels) + 3) / 4 * 4) {
     const std::uint64_t pixels = m_row * spec.height;
-    if (kHead + pixels > UINT32_MAX) throw std::runtime_error("the picture is too large for a BMP file");
+    if (kHead + pixels > UINT32_MAX)
+      throw std::runtime_error("the picture is too large for a BMP file");
     std::vector<std::uint8_t> head{'B', 'M'};
     put_little(head, kHead + pixels, 4);
     put_little(head, 0, 4);
@@ -67,7 +68,8 @@ class BmpEncoder final : public PictureEncoder {
 
 }  // namespace
 
-std::unique_ptr<PictureEncoder> make_bmp_encoder(const std::filesystem::path& path, const PictureSpec& spec) {
+std::unique_ptr<PictureEncoder> make_bmp_encoder(const std::filesystem::path& path,
+                                                 const PictureSpec& spec) {
   return std::make_unique<BmpEncoder>(path, spec);
 }
 

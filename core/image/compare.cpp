@@ -175,8 +175,8 @@ LensComparison compare_lenses(const StoredImage& a, const StoredImage& b, double
       squares += double(v.pixels) * std::pow(10.0, -v.smooth_psnr / 10.0);
       pixels += double(v.pixels);
     }
-    result.whole.smooth_psnr =
-        squares == 0.0 ? std::numeric_limits<double>::infinity() : -10.0 * std::log10(squares / pixels);
+    result.whole.smooth_psnr = squares == 0.0 ? std::numeric_limits<double>::infinity()
+                                              : -10.0 * std::log10(squares / pixels);
     result.whole.grade = grade_of(result.whole, 0);
   }
   return result;

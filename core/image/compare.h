@@ -30,7 +30,7 @@ std::optional<Grade> grade_named(std::string_view name);
 struct Columns {
   std::vector<std::uint32_t> list;
   static Columns all(std::uint32_t width);
-  static Columns range(std::uint32_t begin, std::uint32_t end);             ///< [begin, end)
+  static Columns range(std::uint32_t begin, std::uint32_t end);  ///< [begin, end)
   static Columns every(std::uint32_t first, std::uint32_t step, std::uint32_t width);
 };
 

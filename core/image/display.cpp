@@ -28,7 +28,8 @@ bool is_shown_as_stored(const StoredImage& image) {
 StoredImage without_alpha(const StoredImage& image) {
   StoredImage out = image;
   out.channels = image.channels - (has_alpha(image) ? 1 : 0);
-  out.samples.assign(std::size_t{image.width} * image.height * static_cast<std::size_t>(out.channels), 0.0f);
+  out.samples.assign(
+      std::size_t{image.width} * image.height * static_cast<std::size_t>(out.channels), 0.0f);
   std::size_t to = 0;
   for (std::size_t i = 0; i < image.samples.size(); ++i) {
     const auto channel = static_cast<int>(i % static_cast<std::size_t>(image.channels));
@@ -48,7 +49,9 @@ StoredImage displayed(const StoredImage& image) {
   out.samples.assign(std::size_t{3} * image.width * image.height, 0.0f);
   for (std::uint32_t y = 0; y < image.height; ++y) {
     for (std::uint32_t x = 0; x < image.width; ++x) {
-      const float alpha = has_alpha(image) ? std::clamp(image.at(x, y, image.channels - 1) / most, 0.0f, 1.0f) : 1.0f;
+      const float alpha = has_alpha(image)
+                              ? std::clamp(image.at(x, y, image.channels - 1) / most, 0.0f, 1.0f)
+                              : 1.0f;
       const float behind = (x / kCheckerSize + y / kCheckerSize) % 2 == 0 ? 0.0f : 1.0f;
       for (int c = 0; c < 3; ++c) {
         float value = image.at(x, y, image.channels < 3 ? 0 : c) / most;

@@ -72,7 +72,8 @@ void check_writable(const fs::path& wanted) {
   std::error_code error;
   if (fs::is_directory(place, error)) fail(wanted, "a folder has that name");
   const fs::path folder = folder_of(place);
-  if (!fs::exists(folder, error)) fail(wanted, "the folder '" + folder.string() + "' does not exist");
+  if (!fs::exists(folder, error))
+    fail(wanted, "the folder '" + folder.string() + "' does not exist");
   if (!fs::is_directory(folder, error)) fail(wanted, "'" + folder.string() + "' is not a folder");
   if (fs::exists(place, error)) {
     if (::access(place.c_str(), W_OK) != 0) fail(wanted, std::strerror(errno));
@@ -125,14 +126,15 @@ void FileSwap::make_temporary() {
   std::error_code error;
   const fs::path folder = m_device ? fs::temp_directory_path(error) : folder_of(m_place);
   if (error) fail(m_place, error.message());
-  const std::string stem = "." + m_place.filename().string().substr(0, kLongestName) + std::string(kMark);
+  const std::string stem =
+      "." + m_place.filename().string().substr(0, kLongestName) + std::string(kMark);
   remove_left_over(folder, stem);
   static std::atomic<unsigned> serial{0};  // only makes names differ, never seen in a result
   while (m_lock < 0) {
     m_temporary = folder / (stem + std::to_string(::getpid()) + "-" + std::to_string(serial++) +
                             std::string(kEnd));
-    m_lock = ::open(m_temporary.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC,
-                    m_device ? 0600 : 0666);
+    m_lock =
+        ::open(m_temporary.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, m_device ? 0600 : 0666);
     if (m_lock < 0) {
       if (errno == EEXIST) continue;
       fail(m_place, std::strerror(errno));
@@ -140,7 +142,7 @@ void FileSwap::make_temporary() {
     // Where there are no locks nothing is cleared away.
     while (::flock(m_lock, LOCK_EX) != 0 && errno == EINTR) {
     }
-    struct stat there{};
+    struct stat there {};
     if (::fstat(m_lock, &there) == 0 && there.st_nlink > 0) break;
     ::close(m_lock);  // taken for a left-over before it was locked
     m_lock = -1;
@@ -178,7 +180,7 @@ void FileSwap::copy_to_device() {
 void FileSwap::commit() {
   if (m_device) return copy_to_device();  // the destructor removes the temporary file
   std::error_code error;
-  struct stat before{};
+  struct stat before {};
   if (::stat(m_place.c_str(), &before) == 0) (void)::fchmod(m_lock, before.st_mode & 07777);
   fs::rename(m_temporary, m_place, error);
   if (error) fail(m_place, error.message());

@@ -16,7 +16,8 @@ struct CloseGif {
 using Gif = std::unique_ptr<GifFileType, CloseGif>;
 
 int read_bytes(GifFileType* gif, GifByteType* to, int size) {
-  return static_cast<int>(std::fread(to, 1, static_cast<std::size_t>(size), static_cast<std::FILE*>(gif->UserData)));
+  return static_cast<int>(
+      std::fread(to, 1, static_cast<std::size_t>(size), static_cast<std::FILE*>(gif->UserData)));
 }
 
 [[noreturn]] void fail(int error) {
@@ -40,7 +41,8 @@ int read_extensions(const Gif& gif) {
     check(gif, DGifGetExtension(gif.get(), &code, &block));
     while (block) {
       GraphicsControlBlock control;
-      if (code == GRAPHICS_EXT_FUNC_CODE && DGifExtensionToGCB(block[0], block + 1, &control) == GIF_OK) {
+      if (code == GRAPHICS_EXT_FUNC_CODE &&
+          DGifExtensionToGCB(block[0], block + 1, &control) == GIF_OK) {
         clear = control.TransparentColor;
       }
       check(gif, DGifGetExtensionNext(gif.get(), &block));
@@ -75,7 +77,8 @@ StoredImage read_gif(std::FILE* file) {
   if (!gif) fail(error);
   const int clear = read_extensions(gif);
   check(gif, DGifGetImageDesc(gif.get()));
-  if (gif->Image.Width < 1 || gif->Image.Height < 1) throw std::runtime_error("the picture is empty");
+  if (gif->Image.Width < 1 || gif->Image.Height < 1)
+    throw std::runtime_error("the picture is empty");
   StoredImage image;
   image.width = static_cast<std::uint32_t>(gif->Image.Width);
   image.height = static_cast<std::uint32_t>(gif->Image.Height);

@@ -13,7 +13,8 @@ struct Image {
   std::vector<float> rgba;  ///< 4 floats a pixel, linear light, alpha 1: opaque, premultiplied
 
   Image() = default;
-  Image(std::uint32_t w, std::uint32_t h) : width(w), height(h), rgba(std::size_t{4} * w * h, 0.0f) {}
+  Image(std::uint32_t w, std::uint32_t h)
+      : width(w), height(h), rgba(std::size_t{4} * w * h, 0.0f) {}
   float* pixel(std::uint32_t column, std::uint32_t row) {
     return rgba.data() + (std::size_t{row} * width + column) * 4;
   }

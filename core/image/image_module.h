@@ -12,7 +12,8 @@
 
 namespace lentray::core {
 
-using CheckPictureRoom = void (*)(std::uint64_t width, std::uint64_t height, int channels, int bytes);
+using CheckPictureRoom = void (*)(std::uint64_t width, std::uint64_t height, int channels,
+                                  int bytes);
 
 class ImageModule {
  public:

@@ -1,8 +1,8 @@
 // jpeg_of() of core/image/thumbnail.h.
+#include <jpeglib.h>
 #include <cstddef>
 #include <cstdio>
 #include <cstdlib>
-#include <jpeglib.h>
 
 #include <array>
 #include <stdexcept>
@@ -51,11 +51,13 @@ std::string jpeg_of(const Thumbnail& thumbnail, int quality) {
   jpeg_set_defaults(&jpeg);
   jpeg_set_quality(&jpeg, quality, TRUE);
   jpeg.optimize_coding = TRUE;
-  if (thumbnail.width < kNarrow) jpeg.comp_info[0].h_samp_factor = jpeg.comp_info[0].v_samp_factor = 1;
+  if (thumbnail.width < kNarrow)
+    jpeg.comp_info[0].h_samp_factor = jpeg.comp_info[0].v_samp_factor = 1;
   jpeg_start_compress(&jpeg, TRUE);
   while (jpeg.next_scanline < jpeg.image_height) {
     // The library reads rows that it takes as variable.
-    auto* row = const_cast<JSAMPROW>(thumbnail.rgb.data() + std::size_t{3} * thumbnail.width * jpeg.next_scanline);
+    auto* row = const_cast<JSAMPROW>(thumbnail.rgb.data() +
+                                     std::size_t{3} * thumbnail.width * jpeg.next_scanline);
     jpeg_write_scanlines(&jpeg, &row, 1);
   }
   jpeg_finish_compress(&jpeg);

@@ -1,6 +1,6 @@
+#include <jpeglib.h>
 #include <cstddef>
 #include <cstdio>
-#include <jpeglib.h>
 
 #include <array>
 #include <stdexcept>
@@ -46,7 +46,8 @@ std::optional<StoredImage> read_jpeg(std::FILE* file) {
   image.height = jpeg.image_height;
   image.channels = space == JCS_GRAYSCALE ? 1 : 3;
   // A progressive file is held as coefficients besides, of two bytes.
-  check_picture_room(image.width, image.height, image.channels, jpeg_has_multiple_scans(&jpeg) ? 3 : 1);
+  check_picture_room(image.width, image.height, image.channels,
+                     jpeg_has_multiple_scans(&jpeg) ? 3 : 1);
   const std::size_t row_bytes = std::size_t{image.width} * static_cast<std::size_t>(image.channels);
   std::vector<std::uint8_t>& samples = image.samples.store<std::uint8_t>(row_bytes * image.height);
   jpeg_start_decompress(&jpeg);

@@ -13,12 +13,14 @@ namespace {
 /// A picture to be filled row by row in the order of the file.
 class Canvas {
  public:
-  Canvas(std::size_t width, std::size_t height) : m_width(width), m_height(height), m_entries(width * height) {}
+  Canvas(std::size_t width, std::size_t height)
+      : m_width(width), m_height(height), m_entries(width * height) {}
   void put_top_first(bool top_first) { m_top_first = top_first; }
   std::size_t width() const { return m_width; }
   std::size_t height() const { return m_height; }
   bool has_size(std::int64_t width, std::int64_t height) const {
-    return static_cast<std::size_t>(width) == m_width && static_cast<std::size_t>(height) == m_height;
+    return static_cast<std::size_t>(width) == m_width &&
+           static_cast<std::size_t>(height) == m_height;
   }
   /// What lies beside the picture is passed over.
   void put(std::size_t column, std::size_t row, std::size_t entry) {
@@ -73,7 +75,8 @@ bool read_bitmap(const Bytes& file, Canvas& canvas) {
   const std::size_t bits = file.word(old ? 24 : 28);
   const std::int64_t width = old ? static_cast<std::int64_t>(file.word(18)) : file.number(18);
   const std::int64_t height = old ? static_cast<std::int64_t>(file.word(20)) : file.number(22);
-  if ((bits != 1 && bits != 4 && bits != 8) || !canvas.has_size(width, std::abs(height))) return false;
+  if ((bits != 1 && bits != 4 && bits != 8) || !canvas.has_size(width, std::abs(height)))
+    return false;
   canvas.put_top_first(height < 0);
   const auto start = static_cast<std::size_t>(static_cast<std::uint32_t>(file.number(kStart)));
   const std::int32_t packing = old ? kPlain : file.number(30);
@@ -94,7 +97,8 @@ bool read_bitmap(const Bytes& file, Canvas& canvas) {
 
 }  // namespace
 
-std::vector<std::uint8_t> bitmap_entries(std::string_view file, std::uint32_t width, std::uint32_t height) {
+std::vector<std::uint8_t> bitmap_entries(std::string_view file, std::uint32_t width,
+                                         std::uint32_t height) {
   Canvas canvas(width, height);
   try {
     if (read_bitmap(Bytes(file), canvas)) return canvas.take();

@@ -10,6 +10,7 @@
 namespace lentray::core {
 
 /// Of 1, 4 and 8 bits a pixel; those of 4 and 8 may be in runs.
-std::vector<std::uint8_t> bitmap_entries(std::string_view file, std::uint32_t width, std::uint32_t height);
+std::vector<std::uint8_t> bitmap_entries(std::string_view file, std::uint32_t width,
+                                         std::uint32_t height);
 
 }  // namespace lentray::core

@@ -20,8 +20,10 @@ constexpr std::size_t kGreys = 1, kEntries = 3;
 /// The fields of the first directory. Errors: std::runtime_error if it is no such file or ends early.
 class Directory {
  public:
-  explicit Directory(std::string_view file) : m_bytes(file), m_is_big(file.starts_with(std::string_view("MM\0*", 4))) {
-    if (!m_is_big && !file.starts_with(std::string_view("II*\0", 4))) throw std::runtime_error("no TIFF file");
+  explicit Directory(std::string_view file)
+      : m_bytes(file), m_is_big(file.starts_with(std::string_view("MM\0*", 4))) {
+    if (!m_is_big && !file.starts_with(std::string_view("II*\0", 4)))
+      throw std::runtime_error("no TIFF file");
     const std::size_t start = number(4);
     for (std::size_t i = 0; i < word(start); ++i) {
       const std::size_t field = start + 2 + 12 * i;
@@ -45,7 +47,8 @@ class Directory {
   bool is_big() const { return m_is_big; }
   bool has_palette() const {
     const std::size_t bits = value(kBits, 1);
-    return value(kMeaning, 0) == kEntries && value(kSamples, 1) == 1 && bits <= 8 && place(kPalette) != 0;
+    return value(kMeaning, 0) == kEntries && value(kSamples, 1) == 1 && bits <= 8 &&
+           place(kPalette) != 0;
   }
   int entries() const { return 1 << value(kBits, 1); }
 
@@ -75,17 +78,20 @@ std::vector<std::uint16_t> colours_of(const Directory& directory) {
 }  // namespace
 
 /// OpenImageIO unpacks them, as if they were greys.
-std::vector<std::uint8_t> tiff_entries(std::string file, std::uint32_t width, std::uint32_t height) {
+std::vector<std::uint8_t> tiff_entries(std::string file, std::uint32_t width,
+                                       std::uint32_t height) {
   const Directory directory(file);
   if (!directory.has_palette()) return {};
   file[directory.place(kMeaning) + (directory.is_big() ? 1 : 0)] = static_cast<char>(kGreys);
   const StoredImage greys = image_module().read_tiff(file, check_picture_room);
-  if (greys.width != width || greys.height != height || greys.channels != 1 || greys.bits != 8) return {};
+  if (greys.width != width || greys.height != height || greys.channels != 1 || greys.bits != 8)
+    return {};
   std::vector<std::uint8_t> entries;
   entries.reserve(greys.samples.size());
   const int most = directory.entries() - 1;
   for (std::size_t i = 0; i < greys.samples.size(); ++i) {
-    entries.push_back(static_cast<std::uint8_t>((static_cast<int>(greys.samples[i]) * most + 127) / 255));
+    entries.push_back(
+        static_cast<std::uint8_t>((static_cast<int>(greys.samples[i]) * most + 127) / 255));
   }
   return entries;
 }
@@ -110,7 +116,8 @@ void restore_palette_colours(StoredImage& image, const std::filesystem::path& pa
   if (colours.empty()) return;
   image.channels = 3;
   image.bits = 16;
-  std::vector<std::uint16_t>& samples = image.samples.store<std::uint16_t>(3 * image.entries.size());
+  std::vector<std::uint16_t>& samples =
+      image.samples.store<std::uint16_t>(3 * image.entries.size());
   std::size_t to = 0;
   for (const std::uint8_t entry : image.entries) {
     for (std::size_t c = 0; c < 3; ++c) samples[to++] = colours[3u * entry + c];

@@ -16,14 +16,14 @@ namespace lentray::core {
 struct PictureSpec {
   FileType type = FileType::png;
   std::uint32_t width = 0, height = 0;
-  int channels = 3;          ///< 1 grey, 2 with alpha, 3 RGB, 4 RGBA; alpha not premultiplied
-  int bits = 8;              ///< 8 or 16: integers; 32: float
-  int levels = 0;            ///< bits that tell something; 0: all
-  bool half = false;         ///< OpenEXR keeps 16 of the float's bits
-  int quality = 85;          ///< of JPEG
-  bool tagged = false;       ///< what follows is known and goes into the file
+  int channels = 3;     ///< 1 grey, 2 with alpha, 3 RGB, 4 RGBA; alpha not premultiplied
+  int bits = 8;         ///< 8 or 16: integers; 32: float
+  int levels = 0;       ///< bits that tell something; 0: all
+  bool half = false;    ///< OpenEXR keeps 16 of the float's bits
+  int quality = 85;     ///< of JPEG
+  bool tagged = false;  ///< what follows is known and goes into the file
   bool srgb = true;
-  double file_gamma = 1.0;   ///< unless srgb
+  double file_gamma = 1.0;  ///< unless srgb
   ImageMetadata metadata{};
 };
 
@@ -36,7 +36,8 @@ class PictureEncoder {
   virtual void close() = 0;
 };
 
-using MakeEncoder = std::unique_ptr<PictureEncoder>(const std::filesystem::path& path, const PictureSpec& spec);
+using MakeEncoder = std::unique_ptr<PictureEncoder>(const std::filesystem::path& path,
+                                                    const PictureSpec& spec);
 MakeEncoder make_png_encoder, make_targa_encoder, make_ppm_encoder, make_bmp_encoder;
 /// Samples are Radiance's four bytes a pixel.
 MakeEncoder make_radiance_encoder;

@@ -77,12 +77,15 @@ class PngEncoder final : public PictureEncoder {
     }
     if (spec.levels != 0 && spec.levels != spec.bits) {
       const auto bits = static_cast<png_byte>(spec.levels);
-      const png_color_8 telling{.red = bits, .green = bits, .blue = bits, .gray = bits, .alpha = bits};
+      const png_color_8 telling{
+          .red = bits, .green = bits, .blue = bits, .gray = bits, .alpha = bits};
       png_set_sBIT(m_png, m_info, &telling);
     }
     const ImageMetadata& data = spec.metadata;
     if (data.dpi_x > 0.0 && data.dpi_y > 0.0) {
-      const auto metric = [](double dpi) { return static_cast<png_uint_32>(std::lround(dpi / 0.0254)); };
+      const auto metric = [](double dpi) {
+        return static_cast<png_uint_32>(std::lround(dpi / 0.0254));
+      };
       png_set_pHYs(m_png, m_info, metric(data.dpi_x), metric(data.dpi_y), PNG_RESOLUTION_METER);
     }
     if (!data.software.empty()) add_text("Software", data.software);

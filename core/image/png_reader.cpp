@@ -81,7 +81,8 @@ class PngReader {
     const bool has_alpha = is_clear || (type & PNG_COLOR_MASK_ALPHA) != 0;
     image.channels = ((type & PNG_COLOR_MASK_COLOR) != 0 ? 3 : 1) + (has_alpha ? 1 : 0);
     check_picture_room(image.width, image.height, image.channels, sizeof(Value));
-    const std::size_t row_values = std::size_t{image.width} * static_cast<std::size_t>(image.channels);
+    const std::size_t row_values =
+        std::size_t{image.width} * static_cast<std::size_t>(image.channels);
     read_rows(image, row_values, image.samples.store<Value>(row_values * image.height));
   }
 

@@ -11,11 +11,14 @@ namespace {
 class PpmEncoder final : public PictureEncoder {
  public:
   PpmEncoder(const std::filesystem::path& path, const PictureSpec& spec)
-      : m_file(path), m_row(std::size_t{spec.width} * static_cast<std::size_t>(spec.channels)), m_wide(spec.bits == 16) {
+      : m_file(path), m_row(std::size_t{spec.width} * static_cast<std::size_t>(spec.channels)),
+        m_wide(spec.bits == 16) {
     const int levels = spec.levels != 0 ? spec.levels : spec.bits;
     m_file.write(spec.channels == 1 ? "P5\n" : "P6\n");
-    if (!spec.metadata.software.empty()) m_file.write("# Software: " + spec.metadata.software + "\n");
-    for (const auto& [name, value] : spec.metadata.fields) m_file.write("# " + name + "=" + value + "\n");
+    if (!spec.metadata.software.empty())
+      m_file.write("# Software: " + spec.metadata.software + "\n");
+    for (const auto& [name, value] : spec.metadata.fields)
+      m_file.write("# " + name + "=" + value + "\n");
     m_file.write(std::to_string(spec.width) + " " + std::to_string(spec.height) + "\n" +
                  std::to_string((1u << levels) - 1u) + "\n");
   }
@@ -43,7 +46,8 @@ class PpmEncoder final : public PictureEncoder {
 
 }  // namespace
 
-std::unique_ptr<PictureEncoder> make_ppm_encoder(const std::filesystem::path& path, const PictureSpec& spec) {
+std::unique_ptr<PictureEncoder> make_ppm_encoder(const std::filesystem::path& path,
+                                                 const PictureSpec& spec) {
   return std::make_unique<PpmEncoder>(path, spec);
 }
 

@@ -47,8 +47,8 @@ class Quantiser {
   static constexpr std::uint32_t kFirst = ((127u - 12u) << 8) - 1, kEnd = (127u << 8) - 1;
 
   ImageFormat m_format;
-  std::vector<float> m_least;        ///< of level k, k = 1..256 (no number); empty: no table
-  std::vector<std::uint8_t> m_start; ///< by the leading bits of a value: its level or less
+  std::vector<float> m_least;         ///< of level k, k = 1..256 (no number); empty: no table
+  std::vector<std::uint8_t> m_start;  ///< by the leading bits of a value: its level or less
 };
 
 /// A value in the picture's working space as linear light, and as the file encodes it; and back.

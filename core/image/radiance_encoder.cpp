@@ -16,12 +16,13 @@ constexpr std::size_t kShortestRun = 4, kLongestRun = 127, kLongestPlain = 128;
 
 class RadianceEncoder final : public PictureEncoder {
  public:
-  RadianceEncoder(const std::filesystem::path& path, const PictureSpec& spec) : m_file(path), m_width(spec.width) {
+  RadianceEncoder(const std::filesystem::path& path, const PictureSpec& spec)
+      : m_file(path), m_width(spec.width) {
     m_file.write("#?RADIANCE\n");
     if (!spec.metadata.software.empty()) m_file.write("SOFTWARE=" + spec.metadata.software + "\n");
     for (const auto& [name, value] : spec.metadata.fields) m_file.write(name + "=" + value + "\n");
-    m_file.write("FORMAT=32-bit_rle_rgbe\n\n-Y " + std::to_string(spec.height) + " +X " + std::to_string(m_width) +
-                 "\n");
+    m_file.write("FORMAT=32-bit_rle_rgbe\n\n-Y " + std::to_string(spec.height) + " +X " +
+                 std::to_string(m_width) + "\n");
   }
 
   void put(const void* samples, std::uint32_t rows) override {
@@ -30,7 +31,8 @@ class RadianceEncoder final : public PictureEncoder {
     if (m_width < kLeastWidth || m_width > kMostWidth) return m_file.write(from, row_bytes * rows);
     m_out.clear();
     for (std::uint32_t row = 0; row < rows; ++row, from += row_bytes) {
-      const std::uint8_t head[] = {2, 2, static_cast<std::uint8_t>(m_width >> 8), static_cast<std::uint8_t>(m_width)};
+      const std::uint8_t head[] = {2, 2, static_cast<std::uint8_t>(m_width >> 8),
+                                   static_cast<std::uint8_t>(m_width)};
       m_out.insert(m_out.end(), std::begin(head), std::end(head));
       for (int c = 0; c < 4; ++c) put_component(from + c);
     }
@@ -57,7 +59,8 @@ class RadianceEncoder final : public PictureEncoder {
         continue;
       }
       std::size_t end = at + 1;
-      while (end < m_width && end - at < kLongestPlain && equal_from(row, end) < kShortestRun) ++end;
+      while (end < m_width && end - at < kLongestPlain && equal_from(row, end) < kShortestRun)
+        ++end;
       m_out.push_back(static_cast<std::uint8_t>(end - at));
       for (; at < end; ++at) m_out.push_back(row[4 * at]);
     }
@@ -70,7 +73,8 @@ class RadianceEncoder final : public PictureEncoder {
 
 }  // namespace
 
-std::unique_ptr<PictureEncoder> make_radiance_encoder(const std::filesystem::path& path, const PictureSpec& spec) {
+std::unique_ptr<PictureEncoder> make_radiance_encoder(const std::filesystem::path& path,
+                                                      const PictureSpec& spec) {
   return std::make_unique<RadianceEncoder>(path, spec);
 }
 

@@ -23,7 +23,8 @@ std::string all_of(std::FILE* file, const std::filesystem::path& path) {
   check_room(static_cast<double>(std::filesystem::file_size(path, error)));
   std::string bytes;
   std::array<char, 1 << 16> part{};
-  while (const std::size_t size = std::fread(part.data(), 1, part.size(), file)) bytes.append(part.data(), size);
+  while (const std::size_t size = std::fread(part.data(), 1, part.size(), file))
+    bytes.append(part.data(), size);
   return bytes;
 }
 
@@ -34,7 +35,8 @@ bool is_targa_name(const std::filesystem::path& name) {
 }
 
 /// OpenImageIO reads palettes as colours.
-void add_entries(StoredImage& image, std::string_view begins, std::FILE* file, const std::filesystem::path& path) {
+void add_entries(StoredImage& image, std::string_view begins, std::FILE* file,
+                 const std::filesystem::path& path) {
   try {
     if (begins.starts_with("BM")) {
       image.entries = bitmap_entries(all_of(file, path), image.width, image.height);
@@ -93,7 +95,8 @@ StoredImage read(const NamedFile& named, std::FILE* file) {
 
 void fill_from_palette(StoredImage& image, const Palette& palette) {
   const auto channels = static_cast<std::size_t>(image.channels);
-  std::vector<std::uint8_t>& samples = image.samples.store<std::uint8_t>(image.entries.size() * channels);
+  std::vector<std::uint8_t>& samples =
+      image.samples.store<std::uint8_t>(image.entries.size() * channels);
   std::uint8_t* to = samples.data();
   for (const std::uint8_t entry : image.entries) {
     for (std::size_t c = 0; c < channels; ++c) *to++ = palette[4u * entry + c];
@@ -122,6 +125,8 @@ StoredImage read_image(const NamedFile& file) {
   return {};
 }
 
-StoredImage read_image(const std::filesystem::path& path) { return read_image(NamedFile{.path = path}); }
+StoredImage read_image(const std::filesystem::path& path) {
+  return read_image(NamedFile{.path = path});
+}
 
 }  // namespace lentray::core

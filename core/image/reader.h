@@ -16,9 +16,10 @@ namespace lentray::core {
 
 struct StoredImage {
   std::uint32_t width = 0, height = 0;
-  int channels = 0;            ///< 1 grey, 2 with alpha, 3 RGB, 4 RGBA
-  int bits = 8;                ///< 8 or 16: integers 0 .. 2^bits - 1; 32: float
-  double gamma = 0.0;          ///< the power that makes the values linear; below 0: sRGB; 0: the file does not say
+  int channels = 0;  ///< 1 grey, 2 with alpha, 3 RGB, 4 RGBA
+  int bits = 8;      ///< 8 or 16: integers 0 .. 2^bits - 1; 32: float
+  double gamma =
+      0.0;  ///< the power that makes the values linear; below 0: sRGB; 0: the file does not say
   bool premultiplied = false;  ///< by alpha
   Samples samples;             ///< row 0 on top, channels interleaved
   /// Palette entries of the pixels, row 0 on top; empty: there is no palette. Two entries may have one colour,
@@ -27,9 +28,12 @@ struct StoredImage {
   std::map<std::string, std::string> attributes;  ///< whatever the file says of itself, as text
 
   std::size_t place(std::uint32_t column, std::uint32_t row, int channel) const {
-    return (std::size_t{row} * width + column) * static_cast<std::size_t>(channels) + static_cast<std::size_t>(channel);
+    return (std::size_t{row} * width + column) * static_cast<std::size_t>(channels) +
+           static_cast<std::size_t>(channel);
   }
-  float at(std::uint32_t column, std::uint32_t row, int channel) const { return samples[place(column, row, channel)]; }
+  float at(std::uint32_t column, std::uint32_t row, int channel) const {
+    return samples[place(column, row, channel)];
+  }
   Samples::Reference at(std::uint32_t column, std::uint32_t row, int channel) {
     return samples[place(column, row, channel)];
   }

@@ -20,9 +20,10 @@ ImageFormat with_levels(ImageFormat format) {
 }  // namespace
 
 SampleRows::SampleRows(const ImageFormat& format, std::uint32_t width)
-    : m_format(with_levels(format)), m_stored(stored_as(format)), m_width(width), m_colours(m_stored.grey ? 1 : 3),
-      m_channels(m_colours + (m_stored.alpha ? 1 : 0)),
-      m_spreads(format.type == FileType::png && m_stored.levels != m_stored.bits), m_quantise(m_format) {
+    : m_format(with_levels(format)), m_stored(stored_as(format)), m_width(width),
+      m_colours(m_stored.grey ? 1 : 3), m_channels(m_colours + (m_stored.alpha ? 1 : 0)),
+      m_spreads(format.type == FileType::png && m_stored.levels != m_stored.bits),
+      m_quantise(m_format) {
   const bool dithers = format.type != FileType::jpeg && format.type != FileType::exr;
   if (dithers && format.dither != DitherMethod::none) m_dither.emplace(format.dither, width);
 }
@@ -71,7 +72,8 @@ unsigned SampleRows::spread(unsigned level) const {
 }
 
 template <class Sample, class Quantise>
-void SampleRows::plain_by(const Quantise& quantise, const float* from, std::size_t pixels, Sample* to) const {
+void SampleRows::plain_by(const Quantise& quantise, const float* from, std::size_t pixels,
+                          Sample* to) const {
   if (m_channels == 3 && !m_spreads) {
     for (std::size_t p = 0; p < pixels; ++p, from += 4, to += 3) {
       for (int c = 0; c < 3; ++c) to[c] = static_cast<Sample>(quantise(from[c]));
@@ -80,7 +82,8 @@ void SampleRows::plain_by(const Quantise& quantise, const float* from, std::size
   }
   for (std::size_t p = 0; p < pixels; ++p, from += 4, to += m_channels) {
     const Channels v = values(from);
-    for (int c = 0; c < m_colours; ++c) to[c] = static_cast<Sample>(spread(quantise(v[static_cast<std::size_t>(c)])));
+    for (int c = 0; c < m_colours; ++c)
+      to[c] = static_cast<Sample>(spread(quantise(v[static_cast<std::size_t>(c)])));
     if (m_stored.alpha) {
       to[m_colours] = static_cast<Sample>(
           spread(scaled_to_integer(v[static_cast<std::size_t>(m_colours)], m_format.bits)));

@@ -34,11 +34,11 @@ class SampleRows {
   void radiance(const float* from, std::uint32_t rows);
   unsigned spread(unsigned level) const;
 
-  ImageFormat m_format;         ///< its bits are those that tell something
+  ImageFormat m_format;  ///< its bits are those that tell something
   const StoredAs m_stored;
   const std::uint32_t m_width;
   const int m_colours, m_channels;
-  const bool m_spreads;         ///< the levels are spread over all bits
+  const bool m_spreads;  ///< the levels are spread over all bits
   const Quantiser m_quantise;
   std::optional<Dither> m_dither{};
   std::uint32_t m_row = 0;

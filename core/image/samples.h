@@ -46,7 +46,9 @@ class Samples {
   Reference operator[](std::size_t i) { return {*this, i}; }
   /// Integers keep the whole part.
   void set(std::size_t i, float value) {
-    std::visit([&](auto& values) { values[i] = static_cast<std::decay_t<decltype(values[0])>>(value); }, m_values);
+    std::visit(
+        [&](auto& values) { values[i] = static_cast<std::decay_t<decltype(values[0])>>(value); },
+        m_values);
   }
 
   /// `count` zeros, stored as `Value`: std::uint8_t, std::uint16_t or float.

@@ -75,7 +75,9 @@ class TargaEncoder final : public PictureEncoder {
       std::size_t count = 1;
       while (count < most && is_same(row, at, at + count)) ++count;
       const bool is_run = count > 1;
-      while (!is_run && count < most && !(at + count + 1 < width && is_same(row, at + count, at + count + 1))) ++count;
+      while (!is_run && count < most &&
+             !(at + count + 1 < width && is_same(row, at + count, at + count + 1)))
+        ++count;
       out.push_back(static_cast<std::uint8_t>((is_run ? 0x80 : 0) | (count - 1)));
       const std::uint8_t* from = row + at * m_channels;
       out.insert(out.end(), from, from + m_channels * (is_run ? 1 : count));
@@ -84,16 +86,20 @@ class TargaEncoder final : public PictureEncoder {
   }
 
   void put_extension(std::vector<std::uint8_t>& out) const {
-    constexpr std::size_t kSize = 495, kSoftware = 426, kSoftwareSize = 40, kGamma = 478, kAlphaKind = 494;
+    constexpr std::size_t kSize = 495, kSoftware = 426, kSoftwareSize = 40, kGamma = 478,
+                          kAlphaKind = 494;
     constexpr std::uint16_t kGammaUnit = 6553;  // gammas up to 10
     std::vector<std::uint8_t> area;
     put_little(area, kSize, 2);
     area.resize(kSize, 0);
-    const std::string_view software = std::string_view(m_spec.metadata.software).substr(0, kSoftwareSize);
+    const std::string_view software =
+        std::string_view(m_spec.metadata.software).substr(0, kSoftwareSize);
     std::copy(software.begin(), software.end(), area.begin() + kSoftware);
     const double gamma = m_spec.srgb ? 2.2 : m_spec.file_gamma;
     std::vector<std::uint8_t> ratio;
-    put_little(ratio, static_cast<std::uint64_t>(std::clamp(std::lround(gamma * kGammaUnit), 1L, 65535L)), 2);
+    put_little(ratio,
+               static_cast<std::uint64_t>(std::clamp(std::lround(gamma * kGammaUnit), 1L, 65535L)),
+               2);
     put_little(ratio, kGammaUnit, 2);
     std::copy(ratio.begin(), ratio.end(), area.begin() + kGamma);
     area[kAlphaKind] = m_spec.channels == 4 ? 3 : 0;  // alpha by which colours are not multiplied
@@ -109,7 +115,8 @@ class TargaEncoder final : public PictureEncoder {
 
 }  // namespace
 
-std::unique_ptr<PictureEncoder> make_targa_encoder(const std::filesystem::path& path, const PictureSpec& spec) {
+std::unique_ptr<PictureEncoder> make_targa_encoder(const std::filesystem::path& path,
+                                                   const PictureSpec& spec) {
   return std::make_unique<TargaEncoder>(path, spec);
 }
 

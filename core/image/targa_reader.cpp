@@ -47,13 +47,15 @@ Head read_head(const Bytes& file) {
     head.entry_bits = file.byte(7);
   }
   head.pixels = head.palette + head.entries * ((head.entry_bits + 7) / 8);
-  const bool good = head.kind == Kind::kPalette  ? has_palette && head.bits == 8 && is_one_of(head.entry_bits, {15, 16, 24, 32})
+  const bool good = head.kind == Kind::kPalette ? has_palette && head.bits == 8 &&
+                                                      is_one_of(head.entry_bits, {15, 16, 24, 32})
                     : head.kind == Kind::kColours ? is_one_of(head.bits, {15, 16, 24, 32})
                                                   : is_one_of(head.bits, {8, 16});
   if (!good) throw std::runtime_error("a TARGA file of so many bits a pixel is not known");
   if (head.width == 0 || head.height == 0) throw std::runtime_error("the picture is empty");
   // A run's packet is a byte and its pixel, for 128 pixels at most.
-  const std::size_t stored = file.size() > head.pixels ? file.size() - head.pixels : 0, bytes = (head.bits + 7) / 8;
+  const std::size_t stored = file.size() > head.pixels ? file.size() - head.pixels : 0,
+                    bytes = (head.bits + 7) / 8;
   if (head.width * head.height > (head.runs ? stored / (bytes + 1) * 128 : stored / bytes)) {
     throw std::runtime_error("the file ends early");
   }
@@ -65,14 +67,17 @@ Pixel pixel_at(const Bytes& file, std::size_t at, std::size_t bits) {
   const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(file.byte(at + i)); };
   if (bits >= 24) return {byte(2), byte(1), byte(0), bits == 32 ? byte(3) : std::uint8_t{255}};
   const std::size_t word = file.word(at);
-  const auto five = [&](std::size_t shift) { return static_cast<std::uint8_t>((word >> shift & 31) << 3); };
+  const auto five = [&](std::size_t shift) {
+    return static_cast<std::uint8_t>((word >> shift & 31) << 3);
+  };
   return {five(10), five(5), five(0), (word & 0x8000) != 0 ? std::uint8_t{255} : std::uint8_t{0}};
 }
 
 /// The place of each pixel in the file, in the order of the file, whatever is packed.
 class Walk {
  public:
-  Walk(const Bytes& file, const Head& head) : m_file(file), m_runs(head.runs), m_bytes((head.bits + 7) / 8), m_at(head.pixels) {}
+  Walk(const Bytes& file, const Head& head)
+      : m_file(file), m_runs(head.runs), m_bytes((head.bits + 7) / 8), m_at(head.pixels) {}
   std::size_t next() {
     if (!m_runs) return step();
     if (m_left == 0) {
@@ -114,13 +119,16 @@ void read_palette(const Bytes& file, const Head& head, StoredImage& image) {
   for (std::size_t i = 0; i < head.entries; ++i) {
     const std::size_t entry = head.first_entry + i;
     if (entry >= 256) break;
-    const Pixel colour = pixel_at(file, head.palette + i * ((head.entry_bits + 7) / 8), head.entry_bits);
+    const Pixel colour =
+        pixel_at(file, head.palette + i * ((head.entry_bits + 7) / 8), head.entry_bits);
     for (std::size_t c = 0; c < 4; ++c) palette[4 * entry + c] = colour[c];
   }
   image.channels = head.entry_bits == 32 ? 4 : 3;
   check_picture_room(head.width, head.height, image.channels + 1, 1);
   image.entries.resize(head.width * head.height);
-  for_pixels(file, head, [&](std::size_t pixel, std::size_t at) { image.entries[pixel] = static_cast<std::uint8_t>(file.byte(at)); });
+  for_pixels(file, head, [&](std::size_t pixel, std::size_t at) {
+    image.entries[pixel] = static_cast<std::uint8_t>(file.byte(at));
+  });
   fill_from_palette(image, palette);
 }
 
@@ -141,11 +149,13 @@ StoredImage read_targa(std::string_view bytes) {
   image.channels = (is_grey ? 1 : 3) + (has_alpha ? 1 : 0);
   const auto channels = static_cast<std::size_t>(image.channels);
   check_picture_room(head.width, head.height, image.channels, 1);
-  std::vector<std::uint8_t>& samples = image.samples.store<std::uint8_t>(head.width * head.height * channels);
+  std::vector<std::uint8_t>& samples =
+      image.samples.store<std::uint8_t>(head.width * head.height * channels);
   for_pixels(file, head, [&](std::size_t pixel, std::size_t at) {
     std::uint8_t* to = samples.data() + pixel * channels;
     if (is_grey) {
-      for (std::size_t c = 0; c < channels; ++c) to[c] = static_cast<std::uint8_t>(file.byte(at + c));
+      for (std::size_t c = 0; c < channels; ++c)
+        to[c] = static_cast<std::uint8_t>(file.byte(at + c));
     } else {
       const Pixel colour = pixel_at(file, at, head.bits);
       for (std::size_t c = 0; c < channels; ++c) to[c] = colour[c];

@@ -12,7 +12,8 @@
 namespace lentray::core {
 namespace {
 
-constexpr std::size_t kChannels = 4;  ///< of sums: red, green, blue, by which alpha is multiplied, and alpha
+constexpr std::size_t kChannels =
+    4;  ///< of sums: red, green, blue, by which alpha is multiplied, and alpha
 
 /// How much of a target a source gives, of 1.
 struct Share {
@@ -25,7 +26,8 @@ std::vector<Share> shares(std::size_t sources, std::uint32_t targets) {
   std::vector<Share> all;
   const auto n = static_cast<double>(sources);
   for (std::size_t s = 0; s < sources; ++s) {
-    const double from = static_cast<double>(s) * targets / n, to = static_cast<double>(s + 1) * targets / n;
+    const double from = static_cast<double>(s) * targets / n,
+                 to = static_cast<double>(s + 1) * targets / n;
     for (auto t = static_cast<std::uint32_t>(from); t < targets && t < to; ++t) {
       const double part = std::min(to, t + 1.0) - std::max(from, static_cast<double>(t));
       if (part > 1e-9) all.push_back({static_cast<std::uint32_t>(s), t, static_cast<float>(part)});
@@ -41,10 +43,13 @@ class Decoder {
     if (image.bits == 32) return;
     const std::size_t count = std::size_t{1} << image.bits;
     m_table.resize(count);
-    for (std::size_t i = 0; i < count; ++i) m_table[i] = of(static_cast<float>(i) / static_cast<float>(count - 1));
+    for (std::size_t i = 0; i < count; ++i)
+      m_table[i] = of(static_cast<float>(i) / static_cast<float>(count - 1));
   }
   float operator()(float sample) const {
-    return m_table.empty() ? of(sample) : m_table[std::min(static_cast<std::size_t>(sample), m_table.size() - 1)];
+    return m_table.empty()
+               ? of(sample)
+               : m_table[std::min(static_cast<std::size_t>(sample), m_table.size() - 1)];
   }
 
  private:
@@ -62,7 +67,8 @@ class Decoder {
 class Rows {
  public:
   explicit Rows(const StoredImage& image)
-      : m_image(image), m_decode(image), m_most(image.bits == 32 ? 1.0f : float((1u << image.bits) - 1u)),
+      : m_image(image), m_decode(image),
+        m_most(image.bits == 32 ? 1.0f : float((1u << image.bits) - 1u)),
         m_row(kChannels * image.width) {}
 
   const float* operator[](std::uint32_t row) {
@@ -70,10 +76,13 @@ class Rows {
     const bool has_alpha = channels == 2 || channels == 4;
     std::size_t from = m_image.place(0, row, 0);
     float* to = m_row.data();
-    for (std::uint32_t x = 0; x < m_image.width; ++x, from += static_cast<std::size_t>(channels), to += kChannels) {
-      for (std::size_t c = 0; c < 3; ++c) to[c] = m_decode(m_image.samples[from + (channels < 3 ? 0 : c)]);
+    for (std::uint32_t x = 0; x < m_image.width;
+         ++x, from += static_cast<std::size_t>(channels), to += kChannels) {
+      for (std::size_t c = 0; c < 3; ++c)
+        to[c] = m_decode(m_image.samples[from + (channels < 3 ? 0 : c)]);
       to[3] = 1.0f;
-      if (has_alpha) put_alpha(to, m_image.samples[from + static_cast<std::size_t>(channels - 1)] / m_most);
+      if (has_alpha)
+        put_alpha(to, m_image.samples[from + static_cast<std::size_t>(channels - 1)] / m_most);
     }
     return m_row.data();
   }
@@ -129,7 +138,8 @@ std::uint8_t stored(float linear) {
     }
     return all;
   }();
-  return table[static_cast<std::size_t>(std::clamp(linear, 0.0f, 1.0f) * float{kCurveSteps} + 0.5f)];
+  return table[static_cast<std::size_t>(std::clamp(linear, 0.0f, 1.0f) * float{kCurveSteps} +
+                                        0.5f)];
 }
 
 Thumbnail Average::result() const {
@@ -141,14 +151,16 @@ Thumbnail Average::result() const {
   const float* sum = m_sums.data();
   for (std::uint32_t y = 0; y < out.height; ++y) {
     for (std::uint32_t x = 0; x < out.width; ++x, sum += kChannels) {
-      const float behind = kBehind[(x / kSquare + y / kSquare) % 2] * (1.0f - std::min(1.0f, sum[3]));
+      const float behind =
+          kBehind[(x / kSquare + y / kSquare) % 2] * (1.0f - std::min(1.0f, sum[3]));
       for (std::size_t c = 0; c < 3; ++c) *to++ = stored(sum[c] + behind);
     }
   }
   return out;
 }
 
-std::vector<Thumbnail> averages(const StoredImage& image, std::vector<std::vector<std::uint32_t>> choices,
+std::vector<Thumbnail> averages(const StoredImage& image,
+                                std::vector<std::vector<std::uint32_t>> choices,
                                 ThumbnailSize size) {
   if (image.width == 0 || image.height == 0 || size.width == 0 || size.height == 0) {
     throw std::invalid_argument("a thumbnail of no pixels");
@@ -179,7 +191,8 @@ std::vector<Thumbnail> averages(const StoredImage& image, std::vector<std::vecto
 std::vector<std::uint32_t> view_columns(std::uint32_t width, double lens_pixels, double view) {
   constexpr double kRounding = 1e-9;
   if (!(lens_pixels >= 1.0)) throw std::invalid_argument("a lens of less than a pixel");
-  const auto lenses = static_cast<std::size_t>(std::max(1.0, std::floor(width / lens_pixels + kRounding)));
+  const auto lenses =
+      static_cast<std::size_t>(std::max(1.0, std::floor(width / lens_pixels + kRounding)));
   std::vector<std::uint32_t> columns;
   for (std::size_t lens = 0; lens < lenses; ++lens) {
     const double column = std::floor(view + lens_pixels * static_cast<double>(lens) + 0.5);

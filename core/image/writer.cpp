@@ -25,8 +25,8 @@ constexpr std::uint32_t kRowsAtATime = 32;
 void check_size(std::uint32_t width, std::uint32_t height, std::size_t values, std::size_t expected,
                 const fs::path& path) {
   if (width == 0 || height == 0 || values != expected) {
-    throw ImageError("cannot write '" + path.string() + "': a picture of " +
-                     std::to_string(width) + " x " + std::to_string(height) + " pixels is empty");
+    throw ImageError("cannot write '" + path.string() + "': a picture of " + std::to_string(width) +
+                     " x " + std::to_string(height) + " pixels is empty");
   }
 }
 
@@ -126,10 +126,10 @@ StoredAs stored_as(const ImageFormat& format) {
   const int levels = std::clamp(format.bits, 5, 16);
   const StoredAs fine{levels <= 8 ? 8 : 16, levels, format.alpha, false};
   switch (format.type) {
-    case FileType::png:
-      return format.grey ? StoredAs{16, 16, format.alpha, true} : fine;
+    case FileType::png: return format.grey ? StoredAs{16, 16, format.alpha, true} : fine;
     case FileType::ppm:
-      return format.grey ? StoredAs{16, 16, false, true} : StoredAs{fine.bits, levels, false, false};
+      return format.grey ? StoredAs{16, 16, false, true}
+                         : StoredAs{fine.bits, levels, false, false};
     case FileType::tiff:
       if (format.grey) return {16, 16, format.alpha, true};
       return {fine.bits, fine.bits, format.alpha, false};
@@ -151,10 +151,10 @@ struct Extension {
 };
 /// The usual one of a type first.
 constexpr Extension kExtensions[] = {
-    {".png", FileType::png},   {".tif", FileType::tiff},  {".tiff", FileType::tiff},
-    {".exr", FileType::exr},   {".tga", FileType::targa}, {".tga", FileType::compressed_targa},
-    {".jpg", FileType::jpeg},  {".jpeg", FileType::jpeg}, {".ppm", FileType::ppm},
-    {".bmp", FileType::bmp},   {".hdr", FileType::radiance}};
+    {".png", FileType::png},  {".tif", FileType::tiff},    {".tiff", FileType::tiff},
+    {".exr", FileType::exr},  {".tga", FileType::targa},   {".tga", FileType::compressed_targa},
+    {".jpg", FileType::jpeg}, {".jpeg", FileType::jpeg},   {".ppm", FileType::ppm},
+    {".bmp", FileType::bmp},  {".hdr", FileType::radiance}};
 
 }  // namespace
 
@@ -165,7 +165,8 @@ FileType file_type_of(const fs::path& path) {
   std::string known;
   for (const Extension& row : kExtensions) {
     if (extension == row.text) return row.type;
-    if (row.type != FileType::compressed_targa) known += (known.empty() ? "" : ", ") + std::string(row.text);
+    if (row.type != FileType::compressed_targa)
+      known += (known.empty() ? "" : ", ") + std::string(row.text);
   }
   throw ImageError("cannot write '" + path.string() + "': unknown kind of picture '" + extension +
                    "'; there are " + known);
@@ -216,7 +217,8 @@ void write_stored(const StoredImage& image, const fs::path& path) {
   const FileType type = file_type_of(path);
   const bool floats = type == FileType::exr || image.bits == 32;
   if (type != FileType::png && type != FileType::tiff && type != FileType::exr) {
-    throw ImageError("cannot write '" + path.string() + "' as it is stored: there are .png, .tif, .exr");
+    throw ImageError("cannot write '" + path.string() +
+                     "' as it is stored: there are .png, .tif, .exr");
   }
   const PictureSpec spec{.type = type,
                          .width = image.width,

@@ -35,16 +35,16 @@ enum class DitherMethod { none, bayer2, bayer3, bayer4, line, plane, floyd_stein
 
 struct ImageFormat {
   FileType type = FileType::png;
-  int bits = 8;                ///< a channel, 5 to 16: PNG and PPM as they are, TIFF 8 or 16, OpenEXR half;
-                               ///< 32: OpenEXR float. The other types have 8
-  bool srgb = true;            ///< File_Gamma=sRGB, the default
+  int bits = 8;      ///< a channel, 5 to 16: PNG and PPM as they are, TIFF 8 or 16, OpenEXR half;
+                     ///< 32: OpenEXR float. The other types have 8
+  bool srgb = true;  ///< File_Gamma=sRGB, the default
   double file_gamma = 1.0;     ///< power law, used unless srgb; 1 stores linear values
   double working_gamma = 1.0;  ///< the picture's own gamma (assumed_gamma if rendered in it)
   bool working_srgb = false;   ///< the picture holds sRGB-encoded values (instead)
   bool alpha = false;          ///< store the alpha channel, in types that have one
   bool grey = false;           ///< of 16 bits, in PNG, PPM and TIFF
   DitherMethod dither = DitherMethod::none;  ///< not of JPEG and OpenEXR
-  int quality = 85;            ///< of JPEG, 2 to 100
+  int quality = 85;                          ///< of JPEG, 2 to 100
 };
 
 struct ImageMetadata {
@@ -57,8 +57,8 @@ struct ImageMetadata {
 
 /// What a file of that format holds.
 struct StoredAs {
-  int bits = 8;        ///< a channel takes: 8 or 16, 32 for float
-  int levels = 8;      ///< bits that tell something: what is stored has 2^levels values
+  int bits = 8;    ///< a channel takes: 8 or 16, 32 for float
+  int levels = 8;  ///< bits that tell something: what is stored has 2^levels values
   bool alpha = false, grey = false;
 };
 StoredAs stored_as(const ImageFormat& format);

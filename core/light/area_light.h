@@ -46,7 +46,9 @@ class AreaSampler {
   Rgb colour() { return part({0, 0, m_area.size1 - 1, m_area.size2 - 1}, 0); }
 
  private:
-  struct Part { int u1, v1, u2, v2; };
+  struct Part {
+    int u1, v1, u2, v2;
+  };
   static constexpr double kSame = 0.1;  ///< corners that differ by more split their part
 
   static double difference(const Rgb& a, const Rgb& b) {

@@ -12,7 +12,7 @@ namespace lentray::core {
 struct AreaLight {
   Vec3 axis1, axis2;
   int size1 = 1, size2 = 1;
-  int adaptive = -1;         ///< -1: every sample is tested
+  int adaptive = -1;  ///< -1: every sample is tested
   bool jitter = false, circular = false, orient = false;
   bool area_illumination = false;  ///< kept; rendered later
 };
@@ -23,22 +23,22 @@ struct Light {
   Vec3 position;
   Rgb colour;
   Vec3 point_at{0.0, 0.0, 1.0};
-  Vec3 direction;             ///< unit, from position to point_at (spot, cylinder, parallel)
+  Vec3 direction;  ///< unit, from position to point_at (spot, cylinder, parallel)
   bool parallel = false;
   double radius = 0.0, falloff = 0.0;  ///< spot: cosines of the angles; cylinder: scene units
   double tightness = 0.0;
   bool has_area = false;
   AreaLight area;
   double fade_distance = 0.0, fade_power = 0.0;
-  bool shadowless = false;    ///< fill light: no shadows and no highlights
-  bool interaction = true;    ///< media_interaction, kept
-  bool grouped = false;       ///< of a light_group: lights only what selects it
+  bool shadowless = false;  ///< fill light: no shadows and no highlights
+  bool interaction = true;  ///< media_interaction, kept
+  bool grouped = false;     ///< of a light_group: lights only what selects it
 };
 
 /// What lights an object of a light_group. Source: reference manual 3.7, "Light Groups".
 struct LightSelection {
-  bool global = false;                ///< the lights outside all groups, before the group's
-  std::vector<std::uint32_t> local;   ///< indices of grouped lights, in the order they count
+  bool global = false;               ///< the lights outside all groups, before the group's
+  std::vector<std::uint32_t> local;  ///< indices of grouped lights, in the order they count
 };
 
 }  // namespace lentray::core

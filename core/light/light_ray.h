@@ -49,7 +49,8 @@ inline Rgb light_colour(const Light& light, const Vec3& from, const LightRay& ra
 /// Nothing worth tracing a shadow for (stock's threshold).
 inline bool is_dark(const Rgb& c) {
   constexpr float kDark = 1e-10f;
-  if (!(std::fabs(c.r) < kDark)) [[likely]] return false;
+  if (!(std::fabs(c.r) < kDark)) [[likely]]
+    return false;
   return std::fabs(c.g) < kDark && std::fabs(c.b) < kDark;
 }
 

@@ -51,8 +51,8 @@ class BlendMap {
  private:
   Place at(std::size_t i) const { return {&m_items[i], &m_items[i], 0.0}; }
   std::size_t first_reaching(double value) const {
-    return static_cast<std::size_t>(
-        std::lower_bound(m_reach.begin(), m_reach.end(), value) - m_reach.begin());
+    return static_cast<std::size_t>(std::lower_bound(m_reach.begin(), m_reach.end(), value) -
+                                    m_reach.begin());
   }
   std::vector<double> m_values, m_reach;
   std::vector<Item> m_items;

@@ -13,7 +13,7 @@ namespace lentray::core {
 class BlobTexture final : public Texture {
  public:
   struct Element {
-    BlobField field;                           ///< `to_blob` leads to the world here
+    BlobField field;  ///< `to_blob` leads to the world here
     std::shared_ptr<const Texture> texture;
   };
   /// Shares below `least` are left out, as adc_bailout says.

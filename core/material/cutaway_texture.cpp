@@ -30,7 +30,8 @@ void for_each_texture(const Part& part, const Visit& visit) {
 
 }  // namespace
 
-CutawayTexture::CutawayTexture(Part whole, double least) : m_whole(std::move(whole)), m_least(least) {
+CutawayTexture::CutawayTexture(Part whole, double least)
+    : m_whole(std::move(whole)), m_least(least) {
   for_each_texture(m_whole, [this](const Texture& t) { m_opaque = m_opaque && t.is_opaque(); });
 }
 

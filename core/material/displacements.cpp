@@ -64,8 +64,8 @@ class Rings final : public Displacement {
     for (const WaveSource& source : m_sources) {
       const Vec3 away = p - source.position;
       const double distance = length(away) == 0.0 ? 1.0 : length(away);
-      const double height =
-          cycloidal(distance * m_frequency * source.frequency + m_phase) * m_amount / source.frequency;
+      const double height = cycloidal(distance * m_frequency * source.frequency + m_phase) *
+                            m_amount / source.frequency;
       result += away * (height / (distance * count));
     }
     return result;

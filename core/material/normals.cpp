@@ -55,10 +55,8 @@ class SlopeNormal final : public NormalPerturbation {
  public:
   SlopeNormal(PlacedPattern pattern, double amount, double accuracy,
               std::optional<BlendMap<SlopePoint>> slopes, bool keep_scale)
-      : m_frame(pattern.placement, keep_scale),
-        m_pattern(std::move(pattern)),
-        m_slopes(std::move(slopes)),
-        m_factor(amount * -5.0 * (0.02 / accuracy)),
+      : m_frame(pattern.placement, keep_scale), m_pattern(std::move(pattern)),
+        m_slopes(std::move(slopes)), m_factor(amount * -5.0 * (0.02 / accuracy)),
         m_accuracy(accuracy) {}
 
   Vec3 perturb(const Vec3& point, const Vec3& normal,
@@ -99,8 +97,7 @@ Vec3 perturbed(const NormalPtr& perturbation, const Vec3& point, const Vec3& nor
 class NormalMap final : public NormalPerturbation {
  public:
   NormalMap(PlacedPattern pattern, BlendMap<NormalPtr> map, bool keep_scale)
-      : m_frame(pattern.placement, keep_scale),
-        m_pattern(std::move(pattern)),
+      : m_frame(pattern.placement, keep_scale), m_pattern(std::move(pattern)),
         m_map(std::move(map)) {}
   Vec3 perturb(const Vec3& point, const Vec3& normal,
                const SurfaceContext& surface) const override {
@@ -132,7 +129,8 @@ class AverageNormal final : public NormalPerturbation {
     const Vec3 local = m_frame.inwards(point, surface);
     const Vec3 entered = m_frame.enter(normal);
     Vec3 sum;
-    for (const auto& [weight, one] : m_entries) sum += perturbed(one, local, entered, surface) * weight;
+    for (const auto& [weight, one] : m_entries)
+      sum += perturbed(one, local, entered, surface) * weight;
     return m_frame.leave(sum / m_total);
   }
 
@@ -172,14 +170,13 @@ NormalPtr make_slope_normal(PlacedPattern pattern, double amount, double accurac
 NormalPtr make_normal_map(PlacedPattern pattern, BlendMap<NormalPtr> map, bool keep_scale) {
   return std::make_shared<NormalMap>(std::move(pattern), std::move(map), keep_scale);
 }
-NormalPtr make_average_normal(Placement placement, std::vector<std::pair<double, NormalPtr>> entries,
-                              bool keep_scale) {
+NormalPtr make_average_normal(Placement placement,
+                              std::vector<std::pair<double, NormalPtr>> entries, bool keep_scale) {
   return std::make_shared<AverageNormal>(Frame(std::move(placement), keep_scale),
                                          std::move(entries));
 }
 NormalPtr make_placed_normal(Placement placement, NormalPtr normal, bool keep_scale) {
-  return std::make_shared<PlacedNormal>(Frame(std::move(placement), keep_scale),
-                                        std::move(normal));
+  return std::make_shared<PlacedNormal>(Frame(std::move(placement), keep_scale), std::move(normal));
 }
 
 }  // namespace lentray::core

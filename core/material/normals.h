@@ -27,7 +27,8 @@ using DisplacementPtr = std::unique_ptr<const Displacement>;
 DisplacementPtr make_bumps_displacement(double amount);
 DisplacementPtr make_dents_displacement(double amount, int generator);
 DisplacementPtr make_wrinkles_displacement(double amount);
-DisplacementPtr make_ripples_displacement(double amount, int sources, double frequency, double phase);
+DisplacementPtr make_ripples_displacement(double amount, int sources, double frequency,
+                                          double phase);
 DisplacementPtr make_waves_displacement(double amount, int sources, double frequency, double phase);
 DisplacementPtr make_quilted_displacement(double amount, double control0, double control1);
 /// coords 0: facets by the normal, of a size; else by the point.
@@ -45,8 +46,8 @@ NormalPtr make_slope_normal(PlacedPattern pattern, double amount, double accurac
                             std::optional<BlendMap<SlopePoint>> slopes, bool keep_scale);
 /// Null entries leave the normal as it is.
 NormalPtr make_normal_map(PlacedPattern pattern, BlendMap<NormalPtr> map, bool keep_scale);
-NormalPtr make_average_normal(Placement placement, std::vector<std::pair<double, NormalPtr>> entries,
-                              bool keep_scale);
+NormalPtr make_average_normal(Placement placement,
+                              std::vector<std::pair<double, NormalPtr>> entries, bool keep_scale);
 /// A perturbation inside the space of a texture map's pattern.
 NormalPtr make_placed_normal(Placement placement, NormalPtr normal, bool keep_scale);
 

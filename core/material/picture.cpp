@@ -56,7 +56,8 @@ std::array<double, 4> cubic_weights(double p) {
 }
 
 bool has_only_opaque(const Picture& picture) {
-  const std::size_t pixels = picture.is_evenly_clear() ? std::min<std::size_t>(1, picture.pixels()) : picture.pixels();
+  const std::size_t pixels =
+      picture.is_evenly_clear() ? std::min<std::size_t>(1, picture.pixels()) : picture.pixels();
   for (std::size_t i = 0; i < pixels; ++i) {
     if (!picture.colour(i).is_opaque()) return false;
   }
@@ -143,8 +144,7 @@ class PictureDisplacement final : public Displacement {
 class MaterialMap final : public Texture {
  public:
   MaterialMap(Placement placement, MappedPicturePtr picture, std::vector<TexturePtr> textures)
-      : m_placement(std::move(placement)),
-        m_picture(std::move(picture)),
+      : m_placement(std::move(placement)), m_picture(std::move(picture)),
         m_textures(std::move(textures)) {}
   void resolve(const Vec3& point, const SurfaceContext& surface, double weight,
                WeightedTextures& out) const override {
@@ -152,8 +152,8 @@ class MaterialMap final : public Texture {
     std::size_t number = 0;
     if (place) {
       const auto entry = m_picture->index(*place);
-      number = static_cast<std::size_t>(
-          entry ? *entry : whole_of(m_picture->colour(*place).rgb.r * 255.0f));
+      number = static_cast<std::size_t>(entry ? *entry
+                                              : whole_of(m_picture->colour(*place).rgb.r * 255.0f));
     }
     // Stock counts round only beyond the number of textures, and stops at the last.
     if (number > m_textures.size()) number %= m_textures.size();
@@ -178,14 +178,20 @@ class MaterialMap final : public Texture {
 Picture::Picture(int width, int height, std::vector<Colour> pixels)
     : m_width(width), m_height(height), m_colours(std::move(pixels)) {}
 
-Picture::Picture(int width, int height, std::vector<std::uint8_t> entries, const std::array<Colour, 256>& palette)
-    : m_width(width), m_height(height), m_colours(palette.begin(), palette.end()), m_entries(std::move(entries)) {}
+Picture::Picture(int width, int height, std::vector<std::uint8_t> entries,
+                 const std::array<Colour, 256>& palette)
+    : m_width(width), m_height(height), m_colours(palette.begin(), palette.end()),
+      m_entries(std::move(entries)) {}
 
-Picture::Picture(int width, int height, int channels, std::vector<std::uint8_t> samples, std::vector<float> values)
-    : m_width(width), m_height(height), m_channels(channels), m_bytes(std::move(samples)), m_values(std::move(values)) {}
+Picture::Picture(int width, int height, int channels, std::vector<std::uint8_t> samples,
+                 std::vector<float> values)
+    : m_width(width), m_height(height), m_channels(channels), m_bytes(std::move(samples)),
+      m_values(std::move(values)) {}
 
-Picture::Picture(int width, int height, int channels, std::vector<std::uint16_t> samples, std::vector<float> values)
-    : m_width(width), m_height(height), m_channels(channels), m_words(std::move(samples)), m_values(std::move(values)) {}
+Picture::Picture(int width, int height, int channels, std::vector<std::uint16_t> samples,
+                 std::vector<float> values)
+    : m_width(width), m_height(height), m_channels(channels), m_words(std::move(samples)),
+      m_values(std::move(values)) {}
 
 template <typename Value>
 Colour Picture::of_samples(const std::vector<Value>& samples, std::size_t pixel) const {
@@ -199,7 +205,8 @@ Colour Picture::of_samples(const std::vector<Value>& samples, std::size_t pixel)
     colour.rgb = {m_values[from[0]], m_values[from[1]], m_values[from[2]]};
   }
   constexpr float kMost = std::numeric_limits<Value>::max();
-  const float transmit = channels % 2 == 0 ? 1.0f - static_cast<float>(from[channels - 1]) / kMost : 0.0f;
+  const float transmit =
+      channels % 2 == 0 ? 1.0f - static_cast<float>(from[channels - 1]) / kMost : 0.0f;
   colour.filter = m_filter;
   colour.transmit = m_transmit + transmit;
   return colour;
@@ -235,8 +242,7 @@ void Picture::set_transmit(int entry, double transmit) {
 }
 
 MappedPicture::MappedPicture(std::shared_ptr<const Picture> picture, const PictureLayout& layout)
-    : m_picture(std::move(picture)),
-      m_layout(layout),
+    : m_picture(std::move(picture)), m_layout(layout),
       m_width(single(m_picture->width() * layout.repeat.u)),
       m_height(single(m_picture->height() * layout.repeat.v)) {}
 
@@ -277,8 +283,7 @@ std::optional<Vec2> MappedPicture::place(const Vec3& point) const {
   if (!on_shape(point, place)) return std::nullopt;
   place.u += kEpsilon - m_layout.offset.u * width;
   place.v += kEpsilon - m_layout.offset.v * height;
-  if (m_layout.once &&
-      (place.u >= width || place.v >= height || place.u < 0.0 || place.v < 0.0)) {
+  if (m_layout.once && (place.u >= width || place.v >= height || place.u < 0.0 || place.v < 0.0)) {
     return std::nullopt;
   }
   return Vec2{wrap(place.u, width), wrap(-place.v, height)};  // row 0 is on top
@@ -288,7 +293,8 @@ std::size_t MappedPicture::pixel(int column, int row) const {
   const int width = m_picture->width(), height = m_picture->height();
   const int x = m_layout.once ? std::clamp(column, 0, width - 1) : wrap(column, width);
   const int y = m_layout.once ? std::clamp(row, 0, height - 1) : wrap(row, height);
-  return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+  return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+         static_cast<std::size_t>(x);
 }
 
 template <typename Visit>

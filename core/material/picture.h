@@ -27,15 +27,20 @@ class Picture {
   /// Pixels count along rows, row 0 on top.
   Picture(int width, int height, std::vector<Colour> pixels);
   /// By palette: `entries` of the pixels.
-  Picture(int width, int height, std::vector<std::uint8_t> entries, const std::array<Colour, 256>& palette);
+  Picture(int width, int height, std::vector<std::uint8_t> entries,
+          const std::array<Colour, 256>& palette);
   /// `samples` as in the file: 1 to 4 channels, grey or RGB, with alpha last. `values`: what each sample of a colour
   /// stands for; alpha is linear from 0 to the last.
-  Picture(int width, int height, int channels, std::vector<std::uint8_t> samples, std::vector<float> values);
-  Picture(int width, int height, int channels, std::vector<std::uint16_t> samples, std::vector<float> values);
+  Picture(int width, int height, int channels, std::vector<std::uint8_t> samples,
+          std::vector<float> values);
+  Picture(int width, int height, int channels, std::vector<std::uint16_t> samples,
+          std::vector<float> values);
 
   int width() const { return m_width; }
   int height() const { return m_height; }
-  std::size_t pixels() const { return static_cast<std::size_t>(m_width) * static_cast<std::size_t>(m_height); }
+  std::size_t pixels() const {
+    return static_cast<std::size_t>(m_width) * static_cast<std::size_t>(m_height);
+  }
   Colour colour(std::size_t pixel) const;
   bool has_palette() const { return !m_entries.empty(); }
   int entry(std::size_t pixel) const { return m_entries[pixel]; }
@@ -56,7 +61,7 @@ class Picture {
 
   int m_width, m_height, m_channels = 0;
   bool m_has_alpha = false;
-  std::vector<Colour> m_colours;         ///< of pixels, or of the palette
+  std::vector<Colour> m_colours;  ///< of pixels, or of the palette
   std::vector<std::uint8_t> m_entries, m_bytes;
   std::vector<std::uint16_t> m_words;
   std::vector<float> m_values;
@@ -70,7 +75,8 @@ struct PictureLayout {
   PictureShape shape = PictureShape::kPlanar;
   Interpolation interpolation = Interpolation::kNone;
   bool once = false;
-  bool premultiplied = false;  ///< colours are by their alpha, of which filter and transmit given for the map are part
+  bool premultiplied =
+      false;  ///< colours are by their alpha, of which filter and transmit given for the map are part
   Vec2 repeat{1, 1}, offset;
 };
 

@@ -14,7 +14,8 @@ bool opaque(const Colour& c) {
 Colour blend(const Colour& a, const Colour& b, double fraction) {
   const auto mix = [f = static_cast<float>(fraction)](float x, float y) { return x + f * (y - x); };
   return {{mix(a.rgb.r, b.rgb.r), mix(a.rgb.g, b.rgb.g), mix(a.rgb.b, b.rgb.b)},
-          mix(a.filter, b.filter), mix(a.transmit, b.transmit)};
+          mix(a.filter, b.filter),
+          mix(a.transmit, b.transmit)};
 }
 
 class PlainPigment final : public Pigment {
@@ -31,11 +32,11 @@ class PlainPigment final : public Pigment {
 class ColourMapPigment final : public Pigment {
  public:
   ColourMapPigment(PlacedPattern pattern, BlendMap<Colour> map)
-      : m_pattern(std::move(pattern)),
-        m_map(std::move(map)),
+      : m_pattern(std::move(pattern)), m_map(std::move(map)),
         m_opaque(std::all_of(m_map.items().begin(), m_map.items().end(), opaque)) {}
   Colour colour(const Vec3& point, const SurfaceContext& surface) const override {
-    const auto place = m_map.find(m_pattern.value(m_pattern.placement.inwards(point, surface), surface));
+    const auto place =
+        m_map.find(m_pattern.value(m_pattern.placement.inwards(point, surface), surface));
     if (place.before == place.after) return *place.after;
     return blend(*place.before, *place.after, place.fraction);
   }
@@ -50,8 +51,7 @@ class ColourMapPigment final : public Pigment {
 class PigmentMapPigment final : public Pigment {
  public:
   PigmentMapPigment(PlacedPattern pattern, BlendMap<PigmentPtr> map)
-      : m_pattern(std::move(pattern)),
-        m_map(std::move(map)),
+      : m_pattern(std::move(pattern)), m_map(std::move(map)),
         m_opaque(std::all_of(m_map.items().begin(), m_map.items().end(),
                              [](const PigmentPtr& p) { return p->is_opaque(); })) {}
   Colour colour(const Vec3& point, const SurfaceContext& surface) const override {
@@ -89,7 +89,8 @@ class AveragePigment final : public Pigment {
       sum.transmit += one.transmit * w;
     }
     return {{sum.rgb.r / m_total, sum.rgb.g / m_total, sum.rgb.b / m_total},
-            sum.filter / m_total, sum.transmit / m_total};
+            sum.filter / m_total,
+            sum.transmit / m_total};
   }
   bool is_opaque() const override { return m_opaque; }
 

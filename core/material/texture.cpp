@@ -13,7 +13,7 @@ class TextureMap final : public Texture {
       : m_pattern(std::move(pattern)), m_map(std::move(map)) {}
   void resolve(const Vec3& point, const SurfaceContext& surface, double weight,
                WeightedTextures& out) const override {
-    const auto place = 
+    const auto place =
         m_map.find(m_pattern.value(m_pattern.placement.inwards(point, surface), surface));
     if (place.before == place.after) {
       (*place.after)->resolve(point, surface, weight, out);

@@ -10,7 +10,8 @@ namespace {
 
 LatticeHashTable make_hash_table() {
   LatticeHashTable table{};
-  for (int i = 0; i < kLattice; ++i) table[static_cast<std::size_t>(i)] = static_cast<std::uint16_t>(i);
+  for (int i = 0; i < kLattice; ++i)
+    table[static_cast<std::size_t>(i)] = static_cast<std::uint16_t>(i);
   TableRandom random(0);
   for (int i = kLattice - 1; i >= 0; --i) {
     std::swap(table[static_cast<std::size_t>(i)],
@@ -46,13 +47,17 @@ struct KnownCell {
 
 [[gnu::noinline]] LENTRAY_AVX2 void KnownCell::fill(Int4 of) {
   simd::store(index.data(), of);
-  const auto place = [&](int axis) { return (index[static_cast<std::size_t>(axis)] + kLatticeOrigin) & (kLattice - 1); };
+  const auto place = [&](int axis) {
+    return (index[static_cast<std::size_t>(axis)] + kLatticeOrigin) & (kLattice - 1);
+  };
   const auto hash = [](int i) { return static_cast<int>(kLatticeHash[static_cast<unsigned>(i)]); };
   const int x = place(0), y = place(1), z = place(2), low = hash(x), high = hash(x + 1);
   const int columns[4] = {hash(low ^ y), hash(high ^ y), hash(low ^ (y + 1)), hash(high ^ (y + 1))};
   for (int layer = 0; layer < 2; ++layer) {
     const auto gradient = [&](int column) LENTRAY_AVX2 {
-      return simd::double4_at(&kNoiseGradients[kLatticeHash[static_cast<unsigned>(columns[column] ^ (z + layer))] & 0xFFu]);
+      return simd::double4_at(
+          &kNoiseGradients[kLatticeHash[static_cast<unsigned>(columns[column] ^ (z + layer))] &
+                           0xFFu]);
     };
     const Double4 a = gradient(0), b = gradient(1), c = gradient(2), d = gradient(3);
     const Double4 ab = simd::shuffled<0, 4, 2, 6>(a, b), ab_odd = simd::shuffled<1, 5, 3, 7>(a, b);
@@ -88,7 +93,8 @@ struct Place {
   }
 
  private:
-  LENTRAY_AVX2 Place(Double4 p, Int4 c) : point(p), cell(c), known(t_cells[lattice_slot(c) % kKnownCells]) {}
+  LENTRAY_AVX2 Place(Double4 p, Int4 c)
+      : point(p), cell(c), known(t_cells[lattice_slot(c) % kKnownCells]) {}
   LENTRAY_AVX2 static Double4 below(Double4 p) {
     return simd::chosen(p, p - (1.0 - kCellEpsilon), p);
   }
@@ -103,32 +109,39 @@ struct CornerValues {
   const Double4 near = at.point - simd::widened(at.cell);
   const Double4 far = near - 1.0;
   const Double4 weight_far = s_curve(near), weight_near = 1.0 - weight_far;
-  const Double4 xz = simd::shuffled<0, 4, 2, 6>(near, far), only_y = simd::shuffled<1, 5, 3, 7>(near, far);
+  const Double4 xz = simd::shuffled<0, 4, 2, 6>(near, far),
+                only_y = simd::shuffled<1, 5, 3, 7>(near, far);
   const Double4 x = simd::shuffled<0, 1, 0, 1>(xz), y = simd::shuffled<0, 0, 1, 1>(only_y);
   const Double4 weight_xz = simd::shuffled<0, 4, 2, 6>(weight_near, weight_far);
   const Double4 weight_y = simd::shuffled<1, 5, 3, 7>(weight_near, weight_far);
-  const Double4 weight_xy = simd::shuffled<0, 1, 0, 1>(weight_xz) * simd::shuffled<0, 0, 1, 1>(weight_y);
+  const Double4 weight_xy =
+      simd::shuffled<0, 1, 0, 1>(weight_xz) * simd::shuffled<0, 0, 1, 1>(weight_y);
   const auto layer = [&](const double(&g)[4][4], Double4 z, Double4 weight) LENTRAY_AVX2 {
     Double4 sum = simd::double4_at(g[0]) + simd::double4_at(g[1]) * x;
     sum += simd::double4_at(g[2]) * y;
     sum += simd::double4_at(g[3]) * z;
     return weight_xy * weight * sum;
   };
-  return {layer(at.known.layers[0], simd::shuffled<2, 2, 2, 2>(xz), simd::shuffled<2, 2, 2, 2>(weight_xz)),
-          layer(at.known.layers[1], simd::shuffled<3, 3, 3, 3>(xz), simd::shuffled<3, 3, 3, 3>(weight_xz))};
+  return {layer(at.known.layers[0], simd::shuffled<2, 2, 2, 2>(xz),
+                simd::shuffled<2, 2, 2, 2>(weight_xz)),
+          layer(at.known.layers[1], simd::shuffled<3, 3, 3, 3>(xz),
+                simd::shuffled<3, 3, 3, 3>(weight_xz))};
 }
 
 /// lattice_noise_portable, to the bit, in range. Calls nothing where the cell is known.
 LENTRAY_AVX2 double lattice_noise_avx2(double x, double y, double z, int generator);
 
 [[gnu::noinline]] LENTRAY_AVX2 double in_new_cell(double x, double y, double z, int generator) {
-  if (!Place(Double4{x, y, z, 1.0}).make_known()) return in_range(lattice_noise_portable({x, y, z}), generator);
+  if (!Place(Double4{x, y, z, 1.0}).make_known())
+    return in_range(lattice_noise_portable({x, y, z}), generator);
   return lattice_noise_avx2(x, y, z, generator);
 }
 
-[[gnu::noinline]] LENTRAY_AVX2 double lattice_noise_avx2(double x, double y, double z, int generator) {
+[[gnu::noinline]] LENTRAY_AVX2 double lattice_noise_avx2(double x, double y, double z,
+                                                         int generator) {
   const Place place(Double4{x, y, z, 1.0});
-  if (!place.is_known()) [[unlikely]] return in_new_cell(x, y, z, generator);
+  if (!place.is_known()) [[unlikely]]
+    return in_new_cell(x, y, z, generator);
   const CornerValues values = corner_values(place);
   double sum = 0.0;
   const auto add = [&](Double4 four) LENTRAY_AVX2 {
@@ -143,20 +156,24 @@ LENTRAY_AVX2 double lattice_noise_avx2(double x, double y, double z, int generat
   return in_range(sum, generator);
 }
 
-[[gnu::noinline]] LENTRAY_AVX2 NoisePair one_by_one(NoisePair x, NoisePair y, NoisePair z, int generator) {
+[[gnu::noinline]] LENTRAY_AVX2 NoisePair one_by_one(NoisePair x, NoisePair y, NoisePair z,
+                                                    int generator) {
   const double first = lattice_noise_avx2(x[0], y[0], z[0], generator);
   return NoisePair{first, lattice_noise_avx2(x[1], y[1], z[1], generator)};
 }
 
-[[gnu::noinline]] LENTRAY_AVX2 NoisePair lattice_pair_avx2(NoisePair x, NoisePair y, NoisePair z, int generator) {
+[[gnu::noinline]] LENTRAY_AVX2 NoisePair lattice_pair_avx2(NoisePair x, NoisePair y, NoisePair z,
+                                                           int generator) {
   const Double2 one = simd::double2(1.0);
   const Place place(simd::joined(simd::shuffled<0, 2>(x, y), simd::shuffled<0, 2>(z, one)));
   const Place other(simd::joined(simd::shuffled<1, 3>(x, y), simd::shuffled<1, 3>(z, one)));
-  if (!place.is_known() || !other.is_known()) [[unlikely]] return one_by_one(x, y, z, generator);
+  if (!place.is_known() || !other.is_known()) [[unlikely]]
+    return one_by_one(x, y, z, generator);
   const CornerValues a = corner_values(place), b = corner_values(other);
   Double2 sum{};
   const auto add = [&](Double4 of_a, Double4 of_b) LENTRAY_AVX2 {
-    const Double4 even = simd::shuffled<0, 4, 2, 6>(of_a, of_b), odd = simd::shuffled<1, 5, 3, 7>(of_a, of_b);
+    const Double4 even = simd::shuffled<0, 4, 2, 6>(of_a, of_b),
+                  odd = simd::shuffled<1, 5, 3, 7>(of_a, of_b);
     sum += simd::first_half(even);
     sum += simd::first_half(odd);
     sum += simd::last_half(even);
@@ -170,7 +187,8 @@ LENTRAY_AVX2 double lattice_noise_avx2(double x, double y, double z, int generat
 }  // namespace
 
 double lattice_noise(double x, double y, double z, int generator) {
-  return has_avx2() ? lattice_noise_avx2(x, y, z, generator) : in_range(lattice_noise_portable({x, y, z}), generator);
+  return has_avx2() ? lattice_noise_avx2(x, y, z, generator)
+                    : in_range(lattice_noise_portable({x, y, z}), generator);
 }
 
 NoisePair lattice_noise(NoisePair x, NoisePair y, NoisePair z, int generator) {

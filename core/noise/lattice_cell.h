@@ -20,7 +20,7 @@ extern const LatticeHashTable kLatticeHash;
 /// One axis of a lattice cell: its index, the point's place in it and the two weights.
 struct CellAxis {
   int index;
-  double near, far;          ///< from the lower and the upper corner
+  double near, far;  ///< from the lower and the upper corner
   double weight_near, weight_far;
 
   explicit CellAxis(double x) {

@@ -34,7 +34,8 @@ struct PlaneCell {
   for (int corner = 0; corner < 4; ++corner) {
     const auto at = in_space(axis, key[0] + (corner & 1), key[2] + (corner >> 1));
     const auto place = [&](std::size_t i) { return at[i] + kLatticeOrigin; };
-    const double* const gradient = &kNoiseGradients[lattice_hash(place(0), place(1), place(2)) & 0xFFu];
+    const double* const gradient =
+        &kNoiseGradients[lattice_hash(place(0), place(1), place(2)) & 0xFFu];
     corners[0][corner] = gradient[0] * 0.5;
     corners[1][corner] = gradient[1 + first_of(axis)];
     corners[2][corner] = gradient[1 + second_of(axis)];
@@ -54,7 +55,8 @@ struct Places {
 
   LENTRAY_AVX2 Int4 key(int which, int axis) const {
     const Int4 tag = simd::int4(axis + 1);
-    return which == 0 ? simd::shuffled<0, 4, 1, 5>(cell, tag) : simd::shuffled<2, 6, 3, 7>(cell, tag);
+    return which == 0 ? simd::shuffled<0, 4, 1, 5>(cell, tag)
+                      : simd::shuffled<2, 6, 3, 7>(cell, tag);
   }
   /// Where the cell is kept; neighbours have different ones.
   LENTRAY_AVX2 PlaneCell& known(int which) const {
@@ -72,19 +74,21 @@ struct CornerValues {
   Double4 first, second;
 };
 
-[[gnu::always_inline]] LENTRAY_AVX2 inline Double4 values(const PlaneCell& cell, Double4 pu, Double4 pv, Double4 wu,
-                                                          Double4 wv) {
+[[gnu::always_inline]] LENTRAY_AVX2 inline Double4 values(const PlaneCell& cell, Double4 pu,
+                                                          Double4 pv, Double4 wu, Double4 wv) {
   const auto& g = cell.corners;
   const Double4 sum = simd::double4_at(g[0]) + simd::double4_at(g[1]) * pu;
   return wu * wv * (sum + simd::double4_at(g[2]) * pv);
 }
 
-[[gnu::always_inline]] LENTRAY_AVX2 inline CornerValues corner_values(const Places& at, const PlaneCell& a,
+[[gnu::always_inline]] LENTRAY_AVX2 inline CornerValues corner_values(const Places& at,
+                                                                      const PlaneCell& a,
                                                                       const PlaneCell& b) {
   const Double4 near = at.point - simd::widened(at.cell);
   const Double4 far = near - 1.0;
   const Double4 weight_far = s_curve(near), weight_near = 1.0 - weight_far;
-  const Double4 u = simd::shuffled<0, 4, 2, 6>(near, far), v = simd::shuffled<1, 5, 3, 7>(near, far);
+  const Double4 u = simd::shuffled<0, 4, 2, 6>(near, far),
+                v = simd::shuffled<1, 5, 3, 7>(near, far);
   const Double4 weight_u = simd::shuffled<0, 4, 2, 6>(weight_near, weight_far);
   const Double4 weight_v = simd::shuffled<1, 5, 3, 7>(weight_near, weight_far);
   return {values(a, simd::shuffled<0, 1, 0, 1>(u), simd::shuffled<0, 0, 1, 1>(v),
@@ -95,7 +99,8 @@ struct CornerValues {
 
 LENTRAY_AVX2 NoisePair plane_pair_avx2(int axis, NoisePair u, NoisePair v, int generator);
 
-[[gnu::noinline]] LENTRAY_AVX2 NoisePair in_new_cells(int axis, NoisePair u, NoisePair v, int generator) {
+[[gnu::noinline]] LENTRAY_AVX2 NoisePair in_new_cells(int axis, NoisePair u, NoisePair v,
+                                                      int generator) {
   const Places places(simd::joined(simd::shuffled<0, 2>(u, v), simd::shuffled<1, 3>(u, v)));
   PlaneCell &a = places.known(0), &b = places.known(1);
   const Int4 key_a = places.key(0, axis), key_b = places.key(1, axis);
@@ -110,11 +115,13 @@ LENTRAY_AVX2 NoisePair plane_pair_avx2(int axis, NoisePair u, NoisePair v, int g
   return plane_pair_avx2(axis, u, v, generator);
 }
 
-[[gnu::noinline]] LENTRAY_AVX2 NoisePair plane_pair_avx2(int axis, NoisePair u, NoisePair v, int generator) {
+[[gnu::noinline]] LENTRAY_AVX2 NoisePair plane_pair_avx2(int axis, NoisePair u, NoisePair v,
+                                                         int generator) {
   const Places places(simd::joined(simd::shuffled<0, 2>(u, v), simd::shuffled<1, 3>(u, v)));
   const PlaneCell &a = places.known(0), &b = places.known(1);
   const bool are_known = is(a, places.key(0, axis)) && is(b, places.key(1, axis));
-  if (!are_known) [[unlikely]] return in_new_cells(axis, u, v, generator);
+  if (!are_known) [[unlikely]]
+    return in_new_cells(axis, u, v, generator);
   const CornerValues values = corner_values(places, a, b);
   const Double4 even = simd::shuffled<0, 4, 2, 6>(values.first, values.second);
   const Double4 odd = simd::shuffled<1, 5, 3, 7>(values.first, values.second);

@@ -45,9 +45,13 @@ Number in_plane(int axis, Number u, Number v, int generator) {
 
 }  // namespace
 
-double noise_in_plane(int axis, double u, double v, int generator) { return in_plane(axis, u, v, generator); }
+double noise_in_plane(int axis, double u, double v, int generator) {
+  return in_plane(axis, u, v, generator);
+}
 
-NoisePair noise_in_plane(int axis, NoisePair u, NoisePair v, int generator) { return in_plane(axis, u, v, generator); }
+NoisePair noise_in_plane(int axis, NoisePair u, NoisePair v, int generator) {
+  return in_plane(axis, u, v, generator);
+}
 
 double turbulence(const Vec3& point, const Turbulence& turbulence, int generator) {
   // Generators above 1 have their range stretched here; only the first octave is clamped.
@@ -68,8 +72,8 @@ double cycloidal(double value) {
 }
 
 double triangle_wave(double value) {
-  const double offset = value >= 0.0 ? value - std::floor(value)
-                                     : value + 1.0 + std::floor(std::fabs(value));
+  const double offset =
+      value >= 0.0 ? value - std::floor(value) : value + 1.0 + std::floor(std::fabs(value));
   return offset >= 0.5 ? 2.0 * (1.0 - offset) : 2.0 * offset;
 }
 

@@ -70,8 +70,8 @@ double solid_noise_portable(const Vec3& p) {
   const int columns[4] = {permuted(i + y.low), permuted(j + y.low), permuted(i + y.high),
                           permuted(j + y.high)};
   const auto value = [&](int column, int layer) {
-    const Vec3& g = kSolid.gradients[static_cast<std::size_t>(columns[column] +
-                                                              (layer ? z.high : z.low))];
+    const Vec3& g =
+        kSolid.gradients[static_cast<std::size_t>(columns[column] + (layer ? z.high : z.low))];
     return (column & 1 ? x.far : x.near) * g.x + (column & 2 ? y.far : y.near) * g.y +
            (layer ? z.far : z.near) * g.z;
   };
@@ -97,8 +97,10 @@ struct KnownCell {
   const auto permuted = [](int i) { return kSolid.permutation[static_cast<std::size_t>(i)]; };
   const auto within = [](int i) { return i & (SolidTables::kEntries - 1); };
   const int i = permuted(within(index[0])), j = permuted(within(index[0] + 1));
-  const int y[2] = {within(index[1]), within(index[1] + 1)}, z[2] = {within(index[2]), within(index[2] + 1)};
-  const int columns[4] = {permuted(i + y[0]), permuted(j + y[0]), permuted(i + y[1]), permuted(j + y[1])};
+  const int y[2] = {within(index[1]), within(index[1] + 1)},
+            z[2] = {within(index[2]), within(index[2] + 1)};
+  const int columns[4] = {permuted(i + y[0]), permuted(j + y[0]), permuted(i + y[1]),
+                          permuted(j + y[1])};
   for (int layer = 0; layer < 2; ++layer) {
     for (int column = 0; column < 4; ++column) {
       const Vec3& g = kSolid.gradients[static_cast<std::size_t>(columns[column] + z[layer])];
@@ -125,7 +127,8 @@ struct Place {
 
  private:
   LENTRAY_AVX2 Place(Double4 p, Double4 w) : Place(p, w, cell_of(w)) {}
-  LENTRAY_AVX2 Place(Double4 p, Double4 w, Int4 c) : point(p), whole(w), cell(c), known(t_cells[lattice_slot(c) % kKnownCells]) {}
+  LENTRAY_AVX2 Place(Double4 p, Double4 w, Int4 c)
+      : point(p), whole(w), cell(c), known(t_cells[lattice_slot(c) % kKnownCells]) {}
   LENTRAY_AVX2 static Int4 cell_of(Double4 whole) {
     return simd::shuffled<0, 1, 2, 7>(simd::truncated(whole), simd::int4(1));
   }
@@ -139,7 +142,8 @@ struct AlongX {
 [[gnu::always_inline]] LENTRAY_AVX2 inline AlongX along_x(const Place& at) {
   const Double4 near = at.point - at.whole, far = near - 1.0;
   const Double4 weight = s_curve(near);
-  const Double4 xz = simd::shuffled<0, 4, 2, 6>(near, far), only_y = simd::shuffled<1, 5, 3, 7>(near, far);
+  const Double4 xz = simd::shuffled<0, 4, 2, 6>(near, far),
+                only_y = simd::shuffled<1, 5, 3, 7>(near, far);
   const Double4 x = simd::shuffled<0, 1, 0, 1>(xz), y = simd::shuffled<0, 0, 1, 1>(only_y);
   const auto layer = [&](const double(&g)[3][4], Double4 z) LENTRAY_AVX2 {
     const Double4 sum = x * simd::double4_at(g[0]) + y * simd::double4_at(g[1]);
@@ -147,7 +151,8 @@ struct AlongX {
   };
   const Double4 low = layer(at.known.layers[0], simd::shuffled<2, 2, 2, 2>(xz));
   const Double4 high = layer(at.known.layers[1], simd::shuffled<3, 3, 3, 3>(xz));
-  const Double4 x_low = simd::shuffled<0, 4, 2, 6>(low, high), x_high = simd::shuffled<1, 5, 3, 7>(low, high);
+  const Double4 x_low = simd::shuffled<0, 4, 2, 6>(low, high),
+                x_high = simd::shuffled<1, 5, 3, 7>(low, high);
   const Double4 x_weight = simd::shuffled<0, 0, 0, 0>(weight);
   return {x_low + x_weight * (x_high - x_low), weight};
 }
@@ -155,7 +160,8 @@ struct AlongX {
 /// solid_noise_portable of both points, to the bit. Calls nothing where the cells are known.
 [[gnu::noinline]] LENTRAY_AVX2 NoisePair solid_pair_avx2(NoisePair x, NoisePair y, NoisePair z);
 
-[[gnu::noinline]] LENTRAY_AVX2 NoisePair in_new_cells(NoisePair x, NoisePair y, NoisePair z, const Place& a, const Place& b) {
+[[gnu::noinline]] LENTRAY_AVX2 NoisePair in_new_cells(NoisePair x, NoisePair y, NoisePair z,
+                                                      const Place& a, const Place& b) {
   const bool is_shared = &a.known == &b.known && !simd::are_same(a.cell, b.cell);
   // Of two that share a place one only can be kept.
   if (is_shared || !is_near(a.point) || !is_near(b.point)) {
@@ -171,15 +177,18 @@ struct AlongX {
   const Double2 tx = x + kSolidOrigin, ty = y + kSolidOrigin, tz = z + kSolidOrigin;
   const Place a(simd::joined(simd::shuffled<0, 2>(tx, ty), simd::shuffled<0, 2>(tz)));
   const Place b(simd::joined(simd::shuffled<1, 3>(tx, ty), simd::shuffled<1, 3>(tz)));
-  if (!a.is_known() || !b.is_known()) [[unlikely]] return in_new_cells(x, y, z, a, b);
+  if (!a.is_known() || !b.is_known()) [[unlikely]]
+    return in_new_cells(x, y, z, a, b);
   const AlongX of_a = along_x(a), of_b = along_x(b);
   const Double4 y_low = simd::shuffled<0, 1, 4, 5>(of_a.value, of_b.value);
   const Double4 y_high = simd::shuffled<2, 3, 6, 7>(of_a.value, of_b.value);
   const Double4 weights = simd::shuffled<0, 1, 4, 5>(of_a.weight, of_b.weight);
   const Double4 planes = y_low + simd::shuffled<1, 5, 3, 7>(weights) * (y_high - y_low);
   const Double2 first = simd::first_half(planes), second = simd::last_half(planes);
-  const Double2 z_low = simd::shuffled<0, 2>(first, second), z_high = simd::shuffled<1, 3>(first, second);
-  const Double2 z_weight = simd::shuffled<0, 2>(simd::last_half(of_a.weight), simd::last_half(of_b.weight));
+  const Double2 z_low = simd::shuffled<0, 2>(first, second),
+                z_high = simd::shuffled<1, 3>(first, second);
+  const Double2 z_weight =
+      simd::shuffled<0, 2>(simd::last_half(of_a.weight), simd::last_half(of_b.weight));
   return z_low + z_weight * (z_high - z_low);
 }
 

@@ -49,7 +49,8 @@ const std::array<Row, kRows> kGradientRows = [] {
   simd::store(index, place & (kLattice - 1));
   const Double4 weight_far = s_curve(to_near), weight_near = one - weight_far;
   const Double4 even = simd::shuffled<0, 4, 2, 6>(weight_near, weight_far);  // along x, and along z
-  const Double4 of_y = simd::shuffled<0, 0, 1, 1>(simd::shuffled<1, 5, 3, 7>(weight_near, weight_far));
+  const Double4 of_y =
+      simd::shuffled<0, 0, 1, 1>(simd::shuffled<1, 5, 3, 7>(weight_near, weight_far));
   const Double4 half = simd::double4(0.5);
   const Double4 columns = simd::shuffled<0, 1, 0, 1>(even) * of_y * half;
   simd::store(layers[0], columns * simd::shuffled<2, 2, 2, 2>(even));
@@ -58,7 +59,8 @@ const std::array<Row, kRows> kGradientRows = [] {
   const std::uint16_t* const hash = kLatticeHash.data();
   const std::uint32_t low = hash[index[0]], high = hash[index[0] + 1];
   const std::uint32_t y = index[1], y_far = y + 1, z = index[2], z_far = z + 1;
-  const std::uint32_t hashes[4] = {hash[low ^ y], hash[high ^ y], hash[low ^ y_far], hash[high ^ y_far]};
+  const std::uint32_t hashes[4] = {hash[low ^ y], hash[high ^ y], hash[low ^ y_far],
+                                   hash[high ^ y_far]};
   const Double4 xs[2] = {simd::spread(&near[0]), simd::spread(&far[0])};
   const Double4 ys[2] = {simd::spread(&near[1]), simd::spread(&far[1])};
   const Double4 zs[2] = {simd::spread(&near[2]), simd::spread(&far[2])};
@@ -83,7 +85,9 @@ const std::array<Row, kRows> kGradientRows = [] {
   return result;
 }
 
-LENTRAY_AVX2 inline Double4 load(const Vec3& v, double last) { return Double4{v.x, v.y, v.z, last}; }
+LENTRAY_AVX2 inline Double4 load(const Vec3& v, double last) {
+  return Double4{v.x, v.y, v.z, last};
+}
 
 LENTRAY_AVX2 inline Vec3 stored(Double4 v) {
   alignas(32) double to[4];
@@ -103,7 +107,8 @@ LENTRAY_AVX2 inline Vec3 stored(Double4 v) {
   return stored(noise_anywhere(load(point, 1.0)));
 }
 
-[[gnu::noinline]] LENTRAY_AVX2 Vec3 vector_turbulence_avx2(const Vec3& point, const Turbulence& turbulence) {
+[[gnu::noinline]] LENTRAY_AVX2 Vec3 vector_turbulence_avx2(const Vec3& point,
+                                                           const Turbulence& turbulence) {
   const Double4 first = load(point, 1.0);
   Double4 result = noise_anywhere(first);
   double scale = turbulence.lambda, weight = turbulence.omega;
@@ -118,7 +123,9 @@ LENTRAY_AVX2 inline Vec3 stored(Double4 v) {
 
 }  // namespace
 
-Vec3 vector_noise(const Vec3& point) { return has_avx2() ? vector_noise_avx2(point) : vector_noise_portable(point); }
+Vec3 vector_noise(const Vec3& point) {
+  return has_avx2() ? vector_noise_avx2(point) : vector_noise_portable(point);
+}
 
 Vec3 vector_turbulence(const Vec3& point, const Turbulence& turbulence) {
   if (has_avx2()) return vector_turbulence_avx2(point, turbulence);

@@ -11,11 +11,11 @@ namespace lentray::core {
 
 /// A ray about the y axis: counted from where it is nearest to it.
 struct AboutAxis {
-  double t_near = 0.0;     ///< there
-  double near2 = 0.0;      ///< square of the distance from the axis there
-  double height = 0.0;     ///< there
-  double across = 0.0;     ///< speed across the axis
-  double climb = 0.0;      ///< speed along it
+  double t_near = 0.0;  ///< there
+  double near2 = 0.0;   ///< square of the distance from the axis there
+  double height = 0.0;  ///< there
+  double across = 0.0;  ///< speed across the axis
+  double climb = 0.0;   ///< speed along it
 
   explicit AboutAxis(const Ray& ray) : climb(ray.direction.y) {
     const Vec3 &p = ray.origin, &d = ray.direction;

@@ -33,14 +33,17 @@ inline Bounds widened(const Bounds& b) {
 
 /// Half-sizes of the box of the ellipsoid with conjugate radii a, b, c (ellipse: c null).
 inline Vec3 ellipsoid_extent(const Vec3& a, const Vec3& b, const Vec3& c = {}) {
-  return {std::sqrt(a.x * a.x + b.x * b.x + c.x * c.x), std::sqrt(a.y * a.y + b.y * b.y + c.y * c.y),
+  return {std::sqrt(a.x * a.x + b.x * b.x + c.x * c.x),
+          std::sqrt(a.y * a.y + b.y * b.y + c.y * c.y),
           std::sqrt(a.z * a.z + b.z * b.z + c.z * c.z)};
 }
 
 /// Two unit vectors that with the unit vector `n` make an orthogonal frame.
 inline void make_frame(const Vec3& n, Vec3& u, Vec3& v) {
   const Vec3 a{std::fabs(n.x), std::fabs(n.y), std::fabs(n.z)};
-  const Vec3 least = a.x <= a.y && a.x <= a.z ? Vec3{1, 0, 0} : a.y <= a.z ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
+  const Vec3 least = a.x <= a.y && a.x <= a.z ? Vec3{1, 0, 0}
+                     : a.y <= a.z             ? Vec3{0, 1, 0}
+                                              : Vec3{0, 0, 1};
   u = normalized(cross(n, least));
   v = cross(n, u);
 }
@@ -80,7 +83,8 @@ inline bool keeps_axes(const Transform& t) {
 template <class Support>
 Bounds support_bounds(const Transform& t, const Support& support) {
   constexpr double kSlack = 1e-9;
-  const Vec3 x = t.vector({1, 0, 0}), y = t.vector({0, 1, 0}), z = t.vector({0, 0, 1}), o = t.point({});
+  const Vec3 x = t.vector({1, 0, 0}), y = t.vector({0, 1, 0}), z = t.vector({0, 0, 1}),
+             o = t.point({});
   Bounds b;
   for (int i = 0; i < 3; ++i) {
     const Vec3 d{x[i], y[i], z[i]};
@@ -97,7 +101,8 @@ inline double most_of_cubic(double a, double b, double c, double d) {
   double most = std::max(d, a + b + c + d), turn[2];
   const int n = solve_quadratic(3.0 * a, 2.0 * b, c, turn);
   for (int i = 0; i < n; ++i) {
-    if (turn[i] > 0.0 && turn[i] < 1.0) most = std::max(most, ((a * turn[i] + b) * turn[i] + c) * turn[i] + d);
+    if (turn[i] > 0.0 && turn[i] < 1.0)
+      most = std::max(most, ((a * turn[i] + b) * turn[i] + c) * turn[i] + d);
   }
   return most;
 }
@@ -106,7 +111,8 @@ inline double most_of_cubic(double a, double b, double c, double d) {
 /// the most that d.p can be in the box, to within `fine`, or less closely if more than `budget`
 /// cells have to be looked at. Never too little.
 template <class MayHold>
-double searched_support(const Bounds& box, const Vec3& d, double fine, int budget, const MayHold& may_hold) {
+double searched_support(const Bounds& box, const Vec3& d, double fine, int budget,
+                        const MayHold& may_hold) {
   struct Cell {
     double far;
     Vec3 centre, half;
@@ -143,7 +149,8 @@ inline double similarity_scale(const Transform& t) {
   const double xx = dot(x, x), yy = dot(y, y), zz = dot(z, z);
   const double slack = kAlike * xx;
   if (std::fabs(xx - yy) > slack || std::fabs(xx - zz) > slack) return 0.0;
-  if (std::fabs(dot(x, y)) > slack || std::fabs(dot(y, z)) > slack || std::fabs(dot(z, x)) > slack) return 0.0;
+  if (std::fabs(dot(x, y)) > slack || std::fabs(dot(y, z)) > slack || std::fabs(dot(z, x)) > slack)
+    return 0.0;
   return t.is_singular() ? 0.0 : std::sqrt(xx);
 }
 

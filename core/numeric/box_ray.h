@@ -11,12 +11,10 @@ namespace lentray::core {
 /// A ray for box tests that allow for the rounding of their numbers.
 struct BoxRay {
   explicit BoxRay(const Ray& ray)
-      : origin(ray.origin),
-        inverse{1.0 / ray.direction.x, 1.0 / ray.direction.y, 1.0 / ray.direction.z} {}
+      : origin(ray.origin), inverse{1.0 / ray.direction.x, 1.0 / ray.direction.y,
+                                    1.0 / ray.direction.z} {}
 
-  bool meets(const Bounds& b, double t_min, double t_max) const {
-    return cut(b, t_min, t_max);
-  }
+  bool meets(const Bounds& b, double t_min, double t_max) const { return cut(b, t_min, t_max); }
   /// Cuts from..to to what is in the box; false if that is nothing.
   bool cut(const Bounds& b, double& from, double& to) const {
     constexpr double kSlack = 2e-15;

@@ -172,7 +172,8 @@ struct Power {
     const Complex a = Ln()({z.re[0], z.im[0]}) * exponent, b = Ln()({z.re[1], z.im[1]}) * exponent;
     const ComplexPair power = Exp()({Pair{a.re, b.re}, Pair{a.im, b.im}});
     const PairBits is_zero = (z.re == 0.0) & (z.im == 0.0);
-    return {pair_math::chosen(is_zero, Pair{}, power.re), pair_math::chosen(is_zero, Pair{}, power.im)};
+    return {pair_math::chosen(is_zero, Pair{}, power.re),
+            pair_math::chosen(is_zero, Pair{}, power.im)};
   }
 };
 

@@ -13,8 +13,8 @@ constexpr float kNothing = -1e30f;     ///< half width of a box that is not ther
 
 }  // namespace
 
-std::vector<PlaneBoxes::Eight> PlaneBoxes::eights(const std::vector<PlaneBox>& boxes, const Vec2& lo,
-                                                  const Vec2& share) {
+std::vector<PlaneBoxes::Eight> PlaneBoxes::eights(const std::vector<PlaneBox>& boxes,
+                                                  const Vec2& lo, const Vec2& share) {
   Eight nothing{};
   std::fill_n(nothing.du, kLanes, kNothing);
   std::fill_n(nothing.dv, kLanes, kNothing);
@@ -22,7 +22,8 @@ std::vector<PlaneBoxes::Eight> PlaneBoxes::eights(const std::vector<PlaneBox>& b
   const bool is_known = share.u > 0.0;
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     Eight& eight = all[i / kLanes];
-    const auto set = [&](float* middle, float* half, double from, double to, double least, double by) {
+    const auto set = [&](float* middle, float* half, double from, double to, double least,
+                         double by) {
       const double a = (from - least) * by, b = (to - least) * by;
       middle[i % kLanes] = is_known ? static_cast<float>(0.5 * (a + b)) : 0.0f;
       half[i % kLanes] = is_known ? static_cast<float>(0.5 * (b - a) + kRounding) : 1.0f;
@@ -35,7 +36,8 @@ std::vector<PlaneBoxes::Eight> PlaneBoxes::eights(const std::vector<PlaneBox>& b
 
 void PlaneBoxes::fill(const std::vector<PlaneBox>& boxes, const PlaneBox& around, bool are_known) {
   m_lo = are_known ? around.lo : Vec2{};
-  m_share = are_known ? Vec2{1.0 / (around.hi.u - around.lo.u), 1.0 / (around.hi.v - around.lo.v)} : Vec2{};
+  m_share = are_known ? Vec2{1.0 / (around.hi.u - around.lo.u), 1.0 / (around.hi.v - around.lo.v)}
+                      : Vec2{};
   m_boxes = eights(boxes, m_lo, m_share);
   m_sets.clear();
   if (boxes.size() <= kSet) return;
@@ -72,24 +74,29 @@ PlaneBoxes::Line::Line(const PlaneWay& way, const Vec2& lo, const Vec2& share) {
   reach = static_cast<float>(sum(length) * slack);
 }
 
-std::uint64_t PlaneBoxes::touched_portable(const Line& line, const Eight* first, std::size_t count) {
+std::uint64_t PlaneBoxes::touched_portable(const Line& line, const Eight* first,
+                                           std::size_t count) {
   std::uint64_t touched = 0;
   for (std::size_t i = 0; i < count * kLanes; ++i) {
     const Eight& eight = first[i / kLanes];
     const std::size_t lane = i % kLanes;
-    const float u = eight.u[lane] - line.middle[0], v = eight.v[lane] - line.middle[1], du = eight.du[lane], dv = eight.dv[lane];
+    const float u = eight.u[lane] - line.middle[0], v = eight.v[lane] - line.middle[1],
+                du = eight.du[lane], dv = eight.dv[lane];
     const bool beside = std::fabs(u) > du + line.half[0] || std::fabs(v) > dv + line.half[1];
-    const float reach = du * std::fabs(line.across[0]) + (dv * std::fabs(line.across[1]) + line.reach);
+    const float reach =
+        du * std::fabs(line.across[0]) + (dv * std::fabs(line.across[1]) + line.reach);
     const bool across = std::fabs(u * line.across[0] + v * line.across[1]) > reach;
     if (!beside && !across) touched |= std::uint64_t{1} << i;
   }
   return touched;
 }
 
-LENTRAY_AVX2 std::uint64_t PlaneBoxes::touched_avx2(const Line& line, const Eight* first, std::size_t count) {
+LENTRAY_AVX2 std::uint64_t PlaneBoxes::touched_avx2(const Line& line, const Eight* first,
+                                                    std::size_t count) {
   const Float8 middle_u = simd::float8(line.middle[0]), middle_v = simd::float8(line.middle[1]);
   const Float8 wide_u = simd::float8(line.half[0]), wide_v = simd::float8(line.half[1]);
-  const Float8 nu = simd::float8(line.across[0]), nv = simd::float8(line.across[1]), reach = simd::float8(line.reach);
+  const Float8 nu = simd::float8(line.across[0]), nv = simd::float8(line.across[1]),
+               reach = simd::float8(line.reach);
   const Float8 abs_nu = simd::abs(nu), abs_nv = simd::abs(nv);
   std::uint64_t touched = 0;
   for (std::size_t i = count; i-- > 0;) {

@@ -44,19 +44,23 @@ class PlaneBoxes {
     Line(const PlaneWay& way, const Vec2& lo, const Vec2& share);
     float middle[2], half[2];  ///< the box of the way
     float across[2];
-    float reach;               ///< how far along `across` it may be off
+    float reach;  ///< how far along `across` it may be off
   };
-  static std::vector<Eight> eights(const std::vector<PlaneBox>& boxes, const Vec2& lo, const Vec2& share);
+  static std::vector<Eight> eights(const std::vector<PlaneBox>& boxes, const Vec2& lo,
+                                   const Vec2& share);
   /// A bit for each of up to kSet boxes that the line may touch.
-  static std::uint64_t touched(const Line& line, const Eight* first, std::size_t count, bool portable) {
-    return !portable && has_avx2() ? touched_avx2(line, first, count) : touched_portable(line, first, count);
+  static std::uint64_t touched(const Line& line, const Eight* first, std::size_t count,
+                               bool portable) {
+    return !portable && has_avx2() ? touched_avx2(line, first, count)
+                                   : touched_portable(line, first, count);
   }
   static std::uint64_t touched_portable(const Line& line, const Eight* first, std::size_t count);
-  LENTRAY_AVX2 static std::uint64_t touched_avx2(const Line& line, const Eight* first, std::size_t count);
+  LENTRAY_AVX2 static std::uint64_t touched_avx2(const Line& line, const Eight* first,
+                                                 std::size_t count);
 
-  Vec2 m_lo, m_share;          ///< of the box around; a share of 0 knows nothing
+  Vec2 m_lo, m_share;  ///< of the box around; a share of 0 knows nothing
   std::vector<Eight> m_boxes;
-  std::vector<Eight> m_sets;   ///< the boxes of kSet each, where there are more
+  std::vector<Eight> m_sets;  ///< the boxes of kSet each, where there are more
 };
 
 template <class Take>

@@ -68,7 +68,8 @@ double bracketed(const double* c, int any_order, double lo, double hi, double fl
     const double change = std::fabs(next - x);
     last = change;
     x = next;
-    if (change <= kClose * std::fabs(x) || hi - lo <= kClose * std::max(std::fabs(lo), std::fabs(hi)))
+    if (change <= kClose * std::fabs(x) ||
+        hi - lo <= kClose * std::max(std::fabs(lo), std::fabs(hi)))
       break;
   }
   return x;
@@ -246,7 +247,8 @@ class RootParting {
     const double middle = 0.5 * (lo + hi);
     if (found == Signs::kOne || depth == kMostDepth || !(middle > lo && middle < hi)) {
       double roots[kOrder];
-      const int n = solve_pieces(m_c, kOrder, lo, hi, rootless_derivative(m_c, kOrder, lo, hi), roots);
+      const int n =
+          solve_pieces(m_c, kOrder, lo, hi, rootless_derivative(m_c, kOrder, lo, hi), roots);
       for (int i = 0; i < n; ++i) add(roots[i]);
       return;
     }
@@ -264,7 +266,8 @@ class RootParting {
   }
 
   void add(double root) {
-    if (m_count < kOrder && (m_count == 0 || m_roots[m_count - 1] != root)) m_roots[m_count++] = root;
+    if (m_count < kOrder && (m_count == 0 || m_roots[m_count - 1] != root))
+      m_roots[m_count++] = root;
   }
 
   const double* m_c;
@@ -372,7 +375,8 @@ int solve_between_bounds(const double* c, int order, double lo, double hi, doubl
     --order;
   }
   const double bound = order > 1 ? roots_bound(c, order) : std::numeric_limits<double>::infinity();
-  if (!std::isfinite(bound) && order > 1) return solve_between_bounds(c + 1, order - 1, lo, hi, roots, first_alone);
+  if (!std::isfinite(bound) && order > 1)
+    return solve_between_bounds(c + 1, order - 1, lo, hi, roots, first_alone);
   const double from = std::max(lo, -bound), to = std::min(hi, bound);
   // Of a cubic over all that a ray has before it the derivative's roots are found at once: cheaper.
   if (order == 3 && from <= to && !std::isfinite(hi)) {

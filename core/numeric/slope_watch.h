@@ -16,7 +16,8 @@ class SlopeWatch {
 
   void note(double slope) {
     double seen = m_steepest.load(std::memory_order_relaxed);
-    while (slope > seen && !m_steepest.compare_exchange_weak(seen, slope, std::memory_order_relaxed)) {
+    while (slope > seen &&
+           !m_steepest.compare_exchange_weak(seen, slope, std::memory_order_relaxed)) {
     }
   }
 

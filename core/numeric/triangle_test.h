@@ -12,7 +12,8 @@ namespace lentray::core {
 /// that the direction is (0, 0, 1).
 struct ShearedRay {
   explicit ShearedRay(const Ray& ray) : origin(ray.origin) {
-    const Vec3 d{std::fabs(ray.direction.x), std::fabs(ray.direction.y), std::fabs(ray.direction.z)};
+    const Vec3 d{std::fabs(ray.direction.x), std::fabs(ray.direction.y),
+                 std::fabs(ray.direction.z)};
     kz = d.x > d.y ? (d.x > d.z ? 0 : 2) : (d.y > d.z ? 1 : 2);
     kx = kz == 2 ? 0 : kz + 1;
     ky = kx == 2 ? 0 : kx + 1;

@@ -27,7 +27,7 @@ struct Attributes {
   const LightSelection* lights = nullptr;     ///< null: the global ones; owned by the scene
   bool no_shadow = false, no_image = false, no_reflection = false;
   bool hollow = false, double_illuminate = false;
-  bool uv_mapping = false;                    ///< textures lie in texture coordinates
+  bool uv_mapping = false;  ///< textures lie in texture coordinates
 };
 
 }  // namespace lentray::core

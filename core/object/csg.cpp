@@ -48,7 +48,7 @@ class ScratchHits {
 /// Where a ray is in the core, and what it meets of it.
 struct Csg::Chord {
   const std::vector<Hit>& hits;  ///< all beyond t_min
-  double from, to;               ///< between which t, widened by more than rounding, any part's hits can be kept
+  double from, to;  ///< between which t, widened by more than rounding, any part's hits can be kept
 
   Chord(const std::vector<Hit>& found, const Ray& ray, double t_min, bool convex)
       : hits(found), from(t_min), to(found[0].t) {
@@ -58,8 +58,11 @@ struct Csg::Chord {
       first = std::min(first, hit.t);
     }
     constexpr double kShare = 1e-9, kOfPlace = 1e-11;
-    const auto size = [](const Vec3& v) { return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z); };
-    const double slack = kShare * (std::fabs(first) + std::fabs(to)) + kOfPlace * size(ray.origin) / size(ray.direction);
+    const auto size = [](const Vec3& v) {
+      return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z);
+    };
+    const double slack = kShare * (std::fabs(first) + std::fabs(to)) +
+                         kOfPlace * size(ray.origin) / size(ray.direction);
     if (convex && found.size() > 1) from = first - slack;
     to += slack;
   }
@@ -123,7 +126,8 @@ bool Csg::any_inside(const Vec3& p, std::size_t except) const {
     if (i != except && m_children[i]->inside(p)) return true;
   }
   std::size_t beyond = search.in_beyond;  // of those whose box p turns out to be outside of
-  if (except < m_fences.size() && m_fences[except].beyond && !m_fences[except].decide.contains(p)) --beyond;
+  if (except < m_fences.size() && m_fences[except].beyond && !m_fences[except].decide.contains(p))
+    --beyond;
   const bool found = search.solids.at_point(p, [&](std::uint32_t first, std::uint32_t count) {
     for (std::uint32_t place = first; place < first + count; ++place) {
       const std::uint32_t i = search.solids.order()[place];
@@ -151,7 +155,8 @@ bool Csg::every_inside(const Vec3& p, std::size_t except) const {
   if (except < m_fences.size() && !m_fences[except].beyond && m_fences[except].decide.is_finite() &&
       !m_fences[except].decide.contains(p)) {
     --beyond;
-  } else if (except < m_fences.size() && !m_fences[except].beyond && m_fences[except].decide.is_empty()) {
+  } else if (except < m_fences.size() && !m_fences[except].beyond &&
+             m_fences[except].decide.is_empty()) {
     --beyond;
   }
   const bool missing = search.solids.at_point(p, [&](std::uint32_t first, std::uint32_t count) {
@@ -178,7 +183,8 @@ bool Csg::hides_parts() const {
   return false;
 }
 
-[[gnu::noinline, gnu::cold]] bool Csg::any_seen_inside(const Vec3& p, std::size_t except, RayKind kind) const {
+[[gnu::noinline, gnu::cold]] bool Csg::any_seen_inside(const Vec3& p, std::size_t except,
+                                                       RayKind kind) const {
   for (std::size_t i = 0; i < m_children.size(); ++i) {
     if (i != except && !is_unseen(i, kind) && m_children[i]->inside(p)) return true;
   }
@@ -212,10 +218,12 @@ struct Csg::Hidden {
 }
 
 /// Whether the child's surface at the ray's t belongs to the whole's, as far as the ray sees it.
-[[gnu::always_inline]] inline bool Csg::keeps(std::size_t child, const Ray& ray, double t, const Chord* chord,
-                                              Hidden& hidden, const RayQuery& query) const {
+[[gnu::always_inline]] inline bool Csg::keeps(std::size_t child, const Ray& ray, double t,
+                                              const Chord* chord, Hidden& hidden,
+                                              const RayQuery& query) const {
   if (m_kind == CsgKind::kUnion) return true;
-  if (m_core == kHidden) [[unlikely]] return !any_seen_inside(ray.at(t), child, query.kind);
+  if (m_core == kHidden) [[unlikely]]
+    return !any_seen_inside(ray.at(t), child, query.kind);
   if (m_kind == CsgKind::kMerge) {
     if (!any_inside(ray.at(t), child)) return true;
   } else {
@@ -228,7 +236,8 @@ struct Csg::Hidden {
 /// Those whose box the ray meets, the core and then the last child first where they are few; visit may
 /// lower t_max, and answers true to end. `chord` is null where nothing is known.
 template <class Visit>
-void Csg::for_children_met(const Ray& ray, double t_min, double t_max, const RayQuery& query, Visit&& visit) const {
+void Csg::for_children_met(const Ray& ray, double t_min, double t_max, const RayQuery& query,
+                           Visit&& visit) const {
   if (m_core == kHidden) [[unlikely]] {
     return for_boxes_met(ray, t_min, t_max, [&](std::size_t i, double& limit, const Chord* chord) {
       return !is_unseen(i, query.kind) && visit(i, limit, chord);
@@ -274,26 +283,29 @@ void Csg::for_boxes_met(const Ray& ray, double t_min, double t_max, Visit&& visi
   for (const std::uint32_t i : search.open_surfaces) {
     if (visit(i, t_max, kNone)) return;
   }
-  search.surfaces.traverse(
-      ray, boxes_from, t_max, [&](std::uint32_t first, std::uint32_t count, double& limit) {
-        for (std::uint32_t place = first; place < first + count; ++place) {
-          if (visit(search.surfaces.order()[place], limit, kNone)) return true;
-        }
-        return false;
-      });
+  search.surfaces.traverse(ray, boxes_from, t_max,
+                           [&](std::uint32_t first, std::uint32_t count, double& limit) {
+                             for (std::uint32_t place = first; place < first + count; ++place) {
+                               if (visit(search.surfaces.order()[place], limit, kNone)) return true;
+                             }
+                             return false;
+                           });
 }
 
 /// A child's, in the list that is given unless the chord has them; then some are beyond t_max.
-[[gnu::always_inline]] inline const std::vector<Hit>& Csg::crossings(
-    std::size_t i, const Ray& ray, double t_min, double t_max, const Chord* chord, std::vector<Hit>& list,
-    const RayQuery& query) const {
+[[gnu::always_inline]] inline const std::vector<Hit>& Csg::crossings(std::size_t i, const Ray& ray,
+                                                                     double t_min, double t_max,
+                                                                     const Chord* chord,
+                                                                     std::vector<Hit>& list,
+                                                                     const RayQuery& query) const {
   if (chord && i == m_core) return chord->hits;
   list.clear();
   m_children[i]->all(ray, t_min, t_max, list, query);
   return list;
 }
 
-bool Csg::nearest(const Ray& ray, double t_min, double t_max, Hit& hit, const RayQuery& query) const {
+bool Csg::nearest(const Ray& ray, double t_min, double t_max, Hit& hit,
+                  const RayQuery& query) const {
   if (ball().is_missed_by(ray)) return false;
   if (!gates().empty() && !passes_gates(ray, query)) return false;
   if (clips().empty()) return kept_nearest(ray, t_min, t_max, hit, query);
@@ -309,7 +321,8 @@ bool Csg::nearest(const Ray& ray, double t_min, double t_max, Hit& hit, const Ra
 }
 
 /// Nearest before own clips. Where surfaces coincide the last child's counts.
-bool Csg::kept_nearest(const Ray& ray, double t_min, double t_max, Hit& hit, const RayQuery& query) const {
+bool Csg::kept_nearest(const Ray& ray, double t_min, double t_max, Hit& hit,
+                       const RayQuery& query) const {
   const bool keep_all = m_kind == CsgKind::kUnion;
   std::size_t owner = kNobody;
   Hidden hidden;
@@ -348,7 +361,8 @@ bool Csg::any(const Ray& ray, double t_min, double t_max, const RayQuery& query)
     if (keep_all) return found = m_children[i]->any(ray, t_min, t_max, query);
     for (const Hit& h : crossings(i, ray, t_min, t_max, chord, *scratch, query)) {
       if (chord && !(h.t < t_max)) continue;
-      if (keeps(i, ray, h.t, chord, hidden, query) && passes_clips(ray.at(h.t))) return found = true;
+      if (keeps(i, ray, h.t, chord, hidden, query) && passes_clips(ray.at(h.t)))
+        return found = true;
     }
     return false;
   });
@@ -366,7 +380,8 @@ void Csg::all(const Ray& ray, double t_min, double t_max, std::vector<Hit>& hits
     m_children[i]->all(ray, t_min, t_max, hits, query);
     if (m_kind == CsgKind::kUnion && clips().empty()) return false;
     const auto drop = [&](const Hit& h) {
-      return !keeps(i, ray, h.t, chord, hidden, query) || (!clips().empty() && !passes_clips(ray.at(h.t)));
+      return !keeps(i, ray, h.t, chord, hidden, query) ||
+             (!clips().empty() && !passes_clips(ray.at(h.t)));
     };
     hits.erase(std::remove_if(hits.begin() + static_cast<std::ptrdiff_t>(first), hits.end(), drop),
                hits.end());

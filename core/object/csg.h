@@ -24,7 +24,8 @@ class Csg final : public Object {
   std::string_view name() const override;
   Bounds bounds() const override;
   bool nearest(const Ray&, double t_min, double t_max, Hit&, const RayQuery&) const override;
-  void all(const Ray&, double t_min, double t_max, std::vector<Hit>&, const RayQuery&) const override;
+  void all(const Ray&, double t_min, double t_max, std::vector<Hit>&,
+           const RayQuery&) const override;
   bool any(const Ray&, double t_min, double t_max, const RayQuery&) const override;
   bool inside(const Vec3& p) const override;
   void leaves(std::vector<const Leaf*>& out) const override;
@@ -67,11 +68,13 @@ class Csg final : public Object {
 
   /// Calls visit(child, t_max&, chord) for the children that the ray may meet.
   template <class Visit>
-  void for_children_met(const Ray& ray, double t_min, double t_max, const RayQuery& query, Visit&& visit) const;
+  void for_children_met(const Ray& ray, double t_min, double t_max, const RayQuery& query,
+                        Visit&& visit) const;
   template <class Visit>
   void for_boxes_met(const Ray& ray, double t_min, double t_max, Visit&& visit) const;
-  const std::vector<Hit>& crossings(std::size_t child, const Ray& ray, double t_min, double t_max, const Chord* chord,
-                                    std::vector<Hit>& list, const RayQuery& query) const;
+  const std::vector<Hit>& crossings(std::size_t child, const Ray& ray, double t_min, double t_max,
+                                    const Chord* chord, std::vector<Hit>& list,
+                                    const RayQuery& query) const;
   void choose_tests();
   bool hides_parts() const;
   bool is_unseen(std::size_t child, RayKind kind) const;
@@ -97,13 +100,13 @@ class Csg final : public Object {
   bool m_gated_parts = false;
   bool m_lies_in_parts = false;
   bool m_kept_whole = false;
-  bool m_closed = false;              ///< all children are
-  bool m_asks_boxes = true;           ///< of few children; else their own tests turn rays away as well
+  bool m_closed = false;     ///< all children are
+  bool m_asks_boxes = true;  ///< of few children; else their own tests turn rays away as well
   /// Of an intersection of few: a closed part, in whose solid all that is kept lies. Else nobody, or
   /// kHidden where some rays do not see some parts of what is joined.
   std::size_t m_core = kNobody;
   mutable std::vector<Fence> m_fences;  ///< one a child; of many that are joined, made by search()
-  std::unique_ptr<Search> m_search;   ///< where there are many children
+  std::unique_ptr<Search> m_search;     ///< where there are many children
   std::vector<std::unique_ptr<Object>> m_children;
 };
 

@@ -16,7 +16,11 @@ constexpr std::size_t kMany = 9;  // children from which a hierarchy over them p
 Csg::Fence Csg::fence_of(const Object& child) {
   const Bounds solid = child.solid_bounds(), hollow = child.void_bounds();
   const bool beyond = !hollow.is_empty() ? hollow.is_finite() : true;
-  return {child.bounds(), child.is_gated() ? Bounds::everything() : beyond ? hollow : solid, beyond};
+  return {child.bounds(),
+          child.is_gated() ? Bounds::everything()
+          : beyond         ? hollow
+                           : solid,
+          beyond};
 }
 
 /// Boxes from those of the children: what is kept of a child's surface lies in all siblings
@@ -24,7 +28,8 @@ Csg::Fence Csg::fence_of(const Object& child) {
 void Csg::fence_children() {
   const std::size_t n = m_children.size();
   const bool join = joins(m_kind);
-  const bool later = join && n >= kMany;  // most such unions are split into their parts and never ask
+  const bool later =
+      join && n >= kMany;  // most such unions are split into their parts and never ask
   m_fences.clear();
   if (!later) m_fences.reserve(n);
   m_surface = Bounds();
@@ -93,15 +98,19 @@ void Csg::choose_tests() {
   const auto is_tight = [](const auto& child) {
     const Vec3 size = child->bounds().hi - child->bounds().lo;
     const double radius = child->ball().radius();
-    return radius * radius * 2.0 * std::numbers::pi < kMuchLarger * (size.x * size.y + size.y * size.z + size.z * size.x);
+    return radius * radius * 2.0 * std::numbers::pi <
+           kMuchLarger * (size.x * size.y + size.y * size.z + size.z * size.x);
   };
-  m_asks_boxes = joins(m_kind) && (m_gated_parts || !std::all_of(m_children.begin(), m_children.end(), is_tight));
+  m_asks_boxes = joins(m_kind) &&
+                 (m_gated_parts || !std::all_of(m_children.begin(), m_children.end(), is_tight));
   m_closed = !m_gated_parts && m_core != kHidden && clips().empty() && gates().empty() &&
-             std::all_of(m_children.begin(), m_children.end(), [](const auto& child) { return child->is_closed(); });
+             std::all_of(m_children.begin(), m_children.end(),
+                         [](const auto& child) { return child->is_closed(); });
   if (joins(m_kind) || m_gated_parts) return;
   double least = Bounds::kInf;
   for (std::size_t i = 0; i < m_children.size(); ++i) {
-    const double radius = m_children[i]->is_closed() ? m_children[i]->solid_ball().radius() : Bounds::kInf;
+    const double radius =
+        m_children[i]->is_closed() ? m_children[i]->solid_ball().radius() : Bounds::kInf;
     if (!(radius < least)) continue;
     least = radius;
     m_core = i;

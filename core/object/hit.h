@@ -18,11 +18,11 @@ class Object;
 /// A crossing of a ray with an object.
 struct Hit {
   double t = Bounds::kInf;
-  const Leaf* leaf = nullptr;     ///< whose surface it is: gives normal and looks
-  const Object* object = nullptr; ///< the object of the scene's list that it belongs to
-  ShapeHit shape;                 ///< in the leaf's space
-  std::uint32_t place = 0;        ///< where all hits are asked for: infinite objects, then the
-                                  ///< others, in the order of the scene
+  const Leaf* leaf = nullptr;      ///< whose surface it is: gives normal and looks
+  const Object* object = nullptr;  ///< the object of the scene's list that it belongs to
+  ShapeHit shape;                  ///< in the leaf's space
+  std::uint32_t place = 0;         ///< where all hits are asked for: infinite objects, then the
+                                   ///< others, in the order of the scene
 };
 
 /// Scratch lists of hits for nested CSG; one a thread; lists are reused, never shrunk.

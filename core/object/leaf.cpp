@@ -23,9 +23,7 @@ void Leaf::clips_have_changed() {
   m_shape->keep_within(m_transform ? transformed(kept, m_transform->inverse()) : kept);
 }
 
-Bounds Leaf::bounds() const {
-  return limited(m_box);
-}
+Bounds Leaf::bounds() const { return limited(m_box); }
 
 Bounds Leaf::solid_bounds() const {
   if (const Bounds* gate = solid_gate()) return *gate;
@@ -61,7 +59,8 @@ void Leaf::set_inverse(bool inverse) {
     Object::set_inverse(inverse);
     m_turns_normal = inverse && traits.inverse_turns_normal;
   } else if (inverse && traits.inverse_turns_normal) {
-    m_turns_normal = !m_turns_normal;  // is_inverse() stays false, so that every inversion asks for true
+    m_turns_normal =
+        !m_turns_normal;  // is_inverse() stays false, so that every inversion asks for true
   }
 }
 
@@ -70,7 +69,8 @@ bool Leaf::shape_nearest(const Ray& ray, double t_min, double t_max, ShapeHit& h
   return m_shape->nearest(to_shape(ray), t_min, t_max, hit);
 }
 
-bool Leaf::nearest(const Ray& ray, double t_min, double t_max, Hit& hit, const RayQuery& query) const {
+bool Leaf::nearest(const Ray& ray, double t_min, double t_max, Hit& hit,
+                   const RayQuery& query) const {
   if (ball().is_missed_by(ray)) return false;
   if (!gates().empty() && !passes_gates(ray, query)) return false;
   ShapeHit found;
@@ -85,7 +85,8 @@ bool Leaf::nearest(const Ray& ray, double t_min, double t_max, Hit& hit, const R
 }
 
 /// Where the first crossing is clipped away all others are found at once, not one after the other.
-bool Leaf::unclipped_nearest(const Ray& ray, double t_min, double t_max, ShapeHit& found, const RayQuery& query) const {
+bool Leaf::unclipped_nearest(const Ray& ray, double t_min, double t_max, ShapeHit& found,
+                             const RayQuery& query) const {
   if (!m_shape->traits().finds_all_at_once) {
     if (!shape_nearest(ray, t_min, t_max, found)) return false;
     if (passes_clips(ray.at(found.t))) return true;
@@ -127,11 +128,14 @@ void Leaf::gather(const Ray& ray, std::vector<Hit>& hits, const RayQuery& query,
   }
 }
 
-void Leaf::all(const Ray& ray, double t_min, double t_max, std::vector<Hit>& hits, const RayQuery& query) const {
-  gather(ray, hits, query, [&](const Ray& in_shape, ShapeHits& list) { m_shape->all(in_shape, t_min, t_max, list); });
+void Leaf::all(const Ray& ray, double t_min, double t_max, std::vector<Hit>& hits,
+               const RayQuery& query) const {
+  gather(ray, hits, query,
+         [&](const Ray& in_shape, ShapeHits& list) { m_shape->all(in_shape, t_min, t_max, list); });
 }
 
-void Leaf::all_alone(const Ray& ray, double t_min, double t_max, std::vector<Hit>& hits, const RayQuery& query) const {
+void Leaf::all_alone(const Ray& ray, double t_min, double t_max, std::vector<Hit>& hits,
+                     const RayQuery& query) const {
   gather(ray, hits, query, [&](const Ray& in_shape, ShapeHits& list) {
     if (!m_shape->traits().tells_first_alone) return m_shape->all(in_shape, t_min, t_max, list);
     ShapeHit first;
@@ -147,7 +151,8 @@ bool Leaf::inside(const Vec3& p) const {
 
 Vec3 Leaf::normal(const Vec3& world_point, const ShapeHit& hit) const {
   if (m_transform) {
-    const Vec3 n = m_transform->normal(m_shape->normal(m_transform->inverse_point(world_point), hit));
+    const Vec3 n =
+        m_transform->normal(m_shape->normal(m_transform->inverse_point(world_point), hit));
     return normalized(m_turns_normal ? -n : n);
   }
   const Vec3 n = m_shape->normal(world_point, hit);

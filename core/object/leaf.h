@@ -27,8 +27,10 @@ class Leaf final : public Object {
     return convexity() == Convexity::kConvex && clips().empty() && gates().empty();
   }
   bool nearest(const Ray&, double t_min, double t_max, Hit&, const RayQuery&) const override;
-  void all(const Ray&, double t_min, double t_max, std::vector<Hit>&, const RayQuery&) const override;
-  void all_alone(const Ray&, double t_min, double t_max, std::vector<Hit>&, const RayQuery&) const override;
+  void all(const Ray&, double t_min, double t_max, std::vector<Hit>&,
+           const RayQuery&) const override;
+  void all_alone(const Ray&, double t_min, double t_max, std::vector<Hit>&,
+                 const RayQuery&) const override;
   bool any(const Ray&, double t_min, double t_max, const RayQuery&) const override;
   bool inside(const Vec3& p) const override;
   void leaves(std::vector<const Leaf*>& out) const override { out.push_back(this); }
@@ -38,7 +40,9 @@ class Leaf final : public Object {
   }
 
   const Shape& shape() const { return *m_shape; }
-  const Transform* transform() const { return m_transform.get(); }  ///< null: shape is in world space
+  const Transform* transform() const {
+    return m_transform.get();
+  }  ///< null: shape is in world space
   /// Unit shading normal at a hit of this leaf, world space.
   Vec3 normal(const Vec3& world_point, const ShapeHit& hit) const;
   Vec2 uv(const Vec3& world_point, const ShapeHit& hit) const;
@@ -59,7 +63,7 @@ class Leaf final : public Object {
 
   std::unique_ptr<Shape> m_shape;
   std::unique_ptr<const Transform> m_transform;  ///< apart: few have one, and it is large
-  Bounds m_box;  ///< of the shape, in the world
+  Bounds m_box;                                  ///< of the shape, in the world
   bool m_turns_normal = false;
 };
 

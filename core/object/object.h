@@ -35,9 +35,11 @@ class Object {
   virtual Bounds void_bounds() const = 0;
   /// Nearest crossing with t_min < t < t_max; fills t, leaf and shape, not `object`. Leaves the hit
   /// as it was if there is none.
-  virtual bool nearest(const Ray& ray, double t_min, double t_max, Hit& hit, const RayQuery& query) const = 0;
+  virtual bool nearest(const Ray& ray, double t_min, double t_max, Hit& hit,
+                       const RayQuery& query) const = 0;
   /// Appends all crossings, in any order.
-  virtual void all(const Ray& ray, double t_min, double t_max, std::vector<Hit>& hits, const RayQuery& query) const = 0;
+  virtual void all(const Ray& ray, double t_min, double t_max, std::vector<Hit>& hits,
+                   const RayQuery& query) const = 0;
   /// What a ray of light meets of an object that is no part of another (ShapeTraits::tells_first_alone).
   virtual void all_alone(const Ray& ray, double t_min, double t_max, std::vector<Hit>& hits,
                          const RayQuery& query) const {
@@ -109,7 +111,8 @@ class Object {
   bool passes_gates(const Ray& ray, const RayQuery& query) const;
   /// Null: there is none, or one for the object's inverse.
   const Bounds* solid_gate() const {
-    if (!m_limits || !m_limits->solid_gate || m_limits->gate_is_of_inverse != m_inverse) return nullptr;
+    if (!m_limits || !m_limits->solid_gate || m_limits->gate_is_of_inverse != m_inverse)
+      return nullptr;
     return &*m_limits->solid_gate;
   }
   /// `b` cut by the boxes of the clipping objects, and of the gates where it is infinite.

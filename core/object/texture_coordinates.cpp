@@ -1,5 +1,5 @@
-#include "core/object/object.h"
 #include "core/object/leaf.h"
+#include "core/object/object.h"
 #include "core/pattern/surface_context.h"
 
 namespace lentray::core {

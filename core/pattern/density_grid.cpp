@@ -68,8 +68,8 @@ class DensityPattern final : public Pattern {
     for (std::size_t i = 0; i < 4; ++i) {
       for (std::size_t j = 0; j < 4; ++j) {
         for (std::size_t k = 0; k < 4; ++k) {
-          depths[k] = at(x.cell + size[0] + i - 1, y.cell + size[1] + j - 1,
-                         z.cell + size[2] + k - 1);
+          depths[k] =
+              at(x.cell + size[0] + i - 1, y.cell + size[1] + j - 1, z.cell + size[2] + k - 1);
         }
         columns[j] = catmull_rom(static_cast<float>(z.rest), depths);
       }

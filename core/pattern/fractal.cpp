@@ -30,7 +30,8 @@ class FractalPattern final : public Pattern {
 
   double value(const Vec3& p) const override {
     const Complex point{p.x, p.y};
-    const Complex c = m_fractal.julia ? Complex{m_fractal.parameter.u, m_fractal.parameter.v} : point;
+    const Complex c =
+        m_fractal.julia ? Complex{m_fractal.parameter.u, m_fractal.parameter.v} : point;
     // The magnet's own set starts at 0; all others at the point.
     if (m_fractal.magnet == 0 && m_fractal.exponent == 2) return quadratic(point, c);
     const bool from_zero = m_fractal.magnet != 0 && !m_fractal.julia;
@@ -67,8 +68,8 @@ class FractalPattern final : public Pattern {
     }
     if (m_fractal.magnet == 2) {
       const Complex c1 = c.plus(-1.0), c2 = c.plus(-2.0), both = c1 * c2;
-      const Complex root = (z * z * z + 3.0 * (c1 * z) + both) /
-                           (3.0 * (z * z) + 3.0 * (c2 * z) + both).plus(1.0);
+      const Complex root =
+          (z * z * z + 3.0 * (c1 * z) + both) / (3.0 * (z * z) + 3.0 * (c2 * z) + both).plus(1.0);
       return root * root;
     }
     Complex power = z;
@@ -115,6 +116,8 @@ class FractalPattern final : public Pattern {
 
 }  // namespace
 
-PatternPtr make_fractal(const Fractal& fractal) { return std::make_unique<FractalPattern>(fractal); }
+PatternPtr make_fractal(const Fractal& fractal) {
+  return std::make_unique<FractalPattern>(fractal);
+}
 
 }  // namespace lentray::core

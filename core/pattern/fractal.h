@@ -8,9 +8,9 @@
 namespace lentray::core {
 
 struct Fractal {
-  bool julia = false;      ///< the point is where the orbit starts; else it is the parameter
-  Vec2 parameter;          ///< of julia
-  int magnet = 0;          ///< 0: powers; 1, 2: magnetic renormalisation
+  bool julia = false;  ///< the point is where the orbit starts; else it is the parameter
+  Vec2 parameter;      ///< of julia
+  int magnet = 0;      ///< 0: powers; 1, 2: magnetic renormalisation
   int exponent = 2;
   int iterations = 1;
   int exterior_type = 1, interior_type = 0;

@@ -40,8 +40,8 @@ class Granite final : public Pattern {
     double sum = 0.0, frequency = 1.0;
     for (int octave = 0; octave < 6; ++octave, frequency *= 2.0) {
       const double n = noise(fine * frequency, m_generator);
-      const double ridge = m_generator == 1 ? std::fabs(0.5 - n)
-                                            : std::min(std::fabs(1.0 - 2.0 * n), 0.5);
+      const double ridge =
+          m_generator == 1 ? std::fabs(0.5 - n) : std::min(std::fabs(1.0 - 2.0 * n), 0.5);
       sum += ridge / frequency;
     }
     return sum;

@@ -29,7 +29,8 @@ class Pattern {
 /// where functions may ask, and of nan some whole number.
 inline std::int64_t whole_below(double v) {
   const std::int64_t i = simd::truncated(v);
-  return static_cast<std::int64_t>(static_cast<std::uint64_t>(i) - (v < static_cast<double>(i) ? 1 : 0));
+  return static_cast<std::int64_t>(static_cast<std::uint64_t>(i) -
+                                   (v < static_cast<double>(i) ? 1 : 0));
 }
 
 using PatternPtr = std::unique_ptr<const Pattern>;

@@ -17,7 +17,9 @@ constexpr double kTwoPi = 2.0 * std::numbers::pi;
 class TransformWarp final : public Warp {
  public:
   explicit TransformWarp(const Transform& transform) : m_transform(transform) {}
-  Vec3 inwards(const Vec3& point, const SurfaceContext&) const override { return m_transform.inverse_point(point); }
+  Vec3 inwards(const Vec3& point, const SurfaceContext&) const override {
+    return m_transform.inverse_point(point);
+  }
   const Transform* transform() const override { return &m_transform; }
 
  private:
@@ -81,7 +83,8 @@ class BlackHoleWarp final : public Warp {
     if (m_hole.uncertain) {
       const unsigned seed = lattice_hash(block[0], block[1], block[2]);
       for (int axis = 0; axis < 3; ++axis) {
-        centre[axis] += lattice_random(seed + static_cast<unsigned>(axis)) * m_hole.uncertainty[axis];
+        centre[axis] +=
+            lattice_random(seed + static_cast<unsigned>(axis)) * m_hole.uncertainty[axis];
       }
     }
     for (int axis = 0; axis < 3; ++axis) centre[axis] += m_hole.repeat[axis] * block[axis];
@@ -224,7 +227,9 @@ WarpPtr make_turbulence_warp(const Turbulence& turbulence) {
 WarpPtr make_repeat_warp(int axis, double width, const Vec3& flip, const Vec3& offset) {
   return std::make_shared<RepeatWarp>(axis, width, flip, offset);
 }
-WarpPtr make_black_hole_warp(const BlackHole& hole) { return std::make_shared<BlackHoleWarp>(hole); }
+WarpPtr make_black_hole_warp(const BlackHole& hole) {
+  return std::make_shared<BlackHoleWarp>(hole);
+}
 WarpPtr make_cylindrical_warp(const Vec3& orientation, double distance_exponent) {
   return std::make_shared<CylindricalWarp>(orientation, distance_exponent);
 }

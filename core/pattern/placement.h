@@ -71,7 +71,7 @@ class Placement {
   Vec3 general(const Vec3& point, const SurfaceContext& surface) const;
 
   Kind m_kind = Kind::kNone;
-  Matrix m_matrix{};               ///< inverse, when affine
+  Matrix m_matrix{};  ///< inverse, when affine
   std::vector<WarpPtr> m_steps;
 };
 

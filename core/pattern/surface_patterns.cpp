@@ -43,8 +43,7 @@ class SlopePattern final : public Pattern {
     const double steep =
         ranged((std::asin(cosine) / std::numbers::pi * 2.0 + 1.0) * 0.5, m_slope.low, m_slope.high);
     if (!m_has_altitude) return wrapped(steep, 0.0);
-    const double high =
-        ranged(dot(point, m_altitude), m_slope.altitude_low, m_slope.altitude_high);
+    const double high = ranged(dot(point, m_altitude), m_slope.altitude_low, m_slope.altitude_high);
     return wrapped(m_slope_share * steep + m_altitude_share * high, kEpsilon);
   }
 

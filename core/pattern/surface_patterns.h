@@ -8,9 +8,9 @@
 namespace lentray::core {
 
 struct Slope {
-  Vec3 direction;             ///< any length; a world point if `point_at`
+  Vec3 direction;  ///< any length; a world point if `point_at`
   bool point_at = false;
-  Vec3 altitude;              ///< null: none
+  Vec3 altitude;                                                          ///< null: none
   double low = 0.0, high = 0.0, altitude_low = 0.0, altitude_high = 0.0;  ///< 0, 0: the whole range
 };
 PatternPtr make_slope(const Slope& slope);

@@ -70,8 +70,8 @@ class Triangular final : public Pattern {
     const bool left_of_right_edge = z / (1.0 - u) < root3;
     double number = 1.0;
     if (right_of_left_edge) number = left_of_right_edge ? 0.0 : 3.0;
-    number = number == 0.0 ? std::fmod(6.0 - 2.0 * column, 6.0)
-                           : std::fmod(number + 2.0 * column, 6.0);
+    number =
+        number == 0.0 ? std::fmod(6.0 - 2.0 * column, 6.0) : std::fmod(number + 2.0 * column, 6.0);
     return upper ? 5.0 - number : number;
   }
 };

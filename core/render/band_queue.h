@@ -27,9 +27,9 @@ struct FrameShape {
 
 struct Band {
   std::uint32_t top = 0;
-  Image image{};  ///< row 0 is the image's row `top`
-  std::unique_ptr<FilmBand> film{};  ///< null: nothing to do
-  std::size_t stages = 0, stage = 0;    ///< all, and how many are done
+  Image image{};                              ///< row 0 is the image's row `top`
+  std::unique_ptr<FilmBand> film{};           ///< null: nothing to do
+  std::size_t stages = 0, stage = 0;          ///< all, and how many are done
   std::size_t jobs = 0, taken = 0, done = 0;  ///< of the present stage
   bool is_done() const { return stage == stages; }
 };

@@ -13,8 +13,8 @@ namespace {
 class PlainBand final : public FilmBand {
  public:
   /// Rows [first, end); the image begins with row `top`.
-  PlainBand(const FilmSetup& setup, const BandOrders& orders, std::uint32_t first, std::uint32_t end,
-            std::uint32_t top, Image& image)
+  PlainBand(const FilmSetup& setup, const BandOrders& orders, std::uint32_t first,
+            std::uint32_t end, std::uint32_t top, Image& image)
       : m_setup(setup), m_order(orders.band(first, end)), m_top(top), m_image(image) {
     recall_colours(setup, 0, first, end, top, image);
   }
@@ -54,8 +54,10 @@ class PlainBand final : public FilmBand {
 
 class PlainFilm final : public Film {
  public:
-  PlainFilm(FilmSetup setup, const BandOrders& orders) : m_setup(std::move(setup)), m_orders(orders) {}
-  std::unique_ptr<FilmBand> band(std::uint32_t top, std::uint32_t bottom, Image& image) const override {
+  PlainFilm(FilmSetup setup, const BandOrders& orders)
+      : m_setup(std::move(setup)), m_orders(orders) {}
+  std::unique_ptr<FilmBand> band(std::uint32_t top, std::uint32_t bottom,
+                                 Image& image) const override {
     const std::uint32_t first = std::max(top, m_setup.region.top);
     const std::uint32_t end = std::min(bottom, m_setup.region.bottom);
     if (first >= end || m_setup.region.left >= m_setup.region.right) return nullptr;
@@ -73,12 +75,13 @@ void leave_out(const PixelSet* known, std::vector<Pixel>& pixels) {
   if (known) std::erase_if(pixels, [known](const Pixel& p) { return known->has(p); });
 }
 
-void recall_colours(const FilmSetup& setup, std::size_t stage, std::uint32_t top, std::uint32_t bottom,
-                    std::uint32_t image_top, Image& image) {
+void recall_colours(const FilmSetup& setup, std::size_t stage, std::uint32_t top,
+                    std::uint32_t bottom, std::uint32_t image_top, Image& image) {
   if (!setup.known(stage)) return;
-  setup.ledger->recall(stage, top, bottom, [image_top, &image](const Pixel& p, const float* values) {
-    std::copy_n(values, PictureLedger::kValues, image.pixel(p.column, p.row - image_top));
-  });
+  setup.ledger->recall(
+      stage, top, bottom, [image_top, &image](const Pixel& p, const float* values) {
+        std::copy_n(values, PictureLedger::kValues, image.pixel(p.column, p.row - image_top));
+      });
 }
 
 void keep_colours(const FilmSetup& setup, std::size_t stage, std::uint32_t image_top, Image& image,
@@ -116,7 +119,8 @@ PixelRegion Film::traced_region(const FilmSetup& setup) {
   const FilmColumns columns = traced_columns(setup);
   const std::uint32_t tile = rows_together(setup.antialiasing);
   const std::uint32_t bottom = (setup.region.bottom + tile - 1) / tile * tile;
-  return {columns.left, setup.region.top / tile * tile, columns.right, std::min(bottom, setup.height)};
+  return {columns.left, setup.region.top / tile * tile, columns.right,
+          std::min(bottom, setup.height)};
 }
 
 double Film::bytes_a_row(const Antialiasing& antialiasing, std::uint32_t width) {

@@ -30,13 +30,17 @@ struct FilmThread {
   Sampler& sampler;
   Counters& counters;
   const std::atomic<bool>& cancel;
-  WorkMeter* meter = nullptr;          ///< null: nobody watches
-  std::vector<Pixel> pixels{};         ///< what the last job worked on
-  std::vector<float> values{};         ///< what the ledger keeps of them
+  WorkMeter* meter = nullptr;            ///< null: nobody watches
+  std::vector<Pixel> pixels{};           ///< what the last job worked on
+  std::vector<float> values{};           ///< what the ledger keeps of them
   std::vector<Compared> above{}, row{};  ///< of film_centres
   std::vector<std::uint8_t> above_sampled{}, row_sampled{};
-  struct Finer { Radiance seen; Compared compared; std::uint32_t stamp = 0; };
-  std::vector<Finer> finer{};          ///< of film_corners: the samples within a pixel
+  struct Finer {
+    Radiance seen;
+    Compared compared;
+    std::uint32_t stamp = 0;
+  };
+  std::vector<Finer> finer{};  ///< of film_corners: the samples within a pixel
   std::uint32_t stamp = 0;
 
   /// Work on a pixel begins; false: it is not to, as the frame was cancelled.
@@ -61,7 +65,7 @@ class FilmBand {
 /// What all bands of a picture have in common.
 struct FilmSetup {
   std::uint32_t width = 0, height = 0;
-  PixelRegion region;          ///< the pixels that are asked for; the others stay black
+  PixelRegion region;  ///< the pixels that are asked for; the others stay black
   Antialiasing antialiasing;
   bool alpha = false;
   PixelLattice lattice;
@@ -81,8 +85,8 @@ struct FilmColumns {
 /// Pixels of an order that are not known yet.
 void leave_out(const PixelSet* known, std::vector<Pixel>& pixels);
 /// Known colours, into an image whose first row is `image_top`.
-void recall_colours(const FilmSetup& setup, std::size_t stage, std::uint32_t top, std::uint32_t bottom,
-                    std::uint32_t image_top, Image& image);
+void recall_colours(const FilmSetup& setup, std::size_t stage, std::uint32_t top,
+                    std::uint32_t bottom, std::uint32_t image_top, Image& image);
 /// The colours of the thread's pixels go to the ledger.
 void keep_colours(const FilmSetup& setup, std::size_t stage, std::uint32_t image_top, Image& image,
                   FilmThread& thread);

@@ -16,8 +16,10 @@ constexpr std::size_t kBorderJob = 1024;  ///< pixels outside the image that are
 struct Chain {
   std::uint32_t begin = 0;  ///< of the tile
   std::vector<std::uint32_t> columns;
-  std::vector<std::uint32_t> left;   ///< by place in `columns`: that of the left neighbour, or kOutside
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> ahead;  ///< place, and its neighbour on the right
+  std::vector<std::uint32_t>
+      left;  ///< by place in `columns`: that of the left neighbour, or kOutside
+  std::vector<std::pair<std::uint32_t, std::uint32_t>>
+      ahead;  ///< place, and its neighbour on the right
 };
 constexpr std::uint32_t kOutside = ~0u;
 
@@ -30,14 +32,16 @@ Tiles tiles_of(const FilmSetup& setup) {
   Tiles out;
   if (setup.region.left >= setup.region.right) return out;
   const auto after = [&](std::uint32_t column) {
-    return static_cast<std::size_t>(std::upper_bound(starts.begin(), starts.end(), column) - starts.begin());
+    return static_cast<std::size_t>(std::upper_bound(starts.begin(), starts.end(), column) -
+                                    starts.begin());
   };
   out.first = after(setup.region.left) - 1;
   out.end = after(setup.region.right - 1);
   return out;
 }
 
-std::vector<Chain> chains_of_tile(const PixelLattice& lattice, std::uint32_t begin, std::uint32_t end) {
+std::vector<Chain> chains_of_tile(const PixelLattice& lattice, std::uint32_t begin,
+                                  std::uint32_t end) {
   std::vector<Chain> chains;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> at(end - begin);  // chain, place in it
   for (std::uint32_t k = begin; k < lattice.width(); ++k) {
@@ -67,7 +71,8 @@ std::vector<Chain> chains_of(const FilmSetup& setup) {
   std::vector<Chain> out;
   const Tiles tiles = tiles_of(setup);
   for (std::size_t i = tiles.first; i < tiles.end; ++i) {
-    for (Chain& chain : chains_of_tile(setup.lattice, setup.lattice.tiles[i], setup.lattice.tiles[i + 1])) {
+    for (Chain& chain :
+         chains_of_tile(setup.lattice, setup.lattice.tiles[i], setup.lattice.tiles[i + 1])) {
       out.push_back(std::move(chain));
     }
   }
@@ -77,8 +82,10 @@ std::vector<Chain> chains_of(const FilmSetup& setup) {
 /// What all bands share.
 struct Plan {
   Plan(FilmSetup s, const BandOrders& o)
-      : setup(std::move(s)), orders(o), chains(chains_of(setup)), columns(traced_columns_of_centres(setup)),
-        base(columns.left == 0 ? setup.lattice.leftmost() : static_cast<std::int32_t>(columns.left)),
+      : setup(std::move(s)), orders(o), chains(chains_of(setup)),
+        columns(traced_columns_of_centres(setup)),
+        base(columns.left == 0 ? setup.lattice.leftmost()
+                               : static_cast<std::int32_t>(columns.left)),
         stride(static_cast<std::size_t>(static_cast<std::int32_t>(columns.right) - base)) {}
   FilmSetup setup;
   const BandOrders& orders;
@@ -91,13 +98,16 @@ struct Plan {
 class CentresBand final : public FilmBand {
  public:
   /// Rows [top, bottom), whole tiles; the image begins with row `image_top`.
-  CentresBand(const Plan& plan, std::uint32_t top, std::uint32_t bottom, std::uint32_t image_top, Image& image)
-      : m_plan(plan), m_setup(plan.setup), m_top(top), m_bottom(bottom), m_image_top(image_top), m_image(image) {
+  CentresBand(const Plan& plan, std::uint32_t top, std::uint32_t bottom, std::uint32_t image_top,
+              Image& image)
+      : m_plan(plan), m_setup(plan.setup), m_top(top), m_bottom(bottom), m_image_top(image_top),
+        m_image(image) {
     const std::uint32_t first = top > 0 ? top - 1 : 0;
     m_order = plan.orders.band(first, std::min(bottom + 1, m_setup.height));
     if (plan.base < 0) {
       for (std::uint32_t row = top; row < bottom; ++row) {
-        for (std::int32_t k = plan.base; k < 0; ++k) m_border.push_back({k, static_cast<std::int32_t>(row)});
+        for (std::int32_t k = plan.base; k < 0; ++k)
+          m_border.push_back({k, static_cast<std::int32_t>(row)});
       }
     }
     if (top == 0) {
@@ -129,7 +139,8 @@ class CentresBand final : public FilmBand {
       leave_out(m_setup.known(0), thread.pixels);
       for (const Pixel& p : thread.pixels) {
         if (!thread.begins(p)) return false;
-        const bool seen = trace(static_cast<std::int32_t>(p.column), static_cast<std::int32_t>(p.row), thread);
+        const bool seen =
+            trace(static_cast<std::int32_t>(p.column), static_cast<std::int32_t>(p.row), thread);
         if (!seen && p.row >= m_top && p.row < m_bottom) ++thread.counters.dark_pixels;
       }
       if (m_setup.keeps()) {
@@ -148,10 +159,14 @@ class CentresBand final : public FilmBand {
   }
 
  private:
-  struct Centre { Radiance seen; Compared compared; };
+  struct Centre {
+    Radiance seen;
+    Compared compared;
+  };
 
   Centre& centre(std::int32_t column, std::int32_t row) {
-    return m_centres[static_cast<std::size_t>(row - (static_cast<std::int32_t>(m_top) - 1)) * m_plan.stride +
+    return m_centres[static_cast<std::size_t>(row - (static_cast<std::int32_t>(m_top) - 1)) *
+                         m_plan.stride +
                      static_cast<std::size_t>(column - m_plan.base)];
   }
 
@@ -162,11 +177,12 @@ class CentresBand final : public FilmBand {
   void recall(std::uint32_t first, std::uint32_t end) {
     recall_colours(m_setup, 1, m_top, m_bottom, m_image_top, m_image);
     if (!m_setup.known(0)) return;
-    recall_samples(m_setup, m_plan.columns, first, end, [this](const Pixel& p, const Radiance& seen) {
-      Centre& out = centre(p);
-      out.seen = seen;
-      out.compared = m_setup.space.of(seen);
-    });
+    recall_samples(m_setup, m_plan.columns, first, end,
+                   [this](const Pixel& p, const Radiance& seen) {
+                     Centre& out = centre(p);
+                     out.seen = seen;
+                     out.compared = m_setup.space.of(seen);
+                   });
   }
 
   /// All colours of the chain in the rows [top, bottom).
@@ -197,7 +213,9 @@ class CentresBand final : public FilmBand {
     Radiance sum = centre(c, r).seen;
     for (int i = 0; i < aa.depth * aa.depth; ++i) {
       const auto index = static_cast<std::uint32_t>(i) + 1;
-      PixelPlace place{.column = c, .row = r, .across = (i % aa.depth + 0.5) * step - 0.5,
+      PixelPlace place{.column = c,
+                       .row = r,
+                       .across = (i % aa.depth + 0.5) * step - 0.5,
                        .down = (i / aa.depth + 0.5) * step - 0.5};
       if (aa.jitter > 0.0) {
         RandomSequence random(sample_key(c, r, index), RandomSequence::Use::kFilm);
@@ -243,7 +261,9 @@ class CentresBand final : public FilmBand {
     }
     if (bottom == m_setup.height) return true;
     for (std::size_t i = 0; i < count; ++i) {
-      if (thread.above_sampled[i] || !differ(thread.above[i], compared(chain.columns[i], bottom, 0))) continue;
+      if (thread.above_sampled[i] ||
+          !differ(thread.above[i], compared(chain.columns[i], bottom, 0)))
+        continue;
       finer(chain.columns[i], bottom - 1, thread);
     }
     return true;
@@ -263,7 +283,9 @@ class CentresBand final : public FilmBand {
       thread.row[i] = here.compared;
       put(k, row, here.seen);
       const Compared& beside =
-          left == kOutside ? centre(m_setup.lattice.left[k], static_cast<std::int32_t>(row)).compared : thread.row[left];
+          left == kOutside
+              ? centre(m_setup.lattice.left[k], static_cast<std::int32_t>(row)).compared
+              : thread.row[left];
       const bool differs_left = differ(beside, here.compared);
       const bool differs_above = differ(thread.above[i], here.compared);
       if (differs_left && left != kOutside && !thread.row_sampled[left]) {
@@ -272,7 +294,8 @@ class CentresBand final : public FilmBand {
       if (differs_above && !thread.above_sampled[i]) {
         sample_finer(k, row - 1, thread.above[i], thread.above_sampled[i], thread);
       }
-      if (differs_left || differs_above) sample_finer(k, row, thread.row[i], thread.row_sampled[i], thread);
+      if (differs_left || differs_above)
+        sample_finer(k, row, thread.row[i], thread.row_sampled[i], thread);
     }
     for (const auto& [i, k] : chain.ahead) {
       if (differ(thread.row[i], compared(k, row, 0)) && !thread.row_sampled[i]) {
@@ -300,7 +323,8 @@ class CentresBand final : public FilmBand {
 class CentresFilm final : public Film {
  public:
   CentresFilm(FilmSetup setup, const BandOrders& orders) : m_plan(std::move(setup), orders) {}
-  std::unique_ptr<FilmBand> band(std::uint32_t top, std::uint32_t bottom, Image& image) const override {
+  std::unique_ptr<FilmBand> band(std::uint32_t top, std::uint32_t bottom,
+                                 Image& image) const override {
     const PixelRegion& region = m_plan.setup.region;
     const std::uint32_t first = std::max(top, region.top / kTile * kTile);
     const std::uint32_t end = std::min(bottom, (region.bottom + kTile - 1) / kTile * kTile);
@@ -323,7 +347,8 @@ FilmColumns traced_columns_of_centres(const FilmSetup& setup) {
   while (out.right < setup.width && lattice.left[out.right] < end) ++out.right;
   // The neighbours of the tile's first lens are those of its first columns.
   std::int32_t least = static_cast<std::int32_t>(out.left);
-  for (std::uint32_t k = out.left; k < static_cast<std::uint32_t>(end); ++k) least = std::min(least, lattice.left[k]);
+  for (std::uint32_t k = out.left; k < static_cast<std::uint32_t>(end); ++k)
+    least = std::min(least, lattice.left[k]);
   out.left = static_cast<std::uint32_t>(std::max(least, 0));
   return out;
 }

@@ -36,9 +36,10 @@ struct Plan {
 
 class CornersBand final : public FilmBand {
  public:
-  CornersBand(const Plan& plan, std::uint32_t top, std::uint32_t bottom, std::uint32_t image_top, Image& image)
-      : m_plan(plan), m_setup(plan.setup), m_top(top), m_bottom(bottom), m_image_top(image_top), m_image(image),
-        m_corner_order(plan.orders.band(top, std::min(bottom + 1, m_setup.height))),
+  CornersBand(const Plan& plan, std::uint32_t top, std::uint32_t bottom, std::uint32_t image_top,
+              Image& image)
+      : m_plan(plan), m_setup(plan.setup), m_top(top), m_bottom(bottom), m_image_top(image_top),
+        m_image(image), m_corner_order(plan.orders.band(top, std::min(bottom + 1, m_setup.height))),
         m_order(plan.orders.band(top, bottom)), m_corners(plan.stride * (bottom - top + 1)) {
     const PixelRegion& region = m_setup.region;
     // The corners beyond the image's right and lower edge.
@@ -67,13 +68,15 @@ class CornersBand final : public FilmBand {
       leave_out(known_corners(), thread.pixels);
       if (!trace_corners(thread.pixels.data(), thread.pixels.size(), thread)) return false;
       if (m_setup.keeps() && m_plan.step > 0) {
-        keep_samples(m_setup, thread, [this](const Pixel& p) { return corner(p.column, p.row).seen; });
+        keep_samples(m_setup, thread,
+                     [this](const Pixel& p) { return corner(p.column, p.row).seen; });
       }
       return true;
     }
     thread.pixels.clear();
     const std::size_t first = (job - m_corner_order->jobs()) * kBorderJob;
-    return trace_corners(m_border.data() + first, std::min(m_border.size() - first, kBorderJob), thread);
+    return trace_corners(m_border.data() + first, std::min(m_border.size() - first, kBorderJob),
+                         thread);
   }
 
  private:
@@ -82,7 +85,8 @@ class CornersBand final : public FilmBand {
   /// The upper left corner of a pixel, or its upper right one where pixels do not join.
   Corner& corner(std::uint32_t column, std::uint32_t row, bool right = false) {
     const std::size_t k = column - m_setup.region.left;
-    const std::size_t place = m_plan.step > 0 ? k + (right ? m_plan.step : 0) : 2 * k + (right ? 1 : 0);
+    const std::size_t place =
+        m_plan.step > 0 ? k + (right ? m_plan.step : 0) : 2 * k + (right ? 1 : 0);
     return m_corners[(row - m_top) * m_plan.stride + place];
   }
 
@@ -92,12 +96,13 @@ class CornersBand final : public FilmBand {
   void recall(std::uint32_t end) {
     recall_colours(m_setup, 1, m_top, m_bottom, m_image_top, m_image);
     if (!known_corners()) return;
-    recall_samples(m_setup, m_plan.columns, m_top, end, [this](const Pixel& p, const Radiance& seen) {
-      Corner& out = corner(p.column, p.row);
-      out.seen = seen;
-      out.compared = m_setup.space.of(seen);
-      out.has_ray = true;
-    });
+    recall_samples(m_setup, m_plan.columns, m_top, end,
+                   [this](const Pixel& p, const Radiance& seen) {
+                     Corner& out = corner(p.column, p.row);
+                     out.seen = seen;
+                     out.compared = m_setup.space.of(seen);
+                     out.has_ray = true;
+                   });
   }
 
   bool trace_corners(const Pixel* pixels, std::size_t count, FilmThread& thread) {
@@ -111,8 +116,10 @@ class CornersBand final : public FilmBand {
 
   void trace(const Pixel& p, bool right, FilmThread& thread) {
     Corner& out = corner(p.column, p.row, right);
-    const PixelPlace place{.column = static_cast<std::int32_t>(p.column), .row = static_cast<std::int32_t>(p.row),
-                           .across = right ? 0.5 : -0.5, .down = -0.5};
+    const PixelPlace place{.column = static_cast<std::int32_t>(p.column),
+                           .row = static_cast<std::int32_t>(p.row),
+                           .across = right ? 0.5 : -0.5,
+                           .down = -0.5};
     out.has_ray = thread.sampler.sample(place, right ? kRightCorner : 0, out.seen);
     out.compared = m_setup.space.of(out.seen);
     if (thread.meter) thread.meter->seen(place.column, place.row, out.compared);
@@ -147,7 +154,9 @@ class CornersBand final : public FilmBand {
   }
 
   /// A square within a pixel.
-  struct Square { std::uint32_t x, y, side; };
+  struct Square {
+    std::uint32_t x, y, side;
+  };
 
   /// Samples a place unless the pixel has it already.
   void need(const Pixel& pixel, std::uint32_t x, std::uint32_t y, FilmThread& thread) const {
@@ -155,8 +164,11 @@ class CornersBand final : public FilmBand {
     if (out.stamp == thread.stamp) return;
     const Antialiasing& aa = m_setup.antialiasing;
     const auto index = y * (m_plan.places + 1) + x + 1;
-    const auto column = static_cast<std::int32_t>(pixel.column), row = static_cast<std::int32_t>(pixel.row);
-    PixelPlace place{.column = column, .row = row, .across = 1.0 * x / m_plan.places - 0.5,
+    const auto column = static_cast<std::int32_t>(pixel.column),
+               row = static_cast<std::int32_t>(pixel.row);
+    PixelPlace place{.column = column,
+                     .row = row,
+                     .across = 1.0 * x / m_plan.places - 0.5,
                      .down = 1.0 * y / m_plan.places - 0.5};
     if (aa.jitter > 0.0) {
       RandomSequence random(sample_key(column, row, index), RandomSequence::Use::kFilm);
@@ -196,7 +208,8 @@ class CornersBand final : public FilmBand {
       need(pixel, right, y, thread);
       need(pixel, x, below, thread);
       need(pixel, x, y, thread);
-      for (const Square& quarter : {Square{q.x, q.y, half}, {x, q.y, half}, {q.x, y, half}, {x, y, half}}) {
+      for (const Square& quarter :
+           {Square{q.x, q.y, half}, {x, q.y, half}, {q.x, y, half}, {x, y, half}}) {
         add(cut(pixel, quarter, was_cut, thread));
       }
     } else {
@@ -217,7 +230,8 @@ class CornersBand final : public FilmBand {
 class CornersFilm final : public Film {
  public:
   CornersFilm(FilmSetup setup, const BandOrders& orders) : m_plan(std::move(setup), orders) {}
-  std::unique_ptr<FilmBand> band(std::uint32_t top, std::uint32_t bottom, Image& image) const override {
+  std::unique_ptr<FilmBand> band(std::uint32_t top, std::uint32_t bottom,
+                                 Image& image) const override {
     const PixelRegion& region = m_plan.setup.region;
     const std::uint32_t first = std::max(top, region.top), end = std::min(bottom, region.bottom);
     if (first >= end || region.left >= region.right) return nullptr;

@@ -91,7 +91,8 @@ class Cells {
  private:
   std::size_t cell(const Vec2& p) const {
     const auto along = [&](double x) {
-      return static_cast<std::size_t>(std::clamp(static_cast<int>((x + 0.5) * m_side), 0, m_side - 1));
+      return static_cast<std::size_t>(
+          std::clamp(static_cast<int>((x + 0.5) * m_side), 0, m_side - 1));
     };
     return along(p.v) * static_cast<std::size_t>(m_side) + along(p.u);
   }
@@ -154,8 +155,7 @@ double exceeded(int freedom, double probability) {
 
 std::vector<FocalBlur::Stop> stops_of(int most, const FocalBlurOptions& options,
                                       const std::vector<int>& batches) {
-  const double unit =
-      most > 1 ? options.variance / exceeded(most - 1, options.confidence) : 0.0;
+  const double unit = most > 1 ? options.variance / exceeded(most - 1, options.confidence) : 0.0;
   std::vector<FocalBlur::Stop> stops;
   std::size_t batch = 0;
   for (int rays = 0; rays < most;) {

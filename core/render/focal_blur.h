@@ -15,15 +15,15 @@
 
 #include "core/base/vec3.h"
 #include "core/render/ray_source.h"
-#include "core/trace/random_key.h"
 #include "core/trace/radiance.h"
+#include "core/trace/random_key.h"
 
 namespace lentray::core {
 
 /// How far from the mean of infinitely many rays a sample may be.
 struct FocalBlurOptions {
-  int most = 0, least = 0;     ///< blur_samples: rays a sample; most > 0
-  double confidence = 0.9;     ///< 0..1, both excluded
+  int most = 0, least = 0;  ///< blur_samples: rays a sample; most > 0
+  double confidence = 0.9;  ///< 0..1, both excluded
   double variance = 1.0 / 10000.0;
   /// Bokeh: how likely a ray starts at a point of the square (0..1)^2. Empty: the disc.
   std::function<double(double x, double y)> weight{};

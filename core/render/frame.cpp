@@ -67,8 +67,10 @@ void take_jobs(Work& work) {
     meter.emplace(work.watch->cells(), film.lattice, film.antialiasing.threshold);
   }
   static constexpr std::atomic<bool> kNever{false};
-  FilmThread thread{.sampler = sampler, .counters = context.counters,
-                    .cancel = work.options.cancel ? *work.options.cancel : kNever, .meter = meter ? &*meter : nullptr};
+  FilmThread thread{.sampler = sampler,
+                    .counters = context.counters,
+                    .cancel = work.options.cancel ? *work.options.cancel : kNever,
+                    .meter = meter ? &*meter : nullptr};
   BandQueue::Job job;
   while (work.queue.next(job)) {
     if (meter) meter->begin(job.stage);
@@ -97,14 +99,16 @@ void run(Work& work) {
 }  // namespace
 
 unsigned frame_threads(const FrameOptions& options) {
-  return options.threads > 0 ? static_cast<unsigned>(options.threads) : std::max(1u, std::thread::hardware_concurrency());
+  return options.threads > 0 ? static_cast<unsigned>(options.threads)
+                             : std::max(1u, std::thread::hardware_concurrency());
 }
 
 double bytes_a_band_row(const Antialiasing& antialiasing, std::uint32_t width) {
   return BandQueue::kInMemory * Film::bytes_a_row(antialiasing, width);
 }
 
-FilmColumns traced_columns(const RaySource& camera, const FrameShape& shape, const FrameOptions& options) {
+FilmColumns traced_columns(const RaySource& camera, const FrameShape& shape,
+                           const FrameOptions& options) {
   return Film::traced_columns(film_setup(nullptr, camera, shape, options));
 }
 
@@ -122,7 +126,8 @@ Counters render_frame(const Scene& scene, const RaySource& camera, const FrameSh
   if (progress && traced.left < traced.right && traced.top < traced.bottom) {
     watch.emplace(scene, camera, shadows, options, setup, bands.band_height, *progress);
   }
-  Work work{scene, camera, shadows, options, watch ? &*watch : nullptr, BandQueue(bands, *film, sink)};
+  Work work{
+      scene, camera, shadows, options, watch ? &*watch : nullptr, BandQueue(bands, *film, sink)};
   // Not tasks of oneTBB: they wait for each other.
   run_on_threads(frame_threads(options), [&work] { run(work); });
   watch.reset();

@@ -19,13 +19,14 @@
 namespace lentray::core {
 
 struct FrameOptions {
-  int threads = 0;            ///< 0: all of the machine
-  bool count_tests = false;   ///< fill bounds and primitive tests (Statistics_File)
-  bool alpha = false;         ///< +UA, for a scene with SceneSettings::alpha
+  int threads = 0;           ///< 0: all of the machine
+  bool count_tests = false;  ///< fill bounds and primitive tests (Statistics_File)
+  bool alpha = false;        ///< +UA, for a scene with SceneSettings::alpha
   Antialiasing antialiasing{};
-  int angles = 1;             ///< Antialias_Angle, see SamplerOptions
+  int angles = 1;                       ///< Antialias_Angle, see SamplerOptions
   std::optional<PixelRegion> region{};  ///< the pixels that are rendered; the others are black
-  PictureLedger* ledger = nullptr;  ///< what is known of the picture, and what becomes known; or null
+  PictureLedger* ledger =
+      nullptr;  ///< what is known of the picture, and what becomes known; or null
   /// Set from outside (a signal, another thread) to stop soon; the sink then lacks bands.
   const std::atomic<bool>* cancel = nullptr;
 };
@@ -35,7 +36,8 @@ unsigned frame_threads(const FrameOptions& options);
 /// Bytes that render_frame() holds for each row of a band.
 double bytes_a_band_row(const Antialiasing& antialiasing, std::uint32_t width);
 /// The columns that `orders` are to have, and the rows of which a band must be a multiple.
-FilmColumns traced_columns(const RaySource& camera, const FrameShape& shape, const FrameOptions& options);
+FilmColumns traced_columns(const RaySource& camera, const FrameShape& shape,
+                           const FrameOptions& options);
 
 /// Renders every pixel; returns the merged counts. `progress` (or null) hears nothing in the first
 /// second, then several times a second, and the end.

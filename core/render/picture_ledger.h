@@ -47,7 +47,8 @@ class PictureLedger {
   /// Whether add() would keep anything now.
   virtual bool listens() const = 0;
   /// `values`: kValues of each pixel. Any number of threads at once.
-  virtual void add(std::size_t stage, const std::vector<Pixel>& pixels, const std::vector<float>& values) = 0;
+  virtual void add(std::size_t stage, const std::vector<Pixel>& pixels,
+                   const std::vector<float>& values) = 0;
 };
 
 }  // namespace lentray::core

@@ -35,8 +35,8 @@ class RaySource {
   virtual const FocalBlur* blur() const { return nullptr; }
   /// Ray through a place of a pixel's area from a point of the aperture, in the aperture's own units
   /// (core/render/focal_blur.h). All such rays meet where the camera is in focus.
-  virtual bool lens_ray_at(const PixelPlace& place, [[maybe_unused]] double x, [[maybe_unused]] double y,
-                           Ray& out) const {
+  virtual bool lens_ray_at(const PixelPlace& place, [[maybe_unused]] double x,
+                           [[maybe_unused]] double y, Ray& out) const {
     return ray_at(place, out);
   }
   /// How the areas of the pixels of a picture of that width join.

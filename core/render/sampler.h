@@ -12,20 +12,21 @@
 namespace lentray::core {
 
 struct SamplerOptions {
-  int angles = 1;           ///< Antialias_Angle: directions within a pixel of a lens sheet
-  bool alpha = false;       ///< +UA; without, every sample is opaque
+  int angles = 1;      ///< Antialias_Angle: directions within a pixel of a lens sheet
+  bool alpha = false;  ///< +UA; without, every sample is opaque
 };
 
 class Sampler {
  public:
-  Sampler(const RaySource& camera, const SamplerOptions& options,
-          Integrator& integrator)
-      : m_camera(camera), m_blur(camera.blur()), m_options(options), m_is_mean(options.angles > 1 || m_blur), m_integrator(integrator) {}
+  Sampler(const RaySource& camera, const SamplerOptions& options, Integrator& integrator)
+      : m_camera(camera), m_blur(camera.blur()), m_options(options),
+        m_is_mean(options.angles > 1 || m_blur), m_integrator(integrator) {}
 
   /// Sample 0 of each of those pixels of the image, at their centres: `keep(pixel, radiance)`.
   /// Pixels without a ray are black and counted. False if `stop(pixel)` said so before one of them.
   template <class Keep, class Stop>
-  bool centres(const std::vector<Pixel>& pixels, Counters& counters, const Keep& keep, const Stop& stop) {
+  bool centres(const std::vector<Pixel>& pixels, Counters& counters, const Keep& keep,
+               const Stop& stop) {
     if (m_is_mean) return mean_centres(pixels, counters, keep, stop);
     const RaySource& camera = m_camera;
     Integrator& integrator = m_integrator;
@@ -49,11 +50,13 @@ class Sampler {
 
  private:
   template <class Keep, class Stop>
-  bool mean_centres(const std::vector<Pixel>& pixels, Counters& counters, const Keep& keep, const Stop& stop) {
+  bool mean_centres(const std::vector<Pixel>& pixels, Counters& counters, const Keep& keep,
+                    const Stop& stop) {
     for (const Pixel& pixel : pixels) {
       if (stop(pixel)) return false;
       Radiance seen;
-      if (!sample({.column = static_cast<std::int32_t>(pixel.column), .row = static_cast<std::int32_t>(pixel.row)},
+      if (!sample({.column = static_cast<std::int32_t>(pixel.column),
+                   .row = static_cast<std::int32_t>(pixel.row)},
                   0, seen)) {
         ++counters.dark_pixels;
         seen = {};  // not clear

@@ -37,7 +37,8 @@ std::uint32_t WorkCells::pixels(std::size_t cell, std::size_t stage) const {
     const std::uint32_t first = start + (static_cast<std::uint32_t>(k) << m_shift);
     return std::min(end, first + (1u << m_shift)) - first;
   };
-  return part(m_region.left, m_region.right, cell % m_columns) * part(m_region.top, m_region.bottom, cell / m_columns) -
+  return part(m_region.left, m_region.right, cell % m_columns) *
+             part(m_region.top, m_region.bottom, cell / m_columns) -
          m_cells[cell].known[stage];
 }
 

@@ -44,10 +44,13 @@ class WorkCells {
   const Cell& operator[](std::size_t cell) const { return m_cells[cell]; }
 
   void add_seconds(std::size_t stage, double seconds) {
-    m_nanoseconds[stage].fetch_add(static_cast<std::uint64_t>(seconds * 1e9), std::memory_order_relaxed);
+    m_nanoseconds[stage].fetch_add(static_cast<std::uint64_t>(seconds * 1e9),
+                                   std::memory_order_relaxed);
   }
   /// CPU time of all threads.
-  double seconds(std::size_t stage) const { return 1e-9 * static_cast<double>(m_nanoseconds[stage].load(std::memory_order_relaxed)); }
+  double seconds(std::size_t stage) const {
+    return 1e-9 * static_cast<double>(m_nanoseconds[stage].load(std::memory_order_relaxed));
+  }
 
  private:
   std::uint32_t place(std::int32_t at, std::uint32_t start, std::uint32_t count) const {

@@ -49,7 +49,8 @@ FinerWork FinerWork::of(const Antialiasing& antialiasing) {
     case 2: {
       // Five samples cut a square; about half of its quarters are cut again and share some.
       double samples = 0.0, squares = 1.0;
-      for (int i = 1; i < antialiasing.depth; ++i, squares *= 2.0) samples += squares * (i == 1 ? 5.0 : 4.0);
+      for (int i = 1; i < antialiasing.depth; ++i, squares *= 2.0)
+        samples += squares * (i == 1 ? 5.0 : 4.0);
       return {samples, 2.0, kJob};
     }
     default: return {};
@@ -116,7 +117,8 @@ WorkEstimate::Work WorkEstimate::work() const {
 
 void WorkEstimate::add_left(const std::vector<double>& left, std::uint32_t job, Work& out) const {
   const std::uint32_t side = std::max(1u, job / m_cells.side());
-  const std::uint32_t across = (m_cells.columns() + side - 1) / side, down = (m_cells.rows() + side - 1) / side;
+  const std::uint32_t across = (m_cells.columns() + side - 1) / side,
+                      down = (m_cells.rows() + side - 1) / side;
   std::vector<double> jobs(std::size_t{across} * down);
   for (std::size_t i = 0; i < left.size(); ++i) {
     out.left += left[i];
@@ -127,10 +129,12 @@ void WorkEstimate::add_left(const std::vector<double>& left, std::uint32_t job, 
 
 /// Adds stage 0; what a sample of each cell takes. What was foreseen is compared with what was
 /// done in cells that were probed before they were traced: others were not foreseen well.
-std::vector<double> WorkEstimate::sample_seconds(const std::vector<Expected>& foreseen, Work& out) const {
+std::vector<double> WorkEstimate::sample_seconds(const std::vector<Expected>& foreseen,
+                                                 Work& out) const {
   double left = 0.0, done = 0.0, real = 0.0;
   for (std::size_t i = 0; i < foreseen.size(); ++i) {
-    const double pixels = m_repeats * m_cells.pixels(i, 0), visited = std::min(visits(m_cells[i], 0), pixels);
+    const double pixels = m_repeats * m_cells.pixels(i, 0),
+                 visited = std::min(visits(m_cells[i], 0), pixels);
     left += foreseen[i].seconds * (pixels - visited);
     if (m_levels.front().sums[i].probes == 0.0) continue;
     done += foreseen[i].seconds * visited;
@@ -150,23 +154,27 @@ std::vector<double> WorkEstimate::sample_seconds(const std::vector<Expected>& fo
 
 /// Adds stage 1. Where samples were traced in turn, their differences say where pixels are
 /// antialiased; how many these are, on the whole, probes say, which look to all sides alike.
-void WorkEstimate::add_finer(const std::vector<Expected>& foreseen, const std::vector<double>& seconds, Work& out) const {
+void WorkEstimate::add_finer(const std::vector<Expected>& foreseen,
+                             const std::vector<double>& seconds, Work& out) const {
   double from_probes = 0.0, from_threads = 0.0;
   for (std::size_t i = 0; i < foreseen.size(); ++i) {
     const double pairs = m_cells[i].pairs.load(std::memory_order_relaxed);
     if (pairs == 0.0) continue;
     from_probes += m_cells.pixels(i, 1) * foreseen[i].differing;
-    from_threads += m_cells.pixels(i, 1) * (m_cells[i].differing.load(std::memory_order_relaxed) / pairs);
+    from_threads +=
+        m_cells.pixels(i, 1) * (m_cells[i].differing.load(std::memory_order_relaxed) / pairs);
   }
   const double known = m_levels.back().sums.front().differing;
-  const double sides =
-      from_threads > 0.0 ? 1.0 + (from_probes / from_threads - 1.0) * known / (known + kDiffering) : 1.0;
+  const double sides = from_threads > 0.0
+                           ? 1.0 + (from_probes / from_threads - 1.0) * known / (known + kDiffering)
+                           : 1.0;
   std::vector<double> pixel(foreseen.size());
   double all = 0.0, done = 0.0;
   for (std::size_t i = 0; i < foreseen.size(); ++i) {
     const double pairs = m_cells[i].pairs.load(std::memory_order_relaxed);
     const double differing = sides * m_cells[i].differing.load(std::memory_order_relaxed);
-    const double share = std::clamp((differing + kPairs * foreseen[i].differing) / (pairs + kPairs), 0.0, 1.0);
+    const double share =
+        std::clamp((differing + kPairs * foreseen[i].differing) / (pairs + kPairs), 0.0, 1.0);
     const double antialiased = 1.0 - std::pow(1.0 - share, m_finer.neighbours);
     pixel[i] = kLookSeconds + antialiased * m_finer.samples * seconds[i];
     all += pixel[i] * m_cells.pixels(i, 1);

@@ -42,17 +42,25 @@ class WorkEstimate {
 
  private:
   /// Sums of probes.
-  struct Sum { double probes = 0.0, seconds = 0.0, pairs = 0.0, differing = 0.0; };
+  struct Sum {
+    double probes = 0.0, seconds = 0.0, pairs = 0.0, differing = 0.0;
+  };
   /// What is expected of a pixel.
-  struct Expected { double seconds = 0.0, differing = 0.0; };
+  struct Expected {
+    double seconds = 0.0, differing = 0.0;
+  };
   /// A level of squares of squares of cells; each holds the probes of its four.
-  struct Level { std::uint32_t columns = 0, rows = 0; std::vector<Sum> sums{}; };
+  struct Level {
+    std::uint32_t columns = 0, rows = 0;
+    std::vector<Sum> sums{};
+  };
 
   std::vector<Expected> expected() const;
   /// Adds what is left of the cells in a stage with jobs of squares of that side, in pixels.
   void add_left(const std::vector<double>& left, std::uint32_t job, Work& out) const;
   std::vector<double> sample_seconds(const std::vector<Expected>& expected, Work& out) const;
-  void add_finer(const std::vector<Expected>& expected, const std::vector<double>& seconds, Work& out) const;
+  void add_finer(const std::vector<Expected>& expected, const std::vector<double>& seconds,
+                 Work& out) const;
 
   const WorkCells& m_cells;
   const FinerWork m_finer;

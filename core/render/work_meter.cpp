@@ -52,12 +52,14 @@ void WorkMeter::share_time() {
   if (m_stage == 0) {
     for (std::size_t i = 0; i < m_visits; ++i) {
       const double part = spent * m_visited[i].count / all;
-      m_cells[m_visited[i].cell].nanoseconds.fetch_add(static_cast<std::uint64_t>(part * 1e9), std::memory_order_relaxed);
+      m_cells[m_visited[i].cell].nanoseconds.fetch_add(static_cast<std::uint64_t>(part * 1e9),
+                                                       std::memory_order_relaxed);
     }
   }
   m_visits = 0;
   const double fitting = all * kBetween / std::max(spent, 1e-9);
-  m_most = static_cast<std::uint32_t>(std::clamp(fitting, 1.0, std::min<double>(kMost, 2.0 * m_most)));
+  m_most =
+      static_cast<std::uint32_t>(std::clamp(fitting, 1.0, std::min<double>(kMost, 2.0 * m_most)));
 }
 
 bool WorkMeter::are_neighbours(std::int32_t column, std::int32_t row) const {
@@ -73,7 +75,8 @@ void WorkMeter::seen(std::int32_t column, std::int32_t row, const Compared& samp
   if (are_neighbours(column, row)) {
     WorkCells::Cell& cell = m_cells[m_cells.index(column, row)];
     cell.pairs.fetch_add(1, std::memory_order_relaxed);
-    if (sample.distance(m_last) >= m_threshold) cell.differing.fetch_add(1, std::memory_order_relaxed);
+    if (sample.distance(m_last) >= m_threshold)
+      cell.differing.fetch_add(1, std::memory_order_relaxed);
   }
   m_last_column = column;
   m_last_row = row;

@@ -35,7 +35,9 @@ class WorkMeter {
   void seen(std::int32_t column, std::int32_t row, const Compared& sample);
 
  private:
-  struct Visited { std::uint32_t cell = 0, count = 0; };
+  struct Visited {
+    std::uint32_t cell = 0, count = 0;
+  };
   void leave(std::uint32_t next_cell);
   /// Shares the time since the last call among the cells visited since.
   void share_time();

@@ -20,11 +20,11 @@ constexpr int kMostOfRun = 64;
 
 }  // namespace
 
-WorkProber::WorkProber(const Scene& scene, const RaySource& camera, const ShadowTesterFactory& shadows,
-                       const FrameOptions& options, const FilmSetup& film, const WorkCells& cells)
+WorkProber::WorkProber(const Scene& scene, const RaySource& camera,
+                       const ShadowTesterFactory& shadows, const FrameOptions& options,
+                       const FilmSetup& film, const WorkCells& cells)
     : m_film(film), m_region(Film::traced_region(film)), m_cells(cells),
-      m_context(scene, options.count_tests),
-      m_tester(shadows.unwatched().make(m_context)),
+      m_context(scene, options.count_tests), m_tester(shadows.unwatched().make(m_context)),
       m_integrator(Integrator::make(m_context, *m_tester)),
       m_sampler(camera, {options.angles, options.alpha}, *m_integrator) {
   m_clock = 1.0;
@@ -37,8 +37,11 @@ WorkProber::WorkProber(const Scene& scene, const RaySource& camera, const Shadow
 Compared WorkProber::sample(std::uint32_t column, std::uint32_t row) {
   const double corner = m_film.antialiasing.method == 2 ? -0.5 : 0.0;
   Radiance seen;
-  m_sampler.sample({.column = static_cast<std::int32_t>(column), .row = static_cast<std::int32_t>(row),
-                    .across = corner, .down = corner}, 0, seen);
+  m_sampler.sample({.column = static_cast<std::int32_t>(column),
+                    .row = static_cast<std::int32_t>(row),
+                    .across = corner,
+                    .down = corner},
+                   0, seen);
   return m_film.space.of(seen);
 }
 
@@ -47,9 +50,11 @@ bool WorkProber::probe(WorkEstimate& estimate) {
   for (int i = 0; i < kTries; ++i) {
     m_across = std::fmod(m_across + kAcross, 1.0);
     m_down = std::fmod(m_down + kDown, 1.0);
-    const Pixel pixel{m_region.left + static_cast<std::uint32_t>(m_across * (m_region.right - m_region.left)),
-                      m_region.top + static_cast<std::uint32_t>(m_down * (m_region.bottom - m_region.top))};
-    const std::size_t cell = m_cells.index(static_cast<std::int32_t>(pixel.column), static_cast<std::int32_t>(pixel.row));
+    const Pixel pixel{
+        m_region.left + static_cast<std::uint32_t>(m_across * (m_region.right - m_region.left)),
+        m_region.top + static_cast<std::uint32_t>(m_down * (m_region.bottom - m_region.top))};
+    const std::size_t cell = m_cells.index(static_cast<std::int32_t>(pixel.column),
+                                           static_cast<std::int32_t>(pixel.row));
     if (estimate.is_traced(cell)) continue;
     probe(pixel, cell, estimate);
     m_seconds += thread_seconds() - start;
@@ -77,7 +82,8 @@ void WorkProber::probe(const Pixel& pixel, std::size_t cell, WorkEstimate& estim
   const bool is_fast = spent < kRun;
   const std::uint32_t first = pixel.row, end = std::min(m_region.bottom, first + kMostOfRun);
   if (is_fast) start = thread_seconds();
-  for (std::uint32_t row = first + 1; row < end && (is_fast || (compares && row == first + 1)); ++row) {
+  for (std::uint32_t row = first + 1; row < end && (is_fast || (compares && row == first + 1));
+       ++row) {
     const Compared below = sample(pixel.column, row);
     if (compares && row == first + 1) compare(here, below);
     if (!is_fast) break;

@@ -36,7 +36,7 @@ class WorkProber {
   const std::unique_ptr<ShadowTester> m_tester;
   const std::unique_ptr<Integrator> m_integrator;
   Sampler m_sampler;
-  double m_clock = 0.0;  ///< what reading the clock twice takes
+  double m_clock = 0.0;                 ///< what reading the clock twice takes
   double m_across = 0.0, m_down = 0.0;  ///< the next place, 0..1 of the region
   double m_seconds = 0.0;
   int m_probes = 0;

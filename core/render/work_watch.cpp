@@ -20,17 +20,21 @@ constexpr int kLeastProbes = 150;  ///< before anything is said
 /// Of all work: what probes may take at first, and in all.
 constexpr double kFirstShare = 0.004, kShare = 0.008;
 
-double since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+double since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
 
 /// How often stage 0 visits a pixel: bands trace rows of the next band for its neighbours.
-double repeats(const Antialiasing& antialiasing, std::uint32_t band_height, const PixelRegion& region) {
+double repeats(const Antialiasing& antialiasing, std::uint32_t band_height,
+               const PixelRegion& region) {
   if (antialiasing.method == 0 || band_height >= region.bottom - region.top) return 1.0;
   return 1.0 + (antialiasing.method == 1 ? 2.0 : 1.0) / band_height;
 }
 
 /// At the end threads have nothing to do while others finish their jobs: half of a long job, on
 /// average; and a job takes its one thread as long as it takes.
-double seconds_left(const WorkEstimate::Work& work, const WorkPace& pace, unsigned threads, double now) {
+double seconds_left(const WorkEstimate::Work& work, const WorkPace& pace, unsigned threads,
+                    double now) {
   const double one_thread = std::max(1.0, work.done > 0.0 ? threads * now / work.done : 1.0);
   const double longest = one_thread * work.longest;
   return std::max(longest, pace.seconds(work.left) + 0.5 * longest * (threads - 1.0) / threads);
@@ -38,11 +42,12 @@ double seconds_left(const WorkEstimate::Work& work, const WorkPace& pace, unsign
 
 }  // namespace
 
-WorkWatch::WorkWatch(const Scene& scene, const RaySource& camera, const ShadowTesterFactory& shadows,
-                     const FrameOptions& options, FilmSetup film, std::uint32_t band_height, Progress& progress)
-    : m_scene(scene), m_camera(camera), m_shadows(shadows), m_options(options), m_film(std::move(film)),
-      m_band_height(band_height), m_progress(progress), m_cells(Film::traced_region(m_film)),
-      m_thread() {
+WorkWatch::WorkWatch(const Scene& scene, const RaySource& camera,
+                     const ShadowTesterFactory& shadows, const FrameOptions& options,
+                     FilmSetup film, std::uint32_t band_height, Progress& progress)
+    : m_scene(scene), m_camera(camera), m_shadows(shadows), m_options(options),
+      m_film(std::move(film)), m_band_height(band_height), m_progress(progress),
+      m_cells(Film::traced_region(m_film)), m_thread() {
   for (std::size_t stage = 0; stage < WorkCells::kStages; ++stage) {
     if (const PixelSet* known = m_film.known(stage)) m_cells.leave_out(*known, stage);
   }
@@ -71,7 +76,8 @@ void WorkWatch::run(std::stop_token stop) {
 void WorkWatch::follow(std::stop_token& stop) {
   const Clock::time_point start = Clock::now();
   if (!wait(stop, kFirst)) return;
-  WorkEstimate estimate(m_cells, FinerWork::of(m_film.antialiasing), repeats(m_film.antialiasing, m_band_height, Film::traced_region(m_film)));
+  WorkEstimate estimate(m_cells, FinerWork::of(m_film.antialiasing),
+                        repeats(m_film.antialiasing, m_band_height, Film::traced_region(m_film)));
   WorkProber prober(m_scene, m_camera, m_shadows, m_options, m_film, m_cells);
   WorkPace pace;
   const unsigned threads = frame_threads(m_options);
@@ -82,7 +88,8 @@ void WorkWatch::follow(std::stop_token& stop) {
     if (prober.probes() >= kLeastProbes) {
       m_progress.advance(work.fraction(), seconds_left(work, pace, threads, now));
     }
-    const double allowed = kFirstShare * (work.done + work.left) + (kShare - kFirstShare) * work.done;
+    const double allowed =
+        kFirstShare * (work.done + work.left) + (kShare - kFirstShare) * work.done;
     bool is_more = true;
     while (is_more && !stop.stop_requested() && since(start) < now + kProbing &&
            (prober.seconds() < allowed || prober.probes() < kLeastProbes)) {

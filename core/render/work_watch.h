@@ -17,7 +17,8 @@ class WorkWatch {
  public:
   /// All that is referred to outlives it; the film is copied.
   WorkWatch(const Scene& scene, const RaySource& camera, const ShadowTesterFactory& shadows,
-            const FrameOptions& options, FilmSetup film, std::uint32_t band_height, Progress& progress);
+            const FrameOptions& options, FilmSetup film, std::uint32_t band_height,
+            Progress& progress);
   ~WorkWatch();
 
   /// Threads report to them.

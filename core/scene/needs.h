@@ -16,17 +16,18 @@ struct Needs {
   bool clipping = false;
   bool transparency = false;         ///< any texture with filter or transmit
   bool transparent_shadows = false;  ///< any shadow caster that is not opaque
-  bool shadows_begin_anew = false;   ///< of these any with a shape that does not tell all crossings at once
-  bool refraction = false;           ///< any interior with ior != 1 that can be seen through
+  bool shadows_begin_anew =
+      false;                ///< of these any with a shape that does not tell all crossings at once
+  bool refraction = false;  ///< any interior with ior != 1 that can be seen through
   bool interiors = false;
   bool reflection = false;
   bool layered_textures = false, textures_by_place = false, interior_textures = false;
-  bool highlights = false;           ///< phong or specular
+  bool highlights = false;  ///< phong or specular
   bool area_lights = false, spot_lights = false, fading_lights = false, shadowless_lights = false;
-  bool visibility_flags = false;     ///< no_image, no_reflection, no_shadow
+  bool visibility_flags = false;  ///< no_image, no_reflection, no_shadow
   bool sky_sphere = false;
-  bool atmosphere = false;           ///< fog, rainbows
-  int greatest_depth = 1;            ///< deepest useful trace level (1: camera rays alone)
+  bool atmosphere = false;  ///< fog, rainbows
+  int greatest_depth = 1;   ///< deepest useful trace level (1: camera rays alone)
 };
 
 }  // namespace lentray::core

@@ -53,8 +53,8 @@ class LikeTheLast {
   bool operator()(const Leaf& leaf) {
     const Shape& shape = leaf.shape();
     const Attributes& a = leaf.attributes();
-    if (&typeid(shape) == m_shape && a.texture == m_texture && a.interior_texture == m_interior_texture &&
-        a.interior == m_interior) {
+    if (&typeid(shape) == m_shape && a.texture == m_texture &&
+        a.interior_texture == m_interior_texture && a.interior == m_interior) {
       return true;
     }
     m_shape = mesh_of(leaf) ? nullptr : &typeid(shape);
@@ -109,7 +109,8 @@ class Finder {
     if (!object.clips().empty()) m_needs.clipping = true;
     if (typeid(object) == typeid(Csg)) {
       m_needs.csg = true;
-      for (const auto& child : static_cast<const Csg&>(object).children()) look_at_structure(*child);
+      for (const auto& child : static_cast<const Csg&>(object).children())
+        look_at_structure(*child);
     }
     if (object.attributes().interior) m_needs.interiors = true;
   }
@@ -168,7 +169,7 @@ class Finder {
   const SceneParts& m_parts;
   std::set<const Texture*> m_seen;
   LikeTheLast m_like_the_last;
-  std::string_view m_name;             ///< counted last, in *m_counted
+  std::string_view m_name;  ///< counted last, in *m_counted
   std::size_t* m_counted = nullptr;
   Needs m_needs;
 };

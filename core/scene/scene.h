@@ -28,15 +28,15 @@ struct SceneSettings {
   int max_trace_level = 5;
   double adc_bailout = 1.0 / 255.0;
   Rgb ambient_light{1.0f, 1.0f, 1.0f};
-  double assumed_gamma = 1.0;      ///< 1: linear; scene colours are decoded by the parser already
+  double assumed_gamma = 1.0;  ///< 1: linear; scene colours are decoded by the parser already
   bool assumed_gamma_set = false;
-  Colour background;               ///< opaque unless `alpha`
-  bool alpha = false;              ///< +UA: the picture is as clear as what its rays see of the sky
-  bool mirror_images = true;       ///< false: reflection dims what conserves energy, shows nothing
+  Colour background;          ///< opaque unless `alpha`
+  bool alpha = false;         ///< +UA: the picture is as clear as what its rays see of the sky
+  bool mirror_images = true;  ///< false: reflection dims what conserves energy, shows nothing
   double atmosphere_ior = 1.0;
-  int noise_generator = 2;         ///< for thin films of uneven thickness
+  int noise_generator = 2;                 ///< for thin films of uneven thickness
   Vec3 irid_wavelength{0.70, 0.52, 0.48};  ///< of red, green, blue, in thousands of nanometres
-  int language_version = 370;      ///< #version x 100, for the few renderings that depend on it
+  int language_version = 370;  ///< #version x 100, for the few renderings that depend on it
 };
 
 /// sky_sphere: pigments over the unit sphere of directions, later ones on top.
@@ -54,15 +54,15 @@ struct WatchedSlope {
 /// What a scene is made of, before compiling: the parser's build step fills this.
 struct SceneParts {
   SceneSettings settings;
-  std::vector<std::unique_ptr<Object>> objects;      ///< the top level, in scene order
+  std::vector<std::unique_ptr<Object>> objects;  ///< the top level, in scene order
   std::vector<Light> lights;
-  std::unique_ptr<SkySphere> sky_sphere;             ///< null: none
+  std::unique_ptr<SkySphere> sky_sphere;  ///< null: none
   Atmosphere atmosphere;
-  std::vector<std::shared_ptr<const Texture>> textures;    ///< owners of what Attributes point at
+  std::vector<std::shared_ptr<const Texture>> textures;  ///< owners of what Attributes point at
   std::vector<std::shared_ptr<const Interior>> interiors;
   std::vector<std::unique_ptr<const LightSelection>> light_selections;  ///< likewise
-  std::vector<std::string> not_rendered;             ///< features parsed and kept but not rendered yet
-  std::vector<WatchedSlope> slopes;                  ///< to report on after rendering
+  std::vector<std::string> not_rendered;  ///< features parsed and kept but not rendered yet
+  std::vector<WatchedSlope> slopes;       ///< to report on after rendering
 };
 
 struct CompileOptions {
@@ -75,7 +75,8 @@ struct CompileOptions {
 
 class Scene {
  public:
-  Scene(SceneParts parts, const CompileOptions& options);  ///< compiles: splits unions, builds the hierarchy
+  Scene(SceneParts parts,
+        const CompileOptions& options);  ///< compiles: splits unions, builds the hierarchy
   ~Scene();
   Scene(const Scene&) = delete;
   Scene& operator=(const Scene&) = delete;

@@ -35,7 +35,7 @@ class SolidIndex {
   mutable std::atomic<int> m_asked{0};
   mutable std::once_flag m_once;
   mutable std::vector<Solid> m_bounded, m_unbounded;  ///< but objects that cannot hold anything
-  mutable WideBvh m_tree;  ///< over m_bounded
+  mutable WideBvh m_tree;                             ///< over m_bounded
 };
 
 }  // namespace lentray::core

@@ -110,7 +110,8 @@ class BicubicPatch::NetMaker {
 
  private:
   void add_triangles(const Piece& piece) {
-    const std::uint32_t a = corner(piece.row, piece.column), b = corner(piece.row, piece.last_column);
+    const std::uint32_t a = corner(piece.row, piece.column),
+                        b = corner(piece.row, piece.last_column);
     const std::uint32_t c = corner(piece.last_row, piece.last_column);
     const std::uint32_t d = corner(piece.last_row, piece.column);
     for (const MeshTriple& corners : {MeshTriple{a, b, c}, MeshTriple{a, c, d}}) {
@@ -124,7 +125,8 @@ class BicubicPatch::NetMaker {
     std::uint32_t& known = m_corners[std::size_t{row} * (m_columns + 1) + column];
     if (known == kNoIndex) {
       known = static_cast<std::uint32_t>(m_data.vertices.size());
-      const double u = static_cast<double>(row) / m_rows, v = static_cast<double>(column) / m_columns;
+      const double u = static_cast<double>(row) / m_rows,
+                   v = static_cast<double>(column) / m_columns;
       Vec3 place, by_u, by_v;
       m_patch->evaluate(u, v, place, by_u, by_v);
       m_data.vertices.push_back(place);
@@ -142,7 +144,8 @@ class BicubicPatch::NetMaker {
 
 BicubicPatch::BicubicPatch(const std::array<Vec3, 16>& points, int u_steps, int v_steps,
                            double flatness, const Corners& corners)
-    : m_points(points), m_u_steps(u_steps), m_v_steps(v_steps), m_flatness(flatness), m_corners(corners) {
+    : m_points(points), m_u_steps(u_steps), m_v_steps(v_steps), m_flatness(flatness),
+      m_corners(corners) {
   constexpr int kMostSteps = 16;
   int by_u = std::clamp(u_steps, 0, kMostSteps), by_v = std::clamp(v_steps, 0, kMostSteps);
   while (by_u + by_v > kMostHalvings) --(by_u > by_v ? by_u : by_v);

@@ -24,7 +24,8 @@ class BicubicPatch final : public Shape {
                const Corners& corners = kUnitSquare);
 
   ShapeTraits traits() const override {
-    return {.name = "bicubic_patch", .is_solid = false, .has_uv = true, .inverse_turns_normal = false};
+    return {
+        .name = "bicubic_patch", .is_solid = false, .has_uv = true, .inverse_turns_normal = false};
   }
   Bounds bounds() const override { return m_net->bounds(); }
   Bounds bounds_in(const Transform& t) const override { return m_net->bounds_in(t); }

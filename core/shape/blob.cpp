@@ -25,7 +25,9 @@ Vec3 vector_into(const Matrix& m, const Vec3& v) {
           v.x * m[0][1] + v.y * m[1][1] + v.z * m[2][1],
           v.x * m[0][2] + v.y * m[1][2] + v.z * m[2][2]};
 }
-Vec3 point_into(const Matrix& m, const Vec3& p) { return vector_into(m, p) + Vec3{m[3][0], m[3][1], m[3][2]}; }
+Vec3 point_into(const Matrix& m, const Vec3& p) {
+  return vector_into(m, p) + Vec3{m[3][0], m[3][1], m[3][2]};
+}
 
 /// Keeps the part of [from, to] where p + t d lies between lo and hi.
 void clip(double p, double d, double lo, double hi, double& from, double& to) {
@@ -131,7 +133,8 @@ bool Blob::may_hold(const Vec3& centre, const Vec3& half) const {
       const auto side = [&](double way, double by) {
         return f.strength > 0.0 ? std::max(0.0, std::fabs(way) - by) : std::fabs(way) + by;
       };
-      share = length_squared({side(to.x, half.x), side(to.y, half.y), side(to.z, half.z)}) * round.scale;
+      share = length_squared({side(to.x, half.x), side(to.y, half.y), side(to.z, half.z)}) *
+              round.scale;
     } else {
       Vec3 p = point_into(f.to_blob.inverse_rows(), centre);
       p.z -= std::clamp(p.z, 0.0, f.length);
@@ -154,8 +157,9 @@ Bounds Blob::bounds_in(const Transform& t) const {
   const Vec3 size = m_reach.hi - m_reach.lo;
   return support_bounds(t, [&](const Vec3& d) {
     const double wide = std::fabs(d.x) * size.x + std::fabs(d.y) * size.y + std::fabs(d.z) * size.z;
-    return searched_support(m_reach, d, kFine * wide, budget,
-                            [&](const Vec3& centre, const Vec3& half) { return may_hold(centre, half); });
+    return searched_support(
+        m_reach, d, kFine * wide, budget,
+        [&](const Vec3& centre, const Vec3& half) { return may_hold(centre, half); });
   });
 }
 
@@ -206,7 +210,8 @@ bool Blob::may_hold(const Reach* const* active, std::size_t count, double from, 
   for (std::size_t i = 0; i < count; ++i) {
     const Reach& r = *active[i];
     size += std::fabs(r.strength);
-    const double rest = 1.0 - (r.strength > 0.0 ? r.least(from, to) : std::max(r.share(from), r.share(to)));
+    const double rest =
+        1.0 - (r.strength > 0.0 ? r.least(from, to) : std::max(r.share(from), r.share(to)));
     if (rest > 0.0) most += r.strength * rest * rest;
   }
   return most > m_threshold - kSlack * size;
@@ -224,12 +229,14 @@ void Blob::crossings(const Ray& from_afar, double t_min, double t_max, Visit&& v
   for_fields(ray, t_min, [&](std::uint32_t field) { find_reaches(field, ray, t_min, reaches); });
   if (reaches.empty()) return;
   // In the order of their beginnings; those that have begun and not ended are `active`.
-  boost::container::small_vector<const Reach*, 24> order(reaches.size(), boost::container::default_init);
+  boost::container::small_vector<const Reach*, 24> order(reaches.size(),
+                                                         boost::container::default_init);
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = &reaches[i];
   std::sort(order.begin(), order.end(), [](const Reach* a, const Reach* b) {
     return a->from < b->from || (a->from == b->from && a->field < b->field);
   });
-  boost::container::small_vector<const Reach*, 24> active(order.size(), boost::container::default_init);
+  boost::container::small_vector<const Reach*, 24> active(order.size(),
+                                                          boost::container::default_init);
   std::size_t begun = 0, count = 0;
   double from = order[0]->from;
   while (true) {

@@ -15,7 +15,7 @@ namespace lentray::core {
 /// from 0 to `length`.
 struct BlobField {
   double radius = 1.0, strength = 1.0;
-  double length = 0.0;        ///< 0: a sphere
+  double length = 0.0;  ///< 0: a sphere
   Transform to_blob;
   /// Field at a point of the element's own space; 0 beyond its reach.
   double at(const Vec3& local) const;
@@ -39,7 +39,7 @@ class Blob final : public Shape {
   /// Where along a ray a field holds: its distance there is a quadratic of t.
   struct Reach {
     double from, to;
-    double q2, q1, q0;        ///< (distance / radius)^2 = q2 t2 + q1 t + q0
+    double q2, q1, q0;  ///< (distance / radius)^2 = q2 t2 + q1 t + q0
     double strength;
     std::uint32_t field;
 
@@ -71,11 +71,12 @@ class Blob final : public Shape {
 
   double m_threshold;
   std::vector<BlobField> m_fields;
-  std::vector<Round> m_rounds;   ///< one a field
-  std::vector<double> m_scales;  ///< how much longer at most than in the blob's a length is in a field's space
-  std::vector<Bounds> m_boxes;   ///< of each field, a little wider
-  WideBvh m_search;              ///< over them, where there are many
-  Bounds m_reach;                ///< of all fields
+  std::vector<Round> m_rounds;  ///< one a field
+  std::vector<double>
+      m_scales;  ///< how much longer at most than in the blob's a length is in a field's space
+  std::vector<Bounds> m_boxes;  ///< of each field, a little wider
+  WideBvh m_search;             ///< over them, where there are many
+  Bounds m_reach;               ///< of all fields
   Bounds m_bounds;
 };
 

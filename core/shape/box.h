@@ -13,7 +13,9 @@ class Box final : public Shape {
   const Vec3& lo() const { return m_lo; }
   const Vec3& hi() const { return m_hi; }
 
-  ShapeTraits traits() const override { return {.name = "box", .convexity = Convexity::kConvex, .has_uv = true}; }
+  ShapeTraits traits() const override {
+    return {.name = "box", .convexity = Convexity::kConvex, .has_uv = true};
+  }
   Bounds bounds() const override { return {m_lo, m_hi}; }
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;

@@ -45,8 +45,8 @@ int Cone::crossings(const Ray& ray, double t_min, Crossing out[2]) const {
   if (is_degenerate()) return 0;
   // Start at the point nearest to the centre, so that far origins do not cost digits.
   const Vec3 to_base = m_base - ray.origin;
-  const double shift = dot(to_base + m_axis * (0.5 * m_length), ray.direction) /
-                       dot(ray.direction, ray.direction);
+  const double shift =
+      dot(to_base + m_axis * (0.5 * m_length), ray.direction) / dot(ray.direction, ray.direction);
   const Vec3 o = ray.direction * shift - to_base;
   const double oz = dot(o, m_axis), dz = dot(ray.direction, m_axis);
   const Vec3 op = o - m_axis * oz, dp = ray.direction - m_axis * dz;
@@ -72,7 +72,8 @@ int Cone::crossings(const Ray& ray, double t_min, Crossing out[2]) const {
     hi = root[1];
   } else if (n == 2) {
     // Outside the roots, on two different halves of the double cone: take the one between the ends.
-    const double before = std::min(root[0], leave.t) - in.t, after = leave.t - std::max(root[1], in.t);
+    const double before = std::min(root[0], leave.t) - in.t,
+                 after = leave.t - std::max(root[1], in.t);
     (before > after ? hi : lo) = before > after ? root[0] : root[1];
   } else if (n == 1) {
     const bool rising = a == 0.0 ? b > 0.0 : (2.0 * a * root[0] + b) > 0.0;

@@ -12,7 +12,9 @@ class Cone final : public Shape {
   /// Ends must differ (is_degenerate otherwise: nothing meets it). Equal radii are allowed.
   Cone(const Vec3& base, double base_radius, const Vec3& cap, double cap_radius, bool open = false);
 
-  bool is_degenerate() const { return !(m_length > 0.0) || (m_base_radius == 0.0 && m_slope == 0.0); }
+  bool is_degenerate() const {
+    return !(m_length > 0.0) || (m_base_radius == 0.0 && m_slope == 0.0);
+  }
   bool is_open() const { return m_open; }
 
   ShapeTraits traits() const override {
@@ -34,7 +36,7 @@ class Cone final : public Shape {
  private:
   int crossings(const Ray& ray, double t_min, Crossing out[2]) const;
 
-  Vec3 m_base, m_axis;          ///< axis unit, from base to cap
+  Vec3 m_base, m_axis;  ///< axis unit, from base to cap
   double m_length;
   double m_base_radius, m_cap_radius, m_slope;  ///< radius at height z: base_radius + slope * z
   bool m_open;

@@ -28,7 +28,8 @@ inline bool first_between(const Crossing* found, int count, double t_min, double
 inline void append_between(const Crossing* found, int count, double t_min, double t_max,
                            ShapeHits& hits) {
   for (int i = 0; i < count; ++i) {
-    if (found[i].t > t_min && found[i].t < t_max) hits.push_back({found[i].t, found[i].element, 0.0, 0.0});
+    if (found[i].t > t_min && found[i].t < t_max)
+      hits.push_back({found[i].t, found[i].element, 0.0, 0.0});
   }
 }
 

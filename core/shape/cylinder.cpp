@@ -37,8 +37,8 @@ int Cylinder::crossings(const Ray& ray, double t_min, Crossing out[2]) const {
   if (is_degenerate()) return 0;
   // Start at the point nearest to the centre, so that far origins do not cost digits.
   const Vec3 to_base = m_base - ray.origin;
-  const double shift = dot(to_base + m_axis * (0.5 * m_length), ray.direction) /
-                       dot(ray.direction, ray.direction);
+  const double shift =
+      dot(to_base + m_axis * (0.5 * m_length), ray.direction) / dot(ray.direction, ray.direction);
   const Vec3 o = ray.direction * shift - to_base;
   const double oz = dot(o, m_axis), dz = dot(ray.direction, m_axis);
   const Vec3 op = o - m_axis * oz, dp = ray.direction - m_axis * dz;

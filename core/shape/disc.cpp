@@ -38,7 +38,8 @@ Vec3 Disc::normal(const Vec3&, const ShapeHit&) const { return m_normal; }
 std::unique_ptr<Shape> Disc::baked(const Transform& t) const {
   const double scale = similarity_scale(t);
   if (scale == 0.0) return nullptr;
-  return std::make_unique<Disc>(t.point(m_centre), t.normal(m_normal), m_radius * scale, m_hole * scale);
+  return std::make_unique<Disc>(t.point(m_centre), t.normal(m_normal), m_radius * scale,
+                                m_hole * scale);
 }
 
 }  // namespace lentray::core

@@ -4,12 +4,14 @@
 
 namespace lentray::core {
 
-DoubleCone::DoubleCone(const Vec3& base, double base_radius, const Vec3& cap, double cap_radius, bool open)
-    : DoubleCone(base, base_radius, base + (cap - base) * (base_radius / (base_radius - cap_radius)), cap,
-                 cap_radius, open) {}
-
-DoubleCone::DoubleCone(const Vec3& base, double base_radius, const Vec3& tip, const Vec3& cap, double cap_radius,
+DoubleCone::DoubleCone(const Vec3& base, double base_radius, const Vec3& cap, double cap_radius,
                        bool open)
+    : DoubleCone(base, base_radius,
+                 base + (cap - base) * (base_radius / (base_radius - cap_radius)), cap, cap_radius,
+                 open) {}
+
+DoubleCone::DoubleCone(const Vec3& base, double base_radius, const Vec3& tip, const Vec3& cap,
+                       double cap_radius, bool open)
     : m_lower(base, base_radius, tip, 0.0, open), m_upper(tip, 0.0, cap, cap_radius, open) {}
 
 Bounds DoubleCone::bounds_in(const Transform& t) const {

@@ -10,7 +10,8 @@ namespace lentray::core {
 class DoubleCone final : public Shape {
  public:
   /// Ends must differ; one radius is below zero, the other above.
-  DoubleCone(const Vec3& base, double base_radius, const Vec3& cap, double cap_radius, bool open = false);
+  DoubleCone(const Vec3& base, double base_radius, const Vec3& cap, double cap_radius,
+             bool open = false);
 
   ShapeTraits traits() const override { return {.name = "cone"}; }
   Bounds bounds() const override { return bounds_in(Transform()); }
@@ -24,7 +25,8 @@ class DoubleCone final : public Shape {
 
  private:
   static constexpr std::uint32_t kUpper = 4;
-  DoubleCone(const Vec3& base, double base_radius, const Vec3& tip, const Vec3& cap, double cap_radius, bool open);
+  DoubleCone(const Vec3& base, double base_radius, const Vec3& tip, const Vec3& cap,
+             double cap_radius, bool open);
 
   Cone m_lower, m_upper;  ///< the tip is the cap of the one and the base of the other
 };

@@ -32,7 +32,8 @@ bool clip(const Bounds& box, const Ray& ray, double& lo, double& hi) {
 /// Steps from cell to cell along one axis.
 struct Stepper {
   int cell = 0, step = 0;
-  double next = Bounds::kInf, delta = Bounds::kInf;  ///< t of the next border, t from one to the next
+  double next = Bounds::kInf,
+         delta = Bounds::kInf;  ///< t of the next border, t from one to the next
 
   /// Numbers below 0 are clamped all the same: there is no need to round them down.
   Stepper(double p, double d, double from, int cells) : m_p(p), m_d(d), m_cells(cells) {
@@ -90,8 +91,10 @@ class SlabTest {
   Part part(const HeightGrid::Slab& slab, double from, double end) const {
     const double along_x = slab.along_x, along_z = slab.along_z;
     const double above = m_ray.origin.y - (along_x * m_ray.origin.x + along_z * m_ray.origin.z);
-    const double rate = m_ray.direction.y - (along_x * m_ray.direction.x + along_z * m_ray.direction.z);
-    const double more = m_beyond * std::fabs(rate) + m_rounding * (std::fabs(along_x) + std::fabs(along_z)) + m_rounding_up;
+    const double rate =
+        m_ray.direction.y - (along_x * m_ray.direction.x + along_z * m_ray.direction.z);
+    const double more = m_beyond * std::fabs(rate) +
+                        m_rounding * (std::fabs(along_x) + std::fabs(along_z)) + m_rounding_up;
     const double low = slab.low - more, high = slab.high + more;
     const double first = above + from * rate, last = above + end * rate;
     Part part{std::max(first, last) >= low && std::min(first, last) <= high, from, Bounds::kInf};
@@ -174,8 +177,10 @@ Vec3 HeightGrid::mean_normal(int x, int z) const {
   const bool is_inside = x > 0 && z > 0 && x + 1 < m_width && z + 1 < m_depth;
   const double y = height(x, z);
   // Slopes towards greater and towards smaller x and z.
-  const double after_x = x + 1 < m_width ? height(x + 1, z) - y : 0.0, before_x = x > 0 ? y - height(x - 1, z) : 0.0;
-  const double after_z = z + 1 < m_depth ? height(x, z + 1) - y : 0.0, before_z = z > 0 ? y - height(x, z - 1) : 0.0;
+  const double after_x = x + 1 < m_width ? height(x + 1, z) - y : 0.0,
+               before_x = x > 0 ? y - height(x - 1, z) : 0.0;
+  const double after_z = z + 1 < m_depth ? height(x, z + 1) - y : 0.0,
+               before_z = z > 0 ? y - height(x, z - 1) : 0.0;
   if (is_inside) {
     // The triangles in order, two at a time.
     const Pair xs[2] = {Pair{after_x, before_x}, Pair{before_x, after_x}};
@@ -220,7 +225,8 @@ Bounds HeightField::bounds() const {
   for (int z = 0; z < m_grid->depth(); ++z) {
     for (int x = 0; x < m_grid->width(); ++x) {
       const double y = m_grid->height(x, z) + kMargin;
-      const bool corner = (x == 0 || x + 1 == m_grid->width()) && (z == 0 || z + 1 == m_grid->depth());
+      const bool corner =
+          (x == 0 || x + 1 == m_grid->width()) && (z == 0 || z + 1 == m_grid->depth());
       if (corner) b.include(m_to_space.point({double(x), m_box.lo.y, double(z)}));
       if (y > m_box.lo.y) b.include(m_to_space.point({double(x), y, double(z)}));
     }
@@ -238,8 +244,10 @@ namespace {
 
 /// Both of a cell's triangles that a line meets, near enough: visit(t, 0 or 1).
 template <class Visit>
-inline void for_triangles(int x, int z, double y1, double y2, double y3, double y4, const Ray& ray, Visit&& visit) {
-  const auto triangle = [&](const Vec3& n, const Vec3& corner, double outwards, std::uint32_t which) {
+inline void for_triangles(int x, int z, double y1, double y2, double y3, double y4, const Ray& ray,
+                          Visit&& visit) {
+  const auto triangle = [&](const Vec3& n, const Vec3& corner, double outwards,
+                            std::uint32_t which) {
     const double slope = dot(n, ray.direction);
     if (slope == 0.0) return;
     const double t = dot(n, corner - ray.origin) / slope;
@@ -255,15 +263,17 @@ inline void for_triangles(int x, int z, double y1, double y2, double y3, double 
 
 /// Whether it passes between y_from and y_to. `corner`: the cell's first height.
 template <class Visit>
-[[gnu::always_inline]] inline void HeightField::cell(int x, int z, const std::uint16_t* corner, const Ray& ray,
-                                                     double y_from, double y_to, Visit&& visit) const {
+[[gnu::always_inline]] inline void HeightField::cell(int x, int z, const std::uint16_t* corner,
+                                                     const Ray& ray, double y_from, double y_to,
+                                                     Visit&& visit) const {
   const std::uint16_t* const beyond = corner + m_grid->width();
   const double y1 = corner[0], y2 = corner[1], y3 = beyond[0], y4 = beyond[1];
   if (std::max({y1, y2, y3, y4}) < std::min(y_from, y_to) - kSlack) return;
   if (std::min({y1, y2, y3, y4}) > std::max(y_from, y_to) + kSlack) return;
   for_triangles(x, z, y1, y2, y3, y4, ray, [&](double t, std::uint32_t which) {
-    const auto number = static_cast<std::uint32_t>(z) * static_cast<std::uint32_t>(m_grid->width()) +
-                        static_cast<std::uint32_t>(x);
+    const auto number =
+        static_cast<std::uint32_t>(z) * static_cast<std::uint32_t>(m_grid->width()) +
+        static_cast<std::uint32_t>(x);
     visit(t, 2 * number + which);
   });
 }
@@ -274,7 +284,8 @@ void HeightField::for_cells_met(const Ray& ray, double first, double last, Visit
   for (int z = 0; z + 1 < m_grid->depth(); ++z) {
     for (int x = 0; x + 1 < m_grid->width(); ++x) {
       double from = first, to = last;
-      const Bounds column{{double(x), -Bounds::kInf, double(z)}, {double(x + 1), Bounds::kInf, double(z + 1)}};
+      const Bounds column{{double(x), -Bounds::kInf, double(z)},
+                          {double(x + 1), Bounds::kInf, double(z + 1)}};
       if (clip(column, ray, from, to)) visit(x, z);
     }
   }
@@ -312,13 +323,16 @@ void HeightField::walk(const Ray& ray, double t_min, double t_max, Visit&& visit
         stays.go_within_block(end);
         leaves.leave_block();
       };
-      if (x_end < z_end) pass(x, z);
-      else pass(z, x);
+      if (x_end < z_end)
+        pass(x, z);
+      else
+        pass(z, x);
       from = end;
       return true;
     };
     const int bx = x.block_begin(), bz = z.block_begin();
-    const auto within = test.part(m_grid->block(bx / HeightGrid::kBlock, bz / HeightGrid::kBlock), from, end);
+    const auto within =
+        test.part(m_grid->block(bx / HeightGrid::kBlock, bz / HeightGrid::kBlock), from, end);
     if (!within.is_met) {
       if (!go_past_block()) return;
       continue;
@@ -329,7 +343,8 @@ void HeightField::walk(const Ray& ray, double t_min, double t_max, Visit&& visit
       z.go_within_block(from);
     }
     double y_from = height_at(from);
-    const auto columns = static_cast<unsigned>(x.block_cells()), rows = static_cast<unsigned>(z.block_cells());
+    const auto columns = static_cast<unsigned>(x.block_cells()),
+               rows = static_cast<unsigned>(z.block_cells());
     const std::uint16_t* corner = m_grid->corner(x.cell, z.cell);
     bool is_in_block = true;
     do {
@@ -374,7 +389,9 @@ bool HeightField::any(const Ray& ray, double t_min, double t_max) const {
 void HeightField::all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const {
   walk(
       ray, t_min, t_max,
-      [&](double t, std::uint32_t element) { hits.push_back({t, element, 0.0, 0.0}); },
+      [&](double t, std::uint32_t element) {
+        hits.push_back({t, element, 0.0, 0.0});
+      },
       [&](double before) { return before < t_max; });
 }
 

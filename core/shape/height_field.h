@@ -36,7 +36,8 @@ class HeightGrid {
     float along_x, along_z, low, high;
   };
   const Slab& block(int x, int z) const {
-    return m_blocks[static_cast<std::size_t>(z) * static_cast<std::size_t>(m_blocks_across) + static_cast<std::size_t>(x)];
+    return m_blocks[static_cast<std::size_t>(z) * static_cast<std::size_t>(m_blocks_across) +
+                    static_cast<std::size_t>(x)];
   }
 
  private:
@@ -61,7 +62,9 @@ class HeightField final : public Shape {
   /// `water_level` 0..1.
   HeightField(std::shared_ptr<const HeightGrid> grid, double water_level);
 
-  ShapeTraits traits() const override { return {.name = "height_field", .solid_is_unbounded = true}; }
+  ShapeTraits traits() const override {
+    return {.name = "height_field", .solid_is_unbounded = true};
+  }
   Bounds bounds() const override;
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
@@ -80,7 +83,8 @@ class HeightField final : public Shape {
   template <class Visit>
   void for_cells_met(const Ray& ray, double first, double last, Visit&& visit) const;
   template <class Visit>
-  void cell(int x, int z, const std::uint16_t* corner, const Ray& ray, double y_from, double y_to, Visit&& visit) const;
+  void cell(int x, int z, const std::uint16_t* corner, const Ray& ray, double y_from, double y_to,
+            Visit&& visit) const;
   Vec3 flat_normal(std::uint32_t element) const;
 
   std::shared_ptr<const HeightGrid> m_grid;

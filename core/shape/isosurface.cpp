@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint32_t kSurface = 0;  ///< element; 1 .. 6 are the box's sides, lower first
 constexpr double kSkin = 4.0;          ///< in accuracies: how far off the surface counts as on it
-constexpr double kStep = 5.0;          ///< in accuracies: how far beyond a surface the search goes on
+constexpr double kStep = 5.0;  ///< in accuracies: how far beyond a surface the search goes on
 /// Accuracies count along the ray: a surface that is scaled down would vanish in its own.
 /// One coarser than this share of the way through the container is replaced by a fine one.
 constexpr double kCoarse = 0.05, kFine = 5e-4;
@@ -27,8 +27,7 @@ class Isosurface::Field {
  public:
   using Lanes = Program::Lanes;
   explicit Field(const Isosurface& surface)
-      : m_surface(surface),
-        m_is_ready(surface.m_program && m_frame.prepare(*surface.m_program)),
+      : m_surface(surface), m_is_ready(surface.m_program && m_frame.prepare(*surface.m_program)),
         m_is_wide(m_is_ready && m_wide.prepare(*surface.m_program)) {}
   double operator()(const Vec3& p) {
     return m_is_ready ? m_frame(p) - m_surface.m_set.threshold : m_surface.value(p);
@@ -37,10 +36,12 @@ class Isosurface::Field {
   bool is_wide() const { return m_is_wide; }
   Lanes along(const Ray& ray, Lanes t) {
     return m_wide(ray.origin.x + ray.direction.x * t, ray.origin.y + ray.direction.y * t,
-                  ray.origin.z + ray.direction.z * t) - m_surface.m_set.threshold;
+                  ray.origin.z + ray.direction.z * t) -
+           m_surface.m_set.threshold;
   }
   Lanes both(const Vec3& a, const Vec3& b) {
-    if (m_is_wide) return m_wide(Lanes{a.x, b.x}, Lanes{a.y, b.y}, Lanes{a.z, b.z}) - m_surface.m_set.threshold;
+    if (m_is_wide)
+      return m_wide(Lanes{a.x, b.x}, Lanes{a.y, b.y}, Lanes{a.z, b.z}) - m_surface.m_set.threshold;
     const double first = (*this)(a);
     return Lanes{first, (*this)(b)};
   }
@@ -57,8 +58,8 @@ struct Isosurface::Search {
   const Isosurface& surface;
   Field& field;
   const Ray& ray;
-  double speed;      ///< of the ray
-  double gradient;   ///< steepest that counts
+  double speed;     ///< of the ray
+  double gradient;  ///< steepest that counts
   double accuracy;
   double sign = 1.0;
   /// Times the speed: what need not be told, or was seen since. Beyond what other rays have shown a
@@ -79,8 +80,8 @@ struct Isosurface::Search {
   /// The first t in [from, to] where the function is below 0. `reach`: how much it can fall there.
   /// `f_middle`: the function in the middle, if it is known already.
   template <bool kEvaluates>
-  [[gnu::always_inline]] bool find(double from, double f_from, double to, double f_to, double reach, double f_middle,
-                                   double& t) {
+  [[gnu::always_inline]] bool find(double from, double f_from, double to, double f_to, double reach,
+                                   double f_middle, double& t) {
     const double span = to - from;
     const double rise = std::fabs(f_to - f_from);
     note(rise, span);
@@ -99,14 +100,15 @@ struct Isosurface::Search {
       t = to;
       return f_to < 0.0;
     }
-    return !is_free && find_in_halves<kEvaluates>(from, f_from, middle, f_middle, to, f_to, reach, t);
+    return !is_free &&
+           find_in_halves<kEvaluates>(from, f_from, middle, f_middle, to, f_to, reach, t);
   }
 
   /// Each number by itself, in a register: they would be read two at a time from where they were just
   /// written one by one, which holds the processor up.
   template <bool kEvaluates>
-  [[gnu::noinline]] bool find_in_halves(double from, double f_from, double middle, double f_middle, double to,
-                                        double f_to, double reach, double& t) {
+  [[gnu::noinline]] bool find_in_halves(double from, double f_from, double middle, double f_middle,
+                                        double to, double f_to, double reach, double& t) {
     const double half = 0.5 * reach;
     double f_first = kUnknown, f_last = kUnknown;
     if (std::isnan(f_middle)) {
@@ -138,7 +140,8 @@ struct Isosurface::Search {
     }
     f_to *= sign;
     const IsosurfaceSettings& set = surface.m_set;
-    if (!set.evaluates) return find<false>(from, f_from, to, f_to, gradient * speed * (to - from), kUnknown, t);
+    if (!set.evaluates)
+      return find<false>(from, f_from, to, f_to, gradient * speed * (to - from), kUnknown, t);
     if (gradient > set.max_gradient) gradient *= set.shrinking;
     return find<true>(from, f_from, to, f_to, gradient * speed * (to - from), kUnknown, t);
   }
@@ -154,7 +157,8 @@ Bounds Isosurface::bounds() const {
 
 Bounds Isosurface::bounds_in(const Transform& t) const {
   if (!m_set.in_sphere) return Shape::bounds_in(t);
-  return support_bounds(t, [&](const Vec3& d) { return dot(d, m_set.centre) + m_set.radius * length(d); });
+  return support_bounds(
+      t, [&](const Vec3& d) { return dot(d, m_set.centre) + m_set.radius * length(d); });
 }
 
 double Isosurface::value(const Vec3& p) const {
@@ -162,12 +166,13 @@ double Isosurface::value(const Vec3& p) const {
   return m_set.function->evaluate(at) - m_set.threshold;
 }
 
-bool Isosurface::through_container(const Ray& ray, double& from, double& to,
-                                   std::uint32_t& side_in, std::uint32_t& side_out) const {
+bool Isosurface::through_container(const Ray& ray, double& from, double& to, std::uint32_t& side_in,
+                                   std::uint32_t& side_out) const {
   side_in = side_out = kSurface;
   if (m_set.in_sphere) {
     const double inverse_dd = 1.0 / dot(ray.direction, ray.direction);
-    if (!sphere_roots(ray, inverse_dd, m_set.centre, m_set.radius * m_set.radius, from, to)) return false;
+    if (!sphere_roots(ray, inverse_dd, m_set.centre, m_set.radius * m_set.radius, from, to))
+      return false;
     return to > 0.0;
   }
   from = -Bounds::kInf;

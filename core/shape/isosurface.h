@@ -17,13 +17,13 @@ namespace lentray::core {
 struct IsosurfaceSettings {
   std::shared_ptr<const Function> function;  ///< of x, y, z
   bool in_sphere = false;
-  Vec3 lo{-1, -1, -1}, hi{1, 1, 1};          ///< container: box
-  Vec3 centre;                               ///< container: sphere
+  Vec3 lo{-1, -1, -1}, hi{1, 1, 1};  ///< container: box
+  Vec3 centre;                       ///< container: sphere
   double radius = 1.0;
   double threshold = 0.0, accuracy = 0.001, max_gradient = 1.1;
-  bool evaluates = false;                    ///< `evaluate`: the gradient grows where it must
-  double growth = 1.0, shrinking = 1.0;      ///< its second and third number
-  int max_trace = 1;                         ///< surfaces looked for along a ray
+  bool evaluates = false;                ///< `evaluate`: the gradient grows where it must
+  double growth = 1.0, shrinking = 1.0;  ///< its second and third number
+  int max_trace = 1;                     ///< surfaces looked for along a ray
   bool open = false;
 };
 

@@ -14,7 +14,8 @@ namespace {
 using julia::kTolerance;
 
 /// The part of a ray of unit direction in the sphere around the origin; false if it misses.
-bool through_sphere(const Vec3& from, const Vec3& direction, double radius, double& in, double& out) {
+bool through_sphere(const Vec3& from, const Vec3& direction, double radius, double& in,
+                    double& out) {
   constexpr double kNone = 1e-10;
   const double distance = dot(from, from), nearest = -dot(from, direction);
   if (distance >= radius * radius && nearest < kNone) return false;
@@ -78,10 +79,11 @@ Bounds JuliaFractal<Map>::box_in(const Transform& t) const {
   if (Map::kRemembers) return transformed(all, t);
   return support_bounds(t, [&](const Vec3& d) {
     const double size = length(d), widest = (r + kNear) * size;
-    const double far = searched_support(all, d, kFine * widest, kTests, [&](const Vec3& p, const Vec3& half) {
-      const double reach = length(half);
-      return length(p) - reach <= r && m_map.may_hold(p, reach);
-    });
+    const double far =
+        searched_support(all, d, kFine * widest, kTests, [&](const Vec3& p, const Vec3& half) {
+          const double reach = length(half);
+          return length(p) - reach <= r && m_map.may_hold(p, reach);
+        });
     return std::min(widest, far + kNear * size);
   });
 }
@@ -249,7 +251,8 @@ void JuliaFractal<Map>::all(const Ray& ray, double t_min, double t_max, ShapeHit
 template <class Map>
 std::unique_ptr<Shape> made(const JuliaSettings& s, Map map) {
   thread_local std::optional<std::pair<JuliaSettings, Bounds>> last;
-  if (last && last->first == s) return std::make_unique<JuliaFractal<Map>>(std::move(map), last->second);
+  if (last && last->first == s)
+    return std::make_unique<JuliaFractal<Map>>(std::move(map), last->second);
   auto shape = std::make_unique<JuliaFractal<Map>>(std::move(map));
   last.emplace(s, shape->bounds());
   return shape;
@@ -301,7 +304,8 @@ std::unique_ptr<Shape> make_julia_fractal(const JuliaSettings& s) {
   switch (s.function) {
     case JuliaFunction::kSqr: return made(s, julia::QuaternionMap<julia::QuaternionSquare>(s));
     case JuliaFunction::kCube: return made(s, julia::QuaternionMap<julia::QuaternionCube>(s));
-    default: throw std::invalid_argument("quaternion fractals have the functions sqr and cube only");
+    default:
+      throw std::invalid_argument("quaternion fractals have the functions sqr and cube only");
   }
 }
 

@@ -16,19 +16,35 @@
 namespace lentray::core {
 
 enum class JuliaFunction {
-  kSqr, kCube, kReciprocal, kExp, kLn, kSin, kAsin, kCos, kAcos, kTan, kAtan, kSinh, kAsinh,
-  kCosh, kAcosh, kTanh, kAtanh, kPwr,
+  kSqr,
+  kCube,
+  kReciprocal,
+  kExp,
+  kLn,
+  kSin,
+  kAsin,
+  kCos,
+  kAcos,
+  kTan,
+  kAtan,
+  kSinh,
+  kAsinh,
+  kCosh,
+  kAcosh,
+  kTanh,
+  kAtanh,
+  kPwr,
 };
 
 struct JuliaSettings {
-  bool hypercomplex = false;                  ///< else quaternions, which have kSqr and kCube only
+  bool hypercomplex = false;  ///< else quaternions, which have kSqr and kCube only
   JuliaFunction function = JuliaFunction::kSqr;
   std::array<double, 4> parameter{1, 0, 0, 0};
-  std::array<double, 4> slice{0, 0, 0, 1};    ///< normal of the space cut out; the last is not 0
-  double slice_distance = 0.0;                ///< in lengths of the unit normal
-  double precision = 20.0;                    ///< 1 / the least step
-  int max_iteration = 20;                     ///< at least 1
-  Vec2 exponent;                              ///< of kPwr: real and imaginary part
+  std::array<double, 4> slice{0, 0, 0, 1};  ///< normal of the space cut out; the last is not 0
+  double slice_distance = 0.0;              ///< in lengths of the unit normal
+  double precision = 20.0;                  ///< 1 / the least step
+  int max_iteration = 20;                   ///< at least 1
+  Vec2 exponent;                            ///< of kPwr: real and imaginary part
   friend bool operator==(const JuliaSettings&, const JuliaSettings&) = default;
 };
 

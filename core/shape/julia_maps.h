@@ -33,20 +33,21 @@ struct Common {
     return std::sqrt(1.0 + across / (slice[3] * slice[3]));
   }
 
-  std::array<double, 4> c;       ///< parameter
-  std::array<double, 4> slice;   ///< of length 1
+  std::array<double, 4> c;      ///< parameter
+  std::array<double, 4> slice;  ///< of length 1
   double distance;
-  bool is_upright;               ///< the cut is at right angles to the fourth axis, at `height`
+  bool is_upright;  ///< the cut is at right angles to the fourth axis, at `height`
   double height;
   double least_step;
   int rounds;
-  double radius;                 ///< of the sphere that holds the set
-  double escape;                 ///< orbits whose squared length is beyond are lost
+  double radius;  ///< of the sphere that holds the set
+  double escape;  ///< orbits whose squared length is beyond are lost
 };
 
 /// What rounding can add to the size of an orbit, generously.
 inline constexpr double kLoose = 1.0 + 1e-9;
-inline constexpr double kExpMore = 0.7183;   ///< e^r - 1 is less than r and this times the square of r, up to 1
+inline constexpr double kExpMore =
+    0.7183;  ///< e^r - 1 is less than r and this times the square of r, up to 1
 inline constexpr double kTolerance = 1e-7;  ///< how near surfaces are found, along the ray
 
 inline Common::Common(const JuliaSettings& s)
@@ -137,7 +138,8 @@ class QuaternionMap {
     Quaternions<Pair> q[2];
     for (int i = 0; i < 2; ++i) {
       const Vec3 &a = p[i == 0 ? 0 : 2], &b = p[i == 0 ? 1 : 2];
-      q[i] = {Pair{a.x, b.x}, Pair{a.y, b.y}, Pair{a.z, b.z}, Pair{m_common.fourth(a), m_common.fourth(b)}};
+      q[i] = {Pair{a.x, b.x}, Pair{a.y, b.y}, Pair{a.z, b.z},
+              Pair{m_common.fourth(a), m_common.fourth(b)}};
     }
     PairBits lost[2] = {};
     for (int round = 0; round < m_common.rounds; ++round) {
@@ -225,7 +227,9 @@ inline Duplex operator*(const Duplex& a, const Duplex& b) {
   return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
 }
 inline Duplex operator+(const Duplex& a, const Duplex& b) { return {a.re + b.re, a.im + b.im}; }
-inline Duplex duplex(double x, double y, double z, double w) { return {Pair{x - w, x + w}, Pair{y + z, y - z}}; }
+inline Duplex duplex(double x, double y, double z, double w) {
+  return {Pair{x - w, x + w}, Pair{y + z, y - z}};
+}
 inline double size_squared(const Duplex& z) {
   const Pair squares = z.re * z.re + z.im * z.im;
   return 0.5 * (squares[0] + squares[1]);
@@ -239,7 +243,7 @@ inline DuplexStart start_at(const Common& common, const Vec3& p) {
 /// f(z), and by what the product of the orbit grows there, which stands for the derivative.
 template <bool kDoubles>
 struct DuplexSquare {
-  static constexpr bool kScaled = kDoubles;   ///< whether the product counts the factors 2
+  static constexpr bool kScaled = kDoubles;  ///< whether the product counts the factors 2
   explicit DuplexSquare(const JuliaSettings&) {}
   static DuplexStart start(const Common& common, const Vec3& p) {
     DuplexStart s = start_at(common, p);
@@ -281,7 +285,7 @@ struct DuplexReciprocal {
 struct Trail {
   Duplex product, last;
   int rounds = 0;
-  double size = 0.0;      ///< of `last`, squared
+  double size = 0.0;  ///< of `last`, squared
   bool escaped = false;
 
   /// Slopes of half the size along x, y, z.
@@ -451,7 +455,8 @@ class FunctionMap {
     constexpr int kMost = 31;
     constexpr double kRounding = 1e-12;
     if (m_common.rounds > kMost) return 0.0;
-    const double edge = std::sqrt(m_common.escape) / kLoose, widest = std::sqrt(2.0) * m_common.stretch();
+    const double edge = std::sqrt(m_common.escape) / kLoose,
+                 widest = std::sqrt(2.0) * m_common.stretch();
     double left[kMost], slope[kMost], growth = widest, least = edge / widest;
     for (int i = 0; i < m_common.rounds; ++i) {
       const Pair re = orbit[i + 1].re - m_c.re, im = orbit[i + 1].im - m_c.im;
@@ -488,13 +493,16 @@ class FunctionMap {
   Vec3 normal(const Vec3&, const Vec2& at) const {
     const double z = 1.0 - std::fabs(at.u) - std::fabs(at.v);
     if (z >= 0.0) return {at.u, at.v, z};
-    return {std::copysign(1.0 - std::fabs(at.v), at.u), std::copysign(1.0 - std::fabs(at.u), at.v), z};
+    return {std::copysign(1.0 - std::fabs(at.v), at.u), std::copysign(1.0 - std::fabs(at.u), at.v),
+            z};
   }
 
  private:
   Duplex value(const Duplex& z) const {
-    if constexpr (std::is_invocable_v<const F&, const Duplex&>) return m_function(z);
-    else return of_each(z);
+    if constexpr (std::is_invocable_v<const F&, const Duplex&>)
+      return m_function(z);
+    else
+      return of_each(z);
   }
   Duplex of_each(const Duplex& z) const {
     const Complex a = m_function({z.re[0], z.im[0]}), b = m_function({z.re[1], z.im[1]});

@@ -40,14 +40,16 @@ int places(const CurvePiece& curve, const AboutAxis& ray, double s[6]) {
   const double u[4] = {curve.a.u, curve.b.u, curve.c.u, curve.d.u};
   const double v[4] = {curve.a.v, curve.b.v, curve.c.v, curve.d.v - ray.height};
   const bool straight = u[0] == 0.0 && u[1] == 0.0 && v[0] == 0.0 && v[1] == 0.0;
-  const int n = straight ? meeting_places<1>(u + 2, v + 2, ray, s) : meeting_places<3>(u, v, ray, s);
+  const int n =
+      straight ? meeting_places<1>(u + 2, v + 2, ray, s) : meeting_places<3>(u, v, ray, s);
   for (int i = 0; i < n; ++i) s[i] = std::clamp(s[i], 0.0, 1.0);
   return n;
 }
 
 }  // namespace
 
-Lathe::Lathe(std::vector<CurvePiece> pieces, double hole) : m_hole2(hole > 0.0 ? hole * hole : 0.0) {
+Lathe::Lathe(std::vector<CurvePiece> pieces, double hole)
+    : m_hole2(hole > 0.0 ? hole * hole : 0.0) {
   for (const CurvePiece& curve : pieces) {
     const Outline alone({curve});
     const double widest = std::max(std::fabs(alone.lo().u), std::fabs(alone.hi().u));

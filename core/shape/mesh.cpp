@@ -4,14 +4,15 @@
 
 namespace lentray::core {
 namespace {
-constexpr double kSelf = 1e-6;                 // stock's least depth of a mesh's crossings
-constexpr std::size_t kLargestBaked = 20000;   // faces; building twice costs more than moving rays
+constexpr double kSelf = 1e-6;                // stock's least depth of a mesh's crossings
+constexpr std::size_t kLargestBaked = 20000;  // faces; building twice costs more than moving rays
 }  // namespace
 
 Mesh::Mesh(std::shared_ptr<const TriangleMesh> triangles, std::optional<Vec3> inside_vector,
            bool is_mesh2)
     : m_triangles(std::move(triangles)), m_is_mesh2(is_mesh2) {
-  if (inside_vector && length_squared(*inside_vector) > 0.0) m_inside_vector = normalized(*inside_vector);
+  if (inside_vector && length_squared(*inside_vector) > 0.0)
+    m_inside_vector = normalized(*inside_vector);
 }
 
 /// Where triangles are missing points beyond the box may count as inside, too.
@@ -91,7 +92,8 @@ Vec3 Mesh::normal(const Vec3&, const ShapeHit& hit) const {
   const MeshData& data = m_triangles->data();
   const MeshTriple n = data.face_normals[hit.element];
   if (n[0] != kNoIndex && n[1] != kNoIndex && n[2] != kNoIndex) {
-    return data.normals[n[0]] * (1.0 - hit.u - hit.v) + data.normals[n[1]] * hit.u + data.normals[n[2]] * hit.v;
+    return data.normals[n[0]] * (1.0 - hit.u - hit.v) + data.normals[n[1]] * hit.u +
+           data.normals[n[2]] * hit.v;
   }
   const MeshTriple& f = data.faces[hit.element];
   const Vec3 &a = data.vertices[f[0]], &b = data.vertices[f[1]], &c = data.vertices[f[2]];
@@ -101,14 +103,16 @@ Vec3 Mesh::normal(const Vec3&, const ShapeHit& hit) const {
 Vec2 Mesh::uv(const Vec3&, const ShapeHit& hit) const {
   const MeshData& data = m_triangles->data();
   const MeshTriple index = data.face_uvs[hit.element];
-  if (index[0] == kNoIndex || index[1] == kNoIndex || index[2] == kNoIndex) return {};  // a face without uv vectors
+  if (index[0] == kNoIndex || index[1] == kNoIndex || index[2] == kNoIndex)
+    return {};  // a face without uv vectors
   const Vec2 &a = data.uvs[index[0]], &b = data.uvs[index[1]], &c = data.uvs[index[2]];
   const double w = 1.0 - hit.u - hit.v;
   return {a.u * w + b.u * hit.u + c.u * hit.v, a.v * w + b.v * hit.u + c.v * hit.v};
 }
 
 std::unique_ptr<Shape> Mesh::baked(const Transform& t) const {
-  if (m_triangles.use_count() > 1 || m_triangles->data().faces.size() > kLargestBaked) return nullptr;
+  if (m_triangles.use_count() > 1 || m_triangles->data().faces.size() > kLargestBaked)
+    return nullptr;
   MeshData data = m_triangles->data();
   for (Vec3& p : data.vertices) p = t.point(p);
   for (Vec3& n : data.normals) n = t.normal(n);  // not unit any more: blending is linear
@@ -117,7 +121,8 @@ std::unique_ptr<Shape> Mesh::baked(const Transform& t) const {
   auto moved = std::make_unique<Mesh>(std::make_shared<const TriangleMesh>(std::move(data)),
                                       inside_vector, m_is_mesh2);
   moved->m_textures = m_textures;
-  const bool mirror = dot(cross(t.vector({1, 0, 0}), t.vector({0, 1, 0})), t.vector({0, 0, 1})) < 0.0;
+  const bool mirror =
+      dot(cross(t.vector({1, 0, 0}), t.vector({0, 1, 0})), t.vector({0, 0, 1})) < 0.0;
   moved->m_mirrored = m_mirrored != mirror;
   return moved;
 }

@@ -35,13 +35,14 @@ struct MeshTriples {
 /// Indices are into these lists (textures: into the Mesh's own list).
 struct MeshData {
   std::vector<Vec3> vertices;
-  std::vector<Vec3> normals;   ///< unit
+  std::vector<Vec3> normals;  ///< unit
   std::vector<Vec2> uvs;
-  std::vector<MeshTriple> faces;           ///< their corners: vertices
+  std::vector<MeshTriple> faces;  ///< their corners: vertices
   MeshTriples face_normals, face_uvs;
   /// mesh: all three alike; mesh2 may give one a corner, blended over the face.
   MeshTriples face_textures;
-  bool is_open = false;        ///< some edge has an odd number of faces; told where there is an inside_vector
+  bool is_open =
+      false;  ///< some edge has an odd number of faces; told where there is an inside_vector
 };
 
 }  // namespace lentray::core

@@ -124,8 +124,7 @@ int line_crossings(const CurvePiece& piece, double a, double b, double c, double
   double before = f[3];
   for (int i = 0; i < pieces; ++i) {
     const double to = turns[i];
-    const double value =
-        i + 1 == pieces ? end : ((f[0] * to + f[1]) * to + f[2]) * to + f[3];
+    const double value = i + 1 == pieces ? end : ((f[0] * to + f[1]) * to + f[2]) * to + f[3];
     if ((value > 0.0) != (before > 0.0)) s[count++] = root_between(f, from, to, before, value);
     before = value;
     from = to;
@@ -148,14 +147,16 @@ Outline::Outline(std::vector<CurvePiece> pieces) : m_pieces(std::move(pieces)) {
 /// without pieces is like it.
 void Outline::fill_squares() {
   constexpr std::size_t kLeast = 12;
-  m_side = static_cast<int>(std::clamp<std::size_t>(kLeast + m_pieces.size(), kLeast, kMostSquares));
+  m_side =
+      static_cast<int>(std::clamp<std::size_t>(kLeast + m_pieces.size(), kLeast, kMostSquares));
   const double width = m_hi.u - m_lo.u, height = m_hi.v - m_lo.v;
   m_columns_per_u = m_side / width;
   m_rows_per_v = m_side / height;
   m_mixed.fill(~0u);
   m_inside.fill(0);
   // Neither numbers so close together that rounding would matter nor infinite ones.
-  const double far = std::max({std::fabs(m_lo.u), std::fabs(m_lo.v), std::fabs(m_hi.u), std::fabs(m_hi.v)});
+  const double far =
+      std::max({std::fabs(m_lo.u), std::fabs(m_lo.v), std::fabs(m_hi.u), std::fabs(m_hi.v)});
   constexpr double kCoarse = 1e-6;
   const bool are_known = std::min(width, height) > kCoarse * far && std::isfinite(far);
   m_search.fill(m_boxes, {m_lo, m_hi}, are_known);
@@ -170,7 +171,8 @@ void Outline::fill_squares() {
     const auto r = static_cast<std::size_t>(row);
     const double v = m_lo.v + (row + 0.5) / m_rows_per_v;
     double before = m_lo.u - width;
-    bool passed = true, inside = false;  // passed: pieces may be between the last square without any and this
+    bool passed = true,
+         inside = false;  // passed: pieces may be between the last square without any and this
     for (int column = 0; column < m_side; ++column) {
       const std::uint32_t bit = 1u << column;
       if ((m_mixed[r] & bit) == 0) {
@@ -188,8 +190,10 @@ void Outline::fill_squares() {
 /// ends.
 void Outline::mark(const CurvePiece& piece, const PlaneBox& box) {
   constexpr int kMostParts = 16;
-  const double squares = std::max((box.hi.u - box.lo.u) * m_columns_per_u, (box.hi.v - box.lo.v) * m_rows_per_v);
-  const int parts = static_cast<int>(std::clamp(squares * 2.0, 1.0, static_cast<double>(kMostParts)));
+  const double squares =
+      std::max((box.hi.u - box.lo.u) * m_columns_per_u, (box.hi.v - box.lo.v) * m_rows_per_v);
+  const int parts =
+      static_cast<int>(std::clamp(squares * 2.0, 1.0, static_cast<double>(kMostParts)));
   double places[kMostParts + 5];
   int count = 0;
   for (int i = 1; i < parts; ++i) places[count++] = static_cast<double>(i) / parts;
@@ -206,7 +210,8 @@ void Outline::mark(const CurvePiece& piece, const PlaneBox& box) {
   Vec2 from = piece.d;
   for (int i = 0; i <= count; ++i) {
     const Vec2 to = i < count ? piece.at(places[i]) : piece.end;
-    mark({{std::min(from.u, to.u), std::min(from.v, to.v)}, {std::max(from.u, to.u), std::max(from.v, to.v)}});
+    mark({{std::min(from.u, to.u), std::min(from.v, to.v)},
+          {std::max(from.u, to.u), std::max(from.v, to.v)}});
     from = to;
   }
 }
@@ -216,12 +221,13 @@ void Outline::mark(const PlaneBox& box) {
   const int first_column = column_of(box.lo.u - by_u), last_column = column_of(box.hi.u + by_u);
   const int first_row = row_of(box.lo.v - by_v), last_row = row_of(box.hi.v + by_v);
   const std::uint32_t columns = (2u << last_column) - (1u << first_column);
-  for (int row = first_row; row <= last_row; ++row) m_mixed[static_cast<std::size_t>(row)] |= columns;
+  for (int row = first_row; row <= last_row; ++row)
+    m_mixed[static_cast<std::size_t>(row)] |= columns;
 }
 
 PlaneBox Outline::box_of(const CurvePiece& piece) {
   PlaneBox box{{std::min(piece.d.u, piece.end.u), std::min(piece.d.v, piece.end.v)},
-          {std::max(piece.d.u, piece.end.u), std::max(piece.d.v, piece.end.v)}};
+               {std::max(piece.d.u, piece.end.u), std::max(piece.d.v, piece.end.v)}};
   const auto include = [&](double a, double b, double c) {
     double roots[2];
     const int n = solve_quadratic(3.0 * a, 2.0 * b, c, roots);
@@ -241,8 +247,10 @@ PlaneBox Outline::box_of(const CurvePiece& piece) {
 double Outline::farthest(const Vec2& n) const {
   constexpr double kSlack = 1e-12;
   // Along an axis, but for the rounding of turns by a right angle: as far as the box.
-  const double box_u = n.u * (n.u > 0.0 ? m_hi.u : m_lo.u), box_v = n.v * (n.v > 0.0 ? m_hi.v : m_lo.v);
-  const double size_u = std::fabs(n.u) * (m_hi.u - m_lo.u), size_v = std::fabs(n.v) * (m_hi.v - m_lo.v);
+  const double box_u = n.u * (n.u > 0.0 ? m_hi.u : m_lo.u),
+               box_v = n.v * (n.v > 0.0 ? m_hi.v : m_lo.v);
+  const double size_u = std::fabs(n.u) * (m_hi.u - m_lo.u),
+               size_v = std::fabs(n.v) * (m_hi.v - m_lo.v);
   if (std::min(size_u, size_v) < kSlack * std::max(size_u, size_v)) return box_u + box_v;
   double far = -std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < m_pieces.size(); ++i) {

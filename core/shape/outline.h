@@ -119,7 +119,8 @@ void Outline::crossings(double a, double b, double c, const PlaneWay& way, Visit
 
 /// By where their boxes begin, along the axis that the way is longer on.
 template <class Visit>
-void Outline::first_crossings(double a, double b, double c, const PlaneWay& way, Visit&& visit) const {
+void Outline::first_crossings(double a, double b, double c, const PlaneWay& way,
+                              Visit&& visit) const {
   constexpr double kSlack = 1e-6;
   constexpr int kMost = 16;
   struct Candidate {

@@ -68,8 +68,9 @@ void Ovus::crossings(const Ray& ray, double t_min, double t_max, Visit&& visit) 
   const Vec3 p = ray.origin + d * shift;
   const auto report = [&](double s, std::uint32_t element) {
     const double y = p.y + s * d.y;
-    const bool mine = element == kBottom ? y < m_low : element == kTop ? y > m_high
-                                                                       : y >= m_low && y <= m_high;
+    const bool mine = element == kBottom ? y < m_low
+                      : element == kTop  ? y > m_high
+                                         : y >= m_low && y <= m_high;
     if (mine) visit((s + shift) / speed, element, 0.0);
   };
   const auto sphere = [&](double centre, double radius, std::uint32_t element) {

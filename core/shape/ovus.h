@@ -12,7 +12,9 @@ class Ovus final : public Shape {
   /// Radii 0 or more, top less than twice the bottom (beyond it is a sphere).
   Ovus(double bottom, double top);
 
-  ShapeTraits traits() const override { return {.name = "ovus", .convexity = Convexity::kOpen, .has_uv = true}; }
+  ShapeTraits traits() const override {
+    return {.name = "ovus", .convexity = Convexity::kOpen, .has_uv = true};
+  }
   Bounds bounds() const override;
   Bounds bounds_in(const Transform& t) const override;
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
@@ -29,9 +31,9 @@ class Ovus final : public Shape {
   void crossings(const Ray& ray, double t_min, double t_max, Visit&& visit) const;
 
   double m_bottom, m_top;
-  double m_waist;               ///< radius of the torus' tube
-  double m_spindle, m_height;   ///< the tube's centre: distance beyond the axis, height
-  double m_low, m_high;         ///< heights where the spheres end
+  double m_waist;              ///< radius of the torus' tube
+  double m_spindle, m_height;  ///< the tube's centre: distance beyond the axis, height
+  double m_low, m_high;        ///< heights where the spheres end
 };
 
 }  // namespace lentray::core

@@ -54,11 +54,11 @@ struct alignas(32) EvenOddLanes {
 struct alignas(64) PolygonPack {
   static constexpr int kEdges = 4;
   double normal[3][kPack] = {};
-  double offset[kPack] = {};                   ///< of the plane along the normal
-  double lo[2][kPack] = {}, hi[2][kPack] = {}; ///< in the projection
+  double offset[kPack] = {};                    ///< of the plane along the normal
+  double lo[2][kPack] = {}, hi[2][kPack] = {};  ///< in the projection
   std::int32_t axis[2][2 * kPack] = {};  ///< kept by the projection; a double's halves: 2a, 2a + 1
   std::uint32_t first = 0, count = 0;
-  EvenOddLanes edges[kEdges];                  ///< empty ones span nothing
+  EvenOddLanes edges[kEdges];  ///< empty ones span nothing
 
   /// False if the polygon has more edges than a lane holds (or nothing meets it).
   static bool fits(const Polygon& polygon);
@@ -73,8 +73,7 @@ struct alignas(32) PackHits {
 
 /// A ray with what the batches share.
 struct PackRay {
-  PackRay(const Ray& r, bool triangles)
-      : ray(r), inverse_dd(1.0 / dot(r.direction, r.direction)) {
+  PackRay(const Ray& r, bool triangles) : ray(r), inverse_dd(1.0 / dot(r.direction, r.direction)) {
     if (triangles) sheared.emplace(r);
   }
   const Ray& ray;
@@ -143,12 +142,13 @@ inline unsigned intersect_portable(const PolygonPack& pack, const PackRay& r, do
   return mask;
 }
 
-LENTRAY_AVX2 inline Double4 dot_lanes(Double4 ax, Double4 ay, Double4 az, Double4 bx, Double4 by, Double4 bz) {
+LENTRAY_AVX2 inline Double4 dot_lanes(Double4 ax, Double4 ay, Double4 az, Double4 bx, Double4 by,
+                                      Double4 bz) {
   return ax * bx + ay * by + az * bz;
 }
 
-LENTRAY_AVX2 inline unsigned intersect_avx2(const SpherePack& pack, const PackRay& r,
-                                            double t_min, double t_max, PackHits& hits) {
+LENTRAY_AVX2 inline unsigned intersect_avx2(const SpherePack& pack, const PackRay& r, double t_min,
+                                            double t_max, PackHits& hits) {
   const Vec3& o = r.ray.origin;
   const Vec3& d = r.ray.direction;
   const Double4 dx = simd::double4(d.x), dy = simd::double4(d.y), dz = simd::double4(d.z);
@@ -206,8 +206,8 @@ LENTRAY_AVX2 inline unsigned intersect_avx2(const TrianglePack& pack, const Pack
   return mask;
 }
 
-LENTRAY_AVX2 inline unsigned intersect_avx2(const PolygonPack& pack, const PackRay& r,
-                                            double t_min, double t_max, PackHits& hits) {
+LENTRAY_AVX2 inline unsigned intersect_avx2(const PolygonPack& pack, const PackRay& r, double t_min,
+                                            double t_max, PackHits& hits) {
   const Vec3& o = r.ray.origin;
   const Vec3& d = r.ray.direction;
   const Double4 nx = simd::double4_at(pack.normal[0]), ny = simd::double4_at(pack.normal[1]),
@@ -222,7 +222,8 @@ LENTRAY_AVX2 inline unsigned intersect_avx2(const PolygonPack& pack, const PackR
   Double4 at[2];
   for (int a = 0; a < 2; ++a) {
     const Int8 axis = simd::int8_at(pack.axis[a]);
-    const Double4 oa = Double4(simd::picked(from, axis)), da = Double4(simd::picked(along, axis + 2));
+    const Double4 oa = Double4(simd::picked(from, axis)),
+                  da = Double4(simd::picked(along, axis + 2));
     at[a] = oa + t * da;
     met &= at[a] >= simd::double4_at(pack.lo[a]);
     met &= at[a] <= simd::double4_at(pack.hi[a]);

@@ -6,15 +6,16 @@
 namespace lentray::core {
 namespace {
 
-constexpr int kLevels = 12;           ///< of halvings kept,
-constexpr int kMostLevels = 15;       ///< or as many as are to be precomputed, up to here
-constexpr int kMostHalvings = 96;     ///< in all: then a double's digits are used up
-constexpr double kAlong = 1e-10;      ///< directions below this run along an axis' planes
+constexpr int kLevels = 12;        ///< of halvings kept,
+constexpr int kMostLevels = 15;    ///< or as many as are to be precomputed, up to here
+constexpr int kMostHalvings = 96;  ///< in all: then a double's digits are used up
+constexpr double kAlong = 1e-10;   ///< directions below this run along an axis' planes
 constexpr double kEmptyPath = 1e-10;
 /// Accuracies count along the ray: a surface that is scaled down would vanish in its own.
 /// One coarser than this share of the surface's size is replaced by a fine one.
 constexpr double kCoarse = 0.05, kFine = 5e-4;
-constexpr double kSlow = 0.05;        ///< sine of the angle to a plane, below which a ray creeps away from it
+constexpr double kSlow =
+    0.05;  ///< sine of the angle to a plane, below which a ray creeps away from it
 
 /// Written so that what is not a number is outside.
 bool holds(double lo, double hi, double inner_lo, double inner_hi) {
@@ -101,11 +102,13 @@ Parametric::Parametric(ParametricSettings settings)
   m_kept.resize(std::size_t{1} << m_levels);
   m_corners.resize(std::size_t{1} << (m_levels - 1));
   const Piece whole{m_set.lo.u, m_set.hi.u, m_set.lo.v, m_set.hi.v};
-  const Bound all = keep(1, 1, whole, {corners(0, whole), corners(1, whole), corners(2, whole)}, levels);
+  const Bound all =
+      keep(1, 1, whole, {corners(0, whole), corners(1, whole), corners(2, whole)}, levels);
   // A hit is within its piece's ranges along the ray, which may be longer than the piece.
   const double slack = 2.0 * m_set.accuracy * (1.0 + m_set.max_gradient);
-  Bounds box = m_set.in_sphere ? Bounds{m_set.centre - Vec3(m_set.radius), m_set.centre + Vec3(m_set.radius)}
-                               : Bounds{m_set.box_lo, m_set.box_hi};
+  Bounds box = m_set.in_sphere
+                   ? Bounds{m_set.centre - Vec3(m_set.radius), m_set.centre + Vec3(m_set.radius)}
+                   : Bounds{m_set.box_lo, m_set.box_hi};
   Bounds found;
   for (int axis = 0; axis < 3; ++axis) {
     const Range& r = all.tight[static_cast<std::size_t>(axis)];
@@ -159,9 +162,9 @@ struct Parametric::Entry {
   Piece piece;
   std::array<Corners, 3> f;
   int halvings;
-  double nearest;    ///< the latest time it enters a range
-  double last;       ///< the time it enters the last one
-  double longest;    ///< its longest way in a range
+  double nearest;  ///< the latest time it enters a range
+  double last;     ///< the time it enters the last one
+  double longest;  ///< its longest way in a range
 };
 
 struct Parametric::Search {
@@ -211,7 +214,8 @@ struct Parametric::Search {
 
   bool passes(const Ranges& ranges) const {
     Times times;
-    return passes(0, ranges[0], times) && passes(1, ranges[1], times) && passes(2, ranges[2], times);
+    return passes(0, ranges[0], times) && passes(1, ranges[1], times) &&
+           passes(2, ranges[2], times);
   }
 
   static void set(Entry& e, const Times& times) {
@@ -235,7 +239,8 @@ int Parametric::Search::split(const Entry& e, Entry* out) const {
   Times times[2];
   bool alive[2] = {true, true};
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    halve(e.f[axis], surface.between(static_cast<int>(axis), e.piece), across_u, f[1][axis], f[0][axis]);
+    halve(e.f[axis], surface.between(static_cast<int>(axis), e.piece), across_u, f[1][axis],
+          f[0][axis]);
     for (int i = 0; i < 2; ++i) {
       alive[i] = alive[i] && passes(axis, surface.range(f[i][axis], pieces[i]), times[i]);
     }
@@ -296,8 +301,10 @@ void Parametric::Search::through_kept() {
     if (p.level == surface.m_levels) {
       refine(p.piece, surface.m_corners[p.number - surface.m_corners.size()], p.level);
     } else if (may_end) {
-      refine(p.piece, {surface.corners(0, p.piece), surface.corners(1, p.piece),
-                       surface.corners(2, p.piece)}, p.level);
+      refine(
+          p.piece,
+          {surface.corners(0, p.piece), surface.corners(1, p.piece), surface.corners(2, p.piece)},
+          p.level);
     } else {
       Place lower{2 * p.number, {}, p.level + 1}, upper{2 * p.number + 1, {}, p.level + 1};
       p.piece.halve(lower.piece, upper.piece);

@@ -18,14 +18,14 @@ namespace lentray::core {
 
 struct ParametricSettings {
   std::array<std::shared_ptr<const Function>, 3> functions;  ///< of u, v
-  Vec2 lo, hi;                                ///< the rectangle
+  Vec2 lo, hi;                                               ///< the rectangle
   bool in_sphere = false;
-  Vec3 box_lo{-1, -1, -1}, box_hi{1, 1, 1};   ///< container: box
-  Vec3 centre;                                ///< container: sphere
+  Vec3 box_lo{-1, -1, -1}, box_hi{1, 1, 1};  ///< container: box
+  Vec3 centre;                               ///< container: sphere
   double radius = 1.0;
   double accuracy = 0.001, max_gradient = 1.0;
-  int precompute_depth = 0;                   ///< 1 .. 20 if any of ...
-  std::array<bool, 3> precompute{};           ///< ... x, y, z is bounded by its parts from the start
+  int precompute_depth = 0;          ///< 1 .. 20 if any of ...
+  std::array<bool, 3> precompute{};  ///< ... x, y, z is bounded by its parts from the start
 };
 
 class Parametric final : public Shape {
@@ -33,7 +33,11 @@ class Parametric final : public Shape {
   explicit Parametric(ParametricSettings settings);
 
   ShapeTraits traits() const override {
-    return {.name = "parametric", .is_solid = false, .has_uv = true, .tells_all = false, .inverse_turns_normal = false};
+    return {.name = "parametric",
+            .is_solid = false,
+            .has_uv = true,
+            .tells_all = false,
+            .inverse_turns_normal = false};
   }
   Bounds bounds() const override { return m_bounds; }
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
@@ -44,7 +48,9 @@ class Parametric final : public Shape {
   Vec2 uv(const Vec3&, const ShapeHit& hit) const override { return {hit.u, hit.v}; }
 
  private:
-  struct Range { double lo, hi; };
+  struct Range {
+    double lo, hi;
+  };
   using Ranges = std::array<Range, 3>;
   /// A function at <lo, lo>, <lo, hi>, <hi, lo>, <hi, hi> of a piece.
   using Corners = std::array<double, 4>;
@@ -71,16 +77,16 @@ class Parametric final : public Shape {
   static void halve(const Corners& f, const std::array<double, 2>& middle, bool across_u,
                     Corners& lower, Corners& upper);
   std::array<double, 2> between(int axis, const Piece& piece) const;
-  Bound keep(std::size_t number, int level, const Piece& piece,
-             const std::array<Corners, 3>& f, int levels);
+  Bound keep(std::size_t number, int level, const Piece& piece, const std::array<Corners, 3>& f,
+             int levels);
   bool through_container(const Ray& ray, double& from, double& to) const;
   bool find(const Ray& ray, ShapeHit& hit) const;
 
   ParametricSettings m_set;
-  int m_levels;                               ///< kept
-  std::vector<Kept> m_kept;                   ///< [0] is not used
+  int m_levels;                                   ///< kept
+  std::vector<Kept> m_kept;                       ///< [0] is not used
   std::vector<std::array<Corners, 3>> m_corners;  ///< of the last level kept
-  bool m_too_flat = false;                    ///< some own_cuts: hits can be anywhere
+  bool m_too_flat = false;                        ///< some own_cuts: hits can be anywhere
   Bounds m_bounds;
 };
 

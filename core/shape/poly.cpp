@@ -107,7 +107,8 @@ void Poly::along_any(const Vec3& p, const Vec3& d, double* c) const {
   powers_of(p.x, d.x, m_order, x);
   powers_of(p.y, d.y, m_order, y);
   powers_of(p.z, d.z, m_order, z);
-  const auto add_product = [](const double* by, int by_order, const double* from, int order, double* to) {
+  const auto add_product = [](const double* by, int by_order, const double* from, int order,
+                              double* to) {
     for (int a = 0; a <= by_order; ++a) {
       for (int b = 0; b <= order; ++b) to[a + b] += by[a] * from[b];
     }
@@ -130,7 +131,8 @@ void Poly::along_any(const Vec3& p, const Vec3& d, double* c) const {
 }
 
 /// Those that lie between t_min and infinity, ascending; the first, and maybe others, if it is asked for alone.
-int Poly::crossings(const Ray& ray, double t_min, double t_max, bool first_alone, double* roots) const {
+int Poly::crossings(const Ray& ray, double t_min, double t_max, bool first_alone,
+                    double* roots) const {
   // Counted from the ray's nearest point to the origin and in unit lengths, so that coefficients
   // stay small.
   const double length_of_unit = length(ray.direction);
@@ -150,8 +152,9 @@ int Poly::crossings(const Ray& ray, double t_min, double t_max, bool first_alone
     default: along_any(p, d, c.data());
   }
   const auto solve = [&](bool first) {
-    const int n = m_kept.is_finite() ? solve_between(c.data(), m_order, from, to, roots, first)
-                                     : solve_between_bounds(c.data(), m_order, from, to, roots, first);
+    const int n = m_kept.is_finite()
+                      ? solve_between(c.data(), m_order, from, to, roots, first)
+                      : solve_between_bounds(c.data(), m_order, from, to, roots, first);
     for (int i = 0; i < n; ++i) roots[i] = (roots[i] + shift) / length_of_unit;
     return n;
   };

@@ -11,7 +11,8 @@ namespace {
 constexpr int kMaxBands = 4096;
 
 bool same_place(const Vec3& a, const Vec3& b) {
-  return std::fabs(a.x - b.x) < kTiny && std::fabs(a.y - b.y) < kTiny && std::fabs(a.z - b.z) < kTiny;
+  return std::fabs(a.x - b.x) < kTiny && std::fabs(a.y - b.y) < kTiny &&
+         std::fabs(a.z - b.z) < kTiny;
 }
 
 }  // namespace

@@ -47,7 +47,10 @@ class Polygon final : public Shape {
   bool is_degenerate() const { return m_degenerate; }
 
   ShapeTraits traits() const override {
-    return {.name = "polygon", .convexity = Convexity::kFlat, .is_solid = false, .inverse_turns_normal = false};
+    return {.name = "polygon",
+            .convexity = Convexity::kFlat,
+            .is_solid = false,
+            .inverse_turns_normal = false};
   }
   Bounds bounds() const override;
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
@@ -64,15 +67,15 @@ class Polygon final : public Shape {
   void orient();
   void flatten();
 
-  Vec3 m_normal;                ///< unit
-  double m_offset = 0.0;        ///< of the plane, along the normal
+  Vec3 m_normal;          ///< unit
+  double m_offset = 0.0;  ///< of the plane, along the normal
   double m_lo_u = 0.0, m_hi_u = 0.0, m_lo_v = 0.0, m_hi_v = 0.0;
-  int m_u = 0, m_v = 1;         ///< the axes of the projection that the test in 2D works in
+  int m_u = 0, m_v = 1;  ///< the axes of the projection that the test in 2D works in
   bool m_degenerate = false;
   std::uint32_t m_few_edges = 0;
   std::array<EvenOdd::Edge, kFew> m_few{};
-  EvenOdd m_many;               ///< used where there are more edges than kFew
-  std::vector<Vec3> m_points;   ///< the first of a contour repeated at its end, exactly
+  EvenOdd m_many;              ///< used where there are more edges than kFew
+  std::vector<Vec3> m_points;  ///< the first of a contour repeated at its end, exactly
 };
 
 }  // namespace lentray::core

@@ -17,13 +17,8 @@ constexpr std::uint32_t kLowCap = 0, kHighCap = 1, kFirstWall = 2;
 
 Prism::Prism(std::string_view name, std::shared_ptr<const Outline> outline, Sweep sweep,
              double from, double to, bool open)
-    : m_name(name),
-      m_outline(std::move(outline)),
-      m_sweep(sweep),
-      m_from(std::min(from, to)),
-      m_to(std::max(from, to)),
-      m_farther(std::fabs(from) + std::fabs(to)),
-      m_open(open),
+    : m_name(name), m_outline(std::move(outline)), m_sweep(sweep), m_from(std::min(from, to)),
+      m_to(std::max(from, to)), m_farther(std::fabs(from) + std::fabs(to)), m_open(open),
       m_reach(widened(Prism::bounds())) {}
 
 Bounds Prism::bounds() const {
@@ -42,9 +37,7 @@ Bounds Prism::bounds_in(const Transform& t) const {
   if (keeps_axes(t) || m_outline->pieces().empty()) return Shape::bounds_in(t);
   return support_bounds(t, [&](const Vec3& direction) {
     const Vec3 d = swept(direction);
-    const auto outline = [&](double u, double v) {
-      return m_outline->farthest({u, v});
-    };
+    const auto outline = [&](double u, double v) { return m_outline->farthest({u, v}); };
     if (m_sweep != Sweep::kConic) return outline(d.x, d.y) + std::max(d.z * m_from, d.z * m_to);
     return std::max(outline(d.x * m_from, d.y * m_from) + d.z * m_from,
                     outline(d.x * m_to, d.y * m_to) + d.z * m_to);
@@ -72,8 +65,9 @@ bool Prism::contains(double u, double v, double height) const {
 }
 
 /// False if the ray meets nothing for sure.
-[[gnu::always_inline]] inline bool Prism::passes(const Ray& ray, const Vec3& origin, const Vec3& direction, double t_min, double t_max,
-                   Passage& passage) const {
+[[gnu::always_inline]] inline bool Prism::passes(const Ray& ray, const Vec3& origin,
+                                                 const Vec3& direction, double t_min, double t_max,
+                                                 Passage& passage) const {
   constexpr double kSlack = 1e-9;
   double from = t_min, to = t_max;
   if (direction.z != 0.0) {
@@ -100,12 +94,14 @@ bool Prism::contains(double u, double v, double height) const {
   if (m_sweep == Sweep::kConic) {
     // Towards the tip it has no end.
     constexpr double kTip = 1e-3;
-    if (!(first.z * last.z > 0.0) || std::min(std::fabs(first.z), std::fabs(last.z)) < kTip) return by_bounds();
+    if (!(first.z * last.z > 0.0) || std::min(std::fabs(first.z), std::fabs(last.z)) < kTip)
+      return by_bounds();
     begin = {begin.u / first.z, begin.v / first.z};
     end = {end.u / last.z, end.v / last.z};
   }
-  const double size = std::fabs(origin.x) + std::fabs(origin.y) + std::fabs(begin.u) + std::fabs(begin.v) +
-                      std::fabs(end.u) + std::fabs(end.v) + std::fabs(origin.z) + m_farther;
+  const double size = std::fabs(origin.x) + std::fabs(origin.y) + std::fabs(begin.u) +
+                      std::fabs(begin.v) + std::fabs(end.u) + std::fabs(end.v) +
+                      std::fabs(origin.z) + m_farther;
   if (!std::isfinite(size)) return by_bounds();
   const double by = kSlack * size * (m_sweep == Sweep::kConic ? 1e3 : 1.0);
   passage.way = {begin, end, by, true};
@@ -115,7 +111,8 @@ bool Prism::contains(double u, double v, double height) const {
 }
 
 template <bool first, class Visit>
-void Prism::walls(const Vec3& origin, const Vec3& direction, const Passage& passage, Visit&& visit) const {
+void Prism::walls(const Vec3& origin, const Vec3& direction, const Passage& passage,
+                  Visit&& visit) const {
   // Plane in which the ray and the direction of the sweep lie, as a line across the outline.
   Vec3 plane{direction.y, -direction.x, origin.y * direction.x - origin.x * direction.y};
   if (m_sweep == Sweep::kConic) plane = cross(origin, direction);
@@ -135,16 +132,18 @@ void Prism::walls(const Vec3& origin, const Vec3& direction, const Passage& pass
   if (first && passage.way.is_known) {
     m_outline->first_crossings(plane.x, plane.y, plane.z, passage.way, met);
   } else {
-    m_outline->crossings(plane.x, plane.y, plane.z, passage.way, [&](std::uint32_t piece, double s, const Vec2& p) {
-      return met(piece, s, p) || first;
-    });
+    m_outline->crossings(
+        plane.x, plane.y, plane.z, passage.way,
+        [&](std::uint32_t piece, double s, const Vec2& p) { return met(piece, s, p) || first; });
   }
 }
 
 /// Whether the place where the ray's line meets a cap's plane is on the cap.
-bool Prism::is_on_cap(std::uint32_t cap, const Vec3& origin, const Vec3& direction, const Passage& passage) const {
+bool Prism::is_on_cap(std::uint32_t cap, const Vec3& origin, const Vec3& direction,
+                      const Passage& passage) const {
   const double t = passage.caps[cap];
-  return !m_open && contains(origin.x + t * direction.x, origin.y + t * direction.y, cap == kLowCap ? m_from : m_to);
+  return !m_open && contains(origin.x + t * direction.x, origin.y + t * direction.y,
+                             cap == kLowCap ? m_from : m_to);
 }
 
 /// The cap that the ray comes to first is before all else: walls lie between the caps.

@@ -33,9 +33,7 @@ class Prism final : public Shape {
 
  private:
   /// Components along u, v and the sweep.
-  Vec3 swept(const Vec3& p) const {
-    return m_sweep == Sweep::kAlongZ ? p : Vec3{p.x, p.z, p.y};
-  }
+  Vec3 swept(const Vec3& p) const { return m_sweep == Sweep::kAlongZ ? p : Vec3{p.x, p.z, p.y}; }
   /// Of a place at that height, on the outline.
   bool on_outline(double& u, double& v, double height) const;
   bool contains(double u, double v, double height) const;
@@ -46,10 +44,12 @@ class Prism final : public Shape {
   };
   bool passes(const Ray& ray, const Vec3& origin, const Vec3& direction, double t_min, double t_max,
               Passage& passage) const;
-  bool is_on_cap(std::uint32_t cap, const Vec3& origin, const Vec3& direction, const Passage& passage) const;
+  bool is_on_cap(std::uint32_t cap, const Vec3& origin, const Vec3& direction,
+                 const Passage& passage) const;
   /// What visit() answers: crossings(), or where `first` first_crossings().
   template <bool first, class Visit>
-  void walls(const Vec3& origin, const Vec3& direction, const Passage& passage, Visit&& visit) const;
+  void walls(const Vec3& origin, const Vec3& direction, const Passage& passage,
+             Visit&& visit) const;
 
   std::string_view m_name;
   std::shared_ptr<const Outline> m_outline;

@@ -95,7 +95,8 @@ void Quadric::find_bounds() {
       m_bounds = Bounds();  // no surface
       return;
     }
-    const Vec3 e{std::sqrt(level * cx / det), std::sqrt(level * cy / det), std::sqrt(level * cz / det)};
+    const Vec3 e{std::sqrt(level * cx / det), std::sqrt(level * cy / det),
+                 std::sqrt(level * cz / det)};
     m_bounds = padded({centre - e * (1.0 + 1e-12), centre + e * (1.0 + 1e-12)});
     return;
   }
@@ -152,8 +153,9 @@ std::unique_ptr<Shape> Quadric::baked(const Transform& t) const {
     for (std::size_t j = 0; j < 3; ++j) r[i][j] = dot(half, Vec3{m[j][0], m[j][1], m[j][2]});
     linear[static_cast<int>(i)] = dot(row, m_lin);
   }
-  auto moved = std::make_unique<Quadric>(Vec3{r[0][0], r[1][1], r[2][2]},
-                                         Vec3{2.0 * r[0][1], 2.0 * r[0][2], 2.0 * r[1][2]}, linear, m_const);
+  auto moved =
+      std::make_unique<Quadric>(Vec3{r[0][0], r[1][1], r[2][2]},
+                                Vec3{2.0 * r[0][1], 2.0 * r[0][2], 2.0 * r[1][2]}, linear, m_const);
   moved->m_origin = t.point(m_origin);
   if (!moved->m_bounds.is_empty()) {
     moved->m_bounds.lo += moved->m_origin;

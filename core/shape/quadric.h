@@ -17,7 +17,8 @@ class Quadric final : public Shape {
 
   /// The inverse has the sign of the polynomial turned, and the normal once more.
   ShapeTraits traits() const override {
-    return {.name = "quadric", .solid_is_unbounded = m_solid_unbounded, .inverse_turns_normal = false};
+    return {
+        .name = "quadric", .solid_is_unbounded = m_solid_unbounded, .inverse_turns_normal = false};
   }
   /// Tight for ellipsoids; for others as far as they are bounded along the axes.
   Bounds bounds() const override { return m_bounds; }
@@ -36,7 +37,7 @@ class Quadric final : public Shape {
 
   Vec3 m_sq, m_mix, m_lin;  ///< m_mix: xy, xz, yz
   double m_const;
-  Vec3 m_origin;            ///< of the equation: moves do not mix into its coefficients
+  Vec3 m_origin;  ///< of the equation: moves do not mix into its coefficients
   Bounds m_bounds;
   bool m_solid_unbounded = false;
 };

@@ -32,16 +32,19 @@ enum class Convexity : std::uint8_t {
 
 /// What holds for all points and rays alike.
 struct ShapeTraits {
-  std::string_view name;                   ///< SDL keyword of the statement, for statistics and messages ("sphere")
+  std::string_view name;  ///< SDL keyword of the statement, for statistics and messages ("sphere")
   /// But for rounding, and of hits from outside alone. Patches whose normal is not that of their plane have none.
   Convexity convexity = Convexity::kNone;
-  bool is_solid = true;                    ///< false for patches: they have no inside, and `inverse` changes nothing
-  bool solid_is_unbounded = false;         ///< bounds() holds the surface alone, and inside() may be true beyond it
-  bool has_uv = false;                     ///< texture coordinates of its own
-  bool finds_all_at_once = false;          ///< all() costs no more than nearest(), which works all out too
-  bool tells_all = true;                   ///< false: a ray that begins anew at one crossing may meet others
-  bool tells_first_alone = false;          ///< true: a ray of light meets no more of it than nearest() tells
-  bool inverse_turns_normal = true;        ///< that of the inverse points the other way: this decides what is behind
+  bool is_solid = true;  ///< false for patches: they have no inside, and `inverse` changes nothing
+  bool solid_is_unbounded =
+      false;            ///< bounds() holds the surface alone, and inside() may be true beyond it
+  bool has_uv = false;  ///< texture coordinates of its own
+  bool finds_all_at_once = false;  ///< all() costs no more than nearest(), which works all out too
+  bool tells_all = true;  ///< false: a ray that begins anew at one crossing may meet others
+  bool tells_first_alone =
+      false;  ///< true: a ray of light meets no more of it than nearest() tells
+  bool inverse_turns_normal =
+      true;  ///< that of the inverse points the other way: this decides what is behind
 };
 
 class Shape {
@@ -79,11 +82,17 @@ class Shape {
   /// Shading normal, not necessarily unit; outwards for solids.
   virtual Vec3 normal(const Vec3& p, const ShapeHit& hit) const = 0;
   /// Texture coordinates for uv_mapping. Kinds without any of their own take x and y of the world point.
-  virtual Vec2 uv(const Vec3& p, const ShapeHit& hit) const { (void)hit; return {p.x, p.y}; }
+  virtual Vec2 uv(const Vec3& p, const ShapeHit& hit) const {
+    (void)hit;
+    return {p.x, p.y};
+  }
 
   /// The same shape in the space `t` leads to, or null if this kind cannot hold it
   /// (then the object keeps the transform and moves the rays).
-  virtual std::unique_ptr<Shape> baked(const Transform& t) const { (void)t; return nullptr; }
+  virtual std::unique_ptr<Shape> baked(const Transform& t) const {
+    (void)t;
+    return nullptr;
+  }
   /// Before the shape is asked: crossings beyond the ball are not wanted, and may be left out. For
   /// shapes that search the whole ray otherwise.
   virtual void keep_within(const Ball& ball) { (void)ball; }

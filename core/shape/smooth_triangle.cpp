@@ -13,8 +13,9 @@ bool normals_disagree(const Vec3& face, const std::array<Vec3, 3>& n) {
 
 SmoothTriangle::SmoothTriangle(const Vec3& a, const Vec3& na, const Vec3& b, const Vec3& nb,
                                const Vec3& c, const Vec3& nc)
-    : TriangleShape(a, b, c, triangle_is_degenerate(a, b, c) ||
-                                 normals_disagree(cross(c - a, b - a), {na, nb, nc})),
+    : TriangleShape(
+          a, b, c,
+          triangle_is_degenerate(a, b, c) || normals_disagree(cross(c - a, b - a), {na, nb, nc})),
       m_normals{na, nb, nc} {}
 
 Vec3 SmoothTriangle::normal(const Vec3&, const ShapeHit& hit) const {
@@ -22,9 +23,9 @@ Vec3 SmoothTriangle::normal(const Vec3&, const ShapeHit& hit) const {
 }
 
 std::unique_ptr<Shape> SmoothTriangle::baked(const Transform& t) const {
-  auto moved = std::make_unique<SmoothTriangle>(
-      t.point(m_vertices[0]), t.normal(m_normals[0]), t.point(m_vertices[1]),
-      t.normal(m_normals[1]), t.point(m_vertices[2]), t.normal(m_normals[2]));
+  auto moved = std::make_unique<SmoothTriangle>(t.point(m_vertices[0]), t.normal(m_normals[0]),
+                                                t.point(m_vertices[1]), t.normal(m_normals[1]),
+                                                t.point(m_vertices[2]), t.normal(m_normals[2]));
   moved->m_degenerate |= m_degenerate;
   return moved;
 }

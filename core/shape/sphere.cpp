@@ -9,7 +9,9 @@ namespace lentray::core {
 Sphere::Sphere(const Vec3& centre, double radius)
     : m_centre(centre), m_radius(std::fabs(radius)), m_radius2(radius * radius) {}
 
-Bounds Sphere::bounds() const { return padded({m_centre - Vec3(m_radius), m_centre + Vec3(m_radius)}); }
+Bounds Sphere::bounds() const {
+  return padded({m_centre - Vec3(m_radius), m_centre + Vec3(m_radius)});
+}
 
 Bounds Sphere::bounds_in(const Transform& t) const {
   const Vec3 c = t.point(m_centre);

@@ -34,7 +34,9 @@ class Sphere final : public Shape {
   double radius() const { return m_radius; }
   double radius2() const { return m_radius2; }
 
-  ShapeTraits traits() const override { return {.name = "sphere", .convexity = Convexity::kConvex, .has_uv = true}; }
+  ShapeTraits traits() const override {
+    return {.name = "sphere", .convexity = Convexity::kConvex, .has_uv = true};
+  }
   Bounds bounds() const override;
   Bounds bounds_in(const Transform& t) const override;
   Ball ball() const override { return {m_centre, m_radius}; }

@@ -216,7 +216,8 @@ void SphereSweep::piece_crossings(std::uint32_t index, const Line& line, double 
   }
 }
 
-std::pair<std::uint32_t, std::uint32_t> SphereSweep::parts_met(const BoxRay& ray, std::uint32_t piece,
+std::pair<std::uint32_t, std::uint32_t> SphereSweep::parts_met(const BoxRay& ray,
+                                                               std::uint32_t piece,
                                                                double t_min) const {
   const Bounds* parts = &m_parts[static_cast<std::size_t>(piece) * kParts];
   std::uint32_t first = 0, last = kParts;
@@ -245,7 +246,8 @@ void SphereSweep::crossings(const Ray& ray, double t_min, double t_max, ShapeHit
     if (first == end) continue;
     if (first == 0) sphere_crossings(i, 0.0, line, out);
     if (end == kParts) sphere_crossings(i, 1.0, line, out);
-    const double from = std::max(0.0, first * kPart - kOver), to = std::min(1.0, end * kPart + kOver);
+    const double from = std::max(0.0, first * kPart - kOver),
+                 to = std::min(1.0, end * kPart + kOver);
     piece_crossings<3>(i, line, from, to, out);
   }
   std::sort(out.begin(), out.end(), [](const ShapeHit& a, const ShapeHit& b) {
@@ -261,7 +263,8 @@ bool SphereSweep::within(const Vec3& p, double margin) const {
       continue;
     }
     const auto first = m_parts.begin() + static_cast<std::ptrdiff_t>(i * kParts);
-    const bool near = std::any_of(first, first + kParts, [&](const Bounds& b) { return b.contains(p); });
+    const bool near =
+        std::any_of(first, first + kParts, [&](const Bounds& b) { return b.contains(p); });
     if (near && depth_in<3>(m_pieces[i], p) > margin) return true;
   }
   return false;

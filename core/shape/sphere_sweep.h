@@ -35,7 +35,9 @@ class SphereSweep final : public Shape {
   /// `tolerance`: along rays, in the world; what they meet before it does not count.
   explicit SphereSweep(std::vector<SweepPiece> pieces, double tolerance = 0.0);
 
-  ShapeTraits traits() const override { return {.name = "sphere_sweep", .tells_all = m_tolerance <= kFine}; }
+  ShapeTraits traits() const override {
+    return {.name = "sphere_sweep", .tells_all = m_tolerance <= kFine};
+  }
   Bounds bounds() const override { return m_bounds; }
   Bounds bounds_in(const Transform& t) const override;
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
@@ -49,18 +51,21 @@ class SphereSweep final : public Shape {
   void crossings(const Ray& ray, double t_min, double t_max, ShapeHits& out) const;
   /// Of a piece of order kOrder, between two parameters; of a straight one with its end spheres.
   template <std::size_t kOrder>
-  void piece_crossings(std::uint32_t index, const Line& line, double from, double to, ShapeHits& out) const;
+  void piece_crossings(std::uint32_t index, const Line& line, double from, double to,
+                       ShapeHits& out) const;
   void sphere_crossings(std::uint32_t index, double u, const Line& line, ShapeHits& out) const;
   /// Calls `visit` with each crossing in order, until it returns false.
   template <class Visit>
   void on_surface(const Ray& ray, double t_min, double t_max, Visit&& visit) const;
   bool within(const Vec3& p, double margin) const;
 
-  static constexpr double kFine = 1e-4;  ///< a tolerance below which rays that begin anew miss nothing
+  static constexpr double kFine =
+      1e-4;  ///< a tolerance below which rays that begin anew miss nothing
   std::vector<SweepPiece> m_pieces;
   static constexpr std::uint32_t kParts = 8;
   /// The first part that the ray may meet beyond t_min, and that after the last; both 0 if none.
-  std::pair<std::uint32_t, std::uint32_t> parts_met(const BoxRay& ray, std::uint32_t piece, double t_min) const;
+  std::pair<std::uint32_t, std::uint32_t> parts_met(const BoxRay& ray, std::uint32_t piece,
+                                                    double t_min) const;
 
   std::vector<Bounds> m_boxes;  ///< one a piece
   std::vector<Bounds> m_parts;  ///< kParts a piece, along it; asked for curved ones

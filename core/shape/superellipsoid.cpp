@@ -88,7 +88,7 @@ double turning_point(const Function& f, double lo, double hi, double sign) {
 
 }  // namespace
 
-Superellipsoid::Superellipsoid(double e, double n) 
+Superellipsoid::Superellipsoid(double e, double n)
     : m_round_xy(2.0 / e), m_round_z(2.0 / n), m_convex(e <= 2.0 && n <= 2.0) {
   const double xy = dual_norm(1.0, 1.0, m_round_xy), z = dual_norm(1.0, 1.0, m_round_z);
   m_half_of_two = {kOut * xy, kOut * z, kOut * z};
@@ -103,7 +103,8 @@ double Superellipsoid::value(const Vec3& p) const {
 Bounds Superellipsoid::bounds_in(const Transform& t) const {
   if (keeps_axes(t)) return Shape::bounds_in(t);
   return support_bounds(t, [&](const Vec3& d) {
-    return dual_norm(dual_norm(std::fabs(d.x), std::fabs(d.y), m_round_xy), std::fabs(d.z), m_round_z);
+    return dual_norm(dual_norm(std::fabs(d.x), std::fabs(d.y), m_round_xy), std::fabs(d.z),
+                     m_round_z);
   });
 }
 
@@ -175,7 +176,8 @@ bool Superellipsoid::clip(const Ray& ray, double& lo, double& hi) const {
 /// origins do not cost digits. A convex function lies above its tangents: those at the ray's start
 /// and at the middle turn most rays away. `kAnywhere`: any t beyond the first crossing does for it.
 template <bool kAnywhere, class Visit>
-void Superellipsoid::convex_crossings(const Ray& ray, double t_min, double t_max, Visit&& visit) const {
+void Superellipsoid::convex_crossings(const Ray& ray, double t_min, double t_max,
+                                      Visit&& visit) const {
   constexpr double kSure = 1e-12, kFar = 1e4;
   double lo = -Bounds::kInf, hi = Bounds::kInf;
   if (!clip(ray, lo, hi) || hi <= t_min || lo >= t_max) return;

@@ -14,7 +14,8 @@ class Superellipsoid final : public Shape {
   Superellipsoid(double e, double n);
 
   ShapeTraits traits() const override {
-    return {.name = "superellipsoid", .convexity = m_convex ? Convexity::kConvex : Convexity::kNone};
+    return {.name = "superellipsoid",
+            .convexity = m_convex ? Convexity::kConvex : Convexity::kNone};
   }
   Bounds bounds() const override { return {{-1, -1, -1}, {1, 1, 1}}; }
   Bounds bounds_in(const Transform& t) const override;

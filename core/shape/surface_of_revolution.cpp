@@ -127,8 +127,8 @@ void SurfaceOfRevolution::crossings(const Ray& ray, double t_min, const double& 
     }
     if (!(lo <= hi) || t_max - shift <= lo) continue;
     const double cubic[4] = {p.c3 * climb * climb * climb,
-                             (p.c2 + 3.0 * p.c3 * g) * climb * climb - a2, p.slope(g) * climb - 2.0 * b,
-                             p.at(g) - c};
+                             (p.c2 + 3.0 * p.c3 * g) * climb * climb - a2,
+                             p.slope(g) * climb - 2.0 * b, p.at(g) - c};
     double root[3];
     const int n = std::isfinite(hi) ? solve_between(cubic, 3, lo, hi, root)
                                     : solve_between_bounds(cubic, 3, lo, hi, root);
@@ -139,8 +139,7 @@ void SurfaceOfRevolution::crossings(const Ray& ray, double t_min, const double& 
   }
 }
 
-bool SurfaceOfRevolution::nearest(const Ray& ray, double t_min, double t_max,
-                                  ShapeHit& hit) const {
+bool SurfaceOfRevolution::nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const {
   bool found = false;
   crossings(ray, t_min, t_max, [&](double t, std::uint32_t element, double) {
     // Where two pieces meet the lower one counts.

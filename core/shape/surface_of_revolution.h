@@ -40,7 +40,7 @@ class SurfaceOfRevolution final : public Shape {
   std::uint32_t base() const { return static_cast<std::uint32_t>(m_pieces.size()); }
   std::uint32_t cap() const { return base() + 1; }
 
-  Bounds m_reach;  ///< a little more than bounds()
+  Bounds m_reach;               ///< a little more than bounds()
   std::vector<Piece> m_pieces;  ///< ascending
   bool m_open;
   double m_base2, m_cap2;  ///< r^2 of the flat ends, 0: none

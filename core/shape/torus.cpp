@@ -7,8 +7,7 @@
 
 namespace lentray::core {
 
-Torus::Torus(double major, double minor)
-    : m_major(std::fabs(major)), m_minor(std::fabs(minor)) {}
+Torus::Torus(double major, double minor) : m_major(std::fabs(major)), m_minor(std::fabs(minor)) {}
 
 Bounds Torus::bounds() const { return bounds_in(Transform()); }
 
@@ -51,8 +50,8 @@ int Torus::crossings(const Ray& ray, double t_min, double t_max, bool first_alon
 
   const double major2 = m_major * m_major, minor2 = m_minor * m_minor;
   const double k = pp - major2 - minor2;
-  const double quartic[5] = {1.0, 0.0, 2.0 * (k + 2.0 * major2 * d.y * d.y), 8.0 * major2 * p.y * d.y,
-                             k * k + 4.0 * major2 * (p.y * p.y - minor2)};
+  const double quartic[5] = {1.0, 0.0, 2.0 * (k + 2.0 * major2 * d.y * d.y),
+                             8.0 * major2 * p.y * d.y, k * k + 4.0 * major2 * (p.y * p.y - minor2)};
   double root[4];
   const auto keep = [&](int n) {
     int kept = 0;
@@ -98,7 +97,8 @@ Vec3 Torus::normal(const Vec3& p, const ShapeHit&) const {
 Vec2 Torus::uv(const Vec3& p, const ShapeHit&) const {
   constexpr double pi = std::numbers::pi;
   const double across = std::sqrt(p.x * p.x + p.z * p.z) - m_major;
-  return {1.0 - (std::atan2(p.z, p.x) + pi) / (2.0 * pi), (std::atan2(p.y, across) + pi) / (2.0 * pi)};
+  return {1.0 - (std::atan2(p.z, p.x) + pi) / (2.0 * pi),
+          (std::atan2(p.y, across) + pi) / (2.0 * pi)};
 }
 
 }  // namespace lentray::core

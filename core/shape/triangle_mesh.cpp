@@ -11,7 +11,8 @@ namespace {
 void check(const std::vector<MeshTriple>& triples, std::size_t size, bool optional) {
   for (const MeshTriple& triple : triples) {
     for (const std::uint32_t i : triple) {
-      if (i >= size && !(optional && i == kNoIndex)) throw std::out_of_range("mesh index beyond its list");
+      if (i >= size && !(optional && i == kNoIndex))
+        throw std::out_of_range("mesh index beyond its list");
     }
   }
 }
@@ -78,7 +79,8 @@ void TriangleMesh::fill_packs() {
     pack.count = count;
     for (std::uint32_t lane = 0; lane < count; ++lane) {
       const MeshTriple& f = m_data.faces[first + lane];
-      pack.set(static_cast<int>(lane), m_data.vertices[f[0]], m_data.vertices[f[1]], m_data.vertices[f[2]]);
+      pack.set(static_cast<int>(lane), m_data.vertices[f[0]], m_data.vertices[f[1]],
+               m_data.vertices[f[2]]);
     }
     return static_cast<std::uint32_t>(m_packs.size() - 1);
   });

@@ -64,7 +64,8 @@ class TriangleMesh {
   bool meets(const ShearedRay& ray, std::uint32_t face, FaceHit& hit) const {
     const MeshTriple& v = m_data.faces[face];
     TriangleHit found;
-    if (!intersect_triangle(ray, m_data.vertices[v[0]], m_data.vertices[v[1]], m_data.vertices[v[2]], found))
+    if (!intersect_triangle(ray, m_data.vertices[v[0]], m_data.vertices[v[1]],
+                            m_data.vertices[v[2]], found))
       return false;
     hit = {found.t, found.wb, found.wc, face};
     return true;

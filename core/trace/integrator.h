@@ -24,7 +24,8 @@ class Integrator {
   virtual Radiance trace(const Ray& ray, Pixel pixel, std::uint64_t key) = 0;
   /// Of the pixel's sample 0.
   Radiance trace(const Ray& ray, Pixel pixel) {
-    static_assert(std::endian::native == std::endian::little);  // sample_key() of a pixel is its bits
+    static_assert(std::endian::native ==
+                  std::endian::little);  // sample_key() of a pixel is its bits
     return trace(ray, pixel, std::bit_cast<std::uint64_t>(pixel));
   }
   /// Specialised to what the context's scene needs (the general one if the scene was compiled with

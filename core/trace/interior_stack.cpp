@@ -31,7 +31,8 @@ double enter(const InteriorEntry& entry, double atmosphere_ior, InteriorStack& i
   return before / ior;
 }
 
-double relative_ior(const InteriorEntry& entry, const InteriorStack& inside, double atmosphere_ior) {
+double relative_ior(const InteriorEntry& entry, const InteriorStack& inside,
+                    double atmosphere_ior) {
   const double ior = entry.ior(atmosphere_ior);
   if (inside.empty()) return ior / atmosphere_ior;
   const double innermost = inside.back().ior(atmosphere_ior);

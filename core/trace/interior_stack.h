@@ -25,7 +25,8 @@ struct InteriorEntry {
 inline InteriorEntry interior_of(const Attributes& attributes, const Object* object) {
   const Interior* own = attributes.interior;
   if (own) return {reinterpret_cast<std::uintptr_t>(own), own, attributes.hollow};
-  return {std::uintptr_t{2} * object->whole() + 1, nullptr, attributes.hollow};  // no address is odd
+  return {std::uintptr_t{2} * object->whole() + 1, nullptr,
+          attributes.hollow};  // no address is odd
 }
 
 /// Deeper nesting than kCapacity is not followed: what is pushed beyond is forgotten.

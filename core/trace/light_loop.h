@@ -54,7 +54,7 @@ struct LightsAtPoint {
   explicit LightsAtPoint(std::size_t lights) : arriving(lights), is_known(lights), spots(lights) {}
   void forget_arriving() { std::fill(is_known.begin(), is_known.end(), std::uint8_t{0}); }
   std::vector<Rgb> arriving;
-  std::vector<std::uint8_t> is_known;     ///< whether `arriving` is
+  std::vector<std::uint8_t> is_known;  ///< whether `arriving` is
   std::vector<LightBuffer::Spot> spots;
 };
 
@@ -89,7 +89,8 @@ class LightLoop {
   ///   bool receiver.faces(direction)         the same, with the unit direction to the light
   ///   receiver.receive(source, ray, colour)  what arrives of it, if that is not black
   template <class Receiver>
-  [[gnu::always_inline]] void at(const LitPoint& lit, const LightLists& lists, LightsAtPoint& known, Receiver&& receiver) {
+  [[gnu::always_inline]] void at(const LitPoint& lit, const LightLists& lists, LightsAtPoint& known,
+                                 Receiver&& receiver) {
     ShadowQuery query;
     query.ray.origin = lit.point;
     query.depth = lit.level;
@@ -136,7 +137,8 @@ class LightLoop {
     return result;
   }
 
-  Rgb of_point(const Rgb& colour, const LightRay& ray, ShadowQuery& query, const LightsAtPoint& known) {
+  Rgb of_point(const Rgb& colour, const LightRay& ray, ShadowQuery& query,
+               const LightsAtPoint& known) {
     const LightBuffer::Spot& spot = known.spots[query.light];
     query.spot = spot.known ? &spot : nullptr;
     query.sample = 0;
@@ -171,8 +173,8 @@ class LightLoop {
 };
 
 template <bool kArea, bool kAskedAgain>
-void LightLoop<kArea, kAskedAgain>::look_ahead(const LightLists& lists, const Vec3& normal, const Hit& hit,
-                                               bool from_behind, const Vec3& point,
+void LightLoop<kArea, kAskedAgain>::look_ahead(const LightLists& lists, const Vec3& normal,
+                                               const Hit& hit, bool from_behind, const Vec3& point,
                                                LightsAtPoint& known) const {
   for (const std::span<const std::uint32_t> lights : lists) {
     for (const std::uint32_t i : lights) {
@@ -194,22 +196,25 @@ void LightLoop<kArea, kAskedAgain>::look_ahead(const LightLists& lists, const Ve
 /// to lights before that plane. Rounding can put the point so far inside that a ray at less than `slope`
 /// (the cosine to the normal) is still inside at the tolerance.
 template <bool kArea, bool kAskedAgain>
-[[gnu::noinline]] void LightLoop<kArea, kAskedAgain>::find_unmet(const LightLists& lists, const Vec3& normal,
-                                                                 const Hit& hit, bool from_behind,
+[[gnu::noinline]] void LightLoop<kArea, kAskedAgain>::find_unmet(const LightLists& lists,
+                                                                 const Vec3& normal, const Hit& hit,
+                                                                 bool from_behind,
                                                                  const Vec3& point,
                                                                  LightsAtPoint& known) const {
   constexpr double kLeast = 1e-3, kRounding = 1e-9;
   if (!hit.object->lies_in_parts()) return;
   const bool either_side = hit.leaf->convexity() == Convexity::kFlat && hit.object == hit.leaf;
   if (from_behind && !either_side) return;
-  const double off = kRounding * (std::fabs(point.x) + std::fabs(point.y) + std::fabs(point.z) + hit.t);
+  const double off =
+      kRounding * (std::fabs(point.x) + std::fabs(point.y) + std::fabs(point.z) + hit.t);
   const double slope = std::max(kLeast, off / m_tolerance);
   for (const std::span<const std::uint32_t> lights : lists) {
     for (const std::uint32_t i : lights) {
       if (!known.spots[i].known || !m_sources[i].straight) continue;
       const Vec3 to = m_sources[i].position - point;
       const double up = dot(normal, to);
-      if (up > 0.0 && up * up > slope * slope * length_squared(to)) known.spots[i].unmet = hit.object;
+      if (up > 0.0 && up * up > slope * slope * length_squared(to))
+        known.spots[i].unmet = hit.object;
     }
   }
 }

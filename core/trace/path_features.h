@@ -12,8 +12,8 @@ namespace lentray::core {
 enum PathFeature : unsigned {
   kPathTransparency = 1,  ///< filter, transmit, refraction, interiors
   kPathReflection = 2,
-  kPathLayers = 4,        ///< layered textures, textures by place, interior textures
-  kPathArea = 8,          ///< area lights
+  kPathLayers = 4,  ///< layered textures, textures by place, interior textures
+  kPathArea = 8,    ///< area lights
 };
 inline constexpr unsigned kAllPaths = 16;
 

@@ -27,11 +27,8 @@ bool nearly_equal(const Vec3& a, const Vec3& b) {
 
 template <unsigned kFeatures>
 PathIntegrator<kFeatures>::PathIntegrator(ThreadContext& context, ShadowTester& shadows)
-    : m_context(context),
-      m_scene(context.scene),
-      m_hierarchy(m_scene.hierarchy()),
-      m_shading(context, shadows),
-      m_max_level(m_scene.settings().max_trace_level),
+    : m_context(context), m_scene(context.scene), m_hierarchy(m_scene.hierarchy()),
+      m_shading(context, shadows), m_max_level(m_scene.settings().max_trace_level),
       m_bailout(m_scene.settings().adc_bailout),
       m_min_distance(kMinHitDistance * m_scene.tolerance_scale()),
       m_atmosphere_ior(m_scene.settings().atmosphere_ior),
@@ -55,15 +52,15 @@ Radiance PathIntegrator<kFeatures>::trace(const Ray& ray, Pixel pixel, std::uint
 
 template <unsigned kFeatures>
 Radiance PathIntegrator<kFeatures>::follow(const RayState& state, float weight, int level,
-                                       bool straight_on) {
+                                           bool straight_on) {
   if (level >= m_max_level || weight < m_bailout) return {};
   if (m_depth >= m_deepest) {
     ++m_context.counters.cut_rays;
     return {};
   }
   Hit hit;
-  if (!m_hierarchy.nearest(state.ray, m_min_distance, Bounds::kInf, state.kind, hit, m_context.arena,
-                           m_context.tests)) {
+  if (!m_hierarchy.nearest(state.ray, m_min_distance, Bounds::kInf, state.kind, hit,
+                           m_context.arena, m_context.tests)) {
     Radiance sky = sky_radiance(m_scene, state.ray.direction, state.kind == RayKind::kReflection);
     if (m_air) pass_open_air(state, kOpenAir, sky);
     return sky;
@@ -74,7 +71,8 @@ Radiance PathIntegrator<kFeatures>::follow(const RayState& state, float weight, 
 }
 
 template <unsigned kFeatures>
-void PathIntegrator<kFeatures>::pass_open_air(const RayState& state, double length, Radiance& light) {
+void PathIntegrator<kFeatures>::pass_open_air(const RayState& state, double length,
+                                              Radiance& light) {
   if (!state.inside.is_hollow()) return;
   pass_segment(*m_air, {state.ray, length}, m_context.random, light);
 }
@@ -92,13 +90,20 @@ ShadingBuffers& PathIntegrator<kFeatures>::enter_surface() {
 }
 
 template <unsigned kFeatures>
-Radiance PathIntegrator<kFeatures>::shade(const RayState& state, const Hit& hit, float weight, int level) {
+Radiance PathIntegrator<kFeatures>::shade(const RayState& state, const Hit& hit, float weight,
+                                          int level) {
   const Vec3 point = state.ray.at(hit.t);
   Vec3 normal = hit.leaf->normal(point, hit.shape);
   const bool from_behind = dot(normal, state.ray.direction) > 0.0;
   if (from_behind) normal = -normal;
-  Surface at{state, hit.leaf->attributes(), {point, normal, state.ray.direction, &hit},
-             normal, point, weight, level, from_behind};
+  Surface at{state,
+             hit.leaf->attributes(),
+             {point, normal, state.ray.direction, &hit},
+             normal,
+             point,
+             weight,
+             level,
+             from_behind};
   if (at.looks.uv_mapping) at.texture_point = texture_point(at.context);
   ShadingBuffers& buffers = enter_surface();
   m_shading.begin(at, buffers);
@@ -145,8 +150,8 @@ Radiance PathIntegrator<kFeatures>::shade_texture(const LayeredTexture& texture,
 
 template <unsigned kFeatures>
 void PathIntegrator<kFeatures>::add_mirror_images(const LayerSum& sum, bool total_reflection,
-                                              const Surface& at, ShadingBuffers& buffers,
-                                              Radiance& result) {
+                                                  const Surface& at, ShadingBuffers& buffers,
+                                                  Radiance& result) {
   for (std::size_t i = 0; m_mirror_images && i < sum.layers; ++i) {
     const Mirror& mirror = buffers.mirrors[i];
     if (mirror.colour.is_black()) continue;
@@ -163,7 +168,7 @@ void PathIntegrator<kFeatures>::add_mirror_images(const LayerSum& sum, bool tota
 
 template <unsigned kFeatures>
 Rgb PathIntegrator<kFeatures>::mirror_image(const Vec3& normal, float weight, const Surface& at,
-                                        const Finish& film) {
+                                            const Finish& film) {
   const Vec3& incoming = at.ray().direction;
   ++m_context.counters.reflected_rays;
   const Ray ray{at.point(), normalized(mirrored(incoming, normal, at.normal))};
@@ -175,7 +180,7 @@ Rgb PathIntegrator<kFeatures>::mirror_image(const Vec3& normal, float weight, co
 
 template <unsigned kFeatures>
 bool PathIntegrator<kFeatures>::add_transmitted(const LayerSum& sum, const Surface& at,
-                                            Radiance& result) {
+                                                Radiance& result) {
   const Rgb& filter = sum.filter;
   const float most = greatest({std::fabs(filter.r), std::fabs(filter.g), std::fabs(filter.b)});
   const float weight = at.weight * most;
@@ -203,8 +208,7 @@ bool PathIntegrator<kFeatures>::add_transmitted(const LayerSum& sum, const Surfa
       result.rgb += fade * mirror_image(sum.top_normal, weight, at, *sum.top_finish);
       return true;
     }
-    onward.direction =
-        onward.direction * ratio + normal * (ratio * cosine - std::sqrt(under_root));
+    onward.direction = onward.direction * ratio + normal * (ratio * cosine - std::sqrt(under_root));
     ++m_context.counters.refracted_rays;
     seen = follow(next, weight, at.level);
   }

@@ -55,13 +55,13 @@ class PathIntegrator final : public Integrator {
   SurfaceShading<kFeatures> m_shading;
   const int m_max_level;
   const double m_bailout;
-  const double m_min_distance;    ///< kMinHitDistance in this scene
+  const double m_min_distance;  ///< kMinHitDistance in this scene
   const double m_atmosphere_ior;
   const bool m_mirror_images;
-  const Atmosphere* m_air;        ///< null: clear
-  std::unique_ptr<StartInteriors> m_start_interiors;  ///< null: the scene has no interiors
+  const Atmosphere* m_air;                                 ///< null: clear
+  std::unique_ptr<StartInteriors> m_start_interiors;       ///< null: the scene has no interiors
   std::vector<std::unique_ptr<ShadingBuffers>> m_buffers;  ///< one a surface on the way
-  std::size_t m_depth = 0;        ///< surfaces on the way
+  std::size_t m_depth = 0;                                 ///< surfaces on the way
   std::size_t m_deepest = std::numeric_limits<std::size_t>::max();  ///< known when the stack ends
   const std::uintptr_t m_stack_end = middle_of_stack();
 };

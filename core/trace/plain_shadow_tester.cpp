@@ -29,14 +29,11 @@ double entry_distance(const Bounds& box, const Ray& ray) {
 }  // namespace
 
 PlainShadowTester::PlainShadowTester(ThreadContext& context, bool count_hits)
-    : m_context(context),
-      m_tolerance(kShadowTolerance * context.scene.tolerance_scale()),
-      m_hierarchy(context.scene.hierarchy()),
-      m_test_counters(context.tests),
+    : m_context(context), m_tolerance(kShadowTolerance * context.scene.tolerance_scale()),
+      m_hierarchy(context.scene.hierarchy()), m_test_counters(context.tests),
       m_any_transparent(context.scene.needs().transparent_shadows),
       m_begins_anew(context.scene.needs().shadows_begin_anew),
-      m_interiors(context.scene.needs().interiors),
-      m_counts_hits(count_hits),
+      m_interiors(context.scene.needs().interiors), m_counts_hits(count_hits),
       m_bailout(context.scene.settings().adc_bailout) {}
 
 Visibility PlainShadowTester::search(const ShadowQuery& query) {
@@ -84,12 +81,14 @@ void PlainShadowTester::order_ties(const Ray& ray) {
   if (tied) std::sort(m_order.begin(), m_order.end());
 }
 
-[[gnu::always_inline]] inline void PlainShadowTester::find_filters(const Ray& ray, const LightBuffer* buffer,
+[[gnu::always_inline]] inline void PlainShadowTester::find_filters(const Ray& ray,
+                                                                   const LightBuffer* buffer,
                                                                    const LightBuffer::Spot* spot,
                                                                    double reach) {
   m_hits.clear();
   if (buffer) {
-    buffer->all_transparent(*spot, ray, m_tolerance, reach, m_hits, m_context.arena, m_test_counters);
+    buffer->all_transparent(*spot, ray, m_tolerance, reach, m_hits, m_context.arena,
+                            m_test_counters);
   } else {
     m_hierarchy.all_transparent(ray, m_tolerance, reach, m_hits, m_context.arena, m_test_counters);
   }

@@ -35,14 +35,14 @@ class PlainShadowTester final : public ShadowTester {
   /// The same test against one opaque object of the scene: whether it alone blocks the query.
   bool blocks(const Object& object, const ShadowQuery& query) const {
     const double reach = query.distance - m_tolerance;
-    return reach > m_tolerance &&
-           object.any(query.ray, m_tolerance, reach, m_context.arena);
+    return reach > m_tolerance && object.any(query.ray, m_tolerance, reach, m_context.arena);
   }
   ThreadContext& context() const { return m_context; }
 
  private:
   /// Fills m_hits with the filtering surfaces up to `reach`.
-  void find_filters(const Ray& ray, const LightBuffer* buffer, const LightBuffer::Spot* spot, double reach);
+  void find_filters(const Ray& ray, const LightBuffer* buffer, const LightBuffer::Spot* spot,
+                    double reach);
   double filter_found(const Ray& ray, Rgb& filter);
   /// Fills m_order.
   void order_filters(const Ray& ray);

@@ -7,7 +7,8 @@ namespace lentray::core {
 
 struct Radiance {
   Rgb rgb;
-  float transmit = 0.0f;  ///< of the picture's background, with +UA (1 - alpha); rgb is premultiplied
+  float transmit =
+      0.0f;  ///< of the picture's background, with +UA (1 - alpha); rgb is premultiplied
 };
 
 }  // namespace lentray::core

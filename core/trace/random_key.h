@@ -37,7 +37,8 @@ class RandomSequence {
     kAperture = 0x61706572,       ///< the point of a camera's aperture a ray starts at
     kPixelPlace = 0x706c616365,   ///< the places in a pixel of the rays of one blurred sample
   };
-  RandomSequence(std::uint64_t key, Use use) : m_state(mixed(key ^ static_cast<std::uint64_t>(use))) {}
+  RandomSequence(std::uint64_t key, Use use)
+      : m_state(mixed(key ^ static_cast<std::uint64_t>(use))) {}
   double next() {
     m_state = mixed(m_state);
     return static_cast<double>(m_state >> 11) * 0x1.0p-53;

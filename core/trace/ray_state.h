@@ -32,9 +32,9 @@ struct Surface {
   SurfaceContext context;  ///< patterns of a layer see the normal of the one above
   Vec3 normal;             ///< unit, facing the ray
   Vec3 texture_point;
-  float weight;            ///< the ray's share of the pixel
+  float weight;  ///< the ray's share of the pixel
   int level;
-  bool from_behind;        ///< the ray leaves the surface's solid
+  bool from_behind;  ///< the ray leaves the surface's solid
 
   const Ray& ray() const { return state.ray; }
   const Vec3& point() const { return context.point; }

@@ -37,8 +37,7 @@ double fresnel(double cosine, double relative_ior) {
   const double g = std::sqrt(under_root);
   const double sum = g + cosine, difference = g - cosine;
   const double across = 0.5 * (square(difference) / square(sum));
-  const double f =
-      across * (1.0 + square(cosine * sum - 1.0) / square(cosine * difference + 1.0));
+  const double f = across * (1.0 + square(cosine * sum - 1.0) / square(cosine * difference + 1.0));
   return std::min(1.0, std::max(0.0, f));
 }
 

@@ -43,9 +43,9 @@ inline Rgb diffuse_light(const Finish& finish, double cosine, const Rgb& light, 
 /// One light on one layer.
 struct Illumination {
   Vec3 towards_light;
-  Vec3 eye;            ///< direction of the ray that looks
-  Vec3 normal;         ///< of the layer, facing the eye
-  Rgb light;           ///< what arrives of the light
+  Vec3 eye;     ///< direction of the ray that looks
+  Vec3 normal;  ///< of the layer, facing the eye
+  Rgb light;    ///< what arrives of the light
   Rgb pigment;
 };
 inline bool has_highlights(const Finish& finish) {

@@ -51,8 +51,7 @@ void pass_fogs(const std::vector<Fog>& fogs, const Ray& ray, double depth, Radia
 }
 
 /// Where in its band the ray is, 0..1, or less than 0; and how much the arc's end fades it.
-double place_in_band(const Rainbow& bow, const Ray& ray, SampleRandom& random,
-                     double& fade) {
+double place_in_band(const Rainbow& bow, const Ray& ray, SampleRandom& random, double& fade) {
   const double x = dot(ray.direction, bow.right), y = dot(ray.direction, bow.up);
   const double around = std::sqrt(x * x + y * y);
   const double angle = std::acos(std::clamp(around > 0.0 ? y / around : y, -1.0, 1.0));
@@ -86,8 +85,8 @@ void pass_rainbows(const std::vector<Rainbow>& rainbows, const Ray& ray, double 
     };
     const Colour &a = *entry.before, &b = *entry.after;
     const float c_transmit = mix(a.transmit, b.transmit);
-    const double left = std::max(std::exp(-depth / bow.distance),
-                                 fade * (1.0 - c_transmit) + c_transmit);
+    const double left =
+        std::max(std::exp(-depth / bow.distance), fade * (1.0 - c_transmit) + c_transmit);
     const double filter = mix(a.filter, b.filter) * (1.0 - left);
     for (int c = 0; c < 3; ++c) {
       const double own = mix(a.rgb[c], b.rgb[c]);
@@ -104,7 +103,8 @@ void pass_rainbows(const std::vector<Rainbow>& rainbows, const Ray& ray, double 
 
 }  // namespace
 
-void pass_segment(const Atmosphere& air, const Segment& segment, SampleRandom& random, Radiance& light) {
+void pass_segment(const Atmosphere& air, const Segment& segment, SampleRandom& random,
+                  Radiance& light) {
   const auto& [ray, length] = segment;
   if (!air.rainbows.empty()) pass_rainbows(air.rainbows, ray, length, random, light);
   if (!air.fogs.empty()) pass_fogs(air.fogs, ray, length, light);

@@ -21,6 +21,7 @@ struct Segment {
 
 /// Changes `light`, which enters at the segment's far end, into what leaves at the ray's origin. `random`:
 /// of the sample, for rainbows with jitter.
-void pass_segment(const Atmosphere& air, const Segment& segment, SampleRandom& random, Radiance& light);
+void pass_segment(const Atmosphere& air, const Segment& segment, SampleRandom& random,
+                  Radiance& light);
 
 }  // namespace lentray::core

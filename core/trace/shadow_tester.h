@@ -21,11 +21,11 @@ struct ThreadContext;
 inline constexpr std::uint32_t kTreePlaces = 64;
 
 struct ShadowQuery {
-  Ray ray;                    ///< from the shaded point towards the light, unit direction
-  double distance = 0.0;      ///< to the light (or its plane, if parallel)
-  std::uint32_t light = 0;    ///< index into Scene::lights()
-  std::uint32_t sample = 0;   ///< of an area light, 0 otherwise
-  int depth = 1;              ///< trace level of the ray that is shaded, 1: camera ray
+  Ray ray;                   ///< from the shaded point towards the light, unit direction
+  double distance = 0.0;     ///< to the light (or its plane, if parallel)
+  std::uint32_t light = 0;   ///< index into Scene::lights()
+  std::uint32_t sample = 0;  ///< of an area light, 0 otherwise
+  int depth = 1;             ///< trace level of the ray that is shaded, 1: camera ray
   /// Way from the camera: 1, then 2p behind a reflection at p and 2p + 1 behind a refraction; the
   /// far ends of the tree share kTreePlaces - 1.
   std::uint32_t tree_place = 1;
@@ -36,8 +36,8 @@ struct ShadowQuery {
 };
 
 struct Visibility {
-  Rgb filter{1.0f, 1.0f, 1.0f};      ///< 0 when blocked, else the product of the filters passed
-  const Object* blocker = nullptr;   ///< the opaque blocker, if that is what ended the search
+  Rgb filter{1.0f, 1.0f, 1.0f};     ///< 0 when blocked, else the product of the filters passed
+  const Object* blocker = nullptr;  ///< the opaque blocker, if that is what ended the search
 };
 
 class ShadowTester {

@@ -8,7 +8,7 @@
 namespace lentray::core {
 namespace {
 
-constexpr double kGrazing = 1e-10;       ///< a light at less than this cosine is behind the surface
+constexpr double kGrazing = 1e-10;  ///< a light at less than this cosine is behind the surface
 constexpr int kOpacityByAlphaSince = 370;
 
 bool reflects(const Finish& finish) {
@@ -25,14 +25,13 @@ float opacity_of(const Colour& c, bool legacy) {
 
 template <unsigned kFeatures>
 SurfaceShading<kFeatures>::SurfaceShading(ThreadContext& context, ShadowTester& shadows)
-    : m_context(context),
-      m_settings(context.scene.settings()),
+    : m_context(context), m_settings(context.scene.settings()),
       m_legacy_opacity(m_settings.language_version < kOpacityByAlphaSince),
       m_lights(context, shadows) {}
 
 template <unsigned kFeatures>
-void SurfaceShading<kFeatures>::shade(const LayeredTexture& texture, Surface& at, ShadingBuffers& buffers,
-                                      LayerSum& sum) {
+void SurfaceShading<kFeatures>::shade(const LayeredTexture& texture, Surface& at,
+                                      ShadingBuffers& buffers, LayerSum& sum) {
   const auto& layers = texture.layers();
   if constexpr (kReflection) {
     if (buffers.mirrors.size() < layers.size()) buffers.mirrors.resize(layers.size());
@@ -82,8 +81,9 @@ void SurfaceShading<kFeatures>::shade_layer(const TextureLayer& layer, Surface& 
 }
 
 template <unsigned kFeatures>
-Mirror SurfaceShading<kFeatures>::mirror_of(const Finish& finish, const Rgb& pigment, const Vec3& normal,
-                                            const Surface& at, const LayerSum& sum) const {
+Mirror SurfaceShading<kFeatures>::mirror_of(const Finish& finish, const Rgb& pigment,
+                                            const Vec3& normal, const Surface& at,
+                                            const LayerSum& sum) const {
   Mirror mirror;
   if (!reflects(finish)) return mirror;
   const double cosine = -dot(at.ray().direction, normal);
@@ -128,7 +128,8 @@ Rgb SurfaceShading<kFeatures>::lit(const Finish& finish, const Rgb& pigment, con
                                 behind ? finish.diffuse_back : finish.diffuse, opacity,
                                 finish.crand > 0.0 ? shading.m_context.random.next() : 0.0);
       if (shines && !source.shadowless && !behind) {
-        share += highlights(finish, {ray.direction, surface.ray().direction, normal, light, pigment});
+        share +=
+            highlights(finish, {ray.direction, surface.ray().direction, normal, light, pigment});
       }
       if (finish.irid > 0.0) share *= shading.film(finish, normal, ray.direction, surface);
       sum += share;
@@ -139,16 +140,23 @@ Rgb SurfaceShading<kFeatures>::lit(const Finish& finish, const Rgb& pigment, con
     return {};
   }
   const bool one_sided = !at.looks.double_illuminate;
-  Receiver receiver{*this, finish, pigment, normal, opacity, at,
-                    one_sided, one_sided && finish.diffuse_back == 0.0, has_highlights(finish)};
-  m_lights.at({at.point(), at.level, at.state.place, at.state.inside}, m_lights.lights_of(at.looks), known,
-              receiver);
+  Receiver receiver{*this,
+                    finish,
+                    pigment,
+                    normal,
+                    opacity,
+                    at,
+                    one_sided,
+                    one_sided && finish.diffuse_back == 0.0,
+                    has_highlights(finish)};
+  m_lights.at({at.point(), at.level, at.state.place, at.state.inside}, m_lights.lights_of(at.looks),
+              known, receiver);
   return receiver.sum;
 }
 
 template <unsigned kFeatures>
-Rgb SurfaceShading<kFeatures>::film(const Finish& finish, const Vec3& normal, const Vec3& from_light,
-                                    const Surface& at) const {
+Rgb SurfaceShading<kFeatures>::film(const Finish& finish, const Vec3& normal,
+                                    const Vec3& from_light, const Surface& at) const {
   return film_tint(finish, film_thickness(finish, at.point(), m_settings.noise_generator),
                    m_settings.irid_wavelength, normal, from_light, at.ray().direction);
 }

@@ -18,9 +18,9 @@ namespace lentray::core {
 
 /// A layer's mirror, whose image is traced after all layers.
 struct Mirror {
-  Vec3 normal;             ///< of the layer, facing the ray
-  Rgb colour;              ///< black: none
-  float weight = 0.0f;     ///< of the image's ray
+  Vec3 normal;          ///< of the layer, facing the ray
+  Rgb colour;           ///< black: none
+  float weight = 0.0f;  ///< of the image's ray
   double exponent = 1.0;
   const Finish* finish = nullptr;
 };
@@ -32,7 +32,7 @@ struct LayerSum {
   double transparency = 1.0;     ///< 0..1: the filter's grey
   Vec3 top_normal;
   const Finish* top_finish = nullptr;
-  std::size_t layers = 0;        ///< shaded so far
+  std::size_t layers = 0;  ///< shaded so far
 };
 
 /// Buffers of one surface on the way, used again from ray to ray.
@@ -55,13 +55,14 @@ class SurfaceShading {
       buffers.textures.clear();
       buffers.lights.forget_arriving();
     }
-    m_lights.look_ahead(m_lights.lights_of(at.looks), at.normal, at.hit(), at.from_behind, at.point(),
-                        buffers.lights);
+    m_lights.look_ahead(m_lights.lights_of(at.looks), at.normal, at.hit(), at.from_behind,
+                        at.point(), buffers.lights);
   }
   /// From the top layer down, until next to nothing passes.
   void shade(const LayeredTexture& texture, Surface& at, ShadingBuffers& buffers, LayerSum& sum);
   /// How the thin film of a finish tints light that leaves along `from_light`.
-  Rgb film(const Finish& finish, const Vec3& normal, const Vec3& from_light, const Surface& at) const;
+  Rgb film(const Finish& finish, const Vec3& normal, const Vec3& from_light,
+           const Surface& at) const;
 
  private:
   static constexpr bool kTransparency = (kFeatures & kPathTransparency) != 0;

@@ -15,7 +15,8 @@ namespace lentray::core {
 
 struct ThreadContext {
   /// `count_tests`: whether tests of bounds and primitives are counted too.
-  ThreadContext(const Scene& s, bool count_tests) : scene(s), tests(count_tests ? &counters : nullptr) {
+  ThreadContext(const Scene& s, bool count_tests)
+      : scene(s), tests(count_tests ? &counters : nullptr) {
     counters.lights.resize(s.lights().size());
   }
   ThreadContext(const ThreadContext&) = delete;

@@ -29,8 +29,10 @@ class Sparse {
   const T* operator->() const { return &**this; }
   /// To be changed; the other copies keep theirs.
   T& edit() {
-    if (!m_held) *this = Sparse(T{});
-    else if (m_held->owners.load(std::memory_order_acquire) > 1) *this = Sparse(m_held->value);
+    if (!m_held)
+      *this = Sparse(T{});
+    else if (m_held->owners.load(std::memory_order_acquire) > 1)
+      *this = Sparse(m_held->value);
     return m_held->value;
   }
   /// False: it is as it is made.

@@ -26,8 +26,8 @@ core::Fog build_fog(const FogDesc& desc, int noise_generator) {
   fog.turbulence_depth = desc.turb_depth;
   fog.noise_generator = noise_generator;
   if (desc.turbulence) {
-    fog.turbulence = core::Turbulence{*desc.turbulence, desc.octaves, single(desc.lambda),
-                                      single(desc.omega)};
+    fog.turbulence =
+        core::Turbulence{*desc.turbulence, desc.octaves, single(desc.lambda), single(desc.omega)};
   }
   return fog;
 }

@@ -30,17 +30,18 @@ camera::MeshCameraFaces camera_faces(const MeshShape& mesh, bool rounds_first) {
   faces->reserve(mesh.faces.size());
   for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
     camera::MeshCameraFace face;
-    const core::MeshTriple &vertices = mesh.faces[i], normals = mesh.face_normals[i], uvs = mesh.face_uvs[i];
+    const core::MeshTriple &vertices = mesh.faces[i], normals = mesh.face_normals[i],
+                           uvs = mesh.face_uvs[i];
     for (std::size_t k = 0; k < 3; ++k) {
       face.corner[k] = rounded(mesh.vertices[vertices[k]]);
-      if (normals[k] != core::kNoIndex) face.normals[k] = rounded(normalized(mesh.normals[normals[k]]));
+      if (normals[k] != core::kNoIndex)
+        face.normals[k] = rounded(normalized(mesh.normals[normals[k]]));
       if (uvs[k] != core::kNoIndex) face.uv[k] = mesh.uvs[uvs[k]];
     }
     const auto corner = [&](std::size_t k) {
       return rounds_first ? face.corner[k] : mesh.vertices[vertices[k]];
     };
-    face.normal =
-        rounded(normalized(cross(corner(2) - corner(0), corner(1) - corner(0))));
+    face.normal = rounded(normalized(cross(corner(2) - corner(0), corner(1) - corner(0))));
     if (face.normal != core::Vec3{}) faces->push_back(face);
   }
   return faces;
@@ -70,8 +71,8 @@ std::optional<camera::BlurRequest> blur_request(const CameraDesc& camera,
   request.aperture = camera.aperture;
   request.focal_distance = camera.focal_distance;
   if (camera.has_focal_point) request.focal_point = camera.focal_point;
-  request.samples = {camera.blur_samples, camera.blur_samples_min, camera.confidence,
-                     camera.variance, {}};
+  request.samples = {
+      camera.blur_samples, camera.blur_samples_min, camera.confidence, camera.variance, {}};
   if (camera.bokeh) {
     const auto pigment = TextureCompiler(settings).pigment(camera.bokeh);
     request.samples.weight = [pigment](double x, double y) {

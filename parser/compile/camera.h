@@ -17,14 +17,14 @@
 namespace lentray::parser {
 
 struct CameraRequest {
-  std::string kind;               ///< SDL's word
+  std::string kind;  ///< SDL's word
   camera::Projection projection;
-  camera::CurvedAngles angles;    ///< of the kinds whose picture is not flat
-  int cylinder_type = 0;          ///< 1..4
-  camera::LensRequest lens;       ///< of `lenticular`, empty otherwise
-  std::optional<camera::MeshCameraSetup> mesh;                  ///< of `mesh_camera`
-  std::shared_ptr<const core::NormalPerturbation> normal;       ///< that bends the rays, or null
-  std::optional<camera::BlurRequest> blur;                      ///< focal blur, if there is any
+  camera::CurvedAngles angles;                  ///< of the kinds whose picture is not flat
+  int cylinder_type = 0;                        ///< 1..4
+  camera::LensRequest lens;                     ///< of `lenticular`, empty otherwise
+  std::optional<camera::MeshCameraSetup> mesh;  ///< of `mesh_camera`
+  std::shared_ptr<const core::NormalPerturbation> normal;  ///< that bends the rays, or null
+  std::optional<camera::BlurRequest> blur;                 ///< focal blur, if there is any
 };
 
 /// A scene without a camera has stock's default one: pass a default CameraDesc.

@@ -51,9 +51,9 @@ void set_texture(core::Object& object, const core::Texture* texture) {
 /// What holds for the parts of an object.
 struct Cutaways::Around {
   std::optional<Ref<TextureDesc>> texture;  ///< inherited; empty: none, not even the default
-  bool cutaway = false;     ///< one of the objects around says so
-  bool intersects = false;  ///< the parent is an intersection or difference
-  bool in_whole = false;    ///< below the CSG whose parts are asked for
+  bool cutaway = false;                     ///< one of the objects around says so
+  bool intersects = false;                  ///< the parent is an intersection or difference
+  bool in_whole = false;                    ///< below the CSG whose parts are asked for
 };
 
 struct Cutaways::Pass {
@@ -118,8 +118,7 @@ Part Cutaways::walk(core::Object& object, const Around& around, Pass& pass) cons
   part.only_first = desc->csg()->operation == CsgOperation::kDifference && !changed;
   for (const auto& child : csg->children()) part.parts.push_back(walk(*child, below, pass));
   if (below.in_whole && !around.in_whole && !pass.bare.empty()) {
-    const auto texture =
-        std::make_shared<const core::CutawayTexture>(std::move(part), pass.least);
+    const auto texture = std::make_shared<const core::CutawayTexture>(std::move(part), pass.least);
     pass.keep(texture);
     for (core::Object* bare : pass.bare) set_texture(*bare, texture.get());
     pass.bare.clear();

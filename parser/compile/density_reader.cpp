@@ -40,8 +40,8 @@ std::shared_ptr<const core::DensityGrid> read_density_file(const FoundFile& foun
   const std::size_t length = bytes.size() - kHeader;
   const std::size_t width = voxels == 0 ? 0 : length / voxels;
   if (voxels == 0 || width * voxels != length || (width != 1 && width != 2 && width != 4)) {
-    throw std::runtime_error("the density file \"" + found.path + "\" has " + std::to_string(length) +
-                             " bytes for " + std::to_string(voxels) +
+    throw std::runtime_error("the density file \"" + found.path + "\" has " +
+                             std::to_string(length) + " bytes for " + std::to_string(voxels) +
                              " voxels: expected 1, 2 or 4 a voxel");
   }
   const double full = width == 1 ? 255.0 : width == 2 ? 65535.0 : 4294967295.0;

@@ -81,7 +81,8 @@ std::unique_ptr<core::Object> ObjectBuilder::geometry(const ObjectDesc& object,
   return plain.build(object, to_world, {});
 }
 
-Ref<TextureDesc> ObjectBuilder::moved(const Ref<TextureDesc>& texture, const core::Transform& transform) {
+Ref<TextureDesc> ObjectBuilder::moved(const Ref<TextureDesc>& texture,
+                                      const core::Transform& transform) {
   if (!texture || transform.is_identity()) return texture;
   Ref<TextureDesc>& slot = m_moved[{texture, transform.rows()}];
   if (!slot) slot = transformed(texture, transform);
@@ -89,7 +90,8 @@ Ref<TextureDesc> ObjectBuilder::moved(const Ref<TextureDesc>& texture, const cor
 }
 
 /// Looks and switches that hold for the object, in world space.
-ObjectBuilder::Inherited ObjectBuilder::resolve(const ObjectDesc& object, const core::Transform& outer,
+ObjectBuilder::Inherited ObjectBuilder::resolve(const ObjectDesc& object,
+                                                const core::Transform& outer,
                                                 const Inherited& from) {
   Inherited looks = from;
   looks.on_list = false;
@@ -97,7 +99,8 @@ ObjectBuilder::Inherited ObjectBuilder::resolve(const ObjectDesc& object, const 
   looks.no_image = from.no_image || object.no_image;
   looks.no_reflection = from.no_reflection || object.no_reflection;
   if (object.hollow) looks.hollow = object.hollow;
-  if (object.rare->interior || !from.in_whole) looks.shared_hollow = shared_hollow(object, from.hollow);
+  if (object.rare->interior || !from.in_whole)
+    looks.shared_hollow = shared_hollow(object, from.hollow);
   looks.in_whole = true;
   // The outermost double_illuminate overrides those inside it.
   if (!from.double_illuminate) looks.double_illuminate = object.double_illuminate;
@@ -144,7 +147,8 @@ core::Attributes ObjectBuilder::attributes(const Inherited& looks) {
   return a;
 }
 
-std::unique_ptr<core::Object> ObjectBuilder::build(const ObjectDesc& object, const core::Transform& outer,
+std::unique_ptr<core::Object> ObjectBuilder::build(const ObjectDesc& object,
+                                                   const core::Transform& outer,
                                                    const Inherited& from) {
   try {
     return build_whole(object, outer, from);
@@ -160,7 +164,8 @@ std::unique_ptr<core::Object> ObjectBuilder::build(const ObjectDesc& object, con
 std::unique_ptr<core::Object> ObjectBuilder::build_whole(const ObjectDesc& object,
                                                          const core::Transform& outer,
                                                          const Inherited& from) {
-  const core::Transform to_world = object.transform.is_stored() ? object.transform->then(outer) : outer;
+  const core::Transform to_world =
+      object.transform.is_stored() ? object.transform->then(outer) : outer;
   if (object.is_light()) {
     if (m_parts) {
       add_light(object, to_world, false);
@@ -186,12 +191,15 @@ std::unique_ptr<core::Object> ObjectBuilder::build_whole(const ObjectDesc& objec
     add_element_textures(**blob, to_world, *out);
   }
   const Standing standing{from.on_list, is_split, from.in_whole, m_has_hierarchy};
-  set_limits(object, outer, standing, [&](const ObjectDesc& region) { return geometry(region, outer); }, *out);
+  set_limits(
+      object, outer, standing, [&](const ObjectDesc& region) { return geometry(region, outer); },
+      *out);
   if (m_cutaways) m_cutaways->record(*out, object, object.texture ? looks.texture : nullptr);
   return out;
 }
 
-std::unique_ptr<core::Object> ObjectBuilder::build_csg(const ObjectDesc& object, const CsgShape& csg,
+std::unique_ptr<core::Object> ObjectBuilder::build_csg(const ObjectDesc& object,
+                                                       const CsgShape& csg,
                                                        const core::Transform& to_world,
                                                        const Inherited& looks) {
   if (csg.operation == CsgOperation::kLightGroup && m_parts) {
@@ -232,7 +240,8 @@ std::unique_ptr<core::Object> ObjectBuilder::build_leaf(const ObjectDesc& object
     if (m_parts && !(*mesh)->textures.empty()) {
       std::vector<const core::Texture*> textures;
       const core::Transform move = object.uv_mapping ? core::Transform() : to_world;
-      for (const Ref<TextureDesc>& t : (*mesh)->textures) textures.push_back(compile(moved(t, move)));
+      for (const Ref<TextureDesc>& t : (*mesh)->textures)
+        textures.push_back(compile(moved(t, move)));
       made->set_textures(std::move(textures));
     }
     shape = std::move(made);
@@ -264,11 +273,11 @@ void ObjectBuilder::add_element_textures(const BlobShape& blob, const core::Tran
     core::BlobField field = fields[i];
     field.to_blob = field.to_blob.then(to_world);
     const Ref<TextureDesc>& texture = blob.elements[i].texture;
-    elements.push_back({field, texture ? m_textures->texture(moved(texture, to_world), m_default)
-                                       : own});
+    elements.push_back(
+        {field, texture ? m_textures->texture(moved(texture, to_world), m_default) : own});
   }
-  const auto mixed = std::make_shared<const core::BlobTexture>(
-      std::move(elements), m_parts->settings.adc_bailout);
+  const auto mixed =
+      std::make_shared<const core::BlobTexture>(std::move(elements), m_parts->settings.adc_bailout);
   m_parts->textures.push_back(mixed);
   looks.texture = mixed.get();
   looks.interior_texture = nullptr;  // stock mixes those of the outside there too

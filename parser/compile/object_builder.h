@@ -54,8 +54,9 @@ class ObjectBuilder {
     bool no_shadow = false, no_image = false, no_reflection = false;
     const LightScope* lights = nullptr;  ///< null: in no light_group
     std::optional<bool> shared_hollow;   ///< of all that have the same interior
-    bool in_whole = false;  ///< is a part of something
-    bool on_list = false;   ///< hangs directly in the scene's list: stock drops needless bounds there
+    bool in_whole = false;               ///< is a part of something
+    bool on_list =
+        false;  ///< hangs directly in the scene's list: stock drops needless bounds there
   };
 
   /// Builds an object that hangs in the scene's list.
@@ -63,12 +64,12 @@ class ObjectBuilder {
   /// Throws BuildError.
   std::unique_ptr<core::Object> build(const ObjectDesc& object, const core::Transform& outer,
                                       const Inherited& from);
-  std::unique_ptr<core::Object> build_whole(const ObjectDesc& object,
-                                            const core::Transform& outer, const Inherited& from);
+  std::unique_ptr<core::Object> build_whole(const ObjectDesc& object, const core::Transform& outer,
+                                            const Inherited& from);
   std::unique_ptr<core::Object> build_csg(const ObjectDesc& object, const CsgShape& csg,
                                           const core::Transform& to_world, const Inherited& looks);
-  std::unique_ptr<core::Object> build_leaf(const ObjectDesc& object, const core::Transform& to_world,
-                                           const Inherited& looks);
+  std::unique_ptr<core::Object> build_leaf(const ObjectDesc& object,
+                                           const core::Transform& to_world, const Inherited& looks);
   void add_element_textures(const BlobShape& blob, const core::Transform& to_world,
                             core::Object& out);
   std::unique_ptr<core::Object> build_text(const TextShape& text, const core::Transform& to_world,
@@ -84,9 +85,11 @@ class ObjectBuilder {
   core::Attributes attributes(const Inherited& looks);
   const core::Texture* compile(const Ref<TextureDesc>& texture);
   Ref<TextureDesc> moved(const Ref<TextureDesc>& texture, const core::Transform& transform);
-  void note(const std::string& feature, const Location& where) { m_not_yet.try_emplace(feature, where); }
+  void note(const std::string& feature, const Location& where) {
+    m_not_yet.try_emplace(feature, where);
+  }
 
-  core::SceneParts* m_parts = nullptr;   ///< null: geometry alone
+  core::SceneParts* m_parts = nullptr;  ///< null: geometry alone
   TextureCompiler* m_textures = nullptr;
   NotYet& m_not_yet;
   bool m_has_hierarchy = true;

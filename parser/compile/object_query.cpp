@@ -28,7 +28,9 @@ ObjectQuery::ObjectQuery(const ObjectDesc& object) {
   m_farthest = slot.made->farthest;
 }
 
-bool ObjectQuery::inside(const core::Vec3& point) const { return m_object && m_object->inside(point); }
+bool ObjectQuery::inside(const core::Vec3& point) const {
+  return m_object && m_object->inside(point);
+}
 
 bool ObjectQuery::trace(const core::Vec3& origin, const core::Vec3& direction, core::Vec3& point,
                         core::Vec3& normal) const {

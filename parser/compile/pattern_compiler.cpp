@@ -61,8 +61,7 @@ core::WarpPtr compile_warp(const WarpDesc& warp, Kind pattern) {
       return core::make_planar_warp(warp.orientation, warp.plane_offset);
     case WarpDesc::Kind::kCylindrical:
       return core::make_cylindrical_warp(warp.orientation, warp.distance_exponent);
-    case WarpDesc::Kind::kCubic:
-      return core::make_cubic_warp();
+    case WarpDesc::Kind::kCubic: return core::make_cubic_warp();
   }
   return nullptr;
 }
@@ -90,7 +89,8 @@ core::PatternPtr compile_fractal(const PatternDesc& p) {
 
 core::PatternPtr compile_tiles(const PatternDesc& p) {
   switch (p.kind) {
-    case Kind::kChecker: case Kind::kTiles: return core::make_checker();
+    case Kind::kChecker:
+    case Kind::kTiles: return core::make_checker();
     case Kind::kHexagon: return core::make_hexagon();
     case Kind::kSquare: return core::make_square();
     case Kind::kTriangular: return core::make_triangular();
@@ -115,10 +115,13 @@ core::PatternPtr compile_shape(const PatternDesc& p) {
     case Kind::kQuilted: return core::make_quilted(single(p.own->quilt0), single(p.own->quilt1));
     case Kind::kAoi: return core::make_aoi();
     case Kind::kSlope:
-      return core::make_slope({p.own->vector, p.own->slope_point_at, p.own->altitude, p.own->slope_low, p.own->slope_high,
-                               p.own->altitude_low, p.own->altitude_high});
-    case Kind::kMandel: case Kind::kJulia: case Kind::kMagnetMandel: case Kind::kMagnetJulia:
-      return compile_fractal(p);
+      return core::make_slope({p.own->vector, p.own->slope_point_at, p.own->altitude,
+                               p.own->slope_low, p.own->slope_high, p.own->altitude_low,
+                               p.own->altitude_high});
+    case Kind::kMandel:
+    case Kind::kJulia:
+    case Kind::kMagnetMandel:
+    case Kind::kMagnetJulia: return compile_fractal(p);
     default: return nullptr;
   }
 }
@@ -127,15 +130,17 @@ core::PatternPtr compile_organic(const PatternDesc& p, const TextureSettings& se
   const int generator = noise_generator(p, settings);
   const auto turbulence = own_turbulence(p);
   switch (p.kind) {
-    case Kind::kBozo: case Kind::kSpotted: case Kind::kBumps: return core::make_bozo(generator);
+    case Kind::kBozo:
+    case Kind::kSpotted:
+    case Kind::kBumps: return core::make_bozo(generator);
     case Kind::kDents: return core::make_dents(generator);
     case Kind::kGranite: return core::make_granite(generator);
     case Kind::kWrinkles: return core::make_wrinkles(generator);
     case Kind::kMarble: return core::make_marble(turbulence, generator);
     case Kind::kWood: return core::make_wood(turbulence);
     case Kind::kAgate:
-      return core::make_agate(turbulence.value_or(core::Turbulence{}), single(p.own->agate_turbulence),
-                              generator);
+      return core::make_agate(turbulence.value_or(core::Turbulence{}),
+                              single(p.own->agate_turbulence), generator);
     case Kind::kSpiral1: return core::make_spiral1(p.own->arms, turbulence, generator);
     case Kind::kSpiral2: return core::make_spiral2(p.own->arms, turbulence, generator);
     case Kind::kRipples:
@@ -144,7 +149,8 @@ core::PatternPtr compile_organic(const PatternDesc& p, const TextureSettings& se
       return core::make_waves(settings.number_of_waves, single(p.frequency), single(p.phase));
     case Kind::kCrackle:
       return core::make_crackle(
-          {p.own->crackle_form, p.own->crackle_metric, p.own->crackle_offset, p.own->crackle_solid}, generator);
+          {p.own->crackle_form, p.own->crackle_metric, p.own->crackle_offset, p.own->crackle_solid},
+          generator);
     default: return nullptr;
   }
 }
@@ -234,27 +240,34 @@ core::BlendMap<core::Colour> default_colours(PatternKind kind) {
   const auto rgb = [](float r, float g, float b) { return core::Colour{{r, g, b}, 0, 0}; };
   switch (kind) {
     case Kind::kAgate:
-      return core::BlendMap(Entries{{0.0, rgb(1, 1, 1)},          {0.5, rgb(.95f, .75f, .5f)},
-                                    {0.5, rgb(.9f, .7f, .5f)},    {0.6, rgb(.9f, .7f, .4f)},
-                                    {0.6, rgb(1, .7f, .4f)},      {1.0, rgb(.6f, .3f, 0)}});
+      return core::BlendMap(Entries{{0.0, rgb(1, 1, 1)},
+                                    {0.5, rgb(.95f, .75f, .5f)},
+                                    {0.5, rgb(.9f, .7f, .5f)},
+                                    {0.6, rgb(.9f, .7f, .4f)},
+                                    {0.6, rgb(1, .7f, .4f)},
+                                    {1.0, rgb(.6f, .3f, 0)}});
     case Kind::kBozo:
-      return core::BlendMap(Entries{{0.4, rgb(1, 1, 1)}, {0.4, rgb(0, 1, 0)}, {0.6, rgb(0, 1, 0)},
-                                    {0.6, rgb(0, 0, 1)}, {0.8, rgb(0, 0, 1)}, {0.8, rgb(1, 0, 0)}});
+      return core::BlendMap(Entries{{0.4, rgb(1, 1, 1)},
+                                    {0.4, rgb(0, 1, 0)},
+                                    {0.6, rgb(0, 1, 0)},
+                                    {0.6, rgb(0, 0, 1)},
+                                    {0.8, rgb(0, 0, 1)},
+                                    {0.8, rgb(1, 0, 0)}});
     case Kind::kMandel:
-      return core::BlendMap(Entries{{0.001, rgb(0, 0, 0)}, {0.001, rgb(0, 1, 1)},
-                                    {0.012, rgb(1, 1, 0)}, {0.015, rgb(1, 0, 1)},
+      return core::BlendMap(Entries{{0.001, rgb(0, 0, 0)},
+                                    {0.001, rgb(0, 1, 1)},
+                                    {0.012, rgb(1, 1, 0)},
+                                    {0.015, rgb(1, 0, 1)},
                                     {0.1, rgb(0, 1, 1)}});
     case Kind::kMarble:
-      return core::BlendMap(Entries{{0.0, rgb(.9f, .8f, .8f)}, {0.9, rgb(.9f, .08f, .08f)},
-                                    {0.9, rgb(0, 0, 0)}});
-    case Kind::kRadial:
-      return core::BlendMap(Entries{{0.0, rgb(0, 1, 1)}, {0.333, rgb(1, 1, 0)},
-                                    {0.666, rgb(1, 0, 1)}, {1.0, rgb(0, 1, 1)}});
-    case Kind::kWood:
       return core::BlendMap(
-          Entries{{0.6, rgb(.666f, .312f, .2f)}, {0.6, rgb(.4f, .1333f, .066f)}});
-    default:
-      return core::BlendMap(Entries{{0.0, rgb(0, 0, 0)}, {1.0, rgb(1, 1, 1)}});
+          Entries{{0.0, rgb(.9f, .8f, .8f)}, {0.9, rgb(.9f, .08f, .08f)}, {0.9, rgb(0, 0, 0)}});
+    case Kind::kRadial:
+      return core::BlendMap(Entries{
+          {0.0, rgb(0, 1, 1)}, {0.333, rgb(1, 1, 0)}, {0.666, rgb(1, 0, 1)}, {1.0, rgb(0, 1, 1)}});
+    case Kind::kWood:
+      return core::BlendMap(Entries{{0.6, rgb(.666f, .312f, .2f)}, {0.6, rgb(.4f, .1333f, .066f)}});
+    default: return core::BlendMap(Entries{{0.0, rgb(0, 0, 0)}, {1.0, rgb(1, 1, 1)}});
   }
 }
 

@@ -30,7 +30,8 @@ bool is_raw_format(const std::string& type) {
 /// What the scene or the file says of its values, or the format; nothing: they stay as they are.
 std::optional<Gamma> file_gamma(const ImageDesc& image, bool colours) {
   if (image.gamma != 0.0) return Gamma::of(image.gamma);
-  if (!colours || image.decoding == ImageDesc::Decoding::kNone || is_raw_format(image.type)) return std::nullopt;
+  if (!colours || image.decoding == ImageDesc::Decoding::kNone || is_raw_format(image.type))
+    return std::nullopt;
   if (is_linear_format(image.type)) return Gamma::linear();
   const double marked = image.type == "png" ? core::png_gamma(image.path.handle) : 0.0;
   if (marked != 0.0) return Gamma::of(marked);
@@ -64,7 +65,8 @@ core::PictureLayout layout_of(const ImageDesc& image, bool colours) {
   layout.repeat = image.repeat;
   layout.offset = image.offset;
   // Patterns take such colours as they are.
-  layout.premultiplied = colours && image.premultiplied.value_or(is_tiff(image.type) || image.type == "exr");
+  layout.premultiplied =
+      colours && image.premultiplied.value_or(is_tiff(image.type) || image.type == "exr");
   return layout;
 }
 
@@ -92,7 +94,8 @@ float sixteen_bits(double value) {
 using Decode = std::function<float(float)>;
 
 /// What each sample of 8 bits stands for.
-std::vector<float> byte_values(const core::StoredImage& stored, const std::string& type, const Decode& decode) {
+std::vector<float> byte_values(const core::StoredImage& stored, const std::string& type,
+                               const Decode& decode) {
   // Stock's greys of PNG files go through the weights of a colour and are cut to the 8 bits they came in,
   // which takes some one lower; greys of palettes and other files are as decoded.
   const bool cut = stored.channels == 1 && stored.entries.empty() && type == "png";
@@ -109,12 +112,17 @@ class Colours {
  public:
   Colours(const core::StoredImage& stored, const Decode& decode, std::vector<float> byte_values)
       : m_stored(stored), m_decode(decode), m_values(std::move(byte_values)),
-        m_most(stored.bits == 8 ? 255.0f : stored.bits == 16 ? 65535.0f : 1.0f) {}
+        m_most(stored.bits == 8    ? 255.0f
+               : stored.bits == 16 ? 65535.0f
+                                   : 1.0f) {}
   core::Colour operator()(std::size_t pixel) const {
     const auto channels = static_cast<std::size_t>(m_stored.channels);
     const std::size_t from = pixel * channels;
     const float red = value(from);
-    core::Colour c{{red, channels > 2 ? value(from + 1) : red, channels > 2 ? value(from + 2) : red}, 0.0f, 0.0f};
+    core::Colour c{
+        {red, channels > 2 ? value(from + 1) : red, channels > 2 ? value(from + 2) : red},
+        0.0f,
+        0.0f};
     if (channels % 2 == 0) c.transmit = 1.0f - m_stored.samples[from + channels - 1] / m_most;
     return c;
   }
@@ -152,8 +160,10 @@ core::Picture decoded(core::StoredImage stored, const ImageDesc& image, bool col
   }
   constexpr std::size_t kWords = 65536;
   if (stored.samples.is_stored_as<std::uint16_t>() && stored.bits == 16 && pixels > kWords) {
-    for (std::size_t v = 0; v < kWords; ++v) values.push_back(decode(static_cast<float>(v) / 65535.0f));
-    return {width, height, stored.channels, stored.samples.take<std::uint16_t>(), std::move(values)};
+    for (std::size_t v = 0; v < kWords; ++v)
+      values.push_back(decode(static_cast<float>(v) / 65535.0f));
+    return {width, height, stored.channels, stored.samples.take<std::uint16_t>(),
+            std::move(values)};
   }
   const Colours colour(stored, decode, std::move(values));
   std::vector<core::Colour> all(pixels);
@@ -165,7 +175,8 @@ core::Picture decoded(core::StoredImage stored, const ImageDesc& image, bool col
 
 core::MappedPicturePtr PictureReader::get(const ImageDesc& image, bool colours) {
   std::shared_ptr<const core::Picture> picture = read(image, colours);
-  if (image.filter_all || image.transmit_all || !image.filters.empty() || !image.transmits.empty()) {
+  if (image.filter_all || image.transmit_all || !image.filters.empty() ||
+      !image.transmits.empty()) {
     picture = made_clearer(*picture, image);
   }
   return std::make_shared<core::MappedPicture>(picture, layout_of(image, colours));
@@ -174,8 +185,9 @@ core::MappedPicturePtr PictureReader::get(const ImageDesc& image, bool colours) 
 std::shared_ptr<const core::Picture> PictureReader::read(const ImageDesc& image, bool colours) {
   if (image.function) return evaluate(image);
   if (image.path.path.empty()) return missing(image.name);
-  const std::string key = image.path.path + (colours ? "|c|" : "|h|") + image.type + "|" + std::to_string(image.gamma) + "|" +
-                          std::to_string(image.working_gamma) + "|" + std::to_string(static_cast<int>(image.decoding));
+  const std::string key = image.path.path + (colours ? "|c|" : "|h|") + image.type + "|" +
+                          std::to_string(image.gamma) + "|" + std::to_string(image.working_gamma) +
+                          "|" + std::to_string(static_cast<int>(image.decoding));
   const auto known = m_files.find(key);
   if (known != m_files.end()) return known->second;
   auto picture = read_file(image, colours);
@@ -187,7 +199,8 @@ std::shared_ptr<const core::Picture> PictureReader::read_file(const ImageDesc& i
                                                               bool colours) {
   core::StoredImage stored;
   try {
-    stored = core::read_image({.path = image.path.handle, .name = image.path.path, .is_targa = image.type == "tga"});
+    stored = core::read_image(
+        {.path = image.path.handle, .name = image.path.path, .is_targa = image.type == "tga"});
   } catch (const core::ImageError& error) {
     throw BuildError(image.where, error.what());
   }
@@ -195,7 +208,8 @@ std::shared_ptr<const core::Picture> PictureReader::read_file(const ImageDesc& i
   const bool has_palette = !stored.entries.empty();
   const bool stored_alpha = stored.channels == 2 || stored.channels == 4;
   // Stock's pictures of these have transparencies, though it be none.
-  const bool clear_colours = is_linear_format(image.type) || (is_tiff(image.type) && !has_tiff_palette(stored));
+  const bool clear_colours =
+      is_linear_format(image.type) || (is_tiff(image.type) && !has_tiff_palette(stored));
   const bool clear_palette = has_palette && (image.type == "png" || image.type == "tga");
   auto picture = std::make_shared<core::Picture>(decoded(std::move(stored), image, colours));
   picture->set_alpha(stored_alpha || clear_colours || clear_palette);
@@ -224,9 +238,11 @@ std::shared_ptr<const core::Picture> PictureReader::evaluate(const ImageDesc& im
       const std::array<double, 3> at = {step(column, width), step(row, height), 0.0};
       function->evaluate_all(at, result);
       const float red = sixteen_bits(result[0]);
-      pixels.push_back(coloured ? core::Colour{{red, sixteen_bits(result[1]), sixteen_bits(result[2])}, 0.0f,
-                                               sixteen_bits(result[4])}
-                                : core::Colour{{red, red, red}, 0.0f, 0.0f});
+      pixels.push_back(coloured
+                           ? core::Colour{{red, sixteen_bits(result[1]), sixteen_bits(result[2])},
+                                          0.0f,
+                                          sixteen_bits(result[4])}
+                           : core::Colour{{red, red, red}, 0.0f, 0.0f});
     }
   }
   auto picture = std::make_shared<core::Picture>(width, height, std::move(pixels));
@@ -236,7 +252,8 @@ std::shared_ptr<const core::Picture> PictureReader::evaluate(const ImageDesc& im
 
 std::shared_ptr<const core::Picture> PictureReader::missing(const std::string& name) {
   m_not_yet.insert("image '" + name + "' (it cannot be read)");
-  return std::make_shared<core::Picture>(1, 1, std::vector<core::Colour>{{{0.5f, 0.5f, 0.5f}, 0.0f, 0.0f}});
+  return std::make_shared<core::Picture>(
+      1, 1, std::vector<core::Colour>{{{0.5f, 0.5f, 0.5f}, 0.0f, 0.0f}});
 }
 
 }  // namespace lentray::parser

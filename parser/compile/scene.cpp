@@ -91,19 +91,24 @@ std::unique_ptr<core::SkySphere> build_sky(const SkySphereDesc& sky, TextureComp
 void warn_about_gamma(const SceneDesc& scene, Diagnostics& diagnostics) {
   if (scene.global.assumed_gamma || scene.global.gamma_is_srgb) return;
   if (scene.language_version < 370) {
-    diagnostics.warn({}, "assumed_gamma is not specified: gamma correction is off, as it was before "
-                         "#version 3.7.");
+    diagnostics.warn({},
+                     "assumed_gamma is not specified: gamma correction is off, as it was before "
+                     "#version 3.7.");
   } else {
     diagnostics.warn({}, "assumed_gamma is not specified: 1.0 is used.");
   }
 }
 
 /// Once for each thing that the picture shows and that is random in stock: what include files declare does not count.
-void warn_of_random_numbers(const core::SceneParts& parts, const TextureCompiler& textures, Diagnostics& diagnostics) {
+void warn_of_random_numbers(const core::SceneParts& parts, const TextureCompiler& textures,
+                            Diagnostics& diagnostics) {
   const auto warn = [&](bool used, const std::string& what) {
     if (!used) return;
-    diagnostics.warn({}, what + ": its random numbers are not POV-Ray's, so pixels differ from POV-Ray's by as much as "
-                                "those of two such runs");
+    diagnostics.warn(
+        {},
+        what +
+            ": its random numbers are not POV-Ray's, so pixels differ from POV-Ray's by as much as "
+            "those of two such runs");
   };
   warn(textures.has_crand(), "crand");
   warn(std::any_of(parts.lights.begin(), parts.lights.end(),

@@ -33,7 +33,8 @@ class SlopeWatches {
   }
 
  private:
-  std::map<std::tuple<std::uint32_t, std::uint32_t, double>, std::shared_ptr<core::SlopeWatch>> m_watches;
+  std::map<std::tuple<std::uint32_t, std::uint32_t, double>, std::shared_ptr<core::SlopeWatch>>
+      m_watches;
 };
 
 }  // namespace lentray::parser

@@ -66,11 +66,13 @@ struct TextureCompiler::Impl {
   Cache<NormalDesc, core::NormalPerturbation> normals;
 
   explicit Impl(const TextureSettings& s)
-      : settings(s),
-        pictures(not_yet),
-        build{settings, not_yet,
-              [this](const Ref<PigmentDesc>& p) { return compile(p, core::Placement()); },
-              [this](const ImageDesc& image) { return pictures.get(image, false); }} {}
+      : settings(s), pictures(not_yet), build{settings, not_yet,
+                                              [this](const Ref<PigmentDesc>& p) {
+                                                return compile(p, core::Placement());
+                                              },
+                                              [this](const ImageDesc& image) {
+                                                return pictures.get(image, false);
+                                              }} {}
 
   core::PigmentPtr compile(const Ref<PigmentDesc>& pigment, const core::Placement& outer);
   core::PigmentPtr compile_fresh(const PigmentDesc& pigment, const core::Placement& outer);
@@ -151,7 +153,8 @@ core::DisplacementPtr TextureCompiler::Impl::compile_displacement(const NormalDe
     case PatternKind::kQuilted:
       return core::make_quilted_displacement(amount, single(p.own->quilt0), single(p.own->quilt1));
     case PatternKind::kFacets:
-      return core::make_facets_displacement(p.own->facets_size, p.own->facets_coords, p.own->facets_metric);
+      return core::make_facets_displacement(p.own->facets_size, p.own->facets_coords,
+                                            p.own->facets_metric);
     case PatternKind::kBumpMap:
       return core::make_picture_displacement(pictures.get(*p.own->image, false), amount,
                                              p.own->image->use == ImageDesc::Use::kIndex);
@@ -218,7 +221,8 @@ core::TexturePtr TextureCompiler::Impl::compile_patterned(const TextureLayerDesc
   const PatternDesc& pattern = layer.pattern;
   if (pattern.kind == PatternKind::kUvMapping) {
     // Where the point lies does not matter then, but normals follow the transforms.
-    return compile(layer.map->entries.front().item, outer.then(compile_placement(pattern)).then(uv_placement()));
+    return compile(layer.map->entries.front().item,
+                   outer.then(compile_placement(pattern)).then(uv_placement()));
   }
   // Entries are evaluated where the pattern is: its placement goes into them.
   const core::Placement inner = outer.then(compile_placement(pattern));
@@ -231,7 +235,8 @@ core::TexturePtr TextureCompiler::Impl::compile_patterned(const TextureLayerDesc
     std::vector<core::TexturePtr> materials;
     for (auto& entry : entries) materials.push_back(std::move(entry.second));
     // Numbers of textures are what the file holds, whatever its gamma.
-    return core::make_material_map(inner, pictures.get(*pattern.own->image, false), std::move(materials));
+    return core::make_material_map(inner, pictures.get(*pattern.own->image, false),
+                                   std::move(materials));
   }
   core::PlacedPattern placed{inner, compile_pattern(pattern, build), compile_wave(pattern)};
   return core::make_texture_map(std::move(placed), core::BlendMap(std::move(entries)));
@@ -254,7 +259,8 @@ core::TexturePtr TextureCompiler::Impl::compile_fresh(const TextureDesc& texture
     layers.push_back({std::move(pigment), unlit_finish(), nullptr});
     return std::make_shared<core::LayeredTexture>(std::move(layers));
   }
-  for (const TextureLayerDesc& layer : texture.layers) layers.push_back(compile_layer(layer, outer));
+  for (const TextureLayerDesc& layer : texture.layers)
+    layers.push_back(compile_layer(layer, outer));
   return std::make_shared<core::LayeredTexture>(std::move(layers));
 }
 

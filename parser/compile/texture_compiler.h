@@ -15,9 +15,9 @@
 namespace lentray::parser {
 
 struct TextureSettings {
-  int quality = 9;            ///< +Q; 5 and below use quick_color
-  int noise_generator = 2;    ///< global_settings; 3.7's default is 2
-  int number_of_waves = 10;   ///< global_settings
+  int quality = 9;           ///< +Q; 5 and below use quick_color
+  int noise_generator = 2;   ///< global_settings; 3.7's default is 2
+  int number_of_waves = 10;  ///< global_settings
   int language_version = 370;
 };
 

@@ -15,7 +15,7 @@ namespace lentray::parser {
 
 struct FogDesc {
   Location where;
-  int type = 1;                        ///< 1 constant, 2 ground
+  int type = 1;  ///< 1 constant, 2 ground
   double distance = 0.0;
   core::Colour colour;
   double turb_depth = 0.5;
@@ -38,7 +38,7 @@ struct RainbowDesc {
 
 struct SkySphereDesc {
   Location where;
-  std::vector<Ref<PigmentDesc>> pigments;   ///< later ones lie on top
+  std::vector<Ref<PigmentDesc>> pigments;  ///< later ones lie on top
   core::Transform transform;
   core::Rgb emission{1.0f, 1.0f, 1.0f};
 };

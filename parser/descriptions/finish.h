@@ -12,7 +12,7 @@ namespace lentray::parser {
 
 struct ReflectionDesc {
   core::Rgb minimum, maximum;
-  bool block = false;             ///< reflection { ... }: varies by angle
+  bool block = false;  ///< reflection { ... }: varies by angle
   bool fresnel = false;
   double falloff = 1.0, metallic = 0.0;
 };
@@ -26,7 +26,7 @@ struct FinishDesc {
   core::Rgb ambient{0.1f, 0.1f, 0.1f};
   core::Rgb emission;
   double diffuse = 0.6, diffuse_back = 0.0;
-  bool diffuse_albedo = false;    ///< only while the block is read; so the two below
+  bool diffuse_albedo = false;  ///< only while the block is read; so the two below
   double brilliance = 1.0;
   double phong = 0.0, phong_size = 40.0;
   bool phong_albedo = false;

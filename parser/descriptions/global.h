@@ -39,15 +39,15 @@ struct SubsurfaceSettings {
 
 struct GlobalDesc {
   Location where;
-  std::optional<double> assumed_gamma;   ///< a number; see gamma_is_srgb
-  bool gamma_is_srgb = false;            ///< `assumed_gamma srgb`
-  int assumed_gamma_version = 370;       ///< #version x 100 where it stood
+  std::optional<double> assumed_gamma;  ///< a number; see gamma_is_srgb
+  bool gamma_is_srgb = false;           ///< `assumed_gamma srgb`
+  int assumed_gamma_version = 370;      ///< #version x 100 where it stood
   std::optional<int> max_trace_level;
   std::optional<double> adc_bailout;
   std::optional<core::Rgb> ambient_light;
   core::Vec3 irid_wavelength{0.70, 0.52, 0.48};
   int number_of_waves = 10;
-  std::optional<int> noise_generator;    ///< 1..3
+  std::optional<int> noise_generator;  ///< 1..3
   double mm_per_unit = 10.0;
   std::optional<RadiositySettings> radiosity;
   std::optional<PhotonSettings> photons;

@@ -13,7 +13,7 @@ namespace lentray::parser {
 struct InteriorDesc {
   Location where;
   double ior = 1.0;
-  bool ior_given = false;    ///< an old scene's texture may give it instead
+  bool ior_given = false;  ///< an old scene's texture may give it instead
   double dispersion = 1.0;
   int dispersion_samples = 7;
   double caustics = 0.0;

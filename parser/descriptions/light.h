@@ -16,7 +16,7 @@ namespace lentray::parser {
 struct PhotonFlags {
   bool given = false;
   bool target = false;
-  double density = 0.0;          ///< of `target`
+  double density = 0.0;  ///< of `target`
   std::optional<bool> refraction, reflection;
   bool pass_through = false, collect = true, area_light = false;
 };
@@ -36,14 +36,14 @@ struct LightDesc {
   bool has_area = false;
   core::Vec3 axis1, axis2;
   int size1 = 0, size2 = 0;
-  int adaptive = 100;                  ///< stock's value for "not adaptive": never subdivided
+  int adaptive = 100;  ///< stock's value for "not adaptive": never subdivided
   bool has_adaptive = false;
   bool jitter = false, circular = false, orient = false, area_illumination = false;
 
   double fade_distance = 0.0, fade_power = 0.0;
   bool media_interaction = true, media_attenuation = false;
-  Ref<ObjectDesc> looks_like;          ///< already moved to the light; casts no shadow
-  Ref<ObjectDesc> projected_through;   ///< kept; rendered later
+  Ref<ObjectDesc> looks_like;         ///< already moved to the light; casts no shadow
+  Ref<ObjectDesc> projected_through;  ///< kept; rendered later
   PhotonFlags photons;
 
   /// One statement `translate` ... inside the block: moves what has been read so far.

@@ -35,10 +35,10 @@ using core::Vec3;
 struct CompiledSlot {
   struct Compiled {
     std::shared_ptr<const core::Object> object;
-    bool is_whole = true;   ///< false: parts of it have no geometry yet
+    bool is_whole = true;               ///< false: parts of it have no geometry yet
     double farthest = core::kFarthest;  ///< up to which trace() sees it
   };
-  std::shared_ptr<const Compiled> made;   ///< null: not tried yet
+  std::shared_ptr<const Compiled> made;  ///< null: not tried yet
   CompiledSlot() = default;
   CompiledSlot(const CompiledSlot&) {}
   CompiledSlot& operator=(const CompiledSlot&) {
@@ -49,8 +49,8 @@ struct CompiledSlot {
 
 /// What few objects have. Apart, as there may be a million objects; named in dumps as if it were not.
 struct RareParts {
-  Ref<TextureDesc> interior_texture;    ///< null: the same as `texture`
-  Ref<InteriorDesc> interior;           ///< null: inherited
+  Ref<TextureDesc> interior_texture;  ///< null: the same as `texture`
+  Ref<InteriorDesc> interior;         ///< null: inherited
   std::vector<Ref<ObjectDesc>> clipped_by, bounded_by;
   std::optional<double> radiosity_importance;
   PhotonFlags photons;
@@ -58,24 +58,24 @@ struct RareParts {
 
 struct ObjectDesc {
   Location where;
-  std::string_view keyword;             ///< of the statement, for messages; a reserved word
+  std::string_view keyword;  ///< of the statement, for messages; a reserved word
   ShapeDesc shape;
   Sparse<Placement> transform;
 
   // Looks and bounds have been moved by the transforms that followed them in the statement.
-  Ref<TextureDesc> texture;             ///< null: inherited, at last the default texture
+  Ref<TextureDesc> texture;  ///< null: inherited, at last the default texture
   Sparse<RareParts> rare;
-  bool bounds_are_clips = false;        ///< bounded_by { clipped_by } or the other way round
+  bool bounds_are_clips = false;  ///< bounded_by { clipped_by } or the other way round
 
   bool inverse = false;
   bool no_shadow = false, no_image = false, no_reflection = false, no_radiosity = false;
-  std::optional<bool> double_illuminate;   ///< of a CSG: holds for everything in it
-  std::optional<bool> hollow;           ///< unset: a surrounding CSG may set it
+  std::optional<bool> double_illuminate;  ///< of a CSG: holds for everything in it
+  std::optional<bool> hollow;             ///< unset: a surrounding CSG may set it
   bool sturm = false, hierarchy = true, uv_mapping = false;
-  bool reopened = false;                ///< went through the braces of object {}
-  bool copied = false;                  ///< made from an identifier: of use to nested light groups
+  bool reopened = false;  ///< went through the braces of object {}
+  bool copied = false;    ///< made from an identifier: of use to nested light groups
 
-  Nesting nesting;                      ///< objects and looks in it
+  Nesting nesting;  ///< objects and looks in it
 
   mutable CompiledSlot compiled;
 

@@ -22,12 +22,58 @@ namespace lentray::parser {
 
 enum class PatternKind {
   kPlain,  ///< no pattern: one colour, or an unbroken normal
-  kAgate, kAoi, kAverage, kBozo, kBoxed, kBrick, kBumps, kCells, kChecker, kCrackle, kCubic,
-  kCylindrical, kDensityFile, kDents, kFacets, kFunction, kGradient, kGranite, kHexagon, kImageMap,
-  kImagePattern, kBumpMap, kMaterialMap, kLeopard, kMandel, kJulia, kMagnetMandel, kMagnetJulia,
-  kMarble, kObject, kOnion, kPavement, kPigmentPattern, kPlanar, kPotential, kProximity, kQuilted,
-  kRadial, kRipples, kSlope, kSpherical, kSpiral1, kSpiral2, kSpotted, kSquare, kTiles, kTiling,
-  kTriangular, kUvMapping, kWaves, kWood, kWrinkles
+  kAgate,
+  kAoi,
+  kAverage,
+  kBozo,
+  kBoxed,
+  kBrick,
+  kBumps,
+  kCells,
+  kChecker,
+  kCrackle,
+  kCubic,
+  kCylindrical,
+  kDensityFile,
+  kDents,
+  kFacets,
+  kFunction,
+  kGradient,
+  kGranite,
+  kHexagon,
+  kImageMap,
+  kImagePattern,
+  kBumpMap,
+  kMaterialMap,
+  kLeopard,
+  kMandel,
+  kJulia,
+  kMagnetMandel,
+  kMagnetJulia,
+  kMarble,
+  kObject,
+  kOnion,
+  kPavement,
+  kPigmentPattern,
+  kPlanar,
+  kPotential,
+  kProximity,
+  kQuilted,
+  kRadial,
+  kRipples,
+  kSlope,
+  kSpherical,
+  kSpiral1,
+  kSpiral2,
+  kSpotted,
+  kSquare,
+  kTiles,
+  kTiling,
+  kTriangular,
+  kUvMapping,
+  kWaves,
+  kWood,
+  kWrinkles
 };
 
 /// The keyword of a pattern, for messages.
@@ -46,7 +92,13 @@ struct WarpDesc {
     kTransform,
     kTurbulence,         ///< warp { turbulence }
     kClassicTurbulence,  ///< turbulence outside a warp: some patterns apply it in their own way
-    kRepeat, kBlackHole, kSpherical, kToroidal, kPlanar, kCylindrical, kCubic
+    kRepeat,
+    kBlackHole,
+    kSpherical,
+    kToroidal,
+    kPlanar,
+    kCylindrical,
+    kCubic
   };
   Kind kind = Kind::kTransform;
   core::Transform transform;
@@ -67,13 +119,13 @@ struct WarpDesc {
 /// image_map, bump_map, image_pattern, material_map: a picture as a pattern. The file is looked up
 /// while parsing (path), and read when it is used.
 struct ImageDesc {
-  std::string type;          ///< keyword or extension: "png"; "function" for a computed one
-  std::string name;          ///< as written
-  FoundFile path;            ///< empty if it was not found
-  Location where;            ///< of the name
+  std::string type;  ///< keyword or extension: "png"; "function" for a computed one
+  std::string name;  ///< as written
+  FoundFile path;    ///< empty if it was not found
+  Location where;    ///< of the name
   Ref<FunctionDesc> function;
   int function_width = 0, function_height = 0;
-  double gamma = 0.0;        ///< 0: the file's own; -1: srgb
+  double gamma = 0.0;          ///< 0: the file's own; -1: srgb
   double working_gamma = 1.0;  ///< of the scene where the image stands; -1: srgb
   /// Which files are decoded to the working gamma without `gamma`.
   enum class Decoding { kNone, kMarked, kAll } decoding = Decoding::kAll;
@@ -88,11 +140,11 @@ struct ImageDesc {
 
 /// What only some kinds of pattern have.
 struct PatternParameters {
-  core::Vec3 vector;              ///< gradient's direction, slope's
+  core::Vec3 vector;  ///< gradient's direction, slope's
   core::Vec3 brick_size{8, 3, 4.5};
   double mortar = 0.5;
   double agate_turbulence = 1.0;
-  int arms = 0;                   ///< of a spiral
+  int arms = 0;  ///< of a spiral
   double quilt0 = 1.0, quilt1 = 1.0;
   double facets_coords = 0.0, facets_size = 0.1, facets_metric = 2.0;
   core::Vec3 crackle_form{-1, 1, 0};
@@ -114,9 +166,9 @@ struct PatternParameters {
 
   Ref<FunctionDesc> function;
   std::shared_ptr<const ImageDesc> image;
-  Ref<ObjectDesc> object;         ///< object, potential
+  Ref<ObjectDesc> object;  ///< object, potential
   bool potential_threshold = false;
-  Ref<PigmentDesc> pigment;       ///< pigment_pattern
+  Ref<PigmentDesc> pigment;  ///< pigment_pattern
   std::string density_file;
   FoundFile density_path;
   int density_interpolate = 0;
@@ -129,12 +181,12 @@ struct PatternDesc {
 
   double frequency = 1.0, phase = 0.0;
   WaveForm wave = WaveForm::kRamp;
-  double wave_exponent = 1.0;     ///< of poly_wave
-  int noise_generator = 0;        ///< 0: the scene's
+  double wave_exponent = 1.0;  ///< of poly_wave
+  int noise_generator = 0;     ///< 0: the scene's
 
   Sparse<PatternParameters> own;
 
-  Nesting nesting;                ///< of the statement the pattern belongs to, its map included
+  Nesting nesting;  ///< of the statement the pattern belongs to, its map included
 
   /// The one turbulence outside warps, made if there is none yet.
   TurbulenceDesc& classic_turbulence();

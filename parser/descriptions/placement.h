@@ -15,7 +15,7 @@ struct PlacementStep {
   enum class Kind {
     kBefore,     ///< all that came before the steps that are kept
     kTransform,  ///< a statement, or several that may as well be one
-    kClips,      ///< `clipped_by`: `transform` is all that came before it, `clips` are as they stood then
+    kClips,  ///< `clipped_by`: `transform` is all that came before it, `clips` are as they stood then
   } kind = Kind::kTransform;
   core::Transform transform;
   std::vector<Ref<ObjectDesc>> clips;

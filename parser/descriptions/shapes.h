@@ -28,38 +28,68 @@ namespace lentray::parser {
 using core::Vec2;
 using core::Vec3;
 
-struct SphereShape { Vec3 centre; double radius = 1.0; };
+struct SphereShape {
+  Vec3 centre;
+  double radius = 1.0;
+};
 LENTRAY_FIELDS(SphereShape, centre, radius)
 
-struct BoxShape { Vec3 corner1, corner2; };
+struct BoxShape {
+  Vec3 corner1, corner2;
+};
 LENTRAY_FIELDS(BoxShape, corner1, corner2)
 
-struct PlaneShape { Vec3 normal; double distance = 0.0; };   ///< normal as written
+struct PlaneShape {
+  Vec3 normal;  ///< as written
+  double distance = 0.0;
+};
 LENTRAY_FIELDS(PlaneShape, normal, distance)
 
-struct CylinderShape { Vec3 base, cap; double radius = 1.0; bool open = false; };
+struct CylinderShape {
+  Vec3 base, cap;
+  double radius = 1.0;
+  bool open = false;
+};
 LENTRAY_FIELDS(CylinderShape, base, cap, radius, open)
 
-struct ConeShape { Vec3 base, cap; double base_radius = 1.0, cap_radius = 0.0; bool open = false; };
+struct ConeShape {
+  Vec3 base, cap;
+  double base_radius = 1.0, cap_radius = 0.0;
+  bool open = false;
+};
 LENTRAY_FIELDS(ConeShape, base, cap, base_radius, cap_radius, open)
 
-struct TorusShape { double major = 1.0, minor = 0.25; };
+struct TorusShape {
+  double major = 1.0, minor = 0.25;
+};
 LENTRAY_FIELDS(TorusShape, major, minor)
 
-struct DiscShape { Vec3 centre, normal{0, 0, 1}; double radius = 1.0, hole = 0.0; };
+struct DiscShape {
+  Vec3 centre, normal{0, 0, 1};
+  double radius = 1.0, hole = 0.0;
+};
 LENTRAY_FIELDS(DiscShape, centre, normal, radius, hole)
 
-struct TriangleShape { std::array<Vec3, 3> p; };
+struct TriangleShape {
+  std::array<Vec3, 3> p;
+};
 LENTRAY_FIELDS(TriangleShape, p)
 
-struct SmoothTriangleShape { std::array<Vec3, 3> p, n; };    ///< n: weigh as they are long, see parser/stock/triangle_steps.h
+struct SmoothTriangleShape {
+  std::array<Vec3, 3> p;
+  std::array<Vec3, 3> n;  ///< weigh as they are long, see parser/stock/triangle_steps.h
+};
 LENTRAY_FIELDS(SmoothTriangleShape, p, n)
 
-struct PolygonShape { std::vector<Vec3> points; };           ///< closed sub-polygons, as written
+struct PolygonShape {
+  std::vector<Vec3> points;  ///< closed sub-polygons, as written
+};
 LENTRAY_FIELDS(PolygonShape, points)
 
 /// a x2 + b y2 + c z2 + d xy + e xz + f yz + g x + h y + i z + j = 0
-struct QuadricShape { std::array<double, 10> c{}; };
+struct QuadricShape {
+  std::array<double, 10> c{};
+};
 LENTRAY_FIELDS(QuadricShape, c)
 
 /// mesh and mesh2 alike.
@@ -67,16 +97,16 @@ struct MeshShape {
   std::vector<Vec3> vertices, normals;
   std::vector<Vec2> uvs;
   std::vector<Ref<TextureDesc>> textures;
-  std::vector<core::MeshTriple> faces;     ///< into vertices
-  core::MeshTriples face_normals;          ///< into normals; none: flat
-  core::MeshTriples face_uvs;              ///< into uvs
-  core::MeshTriples face_textures;         ///< into textures; none: the object's
+  std::vector<core::MeshTriple> faces;  ///< into vertices
+  core::MeshTriples face_normals;       ///< into normals; none: flat
+  core::MeshTriples face_uvs;           ///< into uvs
+  core::MeshTriples face_textures;      ///< into textures; none: the object's
   std::optional<Vec3> inside_vector;
   /// The triangles as the kernel has them, made when first asked; placed copies share them.
   mutable std::shared_ptr<const core::TriangleMesh> compiled;
 };
-LENTRAY_FIELDS(MeshShape, vertices, normals, uvs, textures, faces, face_normals, face_uvs, face_textures, inside_vector,
-               compiled)
+LENTRAY_FIELDS(MeshShape, vertices, normals, uvs, textures, faces, face_normals, face_uvs,
+               face_textures, inside_vector, compiled)
 
 enum class CsgOperation { kUnion, kMerge, kIntersection, kDifference, kLightGroup };
 using Children = std::vector<Ref<ObjectDesc>>;
@@ -85,12 +115,15 @@ struct CsgShape {
   std::shared_ptr<const Children> children;
   bool split_union = true;
   bool cutaway_textures = false;
-  bool global_lights = false;      ///< light_group
+  bool global_lights = false;  ///< light_group
   bool has_triangles = false;
 };
-LENTRAY_FIELDS(CsgShape, operation, children, split_union, cutaway_textures, global_lights, has_triangles)
+LENTRAY_FIELDS(CsgShape, operation, children, split_union, cutaway_textures, global_lights,
+               has_triangles)
 
-struct LightShape { Ref<LightDesc> light; };
+struct LightShape {
+  Ref<LightDesc> light;
+};
 LENTRAY_FIELDS(LightShape, light)
 
 struct BlobElement {
@@ -102,7 +135,10 @@ struct BlobElement {
 };
 LENTRAY_FIELDS(BlobElement, kind, a, b, radius, strength, transform, texture)
 
-struct BlobShape { double threshold = 1.0; std::vector<BlobElement> elements; };
+struct BlobShape {
+  double threshold = 1.0;
+  std::vector<BlobElement> elements;
+};
 LENTRAY_FIELDS(BlobShape, threshold, elements)
 
 struct BicubicPatchShape {
@@ -116,10 +152,10 @@ LENTRAY_FIELDS(BicubicPatchShape, type, u_steps, v_steps, flatness, points, uv)
 struct HeightFieldShape {
   std::string file_type;
   FoundFile file;
-  std::optional<double> file_gamma;     ///< less than 0: sRGB
-  Ref<FunctionDesc> function;           ///< instead of a file
-  Ref<PigmentDesc> pigment;             ///< `function w, h { pigment {...} }`
-  int width = 0, height = 0;            ///< of the function
+  std::optional<double> file_gamma;  ///< less than 0: sRGB
+  Ref<FunctionDesc> function;        ///< instead of a file
+  Ref<PigmentDesc> pigment;          ///< `function w, h { pigment {...} }`
+  int width = 0, height = 0;         ///< of the function
   double water_level = 0.0;
   bool smooth = false;
 };
@@ -127,7 +163,11 @@ LENTRAY_FIELDS(HeightFieldShape, file_type, file, file_gamma, function, pigment,
                water_level, smooth)
 
 /// `contained_by`
-struct ContainerShape { bool sphere = false; Vec3 a{-1, -1, -1}, b{1, 1, 1}; double radius = 1.0; };
+struct ContainerShape {
+  bool sphere = false;
+  Vec3 a{-1, -1, -1}, b{1, 1, 1};
+  double radius = 1.0;
+};
 LENTRAY_FIELDS(ContainerShape, sphere, a, b, radius)
 
 struct IsosurfaceShape {
@@ -153,10 +193,15 @@ LENTRAY_FIELDS(JuliaFractalShape, parameter, slice, slice_distance, precision, e
                max_iteration, hypercomplex, function)
 
 enum class CurveKind { kLinear, kQuadratic, kCubic, kBezier, kB, kNatural };
-struct LatheShape { CurveKind spline = CurveKind::kLinear; std::vector<Vec2> points; };
+struct LatheShape {
+  CurveKind spline = CurveKind::kLinear;
+  std::vector<Vec2> points;
+};
 LENTRAY_FIELDS(LatheShape, spline, points)
 
-struct OvusShape { double bottom = 1.0, top = 0.5; };
+struct OvusShape {
+  double bottom = 1.0, top = 0.5;
+};
 LENTRAY_FIELDS(OvusShape, bottom, top)
 
 struct ParametricShape {
@@ -171,7 +216,10 @@ LENTRAY_FIELDS(ParametricShape, functions, lo, hi, container, max_gradient, accu
                precompute_depth, precompute)
 
 /// Coefficients in the order of the manual, "Poly, Cubic and Quartic".
-struct PolyShape { int order = 2; std::vector<double> coefficients; };
+struct PolyShape {
+  int order = 2;
+  std::vector<double> coefficients;
+};
 LENTRAY_FIELDS(PolyShape, order, coefficients)
 
 struct PrismShape {
@@ -182,7 +230,10 @@ struct PrismShape {
 };
 LENTRAY_FIELDS(PrismShape, spline, conic_sweep, open, height1, height2, points)
 
-struct SorShape { std::vector<Vec2> points; bool open = false; };
+struct SorShape {
+  std::vector<Vec2> points;
+  bool open = false;
+};
 LENTRAY_FIELDS(SorShape, points, open)
 
 struct SphereSweepShape {
@@ -193,12 +244,14 @@ struct SphereSweepShape {
 };
 LENTRAY_FIELDS(SphereSweepShape, spline, centres, radii, tolerance)
 
-struct SuperellipsoidShape { double e = 1.0, n = 1.0; };
+struct SuperellipsoidShape {
+  double e = 1.0, n = 1.0;
+};
 LENTRAY_FIELDS(SuperellipsoidShape, e, n)
 
 struct TextShape {
   FoundFile font;
-  std::string text;      ///< UTF-8
+  std::string text;  ///< UTF-8
   double thickness = 1.0;
   Vec3 offset;           ///< added after each glyph; its z means nothing
   bool unicode = false;  ///< charset utf8: a font's Unicode table comes before Macintosh's
@@ -211,8 +264,8 @@ using ShapeDesc =
                  TriangleShape, Sparse<SmoothTriangleShape>, PolygonShape, Sparse<QuadricShape>,
                  std::shared_ptr<const MeshShape>, CsgShape, LightShape,
                  std::shared_ptr<const BlobShape>, std::shared_ptr<const BicubicPatchShape>,
-                 Sparse<HeightFieldShape>, Sparse<IsosurfaceShape>, Sparse<JuliaFractalShape>, LatheShape, OvusShape,
-                 Sparse<ParametricShape>, PolyShape, PrismShape, SorShape, SphereSweepShape,
-                 SuperellipsoidShape, Sparse<TextShape>>;
+                 Sparse<HeightFieldShape>, Sparse<IsosurfaceShape>, Sparse<JuliaFractalShape>,
+                 LatheShape, OvusShape, Sparse<ParametricShape>, PolyShape, PrismShape, SorShape,
+                 SphereSweepShape, SuperellipsoidShape, Sparse<TextShape>>;
 
 }  // namespace lentray::parser

@@ -33,12 +33,14 @@ struct SimpleShape {
   }
   bool operator()(const CsgShape& csg) const {
     return csg.operation != CsgOperation::kLightGroup && !csg.cutaway_textures &&
-           std::all_of(csg.children->begin(), csg.children->end(), [&](const Ref<ObjectDesc>& child) {
-             return is_sound(*child, default_texture);
-           });
+           std::all_of(
+               csg.children->begin(), csg.children->end(),
+               [&](const Ref<ObjectDesc>& child) { return is_sound(*child, default_texture); });
   }
   template <typename Other>
-  bool operator()(const Other&) const { return false; }
+  bool operator()(const Other&) const {
+    return false;
+  }
 };
 
 }  // namespace

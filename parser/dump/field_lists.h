@@ -9,14 +9,15 @@
 namespace lentray::parser {
 
 // What surrounds a scene.
-LENTRAY_FIELDS(FogDesc, where, type, distance, colour, turb_depth, turbulence, octaves, lambda, omega,
-               fog_offset, fog_alt, up, transform)
+LENTRAY_FIELDS(FogDesc, where, type, distance, colour, turb_depth, turbulence, octaves, lambda,
+               omega, fog_offset, fog_alt, up, transform)
 LENTRAY_FIELDS(RainbowDesc, where, direction, up, angle, width, distance, jitter, arc_angle,
                falloff_angle, colour_map)
 LENTRAY_FIELDS(SkySphereDesc, where, pigments, transform, emission)
 
 // Camera and light.
-LENTRAY_FIELDS(LensDesc, pitch, lpi, focal_length, ior, pixels, print_dpi, front, view_distance, model)
+LENTRAY_FIELDS(LensDesc, pitch, lpi, focal_length, ior, pixels, print_dpi, front, view_distance,
+               model)
 LENTRAY_FIELDS(CameraDesc, where, kind, cylinder_type, location, direction, right, up, sky, look_at,
                has_look_at, has_right, has_up, has_angle, angle, horizontal_angle, vertical_angle,
                transform, lens, aperture, blur_samples, blur_samples_min, confidence, variance,
@@ -33,10 +34,10 @@ LENTRAY_FIELDS(LightDesc, where, kind, parallel, position, colour, point_at, rad
 // Looks.
 LENTRAY_FIELDS(ReflectionDesc, minimum, maximum, block, fresnel, falloff, metallic)
 LENTRAY_FIELDS(SubsurfaceDesc, translucency, anisotropy)
-LENTRAY_FIELDS(FinishDesc, where, ambient, emission, diffuse, diffuse_back, diffuse_albedo, brilliance,
-               phong, phong_size, phong_albedo, specular, roughness, specular_albedo, metallic,
-               reflection, reflection_exponent, conserve_energy, crand, irid, irid_thickness,
-               irid_turbulence, subsurface, ior, caustics, refraction)
+LENTRAY_FIELDS(FinishDesc, where, ambient, emission, diffuse, diffuse_back, diffuse_albedo,
+               brilliance, phong, phong_size, phong_albedo, specular, roughness, specular_albedo,
+               metallic, reflection, reflection_exponent, conserve_energy, crand, irid,
+               irid_thickness, irid_turbulence, subsurface, ior, caustics, refraction)
 LENTRAY_FIELDS(SlopePoint, height, slope)
 LENTRAY_FIELDS(ColourMapDesc, where, entries)
 LENTRAY_FIELDS(PigmentMapDesc, where, entries)
@@ -49,10 +50,10 @@ LENTRAY_FIELDS(WarpDesc, kind, transform, turbulence, axis, width, flip, offset,
                uncertainty, radius, strength, power, inverse, repeats, uncertain, orientation,
                distance_exponent, major_radius, plane_offset)
 LENTRAY_FIELDS(ImageDesc, type, name, path, where, function, function_width, function_height, gamma,
-               working_gamma, decoding, premultiplied, once, map_type, interpolate, use, repeat, offset, filter_all,
-               transmit_all, filters, transmits)
-LENTRAY_FIELDS(PatternParameters, vector, brick_size, mortar, agate_turbulence, arms, quilt0, quilt1,
-               facets_coords, facets_size, facets_metric, crackle_form, crackle_metric,
+               working_gamma, decoding, premultiplied, once, map_type, interpolate, use, repeat,
+               offset, filter_all, transmit_all, filters, transmits)
+LENTRAY_FIELDS(PatternParameters, vector, brick_size, mortar, agate_turbulence, arms, quilt0,
+               quilt1, facets_coords, facets_size, facets_metric, crackle_form, crackle_metric,
                crackle_offset, crackle_solid, julia, iterations, exponent, magnet, exterior_type,
                interior_type, exterior_factor, interior_factor, altitude, slope_low, slope_high,
                altitude_low, altitude_high, slope_point_at, tiling, pavement_sides, pavement_tiles,
@@ -81,20 +82,22 @@ LENTRAY_FIELDS(RadiositySettings, adc_bailout, brightness, error_bound, gray_thr
                recursion_limit, always_sample, media, normal, subsurface)
 LENTRAY_FIELDS(PhotonSettings, spacing, jitter, autostop, expand_increase, adc_bailout, radius,
                radius_multiplier, media_radius, media_radius_multiplier, media_factor, count,
-               gather_min, gather_max, expand_min, media_steps, max_trace_level, load_file, save_file)
+               gather_min, gather_max, expand_min, media_steps, max_trace_level, load_file,
+               save_file)
 LENTRAY_FIELDS(SubsurfaceSettings, samples_diffuse, samples_single, radiosity)
-LENTRAY_FIELDS(GlobalDesc, where, assumed_gamma, gamma_is_srgb, assumed_gamma_version, max_trace_level,
-               adc_bailout, ambient_light, irid_wavelength, number_of_waves, noise_generator,
-               mm_per_unit, radiosity, photons, subsurface)
+LENTRAY_FIELDS(GlobalDesc, where, assumed_gamma, gamma_is_srgb, assumed_gamma_version,
+               max_trace_level, adc_bailout, ambient_light, irid_wavelength, number_of_waves,
+               noise_generator, mm_per_unit, radiosity, photons, subsurface)
 
 // Objects and the whole.
 LENTRAY_FIELDS(RareParts, interior_texture, interior, clipped_by, bounded_by, radiosity_importance,
                photons)
-LENTRAY_FIELDS(ObjectDesc, where, keyword, shape, transform, texture, rare, bounds_are_clips, inverse,
-               no_shadow, no_image, no_reflection, no_radiosity, double_illuminate, hollow, sturm,
-               hierarchy, uv_mapping, reopened, copied, nesting, compiled)
+LENTRAY_FIELDS(ObjectDesc, where, keyword, shape, transform, texture, rare, bounds_are_clips,
+               inverse, no_shadow, no_image, no_reflection, no_radiosity, double_illuminate, hollow,
+               sturm, hierarchy, uv_mapping, reopened, copied, nesting, compiled)
 LENTRAY_FIELDS(SceneObject, object, default_texture, default_importance)
-LENTRAY_FIELDS(SceneDesc, objects, dropped, camera, global, background, has_background, background_version,
-               fogs, rainbows, sky_sphere, atmosphere_media, atmosphere_ior, language_version)
+LENTRAY_FIELDS(SceneDesc, objects, dropped, camera, global, background, has_background,
+               background_version, fogs, rainbows, sky_sphere, atmosphere_media, atmosphere_ior,
+               language_version)
 
 }  // namespace lentray::parser

@@ -40,16 +40,27 @@ class Dumper {
 
   template <typename T>
   Json value(const T& v) {
-    if constexpr (HasFields<T>) return fields(v);
-    else if constexpr (std::is_same_v<T, FoundFile>) return v.path;
-    else if constexpr (std::is_same_v<T, bool> || std::is_integral_v<T> || std::is_same_v<T, std::string> || std::is_same_v<T, std::string_view>) return v;
-    else if constexpr (std::is_floating_point_v<T>) return number(v);
-    else if constexpr (std::is_enum_v<T>) return name_of(v);
-    else if constexpr (kIs<T, std::optional>) return v ? value(*v) : Json();
-    else if constexpr (kIs<T, std::shared_ptr>) return shared(v);
-    else if constexpr (kIs<T, std::variant>) return std::visit([this](const auto& shape) { return value(shape); }, v);
-    else if constexpr (kIs<T, std::pair>) return Json::array({value(v.first), value(v.second)});
-    else return other(v);
+    if constexpr (HasFields<T>)
+      return fields(v);
+    else if constexpr (std::is_same_v<T, FoundFile>)
+      return v.path;
+    else if constexpr (std::is_same_v<T, bool> || std::is_integral_v<T> ||
+                       std::is_same_v<T, std::string> || std::is_same_v<T, std::string_view>)
+      return v;
+    else if constexpr (std::is_floating_point_v<T>)
+      return number(v);
+    else if constexpr (std::is_enum_v<T>)
+      return name_of(v);
+    else if constexpr (kIs<T, std::optional>)
+      return v ? value(*v) : Json();
+    else if constexpr (kIs<T, std::shared_ptr>)
+      return shared(v);
+    else if constexpr (kIs<T, std::variant>)
+      return std::visit([this](const auto& shape) { return value(shape); }, v);
+    else if constexpr (kIs<T, std::pair>)
+      return Json::array({value(v.first), value(v.second)});
+    else
+      return other(v);
   }
 
  private:
@@ -71,15 +82,21 @@ class Dumper {
   Json other(const CompiledSlot&) { return {}; }
   Json other(const Nesting&) { return {}; }
   template <typename T>
-  Json other(const Sparse<T>& v) { return value(*v); }
+  Json other(const Sparse<T>& v) {
+    return value(*v);
+  }
   template <typename Item>
   Json other(const BlendEntry<Item>& entry) {
     return Json{{"at", number(entry.value)}, {"is", value(entry.item)}};
   }
   template <typename Item, typename Allocator>
-  Json other(const std::vector<Item, Allocator>& items) { return list(items); }
+  Json other(const std::vector<Item, Allocator>& items) {
+    return list(items);
+  }
   template <typename Item, std::size_t kSize>
-  Json other(const std::array<Item, kSize>& items) { return list(items); }
+  Json other(const std::array<Item, kSize>& items) {
+    return list(items);
+  }
 
   template <typename Items>
   Json list(const Items& items) {
@@ -92,7 +109,8 @@ class Dumper {
   Json other(const core::MeshTriples& triples) {
     Json out = Json::array();
     for (const auto& [a, b, c] : triples.list) {
-      out.push_back({static_cast<std::int32_t>(a), static_cast<std::int32_t>(b), static_cast<std::int32_t>(c)});
+      out.push_back({static_cast<std::int32_t>(a), static_cast<std::int32_t>(b),
+                     static_cast<std::int32_t>(c)});
     }
     return out;
   }
@@ -120,7 +138,7 @@ class Dumper {
     if (v.use_count() == 1) return value(*v);
     const auto [place, fresh] = m_ids.try_emplace(v.get(), m_ids.size() + 1);
     if (!fresh) return Json{{"same_as", place->second}};
-    Json out{{"id", place->second}};   // before what it holds, which gets its own
+    Json out{{"id", place->second}};  // before what it holds, which gets its own
     out.update(value(*v));
     return out;
   }
@@ -131,7 +149,8 @@ class Dumper {
     Json out = Json::object();
     Fields<T>::visit(v, [&](const char* name, const auto& member) {
       Json made = value(member);
-      if constexpr (std::is_same_v<decltype(member), const Sparse<RareParts>&>) return out.update(made);
+      if constexpr (std::is_same_v<decltype(member), const Sparse<RareParts>&>)
+        return out.update(made);
       if (made != unset.at(name)) out[name] = std::move(made);
     });
     return out;
@@ -141,7 +160,8 @@ class Dumper {
   static std::map<std::string, Json> defaults() {
     std::map<std::string, Json> out;
     Dumper plain(nullptr);
-    Fields<T>::visit(T{}, [&](const char* name, const auto& member) { out[name] = plain.value(member); });
+    Fields<T>::visit(
+        T{}, [&](const char* name, const auto& member) { out[name] = plain.value(member); });
     return out;
   }
 

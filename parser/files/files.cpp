@@ -25,7 +25,7 @@ void refuse_special(const std::string& path, const struct stat& status) {
 class Disk final : public Files {
  public:
   bool exists(const std::string& path) const override {
-    struct stat status{};
+    struct stat status {};
     if (::stat(path.c_str(), &status) != 0 || S_ISDIR(status.st_mode)) return false;
     refuse_special(path, status);
     return true;
@@ -54,12 +54,14 @@ class Disk final : public Files {
       return !fs::is_directory(path, error) && ::access(path.c_str(), W_OK) == 0;
     }
     const std::string folder = fs::path(path).parent_path().string();
-    return fs::path(path).has_filename() && ::access(folder.empty() ? "." : folder.c_str(), W_OK | X_OK) == 0;
+    return fs::path(path).has_filename() &&
+           ::access(folder.empty() ? "." : folder.c_str(), W_OK | X_OK) == 0;
   }
 
   std::unique_ptr<FileWriter> open(const std::string& path, bool append) override {
     // A pipe that nobody reads fails instead of waiting.
-    const int flags = O_WRONLY | O_CREAT | O_NONBLOCK | O_NOCTTY | O_CLOEXEC | (append ? O_APPEND : O_TRUNC);
+    const int flags =
+        O_WRONLY | O_CREAT | O_NONBLOCK | O_NOCTTY | O_CLOEXEC | (append ? O_APPEND : O_TRUNC);
     Descriptor file(::open(path.c_str(), flags, 0666));
     if (file) ::fcntl(file.number(), F_SETFL, append ? O_APPEND : 0);
     return make_writer(std::move(file));

@@ -42,7 +42,9 @@ class Files {
                                                   const std::string& name) const = 0;
   virtual std::optional<std::string> read(const std::string& path) const = 0;
   /// The scene itself, which the user named: no rule is asked.
-  virtual std::optional<std::string> read_scene(const std::string& path) const { return read(path); }
+  virtual std::optional<std::string> read_scene(const std::string& path) const {
+    return read(path);
+  }
   /// A name that opens this very file, whatever becomes of `path`, as long as this object lives.
   virtual std::string hold(const std::string& path) { return path; }
   /// Whether open() would do; nothing is made.

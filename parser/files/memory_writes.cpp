@@ -20,7 +20,8 @@ class Writer final : public FileWriter {
  public:
   explicit Writer(std::shared_ptr<std::string> text) : m_text(std::move(text)) {}
   std::string write(std::string_view bytes) override {
-    if (m_text->size() + bytes.size() > kMostBytes) return "more than 1 GB, which stays in memory here";
+    if (m_text->size() + bytes.size() > kMostBytes)
+      return "more than 1 GB, which stays in memory here";
     *m_text += bytes;
     return {};
   }
@@ -49,7 +50,9 @@ std::shared_ptr<std::string> MemoryWrites::find(const std::string& path) const {
   return found == m_texts.end() ? nullptr : found->second;
 }
 
-bool MemoryWrites::exists(const std::string& path) const { return find(path) || m_below.exists(path); }
+bool MemoryWrites::exists(const std::string& path) const {
+  return find(path) || m_below.exists(path);
+}
 
 std::optional<std::string> MemoryWrites::find_loosely(const std::string& folder,
                                                       const std::string& name) const {
@@ -94,10 +97,12 @@ std::unique_ptr<FileWriter> MemoryWrites::open(const std::string& path, bool app
   const std::string place = key(path);
   auto text = std::make_shared<std::string>();
   if (append) {
-    struct stat status{};
+    struct stat status {};
     const bool plain = ::stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode);
-    if (const auto written = find(path)) *text = *written;
-    else if (plain) *text = m_below.read(path).value_or("");
+    if (const auto written = find(path))
+      *text = *written;
+    else if (plain)
+      *text = m_below.read(path).value_or("");
   }
   m_texts[place] = text;
   return std::make_unique<Writer>(std::move(text));

@@ -28,7 +28,8 @@ class MemoryWrites final : public Files {
   std::shared_ptr<std::string> find(const std::string& path) const;
 
   Files& m_below;
-  std::map<std::string, std::shared_ptr<std::string>> m_texts;   ///< by the path without links and dots
+  std::map<std::string, std::shared_ptr<std::string>>
+      m_texts;  ///< by the path without links and dots
   /// A text as it was when it was asked for.
   struct Held {
     std::shared_ptr<std::string> text;

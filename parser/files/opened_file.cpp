@@ -60,7 +60,7 @@ std::string real_path(const Descriptor& held) {
 }
 
 struct stat status_of(const Descriptor& held) {
-  struct stat status{};
+  struct stat status {};
   if (::fstat(held.number(), &status) != 0) return {};
   return status;
 }

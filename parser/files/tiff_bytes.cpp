@@ -23,7 +23,8 @@ float multiplied(float value, float alpha) {
 
 /// Deep greys are never transparent.
 void drop_alpha(core::StoredImage& image) {
-  for (std::size_t i = 0; i < image.samples.size() / 2; ++i) image.samples[i] = image.samples[2 * i];
+  for (std::size_t i = 0; i < image.samples.size() / 2; ++i)
+    image.samples[i] = image.samples[2 * i];
   image.samples.resize(image.samples.size() / 2);
   image.channels = 1;
 }
@@ -43,18 +44,22 @@ void make_tiff_bytes(core::StoredImage& image, const std::filesystem::path& path
   if (image.bits == 16) {
     // OpenImageIO turns those of 8 bits round, not these.
     if (is_tiff_of(image, "0")) {
-      for (std::size_t i = 0; i < image.samples.size(); ++i) image.samples[i] = 65535.0f - image.samples[i];
+      for (std::size_t i = 0; i < image.samples.size(); ++i)
+        image.samples[i] = 65535.0f - image.samples[i];
     }
     std::vector<std::uint8_t> bytes(image.samples.size());
-    for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = eight_bits(image.samples[i], image.channels < 3);
+    for (std::size_t i = 0; i < bytes.size(); ++i)
+      bytes[i] = eight_bits(image.samples[i], image.channels < 3);
     image.samples.store(std::move(bytes));
     image.bits = 8;
     if (image.channels == 2) drop_alpha(image);
   }
-  const bool is_multiplied = image.attributes.find("oiio:UnassociatedAlpha") == image.attributes.end();
+  const bool is_multiplied =
+      image.attributes.find("oiio:UnassociatedAlpha") == image.attributes.end();
   if (is_multiplied || image.channels != 4 || image.bits != 8) return;
   for (std::size_t i = 0; i < image.samples.size(); i += 4) {
-    for (std::size_t c = i; c < i + 3; ++c) image.samples[c] = multiplied(image.samples[c], image.samples[i + 3]);
+    for (std::size_t c = i; c < i + 3; ++c)
+      image.samples[c] = multiplied(image.samples[c], image.samples[i + 3]);
   }
 }
 

@@ -41,7 +41,8 @@ std::uint64_t checksum(std::string_view bytes) {
 }
 
 std::optional<std::uint64_t> file_checksum(const std::string& path) {
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
+                                                             &std::fclose);
   if (!file) return std::nullopt;
   Sum sum;
   std::string part(std::size_t{1} << 16, '\0');

@@ -28,7 +28,8 @@ class WatchedFiles final : public Files {
   const std::set<std::string>& written() const { return m_written; }
 
   bool exists(const std::string& path) const override;
-  std::optional<std::string> find_loosely(const std::string& folder, const std::string& name) const override {
+  std::optional<std::string> find_loosely(const std::string& folder,
+                                          const std::string& name) const override {
     return m_below.find_loosely(folder, name);
   }
   std::optional<std::string> read(const std::string& path) const override;

@@ -41,7 +41,8 @@ bool accept_fog_item(Parser& parser, FogDesc& fog) {
     fog.fog_alt = parser.parse_float();
   } else if (at_float(parser) && !parser.at_colour()) {  // POV-Ray 1
     fog.distance = parser.parse_float();
-    if (parser.language_version() >= 150) parser.warn("the distance of a fog wants the word distance");
+    if (parser.language_version() >= 150)
+      parser.warn("the distance of a fog wants the word distance");
   } else if (parser.accept(Keyword::kUp)) {
     fog.up = normalized(parser.parse_vector());
   } else if (parser.at_colour()) {
@@ -89,8 +90,9 @@ FogDesc parse_fog(Parser& parser, Context&) {
   parser.parse_comma();
   while (!parser.accept(Punct::kRightCurly)) {
     if (!accept_fog_item(parser, fog)) {
-      parser.fail_expected("one of fog_type, distance, color, turbulence, octaves, lambda, omega, "
-                           "turb_depth, fog_offset, fog_alt, up, a transform or }");
+      parser.fail_expected(
+          "one of fog_type, distance, color, turbulence, octaves, lambda, omega, "
+          "turb_depth, fog_offset, fog_alt, up, a transform or }");
     }
     parser.parse_comma();
   }
@@ -104,8 +106,9 @@ RainbowDesc parse_rainbow(Parser& parser, Context& context) {
   rainbow.where = parser.location();
   while (!parser.accept(Punct::kRightCurly)) {
     if (!accept_rainbow_item(parser, context, rainbow)) {
-      parser.fail_expected("one of direction, up, angle, width, distance, jitter, arc_angle, "
-                           "falloff_angle, color_map, color or }");
+      parser.fail_expected(
+          "one of direction, up, angle, width, distance, jitter, arc_angle, "
+          "falloff_angle, color_map, color or }");
     }
     parser.parse_comma();
   }

@@ -236,7 +236,8 @@ class CameraReader {
     if (token.where.offset > rest.size()) return {};
     rest.remove_prefix(token.where.offset);
     std::size_t n = 0;
-    while (n < rest.size() && (std::isalnum(static_cast<unsigned char>(rest[n])) || rest[n] == '_')) ++n;
+    while (n < rest.size() && (std::isalnum(static_cast<unsigned char>(rest[n])) || rest[n] == '_'))
+      ++n;
     return std::string(rest.substr(0, n));
   }
 
@@ -301,12 +302,14 @@ class CameraReader {
 
   [[noreturn]] void fail_word() {
     std::string words =
-        "one of perspective, orthographic, fisheye, ultra_wide_angle, omnimax, panoramic, spherical, "
+        "one of perspective, orthographic, fisheye, ultra_wide_angle, omnimax, panoramic, "
+        "spherical, "
         "cylinder, mesh_camera, lenticular, location, direction, right, up, sky, look_at, angle, "
         "aperture, blur_samples, confidence, variance, focal_point, normal, bokeh, a transform";
     if (m_camera.kind == CameraKind::kLenticular) {
-      words += ", lens_pitch, lens_lpi, lens_focal_length, lens_ior, lens_pixels, print_dpi, "
-               "lens_front, view_distance, lens_model";
+      words +=
+          ", lens_pitch, lens_lpi, lens_focal_length, lens_ior, lens_pixels, print_dpi, "
+          "lens_front, view_distance, lens_model";
     }
     m_parser.fail_expected(words + " or }");
   }
@@ -332,7 +335,8 @@ class CameraReader {
     const Vec3 direction = normalized(to);
     Vec3 right = cross(c.sky, direction);
     if (std::abs(right.x) < kTiny && std::abs(right.y) < kTiny && std::abs(right.z) < kTiny) {
-      m_parser.warn_at(c.where, "The camera looks along its sky direction: the right vector is kept.");
+      m_parser.warn_at(c.where,
+                       "The camera looks along its sky direction: the right vector is kept.");
       right = c.right;
     }
     right = normalized(right);
@@ -366,8 +370,9 @@ class CameraReader {
     if (c.focal_distance == 0.0) c.focal_distance = 1.0;
     if (std::abs(dot(c.right, c.up)) > kTiny || std::abs(dot(c.right, c.direction)) > kTiny ||
         std::abs(dot(c.up, c.direction)) > kTiny) {
-      m_parser.warn_at(c.where, "Camera vectors are not perpendicular. Making look_at the last "
-                                "statement may help.");
+      m_parser.warn_at(c.where,
+                       "Camera vectors are not perpendicular. Making look_at the last "
+                       "statement may help.");
     }
   }
 

@@ -136,7 +136,8 @@ bool accept_interior_word(Parser& parser, FinishDesc& finish) {
   } else {
     return false;
   }
-  parser.warn_at(where, std::string(word) + " belongs in the interior { } of an object, not in a finish");
+  parser.warn_at(where,
+                 std::string(word) + " belongs in the interior { } of an object, not in a finish");
   return true;
 }
 
@@ -189,7 +190,8 @@ Ref<FinishDesc> parse_finish_block(Parser& parser, Ref<FinishDesc> base) {
          accept_interior_word(parser, *finish) || accept_other_word(parser, *finish)) {
   }
   apply_albedo(*finish);
-  end_block(parser, "one of ambient, emission, diffuse, brilliance, crand, phong, phong_size, "
+  end_block(parser,
+            "one of ambient, emission, diffuse, brilliance, crand, phong, phong_size, "
             "specular, roughness, metallic, reflection, reflection_exponent, conserve_energy, "
             "irid, subsurface");
   return finish;

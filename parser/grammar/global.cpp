@@ -70,8 +70,8 @@ void parse_hf_gray_16(Parser& parser, GlobalDesc&) {
 struct RadiosityFloat {
   Keyword keyword;
   double RadiositySettings::*value;
-  bool (*good)(double) = nullptr;   ///< null: any number will do
-  const char* rule = "";            ///< what a good one is
+  bool (*good)(double) = nullptr;  ///< null: any number will do
+  const char* rule = "";           ///< what a good one is
 };
 constexpr bool is_positive(double x) { return x > 0.0; }
 constexpr bool is_not_negative(double x) { return x >= 0.0; }
@@ -110,7 +110,8 @@ constexpr std::array kRadiositySwitches{
 
 /// Stock changes the one that the scene did not set, and says so.
 void check_reuse(Parser& parser, RadiositySettings& r, bool set_minimum, bool set_maximum) {
-  if (r.maximum_reuse > r.minimum_reuse && !(set_minimum != set_maximum && r.maximum_reuse < 2.0 * r.minimum_reuse)) {
+  if (r.maximum_reuse > r.minimum_reuse &&
+      !(set_minimum != set_maximum && r.maximum_reuse < 2.0 * r.minimum_reuse)) {
     return;
   }
   if (set_maximum && set_minimum) {
@@ -121,9 +122,9 @@ void check_reuse(Parser& parser, RadiositySettings& r, bool set_minimum, bool se
   } else {
     r.maximum_reuse = 2.0 * r.minimum_reuse;
   }
-  parser.diagnostics().warn({}, "radiosity: maximum_reuse should be much larger than minimum_reuse; " +
-                                    std::string(set_maximum ? "minimum_reuse" : "maximum_reuse") +
-                                    " has been adjusted.");
+  parser.diagnostics().warn(
+      {}, "radiosity: maximum_reuse should be much larger than minimum_reuse; " +
+              std::string(set_maximum ? "minimum_reuse" : "maximum_reuse") + " has been adjusted.");
 }
 
 void parse_radiosity(Parser& parser, GlobalDesc& global) {
@@ -168,7 +169,8 @@ void parse_radiosity(Parser& parser, GlobalDesc& global) {
       parser.warn_at(where, "Radiosity files are options of the command line now; ignored here.");
     } else {
       parser.fail_expected("one of count, nearest_count, recursion_limit, " +
-                           word_list(kRadiosityFloats) + ", " + word_list(kRadiositySwitches) + " or }");
+                           word_list(kRadiosityFloats) + ", " + word_list(kRadiositySwitches) +
+                           " or }");
     }
   }
   check_reuse(parser, r, set_minimum, set_maximum);
@@ -237,8 +239,9 @@ void parse_photons(Parser& parser, GlobalDesc& global) {
   parser.expect(Punct::kLeftCurly);
   while (!parser.at(Punct::kRightCurly)) {
     if (!accept_photon_setting(parser, p)) {
-      parser.fail_expected("one of radius, spacing, expand_thresholds, gather, jitter, count, autostop, "
-                           "adc_bailout, max_trace_level, load_file, save_file, media or }");
+      parser.fail_expected(
+          "one of radius, spacing, expand_thresholds, gather, jitter, count, autostop, "
+          "adc_bailout, max_trace_level, load_file, save_file, media or }");
     }
   }
   check(parser, p.gather_max == 0 || p.gather_min <= p.gather_max,
@@ -266,8 +269,9 @@ void parse_subsurface(Parser& parser, GlobalDesc& global) {
 constexpr std::array kSettings{
     SettingEntry{Keyword::kAdcBailout,
                  [](Parser& p, GlobalDesc& g) { g.adc_bailout = p.parse_float(); }},
-    SettingEntry{Keyword::kAmbientLight,
-                 [](Parser& p, GlobalDesc& g) { g.ambient_light = to_colour(p.parse_colour()).rgb; }},
+    SettingEntry{
+        Keyword::kAmbientLight,
+        [](Parser& p, GlobalDesc& g) { g.ambient_light = to_colour(p.parse_colour()).rgb; }},
     SettingEntry{Keyword::kAssumedGamma, parse_assumed_gamma},
     SettingEntry{Keyword::kCharset, parse_charset},
     SettingEntry{Keyword::kHfGray16, parse_hf_gray_16},
@@ -279,7 +283,8 @@ constexpr std::array kSettings{
     SettingEntry{Keyword::kMaxIntersections,
                  [](Parser& p, GlobalDesc&) {
                    (void)p.parse_float();
-                   if (p.language_version() >= 370) p.warn("max_intersections has no effect any more.");
+                   if (p.language_version() >= 370)
+                     p.warn("max_intersections has no effect any more.");
                  }},
     SettingEntry{Keyword::kMaxTraceLevel, parse_max_trace_level},
     SettingEntry{Keyword::kMmPerUnit,

@@ -50,7 +50,8 @@ Ref<InteriorDesc> parse_interior(Parser& parser, MaterialContext& context,
   interior->where = where;
   while (accept_interior_word(parser, context, *interior)) {
   }
-  end_block(parser, "one of ior, dispersion, dispersion_samples, caustics, fade_color, "
+  end_block(parser,
+            "one of ior, dispersion, dispersion_samples, caustics, fade_color, "
             "fade_distance, fade_power, media");
   return interior;
 }

@@ -85,7 +85,8 @@ void parse_area_light(Parser& parser, Context&, LightDesc& light) {
 }
 
 bool needs_area(Keyword word) {
-  return word == Keyword::kAreaIllumination || word == Keyword::kCircular || word == Keyword::kOrient;
+  return word == Keyword::kAreaIllumination || word == Keyword::kCircular ||
+         word == Keyword::kOrient;
 }
 
 struct LightEntry {
@@ -94,13 +95,13 @@ struct LightEntry {
 };
 
 constexpr std::array kLightWords{
-    LightEntry{Keyword::kAdaptive, [](Parser& p, Context&, LightDesc& l) {
+    LightEntry{Keyword::kAdaptive,
+               [](Parser& p, Context&, LightDesc& l) {
                  l.adaptive = p.parse_int();
                  l.has_adaptive = true;
                }},
-    LightEntry{Keyword::kAreaIllumination, [](Parser& p, Context&, LightDesc& l) {
-                 l.area_illumination = optional_switch(p);
-               }},
+    LightEntry{Keyword::kAreaIllumination,
+               [](Parser& p, Context&, LightDesc& l) { l.area_illumination = optional_switch(p); }},
     LightEntry{Keyword::kAreaLight, parse_area_light},
     LightEntry{Keyword::kCircular, [](Parser&, Context&, LightDesc& l) { l.circular = true; }},
     LightEntry{Keyword::kCylinder, parse_cylinder_light},
@@ -108,7 +109,8 @@ constexpr std::array kLightWords{
                [](Parser& p, Context&, LightDesc& l) { l.fade_distance = p.parse_float(); }},
     LightEntry{Keyword::kFadePower,
                [](Parser& p, Context&, LightDesc& l) { l.fade_power = p.parse_float(); }},
-    LightEntry{Keyword::kFalloff, [](Parser& p, Context&, LightDesc& l) {
+    LightEntry{Keyword::kFalloff,
+               [](Parser& p, Context&, LightDesc& l) {
                  need_beam(p, l, "falloff");
                  l.falloff = p.parse_float();
                }},
@@ -124,14 +126,16 @@ constexpr std::array kLightWords{
                [](Parser& p, Context&, LightDesc& l) { parse_photon_flags(p, l.photons, true); }},
     LightEntry{Keyword::kPointAt, parse_point_at},
     LightEntry{Keyword::kProjectedThrough, parse_projected_through},
-    LightEntry{Keyword::kRadius, [](Parser& p, Context&, LightDesc& l) {
+    LightEntry{Keyword::kRadius,
+               [](Parser& p, Context&, LightDesc& l) {
                  need_beam(p, l, "radius");
                  l.radius = p.parse_float();
                }},
     LightEntry{Keyword::kShadowless,
                [](Parser&, Context&, LightDesc& l) { l.kind = LightKind::kShadowless; }},
     LightEntry{Keyword::kSpotlight, parse_spotlight},
-    LightEntry{Keyword::kTightness, [](Parser& p, Context&, LightDesc& l) {
+    LightEntry{Keyword::kTightness,
+               [](Parser& p, Context&, LightDesc& l) {
                  need_beam(p, l, "tightness");
                  l.tightness = p.parse_float();
                }},
@@ -148,7 +152,8 @@ void parse_light_words(Parser& parser, Context& context, LightDesc& light) {
       entry->read(parser, context, light);
       if (needs_area(entry->keyword) && !light.has_area) {
         const bool has_value = entry->keyword == Keyword::kAreaIllumination;
-        parser.warn_at(has_value ? parser.location() : where, std::string(spelling(entry->keyword)) + " only affects an area_light.");
+        parser.warn_at(has_value ? parser.location() : where,
+                       std::string(spelling(entry->keyword)) + " only affects an area_light.");
       }
     } else if (parser.accept(Keyword::kColorMap)) {
       (void)parse_colour_map(parser, context.materials);  // undocumented; stock ignores it too
@@ -192,7 +197,8 @@ Ref<ObjectDesc> parse_light_source(Parser& parser, Context& context, const Locat
   light->position = parser.parse_vector();
   parser.parse_comma();
   // Without a colour stock has a black light.
-  if (parser.at_colour() || parser.at_expression()) light->colour = to_colour(parser.parse_colour());
+  if (parser.at_colour() || parser.at_expression())
+    light->colour = to_colour(parser.parse_colour());
   parse_light_words(parser, context, *light);
   check_light(parser, *light);
   parser.expect(Punct::kRightCurly);

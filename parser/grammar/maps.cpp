@@ -10,17 +10,25 @@ namespace {
 
 using core::Colour;
 
-constexpr std::array<Colour, 2> kBrick = {{{{0.5f, 0.5f, 0.5f}, 0, 0}, {{0.6f, 0.15f, 0.15f}, 0, 0}}};
-constexpr std::array<Colour, 3> kHexagon = {{{{0, 0, 1}, 0, 0}, {{0, 1, 0}, 0, 0}, {{1, 0, 0}, 0, 0}}};
-constexpr std::array<Colour, 6> kSix = {{{{1, 0, 0}, 0, 0}, {{0, 1, 0}, 0, 0}, {{0, 0, 1}, 0, 0},
-                                         {{1, 1, 0}, 0, 0}, {{0, 1, 1}, 0, 0}, {{1, 0, 1}, 0, 0}}};
+constexpr std::array<Colour, 2> kBrick = {
+    {{{0.5f, 0.5f, 0.5f}, 0, 0}, {{0.6f, 0.15f, 0.15f}, 0, 0}}};
+constexpr std::array<Colour, 3> kHexagon = {
+    {{{0, 0, 1}, 0, 0}, {{0, 1, 0}, 0, 0}, {{1, 0, 0}, 0, 0}}};
+constexpr std::array<Colour, 6> kSix = {{{{1, 0, 0}, 0, 0},
+                                         {{0, 1, 0}, 0, 0},
+                                         {{0, 0, 1}, 0, 0},
+                                         {{1, 1, 0}, 0, 0},
+                                         {{0, 1, 1}, 0, 0},
+                                         {{1, 0, 1}, 0, 0}}};
 
 /// Colours of an item list that names none. Source: the manual's pages of the patterns; square,
 /// triangular and cubic share one list (measured on stock).
 std::span<const Colour> default_colours(PatternKind kind) {
   switch (kind) {
     case PatternKind::kBrick: return kBrick;
-    case PatternKind::kSquare: case PatternKind::kTriangular: case PatternKind::kCubic: return kSix;
+    case PatternKind::kSquare:
+    case PatternKind::kTriangular:
+    case PatternKind::kCubic: return kSix;
     default: return kHexagon;  // checker and object take the first two
   }
 }
@@ -39,7 +47,8 @@ Ref<Map> parse_map(Parser& parser, const char* name, ReadEntry read_entry) {
     read_entry(*map);
     parser.expect(Punct::kRightSquare);
   }
-  if (map->entries.empty()) parser.fail_expected(std::string("an entry [value ...] of the ") + name);
+  if (map->entries.empty())
+    parser.fail_expected(std::string("an entry [value ...] of the ") + name);
   parser.expect(Punct::kRightCurly);
   return map;
 }
@@ -92,8 +101,9 @@ Ref<PigmentMapDesc> parse_pigment_map(Parser& parser, MaterialContext& context, 
   return parse_map<PigmentMapDesc>(parser, "pigment_map", [&](PigmentMapDesc& map) {
     const double value = parse_entry_value(parser, average);
     map.entries.push_back({value, parse_entry_body(parser, Keyword::kPigment, [&] {
-      return parse_pigment_body(parser, context, default_layer(context).pigment);
-    })});
+                             return parse_pigment_body(parser, context,
+                                                       default_layer(context).pigment);
+                           })});
   });
 }
 
@@ -101,8 +111,9 @@ Ref<NormalMapDesc> parse_normal_map(Parser& parser, MaterialContext& context, bo
   return parse_map<NormalMapDesc>(parser, "normal_map", [&](NormalMapDesc& map) {
     const double value = parse_entry_value(parser, average);
     map.entries.push_back({value, parse_entry_body(parser, Keyword::kNormal, [&] {
-      return parse_normal_body(parser, context, default_layer(context).normal);
-    })});
+                             return parse_normal_body(parser, context,
+                                                      default_layer(context).normal);
+                           })});
   });
 }
 
@@ -118,8 +129,8 @@ Ref<TextureMapDesc> parse_texture_map(Parser& parser, MaterialContext& context, 
   return parse_map<TextureMapDesc>(parser, "texture_map", [&](TextureMapDesc& map) {
     const double value = parse_entry_value(parser, average);
     map.entries.push_back({value, parse_entry_body(parser, Keyword::kTexture, [&] {
-      return parse_texture_body(parser, context);
-    })});
+                             return parse_texture_body(parser, context);
+                           })});
   });
 }
 
@@ -127,8 +138,8 @@ Ref<DensityMapDesc> parse_density_map(Parser& parser, MaterialContext& context, 
   return parse_map<DensityMapDesc>(parser, "density_map", [&](DensityMapDesc& map) {
     const double value = parse_entry_value(parser, average);
     map.entries.push_back({value, parse_entry_body(parser, Keyword::kDensity, [&] {
-      return parse_density_body(parser, context);
-    })});
+                             return parse_density_body(parser, context);
+                           })});
   });
 }
 
@@ -152,7 +163,8 @@ Ref<ColourMapDesc> parse_colour_list(Parser& parser, PatternKind kind, int count
   for (int i = 0; i < count; ++i) {
     Colour colour = defaults[static_cast<std::size_t>(i)];
     // Once one is missing all the rest are.
-    if (static_cast<int>(map->entries.size()) == i && (parser.at_colour() || parser.at_expression())) {
+    if (static_cast<int>(map->entries.size()) == i &&
+        (parser.at_colour() || parser.at_expression())) {
       colour = to_colour(parser.parse_colour());
       parser.parse_comma();
     }

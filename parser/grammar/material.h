@@ -19,7 +19,7 @@ struct MaterialContext {
   Ref<TextureDesc> default_texture;  ///< changed by #default
   /// One object or object identifier, for the patterns `object` and `potential`.
   std::function<Ref<ObjectDesc>(Parser&)> parse_object;
-  bool in_default = false;           ///< inside #default: a normal need not have a pattern
+  bool in_default = false;  ///< inside #default: a normal need not have a pattern
 };
 
 Ref<PigmentDesc> parse_pigment(Parser& parser, MaterialContext& context);

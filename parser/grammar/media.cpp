@@ -54,8 +54,8 @@ class DensityTarget final : public PatternTarget {
     } else if (parser.at(Keyword::kDensityMap)) {
       check_map_allowed(parser, m_density.pattern, "density_map", true);
       parser.next();
-      m_density.density_map = parse_density_map(
-          parser, m_context, m_density.pattern.kind == PatternKind::kAverage);
+      m_density.density_map =
+          parse_density_map(parser, m_context, m_density.pattern.kind == PatternKind::kAverage);
       m_density.colour_map = nullptr;
     } else {
       return false;
@@ -187,7 +187,8 @@ Ref<MediaDesc> parse_media(Parser& parser, MaterialContext& context) {
   media->where = where;
   while (accept_media_word(parser, context, *media)) {
   }
-  end_block(parser, "one of method, intervals, samples, confidence, variance, ratio, jitter, "
+  end_block(parser,
+            "one of method, intervals, samples, confidence, variance, ratio, jitter, "
             "aa_level, aa_threshold, absorption, emission, scattering, collect, density, a "
             "transform");
   return media;

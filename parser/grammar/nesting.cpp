@@ -47,7 +47,9 @@ struct HoldShape {
     hold_one(nesting, field->function);
     hold_one(nesting, field->pigment);
   }
-  void operator()(const Sparse<IsosurfaceShape>& shape) const { hold_one(nesting, shape->function); }
+  void operator()(const Sparse<IsosurfaceShape>& shape) const {
+    hold_one(nesting, shape->function);
+  }
   void operator()(const Sparse<ParametricShape>& shape) const {
     for (const auto& function : shape->functions) hold_one(nesting, function);
   }

@@ -86,8 +86,7 @@ class NormalTarget final : public PatternTarget {
 
 }  // namespace
 
-Ref<NormalDesc> parse_normal_body(Parser& parser, MaterialContext& context,
-                                  Ref<NormalDesc> base) {
+Ref<NormalDesc> parse_normal_body(Parser& parser, MaterialContext& context, Ref<NormalDesc> base) {
   auto normal = std::make_shared<NormalDesc>();
   const Location where = parser.location();
   if (const auto known = parser.accept_value<Ref<NormalDesc>>()) {

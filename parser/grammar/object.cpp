@@ -18,7 +18,8 @@ struct ShapeEntry {
 
 constexpr std::array kShapes{
 #define LENTRAY_SHAPE(keyword, production) ShapeEntry{Keyword::keyword, production},
-#define LENTRAY_CSG(keyword, operation) ShapeEntry{Keyword::keyword, nullptr, CsgOperation::operation},
+#define LENTRAY_CSG(keyword, operation) \
+  ShapeEntry{Keyword::keyword, nullptr, CsgOperation::operation},
 #include "parser/grammar/shapes.def"
 #undef LENTRAY_SHAPE
 #undef LENTRAY_CSG
@@ -31,14 +32,16 @@ Ref<ObjectDesc> parse_shape_block(Parser& parser, Context& context, const ShapeE
   auto object = make_recycled<ObjectDesc>();
   if (const auto named = parser.accept_value<Ref<ObjectDesc>>()) {
     if (entry.csg && at_object(parser)) {
-      parser.fail_expected("a modifier or } behind an identifier that comes first (as a part it is written "
-                           "object { Name })");
+      parser.fail_expected(
+          "a modifier or } behind an identifier that comes first (as a part it is written "
+          "object { Name })");
     }
     *object = **named;
     object->copied = true;
   } else {
     object->keyword = spelling(entry.keyword);
-    object->shape = entry.csg ? parse_csg(parser, context, *entry.csg) : entry.read(parser, context);
+    object->shape =
+        entry.csg ? parse_csg(parser, context, *entry.csg) : entry.read(parser, context);
   }
   object->where = where;
   parse_object_modifiers(parser, context, *object);
@@ -95,7 +98,8 @@ Ref<ObjectDesc> accept_object(Parser& parser, Context& context) {
 
 Ref<ObjectDesc> expect_object(Parser& parser, Context& context) {
   Ref<ObjectDesc> object = accept_object(parser, context);
-  if (!object) parser.fail_expected("an object: one of " + object_words() + " or an object identifier");
+  if (!object)
+    parser.fail_expected("an object: one of " + object_words() + " or an object identifier");
   return object;
 }
 

@@ -40,7 +40,8 @@ BlobElement parse_blob_element(Parser& parser, Context& context, BlobElement::Ki
   parser.parse_comma();
   if (kind == BlobElement::Kind::kCylinder) {
     e.b = parser.parse_vector();
-    if (length(e.b - e.a) < kTiny) parser.fail("Degenerate cylinder in a blob: both ends are one point.");
+    if (length(e.b - e.a) < kTiny)
+      parser.fail("Degenerate cylinder in a blob: both ends are one point.");
     parser.parse_comma();
   }
   e.radius = parser.parse_float();

@@ -62,7 +62,8 @@ void check_outline(Parser& parser, const Location& where, PrismShape& s) {
     parser.warn_at(where, "This prism is not closed: closing it.");
     p.push_back(p[first]);
   } else if (first == 0) {
-    parser.fail_at(where, "This prism is not closed: its outline must come back to its first point.");
+    parser.fail_at(where,
+                   "This prism is not closed: its outline must come back to its first point.");
   } else {
     parser.warn_at(where, "An outline of this prism is not closed: it is left out.");
     p.resize(first);
@@ -137,14 +138,16 @@ ShapeDesc parse_sphere_sweep(Parser& parser, Context&) {
   SphereSweepShape s;
   const Location where = parser.location();
   const auto kind = accept_curve_kind(parser);
-  if (!kind || (*kind != CurveKind::kLinear && *kind != CurveKind::kCubic && *kind != CurveKind::kB)) {
+  if (!kind ||
+      (*kind != CurveKind::kLinear && *kind != CurveKind::kCubic && *kind != CurveKind::kB)) {
     parser.fail_at(where, "A sphere_sweep begins with linear_spline, cubic_spline or b_spline.");
   }
   s.spline = *kind;
   const int count = parser.parse_int();
   const int least = s.spline == CurveKind::kLinear ? 2 : 4;
   if (count < least) {
-    parser.fail("A sphere_sweep of this spline needs at least " + std::to_string(least) + " spheres.");
+    parser.fail("A sphere_sweep of this spline needs at least " + std::to_string(least) +
+                " spheres.");
   }
   for (int i = 0; i < count; ++i) {
     parser.parse_comma();

@@ -34,8 +34,9 @@ class PointPool {
  public:
   explicit PointPool(std::vector<Vec3>& points) : m_points(points) {}
   std::uint32_t index(const Vec3& p) {
-    const auto [it, fresh] = m_index.try_emplace(
-        std::array{bits_of(p.x), bits_of(p.y), bits_of(p.z)}, static_cast<std::uint32_t>(m_points.size()));
+    const auto [it, fresh] =
+        m_index.try_emplace(std::array{bits_of(p.x), bits_of(p.y), bits_of(p.z)},
+                            static_cast<std::uint32_t>(m_points.size()));
     if (fresh) m_points.push_back(p);
     return it->second;
   }
@@ -49,7 +50,8 @@ class TexturePool {
  public:
   explicit TexturePool(std::vector<Ref<TextureDesc>>& textures) : m_textures(textures) {}
   std::uint32_t index(const Ref<TextureDesc>& texture) {
-    const auto [it, fresh] = m_index.try_emplace(texture.get(), static_cast<std::uint32_t>(m_textures.size()));
+    const auto [it, fresh] =
+        m_index.try_emplace(texture.get(), static_cast<std::uint32_t>(m_textures.size()));
     if (fresh) m_textures.push_back(texture);
     return it->second;
   }
@@ -67,7 +69,8 @@ struct MeshReader {
 
   void parse_face(Parser& parser, Context& context, bool smooth) {
     parser.expect(Punct::kLeftCurly);
-    core::MeshTriple corners, corner_normals = kNoTriple, corner_uvs = kNoTriple, corner_textures = kNoTriple;
+    core::MeshTriple corners, corner_normals = kNoTriple, corner_uvs = kNoTriple,
+                              corner_textures = kNoTriple;
     for (std::size_t i = 0; i < 3; ++i) {
       corners[i] = vertices.index(parser.parse_vector());
       parser.parse_comma();
@@ -114,8 +117,8 @@ struct MeshReader {
 
 void check_index(Parser& parser, int index, std::size_t size, const char* what) {
   if (index < 0 || static_cast<std::size_t>(index) >= size) {
-    parser.fail(std::string(what) + " index " + std::to_string(index) + " is out of range: there are " +
-                std::to_string(size) + ".");
+    parser.fail(std::string(what) + " index " + std::to_string(index) +
+                " is out of range: there are " + std::to_string(size) + ".");
   }
 }
 
@@ -152,7 +155,8 @@ std::array<int, 3> parse_triple(Parser& parser) {
   return {to_int(v.x), to_int(v.y), to_int(v.z)};
 }
 
-core::MeshTriple checked(Parser& parser, const std::array<int, 3>& triple, std::size_t size, const char* what) {
+core::MeshTriple checked(Parser& parser, const std::array<int, 3>& triple, std::size_t size,
+                         const char* what) {
   for (const int i : triple) check_index(parser, i, size, what);
   return {static_cast<std::uint32_t>(triple[0]), static_cast<std::uint32_t>(triple[1]),
           static_cast<std::uint32_t>(triple[2])};
@@ -160,7 +164,8 @@ core::MeshTriple checked(Parser& parser, const std::array<int, 3>& triple, std::
 
 /// A face of mesh2: three vertices and up to three textures.
 core::MeshTriple parse_indexed_face(Parser& parser, MeshShape& mesh) {
-  const core::MeshTriple corners = checked(parser, parse_triple(parser), mesh.vertices.size(), "Mesh vertex");
+  const core::MeshTriple corners =
+      checked(parser, parse_triple(parser), mesh.vertices.size(), "Mesh vertex");
   parser.parse_comma();
   core::MeshTriple textures = kNoTriple;
   std::size_t count = 0;
@@ -232,8 +237,9 @@ struct Mesh2Reader {
   }
 
  private:
-  core::MeshTriples connected(Parser& parser, bool has_indices, const std::vector<std::array<int, 3>>& indices,
-                              std::size_t size, const char* what) const {
+  core::MeshTriples connected(Parser& parser, bool has_indices,
+                              const std::vector<std::array<int, 3>>& indices, std::size_t size,
+                              const char* what) const {
     core::MeshTriples triples;
     for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
       std::array<int, 3> own{-1, -1, -1};
@@ -269,7 +275,8 @@ ShapeDesc parse_mesh(Parser& parser, Context& context) {
 
 ShapeDesc parse_mesh2(Parser& parser, Context& context) {
   Mesh2Reader reader;
-  while (reader.accept_block(parser, context)) {}
+  while (reader.accept_block(parser, context)) {
+  }
   reader.connect(parser);
   return std::make_shared<const MeshShape>(std::move(reader.mesh));
 }

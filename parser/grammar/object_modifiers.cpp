@@ -120,8 +120,8 @@ void parse_optional_switch(Parser& parser, Context&, ObjectDesc& object) {
 struct ModifierEntry {
   Keyword keyword;
   Modifier read;
-  bool (*allowed)(const ObjectDesc&) = nullptr;   ///< null: in all objects
-  const char* objects = "";                       ///< that allow it, for the message
+  bool (*allowed)(const ObjectDesc&) = nullptr;  ///< null: in all objects
+  const char* objects = "";                      ///< that allow it, for the message
 };
 
 constexpr std::array kModifiers{
@@ -132,7 +132,8 @@ constexpr std::array kModifiers{
                     std::get<CsgShape>(object.shape).cutaway_textures = true;
                   },
                   has_cutaway, "intersection and difference"},
-    ModifierEntry{Keyword::kDoubleIlluminate, parse_optional_switch<&ObjectDesc::double_illuminate>},
+    ModifierEntry{Keyword::kDoubleIlluminate,
+                  parse_optional_switch<&ObjectDesc::double_illuminate>},
     ModifierEntry{Keyword::kHierarchy, parse_switch<&ObjectDesc::hierarchy>, has_hierarchy,
                   "blob, mesh and height_field"},
     ModifierEntry{Keyword::kHollow, parse_optional_switch<&ObjectDesc::hollow>},
@@ -143,8 +144,10 @@ constexpr std::array kModifiers{
     ModifierEntry{Keyword::kNoReflection, parse_switch<&ObjectDesc::no_reflection>},
     ModifierEntry{Keyword::kNoShadow,
                   [](Parser&, Context&, ObjectDesc& object) { object.no_shadow = true; }},
-    ModifierEntry{Keyword::kPhotons, [](Parser& parser, Context&,
-                                        ObjectDesc& object) { parse_photon_flags(parser, object.rare.edit().photons, false); }},
+    ModifierEntry{Keyword::kPhotons,
+                  [](Parser& parser, Context&, ObjectDesc& object) {
+                    parse_photon_flags(parser, object.rare.edit().photons, false);
+                  }},
     ModifierEntry{Keyword::kRadiosity, parse_radiosity},
     ModifierEntry{Keyword::kSplitUnion, parse_split_union},
     ModifierEntry{Keyword::kSturm, parse_switch<&ObjectDesc::sturm>, has_sturm,
@@ -157,7 +160,8 @@ bool accept_object_looks(Parser& parser, Context& context, ObjectDesc& object) {
   Looks looks{std::move(object.texture), object.rare->interior_texture, object.rare->interior};
   const bool accepted = accept_looks(parser, context.materials, looks);
   object.texture = std::move(looks.texture);
-  if (looks.interior_texture != object.rare->interior_texture || looks.interior != object.rare->interior) {
+  if (looks.interior_texture != object.rare->interior_texture ||
+      looks.interior != object.rare->interior) {
     RareParts& rare = object.rare.edit();
     rare.interior_texture = std::move(looks.interior_texture);
     rare.interior = std::move(looks.interior);
@@ -211,7 +215,8 @@ bool accept_object_modifier(Parser& parser, Context& context, ObjectDesc& object
   if (accept_transforms(parser, object)) return true;
   if (const ModifierEntry* entry = find_entry<kModifiers>(parser.peek())) {
     if (entry->allowed && !entry->allowed(object)) {
-      parser.fail(std::string(spelling(entry->keyword)) + " holds for " + entry->objects + " only.");
+      parser.fail(std::string(spelling(entry->keyword)) + " holds for " + entry->objects +
+                  " only.");
     }
     parser.next();
     entry->read(parser, context, object);
@@ -226,9 +231,10 @@ void parse_object_modifiers(Parser& parser, Context& context, ObjectDesc& object
       parser.fail("A light source inside an object is written with looks_like now.");
     }
     if (!accept_object_modifier(parser, context, object)) {
-      parser.fail_expected("one of translate, rotate, scale, matrix, transform, texture, pigment, "
-                           "normal, finish, interior, interior_texture, material, " +
-                           word_list(kModifiers) + " or }");
+      parser.fail_expected(
+          "one of translate, rotate, scale, matrix, transform, texture, pigment, "
+          "normal, finish, interior, interior_texture, material, " +
+          word_list(kModifiers) + " or }");
     }
   }
   if (!object.texture && object.rare->interior_texture) {

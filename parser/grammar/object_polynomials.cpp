@@ -21,7 +21,8 @@ int parse_poly_order(Parser& parser) {
 /// Place of x^a y^b z^c among the coefficients of a poly: powers of x fall first, then of y.
 std::size_t coefficient_index(int order, int a, int b, int c) {
   std::size_t index = 0;
-  for (int i = order; i > a; --i) index += static_cast<std::size_t>(order - i + 1) * (order - i + 2) / 2;
+  for (int i = order; i > a; --i)
+    index += static_cast<std::size_t>(order - i + 1) * (order - i + 2) / 2;
   const int rest = order - a;
   for (int j = rest; j > b; --j) index += static_cast<std::size_t>(rest - j + 1);
   return index + (rest - b - c);
@@ -42,7 +43,9 @@ ShapeDesc parse_coefficients(Parser& parser, int order) {
 
 }  // namespace
 
-ShapeDesc parse_poly(Parser& parser, Context&) { return parse_coefficients(parser, parse_poly_order(parser)); }
+ShapeDesc parse_poly(Parser& parser, Context&) {
+  return parse_coefficients(parser, parse_poly_order(parser));
+}
 ShapeDesc parse_cubic(Parser& parser, Context&) { return parse_coefficients(parser, 3); }
 ShapeDesc parse_quartic(Parser& parser, Context&) { return parse_coefficients(parser, 4); }
 

@@ -134,7 +134,8 @@ ShapeDesc parse_smooth_triangle(Parser& parser, Context&) {
     s.n[i] = parser.parse_vector();
     parser.parse_comma();
   }
-  const bool flat = std::any_of(s.n.begin(), s.n.end(), [](const Vec3& n) { return length(n) == 0.0; });
+  const bool flat =
+      std::any_of(s.n.begin(), s.n.end(), [](const Vec3& n) { return length(n) == 0.0; });
   if (is_degenerate(s.p) || flat) {
     parser.warn_at(where, "Degenerate triangle: it has no area or a normal of no length.");
   }
@@ -184,7 +185,8 @@ ShapeDesc parse_quadric(Parser& parser, Context&) {
 
 ShapeDesc parse_csg(Parser& parser, Context& context, CsgOperation operation) {
   auto children = std::make_shared<Children>();
-  const bool solid = operation == CsgOperation::kIntersection || operation == CsgOperation::kDifference;
+  const bool solid =
+      operation == CsgOperation::kIntersection || operation == CsgOperation::kDifference;
   const auto add = [&](Ref<ObjectDesc> child) {
     if (solid && is_patch(*child)) {
       parser.warn("what has no inside does not belong in an intersection or difference");
@@ -198,8 +200,9 @@ ShapeDesc parse_csg(Parser& parser, Context& context, CsgOperation operation) {
   }
   CsgShape s;
   s.operation = operation;
-  s.has_triangles = std::any_of(children->begin(), children->end(),
-                                [](const Ref<ObjectDesc>& child) { return has_triangles(child->shape); });
+  s.has_triangles =
+      std::any_of(children->begin(), children->end(),
+                  [](const Ref<ObjectDesc>& child) { return has_triangles(child->shape); });
   s.children = std::move(children);
   return s;
 }

@@ -16,10 +16,10 @@ constexpr double kLeastExponent = 1e-10;
 
 bool is_julia_function(Keyword k) {
   static constexpr std::array kFunctions{
-      Keyword::kSqr,  Keyword::kCube, Keyword::kExp,   Keyword::kReciprocal, Keyword::kSin,
-      Keyword::kAsin, Keyword::kSinh, Keyword::kAsinh, Keyword::kCos,        Keyword::kAcos,
-      Keyword::kCosh, Keyword::kAcosh, Keyword::kTan,  Keyword::kAtan,       Keyword::kTanh,
-      Keyword::kAtanh, Keyword::kLn,  Keyword::kPwr};
+      Keyword::kSqr,   Keyword::kCube,  Keyword::kExp,   Keyword::kReciprocal, Keyword::kSin,
+      Keyword::kAsin,  Keyword::kSinh,  Keyword::kAsinh, Keyword::kCos,        Keyword::kAcos,
+      Keyword::kCosh,  Keyword::kAcosh, Keyword::kTan,   Keyword::kAtan,       Keyword::kTanh,
+      Keyword::kAtanh, Keyword::kLn,    Keyword::kPwr};
   return std::find(kFunctions.begin(), kFunctions.end(), k) != kFunctions.end();
 }
 
@@ -84,8 +84,8 @@ ShapeDesc parse_height_field(Parser& parser, Context&) {
     check_points(parser, where, s.width, s.height);
     s.function = parser.parse_function_body();
   } else {
-    static constexpr std::array kTypes{Keyword::kGif, Keyword::kTga,  Keyword::kPot, Keyword::kPng,
-                                       Keyword::kPgm, Keyword::kPpm,  Keyword::kSys, Keyword::kJpeg,
+    static constexpr std::array kTypes{Keyword::kGif,  Keyword::kTga, Keyword::kPot, Keyword::kPng,
+                                       Keyword::kPgm,  Keyword::kPpm, Keyword::kSys, Keyword::kJpeg,
                                        Keyword::kTiff, Keyword::kExr, Keyword::kHdr, Keyword::kBmp};
     for (const Keyword type : kTypes) {
       if (parser.accept(type)) {
@@ -96,8 +96,10 @@ ShapeDesc parse_height_field(Parser& parser, Context&) {
     const Location where = parser.location();
     const std::string name = parser.parse_string();
     auto found = parser.find_to_open(name, where);
-    if (!found && !s.file_type.empty()) found = parser.find_to_open(name + "." + s.file_type, where);
-    if (!found) parser.fail_at(where, "Cannot find the height_field's file \"" + shown_name(name) + "\".");
+    if (!found && !s.file_type.empty())
+      found = parser.find_to_open(name + "." + s.file_type, where);
+    if (!found)
+      parser.fail_at(where, "Cannot find the height_field's file \"" + shown_name(name) + "\".");
     s.file = std::move(*found);
   }
   while (true) {
@@ -132,7 +134,8 @@ ShapeDesc parse_julia_fractal(Parser& parser, Context&) {
     } else if (parser.accept(Keyword::kSlice)) {
       const Location where = parser.location();
       s.slice = parse_vector4(parser);
-      if (s.slice[3] == 0.0) parser.fail_at(where, "The fourth component of a slice must not be 0.");
+      if (s.slice[3] == 0.0)
+        parser.fail_at(where, "The fourth component of a slice must not be 0.");
       parser.parse_comma();
       s.slice_distance = parser.parse_float();
     } else if (token.kind == TokenKind::kKeyword && is_julia_function(token.keyword)) {
@@ -142,8 +145,9 @@ ShapeDesc parse_julia_fractal(Parser& parser, Context&) {
         parser.accept(Punct::kLeftParen);
         const Number n = parser.parse_number(1, 2);
         parser.parse_comma();
-        s.exponent = n.size == 1 ? Vec2{n.v[0], parser.at(Punct::kRightParen) ? 0.0 : parser.parse_float()}
-                                 : Vec2{n.v[0], n.v[1]};
+        s.exponent = n.size == 1
+                         ? Vec2{n.v[0], parser.at(Punct::kRightParen) ? 0.0 : parser.parse_float()}
+                         : Vec2{n.v[0], n.v[1]};
         parser.accept(Punct::kRightParen);
       }
     } else {

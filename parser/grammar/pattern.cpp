@@ -38,7 +38,9 @@ void read_no_frequency(const Reader& r) { r.pattern.frequency = 0.0; }
 
 void read_agate(const Reader& r) { r.pattern.classic_turbulence(); }
 
-void read_function(const Reader& r) { r.pattern.own.edit().function = r.parser.parse_function_body(); }
+void read_function(const Reader& r) {
+  r.pattern.own.edit().function = r.parser.parse_function_body();
+}
 
 void read_gradient(const Reader& r) {
   r.pattern.own.edit().vector = core::normalized(r.parser.parse_vector());
@@ -146,7 +148,8 @@ void read_image_pattern(const Reader& r) {
   auto image = parse_image_source(r.parser);
   while (accept_image_modifier(r.parser, *image)) {
   }
-  end_block(r.parser, "one of interpolate, map_type, once, use_color, use_index, use_alpha, "
+  end_block(r.parser,
+            "one of interpolate, map_type, once, use_color, use_index, use_alpha, "
             "repeat, offset");
   r.pattern.own.edit().image = image;
 }
@@ -264,9 +267,8 @@ constexpr PatternRule kRules[] = {
 
 const PatternRule* find_rule(const Token& token) {
   if (token.kind != TokenKind::kKeyword) return nullptr;
-  const auto found = std::find_if(std::begin(kRules), std::end(kRules), [&](const PatternRule& r) {
-    return r.keyword == token.keyword;
-  });
+  const auto found = std::find_if(std::begin(kRules), std::end(kRules),
+                                  [&](const PatternRule& r) { return r.keyword == token.keyword; });
   return found == std::end(kRules) ? nullptr : found;
 }
 
@@ -297,12 +299,14 @@ void check_pavement(Parser& parser, const PatternParameters& p) {
 
 bool has_item_list(PatternKind kind) {
   switch (kind) {
-    case PatternKind::kBrick: case PatternKind::kChecker: case PatternKind::kCubic:
-    case PatternKind::kHexagon: case PatternKind::kObject: case PatternKind::kSquare:
-    case PatternKind::kTriangular:
-      return true;
-    default:
-      return false;
+    case PatternKind::kBrick:
+    case PatternKind::kChecker:
+    case PatternKind::kCubic:
+    case PatternKind::kHexagon:
+    case PatternKind::kObject:
+    case PatternKind::kSquare:
+    case PatternKind::kTriangular: return true;
+    default: return false;
   }
 }
 
@@ -355,7 +359,8 @@ void parse_pattern_body(Parser& parser, MaterialContext& context, PatternTarget&
   if (pattern.kind == PatternKind::kPavement) check_pavement(parser, *pattern.own);
   if (!is_unset(pattern)) return;
   if (target.statement() == "pigment") {
-    if (parser.language_version() >= 150) parser.warn("this pigment has neither colour nor pattern, or does not begin with it");
+    if (parser.language_version() >= 150)
+      parser.warn("this pigment has neither colour nor pattern, or does not begin with it");
   } else if (target.statement() == "normal" && !context.in_default) {
     if (!parser.at(Punct::kRightCurly) && !parser.at(Punct::kRightSquare)) {
       parser.fail_expected("a pattern");

@@ -69,9 +69,9 @@ std::shared_ptr<const ImageDesc> parse_image_map(Parser& parser);
 std::shared_ptr<const ImageDesc> parse_bump_map(Parser& parser, double& amount);
 
 // Bodies: what stands between braces, or in an entry of a map.
-Ref<PigmentDesc> parse_pigment_body(Parser& parser, MaterialContext& context, Ref<PigmentDesc> base);
-Ref<NormalDesc> parse_normal_body(Parser& parser, MaterialContext& context,
-                                  Ref<NormalDesc> base);
+Ref<PigmentDesc> parse_pigment_body(Parser& parser, MaterialContext& context,
+                                    Ref<PigmentDesc> base);
+Ref<NormalDesc> parse_normal_body(Parser& parser, MaterialContext& context, Ref<NormalDesc> base);
 Ref<TextureDesc> parse_texture_body(Parser& parser, MaterialContext& context);
 /// The language before 3.0: words of pigment, normal and finish directly in the texture.
 Ref<TextureDesc> parse_old_texture_body(Parser& parser, MaterialContext& context);

@@ -79,20 +79,19 @@ Ref<FunctionDesc> parse_pattern_function(Parser& parser, MaterialContext& contex
   parser.expect(Keyword::kPattern);
   parser.expect(Punct::kLeftCurly);
   // A pattern statement is a pigment without colours.
-  const auto pigment =
-      parse_pigment_body(parser, context, std::make_shared<const PigmentDesc>());
+  const auto pigment = parse_pigment_body(parser, context, std::make_shared<const PigmentDesc>());
   if (pigment->pattern.kind == PatternKind::kPlain) parser.fail_expected("a pattern");
   end_block(parser, "a modifier of the pattern (turbulence, warp, scale ...)");
   desc->depth = pigment->pattern.nesting.depth;
   desc->calls = pigment->pattern.nesting.parts;
   std::set<std::string> not_yet;
-  const PatternBuild build{settings, not_yet, [&](const Ref<PigmentDesc>& inner) {
-                             TextureCompiler compiler(settings);
-                             return compiler.pigment(inner);
-                           },
-                           [&](const ImageDesc& image) {
-                             return PictureReader(not_yet).get(image, false);
-                           }};
+  const PatternBuild build{
+      settings, not_yet,
+      [&](const Ref<PigmentDesc>& inner) {
+        TextureCompiler compiler(settings);
+        return compiler.pigment(inner);
+      },
+      [&](const ImageDesc& image) { return PictureReader(not_yet).get(image, false); }};
   auto placed = compile_placed(pigment->pattern, core::Placement(), build);
   desc->function = std::make_shared<PatternFunction>(std::move(placed), first_of(not_yet));
   return desc;

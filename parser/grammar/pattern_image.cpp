@@ -16,10 +16,10 @@ struct ImageType {
   const char* extension;
 };
 constexpr ImageType kTypes[] = {
-    {Keyword::kIff, "iff"},   {Keyword::kGif, "gif"}, {Keyword::kPot, "pot"},
-    {Keyword::kSys, "sys"},   {Keyword::kTga, "tga"}, {Keyword::kPng, "png"},
-    {Keyword::kPgm, "pgm"},   {Keyword::kPpm, "ppm"}, {Keyword::kJpeg, "jpg"},
-    {Keyword::kTiff, "tif"},  {Keyword::kBmp, "bmp"}, {Keyword::kExr, "exr"},
+    {Keyword::kIff, "iff"},  {Keyword::kGif, "gif"}, {Keyword::kPot, "pot"},
+    {Keyword::kSys, "sys"},  {Keyword::kTga, "tga"}, {Keyword::kPng, "png"},
+    {Keyword::kPgm, "pgm"},  {Keyword::kPpm, "ppm"}, {Keyword::kJpeg, "jpg"},
+    {Keyword::kTiff, "tif"}, {Keyword::kBmp, "bmp"}, {Keyword::kExr, "exr"},
     {Keyword::kHdr, "hdr"},
 };
 
@@ -45,7 +45,9 @@ void set_decoding(const Parser& parser, ImageDesc& image) {
   using Decoding = ImageDesc::Decoding;
   const bool old = parser.language_version() < 370;
   image.working_gamma = parser.working_gamma().value_or(1.0);
-  image.decoding = !old ? Decoding::kAll : parser.working_gamma() ? Decoding::kMarked : Decoding::kNone;
+  image.decoding = !old                     ? Decoding::kAll
+                   : parser.working_gamma() ? Decoding::kMarked
+                                            : Decoding::kNone;
 }
 
 int to_size(double x) { return static_cast<int>(std::clamp(x, 0.0, 2147483647.0)); }
@@ -66,24 +68,29 @@ void parse_image_function(Parser& parser, ImageDesc& image) {
 
 /// That the picture has this entry in its palette; below 0 stock does not look. What is not read (IFF) is not known.
 /// `known` keeps what the file has said once.
-void check_entry(Parser& parser, const ImageDesc& image, std::optional<int>& known, const char* word,
-                 const Location& where, int index) {
+void check_entry(Parser& parser, const ImageDesc& image, std::optional<int>& known,
+                 const char* word, const Location& where, int index) {
   if (image.type == "iff" || image.type == "sys") return;
   const std::string all = std::string(word) + " all is for the whole picture";
-  if (!known) known = image.path.path.empty() ? 0 : core::palette_size(image.path.handle, image.type == "tga");
+  if (!known)
+    known =
+        image.path.path.empty() ? 0 : core::palette_size(image.path.handle, image.type == "tga");
   const int size = *known;
   if (size == 0) {
-    parser.fail_at(where, "expected all: " + (image.path.path.empty() ? "the function" : "'" + image.name + "'") +
+    parser.fail_at(where, "expected all: " +
+                              (image.path.path.empty() ? "the function" : "'" + image.name + "'") +
                               " has no palette of which this could be an entry; " + all);
   }
   if (index < size) return;
-  parser.fail_at(where, "expected an entry of the palette of '" + image.name + "', 0 to " + std::to_string(size - 1) +
-                            ", found " + std::to_string(index) + "; " + all);
+  parser.fail_at(where, "expected an entry of the palette of '" + image.name + "', 0 to " +
+                            std::to_string(size - 1) + ", found " + std::to_string(index) + "; " +
+                            all);
 }
 
 /// `filter all f`, `filter index, f` and the same of transmit.
-void parse_transparency(Parser& parser, const ImageDesc& image, std::optional<int>& palette, const char* word,
-                        std::optional<double>& all, std::vector<std::pair<int, double>>& entries) {
+void parse_transparency(Parser& parser, const ImageDesc& image, std::optional<int>& palette,
+                        const char* word, std::optional<double>& all,
+                        std::vector<std::pair<int, double>>& entries) {
   if (parser.accept(Keyword::kAll)) {
     all = parser.parse_float();
     entries.clear();  // those that were given before are among all
@@ -104,11 +111,12 @@ std::shared_ptr<ImageDesc> parse_image_source(Parser& parser) {
   if (parser.at_expression()) {
     parser.parse_vector();
     parser.parse_comma();
-    if (parser.language_version() >= 150) parser.warn("the orientation of an image has no meaning any more");
+    if (parser.language_version() >= 150)
+      parser.warn("the orientation of an image has no meaning any more");
   }
   const Location where = parser.location();
-  const Keyword word = parser.peek().kind == TokenKind::kKeyword ? parser.peek().keyword
-                                                                 : Keyword::kNone;
+  const Keyword word =
+      parser.peek().kind == TokenKind::kKeyword ? parser.peek().keyword : Keyword::kNone;
   const auto type = std::find_if(std::begin(kTypes), std::end(kTypes),
                                  [&](const ImageType& t) { return t.keyword == word; });
   if (type != std::end(kTypes)) {
@@ -168,8 +176,10 @@ void check_numbers(Parser& parser, const ImageDesc& image) {
   const auto is_one_of = [](int number, std::initializer_list<int> known) {
     return std::find(known.begin(), known.end(), number) != known.end();
   };
-  if (!is_one_of(image.interpolate, {0, 2, 3, 4})) parser.fail("interpolate of an image_map is 2, 3 or 4");
-  if (!is_one_of(image.map_type, {0, 1, 2, 5})) parser.fail("map_type of an image_map is 0, 1, 2 or 5");
+  if (!is_one_of(image.interpolate, {0, 2, 3, 4}))
+    parser.fail("interpolate of an image_map is 2, 3 or 4");
+  if (!is_one_of(image.map_type, {0, 1, 2, 5}))
+    parser.fail("map_type of an image_map is 0, 1, 2 or 5");
 }
 
 std::shared_ptr<const ImageDesc> parse_image_map(Parser& parser) {
@@ -184,12 +194,14 @@ std::shared_ptr<const ImageDesc> parse_image_map(Parser& parser) {
     if (parser.accept(Keyword::kFilter) || parser.accept(Keyword::kAlpha)) {
       parse_transparency(parser, *image, palette, "filter", image->filter_all, image->filters);
     } else if (parser.accept(Keyword::kTransmit)) {
-      parse_transparency(parser, *image, palette, "transmit", image->transmit_all, image->transmits);
+      parse_transparency(parser, *image, palette, "transmit", image->transmit_all,
+                         image->transmits);
     } else {
       break;
     }
   }
-  end_block(parser, "one of interpolate, map_type, once, use_color, use_index, use_alpha, "
+  end_block(parser,
+            "one of interpolate, map_type, once, use_color, use_index, use_alpha, "
             "repeat, offset, filter, transmit");
   return image;
 }
@@ -202,7 +214,8 @@ std::shared_ptr<const ImageDesc> parse_bump_map(Parser& parser, double& amount) 
     if (!parser.accept(Keyword::kBumpSize)) break;
     amount = parser.parse_float();
   }
-  end_block(parser, "one of interpolate, map_type, once, use_color, use_index, use_alpha, "
+  end_block(parser,
+            "one of interpolate, map_type, once, use_color, use_index, use_alpha, "
             "repeat, offset, bump_size");
   return image;
 }

@@ -22,9 +22,9 @@ int parse_octaves(Parser& parser) { return std::clamp(parser.parse_int(), 1, 10)
 
 bool accept_wave(Parser& parser, PatternDesc& pattern) {
   static constexpr std::pair<Keyword, WaveForm> kWords[] = {
-      {Keyword::kRampWave, WaveForm::kRamp},       {Keyword::kTriangleWave, WaveForm::kTriangle},
-      {Keyword::kSineWave, WaveForm::kSine},       {Keyword::kScallopWave, WaveForm::kScallop},
-      {Keyword::kCubicWave, WaveForm::kCubic},     {Keyword::kPolyWave, WaveForm::kPoly}};
+      {Keyword::kRampWave, WaveForm::kRamp},   {Keyword::kTriangleWave, WaveForm::kTriangle},
+      {Keyword::kSineWave, WaveForm::kSine},   {Keyword::kScallopWave, WaveForm::kScallop},
+      {Keyword::kCubicWave, WaveForm::kCubic}, {Keyword::kPolyWave, WaveForm::kPoly}};
   for (const auto& [word, form] : kWords) {
     if (!parser.accept(word)) continue;
     pattern.wave = form;

@@ -55,15 +55,16 @@ class PigmentTarget final : public PatternTarget {
   bool accept_own_modifier(Parser& parser) override {
     if (parser.at(Keyword::kColorMap)) {
       // Without a pattern it means nothing, and stock lets it pass.
-      if (!is_unset(m_pigment.pattern)) check_map_allowed(parser, m_pigment.pattern, "color_map", false);
+      if (!is_unset(m_pigment.pattern))
+        check_map_allowed(parser, m_pigment.pattern, "color_map", false);
       parser.next();
       m_pigment.colour_map = parse_colour_map(parser, m_context);
       m_pigment.pigment_map = nullptr;
     } else if (parser.at(Keyword::kPigmentMap)) {
       check_map_allowed(parser, m_pigment.pattern, "pigment_map", true);
       parser.next();
-      m_pigment.pigment_map = parse_pigment_map(
-          parser, m_context, m_pigment.pattern.kind == PatternKind::kAverage);
+      m_pigment.pigment_map =
+          parse_pigment_map(parser, m_context, m_pigment.pattern.kind == PatternKind::kAverage);
       m_pigment.colour_map = nullptr;
     } else if (parser.accept(Keyword::kQuickColor)) {
       m_pigment.quick_colour = to_colour(parser.parse_colour());
@@ -84,7 +85,8 @@ const TextureLayerDesc& default_layer(const MaterialContext& context) {
   return context.default_texture->layers.back();
 }
 
-Ref<PigmentDesc> parse_pigment_body(Parser& parser, MaterialContext& context, Ref<PigmentDesc> base) {
+Ref<PigmentDesc> parse_pigment_body(Parser& parser, MaterialContext& context,
+                                    Ref<PigmentDesc> base) {
   const Location where = parser.location();
   const auto known = parser.accept_value<Ref<PigmentDesc>>();
   const PigmentDesc* from = known ? known->get() : base.get();

@@ -10,7 +10,9 @@
 namespace lentray::parser {
 
 Grammar::Grammar() {
-  m_context.materials.parse_object = [this](Parser& parser) { return expect_object(parser, m_context); };
+  m_context.materials.parse_object = [this](Parser& parser) {
+    return expect_object(parser, m_context);
+  };
 }
 
 std::optional<Value> Grammar::rvalue(Parser& parser) {
@@ -26,8 +28,8 @@ std::optional<Value> Grammar::rvalue(Parser& parser) {
     return Value(Ref<RainbowDesc>(std::make_shared<RainbowDesc>(parse_rainbow(parser, m_context))));
   }
   if (parser.accept(Keyword::kSkySphere)) {
-    return Value(Ref<SkySphereDesc>(
-        std::make_shared<SkySphereDesc>(parse_sky_sphere(parser, m_context))));
+    return Value(
+        Ref<SkySphereDesc>(std::make_shared<SkySphereDesc>(parse_sky_sphere(parser, m_context))));
   }
   return accept_material_value(parser, m_context.materials);
 }
@@ -39,7 +41,8 @@ void Grammar::set_default(Parser& parser) {
       m_context.default_camera = parse_camera(parser, m_context, m_context.default_camera);
     } else if (parser.accept(Keyword::kRadiosity)) {
       parser.expect(Punct::kLeftCurly);
-      while (parser.accept(Keyword::kImportance)) m_context.default_importance = parse_importance(parser);
+      while (parser.accept(Keyword::kImportance))
+        m_context.default_importance = parse_importance(parser);
       parser.expect(Punct::kRightCurly);
     } else if (!accept_material_default(parser, m_context.materials)) {
       parser.fail_expected("one of texture, pigment, normal, finish, camera, radiosity or }");

@@ -52,10 +52,11 @@ constexpr std::array kStatements{
     StatementEntry{Keyword::kBackground, read_background},
     StatementEntry{Keyword::kCamera, read_camera},
     StatementEntry{Keyword::kDefault, [](Parser& p, Grammar& g, SceneDesc&) { g.set_default(p); }},
-    StatementEntry{Keyword::kFog, [](Parser& p, Grammar& g, SceneDesc& s) {
-                     s.fogs.push_back(parse_fog(p, g.context()));
-                   }},
-    StatementEntry{Keyword::kGlobalSettings, [](Parser& p, Grammar& g, SceneDesc& s) {
+    StatementEntry{
+        Keyword::kFog,
+        [](Parser& p, Grammar& g, SceneDesc& s) { s.fogs.push_back(parse_fog(p, g.context())); }},
+    StatementEntry{Keyword::kGlobalSettings,
+                   [](Parser& p, Grammar& g, SceneDesc& s) {
                      parse_global_settings(p, g.context(), s.global);
                    }},
     StatementEntry{Keyword::kMaxIntersections,
@@ -68,10 +69,12 @@ constexpr std::array kStatements{
                      warn_of_setting(p, "max_trace_level", 300);
                      parse_max_trace_level(p, s.global);
                    }},
-    StatementEntry{Keyword::kMedia, [](Parser& p, Grammar& g, SceneDesc& s) {
+    StatementEntry{Keyword::kMedia,
+                   [](Parser& p, Grammar& g, SceneDesc& s) {
                      s.atmosphere_media.push_back(parse_media(p, g.context().materials));
                    }},
-    StatementEntry{Keyword::kRainbow, [](Parser& p, Grammar& g, SceneDesc& s) {
+    StatementEntry{Keyword::kRainbow,
+                   [](Parser& p, Grammar& g, SceneDesc& s) {
                      s.rainbows.push_back(parse_rainbow(p, g.context()));
                    }},
     StatementEntry{Keyword::kSkySphere, read_sky_sphere},
@@ -105,19 +108,22 @@ void read_statement(Parser& parser, Grammar& grammar, SceneDesc& scene) {
 void warn_about_version(Parser& parser) {
   Diagnostics& diagnostics = parser.diagnostics();
   if (!parser.language_version_set()) {
-    diagnostics.warn({}, "the scene has no #version: it is read with today's grammar and rendered as "
-                         "one from before 3.7");
+    diagnostics.warn({},
+                     "the scene has no #version: it is read with today's grammar and rendered as "
+                     "one from before 3.7");
   } else if (!parser.has_own_version()) {
     diagnostics.warn({}, "the scene has no #version of its own: its include files leave it at " +
                              std::to_string(parser.language_version() / 100) + "." +
                              std::to_string(parser.language_version() % 100 / 10));
   } else if (parser.is_version_late()) {
-    diagnostics.warn({}, "the #version of the scene stands behind other declarations: they were "
-                            "read with another one");
+    diagnostics.warn({},
+                     "the #version of the scene stands behind other declarations: they were "
+                     "read with another one");
   }
   if (parser.language_version() <= 310) {
-    diagnostics.warn({}, "the scene ends with a #version of 3.1 or earlier: faults of those programs "
-                         "are not imitated");
+    diagnostics.warn({},
+                     "the scene ends with a #version of 3.1 or earlier: faults of those programs "
+                     "are not imitated");
   }
 }
 

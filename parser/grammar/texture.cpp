@@ -41,8 +41,8 @@ class TextureTarget final : public PatternTarget {
     if (!parser.at(Keyword::kTextureMap)) return false;
     check_map_allowed(parser, m_layer.pattern, "texture_map", true);
     parser.next();
-    m_layer.map = parse_texture_map(parser, m_context,
-                                    m_layer.pattern.kind == PatternKind::kAverage);
+    m_layer.map =
+        parse_texture_map(parser, m_context, m_layer.pattern.kind == PatternKind::kAverage);
     return true;
   }
 

@@ -35,13 +35,20 @@ struct OldTexture {
 };
 
 constexpr std::pair<Keyword, PatternKind> kPigments[] = {
-    {Keyword::kAgate, PatternKind::kAgate},       {Keyword::kBozo, PatternKind::kBozo},
-    {Keyword::kGranite, PatternKind::kGranite},   {Keyword::kLeopard, PatternKind::kLeopard},
-    {Keyword::kMarble, PatternKind::kMarble},     {Keyword::kMandel, PatternKind::kMandel},
-    {Keyword::kOnion, PatternKind::kOnion},       {Keyword::kSpotted, PatternKind::kSpotted},
-    {Keyword::kWood, PatternKind::kWood},         {Keyword::kGradient, PatternKind::kGradient},
-    {Keyword::kChecker, PatternKind::kChecker},   {Keyword::kHexagon, PatternKind::kHexagon},
-    {Keyword::kImageMap, PatternKind::kImageMap}, {Keyword::kSquare, PatternKind::kSquare},
+    {Keyword::kAgate, PatternKind::kAgate},
+    {Keyword::kBozo, PatternKind::kBozo},
+    {Keyword::kGranite, PatternKind::kGranite},
+    {Keyword::kLeopard, PatternKind::kLeopard},
+    {Keyword::kMarble, PatternKind::kMarble},
+    {Keyword::kMandel, PatternKind::kMandel},
+    {Keyword::kOnion, PatternKind::kOnion},
+    {Keyword::kSpotted, PatternKind::kSpotted},
+    {Keyword::kWood, PatternKind::kWood},
+    {Keyword::kGradient, PatternKind::kGradient},
+    {Keyword::kChecker, PatternKind::kChecker},
+    {Keyword::kHexagon, PatternKind::kHexagon},
+    {Keyword::kImageMap, PatternKind::kImageMap},
+    {Keyword::kSquare, PatternKind::kSquare},
     {Keyword::kTriangular, PatternKind::kTriangular}};
 
 constexpr std::pair<Keyword, PatternKind> kNormals[] = {
@@ -56,7 +63,9 @@ void read_pigment_arguments(Parser& parser, PigmentDesc& pigment) {
   switch (p.kind) {
     case PatternKind::kAgate: p.classic_turbulence(); break;
     case PatternKind::kMandel: p.own.edit().iterations = parser.parse_int(); break;
-    case PatternKind::kGradient: p.own.edit().vector = core::normalized(parser.parse_vector()); break;
+    case PatternKind::kGradient:
+      p.own.edit().vector = core::normalized(parser.parse_vector());
+      break;
     case PatternKind::kImageMap:
       p.frequency = 0.0;
       p.own.edit().image = parse_image_map(parser);
@@ -65,17 +74,18 @@ void read_pigment_arguments(Parser& parser, PigmentDesc& pigment) {
       if (!has_item_list(p.kind)) break;
       p.frequency = 0.0;
       pigment.pigment_map = nullptr;
-      pigment.colour_map = parse_colour_list(
-          parser, p.kind,
-          p.kind == PatternKind::kHexagon ? 3 : p.kind == PatternKind::kSquare       ? 4
-                                            : p.kind == PatternKind::kTriangular ? 6
-                                                                                 : 2);
+      pigment.colour_map = parse_colour_list(parser, p.kind,
+                                             p.kind == PatternKind::kHexagon      ? 3
+                                             : p.kind == PatternKind::kSquare     ? 4
+                                             : p.kind == PatternKind::kTriangular ? 6
+                                                                                  : 2);
   }
 }
 
 /// Words that have a block of their own. Stock says so to scenes of 1.0, not to those of 2.0.
 void warn_of_word(Parser& parser, const Location& where, std::string_view word, const char* block) {
-  if (parser.language_version() < 150) parser.warn_at(where, "'" + std::string(word) + "' belongs in a " + block);
+  if (parser.language_version() < 150)
+    parser.warn_at(where, "'" + std::string(word) + "' belongs in a " + block);
 }
 
 bool accept_pigment_word(Parser& parser, MaterialContext& context, OldTexture& old) {
@@ -185,10 +195,10 @@ bool accept_word(Parser& parser, MaterialContext& context, OldTexture& old) {
   if (accept_block(parser, context, old)) return true;
   const Location where = parser.location();
   const std::string word(parser.spelling(parser.peek()));
-  const char* block = accept_pigment_word(parser, context, old)  ? "pigment"
-                      : accept_normal_word(parser, old)          ? "normal"
-                      : accept_finish_word(parser, *old.finish)  ? "finish"
-                                                                 : nullptr;
+  const char* block = accept_pigment_word(parser, context, old) ? "pigment"
+                      : accept_normal_word(parser, old)         ? "normal"
+                      : accept_finish_word(parser, *old.finish) ? "finish"
+                                                                : nullptr;
   if (block) {
     warn_of_word(parser, where, word, block);
     return true;

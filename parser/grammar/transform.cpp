@@ -34,7 +34,8 @@ void move(ObjectDesc& object, const TransformStep& step) {
   if (!object.uv_mapping && rare.interior_texture) {
     rare.interior_texture = transformed(rare.interior_texture, transform);
   }
-  if (rare.interior && !rare.interior->media.empty()) rare.interior = transformed(rare.interior, transform);
+  if (rare.interior && !rare.interior->media.empty())
+    rare.interior = transformed(rare.interior, transform);
   for (Ref<ObjectDesc>& clip : rare.clipped_by) clip = moved(clip, step);
   for (Ref<ObjectDesc>& bound : rare.bounded_by) bound = moved(bound, step);
 }
@@ -42,7 +43,8 @@ void move(ObjectDesc& object, const TransformStep& step) {
 /// Of the next statement, if it is a transform.
 TransformKind kind_of_next(Parser& parser) {
   if (parser.at(Keyword::kScale)) return TransformKind::kScale;
-  return parser.at(Keyword::kMatrix) || parser.at(Keyword::kTransform) ? TransformKind::kComposed : TransformKind::kMove;
+  return parser.at(Keyword::kMatrix) || parser.at(Keyword::kTransform) ? TransformKind::kComposed
+                                                                       : TransformKind::kMove;
 }
 
 }  // namespace

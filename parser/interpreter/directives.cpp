@@ -14,12 +14,12 @@ namespace lentray::parser {
 namespace {
 
 constexpr Keyword kDirectives[] = {
-    Keyword::kIf,      Keyword::kIfdef,  Keyword::kIfndef,  Keyword::kElse,    Keyword::kElseif,
-    Keyword::kEnd,     Keyword::kSwitch, Keyword::kCase,    Keyword::kRange,   Keyword::kWhile,
-    Keyword::kFor,     Keyword::kBreak,  Keyword::kMacro,   Keyword::kDeclare, Keyword::kLocal,
-    Keyword::kUndef,   Keyword::kInclude, Keyword::kVersion, Keyword::kDefault, Keyword::kDebug,
-    Keyword::kWarning, Keyword::kError,  Keyword::kRender,  Keyword::kStatistics, Keyword::kFopen,
-    Keyword::kFclose,  Keyword::kRead,   Keyword::kWrite};
+    Keyword::kIf,      Keyword::kIfdef,   Keyword::kIfndef,  Keyword::kElse,       Keyword::kElseif,
+    Keyword::kEnd,     Keyword::kSwitch,  Keyword::kCase,    Keyword::kRange,      Keyword::kWhile,
+    Keyword::kFor,     Keyword::kBreak,   Keyword::kMacro,   Keyword::kDeclare,    Keyword::kLocal,
+    Keyword::kUndef,   Keyword::kInclude, Keyword::kVersion, Keyword::kDefault,    Keyword::kDebug,
+    Keyword::kWarning, Keyword::kError,   Keyword::kRender,  Keyword::kStatistics, Keyword::kFopen,
+    Keyword::kFclose,  Keyword::kRead,    Keyword::kWrite};
 
 // Stock cuts long messages; scenes are not known to rely on it, comparisons of output are.
 std::string cut(std::string text, std::size_t longest, std::size_t kept) {
@@ -41,12 +41,15 @@ bool Directives::has(Keyword keyword) {
 void Directives::execute(const Token& directive) {
   m_in.guard_stack();
   switch (directive.keyword) {
-    case Keyword::kIf: case Keyword::kIfdef: case Keyword::kIfndef:
-      return if_directive(directive);
-    case Keyword::kElse: case Keyword::kElseif: return else_part(directive);
+    case Keyword::kIf:
+    case Keyword::kIfdef:
+    case Keyword::kIfndef: return if_directive(directive);
+    case Keyword::kElse:
+    case Keyword::kElseif: return else_part(directive);
     case Keyword::kEnd: return end_part(directive);
     case Keyword::kSwitch: return switch_directive(directive);
-    case Keyword::kCase: case Keyword::kRange: return case_part(directive);
+    case Keyword::kCase:
+    case Keyword::kRange: return case_part(directive);
     case Keyword::kWhile: return while_directive(directive);
     case Keyword::kFor: return for_directive(directive);
     case Keyword::kBreak: return break_directive(directive);
@@ -57,7 +60,10 @@ void Directives::execute(const Token& directive) {
     case Keyword::kInclude: return include_directive();
     case Keyword::kVersion: return version();
     case Keyword::kDefault: return m_in.productions.set_default(m_in.parser);
-    case Keyword::kDebug: case Keyword::kWarning: case Keyword::kError: case Keyword::kRender:
+    case Keyword::kDebug:
+    case Keyword::kWarning:
+    case Keyword::kError:
+    case Keyword::kRender:
     case Keyword::kStatistics: return message(directive);
     case Keyword::kFopen: return m_in.files.open();
     case Keyword::kFclose: return m_in.files.close();
@@ -69,12 +75,14 @@ void Directives::execute(const Token& directive) {
   for (const Keyword keyword : kDirectives) names.push_back(spelling(keyword));
   const std::string_view word = m_in.names.text(directive.name);
   const std::string_view near = nearest_name(word, names);
-  m_in.fail(directive.where, "unknown directive #" + std::string(word) +
-                                 (near.empty() ? "" : ", did you mean #" + std::string(near) + "?"));
+  m_in.fail(directive.where,
+            "unknown directive #" + std::string(word) +
+                (near.empty() ? "" : ", did you mean #" + std::string(near) + "?"));
 }
 
 void Directives::execute_unmarked(const Token& word) {
-  if (m_in.version >= 300) m_in.warn(word.where, "expected '#' before '" + std::string(m_in.names.text(word.name)) + "'");
+  if (m_in.version >= 300)
+    m_in.warn(word.where, "expected '#' before '" + std::string(m_in.names.text(word.name)) + "'");
   execute(word);
 }
 
@@ -99,7 +107,8 @@ void Directives::include(const std::string& name, const Location& where) {
   }
   m_in.count_turn();
   std::optional<std::string> path = m_in.find_file(name, where);
-  if (!path && !std::filesystem::path(name).has_extension()) path = m_in.find_file(name + ".inc", where);
+  if (!path && !std::filesystem::path(name).has_extension())
+    path = m_in.find_file(name + ".inc", where);
   const auto list = path ? m_in.load(*path, where) : nullptr;
   if (!list) {
     std::string message = "cannot find the include file '" + shown_name(name) + "', looked in: .";
@@ -120,9 +129,9 @@ void Directives::include(const std::string& name, const Location& where) {
 void Directives::message(const Token& directive) {
   const std::string text = to_ascii(m_in.expressions.parse_string());
   switch (directive.keyword) {
-    case Keyword::kDebug:
-      return m_in.diagnostics.write(Stream::kDebug, cut(text, 200, 159));
-    case Keyword::kRender: case Keyword::kStatistics:
+    case Keyword::kDebug: return m_in.diagnostics.write(Stream::kDebug, cut(text, 200, 159));
+    case Keyword::kRender:
+    case Keyword::kStatistics:
       m_in.warn(directive.where, "#render and #statistics have no streams any more: as #debug");
       return m_in.diagnostics.write(Stream::kDebug, cut(text, 200, 159));
     case Keyword::kWarning: return m_in.warn(directive.where, text);

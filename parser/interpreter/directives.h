@@ -40,7 +40,7 @@ class Directives {
   struct Block {
     BlockKind kind;
     const Token* opener;
-    const Token* body = nullptr;      // of #for: the first token after the head
+    const Token* body = nullptr;  // of #for: the first token after the head
     NameId variable = 0;
     double last = 0.0, step = 1.0;
   };
@@ -82,12 +82,13 @@ class Directives {
   void undef();
   void end_of_declaration(const Value& value, const Location& where);
   Value array_value();
-  Value copy_value(const Value& value);   ///< an array's elements are copied too
+  Value copy_value(const Value& value);  ///< an array's elements are copied too
   void array_initialiser(ArrayValue& array, std::size_t dimension, std::size_t base);
 
   Interpreter& m_in;
   std::vector<Block> m_blocks;
-  std::vector<SymbolPtr> m_arguments;  ///< of the calls whose arguments are being read, innermost last
+  std::vector<SymbolPtr>
+      m_arguments;  ///< of the calls whose arguments are being read, innermost last
 };
 
 }  // namespace lentray::parser

@@ -46,10 +46,9 @@ bool Directives::parse_defined() {
   const Token& token = tokens.peek();
   if (token.kind == TokenKind::kIdentifier) {
     Symbol* symbol = tokens.symbol();
-    defined = tokens.element_array()
-                  ? !std::holds_alternative<std::monostate>(
-                        tokens.element_array()->elements[tokens.element_index()])
-                  : symbol && symbol->is_set();
+    defined = tokens.element_array() ? !std::holds_alternative<std::monostate>(
+                                           tokens.element_array()->elements[tokens.element_index()])
+                                     : symbol && symbol->is_set();
   } else if (token.kind == TokenKind::kNumber || token.kind == TokenKind::kString) {
     defined = token.kind == TokenKind::kString;
   } else if (token.kind != TokenKind::kKeyword) {
@@ -85,9 +84,12 @@ bool Directives::declare_plain(const Token& directive, bool local) {
   if (!is_number && !m_in.expressions.read_raw_assignment(text)) return false;
   if (!symbol) symbol = &m_in.symbols.declare_at(name->name, level);
   Number* held = std::get_if<Number>(&symbol->value);
-  if (!is_number) symbol->value = std::move(text);
-  else if (held) *held = stored(number);
-  else symbol->value = stored(number);
+  if (!is_number)
+    symbol->value = std::move(text);
+  else if (held)
+    *held = stored(number);
+  else
+    symbol->value = stored(number);
   end_of_declaration(symbol->value, directive.where);
   return true;
 }
@@ -108,12 +110,14 @@ void Directives::declare(const Token& directive, bool local) {
   const bool is_macro = tokens.symbol() && tokens.symbol()->macro() && !array;
   const std::uint32_t level = local ? m_in.symbols.level() : 0;
   SymbolPtr target;
-  if (Symbol* visible = m_in.symbols.find(name.name); visible && (!local || visible->level == level)) {
+  if (Symbol* visible = m_in.symbols.find(name.name);
+      visible && (!local || visible->level == level)) {
     target = visible;
   }
   tokens.plain_names = false;
-  if (is_macro) m_in.fail(name.where, "'" + std::string(m_in.names.text(name.name)) +
-                                           "' is a macro: #undef it before declaring it anew");
+  if (is_macro)
+    m_in.fail(name.where, "'" + std::string(m_in.names.text(name.name)) +
+                              "' is a macro: #undef it before declaring it anew");
   tokens.skip();
   tokens.expect(Punct::kEqual);
 
@@ -144,10 +148,12 @@ void Directives::end_of_declaration(const Value& value, const Location& where) {
     // looked at: what follows must not be executed yet.
     const auto& frames = m_in.stream.frames();
     auto frame = frames.rbegin();
-    while (frame != frames.rend() && frame->cursor == frame->end && frame->kind == FrameKind::kMacro) {
+    while (frame != frames.rend() && frame->cursor == frame->end &&
+           frame->kind == FrameKind::kMacro) {
       ++frame;
     }
-    const Token* next = frame != frames.rend() && frame->cursor < frame->end ? frame->cursor : nullptr;
+    const Token* next =
+        frame != frames.rend() && frame->cursor < frame->end ? frame->cursor : nullptr;
     if (next && next->is(Punct::kSemicolon)) m_in.tokens.accept(Punct::kSemicolon);
     return;
   }
@@ -156,8 +162,8 @@ void Directives::end_of_declaration(const Value& value, const Location& where) {
       "a #declare or #local of a float, vector or colour must end with a semicolon";
   if (m_in.version >= 350) {
     const Token& next = m_in.tokens.peek();
-    std::string found = next.kind == TokenKind::kEnd ? "the end of the scene"
-                                                     : m_in.tokens.describe(next);
+    std::string found =
+        next.kind == TokenKind::kEnd ? "the end of the scene" : m_in.tokens.describe(next);
     m_in.fail(where, rule + " since version 3.5 (found " + found + " instead)");
   }
   if (m_in.version >= 310) m_in.warn(where, rule);
@@ -171,8 +177,8 @@ void Directives::undef() {
   if (array) {
     array->elements[index] = std::monostate{};
   } else if (!m_in.symbols.find(name.name)) {
-    m_in.warn(name.where, "#undef of '" + std::string(m_in.names.text(name.name)) +
-                              "', which is not declared");
+    m_in.warn(name.where,
+              "#undef of '" + std::string(m_in.names.text(name.name)) + "', which is not declared");
   } else {
     m_in.symbols.remove(name.name);
   }
@@ -196,8 +202,7 @@ Value Directives::parse_rvalue() {
     return m_in.expressions.parse_spline();
   }
   if (first.is(Keyword::kTransform)) {
-    return std::make_shared<const core::Transform>(
-        m_in.expressions.parse_transform_statement());
+    return std::make_shared<const core::Transform>(m_in.expressions.parse_transform_statement());
   }
   if (m_in.expressions.at_string()) return m_in.expressions.parse_string();
   if (m_in.expressions.at_colour_keyword()) return m_in.expressions.parse_colour();

@@ -13,7 +13,8 @@ void Directives::define_macro(const Token& directive) {
   macro->name = name.name;
   macro->where = name.where;
   macro->parameters = macro_parameters();
-  if (m_in.stream.depth() != depth) m_in.fail(name.where, "the head of a #macro must be in one file");
+  if (m_in.stream.depth() != depth)
+    m_in.fail(name.where, "the head of a #macro must be in one file");
   Frame& frame = m_in.stream.top();
   const Token* end = part_after(directive);
   if (!end || end->keyword != Keyword::kEnd) missing_end(directive);
@@ -83,8 +84,8 @@ SymbolPtr Directives::argument(const Macro& macro, std::size_t index) {
   TokenReader& tokens = m_in.tokens;
   const auto wrong_number = [&] {
     m_in.fail(tokens.location(), "macro " + std::string(m_in.names.text(macro.name)) + " takes " +
-                                     std::to_string(macro.parameters.size()) + " arguments, found " +
-                                     std::to_string(index));
+                                     std::to_string(macro.parameters.size()) +
+                                     " arguments, found " + std::to_string(index));
   };
   const Token first = tokens.peek_operand();
   if (first.is(Punct::kRightParen) || first.is(Punct::kComma)) {

@@ -47,8 +47,8 @@ RawExpressions::Item Expressions::read_raw_item(Number& n, std::string& text) {
 // The name of `NAME = ...`, if that is what comes next.
 const Token* Expressions::raw_assignment(const TokenList*& list) const {
   const Token* name = m_in.tokens.raw(list);
-  const bool assignment = name && allows_raw() && name->kind == TokenKind::kIdentifier &&
-                          name[1].is(Punct::kEqual);
+  const bool assignment =
+      name && allows_raw() && name->kind == TokenKind::kIdentifier && name[1].is(Punct::kEqual);
   return assignment ? name : nullptr;
 }
 
@@ -57,7 +57,8 @@ const Token* Expressions::read_raw_assignment(Number& n) {
   const Token* name = raw_assignment(list);
   if (!name) return nullptr;
   const Token* at = name + 2;
-  if (!m_raw.read(*list, at, RawExpressions::Level::kAdditive, n, Punct::kSemicolon)) return nullptr;
+  if (!m_raw.read(*list, at, RawExpressions::Level::kAdditive, n, Punct::kSemicolon))
+    return nullptr;
   m_in.tokens.go_on_at(at);
   return name;
 }
@@ -95,9 +96,9 @@ bool Expressions::at_expression() {
              t.punct == Punct::kPlus || t.punct == Punct::kExclamation;
     case TokenKind::kIdentifier: {
       const Value* v = m_in.tokens.value();
-      return v && (std::holds_alternative<Number>(*v) ||
-                   std::holds_alternative<Ref<FunctionDesc>>(*v) ||
-                   std::holds_alternative<Ref<SplineDesc>>(*v));
+      return v &&
+             (std::holds_alternative<Number>(*v) || std::holds_alternative<Ref<FunctionDesc>>(*v) ||
+              std::holds_alternative<Ref<SplineDesc>>(*v));
     }
     default: return false;
   }
@@ -125,7 +126,9 @@ double Expressions::parse_one(RawExpressions::Level level) {
 }
 
 double Expressions::parse_float() { return parse_one(RawExpressions::Level::kAdditive); }
-double Expressions::parse_scalar_expression() { return parse_one(RawExpressions::Level::kEverything); }
+double Expressions::parse_scalar_expression() {
+  return parse_one(RawExpressions::Level::kEverything);
+}
 
 core::Vec3 Expressions::parse_vector() {
   Location where;
@@ -240,8 +243,10 @@ Number Expressions::primary() {
       if (punct == Punct::kMinus || punct == Punct::kExclamation) {
         tokens.skip();
         Number n = parse_factor();
-        if (punct == Punct::kMinus) negate(n);
-        else logical_not(n);
+        if (punct == Punct::kMinus)
+          negate(n);
+        else
+          logical_not(n);
         return n;
       }
       break;
@@ -340,7 +345,8 @@ void Expressions::member(Number& n) {
   }
   if (i >= n.size) {
     m_in.fail(name.where, "." + std::string(m_in.names.text(name.name)) + " of something with " +
-                              std::to_string(n.size) + (n.size == 1 ? " component" : " components"));
+                              std::to_string(n.size) +
+                              (n.size == 1 ? " component" : " components"));
   }
   take_component(n, i);
 }

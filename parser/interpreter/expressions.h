@@ -28,14 +28,14 @@ class Expressions {
   explicit Expressions(Interpreter& in) : m_in(in), m_raw(in) {}
 
   // expressions.cpp: operators
-  Number parse_expression();        ///< everything: ?:, logic, comparison, arithmetic
-  Number parse_additive();          ///< arithmetic only: what stands where no parentheses do
-  double parse_float();             ///< arithmetic, one component
-  double parse_scalar_expression(); ///< everything, one component
+  Number parse_expression();         ///< everything: ?:, logic, comparison, arithmetic
+  Number parse_additive();           ///< arithmetic only: what stands where no parentheses do
+  double parse_float();              ///< arithmetic, one component
+  double parse_scalar_expression();  ///< everything, one component
   core::Vec3 parse_vector();
   Number parse_number(int min_size, int max_size);
   bool at_expression();
-  Number parse_operand() { return parse_factor(); }       ///< one operand with its .member
+  Number parse_operand() { return parse_factor(); }  ///< one operand with its .member
   Number parse_vector_literal() { return vector_literal(); }
   /// A keyword that is a float by itself (pi, on, clock ...); nothing is consumed.
   bool keyword_float(Keyword keyword, double& value);
@@ -48,15 +48,15 @@ class Expressions {
   // expressions_string.cpp
   bool at_string();
   std::string parse_string();
-  std::string parse_path();         ///< a file name: backslashes stay
-  void append_string(std::string& text, bool path = false);   ///< the same behind `text`
+  std::string parse_path();                                  ///< a file name: backslashes stay
+  void append_string(std::string& text, bool path = false);  ///< the same behind `text`
 
   // expressions_transform.cpp
   std::optional<core::Transform> accept_transform();
   core::Transform parse_transform_statement();  ///< at `transform`
 
   // expressions_spline.cpp
-  Ref<SplineDesc> parse_spline();   ///< after `spline`
+  Ref<SplineDesc> parse_spline();  ///< after `spline`
 
   /// `NAME = EXPRESSION;`, where it stands so in the token list: the token of the name, and `;` comes
   /// next. Null, and nothing read, if anything else stands there.
@@ -67,7 +67,7 @@ class Expressions {
   bool read_raw_condition(Number& n);
   /// The expression that comes next, if it can be read straight from the token list.
   bool read_raw(RawExpressions::Level level, Number& n);
-  bool read_raw_string(std::string& text);   ///< the same, put behind `text`
+  bool read_raw_string(std::string& text);  ///< the same, put behind `text`
   /// Either of them, with the comma before it.
   RawExpressions::Item read_raw_item(Number& n, std::string& text);
 

@@ -114,7 +114,8 @@ Number Expressions::call_spline(const Ref<SplineDesc>& named) {
   const double at = parse_float();
   if (tokens.accept(Punct::kComma)) {
     const auto kind = spline_kind(tokens.peek());
-    if (!kind) tokens.fail_expected("linear_spline, quadratic_spline, cubic_spline or natural_spline");
+    if (!kind)
+      tokens.fail_expected("linear_spline, quadratic_spline, cubic_spline or natural_spline");
     tokens.skip();
     auto other = std::make_shared<SplineDesc>(*spline);
     other->kind = *kind;

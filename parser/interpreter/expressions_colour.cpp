@@ -7,9 +7,14 @@ namespace {
 
 bool is_vector_keyword(Keyword k) {
   switch (k) {
-    case Keyword::kRgb: case Keyword::kRgbf: case Keyword::kRgbt: case Keyword::kRgbft:
-    case Keyword::kSrgb: case Keyword::kSrgbf: case Keyword::kSrgbt: case Keyword::kSrgbft:
-      return true;
+    case Keyword::kRgb:
+    case Keyword::kRgbf:
+    case Keyword::kRgbt:
+    case Keyword::kRgbft:
+    case Keyword::kSrgb:
+    case Keyword::kSrgbf:
+    case Keyword::kSrgbt:
+    case Keyword::kSrgbft: return true;
     default: return false;
   }
 }
@@ -19,7 +24,8 @@ int component(Keyword k) {
     case Keyword::kRed: return 0;
     case Keyword::kGreen: return 1;
     case Keyword::kBlue: return 2;
-    case Keyword::kFilter: case Keyword::kAlpha: return 3;
+    case Keyword::kFilter:
+    case Keyword::kAlpha: return 3;
     case Keyword::kTransmit: return 4;
     default: return -1;
   }
@@ -30,7 +36,8 @@ int component(Keyword k) {
 bool Expressions::at_colour_keyword() {
   const Token& t = m_in.tokens.peek();
   return t.kind == TokenKind::kKeyword &&
-         (t.keyword == Keyword::kColor || is_vector_keyword(t.keyword) || component(t.keyword) >= 0);
+         (t.keyword == Keyword::kColor || is_vector_keyword(t.keyword) ||
+          component(t.keyword) >= 0);
 }
 
 bool Expressions::at_colour() {
@@ -68,7 +75,8 @@ Number Expressions::colour_from(Keyword keyword) {
   }
   if (srgb) {
     const Gamma working = Gamma::of(*m_in.working_gamma);
-    for (std::size_t i = 0; i < 3; ++i) n.v[i] = Gamma::srgb().recoded(static_cast<float>(n.v[i]), working);
+    for (std::size_t i = 0; i < 3; ++i)
+      n.v[i] = Gamma::srgb().recoded(static_cast<float>(n.v[i]), working);
   }
   return n;
 }
@@ -79,7 +87,8 @@ void Expressions::trailing_components(Number& colour) {
     const Token& t = m_in.tokens.peek();
     const int i = t.kind == TokenKind::kKeyword ? component(t.keyword) : -1;
     if (i < 0) return;
-    if (t.keyword == Keyword::kAlpha && m_in.version >= 155) m_in.warn(t.where, "alpha is filter now");
+    if (t.keyword == Keyword::kAlpha && m_in.version >= 155)
+      m_in.warn(t.where, "alpha is filter now");
     m_in.tokens.skip();
     colour.v[static_cast<std::size_t>(i)] = parse_float();
   }

@@ -14,8 +14,12 @@ namespace lentray::parser {
 bool Expressions::keyword_float(Keyword keyword, double& value) {
   switch (keyword) {
     case Keyword::kPi: value = std::numbers::pi; return true;
-    case Keyword::kTrue: case Keyword::kYes: case Keyword::kOn: value = 1.0; return true;
-    case Keyword::kFalse: case Keyword::kNo: case Keyword::kOff: value = 0.0; return true;
+    case Keyword::kTrue:
+    case Keyword::kYes:
+    case Keyword::kOn: value = 1.0; return true;
+    case Keyword::kFalse:
+    case Keyword::kNo:
+    case Keyword::kOff: value = 0.0; return true;
     case Keyword::kClock: value = m_in.options.frame.clock; return true;
     case Keyword::kClockOn: value = m_in.options.frame.clock_on ? 1.0 : 0.0; return true;
     case Keyword::kVersion: value = m_in.version / 100.0; return true;
@@ -78,7 +82,8 @@ double Expressions::random(double stream) {
 double Expressions::array_dimension(bool size) {
   TokenReader& tokens = m_in.tokens;
   tokens.expect(Punct::kLeftParen);
-  const Value* value = tokens.peek_operand().kind == TokenKind::kIdentifier ? tokens.value() : nullptr;
+  const Value* value =
+      tokens.peek_operand().kind == TokenKind::kIdentifier ? tokens.value() : nullptr;
   const auto* found = value ? std::get_if<std::shared_ptr<ArrayValue>>(value) : nullptr;
   if (!found) tokens.fail_expected("the identifier of an array");
   const std::shared_ptr<ArrayValue> array = *found;
@@ -145,15 +150,22 @@ bool Expressions::float_function(Keyword keyword, double& value) {
     case Keyword::kDefined: value = m_in.directives.parse_defined(); return true;
     case Keyword::kDimensions: value = array_dimension(false); return true;
     case Keyword::kDimensionSize: value = array_dimension(true); return true;
-    case Keyword::kVal: case Keyword::kAsc: case Keyword::kStrlen: case Keyword::kFileExists: {
+    case Keyword::kVal:
+    case Keyword::kAsc:
+    case Keyword::kStrlen:
+    case Keyword::kFileExists: {
       m_in.tokens.expect(Punct::kLeftParen);
       const Location named = m_in.tokens.peek_operand().where;
       const std::string text = keyword == Keyword::kFileExists ? parse_path() : parse_string();
       m_in.tokens.expect(Punct::kRightParen);
-      if (keyword == Keyword::kVal) value = std::strtod(text.c_str(), nullptr);
-      else if (keyword == Keyword::kFileExists) value = text.empty() || m_in.find_exactly(text, named) ? 1.0 : 0.0;
-      else if (keyword == Keyword::kAsc) value = first_character(text);
-      else value = static_cast<double>(count_characters(text));
+      if (keyword == Keyword::kVal)
+        value = std::strtod(text.c_str(), nullptr);
+      else if (keyword == Keyword::kFileExists)
+        value = text.empty() || m_in.find_exactly(text, named) ? 1.0 : 0.0;
+      else if (keyword == Keyword::kAsc)
+        value = first_character(text);
+      else
+        value = static_cast<double>(count_characters(text));
       return true;
     }
     case Keyword::kStrcmp: {
@@ -164,7 +176,8 @@ bool Expressions::float_function(Keyword keyword, double& value) {
       m_in.tokens.expect(Punct::kRightParen);
       return true;
     }
-    case Keyword::kVdot: case Keyword::kInside: {
+    case Keyword::kVdot:
+    case Keyword::kInside: {
       m_in.tokens.expect(Punct::kLeftParen);
       if (keyword == Keyword::kInside) {
         const Ref<ObjectDesc> object = object_argument();

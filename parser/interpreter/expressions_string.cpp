@@ -53,8 +53,9 @@ void Expressions::append_string(std::string& text, bool path) {
 
 const std::string& Expressions::literal(const Token& t) {
   if (t.keyword == Keyword::kError) {
-    m_in.fail(t.where, "a string has an escape that does not exist; known are \\a \\b \\f \\n \\r "
-                       "\\t \\v \\\\ \\\" \\' \\uXXXX");
+    m_in.fail(t.where,
+              "a string has an escape that does not exist; known are \\a \\b \\f \\n \\r "
+              "\\t \\v \\\\ \\\" \\' \\uXXXX");
   }
   const std::string* ascii = m_in.names.ascii_string(t.name);
   if (!ascii || m_in.utf8) return m_in.names.string(t.name);
@@ -124,7 +125,8 @@ void Expressions::append_function(std::string& text, Keyword keyword, bool path)
       }
       return;
     }
-    case Keyword::kStrupr: case Keyword::kStrlwr: {
+    case Keyword::kStrupr:
+    case Keyword::kStrlwr: {
       const std::size_t start = text.size();
       append_string(text, path);
       change_case(text, start, keyword == Keyword::kStrupr);

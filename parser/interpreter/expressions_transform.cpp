@@ -7,12 +7,8 @@ std::optional<core::Transform> Expressions::accept_transform() {
   TokenReader& tokens = m_in.tokens;
   if (tokens.peek().kind != TokenKind::kKeyword) return std::nullopt;
   switch (tokens.peek().keyword) {
-    case Keyword::kTranslate:
-      tokens.skip();
-      return core::Transform::translation(parse_vector());
-    case Keyword::kRotate:
-      tokens.skip();
-      return core::Transform::rotation(parse_vector());
+    case Keyword::kTranslate: tokens.skip(); return core::Transform::translation(parse_vector());
+    case Keyword::kRotate: tokens.skip(); return core::Transform::rotation(parse_vector());
     case Keyword::kScale: {
       tokens.skip();
       const Location where = tokens.peek_operand().where;

@@ -15,7 +15,8 @@ core::Vec3 Expressions::vector_argument() {
 
 Ref<ObjectDesc> Expressions::object_argument() {
   TokenReader& tokens = m_in.tokens;
-  const Value* value = tokens.peek_operand().kind == TokenKind::kIdentifier ? tokens.value() : nullptr;
+  const Value* value =
+      tokens.peek_operand().kind == TokenKind::kIdentifier ? tokens.value() : nullptr;
   const auto* object = value ? std::get_if<Ref<ObjectDesc>>(value) : nullptr;
   if (!object) tokens.fail_expected("the identifier of an object");
   const Ref<ObjectDesc> copy = *object;
@@ -54,7 +55,8 @@ core::Vec3 Expressions::trace() {
 core::Vec3 Expressions::extent(bool upper) {
   TokenReader& tokens = m_in.tokens;
   tokens.expect(Punct::kLeftParen);
-  const Value* value = tokens.peek_operand().kind == TokenKind::kIdentifier ? tokens.value() : nullptr;
+  const Value* value =
+      tokens.peek_operand().kind == TokenKind::kIdentifier ? tokens.value() : nullptr;
   const bool image = value && (std::holds_alternative<Ref<PigmentDesc>>(*value) ||
                                std::holds_alternative<Ref<NormalDesc>>(*value) ||
                                std::holds_alternative<Ref<TextureDesc>>(*value) ||
@@ -95,15 +97,14 @@ bool Expressions::vector_function(Keyword keyword, Number& value) {
   const Location where = tokens.location();
   if (unit_vector(keyword, value)) return true;
   switch (keyword) {
-    case Keyword::kVcross: case Keyword::kVrotate: {
+    case Keyword::kVcross:
+    case Keyword::kVrotate: {
       tokens.expect(Punct::kLeftParen);
       const core::Vec3 a = parse_vector();
       tokens.comma();
       const core::Vec3 b = parse_vector();
       tokens.expect(Punct::kRightParen);
-      value = Number::vector(keyword == Keyword::kVcross
-                                 ? core::cross(a, b)
-                                 : rotated(a, b));
+      value = Number::vector(keyword == Keyword::kVcross ? core::cross(a, b) : rotated(a, b));
       return true;
     }
     case Keyword::kVaxisRotate: {

@@ -77,7 +77,8 @@ Ref<FunctionDesc> FunctionParser::parse_body() {
     const int number = to_int(m_in.expressions.parse_float());
     tokens.expect(Punct::kRightParen);
     desc->function = core::internal_function(number, m_in.noise_generator);
-    if (!desc->function) m_in.fail(where, "there is no internal function " + std::to_string(number));
+    if (!desc->function)
+      m_in.fail(where, "there is no internal function " + std::to_string(number));
     result = desc;
   } else {
     result = compiled(*choice(), where);
@@ -90,8 +91,8 @@ Ref<FunctionDesc> FunctionParser::parse_body() {
 Ref<FunctionDesc> FunctionParser::compiled(const core::FunctionNode& root, const Location& where) {
   const Limits& limits = m_in.options.limits;
   if (m_scope.depth > limits.function_depth) {
-    m_in.fail(where, "functions call functions more than " +
-                         std::to_string(limits.function_depth) + " deep");
+    m_in.fail(where, "functions call functions more than " + std::to_string(limits.function_depth) +
+                         " deep");
   }
   if (m_scope.calls > limits.function_calls) {
     m_in.fail(where, "the function makes too many calls of others for one value");
@@ -136,8 +137,8 @@ std::vector<NameId> FunctionParser::parameters() {
       tokens.fail_expected("the name of a function parameter");
     }
     if (names.size() == core::kMostParameters) {
-      m_in.fail(t.where, "a function has at most " + std::to_string(core::kMostParameters) +
-                             " parameters");
+      m_in.fail(t.where,
+                "a function has at most " + std::to_string(core::kMostParameters) + " parameters");
     }
     names.push_back(t.name);
     tokens.skip();
@@ -174,7 +175,8 @@ FunctionNodePtr FunctionParser::binary(Precedence least) {
 FunctionNodePtr FunctionParser::quotient(FunctionNodePtr left) {
   const Token first = m_in.tokens.peek_operand();
   FunctionNodePtr right = unary();
-  const std::optional<double> divisor = first.is(Punct::kLeftParen) ? std::nullopt : literal(*right);
+  const std::optional<double> divisor =
+      first.is(Punct::kLeftParen) ? std::nullopt : literal(*right);
   if (!divisor) return make_node(FunctionOp::kDivide, std::move(left), std::move(right));
   if (const auto dividend = literal(*left)) return core::constant_node(*dividend / *divisor);
   if (*divisor == 0.0) m_in.fail(first.where, "the function divides by zero");
@@ -331,10 +333,16 @@ int FunctionParser::component(std::size_t size) {
   const Token name = tokens.next();
   int i = -1;
   switch (name.kind == TokenKind::kKeyword ? name.keyword : Keyword::kNone) {
-    case Keyword::kX: case Keyword::kU: case Keyword::kRed: i = 0; break;
-    case Keyword::kY: case Keyword::kV: case Keyword::kGreen: i = 1; break;
-    case Keyword::kZ: case Keyword::kBlue: i = 2; break;
-    case Keyword::kT: case Keyword::kFilter: i = 3; break;
+    case Keyword::kX:
+    case Keyword::kU:
+    case Keyword::kRed: i = 0; break;
+    case Keyword::kY:
+    case Keyword::kV:
+    case Keyword::kGreen: i = 1; break;
+    case Keyword::kZ:
+    case Keyword::kBlue: i = 2; break;
+    case Keyword::kT:
+    case Keyword::kFilter: i = 3; break;
     case Keyword::kTransmit: i = 4; break;
     case Keyword::kGray: i = kGrayComponent; break;
     default:
@@ -358,7 +366,8 @@ FunctionNodePtr FunctionParser::constant(const Token& name, const Number& number
   }
   if (i >= number.size) m_in.fail(name.where, "this value has no such component");
   if (i < 0 && number.size > 1) {
-    m_in.fail(name.where, "a function is made of floats: take a component of this vector or colour");
+    m_in.fail(name.where,
+              "a function is made of floats: take a component of this vector or colour");
   }
   return core::constant_node(number.v[static_cast<std::size_t>(std::max(i, 0))]);
 }
@@ -369,8 +378,8 @@ FunctionNodePtr FunctionParser::identifier(const Token& token) {
   const Value* value = tokens.value();
   if (!value) {
     if (tokens.symbol()) m_in.fail(token.where, "'" + name + "' has no value yet");
-    m_in.fail(token.where, "undeclared identifier '" + name + "' in a function" +
-                               m_in.suggestion(name));
+    m_in.fail(token.where,
+              "undeclared identifier '" + name + "' in a function" + m_in.suggestion(name));
   }
   if (const Number* number = std::get_if<Number>(value)) {
     const Number copy = *number;
@@ -405,16 +414,15 @@ FunctionNodePtr FunctionParser::call(const Ref<FunctionDesc>& callee, const std:
   }
   const std::size_t wanted = callee->function->parameters();
   if (node->operands.size() != wanted) {
-    m_in.fail(where, "function " + name + " takes " + std::to_string(wanted) + " arguments, found " +
-                         std::to_string(node->operands.size()));
+    m_in.fail(where, "function " + name + " takes " + std::to_string(wanted) +
+                         " arguments, found " + std::to_string(node->operands.size()));
   }
   tokens.expect(Punct::kRightParen);
   const std::size_t results = callee->function->results();
   const int i = component(results);
   const bool mixture = i == kGrayComponent || i == kHeightComponent;
   if (mixture) {
-    node->callee =
-        std::make_shared<MixtureOf>(node->callee, i == kGrayComponent ? kGray : kHeight);
+    node->callee = std::make_shared<MixtureOf>(node->callee, i == kGrayComponent ? kGray : kHeight);
   }
   if (results > 1 && i < 0) {
     m_in.fail(where, "function " + name + " gives " + std::to_string(results) +

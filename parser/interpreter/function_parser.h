@@ -28,8 +28,8 @@ class FunctionParser {
     std::vector<NameId> parameters;  // names of arguments, in order
     std::vector<NameId> locals;      // variables of the sums being read, innermost last
     std::size_t most_locals = 0;
-    bool standard = false;           // x, y, z by default; u and v are the first two
-    std::size_t depth = 1;           // see FunctionDesc
+    bool standard = false;  // x, y, z by default; u and v are the first two
+    std::size_t depth = 1;  // see FunctionDesc
     double calls = 1.0;
     std::size_t operands = 0;
   };

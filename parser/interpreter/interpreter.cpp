@@ -9,8 +9,8 @@ namespace lentray::parser {
 Interpreter::Interpreter(SourceManager& sources_, Diagnostics& diagnostics_,
                          const ParserOptions& options_, Productions& productions_, Parser& parser_)
     : sources(sources_), diagnostics(diagnostics_), options(options_), productions(productions_),
-      parser(parser_), tokens(*this, stream, symbols), expressions(*this), functions(*this), directives(*this),
-      files(*this) {
+      parser(parser_), tokens(*this, stream, symbols), expressions(*this), functions(*this),
+      directives(*this), files(*this) {
   m_stack_base = stack_address();
   if (options.language_version > 0) {
     version = options.language_version;
@@ -28,7 +28,8 @@ void Interpreter::too_many_turns() {
                               " turns of loops and calls of macros: an endless loop?");
 }
 
-void Interpreter::fail(const Location& where, const std::string& message, const std::string& shown) {
+void Interpreter::fail(const Location& where, const std::string& message,
+                       const std::string& shown) {
   diagnostics.fail(where, message, stream.stack(names), shown);
 }
 
@@ -62,7 +63,8 @@ std::vector<std::string> Interpreter::search_folders() const {
 }
 
 void Interpreter::check_file_name(const std::string& name, const Location& where) {
-  if (name.find('\0') != name.npos) fail(where, "no file has a name with a NUL in it: '" + shown_name(name) + "'");
+  if (name.find('\0') != name.npos)
+    fail(where, "no file has a name with a NUL in it: '" + shown_name(name) + "'");
 }
 
 /// `refused` keeps the first reason why not.
@@ -84,7 +86,8 @@ std::optional<std::string> Interpreter::find_file(const std::string& name, const
   return std::nullopt;
 }
 
-std::optional<std::string> Interpreter::find_exactly(const std::string& name, const Location& where) {
+std::optional<std::string> Interpreter::find_exactly(const std::string& name,
+                                                     const Location& where) {
   check_file_name(name, where);
   std::string refused;
   auto found = search(name, refused);
@@ -92,7 +95,8 @@ std::optional<std::string> Interpreter::find_exactly(const std::string& name, co
   return found;
 }
 
-std::optional<std::string> Interpreter::search_loosely(const std::string& name, std::string& refused) {
+std::optional<std::string> Interpreter::search_loosely(const std::string& name,
+                                                       std::string& refused) {
   std::vector<std::string> folders = search_folders();
   folders.insert(folders.begin(), "");
   for (const std::string& folder : folders) {
@@ -108,7 +112,8 @@ std::optional<std::string> Interpreter::search_loosely(const std::string& name, 
   return std::nullopt;
 }
 
-std::optional<std::string> Interpreter::search(const std::string& name, std::string& refused) const {
+std::optional<std::string> Interpreter::search(const std::string& name,
+                                               std::string& refused) const {
   namespace fs = std::filesystem;
   if (name.empty()) return std::nullopt;
   if (may_read(name, refused)) return name;
@@ -151,7 +156,8 @@ std::string Interpreter::suggestion(std::string_view name) const {
   for (const NameId id : symbols.visible_names()) known.push_back(names.text(id));
   // Nobody who writes T means the reserved word t.
   constexpr std::size_t kShortest = 3;
-  const std::size_t end = name.size() < kShortest ? 1 : static_cast<std::size_t>(Keyword::kEndOfKeywords);
+  const std::size_t end =
+      name.size() < kShortest ? 1 : static_cast<std::size_t>(Keyword::kEndOfKeywords);
   for (std::size_t i = 1; i < end; ++i) {
     known.push_back(spelling(static_cast<Keyword>(i)));
   }

@@ -40,20 +40,20 @@ struct Interpreter {
   Directives directives;
   ScriptFiles files;
 
-  int version = 370;          ///< x 100
+  int version = 370;  ///< x 100
   bool version_set = false;
   /// The scene's, as far as it is known; set by global_settings or by the version.
   std::shared_ptr<int> noise_generator = std::make_shared<int>(2);
   bool noise_generator_set = false;
-  bool has_own_version = false;          ///< the scene's file has a #version, or an option said it
-  bool is_version_late = false;          ///< the first one there stands behind something else
-  std::vector<std::uint32_t> random;   ///< states of the streams of seed()
+  bool has_own_version = false;       ///< the scene's file has a #version, or an option said it
+  bool is_version_late = false;       ///< the first one there stands behind something else
+  std::vector<std::uint32_t> random;  ///< states of the streams of seed()
 
   /// What assumed_gamma has said so far; less than 0: sRGB.
   std::optional<double> working_gamma;
-  bool utf8 = false;          ///< charset of string literals; else ASCII
+  bool utf8 = false;  ///< charset of string literals; else ASCII
   std::string scene_folder;
-  std::uint32_t scene_file = 0;   ///< of its locations
+  std::uint32_t scene_file = 0;  ///< of its locations
   bool is_in_scene(const Location& where) const { return where.file == scene_file; }
   std::map<std::string, std::shared_ptr<const TokenList>> texts;  ///< by path
 

@@ -189,12 +189,14 @@ std::optional<std::string> Parser::find_file(const std::string& name, const Loca
 std::optional<FoundFile> Parser::find_to_open(const std::string& name, const Location& where) {
   const auto path = find_file(name, where);
   if (!path) return std::nullopt;
-  return FoundFile{*path, m_impl->in.ask_files(where, [&](Files& files) { return files.hold(*path); })};
+  return FoundFile{*path,
+                   m_impl->in.ask_files(where, [&](Files& files) { return files.hold(*path); })};
 }
 
 void Parser::check_writable(const std::string& name, const Location& where) {
   m_impl->in.check_file_name(name, where);
-  const bool may = m_impl->in.ask_files(where, [&](const Files& files) { return files.may_write(name); });
+  const bool may =
+      m_impl->in.ask_files(where, [&](const Files& files) { return files.may_write(name); });
   if (!may) fail_at(where, "cannot open '" + shown_name(name) + "' for writing");
 }
 

@@ -38,8 +38,8 @@ class Productions {
   virtual void set_default(Parser& parser) = 0;
   /// trace(), inside(), min_extent(), max_extent() of an object, compiled alone.
   virtual bool inside(const ObjectDesc& object, const core::Vec3& point) = 0;
-  virtual bool trace(const ObjectDesc& object, const core::Vec3& origin, const core::Vec3& direction,
-                     core::Vec3& point, core::Vec3& normal) = 0;
+  virtual bool trace(const ObjectDesc& object, const core::Vec3& origin,
+                     const core::Vec3& direction, core::Vec3& point, core::Vec3& normal) = 0;
   virtual void extent(const ObjectDesc& object, core::Vec3& lo, core::Vec3& hi) = 0;
   /// A function of a pigment or pattern: colours or a number by point. Called at `pigment` or
   /// `pattern`; the function's own braces are not its business.
@@ -47,16 +47,17 @@ class Productions {
 };
 
 struct ParserOptions {
-  std::vector<std::string> library_paths;                      ///< +L, in order
-  std::vector<std::pair<std::string, std::string>> declares;   ///< Declare=NAME=VALUE, VALUE float or string
-  std::string include_header;                                  ///< read before the scene; empty: none
+  std::vector<std::string> library_paths;  ///< +L, in order
+  std::vector<std::pair<std::string, std::string>>
+      declares;                ///< Declare=NAME=VALUE, VALUE float or string
+  std::string include_header;  ///< read before the scene; empty: none
   FrameClock frame;
   int image_width = 160, image_height = 120;
-  int language_version = 0;                                    ///< Version=, x 100; 0: the scene decides
+  int language_version = 0;  ///< Version=, x 100; 0: the scene decides
   Limits limits;
   /// The scene will not be rendered: of objects that cannot go wrong only the number is kept.
   bool only_check = false;
-  bool raw_expressions = true;   ///< false: every expression by the grammar, to compare the two
+  bool raw_expressions = true;  ///< false: every expression by the grammar, to compare the two
 };
 
 class Parser {
@@ -71,37 +72,38 @@ class Parser {
   // Tokens. Directives, macros, loops and includes have been dealt with; `#` is never seen here.
   const Token& peek();
   Token next();
-  bool at_end();                          ///< end of the scene
+  bool at_end();  ///< end of the scene
   /// After the end: what the scene has written is on the disk, or this fails.
   void finish();
   bool at(Keyword keyword);
   bool at(Punct punct);
-  bool accept(Keyword keyword);           ///< consume if it is next
+  bool accept(Keyword keyword);  ///< consume if it is next
   bool accept(Punct punct);
   /// Words that are no keywords, by their spelling, whatever the scene has declared by that name.
   bool at_word(std::string_view word);
   bool accept_word(std::string_view word);
   std::string_view spelling(const Token& token);  ///< of an identifier or keyword; "" for others
-  void expect(Keyword keyword);           ///< consume or fail naming what was expected
+  void expect(Keyword keyword);                   ///< consume or fail naming what was expected
   void expect(Punct punct);
   /// If the next token names a symbol (or array element, or macro parameter) that holds a T,
   /// consumes the reference with its subscripts and returns the value.
-  template <typename T> std::optional<T> accept_value();
+  template <typename T>
+  std::optional<T> accept_value();
   /// Looks without consuming: the value the next identifier token refers to, or null.
   const Value* peek_value();
 
   // Expressions, as the manual's sections of these names; each fails with a message.
   double parse_float();
-  bool parse_bool();                      ///< optional in SDL: `on`, `off`, a float; nothing means true
+  bool parse_bool();  ///< optional in SDL: `on`, `off`, a float; nothing means true
   int parse_int();
-  core::Vec3 parse_vector();              ///< full expression; a float is promoted
+  core::Vec3 parse_vector();  ///< full expression; a float is promoted
   Number parse_number(int min_size = 1, int max_size = 5);  ///< expression of any size
-  Number parse_colour();                  ///< colour expression incl. `rgb`, `color red 1 ...`
-  bool at_colour();                       ///< the next token can start a colour
-  bool at_expression();                   ///< the next token can start a float or vector expression
+  Number parse_colour();  ///< colour expression incl. `rgb`, `color red 1 ...`
+  bool at_colour();       ///< the next token can start a colour
+  bool at_expression();   ///< the next token can start a float or vector expression
   std::string parse_string();
-  std::string parse_path();               ///< a file name: its backslashes are no escapes
-  void parse_comma();                     ///< optional comma
+  std::string parse_path();  ///< a file name: its backslashes are no escapes
+  void parse_comma();        ///< optional comma
 
   /// Reads transform statements (translate rotate scale matrix transform) while they last.
   /// nullopt if none is next.
@@ -113,8 +115,8 @@ class Parser {
   Ref<FunctionDesc> parse_function_body();
 
   // Messages.
-  [[noreturn]] void fail(const std::string& message);                     ///< at the next token
-  [[noreturn]] void fail_expected(std::string_view what);                 ///< "expected X but found Y"
+  [[noreturn]] void fail(const std::string& message);      ///< at the next token
+  [[noreturn]] void fail_expected(std::string_view what);  ///< "expected X but found Y"
   [[noreturn]] void fail_at(const Location& where, const std::string& message);
   void warn(const std::string& message);
   void warn_at(const Location& where, const std::string& message);
@@ -122,10 +124,10 @@ class Parser {
   /// that the scene really uses (the build step calls this, not the productions).
   Location location();
 
-  int language_version() const;           ///< x 100: 370
-  bool language_version_set() const;      ///< false: the scene has no #version yet
-  bool has_own_version() const;           ///< not only its include files have one
-  bool is_version_late() const;           ///< the scene's file says something before its #version
+  int language_version() const;       ///< x 100: 370
+  bool language_version_set() const;  ///< false: the scene has no #version yet
+  bool has_own_version() const;       ///< not only its include files have one
+  bool is_version_late() const;       ///< the scene's file says something before its #version
   const ParserOptions& options() const;
   Diagnostics& diagnostics();
   SourceManager& sources();

@@ -25,7 +25,10 @@ class RawExpressions {
  public:
   explicit RawExpressions(Interpreter& in);
 
-  enum class Level { kAdditive, kEverything };  ///< as Expressions::parse_additive, parse_expression
+  enum class Level {
+    kAdditive,
+    kEverything
+  };  ///< as Expressions::parse_additive, parse_expression
 
   /// The expression that begins with `first` in `list`. True if it was read to its end: `first` is
   /// then the token behind it, which is of the same list and can be no part of it. With `end`, only
@@ -46,7 +49,7 @@ class RawExpressions {
   Item read_item(const TokenList& list, const Token*& first, Number& value, std::string& text);
 
  private:
-  static constexpr int kDeepest = 100;   ///< brackets and functions, one in the other
+  static constexpr int kDeepest = 100;  ///< brackets and functions, one in the other
   static constexpr int kMostOperands = 5000;
 
   // Of one token, if it is the whole: most are.
@@ -91,7 +94,8 @@ class RawExpressions {
     while (symbol->alias) symbol = symbol->alias.get();
     return symbol->extras ? nullptr : std::get_if<T>(&symbol->value);
   }
-  bool read_whole(const TokenList& list, const Token*& first, Level level, Number& value, Punct end);
+  bool read_whole(const TokenList& list, const Token*& first, Level level, Number& value,
+                  Punct end);
   bool read_whole(const TokenList& list, const Token*& first, std::string& text, Punct end);
 
   // raw_operators.h
@@ -141,7 +145,7 @@ class RawExpressions {
   }
   bool scalar(double& x, Level level = Level::kAdditive);  ///< one component
   bool argument(double& x) { return scalar(x, Level::kEverything); }
-  bool vector(core::Vec3& v);                              ///< additive, up to three components
+  bool vector(core::Vec3& v);  ///< additive, up to three components
   bool ends_here() const;
   bool lone_operand(Number& n);
   void undo_random(std::size_t kept = 0);
@@ -155,7 +159,7 @@ class RawExpressions {
   /// Operands that may be read yet: some are read as floats and then once more as vectors may be,
   /// which must not multiply where functions nest. None once it is known that all is in vain.
   int m_operands_left = 0;
-  bool m_members = false;   ///< V.x may stand where only floats may
+  bool m_members = false;  ///< V.x may stand where only floats may
   /// Of the last expression given up: where it began, and where it could not go on.
   struct Failure {
     const Token* from = nullptr;

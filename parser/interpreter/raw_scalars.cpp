@@ -9,7 +9,8 @@ namespace lentray::parser {
 // Most arguments are numbers or names as they stand.
 inline bool RawExpressions::alone(double& x) {
   const bool is_number = m_at->kind == TokenKind::kNumber;
-  if ((!is_number && m_at->kind != TokenKind::kIdentifier) || m_at[1].kind != TokenKind::kPunct) return false;
+  if ((!is_number && m_at->kind != TokenKind::kIdentifier) || m_at[1].kind != TokenKind::kPunct)
+    return false;
   const Punct next = m_at[1].punct;
   if (next != Punct::kComma && next != Punct::kRightParen && next != Punct::kGreater) return false;
   if (is_number) {
@@ -26,7 +27,8 @@ inline bool RawExpressions::alone(double& x) {
 bool RawExpressions::scalar(double& x, Level level) {
   if (alone(x) || only_floats(level, true, x)) return true;
   Number n;
-  if (m_operands_left > 0 && (level == Level::kAdditive ? additive(n) : expression(n)) && n.size == 1) {
+  if (m_operands_left > 0 && (level == Level::kAdditive ? additive(n) : expression(n)) &&
+      n.size == 1) {
     x = n.v[0];
     return true;
   }
@@ -59,12 +61,11 @@ bool RawExpressions::whole(double& x) {
 bool RawExpressions::operand(double& x) {
   if (--m_operands_left < 0) return false;
   switch (m_at->kind) {
-    case TokenKind::kNumber:
-      x = m_at++->number;
-      break;
+    case TokenKind::kNumber: x = m_at++->number; break;
     case TokenKind::kIdentifier: {
       const Symbol* symbol = m_in.symbols.find(m_at->name);
-      if (!symbol || symbol->alias || symbol->extras || m_at[1].is(Punct::kDot)) return identifier(x);
+      if (!symbol || symbol->alias || symbol->extras || m_at[1].is(Punct::kDot))
+        return identifier(x);
       const Number* number = std::get_if<Number>(&symbol->value);
       if (!number) return identifier(x);
       x = number->v[0];

@@ -117,7 +117,8 @@ bool RawExpressions::string_function(Keyword function, std::string& text) {
       accept(Punct::kComma);
       return scalar(y) && append_substring(text, whole, x, y);
     }
-    case Keyword::kStrupr: case Keyword::kStrlwr: {
+    case Keyword::kStrupr:
+    case Keyword::kStrlwr: {
       const std::size_t start = text.size();
       if (!string(text)) return false;
       change_case(text, start, function == Keyword::kStrupr);

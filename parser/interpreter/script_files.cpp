@@ -68,7 +68,8 @@ void ScriptFiles::finish() {
   for (const auto& written : m_written) {
     const auto file = written.lock();
     if (!file) continue;
-    if (const std::string message = file->close(); !message.empty()) m_in.fail(file->where, message);
+    if (const std::string message = file->close(); !message.empty())
+      m_in.fail(file->where, message);
   }
   if (!m_lost->empty()) m_in.fail(m_lost->front().where, m_lost->front().message);
 }
@@ -85,7 +86,8 @@ void ScriptFiles::open() {
     const auto found = m_in.find_file(file->path, where);
     // Always read anew: this scene may have written it.
     const auto number =
-        found ? m_in.ask_files(where, [&](Files&) { return m_in.sources.load(*found); }) : std::nullopt;
+        found ? m_in.ask_files(where, [&](Files&) { return m_in.sources.load(*found); })
+              : std::nullopt;
     if (!number) m_in.fail(where, "cannot open '" + shown_name(file->path) + "' for reading");
     file->in = std::make_unique<TokenPieces>(*number, m_in.sources.text(*number), m_in.names);
     file->in->next();
@@ -124,8 +126,10 @@ std::shared_ptr<ScriptFile> ScriptFiles::file(bool closing) {
 void ScriptFiles::close() {
   // A file read to its end is closed and its identifier gone: closing it once more is no mistake.
   m_in.tokens.read_name("the identifier of an open file");
-  if (m_in.tokens.symbol()) file(true);
-  else m_in.tokens.skip();
+  if (m_in.tokens.symbol())
+    file(true);
+  else
+    m_in.tokens.skip();
 }
 
 void ScriptFiles::write() {
@@ -160,7 +164,8 @@ void ScriptFiles::write() {
     }
   }
   // A directive or macro among what is written may have closed it.
-  if (!out->out) m_in.fail(where, "'" + shown_name(out->path) + "' was closed while #write was read");
+  if (!out->out)
+    m_in.fail(where, "'" + shown_name(out->path) + "' was closed while #write was read");
   const std::string wrong = out->out->write(text);
   if (!wrong.empty()) m_in.fail(where, "cannot write '" + shown_name(out->path) + "': " + wrong);
 }
@@ -171,9 +176,8 @@ void ScriptFiles::write_binary(std::string& text, const BinaryFormat& format) {
     const Number n = m_in.expressions.parse_additive();
     for (int i = 0; i < n.size; ++i) {
       const double rounded = std::floor(n.v[static_cast<std::size_t>(i)] + 0.5);
-      const double value = std::isnan(rounded)
-                               ? format.lowest
-                               : std::clamp(rounded, format.lowest, format.highest);
+      const double value =
+          std::isnan(rounded) ? format.lowest : std::clamp(rounded, format.lowest, format.highest);
       const auto bits = static_cast<std::uint64_t>(static_cast<std::int64_t>(value));
       for (int b = 0; b < format.bytes; ++b) {
         const int shift = 8 * (format.big_endian ? format.bytes - 1 - b : b);
@@ -190,8 +194,10 @@ double ScriptFiles::read_number(ScriptFile& file) {
   const std::size_t size = file.in->list().size();
   for (; file.position < size; ++file.position) {
     const Token& t = all[file.position];
-    if (t.is(Punct::kMinus)) sign = -sign;
-    else if (!t.is(Punct::kPlus)) break;
+    if (t.is(Punct::kMinus))
+      sign = -sign;
+    else if (!t.is(Punct::kPlus))
+      break;
   }
   if (file.position >= size || all[file.position].kind != TokenKind::kNumber) {
     m_in.fail(m_in.tokens.location(), "expected a number in '" + file.path + "'");
@@ -204,12 +210,12 @@ bool ScriptFiles::read_plain(ScriptFile& file, Value& value) {
   double number = 0.0;
   std::string_view string;
   switch (file.in->plain(number, string)) {
-    case PlainValue::kNumber:
-      value = Number::scalar(number);
-      return true;
+    case PlainValue::kNumber: value = Number::scalar(number); return true;
     case PlainValue::kString:
-      if (auto* held = std::get_if<std::string>(&value)) *held = string;
-      else value = std::string(string);
+      if (auto* held = std::get_if<std::string>(&value))
+        *held = string;
+      else
+        value = std::string(string);
       return true;
     default: return false;
   }

@@ -18,7 +18,7 @@ struct BinaryFormat;
 
 /// A written file that could not be written whole, as was seen when nobody could be told.
 struct LostFile {
-  Location where;             ///< of its #fopen
+  Location where;  ///< of its #fopen
   std::string message;
 };
 
@@ -31,12 +31,12 @@ struct ScriptFile {
   std::string close();
 
   std::string path;
-  Location where;             ///< of its #fopen
+  Location where;  ///< of its #fopen
   std::shared_ptr<std::vector<LostFile>> lost;
   std::unique_ptr<FileWriter> out;
   std::unique_ptr<TokenPieces> in;
-  std::size_t position = 0;   ///< in the piece at hand
-  bool ended = false;         ///< its end has been met, by a value without a comma behind it or by none
+  std::size_t position = 0;  ///< in the piece at hand
+  bool ended = false;  ///< its end has been met, by a value without a comma behind it or by none
 };
 
 class ScriptFiles {

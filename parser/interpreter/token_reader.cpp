@@ -43,8 +43,7 @@ bool TokenReader::must_hold() {
     if (f->cursor < f->end) raw = f->cursor;
   }
   if (!raw) return false;
-  const Symbol* symbol =
-      raw->kind == TokenKind::kIdentifier ? m_symbols.find(raw->name) : nullptr;
+  const Symbol* symbol = raw->kind == TokenKind::kIdentifier ? m_symbols.find(raw->name) : nullptr;
   const bool is_directive = raw->kind == TokenKind::kDirective || is_unmarked_directive(*raw);
   if (!is_directive && !(symbol && symbol->macro())) return false;
   m_held = true;
@@ -88,9 +87,8 @@ void TokenReader::fetch(bool may_hold) {
         continue;
       case TokenKind::kKeyword:
         // The oldest dialects have directives without the #.
-        if (is_unmarked_directive(*raw) ||
-            (raw->keyword == Keyword::kDefault && m_stream.look() &&
-             m_stream.look()->is(Punct::kLeftCurly))) {
+        if (is_unmarked_directive(*raw) || (raw->keyword == Keyword::kDefault && m_stream.look() &&
+                                            m_stream.look()->is(Punct::kLeftCurly))) {
           m_in.directives.execute_unmarked(*raw);
           if (m_ready) return;
           continue;
@@ -157,10 +155,10 @@ void TokenReader::subscripts(const Token& raw, std::shared_ptr<ArrayValue> array
       const int size = array->sizes[dimension];
       const int i = subscript_of(subscript);
       if (i < 0 || i >= size) {
-        m_in.fail(where, "array subscript " + std::to_string(to_int(std::floor(subscript + 1e-10))) +
-                             " out of range: " +
-                             std::string(m_in.names.text(token.name)) + " has " +
-                             std::to_string(size) + " elements in this dimension");
+        m_in.fail(where, "array subscript " +
+                             std::to_string(to_int(std::floor(subscript + 1e-10))) +
+                             " out of range: " + std::string(m_in.names.text(token.name)) +
+                             " has " + std::to_string(size) + " elements in this dimension");
       }
       index = index * static_cast<std::size_t>(size) + static_cast<std::size_t>(i);
       expect(Punct::kRightSquare);
@@ -238,8 +236,8 @@ std::string TokenReader::describe(const Token& token) const {
       Symbol* s = m_symbols.find(token.name);
       if (!s) return "the undeclared identifier '" + name + "'";
       if (s->target().macro()) return "the macro '" + name + "'";
-      if (m_array && m_ready) return std::string(kind_name(m_array->elements[m_index])) +
-                                     " element of '" + name + "'";
+      if (m_array && m_ready)
+        return std::string(kind_name(m_array->elements[m_index])) + " element of '" + name + "'";
       return std::string(kind_name(s->resolve())) + " '" + name + "'";
     }
     default: return "something unreadable";
@@ -279,7 +277,8 @@ void TokenReader::fail_expected(std::string_view what) {
   const bool is_word = token.kind == TokenKind::kIdentifier || token.kind == TokenKind::kKeyword;
   const std::string_view found = is_word ? m_in.names.text(token.name) : std::string_view{};
   std::string but = " but found " + describe(token);
-  if (token.kind == TokenKind::kIdentifier && !m_symbols.find(token.name)) but += m_in.suggestion(found);
+  if (token.kind == TokenKind::kIdentifier && !m_symbols.find(token.name))
+    but += m_in.suggestion(found);
   m_in.fail(token.kind == TokenKind::kEnd ? m_last : token.where,
             "expected " + std::string(what) + but, "expected " + shortened(what, found) + but);
 }

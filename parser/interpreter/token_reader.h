@@ -123,7 +123,10 @@ class TokenReader {
   };
 
   /// Forgets the token shown (the cursor is about to be moved).
-  void drop() { m_ready = false; m_held = false; }
+  void drop() {
+    m_ready = false;
+    m_held = false;
+  }
   bool ready() const { return m_ready; }
   /// Anything but a directive's own word has been read.
   bool started() const { return m_last.file != 0; }
@@ -143,12 +146,17 @@ class TokenReader {
     m_last = m_token.where;
     if (m_token.kind == TokenKind::kEnd) return;  // it stays: the end can be asked for again
     m_ready = false;
-    if (m_token.kind == TokenKind::kPunct && m_token.punct <= Punct::kRightSquare) nest(m_token.punct);
+    if (m_token.kind == TokenKind::kPunct && m_token.punct <= Punct::kRightSquare)
+      nest(m_token.punct);
   }
   void nest(Punct punct) {
     switch (punct) {
-      case Punct::kLeftCurly: case Punct::kLeftParen: case Punct::kLeftSquare: ++m_nesting; break;
-      case Punct::kRightCurly: case Punct::kRightParen: case Punct::kRightSquare: --m_nesting; break;
+      case Punct::kLeftCurly:
+      case Punct::kLeftParen:
+      case Punct::kLeftSquare: ++m_nesting; break;
+      case Punct::kRightCurly:
+      case Punct::kRightParen:
+      case Punct::kRightSquare: --m_nesting; break;
       default: break;
     }
   }
@@ -195,14 +203,14 @@ class TokenReader {
   TokenStream& m_stream;
   SymbolTable& m_symbols;
   Token m_token;
-  Token m_boundary;            ///< shown while a directive is held back: equals no token
+  Token m_boundary;              ///< shown while a directive is held back: equals no token
   const Token* m_raw = nullptr;  ///< the same in its list; null if it is an element of an array
   bool m_ready = false;
   bool m_held = false;
   std::shared_ptr<ArrayValue> m_array;
   std::size_t m_index = 0;
   Location m_last;
-  int m_nesting = 0;           ///< brackets of all kinds consumed and not closed
+  int m_nesting = 0;  ///< brackets of all kinds consumed and not closed
   bool m_holding = false;
   int m_hold_nesting = 0;
   std::size_t m_hold_depth = 0;

@@ -50,7 +50,8 @@ std::vector<AnimationFrame> frames_of(const AnimationOptions& options) {
   for (long long number = from; number <= to; number += options.step) {
     AnimationFrame frame{all, std::to_string(number)};
     frame.clock.frame_number = static_cast<int>(number);
-    frame.clock.clock = static_cast<float>(delta * static_cast<double>(number - initial) + initial_clock);
+    frame.clock.clock =
+        static_cast<float>(delta * static_cast<double>(number - initial) + initial_clock);
     if (frame.digits.size() < digits) frame.digits.insert(0, digits - frame.digits.size(), '0');
     out.push_back(std::move(frame));
   }

@@ -53,7 +53,9 @@ void add_lens(const RenderOptions& o, Lines& out) {
   out.number("Lens_Front", o.lens.front);
   out.number("View_Distance", o.lens.view_distance);
   if (o.lens.model) {
-    out.add("Lens_Model", std::string_view(*o.lens.model == camera::LensModel::kParaxial ? "paraxial" : "pinhole"));
+    out.add(
+        "Lens_Model",
+        std::string_view(*o.lens.model == camera::LensModel::kParaxial ? "paraxial" : "pinhole"));
   }
   out.number("Sheet_Distance", o.sheet_distance);
   out.number("View", o.view);
@@ -140,7 +142,8 @@ void add_commands(const RenderOptions& o, Lines& out) {
     const ShellCommand& command = o.commands[i];
     if (command.text.empty()) continue;
     out.add(std::string(kNames[i]) + "_Command", command.text);
-    out.add(std::string(kNames[i]) + "_Return", std::string(command.on_success ? "-" : "") + command.action);
+    out.add(std::string(kNames[i]) + "_Return",
+            std::string(command.on_success ? "-" : "") + command.action);
   }
 }
 

@@ -38,8 +38,10 @@ std::string_view take_word(std::string_view& line) {
   for (; end < line.size(); ++end) {
     const char c = line[end];
     if (quote == 0 && std::isspace(static_cast<unsigned char>(c))) break;
-    if (quote == c) quote = 0;
-    else if (quote == 0 && (c == '"' || c == '\'')) quote = c;
+    if (quote == c)
+      quote = 0;
+    else if (quote == 0 && (c == '"' || c == '\''))
+      quote = c;
   }
   const std::string_view word = line.substr(0, end);
   line = trimmed(line.substr(end));
@@ -161,7 +163,8 @@ std::vector<std::string> ini_labels(std::string_view text) {
   return out;
 }
 
-IniSection read_ini(const std::string& path, const IniName& name, std::vector<std::string>& warnings) {
+IniSection read_ini(const std::string& path, const IniName& name,
+                    std::vector<std::string>& warnings) {
   std::ifstream in(path, std::ios::binary);
   std::ostringstream text;
   if (in) text << in.rdbuf();

@@ -44,7 +44,8 @@ struct IniSection {
 IniSection ini_lines(std::string_view text, const std::string& file, const IniName& name);
 
 /// The same of a file. As in stock, a section that is not there is no error; a warning tells of it.
-IniSection read_ini(const std::string& path, const IniName& name, std::vector<std::string>& warnings);
+IniSection read_ini(const std::string& path, const IniName& name,
+                    std::vector<std::string>& warnings);
 
 /// Labels of a text's sections, as written.
 std::vector<std::string> ini_labels(std::string_view text);

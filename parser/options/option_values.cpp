@@ -68,8 +68,8 @@ double leading_number(const GivenOption& given, std::string_view& rest) {
   return value;
 }
 
-double cut(RenderOptions& options, const GivenOption& given, double value, std::string_view rest, double least,
-           double most) {
+double cut(RenderOptions& options, const GivenOption& given, double value, std::string_view rest,
+           double least, double most) {
   const double taken = std::clamp(value, least, most);
   if (taken != value || !rest.empty()) {
     char text[32];
@@ -87,7 +87,8 @@ double cut_number(RenderOptions& options, const GivenOption& given, double least
   return cut(options, given, value, rest, least, most);
 }
 
-std::int64_t cut_whole(RenderOptions& options, const GivenOption& given, std::int64_t least, std::int64_t most) {
+std::int64_t cut_whole(RenderOptions& options, const GivenOption& given, std::int64_t least,
+                       std::int64_t most) {
   std::string_view rest;
   const double value = std::trunc(leading_number(given, rest));
   return static_cast<std::int64_t>(

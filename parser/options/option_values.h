@@ -11,8 +11,8 @@ namespace lentray::parser {
 
 /// One use of an option.
 struct GivenOption {
-  std::string shown;           ///< as the user wrote it, for messages
-  std::string where;           ///< "file.ini:12: " or empty
+  std::string shown;  ///< as the user wrote it, for messages
+  std::string where;  ///< "file.ini:12: " or empty
   std::string value;
   char sign = 0;               ///< '+' or '-' of a switch; 0: Name=Value
   bool from_defaults = false;  ///< of a default INI file
@@ -25,7 +25,8 @@ double number(const GivenOption& given);
 /// As stock reads the numbers of its own options: what follows the number is dropped, a whole number
 /// loses its fraction, and what is too small or large is cut to the range. A warning tells of all but
 /// the fraction.
-std::int64_t cut_whole(RenderOptions& options, const GivenOption& given, std::int64_t least, std::int64_t most);
+std::int64_t cut_whole(RenderOptions& options, const GivenOption& given, std::int64_t least,
+                       std::int64_t most);
 double cut_number(RenderOptions& options, const GivenOption& given, double least, double most);
 double positive(const GivenOption& given);
 /// An error, or a warning when a default INI file asked for it.

@@ -38,8 +38,8 @@ std::size_t slips(std::string_view a, std::string_view b) {
         d[i][j] = i + j;
         continue;
       }
-      d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1,
-                          d[i - 1][j - 1] + (same(i - 1, j - 1) ? 0 : 1)});
+      d[i][j] = std::min(
+          {d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + (same(i - 1, j - 1) ? 0 : 1)});
       if (i > 1 && j > 1 && same(i - 1, j - 2) && same(i - 2, j - 1)) {
         d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
       }
@@ -140,9 +140,7 @@ void Reader::file(const IniName& name, const std::string& path, GivenOption give
         next.shown = line.text;
         switched(line.text, next);
         break;
-      case IniLine::Kind::kNested:
-        bare(line.text, next, depth + 1);
-        break;
+      case IniLine::Kind::kNested: bare(line.text, next, depth + 1); break;
     }
   }
 }
@@ -258,7 +256,8 @@ RenderOptions read_with(const std::string& default_ini, std::span<const std::str
       reader.bare(text, given, 1);
     }
   }
-  const bool has_grey = options.type == core::FileType::png || options.type == core::FileType::ppm || options.type == core::FileType::tiff;
+  const bool has_grey = options.type == core::FileType::png ||
+                        options.type == core::FileType::ppm || options.type == core::FileType::tiff;
   if (options.grayscale && !has_grey) {
     throw OptionError("Grayscale_Output: there is grey in PNG, PPM and TIFF files only");
   }
@@ -294,9 +293,11 @@ RenderOptions read_options(std::span<const std::string> arguments, const OptionS
   if (!options.restrict_io || ini != kFolderIni) return options;
   // It may have come with the scene, and could name folders, files and commands.
   const auto folders = std::find(inis.begin(), inis.end(), kFolderIni);
-  options = read_with(first_ini(inis, static_cast<std::size_t>(folders - inis.begin()) + 1), arguments, sources);
+  options = read_with(first_ini(inis, static_cast<std::size_t>(folders - inis.begin()) + 1),
+                      arguments, sources);
   options.restrict_io = true;
-  options.warnings.emplace_back("Restrict_IO=On: the current folder's povray.ini is not read; name it to have it read");
+  options.warnings.emplace_back(
+      "Restrict_IO=On: the current folder's povray.ini is not read; name it to have it read");
   return options;
 }
 
@@ -306,7 +307,8 @@ std::string output_path(const RenderOptions& options, core::FileType& type) {
   if (out == "-") return "-";
   std::error_code error;
   // A device takes the bytes as they come.
-  if (!out.empty() && fs::exists(out, error) && !fs::is_regular_file(out, error) && !fs::is_directory(out, error)) {
+  if (!out.empty() && fs::exists(out, error) && !fs::is_regular_file(out, error) &&
+      !fs::is_directory(out, error)) {
     return out;
   }
   std::string_view end;
@@ -332,7 +334,9 @@ std::string output_path(const RenderOptions& options, core::FileType& type) {
 
 std::string frame_path(const RenderOptions& options, const std::string& path) {
   const fs::path whole = path;
-  return (whole.parent_path() / (whole.stem().string() + options.frame_digits + whole.extension().string())).string();
+  return (whole.parent_path() /
+          (whole.stem().string() + options.frame_digits + whole.extension().string()))
+      .string();
 }
 
 void check_picture_size(std::int64_t width, std::int64_t height, double bytes_a_row,

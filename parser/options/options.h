@@ -27,93 +27,96 @@ inline constexpr std::size_t kCommands = 6;
 
 /// A command of an INI file, and what its exit status leads to.
 struct ShellCommand {
-  std::string text;        ///< as written; empty: none
-  char action = 'I';       ///< I, S, A, Q, U or F
-  bool on_success = false; ///< the action is for status 0 instead of all others
+  std::string text;         ///< as written; empty: none
+  char action = 'I';        ///< I, S, A, Q, U or F
+  bool on_success = false;  ///< the action is for status 0 instead of all others
 };
 
 struct RenderOptions {
   // Scene.
-  std::string input;                      ///< "-": standard input; empty: none was named
-  std::vector<std::string> library_paths; ///< as given, in order, no doubles
+  std::string input;                       ///< "-": standard input; empty: none was named
+  std::vector<std::string> library_paths;  ///< as given, in order, no doubles
   std::vector<std::pair<std::string, std::string>> declares;
   double clock = 0.0;
   bool clock_given = false;
   AnimationOptions animation;
-  std::string frame_digits;               ///< of the frame that is rendered: before the extensions of its files
-  std::string include_header;             ///< a file that is included before the scene; empty: none
-  int language_version = 0;               ///< x 100; 0: the scene decides
+  std::string frame_digits;  ///< of the frame that is rendered: before the extensions of its files
+  std::string include_header;  ///< a file that is included before the scene; empty: none
+  int language_version = 0;    ///< x 100; 0: the scene decides
 
   // Picture.
   std::int64_t width = 160, height = 120;
   int quality = 9;
-  int threads = 0;                        ///< 0: all of the machine
-  std::string output;                     ///< as given; see output_path()
+  int threads = 0;     ///< 0: all of the machine
+  std::string output;  ///< as given; see output_path()
   bool output_to_file = true;
   core::FileType type = core::FileType::png;
-  bool type_given = false;                ///< not only by a default INI file
-  int bits = 8;                           ///< a channel, 5 to 16, of PNG and PPM; 32: OpenEXR as float, not half
-  bool grayscale = false;                 ///< Grayscale_Output
-  int compression = 0;                    ///< JPEG's quality, 2 to 100; 0 and 1: the usual one
+  bool type_given = false;  ///< not only by a default INI file
+  int bits = 8;             ///< a channel, 5 to 16, of PNG and PPM; 32: OpenEXR as float, not half
+  bool grayscale = false;   ///< Grayscale_Output
+  int compression = 0;      ///< JPEG's quality, 2 to 100; 0 and 1: the usual one
   bool dither = false;
   core::DitherMethod dither_type = core::DitherMethod::floyd_steinberg;
-  bool srgb = true;                       ///< File_Gamma=sRGB
-  double file_gamma = 2.2;                ///< unless srgb
-  bool display_srgb = true;               ///< Display_Gamma=sRGB: what files of scenes without gamma are taken for
-  double display_gamma = 2.2;             ///< unless display_srgb
+  bool srgb = true;         ///< File_Gamma=sRGB
+  double file_gamma = 2.2;  ///< unless srgb
+  bool display_srgb =
+      true;  ///< Display_Gamma=sRGB: what files of scenes without gamma are taken for
+  double display_gamma = 2.2;  ///< unless display_srgb
   bool alpha = false;
-  bool continues = false;                 ///< +C: a picture that was cut off is gone on with
+  bool continues = false;  ///< +C: a picture that was cut off is gone on with
   /// Columns and rows that are rendered, both ends included, from 1; what is below 1 is a part of the
   /// width or height.
   std::optional<double> start_column, end_column, start_row, end_row;
 
   // Antialiasing.
   bool antialias = false;
-  int sampling_method = 1;                ///< 1: adaptive, 2: recursive
-  double antialias_threshold = 0.3;       ///< 0..1
-  int antialias_depth = 3;                ///< 1..9
-  double antialias_gamma = 2.5;           ///< 0: colours are compared as they are
+  int sampling_method = 1;           ///< 1: adaptive, 2: recursive
+  double antialias_threshold = 0.3;  ///< 0..1
+  int antialias_depth = 3;           ///< 1..9
+  double antialias_gamma = 2.5;      ///< 0: colours are compared as they are
   bool jitter = true;
-  double jitter_amount = 1.0;             ///< 0..1
-  int antialias_angles = 1;               ///< directions averaged within a pixel of a lens sheet
+  double jitter_amount = 1.0;  ///< 0..1
+  int antialias_angles = 1;    ///< directions averaged within a pixel of a lens sheet
 
   // Safety.
-  bool strict = false;                    ///< what a picture would lack is an error
-  bool restrict_io = false;               ///< rules for what a scene reads and writes
+  bool strict = false;                           ///< what a picture would lack is an error
+  bool restrict_io = false;                      ///< rules for what a scene reads and writes
   std::array<ShellCommand, kCommands> commands;  ///< by CommandKind
 
   // Messages.
-  bool verbose = true;                    ///< progress
-  int warning_level = 10;                 ///< 0: no warnings
+  bool verbose = true;     ///< progress
+  int warning_level = 10;  ///< 0: no warnings
   bool debug_console = true, warning_console = true, statistic_console = true,
        render_console = true, fatal_console = true;
-  std::optional<bool> all_console;        ///< if given, it holds for those five
+  std::optional<bool> all_console;  ///< if given, it holds for those five
   std::string debug_file, warning_file, statistic_file, render_file, fatal_file,
-      all_file;                           ///< that the texts go to as well; empty: none
-  bool append_files = false;              ///< what they hold is kept
-  bool create_ini = false;                ///< write all options to ini_path()
-  std::string ini_file;                   ///< empty: the scene's name
+      all_file;               ///< that the texts go to as well; empty: none
+  bool append_files = false;  ///< what they hold is kept
+  bool create_ini = false;    ///< write all options to ini_path()
+  std::string ini_file;       ///< empty: the scene's name
 
   // Lens sheet.
-  bool lenticular = false;                ///< make a sheet of the scene's camera
+  bool lenticular = false;  ///< make a sheet of the scene's camera
   camera::LensRequest lens;
-  std::optional<double> sheet_distance;   ///< scene units
-  std::optional<std::uint32_t> view;      ///< that view alone
+  std::optional<double> sheet_distance;  ///< scene units
+  std::optional<std::uint32_t> view;     ///< that view alone
 
   // Ours besides.
   std::string pixel_order = "auto", shadow_cache = "auto", accelerator = "bvh";
-  bool light_buffer = true;   ///< +UL: shadow rays to point lights look where the light sees
-  double max_time = 0.0;                  ///< seconds for the whole run; 0: no limit
-  double max_memory = 0.0;                ///< bytes; 0: half of the machine's
-  std::uint32_t band_height = 0;          ///< rows; 0: as the memory allows
+  bool light_buffer = true;       ///< +UL: shadow rays to point lights look where the light sees
+  double max_time = 0.0;          ///< seconds for the whole run; 0: no limit
+  double max_memory = 0.0;        ///< bytes; 0: half of the machine's
+  std::uint32_t band_height = 0;  ///< rows; 0: as the memory allows
   std::string statistics_file, dump_rays;
-  bool count_tests = true;    ///< tests of bounds and shapes go into the statistics
-  std::string dependencies_file;          ///< which files the scene reads, writes and looks for; empty: nowhere
-  bool writes_to_disk = true;             ///< what the scene writes; else it stays in memory
-  bool shadow_log = false;    ///< runs, blockers and costs of shadow rays go into the statistics
-  bool parse_only = false, dump = false, explain = false, help = false, help_all = false, version = false;
+  bool count_tests = true;  ///< tests of bounds and shapes go into the statistics
+  std::string
+      dependencies_file;  ///< which files the scene reads, writes and looks for; empty: nowhere
+  bool writes_to_disk = true;  ///< what the scene writes; else it stays in memory
+  bool shadow_log = false;     ///< runs, blockers and costs of shadow rays go into the statistics
+  bool parse_only = false, dump = false, explain = false, help = false, help_all = false,
+       version = false;
 
-  std::vector<std::string> warnings;      ///< about the options themselves
+  std::vector<std::string> warnings;  ///< about the options themselves
 };
 
 struct OptionSources {

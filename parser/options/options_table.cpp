@@ -29,10 +29,14 @@ void only_off(Options& o, const Given& g) {
   if (truth(o, g)) not_yet(o, g, what.text);
 }
 template <Word what>
-void later(Options& o, const Given& g) { not_yet(o, g, what.text); }
+void later(Options& o, const Given& g) {
+  not_yet(o, g, what.text);
+}
 
 template <bool Options::*member>
-void set_bool(Options& o, const Given& g) { o.*member = truth(o, g); }
+void set_bool(Options& o, const Given& g) {
+  o.*member = truth(o, g);
+}
 
 /// Switches of text streams may name a file that the text goes to, whether the console is on or off.
 template <bool Options::*console, std::string Options::*file>
@@ -71,12 +75,18 @@ void set_antialias(Options& o, const Given& g) {
   if (g.sign != 0 && !g.value.empty()) o.antialias_threshold = cut_number(o, g, 0.0, 1.0);
   o.antialias = truth(o, g);
 }
-void set_threshold(Options& o, const Given& g) { o.antialias_threshold = cut_number(o, g, 0.0, 1.0); }
+void set_threshold(Options& o, const Given& g) {
+  o.antialias_threshold = cut_number(o, g, 0.0, 1.0);
+}
 void set_sampling(Options& o, const Given& g) {
   o.sampling_method = static_cast<int>(cut_whole(o, g, 0, 2));
 }
-void set_antialias_gamma(Options& o, const Given& g) { o.antialias_gamma = std::max(number(g), 0.0); }
-void set_depth(Options& o, const Given& g) { o.antialias_depth = static_cast<int>(cut_whole(o, g, 1, 9)); }
+void set_antialias_gamma(Options& o, const Given& g) {
+  o.antialias_gamma = std::max(number(g), 0.0);
+}
+void set_depth(Options& o, const Given& g) {
+  o.antialias_depth = static_cast<int>(cut_whole(o, g, 1, 9));
+}
 void set_jitter(Options& o, const Given& g) {
   if (g.sign != 0 && !g.value.empty()) o.jitter_amount = cut_number(o, g, 0.0, 1.0);
   o.jitter = truth(o, g);
@@ -88,9 +98,13 @@ void set_angles(Options& o, const Given& g) {
 template <std::optional<double> Options::*member>
 void set_edge(Options& o, const Given& g) {
   o.*member = number(g);
-  if (*(o.*member) < 0.0) refuse(g, "a column or row from 1 on, or a part from 0 to 1, is expected");
+  if (*(o.*member) < 0.0)
+    refuse(g, "a column or row from 1 on, or a part from 0 to 1, is expected");
 }
-struct DitherWord { std::string_view word; core::DitherMethod method; };
+struct DitherWord {
+  std::string_view word;
+  core::DitherMethod method;
+};
 constexpr DitherWord kMethods[] = {
     {"B2", core::DitherMethod::bayer2}, {"B3", core::DitherMethod::bayer3},
     {"B4", core::DitherMethod::bayer4}, {"D1", core::DitherMethod::line},
@@ -124,8 +138,10 @@ template <CommandKind kind>
 void set_return(Options& o, const Given& g) {
   only_in_ini(g);
   const bool turned = g.value.starts_with('-') || g.value.starts_with('!');
-  const char letter = g.value.size() > turned
-      ? static_cast<char>(std::toupper(static_cast<unsigned char>(g.value[turned]))) : ' ';
+  const char letter =
+      g.value.size() > turned
+          ? static_cast<char>(std::toupper(static_cast<unsigned char>(g.value[turned])))
+          : ' ';
   if (std::string_view("ISAQUF").find(letter) == std::string_view::npos) {
     refuse(g, "I, S, A, Q, U or F, perhaps after - or !, is expected");
   }
@@ -147,10 +163,9 @@ void add_declare(Options& o, const Given& g) {
   if (equals == std::string::npos) refuse(g, "Declare=NAME=VALUE is expected");
   const std::string name = unquoted(g.value.substr(0, equals));
   const std::string value = g.value.substr(equals + 1);
-  const bool is_name =
-      !name.empty() && !std::isdigit(static_cast<unsigned char>(name.front())) &&
-      std::all_of(name.begin(), name.end(),
-                  [](unsigned char c) { return std::isalnum(c) || c == '_'; });
+  const bool is_name = !name.empty() && !std::isdigit(static_cast<unsigned char>(name.front())) &&
+                       std::all_of(name.begin(), name.end(),
+                                   [](unsigned char c) { return std::isalnum(c) || c == '_'; });
   if (!is_name) refuse(g, "'" + name + "' cannot be the name of an identifier");
   Given only = g;
   only.value = value;
@@ -160,16 +175,30 @@ void add_declare(Options& o, const Given& g) {
   o.declares.emplace_back(name, is_text ? value.substr(1, value.size() - 2) : value);
 }
 
-struct TypeWord { std::string_view word; core::FileType type; };
+struct TypeWord {
+  std::string_view word;
+  core::FileType type;
+};
 /// Stock knows the letters alone and takes PNG for P, TIFF for T; those words are ours. The first
 /// word of a type is the one that is written.
-constexpr TypeWord kTypes[] = {
-    {"N", core::FileType::png},    {"PNG", core::FileType::png},   {"TIFF", core::FileType::tiff},
-    {"TIF", core::FileType::tiff}, {"E", core::FileType::exr},     {"EXR", core::FileType::exr},
-    {"T", core::FileType::targa},  {"TGA", core::FileType::targa}, {"C", core::FileType::compressed_targa},
-    {"J", core::FileType::jpeg},   {"JPG", core::FileType::jpeg},  {"JPEG", core::FileType::jpeg},
-    {"P", core::FileType::ppm},    {"PPM", core::FileType::ppm},   {"B", core::FileType::bmp},
-    {"BMP", core::FileType::bmp},  {"H", core::FileType::radiance}, {"HDR", core::FileType::radiance}};
+constexpr TypeWord kTypes[] = {{"N", core::FileType::png},
+                               {"PNG", core::FileType::png},
+                               {"TIFF", core::FileType::tiff},
+                               {"TIF", core::FileType::tiff},
+                               {"E", core::FileType::exr},
+                               {"EXR", core::FileType::exr},
+                               {"T", core::FileType::targa},
+                               {"TGA", core::FileType::targa},
+                               {"C", core::FileType::compressed_targa},
+                               {"J", core::FileType::jpeg},
+                               {"JPG", core::FileType::jpeg},
+                               {"JPEG", core::FileType::jpeg},
+                               {"P", core::FileType::ppm},
+                               {"PPM", core::FileType::ppm},
+                               {"B", core::FileType::bmp},
+                               {"BMP", core::FileType::bmp},
+                               {"H", core::FileType::radiance},
+                               {"HDR", core::FileType::radiance}};
 
 constexpr int kFloatBits = 32;
 
@@ -183,9 +212,9 @@ void set_bits(Options& o, const Given& g, std::string_view digits) {
 /// A type, and behind it bits or, of some, g for grey: N16, Pg.
 void set_type(Options& o, const Given& g) {
   std::string_view text = g.value;
-  const std::size_t letters = std::find_if(text.begin(), text.end(), [](unsigned char c) {
-    return !std::isalpha(c);
-  }) - text.begin();
+  const std::size_t letters =
+      std::find_if(text.begin(), text.end(), [](unsigned char c) { return !std::isalpha(c); }) -
+      text.begin();
   std::string_view word = text.substr(0, letters);
   const std::string_view digits = text.substr(letters);
   if (!word.empty()) {
@@ -196,8 +225,10 @@ void set_type(Options& o, const Given& g) {
     const auto* row = std::find_if(std::begin(kTypes), std::end(kTypes),
                                    [&](const TypeWord& t) { return same_word(t.word, word); });
     if (row == std::end(kTypes)) {
-      refuse(g, "unknown output type: there are N (PNG), P (PPM), T and C (Targa), J (JPEG), B (BMP), E (OpenEXR), "
-                "H (Radiance) and TIFF; g for grey stands behind N and P");
+      refuse(g,
+             "unknown output type: there are N (PNG), P (PPM), T and C (Targa), J (JPEG), B (BMP), "
+             "E (OpenEXR), "
+             "H (Radiance) and TIFF; g for grey stands behind N and P");
     }
     o.type = row->type;
     o.type_given = !g.from_defaults;
@@ -205,7 +236,9 @@ void set_type(Options& o, const Given& g) {
   if (!digits.empty()) set_bits(o, g, digits);
 }
 
-void set_compression(Options& o, const Given& g) { o.compression = static_cast<int>(cut_whole(o, g, 0, 255)); }
+void set_compression(Options& o, const Given& g) {
+  o.compression = static_cast<int>(cut_whole(o, g, 0, 255));
+}
 
 void set_output(Options& o, const Given& g) {
   if (g.sign == 0) {
@@ -279,14 +312,13 @@ void set_model(Options& o, const Given& g) {
   std::string name;
   choose(o, g, name, "lens model", kThere, kComing);
   if (!name.empty()) {
-    o.lens.model =
-        name == "paraxial" ? camera::LensModel::kParaxial : camera::LensModel::kPinhole;
+    o.lens.model = name == "paraxial" ? camera::LensModel::kParaxial : camera::LensModel::kPinhole;
   }
 }
 
 void set_view_distance(Options& o, const Given& g) {
-  const bool infinite = same_word(g.value, "inf") || same_word(g.value, "infinity") ||
-                        same_word(g.value, "infinite");
+  const bool infinite =
+      same_word(g.value, "inf") || same_word(g.value, "infinity") || same_word(g.value, "infinite");
   const double v = infinite ? 0.0 : number(g);
   if (v < 0.0) refuse(g, "a distance in mm, 0 or inf is expected");
   o.lens.view_distance = v;
@@ -321,9 +353,9 @@ struct Quantity {
 };
 Quantity quantity(const Given& g) {
   std::string text = g.value;
-  const std::size_t letters = std::find_if(text.begin(), text.end(), [](unsigned char c) {
-    return std::isalpha(c);
-  }) - text.begin();
+  const std::size_t letters =
+      std::find_if(text.begin(), text.end(), [](unsigned char c) { return std::isalpha(c); }) -
+      text.begin();
   Quantity out;
   out.unit = text.substr(letters);
   text.erase(letters);
@@ -334,13 +366,15 @@ Quantity quantity(const Given& g) {
   return out;
 }
 void set_scene_writes(Options& o, const Given& g) {
-  if (!same_word(g.value, "disk") && !same_word(g.value, "memory")) refuse(g, "disk or memory is expected");
+  if (!same_word(g.value, "disk") && !same_word(g.value, "memory"))
+    refuse(g, "disk or memory is expected");
   o.writes_to_disk = same_word(g.value, "disk");
 }
 /// Seconds, or with a unit: s, m or h.
 void set_time(Options& o, const Given& g) {
   const auto [number, unit] = quantity(g);
-  constexpr std::pair<std::string_view, double> kUnits[] = {{"", 1.0}, {"s", 1.0}, {"m", 60.0}, {"h", 3600.0}};
+  constexpr std::pair<std::string_view, double> kUnits[] = {
+      {"", 1.0}, {"s", 1.0}, {"m", 60.0}, {"h", 3600.0}};
   for (const auto& [name, seconds] : kUnits) {
     if (!same_word(unit, name)) continue;
     o.max_time = number * seconds;
@@ -372,7 +406,8 @@ void set_band(Options& o, const Given& g) {
 }
 /// A size of less than a pixel is no size, and one that does not fit is not meant.
 std::int64_t size(Options& o, const Given& g) {
-  const std::int64_t value = cut_whole(o, g, std::numeric_limits<std::int32_t>::min(), std::int64_t{1} << 40);
+  const std::int64_t value =
+      cut_whole(o, g, std::numeric_limits<std::int32_t>::min(), std::int64_t{1} << 40);
   if (value < 1 || value > std::numeric_limits<std::int32_t>::max()) {
     refuse(g, "a whole number from 1 to 2147483647 is expected");
   }
@@ -380,8 +415,12 @@ std::int64_t size(Options& o, const Given& g) {
 }
 void set_width(Options& o, const Given& g) { o.width = size(o, g); }
 void set_height(Options& o, const Given& g) { o.height = size(o, g); }
-void set_quality(Options& o, const Given& g) { o.quality = static_cast<int>(cut_whole(o, g, 0, 11)); }
-void set_threads(Options& o, const Given& g) { o.threads = static_cast<int>(cut_whole(o, g, 1, 512)); }
+void set_quality(Options& o, const Given& g) {
+  o.quality = static_cast<int>(cut_whole(o, g, 0, 11));
+}
+void set_threads(Options& o, const Given& g) {
+  o.threads = static_cast<int>(cut_whole(o, g, 1, 512));
+}
 constexpr double kAnyFloat = std::numeric_limits<float>::max();
 void set_clock(Options& o, const Given& g) {
   o.clock = cut_number(o, g, -kAnyFloat, kAnyFloat);
@@ -397,7 +436,9 @@ void set_clock_of(Options& o, const Given& g) {
   o.animation.*member = cut_number(o, g, -kAnyFloat, kAnyFloat);
 }
 template <std::optional<double> AnimationOptions::*member>
-void set_subset(Options& o, const Given& g) { o.animation.*member = cut_number(o, g, 0.0, kMostFrames); }
+void set_subset(Options& o, const Given& g) {
+  o.animation.*member = cut_number(o, g, 0.0, kMostFrames);
+}
 void set_frame_step(Options& o, const Given& g) {
   o.animation.step = static_cast<int>(cut_whole(o, g, 1, kMostFrames));
 }

@@ -9,7 +9,8 @@ namespace {
 namespace fs = std::filesystem;
 
 bool lies_below(const fs::path& place, const fs::path& folder) {
-  const auto [in_folder, in_place] = std::mismatch(folder.begin(), folder.end(), place.begin(), place.end());
+  const auto [in_folder, in_place] =
+      std::mismatch(folder.begin(), folder.end(), place.begin(), place.end());
   return in_folder == folder.end() && in_place != place.end();
 }
 
@@ -26,7 +27,8 @@ bool is_own_name(const std::string& name) {
 
 bool has_own_name(const fs::path& place, const fs::path& folder) {
   const fs::path rest = place.lexically_relative(folder);
-  return std::any_of(rest.begin(), rest.end(), [](const fs::path& part) { return is_own_name(part.string()); });
+  return std::any_of(rest.begin(), rest.end(),
+                     [](const fs::path& part) { return is_own_name(part.string()); });
 }
 
 constexpr const char* kOwnNames =
@@ -63,18 +65,20 @@ FileRules::FileRules(const UsersFolders& folders, std::vector<PovrayConf> confs)
 bool FileRules::conf_permits(const fs::path& place, bool writing) const {
   const auto permits = [&](const PovrayConf& conf) {
     if (!writing && conf.files == PovrayConf::FileSecurity::kReadOnly) return true;
-    return std::any_of(conf.permitted.begin(), conf.permitted.end(), [&](const PermittedPath& path) {
-      if (writing && !path.writing) return false;
-      if (!path.below) return place.parent_path() == path.folder;
-      return lies_below(place, path.folder) && !(writing && has_own_name(place, path.folder));
-    });
+    return std::any_of(
+        conf.permitted.begin(), conf.permitted.end(), [&](const PermittedPath& path) {
+          if (writing && !path.writing) return false;
+          if (!path.below) return place.parent_path() == path.folder;
+          return lies_below(place, path.folder) && !(writing && has_own_name(place, path.folder));
+        });
   };
   return !m_confs.empty() && std::all_of(m_confs.begin(), m_confs.end(), permits);
 }
 
 std::string FileRules::conf_names() const {
   std::string names;
-  for (const PovrayConf& conf : m_confs) names += (names.empty() ? "; not permitted by " : " and by ") + conf.path;
+  for (const PovrayConf& conf : m_confs)
+    names += (names.empty() ? "; not permitted by " : " and by ") + conf.path;
   return names;
 }
 
@@ -86,7 +90,8 @@ std::string FileRules::against_reading(const fs::path& place) const {
   if (against_writing(place).empty()) return {};
   if (std::find(m_installed.begin(), m_installed.end(), place) != m_installed.end()) return {};
   if (conf_permits(place, false)) return {};
-  return "a scene reads only below its folder, the current folder and the library paths" + conf_names();
+  return "a scene reads only below its folder, the current folder and the library paths" +
+         conf_names();
 }
 
 std::string FileRules::against_writing(const fs::path& place) const {

@@ -16,8 +16,8 @@ namespace lentray::parser {
 /// The folders that the user's own command line names; "" is the current folder.
 struct UsersFolders {
   std::string scene, output;
-  std::vector<std::string> libraries;   ///< of the command line and INI files
-  std::vector<std::string> installed;   ///< of these, links to files elsewhere count as files here
+  std::vector<std::string> libraries;  ///< of the command line and INI files
+  std::vector<std::string> installed;  ///< of these, links to files elsewhere count as files here
 };
 
 class FileRules {
@@ -32,9 +32,9 @@ class FileRules {
   bool conf_permits(const std::filesystem::path& place, bool writing) const;
   std::string conf_names() const;
 
-  std::vector<std::filesystem::path> m_reading, m_writing;   ///< folders, with what lies below
-  std::vector<std::filesystem::path> m_installed;            ///< files
-  std::vector<PovrayConf> m_confs;                           ///< those that restrict
+  std::vector<std::filesystem::path> m_reading, m_writing;  ///< folders, with what lies below
+  std::vector<std::filesystem::path> m_installed;           ///< files
+  std::vector<PovrayConf> m_confs;                          ///< those that restrict
 };
 
 }  // namespace lentray::parser

@@ -27,9 +27,12 @@ void replace(std::string& text, std::string_view what, const std::string& by) {
 std::string without_comment(std::string_view line) {
   char quote = 0;
   for (std::size_t i = 0; i < line.size(); ++i) {
-    if (quote != 0) quote = line[i] == quote ? 0 : quote;
-    else if (line[i] == '"' || line[i] == '\'') quote = line[i];
-    else if (line[i] == ';') return std::string(line.substr(0, i));
+    if (quote != 0)
+      quote = line[i] == quote ? 0 : quote;
+    else if (line[i] == '"' || line[i] == '\'')
+      quote = line[i];
+    else if (line[i] == ';')
+      return std::string(line.substr(0, i));
   }
   return std::string(line);
 }
@@ -48,10 +51,14 @@ class ConfReader {
     ++m_number;
     const std::string line = trimmed(without_comment(text));
     if (line.empty()) return;
-    if (line.front() == '[') m_section = line;
-    else if (in("[File I/O Security]")) file_security(line);
-    else if (in("[Shellout Security]")) shellout(line);
-    else if (in("[Permitted Paths]")) permitted_path(line);
+    if (line.front() == '[')
+      m_section = line;
+    else if (in("[File I/O Security]"))
+      file_security(line);
+    else if (in("[Shellout Security]"))
+      shellout(line);
+    else if (in("[Permitted Paths]"))
+      permitted_path(line);
   }
 
  private:
@@ -61,7 +68,7 @@ class ConfReader {
     using Security = PovrayConf::FileSecurity;
     const bool known = word == "none" || word == "read-only" || word == "restricted";
     if (!known) warn("'" + word + "' is none of none, read-only, restricted: taken as restricted");
-    m_conf.files = word == "none" ? Security::kNone
+    m_conf.files = word == "none"        ? Security::kNone
                    : word == "read-only" ? Security::kReadOnly
                                          : Security::kRestricted;
   }
@@ -69,7 +76,8 @@ class ConfReader {
   void shellout(const std::string& word) {
     using Shellout = PovrayConf::Shellout;
     const bool allowed = word == "allowed";
-    if (!allowed && word != "forbidden") warn("'" + word + "' is neither allowed nor forbidden: taken as forbidden");
+    if (!allowed && word != "forbidden")
+      warn("'" + word + "' is neither allowed nor forbidden: taken as forbidden");
     const bool forbidden = !allowed || m_conf.shellout == Shellout::kForbidden;
     m_conf.shellout = forbidden ? Shellout::kForbidden : Shellout::kAllowed;
   }
@@ -83,11 +91,13 @@ class ConfReader {
     path.writing = kind == "read+write";
     std::string folder = equals == line.npos ? "" : unquoted(line.substr(equals + 1));
     if ((kind != "read" && !path.writing) || folder.empty()) {
-      warn("expected read, read*, read+write or read+write*, = and a folder: the line permits nothing");
+      warn(
+          "expected read, read*, read+write or read+write*, = and a folder: the line permits "
+          "nothing");
       return;
     }
-    for (const auto& [word, meaning] : {std::pair{"%INSTALLDIR%", &m_folders.install},
-                                        std::pair{"%HOME%", &m_folders.home}}) {
+    for (const auto& [word, meaning] :
+         {std::pair{"%INSTALLDIR%", &m_folders.install}, std::pair{"%HOME%", &m_folders.home}}) {
       if (folder.find(word) == folder.npos) continue;
       if (meaning->empty()) return;  // a folder that is not there
       replace(folder, word, *meaning);
@@ -118,7 +128,8 @@ ConfFolders installed_folders() {
 
 }  // namespace
 
-PovrayConf parse_povray_conf(std::string_view text, const std::string& path, const ConfFolders& folders) {
+PovrayConf parse_povray_conf(std::string_view text, const std::string& path,
+                             const ConfFolders& folders) {
   PovrayConf conf;
   conf.path = path;
   ConfReader reader(conf, folders);
@@ -133,7 +144,8 @@ PovrayConf parse_povray_conf(std::string_view text, const std::string& path, con
 std::vector<std::string> conf_places() {
   std::error_code error;
   constexpr const char* kLocal = "/usr/local/etc/povray/3.7/povray.conf";
-  std::vector<std::string> places{fs::exists(kLocal, error) ? kLocal : "/etc/povray/3.7/povray.conf"};
+  std::vector<std::string> places{fs::exists(kLocal, error) ? kLocal
+                                                            : "/etc/povray/3.7/povray.conf"};
   if (!home_folder().empty()) places.push_back(home_folder() + "/.povray/3.7/povray.conf");
   return places;
 }
@@ -165,7 +177,8 @@ std::vector<PovrayConf> installed_confs() {
 
 bool shellout_allowed(const std::vector<PovrayConf>& confs) {
   const auto says = [&](PovrayConf::Shellout what) {
-    return std::any_of(confs.begin(), confs.end(), [&](const PovrayConf& c) { return c.shellout == what; });
+    return std::any_of(confs.begin(), confs.end(),
+                       [&](const PovrayConf& c) { return c.shellout == what; });
   };
   return says(PovrayConf::Shellout::kAllowed) && !says(PovrayConf::Shellout::kForbidden);
 }

@@ -10,15 +10,15 @@
 namespace lentray::parser {
 
 struct PermittedPath {
-  std::string folder;     ///< absolute, links resolved
-  bool below = false;     ///< its subfolders too (read*, read+write*)
+  std::string folder;  ///< absolute, links resolved
+  bool below = false;  ///< its subfolders too (read*, read+write*)
   bool writing = false;
 };
 
 struct PovrayConf {
   enum class FileSecurity { kNone, kReadOnly, kRestricted };
   enum class Shellout { kUnsaid, kAllowed, kForbidden };
-  std::string path;       ///< of the file itself
+  std::string path;  ///< of the file itself
   FileSecurity files = FileSecurity::kNone;
   Shellout shellout = Shellout::kUnsaid;
   std::vector<PermittedPath> permitted;
@@ -31,7 +31,8 @@ struct ConfFolders {
 };
 
 /// Relative folders are the current folder's.
-PovrayConf parse_povray_conf(std::string_view text, const std::string& path, const ConfFolders& folders);
+PovrayConf parse_povray_conf(std::string_view text, const std::string& path,
+                             const ConfFolders& folders);
 
 /// The system's, then the user's, as far as they exist. A file that cannot be read forbids all.
 std::vector<PovrayConf> installed_confs();

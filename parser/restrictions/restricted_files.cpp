@@ -15,7 +15,8 @@ namespace {
 namespace fs = std::filesystem;
 
 /// `place`: where it really lies, if that is known.
-[[noreturn]] void refuse(const std::string& path, const std::string& place, const std::string& rule) {
+[[noreturn]] void refuse(const std::string& path, const std::string& place,
+                         const std::string& rule) {
   const bool elsewhere = !place.empty() && place != path;
   throw FileRefused("Restrict_IO: '" + shown_name(path) + "'" +
                     (elsewhere ? " (" + shown_name(place) + ")" : "") + " is refused: " + rule);
@@ -49,7 +50,9 @@ Descriptor RestrictedFiles::judged(const std::string& path) const {
   return held;
 }
 
-bool RestrictedFiles::exists(const std::string& path) const { return static_cast<bool>(judged(path)); }
+bool RestrictedFiles::exists(const std::string& path) const {
+  return static_cast<bool>(judged(path));
+}
 
 std::optional<std::string> RestrictedFiles::find_loosely(const std::string& folder,
                                                          const std::string& name) const {
@@ -78,7 +81,7 @@ std::string RestrictedFiles::hold(const std::string& path) {
 Descriptor RestrictedFiles::judged_to_write(const std::string& path) const {
   Descriptor held = look_at(path);
   if (!held) {
-    struct stat link{};
+    struct stat link {};
     if (::lstat(path.c_str(), &link) == 0 && S_ISLNK(link.st_mode)) {
       refuse(path, would_lie(path).string(), "it is a link to a file that is not there");
     }
@@ -119,8 +122,10 @@ std::unique_ptr<FileWriter> RestrictedFiles::open(const std::string& path, bool 
   }
   const Descriptor folder = judged_folder(path);
   if (!folder) return nullptr;
-  const int flags = O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_NOCTTY | O_CLOEXEC | (append ? O_APPEND : 0);
-  return make_writer(Descriptor(::openat(folder.number(), fs::path(path).filename().c_str(), flags, 0666)));
+  const int flags =
+      O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_NOCTTY | O_CLOEXEC | (append ? O_APPEND : 0);
+  return make_writer(
+      Descriptor(::openat(folder.number(), fs::path(path).filename().c_str(), flags, 0666)));
 }
 
 }  // namespace lentray::parser

@@ -32,7 +32,8 @@ class RestrictedFiles final : public Files {
   Descriptor judged_folder(const std::string& path) const;
 
   FileRules m_rules;
-  std::map<std::pair<dev_t, ino_t>, Descriptor> m_held;   ///< what is held lends its number to no other file
+  std::map<std::pair<dev_t, ino_t>, Descriptor>
+      m_held;  ///< what is held lends its number to no other file
 };
 
 }  // namespace lentray::parser

@@ -27,7 +27,8 @@ std::uint16_t height_of(float value) {
 /// What is no height comes in again from the other side, as in stock.
 std::uint16_t wrapped(double height) {
   constexpr double kMost = 2147483647.0;
-  return std::fabs(height) < kMost ? static_cast<std::uint16_t>(static_cast<std::int32_t>(height)) : 0;
+  return std::fabs(height) < kMost ? static_cast<std::uint16_t>(static_cast<std::int32_t>(height))
+                                   : 0;
 }
 
 /// Values of pigments are cut to 16 bits.
@@ -47,7 +48,8 @@ struct Heights {
   std::vector<std::uint16_t> values;
 };
 
-constexpr double kBytesAHeight = 2 * sizeof(std::uint16_t);  // with what a grid keeps beside its heights
+constexpr double kBytesAHeight =
+    2 * sizeof(std::uint16_t);  // with what a grid keeps beside its heights
 
 Heights of_function(const HeightFieldShape& field) {
   const core::Function& function = *field.function->function;
@@ -87,13 +89,15 @@ Heights of_potentials(const core::StoredImage& stored, const std::vector<std::ui
 
 /// Grey of 8 bits in PNG files goes through the weights of a colour, which takes some one lower.
 std::uint16_t grey_byte(float value) {
-  return static_cast<std::uint16_t>(257 * static_cast<int>(core::grey({value, value, value}) * 255.0f));
+  return static_cast<std::uint16_t>(257 *
+                                    static_cast<int>(core::grey({value, value, value}) * 255.0f));
 }
 
 /// Palette entries count 256 each; grey, and colours of 16 bits, by their grey; the red of other colours
 /// is the high byte, the green the low one. Floats beyond the full height come in again from the other side.
 Heights of_picture(const HeightFieldShape& field) {
-  core::StoredImage stored = core::read_image({.path = field.file.handle, .name = field.file.path, .is_targa = field.file_type == "tga"});
+  core::StoredImage stored = core::read_image(
+      {.path = field.file.handle, .name = field.file.path, .is_targa = field.file_type == "tga"});
   if (field.file_type == "tiff") make_tiff_bytes(stored, field.file.handle);
   Heights heights{static_cast<int>(stored.width), static_cast<int>(stored.height), {}};
   const std::vector<std::uint8_t>& entries = stored.entries;
@@ -101,7 +105,9 @@ Heights of_picture(const HeightFieldShape& field) {
   const float most = stored.bits == 8 ? 255.0f : stored.bits == 16 ? kFull : 1.0f;
   std::function<float(float)> decode;
   if (field.file_gamma) {
-    decode = [from = Gamma::of(*field.file_gamma)](float v) { return from.recoded(v, Gamma::linear()); };
+    decode = [from = Gamma::of(*field.file_gamma)](float v) {
+      return from.recoded(v, Gamma::linear());
+    };
   }
   const bool grey_png = field.file_type == "png" && stored.channels == 1 && stored.bits == 8;
   for (std::uint32_t row = 0; row < stored.height; ++row) {

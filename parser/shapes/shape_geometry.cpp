@@ -32,7 +32,8 @@ std::unique_ptr<core::Object> text_geometry(const TextShape& text) {
 }
 
 std::unique_ptr<core::Object> leaf_geometry(const ObjectDesc& object, bool& is_whole) {
-  if (const auto* text = std::get_if<Sparse<TextShape>>(&object.shape)) return text_geometry(**text);
+  if (const auto* text = std::get_if<Sparse<TextShape>>(&object.shape))
+    return text_geometry(**text);
   std::unique_ptr<core::Shape> shape;
   if (missing_function(object).empty()) {
     const bool is_mesh = std::holds_alternative<std::shared_ptr<const MeshShape>>(object.shape);

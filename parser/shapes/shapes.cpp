@@ -47,18 +47,22 @@ using ShapePointer = std::unique_ptr<core::Shape>;
 bool is_flat(const core::MeshData& data, const core::MeshTriple& normals) {
   constexpr double kEqual = 1e-10;
   if (normals[0] == core::kNoIndex) return false;
-  const Vec3 &a = data.normals[normals[0]], &b = data.normals[normals[1]], &c = data.normals[normals[2]];
+  const Vec3 &a = data.normals[normals[0]], &b = data.normals[normals[1]],
+             &c = data.normals[normals[2]];
   return length_squared(a - b) <= kEqual && length_squared(a - c) <= kEqual;
 }
 
 /// Whether some edge, by where it is, has an odd number of faces.
 bool has_open_edges(const core::MeshData& data) {
-  const auto key = [](const Vec3& p) { return std::array<double, 3>{p.x + 0.0, p.y + 0.0, p.z + 0.0}; };
+  const auto key = [](const Vec3& p) {
+    return std::array<double, 3>{p.x + 0.0, p.y + 0.0, p.z + 0.0};
+  };
   std::map<std::array<double, 3>, std::uint32_t> places;
   std::vector<std::uint32_t> place_of;
   place_of.reserve(data.vertices.size());
   for (const Vec3& p : data.vertices) {
-    place_of.push_back(places.try_emplace(key(p), static_cast<std::uint32_t>(places.size())).first->second);
+    place_of.push_back(
+        places.try_emplace(key(p), static_cast<std::uint32_t>(places.size())).first->second);
   }
   std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
   edges.reserve(data.faces.size() * 3);
@@ -102,11 +106,12 @@ core::MeshData mesh_data(const MeshShape& mesh) {
 core::JuliaFunction julia_function(std::string_view name) {
   using F = core::JuliaFunction;
   static const std::map<std::string_view, F> kFunctions{
-      {"sqr", F::kSqr},   {"cube", F::kCube},   {"reciprocal", F::kReciprocal}, {"exp", F::kExp},
-      {"ln", F::kLn},     {"sin", F::kSin},     {"asin", F::kAsin},             {"cos", F::kCos},
-      {"acos", F::kAcos}, {"tan", F::kTan},     {"atan", F::kAtan},             {"sinh", F::kSinh},
-      {"asinh", F::kAsinh}, {"cosh", F::kCosh}, {"acosh", F::kAcosh},           {"tanh", F::kTanh},
-      {"atanh", F::kAtanh}, {"pwr", F::kPwr}};
+      {"sqr", F::kSqr},     {"cube", F::kCube},   {"reciprocal", F::kReciprocal},
+      {"exp", F::kExp},     {"ln", F::kLn},       {"sin", F::kSin},
+      {"asin", F::kAsin},   {"cos", F::kCos},     {"acos", F::kAcos},
+      {"tan", F::kTan},     {"atan", F::kAtan},   {"sinh", F::kSinh},
+      {"asinh", F::kAsinh}, {"cosh", F::kCosh},   {"acosh", F::kAcosh},
+      {"tanh", F::kTanh},   {"atanh", F::kAtanh}, {"pwr", F::kPwr}};
   return kFunctions.at(name);
 }
 
@@ -125,7 +130,8 @@ double hole_of(const LatheShape& s, const std::vector<core::CurvePiece>& pieces)
   if (s.spline == CurveKind::kBezier) {
     for (const core::Vec2& p : s.points) least = std::min(least, p.u);
   } else {
-    for (const core::CurvePiece& piece : pieces) least = std::min(least, -piece.farthest({-1.0, 0.0}));
+    for (const core::CurvePiece& piece : pieces)
+      least = std::min(least, -piece.farthest({-1.0, 0.0}));
   }
   return least;
 }
@@ -147,7 +153,8 @@ struct ShapeMaker {
   }
   ShapePointer operator()(const ConeShape& s) const {
     // Stock goes by the end of the larger radius, below zero or not. Both below: a cylinder.
-    const double larger = std::max(s.base_radius, s.cap_radius), smaller = std::min(s.base_radius, s.cap_radius);
+    const double larger = std::max(s.base_radius, s.cap_radius),
+                 smaller = std::min(s.base_radius, s.cap_radius);
     if (larger < 0.0) return std::make_unique<core::Cone>(s.base, larger, s.cap, larger, s.open);
     if (larger > 0.0 && smaller < 0.0) {
       return std::make_unique<core::DoubleCone>(s.base, s.base_radius, s.cap, s.cap_radius, s.open);
@@ -197,7 +204,8 @@ struct ShapeMaker {
     set.max_gradient = s.max_gradient;
     if (s.evaluate) {
       set.evaluates = true;
-      set.max_gradient = std::max(s.max_gradient, (*s.evaluate)[0]);  // stock's first ray begins there
+      set.max_gradient =
+          std::max(s.max_gradient, (*s.evaluate)[0]);  // stock's first ray begins there
       set.growth = (*s.evaluate)[1];
       set.shrinking = (*s.evaluate)[2];
     }
@@ -266,10 +274,14 @@ struct ShapeMaker {
                                          s.conic_sweep ? Sweep::kConic : Sweep::kAlongY, s.height1,
                                          s.height2, s.open);
   }
-  ShapePointer operator()(const std::shared_ptr<const MeshShape>&) const { return build_mesh(object); }
+  ShapePointer operator()(const std::shared_ptr<const MeshShape>&) const {
+    return build_mesh(object);
+  }
   /// Everything else is kept for later.
   template <typename Other>
-  ShapePointer operator()(const Other&) const { return nullptr; }
+  ShapePointer operator()(const Other&) const {
+    return nullptr;
+  }
 };
 
 }  // namespace

@@ -37,15 +37,19 @@ Layout layout_of(CurveKind kind) {
 CurvePiece piece_of(CurveKind kind, const Vec2* p, bool closing) {
   switch (kind) {
     case CurveKind::kQuadratic:
-      return {{}, mix(0.5, p[0], -1.0, p[1], 0.5, p[2]), mix(-0.5, p[0], 0.0, p[1], 0.5, p[2]),
-              p[1], p[2]};
+      return {{},
+              mix(0.5, p[0], -1.0, p[1], 0.5, p[2]),
+              mix(-0.5, p[0], 0.0, p[1], 0.5, p[2]),
+              p[1],
+              p[2]};
     case CurveKind::kCubic:
       return {mix(-0.5, p[0], 1.5, p[1], -1.5, p[2], 0.5, p[3]),
               mix(1.0, p[0], -2.5, p[1], 2.0, p[2], -0.5, p[3]),
               mix(-0.5, p[0], 0.0, p[1], 0.5, p[2]), p[1], p[2]};
     // Through those of a prism stock runs from the last point to the first.
     case CurveKind::kBezier:
-      return closing ? CurvePiece::bezier(p[3], p[2], p[1], p[0]) : CurvePiece::bezier(p[0], p[1], p[2], p[3]);
+      return closing ? CurvePiece::bezier(p[3], p[2], p[1], p[0])
+                     : CurvePiece::bezier(p[0], p[1], p[2], p[3]);
     default: return CurvePiece::line(p[0], p[1]);
   }
 }

@@ -9,10 +9,8 @@ namespace {
 /// Of each power of u, the shares of four neighbours.
 using Basis = std::array<std::array<double, 4>, 4>;
 
-constexpr Basis kCatmullRom{{{0.0, 1.0, 0.0, 0.0},
-                             {-0.5, 0.0, 0.5, 0.0},
-                             {1.0, -2.5, 2.0, -0.5},
-                             {-0.5, 1.5, -1.5, 0.5}}};
+constexpr Basis kCatmullRom{
+    {{0.0, 1.0, 0.0, 0.0}, {-0.5, 0.0, 0.5, 0.0}, {1.0, -2.5, 2.0, -0.5}, {-0.5, 1.5, -1.5, 0.5}}};
 constexpr Basis kUniformB{{{1.0 / 6.0, 4.0 / 6.0, 1.0 / 6.0, 0.0},
                            {-0.5, 0.0, 0.5, 0.0},
                            {0.5, -1.0, 0.5, 0.0},
@@ -41,8 +39,7 @@ std::vector<core::SweepPiece> sweep_pieces(const SphereSweepShape& sweep) {
   std::vector<core::SweepPiece> pieces;
   for (std::size_t i = 0; i + reach < sweep.centres.size(); ++i) {
     if (!straight) {
-      pieces.push_back(
-          curved(sweep, i, sweep.spline == CurveKind::kB ? kUniformB : kCatmullRom));
+      pieces.push_back(curved(sweep, i, sweep.spline == CurveKind::kB ? kUniformB : kCatmullRom));
       continue;
     }
     core::SweepPiece piece;

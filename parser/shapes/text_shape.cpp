@@ -47,11 +47,13 @@ class FontFile {
 
  private:
   void list_character_maps() {
-    static constexpr std::array<std::pair<int, int>, kMaps> kEncodings{{{1, 0}, {3, 1}, {0, 3}, {3, 0}}};
+    static constexpr std::array<std::pair<int, int>, kMaps> kEncodings{
+        {{1, 0}, {3, 1}, {0, 3}, {3, 0}}};
     for (std::size_t k = 0; k < kMaps; ++k) {
       for (int i = 0; i < m_face->num_charmaps && !m_maps[k]; ++i) {
         const FT_CharMap map = m_face->charmaps[i];
-        if (std::pair<int, int>(map->platform_id, map->encoding_id) == kEncodings[k]) m_maps[k] = map;
+        if (std::pair<int, int>(map->platform_id, map->encoding_id) == kEncodings[k])
+          m_maps[k] = map;
       }
     }
   }
@@ -108,8 +110,8 @@ std::shared_ptr<const core::Outline> outline_of(FT_GlyphSlot glyph, double em) {
   constexpr int kHalves = 1;
   Collector collector;
   collector.em = em * (1 << kHalves);
-  FT_Outline_Funcs functions{&Collector::move, &Collector::line, &Collector::conic,
-                             &Collector::cubic, kHalves, 0};
+  FT_Outline_Funcs functions{&Collector::move,  &Collector::line, &Collector::conic,
+                             &Collector::cubic, kHalves,          0};
   FT_Outline_Decompose(&glyph->outline, &functions, &collector);
   collector.close();
   if (collector.pieces.empty()) return nullptr;
@@ -129,15 +131,17 @@ class TextLayout::Font {
 
   explicit Font(const FoundFile& found) : m_file(found) {}
   FT_Face face() const { return m_file.face(); }
-  FT_UInt index_of(FT_ULong character, bool unicode) const { return m_file.index_of(character, unicode); }
+  FT_UInt index_of(FT_ULong character, bool unicode) const {
+    return m_file.index_of(character, unicode);
+  }
   double em() const { return face()->units_per_EM; }
 
   const Glyph& glyph(FT_UInt index) {
     const auto [at, is_new] = m_glyphs.try_emplace(index);
     if (!is_new || FT_Load_Glyph(face(), index, FT_LOAD_NO_SCALE) != 0) return at->second;
     const FT_Glyph_Metrics& metrics = face()->glyph->metrics;
-    at->second = {true, static_cast<double>(metrics.horiBearingX), static_cast<double>(metrics.horiAdvance),
-                  outline_of(face()->glyph, em())};
+    at->second = {true, static_cast<double>(metrics.horiBearingX),
+                  static_cast<double>(metrics.horiAdvance), outline_of(face()->glyph, em())};
     return at->second;
   }
 

@@ -65,8 +65,7 @@ void Diagnostics::write(Stream stream, std::string_view text) {
 }
 
 std::string Diagnostics::format(const Location& where, std::string_view severity,
-                                std::string_view message,
-                                std::span<const StackEntry> stack) const {
+                                std::string_view message, std::span<const StackEntry> stack) const {
   std::string text = place(where) + ": " + std::string(severity) + ": " +
                      shown_message(shown_text(message)) + "\n" + excerpt(m_sources, where);
   for (std::size_t i = 0; i < stack.size(); ++i) {
@@ -95,7 +94,8 @@ void Diagnostics::report_repeats() {
   for (const auto& [message, places] : std::exchange(m_places, {})) {
     if (places <= kPlacesShown) continue;
     const std::size_t more = places - kPlacesShown;
-    warn({}, "at " + std::to_string(more) + (more == 1 ? " more place: " : " more places: ") + message);
+    warn({},
+         "at " + std::to_string(more) + (more == 1 ? " more place: " : " more places: ") + message);
   }
 }
 

@@ -29,9 +29,9 @@ struct StackEntry {
 
 struct Diagnostic {
   Location where;
-  std::string message;             ///< the bare message
-  std::vector<StackEntry> stack;   ///< innermost first
-  std::string text;                ///< as printed: place, message, line, caret, stack
+  std::string message;            ///< the bare message
+  std::vector<StackEntry> stack;  ///< innermost first
+  std::string text;               ///< as printed: place, message, line, caret, stack
 };
 
 /// What stops a parse. what() is the whole text, ready to print.
@@ -85,7 +85,7 @@ class Diagnostics {
   const SourceManager& m_sources;
   Sink m_sinks[kStreams];
   std::vector<Diagnostic> m_warnings;
-  std::set<std::string> m_given;   // places and messages of the warnings
+  std::set<std::string> m_given;                // places and messages of the warnings
   std::map<std::string, std::size_t> m_places;  // of each message, in how many places
   std::set<std::string> m_not_yet;
   Location m_first_not_yet;

@@ -85,8 +85,8 @@ std::string_view SourceManager::line(const Location& where) const {
   const std::size_t number = found->line_at(where.offset);
   const std::size_t start = found->line_starts[number];
   const std::size_t end = found->text.find('\n', start);
-  return std::string_view(found->text).substr(
-      start, end == std::string::npos ? std::string::npos : end - start);
+  return std::string_view(found->text)
+      .substr(start, end == std::string::npos ? std::string::npos : end - start);
 }
 
 }  // namespace lentray::parser

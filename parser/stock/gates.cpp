@@ -41,7 +41,8 @@ core::Bounds box_in_world(const ObjectDesc& object, const core::Transform& outer
 }
 
 std::shared_ptr<const core::Object> gate_of(const core::Bounds& box) {
-  return std::make_shared<core::Leaf>(std::make_unique<core::Box>(box.lo, box.hi), core::Transform());
+  return std::make_shared<core::Leaf>(std::make_unique<core::Box>(box.lo, box.hi),
+                                      core::Transform());
 }
 
 /// Asked one by one these are asked for hits without their boxes first.
@@ -55,7 +56,8 @@ bool has_no_box_test(const ObjectDesc& object) {
 }
 
 bool cuts(const CsgShape* csg) {
-  return csg && (csg->operation == CsgOperation::kIntersection || csg->operation == CsgOperation::kDifference);
+  return csg && (csg->operation == CsgOperation::kIntersection ||
+                 csg->operation == CsgOperation::kDifference);
 }
 
 /// Of others no surface stands out of stock's box. `in_cut`: somewhere in an intersection or difference, where
@@ -65,12 +67,13 @@ bool may_leave(const ObjectDesc& object, const CsgShape* around, bool in_cut) {
   const CsgShape* csg = object.csg();
   if (!csg) {
     // The solid of a height field is endless. Stock's box of a union does not know that.
-    if (std::holds_alternative<Sparse<HeightFieldShape>>(object.shape)) return in_cut && !cuts(around);
+    if (std::holds_alternative<Sparse<HeightFieldShape>>(object.shape))
+      return in_cut && !cuts(around);
     return cuts(around) && std::holds_alternative<Sparse<QuadricShape>>(object.shape);
   }
-  return std::any_of(csg->children->begin(), csg->children->end(), [&](const Ref<ObjectDesc>& child) {
-    return may_leave(*child, csg, in_cut || cuts(csg));
-  });
+  return std::any_of(
+      csg->children->begin(), csg->children->end(),
+      [&](const Ref<ObjectDesc>& child) { return may_leave(*child, csg, in_cut || cuts(csg)); });
 }
 
 bool holds(const core::Bounds& box, const core::Bounds& all) {
@@ -85,8 +88,9 @@ bool holds(const core::Bounds& box, const core::Bounds& all) {
 /// Stock's box as a gate of `built`, which has its clips: what a height field clips, which has no lower end, quadrics
 /// for which stock counts too little, and what is cut by parts with bounds of their own, stand out of it. Null where
 /// it changes nothing. `open_bounds`: have_open_inside().
-std::shared_ptr<const core::Object> box_gate(const ObjectDesc& object, const core::Transform& outer, Reach reach,
-                                             bool open_bounds, const core::Object& built) {
+std::shared_ptr<const core::Object> box_gate(const ObjectDesc& object, const core::Transform& outer,
+                                             Reach reach, bool open_bounds,
+                                             const core::Object& built) {
   if (reach == Reach::kPart || !(open_bounds || may_leave(object, nullptr, false))) return nullptr;
   if (reach == Reach::kOneByOne && has_no_box_test(object)) return nullptr;
   bool is_whole = true;
@@ -99,8 +103,9 @@ std::shared_ptr<const core::Object> box_gate(const ObjectDesc& object, const cor
 
 /// Whether some of what bounds an object has an inside beyond its own box.
 bool have_open_inside(const Regions& bounds) {
-  return std::any_of(bounds.begin(), bounds.end(),
-                     [](const auto& bound) { return bound->is_gated() || !bound->solid_bounds().is_finite(); });
+  return std::any_of(bounds.begin(), bounds.end(), [](const auto& bound) {
+    return bound->is_gated() || !bound->solid_bounds().is_finite();
+  });
 }
 
 /// What is left of bounds that stock drops: their common box, if it is smaller than stock's of the object without them.
@@ -129,7 +134,8 @@ bool forgets_clips(const ObjectDesc& object) {
 bool keeps_bounds(const ObjectDesc& object) {
   if (const auto* quadric = std::get_if<Sparse<QuadricShape>>(&object.shape)) {
     const auto& clips = object.rare->clipped_by;
-    const bool is_limited = std::any_of(clips.begin(), clips.end(), [](const auto& clip) { return !clip->inverse; });
+    const bool is_limited =
+        std::any_of(clips.begin(), clips.end(), [](const auto& clip) { return !clip->inverse; });
     return has_products((*quadric)->c) || (!is_limited && is_open_all_around((*quadric)->c));
   }
   return object.csg() || std::holds_alternative<PolyShape>(object.shape) ||
@@ -152,12 +158,14 @@ void set_regions(const ObjectDesc& object, const core::Transform& outer, const S
     add(object.rare->bounded_by, bounds);
   }
   const bool open_bounds = have_open_inside(bounds);
-  if (standing.on_list && !bounds.empty() && !keeps_bounds(object)) bounds = boxed_bounds(object, outer);
+  if (standing.on_list && !bounds.empty() && !keeps_bounds(object))
+    bounds = boxed_bounds(object, outer);
   if (!clips.empty() && !forgets_clips(object)) out.set_clips(std::move(clips));
   const Reach reach = !standing.on_list || standing.is_split ? Reach::kPart
                       : standing.has_hierarchy               ? Reach::kByBoxes
                                                              : Reach::kOneByOne;
-  if (auto gate = box_gate(object, outer, reach, open_bounds, out)) bounds.push_back(std::move(gate));
+  if (auto gate = box_gate(object, outer, reach, open_bounds, out))
+    bounds.push_back(std::move(gate));
   if (!bounds.empty()) out.set_gates(std::move(bounds));
 }
 
@@ -176,18 +184,20 @@ core::Bounds slab_box(const DiscShape& disc, const core::Transform& to_world) {
   const Vec3 normal = core::normalized(disc.normal);
   const double radius = std::fabs(disc.radius);
   const core::Transform turn = upright(normal);
-  const Vec3 a = to_world.vector(turn.vector({radius, 0.0, 0.0})), b = to_world.vector(turn.vector({0.0, radius, 0.0}));
+  const Vec3 a = to_world.vector(turn.vector({radius, 0.0, 0.0})),
+             b = to_world.vector(turn.vector({0.0, radius, 0.0}));
   const Vec3 c = to_world.vector(normal * kThickness), centre = to_world.point(disc.centre);
   Vec3 half;
-  for (int axis = 0; axis < 3; ++axis) half[axis] = std::fabs(a[axis]) + std::fabs(b[axis]) + std::fabs(c[axis]);
+  for (int axis = 0; axis < 3; ++axis)
+    half[axis] = std::fabs(a[axis]) + std::fabs(b[axis]) + std::fabs(c[axis]);
   return core::padded({centre - half, centre + half});
 }
 
 /// Discs, which count as half-spaces, meshes with holes and some julia fractals have a solid without end. Stock takes
 /// it to end where the surface does: at the surface's box, or at the common box of what bounds or what clips it, if
 /// that is smaller.
-void gate_endless_solid(const ObjectDesc& object, const core::Transform& outer, const core::Bounds& surface,
-                        core::Leaf& leaf) {
+void gate_endless_solid(const ObjectDesc& object, const core::Transform& outer,
+                        const core::Bounds& surface, core::Leaf& leaf) {
   const auto* disc = std::get_if<DiscShape>(&object.shape);
   core::Bounds box = disc ? slab_box(*disc, object.transform->then(outer)) : surface;
   for (const Regions* regions : {&leaf.gates(), &leaf.clips()}) {

@@ -16,10 +16,10 @@ namespace lentray::parser {
 
 /// Where an object is used.
 struct Standing {
-  bool on_list = false;        ///< in the scene's list
-  bool is_split = false;       ///< its parts are there in its place
-  bool is_part = false;        ///< in another object
-  bool has_hierarchy = true;   ///< of the scene: else stock asks each object for hits
+  bool on_list = false;       ///< in the scene's list
+  bool is_split = false;      ///< its parts are there in its place
+  bool is_part = false;       ///< in another object
+  bool has_hierarchy = true;  ///< of the scene: else stock asks each object for hits
 };
 
 using MakeRegion = std::function<std::shared_ptr<const core::Object>(const ObjectDesc&)>;

@@ -29,7 +29,8 @@ void turn_csg(ObjectDesc& object, const Transform& since, const Transform& step)
   if (steps.empty()) {
     const Transform before = object.transform->then(since);
     if (core::keeps_axes(before) || core::keeps_axes(step)) return;
-    object.transform.edit().steps = PlacementSteps{{Kind::kBefore, before, {}}, {Kind::kTransform, step, {}}};
+    object.transform.edit().steps =
+        PlacementSteps{{Kind::kBefore, before, {}}, {Kind::kTransform, step, {}}};
   } else if (core::keeps_axes(step)) {
     Transform& last = object.transform.edit().steps.edit().back().transform;
     last = last.then(step);
@@ -48,7 +49,9 @@ void turn_quadric(ObjectDesc& object, const Transform& since, const Transform& s
   object.transform.edit().steps.edit().push_back({Kind::kTransform, step, {}});
 }
 
-bool is_quadric(const ObjectDesc& object) { return std::holds_alternative<Sparse<QuadricShape>>(object.shape); }
+bool is_quadric(const ObjectDesc& object) {
+  return std::holds_alternative<Sparse<QuadricShape>>(object.shape);
+}
 
 }  // namespace
 
@@ -64,7 +67,8 @@ TransformStep step_of(TransformKind kind, const Transform& transform) {
 }
 
 void note_step(ObjectDesc& object, const Transform& since, const TransformStep& step) {
-  if (std::holds_alternative<SphereShape>(object.shape) || std::holds_alternative<SphereSweepShape>(object.shape)) {
+  if (std::holds_alternative<SphereShape>(object.shape) ||
+      std::holds_alternative<SphereSweepShape>(object.shape)) {
     if (!step.keeps_balls) end_ball(object, since);
   } else if (object.csg()) {
     turn_csg(object, since, step.transform);

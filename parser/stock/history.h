@@ -11,7 +11,7 @@ namespace lentray::parser {
 
 /// How a transform was written.
 enum class TransformKind {
-  kMove,      ///< translate or rotate
+  kMove,  ///< translate or rotate
   kScale,
   kComposed,  ///< matrix or transform
   kUnknown,   ///< several in one, or none that was written

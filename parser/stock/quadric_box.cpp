@@ -43,12 +43,15 @@ class Centred {
   std::size_t odd_axis() const {
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-      if ((square[i] > 0.0) != (square[j] > 0.0) && (square[j] > 0.0) == (square[k] > 0.0)) return i;
+      if ((square[i] > 0.0) != (square[j] > 0.0) && (square[j] > 0.0) == (square[k] > 0.0))
+        return i;
     }
     return 3;
   }
   /// True of two sheets that face each other along that axis.
-  bool has_two_sheets(std::size_t odd) const { return level * (square[odd] > 0.0 ? -1.0 : 1.0) < 0.0; }
+  bool has_two_sheets(std::size_t odd) const {
+    return level * (square[odd] > 0.0 ? -1.0 : 1.0) < 0.0;
+  }
 
  private:
   static double flattened(double x) { return std::fabs(x) < kTiny ? 0.0 : x; }
@@ -81,7 +84,8 @@ class BoxCut {
     const int axis = static_cast<int>(odd);
     const double centre = m_surface.centre[odd];
     if (m_surface.has_two_sheets(odd)) return;
-    const double far = std::max(std::fabs(m_box.lo[axis] - centre), std::fabs(m_box.hi[axis] - centre));
+    const double far =
+        std::max(std::fabs(m_box.lo[axis] - centre), std::fabs(m_box.hi[axis] - centre));
     // Stock counts every waist as that of the hyperboloid whose level is 1.
     const double waist = m_surface.level == 0.0 ? 0.0 : 1.0;
     for (int i = 0; i < 3; ++i) {
@@ -155,7 +159,7 @@ std::array<double, 10> moved_quadric(const std::array<double, 10>& c, const core
       }
     }
   }
-  return {r[0][0], r[1][1], r[2][2], 2.0 * r[0][1], 2.0 * r[0][2],
+  return {r[0][0],       r[1][1],       r[2][2],       2.0 * r[0][1], 2.0 * r[0][2],
           2.0 * r[1][2], 2.0 * r[0][3], 2.0 * r[1][3], 2.0 * r[2][3], r[3][3]};
 }
 

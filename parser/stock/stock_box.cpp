@@ -16,8 +16,9 @@ namespace {
 using core::Bounds;
 using core::Transform;
 
-constexpr double kHuge = 1e10;       ///< where boxes end
-constexpr double kCritical = 1e6;    ///< a CSG's or quadric's box longer than this is taken for infinite
+constexpr double kHuge = 1e10;  ///< where boxes end
+constexpr double kCritical =
+    1e6;  ///< a CSG's or quadric's box longer than this is taken for infinite
 constexpr double kThickness = 1e-3;  ///< flat things are given this much to both sides
 using core::kTiny;
 
@@ -63,7 +64,8 @@ Transform standing(const Vec3& origin, const Vec3& axis, double radius, double l
 /// How much larger a ball has become, less than 0 if turned inside out.
 double ball_scale(const Transform& t) {
   const double scale = core::similarity_scale(t);
-  return dot(cross(t.vector({1, 0, 0}), t.vector({0, 1, 0})), t.vector({0, 0, 1})) < 0.0 ? -scale : scale;
+  return dot(cross(t.vector({1, 0, 0}), t.vector({0, 1, 0})), t.vector({0, 0, 1})) < 0.0 ? -scale
+                                                                                         : scale;
 }
 
 /// What placed balls while they were balls; null: it was the whole transform.
@@ -87,7 +89,8 @@ bool is_height_field(const ObjectDesc& object) {
 
 /// Those that `inverse` and a difference leave as they are, their boxes too.
 bool has_no_outside(const ObjectDesc& object) {
-  return std::holds_alternative<TriangleShape>(object.shape) || std::holds_alternative<PolygonShape>(object.shape) ||
+  return std::holds_alternative<TriangleShape>(object.shape) ||
+         std::holds_alternative<PolygonShape>(object.shape) ||
          std::holds_alternative<Sparse<SmoothTriangleShape>>(object.shape) ||
          std::holds_alternative<std::shared_ptr<const BicubicPatchShape>>(object.shape) ||
          std::holds_alternative<Sparse<ParametricShape>>(object.shape);
@@ -98,7 +101,8 @@ class BoxFinder {
   explicit BoxFinder(bool& is_whole) : m_is_whole(is_whole) {}
 
   Bounds of(const ObjectDesc& object) {
-    Bounds box = kept(std::visit([&](const auto& shape) { return leaf(shape, object); }, object.shape));
+    Bounds box =
+        kept(std::visit([&](const auto& shape) { return leaf(shape, object); }, object.shape));
     if (!heeds_regions(object)) return rounded(box);
     for (const auto* regions : {&object.rare->bounded_by, &object.rare->clipped_by}) {
       Bounds common = everything();
@@ -161,7 +165,8 @@ class BoxFinder {
     const Vec3 narrow = wider_base ? s.cap : s.base, wide = wider_base ? s.base : s.cap;
     const double small = wider_base ? s.cap_radius : s.base_radius;
     const double large = wider_base ? s.base_radius : s.cap_radius;
-    if (large - small < kTiny || large < 0.0) return leaf(CylinderShape{s.base, s.cap, large, s.open}, o);
+    if (large - small < kTiny || large < 0.0)
+      return leaf(CylinderShape{s.base, s.cap, large, s.open}, o);
     const double length = core::length(wide - narrow);
     const Vec3 axis = (wide - narrow) / length;
     const double below = small * length / (large - small);
@@ -250,15 +255,16 @@ class BoxFinder {
   }
   /// Where its transform places it, with what `limits` leave. One with products of two coordinates has none but
   /// what is left from before it was turned.
-  static Bounds quadric_where(const QuadricShape& s, const Transform& placed, const Bounds& limits) {
+  static Bounds quadric_where(const QuadricShape& s, const Transform& placed,
+                              const Bounds& limits) {
     const std::array<double, 10> c = moved_quadric(s.c, placed);
     if (has_products(c)) return everything();
     const Bounds box = quadric_box(c, limits);
     return is_long(box) ? everything() : kept(box);
   }
   /// The same, where `before` is the box that it has kept, if any.
-  static Bounds limited_quadric(const QuadricShape& s, const Transform& placed, const std::optional<Bounds>& before,
-                                const Bounds& limits) {
+  static Bounds limited_quadric(const QuadricShape& s, const Transform& placed,
+                                const std::optional<Bounds>& before, const Bounds& limits) {
     if (!has_products(moved_quadric(s.c, placed))) return quadric_where(s, placed, limits);
     const Bounds box = before ? *before : everything();
     return volume(kept(limits)) < volume(box) ? kept(limits) : box;
@@ -337,7 +343,8 @@ class BoxFinder {
   Bounds leaf(const PrismShape& s, const ObjectDesc& o) { return of_points(s, o); }
   /// That of its container.
   Bounds leaf(const Sparse<ParametricShape>& s, const ObjectDesc& o) {
-    if (s->container.sphere) return moved(kept(about(s->container.a, s->container.radius)), *o.transform);
+    if (s->container.sphere)
+      return moved(kept(about(s->container.a, s->container.radius)), *o.transform);
     Bounds box;
     box.include(s->container.a);
     box.include(s->container.b);
@@ -386,7 +393,8 @@ core::Bounds stock_box(const ObjectDesc& object, bool& is_whole) {
 
 bool heeds_regions(const ObjectDesc& object) {
   return object.reopened ||
-         !(is_height_field(object) || std::holds_alternative<std::shared_ptr<const BlobShape>>(object.shape) ||
+         !(is_height_field(object) ||
+           std::holds_alternative<std::shared_ptr<const BlobShape>>(object.shape) ||
            std::holds_alternative<Sparse<JuliaFractalShape>>(object.shape));
 }
 

@@ -33,9 +33,11 @@ bool are_swapped(const std::array<Vec3, 3>& p, const core::Transform& placed) {
 /// way than a direction does, and may come over to the other side.
 bool are_apart(const SmoothTriangleShape& triangle, const core::Transform& placed) {
   const Vec3 corner = placed.point(triangle.p[0]);
-  const Vec3 face = cross(placed.point(triangle.p[1]) - corner, placed.point(triangle.p[2]) - corner);
+  const Vec3 face =
+      cross(placed.point(triangle.p[1]) - corner, placed.point(triangle.p[2]) - corner);
   const auto side = [&](const Vec3& n) { return dot(placed.normal(n), face); };
-  const auto [least, most] = std::minmax({side(triangle.n[0]), side(triangle.n[1]), side(triangle.n[2])});
+  const auto [least, most] =
+      std::minmax({side(triangle.n[0]), side(triangle.n[1]), side(triangle.n[2])});
   return !(least > 0.0 || most < 0.0);
 }
 
@@ -59,8 +61,9 @@ std::optional<ShapeDesc> with_triangles_moved(const ShapeDesc& shape, const Plac
     for (std::size_t i = 0; i < csg->children->size(); ++i) {
       const ObjectDesc& child = *(*csg->children)[i];
       if (!has_triangles(child.shape)) continue;
-      auto changed = with_triangles_moved(
-          child.shape, {child.transform->then(placed.before), child.transform->then(placed.after), placed.scale});
+      auto changed =
+          with_triangles_moved(child.shape, {child.transform->then(placed.before),
+                                             child.transform->then(placed.after), placed.scale});
       if (!changed) continue;
       if (!children) children = std::make_shared<Children>(*csg->children);
       auto copy = std::make_shared<ObjectDesc>(child);
@@ -92,10 +95,12 @@ std::optional<ShapeDesc> with_triangles_moved(const ShapeDesc& shape, const Plac
 
 bool has_triangles(const ShapeDesc& shape) {
   if (const auto* csg = std::get_if<CsgShape>(&shape)) return csg->has_triangles;
-  return std::holds_alternative<TriangleShape>(shape) || std::holds_alternative<Sparse<SmoothTriangleShape>>(shape);
+  return std::holds_alternative<TriangleShape>(shape) ||
+         std::holds_alternative<Sparse<SmoothTriangleShape>>(shape);
 }
 
-void move_triangles(ObjectDesc& object, const core::Transform& all, const core::Transform& step, bool scale) {
+void move_triangles(ObjectDesc& object, const core::Transform& all, const core::Transform& step,
+                    bool scale) {
   if (!has_triangles(object.shape)) return;
   const core::Transform before = object.transform->then(all);
   if (auto changed = with_triangles_moved(object.shape, {before, before.then(step), scale})) {

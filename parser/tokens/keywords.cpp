@@ -14,16 +14,14 @@ constexpr std::string_view kSpellings[] = {
 };
 
 constexpr KeywordAlias kAliases[] = {
-    {"colour", Keyword::kColor},
-    {"colour_map", Keyword::kColorMap},
-    {"fade_colour", Keyword::kFadeColor},
-    {"quick_colour", Keyword::kQuickColor},
+    {"colour", Keyword::kColor},          {"colour_map", Keyword::kColorMap},
+    {"fade_colour", Keyword::kFadeColor}, {"quick_colour", Keyword::kQuickColor},
     {"use_colour", Keyword::kUseColor},
 };
 
 constexpr std::string_view kPuncts[] = {
-    "", "{", "}", "(", ")", "[", "]", "<", ">", "<=", ">=", "!=", "=", "+", "-", "*", "/", ",",
-    ";", ":", ".", "?", "!", "&", "|", "%", "^", "$", "@", "~", "'", "\\", "`", "#",
+    "",  "{", "}", "(", ")", "[", "]", "<", ">", "<=", ">=", "!=", "=", "+", "-",  "*", "/",
+    ",", ";", ":", ".", "?", "!", "&", "|", "%", "^",  "$",  "@",  "~", "'", "\\", "`", "#",
 };
 
 using Table = std::unordered_map<std::string_view, Keyword>;
@@ -54,18 +52,45 @@ bool starts_operand(Keyword k) {
 #define LENTRAY_FLOAT_FUNCTION(name, arity, in_functions, undefined, value) case Keyword::name:
 #include "core/function/float_functions.def"
 #undef LENTRAY_FLOAT_FUNCTION
-    case Keyword::kAsc: case Keyword::kClock: case Keyword::kClockOn: case Keyword::kDefined:
-    case Keyword::kDimensionSize: case Keyword::kDimensions: case Keyword::kFalse:
-    case Keyword::kFileExists: case Keyword::kInside: case Keyword::kMaxExtent:
-    case Keyword::kMinExtent: case Keyword::kNo: case Keyword::kNow: case Keyword::kOff:
-    case Keyword::kOn: case Keyword::kPi: case Keyword::kRand: case Keyword::kSeed:
-    case Keyword::kSelect: case Keyword::kStrcmp: case Keyword::kStrlen: case Keyword::kT:
-    case Keyword::kTrace: case Keyword::kTrue: case Keyword::kU: case Keyword::kV:
-    case Keyword::kVal: case Keyword::kVaxisRotate: case Keyword::kVcross: case Keyword::kVdot:
-    case Keyword::kVersion: case Keyword::kVlength: case Keyword::kVnormalize:
-    case Keyword::kVrotate: case Keyword::kVturbulence: case Keyword::kX: case Keyword::kY:
-    case Keyword::kYes: case Keyword::kZ:
-      return true;
+    case Keyword::kAsc:
+    case Keyword::kClock:
+    case Keyword::kClockOn:
+    case Keyword::kDefined:
+    case Keyword::kDimensionSize:
+    case Keyword::kDimensions:
+    case Keyword::kFalse:
+    case Keyword::kFileExists:
+    case Keyword::kInside:
+    case Keyword::kMaxExtent:
+    case Keyword::kMinExtent:
+    case Keyword::kNo:
+    case Keyword::kNow:
+    case Keyword::kOff:
+    case Keyword::kOn:
+    case Keyword::kPi:
+    case Keyword::kRand:
+    case Keyword::kSeed:
+    case Keyword::kSelect:
+    case Keyword::kStrcmp:
+    case Keyword::kStrlen:
+    case Keyword::kT:
+    case Keyword::kTrace:
+    case Keyword::kTrue:
+    case Keyword::kU:
+    case Keyword::kV:
+    case Keyword::kVal:
+    case Keyword::kVaxisRotate:
+    case Keyword::kVcross:
+    case Keyword::kVdot:
+    case Keyword::kVersion:
+    case Keyword::kVlength:
+    case Keyword::kVnormalize:
+    case Keyword::kVrotate:
+    case Keyword::kVturbulence:
+    case Keyword::kX:
+    case Keyword::kY:
+    case Keyword::kYes:
+    case Keyword::kZ: return true;
     default: return false;
   }
 }

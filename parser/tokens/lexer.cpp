@@ -29,7 +29,8 @@ struct Bytes {
     for (std::size_t c = ' '; c < 0x80; ++c) kinds[c] |= c == '"' || c == '\\' ? 0 : kPlain;
     for (std::size_t i = 1; i <= static_cast<std::size_t>(Punct::kBackquote); ++i) {
       const std::string_view written = spelling(static_cast<Punct>(i));
-      if (written.size() == 1) puncts[static_cast<unsigned char>(written[0])] = static_cast<Punct>(i);
+      if (written.size() == 1)
+        puncts[static_cast<unsigned char>(written[0])] = static_cast<Punct>(i);
     }
   }
 };
@@ -52,7 +53,9 @@ char simple_escape(char c) {
     case 'r': return '\r';
     case 't': return '\t';
     case 'v': return '\v';
-    case '\\': case '"': case '\'': return c;
+    case '\\':
+    case '"':
+    case '\'': return c;
     default: return 0;
   }
 }
@@ -135,9 +138,7 @@ class Lexer {
   char at(std::size_t i) const { return i < m_text.size() ? m_text[i] : '\0'; }
   char here() const { return at(m_pos); }
 
-  Location location() const {
-    return {m_file, static_cast<std::uint32_t>(m_pos)};
-  }
+  Location location() const { return {m_file, static_cast<std::uint32_t>(m_pos)}; }
 
   // The next token, made where it stays: one that is copied at once has to wait for its own bytes.
   Token& add(TokenKind kind) {
@@ -145,7 +146,8 @@ class Lexer {
     t.kind = kind;
     t.where.file = m_file;
     t.where.offset = static_cast<std::uint32_t>(m_pos);
-    t.passive = kind == TokenKind::kNumber || kind == TokenKind::kString || kind == TokenKind::kPunct;
+    t.passive =
+        kind == TokenKind::kNumber || kind == TokenKind::kString || kind == TokenKind::kPunct;
     return t;
   }
 
@@ -206,7 +208,9 @@ class Lexer {
     punct();
   }
 
-  bool starts_number() const { return is_digit(here()) || (here() == '.' && is_digit(at(m_pos + 1))); }
+  bool starts_number() const {
+    return is_digit(here()) || (here() == '.' && is_digit(at(m_pos + 1)));
+  }
 
   std::string_view read_word() {
     const std::size_t start = m_pos;
@@ -298,8 +302,10 @@ class Lexer {
         cooked += c;
         ++m_pos;
       }
-      if (foreign) ascii += ' ';
-      else if (!ascii.empty()) ascii.append(cooked, before);
+      if (foreign)
+        ascii += ' ';
+      else if (!ascii.empty())
+        ascii.append(cooked, before);
     }
     std::string raw(m_text.substr(start, m_pos - start));
     ++m_pos;
@@ -366,8 +372,9 @@ class Lexer {
     const char c = m_text[m_pos];
     const bool equal_follows = at(m_pos + 1) == '=';
     if (equal_follows && (c == '<' || c == '>' || c == '!')) {
-      add(TokenKind::kPunct).punct =
-          c == '<' ? Punct::kLessEqual : c == '>' ? Punct::kGreaterEqual : Punct::kNotEqual;
+      add(TokenKind::kPunct).punct = c == '<'   ? Punct::kLessEqual
+                                     : c == '>' ? Punct::kGreaterEqual
+                                                : Punct::kNotEqual;
       m_pos += 2;
       return;
     }
@@ -394,9 +401,14 @@ class Lexer {
     }
     if (before.kind != TokenKind::kPunct) return false;
     switch (before.punct) {
-      case Punct::kComma: case Punct::kLeftCurly: case Punct::kLeftParen: case Punct::kEqual:
-      case Punct::kPlus: case Punct::kMinus: case Punct::kStar: case Punct::kSlash:
-        return true;
+      case Punct::kComma:
+      case Punct::kLeftCurly:
+      case Punct::kLeftParen:
+      case Punct::kEqual:
+      case Punct::kPlus:
+      case Punct::kMinus:
+      case Punct::kStar:
+      case Punct::kSlash: return true;
       default: return false;
     }
   }
@@ -448,12 +460,20 @@ class Lexer {
       Token& t = m_tokens[i];
       if (t.kind != TokenKind::kDirective) continue;
       switch (t.keyword) {
-        case Keyword::kIf: case Keyword::kIfdef: case Keyword::kIfndef: case Keyword::kWhile:
-        case Keyword::kFor: case Keyword::kSwitch: case Keyword::kMacro:
+        case Keyword::kIf:
+        case Keyword::kIfdef:
+        case Keyword::kIfndef:
+        case Keyword::kWhile:
+        case Keyword::kFor:
+        case Keyword::kSwitch:
+        case Keyword::kMacro:
           open.push_back({i, i});
           t.jump = m_tokens.size();
           break;
-        case Keyword::kElse: case Keyword::kElseif: case Keyword::kCase: case Keyword::kRange:
+        case Keyword::kElse:
+        case Keyword::kElseif:
+        case Keyword::kCase:
+        case Keyword::kRange:
           t.jump = m_tokens.size();
           if (!open.empty()) {
             m_tokens[open.back().last].jump = i;

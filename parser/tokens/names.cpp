@@ -27,8 +27,9 @@ NameId NameTable::intern(std::string_view name) {
 
 NameId NameTable::add_string(std::string raw, std::string cooked, std::string ascii) {
   const bool plain = ascii.empty() && raw == cooked;
-  m_strings.push_back({std::move(cooked), plain ? nullptr : std::make_unique<const Variants>(Variants{
-                                                                std::move(raw), std::move(ascii)})});
+  m_strings.push_back({std::move(cooked), plain ? nullptr
+                                                : std::make_unique<const Variants>(
+                                                      Variants{std::move(raw), std::move(ascii)})});
   return static_cast<NameId>(m_strings.size() - 1);
 }
 

@@ -20,7 +20,9 @@ class NameTable {
   NameId intern(std::string_view name);
   std::string_view text(NameId id) const { return m_texts[id]; }
   /// The reserved word a name is, or kNone.
-  Keyword keyword(NameId id) const { return id < m_keywords.size() ? m_keywords[id] : Keyword::kNone; }
+  Keyword keyword(NameId id) const {
+    return id < m_keywords.size() ? m_keywords[id] : Keyword::kNone;
+  }
   std::size_t size() const { return m_texts.size(); }
 
   /// String literals: `raw` is what stands between the quotes (file names take it so), `cooked`
@@ -48,7 +50,7 @@ class NameTable {
   };
   struct Literal {
     std::string cooked;
-    std::unique_ptr<const Variants> other;   ///< null: raw is the same, and ASCII
+    std::unique_ptr<const Variants> other;  ///< null: raw is the same, and ASCII
   };
   std::deque<std::string> m_texts;
   std::unordered_map<std::string_view, NameId> m_ids;

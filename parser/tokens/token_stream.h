@@ -19,9 +19,9 @@ struct Frame {
   std::shared_ptr<const TokenList> list;
   const Token* cursor = nullptr;
   const Token* end = nullptr;
-  NameId name = 0;          ///< of the macro
-  Location call;            ///< where the macro was invoked, the file included
-  std::size_t blocks = 0;   ///< open conditionals and loops when the frame began
+  NameId name = 0;         ///< of the macro
+  Location call;           ///< where the macro was invoked, the file included
+  std::size_t blocks = 0;  ///< open conditionals and loops when the frame began
 
   const Token* token(std::size_t index) const { return list->tokens.data() + index; }
 };

@@ -58,16 +58,23 @@ inline void negate(Number& n) {
   for (double& x : n.v) x = -x;
 }
 inline void logical_not(Number& n) {
-  for (std::size_t i = 0; i < static_cast<std::size_t>(n.size); ++i) n.v[i] = is_true(n.v[i]) ? 0.0 : 1.0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(n.size); ++i)
+    n.v[i] = is_true(n.v[i]) ? 0.0 : 1.0;
 }
 
 /// Which component `.name` is; -1 if it is none.
 inline int component_of(Keyword name) {
   switch (name) {
-    case Keyword::kX: case Keyword::kU: case Keyword::kRed: return 0;
-    case Keyword::kY: case Keyword::kV: case Keyword::kGreen: return 1;
-    case Keyword::kZ: case Keyword::kBlue: return 2;
-    case Keyword::kT: case Keyword::kFilter: return 3;
+    case Keyword::kX:
+    case Keyword::kU:
+    case Keyword::kRed: return 0;
+    case Keyword::kY:
+    case Keyword::kV:
+    case Keyword::kGreen: return 1;
+    case Keyword::kZ:
+    case Keyword::kBlue: return 2;
+    case Keyword::kT:
+    case Keyword::kFilter: return 3;
     case Keyword::kTransmit: return 4;
     default: return -1;
   }

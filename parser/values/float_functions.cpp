@@ -37,7 +37,8 @@ constexpr FunctionWords kFunctionWords = function_words();
 bool is_defined(core::FunctionOp op, double a, double b) {
   switch (op) {
 #define LENTRAY_FLOAT_FUNCTION(name, arity, in_functions, undefined, value) \
-  case core::FunctionOp::name: return !(undefined);
+  case core::FunctionOp::name:                                              \
+    return !(undefined);
 #include "core/function/float_functions.def"
 #undef LENTRAY_FLOAT_FUNCTION
     default: return true;

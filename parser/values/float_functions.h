@@ -13,12 +13,12 @@ namespace lentray::parser {
 /// What a keyword takes and gives, if a pure function or a constant.
 enum class FunctionKind : std::uint8_t {
   kNone,
-  kOneFloat,     ///< of one float
-  kTwoFloats,    ///< of two: atan2, div, mod, pow
-  kFold,         ///< of any number, one after the other: min, max, bitwise_and ...
-  kUnitVector,   ///< x, y, z, t, u, v
-  kVector,       ///< the functions whose value is a vector
-  kString        ///< those whose value is a string
+  kOneFloat,    ///< of one float
+  kTwoFloats,   ///< of two: atan2, div, mod, pow
+  kFold,        ///< of any number, one after the other: min, max, bitwise_and ...
+  kUnitVector,  ///< x, y, z, t, u, v
+  kVector,      ///< the functions whose value is a vector
+  kString       ///< those whose value is a string
 };
 
 struct FunctionWord {
@@ -27,8 +27,7 @@ struct FunctionWord {
   bool in_functions = false;  ///< user-defined functions have it, of more than constants
 };
 
-using FunctionWords =
-    std::array<FunctionWord, static_cast<std::size_t>(Keyword::kEndOfKeywords)>;
+using FunctionWords = std::array<FunctionWord, static_cast<std::size_t>(Keyword::kEndOfKeywords)>;
 extern const FunctionWords kFunctionWords;
 
 inline const FunctionWord& function_word(Keyword word) {

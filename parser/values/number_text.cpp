@@ -63,8 +63,8 @@ void append_padded(std::string& text, const NumberFormat& format, std::string_vi
   text += number;
 }
 
-constexpr int kMostOfStr = 254;   // what str() makes at most, as measured on stock
-constexpr int kLongest = 1000;    // what width and digits are cut to
+constexpr int kMostOfStr = 254;  // what str() makes at most, as measured on stock
+constexpr int kLongest = 1000;   // what width and digits are cut to
 constexpr int kUnprintable = std::numeric_limits<int>::max();
 
 // What most numbers need. False, and nothing done, if that may be longer than kMostOfStr.
@@ -103,8 +103,8 @@ int append_printed(std::string& text, const NumberFormat& format, char kind, dou
 NumberFormat number_format_of(double width, double digits) {
   constexpr int kUsual = 6;
   const int least = to_int(width), behind = to_int(digits);
-  const int length = least == std::numeric_limits<int>::min() ? kUnprintable
-                                                              : std::min(std::abs(least), kLongest);
+  const int length =
+      least == std::numeric_limits<int>::min() ? kUnprintable : std::min(std::abs(least), kLongest);
   return {length, behind < 0 ? kUsual : std::min(behind, kLongest), least < 0};
 }
 
@@ -133,7 +133,7 @@ void append_vector(std::string& text, const Number& n, int count, const std::str
 
 void append_general(std::string& text, double value) {
   constexpr int kPrecision = 6;
-  constexpr double kLeast = 1e-4, kMost = 1e6;   // beyond them it has an exponent
+  constexpr double kLeast = 1e-4, kMost = 1e6;  // beyond them it has an exponent
   const double x = std::fabs(value);
   if (x == 0.0) {
     text += std::signbit(value) ? "-0" : "0";

@@ -11,8 +11,8 @@ namespace lentray::parser {
 
 /// How str() and vstr() print.
 struct NumberFormat {
-  int width = 0, digits = 6;   ///< least length; digits behind the point
-  bool zeros = false;          ///< in front, instead of spaces
+  int width = 0, digits = 6;  ///< least length; digits behind the point
+  bool zeros = false;         ///< in front, instead of spaces
 };
 
 /// Of the two numbers that stand for it in SDL: a negative width is for zeros in front.

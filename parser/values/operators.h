@@ -16,9 +16,7 @@ namespace lentray::parser {
 /// What binds closest comes last. Expressions have no kAnd: & and | bind alike there.
 enum class Precedence : std::uint8_t { kNone, kLogical, kAnd, kComparison, kSum, kProduct };
 
-inline Precedence closer(Precedence p) {
-  return static_cast<Precedence>(static_cast<int>(p) + 1);
-}
+inline Precedence closer(Precedence p) { return static_cast<Precedence>(static_cast<int>(p) + 1); }
 
 /// An operator as user-defined functions have it.
 struct FunctionOperator {
@@ -31,10 +29,10 @@ struct Operators {
   std::array<FunctionOperator, 256> in_functions{};
 
   constexpr Operators() {
-#define LENTRAY_OPERATOR(symbol, binds, binds_in_functions, op, undefined, value) \
-  precedence[static_cast<std::size_t>(Punct::symbol)] = Precedence::binds;        \
-  in_functions[static_cast<std::size_t>(Punct::symbol)] = {                       \
-      Precedence::binds_in_functions, core::FunctionOp::op};
+#define LENTRAY_OPERATOR(symbol, binds, binds_in_functions, op, undefined, value)          \
+  precedence[static_cast<std::size_t>(Punct::symbol)] = Precedence::binds;                 \
+  in_functions[static_cast<std::size_t>(Punct::symbol)] = {Precedence::binds_in_functions, \
+                                                           core::FunctionOp::op};
 #include "parser/values/operators.def"
 #undef LENTRAY_OPERATOR
   }
@@ -57,7 +55,9 @@ inline bool operate(Punct op, double& left, double right) {
   const double a = left, b = right;
   switch (op) {
 #define LENTRAY_OPERATOR(symbol, binds, binds_in_functions, op, undefined, value) \
-  case Punct::symbol: left = value; return !(undefined);
+  case Punct::symbol:                                                             \
+    left = value;                                                                 \
+    return !(undefined);
 #include "parser/values/operators.def"
 #undef LENTRAY_OPERATOR
     default: return true;

@@ -19,9 +19,8 @@ Values quadratic(const SplineKnot& a, const SplineKnot& b, const SplineKnot& c, 
   const double wa = (t - b.at) * (t - c.at) / ((a.at - b.at) * (a.at - c.at));
   const double wb = (t - a.at) * (t - c.at) / ((b.at - a.at) * (b.at - c.at));
   const double wc = (t - a.at) * (t - b.at) / ((c.at - a.at) * (c.at - b.at));
-  return componentwise([&](std::size_t i) {
-    return a.value[i] * wa + b.value[i] * wb + c.value[i] * wc;
-  });
+  return componentwise(
+      [&](std::size_t i) { return a.value[i] * wa + b.value[i] * wb + c.value[i] * wc; });
 }
 
 Values catmull_rom(const SplineKnot& before, const SplineKnot& a, const SplineKnot& b,
@@ -32,8 +31,9 @@ Values catmull_rom(const SplineKnot& before, const SplineKnot& a, const SplineKn
     const double chord = (b.value[i] - a.value[i]) / step;
     const double slope_a = (chord + (a.value[i] - before.value[i]) / (a.at - before.at)) / 2.0;
     const double slope_b = (chord + (after.value[i] - b.value[i]) / (after.at - b.at)) / 2.0;
-    return (2 * u * u * u - 3 * u * u + 1) * a.value[i] + (u * u * u - 2 * u * u + u) * step * slope_a +
-           (3 * u * u - 2 * u * u * u) * b.value[i] + (u * u * u - u * u) * step * slope_b;
+    return (2 * u * u * u - 3 * u * u + 1) * a.value[i] +
+           (u * u * u - 2 * u * u + u) * step * slope_a + (3 * u * u - 2 * u * u * u) * b.value[i] +
+           (u * u * u - u * u) * step * slope_b;
   });
 }
 
@@ -42,7 +42,8 @@ Values natural(const SplineKnot& a, const SplineKnot& b, double t) {
   const double p = (b.at - t) / step, q = (t - a.at) / step;
   return componentwise([&](std::size_t i) {
     return p * a.value[i] + q * b.value[i] +
-           ((p * p * p - p) * a.curvature[i] + (q * q * q - q) * b.curvature[i]) * step * step / 6.0;
+           ((p * p * p - p) * a.curvature[i] + (q * q * q - q) * b.curvature[i]) * step * step /
+               6.0;
   });
 }
 
@@ -87,7 +88,8 @@ Values SplineDesc::evaluate(double at) const {
   if (n == 1) return knots[0].value;
   // Too few points for a cubic spline: stock gives the middle, whatever `at`.
   if (cubic && n == 2) {
-    return componentwise([&](std::size_t c) { return (knots[0].value[c] + knots[1].value[c]) / 2.0; });
+    return componentwise(
+        [&](std::size_t c) { return (knots[0].value[c] + knots[1].value[c]) / 2.0; });
   }
   if (cubic && n == 3) return knots[1].value;
   const std::size_t first = cubic ? 1 : 0, last = cubic ? n - 2 : n - 1;
@@ -102,7 +104,8 @@ Values SplineDesc::evaluate(double at) const {
       const std::size_t j = i == 0 ? 1 : i;
       return quadratic(knots[j - 1], knots[j], knots[j + 1], at);
     }
-    case SplineKind::kCubic: return catmull_rom(knots[i - 1], knots[i], knots[i + 1], knots[i + 2], at);
+    case SplineKind::kCubic:
+      return catmull_rom(knots[i - 1], knots[i], knots[i + 1], knots[i + 2], at);
     case SplineKind::kNatural: return natural(knots[i], knots[i + 1], at);
     default: break;
   }

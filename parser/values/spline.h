@@ -16,17 +16,17 @@ enum class SplineKind : std::uint8_t { kLinear, kQuadratic, kCubic, kNatural };
 struct SplineKnot {
   double at = 0.0;
   std::array<double, 5> value{};
-  std::array<double, 5> curvature{};   ///< second derivatives, of natural splines
+  std::array<double, 5> curvature{};  ///< second derivatives, of natural splines
 };
 
 struct SplineDesc {
   SplineKind kind = SplineKind::kLinear;
-  int size = 2;                         ///< components of its values
-  std::vector<SplineKnot> knots;        ///< in order
+  int size = 2;                   ///< components of its values
+  std::vector<SplineKnot> knots;  ///< in order
   /// A point at the same `at` as another takes its place, but for the last one of several, which stays: measured on
   /// stock (tests/compat/language/splines.cases).
   void add(double at, const std::array<double, 5>& value);
-  void prepare();                       ///< once all knots are there
+  void prepare();  ///< once all knots are there
   std::array<double, 5> evaluate(double at) const;
 };
 

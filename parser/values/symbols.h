@@ -42,7 +42,8 @@ struct Deprecation {
 struct SymbolExtras {
   std::shared_ptr<const Macro> macro;
   std::shared_ptr<ScriptFile> file;
-  std::shared_ptr<ArrayValue> alias_array;   ///< a parameter: the array one of whose elements was passed
+  std::shared_ptr<ArrayValue>
+      alias_array;  ///< a parameter: the array one of whose elements was passed
   std::size_t alias_index = 0;
   std::unique_ptr<Deprecation> deprecated;
 };
@@ -56,9 +57,9 @@ using SymbolPtr = boost::intrusive_ptr<Symbol>;
 /// Made and gone with each call of a macro: small.
 struct Symbol {
   Value value;
-  SymbolPtr alias;                           ///< a parameter: the symbol passed by reference
-  std::unique_ptr<SymbolExtras> extras;      ///< null for nearly all
-  std::uint32_t level = 0;                   ///< scope it lives in; 0: global
+  SymbolPtr alias;                       ///< a parameter: the symbol passed by reference
+  std::unique_ptr<SymbolExtras> extras;  ///< null for nearly all
+  std::uint32_t level = 0;               ///< scope it lives in; 0: global
   std::uint32_t references = 0;
 
   SymbolExtras& edit_extras() {
@@ -80,9 +81,12 @@ struct Symbol {
 
   /// Makes what it stands for hold this value.
   void assign(Value new_value) {
-    if (alias || alias_array()) resolve() = std::move(new_value);
-    else if (!extras) value = std::move(new_value);
-    else reset(std::move(new_value));
+    if (alias || alias_array())
+      resolve() = std::move(new_value);
+    else if (!extras)
+      value = std::move(new_value);
+    else
+      reset(std::move(new_value));
   }
 
   /// Its value is its own, and nothing happens when its name is read.
@@ -133,7 +137,7 @@ class SymbolTable {
   /// The symbol of the scope at `level`, made there if need be even if scopes within hide it.
   Symbol& declare_at(NameId name, std::uint32_t level);
   void bind_local(NameId name, SymbolPtr symbol);
-  void remove(NameId name);             ///< forgets the visible symbol; an outer one shows again
+  void remove(NameId name);  ///< forgets the visible symbol; an outer one shows again
 
   /// Every visible name, for messages.
   std::vector<NameId> visible_names() const;
@@ -147,9 +151,9 @@ class SymbolTable {
     if (name >= m_visible.size()) m_visible.resize(name + 64);
     return m_visible[name];
   }
-  std::vector<SymbolPtr> m_visible;    // by name
-  std::vector<Hidden> m_hidden;        // of all scopes, innermost last
-  std::vector<std::size_t> m_scopes;   // where a scope's part of m_hidden starts
+  std::vector<SymbolPtr> m_visible;   // by name
+  std::vector<Hidden> m_hidden;       // of all scopes, innermost last
+  std::vector<std::size_t> m_scopes;  // where a scope's part of m_hidden starts
 };
 
 }  // namespace lentray::parser

@@ -17,10 +17,11 @@ const char* number_name(const Number& n) {
 
 const char* kind_name(const Value& value) {
   static constexpr const char* kNames[] = {
-      "uninitialised", "float", "string", "array", "transform", "function", "spline", "pigment",
-      "normal", "finish", "texture", "interior", "material", "media", "density", "object", "camera",
-      "fog", "rainbow", "sky_sphere", "color_map", "pigment_map", "normal_map", "slope_map",
-      "texture_map", "density_map"};
+      "uninitialised", "float",      "string",    "array",       "transform",  "function",
+      "spline",        "pigment",    "normal",    "finish",      "texture",    "interior",
+      "material",      "media",      "density",   "object",      "camera",     "fog",
+      "rainbow",       "sky_sphere", "color_map", "pigment_map", "normal_map", "slope_map",
+      "texture_map",   "density_map"};
   static_assert(std::size(kNames) == std::variant_size_v<Value>);
   if (const Number* n = std::get_if<Number>(&value)) return number_name(*n);
   return kNames[value.index()];

@@ -22,7 +22,7 @@ struct InteriorDesc;
 struct MaterialDesc;
 struct MediaDesc;
 struct DensityDesc;
-struct ObjectDesc;    // light sources too
+struct ObjectDesc;  // light sources too
 struct CameraDesc;
 struct FogDesc;
 struct RainbowDesc;
@@ -78,29 +78,27 @@ struct Number {
     n.size = 3;
     return n;
   }
-  core::Vec3 xyz() const {
-    return size == 1 ? core::Vec3(v[0]) : core::Vec3(v[0], v[1], v[2]);
-  }
+  core::Vec3 xyz() const { return size == 1 ? core::Vec3(v[0]) : core::Vec3(v[0], v[1], v[2]); }
 };
 
 template <typename Desc>
 using Ref = std::shared_ptr<const Desc>;
 
-using Value = std::variant<std::monostate,  // declared, not set (array element)
-                           Number, std::string, std::shared_ptr<ArrayValue>, Ref<core::Transform>,
-                           Ref<FunctionDesc>, Ref<SplineDesc>, Ref<PigmentDesc>, Ref<NormalDesc>,
-                           Ref<FinishDesc>, Ref<TextureDesc>, Ref<InteriorDesc>, Ref<MaterialDesc>,
-                           Ref<MediaDesc>, Ref<DensityDesc>, Ref<ObjectDesc>, Ref<CameraDesc>,
-                           Ref<FogDesc>, Ref<RainbowDesc>, Ref<SkySphereDesc>, Ref<ColourMapDesc>,
-                           Ref<PigmentMapDesc>, Ref<NormalMapDesc>, Ref<SlopeMapDesc>,
-                           Ref<TextureMapDesc>, Ref<DensityMapDesc>>;
+using Value =
+    std::variant<std::monostate,  // declared, not set (array element)
+                 Number, std::string, std::shared_ptr<ArrayValue>, Ref<core::Transform>,
+                 Ref<FunctionDesc>, Ref<SplineDesc>, Ref<PigmentDesc>, Ref<NormalDesc>,
+                 Ref<FinishDesc>, Ref<TextureDesc>, Ref<InteriorDesc>, Ref<MaterialDesc>,
+                 Ref<MediaDesc>, Ref<DensityDesc>, Ref<ObjectDesc>, Ref<CameraDesc>, Ref<FogDesc>,
+                 Ref<RainbowDesc>, Ref<SkySphereDesc>, Ref<ColourMapDesc>, Ref<PigmentMapDesc>,
+                 Ref<NormalMapDesc>, Ref<SlopeMapDesc>, Ref<TextureMapDesc>, Ref<DensityMapDesc>>;
 
 /// What a value is, in the words of a message ("float", "pigment").
 const char* kind_name(const Value& value);
 
 struct ArrayValue {
-  std::vector<int> sizes;        ///< one a dimension
-  std::vector<Value> elements;   ///< row major
+  std::vector<int> sizes;       ///< one a dimension
+  std::vector<Value> elements;  ///< row major
 };
 
 /// A function as declared: its compiled form, its text's place, and its name for messages.

@@ -33,8 +33,7 @@ Runs runs_of(Enumeration::Ray ray) {
 
 }  // namespace
 
-PaperSheet::PaperSheet(const camera::LensParameters& lens, std::uint32_t lenses,
-                       std::uint32_t rows)
+PaperSheet::PaperSheet(const camera::LensParameters& lens, std::uint32_t lenses, std::uint32_t rows)
     : m_columns(lens, columns_of(lens, lenses)), m_rows(rows > 0 ? rows : m_columns.width()) {}
 
 std::string Style::name() const {
@@ -190,8 +189,8 @@ ClosedForm closed_form(const PaperSheet& sheet, const ShadowSquare& shadow, cons
                        paper::Alpha kind) {
   if (!style.is_ideal()) return {};
   const camera::LensParameters& lens = sheet.lens();
-  const paper::Across across{sheet.columns().column(0).axis, sheet.columns().lens_count(),
-                             shadow.x, shadow.size, shadow.distance};
+  const paper::Across across{sheet.columns().column(0).axis, sheet.columns().lens_count(), shadow.x,
+                             shadow.size, shadow.distance};
   switch (style.kind) {
     case Style::Kind::kRows: return {true, paper::style1_hits(lens, across, kind)};
     case Style::Kind::kViews: return {true, paper::style2_hits(lens, shadow.size)};

@@ -50,9 +50,9 @@ class PaperSheet {
 };
 
 struct ShadowSquare {
-  double size = 0.0;             ///< A, mm, across and down
-  double distance = 0.0;         ///< D, mm, 0 or more
-  double x = 0.0, y = 0.0;       ///< Xstart, Ystart, mm
+  double size = 0.0;        ///< A, mm, across and down
+  double distance = 0.0;    ///< D, mm, 0 or more
+  double x = 0.0, y = 0.0;  ///< Xstart, Ystart, mm
 };
 
 /// A style of grouping, and the strips of the last two.

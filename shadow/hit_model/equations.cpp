@@ -65,8 +65,8 @@ double first_place(const camera::LensParameters& lens, double array_start, doubl
   return array_start + lens.pitch * n - half_fan(lens, distance, kind);
 }
 
-double last_place(const camera::LensParameters& lens, double array_start, double n,
-                  double distance, Alpha kind) {
+double last_place(const camera::LensParameters& lens, double array_start, double n, double distance,
+                  Alpha kind) {
   return array_start + lens.pitch * n + half_fan(lens, distance, kind);
 }
 
@@ -91,8 +91,8 @@ std::uint64_t style1_hits(const camera::LensParameters& lens, const Across& acro
   };
   const auto status = [&](std::uint32_t n) {  // of the crossing from lens n
     if (n + 1 >= across.lenses || !last_hits(n)) return 0;
-    return crossing_status(
-        first_place(lens, across.array_start, n + 1.0, across.distance, kind), across.start);
+    return crossing_status(first_place(lens, across.array_start, n + 1.0, across.distance, kind),
+                           across.start);
   };
   std::uint32_t n = 0;
   while (n < across.lenses && status(n) == 0) ++n;

@@ -76,8 +76,8 @@ std::uint64_t hits_in_lens(const camera::LensParameters& lens, double width, dou
 double first_place(const camera::LensParameters& lens, double array_start, double n,
                    double distance, Alpha kind);
 /// The same of the last ray, which (14) takes to hit the shadow: LAstart + P n + D tan(alpha/2).
-double last_place(const camera::LensParameters& lens, double array_start, double n,
-                  double distance, Alpha kind);
+double last_place(const camera::LensParameters& lens, double array_start, double n, double distance,
+                  Alpha kind);
 
 /// (12) X2 >= Xend - A: whether the first ray of the next lens is not before the shadow.
 bool crosses(double first_place_of_next, double shadow_end, double width);
@@ -91,11 +91,11 @@ std::uint64_t hits_with_crossing(std::uint64_t in_lens, int status, double pixel
 
 /// Where the lenses and the shadow are; the paper leaves it open. Across the sheet.
 struct Across {
-  double array_start = 0.0;   ///< axis of lens 0, mm
+  double array_start = 0.0;  ///< axis of lens 0, mm
   std::uint32_t lenses = 0;
-  double start = 0.0;         ///< Xstart, mm
-  double width = 0.0;         ///< A, mm; Xend = start + width
-  double distance = 0.0;      ///< D, mm
+  double start = 0.0;     ///< Xstart, mm
+  double width = 0.0;     ///< A, mm; Xend = start + width
+  double distance = 0.0;  ///< D, mm
 };
 
 /// (15) CChit of style 1: CCLhit of the first lens, and of the lenses after it as far as the

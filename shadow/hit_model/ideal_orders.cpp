@@ -24,8 +24,8 @@ class Listed final : public core::PixelOrder {
 
 class IdealOrders final : public core::BandOrders {
  public:
-  IdealOrders(const Enumeration& shadow, Style::Kind kind, std::uint32_t left,
-              std::uint32_t right, std::uint32_t top)
+  IdealOrders(const Enumeration& shadow, Style::Kind kind, std::uint32_t left, std::uint32_t right,
+              std::uint32_t top)
       : m_shadow(shadow), m_kind(kind), m_top(top) {
     for (std::uint32_t k = left; k < right; ++k) {
       (shadow.columns()[k] == Enumeration::kBlocked ? m_blocked : m_rest).push_back(k);

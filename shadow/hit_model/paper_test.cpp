@@ -50,13 +50,13 @@ std::unique_ptr<core::Scene> make_scene(const PaperSheet& sheet, const Enumerati
     reach = std::max(reach, std::fabs(sheet.column_place(k, distance)));
   }
   reach += kMargin;
-  parts.objects.push_back(object_of(
-      std::make_unique<core::Polygon>(std::vector<Vec3>{{-reach, -reach, distance},
-                                                        {reach, -reach, distance},
-                                                        {reach, reach, distance},
-                                                        {-reach, reach, distance},
-                                                        {-reach, -reach, distance}}),
-      texture, false));
+  parts.objects.push_back(
+      object_of(std::make_unique<core::Polygon>(std::vector<Vec3>{{-reach, -reach, distance},
+                                                                  {reach, -reach, distance},
+                                                                  {reach, reach, distance},
+                                                                  {-reach, reach, distance},
+                                                                  {-reach, -reach, distance}}),
+                texture, false));
   // A thin box, for polygons cannot be as small as shadows can.
   parts.objects.push_back(object_of(
       std::make_unique<core::Box>(Vec3{shadow.left(), -shadow.bottom(), distance - kGap - kThin},
@@ -158,8 +158,8 @@ PaperTest::Part PaperTest::rendered(std::uint32_t group) const {
 }
 
 Measurement PaperTest::measure(const Style& style, const std::string& cache) const {
-  const bool listed = style.is_ideal() && (style.kind == Style::Kind::kCombined ||
-                                           style.kind == Style::Kind::kStrips);
+  const bool listed = style.is_ideal() &&
+                      (style.kind == Style::Kind::kCombined || style.kind == Style::Kind::kStrips);
   const Part part = rendered(std::max(1u, style.height));
   const std::uint32_t width = part.right - part.left, height = part.bottom - part.top;
   const WindowOrders orders(

@@ -35,7 +35,9 @@ class PaperTest {
 
  private:
   /// Columns [left, right), rows [top, bottom).
-  struct Part { std::uint32_t left = 0, right = 0, top = 0, bottom = 0; };
+  struct Part {
+    std::uint32_t left = 0, right = 0, top = 0, bottom = 0;
+  };
   Part rendered(std::uint32_t group) const;
 
   const PaperSheet& m_sheet;

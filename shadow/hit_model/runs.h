@@ -9,9 +9,9 @@
 namespace lentray::shadow {
 
 struct Runs {
-  std::uint64_t length = 0;   ///< rays in all
-  std::uint64_t first = 0;    ///< blocked ones it begins with
-  std::uint64_t last = 0;     ///< blocked ones it ends with
+  std::uint64_t length = 0;  ///< rays in all
+  std::uint64_t first = 0;   ///< blocked ones it begins with
+  std::uint64_t last = 0;    ///< blocked ones it ends with
   std::uint64_t longest = 0;
 
   static Runs blocked(std::uint64_t n) { return {n, n, n, n}; }

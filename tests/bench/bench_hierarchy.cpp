@@ -177,8 +177,8 @@ struct Setting {
     HitArena arena;
     for (int y = 0; y < kSize; ++y) {
       for (int x = 0; x < kSize; ++x) {
-        const Vec3 d = ahead + right * ((x - kSize / 2 + 0.5) * scale) -
-                       up * ((y - kSize / 2 + 0.5) * scale);
+        const Vec3 d =
+            ahead + right * ((x - kSize / 2 + 0.5) * scale) - up * ((y - kSize / 2 + 0.5) * scale);
         coherent.push_back({model.eye, normalized(d)});
         Hit hit;
         if (!hierarchy->nearest(coherent.back(), 1e-4, 1e30, RayKind::kCamera, hit, arena, nullptr))
@@ -286,9 +286,11 @@ int main(int argc, char** argv) {
   for (const std::string scene : {"flake", "triangles", "gears"}) {
     for (const std::string kind : {"coherent", "incoherent", "shadow"}) {
       benchmark::RegisterBenchmark((scene + "/" + kind + "/lentray").c_str(), run_lentray, scene,
-                                   kind)->Unit(benchmark::kMillisecond);
+                                   kind)
+          ->Unit(benchmark::kMillisecond);
       benchmark::RegisterBenchmark((scene + "/" + kind + "/embree").c_str(), run_embree, scene,
-                                   kind)->Unit(benchmark::kMillisecond);
+                                   kind)
+          ->Unit(benchmark::kMillisecond);
     }
     benchmark::RegisterBenchmark((scene + "/build/lentray").c_str(), build_lentray, scene)
         ->Unit(benchmark::kMillisecond);

@@ -20,8 +20,10 @@ std::string bare(std::string_view text) {
       int depth = 1;  // comments nest
       for (++i; depth > 0 && ++i < text.size();) {
         const std::string_view here = text.substr(i, 2);
-        if (here == "/*") ++depth, ++i;
-        else if (here == "*/") --depth, ++i;
+        if (here == "/*")
+          ++depth, ++i;
+        else if (here == "*/")
+          --depth, ++i;
       }
       out += ' ';
     } else if (text[i] == '"') {
@@ -97,9 +99,11 @@ IncludeNames declared_names(std::string_view sdl) {
 }
 
 bool has_word(std::string_view text, std::string_view word) {
-  for (std::size_t at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) {
+  for (std::size_t at = text.find(word); at != std::string_view::npos;
+       at = text.find(word, at + 1)) {
     const std::size_t end = at + word.size();
-    if ((at == 0 || !is_word(text[at - 1])) && (end == text.size() || !is_word(text[end]))) return true;
+    if ((at == 0 || !is_word(text[at - 1])) && (end == text.size() || !is_word(text[end])))
+      return true;
   }
   return false;
 }

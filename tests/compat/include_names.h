@@ -9,8 +9,9 @@
 namespace lentray::test {
 
 struct IncludeNames {
-  std::vector<std::string> macros;        ///< in order, once each; not those that macros define
-  std::vector<std::string> identifiers;   ///< of #declare, also inside macros; macros that are undefined again
+  std::vector<std::string> macros;  ///< in order, once each; not those that macros define
+  std::vector<std::string>
+      identifiers;  ///< of #declare, also inside macros; macros that are undefined again
 };
 
 IncludeNames declared_names(std::string_view sdl);

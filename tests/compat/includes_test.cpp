@@ -89,7 +89,9 @@ struct Use {
   }
   std::string operator()(const std::string&) const { return "s " + name; }
   std::string operator()(const std::shared_ptr<parser::ArrayValue>& array) const;
-  std::string operator()(const std::shared_ptr<const core::Transform>&) const { return "p Transform_(" + name + ")"; }
+  std::string operator()(const std::shared_ptr<const core::Transform>&) const {
+    return "p Transform_(" + name + ")";
+  }
   std::string operator()(const Ref<parser::FunctionDesc>& f) const {
     std::string call = name + "(";
     for (std::size_t i = 0; i < f->function->parameters(); ++i) {
@@ -102,7 +104,9 @@ struct Use {
   std::string operator()(const Ref<parser::SplineDesc>& s) const {
     return "v" + std::to_string(std::max(2, s->size)) + " " + name + "(.35)";
   }
-  std::string operator()(const Ref<parser::PigmentDesc>&) const { return "p Pigment_(" + name + ")"; }
+  std::string operator()(const Ref<parser::PigmentDesc>&) const {
+    return "p Pigment_(" + name + ")";
+  }
   std::string operator()(const Ref<parser::NormalDesc>&) const { return block("normal"); }
   std::string operator()(const Ref<parser::FinishDesc>&) const { return block("finish"); }
   std::string operator()(const Ref<parser::TextureDesc>&) const { return block("texture"); }
@@ -121,20 +125,33 @@ struct Use {
   std::string operator()(const Ref<parser::CameraDesc>&) const { return statement("camera"); }
   std::string operator()(const Ref<parser::FogDesc>&) const { return statement("fog"); }
   std::string operator()(const Ref<parser::RainbowDesc>&) const { return statement("rainbow"); }
-  std::string operator()(const Ref<parser::SkySphereDesc>&) const { return statement("sky_sphere"); }
+  std::string operator()(const Ref<parser::SkySphereDesc>&) const {
+    return statement("sky_sphere");
+  }
   std::string operator()(const Ref<parser::ColourMapDesc>&) const {
     return "p #declare P_ = pigment { wood color_map { " + name + " } } Pigment_(P_)";
   }
-  std::string operator()(const Ref<parser::PigmentMapDesc>&) const { return map("pigment_map", "pigment"); }
-  std::string operator()(const Ref<parser::NormalMapDesc>&) const { return map("normal_map", "normal"); }
-  std::string operator()(const Ref<parser::SlopeMapDesc>&) const { return map("slope_map", "normal"); }
-  std::string operator()(const Ref<parser::TextureMapDesc>&) const { return map("texture_map", "texture"); }
+  std::string operator()(const Ref<parser::PigmentMapDesc>&) const {
+    return map("pigment_map", "pigment");
+  }
+  std::string operator()(const Ref<parser::NormalMapDesc>&) const {
+    return map("normal_map", "normal");
+  }
+  std::string operator()(const Ref<parser::SlopeMapDesc>&) const {
+    return map("slope_map", "normal");
+  }
+  std::string operator()(const Ref<parser::TextureMapDesc>&) const {
+    return map("texture_map", "texture");
+  }
   std::string operator()(const Ref<parser::DensityMapDesc>&) const {
-    return std::string(kSphere) + "interior { media { density { wood density_map { " + name + " } } } } }";
+    return std::string(kSphere) + "interior { media { density { wood density_map { " + name +
+           " } } } } }";
   }
 };
 
-std::string use_of(const std::string& name, const Value& value) { return std::visit(Use{name}, value); }
+std::string use_of(const std::string& name, const Value& value) {
+  return std::visit(Use{name}, value);
+}
 
 /// The first elements; an array of arrays has its sizes in one.
 std::string Use::operator()(const std::shared_ptr<parser::ArrayValue>& array) const {
@@ -145,13 +162,17 @@ std::string Use::operator()(const std::shared_ptr<parser::ArrayValue>& array) co
   const int stride = static_cast<int>(array->elements.size()) / std::max(1, array->sizes.front());
   for (int i = 0; i < std::min(kMost, array->sizes.front()); ++i) {
     const std::string element = name + "[" + std::to_string(i) + "]" + rest;
-    const std::string use =
-        use_of(element, array->elements[static_cast<std::size_t>(i) * static_cast<std::size_t>(stride)]);
+    const std::string use = use_of(
+        element, array->elements[static_cast<std::size_t>(i) * static_cast<std::size_t>(stride)]);
     const std::string expression = use.substr(use.find(' ') + 1);
-    if (use[0] == 's') body += " W(" + expression + ")";
-    else if (use[0] == 'n') body += " W(str(" + expression + ", 0, 6))";
-    else if (use[0] == 'v') body += " W(vstr(" + use.substr(1, 1) + ", " + expression + ", \" \", 0, 6))";
-    else body += " " + expression;
+    if (use[0] == 's')
+      body += " W(" + expression + ")";
+    else if (use[0] == 'n')
+      body += " W(str(" + expression + ", 0, 6))";
+    else if (use[0] == 'v')
+      body += " W(vstr(" + use.substr(1, 1) + ", " + expression + ", \" \", 0, 6))";
+    else
+      body += " " + expression;
   }
   return body;
 }
@@ -175,7 +196,8 @@ std::string included(const std::string& file) {
 std::string setup_of(const std::string& file) { return included(file) + kTools; }
 
 /// What the names mean once the file has been included, as our own parser knows it.
-std::map<std::string, Value> values_of(const std::string& file, const std::vector<std::string>& names) {
+std::map<std::string, Value> values_of(const std::string& file,
+                                       const std::vector<std::string>& names) {
   const tool::TemporaryFolder folder;
   std::string text = "#version 3.7;\n" + included(file) + "End_Of_Include_\n";
   for (const std::string& name : names) text += name + "\n";
@@ -237,7 +259,8 @@ void expect_same_and_accepted(const LanguageCases& cases) {
         << c.where << ": " << c.text << "\n  lentray: " << found[i] << "  " << we_say[i]
         << "\n  stock:   " << wanted[i] << "  " << stock_says[i];
     const bool refuses = c.sdl.find("\"an error\"") != std::string::npos;
-    EXPECT_EQ(stock_says[i].empty(), !refuses) << c.where << ": " << c.text << ": " << stock_says[i];
+    EXPECT_EQ(stock_says[i].empty(), !refuses)
+        << c.where << ": " << c.text << ": " << stock_says[i];
   }
 }
 
@@ -250,8 +273,8 @@ TEST_P(CompatIncludes, EveryNameIsUsed) {
   LanguageCases cases = written_cases(file);
   cases.setup = setup_of(file) + cases.setup;
   for (const std::string& macro : names.macros) {
-    EXPECT_TRUE(is_used(cases, macro)) << "the macro " << macro << " of " << file
-                                       << " wants a case in tests/compat/includes";
+    EXPECT_TRUE(is_used(cases, macro))
+        << "the macro " << macro << " of " << file << " wants a case in tests/compat/includes";
   }
   std::vector<std::string> identifiers;
   for (const std::string& name : names.identifiers) {
@@ -280,8 +303,8 @@ std::string test_name(const ::testing::TestParamInfo<std::string>& file) {
   return name;
 }
 
-INSTANTIATE_TEST_SUITE_P(All, CompatIncludes, ::testing::ValuesIn(files_of({".inc", ".map"}, false)),
-                         test_name);
+INSTANTIATE_TEST_SUITE_P(All, CompatIncludes,
+                         ::testing::ValuesIn(files_of({".inc", ".map"}, false)), test_name);
 
 // Pictures, fonts and tables that come with them.
 TEST(CompatIncludeFiles, PicturesFontsAndTables) {
@@ -292,7 +315,8 @@ TEST(CompatIncludeFiles, PicturesFontsAndTables) {
     std::string use;
     if (kind == ".png") use = "p Pigment_(pigment { image_map { png \"" + file + "\" } })";
     if (kind == ".df3") use = "p Pigment_(pigment { density_file df3 \"" + file + "\" })";
-    if (kind == ".ttf") use = "p Object_(text { ttf \"" + file + "\" \"lentray\", .3, 0 translate -x })";
+    if (kind == ".ttf")
+      use = "p Object_(text { ttf \"" + file + "\" \"lentray\", .3, 0 translate -x })";
     if (kind == ".pot") use = "p Object_(height_field { pot \"" + file + "\" translate -.5 })";
     if (kind == ".cat") continue;  // a catalogue of fonts for other programs
     ASSERT_NE(use, "") << "what is " << file << "?";
@@ -304,7 +328,8 @@ TEST(CompatIncludeFiles, PicturesFontsAndTables) {
 
 TEST(CompatIncludeNames, AreFound) {
   const IncludeNames names = declared_names(
-      "/* #declare A = 1; /* nested */ */ // #declare B = 2;\n#declare C=\"#declare D\"; #local E=1;\n"
+      "/* #declare A = 1; /* nested */ */ // #declare B = 2;\n#declare C=\"#declare D\"; #local "
+      "E=1;\n"
       "# declare deprecated once \"use C\" F = 1; #macro G(a) #if (a) #declare H = 1; #end\n"
       "#macro Inner() #undef J #end #end\n#ifndef (I) #macro J() #end #end #declare C = 2;\n"
       "#macro K() #end #undef K");

@@ -75,8 +75,10 @@ LanguageCases read_cases(const fs::path& file) {
     ++number;
     if (line.empty() || line.rfind("//", 0) == 0) continue;
     if (line[0] == ' ') {
-      if (in_setup) out.setup += line + "\n";
-      else body += "\n" + line;
+      if (in_setup)
+        out.setup += line + "\n";
+      else
+        body += "\n" + line;
       if (!in_setup && !out.cases.empty()) out.cases.back().text += " " + line;
       continue;
     }

@@ -15,9 +15,9 @@
 namespace lentray::test {
 
 struct LanguageCase {
-  std::string where;   ///< file:line
-  std::string text;    ///< as written
-  std::string sdl;     ///< what is run
+  std::string where;  ///< file:line
+  std::string text;   ///< as written
+  std::string sdl;    ///< what is run
   bool differs = false;
 };
 

@@ -15,8 +15,9 @@ inline std::string stock_debug(const std::string& sdl) {
   const tool::TemporaryFolder folder;
   tool::write_text(folder / "scene.pov", sdl);
   const tool::RunResult run =
-      tool::run_program({"povray", "+Iscene.pov", "+Oscene.png", "+W4", "+H4", "-D", "+L/usr/share/povray-3.7/include",
-                 "+GDdebug.txt"}, folder.path(), 60.0);
+      tool::run_program({"povray", "+Iscene.pov", "+Oscene.png", "+W4", "+H4", "-D",
+                         "+L/usr/share/povray-3.7/include", "+GDdebug.txt"},
+                        folder.path(), 60.0);
   const std::string text = tool::read_text(folder / "debug.txt");
   return run.status == 0 ? text : text + "\nSTOCK FAILED\n" + run.output;
 }

@@ -44,13 +44,14 @@ class Maker {
   void line(const std::string& text) { m_text += text + "\n"; }
 
   std::string literal() {
-    static constexpr const char* kLiterals[] = {"0", "1", "2", "3", "-1", "0.5", ".25", "-2.75", "7",
-                                                "1e1", "1.5E-1", "12.125", "1/3", "-(4)", "pi"};
+    static constexpr const char* kLiterals[] = {"0",      "1",      "2",     "3",    "-1",
+                                                "0.5",    ".25",    "-2.75", "7",    "1e1",
+                                                "1.5E-1", "12.125", "1/3",   "-(4)", "pi"};
     return kLiterals[pick(std::size(kLiterals))];
   }
   std::string string_literal() {
-    static constexpr const char* kStrings[] = {"\"\"", "\"a\"", "\"Hello\"", "\"x y\"", "\"12.5\"",
-                                               "\"tab\\t.\"", "\"q\\\"q\"", "\"\\\\\""};
+    static constexpr const char* kStrings[] = {"\"\"",     "\"a\"",       "\"Hello\"",  "\"x y\"",
+                                               "\"12.5\"", "\"tab\\t.\"", "\"q\\\"q\"", "\"\\\\\""};
     return kStrings[pick(std::size(kStrings))];
   }
   std::string vector_literal() {
@@ -58,7 +59,8 @@ class Maker {
   }
 
   std::string index(std::uint32_t size) {
-    if (!m_loops.empty() && pick(2)) return "mod(" + m_loops.back() + "," + std::to_string(size) + ")";
+    if (!m_loops.empty() && pick(2))
+      return "mod(" + m_loops.back() + "," + std::to_string(size) + ")";
     return std::to_string(pick(size));
   }
 
@@ -66,8 +68,10 @@ class Maker {
     if (depth <= 0) return leaf();
     const auto sub = [&] { return number(depth - 1); };
     switch (pick(26)) {
-      case 0: case 1: return sub() + "+" + sub();
-      case 2: case 3: return sub() + " - " + sub();
+      case 0:
+      case 1: return sub() + "+" + sub();
+      case 2:
+      case 3: return sub() + " - " + sub();
       case 4: return "(" + sub() + ")*(" + sub() + ")";
       case 5: return sub() + "*" + leaf();
       case 6: return "(" + sub() + ")/(abs(" + sub() + ")+.5)";
@@ -80,8 +84,12 @@ class Maker {
       case 13: return "sqrt(abs(" + sub() + "))";
       case 14: return "ln(abs(" + sub() + ")+1)";
       case 15: return "pow(abs(mod(" + sub() + ",10))+.1, " + (pick(2) ? "2" : ".5") + ")";
-      case 16: return std::string(pick(2) ? "max" : "min") + "(" + sub() + "," + sub() + "," + leaf() + ")";
-      case 17: return "select(" + sub() + "," + sub() + "," + leaf() + (pick(2) ? "," + leaf() + ")" : ")");
+      case 16:
+        return std::string(pick(2) ? "max" : "min") + "(" + sub() + "," + sub() + "," + leaf() +
+               ")";
+      case 17:
+        return "select(" + sub() + "," + sub() + "," + leaf() +
+               (pick(2) ? "," + leaf() + ")" : ")");
       case 18: return "mod(" + sub() + "," + (pick(2) ? "7" : "-2.5") + ")";
       case 19: return "div(" + sub() + "+.0001," + (pick(2) ? "3" : "-2") + ")";
       case 20: return bitwise() + "(mod(" + sub() + ",100)+.0001, mod(" + sub() + ",100)+.0001)";
@@ -95,8 +103,11 @@ class Maker {
 
   std::string leaf() {
     switch (pick(9)) {
-      case 0: case 1: case 2: return literal();
-      case 3: case 4: return any("f");
+      case 0:
+      case 1:
+      case 2: return literal();
+      case 3:
+      case 4: return any("f");
       case 5: return any("v") + "." + std::string(1, "xyz"[pick(3)]);
       case 6: return name("a", 0) + "[" + index(4) + "]";
       case 7: return name("b", 0) + "[" + index(2) + "][" + index(3) + "]";
@@ -110,8 +121,8 @@ class Maker {
     return kAll[pick(std::size(kAll))];
   }
   std::string one_argument() {
-    static constexpr const char* kAll[] = {"sin", "cos", "abs", "int", "floor", "ceil", "atan",
-                                           "degrees", "radians", "tanh", "asinh"};
+    static constexpr const char* kAll[] = {"sin",  "cos",     "abs",     "int",  "floor", "ceil",
+                                           "atan", "degrees", "radians", "tanh", "asinh"};
     return kAll[pick(std::size(kAll))];
   }
   std::string bitwise() {
@@ -137,7 +148,8 @@ class Maker {
     if (depth <= 0) return pick(3) ? any("v") : std::string(1, "xyz"[pick(3)]);
     const auto sub = [&] { return vector(depth - 1); };
     switch (pick(11)) {
-      case 0: return "<" + number(depth - 1) + "," + number(depth - 1) + "," + number(depth - 1) + ">";
+      case 0:
+        return "<" + number(depth - 1) + "," + number(depth - 1) + "," + number(depth - 1) + ">";
       case 1: return "(" + sub() + "+" + sub() + ")";
       case 2: return "(" + sub() + "-" + leaf() + ")";
       case 3: return sub() + "*(" + number(depth - 1) + ")";
@@ -155,13 +167,15 @@ class Maker {
     if (depth <= 0) return pick(2) ? string_literal() : any("s");
     switch (pick(7)) {
       case 0: return "concat(" + string(depth - 1) + "," + string(depth - 1) + ")";
-      case 1: return "str(" + number(depth - 1) + "," + std::to_string(pick(12)) + "," +
-                     std::to_string(pick(6)) + ")";
+      case 1:
+        return "str(" + number(depth - 1) + "," + std::to_string(pick(12)) + "," +
+               std::to_string(pick(6)) + ")";
       case 2: return "vstr(3," + vector(depth - 1) + ",\";\",0," + std::to_string(pick(5)) + ")";
       case 3: return "chr(65+" + index(20) + ")";
       case 4: return std::string(pick(2) ? "strupr" : "strlwr") + "(" + string(depth - 1) + ")";
-      case 5: return "substr(concat(" + string(depth - 1) + ",\"abcdef\"),2," +
-                     std::to_string(1 + pick(4)) + ")";
+      case 5:
+        return "substr(concat(" + string(depth - 1) + ",\"abcdef\"),2," +
+               std::to_string(1 + pick(4)) + ")";
       default: return string(0);
     }
   }
@@ -173,22 +187,25 @@ class Maker {
   void write_vector(const std::string& e) { line("W(vstr(3," + e + ",\",\",0,6))"); }
 
   void macros() {
-    line("#macro " + m_prefix + "Mix(p_, q_) #local t_ = p_*2 - q_; #if (t_ > 1) t_ - " + literal() +
-         " #else (t_ + q_) #end #end");
-    line("#macro " + m_prefix + "Bump(r_, n_) #for (k_, 1, n_) #declare r_ = mod(r_ + k_*" + literal() +
-         ", 1000); #end #end");
+    line("#macro " + m_prefix + "Mix(p_, q_) #local t_ = p_*2 - q_; #if (t_ > 1) t_ - " +
+         literal() + " #else (t_ + q_) #end #end");
+    line("#macro " + m_prefix + "Bump(r_, n_) #for (k_, 1, n_) #declare r_ = mod(r_ + k_*" +
+         literal() + ", 1000); #end #end");
     line("#macro " + m_prefix + "Down(n_, t_) #if (n_ > 0) " + m_prefix +
          "Down(n_ - 1, concat(t_, str(n_,0,0))) #else W(t_) #end #end");
   }
 
   void statement(int depth) {
     switch (pick(depth > 0 ? 13 : 8)) {
-      case 0: case 1: line("#declare " + any("f") + " = " + kept(number(3)) + ";"); break;
+      case 0:
+      case 1: line("#declare " + any("f") + " = " + kept(number(3)) + ";"); break;
       case 2:
         line("#declare " + any("v") + " = <" + kept(number(2)) + "," + kept(number(1)) + "," +
              kept(number(1)) + ">;");
         break;
-      case 3: line("#declare " + any("s") + " = substr(concat(" + string(2) + ",\"....\"),1,4)"); break;
+      case 3:
+        line("#declare " + any("s") + " = substr(concat(" + string(2) + ",\"....\"),1,4)");
+        break;
       case 4: write_float(number(4)); break;
       case 5: write_vector(vector(3)); break;
       case 6: line("W(" + string(3) + ")"); break;
@@ -199,8 +216,8 @@ class Maker {
       case 9: loop(depth); break;
       case 10: choice(depth); break;
       case 11:
-        line(m_prefix + "Bump(" + (pick(2) ? any("f") : name("a", 0) + "[" + index(4) + "]") + ", " +
-             std::to_string(pick(4)) + ")");
+        line(m_prefix + "Bump(" + (pick(2) ? any("f") : name("a", 0) + "[" + index(4) + "]") +
+             ", " + std::to_string(pick(4)) + ")");
         break;
       default: line(m_prefix + "Down(" + std::to_string(pick(5)) + "," + string(1) + ")"); break;
     }
@@ -236,7 +253,8 @@ class Maker {
     if (counted) {
       line("#for (" + counter + ", 0, " + std::to_string(1 + pick(4)) + (pick(2) ? ", 1)" : ")"));
     } else {
-      line("#local " + counter + " = 0; #while (" + counter + " < " + std::to_string(1 + pick(4)) + ")");
+      line("#local " + counter + " = 0; #while (" + counter + " < " + std::to_string(1 + pick(4)) +
+           ")");
     }
     m_loops.push_back(counter);
     block(depth);

@@ -13,14 +13,16 @@ TEST(SlowParseScenes, AsStock) {
   if (!std::filesystem::exists("/usr/share/doc/povray/examples")) {
     GTEST_SKIP() << "povray-examples is not installed";
   }
-  const tool::RunResult run = tool::run_program({"python3", LENTRAY_SOURCE_DIR "/tests/compat/parse_scenes.py",
-                                         "--bin", LENTRAY_BIN_DIR}, {}, 3500.0);
+  const tool::RunResult run = tool::run_program(
+      {"python3", LENTRAY_SOURCE_DIR "/tests/compat/parse_scenes.py", "--bin", LENTRAY_BIN_DIR}, {},
+      3500.0);
   EXPECT_EQ(run.status, 0) << run.output;
 }
 
 TEST(SlowSceneCases, AsStock) {
-  const tool::RunResult run = tool::run_program({"python3", LENTRAY_SOURCE_DIR "/tests/compat/scene_cases.py",
-                                         "--bin", LENTRAY_BIN_DIR}, {}, 3500.0);
+  const tool::RunResult run = tool::run_program(
+      {"python3", LENTRAY_SOURCE_DIR "/tests/compat/scene_cases.py", "--bin", LENTRAY_BIN_DIR}, {},
+      3500.0);
   EXPECT_EQ(run.status, 0) << run.output;
 }
 

@@ -19,7 +19,8 @@ namespace fs = std::filesystem;
 using tool::read_text;
 using tool::write_text;
 
-constexpr const char* kHead = "#version 3.7; global_settings { assumed_gamma 1 } camera { location -5*z look_at 0 }\n";
+constexpr const char* kHead =
+    "#version 3.7; global_settings { assumed_gamma 1 } camera { location -5*z look_at 0 }\n";
 constexpr const char* kSecret = "SECRET";
 
 /// Folders "work" (current, with the scene), "lib" (a library path), "home" and "outside", which the scenes are
@@ -27,10 +28,12 @@ constexpr const char* kSecret = "SECRET";
 class World {
  public:
   World() : m_root(fs::canonical(m_folder.path())) {
-    for (const char* folder : {"work/sub", "lib", "outside/sub", "home/.povray/3.7"}) fs::create_directories(m_root / folder);
+    for (const char* folder : {"work/sub", "lib", "outside/sub", "home/.povray/3.7"})
+      fs::create_directories(m_root / folder);
     write_text(m_root / "home/.povray/3.7/povray.conf", "[File I/O Security]\nrestricted\n");
     const std::string secret = std::string("#error \"") + kSecret + "\"\n";
-    for (const char* name : {"secret.inc", "secret.png", "secret.ttf", "secret.df3", "secret.ini", "empty"}) {
+    for (const char* name :
+         {"secret.inc", "secret.png", "secret.ttf", "secret.df3", "secret.ini", "empty"}) {
       write_text(m_root / "outside" / name, secret);
     }
     write_text(m_root / "outside/text", std::string("\"") + kSecret + "\"");
@@ -52,9 +55,11 @@ class World {
 
   tool::RunResult run(const std::string& statement, std::vector<std::string> options) const {
     write_text(m_root / "work/scene.pov", kHead + statement + "\n");
-    std::vector<std::string> command = {"env", "HOME=" + (m_root / "home").string(), "POVINI=",
-                                        LENTRAY_BIN_DIR "/lentray",
-                                        "+Iscene.pov", "+W4", "+H4", "-F", "-V", "+L../lib"};
+    std::vector<std::string> command = {"env",         "HOME=" + (m_root / "home").string(),
+                                        "POVINI=",     LENTRAY_BIN_DIR "/lentray",
+                                        "+Iscene.pov", "+W4",
+                                        "+H4",         "-F",
+                                        "-V",          "+L../lib"};
     command.insert(command.end(), options.begin(), options.end());
     return tool::run_program(command, m_root / "work", 60.0);
   }
@@ -71,7 +76,9 @@ class World {
   fs::path operator/(const std::string& name) const { return m_root / name; }
 
  private:
-  void link(const std::string& target, const std::string& name) const { fs::create_symlink(target, m_root / name); }
+  void link(const std::string& target, const std::string& name) const {
+    fs::create_symlink(target, m_root / name);
+  }
 
   std::map<std::string, std::string> outside() const {
     std::map<std::string, std::string> all;
@@ -90,8 +97,8 @@ class World {
 };
 
 struct Attempt {
-  const char* statement;   ///< on line 2
-  const char* says;        ///< what the message has in it
+  const char* statement;  ///< on line 2
+  const char* says;       ///< what the message has in it
 };
 
 constexpr const char* kReads = "a scene reads only below";
@@ -193,7 +200,8 @@ bool tells_secret(const std::string& output) {
   return std::regex_replace(output, std::regex("\n  .*"), "").find(kSecret) != std::string::npos;
 }
 
-void expect_refused(const World& world, const Attempt& attempt, const std::vector<std::string>& options) {
+void expect_refused(const World& world, const Attempt& attempt,
+                    const std::vector<std::string>& options) {
   const std::string statement = world.with_names(attempt.statement);
   SCOPED_TRACE(statement);
   const tool::RunResult result = world.run(statement, options);
@@ -232,10 +240,12 @@ TEST(CompatRestrictIo, NorWithoutRendering) {
 
 TEST(CompatRestrictIo, FolderIniLendsNoFolder) {
   const World world;
-  write_text(world / "work/povray.ini", "Library_Path=../outside\nRestrict_IO=Off\nAll_File=../outside/made\n");
+  write_text(world / "work/povray.ini",
+             "Library_Path=../outside\nRestrict_IO=Off\nAll_File=../outside/made\n");
   const tool::RunResult result = world.run("#include \"secret.inc\"", {"Restrict_IO=On"});
   EXPECT_EQ(result.status, 1);
-  EXPECT_NE(result.output.find("cannot find the include file 'secret.inc'"), std::string::npos) << result.output;
+  EXPECT_NE(result.output.find("cannot find the include file 'secret.inc'"), std::string::npos)
+      << result.output;
   EXPECT_NE(result.output.find("povray.ini is not read"), std::string::npos) << result.output;
   EXPECT_FALSE(fs::exists(world / "outside/made"));
 }
@@ -245,19 +255,26 @@ TEST(CompatRestrictIo, NamedIni) {
   const World world;
   write_text(world / "work/users.ini", "Library_Path=../outside\n");
   write_text(world / "outside/plain.inc", "#warning \"READ\"\n");
-  EXPECT_NE(world.run("#include \"plain.inc\"", {"users.ini", "Restrict_IO=On"}).output.find("READ"), std::string::npos);
-  const tool::RunResult result = world.run("#include \"../home/.povray/3.7/povray.conf\"", {"users.ini", "Restrict_IO=On"});
+  EXPECT_NE(
+      world.run("#include \"plain.inc\"", {"users.ini", "Restrict_IO=On"}).output.find("READ"),
+      std::string::npos);
+  const tool::RunResult result =
+      world.run("#include \"../home/.povray/3.7/povray.conf\"", {"users.ini", "Restrict_IO=On"});
   EXPECT_TRUE(has_place(result.output)) << result.output;
 }
 
 // A list of pictures is no picture, though the reader of films would follow it.
 TEST(CompatRestrictIo, ListsOfFurtherFiles) {
   const World world;
-  write_text(world / "work/list.png", "#EXTM3U\n#EXTINF:1,\nfile://" + (world / "outside/secret.png").string() + "\n");
-  write_text(world / "work/list.jpg", "ffconcat version 1.0\nfile '" + (world / "outside/secret.png").string() + "'\n");
+  write_text(world / "work/list.png",
+             "#EXTM3U\n#EXTINF:1,\nfile://" + (world / "outside/secret.png").string() + "\n");
+  write_text(world / "work/list.jpg",
+             "ffconcat version 1.0\nfile '" + (world / "outside/secret.png").string() + "'\n");
   fs::copy_file(world / "work/list.png", world / "work/list.m3u8");
   for (const char* name : {"list.png", "list.jpg", "list.m3u8"}) {
-    const auto result = world.run(std::string("sphere { 0, 1 pigment { image_map { \"") + name + "\" } } }", {"Restrict_IO=On"});
+    const auto result =
+        world.run(std::string("sphere { 0, 1 pigment { image_map { \"") + name + "\" } } }",
+                  {"Restrict_IO=On"});
     EXPECT_NE(result.output.find("cannot read "), std::string::npos) << result.output;
     EXPECT_EQ(result.output.find(kSecret), std::string::npos);
   }
@@ -268,10 +285,12 @@ TEST(CompatRestrictIo, WhatIsPermittedWorks) {
   write_text(world / "work/sub/a.inc", "#declare A = 1;\n");
   fs::create_symlink("sub/a.inc", world / "work/inside.inc");
   for (const char* statement :
-       {"#include \"sub/a.inc\"", "#include \"sub/../sub/a.inc\"", "#include \"inside.inc\"", "#include \"own.inc\"",
-        "#include \"SUB\\A.INC\"", "#include \"colors.inc\"", "text { internal 1 \"a\" 1, 0 }",
-        "text { ttf \"timrom.ttf\" \"a\" 1, 0 }", "#if (file_exists(\"none\")) #error \"x\" #end",
-        "#fopen F \"sub/new\" write #write (F, \"1,\") #fclose F #fopen F \"sub/new\" append #write (F, \"2\") #fclose F "
+       {"#include \"sub/a.inc\"", "#include \"sub/../sub/a.inc\"", "#include \"inside.inc\"",
+        "#include \"own.inc\"", "#include \"SUB\\A.INC\"", "#include \"colors.inc\"",
+        "text { internal 1 \"a\" 1, 0 }", "text { ttf \"timrom.ttf\" \"a\" 1, 0 }",
+        "#if (file_exists(\"none\")) #error \"x\" #end",
+        "#fopen F \"sub/new\" write #write (F, \"1,\") #fclose F #fopen F \"sub/new\" append "
+        "#write (F, \"2\") #fclose F "
         "#fopen F \"sub/new\" read #read (F, A, B) #if (B != 2) #error \"x\" #end",
         "#fopen F \"p.pgm\" write #write (F, \"P2 2 2 255 0 255 255 0 \") #fclose F "
         "sphere { 0, 1 pigment { image_map { pgm \"p.pgm\" } } } height_field { pgm \"p.pgm\" }",
@@ -280,7 +299,8 @@ TEST(CompatRestrictIo, WhatIsPermittedWorks) {
     for (const char* mode : {"Restrict_IO=On", "Restrict_IO=Off", "--parse-only"}) {
       const tool::RunResult result = world.run(statement, {mode});
       EXPECT_EQ(result.status, 0) << mode << ' ' << statement << '\n' << result.output;
-      EXPECT_EQ(result.output.find("cannot"), std::string::npos) << mode << ' ' << statement << '\n' << result.output;
+      EXPECT_EQ(result.output.find("cannot"), std::string::npos) << mode << ' ' << statement << '\n'
+                                                                 << result.output;
     }
   }
 }
@@ -311,8 +331,11 @@ TEST(CompatRestrictIo, PicturesAreTheSame) {
 // More uses of a file than there may be open files.
 TEST(CompatRestrictIo, OneFileIsHeldOnce) {
   const World world;
-  const std::string many = "#fopen F \"p.pgm\" write #write (F, \"P2 2 2 255 0 255 255 0 \") #fclose F #for (I, 1, 1500) "
-                           "sphere { I, 1 pigment { image_map { pgm \"p.pgm\" } } } text { ttf \"timrom.ttf\" \"a\" 1, 0 } #end";
+  const std::string many =
+      "#fopen F \"p.pgm\" write #write (F, \"P2 2 2 255 0 255 255 0 \") #fclose F #for (I, 1, "
+      "1500) "
+      "sphere { I, 1 pigment { image_map { pgm \"p.pgm\" } } } text { ttf \"timrom.ttf\" \"a\" 1, "
+      "0 } #end";
   for (const char* mode : {"Restrict_IO=On", "--parse-only"}) {
     const tool::RunResult result = world.run(many, {mode, "+W1", "+H1"});
     EXPECT_EQ(result.status, 0) << result.output;
@@ -326,15 +349,18 @@ TEST(CompatRestrictIo, ConfPermits) {
     GTEST_SKIP() << "the system's povray.conf does not permit /tmp";
   }
   const World world;
-  if (!(world / "outside").string().starts_with("/tmp/")) GTEST_SKIP() << "this test is not in /tmp";
+  if (!(world / "outside").string().starts_with("/tmp/"))
+    GTEST_SKIP() << "this test is not in /tmp";
   const std::string conf = "[File I/O Security]\nrestricted\n[Permitted Paths]\n";
-  write_text(world / "home/.povray/3.7/povray.conf", conf + "read=" + (world / "outside").string() + "\n");
+  write_text(world / "home/.povray/3.7/povray.conf",
+             conf + "read=" + (world / "outside").string() + "\n");
   write_text(world / "outside/plain.inc", "\n");
   write_text(world / "outside/sub/plain.inc", "\n");
   EXPECT_EQ(world.run("#include \"../outside/plain.inc\"", {"Restrict_IO=On"}).status, 0);
   EXPECT_EQ(world.run("#include \"../outside/sub/plain.inc\"", {"Restrict_IO=On"}).status, 1);
   EXPECT_EQ(world.run("#fopen F \"../outside/made\" write", {"Restrict_IO=On"}).status, 1);
-  write_text(world / "home/.povray/3.7/povray.conf", conf + "read+write*=" + (world / "outside").string() + "\n");
+  write_text(world / "home/.povray/3.7/povray.conf",
+             conf + "read+write*=" + (world / "outside").string() + "\n");
   EXPECT_EQ(world.run("#fopen F \"../outside/sub/made\" write", {"Restrict_IO=On"}).status, 0);
   EXPECT_TRUE(fs::exists(world / "outside/sub/made"));
 }
@@ -342,9 +368,11 @@ TEST(CompatRestrictIo, ConfPermits) {
 TEST(CompatFiles, PipesAndDevicesNeverBlock) {
   const World world;
   for (const char* statement :
-       {"#include \"pipe\"", "#include \"/dev/zero\"", "#fopen F \"pipe\" read", "#fopen F \"pipe\" write",
-        "#fopen F \"/dev/zero\" read", "#if (file_exists(\"pipe\")) #end", "text { ttf \"pipe\" \"a\" 1, 0 }",
-        "sphere { 0, 1 pigment { image_map { png \"pipe.png\" } } }", "height_field { png \"/dev/zero\" }",
+       {"#include \"pipe\"", "#include \"/dev/zero\"", "#fopen F \"pipe\" read",
+        "#fopen F \"pipe\" write", "#fopen F \"/dev/zero\" read",
+        "#if (file_exists(\"pipe\")) #end", "text { ttf \"pipe\" \"a\" 1, 0 }",
+        "sphere { 0, 1 pigment { image_map { png \"pipe.png\" } } }",
+        "height_field { png \"/dev/zero\" }",
         "sphere { 0, 1 pigment { density_file df3 \"pipe\" } }"}) {
     const tool::RunResult result = world.run(statement, {});
     EXPECT_EQ(result.status, 1) << statement;
@@ -355,7 +383,10 @@ TEST(CompatFiles, PipesAndDevicesNeverBlock) {
 
 TEST(CompatFiles, LostWritesAreErrors) {
   const World world;
-  struct Case { const char* statement; int column; };
+  struct Case {
+    const char* statement;
+    int column;
+  };
   for (const Case& c : {Case{"#fopen F \"/dev/full\" write #write (F, 1) #fclose F", 50},
                         {"#fopen F \"/dev/full\" write #for (I, 1, 99999) #write (F, I) #end", 55},
                         {"#fopen F \"/dev/full\" append #write (F, 1)", 10},
@@ -363,8 +394,10 @@ TEST(CompatFiles, LostWritesAreErrors) {
                         {"#fopen F \"/dev/full\" write #write (F, 1) #fopen F \"a\" write", 10}}) {
     const tool::RunResult result = world.run(std::string(c.statement) + " sphere { 0, 1 }", {});
     EXPECT_EQ(result.status, 1) << c.statement;
-    EXPECT_NE(result.output.find("scene.pov:2:" + std::to_string(c.column) + ": error: "), std::string::npos)
-        << c.statement << '\n' << result.output;
+    EXPECT_NE(result.output.find("scene.pov:2:" + std::to_string(c.column) + ": error: "),
+              std::string::npos)
+        << c.statement << '\n'
+        << result.output;
     EXPECT_NE(result.output.find("No space left on device"), std::string::npos) << result.output;
   }
 }
@@ -375,7 +408,8 @@ TEST(CompatFiles, RunsWithoutRenderingLeaveNothing) {
   const std::string statement =
       "#fopen F \"new.inc\" write #write (F, \"#declare New = 7;\") #fclose F #include \"new.inc\" "
       "#fopen F \"old.txt\" append #write (F, \"\\\"added\\\"\") #fclose F "
-      "#fopen F \"old.txt\" read #read (F, A, B) #warning concat(A, B, str(New, 0, 0), str(file_exists(\"new.inc\"), 0, 0))";
+      "#fopen F \"old.txt\" read #read (F, A, B) #warning concat(A, B, str(New, 0, 0), "
+      "str(file_exists(\"new.inc\"), 0, 0))";
   for (const char* mode : {"--parse-only", "--dump"}) {
     const tool::RunResult result = world.run(statement, {mode});
     EXPECT_EQ(result.status, 0) << result.output;

@@ -28,8 +28,13 @@ Outcome run(Program program, const std::string& scene, std::vector<std::string> 
   const tool::TemporaryFolder folder;
   tool::write_text(folder / "scene.pov", scene);
   std::vector<std::string> command = {
-      program == Program::kStock ? "povray" : LENTRAY_BIN_DIR "/lentray", "+Iscene.pov", "+Oscene.png",
-      "+W4", "+H4", "-D", "-V"};
+      program == Program::kStock ? "povray" : LENTRAY_BIN_DIR "/lentray",
+      "+Iscene.pov",
+      "+Oscene.png",
+      "+W4",
+      "+H4",
+      "-D",
+      "-V"};
   command.insert(command.end(), options.begin(), options.end());
   const tool::RunResult result = tool::run_program(command, folder.path(), 60.0);
   Outcome out{result.status, result.output, {}};
@@ -44,7 +49,9 @@ Outcome run(Program program, const std::string& scene, std::vector<std::string> 
 // Lines of the scene that are warned of, 0 for the scene as a whole. Stock breaks lines as it likes,
 // and says "File 'scene.pov' line 3: Parse Warning" or, in files, "File: scene.pov  Line: 3".
 std::multiset<int> warned(Program program, const std::string& text) {
-  static const std::regex stock("(?:File '[^']*' line (\\d+): |File: \\S+\\s+Line: (\\d+)\\s+)?(?:Parse\\s+Warning|Possible\\s+Parse\\s+Error):");
+  static const std::regex stock(
+      "(?:File '[^']*' line (\\d+): |File: \\S+\\s+Line: "
+      "(\\d+)\\s+)?(?:Parse\\s+Warning|Possible\\s+Parse\\s+Error):");
   static const std::regex ours("(?:scene\\.pov:(\\d+):\\d+|lentray): (warning):");
   std::multiset<int> lines;
   const std::regex& form = program == Program::kStock ? stock : ours;
@@ -60,13 +67,15 @@ constexpr const char* kHead = "#version 3.7; global_settings { assumed_gamma 1 }
 TEST(CompatWarnings, SameLinesAsStock) {
   const std::string head = kHead;
   const std::vector<std::string> scenes = {
-      "sphere { 0, 1 }",                                    // neither #version nor assumed_gamma
-      "#version 3.7; sphere { 0, 1 }",                      // no assumed_gamma
+      "sphere { 0, 1 }",                // neither #version nor assumed_gamma
+      "#version 3.7; sphere { 0, 1 }",  // no assumed_gamma
       "#version 3.6; sphere { 0, 1 }",
       "#declare A = 1;\n#version 3.7; global_settings { assumed_gamma 1 } sphere { 0, 1 }",
       head + "sphere { 0, 1 scale 0 }",
       head + "sphere { 0, 1\nscale <1, 0, 1> }",
-      head + "union { sphere { 0, 1 } }\nintersection { box { 0, 1 } }\ndifference { box { 0, 1 } }\nmerge { box { 0, 1 } }",
+      head +
+          "union { sphere { 0, 1 } }\nintersection { box { 0, 1 } }\ndifference { box { 0, 1 } "
+          "}\nmerge { box { 0, 1 } }",
       head + "polygon { 3, 0, x, y }\nprism { 0, 1, 3, 0, u, v }",
       head + "triangle { 0, x, x*2 }\nsmooth_triangle { 0, y, x, y, x*2, y }",
       head + "camera { location -z }\ncamera { location -5*z look_at 0 }\nsphere { 0, 1 }",
@@ -85,7 +94,7 @@ TEST(CompatWarnings, SameLinesAsStock) {
       head + "#declare A = acos(2);\nsphere { 0, 1 }",
       head + "#declare A = 1/0;\nsphere { 0, 1 }",
       "#version 3.1; global_settings { assumed_gamma 1 }\n#declare A = 1 sphere { 0, 1 }",
-      head,                                                 // no objects
+      head,  // no objects
   };
   for (const std::string& scene : scenes) {
     const Outcome stock = run(Program::kStock, scene, {"+GWw.txt"});
@@ -94,7 +103,9 @@ TEST(CompatWarnings, SameLinesAsStock) {
     EXPECT_EQ(ours.status, 0) << scene << ours.console;
     const auto wanted = warned(Program::kStock, stock.files.at("w.txt"));
     EXPECT_EQ(warned(Program::kLentray, ours.files.at("w.txt")), wanted)
-        << scene << "\n" << stock.files.at("w.txt") << "\n" << ours.console;
+        << scene << "\n"
+        << stock.files.at("w.txt") << "\n"
+        << ours.console;
   }
 }
 
@@ -103,11 +114,14 @@ TEST(CompatWarnings, SameLinesAsStock) {
 std::multiset<std::string> gradients(Program program, std::string text) {
   static const std::regex space("\\s+");
   text = std::regex_replace(text, space, " ");
-  static const std::regex stock(R"(gradient found was ([\d.]+), but max_gradient of the isosurface was set to ([\d.]+)\.( The)?)");
-  static const std::regex ours(R"(max_gradient ([\d.]+) is (too small|more than).*? steep(?:er)? (?:as|than) ([\d.]+\d))");
+  static const std::regex stock(
+      R"(gradient found was ([\d.]+), but max_gradient of the isosurface was set to ([\d.]+)\.( The)?)");
+  static const std::regex ours(
+      R"(max_gradient ([\d.]+) is (too small|more than).*? steep(?:er)? (?:as|than) ([\d.]+\d))");
   std::multiset<std::string> all;
   const bool is_stock = program == Program::kStock;
-  for (std::sregex_iterator at(text.begin(), text.end(), is_stock ? stock : ours), end; at != end; ++at) {
+  for (std::sregex_iterator at(text.begin(), text.end(), is_stock ? stock : ours), end; at != end;
+       ++at) {
     const std::string found = (*at)[is_stock ? 1 : 3], given = (*at)[is_stock ? 2 : 1];
     const bool holes = is_stock ? (*at)[3].matched : (*at)[2] == "too small";
     all.insert(found + (holes ? ">" : "<") + given);
@@ -116,38 +130,48 @@ std::multiset<std::string> gradients(Program program, std::string text) {
 }
 
 TEST(CompatWarnings, GradientsAreReportedAsInStock) {
-  const std::string head = std::string(kHead) +
+  const std::string head =
+      std::string(kHead) +
       "camera { orthographic location -5*z direction z right 8*x up 2*y }\n"
       "#macro Wall(K, G, X) isosurface { function { -K*z } max_gradient G"
       " contained_by { box { <-.9,-2,-1.3>, <.9,2,1.2> } } translate X*x } #end\n";
   const std::string waves =
-      "isosurface { function { x*x + y*y*2 + z*z - 1 + .1*sin(x*15)*sin(z*14) } contained_by { box { -1.2, 1.2 } }";
+      "isosurface { function { x*x + y*y*2 + z*z - 1 + .1*sin(x*15)*sin(z*14) } contained_by { box "
+      "{ -1.2, 1.2 } }";
   const std::vector<std::string> scenes = {
       head + "Wall(1, .949, -3)\nWall(1, .952, -1)\nWall(10, 11.1, 1)\nWall(10, 10.9, 3)",
       head + "Wall(2, 1.89, -3)\nWall(2, 1.91, -1)\nWall(50, 56, 1)\nWall(50, 54, 3)",
-      head + waves + " max_gradient 3 }", head + waves + " max_gradient 5 }", head + waves + " max_gradient 60 }",
+      head + waves + " max_gradient 3 }",
+      head + waves + " max_gradient 5 }",
+      head + waves + " max_gradient 60 }",
       head + waves + " evaluate 3, 1.2, .8 }"};
   for (const std::string& scene : scenes) {
     const std::vector<std::string> options = {"+W64", "+H16", "+WT1"};
     const Outcome stock = run(Program::kStock, scene, options);
     const Outcome ours = run(Program::kLentray, scene, options);
     EXPECT_EQ(gradients(Program::kLentray, ours.console), gradients(Program::kStock, stock.console))
-        << scene << "\n" << stock.console << ours.console;
+        << scene << "\n"
+        << stock.console << ours.console;
   }
 }
 
 /// Stock is silent about copies of a declared isosurface and about parts of CSG; they can have holes as well.
 TEST(CompatWarnings, GradientsOfCopiesAndPartsAreReportedToo) {
-  const std::string head = std::string(kHead) + "camera { orthographic location -5*z direction z right 8*x up 2*y }\n";
-  const std::string waves = "isosurface { function { x*x + y*y*2 + z*z - 1 + .1*sin(x*15)*sin(z*14) }"
-                            " contained_by { box { -1.2, 1.2 } } max_gradient 3 }";
+  const std::string head =
+      std::string(kHead) + "camera { orthographic location -5*z direction z right 8*x up 2*y }\n";
+  const std::string waves =
+      "isosurface { function { x*x + y*y*2 + z*z - 1 + .1*sin(x*15)*sin(z*14) }"
+      " contained_by { box { -1.2, 1.2 } } max_gradient 3 }";
   for (const std::string& scene :
        {head + "#declare F = " + waves + " object { F } object { F translate 3*x }",
         head + "#declare U = union { " + waves + " sphere { 9, 1 } } object { U translate x }",
         head + "intersection { sphere { 0, 2 } " + waves + " }"}) {
     const std::vector<std::string> options = {"+W64", "+H16", "+WT1"};
-    EXPECT_TRUE(gradients(Program::kStock, run(Program::kStock, scene, options).console).empty()) << scene;
-    EXPECT_FALSE(gradients(Program::kLentray, run(Program::kLentray, scene, options).console).empty()) << scene;
+    EXPECT_TRUE(gradients(Program::kStock, run(Program::kStock, scene, options).console).empty())
+        << scene;
+    EXPECT_FALSE(
+        gradients(Program::kLentray, run(Program::kLentray, scene, options).console).empty())
+        << scene;
   }
 }
 
@@ -156,13 +180,38 @@ TEST(CompatWarnings, StreamsGoWhereStockSendsThem) {
       "sphere { 0, 1 scale 0 }\n#warning \"careful\\n\"\n#debug \"debugged\\n\"\n"
       "#render concat(\"rend\", \"word\\n\")\n#statistics concat(\"count\", \"ed\\n\")\n";
   const std::vector<std::vector<std::string>> options = {
-      {}, {"-GW"}, {"+GW"}, {"-GA"}, {"+GA"}, {"-GD"}, {"-GR"}, {"-GS"}, {"-GF"},
-      {"+GWw.txt"}, {"-GWw.txt"}, {"+GDd.txt"}, {"-GDd.txt"}, {"+GRr.txt"}, {"-GRr.txt"},
-      {"+GSs.txt"}, {"-GSs.txt"}, {"+GAa.txt"}, {"-GAa.txt"}, {"+GFf.txt"},
-      {"-GA", "+GW"}, {"+GW", "-GA"}, {"-GW", "+GA"}, {"+GWw.txt", "-GA"}, {"+GWw.txt", "-GW"},
+      {},
+      {"-GW"},
+      {"+GW"},
+      {"-GA"},
+      {"+GA"},
+      {"-GD"},
+      {"-GR"},
+      {"-GS"},
+      {"-GF"},
+      {"+GWw.txt"},
+      {"-GWw.txt"},
+      {"+GDd.txt"},
+      {"-GDd.txt"},
+      {"+GRr.txt"},
+      {"-GRr.txt"},
+      {"+GSs.txt"},
+      {"-GSs.txt"},
+      {"+GAa.txt"},
+      {"-GAa.txt"},
+      {"+GFf.txt"},
+      {"-GA", "+GW"},
+      {"+GW", "-GA"},
+      {"-GW", "+GA"},
+      {"+GWw.txt", "-GA"},
+      {"+GWw.txt", "-GW"},
       {"-GDd.txt", "+GWw.txt", "+GAa.txt"},
-      {"Warning_Console=Off"}, {"All_Console=Off"}, {"All_Console=Off", "Warning_Console=On"},
-      {"Warning_Console=Off", "Warning_File=w.txt"}, {"Warning_File=true"}, {"All_File=true"},
+      {"Warning_Console=Off"},
+      {"All_Console=Off"},
+      {"All_Console=Off", "Warning_Console=On"},
+      {"Warning_Console=Off", "Warning_File=w.txt"},
+      {"Warning_File=true"},
+      {"All_File=true"},
       {"Debug_File=true", "Render_File=true", "Statistic_File=true", "Fatal_File=true"}};
   for (const auto& given : options) {
     std::string shown;
@@ -188,7 +237,8 @@ TEST(CompatWarnings, StreamsGoWhereStockSendsThem) {
     for (const auto& [name, text] : stock.files) {
       EXPECT_EQ(has(ours.files.at(name)), has(text)) << name;
       EXPECT_EQ(warned(Program::kLentray, ours.files.at(name)).size(),
-                warned(Program::kStock, text).size()) << name;
+                warned(Program::kStock, text).size())
+          << name;
     }
   }
 }
@@ -200,8 +250,9 @@ TEST(CompatWarnings, FilesAreBegunAnewOrGoneOnWith) {
       tool::write_text(folder / "scene.pov", "sphere { 0, 1 scale 0 }");
       tool::write_text(folder / "w.txt", "old\n");
       const std::string name = program == Program::kStock ? "povray" : LENTRAY_BIN_DIR "/lentray";
-      tool::run_program({name, "+Iscene.pov", "-F", "+W4", "+H4", "-D", "+GWw.txt", append ? "+GP" : "-GP"},
-                folder.path(), 60.0);
+      tool::run_program(
+          {name, "+Iscene.pov", "-F", "+W4", "+H4", "-D", "+GWw.txt", append ? "+GP" : "-GP"},
+          folder.path(), 60.0);
       EXPECT_EQ(tool::read_text(folder / "w.txt").rfind("old", 0) == 0, append) << name;
     }
   }

@@ -158,7 +158,8 @@ TEST(CompatMutation, RightVectorSwapped) {
   const Sheet s = sheet(5, 100, kFar, false);
   Sheet wrong = s;
   wrong.right = -s.right;
-  EXPECT_TRUE(is_caught(stock(s, Way::orthographic_views), stock(wrong, Way::orthographic_views), 5));
+  EXPECT_TRUE(
+      is_caught(stock(s, Way::orthographic_views), stock(wrong, Way::orthographic_views), 5));
 }
 
 TEST(CompatMutation, PrintPitchForgotten) {
@@ -171,7 +172,8 @@ TEST(CompatMutation, PrintPitchForgotten) {
   for (std::uint32_t j = 0; j < 9; ++j) {
     Sheet wrong = s;
     // The same eyes as a sheet of a focal length P'/P longer: e/f shrinks by P/P'.
-    wrong.eye_slope_x = s.ior * s.cell_offset(j) / s.focal_length * (s.pitch / s.print_pitch() - 1.0);
+    wrong.eye_slope_x =
+        s.ior * s.cell_offset(j) / s.focal_length * (s.pitch / s.print_pitch() - 1.0);
     wrong.front = eye;
     views.push_back(stock_view(stock.scene(), wrong, j, stock.options));
   }
@@ -184,7 +186,8 @@ TEST(CompatMutation, LensPixelsOneOff) {
   Sheet wrong = s;
   wrong.pixels = 6;
   wrong.width = s.width;  // the same sheet on screen
-  EXPECT_TRUE(is_caught(stock(s, Way::orthographic_views), stock(wrong, Way::orthographic_views), 5));
+  EXPECT_TRUE(
+      is_caught(stock(s, Way::orthographic_views), stock(wrong, Way::orthographic_views), 5));
 }
 
 TEST(CompatMutation, ViewsReversed) {
@@ -231,19 +234,22 @@ TEST(UnitWrapper, LenticularCamerasBecomeOrdinary) {
   const std::string text = "camera {\n  lenticular // }\n location <0,0,0>\n}\nsphere { 0, 1 }\n";
   EXPECT_EQ(without_lenticular(text, changed), "camera { orthographic \n\n\n}\nsphere { 0, 1 }\n");
   EXPECT_TRUE(changed);
-  const std::string two = "camera { lenticular }#declare lenticular = 1; camera { location lenticular }"
-                          "camera {lenticular lens_pitch 2}";
+  const std::string two =
+      "camera { lenticular }#declare lenticular = 1; camera { location lenticular }"
+      "camera {lenticular lens_pitch 2}";
   EXPECT_EQ(without_lenticular(two, changed),
             "camera { orthographic }#declare lenticular = 1; camera { orthographic }"
             "camera { orthographic }");
-  const std::string none = "// camera { lenticular }\n\"camera { lenticular }\" camera { angle 30 }";
+  const std::string none =
+      "// camera { lenticular }\n\"camera { lenticular }\" camera { angle 30 }";
   EXPECT_EQ(without_lenticular(none, changed), none);
   EXPECT_FALSE(changed);
 }
 
 TEST(UnitWrapper, IncludedFiles) {
-  EXPECT_EQ(included_files("#include \"a.inc\"\n// #include \"b.inc\"\n# include\"c d.inc\" #include X"),
-            (std::vector<std::string>{"a.inc", "c d.inc"}));
+  EXPECT_EQ(
+      included_files("#include \"a.inc\"\n// #include \"b.inc\"\n# include\"c d.inc\" #include X"),
+      (std::vector<std::string>{"a.inc", "c d.inc"}));
 }
 
 TEST(CompatWrapper, LenticularCameraInAnIncludeFile) {

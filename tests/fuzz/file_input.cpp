@@ -25,10 +25,17 @@ using core::Vec3;
 struct Kind {
   std::string_view head, word;
 };
-constexpr Kind kPictures[] = {
-    {"\x89PNG\r\n\x1a\n"sv, "png"}, {"GIF8"sv, "gif"}, {"\xff\xd8"sv, "jpeg"}, {"BM"sv, "sys"},
-    {"P6"sv, "ppm"}, {"P5"sv, "pgm"}, {"II*\0"sv, "tiff"}, {"MM\0*"sv, "tiff"}, {"v/1\1"sv, "exr"},
-    {"#?RADIANCE"sv, "hdr"}, {""sv, "tga"}};
+constexpr Kind kPictures[] = {{"\x89PNG\r\n\x1a\n"sv, "png"},
+                              {"GIF8"sv, "gif"},
+                              {"\xff\xd8"sv, "jpeg"},
+                              {"BM"sv, "sys"},
+                              {"P6"sv, "ppm"},
+                              {"P5"sv, "pgm"},
+                              {"II*\0"sv, "tiff"},
+                              {"MM\0*"sv, "tiff"},
+                              {"v/1\1"sv, "exr"},
+                              {"#?RADIANCE"sv, "hdr"},
+                              {""sv, "tga"}};
 constexpr std::string_view kFonts[] = {"\0\1\0\0"sv, "OTTO"sv, "true"sv, "ttcf"sv};
 
 /// In memory where there is such a folder.
@@ -37,7 +44,8 @@ class InputFile {
   InputFile(const std::uint8_t* data, std::size_t size) {
     const std::string folder = std::filesystem::is_directory("/dev/shm") ? "/dev/shm" : "/tmp";
     m_path = folder + "/lentray-fuzz-" + std::to_string(getpid());
-    std::ofstream(m_path, std::ios::binary).write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));
+    std::ofstream(m_path, std::ios::binary)
+        .write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));
   }
   ~InputFile() { std::remove(m_path.c_str()); }
   InputFile(const InputFile&) = delete;
@@ -52,8 +60,12 @@ class SceneFiles final : public parser::Files {
  public:
   explicit SceneFiles(std::string scene) : m_scene(std::move(scene)) {}
   bool exists(const std::string& path) const override { return parser::disk_files().exists(path); }
-  std::optional<std::string> find_loosely(const std::string&, const std::string&) const override { return std::nullopt; }
-  std::optional<std::string> read(const std::string& path) const override { return parser::disk_files().read(path); }
+  std::optional<std::string> find_loosely(const std::string&, const std::string&) const override {
+    return std::nullopt;
+  }
+  std::optional<std::string> read(const std::string& path) const override {
+    return parser::disk_files().read(path);
+  }
   std::optional<std::string> read_scene(const std::string&) const override { return m_scene; }
   bool may_write(const std::string&) const override { return false; }
   std::unique_ptr<parser::FileWriter> open(const std::string&, bool) override { return nullptr; }
@@ -87,7 +99,8 @@ std::string use(std::string text) {
   SceneFiles files(std::move(text));
   parser::SourceManager sources(files);
   parser::Diagnostics diagnostics(sources);
-  for (std::size_t i = 0; i < parser::kStreams; ++i) diagnostics.connect(static_cast<parser::Stream>(i), {});
+  for (std::size_t i = 0; i < parser::kStreams; ++i)
+    diagnostics.connect(static_cast<parser::Stream>(i), {});
   try {
     trace(core::Scene(parser::read_scene("scene.pov", sources, diagnostics, {}).parts, {}));
   } catch (const parser::ParseError& error) {
@@ -106,10 +119,12 @@ std::string use_picture(const std::uint8_t* data, std::size_t size) {
   while (!bytes.starts_with(kind->head)) ++kind;
   const InputFile file(data, size);
   const std::string image = std::string(kind->word) + ' ' + file.quoted();
-  return use(kLight + ("plane { z, 3 pigment { image_map { " + image + " interpolate 2 } } normal { bump_map { " +
-                       image + " bump_size 2 } } }\nheight_field { " + image +
-                       " translate -0.5 pigment { image_pattern { " + image + " } } }\nsphere { 0, 0.3 texture { material_map { " +
-                       image + " texture { pigment { rgb x } } texture { pigment { rgb y } } } } }\n"));
+  return use(kLight + ("plane { z, 3 pigment { image_map { " + image +
+                       " interpolate 2 } } normal { bump_map { " + image +
+                       " bump_size 2 } } }\nheight_field { " + image +
+                       " translate -0.5 pigment { image_pattern { " + image +
+                       " } } }\nsphere { 0, 0.3 texture { material_map { " + image +
+                       " texture { pigment { rgb x } } texture { pigment { rgb y } } } } }\n"));
 }
 
 std::string use_font_or_densities(const std::uint8_t* data, std::size_t size) {
@@ -117,10 +132,13 @@ std::string use_font_or_densities(const std::uint8_t* data, std::size_t size) {
   const InputFile file(data, size);
   for (const std::string_view head : kFonts) {
     if (!bytes.starts_with(head)) continue;
-    return use(kLight + ("text { ttf " + file.quoted() + " \"aB&g%\" 0.4, <0.01, 0, 0> scale 0.6 translate -x pigment { rgb 1 } }"));
+    return use(kLight +
+               ("text { ttf " + file.quoted() +
+                " \"aB&g%\" 0.4, <0.01, 0, 0> scale 0.6 translate -x pigment { rgb 1 } }"));
   }
   return use(kLight + ("box { -0.6, 0.6 pigment { density_file df3 " + file.quoted() +
-                       " interpolate 1 translate -0.5 } normal { density_file df3 " + file.quoted() + " interpolate 2 } }"));
+                       " interpolate 1 translate -0.5 } normal { density_file df3 " +
+                       file.quoted() + " interpolate 2 } }"));
 }
 
 }  // namespace lentray::test

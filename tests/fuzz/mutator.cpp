@@ -36,26 +36,66 @@ std::size_t end_of_piece(std::string_view text, std::size_t i) {
 }
 
 // Beginnings and ends of what nests, and what has gone wrong elsewhere.
-constexpr const char* kPhrases[] = {
-    "#declare A_ =", "#local A_ =", "#macro M_ ( A_ )", "M_ ( A_ )", "#end", "#while ( 1 )",
-    "#for ( I_ , 0 , 9 )", "#if ( 0 )", "#else", "#switch ( 1 ) #case ( 1 )", "#break",
-    "array [ 2 ]", "array [ 2 ] { 1 , 2 }", "A_ [ 0 ]", "A_", "function { x + y }",
-    "function ( a_ ) { a_ * 2 }", "spline { 0 , x 1 , y }", "#include \"colors.inc\"",
-    "#fopen F_ \"f\" write", "#fopen F_ \"f\" read", "#write ( F_ , A_ )", "#read ( F_ , A_ )",
-    "#fclose F_", "#undef A_", "#ifdef ( A_ )", "sphere { 0 , 1 }", "box { -1 , 1 }",
-    "union { sphere { 0 , 1 } box { -1 , 1 } }", "object { A_ }", "texture { pigment { rgb 1 } }",
-    "pigment { gradient x color_map { [ 0 rgb 1 ] [ 1 rgb 0 ] } }", "normal { bumps 1 }",
-    "finish { phong 1 }", "interior { ior 1.5 }", "media { emission 1 }", "rotate x * 90",
-    "scale 0", "translate y", "matrix < 1 , 0 , 0 , 0 , 1 , 0 , 0 , 0 , 1 , 0 , 0 , 0 >",
-    "transform { inverse }", "rand ( seed ( 1 ) )", "concat ( \"a\" , str ( 1 , 0 , 0 ) )",
-    "substr ( \"abc\" , 1 , 2 )", "trace ( A_ , x , y )", "inside ( A_ , 0 )", "min_extent ( A_ )",
-    "#version 3.7 ;", "#version 2.0 ;", "#default { pigment { rgb 1 } }", "light_source { 0 , 1 }",
-    "camera { location x look_at 0 }", "global_settings { assumed_gamma 1 }", "clipped_by { A_ }"};
+constexpr const char* kPhrases[] = {"#declare A_ =",
+                                    "#local A_ =",
+                                    "#macro M_ ( A_ )",
+                                    "M_ ( A_ )",
+                                    "#end",
+                                    "#while ( 1 )",
+                                    "#for ( I_ , 0 , 9 )",
+                                    "#if ( 0 )",
+                                    "#else",
+                                    "#switch ( 1 ) #case ( 1 )",
+                                    "#break",
+                                    "array [ 2 ]",
+                                    "array [ 2 ] { 1 , 2 }",
+                                    "A_ [ 0 ]",
+                                    "A_",
+                                    "function { x + y }",
+                                    "function ( a_ ) { a_ * 2 }",
+                                    "spline { 0 , x 1 , y }",
+                                    "#include \"colors.inc\"",
+                                    "#fopen F_ \"f\" write",
+                                    "#fopen F_ \"f\" read",
+                                    "#write ( F_ , A_ )",
+                                    "#read ( F_ , A_ )",
+                                    "#fclose F_",
+                                    "#undef A_",
+                                    "#ifdef ( A_ )",
+                                    "sphere { 0 , 1 }",
+                                    "box { -1 , 1 }",
+                                    "union { sphere { 0 , 1 } box { -1 , 1 } }",
+                                    "object { A_ }",
+                                    "texture { pigment { rgb 1 } }",
+                                    "pigment { gradient x color_map { [ 0 rgb 1 ] [ 1 rgb 0 ] } }",
+                                    "normal { bumps 1 }",
+                                    "finish { phong 1 }",
+                                    "interior { ior 1.5 }",
+                                    "media { emission 1 }",
+                                    "rotate x * 90",
+                                    "scale 0",
+                                    "translate y",
+                                    "matrix < 1 , 0 , 0 , 0 , 1 , 0 , 0 , 0 , 1 , 0 , 0 , 0 >",
+                                    "transform { inverse }",
+                                    "rand ( seed ( 1 ) )",
+                                    "concat ( \"a\" , str ( 1 , 0 , 0 ) )",
+                                    "substr ( \"abc\" , 1 , 2 )",
+                                    "trace ( A_ , x , y )",
+                                    "inside ( A_ , 0 )",
+                                    "min_extent ( A_ )",
+                                    "#version 3.7 ;",
+                                    "#version 2.0 ;",
+                                    "#default { pigment { rgb 1 } }",
+                                    "light_source { 0 , 1 }",
+                                    "camera { location x look_at 0 }",
+                                    "global_settings { assumed_gamma 1 }",
+                                    "clipped_by { A_ }"};
 
-constexpr const char* kNumbers[] = {"0", "1", "-1", "2", "0.5", "3", "4", "5", "8", "100", "1e10",
-                                    "-1e10", "1e-10", "1e308", "-1e308", "1e-320", "2147483647",
-                                    "2147483648", "-2147483649", "4294967296", "1e20", "(1/0)",
-                                    "(0/0)", "65535", "1e5"};
+constexpr const char* kNumbers[] = {
+    "0",      "1",      "-1",         "2",          "0.5",         "3",          "4",
+    "5",      "8",      "100",        "1e10",       "-1e10",       "1e-10",      "1e308",
+    "-1e308", "1e-320", "2147483647", "2147483648", "-2147483649", "4294967296", "1e20",
+    "(1/0)",  "(0/0)",  "65535",      "1e5"};
 
 std::string joined(const std::vector<std::string>& pieces, std::size_t most) {
   std::string text;
@@ -119,8 +159,9 @@ std::string Mutator::new_piece(const Pieces& pieces) {
   switch (pick(6)) {
     case 0: return word();
     case 1: return number();
-    case 2: return std::string(parser::spelling(
-                static_cast<Punct>(1 + pick(static_cast<std::size_t>(Punct::kHash)))));
+    case 2:
+      return std::string(
+          parser::spelling(static_cast<Punct>(1 + pick(static_cast<std::size_t>(Punct::kHash)))));
     case 3: return kPhrases[pick(std::size(kPhrases))];
     case 4: return "#" + word();
     default: return pieces.empty() ? word() : pieces[pick(pieces.size())];
@@ -155,7 +196,8 @@ void Mutator::change(Pieces& pieces) {
       return insert(pieces, r.begin, copy);
     }
     case 5: return std::swap(pieces[pick(pieces.size())], pieces[pick(pieces.size())]);
-    case 6: case 7: {  // another number
+    case 6:
+    case 7: {  // another number
       const std::size_t start = pick(pieces.size());
       for (std::size_t n = 0; n < pieces.size(); ++n) {
         std::string& piece = pieces[(start + n) % pieces.size()];

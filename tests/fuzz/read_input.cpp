@@ -24,8 +24,7 @@ parser::Limits small_limits() {
 
 }  // namespace
 
-std::vector<std::string> read_input(std::string_view text,
-                                    const MemoryFiles::Library& library) {
+std::vector<std::string> read_input(std::string_view text, const MemoryFiles::Library& library) {
   MemoryFiles files(library);
   files.add("scene.pov", std::string(text));
   parser::SourceManager sources(files);

@@ -64,21 +64,22 @@ TEST_F(Acceptance, DemoFromItsEyeIsExact) {
 }
 
 TEST_F(Acceptance, DemoInItsOwnCameraIsExact) {
-  const tool::RunResult result = compare({scene_file("demo.pov"), "+W240", "+H180", "--grade", "exact"});
+  const tool::RunResult result =
+      compare({scene_file("demo.pov"), "+W240", "+H180", "--grade", "exact"});
   EXPECT_EQ(result.status, 0) << text_of(m_report, result.output);
 }
 
 TEST_F(Acceptance, FractionalLensPixels) {
-  const tool::RunResult result = compare(
-      {scene_file("demo.pov"), "Lenticular=On", "Lens_Pixels=7.37", "+W240", "+H180"});
+  const tool::RunResult result =
+      compare({scene_file("demo.pov"), "Lenticular=On", "Lens_Pixels=7.37", "+W240", "+H180"});
   EXPECT_EQ(result.status, 0) << text_of(m_report, result.output);
   EXPECT_TRUE(m_report["views"].empty());
   EXPECT_EQ(m_report["way"], "mesh_camera");
 }
 
 TEST_F(Acceptance, SnellsLawFromAFiniteDistance) {
-  const tool::RunResult result = compare(
-      {scene_file("demo.pov"), "Lenticular=On", "Lens_Model=pinhole", "+W240", "+H180"});
+  const tool::RunResult result =
+      compare({scene_file("demo.pov"), "Lenticular=On", "Lens_Model=pinhole", "+W240", "+H180"});
   EXPECT_EQ(result.status, 0) << text_of(m_report, result.output);
   EXPECT_EQ(m_report["way"], "mesh_camera");
 }
@@ -111,8 +112,8 @@ class Mutation : public Acceptance {
 
   std::string scene(const std::string& right, const std::string& lens) const {
     return "#version 3.7;\n#include \"" + scene_file("demo.pov") +
-           "\"\ncamera { lenticular location <0,0.75,0> direction z right " + right +
-           " up 3*y " + lens + " }\n";
+           "\"\ncamera { lenticular location <0,0.75,0> direction z right " + right + " up 3*y " +
+           lens + " }\n";
   }
 
   void SetUp() override {
@@ -127,7 +128,8 @@ class Mutation : public Acceptance {
     const tool::RunResult made =
         run_lentray({"+Iwrong.pov", "+Owrong.png", "+W300", "+H60", "-V"}, m_folder.path());
     EXPECT_EQ(made.status, 0) << made.output;
-    return run_diff({"wrong.png", "p-stock.png", "Lens_Pixels=15", "--no-pictures"}, m_folder.path())
+    return run_diff({"wrong.png", "p-stock.png", "Lens_Pixels=15", "--no-pictures"},
+                    m_folder.path())
         .status;
   }
 

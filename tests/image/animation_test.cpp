@@ -50,8 +50,9 @@ void expect_as_stock(std::vector<std::string> arguments) {
   ASSERT_FALSE(names[0].empty());
   ASSERT_EQ(names[1], names[0]);
   for (const std::string& name : names[0]) {
-    EXPECT_TRUE(reaches(core::read_image(folder / "ours" / name), core::read_image(folder / "stock" / name),
-                        Grade::exact)) << name;
+    EXPECT_TRUE(reaches(core::read_image(folder / "ours" / name),
+                        core::read_image(folder / "stock" / name), Grade::exact))
+        << name;
   }
 }
 
@@ -70,12 +71,14 @@ TEST(ImageAnimation, AFrameReadsWhatTheOneBeforeWrote) {
 camera { location -3*z look_at 0 } sphere { 0, 1 pigment { rgb Seen/4 } finish { ambient 1 } }
 )");
   const tool::RunResult run =
-      run_lentray({"+Iscene.pov", "+W16", "+H12", "+KFF4", "+FN16", "-V", "Statistics_File=s.json"}, folder.path());
+      run_lentray({"+Iscene.pov", "+W16", "+H12", "+KFF4", "+FN16", "-V", "Statistics_File=s.json"},
+                  folder.path());
   ASSERT_EQ(run.status, 0) << run.output;
   float last = -1.0f;
   for (const char* name : {"scene1.png", "scene2.png", "scene3.png", "scene4.png"}) {
     const StoredImage picture = core::read_image(folder / name);
-    const float middle = picture.samples[(std::size_t{6} * 16 + 8) * static_cast<std::size_t>(picture.channels)];
+    const float middle =
+        picture.samples[(std::size_t{6} * 16 + 8) * static_cast<std::size_t>(picture.channels)];
     EXPECT_GT(middle, last) << name;
     last = middle;
   }

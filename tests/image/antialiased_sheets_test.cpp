@@ -66,7 +66,8 @@ class AntialiasedViews : public AntialiasedSheet, public ::testing::WithParamInt
 
 TEST_P(AntialiasedViews, AreStocks) {
   const auto& [scene, method, distance] = GetParam();
-  Words words{"Lens_Pixels=5", "+W58", "+H60", "+A0.1", "+R2", "-J", method};  // the last lens is cut
+  Words words{"Lens_Pixels=5", "+W58", "+H60", "+A0.1",
+              "+R2",           "-J",   method};  // the last lens is cut
   if (!distance.empty()) words.push_back("View_Distance=" + distance);
   expect(scene, "exact", words);
   EXPECT_EQ(m_report["samples_a_pixel"], 1);
@@ -88,7 +89,8 @@ TEST_P(AntialiasedOf, FractionalPixelsAreTheMeanOfSamples) {
 }
 
 TEST_P(AntialiasedOf, DirectionsAreTheMeanOfFinerViews) {
-  expect(GetParam(), "match", {"Lens_Pixels=3", "+W30", "+H60", "+A0.0", "-J", "Antialias_Angle=4"});
+  expect(GetParam(), "match",
+         {"Lens_Pixels=3", "+W30", "+H60", "+A0.0", "-J", "Antialias_Angle=4"});
   EXPECT_EQ(m_report["samples_a_pixel"], 4);
 }
 
@@ -125,15 +127,17 @@ TEST_F(AntialiasedSheet, AViewAlone) {
 }
 
 TEST_F(AntialiasedSheet, IniFilesReachBothRenderers) {
-  tool::write_text(m_folder / "fine.ini", "Antialias=On\nAntialias_Threshold=0.05\nJitter=Off\n"
-                                          "Sampling_Method=2\nAntialias_Depth=2\n");
+  tool::write_text(m_folder / "fine.ini",
+                   "Antialias=On\nAntialias_Threshold=0.05\nJitter=Off\n"
+                   "Sampling_Method=2\nAntialias_Depth=2\n");
   expect(kScenes[0], "exact", {(m_folder / "fine.ini").string(), "Lens_Pixels=3", "+W60", "+H40"});
   EXPECT_EQ(m_report["antialiased"], true);
 }
 
 /// The working space is not linear light: the mean of samples is taken there.
 TEST_F(AntialiasedSheet, MeansAreTakenInTheWorkingSpace) {
-  for (const char* settings : {"#version 3.7; global_settings { assumed_gamma 2.2 }", "#version 3.5;"}) {
+  for (const char* settings :
+       {"#version 3.7; global_settings { assumed_gamma 2.2 }", "#version 3.5;"}) {
     tool::write_text(m_folder / "scene.pov",
                      std::string(settings) +
                          "\ncamera { location <0,1,-6> look_at 0 right x up y }\n"
@@ -165,7 +169,8 @@ TEST_F(AntialiasedSheet, JitterIsSaidToBeRandom) {
 }
 
 /// As many lenses and rows as fill a tile.
-class SlowAntialiasedViews : public AntialiasedSheet, public ::testing::WithParamInterface<Whole> {};
+class SlowAntialiasedViews : public AntialiasedSheet,
+                             public ::testing::WithParamInterface<Whole> {};
 
 TEST_P(SlowAntialiasedViews, AreStocks) {
   const auto& [scene, method, distance] = GetParam();

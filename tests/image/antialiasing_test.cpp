@@ -35,8 +35,9 @@ class ImageAntialiasing : public ::testing::TestWithParam<std::tuple<int, int, c
 
 TEST_P(ImageAntialiasing, WithoutJitterExact) {
   const auto& [method, depth, threshold] = GetParam();
-  EXPECT_TRUE(same_as_stock(scene(kLinear, {"+AM" + std::to_string(method), "+R" + std::to_string(depth),
-                                            std::string("+A") + threshold, "-J"})));
+  EXPECT_TRUE(
+      same_as_stock(scene(kLinear, {"+AM" + std::to_string(method), "+R" + std::to_string(depth),
+                                    std::string("+A") + threshold, "-J"})));
 }
 INSTANTIATE_TEST_SUITE_P(Ways, ImageAntialiasing,
                          ::testing::Combine(::testing::Values(1, 2), ::testing::Values(1, 2, 3, 5),
@@ -45,7 +46,8 @@ INSTANTIATE_TEST_SUITE_P(Ways, ImageAntialiasing,
 TEST(ImageAntialiasingWays, WithJitterClose) {
   for (const char* method : {"+AM1", "+AM2"}) {
     for (const char* threshold : {"+A0.0", "+A0.1", "+A"}) {
-      EXPECT_TRUE(same_as_stock(scene(kLinear, {method, threshold}), Grade::close)) << method << threshold;
+      EXPECT_TRUE(same_as_stock(scene(kLinear, {method, threshold}), Grade::close))
+          << method << threshold;
     }
   }
 }
@@ -59,7 +61,8 @@ TEST(ImageAntialiasingWays, GammaOfTheComparison) {
 TEST(ImageAntialiasingWays, WorkingGamma) {
   const std::string power = "#version 3.7; global_settings { assumed_gamma 2.2 }\n";
   const std::string srgb = "#version 3.7; global_settings { assumed_gamma srgb }\n";
-  const std::string old = "#version 3.5;\n", old_gamma = "#version 3.5; global_settings { assumed_gamma 1.8 }\n";
+  const std::string old = "#version 3.5;\n",
+                    old_gamma = "#version 3.5; global_settings { assumed_gamma 1.8 }\n";
   for (const std::string& head : {power, srgb, old, old_gamma}) {
     for (const char* method : {"+AM1", "+AM2"}) {
       EXPECT_TRUE(same_as_stock(scene(head, {"+A0.2", "-J", method}))) << head << method;
@@ -69,8 +72,10 @@ TEST(ImageAntialiasingWays, WorkingGamma) {
 
 TEST(ImageAntialiasingWays, AlphaIsAveragedAndCompared) {
   SceneText clear = scene(kLinear, {"+A0.1", "-J", "+UA"});
-  clear.sdl = kLinear + "camera { location -5*z look_at 0 } light_source { <3,9,-4> rgb 1 }\n"
-                        "sphere { 0, 1.2 pigment { rgb 0.01 } } torus { 1.8, 0.1 rotate 70*x pigment { rgb 0.02 } }";
+  clear.sdl =
+      kLinear +
+      "camera { location -5*z look_at 0 } light_source { <3,9,-4> rgb 1 }\n"
+      "sphere { 0, 1.2 pigment { rgb 0.01 } } torus { 1.8, 0.1 rotate 70*x pigment { rgb 0.02 } }";
   for (const char* method : {"+AM1", "+AM2"}) {
     clear.arguments.push_back(method);
     EXPECT_TRUE(same_as_stock(clear)) << method;
@@ -88,10 +93,13 @@ TEST(ImageAntialiasingWays, PlacesWithoutRay) {
 
 /// Twelve parts of a picture of several tiles, as columns and rows from 1, both ends included. (An end
 /// of 1 is the whole width, as in stock.)
-struct Part { int left, right, top, bottom; };
-constexpr Part kParts[] = {{1, 300, 1, 200},   {2, 2, 2, 2},         {300, 300, 200, 200}, {128, 129, 128, 129},
-                           {129, 256, 1, 128}, {120, 140, 100, 160}, {1, 128, 129, 200},   {257, 300, 5, 9},
-                           {30, 31, 1, 200},   {1, 300, 128, 128},   {200, 299, 60, 199},  {2, 127, 2, 127}};
+struct Part {
+  int left, right, top, bottom;
+};
+constexpr Part kParts[] = {{1, 300, 1, 200},     {2, 2, 2, 2},        {300, 300, 200, 200},
+                           {128, 129, 128, 129}, {129, 256, 1, 128},  {120, 140, 100, 160},
+                           {1, 128, 129, 200},   {257, 300, 5, 9},    {30, 31, 1, 200},
+                           {1, 300, 128, 128},   {200, 299, 60, 199}, {2, 127, 2, 127}};
 
 void expect_parts(const std::vector<std::string>& way) {
   SceneText text = scene(kLinear, way);
@@ -107,13 +115,14 @@ void expect_parts(const std::vector<std::string>& way) {
     StoredImage expected = whole;
     const std::size_t channels = whole.samples.size() / (std::size_t{300} * 200);
     for (std::size_t i = 0; i < expected.samples.size(); ++i) {
-      const int column = static_cast<int>(i / channels % 300) + 1, row = static_cast<int>(i / channels / 300) + 1;
+      const int column = static_cast<int>(i / channels % 300) + 1,
+                row = static_cast<int>(i / channels / 300) + 1;
       const bool inside =
           column >= part.left && column <= part.right && row >= part.top && row <= part.bottom;
       if (!inside) expected.samples[i] = 0.0f;
     }
-    EXPECT_TRUE(same_bits(cut, expected))
-        << "columns " << part.left << " to " << part.right << ", rows " << part.top << " to " << part.bottom;
+    EXPECT_TRUE(same_bits(cut, expected)) << "columns " << part.left << " to " << part.right
+                                          << ", rows " << part.top << " to " << part.bottom;
   }
 }
 
@@ -129,8 +138,11 @@ TEST(ImageParts, MethodOneOfASheetOfFractionalLenses) {
 }
 
 TEST(ImageParts, AsStockCutsThem) {
-  for (const std::vector<std::string>& part : std::vector<std::vector<std::string>>{
-           {"+SC20", "+EC60"}, {"+SR0.25", "+ER0.5"}, {"+SC0.3", "+EC0.9", "+SR0.1", "+ER50"}, {"+SC1", "+EC1.0"}}) {
+  for (const std::vector<std::string>& part :
+       std::vector<std::vector<std::string>>{{"+SC20", "+EC60"},
+                                             {"+SR0.25", "+ER0.5"},
+                                             {"+SC0.3", "+EC0.9", "+SR0.1", "+ER50"},
+                                             {"+SC1", "+EC1.0"}}) {
     EXPECT_TRUE(same_as_stock(scene(kLinear, part))) << part.front();
   }
 }
@@ -139,7 +151,8 @@ TEST(ImageParts, WhatLeavesNothingIsRefused) {
   const tool::TemporaryFolder folder;
   tool::write_text(folder / "a.pov", kLinear + kEdges);
   for (const auto& [option, message] : std::vector<std::pair<std::string, std::string>>{
-           {"+SC200", "Start_Column lies beyond the picture's 80"}, {"+ER70", "End_Row lies beyond the picture's 60"},
+           {"+SC200", "Start_Column lies beyond the picture's 80"},
+           {"+ER70", "End_Row lies beyond the picture's 60"},
            {"+SR40", "Start_Row lies behind End_Row"}}) {
     const tool::RunResult run =
         run_lentray({"+Ia.pov", "+W80", "+H60", "+ER30", option, "+Oa.png", "-V"}, folder.path());

@@ -12,10 +12,11 @@ namespace fs = std::filesystem;
 using tool::RunResult;
 using tool::TemporaryFolder;
 
-constexpr const char* kGood = "#version 3.7;\nglobal_settings { assumed_gamma 1 }\n"
-                              "camera { location <0,0,-3> look_at 0 }\n"
-                              "light_source { <5,5,-5> rgb 1 }\n"
-                              "sphere { 0, 1 pigment { rgb 1 } }\n";
+constexpr const char* kGood =
+    "#version 3.7;\nglobal_settings { assumed_gamma 1 }\n"
+    "camera { location <0,0,-3> look_at 0 }\n"
+    "light_source { <5,5,-5> rgb 1 }\n"
+    "sphere { 0, 1 pigment { rgb 1 } }\n";
 
 /// A folder with a good scene and its picture, a.png, to be hurt.
 class BadInput : public ::testing::Test {
@@ -44,8 +45,8 @@ class BadInput : public ::testing::Test {
     EXPECT_EQ(result.status, 1) << result.output;  // the user's error; 3 would be ours
     EXPECT_FALSE(result.timed_out);
     for (const std::string& word : words) {
-      EXPECT_NE(result.output.find(word), std::string::npos)
-          << "'" << word << "' is missing in:\n" << result.output;
+      EXPECT_NE(result.output.find(word), std::string::npos) << "'" << word << "' is missing in:\n"
+                                                             << result.output;
     }
     expect_unharmed();
   }
@@ -124,19 +125,22 @@ TEST_F(BadInput, KilledWhileRendering) {
 /// What cannot be written is said, whatever it is and wherever it goes.
 TEST_F(BadInput, NothingIsLostSilently) {
   const std::string lentray = "'" + program("lentray").string() + "' +Igood.pov +W40 +H30 -V ";
-  for (const std::string what : {"--dump", "--explain", "--help", "--version", "--dump-rays=-", "+O-", "+GA/dev/full +Ob.png",
-                                 "+GS/dev/full +Ob.png", "Statistics_File=/dev/full +Ob.png", "+GI/dev/full +Ob.png"}) {
+  for (const std::string what : {"--dump", "--explain", "--help", "--version", "--dump-rays=-",
+                                 "+O-", "+GA/dev/full +Ob.png", "+GS/dev/full +Ob.png",
+                                 "Statistics_File=/dev/full +Ob.png", "+GI/dev/full +Ob.png"}) {
     const bool to_output = what.find("/dev/full") == std::string::npos;
     for (const std::string where : {">/dev/full", ">&-"}) {
       if (!to_output && where == ">&-") continue;
-      const RunResult result = tool::run_program({"/bin/sh", "-c", lentray + what + (to_output ? " " + where : "")}, m_folder.path());
+      const RunResult result = tool::run_program(
+          {"/bin/sh", "-c", lentray + what + (to_output ? " " + where : "")}, m_folder.path());
       EXPECT_EQ(result.status, 1) << what << where << result.output;
-      EXPECT_NE(result.output.find("cannot write"), std::string::npos) << what << where << result.output;
+      EXPECT_NE(result.output.find("cannot write"), std::string::npos)
+          << what << where << result.output;
     }
   }
   for (const char* other : {"lentray-diff", "lentray-model", "lentray-grouping"}) {
-    const RunResult result =
-        tool::run_program({"/bin/sh", "-c", "'" + program(other).string() + "' --help >/dev/full"}, m_folder.path());
+    const RunResult result = tool::run_program(
+        {"/bin/sh", "-c", "'" + program(other).string() + "' --help >/dev/full"}, m_folder.path());
     EXPECT_EQ(result.status, 1) << other << result.output;
     EXPECT_NE(result.output.find("cannot write"), std::string::npos) << other << result.output;
   }
@@ -145,7 +149,9 @@ TEST_F(BadInput, NothingIsLostSilently) {
 /// No file of the program gets the number of a stream that is closed.
 TEST_F(BadInput, ClosedStreamsAreNotFiles) {
   const RunResult result = tool::run_program(
-      {"/bin/sh", "-c", "'" + program("lentray").string() + "' +Igood.pov +Ob.png +W40 +H30 +V <&- >&- 2>&-"}, m_folder.path());
+      {"/bin/sh", "-c",
+       "'" + program("lentray").string() + "' +Igood.pov +Ob.png +W40 +H30 +V <&- >&- 2>&-"},
+      m_folder.path());
   EXPECT_EQ(result.status, 0);
   EXPECT_TRUE(tool::read_text(m_folder / "b.png") == m_before);
 }
@@ -165,13 +171,22 @@ TEST_F(BadInput, DiffSaysErrorsWithStatusTwo) {
 
 // Clear surfaces are no levels of max_trace_level; stock's stack overflows here.
 TEST(ImageBadInput, ClearSurfacesBehindOneAnotherMayBeMany) {
-  const SceneText scene{.sdl = "#version 3.7; global_settings { assumed_gamma 1 } background { rgb <.2,.4,.6> }\n"
-                               "camera { location -3*z look_at 0 }\n"
-                               "#for (I, 0, 12000) disc { z*I/1000, z, 50 pigment { rgbt 1 } } #end\n",
-                        .width = 4, .height = 3, .arguments = {}, .files = {}};
+  const SceneText scene{
+      .sdl =
+          "#version 3.7; global_settings { assumed_gamma 1 } background { rgb <.2,.4,.6> }\n"
+          "camera { location -3*z look_at 0 }\n"
+          "#for (I, 0, 12000) disc { z*I/1000, z, 50 pigment { rgbt 1 } } #end\n",
+      .width = 4,
+      .height = 3,
+      .arguments = {},
+      .files = {}};
   const StoredImage picture = lentray_render(scene);
-  const SceneText without{.sdl = "#version 3.7; global_settings { assumed_gamma 1 } background { rgb <.2,.4,.6> }\n",
-                          .width = 4, .height = 3, .arguments = {}, .files = {}};
+  const SceneText without{
+      .sdl = "#version 3.7; global_settings { assumed_gamma 1 } background { rgb <.2,.4,.6> }\n",
+      .width = 4,
+      .height = 3,
+      .arguments = {},
+      .files = {}};
   EXPECT_TRUE(same_bits(picture, lentray_render(without)));
 }
 

@@ -32,25 +32,31 @@ TEST_P(ImageCoincident, AreOne) {
   const std::string& shape = GetParam().shape;
   const StoredImage alone = stock_render(scene("object { " + shape + " rotate <10,20,0> }"));
   for (const std::string csg : {"merge", "intersection"}) {
-    const std::string both = csg + " { object { " + shape + " } object { " + shape + " } rotate <10,20,0> }";
+    const std::string both =
+        csg + " { object { " + shape + " } object { " + shape + " } rotate <10,20,0> }";
     EXPECT_TRUE(reaches(lentray_render(scene(both)), alone, Grade::exact)) << csg;
-    const std::string mirrored = csg + " { object { " + shape + " } object { " + shape + " rotate 180*y scale <-1,1,-1> } rotate <10,20,0> }";
-    EXPECT_TRUE(reaches(lentray_render(scene(mirrored)), alone, Grade::exact)) << csg << ", the second as if turned";
+    const std::string mirrored = csg + " { object { " + shape + " } object { " + shape +
+                                 " rotate 180*y scale <-1,1,-1> } rotate <10,20,0> }";
+    EXPECT_TRUE(reaches(lentray_render(scene(mirrored)), alone, Grade::exact))
+        << csg << ", the second as if turned";
   }
 }
 
 INSTANTIATE_TEST_SUITE_P(
     Each, ImageCoincident,
-    ::testing::Values(Twins{"sphere", "sphere { 0, 1 }"}, Twins{"box", "box { -1, 1 }"}, Twins{"torus", "torus { .8, .3 }"},
-                      Twins{"cylinder", "cylinder { -y, y, .8 }"}, Twins{"cone", "cone { -y, 1, y, .2 }"},
-                      Twins{"lathe", "lathe { 4 <0,-1>,<1,-1>,<.5,1>,<0,1> }"},
-                      Twins{"prism", "prism { -1, 1, 5 <-1,-1>,<1,-.9>,<1,1>,<-1,1>,<-1,-1> }"},
-                      Twins{"superellipsoid", "superellipsoid { <.4,.6> }"},
-                      Twins{"quadric", "quadric { <1,2,1.5>, <.2,.1,0>, <0,.1,0>, -1 }"},
-                      Twins{"sor", "sor { 7 <0,-1>,<.5,-.9>,<.9,-.3>,<.3,.2>,<.6,.8>,<.2,1>,<0,1.1> }"},
-                      Twins{"sphere_sweep", "sphere_sweep { linear_spline 3 <-1,-.6,0>,.3 <0,.8,-.3>,.15 <.9,-.4,.4>,.4 }"},
-                      Twins{"text", "text { ttf \"cyrvetic.ttf\" \"R&\" .4, 0 translate <-.7,-.3,-.2> }"},
-                      Twins{"ovus", "ovus { .8, .45 translate -.3*y }"}),
+    ::testing::Values(
+        Twins{"sphere", "sphere { 0, 1 }"}, Twins{"box", "box { -1, 1 }"},
+        Twins{"torus", "torus { .8, .3 }"}, Twins{"cylinder", "cylinder { -y, y, .8 }"},
+        Twins{"cone", "cone { -y, 1, y, .2 }"},
+        Twins{"lathe", "lathe { 4 <0,-1>,<1,-1>,<.5,1>,<0,1> }"},
+        Twins{"prism", "prism { -1, 1, 5 <-1,-1>,<1,-.9>,<1,1>,<-1,1>,<-1,-1> }"},
+        Twins{"superellipsoid", "superellipsoid { <.4,.6> }"},
+        Twins{"quadric", "quadric { <1,2,1.5>, <.2,.1,0>, <0,.1,0>, -1 }"},
+        Twins{"sor", "sor { 7 <0,-1>,<.5,-.9>,<.9,-.3>,<.3,.2>,<.6,.8>,<.2,1>,<0,1.1> }"},
+        Twins{"sphere_sweep",
+              "sphere_sweep { linear_spline 3 <-1,-.6,0>,.3 <0,.8,-.3>,.15 <.9,-.4,.4>,.4 }"},
+        Twins{"text", "text { ttf \"cyrvetic.ttf\" \"R&\" .4, 0 translate <-.7,-.3,-.2> }"},
+        Twins{"ovus", "ovus { .8, .45 translate -.3*y }"}),
     [](const auto& one) { return std::string(one.param.name); });
 
 /// Walls of one plane, roofs and floors apart.
@@ -60,16 +66,20 @@ TEST(ImageCoincidentWalls, OfStackedParts) {
   const auto is = [](const std::string& csg, const std::string& whole) {
     return reaches(lentray_render(scene(csg)), stock_render(scene(whole)), Grade::exact);
   };
-  EXPECT_TRUE(is("merge { " + low + high + " rotate 30*y }", "object { prism { -1, 1" + outline + " rotate 30*y }"));
+  EXPECT_TRUE(is("merge { " + low + high + " rotate 30*y }",
+                 "object { prism { -1, 1" + outline + " rotate 30*y }"));
   EXPECT_TRUE(is("merge { " + low + high + "}", "prism { -1, 1" + outline));
   EXPECT_TRUE(is("intersection { " + low + high + "}", "prism { -.5, .5" + outline));
   EXPECT_TRUE(is("merge { box { -1, <1,.5,1> } box { <-1,-.5,-1>, 1 } }", "box { -1, 1 }"));
-  EXPECT_TRUE(is("intersection { box { -1, <1,.5,1> } box { <-1,-.5,-1>, 1 } }", "box { <-1,-.5,-1>, <1,.5,1> }"));
-  EXPECT_TRUE(is("merge { cylinder { -y, .5*y, 1 } cylinder { -.5*y, y, 1 } }", "cylinder { -y, y, 1 }"));
+  EXPECT_TRUE(is("intersection { box { -1, <1,.5,1> } box { <-1,-.5,-1>, 1 } }",
+                 "box { <-1,-.5,-1>, <1,.5,1> }"));
+  EXPECT_TRUE(
+      is("merge { cylinder { -y, .5*y, 1 } cylinder { -.5*y, y, 1 } }", "cylinder { -y, y, 1 }"));
 }
 
 TEST(ImageCoincidentWalls, StayWhereTheyAreCut) {
-  for (const std::string cut : {"box { -1, 1 } box { <-1,-.5,-1>, <1,1.4,1> }", "cylinder { -y, y, 1 } cylinder { -.5*y, 1.5*y, 1 }",
+  for (const std::string cut : {"box { -1, 1 } box { <-1,-.5,-1>, <1,1.4,1> }",
+                                "cylinder { -y, y, 1 } cylinder { -.5*y, 1.5*y, 1 }",
                                 "torus { .7, .3 } torus { .7, .3 }"}) {
     EXPECT_TRUE(same_as_stock(scene("difference { " + cut + " rotate 20*y }"))) << cut;
   }

@@ -34,15 +34,18 @@ struct ImageContinuing : testing::Test {
   }
   /// A run that is stopped after two seconds, well before its end.
   void begin() {
-    const tool::RunResult run = tool::run_program({"timeout", "-s", "KILL", "2.2", program("lentray").string(), "scene.pov",
-                                           "+W400", "+H300", "-D", "Declare=Lamps=60"}, folder.path(), 60.0);
+    const tool::RunResult run =
+        tool::run_program({"timeout", "-s", "KILL", "2.2", program("lentray").string(), "scene.pov",
+                           "+W400", "+H300", "-D", "Declare=Lamps=60"},
+                          folder.path(), 60.0);
     ASSERT_NE(run.status, 0);
     ASSERT_TRUE(fs::exists(folder / "scene.png.lentray-state")) << run.output;
     ASSERT_FALSE(fs::exists(folder / "scene.png"));
   }
   /// With +C, in what is as it was but for the arguments.
   std::string refused(const std::string& lamps, std::vector<std::string> more) {
-    more.insert(more.begin(), {"scene.pov", "+W400", "+H300", "-D", "+C", "Declare=Lamps=" + lamps});
+    more.insert(more.begin(),
+                {"scene.pov", "+W400", "+H300", "-D", "+C", "Declare=Lamps=" + lamps});
     const tool::RunResult run = run_lentray(more, folder.path());
     EXPECT_EQ(run.status, 1) << run.output;
     EXPECT_TRUE(fs::exists(folder / "scene.png.lentray-state"));
@@ -55,8 +58,11 @@ struct ImageContinuing : testing::Test {
 
 TEST_F(ImageContinuing, OtherScenesAndOptionsAreRefused) {
   begin();
-  EXPECT_NE(refused("61", {}).find("begun with Declare=Lamps=60, and now there is Declare=Lamps=61"), std::string::npos);
-  EXPECT_NE(refused("60", {"+A"}).find("Antialias=Off, and now there is Antialias=On"), std::string::npos);
+  EXPECT_NE(
+      refused("61", {}).find("begun with Declare=Lamps=60, and now there is Declare=Lamps=61"),
+      std::string::npos);
+  EXPECT_NE(refused("60", {"+A"}).find("Antialias=Off, and now there is Antialias=On"),
+            std::string::npos);
   EXPECT_NE(refused("60", {"+K1"}).find("clock"), std::string::npos);
   tool::write_text(folder / "colour.inc", "#declare Colour = rgb <1,.5,.3>;\n");
   EXPECT_NE(refused("60", {}).find("colour.inc has changed"), std::string::npos);
@@ -89,7 +95,8 @@ TEST_F(ImageContinuing, MissingFramesAreMade) {
 
 TEST_F(ImageContinuing, FramesOfAChangedSceneAreNotMixed) {
   // The third frame fails: the first two say that they are finished.
-  tool::write_text(folder / "colour.inc", "#declare Colour = rgb 1;\n#if (frame_number = 3) #error \"stop\" #end\n");
+  tool::write_text(folder / "colour.inc",
+                   "#declare Colour = rgb 1;\n#if (frame_number = 3) #error \"stop\" #end\n");
   ASSERT_EQ(render({"+KFF3"}).status, 1);
   ASSERT_TRUE(fs::exists(folder / "scene2.png"));
   tool::write_text(folder / "colour.inc", "#declare Colour = rgb 0.5;\n");

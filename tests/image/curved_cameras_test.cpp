@@ -16,7 +16,8 @@ box { <-6,-2,-6>, <6,4,6> pigment { checker rgb <.9,.8,.3> rgb <.2,.3,.7> scale 
 sphere { <0,0,3>, .8 pigment { rgb <.9,.2,.2> } }
 cylinder { <2,-2,1>, <2,3,1>, .3 pigment { rgb <.2,.9,.2> } }
 )";
-  EXPECT_TRUE(same_as_stock({.sdl = sdl, .width = 120, .height = 90, .arguments = {}, .files = {}}));
+  EXPECT_TRUE(
+      same_as_stock({.sdl = sdl, .width = 120, .height = 90, .arguments = {}, .files = {}}));
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -80,17 +80,19 @@ TEST_P(ImageFileTypes, AreStocks) {
   for (const char* alpha : {"-UA", "+UA"}) {
     Words words = GetParam();
     words.emplace_back(alpha);
-    for (const char* head : {"#version 3.7; global_settings { assumed_gamma 1 }", "#version 3.6;"}) {
+    for (const char* head :
+         {"#version 3.7; global_settings { assumed_gamma 1 }", "#version 3.6;"}) {
       EXPECT_LE(Both(with_head(head), words).differing(), kFew) << words[0] << alpha << head;
     }
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, ImageFileTypes,
-                         ::testing::Values(Words{"+FN"}, Words{"+FN5"}, Words{"+FN12"}, Words{"+FN16"}, Words{"+FNg"},
-                                           Words{"+FT"}, Words{"+FC"}, Words{"+FJ"}, Words{"+FJ", "Compression=40"},
-                                           Words{"+FP"}, Words{"+FP10"}, Words{"+FP16"}, Words{"+FB"}, Words{"+FE"},
-                                           Words{"+FH"}, Words{"+FT", "File_Gamma=1"}));
+INSTANTIATE_TEST_SUITE_P(
+    Each, ImageFileTypes,
+    ::testing::Values(Words{"+FN"}, Words{"+FN5"}, Words{"+FN12"}, Words{"+FN16"}, Words{"+FNg"},
+                      Words{"+FT"}, Words{"+FC"}, Words{"+FJ"}, Words{"+FJ", "Compression=40"},
+                      Words{"+FP"}, Words{"+FP10"}, Words{"+FP16"}, Words{"+FB"}, Words{"+FE"},
+                      Words{"+FH"}, Words{"+FT", "File_Gamma=1"}));
 
 class ImageDither : public ::testing::TestWithParam<const char*> {};
 
@@ -128,10 +130,13 @@ std::string gamma_chunks(const fs::path& png) {
 TEST(ImagePngGamma, ChunksAndValuesAreStocks) {
   for (const char* head :
        {"", "#version 3.5;", "#version 3.6;", "#version 3.6; global_settings { assumed_gamma 1 }",
-        "global_settings { assumed_gamma 2.2 }", "#version 3.7; global_settings { assumed_gamma 1 }",
-        "#version 3.7; global_settings { assumed_gamma 2.2 }", "#version 3.7; global_settings { assumed_gamma srgb }"}) {
-    for (const Words& words : {Words{}, Words{"File_Gamma=1"}, Words{"File_Gamma=1.8", "+FN16"}, Words{"File_Gamma=srgb"},
-                               Words{"File_Gamma=2.2"}, Words{"Display_Gamma=1.8"}}) {
+        "global_settings { assumed_gamma 2.2 }",
+        "#version 3.7; global_settings { assumed_gamma 1 }",
+        "#version 3.7; global_settings { assumed_gamma 2.2 }",
+        "#version 3.7; global_settings { assumed_gamma srgb }"}) {
+    for (const Words& words :
+         {Words{}, Words{"File_Gamma=1"}, Words{"File_Gamma=1.8", "+FN16"},
+          Words{"File_Gamma=srgb"}, Words{"File_Gamma=2.2"}, Words{"Display_Gamma=1.8"}}) {
       const Both both(with_head(head), words);
       const std::string which = std::string(head) + (words.empty() ? "" : words[0]);
       EXPECT_LE(both.differing(), kFew) << which;
@@ -154,7 +159,8 @@ class ImageAlpha : public ::testing::TestWithParam<const char*> {};
 TEST_P(ImageAlpha, OfBackgroundsIsStocks) {
   for (const char* version : {"", "#version 3.5;", "#version 3.6;", "#version 3.7;"}) {
     for (const char* alpha : {"+UA", "-UA"}) {
-      const std::string sdl = version + std::string("global_settings { assumed_gamma 1 }") + GetParam() + kClear;
+      const std::string sdl =
+          version + std::string("global_settings { assumed_gamma 1 }") + GetParam() + kClear;
       EXPECT_LE(Both(sdl, {alpha}).differing(), kFew) << version << alpha;
     }
   }
@@ -164,17 +170,20 @@ INSTANTIATE_TEST_SUITE_P(
     Each, ImageAlpha,
     ::testing::Values("", "background { rgb <.2,.3,.6> }", "background { rgbt <.2,.3,.6,.5> }",
                       "background { rgbt <.2,.3,.6,1> }", "background { rgbf <.2,.3,.6,.5> }",
-                      "background { rgbft <.2,.3,.6,.3,.2> }", "sky_sphere { pigment { rgb <.5,.2,.1> } }",
-                      "sky_sphere { pigment { gradient y color_map { [0 rgbt <.5,.2,.1,.4>] [1 rgbf <.5,.2,.9,.4>] } } }",
+                      "background { rgbft <.2,.3,.6,.3,.2> }",
+                      "sky_sphere { pigment { rgb <.5,.2,.1> } }",
+                      "sky_sphere { pigment { gradient y color_map { [0 rgbt <.5,.2,.1,.4>] [1 "
+                      "rgbf <.5,.2,.9,.4>] } } }",
                       "background { rgb <.2,.3,.6> } sky_sphere { pigment { rgbt <.5,.2,.1,.4> } }",
                       "fog { distance 8 rgbt <.5,.5,.9,.3> } background { rgbt <.2,.3,.6,.4> }"));
 
 TEST(ImageFileNames, AreStocks) {
   for (const Words& words :
-       {Words{"+Iin/x.y.pov"}, Words{"+Iin/x.y.pov", "+Oq"}, Words{"+Is.pov", "+Osub"}, Words{"+Is.pov", "+Osub/"},
-        Words{"+Is.pov", "+Osub/.png"}, Words{"+Is.pov", "+O.png"}, Words{"+Is.pov", "+Oq."},
-        Words{"+Is.pov", "+Oq.PNG"}, Words{"+Is.pov", "+Oq.tga"}, Words{"+Is.pov", "+Oq.tga", "+FC"},
-        Words{"+Is.pov", "+Oq.jpeg", "+FJ"}, Words{"+Is.pov", "+Oq.png", "+FB"}, Words{"+Is.pov", "+Oq", "+FPg"},
+       {Words{"+Iin/x.y.pov"}, Words{"+Iin/x.y.pov", "+Oq"}, Words{"+Is.pov", "+Osub"},
+        Words{"+Is.pov", "+Osub/"}, Words{"+Is.pov", "+Osub/.png"}, Words{"+Is.pov", "+O.png"},
+        Words{"+Is.pov", "+Oq."}, Words{"+Is.pov", "+Oq.PNG"}, Words{"+Is.pov", "+Oq.tga"},
+        Words{"+Is.pov", "+Oq.tga", "+FC"}, Words{"+Is.pov", "+Oq.jpeg", "+FJ"},
+        Words{"+Is.pov", "+Oq.png", "+FB"}, Words{"+Is.pov", "+Oq", "+FPg"},
         Words{"+Is.pov", "+Oq.tif", "+FN"}, Words{"+Is.pov", "-FJ", "+F"},
         Words{"+Is.pov", "+Oq.tga", "+FT", "+KFI9", "+KFF10"}}) {
     std::vector<std::string> names;
@@ -182,7 +191,8 @@ TEST(ImageFileNames, AreStocks) {
       const tool::TemporaryFolder folder;
       fs::create_directory(folder / "in");
       fs::create_directory(folder / "sub");
-      for (const char* scene : {"s.pov", "in/x.y.pov"}) tool::write_text(folder / scene, "#version 3.7; camera { }");
+      for (const char* scene : {"s.pov", "in/x.y.pov"})
+        tool::write_text(folder / scene, "#version 3.7; camera { }");
       Words command{renderer, "+W4", "+H3", "-D"};
       command.insert(command.end(), words.begin(), words.end());
       EXPECT_EQ(tool::run_program(command, folder.path(), 60.0).status, 0);
@@ -202,7 +212,8 @@ TEST(ImageFileNames, AreStocks) {
 
 TEST(ImageDiffProgram, ComparesWhatViewersShow) {
   const tool::TemporaryFolder folder;
-  tool::write_text(folder / "a.pov", with_head("#version 3.7; global_settings { assumed_gamma 1 }"));
+  tool::write_text(folder / "a.pov",
+                   with_head("#version 3.7; global_settings { assumed_gamma 1 }"));
   const auto render = [&](const Words& more) {
     Words words{"+Ia.pov", "+W40", "+H30", "-V"};
     words.insert(words.end(), more.begin(), more.end());

@@ -25,8 +25,11 @@ const std::string kHalfDisc =
     "bokeh { pigment { gradient x color_map { [.5 rgb 0] [.5 rgb 1] } } } ";
 
 SceneText scene_of(const std::string& camera, std::vector<std::string> arguments = {}) {
-  return {.sdl = kStage + kFloor + "camera { " + camera + " }\n", .width = 64, .height = 48,
-          .arguments = std::move(arguments), .files = {}};
+  return {.sdl = kStage + kFloor + "camera { " + camera + " }\n",
+          .width = 64,
+          .height = 48,
+          .arguments = std::move(arguments),
+          .files = {}};
 }
 
 double smooth_psnr(const StoredImage& a, const StoredImage& b) {
@@ -51,26 +54,34 @@ TEST_P(ImageFocalBlur, AsInStock) {
 INSTANTIATE_TEST_SUITE_P(
     Cameras, ImageFocalBlur,
     ::testing::Values(
-        Case{"location <1,1.5,-3> look_at <-.3,0,2> angle 60 aperture .9 focal_point <1.4,0,2> " + kFull, 50},
+        Case{"location <1,1.5,-3> look_at <-.3,0,2> angle 60 aperture .9 focal_point <1.4,0,2> " +
+                 kFull,
+             50},
         Case{"location <0,.5,-3> direction 2*z aperture .9 focal_point z*2 " + kFull, 50},
-        Case{"location <0,.5,-3> direction <.3,.2,1> aperture .9 focal_point <.5,.6,2> " + kFull, 50},
+        Case{"location <0,.5,-3> direction <.3,.2,1> aperture .9 focal_point <.5,.6,2> " + kFull,
+             50},
         Case{"location <0,.5,-3> look_at z*2 angle 40 aperture .4 " + kFull, 50},
-        Case{"fisheye angle 140 location <0,.5,-3> direction z*2 aperture 1.8 focal_point z*2 " + kFull, 50},
-        Case{"ultra_wide_angle angle 100 " + kView + kFull, 50}, Case{"omnimax " + kView + kFull, 50},
-        Case{"panoramic " + kView + kFull, 44}, Case{"spherical angle 120 90 " + kView + kFull, 50},
+        Case{"fisheye angle 140 location <0,.5,-3> direction z*2 aperture 1.8 focal_point z*2 " +
+                 kFull,
+             50},
+        Case{"ultra_wide_angle angle 100 " + kView + kFull, 50},
+        Case{"omnimax " + kView + kFull, 50}, Case{"panoramic " + kView + kFull, 44},
+        Case{"spherical angle 120 90 " + kView + kFull, 50},
         Case{"cylinder 1 angle 100 " + kView + kFull, 50},
         Case{kView + kFull + "normal { bumps .3 scale .2 }", 50}));
 
 INSTANTIATE_TEST_SUITE_P(
     Bokeh, ImageFocalBlur,
-    ::testing::Values(Case{kView + kFull + "bokeh { pigment { gradient y color_map { [.7 rgb 0] [.7 rgb 1] } } }", 47},
-                      Case{kView + kFull + kHalfDisc + "right -x*1.33", 50}));
+    ::testing::Values(
+        Case{kView + kFull + "bokeh { pigment { gradient y color_map { [.7 rgb 0] [.7 rgb 1] } } }",
+             47},
+        Case{kView + kFull + kHalfDisc + "right -x*1.33", 50}));
 
 INSTANTIATE_TEST_SUITE_P(
     Rays, ImageFocalBlur,
     ::testing::Values(Case{kView + "blur_samples 1", 31}, Case{kView + "blur_samples 6", 39},
-                      Case{kView + "blur_samples 7", 43},
-                      Case{kView + "blur_samples 37", 46}, Case{kView + "blur_samples 20,60 variance .1", 47},
+                      Case{kView + "blur_samples 7", 43}, Case{kView + "blur_samples 37", 46},
+                      Case{kView + "blur_samples 20,60 variance .1", 47},
                       Case{kView + "blur_samples 100 confidence .5 variance 1/64", 44},
                       Case{kView + "blur_samples 100", 47}));
 
@@ -131,8 +142,12 @@ TEST(ImageFocalBlurTest, ABrightPointShowsTheAperture) {
       " finish { emission 1 } } camera { location -4*z angle 40 focal_point <1,0,-1> aperture 2.4"
       " blur_samples 300 variance 0 ";
   for (const std::string& bokeh : {std::string(), kHalfDisc}) {
-    const SceneText scene{.sdl = point + bokeh + "}", .width = 80, .height = 60,
-                          .arguments = {"File_Gamma=1.0"}, .bits = 16, .files = {}};
+    const SceneText scene{.sdl = point + bokeh + "}",
+                          .width = 80,
+                          .height = 60,
+                          .arguments = {"File_Gamma=1.0"},
+                          .bits = 16,
+                          .files = {}};
     const Spot ours = spot_of(lentray_render(scene)), stock = spot_of(stock_render(scene));
     EXPECT_GT(stock.height, 5.0);
     EXPECT_NEAR(ours.light / stock.light, 1.0, 0.02);
@@ -148,8 +163,7 @@ TEST(ImageFocalBlurTest, ABrightPointShowsTheAperture) {
 TEST(ImageFocalBlurTest, OrthographicAsAPerspectiveFromAfar) {
   SceneText parallel = scene_of({}), far = parallel;
   const std::string rest = " right 5*x up 3.75*y focal_point <0,.5,2> " + kFull + "}";
-  parallel.sdl =
-      kStage + "camera { orthographic location <0,.5,-3> direction z aperture .9" + rest;
+  parallel.sdl = kStage + "camera { orthographic location <0,.5,-3> direction z aperture .9" + rest;
   far.sdl = kStage + "camera { location <0,.5,-2998> direction 3000*z aperture .9*600" + rest;
   EXPECT_GE(smooth_psnr(lentray_render(parallel), stock_render(far)), 45.0);
 }
@@ -159,9 +173,11 @@ TEST(ImageFocalBlurSheet, ViewsAsInStock) {
   // The eye of view j is 5 (j - 7) n P'/(f N) beside the camera, 5 units before the sheet; it sees
   // the sheet, 5.2056 wide.
   const std::string lens = "aperture .5 blur_samples 100 variance 0 ";
-  const SceneText sheet = scene_of("location <0,.5,-3> direction z right x up .75*y look_at <0,.5,2>"
-                                   " angle 55 focal_point <0,.5,3> " + lens,
-                                   {"Lenticular=On", "Lens_Pixels=15", "+W960", "+H48"});
+  const SceneText sheet = scene_of(
+      "location <0,.5,-3> direction z right x up .75*y look_at <0,.5,2>"
+      " angle 55 focal_point <0,.5,3> " +
+          lens,
+      {"Lenticular=On", "Lens_Pixels=15", "+W960", "+H48"});
   const double half = 5.0 * std::tan(55.0 / 2.0 * M_PI / 180.0);
   const double pitch = 1.124, focal = 3.03, ior = 1.6;
   const double eye_mm = 5.0 * (64 * pitch) / (2.0 * half);
@@ -169,11 +185,14 @@ TEST(ImageFocalBlurSheet, ViewsAsInStock) {
   for (const int view : {0, 9}) {
     const double e = (view - 7) / 15.0 * print_pitch, x = -5.0 * ior * e / focal;
     const std::string at = std::to_string(x);
-    const SceneText one = scene_of(
-        "location <" + at + ",.5,-3> direction <-(" + at + "),0,5> right x*" + std::to_string(2.0 * half) +
-            " up y*" + std::to_string(1.5 * half) + " focal_point <-.2*(" + at + "),.5,3> " + lens,
-        {"+W64", "+H48"});
-    EXPECT_GE(smooth_psnr(lentray_render(sheet, {"View=" + std::to_string(view)}), stock_render(one)), 48.0)
+    const SceneText one =
+        scene_of("location <" + at + ",.5,-3> direction <-(" + at + "),0,5> right x*" +
+                     std::to_string(2.0 * half) + " up y*" + std::to_string(1.5 * half) +
+                     " focal_point <-.2*(" + at + "),.5,3> " + lens,
+                 {"+W64", "+H48"});
+    EXPECT_GE(
+        smooth_psnr(lentray_render(sheet, {"View=" + std::to_string(view)}), stock_render(one)),
+        48.0)
         << view;
   }
 }
@@ -187,8 +206,10 @@ TEST(ImageFocalBlurSheet, TheSheetIsItsViews) {
   for (std::uint32_t y = 0; y < view.height; ++y) {
     for (std::uint32_t x = 0; x < view.width; ++x) {
       for (std::size_t c = 0; c < static_cast<std::size_t>(view.channels); ++c) {
-        cut.samples[(std::size_t{y} * view.width + x) * static_cast<std::size_t>(view.channels) + c] =
-            whole.samples[(std::size_t{y} * whole.width + x * 6 + 2) * static_cast<std::size_t>(whole.channels) + c];
+        cut.samples[(std::size_t{y} * view.width + x) * static_cast<std::size_t>(view.channels) +
+                    c] = whole.samples[(std::size_t{y} * whole.width + x * 6 + 2) *
+                                           static_cast<std::size_t>(whole.channels) +
+                                       c];
       }
     }
   }

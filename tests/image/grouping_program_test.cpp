@@ -26,9 +26,10 @@ class ImageGroupingProgram : public ::testing::Test {
     return tool::run_program(words, m_folder.path(), 300);
   }
   nlohmann::json shadow(const std::string& cache) const {
-    const auto result = run_lentray({"+Ia.pov", "+W90", "+H60", "-F", "-V", "-UL", "+WT1", "Lenticular=On",
-                                     "Shadow_Log=On", "Statistics_File=s.json",
-                                     "Shadow_Cache=" + cache}, m_folder.path());
+    const auto result =
+        run_lentray({"+Ia.pov", "+W90", "+H60", "-F", "-V", "-UL", "+WT1", "Lenticular=On",
+                     "Shadow_Log=On", "Statistics_File=s.json", "Shadow_Cache=" + cache},
+                    m_folder.path());
     EXPECT_EQ(result.status, 0) << result.output;
     return nlohmann::json::parse(tool::read_text(m_folder / "s.json")).at("shadow");
   }
@@ -36,9 +37,9 @@ class ImageGroupingProgram : public ::testing::Test {
 };
 
 TEST_F(ImageGroupingProgram, TableCsvAndPage) {
-  const auto result = run({"a.pov", "+W90", "+H60", "Lenticular=On", "Orders=rows,views,columns,strips(3,5)",
-                           "Caches=off,last", "Accelerators=bvh,list,buffer", "Repeats=1",
-                           "CSV=a.csv", "HTML=a.html"});
+  const auto result = run(
+      {"a.pov", "+W90", "+H60", "Lenticular=On", "Orders=rows,views,columns,strips(3,5)",
+       "Caches=off,last", "Accelerators=bvh,list,buffer", "Repeats=1", "CSV=a.csv", "HTML=a.html"});
   EXPECT_EQ(result.status, 0) << result.output;
   EXPECT_NE(result.output.find("equation 2"), std::string::npos) << result.output;
   const std::string csv = tool::read_text(m_folder / "a.csv");
@@ -50,10 +51,10 @@ TEST_F(ImageGroupingProgram, TableCsvAndPage) {
 }
 
 TEST_F(ImageGroupingProgram, GainsOverSizesAndAccelerators) {
-  const auto result = run({(source_folder() / "scenes/spd_balls.pov").string(),
-                           "Declare=Lenticular_Camera=1", "+W90", "+H60", "Orders=rows,columns",
-                           "Caches=last", "Accelerators=bvh,grid,list", "Sizes=1,2", "Repeats=0",
-                           "Gains=g.csv"});
+  const auto result =
+      run({(source_folder() / "scenes/spd_balls.pov").string(), "Declare=Lenticular_Camera=1",
+           "+W90", "+H60", "Orders=rows,columns", "Caches=last", "Accelerators=bvh,grid,list",
+           "Sizes=1,2", "Repeats=0", "Gains=g.csv"});
   EXPECT_EQ(result.status, 0) << result.output;
   std::istringstream lines(tool::read_text(m_folder / "g.csv"));
   std::string line;
@@ -73,9 +74,9 @@ TEST_F(ImageGroupingProgram, GainsOverSizesAndAccelerators) {
 }
 
 TEST_F(ImageGroupingProgram, ColumnsSaveWhatThePaperSaysOnTheMosaic) {
-  const auto result = run({(source_folder() / "scenes/mosaic.pov").string(), "+W150", "+H150", "-UL",
-                           "Orders=rows,views,columns", "Caches=last", "Sizes=40,60", "Repeats=0",
-                           "Gains=g.csv"});
+  const auto result =
+      run({(source_folder() / "scenes/mosaic.pov").string(), "+W150", "+H150", "-UL",
+           "Orders=rows,views,columns", "Caches=last", "Sizes=40,60", "Repeats=0", "Gains=g.csv"});
   EXPECT_EQ(result.status, 0) << result.output;
   // size, accelerator, cache, against, Cm, blocked, hits of columns, of the other, saved, equation 2
   std::istringstream lines(tool::read_text(m_folder / "g.csv"));
@@ -112,7 +113,9 @@ TEST_F(ImageGroupingProgram, ErrorsAreTold) {
 
 TEST_F(ImageGroupingProgram, TheLogCountsWhatItSays) {
   const auto off = shadow("off"), last = shadow("last");
-  const auto number = [](const nlohmann::json& j, const char* key) { return j.at(key).get<std::uint64_t>(); };
+  const auto number = [](const nlohmann::json& j, const char* key) {
+    return j.at(key).get<std::uint64_t>();
+  };
   EXPECT_EQ(off.at("log").at("pairs"), 2) << "the ball, from two lights; the floor lies below";
   EXPECT_EQ(number(off.at("log"), "most_hits"), number(off, "blocked") - 2);
   // One occluder a light: a cache has every hit there can be.

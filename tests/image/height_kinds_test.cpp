@@ -20,7 +20,8 @@ std::string colours() {
   text << "P3\n" << kWidth << ' ' << kDepth << "\n1000\n";
   for (int row = 0; row < kDepth; ++row) {
     for (int column = 0; column < kWidth; ++column) {
-      const int red = (column * 31 + row * row * 5) % 400 + 20 * row, green = (column * column * 13 + row * 71) % 1000;
+      const int red = (column * 31 + row * row * 5) % 400 + 20 * row,
+                green = (column * column * 13 + row * 71) % 1000;
       text << red << ' ' << green << ' ' << (column * 97 + row * 3) % 1000 << '\n';
     }
   }
@@ -29,9 +30,9 @@ std::string colours() {
 
 struct Kind {
   const char* name;
-  const char* type;                       ///< of the scene's language
-  const char* suffix;                     ///< of the file
-  std::vector<std::string> as;            ///< what oiiotool does with the colours
+  const char* type;             ///< of the scene's language
+  const char* suffix;           ///< of the file
+  std::vector<std::string> as;  ///< what oiiotool does with the colours
   const char* gamma = "";
 };
 
@@ -71,12 +72,18 @@ TEST_P(ImageHeightKinds, AsStock) {
   command.insert(command.end(), {"-o", file});
   const tool::RunResult made = tool::run_program(command, folder.path(), 60.0);
   ASSERT_EQ(made.status, 0) << made.output;
-  const std::string sdl = std::string(R"(#version 3.7; global_settings { assumed_gamma 1 }
+  const std::string sdl =
+      std::string(R"(#version 3.7; global_settings { assumed_gamma 1 }
 camera { location <2.2,2.6,-4> look_at <0,.2,0> angle 45 }
 light_source { <-4,7,-6>, 1 } light_source { <5,3,-2>, .3 } plane { y, -1.2 pigment { checker rgb .9 rgb .5 } }
-height_field { )") + kind.type + " \"" + file + "\" " + kind.gamma +
-                          " scale <2.4,1.4,2.4> translate <-1.2,-.6,-1.2> pigment { rgb <.9,.5,.3> } }";
-  EXPECT_TRUE(same_as_stock({.sdl = sdl, .width = 120, .height = 90, .arguments = {}, .files = {{file, tool::read_text(folder / file)}}}));
+height_field { )") +
+      kind.type + " \"" + file + "\" " + kind.gamma +
+      " scale <2.4,1.4,2.4> translate <-1.2,-.6,-1.2> pigment { rgb <.9,.5,.3> } }";
+  EXPECT_TRUE(same_as_stock({.sdl = sdl,
+                             .width = 120,
+                             .height = 90,
+                             .arguments = {},
+                             .files = {{file, tool::read_text(folder / file)}}}));
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, ImageHeightKinds, ::testing::ValuesIn(kKinds),

@@ -24,19 +24,18 @@ void expect_identical(const std::vector<std::string>& scene, Ways ways = Ways::k
   std::size_t run = 0, pair = 0;
   // Every order with every cache; bands, threads and accelerators change from run to run, so that
   // each meets every order and every cache.
-  for (const char* order :
-       {"rows", "views", "columns", "combined(4)", "strips(3,7)", "tiles", "serpentine", "hilbert",
-        "adaptive", "auto"}) {
-    for (const char* cache : {"off", "last", "depth", "tree", "neighbourhood", "grid", "cascade", "auto"}) {
+  for (const char* order : {"rows", "views", "columns", "combined(4)", "strips(3,7)", "tiles",
+                            "serpentine", "hilbert", "adaptive", "auto"}) {
+    for (const char* cache :
+         {"off", "last", "depth", "tree", "neighbourhood", "grid", "cascade", "auto"}) {
       const std::size_t row = pair / 8, column = pair % 8;
       ++pair;
       if (ways == Ways::kHalf && (row + column) % 2 == 1) continue;
       const int threads = kThreads[(run + run / 7) % std::size(kThreads)];
       std::vector<std::string> arguments = scene;
-      const std::vector<std::string> way{std::string("Pixel_Order=") + order,
-                                         std::string("Shadow_Cache=") + cache,
-                                         "+WT" + std::to_string(threads),
-                                         bands[(run + run / 14) % bands.size()]};
+      const std::vector<std::string> way{
+          std::string("Pixel_Order=") + order, std::string("Shadow_Cache=") + cache,
+          "+WT" + std::to_string(threads), bands[(run + run / 14) % bands.size()]};
       const std::vector<std::string>& search =
           accelerators[(run + run / 7 + run / 28) % accelerators.size()];
       ++run;
@@ -54,7 +53,9 @@ void expect_identical(const std::vector<std::string>& scene, Ways ways = Ways::k
   }
 }
 
-std::string scene_file(const char* name) { return "+I" + (source_folder() / "scenes" / name).string(); }
+std::string scene_file(const char* name) {
+  return "+I" + (source_folder() / "scenes" / name).string();
+}
 
 TEST(ImageIdentical, BallsIntegral) {
   expect_identical({scene_file("spd_balls.pov"), "Declare=Size=3", "Declare=Lenticular_Camera=1",
@@ -108,7 +109,8 @@ light_source { <0.3,9,-0.2> rgb 1 }
 light_source { <-4,9,3> rgb 0.5 }
 plane { y, 0 pigment { rgb 1 } finish { reflection 0.2 } }
 polygon { 5, <-1,-1>, <1,-1>, <1,1>, <-1,1>, <-1,-1> pigment { rgb 0.5 } no_image no_reflection
-  rotate 90*x rotate 0.106*z translate ()" + std::to_string(height) + R"( + 0.00215)*y }
+  rotate 90*x rotate 0.106*z translate ()" +
+         std::to_string(height) + R"( + 0.00215)*y }
 sphere { <0.4,0.8,0>, 0.3 pigment { rgb <1,0,0> } finish { reflection 0.5 } }
 )";
 }
@@ -185,13 +187,15 @@ TEST(ImageIdentical, AntialiasedByCorners) {
 }
 
 TEST(ImageIdentical, AntialiasedSheetInTiles) {
-  expect_identical({scene_file("demo.pov"), "Lenticular=On", "Lens_Pixels=1.2", "+A0.2", "+R2", "+W160", "+H130"},
-                  Ways::kHalf);
+  expect_identical({scene_file("demo.pov"), "Lenticular=On", "Lens_Pixels=1.2", "+A0.2", "+R2",
+                    "+W160", "+H130"},
+                   Ways::kHalf);
 }
 
 TEST(ImageIdentical, AntialiasedSheetByCorners) {
-  expect_identical({scene_file("demo.pov"), "Lenticular=On", "Lens_Pixels=7.37", "Antialias_Angle=2", "+A0.2", "+AM2",
-                    "+R2", "+W72", "+H48"}, Ways::kHalf);
+  expect_identical({scene_file("demo.pov"), "Lenticular=On", "Lens_Pixels=7.37",
+                    "Antialias_Angle=2", "+A0.2", "+AM2", "+R2", "+W72", "+H48"},
+                   Ways::kHalf);
 }
 
 class ImageIdenticalOccluders : public ::testing::Test {
@@ -205,7 +209,9 @@ class ImageIdenticalOccluders : public ::testing::Test {
 };
 
 TEST_F(ImageIdenticalOccluders, OrdinaryCamera) { expect({"+W96", "+H72"}); }
-TEST_F(ImageIdenticalOccluders, Sheet) { expect({"Lenticular=On", "Lens_Pixels=8", "+W96", "+H60"}); }
+TEST_F(ImageIdenticalOccluders, Sheet) {
+  expect({"Lenticular=On", "Lens_Pixels=8", "+W96", "+H60"});
+}
 TEST_F(ImageIdenticalOccluders, OneLens) {
   expect({"Lenticular=On", "Lens_Pixels=24", "+W24", "+H60"});
 }

@@ -26,8 +26,10 @@ struct Case {
 };
 
 const Case kCases[] = {
-    {"quaternion_sqr", "<-.083,0,-.83,-.025> quaternion sqr max_iteration 8 precision 15", Grade::exact, Grade::match},
-    {"quaternion_sqr_fine", "<-.745,.113,.01,.01> quaternion max_iteration 30 precision 200", Grade::exact, Grade::match},
+    {"quaternion_sqr", "<-.083,0,-.83,-.025> quaternion sqr max_iteration 8 precision 15",
+     Grade::exact, Grade::match},
+    {"quaternion_sqr_fine", "<-.745,.113,.01,.01> quaternion max_iteration 30 precision 200",
+     Grade::exact, Grade::match},
     {"quaternion_slice", "<.28,.56,.1,.2> slice <.2,-.3,.4,.8>, .2 max_iteration 10 precision 60",
      Grade::exact, Grade::match},
     {"quaternion_cube", "<-.5,.6,.1,.2> quaternion cube max_iteration 7 precision 80"},
@@ -53,7 +55,7 @@ const Case kCases[] = {
     {"pwr_whole", "<.3,.5,.1,.2> hypercomplex pwr(4,0) max_iteration 6 precision 20"},
 };
 
-constexpr std::size_t kWithin = 7;   ///< as many do not reach the sphere
+constexpr std::size_t kWithin = 7;  ///< as many do not reach the sphere
 
 class ImageJulia : public ::testing::TestWithParam<Case> {};
 
@@ -65,7 +67,10 @@ constexpr const char* kOblique = "location <2.2,2.6,-4> look_at <0,.2,0> angle 4
 SceneText scene(const std::string& camera, const std::string& light, const std::string& sdl) {
   return {.sdl = "#version 3.7; #macro LIGHT() " + light + " #end #macro CAMERA() " + camera +
                  " #end\n" + kStage + sdl,
-          .width = 64, .height = 32, .arguments = {}, .files = {}};
+          .width = 64,
+          .height = 32,
+          .arguments = {},
+          .files = {}};
 }
 
 TEST_P(ImageJulia, Alone) {
@@ -86,9 +91,12 @@ TEST_P(ImageJuliaWithin, Lit) {
 
 TEST_P(ImageJuliaWithin, InCsg) {
   const std::string one = std::string("julia_fractal { ") + GetParam().sdl + " }";
-  const std::string sdl = "difference { " + one + " sphere { <.4,.4,-.8>, .7 }"
+  const std::string sdl = "difference { " + one +
+                          " sphere { <.4,.4,-.8>, .7 }"
                           " box { <-5,-.2,-5>, <5,.1,5> } pigment { rgb <.3,.7,.9> } }\n"
-                          "intersection { " + one + " box { <-5,-.15,-5>, <5,.05,5> }"
+                          "intersection { " +
+                          one +
+                          " box { <-5,-.15,-5>, <5,.05,5> }"
                           " pigment { rgb <.8,.9,.3> } }";
   EXPECT_TRUE(same_as_stock(scene(kOblique, "shadowless", sdl), GetParam().in_csg));
 }
@@ -101,8 +109,7 @@ TEST_P(ImageJuliaWithin, Shadow) {
 const auto name_of = [](const auto& one) { return std::string(one.param.name); };
 INSTANTIATE_TEST_SUITE_P(Each, ImageJuliaWithin,
                          ::testing::ValuesIn(std::vector<Case>(kCases, kCases + kWithin)), name_of);
-INSTANTIATE_TEST_SUITE_P(Each, ImageJulia, ::testing::ValuesIn(kCases),
-                         name_of);
+INSTANTIATE_TEST_SUITE_P(Each, ImageJulia, ::testing::ValuesIn(kCases), name_of);
 
 }  // namespace
 }  // namespace lentray::test

@@ -40,8 +40,9 @@ union { #for (I, 0, 40) sphere { <3*sin(I), 3 + 0.4*cos(3*I), 3*cos(I*1.7)>, 0.1
 )";
 
 TEST(ImageLightBuffer, LightsOutsideAndInside) {
-  expect_same_without(text(std::string(kRoom) +
-                           "light_source { <5, 9, -6> rgb 0.6 } light_source { <0.2, 1.6, -1> rgb 0.5 }"));
+  expect_same_without(
+      text(std::string(kRoom) +
+           "light_source { <5, 9, -6> rgb 0.6 } light_source { <0.2, 1.6, -1> rgb 0.5 }"));
 }
 
 TEST(ImageLightBuffer, SpotsAndOtherKinds) {
@@ -53,9 +54,10 @@ light_source { <4, 5, 3> rgb 0.3 area_light x, z, 3, 3 adaptive 1 })"));
 }
 
 TEST(ImageLightBuffer, LightInAnObjectAndOnASurface) {
-  expect_same_without(text(std::string(kRoom) +
-                           "light_source { <-1.5, 1, 0> rgb 0.6 } light_source { <0, 1e-4, -3> rgb 0.5 }"
-                           "light_source { <1, 0.5, -0.7> rgb 0.5 }"));
+  expect_same_without(
+      text(std::string(kRoom) +
+           "light_source { <-1.5, 1, 0> rgb 0.6 } light_source { <0, 1e-4, -3> rgb 0.5 }"
+           "light_source { <1, 0.5, -0.7> rgb 0.5 }"));
 }
 
 /// Surfaces that coincide: which of them filters the light must not depend on who finds it.
@@ -72,11 +74,12 @@ TEST(ImageLightBuffer, TouchingGlass) {
 }
 
 TEST(ImageLightBuffer, FarFromTheOrigin) {
-  expect_same_without(text("#declare Far = <2e5, -3e5, 1e5>; union {" +
-                           std::string("sphere { 0, 1 } box { <-2, -1.2, -2>, <2, -1, 2> } torus { 1.5, 0.2 }") +
-                           "pigment { rgb 0.8 } translate Far }"
-                           "camera { location Far + <0, 2, -6> look_at Far }"
-                           "light_source { Far + <4, 6, -5> rgb 1 }"));
+  expect_same_without(
+      text("#declare Far = <2e5, -3e5, 1e5>; union {" +
+           std::string("sphere { 0, 1 } box { <-2, -1.2, -2>, <2, -1, 2> } torus { 1.5, 0.2 }") +
+           "pigment { rgb 0.8 } translate Far }"
+           "camera { location Far + <0, 2, -6> look_at Far }"
+           "light_source { Far + <4, 6, -5> rgb 1 }"));
 }
 
 }  // namespace

@@ -65,9 +65,12 @@ TEST(ImageMemory, MaxMemoryIsKept) {
 TEST(ImageMemory, TooLittleIsSaid) {
   const tool::TemporaryFolder folder;
   tool::write_text(folder / "scene.pov", kScene);
-  const auto result = run_lentray({"scene.pov", "+W40", "+H30", "Max_Memory=1M", "Statistics_File=s.json"}, folder.path());
+  const auto result = run_lentray(
+      {"scene.pov", "+W40", "+H30", "Max_Memory=1M", "Statistics_File=s.json"}, folder.path());
   EXPECT_EQ(result.status, 1);
-  EXPECT_NE(result.output.find("Max_Memory is less than the scene and a row of the picture take"), std::string::npos) << result.output;
+  EXPECT_NE(result.output.find("Max_Memory is less than the scene and a row of the picture take"),
+            std::string::npos)
+      << result.output;
   EXPECT_FALSE(std::filesystem::exists(folder / "scene.png"));
 }
 
@@ -81,14 +84,17 @@ std::string large_png() {
 
 /// Whatever is large and has its size in the scene is asked about first, at its place.
 TEST(ImageMemory, WhatIsTooLargeIsNotBegun) {
-  for (const std::string text : {"#declare A = array[50000000];",
-                                 "sphere { 0, 1 pigment { image_map { function 9000, 9000 { x } } } }",
-                                 "height_field { function 9900, 9900 { x } }",
-                                 "plane { y, 0 pigment { image_map { png \"large.png\" } } }"}) {
+  for (const std::string text :
+       {"#declare A = array[50000000];",
+        "sphere { 0, 1 pigment { image_map { function 9000, 9000 { x } } } }",
+        "height_field { function 9900, 9900 { x } }",
+        "plane { y, 0 pigment { image_map { png \"large.png\" } } }"}) {
     const tool::TemporaryFolder folder;
     tool::write_text(folder / "large.png", large_png());
-    tool::write_text(folder / "scene.pov", "#version 3.7; global_settings { assumed_gamma 1 }\n" + text + "\n");
-    const auto result = run_lentray({"scene.pov", "+W40", "+H30", "Max_Memory=200M"}, folder.path());
+    tool::write_text(folder / "scene.pov",
+                     "#version 3.7; global_settings { assumed_gamma 1 }\n" + text + "\n");
+    const auto result =
+        run_lentray({"scene.pov", "+W40", "+H30", "Max_Memory=200M"}, folder.path());
     EXPECT_EQ(result.status, 1) << text << result.output;
     EXPECT_NE(result.output.find("(Max_Memory)"), std::string::npos) << text << result.output;
     EXPECT_NE(result.output.find("scene.pov:2:"), std::string::npos) << text << result.output;
@@ -98,13 +104,17 @@ TEST(ImageMemory, WhatIsTooLargeIsNotBegun) {
 /// What grows bit by bit is ended when it has grown too large.
 TEST(ImageMemory, WhatGrowsIsStopped) {
   for (const std::string text : {"union { #while (1) sphere { 0, 1 } #end }",
-                                 "mesh { #declare I = 0; #while (1) triangle { <I, 0, 0>, x, <0, 1, I> } #declare I = I + 1; #end }"}) {
+                                 "mesh { #declare I = 0; #while (1) triangle { <I, 0, 0>, x, <0, "
+                                 "1, I> } #declare I = I + 1; #end }"}) {
     const tool::TemporaryFolder folder;
-    tool::write_text(folder / "scene.pov", "#version 3.7; global_settings { assumed_gamma 1 }\n" + text + "\n");
+    tool::write_text(folder / "scene.pov",
+                     "#version 3.7; global_settings { assumed_gamma 1 }\n" + text + "\n");
     tool::write_text(folder / "scene.png", "an older picture");
-    const auto result = run_lentray({"scene.pov", "+W40", "+H30", "Max_Memory=200M"}, folder.path());
+    const auto result =
+        run_lentray({"scene.pov", "+W40", "+H30", "Max_Memory=200M"}, folder.path());
     EXPECT_EQ(result.status, 1) << text << result.output;
-    EXPECT_NE(result.output.find("(Max_Memory): 210 MB"), std::string::npos) << text << result.output;
+    EXPECT_NE(result.output.find("(Max_Memory): 210 MB"), std::string::npos)
+        << text << result.output;
     EXPECT_EQ(tool::read_text(folder / "scene.png"), "an older picture");
   }
 }

@@ -33,7 +33,8 @@ class ImageMerge : public ::testing::Test {
 };
 
 /// Options of the picture.
-class ImageMergeOptions : public ImageMerge, public ::testing::WithParamInterface<std::vector<std::string>> {};
+class ImageMergeOptions : public ImageMerge,
+                          public ::testing::WithParamInterface<std::vector<std::string>> {};
 
 TEST_P(ImageMergeOptions, SameFileAsTheWhole) {
   render("whole.png", GetParam());
@@ -44,26 +45,29 @@ TEST_P(ImageMergeOptions, SameFileAsTheWhole) {
     words.push_back(std::string("+ER") + bands[i].second);
     render("part" + std::to_string(i) + ".png", words);
   }
-  const auto result = merge({"part2.png", "part0.png", "part1.png", "--rows", "131-150,1-47,48-130", "--out", "m.png"});
+  const auto result = merge(
+      {"part2.png", "part0.png", "part1.png", "--rows", "131-150,1-47,48-130", "--out", "m.png"});
   EXPECT_EQ(result.status, 0) << result.output;
   EXPECT_EQ(result.output, "");
   EXPECT_EQ(tool::read_text(m_folder / "m.png"), tool::read_text(m_folder / "whole.png"));
 }
 
 using Words = std::vector<std::string>;
-INSTANTIATE_TEST_SUITE_P(Options, ImageMergeOptions,
-                         ::testing::Values(Words{}, Words{"+A", "-J"}, Words{"+A", "+AM2", "+R2"}, Words{"+FN16"},
-                                           Words{"+FN10", "+UA"}, Words{"Grayscale_Output=On"},
-                                           Words{"File_Gamma=1.8"}, Words{"Dither=On", "Dither_Method=B4"},
-                                           Words{"Lenticular=On", "Lens_Pixels=8"},
-                                           Words{"Lenticular=On", "Lens_Pixels=8", "+A", "+FN16", "+UA"}));
+INSTANTIATE_TEST_SUITE_P(
+    Options, ImageMergeOptions,
+    ::testing::Values(Words{}, Words{"+A", "-J"}, Words{"+A", "+AM2", "+R2"}, Words{"+FN16"},
+                      Words{"+FN10", "+UA"}, Words{"Grayscale_Output=On"}, Words{"File_Gamma=1.8"},
+                      Words{"Dither=On", "Dither_Method=B4"},
+                      Words{"Lenticular=On", "Lens_Pixels=8"},
+                      Words{"Lenticular=On", "Lens_Pixels=8", "+A", "+FN16", "+UA"}));
 
 TEST_F(ImageMerge, BlackRowsNeedToBeTold) {
   render("upper.png", {"+SR1", "+ER100"});
   render("lower.png", {"+SR101", "+ER150"});
   const auto untold = merge({"upper.png", "lower.png", "--out", "m.png"});
   EXPECT_EQ(untold.status, 1);
-  EXPECT_NE(untold.output.find("lentray-merge: cannot make 'm.png': rows 1 to "), std::string::npos) << untold.output;
+  EXPECT_NE(untold.output.find("lentray-merge: cannot make 'm.png': rows 1 to "), std::string::npos)
+      << untold.output;
   EXPECT_FALSE(std::filesystem::exists(m_folder / "m.png"));
   const auto missing = merge({"upper.png", "lower.png", "--rows=1-90,101-150", "--out", "m.png"});
   EXPECT_EQ(missing.status, 1);
@@ -78,10 +82,12 @@ TEST_F(ImageMerge, NothingIsLeftOfWhatFails) {
   const auto result = merge({"a.png", "b.png", "--rows=1-100,90-150", "--out", "m.png"});
   EXPECT_EQ(result.status, 1);
   EXPECT_EQ(result.output,
-            "lentray-merge: 'a.png' and 'b.png' are not parts of one picture: they differ in their gamma\n");
+            "lentray-merge: 'a.png' and 'b.png' are not parts of one picture: they differ in their "
+            "gamma\n");
   EXPECT_EQ(tool::read_text(m_folder / "m.png"), "older");
   std::set<std::string> files;
-  for (const auto& file : std::filesystem::directory_iterator(m_folder.path())) files.insert(file.path().filename());
+  for (const auto& file : std::filesystem::directory_iterator(m_folder.path()))
+    files.insert(file.path().filename());
   EXPECT_EQ(files, (std::set<std::string>{"a.pov", "a.png", "b.png", "m.png"}));
 }
 

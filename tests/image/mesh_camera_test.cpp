@@ -22,8 +22,11 @@ cylinder { <1.4,-1,2>, <1.4,2,2>, .3 pigment { rgb <.2,.9,.2> } }
 class ImageMeshCamera : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(ImageMeshCamera, AsInStock) {
-  EXPECT_TRUE(same_as_stock({.sdl = std::string(kStage) + GetParam(), .width = 48, .height = 30,
-                             .arguments = {}, .files = {}}));
+  EXPECT_TRUE(same_as_stock({.sdl = std::string(kStage) + GetParam(),
+                             .width = 48,
+                             .height = 30,
+                             .arguments = {},
+                             .files = {}}));
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -45,8 +48,11 @@ INSTANTIATE_TEST_SUITE_P(
 class ImageBentCamera : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(ImageBentCamera, AsInStock) {
-  EXPECT_TRUE(same_as_stock({.sdl = std::string(kStage) + GetParam(), .width = 96, .height = 72,
-                             .arguments = {}, .files = {}}));
+  EXPECT_TRUE(same_as_stock({.sdl = std::string(kStage) + GetParam(),
+                             .width = 96,
+                             .height = 72,
+                             .arguments = {},
+                             .files = {}}));
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -63,12 +63,11 @@ TEST_F(ImageModelProgram, WithoutFilesATable) {
 
 TEST_F(ImageModelProgram, ErrorsLeaveWhatWasThere) {
   tool::write_text(m_folder / "out.csv", "mine");
-  for (const std::vector<std::string>& words :
-       {std::vector<std::string>{"CSV=out.csv", "A=x"},
-        {"CSV=out.csv", "Deviations=nowhere/d.csv"},
-        {"CSV=out.csv", "Figures=10", "Folder=nowhere"},
-        {"CSV=out.csv", "Figures=10", "A=3"},
-        {"CSV=out.csv", "Lens=3"}}) {
+  for (const std::vector<std::string>& words : {std::vector<std::string>{"CSV=out.csv", "A=x"},
+                                                {"CSV=out.csv", "Deviations=nowhere/d.csv"},
+                                                {"CSV=out.csv", "Figures=10", "Folder=nowhere"},
+                                                {"CSV=out.csv", "Figures=10", "A=3"},
+                                                {"CSV=out.csv", "Lens=3"}}) {
     const auto result = run(words);
     EXPECT_EQ(result.status, 1) << words.back();
     EXPECT_EQ(result.output.substr(0, 15), "lentray-model: ") << result.output;
@@ -90,7 +89,8 @@ TEST_F(ImageModelProgram, NumbersOfOrdersAreJudgedBeforeTheScene) {
   tool::write_text(m_folder / "a.pov", "#version 3.7;\n#error \"read\"\n");
   const auto order = run_lentray({"+Ia.pov", "Pixel_Order=strips(0,3)"}, m_folder.path());
   EXPECT_EQ(order.status, 1);
-  EXPECT_NE(order.output.find("strips takes a width and a height"), std::string::npos) << order.output;
+  EXPECT_NE(order.output.find("strips takes a width and a height"), std::string::npos)
+      << order.output;
 }
 
 }  // namespace

@@ -25,9 +25,9 @@ Vec3 light_direction(int i) {
 std::string scene_text(const std::string& normal, const std::string& before) {
   std::ostringstream text;
   text.precision(17);
-  text << "#version 3.7; global_settings { assumed_gamma 1 }\n" << before
-       << "\ncamera { orthographic location <0,0,-10> direction z right " << kWidth << "*x up "
-       << kWidth << "*y }\n";
+  text << "#version 3.7; global_settings { assumed_gamma 1 }\n"
+       << before << "\ncamera { orthographic location <0,0,-10> direction z right " << kWidth
+       << "*x up " << kWidth << "*y }\n";
   for (int i = 0; i < 3; ++i) {
     const Vec3 d = light_direction(i) * 100.0;
     text << "light_source { <" << d.x << ',' << d.y << ',' << d.z << "> rgb <" << (i == 0) << ','
@@ -47,8 +47,12 @@ class ImageNormals : public ::testing::TestWithParam<NormalCase> {};
 
 TEST_P(ImageNormals, ShadeAsInStock) {
   const auto [normal, before] = GetParam();
-  const lentray::test::SceneText scene{.sdl = scene_text(normal, before), .width = kSide,
-                                       .height = kSide, .arguments = {"File_Gamma=1.0"}, .bits = 16, .files = {}};
+  const lentray::test::SceneText scene{.sdl = scene_text(normal, before),
+                                       .width = kSide,
+                                       .height = kSide,
+                                       .arguments = {"File_Gamma=1.0"},
+                                       .bits = 16,
+                                       .files = {}};
   const core::StoredImage stock = lentray::test::stock_render(scene);
   const LooksText read("pigment { rgb 1 } normal { " + std::string(normal) + " }", before);
   TextureCompiler compiler(TextureSettings{});

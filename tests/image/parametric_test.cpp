@@ -24,50 +24,68 @@ struct Case {
 };
 
 const Case kCases[] = {
-    {"sphere", "function { sin(u)*cos(v) } function { cos(u) } function { sin(u)*sin(v) }"
-               " <0,0>, <pi,2*pi> max_gradient 1 accuracy .005"},
-    {"in_sphere", "function { sin(u)*cos(v)*1.3 } function { cos(u) } function { sin(u)*sin(v) }"
-                  " <0,0>, <pi,2*pi> contained_by { sphere { <.2,0,0>, 1.1 } } max_gradient 1.5 accuracy .01"},
-    {"precomputed", "function { u*v*sin(10*v) } function { v } function { u*v*cos(10*v) } <0,.05>, <1,1>"
-                    " contained_by { box { -1, 1 } } max_gradient 9 accuracy .005 precompute 12 x, y, z"},
-    {"precomputed_partly", "function { cos(u)*(1 + .4*cos(v)) } function { .4*sin(v) }"
-                           " function { sin(u)*(1 + .4*cos(v)) } <0,0>, <2*pi,2*pi>"
-                           " contained_by { box { -1.5, 1.5 } } max_gradient 1.5 accuracy .01 precompute 9 x, z"},
-    {"too_flat", "function { u*v*sin(15*v) } function { v } function { u*v*cos(15*v) } <0,0>, <1,1>"
-                 " contained_by { box { -1, 1 } } accuracy .01"},
-    {"turned", "function { u } function { .3*sin(u*4)*cos(v*3) } function { v } <-1,-1>, <1,1>"
-               " contained_by { box { -1, 1 } } max_gradient 2 accuracy .003 rotate <20,30,10> scale <1.2,1,.8>"},
-    {"backwards", "function { u } function { v*v } function { v } <1,1>, <-1,-.8>"
-                  " contained_by { box { 1, -1 } } max_gradient 2 accuracy .01"},
+    {"sphere",
+     "function { sin(u)*cos(v) } function { cos(u) } function { sin(u)*sin(v) }"
+     " <0,0>, <pi,2*pi> max_gradient 1 accuracy .005"},
+    {"in_sphere",
+     "function { sin(u)*cos(v)*1.3 } function { cos(u) } function { sin(u)*sin(v) }"
+     " <0,0>, <pi,2*pi> contained_by { sphere { <.2,0,0>, 1.1 } } max_gradient 1.5 accuracy .01"},
+    {"precomputed",
+     "function { u*v*sin(10*v) } function { v } function { u*v*cos(10*v) } <0,.05>, <1,1>"
+     " contained_by { box { -1, 1 } } max_gradient 9 accuracy .005 precompute 12 x, y, z"},
+    {"precomputed_partly",
+     "function { cos(u)*(1 + .4*cos(v)) } function { .4*sin(v) }"
+     " function { sin(u)*(1 + .4*cos(v)) } <0,0>, <2*pi,2*pi>"
+     " contained_by { box { -1.5, 1.5 } } max_gradient 1.5 accuracy .01 precompute 9 x, z"},
+    {"too_flat",
+     "function { u*v*sin(15*v) } function { v } function { u*v*cos(15*v) } <0,0>, <1,1>"
+     " contained_by { box { -1, 1 } } accuracy .01"},
+    {"turned",
+     "function { u } function { .3*sin(u*4)*cos(v*3) } function { v } <-1,-1>, <1,1>"
+     " contained_by { box { -1, 1 } } max_gradient 2 accuracy .003 rotate <20,30,10> scale "
+     "<1.2,1,.8>"},
+    {"backwards",
+     "function { u } function { v*v } function { v } <1,1>, <-1,-.8>"
+     " contained_by { box { 1, -1 } } max_gradient 2 accuracy .01"},
 };
 
 class ImageParametric : public ::testing::TestWithParam<Case> {};
 
 ::testing::AssertionResult same(const std::string& sdl, Grade grade) {
-  return same_as_stock({.sdl = kStage + sdl, .width = 64, .height = 48, .arguments = {}, .files = {}},
-                       grade);
+  return same_as_stock(
+      {.sdl = kStage + sdl, .width = 64, .height = 48, .arguments = {}, .files = {}}, grade);
 }
 
 TEST_P(ImageParametric, Alone) {
   EXPECT_TRUE(same(std::string("parametric { ") + GetParam().sdl +
-                   " pigment { rgb <.9,.5,.3> } finish { specular .4 } }", GetParam().grade));
+                       " pigment { rgb <.9,.5,.3> } finish { specular .4 } }",
+                   GetParam().grade));
 }
 
 TEST_P(ImageParametric, UvMapped) {
-  EXPECT_TRUE(same(std::string("parametric { ") + GetParam().sdl +
-                   " pigment { uv_mapping checker rgb .2 rgb x scale .3 } finish { reflection .3 } }",
-                   GetParam().grade));
+  EXPECT_TRUE(
+      same(std::string("parametric { ") + GetParam().sdl +
+               " pigment { uv_mapping checker rgb .2 rgb x scale .3 } finish { reflection .3 } }",
+           GetParam().grade));
 }
 
 /// Cut, joined and clipped.
 SceneText in_csg(const std::string& surface) {
   const std::string one = "parametric { " + surface + " }";
-  return {.sdl = kStage + ("difference { " + one + " sphere { <.4,.4,-.8>, .7 } pigment { rgb <.3,.7,.9> } }\n"
-                           "intersection { " + one + " box { <-2,-.1,-2>, <2,.3,2> }"
+  return {.sdl = kStage + ("difference { " + one +
+                           " sphere { <.4,.4,-.8>, .7 } pigment { rgb <.3,.7,.9> } }\n"
+                           "intersection { " +
+                           one +
+                           " box { <-2,-.1,-2>, <2,.3,2> }"
                            " translate <-1.2,1.4,1.5> pigment { rgb <.8,.9,.3> } }\n"
-                           "object { " + one + " clipped_by { plane { x, 0 } } translate <1.3,.7,1>"
+                           "object { " +
+                           one +
+                           " clipped_by { plane { x, 0 } } translate <1.3,.7,1>"
                            " pigment { rgb <.9,.3,.8> } }"),
-          .width = 64, .height = 48, .arguments = {}, .files = {}};
+          .width = 64,
+          .height = 48,
+          .arguments = {},
+          .files = {}};
 }
 
 TEST_P(ImageParametric, InCsg) {
@@ -79,9 +97,10 @@ TEST_P(ImageParametric, InCsg) {
 /// one. With the fine one the pictures are equal, and each pixel with the coarse one is one of stock's.
 TEST(ImageParametricAccuracy, DarkensNoMoreThanStock) {
   const auto scene = [](const std::string& accuracy) {
-    return in_csg("function { u } function { .3*sin(u*4)*cos(v*3) } function { v } <-1,-1>, <1,1>"
-                  " contained_by { box { -1, 1 } } max_gradient 2 accuracy " + accuracy +
-                  " rotate <20,30,10> scale <1.2,1,.8>");
+    return in_csg(
+        "function { u } function { .3*sin(u*4)*cos(v*3) } function { v } <-1,-1>, <1,1>"
+        " contained_by { box { -1, 1 } } max_gradient 2 accuracy " +
+        accuracy + " rotate <20,30,10> scale <1.2,1,.8>");
   };
   const StoredImage fine = stock_render(scene(".00001"));
   EXPECT_TRUE(same_bits(lentray_render(scene(".00001")), fine));

@@ -24,7 +24,8 @@ inline std::string written(bool stock, const std::string& sdl, const Files& file
   for (const auto& [name, contents] : files) tool::write_text(folder / name, contents);
   tool::write_text(folder / "scene.pov", sdl);
   const tool::RunResult run =
-      stock ? tool::run_program({"povray", "+Iscene.pov", "-F", "+W4", "+H4", "-D"}, folder.path(), 60.0)
+      stock ? tool::run_program({"povray", "+Iscene.pov", "-F", "+W4", "+H4", "-D"}, folder.path(),
+                                60.0)
             : run_lentray({"scene.pov", "-F", "+W4", "+H4"}, folder.path());
   return run.status == 0 ? tool::read_text(folder / "values.txt") : "FAILED\n" + run.output;
 }
@@ -41,17 +42,20 @@ inline void expect_same_values(const std::string& sdl, const Files& files) {
     if (wanted_word[0] >= 'a') about = wanted_word;
     if (wanted_word == word) continue;
     const double value = std::stod(wanted_word);
-    EXPECT_NEAR(std::stod(word), value, 1e-6 * std::max(1.0, value)) << about << " in " << sdl.substr(0, 90);
+    EXPECT_NEAR(std::stod(word), value, 1e-6 * std::max(1.0, value))
+        << about << " in " << sdl.substr(0, 90);
   }
 }
 
 constexpr int kValueColumns = 8;
 
 /// SDL that writes what a function F(x, y, z) has at the middles of eight columns.
-inline std::string values(const std::string& function, const std::string& name, const std::string& value) {
+inline std::string values(const std::string& function, const std::string& name,
+                          const std::string& value) {
   const std::string columns = std::to_string(kValueColumns);
-  return "#declare " + name + " = function { " + function + " }\n#local I = 0; #while (I < " + columns + ") #local C = " +
-         name + "((I+.5)/" + columns + ", .5, 0); #write(OUT, " + value + ", \"\\n\") #local I = I + 1; #end\n";
+  return "#declare " + name + " = function { " + function + " }\n#local I = 0; #while (I < " +
+         columns + ") #local C = " + name + "((I+.5)/" + columns + ", .5, 0); #write(OUT, " +
+         value + ", \"\\n\") #local I = I + 1; #end\n";
 }
 
 /// The picture's colours, greys and the greys of its colours. `image`: file and words; `number` is one more each time.
@@ -59,7 +63,8 @@ inline std::string picture_values(const std::string& image, int number) {
   const std::string n = std::to_string(number);
   return values("pigment { image_map { " + image + " } }", "C" + n, "vstr(5, C, \" \", 0, 9)") +
          values("pattern { image_pattern { " + image + " } }", "P" + n, "str(C, 0, 9)") +
-         values("pattern { pigment_pattern { image_map { " + image + " } } }", "G" + n, "str(C, 0, 9)");
+         values("pattern { pigment_pattern { image_map { " + image + " } } }", "G" + n,
+                "str(C, 0, 9)");
 }
 
 }  // namespace lentray::test

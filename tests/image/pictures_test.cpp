@@ -76,9 +76,11 @@ constexpr PictureCase kPictures[] = {
     {"clear", 3, 8, "image_map { FILE filter all .3 transmit all .2 }"},
     {"pattern", 3, 8, "image_pattern { FILE interpolate 2 } color_map { [0 rgb 0] [1 rgb 1] }"},
     {"grey_pattern", 1, 8, "image_pattern { FILE } color_map { [0 rgb 0] [1 rgb 1] }"},
-    {"grey_pattern_mixed", 1, 8, "image_pattern { FILE interpolate 2 } color_map { [0 rgb 0] [1 rgb 1] }"},
+    {"grey_pattern_mixed", 1, 8,
+     "image_pattern { FILE interpolate 2 } color_map { [0 rgb 0] [1 rgb 1] }"},
     {"grey_linear", 1, 8, "image_map { FILE gamma 1.0 }"},
-    {"grey_linear_alpha", 1, 8, "image_pattern { FILE gamma 1.0 use_alpha } color_map { [0 rgb 0] [1 rgb 1] }"},
+    {"grey_linear_alpha", 1, 8,
+     "image_pattern { FILE gamma 1.0 use_alpha } color_map { [0 rgb 0] [1 rgb 1] }"},
     {"transparency", 4, 8, "image_pattern { FILE use_alpha } color_map { [0 rgb 0] [1 rgb 1] }"},
 };
 

@@ -45,26 +45,31 @@ std::string as_poly(const Polynomial& p) {
 /// `reach`: how far from the origin it is asked for. Divided by what keeps the gradient low, where the roots stay.
 std::string as_isosurface(const Polynomial& p, double reach) {
   const std::string order = std::to_string(p.order), far = std::to_string(reach);
-  return "isosurface { function { (" + p.function + ") / (1 + pow(x*x + y*y + z*z, " + std::to_string((p.order - 1) / 2.0) +
-         ")) } max_gradient " + order + " accuracy 1e-5 max_trace 4 contained_by { box { -" + far + ", " + far + " } } ";
+  return "isosurface { function { (" + p.function + ") / (1 + pow(x*x + y*y + z*z, " +
+         std::to_string((p.order - 1) / 2.0) + ")) } max_gradient " + order +
+         " accuracy 1e-5 max_trace 4 contained_by { box { -" + far + ", " + far + " } } ";
 }
 
 constexpr const char* kOutside = "location <2.2,2.6,-4> look_at <0,.1,0> angle 45";
 constexpr const char* kWithin = "location <.1,.05,-.1> look_at <.3,.2,1> angle 100";
 
 std::string stage(const std::string& camera) {
-  return "#version 3.7; global_settings { assumed_gamma 1 }\ncamera { " + camera + " }\n"
-         "light_source { <-4,7,-6>, 1 } light_source { <5,3,-2>, .3 } plane { y, -1.6 pigment { checker rgb .9 rgb .5 } }\n";
+  return "#version 3.7; global_settings { assumed_gamma 1 }\ncamera { " + camera +
+         " }\n"
+         "light_source { <-4,7,-6>, 1 } light_source { <5,3,-2>, .3 } plane { y, -1.6 pigment { "
+         "checker rgb .9 rgb .5 } }\n";
 }
 
 std::string clipped(const std::string& shape) {
-  return stage(kOutside) + shape + "clipped_by { sphere { 0, 1.4 } } bounded_by { clipped_by } pigment { rgb <.9,.5,.3> }"
-                                   " finish { specular .4 } }";
+  return stage(kOutside) + shape +
+         "clipped_by { sphere { 0, 1.4 } } bounded_by { clipped_by } pigment { rgb <.9,.5,.3> }"
+         " finish { specular .4 } }";
 }
 
 std::string in_csg(const std::string& shape) {
-  return stage(kOutside) + "difference { intersection { " + shape + "rotate <10,20,30> } box { -1.1, 1.1 } }"
-                           " sphere { <.6,.6,-.9>, .7 } pigment { rgb <.3,.7,.9> } }";
+  return stage(kOutside) + "difference { intersection { " + shape +
+         "rotate <10,20,30> } box { -1.1, 1.1 } }"
+         " sphere { <.6,.6,-.9>, .7 } pigment { rgb <.3,.7,.9> } }";
 }
 
 std::string within(const std::string& shape) {
@@ -76,7 +81,8 @@ std::string within(const std::string& shape) {
 ::testing::AssertionResult same(const std::string& scene, const std::string& reference, int order) {
   const int width = order > 11 ? 56 : 80;  // stock takes minutes for the pictures of high orders
   const auto text = [width](const std::string& sdl) {
-    return SceneText{.sdl = sdl, .width = width, .height = width * 3 / 4, .arguments = {}, .files = {}};
+    return SceneText{
+        .sdl = sdl, .width = width, .height = width * 3 / 4, .arguments = {}, .files = {}};
   };
   return reaches(lentray_render(text(scene)), stock_render(text(reference)), Grade::exact);
 }
@@ -89,8 +95,10 @@ TEST_P(ImagePolynomialShapes, AsStock) {
   const int order = GetParam();
   const Polynomial p = polynomial(order);
   const std::string shape = as_poly(p), truth = as_isosurface(p, 1.5);
-  EXPECT_TRUE(same(clipped(shape), clipped(order == 6 || order > 8 ? truth : shape), order)) << "clipped by a sphere";
-  EXPECT_TRUE(same(in_csg(shape), in_csg(order > 13 ? as_isosurface(p, 2.0) : shape), order)) << "in CSG";
+  EXPECT_TRUE(same(clipped(shape), clipped(order == 6 || order > 8 ? truth : shape), order))
+      << "clipped by a sphere";
+  EXPECT_TRUE(same(in_csg(shape), in_csg(order > 13 ? as_isosurface(p, 2.0) : shape), order))
+      << "in CSG";
   EXPECT_TRUE(same(within(shape), within(order > 8 ? truth : shape), order)) << "from within";
 }
 

@@ -89,9 +89,10 @@ TEST_F(ImageProgram, DefaultNameAndFolders) {
 }
 
 TEST(ImageProgramStill, IsNoFrameOfAnAnimation) {
-  const SceneText scene{.sdl = "#version 3.7; global_settings { assumed_gamma 1 }\n"
-                               "camera { location -5*z } light_source { -9*z, 1 }\n"
-                               "sphere { <frame_number, clock_on, 0>, 1 pigment { rgb <1,.5,.2> } }",
+  const SceneText scene{.sdl =
+                            "#version 3.7; global_settings { assumed_gamma 1 }\n"
+                            "camera { location -5*z } light_source { -9*z, 1 }\n"
+                            "sphere { <frame_number, clock_on, 0>, 1 pigment { rgb <1,.5,.2> } }",
                         .arguments = {},
                         .files = {}};
   EXPECT_TRUE(same_as_stock(scene, Grade::exact));
@@ -147,9 +148,9 @@ TEST_F(ImageProgram, AViewIsTheSameColumnOfEveryLens) {
 
 TEST_F(ImageProgram, TheMiddleViewIsTheOrdinaryPicture) {
   ASSERT_EQ(lentray({"scene.pov", "+W40", "+H30", "-V", "+Oplain.png"}).status, 0);
-  ASSERT_EQ(lentray({"scene.pov", "+W600", "+H30", "-V", "+Oview.png", "Lenticular=On", "View=7"})
-                .status,
-            0);
+  ASSERT_EQ(
+      lentray({"scene.pov", "+W600", "+H30", "-V", "+Oview.png", "Lenticular=On", "View=7"}).status,
+      0);
   const auto comparison = core::read_image(path("view.png"));
   EXPECT_TRUE(reaches(comparison, core::read_image(path("plain.png")), Grade::exact));
 }
@@ -189,8 +190,10 @@ TEST_F(ImageProgram, ExplainNamesWhatIsNeeded) {
 }
 
 TEST_F(ImageProgram, WhatAPictureWillLackIsSaidBeforeItIsRendered) {
-  tool::write_text(path("lacks.pov"), "#version 3.7; global_settings { assumed_gamma 1 } light_source { -9*z, 1 }\n"
-        "sphere { 5*z, 1 pigment { rgbt 1 } hollow interior { media { emission 1 } } }\n");
+  tool::write_text(
+      path("lacks.pov"),
+      "#version 3.7; global_settings { assumed_gamma 1 } light_source { -9*z, 1 }\n"
+      "sphere { 5*z, 1 pigment { rgbt 1 } hollow interior { media { emission 1 } } }\n");
   const std::string text = lentray({"lacks.pov", "+W16", "+H12"}).output;
   EXPECT_LT(text.find("left out of the picture: media"), text.find("Rendering: 100 %")) << text;
   for (const bool parses : {false, true}) {
@@ -198,7 +201,8 @@ TEST_F(ImageProgram, WhatAPictureWillLackIsSaidBeforeItIsRendered) {
     if (parses) arguments.push_back("--parse-only");
     const auto strict = lentray(arguments);
     EXPECT_EQ(strict.status, 1);
-    EXPECT_NE(strict.output.find("Strict=On: the picture would lack media"), std::string::npos) << strict.output;
+    EXPECT_NE(strict.output.find("Strict=On: the picture would lack media"), std::string::npos)
+        << strict.output;
     EXPECT_FALSE(exists("strict.png"));
   }
   EXPECT_EQ(lentray({"scene.pov", "+W16", "+H12", "Strict=On"}).status, 0);
@@ -206,8 +210,8 @@ TEST_F(ImageProgram, WhatAPictureWillLackIsSaidBeforeItIsRendered) {
 
 TEST_F(ImageProgram, ASummaryAtTheEnd) {
   const std::string text = lentray({"scene.pov", "+W16", "+H12", "+A0.1"}).output;
-  for (const char* part : {"Pixels:  192, antialiased ", "Rays:    camera ", "Seconds: reading ", "Memory:  ",
-                           "scene.png: 16 x 12 pixels in "}) {
+  for (const char* part : {"Pixels:  192, antialiased ", "Rays:    camera ", "Seconds: reading ",
+                           "Memory:  ", "scene.png: 16 x 12 pixels in "}) {
     EXPECT_NE(text.find(part), std::string::npos) << text;
   }
   EXPECT_EQ(text.find("Bands"), std::string::npos);

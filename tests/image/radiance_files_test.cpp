@@ -13,7 +13,8 @@ constexpr int kWidth = kValueColumns, kHeight = 6;
 /// Not in runs. The largest mantissa of a pixel has its upper bit set;
 /// the last pixel is black.
 std::string file() {
-  std::string all = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y " + std::to_string(kHeight) + " +X " + std::to_string(kWidth) + "\n";
+  std::string all = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y " + std::to_string(kHeight) + " +X " +
+                    std::to_string(kWidth) + "\n";
   for (int i = 0; i < kWidth * kHeight; ++i) {
     const bool is_black = i == kWidth * kHeight - 1;
     const int mantissas[] = {128 + i * 37 % 128, i * 53 % 256, i * 91 % 256};
@@ -28,7 +29,8 @@ TEST(ImageRadianceFiles, Values) {
   for (const std::string gamma : {"1", "2.2"}) {
     std::string sdl = "#version 3.7; global_settings { assumed_gamma " + gamma + " }" + kOpenValues;
     int number = 0;
-    for (const char* words : {"", " gamma 1.6", " gamma srgb", " interpolate 2"}) sdl += picture_values(image + words, number++);
+    for (const char* words : {"", " gamma 1.6", " gamma srgb", " interpolate 2"})
+      sdl += picture_values(image + words, number++);
     sdl += values("pattern { image_pattern { " + image + " use_alpha } }", "A", "str(C, 0, 9)");
     expect_same_values(sdl, {{"a.hdr", file()}});
   }
@@ -37,9 +39,12 @@ TEST(ImageRadianceFiles, Values) {
 /// The red of colours that are not of 16 bits is the high byte.
 TEST(ImageRadianceFiles, Heights) {
   const std::string sdl =
-      "#version 3.7; global_settings { assumed_gamma 1 } camera { location <0,2,-1.5> look_at 0 angle 60 }\n"
-      "light_source { <-3,4,-5>, 1 } height_field { hdr \"a.hdr\" translate <-.5,0,-.5> scale 2 pigment { rgb 1 } }";
-  EXPECT_TRUE(same_as_stock({.sdl = sdl, .width = 80, .height = 60, .arguments = {}, .files = {{"a.hdr", file()}}}));
+      "#version 3.7; global_settings { assumed_gamma 1 } camera { location <0,2,-1.5> look_at 0 "
+      "angle 60 }\n"
+      "light_source { <-3,4,-5>, 1 } height_field { hdr \"a.hdr\" translate <-.5,0,-.5> scale 2 "
+      "pigment { rgb 1 } }";
+  EXPECT_TRUE(same_as_stock(
+      {.sdl = sdl, .width = 80, .height = 60, .arguments = {}, .files = {{"a.hdr", file()}}}));
 }
 
 }  // namespace

@@ -148,11 +148,11 @@ std::vector<core::StoredImage> stock_frames(const tool::TemporaryFolder& folder,
                                             const std::string& scene, std::uint32_t width,
                                             std::uint32_t height) {
   tool::write_text(folder / "wrapper.pov", scene);
-  const auto result = tool::run_program(
-      {"povray", "+Iwrapper.pov", "+Of_.png", "+W" + std::to_string(width),
-       "+H" + std::to_string(height), "+KFI0", "+KFF3", "+FN16", "-A", "-J", "-D", "-V", "+WT1",
-       "File_Gamma=1.0"},
-      folder.path(), 120.0);
+  const auto result =
+      tool::run_program({"povray", "+Iwrapper.pov", "+Of_.png", "+W" + std::to_string(width),
+                         "+H" + std::to_string(height), "+KFI0", "+KFF3", "+FN16", "-A", "-J", "-D",
+                         "-V", "+WT1", "File_Gamma=1.0"},
+                        folder.path(), 120.0);
   if (result.status != 0) throw std::runtime_error(result.output);
   std::vector<core::StoredImage> frames;
   for (int f = 0; f < 4; ++f) {
@@ -209,9 +209,9 @@ TEST_P(ImageRaysViews, AgreeWithStocksObliqueCameras) {
   double largest = 0.0;
   for (const std::uint32_t view : {0u, 3u, last / 2, last}) {
     const std::uint32_t width = sheet.view_width(view);
-    const auto frames = stock_frames(
-        folder, diff::view_scene(sheet, view, way, {"#version 3.7;", "probe.pov"}), width,
-        camera.height());
+    const auto frames =
+        stock_frames(folder, diff::view_scene(sheet, view, way, {"#version 3.7;", "probe.pov"}),
+                     width, camera.height());
     for (std::uint32_t i = 0; i < width; ++i) {
       for (std::uint32_t row = 0; row < camera.height(); ++row) {
         Ray ray;
@@ -227,8 +227,8 @@ TEST_P(ImageRaysViews, AgreeWithStocksObliqueCameras) {
 INSTANTIATE_TEST_SUITE_P(
     Sheets, ImageRaysViews,
     ::testing::Values(
-        Trial{"N15_infinite_pinhole", lens(1.124, 3.03, 1.6, 15, kInf, LensModel::kPinhole), 150, 20,
-              6.5, 4.1, 0.0},
+        Trial{"N15_infinite_pinhole", lens(1.124, 3.03, 1.6, 15, kInf, LensModel::kPinhole), 150,
+              20, 6.5, 4.1, 0.0},
         Trial{"N15_infinite_front", lens(1.124, 3.03, 1.6, 15, kInf, LensModel::kPinhole), 150, 20,
               6.5, 4.1, 2.75},
         Trial{"N14_infinite_paraxial_cut", lens(1.124, 3.03, 1.6, 14, kInf, LensModel::kParaxial),
@@ -266,8 +266,8 @@ TEST_P(ImageRaysMesh, AgreeWithStocksMeshCamera) {
   // Stock keeps the mesh in floats, yet only rays that start between eye and sheet show it.
   const diff::Sheet sheet = sheet_of(camera);
   const double eye = sheet.view_distance * sheet.scale();
-  const bool exact = sheet.is_finite() ? std::fabs(sheet.front - eye) < 1e-9 * eye
-                                       : sheet.eye_slope_y == 0.0;
+  const bool exact =
+      sheet.is_finite() ? std::fabs(sheet.front - eye) < 1e-9 * eye : sheet.eye_slope_y == 0.0;
   EXPECT_LT(largest, exact ? 1e-10 : 1e-7);
   RecordProperty("largest", digits(largest));
 }
@@ -281,19 +281,19 @@ INSTANTIATE_TEST_SUITE_P(
               5.0, 7.0, 2.0},
         Trial{"N7_37_infinite_front", lens(0.508, 1.4, 1.56, 7.37, kInf, LensModel::kPinhole), 100,
               21, 4.2, 1.7, 2.5},
-        Trial{"N7_37_finite_pinhole", lens(0.508, 1.4, 1.56, 7.37, 40, LensModel::kPinhole), 100, 21,
-              4.2, 1.7, 0.0},
+        Trial{"N7_37_finite_pinhole", lens(0.508, 1.4, 1.56, 7.37, 40, LensModel::kPinhole), 100,
+              21, 4.2, 1.7, 0.0},
         Trial{"N7_37_finite_paraxial_front", lens(0.508, 1.4, 1.56, 7.37, 40, LensModel::kParaxial),
               100, 21, 4.2, 1.7, 2.5},
-        Trial{"N15_oblique_mirrored", lens(0.9, 2.2, 1.5, 15, 80, LensModel::kPinhole), 120, 13, 6.0,
-              2.0, 2.0, 0.1, -0.1, true},
+        Trial{"N15_oblique_mirrored", lens(0.9, 2.2, 1.5, 15, 80, LensModel::kPinhole), 120, 13,
+              6.0, 2.0, 2.0, 0.1, -0.1, true},
         // Many rows, rays from the eye, from infinity and between.
-        Trial{"many_rows_from_the_eye", lens(1.124, 3.03, 1.6, 14, 20, LensModel::kPinhole), 30, 260,
-              2.0, 1.5, 20 * 2.0 / (30 / 14.0 * 1.124), 0.1, -0.1},
-        Trial{"many_rows_infinite", lens(1.124, 3.03, 1.6, 12.5, kInf, LensModel::kPinhole), 30, 500,
-              2.0, 1.5, 2.0, 0.1, -0.1},
-        Trial{"many_rows_between", lens(1.124, 3.03, 1.6, 14, 20, LensModel::kPinhole), 30, 260, 2.0,
-              1.5, 5.0, 0.1, -0.1}),
+        Trial{"many_rows_from_the_eye", lens(1.124, 3.03, 1.6, 14, 20, LensModel::kPinhole), 30,
+              260, 2.0, 1.5, 20 * 2.0 / (30 / 14.0 * 1.124), 0.1, -0.1},
+        Trial{"many_rows_infinite", lens(1.124, 3.03, 1.6, 12.5, kInf, LensModel::kPinhole), 30,
+              500, 2.0, 1.5, 2.0, 0.1, -0.1},
+        Trial{"many_rows_between", lens(1.124, 3.03, 1.6, 14, 20, LensModel::kPinhole), 30, 260,
+              2.0, 1.5, 5.0, 0.1, -0.1}),
     [](const auto& trial) { return trial.param.name; });
 
 /// A probe that cannot tell rays apart proves nothing: a sheet one part in ten thousand off fails.
@@ -346,13 +346,12 @@ std::string lenticular_scene(const Trial& trial) {
   const LensParameters& l = trial.lens;
   std::ostringstream out;
   out << "#version 3.7;\nglobal_settings { assumed_gamma 1 }\nsphere { 100, 1 }\ncamera {\n"
-      << "  lenticular location " << vector_text(p.centre) << " direction "
-      << vector_text(p.normal) << "\n  right " << vector_text(p.right * p.width) << " up "
-      << vector_text(p.up * p.height) << "\n  lens_pitch " << digits(l.pitch)
-      << " lens_focal_length " << digits(l.focal_length) << " lens_ior " << digits(l.ior)
-      << "\n  lens_pixels " << digits(l.pixels) << " lens_front " << digits(p.front)
-      << "\n  view_distance " << (l.is_finite() ? digits(l.view_distance) : "0") << " lens_model "
-      << camera::name_of(l.model) << "\n}\n";
+      << "  lenticular location " << vector_text(p.centre) << " direction " << vector_text(p.normal)
+      << "\n  right " << vector_text(p.right * p.width) << " up " << vector_text(p.up * p.height)
+      << "\n  lens_pitch " << digits(l.pitch) << " lens_focal_length " << digits(l.focal_length)
+      << " lens_ior " << digits(l.ior) << "\n  lens_pixels " << digits(l.pixels) << " lens_front "
+      << digits(p.front) << "\n  view_distance " << (l.is_finite() ? digits(l.view_distance) : "0")
+      << " lens_model " << camera::name_of(l.model) << "\n}\n";
   return out.str();
 }
 
@@ -383,8 +382,8 @@ bool formula(const Trial& trial, std::uint32_t column, std::uint32_t row, Vec3& 
     size += v[a] * v[a];
   }
   for (int a = 0; a < 3; ++a) {
-    origin[a] = static_cast<double>(p.centre[a] + axis * scale * p.right[a] + y * p.up[a] -
-                                    p.front * v[a]);
+    origin[a] =
+        static_cast<double>(p.centre[a] + axis * scale * p.right[a] + y * p.up[a] - p.front * v[a]);
     direction[a] = static_cast<double>(v[a] / std::sqrt(size));
   }
   return true;
@@ -396,10 +395,10 @@ TEST_P(ImageRaysDump, FollowsTheFormulae) {
   const Trial& trial = GetParam();
   const tool::TemporaryFolder folder;
   tool::write_text(folder / "scene.pov", lenticular_scene(trial));
-  const auto result = run_lentray({"+Iscene.pov", "+W" + std::to_string(trial.columns),
-                                   "+H" + std::to_string(trial.rows), "-F", "-V", "--dump-rays",
-                                   "rays.txt"},
-                                  folder.path());
+  const auto result =
+      run_lentray({"+Iscene.pov", "+W" + std::to_string(trial.columns),
+                   "+H" + std::to_string(trial.rows), "-F", "-V", "--dump-rays", "rays.txt"},
+                  folder.path());
   ASSERT_EQ(result.status, 0) << result.output;
   const auto rays = read_dump(folder / "rays.txt", trial.columns, trial.rows);
   double largest = 0.0;
@@ -449,7 +448,8 @@ TEST(ImageRaysProbe, LentraySeesItAsStockDoes) {
                     2.5};
   const Lenticular camera = camera_of(trial);
   SceneText scene;
-  scene.sdl = probe_scene(trial) + lenticular_scene(trial).substr(lenticular_scene(trial).find("camera"));
+  scene.sdl =
+      probe_scene(trial) + lenticular_scene(trial).substr(lenticular_scene(trial).find("camera"));
   scene.width = trial.columns;
   scene.height = trial.rows;
   scene.bits = 16;

@@ -15,8 +15,15 @@ constexpr const char* kExamples = "/usr/share/doc/povray/examples/";
 /// Names as docs/scenes.md has them.
 testing::AssertionResult all_match(const std::vector<std::string>& names, double seconds) {
   const tool::TemporaryFolder folder;
-  std::vector<std::string> command{program("lentray-batch").string(), "--out", (folder / "out").string(), "+W160", "+H120", "-A",
-                                   "--no-scene-ini", "--grade", "match"};
+  std::vector<std::string> command{program("lentray-batch").string(),
+                                   "--out",
+                                   (folder / "out").string(),
+                                   "+W160",
+                                   "+H120",
+                                   "-A",
+                                   "--no-scene-ini",
+                                   "--grade",
+                                   "match"};
   for (const std::string& name : names) command.push_back(kExamples + name + ".pov");
   const tool::RunResult result = tool::run_program(command, {}, seconds);
   if (result.status == 0) return testing::AssertionSuccess();
@@ -31,15 +38,18 @@ std::vector<std::string> listed_as_match() {
     const std::size_t grade = line.find(" | ", 2);
     if (!line.starts_with("| ") || grade == std::string::npos) continue;
     const std::string rest = line.substr(grade + 3);
-    if (rest.starts_with("exact | ") || rest.starts_with("match | ")) names.push_back(line.substr(2, grade - 2));
+    if (rest.starts_with("exact | ") || rest.starts_with("match | "))
+      names.push_back(line.substr(2, grade - 2));
   }
   return names;
 }
 
 TEST(ImageScenes, TenQuickOnesMatch) {
-  EXPECT_TRUE(all_match({"advanced/teapot/teapot2", "advanced/bwstripe", "camera/fisheye", "camera/perspective", "incdemo/woods/teak",
-                         "incdemo/shapes2", "objects/ttf1", "objects/quartic/piriform", "objects/superel1", "objects/prism2"},
-                        580.0));
+  EXPECT_TRUE(
+      all_match({"advanced/teapot/teapot2", "advanced/bwstripe", "camera/fisheye",
+                 "camera/perspective", "incdemo/woods/teak", "incdemo/shapes2", "objects/ttf1",
+                 "objects/quartic/piriform", "objects/superel1", "objects/prism2"},
+                580.0));
 }
 
 TEST(SlowScenes, AllListedOnesMatch) {

@@ -42,10 +42,10 @@ TEST(ImageShadingDepth, StraightTransmissionCostsNoLevel) {
 
 TEST(ImageShadingDepth, GlassWithFewLevels) {
   for (const char* level : {"1", "2", "3", "4"}) {
-    EXPECT_TRUE(same_as_stock(staged(
-        "sphere { <0, 1, 0>, 0.9 pigment { rgbt <1, 1, 1, 0.9> } finish { reflection 0.1 }"
-        " interior { ior 1.5 } } background { rgb <0.3, 0.5, 0.8> }",
-        "light_source { <-2, 9, -3> rgb 1 }", std::string("max_trace_level ") + level)))
+    EXPECT_TRUE(same_as_stock(
+        staged("sphere { <0, 1, 0>, 0.9 pigment { rgbt <1, 1, 1, 0.9> } finish { reflection 0.1 }"
+               " interior { ior 1.5 } } background { rgb <0.3, 0.5, 0.8> }",
+               "light_source { <-2, 9, -3> rgb 1 }", std::string("max_trace_level ") + level)))
         << level;
   }
 }
@@ -63,9 +63,7 @@ TEST(ImageShadingDepth, InfiniteObjectsWinWhereSurfacesCoincide) {
   }
 }
 
-TEST(ImageShadingSky, Background) {
-  EXPECT_TRUE(same_as_stock(finished("reflection 0.5")));
-}
+TEST(ImageShadingSky, Background) { EXPECT_TRUE(same_as_stock(finished("reflection 0.5"))); }
 
 TEST(ImageShadingSky, SkySphere) {
   EXPECT_TRUE(same_as_stock(staged(

@@ -22,17 +22,17 @@ TEST(ImageShadingFinish, Brilliance) {
 }
 
 TEST(ImageShadingFinish, DiffuseFromBehind) {
-  EXPECT_TRUE(same_as_stock(staged(
-      "disc { <0, 1.4, 0>, <0.3, 0.2, -1>, 1.2 pigment { rgb <0.4, 0.9, 0.3> }"
-      " finish { ambient 0.05 diffuse 0.3, 0.6 specular 0.5 } }",
-      "light_source { <3, 6, 9> rgb 1.2 } light_source { <-2, 4, -9> rgb 0.3 }")));
+  EXPECT_TRUE(same_as_stock(
+      staged("disc { <0, 1.4, 0>, <0.3, 0.2, -1>, 1.2 pigment { rgb <0.4, 0.9, 0.3> }"
+             " finish { ambient 0.05 diffuse 0.3, 0.6 specular 0.5 } }",
+             "light_source { <3, 6, 9> rgb 1.2 } light_source { <-2, 4, -9> rgb 0.3 }")));
 }
 
 TEST(ImageShadingFinish, DoubleIlluminate) {
-  EXPECT_TRUE(same_as_stock(staged(
-      "disc { <0, 1.4, 0>, <0.3, 0.2, -1>, 1.2 pigment { rgb <0.4, 0.9, 0.3> }"
-      " finish { ambient 0.05 diffuse 0.6 phong 0.3 } double_illuminate }",
-      "light_source { <3, 6, 9> rgb 1.2 }")));
+  EXPECT_TRUE(
+      same_as_stock(staged("disc { <0, 1.4, 0>, <0.3, 0.2, -1>, 1.2 pigment { rgb <0.4, 0.9, 0.3> }"
+                           " finish { ambient 0.05 diffuse 0.6 phong 0.3 } double_illuminate }",
+                           "light_source { <3, 6, 9> rgb 1.2 }")));
 }
 
 TEST(ImageShadingFinish, Phong) {
@@ -72,18 +72,18 @@ TEST(ImageShadingFinish, MetallicReflection) {
 }
 
 TEST(ImageShadingFinish, FresnelReflection) {
-  EXPECT_TRUE(same_as_stock(staged(
-      "sphere { <0, 1, 0>, 1 pigment { rgb <0.2, 0.1, 0.1> }"
-      " finish { ambient 0 diffuse 0.3 reflection { 0, 1 fresnel } } interior { ior 1.6 } }"
-      "background { rgb <0.4, 0.5, 0.7> }")));
+  EXPECT_TRUE(same_as_stock(
+      staged("sphere { <0, 1, 0>, 1 pigment { rgb <0.2, 0.1, 0.1> }"
+             " finish { ambient 0 diffuse 0.3 reflection { 0, 1 fresnel } } interior { ior 1.6 } }"
+             "background { rgb <0.4, 0.5, 0.7> }")));
 }
 
 TEST(ImageShadingFinish, ConserveEnergy) {
   for (const char* conserve : {"", "conserve_energy"}) {
-    EXPECT_TRUE(same_as_stock(staged(
-        std::string("sphere { <0, 1, 0>, 1 pigment { rgbt <0.9, 0.9, 1, 0.8> }"
-                    " finish { ambient 0 diffuse 0.2 reflection { 0.1, 0.9 fresnel } ") +
-        conserve + " } interior { ior 1.5 } } background { rgb <0.4, 0.5, 0.7> }")));
+    EXPECT_TRUE(same_as_stock(
+        staged(std::string("sphere { <0, 1, 0>, 1 pigment { rgbt <0.9, 0.9, 1, 0.8> }"
+                           " finish { ambient 0 diffuse 0.2 reflection { 0.1, 0.9 fresnel } ") +
+               conserve + " } interior { ior 1.5 } } background { rgb <0.4, 0.5, 0.7> }")));
   }
 }
 

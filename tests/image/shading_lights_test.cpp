@@ -28,8 +28,8 @@ TEST(ImageShadingLights, Spotlight) {
   EXPECT_TRUE(same_as_stock(
       lit_by("light_source { <-3, 6, -4> rgb 1 spotlight point_at <0, 0.5, 0> radius 20 "
              "falloff 28 tightness 30 }")));
-  EXPECT_TRUE(same_as_stock(
-      lit_by("light_source { <-3, 6, -4> rgb 1 spotlight point_at <0, 0.5, 0> }")));
+  EXPECT_TRUE(
+      same_as_stock(lit_by("light_source { <-3, 6, -4> rgb 1 spotlight point_at <0, 0.5, 0> }")));
 }
 
 TEST(ImageShadingLights, Cylinder) {
@@ -41,19 +41,19 @@ TEST(ImageShadingLights, Cylinder) {
 }
 
 TEST(ImageShadingLights, Parallel) {
-  EXPECT_TRUE(same_as_stock(
-      lit_by("light_source { <-3, 6, -4> rgb 1 parallel point_at <0, 0.5, 0> }")));
+  EXPECT_TRUE(
+      same_as_stock(lit_by("light_source { <-3, 6, -4> rgb 1 parallel point_at <0, 0.5, 0> }")));
   EXPECT_TRUE(same_as_stock(
       lit_by("light_source { <0, 1, -0.4> rgb 1 parallel point_at <0.3, 0.5, 0.5> }")))
       << "points behind its plane are lit";
 }
 
 TEST(ImageShadingLights, Fading) {
-  EXPECT_TRUE(same_as_stock(
-      lit_by("light_source { <-3, 5, -3> rgb 1.5 fade_distance 4 fade_power 2 }")));
-  EXPECT_TRUE(same_as_stock(
-      lit_by("light_source { <-3, 5, -3> rgb 1.5 fade_distance 2 fade_power 1.5 "
-             "spotlight point_at <0, 0, 0> radius 25 falloff 35 }")));
+  EXPECT_TRUE(
+      same_as_stock(lit_by("light_source { <-3, 5, -3> rgb 1.5 fade_distance 4 fade_power 2 }")));
+  EXPECT_TRUE(
+      same_as_stock(lit_by("light_source { <-3, 5, -3> rgb 1.5 fade_distance 2 fade_power 1.5 "
+                           "spotlight point_at <0, 0, 0> radius 25 falloff 35 }")));
 }
 
 TEST(ImageShadingLights, AreaLight) {
@@ -77,18 +77,18 @@ TEST(ImageShadingLights, AreaLightCircularAndOriented) {
 }
 
 TEST(ImageShadingLights, AreaLightOfOneRow) {
-  EXPECT_TRUE(same_as_stock(
-      lit_by("light_source { <-5, 7, -4> rgb 1 area_light <4, 0, 0>, <0, 0, 1>, 9, 1 "
-             "adaptive 1 }")));
+  EXPECT_TRUE(
+      same_as_stock(lit_by("light_source { <-5, 7, -4> rgb 1 area_light <4, 0, 0>, <0, 0, 1>, 9, 1 "
+                           "adaptive 1 }")));
 }
 
 TEST(ImageShadingLights, AreaSpotlightAndParallelArea) {
   EXPECT_TRUE(same_as_stock(
       lit_by("light_source { <-3, 6, -4> rgb 1 spotlight point_at <0, 0.5, 0> radius 15 falloff 25 "
              "area_light <1, 0, 0>, <0, 0, 1>, 4, 4 adaptive 1 }")));
-  EXPECT_TRUE(same_as_stock(
-      lit_by("light_source { <-3, 6, -4> rgb 1 parallel point_at <0, 0.5, 0> "
-             "area_light <1, 0, 0>, <0, 0, 1>, 4, 4 }")));
+  EXPECT_TRUE(
+      same_as_stock(lit_by("light_source { <-3, 6, -4> rgb 1 parallel point_at <0, 0.5, 0> "
+                           "area_light <1, 0, 0>, <0, 0, 1>, 4, 4 }")));
 }
 
 TEST(ImageShadingLights, AreaJitterIsClose) {

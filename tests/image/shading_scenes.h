@@ -9,18 +9,22 @@
 namespace lentray::test {
 
 inline std::string stage(const std::string& more, const std::string& light = R"(
-light_source { <-6, 9, -7> rgb 1 })", const std::string& settings = "") {
+light_source { <-6, 9, -7> rgb 1 })",
+                         const std::string& settings = "") {
   return R"(#version 3.7;
-global_settings { assumed_gamma 1.0 )" + settings + R"( }
+global_settings { assumed_gamma 1.0 )" +
+         settings + R"( }
 camera { location <0, 2.2, -6> look_at <0, 0.9, 0> angle 42 }
-)" + light + R"(
+)" + light +
+         R"(
 plane { y, 0 pigment { checker rgb <0.9, 0.8, 0.6> rgb <0.3, 0.35, 0.5> }
   finish { ambient 0.1 diffuse 0.7 } }
 )" + more;
 }
 
 inline SceneText staged(const std::string& more, const std::string& light = R"(
-light_source { <-6, 9, -7> rgb 1 })", const std::string& settings = "") {
+light_source { <-6, 9, -7> rgb 1 })",
+                        const std::string& settings = "") {
   SceneText scene;
   scene.sdl = stage(more, light, settings);
   scene.width = 120;

@@ -23,9 +23,15 @@ class ImageShadowCaches : public ::testing::Test {
     return run_whole(small, std::move(more)).at("shadow");
   }
   nlohmann::json run_whole(const Small& small, Words more) const {
-    Words words{"+I" + (source_folder() / "scenes" / (std::string("spd_") + small.scene + ".pov")).string(),
-                "Declare=Size=" + std::to_string(small.size), "Declare=Lenticular_Camera=1",
-                "-F", "-V", "+WT1", "Shadow_Log=On", "Statistics_File=s.json"};
+    Words words{
+        "+I" + (source_folder() / "scenes" / (std::string("spd_") + small.scene + ".pov")).string(),
+        "Declare=Size=" + std::to_string(small.size),
+        "Declare=Lenticular_Camera=1",
+        "-F",
+        "-V",
+        "+WT1",
+        "Shadow_Log=On",
+        "Statistics_File=s.json"};
     words.insert(words.end(), more.begin(), more.end());
     const auto result = run_lentray(words, m_folder.path());
     EXPECT_EQ(result.status, 0) << result.output;
@@ -68,7 +74,8 @@ TEST_F(ImageShadowCaches, WithLightBuffersAutoNeedsHardlyMoreTestsThanTheBest) {
     // Of shapes, by searches and by probes. (A volume that the point is outside of is a test of bounds.)
     const auto with = [&](const char* cache) {
       const auto s = run_whole(small, {"+W600", "+H400", std::string("Shadow_Cache=") + cache});
-      return number(s.at("tests").at("primitives")) + number(s.at("shadow").at("cache").at("probes"));
+      return number(s.at("tests").at("primitives")) +
+             number(s.at("shadow").at("cache").at("probes"));
     };
     const double least = with("auto");
     EXPECT_EQ(least, with("off")) << small.scene;
@@ -93,7 +100,8 @@ TEST_F(ImageShadowCaches, WithoutLightBuffersAutoIsTheNeighbourhood) {
 
 // Where it brings nothing, as of tetra and tree, of which little is blocked, it hardly tests more.
 TEST_F(ImageShadowCaches, WithoutLightBuffersAutoTestsHardlyMoreWhereNothingIsGained) {
-  for (const Small& small : {Small{"tetra", 3}, Small{"tetra", 5}, Small{"tree", 6}, Small{"tree", 8}}) {
+  for (const Small& small :
+       {Small{"tetra", 3}, Small{"tetra", 5}, Small{"tree", 6}, Small{"tree", 8}}) {
     const Words words{"+W300", "+H300", "-UL"};
     Words off = words;
     off.push_back("Shadow_Cache=off");
@@ -127,8 +135,8 @@ TEST_F(ImageShadowCaches, TheCascadeHasMostHitsOfTheGridWithFewerProbes) {
 TEST_F(ImageShadowCaches, TheOrderOfAutoNeedsTheFewestTestsOrNearly) {
   for (const Small& small : kSpd) {
     double least = 1e300;
-    for (const char* order : {"rows", "views", "columns", "tiles", "serpentine", "hilbert",
-                              "strips(4,32)"}) {
+    for (const char* order :
+         {"rows", "views", "columns", "tiles", "serpentine", "hilbert", "strips(4,32)"}) {
       least = std::min(least, tests(run(small, {"+W300", "+H200", "-UL", "Shadow_Cache=last",
                                                 std::string("Pixel_Order=") + order})));
     }

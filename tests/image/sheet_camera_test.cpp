@@ -21,8 +21,12 @@ namespace {
 using Real = long double;
 using Vector = std::array<Real, 3>;
 
-Vector operator+(const Vector& a, const Vector& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
-Vector operator-(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+Vector operator+(const Vector& a, const Vector& b) {
+  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+}
+Vector operator-(const Vector& a, const Vector& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
 Vector operator*(const Vector& a, Real f) { return {a[0] * f, a[1] * f, a[2] * f}; }
 Real dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 Real length(const Vector& a) { return std::sqrt(dot(a, a)); }
@@ -64,15 +68,15 @@ constexpr Real kEye = -1.0L, kInfinite = 0.0L;
 
 struct Case {
   std::string name;
-  std::string sdl;                   ///< the camera, with what must stand before it
+  std::string sdl;  ///< the camera, with what must stand before it
   Frame frame;
-  Real distance = 1.0L;              ///< from location along direction to the sheet, scene units
+  Real distance = 1.0L;  ///< from location along direction to the sheet, scene units
   bool orthographic = false;
   std::vector<std::string> options{};  ///< besides Lenticular=On
-  Real view_distance = kEye;         ///< mm
+  Real view_distance = kEye;           ///< mm
   bool paraxial = true;
   Real pixels = 5.0L;
-  Real front = -1.0L;                ///< scene units; -1: the eye's plane
+  Real front = -1.0L;              ///< scene units; -1: the eye's plane
   bool middle_is_ordinary = true;  ///< the eye is the scene's own
   friend void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
 };
@@ -107,7 +111,8 @@ Line expected(const Case& c, std::uint32_t column, std::uint32_t row) {
   const Real cell = ((column + 0.5L) / c.pixels - lens - 0.5L) * print;
   const Vector axis = middle + r * ((lens + 0.5L - lenses / 2.0L) * kPitch * scale) +
                       u * ((0.5L - (row + 0.5L) / kRows) * height);
-  const Vector aside = (foot - middle) * (-1.0L / depth);  // slopes along r and u, V infinite or not
+  const Vector aside =
+      (foot - middle) * (-1.0L / depth);  // slopes along r and u, V infinite or not
   const Vector away = aside + d;
   const Real front = c.front >= 0.0L ? c.front : (finite ? std::min(depth, v * scale) : depth);
   Vector slope;
@@ -121,8 +126,9 @@ Line expected(const Case& c, std::uint32_t column, std::uint32_t row) {
                            ? kFocal / kIor * sideways
                            : kFocal * std::tan(std::asin(std::sin(std::atan(sideways)) / kIor));
     const Real offset = cell + shift + kFocal / kIor * dot(tilt, r);
-    const Real tangent = c.paraxial ? kIor * offset / kFocal
-                                    : std::tan(std::asin(kIor * std::sin(std::atan(offset / kFocal))));
+    const Real tangent = c.paraxial
+                             ? kIor * offset / kFocal
+                             : std::tan(std::asin(kIor * std::sin(std::atan(offset / kFocal))));
     slope = r * tangent + d + u * (upwards + dot(tilt, u));
   }
   return {axis - slope * front, unit(slope)};
@@ -133,8 +139,12 @@ std::vector<Line> dumped(const std::string& sdl, std::uint32_t width,
                          const std::vector<std::string>& options, std::string* said = nullptr) {
   const tool::TemporaryFolder folder;
   tool::write_text(folder / "scene.pov", sdl);
-  std::vector<std::string> arguments{"+Iscene.pov", "+W" + std::to_string(width),
-                                     "+H" + std::to_string(kRows), "-F", "-V", "--dump-rays",
+  std::vector<std::string> arguments{"+Iscene.pov",
+                                     "+W" + std::to_string(width),
+                                     "+H" + std::to_string(kRows),
+                                     "-F",
+                                     "-V",
+                                     "--dump-rays",
                                      "rays.txt"};
   arguments.insert(arguments.end(), options.begin(), options.end());
   const auto result = run_lentray(arguments, folder.path());
@@ -214,9 +224,10 @@ const Case kCases[] = {
      moved(moved(looking({0, 1, -6}, {0, 0, 0}, 1, 4.0L / 3, 1), {0, 10, 0}, 1, {0, 0, 0}),
            {0, 15, 0}, 1.25L, {0, 0, 0}),
      1.25L * length({0, 1, 6})},
-    {"sky_and_angle", "camera { sky <1,3,0> location <2,1,-8> look_at <0,.5,0> right x*4/3 angle 50 }",
-     looking({2, 1, -8}, {0, .5L, 0}, 2.0L / 3 / std::tan(25.0L * std::acos(-1.0L) / 180), 4.0L / 3, 1,
-             {1, 3, 0}),
+    {"sky_and_angle",
+     "camera { sky <1,3,0> location <2,1,-8> look_at <0,.5,0> right x*4/3 angle 50 }",
+     looking({2, 1, -8}, {0, .5L, 0}, 2.0L / 3 / std::tan(25.0L * std::acos(-1.0L) / 180), 4.0L / 3,
+             1, {1, 3, 0}),
      length({2, .5L, 8})},
     {"words_in_old_order",
      "#version 3.1;\ncamera { location <0,1,-6> look_at <.3,.2,.5> direction <0,0,2> right x*4/3\n"
@@ -233,54 +244,152 @@ const Case kCases[] = {
     {"oblique_direction",
      "camera { location <-1,1,-8> direction <.25,-.2,1.5> right x*4/3 up y }",
      {{-1, 1, -8}, {.25L, -.2L, 1.5L}, {4.0L / 3, 0, 0}, {0, 1, 0}},
-     7.5L, false, {"Sheet_Distance=7.5"}},
+     7.5L,
+     false,
+     {"Sheet_Distance=7.5"}},
     {"oblique_and_mirrored",
      "camera { location <-1,1,-8> direction <.25,-.2,1.5> right -x*4/3 up y*.75 rotate <0,8,3> }",
-     moved({{-1, 1, -8}, {.25L, -.2L, 1.5L}, {-4.0L / 3, 0, 0}, {0, .75L, 0}}, {0, 8, 3}, 1, {0, 0, 0}),
-     7.5L, false, {"Sheet_Distance=7.5"}},
+     moved({{-1, 1, -8}, {.25L, -.2L, 1.5L}, {-4.0L / 3, 0, 0}, {0, .75L, 0}}, {0, 8, 3}, 1,
+           {0, 0, 0}),
+     7.5L,
+     false,
+     {"Sheet_Distance=7.5"}},
     {"oblique_from_infinity",
      "camera { location <-1,1,-8> direction <.25,-.2,1.5> right x*4/3 up y }",
      {{-1, 1, -8}, {.25L, -.2L, 1.5L}, {4.0L / 3, 0, 0}, {0, 1, 0}},
-     7.5L, false, {"Sheet_Distance=7.5", "View_Distance=inf"}, kInfinite, false, 5, -1, false},
+     7.5L,
+     false,
+     {"Sheet_Distance=7.5", "View_Distance=inf"},
+     kInfinite,
+     false,
+     5,
+     -1,
+     false},
     {"oblique_pinhole",
      "camera { location <-1,1,-8> direction <.25,-.2,1.5> right x*4/3 up y }",
      {{-1, 1, -8}, {.25L, -.2L, 1.5L}, {4.0L / 3, 0, 0}, {0, 1, 0}},
-     7.5L, false, {"Sheet_Distance=7.5", "Lens_Model=pinhole"}, kEye, false, 5, -1, false},
-    {"sheet_distance", "camera { location <1,2,-9> look_at <.5,0,1> right x*4/3 }",
-     looking({1, 2, -9}, {.5L, 0, 1}, 1, 4.0L / 3, 1), 6.25L, false, {"Sheet_Distance=6.25"}},
-    {"from_infinity", "camera { location <1,2,-9> look_at <.5,0,1> right x*4/3 }",
-     looking({1, 2, -9}, {.5L, 0, 1}, 1, 4.0L / 3, 1), length({.5L, 2, 10}), false,
-     {"View_Distance=inf"}, kInfinite, false, 5, -1, false},
-    {"zero_means_infinity", "camera { location <1,2,-9> look_at <.5,0,1> right x*4/3 }",
-     looking({1, 2, -9}, {.5L, 0, 1}, 1, 4.0L / 3, 1), length({.5L, 2, 10}), false,
-     {"View_Distance=0", "Lens_Model=paraxial"}, kInfinite, true, 5, -1, false},
-    {"nearer_than_the_eye", "camera { location <1,2,-9> look_at <.5,0,1> right x*4/3 }",
-     looking({1, 2, -9}, {.5L, 0, 1}, 1, 4.0L / 3, 1), length({.5L, 2, 10}), false,
-     {"View_Distance=25"}, 25.0L, true, 5, -1, false},
-    {"farther_than_the_eye", "camera { location <1,2,-9> look_at <.5,0,1> right x*4/3 }",
-     looking({1, 2, -9}, {.5L, 0, 1}, 1, 4.0L / 3, 1), length({.5L, 2, 10}), false,
-     {"View_Distance=80"}, 80.0L, true, 5, -1, false},
-    {"pinhole_at_the_eye", "camera { location <1,2,-9> look_at <.5,0,1> right x*4/3 }",
-     looking({1, 2, -9}, {.5L, 0, 1}, 1, 4.0L / 3, 1), length({.5L, 2, 10}), false,
-     {"Lens_Model=pinhole"}, kEye, false, 5, -1, false},
-    {"own_front", "camera { location <1,2,-9> look_at <.5,0,1> right x*4/3 }",
-     looking({1, 2, -9}, {.5L, 0, 1}, 1, 4.0L / 3, 1), length({.5L, 2, 10}), false,
-     {"Lens_Front=3.5"}, kEye, true, 5, 3.5L},
-    {"fractional_pixels", "camera { location <1,2,-9> look_at <.5,0,1> right x*4/3 }",
-     looking({1, 2, -9}, {.5L, 0, 1}, 1, 4.0L / 3, 1), length({.5L, 2, 10}), false, {}, kEye, true,
-     7.3L, -1, false},
-    {"orthographic", "camera { orthographic location <1,2,-9> right x*8 up y*6 look_at <.5,0,1> }",
-     looking({1, 2, -9}, {.5L, 0, 1}, 1, 8, 6), 0.0L, true, {}, kInfinite, false},
-    {"orthographic_by_look_at", "camera { orthographic location <1,2,-9> look_at <.5,0,1> }",
-     looking({1, 2, -9}, {.5L, 0, 1}, 1, 1.33L * length({.5L, 2, 10}), length({.5L, 2, 10})), 0.0L,
-     true, {}, kInfinite, false},
+     7.5L,
+     false,
+     {"Sheet_Distance=7.5", "Lens_Model=pinhole"},
+     kEye,
+     false,
+     5,
+     -1,
+     false},
+    {"sheet_distance",
+     "camera { location <1,2,-9> look_at <.5,0,1> right x*4/3 }",
+     looking({1, 2, -9}, {.5L, 0, 1}, 1, 4.0L / 3, 1),
+     6.25L,
+     false,
+     {"Sheet_Distance=6.25"}},
+    {"from_infinity",
+     "camera { location <1,2,-9> look_at <.5,0,1> right x*4/3 }",
+     looking({1, 2, -9}, {.5L, 0, 1}, 1, 4.0L / 3, 1),
+     length({.5L, 2, 10}),
+     false,
+     {"View_Distance=inf"},
+     kInfinite,
+     false,
+     5,
+     -1,
+     false},
+    {"zero_means_infinity",
+     "camera { location <1,2,-9> look_at <.5,0,1> right x*4/3 }",
+     looking({1, 2, -9}, {.5L, 0, 1}, 1, 4.0L / 3, 1),
+     length({.5L, 2, 10}),
+     false,
+     {"View_Distance=0", "Lens_Model=paraxial"},
+     kInfinite,
+     true,
+     5,
+     -1,
+     false},
+    {"nearer_than_the_eye",
+     "camera { location <1,2,-9> look_at <.5,0,1> right x*4/3 }",
+     looking({1, 2, -9}, {.5L, 0, 1}, 1, 4.0L / 3, 1),
+     length({.5L, 2, 10}),
+     false,
+     {"View_Distance=25"},
+     25.0L,
+     true,
+     5,
+     -1,
+     false},
+    {"farther_than_the_eye",
+     "camera { location <1,2,-9> look_at <.5,0,1> right x*4/3 }",
+     looking({1, 2, -9}, {.5L, 0, 1}, 1, 4.0L / 3, 1),
+     length({.5L, 2, 10}),
+     false,
+     {"View_Distance=80"},
+     80.0L,
+     true,
+     5,
+     -1,
+     false},
+    {"pinhole_at_the_eye",
+     "camera { location <1,2,-9> look_at <.5,0,1> right x*4/3 }",
+     looking({1, 2, -9}, {.5L, 0, 1}, 1, 4.0L / 3, 1),
+     length({.5L, 2, 10}),
+     false,
+     {"Lens_Model=pinhole"},
+     kEye,
+     false,
+     5,
+     -1,
+     false},
+    {"own_front",
+     "camera { location <1,2,-9> look_at <.5,0,1> right x*4/3 }",
+     looking({1, 2, -9}, {.5L, 0, 1}, 1, 4.0L / 3, 1),
+     length({.5L, 2, 10}),
+     false,
+     {"Lens_Front=3.5"},
+     kEye,
+     true,
+     5,
+     3.5L},
+    {"fractional_pixels",
+     "camera { location <1,2,-9> look_at <.5,0,1> right x*4/3 }",
+     looking({1, 2, -9}, {.5L, 0, 1}, 1, 4.0L / 3, 1),
+     length({.5L, 2, 10}),
+     false,
+     {},
+     kEye,
+     true,
+     7.3L,
+     -1,
+     false},
+    {"orthographic",
+     "camera { orthographic location <1,2,-9> right x*8 up y*6 look_at <.5,0,1> }",
+     looking({1, 2, -9}, {.5L, 0, 1}, 1, 8, 6),
+     0.0L,
+     true,
+     {},
+     kInfinite,
+     false},
+    {"orthographic_by_look_at",
+     "camera { orthographic location <1,2,-9> look_at <.5,0,1> }",
+     looking({1, 2, -9}, {.5L, 0, 1}, 1, 1.33L * length({.5L, 2, 10}), length({.5L, 2, 10})),
+     0.0L,
+     true,
+     {},
+     kInfinite,
+     false},
     {"orthographic_oblique",
      "camera { orthographic location <-1,1,-8> direction <.2,-.1,1> right x*8 up y*6 }",
-     {{-1, 1, -8}, {.2L, -.1L, 1}, {8, 0, 0}, {0, 6, 0}}, 0.0L, true, {}, kInfinite, false},
+     {{-1, 1, -8}, {.2L, -.1L, 1}, {8, 0, 0}, {0, 6, 0}},
+     0.0L,
+     true,
+     {},
+     kInfinite,
+     false},
     {"orthographic_moved_sheet",
      "camera { orthographic location <-1,1,-8> direction <.2,-.1,1> right -x*8 up y*6 }",
-     {{-1, 1, -8}, {.2L, -.1L, 1}, {-8, 0, 0}, {0, 6, 0}}, 7.0L, true,
-     {"Sheet_Distance=7", "Lens_Model=paraxial"}, kInfinite, true},
+     {{-1, 1, -8}, {.2L, -.1L, 1}, {-8, 0, 0}, {0, 6, 0}},
+     7.0L,
+     true,
+     {"Sheet_Distance=7", "Lens_Model=paraxial"},
+     kInfinite,
+     true},
 };
 
 INSTANTIATE_TEST_SUITE_P(Cameras, SheetCameraRays, ::testing::ValuesIn(kCases),
@@ -366,8 +475,8 @@ TEST_P(SheetCameraViews, AreStocks) {
   tool::write_text(folder / "scene.pov", scene_of(trial()));
   std::vector<std::string> arguments = options_of(trial());
   arguments.insert(arguments.end(),
-                   {"scene.pov", "+W" + std::to_string(columns_of(trial())), "+H60", "--threads", "1",
-                    "--no-pictures", "--grade", "exact", "--json", "report.json"});
+                   {"scene.pov", "+W" + std::to_string(columns_of(trial())), "+H60", "--threads",
+                    "1", "--no-pictures", "--grade", "exact", "--json", "report.json"});
   const auto result = run_diff(arguments, folder.path());
   EXPECT_EQ(result.status, 0) << result.output;
 }
@@ -375,9 +484,10 @@ TEST_P(SheetCameraViews, AreStocks) {
 INSTANTIATE_TEST_SUITE_P(Cameras, SheetCameraViews,
                          ::testing::Values("look_at_under_transforms", "mirrored_right",
                                            "oblique_direction", "oblique_from_infinity",
-                                           "oblique_pinhole", "from_infinity", "nearer_than_the_eye",
-                                           "pinhole_at_the_eye", "own_front", "fractional_pixels",
-                                           "orthographic", "orthographic_oblique"),
+                                           "oblique_pinhole", "from_infinity",
+                                           "nearer_than_the_eye", "pinhole_at_the_eye", "own_front",
+                                           "fractional_pixels", "orthographic",
+                                           "orthographic_oblique"),
                          [](const auto& trial) { return trial.param; });
 
 // What is said and refused, by the whole program.
@@ -386,7 +496,8 @@ nlohmann::json lens_of(const std::string& camera, std::vector<std::string> more,
                        const std::string& things = kThings) {
   const tool::TemporaryFolder folder;
   tool::write_text(folder / "scene.pov", things + camera + "\n");
-  more.insert(more.end(), {"+Iscene.pov", "+Oo.png", "+W200", "+H30", "-V", "Statistics_File=s.json"});
+  more.insert(more.end(),
+              {"+Iscene.pov", "+Oo.png", "+W200", "+H30", "-V", "Statistics_File=s.json"});
   const auto result = run_lentray(more, folder.path());
   said = result.output;
   if (result.status != 0) return {};
@@ -411,7 +522,8 @@ TEST(SheetCamera, WithoutLookAtTheMedianDepthCounts) {
   // With a look_at nothing is looked for.
   (void)lens_of("camera { location <0,0,-9> look_at 0 }", {"Lenticular=On"}, said);
   EXPECT_NE(said.find("Sheet distance 9, where the camera looks at"), std::string::npos) << said;
-  (void)lens_of("camera { location <0,0,-9> look_at 0 }", {"Lenticular=On", "Sheet_Distance=4"}, said);
+  (void)lens_of("camera { location <0,0,-9> look_at 0 }", {"Lenticular=On", "Sheet_Distance=4"},
+                said);
   EXPECT_NE(said.find("Sheet distance 4, as asked for"), std::string::npos) << said;
   // Away from everything there is no depth.
   EXPECT_TRUE(lens_of("camera { location y*3 direction y right x up z }", {"Lenticular=On"}, said)
@@ -428,9 +540,9 @@ TEST(SheetCamera, ModelFollowsTheViewingDistance) {
   EXPECT_EQ(lens_of(camera, {"Lenticular=On", "View_Distance=300"}, said)["model"], "paraxial");
   EXPECT_EQ(lens_of(camera, {"Lenticular=On", "View_Distance=inf"}, said)["model"], "pinhole");
   EXPECT_EQ(lens_of(orthographic, {"Lenticular=On"}, said)["model"], "pinhole");
-  EXPECT_EQ(lens_of(camera, {"Lenticular=On", "View_Distance=inf", "Lens_Model=paraxial"},
-                    said)["model"],
-            "paraxial");
+  EXPECT_EQ(
+      lens_of(camera, {"Lenticular=On", "View_Distance=inf", "Lens_Model=paraxial"}, said)["model"],
+      "paraxial");
   EXPECT_EQ(lens_of(camera, {"Lenticular=On", "Lens_Model=pinhole"}, said)["model"], "pinhole");
   EXPECT_NE(said.find("Rays miss the eyes of their views by at most "), std::string::npos) << said;
 }
@@ -466,14 +578,15 @@ TEST(SheetCamera, FrontIsTheEyesPlaneAndNoFarther) {
   EXPECT_EQ(said.find("lens_front"), std::string::npos) << said;
   EXPECT_NEAR(lens_of(camera, {"Lenticular=On", "View_Distance=inf"}, said)["front"].get<double>(),
               9.0, 1e-12);
-  EXPECT_NEAR(lens_of(camera, {"Lenticular=On", "Lens_Front=100"}, said)["front"].get<double>(), 9.0,
-              1e-12);
+  EXPECT_NEAR(lens_of(camera, {"Lenticular=On", "Lens_Front=100"}, said)["front"].get<double>(),
+              9.0, 1e-12);
   EXPECT_NE(said.find("lens_front reaches beyond the eye"), std::string::npos) << said;
   EXPECT_NEAR(lens_of(camera, {"Lenticular=On", "Lens_Front=2"}, said)["front"].get<double>(), 2.0,
               1e-15);
-  EXPECT_NEAR(lens_of(camera, {"Lenticular=On", "Lens_Front=100", "View_Distance=inf"},
-                      said)["front"].get<double>(),
-              100.0, 1e-12);
+  EXPECT_NEAR(
+      lens_of(camera, {"Lenticular=On", "Lens_Front=100", "View_Distance=inf"}, said)["front"]
+          .get<double>(),
+      100.0, 1e-12);
   EXPECT_EQ(lens_of("camera { orthographic location <0,1,-9> right x*8 up y*6 look_at 0 }",
                     {"Lenticular=On"}, said)["front"],
             0.0);

@@ -9,8 +9,8 @@ namespace {
 
 struct SpdScene {
   const char* name;
-  int size;      ///< for the pictures
-  int published; ///< objects at the published size, as the compiled scene has them
+  int size;       ///< for the pictures
+  int published;  ///< objects at the published size, as the compiled scene has them
 };
 
 void PrintTo(const SpdScene& scene, std::ostream* out) { *out << scene.name; }
@@ -39,8 +39,10 @@ TEST_P(ImageSpd, IntegralMatchesStock) {
 TEST_P(ImageSpd, HasThePublishedObjects) {
   const tool::RunResult result = run_lentray({"+I" + file(), "--explain"});
   ASSERT_EQ(result.status, 0) << result.output;
-  EXPECT_NE(result.output.find(" " + std::to_string(GetParam().published) +
-                               " after splitting unions"), std::string::npos) << result.output;
+  EXPECT_NE(
+      result.output.find(" " + std::to_string(GetParam().published) + " after splitting unions"),
+      std::string::npos)
+      << result.output;
 }
 
 // rings 4200 + 4200 + wall; tree 4095 + 4095 + field; mount 2 * 4^6 + 4; teapot 64 n^2 - 8 n

@@ -45,8 +45,8 @@ inline std::vector<double> stock_values(const std::string& function, const std::
   scene << "#declare I = I + 1; #end\n#fclose OUT\n";
   const tool::TemporaryFolder folder;
   tool::write_text(folder / "scene.pov", scene.str());
-  const tool::RunResult result =
-      tool::run_program({"povray", "+Iscene.pov", "+Oout.png", "+W1", "+H1", "-D"}, folder.path(), 300.0);
+  const tool::RunResult result = tool::run_program(
+      {"povray", "+Iscene.pov", "+Oout.png", "+W1", "+H1", "-D"}, folder.path(), 300.0);
   std::vector<double> values;
   std::ifstream lines(folder / "values.txt");
   for (std::string line; std::getline(lines, line);) values.push_back(std::stod(line));

@@ -19,10 +19,11 @@ namespace fs = std::filesystem;
 using tool::TemporaryFolder;
 
 /// Each pixel another grey: does not compress.
-constexpr const char* kNoise = "#version 3.7;\nglobal_settings { assumed_gamma 1 }\n"
-                               "camera { location <0,0,-3> look_at 0 }\n"
-                               "plane { z, 0 pigment { cells scale 0.0007 } "
-                               "finish { ambient 1 diffuse 0 } }\n";
+constexpr const char* kNoise =
+    "#version 3.7;\nglobal_settings { assumed_gamma 1 }\n"
+    "camera { location <0,0,-3> look_at 0 }\n"
+    "plane { z, 0 pigment { cells scale 0.0007 } "
+    "finish { ambient 1 diffuse 0 } }\n";
 
 /// Waits for what must come; false if it does not.
 bool comes(const std::function<bool()>& it, double seconds = 60.0) {
@@ -93,9 +94,10 @@ class ImageStop : public ::testing::Test {
 
   tool::RunResult render(const std::string& output, const std::string& before = "",
                          const std::string& after = "") const {
-    return tool::run_program({"/bin/sh", "-c", before + " '" + program("lentray").string() +
-                                           "' noise.pov +W300 +H200 -V +O" + output + " " + after},
-                     m_folder.path());
+    return tool::run_program({"/bin/sh", "-c",
+                              before + " '" + program("lentray").string() +
+                                  "' noise.pov +W300 +H200 -V +O" + output + " " + after},
+                             m_folder.path());
   }
 
   std::string text(const std::string& name) const { return tool::read_text(m_folder / name); }
@@ -128,13 +130,15 @@ INSTANTIATE_TEST_SUITE_P(Signals, ImageStopSignal,
 // Reading and a dear pixel are not asked whether they should stop; they are ended.
 TEST_F(ImageStop, WhateverItIsAtTheRunEndsSoon) {
   tool::write_text(m_folder / "reads.pov", "#while (1) #end\n");
-  tool::write_text(m_folder / "dear.pov",
-                   "#version 3.7; global_settings { assumed_gamma 1 } camera { location -5*z look_at 0 }\n"
-                   "#for (I, 1, 8) light_source { <3, 5, -5>*I, 1 area_light x, y, 9000, 9000 } #end\n"
-                   "plane { y, -1 pigment { rgb 1 } } sphere { 0, 1 pigment { rgbt .5 } }\n");
+  tool::write_text(
+      m_folder / "dear.pov",
+      "#version 3.7; global_settings { assumed_gamma 1 } camera { location -5*z look_at 0 }\n"
+      "#for (I, 1, 8) light_source { <3, 5, -5>*I, 1 area_light x, y, 9000, 9000 } #end\n"
+      "plane { y, -1 pigment { rgb 1 } } sphere { 0, 1 pigment { rgbt .5 } }\n");
   tool::write_text(m_folder / "builds.pov",
                    "#version 3.7; #include \"functions.inc\"\n"
-                   "height_field { function 9900, 9900 { f_noise3d(x*50, y*50, 0) + f_noise3d(x*99, y, 1) } pigment { rgb 1 } }\n");
+                   "height_field { function 9900, 9900 { f_noise3d(x*50, y*50, 0) + "
+                   "f_noise3d(x*99, y, 1) } pigment { rgb 1 } }\n");
   tool::write_text(m_folder / "a.png", "an older picture");
   for (const char* scene : {"reads.pov", "builds.pov", "dear.pov"}) {
     Running run({scene, "+W40", "+H30", "-V", "-GA", "+Oa.png"}, m_folder.path());
@@ -143,7 +147,8 @@ TEST_F(ImageStop, WhateverItIsAtTheRunEndsSoon) {
     run.signal(SIGTERM);
     EXPECT_EQ(run.wait(), 2) << scene << text("log");
     EXPECT_LT(std::chrono::steady_clock::now() - then, std::chrono::seconds(10)) << scene;
-    EXPECT_NE(text("log").find("stopped; no picture was written"), std::string::npos) << scene << text("log");
+    EXPECT_NE(text("log").find("stopped; no picture was written"), std::string::npos)
+        << scene << text("log");
     EXPECT_EQ(text("a.png"), "an older picture");
     EXPECT_EQ(parts().size(), 0u) << scene;
   }
@@ -159,14 +164,17 @@ TEST_F(ImageStop, TheTimeEndsWhateverItIsAt) {
     const auto taken = std::chrono::steady_clock::now() - then;
     EXPECT_GT(taken, std::chrono::milliseconds(900)) << scene;
     EXPECT_LT(taken, std::chrono::seconds(10)) << scene;
-    EXPECT_NE(text("log").find("the time is over (Max_Time); no picture was written"), std::string::npos) << scene << text("log");
+    EXPECT_NE(text("log").find("the time is over (Max_Time); no picture was written"),
+              std::string::npos)
+        << scene << text("log");
     EXPECT_EQ(text("a.png"), "an older picture");
     EXPECT_EQ(parts().size(), 0u) << scene;
   }
 }
 
 TEST_F(ImageStop, ARunWhoseTimeIsOverIsGoneOnWith) {
-  const std::vector<std::string> words{"noise.pov", "+W2400", "+H2000", "-V", "+WT2", "+Oa.png", "Band_Height=64"};
+  const std::vector<std::string> words{"noise.pov", "+W2400",  "+H2000",        "-V",
+                                       "+WT2",      "+Oa.png", "Band_Height=64"};
   const auto with = [&](const std::vector<std::string>& more) {
     std::vector<std::string> all = words;
     all.insert(all.end(), more.begin(), more.end());
@@ -212,8 +220,8 @@ TEST_F(ImageStop, TwoRunsOfOnePictureDoNotDisturbEachOther) {
 
 TEST_F(ImageStop, SignalsThatAreIgnoredStaySo) {
   // As nohup starts a program.
-  Running run({"noise.pov", "+W2000", "+H2000", "-V", "+Oa.png", "Band_Height=4"},
-              m_folder.path(), SIGHUP);
+  Running run({"noise.pov", "+W2000", "+H2000", "-V", "+Oa.png", "Band_Height=4"}, m_folder.path(),
+              SIGHUP);
   ASSERT_TRUE(begun());
   run.signal(SIGHUP);
   EXPECT_EQ(run.wait(), 0) << text("log");
@@ -253,10 +261,11 @@ TEST_F(ImageStop, AFullDeviceHasItsReason) {
 }
 
 TEST_F(ImageStop, AReaderThatWentAway) {
-  const auto result = tool::run_program(
-      {"/bin/sh", "-c", "export TMPDIR=\"$PWD\"; { '" + program("lentray").string() +
-                            "' noise.pov +W600 +H400 +FN16 -V +O-; echo status $? >&2; } | :"},
-      m_folder.path());
+  const auto result =
+      tool::run_program({"/bin/sh", "-c",
+                         "export TMPDIR=\"$PWD\"; { '" + program("lentray").string() +
+                             "' noise.pov +W600 +H400 +FN16 -V +O-; echo status $? >&2; } | :"},
+                        m_folder.path());
   EXPECT_NE(result.output.find("cannot write to standard output: Broken pipe"), std::string::npos)
       << result.output;
   EXPECT_NE(result.output.find("status 1"), std::string::npos) << result.output;

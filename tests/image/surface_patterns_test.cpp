@@ -26,66 +26,93 @@ const Case kCases[] = {
     {"uv_sphere", "sphere { 0, 1 pigment { uv_mapping Squares } rotate <20,30,10> }"},
     {"uv_box", "box { -.8, .8 texture { uv_mapping pigment { Squares } } rotate 25*y }"},
     {"uv_torus", "torus { .8, .35 pigment { uv_mapping Squares } rotate -30*x }"},
-    {"uv_lathe", "lathe { 5 <0,-.9>,<.9,-.6>,<.4,0>,<1,.7>,<0,.9> pigment { uv_mapping Squares } }"},
-    {"uv_lathe_bezier", "lathe { bezier_spline 8 <0,-.9>,<.9,-.9>,<.9,-.3>,<.4,0>,<.4,0>,<.1,.4>,<1,.7>,<0,.9>"
-                        " pigment { uv_mapping Squares } }"},
-    {"uv_sor", "sor { 7 <0,-1>,<.5,-.9>,<.9,-.3>,<.3,.2>,<.6,.8>,<.2,1>,<0,1.1>"
-               " pigment { uv_mapping Squares } }"},
+    {"uv_lathe",
+     "lathe { 5 <0,-.9>,<.9,-.6>,<.4,0>,<1,.7>,<0,.9> pigment { uv_mapping Squares } }"},
+    {"uv_lathe_bezier",
+     "lathe { bezier_spline 8 <0,-.9>,<.9,-.9>,<.9,-.3>,<.4,0>,<.4,0>,<.1,.4>,<1,.7>,<0,.9>"
+     " pigment { uv_mapping Squares } }"},
+    {"uv_sor",
+     "sor { 7 <0,-1>,<.5,-.9>,<.9,-.3>,<.3,.2>,<.6,.8>,<.2,1>,<0,1.1>"
+     " pigment { uv_mapping Squares } }"},
     {"uv_ovus", "ovus { .7, .5 pigment { uv_mapping Squares } rotate 20*z }"},
-    {"uv_patch", "bicubic_patch { type 1 u_steps 3 v_steps 3 uv_vectors <0,0>,<1,0>,<1,1>,<0,1>"
-                 " <-1.4,-.5,-1>,<-.5,.8,-1.2>,<.5,-.6,-1>,<1.4,.4,-1>,<-1.5,.3,-.4>,<-.5,-.5,-.3>,"
-                 "<.5,1.9,-.4>,<1.5,0,-.2>,<-1.3,-.4,.4>,<-.4,.9,.3>,<.4,-.8,.5>,<1.4,.7,.4>,"
-                 "<-1.4,.5,1.1>,<-.5,-.2,1>,<.5,.6,1.3>,<1.3,-.3,1> pigment { uv_mapping Squares } }"},
-    {"uv_mesh2", "mesh2 { vertex_vectors { 4 <-1,-1,0>,<1,-1,0>,<1,1,.5>,<-1,1,.2> }"
-                 " uv_vectors { 4 <0,0>,<1,0>,<1,1>,<0,1> } face_indices { 2 <0,1,2>,<0,2,3> }"
-                 " uv_mapping pigment { Squares } rotate 10*y }"},
-    {"uv_mesh_without", "mesh { triangle { <-1,-1,0>, <1,-1,0>, <1,1,.5> } triangle { <-1,-1,0>, <1,1,.5>, <-1,1,.2>"
-                        " uv_vectors <.2,.5>, <.5,.5>, <.7,.9> } pigment { uv_mapping Squares } rotate 10*y }"},
+    {"uv_patch",
+     "bicubic_patch { type 1 u_steps 3 v_steps 3 uv_vectors <0,0>,<1,0>,<1,1>,<0,1>"
+     " <-1.4,-.5,-1>,<-.5,.8,-1.2>,<.5,-.6,-1>,<1.4,.4,-1>,<-1.5,.3,-.4>,<-.5,-.5,-.3>,"
+     "<.5,1.9,-.4>,<1.5,0,-.2>,<-1.3,-.4,.4>,<-.4,.9,.3>,<.4,-.8,.5>,<1.4,.7,.4>,"
+     "<-1.4,.5,1.1>,<-.5,-.2,1>,<.5,.6,1.3>,<1.3,-.3,1> pigment { uv_mapping Squares } }"},
+    {"uv_mesh2",
+     "mesh2 { vertex_vectors { 4 <-1,-1,0>,<1,-1,0>,<1,1,.5>,<-1,1,.2> }"
+     " uv_vectors { 4 <0,0>,<1,0>,<1,1>,<0,1> } face_indices { 2 <0,1,2>,<0,2,3> }"
+     " uv_mapping pigment { Squares } rotate 10*y }"},
+    {"uv_mesh_without",
+     "mesh { triangle { <-1,-1,0>, <1,-1,0>, <1,1,.5> } triangle { <-1,-1,0>, <1,1,.5>, <-1,1,.2>"
+     " uv_vectors <.2,.5>, <.5,.5>, <.7,.9> } pigment { uv_mapping Squares } rotate 10*y }"},
     {"uv_plane_takes_x_y", "cylinder { -.9*y, .9*y, .8 pigment { uv_mapping Squares } }"},
-    {"uv_object", "sphere { 0, 1 uv_mapping texture { pigment { Squares } finish { phong .6 } }"
-                  " rotate <20,30,10> scale 1.1 }"},
-    {"uv_csg", "union { box { -.9, -.1 } sphere { .3, .5 pigment { rgb <.5,.9,.5> } }"
-               " sphere { <-.4,.5,-.2>, .5 } uv_mapping pigment { Squares } rotate 20*y }"},
-    {"uv_texture_map", "sphere { 0, 1 texture { uv_mapping gradient x texture_map {"
-                       " [.3 pigment { rgb <.9,.8,.1> }] [.7 pigment { Squares } finish { phong 1 }] } }"
-                       " rotate 30*y }"},
-    {"uv_normal", "sphere { 0, 1 pigment { rgb .8 } normal { uv_mapping gradient x 1 scale .1 }"
-                  " finish { phong .5 } rotate 20*x }"},
-    {"uv_texture_normal_turned", "sphere { 0, 1 texture { uv_mapping pigment { rgb .9 } normal { bumps .5 scale <.1,.03,1> } }"
-                                 " rotate 40*y }"},
-    {"uv_texture_normal_stretched", "sphere { 0, 1 texture { uv_mapping pigment { rgb .9 } normal { bumps .5 scale <.1,.03,1> } }"
-                                    " scale <1,.6,1.2> rotate 30*x }"},
-    {"uv_shadow", "sphere { 0, .9 hollow pigment { uv_mapping checker rgbf <1,.2,.2,.9> rgbt <.2,.3,1,.7>"
-                  " scale .2 } }"},
+    {"uv_object",
+     "sphere { 0, 1 uv_mapping texture { pigment { Squares } finish { phong .6 } }"
+     " rotate <20,30,10> scale 1.1 }"},
+    {"uv_csg",
+     "union { box { -.9, -.1 } sphere { .3, .5 pigment { rgb <.5,.9,.5> } }"
+     " sphere { <-.4,.5,-.2>, .5 } uv_mapping pigment { Squares } rotate 20*y }"},
+    {"uv_texture_map",
+     "sphere { 0, 1 texture { uv_mapping gradient x texture_map {"
+     " [.3 pigment { rgb <.9,.8,.1> }] [.7 pigment { Squares } finish { phong 1 }] } }"
+     " rotate 30*y }"},
+    {"uv_normal",
+     "sphere { 0, 1 pigment { rgb .8 } normal { uv_mapping gradient x 1 scale .1 }"
+     " finish { phong .5 } rotate 20*x }"},
+    {"uv_texture_normal_turned",
+     "sphere { 0, 1 texture { uv_mapping pigment { rgb .9 } normal { bumps .5 scale <.1,.03,1> } }"
+     " rotate 40*y }"},
+    {"uv_texture_normal_stretched",
+     "sphere { 0, 1 texture { uv_mapping pigment { rgb .9 } normal { bumps .5 scale <.1,.03,1> } }"
+     " scale <1,.6,1.2> rotate 30*x }"},
+    {"uv_shadow",
+     "sphere { 0, .9 hollow pigment { uv_mapping checker rgbf <1,.2,.2,.9> rgbt <.2,.3,1,.7>"
+     " scale .2 } }"},
     {"slope", "sphere { 0, 1 pigment { slope y color_map { Steep } } rotate 40*z }"},
     {"slope_range", "sphere { 0, 1 pigment { slope { <1,2,-1>, .2, .8 } color_map { Steep } } }"},
-    {"slope_point_at", "box { -.8, .8 pigment { slope { point_at <2,3,-1> } color_map { Steep } } rotate 30 }"},
-    {"slope_altitude", "torus { .7, .4 pigment { slope { y*2, 0, .9 altitude y, -1, 1 } color_map { Steep } }"
-                       " rotate 50*x }"},
-    {"slope_texture", "sphere { 0, 1 texture { slope y texture_map { [.4 pigment { rgb .2 } finish { phong 1 }]"
-                      " [.7 pigment { rgb <.9,.7,.2> }] } } }"},
-    {"slope_of_lower_layer", "sphere { 0, 1 texture { pigment { slope y color_map { Steep } } }"
-                             " texture { pigment { rgbt .6 } normal { gradient x 2 scale .3 } } }"},
+    {"slope_point_at",
+     "box { -.8, .8 pigment { slope { point_at <2,3,-1> } color_map { Steep } } rotate 30 }"},
+    {"slope_altitude",
+     "torus { .7, .4 pigment { slope { y*2, 0, .9 altitude y, -1, 1 } color_map { Steep } }"
+     " rotate 50*x }"},
+    {"slope_texture",
+     "sphere { 0, 1 texture { slope y texture_map { [.4 pigment { rgb .2 } finish { phong 1 }]"
+     " [.7 pigment { rgb <.9,.7,.2> }] } } }"},
+    {"slope_of_lower_layer",
+     "sphere { 0, 1 texture { pigment { slope y color_map { Steep } } }"
+     " texture { pigment { rgbt .6 } normal { gradient x 2 scale .3 } } }"},
     {"aoi", "sphere { 0, 1 pigment { aoi color_map { Steep } } }"},
-    {"aoi_shadow", "sphere { 0, 1 pigment { aoi color_map { [.5 rgbt <1,0,0,.2>] [1 rgbt <1,1,0,1>] } } }"},
+    {"aoi_shadow",
+     "sphere { 0, 1 pigment { aoi color_map { [.5 rgbt <1,0,0,.2>] [1 rgbt <1,1,0,1>] } } }"},
     {"irid", "sphere { 0, 1 pigment { rgb .6 } finish { irid { .6 thickness .4 } phong .6 } }"},
-    {"irid_turbulent", "sphere { 0, 1 pigment { rgb .6 } finish { diffuse .8 irid { .35 thickness .3 turbulence .7 }"
-                       " reflection .4 } } global_settings { irid_wavelength rgb <.3,.2,.1> }"},
-    {"irid_total_reflection", "torus { .8, .4 pigment { rgbt .8 } finish { irid { .3 thickness 2 } phong .6 } interior { ior 1.3 }"
-                              " rotate 60*x }"},
-    {"density", "box { .02, .97 pigment { density_file df3 \"spiral.df3\" color_map { Steep } }"
-                " translate -.5 scale 1.8 rotate 20*y }"},
-    {"density_linear", "box { .01, .99 pigment { density_file df3 \"spiral.df3\" interpolate 1 }"
-                       " translate -.5 scale 1.8 rotate 20*y }"},
-    {"density_cubic", "box { .1, .9 pigment { density_file df3 \"spiral.df3\" interpolate 2 }"
-                      " translate -.5 scale 1.8 rotate 20*y }"},
+    {"irid_turbulent",
+     "sphere { 0, 1 pigment { rgb .6 } finish { diffuse .8 irid { .35 thickness .3 turbulence .7 }"
+     " reflection .4 } } global_settings { irid_wavelength rgb <.3,.2,.1> }"},
+    {"irid_total_reflection",
+     "torus { .8, .4 pigment { rgbt .8 } finish { irid { .3 thickness 2 } phong .6 } interior { "
+     "ior 1.3 }"
+     " rotate 60*x }"},
+    {"density",
+     "box { .02, .97 pigment { density_file df3 \"spiral.df3\" color_map { Steep } }"
+     " translate -.5 scale 1.8 rotate 20*y }"},
+    {"density_linear",
+     "box { .01, .99 pigment { density_file df3 \"spiral.df3\" interpolate 1 }"
+     " translate -.5 scale 1.8 rotate 20*y }"},
+    {"density_cubic",
+     "box { .1, .9 pigment { density_file df3 \"spiral.df3\" interpolate 2 }"
+     " translate -.5 scale 1.8 rotate 20*y }"},
 };
 
 class ImageSurfacePatterns : public ::testing::TestWithParam<Case> {};
 
 TEST_P(ImageSurfacePatterns, AsInStock) {
-  EXPECT_TRUE(same_as_stock({.sdl = std::string(kStage) + GetParam().sdl, .width = 120,
-                             .height = 90, .arguments = {}, .files = {}},
+  EXPECT_TRUE(same_as_stock({.sdl = std::string(kStage) + GetParam().sdl,
+                             .width = 120,
+                             .height = 90,
+                             .arguments = {},
+                             .files = {}},
                             GetParam().grade));
 }
 

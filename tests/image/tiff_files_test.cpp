@@ -43,7 +43,9 @@ std::string pixels(const Tiff& tiff, int channels) {
   for (int pixel = 0; pixel < kWidth * kHeight; ++pixel) {
     for (int c = 0; c < channels; ++c) {
       const unsigned high = sample(pixel, c), low = sample(pixel, 1);
-      all += tiff.bits == 16 ? little(high * 256 + low, 2) : little(tiff.meaning == kPalette ? static_cast<unsigned>(pixel) : high, 1);
+      all += tiff.bits == 16
+                 ? little(high * 256 + low, 2)
+                 : little(tiff.meaning == kPalette ? static_cast<unsigned>(pixel) : high, 1);
     }
     if (tiff.alpha == kNone) continue;
     const unsigned alpha = kAlpha[pixel % 8];
@@ -62,7 +64,8 @@ std::string palette(unsigned times) {
 
 /// Entries of the directory whose values do not fit are put behind it, the pixels at last.
 std::string file(const Tiff& tiff) {
-  const int channels = tiff.meaning == kColours ? 3 : 1, all_channels = channels + (tiff.alpha == kNone ? 0 : 1);
+  const int channels = tiff.meaning == kColours ? 3 : 1,
+            all_channels = channels + (tiff.alpha == kNone ? 0 : 1);
   const std::string image = pixels(tiff, channels);
   const unsigned entries = 9 + (tiff.meaning == kPalette ? 1 : 0) + (tiff.alpha == kNone ? 0 : 1);
   const unsigned behind = 8 + 2 + 12 * entries + 4;
@@ -91,19 +94,27 @@ std::string file(const Tiff& tiff) {
   add(279, 4, 1, little(static_cast<unsigned>(image.size()), 4));
   if (tiff.meaning == kPalette) add(320, 2, 3 * 256, palette(tiff.palette));
   if (tiff.alpha != kNone) add(338, 2, 1, little(tiff.alpha, 2));
-  return std::string("II*\0\x08\0\0\0", 8) + little(entries, 2) + directory + little(0, 4) + values + image;
+  return std::string("II*\0\x08\0\0\0", 8) + little(entries, 2) + directory + little(0, 4) +
+         values + image;
 }
 
-const Tiff kTiffs[] = {
-    {"Grey", kBlackIsZero, 8, kNone},          {"GreyFromWhite", kWhiteIsZero, 8, kNone},
-    {"DeepGrey", kBlackIsZero, 16, kNone},     {"DeepGreyFromWhite", kWhiteIsZero, 16, kNone},
-    {"GreyAlpha", kBlackIsZero, 8, kApart},    {"GreyMultiplied", kBlackIsZero, 8, kMultiplied},
-    {"DeepGreyAlpha", kBlackIsZero, 16, kApart}, {"Colours", kColours, 8, kNone},
-    {"DeepColours", kColours, 16, kNone},      {"Alpha", kColours, 8, kApart},
-    {"Multiplied", kColours, 8, kMultiplied},  {"OfSomeKind", kColours, 8, kUnspecified},
-    {"DeepAlpha", kColours, 16, kApart},       {"DeepMultiplied", kColours, 16, kMultiplied},
-    {"Palette", kPalette, 8, kNone},           {"DeepPalette", kPalette, 8, kNone, 251},
-    {"PaletteOfBytes", kPalette, 8, kNone, 1}};
+const Tiff kTiffs[] = {{"Grey", kBlackIsZero, 8, kNone},
+                       {"GreyFromWhite", kWhiteIsZero, 8, kNone},
+                       {"DeepGrey", kBlackIsZero, 16, kNone},
+                       {"DeepGreyFromWhite", kWhiteIsZero, 16, kNone},
+                       {"GreyAlpha", kBlackIsZero, 8, kApart},
+                       {"GreyMultiplied", kBlackIsZero, 8, kMultiplied},
+                       {"DeepGreyAlpha", kBlackIsZero, 16, kApart},
+                       {"Colours", kColours, 8, kNone},
+                       {"DeepColours", kColours, 16, kNone},
+                       {"Alpha", kColours, 8, kApart},
+                       {"Multiplied", kColours, 8, kMultiplied},
+                       {"OfSomeKind", kColours, 8, kUnspecified},
+                       {"DeepAlpha", kColours, 16, kApart},
+                       {"DeepMultiplied", kColours, 16, kMultiplied},
+                       {"Palette", kPalette, 8, kNone},
+                       {"DeepPalette", kPalette, 8, kNone, 251},
+                       {"PaletteOfBytes", kPalette, 8, kNone, 1}};
 
 class ImageTiffFiles : public ::testing::TestWithParam<Tiff> {};
 
@@ -122,19 +133,28 @@ TEST_P(ImageTiffFiles, Values) {
 
 TEST_P(ImageTiffFiles, Heights) {
   const std::string sdl =
-      "#version 3.7; global_settings { assumed_gamma 1 } camera { location <0,2,-1.5> look_at 0 angle 60 }\n"
-      "light_source { <-3,4,-5>, 1 } height_field { tiff \"a.tif\" translate <-.5,0,-.5> scale 2 pigment { rgb 1 } }";
-  EXPECT_TRUE(same_as_stock({.sdl = sdl, .width = 80, .height = 60, .arguments = {}, .files = {{"a.tif", file(GetParam())}}}));
+      "#version 3.7; global_settings { assumed_gamma 1 } camera { location <0,2,-1.5> look_at 0 "
+      "angle 60 }\n"
+      "light_source { <-3,4,-5>, 1 } height_field { tiff \"a.tif\" translate <-.5,0,-.5> scale 2 "
+      "pigment { rgb 1 } }";
+  EXPECT_TRUE(same_as_stock({.sdl = sdl,
+                             .width = 80,
+                             .height = 60,
+                             .arguments = {},
+                             .files = {{"a.tif", file(GetParam())}}}));
 }
 
 /// Colours are divided by their alpha once pixels are mixed, with the transparency that the map gives them.
 TEST_P(ImageTiffFiles, MixedAndMadeClearer) {
   std::string sdl = std::string("#version 3.7; global_settings { assumed_gamma 1 }") + kOpenValues;
   int number = 0;
-  for (const char* words : {"interpolate 2", "premultiplied off interpolate 2", "transmit all .3", "filter all .3 transmit all 1",
-                            "interpolate 3 transmit all .1 filter all .2", "premultiplied off transmit all .3"}) {
-    sdl += values("pigment { image_map { tiff \"a.tif\" " + std::string(words) + " } translate .03*x }", "C" + std::to_string(number++),
-                  "vstr(5, C, \" \", 0, 9)");
+  for (const char* words :
+       {"interpolate 2", "premultiplied off interpolate 2", "transmit all .3",
+        "filter all .3 transmit all 1", "interpolate 3 transmit all .1 filter all .2",
+        "premultiplied off transmit all .3"}) {
+    sdl += values(
+        "pigment { image_map { tiff \"a.tif\" " + std::string(words) + " } translate .03*x }",
+        "C" + std::to_string(number++), "vstr(5, C, \" \", 0, 9)");
   }
   expect_same_values(sdl, {{"a.tif", file(GetParam())}});
 }
@@ -142,20 +162,31 @@ TEST_P(ImageTiffFiles, MixedAndMadeClearer) {
 std::string palette_file() { return file(kTiffs[std::size(kTiffs) - 2]); }
 
 TEST(ImageTiffPalettes, EntriesByNumber) {
-  std::string sdl = "#version 3.7; global_settings { assumed_gamma 1 } camera { location -3*z look_at 0 angle 50 }\n"
-                    "#default { finish { ambient .6 diffuse .4 } } plane { z, 3 pigment { checker rgb 1 rgb x scale .3 } finish { ambient 1 diffuse 0 } }\n";
+  std::string sdl =
+      "#version 3.7; global_settings { assumed_gamma 1 } camera { location -3*z look_at 0 angle 50 "
+      "}\n"
+      "#default { finish { ambient .6 diffuse .4 } } plane { z, 3 pigment { checker rgb 1 rgb x "
+      "scale .3 } finish { ambient 1 diffuse 0 } }\n";
   int column = 0;
-  for (const char* looks : {"pigment { image_map { tiff \"a.tif\" transmit 3, .6 filter 5, .8 filter all .2 filter 6, .9 } }",
-                            "pigment { image_map { tiff \"a.tif\" transmit all .5 transmit 4, .1 interpolate 2 } }",
-                            "pigment { image_pattern { tiff \"a.tif\" use_alpha } color_map { [0 rgb y] [1 rgb z] } }",
-                            "texture { material_map { tiff \"a.tif\" texture { pigment { rgb x } } texture { pigment { rgb y } }"
-                            " texture { pigment { rgb z } } } }",
-                            "pigment { rgb 1 } normal { bump_map { tiff \"a.tif\" use_index bump_size 2 } scale .5 }"}) {
+  for (const char* looks :
+       {"pigment { image_map { tiff \"a.tif\" transmit 3, .6 filter 5, .8 filter all .2 filter 6, "
+        ".9 } }",
+        "pigment { image_map { tiff \"a.tif\" transmit all .5 transmit 4, .1 interpolate 2 } }",
+        "pigment { image_pattern { tiff \"a.tif\" use_alpha } color_map { [0 rgb y] [1 rgb z] } }",
+        "texture { material_map { tiff \"a.tif\" texture { pigment { rgb x } } texture { pigment { "
+        "rgb y } }"
+        " texture { pigment { rgb z } } } }",
+        "pigment { rgb 1 } normal { bump_map { tiff \"a.tif\" use_index bump_size 2 } scale .5 "
+        "}"}) {
     const std::string left = std::to_string(-1.3 + 0.55 * column++);
     sdl += "box { <" + left + ",-1,0>, <" + left + "+.5,1,.1> " + looks + " }\n";
   }
   sdl += "light_source { <-3,4,-5>, 1 }";
-  EXPECT_TRUE(same_as_stock({.sdl = sdl, .width = 96, .height = 48, .arguments = {}, .files = {{"a.tif", palette_file()}}}));
+  EXPECT_TRUE(same_as_stock({.sdl = sdl,
+                             .width = 96,
+                             .height = 48,
+                             .arguments = {},
+                             .files = {{"a.tif", palette_file()}}}));
 }
 
 TEST(ImageTiffPalettes, EntriesThatAreNotThere) {
@@ -163,7 +194,8 @@ TEST(ImageTiffPalettes, EntriesThatAreNotThere) {
   tool::write_text(folder / "a.tif", palette_file());
   for (const bool is_there : {true, false}) {
     tool::write_text(folder / "scene.pov",
-                     "#version 3.7; global_settings { assumed_gamma 1 }\nsphere { 0, 1 pigment { image_map { tiff \"a.tif\"\n filter " +
+                     "#version 3.7; global_settings { assumed_gamma 1 }\nsphere { 0, 1 pigment { "
+                     "image_map { tiff \"a.tif\"\n filter " +
                          std::string(is_there ? "255" : "256") + ", .5 } } }\n");
     const std::vector<std::string> arguments{"+Iscene.pov", "+Oa.png", "+W4", "+H3", "-D"};
     std::vector<std::string> stock_arguments{"povray"};
@@ -171,7 +203,10 @@ TEST(ImageTiffPalettes, EntriesThatAreNotThere) {
     EXPECT_EQ(tool::run_program(stock_arguments, folder.path(), 60.0).status == 0, is_there);
     const tool::RunResult ours = run_lentray(arguments, folder.path());
     EXPECT_EQ(ours.status, is_there ? 0 : 1) << ours.output;
-    EXPECT_EQ(ours.output.find("scene.pov:3:9: error: expected an entry of the palette") == std::string::npos, is_there) << ours.output;
+    EXPECT_EQ(ours.output.find("scene.pov:3:9: error: expected an entry of the palette") ==
+                  std::string::npos,
+              is_there)
+        << ours.output;
   }
 }
 

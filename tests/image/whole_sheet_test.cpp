@@ -50,23 +50,22 @@ constexpr const char* kMesh = "mesh_camera";
 
 INSTANTIATE_TEST_SUITE_P(
     Sheets, SlowWholeSheet,
-    ::testing::Values(
-        WholeSheet{"balls_infinite", "spd_balls.pov", kParallel, kBenchmark, 133, 15},
-        WholeSheet{"gears_infinite", "spd_gears.pov", kParallel, kBenchmark, 133, 15},
-        WholeSheet{"balls_paraxial", "spd_balls.pov", kPerspective,
-                   from_eye(kBalls, "Lens_Model=paraxial"), 133, 15},
-        WholeSheet{"gears_paraxial", "spd_gears.pov", kPerspective,
-                   from_eye(kGears, "Lens_Model=paraxial"), 133, 15},
-        WholeSheet{"balls_pinhole", "spd_balls.pov", kMesh, from_eye(kBalls, "Lens_Model=pinhole"),
-                   133, 15},
-        WholeSheet{"gears_pinhole", "spd_gears.pov", kMesh, from_eye(kGears, "Lens_Model=pinhole"),
-                   133, 15},
-        WholeSheet{"balls_N12_5_infinite", "spd_balls.pov", kMesh, kNarrow, 80, 0},
-        WholeSheet{"gears_N12_5_infinite", "spd_gears.pov", kMesh, kNarrow, 80, 0},
-        WholeSheet{"balls_N12_5_paraxial", "spd_balls.pov", kMesh,
-                   from_eye(kBalls, "Lens_Pixels=12.5", false), 80, 0},
-        WholeSheet{"gears_N12_5_paraxial", "spd_gears.pov", kMesh,
-                   from_eye(kGears, "Lens_Pixels=12.5", false), 80, 0}),
+    ::testing::Values(WholeSheet{"balls_infinite", "spd_balls.pov", kParallel, kBenchmark, 133, 15},
+                      WholeSheet{"gears_infinite", "spd_gears.pov", kParallel, kBenchmark, 133, 15},
+                      WholeSheet{"balls_paraxial", "spd_balls.pov", kPerspective,
+                                 from_eye(kBalls, "Lens_Model=paraxial"), 133, 15},
+                      WholeSheet{"gears_paraxial", "spd_gears.pov", kPerspective,
+                                 from_eye(kGears, "Lens_Model=paraxial"), 133, 15},
+                      WholeSheet{"balls_pinhole", "spd_balls.pov", kMesh,
+                                 from_eye(kBalls, "Lens_Model=pinhole"), 133, 15},
+                      WholeSheet{"gears_pinhole", "spd_gears.pov", kMesh,
+                                 from_eye(kGears, "Lens_Model=pinhole"), 133, 15},
+                      WholeSheet{"balls_N12_5_infinite", "spd_balls.pov", kMesh, kNarrow, 80, 0},
+                      WholeSheet{"gears_N12_5_infinite", "spd_gears.pov", kMesh, kNarrow, 80, 0},
+                      WholeSheet{"balls_N12_5_paraxial", "spd_balls.pov", kMesh,
+                                 from_eye(kBalls, "Lens_Pixels=12.5", false), 80, 0},
+                      WholeSheet{"gears_N12_5_paraxial", "spd_gears.pov", kMesh,
+                                 from_eye(kGears, "Lens_Pixels=12.5", false), 80, 0}),
     [](const auto& sheet) { return sheet.param.name; });
 
 /// Scenes of Debian's povray-examples through Lenticular=On, the eye where their camera is.
@@ -76,8 +75,7 @@ TEST_P(SlowSheetExamples, EveryViewMatches) {
   const std::filesystem::path scene =
       std::filesystem::path("/usr/share/doc/povray/examples") / GetParam();
   if (!std::filesystem::exists(scene)) GTEST_SKIP() << "povray-examples is not installed";
-  const SheetRun run =
-      compare_sheet({scene.string(), "Lenticular=On", "+W480", "+H180"}, "match");
+  const SheetRun run = compare_sheet({scene.string(), "Lenticular=On", "+W480", "+H180"}, "match");
   ASSERT_FALSE(run.report.is_null()) << run.said;
   print_row(GetParam(), run.report);
   EXPECT_EQ(run.status, 0) << run.said;
@@ -86,18 +84,19 @@ TEST_P(SlowSheetExamples, EveryViewMatches) {
   EXPECT_TRUE(all_match(run.report["views"])) << run.said;
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Debian, SlowSheetExamples,
-    ::testing::Values("advanced/sombrero.pov", "advanced/teapot/teapot3.pov",
-                      "advanced/whiltile.pov", "advanced/woodbox.pov", "camera/perspective.pov",
-                      "lights/parallel_lights.pov", "lights/spotlite.pov", "objects/chesmsh.pov",
-                      "objects/csg/cliptst2.pov", "objects/torus1.pov",
-                      "textures/finishes/arches.pov", "textures/finishes/cluster.pov",
-                      "textures/normals/normal.pov"),
-    [](const auto& scene) {
-      std::string name = std::filesystem::path(scene.param).stem().string();
-      return name;
-    });
+INSTANTIATE_TEST_SUITE_P(Debian, SlowSheetExamples,
+                         ::testing::Values("advanced/sombrero.pov", "advanced/teapot/teapot3.pov",
+                                           "advanced/whiltile.pov", "advanced/woodbox.pov",
+                                           "camera/perspective.pov", "lights/parallel_lights.pov",
+                                           "lights/spotlite.pov", "objects/chesmsh.pov",
+                                           "objects/csg/cliptst2.pov", "objects/torus1.pov",
+                                           "textures/finishes/arches.pov",
+                                           "textures/finishes/cluster.pov",
+                                           "textures/normals/normal.pov"),
+                         [](const auto& scene) {
+                           std::string name = std::filesystem::path(scene.param).stem().string();
+                           return name;
+                         });
 
 }  // namespace
 }  // namespace lentray::test

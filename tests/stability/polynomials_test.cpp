@@ -37,7 +37,8 @@ TEST(StabilityTruth, KnowsConstructedRoots) {
 }
 
 TEST(StabilityTruth, SeesMistakes) {
-  const std::vector<Case> one = {{expanded({1.0, {1.0, 2.0, 4.0}, {}}), Truth(expanded({1.0, {1.0, 2.0, 4.0}, {}}))}};
+  const std::vector<Case> one = {
+      {expanded({1.0, {1.0, 2.0, 4.0}, {}}), Truth(expanded({1.0, {1.0, 2.0, 4.0}, {}}))}};
   const Solver wrong{"wrong", 3, [](const Polynomial&, double* roots) {
                        roots[0] = 1.0 + 1e-6;
                        roots[1] = 3.0;

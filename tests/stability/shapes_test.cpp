@@ -8,10 +8,12 @@
 namespace lentray::stability {
 namespace {
 
-testing::AssertionResult no_worse_than_stock(const std::vector<std::string>& words, double seconds) {
+testing::AssertionResult no_worse_than_stock(const std::vector<std::string>& words,
+                                             double seconds) {
   std::vector<std::string> command = {
-      "python3", (test::source_folder() / "tests/stability/shapes.py").string(), "--no-docs",
-      "--check", "--bin", test::program("lentray").parent_path().string()};
+      "python3",   (test::source_folder() / "tests/stability/shapes.py").string(),
+      "--no-docs", "--check",
+      "--bin",     test::program("lentray").parent_path().string()};
   command.insert(command.end(), words.begin(), words.end());
   const tool::RunResult result = tool::run_program(command, {}, seconds);
   if (result.status == 0) return testing::AssertionSuccess();
@@ -23,7 +25,8 @@ TEST(StabilityShapes, GrazingRaysAndThinTori) {
 }
 
 TEST(StabilityShapes, FarAwayAndSmall) {
-  EXPECT_TRUE(no_worse_than_stock({"far,camera,scale", "1e7,1e-6", "sphere,box,torus,blob,lathe_cubic"}, 300.0));
+  EXPECT_TRUE(no_worse_than_stock(
+      {"far,camera,scale", "1e7,1e-6", "sphere,box,torus,blob,lathe_cubic"}, 300.0));
 }
 
 // Shadows of what is near are there too; stock asks for them from a thousandth of a unit on.
@@ -33,7 +36,9 @@ TEST(StabilityShapes, SmallScenes) {
 
 class SlowStabilityShapes : public ::testing::TestWithParam<const char*> {};
 
-TEST_P(SlowStabilityShapes, NoWorseThanStock) { EXPECT_TRUE(no_worse_than_stock({GetParam()}, 1500.0)); }
+TEST_P(SlowStabilityShapes, NoWorseThanStock) {
+  EXPECT_TRUE(no_worse_than_stock({GetParam()}, 1500.0));
+}
 
 // By kind of setting, and so small that each takes a few minutes.
 INSTANTIATE_TEST_SUITE_P(Each, SlowStabilityShapes,

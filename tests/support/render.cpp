@@ -65,7 +65,8 @@ StoredImage stock_render(const SceneText& scene) {
   put_files(scene, folder.path());
   std::vector<std::string> command = arguments_for(scene, "stock.png");
   command.insert(command.begin(), "povray");
-  return picture_of(tool::run_program(command, folder.path(), 300.0), folder / "stock.png", "stock POV-Ray");
+  return picture_of(tool::run_program(command, folder.path(), 300.0), folder / "stock.png",
+                    "stock POV-Ray");
 }
 
 StoredImage lentray_render(const SceneText& scene, const std::vector<std::string>& more) {
@@ -113,9 +114,8 @@ std::string describe(const Comparison& c) {
 ::testing::AssertionResult reaches(const StoredImage& ours, const StoredImage& reference,
                                    Grade asked) {
   if (ours.width != reference.width || ours.height != reference.height) {
-    return ::testing::AssertionFailure()
-           << "sizes differ: " << ours.width << " x " << ours.height << " and " << reference.width
-           << " x " << reference.height;
+    return ::testing::AssertionFailure() << "sizes differ: " << ours.width << " x " << ours.height
+                                         << " and " << reference.width << " x " << reference.height;
   }
   const Comparison c = core::compare(ours, reference, core::Columns::all(ours.width));
   if (c.grade >= asked) return ::testing::AssertionSuccess() << describe(c);
@@ -152,8 +152,8 @@ std::string describe(const Comparison& c) {
   std::size_t different = 0;
   for (std::size_t i = 0; i < a.samples.size(); ++i) different += a.samples[i] != b.samples[i];
   if (different == 0) return ::testing::AssertionSuccess();
-  return ::testing::AssertionFailure() << different << " of " << a.samples.size()
-                                       << " samples differ";
+  return ::testing::AssertionFailure()
+         << different << " of " << a.samples.size() << " samples differ";
 }
 
 }  // namespace lentray::test

@@ -49,12 +49,14 @@ tool::RunResult run_diff(const std::vector<std::string>& arguments,
                          const std::filesystem::path& folder = {}, double seconds = 600.0);
 
 /// lentray's Statistics_File for the scene.
-nlohmann::json lentray_statistics(const SceneText& scene, const std::vector<std::string>& more = {});
+nlohmann::json lentray_statistics(const SceneText& scene,
+                                  const std::vector<std::string>& more = {});
 
 /// Compares whole pictures. The failure message gives all figures and, with LENTRAY_KEEP set in
 /// the environment, both pictures stay in that folder.
 ::testing::AssertionResult same_as_stock(const SceneText& scene, Grade asked = Grade::exact);
-::testing::AssertionResult reaches(const StoredImage& ours, const StoredImage& reference, Grade asked);
+::testing::AssertionResult reaches(const StoredImage& ours, const StoredImage& reference,
+                                   Grade asked);
 /// Every sample equal.
 ::testing::AssertionResult same_bits(const StoredImage& a, const StoredImage& b);
 

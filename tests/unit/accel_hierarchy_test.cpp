@@ -31,7 +31,8 @@ class UnitCoreHierarchy : public ::testing::TestWithParam<TestScene> {};
 
 void expect_same(const Hierarchy& list, const Hierarchy& tree, const Ray& ray, double t_min,
                  double t_max, HitArena& arena, int& found) {
-  for (const RayKind kind : {RayKind::kCamera, RayKind::kTransmitted, RayKind::kReflection, RayKind::kShadow}) {
+  for (const RayKind kind :
+       {RayKind::kCamera, RayKind::kTransmitted, RayKind::kReflection, RayKind::kShadow}) {
     Hit a, b;
     const bool hit = list.nearest(ray, t_min, t_max, kind, a, arena, nullptr);
     ASSERT_EQ(tree.nearest(ray, t_min, t_max, kind, b, arena, nullptr), hit);
@@ -120,13 +121,13 @@ TEST(UnitCoreHierarchyRules, EqualDistancesGoToTheObjectFirstInTheScene) {
       const Hierarchy tree(objects, Accelerator::kBvh, portable);
       HitArena arena;
       Hit hit;
-      ASSERT_TRUE(tree.nearest({{0, 0, 0}, {0, 0, 1}}, 0, 100, RayKind::kCamera, hit, arena,
-                               nullptr));
+      ASSERT_TRUE(
+          tree.nearest({{0, 0, 0}, {0, 0, 1}}, 0, 100, RayKind::kCamera, hit, arena, nullptr));
       EXPECT_EQ(hit.t, 4.0);
       EXPECT_EQ(hit.object, objects.front().get());
       // The limit itself is not reached.
-      EXPECT_FALSE(tree.nearest({{0, 0, 0}, {0, 0, 1}}, 0, 4.0, RayKind::kCamera, hit, arena,
-                                nullptr));
+      EXPECT_FALSE(
+          tree.nearest({{0, 0, 0}, {0, 0, 1}}, 0, 4.0, RayKind::kCamera, hit, arena, nullptr));
       for (auto& o : objects) o->set_opaque(true);
       const Hierarchy opaque(objects, Accelerator::kBvh, portable);
       EXPECT_EQ(opaque.any_opaque({{0, 0, 0}, {0, 0, 1}}, 0, 4.0, arena, nullptr), nullptr);
@@ -139,8 +140,8 @@ TEST(UnitCoreHierarchyRules, EqualDistancesGoToTheObjectFirstInTheScene) {
 TEST(UnitCoreHierarchyRules, CountsBoxesAndTestsByType) {
   Objects objects;
   for (int i = 0; i < 30; ++i) {
-    objects.push_back(std::make_unique<Leaf>(
-        std::make_unique<Sphere>(Vec3{i * 3.0, 0, 0}, 1), Transform()));
+    objects.push_back(
+        std::make_unique<Leaf>(std::make_unique<Sphere>(Vec3{i * 3.0, 0, 0}, 1), Transform()));
   }
   objects.push_back(
       std::make_unique<Leaf>(std::make_unique<Plane>(Vec3{0, 1, 0}, -2), Transform()));
@@ -212,13 +213,16 @@ TEST(UnitCoreHierarchyRules, AGridWalksAlongTheRay) {
   HitArena arena;
   Hit hit;
   Counters through, beside, all;
-  ASSERT_TRUE(grid.nearest({{-5, 3, 3}, {1, 0, 0}}, 0, 100, RayKind::kCamera, hit, arena, &through));
+  ASSERT_TRUE(
+      grid.nearest({{-5, 3, 3}, {1, 0, 0}}, 0, 100, RayKind::kCamera, hit, arena, &through));
   EXPECT_EQ(hit.t, 4.0);
   EXPECT_LT(through.bounds_tests, 20u);  // it ends in the cell of the hit
-  ASSERT_FALSE(grid.nearest({{-5, 4.5, 4.5}, {1, 0, 0}}, 0, 100, RayKind::kCamera, hit, arena, &beside));
+  ASSERT_FALSE(
+      grid.nearest({{-5, 4.5, 4.5}, {1, 0, 0}}, 0, 100, RayKind::kCamera, hit, arena, &beside));
   EXPECT_GT(beside.bounds_tests, through.bounds_tests);
   EXPECT_LT(beside.bounds_tests, 200u);
-  ASSERT_FALSE(list.nearest({{-5, 4.5, 4.5}, {1, 0, 0}}, 0, 100, RayKind::kCamera, hit, arena, &all));
+  ASSERT_FALSE(
+      list.nearest({{-5, 4.5, 4.5}, {1, 0, 0}}, 0, 100, RayKind::kCamera, hit, arena, &all));
   EXPECT_EQ(all.bounds_tests, 1000u);
 }
 
@@ -314,11 +318,11 @@ TEST_F(UnitCorePacks, PolygonsHaveTheBitsOfTheShape) {
       // A parallelogram or a triangle; on the lattice at times, where rays meet edges exactly.
       const bool lattice = n % 4 == 0;
       const auto corner = [&] {
-        return lattice ? Vec3{std::floor(unit() * 5), std::floor(unit() * 5), 1.0 + n % 3} : vector();
+        return lattice ? Vec3{std::floor(unit() * 5), std::floor(unit() * 5), 1.0 + n % 3}
+                       : vector();
       };
       const Vec3 a = corner(), b = corner(), c = corner();
-      polygons.push_back(unit() < 0.5 ? Polygon({a, b, c, a})
-                                      : Polygon({a, b, b + (c - a), c, a}));
+      polygons.push_back(unit() < 0.5 ? Polygon({a, b, c, a}) : Polygon({a, b, b + (c - a), c, a}));
       if (polygons.back().is_degenerate()) {
         polygons.pop_back();
         break;
@@ -347,7 +351,9 @@ TEST_F(UnitCorePacks, PolygonsHaveTheBitsOfTheShape) {
       if (!met) continue;
       ++found;
       ASSERT_TRUE(same_bits(portable.t[i], hit.t));
-      if (can_run_avx2()) { ASSERT_TRUE(same_bits(avx2.t[i], hit.t)); }
+      if (can_run_avx2()) {
+        ASSERT_TRUE(same_bits(avx2.t[i], hit.t));
+      }
     }
   }
   EXPECT_GT(found, 10000);

@@ -39,7 +39,8 @@ void expect_same_answer(const LightBuffer& buffer, const Hierarchy& hierarchy, c
   LightBuffer::Spot spot;
   buffer.locate(point, spot);
   if (!buffer.serves(spot, distance) || !(reach > kTolerance)) return;
-  const LightBuffer::Answer answer = buffer.any_opaque(spot, ray, kTolerance, reach, arena, nullptr);
+  const LightBuffer::Answer answer =
+      buffer.any_opaque(spot, ray, kTolerance, reach, arena, nullptr);
   const Object* blocker = answer.blocker;
   const Object* expected = hierarchy.any_opaque(ray, kTolerance, reach, arena, nullptr);
   ASSERT_EQ(blocker != nullptr, expected != nullptr)
@@ -84,8 +85,8 @@ void add_turned(SceneMaker& make, const TestScene& scene, Objects& objects, int 
     };
     switch (make.integer(5)) {
       case 0:
-        make.add(objects, std::make_unique<Cone>(corner(), size / 3, corner(), make.integer(2) * size / 5,
-                                                 make.integer(2) == 0));
+        make.add(objects, std::make_unique<Cone>(corner(), size / 3, corner(),
+                                                 make.integer(2) * size / 5, make.integer(2) == 0));
         break;
       case 1:
         make.add(objects, std::make_unique<SmoothTriangle>(corner(), Vec3{0, 1, 0}, corner(),
@@ -135,17 +136,21 @@ INSTANTIATE_TEST_SUITE_P(
         Case{{"few cells", 1.0, 0.2, {0, 0, 0}, 3.0, true, false}, {2, 3, -1}, 16, 60},
         Case{{"many cells", 1.0, 0.2, {0, 0, 0}, 3.0, true, false}, {2, 3, -1}, 200000, 60},
         Case{{"far from the origin", 1.0, 0.1, {1e5, -2e5, 5e4}, 3.0, true, false},
-             {1e5 + 3, -2e5 + 4, 5e4 - 2}, 20000, 300},
+             {1e5 + 3, -2e5 + 4, 5e4 - 2},
+             20000,
+             300},
         Case{{"large", 1e5, 1e4, {0, 0, 0}, 3e5, true, false}, {3e5, 1e5, 1e5}, 20000, 300},
-        Case{{"small", 0.02, 0.004, {0, 0, 0}, 0.05, true, false}, {0.03, 0.02, -0.03}, 20000,
+        Case{{"small", 0.02, 0.004, {0, 0, 0}, 0.05, true, false},
+             {0.03, 0.02, -0.03},
+             20000,
              300}));
 
 /// A plate a little above another, about as far as the tolerance: the ends of the search count.
 TEST(UnitCoreLightBufferRules, PlatesNearTheTolerance) {
   const Vec3 light{0.3, 5, -0.2};
   const auto plate = [](double y, double half) {
-    std::vector<Vec3> p{{-half, y, -half}, {half, y, -half}, {half, y, half}, {-half, y, half},
-                        {-half, y, -half}};
+    std::vector<Vec3> p{
+        {-half, y, -half}, {half, y, -half}, {half, y, half}, {-half, y, half}, {-half, y, -half}};
     auto leaf = std::make_unique<Leaf>(std::make_unique<Polygon>(std::move(p)), Transform());
     leaf->set_opaque(true);
     return leaf;
@@ -187,7 +192,8 @@ TEST(UnitCoreLightBufferRules, CoveredCellsNeedNoTest) {
       counters.primitive_tests = 0;
       LightBuffer::Spot spot;
       buffer.locate(point, spot);
-      if (!buffer.any_opaque(spot, ray, kTolerance, length(to) - kTolerance, arena, &counters).blocker) {
+      if (!buffer.any_opaque(spot, ray, kTolerance, length(to) - kTolerance, arena, &counters)
+               .blocker) {
         continue;
       }
       ++blocked;

@@ -71,7 +71,8 @@ class Edges {
     Counters counters;
     const Object* found =
         m_buffer->any_opaque(spot, ray, m_tolerance, reach, m_arena, &counters).blocker;
-    EXPECT_EQ(found != nullptr, expected) << "lost at " << point.x << " " << point.y << " " << point.z;
+    EXPECT_EQ(found != nullptr, expected)
+        << "lost at " << point.x << " " << point.y << " " << point.z;
     if (!expected && spot.cell) {
       ++m_lit;
       m_lit_tested += counters.primitive_tests > 0;
@@ -113,16 +114,19 @@ const Kind kKinds[] = {
     {"needle",
      [](SceneMaker& make, const Vec3& at, double size) {
        const Vec3 a = at + make.point() * size, b = at + make.point() * size;
-       return std::make_unique<Triangle>(a, b, b + make.point() * (size * std::pow(10.0, -8.0 * make.unit())));
+       return std::make_unique<Triangle>(
+           a, b, b + make.point() * (size * std::pow(10.0, -8.0 * make.unit())));
      }},
     {"quad",
      [](SceneMaker& make, const Vec3& at, double size) {
-       const Vec3 n = normalized(make.point()), u = normalized(cross(n, Vec3{0.1, 0.7, 0.3})) * size;
+       const Vec3 n = normalized(make.point()),
+                  u = normalized(cross(n, Vec3{0.1, 0.7, 0.3})) * size;
        return plate(at, u, cross(n, u) * 0.5, 4);
      }},
     {"plate",
      [](SceneMaker& make, const Vec3& at, double size) {
-       const Vec3 n = normalized(make.point()), u = normalized(cross(n, Vec3{0.1, 0.7, 0.3})) * size;
+       const Vec3 n = normalized(make.point()),
+                  u = normalized(cross(n, Vec3{0.1, 0.7, 0.3})) * size;
        return plate(at, u, cross(n, u), 9);
      }},
     {"dart",  // not convex
@@ -143,7 +147,8 @@ const Kind kKinds[] = {
      [](SceneMaker& make, const Vec3& at, double size) {
        const auto corner = [&] { return at + make.point() * (0.7 * size); };
        return std::make_unique<Cone>(corner(), 0.3 * size * make.unit(), corner(),
-                                     make.integer(2) * 0.2 * size * make.unit(), make.integer(2) == 0);
+                                     make.integer(2) * 0.2 * size * make.unit(),
+                                     make.integer(2) == 0);
      }},
     {"flat cone",
      [](SceneMaker& make, const Vec3& at, double size) {
@@ -153,7 +158,8 @@ const Kind kKinds[] = {
     {"cylinder",
      [](SceneMaker& make, const Vec3& at, double size) {
        const auto corner = [&] { return at + make.point() * (0.7 * size); };
-       return std::make_unique<Cylinder>(corner(), corner(), 0.3 * size * make.unit(), make.integer(2) == 0);
+       return std::make_unique<Cylinder>(corner(), corner(), 0.3 * size * make.unit(),
+                                         make.integer(2) == 0);
      }},
     {"torus",
      [](SceneMaker&, const Vec3&, double size) {
@@ -162,16 +168,20 @@ const Kind kKinds[] = {
      true},
     {"turned box",
      [](SceneMaker& make, const Vec3&, double size) {
-       return std::make_unique<Box>(Vec3{-0.3, -0.5, -0.1} * size, Vec3{0.4, 0.2, 0.4 * make.unit()} * size);
+       return std::make_unique<Box>(Vec3{-0.3, -0.5, -0.1} * size,
+                                    Vec3{0.4, 0.2, 0.4 * make.unit()} * size);
      },
      true},
     {"letter",
      [](SceneMaker& make, const Vec3&, double size) {
-       const Vec2 a{-0.5 * size, -0.4 * size}, b{0.5 * size, -0.3 * size}, c{0.1 * size, 0.6 * size};
-       std::vector<CurvePiece> pieces{CurvePiece::line(a, b), CurvePiece::conic(b, {0.2 * size, 0.0}, c),
+       const Vec2 a{-0.5 * size, -0.4 * size}, b{0.5 * size, -0.3 * size},
+           c{0.1 * size, 0.6 * size};
+       std::vector<CurvePiece> pieces{CurvePiece::line(a, b),
+                                      CurvePiece::conic(b, {0.2 * size, 0.0}, c),
                                       CurvePiece::line(c, a)};
-       return std::make_unique<Prism>("text", std::make_shared<const Outline>(std::move(pieces)), Prism::Sweep::kAlongZ,
-                                      0.0, 0.3 * size * std::pow(10.0, -4.0 * make.unit()), make.integer(2) == 0);
+       return std::make_unique<Prism>(
+           "text", std::make_shared<const Outline>(std::move(pieces)), Prism::Sweep::kAlongZ, 0.0,
+           0.3 * size * std::pow(10.0, -4.0 * make.unit()), make.integer(2) == 0);
      },
      true},
 };
@@ -192,9 +202,10 @@ TEST_P(UnitCoreLightVolume, LosesNothingAtTheEdges) {
     for (int i = 0; i < 40 && !HasFailure(); ++i) {
       auto shape = kind.shape(make, middle, size);
       if (!shape || shape->bounds().is_empty()) continue;
-      const Transform turn = kind.moved ? Transform::rotation(make.point() * 180.0).then(
-                                              Transform::translation(middle))
-                                        : Transform();
+      const Transform turn =
+          kind.moved
+              ? Transform::rotation(make.point() * 180.0).then(Transform::translation(middle))
+              : Transform();
       const Vec3 from = middle + normalized(make.point()) * (light * size);
       Edges scene(make, std::make_unique<Leaf>(std::move(shape), turn), from, middle, size,
                   1e-3 * std::min(1.0, size));
@@ -247,7 +258,8 @@ TEST(UnitCoreLightVolumeRules, MostLitPointsAskNothing) {
 /// The same of a box that was turned, by four of the six edges of its outline.
 TEST(UnitCoreLightVolumeRules, PointsAroundATurnedBoxAskNothing) {
   const LightVolumes volumes(20.0);
-  const Transform turn = Transform::rotation({20, 30, 40}).then(Transform::translation({0.5, -0.3, 6}));
+  const Transform turn =
+      Transform::rotation({20, 30, 40}).then(Transform::translation({0.5, -0.3, 6}));
   std::vector<Vec3> corners;
   add_corners({{-1, -0.6, -0.4}, {1, 0.6, 0.4}}, corners);
   for (Vec3& p : corners) p = turn.point(p);
@@ -256,11 +268,13 @@ TEST(UnitCoreLightVolumeRules, PointsAroundATurnedBoxAskNothing) {
   volumes.box(corners, 4.0, 1e-3, unwanted);
   SceneMaker make({"rules", 1.0, 0.1, {0, 0, 0}, 3.0, false, false});
   const auto outside = [&](const LightVolume& of, const Vec3& p) {
-    return LightProbe(p, std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)}), 1e-3, 20.0).is_outside(of);
+    return LightProbe(p, std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)}), 1e-3, 20.0)
+        .is_outside(of);
   };
   int beside = 0, kept = 0;
   for (int i = 0; i < 10000; ++i) {
-    const Vec3 in = turn.point({2.0 * make.unit() - 1.0, 1.2 * make.unit() - 0.6, 0.8 * make.unit() - 0.4});
+    const Vec3 in =
+        turn.point({2.0 * make.unit() - 1.0, 1.2 * make.unit() - 0.6, 0.8 * make.unit() - 0.4});
     EXPECT_FALSE(outside(volume, in * 1.8));
     EXPECT_FALSE(outside(unwanted, in * 1.8));
     const Vec3 at = Vec3{0.5, -0.3, 6.0} * 1.8 + make.point() * 3.0;

@@ -29,7 +29,7 @@ struct TestBoxes {
   double scale;   ///< of the boxes' places
   double detail;  ///< of their sizes
   Vec3 offset;
-  double far;     ///< distance of the rays' starts
+  double far;             ///< distance of the rays' starts
   double outliers = 1.0;  ///< one box in 30 is so many times farther away
 };
 
@@ -51,7 +51,7 @@ class Maker {
     Vec3 p;
     for (int a = 0; a < 3; ++a) {
       const int where = integer(4);
-      p[a] = where == 0 ? b.lo[a]
+      p[a] = where == 0   ? b.lo[a]
              : where == 1 ? b.hi[a]
                           : std::clamp(b.lo[a] + unit() * (b.hi[a] - b.lo[a]), b.lo[a], b.hi[a]);
     }
@@ -117,8 +117,7 @@ TEST_P(UnitCoreWideBvh, NoBoxThatARayMeetsIsLost) {
 INSTANTIATE_TEST_SUITE_P(
     Scales, UnitCoreWideBvh,
     ::testing::Values(TestBoxes{"Plain", 10.0, 1.0, {}, 30.0},
-                      TestBoxes{"Tiny", 1e-6, 1e-7, {}, 1e-5},
-                      TestBoxes{"Huge", 1e7, 1e5, {}, 1e8},
+                      TestBoxes{"Tiny", 1e-6, 1e-7, {}, 1e-5}, TestBoxes{"Huge", 1e7, 1e5, {}, 1e8},
                       TestBoxes{"DetailsOfOneAtTenMillion", 1e7, 1.0, {}, 1e7},
                       TestBoxes{"SmallAndFarFromOrigin", 10.0, 1.0, {1e7, -1e7, 5e6}, 30.0},
                       TestBoxes{"SeenFromFar", 10.0, 1.0, {}, 1e7},
@@ -157,7 +156,9 @@ TEST(UnitCoreWideBvhShape, RaysInThePlanesOfFlatBoxesMeetThem) {
         line.intersect(boxes[b]);
         if (line.is_empty()) continue;
         ASSERT_TRUE(portable.parts.count(b)) << axis << ' ' << i << ' ' << b;
-        if (can_run_avx2()) { ASSERT_TRUE(avx2.parts.count(b)) << axis << ' ' << i; }
+        if (can_run_avx2()) {
+          ASSERT_TRUE(avx2.parts.count(b)) << axis << ' ' << i;
+        }
       }
     }
   }
@@ -264,7 +265,9 @@ TEST(UnitCoreWideBvhShape, PointsFindTheBoxesThatHoldThem) {
       return false;
     });
     for (std::uint32_t b = 0; b < boxes.size(); ++b) {
-      if (boxes[b].contains(p)) { ASSERT_TRUE(found.count(b)); }
+      if (boxes[b].contains(p)) {
+        ASSERT_TRUE(found.count(b));
+      }
     }
     EXPECT_LT(found.size(), 100u);
   }

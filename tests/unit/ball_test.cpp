@@ -14,7 +14,9 @@ using core::Ray;
 
 class Rays {
  public:
-  Vec3 point(double reach) { return Vec3{m_even(m_random), m_even(m_random), m_even(m_random)} * reach; }
+  Vec3 point(double reach) {
+    return Vec3{m_even(m_random), m_even(m_random), m_even(m_random)} * reach;
+  }
   Ray between(const Vec3& a, const Vec3& b) { return {a, normalized(b - a)}; }
 
  private:
@@ -29,7 +31,8 @@ TEST(UnitBall, TurnsAwayWhatMissesAndNothingElse) {
   const Ball ball(centre, radius);
   int missed = 0, met = 0;
   for (int i = 0; i < 20000; ++i) {
-    const Vec3 through = centre + rays.point(1.2), from = centre + rays.point(i % 2 == 0 ? 3.0 : 3e4);
+    const Vec3 through = centre + rays.point(1.2),
+               from = centre + rays.point(i % 2 == 0 ? 3.0 : 3e4);
     const Ray ray = rays.between(from, through);
     const Vec3 to = centre - ray.origin;
     const double t = dot(to, ray.direction) / dot(ray.direction, ray.direction);
@@ -53,7 +56,8 @@ TEST(UnitBall, CutsALineToWhatIsInIt) {
   const Ball ball(centre, radius);
   int met = 0;
   for (int i = 0; i < 20000; ++i) {
-    const Vec3 through = centre + rays.point(1.2), from = centre + rays.point(i % 2 == 0 ? 3.0 : 3e4);
+    const Vec3 through = centre + rays.point(1.2),
+               from = centre + rays.point(i % 2 == 0 ? 3.0 : 3e4);
     const Ray ray{from, (through - from) * 0.37};
     double lo = -Bounds::kInf, hi = Bounds::kInf;
     const bool is_met = ball.cut(ray, lo, hi);
@@ -62,9 +66,11 @@ TEST(UnitBall, CutsALineToWhatIsInIt) {
     }
     if (!is_met) continue;
     ++met;
-    for (const double t : {lo, hi}) EXPECT_NEAR(length(ray.at(t) - centre), radius, i % 2 == 0 ? 1e-4 : 2e-2);
+    for (const double t : {lo, hi})
+      EXPECT_NEAR(length(ray.at(t) - centre), radius, i % 2 == 0 ? 1e-4 : 2e-2);
     const double t = 1.0 / 0.37;
-    EXPECT_EQ(t > lo && t < hi, length(through - centre) < ball.radius()) << length(through - centre);
+    EXPECT_EQ(t > lo && t < hi, length(through - centre) < ball.radius())
+        << length(through - centre);
   }
   EXPECT_GT(met, 3000);
 }
@@ -105,9 +111,10 @@ TEST_P(UnitBallOfShape, HoldsAllThatIsMet) {
   const std::string placed = " rotate <30, 40, 50> scale <1, .6, 1.3> translate <2, 1, -3> }";
   const std::string cutter = " sphere { .3, .8 } }";
   for (const std::string& sdl :
-       {one + " }", one + placed, "difference { " + one + " }" + cutter, "difference { sphere { .3, .8 } " + one + " } }",
-        "intersection { " + one + " }" + cutter, "merge { " + one + " }" + cutter,
-        one + " clipped_by { sphere { .2, .7 } } }", one + " bounded_by { sphere { .2, .7 } } }"}) {
+       {one + " }", one + placed, "difference { " + one + " }" + cutter,
+        "difference { sphere { .3, .8 } " + one + " } }", "intersection { " + one + " }" + cutter,
+        "merge { " + one + " }" + cutter, one + " clipped_by { sphere { .2, .7 } } }",
+        one + " bounded_by { sphere { .2, .7 } } }"}) {
     SceneText text(sdl, with_fonts());
     const core::SceneParts parts = text.build();
     ASSERT_EQ(parts.objects.size(), 1u) << sdl;
@@ -122,7 +129,8 @@ TEST_P(UnitBallOfShape, HoldsAllThatIsMet) {
     core::HitArena arena;
     std::vector<core::Hit> found;
     for (int i = 0; i < 1500; ++i) {
-      const Ray ray = rays.between(middle + rays.point(2.0 * reach), middle + rays.point(0.6 * reach));
+      const Ray ray =
+          rays.between(middle + rays.point(2.0 * reach), middle + rays.point(0.6 * reach));
       found.clear();
       object.all(ray, 1e-6, Bounds::kInf, found, arena);
       for (const core::Hit& hit : found) {

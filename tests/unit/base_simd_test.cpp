@@ -17,7 +17,8 @@
 namespace lentray::core {
 namespace {
 
-constexpr double kInf = std::numeric_limits<double>::infinity(), kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInf = std::numeric_limits<double>::infinity(),
+                 kNan = std::numeric_limits<double>::quiet_NaN();
 
 /// Numbers of every size, and those that are special to an operation.
 struct Inputs {
@@ -26,12 +27,14 @@ struct Inputs {
   alignas(32) int ints[2][8];
 
   explicit Inputs(std::mt19937& random) {
-    constexpr double kSpecial[] = {0.0,           -0.0,           1.0,    -1.0,   0.5,           -0.5,    kInf,
-                                   -kInf,         kNan,           1e300,  -1e300, 0x1p31,        -0x1p31, 0x1p31 - 0.5,
-                                   -0x1p31 - 0.5, -0x1p31 - 1.0,  0x1p63, -0x1p63, 0x1p52 + 1.0, 1e-310,  5e-324,
-                                   1e-40,         0x1.fffffep127, 4095.0, -4096.0};
+    constexpr double kSpecial[] = {
+        0.0,           -0.0,           1.0,    -1.0,    0.5,          -0.5,    kInf,
+        -kInf,         kNan,           1e300,  -1e300,  0x1p31,       -0x1p31, 0x1p31 - 0.5,
+        -0x1p31 - 0.5, -0x1p31 - 1.0,  0x1p63, -0x1p63, 0x1p52 + 1.0, 1e-310,  5e-324,
+        1e-40,         0x1.fffffep127, 4095.0, -4096.0};
     std::uniform_int_distribution<std::size_t> special(0, std::size(kSpecial) - 1);
-    std::uniform_int_distribution<int> bits(std::numeric_limits<int>::min(), std::numeric_limits<int>::max());
+    std::uniform_int_distribution<int> bits(std::numeric_limits<int>::min(),
+                                            std::numeric_limits<int>::max());
     std::uniform_real_distribution<double> near(-10.0, 10.0), exponent(-40.0, 40.0);
     const auto number = [&] {
       switch (random() % 4) {
@@ -40,9 +43,13 @@ struct Inputs {
         default: return near(random);
       }
     };
-    for (auto& row : doubles) for (double& one : row) one = number();
-    for (auto& row : floats) for (float& one : row) one = static_cast<float>(number());
-    for (auto& row : ints) for (int& one : row) one = random() % 3 == 0 ? static_cast<int>(random() % 3) - 1 : bits(random);
+    for (auto& row : doubles)
+      for (double& one : row) one = number();
+    for (auto& row : floats)
+      for (float& one : row) one = static_cast<float>(number());
+    for (auto& row : ints)
+      for (int& one : row)
+        one = random() % 3 == 0 ? static_cast<int>(random() % 3) - 1 : bits(random);
     if (random() % 2 == 0) std::copy_n(ints[0], 4, ints[1]);
   }
 };
@@ -50,9 +57,15 @@ struct Inputs {
 #if defined(__x86_64__)
 
 template <class Number>
-bool same(Number a, Number b) { return a == b; }
-bool same(double a, double b) { return std::bit_cast<std::int64_t>(a) == std::bit_cast<std::int64_t>(b) || (a != a && b != b); }
-bool same(float a, float b) { return std::bit_cast<std::int32_t>(a) == std::bit_cast<std::int32_t>(b) || (a != a && b != b); }
+bool same(Number a, Number b) {
+  return a == b;
+}
+bool same(double a, double b) {
+  return std::bit_cast<std::int64_t>(a) == std::bit_cast<std::int64_t>(b) || (a != a && b != b);
+}
+bool same(float a, float b) {
+  return std::bit_cast<std::int32_t>(a) == std::bit_cast<std::int32_t>(b) || (a != a && b != b);
+}
 
 /// Asks both for the same.
 class Both {
@@ -65,25 +78,27 @@ class Both {
   template <class Number>
   static void expect(const char* what, std::span<const Number> a, std::span<const Number> b) {
     for (std::size_t i = 0; i < a.size(); ++i) {
-      EXPECT_TRUE(same(a[i], b[i])) << what << ", lane " << i << ": plain " << a[i] << ", x86 " << b[i];
+      EXPECT_TRUE(same(a[i], b[i]))
+          << what << ", lane " << i << ": plain " << a[i] << ", x86 " << b[i];
     }
   }
   const Inputs& m_inputs;
 };
 
-#define LENTRAY_EXPECT_BOTH(Number, call)                                                                \
-  {                                                                                                      \
-    const auto plain_result = simd::plain::call;                                                         \
-    const auto x86_result = simd::x86::call;                                                             \
-    constexpr std::size_t kCount = sizeof plain_result / sizeof(Number);                                 \
-    expect<Number>(#call, std::span(reinterpret_cast<const Number*>(&plain_result), kCount),             \
-                   std::span(reinterpret_cast<const Number*>(&x86_result), kCount));                     \
+#define LENTRAY_EXPECT_BOTH(Number, call)                                                    \
+  {                                                                                          \
+    const auto plain_result = simd::plain::call;                                             \
+    const auto x86_result = simd::x86::call;                                                 \
+    constexpr std::size_t kCount = sizeof plain_result / sizeof(Number);                     \
+    expect<Number>(#call, std::span(reinterpret_cast<const Number*>(&plain_result), kCount), \
+                   std::span(reinterpret_cast<const Number*>(&x86_result), kCount));         \
   }
 
 LENTRAY_AVX2 void Both::ask_halves() const {
   const Inputs& in = m_inputs;
   const Double2 a = simd::double2_at(in.doubles[0]), b = simd::double2_at(in.doubles[1]);
-  const Float4 x = simd::float4_at(in.floats[0]), y = simd::float4_at(in.floats[1]), z = simd::float4_at(in.floats[2]);
+  const Float4 x = simd::float4_at(in.floats[0]), y = simd::float4_at(in.floats[1]),
+               z = simd::float4_at(in.floats[2]);
   const Int4 i = simd::int4_at(in.ints[0]), j = simd::int4_at(in.ints[1]);
   LENTRAY_EXPECT_BOTH(unsigned, signs(a));
   LENTRAY_EXPECT_BOTH(unsigned, signs(x));
@@ -113,8 +128,10 @@ LENTRAY_AVX2 void Both::ask_halves() const {
 
 LENTRAY_AVX2 void Both::ask_wholes() const {
   const Inputs& in = m_inputs;
-  const Double4 a = simd::double4_at(in.doubles[0]), b = simd::double4_at(in.doubles[1]), c = simd::double4_at(in.doubles[2]);
-  const Float8 x = simd::float8_at(in.floats[0]), y = simd::float8_at(in.floats[1]), z = simd::float8_at(in.floats[2]);
+  const Double4 a = simd::double4_at(in.doubles[0]), b = simd::double4_at(in.doubles[1]),
+                c = simd::double4_at(in.doubles[2]);
+  const Float8 x = simd::float8_at(in.floats[0]), y = simd::float8_at(in.floats[1]),
+               z = simd::float8_at(in.floats[2]);
   const Int8 i = simd::int8_at(in.ints[0]), j = simd::int8_at(in.ints[1]);
   LENTRAY_EXPECT_BOTH(unsigned, signs(a));
   LENTRAY_EXPECT_BOTH(unsigned, signs(x));
@@ -194,7 +211,8 @@ TEST(BaseSimd, OperationsGiveWhatTheyPromise) {
   EXPECT_EQ(r.signed_[0], -10.0);
   EXPECT_EQ(r.signed_[2], 30.0);
   EXPECT_EQ(r.signed_[3], -40.0);
-  EXPECT_EQ(list(r.joined), (std::vector{10.0, 20.0, 1e10, 40.0})) << "no number yields to the second";
+  EXPECT_EQ(list(r.joined), (std::vector{10.0, 20.0, 1e10, 40.0}))
+      << "no number yields to the second";
   EXPECT_EQ(list(r.narrowed), (std::vector{10.0f, 20.0f, 30.0f, 40.0f}));
   constexpr int kLeast = std::numeric_limits<int>::min();
   EXPECT_EQ(list(r.whole), (std::vector{-1, kLeast, kLeast, 0}));

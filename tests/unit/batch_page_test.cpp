@@ -46,7 +46,8 @@ StoredImage columns(std::uint32_t width, std::uint32_t height, const Of& colour_
   Bytes samples;
   for (std::uint32_t y = 0; y < height; ++y) {
     for (std::uint32_t x = 0; x < width; ++x) {
-      for (const int part : Colour(colour_of(x))) samples.push_back(static_cast<std::uint8_t>(part));
+      for (const int part : Colour(colour_of(x)))
+        samples.push_back(static_cast<std::uint8_t>(part));
     }
   }
   return picture(width, height, 3, std::move(samples));
@@ -63,7 +64,8 @@ StoredImage noise(std::uint32_t width, std::uint32_t height, unsigned seed) {
 
 TEST(UnitThumbnail, AveragesLight) {
   const StoredImage two = picture(2, 2, 1, {0, 255, 255, 0});
-  EXPECT_EQ(core::thumbnail_of(two, {1, 1}).rgb, (Bytes{188, 188, 188}));  // half of the light, in sRGB
+  EXPECT_EQ(core::thumbnail_of(two, {1, 1}).rgb,
+            (Bytes{188, 188, 188}));  // half of the light, in sRGB
   StoredImage linear = two;
   linear.gamma = 1.0;
   linear.samples.store<std::uint8_t>(Bytes{55, 55, 55, 55});  // 0.2157 of the light is 128 in sRGB
@@ -117,7 +119,9 @@ TEST(UnitThumbnail, ColumnsOfViews) {
 }
 
 TEST(UnitThumbnail, ViewsAndStacks) {
-  const StoredImage sheet = columns(20, 4, [](std::uint32_t x) { return Colour{int(x % 5) * 60, 0, 0}; });
+  const StoredImage sheet = columns(20, 4, [](std::uint32_t x) {
+    return Colour{int(x % 5) * 60, 0, 0};
+  });
   const auto views = core::view_thumbnails(sheet, 5.0, {4.0, 0.0, 2.2}, {4, 2});
   ASSERT_EQ(views.size(), 3u);
   EXPECT_EQ(views[0].rgb[0], 240);
@@ -170,7 +174,8 @@ Verdict graded(const std::string& grade, const std::string& stock, const std::st
 }
 
 TEST(UnitBatchPage, FramesShareACard) {
-  std::vector<Row> rows{done("a", 1), done("b#10", 2), done("c", 1), done("b#9", 3), done("odd#name", 1)};
+  std::vector<Row> rows{done("a", 1), done("b#10", 2), done("c", 1), done("b#9", 3),
+                        done("odd#name", 1)};
   rows[1].frame = 10;
   rows[3].frame = 9;
   rows[3].state = State::failed;
@@ -251,7 +256,8 @@ class UnitBatchPageOf : public ::testing::Test {
     return core::read_image(folder / "a.jpg");
   }
   static std::string bytes_of(const std::string& text) {
-    static const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    static const std::string digits =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     std::string bytes;
     unsigned group = 0, bits = 0;
     for (const char c : text) {
@@ -264,7 +270,8 @@ class UnitBatchPageOf : public ::testing::Test {
   }
   std::set<fs::path> kept() const {
     std::set<fs::path> files;
-    for (const auto& file : fs::directory_iterator(m_folder / ".lentray-batch/thumbnails")) files.insert(file.path());
+    for (const auto& file : fs::directory_iterator(m_folder / ".lentray-batch/thumbnails"))
+      files.insert(file.path());
     return files;
   }
   const tool::TemporaryFolder m_folder;
@@ -311,7 +318,8 @@ TEST_F(UnitBatchPageOf, StrangersTextStaysText) {
 
 TEST_F(UnitBatchPageOf, NothingIsLoadedFromElsewhere) {
   const std::string text = page({done("a", 1)}, options());
-  for (const char* const mark : {"http://", "https://", "//cdn", "@import", "url(", "src=\"", "<link"}) {
+  for (const char* const mark :
+       {"http://", "https://", "//cdn", "@import", "url(", "src=\"", "<link"}) {
     EXPECT_EQ(text.find(mark), std::string::npos) << mark;
   }
   EXPECT_NE(text.find("default-src 'none'"), std::string::npos);
@@ -319,7 +327,12 @@ TEST_F(UnitBatchPageOf, NothingIsLoadedFromElsewhere) {
 }
 
 TEST_F(UnitBatchPageOf, PictureTimesAndMessages) {
-  Row row = shown("a/b", columns(40, 30, [](std::uint32_t) { return Colour{200, 40, 90}; }), "p/a b.png");
+  Row row = shown("a/b",
+                  columns(40, 30,
+                          [](std::uint32_t) {
+                            return Colour{200, 40, 90};
+                          }),
+                  "p/a b.png");
   row.messages = {"a.pov:3: warning: x"};
   row.warnings = 1;
   row.rendering = 0.123456;
@@ -412,7 +425,8 @@ TEST_F(UnitBatchPageOf, ComparisonsAndTheirPictures) {
   EXPECT_EQ(v["lens_grades"]["exact"], 3);
   EXPECT_EQ(decoded(v["stock_picture"]).width, 40u);
   EXPECT_EQ(decoded(v["difference_picture"]).width, 40u);
-  EXPECT_TRUE(all["rows"][1]["verdict"].contains("stock_picture")) << "stock's picture stands where ours failed";
+  EXPECT_TRUE(all["rows"][1]["verdict"].contains("stock_picture"))
+      << "stock's picture stands where ours failed";
   EXPECT_EQ(all["summary"]["differing"], 1);
 }
 
@@ -447,7 +461,8 @@ TEST_F(UnitBatchPageOf, SmallPicturesAreKeptAndForgotten) {
   EXPECT_EQ(page({row}, options()), first);
   // A new picture is a new one, and the old one goes.
   core::write_stored(noise(40, 30, 2), m_folder / "a.png");
-  fs::last_write_time(m_folder / "a.png", fs::file_time_type::clock::now() + std::chrono::seconds(5));
+  fs::last_write_time(m_folder / "a.png",
+                      fs::file_time_type::clock::now() + std::chrono::seconds(5));
   EXPECT_NE(page({row}, options()), first);
   EXPECT_EQ(kept().size(), 1u);
   EXPECT_NE(kept(), files);
@@ -462,7 +477,8 @@ TEST_F(UnitBatchPageOf, WhereNothingCanBeKeptItIsMadeAgain) {
 class UnitBatchPageSize : public UnitBatchPageOf {
  protected:
   /// Noise, the worst that JPEG can get, as integral images with comparisons; long messages.
-  std::vector<Row> rows(std::size_t count, std::uint32_t width, std::uint32_t height, std::size_t lines) {
+  std::vector<Row> rows(std::size_t count, std::uint32_t width, std::uint32_t height,
+                        std::size_t lines) {
     constexpr std::size_t kFiles = 24;
     std::vector<Row> all;
     for (std::size_t i = 0; i < count; ++i) {
@@ -473,7 +489,8 @@ class UnitBatchPageSize : public UnitBatchPageOf {
       row.lens_pixels = 15.0;
       row.verdict = graded("match", file, file);
       row.messages.assign(lines, "scene.pov:12: warning: <" + std::string(100, 'x') + ">");
-      for (int k = 0; k < 20; ++k) row.files["/usr/share/include/" + std::to_string(k) + ".inc"] = {};
+      for (int k = 0; k < 20; ++k)
+        row.files["/usr/share/include/" + std::to_string(k) + ".inc"] = {};
       all.push_back(std::move(row));
     }
     return all;
@@ -487,7 +504,8 @@ TEST_F(UnitBatchPageSize, FourHundredScenes) {
   EXPECT_GT(text.size(), 8'000'000u) << "room is used";
   const json data = data_of(text);
   for (const json& row : data["rows"]) {
-    ASSERT_TRUE(row.contains("picture") && row.contains("tilt") && row["verdict"].contains("stock_picture"));
+    ASSERT_TRUE(row.contains("picture") && row.contains("tilt") &&
+                row["verdict"].contains("stock_picture"));
   }
   RecordProperty("bytes", std::to_string(text.size()));
 }
@@ -548,7 +566,8 @@ TEST_F(UnitBatchPageForBrowser, Write) {
   rows.back().lens_pixels = 4.5;
   for (int i = 1; i <= 4; ++i) {
     const std::string number = std::to_string(i);
-    rows.push_back(shown("moving/film#" + number, plain(60 * i), "pictures/film" + number + ".png"));
+    rows.push_back(
+        shown("moving/film#" + number, plain(60 * i), "pictures/film" + number + ".png"));
     rows.back().frame = i;
   }
   rows.push_back(shown("compared/one", plain(10), "pictures/one.png"));
@@ -574,7 +593,9 @@ TEST_F(UnitBatchPageForBrowser, Write) {
   with.wall = 320;
   tool::write_text(m_folder / "index.html", page(rows, with));
   const char* const to = std::getenv("LENTRAY_PAGE_FOLDER");
-  if (to) fs::copy(m_folder / ".", to, fs::copy_options::recursive | fs::copy_options::overwrite_existing);
+  if (to)
+    fs::copy(m_folder / ".", to,
+             fs::copy_options::recursive | fs::copy_options::overwrite_existing);
 }
 
 }  // namespace

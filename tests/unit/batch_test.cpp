@@ -50,10 +50,13 @@ constexpr const char* kCamera = "camera { location -5*z }\n";
 TEST_F(UnitBatch, OptionsAreItsOwnOrLentrays) {
   put("a.pov", kCamera);
   put("sheet.ini", "Lenticular=On\n");
-  const Arguments a = parse_arguments({place("a.pov"), "--out", place("out"), "+W320", "Declare=A=2", place("sheet.ini"), "--frames",
-                                       "--time-limit=10m", "--memory-limit", "2G", "--jobs=3", "--grade", "match", "+Lincludes"});
+  const Arguments a =
+      parse_arguments({place("a.pov"), "--out", place("out"), "+W320", "Declare=A=2",
+                       place("sheet.ini"), "--frames", "--time-limit=10m", "--memory-limit", "2G",
+                       "--jobs=3", "--grade", "match", "+Lincludes"});
   EXPECT_EQ(a.inputs, std::vector<fs::path>{place("a.pov")});
-  const std::vector<std::string> expected{"+W320", "Declare=A=2", place("sheet.ini"), "+L" + fs::absolute("includes").string()};
+  const std::vector<std::string> expected{"+W320", "Declare=A=2", place("sheet.ini"),
+                                          "+L" + fs::absolute("includes").string()};
   EXPECT_EQ(a.for_lentray, expected);
   EXPECT_TRUE(a.frames && a.compare && a.scene_ini);
   EXPECT_EQ(a.time_limit, 600.0);
@@ -75,12 +78,15 @@ TEST_F(UnitBatch, BadOptionsAreNamed) {
       {{scene, out, "--jobs", "1.5"}, "--jobs: '1.5': a whole number is expected"},
       {{scene, out, "--jobs", "-1"}, "--jobs: '-1': a number greater than 0 is expected"},
       {{scene, out, "--time-limit", "3d"}, "--time-limit: unknown unit 'd': there are s, m and h"},
-      {{scene, out, "--memory-limit", "3X"}, "--memory-limit: unknown unit 'X': there are K, M, G and T"},
+      {{scene, out, "--memory-limit", "3X"},
+       "--memory-limit: unknown unit 'X': there are K, M, G and T"},
       {{scene, out, "--grade", "perfect"}, "--grade: 'perfect'; there are exact, match, close"},
       {{scene, out, "--table", "t.md"}, "--table shows grades: it needs --compare"},
       {{scene, out, "--sbatch", "-p x"}, "--sbatch gives options to Slurm: it needs --slurm"},
-      {{scene, out, "+Ox.png"}, "'+Ox.png': the batch decides that of every scene itself (--out says where pictures go)"},
-      {{scene, out, "Max_Time=3"}, "'Max_Time=3': the batch decides that of every scene itself (--time-limit)"},
+      {{scene, out, "+Ox.png"},
+       "'+Ox.png': the batch decides that of every scene itself (--out says where pictures go)"},
+      {{scene, out, "Max_Time=3"},
+       "'Max_Time=3': the batch decides that of every scene itself (--time-limit)"},
       {{scene, out, "+WT4"}, "'+WT4': the batch decides that of every scene itself (--jobs)"},
       {{scene, out, "Widht=3"}, "Widht"},
       {{scene, out, "+W0"}, "W0"},
@@ -113,7 +119,8 @@ TEST_F(UnitBatch, FindsScenesAndLeavesOutPartsAndItsOwnFolder) {
   put("in/c.inc", "camera {}");
   const Scan scan = find_scenes({m_folder / "in"}, m_folder / "in/out", {});
   std::vector<std::string> names;
-  for (const Scene& scene : scan.scenes) names.push_back(scene.name + (scene.part_of.empty() ? "" : " of " + scene.part_of));
+  for (const Scene& scene : scan.scenes)
+    names.push_back(scene.name + (scene.part_of.empty() ? "" : " of " + scene.part_of));
   EXPECT_EQ(names, (std::vector<std::string>{"a", "full", "sub/alone", "sub/part of a.pov"}));
   EXPECT_EQ(scan.scenes[2].ini, m_folder / "in/sub/alone.ini");
   EXPECT_THROW(find_scenes({m_folder / "in"}, m_folder.path(), {}), std::exception);
@@ -121,7 +128,8 @@ TEST_F(UnitBatch, FindsScenesAndLeavesOutPartsAndItsOwnFolder) {
 
 TEST_F(UnitBatch, NamesAreUniqueAndStay) {
   for (const char* name : {"x/s.pov", "y/s.pov", "y/s.POV", "z/s.pov"}) put(name, kCamera);
-  const auto names = [this](const std::vector<fs::path>& inputs, const std::map<std::string, std::string>& known) {
+  const auto names = [this](const std::vector<fs::path>& inputs,
+                            const std::map<std::string, std::string>& known) {
     std::map<std::string, std::string> out;
     for (const Scene& scene : find_scenes(inputs, m_folder / "out", known).scenes) {
       out[scene.source.lexically_relative(m_folder.path()).string()] = scene.name;
@@ -129,9 +137,11 @@ TEST_F(UnitBatch, NamesAreUniqueAndStay) {
     return out;
   };
   using Names = std::map<std::string, std::string>;
-  EXPECT_EQ(names({m_folder / "x", m_folder / "y"}, {}), (Names{{"x/s.pov", "s"}, {"y/s.POV", "y/s"}, {"y/s.pov", "s-2"}}));
+  EXPECT_EQ(names({m_folder / "x", m_folder / "y"}, {}),
+            (Names{{"x/s.pov", "s"}, {"y/s.POV", "y/s"}, {"y/s.pov", "s-2"}}));
   const Names known{{place("z/s.pov"), "s"}, {place("gone.pov"), "y/s"}};
-  EXPECT_EQ(names({m_folder / "y/s.pov", m_folder / "z"}, known), (Names{{"y/s.pov", "s-2"}, {"z/s.pov", "s"}}));
+  EXPECT_EQ(names({m_folder / "y/s.pov", m_folder / "z"}, known),
+            (Names{{"y/s.pov", "s-2"}, {"z/s.pov", "s"}}));
 }
 
 Row full_row() {
@@ -211,7 +221,8 @@ TEST_F(UnitBatch, OneBatchAtATime) {
 TEST_F(UnitBatch, FilesOfOtherKeysAreForgotten) {
   const StateFolder state(m_folder / "out");
   const std::string old(16, 'a'), now(16, 'b');
-  for (const auto& [name, key] : {std::pair{"x", old}, {"x", now}, {"x.y", old}}) tool::write_text(state.file(name, key, "log"), "");
+  for (const auto& [name, key] : {std::pair{"x", old}, {"x", now}, {"x.y", old}})
+    tool::write_text(state.file(name, key, "log"), "");
   state.forget_others("x", now);
   EXPECT_FALSE(fs::exists(state.file("x", old, "log")));
   EXPECT_TRUE(fs::exists(state.file("x", now, "log")));
@@ -227,7 +238,8 @@ TEST_F(UnitBatch, StampsTellWhatHasChanged) {
   put("a.inc", "two");
   EXPECT_FALSE(is_as_it_was(m_folder / "a.inc", stamp));
   EXPECT_FALSE(is_as_it_was(m_folder / "gone", stamp));
-  EXPECT_EQ(stamp_read(m_folder / "a.inc", 5, 0).modified, 0) << "written since: its checksum is to decide";
+  EXPECT_EQ(stamp_read(m_folder / "a.inc", 5, 0).modified, 0)
+      << "written since: its checksum is to decide";
 }
 
 TEST_F(UnitBatch, KeysFollowWhatDecidesThePicture) {
@@ -246,7 +258,8 @@ TEST_F(UnitBatch, KeysFollowWhatDecidesThePicture) {
   };
   const std::string plain = key({});
   EXPECT_EQ(key({"Shadow_Cache=off", "--jobs=2", "--quiet"}), plain);
-  for (const char* word : {"+W99", "+A", "+FN16", "Lenticular=On", "Declare=X=1", "File_Gamma=1", "+Q3", "+L/tmp", "+K0.5"}) {
+  for (const char* word : {"+W99", "+A", "+FN16", "Lenticular=On", "Declare=X=1", "File_Gamma=1",
+                           "+Q3", "+L/tmp", "+K0.5"}) {
     EXPECT_NE(key({word}), plain) << word;
   }
   EXPECT_NE(key({}, "Quality=2\n"), plain);
@@ -255,7 +268,8 @@ TEST_F(UnitBatch, KeysFollowWhatDecidesThePicture) {
 
 TEST_F(UnitBatch, TasksAreOfOneSizeAndHoldEverythingOnce) {
   std::vector<Estimate> pictures;
-  for (int i = 0; i < 100; ++i) pictures.push_back({"small" + std::to_string(i), 0.1, 0.9 + i % 7, 120});
+  for (int i = 0; i < 100; ++i)
+    pictures.push_back({"small" + std::to_string(i), 0.1, 0.9 + i % 7, 120});
   pictures.push_back({"large", 2.0, 400.0, 2400});
   pictures.push_back({"slow to read", 50.0, 400.0, 2400});
   pictures.push_back({"one piece", 1.0, 300.0, 0});
@@ -299,14 +313,17 @@ TEST_F(UnitBatch, ViewsAreColumnsOfTheSheet) {
   ASSERT_EQ(view.width, 3u);
   for (std::uint32_t i = 0; i < 3; ++i) EXPECT_EQ(view.at(i, 0, 0), static_cast<float>(4 * i + 1));
   EXPECT_EQ(view_of(image, 2.5, 1).width, 4u) << "whole lenses";
-  EXPECT_EQ(view_names("a/b.png", 3.0), (std::vector<std::string>{"a/b-views/view00.png", "a/b-views/view01.png", "a/b-views/view02.png"}));
+  EXPECT_EQ(view_names("a/b.png", 3.0),
+            (std::vector<std::string>{"a/b-views/view00.png", "a/b-views/view01.png",
+                                      "a/b-views/view02.png"}));
 }
 
 TEST_F(UnitBatch, MessagesAreOneLineEach) {
   EXPECT_EQ(one_line("a\x1b[31mb  \r"), "a\\x1b[31mb");
   EXPECT_EQ(one_line(std::string(500, 'x'), 10), "xxxxxxxxxx...");
   EXPECT_EQ(one_line("\xc3\xa4\xc3\xa4", 3), "\xc3\xa4...");
-  EXPECT_EQ(last_error("banner\nParse Error: Expected '{'\nFatal error in parser\n"), "Expected '{'");
+  EXPECT_EQ(last_error("banner\nParse Error: Expected '{'\nFatal error in parser\n"),
+            "Expected '{'");
 }
 
 TEST_F(UnitBatch, TableCountsGrades) {

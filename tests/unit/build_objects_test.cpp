@@ -33,14 +33,15 @@ TEST(UnitBuildObjects, CsgTransformsReachTheParts) {
   SceneText s("difference { box { -1, 1 translate x } sphere { 0, 1 } scale 2 translate y }");
   const core::SceneParts parts = s.build();
   EXPECT_TRUE(parts.objects[0]->inside({3.5, 1, 0}));
-  EXPECT_FALSE(parts.objects[0]->inside({1.5, 1, 0}));   // cut away
+  EXPECT_FALSE(parts.objects[0]->inside({1.5, 1, 0}));  // cut away
 }
 
 TEST(UnitBuildObjects, TexturesAreInherited) {
-  SceneText s("#default { pigment { rgb <.2,0,0> } }"
-              "union { sphere { 0, 1 pigment { rgb <0,1,0> } } sphere { 3, 1 } "
-              "  union { box { 0, 1 } box { 4, 5 pigment { rgb <0,0,1> } } } pigment { rgb <1,0,0> } }"
-              "sphere { 0, 1 }");
+  SceneText s(
+      "#default { pigment { rgb <.2,0,0> } }"
+      "union { sphere { 0, 1 pigment { rgb <0,1,0> } } sphere { 3, 1 } "
+      "  union { box { 0, 1 } box { 4, 5 pigment { rgb <0,0,1> } } } pigment { rgb <1,0,0> } }"
+      "sphere { 0, 1 }");
   const core::SceneParts parts = s.build();
   const auto& children = csg(*parts.objects.at(0)).children();
   EXPECT_FLOAT_EQ(colour_at(*children.at(0), {}).rgb.g, 1.0f);
@@ -60,12 +61,13 @@ TEST(UnitBuildObjects, DefaultTextureOfTheEndOfTheStatement) {
 
 /// A texture moves with the transforms after it, its own and those of the CSG around it.
 TEST(UnitBuildObjects, TexturesMoveWithTheObject) {
-  SceneText s("#declare P = pigment { checker rgb <1,0,0>, rgb <0,1,0> }"
-              "sphere { 0, 9 pigment { P } translate x }"
-              "sphere { 0, 9 translate x pigment { P } }"
-              "union { sphere { 0, 9 pigment { P } } translate x }"
-              "union { sphere { 0, 9 } pigment { P } translate x }"
-              "union { sphere { 0, 9 } translate x pigment { P } }");
+  SceneText s(
+      "#declare P = pigment { checker rgb <1,0,0>, rgb <0,1,0> }"
+      "sphere { 0, 9 pigment { P } translate x }"
+      "sphere { 0, 9 translate x pigment { P } }"
+      "union { sphere { 0, 9 pigment { P } } translate x }"
+      "union { sphere { 0, 9 } pigment { P } translate x }"
+      "union { sphere { 0, 9 } translate x pigment { P } }");
   const core::SceneParts parts = s.build();
   const Vec3 p{0.5, 0.5, 0.5};
   const auto red = [&](const core::Object& o) { return colour_at(o, p).rgb.r; };
@@ -77,21 +79,24 @@ TEST(UnitBuildObjects, TexturesMoveWithTheObject) {
 }
 
 TEST(UnitBuildObjects, SwitchesAreInherited) {
-  SceneText s("union { sphere { 0, 1 } sphere { 3, 1 hollow off double_illuminate off } "
-              "no_shadow no_image hollow double_illuminate }");
+  SceneText s(
+      "union { sphere { 0, 1 } sphere { 3, 1 hollow off double_illuminate off } "
+      "no_shadow no_image hollow double_illuminate }");
   const core::SceneParts parts = s.build();
   const auto& children = csg(*parts.objects.at(0)).children();
   EXPECT_TRUE(children[0]->attributes().no_shadow && children[0]->attributes().no_image);
   EXPECT_FALSE(children[0]->attributes().no_reflection);
-  EXPECT_FALSE(children[0]->attributes().hollow);          // the last part says it for the interior they share
+  EXPECT_FALSE(
+      children[0]->attributes().hollow);  // the last part says it for the interior they share
   EXPECT_FALSE(children[1]->attributes().hollow);
   EXPECT_TRUE(children[1]->attributes().double_illuminate);  // the CSG overrides
 }
 
 TEST(UnitBuildObjects, InteriorsAreSharedThroughCsgAndOwnElsewhere) {
-  SceneText s("#declare I = interior { ior 1.5 }"
-              "union { sphere { 0, 1 } sphere { 3, 1 interior { ior 1.3 } } interior { I } }"
-              "sphere { 9, 1 interior { I } } sphere { 20, 1 }");
+  SceneText s(
+      "#declare I = interior { ior 1.5 }"
+      "union { sphere { 0, 1 } sphere { 3, 1 interior { ior 1.3 } } interior { I } }"
+      "sphere { 9, 1 interior { I } } sphere { 20, 1 }");
   const core::SceneParts parts = s.build();
   const auto& children = csg(*parts.objects.at(0)).children();
   EXPECT_EQ(children[0]->attributes().interior, parts.objects[0]->attributes().interior);
@@ -102,7 +107,8 @@ TEST(UnitBuildObjects, InteriorsAreSharedThroughCsgAndOwnElsewhere) {
 }
 
 TEST(UnitBuildObjects, InteriorTexture) {
-  SceneText s("sphere { 0, 1 pigment { rgb 1 } interior_texture { pigment { rgb 0 } } } sphere { 0, 1 }");
+  SceneText s(
+      "sphere { 0, 1 pigment { rgb 1 } interior_texture { pigment { rgb 0 } } } sphere { 0, 1 }");
   const core::SceneParts parts = s.build();
   EXPECT_NE(parts.objects[0]->attributes().interior_texture, nullptr);
   EXPECT_EQ(parts.objects[1]->attributes().interior_texture, nullptr);
@@ -118,8 +124,9 @@ TEST(UnitBuildObjects, Inverse) {
 }
 
 TEST(UnitBuildObjects, ClipsMoveWithTheObject) {
-  SceneText s("sphere { 0, 1 clipped_by { plane { y, 0 } } rotate z*180 translate x*5 }"
-              "union { sphere { 0, 1 clipped_by { box { 0, 2 } } } translate x*5 }");
+  SceneText s(
+      "sphere { 0, 1 clipped_by { plane { y, 0 } } rotate z*180 translate x*5 }"
+      "union { sphere { 0, 1 clipped_by { box { 0, 2 } } } translate x*5 }");
   const core::SceneParts parts = s.build();
   EXPECT_TRUE(parts.objects[0]->inside({5, 0.5, 0}));
   EXPECT_FALSE(parts.objects[0]->inside({5, -0.5, 0}));
@@ -130,9 +137,10 @@ TEST(UnitBuildObjects, ClipsMoveWithTheObject) {
 
 /// Stock drops bounds of cheap objects in the scene's list but for their box; of CSG it keeps them.
 TEST(UnitBuildObjects, BoundsOfCheapObjectsBecomeBoxes) {
-  SceneText s("sphere { 0, 1 bounded_by { sphere { 0, 2 } } }"
-              "sphere { 0, 1 bounded_by { sphere { 0, .5 } } translate x }"
-              "difference { sphere { 0, 1 } box { 0, 1 } bounded_by { sphere { 0, 2 } } }");
+  SceneText s(
+      "sphere { 0, 1 bounded_by { sphere { 0, 2 } } }"
+      "sphere { 0, 1 bounded_by { sphere { 0, .5 } } translate x }"
+      "difference { sphere { 0, 1 } box { 0, 1 } bounded_by { sphere { 0, 2 } } }");
   const core::SceneParts parts = s.build();
   EXPECT_TRUE(parts.objects[0]->gates().empty());
   ASSERT_EQ(parts.objects[1]->gates().size(), 1u);
@@ -143,8 +151,9 @@ TEST(UnitBuildObjects, BoundsOfCheapObjectsBecomeBoxes) {
 }
 
 TEST(UnitBuildObjects, MeshTextures) {
-  SceneText s("mesh2 { vertex_vectors { 3, 0, x, y } texture_list { 1, texture { pigment { rgb 1 } } }"
-              " face_indices { 1, <0,1,2>, 0 } translate z }");
+  SceneText s(
+      "mesh2 { vertex_vectors { 3, 0, x, y } texture_list { 1, texture { pigment { rgb 1 } } }"
+      " face_indices { 1, <0,1,2>, 0 } translate z }");
   const core::SceneParts parts = s.build();
   const auto& leaf = dynamic_cast<const core::Leaf&>(*parts.objects.at(0));
   EXPECT_EQ(leaf.name(), "mesh2");
@@ -153,10 +162,11 @@ TEST(UnitBuildObjects, MeshTextures) {
 }
 
 TEST(UnitBuildObjects, Lights) {
-  SceneText s("union { light_source { x, rgb <1,2,3> spotlight point_at 0 radius 10 falloff 20 } "
-              "  sphere { 0, 1 } translate y*2 }"
-              "light_source { 0, 1 area_light x, y, 3, 4 rotate z*90 shadowless }"
-              "light_source { 0, 1 area_light x, y, 3, 4 adaptive 1 }");
+  SceneText s(
+      "union { light_source { x, rgb <1,2,3> spotlight point_at 0 radius 10 falloff 20 } "
+      "  sphere { 0, 1 } translate y*2 }"
+      "light_source { 0, 1 area_light x, y, 3, 4 rotate z*90 shadowless }"
+      "light_source { 0, 1 area_light x, y, 3, 4 adaptive 1 }");
   const core::SceneParts parts = s.build();
   ASSERT_EQ(parts.lights.size(), 3u);
   EXPECT_EQ(parts.objects.size(), 1u);
@@ -174,8 +184,9 @@ TEST(UnitBuildObjects, Lights) {
 }
 
 TEST(UnitBuildObjects, LooksLikeIsAnObjectWithoutShadow) {
-  SceneText s("light_source { <1,2,3>, 1 looks_like { sphere { 0, 1 } } }"
-              "union { light_source { 0, 1 looks_like { sphere { 0, 1 } } } translate x*7 }");
+  SceneText s(
+      "light_source { <1,2,3>, 1 looks_like { sphere { 0, 1 } } }"
+      "union { light_source { 0, 1 looks_like { sphere { 0, 1 } } } translate x*7 }");
   const core::SceneParts parts = s.build();
   ASSERT_EQ(parts.objects.size(), 2u);
   EXPECT_TRUE(parts.objects[0]->attributes().no_shadow);
@@ -185,9 +196,10 @@ TEST(UnitBuildObjects, LooksLikeIsAnObjectWithoutShadow) {
 }
 
 TEST(UnitBuildScene, NotRenderedIsNamedOnce) {
-  SceneText s("#declare Unused = light_source { 0, 1 projected_through { sphere { 0, 1 } } }"
-              "light_source { Unused } plane { y, 0 } light_source { Unused }"
-              "media { scattering { 1, 1 } }");
+  SceneText s(
+      "#declare Unused = light_source { 0, 1 projected_through { sphere { 0, 1 } } }"
+      "light_source { Unused } plane { y, 0 } light_source { Unused }"
+      "media { scattering { 1, 1 } }");
   const core::SceneParts parts = s.build();
   EXPECT_EQ(parts.not_rendered, (std::vector<std::string>{"media", "projected_through"}));
   int warnings = 0;
@@ -214,8 +226,9 @@ TEST(UnitBuildScene, AssumedGammaByVersion) {
 }
 
 TEST(UnitBuildScene, SettingsAndSky) {
-  SceneText s("global_settings { max_trace_level 9 adc_bailout .25 ambient_light rgb 2 }"
-              "background { rgbt <1,1,1,.5> } sky_sphere { pigment { rgb x } emission .5 }");
+  SceneText s(
+      "global_settings { max_trace_level 9 adc_bailout .25 ambient_light rgb 2 }"
+      "background { rgbt <1,1,1,.5> } sky_sphere { pigment { rgb x } emission .5 }");
   const core::SceneParts parts = s.build();
   EXPECT_EQ(parts.settings.max_trace_level, 9);
   EXPECT_EQ(parts.settings.adc_bailout, 0.25);

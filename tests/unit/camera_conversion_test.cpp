@@ -106,8 +106,9 @@ TEST(UnitCameraConversion, WithoutLookAtTheMedianDepthCounts) {
   EXPECT_NEAR(sheet.camera->placement().centre.z, 5.0, 1e-12);
   EXPECT_TRUE(has_line(sheet.report, "Sheet distance 15, the median depth"));
   const SceneProbe nothing = [](const Ray&, double) { return std::optional<ProbeHit>(); };
-  EXPECT_NE(message([&] { (void)sheet_of_camera("perspective", p, {}, 600, 30, nothing); })
-                .find("give Sheet_Distance"),
+  EXPECT_NE(message([&] {
+              (void)sheet_of_camera("perspective", p, {}, 600, 30, nothing);
+            }).find("give Sheet_Distance"),
             std::string::npos);
 }
 
@@ -172,10 +173,10 @@ TEST(UnitCameraConversion, DpiAndPixelsSayTheSameThing) {
       sheet_of_camera("perspective", plain_camera(), lpi, 600, 30, {}).camera->sheet().lens().pitch,
       0.635, 1e-15);
   lpi.lens.pitch = 0.7;
-  EXPECT_NE(
-      message([&] { (void)sheet_of_camera("perspective", plain_camera(), lpi, 600, 30, {}); })
-          .find("contradict"),
-      std::string::npos);
+  EXPECT_NE(message([&] {
+              (void)sheet_of_camera("perspective", plain_camera(), lpi, 600, 30, {});
+            }).find("contradict"),
+            std::string::npos);
 }
 
 TEST(UnitCameraConversion, OptionsOverrideTheStatement) {
@@ -211,19 +212,21 @@ TEST(UnitCameraConversion, StatementDefaults) {
 TEST(ErrorCameraConversion, RefusalsAreByName) {
   for (const char* kind : {"fisheye", "ultra_wide_angle", "omnimax", "panoramic", "spherical",
                            "cylinder", "mesh_camera", "user_defined"}) {
-    EXPECT_NE(message([&] { (void)sheet_of_camera(kind, plain_camera(), {}, 640, 480, {}); })
-                  .find(kind),
-              std::string::npos);
+    EXPECT_NE(
+        message([&] { (void)sheet_of_camera(kind, plain_camera(), {}, 640, 480, {}); }).find(kind),
+        std::string::npos);
   }
   Projection skewed = plain_camera();
   skewed.up = {0.1, 1.0, 0.0};
-  EXPECT_NE(message([&] { (void)sheet_of_camera("perspective", skewed, {}, 640, 480, {}); })
-                .find("not perpendicular"),
+  EXPECT_NE(message([&] {
+              (void)sheet_of_camera("perspective", skewed, {}, 640, 480, {});
+            }).find("not perpendicular"),
             std::string::npos);
   Projection flat = plain_camera();
   flat.direction = {1.0, 0.0, 0.0};
-  EXPECT_NE(message([&] { (void)sheet_of_camera("perspective", flat, {}, 640, 480, {}); })
-                .find("picture plane"),
+  EXPECT_NE(message([&] {
+              (void)sheet_of_camera("perspective", flat, {}, 640, 480, {});
+            }).find("picture plane"),
             std::string::npos);
   Conversion thin;
   thin.lens.pixels = 0.5;
@@ -234,7 +237,10 @@ TEST(ErrorCameraConversion, RefusalsAreByName) {
   for (const double distance : {1e-300, 1e300}) {
     Conversion absurd;
     absurd.sheet_distance = distance;
-    EXPECT_NE(message([&] { (void)sheet_of_camera("perspective", plain_camera(), absurd, 640, 480, {}); }), "");
+    EXPECT_NE(message([&] {
+                (void)sheet_of_camera("perspective", plain_camera(), absurd, 640, 480, {});
+              }),
+              "");
   }
 }
 

@@ -123,8 +123,8 @@ TEST(UnitCameraSheetReport, SizesAndResolution) {
 
 TEST(UnitCameraSheetReport, NearestAndFarthestVisiblePoints) {
   // A ball before the sheet hides one half as near to the eye; a wall stands behind both.
-  const Sheet sheet = sheet_of(both(both(ball_at({1, 2, -2}, 1.0, "a"), ball_at({1, 2, 1}, 0.5, "b")),
-                                    plane_at({0, 0, 1}, 5.0)));
+  const Sheet sheet = sheet_of(both(
+      both(ball_at({1, 2, -2}, 1.0, "a"), ball_at({1, 2, 1}, 0.5, "b")), plane_at({0, 0, 1}, 5.0)));
   EXPECT_TRUE(has_line(sheet.report, "Nearest visible point 2.9")) << all(sheet.report);
   EXPECT_TRUE(has_line(sheet.report, "before the sheet: parallax -"));
   EXPECT_TRUE(has_line(sheet.report, "Farthest visible point 5 behind the sheet: parallax "));
@@ -172,7 +172,8 @@ TEST(UnitCameraSheetReport, PinholeTellsHowFarRaysMissTheEye) {
   EXPECT_FALSE(has_line(sheet_of({}, from_infinity()).report, "miss the eyes"));
   Conversion snell;
   snell.lens.model = LensModel::kPinhole;
-  EXPECT_TRUE(has_line(sheet_of({}, snell).report, "Rays miss the eyes of their views by at most "));
+  EXPECT_TRUE(
+      has_line(sheet_of({}, snell).report, "Rays miss the eyes of their views by at most "));
 }
 
 // What a sheet runs into. The sheet of plain_camera() is 8.9 x 6.7 units at z = 0, its eye 10 units
@@ -184,11 +185,12 @@ TEST(ErrorCameraCollisions, AnObjectAcrossTheSheet) {
       << all(sheet.warnings);
   EXPECT_EQ(sheet.warnings.size(), 1u);
   // Also with the eye infinitely far.
-  EXPECT_TRUE(has_line(sheet_of(ball_at({1, 2, 0}, 1.0), from_infinity()).warnings, "cuts an object"));
+  EXPECT_TRUE(
+      has_line(sheet_of(ball_at({1, 2, 0}, 1.0), from_infinity()).warnings, "cuts an object"));
   // Two of a kind are counted, the hidden second along a line too.
-  EXPECT_TRUE(has_line(
-      sheet_of(both(ball_at({-1, 2, 0}, 0.6, "a"), ball_at({2, 2, 0}, 0.6, "b"))).warnings,
-      "(2 sphere)"));
+  EXPECT_TRUE(
+      has_line(sheet_of(both(ball_at({-1, 2, 0}, 0.6, "a"), ball_at({2, 2, 0}, 0.6, "b"))).warnings,
+               "(2 sphere)"));
 }
 
 TEST(ErrorCameraCollisions, ObjectsBesideTheSheetAreNone) {
@@ -208,8 +210,9 @@ TEST(ErrorCameraCollisions, HiddenObjectsAreNone) {
 TEST(ErrorCameraCollisions, FloorsAreSceneryNotObjects) {
   const Sheet floor = sheet_of(plane_at({0, 1, 0}, 0.5));
   EXPECT_TRUE(floor.warnings.empty()) << all(floor.warnings);
-  EXPECT_TRUE(has_line(floor.report, "Larger than the sheet and running through it, as floors do: "
-                                     "plane"));
+  EXPECT_TRUE(has_line(floor.report,
+                       "Larger than the sheet and running through it, as floors do: "
+                       "plane"));
   // A planet for a floor.
   const Sheet ground = sheet_of(ball_at({1, -49.5, 0}, 50.0));
   EXPECT_TRUE(ground.warnings.empty()) << all(ground.warnings);
@@ -230,8 +233,10 @@ TEST(ErrorCameraCollisions, TheEyesRunIntoAnObject) {
   const double step = 10.0 * lens.ior * lens.pixel_size() / lens.focal_length;
   const int last = 7 - static_cast<int>(std::ceil(2.0 / step));
   ASSERT_GT(last, 0);
-  EXPECT_TRUE(has_line(wall.warnings, "run into an object (plane): seen from inside or behind it: "
-                                      "views 0 to " + std::to_string(last)))
+  EXPECT_TRUE(has_line(wall.warnings,
+                       "run into an object (plane): seen from inside or behind it: "
+                       "views 0 to " +
+                           std::to_string(last)))
       << all(wall.warnings);
   EXPECT_TRUE(sheet_of(plane_at({1, 0, 0}, 1.0 + 7.01 * step)).warnings.empty());
   EXPECT_TRUE(has_line(sheet_of(plane_at({1, 0, 0}, 1.0 + 6.99 * step)).warnings, "it: view 0"));
@@ -241,8 +246,9 @@ TEST(ErrorCameraCollisions, TheEyesRunIntoAnObject) {
 TEST(ErrorCameraCollisions, RaysStartInAPlaneWhenTheEyeIsFar) {
   // V infinite: rays start 10 before the sheet, some of them below the floor.
   const Sheet floor = sheet_of(plane_at({0, 1, 0}, 0.5), from_infinity());
-  EXPECT_TRUE(has_line(floor.warnings, "the plane where rays start, 10 scene units before the sheet "
-                                       "(Lens_Front), cuts an object (plane)"))
+  EXPECT_TRUE(has_line(floor.warnings,
+                       "the plane where rays start, 10 scene units before the sheet "
+                       "(Lens_Front), cuts an object (plane)"))
       << all(floor.warnings);
   EXPECT_TRUE(sheet_of(plane_at({0, 1, 0}, -1.5), from_infinity()).warnings.empty());
   // A start between eye and sheet.
@@ -257,12 +263,11 @@ TEST(ErrorCameraCollisions, AnOrthographicSheetIsWhereRaysStart) {
   Projection p = plain_camera();
   p.right = {4.0, 0.0, 0.0};
   p.up = {0.0, 3.0, 0.0};
-  const Sheet cut =
-      sheet_of_camera("orthographic", p, {}, 640, 480, ball_at({1, 2, -10}, 1.0));
+  const Sheet cut = sheet_of_camera("orthographic", p, {}, 640, 480, ball_at({1, 2, -10}, 1.0));
   ASSERT_EQ(cut.warnings.size(), 1u) << all(cut.warnings);
   EXPECT_TRUE(has_line(cut.warnings, "where rays start, 0 scene units before the sheet"));
-  EXPECT_TRUE(sheet_of_camera("orthographic", p, {}, 640, 480, ball_at({1, 2, -8}, 1.0))
-                  .warnings.empty());
+  EXPECT_TRUE(
+      sheet_of_camera("orthographic", p, {}, 640, 480, ball_at({1, 2, -8}, 1.0)).warnings.empty());
 }
 
 }  // namespace

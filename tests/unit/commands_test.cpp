@@ -23,7 +23,9 @@ PovrayConf conf_of(PovrayConf::Shellout shellout) {
 class UnitCommands : public ::testing::Test {
  protected:
   UnitCommands() { m_options.all_file = (m_folder / "texts").string(); }
-  parser::ShellCommand& of(CommandKind kind) { return m_options.commands[static_cast<std::size_t>(kind)]; }
+  parser::ShellCommand& of(CommandKind kind) {
+    return m_options.commands[static_cast<std::size_t>(kind)];
+  }
   Action run(CommandKind kind, PovrayConf::Shellout shellout = PovrayConf::Shellout::kAllowed) {
     m_options.warning_console = m_options.render_console = false;
     TextStreams texts(m_options);
@@ -47,11 +49,20 @@ TEST(UnitCommandText, Substitutions) {
 }
 
 TEST_F(UnitCommands, StatusAndAction) {
-  struct Case { const char* command; char action; bool on_success; Action expected; };
-  for (const Case& c : {Case{"true", 'S', false, Action::kGoOn}, {"false", 'S', false, Action::kSkip},
-                        {"false", 'S', true, Action::kGoOn}, {"true", 'S', true, Action::kSkip},
-                        {"exit 3", 'A', false, Action::kSkipAll}, {"exit 3", 'Q', false, Action::kQuit},
-                        {"exit 3", 'U', false, Action::kAbort}, {"exit 3", 'I', false, Action::kGoOn},
+  struct Case {
+    const char* command;
+    char action;
+    bool on_success;
+    Action expected;
+  };
+  for (const Case& c : {Case{"true", 'S', false, Action::kGoOn},
+                        {"false", 'S', false, Action::kSkip},
+                        {"false", 'S', true, Action::kGoOn},
+                        {"true", 'S', true, Action::kSkip},
+                        {"exit 3", 'A', false, Action::kSkipAll},
+                        {"exit 3", 'Q', false, Action::kQuit},
+                        {"exit 3", 'U', false, Action::kAbort},
+                        {"exit 3", 'I', false, Action::kGoOn},
                         {"kill -9 $$", 'Q', false, Action::kQuit}}) {
     of(CommandKind::kPreFrame) = {c.command, c.action, c.on_success};
     EXPECT_EQ(run(CommandKind::kPreFrame), c.expected) << c.command << c.action << c.on_success;
@@ -73,7 +84,8 @@ TEST_F(UnitCommands, NothingRunsUnlessAllowed) {
   for (const auto shellout : {PovrayConf::Shellout::kForbidden, PovrayConf::Shellout::kUnsaid}) {
     EXPECT_EQ(run(CommandKind::kPreScene, shellout), Action::kGoOn);
     EXPECT_FALSE(std::filesystem::exists(made));
-    EXPECT_NE(texts().find("Pre_Scene_Command: not run; 'allowed' below [Shellout Security] in "), std::string::npos);
+    EXPECT_NE(texts().find("Pre_Scene_Command: not run; 'allowed' below [Shellout Security] in "),
+              std::string::npos);
   }
   of(CommandKind::kPreScene).action = 'F';
   EXPECT_THROW(run(CommandKind::kPreScene, PovrayConf::Shellout::kForbidden), parser::OptionError)

@@ -9,20 +9,68 @@
 namespace lentray::parser {
 namespace {
 
-RenderOptions read(const std::vector<std::string>& arguments) { return read_options(arguments, {}); }
+RenderOptions read(const std::vector<std::string>& arguments) {
+  return read_options(arguments, {});
+}
 
 TEST(UnitParserCreateIni, AsksForTheSameRunAgain) {
   const std::vector<std::vector<std::string>> runs = {
       {"a.pov"},
-      {"+Isome where/a b.pov", "+W641", "+H77", "+A0.07", "+AM2", "+R5", "-J", "+AG1.8", "Declare=X=3.25",
-       "Declare=T=\"text\"", "+L/tmp/a folder", "+SC0.25", "+EC100", "+SR3", "+ER0.5", "+Q7", "+UA", "+WT3",
-       "+Oout/of here.png", "+FN16", "File_Gamma=1.7", "+THB3", "Grayscale_Output=on", "Compression=50", "Display_Gamma=1.8", "+C", "-V", "+WL5", "-GS", "+GFfatal.txt"},
+      {"+Isome where/a b.pov",
+       "+W641",
+       "+H77",
+       "+A0.07",
+       "+AM2",
+       "+R5",
+       "-J",
+       "+AG1.8",
+       "Declare=X=3.25",
+       "Declare=T=\"text\"",
+       "+L/tmp/a folder",
+       "+SC0.25",
+       "+EC100",
+       "+SR3",
+       "+ER0.5",
+       "+Q7",
+       "+UA",
+       "+WT3",
+       "+Oout/of here.png",
+       "+FN16",
+       "File_Gamma=1.7",
+       "+THB3",
+       "Grayscale_Output=on",
+       "Compression=50",
+       "Display_Gamma=1.8",
+       "+C",
+       "-V",
+       "+WL5",
+       "-GS",
+       "+GFfatal.txt"},
       {"a.pov", "+K0.1", "+MV3.5"},
       {"a.pov", "+KFI3", "+KFF12", "+KI0.5", "+KF2", "+SF0.5", "+EF11", "+STP2", "+KC"},
-      {"a.pov", "Lenticular=On", "Lens_Pitch=0.7", "Lens_Focal_Length=2.1", "Lens_IOR=1.56", "Lens_Pixels=12.4",
-       "View_Distance=400", "Sheet_Distance=7", "Lens_Model=pinhole", "View=3", "Antialias_Angle=4",
-       "Pixel_Order=strips(4,32)", "Shadow_Cache=tree", "Accelerator=grid", "-UL", "Max_Memory=100M", "Max_Time=90",
-       "Band_Height=7", "Statistics_File=s.json", "Count_Tests=Off", "Dependencies_File=d.json", "Scene_Writes=memory", "Restrict_IO=On"}};
+      {"a.pov",
+       "Lenticular=On",
+       "Lens_Pitch=0.7",
+       "Lens_Focal_Length=2.1",
+       "Lens_IOR=1.56",
+       "Lens_Pixels=12.4",
+       "View_Distance=400",
+       "Sheet_Distance=7",
+       "Lens_Model=pinhole",
+       "View=3",
+       "Antialias_Angle=4",
+       "Pixel_Order=strips(4,32)",
+       "Shadow_Cache=tree",
+       "Accelerator=grid",
+       "-UL",
+       "Max_Memory=100M",
+       "Max_Time=90",
+       "Band_Height=7",
+       "Statistics_File=s.json",
+       "Count_Tests=Off",
+       "Dependencies_File=d.json",
+       "Scene_Writes=memory",
+       "Restrict_IO=On"}};
   for (const auto& arguments : runs) {
     const tool::TemporaryFolder folder;
     const std::string text = ini_text(read(arguments)), path = (folder / "again.ini").string();

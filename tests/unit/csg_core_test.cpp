@@ -18,18 +18,23 @@ using core::Vec3;
 constexpr const char* kObjects[] = {
     "difference { box { -.7, .7 } sphere { 0, .9 } cylinder { -2*z, 2*z, .3 } }",
     "intersection { sphere { -.5*z, 1.1 } sphere { .5*z, 1.1 } cylinder { -z, z, .8 } }",
-    "difference { union { sphere { -.3*x, .7 } cone { .3*x, .7, x + y, .2 } } box { <-2,0,-2>, 2 } }",
+    "difference { union { sphere { -.3*x, .7 } cone { .3*x, .7, x + y, .2 } } box { <-2,0,-2>, 2 } "
+    "}",
     "difference { cylinder { -y, y, .8 open } box { <-2,.2,-2>, <2,2,0> } }",
-    "intersection { box { -1, 1 } box { <-1,-.5,-1>, <1,.5,2> } sphere { 0, 1.2 } clipped_by { plane { y, .3 } } }",
-    "difference { superellipsoid { <.3,.5> } merge { sphere { x, .6 } sphere { .5*y, .6 } } bounded_by { box { -.9, 1 } } }",
-    "intersection { difference { sphere { 0, 1 } cylinder { -2*y, 2*y, .3 } } box { -.8, .8 rotate 20*x } inverse }",
+    "intersection { box { -1, 1 } box { <-1,-.5,-1>, <1,.5,2> } sphere { 0, 1.2 } clipped_by { "
+    "plane { y, .3 } } }",
+    "difference { superellipsoid { <.3,.5> } merge { sphere { x, .6 } sphere { .5*y, .6 } } "
+    "bounded_by { box { -.9, 1 } } }",
+    "intersection { difference { sphere { 0, 1 } cylinder { -2*y, 2*y, .3 } } box { -.8, .8 rotate "
+    "20*x } inverse }",
     "merge { sphere { -.4*x, .7 } sphere { .4*x, .7 } cylinder { -y, y, .3 } }",
     "union { sphere { -.4*x, .7 } disc { 0, y, 1 } clipped_by { box { -.6, .9 } } }"};
 
 class UnitCsgCore : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(UnitCsgCore, SparesWorkAlone) {
-  const std::string sdl = std::string("object { ") + GetParam() + " rotate <0,10,0> translate <.1,0,.2> }";
+  const std::string sdl =
+      std::string("object { ") + GetParam() + " rotate <0,10,0> translate <.1,0,.2> }";
   SceneText one(sdl), other(sdl);
   const core::SceneParts usual = one.build(), plain = other.build();
   core::HitArena arena;
@@ -42,7 +47,8 @@ TEST_P(UnitCsgCore, SparesWorkAlone) {
     core::Object &shorter = *usual.objects[k], &longer = *plain.objects[k];
     longer.drop_shortcuts();
     for (int i = 0; i < 20000; ++i) {
-      Vec3 from = point() * (i % 3 == 0 ? 0.4 : 3.0), way = normalized(point() - from * (i % 3 == 0 ? 0.0 : 0.7));
+      Vec3 from = point() * (i % 3 == 0 ? 0.4 : 3.0),
+           way = normalized(point() - from * (i % 3 == 0 ? 0.0 : 0.7));
       if (i % 5 == 0) from.y = 0.5;  // in a common face
       if (i % 10 == 0) way = normalized(Vec3{way.x, 0.0, way.z});
       const Ray ray{from, way};

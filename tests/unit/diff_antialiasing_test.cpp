@@ -18,7 +18,9 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-Antialiasing asked(const Words& options) { return antialiasing_of(parser::read_options(options, {})); }
+Antialiasing asked(const Words& options) {
+  return antialiasing_of(parser::read_options(options, {}));
+}
 
 TEST(UnitDiffAntialiasing, OffUnlessAskedFor) {
   EXPECT_EQ(words(asked({})), (Words{"-A", "-J"}));
@@ -28,8 +30,8 @@ TEST(UnitDiffAntialiasing, OffUnlessAskedFor) {
 
 TEST(UnitDiffAntialiasing, AllOfItReachesBoth) {
   EXPECT_EQ(words(asked({"+A0.0", "+AM2", "+R4", "-J", "+AG1.5"})),
-            (Words{"Antialias=On", "Sampling_Method=2", "Antialias_Threshold=0", "Antialias_Depth=4",
-                   "Antialias_Gamma=1.5", "Jitter=Off"}));
+            (Words{"Antialias=On", "Sampling_Method=2", "Antialias_Threshold=0",
+                   "Antialias_Depth=4", "Antialias_Gamma=1.5", "Jitter=Off"}));
   EXPECT_EQ(words(asked({"Antialias=On", "Jitter_Amount=0.5"})),
             (Words{"Antialias=On", "Sampling_Method=1", "Antialias_Threshold=0.29999999999999999",
                    "Antialias_Depth=3", "Antialias_Gamma=2.5", "Jitter=On", "Jitter_Amount=0.5"}));

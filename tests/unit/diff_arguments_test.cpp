@@ -64,7 +64,8 @@ TEST_F(UnitDiffArguments, OutputNamesThePictures) {
 }
 
 TEST_F(UnitDiffArguments, IniFilesAreReadForStock) {
-  tool::write_text(m_folder / "o.ini", "; comment\nLenticular=On\nDeclare=Size=3\n[small]\nQuality=4\n");
+  tool::write_text(m_folder / "o.ini",
+                   "; comment\nLenticular=On\nDeclare=Size=3\n[small]\nQuality=4\n");
   const std::string ini = (m_folder / "o.ini").string();
   EXPECT_EQ(parse({ini}).stock.arguments, (Words{"Declare=Size=3"}));
   EXPECT_EQ(parse({ini + "[small]"}).stock.arguments, (Words{"Declare=Size=3", "Quality=4"}));
@@ -114,8 +115,8 @@ TEST(UnitDiffReport, Pictures) {
   b.at(3, 1, 2) = 0;
   const core::StoredImage heat = heat_map(a, b);
   EXPECT_EQ(heat.at(0, 0, 0), 0.0f);
-  EXPECT_EQ(heat.at(2, 1, 0), 255.0f);   // between yellow and red
-  EXPECT_EQ(heat.at(3, 1, 1), 255.0f);   // white
+  EXPECT_EQ(heat.at(2, 1, 0), 255.0f);  // between yellow and red
+  EXPECT_EQ(heat.at(3, 1, 1), 255.0f);  // white
   const core::StoredImage side = side_by_side(a, b);
   EXPECT_EQ(side.width, 3u * 6 + 8);
   EXPECT_EQ(side.at(2 + 10, 1, 0), 105.0f);

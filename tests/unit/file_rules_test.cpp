@@ -25,7 +25,8 @@ using tool::write_text;
 /// Folders "work" (the scene's, with "sub") and "outside", which has a file "secret".
 class UnitFileRules : public ::testing::Test {
  protected:
-  UnitFileRules() : root(fs::canonical(m_folder.path())), work(root / "work"), outside(root / "outside") {
+  UnitFileRules()
+      : root(fs::canonical(m_folder.path())), work(root / "work"), outside(root / "outside") {
     fs::create_directories(work / "sub");
     fs::create_directories(outside);
     write_text(outside / "secret", "secret");
@@ -52,7 +53,8 @@ constexpr const char* kRestricted = "[File I/O Security]\nrestricted\n";
 TEST(UnitPovrayConf, Sections) {
   const PovrayConf conf = parse_povray_conf(
       "; comment\n[File I/O Security]\n;none\nread-only ; words\n\n[Shellout Security]\nallowed\r\n"
-      "[Permitted Paths]\nread = /\nread* = %INSTALLDIR%\nread+write=\"%HOME%\"\n read+write* = '/usr' ;x\n"
+      "[Permitted Paths]\nread = /\nread* = %INSTALLDIR%\nread+write=\"%HOME%\"\n read+write* = "
+      "'/usr' ;x\n"
       "read = /no/such/folder\nwrite = /\n[Other]\nx = y\n",
       "c", {"/usr", "/var"});
   EXPECT_EQ(conf.files, PovrayConf::FileSecurity::kReadOnly);
@@ -70,7 +72,8 @@ TEST(UnitPovrayConf, Sections) {
 }
 
 TEST(UnitPovrayConf, WhatIsNotUnderstoodForbids) {
-  const PovrayConf conf = parse_povray_conf("[File I/O Security]\nopen\n[Shellout Security]\nyes\n", "c", {});
+  const PovrayConf conf =
+      parse_povray_conf("[File I/O Security]\nopen\n[Shellout Security]\nyes\n", "c", {});
   EXPECT_EQ(conf.files, PovrayConf::FileSecurity::kRestricted);
   EXPECT_EQ(conf.shellout, PovrayConf::Shellout::kForbidden);
   EXPECT_EQ(conf.warnings.size(), 2u);
@@ -100,14 +103,16 @@ TEST_F(UnitFileRules, UsersFolders) {
   EXPECT_NE(r.against_writing(outside / "a"), "");
   EXPECT_NE(r.against_reading("pipe:[123]"), "");
   EXPECT_NE(r.against_reading(""), "");
-  for (const char* name : {".bashrc", "povray.ini", ".povray/3.7/povray.conf", "sub/povray.conf", "sub/.x/y"}) {
+  for (const char* name :
+       {".bashrc", "povray.ini", ".povray/3.7/povray.conf", "sub/povray.conf", "sub/.x/y"}) {
     EXPECT_NE(r.against_writing(work / name), "") << name;
   }
 }
 
 TEST_F(UnitFileRules, Conf) {
   EXPECT_NE(rules(kRestricted).against_reading(outside / "a"), "");
-  EXPECT_NE(rules("[File I/O Security]\nnone\n").against_reading(outside / "a"), "") << "none permits nothing more";
+  EXPECT_NE(rules("[File I/O Security]\nnone\n").against_reading(outside / "a"), "")
+      << "none permits nothing more";
   const FileRules reads_all = rules("[File I/O Security]\nread-only\n");
   EXPECT_EQ(reads_all.against_reading(outside / "a"), "");
   EXPECT_NE(reads_all.against_writing(outside / "a"), "");
@@ -238,7 +243,9 @@ TEST_F(UnitFileRules, MemoryWrites) {
   EXPECT_TRUE(strangers.open(work / "new", false));
 }
 
-TEST(UnitFiles, ShownName) { EXPECT_EQ(shown_name(std::string("a\nb\0c\x7F", 6)), "a\\x0ab\\x00c\\x7f"); }
+TEST(UnitFiles, ShownName) {
+  EXPECT_EQ(shown_name(std::string("a\nb\0c\x7F", 6)), "a\\x0ab\\x00c\\x7f");
+}
 
 }  // namespace
 }  // namespace lentray::parser

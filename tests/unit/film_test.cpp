@@ -23,7 +23,8 @@ TEST(UnitCoreRandomKey, PixelsSamplesAndUsesHaveNumbersOfTheirOwn) {
   std::set<std::uint64_t> keys;
   for (std::int32_t column = -2; column < 20; ++column) {
     for (std::int32_t row = -2; row < 20; ++row) {
-      for (std::uint32_t sample = 0; sample < 12; ++sample) keys.insert(sample_key(column, row, sample));
+      for (std::uint32_t sample = 0; sample < 12; ++sample)
+        keys.insert(sample_key(column, row, sample));
     }
   }
   EXPECT_EQ(keys.size(), 22u * 22 * 12);
@@ -53,8 +54,8 @@ TEST(UnitCorePixelLattice, OfAnOrdinaryPicture) {
 TEST(UnitCoreComparedSpace, SumsChannelsAtTheGammaOfTheEye) {
   const ComparedSpace eye(2.5, 1.0);
   const Compared a = eye.of({{0.5f, 0.25f, 4.0f}, 0.25f}), b = eye.of({{0.5f, 0.5f, -1.0f}, 0.0f});
-  EXPECT_NEAR(a.distance(b),
-              std::pow(0.5, 0.4) - std::pow(0.25, 0.4) + std::pow(4.0, 0.4) + 0.25, 1e-5);
+  EXPECT_NEAR(a.distance(b), std::pow(0.5, 0.4) - std::pow(0.25, 0.4) + std::pow(4.0, 0.4) + 0.25,
+              1e-5);
   EXPECT_NEAR(ComparedSpace(2.5, 2.0).of({Rgb(0.5f), 0.0f}).rgb.g, std::pow(0.25, 0.4), 1e-5);
   const double decoded = std::pow((0.5 + 0.055) / 1.055, 2.4);
   EXPECT_NEAR(ComparedSpace(2.5, 0.0).of({Rgb(0.5f), 0.0f}).rgb.b, std::pow(decoded, 0.4), 1e-5);
@@ -72,11 +73,13 @@ struct Window final : RaySource {
 };
 
 struct Rows final : PixelOrder {
-  Rows(std::uint32_t columns, std::uint32_t first, std::uint32_t end) : width(columns), top(first), bottom(end) {}
+  Rows(std::uint32_t columns, std::uint32_t first, std::uint32_t end)
+      : width(columns), top(first), bottom(end) {}
   std::size_t jobs() const override { return bottom - top; }
   void pixels(std::size_t job, std::vector<Pixel>& out) const override {
     out.clear();
-    for (std::uint32_t i = 0; i < width; ++i) out.push_back({i, top + static_cast<std::uint32_t>(job)});
+    for (std::uint32_t i = 0; i < width; ++i)
+      out.push_back({i, top + static_cast<std::uint32_t>(job)});
   }
   std::uint32_t width, top, bottom;
 };
@@ -128,7 +131,8 @@ struct Memory final : PictureLedger {
     }
   }
   bool listens() const override { return every > 0; }
-  void add(std::size_t stage, const std::vector<Pixel>& pixels, const std::vector<float>& all) override {
+  void add(std::size_t stage, const std::vector<Pixel>& pixels,
+           const std::vector<float>& all) override {
     const std::lock_guard lock(mutex);
     ASSERT_EQ(all.size(), pixels.size() * kValues);
     if (count++ % every != 0) return;
@@ -151,9 +155,12 @@ struct Memory final : PictureLedger {
   std::unique_ptr<PixelSet> sets[kStages];
 };
 
-struct Rendered { Image image; Counters counters; };
-Rendered render(const Scene& scene, std::uint32_t size, const Antialiasing& aa, int threads = 1, std::uint32_t band = 64,
-                PictureLedger* ledger = nullptr) {
+struct Rendered {
+  Image image;
+  Counters counters;
+};
+Rendered render(const Scene& scene, std::uint32_t size, const Antialiasing& aa, int threads = 1,
+                std::uint32_t band = 64, PictureLedger* ledger = nullptr) {
   Whole whole(size);
   FrameOptions options{.threads = threads};
   options.antialiasing = aa;
@@ -246,7 +253,8 @@ TEST(UnitCoreFilm, PartsOfAPictureTakeNoMoreThanTheirTiles) {
       explicit Part(const FilmColumns& c) : columns(c) {}
       std::unique_ptr<PixelOrder> band(std::uint32_t top, std::uint32_t bottom) const override {
         struct Columns final : PixelOrder {
-          Columns(const FilmColumns& c, std::uint32_t t, std::uint32_t b) : columns(c), top(t), bottom(b) {}
+          Columns(const FilmColumns& c, std::uint32_t t, std::uint32_t b)
+              : columns(c), top(t), bottom(b) {}
           std::size_t jobs() const override { return bottom - top; }
           void pixels(std::size_t job, std::vector<Pixel>& out) const override {
             out.clear();
@@ -262,8 +270,8 @@ TEST(UnitCoreFilm, PartsOfAPictureTakeNoMoreThanTheirTiles) {
       FilmColumns columns;
     };
     const Part orders(columns);
-    const Counters c = render_frame(*scene, Window(300), {300, 300, 300}, orders, PlainShadowTesterFactory(), options,
-                                    whole, nullptr);
+    const Counters c = render_frame(*scene, Window(300), {300, 300, 300}, orders,
+                                    PlainShadowTesterFactory(), options, whole, nullptr);
     const std::uint64_t expected[] = {100, 130 * 130, 121};
     EXPECT_EQ(c.camera_rays, expected[method] + 9 * c.antialiased_pixels);
     EXPECT_EQ(whole.image.pixel(139, 145)[0], 0.0f);

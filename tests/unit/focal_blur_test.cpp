@@ -89,7 +89,8 @@ TEST(UnitFocalBlur, PointsCoverTheDisc) {
 }
 
 TEST(UnitFocalBlur, BokehWeighsPoints) {
-  const FocalBlur half({.most = 400, .weight = [](double x, double) { return x < 0.5 ? 0.0 : 1.0; }});
+  const FocalBlur half(
+      {.most = 400, .weight = [](double x, double) { return x < 0.5 ? 0.0 : 1.0; }});
   ASSERT_EQ(half.points().size(), 400u);
   for (const core::Vec2& p : half.points()) EXPECT_GE(p.u, 0.0);
   const FocalBlur ramp({.most = 2000, .weight = [](double, double y) { return y; }});
@@ -138,7 +139,8 @@ TEST(UnitFocalBlur, PlacesFillThePixelEvenly) {
     const core::Vec2& point = blur.points()[i];
     ASSERT_LE(std::fabs(ray.x - point.u), blur.jitter());
     ASSERT_LE(std::fabs(ray.y - point.v), blur.jitter());
-    ++cells[static_cast<std::size_t>(std::floor((ray.across + 0.5) * 4) * 4 + std::floor((ray.down + 0.5) * 4))];
+    ++cells[static_cast<std::size_t>(std::floor((ray.across + 0.5) * 4) * 4 +
+                                     std::floor((ray.down + 0.5) * 4))];
     estimate.add({});
   }
   for (const int count : cells) EXPECT_NEAR(count, 16, 3);
@@ -195,7 +197,8 @@ TEST(UnitThinLens, FisheyeIsInFocusOnASphere) {
   camera::Projection p = camera::plain_camera();
   p.direction = {0, 0, 1};
   const camera::Blurred camera(
-      std::make_shared<camera::Curved>(camera::CurvedKind::kFisheye, p, camera::CurvedAngles{120, 360, 180}, 16, 12),
+      std::make_shared<camera::Curved>(camera::CurvedKind::kFisheye, p,
+                                       camera::CurvedAngles{120, 360, 180}, 16, 12),
       camera::lens_of_camera(p, request(6.0)), {.most = 10});
   core::Ray centre, ray;
   const core::PixelPlace place{.column = 4, .row = 5};
@@ -209,14 +212,16 @@ TEST(UnitThinLens, FisheyeIsInFocusOnASphere) {
 TEST(UnitThinLens, SheetsAreInFocusWhereTheirCameraIs) {
   const camera::Projection p = camera::plain_camera();  // 10 units before the sheet
   for (const double view_distance : {0.0, 300.0}) {     // mm; 0: infinite
-    for (const std::optional<double> front : {std::optional<double>(), std::optional<double>(2.0)}) {
+    for (const std::optional<double> front :
+         {std::optional<double>(), std::optional<double>(2.0)}) {
       camera::Conversion conversion;
       conversion.lens.pixels = 8.0;
       conversion.lens.view_distance = view_distance;
       conversion.lens.front = front;
       const std::shared_ptr<camera::Lenticular> sheet =
           camera::sheet_of_camera("perspective", p, conversion, 64, 12, {}).camera;
-      const camera::Blurred camera(sheet, camera::lens_of_conversion(*sheet, p, request(6.0)), {.most = 10});
+      const camera::Blurred camera(sheet, camera::lens_of_conversion(*sheet, p, request(6.0)),
+                                   {.most = 10});
       const double eyes = view_distance == 0.0 ? -10.0 : -sheet->eye_distance();
       expect_meets(camera, {1, 2, 0}, {0, 0, 1}, eyes, -4.0);
     }

@@ -43,14 +43,18 @@ class Trees {
       leaf->index = static_cast<std::size_t>(pick(3));
       return leaf;
     }
-    if (kind == 2 && m_jumps) return make_node(Op::kChoose, less(depth), tree(depth - 1), tree(depth - 1));
+    if (kind == 2 && m_jumps)
+      return make_node(Op::kChoose, less(depth), tree(depth - 1), tree(depth - 1));
     if (kind == 3) {
       auto call = make_node(Op::kCall, tree(depth - 1), tree(depth - 1), tree(depth - 1));
-      call->callee = std::make_shared<const NoiseFunction>(std::make_shared<const int>(1 + pick(3)));
+      call->callee =
+          std::make_shared<const NoiseFunction>(std::make_shared<const int>(1 + pick(3)));
       return call;
     }
-    static constexpr std::array kOps{Op::kAdd, Op::kSubtract, Op::kMultiply, Op::kMultiply, Op::kMax, Op::kLess};
-    return make_node(kOps[static_cast<std::size_t>(pick(kOps.size()))], tree(depth - 1), tree(depth - 1));
+    static constexpr std::array kOps{Op::kAdd,      Op::kSubtract, Op::kMultiply,
+                                     Op::kMultiply, Op::kMax,      Op::kLess};
+    return make_node(kOps[static_cast<std::size_t>(pick(kOps.size()))], tree(depth - 1),
+                     tree(depth - 1));
   }
   Point point() {
     std::uniform_real_distribution<double> at(-3.0, 3.0);
@@ -94,7 +98,8 @@ TEST(UnitCoreFunctionProgram, TwoPointsAtOnceAreEachAlone) {
     if (!frame.prepare(dynamic_cast<const Program&>(*function))) continue;
     ++wide;
     const Point a = trees.point(), b = trees.point();
-    const auto values = frame(Program::Lanes{a[0], b[0]}, Program::Lanes{a[1], b[1]}, Program::Lanes{a[2], b[2]});
+    const auto values =
+        frame(Program::Lanes{a[0], b[0]}, Program::Lanes{a[1], b[1]}, Program::Lanes{a[2], b[2]});
     ASSERT_EQ(bits(values[0]), bits(function->evaluate(a))) << "tree " << i;
     ASSERT_EQ(bits(values[1]), bits(function->evaluate(b))) << "tree " << i;
   }
@@ -113,14 +118,21 @@ TEST(UnitCoreFunctionProgram, FormulasOfTwoPointsAreEachAlone) {
       std::array<double, 9> one{}, other{};
       std::array<Pair, 9> both{};
       for (std::size_t k = 0; k < 9; ++k) {
-        one[k] = k < 3 ? place(random) : k == 8 ? i % 4 : k == 5 ? 1.0 + i % 5 + 0.25 * (i % 2) : share(random);
+        one[k] = k < 3    ? place(random)
+                 : k == 8 ? i % 4
+                 : k == 5 ? 1.0 + i % 5 + 0.25 * (i % 2)
+                          : share(random);
         other[k] = k < 3 ? place(random) : one[k];
         if (i % 10 == 0 && k == static_cast<std::size_t>(3 + i / 10 % 6)) other[k] += 1.0;
         both[k] = Pair{one[k], other[k]};
       }
       const Pair value = function->evaluate_pair({both.data(), function->parameters()});
-      EXPECT_EQ(std::bit_cast<std::uint64_t>(value[0]), std::bit_cast<std::uint64_t>(function->evaluate({one.data(), function->parameters()})));
-      EXPECT_EQ(std::bit_cast<std::uint64_t>(value[1]), std::bit_cast<std::uint64_t>(function->evaluate({other.data(), function->parameters()})));
+      EXPECT_EQ(
+          std::bit_cast<std::uint64_t>(value[0]),
+          std::bit_cast<std::uint64_t>(function->evaluate({one.data(), function->parameters()})));
+      EXPECT_EQ(
+          std::bit_cast<std::uint64_t>(value[1]),
+          std::bit_cast<std::uint64_t>(function->evaluate({other.data(), function->parameters()})));
     }
   }
   EXPECT_EQ(paired, 5);

@@ -17,7 +17,8 @@ namespace fs = std::filesystem;
 TEST(FuzzInputs, AllEnd) {
   const auto library = include_files("/usr/share/povray-3.7/include");
   std::size_t count = 0;
-  for (const auto& entry : fs::directory_iterator(fs::path(LENTRAY_SOURCE_DIR) / "tests/fuzz/inputs")) {
+  for (const auto& entry :
+       fs::directory_iterator(fs::path(LENTRAY_SOURCE_DIR) / "tests/fuzz/inputs")) {
     if (!entry.is_regular_file()) continue;
     SCOPED_TRACE(entry.path().filename().string());
     read_input(tool::read_text(entry.path()), library);
@@ -29,8 +30,10 @@ TEST(FuzzInputs, AllEnd) {
 /// The sanitizers see leaks and reading beyond what there is.
 TEST(FuzzInputs, FilesOfPicturesFontsAndDensitiesAllEnd) {
   std::size_t count = 0;
-  for (const auto& [folder, use] : {std::pair{"picture", &use_picture}, std::pair{"data", &use_font_or_densities}}) {
-    for (const auto& entry : fs::directory_iterator(fs::path(LENTRAY_SOURCE_DIR) / "tests/fuzz/inputs" / folder)) {
+  for (const auto& [folder, use] :
+       {std::pair{"picture", &use_picture}, std::pair{"data", &use_font_or_densities}}) {
+    for (const auto& entry :
+         fs::directory_iterator(fs::path(LENTRAY_SOURCE_DIR) / "tests/fuzz/inputs" / folder)) {
       SCOPED_TRACE(entry.path().filename().string());
       const std::string bytes = tool::read_text(entry.path());
       use(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());

@@ -46,13 +46,20 @@ std::vector<double> depths(const Object& object, const Ray& ray) {
 }
 
 std::unique_ptr<Object> random_leaf(Random& random) {
-  const Transform place = Transform::rotation(random.vector(180)).then(Transform::translation(random.vector(0.8)));
+  const Transform place =
+      Transform::rotation(random.vector(180)).then(Transform::translation(random.vector(0.8)));
   std::unique_ptr<Shape> shape;
   switch (random.whole(0, 5)) {
     case 0: shape = std::make_unique<Sphere>(Vec3{}, random.in(0.3, 1.0)); break;
-    case 1: shape = std::make_unique<Box>(Vec3(-random.in(0.2, 0.8)), Vec3(random.in(0.2, 0.8))); break;
-    case 2: shape = std::make_unique<Cylinder>(Vec3{0, -1, 0}, Vec3{0, 1, 0}, random.in(0.2, 0.7)); break;
-    case 3: shape = std::make_unique<Cone>(Vec3{0, -1, 0}, random.in(0.2, 1.0), Vec3{0, 1, 0}, 0.1); break;
+    case 1:
+      shape = std::make_unique<Box>(Vec3(-random.in(0.2, 0.8)), Vec3(random.in(0.2, 0.8)));
+      break;
+    case 2:
+      shape = std::make_unique<Cylinder>(Vec3{0, -1, 0}, Vec3{0, 1, 0}, random.in(0.2, 0.7));
+      break;
+    case 3:
+      shape = std::make_unique<Cone>(Vec3{0, -1, 0}, random.in(0.2, 1.0), Vec3{0, 1, 0}, 0.1);
+      break;
     case 4: shape = std::make_unique<Torus>(0.7, 0.25); break;
     default: shape = std::make_unique<Plane>(Vec3{0, 1, 0}, random.in(-0.5, 0.5)); break;
   }
@@ -77,7 +84,8 @@ TEST(UnitCoreCsg, SurfacesLieExactlyWhereInsideChanges) {
   int crossings = 0;
   for (int tree = 0; tree < 400; ++tree) {
     const auto object = random_tree(random, 3);
-    const Bounds box = object->bounds(), solid = object->solid_bounds(), hollow = object->void_bounds();
+    const Bounds box = object->bounds(), solid = object->solid_bounds(),
+                 hollow = object->void_bounds();
     HitArena arena;
     for (int k = 0; k < 40; ++k) {
       const Ray ray = random.ray(4.0, 1.0);
@@ -128,15 +136,17 @@ TEST(UnitCoreCsg, UnionKeepsInnerSurfacesAndMergeDoesNot) {
 
 TEST(UnitCoreCsg, DifferenceFromAUnionHasNoWallsInItsHole) {
   // Two overlapping spheres cut out of a box: no surface within the hole.
-  const auto object = csg(CsgKind::kDifference, leaf<Box>(Vec3(-5.0), Vec3(5.0)),
-                          csg(CsgKind::kUnion, leaf<Sphere>(Vec3{0, 0, 0}, 1.0), leaf<Sphere>(Vec3{1, 0, 0}, 1.0)));
+  const auto object =
+      csg(CsgKind::kDifference, leaf<Box>(Vec3(-5.0), Vec3(5.0)),
+          csg(CsgKind::kUnion, leaf<Sphere>(Vec3{0, 0, 0}, 1.0), leaf<Sphere>(Vec3{1, 0, 0}, 1.0)));
   EXPECT_EQ(depths(*object, {{0.5, 0, 0}, {1, 0, 0}}), (std::vector<double>{1.5, 4.5}));
   EXPECT_FALSE(object->inside({0.5, 0, 0}));
   EXPECT_TRUE(object->inside({3, 0, 0}));
 }
 
 TEST(UnitCoreCsg, NormalsOfInvertedPartsPointIntoTheHole) {
-  const auto object = csg(CsgKind::kDifference, leaf<Box>(Vec3(-5.0), Vec3(5.0)), leaf<Sphere>(Vec3{}, 1.0));
+  const auto object =
+      csg(CsgKind::kDifference, leaf<Box>(Vec3(-5.0), Vec3(5.0)), leaf<Sphere>(Vec3{}, 1.0));
   HitArena arena;
   Hit hit;
   const Ray ray{{0, 0, 0}, {1, 0, 0}};
@@ -183,7 +193,8 @@ TEST(UnitCoreCsg, ManyChildrenMatchFew) {
       flat.push_back(leaf<Sphere>(centre, radius));
       auto sphere = leaf<Sphere>(centre, radius);
       nested = !nested ? std::move(sphere)
-                       : csg(join ? CsgKind::kMerge : CsgKind::kDifference, std::move(nested), std::move(sphere));
+                       : csg(join ? CsgKind::kMerge : CsgKind::kDifference, std::move(nested),
+                             std::move(sphere));
     }
     const Csg wide(join ? CsgKind::kMerge : CsgKind::kDifference, std::move(flat));
     for (int k = 0; k < 2000; ++k) {
@@ -217,7 +228,8 @@ TEST(UnitCoreCsg, TiesGoToTheLastChild) {
 
 TEST(UnitCoreClipping, KeepsSurfacesWithinAndCountsForInside) {
   auto sphere = leaf<Sphere>(Vec3{}, 1.0);
-  sphere->set_clips({std::shared_ptr<const Object>(leaf<Plane>(Vec3{0, 0, -1}, 0.0))});  // keeps z >= 0
+  sphere->set_clips(
+      {std::shared_ptr<const Object>(leaf<Plane>(Vec3{0, 0, -1}, 0.0))});  // keeps z >= 0
   EXPECT_EQ(depths(*sphere, {{0, 0, -5}, {0, 0, 1}}), (std::vector<double>{6}));
   HitArena arena;
   Hit hit;
@@ -230,8 +242,10 @@ TEST(UnitCoreClipping, KeepsSurfacesWithinAndCountsForInside) {
   EXPECT_FALSE(sphere->nearest({{0, 0, -5}, {0, 0, 1}}, 0, 5.5, hit, arena));
   EXPECT_DOUBLE_EQ(hit.t, 6.0);
 
-  auto pair = csg(CsgKind::kUnion, leaf<Sphere>(Vec3{0, 0, 0}, 1.0), leaf<Sphere>(Vec3{0, 0, 5}, 1.0));
-  pair->set_clips({std::shared_ptr<const Object>(leaf<Plane>(Vec3{0, 0, -1}, -4.5))});  // keeps z >= 4.5
+  auto pair =
+      csg(CsgKind::kUnion, leaf<Sphere>(Vec3{0, 0, 0}, 1.0), leaf<Sphere>(Vec3{0, 0, 5}, 1.0));
+  pair->set_clips(
+      {std::shared_ptr<const Object>(leaf<Plane>(Vec3{0, 0, -1}, -4.5))});  // keeps z >= 4.5
   EXPECT_EQ(depths(*pair, {{0, 0, -5}, {0, 0, 1}}), (std::vector<double>{11}));
   ASSERT_TRUE(pair->nearest({{0, 0, -5}, {0, 0, 1}}, 0, kInf, hit, arena));
   EXPECT_DOUBLE_EQ(hit.t, 11.0);
@@ -269,11 +283,13 @@ TEST(UnitCoreBounding, RaysThatMissItMissTheObject) {
 }
 
 TEST(UnitCoreCsg, EmptyAndInfiniteOnes) {
-  const auto nothing = csg(CsgKind::kIntersection, leaf<Sphere>(Vec3{}, 1.0), leaf<Sphere>(Vec3{5, 0, 0}, 1.0));
+  const auto nothing =
+      csg(CsgKind::kIntersection, leaf<Sphere>(Vec3{}, 1.0), leaf<Sphere>(Vec3{5, 0, 0}, 1.0));
   EXPECT_TRUE(nothing->bounds().is_empty());
   EXPECT_TRUE(depths(*nothing, {{-5, 0, 0}, {1, 0, 0}}).empty());
-  const auto slab = csg(CsgKind::kIntersection, leaf<Plane>(Vec3{0, 1, 0}, 1.0), leaf<Plane>(Vec3{0, -1, 0}, 1.0),
-                        leaf<Quadric>(Vec3{1, 0, 1}, Vec3{}, Vec3{}, -4.0));
+  const auto slab =
+      csg(CsgKind::kIntersection, leaf<Plane>(Vec3{0, 1, 0}, 1.0), leaf<Plane>(Vec3{0, -1, 0}, 1.0),
+          leaf<Quadric>(Vec3{1, 0, 1}, Vec3{}, Vec3{}, -4.0));
   const Bounds b = slab->bounds();
   ASSERT_TRUE(b.is_finite());  // planes bound the height, the quadric the rest
   EXPECT_NEAR(b.hi.y, 1.0, 1e-9);

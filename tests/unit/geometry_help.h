@@ -15,7 +15,9 @@ class Random {
   double in(double lo, double hi) {
     return lo + (hi - lo) * (static_cast<double>(m_engine()) / 4294967296.0);
   }
-  int whole(int lo, int hi) { return lo + static_cast<int>(m_engine() % static_cast<unsigned>(hi - lo + 1)); }
+  int whole(int lo, int hi) {
+    return lo + static_cast<int>(m_engine() % static_cast<unsigned>(hi - lo + 1));
+  }
   Vec3 vector(double size) { return {in(-size, size), in(-size, size), in(-size, size)}; }
   Vec3 direction() {
     for (;;) {
@@ -29,13 +31,16 @@ class Random {
     return {from, normalized(vector(near) - from)};
   }
   Transform similarity() {
-    return Transform::rotation(vector(180.0)).then(Transform::scaling(Vec3(in(0.3, 3.0))))
+    return Transform::rotation(vector(180.0))
+        .then(Transform::scaling(Vec3(in(0.3, 3.0))))
         .then(Transform::translation(vector(5.0)));
   }
   Transform any_transform() {
     return Transform::scaling({in(0.3, 3.0), in(0.3, 3.0), -in(0.3, 3.0)})
         .then(Transform::rotation(vector(180.0)))
-        .then(Transform::matrix({{{1.0, in(-0.5, 0.5), 0.0}, {0.0, 1.0, in(-0.5, 0.5)}, {0.0, 0.0, 1.0},
+        .then(Transform::matrix({{{1.0, in(-0.5, 0.5), 0.0},
+                                  {0.0, 1.0, in(-0.5, 0.5)},
+                                  {0.0, 0.0, 1.0},
                                   {in(-3.0, 3.0), in(-3.0, 3.0), in(-3.0, 3.0)}}}));
   }
 

@@ -25,9 +25,11 @@ Outline ring(double scale, const Vec2& at) {
   };
   std::vector<CurvePiece> pieces;
   for (int i = 0; i < kWaves; ++i) {
-    const double a = i * 6.283185307179586 / kWaves, b = ((i + 1) % kWaves) * 6.283185307179586 / kWaves;
+    const double a = i * 6.283185307179586 / kWaves,
+                 b = ((i + 1) % kWaves) * 6.283185307179586 / kWaves;
     const double middle = (i + 0.5) * 6.283185307179586 / kWaves;
-    pieces.push_back(CurvePiece::conic(place(a, 1.0), place(middle, i % 2 == 0 ? 1.6 : 0.7), place(b, 1.0)));
+    pieces.push_back(
+        CurvePiece::conic(place(a, 1.0), place(middle, i % 2 == 0 ? 1.6 : 0.7), place(b, 1.0)));
     pieces.push_back(CurvePiece::line(place(a, 0.4), place(b, 0.4)));
   }
   return Outline(std::move(pieces));
@@ -42,7 +44,8 @@ TEST(UnitCoreOutline, SquaresSayWhatCountingSays) {
       plain.drop_boxes();
       int inside = 0;
       for (int i = 0; i < 20000; ++i) {
-        const double u = at.u + scale * random.in(-1.7, 1.7), v = at.v + scale * random.in(-1.7, 1.7);
+        const double u = at.u + scale * random.in(-1.7, 1.7),
+                     v = at.v + scale * random.in(-1.7, 1.7);
         ASSERT_EQ(outline.contains(u, v), plain.contains(u, v)) << scale << ' ' << u << ' ' << v;
         inside += outline.contains(u, v);
       }
@@ -120,7 +123,9 @@ TEST(UnitCoreOutline, NoCrossingOnTheWayIsLeftOut) {
     const Outline outline = ring(scale, {0.2 * scale, 0.1 * scale});
     int met = 0;
     for (int i = 0; i < 20000; ++i) {
-      const double reach = scale * std::pow(10.0, random.in(-4, 0.5)), lean = i % 7 == 0 ? 1e-9 : i % 7 == 1 ? 1e-3 : 1.0;
+      const double reach = scale * std::pow(10.0, random.in(-4, 0.5)), lean = i % 7 == 0   ? 1e-9
+                                                                              : i % 7 == 1 ? 1e-3
+                                                                                           : 1.0;
       const Vec2 from{scale * random.in(-2, 2), scale * random.in(-2, 2)};
       const Vec2 to{from.u + reach * random.in(-1, 1), from.v + lean * reach * random.in(-1, 1)};
       const double a = to.v - from.v, b = from.u - to.u, c = from.v * to.u - from.u * to.v;
@@ -128,7 +133,8 @@ TEST(UnitCoreOutline, NoCrossingOnTheWayIsLeftOut) {
         int between = 0;
         outline.crossings(a, b, c, way, [&](std::uint32_t, double, const Vec2& p) {
           const double along = (p.u - from.u) * (to.u - from.u) + (p.v - from.v) * (to.v - from.v);
-          between += along > 0.0 && along < (to.u - from.u) * (to.u - from.u) + (to.v - from.v) * (to.v - from.v);
+          between += along > 0.0 &&
+                     along < (to.u - from.u) * (to.u - from.u) + (to.v - from.v) * (to.v - from.v);
           return true;
         });
         return between;
@@ -136,7 +142,8 @@ TEST(UnitCoreOutline, NoCrossingOnTheWayIsLeftOut) {
       const int crossings = count({from, to, 1e-9 * scale, true});
       ASSERT_EQ(crossings, count({}));
       // They tell apart the inside from the outside.
-      ASSERT_EQ(crossings % 2 != 0, outline.contains(from.u, from.v) != outline.contains(to.u, to.v));
+      ASSERT_EQ(crossings % 2 != 0,
+                outline.contains(from.u, from.v) != outline.contains(to.u, to.v));
       met += crossings > 0;
     }
     EXPECT_GT(met, 1000);
@@ -152,7 +159,8 @@ TEST(UnitCorePlaneBoxes, NameWhatAWayPassesThrough) {
     PlaneBox around{{1e9, 1e9}, {-1e9, -1e9}};
     for (std::size_t i = 0; i < count; ++i) {
       const Vec2 lo{random.in(3, 5), random.in(-2, 0)};
-      boxes.push_back({lo, {lo.u + random.in(0, 0.1), lo.v + (i % 5 == 1 ? 0.0 : random.in(0.01, 0.1))}});
+      boxes.push_back(
+          {lo, {lo.u + random.in(0, 0.1), lo.v + (i % 5 == 1 ? 0.0 : random.in(0.01, 0.1))}});
       around.lo = {std::min(around.lo.u, boxes[i].lo.u), std::min(around.lo.v, boxes[i].lo.v)};
       around.hi = {std::max(around.hi.u, boxes[i].hi.u), std::max(around.hi.v, boxes[i].hi.v)};
     }
@@ -163,11 +171,13 @@ TEST(UnitCorePlaneBoxes, NameWhatAWayPassesThrough) {
     for (int i = 0; i < 500; ++i) {
       const double reach = std::pow(10.0, random.in(-3, 1));
       const Vec2 from{random.in(3, 5), random.in(-2, 0)};
-      const PlaneWay way{from, {from.u + reach * random.in(-1, 1), from.v + reach * random.in(-1, 1)}, 1e-9, true};
+      const PlaneWay way{
+          from, {from.u + reach * random.in(-1, 1), from.v + reach * random.in(-1, 1)}, 1e-9, true};
       std::vector<bool> fast(count), portable(count);
       std::size_t seen = 0;
       search.along(way, [&](std::size_t box) { return fast[box] = true; });
-      search.along(way, [&](std::size_t box) { return portable[box] = true; }, true);
+      search.along(
+          way, [&](std::size_t box) { return portable[box] = true; }, true);
       blind.along(way, [&](std::size_t) { return ++seen > 0; });
       ASSERT_EQ(seen, count);
       for (std::size_t box = 0; box < count; ++box) {
@@ -254,9 +264,12 @@ TEST(UnitGeometryClips, APolynomialLosesNoCrossingToTheBallOfItsClips) {
     }
     ASSERT_EQ(c.size(), count);
     c.back() -= sum;
-    const Transform place = Transform::scaling({0.7, 1.3, 0.9}).then(Transform::translation({2, -1, 3}));
-    Leaf whole(std::make_unique<Poly>("poly", order, c), place), clipped(std::make_unique<Poly>("poly", order, c), place);
-    const auto clip = std::make_shared<Leaf>(std::make_unique<Sphere>(place.point(on), 0.8), Transform());
+    const Transform place =
+        Transform::scaling({0.7, 1.3, 0.9}).then(Transform::translation({2, -1, 3}));
+    Leaf whole(std::make_unique<Poly>("poly", order, c), place),
+        clipped(std::make_unique<Poly>("poly", order, c), place);
+    const auto clip =
+        std::make_shared<Leaf>(std::make_unique<Sphere>(place.point(on), 0.8), Transform());
     clipped.set_clips({clip});
     HitArena arena;
     int met = 0;
@@ -268,7 +281,8 @@ TEST(UnitGeometryClips, APolynomialLosesNoCrossingToTheBallOfItsClips) {
       clipped.all(ray, 1e-6, Bounds::kInf, kept, arena);
       std::erase_if(all, [&](const Hit& hit) { return !clip->inside(ray.at(hit.t)); });
       ASSERT_EQ(kept.size(), all.size()) << order << ' ' << i;
-      for (std::size_t k = 0; k < kept.size(); ++k) EXPECT_NEAR(kept[k].t, all[k].t, 1e-9 * (1.0 + all[k].t));
+      for (std::size_t k = 0; k < kept.size(); ++k)
+        EXPECT_NEAR(kept[k].t, all[k].t, 1e-9 * (1.0 + all[k].t));
       met += !kept.empty();
     }
     EXPECT_GT(met, 200) << order;
@@ -280,7 +294,8 @@ TEST(UnitAccelLightBuffer, ManySmallCastersAreACrowd) {
   std::vector<std::unique_ptr<Object>> objects;
   for (int i = 0; i < 20000; ++i) {
     objects.push_back(std::make_unique<Leaf>(
-        std::make_unique<Sphere>(Vec3{random.in(-7, 7), random.in(-1, 1), random.in(-7, 7)}, 0.03), Transform()));
+        std::make_unique<Sphere>(Vec3{random.in(-7, 7), random.in(-1, 1), random.in(-7, 7)}, 0.03),
+        Transform()));
     objects.back()->set_opaque(true);
   }
   EXPECT_TRUE(LightBuffer({-20, 30, -25}, objects, 1e-3, 1024).crowded());

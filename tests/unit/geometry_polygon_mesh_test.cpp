@@ -38,7 +38,8 @@ bool plain_even_odd(const std::vector<std::vector<Vec3>>& contours, double x, do
   return odd;
 }
 
-void compare(const Polygon& polygon, const std::vector<std::vector<Vec3>>& contours, unsigned seed) {
+void compare(const Polygon& polygon, const std::vector<std::vector<Vec3>>& contours,
+             unsigned seed) {
   ASSERT_FALSE(polygon.is_degenerate());
   Random random(seed);
   int met = 0;
@@ -60,7 +61,8 @@ TEST(UnitCorePolygon, FastTestsMatchPlainEvenOdd) {
   compare(Polygon(star(5, 1.0, 1.0, 0.3)), {star(5, 1.0, 1.0, 0.3)}, 5);
   compare(Polygon(star(9000, 0.8, 1.0)), {star(9000, 0.8, 1.0)}, 6);
   std::vector<Vec3> crossed;  // a pentagram: the middle is out
-  for (int i = 0; i <= 5; ++i) crossed.push_back(star(5, 1.0, 1.0)[static_cast<std::size_t>(2 * i % 5)]);
+  for (int i = 0; i <= 5; ++i)
+    crossed.push_back(star(5, 1.0, 1.0)[static_cast<std::size_t>(2 * i % 5)]);
   compare(Polygon(crossed), {crossed}, 7);
   ShapeHit hit;
   EXPECT_FALSE(Polygon(crossed).nearest({{0, 0, -1}, {0, 0, 1}}, 0, kInf, hit));
@@ -112,7 +114,8 @@ TEST(UnitCorePolygon, DegenerateOnesAreDropped) {
   EXPECT_TRUE(Polygon({{0, 0, 0}, {1, 0, 0}}).is_degenerate());
   EXPECT_TRUE(Polygon({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 0, 0}}).is_degenerate());
   EXPECT_TRUE(Polygon({{0, 0, 0}, {1, 0, 0}, {1, 1, 1e-9}, {0, 1, 0}, {0, 0, 0}}).is_degenerate());
-  EXPECT_TRUE(Polygon({{0, 0, 0}, {.002, 0, 0}, {.002, .002, 0}, {0, .002, 0}, {0, 0, 0}}).is_degenerate());
+  EXPECT_TRUE(
+      Polygon({{0, 0, 0}, {.002, 0, 0}, {.002, .002, 0}, {0, .002, 0}, {0, 0, 0}}).is_degenerate());
   EXPECT_FALSE(Polygon({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}).is_degenerate());
   EXPECT_TRUE(Polygon({}).bounds().is_empty());
 }
@@ -126,7 +129,8 @@ MeshData bumpy(int n, unsigned seed) {
     for (int j = 0; j < n; ++j) {
       const double a = std::numbers::pi * i / n, b = 2.0 * std::numbers::pi * j / n;
       const double r = i == 0 || i == n ? 1.0 : random.in(0.8, 1.2);
-      data.vertices.push_back({r * std::sin(a) * std::cos(b), r * std::cos(a), r * std::sin(a) * std::sin(b)});
+      data.vertices.push_back(
+          {r * std::sin(a) * std::cos(b), r * std::cos(a), r * std::sin(a) * std::sin(b)});
     }
   }
   for (int j = 0; j < n; ++j) {  // the poles are one point each
@@ -179,9 +183,9 @@ TEST(UnitCoreMesh, MatchesEveryTriangleTried) {
 
 TEST(UnitCoreMesh, InsideByParityEvenThroughEdgesAndCorners) {
   const Mesh mesh(std::make_shared<const TriangleMesh>(bumpy(16, 5)), Vec3{0, 1, 0}, false);
-  EXPECT_TRUE(mesh.inside({0, 0, 0}));       // straight at the pole
+  EXPECT_TRUE(mesh.inside({0, 0, 0}));  // straight at the pole
   EXPECT_TRUE(mesh.inside({0, 0.5, 0}));
-  EXPECT_FALSE(mesh.inside({0, -1.5, 0}));   // through both poles
+  EXPECT_FALSE(mesh.inside({0, -1.5, 0}));  // through both poles
   EXPECT_FALSE(mesh.inside({0, 1.5, 0}));
   Random random(6);
   for (int k = 0; k < 2000; ++k) {

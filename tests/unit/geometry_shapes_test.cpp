@@ -45,27 +45,51 @@ std::unique_ptr<Shape> tetrahedron() {
 /// Solids, standing about the origin within a distance of 2.
 std::vector<Kind> solids() {
   return {
-      {"sphere", [] { return std::make_unique<Sphere>(Vec3{0.1, 0.2, 0.3}, 0.8); },
-       [](const Vec3& p) { return length(p - Vec3{0.1, 0.2, 0.3}) - 0.8; }},
-      {"box", [] { return std::make_unique<Box>(Vec3{1, -0.5, -0.7}, Vec3{-0.4, 0.6, 0.9}); },
+      {"sphere",
+       [] {
+         return std::make_unique<Sphere>(Vec3{0.1, 0.2, 0.3}, 0.8);
+       },
+       [](const Vec3& p) {
+         return length(p - Vec3{0.1, 0.2, 0.3}) - 0.8;
+       }},
+      {"box",
+       [] {
+         return std::make_unique<Box>(Vec3{1, -0.5, -0.7}, Vec3{-0.4, 0.6, 0.9});
+       },
        [](const Vec3& p) {
          const Vec3 a{std::max(-0.4 - p.x, p.x - 1.0), std::max(-0.5 - p.y, p.y - 0.6),
                       std::max(-0.7 - p.z, p.z - 0.9)};
          return std::max({a.x, a.y, a.z});
        }},
-      {"cylinder", [] { return std::make_unique<Cylinder>(Vec3{0, -0.6, 0}, Vec3{0, 0.9, 0}, 0.7); },
-       [](const Vec3& p) { return std::max({radial(p) - 0.7, -0.6 - p.y, p.y - 0.9}); }},
-      {"cone", [] { return std::make_unique<Cone>(Vec3{0, -0.5, 0}, 1.0, Vec3{0, 1, 0}, 0.25); },
+      {"cylinder",
+       [] {
+         return std::make_unique<Cylinder>(Vec3{0, -0.6, 0}, Vec3{0, 0.9, 0}, 0.7);
+       },
+       [](const Vec3& p) {
+         return std::max({radial(p) - 0.7, -0.6 - p.y, p.y - 0.9});
+       }},
+      {"cone",
+       [] {
+         return std::make_unique<Cone>(Vec3{0, -0.5, 0}, 1.0, Vec3{0, 1, 0}, 0.25);
+       },
        [](const Vec3& p) {
          return std::max({radial(p) - (1.0 - 0.5 * (p.y + 0.5)), -0.5 - p.y, p.y - 1.0});
        }},
-      {"pointed cone", [] { return std::make_unique<Cone>(Vec3{0, 1, 0}, 0.0, Vec3{0, -1, 0}, 1.0); },
-       [](const Vec3& p) { return std::max({radial(p) - 0.5 * (1.0 - p.y), -1 - p.y, p.y - 1.0}); }},
+      {"pointed cone",
+       [] {
+         return std::make_unique<Cone>(Vec3{0, 1, 0}, 0.0, Vec3{0, -1, 0}, 1.0);
+       },
+       [](const Vec3& p) {
+         return std::max({radial(p) - 0.5 * (1.0 - p.y), -1 - p.y, p.y - 1.0});
+       }},
       {"torus", [] { return std::make_unique<Torus>(1.0, 0.3); },
        [](const Vec3& p) { return std::hypot(radial(p) - 1.0, p.y) - 0.3; }},
       {"thin torus", [] { return std::make_unique<Torus>(1.0, 0.01); },
        [](const Vec3& p) { return std::hypot(radial(p) - 1.0, p.y) - 0.01; }},
-      {"ellipsoid", [] { return std::make_unique<Quadric>(Vec3{1, 4, 2}, Vec3{}, Vec3{0.2, 0, 0}, -1.0); },
+      {"ellipsoid",
+       [] {
+         return std::make_unique<Quadric>(Vec3{1, 4, 2}, Vec3{}, Vec3{0.2, 0, 0}, -1.0);
+       },
        [](const Vec3& p) { return p.x * p.x + 4 * p.y * p.y + 2 * p.z * p.z + 0.2 * p.x - 1.0; }},
       {"mesh", tetrahedron,
        [](const Vec3& p) {
@@ -168,7 +192,9 @@ TEST(UnitCoreShapes, BoundsHoldTheSurfaceAndAreTight) {
   for (const Kind& kind : solids()) {
     Random random(10);
     for (int round = 0; round < 12; ++round) {
-      const Transform t = round == 0 ? Transform() : round % 2 ? random.similarity() : random.any_transform();
+      const Transform t = round == 0  ? Transform()
+                          : round % 2 ? random.similarity()
+                                      : random.any_transform();
       const Leaf leaf(kind.make(), t);
       const Bounds box = leaf.bounds();
       ASSERT_TRUE(box.is_finite()) << kind.name;
@@ -178,8 +204,10 @@ TEST(UnitCoreShapes, BoundsHoldTheSurfaceAndAreTight) {
       const double far = 3.0 * length(box.hi - box.lo);
       for (int k = 0; k < 4000; ++k) {
         // Towards the box's middle and along its axes, so that the extremes are met.
-        const Vec3 d = k % 2 ? random.direction() : normalized(Vec3{k % 3 == 0 ? 1.0 : 0.0, k % 3 == 1 ? 1.0 : 0.0,
-                                                                    k % 3 == 2 ? 1.0 : 0.0} + random.vector(0.02));
+        const Vec3 d = k % 2 ? random.direction()
+                             : normalized(Vec3{k % 3 == 0 ? 1.0 : 0.0, k % 3 == 1 ? 1.0 : 0.0,
+                                               k % 3 == 2 ? 1.0 : 0.0} +
+                                          random.vector(0.02));
         const Vec3 through{random.in(box.lo.x, box.hi.x), random.in(box.lo.y, box.hi.y),
                            random.in(box.lo.z, box.hi.z)};
         const Ray ray{through - d * far, d};
@@ -251,7 +279,8 @@ TEST(UnitCoreShapes, AxisParallelRaysThroughExactPlaces) {
 TEST(UnitCoreShapes, OpenEndsLetRaysIn) {
   const Cylinder tube({0, 0, 0}, {0, 2, 0}, 1.0, true);
   const Cone funnel({0, 0, 0}, 1.0, {0, 2, 0}, 0.5, true);
-  for (const Shape* shape : {static_cast<const Shape*>(&tube), static_cast<const Shape*>(&funnel)}) {
+  for (const Shape* shape :
+       {static_cast<const Shape*>(&tube), static_cast<const Shape*>(&funnel)}) {
     ShapeHit hit;
     ShapeHits hits;
     EXPECT_FALSE(shape->nearest({{0, -3, 0}, {0, 1, 0}}, 0, kInf, hit));
@@ -366,7 +395,8 @@ TEST(UnitCoreTriangle, NeighboursLeaveNoGap) {
   // A fan of triangles around a point; rays to random points of the edges meet one of them.
   Random random(13);
   for (int round = 0; round < 2000; ++round) {
-    const Vec3 a = random.vector(1), b = random.vector(1), c = random.vector(1), d = random.vector(1);
+    const Vec3 a = random.vector(1), b = random.vector(1), c = random.vector(1),
+               d = random.vector(1);
     const Vec3 target = a + (b - a) * random.in(0.0, 1.0);
     const Vec3 from = target + random.direction() * random.in(0.5, 1000.0);
     const Ray ray{from, target - from};
@@ -387,7 +417,8 @@ TEST(UnitCoreSmoothTriangle, InterpolatesNormalsAndDropsImpossibleOnes) {
   const Vec3 n = normalized(s.normal({1, 0, 0}, hit));
   EXPECT_NEAR(n.x, 0.0, 1e-12);
   EXPECT_NEAR(n.z, -1.0, 1e-12);
-  EXPECT_TRUE(SmoothTriangle({0, 0, 0}, {0, 0, 1}, {2, 0, 0}, {0, 0, -1}, {0, 2, 0}, {0, 0, 1}).is_degenerate());
+  EXPECT_TRUE(SmoothTriangle({0, 0, 0}, {0, 0, 1}, {2, 0, 0}, {0, 0, -1}, {0, 2, 0}, {0, 0, 1})
+                  .is_degenerate());
 }
 
 TEST(UnitCoreQuadric, UnboundedKindsAreBoundedWhereTheyCan) {
@@ -404,7 +435,8 @@ TEST(UnitCoreQuadric, UnboundedKindsAreBoundedWhereTheyCan) {
   ShapeHit hit;
   ASSERT_TRUE(bowl.nearest({{0, 5, 0}, {0, -1, 0}}, 0, kInf, hit));
   EXPECT_NEAR(hit.t, 5.0, 1e-12);
-  EXPECT_EQ(Quadric(std::array<double, 10>{1, 0, 1, 0, 0, 0, 0, 0, 0, -4}).bounds().lo.x, tube.bounds().lo.x);
+  EXPECT_EQ(Quadric(std::array<double, 10>{1, 0, 1, 0, 0, 0, 0, 0, 0, -4}).bounds().lo.x,
+            tube.bounds().lo.x);
 }
 
 TEST(UnitCoreSphere, UvFollowsTheObjectThroughTurns) {

@@ -24,20 +24,26 @@ std::string advice(double slope, double max_gradient) {
 bool has_holes(const std::string& text) { return text.find("holes") != std::string::npos; }
 
 TEST(UnitCoreSlopeWatch, SaysThatMaxGradientIsTooSmall) {
-  struct Border { double slope, warned, silent; };
+  struct Border {
+    double slope, warned, silent;
+  };
   // stock: bisected; below 10 a twentieth of the slope, at most 0.1, from 10 on a tenth
-  for (const Border& b : {Border{0.1, 0.0949, 0.0951}, Border{1.0, 0.949, 0.951}, Border{2.0, 1.899, 1.901},
-                          Border{5.0, 4.899, 4.901}, Border{10.0, 9.899, 9.901}, Border{11.0, 9.999, 10.001},
-                          Border{12.0, 10.79, 10.81}, Border{50.0, 44.99, 45.01}}) {
+  for (const Border& b :
+       {Border{0.1, 0.0949, 0.0951}, Border{1.0, 0.949, 0.951}, Border{2.0, 1.899, 1.901},
+        Border{5.0, 4.899, 4.901}, Border{10.0, 9.899, 9.901}, Border{11.0, 9.999, 10.001},
+        Border{12.0, 10.79, 10.81}, Border{50.0, 44.99, 45.01}}) {
     EXPECT_TRUE(has_holes(advice(b.slope, b.warned))) << b.slope;
     EXPECT_EQ(advice(b.slope, b.silent), "") << b.slope;
   }
 }
 
 TEST(UnitCoreSlopeWatch, SaysThatMaxGradientIsLarge) {
-  struct Border { double slope, warned, silent; };
-  for (const Border& b : {Border{0.01, 0.511, 0.509}, Border{1.0, 1.501, 1.499}, Border{4.0, 4.501, 4.499},
-                          Border{5.0, 5.502, 5.499}, Border{9.0, 9.903, 9.899}, Border{50.0, 55.01, 54.99}}) {
+  struct Border {
+    double slope, warned, silent;
+  };
+  for (const Border& b :
+       {Border{0.01, 0.511, 0.509}, Border{1.0, 1.501, 1.499}, Border{4.0, 4.501, 4.499},
+        Border{5.0, 5.502, 5.499}, Border{9.0, 9.903, 9.899}, Border{50.0, 55.01, 54.99}}) {
     const std::string text = advice(b.slope, b.warned);
     EXPECT_FALSE(text.empty() || has_holes(text)) << b.slope << text;
     EXPECT_EQ(advice(b.slope, b.silent), "") << b.slope;
@@ -61,7 +67,9 @@ TEST(UnitCoreSlopeWatch, KeepsTheSteepestOfAllThreads) {
 struct Bowl final : Function {
   std::size_t parameters() const override { return 3; }
   std::string not_yet() const override { return {}; }
-  double evaluate(std::span<const double> a) const override { return a[2] + 0.3 * a[0] * a[0] + std::sin(3.0 * a[1]); }
+  double evaluate(std::span<const double> a) const override {
+    return a[2] + 0.3 * a[0] * a[0] + std::sin(3.0 * a[1]);
+  }
 };
 
 /// Of rays along z that lean by `lean`, one after the other, of these lengths.
@@ -74,14 +82,16 @@ double steepest(const std::vector<double>& leans, double length) {
   surface.set_watch(watch);
   for (const double lean : leans) {
     ShapeHit hit;
-    surface.nearest({{-3.0 * lean, -3.0 * lean, 3.0}, Vec3{lean, lean, -1.0} * length}, 0.0, 1e9, hit);
+    surface.nearest({{-3.0 * lean, -3.0 * lean, 3.0}, Vec3{lean, lean, -1.0} * length}, 0.0, 1e9,
+                    hit);
   }
   return watch->steepest();
 }
 
 TEST(UnitCoreSlopeWatch, IsToldTheSteepestWhateverRayComesFirst) {
   for (const double length : {1.0, 0.01}) {
-    const double a = steepest({0.0}, length), b = steepest({0.1}, length), c = steepest({0.3}, length);
+    const double a = steepest({0.0}, length), b = steepest({0.1}, length),
+                 c = steepest({0.3}, length);
     EXPECT_TRUE(a != b && b != c && a != c);
     for (const std::vector<double>& leans : std::vector<std::vector<double>>{
              {0.0, 0.1, 0.3}, {0.3, 0.1, 0.0}, {0.1, 0.3, 0.3, 0.0, 0.1}, {0.3, 0.0, 0.1}}) {

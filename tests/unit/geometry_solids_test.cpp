@@ -62,26 +62,38 @@ std::unique_ptr<Shape> quartic_torus() {
 std::vector<Solid> solids() {
   using Sweep = Prism::Sweep;
   return {
-      {"prism", [] { return std::make_unique<Prism>("prism", star(), Sweep::kAlongY, -0.6, 0.8, false); }},
-      {"conic prism", [] { return std::make_unique<Prism>("prism", star(), Sweep::kConic, 0.2, 1.1, false); }},
-      {"conic prism below", [] { return std::make_unique<Prism>("prism", star(), Sweep::kConic, -1.1, -0.2, false); }},
-      {"text", [] { return std::make_unique<Prism>("text", star(), Sweep::kAlongZ, 0.0, 0.7, false); }},
+      {"prism",
+       [] { return std::make_unique<Prism>("prism", star(), Sweep::kAlongY, -0.6, 0.8, false); }},
+      {"conic prism",
+       [] { return std::make_unique<Prism>("prism", star(), Sweep::kConic, 0.2, 1.1, false); }},
+      {"conic prism below",
+       [] { return std::make_unique<Prism>("prism", star(), Sweep::kConic, -1.1, -0.2, false); }},
+      {"text",
+       [] { return std::make_unique<Prism>("text", star(), Sweep::kAlongZ, 0.0, 0.7, false); }},
       {"superellipsoid", [] { return std::make_unique<Superellipsoid>(0.3, 0.6); }},
       {"round superellipsoid", [] { return std::make_unique<Superellipsoid>(1.0, 1.0); }},
       {"concave superellipsoid", [] { return std::make_unique<Superellipsoid>(2.7, 1.4); }},
       {"quartic", quartic_torus},
-      {"blob", [] {
+      {"blob",
+       [] {
          BlobField ball{0.9, 1.0, 0.0, Transform::translation({0.3, 0.1, 0.0})};
          BlobField rod{0.7, 1.2, 1.1, Transform::rotation({20, 100, 0})};
          BlobField hole{0.5, -0.8, 0.0, Transform::scaling({1, 1.5, 1})};
-         return std::make_unique<Blob>(0.35, std::vector<BlobField>{ball, rod, hole}); }},
-      {"lathe", [] { return std::make_unique<Lathe>(std::vector<CurvePiece>{
-           CurvePiece::line({0.0, -0.9}, {0.7, -0.9}),
-           CurvePiece::bezier({0.7, -0.9}, {0.9, 0.2}, {0.1, 0.3}, {0.5, 0.8}),
-           CurvePiece::conic({0.5, 0.8}, {0.2, 1.0}, {0.0, 0.8})}); }},
-      {"lathe ring", [] { return std::make_unique<Lathe>(std::vector<CurvePiece>{
-           CurvePiece::line({0.4, -0.5}, {0.9, -0.4}), CurvePiece::line({0.9, -0.4}, {0.6, 0.6}),
-           CurvePiece::line({0.6, 0.6}, {0.4, -0.5})}); }},
+         return std::make_unique<Blob>(0.35, std::vector<BlobField>{ball, rod, hole});
+       }},
+      {"lathe",
+       [] {
+         return std::make_unique<Lathe>(std::vector<CurvePiece>{
+             CurvePiece::line({0.0, -0.9}, {0.7, -0.9}),
+             CurvePiece::bezier({0.7, -0.9}, {0.9, 0.2}, {0.1, 0.3}, {0.5, 0.8}),
+             CurvePiece::conic({0.5, 0.8}, {0.2, 1.0}, {0.0, 0.8})});
+       }},
+      {"lathe ring",
+       [] {
+         return std::make_unique<Lathe>(std::vector<CurvePiece>{
+             CurvePiece::line({0.4, -0.5}, {0.9, -0.4}), CurvePiece::line({0.9, -0.4}, {0.6, 0.6}),
+             CurvePiece::line({0.6, 0.6}, {0.4, -0.5})});
+       }},
   };
 }
 
@@ -173,12 +185,14 @@ TEST(UnitCoreOutline, PointsAtCornersAndOnEdgesCountOnce) {
   const PlaneWay all;
   for (double v : {-0.5, 0.0, 0.25, 1.0, 1.5}) {
     int crossings = 0;
-    square.crossings(0.0, 1.0, -v, all, [&](std::uint32_t, double, const Vec2&) { return ++crossings > 0; });
+    square.crossings(0.0, 1.0, -v, all,
+                     [&](std::uint32_t, double, const Vec2&) { return ++crossings > 0; });
     EXPECT_EQ(crossings % 2, 0) << v;
   }
   // Along a diagonal, through two corners.
   int crossings = 0;
-  square.crossings(1.0, -1.0, 0.0, all, [&](std::uint32_t, double, const Vec2&) { return ++crossings > 0; });
+  square.crossings(1.0, -1.0, 0.0, all,
+                   [&](std::uint32_t, double, const Vec2&) { return ++crossings > 0; });
   EXPECT_EQ(crossings, 2);
   EXPECT_TRUE(square.contains(0.5, 0.5));
   EXPECT_FALSE(square.contains(1.5, 0.0));
@@ -188,7 +202,8 @@ TEST(UnitCoreOutline, PointsAtCornersAndOnEdgesCountOnce) {
 TEST(UnitCoreHeightField, HitsLieOnItsTriangles) {
   std::vector<std::uint16_t> heights;
   Random random(3);
-  for (int i = 0; i < 12 * 9; ++i) heights.push_back(static_cast<std::uint16_t>(random.in(0, 65535)));
+  for (int i = 0; i < 12 * 9; ++i)
+    heights.push_back(static_cast<std::uint16_t>(random.in(0, 65535)));
   const auto grid = std::make_shared<const HeightGrid>(12, 9, heights, false);
   const HeightField field(grid, 0.0);
   int met = 0, wrong = 0;
@@ -220,12 +235,14 @@ TEST(UnitCoreHeightField, BlocksChangeNothing) {
     for (int z = 0; z < kDepth; ++z) {
       for (int x = 0; x < kWidth; ++x) {
         const double wave = 30000 + 20000 * std::sin(x * 0.13) * std::cos(z * 0.11);
-        heights.push_back(static_cast<std::uint16_t>(kind == 0   ? wave
-                                                     : kind == 1 ? random.in(0, 65535)
-                                                                 : (x / 9 + z / 7) % 3 * 20000 + 100));
+        heights.push_back(static_cast<std::uint16_t>(kind == 0 ? wave
+                                                     : kind == 1
+                                                         ? random.in(0, 65535)
+                                                         : (x / 9 + z / 7) % 3 * 20000 + 100));
       }
     }
-    const HeightField field(std::make_shared<const HeightGrid>(kWidth, kDepth, heights, false), kind == 0 ? 0.4 : 0.0);
+    const HeightField field(std::make_shared<const HeightGrid>(kWidth, kDepth, heights, false),
+                            kind == 0 ? 0.4 : 0.0);
     HeightField plain(field);
     plain.drop_shortcuts();
     int met = 0, different = 0;

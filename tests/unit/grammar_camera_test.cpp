@@ -16,7 +16,7 @@ CameraDesc camera_of(const std::string& words, const std::string& before = "") {
 TEST(UnitParserCamera, Defaults) {
   const CameraDesc c = camera_of("");
   EXPECT_EQ(c.kind, CameraKind::kPerspective);
-  EXPECT_EQ(c.right, Vec3(1.33, 0, 0));   // not 4/3
+  EXPECT_EQ(c.right, Vec3(1.33, 0, 0));  // not 4/3
   EXPECT_EQ(c.up, Vec3(0, 1, 0));
   EXPECT_EQ(c.direction, Vec3(0, 0, 1));
   EXPECT_EQ(c.location, Vec3(0, 0, 0));
@@ -24,7 +24,8 @@ TEST(UnitParserCamera, Defaults) {
 }
 
 TEST(UnitParserCamera, LookAtKeepsLengths) {
-  const CameraDesc c = camera_of("look_at <3, 4, 1> location <0, 4, -3> direction 2*z right x*1.6 up y*.9");
+  const CameraDesc c =
+      camera_of("look_at <3, 4, 1> location <0, 4, -3> direction 2*z right x*1.6 up y*.9");
   expect_near(c.direction, Vec3(3, 0, 4) / 5.0 * 2.0);
   expect_near(c.right, Vec3(4, 0, -3) / 5.0 * 1.6);
   expect_near(c.up, {0, 0.9, 0});
@@ -76,7 +77,7 @@ TEST(UnitParserCamera, OrthographicGrowsToLookAtWithoutRightAndUp) {
 
 TEST(UnitParserCamera, OrthographicWithAngle) {
   const CameraDesc c = camera_of("orthographic location -z*10 look_at 0 right x*4 up y*3 angle 90");
-  expect_near(c.right, {20, 0, 0});   // 2 * 10 * tan(45)
+  expect_near(c.right, {20, 0, 0});  // 2 * 10 * tan(45)
   expect_near(c.up, {0, 15, 0});
 }
 
@@ -160,7 +161,9 @@ TEST(ErrorParserCamera, UnknownWord) {
 TEST(ErrorParserCamera, LensWordWithoutLenticular) {
   EXPECT_NE(failure("camera { lens_pitch 1 }").find("lenticular"), std::string::npos);
 }
-TEST(ErrorParserCamera, NegativeAngle) { EXPECT_EQ(failure("camera { angle -1 }"), "Negative viewing angle."); }
+TEST(ErrorParserCamera, NegativeAngle) {
+  EXPECT_EQ(failure("camera { angle -1 }"), "Negative viewing angle.");
+}
 TEST(ErrorParserCamera, AngleTooWide) {
   EXPECT_EQ(failure("camera { angle 180 }"), "Viewing angle has to be smaller than 180 degrees.");
 }
@@ -169,7 +172,8 @@ TEST(ErrorParserCamera, LookAtIsLocation) {
             "Camera location and look_at point must be different.");
 }
 TEST(ErrorParserCamera, CylinderType) {
-  EXPECT_EQ(failure("camera { cylinder 5 }"), "Invalid cylinder camera type; valid are types 1 to 4.");
+  EXPECT_EQ(failure("camera { cylinder 5 }"),
+            "Invalid cylinder camera type; valid are types 1 to 4.");
 }
 TEST(ErrorParserCamera, LensModel) {
   EXPECT_NE(failure("camera { lenticular lens_model banana }").find("paraxial, pinhole, thick"),

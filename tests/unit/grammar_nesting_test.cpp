@@ -101,14 +101,17 @@ TEST(GrammarNesting, NamesEndInAMessage) {
       {"sphere { 0, 1 }", "sphere { 0, 1 bounded_by { A } }"},
       {"sphere { 0, 1 }", "sphere { 0, 1 pigment { object { A } } }"},
       {"sphere { 0, 1 }", "sphere { 0, 1 interior { media { density { object { A } } } } }"},
-      {"sphere { 0, 1 }", "sphere { 0, 1 texture { pigment { rgb x } } interior_texture { pigment { object { A } } } }"},
+      {"sphere { 0, 1 }",
+       "sphere { 0, 1 texture { pigment { rgb x } } interior_texture { pigment { object { A } } } "
+       "}"},
       {"sphere { 0, 1 }", "mesh { triangle { x, y, z texture { pigment { object { A } } } } }"},
       {"sphere { 0, 1 }", "blob { sphere { 0, 1, 1 pigment { object { A } } } }"},
       {"sphere { 0, 1 }", "isosurface { function { pattern { object { A } } } }"},
       {"sphere { 0, 1 }", "height_field { function 2, 2 { pigment { object { A } } } }"},
       {"sphere { 0, 1 }", "light_source { 0 looks_like { A } }"},
       {"sphere { 0, 1 }", "light_source { 0 projected_through { A } }"},
-      {"sphere { 0, 1 }", "light_source { 0 looks_like { sphere { 0, 1 } pigment { object { A } } } }"},
+      {"sphere { 0, 1 }",
+       "light_source { 0 looks_like { sphere { 0, 1 } pigment { object { A } } } }"},
       {"sphere { 0, 1 }", "light_group { object { A } }"},
       {"pigment { rgb x }", "pigment { bozo pigment_map { [0 A] } }"},
       {"pigment { rgb x }", "pigment { average pigment_map { [1 A] [1 A] } }"},
@@ -119,7 +122,8 @@ TEST(GrammarNesting, NamesEndInAMessage) {
       {"pigment { rgb x }", "pigment { image_map { function 2, 2 { pigment { A } } } }"},
       {"function { pigment { bozo } }", "function { pigment { function { A(x, y, z).x } } }"},
       {"function { pattern { bozo } }",
-       "function { pattern { pigment_pattern { average pigment_map { [1 function { A(x, y, z) }] [1 function { A(x, y, z) }] } } } }"},
+       "function { pattern { pigment_pattern { average pigment_map { [1 function { A(x, y, z) }] "
+       "[1 function { A(x, y, z) }] } } } }"},
       {"normal { bozo }", "normal { bozo normal_map { [0 A] } }"},
       {"normal { bozo }", "normal { average normal_map { [1 A] [1 A] } }"},
       {"normal { bozo }", "normal { checker normal { A } normal { A } }"},
@@ -141,8 +145,8 @@ TEST(GrammarNesting, NamesEndInAMessage) {
        "material { texture { pigment { object { sphere { 0, 1 material { A } } } } } }"},
   };
   for (const auto& [first, turn] : loops) {
-    const std::string program = "#declare A = " + first + "\n#while (1) #declare B = " + turn +
-                                "\n#declare A = B\n#end";
+    const std::string program =
+        "#declare A = " + first + "\n#while (1) #declare B = " + turn + "\n#declare A = B\n#end";
     const std::string heard = all_of(read_input(program, {}));
     const bool told = heard.find("within each other, more than") != std::string::npos ||
                       heard.find("made of too many others") != std::string::npos ||

@@ -41,12 +41,15 @@ TEST(UnitParserObject, Flat) {
 }
 
 TEST(UnitParserObject, ADirectiveMayStandBeforeTheBrace) {
-  const SceneText s("#local A = #if (1) merge #else union #end { sphere { 0, 1 } sphere { x, 1 } } object { A }");
+  const SceneText s(
+      "#local A = #if (1) merge #else union #end { sphere { 0, 1 } sphere { x, 1 } } object { A }");
   EXPECT_EQ(s.shape<CsgShape>().operation, CsgOperation::kMerge);
 }
 
 TEST(UnitParserObject, ADirectiveWithoutItsHashEndsADeclaration) {
-  const SceneText s("#declare T = texture { pigment { rgb x } } declare S = sphere { 0, 1 texture { T } } object { S }");
+  const SceneText s(
+      "#declare T = texture { pigment { rgb x } } declare S = sphere { 0, 1 texture { T } } object "
+      "{ S }");
   EXPECT_EQ(s.object(0).keyword, "sphere");
 }
 
@@ -62,7 +65,8 @@ TEST(UnitParserObject, SplitUnionMeansNothingInAMerge) {
 }
 
 TEST(UnitParserObject, CsgChildrenInOrder) {
-  const SceneText s("#declare A = sphere { 0, 1 } difference { box { 0, 1 } A object { A translate x } }");
+  const SceneText s(
+      "#declare A = sphere { 0, 1 } difference { box { 0, 1 } A object { A translate x } }");
   const CsgShape& csg = s.shape<CsgShape>();
   EXPECT_EQ(csg.operation, CsgOperation::kDifference);
   ASSERT_EQ(csg.children->size(), 3u);
@@ -72,7 +76,8 @@ TEST(UnitParserObject, CsgChildrenInOrder) {
 }
 
 TEST(UnitParserObject, IdentifierIsCopiedBeforeItChanges) {
-  const SceneText s("#declare A = sphere { 0, 1 hollow } object { A translate y hollow off } object { A }");
+  const SceneText s(
+      "#declare A = sphere { 0, 1 hollow } object { A translate y hollow off } object { A }");
   EXPECT_EQ(s.object(0).transform->point({}), Vec3(0, 1, 0));
   EXPECT_EQ(s.object(0).hollow, false);
   EXPECT_TRUE(s.object(1).transform->is_identity());
@@ -80,7 +85,8 @@ TEST(UnitParserObject, IdentifierIsCopiedBeforeItChanges) {
 }
 
 TEST(UnitParserObject, IdentifierInsideItsOwnStatement) {
-  const SceneText s("#declare A = difference { box { 0, 1 } sphere { 0, .5 } } sphere { A scale 2 } union { A }");
+  const SceneText s(
+      "#declare A = difference { box { 0, 1 } sphere { 0, .5 } } sphere { A scale 2 } union { A }");
   EXPECT_EQ(s.object(0).csg()->operation, CsgOperation::kDifference);
   EXPECT_EQ(s.object(1).csg()->operation, CsgOperation::kDifference);
 }
@@ -104,15 +110,15 @@ TEST(UnitParserObject, TransformsComposeInOrder) {
 }
 
 TEST(UnitParserObject, ClipsFollowLaterTransformsOnly) {
-  const SceneText s(
-      "sphere { 0, 1 translate x clipped_by { plane { y, 0 } } translate y*3 }");
+  const SceneText s("sphere { 0, 1 translate x clipped_by { plane { y, 0 } } translate y*3 }");
   ASSERT_EQ(s.object().rare->clipped_by.size(), 1u);
   expect_near(s.object().rare->clipped_by[0]->transform->point({}), {0, 3, 0});
 }
 
 TEST(UnitParserObject, BoundsLinkedWithClips) {
   const SceneText s(
-      "sphere { 0, 1 clipped_by { box { -1, 1 } box { 0, 1 } rotate y*90 } bounded_by { clipped_by } }"
+      "sphere { 0, 1 clipped_by { box { -1, 1 } box { 0, 1 } rotate y*90 } bounded_by { clipped_by "
+      "} }"
       "sphere { 0, 1 bounded_by { box { -1, 1 } } clipped_by { bounded_by } }");
   EXPECT_EQ(s.object(0).rare->clipped_by.size(), 2u);
   EXPECT_EQ(s.object(0).rare->bounded_by.size(), 2u);
@@ -123,10 +129,11 @@ TEST(UnitParserObject, BoundsLinkedWithClips) {
 
 TEST(UnitParserObject, Mesh) {
   const SceneText s(
-      "mesh { triangle { 0, x, y } smooth_triangle { x, z, y, z, x+y, z uv_vectors <0,0>, <1,0>, <0,1> }"
+      "mesh { triangle { 0, x, y } smooth_triangle { x, z, y, z, x+y, z uv_vectors <0,0>, <1,0>, "
+      "<0,1> }"
       " triangle { 0, 0, x } inside_vector z }");
   const MeshShape& mesh = *s.shape<std::shared_ptr<const MeshShape>>();
-  EXPECT_EQ(mesh.faces.size(), 2u);   // the third has no area
+  EXPECT_EQ(mesh.faces.size(), 2u);  // the third has no area
   EXPECT_EQ(mesh.vertices.size(), 4u);
   EXPECT_EQ(mesh.normals.size(), 1u);
   EXPECT_EQ(mesh.face_normals[0][0], core::kNoIndex);
@@ -146,13 +153,15 @@ TEST(UnitParserObject, Mesh2) {
   ASSERT_EQ(mesh.faces.size(), 2u);
   EXPECT_EQ(mesh.face_textures[0], (core::MeshTriple{0, 0, 0}));
   EXPECT_EQ(mesh.face_textures[1], (core::MeshTriple{1, 0, 1}));
-  EXPECT_EQ(mesh.face_normals[1], (core::MeshTriple{1, 3, 2}));   // without normal_indices: the vertices'
+  EXPECT_EQ(mesh.face_normals[1],
+            (core::MeshTriple{1, 3, 2}));  // without normal_indices: the vertices'
   EXPECT_EQ(mesh.face_uvs[1], (core::MeshTriple{2, 1, 0}));
 }
 
 TEST(UnitParserObject, PolynomialPutsTermsWherePolyHasThem) {
-  const SceneText s("polynomial { 2, xyz(2,0,0): 1, xyz(1,1,0): 2, xyz(0,0,1): 9, xyz(0,0,0): 10 }"
-                    "poly { 2, <1,2,0,0,0,0,0,0,9,10> }");
+  const SceneText s(
+      "polynomial { 2, xyz(2,0,0): 1, xyz(1,1,0): 2, xyz(0,0,1): 9, xyz(0,0,0): 10 }"
+      "poly { 2, <1,2,0,0,0,0,0,0,9,10> }");
   EXPECT_EQ(s.shape<PolyShape>(0).coefficients, s.shape<PolyShape>(1).coefficients);
 }
 
@@ -182,7 +191,8 @@ TEST(UnitParserObject, KeptShapes) {
     text { internal 1 "abc" 1, 0 }
     text { ttf "cyrvetic.ttf" "abc" .5, <.1, 0, 0> pigment { rgb 1 } }
     height_field { function 20, 20 { F(x, y, 0) } smooth water_level .1 }
-  )", options);
+  )",
+                    options);
   EXPECT_EQ(s.scene.objects.size(), 17u);
   EXPECT_EQ(s.shape<std::shared_ptr<const BlobShape>>(0)->elements.size(), 2u);
   EXPECT_EQ(s.shape<std::shared_ptr<const BlobShape>>(0)->elements[1].strength, 1.0);
@@ -191,7 +201,8 @@ TEST(UnitParserObject, KeptShapes) {
   EXPECT_EQ(s.shape<Sparse<ParametricShape>>(7)->precompute_depth, 5);
   EXPECT_TRUE(s.shape<PrismShape>(10).conic_sweep);
   EXPECT_EQ(s.shape<SphereSweepShape>(12).radii[3], 0.3);
-  EXPECT_EQ(std::filesystem::path(s.shape<Sparse<TextShape>>(15)->font.path).filename(), "cyrvetic.ttf");
+  EXPECT_EQ(std::filesystem::path(s.shape<Sparse<TextShape>>(15)->font.path).filename(),
+            "cyrvetic.ttf");
 }
 
 TEST(UnitParserObject, ExtentInsideTrace) {
@@ -208,15 +219,17 @@ TEST(UnitParserObject, ExtentInsideTrace) {
 
 /// A shape without geometry yet answers nothing; what a scene makes of that does not stop it.
 TEST(UnitParserObject, GuessesMayBeDegenerate) {
-  const SceneText s("#declare A = isosurface { function { pattern { tiling 1 } } }"
-                    "#declare P = trace(A, z*5, -z); cylinder { P, trace(A, z*6, -z), 1 }");
+  const SceneText s(
+      "#declare A = isosurface { function { pattern { tiling 1 } } }"
+      "#declare P = trace(A, z*5, -z); cylinder { P, trace(A, z*6, -z), 1 }");
   EXPECT_EQ(s.scene.objects.size(), 1u);
   EXPECT_TRUE(s.warned("Degenerate cylinder"));
 }
 
 TEST(UnitParserObject, PatchPointsByName) {
-  const SceneText s("#declare P = <1, 2, 3>; bicubic_patch { type 0 u_steps 2 v_steps 2"
-                    " P, P, P, P P, P, P, P P, P, P, P P, P, P, P }");
+  const SceneText s(
+      "#declare P = <1, 2, 3>; bicubic_patch { type 0 u_steps 2 v_steps 2"
+      " P, P, P, P P, P, P, P P, P, P, P P, P, P, P }");
   EXPECT_EQ(s.shape<std::shared_ptr<const BicubicPatchShape>>()->points[15], Vec3(1, 2, 3));
 }
 
@@ -233,8 +246,12 @@ TEST(ErrorParserObject, ObjectMissing) {
   EXPECT_NE(m.find("expected an object: one of"), std::string::npos) << m;
   EXPECT_NE(m.find("superellipsoid"), std::string::npos) << m;
 }
-TEST(ErrorParserObject, MissingBrace) { EXPECT_NE(failure("sphere 0, 1 }").find("{"), std::string::npos); }
-TEST(ErrorParserObject, UnclosedBlock) { EXPECT_NE(failure("sphere { 0, 1").find("}"), std::string::npos); }
+TEST(ErrorParserObject, MissingBrace) {
+  EXPECT_NE(failure("sphere 0, 1 }").find("{"), std::string::npos);
+}
+TEST(ErrorParserObject, UnclosedBlock) {
+  EXPECT_NE(failure("sphere { 0, 1").find("}"), std::string::npos);
+}
 TEST(ErrorParserObject, DegeneratePlane) {
   EXPECT_EQ(failure("plane { 0, 1 }"), "Degenerate plane normal.");
 }
@@ -261,8 +278,14 @@ TEST(ErrorParserObject, LongListsAreShownInPart) {
     ADD_FAILURE() << "no error";
   } catch (const ParseError& error) {
     const std::string text = error.what();
-    EXPECT_NE(text.find("expected one of pigment, translate, rotate, scale, matrix, transform, "), text.npos) << text;
-    EXPECT_NE(text.find(" others or } but found the undeclared identifier 'pigmnt', did you mean 'pigment'?"), text.npos) << text;
+    EXPECT_NE(text.find("expected one of pigment, translate, rotate, scale, matrix, transform, "),
+              text.npos)
+        << text;
+    EXPECT_NE(
+        text.find(
+            " others or } but found the undeclared identifier 'pigmnt', did you mean 'pigment'?"),
+        text.npos)
+        << text;
     EXPECT_NE(error.message().find("double_illuminate"), text.npos) << "whole for programs";
   }
 }
@@ -278,7 +301,8 @@ TEST(ErrorParserObject, UvMappingAfterTexture) {
             "uv_mapping must be specified before texture.");
 }
 TEST(ErrorParserObject, OldLightSource) {
-  EXPECT_NE(failure("sphere { 0, 1 light_source { 0 rgb 1 } }").find("looks_like"), std::string::npos);
+  EXPECT_NE(failure("sphere { 0, 1 light_source { 0 rgb 1 } }").find("looks_like"),
+            std::string::npos);
 }
 TEST(ErrorParserObject, ClipsAfterLinking) {
   EXPECT_EQ(failure("sphere { 0, 1 clipped_by { box { 0, 1 } } bounded_by { clipped_by } "

@@ -26,9 +26,10 @@ class UnitGroupingTool : public ::testing::Test {
 };
 
 TEST_F(UnitGroupingTool, Arguments) {
-  const Arguments a = parse_arguments({scene(), "+W30", "Lenticular=On", "orders=rows,strips(4,8),hilbert",
-                                       "Caches=last", "Accelerators=list,buffer", "Repeats=2",
-                                       "Declare=Size=3", "x.ini[small]", "CSV=a.csv", "HTML=a.html"});
+  const Arguments a =
+      parse_arguments({scene(), "+W30", "Lenticular=On", "orders=rows,strips(4,8),hilbert",
+                       "Caches=last", "Accelerators=list,buffer", "Repeats=2", "Declare=Size=3",
+                       "x.ini[small]", "CSV=a.csv", "HTML=a.html"});
   EXPECT_EQ(a.scenes, Words{scene()});
   EXPECT_EQ(a.orders, (Words{"rows", "strips(4,8)", "hilbert"}));
   EXPECT_EQ(a.caches, Words{"last"});
@@ -40,8 +41,8 @@ TEST_F(UnitGroupingTool, Arguments) {
 }
 
 TEST_F(UnitGroupingTool, OwnOptionsAreLong) {
-  const Arguments a = parse_arguments({"--orders", "rows,strips(4,8)", scene(), "--csv=a.csv",
-                                       "--sizes", "2,3", "-UL"});
+  const Arguments a = parse_arguments(
+      {"--orders", "rows,strips(4,8)", scene(), "--csv=a.csv", "--sizes", "2,3", "-UL"});
   EXPECT_EQ(a.orders, (Words{"rows", "strips(4,8)"}));
   EXPECT_EQ(a.csv, "a.csv");
   EXPECT_EQ(a.sizes, (Words{"2", "3"}));
@@ -131,18 +132,23 @@ TEST_F(UnitGroupingTool, Csv) {
   Trial t = trial("strips(4,8)", 240, {2.0});
   t.same_picture = false;
   const std::string csv = csv_of({t});
-  EXPECT_NE(csv.find("\nscenes/a.pov,,\"strips(4,8)\",last,bvh,2,2,2,1000,500,240,20,480,0.48,0.5,"),
-            std::string::npos) << csv;
+  EXPECT_NE(
+      csv.find("\nscenes/a.pov,,\"strips(4,8)\",last,bvh,2,2,2,1000,500,240,20,480,0.48,0.5,"),
+      std::string::npos)
+      << csv;
   EXPECT_NE(csv.find(",10,99,no\n"), std::string::npos);
   EXPECT_NE(table_of({t}).find("DIFFERS"), std::string::npos);
 }
 
 TEST_F(UnitGroupingTool, WhoIsFastestAndHowFarAutoIs) {
-  Trial fast = trial("columns", 240, {1.9, 2.0, 2.2}), decided = trial("auto", 240, {2.03, 2.1, 2.02});
+  Trial fast = trial("columns", 240, {1.9, 2.0, 2.2}),
+        decided = trial("auto", 240, {2.03, 2.1, 2.02});
   decided.cache = "auto";
-  EXPECT_NE(table_of({fast, decided}).find(
-                "fastest: columns, last, 2.000 s (1.900 to 2.200); auto, auto takes 1.5 % more\n"),
-            std::string::npos) << table_of({fast, decided});
+  EXPECT_NE(
+      table_of({fast, decided})
+          .find("fastest: columns, last, 2.000 s (1.900 to 2.200); auto, auto takes 1.5 % more\n"),
+      std::string::npos)
+      << table_of({fast, decided});
   decided.cpu_s = {1.9};
   EXPECT_NE(table_of({fast, decided}).find("fastest: auto, auto, 1.900 s (1.900 to 1.900)\n"),
             std::string::npos);

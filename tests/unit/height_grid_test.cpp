@@ -16,8 +16,9 @@ const Sparse<HeightFieldShape>& field_of(const SceneDesc& scene, std::size_t i) 
 }
 
 TEST(UnitHeightGrid, CopiesShareIt) {
-  SceneText s("#declare H = height_field { function 8, 6 { x*y } }"
-              "object { H } object { H translate 3*x } height_field { function 8, 6 { x*y } smooth }");
+  SceneText s(
+      "#declare H = height_field { function 8, 6 { x*y } }"
+      "object { H } object { H translate 3*x } height_field { function 8, 6 { x*y } smooth }");
   const auto first = build_height_grid(field_of(s.scene, 0));
   EXPECT_EQ(build_height_grid(field_of(s.scene, 0)), first);
   EXPECT_EQ(build_height_grid(field_of(s.scene, 1)), first);

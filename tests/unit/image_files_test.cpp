@@ -22,7 +22,8 @@ using tool::TemporaryFolder;
 Image ramp(std::uint32_t width, std::uint32_t height) {
   Image image(width, height);
   for (std::size_t i = 0; i < image.rgba.size(); ++i) {
-    image.rgba[i] = i % 4 == 3 ? 0.5f : static_cast<float>(i) / static_cast<float>(image.rgba.size());
+    image.rgba[i] =
+        i % 4 == 3 ? 0.5f : static_cast<float>(i) / static_cast<float>(image.rgba.size());
   }
   return image;
 }
@@ -114,7 +115,9 @@ TEST(UnitImageFiles, IntegersComeBack) {
               const float whole = alpha ? std::max(0.5f, grey({p[0], p[1], p[2]})) : 1.0f;
               ASSERT_EQ(back.at(x, y, c), quantised(p[c] / whole, format)) << name;
             }
-            if (alpha && y < 2) { ASSERT_EQ(back.at(x, y, 3), bits == 8 ? 128 : 32768); }
+            if (alpha && y < 2) {
+              ASSERT_EQ(back.at(x, y, 3), bits == 8 ? 128 : 32768);
+            }
           }
         }
       }
@@ -238,7 +241,8 @@ TEST(UnitImageFiles, LongNamesHaveRoomForTheTemporaryOne) {
 TEST(UnitImageFiles, AFileThatIsWrittenAgainKeepsItsMode) {
   const tool::TemporaryFolder folder;
   tool::write_text(folder / "a.png", "before");
-  std::filesystem::permissions(folder / "a.png", std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
+  std::filesystem::permissions(
+      folder / "a.png", std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
   FileSwap swap(folder / "a.png");
   tool::write_text(swap.temporary(), "after");
   swap.commit();
@@ -290,10 +294,12 @@ TEST(ErrorImage, EachSaysWhatIsWrong) {
   EXPECT_NE(message_of(folder / "taken.png", image, {}).find("a folder has that name"),
             std::string::npos);
   tool::write_text(folder / "file", "x");
-  EXPECT_NE(message_of(folder / "file/a.png", image, {}).find("is not a folder"), std::string::npos);
-  EXPECT_NE(message_of(folder / "a.png", Image(), {}).find("empty"), std::string::npos);
-  EXPECT_NE(message_of(folder / "a.tga", Image(65536, 1), format_of(FileType::targa, 8)).find("65535"),
+  EXPECT_NE(message_of(folder / "file/a.png", image, {}).find("is not a folder"),
             std::string::npos);
+  EXPECT_NE(message_of(folder / "a.png", Image(), {}).find("empty"), std::string::npos);
+  EXPECT_NE(
+      message_of(folder / "a.tga", Image(65536, 1), format_of(FileType::targa, 8)).find("65535"),
+      std::string::npos);
   EXPECT_THROW(file_type_of("a.gif"), ImageError);
   EXPECT_EQ(file_type_of("A.TIFF"), FileType::tiff);
   EXPECT_THROW(read_image(folder / "nothing.png"), ImageError);

@@ -59,7 +59,8 @@ TEST_P(UnitImageTypes, ComeBack) {
   for (std::uint32_t y = 0; y < 37; ++y) {
     for (std::uint32_t x = 0; x < width; ++x) {
       for (int c = 0; c < 3; ++c) {
-        ASSERT_NEAR(back.at(x, y, c) / all, quantised(image.pixel(x, y)[c], format) / levels, 1.1 / all)  // the reader of PPM rounds once more
+        ASSERT_NEAR(back.at(x, y, c) / all, quantised(image.pixel(x, y)[c], format) / levels,
+                    1.1 / all)  // the reader of PPM rounds once more
             << x << ' ' << y << ' ' << c;
       }
     }
@@ -68,10 +69,14 @@ TEST_P(UnitImageTypes, ComeBack) {
 
 INSTANTIATE_TEST_SUITE_P(
     Each, UnitImageTypes,
-    ::testing::Combine(::testing::Values(Kind{"a.tga", FileType::targa, 8, 8}, Kind{"a.tga", FileType::compressed_targa, 8, 8},
-                                         Kind{"a.ppm", FileType::ppm, 8, 8}, Kind{"a.ppm", FileType::ppm, 16, 16},
-                                         Kind{"a.bmp", FileType::bmp, 8, 8}, Kind{"a.png", FileType::png, 8, 8},
-                                         Kind{"a.png", FileType::png, 16, 16}, Kind{"a.tif", FileType::tiff, 16, 16}),
+    ::testing::Combine(::testing::Values(Kind{"a.tga", FileType::targa, 8, 8},
+                                         Kind{"a.tga", FileType::compressed_targa, 8, 8},
+                                         Kind{"a.ppm", FileType::ppm, 8, 8},
+                                         Kind{"a.ppm", FileType::ppm, 16, 16},
+                                         Kind{"a.bmp", FileType::bmp, 8, 8},
+                                         Kind{"a.png", FileType::png, 8, 8},
+                                         Kind{"a.png", FileType::png, 16, 16},
+                                         Kind{"a.tif", FileType::tiff, 16, 16}),
                        ::testing::Values(1u, 7u, 301u)));
 
 TEST(UnitImageTypes, RadianceWithinItsSteps) {
@@ -106,7 +111,8 @@ TEST(UnitImageTypes, JpegIsNear) {
   write_image(image, folder / "small.jpg", format);
   const StoredImage back = read_image(folder / "fine.jpg");
   EXPECT_NEAR(back.at(12, 10, 1), quantised(image.pixel(12, 10)[1], format), 4);
-  EXPECT_LT(std::filesystem::file_size(folder / "small.jpg"), std::filesystem::file_size(folder / "fine.jpg") / 2);
+  EXPECT_LT(std::filesystem::file_size(folder / "small.jpg"),
+            std::filesystem::file_size(folder / "fine.jpg") / 2);
 }
 
 TEST(UnitImageTypes, FewBitsArePaddedWithThemselves) {
@@ -158,7 +164,8 @@ TEST(UnitImageDisplay, TagsDecide) {
   write_image(image, folder / "linear.png", linear);
   EXPECT_LT(png_gamma(folder / "srgb.png"), 0.0);
   EXPECT_EQ(png_gamma(folder / "linear.png"), 1.0);
-  const StoredImage a = displayed(read_image(folder / "srgb.png")), b = displayed(read_image(folder / "linear.png"));
+  const StoredImage a = displayed(read_image(folder / "srgb.png")),
+                    b = displayed(read_image(folder / "linear.png"));
   for (std::size_t i = 0; i < a.samples.size(); ++i) EXPECT_NEAR(a.samples[i], b.samples[i], 0.1);
   StoredImage bytes = read_image(folder / "srgb.png");
   EXPECT_TRUE(is_shown_as_stored(bytes));
@@ -182,7 +189,8 @@ TEST(UnitImageDisplay, StraightAndPremultipliedLookAlike) {
   format.type = FileType::exr;
   format.bits = 32;
   write_image(image, folder / "a.exr", format);
-  const StoredImage a = displayed(read_image(folder / "a.png")), b = displayed(read_image(folder / "a.exr"));
+  const StoredImage a = displayed(read_image(folder / "a.png")),
+                    b = displayed(read_image(folder / "a.exr"));
   for (std::size_t i = 0; i < a.samples.size(); ++i) EXPECT_NEAR(a.samples[i], b.samples[i], 0.1);
   EXPECT_NEAR(a.samples[3 * 8] - a.samples[0], 0.6 * 255.0, 0.1) << "the white square";
 }

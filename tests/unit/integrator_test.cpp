@@ -100,9 +100,7 @@ struct Builder {
 
 struct Kit {
   explicit Kit(const Scene& s, const std::string& cache = "off")
-      : scene(s),
-        context(s, false),
-        tester(shadow::make_tester_factory(cache)->make(context)),
+      : scene(s), context(s, false), tester(shadow::make_tester_factory(cache)->make(context)),
         tracer(Integrator::make(context, *tester)) {}
   Radiance look(const Vec3& from, const Vec3& along, Pixel pixel = {}) {
     return tracer->trace({from, normalized(along)}, pixel);

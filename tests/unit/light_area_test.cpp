@@ -57,8 +57,7 @@ TEST(UnitCoreAreaLight, WithoutAdaptiveEverySampleIsAskedOnce) {
 
 TEST(UnitCoreAreaLight, SplitsWhereTheCornersDiffer) {
   // Lit from x = -2 to -1 of -2 .. 2: columns 0, 1 and 2 of 0 .. 8.
-  const Result r =
-      sample(grid(9, 2, 0), [](const Vec3& at) { return at.x <= -1.0 ? 1.0f : 0.0f; });
+  const Result r = sample(grid(9, 2, 0), [](const Vec3& at) { return at.x <= -1.0 ? 1.0f : 0.0f; });
   EXPECT_GT(r.samples.size(), 4u);
   EXPECT_LT(r.samples.size(), 18u);
   // Halves 0-4 and 4-8: the first splits into 0-2 (lit) and 2-4, that into 2-3 (half) and 3-4.
@@ -66,8 +65,7 @@ TEST(UnitCoreAreaLight, SplitsWhereTheCornersDiffer) {
 }
 
 TEST(UnitCoreAreaLight, SmallDifferencesDoNotSplit) {
-  const Result r =
-      sample(grid(9, 9, 0), [](const Vec3& at) { return at.x < 0.0 ? 0.53f : 0.5f; });
+  const Result r = sample(grid(9, 9, 0), [](const Vec3& at) { return at.x < 0.0 ? 0.53f : 0.5f; });
   EXPECT_EQ(r.samples.size(), 4u) << "0.09 over three channels";
 }
 

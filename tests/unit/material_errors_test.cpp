@@ -47,7 +47,8 @@ constexpr Case kCases[] = {
      "cannot use normal_map with facets"},
     {"average_without_map", "pigment { average }", "average needs a map of pigments"},
     {"texture_pattern_without_map", "texture { gradient x }", "needs a texture_map"},
-    {"mortar_without_brick", "pigment { checker mortar 1 }", "'mortar' can only be used with brick"},
+    {"mortar_without_brick", "pigment { checker mortar 1 }",
+     "'mortar' can only be used with brick"},
     {"brick_size_without_brick", "pigment { bozo brick_size 1 }",
      "'brick_size' can only be used with brick"},
     {"agate_turb_without_agate", "pigment { bozo agate_turb 1 }",
@@ -57,9 +58,12 @@ constexpr Case kCases[] = {
     {"control1_without_quilted", "pigment { bozo control1 1 }",
      "'control1' can only be used with quilted"},
     {"solid_without_crackle", "pigment { bozo solid }", "'solid' can only be used with crackle"},
-    {"form_without_crackle", "pigment { bozo form <1,0,0> }", "'form' can only be used with crackle"},
-    {"metric_without_crackle", "pigment { bozo metric 1 }", "'metric' can only be used with crackle"},
-    {"offset_without_crackle", "pigment { bozo offset 1 }", "'offset' can only be used with crackle"},
+    {"form_without_crackle", "pigment { bozo form <1,0,0> }",
+     "'form' can only be used with crackle"},
+    {"metric_without_crackle", "pigment { bozo metric 1 }",
+     "'metric' can only be used with crackle"},
+    {"offset_without_crackle", "pigment { bozo offset 1 }",
+     "'offset' can only be used with crackle"},
     {"coords_without_facets", "normal { bumps coords 1 }", "'coords' can only be used with facets"},
     {"size_without_facets", "normal { bumps size 1 }", "'size' can only be used with facets"},
     {"exterior_without_fractal", "pigment { bozo exterior 1, 1 }",
@@ -84,7 +88,8 @@ constexpr Case kCases[] = {
     {"warp_kind", "pigment { bozo warp { bozo } }", "a kind of warp"},
     {"repeat_without_axis", "pigment { bozo warp { repeat <0,0,0> } }", "repeat needs an axis"},
     {"repeat_along_two_axes", "pigment { bozo warp { repeat <1,1,0> } }", "along one axis only"},
-    {"image_repeat", "pigment { image_map { function 4, 4 { x } repeat <0,1> } }", "greater than 0 both ways"},
+    {"image_repeat", "pigment { image_map { function 4, 4 { x } repeat <0,1> } }",
+     "greater than 0 both ways"},
     {"image_without_file", "pigment { image_map { } }", "an image file"},
     {"map_entry_without_colour", "pigment { bozo color_map { [0.5] } }", "a color"},
     {"old_map_entry_cut_short", "pigment { bozo color_map { [0, .5 rgb 1] } }", "a second color"},
@@ -115,15 +120,17 @@ INSTANTIATE_TEST_SUITE_P(Message, ErrorMaterial, ::testing::ValuesIn(kCases),
                          [](const auto& named) { return std::string(named.param.name); });
 
 TEST(ErrorMaterialDefault, PatternedTexture) {
-  EXPECT_NE(failure("", "#default { texture { checker texture { pigment { rgb 1 } } texture {"
-                        " pigment { rgb 1 } } } }")
+  EXPECT_NE(failure("",
+                    "#default { texture { checker texture { pigment { rgb 1 } } texture {"
+                    " pigment { rgb 1 } } } }")
                 .find("cannot be a map of textures"),
             std::string::npos);
 }
 
 TEST(ErrorMaterialDefault, LayeredTexture) {
-  EXPECT_NE(failure("", "#declare T = texture { pigment { rgb 1 } } texture { pigment { rgbt 1 } }"
-                        " #default { texture { T } }")
+  EXPECT_NE(failure("",
+                    "#declare T = texture { pigment { rgb 1 } } texture { pigment { rgbt 1 } }"
+                    " #default { texture { T } }")
                 .find("cannot be layered"),
             std::string::npos);
 }

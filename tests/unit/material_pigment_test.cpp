@@ -26,7 +26,8 @@ TEST(UnitMaterialPigment, FilterAndTransmitMakeItTransparent) {
 }
 
 TEST(UnitMaterialPigment, TransparencyHiddenInAMapCounts) {
-  const LooksText text("pigment { gradient x color_map { [0 rgb 1] [.5 rgbt <1,1,1,.1>] [1 rgb 1] } }");
+  const LooksText text(
+      "pigment { gradient x color_map { [0 rgb 1] [.5 rgbt <1,1,1,.1>] [1 rgb 1] } }");
   EXPECT_FALSE(compiled(text.pigment())->is_opaque());
 }
 
@@ -105,14 +106,14 @@ TEST(UnitMaterialPigment, EqualEntriesMakeAnEdge) {
 
 TEST(UnitMaterialPigment, OldMapEntriesNameBothEnds) {
   const std::string map =
-      "gradient x color_map { [0, .5 color red 1 color green 1] [.5, 1.001 color rgb 0 color rgb 1] }";
+      "gradient x color_map { [0, .5 color red 1 color green 1] [.5, 1.001 color rgb 0 color rgb "
+      "1] }";
   expect_rgb(colour_at(map, {.25, 0, 0}).rgb, .5, .5, 0);
   EXPECT_NEAR(colour_at(map, {.75, 0, 0}).rgb.b, .499, 1e-3);
 }
 
 TEST(UnitMaterialPigment, EntriesOfPigmentMapsLieInThePatternsSpace) {
-  const std::string map =
-      "gradient x pigment_map { [.5 gradient y] [.5 rgb <1,0,0>] } scale 2";
+  const std::string map = "gradient x pigment_map { [.5 gradient y] [.5 rgb <1,0,0>] } scale 2";
   EXPECT_NEAR(colour_at(map, {.5, 1, 0}).rgb.r, .5, 1e-6);  // y = 1 is 1/2 in the scaled space
   expect_rgb(colour_at(map, {1.5, 1, 0}).rgb, 1, 0, 0);
 }
@@ -130,7 +131,8 @@ TEST(UnitMaterialPigment, TransformsApplyInTheOrderOfTheText) {
 }
 
 TEST(UnitMaterialPigment, IdentifierKeepsItsOwnAndTakesMore) {
-  const LooksText text("pigment { P scale 2 }", "#declare P = pigment { gradient x translate x*.5 }");
+  const LooksText text("pigment { P scale 2 }",
+                       "#declare P = pigment { gradient x translate x*.5 }");
   EXPECT_NEAR(compiled(text.pigment())->colour({1.5, 0, 0}).rgb.r, .25, 1e-6);
 }
 

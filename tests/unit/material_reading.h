@@ -20,8 +20,8 @@ class LooksText {
   /// `before` holds directives that come first. `#version 3.7;` stands before all unless given.
   explicit LooksText(const std::string& looks, const std::string& before = "")
       : m_diagnostics(m_sources) {
-    for (const Stream s : {Stream::kDebug, Stream::kRender, Stream::kStatistics, Stream::kWarning,
-                           Stream::kFatal}) {
+    for (const Stream s :
+         {Stream::kDebug, Stream::kRender, Stream::kStatistics, Stream::kWarning, Stream::kFatal}) {
       m_diagnostics.connect(s, [](std::string_view) {});
     }
     static std::atomic<int> count = 0;

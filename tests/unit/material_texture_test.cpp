@@ -100,8 +100,9 @@ TEST(UnitMaterialTexture, LayersKeepTheirOrder) {
 }
 
 TEST(UnitMaterialTexture, DeclaredLayersStayTogether) {
-  const LooksText text("texture { T scale 2 }",
-                       "#declare T = texture { pigment { rgb .1 } } texture { pigment { rgb .2 } }");
+  const LooksText text(
+      "texture { T scale 2 }",
+      "#declare T = texture { pigment { rgb .1 } } texture { pigment { rgb .2 } }");
   EXPECT_EQ(text.texture().layers.size(), 2u);
 }
 
@@ -141,8 +142,9 @@ TEST(UnitMaterialTexture, CheckerOfTextures) {
 }
 
 TEST(UnitMaterialTexture, EntriesLieInThePatternsSpace) {
-  const LooksText text("texture { checker texture { pigment { gradient x } } texture { pigment { rgb 1 } }"
-                       " scale 4 }");
+  const LooksText text(
+      "texture { checker texture { pigment { gradient x } } texture { pigment { rgb 1 } }"
+      " scale 4 }");
   std::shared_ptr<const core::Texture> keep;
   const auto one = resolved(text, {1, 1, 1}, keep);
   EXPECT_NEAR(red(one[0], {1, 1, 1}), .25, 1e-6);
@@ -174,8 +176,9 @@ TEST(UnitMaterialTexture, TurbulenceOutsideWarpsIsNearestThePattern) {
 }
 
 TEST(UnitMaterialTexture, MaterialBringsTextureAndInterior) {
-  const LooksText text("material { M }", "#declare M = material { texture { pigment { rgb 1 } }"
-                                         " interior { ior 1.5 fade_distance 2 } }");
+  const LooksText text("material { M }",
+                       "#declare M = material { texture { pigment { rgb 1 } }"
+                       " interior { ior 1.5 fade_distance 2 } }");
   ASSERT_TRUE(text.object().interior);
   EXPECT_EQ(text.object().interior->ior, 1.5);
   EXPECT_EQ(text.object().interior->fade_distance, 2.0);
@@ -189,8 +192,9 @@ TEST(UnitMaterialInterior, IorOfAnOldFinishWins) {
 }
 
 TEST(UnitMaterialInterior, MediaIsKeptAndNamed) {
-  const LooksText text("interior { media { emission .1 density { spherical color_map { [0 rgb 0]"
-                       " [1 rgb 1] } } } }");
+  const LooksText text(
+      "interior { media { emission .1 density { spherical color_map { [0 rgb 0]"
+      " [1 rgb 1] } } } }");
   std::set<std::string> not_yet;
   EXPECT_TRUE(compile_interior(text.object().interior, nullptr, not_yet)->has_media);
   EXPECT_EQ(not_yet.count("media"), 1u);

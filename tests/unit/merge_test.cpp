@@ -45,7 +45,8 @@ TEST(UnitMerge, WrongArguments) {
   EXPECT_EQ(error_of({"a.png", "--out=x.png", "--rows=9-2"}),
             "option --rows=9-2: '9-2' end before they start");
   for (const char* rows : {"", "0-3", "1-", "-3", "1-x", "1-2,", "1:2", "99999999999"}) {
-    EXPECT_NE(error_of({"a.png", "--out=x.png", std::string("--rows=") + rows}).find("are no rows; 1-60 is the form"),
+    EXPECT_NE(error_of({"a.png", "--out=x.png", std::string("--rows=") + rows})
+                  .find("are no rows; 1-60 is the form"),
               std::string::npos)
         << rows;
   }
@@ -60,7 +61,8 @@ TEST(UnitMerge, RowsInWords) {
 TEST(UnitMerge, MissingRows) {
   EXPECT_TRUE(missing_rows({{61, 120}, {1, 60}}, 120).empty());
   EXPECT_TRUE(missing_rows({{1, 100}, {20, 30}, {90, 120}}, 120).empty());
-  EXPECT_EQ(missing_rows({{11, 60}, {71, 100}}, 120), (std::vector<Rows>{{1, 10}, {61, 70}, {101, 120}}));
+  EXPECT_EQ(missing_rows({{11, 60}, {71, 100}}, 120),
+            (std::vector<Rows>{{1, 10}, {61, 70}, {101, 120}}));
   EXPECT_EQ(missing_rows({}, 5), (std::vector<Rows>{{1, 5}}));
 }
 
@@ -94,19 +96,27 @@ class UnitMergeFiles : public ::testing::Test {
 };
 
 TEST_F(UnitMergeFiles, AllTheHeadIsKept) {
-  const core::ImageMetadata data{.dpi_x = 300.5, .dpi_y = 720.0, .software = "Lentray", .description = "a sheet",
-                                 .fields = {{"lentray:lens_pitch", "1.124"}, {"lentray:empty", ""}}};
+  const core::ImageMetadata data{
+      .dpi_x = 300.5,
+      .dpi_y = 720.0,
+      .software = "Lentray",
+      .description = "a sheet",
+      .fields = {{"lentray:lens_pitch", "1.124"}, {"lentray:empty", ""}}};
   for (const int bits : {5, 8, 10, 16}) {
     for (const bool alpha : {false, true}) {
       for (const bool srgb : {false, true}) {
         for (const bool grey : {false, true}) {
-          core::ImageFormat format{.bits = bits, .srgb = srgb, .file_gamma = 1.83, .alpha = alpha, .grey = grey};
+          core::ImageFormat format{
+              .bits = bits, .srgb = srgb, .file_gamma = 1.83, .alpha = alpha, .grey = grey};
           const std::string whole = write("whole.png", {1, 6}, format, data);
-          const std::string a = write("a.png", {1, 2}, format, data), b = write("b.png", {3, 6}, format, data);
+          const std::string a = write("a.png", {1, 2}, format, data),
+                            b = write("b.png", {3, 6}, format, data);
           EXPECT_EQ(join_error({{b}, {a}}), "no error");
-          EXPECT_EQ(tool::read_text(m_folder / "out.png"), tool::read_text(whole)) << bits << alpha << srgb << grey;
+          EXPECT_EQ(tool::read_text(m_folder / "out.png"), tool::read_text(whole))
+              << bits << alpha << srgb << grey;
           EXPECT_EQ(join_error({{a, Rows{1, 2}}, {b, Rows{3, 6}}}), "no error");
-          EXPECT_EQ(tool::read_text(m_folder / "out.png"), tool::read_text(whole)) << bits << alpha << srgb << grey;
+          EXPECT_EQ(tool::read_text(m_folder / "out.png"), tool::read_text(whole))
+              << bits << alpha << srgb << grey;
         }
       }
     }
@@ -121,22 +131,28 @@ TEST_F(UnitMergeFiles, RowsFromTheFile) {
   // Rows 3 and 4 are black, which does not make them missing.
   const std::string a = write("a.png", {1, 2}, {}, upper), b = write("b.png", {5, 6}, {}, lower);
   EXPECT_EQ(join_error({{b}, {a}}), "no error");
-  EXPECT_EQ(read_head(m_folder / "out.png").rows, std::nullopt) << "a whole picture says nothing of its rows";
+  EXPECT_EQ(read_head(m_folder / "out.png").rows, std::nullopt)
+      << "a whole picture says nothing of its rows";
   EXPECT_EQ(join_error({{a}}), "cannot make 'out.png': rows 5 to 6 are in no part");
   // What --rows says comes first.
   EXPECT_EQ(join_error({{a, Rows{1, 3}}, {b}}), "cannot make 'out.png': row 4 is in no part");
   lower.fields = {{"lentray:rows", "5-"}};
   const std::string wrong = write("c.png", {5, 6}, {}, lower);
-  EXPECT_EQ(join_error({{wrong}}), "cannot read 'c.png': its text lentray:rows: '5-' are no rows; 1-60 is the form");
+  EXPECT_EQ(join_error({{wrong}}),
+            "cannot read 'c.png': its text lentray:rows: '5-' are no rows; 1-60 is the form");
 }
 
 TEST_F(UnitMergeFiles, MissingAndCommonRows) {
-  const std::string a = write("a.png", {1, 4}), b = write("b.png", {3, 6}), c = write("c.png", {5, 5});
+  const std::string a = write("a.png", {1, 4}), b = write("b.png", {3, 6}),
+                    c = write("c.png", {5, 5});
   EXPECT_EQ(join_error({{a}, {b}}), "no error") << "rows 3 and 4 are equal";
-  EXPECT_EQ(join_error({{a}, {c}}), "cannot make 'out.png': row 6 is black in every part, or missing: "
-                                    "--rows tells the rows of each part");
-  EXPECT_EQ(join_error({{a, Rows{1, 4}}, {c, Rows{5, 5}}}), "cannot make 'out.png': row 6 is in no part");
-  EXPECT_EQ(join_error({{a, Rows{1, 6}}, {b, Rows{3, 6}}}), "'a.png' and 'b.png' disagree in row 5");
+  EXPECT_EQ(join_error({{a}, {c}}),
+            "cannot make 'out.png': row 6 is black in every part, or missing: "
+            "--rows tells the rows of each part");
+  EXPECT_EQ(join_error({{a, Rows{1, 4}}, {c, Rows{5, 5}}}),
+            "cannot make 'out.png': row 6 is in no part");
+  EXPECT_EQ(join_error({{a, Rows{1, 6}}, {b, Rows{3, 6}}}),
+            "'a.png' and 'b.png' disagree in row 5");
   EXPECT_EQ(join_error({{a, Rows{1, 7}}}), "'a.png' has 6 rows, and cannot have rows 1 to 7");
   EXPECT_EQ(join_error({{a, Rows{1, 6}}}), "no error") << "rows 5 and 6 are black then";
 }
@@ -144,9 +160,11 @@ TEST_F(UnitMergeFiles, MissingAndCommonRows) {
 TEST_F(UnitMergeFiles, PartsOfDifferentPictures) {
   const std::string a = write("a.png", {1, 3});
   const auto error = [&](const std::string& other) { return join_error({{a}, {other}}); };
-  const std::string begin = "'a.png' and 'b.png' are not parts of one picture: they differ in their ";
+  const std::string begin =
+      "'a.png' and 'b.png' are not parts of one picture: they differ in their ";
   EXPECT_EQ(error(write("b.png", {4, 6}, {}, {}, 7)), begin + "size: 4 x 6 and 4 x 7");
-  EXPECT_EQ(error(write("b.png", {4, 6}, {.bits = 16})), begin + "samples: 8 bits of colour and 16 bits of colour");
+  EXPECT_EQ(error(write("b.png", {4, 6}, {.bits = 16})),
+            begin + "samples: 8 bits of colour and 16 bits of colour");
   EXPECT_EQ(error(write("b.png", {4, 6}, {.alpha = true})),
             begin + "samples: 8 bits of colour and 8 bits of colour with alpha");
   EXPECT_EQ(error(write("b.png", {4, 6}, {.srgb = false})), begin + "gamma");
@@ -160,10 +178,12 @@ TEST_F(UnitMergeFiles, PartsOfDifferentPictures) {
 TEST_F(UnitMergeFiles, FilesThatCannotBeRead) {
   const std::string a = write("a.png", {1, 6});
   tool::write_text(m_folder / "out.png", "what stood there");
-  EXPECT_EQ(join_error({{m_folder / "none.png"}}), "cannot read 'none.png': No such file or directory");
+  EXPECT_EQ(join_error({{m_folder / "none.png"}}),
+            "cannot read 'none.png': No such file or directory");
   EXPECT_NE(join_error({{m_folder.path()}}).find("it is a folder"), std::string::npos);
   tool::write_text(m_folder / "b.png", "GIF89a, or nearly");
-  EXPECT_EQ(join_error({{m_folder / "b.png"}}), "cannot read 'b.png': it is no PNG file, and only these are joined");
+  EXPECT_EQ(join_error({{m_folder / "b.png"}}),
+            "cannot read 'b.png': it is no PNG file, and only these are joined");
   const std::string whole = tool::read_text(a);
   for (std::size_t length = 8; length < whole.size() - 12; length += 3) {
     tool::write_text(m_folder / "b.png", whole.substr(0, length));
@@ -175,7 +195,8 @@ TEST_F(UnitMergeFiles, FilesThatCannotBeRead) {
   EXPECT_TRUE(join_error({{m_folder / "b.png"}}).starts_with("cannot read 'b.png': "));
   EXPECT_EQ(tool::read_text(m_folder / "out.png"), "what stood there");
   std::size_t files = 0;
-  for (const auto& file : std::filesystem::directory_iterator(m_folder.path())) files += file.path() != "" ? 1 : 0;
+  for (const auto& file : std::filesystem::directory_iterator(m_folder.path()))
+    files += file.path() != "" ? 1 : 0;
   EXPECT_EQ(files, 3u) << "temporary files are gone";
 }
 

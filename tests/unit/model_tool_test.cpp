@@ -24,9 +24,9 @@ std::string error_of(const Words& words) {
 }
 
 TEST(UnitModelTool, ArgumentsOfTheIssue) {
-  const Arguments a = parse_arguments(
-      {"Lens_Pitch=1.1", "Lens_Focal_Length=3", "Lens_IOR=1.5", "Lens_Pixels=10", "lenses=50",
-       "A=0.5:40:1", "D=0:40:1", "XSTART=0.2", "CSV=out.csv"});
+  const Arguments a =
+      parse_arguments({"Lens_Pitch=1.1", "Lens_Focal_Length=3", "Lens_IOR=1.5", "Lens_Pixels=10",
+                       "lenses=50", "A=0.5:40:1", "D=0:40:1", "XSTART=0.2", "CSV=out.csv"});
   EXPECT_EQ(a.lens.pitch, 1.1);
   EXPECT_EQ(a.lens.focal_length, 3.0);
   EXPECT_EQ(a.lens.ior, 1.5);
@@ -93,8 +93,9 @@ Grid small_grid(const Arguments& a, const shadow::PaperSheet& sheet, bool measur
 }
 
 TEST(UnitModelTool, Csv) {
-  const Arguments a = parse_arguments({"Lens_Pixels=5", "Lenses=41", "Rows=60", "A=1:2:1", "D=0:13:13",
-                                       "Ystart=-2", "Strip_Width=2", "Strip_Height=4"});
+  const Arguments a =
+      parse_arguments({"Lens_Pixels=5", "Lenses=41", "Rows=60", "A=1:2:1", "D=0:13:13", "Ystart=-2",
+                       "Strip_Width=2", "Strip_Height=4"});
   const shadow::PaperSheet sheet(a.lens, a.lenses, a.rows);
   std::istringstream plain(csv_of(small_grid(a, sheet, false), a));
   std::istringstream measured(csv_of(small_grid(a, sheet, true), a));

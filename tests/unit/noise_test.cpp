@@ -16,8 +16,9 @@ namespace {
 
 std::vector<Vec3> points() {
   std::mt19937_64 random(3);
-  std::vector<Vec3> all{{0, 0, 0}, {-0.0, -0.0, -0.0}, {1, 2, 3}, {-1, -2, -3}, {-1e-11, 1e-11, 0.5}, {4096, -4096, 8192},
-                        {1e9, 2, 3}, {-2.2e9, 1e12, 3}, {1e300, 0, 0}};
+  std::vector<Vec3> all{{0, 0, 0},    {-0.0, -0.0, -0.0},   {1, 2, 3},
+                        {-1, -2, -3}, {-1e-11, 1e-11, 0.5}, {4096, -4096, 8192},
+                        {1e9, 2, 3},  {-2.2e9, 1e12, 3},    {1e300, 0, 0}};
   all.push_back({std::numeric_limits<double>::quiet_NaN(), 0, 0});
   all.push_back({0, std::numeric_limits<double>::infinity(), 0});
   for (const double size : {0.9, 7.0, 60.0, 3e4, 3e9}) {
@@ -61,7 +62,8 @@ TEST(UnitCoreNoise, TwoAtOnceAreLikeOneAfterTheOther) {
   for (const int generator : {1, 2, 3}) {
     for (std::size_t i = 0; i < all.size(); ++i) {
       const Vec3 &p = all[i], &q = all[(i * 7 + 1) % all.size()];
-      const NoisePair pair = noise(NoisePair{p.x, q.x}, NoisePair{p.y, q.y}, NoisePair{p.z, q.z}, generator);
+      const NoisePair pair =
+          noise(NoisePair{p.x, q.x}, NoisePair{p.y, q.y}, NoisePair{p.z, q.z}, generator);
       EXPECT_EQ(bits(pair[0]), bits(noise(p, generator)));
       EXPECT_EQ(bits(pair[1]), bits(noise(q, generator)));
     }
@@ -79,8 +81,10 @@ TEST(UnitCoreNoise, InAPlaneItIsTheSame) {
       for (std::size_t i = 0; i < all.size(); ++i) {
         const Vec3 p = in_plane(all[i]), q = in_plane(all[(i * 7 + 1) % all.size()]);
         const int u = axis == 0 ? 1 : 0, v = axis == 2 ? 1 : 2;
-        EXPECT_EQ(bits(noise_in_plane(axis, p[u], p[v], generator)), bits(noise(p, generator))) << i;
-        const NoisePair pair = noise_in_plane(axis, NoisePair{p[u], q[u]}, NoisePair{p[v], q[v]}, generator);
+        EXPECT_EQ(bits(noise_in_plane(axis, p[u], p[v], generator)), bits(noise(p, generator)))
+            << i;
+        const NoisePair pair =
+            noise_in_plane(axis, NoisePair{p[u], q[u]}, NoisePair{p[v], q[v]}, generator);
         EXPECT_EQ(bits(pair[0]), bits(noise(p, generator))) << i;
         EXPECT_EQ(bits(pair[1]), bits(noise(q, generator))) << i;
       }

@@ -32,7 +32,8 @@ TEST(UnitOptionsHelp, EveryOptionHasItsLinesOnce) {
   for (const OptionGroup& group : option_groups()) {
     for (const OptionHelp& row : group.rows) told.emplace(row.name);
   }
-  for (const OptionRow& row : option_table()) EXPECT_EQ(told.count(std::string(row.name)), 1u) << row.name;
+  for (const OptionRow& row : option_table())
+    EXPECT_EQ(told.count(std::string(row.name)), 1u) << row.name;
 }
 
 TEST(UnitOptionsHelp, WhatIsToldIsThere) {
@@ -44,7 +45,8 @@ TEST(UnitOptionsHelp, WhatIsToldIsThere) {
       const std::string forms = option_forms(help);
       EXPECT_TRUE(forms.starts_with(std::string(help.name) + "=")) << forms;
       const bool has_switch = !row->switch_name.empty();
-      EXPECT_EQ(forms.find(", +" + std::string(row->switch_name)) != std::string::npos, has_switch) << forms;
+      EXPECT_EQ(forms.find(", +" + std::string(row->switch_name)) != std::string::npos, has_switch)
+          << forms;
     }
   }
   EXPECT_EQ(option_forms({"Width", "n", "", ""}), "Width=n, +Wn");
@@ -64,9 +66,9 @@ TEST(UnitOptionsHelp, EveryOptionOfStocksIsComparedWithStock) {
     own = own || row.name == "Restrict_IO";  // ours from here on, but for Light_Buffer
     if (row.name == "Antialias_Angle" || (own && row.switch_name.empty())) continue;
     const bool named = text.find(std::string(row.name) + "=") != text.npos;
-    const bool switched = !row.switch_name.empty() &&
-        (text.find("+" + std::string(row.switch_name)) != text.npos ||
-         text.find("-" + std::string(row.switch_name)) != text.npos);
+    const bool switched =
+        !row.switch_name.empty() && (text.find("+" + std::string(row.switch_name)) != text.npos ||
+                                     text.find("-" + std::string(row.switch_name)) != text.npos);
     EXPECT_TRUE(named || switched) << row.name;
   }
 }
@@ -81,7 +83,8 @@ TEST(UnitOptionsHelp, TheShortHelpFitsAScreenAndTellsWhatIsThere) {
     if (!line.starts_with("  ")) continue;
     std::istringstream words(line);
     for (std::string word; words >> word;) {
-      if (const std::size_t at = word.find('='); at != std::string::npos && at > 0 && !word.starts_with("--")) {
+      if (const std::size_t at = word.find('=');
+          at != std::string::npos && at > 0 && !word.starts_with("--")) {
         EXPECT_NE(row_named(word.substr(0, at)), nullptr) << word;
       }
     }
@@ -97,7 +100,8 @@ TEST(UnitOptionsHelp, TheLongHelpIsWrappedAndWhole) {
     }
   }
   for (const OptionGroup& group : option_groups()) {
-    for (const OptionHelp& help : group.rows) EXPECT_NE(text.find("\n  " + option_forms(help) + "\n"), std::string::npos) << help.name;
+    for (const OptionHelp& help : group.rows)
+      EXPECT_NE(text.find("\n  " + option_forms(help) + "\n"), std::string::npos) << help.name;
   }
 }
 

@@ -15,7 +15,8 @@ namespace {
 double error(double value, long double truth) {
   int exponent = 0;
   std::frexp(static_cast<double>(truth), &exponent);
-  return static_cast<double>(std::fabs((static_cast<long double>(value) - truth) / std::ldexp(1.0L, exponent - 53)));
+  return static_cast<double>(
+      std::fabs((static_cast<long double>(value) - truth) / std::ldexp(1.0L, exponent - 53)));
 }
 
 bool same(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
@@ -30,7 +31,8 @@ TEST(UnitCorePairMath, IsOffByLessThanOneUnit) {
       const CosSin turn = cos_sin(x);
       for (int lane = 0; lane < 2; ++lane) {
         const long double at = x[lane];
-        worst = std::max({worst, error(turn.cos[lane], std::cos(at)), error(turn.sin[lane], std::sin(at))});
+        worst = std::max(
+            {worst, error(turn.cos[lane], std::cos(at)), error(turn.sin[lane], std::sin(at))});
         if (range < 700.0) worst = std::max(worst, error(exp(x)[lane], std::exp(at)));
       }
     }
@@ -51,7 +53,8 @@ TEST(UnitCorePairMath, NearMultiplesOfAQuarterTurnToo) {
 }
 
 TEST(UnitCorePairMath, BeyondItsRangeIsTheSystems) {
-  const double inf = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
+  const double inf = std::numeric_limits<double>::infinity(),
+               nan = std::numeric_limits<double>::quiet_NaN();
   const Pair one = exp(Pair{1.0, 1.0});
   for (const double x : {701.0, 710.0, -701.0, -745.0, -1e9, 1e6, -1e6, 1e300, inf, -inf, nan}) {
     const Pair power = exp(Pair{x, 1.0});

@@ -32,18 +32,21 @@ TEST(UnitParserAnimation, WhenTheLoopRuns) {
 TEST(UnitParserAnimation, ClocksOfFrames) {
   EXPECT_EQ(listed({.final_frame = 3}), "1:0 2:0.5 3:1 1");
   EXPECT_EQ(listed({.initial_frame = 0, .final_frame = 3}), "0:0 1:0.333333 2:0.666667 3:1 0");
-  EXPECT_EQ(listed({.final_frame = 4, .initial_clock = 1.0, .final_clock = 5.0}), "1:1 2:2.33333 3:3.66667 4:5 1");
+  EXPECT_EQ(listed({.final_frame = 4, .initial_clock = 1.0, .final_clock = 5.0}),
+            "1:1 2:2.33333 3:3.66667 4:5 1");
   EXPECT_EQ(listed({.final_frame = 2, .cyclic = true}), "1:0 2:0.5 1");
   EXPECT_EQ(listed({.final_frame = 4, .step = 2}), "1:0 3:0.666667 1");
   EXPECT_EQ(listed({.initial_frame = 5}), "5:0 5");
   EXPECT_EQ(frames_of({.final_frame = 3})[1].clock.clock, 0.5);
-  EXPECT_EQ(frames_of({.initial_frame = 0, .final_frame = 3})[1].clock.clock, static_cast<double>(1.0f / 3.0f));
+  EXPECT_EQ(frames_of({.initial_frame = 0, .final_frame = 3})[1].clock.clock,
+            static_cast<double>(1.0f / 3.0f));
 }
 
 TEST(UnitParserAnimation, Subsets) {
   EXPECT_EQ(listed({.final_frame = 12, .subset_start = 3.0, .subset_end = 0.5, .cyclic = true}),
             "3:0.166667 4:0.25 5:0.333333 6:0.416667 03");
-  EXPECT_EQ(listed({.final_frame = 4, .subset_start = 0.5, .subset_end = 0.75}), "2:0.333333 3:0.666667 2");
+  EXPECT_EQ(listed({.final_frame = 4, .subset_start = 0.5, .subset_end = 0.75}),
+            "2:0.333333 3:0.666667 2");
   EXPECT_EQ(listed({.final_frame = 10, .subset_start = 9.0}), "9:0.888889 10:1 09");
   EXPECT_EQ(listed({.final_frame = 3, .subset_start = 5.0}), "5:2 5");
 }

@@ -27,15 +27,17 @@ TEST(UnitParserCheck, SoundObjectsAreCountedAndNotKept) {
   const SceneDesc scene = checked(
       "#version 3.7; sphere { 0, 1 } union { box { 0, 1 } cone { 0, 1, y, 0 } pigment { rgb 1 } }\n"
       "mesh { triangle { 0, x, y } }\n"
-      "sphere { 0, 1 pigment { bozo } } light_source { 0 1 } object { sphere { 0, 1 } clipped_by { box { 0, 1 } } }");
+      "sphere { 0, 1 pigment { bozo } } light_source { 0 1 } object { sphere { 0, 1 } clipped_by { "
+      "box { 0, 1 } } }");
   EXPECT_EQ(scene.dropped, 3u);
   EXPECT_EQ(scene.objects.size(), 3u);
 }
 
 TEST(UnitParserCheck, WhatCannotBeMadeIsStillSaid) {
   EXPECT_THROW(checked("#version 3.7; height_field { function 1, 1 { x } }"), ParseError);
-  EXPECT_THROW(checked("#version 3.7; union { sphere { 0, 1 } height_field { function 1, 1 { x } } }"),
-               ParseError);
+  EXPECT_THROW(
+      checked("#version 3.7; union { sphere { 0, 1 } height_field { function 1, 1 { x } } }"),
+      ParseError);
 }
 
 TEST(UnitParserCheck, TheDefaultTextureCounts) {

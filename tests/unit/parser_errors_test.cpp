@@ -53,7 +53,9 @@ TEST(ErrorParser, TheHeaderIsIncludedFromNowhere) {
 TEST(ErrorParser, NoReservedLetterIsProposed) {
   const Parsed p = parse_text("#declare A = T;\n");
   EXPECT_FALSE(has(p.message, "did you mean")) << p.message;
-  EXPECT_TRUE(has(parse_text("#declare Red = 1; #declare A = red2;\n").message, "did you mean 'Red'")) << p.message;
+  EXPECT_TRUE(
+      has(parse_text("#declare Red = 1; #declare A = red2;\n").message, "did you mean 'Red'"))
+      << p.message;
 }
 
 TEST(ErrorParser, AWarningIsGivenAtEightPlacesAtMost) {
@@ -68,9 +70,10 @@ TEST(ErrorParser, AWarningIsGivenAtEightPlacesAtMost) {
 }
 
 TEST(ErrorParser, StackOfIncludesAndMacros) {
-  const Parsed p = parse_text("#include \"a.inc\"\n",
-                              {{"a.inc", "#macro Outer(n)\n  Inner(n*2)\n#end\n#include \"b.inc\"\n"},
-                               {"b.inc", "#macro Inner(n)\n  #local q = n + Oops;\n#end\nOuter(1)\n"}});
+  const Parsed p =
+      parse_text("#include \"a.inc\"\n",
+                 {{"a.inc", "#macro Outer(n)\n  Inner(n*2)\n#end\n#include \"b.inc\"\n"},
+                  {"b.inc", "#macro Inner(n)\n  #local q = n + Oops;\n#end\nOuter(1)\n"}});
   expect_error(p, "undeclared identifier 'Oops'", 2);
   EXPECT_TRUE(has(p.error, "b.inc:2:18: error"));
   const std::size_t inner = p.error.find("in macro Inner, invoked from");
@@ -122,12 +125,14 @@ TEST(ErrorParser, StrayParts) {
 }
 
 TEST(ErrorParser, UnknownDirective) {
-  expect_error(parse_text("#declre A = 1;\n"), "unknown directive #declre, did you mean #declare?", 1);
+  expect_error(parse_text("#declre A = 1;\n"), "unknown directive #declre, did you mean #declare?",
+               1);
 }
 
 TEST(ErrorParser, EndlessRecursion) {
   expect_error(parse_text("#macro R(n)\nR(n+1)\n#end\nR(1)\n"), "endless recursion", 2);
-  expect_error(parse_text("#macro R(n) (1+R(n)) #end\n#declare A = R(1);\n"), "endless recursion", 1);
+  expect_error(parse_text("#macro R(n) (1+R(n)) #end\n#declare A = R(1);\n"), "endless recursion",
+               1);
 }
 
 TEST(ErrorParser, Subscripts) {
@@ -140,7 +145,8 @@ TEST(ErrorParser, Subscripts) {
 }
 
 TEST(ErrorParser, DivisionByZeroWarnsAndIsInfinite) {
-  const Parsed p = parse_text("#version 3.7;\n#debug str(-1/0,0,0)\n#debug vstr(2,<1,2>/0,\",\",0,0)");
+  const Parsed p =
+      parse_text("#version 3.7;\n#debug str(-1/0,0,0)\n#debug vstr(2,<1,2>/0,\",\",0,0)");
   EXPECT_EQ(p.error, "");
   EXPECT_EQ(p.debug, "infinf,inf");
   ASSERT_EQ(p.warnings.size(), 2u);  // one a place
@@ -174,28 +180,32 @@ TEST(ErrorParser, ReservedWordDeclared) {
 TEST(ErrorParser, Semicolon) {
   expect_error(parse_text("#version 3.7;\n#declare A = 1\n#declare B = 2;\n"),
                "must end with a semicolon", 2);
-  const Parsed old = parse_text("#version 3.1;\n#declare A = 1\n#declare B = A+1\n"
-                                "#debug str(B,0,0)");
+  const Parsed old = parse_text(
+      "#version 3.1;\n#declare A = 1\n#declare B = A+1\n"
+      "#debug str(B,0,0)");
   EXPECT_EQ(old.error, "");
   EXPECT_EQ(old.debug, "2");
   EXPECT_EQ(old.warnings.size(), 2u);
 }
 
 TEST(ErrorParser, MacroArguments) {
-  expect_error(parse_text("#macro M(a,b) a #end\n#declare A = M(1);\n"), "takes 2 arguments, found 1", 2);
+  expect_error(parse_text("#macro M(a,b) a #end\n#declare A = M(1);\n"),
+               "takes 2 arguments, found 1", 2);
   expect_error(parse_text("#macro M(a) a #end\n#declare A = M(1,2);\n"),
                "expected ')' after the 1 arguments of macro M", 2);
 }
 
 TEST(ErrorParser, Functions) {
-  expect_error(parse_text("#declare f = function { x + Q }\n"), "undeclared identifier 'Q' in a function", 1);
+  expect_error(parse_text("#declare f = function { x + Q }\n"),
+               "undeclared identifier 'Q' in a function", 1);
   expect_error(parse_text("#declare f = function(a) { a }\n#declare B = f(1,2);\n"),
                "function f takes 1 arguments, found more", 2);
   expect_error(parse_text("#declare f = function(a) { a }\n#declare g = function { f(x,y) }\n"),
                "function f takes 1 arguments, found 2", 2);
   expect_error(parse_text("#declare V = <1,2,3>;\n#declare g = function { x*V }\n"),
                "a function is made of floats", 2);
-  expect_error(parse_text("#declare f = function { internal(99) }\n"), "no internal function 99", 1);
+  expect_error(parse_text("#declare f = function { internal(99) }\n"), "no internal function 99",
+               1);
 }
 
 TEST(ErrorParser, LoopsThatCannotEnd) {
@@ -204,15 +214,17 @@ TEST(ErrorParser, LoopsThatCannotEnd) {
 }
 
 TEST(ErrorParser, ScaleByZeroBecomesOne) {
-  const Parsed p = parse_text("#declare f = function { transform { scale <0,2,1> } }\n"
-                              "#debug vstr(3, f(1,1,1), \",\", 0, 0)");
+  const Parsed p = parse_text(
+      "#declare f = function { transform { scale <0,2,1> } }\n"
+      "#debug vstr(3, f(1,1,1), \",\", 0, 0)");
   EXPECT_EQ(p.debug, "1,2,1");
   ASSERT_EQ(p.warnings.size(), 1u);
   EXPECT_EQ(p.warnings[0], "scale by 0 along x, changed to 1");
 }
 
 TEST(ErrorParser, FilesOfTheScene) {
-  expect_error(parse_text("#fopen F \"/nonexistent/x\" write\n"), "cannot open '/nonexistent/x' for writing", 1);
+  expect_error(parse_text("#fopen F \"/nonexistent/x\" write\n"),
+               "cannot open '/nonexistent/x' for writing", 1);
   expect_error(parse_text("#write (F, 1)\n"), "'F' is not an open file", 1);
   expect_error(parse_text("#fopen F \"/dev/null\" write\n#write (F, 1 #fclose F, 2)\n"),
                "'/dev/null' was closed while #write was read", 2);

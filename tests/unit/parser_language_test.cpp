@@ -19,7 +19,8 @@ std::string debug_of(const std::string& text) {
 
 TEST(UnitParserLexer, NumbersNamesAndStrings) {
   parser::NameTable names;
-  const auto list = parser::tokenise(1, "A .5 1. 2e3 1e-3 5.x \"a\\n\\u00e9\\\"\" colour color >=", names);
+  const auto list =
+      parser::tokenise(1, "A .5 1. 2e3 1e-3 5.x \"a\\n\\u00e9\\\"\" colour color >=", names);
   const auto& t = list->tokens;
   ASSERT_EQ(list->size(), 11u);
   EXPECT_EQ(t[0].kind, TokenKind::kIdentifier);
@@ -48,7 +49,9 @@ TEST(UnitParserLexer, CommentsNestAndPlacesAreRight) {
 
 TEST(UnitParserSource, LineEndsAndByteOrderMark) {
   parser::SourceManager sources;
-  const auto file = sources.add("x", "\xEF\xBB\xBF" "a\r\nb\rc\n");
+  const auto file = sources.add("x",
+                                "\xEF\xBB\xBF"
+                                "a\r\nb\rc\n");
   EXPECT_EQ(sources.text(file), "a\nb\nc\n");
   EXPECT_EQ(sources.line({file, 2}), "b");
   EXPECT_EQ(sources.place({file, 2}), "x:2:1");
@@ -64,7 +67,8 @@ TEST(UnitParserKeywords, TableRoundTrip) {
   }
   EXPECT_EQ(parser::find_keyword("light_source"), Keyword::kLightSource);
   EXPECT_EQ(parser::find_keyword("colour_map"), Keyword::kColorMap);
-  for (const char* word : {"lenticular", "lens_pitch", "view_distance", "paraxial", "pinhole", "thick"}) {
+  for (const char* word :
+       {"lenticular", "lens_pitch", "view_distance", "paraxial", "pinhole", "thick"}) {
     EXPECT_EQ(parser::find_keyword(word), Keyword::kNone) << word;
   }
 }
@@ -75,7 +79,8 @@ TEST(UnitParserFlow, SkippedTextMayBeAnything) {
 
 TEST(UnitParserFlow, ElseifAndNesting) {
   EXPECT_EQ(debug_of("#for (I,1,4) #if (I=1) #debug \"a\" #elseif (I=2) #if (1) #debug \"b\" #end"
-                     " #elseif (I=3) #debug \"c\" #else #debug \"d\" #end #end"), "abcd");
+                     " #elseif (I=3) #debug \"c\" #else #debug \"d\" #end #end"),
+            "abcd");
 }
 
 TEST(UnitParserFlow, SwitchFallsThroughUntilBreak) {
@@ -87,54 +92,68 @@ TEST(UnitParserFlow, SwitchFallsThroughUntilBreak) {
 TEST(UnitParserFlow, LoopsAndBreak) {
   EXPECT_EQ(debug_of("#declare I=0; #while (I<10) #declare I=I+1; #if (I=3) #break #end "
                      "#local J=0; #while (J<2) #debug str(I*10+J,0,0) #debug \" \" #local J=J+1; "
-                     "#end #end"), "10 11 20 21 ");
-  EXPECT_EQ(debug_of("#for (I,3,1,-1) #debug str(I,0,0) #end #for (I,2,1) #debug \"no\" #end"), "321");
+                     "#end #end"),
+            "10 11 20 21 ");
+  EXPECT_EQ(debug_of("#for (I,3,1,-1) #debug str(I,0,0) #end #for (I,2,1) #debug \"no\" #end"),
+            "321");
 }
 
 TEST(UnitParserMacro, InTheMiddleOfAStatement) {
   EXPECT_EQ(debug_of("#macro Three() 1,2,3 #end #macro Half() > * #end\n"
-                     "#debug vstr(3, <Three()> * 2, \",\", 0, 0)"), "2,4,6");
+                     "#debug vstr(3, <Three()> * 2, \",\", 0, 0)"),
+            "2,4,6");
   EXPECT_EQ(debug_of("#macro Tail() *2 #end #declare A = (3 Tail()); #debug str(A,0,0)"), "6");
 }
 
 TEST(UnitParserMacro, ArgumentsByReferenceAndByValue) {
   EXPECT_EQ(debug_of("#macro Up(p) #declare p = p+1; #end\n"
                      "#declare A = 1; Up(A) #declare B = array[2] {5,6} Up(B[1])\n"
-                     "#debug str(A,0,0) #debug str(B[1],0,0)"), "27");
+                     "#debug str(A,0,0) #debug str(B[1],0,0)"),
+            "27");
   EXPECT_EQ(debug_of("#macro Outer(p) Inner(p) #end #macro Inner(q) #declare q = 9; #end\n"
-                     "#declare A = 1; Outer(A) #debug str(A,0,0)"), "9");
-  EXPECT_EQ(debug_of("#macro M(p) #declare p = 7; #end #declare A = 1; M(A*1) #debug str(A,0,0)"), "1");
+                     "#declare A = 1; Outer(A) #debug str(A,0,0)"),
+            "9");
+  EXPECT_EQ(debug_of("#macro M(p) #declare p = 7; #end #declare A = 1; M(A*1) #debug str(A,0,0)"),
+            "1");
 }
 
 TEST(UnitParserMacro, Recursion) {
-  EXPECT_EQ(debug_of("#macro Fact(n) #if (n<=1) 1 #else n*Fact(n-1) #end #end #debug str(Fact(10),0,0)"),
-            "3628800");
-  EXPECT_EQ(debug_of("#macro Down(n) #if (n>0) Down(n-1) #end #end Down(5000) #debug \"ok\""), "ok");
+  EXPECT_EQ(
+      debug_of("#macro Fact(n) #if (n<=1) 1 #else n*Fact(n-1) #end #end #debug str(Fact(10),0,0)"),
+      "3628800");
+  EXPECT_EQ(debug_of("#macro Down(n) #if (n>0) Down(n-1) #end #end Down(5000) #debug \"ok\""),
+            "ok");
 }
 
 TEST(UnitParserMacro, OptionalParameters) {
-  EXPECT_EQ(debug_of("#macro M(a, optional b) #ifdef (b) #debug str(a+b,0,0) #else #debug \"-\" #end #end"
-                     " M(1,) M(1,2) #declare b = 5; M(1,)"), "-3-");
+  EXPECT_EQ(
+      debug_of("#macro M(a, optional b) #ifdef (b) #debug str(a+b,0,0) #else #debug \"-\" #end #end"
+               " M(1,) M(1,2) #declare b = 5; M(1,)"),
+      "-3-");
 }
 
 TEST(UnitParserScope, LocalsEndWithTheirMacroOrFile) {
-  const Parsed p = parse_text("#version 3.7;\n#declare A = 1;\n#include \"i.inc\"\n#debug str(A,0,0)\n"
-                              "#ifdef (L) #debug \"L\" #end #ifdef (G) #debug \"G\" #end",
-                              {{"i.inc", "#local A = 2; #local L = 3; #declare G = 4; #debug str(A,0,0)\n"}});
+  const Parsed p = parse_text(
+      "#version 3.7;\n#declare A = 1;\n#include \"i.inc\"\n#debug str(A,0,0)\n"
+      "#ifdef (L) #debug \"L\" #end #ifdef (G) #debug \"G\" #end",
+      {{"i.inc", "#local A = 2; #local L = 3; #declare G = 4; #debug str(A,0,0)\n"}});
   EXPECT_EQ(p.error, "");
   EXPECT_EQ(p.debug, "21G");
 }
 
 TEST(UnitParserScope, UndefShowsTheOuterSymbol) {
-  EXPECT_EQ(debug_of("#declare A = 1; #macro M() #local A = 2; #undef A #debug str(A,0,0) #local A = 3;"
-                     " #debug str(A,0,0) #end M() #debug str(A,0,0)"), "131");
+  EXPECT_EQ(
+      debug_of("#declare A = 1; #macro M() #local A = 2; #undef A #debug str(A,0,0) #local A = 3;"
+               " #debug str(A,0,0) #end M() #debug str(A,0,0)"),
+      "131");
 }
 
 TEST(UnitParserScope, TheSymbolIsSettledBeforeTheValueIsRead) {
   // The value is complete while its macro still runs: the semicolon stands in the macro.
   EXPECT_EQ(debug_of("#macro F() #local R = 1; #local Q = 5; #if (1) Q; #else 0; #end #end\n"
                      "#macro G() #local N = F() #local R = F() #debug str(N+R,0,0) #end G()"
-                     "#ifdef (N) #debug \"leak\" #end #declare T = F() #debug str(T,0,0)"), "105");
+                     "#ifdef (N) #debug \"leak\" #end #declare T = F() #debug str(T,0,0)"),
+            "105");
 }
 
 TEST(UnitParserLexer, LoneHashIsIgnored) {
@@ -146,11 +165,14 @@ TEST(UnitParserLexer, LoneHashIsIgnored) {
 TEST(UnitParserArray, CopiesAndReferences) {
   EXPECT_EQ(debug_of("#declare A = array[2] {1,2} #declare B = A; #declare B[0] = 9;"
                      "#macro Set(a) #declare a[1] = 8; #end Set(A)"
-                     "#debug str(A[0],0,0) #debug str(A[1],0,0) #debug str(B[0],0,0)"), "189");
+                     "#debug str(A[0],0,0) #debug str(A[1],0,0) #debug str(B[0],0,0)"),
+            "189");
   EXPECT_EQ(debug_of("#declare A = array[2][3] {{1,2,3},{4,5,6}} #debug str(A[1][0],0,0)"
-                     "#debug str(dimension_size(A,2),0,0) #debug str(dimensions(A),0,0)"), "432");
+                     "#debug str(dimension_size(A,2),0,0) #debug str(dimensions(A),0,0)"),
+            "432");
   EXPECT_EQ(debug_of("#declare A = array[2] #declare A[0] = array[2] {\"a\",\"b\"} #debug A[0][1]"
-                     "#ifdef (A[1]) #debug \"1\" #else #debug \"0\" #end"), "b0");
+                     "#ifdef (A[1]) #debug \"1\" #else #debug \"0\" #end"),
+            "b0");
 }
 
 TEST(UnitParserIncludes, TheHeaderComesBeforeTheScene) {
@@ -161,18 +183,21 @@ TEST(UnitParserIncludes, TheHeaderComesBeforeTheScene) {
 }
 
 TEST(UnitParserIncludes, NamesWithoutAnExtensionGetTheUsualOne) {
-  const Parsed p = parse_text("#include \"part\" #debug str(A,0,0)", {{"part.inc", "#declare A = 8;\n"}});
+  const Parsed p =
+      parse_text("#include \"part\" #debug str(A,0,0)", {{"part.inc", "#declare A = 8;\n"}});
   EXPECT_EQ(p.debug, "8") << p.error;
 }
 
 TEST(UnitParserFiles, WriteReadInclude) {
-  EXPECT_EQ(debug_of("#declare N = \"" + std::string("/tmp/lentray_front_test.inc") + "\";\n"
-                     "#fopen F N write #write (F, 1.5, \",\", <1,2,3>, \",\\\"s\\\"\\n\") #fclose F\n"
-                     "#fopen F N read #read (F, A, B, C) #ifndef (F) #debug \"eof \" #end\n"
-                     "#debug concat(str(A,0,1), vstr(3,B,\",\",0,0), C)\n"
-                     "#fopen F N write #write (F, \"#debug \\\" one\\\"\") #fclose F #include N\n"
-                     "#fopen F N write #write (F, \"#debug \\\" two\\\"\") #fclose F #include N"),
-            "eof 1.51,2,3s one two");
+  EXPECT_EQ(
+      debug_of("#declare N = \"" + std::string("/tmp/lentray_front_test.inc") +
+               "\";\n"
+               "#fopen F N write #write (F, 1.5, \",\", <1,2,3>, \",\\\"s\\\"\\n\") #fclose F\n"
+               "#fopen F N read #read (F, A, B, C) #ifndef (F) #debug \"eof \" #end\n"
+               "#debug concat(str(A,0,1), vstr(3,B,\",\",0,0), C)\n"
+               "#fopen F N write #write (F, \"#debug \\\" one\\\"\") #fclose F #include N\n"
+               "#fopen F N write #write (F, \"#debug \\\" two\\\"\") #fclose F #include N"),
+      "eof 1.51,2,3s one two");
   std::filesystem::remove("/tmp/lentray_front_test.inc");
 }
 
@@ -196,7 +221,8 @@ TEST(UnitParserFunction, CallEachOtherAsDeepAsIsAllowed) {
 TEST(UnitParserFunction, OfManyConstants) {
   std::string sum = "x";
   for (int i = 1; i <= 1500; ++i) sum += " + " + std::to_string(i) + ".5*x";
-  EXPECT_EQ(debug_of("#declare F = function(x) { " + sum + " }; #debug str(F(2), 0, 0)"), "2253002");
+  EXPECT_EQ(debug_of("#declare F = function(x) { " + sum + " }; #debug str(F(2), 0, 0)"),
+            "2253002");
 }
 
 // As deep as it has terms: compiling it must not need as much stack.
@@ -204,13 +230,15 @@ TEST(UnitParserFunction, OfManyTerms) {
   constexpr int kTerms = 4900;
   std::string folded = "1", sum = "x";
   for (int i = 1; i < kTerms; ++i) folded += "+1", sum += "+x";
-  EXPECT_EQ(debug_of("#declare F = function(x) { " + folded + "+" + sum + " }; #debug str(F(2), 0, 0)"),
-            std::to_string(3 * kTerms));
+  EXPECT_EQ(
+      debug_of("#declare F = function(x) { " + folded + "+" + sum + " }; #debug str(F(2), 0, 0)"),
+      std::to_string(3 * kTerms));
 }
 
 TEST(UnitParserWords, ContextualWordsStayIdentifiers) {
   const tool::TemporaryFolder folder;
-  tool::write_text(folder / "s.pov", "#declare lens_pitch = 3; lenticular lens_pitch 1.5 view_distance -2");
+  tool::write_text(folder / "s.pov",
+                   "#declare lens_pitch = 3; lenticular lens_pitch 1.5 view_distance -2");
   parser::SourceManager sources;
   parser::Diagnostics diagnostics(sources);
   NoProductions productions;
@@ -227,8 +255,9 @@ TEST(UnitParserWords, ContextualWordsStayIdentifiers) {
 
 TEST(UnitParserDeclare, TheLookAheadDoesNotRunTheNextDirective) {
   // Layered textures look for a further `texture`; the directive after them needs the name.
-  EXPECT_EQ(debug_of("#declare T = texture { a } #ifdef (T) #debug \"set\" #else #debug \"not\" #end"),
-            "set");
+  EXPECT_EQ(
+      debug_of("#declare T = texture { a } #ifdef (T) #debug \"set\" #else #debug \"not\" #end"),
+      "set");
   EXPECT_EQ(debug_of("#macro M(o) #debug \"ok\" #end #declare S = union { sphere } M(S)"), "ok");
 }
 
@@ -236,15 +265,18 @@ TEST(UnitParserDeclare, OptionsOfTheCommandLine) {
   parser::ParserOptions options;
   options.declares = {{"N", "2.5"}, {"S", "\"text\""}};
   options.image_width = 320;
-  const Parsed p = parse_text("#debug str(N,0,1) #debug S #debug str(image_width,0,0)", {}, options);
+  const Parsed p =
+      parse_text("#debug str(N,0,1) #debug S #debug str(image_width,0,0)", {}, options);
   EXPECT_EQ(p.debug, "2.5text320") << p.error;
 }
 
 TEST(UnitParserIncludes, NamesThatOnlyWindowsFinds) {
   const std::map<std::string, std::string> files = {{"mine.inc", "#debug \"mine \""},
                                                     {"other.inc", "#debug \"other \""}};
-  const Parsed p = parse_text("#include \"MINE.Inc\"\n#include \".\\other.inc\"\n#include \" mine.inc \"\n"
-                              "#include \"C:\\scenes\\Colors.INC\"\n#include \"mine.inc\"", files);
+  const Parsed p = parse_text(
+      "#include \"MINE.Inc\"\n#include \".\\other.inc\"\n#include \" mine.inc \"\n"
+      "#include \"C:\\scenes\\Colors.INC\"\n#include \"mine.inc\"",
+      files);
   EXPECT_EQ(p.error, "");
   EXPECT_EQ(p.debug, "mine other mine mine ");
   ASSERT_EQ(p.warnings.size(), 1u);
@@ -254,16 +286,22 @@ TEST(UnitParserIncludes, NamesThatOnlyWindowsFinds) {
 }
 
 TEST(UnitParserIncludes, TextsFromWindows) {
-  EXPECT_EQ(parse_text("\xEF\xBB\xBF#debug \"a\"\r\n// \xE4\xF6\xFC\r\n#debug \"b\"\r#debug \"c\"\n\x1A").debug, "abc");
+  EXPECT_EQ(
+      parse_text("\xEF\xBB\xBF#debug \"a\"\r\n// \xE4\xF6\xFC\r\n#debug \"b\"\r#debug \"c\"\n\x1A")
+          .debug,
+      "abc");
   EXPECT_EQ(parse_text("#debug \"\xE4\"").debug, " ");  // ASCII unless the scene says utf8
 }
 
 TEST(UnitParserIncludes, StandardFilesAreRead) {
-  for (const char* name : {"math", "functions", "transforms", "colors", "shapes", "rand", "strings",
-                           "arrays", "consts", "logo", "textures", "stones", "metals", "woods", "golds",
-                           "glass", "finish", "skies", "stars", "stdinc", "shapes2", "shapesq", "chars",
-                           "screen", "rad_def", "debug", "meshmaker", "makegrass", "ior", "sunpos"}) {
-    const Parsed p = parse_text("#version 3.7;\n#include \"" + std::string(name) + ".inc\"\n#debug \"end\"");
+  for (const char* name :
+       {"math",    "functions", "transforms", "colors",    "shapes",   "rand",
+        "strings", "arrays",    "consts",     "logo",      "textures", "stones",
+        "metals",  "woods",     "golds",      "glass",     "finish",   "skies",
+        "stars",   "stdinc",    "shapes2",    "shapesq",   "chars",    "screen",
+        "rad_def", "debug",     "meshmaker",  "makegrass", "ior",      "sunpos"}) {
+    const Parsed p =
+        parse_text("#version 3.7;\n#include \"" + std::string(name) + ".inc\"\n#debug \"end\"");
     EXPECT_EQ(p.error, "") << name;
     EXPECT_EQ(p.debug, "end") << name;
   }
@@ -271,7 +309,8 @@ TEST(UnitParserIncludes, StandardFilesAreRead) {
 
 TEST(UnitParserMacros, LocalsEndWithTheMacroThoughASemicolonFollows) {
   EXPECT_EQ(debug_of("#macro M() #local L = 5; #end M(); #debug str(defined(L), 0, 0)"), "0");
-  EXPECT_EQ(debug_of("#macro M() #local L = \"text\"; #end M(); #debug str(defined(L), 0, 0)"), "0");
+  EXPECT_EQ(debug_of("#macro M() #local L = \"text\"; #end M(); #debug str(defined(L), 0, 0)"),
+            "0");
   EXPECT_EQ(debug_of("#macro M() #declare L = \"text\"; #end M(); #debug L"), "text");
 }
 
@@ -280,7 +319,8 @@ TEST(UnitParserLexer, PiecesHoldTheSameTokens) {
   using parser::Punct;
   std::string text;
   for (int n = 0; n < 900; ++n) {
-    text += "\"name\", " + std::to_string(n) + ", <1, " + std::to_string(n) + ", -2>, <1,\n2 + 3, 4>,\n";
+    text += "\"name\", " + std::to_string(n) + ", <1, " + std::to_string(n) +
+            ", -2>, <1,\n2 + 3, 4>,\n";
   }
   parser::NameTable names;
   const auto whole = parser::tokenise(1, text, names);
@@ -289,10 +329,11 @@ TEST(UnitParserLexer, PiecesHoldTheSameTokens) {
   while (pieces.next()) {
     ++count;
     const auto& list = pieces.list();
-    const bool last = list.tokens[list.size() - 1].where.offset == whole->tokens[whole->size() - 1].where.offset;
+    const bool last =
+        list.tokens[list.size() - 1].where.offset == whole->tokens[whole->size() - 1].where.offset;
     EXPECT_TRUE(last || list.tokens[list.size() - 1].is(Punct::kComma));
-    EXPECT_TRUE(list.tokens[0].kind == TokenKind::kString || list.tokens[0].kind == TokenKind::kNumber ||
-                list.tokens[0].is(Punct::kLess));
+    EXPECT_TRUE(list.tokens[0].kind == TokenKind::kString ||
+                list.tokens[0].kind == TokenKind::kNumber || list.tokens[0].is(Punct::kLess));
     for (std::size_t i = 0; i < list.size(); ++i, ++at) {
       const parser::Token& t = list.tokens[i];
       // At the start of a piece a vector is not yet one token: its numbers stand by themselves.
@@ -319,9 +360,13 @@ TEST(UnitParserLexer, VectorsOfNumbersAreOneTokenWhereTheyCanBeNothingElse) {
   EXPECT_EQ(whole->components, (std::vector<double>{1.0, -2.5, 0.5}));
   EXPECT_EQ(whole->tokens[3].where.offset, 21u);
   EXPECT_EQ(list("A = <1, 2, 3, 4, 5>")->size(), 3u);
-  struct Apart { const char* text; std::size_t tokens; };
-  for (const Apart& a : {Apart{"A <1, 2>", 6}, Apart{"A = <1>", 5}, Apart{"A = <1, 2,>", 8}, Apart{"A = <1, 2>= 3", 8},
-                         Apart{"A = <1, x>", 7}, Apart{"A = <1, 2 3>", 8}, Apart{"A = <1, 2", 6}, Apart{"A = <", 3},
+  struct Apart {
+    const char* text;
+    std::size_t tokens;
+  };
+  for (const Apart& a : {Apart{"A <1, 2>", 6}, Apart{"A = <1>", 5}, Apart{"A = <1, 2,>", 8},
+                         Apart{"A = <1, 2>= 3", 8}, Apart{"A = <1, x>", 7},
+                         Apart{"A = <1, 2 3>", 8}, Apart{"A = <1, 2", 6}, Apart{"A = <", 3},
                          Apart{"A = <1, /* */ 2>", 7}, Apart{"A = <1, 2, 3, 4, 5, 6>", 15}}) {
     const auto apart = list(a.text);
     EXPECT_EQ(apart->size(), a.tokens) << a.text;
@@ -332,10 +377,23 @@ TEST(UnitParserLexer, VectorsOfNumbersAreOneTokenWhereTheyCanBeNothingElse) {
 
 TEST(UnitParserLexer, NumbersAreRoundedCorrectly) {
   std::uint32_t random = 1;
-  const auto next = [&](std::uint32_t below) { return (random = random * 1664525u + 1013904223u) / 65536u % below; };
-  std::vector<std::string> texts{"0.1", ".3", "1.", "0.000000000000001", "999999999999999.", "9007199254740993",
-                                 "9007199254740992.", "123456789012345.6", "4.35", "1e23", "5e-324", "1e400",
-                                 "0.30000000000000004", "2.2250738585072011e-308"};
+  const auto next = [&](std::uint32_t below) {
+    return (random = random * 1664525u + 1013904223u) / 65536u % below;
+  };
+  std::vector<std::string> texts{"0.1",
+                                 ".3",
+                                 "1.",
+                                 "0.000000000000001",
+                                 "999999999999999.",
+                                 "9007199254740993",
+                                 "9007199254740992.",
+                                 "123456789012345.6",
+                                 "4.35",
+                                 "1e23",
+                                 "5e-324",
+                                 "1e400",
+                                 "0.30000000000000004",
+                                 "2.2250738585072011e-308"};
   for (int i = 0; i < 5000; ++i) {
     std::string text;
     for (std::uint32_t d = 1 + next(14); d > 0; --d) text += static_cast<char>('0' + next(10));

@@ -22,9 +22,27 @@ std::string printed(const char* format, int width, int digits, double x) {
 
 // Whole numbers, halves and neighbours of what is rounded, and numbers of every size.
 std::vector<double> numbers() {
-  std::vector<double> all{0.0, -0.0, 0.5, 1.5, 2.5, -0.5, 0.125, 0.375, 99999.95, 999999.5, 999999.4999999,
-                          0.0001, 0.00009999995, 1e-5, 1e15, 4503599627370496.5, 9007199254740993.0,
-                          1e22, 1e300, 5e-324, std::numeric_limits<double>::infinity(),
+  std::vector<double> all{0.0,
+                          -0.0,
+                          0.5,
+                          1.5,
+                          2.5,
+                          -0.5,
+                          0.125,
+                          0.375,
+                          99999.95,
+                          999999.5,
+                          999999.4999999,
+                          0.0001,
+                          0.00009999995,
+                          1e-5,
+                          1e15,
+                          4503599627370496.5,
+                          9007199254740993.0,
+                          1e22,
+                          1e300,
+                          5e-324,
+                          std::numeric_limits<double>::infinity(),
                           -std::numeric_limits<double>::infinity()};
   std::mt19937_64 random(20261122);
   for (int i = 0; i < 20000; ++i) {
@@ -42,7 +60,7 @@ std::vector<double> numbers() {
 
 TEST(UnitParserNumberText, FixedIsAsPrintf) {
   for (const double x : numbers()) {
-    if (std::isfinite(x) && std::fabs(x) > 1e100) continue;   // beyond stock's buffer
+    if (std::isfinite(x) && std::fabs(x) > 1e100) continue;  // beyond stock's buffer
     for (const int digits : {0, 1, 2, 4, 6, 9, 12}) {
       std::string text = "|";
       parser::append_fixed(text, {0, digits, false}, x);

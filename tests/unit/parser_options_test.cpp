@@ -65,9 +65,8 @@ TEST_F(UnitParserOptions, DefaultsAreStocks) {
 }
 
 TEST_F(UnitParserOptions, SwitchesInEitherCaseAndSign) {
-  const RenderOptions o =
-      read({"+Ia b.pov", "-W640", "+h480", "+fn16", "+wt3", "+q5", "-V", "-A0.3", "+R4", "-J", "-D",
-            "+P", "+L/tmp", "+L/usr", "+L/tmp"});
+  const RenderOptions o = read({"+Ia b.pov", "-W640", "+h480", "+fn16", "+wt3", "+q5", "-V",
+                                "-A0.3", "+R4", "-J", "-D", "+P", "+L/tmp", "+L/usr", "+L/tmp"});
   EXPECT_EQ(o.input, "a b.pov");
   EXPECT_EQ(o.width, 640);
   EXPECT_EQ(o.height, 480);
@@ -118,7 +117,8 @@ TEST_F(UnitParserOptions, IniSections) {
   const RenderOptions missing = read({"res[medium]"});
   EXPECT_EQ(missing.width, 120);
   ASSERT_EQ(missing.warnings.size(), 1u);
-  EXPECT_NE(missing.warnings[0].find("has no section [medium]: there are Low, Really High"), std::string::npos);
+  EXPECT_NE(missing.warnings[0].find("has no section [medium]: there are Low, Really High"),
+            std::string::npos);
 }
 
 TEST_F(UnitParserOptions, AnIniLineOfSwitchesMayEndInAnOption) {
@@ -152,8 +152,8 @@ TEST_F(UnitParserOptions, ScenesMayBeNamedBare) {
 }
 
 TEST_F(UnitParserOptions, Declares) {
-  const RenderOptions o = read({"Declare=A=1.5", "declare=b_2=-3e2", "Declare=A=7",
-                                "Declare=S=\"text\""});
+  const RenderOptions o =
+      read({"Declare=A=1.5", "declare=b_2=-3e2", "Declare=A=7", "Declare=S=\"text\""});
   ASSERT_EQ(o.declares.size(), 3u);
   EXPECT_EQ(o.declares[0], (std::pair<std::string, std::string>("b_2", "-3e2")));
   EXPECT_EQ(o.declares[1], (std::pair<std::string, std::string>("A", "7")));
@@ -205,10 +205,12 @@ TEST_F(UnitParserOptions, LensOptions) {
 TEST_F(UnitParserOptions, OutputFiles) {
   using Pair = std::pair<const char*, core::FileType>;
   for (const auto& [given, type] :
-       {Pair{"+FN", core::FileType::png}, Pair{"+FT", core::FileType::targa}, Pair{"+Fc", core::FileType::compressed_targa},
-        Pair{"+FJ", core::FileType::jpeg}, Pair{"+FP", core::FileType::ppm}, Pair{"+FB", core::FileType::bmp},
+       {Pair{"+FN", core::FileType::png}, Pair{"+FT", core::FileType::targa},
+        Pair{"+Fc", core::FileType::compressed_targa}, Pair{"+FJ", core::FileType::jpeg},
+        Pair{"+FP", core::FileType::ppm}, Pair{"+FB", core::FileType::bmp},
         Pair{"+FE", core::FileType::exr}, Pair{"+FH", core::FileType::radiance},
-        Pair{"Output_File_Type=T", core::FileType::targa}, Pair{"Output_File_Type=TIFF", core::FileType::tiff}}) {
+        Pair{"Output_File_Type=T", core::FileType::targa},
+        Pair{"Output_File_Type=TIFF", core::FileType::tiff}}) {
     EXPECT_EQ(read({given}).type, type) << given;
   }
   EXPECT_EQ(read({"+FP10"}).bits, 10);
@@ -283,8 +285,12 @@ TEST_F(UnitParserOptions, NumbersAreCutAsStockCutsThem) {
   EXPECT_EQ(read({"+W64.7"}).width, 64);
   EXPECT_TRUE(read({"Height=183.9952372399585"}).warnings.empty());
   for (const auto& [option, text] : std::vector<std::pair<std::string, std::string>>{
-           {"+W40+H30", "option +W40+H30: taken as 40"}, {"Width=64abc", "taken as 64"}, {"+Q12", "taken as 11"},
-           {"+WT0", "taken as 1"}, {"+A0.3x", "taken as 0.3"}, {"+R20", "taken as 9"}}) {
+           {"+W40+H30", "option +W40+H30: taken as 40"},
+           {"Width=64abc", "taken as 64"},
+           {"+Q12", "taken as 11"},
+           {"+WT0", "taken as 1"},
+           {"+A0.3x", "taken as 0.3"},
+           {"+R20", "taken as 9"}}) {
     const RenderOptions o = read({option});
     ASSERT_EQ(o.warnings.size(), 1u) << option;
     EXPECT_NE(o.warnings[0].find(text), std::string::npos) << o.warnings[0];
@@ -292,8 +298,8 @@ TEST_F(UnitParserOptions, NumbersAreCutAsStockCutsThem) {
 }
 
 TEST_F(UnitParserOptions, Animation) {
-  const RenderOptions o = read({"+KFI2", "+KFF12.9", "Initial_Clock=1", "+KF3.5", "+SF0.25", "Subset_End_Frame=9",
-                                "+STP2", "Cyclic_Animation=On", "+UF"});
+  const RenderOptions o = read({"+KFI2", "+KFF12.9", "Initial_Clock=1", "+KF3.5", "+SF0.25",
+                                "Subset_End_Frame=9", "+STP2", "Cyclic_Animation=On", "+UF"});
   EXPECT_EQ(o.animation.initial_frame, 2);
   EXPECT_EQ(o.animation.final_frame, 12);
   EXPECT_EQ(o.animation.initial_clock, 1.0);
@@ -320,8 +326,9 @@ TEST_F(ErrorParserOptions, BadValues) {
   expect_message({"Lens_IOR=0.5"}, "at least 1");
   expect_message({"Lens_Pixels=0.5"}, "at least one pixel");
   expect_message({"Lens_Model=fancy"}, "unknown lens model: there are paraxial, pinhole");
-  expect_message({"Shadow_Cache=big"}, "unknown shadow cache: there are auto, off, last, depth, "
-                                       "tree, neighbourhood, grid, cascade");
+  expect_message({"Shadow_Cache=big"},
+                 "unknown shadow cache: there are auto, off, last, depth, "
+                 "tree, neighbourhood, grid, cascade");
   expect_message({"View_Distance=near"}, "a number is expected");
   expect_message({"Declare=X"}, "NAME=VALUE");
   expect_message({"Declare=1X=2"}, "cannot be the name");
@@ -384,7 +391,8 @@ TEST_F(ErrorParserOptions, CommandsStandInIniFilesOnly) {
   expect_message({"Post_Scene_Command=rm"}, "stand in INI files only");
   expect_message({"Pre_Frame_Return=F"}, "stand in INI files only");
   write("bad.ini", "Pre_Frame_Return=-X\n");
-  expect_message({"bad.ini"}, "bad.ini:1: option Pre_Frame_Return=-X: I, S, A, Q, U or F, perhaps after - or !");
+  expect_message({"bad.ini"},
+                 "bad.ini:1: option Pre_Frame_Return=-X: I, S, A, Q, U or F, perhaps after - or !");
 }
 
 TEST_F(UnitParserOptions, CommandsOfIniFiles) {
@@ -414,7 +422,8 @@ TEST_F(UnitParserOptions, RestrictIoLeavesTheFoldersIniAlone) {
   EXPECT_EQ(o.height, 44);
   ASSERT_EQ(o.warnings.size(), 1u);
   EXPECT_NE(o.warnings[0].find("povray.ini is not read"), std::string::npos);
-  EXPECT_EQ(read({"Restrict_IO=On", "povray.ini", "Restrict_IO=On"}, sources).width, 33) << "named, it is the user's";
+  EXPECT_EQ(read({"Restrict_IO=On", "povray.ini", "Restrict_IO=On"}, sources).width, 33)
+      << "named, it is the user's";
   write("povray.ini", "Width=33\nRestrict_IO=On\n");
   EXPECT_TRUE(read({}, sources).restrict_io);
 }
@@ -425,7 +434,9 @@ TEST_F(ErrorParserOptions, IniMessagesNameFileAndLine) {
   write("b.ini", "+W4 +Hx\n");
   expect_message({"b.ini"}, "b.ini:1: option +Hx: a number is expected");
   write("c.ini", "[one]\n[two words]\n");
-  EXPECT_NE(read({"c.ini[three]"}).warnings.at(0).find("'c.ini' has no section [three]: there are one, two words"),
+  EXPECT_NE(read({"c.ini[three]"})
+                .warnings.at(0)
+                .find("'c.ini' has no section [three]: there are one, two words"),
             std::string::npos);
   write("e.ini", "# a comment\nWidth=20 # another\n#Height=3\nOutput_File_Name=\"a#b.png\"\n");
   EXPECT_EQ(read({"e.ini"}).width, 20);
@@ -504,7 +515,8 @@ TEST_F(UnitParserOptions, OptionsOfAnimationsThatAreOffDoNothing) {
 }
 
 TEST_F(UnitParserOptions, EmptyNamesSayThatThereIsNone) {
-  const RenderOptions o = read({"+Ia.pov", "Include_Header=a.inc", "Include_Header=", "Output_File_Name=", "Library_Path="});
+  const RenderOptions o = read(
+      {"+Ia.pov", "Include_Header=a.inc", "Include_Header=", "Output_File_Name=", "Library_Path="});
   EXPECT_EQ(o.input, "a.pov");
   EXPECT_EQ(o.include_header, "");
   EXPECT_TRUE(o.library_paths.empty());

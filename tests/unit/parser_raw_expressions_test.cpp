@@ -34,16 +34,21 @@ class Expressions {
 
   std::string scalar(int depth) {
     static const std::vector<std::string> kLeaves{
-        "1", "2.5", "0", "1e-11", "A", "B", "V.x", "V.z", "C.transmit", "N[1]", "M[1][I]", "pi", "I",
-        "rand(S)", "clock", "yes", "<1,2,3>.y", "W.t", "W.u", "Nested[1][0]"};
+        "1",     "2.5",        "0",         "1e-11",   "A",   "B",           "V.x",
+        "V.z",   "C.transmit", "N[1]",      "M[1][I]", "pi",  "I",           "rand(S)",
+        "clock", "yes",        "<1,2,3>.y", "W.t",     "W.u", "Nested[1][0]"};
     if (depth == 0 || chance(0.2)) return pick(kLeaves);
     const auto s = [&] { return scalar(depth - 1); };
-    static const std::vector<std::string> kOne{"sin", "cos", "abs", "floor", "ceil", "int", "sqr", "atan",
-                                               "asin", "sqrt", "exp", "radians", "ln", "tanh"};
+    static const std::vector<std::string> kOne{"sin", "cos",     "abs",  "floor", "ceil",
+                                               "int", "sqr",     "atan", "asin",  "sqrt",
+                                               "exp", "radians", "ln",   "tanh"};
     switch (number(18)) {
-      case 0: case 1: return s() + "+" + s();
-      case 2: case 3: return s() + "-" + s();
-      case 4: case 5: return s() + "*" + s();
+      case 0:
+      case 1: return s() + "+" + s();
+      case 2:
+      case 3: return s() + "-" + s();
+      case 4:
+      case 5: return s() + "*" + s();
       case 6: return s() + "/" + s();
       case 7: return "(" + s() + ")";
       case 8: return "-" + s();
@@ -60,7 +65,8 @@ class Expressions {
   }
 
   std::string vector(int depth) {
-    static const std::vector<std::string> kLeaves{"x", "y", "z", "V", "<1,2,3>", "<-1, .5, 2>", "Vs[0]"};
+    static const std::vector<std::string> kLeaves{"x",       "y",           "z",    "V",
+                                                  "<1,2,3>", "<-1, .5, 2>", "Vs[0]"};
     if (depth == 0 || chance(0.2)) return pick(kLeaves);
     const auto s = [&] { return scalar(depth - 1); };
     const auto v = [&] { return vector(depth - 1); };
@@ -87,9 +93,11 @@ class Expressions {
 
 const char* const kHead =
     "#declare A = 3; #declare B = -0.75; #declare I = 1; #declare V = <1, -2, .5>;\n"
-    "#declare W = <1, 2, 3, 4>; #declare C = color rgbft <.1, .2, .3, .4, .5>; #declare S = seed(7);\n"
+    "#declare W = <1, 2, 3, 4>; #declare C = color rgbft <.1, .2, .3, .4, .5>; #declare S = "
+    "seed(7);\n"
     "#declare N = array[3] {5, 6, 7} #declare M = array[2][2] {{1, 2}, {3, 4}}\n"
-    "#declare Vs = array[1] {<3, 2, 1>} #declare Nested = array[2] #declare Nested[1] = array[1] {9}\n"
+    "#declare Vs = array[1] {<3, 2, 1>} #declare Nested = array[2] #declare Nested[1] = array[1] "
+    "{9}\n"
     "#macro Twice(X) (2*X) #end\n";
 
 TEST(UnitParserRawExpressions, AgreesWithTheGrammarOnRandomExpressions) {
@@ -113,46 +121,68 @@ TEST(UnitParserRawExpressions, AgreesWithTheGrammarOnRandomExpressions) {
 
 TEST(UnitParserRawExpressions, GivesUpWithoutATrace) {
   const std::string head(kHead);
-  for (const std::string rest : {
-           "#debug str(rand(S) + #if (1) rand(S) #end, 0, -1) #debug str(rand(S), 0, -1)",
-           "#debug str(rand(S)/0, 0, -1) #debug str(rand(S), 0, -1)",
-           "#debug str(rand(S) + rand(9), 0, -1)",
-           "#macro Sum() 1 + 2 #end #declare X = Sum()*3; #debug str(X, 0, -1)",
-           "#macro Open() 1 + #end #declare X = Open() 4; #debug str(X, 0, -1)",
-           "#declare X = 1 #if (1) + 2 #end; #debug str(X, 0, -1)",
-           "#declare X = A #debug \"no semicolon\"",
-           "#declare X = Y;", "#declare X = N[3];", "#declare X = N[-1];", "#declare X = A.y;",
-           "#declare X = V.t;", "#declare X = <1, 2, 3, 4, 5, 6>;", "#declare X = <1>;",
-           "#declare X = sqrt(-1);", "#declare X = acos(2);", "#declare X = vnormalize(<0,0,0>);",
-           "#declare Twice = 3;", "#declare X = 1;; #debug str(X, 0, -1)",
-           "#macro Set(P) #declare P = P + 1; #end Set(A) #debug str(A, 0, -1)",
-           "#macro Set(P) #local P = P + 1; #debug str(P, 0, -1) #end Set(A) #debug str(A, 0, -1)",
-           "#macro Set(P) #declare P = P + 1; #end Set(N[1]) #debug str(N[1], 0, -1)",
-           "#macro Last() #local L = 5; #end Last(); #debug str(defined(L), 0, -1)",
-           "#declare X = #ifdef (A) 5 #else 6 #end ; #debug str(X, 0, -1)",
-           "#declare deprecated \"old\" D = 4; #declare X = D + 1; #debug str(X, 0, -1)",
-           "#debug str((((((((((((1)))))))))))) + 1, 0, -1)", "#declare X = 1 + ", "#declare X = (1"}) {
+  for (const std::string rest :
+       {"#debug str(rand(S) + #if (1) rand(S) #end, 0, -1) #debug str(rand(S), 0, -1)",
+        "#debug str(rand(S)/0, 0, -1) #debug str(rand(S), 0, -1)",
+        "#debug str(rand(S) + rand(9), 0, -1)",
+        "#macro Sum() 1 + 2 #end #declare X = Sum()*3; #debug str(X, 0, -1)",
+        "#macro Open() 1 + #end #declare X = Open() 4; #debug str(X, 0, -1)",
+        "#declare X = 1 #if (1) + 2 #end; #debug str(X, 0, -1)",
+        "#declare X = A #debug \"no semicolon\"",
+        "#declare X = Y;",
+        "#declare X = N[3];",
+        "#declare X = N[-1];",
+        "#declare X = A.y;",
+        "#declare X = V.t;",
+        "#declare X = <1, 2, 3, 4, 5, 6>;",
+        "#declare X = <1>;",
+        "#declare X = sqrt(-1);",
+        "#declare X = acos(2);",
+        "#declare X = vnormalize(<0,0,0>);",
+        "#declare Twice = 3;",
+        "#declare X = 1;; #debug str(X, 0, -1)",
+        "#macro Set(P) #declare P = P + 1; #end Set(A) #debug str(A, 0, -1)",
+        "#macro Set(P) #local P = P + 1; #debug str(P, 0, -1) #end Set(A) #debug str(A, 0, -1)",
+        "#macro Set(P) #declare P = P + 1; #end Set(N[1]) #debug str(N[1], 0, -1)",
+        "#macro Last() #local L = 5; #end Last(); #debug str(defined(L), 0, -1)",
+        "#declare X = #ifdef (A) 5 #else 6 #end ; #debug str(X, 0, -1)",
+        "#declare deprecated \"old\" D = 4; #declare X = D + 1; #debug str(X, 0, -1)",
+        "#debug str((((((((((((1)))))))))))) + 1, 0, -1)",
+        "#declare X = 1 + ",
+        "#declare X = (1"}) {
     expect_same(head + rest);
   }
 }
 
 TEST(UnitParserRawExpressions, StringsAgreeWithTheGrammar) {
-  const std::string head = std::string(kHead) +
+  const std::string head =
+      std::string(kHead) +
       "#declare Text = \"some Text\"; #declare Texts = array[2] {\"one\", \"two\"}\n";
-  for (const std::string rest : {
-           "#debug Text #debug Texts[1] #debug Texts[2]", "#debug Texts[0*1]",
-           "#debug concat(\"a\", str(A, 5, 2), str(B, -8, 3), str(I, 0, -1), \"\\n\")",
-           "#debug concat(Text, vstr(3, V, \", \", 0, 4), vstr(9, <1, 2>, Texts[0], 4, 1), vstr(0, A, \"\", 0, 0))",
-           "#debug concat(chr(65 + mod(I, 26)), chr(955), chr(70000))", "#debug chr(-1)",
-           "#debug substr(Text, 2, 3)", "#debug substr(Text, 0, 3)", "#debug substr(Text, 9, 1)",
-           "#debug concat(strupr(concat(\"x\", Text)), strlwr(Text), Text)",
-           "#debug str(rand(S), 0, -1) #declare L = concat(str(rand(S), 0, -1), Missing);",
-           "#declare L = concat(str(rand(S), 0, -1), \"x\") #debug L #debug str(rand(S), 0, -1)",
-           "#declare L = \"x\" #debug L", "#declare L = Text; #declare L = concat(L, L); #debug L",
-           "#declare Twice = \"x\";", "#declare L = \"\\q\";", "#debug \"caf\303\251\"",
-           "#declare L = concat(\"a\" \"b\", #if (1) \"c\" #end); #debug L",
-           "#macro M(T) #debug concat(T, \"!\") #local T = 1; #end M(Text) M(\"x\")",
-           "#declare L = ", "#declare L = concat(\"a\"", "#debug str(1)", "#debug str(V, 0, 0)"}) {
+  for (const std::string rest :
+       {"#debug Text #debug Texts[1] #debug Texts[2]",
+        "#debug Texts[0*1]",
+        "#debug concat(\"a\", str(A, 5, 2), str(B, -8, 3), str(I, 0, -1), \"\\n\")",
+        "#debug concat(Text, vstr(3, V, \", \", 0, 4), vstr(9, <1, 2>, Texts[0], 4, 1), vstr(0, A, "
+        "\"\", 0, 0))",
+        "#debug concat(chr(65 + mod(I, 26)), chr(955), chr(70000))",
+        "#debug chr(-1)",
+        "#debug substr(Text, 2, 3)",
+        "#debug substr(Text, 0, 3)",
+        "#debug substr(Text, 9, 1)",
+        "#debug concat(strupr(concat(\"x\", Text)), strlwr(Text), Text)",
+        "#debug str(rand(S), 0, -1) #declare L = concat(str(rand(S), 0, -1), Missing);",
+        "#declare L = concat(str(rand(S), 0, -1), \"x\") #debug L #debug str(rand(S), 0, -1)",
+        "#declare L = \"x\" #debug L",
+        "#declare L = Text; #declare L = concat(L, L); #debug L",
+        "#declare Twice = \"x\";",
+        "#declare L = \"\\q\";",
+        "#debug \"caf\303\251\"",
+        "#declare L = concat(\"a\" \"b\", #if (1) \"c\" #end); #debug L",
+        "#macro M(T) #debug concat(T, \"!\") #local T = 1; #end M(Text) M(\"x\")",
+        "#declare L = ",
+        "#declare L = concat(\"a\"",
+        "#debug str(1)",
+        "#debug str(V, 0, 0)"}) {
     expect_same(head + rest);
   }
 }
@@ -168,8 +198,8 @@ TEST(UnitParserRawExpressions, NestedFunctionsDoNotMultiplyTheWork) {
 
 TEST(UnitParserRawExpressions, AComponentWhereAVectorIsWanted) {
   const std::string head(kHead);
-  for (const std::string vector : {"V.x", "-V.y", "V.y*2", "2*V.y", "(V.y)", "V.y - 1", "V.y + <1,1,1>",
-                                   "W.t", "<V.y, 1, 1>", "Vs[0].y", "+V.z"}) {
+  for (const std::string vector : {"V.x", "-V.y", "V.y*2", "2*V.y", "(V.y)", "V.y - 1",
+                                   "V.y + <1,1,1>", "W.t", "<V.y, 1, 1>", "Vs[0].y", "+V.z"}) {
     expect_same(head + "#debug str(vlength(" + vector + "), 0, -1) #declare K = " + vector +
                 "; #debug str(vlength(K), 0, -1) #debug vstr(3, vnormalize(" + vector +
                 "), \" \", 0, -1)");

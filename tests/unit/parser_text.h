@@ -22,9 +22,8 @@ class NoProductions final : public parser::Productions {
       skip_block(parser);
     } while (parser.at(parser::Keyword::kTexture));
     static const int kept = 0;
-    return parser::Ref<parser::ObjectDesc>(
-        std::shared_ptr<const void>(),
-        reinterpret_cast<const parser::ObjectDesc*>(&kept));
+    return parser::Ref<parser::ObjectDesc>(std::shared_ptr<const void>(),
+                                           reinterpret_cast<const parser::ObjectDesc*>(&kept));
   }
   void set_default(parser::Parser& parser) override { skip_block(parser); }
   bool inside(const parser::ObjectDesc&, const core::Vec3& p) override { return p.x > 0.0; }

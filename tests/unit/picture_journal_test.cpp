@@ -18,15 +18,20 @@ struct UnitPictureJournal : testing::Test {
   std::string picture() const { return (folder / "a.png").string(); }
   std::string file() const { return journal_path(picture()); }
   Identity identity() const { return identity_of(options, {}); }
-  PictureJournal journal() const { return {picture(), 20, 10, identity(), std::chrono::milliseconds(0)}; }
+  PictureJournal journal() const {
+    return {picture(), 20, 10, identity(), std::chrono::milliseconds(0)};
+  }
 
   void keep(PictureJournal& journal, std::size_t stage, std::vector<Pixel> pixels) {
     std::vector<float> values;
-    for (const Pixel& p : pixels) values.insert(values.end(), {p.column + 0.25f, p.row + 0.5f, 1.0f * stage, 1.0f});
+    for (const Pixel& p : pixels)
+      values.insert(values.end(), {p.column + 0.25f, p.row + 0.5f, 1.0f * stage, 1.0f});
     journal.add(stage, pixels, values);
   }
-  std::map<std::pair<std::uint32_t, std::uint32_t>, float> all(PictureJournal& journal, std::size_t stage,
-                                                               std::uint32_t top = 0, std::uint32_t bottom = 10) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, float> all(PictureJournal& journal,
+                                                               std::size_t stage,
+                                                               std::uint32_t top = 0,
+                                                               std::uint32_t bottom = 10) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, float> out;
     journal.recall(stage, top, bottom, [&](const Pixel& p, const float* v) {
       EXPECT_EQ(v[1], p.row + 0.5f);
@@ -94,15 +99,20 @@ TEST_F(UnitPictureJournal, WhatIsHalfWrittenIsDropped) {
 }
 
 TEST_F(UnitPictureJournal, OtherPicturesAreRefused) {
-  { PictureJournal first = journal(); keep(first, 0, {{3, 4}}); }
+  {
+    PictureJournal first = journal();
+    keep(first, 0, {{3, 4}});
+  }
   options.antialias_depth = 5;
   PictureJournal second = journal();
   try {
     second.go_on();
     FAIL();
   } catch (const parser::OptionError& error) {
-    EXPECT_NE(std::string(error.what()).find("begun with Antialias_Depth=3, and now there is Antialias_Depth=5"),
-              std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what())
+                  .find("begun with Antialias_Depth=3, and now there is Antialias_Depth=5"),
+              std::string::npos)
+        << error.what();
   }
   options.antialias_depth = 3;
   PictureJournal one = journal();
@@ -112,7 +122,10 @@ TEST_F(UnitPictureJournal, OtherPicturesAreRefused) {
 }
 
 TEST_F(UnitPictureJournal, FramesSayThatTheyAreFinished) {
-  { PictureJournal first = journal(); first.finish(true); }
+  {
+    PictureJournal first = journal();
+    first.finish(true);
+  }
   const auto earlier = PictureJournal::earlier(picture());
   ASSERT_TRUE(earlier);
   EXPECT_TRUE(earlier->is_finished);
@@ -124,7 +137,12 @@ TEST_F(UnitPictureJournal, FramesSayThatTheyAreFinished) {
 
 TEST_F(UnitPictureJournal, FilesThatAreNoJournalsStay) {
   std::ofstream(file()) << "my notes";
-  { PictureJournal first = journal(); first.go_on(); EXPECT_EQ(first.known(0), nullptr); first.finish(false); }
+  {
+    PictureJournal first = journal();
+    first.go_on();
+    EXPECT_EQ(first.known(0), nullptr);
+    first.finish(false);
+  }
   PictureJournal::forget(picture());
   EXPECT_TRUE(fs::exists(file()));
 }
@@ -154,7 +172,8 @@ TEST_F(UnitPictureJournal, IdentitiesSayWhatIsDifferent) {
   EXPECT_NE(difference_of_files(then, "/dev/null"), "");
   options.threads = 3;
   options.pixel_order = "rows";
-  EXPECT_EQ(difference(identity(), Identity::of_text(identity_of({}, {}).text())), "") << "no pixel depends on them";
+  EXPECT_EQ(difference(identity(), Identity::of_text(identity_of({}, {}).text())), "")
+      << "no pixel depends on them";
 }
 
 }  // namespace

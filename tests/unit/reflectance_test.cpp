@@ -33,7 +33,8 @@ TEST(UnitCoreReflectance, DiffuseFollowsTheCosineAndBrilliance) {
 }
 
 TEST(UnitCoreReflectance, WholePowersAreAsNearAsOthers) {
-  for (const double exponent : {0.0, 0.5, 1.0, 2.0, 3.0, 20.0, 20.000001, 100.0, 1000.0, 1024.0, 1025.0, 1e9, 1e300, -2.0}) {
+  for (const double exponent : {0.0, 0.5, 1.0, 2.0, 3.0, 20.0, 20.000001, 100.0, 1000.0, 1024.0,
+                                1025.0, 1e9, 1e300, -2.0}) {
     for (const double x : {1e-300, 0.01, 0.3, 0.999, 1.0, 1.0000001}) {
       const double expected = std::pow(x, exponent);
       if (std::isinf(expected)) {

@@ -24,8 +24,9 @@ namespace {
 /// A wavy colour, so that each pixel is different.
 struct Wavy final : Pigment {
   Colour colour(const Vec3& p, const SurfaceContext&) const override {
-    return {Rgb(static_cast<float>(std::sin(p.x * 7) + 1), static_cast<float>(std::cos(p.y * 5) + 1),
-                static_cast<float>(p.z * p.z)), 0, 0};
+    return {Rgb(static_cast<float>(std::sin(p.x * 7) + 1),
+                static_cast<float>(std::cos(p.y * 5) + 1), static_cast<float>(p.z * p.z)),
+            0, 0};
   }
   bool is_opaque() const override { return true; }
 };
@@ -149,7 +150,8 @@ TEST(UnitCoreFrame, PixelsWithoutRayAreBlackAndAlphaLeavesTheBackgroundOut) {
   Whole opaque, alpha;
   const PlainShadowTesterFactory shadows;
   render_frame(*scene, Window(), {64, 64, 20}, RowBands(), shadows, {}, opaque, nullptr);
-  render_frame(*clear_scene, Window(), {64, 64, 20}, RowBands(), shadows, {.alpha = true}, alpha, nullptr);
+  render_frame(*clear_scene, Window(), {64, 64, 20}, RowBands(), shadows, {.alpha = true}, alpha,
+               nullptr);
   EXPECT_EQ(opaque.image.pixel(63, 5)[0], 0.0f);
   EXPECT_EQ(opaque.image.pixel(63, 5)[3], 1.0f);
   EXPECT_EQ(opaque.image.pixel(0, 0)[2], 0.75f);
@@ -213,8 +215,8 @@ TEST(UnitCoreFrame, WhatTheSinkThrowsEndsTheFrame) {
   const auto scene = ball_scene();
   for (const int threads : {1, 2, 5}) {
     Full full;
-    EXPECT_THROW(render_frame(*scene, Window(), {64, 64, 4}, RowBands(),
-                              PlainShadowTesterFactory(), {.threads = threads}, full, nullptr),
+    EXPECT_THROW(render_frame(*scene, Window(), {64, 64, 4}, RowBands(), PlainShadowTesterFactory(),
+                              {.threads = threads}, full, nullptr),
                  std::runtime_error);
     EXPECT_EQ(full.calls, 3);
   }
@@ -284,8 +286,8 @@ TEST(UnitCoreFrame, AsManyThreadsAsAskedForReallyRun) {
   const auto scene = ball_scene();
   Whole whole;
   const Meeting camera;
-  render_frame(*scene, camera, {64, 64, 64}, SingleBand(), PlainShadowTesterFactory(), {.threads = 5},
-               whole, nullptr);
+  render_frame(*scene, camera, {64, 64, 64}, SingleBand(), PlainShadowTesterFactory(),
+               {.threads = 5}, whole, nullptr);
   EXPECT_EQ(camera.threads.size(), 5u);
 }
 

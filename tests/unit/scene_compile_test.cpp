@@ -93,8 +93,8 @@ TEST(UnitCoreScene, UnionsAreSplitWhereTheirSurfaceIsThatOfTheirParts) {
   SceneBuilder b;
   const Texture* t = b.texture(0);
   b.parts.objects.push_back(b.ball(0, t));
-  b.parts.objects.push_back(b.csg(CsgKind::kUnion, b.ball(3, t),
-                                  b.csg(CsgKind::kUnion, b.ball(6, t), b.ball(9, t))));
+  b.parts.objects.push_back(
+      b.csg(CsgKind::kUnion, b.ball(3, t), b.csg(CsgKind::kUnion, b.ball(6, t), b.ball(9, t))));
   b.parts.objects.push_back(b.csg(CsgKind::kMerge, b.ball(12, t), b.ball(12.5, t)));
   auto clipped = b.csg(CsgKind::kUnion, b.ball(15, t), b.ball(18, t));
   clipped->set_clips({b.ball(15, t)});
@@ -143,10 +143,10 @@ TEST(UnitCoreScene, APlainSceneNeedsNothing) {
   const auto scene = b.compile();
   const Needs& n = scene->needs();
   for (const bool needed :
-       {n.infinite_objects, n.csg, n.clipping, n.transparency, n.transparent_shadows, n.shadows_begin_anew, n.refraction,
-        n.interiors, n.reflection, n.layered_textures, n.textures_by_place, n.interior_textures,
-        n.highlights, n.area_lights, n.spot_lights, n.fading_lights, n.shadowless_lights,
-        n.visibility_flags, n.sky_sphere}) {
+       {n.infinite_objects, n.csg, n.clipping, n.transparency, n.transparent_shadows,
+        n.shadows_begin_anew, n.refraction, n.interiors, n.reflection, n.layered_textures,
+        n.textures_by_place, n.interior_textures, n.highlights, n.area_lights, n.spot_lights,
+        n.fading_lights, n.shadowless_lights, n.visibility_flags, n.sky_sphere}) {
     EXPECT_FALSE(needed);
   }
   EXPECT_EQ(n.greatest_depth, 1);
@@ -158,10 +158,10 @@ TEST(UnitCoreScene, EachNeedIsFound) {
     change(b);
     return b.compile()->needs();
   };
-  EXPECT_TRUE(needs_of([](SceneBuilder& b) {
-                b.parts.objects.push_back(
-                    b.leaf(std::make_unique<Plane>(Vec3{1, 1, 1}, 0), b.texture(0)));
-              }).infinite_objects);
+  EXPECT_TRUE(
+      needs_of([](SceneBuilder& b) {
+        b.parts.objects.push_back(b.leaf(std::make_unique<Plane>(Vec3{1, 1, 1}, 0), b.texture(0)));
+      }).infinite_objects);
   const Needs glass = needs_of([](SceneBuilder& b) {
     b.parts.settings.max_trace_level = 9;
     b.parts.objects.push_back(b.ball(0, b.texture(0.7f), b.interior(1.5)));
@@ -169,8 +169,9 @@ TEST(UnitCoreScene, EachNeedIsFound) {
   EXPECT_TRUE(glass.transparency && glass.transparent_shadows && glass.refraction &&
               glass.interiors);
   EXPECT_EQ(glass.greatest_depth, 9);
-  const Needs film = needs_of(
-      [](SceneBuilder& b) { b.parts.objects.push_back(b.ball(0, b.texture(0.7f), b.interior(1))); });
+  const Needs film = needs_of([](SceneBuilder& b) {
+    b.parts.objects.push_back(b.ball(0, b.texture(0.7f), b.interior(1)));
+  });
   EXPECT_TRUE(film.transparency);
   EXPECT_FALSE(film.refraction);
   const Needs no_shadow = needs_of([](SceneBuilder& b) {
@@ -256,7 +257,9 @@ TEST(UnitCoreScene, TolerancesShrinkWithSmallScenes) {
       b.parts.objects.push_back(
           SceneBuilder::leaf(std::make_unique<Sphere>(Vec3{x, 0, 0}, radius), grey));
     }
-    if (plane) b.parts.objects.push_back(SceneBuilder::leaf(std::make_unique<Plane>(Vec3{0, 1, 0}, 0.0), grey));
+    if (plane)
+      b.parts.objects.push_back(
+          SceneBuilder::leaf(std::make_unique<Plane>(Vec3{0, 1, 0}, 0.0), grey));
     return Scene(std::move(b.parts), {}).tolerance_scale();
   };
   EXPECT_EQ(scale_of({}, false), 1.0);
@@ -275,7 +278,8 @@ TEST(UnitCoreScene, ExplainTellsWhatTheSceneNeeds) {
   const std::string text = explain(*b.compile());
   EXPECT_NE(text.find("2 sphere"), std::string::npos) << text;
   EXPECT_NE(text.find("transparency, transparent shadows, refraction, interiors"),
-            std::string::npos) << text;
+            std::string::npos)
+      << text;
   EXPECT_LT(text.find("not needed"), text.find("reflection")) << text;
   EXPECT_EQ(text.back(), '\n');
 }

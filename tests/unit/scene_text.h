@@ -16,9 +16,10 @@ namespace lentray::parser::test {
 class SceneText {
  public:
   /// `#version 3.7;` and assumed_gamma 1 stand before the text unless it has its own #version.
-  explicit SceneText(const std::string& text, ParserOptions options = {}) : m_diagnostics(m_sources) {
-    for (const Stream s : {Stream::kDebug, Stream::kRender, Stream::kStatistics, Stream::kWarning,
-                           Stream::kFatal}) {
+  explicit SceneText(const std::string& text, ParserOptions options = {})
+      : m_diagnostics(m_sources) {
+    for (const Stream s :
+         {Stream::kDebug, Stream::kRender, Stream::kStatistics, Stream::kWarning, Stream::kFatal}) {
       m_diagnostics.connect(s, [](std::string_view) {});
     }
     const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();

@@ -12,11 +12,11 @@
 #include "tests/unit/paper_sheet.h"
 
 using namespace lentray;
+using lentray::test::sheet_of;
 using shadow::Enumeration;
 using shadow::PaperSheet;
 using shadow::ShadowSquare;
 using shadow::Style;
-using lentray::test::sheet_of;
 using Kind = shadow::Style::Kind;
 
 namespace {
@@ -39,7 +39,8 @@ std::uint64_t longest_run(const PaperSheet& sheet, const Enumeration& edges, dou
     if (c.dark) continue;
     const double x = c.axis + distance * c.slope;
     const double y = ((p.row + 0.5) / sheet.rows() - 0.5) * sheet.height();
-    const bool hit = x >= edges.left() && x <= edges.right() && y >= edges.top() && y <= edges.bottom();
+    const bool hit =
+        x >= edges.left() && x <= edges.right() && y >= edges.top() && y <= edges.bottom();
     run = hit ? run + 1 : 0;
     longest = std::max(longest, run);
   }
@@ -49,7 +50,8 @@ std::uint64_t longest_run(const PaperSheet& sheet, const Enumeration& edges, dou
 std::unique_ptr<core::PixelOrder> order_of(const PaperSheet& sheet, const Enumeration& shadow,
                                            const Style& style) {
   if (style.is_ideal() && (style.kind == Kind::kCombined || style.kind == Kind::kStrips)) {
-    return shadow::make_ideal_orders(shadow, style.kind, 0, sheet.width(), 0)->band(0, sheet.rows());
+    return shadow::make_ideal_orders(shadow, style.kind, 0, sheet.width(), 0)
+        ->band(0, sheet.rows());
   }
   return shadow::make_order(style.name(), {0, 0, sheet.width(), sheet.rows()}, &sheet.columns());
 }
@@ -76,7 +78,8 @@ TEST(UnitShadowEnumeration, PixelAfterPixel) {
     const PaperSheet& sheet = sheets[static_cast<std::size_t>(i) % sheets.size()];
     const double size = sheet.columns().sheet_width();
     // From nothing to more than all of the sheet.
-    const ShadowSquare square{between(0.01, 1.5 * size), i % 7 == 0 ? 0.0 : between(0.0, 3.0 * size),
+    const ShadowSquare square{between(0.01, 1.5 * size),
+                              i % 7 == 0 ? 0.0 : between(0.0, 3.0 * size),
                               between(-size, 0.5 * size), between(-size, 0.5 * size)};
     const Enumeration shadow(sheet, square);
     if (shadow.blocked() == 0) ++nothing;
@@ -184,7 +187,8 @@ TEST_F(UnitShadowPaperSheet, CombinedHardlyDependsOnDistance) {
 }
 
 TEST_F(UnitShadowPaperSheet, StyleThreeIsIndependentOfDistance) {
-  for (double d = 0; d < 40; d += 7) EXPECT_EQ(hits(Kind::kColumns, 20, d), hits(Kind::kColumns, 20, 0));
+  for (double d = 0; d < 40; d += 7)
+    EXPECT_EQ(hits(Kind::kColumns, 20, d), hits(Kind::kColumns, 20, 0));
   EXPECT_EQ(hits(Kind::kColumns, 20, 0), 266u) << "A/ps = 266.9";
 }
 
@@ -195,7 +199,8 @@ TEST_F(UnitShadowPaperSheet, StyleOneOnTheSheetIsAStaircaseOfWholeLenses) {
 
 TEST_F(UnitShadowPaperSheet, TwoDimensionalIsTheProduct) {
   for (const double a : {0.7, 3.0, 20.0}) {
-    EXPECT_EQ(hits(Kind::kStrips, a, 13), hits(Kind::kCombined, a, 13) * hits(Kind::kColumns, a, 13));
+    EXPECT_EQ(hits(Kind::kStrips, a, 13),
+              hits(Kind::kCombined, a, 13) * hits(Kind::kColumns, a, 13));
   }
 }
 
@@ -209,8 +214,9 @@ TEST_F(UnitShadowPaperSheet, TheClosedFormsAreTheEquations) {
   EXPECT_EQ(closed(Kind::kColumns), 16u);
   EXPECT_EQ(closed(Kind::kCombined), 20u);
   EXPECT_EQ(closed(Kind::kStrips), 320u);
-  EXPECT_FALSE(shadow::closed_form(m_sheet, square, {Kind::kCombined, 4, 1},
-                                   shadow::paper::Alpha::kPrinted).exists);
+  EXPECT_FALSE(
+      shadow::closed_form(m_sheet, square, {Kind::kCombined, 4, 1}, shadow::paper::Alpha::kPrinted)
+          .exists);
 }
 
 TEST(UnitShadowEnumeration, EdgesKeepOffTheRays) {

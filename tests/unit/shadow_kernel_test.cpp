@@ -5,12 +5,12 @@
 #include "tests/unit/paper_sheet.h"
 
 using namespace lentray;
+using lentray::test::sheet_of;
 using shadow::Enumeration;
 using shadow::PaperSheet;
 using shadow::PaperTest;
 using shadow::ShadowSquare;
 using shadow::Style;
-using lentray::test::sheet_of;
 using Kind = shadow::Style::Kind;
 
 namespace {

@@ -26,7 +26,9 @@ camera::LensSheet sheet(std::uint32_t width, double pixels) {
   return {lens, width};
 }
 
-struct Size { std::uint32_t width, height; };
+struct Size {
+  std::uint32_t width, height;
+};
 constexpr Size kSizes[] = {{1, 1},    {1, 500}, {733, 1},  {160, 120}, {399, 400},
                            {3, 2},    {32, 32}, {33, 65},  {31, 97},   {1000, 31},
                            {128, 64}, {45, 33}, {64, 1000}};
@@ -46,7 +48,8 @@ void expect_all(const core::PixelOrder& order, std::uint32_t width, std::uint32_
 
 TEST(UnitShadowOrders, EveryPixelOnce) {
   std::vector<std::string_view> names = shadow::order_names();
-  names.insert(names.end(), {"combined(1)", "combined(7)", "strips(3,5)", "strips(1,9)", "strips(999,4)"});
+  names.insert(names.end(),
+               {"combined(1)", "combined(7)", "strips(3,5)", "strips(1,9)", "strips(999,4)"});
   for (const auto name : names) {
     for (const Size& size : kSizes) {
       SCOPED_TRACE(std::string(name) + " " + std::to_string(size.width) + " x " +
@@ -154,7 +157,8 @@ TEST(UnitShadowOrders, HilbertGoesFromNeighbourToNeighbour) {
   const auto pixels = all(*shadow::make_order("hilbert", 3 * shadow::kHilbert, shadow::kHilbert));
   ASSERT_EQ(pixels.size(), 3u * shadow::kHilbert * shadow::kHilbert);
   for (std::size_t i = 1; i < pixels.size(); ++i) {
-    const int dx = std::abs(static_cast<int>(pixels[i].column) - static_cast<int>(pixels[i - 1].column));
+    const int dx =
+        std::abs(static_cast<int>(pixels[i].column) - static_cast<int>(pixels[i - 1].column));
     const int dy = std::abs(static_cast<int>(pixels[i].row) - static_cast<int>(pixels[i - 1].row));
     ASSERT_EQ(dx + dy, 1) << "at " << i;
   }
@@ -192,7 +196,8 @@ TEST(UnitShadowOrders, AutoIsSerpentineOnASheetAndHilbertWithout) {
   const shadow::PixelRegion region{0, 0, 150, 70};
   EXPECT_TRUE(same(all(*shadow::make_order("auto", region, &lenses)),
                    all(*shadow::make_order("serpentine", region, &lenses))));
-  EXPECT_TRUE(same(all(*shadow::make_order("auto", region)), all(*shadow::make_order("hilbert", region))));
+  EXPECT_TRUE(
+      same(all(*shadow::make_order("auto", region)), all(*shadow::make_order("hilbert", region))));
 }
 
 TEST(UnitShadowOrders, WithoutASheetThereIsOneView) {
@@ -266,8 +271,9 @@ TEST(ErrorShadowOrders, UnknownNameListsWhatThereIs) {
     shadow::make_order("diagonal", 4, 4);
     FAIL() << "no exception";
   } catch (const std::invalid_argument& e) {
-    EXPECT_STREQ(e.what(), "unknown pixel order 'diagonal': there are auto, rows, views, columns, combined, "
-                           "strips, tiles, serpentine, hilbert, adaptive");
+    EXPECT_STREQ(e.what(),
+                 "unknown pixel order 'diagonal': there are auto, rows, views, columns, combined, "
+                 "strips, tiles, serpentine, hilbert, adaptive");
   }
 }
 
@@ -283,11 +289,13 @@ TEST(ErrorShadowOrders, Numbers) {
   EXPECT_EQ(message("rows(3)"), "pixel order 'rows(3)': rows takes no numbers");
   EXPECT_EQ(message("rows()"), "pixel order 'rows()': rows takes no numbers");
   const std::string combined = " takes a width of 1 or more pixels, such as combined(4)";
-  for (const char* name : {"combined()", "combined(0)", "combined(-1)", "combined(x)",
-                           "combined(2,3)", "combined(2", "combined(2)3", "combined(99999999999)"}) {
+  for (const char* name :
+       {"combined()", "combined(0)", "combined(-1)", "combined(x)", "combined(2,3)", "combined(2",
+        "combined(2)3", "combined(99999999999)"}) {
     EXPECT_EQ(message(name), "pixel order '" + std::string(name) + "': combined" + combined);
   }
-  for (const char* name : {"strips(4)", "strips(4,)", "strips(,4)", "strips(4,0)", "strips(1,2,3)"}) {
+  for (const char* name :
+       {"strips(4)", "strips(4,)", "strips(,4)", "strips(4,0)", "strips(1,2,3)"}) {
     EXPECT_EQ(message(name), "pixel order '" + std::string(name) +
                                  "': strips takes a width and a height of 1 or more pixels, such "
                                  "as strips(4,32)");

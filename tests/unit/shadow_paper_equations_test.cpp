@@ -28,10 +28,11 @@ Across across(double size, double distance, double start = 0.3) {
 }
 
 TEST(UnitShadowEquations, Costs) {
-  EXPECT_EQ(total_cost(7, 3, 2, 100), 314);                    // (1)
-  EXPECT_EQ(total_cost_slow_search(10, 7, 100), 300);          // (2)
-  EXPECT_EQ(total_cost_slow_search(10, 7, 100), total_cost(7, 3, 0, 100)) << "(2) is (1) without Ch";
-  EXPECT_EQ(rays(6, 4), 10);                                   // (3)
+  EXPECT_EQ(total_cost(7, 3, 2, 100), 314);            // (1)
+  EXPECT_EQ(total_cost_slow_search(10, 7, 100), 300);  // (2)
+  EXPECT_EQ(total_cost_slow_search(10, 7, 100), total_cost(7, 3, 0, 100))
+      << "(2) is (1) without Ch";
+  EXPECT_EQ(rays(6, 4), 10);  // (3)
   // (4) and (5) come from (2) with the hits N - Mm and N - 2 Mm; the printed N - Mh and N - 2 Mh
   // do not give them.
   const double n = rays(60, 40), cm = 100;
@@ -45,7 +46,7 @@ TEST(UnitShadowEquations, AnglesOfALens) {
   EXPECT_NEAR(fan_angle(lens(), Alpha::kPrinted) / kDegree, 21.02, 0.005);    // (6)
   EXPECT_NEAR(fan_angle(lens(), Alpha::kRefracted) / kDegree, 33.93, 0.005);  // (6) with n
   EXPECT_NEAR(ray_angle(fan_angle(lens(), Alpha::kPrinted), 15) / kDegree, 1.401, 1e-4);  // (7)
-  EXPECT_NEAR(shadow_angle(20, 13) / kDegree, 56.976, 1e-3);                  // (8)
+  EXPECT_NEAR(shadow_angle(20, 13) / kDegree, 56.976, 1e-3);                              // (8)
   EXPECT_DOUBLE_EQ(shadow_angle(20, 0), std::numbers::pi / 2);
   camera::LensParameters flat = lens();
   flat.ior = 1.0;
@@ -57,7 +58,7 @@ TEST(UnitShadowEquations, AnglesOfALens) {
 
 TEST(UnitShadowEquations, HitsInALens) {
   const double beta = ray_angle(fan_angle(lens(), Alpha::kPrinted), 15);
-  EXPECT_EQ(hits_by_angles(shadow_angle(1.2, 13), beta), 3u);   // (9): gaps; up to 4 rays hit
+  EXPECT_EQ(hits_by_angles(shadow_angle(1.2, 13), beta), 3u);  // (9): gaps; up to 4 rays hit
   EXPECT_EQ(hits_by_angles(shadow_angle(20, 13), beta), 40u) << "(9) has no bound";
   EXPECT_EQ(hits_in_lens(lens(), 20, 13, Alpha::kPrinted), 15u) << "(10), at most N";
   EXPECT_EQ(hits_in_lens(lens(), 1.2, 13, Alpha::kPrinted), 3u);
@@ -78,11 +79,11 @@ TEST(UnitShadowEquations, CrossingToTheNextLens) {
   EXPECT_NEAR(first_place(lens(), -74.184, 66, 13, Alpha::kPrinted), -half, 1e-12);  // (11)
   EXPECT_NEAR(last_place(lens(), -74.184, 66, 13, Alpha::kPrinted), half, 1e-12);
   EXPECT_NEAR(first_place(lens(), 0, 3, 0, Alpha::kPrinted), 3 * 1.124, 1e-12);
-  EXPECT_TRUE(crosses(-1.9, 3.0, 5.0));                                              // (12)
+  EXPECT_TRUE(crosses(-1.9, 3.0, 5.0));  // (12)
   EXPECT_FALSE(crosses(-2.1, 3.0, 5.0));
-  EXPECT_EQ(crossing_status(-1.9, -2.0), 1);                                         // (13)
+  EXPECT_EQ(crossing_status(-1.9, -2.0), 1);  // (13)
   EXPECT_EQ(crossing_status(-2.1, -2.0), 0);
-  EXPECT_EQ(hits_with_crossing(3, 1, 15), 4u);                                       // (14)
+  EXPECT_EQ(hits_with_crossing(3, 1, 15), 4u);  // (14)
   EXPECT_EQ(hits_with_crossing(3, 0, 15), 3u);
   EXPECT_EQ(hits_with_crossing(15, 1, 15), 15u) << "a lens has no sixteenth ray";
 }
@@ -122,11 +123,11 @@ TEST(UnitShadowEquations, OtherStyles) {
 TEST(UnitShadowEquations, CombinedStyles) {
   // D = 0: each lens whose axis lies in the shadow sees nothing else.
   EXPECT_EQ(lenses_that_see(lens(), across(20, 0), Alpha::kPrinted), 18u);
-  EXPECT_EQ(combined_hits(lens(), across(20, 0), Alpha::kPrinted), 18u * 15u);      // (17)
+  EXPECT_EQ(combined_hits(lens(), across(20, 0), Alpha::kPrinted), 18u * 15u);  // (17)
   // A lens's fan is D P/f wide: at D = 13 4.82 mm.
   EXPECT_EQ(lenses_that_see(lens(), across(1.2, 13), Alpha::kPrinted), 5u);
   EXPECT_EQ(combined_hits(lens(), across(1.2, 13), Alpha::kPrinted), 5u * (3u + 1u));
-  EXPECT_EQ(two_dimensional_hits(lens(), across(1.2, 13), 1.2, Alpha::kPrinted),    // (19)
+  EXPECT_EQ(two_dimensional_hits(lens(), across(1.2, 13), 1.2, Alpha::kPrinted),  // (19)
             combined_hits(lens(), across(1.2, 13), Alpha::kPrinted) * style3_hits(lens(), 1.2));
   // Equation 19's example, "6 pixels in the horizontal direction and 6 in the vertical": 36.
   const camera::LensParameters paper = lens();

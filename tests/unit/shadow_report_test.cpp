@@ -53,7 +53,8 @@ TEST(UnitShadowReport, HasTheKeysOfTheStatistics) {
   EXPECT_EQ(j["tests"]["by_type"]["sphere"], 13);
   EXPECT_EQ(j["threads"], 2);
   EXPECT_EQ(j["memory"]["peak_bytes"], 1 << 20);
-  for (const char* key : {"parse_cpu_s", "compile_cpu_s", "render_cpu_s", "write_cpu_s", "wall_s"}) {
+  for (const char* key :
+       {"parse_cpu_s", "compile_cpu_s", "render_cpu_s", "write_cpu_s", "wall_s"}) {
     EXPECT_TRUE(j["time"][key].is_number()) << key;
   }
   EXPECT_FALSE(j.contains("lens"));
@@ -77,9 +78,10 @@ TEST(ErrorShadowTesters, UnknownNameListsWhatThereIs) {
     shadow::make_tester_factory("magic");
     FAIL() << "no exception";
   } catch (const std::invalid_argument& e) {
-    EXPECT_STREQ(e.what(),
-                 "unknown shadow cache 'magic': there are auto, off, last, depth, tree, neighbourhood, "
-                 "grid, cascade");
+    EXPECT_STREQ(
+        e.what(),
+        "unknown shadow cache 'magic': there are auto, off, last, depth, tree, neighbourhood, "
+        "grid, cascade");
   }
 }
 

@@ -65,7 +65,8 @@ class Sampler {
     const Vec3 middle = (m_bounds.lo + m_bounds.hi) * 0.5, half = (m_bounds.hi - m_bounds.lo) * 0.5;
     for (int i = 0; i < rays; ++i) {
       const double wide = i % 4 == 0 ? 1.6 : 1.0, thick = i % 4 == 0 ? 0.1 * m_reach : 0.0;
-      shoot(middle + Vec3{(half.x + thick) * wide * m_even(m_random), (half.y + thick) * wide * m_even(m_random),
+      shoot(middle + Vec3{(half.x + thick) * wide * m_even(m_random),
+                          (half.y + thick) * wide * m_even(m_random),
                           (half.z + thick) * wide * m_even(m_random)});
     }
   }
@@ -82,8 +83,9 @@ class Sampler {
     constexpr int kSteps = 1000;
     for (int i = 0; i <= kSteps; ++i) {
       for (int k = 0; k <= kSteps; ++k) {
-        const Vec3 p = place.point(shape.surface(shape.lo.u + (shape.hi.u - shape.lo.u) * i / kSteps,
-                                                 shape.lo.v + (shape.hi.v - shape.lo.v) * k / kSteps));
+        const Vec3 p =
+            place.point(shape.surface(shape.lo.u + (shape.hi.u - shape.lo.u) * i / kSteps,
+                                      shape.lo.v + (shape.hi.v - shape.lo.v) * k / kSteps));
         box.include(p);
         ++hits;
         note(p);
@@ -141,7 +143,8 @@ class UnitShapeBounds : public ::testing::TestWithParam<ShapeCase> {};
 
 TEST_P(UnitShapeBounds, HoldAllAndAreTight) {
   for (const auto& placing : kPlacings) {
-    SceneText text(std::string("object { ") + GetParam().sdl + " " + placing.sdl + " }", with_fonts());
+    SceneText text(std::string("object { ") + GetParam().sdl + " " + placing.sdl + " }",
+                   with_fonts());
     const core::SceneParts parts = text.build();
     ASSERT_EQ(parts.objects.size(), 1u);
     const core::Object& object = *parts.objects[0];

@@ -65,11 +65,18 @@ TEST_P(UnitShapeConvexity, RaysThatLeaveDoNotComeBack) {
     EXPECT_EQ(plain.met, 0) << placing.name << " of " << plain.sure;
     EXPECT_EQ(leave(shape + "inverse }").met, 0) << placing.name;
     EXPECT_EQ(leave(shape + "clipped_by { plane { <1,2,1>, .2 } } }").met, 0) << placing.name;
-    EXPECT_EQ(leave("difference { " + shape + "} sphere { <.5,.6,-.4>, .8 } }").met, 0) << placing.name;
-    EXPECT_EQ(leave("intersection { " + shape + "} box { <-.8,-.7,-.3>, .9 inverse } cylinder { -y, y, .9 } }").met, 0)
+    EXPECT_EQ(leave("difference { " + shape + "} sphere { <.5,.6,-.4>, .8 } }").met, 0)
+        << placing.name;
+    EXPECT_EQ(leave("intersection { " + shape +
+                    "} box { <-.8,-.7,-.3>, .9 inverse } cylinder { -y, y, .9 } }")
+                  .met,
+              0)
         << placing.name;
     EXPECT_EQ(leave("difference { box { -1, .8 } " + shape + "} }").met, 0) << placing.name;
-    EXPECT_EQ(leave("difference { sphere { 0, 1.2 } union { " + shape + "scale .6 } sphere { <.9,.6,-.4>, .3 } } }").met, 0)
+    EXPECT_EQ(leave("difference { sphere { 0, 1.2 } union { " + shape +
+                    "scale .6 } sphere { <.9,.6,-.4>, .3 } } }")
+                  .met,
+              0)
         << placing.name;
     EXPECT_EQ(leave("merge { " + shape + "} sphere { <.9,.6,-.4>, .8 } }").sure, 0) << placing.name;
   }
@@ -79,7 +86,8 @@ std::vector<ShapeCase> quick_ones() {
   std::vector<ShapeCase> cases;
   for (const ShapeCase& one : kShapeCases) {
     const std::string name = one.name;
-    if (!one.surface && !name.starts_with("julia") && !name.starts_with("iso")) cases.push_back(one);
+    if (!one.surface && !name.starts_with("julia") && !name.starts_with("iso"))
+      cases.push_back(one);
   }
   return cases;
 }
@@ -88,15 +96,18 @@ INSTANTIATE_TEST_SUITE_P(Each, UnitShapeConvexity, ::testing::ValuesIn(quick_one
                          [](const auto& one) { return std::string(one.param.name); });
 
 TEST(UnitShapeConvexityOf, SimpleShapesAndIntersectionsIsKnown) {
-  for (const char* sdl : {"sphere { 0, 1 }", "sphere { 0, 1 scale <1,.3,2> }", "box { -1, 1 rotate 30 }", "cone { -y, 1, y, .2 }",
-                          "cylinder { -y, y, 1 }", "superellipsoid { <.3,.5> }", "ovus { .8, .45 }", "disc { 0, y, 1, .3 }",
-                          "difference { box { -1, 1 } sphere { -z, 1 } }",
-                          "intersection { sphere { 0, 1 } difference { box { -.9, .9 } sphere { -z, .4 } } }"}) {
+  for (const char* sdl :
+       {"sphere { 0, 1 }", "sphere { 0, 1 scale <1,.3,2> }", "box { -1, 1 rotate 30 }",
+        "cone { -y, 1, y, .2 }", "cylinder { -y, y, 1 }", "superellipsoid { <.3,.5> }",
+        "ovus { .8, .45 }", "disc { 0, y, 1, .3 }", "difference { box { -1, 1 } sphere { -z, 1 } }",
+        "intersection { sphere { 0, 1 } difference { box { -.9, .9 } sphere { -z, .4 } } }"}) {
     EXPECT_GT(leave(sdl).sure, 500) << sdl;
   }
-  for (const char* sdl : {"torus { 1, .3 }", "superellipsoid { <2.6,2.2> }", "smooth_triangle { -x, -z, x, -z, y, <1,0,-1> }",
-                          "merge { sphere { 0, 1 } sphere { x, 1 } }",
-                          "intersection { sphere { 0, 1 } merge { sphere { 0, .8 } sphere { x, .8 } } }"}) {
+  for (const char* sdl :
+       {"torus { 1, .3 }", "superellipsoid { <2.6,2.2> }",
+        "smooth_triangle { -x, -z, x, -z, y, <1,0,-1> }",
+        "merge { sphere { 0, 1 } sphere { x, 1 } }",
+        "intersection { sphere { 0, 1 } merge { sphere { 0, .8 } sphere { x, .8 } } }"}) {
     EXPECT_EQ(leave(sdl).sure, 0) << sdl;
   }
 }

@@ -50,14 +50,19 @@ class UnitShapeIdentical : public ::testing::TestWithParam<ShapeCase> {};
 
 TEST_P(UnitShapeIdentical, WithEveryOptimisationAndWithNone) {
   const std::string shape = std::string("object { ") + GetParam().sdl;
-  std::string sdl = "light_source { <-7,12,-9>, 1 } light_source { <9,8,3>, <.5,.4,.3> }"
-                    "plane { y, -2.5 pigment { checker rgb 1 rgb .5 } finish { reflection .3 } }"
-                    "#default { pigment { rgb <.8,.6,.3> } finish { specular .4 } }";
+  std::string sdl =
+      "light_source { <-7,12,-9>, 1 } light_source { <9,8,3>, <.5,.4,.3> }"
+      "plane { y, -2.5 pigment { checker rgb 1 rgb .5 } finish { reflection .3 } }"
+      "#default { pigment { rgb <.8,.6,.3> } finish { specular .4 } }";
   for (int i = 0; i < 3; ++i) {
-    sdl += shape + " " + kPlacings[i].sdl + " translate <" + std::to_string(i * 3 - 3) + ",0,0> }\n";
+    sdl +=
+        shape + " " + kPlacings[i].sdl + " translate <" + std::to_string(i * 3 - 3) + ",0,0> }\n";
   }
-  sdl += "difference { " + shape + " translate <-3,0,-4> } sphere { <-2.6,.6,-4.4>, .8 } }\n"
-         "union { " + shape + " scale .5 } box { <-.2,-1,.3>, .6 } pigment { rgbf <.7,.9,1,.6> }"
+  sdl += "difference { " + shape +
+         " translate <-3,0,-4> } sphere { <-2.6,.6,-4.4>, .8 } }\n"
+         "union { " +
+         shape +
+         " scale .5 } box { <-.2,-1,.3>, .6 } pigment { rgbf <.7,.9,1,.6> }"
          " clipped_by { plane { y, .7 } } translate <2,0,-4> }\n";
   const bool slow = GetParam().surface != nullptr;
   const int width = slow ? 10 : 60, height = slow ? 7 : 40;

@@ -30,9 +30,10 @@ TEST_P(UnitShapeInverse, OfAnIntersectionIsTheMergeOfInverses) {
 
 INSTANTIATE_TEST_SUITE_P(
     Each, UnitShapeInverse,
-    ::testing::Values("triangle { <-1,0,-1>, <1,0,-1>, <0,0,1>", "disc { 0, y, 1",
-                      "parametric { function { u } function { .1*u*v } function { v } <-1,-1>, <1,1>"
-                      " contained_by { box { <-1,-.2,-1>, <1,.2,1> } } max_gradient 2 accuracy .05"));
+    ::testing::Values(
+        "triangle { <-1,0,-1>, <1,0,-1>, <0,0,1>", "disc { 0, y, 1",
+        "parametric { function { u } function { .1*u*v } function { v } <-1,-1>, <1,1>"
+        " contained_by { box { <-1,-.2,-1>, <1,.2,1> } } max_gradient 2 accuracy .05"));
 
 }  // namespace
 }  // namespace lentray::parser::test

@@ -18,8 +18,12 @@ using core::Bounds;
 using core::Hit;
 using core::Ray;
 
-bool same(double a, double b) { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); }
-bool same(const Vec3& a, const Vec3& b) { return same(a.x, b.x) && same(a.y, b.y) && same(a.z, b.z); }
+bool same(double a, double b) {
+  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+bool same(const Vec3& a, const Vec3& b) {
+  return same(a.x, b.x) && same(a.y, b.y) && same(a.z, b.z);
+}
 /// Leaves of two copies of an object are told apart by their place among its leaves.
 using Leaves = std::vector<const core::Leaf*>;
 
@@ -31,11 +35,13 @@ struct Found {
 
 bool same(const Found& a, const Found& b) {
   return same(a.hit.t, b.hit.t) && a.leaf == b.leaf && a.hit.shape.element == b.hit.shape.element &&
-         same(a.hit.shape.u, b.hit.shape.u) && same(a.hit.shape.v, b.hit.shape.v) && same(a.normal, b.normal);
+         same(a.hit.shape.u, b.hit.shape.u) && same(a.hit.shape.v, b.hit.shape.v) &&
+         same(a.normal, b.normal);
 }
 
 bool same(const std::vector<Found>& a, const std::vector<Found>& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Found& x, const Found& y) { return same(x, y); });
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const Found& x, const Found& y) { return same(x, y); });
 }
 
 /// An object, its leaves, and its answers.
@@ -60,7 +66,9 @@ class Answers {
     if (!m_object.nearest(ray, t_min, t_max, hit, m_arena)) return {};
     return {describe(ray, hit)};
   }
-  bool any(const Ray& ray, double t_min, double t_max) { return m_object.any(ray, t_min, t_max, m_arena); }
+  bool any(const Ray& ray, double t_min, double t_max) {
+    return m_object.any(ray, t_min, t_max, m_arena);
+  }
   bool inside(const Vec3& p) const { return m_object.inside(p); }
 
  private:
@@ -77,11 +85,13 @@ class Answers {
 /// Rays at a box and from within it, most in any direction, some along axes, some from afar.
 class Rays {
  public:
-  explicit Rays(const Bounds& box) : m_middle((box.lo + box.hi) * 0.5), m_half((box.hi - box.lo) * 0.5) {}
+  explicit Rays(const Bounds& box)
+      : m_middle((box.lo + box.hi) * 0.5), m_half((box.hi - box.lo) * 0.5) {}
 
   Vec3 point() {
     const Vec3 wide = m_half * 1.1;
-    return m_middle + Vec3{wide.x * m_even(m_random), wide.y * m_even(m_random), wide.z * m_even(m_random)};
+    return m_middle +
+           Vec3{wide.x * m_even(m_random), wide.y * m_even(m_random), wide.z * m_even(m_random)};
   }
   Ray next() {
     const int kind = m_count++ % 8;
@@ -109,7 +119,8 @@ class Rays {
 class Placed {
  public:
   Placed(const ShapeCase& shape, const char* place)
-      : m_text(std::string("object { ") + shape.sdl + " " + place + " }", with_fonts()), m_parts(m_text.build()) {}
+      : m_text(std::string("object { ") + shape.sdl + " " + place + " }", with_fonts()),
+        m_parts(m_text.build()) {}
   core::Object& object() { return *m_parts.objects.at(0); }
 
  private:
@@ -119,15 +130,19 @@ class Placed {
 
 constexpr double kFrom = 1e-6;
 
-std::string described(const Ray& ray, const std::vector<Found>& found, const std::vector<Found>& expected) {
+std::string described(const Ray& ray, const std::vector<Found>& found,
+                      const std::vector<Found>& expected) {
   std::ostringstream text;
   text.precision(17);
-  const auto vector = [&](const Vec3& v) { text << '<' << v.x << ',' << v.y << ',' << v.z << "> "; };
+  const auto vector = [&](const Vec3& v) {
+    text << '<' << v.x << ',' << v.y << ',' << v.z << "> ";
+  };
   vector(ray.origin);
   vector(ray.direction);
   for (const auto* list : {&found, &expected}) {
     text << (list == &found ? "found:" : "; expected:");
-    for (const Found& f : *list) text << ' ' << f.hit.t << " of " << f.leaf << '/' << f.hit.shape.element;
+    for (const Found& f : *list)
+      text << ' ' << f.hit.t << " of " << f.leaf << '/' << f.hit.shape.element;
   }
   return text.str();
 }
@@ -180,7 +195,8 @@ TEST_P(UnitShapeShortcuts, OfTheRayToo) {
       const auto first = answers.nearest(ray, kFrom, Bounds::kInf);
       if (first.empty()) continue;
       const double t = first[0].hit.t;
-      for (const double to : {t * (0.5 + 0.5 * share(random)), t * (1.0 + share(random)), std::nextafter(t, 1e300)}) {
+      for (const double to :
+           {t * (0.5 + 0.5 * share(random)), t * (1.0 + share(random)), std::nextafter(t, 1e300)}) {
         const auto expected = to > t ? first : std::vector<Found>{};
         different += !same(answers.nearest(ray, kFrom, to), expected) ||
                      answers.any(ray, kFrom, to) != !expected.empty();
@@ -192,7 +208,8 @@ TEST_P(UnitShapeShortcuts, OfTheRayToo) {
 
 const auto name_of = [](const auto& one) { return std::string(one.param.name); };
 INSTANTIATE_TEST_SUITE_P(Each, UnitShapeShortcuts, ::testing::ValuesIn(kShapeCases), name_of);
-INSTANTIATE_TEST_SUITE_P(OfMany, UnitShapeShortcuts, ::testing::ValuesIn(shapes_of_many()), name_of);
+INSTANTIATE_TEST_SUITE_P(OfMany, UnitShapeShortcuts, ::testing::ValuesIn(shapes_of_many()),
+                         name_of);
 
 /// The faces of a mesh, each by itself.
 TEST(UnitShapeShortcutsOfMesh, AreThoseOfItsFaces) {
@@ -212,14 +229,15 @@ TEST(UnitShapeShortcutsOfMesh, AreThoseOfItsFaces) {
         const auto& p = mesh.data().vertices;
         core::TriangleHit hit;
         if (!core::intersect_triangle(sheared, p[v[0]], p[v[1]], p[v[2]], hit)) continue;
-        if (!(hit.t > kFrom) || (expected.face != core::kNoIndex && !(hit.t < expected.t))) continue;
+        if (!(hit.t > kFrom) || (expected.face != core::kNoIndex && !(hit.t < expected.t)))
+          continue;
         expected = {hit.t, hit.wb, hit.wc, face};
       }
       ASSERT_EQ(mesh.nearest(ray, kFrom, Bounds::kInf, found), expected.face != core::kNoIndex);
       if (expected.face == core::kNoIndex) continue;
       ++met;
-      EXPECT_TRUE(found.face == expected.face && same(found.t, expected.t) && same(found.wb, expected.wb) &&
-                  same(found.wc, expected.wc));
+      EXPECT_TRUE(found.face == expected.face && same(found.t, expected.t) &&
+                  same(found.wb, expected.wb) && same(found.wc, expected.wc));
     }
     EXPECT_GT(met, 500);
   }

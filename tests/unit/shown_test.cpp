@@ -10,7 +10,9 @@ TEST(UnitShown, ControlCharactersAreEscaped) {
   EXPECT_EQ(shown_name("a\nb\x1b[2Jc"), "a\\x0ab\\x1b[2Jc");
   EXPECT_EQ(shown_text("a\nb\tc\x1b[31m\x7f\x07"), "a\nb\tc\\x1b[31m\\x7f\\x07");
   EXPECT_EQ(shown_text("10 %\r20 %\b\b"), "10 %\r20 %\b\b");
-  EXPECT_EQ(shown_text("gr\xC3\xBC\xC3\x9F \xC2\x9B" "31m"), "gr\xC3\xBC\xC3\x9F \\x9b31m");
+  EXPECT_EQ(shown_text("gr\xC3\xBC\xC3\x9F \xC2\x9B"
+                       "31m"),
+            "gr\xC3\xBC\xC3\x9F \\x9b31m");
 }
 
 TEST(UnitShown, LongNamesAndMessagesAreCut) {

@@ -14,16 +14,18 @@ std::vector<Kind> kinds(const char* text) {
 }
 
 TEST(UnitParserHistory, UsualPlacementsKeepNoSteps) {
-  for (const char* text : {"sphere { 0, 1 }", "sphere { 0, 1 translate x rotate y*30 scale 2 translate z }",
-                           "box { -1, 1 rotate 30 scale <1, 2, 3> matrix <1,1,0, 0,1,0, 0,0,1, 0,0,0> rotate 30 }",
-                           "union { sphere { 0, 1 } box { 0, 1 } scale <1, 2, 3> rotate 30 translate x }",
-                           "quadric { <1,1,1>, 0, 0, -1 scale <1, 2, 3> translate x }"}) {
+  for (const char* text :
+       {"sphere { 0, 1 }", "sphere { 0, 1 translate x rotate y*30 scale 2 translate z }",
+        "box { -1, 1 rotate 30 scale <1, 2, 3> matrix <1,1,0, 0,1,0, 0,0,1, 0,0,0> rotate 30 }",
+        "union { sphere { 0, 1 } box { 0, 1 } scale <1, 2, 3> rotate 30 translate x }",
+        "quadric { <1,1,1>, 0, 0, -1 scale <1, 2, 3> translate x }"}) {
     EXPECT_TRUE(kinds(text).empty()) << text;
   }
 }
 
 TEST(UnitParserHistory, ABallEndsOnce) {
-  const SceneText s("sphere { 0, 1 translate x scale <1, 2, 1> rotate 30 matrix <1,1,0, 0,1,0, 0,0,1, 0,0,0> }");
+  const SceneText s(
+      "sphere { 0, 1 translate x scale <1, 2, 1> rotate 30 matrix <1,1,0, 0,1,0, 0,0,1, 0,0,0> }");
   const PlacementSteps& steps = *s.object(0).transform->steps;
   ASSERT_EQ(steps.size(), 1u);
   EXPECT_EQ(steps[0].kind, Kind::kBefore);
@@ -31,12 +33,14 @@ TEST(UnitParserHistory, ABallEndsOnce) {
 }
 
 TEST(UnitParserHistory, TurnsOfACsgAreKeptFromTheSecondOn) {
-  EXPECT_EQ(kinds("union { sphere { 0, 1 } box { 0, 1 } rotate 30 translate x rotate 40 scale 2 rotate 50 }"),
+  EXPECT_EQ(kinds("union { sphere { 0, 1 } box { 0, 1 } rotate 30 translate x rotate 40 scale 2 "
+                  "rotate 50 }"),
             (std::vector{Kind::kBefore, Kind::kTransform, Kind::kTransform}));
 }
 
 TEST(UnitParserHistory, ClipsOfAQuadricAreKeptAsTheyStood) {
-  const SceneText s("quadric { <1,0,1>, 0, 0, -1 translate x clipped_by { box { -1, 1 } } translate y }");
+  const SceneText s(
+      "quadric { <1,0,1>, 0, 0, -1 translate x clipped_by { box { -1, 1 } } translate y }");
   const PlacementSteps& steps = *s.object(0).transform->steps;
   ASSERT_EQ(steps.size(), 2u);
   EXPECT_EQ(steps[0].kind, Kind::kClips);

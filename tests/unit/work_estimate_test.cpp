@@ -162,7 +162,8 @@ TEST(UnitCoreWorkEstimate, AMeterReportsVisitsTimeAndDifferences) {
     spent += 1e-9 * static_cast<double>(cells[i].nanoseconds);
   }
   EXPECT_GT(cells.seconds(0), 0.0);
-  EXPECT_NEAR(cells.seconds(0), spent, 1e-6 + 0.01 * spent);  // nanoseconds are rounded cell by cell
+  EXPECT_NEAR(cells.seconds(0), spent,
+              1e-6 + 0.01 * spent);  // nanoseconds are rounded cell by cell
 }
 
 }  // namespace

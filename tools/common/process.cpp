@@ -60,7 +60,8 @@ bool read_all(int from, double seconds, std::string& into) {
 
 }  // namespace
 
-RunResult run_program(const std::vector<std::string>& command, const fs::path& folder, double seconds) {
+RunResult run_program(const std::vector<std::string>& command, const fs::path& folder,
+                      double seconds) {
   std::vector<std::string> words = command;
   std::vector<char*> arguments;
   for (std::string& w : words) arguments.push_back(w.data());

@@ -9,15 +9,15 @@
 namespace lentray::tool {
 
 struct RunResult {
-  int status = 0;           ///< exit status; 128 + n when ended by signal n
+  int status = 0;  ///< exit status; 128 + n when ended by signal n
   bool timed_out = false;
-  std::string output;       ///< standard output and error, in the order they came
+  std::string output;  ///< standard output and error, in the order they came
 };
 
 /// `command[0]` is looked for along PATH. The current folder of the child is `folder`
 /// (empty: ours). seconds 0: no limit.
-RunResult run_program(const std::vector<std::string>& command, const std::filesystem::path& folder = {},
-              double seconds = 0.0);
+RunResult run_program(const std::vector<std::string>& command,
+                      const std::filesystem::path& folder = {}, double seconds = 0.0);
 
 /// A new empty folder that goes away, with all it holds, with the object.
 class TemporaryFolder {

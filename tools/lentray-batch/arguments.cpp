@@ -42,9 +42,11 @@ double bytes_of(const std::string& option, const std::string& text) {
   const double value = positive_number(option, text, unit);
   if (unit.empty()) return value;
   constexpr std::string_view kUnits = "KMGT";
-  const std::size_t at = kUnits.find(static_cast<char>(std::toupper(static_cast<unsigned char>(unit[0]))));
+  const std::size_t at =
+      kUnits.find(static_cast<char>(std::toupper(static_cast<unsigned char>(unit[0]))));
   if (unit.size() > 1 || at == std::string_view::npos) {
-    throw OptionError(option + ": unknown unit '" + std::string(unit) + "': there are K, M, G and T");
+    throw OptionError(option + ": unknown unit '" + std::string(unit) +
+                      "': there are K, M, G and T");
   }
   return value * std::pow(1024.0, static_cast<double>(at + 1));
 }
@@ -60,14 +62,16 @@ int count_of(const std::string& option, const std::string& text) {
 
 bool is_ini(const std::string& word) {
   std::string extension = fs::path(parser::ini_name(word).file).extension().string();
-  std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::ranges::transform(extension, extension.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return extension == ".ini";
 }
 
 /// What the batch itself decides of every run.
-constexpr std::array kOurs{"Input_File_Name", "Output_File_Name", "Output_To_File", "Continue_Trace", "Statistics_File",
-                           "Dependencies_File", "Scene_Writes", "Create_Ini", "Work_Threads", "Max_Time", "Max_Memory",
-                           "View"};
+constexpr std::array kOurs{"Input_File_Name", "Output_File_Name", "Output_To_File",
+                           "Continue_Trace",  "Statistics_File",  "Dependencies_File",
+                           "Scene_Writes",    "Create_Ini",       "Work_Threads",
+                           "Max_Time",        "Max_Memory",       "View"};
 constexpr std::array kPaths{"Library_Path", "Include_Header", "Include_Ini"};
 
 class Parsing {
@@ -91,8 +95,9 @@ class Parsing {
     const std::size_t equals = words[i].find('=');
     const std::string name = words[i].substr(0, equals);
     const std::map<std::string, bool*> switches{
-        {"--help", &m_out.help}, {"--version", &m_out.version}, {"--frames", &m_out.frames},
-        {"--views", &m_out.views}, {"--compare", &m_out.compare}, {"--retry", &m_out.retry}, {"--quiet", &m_out.quiet}, {"--slurm", &m_out.slurm}};
+        {"--help", &m_out.help},   {"--version", &m_out.version}, {"--frames", &m_out.frames},
+        {"--views", &m_out.views}, {"--compare", &m_out.compare}, {"--retry", &m_out.retry},
+        {"--quiet", &m_out.quiet}, {"--slurm", &m_out.slurm}};
     const std::map<std::string, std::function<void(const std::string&)>> values{
         {"--out", [&](const std::string& v) { m_out.out = v; }},
         {"--jobs", [&](const std::string& v) { m_out.jobs = count_of(name, v); }},
@@ -119,7 +124,8 @@ class Parsing {
       std::string known = " --no-scene-ini";
       for (const auto& entry : switches) known += " " + entry.first;
       for (const auto& entry : values) known += " " + entry.first;
-      throw OptionError((switches.contains(name) ? "no value belongs to '" : "unknown option '") + name + "'; there are" + known);
+      throw OptionError((switches.contains(name) ? "no value belongs to '" : "unknown option '") +
+                        name + "'; there are" + known);
     }
     std::string value;
     if (equals != std::string::npos) {
@@ -156,15 +162,19 @@ class Parsing {
   /// A path in an option of lentray's, seen from any folder.
   static std::string with_whole_path(const std::string& word, bool is_switch) {
     if (is_switch) {
-      const bool is_library = word.size() > 2 && std::tolower(static_cast<unsigned char>(word[1])) == 'l';
+      const bool is_library =
+          word.size() > 2 && std::tolower(static_cast<unsigned char>(word[1])) == 'l';
       const bool is_header = word.size() > 3 && same_word(word.substr(1, 2), "hi");
       const std::size_t name = is_library ? 2 : is_header ? 3 : 0;
-      return name == 0 ? word : word.substr(0, name) + fs::absolute(parser::unquoted(word.substr(name))).string();
+      return name == 0 ? word
+                       : word.substr(0, name) +
+                             fs::absolute(parser::unquoted(word.substr(name))).string();
     }
     const std::size_t equals = word.find('=');
     for (const char* path : kPaths) {
       if (!same_word(word.substr(0, equals), path)) continue;
-      return word.substr(0, equals + 1) + fs::absolute(parser::unquoted(word.substr(equals + 1))).string();
+      return word.substr(0, equals + 1) +
+             fs::absolute(parser::unquoted(word.substr(equals + 1))).string();
     }
     return word;
   }
@@ -173,15 +183,20 @@ class Parsing {
     for (const std::string& word : m_out.for_lentray) {
       const std::string name = word.substr(0, word.find('='));
       for (const char* ours : kOurs) {
-        if (same_word(name, ours)) throw OptionError("'" + word + "': the batch decides that of every scene itself" + instead(ours));
+        if (same_word(name, ours))
+          throw OptionError("'" + word + "': the batch decides that of every scene itself" +
+                            instead(ours));
       }
       if (word.size() < 2 || (word[0] != '+' && word[0] != '-')) continue;
       const std::string two = word.substr(1, 2);
       const char letter = static_cast<char>(std::tolower(static_cast<unsigned char>(word[1])));
-      if (letter == 'i' || letter == 'o' || same_word(two, "wt") || same_word(word.substr(1), "f") ||
-          same_word(word.substr(1), "c") || same_word(two, "gi")) {
+      if (letter == 'i' || letter == 'o' || same_word(two, "wt") ||
+          same_word(word.substr(1), "f") || same_word(word.substr(1), "c") ||
+          same_word(two, "gi")) {
         throw OptionError("'" + word + "': the batch decides that of every scene itself" +
-                          instead(letter == 'o' ? "Output_File_Name" : same_word(two, "wt") ? "Work_Threads" : ""));
+                          instead(letter == 'o'          ? "Output_File_Name"
+                                  : same_word(two, "wt") ? "Work_Threads"
+                                                         : ""));
       }
     }
   }
@@ -198,22 +213,28 @@ class Parsing {
   /// Library paths that stand in INI files are relative to the current folder, as POV-Ray has it.
   void check_lentrays() const {
     const parser::RenderOptions options = parser::read_options(m_out.for_lentray, {});
-    if (options.help || options.version || options.parse_only || options.dump || options.explain || !options.dump_rays.empty()) {
+    if (options.help || options.version || options.parse_only || options.dump || options.explain ||
+        !options.dump_rays.empty()) {
       throw OptionError("a batch renders; what else lentray does is done with lentray itself");
     }
     for (const std::string& folder : options.library_paths) {
-      if (fs::path(folder).is_relative()) m_out.for_lentray.push_back("Library_Path=" + fs::absolute(folder).string());
+      if (fs::path(folder).is_relative())
+        m_out.for_lentray.push_back("Library_Path=" + fs::absolute(folder).string());
     }
   }
 
   void finish() {
     if (m_out.help || m_out.version || !m_out.worker.empty()) return;
-    if (!m_out.sbatch.empty() && !m_out.slurm) throw OptionError("--sbatch gives options to Slurm: it needs --slurm");
-    if (m_out.inputs.empty()) throw OptionError("no folder and no scene was named; lentray-batch --help tells how");
-    if (m_out.out.empty()) throw OptionError("--out DIR is missing: the folder for pictures, manifest and page");
+    if (!m_out.sbatch.empty() && !m_out.slurm)
+      throw OptionError("--sbatch gives options to Slurm: it needs --slurm");
+    if (m_out.inputs.empty())
+      throw OptionError("no folder and no scene was named; lentray-batch --help tells how");
+    if (m_out.out.empty())
+      throw OptionError("--out DIR is missing: the folder for pictures, manifest and page");
     m_out.out = fs::absolute(m_out.out).lexically_normal();
     if (!m_out.out.has_filename()) m_out.out = m_out.out.parent_path();
-    if (!m_out.table.empty() && !m_out.compare) throw OptionError("--table shows grades: it needs --compare");
+    if (!m_out.table.empty() && !m_out.compare)
+      throw OptionError("--table shows grades: it needs --compare");
     refuse_what_the_batch_decides();
     check_lentrays();
   }
@@ -227,7 +248,8 @@ Arguments parse_arguments(const std::vector<std::string>& words) {
   Arguments arguments;
   Parsing(arguments).all(words);
   const fs::path beside = fs::read_symlink("/proc/self/exe").parent_path();
-  arguments.lentray = arguments.lentray.empty() ? beside / "lentray" : fs::absolute(arguments.lentray);
+  arguments.lentray =
+      arguments.lentray.empty() ? beside / "lentray" : fs::absolute(arguments.lentray);
   arguments.diff = beside / "lentray-diff";
   arguments.merge = beside / "lentray-merge";
   return arguments;

@@ -28,7 +28,8 @@ sigset_t stop_signals() {
 sigset_t g_before;  ///< the signals that were held when the program began
 
 /// In the child. Async-signal-safe calls, but for `work`.
-[[noreturn]] void become(char* const* command, const char* folder, int log, const std::function<int()>& work) {
+[[noreturn]] void become(char* const* command, const char* folder, int log,
+                         const std::function<int()>& work) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   ::setpgid(0, 0);  // a terminal's Ctrl-C is for the batch, which asks its children itself
   ::sigprocmask(SIG_SETMASK, &g_before, nullptr);
@@ -42,14 +43,17 @@ sigset_t g_before;  ///< the signals that were held when the program began
   ::_exit(127);
 }
 
-double seconds_of(const timeval& t) { return static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_usec) * 1e-6; }
+double seconds_of(const timeval& t) {
+  return static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_usec) * 1e-6;
+}
 
 std::uint64_t resident_of(pid_t pid) {
   std::ifstream file("/proc/" + std::to_string(pid) + "/statm");
   std::uint64_t whole = 0, resident = 0;
   file >> whole >> resident;
   std::uint64_t sum = resident * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
-  std::ifstream children("/proc/" + std::to_string(pid) + "/task/" + std::to_string(pid) + "/children");
+  std::ifstream children("/proc/" + std::to_string(pid) + "/task/" + std::to_string(pid) +
+                         "/children");
   for (pid_t child = 0; children >> child;) sum += resident_of(child);
   return sum;
 }
@@ -63,12 +67,14 @@ Child::Child(const Launch& launch) : m_start(std::chrono::steady_clock::now()) {
   command.push_back(nullptr);
   const std::string folder = launch.folder.string();
   const int log = ::open(launch.log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  if (log < 0) throw std::runtime_error("cannot write '" + launch.log.string() + "': " + std::strerror(errno));
+  if (log < 0)
+    throw std::runtime_error("cannot write '" + launch.log.string() + "': " + std::strerror(errno));
   m_pid = ::fork();
   if (m_pid == 0) become(command.data(), folder.c_str(), log, launch.work);
   const int error = errno;
   ::close(log);
-  if (m_pid < 0) throw std::runtime_error(std::string("cannot start a program: ") + std::strerror(error));
+  if (m_pid < 0)
+    throw std::runtime_error(std::string("cannot start a program: ") + std::strerror(error));
   ::setpgid(m_pid, m_pid);  // whoever comes first
 }
 
@@ -94,10 +100,13 @@ std::optional<Ended> Child::ended() {
   if (m_pid < 0 || ::wait4(m_pid, &status, WNOHANG, &usage) != m_pid) return std::nullopt;
   m_pid = -1;
   return Ended{WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status), seconds(),
-               seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime), static_cast<std::uint64_t>(usage.ru_maxrss) * 1024};
+               seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime),
+               static_cast<std::uint64_t>(usage.ru_maxrss) * 1024};
 }
 
-double Child::seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - m_start).count(); }
+double Child::seconds() const {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - m_start).count();
+}
 
 std::uint64_t Child::resident_bytes() const { return m_pid < 0 ? 0 : resident_of(m_pid); }
 

@@ -23,9 +23,10 @@ struct Launch {
 };
 
 struct Ended {
-  int status = 0;            ///< exit status; 128 + n: ended by signal n; 126: the folder cannot be entered, 127: no such program
+  int status =
+      0;  ///< exit status; 128 + n: ended by signal n; 126: the folder cannot be entered, 127: no such program
   double wall = 0.0, cpu = 0.0;  ///< seconds; cpu with all that it ran
-  std::uint64_t memory = 0;  ///< bytes, the most that one of them held
+  std::uint64_t memory = 0;      ///< bytes, the most that one of them held
 };
 
 class Child {
@@ -39,7 +40,7 @@ class Child {
   void kill() const;
   /// Once it has ended.
   std::optional<Ended> ended();
-  double seconds() const;              ///< since its start
+  double seconds() const;                ///< since its start
   std::uint64_t resident_bytes() const;  ///< of it and what it runs
 
  private:

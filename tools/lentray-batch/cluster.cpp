@@ -42,7 +42,8 @@ std::string ranges(const std::vector<std::size_t>& numbers) {
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     std::size_t end = i;
     while (end + 1 < numbers.size() && numbers[end + 1] == numbers[end] + 1) ++end;
-    out += (out.empty() ? "" : ",") + std::to_string(numbers[i]) + (end > i ? "-" + std::to_string(numbers[end]) : "");
+    out += (out.empty() ? "" : ",") + std::to_string(numbers[i]) +
+           (end > i ? "-" + std::to_string(numbers[end]) : "");
     i = end;
   }
   return out;
@@ -76,7 +77,8 @@ Row joined(const std::vector<Row>& bands) {
 }  // namespace
 
 Cluster::Cluster(const Plan& plan, Manifest& manifest, BatchProgress& progress)
-    : m_plan(plan), m_manifest(manifest), m_progress(progress), m_slurm(plan.arguments.sbatch), m_root(plan.state->path() / "slurm") {}
+    : m_plan(plan), m_manifest(manifest), m_progress(progress), m_slurm(plan.arguments.sbatch),
+      m_root(plan.state->path() / "slurm") {}
 
 bool Cluster::run(const std::vector<Job*>& jobs) {
   for (Job* job : jobs) m_jobs[job->name()] = job;
@@ -144,8 +146,9 @@ bool Cluster::prepare(const std::vector<Job*>& jobs) {
   m_folder = std::make_unique<RunFolder>(m_root / run_name());
   m_folder->write(m_plan.arguments.words, m_tasks);
   const fs::path self = fs::read_symlink("/proc/self/exe");
-  tool::write_whole(m_folder->path() / "task.sh", "#!/bin/sh\nexec " + quoted(self.string()) + " --worker=" + quoted(m_folder->path().string()) +
-                                                " --task=\"$SLURM_ARRAY_TASK_ID\"\n");
+  tool::write_whole(m_folder->path() / "task.sh",
+                    "#!/bin/sh\nexec " + quoted(self.string()) + " --worker=" +
+                        quoted(m_folder->path().string()) + " --task=\"$SLURM_ARRAY_TASK_ID\"\n");
   submit();
   return true;
 }
@@ -155,15 +158,16 @@ void Cluster::submit() {
   std::vector<std::size_t> numbers;
   double all = 0.0;
   for (std::size_t i = 0; i < m_tasks.size(); ++i) {
-    const bool is_left = std::ranges::any_of(m_tasks[i], [this](const Work& w) { return !m_taken.contains(name_of(w.item)); });
+    const bool is_left = std::ranges::any_of(
+        m_tasks[i], [this](const Work& w) { return !m_taken.contains(name_of(w.item)); });
     if (is_left) numbers.push_back(i);
     for (const Work& work : m_tasks[i]) all += work.item.seconds;
   }
   m_job = m_slurm.submit(m_folder->path() / "task.sh", ranges(numbers), m_folder->path() / "logs");
   ++m_submissions;
   tool::write_whole(m_root / "current", m_folder->path().filename().string() + " " + m_job);
-  m_progress.say("job array " + m_job + " of Slurm: " + std::to_string(numbers.size()) + " tasks, about " + tool::duration_text(all) +
-                 " of a processor");
+  m_progress.say("job array " + m_job + " of Slurm: " + std::to_string(numbers.size()) +
+                 " tasks, about " + tool::duration_text(all) + " of a processor");
 }
 
 void Cluster::collect() {
@@ -198,7 +202,8 @@ std::string Cluster::rows_of_bands(const std::string& name) const {
   for (const std::vector<Work>& task : m_tasks) {
     for (const Work& work : task) {
       const Item& i = work.item;
-      if (i.name == name) rows[i.band] = std::to_string(i.first_row) + "-" + std::to_string(i.last_row);
+      if (i.name == name)
+        rows[i.band] = std::to_string(i.first_row) + "-" + std::to_string(i.last_row);
     }
   }
   std::string out;
@@ -214,7 +219,8 @@ void Cluster::merge(const std::string& name, const std::vector<Row>& bands) {
   if (row.state == State::done) {
     std::vector<std::string> command{m_plan.arguments.merge.string()};
     for (const Row& band : bands) command.push_back((out / band.picture).string());
-    command.insert(command.end(), {"--rows", rows_of_bands(name), "--out", (out / row.picture).string()});
+    command.insert(command.end(),
+                   {"--rows", rows_of_bands(name), "--out", (out / row.picture).string()});
     fs::create_directories((out / row.picture).parent_path());
     const tool::RunResult result = tool::run_program(command);
     if (result.status == 0) {
@@ -242,7 +248,9 @@ bool Cluster::wait() {
     if (m_jobs.empty()) return true;
     m_progress.running(m_jobs.size());
     if (wait_for_news(std::chrono::milliseconds(300)) != 0) {
-      m_progress.say("the job array " + m_job + " goes on; the same command collects what it does, scancel " + m_job + " ends it");
+      m_progress.say("the job array " + m_job +
+                     " goes on; the same command collects what it does, scancel " + m_job +
+                     " ends it");
       return false;
     }
     if (Clock::now() - asked < kAsk) continue;
@@ -254,7 +262,8 @@ bool Cluster::wait() {
       submit();
       continue;
     }
-    const std::string why = "its tasks of Slurm ended without a result; their logs are in '" + (m_folder->path() / "logs").string() + "'";
+    const std::string why = "its tasks of Slurm ended without a result; their logs are in '" +
+                            (m_folder->path() / "logs").string() + "'";
     for (auto& [name, job] : std::map(m_jobs)) {
       job->give_up(why);
       take(job->row());

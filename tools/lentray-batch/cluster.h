@@ -42,9 +42,10 @@ class Cluster {
   std::map<std::string, Job*> m_jobs;  ///< those without a row, by name
   std::unique_ptr<RunFolder> m_folder;
   std::vector<std::vector<Work>> m_tasks;
-  std::map<std::string, std::map<int, Row>> m_bands;  ///< by the picture's name and the band's number
+  std::map<std::string, std::map<int, Row>>
+      m_bands;  ///< by the picture's name and the band's number
   std::map<std::string, int> m_band_count;
-  std::set<std::string> m_taken;                      ///< names of rows that were seen
+  std::set<std::string> m_taken;  ///< names of rows that were seen
   std::string m_job;
   int m_submissions = 0;
 };

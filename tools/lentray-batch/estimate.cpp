@@ -14,12 +14,15 @@ using nlohmann::json;
 
 namespace {
 
-constexpr double kCoarse = 8.0;      ///< times fewer columns and rows
+constexpr double kCoarse = 8.0;  ///< times fewer columns and rows
 constexpr double kLeastWidth = 48.0, kLeastHeight = 12.0;
-constexpr double kStart = 0.03;      ///< seconds that starting a program takes
-constexpr double kLongest = 60.0;    ///< seconds of a coarse render; what takes longer is taken for that much
+constexpr double kStart = 0.03;  ///< seconds that starting a program takes
+constexpr double kLongest =
+    60.0;  ///< seconds of a coarse render; what takes longer is taken for that much
 
-double pixels(const parser::RenderOptions& o) { return static_cast<double>(o.width) * static_cast<double>(o.height); }
+double pixels(const parser::RenderOptions& o) {
+  return static_cast<double>(o.width) * static_cast<double>(o.height);
+}
 
 Estimate bare(const Job& job) {
   Estimate e;
@@ -28,7 +31,8 @@ Estimate bare(const Job& job) {
   const parser::RenderOptions& o = job.options();
   const bool is_part = o.start_column || o.end_column || o.start_row || o.end_row;
   // Errors that dithering passes on do not end at a band's edge.
-  const bool passes_on = o.dither && (o.dither_type == core::DitherMethod::line || o.dither_type == core::DitherMethod::plane ||
+  const bool passes_on = o.dither && (o.dither_type == core::DitherMethod::line ||
+                                      o.dither_type == core::DitherMethod::plane ||
                                       o.dither_type == core::DitherMethod::floyd_steinberg);
   if (!is_part && !passes_on && o.type == core::FileType::png) e.rows = o.height;
   if (o.antialias) {
@@ -49,8 +53,11 @@ struct Coarse {
 
 Coarse start(const Plan& plan, const Job& job, const std::string& place) {
   const parser::RenderOptions& o = job.options();
-  const auto fewer = [](double size, double least) { return std::min(size, std::max(least, std::ceil(size / kCoarse))); };
-  const double width = fewer(static_cast<double>(o.width), kLeastWidth), height = fewer(static_cast<double>(o.height), kLeastHeight);
+  const auto fewer = [](double size, double least) {
+    return std::min(size, std::max(least, std::ceil(size / kCoarse)));
+  };
+  const double width = fewer(static_cast<double>(o.width), kLeastWidth),
+               height = fewer(static_cast<double>(o.height), kLeastHeight);
   Coarse coarse;
   coarse.job = &job;
   coarse.statistics = place + ".json";
@@ -61,9 +68,11 @@ Coarse start(const Plan& plan, const Job& job, const std::string& place) {
   launch.command = {plan.arguments.lentray.string()};
   for (const std::string& word : job.words()) launch.command.push_back(word);
   for (const std::string& word :
-       {"+I" + job.scene().source.filename().string(), "+W" + std::to_string(static_cast<int>(width)),
-        "+H" + std::to_string(static_cast<int>(height)), std::string("-F"), std::string("-V"), std::string("+WT1"),
-        std::string("Count_Tests=Off"), std::string("Scene_Writes=memory"), "Statistics_File=" + coarse.statistics}) {
+       {"+I" + job.scene().source.filename().string(),
+        "+W" + std::to_string(static_cast<int>(width)),
+        "+H" + std::to_string(static_cast<int>(height)), std::string("-F"), std::string("-V"),
+        std::string("+WT1"), std::string("Count_Tests=Off"), std::string("Scene_Writes=memory"),
+        "Statistics_File=" + coarse.statistics}) {
     launch.command.push_back(word);
   }
   coarse.child = std::make_unique<Child>(launch);
@@ -75,7 +84,8 @@ void read(const Coarse& coarse, const Ended& ended, Estimate& e) {
   const json all = file ? json::parse(file, nullptr, false) : json();
   if (ended.status == 0 && all.is_object()) {
     const json& time = all.at("time");
-    e.fixed = kStart + time.at("parse_cpu_s").get<double>() + time.at("compile_cpu_s").get<double>();
+    e.fixed =
+        kStart + time.at("parse_cpu_s").get<double>() + time.at("compile_cpu_s").get<double>();
     e.rendering = time.at("render_cpu_s").get<double>() * coarse.scale;
   } else {
     e.fixed = ended.cpu;
@@ -89,7 +99,8 @@ bool from_earlier(const Job& job, const std::map<std::string, Row>& earlier, Est
   if (at == earlier.end() || at->second.rendering <= 0.0 || at->second.width == 0) return false;
   const Row& row = at->second;
   e.fixed = kStart + row.reading + row.building;
-  e.rendering = row.rendering * pixels(job.options()) / (static_cast<double>(row.width) * row.height);
+  e.rendering =
+      row.rendering * pixels(job.options()) / (static_cast<double>(row.width) * row.height);
   return true;
 }
 

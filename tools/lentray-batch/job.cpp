@@ -40,14 +40,18 @@ std::string utc_now() {
 }
 
 /// What decides the picture, but for the files that its scene reads.
-std::string key_of(const Plan& plan, const parser::RenderOptions& o, const std::optional<parser::AnimationFrame>& frame) {
-  std::string text = hexadecimal(plan.program) + "\n" + parser::picture_lines(o) + parser::file_lines(o);
+std::string key_of(const Plan& plan, const parser::RenderOptions& o,
+                   const std::optional<parser::AnimationFrame>& frame) {
+  std::string text =
+      hexadecimal(plan.program) + "\n" + parser::picture_lines(o) + parser::file_lines(o);
   for (const std::string& folder : o.library_paths) text += folder + "\n";
-  text += std::string(o.strict ? "strict " : "") + (o.restrict_io ? "restricted " : "") + (o.clock_given ? std::to_string(o.clock) : "");
+  text += std::string(o.strict ? "strict " : "") + (o.restrict_io ? "restricted " : "") +
+          (o.clock_given ? std::to_string(o.clock) : "");
   if (frame) {
     const parser::FrameClock& c = frame->clock;
-    for (const double value : {c.clock, c.initial_clock, c.final_clock, c.clock_delta, double(c.frame_number),
-                               double(c.initial_frame), double(c.final_frame)}) {
+    for (const double value :
+         {c.clock, c.initial_clock, c.final_clock, c.clock_delta, double(c.frame_number),
+          double(c.initial_frame), double(c.final_frame)}) {
       char digits[32];
       std::snprintf(digits, sizeof digits, " %.17g", value);
       text += digits;
@@ -70,7 +74,8 @@ json read_json(const fs::path& path) {
 
 std::string signal_text(int signal) {
   const char* name = sigdescr_np(signal);
-  return "ended by signal " + std::to_string(signal) + (name == nullptr ? "" : std::string(" (") + name + ")");
+  return "ended by signal " + std::to_string(signal) +
+         (name == nullptr ? "" : std::string(" (") + name + ")");
 }
 
 }  // namespace
@@ -92,9 +97,10 @@ Row row_without_job(const Plan&, const Scene& scene, State state, const std::str
   return row;
 }
 
-Job::Job(const Plan& plan, Scene scene, const parser::RenderOptions& options, std::optional<parser::AnimationFrame> frame,
-         std::optional<Band> band)
-    : m_plan(plan), m_scene(std::move(scene)), m_options(options), m_frame(std::move(frame)), m_band(band) {
+Job::Job(const Plan& plan, Scene scene, const parser::RenderOptions& options,
+         std::optional<parser::AnimationFrame> frame, std::optional<Band> band)
+    : m_plan(plan), m_scene(std::move(scene)), m_options(options), m_frame(std::move(frame)),
+      m_band(band) {
   m_row.name = m_scene.name;
   if (m_frame) {
     m_row.frame = m_frame->clock.frame_number;
@@ -103,7 +109,8 @@ Job::Job(const Plan& plan, Scene scene, const parser::RenderOptions& options, st
   m_row.source = m_scene.source.string();
   m_row.attempts = 0;
   m_row.key = key_of(plan, m_options, m_frame);
-  m_row.picture = m_scene.name + (m_frame ? m_frame->digits : "") + core::extension_of(m_options.type);
+  m_row.picture =
+      m_scene.name + (m_frame ? m_frame->digits : "") + core::extension_of(m_options.type);
   if (!m_band) return;
   m_row.name += "~" + std::to_string(m_band->index);
   m_row.band = std::to_string(m_band->index) + "/" + std::to_string(m_band->count);
@@ -111,10 +118,13 @@ Job::Job(const Plan& plan, Scene scene, const parser::RenderOptions& options, st
 }
 
 std::string band_picture(const std::string& picture, int index) {
-  return ".lentray-batch/bands/" + picture + "." + std::to_string(index) + fs::path(picture).extension().string();
+  return ".lentray-batch/bands/" + picture + "." + std::to_string(index) +
+         fs::path(picture).extension().string();
 }
 
-fs::path Job::kept_file(const char* kind) const { return m_plan.state->file(m_row.name, m_row.key, kind); }
+fs::path Job::kept_file(const char* kind) const {
+  return m_plan.state->file(m_row.name, m_row.key, kind);
+}
 
 fs::path Job::run_file(const char* kind) const {
   if (m_plan.scratch.empty()) return kept_file(kind);
@@ -134,7 +144,8 @@ fs::path Job::root() const {
 /// was at it too.
 void Job::publish() {
   if (m_plan.scratch.empty()) return;
-  const fs::path made = root() / (m_scene.name + (m_frame ? m_frame->digits : "") + core::extension_of(m_options.type));
+  const fs::path made = root() / (m_scene.name + (m_frame ? m_frame->digits : "") +
+                                  core::extension_of(m_options.type));
   fs::create_directories(picture_path().parent_path());
   fs::rename(made, picture_path());
 }
@@ -154,22 +165,24 @@ void Job::move_from_scratch(const std::string& picture) const {
 fs::path Job::picture_path() const { return m_plan.arguments.out / m_row.picture; }
 
 std::string Job::limits() const {
-  return "time " + std::to_string(m_plan.arguments.time_limit) + ", memory " + std::to_string(m_plan.arguments.memory_limit);
+  return "time " + std::to_string(m_plan.arguments.time_limit) + ", memory " +
+         std::to_string(m_plan.arguments.memory_limit);
 }
 
 bool Job::files_are_current() const {
-  return !m_row.files.empty() &&
-         std::ranges::all_of(m_row.files, [](const auto& file) { return is_as_it_was(file.first, file.second); }) &&
-         std::ranges::none_of(m_row.missing, [](const std::string& path) {
-           std::error_code error;
-           return fs::exists(path, error);
-         });
+  return !m_row.files.empty() && std::ranges::all_of(m_row.files, [](const auto& file) {
+    return is_as_it_was(file.first, file.second);
+  }) && std::ranges::none_of(m_row.missing, [](const std::string& path) {
+    std::error_code error;
+    return fs::exists(path, error);
+  });
 }
 
 bool Job::fits(const Row& row) const {
   if (row.key != m_row.key || row.source != m_row.source) return false;
   std::error_code error;
-  if (row.state == State::done && !fs::is_regular_file(m_plan.arguments.out / row.picture, error)) return false;
+  if (row.state == State::done && !fs::is_regular_file(m_plan.arguments.out / row.picture, error))
+    return false;
   Job then = *this;
   then.m_row = row;
   return then.files_are_current();
@@ -177,7 +190,8 @@ bool Job::fits(const Row& row) const {
 
 bool Job::is_up_to_date(const Row* known) const {
   if (known == nullptr || known->picture != m_row.picture) return false;
-  if (known->state == State::failed && (m_plan.arguments.retry || known->limits != limits())) return false;
+  if (known->state == State::failed && (m_plan.arguments.retry || known->limits != limits()))
+    return false;
   return fits(*known);
 }
 
@@ -191,7 +205,8 @@ void Job::adopt(const Row& known) {
 /// The picture is there, younger than what its scene read, and that has not changed: only the row is missing.
 bool Job::adopt_left_over() {
   const std::int64_t read = modified(run_file("read")), picture = modified(picture_path());
-  if (read == 0 || picture < read || modified(picture_path().string() + ".lentray-state") != 0) return false;
+  if (read == 0 || picture < read || modified(picture_path().string() + ".lentray-state") != 0)
+    return false;
   read_dependencies(read);
   if (!files_are_current()) return false;
   if (modified(run_file("statistics")) < picture && m_options.lenticular) return false;
@@ -205,7 +220,8 @@ bool Job::adopt_left_over() {
 }
 
 bool Job::can_go_on() const {
-  if (!m_plan.scratch.empty() || modified(picture_path().string() + ".lentray-state") == 0) return false;
+  if (!m_plan.scratch.empty() || modified(picture_path().string() + ".lentray-state") == 0)
+    return false;
   Job then = *this;
   then.read_dependencies(modified(run_file("read")));
   return then.files_are_current();
@@ -215,7 +231,8 @@ std::vector<std::string> Job::words() const {
   std::vector<std::string> words = m_plan.arguments.for_lentray;
   if (m_plan.arguments.scene_ini && !m_scene.ini.empty()) words.push_back(m_scene.ini.string());
   if (m_frame) {
-    for (const char* which : {"+SF", "+EF"}) words.push_back(which + std::to_string(m_frame->clock.frame_number));
+    for (const char* which : {"+SF", "+EF"})
+      words.push_back(which + std::to_string(m_frame->clock.frame_number));
   } else if (parser::is_animation(m_options.animation)) {
     words.insert(words.end(), {"+KFI1", "+KFF1"});
   }
@@ -232,17 +249,19 @@ Launch Job::render(int threads, double memory) {
   const fs::path picture = root() / (m_scene.name + core::extension_of(m_options.type));
   fs::create_directories(picture.parent_path());
   launch.command.insert(launch.command.end(),
-                        {"+I" + m_scene.source.filename().string(), "+O" + picture.string(), "+WT" + std::to_string(threads)});
+                        {"+I" + m_scene.source.filename().string(), "+O" + picture.string(),
+                         "+WT" + std::to_string(threads)});
   if (m_band) {
-    launch.command.insert(launch.command.end(), {"+SR" + std::to_string(m_band->first_row), "+ER" + std::to_string(m_band->last_row)});
+    launch.command.insert(launch.command.end(), {"+SR" + std::to_string(m_band->first_row),
+                                                 "+ER" + std::to_string(m_band->last_row)});
   }
   m_row.command = launch.command;  // as by hand, but for what the batch needs for itself
   char bytes[32];
   std::snprintf(bytes, sizeof bytes, "%.0f", memory);
   launch.command.insert(launch.command.end(),
                         {"-V", "-D", "-P", "Count_Tests=Off", "Max_Memory=" + std::string(bytes),
-                         "Statistics_File=" + run_file("statistics").string(), "Dependencies_File=" + run_file("read").string(),
-                         "Scene_Writes=memory"});
+                         "Statistics_File=" + run_file("statistics").string(),
+                         "Dependencies_File=" + run_file("read").string(), "Scene_Writes=memory"});
   if (goes_on) launch.command.emplace_back("+C");
   if (m_frame) {  // the names of files of frames end in their digits
     for (const char* kind : {"statistics", "read"}) {
@@ -289,12 +308,14 @@ void Job::rendered(const Ended& ended, bool stopped) {
 void Job::fail(const Ended& ended) {
   std::string reason;
   for (const std::string& line : m_row.messages) {
-    const bool is_error = line.find("error:") != std::string::npos ||
-                          (line.starts_with("lentray: ") && line.find("warning:") == std::string::npos);
+    const bool is_error =
+        line.find("error:") != std::string::npos ||
+        (line.starts_with("lentray: ") && line.find("warning:") == std::string::npos);
     if (is_error) reason = line;
   }
   if (ended.status > 128) reason = signal_text(ended.status - 128);
-  if (reason.empty() && is_full(m_plan.arguments.out)) reason = "no space is left on the disk of '" + m_plan.arguments.out.string() + "'";
+  if (reason.empty() && is_full(m_plan.arguments.out))
+    reason = "no space is left on the disk of '" + m_plan.arguments.out.string() + "'";
   if (reason.empty() && ended.status == 126) reason = "the folder of the scene cannot be entered";
   if (reason.empty()) reason = "exit status " + std::to_string(ended.status);
   if (reason.starts_with("lentray: ")) reason.erase(0, 9);
@@ -332,11 +353,14 @@ void Job::read_dependencies(std::int64_t since) {
   m_row.missing.clear();
   if (!read.is_object() || modified(run_file("read")) < since) return;
   const fs::path folder = m_scene.source.parent_path();
-  const auto absolute = [&](const std::string& path) { return (folder / path).lexically_normal().string(); };
+  const auto absolute = [&](const std::string& path) {
+    return (folder / path).lexically_normal().string();
+  };
   for (const auto& [path, sum] : read.at("read").items()) {
     m_row.files[absolute(path)] = stamp_read(absolute(path), sum.get<std::uint64_t>(), since);
   }
-  for (const json& path : read.at("missing")) m_row.missing.push_back(absolute(path.get<std::string>()));
+  for (const json& path : read.at("missing"))
+    m_row.missing.push_back(absolute(path.get<std::string>()));
   if (m_plan.arguments.scene_ini && !m_scene.ini.empty()) {
     if (const auto stamp = stamp_of(m_scene.ini)) m_row.files[m_scene.ini.string()] = *stamp;
   }
@@ -359,7 +383,9 @@ void Job::read_statistics() {
 }
 
 bool Job::needs_views() const {
-  if (m_band || !m_plan.arguments.views || !m_has_picture || m_row.lens_pixels <= 0.0 || m_views_failed) return false;
+  if (m_band || !m_plan.arguments.views || !m_has_picture || m_row.lens_pixels <= 0.0 ||
+      m_views_failed)
+    return false;
   return m_row.views.empty();
 }
 
@@ -369,7 +395,9 @@ Launch Job::split_views() {
   const fs::path picture = picture_path(), out = m_plan.arguments.out;
   const double pixels = m_row.lens_pixels;
   m_row.views = view_names(m_row.picture, pixels);
-  launch.work = [picture, out, pixels, names = m_row.views] { return write_views(picture, pixels, out, names); };
+  launch.work = [picture, out, pixels, names = m_row.views] {
+    return write_views(picture, pixels, out, names);
+  };
   return launch;
 }
 
@@ -394,12 +422,15 @@ Launch Job::compare(int processes) {
   fs::create_directories(prefix.parent_path());
   launch.command = {m_plan.arguments.diff.string()};
   for (const std::string& word : words()) launch.command.push_back(word);
-  launch.command.insert(launch.command.end(),
-                        {"+I" + m_scene.source.string(), "--output=" + prefix.string(), "--threads=" + std::to_string(processes),
-                         "--povray=" + m_plan.arguments.povray, "--json=" + run_file("verdict").string()});
+  launch.command.insert(
+      launch.command.end(),
+      {"+I" + m_scene.source.string(), "--output=" + prefix.string(),
+       "--threads=" + std::to_string(processes), "--povray=" + m_plan.arguments.povray,
+       "--json=" + run_file("verdict").string()});
   if (m_has_picture) {
-    launch.command.insert(launch.command.end(),
-                          {"--ours=" + picture_path().string(), "--statistics=" + kept_file("statistics").string()});
+    launch.command.insert(
+        launch.command.end(),
+        {"--ours=" + picture_path().string(), "--statistics=" + kept_file("statistics").string()});
   } else {
     launch.command.emplace_back("--stock-alone");
   }
@@ -430,8 +461,10 @@ void Job::compared(const Ended& ended) {
       v.beyond_1 = whole.at("beyond_1").get<double>();
       v.beyond_2 = whole.at("beyond_2").get<double>();
       v.largest = whole.at("largest").get<double>();
-      for (const json& lens : all.value("lenses", json::array())) ++v.lens_grades[lens.at("grade").get<std::string>()];
-      for (const json& view : all.value("views", json::array())) ++v.view_grades[view.at("grade").get<std::string>()];
+      for (const json& lens : all.value("lenses", json::array()))
+        ++v.lens_grades[lens.at("grade").get<std::string>()];
+      for (const json& view : all.value("views", json::array()))
+        ++v.view_grades[view.at("grade").get<std::string>()];
     }
   }
   m_row.verdict = v;

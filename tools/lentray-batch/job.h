@@ -23,12 +23,15 @@ namespace lentray::batch {
 struct Plan {
   Arguments arguments;
   int processors = 1;
-  double memory = 0.0;           ///< bytes of the machine
-  std::uint64_t program = 0;     ///< checksum of lentray
+  double memory = 0.0;        ///< bytes of the machine
+  std::uint64_t program = 0;  ///< checksum of lentray
   const StateFolder* state = nullptr;
-  std::filesystem::path scratch;  ///< a worker's own: files are made there and moved to their places; empty: none
+  std::filesystem::path
+      scratch;  ///< a worker's own: files are made there and moved to their places; empty: none
 
-  double memory_limit() const { return arguments.memory_limit > 0.0 ? arguments.memory_limit : 0.5 * memory; }
+  double memory_limit() const {
+    return arguments.memory_limit > 0.0 ? arguments.memory_limit : 0.5 * memory;
+  }
 };
 
 /// Rows of a picture that a job makes alone.
@@ -40,8 +43,8 @@ struct Band {
 class Job {
  public:
   /// `frame`: of an animation; none: a still. `band`: none: the whole picture.
-  Job(const Plan& plan, Scene scene, const parser::RenderOptions& options, std::optional<parser::AnimationFrame> frame,
-      std::optional<Band> band = std::nullopt);
+  Job(const Plan& plan, Scene scene, const parser::RenderOptions& options,
+      std::optional<parser::AnimationFrame> frame, std::optional<Band> band = std::nullopt);
 
   const std::string& name() const { return m_row.name; }
   const Row& row() const { return m_row; }

@@ -57,7 +57,8 @@ std::vector<std::unique_ptr<Job>> jobs_of(const Plan& plan, const Scene& scene) 
 class Batch {
  public:
   explicit Batch(Arguments arguments)
-      : m_state(arguments.out), m_plan(plan_of(std::move(arguments))), m_manifest(m_plan.arguments.out, m_state) {}
+      : m_state(arguments.out), m_plan(plan_of(std::move(arguments))),
+        m_manifest(m_plan.arguments.out, m_state) {}
 
   Status run() {
     find();
@@ -71,7 +72,8 @@ class Batch {
     for (const std::string& warning : m_warnings) progress.say(warning);
     if (m_plan.arguments.slurm && !on_cluster(progress)) return false;
     m_manifest.reserve(m_jobs.size());
-    Scheduler scheduler(m_plan, [this](const Row& row) { m_manifest.put(row); }, progress);
+    Scheduler scheduler(
+        m_plan, [this](const Row& row) { m_manifest.put(row); }, progress);
     for (std::unique_ptr<Job>& job : m_jobs) scheduler.add(std::move(job));
     scheduler.now_and_then([this] { write_page(false); });
     return scheduler.run();
@@ -83,7 +85,9 @@ class Batch {
       if (job->needs_picture()) jobs.push_back(job.get());
     }
     if (!Cluster(m_plan, m_manifest, progress).run(jobs)) return false;
-    std::erase_if(m_jobs, [](const std::unique_ptr<Job>& job) { return !job->needs_views() && !job->needs_comparison(); });
+    std::erase_if(m_jobs, [](const std::unique_ptr<Job>& job) {
+      return !job->needs_views() && !job->needs_comparison();
+    });
     return true;
   }
 
@@ -94,7 +98,8 @@ class Batch {
     plan.memory = tool::machine_memory();
     plan.state = &m_state;
     const auto sum = parser::file_checksum(plan.arguments.lentray.string());
-    if (!sum) throw std::runtime_error("there is no program '" + plan.arguments.lentray.string() + "'");
+    if (!sum)
+      throw std::runtime_error("there is no program '" + plan.arguments.lentray.string() + "'");
     plan.program = *sum;
     return plan;
   }
@@ -105,7 +110,8 @@ class Batch {
     for (const std::string& text : scan.warnings) m_warnings.push_back("warning: " + text);
     for (const Scene& scene : scan.scenes) {
       if (!scene.part_of.empty()) {
-        put(row_without_job(m_plan, scene, State::skipped, "a part of " + scene.part_of + ": it has no camera of its own"));
+        put(row_without_job(m_plan, scene, State::skipped,
+                            "a part of " + scene.part_of + ": it has no camera of its own"));
         continue;
       }
       try {
@@ -159,11 +165,13 @@ class Batch {
   void write_page(bool is_finished) {
     const fs::path log = m_state.path() / "page.log";
     PageOptions options;
-    for (const fs::path& input : m_plan.arguments.inputs) options.title += (options.title.empty() ? "" : ", ") + input.string();
+    for (const fs::path& input : m_plan.arguments.inputs)
+      options.title += (options.title.empty() ? "" : ", ") + input.string();
     options.folder = m_plan.arguments.out;
     options.is_finished = is_finished;
     options.expected_rows = m_names.size();
-    options.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - m_start).count();
+    options.wall =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - m_start).count();
     Launch launch;
     launch.log = log;
     launch.work = [this, &options] {
@@ -178,9 +186,12 @@ class Batch {
     Child child(launch);
     std::optional<Ended> ended;
     while (!(ended = child.ended())) {
-      if (wait_for_news(std::chrono::milliseconds(200)) != 0) throw std::runtime_error("stopped while the page was made; the same command makes it");
+      if (wait_for_news(std::chrono::milliseconds(200)) != 0)
+        throw std::runtime_error("stopped while the page was made; the same command makes it");
     }
-    if (ended->status != 0) throw std::runtime_error("the page could not be written: " + last_error(tool::read_text(log)));
+    if (ended->status != 0)
+      throw std::runtime_error("the page could not be written: " +
+                               last_error(tool::read_text(log)));
   }
 
   Status finish(bool is_done) {
@@ -197,7 +208,8 @@ class Batch {
       has_page = false;
       std::fprintf(stderr, "lentray-batch: %s\n", error.what());
     }
-    if (!a.table.empty()) tool::write_whole(a.table, table(rows(), command_of(a.words), stock_version()));
+    if (!a.table.empty())
+      tool::write_whole(a.table, table(rows(), command_of(a.words), stock_version()));
     const Status status = summary();
     return is_kept && has_page ? status : kSome;
   }
@@ -218,7 +230,9 @@ class Batch {
   std::string stock_version() const {
     const std::string said = tool::run_program({m_plan.arguments.povray, "--version"}).output;
     const std::size_t at = said.find("POV-Ray ");
-    return at == std::string::npos ? "" : said.substr(at + 8, said.find_first_of(" \n", at + 8) - at - 8);
+    return at == std::string::npos
+               ? ""
+               : said.substr(at + 8, said.find_first_of(" \n", at + 8) - at - 8);
   }
 
   Status summary() const {
@@ -233,10 +247,13 @@ class Batch {
       if (!row.verdict) continue;
       ++grades[row.verdict->grade.empty() ? "not compared" : row.verdict->grade];
       const auto grade = core::grade_named(row.verdict->grade);
-      if (m_plan.arguments.asked && !row.verdict->grade.empty() && (!grade || *grade < *m_plan.arguments.asked)) ++below;
+      if (m_plan.arguments.asked && !row.verdict->grade.empty() &&
+          (!grade || *grade < *m_plan.arguments.asked))
+        ++below;
     }
-    std::string text = std::to_string(done) + " done, " + std::to_string(failed) + " failed, " + std::to_string(skipped) +
-                       " left out (parts), " + std::to_string(warned) + " with warnings";
+    std::string text = std::to_string(done) + " done, " + std::to_string(failed) + " failed, " +
+                       std::to_string(skipped) + " left out (parts), " + std::to_string(warned) +
+                       " with warnings";
     for (const auto& [grade, count] : grades) text += ", " + std::to_string(count) + " " + grade;
     if (below > 0) text += "; " + std::to_string(below) + " below the grade that is asked for";
     std::printf("%s\n%s\n", text.c_str(), (m_plan.arguments.out / "index.html").c_str());

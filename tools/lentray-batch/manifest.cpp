@@ -23,7 +23,8 @@ std::string line_of(const Row& row) {
 
 }  // namespace
 
-Manifest::Manifest(const std::filesystem::path& out, StateFolder& state) : m_path(out / "manifest.jsonl"), m_state(state) {
+Manifest::Manifest(const std::filesystem::path& out, StateFolder& state)
+    : m_path(out / "manifest.jsonl"), m_state(state) {
   std::ifstream file(m_path, std::ios::binary);
   for (std::string line; std::getline(file, line);) {
     m_is_cut = file.eof();
@@ -45,7 +46,8 @@ const Row* Manifest::find(const std::string& name) const {
 
 std::map<std::string, std::string> Manifest::names() const {
   std::map<std::string, std::string> out;
-  for (const auto& [name, row] : m_rows) out[row.source] = name.substr(0, row.frame ? name.rfind('#') : name.size());
+  for (const auto& [name, row] : m_rows)
+    out[row.source] = name.substr(0, row.frame ? name.rfind('#') : name.size());
   return out;
 }
 

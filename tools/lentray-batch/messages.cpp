@@ -11,7 +11,8 @@ std::string one_line(std::string_view text, std::size_t longest) {
   std::string out = parser::shown_name(text.substr(0, 4 * longest));
   if (out.size() <= longest) return out;
   std::size_t end = longest;
-  while (end > 0 && (static_cast<unsigned char>(out[end]) & 0xC0) == 0x80) --end;  // not within a UTF-8 character
+  while (end > 0 && (static_cast<unsigned char>(out[end]) & 0xC0) == 0x80)
+    --end;  // not within a UTF-8 character
   return out.substr(0, end) + "...";
 }
 

@@ -92,22 +92,28 @@ Text text_within(const std::vector<Row>& rows, const PageOptions& options, std::
 std::string page(const std::vector<Row>& rows, const PageOptions& options) {
   constexpr std::size_t kReserve = 4096;
   const std::string title = html_text(options.title);
-  const std::size_t frame = kPageHtml.size() + kPageCss.size() + kPageJs.size() + title.size() + kReserve;
+  const std::size_t frame =
+      kPageHtml.size() + kPageCss.size() + kPageJs.size() + title.size() + kReserve;
   const std::size_t room = options.most_bytes - std::min(options.most_bytes, frame);
   const Text text = text_within(rows, options, room);
   // The text of rows that are to come takes room too.
-  const double times = text.rows.empty() ? 1.0
-      : std::max(1.0, static_cast<double>(options.expected_rows) / static_cast<double>(text.rows.size()));
+  const double times = text.rows.empty()
+                           ? 1.0
+                           : std::max(1.0, static_cast<double>(options.expected_rows) /
+                                               static_cast<double>(text.rows.size()));
   const double text_room =
       std::min(static_cast<double>(text.bytes) * times, static_cast<double>(text.bytes + room) / 2);
-  const auto picture_room = static_cast<std::size_t>(std::max(0.0, static_cast<double>(room) - text_room));
-  const std::size_t step = step_that_fits(text.rows, text.cards, options.expected_rows, picture_room);
+  const auto picture_room =
+      static_cast<std::size_t>(std::max(0.0, static_cast<double>(room) - text_room));
+  const std::size_t step =
+      step_that_fits(text.rows, text.cards, options.expected_rows, picture_room);
   std::string out;
   for (std::size_t s = step; s < picture_steps().size(); ++s) {
     json data = page_data(text.rows, text.cards, options, text.limits);
     data["summary"]["all_rows"] = rows.size();
     add_pictures(data, pictures_of(text.rows, text.cards, options.folder, picture_steps()[s]));
-    out = filled({{"title", title}, {"style", kPageCss}, {"data", script_text(data)}, {"script", kPageJs}});
+    out = filled(
+        {{"title", title}, {"style", kPageCss}, {"data", script_text(data)}, {"script", kPageJs}});
     if (out.size() <= options.most_bytes) break;
   }
   return out;

@@ -19,11 +19,12 @@ namespace lentray::batch {
 
 struct PageOptions {
   std::string title;
-  std::filesystem::path folder;          ///< the batch's
-  std::size_t most_bytes = 20'000'000;   ///< of the page; at least 100,000, which its frame takes
-  bool is_finished = true;               ///< no row is to come
-  std::size_t expected_rows = 0;         ///< of the batch when it is through: pictures get sizes that leave room
-  double wall = 0.0;                     ///< of the whole batch
+  std::filesystem::path folder;         ///< the batch's
+  std::size_t most_bytes = 20'000'000;  ///< of the page; at least 100,000, which its frame takes
+  bool is_finished = true;              ///< no row is to come
+  std::size_t expected_rows =
+      0;              ///< of the batch when it is through: pictures get sizes that leave room
+  double wall = 0.0;  ///< of the whole batch
 };
 
 /// The page. The fewer the rows, the larger the small pictures; with very many, text is cut too.

@@ -27,7 +27,8 @@ void add(Card& card, const Row& row) {
   card.warnings += row.warnings;
   card.time += row.wall;
   card.has_left_out |= !row.left_out.empty();
-  if (row.verdict && badness(row.verdict->grade) > badness(card.grade)) card.grade = row.verdict->grade;
+  if (row.verdict && badness(row.verdict->grade) > badness(card.grade))
+    card.grade = row.verdict->grade;
 }
 
 void finish(Card& card, const std::vector<Row>& rows) {
@@ -56,7 +57,8 @@ void mark_slow(std::vector<Card>& cards) {
   const std::size_t tenth = times.size() / 10;
   for (Card& card : cards) {
     if (card.state != State::done) continue;
-    const bool among_slowest = tenth > 0 && card.time >= times[times.size() - tenth] && card.time > times.front();
+    const bool among_slowest =
+        tenth > 0 && card.time >= times[times.size() - tenth] && card.time > times.front();
     card.is_slow = among_slowest || (much > 0.0 && card.time > much);
   }
 }

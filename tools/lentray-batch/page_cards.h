@@ -14,15 +14,15 @@ namespace lentray::batch {
 
 struct Card {
   std::string name;
-  std::vector<std::size_t> rows;    ///< indices; of an animation by frame
+  std::vector<std::size_t> rows;  ///< indices; of an animation by frame
   bool is_animation = false;
-  State state = State::skipped;     ///< failed if any of the rows is
-  int warnings = 0;                 ///< of all rows
-  double time = 0.0;                ///< wall clock, of all rows
-  bool is_slow = false;             ///< among the slowest tenth, or ten times the median
+  State state = State::skipped;  ///< failed if any of the rows is
+  int warnings = 0;              ///< of all rows
+  double time = 0.0;             ///< wall clock, of all rows
+  bool is_slow = false;          ///< among the slowest tenth, or ten times the median
   bool has_left_out = false;
-  std::string grade;                ///< the worst of the rows; empty: none
-  std::optional<double> ratio;      ///< processor time, stock's over ours
+  std::string grade;            ///< the worst of the rows; empty: none
+  std::optional<double> ratio;  ///< processor time, stock's over ours
 };
 
 /// In the order of their first rows.
@@ -33,7 +33,7 @@ struct Summary {
   bool is_compared = false;
   std::map<std::string, std::size_t> grades;  ///< of cards
   double cpu = 0.0;
-  std::uint64_t memory = 0;                   ///< the most that a row held
+  std::uint64_t memory = 0;  ///< the most that a row held
   std::optional<double> median_ratio;
 };
 Summary summary_of(const std::vector<Row>& rows, const std::vector<Card>& cards);

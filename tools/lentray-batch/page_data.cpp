@@ -26,7 +26,8 @@ bool is_shown_by_browsers(const std::string& file) {
 std::string cut(const std::string& text, std::size_t most) {
   if (text.size() <= most) return text;
   std::size_t end = most;
-  for (int i = 0; i < 3 && end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0u) == 0x80u; ++i) --end;
+  for (int i = 0; i < 3 && end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0u) == 0x80u; ++i)
+    --end;
   return text.substr(0, end) + "\xE2\x80\xA6";
 }
 
@@ -45,10 +46,12 @@ void put_share(json& out, const char* name, double value) {
   if (std::isfinite(value)) out[name] = value;
 }
 
-void put_lines(json& out, const char* name, const std::vector<std::string>& lines, std::size_t most, std::size_t line) {
+void put_lines(json& out, const char* name, const std::vector<std::string>& lines, std::size_t most,
+               std::size_t line) {
   if (lines.empty()) return;
   json& list = out[name] = json::array();
-  for (std::size_t i = 0; i < std::min(most, lines.size()); ++i) list.push_back(cut(lines[i], line));
+  for (std::size_t i = 0; i < std::min(most, lines.size()); ++i)
+    list.push_back(cut(lines[i], line));
 }
 
 /// Rows share most of their files: each path is there once.
@@ -145,7 +148,8 @@ json row_data(const Row& row, const PageOptions& options, const TextLimits& limi
 }
 
 json card_data(const Card& card, const TextLimits& limits) {
-  json out{{"name", cut(card.name, limits.line)}, {"rows", card.rows}, {"state", name_of(card.state)}};
+  json out{
+      {"name", cut(card.name, limits.line)}, {"rows", card.rows}, {"state", name_of(card.state)}};
   put(out, "animation", card.is_animation);
   put(out, "warnings", card.warnings);
   put_seconds(out, "time", card.time);
@@ -158,9 +162,17 @@ json card_data(const Card& card, const TextLimits& limits) {
 }
 
 json summary_data(const Summary& sum, const PageOptions& options) {
-  json out{{"cards", sum.cards}, {"done", sum.done}, {"failed", sum.failed}, {"skipped", sum.skipped},
-           {"warned", sum.warned}, {"slow", sum.slow}, {"differing", sum.differing}, {"compared", sum.is_compared},
-           {"grades", sum.grades}, {"memory", sum.memory}, {"finished", options.is_finished},
+  json out{{"cards", sum.cards},
+           {"done", sum.done},
+           {"failed", sum.failed},
+           {"skipped", sum.skipped},
+           {"warned", sum.warned},
+           {"slow", sum.slow},
+           {"differing", sum.differing},
+           {"compared", sum.is_compared},
+           {"grades", sum.grades},
+           {"memory", sum.memory},
+           {"finished", options.is_finished},
            {"expected", options.expected_rows}};
   put_seconds(out, "cpu", sum.cpu);
   put_seconds(out, "wall", options.wall);
@@ -171,13 +183,16 @@ json summary_data(const Summary& sum, const PageOptions& options) {
 }  // namespace
 
 const std::vector<TextLimits>& text_limits() {
-  static const std::vector<TextLimits> all{{400, 2000, 200, 400}, {80, 600, 60, 100}, {20, 300, 40, 20},
-                                           {4, 200, 20, 0},       {1, 100, 0, 0}};
+  static const std::vector<TextLimits> all{{400, 2000, 200, 400},
+                                           {80, 600, 60, 100},
+                                           {20, 300, 40, 20},
+                                           {4, 200, 20, 0},
+                                           {1, 100, 0, 0}};
   return all;
 }
 
-json page_data(const std::vector<Row>& rows, const std::vector<Card>& cards, const PageOptions& options,
-               const TextLimits& limits) {
+json page_data(const std::vector<Row>& rows, const std::vector<Card>& cards,
+               const PageOptions& options, const TextLimits& limits) {
   json out;
   out["title"] = options.title;
   out["summary"] = summary_data(summary_of(rows, cards), options);
@@ -196,8 +211,10 @@ std::string script_text(const json& data) {
   std::string safe;
   safe.reserve(text.size() + text.size() / 64);
   for (const char c : text) {
-    if (c == '<') safe += "\\u003c";
-    else safe += c;
+    if (c == '<')
+      safe += "\\u003c";
+    else
+      safe += c;
   }
   return safe;
 }
@@ -207,7 +224,8 @@ std::string link_to(const std::string& file, const std::filesystem::path& folder
   static constexpr std::string_view kPlain =
       "-._~/0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz";
   std::filesystem::path path(file);
-  if (path.is_absolute()) path = path.lexically_relative(std::filesystem::absolute(folder).lexically_normal());
+  if (path.is_absolute())
+    path = path.lexically_relative(std::filesystem::absolute(folder).lexically_normal());
   const std::string from = path.generic_string();
   std::string link = from.starts_with("../") ? "" : "./";
   for (const char c : from) {

@@ -16,17 +16,17 @@ namespace lentray::batch {
 
 /// How much of a row's text there is room for.
 struct TextLimits {
-  std::size_t messages = 0;   ///< lines
-  std::size_t line = 0;       ///< bytes of a line, a name or a reason
-  std::size_t words = 0;      ///< of the command, and of other lists
-  std::size_t files = 0;      ///< that the picture depends on
+  std::size_t messages = 0;  ///< lines
+  std::size_t line = 0;      ///< bytes of a line, a name or a reason
+  std::size_t words = 0;     ///< of the command, and of other lists
+  std::size_t files = 0;     ///< that the picture depends on
 };
 /// From all that is wanted to the least.
 const std::vector<TextLimits>& text_limits();
 
 /// `rows[i]` is the row with that index, of those that the cards name.
-nlohmann::json page_data(const std::vector<Row>& rows, const std::vector<Card>& cards, const PageOptions& options,
-                         const TextLimits& limits);
+nlohmann::json page_data(const std::vector<Row>& rows, const std::vector<Card>& cards,
+                         const PageOptions& options, const TextLimits& limits);
 
 /// Text for the inside of a script element: ASCII, without "<". What is no UTF-8 becomes U+FFFD.
 std::string script_text(const nlohmann::json& json);

@@ -20,7 +20,8 @@ using core::ThumbnailSize;
 constexpr std::uint32_t kBlock = 16;  ///< rows that a JPEG codes together
 
 /// At most what the picture has; `across`: columns it has, of the view if it is one.
-ThumbnailSize size_within(std::uint32_t width, std::uint32_t height, std::uint32_t across, std::uint32_t side) {
+ThumbnailSize size_within(std::uint32_t width, std::uint32_t height, std::uint32_t across,
+                          std::uint32_t side) {
   const double scale = std::min(1.0, static_cast<double>(side) / std::max({1u, width, height}));
   const auto scaled = [&](std::uint32_t length) {
     return std::max(1u, static_cast<std::uint32_t>(std::lround(length * scale)));
@@ -38,7 +39,8 @@ std::uint32_t columns_of_view(std::uint32_t width, double lens_pixels) {
 std::vector<double> views_from_left_eye(double lens_pixels, int count) {
   std::vector<double> views;
   const double last = lens_pixels - 1.0;
-  for (int i = count - 1; i >= 0; --i) views.push_back(count > 1 ? last * i / (count - 1) : last / 2);
+  for (int i = count - 1; i >= 0; --i)
+    views.push_back(count > 1 ? last * i / (count - 1) : last / 2);
   return views;
 }
 
@@ -55,7 +57,8 @@ std::size_t bytes_within(std::size_t bytes, std::size_t pixels) {
 /// The most that a row's small picture may take, by the size that the row tells.
 std::size_t picture_bytes(const Row& row, const PictureStep& step) {
   if (step.side == 0) return 0;
-  const std::uint32_t width = row.width > 0 ? row.width : step.side, height = row.height > 0 ? row.height : step.side;
+  const std::uint32_t width = row.width > 0 ? row.width : step.side,
+                      height = row.height > 0 ? row.height : step.side;
   const ThumbnailSize size = size_within(width, height, width, step.side);
   return bytes_within(step.bytes, std::size_t{size.width} * size.height);
 }
@@ -63,9 +66,12 @@ std::size_t picture_bytes(const Row& row, const PictureStep& step) {
 std::size_t tilt_bytes(const Row& row, const PictureStep& step) {
   const int views = tilt_views(row, step);
   if (views < 2) return 0;
-  const std::uint32_t width = row.width > 0 ? row.width : step.side, height = row.height > 0 ? row.height : step.side;
-  const ThumbnailSize size = size_within(width, height, columns_of_view(width, row.lens_pixels), step.tilt_side);
-  const std::size_t pixels = std::size_t{size.width} * (size.height + kBlock) * static_cast<std::size_t>(views);
+  const std::uint32_t width = row.width > 0 ? row.width : step.side,
+                      height = row.height > 0 ? row.height : step.side;
+  const ThumbnailSize size =
+      size_within(width, height, columns_of_view(width, row.lens_pixels), step.tilt_side);
+  const std::size_t pixels =
+      std::size_t{size.width} * (size.height + kBlock) * static_cast<std::size_t>(views);
   return bytes_within(step.tilt_bytes, pixels);
 }
 
@@ -96,7 +102,8 @@ std::size_t room_of(const Row& row, const Wanted& want, const PictureStep& step)
   const std::size_t one = in_page(picture_bytes(row, step));
   std::size_t room = want.picture ? one : 0;
   if (want.tilt) room += in_page(tilt_bytes(row, step));
-  if (want.comparison) room += (row.verdict->stock.empty() ? 0 : one) + (row.verdict->difference.empty() ? 0 : one);
+  if (want.comparison)
+    room += (row.verdict->stock.empty() ? 0 : one) + (row.verdict->difference.empty() ? 0 : one);
   return room;
 }
 
@@ -120,20 +127,27 @@ class PictureFile {
     });
   }
   std::string middle(double lens_pixels, std::uint32_t side, std::size_t most) {
-    return kept("middle " + std::to_string(lens_pixels) + ' ' + std::to_string(side), most,
-                [=](const StoredImage& image) { return views(image, lens_pixels, 1, side, false); });
+    return kept(
+        "middle " + std::to_string(lens_pixels) + ' ' + std::to_string(side), most,
+        [=](const StoredImage& image) { return views(image, lens_pixels, 1, side, false); });
   }
   /// Frames begin where JPEG's blocks do, so that they do not run into each other.
   std::string tilt(double lens_pixels, int count, std::uint32_t side, std::size_t most) {
-    return kept("tilt " + std::to_string(lens_pixels) + ' ' + std::to_string(count) + ' ' + std::to_string(side), most,
-                [=](const StoredImage& image) { return views(image, lens_pixels, count, side, true); });
+    return kept("tilt " + std::to_string(lens_pixels) + ' ' + std::to_string(count) + ' ' +
+                    std::to_string(side),
+                most, [=](const StoredImage& image) {
+                  return views(image, lens_pixels, count, side, true);
+                });
   }
 
  private:
-  static Thumbnail views(const StoredImage& image, double lens_pixels, int count, std::uint32_t side, bool in_blocks) {
-    ThumbnailSize size = size_within(image.width, image.height, columns_of_view(image.width, lens_pixels), side);
+  static Thumbnail views(const StoredImage& image, double lens_pixels, int count,
+                         std::uint32_t side, bool in_blocks) {
+    ThumbnailSize size =
+        size_within(image.width, image.height, columns_of_view(image.width, lens_pixels), side);
     if (in_blocks) size.height = std::max(kBlock, size.height / kBlock * kBlock);
-    return core::stacked(core::view_thumbnails(image, lens_pixels, views_from_left_eye(lens_pixels, count), size));
+    return core::stacked(
+        core::view_thumbnails(image, lens_pixels, views_from_left_eye(lens_pixels, count), size));
   }
 
   template <typename Make>
@@ -154,18 +168,20 @@ class PictureFile {
 };
 
 /// `is_whole`: a difference, which is shown interlaced.
-std::string compared(ThumbnailStore& store, const fs::path& path, const Row& row, const PictureStep& step,
-                     bool is_whole) {
+std::string compared(ThumbnailStore& store, const fs::path& path, const Row& row,
+                     const PictureStep& step, bool is_whole) {
   PictureFile file(store, path);
   const std::size_t most = picture_bytes(row, step);
-  return is_whole || !is_integral(row) ? file.whole(step.side, most) : file.middle(row.lens_pixels, step.side, most);
+  return is_whole || !is_integral(row) ? file.whole(step.side, most)
+                                       : file.middle(row.lens_pixels, step.side, most);
 }
 
-void put_own(RowPictures& out, ThumbnailStore& store, const fs::path& path, const Row& row, const Wanted& want,
-             const PictureStep& step) {
+void put_own(RowPictures& out, ThumbnailStore& store, const fs::path& path, const Row& row,
+             const Wanted& want, const PictureStep& step) {
   PictureFile file(store, path);
   const std::size_t most = picture_bytes(row, step);
-  out.picture = is_integral(row) ? file.middle(row.lens_pixels, step.side, most) : file.whole(step.side, most);
+  out.picture = is_integral(row) ? file.middle(row.lens_pixels, step.side, most)
+                                 : file.whole(step.side, most);
   const int views = want.tilt ? tilt_views(row, step) : 0;
   if (views < 2) return;
   out.tilt = file.tilt(row.lens_pixels, views, step.tilt_side, tilt_bytes(row, step));
@@ -182,10 +198,11 @@ std::string problem_with(const Make& make) {
   return {};
 }
 
-RowPictures pictures_of_row(const Row& row, const Wanted& want, ThumbnailStore& store, const fs::path& folder,
-                            const PictureStep& step) {
+RowPictures pictures_of_row(const Row& row, const Wanted& want, ThumbnailStore& store,
+                            const fs::path& folder, const PictureStep& step) {
   RowPictures out;
-  if (want.picture) out.problem = problem_with([&] { put_own(out, store, folder / row.picture, row, want, step); });
+  if (want.picture)
+    out.problem = problem_with([&] { put_own(out, store, folder / row.picture, row, want, step); });
   if (!want.comparison) return out;
   const Verdict& verdict = *row.verdict;
   // Without the small pictures there are the links.
@@ -193,7 +210,8 @@ RowPictures pictures_of_row(const Row& row, const Wanted& want, ThumbnailStore& 
     problem_with([&] { out.stock = compared(store, folder / verdict.stock, row, step, false); });
   }
   if (!verdict.difference.empty()) {
-    problem_with([&] { out.difference = compared(store, folder / verdict.difference, row, step, true); });
+    problem_with(
+        [&] { out.difference = compared(store, folder / verdict.difference, row, step, true); });
   }
   return out;
 }
@@ -201,12 +219,20 @@ RowPictures pictures_of_row(const Row& row, const Wanted& want, ThumbnailStore& 
 }  // namespace
 
 const std::vector<PictureStep>& picture_steps() {
-  static const std::vector<PictureStep> all{
-      {400, 24000, 15, 320, 110000}, {340, 17000, 15, 280, 76000}, {280, 12000, 15, 240, 54000},
-      {240, 8600, 15, 200, 37000},   {200, 6200, 13, 176, 26000},  {176, 4900, 11, 160, 19000},
-      {160, 4000, 11, 144, 15000},   {144, 3300, 9, 128, 11000},   {128, 2700, 9, 112, 8000},
-      {112, 2100, 7, 96, 5500},      {96, 1600, 5, 80, 3200},      {80, 1200, 3, 64, 1600},
-      {64, 850, 0, 0, 0},            {0, 0, 0, 0, 0}};
+  static const std::vector<PictureStep> all{{400, 24000, 15, 320, 110000},
+                                            {340, 17000, 15, 280, 76000},
+                                            {280, 12000, 15, 240, 54000},
+                                            {240, 8600, 15, 200, 37000},
+                                            {200, 6200, 13, 176, 26000},
+                                            {176, 4900, 11, 160, 19000},
+                                            {160, 4000, 11, 144, 15000},
+                                            {144, 3300, 9, 128, 11000},
+                                            {128, 2700, 9, 112, 8000},
+                                            {112, 2100, 7, 96, 5500},
+                                            {96, 1600, 5, 80, 3200},
+                                            {80, 1200, 3, 64, 1600},
+                                            {64, 850, 0, 0, 0},
+                                            {0, 0, 0, 0, 0}};
   return all;
 }
 
@@ -223,8 +249,8 @@ std::vector<std::size_t> shown_frames(const std::vector<Row>& rows, const Card& 
   return chosen;
 }
 
-std::size_t step_that_fits(const std::vector<Row>& rows, const std::vector<Card>& cards, std::size_t expected_rows,
-                           std::size_t room) {
+std::size_t step_that_fits(const std::vector<Row>& rows, const std::vector<Card>& cards,
+                           std::size_t expected_rows, std::size_t room) {
   const std::vector<Wanted> wants = wanted(rows, cards);
   const double count = std::max(1.0, static_cast<double>(rows.size()));
   const double times = std::max(1.0, static_cast<double>(expected_rows) / count);
@@ -243,7 +269,8 @@ std::vector<RowPictures> pictures_of(const std::vector<Row>& rows, const std::ve
   if (step.side == 0) return all;
   ThumbnailStore store(folder / ".lentray-batch" / "thumbnails");
   const std::vector<Wanted> wants = wanted(rows, cards);
-  for (std::size_t i = 0; i < rows.size(); ++i) all[i] = pictures_of_row(rows[i], wants[i], store, folder, step);
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    all[i] = pictures_of_row(rows[i], wants[i], store, folder, step);
   store.delete_others();
   return all;
 }

@@ -16,18 +16,18 @@ namespace lentray::batch {
 
 /// Of one row.
 struct RowPictures {
-  std::string picture;             ///< of an integral image the middle view
-  std::string tilt;                ///< views, one below the other, from the left eye's to the right eye's
+  std::string picture;  ///< of an integral image the middle view
+  std::string tilt;     ///< views, one below the other, from the left eye's to the right eye's
   int tilt_views = 0;
-  std::string stock, difference;   ///< of the comparison
-  std::string problem;             ///< why there is no picture
+  std::string stock, difference;  ///< of the comparison
+  std::string problem;            ///< why there is no picture
 };
 
 /// Limits of one kind of page. None of its pictures is larger than that.
 struct PictureStep {
-  std::uint32_t side = 0;          ///< longer side of a picture, in pixels; 0: there are none
-  std::size_t bytes = 0;           ///< of its JPEG
-  int views = 0;                   ///< of an integral image, for looking at it tilted; odd
+  std::uint32_t side = 0;  ///< longer side of a picture, in pixels; 0: there are none
+  std::size_t bytes = 0;   ///< of its JPEG
+  int views = 0;           ///< of an integral image, for looking at it tilted; odd
   std::uint32_t tilt_side = 0;
   std::size_t tilt_bytes = 0;
 };
@@ -39,8 +39,8 @@ std::vector<std::size_t> shown_frames(const std::vector<Row>& rows, const Card& 
 
 /// The index of the largest step whose pictures take no more than `room` in the page, in base64.
 /// `expected_rows`: as if there were so many.
-std::size_t step_that_fits(const std::vector<Row>& rows, const std::vector<Card>& cards, std::size_t expected_rows,
-                           std::size_t room);
+std::size_t step_that_fits(const std::vector<Row>& rows, const std::vector<Card>& cards,
+                           std::size_t expected_rows, std::size_t room);
 
 /// A row's pictures each, empty where it has none.
 std::vector<RowPictures> pictures_of(const std::vector<Row>& rows, const std::vector<Card>& cards,

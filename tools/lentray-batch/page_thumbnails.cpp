@@ -20,15 +20,16 @@ std::uint64_t sum_of(std::string_view text, std::uint64_t sum) {
 
 }  // namespace
 
-std::optional<std::string> ThumbnailStore::name_of(const fs::path& picture, const std::string& recipe) {
+std::optional<std::string> ThumbnailStore::name_of(const fs::path& picture,
+                                                   const std::string& recipe) {
   std::error_code error;
   if (!fs::is_regular_file(picture, error)) return std::nullopt;
   const std::uintmax_t size = fs::file_size(picture, error);
   if (error) return std::nullopt;
   const auto modified = fs::last_write_time(picture, error).time_since_epoch().count();
   if (error) return std::nullopt;
-  const std::string text =
-      picture.string() + '\n' + std::to_string(size) + '\n' + std::to_string(modified) + '\n' + recipe;
+  const std::string text = picture.string() + '\n' + std::to_string(size) + '\n' +
+                           std::to_string(modified) + '\n' + recipe;
   char name[40];
   std::snprintf(name, sizeof name, "%016llx%016llx.jpg",
                 static_cast<unsigned long long>(sum_of(text, 0xcbf29ce484222325u)),
@@ -65,7 +66,8 @@ void ThumbnailStore::delete_others() const {
 }
 
 std::string base64(const std::string& bytes) {
-  static constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  static constexpr std::string_view kDigits =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string text;
   text.reserve((bytes.size() + 2) / 3 * 4);
   for (std::size_t i = 0; i < bytes.size(); i += 3) {

@@ -16,7 +16,8 @@ class ThumbnailStore {
   explicit ThumbnailStore(std::filesystem::path folder) : m_folder(std::move(folder)) {}
 
   /// The name of what `recipe` makes of the picture; nothing where there is no such file.
-  static std::optional<std::string> name_of(const std::filesystem::path& picture, const std::string& recipe);
+  static std::optional<std::string> name_of(const std::filesystem::path& picture,
+                                            const std::string& recipe);
 
   std::optional<std::string> find(const std::string& name);
   void keep(const std::string& name, const std::string& jpeg);

@@ -13,8 +13,11 @@ namespace lentray::batch {
 using Clock = std::chrono::steady_clock;
 
 BatchProgress::BatchProgress(std::size_t total, std::size_t kept, bool quiet)
-    : m_total(total), m_kept(kept), m_quiet(quiet), m_terminal(isatty(STDERR_FILENO) != 0), m_start(Clock::now()) {
-  if (!m_quiet && kept > 0) say(std::to_string(kept) + " of " + std::to_string(total) + " pictures are there and up to date");
+    : m_total(total), m_kept(kept), m_quiet(quiet), m_terminal(isatty(STDERR_FILENO) != 0),
+      m_start(Clock::now()) {
+  if (!m_quiet && kept > 0)
+    say(std::to_string(kept) + " of " + std::to_string(total) +
+        " pictures are there and up to date");
 }
 
 BatchProgress::~BatchProgress() { clear(); }
@@ -34,13 +37,18 @@ void BatchProgress::finished(const Row& row) {
   if (m_quiet) return;
   const bool is_short = row.state == State::failed || !m_terminal;
   if (is_short) {
-    std::string line = "[" + std::to_string(m_kept + m_done) + "/" + std::to_string(m_total) + "] " + row.name + ": ";
+    std::string line = "[" + std::to_string(m_kept + m_done) + "/" + std::to_string(m_total) +
+                       "] " + row.name + ": ";
     if (row.state == State::failed) {
       line += "failed: " + row.reason;
     } else {
       line += tool::duration_text(row.wall);
-      if (row.warnings > 0) line += ", " + std::to_string(row.warnings) + (row.warnings == 1 ? " warning" : " warnings");
-      if (row.verdict) line += ", " + (row.verdict->grade.empty() ? "not compared: " + row.verdict->note : row.verdict->grade);
+      if (row.warnings > 0)
+        line +=
+            ", " + std::to_string(row.warnings) + (row.warnings == 1 ? " warning" : " warnings");
+      if (row.verdict)
+        line += ", " + (row.verdict->grade.empty() ? "not compared: " + row.verdict->note
+                                                   : row.verdict->grade);
     }
     say(line);
   }
@@ -49,7 +57,9 @@ void BatchProgress::finished(const Row& row) {
 
 double BatchProgress::seconds_left() const {
   const double taken = std::chrono::duration<double>(Clock::now() - m_start).count();
-  return m_done == 0 ? -1.0 : taken / static_cast<double>(m_done) * static_cast<double>(m_total - m_kept - m_done);
+  return m_done == 0
+             ? -1.0
+             : taken / static_cast<double>(m_done) * static_cast<double>(m_total - m_kept - m_done);
 }
 
 void BatchProgress::running(std::size_t count) {
@@ -66,8 +76,9 @@ void BatchProgress::draw(std::size_t running) {
   const std::size_t there = m_kept + m_done;
   const int full = m_total == 0 ? kWidth : static_cast<int>(kWidth * there / m_total);
   const double left = seconds_left();
-  std::fprintf(stderr, "\r[%.*s%*s] %zu of %zu done, %zu running, %zu failed%s%s \033[K", full, "##############################",
-               kWidth - full, "", there - m_failed, m_total, running, m_failed, left < 0.0 ? "" : ", ",
+  std::fprintf(stderr, "\r[%.*s%*s] %zu of %zu done, %zu running, %zu failed%s%s \033[K", full,
+               "##############################", kWidth - full, "", there - m_failed, m_total,
+               running, m_failed, left < 0.0 ? "" : ", ",
                left < 0.0 ? "" : (tool::duration_text(left) + " left").c_str());
   std::fflush(stderr);
 }

@@ -133,7 +133,8 @@ Row row_of(const json& from) try {
   take(from, "key", r.key);
   if (const auto files = from.find("files"); files != from.end()) {
     for (const auto& [path, stamp] : files->items()) {
-      r.files[path] = {stamp.at(0).get<std::uint64_t>(), stamp.at(1).get<std::int64_t>(), stamp.at(2).get<std::uint64_t>()};
+      r.files[path] = {stamp.at(0).get<std::uint64_t>(), stamp.at(1).get<std::int64_t>(),
+                       stamp.at(2).get<std::uint64_t>()};
     }
   }
   take(from, "missing", r.missing);

@@ -27,45 +27,50 @@ struct FileStamp {
 
 /// Stock's picture beside ours.
 struct Verdict {
-  std::string grade;                   ///< exact, match, close, differs; fails: only stock has a picture; empty: stock has none
-  std::string note;                    ///< why there is no grade, or what to expect of it
-  std::optional<double> psnr;          ///< dB; none: the pictures are equal, or were not compared
-  double beyond_1 = 0.0, beyond_2 = 0.0;  ///< shares of the pixels that differ by more than 1/255, 2/255
-  double largest = 0.0;                ///< difference, in 1/255
+  std::string
+      grade;  ///< exact, match, close, differs; fails: only stock has a picture; empty: stock has none
+  std::string note;            ///< why there is no grade, or what to expect of it
+  std::optional<double> psnr;  ///< dB; none: the pictures are equal, or were not compared
+  double beyond_1 = 0.0,
+         beyond_2 = 0.0;  ///< shares of the pixels that differ by more than 1/255, 2/255
+  double largest = 0.0;   ///< difference, in 1/255
   double stock_cpu = 0.0, stock_wall = 0.0;
-  std::string stock, difference;       ///< pictures; the difference is scaled as tools/lentray-diff/report.h says
+  std::string stock,
+      difference;  ///< pictures; the difference is scaled as tools/lentray-diff/report.h says
   /// Of an integral image: how many lenses and views have each grade.
   std::map<std::string, int> lens_grades, view_grades;
 };
 
 struct Row {
-  std::string name;                    ///< unique in the batch: the scene's path below its folder, without ".pov"; "#12": frame; "~2": band
-  std::string source;                  ///< the scene
-  std::optional<int> frame;            ///< of an animation
-  std::string band;                    ///< "2/16": rows of the picture alone, the third of 16 parts
+  std::string
+      name;  ///< unique in the batch: the scene's path below its folder, without ".pov"; "#12": frame; "~2": band
+  std::string source;        ///< the scene
+  std::optional<int> frame;  ///< of an animation
+  std::string band;          ///< "2/16": rows of the picture alone, the third of 16 parts
   State state = State::failed;
-  std::string reason;                  ///< one line
-  std::vector<std::string> command;    ///< as it was run, in the scene's folder
-  int status = 0;                      ///< exit status; 128 + n: ended by signal n
-  std::vector<std::string> messages;   ///< lines that the program wrote, progress apart
+  std::string reason;                 ///< one line
+  std::vector<std::string> command;   ///< as it was run, in the scene's folder
+  int status = 0;                     ///< exit status; 128 + n: ended by signal n
+  std::vector<std::string> messages;  ///< lines that the program wrote, progress apart
   int warnings = 0;
   std::string picture;
   std::uint32_t width = 0, height = 0;
-  std::uint64_t bytes = 0;             ///< of the picture's file
-  std::vector<std::string> views;      ///< files of --views, as their pixels lie behind a lens: the first is the right eye's
-  double lens_pixels = 0.0;            ///< pixels a lens of an integral image; 0: no integral image
-  std::vector<std::string> left_out;   ///< what the scene has and the picture lacks
+  std::uint64_t bytes = 0;  ///< of the picture's file
+  std::vector<std::string>
+      views;  ///< files of --views, as their pixels lie behind a lens: the first is the right eye's
+  double lens_pixels = 0.0;           ///< pixels a lens of an integral image; 0: no integral image
+  std::vector<std::string> left_out;  ///< what the scene has and the picture lacks
   double wall = 0.0, cpu = 0.0, reading = 0.0, building = 0.0, rendering = 0.0, writing = 0.0;
-  std::uint64_t memory = 0;            ///< most that was held
-  int attempts = 1;                    ///< runs of the program that it took
-  std::string limits;                  ///< of time and memory, that a picture failed within
-  std::string finished;                ///< UTC, ISO 8601
-  std::optional<Verdict> verdict;      ///< of --compare
+  std::uint64_t memory = 0;        ///< most that was held
+  int attempts = 1;                ///< runs of the program that it took
+  std::string limits;              ///< of time and memory, that a picture failed within
+  std::string finished;            ///< UTC, ISO 8601
+  std::optional<Verdict> verdict;  ///< of --compare
 
   // What it depends on.
-  std::string key;                     ///< of program and options
+  std::string key;                         ///< of program and options
   std::map<std::string, FileStamp> files;  ///< that were read, the scene too, by absolute path
-  std::vector<std::string> missing;    ///< absolute paths that were looked for in vain
+  std::vector<std::string> missing;        ///< absolute paths that were looked for in vain
 };
 
 nlohmann::json to_json(const Row& row);

@@ -17,8 +17,14 @@ constexpr auto kReplace = json::error_handler_t::replace;
 
 json to_json(const Work& work) {
   const Item& i = work.item;
-  json out{{"name", i.name}, {"band", i.band}, {"bands", i.bands}, {"first_row", i.first_row}, {"last_row", i.last_row},
-           {"seconds", i.seconds}, {"source", work.scene.source.string()}, {"scene", work.scene.name},
+  json out{{"name", i.name},
+           {"band", i.band},
+           {"bands", i.bands},
+           {"first_row", i.first_row},
+           {"last_row", i.last_row},
+           {"seconds", i.seconds},
+           {"source", work.scene.source.string()},
+           {"scene", work.scene.name},
            {"ini", work.scene.ini.string()}};
   if (work.frame) out["frame"] = *work.frame;
   return out;
@@ -41,11 +47,16 @@ Work work_of(const json& from) {
 
 }  // namespace
 
-std::string name_of(const Item& item) { return item.bands > 1 ? item.name + "~" + std::to_string(item.band) : item.name; }
+std::string name_of(const Item& item) {
+  return item.bands > 1 ? item.name + "~" + std::to_string(item.band) : item.name;
+}
 
-void RunFolder::write(const std::vector<std::string>& words, const std::vector<std::vector<Work>>& tasks) const {
+void RunFolder::write(const std::vector<std::string>& words,
+                      const std::vector<std::vector<Work>>& tasks) const {
   for (const char* folder : {"results", "scratch", "logs"}) fs::create_directories(m_path / folder);
-  tool::write_whole(m_path / "command.json", json{{"words", words}, {"folder", fs::current_path().string()}}.dump(1, ' ', false, kReplace));
+  tool::write_whole(m_path / "command.json",
+                    json{{"words", words}, {"folder", fs::current_path().string()}}.dump(
+                        1, ' ', false, kReplace));
   std::string lines;
   for (const std::vector<Work>& task : tasks) {
     json list = json::array();
@@ -65,7 +76,8 @@ std::vector<Work> RunFolder::task(std::size_t number) const {
   std::ifstream file(m_path / "tasks.jsonl", std::ios::binary);
   std::string line;
   for (std::size_t i = 0; i <= number; ++i) {
-    if (!std::getline(file, line)) throw std::runtime_error("'" + m_path.string() + "' has no task " + std::to_string(number));
+    if (!std::getline(file, line))
+      throw std::runtime_error("'" + m_path.string() + "' has no task " + std::to_string(number));
   }
   std::vector<Work> out;
   for (const json& work : json::parse(line)) out.push_back(work_of(work));
@@ -82,7 +94,8 @@ std::size_t RunFolder::tasks() const {
 std::map<std::string, Row> RunFolder::results() const {
   std::map<std::string, Row> out;
   std::error_code error;
-  for (fs::directory_iterator at(m_path / "results", error), end; !error && at != end; at.increment(error)) {
+  for (fs::directory_iterator at(m_path / "results", error), end; !error && at != end;
+       at.increment(error)) {
     std::ifstream file(at->path(), std::ios::binary);
     for (std::string line; std::getline(file, line);) {
       const json parsed = json::parse(line, nullptr, false);

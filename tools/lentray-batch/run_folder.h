@@ -28,7 +28,8 @@ class RunFolder {
   const std::filesystem::path& path() const { return m_path; }
 
   /// `words`: the command line; a worker reads it in the same current folder.
-  void write(const std::vector<std::string>& words, const std::vector<std::vector<Work>>& tasks) const;
+  void write(const std::vector<std::string>& words,
+             const std::vector<std::vector<Work>>& tasks) const;
   std::vector<std::string> words(std::filesystem::path& folder) const;
   std::vector<Work> task(std::size_t number) const;
   std::size_t tasks() const;
@@ -36,8 +37,12 @@ class RunFolder {
   /// All rows that workers wrote, by name; the last one of a name holds.
   std::map<std::string, Row> results() const;
   /// The file that a worker adds its rows to, and the folder where it makes its files.
-  std::filesystem::path result_file(const std::string& worker) const { return m_path / "results" / (worker + ".jsonl"); }
-  std::filesystem::path scratch(const std::string& worker) const { return m_path / "scratch" / worker; }
+  std::filesystem::path result_file(const std::string& worker) const {
+    return m_path / "results" / (worker + ".jsonl");
+  }
+  std::filesystem::path scratch(const std::string& worker) const {
+    return m_path / "scratch" / worker;
+  }
 
  private:
   const std::filesystem::path m_path;

@@ -1,7 +1,7 @@
 #include "tools/lentray-batch/scan.h"
 
-#include <algorithm>
 #include <unistd.h>
+#include <algorithm>
 
 #include <cctype>
 #include <fstream>
@@ -52,7 +52,9 @@ class Words {
   }
 
  private:
-  static bool is_letter(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+  static bool is_letter(char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+  }
   bool starts(std::string_view what) const { return m_text.substr(m_at).starts_with(what); }
 
   /// At its last character if there was one.
@@ -81,7 +83,9 @@ class Words {
   }
   std::string_view word() {
     const std::size_t begin = m_at++;
-    while (m_text[begin] == '#' && m_at < m_text.size() && (m_text[m_at] == ' ' || m_text[m_at] == '\t')) ++m_at;
+    while (m_text[begin] == '#' && m_at < m_text.size() &&
+           (m_text[m_at] == ' ' || m_text[m_at] == '\t'))
+      ++m_at;
     while (m_at < m_text.size() && is_letter(m_text[m_at])) ++m_at;
     return m_text.substr(begin, m_at - begin);
   }
@@ -92,14 +96,16 @@ class Words {
 
 class Scanner {
  public:
-  Scanner(const fs::path& out, const std::map<std::string, std::string>& known) : m_out(out), m_known(known) {}
+  Scanner(const fs::path& out, const std::map<std::string, std::string>& known)
+      : m_out(out), m_known(known) {}
 
   void add(const fs::path& input) {
     std::error_code error;
     const fs::path place = fs::absolute(input).lexically_normal();
     if (fs::is_directory(place, error)) {
       if (is_within(place, m_out)) {
-        throw parser::OptionError("--out '" + m_out.string() + "' holds the scenes of '" + input.string() +
+        throw parser::OptionError("--out '" + m_out.string() + "' holds the scenes of '" +
+                                  input.string() +
                                   "': pictures would lie among theirs; name another folder");
       }
       add_folder(place.has_filename() ? place : place.parent_path());
@@ -122,24 +128,30 @@ class Scanner {
     std::map<fs::path, fs::path> included;  // by whom
     std::error_code error;
     fs::recursive_directory_iterator at(root, error), end;
-    if (error) throw parser::OptionError("cannot read the folder '" + root.string() + "': " + error.message());
+    if (error)
+      throw parser::OptionError("cannot read the folder '" + root.string() +
+                                "': " + error.message());
     for (; at != end; at.increment(error)) {
       if (error) {
-        m_scan.warnings.push_back("some of '" + root.string() + "' cannot be read: " + error.message());
+        m_scan.warnings.push_back("some of '" + root.string() +
+                                  "' cannot be read: " + error.message());
         break;
       }
       const fs::path& path = at->path();
       std::error_code ignored;
       if (at->is_directory(ignored)) {
-        if (path == m_out || path.filename().string().starts_with(".")) at.disable_recursion_pending();
+        if (path == m_out || path.filename().string().starts_with("."))
+          at.disable_recursion_pending();
         if (::access(path.c_str(), R_OK | X_OK) != 0) {
           m_scan.warnings.push_back("the folder '" + path.string() + "' cannot be read");
           at.disable_recursion_pending();
         }
-      } else if (at->is_regular_file(ignored) && (has_extension(path, ".pov") || has_extension(path, ".inc"))) {
+      } else if (at->is_regular_file(ignored) &&
+                 (has_extension(path, ".pov") || has_extension(path, ".inc"))) {
         if (has_extension(path, ".pov")) scenes.push_back(path);
         for (const std::string& name : look_at(beginning(path)).includes) {
-          if (has_extension(name, ".pov")) included.emplace((path.parent_path() / name).lexically_normal(), path);
+          if (has_extension(name, ".pov"))
+            included.emplace((path.parent_path() / name).lexically_normal(), path);
         }
       }
     }
@@ -180,7 +192,8 @@ class Scanner {
         if (taken.insert(scene.name = other).second) number = 0;
         if (number == 0) break;
       }
-      while (number > 0 && !taken.insert(scene.name = plain + "-" + std::to_string(++number)).second) {
+      while (number > 0 &&
+             !taken.insert(scene.name = plain + "-" + std::to_string(++number)).second) {
       }
     }
   }
@@ -206,7 +219,8 @@ SceneText look_at(std::string_view text) {
   return out;
 }
 
-Scan find_scenes(const std::vector<fs::path>& inputs, const fs::path& out, const std::map<std::string, std::string>& known) {
+Scan find_scenes(const std::vector<fs::path>& inputs, const fs::path& out,
+                 const std::map<std::string, std::string>& known) {
   Scanner scanner(out, known);
   for (const fs::path& input : inputs) scanner.add(input);
   return scanner.take();

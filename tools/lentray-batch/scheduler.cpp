@@ -18,10 +18,13 @@ constexpr double kStockTime = 5.0;    ///< how many times a scene's limit stock 
 
 }  // namespace
 
-Scheduler::Scheduler(const Plan& plan, std::function<void(const Row&)> keep, BatchProgress& progress)
+Scheduler::Scheduler(const Plan& plan, std::function<void(const Row&)> keep,
+                     BatchProgress& progress)
     : m_plan(plan), m_keep(std::move(keep)), m_progress(progress), m_told(Clock::now()) {}
 
-int Scheduler::slots() const { return m_plan.arguments.jobs > 0 ? m_plan.arguments.jobs : m_plan.processors; }
+int Scheduler::slots() const {
+  return m_plan.arguments.jobs > 0 ? m_plan.arguments.jobs : m_plan.processors;
+}
 
 void Scheduler::add(std::unique_ptr<Job> job) {
   next(*job);
@@ -95,7 +98,8 @@ void Scheduler::watch_time(Running& run) {
   const bool renders = run.kind == Kind::small || run.kind == Kind::large;
   const double taken = run.child->seconds() + (renders ? run.job->seconds() : 0.0);
   if (limit > 0.0 && taken > (renders ? limit : kStockTime * limit)) {
-    run.over = "longer than " + tool::duration_text(renders ? limit : kStockTime * limit) + " (--time-limit)";
+    run.over = "longer than " + tool::duration_text(renders ? limit : kStockTime * limit) +
+               " (--time-limit)";
     run.is_asked = true;
     run.asked_at = run.child->seconds();
     run.child->ask_to_stop();
@@ -137,7 +141,9 @@ void Scheduler::ended(Running& run, const Ended& how) {
   Job& job = *run.job;
   switch (run.kind) {
     case Kind::views: job.views_split(how); break;
-    case Kind::comparison: job.compared(run.over.empty() ? how : Ended{137, how.wall, how.cpu, how.memory}); break;
+    case Kind::comparison:
+      job.compared(run.over.empty() ? how : Ended{137, how.wall, how.cpu, how.memory});
+      break;
     case Kind::small:
     case Kind::large: {
       const bool is_set_back = run.is_set_back && how.status != 0 && run.over.empty();

@@ -26,10 +26,12 @@ std::string said_by(const std::vector<std::string>& command) {
   try {
     result = tool::run_program(command, {}, kPatience);
   } catch (const std::runtime_error&) {
-    throw std::runtime_error("--slurm: there is no '" + command[0] + "': Debian's package slurm-client has it");
+    throw std::runtime_error("--slurm: there is no '" + command[0] +
+                             "': Debian's package slurm-client has it");
   }
   if (result.status != 0 || result.timed_out) {
-    throw std::runtime_error("--slurm: " + command[0] + ": " + (result.timed_out ? "no answer" : one_line(result.output)));
+    throw std::runtime_error("--slurm: " + command[0] + ": " +
+                             (result.timed_out ? "no answer" : one_line(result.output)));
   }
   return result.output;
 }
@@ -48,9 +50,15 @@ Slurm::Slurm(std::string options) : m_options(std::move(options)) {
   m_processors = std::max(1, all);
 }
 
-std::string Slurm::submit(const std::filesystem::path& script, const std::string& tasks, const std::filesystem::path& logs) const {
-  std::vector<std::string> command{"sbatch", "--parsable", "--array=" + tasks, "--requeue", "--open-mode=append",
-                                   "--job-name=lentray-batch", "--output=" + (logs / "task-%a.log").string()};
+std::string Slurm::submit(const std::filesystem::path& script, const std::string& tasks,
+                          const std::filesystem::path& logs) const {
+  std::vector<std::string> command{"sbatch",
+                                   "--parsable",
+                                   "--array=" + tasks,
+                                   "--requeue",
+                                   "--open-mode=append",
+                                   "--job-name=lentray-batch",
+                                   "--output=" + (logs / "task-%a.log").string()};
   for (const std::string& word : words_of(m_options)) command.push_back(word);
   command.push_back(script.string());
   const std::string said = said_by(command);
@@ -58,7 +66,8 @@ std::string Slurm::submit(const std::filesystem::path& script, const std::string
 }
 
 int Slurm::active(const std::string& job) const {
-  const tool::RunResult result = tool::run_program({"squeue", "-h", "-r", "-j", job, "-o", "%T"}, {}, kPatience);
+  const tool::RunResult result =
+      tool::run_program({"squeue", "-h", "-r", "-j", job, "-o", "%T"}, {}, kPatience);
   if (result.output.find("Invalid job id") != std::string::npos) return 0;
   if (result.status != 0 || result.timed_out) return std::numeric_limits<int>::max();
   return static_cast<int>(std::ranges::count(result.output, '\n'));

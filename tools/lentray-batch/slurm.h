@@ -15,7 +15,8 @@ class Slurm {
   /// Processors that the user's options may get, at least 1.
   int processors() const { return m_processors; }
   /// Submits a job array: script and the numbers of its tasks ("0-9", "3,5"). Its job's number.
-  std::string submit(const std::filesystem::path& script, const std::string& tasks, const std::filesystem::path& logs) const;
+  std::string submit(const std::filesystem::path& script, const std::string& tasks,
+                     const std::filesystem::path& logs) const;
   /// How many of a job's tasks wait or run. Slurm that does not answer for a while counts as many.
   int active(const std::string& job) const;
 

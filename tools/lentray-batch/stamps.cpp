@@ -8,7 +8,9 @@
 namespace lentray::batch {
 namespace {
 
-std::int64_t nanoseconds(const timespec& t) { return std::int64_t{t.tv_sec} * 1'000'000'000 + t.tv_nsec; }
+std::int64_t nanoseconds(const timespec& t) {
+  return std::int64_t{t.tv_sec} * 1'000'000'000 + t.tv_nsec;
+}
 
 /// Without checksum.
 std::optional<FileStamp> outside_of(const std::filesystem::path& path) {

@@ -18,7 +18,8 @@ namespace {
 constexpr off_t kReserve = 4 << 20;  ///< bytes: some thousand rows
 
 [[noreturn]] void fail(const fs::path& place, int error) {
-  throw std::runtime_error("cannot write into the folder '" + place.string() + "': " + std::strerror(error));
+  throw std::runtime_error("cannot write into the folder '" + place.string() +
+                           "': " + std::strerror(error));
 }
 
 }  // namespace
@@ -47,7 +48,8 @@ StateFolder::~StateFolder() {
   ::close(m_lock);
 }
 
-fs::path StateFolder::file(const std::string& name, const std::string& key, const std::string& kind) const {
+fs::path StateFolder::file(const std::string& name, const std::string& key,
+                           const std::string& kind) const {
   const fs::path place = m_path / "runs" / (name + "." + key + "." + kind);
   std::error_code error;
   fs::create_directories(place.parent_path(), error);
@@ -59,7 +61,8 @@ void StateFolder::forget_others(const std::string& name, const std::string& key)
   const fs::path place = m_path / "runs" / name;
   const std::string begin = place.filename().string() + ".", ours = begin + key + ".";
   std::error_code error;
-  for (fs::directory_iterator at(place.parent_path(), error), end; !error && at != end; at.increment(error)) {
+  for (fs::directory_iterator at(place.parent_path(), error), end; !error && at != end;
+       at.increment(error)) {
     const std::string file = at->path().filename().string();
     // "<name>.<16 digits>.<kind>"
     const std::size_t dot = file.find('.', begin.size());

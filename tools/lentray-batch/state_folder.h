@@ -19,7 +19,8 @@ class StateFolder {
 
   const std::filesystem::path& path() const { return m_path; }
   /// A file of the run of a picture under that key, such as "log"; its folder is made.
-  std::filesystem::path file(const std::string& name, const std::string& key, const std::string& kind) const;
+  std::filesystem::path file(const std::string& name, const std::string& key,
+                             const std::string& kind) const;
   /// Of all keys of that picture but this one.
   void forget_others(const std::string& name, const std::string& key) const;
   /// Gives the reserve back to a disk that is full, so that rows and page can still be written. False: it is gone already.

@@ -41,13 +41,15 @@ std::string line(const Row& row) {
 
 std::string counts(const std::vector<std::pair<std::string, int>>& rows, const std::string& head) {
   std::string out = "\n| " + head + " | scenes |\n|---|---:|\n";
-  for (const auto& [what, count] : rows) out += "| " + what + " | " + std::to_string(count) + " |\n";
+  for (const auto& [what, count] : rows)
+    out += "| " + what + " | " + std::to_string(count) + " |\n";
   return out;
 }
 
 }  // namespace
 
-std::string table(const std::vector<Row>& rows, const std::string& command, const std::string& stock) {
+std::string table(const std::vector<Row>& rows, const std::string& command,
+                  const std::string& stock) {
   std::map<std::string, int> grades, lacking;
   std::vector<std::string> without;
   int compared = 0, size_known = 0;
@@ -60,22 +62,31 @@ std::string table(const std::vector<Row>& rows, const std::string& command, cons
     ++compared;
     ++grades[row.verdict->grade];
     for (const std::string& feature : row.left_out) ++lacking[feature];
-    if (row.width > 0 && size_known++ == 0) size = std::to_string(row.width) + " x " + std::to_string(row.height);
+    if (row.width > 0 && size_known++ == 0)
+      size = std::to_string(row.width) + " x " + std::to_string(row.height);
     lines += line(row);
   }
-  std::string out = "# Existing scenes\n\nWritten by `" + command + "`; do not edit.\n\nScenes of that folder, " + size +
-                    ", rendered by stock POV-Ray " + stock + " and by lentray in the same run.\nGrades: "
-                    "[compare.md](compare.md); *differs* is short of close, *fails* means no picture.\nOf " +
-                    std::to_string(rows.size()) + " scenes " + std::to_string(compared) +
-                    " are compared; the others (named at the end) are parts of a scene, or stock has no\npicture of them.\n";
+  std::string out =
+      "# Existing scenes\n\nWritten by `" + command + "`; do not edit.\n\nScenes of that folder, " +
+      size + ", rendered by stock POV-Ray " + stock +
+      " and by lentray in the same run.\nGrades: "
+      "[compare.md](compare.md); *differs* is short of close, *fails* means no picture.\nOf " +
+      std::to_string(rows.size()) + " scenes " + std::to_string(compared) +
+      " are compared; the others (named at the end) are parts of a scene, or stock has no\npicture "
+      "of them.\n";
   std::vector<std::pair<std::string, int>> list;
   for (const std::string_view grade : kGrades) list.emplace_back(grade, grades[std::string(grade)]);
   out += counts(list, "grade");
   list.assign(lacking.begin(), lacking.end());
   std::ranges::stable_sort(list, std::greater(), &std::pair<std::string, int>::second);
-  if (!list.empty()) out += "\nWhat lentray does not render yet, and says so, by the number of scenes that use it:\n" + counts(list, "");
-  out += "\nBeyond: share of the pixels that differ by more than 1/255.\n\n"
-         "| scene | grade | PSNR dB | beyond | not rendered yet |\n|---|---|---:|---:|---|\n" + lines;
+  if (!list.empty())
+    out +=
+        "\nWhat lentray does not render yet, and says so, by the number of scenes that use it:\n" +
+        counts(list, "");
+  out +=
+      "\nBeyond: share of the pixels that differ by more than 1/255.\n\n"
+      "| scene | grade | PSNR dB | beyond | not rendered yet |\n|---|---|---:|---:|---|\n" +
+      lines;
   if (!without.empty()) out += "\nNot compared: " + joined(without) + ".\n";
   return out;
 }

@@ -9,6 +9,7 @@
 namespace lentray::batch {
 
 /// `command`: how the page is made. `stock`: its version. Rows without a verdict are named at the end.
-std::string table(const std::vector<Row>& rows, const std::string& command, const std::string& stock);
+std::string table(const std::vector<Row>& rows, const std::string& command,
+                  const std::string& stock);
 
 }  // namespace lentray::batch

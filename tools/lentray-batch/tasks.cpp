@@ -7,13 +7,15 @@
 namespace lentray::batch {
 namespace {
 
-constexpr double kLongest = 180.0, kShortest = 5.0;  ///< seconds of a task: a scheduler takes about one to start it
+constexpr double kLongest = 180.0,
+                 kShortest = 5.0;  ///< seconds of a task: a scheduler takes about one to start it
 constexpr double kTasksAProcessor = 6.0;
 constexpr std::int64_t kFewestRows = 16;
 
 double seconds_of(const Estimate& e) { return e.fixed + e.rendering; }
 double seconds_of(const Task& task) {
-  return std::accumulate(task.begin(), task.end(), 0.0, [](double sum, const Item& item) { return sum + item.seconds; });
+  return std::accumulate(task.begin(), task.end(), 0.0,
+                         [](double sum, const Item& item) { return sum + item.seconds; });
 }
 
 /// Rows before band k.
@@ -63,7 +65,8 @@ std::vector<Task> pack(const std::vector<Estimate>& pictures, double seconds) {
     filled[at] += item.seconds;
     while (open < tasks.size() && filled[open] >= 0.999 * seconds) ++open;
   }
-  std::ranges::stable_sort(tasks, std::greater(), [](const Task& task) { return seconds_of(task); });
+  std::ranges::stable_sort(tasks, std::greater(),
+                           [](const Task& task) { return seconds_of(task); });
   return tasks;
 }
 

@@ -10,11 +10,11 @@ namespace lentray::batch {
 
 /// What is known of a picture before it is rendered.
 struct Estimate {
-  std::string name;            ///< of its job
-  double fixed = 0.0;          ///< seconds of a processor that every part of it takes: reading, building
-  double rendering = 0.0;      ///< seconds of a processor for all rows
-  std::int64_t rows = 0;       ///< of the picture; 0: it cannot be cut into bands
-  std::int64_t grain = 1;      ///< bands begin at multiples of so many rows, which are traced together
+  std::string name;    ///< of its job
+  double fixed = 0.0;  ///< seconds of a processor that every part of it takes: reading, building
+  double rendering = 0.0;  ///< seconds of a processor for all rows
+  std::int64_t rows = 0;   ///< of the picture; 0: it cannot be cut into bands
+  std::int64_t grain = 1;  ///< bands begin at multiples of so many rows, which are traced together
 };
 
 /// A picture, or rows of it.

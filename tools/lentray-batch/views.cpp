@@ -11,9 +11,12 @@ namespace lentray::batch {
 
 namespace fs = std::filesystem;
 
-std::uint32_t view_count(double lens_pixels) { return static_cast<std::uint32_t>(std::max(1.0, std::floor(lens_pixels))); }
+std::uint32_t view_count(double lens_pixels) {
+  return static_cast<std::uint32_t>(std::max(1.0, std::floor(lens_pixels)));
+}
 
-core::StoredImage view_of(const core::StoredImage& integral, double lens_pixels, std::uint32_t view) {
+core::StoredImage view_of(const core::StoredImage& integral, double lens_pixels,
+                          std::uint32_t view) {
   const std::vector<std::uint32_t> columns = core::view_columns(integral.width, lens_pixels, view);
   core::StoredImage out;
   out.width = static_cast<std::uint32_t>(columns.size());
@@ -21,10 +24,12 @@ core::StoredImage view_of(const core::StoredImage& integral, double lens_pixels,
   out.channels = integral.channels;
   out.bits = integral.bits;
   out.gamma = integral.gamma;
-  out.samples.assign(std::size_t{out.width} * out.height * static_cast<std::size_t>(out.channels), 0.0f);
+  out.samples.assign(std::size_t{out.width} * out.height * static_cast<std::size_t>(out.channels),
+                     0.0f);
   for (std::uint32_t lens = 0; lens < out.width; ++lens) {
     for (std::uint32_t row = 0; row < out.height; ++row) {
-      for (int c = 0; c < out.channels; ++c) out.at(lens, row, c) = integral.at(columns[lens], row, c);
+      for (int c = 0; c < out.channels; ++c)
+        out.at(lens, row, c) = integral.at(columns[lens], row, c);
     }
   }
   return out;
@@ -41,7 +46,8 @@ std::vector<std::string> view_names(const std::string& picture, double lens_pixe
   return names;
 }
 
-int write_views(const fs::path& picture, double lens_pixels, const fs::path& folder, const std::vector<std::string>& names) try {
+int write_views(const fs::path& picture, double lens_pixels, const fs::path& folder,
+                const std::vector<std::string>& names) try {
   const core::StoredImage integral = core::read_image(picture);
   for (std::size_t j = 0; j < names.size(); ++j) {
     const fs::path place = folder / names[j];

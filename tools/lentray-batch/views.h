@@ -16,12 +16,13 @@ namespace lentray::batch {
 /// Whole pixels a lens.
 std::uint32_t view_count(double lens_pixels);
 /// L x H pixels, L the whole lenses.
-core::StoredImage view_of(const core::StoredImage& integral, double lens_pixels, std::uint32_t view);
+core::StoredImage view_of(const core::StoredImage& integral, double lens_pixels,
+                          std::uint32_t view);
 
 /// "a/b-views/view00.png" for the picture "a/b.png", ...
 std::vector<std::string> view_names(const std::string& picture, double lens_pixels);
 /// Writes them below `folder`. Says what went wrong on standard error, and returns an exit status.
-int write_views(const std::filesystem::path& picture, double lens_pixels, const std::filesystem::path& folder,
-                const std::vector<std::string>& names);
+int write_views(const std::filesystem::path& picture, double lens_pixels,
+                const std::filesystem::path& folder, const std::vector<std::string>& names);
 
 }  // namespace lentray::batch

@@ -27,7 +27,8 @@ std::string worker_name(int task) {
   char host[256] = "";
   ::gethostname(host, sizeof host - 1);
   const char* node = std::getenv("SLURMD_NODENAME");
-  return std::string(node != nullptr ? node : host) + "-" + std::to_string(::getpid()) + "-" + std::to_string(task);
+  return std::string(node != nullptr ? node : host) + "-" + std::to_string(::getpid()) + "-" +
+         std::to_string(task);
 }
 
 double number_of(const char* variable, double otherwise) {
@@ -41,15 +42,21 @@ void share_of_node(Plan& plan) {
   plan.processors = static_cast<int>(number_of("SLURM_CPUS_PER_TASK", 1.0));
   constexpr double kMegabyte = 1024.0 * 1024.0;
   const double machine = tool::machine_memory();
-  plan.memory = std::min(machine, number_of("SLURM_MEM_PER_NODE", number_of("SLURM_MEM_PER_CPU", machine / kMegabyte / plan.processors) *
-                                                                      plan.processors) * kMegabyte);
+  plan.memory = std::min(
+      machine, number_of("SLURM_MEM_PER_NODE",
+                         number_of("SLURM_MEM_PER_CPU", machine / kMegabyte / plan.processors) *
+                             plan.processors) *
+                   kMegabyte);
 }
 
 void append(const fs::path& file, const Row& row) {
-  const std::string line = to_json(row).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+  const std::string line =
+      to_json(row).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
   const int out = ::open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
-  const bool is_written = out >= 0 && ::write(out, line.data(), line.size()) == static_cast<ssize_t>(line.size());
-  if (!is_written || ::close(out) != 0) throw std::runtime_error("cannot write '" + file.string() + "': " + std::strerror(errno));
+  const bool is_written =
+      out >= 0 && ::write(out, line.data(), line.size()) == static_cast<ssize_t>(line.size());
+  if (!is_written || ::close(out) != 0)
+    throw std::runtime_error("cannot write '" + file.string() + "': " + std::strerror(errno));
 }
 
 std::unique_ptr<Job> job_of(const Plan& plan, const Work& work) {
@@ -86,7 +93,8 @@ int do_task(const Arguments& arguments) {
   const std::map<std::string, Row> known = folder.results();
   const fs::path results = folder.result_file(worker);
   BatchProgress progress(0, 0, true);
-  Scheduler scheduler(plan, [&](const Row& row) { append(results, row); }, progress);
+  Scheduler scheduler(
+      plan, [&](const Row& row) { append(results, row); }, progress);
   for (const Work& work : folder.task(static_cast<std::size_t>(arguments.task))) {
     if (!known.contains(name_of(work.item))) scheduler.add(job_of(plan, work));
   }

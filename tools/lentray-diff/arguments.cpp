@@ -51,11 +51,26 @@ class Parsing {
 
  private:
   void own(const std::string& word, const std::vector<std::string>& words, std::size_t& i) {
-    if (word == "--help") { m_out.help = true; return; }
-    if (word == "--version") { m_out.version = true; return; }
-    if (word == "--no-pictures") { m_out.write_pictures = false; return; }
-    if (word == "--stock-alone") { m_out.stock_alone = true; return; }
-    if (word == "--all-lenses") { m_out.all_lenses = true; return; }
+    if (word == "--help") {
+      m_out.help = true;
+      return;
+    }
+    if (word == "--version") {
+      m_out.version = true;
+      return;
+    }
+    if (word == "--no-pictures") {
+      m_out.write_pictures = false;
+      return;
+    }
+    if (word == "--stock-alone") {
+      m_out.stock_alone = true;
+      return;
+    }
+    if (word == "--all-lenses") {
+      m_out.all_lenses = true;
+      return;
+    }
     const std::size_t equals = word.find('=');
     const std::string name = word.substr(0, equals);
     const std::map<std::string, std::function<void(const std::string&)>> table{
@@ -65,15 +80,17 @@ class Parsing {
         {"--keep", [&](const std::string& v) { m_out.stock.keep = v; }},
         {"--lentray", [&](const std::string& v) { m_out.lentray = v; }},
         {"--povray", [&](const std::string& v) { m_out.stock.povray = v; }},
-        {"--threads", [&](const std::string& v) {
-           m_out.stock.processes = static_cast<int>(positive_number(name, v)); }},
+        {"--threads",
+         [&](const std::string& v) {
+           m_out.stock.processes = static_cast<int>(positive_number(name, v));
+         }},
         {"--ours", [&](const std::string& v) { m_out.ours = v; }},
         {"--statistics", [&](const std::string& v) { m_out.statistics = v; }},
         {"--write-wrappers", [&](const std::string& v) { m_out.wrappers = v; }},
         {"--samples", [&](const std::string& v) { samples(v); }},
         {"--bits", [&](const std::string& v) { bits(v); }},
-        {"--time-limit", [&](const std::string& v) {
-           m_out.stock.seconds = positive_number(name, v); }}};
+        {"--time-limit",
+         [&](const std::string& v) { m_out.stock.seconds = positive_number(name, v); }}};
     const auto found = table.find(name);
     if (found == table.end()) {
       std::string known;
@@ -123,7 +140,8 @@ class Parsing {
   /// Input and output are ours to say.
   static bool is_place(const std::string& word) {
     const std::string name = lower(word.substr(0, word.find('=')));
-    if (word[0] == '+' || word[0] == '-') return name.size() > 1 && (name[1] == 'i' || name[1] == 'o');
+    if (word[0] == '+' || word[0] == '-')
+      return name.size() > 1 && (name[1] == 'i' || name[1] == 'o');
     return name == "input_file_name" || name == "output_file_name" || name == "output_to_file";
   }
 
@@ -137,14 +155,27 @@ class Parsing {
     const bool clock = letter == 'k' && !value.empty() &&
                        (std::isdigit(static_cast<unsigned char>(value[0])) || value[0] == '.' ||
                         value[0] == '-' || value[0] == '+');
-    const bool frames = two == "kf" || two == "ki" || two == "kc" || two == "sf" || two == "ef" || lower(word.substr(1)).starts_with("stp");
-    if (letter == 'q' || two == "mv" || two == "ua" || clock || frames) m_out.stock.arguments.push_back(word);
+    const bool frames = two == "kf" || two == "ki" || two == "kc" || two == "sf" || two == "ef" ||
+                        lower(word.substr(1)).starts_with("stp");
+    if (letter == 'q' || two == "mv" || two == "ua" || clock || frames)
+      m_out.stock.arguments.push_back(word);
   }
 
   void on_option(const std::string& name, const std::string& value, const fs::path& folder) {
-    static constexpr std::array seen_in_stock{
-        "declare", "quality", "version", "clock", "file_gamma", "output_alpha", "initial_clock", "final_clock",
-        "initial_frame", "final_frame", "subset_start_frame", "subset_end_frame", "frame_step", "cyclic_animation"};
+    static constexpr std::array seen_in_stock{"declare",
+                                              "quality",
+                                              "version",
+                                              "clock",
+                                              "file_gamma",
+                                              "output_alpha",
+                                              "initial_clock",
+                                              "final_clock",
+                                              "initial_frame",
+                                              "final_frame",
+                                              "subset_start_frame",
+                                              "subset_end_frame",
+                                              "frame_step",
+                                              "cyclic_animation"};
     const std::string key = lower(name);
     if (key == "input_file_name") m_out.scene = value;
     if (key == "output_file_name") set_prefix(value);
@@ -152,7 +183,8 @@ class Parsing {
       m_out.stock.library_paths.push_back((folder / value).lexically_normal());
     }
     if (key == "lens_pixels") m_out.lens_pixels = positive_number(name, value);
-    if (key == "view") m_out.view = static_cast<std::uint32_t>(std::strtoul(value.c_str(), nullptr, 10));
+    if (key == "view")
+      m_out.view = static_cast<std::uint32_t>(std::strtoul(value.c_str(), nullptr, 10));
     if (std::find(seen_in_stock.begin(), seen_in_stock.end(), key) != seen_in_stock.end()) {
       m_out.stock.arguments.push_back(name + "=" + value);
     }
@@ -164,8 +196,8 @@ class Parsing {
       m_out.for_lentray.push_back(word);
       return on_ini(word, 0);
     }
-    static constexpr std::array picture_extensions{".png", ".tif", ".tiff", ".exr",
-                                                   ".ppm", ".pgm", ".bmp", ".tga", ".jpg", ".hdr"};
+    static constexpr std::array picture_extensions{".png", ".tif", ".tiff", ".exr", ".ppm",
+                                                   ".pgm", ".bmp", ".tga",  ".jpg", ".hdr"};
     if (std::find(picture_extensions.begin(), picture_extensions.end(), extension) !=
         picture_extensions.end()) {
       m_out.pictures.emplace_back(word);
@@ -201,11 +233,13 @@ class Parsing {
       if (!m_out.scene.empty() || m_out.pictures.size() != 2) {
         throw OptionError("give a scene, or two pictures");
       }
-      if (m_out.prefix.empty()) m_out.prefix = fs::path(m_out.pictures[0].stem().string() + "-diff");
+      if (m_out.prefix.empty())
+        m_out.prefix = fs::path(m_out.pictures[0].stem().string() + "-diff");
       return;
     }
     if (m_out.scene.empty()) throw OptionError("no scene given");
-    if (m_out.ours.empty() != m_out.statistics.empty()) throw OptionError("--ours and --statistics go together");
+    if (m_out.ours.empty() != m_out.statistics.empty())
+      throw OptionError("--ours and --statistics go together");
     if (!m_out.scene.has_extension()) m_out.scene += ".pov";
     if (!fs::is_regular_file(m_out.scene)) {
       throw OptionError("there is no scene '" + m_out.scene.string() + "'");

@@ -16,20 +16,21 @@ namespace lentray::diff {
 
 struct Arguments {
   bool help = false, version = false;
-  std::filesystem::path scene;                    ///< empty when two pictures are compared
-  std::vector<std::filesystem::path> pictures;    ///< none or two
-  std::optional<double> lens_pixels;              ///< Lens_Pixels=, for two pictures
-  std::optional<std::uint32_t> view;              ///< View=
+  std::filesystem::path scene;                  ///< empty when two pictures are compared
+  std::vector<std::filesystem::path> pictures;  ///< none or two
+  std::optional<double> lens_pixels;            ///< Lens_Pixels=, for two pictures
+  std::optional<std::uint32_t> view;            ///< View=
   core::Grade asked = core::Grade::match;
-  std::filesystem::path prefix;                   ///< of the pictures that are written
+  std::filesystem::path prefix;  ///< of the pictures that are written
   std::filesystem::path json;
-  std::filesystem::path wrappers;                 ///< only write wrapper scenes into that folder
+  std::filesystem::path wrappers;  ///< only write wrapper scenes into that folder
   bool write_pictures = true, all_lenses = false;
-  std::filesystem::path lentray;                  ///< the program; empty: beside lentray-diff
+  std::filesystem::path lentray;  ///< the program; empty: beside lentray-diff
   std::vector<std::string> for_lentray;
-  bool stock_alone = false;                       ///< stock's picture, with nothing to compare it with
-  std::filesystem::path ours, statistics;         ///< of lentray's run of the scene, which is then not repeated
-  StockOptions stock;                             ///< processes: also lentray's threads
+  bool stock_alone = false;  ///< stock's picture, with nothing to compare it with
+  std::filesystem::path ours,
+      statistics;      ///< of lentray's run of the scene, which is then not repeated
+  StockOptions stock;  ///< processes: also lentray's threads
 };
 
 Arguments parse_arguments(const std::vector<std::string>& words);

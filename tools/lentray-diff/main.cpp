@@ -102,12 +102,14 @@ std::string describe(const Sheet& s, Way way, const StockOptions& stock) {
 /// `sampled`: stock takes single samples where it cannot antialias.
 void say_what_to_expect(const StockOptions& stock, bool sampled) {
   if (is_random(stock.antialiasing)) {
-    std::cout << "jitter is on, and its random numbers differ from stock's: pixels cannot be expected "
-                 "to be equal (-J turns it off)\n";
+    std::cout
+        << "jitter is on, and its random numbers differ from stock's: pixels cannot be expected "
+           "to be equal (-J turns it off)\n";
   }
   if (sampled && stock.antialiasing.on) {
-    std::cout << "stock cannot antialias a mesh_camera, and takes other samples than lentray: no more "
-                 "than close can be expected\n";
+    std::cout
+        << "stock cannot antialias a mesh_camera, and takes other samples than lentray: no more "
+           "than close can be expected\n";
   }
 }
 
@@ -158,7 +160,8 @@ Pair render_both(const Arguments& given) {
 /// Pixels a lens, as lentray wrote it into the file; 0 if it did not, or the picture is one view.
 double lens_pixels_in(const StoredImage& image) {
   const auto found = image.attributes.find("lentray:lens.pixels");
-  if (found == image.attributes.end() || image.attributes.count("lentray:lens.view") != 0) return 0.0;
+  if (found == image.attributes.end() || image.attributes.count("lentray:lens.view") != 0)
+    return 0.0;
   const double pixels = std::strtod(found->second.c_str(), nullptr);
   return pixels >= 1.0 ? pixels : 0.0;
 }
@@ -228,7 +231,8 @@ int render_stock_alone(const Arguments& a) {
   core::write_stored(picture, place);
   std::cout << place.string() << std::endl;
   if (a.json.empty()) return kReached;
-  const json all{{"scene", a.scene.string()}, {"stock_wall_s", taken.count()},
+  const json all{{"scene", a.scene.string()},
+                 {"stock_wall_s", taken.count()},
                  {"stock_cpu_s", tool::cpu_seconds_of_children()}};
   core::FileSwap swap(a.json);
   tool::write_text(swap.temporary(), all.dump(2) + "\n");

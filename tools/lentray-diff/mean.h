@@ -18,7 +18,7 @@ namespace lentray::diff {
 /// The spaces of a scene's colours: that in which they are computed, and the file's.
 struct ColourSpaces {
   enum class Working {
-    power,     ///< linear light to the power of 1/working_gamma
+    power,  ///< linear light to the power of 1/working_gamma
     srgb,
     unchanged  ///< colours go to the file as they are; stock takes them for sRGB
   };
@@ -30,7 +30,8 @@ struct ColourSpaces {
 };
 
 /// From lentray's statistics and options. Throws std::runtime_error if they do not tell.
-ColourSpaces colour_spaces_of(const nlohmann::json& statistics, const parser::RenderOptions& options);
+ColourSpaces colour_spaces_of(const nlohmann::json& statistics,
+                              const parser::RenderOptions& options);
 
 class Mean {
  public:

@@ -29,7 +29,8 @@ void in_parallel(std::uint32_t count, int processes, const Job& job) {
     }
   };
   std::vector<std::thread> threads;
-  const auto wanted = std::min<std::uint32_t>(count, static_cast<std::uint32_t>(std::max(1, processes)));
+  const auto wanted =
+      std::min<std::uint32_t>(count, static_cast<std::uint32_t>(std::max(1, processes)));
   for (std::uint32_t i = 0; i < wanted; ++i) threads.emplace_back(work);
   for (std::thread& t : threads) t.join();
   if (error) std::rethrow_exception(error);

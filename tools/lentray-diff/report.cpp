@@ -29,11 +29,11 @@ StoredImage canvas(std::uint32_t width, std::uint32_t height) {
 
 std::array<double, 3> heat_colour(double difference) {
   static constexpr std::array<std::array<double, 4>, 6> stops{{{0, 0, 0, 0},
-                                                              {1, 0, 0, 160},
-                                                              {2, 0, 200, 80},
-                                                              {4, 255, 255, 0},
-                                                              {12, 255, 0, 0},
-                                                              {32, 255, 255, 255}}};
+                                                               {1, 0, 0, 160},
+                                                               {2, 0, 200, 80},
+                                                               {4, 255, 255, 0},
+                                                               {12, 255, 0, 0},
+                                                               {32, 255, 255, 255}}};
   for (std::size_t i = 1; i < stops.size(); ++i) {
     if (difference > stops[i][0]) continue;
     const double f = (difference - stops[i - 1][0]) / (stops[i][0] - stops[i - 1][0]);
@@ -46,7 +46,8 @@ std::array<double, 3> heat_colour(double difference) {
   return {255, 255, 255};
 }
 
-void put(StoredImage& image, std::uint32_t x, std::uint32_t y, const std::array<double, 3>& colour) {
+void put(StoredImage& image, std::uint32_t x, std::uint32_t y,
+         const std::array<double, 3>& colour) {
   for (int c = 0; c < 3; ++c) {
     image.at(x, y, c) = static_cast<float>(std::clamp(std::round(colour[c]), 0.0, 255.0));
   }

@@ -54,8 +54,8 @@ std::vector<std::vector<PixelOffset>> sample_places(const Sheet& sheet, int n, i
   return lists;
 }
 
-StoredImage mean_of_views(Workshop& shop, const Sheet& sheet, Way way,
-                          const StockOptions& options, std::optional<std::uint32_t> only) {
+StoredImage mean_of_views(Workshop& shop, const Sheet& sheet, Way way, const StockOptions& options,
+                          std::optional<std::uint32_t> only) {
   const int angles = options.antialiasing.angles;
   const Sheet finer = sheet.finer(angles);
   const Included included = shop.included();
@@ -64,12 +64,12 @@ StoredImage mean_of_views(Workshop& shop, const Sheet& sheet, Way way,
   in_parallel(std::min(finer.views(), finer.columns), options.processes, [&](std::uint32_t j) {
     const std::uint32_t view = j / static_cast<std::uint32_t>(angles);
     if ((only && view != *only) || is_dark(finer, j, way)) return;
-    const StoredImage light = shop.render_text(
-        "view" + std::to_string(j), view_scene(finer, j, way, included),
-        {.width = finer.view_width(j),
-         .height = finer.rows,
-         .antialiased = options.antialiasing.on,
-         .as_light = true});
+    const StoredImage light =
+        shop.render_text("view" + std::to_string(j), view_scene(finer, j, way, included),
+                         {.width = finer.view_width(j),
+                          .height = finer.rows,
+                          .antialiased = options.antialiasing.on,
+                          .as_light = true});
     const std::lock_guard<std::mutex> lock(guard);
     for (std::uint32_t r = 0; r < light.height; ++r) {
       for (std::uint32_t i = 0; i < light.width; ++i) {
@@ -91,8 +91,8 @@ StoredImage mean_of_samples(Workshop& shop, const Sheet& sheet, const StockOptio
     const std::vector<PixelOffset>& offsets = lists[i];
     Shot shot = mesh_shot(sheet, offsets.size(), lag);
     shot.as_light = true;
-    const StoredImage light = shop.render_text("mesh" + std::to_string(i),
-                                               mesh_scene(sheet, included, offsets), shot);
+    const StoredImage light =
+        shop.render_text("mesh" + std::to_string(i), mesh_scene(sheet, included, offsets), shot);
     const std::lock_guard<std::mutex> lock(guard);
     std::uint32_t at = lag ? 1 : 0;
     for (const PixelOffset& offset : offsets) {

@@ -25,22 +25,22 @@ struct PixelOffset {
 };
 
 struct Sheet {
-  core::Vec3 centre;                                ///< C
+  core::Vec3 centre;                                           ///< C
   core::Vec3 right{1, 0, 0}, up{0, 1, 0}, direction{0, 0, 1};  ///< unit r, u, d
-  double width = 1.0, height = 1.0;                 ///< |right|, |up|, scene units
-  double eye_slope_x = 0.0, eye_slope_y = 0.0;      ///< -e_x/V, -e_y/V of the eye's foot
-  double front = 0.0;                               ///< lens_front, scene units
+  double width = 1.0, height = 1.0;                            ///< |right|, |up|, scene units
+  double eye_slope_x = 0.0, eye_slope_y = 0.0;                 ///< -e_x/V, -e_y/V of the eye's foot
+  double front = 0.0;                                          ///< lens_front, scene units
   double pitch = 1.124, focal_length = 3.03, ior = 1.6, pixels = 15.0;
-  double view_distance = 0.0;                       ///< V, mm; infinite: infinity
+  double view_distance = 0.0;  ///< V, mm; infinite: infinity
   bool paraxial = false;
-  std::uint32_t columns = 0, rows = 0;              ///< the integral image, W x H
+  std::uint32_t columns = 0, rows = 0;  ///< the integral image, W x H
 
   bool is_finite() const;
-  bool has_views() const;                           ///< N is whole
+  bool has_views() const;  ///< N is whole
   std::uint32_t views() const;
-  double lenses() const { return columns / pixels; }          ///< L, fractional if cut
-  double print_pitch() const;                                 ///< P'
-  double scale() const { return width / (lenses() * pitch); } ///< s, scene units per mm
+  double lenses() const { return columns / pixels; }           ///< L, fractional if cut
+  double print_pitch() const;                                  ///< P'
+  double scale() const { return width / (lenses() * pitch); }  ///< s, scene units per mm
   std::uint32_t lens_of(std::uint32_t column) const;
   double axis(double lens) const { return (lens + 0.5 - lenses() / 2.0) * pitch; }
   double row_height(std::uint32_t row) const { return (0.5 - (row + 0.5) / rows) * height; }

@@ -26,8 +26,8 @@ StoredImage black(std::uint32_t width, std::uint32_t height, int bits) {
 
 StoredImage mesh_integral(Workshop& shop, const Sheet& sheet, const StockOptions& options) {
   const bool lag = mesh_rows_lag(options);
-  const StoredImage rendered = shop.render_text("mesh", mesh_scene(sheet, shop.included()),
-                                                mesh_shot(sheet, 1, lag));
+  const StoredImage rendered =
+      shop.render_text("mesh", mesh_scene(sheet, shop.included()), mesh_shot(sheet, 1, lag));
   return mesh_picture(rendered, sheet, lag);
 }
 
@@ -77,7 +77,8 @@ StoredImage stock_integral(const fs::path& scene, const Sheet& sheet, Way way,
   if (way == Way::mesh_camera) {
     return is_mean ? mean_of_samples(shop, sheet, options) : mesh_integral(shop, sheet, options);
   }
-  return is_mean ? mean_of_views(shop, sheet, way, options) : plain_views(shop, sheet, way, options);
+  return is_mean ? mean_of_views(shop, sheet, way, options)
+                 : plain_views(shop, sheet, way, options);
 }
 
 StoredImage stock_view(const fs::path& scene, const Sheet& sheet, std::uint32_t view,
@@ -102,7 +103,8 @@ void write_wrappers(const fs::path& scene, const Sheet& sheet, const fs::path& f
   if (way == Way::mesh_camera) return;
   for (std::uint32_t j = 0; j < std::min(sheet.views(), sheet.columns); ++j) {
     if (is_dark(sheet, j, way)) continue;
-    tool::write_text(folder / ("view" + std::to_string(j) + ".pov"), view_scene(sheet, j, way, included));
+    tool::write_text(folder / ("view" + std::to_string(j) + ".pov"),
+                     view_scene(sheet, j, way, included));
   }
 }
 

@@ -18,15 +18,15 @@ namespace lentray::diff {
 
 struct StockOptions {
   std::string povray = "povray";
-  int processes = 1;                                ///< at the same time
-  int bits = 8;                                     ///< 8 or 16
+  int processes = 1;  ///< at the same time
+  int bits = 8;       ///< 8 or 16
   Antialiasing antialiasing;
-  int samples = 8;                                  ///< antialiased mesh_camera: samples each way
-  ColourSpaces colours;                             ///< for means
-  double seconds = 0.0;                             ///< time limit of a process, 0: none
-  std::vector<std::filesystem::path> library_paths; ///< besides the scene's folder, absolute
-  std::vector<std::string> arguments;               ///< passed on, such as Declare=Size=2
-  std::filesystem::path keep;                       ///< where wrappers and pictures stay; or empty
+  int samples = 8;                                   ///< antialiased mesh_camera: samples each way
+  ColourSpaces colours;                              ///< for means
+  double seconds = 0.0;                              ///< time limit of a process, 0: none
+  std::vector<std::filesystem::path> library_paths;  ///< besides the scene's folder, absolute
+  std::vector<std::string> arguments;                ///< passed on, such as Declare=Size=2
+  std::filesystem::path keep;                        ///< where wrappers and pictures stay; or empty
 };
 
 /// The user's scene as it lies, in its own camera.

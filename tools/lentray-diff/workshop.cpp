@@ -16,7 +16,9 @@ std::vector<fs::path> made(const fs::path& folder) {
   std::vector<fs::path> out;
   for (const auto& entry : fs::directory_iterator(folder)) {
     const std::string extension = entry.path().extension().string();
-    if (entry.path().filename().string().starts_with("stock") && (extension == ".png" || extension == ".exr")) out.push_back(entry.path());
+    if (entry.path().filename().string().starts_with("stock") &&
+        (extension == ".png" || extension == ".exr"))
+      out.push_back(entry.path());
   }
   return out;
 }
@@ -83,13 +85,15 @@ StoredImage Workshop::render(const fs::path& folder, const fs::path& scene,
   ini << "Input_File_Name=\"" << scene.string() << "\"\nOutput_File_Name=\"" << picture.string()
       << "\"\nLibrary_Path=\"" << m_root.string() << "\"\nLibrary_Path=\""
       << m_scene.parent_path().string() << "\"\n";
-  for (const fs::path& p : m_options.library_paths) ini << "Library_Path=\"" << p.string() << "\"\n";
+  for (const fs::path& p : m_options.library_paths)
+    ini << "Library_Path=\"" << p.string() << "\"\n";
   tool::write_text(folder / "stock.ini", ini.str());
   std::vector<std::string> command{m_options.povray, "stock.ini", "+W" + std::to_string(shot.width),
                                    "+H" + std::to_string(shot.height)};
   command.emplace_back(shot.as_light ? "+FE" : m_options.bits == 16 ? "+FN16" : "+FN8");
   command.insert(command.end(), m_options.arguments.begin(), m_options.arguments.end());
-  for (const std::string& word : words(shot.antialiased ? m_options.antialiasing : Antialiasing())) {
+  for (const std::string& word :
+       words(shot.antialiased ? m_options.antialiasing : Antialiasing())) {
     command.push_back(word);
   }
   if (shot.antialiased) {  // method 1 begins anew in each block

@@ -218,17 +218,17 @@ namespace {
 /// holds a column's rows, in numbers that floats hold exactly (halves, times a power of two), and
 /// each column is a transform of it, which also says how far a step of a row reaches.
 struct ColumnMesh {
-  double inverse = 0.0;       ///< 1/V, scene units
-  double row = 0.0;           ///< a row's height
-  double stretch = 1.0;       ///< scene units a unit of the mesh's y
-  double start_step = 0.0;    ///< y from one row's face to the next
-  double normal_step = 0.0;   ///< y of the normal (0, y, 1), likewise
+  double inverse = 0.0;      ///< 1/V, scene units
+  double row = 0.0;          ///< a row's height
+  double stretch = 1.0;      ///< scene units a unit of the mesh's y
+  double start_step = 0.0;   ///< y from one row's face to the next
+  double normal_step = 0.0;  ///< y of the normal (0, y, 1), likewise
 
   explicit ColumnMesh(const Sheet& s) : row(s.height / s.rows) {
     if (s.is_finite()) inverse = 1.0 / (s.view_distance * s.scale());
     const double sideways = row * (1.0 - s.front * inverse);  // between the starts of two rows
-    if (std::abs(sideways) < 1e-9 * row) {  // all rays start at the eye
-      normal_step = std::ldexp(1.0, -30);   // so small that making it unit changes no bit
+    if (std::abs(sideways) < 1e-9 * row) {                    // all rays start at the eye
+      normal_step = std::ldexp(1.0, -30);  // so small that making it unit changes no bit
       stretch = normal_step / (row * inverse);
     } else {
       start_step = 1.0;
@@ -277,10 +277,11 @@ std::string mesh_scene(const Sheet& s, const Included& scene,
                        const std::vector<PixelOffset>& offsets) {
   const ColumnMesh mesh(s);
   std::ostringstream out;
-  out << head(scene) << "#declare Lentray_Diff_Column = "
-      << column_mesh(s, mesh, offsets.at(0).down)
-      << array_of("Lentray_Diff_T", s, offsets,
-                  [&](std::uint32_t k, const PixelOffset& o) { return s.slope(k, o).value_or(0.0); })
+  out << head(scene)
+      << "#declare Lentray_Diff_Column = " << column_mesh(s, mesh, offsets.at(0).down)
+      << array_of(
+             "Lentray_Diff_T", s, offsets,
+             [&](std::uint32_t k, const PixelOffset& o) { return s.slope(k, o).value_or(0.0); })
       << array_of("Lentray_Diff_X", s, offsets, [&](std::uint32_t k, const PixelOffset& o) {
            return s.axis(s.lens_of(k) + o.across) * s.scale();
          });

@@ -32,8 +32,8 @@ std::filesystem::path place(const GivenOption& given) {
 
 using Apply = void (*)(Arguments&, const GivenOption&);
 
-constexpr std::string_view kNames[] = {"Orders",  "Caches", "Accelerators", "Sizes", "Repeats",
-                                       "CSV",     "HTML",   "Gains",        "Lentray"};
+constexpr std::string_view kNames[] = {"Orders", "Caches", "Accelerators", "Sizes",  "Repeats",
+                                       "CSV",    "HTML",   "Gains",        "Lentray"};
 constexpr Apply kApply[] = {
     [](Arguments& a, const GivenOption& g) { a.orders = names(g); },
     [](Arguments& a, const GivenOption& g) { a.caches = names(g); },

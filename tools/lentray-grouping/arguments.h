@@ -13,10 +13,10 @@ struct Arguments {
   std::vector<std::string> scenes;
   std::vector<std::string> orders, caches;  ///< all there are, unless said otherwise
   std::vector<std::string> accelerators{"bvh"};
-  std::vector<std::string> sizes{""};       ///< of the scenes, Declare=Size=; "": as they are
-  int repeats = 5;                          ///< 0: no times
+  std::vector<std::string> sizes{""};  ///< of the scenes, Declare=Size=; "": as they are
+  int repeats = 5;                     ///< 0: no times
   std::filesystem::path csv, html, gains;
-  std::filesystem::path lentray;            ///< the program; empty: beside this one
+  std::filesystem::path lentray;  ///< the program; empty: beside this one
   std::vector<std::string> for_lentray;
 };
 

@@ -6,11 +6,11 @@
 #include <iostream>
 
 #include "core/image/writer.h"
-#include "tools/lentray-grouping/report.h"
 #include "tools/common/gnuplot.h"
 #include "tools/common/process.h"
 #include "tools/common/standard_streams.h"
 #include "tools/common/version.h"
+#include "tools/lentray-grouping/report.h"
 
 namespace lentray::grouping {
 namespace {
@@ -30,8 +30,8 @@ int experiment(const Arguments& arguments, const std::string& command) {
   if (!arguments.csv.empty()) tool::write_whole(arguments.csv, csv_of(trials));
   if (!arguments.gains.empty()) tool::write_whole(arguments.gains, gains_csv_of(trials));
   if (!arguments.html.empty()) tool::write_whole(arguments.html, html_of(trials, command));
-  const bool same = std::all_of(trials.begin(), trials.end(),
-                                [](const Trial& t) { return t.same_picture; });
+  const bool same =
+      std::all_of(trials.begin(), trials.end(), [](const Trial& t) { return t.same_picture; });
   return same ? kDone : kDiffer;
 }
 
@@ -60,6 +60,7 @@ int run_main(const std::vector<std::string>& words) {
 
 int main(int count, char** words) {
   lentray::tool::hold_standard_streams();
-  const int status = lentray::grouping::run_main(std::vector<std::string>(words + 1, words + count));
+  const int status =
+      lentray::grouping::run_main(std::vector<std::string>(words + 1, words + count));
   return lentray::tool::finish_standard_output("lentray-grouping", status);
 }

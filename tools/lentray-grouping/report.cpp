@@ -101,10 +101,14 @@ std::string cost_chart(const Group& group, const std::string& title) {
 std::string escaped(const std::string& text) {
   std::string out;
   for (const char c : text) {
-    if (c == '&') out += "&amp;";
-    else if (c == '<') out += "&lt;";
-    else if (c == '>') out += "&gt;";
-    else out += c;
+    if (c == '&')
+      out += "&amp;";
+    else if (c == '<')
+      out += "&lt;";
+    else if (c == '>')
+      out += "&gt;";
+    else
+      out += c;
   }
   return out;
 }
@@ -130,9 +134,9 @@ constexpr Column kColumns[] = {
 
 std::string heading(const Group& group) {
   const Trial& t = group.front();
-  return short_name(t.scene) + (t.size.empty() ? "" : " of size " + t.size) + ", " + t.accelerator + ": " + std::to_string(t.rays) +
-         " shadow rays, " + std::to_string(t.blocked) + " blocked, at most " +
-         std::to_string(t.most_hits) + " hits";
+  return short_name(t.scene) + (t.size.empty() ? "" : " of size " + t.size) + ", " + t.accelerator +
+         ": " + std::to_string(t.rays) + " shadow rays, " + std::to_string(t.blocked) +
+         " blocked, at most " + std::to_string(t.most_hits) + " hits";
 }
 
 std::string gain_text(const Gain& g) {
@@ -235,7 +239,8 @@ std::vector<Gain> gains_of(const Group& group) {
 
 std::string csv_of(const std::vector<Trial>& trials) {
   std::string out =
-      "scene,size,order,cache,accelerator,cpu_s,cpu_least_s,cpu_most_s,shadow_rays,blocked,hits,pairs,"
+      "scene,size,order,cache,accelerator,cpu_s,cpu_least_s,cpu_most_s,shadow_rays,blocked,hits,"
+      "pairs,"
       "most_hits,hits_of_blocked,hits_of_most,tests,tests_a_ray,miss_cost,runs,mean_run,"
       "longest_run,same_picture\n";
   for (const Trial& t : trials) {
@@ -265,7 +270,8 @@ std::string gains_csv_of(const std::vector<Trial>& trials) {
       for (const std::string& text : {t.scene, t.size, t.accelerator, g.cache, g.against}) {
         out += csv_field(text) + ",";
       }
-      const std::string columns = format("%.6g", find(group, "columns", g.cache)->hits_of_blocked());
+      const std::string columns =
+          format("%.6g", find(group, "columns", g.cache)->hits_of_blocked());
       out += format("%.6g", g.miss_cost) + "," +
              format("%.6g", static_cast<double>(t.blocked) / static_cast<double>(t.rays)) + "," +
              columns + "," + format("%.6g", find(group, g.against, g.cache)->hits_of_blocked()) +
@@ -299,7 +305,8 @@ std::string html_of(const std::vector<Trial>& trials, const std::string& command
       "</title>\n<style>body{font-family:sans-serif;margin:2em}table{border-collapse:collapse}"
       "td,th{padding:2px 10px;text-align:right;border-bottom:1px solid #ddd}"
       "td:nth-child(-n+2){text-align:left}</style></head><body>\n"
-      "<h1>Pixel orders and shadow caches</h1>\n<p><code>" + escaped(command) + "</code></p>\n";
+      "<h1>Pixel orders and shadow caches</h1>\n<p><code>" +
+      escaped(command) + "</code></p>\n";
   for (const Group& group : groups_of(trials)) {
     out += "<h2>" + escaped(heading(group)) + "</h2>\n<table><tr>";
     for (const Column& c : kColumns) out += std::string("<th>") + c.name + "</th>";

@@ -33,10 +33,13 @@ std::vector<std::string> accelerator_options(const std::string& name) {
 /// Runs lentray and gives back its statistics.
 json render(const Arguments& arguments, const Trial& trial, const fs::path& folder,
             const std::vector<std::string>& more) {
-  std::vector<std::string> command{program(arguments).string(), "+I" + trial.scene,
+  std::vector<std::string> command{program(arguments).string(),
+                                   "+I" + trial.scene,
                                    "Statistics_File=" + (folder / "s.json").string(),
-                                   "Pixel_Order=" + trial.order, "Shadow_Cache=" + trial.cache,
-                                   "+WT1", "-V"};
+                                   "Pixel_Order=" + trial.order,
+                                   "Shadow_Cache=" + trial.cache,
+                                   "+WT1",
+                                   "-V"};
   const auto add = [&](const std::vector<std::string>& words) {
     command.insert(command.end(), words.begin(), words.end());
   };
@@ -52,8 +55,8 @@ json render(const Arguments& arguments, const Trial& trial, const fs::path& fold
 /// Counts, and the picture's bytes.
 std::string log_run(const Arguments& arguments, Trial& trial, const fs::path& folder) {
   const fs::path picture = folder / "a.png";
-  const json s = render(arguments, trial, folder,
-                        {"+O" + picture.string(), "+FN16", "Shadow_Log=On"});
+  const json s =
+      render(arguments, trial, folder, {"+O" + picture.string(), "+FN16", "Shadow_Log=On"});
   const json& shadow = s.at("shadow");
   trial.rays = shadow.at("rays");
   trial.blocked = shadow.at("blocked");
@@ -97,8 +100,12 @@ double Trial::median() const {
   const std::size_t n = sorted.size();
   return n % 2 == 1 ? sorted[n / 2] : 0.5 * (sorted[n / 2 - 1] + sorted[n / 2]);
 }
-double Trial::least() const { return cpu_s.empty() ? 0.0 : *std::min_element(cpu_s.begin(), cpu_s.end()); }
-double Trial::most() const { return cpu_s.empty() ? 0.0 : *std::max_element(cpu_s.begin(), cpu_s.end()); }
+double Trial::least() const {
+  return cpu_s.empty() ? 0.0 : *std::min_element(cpu_s.begin(), cpu_s.end());
+}
+double Trial::most() const {
+  return cpu_s.empty() ? 0.0 : *std::max_element(cpu_s.begin(), cpu_s.end());
+}
 double Trial::tests_a_ray() const { return part(tests, rays); }
 double Trial::hits_of_blocked() const { return part(hits, blocked); }
 double Trial::hits_of_most() const { return part(hits, most_hits); }

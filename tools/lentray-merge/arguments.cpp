@@ -41,11 +41,12 @@ void apply(Arguments& a, std::size_t index, const GivenOption& given) {
 
 /// What the options can only be judged on together.
 void check(const Arguments& a) {
-  if (a.parts.empty()) throw OptionError("no parts are given; lentray-merge --help tells of all options");
+  if (a.parts.empty())
+    throw OptionError("no parts are given; lentray-merge --help tells of all options");
   if (a.out.empty()) throw OptionError("--out PICTURE is missing");
   if (!a.rows.empty() && a.rows.size() != a.parts.size()) {
-    throw OptionError("--rows tells of " + std::to_string(a.rows.size()) + " parts, but there are " +
-                      std::to_string(a.parts.size()));
+    throw OptionError("--rows tells of " + std::to_string(a.rows.size()) +
+                      " parts, but there are " + std::to_string(a.parts.size()));
   }
 }
 

@@ -30,17 +30,18 @@ class Joiner {
   Joiner(const std::vector<Part>& parts, const fs::path& out) : m_out(out), m_parts(parts) {
     m_head = read_head(parts.at(0).path);
     m_spec = spec_of(m_head, parts[0].path);
-    m_row_bytes = std::size_t{m_spec.width} * static_cast<std::size_t>(m_spec.channels * m_spec.bits / 8);
+    m_row_bytes =
+        std::size_t{m_spec.width} * static_cast<std::size_t>(m_spec.channels * m_spec.bits / 8);
     for (Part& part : m_parts) {
       const PngHead head = read_head(part.path);
       if (const std::string how = difference(m_head, head); !how.empty()) {
-        throw ImageError(quoted(parts[0].path) + " and " + quoted(part.path) + " are not parts of one picture: " +
-                         "they differ in their " + how);
+        throw ImageError(quoted(parts[0].path) + " and " + quoted(part.path) +
+                         " are not parts of one picture: " + "they differ in their " + how);
       }
       if (!part.rows) part.rows = head.rows;
       if (part.rows && part.rows->last > m_spec.height) {
-        throw ImageError(quoted(part.path) + " has " + std::to_string(m_spec.height) + " rows, and cannot have " +
-                         text_of({*part.rows}));
+        throw ImageError(quoted(part.path) + " has " + std::to_string(m_spec.height) +
+                         " rows, and cannot have " + text_of({*part.rows}));
       }
       m_readers.push_back(std::make_unique<PngRows>(part.path, m_row_bytes));
     }
@@ -50,9 +51,11 @@ class Joiner {
   void write() {
     core::FileSwap swap(m_out);
     fill(swap.temporary());
-    if (!m_missing.empty()) fail_missing("black in every part, or missing: --rows tells the rows of each part");
+    if (!m_missing.empty())
+      fail_missing("black in every part, or missing: --rows tells the rows of each part");
     if (!difference(m_head, read_head(swap.temporary())).empty()) {
-      throw ImageError(quoted(m_parts[0].path) + " is no picture that lentray wrote: it says more of itself");
+      throw ImageError(quoted(m_parts[0].path) +
+                       " is no picture that lentray wrote: it says more of itself");
     }
     swap.commit();
   }
@@ -70,7 +73,8 @@ class Joiner {
   }
   [[noreturn]] void fail_missing(const std::string& why) const {
     const bool one = m_missing.size() == 1 && m_missing[0].first == m_missing[0].last;
-    throw ImageError("cannot make " + quoted(m_out) + ": " + text_of(m_missing) + (one ? " is " : " are ") + why);
+    throw ImageError("cannot make " + quoted(m_out) + ": " + text_of(m_missing) +
+                     (one ? " is " : " are ") + why);
   }
 
   void fill(const fs::path& place) {
@@ -141,8 +145,10 @@ class Joiner {
 
 void join(const std::vector<Part>& parts, const fs::path& out) {
   std::string extension = out.extension().string();
-  std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
-  if (extension != ".png" && out != "-") throw ImageError("cannot write " + quoted(out) + ": parts are joined as .png");
+  std::ranges::transform(extension, extension.begin(),
+                         [](unsigned char c) { return std::tolower(c); });
+  if (extension != ".png" && out != "-")
+    throw ImageError("cannot write " + quoted(out) + ": parts are joined as .png");
   Joiner(parts, out).write();
 }
 

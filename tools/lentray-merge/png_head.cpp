@@ -54,9 +54,11 @@ std::string size_of(std::string_view header) {
 }
 
 std::string samples_of(std::string_view header) {
-  const char* const kinds[] = {"grey", "", "colour", "", "grey with alpha", "", "colour with alpha"};
+  const char* const kinds[] = {
+      "grey", "", "colour", "", "grey with alpha", "", "colour with alpha"};
   const auto kind = static_cast<std::size_t>(header[9]);
-  return std::to_string(int{header[8]}) + " bits of " + (kind < std::size(kinds) ? kinds[kind] : "palette");
+  return std::to_string(int{header[8]}) + " bits of " +
+         (kind < std::size(kinds) ? kinds[kind] : "palette");
 }
 
 /// The next chunk; its pixels' come without data.
@@ -88,7 +90,8 @@ PngHead read_head(const std::filesystem::path& path) {
     fail(path, "it is no PNG file, and only these are joined");
   }
   PngHead head;
-  for (PngHead::Chunk chunk = next_chunk(file, path); chunk.type != "IDAT"; chunk = next_chunk(file, path)) {
+  for (PngHead::Chunk chunk = next_chunk(file, path); chunk.type != "IDAT";
+       chunk = next_chunk(file, path)) {
     if (head.chunks.empty() && (chunk.type != "IHDR" || chunk.data.size() != kHeaderSize)) {
       fail(path, "it has no header");
     }
@@ -110,19 +113,23 @@ PngHead read_head(const std::filesystem::path& path) {
 core::PictureSpec spec_of(const PngHead& head, const std::filesystem::path& path) {
   constexpr double kWhole = 100000.0, kInch = 0.0254;
   const std::string& header = head.chunks[0].data;
-  core::PictureSpec spec{.width = big(header), .height = big(std::string_view(header).substr(4)), .bits = header[8]};
+  core::PictureSpec spec{
+      .width = big(header), .height = big(std::string_view(header).substr(4)), .bits = header[8]};
   constexpr int kChannels[] = {1, 0, 3, 0, 2, 0, 4};  // by PNG's kind of colour
   const auto kind = static_cast<std::size_t>(header[9]);
   spec.channels = kind < std::size(kChannels) ? kChannels[kind] : 0;
   if (spec.channels == 0 || (spec.bits != 8 && spec.bits != 16) || header[12] != 0) {
-    fail(path, "lentray writes no palettes, no " + std::to_string(spec.bits) + " bits and no interlaced rows");
+    fail(path, "lentray writes no palettes, no " + std::to_string(spec.bits) +
+                   " bits and no interlaced rows");
   }
-  if (const PngHead::Chunk* gamma = find(head, "gAMA"); gamma && gamma->data.size() == 4 && big(gamma->data) > 0) {
+  if (const PngHead::Chunk* gamma = find(head, "gAMA");
+      gamma && gamma->data.size() == 4 && big(gamma->data) > 0) {
     spec.tagged = true;
     spec.srgb = find(head, "sRGB") != nullptr;
     spec.file_gamma = kWhole / big(gamma->data);
   }
-  if (const PngHead::Chunk* bits = find(head, "sBIT"); bits && !bits->data.empty()) spec.levels = bits->data[0];
+  if (const PngHead::Chunk* bits = find(head, "sBIT"); bits && !bits->data.empty())
+    spec.levels = bits->data[0];
   if (const PngHead::Chunk* dots = find(head, "pHYs"); dots && dots->data.size() == kPhysicalSize) {
     spec.metadata.dpi_x = big(dots->data) * kInch;
     spec.metadata.dpi_y = big(std::string_view(dots->data).substr(4)) * kInch;
@@ -135,7 +142,8 @@ core::PictureSpec spec_of(const PngHead& head, const std::filesystem::path& path
 
 std::string difference(const PngHead& a, const PngHead& b) {
   const std::string &of_a = a.chunks[0].data, &of_b = b.chunks[0].data;
-  if (of_a.substr(0, 8) != of_b.substr(0, 8)) return "size: " + size_of(of_a) + " and " + size_of(of_b);
+  if (of_a.substr(0, 8) != of_b.substr(0, 8))
+    return "size: " + size_of(of_a) + " and " + size_of(of_b);
   if (of_a != of_b) return "samples: " + samples_of(of_a) + " and " + samples_of(of_b);
   for (std::size_t i = 0; i < std::max(a.chunks.size(), b.chunks.size()); ++i) {
     if (i >= a.chunks.size()) return name_of(b.chunks[i]);

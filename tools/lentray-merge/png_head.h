@@ -18,8 +18,8 @@ struct PngHead {
     std::string type, data;
     bool operator==(const Chunk&) const = default;
   };
-  std::vector<Chunk> chunks;   ///< in the file's order, without the text of `rows`
-  std::optional<Rows> rows;    ///< those that the file says it has, "lentray:rows"
+  std::vector<Chunk> chunks;  ///< in the file's order, without the text of `rows`
+  std::optional<Rows> rows;   ///< those that the file says it has, "lentray:rows"
 };
 
 PngHead read_head(const std::filesystem::path& path);

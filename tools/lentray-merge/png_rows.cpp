@@ -11,7 +11,8 @@
 
 namespace lentray::merge {
 
-PngRows::PngRows(std::filesystem::path path, std::size_t row_bytes) : m_path(std::move(path)), m_row(row_bytes) {}
+PngRows::PngRows(std::filesystem::path path, std::size_t row_bytes)
+    : m_path(std::move(path)), m_row(row_bytes) {}
 
 PngRows::~PngRows() { close(); }
 
@@ -31,8 +32,10 @@ void PngRows::open() {
   png_set_user_limits(m_png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);  // its own are a million
   png_init_io(m_png, m_file.get());
   png_read_info(m_png, m_info);
-  if (png_get_bit_depth(m_png, m_info) == 16 && std::endian::native == std::endian::little) png_set_swap(m_png);
-  if (png_get_rowbytes(m_png, m_info) != m_row.size()) throw std::runtime_error("it has changed meanwhile");
+  if (png_get_bit_depth(m_png, m_info) == 16 && std::endian::native == std::endian::little)
+    png_set_swap(m_png);
+  if (png_get_rowbytes(m_png, m_info) != m_row.size())
+    throw std::runtime_error("it has changed meanwhile");
 }
 
 void PngRows::read_to(std::uint32_t number) {

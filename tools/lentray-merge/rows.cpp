@@ -23,7 +23,8 @@ Rows rows_of(std::string_view text) {
   Rows rows;
   rows.first = number_of(text.substr(0, dash), text);
   rows.last = dash == std::string_view::npos ? rows.first : number_of(text.substr(dash + 1), text);
-  if (rows.last < rows.first) throw std::invalid_argument("'" + std::string(text) + "' end before they start");
+  if (rows.last < rows.first)
+    throw std::invalid_argument("'" + std::string(text) + "' end before they start");
   return rows;
 }
 

@@ -62,8 +62,8 @@ Range range_of(const GivenOption& given, bool may_be_zero) {
 std::vector<std::uint32_t> whole_numbers(const GivenOption& given) {
   std::vector<std::uint32_t> out;
   for (const std::string& part : split(given.value, ',')) {
-    out.push_back(static_cast<std::uint32_t>(
-        parser::whole_number(part_of(given, part), 1, kMostPixels)));
+    out.push_back(
+        static_cast<std::uint32_t>(parser::whole_number(part_of(given, part), 1, kMostPixels)));
   }
   return out;
 }
@@ -124,38 +124,57 @@ std::filesystem::path place(const GivenOption& g) {
 
 using Apply = void (*)(Arguments&, const GivenOption&);
 
-constexpr std::string_view kNames[] = {
-    "Lens_Pitch", "Lens_LPI", "Lens_Focal_Length", "Lens_IOR", "Lens_Pixels",
-    "Lens_Model", "Lenses", "Rows", "A", "D",
-    "Xstart", "Ystart", "Slice_A", "Slice_D", "Strip_Width",
-    "Strip_Height", "Alpha", "CSV", "Deviations", "Figures",
-    "Folder", "Format", "Threads"};
+constexpr std::string_view kNames[] = {"Lens_Pitch",
+                                       "Lens_LPI",
+                                       "Lens_Focal_Length",
+                                       "Lens_IOR",
+                                       "Lens_Pixels",
+                                       "Lens_Model",
+                                       "Lenses",
+                                       "Rows",
+                                       "A",
+                                       "D",
+                                       "Xstart",
+                                       "Ystart",
+                                       "Slice_A",
+                                       "Slice_D",
+                                       "Strip_Width",
+                                       "Strip_Height",
+                                       "Alpha",
+                                       "CSV",
+                                       "Deviations",
+                                       "Figures",
+                                       "Folder",
+                                       "Format",
+                                       "Threads"};
 using A = Arguments;
 using G = GivenOption;
 constexpr Apply kApply[] = {
-    [](A& a, const G& g) { a.lens.pitch = parser::positive(g); },  // Lens_Pitch
+    [](A& a, const G& g) { a.lens.pitch = parser::positive(g); },         // Lens_Pitch
     [](A& a, const G& g) { a.lens.pitch = 25.4 / parser::positive(g); },  // Lens_LPI
     [](A& a, const G& g) { a.lens.focal_length = parser::positive(g); },  // Lens_Focal_Length
-    set_ior,  // Lens_IOR
-    set_pixels,  // Lens_Pixels
-    set_model,  // Lens_Model
-    [](A& a, const G& g) { a.lenses = count(g); },  // Lenses
-    [](A& a, const G& g) { a.rows = count(g); },  // Rows
-    [](A& a, const G& g) { a.a = range_of(g, false); },  // A
-    [](A& a, const G& g) { a.d = range_of(g, true); },  // D
-    [](A& a, const G& g) { a.x = parser::number(g); },  // Xstart
-    [](A& a, const G& g) { a.y = parser::number(g); },  // Ystart
-    [](A& a, const G& g) { a.slice_a = parser::positive(g); },  // Slice_A
-    [](A& a, const G& g) { a.slice_d = parser::positive(g); },  // Slice_D
-    [](A& a, const G& g) { a.strip_widths = whole_numbers(g); },  // Strip_Width
-    [](A& a, const G& g) { a.strip_heights = whole_numbers(g); },  // Strip_Height
-    set_alpha,  // Alpha
-    [](A& a, const G& g) { a.csv = place(g); },  // CSV
-    [](A& a, const G& g) { a.deviations = place(g); },  // Deviations
-    set_figures,  // Figures
-    [](A& a, const G& g) { a.folder = place(g); },  // Folder
-    set_format,  // Format
-    [](A& a, const G& g) { a.threads = static_cast<int>(parser::whole_number(g, 1, 512)); },  // Threads
+    set_ior,                                                              // Lens_IOR
+    set_pixels,                                                           // Lens_Pixels
+    set_model,                                                            // Lens_Model
+    [](A& a, const G& g) { a.lenses = count(g); },                        // Lenses
+    [](A& a, const G& g) { a.rows = count(g); },                          // Rows
+    [](A& a, const G& g) { a.a = range_of(g, false); },                   // A
+    [](A& a, const G& g) { a.d = range_of(g, true); },                    // D
+    [](A& a, const G& g) { a.x = parser::number(g); },                    // Xstart
+    [](A& a, const G& g) { a.y = parser::number(g); },                    // Ystart
+    [](A& a, const G& g) { a.slice_a = parser::positive(g); },            // Slice_A
+    [](A& a, const G& g) { a.slice_d = parser::positive(g); },            // Slice_D
+    [](A& a, const G& g) { a.strip_widths = whole_numbers(g); },          // Strip_Width
+    [](A& a, const G& g) { a.strip_heights = whole_numbers(g); },         // Strip_Height
+    set_alpha,                                                            // Alpha
+    [](A& a, const G& g) { a.csv = place(g); },                           // CSV
+    [](A& a, const G& g) { a.deviations = place(g); },                    // Deviations
+    set_figures,                                                          // Figures
+    [](A& a, const G& g) { a.folder = place(g); },                        // Folder
+    set_format,                                                           // Format
+    [](A& a, const G& g) {
+      a.threads = static_cast<int>(parser::whole_number(g, 1, 512));
+    },  // Threads
 };
 static_assert(std::size(kNames) == std::size(kApply));
 
@@ -178,8 +197,8 @@ void check(const Arguments& a) {
   if (columns > kMostPixels) {
     throw OptionError("a sheet of more than 1000000 columns of pixels is too large");
   }
-  const double points = static_cast<double>(a.a.values().size()) *
-                        static_cast<double>(a.d.values().size());
+  const double points =
+      static_cast<double>(a.a.values().size()) * static_cast<double>(a.d.values().size());
   if (points > kMostPoints) throw OptionError("--a and --d make more than 1000000 points");
 }
 

@@ -20,20 +20,20 @@ struct Range {
 
 struct Arguments {
   bool help = false, version = false;
-  camera::LensParameters lens;             ///< the paper's unless said otherwise
-  std::uint32_t lenses = 133, rows = 0;    ///< rows 0: as many as columns
+  camera::LensParameters lens;           ///< the paper's unless said otherwise
+  std::uint32_t lenses = 133, rows = 0;  ///< rows 0: as many as columns
   Range a{0.5, 40.0, 1.0}, d{0.0, 40.0, 1.0};
   double x = 0.3;
-  std::optional<double> y;                 ///< none: as x
-  double slice_a = 20.0, slice_d = 13.0;   ///< where figures cut and sweeps stand
+  std::optional<double> y;                ///< none: as x
+  double slice_a = 20.0, slice_d = 13.0;  ///< where figures cut and sweeps stand
   std::vector<std::uint32_t> strip_widths, strip_heights;
   shadow::paper::Alpha alpha = shadow::paper::Alpha::kPrinted;
-  std::filesystem::path csv, deviations;   ///< empty: none
-  std::vector<std::string> figures;        ///< names of figure_names()
-  std::filesystem::path folder = ".";      ///< of the figures
-  std::string format = "png";              ///< or svg
+  std::filesystem::path csv, deviations;  ///< empty: none
+  std::vector<std::string> figures;       ///< names of figure_names()
+  std::filesystem::path folder = ".";     ///< of the figures
+  std::string format = "png";             ///< or svg
   bool measure = false;
-  int threads = 0;                         ///< 0: all of the machine
+  int threads = 0;  ///< 0: all of the machine
 
   double start_down() const { return y.value_or(x); }
   shadow::ShadowSquare shadow(double size, double distance) const {

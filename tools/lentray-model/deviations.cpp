@@ -1,5 +1,5 @@
-#include "tools/common/csv.h"
 #include "tools/lentray-model/deviations.h"
+#include "tools/common/csv.h"
 
 #include <cmath>
 #include <cstdio>
@@ -114,9 +114,9 @@ std::string csv_of(const std::vector<Deviation>& all) {
       "style,alpha,region,points,equal,mean,mean_relative,worst,A,D,closed_form,enumerated\n";
   for (const Deviation& d : all) {
     out += d.style + "," + shadow::paper::name_of(d.alpha) + "," + d.region + "," +
-           std::to_string(d.points) + "," + std::to_string(d.equal) + "," +
-           format("%.6g", d.mean) + "," + format("%.6g", d.mean_relative) + "," +
-           number_text(d.worst) + "," + number_text(d.at.a) + "," + number_text(d.at.d) + "," +
+           std::to_string(d.points) + "," + std::to_string(d.equal) + "," + format("%.6g", d.mean) +
+           "," + format("%.6g", d.mean_relative) + "," + number_text(d.worst) + "," +
+           number_text(d.at.a) + "," + number_text(d.at.d) + "," +
            std::to_string(*d.at.closed(d.alpha)) + "," + std::to_string(d.at.enumerated) + "\n";
   }
   return out;

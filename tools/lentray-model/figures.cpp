@@ -11,10 +11,10 @@
 
 namespace lentray::model {
 
-using tool::number_text;
 using tool::check_gnuplot;
 using tool::gnuplot;
 using tool::gnuplot_preamble;
+using tool::number_text;
 using tool::write_whole;
 
 namespace fs = std::filesystem;
@@ -115,9 +115,9 @@ std::string surface_script(const Figure& figure, const StyleGrid& grid, const Ar
   const bool printed = a.alpha == shadow::paper::Alpha::kPrinted;
   const std::string alpha = std::string("alpha ") + shadow::paper::name_of(a.alpha);
   return gnuplot_preamble(a.format, 1650, 540) + "set multiplot layout 1,3 title '" + figure.title +
-         ", continuous cache hits; " + lens_text(a) + "'\n" + kSurfaceLook + "set zrange [0:" + number_text(highest) +
-         "]\nset cbrange [0:" + number_text(highest) + "]\n" +
-         surface_panel("equation (" + alpha + ")", printed ? 3 : 4) +
+         ", continuous cache hits; " + lens_text(a) + "'\n" + kSurfaceLook +
+         "set zrange [0:" + number_text(highest) + "]\nset cbrange [0:" + number_text(highest) +
+         "]\n" + surface_panel("equation (" + alpha + ")", printed ? 3 : 4) +
          surface_panel("enumerated", 5) +
          "set view map\nset zrange [*:*]\nset palette defined (-1 'blue', 0 'white', 1 'red')\n" +
          "set cbrange [" + number_text(-most) + ":" + number_text(most) + "]\n" +
@@ -129,9 +129,11 @@ std::string measured_script(const Figure& figure, const StyleGrid& grid, const A
     return p.measured && *p.measured == p.enumerated;
   });
   return gnuplot_preamble(a.format, 1200, 540) + "set multiplot layout 1,2 title '" + figure.title +
-         ", continuous cache hits; " + lens_text(a) + "'\n" + kSurfaceLook + surface_panel("measured", 6) +
+         ", continuous cache hits; " + lens_text(a) + "'\n" + kSurfaceLook +
+         surface_panel("measured", 6) +
          surface_panel("enumerated: the same at " + std::to_string(equal) + " of " +
-                           std::to_string(grid.points.size()) + " points", 5) +
+                           std::to_string(grid.points.size()) + " points",
+                       5) +
          "unset multiplot\n";
 }
 
@@ -218,7 +220,8 @@ void check_figures(const Arguments& a) {
     core::check_writable(chart_place(a, name, a.format));
     if (!shows_grid(name)) core::check_writable(chart_place(a, name, "csv"));
     if (shows_grid(name) && (a.a.values().size() < 2 || a.d.values().size() < 2)) {
-      throw std::runtime_error("figure " + name + " is a surface: it needs two values or more of A "
+      throw std::runtime_error("figure " + name +
+                               " is a surface: it needs two values or more of A "
                                "and of D");
     }
   }

@@ -21,8 +21,7 @@ Point model_point(const shadow::PaperSheet& sheet, const shadow::Enumeration& en
   Point point;
   point.a = shadow.size;
   point.d = shadow.distance;
-  const shadow::ClosedForm printed =
-      shadow::closed_form(sheet, shadow, style, Alpha::kPrinted);
+  const shadow::ClosedForm printed = shadow::closed_form(sheet, shadow, style, Alpha::kPrinted);
   if (printed.exists) {
     point.printed = printed.hits;
     point.refracted = shadow::closed_form(sheet, shadow, style, Alpha::kRefracted).hits;
@@ -40,14 +39,13 @@ Grid make_grid(const Arguments& arguments, const shadow::PaperSheet& sheet,
   for (const shadow::Style& style : styles) {
     grid.styles.push_back({style, std::vector<Point>(points)});
   }
-  const tbb::global_control threads(
-      tbb::global_control::max_allowed_parallelism,
-      arguments.threads > 0 ? static_cast<std::size_t>(arguments.threads)
-                            : std::max(1u, std::thread::hardware_concurrency()));
+  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
+                                    arguments.threads > 0
+                                        ? static_cast<std::size_t>(arguments.threads)
+                                        : std::max(1u, std::thread::hardware_concurrency()));
   std::atomic<std::size_t> done = 0;
   tbb::parallel_for(std::size_t{0}, points, [&](std::size_t i) {
-    const auto square =
-        arguments.shadow(grid.a[i / grid.d.size()], grid.d[i % grid.d.size()]);
+    const auto square = arguments.shadow(grid.a[i / grid.d.size()], grid.d[i % grid.d.size()]);
     const shadow::Enumeration enumeration(sheet, square);
     std::optional<shadow::PaperTest> test;
     for (StyleGrid& style : grid.styles) {

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "shadow/hit_model/enumeration.h"
-#include "tools/lentray-model/arguments.h"
 #include "tools/common/csv.h"
+#include "tools/lentray-model/arguments.h"
 
 namespace lentray::model {
 

@@ -10,13 +10,13 @@
 #include <mutex>
 
 #include "core/image/writer.h"
-#include "tools/lentray-model/arguments.h"
-#include "tools/lentray-model/deviations.h"
-#include "tools/lentray-model/figures.h"
 #include "tools/common/gnuplot.h"
 #include "tools/common/process.h"
 #include "tools/common/standard_streams.h"
 #include "tools/common/version.h"
+#include "tools/lentray-model/arguments.h"
+#include "tools/lentray-model/deviations.h"
+#include "tools/lentray-model/figures.h"
 
 namespace lentray::model {
 

@@ -1,5 +1,5 @@
-#include "tools/common/csv.h"
 #include "tools/lentray-model/sweeps.h"
+#include "tools/common/csv.h"
 
 #include <algorithm>
 #include <cmath>
@@ -40,8 +40,7 @@ void add(Series& series, double x, const shadow::PaperSheet& sheet,
 
 /// Pitches up to what refracts no ray but the middle ones, on sheets of the same width.
 void sweep_widths(Series& series, const Arguments& a, const shadow::PaperSheet& sheet) {
-  const double widest =
-      a.lens.ior > 1.0 ? 2.0 / std::sqrt(a.lens.ior * a.lens.ior - 1.0) : 3.0;
+  const double widest = a.lens.ior > 1.0 ? 2.0 / std::sqrt(a.lens.ior * a.lens.ior - 1.0) : 3.0;
   for (const double ratio : even(0.05, 1.25 * widest)) {
     camera::LensParameters lens = a.lens;
     lens.pitch = ratio * lens.focal_length;
@@ -117,8 +116,7 @@ std::string csv_of(const Series& series) {
     out += number_text(series.x[i]);
     for (const Point& p : series.points[i]) {
       out += "," + (p.printed ? std::to_string(*p.printed) : "") + "," +
-             (p.refracted ? std::to_string(*p.refracted) : "") + "," +
-             std::to_string(p.enumerated);
+             (p.refracted ? std::to_string(*p.refracted) : "") + "," + std::to_string(p.enumerated);
     }
     out += "\n";
   }

@@ -10,8 +10,8 @@
 namespace lentray::model {
 
 struct Series {
-  std::string axis;        ///< what x is, with its unit
-  bool logarithmic = false;      ///< x
+  std::string axis;          ///< what x is, with its unit
+  bool logarithmic = false;  ///< x
   bool logarithmic_hits = false;
   std::vector<shadow::Style> styles;
   std::vector<double> x;

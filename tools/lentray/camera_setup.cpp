@@ -30,8 +30,7 @@ camera::Sheet make_sheet(const parser::CameraRequest& request, const parser::Ren
   }
   camera::LensRequest lens = request.lens;
   lens.override_by(options.lens);
-  camera::Sheet sheet =
-      camera::sheet_of_statement(request.projection, lens, width, height, probe);
+  camera::Sheet sheet = camera::sheet_of_statement(request.projection, lens, width, height, probe);
   if (options.sheet_distance) {
     sheet.warnings.push_back("Sheet_Distance has no effect: the scene's own camera is lenticular");
   }
@@ -63,8 +62,7 @@ void blur_sheet(const parser::CameraRequest& request, CameraSetup& setup) {
           : camera::lens_of_conversion(*setup.sheet, request.projection, *request.blur);
   std::shared_ptr<const camera::Camera> sharp = setup.sheet;
   if (setup.view) sharp = setup.view;
-  setup.blurred =
-      std::make_unique<camera::Blurred>(std::move(sharp), lens, request.blur->samples);
+  setup.blurred = std::make_unique<camera::Blurred>(std::move(sharp), lens, request.blur->samples);
 }
 
 }  // namespace
@@ -86,8 +84,7 @@ CameraSetup make_camera(const parser::CameraRequest& request, const parser::Rend
           request.blur->samples);
     }
     if (request.normal) {
-      setup.ordinary =
-          std::make_unique<camera::Bent>(std::move(setup.ordinary), request.normal);
+      setup.ordinary = std::make_unique<camera::Bent>(std::move(setup.ordinary), request.normal);
     }
     if (asks_for_lens(options)) {
       setup.warnings.push_back("the lens options have no effect without Lenticular=On");

@@ -20,10 +20,12 @@ using parser::CommandKind;
 /// File names are put into the shell's text as they are.
 const std::string& harmless(const std::string& name, const std::string& command) {
   const bool harms = std::any_of(name.begin(), name.end(), [](unsigned char c) {
-    return c < 0x20 || std::string_view("\"'`$\\;&|<>(){}*?[]!#~").find(static_cast<char>(c)) != std::string_view::npos;
+    return c < 0x20 || std::string_view("\"'`$\\;&|<>(){}*?[]!#~").find(static_cast<char>(c)) !=
+                           std::string_view::npos;
   });
   if (!harms) return name;
-  throw parser::OptionError("the command '" + parser::shown_name(command) + "' is not run: '" + parser::shown_name(name) +
+  throw parser::OptionError("the command '" + parser::shown_name(command) + "' is not run: '" +
+                            parser::shown_name(name) +
                             "' holds characters that the shell would act upon");
 }
 
@@ -33,7 +35,8 @@ int run_in_shell(const std::string& command) {
   posix_spawnattr_init(&attributes);
   sigset_t usual;
   sigemptyset(&usual);
-  for (const int signal : {SIGPIPE, SIGXFSZ}) sigaddset(&usual, signal);  // this program ignores them
+  for (const int signal : {SIGPIPE, SIGXFSZ})
+    sigaddset(&usual, signal);  // this program ignores them
   posix_spawnattr_setsigdefault(&attributes, &usual);
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF);
   std::string text = command, shell = "sh", option = "-c";
@@ -94,23 +97,26 @@ std::string expanded(const std::string& command, const CommandContext& c) {
   return out;
 }
 
-Commands::Commands(const parser::RenderOptions& options, const std::vector<parser::PovrayConf>& confs,
-                   TextStreams& texts)
+Commands::Commands(const parser::RenderOptions& options,
+                   const std::vector<parser::PovrayConf>& confs, TextStreams& texts)
     : m_options(options), m_texts(texts) {
   std::string names;
   for (std::size_t i = 0; i < parser::kCommands; ++i) {
-    if (!options.commands[i].text.empty()) names += (names.empty() ? "" : ", ") + std::string(name_of(static_cast<CommandKind>(i)));
+    if (!options.commands[i].text.empty())
+      names += (names.empty() ? "" : ", ") + std::string(name_of(static_cast<CommandKind>(i)));
   }
   if (names.empty()) return;
   m_allowed = parser::shellout_allowed(confs);
   if (m_allowed || options.warning_level == 0) return;
   std::string where;
-  for (const std::string& place : parser::conf_places()) where += (where.empty() ? "" : " or ") + place;
+  for (const std::string& place : parser::conf_places())
+    where += (where.empty() ? "" : " or ") + place;
   for (const parser::PovrayConf& conf : confs) {
     if (conf.shellout == parser::PovrayConf::Shellout::kForbidden) where = conf.path;
   }
-  texts.write(parser::Stream::kWarning, "warning: " + names + ": not run; 'allowed' below [Shellout Security] in " + where +
-                                            " would permit it\n");
+  texts.write(parser::Stream::kWarning, "warning: " + names +
+                                            ": not run; 'allowed' below [Shellout Security] in " +
+                                            where + " would permit it\n");
 }
 
 Action Commands::run(CommandKind kind, const CommandContext& context) {
@@ -131,8 +137,9 @@ Action Commands::run_now(CommandKind kind, const CommandContext& context) {
   const int status = m_allowed ? run_in_shell(text) : 1;
   const bool triggered = (status == 0) == command.on_success;
   if (!triggered || command.action == 'I') return Action::kGoOn;
-  const std::string what = std::string(name_of(kind)) + " '" + parser::shown_name(text) + "' " +
-                           (m_allowed ? "ended with status " + std::to_string(status) : "may not run");
+  const std::string what =
+      std::string(name_of(kind)) + " '" + parser::shown_name(text) + "' " +
+      (m_allowed ? "ended with status " + std::to_string(status) : "may not run");
   if (command.action == 'F') throw parser::OptionError(what + ", which is to be a fatal error");
   if (kind == CommandKind::kUserAbort) return Action::kGoOn;
   m_texts.write(parser::Stream::kRender, what + ": its action is " + command.action + "\n");

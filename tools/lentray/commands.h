@@ -16,8 +16,8 @@ namespace lentray::tool {
 
 /// What a command's %o, %s, %n, %k, %w and %h stand for.
 struct CommandContext {
-  std::string output;       ///< the picture's file
-  std::string scene;        ///< its name without folder and extension
+  std::string output;  ///< the picture's file
+  std::string scene;   ///< its name without folder and extension
   int frame = 0;
   double clock = 0.0;
   std::int64_t width = 0, height = 0;
@@ -29,7 +29,8 @@ enum class Action { kGoOn, kSkip, kSkipAll, kQuit, kAbort };
 class Commands {
  public:
   /// Warns at once of commands that no povray.conf allows; they are then never run.
-  Commands(const parser::RenderOptions& options, const std::vector<parser::PovrayConf>& confs, TextStreams& texts);
+  Commands(const parser::RenderOptions& options, const std::vector<parser::PovrayConf>& confs,
+           TextStreams& texts);
   /// Runs the command of that kind, if there is one, and waits for its end. Fatal_Error_Command never throws
   /// and has no action; that of User_Abort_Command goes on with the abort.
   Action run(parser::CommandKind kind, const CommandContext& context);

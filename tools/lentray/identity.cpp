@@ -35,7 +35,8 @@ int read_build_id(dl_phdr_info* info, std::size_t, void* out) {
       const char* const name = at + sizeof note;
       const char* const bytes = name + (note.n_namesz + 3) / 4 * 4;
       at = bytes + (note.n_descsz + 3) / 4 * 4;
-      if (note.n_type != NT_GNU_BUILD_ID || note.n_namesz != 4 || std::memcmp(name, "GNU", 4) != 0) continue;
+      if (note.n_type != NT_GNU_BUILD_ID || note.n_namesz != 4 || std::memcmp(name, "GNU", 4) != 0)
+        continue;
       *static_cast<std::string*>(out) = hexadecimal(parser::checksum({bytes, note.n_descsz}));
       return 1;
     }
@@ -74,7 +75,9 @@ Identity Identity::of_text(const std::string& text) {
   Identity out;
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
-    const auto rest = [&line](const char* word) { return line.substr(std::min(line.size(), std::strlen(word))); };
+    const auto rest = [&line](const char* word) {
+      return line.substr(std::min(line.size(), std::strlen(word)));
+    };
     if (line.starts_with("program ")) {
       out.program = rest("program ");
     } else if (line.starts_with("option ")) {
@@ -93,9 +96,10 @@ Identity identity_of(const parser::RenderOptions& options, const parser::FrameCl
   out.program = program();
   std::ostringstream lines;
   lines.precision(17);
-  lines << parser::picture_lines(options) << "clock " << clock.clock << " of " << clock.initial_clock << " to "
-        << clock.final_clock << ", delta " << clock.clock_delta << ", on " << clock.clock_on << "\nframe "
-        << clock.frame_number << " of " << clock.initial_frame << " to " << clock.final_frame << "\n";
+  lines << parser::picture_lines(options) << "clock " << clock.clock << " of "
+        << clock.initial_clock << " to " << clock.final_clock << ", delta " << clock.clock_delta
+        << ", on " << clock.clock_on << "\nframe " << clock.frame_number << " of "
+        << clock.initial_frame << " to " << clock.final_frame << "\n";
   out.options = lines.str();
   return out;
 }
@@ -108,7 +112,8 @@ std::string difference(const Identity& then, const Identity& now) {
   }
   for (const auto& [path, sum] : now.files) {
     const auto at = then.files.find(path);
-    if (at == then.files.end() || at->second != sum) return std::string(shown(path)) + " has changed";
+    if (at == then.files.end() || at->second != sum)
+      return std::string(shown(path)) + " has changed";
   }
   for (const auto& [path, sum] : then.files) {
     if (!now.files.contains(path)) return std::string(shown(path)) + " is not read any more";
@@ -118,7 +123,8 @@ std::string difference(const Identity& then, const Identity& now) {
 
 std::string difference_of_files(const Identity& then, const std::string& scene) {
   for (const auto& [path, sum] : then.files) {
-    if (parser::file_checksum(path.empty() ? scene : path) != sum) return std::string(shown(path)) + " has changed";
+    if (parser::file_checksum(path.empty() ? scene : path) != sum)
+      return std::string(shown(path)) + " has changed";
   }
   return "";
 }

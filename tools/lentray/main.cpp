@@ -82,7 +82,9 @@ int guarded(Work work) {
 }
 
 /// By a link, for programs that run povray.
-bool called_as_povray(const std::filesystem::path& program) { return program.filename().string().starts_with("povray"); }
+bool called_as_povray(const std::filesystem::path& program) {
+  return program.filename().string().starts_with("povray");
+}
 
 /// Stock tells of itself on standard error, and callers look for "POV-Ray 3.7" there.
 void tell(const parser::RenderOptions& options, bool as_povray) {
@@ -90,7 +92,9 @@ void tell(const parser::RenderOptions& options, bool as_povray) {
   if (options.help) {
     std::fputs((options.help_all ? parser::full_help_text() : parser::help_text()).c_str(), out);
   } else if (as_povray) {
-    std::fprintf(out, "POV-Ray %s compatible: Lentray %s\n\nThis is not POV-Ray, but a renderer that reads its scenes and options.\n",
+    std::fprintf(out,
+                 "POV-Ray %s compatible: Lentray %s\n\nThis is not POV-Ray, but a renderer that "
+                 "reads its scenes and options.\n",
                  tool::kPovRayVersion, tool::kVersion);
   } else {
     std::fprintf(out, "Lentray %s\n", tool::kVersion);
@@ -129,9 +133,11 @@ int run_main(int argc, char** argv) {
     }
   });
   if (status == tool::kAborted) {
-    guard.asked() ? tool::tell_stopped() : (void)std::fputs("lentray: stopped by a command\n", stderr);
+    guard.asked() ? tool::tell_stopped()
+                  : (void)std::fputs("lentray: stopped by a command\n", stderr);
   }
-  if (status == tool::kDone && !g_texts->trouble().empty()) return fail(kError, g_texts->trouble(), tool::kUserError);
+  if (status == tool::kDone && !g_texts->trouble().empty())
+    return fail(kError, g_texts->trouble(), tool::kUserError);
   return status;
 }
 

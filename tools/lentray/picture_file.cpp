@@ -20,7 +20,8 @@ core::ImageFormat format_of(core::FileType type, const parser::RenderOptions& op
   format.alpha = options.alpha;
   format.grey = options.grayscale;
   if (options.dither) format.dither = options.dither_type;
-  if (options.compression >= kLeastQuality) format.quality = std::min(options.compression, kBestQuality);
+  if (options.compression >= kLeastQuality)
+    format.quality = std::min(options.compression, kBestQuality);
   format.srgb = options.srgb;
   format.file_gamma = options.file_gamma;
   if (settings.assumed_gamma > 0.0) {
@@ -64,12 +65,12 @@ core::ImageMetadata metadata(const CameraSetup& setup) {
 }  // namespace
 
 PictureFile::PictureFile(const std::string& path, core::FileType type,
-                         const parser::RenderOptions& options,
-                         const core::SceneSettings& settings, const CameraSetup& camera) {
+                         const parser::RenderOptions& options, const core::SceneSettings& settings,
+                         const CameraSetup& camera) {
   if (path.empty()) return;
-  m_writer = std::make_unique<core::PictureWriter>(
-      path, camera.camera().width(), camera.camera().height(),
-      format_of(type, options, settings), metadata(camera));
+  m_writer =
+      std::make_unique<core::PictureWriter>(path, camera.camera().width(), camera.camera().height(),
+                                            format_of(type, options, settings), metadata(camera));
 }
 
 void PictureFile::put(const core::Image& band, std::uint32_t) {

@@ -17,9 +17,8 @@ class PictureFile final : public core::BandSink {
  public:
   /// `path` "-": standard output; empty: nowhere. Bands hold colours of the scene's working
   /// space, which `settings` tells.
-  PictureFile(const std::string& path, core::FileType type,
-              const parser::RenderOptions& options, const core::SceneSettings& settings,
-              const CameraSetup& camera);
+  PictureFile(const std::string& path, core::FileType type, const parser::RenderOptions& options,
+              const core::SceneSettings& settings, const CameraSetup& camera);
 
   void put(const core::Image& band, std::uint32_t top) override;
   /// The file is in its place; without this nothing is left behind.

@@ -25,7 +25,8 @@ struct Head {
   std::uint32_t mark = kRecord, stage = 0, count = 0, unused = 0;
   std::uint64_t sum = 0;
 };
-constexpr std::size_t kBytes = sizeof(core::Pixel) + core::PictureLedger::kValues * sizeof(float);  ///< a pixel
+constexpr std::size_t kBytes =
+    sizeof(core::Pixel) + core::PictureLedger::kValues * sizeof(float);  ///< a pixel
 
 /// How a journal begins. Its length makes it whole or not.
 struct Start {
@@ -34,7 +35,9 @@ struct Start {
   std::uint64_t size = 0, sum = 0;  ///< of the identity's text
 };
 
-std::string bytes_of(const void* data, std::size_t size) { return {static_cast<const char*>(data), size}; }
+std::string bytes_of(const void* data, std::size_t size) {
+  return {static_cast<const char*>(data), size};
+}
 
 std::string start_text(const Identity& identity, bool is_finished) {
   const std::string text = identity.text();
@@ -62,12 +65,14 @@ bool read_at(int file, std::uint64_t offset, void* out, std::size_t size) {
 std::optional<PictureJournal::Earlier> read_start(int file, std::uint64_t& end) {
   constexpr std::uint64_t kLongest = 1 << 26;
   Start start;
-  if (!read_at(file, 0, &start, sizeof start) || std::memcmp(start.magic, Start{}.magic, sizeof start.magic) != 0 ||
+  if (!read_at(file, 0, &start, sizeof start) ||
+      std::memcmp(start.magic, Start{}.magic, sizeof start.magic) != 0 ||
       start.version != Start{}.version || start.size > kLongest) {
     return std::nullopt;
   }
   std::string text(start.size, '\0');
-  if (!read_at(file, sizeof start, text.data(), text.size()) || parser::checksum(text) != start.sum) return std::nullopt;
+  if (!read_at(file, sizeof start, text.data(), text.size()) || parser::checksum(text) != start.sum)
+    return std::nullopt;
   end = sizeof start + text.size();
   try {
     return PictureJournal::Earlier{Identity::of_text(text), start.is_finished != 0};
@@ -89,7 +94,8 @@ void forget_at(const std::string& path) {
   const int file = open_journal(path, O_RDWR);
   if (file < 0) return;
   std::uint64_t end = 0;
-  if (is_regular(file) && read_start(file, end) && ::flock(file, LOCK_EX | LOCK_NB) == 0) (void)::unlink(path.c_str());
+  if (is_regular(file) && read_start(file, end) && ::flock(file, LOCK_EX | LOCK_NB) == 0)
+    (void)::unlink(path.c_str());
   ::close(file);
 }
 
@@ -97,10 +103,10 @@ void forget_at(const std::string& path) {
 
 std::string journal_path(const std::string& picture) { return picture + ".lentray-state"; }
 
-PictureJournal::PictureJournal(std::string picture, std::uint32_t width, std::uint32_t height, Identity identity,
-                               std::chrono::milliseconds silence)
-    : m_path(journal_path(picture)), m_width(width), m_height(height), m_identity(std::move(identity)),
-      m_speaks(Clock::now() + silence) {}
+PictureJournal::PictureJournal(std::string picture, std::uint32_t width, std::uint32_t height,
+                               Identity identity, std::chrono::milliseconds silence)
+    : m_path(journal_path(picture)), m_width(width), m_height(height),
+      m_identity(std::move(identity)), m_speaks(Clock::now() + silence) {}
 
 PictureJournal::~PictureJournal() {
   flush();
@@ -141,10 +147,15 @@ void PictureJournal::go_on() {
 void PictureJournal::read_records(std::uint64_t offset) {
   std::string bytes;
   for (Head head; read_at(m_file, offset, &head, sizeof head);) {
-    if (head.mark != kRecord || head.stage >= kStages || head.count > std::uint64_t{m_width} * m_height) break;
+    if (head.mark != kRecord || head.stage >= kStages ||
+        head.count > std::uint64_t{m_width} * m_height)
+      break;
     bytes.resize(head.count * kBytes);
-    if (!read_at(m_file, offset + sizeof head, bytes.data(), bytes.size()) || parser::checksum(bytes) != head.sum) break;
-    if (!m_known[head.stage]) m_known[head.stage] = std::make_unique<core::PixelSet>(m_width, m_height);
+    if (!read_at(m_file, offset + sizeof head, bytes.data(), bytes.size()) ||
+        parser::checksum(bytes) != head.sum)
+      break;
+    if (!m_known[head.stage])
+      m_known[head.stage] = std::make_unique<core::PixelSet>(m_width, m_height);
     Place place{offset + sizeof head, head.stage, head.count, m_height, 0};
     for (std::uint32_t i = 0; i < head.count; ++i) {
       core::Pixel pixel;
@@ -157,7 +168,8 @@ void PictureJournal::read_records(std::uint64_t offset) {
     m_places.push_back(place);
     offset += sizeof head + bytes.size();
   }
-  if (::ftruncate(m_file, static_cast<off_t>(offset)) != 0 || ::lseek(m_file, 0, SEEK_END) < 0) m_is_off = true;
+  if (::ftruncate(m_file, static_cast<off_t>(offset)) != 0 || ::lseek(m_file, 0, SEEK_END) < 0)
+    m_is_off = true;
 }
 
 void PictureJournal::recall(std::size_t stage, std::uint32_t top, std::uint32_t bottom,
@@ -185,7 +197,8 @@ bool PictureJournal::listens() const {
   return !m_is_off.load(std::memory_order_relaxed) && (m_goes_on || Clock::now() >= m_speaks);
 }
 
-void PictureJournal::add(std::size_t stage, const std::vector<core::Pixel>& pixels, const std::vector<float>& values) {
+void PictureJournal::add(std::size_t stage, const std::vector<core::Pixel>& pixels,
+                         const std::vector<float>& values) {
   if (pixels.empty()) return;
   Head head;
   head.stage = static_cast<std::uint32_t>(stage);

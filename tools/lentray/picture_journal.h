@@ -56,7 +56,8 @@ class PictureJournal final : public core::PictureLedger {
   void recall(std::size_t stage, std::uint32_t top, std::uint32_t bottom,
               const std::function<void(const core::Pixel&, const float*)>& tell) override;
   bool listens() const override;
-  void add(std::size_t stage, const std::vector<core::Pixel>& pixels, const std::vector<float>& values) override;
+  void add(std::size_t stage, const std::vector<core::Pixel>& pixels,
+           const std::vector<float>& values) override;
 
  private:
   using Clock = std::chrono::steady_clock;

@@ -68,13 +68,13 @@ struct Run {
   const parser::FrameClock& clock;
   TextStreams& texts;
   Warnings& warnings;
-  std::string output;                  ///< where the picture goes; empty: nowhere
+  std::string output;  ///< where the picture goes; empty: nowhere
   core::FileType type = core::FileType::png;
   std::unique_ptr<core::Scene> scene{};
   std::vector<std::string> not_rendered{};
   std::vector<core::WatchedSlope> slopes{};
   CameraSetup camera{};
-  Identity identity{};                 ///< of this picture; its files once the scene is read
+  Identity identity{};  ///< of this picture; its files once the scene is read
   shadow::RunReport report{};
 };
 
@@ -98,7 +98,8 @@ void check_outputs(Run& run) {
   const auto width = static_cast<std::uint32_t>(o.width);
   parser::check_picture_size(o.width, o.height, bytes_a_row(o, width), machine_memory());
   if (!o.statistics_file.empty()) core::check_writable(parser::frame_path(o, o.statistics_file));
-  if (!o.dependencies_file.empty()) core::check_writable(parser::frame_path(o, o.dependencies_file));
+  if (!o.dependencies_file.empty())
+    core::check_writable(parser::frame_path(o, o.dependencies_file));
   if (!o.output_to_file) return;
   run.output = parser::output_path(o, run.type);
   if (run.output != "-") core::check_writable(run.output);
@@ -117,11 +118,12 @@ parser::ParserOptions parser_options(const RenderOptions& o, const parser::Frame
 }
 
 void connect(parser::Diagnostics& diagnostics, Run& run) {
-  diagnostics.connect(parser::Stream::kWarning, [&run](std::string_view text) {
-    run.warnings.add(std::string(text));
-  });
-  for (const auto stream : {parser::Stream::kDebug, parser::Stream::kRender, parser::Stream::kStatistics}) {
-    diagnostics.connect(stream, [&run, stream](std::string_view text) { run.texts.write(stream, text); });
+  diagnostics.connect(parser::Stream::kWarning,
+                      [&run](std::string_view text) { run.warnings.add(std::string(text)); });
+  for (const auto stream :
+       {parser::Stream::kDebug, parser::Stream::kRender, parser::Stream::kStatistics}) {
+    diagnostics.connect(stream,
+                        [&run, stream](std::string_view text) { run.texts.write(stream, text); });
   }
 }
 
@@ -240,8 +242,9 @@ core::FrameShape shape_of(Run& run) {
     shape.band_height =
         shadow::band_height(o.pixel_order, shape.width, shape.height, row, limit - scene);
     if (shape.band_height * row > limit - scene) {
-      throw parser::OptionError("Max_Memory is less than the scene and a row of the picture take; that is " +
-                                core::memory_text(scene + row));
+      throw parser::OptionError(
+          "Max_Memory is less than the scene and a row of the picture take; that is " +
+          core::memory_text(scene + row));
     }
   }
   // Tiles of antialiasing are not cut.
@@ -258,9 +261,11 @@ core::FrameShape shape_of(Run& run) {
 std::uint32_t columns_before(double given, std::uint32_t size, bool is_start, const char* name) {
   const double edge = static_cast<float>(given);
   const bool is_part = is_start ? edge < 1.0 : edge <= 1.0;
-  const double before = is_part ? std::floor(edge * size) : std::floor(edge) - (is_start ? 1.0 : 0.0);
+  const double before =
+      is_part ? std::floor(edge * size) : std::floor(edge) - (is_start ? 1.0 : 0.0);
   if (before > size || (is_start && before >= size)) {
-    throw parser::OptionError(std::string(name) + " lies beyond the picture's " + std::to_string(size));
+    throw parser::OptionError(std::string(name) + " lies beyond the picture's " +
+                              std::to_string(size));
   }
   return static_cast<std::uint32_t>(before);
 }
@@ -285,7 +290,8 @@ void report_slopes(Run& run) {
     if (!advice.empty()) run.warnings.add(slope.place + ": warning: " + advice);
   }
   if (const std::uint64_t cut = run.report.counters.cut_rays; cut > 0) {
-    run.warnings.add("warning: " + std::to_string(cut) + " rays met more surfaces behind one another "
+    run.warnings.add("warning: " + std::to_string(cut) +
+                     " rays met more surfaces behind one another "
                      "than there is memory for, and ended there");
   }
 }
@@ -306,7 +312,8 @@ bool is_there_already(Run& run, const std::string& scene) {
     Identity now = run.identity;
     now.files = earlier->identity.files;
     std::string why = difference(earlier->identity, now);
-    if (why.empty() && run.options.input != "-") why = difference_of_files(earlier->identity, scene);
+    if (why.empty() && run.options.input != "-")
+      why = difference_of_files(earlier->identity, scene);
     if (!why.empty()) {
       throw parser::OptionError("'" + run.output + "' cannot be gone on with: " + why +
                                 (earlier->is_finished ? " since the frame was made" : "") +
@@ -320,8 +327,8 @@ bool is_there_already(Run& run, const std::string& scene) {
 
 void tell_of_journal(Run& run, PictureJournal& journal) {
   if (!journal.keep()) return;
-  run.texts.write(parser::Stream::kRender,
-                  "What is done is kept in '" + journal_path(run.output) + "': +C goes on with it\n");
+  run.texts.write(parser::Stream::kRender, "What is done is kept in '" + journal_path(run.output) +
+                                               "': +C goes on with it\n");
 }
 
 /// False if the run was cancelled.
@@ -337,7 +344,8 @@ bool render(Run& run, const std::atomic<bool>& cancel, bool is_frame) {
   const shadow::RunLog log(*testers);
   const core::ShadowTesterFactory* asked = testers.get();
   if (o.shadow_log) asked = &log;
-  const shadow::RunMeter meter(*asked, lenses ? static_cast<std::uint32_t>(lenses->lens().pixels) : 0);
+  const shadow::RunMeter meter(*asked,
+                               lenses ? static_cast<std::uint32_t>(lenses->lens().pixels) : 0);
   if (shadow::follows_shadows(o.pixel_order)) asked = &meter;
   std::optional<PictureJournal> journal;
   if (goes_to_file(run)) {
@@ -356,8 +364,9 @@ bool render(Run& run, const std::atomic<bool>& cancel, bool is_frame) {
   frame.count_tests = !o.statistics_file.empty() && o.count_tests;
   frame.alpha = o.alpha;
   frame.cancel = &cancel;
-  run.report.threads =
-      o.threads > 0 ? o.threads : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  run.report.threads = o.threads > 0
+                           ? o.threads
+                           : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   run.report.tests_counted = frame.count_tests;
   run.report.width = shape.width;
   run.report.height = shape.height;
@@ -375,8 +384,9 @@ bool render(Run& run, const std::atomic<bool>& cancel, bool is_frame) {
   picture.finish();
   if (journal) journal->finish(is_frame);
   if (journal && !journal->trouble().empty()) {
-    run.warnings.add("warning: '" + journal_path(run.output) + "' could not be written (" + journal->trouble() +
-                           "): had this run been cut off, +C would not have gone on with it");
+    run.warnings.add("warning: '" + journal_path(run.output) + "' could not be written (" +
+                     journal->trouble() +
+                     "): had this run been cut off, +C would not have gone on with it");
   }
   run.report.write_cpu_s = picture.cpu_seconds();
   run.report.render_cpu_s = cpu_seconds() - before - run.report.write_cpu_s;
@@ -405,7 +415,8 @@ Status run_picture(const Picture& what, const std::atomic<bool>& cancel, TextStr
   // Building the scene takes no more threads than rendering it.
   std::optional<tbb::global_control> threads;
   if (options.threads > 0) {
-    threads.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(options.threads));
+    threads.emplace(tbb::global_control::max_allowed_parallelism,
+                    static_cast<std::size_t>(options.threads));
   }
   check_order(options);
   check_outputs(run);

@@ -15,7 +15,8 @@ constexpr int kSteps = 20;  ///< lines for a whole picture
 
 }  // namespace
 
-ProgressBar::ProgressBar(std::string what) : m_what(std::move(what)), m_terminal(isatty(STDERR_FILENO) != 0) {}
+ProgressBar::ProgressBar(std::string what)
+    : m_what(std::move(what)), m_terminal(isatty(STDERR_FILENO) != 0) {}
 
 ProgressBar::~ProgressBar() {
   if (m_terminal && m_done > 0.0) std::fputs("\r\033[K", stderr);
@@ -35,7 +36,8 @@ void ProgressBar::advance(double fraction_done, double seconds_left) {
   if (steps == kSteps) {
     std::fprintf(stderr, "%s: %d %%\n", m_what.c_str(), percent);
   } else {
-    std::fprintf(stderr, "%s: %d %%, %s left\n", m_what.c_str(), percent, duration_text(seconds_left).c_str());
+    std::fprintf(stderr, "%s: %d %%, %s left\n", m_what.c_str(), percent,
+                 duration_text(seconds_left).c_str());
   }
 }
 

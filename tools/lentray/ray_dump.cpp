@@ -19,8 +19,9 @@ void dump_rays(const camera::Camera& camera, const std::string& path) {
     if (!owned) throw core::ImageError("cannot write '" + path + "'");
     out = owned.get();
   }
-  std::fprintf(out, "# lentray rays, camera %s, %u x %u pixels\n"
-                    "# column row  origin x y z  unit direction x y z | column row dark\n",
+  std::fprintf(out,
+               "# lentray rays, camera %s, %u x %u pixels\n"
+               "# column row  origin x y z  unit direction x y z | column row dark\n",
                std::string(camera.name()).c_str(), camera.width(), camera.height());
   for (std::uint32_t row = 0; row < camera.height(); ++row) {
     for (std::uint32_t column = 0; column < camera.width(); ++column) {

@@ -20,7 +20,8 @@ using parser::RenderOptions;
 
 std::string frame_line(const parser::FrameClock& clock, std::size_t number, std::size_t count) {
   char text[128];
-  std::snprintf(text, sizeof text, "Frame %d (%zu of %zu), clock %g\n", clock.frame_number, number, count, clock.clock);
+  std::snprintf(text, sizeof text, "Frame %d (%zu of %zu), clock %g\n", clock.frame_number, number,
+                count, clock.clock);
   return text;
 }
 
@@ -51,8 +52,8 @@ Frames frames_of(const RenderOptions& o) {
 /// frame before wrote.
 class Loop {
  public:
-  Loop(const RenderOptions& options, const std::string& scene, const std::atomic<bool>& cancel, TextStreams& texts,
-       Warnings& warnings)
+  Loop(const RenderOptions& options, const std::string& scene, const std::atomic<bool>& cancel,
+       TextStreams& texts, Warnings& warnings)
       : m_options(options), m_scene(scene), m_cancel(cancel), m_texts(texts), m_warnings(warnings),
         m_frames(frames_of(options)) {}
 
@@ -88,7 +89,8 @@ class Loop {
       m_texts.write(parser::Stream::kRender, frame_line(frame.clock, i + 1, m_frames.list.size()));
     }
     const bool is_last = i + 1 == m_frames.list.size();
-    return run_picture({one, frame.clock, m_scene, is_last, m_frames.is_animation}, m_cancel, m_texts, m_warnings);
+    return run_picture({one, frame.clock, m_scene, is_last, m_frames.is_animation}, m_cancel,
+                       m_texts, m_warnings);
   }
 
   /// Frames say that they are finished only while there is one that is not.
@@ -151,7 +153,8 @@ class Loop {
 Status run(const RenderOptions& options, const std::atomic<bool>& cancel, TextStreams& texts,
            Warnings& warnings) {
   const SceneFile file(options);
-  if (const std::string ini = parser::ini_path(options); !ini.empty()) write_text_file(ini, parser::ini_text(options));
+  if (const std::string ini = parser::ini_path(options); !ini.empty())
+    write_text_file(ini, parser::ini_text(options));
   Loop loop(options, file.path(), cancel, texts, warnings);
   if (!renders(options)) return loop.without_commands();
   Commands commands(options, parser::installed_confs(), texts);

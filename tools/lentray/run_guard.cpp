@@ -52,8 +52,10 @@ double most_memory() {
 
 void end_if_too_large() {
   if (core::resident_bytes() <= most_memory()) return;
-  std::fprintf(stderr, "lentray: the scene and the picture take more memory than is allowed (Max_Memory): %s\n",
-               core::memory_text(core::memory_limit()).c_str());
+  std::fprintf(
+      stderr,
+      "lentray: the scene and the picture take more memory than is allowed (Max_Memory): %s\n",
+      core::memory_text(core::memory_limit()).c_str());
   end(kUserError);
 }
 
@@ -109,7 +111,8 @@ RunGuard::RunGuard() {
 
 void RunGuard::limit_time(double seconds) {
   constexpr double kLongest = 1e9;  // the clock's numbers hold it
-  g_deadline = (Clock::now() + std::chrono::duration_cast<Clock::duration>(Seconds(std::min(seconds, kLongest))))
+  g_deadline = (Clock::now() +
+                std::chrono::duration_cast<Clock::duration>(Seconds(std::min(seconds, kLongest))))
                    .time_since_epoch()
                    .count();
 }

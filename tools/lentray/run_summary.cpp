@@ -38,7 +38,8 @@ std::string grouped(std::uint64_t number) {
 
 std::string share(std::uint64_t part, std::uint64_t all) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.1f %%", all == 0 ? 0.0 : 100.0 * static_cast<double>(part) / static_cast<double>(all));
+  std::snprintf(text, sizeof text, "%.1f %%",
+                all == 0 ? 0.0 : 100.0 * static_cast<double>(part) / static_cast<double>(all));
   return text;
 }
 
@@ -73,13 +74,17 @@ std::string summary(const shadow::RunReport& report, const std::string& output) 
   core::ShadowCounts shadow;
   for (const core::ShadowCounts& light : c.lights) shadow.add(light);
   std::string out = "Pixels:  " + grouped(pixels);
-  if (c.antialiased_pixels > 0) out += ", antialiased " + grouped(c.antialiased_pixels) + " (" + share(c.antialiased_pixels, pixels) + ")";
-  out += "\nRays:    camera " + grouped(c.camera_rays) + ", reflected " + grouped(c.reflected_rays) + ", refracted " +
-         grouped(c.refracted_rays) + ", shadow " + grouped(shadow.rays);
+  if (c.antialiased_pixels > 0)
+    out += ", antialiased " + grouped(c.antialiased_pixels) + " (" +
+           share(c.antialiased_pixels, pixels) + ")";
+  out += "\nRays:    camera " + grouped(c.camera_rays) + ", reflected " +
+         grouped(c.reflected_rays) + ", refracted " + grouped(c.refracted_rays) + ", shadow " +
+         grouped(shadow.rays);
   if (shadow.rays > 0) out += " (" + share(shadow.blocked, shadow.rays) + " blocked)";
-  out += format("\nSeconds: reading %.2f, building %.2f, rendering %.2f (CPU, %d thread%s), writing %.2f\n",
-                report.parse_cpu_s, report.compile_cpu_s, report.render_cpu_s, report.threads,
-                report.threads == 1 ? "" : "s", report.write_cpu_s);
+  out += format(
+      "\nSeconds: reading %.2f, building %.2f, rendering %.2f (CPU, %d thread%s), writing %.2f\n",
+      report.parse_cpu_s, report.compile_cpu_s, report.render_cpu_s, report.threads,
+      report.threads == 1 ? "" : "s", report.write_cpu_s);
   out += format("Memory:  %.0f MB at most\n", static_cast<double>(report.peak_bytes) * 1e-6);
   return out + (output.empty() ? "No file" : output) +
          format(": %u x %u pixels in %.2f s\n", report.width, report.height, report.wall_s);

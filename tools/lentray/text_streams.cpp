@@ -18,7 +18,8 @@ TextStreams::File TextStreams::open(const std::string& name, bool append) {
   if (name.empty()) return {};
   File out{std::unique_ptr<std::FILE, Close>(std::fopen(name.c_str(), append ? "a" : "w")), name};
   if (!out.file) throw parser::OptionError("cannot write the text file '" + name + "'");
-  std::setvbuf(out.file.get(), nullptr, _IOLBF, BUFSIZ);  // a run that is stopped leaves what was said
+  std::setvbuf(out.file.get(), nullptr, _IOLBF,
+               BUFSIZ);  // a run that is stopped leaves what was said
   return out;
 }
 
@@ -52,7 +53,8 @@ std::string TextStreams::trouble() const {
   };
   const auto bad = std::find_if(m_files.begin(), m_files.end(), failed);
   const File* found = bad != m_files.end() ? &*bad : failed(m_all) ? &m_all : nullptr;
-  return found ? "cannot write the text file '" + found->name + "': no space, or the disk failed" : "";
+  return found ? "cannot write the text file '" + found->name + "': no space, or the disk failed"
+               : "";
 }
 
 }  // namespace lentray::tool

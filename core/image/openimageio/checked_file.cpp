@@ -60,10 +60,10 @@ std::size_t CheckedFile::pwrite(const void* buffer, std::size_t size, int64_t of
 }
 
 std::size_t CheckedFile::size() const {
-  struct stat there{};
+  struct stat there {};
   flush();
-  return m_file && ::fstat(::fileno(m_file), &there) == 0
-             ? static_cast<std::size_t>(there.st_size) : 0;
+  return m_file && ::fstat(::fileno(m_file), &there) == 0 ? static_cast<std::size_t>(there.st_size)
+                                                          : 0;
 }
 
 void CheckedFile::flush() const {

@@ -68,7 +68,8 @@ OIIO::TypeDesc sample_type(const PictureSpec& picture) {
 }
 
 OIIO::ImageSpec spec_of(const PictureSpec& picture) {
-  OIIO::ImageSpec spec(static_cast<int>(picture.width), static_cast<int>(picture.height), picture.channels,
+  OIIO::ImageSpec spec(static_cast<int>(picture.width), static_cast<int>(picture.height),
+                       picture.channels,
                        picture.half ? OIIO::TypeDesc(OIIO::TypeDesc::HALF) : sample_type(picture));
   if (picture.type == FileType::jpeg) {
     spec.attribute("Compression", "jpeg:" + std::to_string(picture.quality));

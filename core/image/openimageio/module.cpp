@@ -32,14 +32,15 @@ using Input = std::unique_ptr<OIIO::ImageInput>;
 
 struct PlainFormat {
   const char* name;
-  const char* extensions;   ///< each between blanks
+  const char* extensions;  ///< each between blanks
 };
 
 /// The formats of scenes that are not read without OpenImageIO, those that are known by their first bytes first.
 /// JPEG: of four colours. OpenImageIO knows others, some of which are lists of further files to open.
 constexpr std::array kPlainFormats = {
-    PlainFormat{"jpeg", " .jpg .jpeg "}, PlainFormat{"tiff", " .tif .tiff "}, PlainFormat{"openexr", " .exr "},
-    PlainFormat{"hdr", " .hdr .rgbe "}, PlainFormat{"bmp", " .bmp "}, PlainFormat{"pnm", " .ppm .pgm .pbm .pnm "}};
+    PlainFormat{"jpeg", " .jpg .jpeg "}, PlainFormat{"tiff", " .tif .tiff "},
+    PlainFormat{"openexr", " .exr "},    PlainFormat{"hdr", " .hdr .rgbe "},
+    PlainFormat{"bmp", " .bmp "},        PlainFormat{"pnm", " .ppm .pgm .pbm .pnm "}};
 
 /// The file's name says what it is likely to be, its bytes what it is. OpenImageIO is never told the name, which
 /// it would open.
@@ -49,7 +50,8 @@ Input open_file(const std::filesystem::path& path, const std::filesystem::path& 
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   for (const bool is_likely : {true, false}) {
     for (const PlainFormat& format : kPlainFormats) {
-      const bool fits = std::string_view(format.extensions).find(extension) != std::string_view::npos;
+      const bool fits =
+          std::string_view(format.extensions).find(extension) != std::string_view::npos;
       if (fits != is_likely) continue;
       Input input = OIIO::ImageInput::create(format.name);
       OIIO::ImageSpec spec;
@@ -63,9 +65,11 @@ Input open_file(const std::filesystem::path& path, const std::filesystem::path& 
 constexpr int kRowsAtOnce = 16;
 
 template <typename Value>
-bool read_samples(OIIO::ImageInput& input, OIIO::TypeDesc type, CheckPictureRoom check_room, StoredImage& image) {
+bool read_samples(OIIO::ImageInput& input, OIIO::TypeDesc type, CheckPictureRoom check_room,
+                  StoredImage& image) {
   check_room(image.width, std::uint64_t{image.height} + kRowsAtOnce, image.channels, sizeof(Value));
-  const std::size_t count = std::size_t{image.width} * image.height * static_cast<std::size_t>(image.channels);
+  const std::size_t count =
+      std::size_t{image.width} * image.height * static_cast<std::size_t>(image.channels);
   return input.read_image(0, 0, 0, image.channels, type, image.samples.store<Value>(count).data());
 }
 

@@ -45,7 +45,9 @@ std::vector<Complex<Real>> starting_points(const Polynomial& p) {
     const int a = hull[i], b = hull[i + 1];
     const double radius = std::exp((high(a) - high(b)) / (b - a));
     for (int k = 0; k < b - a; ++k) {
-      const double angle = 6.283185307179586 * (k / static_cast<double>(b - a) + i / static_cast<double>(p.order)) + 0.7;
+      const double angle =
+          6.283185307179586 * (k / static_cast<double>(b - a) + i / static_cast<double>(p.order)) +
+          0.7;
       points.push_back({Real(radius * std::cos(angle)), Real(radius * std::sin(angle))});
     }
   }

@@ -21,7 +21,8 @@ int cubic(double a, double b, double c, double* roots) {
   if (r * r <= q3 && q3 > 0.0) {
     const double angle = std::acos(std::clamp(r / std::sqrt(q3), -1.0, 1.0));
     for (int k = 0; k < 3; ++k) {
-      roots[k] = -2.0 * std::sqrt(q) * std::cos((angle + 2.0 * std::numbers::pi * k) / 3.0) - a / 3.0;
+      roots[k] =
+          -2.0 * std::sqrt(q) * std::cos((angle + 2.0 * std::numbers::pi * k) / 3.0) - a / 3.0;
     }
     return 3;
   }

@@ -15,7 +15,8 @@ void report(int order, const std::string& kind, const std::vector<Case>& cases, 
   std::vector<double> least(solvers().size(), 1e9);
   for (int round = 0; round < rounds; ++round) {
     for (std::size_t i = 0; i < solvers().size(); ++i) {
-      if (order <= solvers()[i].max_order) least[i] = std::min(least[i], seconds(solvers()[i], cases));
+      if (order <= solvers()[i].max_order)
+        least[i] = std::min(least[i], seconds(solvers()[i], cases));
     }
   }
   for (std::size_t i = 0; i < solvers().size(); ++i) {
@@ -36,8 +37,9 @@ int main(int count_of_arguments, char** arguments) {
     std::fputs("usage: lentray-polynomials COUNT ROUNDS\n", stderr);
     return 1;
   }
-  std::puts("solver,order,kind,polynomials,roots,missed,missed_hidden,invented,invented_hidden,"
-            "median,percentile_99,largest,excess,ns");
+  std::puts(
+      "solver,order,kind,polynomials,roots,missed,missed_hidden,invented,invented_hidden,"
+      "median,percentile_99,largest,excess,ns");
   for (int order = 2; order <= kMaxOrder; ++order) {
     for (const std::string& kind : kinds()) {
       std::vector<Case> cases;

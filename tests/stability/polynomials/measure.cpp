@@ -65,7 +65,8 @@ Figures figures(const Solver& solver, const std::vector<Case>& cases) {
       if (!roots[i].is_hidden) excess.push_back(error / (kEpsilon * (1.0 + roots[i].condition)));
     }
     for (std::size_t j = 0; j < answers.size(); ++j) {
-      if (std::find(answer_of.begin(), answer_of.end(), static_cast<int>(j)) != answer_of.end()) continue;
+      if (std::find(answer_of.begin(), answer_of.end(), static_cast<int>(j)) != answer_of.end())
+        continue;
       ++(c.truth.is_zero_within_rounding(answers[j]) ? f.invented_hidden : f.invented);
     }
   }

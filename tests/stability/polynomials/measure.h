@@ -13,8 +13,8 @@ namespace lentray::stability {
 /// roots or none ("hidden", counted apart).
 struct Figures {
   int polynomials = 0, roots = 0;
-  int missed = 0, missed_hidden = 0;      ///< no answer is near
-  int invented = 0, invented_hidden = 0;  ///< an answer that no root is near
+  int missed = 0, missed_hidden = 0;                        ///< no answer is near
+  int invented = 0, invented_hidden = 0;                    ///< an answer that no root is near
   double median = 0.0, percentile_99 = 0.0, largest = 0.0;  ///< relative errors of the found roots
   /// 99th percentile of the error in units of what one rounding of the coefficients would make.
   double excess = 0.0;

@@ -48,7 +48,8 @@ class Sampler {
     Polynomial p;
     p.order = m_order;
     for (int k = 0; k <= m_order; ++k) {
-      p.c[static_cast<std::size_t>(k)] = std::copysign(std::pow(10.0, in(-6.0, 6.0)), in(-1.0, 1.0));
+      p.c[static_cast<std::size_t>(k)] =
+          std::copysign(std::pow(10.0, in(-6.0, 6.0)), in(-1.0, 1.0));
     }
     return p;
   }
@@ -56,7 +57,9 @@ class Sampler {
  private:
   static constexpr double kApart = 0.02;
   double in(double lo, double hi) { return lo + (hi - lo) * (m_random() * 0x1p-32); }
-  int order_in(int lo, int hi) { return lo + static_cast<int>(m_random() % static_cast<unsigned>(hi - lo + 1)); }
+  int order_in(int lo, int hi) {
+    return lo + static_cast<int>(m_random() % static_cast<unsigned>(hi - lo + 1));
+  }
 
   int m_order;
   std::mt19937 m_random;
@@ -75,10 +78,15 @@ std::vector<Polynomial> samples(const std::string& kind, int order, int count) {
   Sampler sampler(kind, order);
   std::vector<Polynomial> result;
   for (int i = 0; i < count; ++i) {
-    if (kind == "coefficients") result.push_back(sampler.coefficients());
-    else if (kind == "simple") result.push_back(expanded(sampler.simple()));
-    else if (kind == "wide") result.push_back(expanded(sampler.wide()));
-    else result.push_back(expanded(sampler.with_gap(kind == "double" ? 0.0 : std::stod(kind.substr(4)))));
+    if (kind == "coefficients")
+      result.push_back(sampler.coefficients());
+    else if (kind == "simple")
+      result.push_back(expanded(sampler.simple()));
+    else if (kind == "wide")
+      result.push_back(expanded(sampler.wide()));
+    else
+      result.push_back(
+          expanded(sampler.with_gap(kind == "double" ? 0.0 : std::stod(kind.substr(4)))));
   }
   return result;
 }

@@ -75,7 +75,8 @@ struct Search {
     const int count = lo_changes - hi_changes;
     if (count <= 0 || n >= p.order) return;
     const double middle = 0.5 * (lo + hi);
-    const bool narrow = hi - lo <= kNarrow * std::max(std::fabs(lo), std::fabs(hi)) || !(middle > lo && middle < hi);
+    const bool narrow = hi - lo <= kNarrow * std::max(std::fabs(lo), std::fabs(hi)) ||
+                        !(middle > lo && middle < hi);
     if (narrow) {
       roots[n++] = middle;
       return;
@@ -83,7 +84,9 @@ struct Search {
     if (count == 1) {
       const double flo = value(p, lo), fhi = value(p, hi);
       if (fhi == 0.0 || (flo < 0.0) != (fhi < 0.0)) {
-        roots[n++] = fhi == 0.0 ? hi : core::bracketed_root([&](double x) { return value(p, x); }, lo, flo, hi, fhi);
+        roots[n++] = fhi == 0.0 ? hi
+                                : core::bracketed_root([&](double x) { return value(p, x); }, lo,
+                                                       flo, hi, fhi);
         return;
       }
     }
