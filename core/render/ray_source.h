@@ -22,7 +22,7 @@ struct PixelPlace {
 
 /// The ray of a place.
 struct PlaceRay {
-  Ray ray;             ///< says nothing unless the pixel shows something
+  Ray ray;  ///< says nothing unless the pixel shows something
   bool shows = false;
 };
 

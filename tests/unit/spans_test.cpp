@@ -80,8 +80,8 @@ TEST(UnitSpans, NearestHits) {
   const Objects objects = maker.objects(200);
   std::vector<NearestQuery> queries;
   for (int i = 0; i < 2000; ++i) {
-    queries.push_back({maker.ray(), 0.01 * i, i % 3 == 0 ? 15.0 : Bounds::kInf,
-                       static_cast<RayKind>(i % 4)});
+    queries.push_back(
+        {maker.ray(), 0.01 * i, i % 3 == 0 ? 15.0 : Bounds::kInf, static_cast<RayKind>(i % 4)});
   }
   HitArena arena;
   for (const auto accelerator : {Accelerator::kBvh, Accelerator::kGrid, Accelerator::kList}) {
@@ -144,8 +144,10 @@ TEST(UnitSpans, VisibilitiesWithEveryCache) {
                   same_bits(all[i].filter.b, one.filter.b))
           << name << " " << i;
       ASSERT_EQ(all[i].blocker, one.blocker) << name << " " << i;
-      if (one.blocker) ++blocked;
-      else if (one.filter != Rgb(1.0f)) ++filtered;
+      if (one.blocker)
+        ++blocked;
+      else if (one.filter != Rgb(1.0f))
+        ++filtered;
     }
     EXPECT_GT(blocked, 100u) << name;
     EXPECT_GT(filtered, 10u) << name;
