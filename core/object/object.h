@@ -1,6 +1,7 @@
 // An object of a compiled scene: what rays can meet, with its looks, its clips and its gates. Shapes
 // that stand in the world are core/object/leaf.h, CSG of objects is core/object/csg.h.
-// Space: world. Immutable while rendering; scratch memory comes from the caller's HitArena.
+// Space: world. Constant to its users while rendering: a CSG of many parts builds their hierarchy at
+// the first question. Scratch memory comes from the caller's HitArena.
 // Source: reference manual 3.7, "Objects", "Object Modifiers".
 #pragma once
 
@@ -29,7 +30,8 @@ class Object {
   virtual Bounds bounds() const = 0;
   /// Everything that inside() can answer true for, unless it is gated; infinite for most inverse objects.
   virtual Bounds solid_bounds() const = 0;
-  /// True where the solid's bounds are a gate, of the object's own or of a part's: inside() may be true beyond it.
+  /// Whether solid_bounds() is a solid gate, of the object or of a part: inside() may be true beyond
+  /// it. Says nothing of gates().
   virtual bool is_gated() const { return solid_gate() != nullptr; }
   /// Everything that inside() can answer false for; infinite for most objects but inverse ones.
   virtual Bounds void_bounds() const = 0;
@@ -40,7 +42,7 @@ class Object {
   /// Appends all crossings, in any order.
   virtual void all(const Ray& ray, double t_min, double t_max, std::vector<Hit>& hits,
                    const RayQuery& query) const = 0;
-  /// What a ray of light meets of an object that is no part of another (ShapeTraits::tells_first_alone).
+  /// all() for shadow rays at an object that is no part of a CSG (ShapeTraits::tells_first_alone).
   virtual void all_alone(const Ray& ray, double t_min, double t_max, std::vector<Hit>& hits,
                          const RayQuery& query) const {
     all(ray, t_min, t_max, hits, query);
@@ -90,8 +92,8 @@ class Object {
     fit_ball();
   }
   const Regions& gates() const { return m_limits ? m_limits->gates : kNoRegions; }
-  /// A box to stand for the bounds of the solid: a CSG with this part, and who looks for the solids around a
-  /// point, leave alone what is beyond it. It holds until the object is inverted.
+  /// A box that replaces solid_bounds(). Beyond it a CSG with this part and SolidIndex do not ask
+  /// inside(). Inverting the object drops it, inverting again restores it.
   void set_solid_gate(const Bounds& box) {
     limits().solid_gate = box;
     limits().gate_is_of_inverse = m_inverse;

@@ -33,16 +33,17 @@ enum class Convexity : std::uint8_t {
 /// What holds for all points and rays alike.
 struct ShapeTraits {
   std::string_view name;  ///< SDL keyword of the statement, for statistics and messages ("sphere")
-  /// But for rounding, and of hits from outside alone. Patches whose normal is not that of their plane have none.
+  /// Of rays that leave the surface after a hit from outside, but for rounding. kNone for patches
+  /// whose shading normal is not that of their plane.
   Convexity convexity = Convexity::kNone;
   bool is_solid = true;  ///< false for patches: they have no inside, and `inverse` changes nothing
   bool solid_is_unbounded =
       false;            ///< bounds() holds the surface alone, and inside() may be true beyond it
   bool has_uv = false;  ///< texture coordinates of its own
   bool finds_all_at_once = false;  ///< all() costs no more than nearest(), which works all out too
-  bool tells_all = true;  ///< false: a ray that begins anew at one crossing may meet others
+  bool tells_all = true;  ///< false: all() may miss what a new ray from a crossing meets
   bool tells_first_alone =
-      false;  ///< true: a ray of light meets no more of it than nearest() tells
+      false;  ///< true: a shadow ray counts only the first crossing
   bool inverse_turns_normal =
       true;  ///< that of the inverse points the other way: this decides what is behind
 };

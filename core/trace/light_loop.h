@@ -185,16 +185,18 @@ void LightLoop<kArea, kAskedAgain>::look_ahead(const LightLists& lists, const Ve
       if (spot.known) source.buffer->locate(point, spot);
     }
   }
-  // A test of what is simpler costs no more.
+  // In test_cost()'s unit (core/accel/test_cost.h): the test of a simpler object costs no more than
+  // this search.
+
   constexpr double kWorthwhile = 12.0;
   if (hit.object->test_cost() >= kWorthwhile && hit.leaf->convexity() != Convexity::kNone) {
     find_unmet(lists, normal, hit, from_behind, point, known);
   }
 }
 
-/// An object that lies behind the plane of its own surface, but for rounding, is not met by shadow rays
-/// to lights before that plane. Rounding can put the point so far inside that a ray at less than `slope`
-/// (the cosine to the normal) is still inside at the tolerance.
+/// Marks the hit object as not in the way of lights on the front side of a convex surface. Rays whose
+/// cosine to the normal is less than `slope` are left out: a point that rounding put inside could
+/// still meet it.
 template <bool kArea, bool kAskedAgain>
 [[gnu::noinline]] void LightLoop<kArea, kAskedAgain>::find_unmet(const LightLists& lists,
                                                                  const Vec3& normal, const Hit& hit,

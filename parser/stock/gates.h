@@ -1,8 +1,9 @@
-// The limits of an object as stock has them, derived from its description once it is built: its clips, the gates that
-// rays must meet to see it, the box that stands for the bounds of its solid, and how the scene's list holds it.
-// Where stock drops a bound, or takes a box for an object that stands out of it, the gates say so; the kernel knows
-// gates alone (core/object/object.h).
-// Source: measured on stock (tests/image/clip_boxes_test.cpp, open_shapes_test.cpp, unit/build_objects_test.cpp).
+// Gives a built object the limits that stock gives it. Clips cut its surface. Gates are regions that
+// a ray must meet to see the object. A solid gate is the box beyond which its inside does not count.
+// The kernel knows these alone (core/object/object.h). Also: which unions of the scene's list stand
+// there in parts. World space.
+// Source: measured on stock (tests/image/clip_boxes_test.cpp, tests/image/open_shapes_test.cpp,
+// tests/unit/build_objects_test.cpp).
 // Errors: none. Threads: any.
 #pragma once
 
@@ -16,10 +17,10 @@ namespace lentray::parser {
 
 /// Where an object is used.
 struct Standing {
-  bool on_list = false;       ///< in the scene's list
-  bool is_split = false;      ///< its parts are there in its place
+  bool on_list = false;       ///< an entry of the scene's list
+  bool is_split = false;      ///< a union whose parts are entries of the list instead of itself
   bool is_part = false;       ///< in another object
-  bool has_hierarchy = true;  ///< of the scene: else stock asks each object for hits
+  bool has_hierarchy = true;  ///< the scene has at least kHierarchyFrom objects and lights
 };
 
 using MakeRegion = std::function<std::shared_ptr<const core::Object>(const ObjectDesc&)>;
@@ -38,7 +39,7 @@ bool splits_on_list(const ObjectDesc& object);
 /// How many objects and lights the object is in the scene's list.
 std::size_t count_on_list(const ObjectDesc& object);
 
-/// From so many objects and lights on stock makes a hierarchy.
+/// Stock builds a hierarchy if objects and lights are at least so many; else it asks each for hits.
 constexpr std::size_t kHierarchyFrom = 3;
 
 }  // namespace lentray::parser
