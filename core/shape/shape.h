@@ -41,9 +41,8 @@ struct ShapeTraits {
       false;            ///< bounds() holds the surface alone, and inside() may be true beyond it
   bool has_uv = false;  ///< texture coordinates of its own
   bool finds_all_at_once = false;  ///< all() costs no more than nearest(), which works all out too
-  bool tells_all = true;  ///< false: all() may miss what a new ray from a crossing meets
-  bool tells_first_alone =
-      false;  ///< true: a shadow ray counts only the first crossing
+  bool tells_all = true;           ///< false: all() may miss what a new ray from a crossing meets
+  bool tells_first_alone = false;  ///< true: a shadow ray counts only the first crossing
   bool inverse_turns_normal =
       true;  ///< that of the inverse points the other way: this decides what is behind
 };
