@@ -3,19 +3,14 @@
 namespace lentray::parser {
 
 const char* pattern_name(PatternKind kind) {
-  static constexpr const char* kNames[] = {
-      "color",     "agate",         "aoi",           "average",         "bozo",
-      "boxed",     "brick",         "bumps",         "cells",           "checker",
-      "crackle",   "cubic",         "cylindrical",   "density_file",    "dents",
-      "facets",    "function",      "gradient",      "granite",         "hexagon",
-      "image_map", "image_pattern", "bump_map",      "material_map",    "leopard",
-      "mandel",    "julia",         "magnet mandel", "magnet julia",    "marble",
-      "object",    "onion",         "pavement",      "pigment_pattern", "planar",
-      "potential", "proximity",     "quilted",       "radial",          "ripples",
-      "slope",     "spherical",     "spiral1",       "spiral2",         "spotted",
-      "square",    "tiles",         "tiling",        "triangular",      "uv_mapping",
-      "waves",     "wood",          "wrinkles"};
-  return kNames[static_cast<int>(kind)];
+  switch (kind) {
+#define LENTRAY_PATTERN(kind, words) \
+  case PatternKind::kind:            \
+    return words;
+#include "parser/descriptions/patterns.def"
+#undef LENTRAY_PATTERN
+  }
+  return "";
 }
 
 TurbulenceDesc& PatternDesc::classic_turbulence() {

@@ -2,19 +2,27 @@
 // height field clips goes down without end, and of some quadrics stock's box holds too little.
 #include <gtest/gtest.h>
 
+#include "tests/support/gates.h"
 #include "tests/support/render.h"
 
 namespace lentray::test {
 namespace {
 
+std::string scene(const std::string& objects) {
+  return "#version 3.7; global_settings { assumed_gamma 1 }\n"
+         "#declare H = height_field { png \"plasma2.png\" translate <-.5,0,-.5> scale <6,2,6> }\n"
+         "camera { location <0,6,-9> angle 80 look_at 0 } light_source { <-4,7,-6>, 1 }\n"
+         "#default { pigment { rgb <.9,.7,.3> } finish { ambient .2 } }\n" +
+         objects;
+}
+
 testing::AssertionResult looks_the_same(const std::string& objects) {
-  const std::string sdl =
-      "#version 3.7; global_settings { assumed_gamma 1 }\n"
-      "#declare H = height_field { png \"plasma2.png\" translate <-.5,0,-.5> scale <6,2,6> }\n"
-      "camera { location <0,6,-9> angle 80 look_at 0 } light_source { <-4,7,-6>, 1 }\n"
-      "#default { pigment { rgb <.9,.7,.3> } finish { ambient .2 } }\n" +
-      objects;
-  return same_as_stock({.sdl = sdl, .width = 80, .height = 60, .arguments = {}, .files = {}});
+  return same_as_stock(
+      {.sdl = scene(objects), .width = 80, .height = 60, .arguments = {}, .files = {}});
+}
+
+std::size_t turned_away(const std::string& objects) {
+  return rays_that_gates_turn_away(scene(objects), {0, 6, -9});
 }
 
 const std::string kByField = " clipped_by { object { H } } ";
@@ -23,6 +31,9 @@ const std::string kFloor = " plane { y, -9 }";
 class ImageClipBoxes : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(ImageClipBoxes, Alone) { EXPECT_TRUE(looks_the_same("object { " + GetParam() + " }")); }
+
+/// Without its gates the object looks otherwise: else the other tests would prove nothing.
+TEST_P(ImageClipBoxes, GatesMatter) { EXPECT_GT(turned_away("object { " + GetParam() + " }"), 0u); }
 
 TEST_P(ImageClipBoxes, WithAFloor) {
   EXPECT_TRUE(looks_the_same("object { " + GetParam() + " }" + kFloor));

@@ -7,18 +7,27 @@
 namespace lentray::test {
 namespace {
 
-testing::AssertionResult looks_the_same(const std::string& objects) {
-  return same_as_stock(
-      {.sdl = "#version 3.7; global_settings { assumed_gamma 1 }\n"
+SceneText scene(const std::string& objects) {
+  return {.sdl =
+              "#version 3.7; global_settings { assumed_gamma 1 }\n"
               "camera { location <0,1.5,-6> angle 42 look_at <0,.7,0> }\n"
-              "light_source { <-4,7,-6>, .8 shadowless } light_source { <5,9,-7>, .2 shadowless }\n"
+              "light_source { <-4,7,-6>, .8 shadowless }\n"
+              "light_source { <5,9,-7>, .2 shadowless }\n"
               "#default { pigment { rgb <.9,.7,.3> } finish { ambient .2 } }\n"
               "plane { y, -1 pigment { checker rgb .9 rgb .4 } finish { reflection .3 } }\n" +
               objects,
-       .width = 100,
-       .height = 75,
-       .arguments = {},
-       .files = {}});
+          .width = 100,
+          .height = 75,
+          .arguments = {},
+          .files = {}};
+}
+
+testing::AssertionResult looks_the_same(const std::string& objects) {
+  return same_as_stock(scene(objects));
+}
+
+bool same_picture(const std::string& objects, const std::string& others) {
+  return bool(same_bits(lentray_render(scene(objects)), lentray_render(scene(others))));
 }
 
 const std::string kBound = " bounded_by { sphere { <.2,.8,0>, .5 } } ";
@@ -34,6 +43,12 @@ TEST_P(ImageOwnBounds, InItsBraces) { EXPECT_TRUE(looks_the_same(GetParam().sdl 
 
 TEST_P(ImageOwnBounds, InBracesAround) {
   EXPECT_TRUE(looks_the_same("object { " + std::string(GetParam().sdl) + "}" + kBound + "}"));
+}
+
+/// Where it is heeded it cuts: else the other tests would prove nothing.
+TEST_P(ImageOwnBounds, TheBoundMatters) {
+  const std::string alone = "object { " + std::string(GetParam().sdl) + "}";
+  EXPECT_FALSE(same_picture(alone + kBound + "}", alone + "}"));
 }
 
 TEST_P(ImageOwnBounds, OfAPart) {
