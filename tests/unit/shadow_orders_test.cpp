@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <set>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 using namespace lentray;
 
@@ -36,14 +36,18 @@ constexpr Size kSizes[] = {{1, 1},    {1, 500}, {733, 1},  {160, 120}, {399, 400
 /// Every pixel of the rows [top, bottom) is there, once.
 void expect_all(const core::PixelOrder& order, std::uint32_t width, std::uint32_t top,
                 std::uint32_t bottom) {
-  std::set<std::pair<unsigned, unsigned>> seen;
+  std::vector<bool> seen(std::size_t{width} * (bottom - top));
+  std::size_t count = 0;
   for (const core::Pixel p : all(order)) {
     ASSERT_LT(p.column, width);
     ASSERT_GE(p.row, top);
     ASSERT_LT(p.row, bottom);
-    ASSERT_TRUE(seen.insert({p.column, p.row}).second) << p.column << ", " << p.row << " twice";
+    const std::size_t place = std::size_t{p.row - top} * width + p.column;
+    ASSERT_FALSE(seen[place]) << p.column << ", " << p.row << " twice";
+    seen[place] = true;
+    ++count;
   }
-  ASSERT_EQ(seen.size(), std::size_t{width} * (bottom - top));
+  ASSERT_EQ(count, seen.size());
 }
 
 TEST(UnitShadowOrders, EveryPixelOnce) {
