@@ -2,8 +2,8 @@
 //
 // Through row height Y the ray of a column runs along v = tan t r + d + (Y/V + eye_slope_y) u and
 // passes through C + x_i s r + Y u (s: scene units a millimetre); it starts lens_front scene units
-// before the sheet, measured along d, so objects in front of the sheet are recorded too. With a finite V the sheet has no power vertically, so
-// there the eye's own perspective holds.
+// before the sheet, measured along d, so objects in front of the sheet are recorded too.
+// With a finite V the sheet has no power vertically, so there the eye's own perspective holds.
 // Everything that depends on the column alone lies in a table.
 // Source: docs/lens.md, "Formulae"; Snell's law (camera/lens_sheet.h).
 #pragma once

@@ -187,7 +187,6 @@ void LightLoop<kArea, kAskedAgain>::look_ahead(const LightLists& lists, const Ve
   }
   // In test_cost()'s unit (core/accel/test_cost.h): the test of a simpler object costs no more than
   // this search.
-
   constexpr double kWorthwhile = 12.0;
   if (hit.object->test_cost() >= kWorthwhile && hit.leaf->convexity() != Convexity::kNone) {
     find_unmet(lists, normal, hit, from_behind, point, known);
