@@ -100,13 +100,31 @@ bool MeshCamera::by_place(double x, double y, core::Ray& ray) const {
   return false;
 }
 
+bool MeshCamera::from_part(const MeshCameraPart& part, double column, double row,
+                           core::Ray& ray) const {
+  const double x = std::clamp(column, 0.0, m_width - 1.0);
+  const double y = std::clamp(row - 1.0, 0.0, m_height - 1.0);
+  return from_face(part, static_cast<std::size_t>(y) * m_width + static_cast<std::size_t>(x), ray);
+}
+
+std::uint32_t MeshCamera::rays_a_place() const {
+  if (m_setup.distribution != 0) return 1;
+  return std::min(m_setup.rays, static_cast<std::uint32_t>(m_setup.parts.size()));
+}
+
+bool MeshCamera::one_ray_at(const core::PixelPlace& place, std::uint32_t index,
+                            core::Ray& ray) const {
+  return from_part(m_setup.parts[index], place.column + 0.5 + place.across,
+                   place.row + 0.5 + place.down, ray);
+}
+
 bool MeshCamera::ray(double column, double row, core::Ray& ray) const {
   const double x = std::clamp(column, 0.0, m_width - 1.0);
   const double y = std::clamp(row - 1.0, 0.0, m_height - 1.0);
   const auto across = static_cast<std::size_t>(x), down = static_cast<std::size_t>(y);
   const auto& parts = m_setup.parts;
   switch (m_setup.distribution) {
-    case 0: return from_face(parts.front(), down * m_width + across, ray);
+    case 0: return from_part(parts.front(), column, row, ray);
     case 1: {
       const std::size_t face = down * m_width + across;
       const auto after = std::upper_bound(m_before.begin(), m_before.end(), face);

@@ -1,7 +1,8 @@
 // mesh_camera: every ray starts at a face of a mesh, along its normal. World space; the normal is
 // that of (third - first corner) x (second - first corner), or blended from the corners' normals.
 // Distribution 0 to 2 count faces along the rows of the picture; 3 finds them by texture
-// coordinates. As in stock 3.7, which renders row 0 twice and every other one a row later (3.8 does
+// coordinates. Several rays a pixel are for distribution 0: stock's others have one, or one repeated.
+// As in stock 3.7, which renders row 0 twice and every other one a row later (3.8 does
 // not): row k sees what row k - 1 should.
 // Source: reference manual 3.7, "Mesh Camera"; compared with stock by image.mesh_camera.
 #pragma once
@@ -32,9 +33,10 @@ struct MeshCameraPart {
 struct MeshCameraSetup {
   std::vector<MeshCameraPart> parts;  ///< at least one
   int distribution = 0;               ///< 0..3
-  bool smooth = false;                ///< distribution 3 follows the corners' normals
-  double forward = 0.0;               ///< `location`'s z: starts so far along the normal
-  bool backwards = false;             ///< `direction`'s z is negative: looks against the normal
+  std::uint32_t rays = 1;  ///< of a pixel: distribution 0 has one of each part, up to so many
+  bool smooth = false;     ///< distribution 3 follows the corners' normals
+  double forward = 0.0;    ///< `location`'s z: starts so far along the normal
+  bool backwards = false;  ///< `direction`'s z is negative: looks against the normal
 };
 
 class MeshCamera final : public Camera {
@@ -43,6 +45,9 @@ class MeshCamera final : public Camera {
   MeshCamera(MeshCameraSetup setup, std::uint32_t width, std::uint32_t height);
   ~MeshCamera() override;
   bool ray(double column, double row, core::Ray& ray) const override;
+  std::uint32_t rays_a_place() const override;
+  bool one_ray_at(const core::PixelPlace& place, std::uint32_t index,
+                  core::Ray& ray) const override;
   std::string_view name() const override { return "mesh_camera"; }
   std::uint32_t width() const override { return m_width; }
   std::uint32_t height() const override { return m_height; }
@@ -50,6 +55,8 @@ class MeshCamera final : public Camera {
 
  private:
   class UvIndex;
+  /// Of the face that distribution 0 has there, in that part.
+  bool from_part(const MeshCameraPart& part, double column, double row, core::Ray& ray) const;
   bool by_place(double x, double y, core::Ray& ray) const;
   bool from_face(const MeshCameraPart& part, std::size_t face, core::Ray& ray) const;
   void start(const MeshCameraPart& part, core::Vec3 origin, core::Vec3 direction,

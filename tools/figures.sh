@@ -82,6 +82,10 @@ figures() {
 
   $1 polynomials docs/stability.md '(5 min)' 'python3 tests/stability/polynomials.py'
   $1 shapes docs/stability.md '(1 h)' 'python3 tests/stability/shapes.py'
+  $1 media docs/stability.md '(5 min)' \
+    'python3 tests/stability/media.py build/release/bin/lentray --write'
+  $1 noisy-scenes docs/media.md '(10 min)' \
+    'python3 tests/bench/noisy_scenes.py build/release/bin/lentray --write'
 
   $1 cluster-costs docs/cluster.md '7 min' \
     'tests/batch/slurm_costs.py examples; tests/batch/slurm_costs.py sheet'

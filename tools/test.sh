@@ -10,11 +10,11 @@ cd "$(dirname "$0")/.."
 build() {
   cmake --preset "$1" && cmake --build --preset "$1"
 }
-# Twice as many at a time as there are processors: stock POV-Ray mostly waits.
+# Four times as many at a time as there are processors: stock POV-Ray mostly waits.
 run_tests() {
   preset=$1
   shift
-  ctest --test-dir "build/$preset" --output-on-failure -j "$((2 * $(nproc)))" "$@"
+  ctest --test-dir "build/$preset" --output-on-failure -j "$((4 * $(nproc)))" "$@"
 }
 build_and_test() {
   build "$1" && run_tests "$@"

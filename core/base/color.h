@@ -2,6 +2,8 @@
 // Linear light; no range is enforced. Source: reference manual 3.7, "Specifying Colors".
 #pragma once
 
+#include <cmath>
+
 namespace lentray::core {
 
 struct Rgb {
@@ -49,6 +51,11 @@ struct Rgb {
 
 /// Luminance weights that POV-Ray uses for grey: 0.297, 0.589, 0.114.
 constexpr float grey(const Rgb& c) { return 0.297f * c.r + 0.589f * c.g + 0.114f * c.b; }
+
+/// By which stock tells whether samples need another between them.
+inline double difference(const Rgb& a, const Rgb& b) {
+  return std::fabs(a.r - b.r) + std::fabs(a.g - b.g) + std::fabs(a.b - b.b);
+}
 
 /// A pigment's colour: `filter` lets light through tinted, `transmit` untinted.
 struct Colour {

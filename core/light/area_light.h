@@ -30,6 +30,18 @@ AreaAxes area_axes(const AreaLight& area, const Vec3& towards_light);
 /// jitter in them.
 Vec3 area_offset(const AreaLight& area, const AreaAxes& axes, double u, double v);
 
+/// The same of a whole step, with the light's jitter; random() -> double in [0, 1), u first.
+template <class Random>
+Vec3 jittered_area_offset(const AreaLight& area, const AreaAxes& axes, int u, int v,
+                          Random&& random) {
+  double fine_u = u, fine_v = v;
+  if (area.jitter) {
+    fine_u += random() - 0.5;
+    fine_v += random() - 0.5;
+  }
+  return area_offset(area, axes, fine_u, fine_v);
+}
+
 /// Asks `probe(offset, sample_index) -> Rgb` for the light's colour at samples of the grid and
 /// `random() -> double` in [0, 1) for the jitter (u first).
 template <class Probe, class Random>
@@ -51,20 +63,11 @@ class AreaSampler {
   };
   static constexpr double kSame = 0.1;  ///< corners that differ by more split their part
 
-  static double difference(const Rgb& a, const Rgb& b) {
-    return std::fabs(a.r - b.r) + std::fabs(a.g - b.g) + std::fabs(a.b - b.b);
-  }
-
   const Rgb& sample(int u, int v) {
     const std::size_t index = static_cast<std::size_t>(u) * m_area.size2 + v;
     if (!m_scratch.known[index]) {
-      double fine_u = u, fine_v = v;
-      if (m_area.jitter) {
-        fine_u += m_random() - 0.5;
-        fine_v += m_random() - 0.5;
-      }
-      m_scratch.colours[index] =
-          m_probe(area_offset(m_area, m_axes, fine_u, fine_v), static_cast<std::uint32_t>(index));
+      m_scratch.colours[index] = m_probe(jittered_area_offset(m_area, m_axes, u, v, m_random),
+                                         static_cast<std::uint32_t>(index));
       m_scratch.known[index] = 1;
     }
     return m_scratch.colours[index];

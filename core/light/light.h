@@ -9,12 +9,14 @@
 
 namespace lentray::core {
 
+class Object;
+
 struct AreaLight {
   Vec3 axis1, axis2;
   int size1 = 1, size2 = 1;
   int adaptive = -1;  ///< -1: every sample is tested
   bool jitter = false, circular = false, orient = false;
-  bool area_illumination = false;  ///< kept; rendered later
+  bool area_illumination = false;  ///< every point of the grid illuminates, not the position alone
 };
 
 struct Light {
@@ -31,8 +33,13 @@ struct Light {
   AreaLight area;
   double fade_distance = 0.0, fade_power = 0.0;
   bool shadowless = false;  ///< fill light: no shadows and no highlights
-  bool interaction = true;  ///< media_interaction, kept
-  bool grouped = false;     ///< of a light_group: lights only what selects it
+  /// Only what goes through it is light, and only what lies before it throws a shadow; null: none.
+  const Object* projector = nullptr;
+  bool lights_media = true;    ///< media_interaction
+  bool dimmed_by_air = false;  ///< media_attenuation: fog and media of the air dim it
+  bool grouped = false;        ///< of a light_group: lights only what selects it
+
+  bool illuminates_by_area() const { return has_area && area.area_illumination; }
 };
 
 /// What lights an object of a light_group. Source: reference manual 3.7, "Light Groups".

@@ -36,8 +36,10 @@ inline LightRay light_ray(const Light& light, const Vec3& from, const Vec3& offs
 /// Factor of the cone, the cylinder and of fading; 0 outside.
 double light_attenuation(const Light& light, const Vec3& from, const LightRay& ray);
 
-/// Whether a light has one colour everywhere.
+/// Whether a light has one colour everywhere, for a loop over lights: one that illuminates by its area
+/// has cones and fading of each of its points.
 inline bool is_even(const Light& light) {
+  if (light.illuminates_by_area()) return true;
   return light.kind == Light::Kind::kPoint && !(light.fade_power > 0.0);
 }
 /// The light's colour at `from`, unobstructed.

@@ -197,38 +197,99 @@ constexpr auto kNeighbours = [] {
   return cells;
 }();
 
+/// The three least distances from a point, as powers of the metric, and the nearest point.
+struct NearestThree {
+  std::array<double, 3> d{1e300, 1e300, 1e300};
+  std::size_t first = 0;
+
+  void take(double distance, std::size_t neighbour) {
+    if (distance < d[0]) {
+      d = {distance, d[0], d[1]};
+      first = neighbour;
+    } else if (distance < d[1]) {
+      d = {d[0], distance, d[1]};
+    } else {
+      d[2] = distance;
+    }
+  }
+};
+
+/// The random points of a cell's neighbours, in their order. The first question about a cell makes those
+/// that it needs, the next one all: a ray's samples in a medium, and neighbouring pixels, ask for the
+/// same cells again.
+class CellPoints {
+ public:
+  /// Of the thread.
+  static CellPoints& of(int x, int y, int z) {
+    constexpr unsigned kCells = 16;
+    thread_local std::array<CellPoints, kCells> cells;
+    const auto spread =
+        static_cast<unsigned>(x) + 5u * static_cast<unsigned>(y) + 11u * static_cast<unsigned>(z);
+    CellPoints& points = cells[spread % kCells];
+    if (points.m_state != State::kUnused && points.m_x == x && points.m_y == y && points.m_z == z) {
+      if (points.m_state == State::kNew) points.fill();
+    } else {
+      points.m_state = State::kNew;
+      points.m_x = x;
+      points.m_y = y;
+      points.m_z = z;
+    }
+    return points;
+  }
+
+  bool is_full() const { return m_state == State::kFull; }
+  Vec3 at(std::size_t neighbour) const {
+    const auto& step = kNeighbours[neighbour];
+    const int x = m_x + step[0], y = m_y + step[1], z = m_z + step[2];
+    const std::size_t seed = lattice_hash(x, y, z);
+    return {x + lattice_random(seed), y + lattice_random(seed + 1), z + lattice_random(seed + 2)};
+  }
+  /// Of all points, by squares. Only if is_full().
+  NearestThree nearest(const Vec3& p) const {
+    std::array<double, kNeighbours.size()> squares;
+    for (std::size_t i = 0; i < squares.size(); ++i) {
+      const double x = m_xs[i] - p.x, y = m_ys[i] - p.y, z = m_zs[i] - p.z;
+      squares[i] = x * x + y * y + z * z;
+    }
+    NearestThree nearest;
+    for (std::size_t i = 0; i < squares.size(); ++i) {
+      if (squares[i] < nearest.d[2]) nearest.take(squares[i], i);
+    }
+    return nearest;
+  }
+
+ private:
+  enum class State { kUnused, kNew, kFull };
+  void fill() {
+    for (std::size_t i = 0; i < kNeighbours.size(); ++i) {
+      const Vec3 point = at(i);
+      m_xs[i] = point.x;
+      m_ys[i] = point.y;
+      m_zs[i] = point.z;
+    }
+    m_state = State::kFull;
+  }
+
+  int m_x = 0, m_y = 0, m_z = 0;
+  State m_state = State::kUnused;
+  std::array<double, kNeighbours.size()> m_xs, m_ys, m_zs;
+};
+
 class CracklePattern final : public Pattern {
  public:
   CracklePattern(const Crackle& crackle, int generator)
       : m_crackle(crackle), m_generator(generator) {}
 
   double value(const Vec3& p) const override {
-    const int x = cell(p.x), y = cell(p.y), z = cell(p.z);
-    const Reach reach_x(*this, p.x - x), reach_y(*this, p.y - y), reach_z(*this, p.z - z);
-    double nearest[3] = {1e300, 1e300, 1e300};
-    Vec3 nearest_point;
-    for (const auto& step : kNeighbours) {
-      // No point of this cell can be near enough.
-      if (reach_x[step[0]] + reach_y[step[1]] + reach_z[step[2]] >= nearest[2]) continue;
-      const Vec3 point = random_point(x + step[0], y + step[1], z + step[2]);
-      const Vec3 away = point - p;
-      const double d = powered(away.x) + powered(away.y) + powered(away.z);
-      if (d < nearest[0]) {
-        nearest[2] = nearest[1];
-        nearest[1] = nearest[0];
-        nearest[0] = d;
-        nearest_point = point;
-      } else if (d < nearest[1]) {
-        nearest[2] = nearest[1];
-        nearest[1] = d;
-      } else if (d < nearest[2]) {
-        nearest[2] = d;
-      }
-    }
-    if (m_crackle.solid) return std::clamp(noise(nearest_point, m_generator), 0.0, 1.0);
+    const CellPoints& points = CellPoints::of(cell(p.x), cell(p.y), cell(p.z));
+    const NearestThree nearest =
+        m_crackle.metric == 2.0 && points.is_full() ? points.nearest(p) : search(points, p);
+    if (m_crackle.solid) return std::clamp(noise(points.at(nearest.first), m_generator), 0.0, 1.0);
     const double offset = m_crackle.metric == 1.0 ? m_crackle.offset : powered(m_crackle.offset);
     double sum = 0.0;
-    for (int i = 0; i < 3; ++i) sum += m_crackle.form[i] * rooted(nearest[i] + offset);
+    for (std::size_t i = 0; i < 3; ++i) {
+      sum += m_crackle.form[static_cast<int>(i)] * rooted(nearest.d[i] + offset);
+    }
     return std::clamp(sum, 0.0, 1.0);
   }
 
@@ -248,11 +309,24 @@ class CracklePattern final : public Pattern {
     std::array<double, 5> m_powers;
   };
 
-  static int cell(double v) { return static_cast<int>(whole_below(v - kEpsilon)); }
-  static Vec3 random_point(int x, int y, int z) {
-    const std::size_t seed = lattice_hash(x, y, z);
-    return {x + lattice_random(seed), y + lattice_random(seed + 1), z + lattice_random(seed + 2)};
+  /// Leaves out cells none of whose points can be near enough.
+  NearestThree search(const CellPoints& points, const Vec3& p) const {
+    constexpr double kSlack = 1.0 + 1e-12;  // of rounding: points.nearest() must give the same
+    const Reach reach_x(*this, p.x - cell(p.x)), reach_y(*this, p.y - cell(p.y)),
+        reach_z(*this, p.z - cell(p.z));
+    NearestThree nearest;
+    for (std::size_t i = 0; i < kNeighbours.size(); ++i) {
+      const auto& step = kNeighbours[i];
+      const double reach = reach_x[step[0]] + reach_y[step[1]] + reach_z[step[2]];
+      if (reach >= nearest.d[2] * kSlack) continue;
+      const Vec3 away = points.at(i) - p;
+      const double d = powered(away.x) + powered(away.y) + powered(away.z);
+      if (d < nearest.d[2]) nearest.take(d, i);
+    }
+    return nearest;
   }
+
+  static int cell(double v) { return static_cast<int>(whole_below(v - kEpsilon)); }
   /// Distances are compared as their metric's power: no roots until the end.
   double powered(double d) const {
     if (m_crackle.metric == 2.0) return d * d;

@@ -43,6 +43,13 @@ class RaySource {
   void rays(std::span<const PixelPlace> places, std::span<PlaceRay> out) const {
     for (std::size_t i = 0; i < places.size(); ++i) out[i].shows = ray_at(places[i], out[i].ray);
   }
+  /// How many rays a place has, each of which counts alike: their mean is seen.
+  virtual std::uint32_t rays_a_place() const { return 1; }
+  /// One of them; false: it is none, and does not count.
+  virtual bool one_ray_at(const PixelPlace& place, [[maybe_unused]] std::uint32_t index,
+                          Ray& out) const {
+    return ray_at(place, out);
+  }
   /// How a camera with an aperture blurs; null: all rays of a place are one. Lives as long as it.
   virtual const FocalBlur* blur() const { return nullptr; }
   /// Ray through a place of a pixel's area from a point of the aperture, in the aperture's own units

@@ -27,10 +27,30 @@ bool Sampler::sample(const PixelPlace& place, std::uint32_t index, Radiance& out
 
 bool Sampler::direction(const PixelPlace& place, std::uint64_t key, Radiance& out) {
   if (m_blur) return blurred(place, key, out);
+  if (m_camera.rays_a_place() > 1) return of_several_rays(place, key, out);
   Ray ray;
   out = {Rgb(), 1.0f};
   if (!m_camera.ray_at(place, ray)) return false;
   trace(ray, place, key, out);
+  return true;
+}
+
+bool Sampler::of_several_rays(const PixelPlace& place, std::uint64_t key, Radiance& out) {
+  Radiance sum;
+  int count = 0;
+  for (std::uint32_t i = 0; i < m_camera.rays_a_place(); ++i) {
+    Ray ray;
+    if (!m_camera.one_ray_at(place, i, ray)) continue;
+    Radiance one;
+    trace(ray, place, part_key(key, i), one);
+    sum.rgb += one.rgb;
+    sum.transmit += one.transmit;
+    ++count;
+  }
+  out = {Rgb(), 1.0f};
+  if (count == 0) return false;
+  const float share = 1.0f / static_cast<float>(count);
+  out = {sum.rgb * share, sum.transmit * share};
   return true;
 }
 

@@ -20,7 +20,8 @@ class Sampler {
  public:
   Sampler(const RaySource& camera, const SamplerOptions& options, Integrator& integrator)
       : m_camera(camera), m_blur(camera.blur()), m_options(options),
-        m_is_mean(options.angles > 1 || m_blur), m_integrator(integrator) {}
+        m_is_mean(options.angles > 1 || m_blur || camera.rays_a_place() > 1),
+        m_integrator(integrator) {}
 
   /// Sample 0 of each of those pixels of the image, at their centres: `keep(pixel, radiance)`.
   /// Pixels without a ray are black and counted. False if `stop(pixel)` said so before one of them.
@@ -67,6 +68,7 @@ class Sampler {
   }
   /// One of the directions within a pixel.
   bool direction(const PixelPlace& place, std::uint64_t key, Radiance& out);
+  bool of_several_rays(const PixelPlace& place, std::uint64_t key, Radiance& out);
   bool blurred(const PixelPlace& place, std::uint64_t key, Radiance& out);
   void trace(const Ray& ray, const PixelPlace& place, std::uint64_t key, Radiance& out);
 

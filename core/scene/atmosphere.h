@@ -1,14 +1,16 @@
-// What fills the space between surfaces: fogs and rainbows. World space, distances in scene units,
+// What fills the space between surfaces: fogs, rainbows and media. World space, distances in scene units,
 // angles in radians. Immutable.
 // Source: reference manual 3.7, "Fog", "Rainbow"; compared with stock by image.atmosphere.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "core/base/color.h"
 #include "core/base/vec3.h"
 #include "core/material/blend_map.h"
+#include "core/material/medium.h"
 #include "core/noise/noise.h"
 
 namespace lentray::core {
@@ -36,7 +38,8 @@ struct Rainbow {
 struct Atmosphere {
   std::vector<Fog> fogs;
   std::vector<Rainbow> rainbows;
-  bool is_empty() const { return fogs.empty() && rainbows.empty(); }
+  std::vector<std::shared_ptr<const Medium>> media;
+  bool is_empty() const { return fogs.empty() && rainbows.empty() && media.empty(); }
 };
 
 }  // namespace lentray::core

@@ -23,6 +23,7 @@ constexpr Feature kFeatures[] = {
     {"transparent shadows", &Needs::transparent_shadows},
     {"shadows that begin anew behind each surface", &Needs::shadows_begin_anew},
     {"refraction", &Needs::refraction},
+    {"dispersion", &Needs::dispersion},
     {"interiors", &Needs::interiors},
     {"reflection", &Needs::reflection},
     {"layered textures", &Needs::layered_textures},
@@ -30,12 +31,16 @@ constexpr Feature kFeatures[] = {
     {"interior textures", &Needs::interior_textures},
     {"highlights", &Needs::highlights},
     {"area lights", &Needs::area_lights},
+    {"area illumination", &Needs::area_illumination},
+    {"lights projected through objects", &Needs::projected_lights},
     {"spot and cylindrical lights", &Needs::spot_lights},
     {"fading lights", &Needs::fading_lights},
     {"shadowless lights", &Needs::shadowless_lights},
     {"no_image, no_reflection, no_shadow", &Needs::visibility_flags},
     {"sky sphere", &Needs::sky_sphere},
-    {"fog or rainbows", &Needs::atmosphere},
+    {"fog, rainbows or media of the air", &Needs::atmosphere},
+    {"media", &Needs::media},
+    {"air that dims lights", &Needs::dimming_air},
 };
 
 constexpr int kColumn = 22;

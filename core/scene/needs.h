@@ -19,15 +19,19 @@ struct Needs {
   bool shadows_begin_anew =
       false;                ///< of these any with a shape that does not tell all crossings at once
   bool refraction = false;  ///< any interior with ior != 1 that can be seen through
+  bool dispersion = false;
   bool interiors = false;
   bool reflection = false;
   bool layered_textures = false, textures_by_place = false, interior_textures = false;
   bool highlights = false;  ///< phong or specular
   bool area_lights = false, spot_lights = false, fading_lights = false, shadowless_lights = false;
+  bool area_illumination = false, projected_lights = false;
   bool visibility_flags = false;  ///< no_image, no_reflection, no_shadow
   bool sky_sphere = false;
-  bool atmosphere = false;  ///< fog, rainbows
-  int greatest_depth = 1;   ///< deepest useful trace level (1: camera rays alone)
+  bool atmosphere = false;   ///< fog, rainbows, media of the air
+  bool media = false;        ///< in the air or in interiors
+  bool dimming_air = false;  ///< fog or media of the air dim a light on its way (media_attenuation)
+  int greatest_depth = 1;    ///< deepest useful trace level (1: camera rays alone)
 };
 
 }  // namespace lentray::core

@@ -80,8 +80,11 @@ class Finder {
     for (const Light& light : m_parts.lights) look_at_light(light);
     m_needs.sky_sphere = m_parts.sky_sphere && !m_parts.sky_sphere->pigments.empty();
     m_needs.atmosphere = !m_parts.atmosphere.is_empty();
+    const Atmosphere& air = m_parts.atmosphere;
+    if (!air.media.empty()) m_needs.media = true;
+    m_needs.dimming_air = (!air.fogs.empty() || !air.media.empty()) && any_light_dimmed_by_air();
     // Air is where no solid is.
-    if (m_needs.atmosphere) m_needs.interiors = true;
+    if (m_needs.atmosphere || m_needs.media) m_needs.interiors = true;
     if (m_parts.settings.atmosphere_ior != 1.0 && m_needs.transparency) m_needs.refraction = true;
     m_needs.greatest_depth = m_needs.reflection || m_needs.transparency
                                  ? std::max(1, m_parts.settings.max_trace_level)
@@ -112,24 +115,35 @@ class Finder {
       for (const auto& child : static_cast<const Csg&>(object).children())
         look_at_structure(*child);
     }
-    if (object.attributes().interior) m_needs.interiors = true;
+    if (object.attributes().interior) look_at_interior(*object.attributes().interior);
   }
 
   void look_at_leaf(const Leaf& leaf) {
     count_name(leaf.name());
     if (m_like_the_last(leaf)) return;
     const Attributes& a = leaf.attributes();
-    if (a.interior) m_needs.interiors = true;
+    if (a.interior) look_at_interior(*a.interior);
     if (a.interior_texture && a.interior_texture != a.texture) m_needs.interior_textures = true;
     const bool opaque = is_opaque(leaf);
     if (!opaque) {
       m_needs.transparency = true;
       if (a.interior && a.interior->ior != 1.0) m_needs.refraction = true;
+      if (a.interior && a.interior->dispersion != 1.0) m_needs.dispersion = true;
     }
     if (const Mesh* mesh = mesh_of(leaf)) {
       if (mesh->has_textures()) m_needs.textures_by_place = true;
     }
     visit_textures(leaf, [&](const Texture& texture) { look_at_texture(texture); });
+  }
+
+  void look_at_interior(const Interior& interior) {
+    m_needs.interiors = true;
+    if (!interior.media.empty()) m_needs.media = true;
+  }
+
+  bool any_light_dimmed_by_air() const {
+    return std::any_of(m_parts.lights.begin(), m_parts.lights.end(),
+                       [](const Light& light) { return light.dimmed_by_air; });
   }
 
   /// Most leaves are of the last one's kind and look like it.
@@ -161,6 +175,8 @@ class Finder {
 
   void look_at_light(const Light& light) {
     if (light.has_area) m_needs.area_lights = true;
+    if (light.illuminates_by_area()) m_needs.area_illumination = true;
+    if (light.projector) m_needs.projected_lights = true;
     if (light.kind != Light::Kind::kPoint) m_needs.spot_lights = true;
     if (light.fade_power != 0.0 && light.fade_distance != 0.0) m_needs.fading_lights = true;
     if (light.shadowless) m_needs.shadowless_lights = true;
@@ -193,13 +209,30 @@ Needs everything_needed(Needs found, const SceneSettings& settings) {
   Needs all;
   all.primitives = std::move(found.primitives);
   all.shadows_begin_anew = found.shadows_begin_anew;  // this alone changes what is found
-  for (bool Needs::*feature :
-       {&Needs::infinite_objects, &Needs::csg, &Needs::clipping, &Needs::transparency,
-        &Needs::transparent_shadows, &Needs::refraction, &Needs::interiors, &Needs::reflection,
-        &Needs::layered_textures, &Needs::textures_by_place, &Needs::interior_textures,
-        &Needs::highlights, &Needs::area_lights, &Needs::spot_lights, &Needs::fading_lights,
-        &Needs::shadowless_lights, &Needs::visibility_flags, &Needs::sky_sphere,
-        &Needs::atmosphere}) {
+  for (bool Needs::*feature : {&Needs::infinite_objects,
+                               &Needs::csg,
+                               &Needs::clipping,
+                               &Needs::transparency,
+                               &Needs::transparent_shadows,
+                               &Needs::refraction,
+                               &Needs::interiors,
+                               &Needs::reflection,
+                               &Needs::layered_textures,
+                               &Needs::textures_by_place,
+                               &Needs::interior_textures,
+                               &Needs::highlights,
+                               &Needs::area_lights,
+                               &Needs::spot_lights,
+                               &Needs::fading_lights,
+                               &Needs::shadowless_lights,
+                               &Needs::visibility_flags,
+                               &Needs::sky_sphere,
+                               &Needs::atmosphere,
+                               &Needs::area_illumination,
+                               &Needs::projected_lights,
+                               &Needs::media,
+                               &Needs::dimming_air,
+                               &Needs::dispersion}) {
     all.*feature = true;
   }
   all.greatest_depth = std::max(1, settings.max_trace_level);

@@ -47,9 +47,9 @@ struct Splitter {
   }
 };
 
-/// Those all of whose shadow rays end in one point.
+/// Those all of whose shadow rays end in one point, and all of whose occluders count.
 bool suits_buffer(const Light& light) {
-  return !light.shadowless && !light.has_area && !light.parallel &&
+  return !light.shadowless && !light.projector && !light.has_area && !light.parallel &&
          light.kind != Light::Kind::kCylinder;
 }
 

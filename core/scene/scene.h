@@ -56,7 +56,8 @@ struct SceneParts {
   SceneSettings settings;
   std::vector<std::unique_ptr<Object>> objects;  ///< the top level, in scene order
   std::vector<Light> lights;
-  std::unique_ptr<SkySphere> sky_sphere;  ///< null: none
+  std::vector<std::unique_ptr<Object>> projectors;  ///< that lights shine through
+  std::unique_ptr<SkySphere> sky_sphere;            ///< null: none
   Atmosphere atmosphere;
   std::vector<std::shared_ptr<const Texture>> textures;  ///< owners of what Attributes point at
   std::vector<std::shared_ptr<const Interior>> interiors;

@@ -1,5 +1,6 @@
 #include "core/trace/interior_stack.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace lentray::core {
@@ -15,20 +16,23 @@ float channel(double colour, double depth, double power) {
 
 }  // namespace
 
-double enter(const InteriorEntry& entry, double atmosphere_ior, InteriorStack& inside) {
-  const double ior = entry.ior(atmosphere_ior);
+Bend enter(const InteriorEntry& entry, double atmosphere_ior, InteriorStack& inside) {
+  const double ior = entry.ior(atmosphere_ior), dispersion = entry.dispersion();
   if (inside.empty()) {
     inside.push(entry);
-    return atmosphere_ior / ior;
+    return {atmosphere_ior / ior, 1.0 / dispersion, entry.bands()};
   }
   if (inside.back().key == entry.key) {
     inside.remove(entry.key);
-    return ior / (inside.empty() ? atmosphere_ior : inside.back().ior(atmosphere_ior));
+    if (inside.empty()) return {ior / atmosphere_ior, dispersion, entry.bands()};
+    const InteriorEntry& around = inside.back();
+    return {ior / around.ior(atmosphere_ior), dispersion / around.dispersion(),
+            std::max(entry.bands(), around.bands())};
   }
-  if (inside.remove(entry.key)) return 1.0;
-  const double before = inside.back().ior(atmosphere_ior);
+  if (inside.remove(entry.key)) return {};
+  const InteriorEntry around = inside.back();
   inside.push(entry);
-  return before / ior;
+  return {around.ior(atmosphere_ior) / ior, around.dispersion() / dispersion, entry.bands()};
 }
 
 double relative_ior(const InteriorEntry& entry, const InteriorStack& inside,

@@ -19,6 +19,8 @@ struct InteriorEntry {
   const Interior* interior;  ///< null: plain
   bool hollow;               ///< the air outside goes on in it
   double ior(double atmosphere_ior) const { return interior ? interior->ior : atmosphere_ior; }
+  double dispersion() const { return interior ? interior->dispersion : 1.0; }
+  int bands() const { return interior ? interior->dispersion_samples : kDefaultBands; }
 };
 
 /// The interior of a surface: `attributes` are those of the leaf, `object` is the scene's.
@@ -43,6 +45,8 @@ class InteriorStack {
 
   bool empty() const { return m_size == 0; }
   std::size_t size() const { return m_size; }
+  const InteriorEntry* begin() const { return m_entries.data(); }
+  const InteriorEntry* end() const { return m_entries.data() + m_size; }
   const InteriorEntry& back() const { return m_entries[m_size - 1]; }
   void clear() { m_size = 0; }
   void push(const InteriorEntry& entry) {
@@ -80,10 +84,15 @@ class InteriorStack {
   std::array<InteriorEntry, kCapacity> m_entries;
 };
 
-/// Changes the stack as a ray passes the surface of that interior; the ior before it over the ior behind.
-/// Nested objects count as cut out of those around them. Where objects overlap, the one that was entered
+/// What refraction at a surface depends on: before it over behind it.
+struct Bend {
+  double ior = 1.0, dispersion = 1.0;
+  int bands = kDefaultBands;  ///< that light is split into, if dispersion is not 1
+};
+
+/// Changes the stack as a ray passes the surface of that interior. Nested objects count as cut out of those around them. Where objects overlap, the one that was entered
 /// last fills the overlap, and leaving the other one there bends nothing.
-double enter(const InteriorEntry& entry, double atmosphere_ior, InteriorStack& inside);
+Bend enter(const InteriorEntry& entry, double atmosphere_ior, InteriorStack& inside);
 
 /// For the Fresnel term: the ior behind the surface over the ior before it. Leaving a nested object
 /// compares with the innermost interior, which is most often the object itself, as in stock.

@@ -25,14 +25,16 @@ namespace lentray::core {
 struct LightSource {
   LightSource(const Light& l, const LightBuffer* b)
       : position(l.position), colour(l.colour), straight(is_straight(l)), even(is_even(l)),
-        shadowless(l.shadowless), light(l), buffer(b) {}
+        shadowless(l.shadowless), by_area(l.illuminates_by_area()),
+        may_be_hindered(!l.shadowless || l.projector), light(l), buffer(b) {}
   /// Certain without a square root that it is behind a surface. `to` leads to its position.
   bool surely_behind(const Vec3& to, const Vec3& normal) const {
-    return straight && dot(normal, to) < 0.0;
+    return straight && !by_area && dot(normal, to) < 0.0;
   }
   Vec3 position;
   Rgb colour;
-  bool straight, even, shadowless;
+  bool straight, even, shadowless, by_area;
+  bool may_be_hindered;  ///< not all of it arrives everywhere
   const Light& light;
   const LightBuffer* buffer;  ///< null: the hierarchy answers for it
 };
@@ -46,6 +48,7 @@ struct LitPoint {
   int level;                    ///< trace level of the ray, 1: camera ray
   std::uint32_t tree_place;     ///< as ShadowQuery's
   const InteriorStack& inside;  ///< of the ray
+  bool in_air = false;          ///< lies on no surface
 };
 
 /// What is known of the lights at one point: where it lies in their buffers, and what arrives of them,
@@ -86,7 +89,7 @@ class LightLoop {
 
   /// Calls the receiver for each light of the lists:
   ///   bool receiver.may_face(source, to)     false: nothing of the light is wanted; cheap
-  ///   bool receiver.faces(direction)         the same, with the unit direction to the light
+  ///   bool receiver.faces(source, direction) the same, with the unit direction to the light
   ///   receiver.receive(source, ray, colour)  what arrives of it, if that is not black
   template <class Receiver>
   [[gnu::always_inline]] void at(const LitPoint& lit, const LightLists& lists, LightsAtPoint& known,
@@ -98,6 +101,7 @@ class LightLoop {
     query.column = m_context.pixel.column;
     query.row = m_context.pixel.row;
     query.inside = &lit.inside;
+    query.from_air = lit.in_air;
     for (const std::span<const std::uint32_t> lights : lists) {
       for (const std::uint32_t i : lights) {
         const LightSource& source = m_sources[i];
@@ -105,8 +109,8 @@ class LightLoop {
         if (!receiver.may_face(source, to)) continue;
         const LightRay ray = source.straight ? ray_along(to) : light_ray(source.light, lit.point);
         Rgb colour = source.even ? source.colour : light_colour(source.light, lit.point, ray);
-        if (is_dark(colour) || !receiver.faces(ray.direction)) continue;
-        if (!source.shadowless) {
+        if (is_dark(colour) || !receiver.faces(source, ray.direction)) continue;
+        if (source.may_be_hindered) {
           colour = arriving(i, colour, ray, query, known);
           if (is_dark(colour)) continue;
         }
@@ -144,8 +148,20 @@ class LightLoop {
     query.sample = 0;
     query.ray.direction = ray.direction;
     query.distance = ray.distance;
-    return colour * m_shadows.visibility(query).filter;
+    return colour * left(query);
   }
+
+  /// The part of a light's colour that the query's ray gets.
+  Rgb left(ShadowQuery& query) {
+    const Light& light = m_scene.lights()[query.light];
+    if (light.projector) {
+      if (!pass_projector(*light.projector, query)) return {};
+      if (light.shadowless) return Rgb(1.0f);
+    }
+    return m_shadows.visibility(query).filter;
+  }
+  /// False if the ray misses the projector. What lies behind it throws no shadow.
+  bool pass_projector(const Object& projector, ShadowQuery& query) const;
 
   Rgb of_area(const Rgb& colour, const LightRay& ray, ShadowQuery& query) {
     const Light& source = m_scene.lights()[query.light];
@@ -155,7 +171,7 @@ class LightLoop {
       query.ray.direction = to_sample.direction;
       query.distance = to_sample.distance;
       query.sample = sample;
-      return colour * m_shadows.visibility(query).filter;
+      return colour * left(query);
     };
     auto random_number = [this] { return m_context.random.next(); };
     const AreaAxes axes = area_axes(source.area, ray.direction);
@@ -171,6 +187,19 @@ class LightLoop {
   const double m_tolerance;            ///< kShadowTolerance in this scene
   std::vector<LightSource> m_sources;  ///< one a light of the scene
 };
+
+template <bool kArea, bool kAskedAgain>
+[[gnu::noinline]] bool LightLoop<kArea, kAskedAgain>::pass_projector(const Object& projector,
+                                                                     ShadowQuery& query) const {
+  constexpr double kClear = 1e-3;  ///< stock's: nothing so near before the projector counts
+  Hit hit;
+  if (!projector.nearest(query.ray, kMinHitDistance * m_scene.tolerance_scale(), query.distance,
+                         hit, m_context.arena)) {
+    return false;
+  }
+  query.distance = hit.t - kClear + m_tolerance;
+  return true;
+}
 
 template <bool kArea, bool kAskedAgain>
 void LightLoop<kArea, kAskedAgain>::look_ahead(const LightLists& lists, const Vec3& normal,

@@ -11,6 +11,7 @@
 #include "core/trace/reflectance.h"
 #include "core/trace/segment.h"
 #include "core/trace/sky.h"
+#include "core/trace/spectrum.h"
 #include "core/trace/surface_textures.h"
 
 namespace lentray::core {
@@ -34,6 +35,7 @@ PathIntegrator<kFeatures>::PathIntegrator(ThreadContext& context, ShadowTester& 
       m_atmosphere_ior(m_scene.settings().atmosphere_ior),
       m_mirror_images(m_scene.settings().mirror_images),
       m_air(m_scene.needs().atmosphere ? &m_scene.atmosphere() : nullptr) {
+  if (m_scene.needs().media) m_media = std::make_unique<MediaLight>(context, shadows);
   if (m_scene.needs().interiors) m_start_interiors = std::make_unique<StartInteriors>(m_scene);
 }
 
@@ -62,19 +64,25 @@ Radiance PathIntegrator<kFeatures>::follow(const RayState& state, float weight, 
   if (!m_hierarchy.nearest(state.ray, m_min_distance, Bounds::kInf, state.kind, hit,
                            m_context.arena, m_context.tests)) {
     Radiance sky = sky_radiance(m_scene, state.ray.direction, state.kind == RayKind::kReflection);
-    if (m_air) pass_open_air(state, kOpenAir, sky);
+    if (m_air) pass_open_air(state, kOpenAir, level + 1, nullptr, sky);
     return sky;
   }
-  Radiance seen = shade(state, hit, weight, straight_on ? level : level + 1);
-  if (m_air) pass_open_air(state, hit.t, seen);
+  if (!straight_on) ++level;
+  Radiance seen = shade(state, hit, weight, level);
+  const Attributes& looks = hit.leaf->attributes();
+  if (m_media) m_media->pass_interiors(state, hit.t, level, looks, seen);
+  if (m_air) pass_open_air(state, hit.t, level, &looks, seen);
   return seen;
 }
 
 template <unsigned kFeatures>
-void PathIntegrator<kFeatures>::pass_open_air(const RayState& state, double length,
-                                              Radiance& light) {
+void PathIntegrator<kFeatures>::pass_open_air(const RayState& state, double length, int level,
+                                              const Attributes* looks, Radiance& light) {
   if (!state.inside.is_hollow()) return;
-  pass_segment(*m_air, {state.ray, length}, m_context.random, light);
+  const Segment segment{state.ray, length};
+  if (!m_air->rainbows.empty()) pass_rainbows(*m_air, segment, m_context.random, light);
+  if (!m_air->media.empty()) m_media->pass_air(state, length, level, looks, light);
+  if (!m_air->fogs.empty()) pass_fogs(*m_air, segment, light);
 }
 
 template <unsigned kFeatures>
@@ -172,7 +180,8 @@ Rgb PathIntegrator<kFeatures>::mirror_image(const Vec3& normal, float weight, co
   const Vec3& incoming = at.ray().direction;
   ++m_context.counters.reflected_rays;
   const Ray ray{at.point(), normalized(mirrored(incoming, normal, at.normal))};
-  const RayState next(ray, at.state.inside, 2 * at.state.place, RayKind::kReflection);
+  RayState next(ray, at.state.inside, 2 * at.state.place, RayKind::kReflection);
+  next.wavelength = at.state.wavelength;
   Rgb seen = follow(next, weight, at.level).rgb;
   if (film.irid > 0.0) seen *= m_shading.film(film, normal, ray.direction, at);
   return seen;
@@ -183,38 +192,66 @@ bool PathIntegrator<kFeatures>::add_transmitted(const LayerSum& sum, const Surfa
                                                 Radiance& result) {
   const Rgb& filter = sum.filter;
   const float most = greatest({std::fabs(filter.r), std::fabs(filter.g), std::fabs(filter.b)});
-  const float weight = at.weight * most;
-  Ray onward{at.point(), at.ray().direction};
-  RayState next(onward, at.state.inside, 2 * at.state.place + 1,
-                std::max(at.state.kind, RayKind::kTransmitted));
+  Onward onward(at, at.weight * most);
   const InteriorEntry interior = at.interior();
-  const double ratio = m_start_interiors ? enter(interior, m_atmosphere_ior, next.inside) : 1.0;
+  const Bend bend =
+      m_start_interiors ? enter(interior, m_atmosphere_ior, onward.state.inside) : Bend();
 
   Rgb fade(1.0f);
   if (interior.interior && at.state.inside.contains(interior.key)) {
     fade = fade_in_interior(*interior.interior, at.context.hit->t);
   }
   Radiance seen;
-  if (std::fabs(ratio - 1.0) < kTiny) {
+  const bool disperses = !(std::fabs(bend.dispersion - 1.0) < kTiny);
+  if (std::fabs(bend.ior - 1.0) < kTiny && !disperses) {
     ++m_context.counters.refracted_rays;
-    seen = follow(next, weight, at.level, true);
+    seen = follow(onward.state, onward.weight, at.level, true);
+  } else if (disperses && at.state.wavelength == RayState::kWhite) {
+    seen.rgb = disperse(sum, at, bend, onward);
   } else {
-    double cosine = dot(onward.direction, sum.top_normal);
-    const Vec3 normal = cosine <= 0.0 ? sum.top_normal : -sum.top_normal;
-    cosine = std::fabs(cosine);
-    const double under_root = 1.0 + ratio * ratio * (cosine * cosine - 1.0);
-    if (under_root < 0.0) {
-      // Total internal reflection: the layers do not filter it.
-      result.rgb += fade * mirror_image(sum.top_normal, weight, at, *sum.top_finish);
+    const double ior =
+        disperses ? dispersed_ior(bend.ior, bend.dispersion, at.state.wavelength) : bend.ior;
+    if (refract(sum, at, ior, onward, seen)) {
+      // The layers do not filter it.
+      result.rgb += fade * seen.rgb;
       return true;
     }
-    onward.direction = onward.direction * ratio + normal * (ratio * cosine - std::sqrt(under_root));
-    ++m_context.counters.refracted_rays;
-    seen = follow(next, weight, at.level);
   }
   result.rgb += fade * seen.rgb * filter;
   result.transmit = static_cast<float>(grey(fade) * seen.transmit * sum.transparency);
   return false;
+}
+
+template <unsigned kFeatures>
+bool PathIntegrator<kFeatures>::refract(const LayerSum& sum, const Surface& at, double ior,
+                                        Onward& onward, Radiance& seen) {
+  const Vec3& incoming = at.ray().direction;
+  double cosine = dot(incoming, sum.top_normal);
+  const Vec3 normal = cosine <= 0.0 ? sum.top_normal : -sum.top_normal;
+  cosine = std::fabs(cosine);
+  const double under_root = 1.0 + ior * ior * (cosine * cosine - 1.0);
+  if (under_root < 0.0) {
+    seen.rgb = mirror_image(sum.top_normal, onward.weight, at, *sum.top_finish);
+    return true;
+  }
+  onward.ray.direction = incoming * ior + normal * (ior * cosine - std::sqrt(under_root));
+  ++m_context.counters.refracted_rays;
+  seen = follow(onward.state, onward.weight, at.level);
+  return false;
+}
+
+template <unsigned kFeatures>
+Rgb PathIntegrator<kFeatures>::disperse(const LayerSum& sum, const Surface& at, const Bend& bend,
+                                        Onward& onward) {
+  Rgb all;
+  for (int band = 0; band < bend.bands; ++band) {
+    onward.state.wavelength = band_wavelength(band, bend.bands);
+    Radiance seen;
+    refract(sum, at, dispersed_ior(bend.ior, bend.dispersion, onward.state.wavelength), onward,
+            seen);
+    all += seen.rgb * band_hue(band, bend.bands);
+  }
+  return all * (1.0f / static_cast<float>(bend.bands));
 }
 
 unsigned path_features(const Needs& needs) {

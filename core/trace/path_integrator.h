@@ -11,6 +11,7 @@
 
 #include "core/base/deep_threads.h"
 #include "core/trace/integrator.h"
+#include "core/trace/media_light.h"
 #include "core/trace/path_features.h"
 #include "core/trace/ray_state.h"
 #include "core/trace/start_interiors.h"
@@ -45,8 +46,29 @@ class PathIntegrator final : public Integrator {
   Rgb mirror_image(const Vec3& normal, float weight, const Surface& at, const Finish& film);
   /// Adds what is seen through the surface; true on total internal reflection.
   bool add_transmitted(const LayerSum& sum, const Surface& at, Radiance& result);
-  /// Fog and rainbows on a piece of the ray, if it is in the open.
-  void pass_open_air(const RayState& state, double length, Radiance& light);
+  /// The ray that goes on behind the surface.
+  struct Onward {
+    Ray ray;
+    RayState state;
+    float weight;
+    Onward(const Surface& at, float share)
+        : ray{at.point(), at.ray().direction},
+          state(ray, at.state.inside, 2 * at.state.place + 1,
+                std::max(at.state.kind, RayKind::kTransmitted)),
+          weight(share) {
+      state.wavelength = at.state.wavelength;
+    }
+    Onward(const Onward&) = delete;
+  };
+  /// Follows it with that ior before the surface over behind it. True on total internal reflection:
+  /// then `seen` is the mirror image.
+  bool refract(const LayerSum& sum, const Surface& at, double ior, Onward& onward, Radiance& seen);
+  /// The same for bands of light, each with its ior; the mean.
+  Rgb disperse(const LayerSum& sum, const Surface& at, const Bend& bend, Onward& onward);
+  /// Fog, rainbows and media of the air on a piece of the ray, if it is in the open. `looks`: of the
+  /// surface at its end; null: the sky.
+  void pass_open_air(const RayState& state, double length, int level, const Attributes* looks,
+                     Radiance& light);
   ShadingBuffers& enter_surface();
 
   ThreadContext& m_context;
@@ -59,6 +81,7 @@ class PathIntegrator final : public Integrator {
   const double m_atmosphere_ior;
   const bool m_mirror_images;
   const Atmosphere* m_air;                                 ///< null: clear
+  std::unique_ptr<MediaLight> m_media;                     ///< null: the scene has no media
   std::unique_ptr<StartInteriors> m_start_interiors;       ///< null: the scene has no interiors
   std::vector<std::unique_ptr<ShadingBuffers>> m_buffers;  ///< one a surface on the way
   std::size_t m_depth = 0;                                 ///< surfaces on the way

@@ -9,6 +9,7 @@
 #include "core/scene/scene.h"
 #include "core/scene/tolerances.h"
 #include "core/trace/reflectance.h"
+#include "core/trace/segment.h"
 #include "core/trace/surface_textures.h"
 
 namespace lentray::core {
@@ -34,6 +35,9 @@ PlainShadowTester::PlainShadowTester(ThreadContext& context, bool count_hits)
       m_any_transparent(context.scene.needs().transparent_shadows),
       m_begins_anew(context.scene.needs().shadows_begin_anew),
       m_interiors(context.scene.needs().interiors), m_counts_hits(count_hits),
+      m_media(context.scene.needs().media), m_dimmed_by_air(context.scene.needs().dimming_air),
+      m_by_place(context.scene.needs().textures_by_place ||
+                 context.scene.needs().interior_textures),
       m_bailout(context.scene.settings().adc_bailout) {}
 
 Visibility PlainShadowTester::search(const ShadowQuery& query) {
@@ -49,7 +53,7 @@ Visibility PlainShadowTester::search(const ShadowQuery& query) {
   const Object* blocker = nullptr;
   if (buffer) {
     const LightBuffer::Answer answer =
-        buffer->any_opaque(*spot, query.ray, m_tolerance, reach, m_context.arena, m_test_counters);
+        buffer->any_opaque(*spot, query.ray, start(query), reach, m_context.arena, m_test_counters);
     blocker = answer.blocker;
     if (blocker && m_counts_hits) {
       ShadowCounts& counts = m_context.counters.lights[query.light];
@@ -57,10 +61,10 @@ Visibility PlainShadowTester::search(const ShadowQuery& query) {
     }
   } else {
     blocker =
-        m_hierarchy.any_opaque(query.ray, m_tolerance, reach, m_context.arena, m_test_counters);
+        m_hierarchy.any_opaque(query.ray, start(query), reach, m_context.arena, m_test_counters);
   }
   if (blocker) return {Rgb(0.0f), blocker};
-  if (!m_any_transparent) return {};
+  if (!m_any_transparent && !m_dimmed_by_air) return {};
   return {filter_through(query, buffer, spot, reach), nullptr};
 }
 
@@ -105,24 +109,32 @@ void PlainShadowTester::order_filters(const Ray& ray) {
 
 Rgb PlainShadowTester::filter_through(const ShadowQuery& query, const LightBuffer* buffer,
                                       const LightBuffer::Spot* spot, double reach) {
+  const Light& light = m_context.scene.lights()[query.light];
+  const bool air = m_dimmed_by_air && light.dimmed_by_air;
   find_filters(query.ray, buffer, spot, reach);
-  if (m_hits.empty()) return Rgb(1.0f);
+  if (m_hits.empty() && !air) return Rgb(1.0f);
   m_inside.clear();
   if (m_interiors && query.inside) m_inside = *query.inside;
   Rgb filter(1.0f);
-  double last = filter_found(query.ray, filter);
-  if (!m_begins_anew) return filter;
-  for (Ray ray = query.ray; !filter.is_black(); last = filter_found(ray, filter)) {
+  Ray ray = query.ray;
+  double last = filter_found(ray, light, filter);
+  while (m_begins_anew && !filter.is_black() && !m_hits.empty()) {
     ray.origin = ray.at(last);
     reach -= last;
     find_filters(ray, buffer, spot, reach);
-    if (m_hits.empty()) break;
+    last = filter_found(ray, light, filter);
+  }
+  if (air && !filter.is_black()) {
+    const double rest = reach + m_tolerance - last;
+    if (rest > m_tolerance && m_inside.is_hollow()) {
+      filter *= left_by_air({{ray.at(last), ray.direction}, rest});
+    }
   }
   return filter;
 }
 
 /// Multiplies by what m_hits let through; with m_begins_anew the first of them. Answers where the last was.
-double PlainShadowTester::filter_found(const Ray& ray, Rgb& filter) {
+double PlainShadowTester::filter_found(const Ray& ray, const Light& light, Rgb& filter) {
   order_filters(ray);
   // A surface that follows the one before within the tolerance does not count.
   double last = 0.0;
@@ -130,9 +142,16 @@ double PlainShadowTester::filter_found(const Ray& ray, Rgb& filter) {
     if (!(at.t - last > m_tolerance)) continue;
     const Hit& hit = m_hits[at.index];
     const InteriorEntry entry = interior_of(hit.leaf->attributes(), hit.object);
-    const bool leaves = m_interiors && m_inside.remove(entry.key);
-    filter *= surface_filter(hit, ray, at.t - last, leaves);
+    const bool leaves = m_interiors && m_inside.contains(entry.key);
+    const double length = at.t - last;
+    filter *= surface_filter(hit, ray, length, leaves);
     if (filter.is_black()) break;
+    if (m_media || m_dimmed_by_air) {
+      const Segment way{{ray.at(last), ray.direction}, length};
+      if (m_media) filter *= left_by_interiors(way);
+      if (light.dimmed_by_air) filter *= left_by_air(way);
+    }
+    if (leaves) m_inside.remove(entry.key);
     if (m_interiors && !leaves) m_inside.push(entry);
     last = at.t;
     if (m_begins_anew) break;
@@ -140,12 +159,44 @@ double PlainShadowTester::filter_found(const Ray& ray, Rgb& filter) {
   return last;
 }
 
+Rgb PlainShadowTester::left_by_interiors(const Segment& way) {
+  if (m_inside.empty() || !m_inside.is_hollow()) return Rgb(1.0f);
+  m_media_here.clear();
+  add_media(m_inside, m_media_here);
+  return m_attenuation.left(m_media_here, way);
+}
+
+// As in stock media of the air dim the way to a surface in solids that are not hollow too.
+Rgb PlainShadowTester::left_by_air(const Segment& way) {
+  const Atmosphere& air = m_context.scene.atmosphere();
+  m_media_here.clear();
+  for (const auto& medium : air.media) m_media_here.push_back(medium.get());
+  const Rgb left = m_attenuation.left(m_media_here, way);
+  return m_inside.is_hollow() ? left * left_by_fogs(air, way) : left;
+}
+
+std::optional<Rgb> PlainShadowTester::plain_filter(const Attributes& looks) const {
+  const LayeredTexture* texture = m_by_place ? nullptr : looks.texture->everywhere();
+  if (!texture || (looks.interior && looks.interior->caustics != 0.0)) return std::nullopt;
+  Rgb through(1.0f);
+  for (const TextureLayer& layer : texture->layers()) {
+    const Colour* constant = layer.pigment->constant();
+    if (!constant) return std::nullopt;
+    through *= passed(*constant);
+  }
+  return through;
+}
+
 // Texture maps blend what their textures let through. `inside`: the light came through the
 // interior of that surface to here.
 Rgb PlainShadowTester::surface_filter(const Hit& hit, const Ray& ray, double depth, bool inside) {
   const Attributes& looks = hit.leaf->attributes();
-  const Vec3 point = ray.at(hit.t);
   const Interior* interior = looks.interior;
+  const bool fades = inside && interior && interior->fade_power > 0.0;
+  if (const auto plain = plain_filter(looks)) {
+    return fades ? *plain * fade_in_interior(*interior, depth) : *plain;
+  }
+  const Vec3 point = ray.at(hit.t);
   const bool caustics = interior && interior->caustics != 0.0;
   const Vec3& along = ray.direction;
   Vec3 normal = hit.leaf->normal(point, hit.shape);
@@ -169,10 +220,7 @@ Rgb PlainShadowTester::surface_filter(const Hit& hit, const Ray& ray, double dep
     }
     sum += times(through, weighted.weight);
   }
-  if (inside && interior && interior->fade_power > 0.0) {
-    sum *= fade_in_interior(*interior, depth);
-  }
-  return sum;
+  return fades ? sum * fade_in_interior(*interior, depth) : sum;
 }
 
 }  // namespace lentray::core

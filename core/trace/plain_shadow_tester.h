@@ -6,10 +6,13 @@
 
 #include <compare>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
+#include "core/light/light.h"
 #include "core/material/texture.h"
 #include "core/trace/interior_stack.h"
+#include "core/trace/media_attenuation.h"
 #include "core/trace/shadow_tester.h"
 #include "core/trace/thread_context.h"
 
@@ -35,22 +38,30 @@ class PlainShadowTester final : public ShadowTester {
   /// The same test against one opaque object of the scene: whether it alone blocks the query.
   bool blocks(const Object& object, const ShadowQuery& query) const {
     const double reach = query.distance - m_tolerance;
-    return reach > m_tolerance && object.any(query.ray, m_tolerance, reach, m_context.arena);
+    return reach > m_tolerance && object.any(query.ray, start(query), reach, m_context.arena);
   }
   ThreadContext& context() const { return m_context; }
 
  private:
+  /// From where on opaque surfaces count.
+  double start(const ShadowQuery& query) const { return query.from_air ? 0.0 : m_tolerance; }
   /// Fills m_hits with the filtering surfaces up to `reach`.
   void find_filters(const Ray& ray, const LightBuffer* buffer, const LightBuffer::Spot* spot,
                     double reach);
-  double filter_found(const Ray& ray, Rgb& filter);
+  double filter_found(const Ray& ray, const Light& light, Rgb& filter);
   /// Fills m_order.
   void order_filters(const Ray& ray);
   void order_ties(const Ray& ray);
   /// `buffer`: of the light, with the `spot` there, or null.
   Rgb filter_through(const ShadowQuery& query, const LightBuffer* buffer,
                      const LightBuffer::Spot* spot, double reach);
+  /// Where it is the same at every point of the hit's texture.
+  std::optional<Rgb> plain_filter(const Attributes& looks) const;
   Rgb surface_filter(const Hit& hit, const Ray& ray, double depth, bool inside);
+  /// What media in the solids around leave of the light on a piece of its way.
+  Rgb left_by_interiors(const Segment& way);
+  /// The same of media and fogs of the air.
+  Rgb left_by_air(const Segment& way);
 
   ThreadContext& m_context;
   double m_tolerance;  ///< kShadowTolerance in this scene
@@ -58,6 +69,8 @@ class PlainShadowTester final : public ShadowTester {
   Counters* m_test_counters;
   bool m_any_transparent, m_begins_anew;
   bool m_interiors, m_counts_hits;
+  bool m_media, m_dimmed_by_air;
+  bool m_by_place;  ///< textures that differ from place to place or on the inside
   double m_bailout;
   LightBuffer::Spot m_spot;  ///< of the query, where it has none
   InteriorStack m_inside;
@@ -69,6 +82,8 @@ class PlainShadowTester final : public ShadowTester {
   };
   std::vector<Place> m_order;
   WeightedTextures m_textures;
+  MediaList m_media_here;
+  MediaAttenuation m_attenuation;
 };
 
 class PlainShadowTesterFactory final : public ShadowTesterFactory {

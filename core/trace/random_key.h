@@ -35,6 +35,7 @@ class RandomSequence {
     kShading = 0x6c656e74726179,  ///< lights' areas, crand, rainbows: along the ray's path
     kFilm = 0x66696c6d,           ///< the place of a sample in its pixel
     kAperture = 0x61706572,       ///< the point of a camera's aperture a ray starts at
+    kShadowMedia = 0x6d65646961,  ///< media in the way of a shadow ray
     kPixelPlace = 0x706c616365,   ///< the places in a pixel of the rays of one blurred sample
   };
   RandomSequence(std::uint64_t key, Use use)

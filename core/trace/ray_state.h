@@ -23,6 +23,8 @@ struct RayState {
   InteriorStack inside;
   std::uint32_t place = 1;  ///< in the ray tree, see ShadowQuery
   RayKind kind = RayKind::kCamera;
+  double wavelength = kWhite;  ///< nm, of the band of light that dispersion left
+  static constexpr double kWhite = 0.0;
 };
 
 /// A place on a surface that is shaded. Members without initialisers: all are given.

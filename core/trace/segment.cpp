@@ -36,20 +36,6 @@ double left_by(const Fog& fog, const Ray& ray, double depth) {
   return std::exp(-depth * density / fog.distance);
 }
 
-void pass_fogs(const std::vector<Fog>& fogs, const Ray& ray, double depth, Radiance& light) {
-  Rgb left(1.0f), own;
-  for (const Fog& fog : fogs) {
-    const double share = std::max(left_by(fog, ray, depth), double(fog.colour.transmit));
-    const float filter = fog.colour.filter;
-    for (int c = 0; c < 3; ++c) {
-      left[c] *= static_cast<float>(share) * ((1.0f - filter) + filter * fog.colour.rgb[c]);
-      own[c] += static_cast<float>(1.0 - share) * fog.colour.rgb[c];
-    }
-  }
-  light.rgb = own + left * light.rgb;
-  light.transmit *= grey(left);
-}
-
 /// Where in its band the ray is, 0..1, or less than 0; and how much the arc's end fades it.
 double place_in_band(const Rainbow& bow, const Ray& ray, SampleRandom& random, double& fade) {
   const double x = dot(ray.direction, bow.right), y = dot(ray.direction, bow.up);
@@ -70,14 +56,30 @@ double place_in_band(const Rainbow& bow, const Ray& ray, SampleRandom& random, d
   return place;
 }
 
-void pass_rainbows(const std::vector<Rainbow>& rainbows, const Ray& ray, double depth,
-                   SampleRandom& random, Radiance& light) {
+/// What one fog lets through of each channel, if `share` is left.
+Rgb filtered(const Fog& fog, double share) {
+  const float filter = fog.colour.filter;
+  Rgb left;
+  for (int c = 0; c < 3; ++c) {
+    left[c] = static_cast<float>(share) * ((1.0f - filter) + filter * fog.colour.rgb[c]);
+  }
+  return left;
+}
+
+double share_left(const Fog& fog, const Segment& segment) {
+  return std::max(left_by(fog, segment.ray, segment.length), double(fog.colour.transmit));
+}
+
+}  // namespace
+
+void pass_rainbows(const Atmosphere& air, const Segment& segment, SampleRandom& random,
+                   Radiance& light) {
   Rgb sum;
   float transmit = 1.0f;
   int met = 0;
-  for (const Rainbow& bow : rainbows) {
+  for (const Rainbow& bow : air.rainbows) {
     double fade = 0.0;
-    const double place = place_in_band(bow, ray, random, fade);
+    const double place = place_in_band(bow, segment.ray, random, fade);
     if (place < 0.0) continue;
     const auto entry = bow.colours.find(place);
     const auto mix = [f = static_cast<float>(entry.fraction)](float a, float b) {
@@ -86,7 +88,7 @@ void pass_rainbows(const std::vector<Rainbow>& rainbows, const Ray& ray, double 
     const Colour &a = *entry.before, &b = *entry.after;
     const float c_transmit = mix(a.transmit, b.transmit);
     const double left =
-        std::max(std::exp(-depth / bow.distance), fade * (1.0 - c_transmit) + c_transmit);
+        std::max(std::exp(-segment.length / bow.distance), fade * (1.0 - c_transmit) + c_transmit);
     const double filter = mix(a.filter, b.filter) * (1.0 - left);
     for (int c = 0; c < 3; ++c) {
       const double own = mix(a.rgb[c], b.rgb[c]);
@@ -101,13 +103,21 @@ void pass_rainbows(const std::vector<Rainbow>& rainbows, const Ray& ray, double 
   light.transmit *= transmit;
 }
 
-}  // namespace
+void pass_fogs(const Atmosphere& air, const Segment& segment, Radiance& light) {
+  Rgb left(1.0f), own;
+  for (const Fog& fog : air.fogs) {
+    const double share = share_left(fog, segment);
+    left *= filtered(fog, share);
+    own += fog.colour.rgb * static_cast<float>(1.0 - share);
+  }
+  light.rgb = own + left * light.rgb;
+  light.transmit *= grey(left);
+}
 
-void pass_segment(const Atmosphere& air, const Segment& segment, SampleRandom& random,
-                  Radiance& light) {
-  const auto& [ray, length] = segment;
-  if (!air.rainbows.empty()) pass_rainbows(air.rainbows, ray, length, random, light);
-  if (!air.fogs.empty()) pass_fogs(air.fogs, ray, length, light);
+Rgb left_by_fogs(const Atmosphere& air, const Segment& segment) {
+  Rgb left(1.0f);
+  for (const Fog& fog : air.fogs) left *= filtered(fog, share_left(fog, segment));
+  return left;
 }
 
 }  // namespace lentray::core

@@ -1,9 +1,9 @@
-// What is on a ray's way between two surfaces, and what it makes of the light that comes along it: fog and
-// rainbows, in the open. World space. Immutable; any number of threads.
+// What the open air on a ray's way between two surfaces makes of the light that comes along it: fog and
+// rainbows. Media are core/trace/media_light.h. World space. Immutable; any number of threads.
 // Source: reference manual 3.7, "Fog", "Rainbow".
 #pragma once
 
-#include "core/base/ray.h"
+#include "core/base/segment.h"
 #include "core/scene/atmosphere.h"
 #include "core/trace/radiance.h"
 #include "core/trace/random_key.h"
@@ -13,15 +13,12 @@ namespace lentray::core {
 /// How far a ray goes that meets nothing.
 inline constexpr double kOpenAir = 1e7;
 
-/// A piece of a ray from its origin on.
-struct Segment {
-  const Ray& ray;  ///< unit direction
-  double length;
-};
-
-/// Changes `light`, which enters at the segment's far end, into what leaves at the ray's origin. `random`:
-/// of the sample, for rainbows with jitter.
-void pass_segment(const Atmosphere& air, const Segment& segment, SampleRandom& random,
-                  Radiance& light);
+/// Both change `light`, which enters at the segment's far end, into what leaves at the ray's origin.
+/// Rainbows come first, then media, then fogs. `random`: of the sample, for rainbows with jitter.
+void pass_rainbows(const Atmosphere& air, const Segment& segment, SampleRandom& random,
+                   Radiance& light);
+void pass_fogs(const Atmosphere& air, const Segment& segment, Radiance& light);
+/// What fogs leave of light that a shadow ray asks for.
+Rgb left_by_fogs(const Atmosphere& air, const Segment& segment);
 
 }  // namespace lentray::core

@@ -118,12 +118,37 @@ Rgb SurfaceShading<kFeatures>::lit(const Finish& finish, const Rgb& pigment, con
     bool may_face(const LightSource& source, const Vec3& to) const {
       return !(front_only && source.surely_behind(to, normal));
     }
-    bool faces(const Vec3& direction) {
+    bool faces(const LightSource& source, const Vec3& direction) {
       cosine = dot(normal, direction);
       behind = one_sided && cosine < kGrazing;
-      return !(behind && front_only);
+      return !(behind && front_only) || (kArea && source.by_area);
     }
     void receive(const LightSource& source, const LightRay& ray, const Rgb& light) {
+      if (kArea && source.by_area) {
+        receive_points(source, ray, light);
+      } else {
+        receive_from(source, ray, light);
+      }
+    }
+    /// Of each point of an area light, with the shadow that all of the light has.
+    void receive_points(const LightSource& source, const LightRay& ray, const Rgb& all) {
+      const AreaLight& area = source.light.area;
+      const AreaAxes axes = area_axes(area, ray.direction);
+      const Rgb share = all * (1.0f / static_cast<float>(area.size1 * area.size2));
+      for (int v = 0; v < area.size2; ++v) {
+        for (int u = 0; u < area.size1; ++u) {
+          const Vec3 offset = jittered_area_offset(
+              area, axes, u, v, [this] { return shading.m_context.random.next(); });
+          const LightRay one = light_ray(source.light, surface.point(), offset);
+          faces(source, one.direction);
+          if (behind && front_only) continue;
+          receive_from(
+              source, one,
+              share * static_cast<float>(light_attenuation(source.light, surface.point(), one)));
+        }
+      }
+    }
+    void receive_from(const LightSource& source, const LightRay& ray, const Rgb& light) {
       Rgb share = diffuse_light(finish, cosine, light, pigment,
                                 behind ? finish.diffuse_back : finish.diffuse, opacity,
                                 finish.crand > 0.0 ? shading.m_context.random.next() : 0.0);

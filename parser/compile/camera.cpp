@@ -50,6 +50,7 @@ camera::MeshCameraFaces camera_faces(const MeshShape& mesh, bool rounds_first) {
 camera::MeshCameraSetup mesh_setup(const CameraDesc& camera) {
   camera::MeshCameraSetup setup;
   setup.distribution = camera.distribution;
+  setup.rays = static_cast<std::uint32_t>(camera.rays_per_pixel);
   setup.smooth = camera.smooth;
   setup.forward = camera.location.z;
   setup.backwards = camera.direction.z < -1e-10;

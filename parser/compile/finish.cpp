@@ -34,9 +34,8 @@ core::Finish compile_finish(const FinishDesc& finish, std::set<std::string>& not
   return result;
 }
 
-std::shared_ptr<const core::Interior> compile_interior(const Ref<InteriorDesc>& interior,
-                                                       const Ref<TextureDesc>& texture,
-                                                       std::set<std::string>& not_yet) {
+std::shared_ptr<core::Interior> compile_interior(const Ref<InteriorDesc>& interior,
+                                                 const Ref<TextureDesc>& texture) {
   const FinishDesc* finish = nullptr;
   if (texture && !texture->layers.back().is_patterned()) {
     finish = texture->layers.back().finish.get();
@@ -46,7 +45,10 @@ std::shared_ptr<const core::Interior> compile_interior(const Ref<InteriorDesc>& 
   auto result = std::make_shared<core::Interior>();
   if (interior) {
     result->ior = single(interior->ior);
-    result->dispersion = single(interior->dispersion);
+    // Without an ior of its own an interior is the air's, dispersion included.
+    if (interior->ior_given && interior->dispersion != 0.0) {
+      result->dispersion = single(interior->dispersion);
+    }
     result->dispersion_samples = interior->dispersion_samples;
     // Stock scales an interior's caustics by 45 and leaves a finish's as written (measured by
     // tests/image, ImageShadingShadows.Caustics).
@@ -54,14 +56,14 @@ std::shared_ptr<const core::Interior> compile_interior(const Ref<InteriorDesc>& 
     result->fade_distance = single(interior->fade_distance);
     result->fade_power = single(interior->fade_power);
     result->fade_colour = interior->fade_colour;
-    result->has_media = !interior->media.empty();
   }
   if (from_finish) {
-    if (finish->ior) result->ior = single(*finish->ior);
+    if (finish->ior) {
+      result->ior = single(*finish->ior);
+      result->dispersion = 1.0;
+    }
     if (finish->caustics) result->caustics = single(*finish->caustics);
   }
-  if (result->has_media) not_yet.insert("media");
-  if (result->dispersion != 1.0 && result->dispersion != 0.0) not_yet.insert("dispersion");
   return result;
 }
 

@@ -13,9 +13,9 @@
 namespace lentray::parser {
 
 core::Finish compile_finish(const FinishDesc& finish, std::set<std::string>& not_yet);
-/// Null if neither gives anything; an old scene's `ior` in the texture's finish wins, as in stock.
-std::shared_ptr<const core::Interior> compile_interior(const Ref<InteriorDesc>& interior,
-                                                       const Ref<TextureDesc>& texture,
-                                                       std::set<std::string>& not_yet);
+/// All but the media. Null if neither gives anything; an old scene's `ior` in the texture's finish wins,
+/// as in stock.
+std::shared_ptr<core::Interior> compile_interior(const Ref<InteriorDesc>& interior,
+                                                 const Ref<TextureDesc>& texture);
 
 }  // namespace lentray::parser

@@ -31,7 +31,8 @@ core::Light build_light(const LightDesc& light, const core::Transform& to_world)
   out.tightness = light.tightness;
   out.fade_distance = light.fade_distance;
   out.fade_power = light.fade_power;
-  out.interaction = light.media_interaction;
+  out.lights_media = light.media_interaction;
+  out.dimmed_by_air = light.media_interaction && light.media_attenuation;
   out.has_area = light.has_area;
   if (light.has_area) {
     out.area.axis1 = to_world.vector(light.axis1);

@@ -328,9 +328,11 @@ void ObjectBuilder::add_light(const ObjectDesc& object, const core::Transform& t
   const LightDesc& light = *std::get<LightShape>(object.shape).light;
   m_parts->lights.push_back(build_light(light, to_world));
   m_parts->lights.back().grouped = grouped;
-  if (light.projected_through) note("projected_through", object.where);
-  if (light.area_illumination) note("area_illumination", object.where);
-  if (light.media_attenuation) note("media_attenuation", object.where);
+  if (!light.projected_through) return;
+  if (auto projector = geometry(*light.projected_through, to_world)) {
+    m_parts->lights.back().projector = projector.get();
+    m_parts->projectors.push_back(std::move(projector));
+  }
 }
 
 void ObjectBuilder::add_looks_like(const ObjectDesc& object, const core::Transform& to_world,

@@ -11,6 +11,7 @@
 #include "core/pattern/shapes.h"
 #include "core/pattern/surface_patterns.h"
 #include "core/pattern/tiles.h"
+#include "core/pattern/tiling.h"
 #include "parser/compile/density_reader.h"
 #include "parser/compile/object_query.h"
 
@@ -96,6 +97,7 @@ core::PatternPtr compile_tiles(const PatternDesc& p) {
     case Kind::kTriangular: return core::make_triangular();
     case Kind::kCubic: return core::make_cubic();
     case Kind::kCells: return core::make_cells();
+    case Kind::kTiling: return core::make_tiling(p.own->tiling);
     // Mortar is kept a little thinner than asked, so that bricks of its size still show.
     case Kind::kBrick: return core::make_brick(p.own->brick_size, single(p.own->mortar - 2e-10));
     default: return nullptr;

@@ -57,6 +57,7 @@ TextureSettings texture_settings(const SceneDesc& scene, const core::SceneSettin
   t.number_of_waves = scene.global.number_of_waves;
   t.language_version = scene.language_version;
   t.noise_generator = settings.noise_generator;
+  t.media = options.media;
   return t;
 }
 
@@ -72,11 +73,6 @@ void note_missing(const SceneDesc& scene, NotYet& not_yet) {
            g.photons->gather_max > 0,
        "photons", g.where);
   note(g.subsurface.has_value(), "subsurface", g.where);
-  note(!scene.atmosphere_media.empty(), "media", g.where);
-  if (!scene.camera) return;
-  const CameraDesc& camera = *scene.camera;
-  note(camera.kind == CameraKind::kMesh && camera.rays_per_pixel > 1, "several rays a pixel",
-       camera.where);
 }
 
 std::unique_ptr<core::SkySphere> build_sky(const SkySphereDesc& sky, TextureCompiler& textures) {
@@ -99,6 +95,16 @@ void warn_about_gamma(const SceneDesc& scene, Diagnostics& diagnostics) {
   }
 }
 
+bool any_random_media(const core::SceneParts& parts) {
+  const auto any = [](const std::vector<std::shared_ptr<const core::Medium>>& media) {
+    return std::any_of(media.begin(), media.end(),
+                       [](const auto& medium) { return medium->sampling.is_random(); });
+  };
+  return any(parts.atmosphere.media) ||
+         std::any_of(parts.interiors.begin(), parts.interiors.end(),
+                     [&](const auto& interior) { return any(interior->media); });
+}
+
 /// Once for each thing that the picture shows and that is random in stock: what include files declare does not count.
 void warn_of_random_numbers(const core::SceneParts& parts, const TextureCompiler& textures,
                             Diagnostics& diagnostics) {
@@ -114,6 +120,7 @@ void warn_of_random_numbers(const core::SceneParts& parts, const TextureCompiler
   warn(std::any_of(parts.lights.begin(), parts.lights.end(),
                    [](const core::Light& light) { return light.has_area && light.area.jitter; }),
        "jitter of area lights");
+  warn(any_random_media(parts), "sampling of media");
   warn(std::any_of(parts.atmosphere.rainbows.begin(), parts.atmosphere.rainbows.end(),
                    [](const core::Rainbow& rainbow) { return rainbow.jitter > 0.0; }),
        "jitter of rainbows");
@@ -148,6 +155,9 @@ core::SceneParts build_scene(const SceneDesc& scene, Diagnostics& diagnostics,
     if (scene.sky_sphere) parts.sky_sphere = build_sky(*scene.sky_sphere, textures);
     if (options.quality >= kAirQuality) {
       parts.atmosphere = build_atmosphere(scene, for_textures.noise_generator);
+      for (const Ref<MediaDesc>& medium : scene.atmosphere_media) {
+        parts.atmosphere.media.push_back(textures.medium(medium));
+      }
     }
   } catch (const BuildError& error) {
     diagnostics.fail(error.where(), error.what());

@@ -11,6 +11,7 @@ namespace lentray::parser {
 struct BuildOptions {
   int quality = 9;     ///< +Q
   bool alpha = false;  ///< +UA
+  MediaSettings media{};
 };
 
 /// Features that are kept and not rendered yet go to SceneParts::not_rendered, sorted, and are

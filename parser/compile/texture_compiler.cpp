@@ -9,6 +9,7 @@
 #include "core/material/pigments.h"
 #include "core/material/textures.h"
 #include "parser/compile/finish.h"
+#include "parser/compile/medium.h"
 #include "parser/compile/pattern_compiler.h"
 #include "parser/compile/picture_reader.h"
 
@@ -19,6 +20,7 @@ namespace {
 constexpr int kUnlitQuality = 1;
 constexpr int kQuickColourQuality = 5;
 constexpr int kNormalQuality = 8;
+constexpr int kMediaQuality = 9;
 
 /// The pigment's own colour, whatever the light.
 core::Finish unlit_finish() {
@@ -64,6 +66,7 @@ struct TextureCompiler::Impl {
   Cache<TextureDesc, core::Texture> textures;
   Cache<PigmentDesc, core::Pigment> pigments;
   Cache<NormalDesc, core::NormalPerturbation> normals;
+  Cache<MediaDesc, core::Medium> media;
 
   explicit Impl(const TextureSettings& s)
       : settings(s), pictures(not_yet), build{settings, not_yet,
@@ -284,7 +287,22 @@ std::shared_ptr<const core::NormalPerturbation> TextureCompiler::normal(
 
 std::shared_ptr<const core::Interior> TextureCompiler::interior(const Ref<InteriorDesc>& interior,
                                                                 const Ref<TextureDesc>& texture) {
-  return compile_interior(interior, texture, m_impl->not_yet);
+  const auto made = compile_interior(interior, texture);
+  if (made && interior) {
+    for (const Ref<MediaDesc>& one : interior->media) {
+      if (auto compiled = medium(one)) made->media.push_back(std::move(compiled));
+    }
+  }
+  return made;
+}
+
+std::shared_ptr<const core::Medium> TextureCompiler::medium(const Ref<MediaDesc>& medium) {
+  if (m_impl->settings.quality < kMediaQuality) return nullptr;
+  return m_impl->media.get(medium, [&] {
+    return compile_medium(*medium, m_impl->settings.media, [this](const Ref<PigmentDesc>& density) {
+      return m_impl->compile_fresh(*density, core::Placement());
+    });
+  });
 }
 
 const std::set<std::string>& TextureCompiler::not_yet() const { return m_impl->not_yet; }

@@ -11,6 +11,7 @@
 #include "core/material/texture.h"
 #include "parser/descriptions/interior.h"
 #include "parser/descriptions/texture.h"
+#include "parser/options/media_settings.h"
 
 namespace lentray::parser {
 
@@ -19,6 +20,7 @@ struct TextureSettings {
   int noise_generator = 2;   ///< global_settings; 3.7's default is 2
   int number_of_waves = 10;  ///< global_settings
   int language_version = 370;
+  MediaSettings media;  ///< what holds instead of the scene's own
 };
 
 class TextureCompiler {
@@ -36,7 +38,10 @@ class TextureCompiler {
   std::shared_ptr<const core::Interior> interior(const Ref<InteriorDesc>& interior,
                                                  const Ref<TextureDesc>& texture = nullptr);
 
-  /// Names of what was asked for and is not rendered yet ("pattern crackle", "media").
+  /// Null below the quality that shows media.
+  std::shared_ptr<const core::Medium> medium(const Ref<MediaDesc>& medium);
+
+  /// Names of what was asked for and is not rendered yet ("pattern crackle", "dispersion").
   const std::set<std::string>& not_yet() const;
   /// Whether a finish so far has crand.
   bool has_crand() const;

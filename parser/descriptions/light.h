@@ -42,8 +42,8 @@ struct LightDesc {
 
   double fade_distance = 0.0, fade_power = 0.0;
   bool media_interaction = true, media_attenuation = false;
-  Ref<ObjectDesc> looks_like;         ///< already moved to the light; casts no shadow
-  Ref<ObjectDesc> projected_through;  ///< kept; rendered later
+  Ref<ObjectDesc> looks_like;  ///< already moved to the light; casts no shadow
+  Ref<ObjectDesc> projected_through;
   PhotonFlags photons;
 
   /// One statement `translate` ... inside the block: moves what has been read so far.

@@ -1,4 +1,4 @@
-// Participating media and their densities as written; kept, not rendered yet.
+// Participating media and their densities as written.
 // Source: reference manual 3.7, "Media".
 #pragma once
 
@@ -29,7 +29,7 @@ struct MediaDesc {
   Location where;
   int method = 3, intervals = 1, min_samples = 1, max_samples = 1;
   double confidence = 0.9, variance = 1.0 / 128.0, ratio = 0.9, jitter = 0.0;
-  int aa_level = 4;
+  int aa_level = 3;
   double aa_threshold = 0.1;
   core::Rgb absorption, emission;
   ScatteringDesc scattering;

@@ -139,6 +139,17 @@ class CameraReader {
     m_camera.smooth = m_parser.accept(Keyword::kSmooth);
     m_parser.expect(Punct::kRightCurly);
     if (m_camera.meshes.empty()) m_parser.fail("A mesh_camera needs a mesh or mesh2.");
+    check_mesh_rays();
+  }
+
+  void check_mesh_rays() {
+    const int rays = m_camera.rays_per_pixel;
+    if (m_camera.distribution == 0 && rays > static_cast<int>(m_camera.meshes.size())) {
+      m_parser.fail("A mesh_camera of distribution 0 needs a mesh for each ray of a pixel.");
+    }
+    if (m_camera.distribution >= 2 && rays != 1) {
+      m_parser.fail("A mesh_camera of distribution 2 or 3 has one ray a pixel.");
+    }
   }
 
   bool accept_vector() {

@@ -74,6 +74,10 @@ void add_picture(const RenderOptions& o, Lines& out) {
   out.number("Start_Row", o.start_row);
   out.number("End_Row", o.end_row);
   out.number("Quality", o.quality);
+  out.number("Media_Method", o.media.method);
+  out.number("Media_Intervals", o.media.intervals);
+  out.number("Media_Samples", o.media.samples);
+  out.number("Media_Confidence", o.media.confidence);
   out.add("Output_Alpha", o.alpha);
   out.add("Antialias", o.antialias);
   out.number("Sampling_Method", o.sampling_method);

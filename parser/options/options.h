@@ -18,6 +18,7 @@
 #include "core/image/writer.h"
 #include "parser/options/animation.h"
 #include "parser/options/ini.h"
+#include "parser/options/media_settings.h"
 
 namespace lentray::parser {
 
@@ -47,6 +48,7 @@ struct RenderOptions {
   // Picture.
   std::int64_t width = 160, height = 120;
   int quality = 9;
+  MediaSettings media;
   int threads = 0;     ///< 0: all of the machine
   std::string output;  ///< as given; see output_path()
   bool output_to_file = true;

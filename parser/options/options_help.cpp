@@ -50,6 +50,12 @@ constexpr OptionHelp kPicture[] = {
     {"End_Row", "n", "Render up to this row, or part.", ""},
     {"Quality", "n",
      "0 to 11 (9). Below 9 the picture gets simpler: without reflection, shadows, textures.", ""},
+    {"Media_Method", "1|2|3", "How media are sampled, whatever the scene says.", ""},
+    {"Media_Intervals", "n", "Pieces of a ray's way through media, likewise.", ""},
+    {"Media_Samples", "n", "Samples in each piece, likewise: the least and the most.", ""},
+    {"Media_Confidence", "n",
+     "0 to less than 1, likewise: how sure methods 1 and 2 have to be that samples are enough.",
+     ""},
     {"Output_File_Name", "file",
      "The picture, or a folder for it; - is standard output. Without it the picture has the "
      "scene's name and lies beside it.",

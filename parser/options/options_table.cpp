@@ -418,6 +418,17 @@ void set_height(Options& o, const Given& g) { o.height = size(o, g); }
 void set_quality(Options& o, const Given& g) {
   o.quality = static_cast<int>(cut_whole(o, g, 0, 11));
 }
+constexpr int kMostMediaSamples = 1'000'000;
+template <std::optional<int> MediaSettings::*member, int kMost>
+void set_media(Options& o, const Given& g) {
+  o.media.*member = static_cast<int>(whole_number(g, 1, kMost));
+}
+void set_media_confidence(Options& o, const Given& g) {
+  o.media.confidence = number(g);
+  if (!(*o.media.confidence >= 0.0 && *o.media.confidence < 1.0)) {
+    refuse(g, "a number from 0 to less than 1 is expected");
+  }
+}
 void set_threads(Options& o, const Given& g) {
   o.threads = static_cast<int>(cut_whole(o, g, 1, 512));
 }
@@ -583,6 +594,10 @@ constexpr OptionRow kTable[] = {
     {"Pixel_Order", "", set_order},
     {"Shadow_Cache", "", set_cache},
     {"Accelerator", "", set_accelerator},
+    {"Media_Method", "", set_media<&MediaSettings::method, 3>},
+    {"Media_Intervals", "", set_media<&MediaSettings::intervals, kMostMediaSamples>},
+    {"Media_Samples", "", set_media<&MediaSettings::samples, kMostMediaSamples>},
+    {"Media_Confidence", "", set_media_confidence},
     {"Light_Buffer", "UL", set_bool<&Options::light_buffer>},
     {"Max_Memory", "", set_memory},
     {"Max_Time", "", set_time},

@@ -177,6 +177,34 @@ light_group {
 #end
 )";
 
+/// Media in the air and in solids, by all methods, in the way of light too; and lights and glass that
+/// send many rays.
+const char* const kHaze = R"(#version 3.7;
+global_settings { assumed_gamma 1 max_trace_level 4 }
+camera { location <0.3,2,-7> look_at <0,0.7,0> angle 45 }
+light_source { <3,9,-4> rgb 0.6 media_attenuation on }
+light_source { <-4,7,-3> rgb 0.8 spotlight point_at 0 radius 10 falloff 18 }
+light_source { <5,6,3> rgb 0.4 area_light x*2, z*2, 3, 3 jitter area_illumination }
+light_source { <-6,8,2> rgb 0.5 projected_through { disc { <-3,4,1>, <-1,1,0.3>, 0.8 } } }
+plane { y, 0 hollow pigment { checker rgb 0.9, rgb <0.6,0.7,0.9> } finish { reflection 0.1 } }
+sphere { <-1.6,0.9,0>, 0.9 hollow pigment { rgbt 1 } interior { media {
+  method 1 intervals 3 samples 1, 4 emission 0.2 absorption <0.2,0.5,0.8>
+  density { bozo scale 0.4 color_map { [0.3 rgb 0] [0.6 rgb 2] } } } } }
+sphere { <0.4,0.7,-0.6>, 0.7 pigment { rgbf <0.9,1,0.9,0.8> } finish { reflection 0.1 }
+  interior { ior 1.4 dispersion 1.1 dispersion_samples 5 } }
+box { <1.2,0,0>, <2.2,1.4,1> hollow pigment { rgbt 0.9 } interior { media {
+  method 2 samples 4 jitter 0.5 scattering { 5, 0.5 eccentricity 0.3 } } } }
+media { scattering { 4, 0.01 } samples 3 jitter 0.3 }
+)";
+
+TEST(ImageIdentical, Media) {
+  const tool::TemporaryFolder folder;
+  tool::write_text(folder / "haze.pov", kHaze);
+  const std::string scene = "+I" + (folder / "haze.pov").string();
+  expect_identical({scene, "+W40", "+H30"}, Ways::kHalf);
+  expect_identical({scene, "Lenticular=On", "Lens_Pixels=6", "+W48", "+H24"}, Ways::kHalf);
+}
+
 /// Several tiles, whose edges cut lenses' neighbours.
 TEST(ImageIdentical, AntialiasedInTiles) {
   expect_identical({scene_file("demo.pov"), "+A0.2", "+R2", "+W140", "+H130"}, Ways::kHalf);

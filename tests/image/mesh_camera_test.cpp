@@ -34,6 +34,9 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(
         "camera { mesh_camera { 1 0 Faces(48, 30, 0) } }",
         "camera { mesh_camera { 1 0 Faces(48, 20, 0) } location <0,0,-.5> }",
+        "camera { mesh_camera { 3 0 Faces(48, 30, 0) Faces(48, 30, .04) Faces(48, 22, -.05) } }",
+        "#declare Strip = Faces(48, 6, 0); camera { mesh_camera { 2 1"
+        " #for (K, 0, 4) mesh { Strip translate .8*(1-K)*y } #end } }",
         "#declare Strip = Faces(48, 6, 0); camera { mesh_camera { 1 1"
         " #for (K, 0, 4) mesh { Strip translate .8*(1-K)*y } #end } }",
         "#declare Right = Faces(24, 30, .2);"

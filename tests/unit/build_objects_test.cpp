@@ -197,20 +197,20 @@ TEST(UnitBuildObjects, LooksLikeIsAnObjectWithoutShadow) {
 
 TEST(UnitBuildScene, NotRenderedIsNamedOnce) {
   SceneText s(
-      "#declare Unused = light_source { 0, 1 projected_through { sphere { 0, 1 } } }"
-      "light_source { Unused } plane { y, 0 } light_source { Unused }"
-      "media { scattering { 1, 1 } }");
+      "#declare Lit = finish { subsurface { translucency 1 } }"
+      "sphere { 0, 1 finish { Lit } } plane { y, 0 finish { Lit } }"
+      "global_settings { radiosity { } }");
   const core::SceneParts parts = s.build();
-  EXPECT_EQ(parts.not_rendered, (std::vector<std::string>{"media", "projected_through"}));
+  EXPECT_EQ(parts.not_rendered, (std::vector<std::string>{"radiosity", "subsurface"}));
   int warnings = 0;
   for (const Diagnostic& d : s.diagnostics().warnings()) {
-    if (d.message.find("projected_through") != std::string::npos) {
+    if (d.message.find("subsurface") != std::string::npos) {
       ++warnings;
-      EXPECT_NE(d.message.find("media"), std::string::npos);
+      EXPECT_NE(d.message.find("radiosity"), std::string::npos);
     }
   }
   EXPECT_EQ(warnings, 1);
-  EXPECT_EQ(parts.objects.size(), 1u);
+  EXPECT_EQ(parts.objects.size(), 2u);
 }
 
 /// What stock writes for rgb 0.5 tells its working gamma: 128 without, 188 with assumed_gamma 1.

@@ -62,9 +62,11 @@ const Program kPrograms[] = {
      "sRGB colours need an assumed_gamma before them"},
     {"@0 sphere { 0, 1 }",
      "assumed_gamma is not specified: gamma correction is off, as it was before #version 3.7."},
-    {"camera { aperture 1 blur_samples 3 mesh_camera { 2, 0, mesh { triangle { x, y, z } } } } "
-     "sphere { 0, 1 }",
-     "several rays a pixel"},
+    {"media { method 1 scattering { 1, rgb .1 } } sphere { 0, 1 }", "sampling of media"},
+    {"camera { mesh_camera { 2, 0, mesh { triangle { x, y, z } } } } sphere { 0, 1 }",
+     "A mesh_camera of distribution 0 needs a mesh for each ray of a pixel."},
+    {"camera { mesh_camera { 2, 3, mesh { triangle { x, y, z } } } } sphere { 0, 1 }",
+     "A mesh_camera of distribution 2 or 3 has one ray a pixel."},
     // fog, rainbow, sky
     {"@1.5 fog { 5 color rgb 1 }", "the distance of a fog wants the word distance"},
     {"fog { fogtype 2 }",

@@ -220,7 +220,7 @@ TEST(UnitParserObject, ExtentInsideTrace) {
 /// A shape without geometry yet answers nothing; what a scene makes of that does not stop it.
 TEST(UnitParserObject, GuessesMayBeDegenerate) {
   const SceneText s(
-      "#declare A = isosurface { function { pattern { tiling 1 } } }"
+      "#declare A = isosurface { function { pattern { pavement } } }"
       "#declare P = trace(A, z*5, -z); cylinder { P, trace(A, z*6, -z), 1 }");
   EXPECT_EQ(s.scene.objects.size(), 1u);
   EXPECT_TRUE(s.warned("Degenerate cylinder"));

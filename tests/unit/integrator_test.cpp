@@ -115,7 +115,7 @@ struct Kit {
 Colour rgb(float r, float g, float b) { return {{r, g, b}, 0.0f, 0.0f}; }
 Colour clear(float filter, float transmit) { return {Rgb(1.0f), filter, transmit}; }
 
-// A room of everything: floor, mirror, glass, filter, layers, area light.
+// A room of everything: floor, mirror, glass, filter, layers, area light; with glass comes haze.
 void furnish(Builder& b, bool transparency, bool reflection, bool layers, bool area) {
   b.parts.settings.max_trace_level = 7;
   b.parts.settings.background = rgb(0.2f, 0.3f, 0.5f);
@@ -154,6 +154,15 @@ void furnish(Builder& b, bool transparency, bool reflection, bool layers, bool a
   }
   b.light({-4, 6, -5}, Rgb(0.8f));
   Light& second = b.light({4, 7, -3}, {0.4f, 0.4f, 0.5f});
+  if (transparency) {
+    auto haze = std::make_shared<Medium>();
+    haze->scattering = haze->absorption = Rgb(0.01f);
+    haze->sampling.min_samples = 4;
+    haze->sampling.jitter = 0.5;
+    haze->densities = {std::make_shared<StripedPigment>(rgb(1, 1, 1), rgb(0.2f, 0.3f, 2.0f))};
+    b.parts.atmosphere.media.push_back(haze);
+    second.dimmed_by_air = true;
+  }
   if (area) {
     second.has_area = true;
     second.area.axis1 = {1, 0, 0};

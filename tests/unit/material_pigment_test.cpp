@@ -158,10 +158,10 @@ TEST(UnitMaterialPigment, IdenticalDescriptionsAreCompiledOnce) {
 }
 
 TEST(UnitMaterialPigment, WhatIsNotRenderedYetIsNamedWhenUsed) {
-  const LooksText text("pigment { tiling 3 }");
+  const LooksText text("pigment { pavement }");
   TextureCompiler compiler(TextureSettings{});
   compiler.texture(text.object().texture, nullptr);
-  EXPECT_EQ(compiler.not_yet().count("pattern tiling"), 1u);
+  EXPECT_EQ(compiler.not_yet().count("pattern pavement"), 1u);
 }
 
 TEST(UnitMaterialBlendMap, UnsortedEntriesAreSearchedAsInStock) {

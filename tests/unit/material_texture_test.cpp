@@ -186,19 +186,40 @@ TEST(UnitMaterialTexture, MaterialBringsTextureAndInterior) {
 
 TEST(UnitMaterialInterior, IorOfAnOldFinishWins) {
   const LooksText text("pigment { rgb 1 } finish { ior 1.7 } interior { ior 1.2 }");
-  std::set<std::string> not_yet;
-  const auto interior = compile_interior(text.object().interior, text.object().texture, not_yet);
+  const auto interior = compile_interior(text.object().interior, text.object().texture);
   EXPECT_NEAR(interior->ior, 1.7, 1e-6);
 }
 
-TEST(UnitMaterialInterior, MediaIsKeptAndNamed) {
+TEST(UnitMaterialInterior, MediaAreCompiledFromQualityNineOn) {
   const LooksText text(
-      "interior { media { emission .1 density { spherical color_map { [0 rgb 0]"
-      " [1 rgb 1] } } } }");
-  std::set<std::string> not_yet;
-  EXPECT_TRUE(compile_interior(text.object().interior, nullptr, not_yet)->has_media);
-  EXPECT_EQ(not_yet.count("media"), 1u);
-  EXPECT_EQ(text.object().interior->media.front()->densities.size(), 1u);
+      "interior { media { emission .1 scattering { 5, 2 eccentricity .3 extinction .5 }"
+      " density { spherical color_map { [0 rgb 0] [1 rgb 1] } } density { rgb 3 } } }");
+  TextureSettings simple_settings;
+  simple_settings.quality = 8;
+  TextureCompiler best(TextureSettings{}), simple(simple_settings);
+  EXPECT_TRUE(simple.interior(text.object().interior)->media.empty());
+  const auto media = best.interior(text.object().interior)->media;
+  ASSERT_EQ(media.size(), 1u);
+  EXPECT_EQ(media.front()->extinction(), core::Rgb(1.0f));
+  EXPECT_EQ(media.front()->phase.kind, core::PhaseFunction::Kind::kHenyeyGreenstein);
+  EXPECT_EQ(media.front()->density({0.5, 0, 0}), core::Rgb(1.5f));
+  EXPECT_TRUE(best.not_yet().empty());
+}
+
+TEST(UnitMaterialInterior, SettingsOfMediaMayBeGivenInstead) {
+  const LooksText text("interior { media { method 1 intervals 4 samples 2,9 confidence .5 } }");
+  const auto own = TextureCompiler({}).interior(text.object().interior)->media.front();
+  EXPECT_EQ(own->sampling.min_samples, 2);
+  EXPECT_EQ(own->sampling.max_samples, 9);
+  EXPECT_EQ(own->variance_limits.size(), 9u);
+  TextureSettings settings;
+  settings.media = {.method = 2, .intervals = 3, .samples = 5, .confidence = 0.25};
+  const auto other = TextureCompiler(settings).interior(text.object().interior)->media.front();
+  EXPECT_EQ(other->sampling.method, core::SamplingMethod::kEven);
+  EXPECT_EQ(other->sampling.intervals, 3);
+  EXPECT_EQ(other->sampling.min_samples, 5);
+  EXPECT_EQ(other->sampling.max_samples, 5);
+  EXPECT_EQ(other->sampling.confidence, 0.25);
 }
 
 }  // namespace

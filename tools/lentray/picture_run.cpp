@@ -147,7 +147,8 @@ void parse_alone(Run& run, const std::string& path) {
   options.only_check = !o.dump;
   const parser::SceneDesc scene = parser::read_descriptions(path, sources, diagnostics, options);
   const double seconds = cpu_seconds() - before;
-  const core::SceneParts parts = parser::build_scene(scene, diagnostics, {o.quality, o.alpha});
+  const core::SceneParts parts =
+      parser::build_scene(scene, diagnostics, {o.quality, o.alpha, o.media});
   run.warnings.say();
   refuse_if_strict(o, parts.not_rendered);
   if (o.dump) {
@@ -191,7 +192,8 @@ void compile_scene(Run& run, const std::string& path, SceneDisk& disk) {
   const double parsed = cpu_seconds();
   run.report.parse_cpu_s = parsed - before;
 
-  core::SceneParts parts = parser::build_scene(description, diagnostics, {o.quality, o.alpha});
+  core::SceneParts parts =
+      parser::build_scene(description, diagnostics, {o.quality, o.alpha, o.media});
   description.objects = {};  // their memory is used again by what is built next
   run.not_rendered = parts.not_rendered;
   run.slopes = parts.slopes;
@@ -207,8 +209,8 @@ void compile_scene(Run& run, const std::string& path, SceneDisk& disk) {
   run.scene = std::make_unique<core::Scene>(std::move(parts), compile);
   run.report.compile_cpu_s = cpu_seconds() - parsed;
 
-  const auto textures =
-      parser::texture_settings(description, run.scene->settings(), {.quality = o.quality});
+  const auto textures = parser::texture_settings(description, run.scene->settings(),
+                                                 {.quality = o.quality, .media = o.media});
   const auto request =
       parser::camera_request(description.camera.value_or(parser::CameraDesc{}), textures);
   run.camera = make_camera(request, o, camera::probe_of(*run.scene));

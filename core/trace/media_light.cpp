@@ -1,0 +1,131 @@
+#include "core/trace/media_light.h"
+
+#include <algorithm>
+
+namespace lentray::core {
+namespace {
+
+bool any_scatters(const MediaList& media) {
+  return std::any_of(media.begin(), media.end(), [](const Medium* m) { return m->scatters(); });
+}
+
+bool any_directed(const MediaList& media) {
+  return std::any_of(media.begin(), media.end(), [](const Medium* m) {
+    return m->phase.kind != PhaseFunction::Kind::kIsotropic;
+  });
+}
+
+}  // namespace
+
+/// A point of the media: what they emit there, and what they scatter of each light.
+class MediaLight::Probe final : public MediaProbe {
+ public:
+  Probe(MediaLight& owner, const RayState& state, int level, const LightLists& lists)
+      : m_owner(owner), m_state(state), m_level(level), m_lists(lists),
+        m_scatters(any_scatters(owner.m_media)), m_directed(any_directed(owner.m_media)) {}
+
+  MediaPoint at(double distance, bool lit) override {
+    MediaPoint point;
+    const Vec3 place = m_state.ray.at(distance);
+    Rgb scattering;
+    for (const Medium* medium : m_owner.m_media) {
+      const Rgb density = medium->density(place);
+      point.source += density * medium->emission;
+      point.extinction += density * medium->extinction();
+      scattering += density * medium->scattering;
+    }
+    if (lit && m_scatters && !scattering.is_black())
+      point.source += scattering * arriving(place, distance);
+    return point;
+  }
+  double random() override { return m_owner.m_context.random.next(); }
+
+ private:
+  /// The lights, each weighed by how much of it goes on along the ray.
+  Rgb arriving(const Vec3& place, double distance) {
+    struct Receiver {
+      const Probe& probe;
+      const double distance;
+      const Light* const first;
+      Rgb sum{};
+      bool may_face(const LightSource& source, const Vec3&) const {
+        const auto& part = probe.m_owner.m_part_of[&source.light - first];
+        return part && part->holds(distance);
+      }
+      bool faces(const LightSource&, const Vec3&) const { return true; }
+      void receive(const LightSource&, const LightRay& ray, const Rgb& colour) {
+        sum += probe.m_directed
+                   ? colour * probe.phase(dot(ray.direction, probe.m_state.ray.direction))
+                   : colour;
+      }
+    };
+    Receiver receiver{*this, distance, m_owner.m_context.scene.lights().data()};
+    m_owner.m_lights.at({place, m_level, m_state.place, m_state.inside, true}, m_lists,
+                        m_owner.m_at_point, receiver);
+    return receiver.sum;
+  }
+  /// The mean of all media, also of those that do not scatter: as in stock.
+  float phase(double cosine) const {
+    double sum = 0.0;
+    for (const Medium* medium : m_owner.m_media) sum += medium->phase(cosine);
+    return static_cast<float>(sum / static_cast<double>(m_owner.m_media.size()));
+  }
+
+  MediaLight& m_owner;
+  const RayState& m_state;
+  const int m_level;
+  const LightLists& m_lists;
+  const bool m_scatters, m_directed;
+};
+
+MediaLight::MediaLight(ThreadContext& context, ShadowTester& shadows)
+    : m_context(context), m_lights(context, shadows), m_at_point(context.scene.lights().size()),
+      m_part_of(context.scene.lights().size()) {}
+
+void MediaLight::pass_interiors(const RayState& state, double length, int level,
+                                const Attributes& looks, Radiance& light) {
+  if (state.inside.empty() || !state.inside.is_hollow()) return;
+  m_media.clear();
+  add_media(state.inside, m_media);
+  pass(state, length, level, &looks, light);
+}
+
+void MediaLight::pass_air(const RayState& state, double length, int level, const Attributes* looks,
+                          Radiance& light) {
+  m_media.clear();
+  for (const auto& medium : m_context.scene.atmosphere().media) m_media.push_back(medium.get());
+  pass(state, length, level, looks, light);
+}
+
+void MediaLight::pass(const RayState& state, double length, int level, const Attributes* looks,
+                      Radiance& light) {
+  if (m_media.empty()) return;
+  const LightLists lists =
+      looks ? m_lights.lights_of(*looks) : LightLists{m_context.scene.global_lights()};
+  find_lit_parts(lists, state.ray, length);
+  const Medium& first = leading(m_media);
+  m_cutter.cut(first.sampling, first.densities.empty(), length, m_lit, m_intervals);
+  Probe probe(*this, state, level, lists);
+  const SamplingPlan plan{first.sampling, least_aa_threshold(m_media), first.variance_limits};
+  if (first.sampling.method == SamplingMethod::kAdaptive) {
+    sample_adaptively(plan, probe, m_intervals);
+  } else {
+    sample_at_random(plan, probe, m_intervals);
+  }
+  const MediaSum sum = sum_of(m_intervals);
+  light.rgb = light.rgb * sum.left + sum.source;
+  light.transmit *= grey(sum.left);
+}
+
+void MediaLight::find_lit_parts(const LightLists& lists, const Ray& ray, double length) {
+  const auto& all = m_context.scene.lights();
+  m_lit.clear();
+  for (const std::span<const std::uint32_t> lights : lists) {
+    for (const std::uint32_t i : lights) {
+      m_part_of[i] = all[i].lights_media ? lit_part(all[i], ray, length) : std::nullopt;
+      if (m_part_of[i]) m_lit.push_back(*m_part_of[i]);
+    }
+  }
+}
+
+}  // namespace lentray::core
