@@ -1,5 +1,5 @@
 #!/bin/sh
-# Builds for aarch64, and runs the unit tests there by qemu: the plain half of core/base/simd.h at work.
+# Builds for aarch64, and runs the unit tests but for the slow ones there by qemu: the plain half of core/base/simd.h at work.
 #   tools/aarch64.sh [--install] [further arguments for the tests, as --gtest_filter=...]
 # Everything is made in build/aarch64: `root` holds Debian's libraries for aarch64, from where this machine
 # has its own. Needs Debian 12 and three of its packages; --install installs them, as root always does.
@@ -58,4 +58,4 @@ fi
 cmake -S . -B $build -G Ninja -DCMAKE_BUILD_TYPE=Release -DLENTRAY_PRECOMPILE=ON \
   -DCMAKE_TOOLCHAIN_FILE="$PWD/tools/aarch64.cmake" -DLENTRAY_ROOT="$root"
 cmake --build $build --target lentray test_unit -j "${JOBS:-$(nproc)}"
-qemu-aarch64-static -L "$root" $build/bin/test_unit "$@"
+qemu-aarch64-static -L "$root" $build/bin/test_unit --gtest_filter='-Slow*' "$@"

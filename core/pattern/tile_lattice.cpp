@@ -10,6 +10,9 @@ namespace lentray::core {
 namespace {
 
 constexpr int kCells = 8;
+/// In stock flat middles above level 0 lie a trace above their level. A colour map with a step at the
+/// level shows it.
+constexpr double kTrace = 1e-6;
 /// What counts as on an edge: without it, rounding would mix both tiles' values on a wall that stands
 /// on their edge.
 constexpr double kEdgeWidth = 1e-9;
@@ -66,7 +69,7 @@ class TileLattice final : public Pattern {
  public:
   explicit TileLattice(const TilePlan& plan)
       : m_first(plan.first_step), m_second(plan.second_step), m_part(1.0 / plan.levels),
-        m_trace(plan.trace), m_lean(plan.edges_by_order ? 0.0 : kEdgeWidth),
+        m_lean(plan.edges_by_order ? 0.0 : kEdgeWidth),
         m_slack(plan.edges_by_order ? kEdgeWidth : 0.0) {
     const double determinant = cross(m_first, m_second);
     m_to_first = {m_second.z / determinant, -m_second.x / determinant};
@@ -101,7 +104,7 @@ class TileLattice final : public Pattern {
       depth = here;
       level = m_candidates[i].level;
     }
-    const double rise = std::clamp(1.0 - depth, level > 0 ? m_trace : 0.0, 1.0);
+    const double rise = std::clamp(1.0 - depth, level > 0 ? kTrace : 0.0, 1.0);
     return (level + rise) * m_part;
   }
 
@@ -156,10 +159,9 @@ class TileLattice final : public Pattern {
   PlanePoint m_first, m_second;        ///< the sides of the parallelogram
   PlanePoint m_to_first, m_to_second;  ///< from a point to how many of them
   double m_part;                       ///< of 0..1, for a level
-  double m_trace;
-  double m_lean;              ///< of points, towards the tile that has the edge
-  double m_slack;             ///< a tile's reach beyond its edges
-  std::vector<int> m_starts;  ///< of each cell's candidates, and their end
+  double m_lean;                       ///< of points, towards the tile that has the edge
+  double m_slack;                      ///< a tile's reach beyond its edges
+  std::vector<int> m_starts;           ///< of each cell's candidates, and their end
   std::vector<Candidate> m_candidates;
   std::vector<Edge> m_edges;
 };

@@ -29,9 +29,6 @@ struct TilePlan {
   std::vector<Tile> tiles = {};        ///< one of each that repeats
   /// Edges belong to the tile listed first, otherwise to the one at larger coordinates.
   bool edges_by_order = false;
-  /// How far, in levels, flat middles above level 0 lie above their level: a colour map with a step at
-  /// the level shows it. Stock's.
-  double trace = 1e-7;
 };
 
 PatternPtr make_tile_lattice(const TilePlan& plan);

@@ -118,7 +118,6 @@ TilePlan snub_squares() {
     plan.tiles.push_back(square);
     plan.tiles.push_back(turned(square, square.level, {0, 0}, 180));
   }
-  plan.trace = 1e-6;
   return plan;
 }
 
