@@ -1,5 +1,6 @@
 #!/bin/sh
-# Builds for aarch64, and runs the unit tests but for the slow ones there by qemu: the plain half of core/base/simd.h at work.
+# Builds for aarch64, and runs the unit tests but for the slow ones there by qemu: the plain half of
+# core/base/simd.h at work.
 #   tools/aarch64.sh [--install] [further arguments for the tests, as --gtest_filter=...]
 # Everything is made in build/aarch64: `root` holds Debian's libraries for aarch64, from where this machine
 # has its own. Needs Debian 12 and three of its packages; --install installs them, as root always does.

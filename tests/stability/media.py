@@ -493,8 +493,8 @@ brightest pixel where the truth is none:
 
 {leaks}
 
-A sample of method 1 may lie so near to a wall (1e-3) that light comes through. Each has the weight
-of one sample. Stock has fewer: it tests the object that gave shadow last without this tolerance.
+Walls throw a shadow on samples in the air however near they are. In stock those within 1e-3 let some
+light through.
 
 The same scenes at all scales (amounts divided by the scale) and far from the origin, method 2 with
 64 samples:
