@@ -5,6 +5,7 @@
 
 #include "core/render/film_centres.h"
 #include "core/render/film_corners.h"
+#include "core/render/film_grid.h"
 
 namespace lentray::core {
 namespace {
@@ -99,6 +100,7 @@ std::unique_ptr<Film> Film::make(FilmSetup setup, const BandOrders& orders) {
   switch (setup.antialiasing.method) {
     case 1: return make_film_of_centres(std::move(setup), orders);
     case 2: return make_film_of_corners(std::move(setup), orders);
+    case 3: return make_film_of_grids(std::move(setup), orders);
     default: return std::make_unique<PlainFilm>(std::move(setup), orders);
   }
 }
@@ -125,7 +127,7 @@ PixelRegion Film::traced_region(const FilmSetup& setup) {
 
 double Film::bytes_a_row(const Antialiasing& antialiasing, std::uint32_t width) {
   constexpr double kImage = 4 * sizeof(float), kSample = sizeof(Radiance) + sizeof(Compared);
-  return (antialiasing.method == 0 ? kImage : kImage + kSample) * width;
+  return (antialiasing.compares() ? kImage + kSample : kImage) * width;
 }
 
 }  // namespace lentray::core

@@ -50,7 +50,7 @@ FilmSetup film_setup(const Scene* scene, const RaySource& camera, const FrameSha
   setup.antialiasing = options.antialiasing;
   setup.alpha = options.alpha;
   setup.ledger = options.ledger;
-  if (options.antialiasing.method != 0) setup.lattice = camera.lattice(shape.width);
+  if (options.antialiasing.compares()) setup.lattice = camera.lattice(shape.width);
   if (scene) setup.space = {options.antialiasing.gamma, working_gamma(scene->settings())};
   return setup;
 }

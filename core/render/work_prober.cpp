@@ -66,7 +66,7 @@ bool WorkProber::probe(WorkEstimate& estimate) {
 
 /// The pixel, its neighbours, and further pixels of the column if they are fast.
 void WorkProber::probe(const Pixel& pixel, std::size_t cell, WorkEstimate& estimate) {
-  const bool compares = m_film.antialiasing.method != 0;
+  const bool compares = m_film.antialiasing.compares();
   int pairs = 0, differing = 0;
   const auto compare = [&](const Compared& a, const Compared& b) {
     ++pairs;
@@ -94,7 +94,9 @@ void WorkProber::probe(const Pixel& pixel, std::size_t cell, WorkEstimate& estim
     spent = thread_seconds() - start - ++reads * m_clock;
     if (spent >= kRun) break;
   }
-  estimate.probe(cell, std::max(spent, 0.0) / samples, pairs, differing);
+  const Antialiasing& aa = m_film.antialiasing;
+  const double samples_a_pixel = aa.method == 3 ? aa.depth * aa.depth : 1.0;
+  estimate.probe(cell, std::max(spent, 0.0) / samples * samples_a_pixel, pairs, differing);
 }
 
 }  // namespace lentray::core

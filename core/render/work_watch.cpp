@@ -27,7 +27,7 @@ double since(Clock::time_point start) {
 /// How often stage 0 visits a pixel: bands trace rows of the next band for its neighbours.
 double repeats(const Antialiasing& antialiasing, std::uint32_t band_height,
                const PixelRegion& region) {
-  if (antialiasing.method == 0 || band_height >= region.bottom - region.top) return 1.0;
+  if (!antialiasing.compares() || band_height >= region.bottom - region.top) return 1.0;
   return 1.0 + (antialiasing.method == 1 ? 2.0 : 1.0) / band_height;
 }
 

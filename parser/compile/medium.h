@@ -7,7 +7,7 @@
 #include "core/material/medium.h"
 #include "parser/descriptions/media.h"
 #include "parser/descriptions/pigment.h"
-#include "parser/options/media_settings.h"
+#include "parser/options/scene_overrides.h"
 
 namespace lentray::parser {
 

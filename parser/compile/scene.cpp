@@ -27,11 +27,13 @@ void set_background(const SceneDesc& scene, bool alpha, core::SceneSettings& s) 
   }
 }
 
-core::SceneSettings build_settings(const SceneDesc& scene, bool alpha) {
+core::SceneSettings build_settings(const SceneDesc& scene, const BuildOptions& options) {
   core::SceneSettings s;
   const GlobalDesc& g = scene.global;
-  if (g.max_trace_level) s.max_trace_level = *g.max_trace_level;
-  if (g.adc_bailout) s.adc_bailout = *g.adc_bailout;
+  const SceneOverrides& instead = options.overrides;
+  s.max_trace_level =
+      instead.max_trace_level.value_or(g.max_trace_level.value_or(s.max_trace_level));
+  s.adc_bailout = instead.adc_bailout.value_or(g.adc_bailout.value_or(s.adc_bailout));
   if (g.ambient_light) s.ambient_light = *g.ambient_light;
   s.language_version = scene.language_version;
   s.assumed_gamma_set = g.assumed_gamma.has_value() || g.gamma_is_srgb;
@@ -44,8 +46,18 @@ core::SceneSettings build_settings(const SceneDesc& scene, bool alpha) {
   // Without one, scenes older than 3.5 have the noise of their time.
   s.noise_generator = g.noise_generator.value_or(scene.language_version < 350 ? 1 : 2);
   s.atmosphere_ior = scene.atmosphere_ior;
-  set_background(scene, alpha, s);
+  set_background(scene, options.alpha, s);
   return s;
+}
+
+void override_area_lights(const SceneOverrides& instead, std::vector<core::Light>& lights) {
+  for (core::Light& light : lights) {
+    if (!light.has_area) continue;
+    for (int* size : {&light.area.size1, &light.area.size2}) {
+      if (*size > 1) *size = instead.area_light_samples.value_or(*size);
+    }
+    light.area.adaptive = instead.area_light_adaptive.value_or(light.area.adaptive);
+  }
 }
 
 }  // namespace
@@ -57,7 +69,7 @@ TextureSettings texture_settings(const SceneDesc& scene, const core::SceneSettin
   t.number_of_waves = scene.global.number_of_waves;
   t.language_version = scene.language_version;
   t.noise_generator = settings.noise_generator;
-  t.media = options.media;
+  t.media = options.overrides.media;
   return t;
 }
 
@@ -139,7 +151,7 @@ bool has_hierarchy(const SceneDesc& scene) {
 core::SceneParts build_scene(const SceneDesc& scene, Diagnostics& diagnostics,
                              const BuildOptions& options) {
   core::SceneParts parts;
-  parts.settings = build_settings(scene, options.alpha);
+  parts.settings = build_settings(scene, options);
   warn_about_gamma(scene, diagnostics);
 
   const TextureSettings for_textures = texture_settings(scene, parts.settings, options);
@@ -152,6 +164,7 @@ core::SceneParts build_scene(const SceneDesc& scene, Diagnostics& diagnostics,
     for (const SceneObject& object : scene.objects) {
       builder.add(*object.object, object.default_texture);
     }
+    override_area_lights(options.overrides, parts.lights);
     if (scene.sky_sphere) parts.sky_sphere = build_sky(*scene.sky_sphere, textures);
     if (options.quality >= kAirQuality) {
       parts.atmosphere = build_atmosphere(scene, for_textures.noise_generator);

@@ -11,7 +11,7 @@ namespace lentray::parser {
 struct BuildOptions {
   int quality = 9;     ///< +Q
   bool alpha = false;  ///< +UA
-  MediaSettings media{};
+  SceneOverrides overrides{};
 };
 
 /// Features that are kept and not rendered yet go to SceneParts::not_rendered, sorted, and are

@@ -11,7 +11,7 @@
 #include "core/material/texture.h"
 #include "parser/descriptions/interior.h"
 #include "parser/descriptions/texture.h"
-#include "parser/options/media_settings.h"
+#include "parser/options/scene_overrides.h"
 
 namespace lentray::parser {
 

@@ -74,10 +74,20 @@ void add_picture(const RenderOptions& o, Lines& out) {
   out.number("Start_Row", o.start_row);
   out.number("End_Row", o.end_row);
   out.number("Quality", o.quality);
-  out.number("Media_Method", o.media.method);
-  out.number("Media_Intervals", o.media.intervals);
-  out.number("Media_Samples", o.media.samples);
-  out.number("Media_Confidence", o.media.confidence);
+  const SceneOverrides& instead = o.overrides;
+  out.number("Max_Trace_Level", instead.max_trace_level);
+  out.number("Adc_Bailout", instead.adc_bailout);
+  out.number("Area_Light_Samples", instead.area_light_samples);
+  if (instead.area_light_adaptive == -1) {
+    out.add("Area_Light_Adaptive", std::string_view("off"));
+  } else {
+    out.number("Area_Light_Adaptive", instead.area_light_adaptive);
+  }
+  out.number("Blur_Samples", instead.blur_samples);
+  out.number("Media_Method", o.overrides.media.method);
+  out.number("Media_Intervals", o.overrides.media.intervals);
+  out.number("Media_Samples", o.overrides.media.samples);
+  out.number("Media_Confidence", o.overrides.media.confidence);
   out.add("Output_Alpha", o.alpha);
   out.add("Antialias", o.antialias);
   out.number("Sampling_Method", o.sampling_method);
@@ -87,6 +97,7 @@ void add_picture(const RenderOptions& o, Lines& out) {
   out.add("Jitter", o.jitter);
   out.number("Jitter_Amount", o.jitter_amount);
   out.number("Antialias_Angle", o.antialias_angles);
+  out.number("Antialias_Grid", o.antialias_grid);
   add_lens(o, out);
 }
 

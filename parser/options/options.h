@@ -18,7 +18,7 @@
 #include "core/image/writer.h"
 #include "parser/options/animation.h"
 #include "parser/options/ini.h"
-#include "parser/options/media_settings.h"
+#include "parser/options/scene_overrides.h"
 
 namespace lentray::parser {
 
@@ -48,7 +48,7 @@ struct RenderOptions {
   // Picture.
   std::int64_t width = 160, height = 120;
   int quality = 9;
-  MediaSettings media;
+  SceneOverrides overrides;
   int threads = 0;     ///< 0: all of the machine
   std::string output;  ///< as given; see output_path()
   bool output_to_file = true;
@@ -79,6 +79,7 @@ struct RenderOptions {
   bool jitter = true;
   double jitter_amount = 1.0;  ///< 0..1
   int antialias_angles = 1;    ///< directions averaged within a pixel of a lens sheet
+  int antialias_grid = 0;      ///< n x n samples in every pixel, instead of antialiasing; 0: no
 
   // Safety.
   bool strict = false;                           ///< what a picture would lack is an error

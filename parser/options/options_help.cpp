@@ -50,6 +50,15 @@ constexpr OptionHelp kPicture[] = {
     {"End_Row", "n", "Render up to this row, or part.", ""},
     {"Quality", "n",
      "0 to 11 (9). Below 9 the picture gets simpler: without reflection, shadows, textures.", ""},
+    {"Max_Trace_Level", "n",
+     "How deep reflected and transmitted rays are followed, 1 to 256, whatever the scene says.", ""},
+    {"Adc_Bailout", "n", "Share of a pixel below which they are not followed, likewise.", ""},
+    {"Area_Light_Samples", "n",
+     "Lights along each axis of an area light that has more than one, 2 to 1000, likewise.", ""},
+    {"Area_Light_Adaptive", "n|off",
+     "Halvings of area lights before samples are left out; off: none is left out. Likewise.", ""},
+    {"Blur_Samples", "n", "Rays of a sample of focal blur, 1 to 65536: the least and the most, likewise.",
+     ""},
     {"Media_Method", "1|2|3", "How media are sampled, whatever the scene says.", ""},
     {"Media_Intervals", "n", "Pieces of a ray's way through media, likewise.", ""},
     {"Media_Samples", "n", "Samples in each piece, likewise: the least and the most.", ""},
@@ -101,6 +110,10 @@ constexpr OptionHelp kAntialiasing[] = {
     {"Jitter", kSwitch, "Rays are shaken (on); the switch may bring the amount.", "+J[n], -J"},
     {"Jitter_Amount", "n", "0 to 1 (1).", ""},
     {"Antialias_Angle", "n", "Directions averaged within every pixel of a lens sheet (1).", ""},
+    {"Antialias_Grid", "n",
+     "Every pixel is the mean of n x n samples without jitter, up to 64 x 64, whatever the other "
+     "options for antialiasing say (0: off). For references.",
+     ""},
 };
 constexpr OptionHelp kSheet[] = {
     {"Lenticular", kSwitch, "Make an integral image: a lens sheet of the scene's camera.", ""},

@@ -95,6 +95,9 @@ void set_jitter_amount(Options& o, const Given& g) { o.jitter_amount = cut_numbe
 void set_angles(Options& o, const Given& g) {
   o.antialias_angles = static_cast<int>(whole_number(g, 1, 64));
 }
+void set_grid(Options& o, const Given& g) {
+  o.antialias_grid = static_cast<int>(whole_number(g, 0, 64));
+}
 template <std::optional<double> Options::*member>
 void set_edge(Options& o, const Given& g) {
   o.*member = number(g);
@@ -418,14 +421,28 @@ void set_height(Options& o, const Given& g) { o.height = size(o, g); }
 void set_quality(Options& o, const Given& g) {
   o.quality = static_cast<int>(cut_whole(o, g, 0, 11));
 }
+template <std::optional<int> SceneOverrides::*member, int kLeast, int kMost>
+void set_override(Options& o, const Given& g) {
+  o.overrides.*member = static_cast<int>(whole_number(g, kLeast, kMost));
+}
+/// `off`: no samples are left out.
+void set_area_adaptive(Options& o, const Given& g) {
+  o.overrides.area_light_adaptive =
+      same_word(g.value, "off") ? -1 : static_cast<int>(whole_number(g, 0, 20));
+}
+void set_bailout(Options& o, const Given& g) {
+  o.overrides.adc_bailout = number(g);
+  if (!(*o.overrides.adc_bailout >= 0.0)) refuse(g, "a number from 0 on is expected");
+}
 constexpr int kMostMediaSamples = 1'000'000;
 template <std::optional<int> MediaSettings::*member, int kMost>
 void set_media(Options& o, const Given& g) {
-  o.media.*member = static_cast<int>(whole_number(g, 1, kMost));
+  o.overrides.media.*member = static_cast<int>(whole_number(g, 1, kMost));
 }
 void set_media_confidence(Options& o, const Given& g) {
-  o.media.confidence = number(g);
-  if (!(*o.media.confidence >= 0.0 && *o.media.confidence < 1.0)) {
+  const double confidence = number(g);
+  o.overrides.media.confidence = confidence;
+  if (!(confidence >= 0.0 && confidence < 1.0)) {
     refuse(g, "a number from 0 to less than 1 is expected");
   }
 }
@@ -514,6 +531,7 @@ constexpr OptionRow kTable[] = {
     {"Jitter", "J", set_jitter},
     {"Jitter_Amount", "", set_jitter_amount},
     {"Antialias_Angle", "", set_angles},
+    {"Antialias_Grid", "", set_grid},
     {"Radiosity_File_Name", "RF", later<"radiosity">},
     {"Radiosity_From_File", "RFI", only_off<"radiosity">},
     {"Radiosity_To_File", "RFO", only_off<"radiosity">},
@@ -594,6 +612,11 @@ constexpr OptionRow kTable[] = {
     {"Pixel_Order", "", set_order},
     {"Shadow_Cache", "", set_cache},
     {"Accelerator", "", set_accelerator},
+    {"Area_Light_Samples", "", set_override<&SceneOverrides::area_light_samples, 2, 1000>},
+    {"Area_Light_Adaptive", "", set_area_adaptive},
+    {"Blur_Samples", "", set_override<&SceneOverrides::blur_samples, 1, 65536>},
+    {"Max_Trace_Level", "", set_override<&SceneOverrides::max_trace_level, 1, 256>},
+    {"Adc_Bailout", "", set_bailout},
     {"Media_Method", "", set_media<&MediaSettings::method, 3>},
     {"Media_Intervals", "", set_media<&MediaSettings::intervals, kMostMediaSamples>},
     {"Media_Samples", "", set_media<&MediaSettings::samples, kMostMediaSamples>},

@@ -365,6 +365,13 @@ TEST_F(UnitParserOptions, Antialiasing) {
   EXPECT_EQ(read({"+AM3"}).sampling_method, 2);
   expect_message({"+Afoo"}, "a number is expected");
   expect_message({"Antialias_Angle=0"}, "a whole number from 1 to 64");
+  expect_message({"Antialias_Grid=65"}, "a whole number from 0 to 64");
+  expect_message({"Max_Trace_Level=0"}, "a whole number from 1 to 256");
+  expect_message({"Area_Light_Samples=1"}, "a whole number from 2 to 1000");
+  expect_message({"Area_Light_Adaptive=-1"}, "a whole number from 0 to 20");
+  expect_message({"Blur_Samples=0"}, "a whole number from 1 to 65536");
+  expect_message({"Adc_Bailout=-0.1"}, "a number from 0 on is expected");
+  expect_message({"Adc_Bailout=nan"}, "number");
 }
 
 TEST_F(UnitParserOptions, PartsOfThePicture) {

@@ -52,6 +52,10 @@ core::Antialiasing antialiasing(const RenderOptions& o) {
   if (o.antialias) out.method = o.sampling_method;
   out.threshold = o.antialias_threshold;
   out.depth = o.antialias_depth;
+  if (o.antialias_grid > 0) {
+    out.method = 3;
+    out.depth = o.antialias_grid;
+  }
   out.jitter = o.jitter ? o.jitter_amount : 0.0;
   out.gamma = o.antialias_gamma;
   return out;
@@ -148,7 +152,7 @@ void parse_alone(Run& run, const std::string& path) {
   const parser::SceneDesc scene = parser::read_descriptions(path, sources, diagnostics, options);
   const double seconds = cpu_seconds() - before;
   const core::SceneParts parts =
-      parser::build_scene(scene, diagnostics, {o.quality, o.alpha, o.media});
+      parser::build_scene(scene, diagnostics, {o.quality, o.alpha, o.overrides});
   run.warnings.say();
   refuse_if_strict(o, parts.not_rendered);
   if (o.dump) {
@@ -179,6 +183,12 @@ void write_dependencies(const Run& run, const SceneDisk& disk) {
                   out.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
 }
 
+/// Blur_Samples holds where the scene has focal blur.
+void override_blur(const RenderOptions& o, parser::SceneDesc& scene) {
+  if (!o.overrides.blur_samples || !scene.camera || scene.camera->blur_samples <= 0) return;
+  scene.camera->blur_samples = scene.camera->blur_samples_min = *o.overrides.blur_samples;
+}
+
 /// Text -> descriptions -> compiled scene and camera.
 void compile_scene(Run& run, const std::string& path, SceneDisk& disk) {
   const RenderOptions& o = run.options;
@@ -191,9 +201,10 @@ void compile_scene(Run& run, const std::string& path, SceneDisk& disk) {
       parser::read_descriptions(path, sources, diagnostics, parser_options(o, run.clock));
   const double parsed = cpu_seconds();
   run.report.parse_cpu_s = parsed - before;
+  override_blur(o, description);
 
   core::SceneParts parts =
-      parser::build_scene(description, diagnostics, {o.quality, o.alpha, o.media});
+      parser::build_scene(description, diagnostics, {o.quality, o.alpha, o.overrides});
   description.objects = {};  // their memory is used again by what is built next
   run.not_rendered = parts.not_rendered;
   run.slopes = parts.slopes;
@@ -210,7 +221,7 @@ void compile_scene(Run& run, const std::string& path, SceneDisk& disk) {
   run.report.compile_cpu_s = cpu_seconds() - parsed;
 
   const auto textures = parser::texture_settings(description, run.scene->settings(),
-                                                 {.quality = o.quality, .media = o.media});
+                                                 {.quality = o.quality, .overrides = o.overrides});
   const auto request =
       parser::camera_request(description.camera.value_or(parser::CameraDesc{}), textures);
   run.camera = make_camera(request, o, camera::probe_of(*run.scene));

@@ -1,0 +1,25 @@
+// How well a picture is sampled, whatever its scene says: so that a study can vary it from the command
+// line. What is not given stays as the scene has it. Nothing here turns on what a scene does not use.
+#pragma once
+
+#include <optional>
+
+namespace lentray::parser {
+
+struct MediaSettings {
+  std::optional<int> method, intervals;
+  std::optional<int> samples;  ///< the least and the most
+  std::optional<double> confidence;
+};
+
+struct SceneOverrides {
+  MediaSettings media;
+  std::optional<int> area_light_samples;  ///< along each axis that has more than one; 1..1000
+  /// Of area lights: halvings of the grid before corners that are alike end it; -1: all samples.
+  std::optional<int> area_light_adaptive;
+  std::optional<int> blur_samples;     ///< of scenes with focal blur: the least and the most
+  std::optional<int> max_trace_level;  ///< 1..256
+  std::optional<double> adc_bailout;
+};
+
+}  // namespace lentray::parser

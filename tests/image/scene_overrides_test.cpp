@@ -1,0 +1,115 @@
+// Options that hold instead of what a scene says of its sampling: each has the picture of a scene
+// that says it itself. Antialias_Grid has the means of a picture with more pixels.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/render.h"
+
+namespace lentray::test {
+namespace {
+
+struct Words {
+  std::string global = "max_trace_level 5";
+  std::string area = "4, 4 adaptive 1";
+  std::string blur = "blur_samples 19 variance 0.01 confidence 0.9";
+};
+
+/// Two mirrors that face each other, glass, an area light and a camera out of focus.
+SceneText scene_of(const Words& words) {
+  return {.sdl = "#version 3.7; global_settings { assumed_gamma 1 " + words.global + R"( }
+camera { location <0, 1.5, -4> look_at <0, 0.6, 0> aperture 0.5 focal_point <0, 0.6, -1> )" +
+                 words.blur + R"( }
+light_source { <-3, 6, -4> 1 area_light x*2, z*2, )" +
+                 words.area + R"( }
+plane { y, 0 pigment { checker rgb 1 rgb <0.2, 0.4, 0.8> } }
+box { <-2, 0, 1>, <2, 2, 1.1> pigment { rgb 0.2 } finish { reflection 0.8 } }
+box { <-2, 0, -5>, <2, 2, -4.9> pigment { rgb 0.2 } finish { reflection 0.8 } }
+sphere { <0, 0.6, 0>, 0.6 pigment { rgbf <1, 0.9, 0.8, 0.9> } finish { reflection 0.1 }
+  interior { ior 1.5 } }
+)",
+          .arguments = {"File_Gamma=1.0", "-A"},
+          .bits = 16};
+}
+
+struct OverrideCase {
+  const char* option;
+  Words scene;  ///< that says it itself
+};
+
+class ImageSceneOverrides : public ::testing::TestWithParam<OverrideCase> {};
+
+TEST_P(ImageSceneOverrides, HaveThePictureOfASceneThatSaysSo) {
+  const auto& [option, scene] = GetParam();
+  const StoredImage plain = lentray_render(scene_of({}));
+  const StoredImage by_option = lentray_render(scene_of({}), {option});
+  EXPECT_FALSE(same_bits(plain, by_option)) << "the option shows in this scene";
+  EXPECT_TRUE(same_bits(by_option, lentray_render(scene_of(scene))));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, ImageSceneOverrides,
+    ::testing::Values(
+        OverrideCase{"Max_Trace_Level=2", {.global = "max_trace_level 2"}},
+        OverrideCase{"Adc_Bailout=0.3", {.global = "max_trace_level 5 adc_bailout 0.3"}},
+        OverrideCase{"Area_Light_Samples=7", {.area = "7, 7 adaptive 1"}},
+        OverrideCase{"Area_Light_Adaptive=0", {.area = "4, 4 adaptive 0"}},
+        OverrideCase{"Area_Light_Adaptive=off", {.area = "4, 4"}},
+        OverrideCase{"Blur_Samples=5",
+                     {.blur = "blur_samples 5, 5 variance 0.01 confidence 0.9"}}));
+
+TEST(ImageSceneOverridesAlone, TurnNothingOn) {
+  const SceneText scene{.sdl = "camera { location -4*z look_at 0 } light_source { -9*z 1 }\n"
+                               "sphere { 0, 1 pigment { rgb 1 } }\n",
+                        .bits = 16};
+  EXPECT_TRUE(same_bits(lentray_render(scene),
+                        lentray_render(scene, {"Area_Light_Samples=5", "Area_Light_Adaptive=2",
+                                               "Blur_Samples=9", "Max_Trace_Level=9"})));
+}
+
+TEST(ImageAntialiasGrid, IsTheMeanOfAPictureWithMorePixels) {
+  constexpr std::uint32_t kGrid = 3;
+  SceneText scene = scene_of({.area = "1, 1", .blur = ""});
+  const StoredImage grid = lentray_render(scene, {"Antialias_Grid=3", "+A", "+J"});
+  scene.width *= kGrid;
+  scene.height *= kGrid;
+  const StoredImage fine = lentray_render(scene);
+  double largest = 0.0;
+  for (std::uint32_t row = 0; row < grid.height; ++row) {
+    for (std::uint32_t column = 0; column < grid.width; ++column) {
+      std::array<double, 3> mean{};
+      for (std::uint32_t k = 0; k < kGrid * kGrid; ++k) {
+        const auto one = core::level(fine, column * kGrid + k % kGrid, row * kGrid + k / kGrid);
+        for (int i = 0; i < 3; ++i) mean[i] += std::min(one[i], 255.0) / (kGrid * kGrid);
+      }
+      const auto here = core::level(grid, column, row);
+      for (int i = 0; i < 3; ++i) largest = std::max(largest, std::fabs(here[i] - mean[i]));
+    }
+  }
+  EXPECT_LT(largest, 2.0 / 257.0);  // of 255: rounding to 16 bits, twice
+}
+
+/// On a lens sheet a pixel's area is its lens's width: a grid is the mean over its views' pixels.
+TEST(ImageAntialiasGrid, OfASheetIsThatOfItsViews) {
+  SceneText scene = scene_of({.area = "1, 1", .blur = ""});
+  scene.width = 60;
+  scene.arguments.insert(scene.arguments.end(), {"Lenticular=On", "Lens_Pixels=3"});
+  const StoredImage sheet = lentray_render(scene, {"Antialias_Grid=2"});
+  const StoredImage view = lentray_render(scene, {"Antialias_Grid=2", "View=1"});
+  ASSERT_EQ(view.width, 20u);
+  double largest = 0.0;
+  for (std::uint32_t row = 0; row < view.height; ++row) {
+    for (std::uint32_t lens = 0; lens < view.width; ++lens) {
+      const auto a = core::level(sheet, lens * 3 + 1, row), b = core::level(view, lens, row);
+      for (int i = 0; i < 3; ++i) largest = std::max(largest, std::fabs(a[i] - b[i]));
+    }
+  }
+  EXPECT_EQ(largest, 0.0);
+  EXPECT_FALSE(same_bits(sheet, lentray_render(scene)));
+}
+
+}  // namespace
+}  // namespace lentray::test
