@@ -3,6 +3,7 @@
 #include <array>
 #include <utility>
 
+#include "core/base/thread_table.h"
 #include "core/noise/lattice_cell.h"
 
 namespace lentray::core {
@@ -72,7 +73,7 @@ struct KnownCell {
 
 /// Those asked for lately: a search for a surface, or a picture's next pixel, asks for the same again.
 constexpr std::size_t kKnownCells = 2048;
-thread_local constinit std::array<KnownCell, kKnownCells> t_cells{};
+using KnownCells = std::array<KnownCell, kKnownCells>;
 
 /// A point, and the cell it lies in.
 struct Place {
@@ -94,7 +95,7 @@ struct Place {
 
  private:
   LENTRAY_AVX2 Place(Double4 p, Int4 c)
-      : point(p), cell(c), known(t_cells[lattice_slot(c) % kKnownCells]) {}
+      : point(p), cell(c), known(table_of_thread<KnownCells>()[lattice_slot(c) % kKnownCells]) {}
   LENTRAY_AVX2 static Double4 below(Double4 p) {
     return simd::chosen(p, p - (1.0 - kCellEpsilon), p);
   }

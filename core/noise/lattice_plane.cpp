@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "core/base/thread_table.h"
 #include "core/noise/lattice.h"
 #include "core/noise/noise_table.h"
 
@@ -43,7 +44,7 @@ struct PlaneCell {
 }
 
 constexpr std::size_t kKnownCells = 512;
-thread_local constinit std::array<PlaneCell, kKnownCells> t_cells{};
+using KnownCells = std::array<PlaneCell, kKnownCells>;
 
 /// Two points: u, v of the one, u, v of the other.
 struct Places {
@@ -61,7 +62,7 @@ struct Places {
   /// Where the cell is kept; neighbours have different ones.
   LENTRAY_AVX2 PlaneCell& known(int which) const {
     const auto both = static_cast<std::uint64_t>(Long2(cell)[which]);
-    return t_cells[(both + (both >> 28)) % kKnownCells];
+    return table_of_thread<KnownCells>()[(both + (both >> 28)) % kKnownCells];
   }
 };
 

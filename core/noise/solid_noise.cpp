@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "core/base/thread_table.h"
 #include "core/noise/lattice.h"
 
 namespace lentray::core {
@@ -111,7 +112,7 @@ struct KnownCell {
 
 /// Those asked for lately, as for the lattice's.
 constexpr std::size_t kKnownCells = 2048;
-thread_local constinit std::array<KnownCell, kKnownCells> t_cells{};
+using KnownCells = std::array<KnownCell, kKnownCells>;
 
 /// A point, and the cell it lies in.
 struct Place {
@@ -128,7 +129,7 @@ struct Place {
  private:
   LENTRAY_AVX2 Place(Double4 p, Double4 w) : Place(p, w, cell_of(w)) {}
   LENTRAY_AVX2 Place(Double4 p, Double4 w, Int4 c)
-      : point(p), whole(w), cell(c), known(t_cells[lattice_slot(c) % kKnownCells]) {}
+      : point(p), whole(w), cell(c), known(table_of_thread<KnownCells>()[lattice_slot(c) % kKnownCells]) {}
   LENTRAY_AVX2 static Int4 cell_of(Double4 whole) {
     return simd::shuffled<0, 1, 2, 7>(simd::truncated(whole), simd::int4(1));
   }

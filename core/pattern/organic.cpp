@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/thread_table.h"
+
 namespace lentray::core {
 namespace {
 
@@ -222,7 +224,7 @@ class CellPoints {
   /// Of the thread.
   static CellPoints& of(int x, int y, int z) {
     constexpr unsigned kCells = 16;
-    thread_local std::array<CellPoints, kCells> cells;
+    auto& cells = table_of_thread<std::array<CellPoints, kCells>>();
     const auto spread =
         static_cast<unsigned>(x) + 5u * static_cast<unsigned>(y) + 11u * static_cast<unsigned>(z);
     CellPoints& points = cells[spread % kCells];
