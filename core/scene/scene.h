@@ -67,7 +67,7 @@ struct SceneParts {
 };
 
 struct CompileOptions {
-  bool general_path = false;  ///< no specialisation: for the test that both give the same bits
+  bool general_path = false;  ///< no specialisation, at the same bits: to see what it saves
   Accelerator accelerator = Accelerator::kBvh;
   /// Light_Buffer: cells of directions about each light, for about so many camera rays;
   /// 0: none. Only beside the hierarchy: who asks for a grid or a list asks for its search.

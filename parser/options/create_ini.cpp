@@ -168,6 +168,7 @@ void add_work(const RenderOptions& o, Lines& out) {
   out.add("Pixel_Order", o.pixel_order);
   out.add("Shadow_Cache", o.shadow_cache);
   out.add("Accelerator", o.accelerator);
+  out.add("Specialised_Paths", o.specialised_paths);
   out.add("Light_Buffer", o.light_buffer);
   if (o.max_time > 0.0) out.number("Max_Time", o.max_time);
   if (o.max_memory > 0.0) out.number("Max_Memory", o.max_memory);

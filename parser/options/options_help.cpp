@@ -144,6 +144,8 @@ constexpr OptionHelp kWork[] = {
     {"Shadow_Cache", "auto|off|last|depth|tree|neighbourhood|grid|cascade",
      "Which occluders shadow rays try first.", ""},
     {"Accelerator", "bvh|grid|list", "How objects are searched.", ""},
+    {"Specialised_Paths", kSwitch,
+     "Rays take paths that leave out what the scene does not use (on).", ""},
     {"Light_Buffer", kSwitch,
      "Shadow rays to point lights are looked up where the light sees (on).", ""},
     {"Statistics_File", "file", "Counts, times and the lens, as JSON.", ""},

@@ -621,6 +621,7 @@ constexpr OptionRow kTable[] = {
     {"Media_Intervals", "", set_media<&MediaSettings::intervals, kMostMediaSamples>},
     {"Media_Samples", "", set_media<&MediaSettings::samples, kMostMediaSamples>},
     {"Media_Confidence", "", set_media_confidence},
+    {"Specialised_Paths", "", set_bool<&Options::specialised_paths>},
     {"Light_Buffer", "UL", set_bool<&Options::light_buffer>},
     {"Max_Memory", "", set_memory},
     {"Max_Time", "", set_time},

@@ -2,6 +2,8 @@
 
   tests/bench/same_cost.py BEFORE AFTER                        all kinds of scenes
   tests/bench/same_cost.py BEFORE AFTER --only primitives      one kind
+  tests/bench/same_cost.py BUILD BUILD --before-option Specialised_Paths=Off
+                                                               what an option costs: BEFORE has it as well
 
 Meant for changes of the program that must not make it slower. BEFORE and AFTER are folders with bin/lentray, as
 build/release, or the programs themselves. A build must not be rebuilt meanwhile: copy its bin folder first. Counts are
@@ -111,12 +113,12 @@ def choose_meter(parser, wanted):
     return "callgrind"
 
 
-def count(program, scene, args):
+def count(program, scene, more, args):
     """Instructions, or why there is no count."""
     with tempfile.TemporaryDirectory(dir=args.work) as folder:
         file = pathlib.Path(folder) / "picture.png"
         command = [program, f"+I{scene.path.name}", f"+O{file}", "+FN8", "-V", "+WT1", "Scene_Writes=memory",
-                   *scene.options]
+                   *scene.options, *more]
         status, said, instructions = METERS[args.meter](command, scene.path.parent, args.limit)
         if status is None:
             return f"more than {args.limit:g} s"
@@ -127,7 +129,8 @@ def count(program, scene, args):
 
 
 def work_on(scene, args):
-    before, after = (count(program, scene, args) for program in args.programs)
+    before, after = (count(program, scene, more, args) for program, more in
+                     zip(args.programs, (args.before_option, [])))
     failed = [f"{when} {what}" for when, what in (("before", before), ("after", after)) if isinstance(what, str)]
     if failed:
         return Cost(before, after, "; ".join(failed)), "; ".join(failed)
@@ -192,6 +195,8 @@ def read_arguments():
                         help="greatest median of the ratios that passes (default 1.02)")
     parser.add_argument("--largest", type=float, default=1.05, metavar="R",
                         help="greatest ratio of a scene that passes (default 1.05)")
+    parser.add_argument("--before-option", action="append", default=[], metavar="OPTION",
+                        help="for BEFORE alone; may be given several times")
     parser.add_argument("--meter", choices=list(METERS), help="how to count (default: perf where it works)")
     args = two_builds.read_arguments(parser)
     args.meter = choose_meter(parser, args.meter)

@@ -69,6 +69,7 @@ TEST(UnitParserCreateIni, AsksForTheSameRunAgain) {
        "Shadow_Cache=tree",
        "Accelerator=grid",
        "-UL",
+       "Specialised_Paths=Off",
        "Max_Memory=100M",
        "Max_Time=90",
        "Band_Height=7",

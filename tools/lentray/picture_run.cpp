@@ -212,6 +212,7 @@ void compile_scene(Run& run, const std::string& path, SceneDisk& disk) {
   core::CompileOptions compile;
   if (o.accelerator == "grid") compile.accelerator = core::Accelerator::kGrid;
   if (o.accelerator == "list") compile.accelerator = core::Accelerator::kList;
+  compile.general_path = !o.specialised_paths;
   if (o.light_buffer) {
     compile.light_buffer_pixels = static_cast<std::uint64_t>(o.width) *
                                   static_cast<std::uint64_t>(o.height) *
