@@ -22,7 +22,7 @@ class Factory final : public core::ShadowTesterFactory {
   }
 };
 
-struct Entry {
+struct TesterEntry {
   std::string_view name;
   std::unique_ptr<core::ShadowTesterFactory> (*make)();
 };
@@ -33,11 +33,11 @@ std::unique_ptr<core::ShadowTesterFactory> make_one() {
 }
 
 template <class Cache>
-constexpr Entry entry_of() {
+constexpr TesterEntry entry_of() {
   return {Cache::kName, make_one<Factory<CachedTester<Cache>>>};
 }
 
-constexpr Entry kTesters[] = {
+constexpr TesterEntry kTesters[] = {
     {AutoTester::kName, make_one<Factory<AutoTester>>},
     {"off", make_one<core::PlainShadowTesterFactory>},
     entry_of<CacheTable<LastPolicy>>(),
@@ -50,7 +50,7 @@ constexpr Entry kTesters[] = {
 
 std::vector<std::string_view> names_of_testers() {
   std::vector<std::string_view> names;
-  for (const Entry& entry : kTesters) names.push_back(entry.name);
+  for (const TesterEntry& entry : kTesters) names.push_back(entry.name);
   return names;
 }
 
@@ -62,7 +62,7 @@ const std::vector<std::string_view>& tester_names() {
 }
 
 std::unique_ptr<core::ShadowTesterFactory> make_tester_factory(std::string_view name) {
-  for (const Entry& entry : kTesters) {
+  for (const TesterEntry& entry : kTesters) {
     if (same_name(entry.name, name)) return entry.make();
   }
   throw std::invalid_argument(unknown_name("shadow cache", name, tester_names()));

@@ -56,7 +56,7 @@ if [ "$(cat "$root/packages" 2>/dev/null)" != "$wanted" ]; then
   echo "$wanted" >"$root/packages"
 fi
 
-cmake -S . -B $build -G Ninja -DCMAKE_BUILD_TYPE=Release -DLENTRAY_PRECOMPILE=ON \
+cmake -S . -B $build -G Ninja -DCMAKE_BUILD_TYPE=Release -DLENTRAY_ONCE=ON \
   -DCMAKE_TOOLCHAIN_FILE="$PWD/tools/aarch64.cmake" -DLENTRAY_ROOT="$root"
 cmake --build $build --target lentray test_unit -j "${JOBS:-$(nproc)}"
 qemu-aarch64-static -L "$root" $build/bin/test_unit --gtest_filter='-Slow*' "$@"

@@ -18,8 +18,6 @@
 namespace lentray::parser {
 namespace {
 
-using Kind = PatternKind;
-
 core::Turbulence compile_turbulence(const TurbulenceDesc& t) {
   return {t.amount, t.octaves, single(t.lambda), single(t.omega)};
 }
@@ -34,11 +32,11 @@ std::optional<core::Turbulence> own_turbulence(const PatternDesc& pattern) {
 }
 
 /// These shift by turbulence in their own formula, and not in space.
-bool shifts_itself(Kind kind) {
-  return kind == Kind::kMarble || kind == Kind::kWood || kind == Kind::kPlain;
+bool shifts_itself(PatternKind kind) {
+  return kind == PatternKind::kMarble || kind == PatternKind::kWood || kind == PatternKind::kPlain;
 }
 
-core::WarpPtr compile_warp(const WarpDesc& warp, Kind pattern) {
+core::WarpPtr compile_warp(const WarpDesc& warp, PatternKind pattern) {
   switch (warp.kind) {
     case WarpDesc::Kind::kTransform:
       return warp.transform.is_identity() ? nullptr : core::make_transform_warp(warp.transform);
@@ -75,9 +73,9 @@ class MiddlePattern final : public core::Pattern {
 
 core::PatternPtr compile_fractal(const PatternDesc& p) {
   core::Fractal fractal;
-  fractal.julia = p.kind == Kind::kJulia || p.kind == Kind::kMagnetJulia;
+  fractal.julia = p.kind == PatternKind::kJulia || p.kind == PatternKind::kMagnetJulia;
   fractal.parameter = p.own->julia;
-  const bool magnet = p.kind == Kind::kMagnetMandel || p.kind == Kind::kMagnetJulia;
+  const bool magnet = p.kind == PatternKind::kMagnetMandel || p.kind == PatternKind::kMagnetJulia;
   fractal.magnet = magnet ? p.own->magnet : 0;
   fractal.exponent = p.own->exponent;
   fractal.iterations = p.own->iterations;
@@ -90,40 +88,42 @@ core::PatternPtr compile_fractal(const PatternDesc& p) {
 
 core::PatternPtr compile_tiles(const PatternDesc& p) {
   switch (p.kind) {
-    case Kind::kChecker:
-    case Kind::kTiles: return core::make_checker();
-    case Kind::kHexagon: return core::make_hexagon();
-    case Kind::kSquare: return core::make_square();
-    case Kind::kTriangular: return core::make_triangular();
-    case Kind::kCubic: return core::make_cubic();
-    case Kind::kCells: return core::make_cells();
-    case Kind::kTiling: return core::make_tiling(p.own->tiling);
+    case PatternKind::kChecker:
+    case PatternKind::kTiles: return core::make_checker();
+    case PatternKind::kHexagon: return core::make_hexagon();
+    case PatternKind::kSquare: return core::make_square();
+    case PatternKind::kTriangular: return core::make_triangular();
+    case PatternKind::kCubic: return core::make_cubic();
+    case PatternKind::kCells: return core::make_cells();
+    case PatternKind::kTiling: return core::make_tiling(p.own->tiling);
     // Mortar is kept a little thinner than asked, so that bricks of its size still show.
-    case Kind::kBrick: return core::make_brick(p.own->brick_size, single(p.own->mortar - 2e-10));
+    case PatternKind::kBrick:
+      return core::make_brick(p.own->brick_size, single(p.own->mortar - 2e-10));
     default: return nullptr;
   }
 }
 
 core::PatternPtr compile_shape(const PatternDesc& p) {
   switch (p.kind) {
-    case Kind::kGradient: return core::make_gradient(p.own->vector);
-    case Kind::kOnion: return core::make_onion();
-    case Kind::kRadial: return core::make_radial();
-    case Kind::kSpherical: return core::make_spherical();
-    case Kind::kCylindrical: return core::make_cylindrical();
-    case Kind::kPlanar: return core::make_planar();
-    case Kind::kBoxed: return core::make_boxed();
-    case Kind::kLeopard: return core::make_leopard();
-    case Kind::kQuilted: return core::make_quilted(single(p.own->quilt0), single(p.own->quilt1));
-    case Kind::kAoi: return core::make_aoi();
-    case Kind::kSlope:
+    case PatternKind::kGradient: return core::make_gradient(p.own->vector);
+    case PatternKind::kOnion: return core::make_onion();
+    case PatternKind::kRadial: return core::make_radial();
+    case PatternKind::kSpherical: return core::make_spherical();
+    case PatternKind::kCylindrical: return core::make_cylindrical();
+    case PatternKind::kPlanar: return core::make_planar();
+    case PatternKind::kBoxed: return core::make_boxed();
+    case PatternKind::kLeopard: return core::make_leopard();
+    case PatternKind::kQuilted:
+      return core::make_quilted(single(p.own->quilt0), single(p.own->quilt1));
+    case PatternKind::kAoi: return core::make_aoi();
+    case PatternKind::kSlope:
       return core::make_slope({p.own->vector, p.own->slope_point_at, p.own->altitude,
                                p.own->slope_low, p.own->slope_high, p.own->altitude_low,
                                p.own->altitude_high});
-    case Kind::kMandel:
-    case Kind::kJulia:
-    case Kind::kMagnetMandel:
-    case Kind::kMagnetJulia: return compile_fractal(p);
+    case PatternKind::kMandel:
+    case PatternKind::kJulia:
+    case PatternKind::kMagnetMandel:
+    case PatternKind::kMagnetJulia: return compile_fractal(p);
     default: return nullptr;
   }
 }
@@ -132,24 +132,24 @@ core::PatternPtr compile_organic(const PatternDesc& p, const TextureSettings& se
   const int generator = noise_generator(p, settings);
   const auto turbulence = own_turbulence(p);
   switch (p.kind) {
-    case Kind::kBozo:
-    case Kind::kSpotted:
-    case Kind::kBumps: return core::make_bozo(generator);
-    case Kind::kDents: return core::make_dents(generator);
-    case Kind::kGranite: return core::make_granite(generator);
-    case Kind::kWrinkles: return core::make_wrinkles(generator);
-    case Kind::kMarble: return core::make_marble(turbulence, generator);
-    case Kind::kWood: return core::make_wood(turbulence);
-    case Kind::kAgate:
+    case PatternKind::kBozo:
+    case PatternKind::kSpotted:
+    case PatternKind::kBumps: return core::make_bozo(generator);
+    case PatternKind::kDents: return core::make_dents(generator);
+    case PatternKind::kGranite: return core::make_granite(generator);
+    case PatternKind::kWrinkles: return core::make_wrinkles(generator);
+    case PatternKind::kMarble: return core::make_marble(turbulence, generator);
+    case PatternKind::kWood: return core::make_wood(turbulence);
+    case PatternKind::kAgate:
       return core::make_agate(turbulence.value_or(core::Turbulence{}),
                               single(p.own->agate_turbulence), generator);
-    case Kind::kSpiral1: return core::make_spiral1(p.own->arms, turbulence, generator);
-    case Kind::kSpiral2: return core::make_spiral2(p.own->arms, turbulence, generator);
-    case Kind::kRipples:
+    case PatternKind::kSpiral1: return core::make_spiral1(p.own->arms, turbulence, generator);
+    case PatternKind::kSpiral2: return core::make_spiral2(p.own->arms, turbulence, generator);
+    case PatternKind::kRipples:
       return core::make_ripples(settings.number_of_waves, single(p.frequency), single(p.phase));
-    case Kind::kWaves:
+    case PatternKind::kWaves:
       return core::make_waves(settings.number_of_waves, single(p.frequency), single(p.phase));
-    case Kind::kCrackle:
+    case PatternKind::kCrackle:
       return core::make_crackle(
           {p.own->crackle_form, p.own->crackle_metric, p.own->crackle_offset, p.own->crackle_solid},
           generator);
@@ -197,16 +197,16 @@ core::PatternPtr compile_pattern(const PatternDesc& pattern, const PatternBuild&
   if (auto tiles = compile_tiles(pattern)) return tiles;
   if (auto shape = compile_shape(pattern)) return shape;
   if (auto organic = compile_organic(pattern, build.settings)) return organic;
-  if (pattern.kind == Kind::kFunction) {
+  if (pattern.kind == PatternKind::kFunction) {
     if (auto function = compile_function(pattern, build)) return function;
-  } else if (pattern.kind == Kind::kPigmentPattern && pattern.own->pigment) {
+  } else if (pattern.kind == PatternKind::kPigmentPattern && pattern.own->pigment) {
     return core::make_pigment_pattern(build.pigment(pattern.own->pigment));
-  } else if (pattern.kind == Kind::kObject && pattern.own->object) {
+  } else if (pattern.kind == PatternKind::kObject && pattern.own->object) {
     const auto query = std::make_shared<const ObjectQuery>(*pattern.own->object);
     return core::make_inside([query](const core::Vec3& p) { return query->inside(p); });
-  } else if (pattern.kind == Kind::kDensityFile) {
+  } else if (pattern.kind == PatternKind::kDensityFile) {
     return compile_density(pattern);
-  } else if (pattern.kind == Kind::kImagePattern && pattern.own->image && build.picture) {
+  } else if (pattern.kind == PatternKind::kImagePattern && pattern.own->image && build.picture) {
     return core::make_picture_pattern(build.picture(*pattern.own->image),
                                       pattern.own->image->use == ImageDesc::Use::kAlpha);
   } else {
@@ -241,33 +241,33 @@ core::BlendMap<core::Colour> default_colours(PatternKind kind) {
   using Entries = std::vector<std::pair<double, core::Colour>>;
   const auto rgb = [](float r, float g, float b) { return core::Colour{{r, g, b}, 0, 0}; };
   switch (kind) {
-    case Kind::kAgate:
+    case PatternKind::kAgate:
       return core::BlendMap(Entries{{0.0, rgb(1, 1, 1)},
                                     {0.5, rgb(.95f, .75f, .5f)},
                                     {0.5, rgb(.9f, .7f, .5f)},
                                     {0.6, rgb(.9f, .7f, .4f)},
                                     {0.6, rgb(1, .7f, .4f)},
                                     {1.0, rgb(.6f, .3f, 0)}});
-    case Kind::kBozo:
+    case PatternKind::kBozo:
       return core::BlendMap(Entries{{0.4, rgb(1, 1, 1)},
                                     {0.4, rgb(0, 1, 0)},
                                     {0.6, rgb(0, 1, 0)},
                                     {0.6, rgb(0, 0, 1)},
                                     {0.8, rgb(0, 0, 1)},
                                     {0.8, rgb(1, 0, 0)}});
-    case Kind::kMandel:
+    case PatternKind::kMandel:
       return core::BlendMap(Entries{{0.001, rgb(0, 0, 0)},
                                     {0.001, rgb(0, 1, 1)},
                                     {0.012, rgb(1, 1, 0)},
                                     {0.015, rgb(1, 0, 1)},
                                     {0.1, rgb(0, 1, 1)}});
-    case Kind::kMarble:
+    case PatternKind::kMarble:
       return core::BlendMap(
           Entries{{0.0, rgb(.9f, .8f, .8f)}, {0.9, rgb(.9f, .08f, .08f)}, {0.9, rgb(0, 0, 0)}});
-    case Kind::kRadial:
+    case PatternKind::kRadial:
       return core::BlendMap(Entries{
           {0.0, rgb(0, 1, 1)}, {0.333, rgb(1, 1, 0)}, {0.666, rgb(1, 0, 1)}, {1.0, rgb(0, 1, 1)}});
-    case Kind::kWood:
+    case PatternKind::kWood:
       return core::BlendMap(Entries{{0.6, rgb(.666f, .312f, .2f)}, {0.6, rgb(.4f, .1333f, .066f)}});
     default: return core::BlendMap(Entries{{0.0, rgb(0, 0, 0)}, {1.0, rgb(1, 1, 1)}});
   }

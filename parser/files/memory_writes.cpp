@@ -16,9 +16,9 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMostBytes = std::size_t{1} << 30;
 
-class Writer final : public FileWriter {
+class MemoryWriter final : public FileWriter {
  public:
-  explicit Writer(std::shared_ptr<std::string> text) : m_text(std::move(text)) {}
+  explicit MemoryWriter(std::shared_ptr<std::string> text) : m_text(std::move(text)) {}
   std::string write(std::string_view bytes) override {
     if (m_text->size() + bytes.size() > kMostBytes)
       return "more than 1 GB, which stays in memory here";
@@ -37,7 +37,7 @@ std::string key(const std::string& path) {
   return error ? whole.string() : place.string();
 }
 
-std::string lower(std::string text) {
+std::string in_lower_case(std::string text) {
   for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return text;
 }
@@ -59,9 +59,9 @@ std::optional<std::string> MemoryWrites::find_loosely(const std::string& folder,
   if (auto found = m_below.find_loosely(folder, name)) return found;
   std::string slashes = name;
   std::replace(slashes.begin(), slashes.end(), '\\', '/');
-  const std::string wanted = lower(key((fs::path(folder) / slashes).string()));
+  const std::string wanted = in_lower_case(key((fs::path(folder) / slashes).string()));
   for (const auto& [path, text] : m_texts) {
-    if (lower(path) == wanted) return path;
+    if (in_lower_case(path) == wanted) return path;
   }
   return std::nullopt;
 }
@@ -105,7 +105,7 @@ std::unique_ptr<FileWriter> MemoryWrites::open(const std::string& path, bool app
       *text = m_below.read(path).value_or("");
   }
   m_texts[place] = text;
-  return std::make_unique<Writer>(std::move(text));
+  return std::make_unique<MemoryWriter>(std::move(text));
 }
 
 }  // namespace lentray::parser

@@ -12,12 +12,12 @@
 namespace lentray::parser {
 namespace {
 
-class Writer final : public FileWriter {
+class StreamWriter final : public FileWriter {
  public:
-  explicit Writer(std::FILE* file) : m_file(file) {}
-  ~Writer() override { Writer::close(); }
-  Writer(const Writer&) = delete;
-  Writer& operator=(const Writer&) = delete;
+  explicit StreamWriter(std::FILE* file) : m_file(file) {}
+  ~StreamWriter() override { StreamWriter::close(); }
+  StreamWriter(const StreamWriter&) = delete;
+  StreamWriter& operator=(const StreamWriter&) = delete;
 
   std::string write(std::string_view bytes) override {
     if (std::fwrite(bytes.data(), 1, bytes.size(), m_file) == bytes.size()) return {};
@@ -97,7 +97,7 @@ std::unique_ptr<FileWriter> make_writer(Descriptor file) {
   std::FILE* stream = file ? ::fdopen(file.number(), "w") : nullptr;
   if (!stream) return nullptr;
   file.release();
-  return std::make_unique<Writer>(stream);
+  return std::make_unique<StreamWriter>(stream);
 }
 
 }  // namespace lentray::parser

@@ -15,7 +15,7 @@ struct ImageType {
   Keyword keyword;
   const char* extension;
 };
-constexpr ImageType kTypes[] = {
+constexpr ImageType kImageTypes[] = {
     {Keyword::kIff, "iff"},  {Keyword::kGif, "gif"}, {Keyword::kPot, "pot"},
     {Keyword::kSys, "sys"},  {Keyword::kTga, "tga"}, {Keyword::kPng, "png"},
     {Keyword::kPgm, "pgm"},  {Keyword::kPpm, "ppm"}, {Keyword::kJpeg, "jpg"},
@@ -117,9 +117,9 @@ std::shared_ptr<ImageDesc> parse_image_source(Parser& parser) {
   const Location where = parser.location();
   const Keyword word =
       parser.peek().kind == TokenKind::kKeyword ? parser.peek().keyword : Keyword::kNone;
-  const auto type = std::find_if(std::begin(kTypes), std::end(kTypes),
+  const auto type = std::find_if(std::begin(kImageTypes), std::end(kImageTypes),
                                  [&](const ImageType& t) { return t.keyword == word; });
-  if (type != std::end(kTypes)) {
+  if (type != std::end(kImageTypes)) {
     parser.next();
     image->type = type->extension;
     image->name = parser.parse_path();

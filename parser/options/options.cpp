@@ -61,9 +61,9 @@ std::string_view near_name(std::string_view name) {
   return best;
 }
 
-class Reader {
+class OptionsReader {
  public:
-  explicit Reader(RenderOptions& options) : m_options(options) {}
+  explicit OptionsReader(RenderOptions& options) : m_options(options) {}
 
   void named(const std::string& name, GivenOption given, int depth);
   void switched(const std::string& text, GivenOption given);
@@ -75,7 +75,7 @@ class Reader {
   RenderOptions& m_options;
 };
 
-void Reader::named(const std::string& name, GivenOption given, int depth) {
+void OptionsReader::named(const std::string& name, GivenOption given, int depth) {
   if (same_word(name, "Include_Ini")) return bare(given.value, given, depth + 1);
   for (const OptionRow& row : option_table()) {
     if (!row.name.empty() && same_word(row.name, name)) return row.apply(m_options, given);
@@ -87,7 +87,7 @@ void Reader::named(const std::string& name, GivenOption given, int depth) {
   m_options.warnings.push_back(message);
 }
 
-void Reader::switched(const std::string& text, GivenOption given) {
+void OptionsReader::switched(const std::string& text, GivenOption given) {
   given.sign = text.front();
   const std::string_view body = std::string_view(text).substr(1);
   const OptionRow* best = nullptr;
@@ -107,7 +107,7 @@ void Reader::switched(const std::string& text, GivenOption given) {
 }
 
 /// An INI file is looked for as it is named, with .ini added, and then along the library paths.
-std::string Reader::find(const std::string& name) const {
+std::string OptionsReader::find(const std::string& name) const {
   std::vector<std::string> folders{""};
   if (fs::path(name).is_relative()) {
     folders.insert(folders.end(), m_options.library_paths.begin(), m_options.library_paths.end());
@@ -121,7 +121,8 @@ std::string Reader::find(const std::string& name) const {
   return {};
 }
 
-void Reader::file(const IniName& name, const std::string& path, GivenOption given, int depth) {
+void OptionsReader::file(const IniName& name, const std::string& path, GivenOption given,
+                         int depth) {
   if (depth > kNesting) {
     throw OptionError(given.where + "INI files are nested more than " + std::to_string(kNesting) +
                       " deep");
@@ -146,7 +147,7 @@ void Reader::file(const IniName& name, const std::string& path, GivenOption give
 }
 
 /// A name without a switch: a scene, or an INI file with or without a section.
-void Reader::bare(const std::string& text, const GivenOption& given, int depth) {
+void OptionsReader::bare(const std::string& text, const GivenOption& given, int depth) {
   const IniName name = ini_name(text);
   if (!name.has_label && ends_with(name.file, ".pov")) {
     m_options.input = name.file;
@@ -231,7 +232,7 @@ namespace {
 RenderOptions read_with(const std::string& default_ini, std::span<const std::string> arguments,
                         const OptionSources& sources) {
   RenderOptions options;
-  Reader reader(options);
+  OptionsReader reader(options);
   if (!default_ini.empty()) {
     GivenOption given;
     given.from_defaults = true;

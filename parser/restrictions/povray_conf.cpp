@@ -24,7 +24,7 @@ void replace(std::string& text, std::string_view what, const std::string& by) {
   }
 }
 
-std::string without_comment(std::string_view line) {
+std::string without_remark(std::string_view line) {
   char quote = 0;
   for (std::size_t i = 0; i < line.size(); ++i) {
     if (quote != 0)
@@ -37,7 +37,7 @@ std::string without_comment(std::string_view line) {
   return std::string(line);
 }
 
-std::string trimmed(std::string_view text) {
+std::string stripped(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \t\r");
   if (first == text.npos) return {};
   return std::string(text.substr(first, text.find_last_not_of(" \t\r") - first + 1));
@@ -49,7 +49,7 @@ class ConfReader {
 
   void line(std::string_view text) {
     ++m_number;
-    const std::string line = trimmed(without_comment(text));
+    const std::string line = stripped(without_remark(text));
     if (line.empty()) return;
     if (line.front() == '[')
       m_section = line;
@@ -84,10 +84,10 @@ class ConfReader {
 
   void permitted_path(const std::string& line) {
     const std::size_t equals = line.find('=');
-    std::string kind = trimmed(std::string_view(line).substr(0, equals));
+    std::string kind = stripped(std::string_view(line).substr(0, equals));
     PermittedPath path;
     path.below = kind.ends_with('*');
-    if (path.below) kind = trimmed(std::string_view(kind).substr(0, kind.size() - 1));
+    if (path.below) kind = stripped(std::string_view(kind).substr(0, kind.size() - 1));
     path.writing = kind == "read+write";
     std::string folder = equals == line.npos ? "" : unquoted(line.substr(equals + 1));
     if ((kind != "read" && !path.writing) || folder.empty()) {

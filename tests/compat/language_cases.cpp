@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const char* const kIncludes = "/usr/share/povray-3.7/include";
+const char* const kLanguageCasesIncludes = "/usr/share/povray-3.7/include";
 const char* const kPrologue =
     "#version 3.7; global_settings { assumed_gamma 1 }\n#fopen Out_ \"out.txt\" write\n"
     "#macro W(Text_) #write(Out_, Text_, \"\\n\") #end\n";
@@ -39,7 +39,7 @@ std::string program(const LanguageCases& cases, std::size_t first) {
 }
 
 std::vector<std::string> command(Reader reader) {
-  const std::string library = std::string("+L") + kIncludes;
+  const std::string library = std::string("+L") + kLanguageCasesIncludes;
   if (reader == Reader::kStock) {
     return {"povray", "+Iscene.pov", "-F", "+W4", "+H4", "-D", "-GD", "-GR", "-GS", library};
   }

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Outcome {
+struct WarningsOutcome {
   int status = 0;
   std::string console;
   std::map<std::string, std::string> files;  ///< those the run made, by name
@@ -24,7 +24,8 @@ struct Outcome {
 
 enum class Program { kStock, kLentray };
 
-Outcome run(Program program, const std::string& scene, std::vector<std::string> options) {
+WarningsOutcome warnings_run(Program program, const std::string& scene,
+                             std::vector<std::string> options) {
   const tool::TemporaryFolder folder;
   tool::write_text(folder / "scene.pov", scene);
   std::vector<std::string> command = {
@@ -37,7 +38,7 @@ Outcome run(Program program, const std::string& scene, std::vector<std::string> 
       "-V"};
   command.insert(command.end(), options.begin(), options.end());
   const tool::RunResult result = tool::run_program(command, folder.path(), 60.0);
-  Outcome out{result.status, result.output, {}};
+  WarningsOutcome out{result.status, result.output, {}};
   for (const auto& entry : fs::directory_iterator(folder.path())) {
     const std::string name = entry.path().filename().string();
     const std::string end = entry.path().extension().string();
@@ -62,10 +63,10 @@ std::multiset<int> warned(Program program, const std::string& text) {
   return lines;
 }
 
-constexpr const char* kHead = "#version 3.7; global_settings { assumed_gamma 1 }\n";
+constexpr const char* kWarningsHead = "#version 3.7; global_settings { assumed_gamma 1 }\n";
 
 TEST(CompatWarnings, SameLinesAsStock) {
-  const std::string head = kHead;
+  const std::string head = kWarningsHead;
   const std::vector<std::string> scenes = {
       "sphere { 0, 1 }",                // neither #version nor assumed_gamma
       "#version 3.7; sphere { 0, 1 }",  // no assumed_gamma
@@ -97,8 +98,8 @@ TEST(CompatWarnings, SameLinesAsStock) {
       head,  // no objects
   };
   for (const std::string& scene : scenes) {
-    const Outcome stock = run(Program::kStock, scene, {"+GWw.txt"});
-    const Outcome ours = run(Program::kLentray, scene, {"+GWw.txt"});
+    const WarningsOutcome stock = warnings_run(Program::kStock, scene, {"+GWw.txt"});
+    const WarningsOutcome ours = warnings_run(Program::kLentray, scene, {"+GWw.txt"});
     EXPECT_EQ(stock.status, 0) << scene << stock.console;
     EXPECT_EQ(ours.status, 0) << scene << ours.console;
     const auto wanted = warned(Program::kStock, stock.files.at("w.txt"));
@@ -131,7 +132,7 @@ std::multiset<std::string> gradients(Program program, std::string text) {
 
 TEST(CompatWarnings, GradientsAreReportedAsInStock) {
   const std::string head =
-      std::string(kHead) +
+      std::string(kWarningsHead) +
       "camera { orthographic location -5*z direction z right 8*x up 2*y }\n"
       "#macro Wall(K, G, X) isosurface { function { -K*z } max_gradient G"
       " contained_by { box { <-.9,-2,-1.3>, <.9,2,1.2> } } translate X*x } #end\n";
@@ -147,8 +148,8 @@ TEST(CompatWarnings, GradientsAreReportedAsInStock) {
       head + waves + " evaluate 3, 1.2, .8 }"};
   for (const std::string& scene : scenes) {
     const std::vector<std::string> options = {"+W64", "+H16", "+WT1"};
-    const Outcome stock = run(Program::kStock, scene, options);
-    const Outcome ours = run(Program::kLentray, scene, options);
+    const WarningsOutcome stock = warnings_run(Program::kStock, scene, options);
+    const WarningsOutcome ours = warnings_run(Program::kLentray, scene, options);
     EXPECT_EQ(gradients(Program::kLentray, ours.console), gradients(Program::kStock, stock.console))
         << scene << "\n"
         << stock.console << ours.console;
@@ -157,8 +158,8 @@ TEST(CompatWarnings, GradientsAreReportedAsInStock) {
 
 /// Stock is silent about copies of a declared isosurface and about parts of CSG; they can have holes as well.
 TEST(CompatWarnings, GradientsOfCopiesAndPartsAreReportedToo) {
-  const std::string head =
-      std::string(kHead) + "camera { orthographic location -5*z direction z right 8*x up 2*y }\n";
+  const std::string head = std::string(kWarningsHead) +
+                           "camera { orthographic location -5*z direction z right 8*x up 2*y }\n";
   const std::string waves =
       "isosurface { function { x*x + y*y*2 + z*z - 1 + .1*sin(x*15)*sin(z*14) }"
       " contained_by { box { -1.2, 1.2 } } max_gradient 3 }";
@@ -167,10 +168,12 @@ TEST(CompatWarnings, GradientsOfCopiesAndPartsAreReportedToo) {
         head + "#declare U = union { " + waves + " sphere { 9, 1 } } object { U translate x }",
         head + "intersection { sphere { 0, 2 } " + waves + " }"}) {
     const std::vector<std::string> options = {"+W64", "+H16", "+WT1"};
-    EXPECT_TRUE(gradients(Program::kStock, run(Program::kStock, scene, options).console).empty())
+    EXPECT_TRUE(
+        gradients(Program::kStock, warnings_run(Program::kStock, scene, options).console).empty())
         << scene;
     EXPECT_FALSE(
-        gradients(Program::kLentray, run(Program::kLentray, scene, options).console).empty())
+        gradients(Program::kLentray, warnings_run(Program::kLentray, scene, options).console)
+            .empty())
         << scene;
   }
 }
@@ -217,8 +220,8 @@ TEST(CompatWarnings, StreamsGoWhereStockSendsThem) {
     std::string shown;
     for (const std::string& option : given) shown += option + " ";
     SCOPED_TRACE(shown);
-    const Outcome stock = run(Program::kStock, scene, given);
-    const Outcome ours = run(Program::kLentray, scene, given);
+    const WarningsOutcome stock = warnings_run(Program::kStock, scene, given);
+    const WarningsOutcome ours = warnings_run(Program::kLentray, scene, given);
     EXPECT_EQ(ours.status, stock.status);
     const auto has = [](const std::string& text) {
       std::string all;
@@ -260,11 +263,13 @@ TEST(CompatWarnings, FilesAreBegunAnewOrGoneOnWith) {
 
 TEST(CompatWarnings, ErrorsGoToTheFatalFile) {
   for (const Program program : {Program::kStock, Program::kLentray}) {
-    const Outcome out = run(program, std::string(kHead) + "sphere { 0, }", {"-GFf.txt"});
+    const WarningsOutcome out =
+        warnings_run(program, std::string(kWarningsHead) + "sphere { 0, }", {"-GFf.txt"});
     EXPECT_NE(out.status, 0);
     EXPECT_NE(out.files.at("f.txt").find("rror"), std::string::npos) << out.console;
   }
-  const Outcome ours = run(Program::kLentray, std::string(kHead) + "sphere { 0, }", {"-GA"});
+  const WarningsOutcome ours =
+      warnings_run(Program::kLentray, std::string(kWarningsHead) + "sphere { 0, }", {"-GA"});
   EXPECT_NE(ours.console.find("scene.pov:2:13: error:"), std::string::npos) << ours.console;
 }
 

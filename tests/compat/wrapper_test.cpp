@@ -21,7 +21,7 @@ using core::LensComparison;
 using core::StoredImage;
 using core::Vec3;
 
-constexpr const char* kScene = R"(#version 3.7;
+constexpr const char* kWrapperScene = R"(#version 3.7;
 global_settings { assumed_gamma 1 }
 #ifndef (Tall) #declare Tall = 1; #end
 camera { location <0,1,-6> look_at <0,0.6,0> }
@@ -59,7 +59,7 @@ class Stock {
  public:
   Stock() {
     options.processes = 2;
-    tool::write_text(m_folder / "scene.pov", kScene);
+    tool::write_text(m_folder / "scene.pov", kWrapperScene);
   }
   StoredImage operator()(const Sheet& s, Way way) const {
     return stock_integral(m_folder / "scene.pov", s, way, options);
@@ -116,7 +116,7 @@ TEST(CompatWrapper, MiddleViewIsTheOrdinaryPicture) {
   const auto put = [&](const char* word, const Vec3& p) {
     plain << word << " <" << p.x << "," << p.y << "," << p.z << "> ";
   };
-  plain << kScene << "camera { ";
+  plain << kWrapperScene << "camera { ";
   put("location", eye);
   put("direction", s.direction * v);
   put("right", s.right * s.width);
@@ -255,7 +255,7 @@ TEST(UnitWrapper, IncludedFiles) {
 TEST(CompatWrapper, LenticularCameraInAnIncludeFile) {
   const tool::TemporaryFolder folder;
   tool::write_text(folder / "cam.inc", "camera { lenticular location <0,0,0> lens_pitch 1.124 }\n");
-  tool::write_text(folder / "scene.pov", std::string(kScene) + "#include \"cam.inc\"\n");
+  tool::write_text(folder / "scene.pov", std::string(kWrapperScene) + "#include \"cam.inc\"\n");
   const Stock stock;
   const Sheet s = sheet(3, 30, kFar, true);
   const StoredImage with = stock_integral(folder / "scene.pov", s, best_way(s), stock.options);

@@ -8,7 +8,7 @@
 namespace lentray::test {
 namespace {
 
-std::string scene(const std::string& objects) {
+std::string clip_boxes_scene(const std::string& objects) {
   return "#version 3.7; global_settings { assumed_gamma 1 }\n"
          "#declare H = height_field { png \"plasma2.png\" translate <-.5,0,-.5> scale <6,2,6> }\n"
          "camera { location <0,6,-9> angle 80 look_at 0 } light_source { <-4,7,-6>, 1 }\n"
@@ -18,11 +18,11 @@ std::string scene(const std::string& objects) {
 
 testing::AssertionResult looks_the_same(const std::string& objects) {
   return same_as_stock(
-      {.sdl = scene(objects), .width = 80, .height = 60, .arguments = {}, .files = {}});
+      {.sdl = clip_boxes_scene(objects), .width = 80, .height = 60, .arguments = {}, .files = {}});
 }
 
 std::size_t turned_away(const std::string& objects) {
-  return rays_that_gates_turn_away(scene(objects), {0, 6, -9});
+  return rays_that_gates_turn_away(clip_boxes_scene(objects), {0, 6, -9});
 }
 
 const std::string kByField = " clipped_by { object { H } } ";

@@ -10,15 +10,15 @@
 namespace lentray::test {
 namespace {
 
-constexpr const char* kStage = R"(#version 3.7; global_settings { assumed_gamma 1 }
+constexpr const char* kCoincidentStage = R"(#version 3.7; global_settings { assumed_gamma 1 }
 camera { location <1.2,1.9,-4> look_at 0 angle 50 }
 light_source { <-4,7,-6>, 1 } light_source { <5,3,-2>, .3 }
 plane { y, -1.7 pigment { checker rgb .9 rgb .5 } }
 #default { pigment { rgb <1,.6,.3> } finish { specular .3 } }
 )";
 
-SceneText scene(const std::string& sdl) {
-  return {.sdl = kStage + sdl, .width = 100, .height = 75, .arguments = {}, .files = {}};
+SceneText coincident_scene(const std::string& sdl) {
+  return {.sdl = kCoincidentStage + sdl, .width = 100, .height = 75, .arguments = {}, .files = {}};
 }
 
 struct Twins {
@@ -30,14 +30,15 @@ class ImageCoincident : public ::testing::TestWithParam<Twins> {};
 
 TEST_P(ImageCoincident, AreOne) {
   const std::string& shape = GetParam().shape;
-  const StoredImage alone = stock_render(scene("object { " + shape + " rotate <10,20,0> }"));
+  const StoredImage alone =
+      stock_render(coincident_scene("object { " + shape + " rotate <10,20,0> }"));
   for (const std::string csg : {"merge", "intersection"}) {
     const std::string both =
         csg + " { object { " + shape + " } object { " + shape + " } rotate <10,20,0> }";
-    EXPECT_TRUE(reaches(lentray_render(scene(both)), alone, Grade::exact)) << csg;
+    EXPECT_TRUE(reaches(lentray_render(coincident_scene(both)), alone, Grade::exact)) << csg;
     const std::string mirrored = csg + " { object { " + shape + " } object { " + shape +
                                  " rotate 180*y scale <-1,1,-1> } rotate <10,20,0> }";
-    EXPECT_TRUE(reaches(lentray_render(scene(mirrored)), alone, Grade::exact))
+    EXPECT_TRUE(reaches(lentray_render(coincident_scene(mirrored)), alone, Grade::exact))
         << csg << ", the second as if turned";
   }
 }
@@ -64,7 +65,8 @@ TEST(ImageCoincidentWalls, OfStackedParts) {
   const std::string outline = ", 5 <-1,-1>,<1,-.9>,<1,1>,<-1,1>,<-1,-1> }";
   const std::string low = "prism { -1, .5" + outline, high = "prism { -.5, 1" + outline;
   const auto is = [](const std::string& csg, const std::string& whole) {
-    return reaches(lentray_render(scene(csg)), stock_render(scene(whole)), Grade::exact);
+    return reaches(lentray_render(coincident_scene(csg)), stock_render(coincident_scene(whole)),
+                   Grade::exact);
   };
   EXPECT_TRUE(is("merge { " + low + high + " rotate 30*y }",
                  "object { prism { -1, 1" + outline + " rotate 30*y }"));
@@ -81,7 +83,7 @@ TEST(ImageCoincidentWalls, StayWhereTheyAreCut) {
   for (const std::string cut : {"box { -1, 1 } box { <-1,-.5,-1>, <1,1.4,1> }",
                                 "cylinder { -y, y, 1 } cylinder { -.5*y, 1.5*y, 1 }",
                                 "torus { .7, .3 } torus { .7, .3 }"}) {
-    EXPECT_TRUE(same_as_stock(scene("difference { " + cut + " rotate 20*y }"))) << cut;
+    EXPECT_TRUE(same_as_stock(coincident_scene("difference { " + cut + " rotate 20*y }"))) << cut;
   }
 }
 

@@ -16,14 +16,14 @@ constexpr const char* kLooks = R"(
 #declare Ball2 = sphere { <.5,1.2,-.6>, .4 }
 )";
 
-struct Case {
+struct CutawayCase {
   const char* name;
   const char* sdl;
 };
 
 // Where a nested part's own surface is asked whether the point is in that part, its inside()
 // decides by the last bit for spheres; boxes, planes and cylinders always say the same.
-const Case kCases[] = {
+const CutawayCase kCutawayCases[] = {
     {"difference", "difference { object { Ball } object { Notch } cutaway_textures }"},
     {"intersection", "intersection { object { Ball } object { Cube } cutaway_textures }"},
     {"mean_of_two",
@@ -122,13 +122,13 @@ const Case kCases[] = {
      " texture { A } } box { <-.7,-.9,0>, <2,3,2.8> } cutaway_textures } } }"},
 };
 
-class ImageCutaway : public ::testing::TestWithParam<Case> {};
+class ImageCutaway : public ::testing::TestWithParam<CutawayCase> {};
 
 TEST_P(ImageCutaway, AsStock) {
   EXPECT_TRUE(same_as_stock(staged(kLooks + std::string(GetParam().sdl) + "\n")));
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, ImageCutaway, ::testing::ValuesIn(kCases),
+INSTANTIATE_TEST_SUITE_P(Each, ImageCutaway, ::testing::ValuesIn(kCutawayCases),
                          [](const auto& one) { return std::string(one.param.name); });
 
 }  // namespace

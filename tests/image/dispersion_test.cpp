@@ -6,7 +6,7 @@
 namespace lentray::test {
 namespace {
 
-constexpr const char* kStage =
+constexpr const char* kDispersionStage =
     R"(#version 3.7; global_settings { assumed_gamma 1 max_trace_level 8 }
 camera { location <0,1.5,-5> look_at 0 angle 40 }
 light_source { <4,7,-5>, 1 }
@@ -18,7 +18,7 @@ plane { z, 8 pigment { gradient x color_map { [.5 rgb 1] [.5 rgb 0] } } finish {
 class ImageDispersion : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(ImageDispersion, IsStocks) {
-  EXPECT_TRUE(same_as_stock({.sdl = std::string(kStage) + GetParam(),
+  EXPECT_TRUE(same_as_stock({.sdl = std::string(kDispersionStage) + GetParam(),
                              .width = 100,
                              .height = 75,
                              .arguments = {},

@@ -16,7 +16,7 @@ namespace lentray::test {
 namespace {
 
 namespace fs = std::filesystem;
-using Words = std::vector<std::string>;
+using FileTypesWords = std::vector<std::string>;
 
 constexpr const char* kScene = R"(
 camera { location -5*z look_at 0 angle 40 }
@@ -29,14 +29,14 @@ plane { y, -1 pigment { gradient x color_map { [0 rgb 0] [1 rgb .3] } scale 7 } 
 /// Both programs' files of a scene: in folders "stock" and "lentray".
 class Both {
  public:
-  Both(const std::string& sdl, const Words& words) : m_words(words) {
+  Both(const std::string& sdl, const FileTypesWords& words) : m_words(words) {
     tool::write_text(m_folder / "a.pov", sdl);
-    Words all{"+Ia.pov", "+W83", "+H61", "-D", "-V"};
+    FileTypesWords all{"+Ia.pov", "+W83", "+H61", "-D", "-V"};
     all.insert(all.end(), words.begin(), words.end());
     for (const char* who : {"stock", "lentray"}) {
       const fs::path place = m_folder / who;
       fs::create_directory(place);
-      Words command{who == std::string("stock") ? "povray" : program("lentray").string()};
+      FileTypesWords command{who == std::string("stock") ? "povray" : program("lentray").string()};
       command.insert(command.end(), all.begin(), all.end());
       command.push_back("+O" + std::string(who) + "/");
       const auto result = tool::run_program(command, m_folder.path(), 60.0);
@@ -65,7 +65,7 @@ class Both {
   }
 
  private:
-  Words m_words;
+  FileTypesWords m_words;
   tool::TemporaryFolder m_folder;
 };
 
@@ -74,11 +74,11 @@ std::string with_head(const std::string& head) { return head + kScene; }
 /// Of 5063 pixels' samples: where shading differs in its last bit.
 constexpr std::size_t kFew = 15;
 
-class ImageFileTypes : public ::testing::TestWithParam<Words> {};
+class ImageFileTypes : public ::testing::TestWithParam<FileTypesWords> {};
 
 TEST_P(ImageFileTypes, AreStocks) {
   for (const char* alpha : {"-UA", "+UA"}) {
-    Words words = GetParam();
+    FileTypesWords words = GetParam();
     words.emplace_back(alpha);
     for (const char* head :
          {"#version 3.7; global_settings { assumed_gamma 1 }", "#version 3.6;"}) {
@@ -87,12 +87,16 @@ TEST_P(ImageFileTypes, AreStocks) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Each, ImageFileTypes,
-    ::testing::Values(Words{"+FN"}, Words{"+FN5"}, Words{"+FN12"}, Words{"+FN16"}, Words{"+FNg"},
-                      Words{"+FT"}, Words{"+FC"}, Words{"+FJ"}, Words{"+FJ", "Compression=40"},
-                      Words{"+FP"}, Words{"+FP10"}, Words{"+FP16"}, Words{"+FB"}, Words{"+FE"},
-                      Words{"+FH"}, Words{"+FT", "File_Gamma=1"}));
+INSTANTIATE_TEST_SUITE_P(Each, ImageFileTypes,
+                         ::testing::Values(FileTypesWords{"+FN"}, FileTypesWords{"+FN5"},
+                                           FileTypesWords{"+FN12"}, FileTypesWords{"+FN16"},
+                                           FileTypesWords{"+FNg"}, FileTypesWords{"+FT"},
+                                           FileTypesWords{"+FC"}, FileTypesWords{"+FJ"},
+                                           FileTypesWords{"+FJ", "Compression=40"},
+                                           FileTypesWords{"+FP"}, FileTypesWords{"+FP10"},
+                                           FileTypesWords{"+FP16"}, FileTypesWords{"+FB"},
+                                           FileTypesWords{"+FE"}, FileTypesWords{"+FH"},
+                                           FileTypesWords{"+FT", "File_Gamma=1"}));
 
 class ImageDither : public ::testing::TestWithParam<const char*> {};
 
@@ -100,12 +104,13 @@ TEST_P(ImageDither, IsStocks) {
   const std::string head = "#version 3.7; global_settings { assumed_gamma 1 }";
   // One line's error is carried on whole, and rounding with it.
   const std::size_t few = GetParam() == std::string("D1") ? 500 : kFew;
-  for (const Words& type : {Words{"+FN"}, Words{"+FN5", "+UA"}, Words{"+FT"}}) {
-    Words words = type;
+  for (const FileTypesWords& type :
+       {FileTypesWords{"+FN"}, FileTypesWords{"+FN5", "+UA"}, FileTypesWords{"+FT"}}) {
+    FileTypesWords words = type;
     words.push_back(std::string("+TH") + GetParam());
     const Both both(with_head(head), words);
     EXPECT_LE(both.differing(), few);
-    Words plain = type;
+    FileTypesWords plain = type;
     plain.emplace_back("-THFS");
     EXPECT_FALSE(same_bits(both.image("lentray"), Both(with_head(head), plain).image("lentray")));
   }
@@ -134,9 +139,10 @@ TEST(ImagePngGamma, ChunksAndValuesAreStocks) {
         "#version 3.7; global_settings { assumed_gamma 1 }",
         "#version 3.7; global_settings { assumed_gamma 2.2 }",
         "#version 3.7; global_settings { assumed_gamma srgb }"}) {
-    for (const Words& words :
-         {Words{}, Words{"File_Gamma=1"}, Words{"File_Gamma=1.8", "+FN16"},
-          Words{"File_Gamma=srgb"}, Words{"File_Gamma=2.2"}, Words{"Display_Gamma=1.8"}}) {
+    for (const FileTypesWords& words :
+         {FileTypesWords{}, FileTypesWords{"File_Gamma=1"},
+          FileTypesWords{"File_Gamma=1.8", "+FN16"}, FileTypesWords{"File_Gamma=srgb"},
+          FileTypesWords{"File_Gamma=2.2"}, FileTypesWords{"Display_Gamma=1.8"}}) {
       const Both both(with_head(head), words);
       const std::string which = std::string(head) + (words.empty() ? "" : words[0]);
       EXPECT_LE(both.differing(), kFew) << which;
@@ -178,14 +184,16 @@ INSTANTIATE_TEST_SUITE_P(
                       "fog { distance 8 rgbt <.5,.5,.9,.3> } background { rgbt <.2,.3,.6,.4> }"));
 
 TEST(ImageFileNames, AreStocks) {
-  for (const Words& words :
-       {Words{"+Iin/x.y.pov"}, Words{"+Iin/x.y.pov", "+Oq"}, Words{"+Is.pov", "+Osub"},
-        Words{"+Is.pov", "+Osub/"}, Words{"+Is.pov", "+Osub/.png"}, Words{"+Is.pov", "+O.png"},
-        Words{"+Is.pov", "+Oq."}, Words{"+Is.pov", "+Oq.PNG"}, Words{"+Is.pov", "+Oq.tga"},
-        Words{"+Is.pov", "+Oq.tga", "+FC"}, Words{"+Is.pov", "+Oq.jpeg", "+FJ"},
-        Words{"+Is.pov", "+Oq.png", "+FB"}, Words{"+Is.pov", "+Oq", "+FPg"},
-        Words{"+Is.pov", "+Oq.tif", "+FN"}, Words{"+Is.pov", "-FJ", "+F"},
-        Words{"+Is.pov", "+Oq.tga", "+FT", "+KFI9", "+KFF10"}}) {
+  for (const FileTypesWords& words :
+       {FileTypesWords{"+Iin/x.y.pov"}, FileTypesWords{"+Iin/x.y.pov", "+Oq"},
+        FileTypesWords{"+Is.pov", "+Osub"}, FileTypesWords{"+Is.pov", "+Osub/"},
+        FileTypesWords{"+Is.pov", "+Osub/.png"}, FileTypesWords{"+Is.pov", "+O.png"},
+        FileTypesWords{"+Is.pov", "+Oq."}, FileTypesWords{"+Is.pov", "+Oq.PNG"},
+        FileTypesWords{"+Is.pov", "+Oq.tga"}, FileTypesWords{"+Is.pov", "+Oq.tga", "+FC"},
+        FileTypesWords{"+Is.pov", "+Oq.jpeg", "+FJ"}, FileTypesWords{"+Is.pov", "+Oq.png", "+FB"},
+        FileTypesWords{"+Is.pov", "+Oq", "+FPg"}, FileTypesWords{"+Is.pov", "+Oq.tif", "+FN"},
+        FileTypesWords{"+Is.pov", "-FJ", "+F"},
+        FileTypesWords{"+Is.pov", "+Oq.tga", "+FT", "+KFI9", "+KFF10"}}) {
     std::vector<std::string> names;
     for (const std::string& renderer : {std::string("povray"), program("lentray").string()}) {
       const tool::TemporaryFolder folder;
@@ -193,7 +201,7 @@ TEST(ImageFileNames, AreStocks) {
       fs::create_directory(folder / "sub");
       for (const char* scene : {"s.pov", "in/x.y.pov"})
         tool::write_text(folder / scene, "#version 3.7; camera { }");
-      Words command{renderer, "+W4", "+H3", "-D"};
+      FileTypesWords command{renderer, "+W4", "+H3", "-D"};
       command.insert(command.end(), words.begin(), words.end());
       EXPECT_EQ(tool::run_program(command, folder.path(), 60.0).status, 0);
       std::vector<std::string> made;
@@ -214,8 +222,8 @@ TEST(ImageDiffProgram, ComparesWhatViewersShow) {
   const tool::TemporaryFolder folder;
   tool::write_text(folder / "a.pov",
                    with_head("#version 3.7; global_settings { assumed_gamma 1 }"));
-  const auto render = [&](const Words& more) {
-    Words words{"+Ia.pov", "+W40", "+H30", "-V"};
+  const auto render = [&](const FileTypesWords& more) {
+    FileTypesWords words{"+Ia.pov", "+W40", "+H30", "-V"};
     words.insert(words.end(), more.begin(), more.end());
     ASSERT_EQ(run_lentray(words, folder.path()).status, 0);
   };

@@ -10,14 +10,14 @@
 namespace lentray::test {
 namespace {
 
-const std::string kStage = R"(#version 3.7; global_settings { assumed_gamma 1 }
+const std::string kFocalBlurStage = R"(#version 3.7; global_settings { assumed_gamma 1 }
 light_source { <1,6,-3>, 1 }
 sphere { <0,0,3>, .8 pigment { rgb <.9,.2,.2> } finish { phong .8 } }
 cylinder { <1.4,-1,2>, <1.4,2,2>, .3 pigment { rgb <.2,.9,.2> } }
 sphere { <-.9,.5,-.5>, .25 pigment { rgb .9 } finish { phong 1 reflection .3 } }
 box { <-2.6,-1,5>, <-1.4,2.5,5.4> pigment { rgb <.9,.5,.9> } }
 )";
-const std::string kFloor =
+const std::string kFocalBlurFloor =
     "plane { y, -1 pigment { checker rgb <.9,.8,.3> rgb <.2,.3,.7> scale .7 } }\n";
 const std::string kView = "location <0,.5,-3> look_at z*2 aperture .9 focal_point z*2 ";
 const std::string kFull = "blur_samples 100 variance 0 ";
@@ -25,7 +25,7 @@ const std::string kHalfDisc =
     "bokeh { pigment { gradient x color_map { [.5 rgb 0] [.5 rgb 1] } } } ";
 
 SceneText scene_of(const std::string& camera, std::vector<std::string> arguments = {}) {
-  return {.sdl = kStage + kFloor + "camera { " + camera + " }\n",
+  return {.sdl = kFocalBlurStage + kFocalBlurFloor + "camera { " + camera + " }\n",
           .width = 64,
           .height = 48,
           .arguments = std::move(arguments),
@@ -36,13 +36,13 @@ double smooth_psnr(const StoredImage& a, const StoredImage& b) {
   return core::compare(a, b, core::Columns::all(a.width)).smooth_psnr;
 }
 
-struct Case {
+struct FocalBlurCase {
   std::string camera;
   double least;  ///< dB
   std::vector<std::string> arguments{};
 };
 
-class ImageFocalBlur : public ::testing::TestWithParam<Case> {};
+class ImageFocalBlur : public ::testing::TestWithParam<FocalBlurCase> {};
 
 TEST_P(ImageFocalBlur, AsInStock) {
   const SceneText scene = scene_of(GetParam().camera, GetParam().arguments);
@@ -54,41 +54,48 @@ TEST_P(ImageFocalBlur, AsInStock) {
 INSTANTIATE_TEST_SUITE_P(
     Cameras, ImageFocalBlur,
     ::testing::Values(
-        Case{"location <1,1.5,-3> look_at <-.3,0,2> angle 60 aperture .9 focal_point <1.4,0,2> " +
-                 kFull,
-             50},
-        Case{"location <0,.5,-3> direction 2*z aperture .9 focal_point z*2 " + kFull, 50},
-        Case{"location <0,.5,-3> direction <.3,.2,1> aperture .9 focal_point <.5,.6,2> " + kFull,
-             50},
-        Case{"location <0,.5,-3> look_at z*2 angle 40 aperture .4 " + kFull, 50},
-        Case{"fisheye angle 140 location <0,.5,-3> direction z*2 aperture 1.8 focal_point z*2 " +
-                 kFull,
-             50},
-        Case{"ultra_wide_angle angle 100 " + kView + kFull, 50},
-        Case{"omnimax " + kView + kFull, 50}, Case{"panoramic " + kView + kFull, 44},
-        Case{"spherical angle 120 90 " + kView + kFull, 50},
-        Case{"cylinder 1 angle 100 " + kView + kFull, 50},
-        Case{kView + kFull + "normal { bumps .3 scale .2 }", 50}));
+        FocalBlurCase{
+            "location <1,1.5,-3> look_at <-.3,0,2> angle 60 aperture .9 focal_point <1.4,0,2> " +
+                kFull,
+            50},
+        FocalBlurCase{"location <0,.5,-3> direction 2*z aperture .9 focal_point z*2 " + kFull, 50},
+        FocalBlurCase{
+            "location <0,.5,-3> direction <.3,.2,1> aperture .9 focal_point <.5,.6,2> " + kFull,
+            50},
+        FocalBlurCase{"location <0,.5,-3> look_at z*2 angle 40 aperture .4 " + kFull, 50},
+        FocalBlurCase{
+            "fisheye angle 140 location <0,.5,-3> direction z*2 aperture 1.8 focal_point z*2 " +
+                kFull,
+            50},
+        FocalBlurCase{"ultra_wide_angle angle 100 " + kView + kFull, 50},
+        FocalBlurCase{"omnimax " + kView + kFull, 50},
+        FocalBlurCase{"panoramic " + kView + kFull, 44},
+        FocalBlurCase{"spherical angle 120 90 " + kView + kFull, 50},
+        FocalBlurCase{"cylinder 1 angle 100 " + kView + kFull, 50},
+        FocalBlurCase{kView + kFull + "normal { bumps .3 scale .2 }", 50}));
 
 INSTANTIATE_TEST_SUITE_P(
     Bokeh, ImageFocalBlur,
     ::testing::Values(
-        Case{kView + kFull + "bokeh { pigment { gradient y color_map { [.7 rgb 0] [.7 rgb 1] } } }",
-             47},
-        Case{kView + kFull + kHalfDisc + "right -x*1.33", 50}));
+        FocalBlurCase{
+            kView + kFull + "bokeh { pigment { gradient y color_map { [.7 rgb 0] [.7 rgb 1] } } }",
+            47},
+        FocalBlurCase{kView + kFull + kHalfDisc + "right -x*1.33", 50}));
 
 INSTANTIATE_TEST_SUITE_P(
     Rays, ImageFocalBlur,
-    ::testing::Values(Case{kView + "blur_samples 1", 31}, Case{kView + "blur_samples 6", 39},
-                      Case{kView + "blur_samples 7", 43}, Case{kView + "blur_samples 37", 46},
-                      Case{kView + "blur_samples 20,60 variance .1", 47},
-                      Case{kView + "blur_samples 100 confidence .5 variance 1/64", 44},
-                      Case{kView + "blur_samples 100", 47}));
+    ::testing::Values(FocalBlurCase{kView + "blur_samples 1", 31},
+                      FocalBlurCase{kView + "blur_samples 6", 39},
+                      FocalBlurCase{kView + "blur_samples 7", 43},
+                      FocalBlurCase{kView + "blur_samples 37", 46},
+                      FocalBlurCase{kView + "blur_samples 20,60 variance .1", 47},
+                      FocalBlurCase{kView + "blur_samples 100 confidence .5 variance 1/64", 44},
+                      FocalBlurCase{kView + "blur_samples 100", 47}));
 
 INSTANTIATE_TEST_SUITE_P(
     Antialiased, ImageFocalBlur,
-    ::testing::Values(Case{kView + "blur_samples 20", 48, {"+A0.2", "+AM1", "+R2"}},
-                      Case{kView + "blur_samples 20", 48, {"+A0.2", "+AM2", "+R2"}}));
+    ::testing::Values(FocalBlurCase{kView + "blur_samples 20", 48, {"+A0.2", "+AM1", "+R2"}},
+                      FocalBlurCase{kView + "blur_samples 20", 48, {"+A0.2", "+AM2", "+R2"}}));
 
 TEST(ImageFocalBlurAlpha, AsInStock) {
   const SceneText scene = scene_of(kView + kFull, {"+UA", "+FN8"});
@@ -163,8 +170,10 @@ TEST(ImageFocalBlurTest, ABrightPointShowsTheAperture) {
 TEST(ImageFocalBlurTest, OrthographicAsAPerspectiveFromAfar) {
   SceneText parallel = scene_of({}), far = parallel;
   const std::string rest = " right 5*x up 3.75*y focal_point <0,.5,2> " + kFull + "}";
-  parallel.sdl = kStage + "camera { orthographic location <0,.5,-3> direction z aperture .9" + rest;
-  far.sdl = kStage + "camera { location <0,.5,-2998> direction 3000*z aperture .9*600" + rest;
+  parallel.sdl =
+      kFocalBlurStage + "camera { orthographic location <0,.5,-3> direction z aperture .9" + rest;
+  far.sdl =
+      kFocalBlurStage + "camera { location <0,.5,-2998> direction 3000*z aperture .9*600" + rest;
   EXPECT_GE(smooth_psnr(lentray_render(parallel), stock_render(far)), 45.0);
 }
 

@@ -9,7 +9,7 @@ namespace lentray::test {
 namespace {
 
 /// A ball over a floor, and two lights.
-constexpr const char* kScene = R"(#version 3.7;
+constexpr const char* kGroupingProgramScene = R"(#version 3.7;
 global_settings { assumed_gamma 1 }
 camera { location <0,3,-6> look_at 0 }
 light_source { <3,6,-2> rgb 1 }
@@ -20,7 +20,7 @@ sphere { 0, 1 pigment { rgb <1,0,0> } }
 
 class ImageGroupingProgram : public ::testing::Test {
  protected:
-  void SetUp() override { tool::write_text(m_folder / "a.pov", kScene); }
+  void SetUp() override { tool::write_text(m_folder / "a.pov", kGroupingProgramScene); }
   tool::RunResult run(std::vector<std::string> words) const {
     words.insert(words.begin(), program("lentray-grouping").string());
     return tool::run_program(words, m_folder.path(), 300);

@@ -53,30 +53,31 @@ void expect_identical(const std::vector<std::string>& scene, Ways ways = Ways::k
   }
 }
 
-std::string scene_file(const char* name) {
+std::string identical_scene_file(const char* name) {
   return "+I" + (source_folder() / "scenes" / name).string();
 }
 
 TEST(ImageIdentical, BallsIntegral) {
-  expect_identical({scene_file("spd_balls.pov"), "Declare=Size=3", "Declare=Lenticular_Camera=1",
-                    "+W150", "+H100"});
+  expect_identical({identical_scene_file("spd_balls.pov"), "Declare=Size=3",
+                    "Declare=Lenticular_Camera=1", "+W150", "+H100"});
 }
 
 TEST(ImageIdentical, GearsIntegral) {
-  expect_identical({scene_file("spd_gears.pov"), "Declare=Size=2", "Declare=Lenticular_Camera=1",
-                    "+W90", "+H60"});
+  expect_identical({identical_scene_file("spd_gears.pov"), "Declare=Size=2",
+                    "Declare=Lenticular_Camera=1", "+W90", "+H60"});
 }
 
 TEST(ImageIdentical, DemoIntegral) {
-  expect_identical({scene_file("demo.pov"), "Lenticular=On", "+W120", "+H90"});
+  expect_identical({identical_scene_file("demo.pov"), "Lenticular=On", "+W120", "+H90"});
 }
 
 TEST(ImageIdentical, FractionalLensesIntegral) {
-  expect_identical({scene_file("demo.pov"), "Lenticular=On", "Lens_Pixels=12.5", "+W120", "+H90"});
+  expect_identical(
+      {identical_scene_file("demo.pov"), "Lenticular=On", "Lens_Pixels=12.5", "+W120", "+H90"});
 }
 
 TEST(ImageIdentical, DemoInItsOwnCamera) {
-  expect_identical({scene_file("demo.pov"), "+W120", "+H90"});
+  expect_identical({identical_scene_file("demo.pov"), "+W120", "+H90"});
 }
 
 const char* const kBlurred = R"(#version 3.7;
@@ -207,21 +208,23 @@ TEST(ImageIdentical, Media) {
 
 /// Several tiles, whose edges cut lenses' neighbours.
 TEST(ImageIdentical, AntialiasedInTiles) {
-  expect_identical({scene_file("demo.pov"), "+A0.2", "+R2", "+W140", "+H130"}, Ways::kHalf);
+  expect_identical({identical_scene_file("demo.pov"), "+A0.2", "+R2", "+W140", "+H130"},
+                   Ways::kHalf);
 }
 
 TEST(ImageIdentical, AntialiasedByCorners) {
-  expect_identical({scene_file("demo.pov"), "+A0.1", "+AM2", "+R2", "+W120", "+H90"}, Ways::kHalf);
+  expect_identical({identical_scene_file("demo.pov"), "+A0.1", "+AM2", "+R2", "+W120", "+H90"},
+                   Ways::kHalf);
 }
 
 TEST(ImageIdentical, AntialiasedSheetInTiles) {
-  expect_identical({scene_file("demo.pov"), "Lenticular=On", "Lens_Pixels=1.2", "+A0.2", "+R2",
-                    "+W160", "+H130"},
+  expect_identical({identical_scene_file("demo.pov"), "Lenticular=On", "Lens_Pixels=1.2", "+A0.2",
+                    "+R2", "+W160", "+H130"},
                    Ways::kHalf);
 }
 
 TEST(ImageIdentical, AntialiasedSheetByCorners) {
-  expect_identical({scene_file("demo.pov"), "Lenticular=On", "Lens_Pixels=7.37",
+  expect_identical({identical_scene_file("demo.pov"), "Lenticular=On", "Lens_Pixels=7.37",
                     "Antialias_Angle=2", "+A0.2", "+AM2", "+R2", "+W72", "+H48"},
                    Ways::kHalf);
 }

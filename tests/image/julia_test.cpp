@@ -9,7 +9,7 @@
 namespace lentray::test {
 namespace {
 
-constexpr const char* kStage = R"(
+constexpr const char* kJuliaStage = R"(
 global_settings { assumed_gamma 1 }
 camera { CAMERA() }
 light_source { <-4,7,-6>, 1 LIGHT() }
@@ -17,7 +17,7 @@ light_source { <5,3,-2>, .3 LIGHT() }
 plane { y, -1.6 pigment { checker rgb .9 rgb .5 } }
 )";
 
-struct Case {
+struct JuliaCase {
   const char* name;
   const char* sdl;
   Grade grade = Grade::exact;
@@ -25,7 +25,7 @@ struct Case {
   Grade in_csg = Grade::exact;
 };
 
-const Case kCases[] = {
+const JuliaCase kJuliaCases[] = {
     {"quaternion_sqr", "<-.083,0,-.83,-.025> quaternion sqr max_iteration 8 precision 15",
      Grade::exact, Grade::match},
     {"quaternion_sqr_fine", "<-.745,.113,.01,.01> quaternion max_iteration 30 precision 200",
@@ -57,16 +57,16 @@ const Case kCases[] = {
 
 constexpr std::size_t kWithin = 7;  ///< as many do not reach the sphere
 
-class ImageJulia : public ::testing::TestWithParam<Case> {};
+class ImageJulia : public ::testing::TestWithParam<JuliaCase> {};
 
 /// Rays that need no rounding are equal in both renderers to the last bit, which decides where a set
 /// fills the sphere that rays start from.
 constexpr const char* kAlongAxis = "orthographic location <0,0,-6> direction z right x*6 up y*3";
 constexpr const char* kOblique = "location <2.2,2.6,-4> look_at <0,.2,0> angle 40";
 
-SceneText scene(const std::string& camera, const std::string& light, const std::string& sdl) {
+SceneText julia_scene(const std::string& camera, const std::string& light, const std::string& sdl) {
   return {.sdl = "#version 3.7; #macro LIGHT() " + light + " #end #macro CAMERA() " + camera +
-                 " #end\n" + kStage + sdl,
+                 " #end\n" + kJuliaStage + sdl,
           .width = 64,
           .height = 32,
           .arguments = {},
@@ -76,17 +76,17 @@ SceneText scene(const std::string& camera, const std::string& light, const std::
 TEST_P(ImageJulia, Alone) {
   const std::string sdl = std::string("julia_fractal { ") + GetParam().sdl +
                           " pigment { rgb <.9,.5,.3> } finish { specular .4 } }";
-  EXPECT_TRUE(same_as_stock(scene(kAlongAxis, "shadowless", sdl), GetParam().grade));
+  EXPECT_TRUE(same_as_stock(julia_scene(kAlongAxis, "shadowless", sdl), GetParam().grade));
 }
 
 /// Sets that do not fill their sphere can be seen from anywhere.
-class ImageJuliaWithin : public ::testing::TestWithParam<Case> {};
+class ImageJuliaWithin : public ::testing::TestWithParam<JuliaCase> {};
 
 TEST_P(ImageJuliaWithin, Lit) {
   const std::string sdl = std::string("julia_fractal { ") + GetParam().sdl +
                           " pigment { rgb <.9,.5,.3> } finish { specular .4 }"
                           " rotate <10,20,30> scale <1.1,.9,1> }";
-  EXPECT_TRUE(same_as_stock(scene(kOblique, "shadowless", sdl), GetParam().grade));
+  EXPECT_TRUE(same_as_stock(julia_scene(kOblique, "shadowless", sdl), GetParam().grade));
 }
 
 TEST_P(ImageJuliaWithin, InCsg) {
@@ -98,18 +98,20 @@ TEST_P(ImageJuliaWithin, InCsg) {
                           one +
                           " box { <-5,-.15,-5>, <5,.05,5> }"
                           " pigment { rgb <.8,.9,.3> } }";
-  EXPECT_TRUE(same_as_stock(scene(kOblique, "shadowless", sdl), GetParam().in_csg));
+  EXPECT_TRUE(same_as_stock(julia_scene(kOblique, "shadowless", sdl), GetParam().in_csg));
 }
 
 TEST_P(ImageJuliaWithin, Shadow) {
   const std::string sdl = std::string("julia_fractal { ") + GetParam().sdl + " no_image }";
-  EXPECT_TRUE(same_as_stock(scene(kOblique, "", sdl), GetParam().grade));
+  EXPECT_TRUE(same_as_stock(julia_scene(kOblique, "", sdl), GetParam().grade));
 }
 
 const auto name_of = [](const auto& one) { return std::string(one.param.name); };
 INSTANTIATE_TEST_SUITE_P(Each, ImageJuliaWithin,
-                         ::testing::ValuesIn(std::vector<Case>(kCases, kCases + kWithin)), name_of);
-INSTANTIATE_TEST_SUITE_P(Each, ImageJulia, ::testing::ValuesIn(kCases), name_of);
+                         ::testing::ValuesIn(std::vector<JuliaCase>(kJuliaCases,
+                                                                    kJuliaCases + kWithin)),
+                         name_of);
+INSTANTIATE_TEST_SUITE_P(Each, ImageJulia, ::testing::ValuesIn(kJuliaCases), name_of);
 
 }  // namespace
 }  // namespace lentray::test

@@ -20,16 +20,16 @@ light_source { <0, 0, -1000> rgb x }
   return scene;
 }
 
-struct Case {
+struct LightGroupCase {
   const char* name;
   const char* objects;
 };
 
-class ImageLightGroup : public testing::TestWithParam<Case> {};
+class ImageLightGroup : public testing::TestWithParam<LightGroupCase> {};
 
 TEST_P(ImageLightGroup, AsStock) { EXPECT_TRUE(same_as_stock(row(GetParam().objects))); }
 
-const Case kCases[] = {
+const LightGroupCase kLightGroupCases[] = {
     {"Simple", "Box(0) light_group { Light(y) Box(1) union { Box(2) Box(3) } } Box(4)"},
     {"GlobalLights",
      "light_group { Light(y) Box(1) global_lights on }"
@@ -86,7 +86,7 @@ const Case kCases[] = {
      "light_group { light_source { <0, 0, -20> rgb y spotlight point_at <-3.5, 0, 0> radius 0.5"
      "  falloff 1.2 } Box(0) translate 2 * x rotate 10 * z }"},
 };
-INSTANTIATE_TEST_SUITE_P(All, ImageLightGroup, testing::ValuesIn(kCases),
+INSTANTIATE_TEST_SUITE_P(All, ImageLightGroup, testing::ValuesIn(kLightGroupCases),
                          [](const auto& about) { return about.param.name; });
 
 const char* kInShadow =

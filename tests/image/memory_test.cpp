@@ -11,7 +11,7 @@
 namespace lentray::test {
 namespace {
 
-constexpr const char* kScene = R"(#version 3.7;
+constexpr const char* kMemoryScene = R"(#version 3.7;
 global_settings { assumed_gamma 1 }
 camera { location <0,1.5,-6> look_at <0,0.8,0> angle 40 }
 light_source { <-5,8,-6> rgb 1 }
@@ -26,7 +26,7 @@ constexpr double kMiB = 1024.0 * 1024.0;
 /// Renders the scene and returns the statistics; width and height are those of the PNG's header.
 nlohmann::json statistics(std::vector<std::string> arguments, double seconds = 300.0) {
   const tool::TemporaryFolder folder;
-  tool::write_text(folder / "scene.pov", kScene);
+  tool::write_text(folder / "scene.pov", kMemoryScene);
   arguments.insert(arguments.end(), {"scene.pov", "-V", "Statistics_File=s.json"});
   const tool::RunResult result = run_lentray(arguments, folder.path(), seconds);
   EXPECT_EQ(result.status, 0) << result.output;
@@ -64,7 +64,7 @@ TEST(ImageMemory, MaxMemoryIsKept) {
 
 TEST(ImageMemory, TooLittleIsSaid) {
   const tool::TemporaryFolder folder;
-  tool::write_text(folder / "scene.pov", kScene);
+  tool::write_text(folder / "scene.pov", kMemoryScene);
   const auto result = run_lentray(
       {"scene.pov", "+W40", "+H30", "Max_Memory=1M", "Statistics_File=s.json"}, folder.path());
   EXPECT_EQ(result.status, 1);

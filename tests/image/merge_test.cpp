@@ -9,7 +9,7 @@ namespace lentray::test {
 namespace {
 
 /// A ball over a floor; the sky above is black, as the rows outside of a band are.
-constexpr const char* kScene = R"(#version 3.7;
+constexpr const char* kMergeScene = R"(#version 3.7;
 global_settings { assumed_gamma 1 }
 camera { location <0,1,-5> look_at 0 right x*4/3 }
 light_source { <5,8,-6> rgb 1 }
@@ -19,7 +19,7 @@ sphere { 0, 1 pigment { rgb <1,0.6,0.1> } finish { reflection 0.3 phong 0.6 } }
 
 class ImageMerge : public ::testing::Test {
  protected:
-  void SetUp() override { tool::write_text(m_folder / "a.pov", kScene); }
+  void SetUp() override { tool::write_text(m_folder / "a.pov", kMergeScene); }
   void render(const std::string& picture, std::vector<std::string> words) const {
     words.insert(words.end(), {"+Ia.pov", "+W120", "+H150", "-V", "+O" + picture});
     const auto result = run_lentray(words, m_folder.path());
@@ -52,14 +52,15 @@ TEST_P(ImageMergeOptions, SameFileAsTheWhole) {
   EXPECT_EQ(tool::read_text(m_folder / "m.png"), tool::read_text(m_folder / "whole.png"));
 }
 
-using Words = std::vector<std::string>;
+using MergeWords = std::vector<std::string>;
 INSTANTIATE_TEST_SUITE_P(
     Options, ImageMergeOptions,
-    ::testing::Values(Words{}, Words{"+A", "-J"}, Words{"+A", "+AM2", "+R2"}, Words{"+FN16"},
-                      Words{"+FN10", "+UA"}, Words{"Grayscale_Output=On"}, Words{"File_Gamma=1.8"},
-                      Words{"Dither=On", "Dither_Method=B4"},
-                      Words{"Lenticular=On", "Lens_Pixels=8"},
-                      Words{"Lenticular=On", "Lens_Pixels=8", "+A", "+FN16", "+UA"}));
+    ::testing::Values(MergeWords{}, MergeWords{"+A", "-J"}, MergeWords{"+A", "+AM2", "+R2"},
+                      MergeWords{"+FN16"}, MergeWords{"+FN10", "+UA"},
+                      MergeWords{"Grayscale_Output=On"}, MergeWords{"File_Gamma=1.8"},
+                      MergeWords{"Dither=On", "Dither_Method=B4"},
+                      MergeWords{"Lenticular=On", "Lens_Pixels=8"},
+                      MergeWords{"Lenticular=On", "Lens_Pixels=8", "+A", "+FN16", "+UA"}));
 
 TEST_F(ImageMerge, BlackRowsNeedToBeTold) {
   render("upper.png", {"+SR1", "+ER100"});

@@ -6,7 +6,7 @@
 namespace lentray::test {
 namespace {
 
-constexpr const char* kStage = R"(#version 3.7; global_settings { assumed_gamma 1 }
+constexpr const char* kMeshCameraStage = R"(#version 3.7; global_settings { assumed_gamma 1 }
 light_source { <1,6,-3>, 1 }
 plane { y, -1 pigment { checker rgb <.9,.8,.3> rgb <.2,.3,.7> scale .7 } }
 sphere { <0,0,3>, .8 pigment { rgb <.9,.2,.2> } finish { phong .8 } }
@@ -22,7 +22,7 @@ cylinder { <1.4,-1,2>, <1.4,2,2>, .3 pigment { rgb <.2,.9,.2> } }
 class ImageMeshCamera : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(ImageMeshCamera, AsInStock) {
-  EXPECT_TRUE(same_as_stock({.sdl = std::string(kStage) + GetParam(),
+  EXPECT_TRUE(same_as_stock({.sdl = std::string(kMeshCameraStage) + GetParam(),
                              .width = 48,
                              .height = 30,
                              .arguments = {},
@@ -51,7 +51,7 @@ INSTANTIATE_TEST_SUITE_P(
 class ImageBentCamera : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(ImageBentCamera, AsInStock) {
-  EXPECT_TRUE(same_as_stock({.sdl = std::string(kStage) + GetParam(),
+  EXPECT_TRUE(same_as_stock({.sdl = std::string(kMeshCameraStage) + GetParam(),
                              .width = 96,
                              .height = 72,
                              .arguments = {},

@@ -88,12 +88,12 @@ std::string triangles(bool smooth, const std::string& end) {
   return all;
 }
 
-struct Case {
+struct MeshShapesCase {
   const char* name;
   std::string sdl;
 };
 
-const Case kCases[] = {
+const MeshShapesCase kMeshShapesCases[] = {
     {"plain",
      "mesh2 { " + kVertices + faces("face_indices", 0, 0) + "pigment { rgb <.9,.6,.3> } }"},
     {"normals", "mesh2 { " + kVertices + kNormals + faces("face_indices", 0, 0) +
@@ -144,7 +144,7 @@ const Case kCases[] = {
                        "inside_vector <.3,1,0> } plane { y, .15 } pigment { rgb <.9,.6,.3> } }"},
 };
 
-class ImageMeshShapes : public ::testing::TestWithParam<Case> {};
+class ImageMeshShapes : public ::testing::TestWithParam<MeshShapesCase> {};
 
 TEST_P(ImageMeshShapes, AsStock) {
   const std::string sdl = R"(#version 3.7; global_settings { assumed_gamma 1 }
@@ -155,7 +155,7 @@ light_source { <-4,7,-6>, 1 } light_source { <5,3,-2>, .3 } plane { y, -1.2 pigm
       same_as_stock({.sdl = sdl, .width = 120, .height = 90, .arguments = {}, .files = {}}));
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, ImageMeshShapes, ::testing::ValuesIn(kCases),
+INSTANTIATE_TEST_SUITE_P(Each, ImageMeshShapes, ::testing::ValuesIn(kMeshShapesCases),
                          [](const auto& one) { return std::string(one.param.name); });
 
 }  // namespace

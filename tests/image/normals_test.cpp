@@ -14,7 +14,7 @@ namespace {
 using core::Vec3;
 
 constexpr std::uint32_t kSide = 48;
-constexpr double kWidth = 4.0;
+constexpr double kNormalsWidth = 4.0;
 
 /// Directions towards the red, green and blue light.
 Vec3 light_direction(int i) {
@@ -26,8 +26,8 @@ std::string scene_text(const std::string& normal, const std::string& before) {
   std::ostringstream text;
   text.precision(17);
   text << "#version 3.7; global_settings { assumed_gamma 1 }\n"
-       << before << "\ncamera { orthographic location <0,0,-10> direction z right " << kWidth
-       << "*x up " << kWidth << "*y }\n";
+       << before << "\ncamera { orthographic location <0,0,-10> direction z right " << kNormalsWidth
+       << "*x up " << kNormalsWidth << "*y }\n";
   for (int i = 0; i < 3; ++i) {
     const Vec3 d = light_direction(i) * 100.0;
     text << "light_source { <" << d.x << ',' << d.y << ',' << d.z << "> rgb <" << (i == 0) << ','
@@ -66,7 +66,8 @@ TEST_P(ImageNormals, ShadeAsInStock) {
   double largest = 0.0;
   for (std::uint32_t k = 0; k < kSide; ++k) {
     for (std::uint32_t i = 0; i < kSide; ++i) {
-      const Vec3 at{((i + .5) / kSide - .5) * kWidth, (.5 - (k + .5) / kSide) * kWidth, 0.0};
+      const Vec3 at{((i + .5) / kSide - .5) * kNormalsWidth,
+                    (.5 - (k + .5) / kSide) * kNormalsWidth, 0.0};
       const Vec3 n = ours->perturb(at, {0, 0, -1}, core::kNoSurface);
       for (int c = 0; c < 3; ++c) {
         const double cosine = std::max(0.0, core::dot(n, light_direction(c)));
@@ -80,7 +81,7 @@ TEST_P(ImageNormals, ShadeAsInStock) {
   EXPECT_LE(far, 3) << "largest difference " << largest;
 }
 
-constexpr NormalCase kNormals[] = {
+constexpr NormalCase kNormalsNormals[] = {
     {"bumps .4"},
     {"bumps .4 scale .3"},
     {"bumps .4 scale <.2,1,.5> rotate 30"},
@@ -107,7 +108,7 @@ constexpr NormalCase kNormals[] = {
     {"function { x*x + y } .2"},
 };
 
-INSTANTIATE_TEST_SUITE_P(Each, ImageNormals, ::testing::ValuesIn(kNormals),
+INSTANTIATE_TEST_SUITE_P(Each, ImageNormals, ::testing::ValuesIn(kNormalsNormals),
                          [](const auto& named) { return "n" + std::to_string(named.index); });
 
 }  // namespace

@@ -4,19 +4,19 @@
 namespace lentray::test {
 namespace {
 
-struct Case {
+struct ObjectLooksCase {
   const char* name;
   const char* sdl;
 };
 
-constexpr const char* kLooks = R"(
+constexpr const char* kObjectLooksLooks = R"(
 #declare Out = texture { pigment { checker rgb <.9,.5,.2> rgb <.9,.9,.2> scale .3 } finish { phong .5 } }
 #declare In = texture { pigment { gradient y color_map { [0 rgb <.2,.4,.9>] [1 rgb <.3,1,.5>] } scale .5 } }
 #declare Clear = texture { pigment { rgbf <.8,.9,1,.8> } finish { specular .5 } }
 light_source { <3, 5, 8>, .5 }
 )";
 
-const Case kCases[] = {
+const ObjectLooksCase kObjectLooksCases[] = {
     {"interior_texture_mesh",
      "mesh { triangle { <-1,0,.5>, <1,0,.5>, <0,2,0> } triangle { <1,0,.5>, <-1,0,.5>, <0,1,-1.5> }"
      " texture { Out } interior_texture { In } }"},
@@ -74,13 +74,13 @@ const Case kCases[] = {
      " double_illuminate }"},
 };
 
-class ImageObjectLooks : public ::testing::TestWithParam<Case> {};
+class ImageObjectLooks : public ::testing::TestWithParam<ObjectLooksCase> {};
 
 TEST_P(ImageObjectLooks, AsStock) {
-  EXPECT_TRUE(same_as_stock(staged(kLooks + std::string(GetParam().sdl) + "\n")));
+  EXPECT_TRUE(same_as_stock(staged(kObjectLooksLooks + std::string(GetParam().sdl) + "\n")));
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, ImageObjectLooks, ::testing::ValuesIn(kCases),
+INSTANTIATE_TEST_SUITE_P(Each, ImageObjectLooks, ::testing::ValuesIn(kObjectLooksCases),
                          [](const auto& one) { return std::string(one.param.name); });
 
 }  // namespace

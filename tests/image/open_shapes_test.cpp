@@ -6,7 +6,7 @@
 namespace lentray::test {
 namespace {
 
-testing::AssertionResult looks_the_same(const std::string& objects) {
+testing::AssertionResult open_shapes_looks_the_same(const std::string& objects) {
   return same_as_stock(
       {.sdl = "#version 3.7; global_settings { assumed_gamma 1 }\n"
               "camera { location <1,5,-3.5> angle 42 look_at <0,.7,0> }\n"
@@ -26,69 +26,75 @@ const std::string kPyramid =
     "mesh { triangle { <-1,0,-1>, <1,0,-1>, <0,1.7,0> } triangle { <1,0,-1>, <0,0,1>, <0,1.7,0> }"
     " triangle { <0,0,1>, <-1,0,-1>, <0,1.7,0> } ";
 
-struct Case {
+struct OpenShapesCase {
   const char* name;
   std::string sdl;
 };
 
-class ImageOpenShapes : public ::testing::TestWithParam<Case> {};
+class ImageOpenShapes : public ::testing::TestWithParam<OpenShapesCase> {};
 
-TEST_P(ImageOpenShapes, Alone) { EXPECT_TRUE(looks_the_same(GetParam().sdl + "}")); }
+TEST_P(ImageOpenShapes, Alone) { EXPECT_TRUE(open_shapes_looks_the_same(GetParam().sdl + "}")); }
 
 TEST_P(ImageOpenShapes, Cut) {
-  EXPECT_TRUE(looks_the_same("intersection { " + GetParam().sdl + "} box { -2, <.3,1.12,2> } }"));
-  EXPECT_TRUE(
-      looks_the_same("difference { " + GetParam().sdl + "} box { <-.2,.1,-2>, <2,1.12,.1> } }"));
+  EXPECT_TRUE(open_shapes_looks_the_same("intersection { " + GetParam().sdl +
+                                         "} box { -2, <.3,1.12,2> } }"));
+  EXPECT_TRUE(open_shapes_looks_the_same("difference { " + GetParam().sdl +
+                                         "} box { <-.2,.1,-2>, <2,1.12,.1> } }"));
 }
 
 TEST_P(ImageOpenShapes, Cutting) {
-  EXPECT_TRUE(looks_the_same("difference { " + kBlock + "} " + GetParam().sdl + "} }"));
-  EXPECT_TRUE(
-      looks_the_same("difference { " + kBlock + "} " + GetParam().sdl + " rotate 35*x } }"));
+  EXPECT_TRUE(open_shapes_looks_the_same("difference { " + kBlock + "} " + GetParam().sdl + "} }"));
+  EXPECT_TRUE(open_shapes_looks_the_same("difference { " + kBlock + "} " + GetParam().sdl +
+                                         " rotate 35*x } }"));
 }
 
 TEST_P(ImageOpenShapes, InAMerge) {
-  EXPECT_TRUE(looks_the_same("merge { " + GetParam().sdl +
-                             "} sphere { <.5,.8,-.3>, .8 } pigment { rgbt <.2,.8,.9,.6> } }"));
+  EXPECT_TRUE(
+      open_shapes_looks_the_same("merge { " + GetParam().sdl +
+                                 "} sphere { <.5,.8,-.3>, .8 } pigment { rgbt <.2,.8,.9,.6> } }"));
 }
 
 TEST_P(ImageOpenShapes, Clipping) {
-  EXPECT_TRUE(looks_the_same(kBlock + " clipped_by { " + GetParam().sdl + "} } }"));
-  EXPECT_TRUE(looks_the_same(kBlock + " clipped_by { " + GetParam().sdl + " inverse } } }"));
+  EXPECT_TRUE(open_shapes_looks_the_same(kBlock + " clipped_by { " + GetParam().sdl + "} } }"));
+  EXPECT_TRUE(
+      open_shapes_looks_the_same(kBlock + " clipped_by { " + GetParam().sdl + " inverse } } }"));
 }
 
 INSTANTIATE_TEST_SUITE_P(
     Lathes, ImageOpenShapes,
     ::testing::Values(
-        Case{"linear", "lathe { linear_spline 4, <.3,-.5>, <1,0>, <.6,1>, <.9,1.8>"},
-        Case{"turning_back",
-             "lathe { linear_spline 5, <.3,0>, <1,-.3>, <.9,1.6>, <.5,1.2>, <.6,.4>"},
-        Case{"quadratic", "lathe { quadratic_spline 4, <.2,-.8>, <1,-.5>, <.4,.5>, <1,1.5>"},
-        Case{"cubic", "lathe { cubic_spline 5, <.5,-.8>, <1.3,-.6>, <.5,.2>, <.5,1.1>, <1.5,1.8>"},
-        Case{"bezier",
-             "lathe { bezier_spline 8, <.3,-.5>, <1.4,0>, <1.2,.3>, <.9,.8>,"
-             " <.5,1>, <.2,1.2>, <.9,1.4>, <.3,1.8>"}),
+        OpenShapesCase{"linear", "lathe { linear_spline 4, <.3,-.5>, <1,0>, <.6,1>, <.9,1.8>"},
+        OpenShapesCase{"turning_back",
+                       "lathe { linear_spline 5, <.3,0>, <1,-.3>, <.9,1.6>, <.5,1.2>, <.6,.4>"},
+        OpenShapesCase{"quadratic",
+                       "lathe { quadratic_spline 4, <.2,-.8>, <1,-.5>, <.4,.5>, <1,1.5>"},
+        OpenShapesCase{"cubic",
+                       "lathe { cubic_spline 5, <.5,-.8>, <1.3,-.6>, <.5,.2>, <.5,1.1>, <1.5,1.8>"},
+        OpenShapesCase{"bezier",
+                       "lathe { bezier_spline 8, <.3,-.5>, <1.4,0>, <1.2,.3>, <.9,.8>,"
+                       " <.5,1>, <.2,1.2>, <.9,1.4>, <.3,1.8>"}),
     [](const auto& one) { return std::string(one.param.name); });
 
 /// Half-spaces and meshes without a bottom: an inside without end, yet rays that miss their box miss what they cut.
 INSTANTIATE_TEST_SUITE_P(
     BeyondTheirBoxes, ImageOpenShapes,
-    ::testing::Values(Case{"disc", "disc { <0,.8,0>, <.2,.6,-1>, 1.1"},
-                      Case{"ring", "disc { <0,.8,0>, <.2,1,-.3>, 1.1, .5"},
-                      Case{"scaled_disc", "disc { <0,.8,0>, <.2,.6,-1>, 1.1 scale <1,.7,1.2>"},
-                      Case{"pyramid_without_floor", kPyramid + "inside_vector <.1,1,.2>"},
-                      Case{"pyramid_looked_at_from_above", kPyramid + "inside_vector <0,-1,.1>"}),
+    ::testing::Values(
+        OpenShapesCase{"disc", "disc { <0,.8,0>, <.2,.6,-1>, 1.1"},
+        OpenShapesCase{"ring", "disc { <0,.8,0>, <.2,1,-.3>, 1.1, .5"},
+        OpenShapesCase{"scaled_disc", "disc { <0,.8,0>, <.2,.6,-1>, 1.1 scale <1,.7,1.2>"},
+        OpenShapesCase{"pyramid_without_floor", kPyramid + "inside_vector <.1,1,.2>"},
+        OpenShapesCase{"pyramid_looked_at_from_above", kPyramid + "inside_vector <0,-1,.1>"}),
     [](const auto& one) { return std::string(one.param.name); });
 
 /// The box of a turned CSG is that of its parts' boxes, turned; each time it is turned.
 /// Of parts of CSG stock asks no box, but only of the whole, and of the parts of a union that is split.
-class ImageOpenPartsOf : public ::testing::TestWithParam<Case> {};
+class ImageOpenPartsOf : public ::testing::TestWithParam<OpenShapesCase> {};
 
 TEST_P(ImageOpenPartsOf, WhatJoinsThem) {
   const auto [name, around] = GetParam();
   const auto joined = [&around = around](const std::string& parts) {
     std::string sdl = around;
-    return looks_the_same(sdl.replace(sdl.find('*'), 1, parts));
+    return open_shapes_looks_the_same(sdl.replace(sdl.find('*'), 1, parts));
   };
   EXPECT_TRUE(
       joined("sphere { -x, .5 } intersection { disc { <0,.3,0>, <.1,1,.2>, 1, .2 } plane { "
@@ -101,12 +107,14 @@ TEST_P(ImageOpenPartsOf, WhatJoinsThem) {
 INSTANTIATE_TEST_SUITE_P(
     Each, ImageOpenPartsOf,
     ::testing::Values(
-        Case{"merge", "merge { * }"}, Case{"turned_merge", "merge { * rotate <10,0,20> }"},
-        Case{"union", "union { * }"}, Case{"whole_union", "union { * split_union off }"},
-        Case{"clipped_union", "union { * clipped_by { box { -1.5, 1.5 } } }"},
-        Case{"cut_union", "intersection { union { * } box { -1.3, 1.4 } }"},
-        Case{"notched_union", "difference { union { * } box { -1.5, <1.5,.1,1.5> } }"},
-        Case{"union_of_a_merge", "union { merge { * } sphere { 2*y, .1 } }"}),
+        OpenShapesCase{"merge", "merge { * }"},
+        OpenShapesCase{"turned_merge", "merge { * rotate <10,0,20> }"},
+        OpenShapesCase{"union", "union { * }"},
+        OpenShapesCase{"whole_union", "union { * split_union off }"},
+        OpenShapesCase{"clipped_union", "union { * clipped_by { box { -1.5, 1.5 } } }"},
+        OpenShapesCase{"cut_union", "intersection { union { * } box { -1.3, 1.4 } }"},
+        OpenShapesCase{"notched_union", "difference { union { * } box { -1.5, <1.5,.1,1.5> } }"},
+        OpenShapesCase{"union_of_a_merge", "union { merge { * } sphere { 2*y, .1 } }"}),
     [](const auto& one) { return std::string(one.param.name); });
 
 TEST(ImageOpenShapesTurned, HaveTheBoxOfABox) {
@@ -130,7 +138,7 @@ TEST(ImageOpenShapesTurned, HaveTheBoxOfABox) {
 }
 
 /// As bounds: rays that miss the box of the whole miss it, also those that begin inside. Lights cast no shadows.
-class ImageOpenBounds : public ::testing::TestWithParam<Case> {};
+class ImageOpenBounds : public ::testing::TestWithParam<OpenShapesCase> {};
 
 TEST_P(ImageOpenBounds, OfCsg) {
   const auto looks_the_same = [](const std::string& objects) {
@@ -146,28 +154,31 @@ TEST_P(ImageOpenBounds, OfCsg) {
   };
   const std::string rest =
       " bounded_by { " + GetParam().sdl + "} } pigment { rgbt <.2,.8,.9,.6> } }";
-  EXPECT_TRUE(looks_the_same(
+  EXPECT_TRUE(open_shapes_looks_the_same(
       "merge { box { <-1.2,-.8,0>, <1.2,1.53,1.2> } sphere { <.2,.6,0>, .7 }" + rest));
-  EXPECT_TRUE(looks_the_same(
+  EXPECT_TRUE(open_shapes_looks_the_same(
       "difference { box { <-1.2,-.8,0>, <1.2,1.53,1.2> } sphere { <.2,.6,0>, .7 }" + rest));
-  EXPECT_TRUE(looks_the_same("box { <-1.2,-.8,0>, <1.2,1.53,1.2>" + rest));
+  EXPECT_TRUE(open_shapes_looks_the_same("box { <-1.2,-.8,0>, <1.2,1.53,1.2>" + rest));
 }
 
 INSTANTIATE_TEST_SUITE_P(
     Each, ImageOpenBounds,
     ::testing::Values(
-        Case{"bounded_ring",
-             "disc { <0,.8,0>, <.2,1,-.3>, 1.1, .5 bounded_by { sphere { <.2,.8,-.2>, .9 } }"},
-        Case{"disc", "disc { <0,.8,0>, <.2,.6,-1>, 1.1"},
-        Case{"ring", "disc { <0,.8,0>, <.2,1,-.3>, 1.1, .5"},
-        Case{"pyramid_without_floor", kPyramid + "inside_vector <.1,1,.2>"},
-        Case{"height_field",
-             "height_field { png \"plasma2.png\" translate <-.5,0,-.5> scale <2.2,1.6,2.2>"},
-        Case{"tilted_cylinder", "cylinder { <0,-.6,0>, <.2,1.4,0>, .8"},
-        Case{"torus", "torus { .8, .3 rotate 20*x translate .5*y"},
-        Case{"bezier_prism",
-             "prism { linear_sweep bezier_spline -.5, 1.5, 8, <-1,-1>,<0,-1.5>,<.5,-.5>,<1,-1>,"
-             " <1,-1>,<1.5,1>,<-1.5,1.5>,<-1,-1> open scale .8"}),
+        OpenShapesCase{
+            "bounded_ring",
+            "disc { <0,.8,0>, <.2,1,-.3>, 1.1, .5 bounded_by { sphere { <.2,.8,-.2>, .9 } }"},
+        OpenShapesCase{"disc", "disc { <0,.8,0>, <.2,.6,-1>, 1.1"},
+        OpenShapesCase{"ring", "disc { <0,.8,0>, <.2,1,-.3>, 1.1, .5"},
+        OpenShapesCase{"pyramid_without_floor", kPyramid + "inside_vector <.1,1,.2>"},
+        OpenShapesCase{
+            "height_field",
+            "height_field { png \"plasma2.png\" translate <-.5,0,-.5> scale <2.2,1.6,2.2>"},
+        OpenShapesCase{"tilted_cylinder", "cylinder { <0,-.6,0>, <.2,1.4,0>, .8"},
+        OpenShapesCase{"torus", "torus { .8, .3 rotate 20*x translate .5*y"},
+        OpenShapesCase{
+            "bezier_prism",
+            "prism { linear_sweep bezier_spline -.5, 1.5, 8, <-1,-1>,<0,-1.5>,<.5,-.5>,<1,-1>,"
+            " <1,-1>,<1.5,1>,<-1.5,1.5>,<-1,-1> open scale .8"}),
     [](const auto& one) { return std::string(one.param.name); });
 
 }  // namespace

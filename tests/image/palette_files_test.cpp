@@ -11,9 +11,11 @@
 namespace lentray::test {
 namespace {
 
-constexpr int kSide = 12, kEntries = 16;
+constexpr int kPaletteFilesSide = 12, kEntries = 16;
 
-int entry(int pixel) { return (pixel % kSide * 3 + pixel / kSide * 7) % kEntries; }
+int entry(int pixel) {
+  return (pixel % kPaletteFilesSide * 3 + pixel / kPaletteFilesSide * 7) % kEntries;
+}
 
 std::string word(int value) {
   return {static_cast<char>(value & 255), static_cast<char>(value >> 8 & 255)};
@@ -41,13 +43,13 @@ std::string repeated(int count, Each&& each) {
 }
 
 std::string pixels() {
-  return repeated(kSide * kSide, [](int i) { return bytes({entry(i)}); });
+  return repeated(kPaletteFilesSide * kPaletteFilesSide, [](int i) { return bytes({entry(i)}); });
 }
 
 std::string targa_head(int type, int entry_bits, int bits, int alpha_bits) {
   const int entries = entry_bits > 0 ? kEntries : 0;
   return bytes({0, entries > 0 ? 1 : 0, type, 0, 0}) + word(entries) +
-         bytes({entry_bits, 0, 0, 0, 0}) + word(kSide) + word(kSide) +
+         bytes({entry_bits, 0, 0, 0, 0}) + word(kPaletteFilesSide) + word(kPaletteFilesSide) +
          bytes({bits, 0x20 | alpha_bits});
 }
 
@@ -64,18 +66,20 @@ std::string chunk(const std::string& body) {
          big(crc32(0, reinterpret_cast<const Bytef*>(body.data()), uInt(body.size())));
 }
 
-/// `kind`: 0 grey, 3 by palette. `pixels`: kSide rows.
+/// `kind`: 0 grey, 3 by palette. `pixels`: kPaletteFilesSide rows.
 std::string png(int kind, const std::string& palette, const std::string& pixels) {
-  const std::string rows = repeated(kSide, [&](int y) {
-    return std::string(1, '\0') + pixels.substr(static_cast<std::size_t>(y) * kSide, kSide);
+  const std::string rows = repeated(kPaletteFilesSide, [&](int y) {
+    return std::string(1, '\0') +
+           pixels.substr(static_cast<std::size_t>(y) * kPaletteFilesSide, kPaletteFilesSide);
   });
   uLongf size = compressBound(rows.size());
   std::string packed(size, '\0');
   compress(reinterpret_cast<Bytef*>(packed.data()), &size,
            reinterpret_cast<const Bytef*>(rows.data()), rows.size());
   return "\x89PNG\r\n\x1a\n" +
-         chunk("IHDR" + bytes({0, 0, 0, kSide, 0, 0, 0, kSide, 8, kind, 0, 0, 0})) + palette +
-         chunk("IDAT" + packed.substr(0, size)) + chunk("IEND");
+         chunk("IHDR" +
+               bytes({0, 0, 0, kPaletteFilesSide, 0, 0, 0, kPaletteFilesSide, 8, kind, 0, 0, 0})) +
+         palette + chunk("IDAT" + packed.substr(0, size)) + chunk("IEND");
 }
 
 std::string png_of_twins() { return png(3, chunk("PLTE" + repeated(kEntries, twin)), pixels()); }
@@ -84,7 +88,7 @@ std::string png_of_twins() { return png(3, chunk("PLTE" + repeated(kEntries, twi
 std::string gif_of_twins(const std::string& extension) {
   constexpr int kBits = 5, kClear = 16, kEnd = 17;
   std::vector<int> codes;
-  for (int i = 0; i < kSide * kSide; ++i) {
+  for (int i = 0; i < kPaletteFilesSide * kPaletteFilesSide; ++i) {
     if (i % 8 == 0) codes.push_back(kClear);
     codes.push_back(entry(i));
   }
@@ -94,9 +98,10 @@ std::string gif_of_twins(const std::string& extension) {
     if (codes[i / kBits] >> i % kBits & 1)
       packed[i / 8] = static_cast<char>(packed[i / 8] | 1 << i % 8);
   }
-  return "GIF89a" + word(kSide) + word(kSide) + bytes({0xf3, 0, 0}) + repeated(kEntries, twin) +
-         extension + "," + word(0) + word(0) + word(kSide) + word(kSide) +
-         bytes({0, 4, static_cast<int>(packed.size())}) + packed + bytes({0, ';'});
+  return "GIF89a" + word(kPaletteFilesSide) + word(kPaletteFilesSide) + bytes({0xf3, 0, 0}) +
+         repeated(kEntries, twin) + extension + "," + word(0) + word(0) + word(kPaletteFilesSide) +
+         word(kPaletteFilesSide) + bytes({0, 4, static_cast<int>(packed.size())}) + packed +
+         bytes({0, ';'});
 }
 
 std::string word4(int value) { return word(value) + word(value >> 16); }
@@ -105,9 +110,9 @@ std::string word4(int value) { return word(value) + word(value >> 16); }
 std::string bitmap(int bits, int packing, const std::string& palette, const std::string& body) {
   const int start = 54 + static_cast<int>(palette.size());
   return "BM" + word4(start + static_cast<int>(body.size())) + word4(0) + word4(start) + word4(40) +
-         word4(kSide) + word4(kSide) + word(1) + word(bits) + word4(packing) +
-         word4(static_cast<int>(body.size())) + std::string(8, '\0') + word4(kEntries) + word4(0) +
-         palette + body;
+         word4(kPaletteFilesSide) + word4(kPaletteFilesSide) + word(1) + word(bits) +
+         word4(packing) + word4(static_cast<int>(body.size())) + std::string(8, '\0') +
+         word4(kEntries) + word4(0) + palette + body;
 }
 
 /// Red and blue are the other way round than in twin(), which tells nobody.
@@ -123,13 +128,13 @@ std::string halves(const std::string& row) {
 }
 
 std::string bitmap_row(int y) {
-  return pixels().substr(static_cast<std::size_t>(y) * kSide, kSide);
+  return pixels().substr(static_cast<std::size_t>(y) * kPaletteFilesSide, kPaletteFilesSide);
 }
 
 /// Each row has entries as they are, a run and a pair that is repeated; behind the last there is no end of row.
 std::string bitmap_runs(int bits) {
   std::string body;
-  for (int y = 0; y < kSide; ++y) {
+  for (int y = 0; y < kPaletteFilesSide; ++y) {
     const std::string row = bitmap_row(y);
     if (y > 0) body += bytes({0, 0});
     if (bits == 8) {
@@ -151,12 +156,13 @@ std::string file_of_twins(const std::string& name) {
   if (name == "twins_runs.bmp") return bitmap(8, 1, twin_entries(), bitmap_runs(8));
   if (name == "twins_runs4.bmp") return bitmap(4, 2, twin_entries(), bitmap_runs(4));
   if (name == "twins4.bmp") {
-    return bitmap(4, 0, twin_entries(),
-                  repeated(kSide, [](int y) { return halves(bitmap_row(y)) + word(0); }));
+    return bitmap(4, 0, twin_entries(), repeated(kPaletteFilesSide, [](int y) {
+                    return halves(bitmap_row(y)) + word(0);
+                  }));
   }
   const std::string palette = repeated(kEntries, twin);
   if (name == "twins.tga") return targa_head(1, 24, 8, 0) + palette + pixels();
-  return targa_head(9, 24, 8, 0) + palette + repeated(kSide, [](int y) {
+  return targa_head(9, 24, 8, 0) + palette + repeated(kPaletteFilesSide, [](int y) {
            const std::string row =
                bitmap_row(y);  // five as they are, a run of three, four as they are
            return bytes({4}) + row.substr(0, 5) + bytes({0x82, row[5], 3}) + row.substr(8, 4);
@@ -166,22 +172,24 @@ std::string file_of_twins(const std::string& name) {
 std::string file(const std::string& name) {
   if (name.starts_with("twins")) return file_of_twins(name);
   const auto rows = [](auto&& head) {
-    return repeated(kSide, [&](int y) {
-      return head + pixels().substr(static_cast<std::size_t>(y) * kSide, kSide);
+    return repeated(kPaletteFilesSide, [&](int y) {
+      return head +
+             pixels().substr(static_cast<std::size_t>(y) * kPaletteFilesSide, kPaletteFilesSide);
     });
   };
   if (name == "palette.tga") return targa_head(1, 24, 8, 0) + repeated(kEntries, colour) + pixels();
   if (name == "packed.tga")
-    return targa_head(9, 24, 8, 0) + repeated(kEntries, colour) + rows(bytes({kSide - 1}));
+    return targa_head(9, 24, 8, 0) + repeated(kEntries, colour) +
+           rows(bytes({kPaletteFilesSide - 1}));
   if (name == "palette16.tga")
     return targa_head(1, 16, 8, 0) + repeated(kEntries, five_bits) + pixels();
   if (name == "colours16.tga") {
-    return targa_head(2, 0, 16, 1) +
-           repeated(kSide * kSide, [](int i) { return five_bits(entry(i)); });
+    return targa_head(2, 0, 16, 1) + repeated(kPaletteFilesSide * kPaletteFilesSide,
+                                              [](int i) { return five_bits(entry(i)); });
   }
   if (name == "greys.tga") {
-    return targa_head(3, 0, 8, 0) +
-           repeated(kSide * kSide, [](int i) { return bytes({entry(i) * 16}); });
+    return targa_head(3, 0, 8, 0) + repeated(kPaletteFilesSide * kPaletteFilesSide,
+                                             [](int i) { return bytes({entry(i) * 16}); });
   }
   return bitmap(8, 0, repeated(kEntries, [](int i) { return colour(i) + std::string(1, '\0'); }),
                 pixels());
@@ -258,8 +266,9 @@ TEST_P(ImagePaletteFiles, EntriesThatAreNotThere) {
 
 /// The upper bit of 16 is alpha though the head tells of none, and columns go from left to right whatever it tells.
 TEST(ImagePaletteFilesNone, TargaFlagsThatNobodyHeeds) {
-  const std::string map = targa_head(2, 0, 16, 0x10) +
-                          repeated(kSide * kSide, [](int i) { return word(i * 2654435 % 65536); });
+  const std::string map =
+      targa_head(2, 0, 16, 0x10) + repeated(kPaletteFilesSide * kPaletteFilesSide,
+                                            [](int i) { return word(i * 2654435 % 65536); });
   const std::string sdl =
       "#version 3.7; global_settings { assumed_gamma 1 } camera { location -3*z look_at 0 angle 50 "
       "}\n"
@@ -283,11 +292,12 @@ TEST(ImagePaletteFilesNone, MaterialsByRed) {
 /// Greys 0 .. 143; each texture is a colour of its own.
 TEST(ImagePaletteFilesNone, MaterialsByGrey) {
   std::string textures;
-  for (int i = 0; i < kSide * kSide; ++i) {
+  for (int i = 0; i < kPaletteFilesSide * kPaletteFilesSide; ++i) {
     textures += "texture { pigment { rgb <" + std::to_string(i) + "," +
                 std::to_string(i * 7 % 256) + ",99>/255 } finish { ambient 1 diffuse 0 } }\n";
   }
-  const std::string greys = png(0, "", repeated(kSide * kSide, [](int i) { return bytes({i}); }));
+  const std::string greys =
+      png(0, "", repeated(kPaletteFilesSide * kPaletteFilesSide, [](int i) { return bytes({i}); }));
   const std::string sdl =
       "#version 3.7; global_settings { assumed_gamma 1 } camera { location -3*z look_at 0 angle 50 "
       "}\n"
@@ -302,8 +312,8 @@ TEST(ImagePaletteFilesNone, MaterialsByGrey) {
 
 /// Greys of other files than PNG are not cut to 8 bits once they are decoded.
 TEST(ImagePaletteFilesNone, GreyMapsThatAreDecoded) {
-  const std::string map =
-      "P5\n12 12\n255\n" + repeated(kSide * kSide, [](int i) { return bytes({i / 4}); });
+  const std::string map = "P5\n12 12\n255\n" + repeated(kPaletteFilesSide * kPaletteFilesSide,
+                                                        [](int i) { return bytes({i / 4}); });
   const std::string sdl =
       "#version 3.7; global_settings { assumed_gamma 1 } camera { location -3*z look_at 0 angle 50 "
       "}\n"

@@ -9,7 +9,7 @@
 namespace lentray::test {
 namespace {
 
-constexpr const char* kStage = R"(#version 3.7;
+constexpr const char* kParametricStage = R"(#version 3.7;
 global_settings { assumed_gamma 1 }
 camera { location <2.2,2.6,-4> look_at <0,.2,0> angle 40 }
 light_source { <-4,7,-6>, 1 }
@@ -17,13 +17,13 @@ light_source { <5,3,-2>, .3 }
 plane { y, -1.6 pigment { checker rgb .9 rgb .5 } }
 )";
 
-struct Case {
+struct ParametricCase {
   const char* name;
   const char* sdl;
   Grade grade = Grade::exact;
 };
 
-const Case kCases[] = {
+const ParametricCase kParametricCases[] = {
     {"sphere",
      "function { sin(u)*cos(v) } function { cos(u) } function { sin(u)*sin(v) }"
      " <0,0>, <pi,2*pi> max_gradient 1 accuracy .005"},
@@ -49,11 +49,12 @@ const Case kCases[] = {
      " contained_by { box { 1, -1 } } max_gradient 2 accuracy .01"},
 };
 
-class ImageParametric : public ::testing::TestWithParam<Case> {};
+class ImageParametric : public ::testing::TestWithParam<ParametricCase> {};
 
 ::testing::AssertionResult same(const std::string& sdl, Grade grade) {
   return same_as_stock(
-      {.sdl = kStage + sdl, .width = 64, .height = 48, .arguments = {}, .files = {}}, grade);
+      {.sdl = kParametricStage + sdl, .width = 64, .height = 48, .arguments = {}, .files = {}},
+      grade);
 }
 
 TEST_P(ImageParametric, Alone) {
@@ -72,16 +73,16 @@ TEST_P(ImageParametric, UvMapped) {
 /// Cut, joined and clipped.
 SceneText in_csg(const std::string& surface) {
   const std::string one = "parametric { " + surface + " }";
-  return {.sdl = kStage + ("difference { " + one +
-                           " sphere { <.4,.4,-.8>, .7 } pigment { rgb <.3,.7,.9> } }\n"
-                           "intersection { " +
-                           one +
-                           " box { <-2,-.1,-2>, <2,.3,2> }"
-                           " translate <-1.2,1.4,1.5> pigment { rgb <.8,.9,.3> } }\n"
-                           "object { " +
-                           one +
-                           " clipped_by { plane { x, 0 } } translate <1.3,.7,1>"
-                           " pigment { rgb <.9,.3,.8> } }"),
+  return {.sdl = kParametricStage + ("difference { " + one +
+                                     " sphere { <.4,.4,-.8>, .7 } pigment { rgb <.3,.7,.9> } }\n"
+                                     "intersection { " +
+                                     one +
+                                     " box { <-2,-.1,-2>, <2,.3,2> }"
+                                     " translate <-1.2,1.4,1.5> pigment { rgb <.8,.9,.3> } }\n"
+                                     "object { " +
+                                     one +
+                                     " clipped_by { plane { x, 0 } } translate <1.3,.7,1>"
+                                     " pigment { rgb <.9,.3,.8> } }"),
           .width = 64,
           .height = 48,
           .arguments = {},
@@ -117,7 +118,7 @@ TEST(ImageParametricAccuracy, DarkensNoMoreThanStock) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, ImageParametric, ::testing::ValuesIn(kCases),
+INSTANTIATE_TEST_SUITE_P(Each, ImageParametric, ::testing::ValuesIn(kParametricCases),
                          [](const auto& one) { return std::string(one.param.name); });
 
 }  // namespace

@@ -5,12 +5,12 @@
 namespace lentray::test {
 namespace {
 
-struct Case {
+struct PartLooksCase {
   const char* name;
   const char* sdl;
 };
 
-constexpr const char* kLooks = R"(
+constexpr const char* kPartLooksLooks = R"(
 #declare A = texture { pigment { rgb <.9,.2,.1> } }
 #declare B = texture { pigment { checker rgb <.2,.8,.2> rgb 1 scale .2 } finish { reflection .3 } }
 #declare C = texture { pigment { rgb <.2,.3,.9> } finish { phong 1 } }
@@ -26,7 +26,7 @@ constexpr const char* kLooks = R"(
   "scale .1 } }"
 #define FOG "fog { distance 4 color rgb <.3,.5,.8> }"
 
-const Case kCases[] = {
+const PartLooksCase kPartLooksCases[] = {
     {"corner_textures",
      "mesh { triangle { <-1,0,.5>, <1,0,.5>, <0,2,0> texture_list { A B C } }"
      " smooth_triangle { <1,0,.5>, -z, <-1,0,.5>, y, <0,1,-1.5>, x texture_list { C, A, B } } }"},
@@ -89,13 +89,13 @@ const Case kCases[] = {
      "{ C } }"},
 };
 
-class ImagePartLooks : public ::testing::TestWithParam<Case> {};
+class ImagePartLooks : public ::testing::TestWithParam<PartLooksCase> {};
 
 TEST_P(ImagePartLooks, AsStock) {
-  EXPECT_TRUE(same_as_stock(staged(kLooks + std::string(GetParam().sdl) + "\n")));
+  EXPECT_TRUE(same_as_stock(staged(kPartLooksLooks + std::string(GetParam().sdl) + "\n")));
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, ImagePartLooks, ::testing::ValuesIn(kCases),
+INSTANTIATE_TEST_SUITE_P(Each, ImagePartLooks, ::testing::ValuesIn(kPartLooksCases),
                          [](const auto& one) { return std::string(one.param.name); });
 
 }  // namespace

@@ -6,7 +6,7 @@
 namespace lentray::test {
 namespace {
 
-struct Case {
+struct PartVisibilityCase {
   const char* name;
   const char* sdl;  ///< FLAG stands for either flag
 };
@@ -19,7 +19,7 @@ struct Case {
 #define PANE \
   "box { <-2,0,-1.6>, <2,2.5,-1.5> pigment { rgbt <.9,1,.9,.9> } finish { reflection .1 } }"
 
-const Case kCases[] = {
+const PartVisibilityCase kPartVisibilityCases[] = {
     {"merge", "merge {" RED "FLAG }" BLUE "} }"},
     {"merge_behind_a_pane", PANE "merge {" RED "FLAG }" BLUE "} }"},
     {"merge_clipped", "merge {" RED "}" BLUE "FLAG }" CUT "}"},
@@ -51,7 +51,7 @@ const Case kCases[] = {
 constexpr const char* kMirror =
     "box { <-2.5,0,1.6>, <2.5,3,1.7> pigment { rgb .1 } finish { reflection .7 ambient 0 } }\n";
 
-class ImagePartVisibility : public ::testing::TestWithParam<Case> {
+class ImagePartVisibility : public ::testing::TestWithParam<PartVisibilityCase> {
  protected:
   static std::string with(std::string sdl, const std::string& flag) {
     for (std::size_t at; (at = sdl.find("FLAG")) != std::string::npos;) sdl.replace(at, 4, flag);
@@ -67,7 +67,7 @@ TEST_P(ImagePartVisibility, NoReflectionAsStock) {
   EXPECT_TRUE(same_as_stock(staged(with(GetParam().sdl, "no_reflection"))));
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, ImagePartVisibility, ::testing::ValuesIn(kCases),
+INSTANTIATE_TEST_SUITE_P(Each, ImagePartVisibility, ::testing::ValuesIn(kPartVisibilityCases),
                          [](const auto& one) { return std::string(one.param.name); });
 
 }  // namespace

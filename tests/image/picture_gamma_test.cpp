@@ -12,16 +12,16 @@
 namespace lentray::test {
 namespace {
 
-constexpr int kWidth = kValueColumns;
+constexpr int kPictureGammaWidth = kValueColumns;
 
 int sample(int column, int channel) {
   constexpr int kStart[] = {5, 30, 200, 90}, kStep[] = {37, 61, 97, 23};
   return (kStart[channel] + kStep[channel] * column) % 256;
 }
 
-std::string row(int channels) {
+std::string picture_gamma_row(int channels) {
   std::string all;
-  for (int i = 0; i < kWidth; ++i) {
+  for (int i = 0; i < kPictureGammaWidth; ++i) {
     for (int c = 0; c < channels; ++c) all += static_cast<char>(sample(i, c));
   }
   return all;
@@ -33,37 +33,40 @@ std::string big(uLong value) {
   return all;
 }
 
-std::string chunk(const std::string& body) {
+std::string picture_gamma_chunk(const std::string& body) {
   return big(body.size() - 4) + body +
          big(crc32(0, reinterpret_cast<const Bytef*>(body.data()), uInt(body.size())));
 }
 
 /// `kind`: 0 grey, 2 colours, 6 with alpha.
-std::string png(char kind, int channels, const std::string& says) {
-  const std::string rows = std::string(1, '\0') + row(channels);
+std::string picture_gamma_png(char kind, int channels, const std::string& says) {
+  const std::string rows = std::string(1, '\0') + picture_gamma_row(channels);
   uLongf size = compressBound(rows.size());
   std::string packed(size, '\0');
   compress(reinterpret_cast<Bytef*>(packed.data()), &size,
            reinterpret_cast<const Bytef*>(rows.data()), rows.size());
   return "\x89PNG\r\n\x1a\n" +
-         chunk("IHDR" + big(kWidth) + big(1) + std::string{8, kind, 0, 0, 0}) + says +
-         chunk("IDAT" + packed.substr(0, size)) + chunk("IEND");
+         picture_gamma_chunk("IHDR" + big(kPictureGammaWidth) + big(1) +
+                             std::string{8, kind, 0, 0, 0}) +
+         says + picture_gamma_chunk("IDAT" + packed.substr(0, size)) + picture_gamma_chunk("IEND");
 }
 
-std::string gama(uLong hundred_thousandths) { return chunk("gAMA" + big(hundred_thousandths)); }
-std::string says_srgb() { return chunk(std::string("sRGB") + '\0'); }
+std::string gama(uLong hundred_thousandths) {
+  return picture_gamma_chunk("gAMA" + big(hundred_thousandths));
+}
+std::string says_srgb() { return picture_gamma_chunk(std::string("sRGB") + '\0'); }
 
 Files files() {
-  return {{"plain.png", png(2, 3, "")},
-          {"srgb.png", png(2, 3, says_srgb())},
-          {"gama.png", png(2, 3, gama(60000))},
-          {"both.png", png(2, 3, gama(60000) + says_srgb())},
-          {"alike.png", png(2, 3, gama(45455))},
-          {"grey.png", png(0, 1, "")},
-          {"grey_gama.png", png(0, 1, gama(60000))},
-          {"clear.png", png(6, 4, "")},
-          {"colours.ppm", "P6\n8 1\n255\n" + row(3)},
-          {"greys.pgm", "P5\n8 1\n255\n" + row(1)}};
+  return {{"plain.png", picture_gamma_png(2, 3, "")},
+          {"srgb.png", picture_gamma_png(2, 3, says_srgb())},
+          {"gama.png", picture_gamma_png(2, 3, gama(60000))},
+          {"both.png", picture_gamma_png(2, 3, gama(60000) + says_srgb())},
+          {"alike.png", picture_gamma_png(2, 3, gama(45455))},
+          {"grey.png", picture_gamma_png(0, 1, "")},
+          {"grey_gama.png", picture_gamma_png(0, 1, gama(60000))},
+          {"clear.png", picture_gamma_png(6, 4, "")},
+          {"colours.ppm", "P6\n8 1\n255\n" + picture_gamma_row(3)},
+          {"greys.pgm", "P5\n8 1\n255\n" + picture_gamma_row(1)}};
 }
 
 std::string type_of(const std::string& name) { return name.substr(name.size() - 3); }

@@ -51,7 +51,7 @@ std::string as_isosurface(const Polynomial& p, double reach) {
 }
 
 constexpr const char* kOutside = "location <2.2,2.6,-4> look_at <0,.1,0> angle 45";
-constexpr const char* kWithin = "location <.1,.05,-.1> look_at <.3,.2,1> angle 100";
+constexpr const char* kPolynomialShapesWithin = "location <.1,.05,-.1> look_at <.3,.2,1> angle 100";
 
 std::string stage(const std::string& camera) {
   return "#version 3.7; global_settings { assumed_gamma 1 }\ncamera { " + camera +
@@ -66,19 +66,20 @@ std::string clipped(const std::string& shape) {
          " finish { specular .4 } }";
 }
 
-std::string in_csg(const std::string& shape) {
+std::string polynomial_shapes_in_csg(const std::string& shape) {
   return stage(kOutside) + "difference { intersection { " + shape +
          "rotate <10,20,30> } box { -1.1, 1.1 } }"
          " sphere { <.6,.6,-.9>, .7 } pigment { rgb <.3,.7,.9> } }";
 }
 
 std::string within(const std::string& shape) {
-  return stage(kWithin) + "light_source { <.1,.1,-.1>, .8 } " + shape +
+  return stage(kPolynomialShapesWithin) + "light_source { <.1,.1,-.1>, .8 } " + shape +
          "clipped_by { box { -1.3, 1.3 } } bounded_by { clipped_by } pigment { rgb <.9,.8,.3> } }";
 }
 
 /// What stock makes of `reference` is what lentray makes of `scene`.
-::testing::AssertionResult same(const std::string& scene, const std::string& reference, int order) {
+::testing::AssertionResult polynomial_shapes_same(const std::string& scene,
+                                                  const std::string& reference, int order) {
   const int width = order > 12 ? 56 : 80;  // stock takes minutes for high orders
   const auto text = [width](const std::string& sdl) {
     return SceneText{
@@ -95,11 +96,15 @@ TEST_P(ImagePolynomialShapes, AsStock) {
   const int order = GetParam();
   const Polynomial p = polynomial(order);
   const std::string shape = as_poly(p), truth = as_isosurface(p, 1.5);
-  EXPECT_TRUE(same(clipped(shape), clipped(order == 6 || order > 8 ? truth : shape), order))
+  EXPECT_TRUE(polynomial_shapes_same(clipped(shape),
+                                     clipped(order == 6 || order > 8 ? truth : shape), order))
       << "clipped by a sphere";
-  EXPECT_TRUE(same(in_csg(shape), in_csg(order > 13 ? as_isosurface(p, 2.0) : shape), order))
+  EXPECT_TRUE(polynomial_shapes_same(
+      polynomial_shapes_in_csg(shape),
+      polynomial_shapes_in_csg(order > 13 ? as_isosurface(p, 2.0) : shape), order))
       << "in CSG";
-  EXPECT_TRUE(same(within(shape), within(order > 8 ? truth : shape), order)) << "from within";
+  EXPECT_TRUE(polynomial_shapes_same(within(shape), within(order > 8 ? truth : shape), order))
+      << "from within";
 }
 
 INSTANTIATE_TEST_SUITE_P(Order, ImagePolynomialShapes, ::testing::Range(2, 16));

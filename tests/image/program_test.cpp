@@ -14,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Reflection, glass, an area light and a quick_color: whatever a quality level can leave out.
-constexpr const char* kScene = R"(#version 3.7;
+constexpr const char* kProgramScene = R"(#version 3.7;
 global_settings { assumed_gamma 1 }
 camera { location <0,2,-6> look_at <0,0.75,0> }
 light_source { <-5,8,-6>, 1 area_light x*2, y*2, 3, 3 }
@@ -29,7 +29,7 @@ box { <-2.5,0,-1>, <-1.5,1.2,0> pigment { rgbf <.3,.9,.3,.6> } }
 
 class ImageProgram : public ::testing::Test {
  protected:
-  void SetUp() override { tool::write_text(m_folder / "scene.pov", kScene); }
+  void SetUp() override { tool::write_text(m_folder / "scene.pov", kProgramScene); }
   tool::RunResult lentray(const std::vector<std::string>& arguments) {
     return run_lentray(arguments, m_folder.path());
   }

@@ -6,7 +6,7 @@
 namespace lentray::test {
 namespace {
 
-constexpr const char* kStage = R"(#version 3.7; global_settings { assumed_gamma 1 }
+constexpr const char* kProjectedLightsStage = R"(#version 3.7; global_settings { assumed_gamma 1 }
 camera { location <0,3,-7> look_at <0,.5,0> angle 45 }
 plane { y, -1 pigment { checker rgb .9 rgb <.5,.6,.3> } }
 sphere { <-1,0,0>, 1 pigment { rgb <.9,.5,.3> } finish { phong .7 } }
@@ -17,7 +17,7 @@ box { <-.3,2.2,-.3>, <.3,2.4,.3> pigment { rgb 1 } }
 class ImageLightKinds : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(ImageLightKinds, AreStocks) {
-  EXPECT_TRUE(same_as_stock({.sdl = std::string(kStage) + GetParam(),
+  EXPECT_TRUE(same_as_stock({.sdl = std::string(kProjectedLightsStage) + GetParam(),
                              .width = 100,
                              .height = 75,
                              .arguments = {},

@@ -8,15 +8,15 @@
 namespace lentray::test {
 namespace {
 
-constexpr int kWidth = kValueColumns, kHeight = 6;
+constexpr int kRadianceFilesWidth = kValueColumns, kHeight = 6;
 
 /// Not in runs. The largest mantissa of a pixel has its upper bit set;
 /// the last pixel is black.
-std::string file() {
+std::string radiance_files_file() {
   std::string all = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y " + std::to_string(kHeight) + " +X " +
-                    std::to_string(kWidth) + "\n";
-  for (int i = 0; i < kWidth * kHeight; ++i) {
-    const bool is_black = i == kWidth * kHeight - 1;
+                    std::to_string(kRadianceFilesWidth) + "\n";
+  for (int i = 0; i < kRadianceFilesWidth * kHeight; ++i) {
+    const bool is_black = i == kRadianceFilesWidth * kHeight - 1;
     const int mantissas[] = {128 + i * 37 % 128, i * 53 % 256, i * 91 % 256};
     for (int c = 0; c < 3; ++c) all += static_cast<char>(is_black ? 0 : mantissas[(i + c) % 3]);
     all += static_cast<char>(is_black ? 0 : 128 - i % 4);
@@ -32,7 +32,7 @@ TEST(ImageRadianceFiles, Values) {
     for (const char* words : {"", " gamma 1.6", " gamma srgb", " interpolate 2"})
       sdl += picture_values(image + words, number++);
     sdl += values("pattern { image_pattern { " + image + " use_alpha } }", "A", "str(C, 0, 9)");
-    expect_same_values(sdl, {{"a.hdr", file()}});
+    expect_same_values(sdl, {{"a.hdr", radiance_files_file()}});
   }
 }
 
@@ -43,8 +43,11 @@ TEST(ImageRadianceFiles, Heights) {
       "angle 60 }\n"
       "light_source { <-3,4,-5>, 1 } height_field { hdr \"a.hdr\" translate <-.5,0,-.5> scale 2 "
       "pigment { rgb 1 } }";
-  EXPECT_TRUE(same_as_stock(
-      {.sdl = sdl, .width = 80, .height = 60, .arguments = {}, .files = {{"a.hdr", file()}}}));
+  EXPECT_TRUE(same_as_stock({.sdl = sdl,
+                             .width = 80,
+                             .height = 60,
+                             .arguments = {},
+                             .files = {{"a.hdr", radiance_files_file()}}}));
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ struct Words {
 };
 
 /// Two mirrors that face each other, glass, an area light and a camera out of focus.
-SceneText scene_of(const Words& words) {
+SceneText scene_overrides_scene_of(const Words& words) {
   return {.sdl = "#version 3.7; global_settings { assumed_gamma 1 " + words.global + R"( }
 camera { location <0, 1.5, -4> look_at <0, 0.6, 0> aperture 0.5 focal_point <0, 0.6, -1> )" +
                  words.blur + R"( }
@@ -44,26 +44,27 @@ class ImageSceneOverrides : public ::testing::TestWithParam<OverrideCase> {};
 
 TEST_P(ImageSceneOverrides, HaveThePictureOfASceneThatSaysSo) {
   const auto& [option, scene] = GetParam();
-  const StoredImage plain = lentray_render(scene_of({}));
-  const StoredImage by_option = lentray_render(scene_of({}), {option});
+  const StoredImage plain = lentray_render(scene_overrides_scene_of({}));
+  const StoredImage by_option = lentray_render(scene_overrides_scene_of({}), {option});
   EXPECT_FALSE(same_bits(plain, by_option)) << "the option shows in this scene";
-  EXPECT_TRUE(same_bits(by_option, lentray_render(scene_of(scene))));
+  EXPECT_TRUE(same_bits(by_option, lentray_render(scene_overrides_scene_of(scene))));
 }
 
 INSTANTIATE_TEST_SUITE_P(
     All, ImageSceneOverrides,
-    ::testing::Values(
-        OverrideCase{"Max_Trace_Level=2", {.global = "max_trace_level 2"}},
-        OverrideCase{"Adc_Bailout=0.3", {.global = "max_trace_level 5 adc_bailout 0.3"}},
-        OverrideCase{"Area_Light_Samples=7", {.area = "7, 7 adaptive 1"}},
-        OverrideCase{"Area_Light_Adaptive=0", {.area = "4, 4 adaptive 0"}},
-        OverrideCase{"Area_Light_Adaptive=off", {.area = "4, 4"}},
-        OverrideCase{"Blur_Samples=5",
-                     {.blur = "blur_samples 5, 5 variance 0.01 confidence 0.9"}}));
+    ::testing::Values(OverrideCase{"Max_Trace_Level=2", {.global = "max_trace_level 2"}},
+                      OverrideCase{"Adc_Bailout=0.3",
+                                   {.global = "max_trace_level 5 adc_bailout 0.3"}},
+                      OverrideCase{"Area_Light_Samples=7", {.area = "7, 7 adaptive 1"}},
+                      OverrideCase{"Area_Light_Adaptive=0", {.area = "4, 4 adaptive 0"}},
+                      OverrideCase{"Area_Light_Adaptive=off", {.area = "4, 4"}},
+                      OverrideCase{"Blur_Samples=5",
+                                   {.blur = "blur_samples 5, 5 variance 0.01 confidence 0.9"}}));
 
 TEST(ImageSceneOverridesAlone, TurnNothingOn) {
-  const SceneText scene{.sdl = "camera { location -4*z look_at 0 } light_source { -9*z 1 }\n"
-                               "sphere { 0, 1 pigment { rgb 1 } }\n",
+  const SceneText scene{.sdl =
+                            "camera { location -4*z look_at 0 } light_source { -9*z 1 }\n"
+                            "sphere { 0, 1 pigment { rgb 1 } }\n",
                         .bits = 16};
   EXPECT_TRUE(same_bits(lentray_render(scene),
                         lentray_render(scene, {"Area_Light_Samples=5", "Area_Light_Adaptive=2",
@@ -72,7 +73,7 @@ TEST(ImageSceneOverridesAlone, TurnNothingOn) {
 
 TEST(ImageAntialiasGrid, IsTheMeanOfAPictureWithMorePixels) {
   constexpr std::uint32_t kGrid = 3;
-  SceneText scene = scene_of({.area = "1, 1", .blur = ""});
+  SceneText scene = scene_overrides_scene_of({.area = "1, 1", .blur = ""});
   const StoredImage grid = lentray_render(scene, {"Antialias_Grid=3", "+A", "+J"});
   scene.width *= kGrid;
   scene.height *= kGrid;
@@ -94,7 +95,7 @@ TEST(ImageAntialiasGrid, IsTheMeanOfAPictureWithMorePixels) {
 
 /// On a lens sheet a pixel's area is its lens's width: a grid is the mean over its views' pixels.
 TEST(ImageAntialiasGrid, OfASheetIsThatOfItsViews) {
-  SceneText scene = scene_of({.area = "1, 1", .blur = ""});
+  SceneText scene = scene_overrides_scene_of({.area = "1, 1", .blur = ""});
   scene.width = 60;
   scene.arguments.insert(scene.arguments.end(), {"Lenticular=On", "Lens_Pixels=3"});
   const StoredImage sheet = lentray_render(scene, {"Antialias_Grid=2"});

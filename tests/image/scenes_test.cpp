@@ -10,7 +10,7 @@
 namespace lentray::test {
 namespace {
 
-constexpr const char* kExamples = "/usr/share/doc/povray/examples/";
+constexpr const char* kScenesExamples = "/usr/share/doc/povray/examples/";
 
 /// Names as docs/scenes.md has them.
 testing::AssertionResult all_match(const std::vector<std::string>& names, double seconds) {
@@ -24,7 +24,7 @@ testing::AssertionResult all_match(const std::vector<std::string>& names, double
                                    "--no-scene-ini",
                                    "--grade",
                                    "match"};
-  for (const std::string& name : names) command.push_back(kExamples + name + ".pov");
+  for (const std::string& name : names) command.push_back(kScenesExamples + name + ".pov");
   const tool::RunResult result = tool::run_program(command, {}, seconds);
   if (result.status == 0) return testing::AssertionSuccess();
   return testing::AssertionFailure() << result.output;

@@ -7,7 +7,7 @@
 namespace lentray::test {
 namespace {
 
-using Words = std::vector<std::string>;
+using ShadowCachesWords = std::vector<std::string>;
 
 struct Small {
   const char* scene;
@@ -19,11 +19,11 @@ constexpr Small kSpd[] = {{"balls", 2}, {"gears", 2}, {"rings", 2}, {"tetra", 3}
 
 class ImageShadowCaches : public ::testing::Test {
  protected:
-  nlohmann::json run(const Small& small, Words more) const {
+  nlohmann::json run(const Small& small, ShadowCachesWords more) const {
     return run_whole(small, std::move(more)).at("shadow");
   }
-  nlohmann::json run_whole(const Small& small, Words more) const {
-    Words words{
+  nlohmann::json run_whole(const Small& small, ShadowCachesWords more) const {
+    ShadowCachesWords words{
         "+I" + (source_folder() / "scenes" / (std::string("spd_") + small.scene + ".pov")).string(),
         "Declare=Size=" + std::to_string(small.size),
         "Declare=Lenticular_Camera=1",
@@ -102,8 +102,8 @@ TEST_F(ImageShadowCaches, WithoutLightBuffersAutoIsTheNeighbourhood) {
 TEST_F(ImageShadowCaches, WithoutLightBuffersAutoTestsHardlyMoreWhereNothingIsGained) {
   for (const Small& small :
        {Small{"tetra", 3}, Small{"tetra", 5}, Small{"tree", 6}, Small{"tree", 8}}) {
-    const Words words{"+W300", "+H300", "-UL"};
-    Words off = words;
+    const ShadowCachesWords words{"+W300", "+H300", "-UL"};
+    ShadowCachesWords off = words;
     off.push_back("Shadow_Cache=off");
     EXPECT_LE(tests(run(small, words)), 1.01 * tests(run(small, off))) << small.scene << small.size;
   }
@@ -148,9 +148,9 @@ TEST_F(ImageShadowCaches, TheOrderOfAutoNeedsTheFewestTestsOrNearly) {
 TEST_F(ImageShadowCaches, AdaptiveStripsBeatFixedOnes) {
   double adaptive = 0.0, fixed = 0.0, rows = 0.0;
   for (const Small& small : kSpd) {
-    const Words more{"+W300", "+H200", "-UL", "Shadow_Cache=last"};
+    const ShadowCachesWords more{"+W300", "+H200", "-UL", "Shadow_Cache=last"};
     const auto hits = [&](const char* order) {
-      Words words = more;
+      ShadowCachesWords words = more;
       words.push_back(std::string("Pixel_Order=") + order);
       return of_bound(run(small, words));
     };

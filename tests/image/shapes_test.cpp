@@ -10,7 +10,7 @@
 namespace lentray::test {
 namespace {
 
-constexpr const char* kStage = R"(#version 3.7; #include "functions.inc"
+constexpr const char* kShapesStage = R"(#version 3.7; #include "functions.inc"
 global_settings { assumed_gamma 1 }
 camera { location <2.2,2.6,-4> look_at <0,.4,0> angle 45 }
 light_source { <-4,7,-6>, 1 }
@@ -18,7 +18,7 @@ light_source { <5,3,-2>, .3 }
 plane { y, -1.2 pigment { checker rgb .9 rgb .5 } }
 )";
 
-struct Case {
+struct ShapesCase {
   const char* name;
   const char* sdl;
   bool with_solids = true;  ///< has an inside
@@ -31,7 +31,7 @@ struct Case {
   "<1.5,0,-.2>,<-1.3,-.4,.4>,<-.4,.9,.3>,<.4,-.8,.5>,<1.4,.7,.4>,<-1.4,.5,1.1>,<-.5,-.2,1>,"      \
   "<.5,.6,1.3>,<1.3,-.3,1> "
 
-const Case kCases[] = {
+const ShapesCase kShapesCases[] = {
     {"text", "text { ttf \"cyrvetic.ttf\" \"R&g8\" .4, <.05,.02,0> scale 1.3 translate -1.4*x }"},
     {"text_timrom", "text { internal 1 \"AVoid\" .3, 0 translate -1.3*x }"},
     {"prism_linear",
@@ -152,10 +152,10 @@ const Case kCases[] = {
      " scale <2.4,1.2,2.4> translate <-1.2,-.6,-1.2> rotate 15*z }"},
 };
 
-class ImageShapes : public ::testing::TestWithParam<Case> {};
+class ImageShapes : public ::testing::TestWithParam<ShapesCase> {};
 
 TEST_P(ImageShapes, Alone) {
-  const std::string sdl = std::string(kStage) + "object { " + GetParam().sdl +
+  const std::string sdl = std::string(kShapesStage) + "object { " + GetParam().sdl +
                           " pigment { rgb <.9,.5,.3> } finish { specular .4 reflection .2 } }";
   EXPECT_TRUE(same_as_stock({.sdl = sdl, .width = 120, .height = 90, .arguments = {}, .files = {}},
                             GetParam().grade));
@@ -164,7 +164,7 @@ TEST_P(ImageShapes, Alone) {
 TEST_P(ImageShapes, InCsg) {
   if (!GetParam().with_solids) return;
   const std::string one = std::string("object { ") + GetParam().sdl + " }";
-  const std::string sdl = std::string(kStage) + "difference { " + one +
+  const std::string sdl = std::string(kShapesStage) + "difference { " + one +
                           " sphere { <.4,.4,-.8>, .7 } pigment { rgb <.3,.7,.9> } }\n"
                           "intersection { " +
                           one +
@@ -187,7 +187,7 @@ TEST(ImageShapesSmoothTriangle, Transformed) {
                                           "matrix <1,0,0,0,1,0,0,0,3,0,0,0>",
                                           "transform { scale <1,1,.4> rotate 20*z }",
                                           "scale <1,1,2> " + shear + "scale <1,.8,1> rotate 10*x"};
-  std::string sdl = kStage;
+  std::string sdl = kShapesStage;
   for (std::size_t i = 0; i < 2 * moves.size(); ++i) {
     const std::string& move = moves[i % moves.size()];
     sdl +=
@@ -204,7 +204,7 @@ TEST(ImageShapesSmoothTriangle, Transformed) {
 TEST(ImageShapesHeightField, SolidBelowItsBox) {
   const std::string field =
       "height_field { function 40, 30 { .5 + .2*sin(x*9)*cos(y*8) } scale <2.4,1.2,2.4>";
-  const std::string sdl = std::string(kStage) + "intersection { " + field +
+  const std::string sdl = std::string(kShapesStage) + "intersection { " + field +
                           " translate <-1.2,-.3,-1.2> } box { <-.8,-1.1,-.8>, <.8,.5,.8> }"
                           " pigment { rgb <.3,.7,.9> } }\n"
                           "difference { box { <-2,-1.1,1.3>, <2,1,3> } " +
@@ -215,7 +215,7 @@ TEST(ImageShapesHeightField, SolidBelowItsBox) {
       same_as_stock({.sdl = sdl, .width = 120, .height = 90, .arguments = {}, .files = {}}));
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, ImageShapes, ::testing::ValuesIn(kCases),
+INSTANTIATE_TEST_SUITE_P(Each, ImageShapes, ::testing::ValuesIn(kShapesCases),
                          [](const auto& one) { return std::string(one.param.name); });
 
 }  // namespace

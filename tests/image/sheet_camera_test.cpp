@@ -66,7 +66,7 @@ Frame moved(const Frame& f, const Vector& degrees, Real scale, const Vector& by)
 
 constexpr Real kEye = -1.0L, kInfinite = 0.0L;
 
-struct Case {
+struct SheetCameraCase {
   std::string name;
   std::string sdl;  ///< the camera, with what must stand before it
   Frame frame;
@@ -78,13 +78,13 @@ struct Case {
   Real pixels = 5.0L;
   Real front = -1.0L;              ///< scene units; -1: the eye's plane
   bool middle_is_ordinary = true;  ///< the eye is the scene's own
-  friend void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
+  friend void PrintTo(const SheetCameraCase& c, std::ostream* out) { *out << c.name; }
 };
 
 constexpr Real kPitch = 1.124L, kFocal = 3.03L, kIor = 1.6L;
 constexpr std::uint32_t kLenses = 40, kRows = 30;
 
-std::uint32_t columns_of(const Case& c) {
+std::uint32_t columns_of(const SheetCameraCase& c) {
   return static_cast<std::uint32_t>(std::lround(c.pixels * kLenses));
 }
 
@@ -93,7 +93,7 @@ struct Line {
 };
 
 /// The pixel's ray from the geometry alone.
-Line expected(const Case& c, std::uint32_t column, std::uint32_t row) {
+Line expected(const SheetCameraCase& c, std::uint32_t column, std::uint32_t row) {
   const Frame& f = c.frame;
   const Real grown = c.orthographic ? 1.0L : c.distance / length(f.direction);
   const Real width = length(f.right) * grown, height = length(f.up) * grown;
@@ -166,7 +166,7 @@ std::vector<Line> dumped(const std::string& sdl, std::uint32_t width,
   return rays;
 }
 
-std::vector<std::string> options_of(const Case& c) {
+std::vector<std::string> options_of(const SheetCameraCase& c) {
   std::vector<std::string> options{"Lenticular=On"};
   char pixels[40];
   std::snprintf(pixels, sizeof pixels, "Lens_Pixels=%.17g", static_cast<double>(c.pixels));
@@ -186,14 +186,14 @@ const char* const kThings =
     "  pigment { gradient x color_map { [0 rgb 1] [1 rgb z] } scale .317 } }\n"
     "cylinder { <-3,-2,1>, <-2,2,2>, .6 pigment { rgb <.2,.6,.3> } }\n";
 
-std::string scene_of(const Case& c) { return kThings + c.sdl + "\n"; }
+std::string sheet_camera_scene_of(const SheetCameraCase& c) { return kThings + c.sdl + "\n"; }
 
-class SheetCameraRays : public ::testing::TestWithParam<Case> {};
+class SheetCameraRays : public ::testing::TestWithParam<SheetCameraCase> {};
 
 TEST_P(SheetCameraRays, AreThoseOfTheGeometry) {
-  const Case& c = GetParam();
+  const SheetCameraCase& c = GetParam();
   const std::uint32_t width = columns_of(c);
-  const auto rays = dumped(scene_of(c), width, options_of(c));
+  const auto rays = dumped(sheet_camera_scene_of(c), width, options_of(c));
   ASSERT_EQ(rays.size(), std::size_t{width} * kRows);
   Real largest = 0.0L;
   for (std::uint32_t row = 0; row < kRows; ++row) {
@@ -209,7 +209,7 @@ TEST_P(SheetCameraRays, AreThoseOfTheGeometry) {
   EXPECT_LT(largest, 1e-12L);
 }
 
-const Case kCases[] = {
+const SheetCameraCase kSheetCameraCases[] = {
     {"look_at", "camera { location <1,2,-9> look_at <.5,0,1> right x*4/3 }",
      looking({1, 2, -9}, {.5L, 0, 1}, 1, 4.0L / 3, 1), length({.5L, 2, 10})},
     {"look_at_under_transforms",
@@ -392,18 +392,18 @@ const Case kCases[] = {
      true},
 };
 
-INSTANTIATE_TEST_SUITE_P(Cameras, SheetCameraRays, ::testing::ValuesIn(kCases),
+INSTANTIATE_TEST_SUITE_P(Cameras, SheetCameraRays, ::testing::ValuesIn(kSheetCameraCases),
                          [](const auto& trial) { return trial.param.name; });
 
 /// Odd N: the middle view's lines are those of the scene's own camera.
-class SheetCameraMiddleRays : public ::testing::TestWithParam<Case> {};
+class SheetCameraMiddleRays : public ::testing::TestWithParam<SheetCameraCase> {};
 
 TEST_P(SheetCameraMiddleRays, AreTheOrdinaryCameras) {
-  const Case& c = GetParam();
+  const SheetCameraCase& c = GetParam();
   std::vector<std::string> options = options_of(c);
   options.emplace_back("View=2");
-  const auto view = dumped(scene_of(c), columns_of(c), options);
-  const auto ordinary = dumped(scene_of(c), kLenses, {});
+  const auto view = dumped(sheet_camera_scene_of(c), columns_of(c), options);
+  const auto ordinary = dumped(sheet_camera_scene_of(c), kLenses, {});
   ASSERT_EQ(view.size(), ordinary.size());
   Real largest = 0.0L;
   for (std::size_t i = 0; i < view.size(); ++i) {
@@ -414,9 +414,9 @@ TEST_P(SheetCameraMiddleRays, AreTheOrdinaryCameras) {
   EXPECT_LT(largest, 1e-12L);
 }
 
-std::vector<Case> from_their_own_eye() {
-  std::vector<Case> out;
-  for (const Case& c : kCases) {
+std::vector<SheetCameraCase> from_their_own_eye() {
+  std::vector<SheetCameraCase> out;
+  for (const SheetCameraCase& c : kSheetCameraCases) {
     if (c.middle_is_ordinary) out.push_back(c);
   }
   return out;
@@ -428,8 +428,8 @@ INSTANTIATE_TEST_SUITE_P(Cameras, SheetCameraMiddleRays, ::testing::ValuesIn(fro
 /// Pictures for those cases that add something in a picture.
 class SheetCameraPicture : public ::testing::TestWithParam<std::string> {
  protected:
-  const Case& trial() const {
-    for (const Case& c : kCases) {
+  const SheetCameraCase& trial() const {
+    for (const SheetCameraCase& c : kSheetCameraCases) {
       if (c.name == GetParam()) return c;
     }
     throw std::logic_error(GetParam());
@@ -440,7 +440,7 @@ class SheetCameraMiddleView : public SheetCameraPicture {};
 
 TEST_P(SheetCameraMiddleView, IsTheOrdinaryPicture) {
   SceneText scene;
-  scene.sdl = scene_of(trial());
+  scene.sdl = sheet_camera_scene_of(trial());
   scene.width = kLenses;
   scene.height = kRows;
   const StoredImage ordinary = lentray_render(scene), stock = stock_render(scene);
@@ -472,7 +472,7 @@ class SheetCameraViews : public SheetCameraPicture {};
 
 TEST_P(SheetCameraViews, AreStocks) {
   const tool::TemporaryFolder folder;
-  tool::write_text(folder / "scene.pov", scene_of(trial()));
+  tool::write_text(folder / "scene.pov", sheet_camera_scene_of(trial()));
   std::vector<std::string> arguments = options_of(trial());
   arguments.insert(arguments.end(),
                    {"scene.pov", "+W" + std::to_string(columns_of(trial())), "+H60", "--threads",

@@ -11,7 +11,7 @@
 namespace lentray::test {
 namespace {
 
-const std::string kLooks = " pigment { rgb x } interior_texture { pigment { rgb y } } ";
+const std::string kSidesLooks = " pigment { rgb x } interior_texture { pigment { rgb y } } ";
 
 const std::vector<std::string> kSteps{"scale 1.2",
                                       "rotate 107*x",
@@ -24,7 +24,7 @@ const std::vector<std::string> kSteps{"scale 1.2",
                                       "rotate 90*y scale <1,-1,1>"};
 
 /// One of each kind of steps, side by side; `last` is the step that puts them there.
-std::string row(const std::string& one, const std::string& around, const std::string& last) {
+std::string sides_row(const std::string& one, const std::string& around, const std::string& last) {
   std::string all;
   for (std::size_t i = 0; i < kSteps.size(); ++i) {
     const std::string place =
@@ -36,12 +36,12 @@ std::string row(const std::string& one, const std::string& around, const std::st
 
 TEST(ImageTriangleSides, TurnWithEachStep) {
   for (const char* corner : {"<.383,.944,.228>", "<.383,-.3,.228>"}) {
-    const std::string one =
-        "triangle { " + std::string(corner) + ", <.522,-.687,.628>, <.596,-.056,.978>" + kLooks;
-    EXPECT_TRUE(same_on_the_floor(row(one, "object", "")));
-    EXPECT_TRUE(same_on_the_floor(row(one, "union", "rotate 170*y")));
+    const std::string one = "triangle { " + std::string(corner) +
+                            ", <.522,-.687,.628>, <.596,-.056,.978>" + kSidesLooks;
+    EXPECT_TRUE(same_on_the_floor(sides_row(one, "object", "")));
+    EXPECT_TRUE(same_on_the_floor(sides_row(one, "union", "rotate 170*y")));
     EXPECT_TRUE(same_on_the_floor(
-        row(one, "union { sphere { 0, .1 } union", "} rotate 100*x rotate 90*y")));
+        sides_row(one, "union { sphere { 0, .1 } union", "} rotate 100*x rotate 90*y")));
   }
 }
 
@@ -64,15 +64,15 @@ TEST(ImageTriangleSides, SmoothOnesAreDropped) {
   EXPECT_TRUE(same_on_the_floor(all));
 }
 
-struct Case {
+struct SidesCase {
   const char* name;
   const char* sdl;
 };
 
-class ImageSides : public ::testing::TestWithParam<Case> {};
+class ImageSides : public ::testing::TestWithParam<SidesCase> {};
 
 TEST_P(ImageSides, OfTheInverse) {
-  const std::string part = std::string(GetParam().sdl) + kLooks,
+  const std::string part = std::string(GetParam().sdl) + kSidesLooks,
                     box = "box { <-1.2,-1.2,-.4>, <1.2,.31,.33> pigment { rgb z } } ";
   const std::string place[] = {"scale .5 translate <-1.1,.5,0> }", "scale .5 translate <.1,.5,0> }",
                                "scale .5 translate <-.6,-.7,0> }",
@@ -90,24 +90,25 @@ TEST_P(ImageSides, OfTheInverse) {
 INSTANTIATE_TEST_SUITE_P(
     Each, ImageSides,
     ::testing::Values(
-        Case{"quadric", "quadric { <1,2,1.5>, <.3,.2,.1>, <0,.1,0>, -.5"},
-        Case{"hyperboloid", "quadric { <-.7,-.4,1.4>, <.36,.85,.53>, <.2,.28,.13>, -.24"},
-        Case{"sphere", "sphere { 0, .7"}, Case{"plane", "plane { x+y, .1"},
-        Case{"cone", "cone { -x, .2, x, .7"}, Case{"double_cone", "cone { -x, -.4, x, .7"},
-        Case{"open_double_cone", "cone { -x, -.4, x, .7 open"},
-        Case{"poly", "poly { 2, <1,.3,.2,0,2,.1,.1,1.5,0,-.5>"},
-        Case{"blob", "blob { threshold .4 sphere { -.3*x, .8, 1 } sphere { .3*x, .8, 1 }"},
-        Case{"blob_of_textures",
-             "blob { threshold .4 sphere { -.3*x, .8, 1 pigment { rgb <.5,.5,1> } }"
-             " sphere { .3*x, .8, 1 } sphere { 0, .3, -1.5 pigment { rgb x+y } }"},
-        Case{"mesh",
-             "mesh { triangle { <-1,-.06,0>, <1,.03,0>, <-1,1,.3> } triangle { <1,.03,0>, "
-             "<-1,1,.3>, <1,1,-.4> }"},
-        Case{"mesh_of_textures",
-             "mesh2 { vertex_vectors { 4, <-1,-.06,0>, <1,.03,0>, <-1,1,.3>, <1,1,-.4> } "
-             "texture_list { 2,"
-             " texture { pigment { rgb x+z } }, texture { pigment { rgb z } } }"
-             " face_indices { 2, <0,1,2>, 0, 1, 1, <1,2,3>, 1 }"}),
+        SidesCase{"quadric", "quadric { <1,2,1.5>, <.3,.2,.1>, <0,.1,0>, -.5"},
+        SidesCase{"hyperboloid", "quadric { <-.7,-.4,1.4>, <.36,.85,.53>, <.2,.28,.13>, -.24"},
+        SidesCase{"sphere", "sphere { 0, .7"}, SidesCase{"plane", "plane { x+y, .1"},
+        SidesCase{"cone", "cone { -x, .2, x, .7"},
+        SidesCase{"double_cone", "cone { -x, -.4, x, .7"},
+        SidesCase{"open_double_cone", "cone { -x, -.4, x, .7 open"},
+        SidesCase{"poly", "poly { 2, <1,.3,.2,0,2,.1,.1,1.5,0,-.5>"},
+        SidesCase{"blob", "blob { threshold .4 sphere { -.3*x, .8, 1 } sphere { .3*x, .8, 1 }"},
+        SidesCase{"blob_of_textures",
+                  "blob { threshold .4 sphere { -.3*x, .8, 1 pigment { rgb <.5,.5,1> } }"
+                  " sphere { .3*x, .8, 1 } sphere { 0, .3, -1.5 pigment { rgb x+y } }"},
+        SidesCase{"mesh",
+                  "mesh { triangle { <-1,-.06,0>, <1,.03,0>, <-1,1,.3> } triangle { <1,.03,0>, "
+                  "<-1,1,.3>, <1,1,-.4> }"},
+        SidesCase{"mesh_of_textures",
+                  "mesh2 { vertex_vectors { 4, <-1,-.06,0>, <1,.03,0>, <-1,1,.3>, <1,1,-.4> } "
+                  "texture_list { 2,"
+                  " texture { pigment { rgb x+z } }, texture { pigment { rgb z } } }"
+                  " face_indices { 2, <0,1,2>, 0, 1, 1, <1,2,3>, 1 }"}),
     [](const auto& one) { return std::string(one.param.name); });
 
 }  // namespace

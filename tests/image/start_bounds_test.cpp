@@ -7,7 +7,7 @@
 namespace lentray::test {
 namespace {
 
-testing::AssertionResult looks_the_same(const std::string& objects) {
+testing::AssertionResult start_bounds_looks_the_same(const std::string& objects) {
   return same_as_stock(
       {.sdl = "#version 3.7; global_settings { assumed_gamma 1 max_trace_level 8 }\n"
               "camera { location <1,5,-3.5> angle 42 look_at <0,.7,0> }\n"
@@ -28,8 +28,8 @@ TEST_P(ImageStartBounds, AsStock) {
        {"", "bounded_by { box { <-.7,-2,-2>, <.6,1,2> } }", "bounded_by { sphere { 0, 5.5 } }",
         "bounded_by { box { -6, 6 } plane { y, 2 } box { -2, 2 } }",
         "bounded_by { plane { y, 2 } }", "clipped_by { box { <-.7,-2,-2>, <.6,1,2> } }"}) {
-    EXPECT_TRUE(
-        looks_the_same(GetParam() + " texture { Glass } interior { ior 1.2 } " + bound + "}"))
+    EXPECT_TRUE(start_bounds_looks_the_same(
+        GetParam() + " texture { Glass } interior { ior 1.2 } " + bound + "}"))
         << bound;
   }
 }

@@ -7,7 +7,7 @@
 namespace lentray::test {
 namespace {
 
-constexpr const char* kStage = R"(#version 3.7; global_settings { assumed_gamma 1 }
+constexpr const char* kSurfacePatternsStage = R"(#version 3.7; global_settings { assumed_gamma 1 }
 camera { location <1.6,2.2,-4> look_at <0,.1,0> angle 42 }
 light_source { <-4,7,-6>, 1 }
 light_source { <5,3,-2>, .3 }
@@ -16,13 +16,13 @@ plane { y, -1.2 pigment { rgb .7 } }
 #declare Steep = color_map { [0 rgb x] [.3 rgb y] [.6 rgb z] [1 rgb 1] };
 )";
 
-struct Case {
+struct SurfacePatternsCase {
   const char* name;
   const char* sdl;
   Grade grade = Grade::exact;
 };
 
-const Case kCases[] = {
+const SurfacePatternsCase kSurfacePatternsCases[] = {
     {"uv_sphere", "sphere { 0, 1 pigment { uv_mapping Squares } rotate <20,30,10> }"},
     {"uv_box", "box { -.8, .8 texture { uv_mapping pigment { Squares } } rotate 25*y }"},
     {"uv_torus", "torus { .8, .35 pigment { uv_mapping Squares } rotate -30*x }"},
@@ -105,10 +105,10 @@ const Case kCases[] = {
      " translate -.5 scale 1.8 rotate 20*y }"},
 };
 
-class ImageSurfacePatterns : public ::testing::TestWithParam<Case> {};
+class ImageSurfacePatterns : public ::testing::TestWithParam<SurfacePatternsCase> {};
 
 TEST_P(ImageSurfacePatterns, AsInStock) {
-  EXPECT_TRUE(same_as_stock({.sdl = std::string(kStage) + GetParam().sdl,
+  EXPECT_TRUE(same_as_stock({.sdl = std::string(kSurfacePatternsStage) + GetParam().sdl,
                              .width = 120,
                              .height = 90,
                              .arguments = {},
@@ -116,7 +116,7 @@ TEST_P(ImageSurfacePatterns, AsInStock) {
                             GetParam().grade));
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, ImageSurfacePatterns, ::testing::ValuesIn(kCases),
+INSTANTIATE_TEST_SUITE_P(Each, ImageSurfacePatterns, ::testing::ValuesIn(kSurfacePatternsCases),
                          [](const auto& one) { return std::string(one.param.name); });
 
 }  // namespace

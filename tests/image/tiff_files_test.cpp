@@ -12,7 +12,7 @@
 namespace lentray::test {
 namespace {
 
-constexpr int kWidth = kValueColumns, kHeight = 2;
+constexpr int kTiffFilesWidth = kValueColumns, kHeight = 2;
 
 enum Alpha { kUnspecified = 0, kMultiplied = 1, kApart = 2, kNone = 9 };
 enum Meaning { kWhiteIsZero = 0, kBlackIsZero = 1, kColours = 2, kPalette = 3 };
@@ -31,18 +31,18 @@ std::string little(unsigned value, int bytes) {
   return all;
 }
 
-unsigned sample(int pixel, int channel) {
+unsigned tiff_files_sample(int pixel, int channel) {
   constexpr unsigned kStart[] = {5, 30, 200}, kStep[] = {37, 61, 97};
   const auto i = static_cast<std::size_t>(channel);
   return (kStart[i] + kStep[i] * static_cast<unsigned>(pixel)) % 256;
 }
 
-std::string pixels(const Tiff& tiff, int channels) {
+std::string tiff_files_pixels(const Tiff& tiff, int channels) {
   constexpr unsigned kAlpha[] = {0, 70, 81, 100, 128, 200, 254, 255};
   std::string all;
-  for (int pixel = 0; pixel < kWidth * kHeight; ++pixel) {
+  for (int pixel = 0; pixel < kTiffFilesWidth * kHeight; ++pixel) {
     for (int c = 0; c < channels; ++c) {
-      const unsigned high = sample(pixel, c), low = sample(pixel, 1);
+      const unsigned high = tiff_files_sample(pixel, c), low = tiff_files_sample(pixel, 1);
       all += tiff.bits == 16
                  ? little(high * 256 + low, 2)
                  : little(tiff.meaning == kPalette ? static_cast<unsigned>(pixel) : high, 1);
@@ -57,16 +57,16 @@ std::string pixels(const Tiff& tiff, int channels) {
 std::string palette(unsigned times) {
   std::string all;
   for (int c = 0; c < 3; ++c) {
-    for (int i = 0; i < 256; ++i) all += little(sample(i, c) * times, 2);
+    for (int i = 0; i < 256; ++i) all += little(tiff_files_sample(i, c) * times, 2);
   }
   return all;
 }
 
 /// Entries of the directory whose values do not fit are put behind it, the pixels at last.
-std::string file(const Tiff& tiff) {
+std::string tiff_files_file(const Tiff& tiff) {
   const int channels = tiff.meaning == kColours ? 3 : 1,
             all_channels = channels + (tiff.alpha == kNone ? 0 : 1);
-  const std::string image = pixels(tiff, channels);
+  const std::string image = tiff_files_pixels(tiff, channels);
   const unsigned entries = 9 + (tiff.meaning == kPalette ? 1 : 0) + (tiff.alpha == kNone ? 0 : 1);
   const unsigned behind = 8 + 2 + 12 * entries + 4;
   std::string directory, values;
@@ -83,7 +83,7 @@ std::string file(const Tiff& tiff) {
   for (int i = 0; i < all_channels; ++i) bits += little(static_cast<unsigned>(tiff.bits), 2);
   const unsigned start = behind + (bits.size() > 4 ? static_cast<unsigned>(bits.size()) : 0) +
                          (tiff.meaning == kPalette ? 6 * 256 : 0);
-  add(256, 4, 1, little(kWidth, 4));
+  add(256, 4, 1, little(kTiffFilesWidth, 4));
   add(257, 4, 1, little(kHeight, 4));
   add(258, 2, static_cast<unsigned>(all_channels), bits);
   add(259, 2, 1, little(1, 2));  // not packed
@@ -127,7 +127,7 @@ TEST_P(ImageTiffFiles, Values) {
       sdl += picture_values(image + words, number++);
     }
     sdl += values("pattern { image_pattern { " + image + " use_alpha } }", "A", "str(C, 0, 9)");
-    expect_same_values(sdl, {{"a.tif", file(GetParam())}});
+    expect_same_values(sdl, {{"a.tif", tiff_files_file(GetParam())}});
   }
 }
 
@@ -141,7 +141,7 @@ TEST_P(ImageTiffFiles, Heights) {
                              .width = 80,
                              .height = 60,
                              .arguments = {},
-                             .files = {{"a.tif", file(GetParam())}}}));
+                             .files = {{"a.tif", tiff_files_file(GetParam())}}}));
 }
 
 /// Colours are divided by their alpha once pixels are mixed, with the transparency that the map gives them.
@@ -156,10 +156,10 @@ TEST_P(ImageTiffFiles, MixedAndMadeClearer) {
         "pigment { image_map { tiff \"a.tif\" " + std::string(words) + " } translate .03*x }",
         "C" + std::to_string(number++), "vstr(5, C, \" \", 0, 9)");
   }
-  expect_same_values(sdl, {{"a.tif", file(GetParam())}});
+  expect_same_values(sdl, {{"a.tif", tiff_files_file(GetParam())}});
 }
 
-std::string palette_file() { return file(kTiffs[std::size(kTiffs) - 2]); }
+std::string palette_file() { return tiff_files_file(kTiffs[std::size(kTiffs) - 2]); }
 
 TEST(ImageTiffPalettes, EntriesByNumber) {
   std::string sdl =

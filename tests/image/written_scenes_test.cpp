@@ -4,7 +4,7 @@
 namespace lentray::test {
 namespace {
 
-struct Case {
+struct WrittenScenesCase {
   const char* name;
   const char* sdl;
   Grade grade = Grade::exact;
@@ -16,7 +16,7 @@ camera { location <.3,.5,-5> look_at 0 right 4/3*x angle 60 }
 light_source { <-4,6,-8> 1 }
 )";
 
-const Case kCases[] = {
+const WrittenScenesCase kWrittenScenesCases[] = {
     {"directive_before_brace",
      "#local A = #if (1) merge #else union #end { sphere { 0, 1 } sphere { x, 1 } }"
      " object { A pigment { rgb <1,.6,.2> } }"},
@@ -55,14 +55,14 @@ const Case kCases[] = {
      "translate -x }"},
 };
 
-class ImageWrittenScenes : public ::testing::TestWithParam<Case> {};
+class ImageWrittenScenes : public ::testing::TestWithParam<WrittenScenesCase> {};
 
 TEST_P(ImageWrittenScenes, AsStock) {
   EXPECT_TRUE(same_as_stock(
       {.sdl = std::string(kNew) + GetParam().sdl, .arguments = {}, .files = {}}, GetParam().grade));
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, ImageWrittenScenes, ::testing::ValuesIn(kCases),
+INSTANTIATE_TEST_SUITE_P(Each, ImageWrittenScenes, ::testing::ValuesIn(kWrittenScenesCases),
                          [](const auto& row) { return row.param.name; });
 
 // #version 1.0: patterns that stand in a texture without a pigment around them.

@@ -9,7 +9,7 @@
 namespace lentray::camera {
 namespace {
 
-constexpr double kInf = LensParameters::kInfinity;
+constexpr double kCameraLensSheetInf = LensParameters::kInfinity;
 
 struct Expected {
   LensParameters lens;
@@ -22,52 +22,52 @@ struct Expected {
 // A row a case.
 // clang-format off
 const Expected kColumns[] = {
-    {{1.124, 3.03, 1.6, 15, kInf, LensModel::kPinhole}, 150, 0, 0, 0,
+    {{1.124, 3.03, 1.6, 15, kCameraLensSheetInf, LensModel::kPinhole}, 150, 0, 0, 0,
      -5.058, -5.058, -5.5825333333333333333,
      -0.52453333333333333333, -0.52453333333333333333, -0.28369203019532764489},
-    {{1.124, 3.03, 1.6, 15, kInf, LensModel::kPinhole}, 150, 0, 1, 0,
+    {{1.124, 3.03, 1.6, 15, kCameraLensSheetInf, LensModel::kPinhole}, 150, 0, 1, 0,
      -5.058, -5.058, -5.5076,
      -0.4496, -0.4496, -0.24159790580935154705},
-    {{1.124, 3.03, 1.6, 15, kInf, LensModel::kPinhole}, 150, 0, 7, 0,
+    {{1.124, 3.03, 1.6, 15, kCameraLensSheetInf, LensModel::kPinhole}, 150, 0, 7, 0,
      -5.058, -5.058, -5.058,
      0.0, 0.0, 0.0},
-    {{1.124, 3.03, 1.6, 15, kInf, LensModel::kPinhole}, 150, 0, 8, 0,
+    {{1.124, 3.03, 1.6, 15, kCameraLensSheetInf, LensModel::kPinhole}, 150, 0, 8, 0,
      -5.058, -5.058, -4.9830666666666666667,
      0.074933333333333333333, 0.074933333333333333333, 0.039587646475596155146},
-    {{1.124, 3.03, 1.6, 15, kInf, LensModel::kPinhole}, 150, 0, 22, 1,
+    {{1.124, 3.03, 1.6, 15, kCameraLensSheetInf, LensModel::kPinhole}, 150, 0, 22, 1,
      -3.934, -3.934, -3.934,
      0.0, 0.0, 0.0},
-    {{1.124, 3.03, 1.6, 15, kInf, LensModel::kPinhole}, 150, 0, 75, 5,
+    {{1.124, 3.03, 1.6, 15, kCameraLensSheetInf, LensModel::kPinhole}, 150, 0, 75, 5,
      0.562, 0.562, 0.037466666666666666667,
      -0.52453333333333333333, -0.52453333333333333333, -0.28369203019532764489},
-    {{1.124, 3.03, 1.6, 15, kInf, LensModel::kPinhole}, 150, 0, 76, 5,
+    {{1.124, 3.03, 1.6, 15, kCameraLensSheetInf, LensModel::kPinhole}, 150, 0, 76, 5,
      0.562, 0.562, 0.1124,
      -0.4496, -0.4496, -0.24159790580935154705},
-    {{1.124, 3.03, 1.6, 15, kInf, LensModel::kPinhole}, 150, 0, 149, 9,
+    {{1.124, 3.03, 1.6, 15, kCameraLensSheetInf, LensModel::kPinhole}, 150, 0, 149, 9,
      5.058, 5.058, 5.5825333333333333333,
      0.52453333333333333333, 0.52453333333333333333, 0.28369203019532764489},
-    {{1.124, 3.03, 1.6, 15, kInf, LensModel::kParaxial}, 150, 0, 0, 0,
+    {{1.124, 3.03, 1.6, 15, kCameraLensSheetInf, LensModel::kParaxial}, 150, 0, 0, 0,
      -5.058, -5.058, -5.5825333333333333333,
      -0.52453333333333333333, -0.52453333333333333333, -0.2769812981298129813},
-    {{1.124, 3.03, 1.6, 15, kInf, LensModel::kParaxial}, 150, 0, 1, 0,
+    {{1.124, 3.03, 1.6, 15, kCameraLensSheetInf, LensModel::kParaxial}, 150, 0, 1, 0,
      -5.058, -5.058, -5.5076,
      -0.4496, -0.4496, -0.23741254125412541254},
-    {{1.124, 3.03, 1.6, 15, kInf, LensModel::kParaxial}, 150, 0, 7, 0,
+    {{1.124, 3.03, 1.6, 15, kCameraLensSheetInf, LensModel::kParaxial}, 150, 0, 7, 0,
      -5.058, -5.058, -5.058,
      0.0, 0.0, 0.0},
-    {{1.124, 3.03, 1.6, 15, kInf, LensModel::kParaxial}, 150, 0, 8, 0,
+    {{1.124, 3.03, 1.6, 15, kCameraLensSheetInf, LensModel::kParaxial}, 150, 0, 8, 0,
      -5.058, -5.058, -4.9830666666666666667,
      0.074933333333333333333, 0.074933333333333333333, 0.039568756875687568757},
-    {{1.124, 3.03, 1.6, 15, kInf, LensModel::kParaxial}, 150, 0, 22, 1,
+    {{1.124, 3.03, 1.6, 15, kCameraLensSheetInf, LensModel::kParaxial}, 150, 0, 22, 1,
      -3.934, -3.934, -3.934,
      0.0, 0.0, 0.0},
-    {{1.124, 3.03, 1.6, 15, kInf, LensModel::kParaxial}, 150, 0, 75, 5,
+    {{1.124, 3.03, 1.6, 15, kCameraLensSheetInf, LensModel::kParaxial}, 150, 0, 75, 5,
      0.562, 0.562, 0.037466666666666666667,
      -0.52453333333333333333, -0.52453333333333333333, -0.2769812981298129813},
-    {{1.124, 3.03, 1.6, 15, kInf, LensModel::kParaxial}, 150, 0, 76, 5,
+    {{1.124, 3.03, 1.6, 15, kCameraLensSheetInf, LensModel::kParaxial}, 150, 0, 76, 5,
      0.562, 0.562, 0.1124,
      -0.4496, -0.4496, -0.23741254125412541254},
-    {{1.124, 3.03, 1.6, 15, kInf, LensModel::kParaxial}, 150, 0, 149, 9,
+    {{1.124, 3.03, 1.6, 15, kCameraLensSheetInf, LensModel::kParaxial}, 150, 0, 149, 9,
      5.058, 5.058, 5.5825333333333333333,
      0.52453333333333333333, 0.52453333333333333333, 0.2769812981298129813},
     {{1.124, 3.03, 1.6, 14, 400, LensModel::kParaxial}, 140, 0, 0, 0,
@@ -280,7 +280,7 @@ TEST(UnitCameraLensSheet, FractionalPixelsHaveNoViews) {
 
 TEST(UnitCameraLensSheet, OddSheetsLookStraightAheadInTheMiddleView) {
   LensParameters lens;
-  for (const double distance : {kInf, 300.0}) {
+  for (const double distance : {kCameraLensSheetInf, 300.0}) {
     lens.view_distance = distance;
     lens.model = LensModel::kParaxial;
     const LensSheet sheet(lens, 45);

@@ -14,7 +14,7 @@ namespace {
 using core::Ray;
 using core::Vec3;
 
-constexpr double kInf = LensParameters::kInfinity;
+constexpr double kCameraLenticularInf = LensParameters::kInfinity;
 
 void expect_near(const Vec3& got, const Vec3& want, double tolerance) {
   EXPECT_NEAR(got.x, want.x, tolerance);
@@ -22,7 +22,7 @@ void expect_near(const Vec3& got, const Vec3& want, double tolerance) {
   EXPECT_NEAR(got.z, want.z, tolerance);
 }
 
-struct Expected {
+struct CameraLenticularExpected {
   LensParameters lens;
   std::uint32_t width, height;
   double sheet_width, sheet_height, front, eye_slope_x, eye_slope_y;
@@ -32,23 +32,23 @@ struct Expected {
 
 // A row a case.
 // clang-format off
-const Expected kRays[] = {
-    {{1.124, 3.03, 1.6, 15, kInf, LensModel::kPinhole}, 150, 40, 6.5, 4.1, 0, 0, 0, 0, 0,
+const CameraLenticularExpected kRays[] = {
+    {{1.124, 3.03, 1.6, 15, kCameraLenticularInf, LensModel::kPinhole}, 150, 40, 6.5, 4.1, 0, 0, 0, 0, 0,
      Vec3{-1.9825, -0.3425, 3.38375},
      Vec3{0.13873072670119604573, 0.55038344659484077383, 0.82330543978728945619}},
-    {{1.124, 3.03, 1.6, 15, kInf, LensModel::kPinhole}, 150, 40, 6.5, 4.1, 0, 0, 0, 78, 20,
+    {{1.124, 3.03, 1.6, 15, kCameraLenticularInf, LensModel::kPinhole}, 150, 40, 6.5, 4.1, 0, 0, 0, 78, 20,
      Vec3{1.5508333333333333333, -0.62583333333333333333, 1.9004166666666666667},
      Vec3{0.22416848838789702135, 0.60584323842618490526, 0.76334950007657576781}},
-    {{1.124, 3.03, 1.6, 15, kInf, LensModel::kPinhole}, 150, 40, 6.5, 4.1, 0, 0, 0, 149, 39,
+    {{1.124, 3.03, 1.6, 15, kCameraLenticularInf, LensModel::kPinhole}, 150, 40, 6.5, 4.1, 0, 0, 0, 149, 39,
      Vec3{4.5825, -1.0575, 0.81625},
      Vec3{0.50262671762446095555, 0.73233144205647322874, 0.45940944886402454638}},
-    {{1.124, 3.03, 1.6, 15, kInf, LensModel::kPinhole}, 150, 40, 6.5, 4.1, 2.75, 0, 0, 0, 0,
+    {{1.124, 3.03, 1.6, 15, kCameraLenticularInf, LensModel::kPinhole}, 150, 40, 6.5, 4.1, 2.75, 0, 0, 0, 0,
      Vec3{-2.3790646113085659844, -1.9157823056542829922, 1.0303146113085659844},
      Vec3{0.13873072670119604573, 0.55038344659484077383, 0.82330543978728945619}},
-    {{1.124, 3.03, 1.6, 15, kInf, LensModel::kPinhole}, 150, 40, 6.5, 4.1, 2.75, 0, 0, 78, 20,
+    {{1.124, 3.03, 1.6, 15, kCameraLenticularInf, LensModel::kPinhole}, 150, 40, 6.5, 4.1, 2.75, 0, 0, 78, 20,
      Vec3{0.92657802834868407541, -2.3129609858256579623, -0.22532802834868407541},
      Vec3{0.22416848838789702135, 0.60584323842618490526, 0.76334950007657576781}},
-    {{1.124, 3.03, 1.6, 15, kInf, LensModel::kPinhole}, 150, 40, 6.5, 4.1, 2.75, 0, 0, 149, 39,
+    {{1.124, 3.03, 1.6, 15, kCameraLenticularInf, LensModel::kPinhole}, 150, 40, 6.5, 4.1, 2.75, 0, 0, 149, 39,
      Vec3{3.145731277975232651, -3.1508843610123836745, -0.49698127797523265104},
      Vec3{0.50262671762446095555, 0.73233144205647322874, 0.45940944886402454638}},
     {{1.124, 3.03, 1.6, 14, 400, LensModel::kParaxial}, 140, 33, 5, 7, 3.5, 0, 0, 0, 0,
@@ -87,13 +87,13 @@ const Expected kRays[] = {
     {{0.508, 1.4, 1.56, 7.37, 250, LensModel::kParaxial}, 100, 21, 4.2, 1.7, 9, -0.15, 0.3, 99, 20,
      Vec3{2.8094667036493475726, -7.9069628056070913214, -4.9477705462175824649},
      Vec3{0.043972846425302531259, 0.77786155227629356336, 0.62689536149789126855}},
-    {{1.124, 3.03, 1.6, 15, kInf, LensModel::kParaxial}, 150, 40, 6.5, 4.1, 1, 0.1, 0.25, 0, 0,
+    {{1.124, 3.03, 1.6, 15, kCameraLenticularInf, LensModel::kParaxial}, 150, 40, 6.5, 4.1, 1, 0.1, 0.25, 0, 0,
      Vec3{-2.0311791345801246791, -1.1168395672900623396, 2.6824291345801246791},
      Vec3{0.046544615421875432776, 0.74038574589148076701, 0.67056882275866761785}},
-    {{1.124, 3.03, 1.6, 15, kInf, LensModel::kParaxial}, 150, 40, 6.5, 4.1, 1, 0.1, 0.25, 78, 20,
+    {{1.124, 3.03, 1.6, 15, kCameraLenticularInf, LensModel::kParaxial}, 150, 40, 6.5, 4.1, 1, 0.1, 0.25, 78, 20,
      Vec3{1.4230166850018335167, -1.4397416574990832417, 1.2782333149981664833},
      Vec3{0.12380267061385322525, 0.78834819627900372202, 0.60264419035822388415}},
-    {{1.124, 3.03, 1.6, 15, kInf, LensModel::kParaxial}, 150, 40, 6.5, 4.1, 1, 0.1, 0.25, 149, 39,
+    {{1.124, 3.03, 1.6, 15, kCameraLenticularInf, LensModel::kParaxial}, 150, 40, 6.5, 4.1, 1, 0.1, 0.25, 149, 39,
      Vec3{4.1645124679134580125, -2.0164937660432709938, 0.48423753208654198753},
      Vec3{0.38083706757157616253, 0.87375901347154214969, 0.3025034121141779059}},
 };
@@ -112,7 +112,7 @@ SheetPlacement rotated_sheet(double width, double height) {
 }
 
 TEST(UnitCameraLenticular, RaysFollowTheFormulae) {
-  for (const Expected& want : kRays) {
+  for (const CameraLenticularExpected& want : kRays) {
     SheetPlacement place = rotated_sheet(want.sheet_width, want.sheet_height);
     place.front = want.front;
     place.eye_slope_x = want.eye_slope_x;
@@ -243,7 +243,7 @@ TEST(UnitCameraOrthographic, PixelsOfAnObliqueFrame) {
 std::vector<Lenticular> sheets_of_places() {
   std::vector<Lenticular> out;
   for (const LensParameters& lens :
-       {LensParameters{1.124, 3.03, 1.6, 15, kInf, LensModel::kPinhole},
+       {LensParameters{1.124, 3.03, 1.6, 15, kCameraLenticularInf, LensModel::kPinhole},
         LensParameters{1.124, 3.03, 1.6, 14, 400, LensModel::kParaxial},
         LensParameters{0.508, 1.4, 1.56, 7, 250, LensModel::kPinhole},
         LensParameters{0.508, 1.4, 1.56, 12.4, 250, LensModel::kPinhole}}) {

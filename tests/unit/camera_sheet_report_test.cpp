@@ -59,7 +59,7 @@ Conversion from_infinity() {
   return conversion;
 }
 
-bool has_line(const std::vector<std::string>& lines, const std::string& part) {
+bool camera_sheet_report_has_line(const std::vector<std::string>& lines, const std::string& part) {
   for (const std::string& line : lines) {
     if (line.find(part) != std::string::npos) return true;
   }
@@ -109,32 +109,37 @@ TEST(UnitCameraSheetReport, ParallaxIsWhatTheViewsShow) {
 TEST(UnitCameraSheetReport, SizesAndResolution) {
   const Sheet sheet = sheet_of(plane_at({0, 0, 1}, 5.0), from_infinity());
   // 640 pixels at N = 15: 42.67 lenses of 1.124 mm, and the rows as wide as the columns.
-  EXPECT_TRUE(has_line(sheet.report, "Lens sheet 47.9573 x 35.968 mm (1.88808 x 1.41606 in)"))
+  EXPECT_TRUE(camera_sheet_report_has_line(sheet.report,
+                                           "Lens sheet 47.9573 x 35.968 mm (1.88808 x 1.41606 in)"))
       << all(sheet.report);
-  EXPECT_TRUE(has_line(sheet.report, "22.5979 lpi, 15 pixels a lens"));
-  EXPECT_TRUE(has_line(sheet.report, "338.968 x 338.968 ppi"));
+  EXPECT_TRUE(camera_sheet_report_has_line(sheet.report, "22.5979 lpi, 15 pixels a lens"));
+  EXPECT_TRUE(camera_sheet_report_has_line(sheet.report, "338.968 x 338.968 ppi"));
   // The eye at V: the print is larger than the sheet, its pixels further apart.
   const Sheet finite = sheet_of(plane_at({0, 0, 1}, 5.0));
   const double larger = 1.0 + 3.03 / (1.6 * finite.camera->sheet().lens().view_distance);
   EXPECT_NEAR(finite.camera->print_dpi_x(), 338.96797153024912 / larger, 1e-9);
-  EXPECT_TRUE(has_line(finite.report, "Lens sheet 47.9573 x")) << all(finite.report);
-  EXPECT_TRUE(has_line(finite.report, "Print 49.")) << all(finite.report);
+  EXPECT_TRUE(camera_sheet_report_has_line(finite.report, "Lens sheet 47.9573 x"))
+      << all(finite.report);
+  EXPECT_TRUE(camera_sheet_report_has_line(finite.report, "Print 49.")) << all(finite.report);
 }
 
 TEST(UnitCameraSheetReport, NearestAndFarthestVisiblePoints) {
   // A ball before the sheet hides one half as near to the eye; a wall stands behind both.
   const Sheet sheet = sheet_of(both(
       both(ball_at({1, 2, -2}, 1.0, "a"), ball_at({1, 2, 1}, 0.5, "b")), plane_at({0, 0, 1}, 5.0)));
-  EXPECT_TRUE(has_line(sheet.report, "Nearest visible point 2.9")) << all(sheet.report);
-  EXPECT_TRUE(has_line(sheet.report, "before the sheet: parallax -"));
-  EXPECT_TRUE(has_line(sheet.report, "Farthest visible point 5 behind the sheet: parallax "));
-  EXPECT_FALSE(has_line(sheet.report, "Background"));
+  EXPECT_TRUE(camera_sheet_report_has_line(sheet.report, "Nearest visible point 2.9"))
+      << all(sheet.report);
+  EXPECT_TRUE(camera_sheet_report_has_line(sheet.report, "before the sheet: parallax -"));
+  EXPECT_TRUE(camera_sheet_report_has_line(sheet.report,
+                                           "Farthest visible point 5 behind the sheet: parallax "));
+  EXPECT_FALSE(camera_sheet_report_has_line(sheet.report, "Background"));
   const Sheet open = sheet_of(ball_at({1, 2, 2}, 1.0));
-  EXPECT_TRUE(has_line(open.report, "Background, infinitely far: parallax "));
-  EXPECT_TRUE(has_line(sheet_of(ball_at({1, 2, 2}, 1.0), from_infinity()).report,
-                       "Background, infinitely far: it moves along with the eye"));
+  EXPECT_TRUE(camera_sheet_report_has_line(open.report, "Background, infinitely far: parallax "));
+  EXPECT_TRUE(
+      camera_sheet_report_has_line(sheet_of(ball_at({1, 2, 2}, 1.0), from_infinity()).report,
+                                   "Background, infinitely far: it moves along with the eye"));
   const Sheet empty = sheet_of([](const Ray&, double) { return std::optional<ProbeHit>(); });
-  EXPECT_FALSE(has_line(empty.report, "Nearest"));
+  EXPECT_FALSE(camera_sheet_report_has_line(empty.report, "Nearest"));
 }
 
 TEST(UnitCameraSheetReport, ErrorOfTheParaxialModel) {
@@ -159,21 +164,22 @@ TEST(UnitCameraSheetReport, ErrorOfTheParaxialModel) {
 }
 
 TEST(UnitCameraSheetReport, NamesTheCheapestModel) {
-  EXPECT_TRUE(has_line(sheet_of({}, from_infinity()).report,
-                       "at most 0.158104 pixels of the print; the cheapest model within 0.25 "
-                       "pixels is paraxial"));
+  EXPECT_TRUE(camera_sheet_report_has_line(
+      sheet_of({}, from_infinity()).report,
+      "at most 0.158104 pixels of the print; the cheapest model within 0.25 "
+      "pixels is paraxial"));
   Conversion fine = from_infinity();
   fine.lens.pixels = 30.0;
-  EXPECT_TRUE(has_line(sheet_of({}, fine).report, "pixels is pinhole"));
+  EXPECT_TRUE(camera_sheet_report_has_line(sheet_of({}, fine).report, "pixels is pinhole"));
 }
 
 TEST(UnitCameraSheetReport, PinholeTellsHowFarRaysMissTheEye) {
-  EXPECT_FALSE(has_line(sheet_of({}).report, "miss the eyes"));
-  EXPECT_FALSE(has_line(sheet_of({}, from_infinity()).report, "miss the eyes"));
+  EXPECT_FALSE(camera_sheet_report_has_line(sheet_of({}).report, "miss the eyes"));
+  EXPECT_FALSE(camera_sheet_report_has_line(sheet_of({}, from_infinity()).report, "miss the eyes"));
   Conversion snell;
   snell.lens.model = LensModel::kPinhole;
-  EXPECT_TRUE(
-      has_line(sheet_of({}, snell).report, "Rays miss the eyes of their views by at most "));
+  EXPECT_TRUE(camera_sheet_report_has_line(sheet_of({}, snell).report,
+                                           "Rays miss the eyes of their views by at most "));
 }
 
 // What a sheet runs into. The sheet of plain_camera() is 8.9 x 6.7 units at z = 0, its eye 10 units
@@ -181,16 +187,17 @@ TEST(UnitCameraSheetReport, PinholeTellsHowFarRaysMissTheEye) {
 
 TEST(ErrorCameraCollisions, AnObjectAcrossTheSheet) {
   const Sheet sheet = sheet_of(ball_at({1, 2, 0}, 1.0));
-  EXPECT_TRUE(has_line(sheet.warnings, "the lens sheet cuts an object (sphere)"))
+  EXPECT_TRUE(
+      camera_sheet_report_has_line(sheet.warnings, "the lens sheet cuts an object (sphere)"))
       << all(sheet.warnings);
   EXPECT_EQ(sheet.warnings.size(), 1u);
   // Also with the eye infinitely far.
-  EXPECT_TRUE(
-      has_line(sheet_of(ball_at({1, 2, 0}, 1.0), from_infinity()).warnings, "cuts an object"));
+  EXPECT_TRUE(camera_sheet_report_has_line(
+      sheet_of(ball_at({1, 2, 0}, 1.0), from_infinity()).warnings, "cuts an object"));
   // Two of a kind are counted, the hidden second along a line too.
-  EXPECT_TRUE(
-      has_line(sheet_of(both(ball_at({-1, 2, 0}, 0.6, "a"), ball_at({2, 2, 0}, 0.6, "b"))).warnings,
-               "(2 sphere)"));
+  EXPECT_TRUE(camera_sheet_report_has_line(
+      sheet_of(both(ball_at({-1, 2, 0}, 0.6, "a"), ball_at({2, 2, 0}, 0.6, "b"))).warnings,
+      "(2 sphere)"));
 }
 
 TEST(ErrorCameraCollisions, ObjectsBesideTheSheetAreNone) {
@@ -204,57 +211,64 @@ TEST(ErrorCameraCollisions, HiddenObjectsAreNone) {
   const SceneProbe scene = both(ball_at({1, 0, 0}, 0.4), plane_at({0, 1, 0}, 0.5));
   EXPECT_TRUE(sheet_of(scene).warnings.empty()) << all(sheet_of(scene).warnings);
   const SceneProbe above = both(ball_at({1, 1.2, 0}, 0.4), plane_at({0, 1, 0}, 0.5));
-  EXPECT_TRUE(has_line(sheet_of(above).warnings, "(sphere)"));
+  EXPECT_TRUE(camera_sheet_report_has_line(sheet_of(above).warnings, "(sphere)"));
 }
 
 TEST(ErrorCameraCollisions, FloorsAreSceneryNotObjects) {
   const Sheet floor = sheet_of(plane_at({0, 1, 0}, 0.5));
   EXPECT_TRUE(floor.warnings.empty()) << all(floor.warnings);
-  EXPECT_TRUE(has_line(floor.report,
-                       "Larger than the sheet and running through it, as floors do: "
-                       "plane"));
+  EXPECT_TRUE(
+      camera_sheet_report_has_line(floor.report,
+                                   "Larger than the sheet and running through it, as floors do: "
+                                   "plane"));
   // A planet for a floor.
   const Sheet ground = sheet_of(ball_at({1, -49.5, 0}, 50.0));
   EXPECT_TRUE(ground.warnings.empty()) << all(ground.warnings);
-  EXPECT_TRUE(has_line(ground.report, "as floors do: sphere"));
+  EXPECT_TRUE(camera_sheet_report_has_line(ground.report, "as floors do: sphere"));
   // The sky around everything.
   const Sheet sky = sheet_of(ball_at({0, 0, 0}, 1000.0));
   EXPECT_TRUE(sky.warnings.empty());
-  EXPECT_FALSE(has_line(sky.report, "as floors do"));
+  EXPECT_FALSE(camera_sheet_report_has_line(sky.report, "as floors do"));
 }
 
 TEST(ErrorCameraCollisions, TheEyesRunIntoAnObject) {
   const Sheet ball = sheet_of(ball_at({2.5, 2.0, -10.0}, 0.3));
-  EXPECT_TRUE(has_line(ball.warnings, "run into an object (sphere)")) << all(ball.warnings);
-  EXPECT_FALSE(has_line(ball.warnings, "sheet cuts"));
+  EXPECT_TRUE(camera_sheet_report_has_line(ball.warnings, "run into an object (sphere)"))
+      << all(ball.warnings);
+  EXPECT_FALSE(camera_sheet_report_has_line(ball.warnings, "sheet cuts"));
   // Walls count though they are infinite. Eyes stand at 1 - (j - 7) n ps V/f.
   const Sheet wall = sheet_of(plane_at({1, 0, 0}, 3.0));
   const LensParameters& lens = wall.camera->sheet().lens();
   const double step = 10.0 * lens.ior * lens.pixel_size() / lens.focal_length;
   const int last = 7 - static_cast<int>(std::ceil(2.0 / step));
   ASSERT_GT(last, 0);
-  EXPECT_TRUE(has_line(wall.warnings,
-                       "run into an object (plane): seen from inside or behind it: "
-                       "views 0 to " +
-                           std::to_string(last)))
+  EXPECT_TRUE(
+      camera_sheet_report_has_line(wall.warnings,
+                                   "run into an object (plane): seen from inside or behind it: "
+                                   "views 0 to " +
+                                       std::to_string(last)))
       << all(wall.warnings);
   EXPECT_TRUE(sheet_of(plane_at({1, 0, 0}, 1.0 + 7.01 * step)).warnings.empty());
-  EXPECT_TRUE(has_line(sheet_of(plane_at({1, 0, 0}, 1.0 + 6.99 * step)).warnings, "it: view 0"));
-  EXPECT_TRUE(has_line(sheet_of(plane_at({1, 0, 0}, 1.0 - 6.99 * step)).warnings, "it: view 14"));
+  EXPECT_TRUE(camera_sheet_report_has_line(
+      sheet_of(plane_at({1, 0, 0}, 1.0 + 6.99 * step)).warnings, "it: view 0"));
+  EXPECT_TRUE(camera_sheet_report_has_line(
+      sheet_of(plane_at({1, 0, 0}, 1.0 - 6.99 * step)).warnings, "it: view 14"));
 }
 
 TEST(ErrorCameraCollisions, RaysStartInAPlaneWhenTheEyeIsFar) {
   // V infinite: rays start 10 before the sheet, some of them below the floor.
   const Sheet floor = sheet_of(plane_at({0, 1, 0}, 0.5), from_infinity());
-  EXPECT_TRUE(has_line(floor.warnings,
-                       "the plane where rays start, 10 scene units before the sheet "
-                       "(Lens_Front), cuts an object (plane)"))
+  EXPECT_TRUE(
+      camera_sheet_report_has_line(floor.warnings,
+                                   "the plane where rays start, 10 scene units before the sheet "
+                                   "(Lens_Front), cuts an object (plane)"))
       << all(floor.warnings);
   EXPECT_TRUE(sheet_of(plane_at({0, 1, 0}, -1.5), from_infinity()).warnings.empty());
   // A start between eye and sheet.
   Conversion near;
   near.lens.front = 4.0;
-  EXPECT_TRUE(has_line(sheet_of(ball_at({1, 2, -4}, 0.5), near).warnings, "where rays start, 4 "));
+  EXPECT_TRUE(camera_sheet_report_has_line(sheet_of(ball_at({1, 2, -4}, 0.5), near).warnings,
+                                           "where rays start, 4 "));
   EXPECT_TRUE(sheet_of(ball_at({1, 2, -6}, 0.5), near).warnings.empty());
   EXPECT_TRUE(sheet_of(ball_at({1, 2, -4}, 0.5)).warnings.empty());
 }
@@ -265,7 +279,8 @@ TEST(ErrorCameraCollisions, AnOrthographicSheetIsWhereRaysStart) {
   p.up = {0.0, 3.0, 0.0};
   const Sheet cut = sheet_of_camera("orthographic", p, {}, 640, 480, ball_at({1, 2, -10}, 1.0));
   ASSERT_EQ(cut.warnings.size(), 1u) << all(cut.warnings);
-  EXPECT_TRUE(has_line(cut.warnings, "where rays start, 0 scene units before the sheet"));
+  EXPECT_TRUE(camera_sheet_report_has_line(cut.warnings,
+                                           "where rays start, 0 scene units before the sheet"));
   EXPECT_TRUE(
       sheet_of_camera("orthographic", p, {}, 640, 480, ball_at({1, 2, -8}, 1.0)).warnings.empty());
 }

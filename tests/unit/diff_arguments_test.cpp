@@ -14,12 +14,12 @@ namespace lentray::diff {
 namespace {
 
 namespace fs = std::filesystem;
-using Words = std::vector<std::string>;
+using DiffArgumentsWords = std::vector<std::string>;
 
 class UnitDiffArguments : public ::testing::Test {
  protected:
   void SetUp() override { tool::write_text(m_folder / "a.pov", "#version 3.7;\n"); }
-  Arguments parse(Words words) {
+  Arguments parse(DiffArgumentsWords words) {
     words.insert(words.begin(), (m_folder / "a.pov").string());
     return parse_arguments(words);
   }
@@ -28,22 +28,23 @@ class UnitDiffArguments : public ::testing::Test {
 
 TEST_F(UnitDiffArguments, SceneOptionsReachBoth) {
   const Arguments a = parse({"Declare=Size=2", "+Q5", "+K0.5", "File_Gamma=1.0", "+Linc", "+W30"});
-  EXPECT_EQ(a.for_lentray,
-            (Words{"Declare=Size=2", "+Q5", "+K0.5", "File_Gamma=1.0", "+Linc", "+W30"}));
-  EXPECT_EQ(a.stock.arguments, (Words{"Declare=Size=2", "+Q5", "+K0.5", "File_Gamma=1.0"}));
+  EXPECT_EQ(a.for_lentray, (DiffArgumentsWords{"Declare=Size=2", "+Q5", "+K0.5", "File_Gamma=1.0",
+                                               "+Linc", "+W30"}));
+  EXPECT_EQ(a.stock.arguments,
+            (DiffArgumentsWords{"Declare=Size=2", "+Q5", "+K0.5", "File_Gamma=1.0"}));
   ASSERT_EQ(a.stock.library_paths.size(), 1u);
   EXPECT_EQ(a.stock.library_paths[0], fs::current_path() / "inc");
 }
 
 TEST_F(UnitDiffArguments, LensOptionsReachLentrayAlone) {
   const Arguments a = parse({"Lenticular=On", "Lens_Pixels=7.37", "View=3"});
-  EXPECT_EQ(a.for_lentray, (Words{"Lenticular=On", "Lens_Pixels=7.37", "View=3"}));
+  EXPECT_EQ(a.for_lentray, (DiffArgumentsWords{"Lenticular=On", "Lens_Pixels=7.37", "View=3"}));
   EXPECT_TRUE(a.stock.arguments.empty());
   EXPECT_EQ(a.view, 3u);
 }
 
 TEST_F(UnitDiffArguments, FramesReachBoth) {
-  const Words frames{"+KFI1", "+KFF9", "Final_Clock=2", "+SF3", "+EF3"};
+  const DiffArgumentsWords frames{"+KFI1", "+KFF9", "Final_Clock=2", "+SF3", "+EF3"};
   EXPECT_EQ(parse(frames).stock.arguments, frames);
   EXPECT_EQ(parse(frames).for_lentray, frames);
 }
@@ -67,9 +68,10 @@ TEST_F(UnitDiffArguments, IniFilesAreReadForStock) {
   tool::write_text(m_folder / "o.ini",
                    "; comment\nLenticular=On\nDeclare=Size=3\n[small]\nQuality=4\n");
   const std::string ini = (m_folder / "o.ini").string();
-  EXPECT_EQ(parse({ini}).stock.arguments, (Words{"Declare=Size=3"}));
-  EXPECT_EQ(parse({ini + "[small]"}).stock.arguments, (Words{"Declare=Size=3", "Quality=4"}));
-  EXPECT_EQ(parse({ini}).for_lentray, (Words{ini}));
+  EXPECT_EQ(parse({ini}).stock.arguments, (DiffArgumentsWords{"Declare=Size=3"}));
+  EXPECT_EQ(parse({ini + "[small]"}).stock.arguments,
+            (DiffArgumentsWords{"Declare=Size=3", "Quality=4"}));
+  EXPECT_EQ(parse({ini}).for_lentray, (DiffArgumentsWords{ini}));
 }
 
 TEST_F(UnitDiffArguments, OwnOptions) {

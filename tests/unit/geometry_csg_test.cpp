@@ -20,7 +20,7 @@ namespace lentray::core {
 namespace {
 
 using geometry_test::Random;
-constexpr double kInf = Bounds::kInf;
+constexpr double kGeometryCsgInf = Bounds::kInf;
 using Children = std::vector<std::unique_ptr<Object>>;
 
 template <class S, class... Args>
@@ -29,7 +29,7 @@ std::unique_ptr<Object> leaf(Args&&... args) {
 }
 
 template <class... Objects>
-std::unique_ptr<Object> csg(CsgKind kind, Objects... objects) {
+std::unique_ptr<Object> geometry_csg_csg(CsgKind kind, Objects... objects) {
   Children children;
   (children.push_back(std::move(objects)), ...);
   return std::make_unique<Csg>(kind, std::move(children));
@@ -38,7 +38,7 @@ std::unique_ptr<Object> csg(CsgKind kind, Objects... objects) {
 std::vector<double> depths(const Object& object, const Ray& ray) {
   HitArena arena;
   std::vector<Hit> hits;
-  object.all(ray, 0.0, kInf, hits, arena);
+  object.all(ray, 0.0, kGeometryCsgInf, hits, arena);
   std::vector<double> t;
   for (const Hit& h : hits) t.push_back(h.t);
   std::sort(t.begin(), t.end());
@@ -91,8 +91,8 @@ TEST(UnitCoreCsg, SurfacesLieExactlyWhereInsideChanges) {
       const Ray ray = random.ray(4.0, 1.0);
       std::vector<double> t = depths(*object, ray);
       Hit first;
-      ASSERT_EQ(object->nearest(ray, 0.0, kInf, first, arena), !t.empty());
-      EXPECT_EQ(object->any(ray, 0.0, kInf, arena), !t.empty());
+      ASSERT_EQ(object->nearest(ray, 0.0, kGeometryCsgInf, first, arena), !t.empty());
+      EXPECT_EQ(object->any(ray, 0.0, kGeometryCsgInf, arena), !t.empty());
       if (!t.empty()) {
         EXPECT_EQ(first.t, t[0]);
       }
@@ -123,7 +123,8 @@ TEST(UnitCoreCsg, SurfacesLieExactlyWhereInsideChanges) {
 TEST(UnitCoreCsg, UnionKeepsInnerSurfacesAndMergeDoesNot) {
   const Ray ray{{-5, 0, 0}, {1, 0, 0}};
   const auto make = [](CsgKind kind) {
-    return csg(kind, leaf<Sphere>(Vec3{0, 0, 0}, 1.0), leaf<Sphere>(Vec3{1, 0, 0}, 1.0));
+    return geometry_csg_csg(kind, leaf<Sphere>(Vec3{0, 0, 0}, 1.0),
+                            leaf<Sphere>(Vec3{1, 0, 0}, 1.0));
   };
   EXPECT_EQ(depths(*make(CsgKind::kUnion), ray), (std::vector<double>{4, 5, 6, 7}));
   EXPECT_EQ(depths(*make(CsgKind::kMerge), ray), (std::vector<double>{4, 7}));
@@ -137,30 +138,32 @@ TEST(UnitCoreCsg, UnionKeepsInnerSurfacesAndMergeDoesNot) {
 TEST(UnitCoreCsg, DifferenceFromAUnionHasNoWallsInItsHole) {
   // Two overlapping spheres cut out of a box: no surface within the hole.
   const auto object =
-      csg(CsgKind::kDifference, leaf<Box>(Vec3(-5.0), Vec3(5.0)),
-          csg(CsgKind::kUnion, leaf<Sphere>(Vec3{0, 0, 0}, 1.0), leaf<Sphere>(Vec3{1, 0, 0}, 1.0)));
+      geometry_csg_csg(CsgKind::kDifference, leaf<Box>(Vec3(-5.0), Vec3(5.0)),
+                       geometry_csg_csg(CsgKind::kUnion, leaf<Sphere>(Vec3{0, 0, 0}, 1.0),
+                                        leaf<Sphere>(Vec3{1, 0, 0}, 1.0)));
   EXPECT_EQ(depths(*object, {{0.5, 0, 0}, {1, 0, 0}}), (std::vector<double>{1.5, 4.5}));
   EXPECT_FALSE(object->inside({0.5, 0, 0}));
   EXPECT_TRUE(object->inside({3, 0, 0}));
 }
 
 TEST(UnitCoreCsg, NormalsOfInvertedPartsPointIntoTheHole) {
-  const auto object =
-      csg(CsgKind::kDifference, leaf<Box>(Vec3(-5.0), Vec3(5.0)), leaf<Sphere>(Vec3{}, 1.0));
+  const auto object = geometry_csg_csg(CsgKind::kDifference, leaf<Box>(Vec3(-5.0), Vec3(5.0)),
+                                       leaf<Sphere>(Vec3{}, 1.0));
   HitArena arena;
   Hit hit;
   const Ray ray{{0, 0, 0}, {1, 0, 0}};
-  ASSERT_TRUE(object->nearest(ray, 0, kInf, hit, arena));
+  ASSERT_TRUE(object->nearest(ray, 0, kGeometryCsgInf, hit, arena));
   EXPECT_EQ(hit.leaf->normal(ray.at(hit.t), hit.shape), (Vec3{-1, 0, 0}));
 }
 
 TEST(UnitCoreCsg, PatchesHaveNoInside) {
-  const auto object = csg(CsgKind::kIntersection, leaf<Sphere>(Vec3{}, 1.0),
-                          leaf<Triangle>(Vec3{-5, -5, 0}, Vec3{5, -5, 0}, Vec3{0, 5, 0}));
+  const auto object =
+      geometry_csg_csg(CsgKind::kIntersection, leaf<Sphere>(Vec3{}, 1.0),
+                       leaf<Triangle>(Vec3{-5, -5, 0}, Vec3{5, -5, 0}, Vec3{0, 5, 0}));
   // Only the patch within the sphere is left; inverse does not change a patch.
   EXPECT_EQ(depths(*object, {{0, 0, -5}, {0, 0, 1}}), (std::vector<double>{5}));
-  const auto cut = csg(CsgKind::kDifference, leaf<Sphere>(Vec3{}, 1.0),
-                       leaf<Triangle>(Vec3{-5, -5, 0}, Vec3{5, -5, 0}, Vec3{0, 5, 0}));
+  const auto cut = geometry_csg_csg(CsgKind::kDifference, leaf<Sphere>(Vec3{}, 1.0),
+                                    leaf<Triangle>(Vec3{-5, -5, 0}, Vec3{5, -5, 0}, Vec3{0, 5, 0}));
   EXPECT_EQ(depths(*cut, {{0, 0, -5}, {0, 0, 1}}), (std::vector<double>{5}));
 }
 
@@ -169,7 +172,8 @@ TEST(UnitCoreCsg, RaysThatMissAPartsGateMissAll) {
     auto disc = leaf<Disc>(Vec3{}, Vec3{0, 0, 1}, 0.5);  // a half-space in CSG
     if (gated) disc->set_solid_gate(disc->bounds());
     EXPECT_EQ(disc->solid_bounds().is_finite(), gated);
-    const auto half = csg(CsgKind::kIntersection, leaf<Sphere>(Vec3{}, 1.0), std::move(disc));
+    const auto half =
+        geometry_csg_csg(CsgKind::kIntersection, leaf<Sphere>(Vec3{}, 1.0), std::move(disc));
     EXPECT_EQ(half->is_gated(), gated);
     EXPECT_EQ(depths(*half, {{0.2, 0, -5}, {0, 0, 1}}).size(), 2u);
     EXPECT_TRUE(half->inside({0.8, 0, -0.1}));
@@ -193,8 +197,8 @@ TEST(UnitCoreCsg, ManyChildrenMatchFew) {
       flat.push_back(leaf<Sphere>(centre, radius));
       auto sphere = leaf<Sphere>(centre, radius);
       nested = !nested ? std::move(sphere)
-                       : csg(join ? CsgKind::kMerge : CsgKind::kDifference, std::move(nested),
-                             std::move(sphere));
+                       : geometry_csg_csg(join ? CsgKind::kMerge : CsgKind::kDifference,
+                                          std::move(nested), std::move(sphere));
     }
     const Csg wide(join ? CsgKind::kMerge : CsgKind::kDifference, std::move(flat));
     for (int k = 0; k < 2000; ++k) {
@@ -204,7 +208,8 @@ TEST(UnitCoreCsg, ManyChildrenMatchFew) {
       ASSERT_EQ(wide.inside(p), nested->inside(p));
       HitArena arena;
       Hit a, b;
-      ASSERT_EQ(wide.nearest(ray, 0.0, kInf, a, arena), nested->nearest(ray, 0.0, kInf, b, arena));
+      ASSERT_EQ(wide.nearest(ray, 0.0, kGeometryCsgInf, a, arena),
+                nested->nearest(ray, 0.0, kGeometryCsgInf, b, arena));
       EXPECT_EQ(a.t, b.t);
     }
   }
@@ -221,7 +226,7 @@ TEST(UnitCoreCsg, TiesGoToTheLastChild) {
     const Csg object(CsgKind::kUnion, std::move(children));
     HitArena arena;
     Hit hit;
-    ASSERT_TRUE(object.nearest({{0, 0, -5}, {0, 0, 1}}, 0, kInf, hit, arena));
+    ASSERT_TRUE(object.nearest({{0, 0, -5}, {0, 0, 1}}, 0, kGeometryCsgInf, hit, arena));
     EXPECT_EQ(hit.leaf, last);
   }
 }
@@ -233,7 +238,7 @@ TEST(UnitCoreClipping, KeepsSurfacesWithinAndCountsForInside) {
   EXPECT_EQ(depths(*sphere, {{0, 0, -5}, {0, 0, 1}}), (std::vector<double>{6}));
   HitArena arena;
   Hit hit;
-  ASSERT_TRUE(sphere->nearest({{0, 0, -5}, {0, 0, 1}}, 0, kInf, hit, arena));
+  ASSERT_TRUE(sphere->nearest({{0, 0, -5}, {0, 0, 1}}, 0, kGeometryCsgInf, hit, arena));
   EXPECT_DOUBLE_EQ(hit.t, 6.0);
   EXPECT_TRUE(sphere->inside({0, 0, 0.5}));
   EXPECT_FALSE(sphere->inside({0, 0, -0.5}));
@@ -242,12 +247,12 @@ TEST(UnitCoreClipping, KeepsSurfacesWithinAndCountsForInside) {
   EXPECT_FALSE(sphere->nearest({{0, 0, -5}, {0, 0, 1}}, 0, 5.5, hit, arena));
   EXPECT_DOUBLE_EQ(hit.t, 6.0);
 
-  auto pair =
-      csg(CsgKind::kUnion, leaf<Sphere>(Vec3{0, 0, 0}, 1.0), leaf<Sphere>(Vec3{0, 0, 5}, 1.0));
+  auto pair = geometry_csg_csg(CsgKind::kUnion, leaf<Sphere>(Vec3{0, 0, 0}, 1.0),
+                               leaf<Sphere>(Vec3{0, 0, 5}, 1.0));
   pair->set_clips(
       {std::shared_ptr<const Object>(leaf<Plane>(Vec3{0, 0, -1}, -4.5))});  // keeps z >= 4.5
   EXPECT_EQ(depths(*pair, {{0, 0, -5}, {0, 0, 1}}), (std::vector<double>{11}));
-  ASSERT_TRUE(pair->nearest({{0, 0, -5}, {0, 0, 1}}, 0, kInf, hit, arena));
+  ASSERT_TRUE(pair->nearest({{0, 0, -5}, {0, 0, 1}}, 0, kGeometryCsgInf, hit, arena));
   EXPECT_DOUBLE_EQ(hit.t, 11.0);
   // Without a hit in the range the caller's stays as it was.
   EXPECT_FALSE(pair->nearest({{0, 0, -5}, {0, 0, 1}}, 0, 10.5, hit, arena));
@@ -261,14 +266,14 @@ TEST(UnitCoreClipping, InverseClipsAndInfiniteObjects) {
   EXPECT_TRUE(plane->bounds().is_finite());
   HitArena arena;
   Hit hit;
-  EXPECT_TRUE(plane->nearest({{1, 5, 0}, {0, -1, 0}}, 0, kInf, hit, arena));
-  EXPECT_FALSE(plane->nearest({{3, 5, 0}, {0, -1, 0}}, 0, kInf, hit, arena));
+  EXPECT_TRUE(plane->nearest({{1, 5, 0}, {0, -1, 0}}, 0, kGeometryCsgInf, hit, arena));
+  EXPECT_FALSE(plane->nearest({{3, 5, 0}, {0, -1, 0}}, 0, kGeometryCsgInf, hit, arena));
   auto hole = leaf<Sphere>(Vec3{}, 2.0);
   hole->set_inverse(true);
   plane->set_clips({std::shared_ptr<const Object>(std::move(hole))});
   EXPECT_FALSE(plane->bounds().is_finite());
-  EXPECT_FALSE(plane->nearest({{1, 5, 0}, {0, -1, 0}}, 0, kInf, hit, arena));
-  EXPECT_TRUE(plane->nearest({{3, 5, 0}, {0, -1, 0}}, 0, kInf, hit, arena));
+  EXPECT_FALSE(plane->nearest({{1, 5, 0}, {0, -1, 0}}, 0, kGeometryCsgInf, hit, arena));
+  EXPECT_TRUE(plane->nearest({{3, 5, 0}, {0, -1, 0}}, 0, kGeometryCsgInf, hit, arena));
 }
 
 TEST(UnitCoreBounding, RaysThatMissItMissTheObject) {
@@ -276,26 +281,27 @@ TEST(UnitCoreBounding, RaysThatMissItMissTheObject) {
   sphere->set_gates({std::shared_ptr<const Object>(leaf<Box>(Vec3{-2, 0, -2}, Vec3{2, 2, 2}))});
   HitArena arena;
   Hit hit;
-  EXPECT_TRUE(sphere->nearest({{0, 0.5, -5}, {0, 0, 1}}, 0, kInf, hit, arena));
-  EXPECT_FALSE(sphere->nearest({{0, -0.5, -5}, {0, 0, 1}}, 0, kInf, hit, arena));
-  EXPECT_FALSE(sphere->any({{0, -0.5, -5}, {0, 0, 1}}, 0, kInf, arena));
-  EXPECT_TRUE(sphere->nearest({{0, 0.5, 0}, {0, -1, 0}}, 0, kInf, hit, arena));  // starts inside it
+  EXPECT_TRUE(sphere->nearest({{0, 0.5, -5}, {0, 0, 1}}, 0, kGeometryCsgInf, hit, arena));
+  EXPECT_FALSE(sphere->nearest({{0, -0.5, -5}, {0, 0, 1}}, 0, kGeometryCsgInf, hit, arena));
+  EXPECT_FALSE(sphere->any({{0, -0.5, -5}, {0, 0, 1}}, 0, kGeometryCsgInf, arena));
+  EXPECT_TRUE(sphere->nearest({{0, 0.5, 0}, {0, -1, 0}}, 0, kGeometryCsgInf, hit,
+                              arena));  // starts inside it
 }
 
 TEST(UnitCoreCsg, EmptyAndInfiniteOnes) {
-  const auto nothing =
-      csg(CsgKind::kIntersection, leaf<Sphere>(Vec3{}, 1.0), leaf<Sphere>(Vec3{5, 0, 0}, 1.0));
+  const auto nothing = geometry_csg_csg(CsgKind::kIntersection, leaf<Sphere>(Vec3{}, 1.0),
+                                        leaf<Sphere>(Vec3{5, 0, 0}, 1.0));
   EXPECT_TRUE(nothing->bounds().is_empty());
   EXPECT_TRUE(depths(*nothing, {{-5, 0, 0}, {1, 0, 0}}).empty());
-  const auto slab =
-      csg(CsgKind::kIntersection, leaf<Plane>(Vec3{0, 1, 0}, 1.0), leaf<Plane>(Vec3{0, -1, 0}, 1.0),
-          leaf<Quadric>(Vec3{1, 0, 1}, Vec3{}, Vec3{}, -4.0));
+  const auto slab = geometry_csg_csg(CsgKind::kIntersection, leaf<Plane>(Vec3{0, 1, 0}, 1.0),
+                                     leaf<Plane>(Vec3{0, -1, 0}, 1.0),
+                                     leaf<Quadric>(Vec3{1, 0, 1}, Vec3{}, Vec3{}, -4.0));
   const Bounds b = slab->bounds();
   ASSERT_TRUE(b.is_finite());  // planes bound the height, the quadric the rest
   EXPECT_NEAR(b.hi.y, 1.0, 1e-9);
   EXPECT_NEAR(b.hi.x, 2.0, 1e-9);
   EXPECT_EQ(depths(*slab, {{0, -5, 0}, {0, 1, 0}}), (std::vector<double>{4, 6}));
-  const auto all_but = csg(CsgKind::kUnion, leaf<Sphere>(Vec3{}, 1.0));
+  const auto all_but = geometry_csg_csg(CsgKind::kUnion, leaf<Sphere>(Vec3{}, 1.0));
   all_but->set_inverse(true);
   EXPECT_TRUE(all_but->inside({5, 0, 0}));
   EXPECT_FALSE(all_but->inside({0, 0, 0}));

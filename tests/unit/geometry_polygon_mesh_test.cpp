@@ -12,7 +12,7 @@ namespace lentray::core {
 namespace {
 
 using geometry_test::Random;
-constexpr double kInf = Bounds::kInf;
+constexpr double kGeometryPolygonMeshInf = Bounds::kInf;
 
 /// A star of n points in the plane z = 0, closed.
 std::vector<Vec3> star(int n, double inner, double outer, double turn = 0.0) {
@@ -46,7 +46,7 @@ void compare(const Polygon& polygon, const std::vector<std::vector<Vec3>>& conto
   for (int k = 0; k < 20000; ++k) {
     const double x = random.in(-1.2, 1.2), y = random.in(-1.2, 1.2);
     ShapeHit hit;
-    const bool in = polygon.nearest({{x, y, -2}, {0, 0, 1}}, 0, kInf, hit);
+    const bool in = polygon.nearest({{x, y, -2}, {0, 0, 1}}, 0, kGeometryPolygonMeshInf, hit);
     ASSERT_EQ(in, plain_even_odd(contours, x, y)) << x << " " << y;
     met += in;
   }
@@ -65,7 +65,7 @@ TEST(UnitCorePolygon, FastTestsMatchPlainEvenOdd) {
     crossed.push_back(star(5, 1.0, 1.0)[static_cast<std::size_t>(2 * i % 5)]);
   compare(Polygon(crossed), {crossed}, 7);
   ShapeHit hit;
-  EXPECT_FALSE(Polygon(crossed).nearest({{0, 0, -1}, {0, 0, 1}}, 0, kInf, hit));
+  EXPECT_FALSE(Polygon(crossed).nearest({{0, 0, -1}, {0, 0, 1}}, 0, kGeometryPolygonMeshInf, hit));
 }
 
 TEST(UnitCorePolygon, ContoursMakeHolesAndAnOpenOneIsClosed) {
@@ -89,8 +89,8 @@ TEST(UnitCorePolygon, TransformsAndAllPlanes) {
       if (std::fabs(d.z) < 0.05) continue;
       const Ray local{p - d, d}, world{t.point(p - d), t.vector(d)};
       ShapeHit a, b;
-      const bool met = flat.nearest(local, 0, kInf, a);
-      ASSERT_EQ(moved->nearest(world, 0, kInf, b), met);
+      const bool met = flat.nearest(local, 0, kGeometryPolygonMeshInf, a);
+      ASSERT_EQ(moved->nearest(world, 0, kGeometryPolygonMeshInf, b), met);
       if (met) {
         EXPECT_NEAR(b.t, 1.0, 1e-9);
       }
@@ -106,7 +106,9 @@ TEST(UnitCorePolygon, NeighboursShareTheirEdgeOnce) {
   for (int k = 1; k < 20; ++k) {
     const Ray ray{{1.0, k / 20.0, -1}, {0, 0, 1}};
     ShapeHit hit;
-    EXPECT_EQ(left.nearest(ray, 0, kInf, hit) + right.nearest(ray, 0, kInf, hit), 1);
+    EXPECT_EQ(left.nearest(ray, 0, kGeometryPolygonMeshInf, hit) +
+                  right.nearest(ray, 0, kGeometryPolygonMeshInf, hit),
+              1);
   }
 }
 
@@ -159,20 +161,20 @@ TEST(UnitCoreMesh, MatchesEveryTriangleTried) {
   int met = 0;
   for (int k = 0; k < 3000; ++k) {
     const Ray ray = random.ray(random.in(0.0, 3.0), 1.0);
-    double nearest = kInf;
+    double nearest = kGeometryPolygonMeshInf;
     std::size_t count = 0;
     for (const Triangle& t : all) {
       ShapeHit hit;
-      if (!t.nearest(ray, 1e-6, kInf, hit)) continue;
+      if (!t.nearest(ray, 1e-6, kGeometryPolygonMeshInf, hit)) continue;
       nearest = std::min(nearest, hit.t);
       ++count;
     }
     ShapeHit hit;
     ShapeHits hits;
-    mesh.all(ray, 1e-6, kInf, hits);
+    mesh.all(ray, 1e-6, kGeometryPolygonMeshInf, hits);
     EXPECT_EQ(hits.size(), count);
-    ASSERT_EQ(mesh.nearest(ray, 1e-6, kInf, hit), count > 0);
-    EXPECT_EQ(mesh.any(ray, 1e-6, kInf), count > 0);
+    ASSERT_EQ(mesh.nearest(ray, 1e-6, kGeometryPolygonMeshInf, hit), count > 0);
+    EXPECT_EQ(mesh.any(ray, 1e-6, kGeometryPolygonMeshInf), count > 0);
     if (count == 0) continue;
     EXPECT_EQ(hit.t, nearest);
     EXPECT_FALSE(mesh.nearest(ray, 1e-6, nearest, hit));
@@ -211,7 +213,7 @@ TEST(UnitCoreMesh, NormalsTexturesUvAndErrors) {
   const auto* blue = reinterpret_cast<const Texture*>(&bad);
   mesh.set_textures({red, blue});
   ShapeHit hit;
-  ASSERT_TRUE(mesh.nearest({{0.25, 0.5, -1}, {0, 0, 1}}, 0, kInf, hit));
+  ASSERT_TRUE(mesh.nearest({{0.25, 0.5, -1}, {0, 0, 1}}, 0, kGeometryPolygonMeshInf, hit));
   const Vec3 n = mesh.normal({}, hit);
   EXPECT_DOUBLE_EQ(n.x, 0.25);
   EXPECT_DOUBLE_EQ(n.y, 0.5);

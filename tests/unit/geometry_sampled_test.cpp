@@ -10,7 +10,7 @@ namespace lentray::core {
 namespace {
 
 using geometry_test::Random;
-constexpr double kInf = Bounds::kInf;
+constexpr double kGeometrySampledInf = Bounds::kInf;
 
 TEST(UnitCoreJulia, HitsLieOnTheSurfaceWithinTheBounds) {
   for (const bool hypercomplex : {false, true}) {
@@ -26,9 +26,9 @@ TEST(UnitCoreJulia, HitsLieOnTheSurfaceWithinTheBounds) {
     for (int round = 0; round < 500; ++round) {
       const Ray ray = random.ray(6.0, 0.8);
       ShapeHits hits;
-      shape->all(ray, 0.0, kInf, hits);
+      shape->all(ray, 0.0, kGeometrySampledInf, hits);
       ShapeHit first;
-      ASSERT_EQ(shape->nearest(ray, 0.0, kInf, first), !hits.empty());
+      ASSERT_EQ(shape->nearest(ray, 0.0, kGeometrySampledInf, first), !hits.empty());
       if (hits.empty()) continue;
       ++met;
       EXPECT_EQ(first.t, hits[0].t);
@@ -75,7 +75,7 @@ TEST(UnitCoreParametric, BoundsAreTheSurfacesNotTheContainers) {
   for (int round = 0; round < 200; ++round) {
     const Ray ray = random.ray(4.0, 0.5);
     ShapeHit hit;
-    ASSERT_TRUE(ball.nearest(ray, 0.0, kInf, hit));
+    ASSERT_TRUE(ball.nearest(ray, 0.0, kGeometrySampledInf, hit));
     // A ray that runs along a range meets it early: its hit's point of the surface is what holds.
     const double where[] = {hit.u, hit.v};
     Vec3 p;
@@ -106,7 +106,8 @@ TEST(UnitCoreParametric, RaysThatHardlyMoveAlongAnAxisHit) {
           ray.origin[axis] = axis == forwards ? 4.0 : 0.2 + 0.1 * axis;
         }
         ShapeHit hit;
-        ASSERT_TRUE(ball.nearest(ray, 0.0, kInf, hit)) << slope << " along axis " << forwards;
+        ASSERT_TRUE(ball.nearest(ray, 0.0, kGeometrySampledInf, hit))
+            << slope << " along axis " << forwards;
         EXPECT_NEAR(length(ray.at(hit.t)), 1.0, 0.04) << slope << " along axis " << forwards;
       }
     }
@@ -120,8 +121,9 @@ void expect_hits_with_long_directions(const Shape& shape) {
   for (int round = 0; round < 200; ++round) {
     const Ray ray = random.ray(4.0, 0.5);
     ShapeHit plain, scaled;
-    ASSERT_TRUE(shape.nearest(ray, 0.0, kInf, plain));
-    ASSERT_TRUE(shape.nearest({ray.origin, ray.direction * kLong}, 0.0, kInf, scaled));
+    ASSERT_TRUE(shape.nearest(ray, 0.0, kGeometrySampledInf, plain));
+    ASSERT_TRUE(
+        shape.nearest({ray.origin, ray.direction * kLong}, 0.0, kGeometrySampledInf, scaled));
     EXPECT_NEAR(scaled.t * kLong, plain.t, 0.05);
   }
 }

@@ -23,10 +23,10 @@ namespace lentray::core {
 namespace {
 
 using geometry_test::Random;
-constexpr double kInf = Bounds::kInf;
+constexpr double kGeometryShapesInf = Bounds::kInf;
 
 /// A kind of shape, and how far a point is off its surface (0 on it).
-struct Kind {
+struct GeometryShapesKind {
   std::string name;
   std::function<std::unique_ptr<Shape>()> make;
   std::function<double(const Vec3&)> off;
@@ -43,7 +43,7 @@ std::unique_ptr<Shape> tetrahedron() {
 }
 
 /// Solids, standing about the origin within a distance of 2.
-std::vector<Kind> solids() {
+std::vector<GeometryShapesKind> solids() {
   return {
       {"sphere",
        [] {
@@ -101,18 +101,18 @@ std::vector<Kind> solids() {
 }
 
 TEST(UnitCoreShapes, HitsLieOnTheSurfaceAndSeparateInsideFromOutside) {
-  for (const Kind& kind : solids()) {
+  for (const GeometryShapesKind& kind : solids()) {
     Random random(7);
     const auto shape = kind.make();
     int met = 0;
     for (int round = 0; round < 4000; ++round) {
       const Ray ray = random.ray(random.in(0.0, 6.0), 1.0);
       ShapeHits hits;
-      shape->all(ray, 1e-9, kInf, hits);
+      shape->all(ray, 1e-9, kGeometryShapesInf, hits);
       std::sort(hits.begin(), hits.end(), [](auto& a, auto& b) { return a.t < b.t; });
       ShapeHit first;
-      ASSERT_EQ(shape->nearest(ray, 1e-9, kInf, first), !hits.empty()) << kind.name;
-      EXPECT_EQ(shape->any(ray, 1e-9, kInf), !hits.empty());
+      ASSERT_EQ(shape->nearest(ray, 1e-9, kGeometryShapesInf, first), !hits.empty()) << kind.name;
+      EXPECT_EQ(shape->any(ray, 1e-9, kGeometryShapesInf), !hits.empty());
       if (!hits.empty()) {
         EXPECT_EQ(first.t, hits[0].t) << kind.name;
         ++met;
@@ -136,14 +136,14 @@ TEST(UnitCoreShapes, HitsLieOnTheSurfaceAndSeparateInsideFromOutside) {
 }
 
 TEST(UnitCoreShapes, NormalsPointOutwards) {
-  for (const Kind& kind : solids()) {
+  for (const GeometryShapesKind& kind : solids()) {
     if (kind.name == "mesh") continue;  // faces keep the order of their corners
     Random random(8);
     const auto shape = kind.make();
     for (int round = 0; round < 500; ++round) {
       const Ray ray = random.ray(4.0, 1.0);
       ShapeHit hit;
-      if (!shape->nearest(ray, 0.0, kInf, hit)) continue;
+      if (!shape->nearest(ray, 0.0, kGeometryShapesInf, hit)) continue;
       const Vec3 p = ray.at(hit.t), n = normalized(shape->normal(p, hit));
       EXPECT_GT(kind.off(p + n * 1e-5), 0.0) << kind.name;
       EXPECT_LT(kind.off(p - n * 1e-5), 0.0) << kind.name;
@@ -155,7 +155,7 @@ TEST(UnitCoreShapes, NormalsPointOutwards) {
 }
 
 TEST(UnitCoreShapes, TransformedLeavesMatchTheShapeItself) {
-  for (const Kind& kind : solids()) {
+  for (const GeometryShapesKind& kind : solids()) {
     Random random(9);
     for (int round = 0; round < 60; ++round) {
       const Transform t = round % 2 == 0 ? random.similarity() : random.any_transform();
@@ -168,9 +168,9 @@ TEST(UnitCoreShapes, TransformedLeavesMatchTheShapeItself) {
         const Ray world{t.point(local.origin), t.vector(local.direction)};
         ShapeHit expected;
         Hit hit;
-        const bool met = shape->nearest(local, 1e-6, kInf, expected);
-        ASSERT_EQ(leaf.nearest(world, 1e-6, kInf, hit, arena), met) << kind.name;
-        EXPECT_EQ(leaf.any(world, 1e-6, kInf, arena), met);
+        const bool met = shape->nearest(local, 1e-6, kGeometryShapesInf, expected);
+        ASSERT_EQ(leaf.nearest(world, 1e-6, kGeometryShapesInf, hit, arena), met) << kind.name;
+        EXPECT_EQ(leaf.any(world, 1e-6, kGeometryShapesInf, arena), met);
         EXPECT_EQ(leaf.inside(t.point(local.at(5.0))), shape->inside(local.at(5.0))) << kind.name;
         if (!met) continue;
         EXPECT_NEAR(hit.t, expected.t, 1e-9 * 5.0) << kind.name;
@@ -189,7 +189,7 @@ TEST(UnitCoreShapes, TransformedLeavesMatchTheShapeItself) {
 }
 
 TEST(UnitCoreShapes, BoundsHoldTheSurfaceAndAreTight) {
-  for (const Kind& kind : solids()) {
+  for (const GeometryShapesKind& kind : solids()) {
     Random random(10);
     for (int round = 0; round < 12; ++round) {
       const Transform t = round == 0  ? Transform()
@@ -212,7 +212,7 @@ TEST(UnitCoreShapes, BoundsHoldTheSurfaceAndAreTight) {
                            random.in(box.lo.z, box.hi.z)};
         const Ray ray{through - d * far, d};
         hits.clear();
-        leaf.all(ray, 0.0, kInf, hits, arena);
+        leaf.all(ray, 0.0, kGeometryShapesInf, hits, arena);
         for (const Hit& h : hits) seen.include(ray.at(h.t));
       }
       const double slack = 1e-11 * far;
@@ -234,45 +234,46 @@ TEST(UnitCoreShapes, AxisParallelRaysThroughExactPlaces) {
   const Torus torus(2.0, 0.5);
   ShapeHit hit;
   ShapeHits hits;
-  ASSERT_TRUE(sphere.nearest({{0, 0, -3}, {0, 0, 2}}, 0, kInf, hit));
+  ASSERT_TRUE(sphere.nearest({{0, 0, -3}, {0, 0, 2}}, 0, kGeometryShapesInf, hit));
   EXPECT_DOUBLE_EQ(hit.t, 1.0);
-  ASSERT_TRUE(sphere.nearest({{0, 0, 0}, {0, 0, 1}}, 0, kInf, hit));
+  ASSERT_TRUE(sphere.nearest({{0, 0, 0}, {0, 0, 1}}, 0, kGeometryShapesInf, hit));
   EXPECT_DOUBLE_EQ(hit.t, 1.0);
-  EXPECT_FALSE(sphere.nearest({{0, 0, 3}, {0, 0, 1}}, 0, kInf, hit));
+  EXPECT_FALSE(sphere.nearest({{0, 0, 3}, {0, 0, 1}}, 0, kGeometryShapesInf, hit));
   EXPECT_FALSE(sphere.nearest({{0, 0, -3}, {0, 0, 1}}, 2.5, 3.5, hit));
   // In the plane of a box's side, along an edge and through a corner.
-  EXPECT_TRUE(box.nearest({{1, 0, -5}, {0, 0, 1}}, 0, kInf, hit));
+  EXPECT_TRUE(box.nearest({{1, 0, -5}, {0, 0, 1}}, 0, kGeometryShapesInf, hit));
   EXPECT_DOUBLE_EQ(hit.t, 4.0);
   EXPECT_EQ(hit.element, 4u);
-  EXPECT_TRUE(box.nearest({{1, 1, -5}, {0, 0, 1}}, 0, kInf, hit));
-  EXPECT_FALSE(box.nearest({{1.0000001, 0, -5}, {0, 0, 1}}, 0, kInf, hit));
-  EXPECT_TRUE(box.nearest({{-2, -2, -2}, {1, 1, 1}}, 0, kInf, hit));
+  EXPECT_TRUE(box.nearest({{1, 1, -5}, {0, 0, 1}}, 0, kGeometryShapesInf, hit));
+  EXPECT_FALSE(box.nearest({{1.0000001, 0, -5}, {0, 0, 1}}, 0, kGeometryShapesInf, hit));
+  EXPECT_TRUE(box.nearest({{-2, -2, -2}, {1, 1, 1}}, 0, kGeometryShapesInf, hit));
   EXPECT_DOUBLE_EQ(hit.t, 1.0);
   // Along the axes of round things.
-  ASSERT_TRUE(cylinder.nearest({{0, -3, 0}, {0, 1, 0}}, 0, kInf, hit));
+  ASSERT_TRUE(cylinder.nearest({{0, -3, 0}, {0, 1, 0}}, 0, kGeometryShapesInf, hit));
   EXPECT_DOUBLE_EQ(hit.t, 3.0);
   EXPECT_EQ(hit.element, 1u);
   EXPECT_EQ(cylinder.normal({0, 0, 0}, hit), (Vec3{0, -1, 0}));
-  cylinder.all({{0, -3, 0}, {0, 1, 0}}, 0, kInf, hits);
+  cylinder.all({{0, -3, 0}, {0, 1, 0}}, 0, kGeometryShapesInf, hits);
   ASSERT_EQ(hits.size(), 2u);
   EXPECT_DOUBLE_EQ(hits[1].t, 5.0);
-  EXPECT_FALSE(cylinder.nearest({{1.5, -3, 0}, {0, 1, 0}}, 0, kInf, hit));
+  EXPECT_FALSE(cylinder.nearest({{1.5, -3, 0}, {0, 1, 0}}, 0, kGeometryShapesInf, hit));
   hits.clear();
-  cone.all({{0, -3, 0}, {0, 1, 0}}, 0, kInf, hits);
+  cone.all({{0, -3, 0}, {0, 1, 0}}, 0, kGeometryShapesInf, hits);
   ASSERT_EQ(hits.size(), 2u);
   EXPECT_NEAR(hits[0].t, 3.0, 1e-12);
   EXPECT_NEAR(hits[1].t, 5.0, 1e-7);  // the tip
   hits.clear();
-  cone.all({{0, 1, -3}, {0, 0, 1}}, 0, kInf, hits);
+  cone.all({{0, 1, -3}, {0, 0, 1}}, 0, kGeometryShapesInf, hits);
   ASSERT_EQ(hits.size(), 2u);
   EXPECT_NEAR(hits[0].t, 2.5, 1e-14);
   hits.clear();
-  torus.all({{-5, 0, 0}, {1, 0, 0}}, 0, kInf, hits);
+  torus.all({{-5, 0, 0}, {1, 0, 0}}, 0, kGeometryShapesInf, hits);
   ASSERT_EQ(hits.size(), 4u);
   const double expected[4] = {2.5, 3.5, 6.5, 7.5};
   for (int i = 0; i < 4; ++i) EXPECT_NEAR(hits[static_cast<std::size_t>(i)].t, expected[i], 1e-13);
-  EXPECT_FALSE(torus.nearest({{0, -5, 0}, {0, 1, 0}}, 0, kInf, hit));  // through the hole
-  ASSERT_TRUE(torus.nearest({{2, -5, 0}, {0, 1, 0}}, 0, kInf, hit));
+  EXPECT_FALSE(
+      torus.nearest({{0, -5, 0}, {0, 1, 0}}, 0, kGeometryShapesInf, hit));  // through the hole
+  ASSERT_TRUE(torus.nearest({{2, -5, 0}, {0, 1, 0}}, 0, kGeometryShapesInf, hit));
   EXPECT_NEAR(hit.t, 4.5, 1e-13);
 }
 
@@ -283,8 +284,8 @@ TEST(UnitCoreShapes, OpenEndsLetRaysIn) {
        {static_cast<const Shape*>(&tube), static_cast<const Shape*>(&funnel)}) {
     ShapeHit hit;
     ShapeHits hits;
-    EXPECT_FALSE(shape->nearest({{0, -3, 0}, {0, 1, 0}}, 0, kInf, hit));
-    shape->all({{0, -0.1, 0}, {1, 1, 0}}, 0, kInf, hits);
+    EXPECT_FALSE(shape->nearest({{0, -3, 0}, {0, 1, 0}}, 0, kGeometryShapesInf, hit));
+    shape->all({{0, -0.1, 0}, {1, 1, 0}}, 0, kGeometryShapesInf, hits);
     ASSERT_EQ(hits.size(), 1u);
     EXPECT_EQ(hits[0].element, 0u);
     EXPECT_TRUE(shape->inside({0, 1, 0}));
@@ -294,7 +295,7 @@ TEST(UnitCoreShapes, OpenEndsLetRaysIn) {
 
 TEST(UnitCoreShapes, ScalesFromTinyToHuge) {
   for (double s : {1e-6, 1e-3, 1.0, 1e4, 1e7}) {
-    for (const Kind& kind : solids()) {
+    for (const GeometryShapesKind& kind : solids()) {
       if (kind.name == "thin torus") continue;
       const Leaf small(kind.make(), Transform::scaling(Vec3(s)));
       const auto shape = kind.make();
@@ -306,8 +307,8 @@ TEST(UnitCoreShapes, ScalesFromTinyToHuge) {
         const Ray ray{local.origin * s, local.direction};
         ShapeHit expected;
         Hit hit;
-        const bool met = shape->nearest(local, 0.0, kInf, expected);
-        if (small.nearest(ray, 0.0, kInf, hit, arena) != met) {
+        const bool met = shape->nearest(local, 0.0, kGeometryShapesInf, expected);
+        if (small.nearest(ray, 0.0, kGeometryShapesInf, hit, arena) != met) {
           ++differ;
         } else if (met) {
           EXPECT_NEAR(hit.t / s, expected.t, 1e-9) << kind.name << " " << s;
@@ -320,7 +321,7 @@ TEST(UnitCoreShapes, ScalesFromTinyToHuge) {
 
 TEST(UnitCoreShapes, DetailsFarFromTheOrigin) {
   const Vec3 away{1e7, -2e6, 3e6};
-  for (const Kind& kind : solids()) {
+  for (const GeometryShapesKind& kind : solids()) {
     if (kind.name == "thin torus") continue;
     const Leaf leaf(kind.make(), Transform::translation(away));
     const auto shape = kind.make();
@@ -331,10 +332,10 @@ TEST(UnitCoreShapes, DetailsFarFromTheOrigin) {
       const Ray local = random.ray(100.0, 1.0);
       Hit hit;
       ShapeHit expected;
-      const bool met = shape->nearest(local, 0.0, kInf, expected);
+      const bool met = shape->nearest(local, 0.0, kGeometryShapesInf, expected);
       met_count += met;
       const Ray ray{local.origin + away, local.direction};
-      if (leaf.nearest(ray, 0.0, kInf, hit, arena) != met) {
+      if (leaf.nearest(ray, 0.0, kGeometryShapesInf, hit, arena) != met) {
         ++differ;
       } else if (met) {
         const Vec3 n = normalized(shape->normal(local.at(expected.t), expected));
@@ -349,9 +350,9 @@ TEST(UnitCoreShapes, DetailsFarFromTheOrigin) {
 TEST(UnitCorePlane, SidesAndBounds) {
   const Plane plane({0, 2, 0}, 3.0);
   ShapeHit hit;
-  ASSERT_TRUE(plane.nearest({{0, 10, 0}, {0, -1, 0}}, 0, kInf, hit));
+  ASSERT_TRUE(plane.nearest({{0, 10, 0}, {0, -1, 0}}, 0, kGeometryShapesInf, hit));
   EXPECT_DOUBLE_EQ(hit.t, 7.0);
-  EXPECT_FALSE(plane.nearest({{0, 10, 0}, {1, 0, 0}}, 0, kInf, hit));
+  EXPECT_FALSE(plane.nearest({{0, 10, 0}, {1, 0, 0}}, 0, kGeometryShapesInf, hit));
   EXPECT_TRUE(plane.inside({0, 2.9, 0}));
   EXPECT_FALSE(plane.inside({0, 3.1, 0}));
   EXPECT_TRUE(plane.inside({5, 3.0, 0}) && plane.outside({5, 3.0, 0}));
@@ -359,17 +360,18 @@ TEST(UnitCorePlane, SidesAndBounds) {
   EXPECT_NEAR(plane.bounds().hi.y, 3.0, 1e-9);
   const Transform t = Transform::scaling({1, 2, 1}).then(Transform::rotation({0, 0, 90}));
   const auto moved = plane.baked(t);
-  ASSERT_TRUE(moved->nearest({{-10, 1, 5}, {1, 0, 0}}, 0, kInf, hit));  // y = 6 turned to x = -6
+  ASSERT_TRUE(moved->nearest({{-10, 1, 5}, {1, 0, 0}}, 0, kGeometryShapesInf,
+                             hit));  // y = 6 turned to x = -6
   EXPECT_NEAR(hit.t, 4.0, 1e-12);
 }
 
 TEST(UnitCoreDisc, RingAndHalfSpace) {
   const Disc disc({0, 0, 1}, {0, 0, -2}, 2.0, 0.5);
   ShapeHit hit;
-  EXPECT_FALSE(disc.nearest({{0, 0, -5}, {0, 0, 1}}, 0, kInf, hit));
-  ASSERT_TRUE(disc.nearest({{1, 0, -5}, {0, 0, 1}}, 0, kInf, hit));
+  EXPECT_FALSE(disc.nearest({{0, 0, -5}, {0, 0, 1}}, 0, kGeometryShapesInf, hit));
+  ASSERT_TRUE(disc.nearest({{1, 0, -5}, {0, 0, 1}}, 0, kGeometryShapesInf, hit));
   EXPECT_DOUBLE_EQ(hit.t, 6.0);
-  EXPECT_FALSE(disc.nearest({{2.1, 0, -5}, {0, 0, 1}}, 0, kInf, hit));
+  EXPECT_FALSE(disc.nearest({{2.1, 0, -5}, {0, 0, 1}}, 0, kGeometryShapesInf, hit));
   EXPECT_TRUE(disc.inside({50, 0, 2}));
   EXPECT_FALSE(disc.inside({50, 0, 0}));
   EXPECT_NEAR(disc.bounds().lo.x, -2.0, 1e-9);
@@ -379,13 +381,13 @@ TEST(UnitCoreDisc, RingAndHalfSpace) {
 TEST(UnitCoreTriangle, HitsWeightsAndDegeneracy) {
   const Triangle triangle({0, 0, 0}, {2, 0, 0}, {0, 2, 0});
   ShapeHit hit;
-  ASSERT_TRUE(triangle.nearest({{0.5, 0.25, -1}, {0, 0, 1}}, 0, kInf, hit));
+  ASSERT_TRUE(triangle.nearest({{0.5, 0.25, -1}, {0, 0, 1}}, 0, kGeometryShapesInf, hit));
   EXPECT_DOUBLE_EQ(hit.t, 1.0);
   EXPECT_DOUBLE_EQ(hit.u, 0.25);
   EXPECT_DOUBLE_EQ(hit.v, 0.125);
-  EXPECT_FALSE(triangle.nearest({{1.5, 1.5, -1}, {0, 0, 1}}, 0, kInf, hit));
+  EXPECT_FALSE(triangle.nearest({{1.5, 1.5, -1}, {0, 0, 1}}, 0, kGeometryShapesInf, hit));
   EXPECT_FALSE(triangle.inside({0.1, 0.1, 0}) || triangle.outside({0.1, 0.1, 5}));
-  EXPECT_FALSE(triangle.nearest({{-1, 0.5, 0}, {1, 0, 0}}, 0, kInf, hit));  // edge on
+  EXPECT_FALSE(triangle.nearest({{-1, 0.5, 0}, {1, 0, 0}}, 0, kGeometryShapesInf, hit));  // edge on
   const Triangle flat({0, 0, 0}, {1, 1, 1}, {2, 2, 2});
   EXPECT_TRUE(flat.is_degenerate());
   EXPECT_TRUE(flat.bounds().is_empty());
@@ -403,8 +405,8 @@ TEST(UnitCoreTriangle, NeighboursLeaveNoGap) {
     const Vec3 side = cross(b - a, ray.direction);
     if (dot(c - a, side) * dot(d - a, side) >= 0.0) continue;  // both on one side: an outline
     ShapeHit hit;
-    const bool met = Triangle(a, b, c).nearest(ray, 0.0, kInf, hit) ||
-                     Triangle(b, a, d).nearest(ray, 0.0, kInf, hit);
+    const bool met = Triangle(a, b, c).nearest(ray, 0.0, kGeometryShapesInf, hit) ||
+                     Triangle(b, a, d).nearest(ray, 0.0, kGeometryShapesInf, hit);
     EXPECT_TRUE(met) << round;
   }
 }
@@ -413,7 +415,7 @@ TEST(UnitCoreSmoothTriangle, InterpolatesNormalsAndDropsImpossibleOnes) {
   const SmoothTriangle s({0, 0, 0}, {-1, 0, -1}, {2, 0, 0}, {1, 0, -1}, {0, 2, 0}, {0, 1, -1});
   ASSERT_FALSE(s.is_degenerate());
   ShapeHit hit;
-  ASSERT_TRUE(s.nearest({{1, 0, -1}, {0, 0, 1}}, 0, kInf, hit));
+  ASSERT_TRUE(s.nearest({{1, 0, -1}, {0, 0, 1}}, 0, kGeometryShapesInf, hit));
   const Vec3 n = normalized(s.normal({1, 0, 0}, hit));
   EXPECT_NEAR(n.x, 0.0, 1e-12);
   EXPECT_NEAR(n.z, -1.0, 1e-12);
@@ -425,15 +427,15 @@ TEST(UnitCoreQuadric, UnboundedKindsAreBoundedWhereTheyCan) {
   const Quadric tube(Vec3{1, 0, 1}, {}, {}, -4.0);  // x2 + z2 = 4
   EXPECT_NEAR(tube.bounds().lo.x, -2.0, 1e-9);
   EXPECT_NEAR(tube.bounds().hi.z, 2.0, 1e-9);
-  EXPECT_EQ(tube.bounds().hi.y, kInf);
+  EXPECT_EQ(tube.bounds().hi.y, kGeometryShapesInf);
   const Quadric bowl(Vec3{1, 0, 1}, {}, {0, -1, 0}, 0.0);  // y = x2 + z2
   EXPECT_NEAR(bowl.bounds().lo.y, 0.0, 1e-9);
-  EXPECT_EQ(bowl.bounds().hi.y, kInf);
+  EXPECT_EQ(bowl.bounds().hi.y, kGeometryShapesInf);
   const Quadric hollow(Vec3{-1, -1, -1}, {}, {}, 1.0);
   EXPECT_TRUE(hollow.traits().solid_is_unbounded);
   EXPECT_TRUE(hollow.inside({5, 0, 0}));
   ShapeHit hit;
-  ASSERT_TRUE(bowl.nearest({{0, 5, 0}, {0, -1, 0}}, 0, kInf, hit));
+  ASSERT_TRUE(bowl.nearest({{0, 5, 0}, {0, -1, 0}}, 0, kGeometryShapesInf, hit));
   EXPECT_NEAR(hit.t, 5.0, 1e-12);
   EXPECT_EQ(Quadric(std::array<double, 10>{1, 0, 1, 0, 0, 0, 0, 0, 0, -4}).bounds().lo.x,
             tube.bounds().lo.x);

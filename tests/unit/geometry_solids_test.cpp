@@ -17,7 +17,7 @@ namespace lentray::core {
 namespace {
 
 using geometry_test::Random;
-constexpr double kInf = Bounds::kInf;
+constexpr double kGeometrySolidsInf = Bounds::kInf;
 
 struct Solid {
   const char* name;
@@ -25,7 +25,7 @@ struct Solid {
 };
 
 /// A five-pointed star with a round hole: lines, conics and cubics.
-std::shared_ptr<const Outline> star() {
+std::shared_ptr<const Outline> geometry_solids_star() {
   std::vector<Vec2> points;
   for (int i = 0; i < 10; ++i) {
     const double r = i % 2 == 0 ? 1.0 : 0.55, angle = 0.3 + i * 0.62831853071795862;
@@ -59,17 +59,29 @@ std::unique_ptr<Shape> quartic_torus() {
   return std::make_unique<Poly>("quartic", 4, c);
 }
 
-std::vector<Solid> solids() {
+std::vector<Solid> geometry_solids_solids() {
   using Sweep = Prism::Sweep;
   return {
       {"prism",
-       [] { return std::make_unique<Prism>("prism", star(), Sweep::kAlongY, -0.6, 0.8, false); }},
+       [] {
+         return std::make_unique<Prism>("prism", geometry_solids_star(), Sweep::kAlongY, -0.6, 0.8,
+                                        false);
+       }},
       {"conic prism",
-       [] { return std::make_unique<Prism>("prism", star(), Sweep::kConic, 0.2, 1.1, false); }},
+       [] {
+         return std::make_unique<Prism>("prism", geometry_solids_star(), Sweep::kConic, 0.2, 1.1,
+                                        false);
+       }},
       {"conic prism below",
-       [] { return std::make_unique<Prism>("prism", star(), Sweep::kConic, -1.1, -0.2, false); }},
+       [] {
+         return std::make_unique<Prism>("prism", geometry_solids_star(), Sweep::kConic, -1.1, -0.2,
+                                        false);
+       }},
       {"text",
-       [] { return std::make_unique<Prism>("text", star(), Sweep::kAlongZ, 0.0, 0.7, false); }},
+       [] {
+         return std::make_unique<Prism>("text", geometry_solids_star(), Sweep::kAlongZ, 0.0, 0.7,
+                                        false);
+       }},
       {"superellipsoid", [] { return std::make_unique<Superellipsoid>(0.3, 0.6); }},
       {"round superellipsoid", [] { return std::make_unique<Superellipsoid>(1.0, 1.0); }},
       {"concave superellipsoid", [] { return std::make_unique<Superellipsoid>(2.7, 1.4); }},
@@ -100,7 +112,7 @@ std::vector<Solid> solids() {
 class UnitCoreSolids : public ::testing::TestWithParam<std::size_t> {};
 
 TEST_P(UnitCoreSolids, InsideAlternatesAndBoundsHold) {
-  const Solid solid = solids()[GetParam()];
+  const Solid solid = geometry_solids_solids()[GetParam()];
   Random random(11);
   const auto shape = solid.make();
   const Bounds box = shape->bounds();
@@ -108,10 +120,10 @@ TEST_P(UnitCoreSolids, InsideAlternatesAndBoundsHold) {
   for (int round = 0; round < 4000; ++round) {
     const Ray ray = random.ray(random.in(0.0, 6.0), 1.0);
     ShapeHits hits;
-    shape->all(ray, 1e-9, kInf, hits);
+    shape->all(ray, 1e-9, kGeometrySolidsInf, hits);
     std::sort(hits.begin(), hits.end(), [](auto& a, auto& b) { return a.t < b.t; });
     ShapeHit first;
-    ASSERT_EQ(shape->nearest(ray, 1e-9, kInf, first), !hits.empty()) << solid.name;
+    ASSERT_EQ(shape->nearest(ray, 1e-9, kGeometrySolidsInf, first), !hits.empty()) << solid.name;
     if (!hits.empty()) {
       EXPECT_EQ(first.t, hits[0].t) << solid.name;
       ++met;
@@ -136,14 +148,14 @@ TEST_P(UnitCoreSolids, InsideAlternatesAndBoundsHold) {
 }
 
 TEST_P(UnitCoreSolids, NormalsCrossTheSurface) {
-  const Solid solid = solids()[GetParam()];
+  const Solid solid = geometry_solids_solids()[GetParam()];
   Random random(12);
   const auto shape = solid.make();
   int wrong = 0, met = 0;
   for (int round = 0; round < 2000; ++round) {
     const Ray ray = random.ray(4.0, 1.0);
     ShapeHit hit;
-    if (!shape->nearest(ray, 0.0, kInf, hit)) continue;
+    if (!shape->nearest(ray, 0.0, kGeometrySolidsInf, hit)) continue;
     ++met;
     const Vec3 p = ray.at(hit.t), n = normalized(shape->normal(p, hit));
     wrong += shape->inside(p + n * 2e-4) == shape->inside(p - n * 2e-4);
@@ -155,7 +167,7 @@ TEST_P(UnitCoreSolids, NormalsCrossTheSurface) {
 TEST_P(UnitCoreSolids, FarRaysMeetTheSame) {
   // A ray from 1e7 away is known to some 1e-9; silhouettes may differ by that.
   constexpr double kFar = 1e7;
-  const Solid solid = solids()[GetParam()];
+  const Solid solid = geometry_solids_solids()[GetParam()];
   Random random(13);
   const auto shape = solid.make();
   int wrong = 0, met = 0;
@@ -163,19 +175,21 @@ TEST_P(UnitCoreSolids, FarRaysMeetTheSame) {
     const Ray ray = random.ray(4.0, 1.0);
     const Ray far{ray.origin - ray.direction * kFar, ray.direction};
     ShapeHits near_hits, far_hits;
-    shape->all(ray, 0.0, kInf, near_hits);
-    shape->all(far, 0.0, kInf, far_hits);
+    shape->all(ray, 0.0, kGeometrySolidsInf, near_hits);
+    shape->all(far, 0.0, kGeometrySolidsInf, far_hits);
     ShapeHit a, b;
-    const bool hit = shape->nearest(ray, 0.0, kInf, a);
+    const bool hit = shape->nearest(ray, 0.0, kGeometrySolidsInf, a);
     met += hit;
-    wrong += near_hits.size() != far_hits.size() || hit != shape->nearest(far, 0.0, kInf, b) ||
+    wrong += near_hits.size() != far_hits.size() ||
+             hit != shape->nearest(far, 0.0, kGeometrySolidsInf, b) ||
              (hit && std::fabs(b.t - kFar - a.t) > 1e-5);
   }
   EXPECT_GT(met, 200) << solid.name;
   EXPECT_LE(wrong, 2) << solid.name;
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, UnitCoreSolids, ::testing::Range(std::size_t{0}, solids().size()));
+INSTANTIATE_TEST_SUITE_P(Each, UnitCoreSolids,
+                         ::testing::Range(std::size_t{0}, geometry_solids_solids().size()));
 
 TEST(UnitCoreOutline, PointsAtCornersAndOnEdgesCountOnce) {
   // A square whose corners lie exactly on the lines that are asked for.
@@ -212,9 +226,9 @@ TEST(UnitCoreHeightField, HitsLieOnItsTriangles) {
     const Vec3 to{random.in(0, 1), random.in(0, 1), random.in(0, 1)};
     const Ray ray{from, normalized(to - from)};
     ShapeHits hits;
-    field.all(ray, 1e-9, kInf, hits);
+    field.all(ray, 1e-9, kGeometrySolidsInf, hits);
     ShapeHit first;
-    ASSERT_EQ(field.nearest(ray, 1e-9, kInf, first), !hits.empty());
+    ASSERT_EQ(field.nearest(ray, 1e-9, kGeometrySolidsInf, first), !hits.empty());
     for (const ShapeHit& hit : hits) {
       ++met;
       EXPECT_GE(hit.t, first.t);
@@ -253,10 +267,11 @@ TEST(UnitCoreHeightField, BlocksChangeNothing) {
       if (round % 11 == 0) from[(round + 1) % 3] = to[(round + 1) % 3];
       const Ray ray{from, normalized(to - from)};
       ShapeHit hit, expected;
-      const bool is_met = field.nearest(ray, 1e-9, kInf, hit);
-      const bool is_expected = plain.nearest(ray, 1e-9, kInf, expected);
+      const bool is_met = field.nearest(ray, 1e-9, kGeometrySolidsInf, hit);
+      const bool is_expected = plain.nearest(ray, 1e-9, kGeometrySolidsInf, expected);
       met += is_expected;
-      different += is_met != is_expected || field.any(ray, 1e-9, kInf) != is_expected ||
+      different += is_met != is_expected ||
+                   field.any(ray, 1e-9, kGeometrySolidsInf) != is_expected ||
                    (is_met && (hit.t != expected.t || hit.element != expected.element));
       if (!is_met) continue;
       const double t_max = hit.t * random.in(0.5, 1.5), t_min = 0.2 * hit.t;

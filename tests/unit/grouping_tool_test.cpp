@@ -8,13 +8,13 @@
 namespace lentray::grouping {
 namespace {
 
-using Words = std::vector<std::string>;
+using GroupingToolWords = std::vector<std::string>;
 
 class UnitGroupingTool : public ::testing::Test {
  protected:
   void SetUp() override { tool::write_text(m_folder / "a.pov", "#version 3.7;\n"); }
   std::string scene() const { return (m_folder / "a.pov").string(); }
-  std::string error_of(const Words& words) const {
+  std::string error_of(const GroupingToolWords& words) const {
     try {
       parse_arguments(words);
     } catch (const parser::OptionError& e) {
@@ -30,12 +30,13 @@ TEST_F(UnitGroupingTool, Arguments) {
       parse_arguments({scene(), "+W30", "Lenticular=On", "orders=rows,strips(4,8),hilbert",
                        "Caches=last", "Accelerators=list,buffer", "Repeats=2", "Declare=Size=3",
                        "x.ini[small]", "CSV=a.csv", "HTML=a.html"});
-  EXPECT_EQ(a.scenes, Words{scene()});
-  EXPECT_EQ(a.orders, (Words{"rows", "strips(4,8)", "hilbert"}));
-  EXPECT_EQ(a.caches, Words{"last"});
-  EXPECT_EQ(a.accelerators, (Words{"list", "buffer"}));
+  EXPECT_EQ(a.scenes, GroupingToolWords{scene()});
+  EXPECT_EQ(a.orders, (GroupingToolWords{"rows", "strips(4,8)", "hilbert"}));
+  EXPECT_EQ(a.caches, GroupingToolWords{"last"});
+  EXPECT_EQ(a.accelerators, (GroupingToolWords{"list", "buffer"}));
   EXPECT_EQ(a.repeats, 2);
-  EXPECT_EQ(a.for_lentray, (Words{"+W30", "Lenticular=On", "Declare=Size=3", "x.ini[small]"}));
+  EXPECT_EQ(a.for_lentray,
+            (GroupingToolWords{"+W30", "Lenticular=On", "Declare=Size=3", "x.ini[small]"}));
   EXPECT_EQ(a.csv, "a.csv");
   EXPECT_EQ(a.html, "a.html");
 }
@@ -43,11 +44,11 @@ TEST_F(UnitGroupingTool, Arguments) {
 TEST_F(UnitGroupingTool, OwnOptionsAreLong) {
   const Arguments a = parse_arguments(
       {"--orders", "rows,strips(4,8)", scene(), "--csv=a.csv", "--sizes", "2,3", "-UL"});
-  EXPECT_EQ(a.orders, (Words{"rows", "strips(4,8)"}));
+  EXPECT_EQ(a.orders, (GroupingToolWords{"rows", "strips(4,8)"}));
   EXPECT_EQ(a.csv, "a.csv");
-  EXPECT_EQ(a.sizes, (Words{"2", "3"}));
-  EXPECT_EQ(a.scenes, Words{scene()});
-  EXPECT_EQ(a.for_lentray, Words{"-UL"});
+  EXPECT_EQ(a.sizes, (GroupingToolWords{"2", "3"}));
+  EXPECT_EQ(a.scenes, GroupingToolWords{scene()});
+  EXPECT_EQ(a.for_lentray, GroupingToolWords{"-UL"});
   EXPECT_TRUE(parse_arguments({"--version"}).version);
   EXPECT_EQ(error_of({scene(), "--csv"}), "--csv needs a value");
   EXPECT_EQ(error_of({scene(), "--repeats", "x"}),
@@ -55,9 +56,9 @@ TEST_F(UnitGroupingTool, OwnOptionsAreLong) {
 }
 
 TEST_F(UnitGroupingTool, Lists) {
-  EXPECT_EQ(list_of("a,b(1,2),c"), (Words{"a", "b(1,2)", "c"}));
-  EXPECT_EQ(list_of("a"), Words{"a"});
-  EXPECT_EQ(list_of(",a,"), (Words{"", "a", ""}));
+  EXPECT_EQ(list_of("a,b(1,2),c"), (GroupingToolWords{"a", "b(1,2)", "c"}));
+  EXPECT_EQ(list_of("a"), GroupingToolWords{"a"});
+  EXPECT_EQ(list_of(",a,"), (GroupingToolWords{"", "a", ""}));
   EXPECT_TRUE(list_of("").empty());
 }
 

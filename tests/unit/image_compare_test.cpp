@@ -9,7 +9,8 @@
 namespace lentray::core {
 namespace {
 
-StoredImage flat(std::uint32_t width, std::uint32_t height, float value, int bits = 8) {
+StoredImage image_compare_flat(std::uint32_t width, std::uint32_t height, float value,
+                               int bits = 8) {
   StoredImage image;
   image.width = width;
   image.height = height;
@@ -30,7 +31,7 @@ Comparison whole(const StoredImage& a, const StoredImage& b) {
 }
 
 TEST(UnitImageCompare, EqualIsExact) {
-  const Comparison c = whole(flat(20, 10, 77), flat(20, 10, 77));
+  const Comparison c = whole(image_compare_flat(20, 10, 77), image_compare_flat(20, 10, 77));
   EXPECT_EQ(c.grade, Grade::exact);
   EXPECT_EQ(c.pixels, 200u);
   EXPECT_EQ(c.largest, 0.0);
@@ -38,7 +39,7 @@ TEST(UnitImageCompare, EqualIsExact) {
 }
 
 TEST(UnitImageCompare, FiguresAreRight) {
-  const StoredImage a = flat(100, 100, 100);
+  const StoredImage a = image_compare_flat(100, 100, 100);
   const Comparison c = whole(a, with_change(a, 30, 3.0f));
   EXPECT_EQ(c.beyond_1, 30u);
   EXPECT_EQ(c.beyond_2, 30u);
@@ -48,14 +49,14 @@ TEST(UnitImageCompare, FiguresAreRight) {
 }
 
 TEST(UnitImageCompare, ExactAllowsOneInAThousand) {
-  const StoredImage a = flat(100, 100, 100);
+  const StoredImage a = image_compare_flat(100, 100, 100);
   EXPECT_EQ(whole(a, with_change(a, 10, 200.0f - 50.0f)).grade, Grade::exact);
   EXPECT_EQ(whole(a, with_change(a, 11, 2.0f)).grade, Grade::match);
   EXPECT_EQ(whole(a, with_change(a, 10000, 1.0f)).grade, Grade::exact);
 }
 
 TEST(UnitImageCompare, MatchNeedsShareAndPsnr) {
-  const StoredImage a = flat(100, 100, 100);
+  const StoredImage a = image_compare_flat(100, 100, 100);
   EXPECT_EQ(whole(a, with_change(a, 100, 20.0f)).grade, Grade::match);
   EXPECT_NE(whole(a, with_change(a, 101, 20.0f)).grade, Grade::match);
   // 1 % beyond, but far: 40 dB are 6.5 levels squared over all channels.
@@ -63,7 +64,7 @@ TEST(UnitImageCompare, MatchNeedsShareAndPsnr) {
 }
 
 TEST(UnitImageCompare, LensAllowance) {
-  const StoredImage a = flat(15, 100, 100);
+  const StoredImage a = image_compare_flat(15, 100, 100);
   const StoredImage b = with_change(a, 30, 10.0f);  // 2 % of the lens
   EXPECT_LT(whole(a, b).grade, Grade::match);
   EXPECT_EQ(compare(a, b, Columns::all(15), kLensAllowance).grade, Grade::match);
@@ -72,28 +73,28 @@ TEST(UnitImageCompare, LensAllowance) {
 }
 
 TEST(UnitImageCompare, CloseLooksThroughTheBoxFilter) {
-  StoredImage a = flat(64, 64, 100), b = a;
+  StoredImage a = image_compare_flat(64, 64, 100), b = a;
   for (std::size_t i = 0; i < b.samples.size(); ++i) b.samples[i] += (i / 3) % 2 ? 40.0f : -40.0f;
   const Comparison noise = whole(a, b);
   EXPECT_LT(noise.psnr, 30.0);
   EXPECT_GT(noise.smooth_psnr, 60.0);
   EXPECT_EQ(noise.grade, Grade::close);
-  EXPECT_EQ(whole(a, flat(64, 64, 140)).grade, Grade::fails);
+  EXPECT_EQ(whole(a, image_compare_flat(64, 64, 140)).grade, Grade::fails);
 }
 
 TEST(UnitImageCompare, SixteenBitsOnTheSameScale) {
-  const StoredImage a = flat(10, 10, 100 * 257.0f, 16);
-  EXPECT_EQ(whole(a, flat(10, 10, 100.0f)).largest, 0.0);
+  const StoredImage a = image_compare_flat(10, 10, 100 * 257.0f, 16);
+  EXPECT_EQ(whole(a, image_compare_flat(10, 10, 100.0f)).largest, 0.0);
   const Comparison c = whole(a, with_change(a, 50, 257.0f));
   EXPECT_NEAR(c.largest, 1.0, 1e-6);
   EXPECT_EQ(c.beyond_1, 0u);
 }
 
 TEST(UnitImageCompare, GreyAndAlpha) {
-  StoredImage grey = flat(4, 4, 9);
+  StoredImage grey = image_compare_flat(4, 4, 9);
   grey.channels = 1;
   grey.samples.assign(16, 50.0f);
-  StoredImage rgba = flat(4, 4, 9);
+  StoredImage rgba = image_compare_flat(4, 4, 9);
   rgba.channels = 4;
   rgba.samples.assign(64, 50.0f);
   for (int i = 3; i < 64; i += 4) rgba.samples[i] = 255.0f;
@@ -101,7 +102,7 @@ TEST(UnitImageCompare, GreyAndAlpha) {
 }
 
 TEST(UnitImageCompare, LensesAndViews) {
-  const StoredImage a = flat(44, 20, 100);  // N = 15: lenses of 15, 15 and 14 columns
+  const StoredImage a = image_compare_flat(44, 20, 100);  // N = 15: lenses of 15, 15 and 14 columns
   StoredImage b = a;
   for (std::uint32_t y = 0; y < 20; ++y) b.at(16, y, 0) = 200;  // lens 1, view 1
   const LensComparison c = compare_lenses(a, b, 15);
@@ -116,7 +117,7 @@ TEST(UnitImageCompare, LensesAndViews) {
 }
 
 TEST(UnitImageCompare, FractionalLensesFollowTheCentres) {
-  const StoredImage a = flat(20, 4, 100);
+  const StoredImage a = image_compare_flat(20, 4, 100);
   const LensComparison c = compare_lenses(a, a, 7.37);
   ASSERT_EQ(c.lenses.size(), 3u);  // centres 7.5 and 15.5 are the first beyond 7.37 and 14.74
   EXPECT_EQ(c.lenses[0].pixels, 7u * 4u);
@@ -125,7 +126,7 @@ TEST(UnitImageCompare, FractionalLensesFollowTheCentres) {
 }
 
 TEST(UnitImageCompare, OneBadLensIsNotLostInTheWhole) {
-  const StoredImage a = flat(15 * 200, 40, 100);
+  const StoredImage a = image_compare_flat(15 * 200, 40, 100);
   StoredImage b = a;
   for (std::uint32_t y = 0; y < 40; ++y) {
     for (std::uint32_t x = 15; x < 30; ++x) b.at(x, y, 1) = 110;
@@ -138,8 +139,10 @@ TEST(UnitImageCompare, OneBadLensIsNotLostInTheWhole) {
 }
 
 TEST(ErrorImageCompare, DifferentSizes) {
-  EXPECT_THROW(whole(flat(3, 3, 1), flat(3, 4, 1)), std::invalid_argument);
-  EXPECT_THROW(compare_lenses(flat(3, 3, 1), flat(3, 3, 1), 0.5), std::invalid_argument);
+  EXPECT_THROW(whole(image_compare_flat(3, 3, 1), image_compare_flat(3, 4, 1)),
+               std::invalid_argument);
+  EXPECT_THROW(compare_lenses(image_compare_flat(3, 3, 1), image_compare_flat(3, 3, 1), 0.5),
+               std::invalid_argument);
 }
 
 TEST(UnitImageCompare, Names) {

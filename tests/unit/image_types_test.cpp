@@ -34,13 +34,14 @@ Image stripes(std::uint32_t width, std::uint32_t height) {
   return image;
 }
 
-struct Kind {
+struct ImageTypesKind {
   const char* name;
   FileType type;
   int bits, levels;
 };
 
-class UnitImageTypes : public ::testing::TestWithParam<std::tuple<Kind, std::uint32_t>> {};
+class UnitImageTypes : public ::testing::TestWithParam<std::tuple<ImageTypesKind, std::uint32_t>> {
+};
 
 TEST_P(UnitImageTypes, ComeBack) {
   const auto& [kind, width] = GetParam();
@@ -69,14 +70,14 @@ TEST_P(UnitImageTypes, ComeBack) {
 
 INSTANTIATE_TEST_SUITE_P(
     Each, UnitImageTypes,
-    ::testing::Combine(::testing::Values(Kind{"a.tga", FileType::targa, 8, 8},
-                                         Kind{"a.tga", FileType::compressed_targa, 8, 8},
-                                         Kind{"a.ppm", FileType::ppm, 8, 8},
-                                         Kind{"a.ppm", FileType::ppm, 16, 16},
-                                         Kind{"a.bmp", FileType::bmp, 8, 8},
-                                         Kind{"a.png", FileType::png, 8, 8},
-                                         Kind{"a.png", FileType::png, 16, 16},
-                                         Kind{"a.tif", FileType::tiff, 16, 16}),
+    ::testing::Combine(::testing::Values(ImageTypesKind{"a.tga", FileType::targa, 8, 8},
+                                         ImageTypesKind{"a.tga", FileType::compressed_targa, 8, 8},
+                                         ImageTypesKind{"a.ppm", FileType::ppm, 8, 8},
+                                         ImageTypesKind{"a.ppm", FileType::ppm, 16, 16},
+                                         ImageTypesKind{"a.bmp", FileType::bmp, 8, 8},
+                                         ImageTypesKind{"a.png", FileType::png, 8, 8},
+                                         ImageTypesKind{"a.png", FileType::png, 16, 16},
+                                         ImageTypesKind{"a.tif", FileType::tiff, 16, 16}),
                        ::testing::Values(1u, 7u, 301u)));
 
 TEST(UnitImageTypes, RadianceWithinItsSteps) {

@@ -175,7 +175,8 @@ void furnish(Builder& b, bool transparency, bool reflection, bool layers, bool a
 
 constexpr std::uint32_t kWide = 48, kHigh = 36;
 
-std::vector<Radiance> picture(Integrator& tracer, const std::string& order_name = "rows") {
+std::vector<Radiance> integrator_picture(Integrator& tracer,
+                                         const std::string& order_name = "rows") {
   std::vector<Radiance> out(kWide * kHigh);
   std::vector<Pixel> pixels;
   const auto order = shadow::make_order(order_name, kWide, kHigh);
@@ -189,7 +190,7 @@ std::vector<Radiance> picture(Integrator& tracer, const std::string& order_name 
   return out;
 }
 
-bool same(const std::vector<Radiance>& a, const std::vector<Radiance>& b) {
+bool integrator_same(const std::vector<Radiance>& a, const std::vector<Radiance>& b) {
   for (std::size_t i = 0; i < a.size(); ++i) {
     if (!(a[i].rgb == b[i].rgb) || a[i].transmit != b[i].transmit) return false;
   }
@@ -323,9 +324,9 @@ TEST(UnitCoreIntegrator, EveryPathThatHoldsTheSceneGivesTheSameBits) {
       ThreadContext context(*scene, false);
       PlainShadowTester tester(context);
       const auto tracer = make_path_integrator(features, context, tester);
-      const std::vector<Radiance> seen = picture(*tracer);
+      const std::vector<Radiance> seen = integrator_picture(*tracer);
       if (reference.empty()) reference = seen;
-      EXPECT_TRUE(same(seen, reference)) << "scene " << what << ", path " << features;
+      EXPECT_TRUE(integrator_same(seen, reference)) << "scene " << what << ", path " << features;
     }
   }
 }
@@ -339,9 +340,9 @@ TEST(UnitCoreIntegrator, GeneralAndSpecialisedScenesGiveTheSameBits) {
               what & kPathArea);
       const auto scene = b.compile(general);
       Kit kit(*scene);
-      seen[general] = picture(*kit.tracer);
+      seen[general] = integrator_picture(*kit.tracer);
     }
-    EXPECT_TRUE(same(seen[0], seen[1])) << what;
+    EXPECT_TRUE(integrator_same(seen[0], seen[1])) << what;
   }
 }
 
@@ -351,11 +352,11 @@ TEST(UnitShadowCache, NeverChangesThePictureAndCountsAddUp) {
     furnish(b, transparency, true, true, true);
     const auto scene = b.compile();
     Kit plain(*scene);
-    const std::vector<Radiance> reference = picture(*plain.tracer);
+    const std::vector<Radiance> reference = integrator_picture(*plain.tracer);
     for (const auto cache : shadow::tester_names()) {
       for (const auto order : shadow::order_names()) {
         Kit kit(*scene, std::string(cache));
-        EXPECT_TRUE(same(picture(*kit.tracer, std::string(order)), reference))
+        EXPECT_TRUE(integrator_same(integrator_picture(*kit.tracer, std::string(order)), reference))
             << cache << " " << order;
         for (std::size_t i = 0; i < 2; ++i) {
           const ShadowCounts& mine = kit.counters.lights[i];
@@ -391,8 +392,8 @@ TEST(UnitShadowCache, BlockerThatIsTooNearInPlaces) {
       b.light({0, 30, 0});
       const auto scene = b.compile();
       Kit kit(*scene, cache);
-      seen.push_back(picture(*kit.tracer, order));
-      EXPECT_TRUE(same(seen.back(), seen.front())) << cache << " " << order;
+      seen.push_back(integrator_picture(*kit.tracer, order));
+      EXPECT_TRUE(integrator_same(seen.back(), seen.front())) << cache << " " << order;
       const ShadowCounts& counts = kit.counters.lights[0];
       EXPECT_GT(counts.blocked, 50u) << "where the wedge is far enough";
       EXPECT_GT(counts.rays - counts.blocked, 50u);

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kLength = 20.0;
 
-Light spot(double degrees) {
+Light lit_part_spot(double degrees) {
   Light light;
   light.kind = Light::Kind::kSpot;
   light.position = {1, 3, -2};
@@ -25,7 +25,7 @@ Light spot(double degrees) {
 }
 
 Light cylinder(double radius) {
-  Light light = spot(10.0);
+  Light light = lit_part_spot(10.0);
   light.kind = Light::Kind::kCylinder;
   light.radius = light.falloff = radius;
   return light;
@@ -57,7 +57,7 @@ TEST(UnitLitPart, HoldsAllThatIsLitAndEndsThere) {
   for (int i = 0; i < 400; ++i) {
     const Ray ray{{place(random), place(random), place(random)},
                   normalized(Vec3{way(random), way(random), way(random)})};
-    for (const double degrees : {3.0, 20.0, 50.0}) expect_part(spot(degrees), ray);
+    for (const double degrees : {3.0, 20.0, 50.0}) expect_part(lit_part_spot(degrees), ray);
     for (const double radius : {0.2, 1.5}) expect_part(cylinder(radius), ray);
   }
 }

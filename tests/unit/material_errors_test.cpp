@@ -4,20 +4,20 @@
 namespace lentray::parser::test {
 namespace {
 
-struct Case {
+struct MaterialErrorsCase {
   const char* name;
   const char* text;
   const char* message;  ///< a part of it
 };
 
-class ErrorMaterial : public ::testing::TestWithParam<Case> {};
+class ErrorMaterial : public ::testing::TestWithParam<MaterialErrorsCase> {};
 
 TEST_P(ErrorMaterial, IsToldSo) {
   const std::string message = failure(GetParam().text);
   EXPECT_NE(message.find(GetParam().message), std::string::npos) << message;
 }
 
-constexpr Case kCases[] = {
+constexpr MaterialErrorsCase kCases[] = {
     {"colour_map_without_entries", "pigment { gradient x color_map { } }", "an entry"},
     {"colour_map_with_checker", "pigment { checker color_map { [0 rgb 1] } }",
      "cannot use color_map with checker"},

@@ -13,9 +13,9 @@
 namespace lentray::merge {
 namespace {
 
-using Words = std::vector<std::string>;
+using MergeWords = std::vector<std::string>;
 
-std::string error_of(const Words& words) {
+std::string error_of(const MergeWords& words) {
   try {
     parse_arguments(words);
   } catch (const parser::OptionError& e) {

@@ -12,9 +12,9 @@
 namespace lentray::model {
 namespace {
 
-using Words = std::vector<std::string>;
+using ModelToolWords = std::vector<std::string>;
 
-std::string error_of(const Words& words) {
+std::string model_tool_error_of(const ModelToolWords& words) {
   try {
     parse_arguments(words);
   } catch (const parser::OptionError& e) {
@@ -52,40 +52,44 @@ TEST(UnitModelTool, OtherArguments) {
   EXPECT_DOUBLE_EQ(a.lens.pitch, 1.0);
   EXPECT_EQ(a.a.values(), std::vector<double>{2.0});
   EXPECT_EQ(a.d.values(), (std::vector<double>{1.0, 2.0, 3.0}));
-  EXPECT_EQ(a.figures, (Words{"24a", "near"}));
+  EXPECT_EQ(a.figures, (ModelToolWords{"24a", "near"}));
   EXPECT_EQ(a.format, "svg");
   EXPECT_TRUE(a.measure);
   EXPECT_EQ(a.threads, 3);
-  Words names;
+  ModelToolWords names;
   for (const shadow::Style& style : a.styles()) names.push_back(style.name());
-  EXPECT_EQ(names, (Words{"rows", "views", "columns", "combined", "strips", "combined(2)",
-                          "combined(3)", "strips(2,4)", "strips(3,4)"}));
+  EXPECT_EQ(names, (ModelToolWords{"rows", "views", "columns", "combined", "strips", "combined(2)",
+                                   "combined(3)", "strips(2,4)", "strips(3,4)"}));
   EXPECT_EQ(parse_arguments({"Figures=all"}).figures, figure_names());
   EXPECT_TRUE(parse_arguments({"--help", "A=2"}).help);
 }
 
 TEST(ErrorModelTool, EachWithAMessage) {
-  EXPECT_EQ(error_of({"Lens_Pitch=0"}).substr(0, 19), "option Lens_Pitch=0");
-  EXPECT_NE(error_of({"Lens_Pitch=x"}).find("a number is expected"), std::string::npos);
-  EXPECT_NE(error_of({"A=3:1:1"}).find("the last value is less than the first"), std::string::npos);
-  EXPECT_NE(error_of({"A=0:1:1"}).find("a shadow larger than 0 mm"), std::string::npos);
-  EXPECT_NE(error_of({"D=-1"}).find("a distance of 0 mm or more"), std::string::npos);
-  EXPECT_NE(error_of({"A=1:2:0"}).find("greater than 0"), std::string::npos);
-  EXPECT_NE(error_of({"A=1:2:3:4"}).find("first:last:step"), std::string::npos);
-  EXPECT_NE(error_of({"A="}).find("first:last:step"), std::string::npos);
-  EXPECT_NE(error_of({"A=1:"}).find("a number is expected"), std::string::npos);
-  EXPECT_NE(error_of({"A=1:1e9:1"}).find("more than 100000 values"), std::string::npos);
-  EXPECT_NE(error_of({"A=1:9999:1", "D=0:9999:1"}).find("1000000 points"), std::string::npos);
-  EXPECT_NE(error_of({"Lens_IOR=0.9"}).find("at least 1"), std::string::npos);
-  EXPECT_NE(error_of({"Lens_Pixels=0.5"}).find("at least one pixel"), std::string::npos);
-  EXPECT_NE(error_of({"Lenses=900000"}).find("too large"), std::string::npos);
-  EXPECT_NE(error_of({"Figures=18"}).find("there are 10, 11, 12"), std::string::npos);
-  EXPECT_NE(error_of({"Format=gif"}).find("there are png, svg"), std::string::npos);
-  EXPECT_NE(error_of({"Strip_Height=3"}).find("needs a --strip-width"), std::string::npos);
-  EXPECT_EQ(error_of({"Lens_Pich=1"}).substr(0, 33), "unknown option 'Lens_Pich'; there");
-  EXPECT_EQ(error_of({"--csv"}), "--csv needs a value");
-  EXPECT_EQ(error_of({"--strip-height", "3"}), "--strip-height needs a --strip-width");
-  EXPECT_EQ(error_of({}), "no error");
+  EXPECT_EQ(model_tool_error_of({"Lens_Pitch=0"}).substr(0, 19), "option Lens_Pitch=0");
+  EXPECT_NE(model_tool_error_of({"Lens_Pitch=x"}).find("a number is expected"), std::string::npos);
+  EXPECT_NE(model_tool_error_of({"A=3:1:1"}).find("the last value is less than the first"),
+            std::string::npos);
+  EXPECT_NE(model_tool_error_of({"A=0:1:1"}).find("a shadow larger than 0 mm"), std::string::npos);
+  EXPECT_NE(model_tool_error_of({"D=-1"}).find("a distance of 0 mm or more"), std::string::npos);
+  EXPECT_NE(model_tool_error_of({"A=1:2:0"}).find("greater than 0"), std::string::npos);
+  EXPECT_NE(model_tool_error_of({"A=1:2:3:4"}).find("first:last:step"), std::string::npos);
+  EXPECT_NE(model_tool_error_of({"A="}).find("first:last:step"), std::string::npos);
+  EXPECT_NE(model_tool_error_of({"A=1:"}).find("a number is expected"), std::string::npos);
+  EXPECT_NE(model_tool_error_of({"A=1:1e9:1"}).find("more than 100000 values"), std::string::npos);
+  EXPECT_NE(model_tool_error_of({"A=1:9999:1", "D=0:9999:1"}).find("1000000 points"),
+            std::string::npos);
+  EXPECT_NE(model_tool_error_of({"Lens_IOR=0.9"}).find("at least 1"), std::string::npos);
+  EXPECT_NE(model_tool_error_of({"Lens_Pixels=0.5"}).find("at least one pixel"), std::string::npos);
+  EXPECT_NE(model_tool_error_of({"Lenses=900000"}).find("too large"), std::string::npos);
+  EXPECT_NE(model_tool_error_of({"Figures=18"}).find("there are 10, 11, 12"), std::string::npos);
+  EXPECT_NE(model_tool_error_of({"Format=gif"}).find("there are png, svg"), std::string::npos);
+  EXPECT_NE(model_tool_error_of({"Strip_Height=3"}).find("needs a --strip-width"),
+            std::string::npos);
+  EXPECT_EQ(model_tool_error_of({"Lens_Pich=1"}).substr(0, 33),
+            "unknown option 'Lens_Pich'; there");
+  EXPECT_EQ(model_tool_error_of({"--csv"}), "--csv needs a value");
+  EXPECT_EQ(model_tool_error_of({"--strip-height", "3"}), "--strip-height needs a --strip-width");
+  EXPECT_EQ(model_tool_error_of({}), "no error");
 }
 
 Grid small_grid(const Arguments& a, const shadow::PaperSheet& sheet, bool measured) {
@@ -103,7 +107,7 @@ TEST(UnitModelTool, Csv) {
   std::getline(plain, line);
   EXPECT_EQ(line, "style,A,D,xstart,closed_form,enumerated,measured");
   std::getline(measured, with);
-  Words lines;
+  ModelToolWords lines;
   while (std::getline(plain, line)) {
     lines.push_back(line);
     ASSERT_EQ(line.back(), ',') << "nothing measured";

@@ -28,7 +28,7 @@ std::vector<Vec3> points() {
   return all;
 }
 
-std::uint64_t bits(double v) { return std::isnan(v) ? 0 : std::bit_cast<std::uint64_t>(v); }
+std::uint64_t noise_bits(double v) { return std::isnan(v) ? 0 : std::bit_cast<std::uint64_t>(v); }
 
 /// Of a thread that has been asked for nothing yet.
 std::vector<double> asked_afresh(const std::vector<Vec3>& all, int generator) {
@@ -44,15 +44,15 @@ TEST(UnitCoreNoise, DoesNotDependOnWhatWasAskedBefore) {
   for (const int generator : {1, 2, 3}) {
     const std::vector<double> fresh = asked_afresh(all, generator);
     for (std::size_t i = 0; i < all.size(); ++i) {
-      EXPECT_EQ(bits(fresh[i]), bits(noise(all[i], generator)));
-      EXPECT_EQ(bits(fresh[i]), bits(noise(all[i], generator))) << "known by now";
+      EXPECT_EQ(noise_bits(fresh[i]), noise_bits(noise(all[i], generator)));
+      EXPECT_EQ(noise_bits(fresh[i]), noise_bits(noise(all[i], generator))) << "known by now";
     }
     // Cells 8 apart share a place where cells are kept.
     for (int i = 0; i < 200; ++i) {
       const Vec3 p{0.25 + 8.0 * (i % 3), 0.5 - 8.0 * (i % 2), 0.75};
       double value = 0.0;
       std::thread([&] { value = noise(p, generator); }).join();
-      EXPECT_EQ(bits(value), bits(noise(p, generator)));
+      EXPECT_EQ(noise_bits(value), noise_bits(noise(p, generator)));
     }
   }
 }
@@ -64,8 +64,8 @@ TEST(UnitCoreNoise, TwoAtOnceAreLikeOneAfterTheOther) {
       const Vec3 &p = all[i], &q = all[(i * 7 + 1) % all.size()];
       const NoisePair pair =
           noise(NoisePair{p.x, q.x}, NoisePair{p.y, q.y}, NoisePair{p.z, q.z}, generator);
-      EXPECT_EQ(bits(pair[0]), bits(noise(p, generator)));
-      EXPECT_EQ(bits(pair[1]), bits(noise(q, generator)));
+      EXPECT_EQ(noise_bits(pair[0]), noise_bits(noise(p, generator)));
+      EXPECT_EQ(noise_bits(pair[1]), noise_bits(noise(q, generator)));
     }
   }
 }
@@ -81,12 +81,13 @@ TEST(UnitCoreNoise, InAPlaneItIsTheSame) {
       for (std::size_t i = 0; i < all.size(); ++i) {
         const Vec3 p = in_plane(all[i]), q = in_plane(all[(i * 7 + 1) % all.size()]);
         const int u = axis == 0 ? 1 : 0, v = axis == 2 ? 1 : 2;
-        EXPECT_EQ(bits(noise_in_plane(axis, p[u], p[v], generator)), bits(noise(p, generator)))
+        EXPECT_EQ(noise_bits(noise_in_plane(axis, p[u], p[v], generator)),
+                  noise_bits(noise(p, generator)))
             << i;
         const NoisePair pair =
             noise_in_plane(axis, NoisePair{p[u], q[u]}, NoisePair{p[v], q[v]}, generator);
-        EXPECT_EQ(bits(pair[0]), bits(noise(p, generator))) << i;
-        EXPECT_EQ(bits(pair[1]), bits(noise(q, generator))) << i;
+        EXPECT_EQ(noise_bits(pair[0]), noise_bits(noise(p, generator))) << i;
+        EXPECT_EQ(noise_bits(pair[1]), noise_bits(noise(q, generator))) << i;
       }
     }
   }
@@ -94,7 +95,7 @@ TEST(UnitCoreNoise, InAPlaneItIsTheSame) {
   for (int i = 0; i < 300; ++i) {
     const NoisePair u{0.25 + 16.0 * (i % 5), 0.25 - 16.0 * (i % 3)}, v{0.75 - i % 4, 0.75 + i % 2};
     const NoisePair pair = noise_in_plane(1, u, v, 2);
-    for (int k : {0, 1}) EXPECT_EQ(bits(pair[k]), bits(noise(u[k], 0.0, v[k], 2)));
+    for (int k : {0, 1}) EXPECT_EQ(noise_bits(pair[k]), noise_bits(noise(u[k], 0.0, v[k], 2)));
   }
 }
 

@@ -19,7 +19,7 @@ double error(double value, long double truth) {
       std::fabs((static_cast<long double>(value) - truth) / std::ldexp(1.0L, exponent - 53)));
 }
 
-bool same(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
+bool pair_math_same(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
 
 TEST(UnitCorePairMath, IsOffByLessThanOneUnit) {
   std::mt19937_64 random(1);
@@ -58,11 +58,13 @@ TEST(UnitCorePairMath, BeyondItsRangeIsTheSystems) {
   const Pair one = exp(Pair{1.0, 1.0});
   for (const double x : {701.0, 710.0, -701.0, -745.0, -1e9, 1e6, -1e6, 1e300, inf, -inf, nan}) {
     const Pair power = exp(Pair{x, 1.0});
-    EXPECT_TRUE(same(power[0], std::exp(x))) << x;
+    EXPECT_TRUE(pair_math_same(power[0], std::exp(x))) << x;
     EXPECT_EQ(power[1], one[1]) << x;  // a number does not depend on the one beside it
     if (std::fabs(x) <= 1e5) continue;
     const CosSin turn = cos_sin(Pair{1.0, x});
-    EXPECT_TRUE(same(turn.cos[1], std::cos(x)) && same(turn.sin[1], std::sin(x))) << x;
+    EXPECT_TRUE(pair_math_same(turn.cos[1], std::cos(x)) &&
+                pair_math_same(turn.sin[1], std::sin(x)))
+        << x;
     EXPECT_EQ(turn.sin[0], cos_sin(Pair{1.0, 1.0}).sin[0]) << x;
   }
 }

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const char* const kPrograms[] = {
+const char* const kParserMessagesPrograms[] = {
     // directives
     "#delcare A = 1;", "declare A = 1;", "#include \"scene.pov\"", "#error \"stop\"",
     "#version 3.7", "#version 0.5;", "#version 3.8;",
@@ -169,7 +169,7 @@ TEST(ErrorMessages, EachIsHeard) {
   const MemoryFiles::Library library = {{"colors.inc", "#declare Red = rgb x;"},
                                         {"half.inc", ") #end"}};
   std::string heard;
-  for (const char* text : kPrograms) {
+  for (const char* text : kParserMessagesPrograms) {
     const auto messages = read_input(program(text), library);
     EXPECT_FALSE(messages.empty()) << "no message from: " << text;
     for (const std::string& message : messages) heard += message + "\n";

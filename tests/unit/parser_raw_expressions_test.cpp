@@ -11,14 +11,15 @@
 namespace lentray::test {
 namespace {
 
-Parsed read(const std::string& text, bool raw) {
+Parsed parser_raw_expressions_read(const std::string& text, bool raw) {
   parser::ParserOptions options;
   options.raw_expressions = raw;
   return parse_text("#version 3.7;\n" + text, {}, options);
 }
 
-void expect_same(const std::string& text) {
-  const Parsed raw = read(text, true), grammar = read(text, false);
+void parser_raw_expressions_expect_same(const std::string& text) {
+  const Parsed raw = parser_raw_expressions_read(text, true),
+               grammar = parser_raw_expressions_read(text, false);
   EXPECT_EQ(raw.debug, grammar.debug) << text;
   EXPECT_EQ(raw.message, grammar.message) << text;
   EXPECT_EQ(raw.where.line, grammar.where.line) << text;
@@ -112,8 +113,8 @@ TEST(UnitParserRawExpressions, AgreesWithTheGrammarOnRandomExpressions) {
       text += "#local Q = " + make.vector(3) + "; #debug vstr(3, Q*1, \",\", 0, -1)\n";
       text += "#debug str(rand(S), 0, -1)\n";
     }
-    expect_same(text);
-    if (read(text, true).error.empty()) ++succeeded;
+    parser_raw_expressions_expect_same(text);
+    if (parser_raw_expressions_read(text, true).error.empty()) ++succeeded;
     if (HasFailure()) break;
   }
   EXPECT_GT(succeeded, 100);
@@ -150,7 +151,7 @@ TEST(UnitParserRawExpressions, GivesUpWithoutATrace) {
         "#debug str((((((((((((1)))))))))))) + 1, 0, -1)",
         "#declare X = 1 + ",
         "#declare X = (1"}) {
-    expect_same(head + rest);
+    parser_raw_expressions_expect_same(head + rest);
   }
 }
 
@@ -183,7 +184,7 @@ TEST(UnitParserRawExpressions, StringsAgreeWithTheGrammar) {
         "#declare L = concat(\"a\"",
         "#debug str(1)",
         "#debug str(V, 0, 0)"}) {
-    expect_same(head + rest);
+    parser_raw_expressions_expect_same(head + rest);
   }
 }
 
@@ -192,7 +193,7 @@ TEST(UnitParserRawExpressions, NestedFunctionsDoNotMultiplyTheWork) {
   for (const std::string inner : {"Missing", "V", "<1, 2>", "(A > 1 ? A : B)"}) {
     std::string text = inner;
     for (int i = 0; i < 60; ++i) text = "(sin(" + text + ") + " + inner + ")";
-    expect_same(std::string(kHead) + "#debug str(" + text + ", 0, -1)");
+    parser_raw_expressions_expect_same(std::string(kHead) + "#debug str(" + text + ", 0, -1)");
   }
 }
 
@@ -200,9 +201,9 @@ TEST(UnitParserRawExpressions, AComponentWhereAVectorIsWanted) {
   const std::string head(kHead);
   for (const std::string vector : {"V.x", "-V.y", "V.y*2", "2*V.y", "(V.y)", "V.y - 1",
                                    "V.y + <1,1,1>", "W.t", "<V.y, 1, 1>", "Vs[0].y", "+V.z"}) {
-    expect_same(head + "#debug str(vlength(" + vector + "), 0, -1) #declare K = " + vector +
-                "; #debug str(vlength(K), 0, -1) #debug vstr(3, vnormalize(" + vector +
-                "), \" \", 0, -1)");
+    parser_raw_expressions_expect_same(
+        head + "#debug str(vlength(" + vector + "), 0, -1) #declare K = " + vector +
+        "; #debug str(vlength(K), 0, -1) #debug vstr(3, vnormalize(" + vector + "), \" \", 0, -1)");
   }
 }
 

@@ -32,7 +32,7 @@ struct Wavy final : Pigment {
 };
 
 /// Parallel rays along z; the last column shows nothing.
-struct Window final : RaySource {
+struct RenderFrameWindow final : RaySource {
   bool ray(double column, double row, Ray& ray) const override {
     ray = {{column / 16 - 2, 2 - row / 16, -5}, {0, 0, 1}};
     return column < 63;
@@ -40,8 +40,8 @@ struct Window final : RaySource {
 };
 
 /// Jobs of rows; forwards or backwards.
-struct Rows final : PixelOrder {
-  Rows(std::uint32_t first, std::uint32_t end, bool back)
+struct RenderFrameRows final : PixelOrder {
+  RenderFrameRows(std::uint32_t first, std::uint32_t end, bool back)
       : top(first), bottom(end), backwards(back) {}
   std::size_t jobs() const override { return bottom - top; }
   void pixels(std::size_t job, std::vector<Pixel>& out) const override {
@@ -54,16 +54,16 @@ struct Rows final : PixelOrder {
   bool backwards;
 };
 
-struct RowBands final : BandOrders {
-  explicit RowBands(bool back = false) : backwards(back) {}
+struct RenderFrameRowBands final : BandOrders {
+  explicit RenderFrameRowBands(bool back = false) : backwards(back) {}
   std::unique_ptr<PixelOrder> band(std::uint32_t top, std::uint32_t bottom) const override {
-    return std::make_unique<Rows>(top, bottom, backwards);
+    return std::make_unique<RenderFrameRows>(top, bottom, backwards);
   }
   bool backwards;
 };
 
 /// Puts the bands together again.
-struct Whole final : BandSink {
+struct RenderFrameWhole final : BandSink {
   void put(const Image& band, std::uint32_t top) override {
     EXPECT_FALSE(busy.exchange(true)) << "two bands at a time";
     EXPECT_EQ(top, next);
@@ -115,10 +115,10 @@ std::unique_ptr<Scene> ball_scene(bool clear = false) {
 TEST(UnitCoreFrame, SameBitsForAnyOrderBandAndNumberOfThreads) {
   const auto scene = ball_scene();
   const PlainShadowTesterFactory shadows;
-  Whole first;
+  RenderFrameWhole first;
   Bar bar;
-  const Counters one = render_frame(*scene, Window(), {64, 64, 64}, RowBands(), shadows,
-                                    {.threads = 1}, first, &bar);
+  const Counters one = render_frame(*scene, RenderFrameWindow(), {64, 64, 64},
+                                    RenderFrameRowBands(), shadows, {.threads = 1}, first, &bar);
   EXPECT_EQ(bar.last, 1.0);
   EXPECT_EQ(bar.calls, 1) << "a frame of less than a second";
   EXPECT_EQ(first.bands, 1);
@@ -130,9 +130,10 @@ TEST(UnitCoreFrame, SameBitsForAnyOrderBandAndNumberOfThreads) {
   EXPECT_GT(std::set<float>(first.image.rgba.begin(), first.image.rgba.end()).size(), 500u);
   for (const int threads : {1, 2, 5}) {
     for (const std::uint32_t height : {1u, 7u, 32u, 63u, 64u}) {
-      Whole whole;
-      const Counters c = render_frame(*scene, Window(), {64, 64, height}, RowBands(true), shadows,
-                                      {.threads = threads, .count_tests = true}, whole, nullptr);
+      RenderFrameWhole whole;
+      const Counters c =
+          render_frame(*scene, RenderFrameWindow(), {64, 64, height}, RenderFrameRowBands(true),
+                       shadows, {.threads = threads, .count_tests = true}, whole, nullptr);
       EXPECT_EQ(whole.image.rgba, first.image.rgba) << threads << " threads, bands of " << height;
       EXPECT_EQ(whole.next, 64u);
       EXPECT_EQ(whole.bands, static_cast<int>((64 + height - 1) / height));
@@ -147,11 +148,12 @@ TEST(UnitCoreFrame, SameBitsForAnyOrderBandAndNumberOfThreads) {
 
 TEST(UnitCoreFrame, PixelsWithoutRayAreBlackAndAlphaLeavesTheBackgroundOut) {
   const auto scene = ball_scene(), clear_scene = ball_scene(true);
-  Whole opaque, alpha;
+  RenderFrameWhole opaque, alpha;
   const PlainShadowTesterFactory shadows;
-  render_frame(*scene, Window(), {64, 64, 20}, RowBands(), shadows, {}, opaque, nullptr);
-  render_frame(*clear_scene, Window(), {64, 64, 20}, RowBands(), shadows, {.alpha = true}, alpha,
-               nullptr);
+  render_frame(*scene, RenderFrameWindow(), {64, 64, 20}, RenderFrameRowBands(), shadows, {},
+               opaque, nullptr);
+  render_frame(*clear_scene, RenderFrameWindow(), {64, 64, 20}, RenderFrameRowBands(), shadows,
+               {.alpha = true}, alpha, nullptr);
   EXPECT_EQ(opaque.image.pixel(63, 5)[0], 0.0f);
   EXPECT_EQ(opaque.image.pixel(63, 5)[3], 1.0f);
   EXPECT_EQ(opaque.image.pixel(0, 0)[2], 0.75f);
@@ -167,7 +169,7 @@ TEST(UnitCoreFrame, AFrameCanBeCancelled) {
     explicit Stopper(std::atomic<bool>& c) : cancel(c) {}
     bool ray(double column, double row, Ray& out) const override {
       if (row > 3) cancel = true;
-      return Window().ray(column, row, out);
+      return RenderFrameWindow().ray(column, row, out);
     }
     std::atomic<bool>& cancel;
   };
@@ -176,10 +178,10 @@ TEST(UnitCoreFrame, AFrameCanBeCancelled) {
   for (const std::uint32_t height : {8u, 64u}) {
     std::atomic<bool> cancel{false};
     Stopper stopper(cancel);
-    Whole whole;
+    RenderFrameWhole whole;
     Bar bar;
-    const Counters c = render_frame(*scene, stopper, {64, 64, height}, RowBands(), shadows,
-                                    {.threads = 2, .cancel = &cancel}, whole, &bar);
+    const Counters c = render_frame(*scene, stopper, {64, 64, height}, RenderFrameRowBands(),
+                                    shadows, {.threads = 2, .cancel = &cancel}, whole, &bar);
     EXPECT_LT(bar.last, 1.0);
     EXPECT_GT(c.camera_rays, 0u);
     EXPECT_LT(c.camera_rays, 10u * 64);
@@ -196,8 +198,8 @@ TEST(UnitCoreFrame, WhatAThreadThrowsReachesTheCaller) {
   };
   const auto scene = ball_scene();
   for (const std::uint32_t height : {1u, 16u, 64u}) {
-    Whole whole;
-    EXPECT_THROW(render_frame(*scene, Broken(), {64, 64, height}, RowBands(),
+    RenderFrameWhole whole;
+    EXPECT_THROW(render_frame(*scene, Broken(), {64, 64, height}, RenderFrameRowBands(),
                               PlainShadowTesterFactory(), {.threads = 3}, whole, nullptr),
                  std::runtime_error);
     EXPECT_LE(whole.next, 41u);
@@ -215,8 +217,8 @@ TEST(UnitCoreFrame, WhatTheSinkThrowsEndsTheFrame) {
   const auto scene = ball_scene();
   for (const int threads : {1, 2, 5}) {
     Full full;
-    EXPECT_THROW(render_frame(*scene, Window(), {64, 64, 4}, RowBands(), PlainShadowTesterFactory(),
-                              {.threads = threads}, full, nullptr),
+    EXPECT_THROW(render_frame(*scene, RenderFrameWindow(), {64, 64, 4}, RenderFrameRowBands(),
+                              PlainShadowTesterFactory(), {.threads = threads}, full, nullptr),
                  std::runtime_error);
     EXPECT_EQ(full.calls, 3);
   }
@@ -244,17 +246,17 @@ TEST(UnitCoreFrame, ASlowSinkHoldsTheThreadsBackButNotTheNextBand) {
   const auto scene = ball_scene();
   Slow sink;
   const Watched camera(sink);
-  render_frame(*scene, camera, {64, 64, 4}, RowBands(), PlainShadowTesterFactory(), {.threads = 2},
-               sink, nullptr);
+  render_frame(*scene, camera, {64, 64, 4}, RenderFrameRowBands(), PlainShadowTesterFactory(),
+               {.threads = 2}, sink, nullptr);
   EXPECT_GE(sink.most_ahead, 4) << "nobody rendered while a band was written";
   EXPECT_LT(sink.most_ahead, 8) << "more bands in memory than two";
 }
 
 TEST(UnitCoreFrame, AnEmptyImageIsNoTrouble) {
   const auto scene = ball_scene();
-  Whole whole;
-  render_frame(*scene, Window(), {0, 0, 1}, RowBands(), PlainShadowTesterFactory(), {}, whole,
-               nullptr);
+  RenderFrameWhole whole;
+  render_frame(*scene, RenderFrameWindow(), {0, 0, 1}, RenderFrameRowBands(),
+               PlainShadowTesterFactory(), {}, whole, nullptr);
   EXPECT_EQ(whole.bands, 0);
 }
 
@@ -284,7 +286,7 @@ TEST(UnitCoreFrame, AsManyThreadsAsAskedForReallyRun) {
     }
   };
   const auto scene = ball_scene();
-  Whole whole;
+  RenderFrameWhole whole;
   const Meeting camera;
   render_frame(*scene, camera, {64, 64, 64}, SingleBand(), PlainShadowTesterFactory(),
                {.threads = 5}, whole, nullptr);

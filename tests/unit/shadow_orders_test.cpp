@@ -11,7 +11,7 @@ using namespace lentray;
 
 namespace {
 
-std::vector<core::Pixel> all(const core::PixelOrder& order) {
+std::vector<core::Pixel> shadow_orders_all(const core::PixelOrder& order) {
   std::vector<core::Pixel> pixels, job;
   for (std::size_t j = 0; j < order.jobs(); ++j) {
     order.pixels(j, job);
@@ -20,7 +20,7 @@ std::vector<core::Pixel> all(const core::PixelOrder& order) {
   return pixels;
 }
 
-camera::LensSheet sheet(std::uint32_t width, double pixels) {
+camera::LensSheet shadow_orders_sheet(std::uint32_t width, double pixels) {
   camera::LensParameters lens;
   lens.pixels = pixels;
   return {lens, width};
@@ -38,7 +38,7 @@ void expect_all(const core::PixelOrder& order, std::uint32_t width, std::uint32_
                 std::uint32_t bottom) {
   std::vector<bool> seen(std::size_t{width} * (bottom - top));
   std::size_t count = 0;
-  for (const core::Pixel p : all(order)) {
+  for (const core::Pixel p : shadow_orders_all(order)) {
     ASSERT_LT(p.column, width);
     ASSERT_GE(p.row, top);
     ASSERT_LT(p.row, bottom);
@@ -60,7 +60,7 @@ TEST(UnitShadowOrders, EveryPixelOnce) {
                    std::to_string(size.height));
       expect_all(*shadow::make_order(name, size.width, size.height), size.width, 0, size.height);
       for (const double pixels : {1.0, 2.0, 12.5, 15.0, 1000.0}) {
-        const auto lenses = sheet(size.width, pixels);
+        const auto lenses = shadow_orders_sheet(size.width, pixels);
         expect_all(*shadow::make_order(name, {0, 0, size.width, size.height}, &lenses), size.width,
                    0, size.height);
         const auto bands = shadow::make_band_orders(name, {0, size.width}, &lenses);
@@ -77,9 +77,9 @@ TEST(UnitShadowOrders, EveryPixelOnce) {
 
 TEST(UnitShadowOrders, JobsTogetherAreTheOrder) {
   // Wherever a run is cut, it goes on where the one before ended: against a plain loop.
-  const auto lenses = sheet(399, 12.5);
+  const auto lenses = shadow_orders_sheet(399, 12.5);
   const auto expect = [&](const char* name, const std::vector<core::Pixel>& wanted) {
-    const auto pixels = all(*shadow::make_order(name, {0, 0, 399, 70}, &lenses));
+    const auto pixels = shadow_orders_all(*shadow::make_order(name, {0, 0, 399, 70}, &lenses));
     ASSERT_EQ(pixels.size(), wanted.size()) << name;
     for (std::size_t i = 0; i < pixels.size(); ++i) {
       ASSERT_TRUE(pixels[i].column == wanted[i].column && pixels[i].row == wanted[i].row)
@@ -117,7 +117,7 @@ TEST(UnitShadowOrders, JobsTogetherAreTheOrder) {
 
 TEST(UnitShadowOrders, StripsOfLenses) {
   // Lenses of 12 and 13 columns, cut into strips of 5, 5 and 2 or 3; groups of 8 rows, the last of 6.
-  const auto lenses = sheet(399, 12.5);
+  const auto lenses = shadow_orders_sheet(399, 12.5);
   std::vector<core::Pixel> combined, strips;
   const auto strip = [&](std::uint32_t top, std::uint32_t rows, std::vector<core::Pixel>& out) {
     for (std::uint32_t s = 0; s < 3; ++s) {
@@ -134,7 +134,7 @@ TEST(UnitShadowOrders, StripsOfLenses) {
   for (std::uint32_t r = 0; r < 70; ++r) strip(r, 1, combined);
   for (std::uint32_t r = 0; r < 70; r += 8) strip(r, std::min(8u, 70 - r), strips);
   const auto expect = [&](const char* name, const std::vector<core::Pixel>& wanted) {
-    const auto pixels = all(*shadow::make_order(name, {0, 0, 399, 70}, &lenses));
+    const auto pixels = shadow_orders_all(*shadow::make_order(name, {0, 0, 399, 70}, &lenses));
     ASSERT_EQ(pixels.size(), wanted.size()) << name;
     for (std::size_t i = 0; i < pixels.size(); ++i) {
       ASSERT_TRUE(pixels[i].column == wanted[i].column && pixels[i].row == wanted[i].row)
@@ -147,8 +147,8 @@ TEST(UnitShadowOrders, StripsOfLenses) {
 }
 
 TEST(UnitShadowOrders, StripsWithoutASheetAreTiles) {
-  const auto strips = all(*shadow::make_order("strips(32,32)", 100, 70));
-  const auto tiles = all(*shadow::make_order("tiles", 100, 70));
+  const auto strips = shadow_orders_all(*shadow::make_order("strips(32,32)", 100, 70));
+  const auto tiles = shadow_orders_all(*shadow::make_order("tiles", 100, 70));
   ASSERT_EQ(strips.size(), tiles.size());
   for (std::size_t i = 0; i < tiles.size(); ++i) {
     ASSERT_EQ(strips[i].column, tiles[i].column);
@@ -158,7 +158,8 @@ TEST(UnitShadowOrders, StripsWithoutASheetAreTiles) {
 
 TEST(UnitShadowOrders, HilbertGoesFromNeighbourToNeighbour) {
   // From square to square too, within a row of squares.
-  const auto pixels = all(*shadow::make_order("hilbert", 3 * shadow::kHilbert, shadow::kHilbert));
+  const auto pixels =
+      shadow_orders_all(*shadow::make_order("hilbert", 3 * shadow::kHilbert, shadow::kHilbert));
   ASSERT_EQ(pixels.size(), 3u * shadow::kHilbert * shadow::kHilbert);
   for (std::size_t i = 1; i < pixels.size(); ++i) {
     const int dx =
@@ -182,7 +183,7 @@ TEST(UnitShadowOrders, SerpentineGoesDownAndUpColumnsOfSquares) {
       }
     }
   }
-  const auto pixels = all(*shadow::make_order("serpentine", kWide, kHigh));
+  const auto pixels = shadow_orders_all(*shadow::make_order("serpentine", kWide, kHigh));
   ASSERT_EQ(pixels.size(), wanted.size());
   for (std::size_t i = 0; i < pixels.size(); ++i) {
     ASSERT_EQ(pixels[i].column, wanted[i].column) << i;
@@ -191,22 +192,22 @@ TEST(UnitShadowOrders, SerpentineGoesDownAndUpColumnsOfSquares) {
 }
 
 TEST(UnitShadowOrders, AutoIsSerpentineOnASheetAndHilbertWithout) {
-  const auto lenses = sheet(150, 15.0);
+  const auto lenses = shadow_orders_sheet(150, 15.0);
   const auto same = [](const std::vector<core::Pixel>& a, const std::vector<core::Pixel>& b) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& p, const auto& q) {
       return p.column == q.column && p.row == q.row;
     });
   };
   const shadow::PixelRegion region{0, 0, 150, 70};
-  EXPECT_TRUE(same(all(*shadow::make_order("auto", region, &lenses)),
-                   all(*shadow::make_order("serpentine", region, &lenses))));
-  EXPECT_TRUE(
-      same(all(*shadow::make_order("auto", region)), all(*shadow::make_order("hilbert", region))));
+  EXPECT_TRUE(same(shadow_orders_all(*shadow::make_order("auto", region, &lenses)),
+                   shadow_orders_all(*shadow::make_order("serpentine", region, &lenses))));
+  EXPECT_TRUE(same(shadow_orders_all(*shadow::make_order("auto", region)),
+                   shadow_orders_all(*shadow::make_order("hilbert", region))));
 }
 
 TEST(UnitShadowOrders, WithoutASheetThereIsOneView) {
-  const auto views = all(*shadow::make_order("views", 40, 30));
-  const auto rows = all(*shadow::make_order("rows", 40, 30));
+  const auto views = shadow_orders_all(*shadow::make_order("views", 40, 30));
+  const auto rows = shadow_orders_all(*shadow::make_order("rows", 40, 30));
   ASSERT_EQ(views.size(), rows.size());
   for (std::size_t i = 0; i < rows.size(); ++i) {
     ASSERT_EQ(views[i].column, rows[i].column);
@@ -239,8 +240,8 @@ TEST(UnitShadowOrders, BandsFitTheMemory) {
 }
 
 TEST(UnitShadowOrders, RowsRunAlongRowsAndColumnsDownColumns) {
-  const auto rows = all(*shadow::make_order("rows", 50, 40));
-  const auto columns = all(*shadow::make_order("Columns", 50, 40));
+  const auto rows = shadow_orders_all(*shadow::make_order("rows", 50, 40));
+  const auto columns = shadow_orders_all(*shadow::make_order("Columns", 50, 40));
   EXPECT_EQ(rows[1].column, 1u);
   EXPECT_EQ(rows[1].row, 0u);
   EXPECT_EQ(rows[50].row, 1u);
@@ -261,7 +262,7 @@ TEST(UnitShadowOrders, JobsAreManyAndHoldRuns) {
 
 TEST(UnitShadowOrders, RegionsStayWithinTheirBorders) {
   const auto order = shadow::make_order("rows", {10, 20, 13, 22});
-  const auto pixels = all(*order);
+  const auto pixels = shadow_orders_all(*order);
   ASSERT_EQ(pixels.size(), 6u);
   EXPECT_EQ(pixels.front().column, 10u);
   EXPECT_EQ(pixels.front().row, 20u);

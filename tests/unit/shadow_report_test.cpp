@@ -10,7 +10,7 @@ using namespace lentray;
 
 namespace {
 
-shadow::RunReport sample() {
+shadow::RunReport shadow_report_sample() {
   shadow::RunReport r;
   r.scene = "a.pov";
   r.width = 30;
@@ -32,7 +32,7 @@ shadow::RunReport sample() {
 }
 
 TEST(UnitShadowReport, HasTheKeysOfTheStatistics) {
-  const nlohmann::json j = shadow::to_json(sample());
+  const nlohmann::json j = shadow::to_json(shadow_report_sample());
   EXPECT_EQ(j["image"]["width"], 30);
   EXPECT_EQ(j["image"]["height"], 20);
   EXPECT_EQ(j["bands"]["height"], 7);
@@ -61,7 +61,7 @@ TEST(UnitShadowReport, HasTheKeysOfTheStatistics) {
 }
 
 TEST(UnitShadowReport, LensKeysAndTheInfiniteViewingDistance) {
-  shadow::RunReport r = sample();
+  shadow::RunReport r = shadow_report_sample();
   r.lens.emplace();
   r.lens->lenses = 2.0;
   nlohmann::json j = shadow::to_json(r);

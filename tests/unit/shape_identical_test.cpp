@@ -17,8 +17,9 @@ struct Way {
   core::CompileOptions options;
 };
 
-std::vector<core::Radiance> picture(const std::string& sdl, const core::CompileOptions& options,
-                                    int width, int height, bool shortcuts = true) {
+std::vector<core::Radiance> shape_identical_picture(const std::string& sdl,
+                                                    const core::CompileOptions& options, int width,
+                                                    int height, bool shortcuts = true) {
   SceneText text(sdl, with_fonts());
   core::SceneParts parts = text.build();
   for (const auto& object : parts.objects) {
@@ -38,7 +39,7 @@ std::vector<core::Radiance> picture(const std::string& sdl, const core::CompileO
   return seen;
 }
 
-bool same(const core::Radiance& a, const core::Radiance& b) {
+bool shape_identical_same(const core::Radiance& a, const core::Radiance& b) {
   const auto equal = [](float x, float y) {
     return std::bit_cast<std::uint32_t>(x) == std::bit_cast<std::uint32_t>(y);
   };
@@ -71,11 +72,12 @@ TEST_P(UnitShapeIdentical, WithEveryOptimisationAndWithNone) {
   grid.accelerator = core::Accelerator::kGrid;
   none.accelerator = core::Accelerator::kList;
   none.general_path = true;
-  const auto expected = picture(sdl, none, width, height, false);
+  const auto expected = shape_identical_picture(sdl, none, width, height, false);
   for (const Way& way : {Way{"all", all}, Way{"without light buffers", {}}, Way{"grid", grid}}) {
-    const auto seen = picture(sdl, way.options, width, height);
+    const auto seen = shape_identical_picture(sdl, way.options, width, height);
     std::size_t different = 0;
-    for (std::size_t i = 0; i < seen.size(); ++i) different += !same(seen[i], expected[i]);
+    for (std::size_t i = 0; i < seen.size(); ++i)
+      different += !shape_identical_same(seen[i], expected[i]);
     EXPECT_EQ(different, 0u) << way.name;
   }
 }

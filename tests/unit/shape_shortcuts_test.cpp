@@ -18,11 +18,12 @@ using core::Bounds;
 using core::Hit;
 using core::Ray;
 
-bool same(double a, double b) {
+bool shape_shortcuts_same(double a, double b) {
   return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
 }
-bool same(const Vec3& a, const Vec3& b) {
-  return same(a.x, b.x) && same(a.y, b.y) && same(a.z, b.z);
+bool shape_shortcuts_same(const Vec3& a, const Vec3& b) {
+  return shape_shortcuts_same(a.x, b.x) && shape_shortcuts_same(a.y, b.y) &&
+         shape_shortcuts_same(a.z, b.z);
 }
 /// Leaves of two copies of an object are told apart by their place among its leaves.
 using Leaves = std::vector<const core::Leaf*>;
@@ -33,15 +34,17 @@ struct Found {
   Vec3 normal;
 };
 
-bool same(const Found& a, const Found& b) {
-  return same(a.hit.t, b.hit.t) && a.leaf == b.leaf && a.hit.shape.element == b.hit.shape.element &&
-         same(a.hit.shape.u, b.hit.shape.u) && same(a.hit.shape.v, b.hit.shape.v) &&
-         same(a.normal, b.normal);
+bool shape_shortcuts_same(const Found& a, const Found& b) {
+  return shape_shortcuts_same(a.hit.t, b.hit.t) && a.leaf == b.leaf &&
+         a.hit.shape.element == b.hit.shape.element &&
+         shape_shortcuts_same(a.hit.shape.u, b.hit.shape.u) &&
+         shape_shortcuts_same(a.hit.shape.v, b.hit.shape.v) &&
+         shape_shortcuts_same(a.normal, b.normal);
 }
 
-bool same(const std::vector<Found>& a, const std::vector<Found>& b) {
+bool shape_shortcuts_same(const std::vector<Found>& a, const std::vector<Found>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](const Found& x, const Found& y) { return same(x, y); });
+                    [](const Found& x, const Found& y) { return shape_shortcuts_same(x, y); });
 }
 
 /// An object, its leaves, and its answers.
@@ -82,10 +85,10 @@ class Answers {
   core::HitArena m_arena;
 };
 
-/// Rays at a box and from within it, most in any direction, some along axes, some from afar.
-class Rays {
+/// ShapeShortcutsRays at a box and from within it, most in any direction, some along axes, some from afar.
+class ShapeShortcutsRays {
  public:
-  explicit Rays(const Bounds& box)
+  explicit ShapeShortcutsRays(const Bounds& box)
       : m_middle((box.lo + box.hi) * 0.5), m_half((box.hi - box.lo) * 0.5) {}
 
   Vec3 point() {
@@ -158,7 +161,7 @@ TEST_P(UnitShapeShortcuts, AreOnlyShort) {
     Placed usual(GetParam(), placing.sdl), plain(GetParam(), placing.sdl);
     plain.object().drop_shortcuts();
     Answers shorter(usual.object()), longer(plain.object());
-    Rays rays(usual.object().bounds());
+    ShapeShortcutsRays rays(usual.object().bounds());
     int met = 0, different = 0;
     std::string example;
     for (int i = 0; i < this->rays(); ++i) {
@@ -168,7 +171,8 @@ TEST_P(UnitShapeShortcuts, AreOnlyShort) {
       const Vec3 p = rays.point();
       met += !hits.empty();
       const auto all = shorter.all(ray, kFrom, Bounds::kInf);
-      if (same(all, hits) && same(shorter.nearest(ray, kFrom, Bounds::kInf), first) &&
+      if (shape_shortcuts_same(all, hits) &&
+          shape_shortcuts_same(shorter.nearest(ray, kFrom, Bounds::kInf), first) &&
           shorter.any(ray, kFrom, Bounds::kInf) == !first.empty() &&
           usual.object().inside(p) == plain.object().inside(p)) {
         continue;
@@ -188,7 +192,7 @@ TEST_P(UnitShapeShortcuts, OfTheRayToo) {
   for (const auto& placing : kPlacings) {
     Placed placed(GetParam(), placing.sdl);
     Answers answers(placed.object());
-    Rays rays(placed.object().bounds());
+    ShapeShortcutsRays rays(placed.object().bounds());
     int different = 0;
     for (int i = 0; i < this->rays(); ++i) {
       const Ray ray = rays.next();
@@ -198,7 +202,7 @@ TEST_P(UnitShapeShortcuts, OfTheRayToo) {
       for (const double to :
            {t * (0.5 + 0.5 * share(random)), t * (1.0 + share(random)), std::nextafter(t, 1e300)}) {
         const auto expected = to > t ? first : std::vector<Found>{};
-        different += !same(answers.nearest(ray, kFrom, to), expected) ||
+        different += !shape_shortcuts_same(answers.nearest(ray, kFrom, to), expected) ||
                      answers.any(ray, kFrom, to) != !expected.empty();
       }
     }
@@ -218,7 +222,7 @@ TEST(UnitShapeShortcutsOfMesh, AreThoseOfItsFaces) {
     Placed placed(shape, "");
     const auto& leaf = dynamic_cast<const core::Leaf&>(placed.object());
     const auto& mesh = dynamic_cast<const core::Mesh&>(leaf.shape()).triangles();
-    Rays rays(placed.object().bounds());
+    ShapeShortcutsRays rays(placed.object().bounds());
     int met = 0;
     for (int i = 0; i < 3000; ++i) {
       const Ray ray = rays.next();
@@ -236,8 +240,9 @@ TEST(UnitShapeShortcutsOfMesh, AreThoseOfItsFaces) {
       ASSERT_EQ(mesh.nearest(ray, kFrom, Bounds::kInf, found), expected.face != core::kNoIndex);
       if (expected.face == core::kNoIndex) continue;
       ++met;
-      EXPECT_TRUE(found.face == expected.face && same(found.t, expected.t) &&
-                  same(found.wb, expected.wb) && same(found.wc, expected.wc));
+      EXPECT_TRUE(found.face == expected.face && shape_shortcuts_same(found.t, expected.t) &&
+                  shape_shortcuts_same(found.wb, expected.wb) &&
+                  shape_shortcuts_same(found.wc, expected.wc));
     }
     EXPECT_GT(met, 500);
   }

@@ -19,14 +19,14 @@
 namespace lentray::test {
 namespace {
 
-bool same_bits(double a, double b) {
+bool spans_same_bits(double a, double b) {
   return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
 }
-bool same_bits(float a, float b) {
+bool spans_same_bits(float a, float b) {
   return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b);
 }
-bool same_bits(const Vec3& a, const Vec3& b) {
-  return same_bits(a.x, b.x) && same_bits(a.y, b.y) && same_bits(a.z, b.z);
+bool spans_same_bits(const Vec3& a, const Vec3& b) {
+  return spans_same_bits(a.x, b.x) && spans_same_bits(a.y, b.y) && spans_same_bits(a.z, b.z);
 }
 
 /// Of a picture of 60 x 40 pixels, some of them beside it.
@@ -54,8 +54,8 @@ std::size_t expect_same_rays(const camera::Camera& camera) {
     EXPECT_EQ(all[i].shows, shows) << camera.name() << " " << i;
     if (!shows) continue;
     ++shown;
-    EXPECT_TRUE(same_bits(all[i].ray.origin, one.origin) &&
-                same_bits(all[i].ray.direction, one.direction))
+    EXPECT_TRUE(spans_same_bits(all[i].ray.origin, one.origin) &&
+                spans_same_bits(all[i].ray.direction, one.direction))
         << camera.name() << " " << i;
   }
   return shown;
@@ -100,8 +100,10 @@ TEST(UnitSpans, NearestHits) {
       ASSERT_EQ(all[i].object, one.object);
       ASSERT_EQ(all[i].leaf, one.leaf);
       ASSERT_EQ(all[i].shape.element, one.shape.element);
-      ASSERT_TRUE(same_bits(all[i].t, one.t) && same_bits(all[i].shape.t, one.shape.t) &&
-                  same_bits(all[i].shape.u, one.shape.u) && same_bits(all[i].shape.v, one.shape.v))
+      ASSERT_TRUE(spans_same_bits(all[i].t, one.t) &&
+                  spans_same_bits(all[i].shape.t, one.shape.t) &&
+                  spans_same_bits(all[i].shape.u, one.shape.u) &&
+                  spans_same_bits(all[i].shape.v, one.shape.v))
           << i;
     }
     EXPECT_GT(found, queries.size() / 10);
@@ -139,9 +141,9 @@ TEST(UnitSpans, VisibilitiesWithEveryCache) {
     std::size_t blocked = 0, filtered = 0;
     for (std::size_t i = 0; i < queries.size(); ++i) {
       const Visibility one = scalar->visibility(queries[i]);
-      ASSERT_TRUE(same_bits(all[i].filter.r, one.filter.r) &&
-                  same_bits(all[i].filter.g, one.filter.g) &&
-                  same_bits(all[i].filter.b, one.filter.b))
+      ASSERT_TRUE(spans_same_bits(all[i].filter.r, one.filter.r) &&
+                  spans_same_bits(all[i].filter.g, one.filter.g) &&
+                  spans_same_bits(all[i].filter.b, one.filter.b))
           << name << " " << i;
       ASSERT_EQ(all[i].blocker, one.blocker) << name << " " << i;
       if (one.blocker)

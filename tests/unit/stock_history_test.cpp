@@ -4,11 +4,11 @@
 namespace lentray::parser::test {
 namespace {
 
-using Kind = PlacementStep::Kind;
+using StockHistoryKind = PlacementStep::Kind;
 
-std::vector<Kind> kinds(const char* text) {
+std::vector<StockHistoryKind> kinds(const char* text) {
   const SceneText s(text);
-  std::vector<Kind> out;
+  std::vector<StockHistoryKind> out;
   for (const PlacementStep& step : *s.object(0).transform->steps) out.push_back(step.kind);
   return out;
 }
@@ -28,14 +28,15 @@ TEST(UnitParserHistory, ABallEndsOnce) {
       "sphere { 0, 1 translate x scale <1, 2, 1> rotate 30 matrix <1,1,0, 0,1,0, 0,0,1, 0,0,0> }");
   const PlacementSteps& steps = *s.object(0).transform->steps;
   ASSERT_EQ(steps.size(), 1u);
-  EXPECT_EQ(steps[0].kind, Kind::kBefore);
+  EXPECT_EQ(steps[0].kind, StockHistoryKind::kBefore);
   EXPECT_EQ(steps[0].transform.point({}), core::Vec3(1, 0, 0));
 }
 
 TEST(UnitParserHistory, TurnsOfACsgAreKeptFromTheSecondOn) {
   EXPECT_EQ(kinds("union { sphere { 0, 1 } box { 0, 1 } rotate 30 translate x rotate 40 scale 2 "
                   "rotate 50 }"),
-            (std::vector{Kind::kBefore, Kind::kTransform, Kind::kTransform}));
+            (std::vector{StockHistoryKind::kBefore, StockHistoryKind::kTransform,
+                         StockHistoryKind::kTransform}));
 }
 
 TEST(UnitParserHistory, ClipsOfAQuadricAreKeptAsTheyStood) {
@@ -43,12 +44,12 @@ TEST(UnitParserHistory, ClipsOfAQuadricAreKeptAsTheyStood) {
       "quadric { <1,0,1>, 0, 0, -1 translate x clipped_by { box { -1, 1 } } translate y }");
   const PlacementSteps& steps = *s.object(0).transform->steps;
   ASSERT_EQ(steps.size(), 2u);
-  EXPECT_EQ(steps[0].kind, Kind::kClips);
+  EXPECT_EQ(steps[0].kind, StockHistoryKind::kClips);
   EXPECT_EQ(steps[0].transform.point({}), core::Vec3(1, 0, 0));
   ASSERT_EQ(steps[0].clips.size(), 1u);
   EXPECT_TRUE(steps[0].clips[0]->transform->is_identity());
   EXPECT_EQ(s.object(0).rare->clipped_by[0]->transform->point({}), core::Vec3(0, 1, 0));
-  EXPECT_EQ(steps[1].kind, Kind::kTransform);
+  EXPECT_EQ(steps[1].kind, StockHistoryKind::kTransform);
 }
 
 }  // namespace

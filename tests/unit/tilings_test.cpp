@@ -16,7 +16,7 @@
 namespace lentray::core {
 namespace {
 
-std::vector<Vec3> points(double reach, int count = 3000) {
+std::vector<Vec3> tilings_points(double reach, int count = 3000) {
   std::mt19937_64 random(11);
   std::uniform_real_distribution<double> place(-reach, reach);
   std::vector<Vec3> all;
@@ -55,7 +55,7 @@ TEST_P(UnitTilings, ValuesReachFromZeroToOneAndTouchEveryLevel) {
   const int levels = levels_of(GetParam());
   std::vector<int> seen(levels, 0);
   for (const double reach : {1.0, 12.0, 1e4}) {
-    for (const Vec3& p : points(reach)) {
+    for (const Vec3& p : tilings_points(reach)) {
       const double value = tiling->value(p);
       ASSERT_GE(value, 0.0);
       ASSERT_LE(value, 1.0);
@@ -67,7 +67,7 @@ TEST_P(UnitTilings, ValuesReachFromZeroToOneAndTouchEveryLevel) {
 
 TEST_P(UnitTilings, HeightDoesNotMatter) {
   const PatternPtr tiling = make_tiling(GetParam());
-  for (const Vec3& p : points(9.0, 300)) {
+  for (const Vec3& p : tilings_points(9.0, 300)) {
     EXPECT_EQ(tiling->value(p), tiling->value({p.x, -3.5 * p.y, p.z}));
   }
 }
@@ -77,7 +77,7 @@ TEST_P(UnitTilings, NearPointsOfATileHaveNearValues) {
   const PatternPtr tiling = make_tiling(GetParam());
   const int levels = levels_of(GetParam());
   constexpr double kNear = 1e-6, kSteepest = 6.0;
-  for (const Vec3& p : points(9.0)) {
+  for (const Vec3& p : tilings_points(9.0)) {
     const double one = tiling->value(p), other = tiling->value({p.x + kNear, p.y, p.z});
     if (std::fabs(one - other) <= kNear * kSteepest) continue;
     // Both are at the upper end of their level, so at an edge.
@@ -101,7 +101,7 @@ TEST_P(UnitTilings, AnswerToWhatIsNoNumber) {
 TEST_P(UnitPeriodicTilings, RepeatAlongBothSteps) {
   const PatternPtr tiling = make_tiling(GetParam());
   const TilePlan plan = plan_of(GetParam());
-  for (const Vec3& p : points(5.0)) {
+  for (const Vec3& p : tilings_points(5.0)) {
     const double here = tiling->value(p);
     if (here * plan.levels - std::floor(here * plan.levels) > 0.999) continue;  // at an edge
     for (const PlanePoint step : {plan.first_step, plan.second_step}) {
@@ -142,7 +142,7 @@ TEST_P(UnitPeriodicTilings, MiddlesHaveTheirLevelAndCornersTheNext) {
 TEST_P(UnitGoldenTilings, HaveFiveAxesThroughTheOrigin) {
   const PatternPtr tiling = make_tiling(GetParam());
   const double cosine = std::cos(0.4 * std::numbers::pi), sine = std::sin(0.4 * std::numbers::pi);
-  for (const Vec3& p : points(40.0)) {
+  for (const Vec3& p : tilings_points(40.0)) {
     const double here = tiling->value(p);
     EXPECT_NEAR(here, tiling->value({p.x, p.y, -p.z}), 1e-9);
     EXPECT_NEAR(here, tiling->value({cosine * p.x - sine * p.z, p.y, sine * p.x + cosine * p.z}),

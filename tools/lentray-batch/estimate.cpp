@@ -17,7 +17,7 @@ namespace {
 constexpr double kCoarse = 8.0;  ///< times fewer columns and rows
 constexpr double kLeastWidth = 48.0, kLeastHeight = 12.0;
 constexpr double kStart = 0.03;  ///< seconds that starting a program takes
-constexpr double kLongest =
+constexpr double kLongestProbe =
     60.0;  ///< seconds of a coarse render; what takes longer is taken for that much
 
 double pixels(const parser::RenderOptions& o) {
@@ -89,7 +89,7 @@ void read(const Coarse& coarse, const Ended& ended, Estimate& e) {
     e.rendering = time.at("render_cpu_s").get<double>() * coarse.scale;
   } else {
     e.fixed = ended.cpu;
-    e.rendering = ended.wall >= kLongest ? kLongest * coarse.scale : 0.0;
+    e.rendering = ended.wall >= kLongestProbe ? kLongestProbe * coarse.scale : 0.0;
   }
 }
 
@@ -132,7 +132,7 @@ std::optional<std::vector<Estimate>> estimates_of(const Plan& plan, const std::v
       auto& [i, coarse] = entry;
       const auto ended = coarse.child->ended();
       if (ended) read(coarse, *ended, out[i]);
-      if (!ended && coarse.child->seconds() > kLongest) coarse.child->kill();
+      if (!ended && coarse.child->seconds() > kLongestProbe) coarse.child->kill();
       return ended.has_value();
     });
   }

@@ -28,10 +28,10 @@ Manifest::Manifest(const std::filesystem::path& out, StateFolder& state)
   std::ifstream file(m_path, std::ios::binary);
   for (std::string line; std::getline(file, line);) {
     m_is_cut = file.eof();
-    const nlohmann::json json = nlohmann::json::parse(line, nullptr, false);
-    if (json.is_discarded()) continue;
+    const nlohmann::json parsed = nlohmann::json::parse(line, nullptr, false);
+    if (parsed.is_discarded()) continue;
     try {
-      Row row = row_of(json);
+      Row row = row_of(parsed);
       m_rows[row.name] = std::move(row);
     } catch (const std::invalid_argument&) {
       // No row of ours.

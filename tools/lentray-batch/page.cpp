@@ -44,20 +44,20 @@ std::string filled(const std::vector<std::pair<std::string_view, std::string_vie
   return out.append(rest);
 }
 
-void put(json& out, const char* name, std::string& base64) {
+void put_text(json& out, const char* name, std::string& base64) {
   if (!base64.empty()) out[name] = std::move(base64);
 }
 
 void add_pictures(json& data, std::vector<RowPictures> pictures) {
   for (std::size_t i = 0; i < pictures.size(); ++i) {
     json& row = data["rows"][i];
-    put(row, "picture", pictures[i].picture);
-    put(row, "tilt", pictures[i].tilt);
+    put_text(row, "picture", pictures[i].picture);
+    put_text(row, "tilt", pictures[i].tilt);
     if (pictures[i].tilt_views > 0) row["tilt_views"] = pictures[i].tilt_views;
-    put(row, "problem", pictures[i].problem);
+    put_text(row, "problem", pictures[i].problem);
     if (!row.contains("verdict")) continue;
-    put(row["verdict"], "stock_picture", pictures[i].stock);
-    put(row["verdict"], "difference_picture", pictures[i].difference);
+    put_text(row["verdict"], "stock_picture", pictures[i].stock);
+    put_text(row["verdict"], "difference_picture", pictures[i].difference);
   }
 }
 

@@ -20,7 +20,7 @@ State state_named(const std::string& name) {
 
 /// Members are left out where they are as a new row has them.
 template <typename T>
-void put(json& out, const char* name, const T& value) {
+void put_if_given(json& out, const char* name, const T& value) {
   if (value != T{}) out[name] = value;
 }
 
@@ -31,17 +31,17 @@ void take(const json& from, const char* name, T& value) {
 
 json to_json(const Verdict& v) {
   json out{{"grade", v.grade}};
-  put(out, "note", v.note);
+  put_if_given(out, "note", v.note);
   if (v.psnr) out["psnr"] = *v.psnr;
-  put(out, "beyond_1", v.beyond_1);
-  put(out, "beyond_2", v.beyond_2);
-  put(out, "largest", v.largest);
-  put(out, "stock_cpu_s", v.stock_cpu);
-  put(out, "stock_wall_s", v.stock_wall);
-  put(out, "stock", v.stock);
-  put(out, "difference", v.difference);
-  put(out, "lens_grades", v.lens_grades);
-  put(out, "view_grades", v.view_grades);
+  put_if_given(out, "beyond_1", v.beyond_1);
+  put_if_given(out, "beyond_2", v.beyond_2);
+  put_if_given(out, "largest", v.largest);
+  put_if_given(out, "stock_cpu_s", v.stock_cpu);
+  put_if_given(out, "stock_wall_s", v.stock_wall);
+  put_if_given(out, "stock", v.stock);
+  put_if_given(out, "difference", v.difference);
+  put_if_given(out, "lens_grades", v.lens_grades);
+  put_if_given(out, "view_grades", v.view_grades);
   return out;
 }
 
@@ -69,34 +69,34 @@ std::string_view name_of(State state) { return kStates.at(static_cast<std::size_
 json to_json(const Row& r) {
   json out{{"name", r.name}, {"source", r.source}, {"state", name_of(r.state)}};
   if (r.frame) out["frame"] = *r.frame;
-  put(out, "band", r.band);
-  put(out, "reason", r.reason);
-  put(out, "command", r.command);
-  put(out, "status", r.status);
-  put(out, "messages", r.messages);
-  put(out, "warnings", r.warnings);
-  put(out, "picture", r.picture);
-  put(out, "width", r.width);
-  put(out, "height", r.height);
-  put(out, "bytes", r.bytes);
-  put(out, "views", r.views);
-  put(out, "lens_pixels", r.lens_pixels);
-  put(out, "left_out", r.left_out);
-  put(out, "wall_s", r.wall);
-  put(out, "cpu_s", r.cpu);
-  put(out, "reading_s", r.reading);
-  put(out, "building_s", r.building);
-  put(out, "rendering_s", r.rendering);
-  put(out, "writing_s", r.writing);
-  put(out, "memory", r.memory);
+  put_if_given(out, "band", r.band);
+  put_if_given(out, "reason", r.reason);
+  put_if_given(out, "command", r.command);
+  put_if_given(out, "status", r.status);
+  put_if_given(out, "messages", r.messages);
+  put_if_given(out, "warnings", r.warnings);
+  put_if_given(out, "picture", r.picture);
+  put_if_given(out, "width", r.width);
+  put_if_given(out, "height", r.height);
+  put_if_given(out, "bytes", r.bytes);
+  put_if_given(out, "views", r.views);
+  put_if_given(out, "lens_pixels", r.lens_pixels);
+  put_if_given(out, "left_out", r.left_out);
+  put_if_given(out, "wall_s", r.wall);
+  put_if_given(out, "cpu_s", r.cpu);
+  put_if_given(out, "reading_s", r.reading);
+  put_if_given(out, "building_s", r.building);
+  put_if_given(out, "rendering_s", r.rendering);
+  put_if_given(out, "writing_s", r.writing);
+  put_if_given(out, "memory", r.memory);
   out["attempts"] = r.attempts;
-  put(out, "limits", r.limits);
-  put(out, "finished", r.finished);
+  put_if_given(out, "limits", r.limits);
+  put_if_given(out, "finished", r.finished);
   if (r.verdict) out["verdict"] = to_json(*r.verdict);
-  put(out, "key", r.key);
+  put_if_given(out, "key", r.key);
   json& files = out["files"] = json::object();
   for (const auto& [path, stamp] : r.files) files[path] = {stamp.size, stamp.modified, stamp.sum};
-  put(out, "missing", r.missing);
+  put_if_given(out, "missing", r.missing);
   return out;
 }
 

@@ -7,7 +7,7 @@
 namespace lentray::batch {
 namespace {
 
-constexpr double kLongest = 180.0,
+constexpr double kLongestTask = 180.0,
                  kShortest = 5.0;  ///< seconds of a task: a scheduler takes about one to start it
 constexpr double kTasksAProcessor = 6.0;
 constexpr std::int64_t kFewestRows = 16;
@@ -35,7 +35,7 @@ int bands_of(const Estimate& e, double seconds) {
 double task_seconds(const std::vector<Estimate>& pictures, int processors) {
   double all = 0.0;
   for (const Estimate& e : pictures) all += seconds_of(e);
-  return std::clamp(all / (kTasksAProcessor * std::max(1, processors)), kShortest, kLongest);
+  return std::clamp(all / (kTasksAProcessor * std::max(1, processors)), kShortest, kLongestTask);
 }
 
 std::vector<Task> pack(const std::vector<Estimate>& pictures, double seconds) {
