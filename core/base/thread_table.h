@@ -37,7 +37,8 @@ template <class Table>
 [[gnu::always_inline]] inline Table& table_of_thread() {
   static_assert(std::is_trivially_destructible_v<Table>);
   thread_local constinit Table* table = nullptr;
-  if (!table) [[unlikely]] table = thread_table::made<Table>();
+  if (!table) [[unlikely]]
+    table = thread_table::made<Table>();
   return *table;
 }
 

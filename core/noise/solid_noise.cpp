@@ -129,7 +129,8 @@ struct Place {
  private:
   LENTRAY_AVX2 Place(Double4 p, Double4 w) : Place(p, w, cell_of(w)) {}
   LENTRAY_AVX2 Place(Double4 p, Double4 w, Int4 c)
-      : point(p), whole(w), cell(c), known(table_of_thread<KnownCells>()[lattice_slot(c) % kKnownCells]) {}
+      : point(p), whole(w), cell(c),
+        known(table_of_thread<KnownCells>()[lattice_slot(c) % kKnownCells]) {}
   LENTRAY_AVX2 static Int4 cell_of(Double4 whole) {
     return simd::shuffled<0, 1, 2, 7>(simd::truncated(whole), simd::int4(1));
   }
