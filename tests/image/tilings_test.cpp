@@ -70,7 +70,9 @@ TEST_P(ImageTilings, HaveStocksPictureWithAStepAtEachLevel) {
           std::to_string(GetParam()) + " color_map { " + steps.str() +
           " } } finish { ambient 1 diffuse 0 } }",
       .width = 160,
-      .height = 120};
+      .height = 120,
+      .arguments = {},
+      .files = {}};
   EXPECT_TRUE(same_as_stock(scene));
 }
 

@@ -48,7 +48,9 @@ void expect_part(const Light& light, const Ray& ray) {
   if (!part || first > last) return;
   EXPECT_NEAR(part->to, last, kSlack);
   // A cylinder's part begins at the ray's origin where the ray comes from behind the light.
-  if (part->from > 0.0) EXPECT_NEAR(part->from, first, kSlack);
+  if (part->from > 0.0) {
+    EXPECT_NEAR(part->from, first, kSlack);
+  }
 }
 
 TEST(UnitLitPart, HoldsAllThatIsLitAndEndsThere) {
