@@ -124,11 +124,7 @@ void check(Arguments& arguments) {
   }
   if (!says_threads(arguments.for_lentray)) arguments.for_lentray.emplace_back("+WT1");
   arguments.options = parser::read_options(arguments.for_lentray, {});
-  const parser::RenderOptions& o = arguments.options;
-  if (o.help || o.version || o.parse_only || o.dump || o.explain || !o.dump_rays.empty()) {
-    throw OptionError("a chart renders; what else lentray does is done with lentray itself");
-  }
-  if (parser::is_animation(o.animation)) {
+  if (parser::is_animation(arguments.options.animation)) {
     throw OptionError("a chart is of one picture: without frames, +K says the clock");
   }
 }

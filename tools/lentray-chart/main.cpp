@@ -34,9 +34,8 @@ enum Status : int { kDone = 0, kError = 1, kNoneFits = 2, kStopped = 3 };
 class Charting {
  public:
   explicit Charting(const Arguments& arguments)
-      : m_arguments(arguments), m_folder(arguments.out),
-        m_progress(!arguments.options.verbose), m_session{arguments, m_folder, m_progress,
-                                                          Runner(m_folder.own("log"))} {}
+      : m_arguments(arguments), m_folder(arguments.out), m_progress(!arguments.options.verbose),
+        m_session(arguments, m_folder, m_progress) {}
 
   Status run() {
     try {

@@ -14,12 +14,17 @@
 namespace lentray::chart {
 
 struct Session {
+  Session(const Arguments& what, const ChartFolder& where, const Progress& shown);
+  ~Session();
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+
   const Arguments& arguments;
   const ChartFolder& folder;
   const Progress& progress;
   Runner runner;
-  ChartState state{};
-  MatrixRequest request{};
+  ChartState state;
+  MatrixRequest request;
 
   Chart& chart() { return state.chart; }
   void save() const { folder.save(state); }
