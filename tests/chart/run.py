@@ -115,7 +115,7 @@ def table_is_true(check, chart):
     for row in rows.values():
         check(row["state"] == "done" and float(row["cpu_s"]) > 0 and int(row["repeats"]) >= 2, f"times: {row}")
         check(float(row["cpu_least_s"]) <= float(row["cpu_s"]) <= float(row["cpu_most_s"]), f"spread: {row}")
-        has_stock = row["id"] == "plain" or row["kind"] in ("antialiasing", "quality") and "method3" not in row["id"]
+        has_stock = row["id"] == "plain" or row["kind"] in ("antialiasing", "quality") and "grid" not in row["id"]
         check((row["stock_cpu_s"] != "") == has_stock, f"stock's time: {row}")
         if has_stock and "jitter" not in row["id"]:
             # Every sample of the area light is a point of a grid: both have the same picture.
@@ -168,7 +168,7 @@ def again(check, chart):
     check(len(chart.rendered()) <= calls + 4, "a chart that is done renders no setting again")
     (chart.folder / "my scene.pov").write_text(SCENE.replace("rgb <1, 0.3, 0>", "rgb <0, 0.3, 1>"))
     new = chart.run("--out", "out", *SIZE, *FEW, "--only", "exact", "--no-stock", "--lentray", chart.program)
-    check(new.returncode == 1 or new.returncode == 0, f"{new.stderr}")
+    check(new.returncode == 0, f"{new.stderr}")
     check("the chart begins anew: the scene's name, an option" not in new.stderr and
           "the chart begins anew: " in new.stderr and "my scene.pov has changed" in new.stderr, f"a changed scene: {new.stderr}")
     other = chart.run("--out", "out", "+W50", "+H40", *FEW, "--only", "exact", "--no-stock", "--lentray", chart.program)

@@ -97,12 +97,13 @@ TEST_F(UnitChartArguments, BadOnesAreNamed) {
       {{s, out, "+GIa.ini"}, ours},
       {{s, out, "Statistics_File=a"}, ours},
       {{s, out, "max_time=3"}, ours},
+      {{s, out, "Antialias_Grid=4"}, ours},
       {{s, out, "+KFF3"}, "a chart is of one picture"},
       {{s, out, "Antialias_Dept=3"}, "Antialias_Dept"},
   };
   for (const auto& [words, said] : cases) {
     EXPECT_NE(refused(words).find(said), std::string::npos)
-        << said << "\n  not in: " << refused(words);
+        << words.back() << ": " << said << "\n  not in: " << refused(words);
   }
 }
 
@@ -178,7 +179,8 @@ TEST(UnitChartFacts, NoiseIsExplained) {
 }
 
 constexpr const char* kAllOptions =
-    "Sampling_Method=1|2|3 Area_Light_Samples=n Blur_Samples=n Media_Method=1|2|3 Media_Samples=n "
+    "Antialias_Grid=n Specialised_Paths=on|off Area_Light_Adaptive=n|off Area_Light_Samples=n "
+    "Blur_Samples=n Media_Method=1|2|3 Media_Samples=n "
     "Max_Trace_Level=n Adc_Bailout=n Lens_Rays=n Lens_Model=paraxial|pinhole|thick";
 
 MatrixRequest everything() {
@@ -223,8 +225,11 @@ TEST(UnitChartMatrix, HasEveryKindThatTheSceneUses) {
                          "aa-method2-depth4-threshold0",
                          "aa-method1-depth3-threshold0-03",
                          "aa-method1-depth3-threshold0-3-jitter",
-                         "aa-method3-depth4",
+                         "aa-grid4",
                          "area-samples-4",
+                         "area-adaptive-0",
+                         "area-adaptive-off",
+                         "paths-general",
                          "blur-samples-37",
                          "media-method3-intervals1-samples10",
                          "trace-level-2",
@@ -263,7 +268,8 @@ TEST(UnitChartMatrix, LeavesOutWhatLentrayHasNot) {
   const std::vector<Setting> all = settings_of(r);
   for (const Setting& s : all) {
     for (const std::string& option : s.options) {
-      for (const char* name : {"Area_Light", "Blur", "Max_Trace", "Adc", "Lens_Rays", "Method=3"}) {
+      for (const char* name : {"Area_Light", "Blur", "Max_Trace", "Adc", "Lens_Rays",
+                               "Antialias_Grid", "Specialised"}) {
         if (s.kind != Kind::media) EXPECT_FALSE(option.find(name) != std::string::npos) << option;
       }
     }
@@ -295,7 +301,7 @@ TEST(UnitChartMatrix, OnlySomeKindsAndQuick) {
   EXPECT_LT(settings_of(r).size(), all / 2);
   EXPECT_EQ(ids_of(settings_of(r), Kind::exact),
             (std::set<std::string>{"plain", "order-rows", "cache-off", "accelerator-grid",
-                                   "light-buffer-off", "threads-2"}));
+                                   "light-buffer-off", "paths-general", "threads-2"}));
   r.only = {Kind::media};
   EXPECT_EQ(settings_of(r).size(), 1 + ids_of(settings_of(r), Kind::media).size());
   r.only = {Kind::combined};
@@ -345,9 +351,8 @@ TEST(UnitChartMatrix, CrossesCoarsely) {
 
 TEST(UnitChartMatrix, StockHasSomeSettings) {
   for (const Setting& s : settings_of(everything())) {
-    const bool expected =
-        s.is_plain || s.kind == Kind::quality ||
-        (s.kind == Kind::antialiasing && s.id.find("method3") == std::string::npos);
+    const bool expected = s.is_plain || s.kind == Kind::quality ||
+                          (s.kind == Kind::antialiasing && s.id.find("grid") == std::string::npos);
     EXPECT_EQ(stock_has(s), expected) << s.id;
   }
 }
@@ -361,12 +366,12 @@ TEST(UnitChartReference, RaisesAllThatApplies) {
   const auto first = reference_step(r, 0, false), second = reference_step(r, 1, false);
   ASSERT_TRUE(first && second);
   for (const char* option :
-       {"Sampling_Method=3", "+R3", "-J", "Area_Light_Samples=4", "Blur_Samples=16",
+       {"Antialias_Grid=3", "Area_Light_Samples=4", "Area_Light_Adaptive=off", "Blur_Samples=16",
         "Media_Method=3", "Media_Samples=10", "Max_Trace_Level=24", "Adc_Bailout=0.001", "+Q9"}) {
     EXPECT_TRUE(has_option(*first, option)) << option;
   }
-  for (const char* option : {"+R4", "Area_Light_Samples=6", "Blur_Samples=32", "Media_Samples=20",
-                             "Max_Trace_Level=48", "Adc_Bailout=0.0005"}) {
+  for (const char* option : {"Antialias_Grid=4", "Area_Light_Samples=6", "Blur_Samples=32",
+                             "Media_Samples=20", "Max_Trace_Level=48", "Adc_Bailout=0.0005"}) {
     EXPECT_TRUE(has_option(*second, option)) << option;
   }
   EXPECT_EQ(first->work, 1.0);
@@ -382,12 +387,12 @@ TEST(UnitChartReference, EndsWhereNothingGrows) {
   EXPECT_EQ(reference_step(r, 3, false)->options,
             (std::vector<std::string>{"+A0", "+AM1", "+R9", "-J", "+Q9"}));
   EXPECT_FALSE(reference_step(r, 4, false));
-  r.abilities = Abilities("Sampling_Method=1|2|3");
-  EXPECT_TRUE(has_option(*reference_step(r, 7, false), "+R32"));
-  EXPECT_FALSE(reference_step(r, 8, false));
+  r.abilities = Abilities("Antialias_Grid=n");
+  EXPECT_TRUE(has_option(*reference_step(r, 9, false), "Antialias_Grid=64"));
+  EXPECT_FALSE(reference_step(r, 10, false));
   r = everything();
   for (int step = 0; const auto s = reference_step(r, step, true); ++step) {
-    ASSERT_LT(step, 12);
+    ASSERT_LT(step, 20);
     for (const std::string& option : s->options) {
       if (option.starts_with("Max_Trace_Level=")) EXPECT_LE(std::stoi(option.substr(16)), 256);
       if (option.starts_with("Lens_Rays=")) EXPECT_LE(std::stoi(option.substr(10)), 1024);

@@ -75,7 +75,8 @@ static_assert(std::size(kNames) == std::size(kApply));
 constexpr std::array kOurs{"Input_File_Name",   "Output_File_Name", "Output_To_File",
                            "Output_File_Type",  "Continue_Trace",   "Statistics_File",
                            "Create_Ini",        "Max_Time",         "Scene_Writes",
-                           "Dependencies_File", "Bits_Per_Color",   "Bits_Per_Colour"};
+                           "Dependencies_File", "Bits_Per_Color",   "Bits_Per_Colour",
+                           "Antialias_Grid"};
 
 void refuse_ours(const std::string& word) {
   bool is_ours = false;
@@ -148,7 +149,7 @@ Arguments parse_arguments(const std::vector<std::string>& words) {
     } else if (word.starts_with("--")) {
       throw OptionError("unknown option '" + word + "'; --help tells all");
     } else if (is_switch(word) || word.find('=') != std::string::npos || is_ini(word)) {
-      if (!is_ini(word)) refuse_ours(word);
+      if (is_switch(word) || !is_ini(word)) refuse_ours(word);
       arguments.for_lentray.push_back(word);
     } else {
       take_scene(arguments, word);

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdio>
+#include <span>
 
 #include "shadow/pixel_orders.h"
 #include "shadow/tester_factory.h"
@@ -131,19 +131,24 @@ class Matrix {
               (s.jitter ? ", jitter" : ""),
           {"+A" + threshold, "+AM" + method, "+R" + depth, s.jitter ? "+J" : "-J"});
     }
-    if (!m.abilities.has("Sampling_Method", "3")) return;
+    if (!m.abilities.has("Antialias_Grid")) return;
     for (const double depth : some({2, 3, 4, 8}, {2, 4})) {
       const std::string text = text_of(depth);
-      add(Kind::antialiasing, "aa-method3-depth" + text,
-          "antialiasing, method 3, " + text + " x " + text + " samples in every pixel",
-          {"+A", "Sampling_Method=3", "Antialias_Depth=" + text});
+      add(Kind::antialiasing, "aa-grid" + text,
+          "antialiasing, " + text + " x " + text + " samples in every pixel",
+          {"Antialias_Grid=" + text});
     }
   }
 
   void area_lights() {
     if (!m.facts.area_lights) return;
     sweep(Kind::area_light, "Area_Light_Samples", "area-samples", "area light samples",
-          some({1, 2, 3, 4, 6, 8, 12, 16}, {1, 4, 8}));
+          some({2, 3, 4, 6, 8, 12, 16}, {2, 4, 8}));
+    sweep(Kind::area_light, "Area_Light_Adaptive", "area-adaptive", "adaptive area lights,",
+          some({0, 1, 2}, {0}));
+    if (!m.abilities.has("Area_Light_Adaptive")) return;
+    add(Kind::area_light, "area-adaptive-off", "area lights with all their samples",
+        {"Area_Light_Adaptive=off"});
   }
 
   void focal_blur() {
@@ -220,6 +225,9 @@ class Matrix {
     if (!m.quick) {
       add(Kind::exact, "band-height-16", "bands of 16 rows", {"Band_Height=16"});
     }
+    if (m.abilities.has("Specialised_Paths")) {
+      add(Kind::exact, "paths-general", "without specialised paths", {"Specialised_Paths=Off"});
+    }
     if (m.processors > 1 && m.own.threads == 1) {
       add(Kind::exact, "threads-2", "two threads", {"+WT2"});
     }
@@ -288,7 +296,9 @@ std::vector<Setting> combined_settings(const std::vector<Point>& points, bool qu
 bool stock_has(const Setting& setting) {
   if (setting.is_plain || setting.kind == Kind::quality) return true;
   return setting.kind == Kind::antialiasing &&
-         std::ranges::find(setting.options, "Sampling_Method=3") == setting.options.end();
+         std::ranges::none_of(setting.options, [](const std::string& option) {
+           return option.starts_with("Antialias_Grid=");
+         });
 }
 
 }  // namespace lentray::chart

@@ -22,8 +22,7 @@ class Ladder {
 
   std::optional<ReferenceStep> step() {
     antialiasing();
-    if (m.facts.area_lights)
-      samples("Area_Light_Samples", "area light samples", 4.0, std::sqrt(2.0), 64);
+    if (m.facts.area_lights) area_lights();
     if (m.facts.focal_blur) samples("Blur_Samples", "blur samples", 16.0, 2.0, 4096);
     media();
     lens();
@@ -37,16 +36,17 @@ class Ladder {
   void say(const std::string& text) { m_out.what += (m_out.what.empty() ? "" : "; ") + text; }
 
   void antialiasing() {
-    static constexpr std::array kEvery{3, 4, 6, 8, 11, 16, 23, 32};
+    static constexpr std::array kEvery{3, 4, 6, 8, 11, 16, 23, 32, 45, 64};
     static constexpr std::array kRefined{3, 5, 7, 9};
-    const bool every = m.abilities.has("Sampling_Method", "3");
+    const bool every = m.abilities.has("Antialias_Grid");
     const int last = static_cast<int>(every ? kEvery.size() : kRefined.size()) - 1;
     const auto depth_at = [&](int step) {
       const auto i = static_cast<std::size_t>(std::clamp(step, 0, last));
       return every ? kEvery[i] : kRefined[i];
     };
     const std::string depth = std::to_string(depth_at(m_step));
-    m_out.options = {"+A0", every ? "Sampling_Method=3" : "+AM1", "+R" + depth, "-J"};
+    m_out.options = every ? std::vector<std::string>{"Antialias_Grid=" + depth}
+                          : std::vector<std::string>{"+A0", "+AM1", "+R" + depth, "-J"};
     say(depth + " x " + depth + " samples a pixel");
     grow(m_step <= last, std::pow(double(depth_at(m_step)) / depth_at(m_step - 1), 2.0));
   }
@@ -67,6 +67,13 @@ class Ladder {
     m_out.options.push_back(std::string(option) + "=" + number);
     say(number + " " + label);
     grow(at(m_step) > at(m_step - 1), 2.0);
+  }
+
+  void area_lights() {
+    samples("Area_Light_Samples", "samples of area lights each way", 4.0, std::sqrt(2.0), 1000);
+    if (m.abilities.has("Area_Light_Adaptive")) {
+      m_out.options.emplace_back("Area_Light_Adaptive=off");
+    }
   }
 
   void media() {
