@@ -8,6 +8,7 @@ import argparse
 import csv
 import os
 import pathlib
+import pty
 import resource
 import shlex
 import shutil
@@ -230,6 +231,23 @@ def bare_machine(check, chart):
     check("no setting has a time and an error" in lost.stdout, f"{lost.stdout}")
 
 
+def bar(check, chart):
+    """What a terminal shows."""
+    ours, theirs = pty.openpty()
+    with subprocess.Popen(chart.command("--out", "bar", *SIZE, *FEW, "--only", "exact", "--no-stock"), cwd=chart.folder,
+                          stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=theirs) as child:
+        os.close(theirs)
+        shown = b""
+        try:
+            while part := os.read(ours, 4096):
+                shown += part
+        except OSError:  # the other end is closed
+            pass
+    os.close(ours)
+    text = shown.decode(errors="replace")
+    check(child.returncode == 0 and "#" in text and " s left: [round 1, " in text and "\r\x1b[K" in text, f"a bar: {text!r}")
+
+
 def sheets(check, chart):
     done = chart.run("--out", "sheet", "Lenticular=On", "Lens_Pixels=6", "View_Distance=inf", *SIZE, *FEW, "--only", "lens_model")
     check(done.returncode == 0, f"a sheet: {done.returncode}, {done.stderr}")
@@ -260,6 +278,7 @@ def main():
         other = Chart(pathlib.Path(place) / "second", binaries)
         failing_settings(check, other)
         bare_machine(check, other)
+        bar(check, other)
         sheets(check, other)
         bad_scenes(check, other)
     print(f"{check.passed} passed, {check.failed} failed")

@@ -121,8 +121,10 @@ TEST(UnitChartFront, TheChoiceIsTheBestOfAll) {
     EXPECT_EQ(error.point != nullptr, fits_error);
     EXPECT_EQ(budget.reason.empty(), fits_budget);
     EXPECT_EQ(error.reason.empty(), fits_error);
-    if (budget.point) EXPECT_TRUE(budget.point->on_front);
-    if (budget.point) EXPECT_EQ(budget.command, budget.point->command);
+    if (budget.point) {
+      EXPECT_TRUE(budget.point->on_front);
+      EXPECT_EQ(budget.command, budget.point->command);
+    }
     (fits_budget ? found : none) += 1;
   }
   EXPECT_GT(found, 100);

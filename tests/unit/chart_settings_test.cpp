@@ -270,7 +270,9 @@ TEST(UnitChartMatrix, LeavesOutWhatLentrayHasNot) {
     for (const std::string& option : s.options) {
       for (const char* name : {"Area_Light", "Blur", "Max_Trace", "Adc", "Lens_Rays",
                                "Antialias_Grid", "Specialised"}) {
-        if (s.kind != Kind::media) EXPECT_FALSE(option.find(name) != std::string::npos) << option;
+        if (s.kind != Kind::media) {
+          EXPECT_FALSE(option.find(name) != std::string::npos) << option;
+        }
       }
     }
   }
@@ -394,8 +396,12 @@ TEST(UnitChartReference, EndsWhereNothingGrows) {
   for (int step = 0; const auto s = reference_step(r, step, true); ++step) {
     ASSERT_LT(step, 20);
     for (const std::string& option : s->options) {
-      if (option.starts_with("Max_Trace_Level=")) EXPECT_LE(std::stoi(option.substr(16)), 256);
-      if (option.starts_with("Lens_Rays=")) EXPECT_LE(std::stoi(option.substr(10)), 1024);
+      if (option.starts_with("Max_Trace_Level=")) {
+        EXPECT_LE(std::stoi(option.substr(16)), 256);
+      }
+      if (option.starts_with("Lens_Rays=")) {
+        EXPECT_LE(std::stoi(option.substr(10)), 1024);
+      }
     }
   }
 }

@@ -176,7 +176,6 @@ times each; every picture is held against a converged reference of the scene
 and against stock POV-Ray's at the same settings. DIR gets chart.csv, the page
 index.html and the pictures. Stopped, it goes on with the same command.
 
-Options:
   --out DIR        the folder for everything
   --budget T       names the setting with the least error that renders within
                    T seconds of processor time (30s, 2min, 500ms)
