@@ -191,12 +191,12 @@ TEST(UnitChartTable, CsvHasARowASetting) {
   EXPECT_EQ(commas(lines[0]), commas(lines[2]));
   EXPECT_EQ(lines[1],
             "a,antialiasing,label of a,+Ra,done,,2,1,4,3,0.5,40,0,0,1.25,yes,yes,,0.25,2,7,0.75,"
-            "0.125,60,0.5,3,,pictures/a.png,lentray a.pov +Ra");
+            "0.125,60,0.5,3,pictures/a.png,lentray a.pov +Ra");
   EXPECT_EQ(lines[2],
-            "b,antialiasing,label of b,+Rb,done,,3,3,3,1,0,inf,0,0,,yes,yes,,,,,,,,,,,,"
+            "b,antialiasing,label of b,+Rb,done,,3,3,3,1,0,inf,0,0,,yes,yes,,,,,,,,,,,"
             "lentray a.pov +Rb");
   EXPECT_EQ(lines[3],
-            "c,media,\"l, \"\"c\"\"\",,failed,no such method,,,,0,,,,,,yes,no,,,,,,,,,,,,"
+            "c,media,\"l, \"\"c\"\"\",,failed,no such method,,,,0,,,,,,yes,no,,,,,,,,,,,"
             "lentray a.pov");
 }
 

@@ -149,8 +149,9 @@ void measure_again(Session& session, Point& point) {
 
 void find_stock(Session& session) {
   Chart& chart = session.chart();
+  const bool is_compared_sheet = chart.is_sheet && chart.points.front().from_stock;
   chart.stock.clear();
-  chart.stock_reason.clear();
+  if (!is_compared_sheet) chart.stock_reason.clear();
   if (!session.arguments.with_stock) {
     chart.stock_reason = "it was not asked for (--no-stock)";
     return;

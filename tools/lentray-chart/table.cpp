@@ -24,11 +24,10 @@ const char* name_of(State state) {
   return "waiting";
 }
 
-/// rms, psnr, share, largest, perceived
+/// rms, psnr, share, largest
 std::string figures(const std::optional<Error>& e) {
-  if (!e) return ",,,,";
-  return number(e->rms) + "," + number(e->psnr) + "," + number(e->share) + "," +
-         number(e->largest) + "," + (e->perceived ? number(*e->perceived) : "");
+  if (!e) return ",,,";
+  return number(e->rms) + "," + number(e->psnr) + "," + number(e->share) + "," + number(e->largest);
 }
 
 std::string row(const Point& p) {
@@ -43,8 +42,9 @@ std::string row(const Point& p) {
   for (const double seconds : {p.seconds(), p.least(), p.most()}) {
     out += (timed ? number(seconds) : "") + ",";
   }
-  out += std::to_string(p.cpu_s.size()) + "," + figures(p.error) + "," + yes(p.told_apart) + "," +
-         yes(p.on_front) + "," + tool::csv_field(p.dominated_by) + ",";
+  out += std::to_string(p.cpu_s.size()) + "," + figures(p.error) + "," +
+         (p.error && p.error->perceived ? number(*p.error->perceived) : "") + "," +
+         yes(p.told_apart) + "," + yes(p.on_front) + "," + tool::csv_field(p.dominated_by) + ",";
   out += (p.from_plain ? number(p.from_plain->rms) + "," + number(p.from_plain->largest) : ",");
   out += "," + (p.stock_cpu_s ? number(*p.stock_cpu_s) : "") + "," +
          (p.stock_error ? number(p.stock_error->rms) : "") + "," + figures(p.from_stock) + ",";
@@ -94,7 +94,7 @@ std::string csv_of(const Chart& chart) {
       "id,kind,label,options,state,reason,cpu_s,cpu_least_s,cpu_most_s,repeats,rms,psnr,share,"
       "largest,perceived,told_apart,on_front,dominated_by,from_plain_rms,from_plain_largest,"
       "stock_cpu_s,stock_rms,from_stock_rms,from_stock_psnr,from_stock_share,from_stock_largest,"
-      "from_stock_perceived,picture,command\n";
+      "picture,command\n";
   for (const Point& p : chart.points) out += row(p);
   return out;
 }
