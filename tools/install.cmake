@@ -3,7 +3,8 @@
 #   cmake --install build/release --prefix X
 include(GNUInstallDirs)
 
-set(LENTRAY_PROGRAMS lentray lentray-batch lentray-diff lentray-merge lentray-model lentray-grouping)
+set(LENTRAY_PROGRAMS lentray lentray-batch lentray-diff lentray-merge lentray-model lentray-grouping
+  lentray-chart)
 set(LENTRAY_MODULES lib/lentray)  # a folder of the package's own: no multiarch
 # Programs of the build tree find the module beside themselves, installed ones along this path.
 set_target_properties(${LENTRAY_PROGRAMS} PROPERTIES INSTALL_RPATH "$ORIGIN/../${LENTRAY_MODULES}")
@@ -83,6 +84,6 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS povray-includes)
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS "povray, gnuplot-nox | gnuplot")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "povray, gnuplot-nox | gnuplot, libjxl-devtools")
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 include(CPack)

@@ -9,7 +9,8 @@ packages="
   cmake ninja-build g++ ccache git python3
   libtbb-dev libboost-dev libboost-program-options-dev nlohmann-json3-dev
   libopenimageio-dev openimageio-tools libopenexr-dev libpng-dev zlib1g-dev libgif-dev libjpeg-dev libfreetype-dev
-  libgtest-dev libbenchmark-dev libembree-dev gnuplot-nox valgrind dpkg-dev file
+  libgtest-dev libbenchmark-dev libembree-dev gnuplot-nox libjxl-devtools valgrind dpkg-dev
+  file
   povray povray-includes povray-examples"
 
 if [ "${1:-}" = --all ]; then

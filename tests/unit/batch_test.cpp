@@ -7,11 +7,11 @@
 #include <numeric>
 
 #include "parser/options/options.h"
+#include "tools/common/messages.h"
 #include "tools/common/process.h"
 #include "tools/lentray-batch/arguments.h"
 #include "tools/lentray-batch/job.h"
 #include "tools/lentray-batch/manifest.h"
-#include "tools/lentray-batch/messages.h"
 #include "tools/lentray-batch/scan.h"
 #include "tools/lentray-batch/stamps.h"
 #include "tools/lentray-batch/state_folder.h"
@@ -319,10 +319,10 @@ TEST_F(UnitBatch, ViewsAreColumnsOfTheSheet) {
 }
 
 TEST_F(UnitBatch, MessagesAreOneLineEach) {
-  EXPECT_EQ(one_line("a\x1b[31mb  \r"), "a\\x1b[31mb");
-  EXPECT_EQ(one_line(std::string(500, 'x'), 10), "xxxxxxxxxx...");
-  EXPECT_EQ(one_line("\xc3\xa4\xc3\xa4", 3), "\xc3\xa4...");
-  EXPECT_EQ(last_error("banner\nParse Error: Expected '{'\nFatal error in parser\n"),
+  EXPECT_EQ(tool::one_line("a\x1b[31mb  \r"), "a\\x1b[31mb");
+  EXPECT_EQ(tool::one_line(std::string(500, 'x'), 10), "xxxxxxxxxx...");
+  EXPECT_EQ(tool::one_line("\xc3\xa4\xc3\xa4", 3), "\xc3\xa4...");
+  EXPECT_EQ(tool::last_error("banner\nParse Error: Expected '{'\nFatal error in parser\n"),
             "Expected '{'");
 }
 

@@ -11,7 +11,7 @@ import shutil
 import subprocess
 import sys
 
-PROGRAMS = ("lentray", "lentray-batch", "lentray-diff", "lentray-merge", "lentray-model", "lentray-grouping")
+PROGRAMS = ("lentray", "lentray-batch", "lentray-diff", "lentray-merge", "lentray-model", "lentray-grouping", "lentray-chart")
 failed = 0
 
 

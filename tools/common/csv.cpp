@@ -11,7 +11,13 @@ std::string number_text(double value) {
 }
 
 std::string csv_field(const std::string& text) {
-  return text.find(',') == std::string::npos ? text : '"' + text + '"';
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"') out += c;
+    out += c;
+  }
+  return out + '"';
 }
 
 }  // namespace lentray::tool

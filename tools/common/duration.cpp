@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
+#include <utility>
 
 namespace lentray::tool {
 
@@ -20,6 +22,20 @@ std::string duration_text(double seconds) {
     std::snprintf(text, sizeof text, "%lld h %lld min", minutes / 60, minutes % 60);
   }
   return text;
+}
+
+std::optional<double> duration_of(std::string_view text) {
+  constexpr std::pair<std::string_view, double> kUnits[] = {
+      {"", 1.0}, {"s", 1.0}, {"ms", 0.001}, {"min", 60.0}, {"m", 60.0}, {"h", 3600.0}};
+  const std::string word(text);
+  char* end = nullptr;
+  const double value = std::strtod(word.c_str(), &end);
+  if (end == word.c_str() || !(value > 0.0) || !std::isfinite(value)) return std::nullopt;
+  const std::string_view unit(end);
+  for (const auto& [name, seconds] : kUnits) {
+    if (unit == name) return value * seconds;
+  }
+  return std::nullopt;
 }
 
 }  // namespace lentray::tool

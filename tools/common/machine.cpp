@@ -4,6 +4,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#include <fstream>
 #include <limits>
 
 namespace lentray::tool {
@@ -40,6 +41,15 @@ double machine_memory() {
   const long pages = sysconf(_SC_PHYS_PAGES), size = sysconf(_SC_PAGE_SIZE);
   if (pages <= 0 || size <= 0) return std::numeric_limits<double>::infinity();
   return static_cast<double>(pages) * static_cast<double>(size);
+}
+
+std::string processor_name() {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);) {
+    const std::size_t at = line.find(": ");
+    if (line.starts_with("model name") && at != std::string::npos) return line.substr(at + 2);
+  }
+  return "processor";
 }
 
 }  // namespace lentray::tool

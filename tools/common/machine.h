@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 namespace lentray::tool {
 
@@ -14,5 +15,8 @@ double cpu_seconds_of_children();
 /// Bytes: the most that was held; of the machine (infinite where it does not tell).
 std::uint64_t peak_bytes();
 double machine_memory();
+
+/// The model of the processor as the system names it; "processor" where it does not tell.
+std::string processor_name();
 
 }  // namespace lentray::tool

@@ -8,9 +8,9 @@
 #include <stdexcept>
 
 #include "tools/common/duration.h"
+#include "tools/common/messages.h"
 #include "tools/common/process.h"
 #include "tools/lentray-batch/estimate.h"
-#include "tools/lentray-batch/messages.h"
 
 namespace lentray::batch {
 
@@ -229,7 +229,7 @@ void Cluster::merge(const std::string& name, const std::vector<Row>& bands) {
       job.publish_statistics(bands.front());
     } else {
       row.state = State::failed;
-      row.reason = "bands cannot be joined: " + last_error(result.output);
+      row.reason = "bands cannot be joined: " + tool::last_error(result.output);
     }
   }
   for (const Row& band : bands) {
@@ -247,7 +247,7 @@ bool Cluster::wait() {
     collect();
     if (m_jobs.empty()) return true;
     m_progress.running(m_jobs.size());
-    if (wait_for_news(std::chrono::milliseconds(300)) != 0) {
+    if (tool::wait_for_news(std::chrono::milliseconds(300)) != 0) {
       m_progress.say("the job array " + m_job +
                      " goes on; the same command collects what it does, scancel " + m_job +
                      " ends it");

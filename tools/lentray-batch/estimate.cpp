@@ -48,7 +48,7 @@ struct Coarse {
   const Job* job = nullptr;
   std::string statistics;
   double scale = 1.0;  ///< pixels of the picture to those of this render
-  std::unique_ptr<Child> child;
+  std::unique_ptr<tool::Child> child;
 };
 
 Coarse start(const Plan& plan, const Job& job, const std::string& place) {
@@ -62,7 +62,7 @@ Coarse start(const Plan& plan, const Job& job, const std::string& place) {
   coarse.job = &job;
   coarse.statistics = place + ".json";
   coarse.scale = pixels(o) / (width * height);
-  Launch launch;
+  tool::Launch launch;
   launch.folder = job.scene().source.parent_path();
   launch.log = place + ".log";
   launch.command = {plan.arguments.lentray.string()};
@@ -75,11 +75,11 @@ Coarse start(const Plan& plan, const Job& job, const std::string& place) {
         "Statistics_File=" + coarse.statistics}) {
     launch.command.push_back(word);
   }
-  coarse.child = std::make_unique<Child>(launch);
+  coarse.child = std::make_unique<tool::Child>(launch);
   return coarse;
 }
 
-void read(const Coarse& coarse, const Ended& ended, Estimate& e) {
+void read(const Coarse& coarse, const tool::Ended& ended, Estimate& e) {
   std::ifstream file(coarse.statistics, std::ios::binary);
   const json all = file ? json::parse(file, nullptr, false) : json();
   if (ended.status == 0 && all.is_object()) {
@@ -127,7 +127,7 @@ std::optional<std::vector<Estimate>> estimates_of(const Plan& plan, const std::v
       waiting.pop_front();
       running[i] = start(plan, *jobs[i], (folder / std::to_string(i)).string());
     }
-    if (wait_for_news(std::chrono::milliseconds(200)) != 0) return std::nullopt;
+    if (tool::wait_for_news(std::chrono::milliseconds(200)) != 0) return std::nullopt;
     std::erase_if(running, [&out](auto& entry) {
       auto& [i, coarse] = entry;
       const auto ended = coarse.child->ended();

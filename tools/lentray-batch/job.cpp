@@ -10,8 +10,8 @@
 #include "core/image/reader.h"
 #include "parser/files/watched_files.h"
 #include "parser/options/create_ini.h"
+#include "tools/common/messages.h"
 #include "tools/common/process.h"
-#include "tools/lentray-batch/messages.h"
 #include "tools/lentray-batch/stamps.h"
 #include "tools/lentray-batch/views.h"
 
@@ -239,8 +239,8 @@ std::vector<std::string> Job::words() const {
   return words;
 }
 
-Launch Job::render(int threads, double memory) {
-  Launch launch;
+tool::Launch Job::render(int threads, double memory) {
+  tool::Launch launch;
   launch.folder = m_scene.source.parent_path();
   launch.log = run_file("log");
   const bool goes_on = can_go_on();
@@ -276,7 +276,7 @@ Launch Job::render(int threads, double memory) {
   return launch;
 }
 
-void Job::rendered(const Ended& ended, bool stopped) {
+void Job::rendered(const tool::Ended& ended, bool stopped) {
   m_row.wall += ended.wall;
   m_row.cpu += ended.cpu;
   m_row.memory = std::max(m_row.memory, ended.memory);
@@ -305,7 +305,7 @@ void Job::rendered(const Ended& ended, bool stopped) {
   m_row.finished = utc_now();
 }
 
-void Job::fail(const Ended& ended) {
+void Job::fail(const tool::Ended& ended) {
   std::string reason;
   for (const std::string& line : m_row.messages) {
     const bool is_error =
@@ -343,7 +343,7 @@ void Job::read_log() {
   for (std::string line; std::getline(file, line);) {
     if (line.find("warning:") != std::string::npos) ++m_row.warnings;
     if (m_row.messages.size() >= kMostMessages) continue;
-    m_row.messages.push_back(one_line(line));
+    m_row.messages.push_back(tool::one_line(line));
   }
 }
 
@@ -389,8 +389,8 @@ bool Job::needs_views() const {
   return m_row.views.empty();
 }
 
-Launch Job::split_views() {
-  Launch launch;
+tool::Launch Job::split_views() {
+  tool::Launch launch;
   launch.log = run_file("views");
   const fs::path picture = picture_path(), out = m_plan.arguments.out;
   const double pixels = m_row.lens_pixels;
@@ -401,11 +401,11 @@ Launch Job::split_views() {
   return launch;
 }
 
-void Job::views_split(const Ended& ended) {
+void Job::views_split(const tool::Ended& ended) {
   if (ended.status == 0) return;
   m_row.views.clear();
   m_views_failed = true;
-  m_row.messages.push_back("views: " + one_line(tool::read_text(run_file("views"))));
+  m_row.messages.push_back("views: " + tool::one_line(tool::read_text(run_file("views"))));
   ++m_row.warnings;
 }
 
@@ -414,8 +414,8 @@ bool Job::needs_comparison() const {
   return m_has_picture || m_is_over;
 }
 
-Launch Job::compare(int processes) {
-  Launch launch;
+tool::Launch Job::compare(int processes) {
+  tool::Launch launch;
   launch.folder = m_scene.source.parent_path();
   launch.log = run_file("comparison");
   const fs::path prefix = root() / "compare" / fs::path(m_row.picture).replace_extension();
@@ -439,13 +439,13 @@ Launch Job::compare(int processes) {
   return launch;
 }
 
-void Job::compared(const Ended& ended) {
+void Job::compared(const tool::Ended& ended) {
   Verdict v;
   const json all = read_json(run_file("verdict"));
   if (ended.status > 128) {
     v.note = signal_text(ended.status - 128);
   } else if (ended.status == 2 || !all.is_object()) {
-    v.note = last_error(tool::read_text(run_file("comparison")));
+    v.note = tool::last_error(tool::read_text(run_file("comparison")));
   } else {
     v.stock_cpu = all.value("stock_cpu_s", 0.0);
     v.stock_wall = all.value("stock_wall_s", 0.0);

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "parser/options/options.h"
+#include "tools/common/child.h"
 #include "tools/lentray-batch/arguments.h"
-#include "tools/lentray-batch/child.h"
 #include "tools/lentray-batch/row.h"
 #include "tools/lentray-batch/scan.h"
 #include "tools/lentray-batch/state_folder.h"
@@ -67,15 +67,15 @@ class Job {
   bool needs_views() const;
   bool needs_comparison() const;
 
-  Launch render(int threads, double memory);
+  tool::Launch render(int threads, double memory);
   /// `stopped`: it was asked to, to be gone on with.
-  void rendered(const Ended& ended, bool stopped);
+  void rendered(const tool::Ended& ended, bool stopped);
   /// The run took more memory than it was given, and may be given more.
   bool lacked_memory() const { return m_lacked_memory; }
-  Launch split_views();
-  void views_split(const Ended& ended);
-  Launch compare(int processes);
-  void compared(const Ended& ended);
+  tool::Launch split_views();
+  void views_split(const tool::Ended& ended);
+  tool::Launch compare(int processes);
+  void compared(const tool::Ended& ended);
   /// Of a band: the comparison of the whole picture needs what it says of the lens.
   void publish_statistics(const Row& band) const;
   /// It is not to be run any more; or is, after all.
@@ -95,7 +95,7 @@ class Job {
   void read_dependencies(std::int64_t since);
   void read_statistics();
   void read_log();
-  void fail(const Ended& ended);
+  void fail(const tool::Ended& ended);
   bool files_are_current() const;
   bool can_go_on() const;
 

@@ -11,13 +11,13 @@
 #include "parser/options/options.h"
 #include "tools/common/duration.h"
 #include "tools/common/machine.h"
+#include "tools/common/messages.h"
 #include "tools/common/process.h"
 #include "tools/common/standard_streams.h"
 #include "tools/common/version.h"
 #include "tools/lentray-batch/arguments.h"
 #include "tools/lentray-batch/cluster.h"
 #include "tools/lentray-batch/manifest.h"
-#include "tools/lentray-batch/messages.h"
 #include "tools/lentray-batch/page.h"
 #include "tools/lentray-batch/progress.h"
 #include "tools/lentray-batch/scan.h"
@@ -172,7 +172,7 @@ class Batch {
     options.expected_rows = m_names.size();
     options.wall =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - m_start).count();
-    Launch launch;
+    tool::Launch launch;
     launch.log = log;
     launch.work = [this, &options] {
       try {
@@ -183,15 +183,15 @@ class Batch {
         return 1;
       }
     };
-    Child child(launch);
-    std::optional<Ended> ended;
+    tool::Child child(launch);
+    std::optional<tool::Ended> ended;
     while (!(ended = child.ended())) {
-      if (wait_for_news(std::chrono::milliseconds(200)) != 0)
+      if (tool::wait_for_news(std::chrono::milliseconds(200)) != 0)
         throw std::runtime_error("stopped while the page was made; the same command makes it");
     }
     if (ended->status != 0)
       throw std::runtime_error("the page could not be written: " +
-                               last_error(tool::read_text(log)));
+                               tool::last_error(tool::read_text(log)));
   }
 
   Status finish(bool is_done) {
@@ -294,7 +294,7 @@ int run_main(const std::vector<std::string>& words) {
 
 int main(int count, char** words) {
   lentray::tool::hold_standard_streams();
-  lentray::batch::hold_signals();
+  lentray::tool::hold_signals();
   const int status = lentray::batch::run_main(std::vector<std::string>(words + 1, words + count));
   return lentray::tool::finish_standard_output("lentray-batch", status);
 }

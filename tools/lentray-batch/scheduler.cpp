@@ -50,14 +50,14 @@ void Scheduler::finish(Job& job) {
 
 bool Scheduler::start(Job& job, Kind kind) try {
   const double share = std::min(m_plan.memory_limit(), kMostMemory * m_plan.memory / slots());
-  Launch launch;
+  tool::Launch launch;
   switch (kind) {
     case Kind::small: launch = job.render(1, share); break;
     case Kind::large: launch = job.render(m_plan.processors, m_plan.memory_limit()); break;
     case Kind::views: launch = job.split_views(); break;
     case Kind::comparison: launch = job.compare(1); break;
   }
-  m_running.push_back({&job, kind, std::make_unique<Child>(launch), false, false, "", 0.0});
+  m_running.push_back({&job, kind, std::make_unique<tool::Child>(launch), false, false, "", 0.0});
   return true;
 } catch (const std::exception& error) {
   job.give_up(error.what());
@@ -137,12 +137,12 @@ void Scheduler::watch() {
   watch_memory();
 }
 
-void Scheduler::ended(Running& run, const Ended& how) {
+void Scheduler::ended(Running& run, const tool::Ended& how) {
   Job& job = *run.job;
   switch (run.kind) {
     case Kind::views: job.views_split(how); break;
     case Kind::comparison:
-      job.compared(run.over.empty() ? how : Ended{137, how.wall, how.cpu, how.memory});
+      job.compared(run.over.empty() ? how : tool::Ended{137, how.wall, how.cpu, how.memory});
       break;
     case Kind::small:
     case Kind::large: {
@@ -178,7 +178,7 @@ void Scheduler::stop_all() {
   for (Running& run : m_running) run.child->ask_to_stop();
   const auto until = Clock::now() + std::chrono::milliseconds(1500);
   while (!m_running.empty() && Clock::now() < until) {
-    if (wait_for_news(std::chrono::milliseconds(50)) != 0) break;  // a second signal
+    if (tool::wait_for_news(std::chrono::milliseconds(50)) != 0) break;  // a second signal
     std::erase_if(m_running, [this](Running& run) {
       const auto how = run.child->ended();
       if (!how) return false;
@@ -200,7 +200,7 @@ bool Scheduler::run() {
     fill();
     if (m_running.empty() && m_small.empty() && m_large.empty() && m_after.empty()) return true;
     m_progress.running(m_running.size());
-    if (wait_for_news(kPatience) != 0) {
+    if (tool::wait_for_news(kPatience) != 0) {
       stop_all();
       return false;
     }

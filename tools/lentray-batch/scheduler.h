@@ -11,7 +11,7 @@
 #include <memory>
 #include <vector>
 
-#include "tools/lentray-batch/child.h"
+#include "tools/common/child.h"
 #include "tools/lentray-batch/job.h"
 #include "tools/lentray-batch/progress.h"
 
@@ -33,7 +33,7 @@ class Scheduler {
   struct Running {
     Job* job;
     Kind kind;
-    std::unique_ptr<Child> child;
+    std::unique_ptr<tool::Child> child;
     bool is_asked = false;     ///< to stop
     bool is_set_back = false;  ///< to be gone on with later
     std::string over;          ///< why it is ended for good
@@ -45,7 +45,7 @@ class Scheduler {
   bool start(Job& job, Kind kind);
   void next(Job& job);
   void reap();
-  void ended(Running& run, const Ended& how);
+  void ended(Running& run, const tool::Ended& how);
   void watch();
   void watch_time(Running& run);
   void watch_memory();

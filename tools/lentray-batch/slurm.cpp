@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "tools/common/messages.h"
 #include "tools/common/process.h"
-#include "tools/lentray-batch/messages.h"
 
 namespace lentray::batch {
 namespace {
@@ -31,7 +31,7 @@ std::string said_by(const std::vector<std::string>& command) {
   }
   if (result.status != 0 || result.timed_out) {
     throw std::runtime_error("--slurm: " + command[0] + ": " +
-                             (result.timed_out ? "no answer" : one_line(result.output)));
+                             (result.timed_out ? "no answer" : tool::one_line(result.output)));
   }
   return result.output;
 }

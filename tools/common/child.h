@@ -13,13 +13,15 @@
 #include <string>
 #include <vector>
 
-namespace lentray::batch {
+namespace lentray::tool {
 
 struct Launch {
   std::vector<std::string> command;  ///< command[0] is looked for along PATH
   std::filesystem::path folder;      ///< the current folder there
   std::filesystem::path log;         ///< standard output and error, from the beginning of the file
   std::function<int()> work;         ///< instead of a command: its exit status
+  double cpu_limit =
+      0.0;  ///< seconds of processor time after which it is ended by SIGXCPU, rounded up; 0: none
 };
 
 struct Ended {
@@ -48,9 +50,9 @@ class Child {
   std::chrono::steady_clock::time_point m_start;
 };
 
-/// Blocks the signals that Child and the batch wait for, in this thread. Children get them as they were before.
+/// Blocks the signals that wait_for_news() waits for, in this thread. Children get them as they were before.
 void hold_signals();
 /// Waits for a child's end or a signal that asks to stop. The signal's number; 0: none of these.
 int wait_for_news(std::chrono::milliseconds most);
 
-}  // namespace lentray::batch
+}  // namespace lentray::tool

@@ -1,4 +1,4 @@
-#include "tools/lentray-batch/child.h"
+#include "tools/common/child.h"
 
 #include <fcntl.h>
 #include <signal.h>
@@ -8,11 +8,12 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 #include <fstream>
 #include <stdexcept>
 
-namespace lentray::batch {
+namespace lentray::tool {
 
 namespace fs = std::filesystem;
 
@@ -29,10 +30,15 @@ sigset_t g_before;  ///< the signals that were held when the program began
 
 /// In the child. Async-signal-safe calls, but for `work`.
 [[noreturn]] void become(char* const* command, const char* folder, int log,
-                         const std::function<int()>& work) {
+                         const std::function<int()>& work, double cpu_limit) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  ::setpgid(0, 0);  // a terminal's Ctrl-C is for the batch, which asks its children itself
+  ::setpgid(0, 0);  // a terminal's Ctrl-C is for the parent, which asks its children itself
   ::sigprocmask(SIG_SETMASK, &g_before, nullptr);
+  if (cpu_limit > 0.0) {
+    const auto seconds = static_cast<rlim_t>(std::ceil(cpu_limit));
+    const rlimit limit{seconds, seconds + 5};
+    ::setrlimit(RLIMIT_CPU, &limit);
+  }
   const int nothing = ::open("/dev/null", O_RDONLY);
   ::dup2(nothing, STDIN_FILENO);
   ::dup2(log, STDOUT_FILENO);
@@ -70,7 +76,7 @@ Child::Child(const Launch& launch) : m_start(std::chrono::steady_clock::now()) {
   if (log < 0)
     throw std::runtime_error("cannot write '" + launch.log.string() + "': " + std::strerror(errno));
   m_pid = ::fork();
-  if (m_pid == 0) become(command.data(), folder.c_str(), log, launch.work);
+  if (m_pid == 0) become(command.data(), folder.c_str(), log, launch.work, launch.cpu_limit);
   const int error = errno;
   ::close(log);
   if (m_pid < 0)
@@ -126,4 +132,4 @@ int wait_for_news(std::chrono::milliseconds most) {
   return signal == SIGINT || signal == SIGTERM || signal == SIGHUP ? signal : 0;
 }
 
-}  // namespace lentray::batch
+}  // namespace lentray::tool

@@ -1,10 +1,10 @@
-#include "tools/lentray-batch/messages.h"
+#include "tools/common/messages.h"
 
 #include <sstream>
 
 #include "parser/base/shown.h"
 
-namespace lentray::batch {
+namespace lentray::tool {
 
 std::string one_line(std::string_view text, std::size_t longest) {
   while (!text.empty() && (text.back() == '\r' || text.back() == ' ')) text.remove_suffix(1);
@@ -28,4 +28,4 @@ std::string last_error(std::string_view output) {
   return one_line(found.empty() ? last : found);
 }
 
-}  // namespace lentray::batch
+}  // namespace lentray::tool

@@ -1,0 +1,44 @@
+// What a scene uses that a setting can trade time for error with, and which options the lentray that is measured has.
+// Pure functions; errors: none, what is not told counts as absent.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace lentray::chart {
+
+/// Options of a lentray, from its help.
+class Abilities {
+ public:
+  Abilities() = default;
+  /// `help`: what --help=all prints.
+  explicit Abilities(const std::string& help);
+  bool has(const std::string& name) const;
+  /// Whether `value` is one of those that the help lists, as in Lens_Model=paraxial|pinhole.
+  bool has(const std::string& name, const std::string& value) const;
+
+ private:
+  std::map<std::string, std::string> m_forms;  ///< name in small letters; what stands behind =
+};
+
+struct SceneFacts {
+  unsigned width = 0, height = 0;
+  bool is_sheet = false;
+  std::string lens_model{};  ///< of a sheet
+  bool area_lights = false, media = false, focal_blur = false;
+  std::size_t objects = 0;  ///< after splitting unions
+  int depth = 1;            ///< the deepest trace level that can matter
+  int max_trace_level = 5;
+  /// +Q levels below the user's own whose picture differs from those of all levels above them, falling.
+  std::vector<int> quality_levels{};
+};
+
+/// From what `lentray --explain` prints: all but width, height, lens_model, focal_blur and quality_levels.
+SceneFacts facts_of(const std::string& explanation);
+
+/// Why pictures of the scene hold random noise; empty where nothing is known that makes any.
+std::string noise_of(const SceneFacts& facts, bool jittered_antialiasing);
+
+}  // namespace lentray::chart

@@ -1,0 +1,132 @@
+#include "tools/lentray-chart/reference.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace lentray::chart {
+namespace {
+
+std::string text_of(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", value);
+  return text;
+}
+
+/// Puts a step together of the ladders of its kinds.
+class Ladder {
+ public:
+  Ladder(const MatrixRequest& request, int step, bool of_lens_models)
+      : m(request), m_step(step), m_of_lens_models(of_lens_models) {}
+
+  std::optional<ReferenceStep> step() {
+    antialiasing();
+    if (m.facts.area_lights) area_lights();
+    if (m.facts.focal_blur) samples("Blur_Samples", "blur samples", 16.0, 2.0, 4096);
+    media();
+    lens();
+    depth();
+    m_out.options.emplace_back("+Q9");
+    if (m_step > 0 && !m_grows) return std::nullopt;
+    return m_out;
+  }
+
+ private:
+  void say(const std::string& text) { m_out.what += (m_out.what.empty() ? "" : "; ") + text; }
+
+  void antialiasing() {
+    static constexpr std::array kEvery{3, 4, 6, 8, 11, 16, 23, 32, 45, 64};
+    static constexpr std::array kRefined{3, 5, 7, 9};
+    const bool every = m.abilities.has("Antialias_Grid");
+    const int last = static_cast<int>(every ? kEvery.size() : kRefined.size()) - 1;
+    const auto depth_at = [&](int step) {
+      const auto i = static_cast<std::size_t>(std::clamp(step, 0, last));
+      return every ? kEvery[i] : kRefined[i];
+    };
+    const std::string depth = std::to_string(depth_at(m_step));
+    m_out.options = every ? std::vector<std::string>{"Antialias_Grid=" + depth}
+                          : std::vector<std::string>{"+A0", "+AM1", "+R" + depth, "-J"};
+    say(depth + " x " + depth + " samples a pixel");
+    grow(m_step <= last, std::pow(double(depth_at(m_step)) / depth_at(m_step - 1), 2.0));
+  }
+
+  void grow(bool grows, double work) {
+    if (m_step == 0 || !grows) return;
+    m_grows = true;
+    m_out.work *= work;
+  }
+
+  /// From `first` on, times `factor` a step; up to `most`.
+  void samples(const char* option, const char* label, double first, double factor, int most) {
+    if (!m.abilities.has(option)) return;
+    const auto at = [&](int step) {
+      return std::min(std::round(first * std::pow(factor, step)), double(most));
+    };
+    const std::string number = text_of(at(m_step));
+    m_out.options.push_back(std::string(option) + "=" + number);
+    say(number + " " + label);
+    grow(at(m_step) > at(m_step - 1), 2.0);
+  }
+
+  void area_lights() {
+    samples("Area_Light_Samples", "samples of area lights each way", 4.0, std::sqrt(2.0), 1000);
+    if (m.abilities.has("Area_Light_Adaptive")) {
+      m_out.options.emplace_back("Area_Light_Adaptive=off");
+    }
+  }
+
+  void media() {
+    if (!m.facts.media || !m.abilities.has("Media_Method")) return;
+    m_out.options.insert(m_out.options.end(), {"Media_Method=3", "Media_Intervals=4"});
+    samples("Media_Samples", "media samples in 4 intervals", 10.0, 2.0, 5000);
+  }
+
+  void lens() {
+    if (!m.facts.is_sheet) return;
+    const bool has_thick = m.abilities.has("Lens_Rays");
+    if (m_of_lens_models) {
+      m_out.options.emplace_back(has_thick ? "Lens_Model=thick" : "Lens_Model=pinhole");
+      say(has_thick ? "lens model thick" : "lens model pinhole");
+    }
+    if (has_thick && (m_of_lens_models || m.facts.lens_model == "thick")) {
+      samples("Lens_Rays", "rays behind a lens", 32.0, 2.0, 1024);
+    }
+  }
+
+  void depth() {
+    if (m.facts.depth <= 1) return;
+    const auto at = [&](int step) {
+      return std::min(256.0, m.facts.max_trace_level * std::pow(2.0, step + 1));
+    };
+    if (m.abilities.has("Max_Trace_Level")) {
+      m_out.options.push_back("Max_Trace_Level=" + text_of(at(m_step)));
+      say("trace level " + text_of(at(m_step)));
+      grow(at(m_step) > at(m_step - 1), 1.2);
+    }
+    if (m.abilities.has("Adc_Bailout")) {
+      const std::string bailout = text_of(0.001 * std::pow(0.5, m_step));
+      m_out.options.push_back("Adc_Bailout=" + bailout);
+      say("adc bailout " + bailout);
+    }
+  }
+
+  const MatrixRequest& m;
+  const int m_step;
+  const bool m_of_lens_models;
+  bool m_grows = false;
+  ReferenceStep m_out;
+};
+
+}  // namespace
+
+std::optional<ReferenceStep> reference_step(const MatrixRequest& request, int step,
+                                            bool of_lens_models) {
+  return Ladder(request, step, of_lens_models).step();
+}
+
+bool is_converged(double change, double smallest) {
+  return 10.0 * change <= std::max(smallest, kSmallestError);
+}
+
+}  // namespace lentray::chart

@@ -1,0 +1,62 @@
+// What a chart keeps in DIR/.lentray-chart, so that a stopped one goes on: its points, its reference, and which files
+// its scene read. One thread.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tools/lentray-chart/chart.h"
+#include "tools/lentray-chart/facts.h"
+
+namespace lentray::chart {
+
+/// Files of a scene as they were.
+struct FilesRead {
+  std::map<std::string, std::uint64_t> read{};  ///< absolute path and checksum
+  std::vector<std::string> missing{};           ///< absolute paths that were looked for in vain
+};
+/// The first file that is not as it was, and what became of it, as "scene.pov has changed"; empty: none.
+std::string change_in(const FilesRead& files);
+
+struct ChartState {
+  std::string key{};     ///< program, scene and options: a chart of others begins anew
+  std::string matrix{};  ///< which settings were asked for: crossed ones hold for these alone
+  FilesRead files{};
+  SceneFacts facts{};
+  Chart chart{};
+};
+
+/// As JSON. What was written is read back equal, but for what derive() finds.
+std::string text_of(const ChartState& state);
+/// Throws std::runtime_error for text that is no such state.
+ChartState state_of(const std::string& text);
+
+/// Errors: std::runtime_error, worded for the user, where the folder cannot be made or written, and while another
+/// chart is made there.
+class ChartFolder {
+ public:
+  explicit ChartFolder(const std::filesystem::path& out);
+  ~ChartFolder();
+  ChartFolder(const ChartFolder&) = delete;
+  ChartFolder& operator=(const ChartFolder&) = delete;
+
+  const std::filesystem::path& out() const { return m_out; }
+  std::filesystem::path own(const std::string& name) const { return m_own / name; }
+  /// A file of out() that does not begin with a folder's name of its own: "pictures/a.png".
+  std::filesystem::path file(const std::string& relative) const { return m_out / relative; }
+
+  /// Nothing: there is none. Throws std::runtime_error for one that is damaged.
+  std::optional<ChartState> load() const;
+  void save(const ChartState& state) const;
+  void remove_pictures() const;
+
+ private:
+  std::filesystem::path m_out, m_own;
+  int m_lock = -1;
+};
+
+}  // namespace lentray::chart
