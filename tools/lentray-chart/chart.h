@@ -1,0 +1,95 @@
+// What lentray-chart knows of a scene: settings that trade time for error, what each took and how far its picture
+// is from a converged reference, and which of them a user should choose. Plain data.
+//
+// Times in seconds of processor time, errors in 1/255 of full scale, decibels for PSNR.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace lentray::chart {
+
+/// What a setting changes.
+enum class Kind {
+  lens_model,     ///< rays behind a lens
+  antialiasing,   ///< method, depth, threshold
+  area_light,     ///< samples of area lights
+  focal_blur,     ///< samples of the aperture
+  media,          ///< method, intervals, samples
+  depth,          ///< max_trace_level, adc_bailout
+  quality,        ///< +Q
+  combined,       ///< several of those at once
+  exact           ///< orders, caches, accelerators, light buffers, paths: the picture stays as it is
+};
+const char* name_of(Kind kind);
+
+/// Options for lentray on top of the user's own.
+struct Setting {
+  std::string id;     ///< stable, of letters, digits and -: names files and rows ("aa-method1-depth3")
+  std::string label;  ///< for readers ("antialiasing, method 1, 3 x 3 samples")
+  Kind kind = Kind::exact;
+  std::vector<std::string> options;
+  bool is_plain = false;  ///< the user's own options alone: what the others are held against
+};
+
+/// Of a picture against another of its size.
+struct Error {
+  double rms = 0.0;      ///< over all channels, 1/255
+  double psnr = 0.0;     ///< dB; infinite when equal
+  double share = 0.0;    ///< of the pixels that differ by more than 1/255
+  double largest = 0.0;  ///< of a pixel, 1/255
+  std::optional<double> perceived;  ///< Butteraugli's 3-norm; nothing where it cannot be had
+};
+
+enum class State { waiting, done, failed };
+
+struct Point {
+  Setting setting;
+  State state = State::waiting;
+  std::string reason{};              ///< of a failure: what lentray said
+  std::vector<double> cpu_s{};       ///< one a repeat, of rendering with reading and writing
+  std::string picture{};             ///< file, relative to the chart's folder
+  std::string difference{};          ///< file: the difference from the reference, times eight
+  std::optional<Error> error{};      ///< against the reference
+  std::optional<Error> from_plain{}; ///< against the picture of the plain setting; exact ones: no difference
+  std::optional<Error> from_stock{}; ///< against stock at the same settings; nothing where stock has none
+  std::optional<double> stock_cpu_s{};
+  // What follows is derived from all points (tools/lentray-chart/front.h).
+  bool told_apart = true;  ///< its error is at least ten times the reference's own change
+  bool on_front = false;   ///< no other setting has less error in less time
+  std::string dominated_by{};  ///< id of the fastest setting that is better in both
+
+  double seconds() const;  ///< median; 0 where nothing was timed
+  double least() const, most() const;
+};
+
+/// The converged picture of the scene.
+struct Reference {
+  std::vector<std::string> options{};
+  std::string picture{};  ///< 16 bits, relative to the chart's folder
+  double change = 0.0;    ///< rms, 1/255: from the picture with half of its samples
+  double cpu_s = 0.0;
+  std::vector<std::pair<std::string, double>> steps{};  ///< every step tried: what, and its change
+  bool is_converged = false;  ///< change below a tenth of the smallest error that is told apart
+};
+
+struct Chart {
+  std::string scene{}, command{};
+  unsigned width = 0, height = 0;
+  bool is_sheet = false;
+  std::string machine{};  ///< processor and number of threads (one is used)
+  Reference reference{};
+  std::vector<Point> points{};
+  std::string stock{};  ///< its version; empty: why there is none is in stock_reason
+  std::string stock_reason{};
+};
+
+/// What --budget and --error find.
+struct Choice {
+  const Point* point = nullptr;  ///< null: none fits
+  std::string command{};         ///< to render so, for a shell
+  std::string reason{};          ///< why none fits, and what the nearest one is
+};
+
+}  // namespace lentray::chart
