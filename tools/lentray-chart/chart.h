@@ -6,27 +6,30 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace lentray::chart {
 
 /// What a setting changes.
 enum class Kind {
-  lens_model,     ///< rays behind a lens
-  antialiasing,   ///< method, depth, threshold
-  area_light,     ///< samples of area lights
-  focal_blur,     ///< samples of the aperture
-  media,          ///< method, intervals, samples
-  depth,          ///< max_trace_level, adc_bailout
-  quality,        ///< +Q
-  combined,       ///< several of those at once
-  exact           ///< orders, caches, accelerators, light buffers, paths: the picture stays as it is
+  lens_model,    ///< rays behind a lens
+  antialiasing,  ///< method, depth, threshold
+  area_light,    ///< samples of area lights
+  focal_blur,    ///< samples of the aperture
+  media,         ///< method, intervals, samples
+  depth,         ///< max_trace_level, adc_bailout
+  quality,       ///< +Q
+  combined,      ///< several of those at once
+  exact          ///< orders, caches, accelerators, light buffers, paths: the picture stays as it is
 };
 const char* name_of(Kind kind);
+std::optional<Kind> kind_named(std::string_view name);
 
 /// Options for lentray on top of the user's own.
 struct Setting {
-  std::string id;     ///< stable, of letters, digits and -: names files and rows ("aa-method1-depth3")
+  std::string id;  ///< stable, of letters, digits and -: names files and rows ("aa-method1-depth3")
   std::string label;  ///< for readers ("antialiasing, method 1, 3 x 3 samples")
   Kind kind = Kind::exact;
   std::vector<std::string> options;
@@ -35,10 +38,10 @@ struct Setting {
 
 /// Of a picture against another of its size.
 struct Error {
-  double rms = 0.0;      ///< over all channels, 1/255
-  double psnr = 0.0;     ///< dB; infinite when equal
-  double share = 0.0;    ///< of the pixels that differ by more than 1/255
-  double largest = 0.0;  ///< of a pixel, 1/255
+  double rms = 0.0;                 ///< over all channels, 1/255
+  double psnr = 0.0;                ///< dB; infinite when equal
+  double share = 0.0;               ///< of the pixels that differ by more than 1/255
+  double largest = 0.0;             ///< of a pixel, 1/255
   std::optional<double> perceived;  ///< Butteraugli's 3-norm; nothing where it cannot be had
 };
 
@@ -47,18 +50,24 @@ enum class State { waiting, done, failed };
 struct Point {
   Setting setting;
   State state = State::waiting;
-  std::string reason{};              ///< of a failure: what lentray said
-  std::vector<double> cpu_s{};       ///< one a repeat, of rendering with reading and writing
-  std::string picture{};             ///< file, relative to the chart's folder
-  std::string difference{};          ///< file: the difference from the reference, times eight
-  std::optional<Error> error{};      ///< against the reference
-  std::optional<Error> from_plain{}; ///< against the picture of the plain setting; exact ones: no difference
-  std::optional<Error> from_stock{}; ///< against stock at the same settings; nothing where stock has none
-  std::optional<double> stock_cpu_s{};
+  std::string reason{};          ///< of a failure: what lentray said
+  std::vector<double> cpu_s{};   ///< one a repeat, of rendering with reading and writing
+  std::string picture{};         ///< file, relative to the chart's folder
+  std::string difference{};      ///< file: the difference from the reference, times eight
+  std::optional<Error> error{};  ///< against the reference
+  std::optional<Error>
+      from_plain{};  ///< against the picture of the plain setting; exact ones: no difference
+  std::optional<Error>
+      from_stock{};  ///< against stock at the same settings; nothing where stock has none
+  std::optional<double> stock_cpu_s{};  ///< median
+  std::vector<double> stock_runs{};     ///< s of processor time, one a repeat
+  std::optional<Error> stock_error{};   ///< of stock's picture against the reference
+  std::string stock_picture{};          ///< file, relative to the chart's folder
   // What follows is derived from all points (tools/lentray-chart/front.h).
-  bool told_apart = true;  ///< its error is at least ten times the reference's own change
-  bool on_front = false;   ///< no other setting has less error in less time
+  bool told_apart = true;      ///< its error is at least ten times the reference's own change
+  bool on_front = false;       ///< no other setting has less error in less time
   std::string dominated_by{};  ///< id of the fastest setting that is better in both
+  std::string command{};       ///< to render so, for a shell
 
   double seconds() const;  ///< median; 0 where nothing was timed
   double least() const, most() const;
@@ -75,11 +84,17 @@ struct Reference {
 };
 
 struct Chart {
-  std::string scene{}, command{};
+  std::string scene{};
+  std::string command{};  ///< the user's own: lentray, the scene and their options, for a shell
   unsigned width = 0, height = 0;
   bool is_sheet = false;
   std::string machine{};  ///< processor and number of threads (one is used)
   Reference reference{};
+  /// What lens models are held against: the truest model. Points of Kind::lens_model have their errors against it;
+  /// they make a front of their own and are never chosen. Nothing where no lens model is charted.
+  std::optional<Reference> lens_reference{};
+  std::string
+      noise{};  ///< why pictures of the scene have random noise; empty: nothing is known that makes any
   std::vector<Point> points{};
   std::string stock{};  ///< its version; empty: why there is none is in stock_reason
   std::string stock_reason{};
