@@ -16,7 +16,6 @@ namespace {
 /// Colours of the scripts; the page has its own in their places.
 constexpr unsigned kText = 0x101112, kQuiet = 0x595a5b, kGrid = 0xe3e4e5, kBand = 0xe9eaeb;
 constexpr double kLeastSeconds = 0.001;  ///< what clocks tell apart
-constexpr std::size_t kMostLabels = 9;
 
 struct KindLook {
   int filled, hollow;  ///< gnuplot's point types
@@ -197,7 +196,7 @@ std::string common_look(const Frame& frame) {
   return frame.margins() + "set border 3 linecolor rgb " + colour(kQuiet) +
          "\nset grid linetype 1 linewidth 0.7 linecolor rgb " + colour(kGrid) +
          "\nset tics textcolor rgb " + colour(kText) + " font ',12' noenhanced\n" +
-         "set bars 0.6\nset key noenhanced font ',12' textcolor rgb " + colour(kText) + "\n";
+         "set bars 0.6\n";
 }
 
 std::string axis_label(const char* axis, const std::string& text) {
@@ -209,7 +208,22 @@ std::string block(const std::string& name, const std::string& rows) {
   return "$" + name + " << EOD\n" + rows + "EOD\n";
 }
 
-std::string labels_script(const ErrorView& view, const Frame& frame) {
+/// The ends first, then what halves what is left: few labels tell of the whole front.
+std::vector<LabelWish> spread(const std::vector<LabelWish>& wishes) {
+  if (wishes.size() < 3) return wishes;
+  std::vector<LabelWish> out{wishes.front(), wishes.back()};
+  std::vector<std::pair<std::size_t, std::size_t>> gaps{{0, wishes.size() - 1}};
+  for (std::size_t i = 0; i < gaps.size(); ++i) {
+    const auto [from, to] = gaps[i];
+    if (to - from < 2) continue;
+    const std::size_t middle = (from + to) / 2;
+    out.push_back(wishes[middle]);
+    gaps.insert(gaps.end(), {{from, middle}, {middle, to}});
+  }
+  return out;
+}
+
+std::string labels_script(const ErrorView& view, const Frame& frame, std::size_t most) {
   std::vector<LabelWish> wishes;
   std::vector<Spot> spots;
   for (const Mark& mark : view.marks) {
@@ -221,7 +235,7 @@ std::string labels_script(const ErrorView& view, const Frame& frame) {
   }
   std::string out;
   for (const PlacedLabel& label : placed_labels(
-           wishes, spots, {frame.left, frame.top, frame.right, frame.bottom}, kMostLabels)) {
+           spread(wishes), spots, {frame.left, frame.top, frame.right, frame.bottom}, most)) {
     out += "set label " + quoted(label.text) + " at screen " + number(label.left / frame.width) +
            ", screen " + number(1.0 - label.middle / frame.height) +
            " left front noenhanced font ',11' textcolor rgb " + colour(kText) + "\n";
@@ -263,9 +277,7 @@ struct Plot {
 Plot error_plot(const ErrorView& view) {
   Plot plot;
   plot.add("front", front_rows(view),
-           "1:2 with steps linewidth 1.6 linecolor rgb " + colour(kQuiet) +
-               " title 'least error for the time'",
-           -1);
+           "1:2 with steps linewidth 1.6 linecolor rgb " + colour(kQuiet) + " title 'front'", -1);
   for (std::size_t k = 0; k < kKinds; ++k) {
     for (const bool is_hollow : {false, true}) {
       std::string rows;
@@ -296,11 +308,11 @@ Plot error_plot(const ErrorView& view) {
   }
   plot.add("stock", stock,
            "1:2 with points pointtype 3 pointsize 1.1 linewidth 1.2 linecolor rgb " +
-               colour(kText) + " title 'POV-Ray, same settings'",
+               colour(kText) + " title 'POV-Ray'",
            -1);
   plot.add("plain", plain,
            "1:2:3:4 with xerrorbars pointtype 7 pointsize 1.3 linewidth 1.6 linecolor rgb " +
-               colour(kText) + " title 'plain: your options'",
+               colour(kText) + " title 'plain'",
            -1);
   plot.add("ring", plain,
            "1:2 with points pointtype 6 pointsize 2.3 linewidth 1.6 linecolor rgb " +
@@ -322,7 +334,7 @@ std::string error_script(const ErrorView& view, const Frame& frame, const Plot& 
               number(std::min(view.band, view.error.high)) + " behind fillcolor rgb " +
               colour(kBand) + " fillstyle solid noborder\n";
   }
-  return script + labels_script(view, frame) + plot.data + plot.command + "\n";
+  return script + labels_script(view, frame, is_narrow ? 4 : 9) + plot.data + plot.command + "\n";
 }
 
 /// The settings of the exact chart, fastest first.
@@ -367,7 +379,7 @@ std::string exact_script(const std::vector<const Point*>& points, const Frame& f
                 ", graph 1 nohead linewidth 1 dashtype 2 linecolor rgb " + colour(kQuiet) + "\n";
     }
   }
-  return common_look(frame) + axis_label("x", "processor time, s; the picture stays as it is") +
+  return common_look(frame) + axis_label("x", "processor time, s") +
          "unset ylabel\nset xrange [0:" + number(exact_end(points)) +
          "]\nset yrange [0.4:" + number(count + 0.6) +
          "]\nset xtics auto\nset format x '%g'\nset ytics (" + tics + ")\n" + script +
@@ -393,7 +405,7 @@ std::string file(const Chart& chart, const std::string& type) {
   const double exact_height = kRow * static_cast<double>(exact.size());
   const double lens_height = lens.marks.empty() ? 0.0 : 380.0;
   const double width = exact.empty() && lens.marks.empty() ? 900 : 1400;
-  const double height = std::max(620.0, exact_height + 130 + lens_height);
+  const double height = std::max(640.0, exact_height + 130 + lens_height);
   const double side = kLetter * static_cast<double>(widest(exact, 40)) + 20;
   std::string script =
       tool::gnuplot_preamble(type, static_cast<int>(width), static_cast<int>(height)) +
@@ -407,18 +419,20 @@ std::string file(const Chart& chart, const std::string& type) {
         "set label 1 'No setting has a time and an error yet.' at graph 0.5, graph 0.5 center\n" +
         "plot NaN notitle\n";
   } else {
-    script += "set key bmargin center horizontal maxrows 4 width 1\n" +
-              error_script(view, left, error_plot(view), false);
+    script += "set key at screen " + number(477 / width) + ", screen " + number(78 / height) +
+              " center center horizontal maxrows 3 samplen 2 noenhanced font ',12' textcolor rgb " +
+              colour(kText) + "\n" + error_script(view, left, error_plot(view), false);
   }
   const std::string anew =
       "unset logscale\nunset label\nunset object\nunset arrow\nunset key\nset border\nset tics\n";
   if (!exact.empty()) {
-    script += anew + exact_script(
-                         exact, {width, height, 890 + side, width - 25, 50, 50 + exact_height}, 40);
+    script +=
+        anew + "set title 'the picture stays as it is' noenhanced font ',12'\n" +
+        exact_script(exact, {width, height, 890 + side, width - 25, 50, 50 + exact_height}, 40);
   }
   if (!lens.marks.empty()) {
     const double top = height - lens_height - 20;
-    script += anew + "set format x\nset title 'lens models' font ',12'\n" +
+    script += anew + "set format x\nset title 'lens models' noenhanced font ',12'\n" +
               error_script(lens, {width, height, 970, width - 25, top + 20, height - 60},
                            error_plot(lens), true);
   }
@@ -483,7 +497,7 @@ std::string error_chart(const Chart& chart, Subject subject, Window window) {
   const ErrorView view = view_of(chart, subject);
   if (view.marks.empty()) return {};
   const Frame frame =
-      is_narrow ? Frame{380, 400, 58, 370, 12, 350} : Frame{820, 520, 68, 806, 12, 468};
+      is_narrow ? Frame{380, 400, 58, 370, 12, 350} : Frame{720, 480, 66, 708, 12, 430};
   const Plot plot = error_plot(view);
   const std::string svg = tool::gnuplot(
       tool::gnuplot_preamble("svg", static_cast<int>(frame.width), static_cast<int>(frame.height)) +
@@ -505,8 +519,8 @@ std::string exact_chart(const Chart& chart, Window window) {
   const bool is_narrow = window == Window::narrow;
   const std::vector<const Point*> points = exact_points(chart);
   if (points.empty()) return {};
-  const std::size_t most = is_narrow ? 22 : 44;
-  const double width = is_narrow ? 380 : 820, rows = kRow * static_cast<double>(points.size());
+  const std::size_t most = is_narrow ? 22 : 40;
+  const double width = is_narrow ? 380 : 720, rows = kRow * static_cast<double>(points.size());
   const Frame frame{width,      rows + 62, kLetter * static_cast<double>(widest(points, most)) + 16,
                     width - 16, 8,         rows + 12};
   const std::string svg = tool::gnuplot(

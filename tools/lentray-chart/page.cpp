@@ -93,7 +93,7 @@ std::string body_of(const Chart& chart, const PageOptions& options, const PagePi
       box("exact-name", "Settings that leave the picture as it is",
           parts.exact.empty()
               ? ""
-              : "<p class=\"legend-text\">They change the time alone. The dashed line is your "
+              : "<p class=\"legend-text\">They change the time alone. The upright line is your "
                 "own options.</p>\n" +
                     parts.exact);
   return tool::filled(kPageHtml,
@@ -101,12 +101,12 @@ std::string body_of(const Chart& chart, const PageOptions& options, const PagePi
                        {"status", status_line(chart, options.is_finished)},
                        {"again", again},
                        {"tiles", tiles(chart)},
+                       {"filters", filters(chart)},
                        {"notes", notes(chart, pictures)},
                        {"chart", parts.chart},
                        {"legend", legend(chart)},
-                       {"lens", box("lens-name", "Lens models", lens)},
                        {"exact", exact},
-                       {"filters", filters(chart)},
+                       {"lens", box("lens-name", "Lens models", lens)},
                        {"rows", parts.rows},
                        {"reference", reference_text(chart.reference, pictures.reference_problem)},
                        {"command", html_text(tool::cut_text(chart.command, 4000))}});

@@ -10,7 +10,7 @@ const words = (kind) => kind.replaceAll("_", " ");
 function figure(value) {
   if (value === undefined) return "";
   if (value === 0) return "0";
-  return value < 1e-4 ? value.toExponential(1) : fixed(value, value < 0.01 ? 5 : value < 0.1 ? 4 : value < 10 ? 3 : 1);
+  return value < 1e-4 ? value.toExponential(1) : fixed(value, value < 0.01 ? 5 : value < 0.1 ? 4 : value < 1 ? 3 : value < 100 ? 2 : 0);
 }
 
 // What is shown, from the page's address: #kind=…&search=…&left=…&right=…&budget=…&error=…
@@ -61,8 +61,7 @@ function errorList(error) {
 function badgesOf(point) {
   const badges = element("div", { class: "badges" });
   const add = (text, kind) => badges.append(element("span", { class: "badge " + (kind || "") }, text));
-  add(words(point.kind));
-  if (point.plain) add("your options");
+  add(point.plain ? "your options" : words(point.kind));
   if (point.state === "failed") add("failed", "is-failure");
   if (point.state === "waiting") add("waiting");
   if (point.front) add("on the front", "is-good");

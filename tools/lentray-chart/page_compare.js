@@ -112,6 +112,9 @@ function start() {
     kept = [];
     showMarks();
   });
+  const bar = document.querySelector(".bar"), isSticky = () => getComputedStyle(bar).position === "sticky";
+  new ResizeObserver(() => document.documentElement.style.setProperty("--bar",
+    `${isSticky() ? bar.offsetHeight : 0}px`)).observe(bar);
   startComparison();
   showFiltered();
   showChoice();

@@ -73,7 +73,7 @@ json point_data(const Chart& chart, const Point& p, const PointPictures& picture
   put(out, "front", p.on_front);
   put(out, "blurred", !p.told_apart);
   put(out, "dominated_by", p.dominated_by);
-  put(out, "choosable", can_be_chosen(chart, p));
+  put(out, "choosable", can_be_chosen(p));
   put(out, "lens", p.setting.kind == Kind::lens_model && chart.lens_reference.has_value());
   put_place(out, "picture", pictures.picture);
   put_place(out, "difference", pictures.difference);
@@ -87,9 +87,9 @@ json point_data(const Chart& chart, const Point& p, const PointPictures& picture
 
 }  // namespace
 
-bool can_be_chosen(const Chart& chart, const Point& p) {
+bool can_be_chosen(const Point& p) {
   return p.state == State::done && !p.cpu_s.empty() && p.error && std::isfinite(p.error->rms) &&
-         !(p.setting.kind == Kind::lens_model && chart.lens_reference);
+         p.setting.kind != Kind::lens_model;
 }
 
 json page_data(const Chart& chart, const PageOptions& options, const PagePictures& pictures) {

@@ -9,8 +9,9 @@
 
 namespace lentray::chart {
 
-/// Whether --budget, --error and the page's fields may choose it: measured, and held against the reference of all.
-bool can_be_chosen(const Chart& chart, const Point& point);
+/// Whether the page's fields may choose it, as --budget and --error do: measured, and no lens model, whose errors are
+/// against another reference.
+bool can_be_chosen(const Point& point);
 
 nlohmann::json page_data(const Chart& chart, const PageOptions& options,
                          const PagePictures& pictures);

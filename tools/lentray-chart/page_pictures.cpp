@@ -57,7 +57,7 @@ std::size_t count_of_files(const Chart& chart) {
 class Maker {
  public:
   Maker(fs::path folder, std::uint32_t side, std::size_t most, std::vector<std::string>& jpegs)
-      : m_folder(std::move(folder)), m_side(side), m_jpegs(jpegs),
+      : m_folder(std::move(folder)), m_side(side), m_most(most), m_jpegs(jpegs),
         m_store(m_folder / ".lentray-chart" / "thumbnails") {}
 
   /// Nothing for no file. What hinders it goes to `problem`.

@@ -28,7 +28,12 @@ std::string figure(double value) {
   if (!std::isfinite(value)) return "–";
   if (value == 0.0) return "0";
   if (value < 1e-4) return format("%.1e", value);
-  return format(value < 0.01 ? "%.5f" : value < 0.1 ? "%.4f" : value < 10 ? "%.3f" : "%.1f", value);
+  return format(value < 0.01  ? "%.5f"
+                : value < 0.1 ? "%.4f"
+                : value < 1   ? "%.3f"
+                : value < 100 ? "%.2f"
+                              : "%.0f",
+                value);
 }
 
 std::string time_text(double s) {
@@ -100,18 +105,21 @@ std::string row(const Chart& chart, const Point& p) {
   std::string out =
       "<tr data-id=\"" + id + "\" data-kind=\"" + kind + "\" class=\"" + class_of(p) + "\">";
   out += "<th scope=\"row\" class=\"is-text\" data-value=\"" + name +
-         "\"><button type=\"button\" class=\"go\" data-go=\"" + id + "\">" + name + "</button>" +
-         (p.setting.is_plain ? " <span class=\"badge\">plain</span>" : "") + "</th>";
-  out += "<td class=\"is-text\">" + symbol_of(p.setting.kind) + ' ' +
-         html_text(words_of(p.setting.kind)) + "</td>";
+         "\"><button type=\"button\" class=\"go\" data-go=\"" + id + "\">" + name +
+         "</button></th><td class=\"is-text\">";
+  out += p.setting.is_plain
+             ? "plain"
+             : symbol_of(p.setting.kind, !p.told_apart) + ' ' + html_text(words_of(p.setting.kind));
+  out += "</td>";
   out += time_cell(p) + cell_of(of(p.error, &Error::rms), figure) +
+         "<td class=\"is-text verdict\">" + html_text(verdict(chart, p)) + "</td>" +
          cell_of(of(p.error, &Error::psnr), decibels) +
          cell_of(of(p.error, &Error::share), share_text) +
          cell_of(of(p.error, &Error::largest), figure) +
          cell_of(p.error ? p.error->perceived : std::nullopt, figure) +
          cell_of(of(p.from_plain, &Error::rms), figure) + cell_of(p.stock_cpu_s, time_text) +
          cell_of(of(p.from_stock, &Error::rms), figure);
-  return out + "<td class=\"is-text verdict\">" + html_text(verdict(chart, p)) + "</td></tr>\n";
+  return out + "</tr>\n";
 }
 
 }  // namespace
@@ -176,7 +184,7 @@ std::string legend(const Chart& chart) {
 }
 
 std::string verdict(const Chart& chart, const Point& p) {
-  if (p.state == State::failed) return "failed: " + tool::cut_text(p.reason, 300);
+  if (p.state == State::failed) return "failed: " + tool::cut_text(p.reason, 160);
   if (p.state == State::waiting) return "waiting";
   std::string text;
   if (p.setting.kind == Kind::exact && !p.setting.is_plain && p.from_plain) {
