@@ -105,7 +105,8 @@ def check_hover_shows(page):
     button = page.one("#detail .facts .plain")
     page.scroll_to(button)
     button.click()
-    page.wait("return document.querySelector('#detail .facts .plain').textContent === 'Copied'", "the command is copied")
+    page.wait("return document.querySelector('#detail .facts .plain').textContent === 'Copied'",
+              "the command is copied")
 
 
 def check_click_keeps(page):
@@ -286,7 +287,8 @@ def check_widths(page):
         equal(len(charts), 2, f"charts at {width}")
         expect(all(250 < one <= min(width, 900) for one in charts), f"charts of {charts} pixels at {width}")
         size = page.js("""return Math.min(...[...document.querySelectorAll('.chart')]
-            .filter(e => e.getClientRects().length).flatMap(e => [...e.querySelectorAll('text')]).map(e => e.getBoundingClientRect().height))""")
+            .filter(e => e.getClientRects().length).flatMap(e => [...e.querySelectorAll('text')])
+            .map(e => e.getBoundingClientRect().height))""")
         expect(size >= 8.9, f"text of {size} pixels in the chart at {width}")
         beside = page.js("""const a = document.querySelector('.column .box').getBoundingClientRect(),
             b = document.getElementById('detail').getBoundingClientRect(); return b.left >= a.right""")
@@ -314,7 +316,8 @@ def check_contrast(page):
 def check_labels(page):
     page.open()
     kinds = "button, a, input, select, [role=button], [role=img], svg.chart"
-    script = """return [...document.querySelectorAll(arguments[0])].filter(e => !(e.textContent.trim() && e.tagName !== 'svg') && !e.getAttribute('aria-label') && !e.labels?.length)
+    script = """return [...document.querySelectorAll(arguments[0])].filter(e => !(e.textContent.trim() &&
+        e.tagName !== 'svg') && !e.getAttribute('aria-label') && !e.labels?.length)
         .map(e => e.outerHTML.slice(0, 80))"""
     equal(page.js(script, kinds), [], "controls without a name")
     ids = page.js("return [...document.querySelectorAll('[id]')].map(e => e.id)")
