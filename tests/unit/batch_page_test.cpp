@@ -14,12 +14,12 @@
 
 #include "core/image/reader.h"
 #include "core/image/thumbnail.h"
+#include "tools/common/page_text.h"
 #include "tools/common/process.h"
 #include "tools/lentray-batch/page.h"
 #include "tools/lentray-batch/page_cards.h"
 #include "tools/lentray-batch/page_data.h"
 #include "tools/lentray-batch/page_pictures.h"
-#include "tools/lentray-batch/page_thumbnails.h"
 
 namespace lentray::batch {
 namespace {
@@ -27,6 +27,8 @@ namespace {
 namespace fs = std::filesystem;
 using core::StoredImage;
 using nlohmann::json;
+using tool::base64;
+using tool::link_to;
 using Bytes = std::vector<std::uint8_t>;
 
 StoredImage picture(std::uint32_t width, std::uint32_t height, int channels, Bytes samples) {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <string_view>
 #include <utility>
 
+#include "tools/common/page_text.h"
 #include "tools/lentray-batch/page_cards.h"
 #include "tools/lentray-batch/page_data.h"
 #include "tools/lentray-batch/page_pictures.h"
@@ -14,35 +14,7 @@ namespace lentray::batch {
 namespace {
 
 using nlohmann::json;
-
-std::string html_text(const std::string& text) {
-  // JSON's way repairs what is no UTF-8.
-  const std::string repaired = json(text).dump(-1, ' ', false, json::error_handler_t::replace);
-  std::string safe;
-  for (const char c : json::parse(repaired).get<std::string>()) {
-    switch (c) {
-      case '&': safe += "&amp;"; break;
-      case '<': safe += "&lt;"; break;
-      case '>': safe += "&gt;"; break;
-      case '"': safe += "&quot;"; break;
-      default: safe += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-    }
-  }
-  return safe;
-}
-
-/// The frame of the page with each "{{name}}" replaced, once, by what it stands for.
-std::string filled(const std::vector<std::pair<std::string_view, std::string_view>>& parts) {
-  std::string out;
-  std::string_view rest = kPageHtml;
-  for (const auto& [name, text] : parts) {
-    const std::string mark = "{{" + std::string(name) + "}}";
-    const std::size_t at = rest.find(mark);
-    out.append(rest.substr(0, at)).append(text);
-    rest.remove_prefix(at + mark.size());
-  }
-  return out.append(rest);
-}
+using tool::script_text;
 
 void put_text(json& out, const char* name, std::string& base64) {
   if (!base64.empty()) out[name] = std::move(base64);
@@ -91,9 +63,9 @@ Text text_within(const std::vector<Row>& rows, const PageOptions& options, std::
 
 std::string page(const std::vector<Row>& rows, const PageOptions& options) {
   constexpr std::size_t kReserve = 4096;
-  const std::string title = html_text(options.title);
-  const std::size_t frame =
-      kPageHtml.size() + kPageCss.size() + kPageJs.size() + title.size() + kReserve;
+  const std::string title = tool::html_text(options.title);
+  const std::size_t frame = tool::bytes_of_frame() + kPageHtml.size() + kPageCss.size() +
+                            kPageJs.size() + title.size() + kReserve;
   const std::size_t room = options.most_bytes - std::min(options.most_bytes, frame);
   const Text text = text_within(rows, options, room);
   // The text of rows that are to come takes room too.
@@ -112,8 +84,8 @@ std::string page(const std::vector<Row>& rows, const PageOptions& options) {
     json data = page_data(text.rows, text.cards, options, text.limits);
     data["summary"]["all_rows"] = rows.size();
     add_pictures(data, pictures_of(text.rows, text.cards, options.folder, picture_steps()[s]));
-    out = filled(
-        {{"title", title}, {"style", kPageCss}, {"data", script_text(data)}, {"script", kPageJs}});
+    const std::string text_of_data = script_text(data);
+    out = tool::page_of({"lentray-batch", title, kPageCss, kPageHtml, text_of_data, kPageJs});
     if (out.size() <= options.most_bytes) break;
   }
   return out;

@@ -1,55 +1,11 @@
-// The page: its headline, its cards, what is shown of them. page_detail.js follows in the same module and starts it.
+// The page of a batch: its headline, its cards, what is shown of them. The script that pages share comes before it in
+// one module; page_detail.js follows and starts it.
 // Keys of the data are those of page_data.cpp.
 
 const data = JSON.parse(document.getElementById("data").textContent);
 const rows = data.rows, cards = data.cards, summary = data.summary;
-const byId = (id) => document.getElementById(id);
-
-// Text. Names and messages are strangers': they become text nodes only.
-
-/** Control characters as pictures of them, direction marks without effect. */
-function clean(text) {
-  return String(text).replace(/[\u0000-\u0008\u000b-\u001f\u007f]/g, (c) => c === "\u007f" ? "\u2421"
-    : String.fromCharCode(0x2400 + c.charCodeAt(0))).replace(/[\u200e\u200f\u202a-\u202e\u2066-\u2069]/g, "\ufffd");
-}
-
-function element(tag, attributes, ...children) {
-  const made = document.createElement(tag);
-  for (const [name, value] of Object.entries(attributes || {})) {
-    if (value === undefined || value === null || value === false) continue;
-    if (name.startsWith("on")) made.addEventListener(name.slice(2), value);
-    else made.setAttribute(name, value === true ? "" : value);
-  }
-  made.append(...children.filter((child) => child !== null && child !== undefined && child !== ""));
-  return made;
-}
-
-const fixed = (value, digits) => value.toFixed(digits);
-function seconds(s) {
-  if (!s) return "0 s";
-  if (s < 0.001) return "under 1 ms";
-  if (s < 1) return `${Math.round(s * 1000)} ms`;
-  if (s < 60) return `${fixed(s, s < 10 ? 2 : 1)} s`;
-  const whole = Math.round(s), pad = (n) => String(n).padStart(2, "0");
-  if (whole < 3600) return `${Math.floor(whole / 60)} min ${pad(whole % 60)} s`;
-  return `${Math.floor(whole / 3600)} h ${pad(Math.floor(whole % 3600 / 60))} min`;
-}
-function bytes(n) {
-  const units = ["bytes", "kB", "MB", "GB", "TB"];
-  let unit = 0;
-  for (; n >= 1000 && unit < units.length - 1; ++unit) n /= 1000;
-  return `${unit === 0 || n >= 100 ? Math.round(n) : fixed(n, 1)} ${units[unit]}`;
-}
-const times = (ratio) => `${fixed(ratio, ratio < 10 ? 2 : ratio < 100 ? 1 : 0)} ×`;
-const percent = (share) => share === 0 ? "0 %" : share < 0.00005 ? "under 0.01 %" :
-    `${fixed(100 * share, share < 0.1 ? 2 : 1)} %`;
-const many = (n, one, more) => `${n} ${n === 1 ? one : more || one + "s"}`;
 
 const kGrades = ["exact", "match", "close", "differs", "fails"];
-const tileOf = (label, value, kind) => element("div", { class: kind }, element("dt", {}, label),
-    element("dd", {}, value));
-const jpeg = (base64) => "data:image/jpeg;base64," + base64;
-const link = (href, text) => element("a", { href, target: "_blank", rel: "noopener" }, text);
 
 // The headline.
 

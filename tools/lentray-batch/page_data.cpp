@@ -8,10 +8,14 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "tools/common/page_text.h"
+
 namespace lentray::batch {
 namespace {
 
 using nlohmann::json;
+using tool::cut_text;
+using tool::link_to;
 
 /// Browsers show these.
 constexpr std::array<std::string_view, 6> kShown{".png", ".jpg", ".jpeg", ".gif", ".bmp", ".webp"};
@@ -20,15 +24,6 @@ bool is_shown_by_browsers(const std::string& file) {
   std::string extension = std::filesystem::path(file).extension().string();
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return std::find(kShown.begin(), kShown.end(), extension) != kShown.end();
-}
-
-/// At a character's beginning, if it is UTF-8.
-std::string cut(const std::string& text, std::size_t most) {
-  if (text.size() <= most) return text;
-  std::size_t end = most;
-  for (int i = 0; i < 3 && end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0u) == 0x80u; ++i)
-    --end;
-  return text.substr(0, end) + "\xE2\x80\xA6";
 }
 
 /// Members are left out where they say nothing.
@@ -51,7 +46,7 @@ void put_lines(json& out, const char* name, const std::vector<std::string>& line
   if (lines.empty()) return;
   json& list = out[name] = json::array();
   for (std::size_t i = 0; i < std::min(most, lines.size()); ++i)
-    list.push_back(cut(lines[i], line));
+    list.push_back(cut_text(lines[i], line));
 }
 
 /// Rows share most of their files: each path is there once.
@@ -60,7 +55,7 @@ class Paths {
   explicit Paths(std::size_t line) : m_line(line) {}
   std::size_t operator()(const std::string& path) {
     const auto [at, is_new] = m_places.try_emplace(path, m_places.size());
-    if (is_new) m_list.push_back(cut(path, m_line));
+    if (is_new) m_list.push_back(cut_text(path, m_line));
     return at->second;
   }
   json list() && { return std::move(m_list); }
@@ -74,7 +69,7 @@ class Paths {
 json verdict_data(const Row& row, const PageOptions& options, const TextLimits& limits) {
   const Verdict& v = *row.verdict;
   json out{{"grade", v.grade}};
-  put(out, "note", cut(v.note, limits.line));
+  put(out, "note", cut_text(v.note, limits.line));
   if (v.psnr && std::isfinite(*v.psnr)) out["psnr"] = *v.psnr;
   put_share(out, "beyond_1", v.beyond_1);
   put_share(out, "beyond_2", v.beyond_2);
@@ -94,7 +89,7 @@ json verdict_data(const Row& row, const PageOptions& options, const TextLimits& 
 void put_picture(json& out, const Row& row, const PageOptions& options, const TextLimits& limits) {
   if (!row.picture.empty()) {
     out["href"] = link_to(row.picture, options.folder);
-    out["file"] = cut(row.picture, limits.line);
+    out["file"] = cut_text(row.picture, limits.line);
     put(out, "shown", is_shown_by_browsers(row.picture));
   }
   put(out, "width", row.width);
@@ -123,8 +118,8 @@ void put_files(json& out, const Row& row, const TextLimits& limits, Paths& paths
 json row_data(const Row& row, const PageOptions& options, const TextLimits& limits, Paths& paths) {
   json out{{"state", name_of(row.state)}};
   if (row.frame) out["frame"] = *row.frame;
-  put(out, "source", cut(row.source, limits.line));
-  put(out, "reason", cut(row.reason, limits.line));
+  put(out, "source", cut_text(row.source, limits.line));
+  put(out, "reason", cut_text(row.reason, limits.line));
   put_lines(out, "command", row.command, limits.words, limits.line);
   put(out, "command_words", row.command.size());
   put(out, "status", row.status);
@@ -141,15 +136,16 @@ json row_data(const Row& row, const PageOptions& options, const TextLimits& limi
   put_seconds(out, "writing", row.writing);
   put(out, "memory", row.memory);
   if (row.attempts != 1) out["attempts"] = row.attempts;
-  put(out, "finished", cut(row.finished, limits.line));
+  put(out, "finished", cut_text(row.finished, limits.line));
   if (row.verdict) out["verdict"] = verdict_data(row, options, limits);
   put_files(out, row, limits, paths);
   return out;
 }
 
 json card_data(const Card& card, const TextLimits& limits) {
-  json out{
-      {"name", cut(card.name, limits.line)}, {"rows", card.rows}, {"state", name_of(card.state)}};
+  json out{{"name", cut_text(card.name, limits.line)},
+           {"rows", card.rows},
+           {"state", name_of(card.state)}};
   put(out, "animation", card.is_animation);
   put(out, "warnings", card.warnings);
   put_seconds(out, "time", card.time);
@@ -204,41 +200,6 @@ json page_data(const std::vector<Row>& rows, const std::vector<Card>& cards,
   for (const Card& card : cards) card_list.push_back(card_data(card, limits));
   out["paths"] = std::move(paths).list();
   return out;
-}
-
-std::string script_text(const json& data) {
-  const std::string text = data.dump(-1, ' ', true, json::error_handler_t::replace);
-  std::string safe;
-  safe.reserve(text.size() + text.size() / 64);
-  for (const char c : text) {
-    if (c == '<')
-      safe += "\\u003c";
-    else
-      safe += c;
-  }
-  return safe;
-}
-
-std::string link_to(const std::string& file, const std::filesystem::path& folder) {
-  static constexpr std::string_view kDigits = "0123456789ABCDEF";
-  static constexpr std::string_view kPlain =
-      "-._~/0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz";
-  std::filesystem::path path(file);
-  if (path.is_absolute())
-    path = path.lexically_relative(std::filesystem::absolute(folder).lexically_normal());
-  const std::string from = path.generic_string();
-  std::string link = from.starts_with("../") ? "" : "./";
-  for (const char c : from) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (kPlain.find(c) != std::string_view::npos) {
-      link += c;
-    } else {
-      link += '%';
-      link += kDigits[byte >> 4];
-      link += kDigits[byte & 15u];
-    }
-  }
-  return link;
 }
 
 }  // namespace lentray::batch

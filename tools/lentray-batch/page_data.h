@@ -28,10 +28,4 @@ const std::vector<TextLimits>& text_limits();
 nlohmann::json page_data(const std::vector<Row>& rows, const std::vector<Card>& cards,
                          const PageOptions& options, const TextLimits& limits);
 
-/// Text for the inside of a script element: ASCII, without "<". What is no UTF-8 becomes U+FFFD.
-std::string script_text(const nlohmann::json& json);
-
-/// A file as a link of the page; it begins with "./" or "../", every other byte that has a meaning is escaped.
-std::string link_to(const std::string& file, const std::filesystem::path& folder);
-
 }  // namespace lentray::batch

@@ -152,17 +152,6 @@ function showSmall(stage, row) {
   else stage.replaceChildren(frameOf(row, element("img", { alt: "The frame", src: jpeg(row.picture) }), "62vh"));
 }
 
-function titled(text, ...children) { return element("section", {}, element("h3", {}, text), ...children); }
-
-function listOf(pairs) {
-  const list = element("dl", { class: "list" });
-  for (const [name, value] of pairs) {
-    if (value === undefined || value === null || value === "" || value === false) continue;
-    list.append(element("dt", {}, name), element("dd", {}, ...(Array.isArray(value) ? value : [value])));
-  }
-  return list;
-}
-
 function timesOf(row) {
   const parts = [["reading", row.reading], ["building", row.building], ["rendering", row.rendering],
       ["writing", row.writing]];
@@ -213,23 +202,6 @@ function messagesOf(row) {
   const rest = row.message_count - (row.messages || []).length;
   if (rest > 0) text.append(`… ${many(rest, "more line")}; the manifest has all`);
   return titled(many(row.message_count, "line") + " of messages", text);
-}
-
-function quoted(word) { return /^[\w@%+=:,./-]+$/.test(word) ? word : "'" + word.replaceAll("'", "'\\''") + "'"; }
-
-function copy(text, button) {
-  const tell = (word) => { button.textContent = word; setTimeout(() => { button.textContent = "Copy"; }, 1500); };
-  const byHand = () => {
-    const area = element("textarea", { class: "unseen" });
-    area.value = text;
-    dialog.append(area);
-    area.select();
-    const isCopied = document.execCommand("copy");
-    area.remove();
-    tell(isCopied ? "Copied" : "Not copied");
-  };
-  if (navigator.clipboard) navigator.clipboard.writeText(text).then(() => tell("Copied"), byHand);
-  else byHand();
 }
 
 function commandOf(row) {

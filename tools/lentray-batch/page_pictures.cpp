@@ -7,7 +7,9 @@
 
 #include "core/image/reader.h"
 #include "core/image/thumbnail.h"
-#include "tools/lentray-batch/page_thumbnails.h"
+#include "tools/common/page_text.h"
+#include "tools/common/small_pictures.h"
+#include "tools/common/thumbnail_store.h"
 
 namespace lentray::batch {
 namespace {
@@ -16,18 +18,14 @@ namespace fs = std::filesystem;
 using core::StoredImage;
 using core::Thumbnail;
 using core::ThumbnailSize;
+using tool::base64;
+using tool::bytes_in_page;
+using tool::bytes_within;
+using tool::jpeg_within;
+using tool::size_within;
+using tool::ThumbnailStore;
 
 constexpr std::uint32_t kBlock = 16;  ///< rows that a JPEG codes together
-
-/// At most what the picture has; `across`: columns it has, of the view if it is one.
-ThumbnailSize size_within(std::uint32_t width, std::uint32_t height, std::uint32_t across,
-                          std::uint32_t side) {
-  const double scale = std::min(1.0, static_cast<double>(side) / std::max({1u, width, height}));
-  const auto scaled = [&](std::uint32_t length) {
-    return std::max(1u, static_cast<std::uint32_t>(std::lround(length * scale)));
-  };
-  return {std::min(scaled(width), std::max(1u, across)), scaled(height)};
-}
 
 bool is_integral(const Row& row) { return row.lens_pixels >= 2.0 && row.lens_pixels < 1e6; }
 
@@ -46,12 +44,6 @@ std::vector<double> views_from_left_eye(double lens_pixels, int count) {
 
 int tilt_views(const Row& row, const PictureStep& step) {
   return is_integral(row) ? std::min(step.views, static_cast<int>(row.lens_pixels)) : 0;
-}
-
-/// What a JPEG of that many pixels needs at most to look well: small pictures take less than the step's.
-std::size_t bytes_within(std::size_t bytes, std::size_t pixels) {
-  constexpr std::size_t kHead = 800, kPixelsAByte = 3;
-  return std::min(bytes, kHead + pixels / kPixelsAByte);
 }
 
 /// The most that a row's small picture may take, by the size that the row tells.
@@ -92,28 +84,13 @@ std::vector<Wanted> wanted(const std::vector<Row>& rows, const std::vector<Card>
   return all;
 }
 
-/// In base64, with what JSON puts around it.
-std::size_t in_page(std::size_t bytes) {
-  constexpr std::size_t kAround = 40;
-  return bytes == 0 ? 0 : (bytes + 2) / 3 * 4 + kAround;
-}
-
 std::size_t room_of(const Row& row, const Wanted& want, const PictureStep& step) {
-  const std::size_t one = in_page(picture_bytes(row, step));
+  const std::size_t one = bytes_in_page(picture_bytes(row, step));
   std::size_t room = want.picture ? one : 0;
-  if (want.tilt) room += in_page(tilt_bytes(row, step));
+  if (want.tilt) room += bytes_in_page(tilt_bytes(row, step));
   if (want.comparison)
     room += (row.verdict->stock.empty() ? 0 : one) + (row.verdict->difference.empty() ? 0 : one);
   return room;
-}
-
-/// Coarser where it must, until it has the size that is allowed; at last nothing.
-std::string jpeg_within(const Thumbnail& thumbnail, std::size_t most) {
-  for (const int quality : {84, 76, 66, 54, 40, 26, 12}) {
-    std::string jpeg = core::jpeg_of(thumbnail, quality);
-    if (jpeg.size() <= most) return jpeg;
-  }
-  return {};
 }
 
 /// Makes the pictures of one file, which is read when the first of them is not kept.

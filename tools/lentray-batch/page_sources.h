@@ -1,4 +1,5 @@
-// The page's own text, from page.html, page.css and page.js; CMake makes the source file of it.
+// What the page has besides what all pages share: page.html, page.css, page.js and page_detail.js; CMake makes the
+// source file of them.
 #pragma once
 
 #include <string_view>

@@ -6,10 +6,13 @@
 
 #include "tools/common/csv.h"
 #include "tools/common/gnuplot.h"
+#include "tools/common/inline_svg.h"
+#include "tools/common/page_text.h"
 
 namespace lentray::grouping {
 
 using tool::csv_field;
+using tool::html_text;
 
 namespace {
 
@@ -98,21 +101,6 @@ std::string cost_chart(const Group& group, const std::string& title) {
   return tool::gnuplot(script, data);
 }
 
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '&')
-      out += "&amp;";
-    else if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else
-      out += c;
-  }
-  return out;
-}
-
 struct Column {
   const char* name;
   std::string (*text)(const Trial&);
@@ -165,7 +153,9 @@ std::string gain_chart(const std::vector<Trial>& trials) {
       "plot 'data' using 1:2 with points pointtype 7 title 'time', "
       "'data' using 1:3 with points pointtype 5 title 'tests (equation 1)', "
       "'data' using 1:4 with points pointtype 4 pointsize 1.5 title 'equation 2'\n";
-  return "<h2>What columns save against rows and views</h2>\n" + tool::gnuplot(script, data);
+  return "<section class=\"box\"><h2>What columns save against rows and views</h2>\n" +
+         tool::inline_svg(tool::gnuplot(script, data), {"gains", "What columns save, over Cm/Ch"}) +
+         "</section>\n";
 }
 
 /// Who was fastest, and how far auto is from it; empty where nothing was timed.
@@ -180,6 +170,46 @@ std::string fastest_text(const Group& group) {
     text += "; auto, auto takes " + percent(decided->median() / best.median() - 1.0) + " more";
   }
   return text;
+}
+
+std::string table_html(const Group& group) {
+  std::string out = "<div class=\"wide\"><table class=\"sorts\"><thead><tr>";
+  const auto tag = [](const char* name, std::size_t column) {
+    return std::string("<") + name + (column < 2 ? " class=\"is-text\">" : ">");
+  };
+  for (std::size_t i = 0; i < std::size(kColumns); ++i) {
+    out += tag("th", i) + kColumns[i].name + "</th>";
+  }
+  out += "</tr></thead><tbody>\n";
+  for (const Trial& t : group) {
+    out += "<tr>";
+    for (std::size_t i = 0; i < std::size(kColumns); ++i) {
+      out += tag("td", i) + html_text(kColumns[i].text(t)) + "</td>";
+    }
+    out += "</tr>\n";
+  }
+  return out + "</tbody></table></div>\n";
+}
+
+/// `number` sets its charts apart from those of other groups.
+std::string group_html(const Group& group, std::size_t number) {
+  const auto chart = [&](const char* name, const char* label, const std::string& svg) {
+    return "<div>" +
+           tool::inline_svg(svg, {name + std::to_string(number), label + (": " + heading(group))}) +
+           "</div>\n";
+  };
+  std::string out = "<section class=\"box\"><h2>" + html_text(heading(group)) + "</h2>\n" +
+                    table_html(group) + "<p>" + html_text(fastest_text(group)) + "</p>\n";
+  for (const Gain& g : gains_of(group)) out += "<p>" + html_text(gain_text(g)) + "</p>\n";
+  const auto bar = [&](const char* name, const char* title, double (*value)(const Trial&)) {
+    return chart(name, title, bar_chart(group, title, bars(group, value)));
+  };
+  out += "<div class=\"charts\">\n" +
+         bar("time", "CPU, s (median)", [](const Trial& t) { return t.median(); }) +
+         bar("hits", "hits / upper bound", [](const Trial& t) { return t.hits_of_most(); }) +
+         bar("tests", "tests a shadow ray", [](const Trial& t) { return t.tests_a_ray(); }) +
+         chart("cost", "time and equation 1", cost_chart(group, "time and equation 1"));
+  return out + "</div></section>\n";
 }
 
 }  // namespace
@@ -300,35 +330,14 @@ std::string table_of(const std::vector<Trial>& trials) {
 }
 
 std::string html_of(const std::vector<Trial>& trials, const std::string& command) {
-  std::string out =
-      "<!DOCTYPE html>\n<html><head><meta charset=\"utf-8\"><title>Pixel orders and shadow caches"
-      "</title>\n<style>body{font-family:sans-serif;margin:2em}table{border-collapse:collapse}"
-      "td,th{padding:2px 10px;text-align:right;border-bottom:1px solid #ddd}"
-      "td:nth-child(-n+2){text-align:left}</style></head><body>\n"
-      "<h1>Pixel orders and shadow caches</h1>\n<p><code>" +
-      escaped(command) + "</code></p>\n";
-  for (const Group& group : groups_of(trials)) {
-    out += "<h2>" + escaped(heading(group)) + "</h2>\n<table><tr>";
-    for (const Column& c : kColumns) out += std::string("<th>") + c.name + "</th>";
-    out += "</tr>\n";
-    for (const Trial& t : group) {
-      out += "<tr>";
-      for (const Column& c : kColumns) out += "<td>" + escaped(c.text(t)) + "</td>";
-      out += "</tr>\n";
-    }
-    out += "</table>\n";
-    out += "<p>" + escaped(fastest_text(group)) + "</p>\n";
-    for (const Gain& g : gains_of(group)) out += "<p>" + escaped(gain_text(g)) + "</p>\n";
-    out += "<div>\n" +
-           bar_chart(group, "CPU, s (median)",
-                     bars(group, [](const Trial& t) { return t.median(); })) +
-           bar_chart(group, "hits / upper bound",
-                     bars(group, [](const Trial& t) { return t.hits_of_most(); })) +
-           bar_chart(group, "tests a shadow ray",
-                     bars(group, [](const Trial& t) { return t.tests_a_ray(); })) +
-           cost_chart(group, "time and equation 1") + "</div>\n";
-  }
-  return out + gain_chart(trials) + "</body></html>\n";
+  const std::string title = "Pixel orders and shadow caches";
+  std::string body = "<header class=\"head\"><h1>" + title + "</h1>\n<code class=\"command\">" +
+                     html_text(command) + "</code></header>\n<main>\n";
+  std::size_t number = 0;
+  for (const Group& group : groups_of(trials)) body += group_html(group, ++number);
+  body += gain_chart(trials) + "</main>\n";
+  return tool::page_of(
+      {.generator = "lentray-grouping", .title = title, .style = {}, .body = body, .script = {}});
 }
 
 }  // namespace lentray::grouping

@@ -13,7 +13,7 @@ std::string csv_of(const std::vector<Trial>& trials);
 /// gains_of() for every group, a line each.
 std::string gains_csv_of(const std::vector<Trial>& trials);
 std::string table_of(const std::vector<Trial>& trials);
-/// One page that holds everything, charts as SVG.
+/// One page that holds everything: tables that sort, charts as SVG, light and dark.
 std::string html_of(const std::vector<Trial>& trials, const std::string& command);
 
 /// The trials of one scene, size and accelerator.

@@ -8,7 +8,7 @@
 #include <set>
 #include <string>
 
-namespace lentray::batch {
+namespace lentray::tool {
 
 class ThumbnailStore {
  public:
@@ -28,7 +28,4 @@ class ThumbnailStore {
   std::set<std::string> m_asked_for{};
 };
 
-/// RFC 4648, with padding.
-std::string base64(const std::string& bytes);
-
-}  // namespace lentray::batch
+}  // namespace lentray::tool

@@ -1,4 +1,4 @@
-#include "tools/lentray-batch/page_thumbnails.h"
+#include "tools/common/thumbnail_store.h"
 
 #include <cstdint>
 #include <cstdio>
@@ -7,7 +7,7 @@
 #include <string_view>
 #include <system_error>
 
-namespace lentray::batch {
+namespace lentray::tool {
 namespace {
 
 namespace fs = std::filesystem;
@@ -65,21 +65,4 @@ void ThumbnailStore::delete_others() const {
   }
 }
 
-std::string base64(const std::string& bytes) {
-  static constexpr std::string_view kDigits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t group = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      group = group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
-    }
-    for (std::size_t k = 0; k < 4; ++k) {
-      text += i + k > bytes.size() ? '=' : kDigits[group >> (18 - 6 * k) & 63u];
-    }
-  }
-  return text;
-}
-
-}  // namespace lentray::batch
+}  // namespace lentray::tool
