@@ -1,0 +1,148 @@
+#include "camera/thick_lens.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lentray::camera {
+
+ThickLens::ThickLens(const LensParameters& lens)
+    : m_pitch(lens.pitch), m_focal_length(lens.focal_length), m_ior(lens.ior),
+      m_radius(lens.radius()), m_edge(point_at(0.5 * lens.pitch).depth), m_vertex(point_at(0.0)) {
+  m_points.reserve(lens.rays);
+  for (std::uint32_t j = 0; j < lens.rays; ++j) {
+    m_points.push_back(point_at(((j + 0.5) / lens.rays - 0.5) * m_pitch));
+  }
+}
+
+ThickLens::Point ThickLens::point_at(double across) const {
+  const double inwards = std::sqrt(std::max(0.0, (m_radius - across) * (m_radius + across)));
+  return {across, inwards, across * across / (m_radius + inwards)};
+}
+
+bool ThickLens::incidence(const Point& point, double offset, double& sine) const {
+  const double x = offset - point.across, z = m_focal_length - point.depth;
+  if (std::fabs(offset) > 0.5 * m_pitch) {
+    // Under another lens. The way must come in below the edge; from there on the glass is convex.
+    const double along = (std::copysign(0.5 * m_pitch, offset) - point.across) / x;
+    if (point.depth + along * z < m_edge) return false;
+  }
+  sine = (x * point.inwards + z * point.across) / std::hypot(x, z);
+  return true;
+}
+
+LensRayEnd ThickLens::through(const Point& point, double offset, double rise,
+                              SheetExit& out) const {
+  double sine = 0.0;
+  if (!incidence(point, offset, sine)) return LensRayEnd::kNowhere;
+  // With T the tangent in the air against the normal, S the sine in the glass, the cross-section's
+  // index N^2 = n^2 + (n^2 - 1) (rise cos t)^2 and cos t = (inwards + T across)/(R sqrt(1 + T^2)),
+  // T^2/(1 + T^2) = N^2 S^2 is a quadratic equation for T. Its root on S's side nearest to 0 holds.
+  const double n2 = m_ior * m_ior, skew = (n2 - 1.0) * rise * rise;
+  const double s = sine / m_radius, nx = point.across / m_radius, nz = point.inwards / m_radius;
+  const double c = n2 + skew * nz * nz, b = skew * nz * nx;
+  const double a = 1.0 - s * s * (n2 + skew * nx * nx);
+  const double root = std::sqrt(std::max(0.0, s * s * b * b + a * c)) - s * b;
+  if (!(root > 0.0)) return LensRayEnd::kNowhere;
+  const double tangent = s * c / root;
+  const double x = tangent * nz - nx, z = nz + tangent * nx;
+  const double size = std::sqrt(1.0 + tangent * tangent);
+  if (z > 0.0 && !meets_next_lens({point.across, -point.inwards, -x / size, -z / size})) {
+    out = {point.across, point.depth, x / z};
+    return LensRayEnd::kLeaves;
+  }
+  return spill(point, sine, rise, out);
+}
+
+bool ThickLens::meets_next_lens(const AirRay& ray) const {
+  const double side = ray.dx > 0.0 ? m_pitch : -m_pitch;
+  const double towards = (side - ray.x) * ray.dx - ray.z * ray.dz;
+  // The distance to the next circle's middle, squared, less R^2: the point lies on a circle of R.
+  const double outside = m_pitch * m_pitch - 2.0 * side * ray.x;
+  return towards > 0.0 && towards * towards > outside;
+}
+
+void ThickLens::enter_next_lens(AirRay& ray, double side) const {
+  const double towards = (side - ray.x) * ray.dx - ray.z * ray.dz;
+  const double outside = std::max(0.0, m_pitch * m_pitch - 2.0 * side * ray.x);
+  const double root = std::sqrt(std::max(0.0, towards * towards - outside));
+  const double way = outside / (towards + root);
+  ray.x += way * ray.dx - side;
+  ray.z += way * ray.dz;
+  const double back = m_radius / std::hypot(ray.x, ray.z);
+  ray.x *= back;
+  ray.z *= back;
+}
+
+bool ThickLens::pass_lens(AirRay& ray, double ior) const {
+  const double nx = ray.x / m_radius, nz = ray.z / m_radius;
+  const double cosine = -(ray.dx * nx + ray.dz * nz);
+  const double gx = (ray.dx + cosine * nx) / ior, gz = (ray.dz + cosine * nz) / ior;
+  const double inside = std::sqrt(std::max(0.0, 1.0 - gx * gx - gz * gz));
+  const double ix = gx - inside * nx, iz = gz - inside * nz;
+  // A chord meets its circle at the same angle at both ends, so that what entered can leave.
+  const double chord = 2.0 * m_radius * inside;
+  ray.x += chord * ix;
+  ray.z += chord * iz;
+  if (std::fabs(ray.x) > 0.5 * m_pitch || ray.z >= 0.0) return false;  // to the print
+  const double ex = ray.x / m_radius, ez = ray.z / m_radius;
+  ray.dx = ior * (ix - inside * ex) + cosine * ex;
+  ray.dz = ior * (iz - inside * ez) + cosine * ez;
+  return true;
+}
+
+bool ThickLens::follow(const Point& point, double sine, double ior, SheetExit& out) const {
+  constexpr int kMostLenses = 64;
+  const double nx = point.across / m_radius, nz = point.inwards / m_radius;
+  const double s = ior * sine / m_radius;
+  if (!(s * s < 1.0)) return false;
+  const double cosine = std::sqrt(1.0 - s * s);
+  AirRay ray{point.across, -point.inwards, cosine * nx - s * nz, -cosine * nz - s * nx};
+  double axis = 0.0;
+  for (int lens = 0; lens < kMostLenses; ++lens) {
+    if (!meets_next_lens(ray)) {
+      if (!(ray.dz < 0.0)) return false;
+      const double depth = ray.x * ray.x / (m_radius - ray.z);
+      out = {axis + ray.x, depth, ray.dx / ray.dz};
+      return true;
+    }
+    const double side = ray.dx > 0.0 ? m_pitch : -m_pitch;
+    enter_next_lens(ray, side);
+    axis += side;
+    if (!pass_lens(ray, ior)) return false;
+  }
+  return false;
+}
+
+LensRayEnd ThickLens::spill(const Point& point, double sine, double rise, SheetExit& out) const {
+  // (rise cos t)^2 of the ray that leaves at last, and so N^2, is the same in all lenses on its way.
+  const double n2 = m_ior * m_ior, most = rise * rise;
+  const auto miss = [&](double guess, double& off) {
+    if (!follow(point, sine, std::sqrt(n2 + (n2 - 1.0) * guess), out)) return false;
+    off = most / (1.0 + out.slope * out.slope) - guess;
+    return true;
+  };
+  double last = 0.0, last_off = 0.0, off = 0.0;
+  if (!miss(last, last_off)) {
+    last = most;
+    if (rise == 0.0 || !miss(last, last_off)) return LensRayEnd::kNowhere;
+  }
+  if (last_off == 0.0) return LensRayEnd::kSpills;  // such as a flat ray
+  double guess = last + last_off;
+  constexpr int kMostSteps = 40;
+  for (int step = 0; step < kMostSteps; ++step) {
+    if (!miss(guess, off)) return LensRayEnd::kNowhere;
+    if (off == 0.0) return LensRayEnd::kSpills;
+    // The secant's step, or the plain one where that has none.
+    const double change = last_off - off;
+    double next = change == 0.0 ? guess + off : guess + off * (guess - last) / change;
+    if (!(next >= 0.0 && next <= most)) next = guess + off;
+    if (next == guess) return LensRayEnd::kSpills;
+    last = guess;
+    last_off = off;
+    guess = next;
+  }
+  constexpr double kSolved = 1e-13;
+  return std::fabs(off) <= kSolved * most ? LensRayEnd::kSpills : LensRayEnd::kNowhere;
+}
+
+}  // namespace lentray::camera
