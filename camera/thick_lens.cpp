@@ -33,7 +33,7 @@ bool ThickLens::incidence(const Point& point, double offset, double& sine) const
 LensRayEnd ThickLens::through(const Point& point, double offset, double rise,
                               SheetExit& out) const {
   double sine = 0.0;
-  if (!incidence(point, offset, sine)) return LensRayEnd::kNowhere;
+  if (!incidence(point, offset, sine)) return LensRayEnd::kHidden;
   // With T the tangent in the air against the normal, S the sine in the glass, the cross-section's
   // index N^2 = n^2 + (n^2 - 1) (rise cos t)^2 and cos t = (inwards + T across)/(R sqrt(1 + T^2)),
   // T^2/(1 + T^2) = N^2 S^2 is a quadratic equation for T. Its root on S's side nearest to 0 holds.
@@ -42,7 +42,11 @@ LensRayEnd ThickLens::through(const Point& point, double offset, double rise,
   const double c = n2 + skew * nz * nz, b = skew * nz * nx;
   const double a = 1.0 - s * s * (n2 + skew * nx * nx);
   const double root = std::sqrt(std::max(0.0, s * s * b * b + a * c)) - s * b;
-  if (!(root > 0.0)) return LensRayEnd::kNowhere;
+  if (!(root > 0.0)) {
+    // A ray that goes on through other lenses may rise less steeply here, and leave.
+    const bool may_leave = rise != 0.0 && m_ior * std::fabs(s) < 1.0;
+    return may_leave ? spill(point, sine, rise, out) : LensRayEnd::kReflected;
+  }
   const double tangent = s * c / root;
   const double x = tangent * nz - nx, z = nz + tangent * nx;
   const double size = std::sqrt(1.0 + tangent * tangent);
@@ -90,59 +94,67 @@ bool ThickLens::pass_lens(AirRay& ray, double ior) const {
   return true;
 }
 
-bool ThickLens::follow(const Point& point, double sine, double ior, SheetExit& out) const {
+LensRayEnd ThickLens::follow(const Point& point, double sine, double ior, SheetExit& out) const {
   constexpr int kMostLenses = 64;
   const double nx = point.across / m_radius, nz = point.inwards / m_radius;
   const double s = ior * sine / m_radius;
-  if (!(s * s < 1.0)) return false;
+  if (!(s * s < 1.0)) return LensRayEnd::kReflected;
   const double cosine = std::sqrt(1.0 - s * s);
   AirRay ray{point.across, -point.inwards, cosine * nx - s * nz, -cosine * nz - s * nx};
   double axis = 0.0;
   for (int lens = 0; lens < kMostLenses; ++lens) {
     if (!meets_next_lens(ray)) {
-      if (!(ray.dz < 0.0)) return false;
+      if (!(ray.dz < 0.0)) return LensRayEnd::kReturns;
       const double depth = ray.x * ray.x / (m_radius - ray.z);
       out = {axis + ray.x, depth, ray.dx / ray.dz};
-      return true;
+      return lens == 0 ? LensRayEnd::kLeaves : LensRayEnd::kSpills;
     }
     const double side = ray.dx > 0.0 ? m_pitch : -m_pitch;
     enter_next_lens(ray, side);
     axis += side;
-    if (!pass_lens(ray, ior)) return false;
+    if (!pass_lens(ray, ior)) return LensRayEnd::kReturns;
   }
-  return false;
+  return LensRayEnd::kReturns;
 }
 
 LensRayEnd ThickLens::spill(const Point& point, double sine, double rise, SheetExit& out) const {
-  // (rise cos t)^2 of the ray that leaves at last, and so N^2, is the same in all lenses on its way.
-  const double n2 = m_ior * m_ior, most = rise * rise;
-  const auto miss = [&](double guess, double& off) {
-    if (!follow(point, sine, std::sqrt(n2 + (n2 - 1.0) * guess), out)) return false;
-    off = most / (1.0 + out.slope * out.slope) - guess;
-    return true;
-  };
-  double last = 0.0, last_off = 0.0, off = 0.0;
-  if (!miss(last, last_off)) {
-    last = most;
-    if (rise == 0.0 || !miss(last, last_off)) return LensRayEnd::kNowhere;
-  }
-  if (last_off == 0.0) return LensRayEnd::kSpills;  // such as a flat ray
-  double guess = last + last_off;
-  constexpr int kMostSteps = 40;
-  for (int step = 0; step < kMostSteps; ++step) {
-    if (!miss(guess, off)) return LensRayEnd::kNowhere;
-    if (off == 0.0) return LensRayEnd::kSpills;
-    // The secant's step, or the plain one where that has none.
-    const double change = last_off - off;
-    double next = change == 0.0 ? guess + off : guess + off * (guess - last) / change;
-    if (!(next >= 0.0 && next <= most)) next = guess + off;
-    if (next == guess) return LensRayEnd::kSpills;
-    last = guess;
-    last_off = off;
-    guess = next;
-  }
+  if (rise == 0.0) return follow(point, sine, m_ior, out);
+  // (rise cos t)^2 of the ray that leaves at last, and so N^2, is the same in all lenses on its way:
+  // a number from 0 to rise^2 that makes itself. It is found between parts of that range, which are
+  // smaller and smaller towards 0, where the ray grazes the sheet.
+  constexpr int kEven = 16, kGrazing = 12, kHalvings = 60;
   constexpr double kSolved = 1e-13;
-  return std::fabs(off) <= kSolved * most ? LensRayEnd::kSpills : LensRayEnd::kNowhere;
+  const double n2 = m_ior * m_ior, whole = rise * rise;
+  const auto edge = [&](int part) {
+    if (part == 0) return 0.0;
+    return part > kGrazing ? whole * (part - kGrazing) / kEven
+                           : std::ldexp(whole / kEven, part - kGrazing - 1);
+  };
+  LensRayEnd end = LensRayEnd::kReflected, dark = LensRayEnd::kReflected;
+  double off = 0.0;
+  enum class Guess { kSmall, kLarge, kDark };
+  const auto try_out = [&](double guess) {
+    end = follow(point, sine, std::sqrt(n2 + (n2 - 1.0) * guess), out);
+    if (end == LensRayEnd::kReturns) dark = end;
+    if (!shows(end)) return Guess::kDark;
+    off = whole / (1.0 + out.slope * out.slope) - guess;
+    return off >= 0.0 ? Guess::kSmall : Guess::kLarge;
+  };
+  Guess last = try_out(0.0);
+  for (int part = 1; part <= kGrazing + kEven; ++part) {
+    const Guess now = try_out(edge(part));
+    if (now != last && last != Guess::kLarge && now != Guess::kSmall) {
+      double low = edge(part - 1), high = edge(part);
+      for (int i = 0; i < kHalvings; ++i) {
+        const double middle = 0.5 * (low + high);
+        (try_out(middle) == last ? low : high) = middle;
+      }
+      try_out(last == Guess::kDark ? high : low);
+      if (shows(end) && std::fabs(off) <= kSolved * whole) return end;
+    }
+    last = now;
+  }
+  return dark;
 }
 
 }  // namespace lentray::camera

@@ -30,10 +30,16 @@ struct SheetExit {
 };
 
 enum class LensRayEnd {
-  kLeaves,   ///< straight from its lens
-  kSpills,   ///< through one more lens, or several
-  kNowhere,  ///< it shows nothing: total reflection, or it comes back to the print
+  kLeaves,     ///< straight from its lens
+  kSpills,     ///< runs into the bulge of the next lens, and leaves through that or a further one
+  kReturns,    ///< runs into the bulge of the next lens and back to the print: it shows nothing
+  kReflected,  ///< is totally reflected in its own lens: it shows nothing
+  kHidden,     ///< the straight way from the print to the point leaves the glass: it shows nothing
 };
+/// The ray shows something.
+inline bool shows(LensRayEnd end) {
+  return end == LensRayEnd::kLeaves || end == LensRayEnd::kSpills;
+}
 
 class ThickLens {
  public:
@@ -43,7 +49,7 @@ class ThickLens {
   /// K, the points of the aperture.
   std::uint32_t rays() const { return static_cast<std::uint32_t>(m_points.size()); }
   /// The ray of a lens offset (mm) through a point of the aperture, from the left, that rises by
-  /// `rise`. `out` says nothing for a ray that ends nowhere.
+  /// `rise`. `out` says nothing for a ray that shows nothing.
   LensRayEnd leave(double offset, std::uint32_t point, double rise, SheetExit& out) const {
     return through(m_points[point], offset, rise, out);
   }
@@ -71,7 +77,7 @@ class ThickLens {
   bool incidence(const Point& point, double offset, double& sine) const;
   bool meets_next_lens(const AirRay& ray) const;
   /// The flat ray in a lens of that index, through as many lenses as it meets.
-  bool follow(const Point& point, double sine, double ior, SheetExit& out) const;
+  LensRayEnd follow(const Point& point, double sine, double ior, SheetExit& out) const;
   void enter_next_lens(AirRay& ray, double side) const;
   bool pass_lens(AirRay& ray, double ior) const;
   LensRayEnd spill(const Point& point, double sine, double rise, SheetExit& out) const;

@@ -34,7 +34,7 @@ void ThickLenticular::place_ray(const LensColumn& column, const SheetExit& exit,
 bool ThickLenticular::through_vertex(const LensColumn& column, double row, core::Ray& out) const {
   SheetExit exit;
   const LensRayEnd end = m_lens.leave_vertex(column.lens_offset, rise(row), exit);
-  if (end == LensRayEnd::kNowhere) return false;
+  if (!shows(end)) return false;
   place_ray(column, exit, row, out);
   return true;
 }
@@ -58,7 +58,7 @@ bool ThickLenticular::one_ray_at(const core::PixelPlace& place, std::uint32_t in
   const double row = place.row + 0.5 + place.down;
   SheetExit exit;
   const LensRayEnd end = m_lens.leave(column.lens_offset, index, rise(row), exit);
-  if (end == LensRayEnd::kNowhere) return false;
+  if (!shows(end)) return false;
   place_ray(column, exit, row, out);
   return true;
 }
@@ -83,8 +83,8 @@ RayShares ThickLenticular::count_shares() const {
       SheetExit exit;
       const LensRayEnd end = m_lens.leave(offset, j, rise_there, exit);
       ++all;
-      if (end == LensRayEnd::kSpills) ++spilled;
-      if (end == LensRayEnd::kNowhere) ++dark;
+      if (end == LensRayEnd::kSpills || end == LensRayEnd::kReturns) ++spilled;
+      if (!shows(end)) ++dark;
     }
   }
   const auto count = static_cast<double>(all);
@@ -110,7 +110,7 @@ bool ThickLenticular::is_never_dark(const LensColumn& column) const {
 bool ThickLenticular::is_dark(const LensColumn& column, double rise_there) const {
   for (std::uint32_t j = 0; j < m_lens.rays(); ++j) {
     SheetExit exit;
-    if (m_lens.leave(column.lens_offset, j, rise_there, exit) != LensRayEnd::kNowhere) return false;
+    if (shows(m_lens.leave(column.lens_offset, j, rise_there, exit))) return false;
   }
   return true;
 }
@@ -142,7 +142,7 @@ std::vector<std::string> ThickLenticular::model_report() const {
   std::vector<std::string> out = Lenticular::model_report();
   const auto percent = [](double share) { return format(100.0 * share) + " %"; };
   out.push_back("Each pixel is the mean of " + std::to_string(m_lens.rays()) + " rays; of those, " +
-                percent(m_shares.spilled) + " spill into the next lens and leave through it, and " +
+                percent(m_shares.spilled) + " spill into the next lens, and " +
                 percent(m_shares.dark) + " show nothing (middle row)");
   return out;
 }

@@ -16,7 +16,7 @@ namespace lentray::camera {
 
 /// Of the rays of the sheet's middle row.
 struct RayShares {
-  double spilled = 0.0;  ///< leave the sheet through another lens than their own
+  double spilled = 0.0;  ///< run into the bulge of the next lens
   double dark = 0.0;     ///< show nothing
 };
 
