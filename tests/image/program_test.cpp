@@ -250,7 +250,7 @@ class ErrorProgram : public ImageProgram {
 };
 
 TEST_F(ErrorProgram, OptionsThatAreNotThereYet) {
-  expect({"scene.pov", "Lens_Model=thick", "Lenticular=On"}, "not yet: lens model 'thick'");
+  expect({"scene.pov", "Real_Time_Raytracing=on"}, "not yet: real-time raytracing");
 }
 
 TEST_F(ErrorProgram, NoSceneAtAll) { expect({"+W10"}, "no scene was named"); }
