@@ -9,8 +9,10 @@
 // anything. Light that comes back to the print meets a black plane there.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstdio>
+#include <set>
 #include <sstream>
 
 #include "tests/support/render.h"
@@ -26,6 +28,7 @@ struct GlassSheet {
   int columns, rows;
   double distance = 0.0;  ///< V, 0: infinite
   double eye_slope = 0.0;
+  bool spills = false;  ///< light of some rays runs into the next lens
 
   double radius() const { return focal_length * (ior - 1.0) / ior; }
   double lenses() const { return columns / pixels; }
@@ -206,6 +209,18 @@ TEST_P(ImageThickLens, AsStockTracesTheGlass) {
   const StoredImage stock =
       without_first_row(stock_render(text_of(stock_scene(s), s.columns, s.rows + 1)));
   EXPECT_TRUE(reaches(ours, stock, Grade::exact));
+  // A picture without much in it proves nothing.
+  std::set<std::array<double, 3>> colours;
+  for (std::uint32_t row = 0; row < ours.height; ++row) {
+    for (std::uint32_t column = 0; column < ours.width; ++column) {
+      colours.insert(core::level(ours, column, row));
+    }
+  }
+  EXPECT_GT(colours.size(), ours.width * ours.height / 5);
+  const nlohmann::json lens = lentray_statistics(text_of(our_scene(s), s.columns, s.rows))["lens"];
+  EXPECT_EQ(lens["rays"], s.rays);
+  EXPECT_EQ(lens["spilled_rays"] > 0.0, s.spills);
+  RecordProperty("colours", static_cast<int>(colours.size()));
   RecordProperty("comparison",
                  describe(core::compare(ours, stock, core::Columns::all(ours.width))));
 }
@@ -216,11 +231,11 @@ INSTANTIATE_TEST_SUITE_P(
                       GlassSheet{"the_papers_near_eye", 1.124, 3.03, 1.6, 15, 9, 150, 16, 90.0},
                       GlassSheet{"fractional", 0.9, 2.2, 1.5, 7.37, 8, 100, 16, 120.0},
                       GlassSheet{"of_60_lpi", 25.4 / 60.0, 0.7, 1.57, 10, 16, 120, 16},
-                      // Rays are totally reflected in these, or run into the next lens: into the
-                      // print, or through it.
-                      GlassSheet{"wide", 1.8, 2.0, 1.9, 12, 16, 84, 16},
-                      GlassSheet{"wide_at_a_slant", 2.2, 3.03, 1.6, 12, 16, 84, 16, 0.0, -0.45},
-                      GlassSheet{"half_circles", 0.923, 2.0, 1.3, 12, 65, 60, 8, 0.0, 0.5}),
+                      // Many rays are totally reflected in these. Others run into the next lens and
+                      // into the print, in half circles also through it.
+                      GlassSheet{"wide", 2.28, 2.0, 2.5, 12, 33, 84, 16, 0.0, 0.0, true},
+                      GlassSheet{"at_a_slant", 2.2, 3.03, 1.6, 12, 33, 84, 16, 0.0, -1.0, true},
+                      GlassSheet{"half_circles", 0.923, 2.0, 1.3, 12, 129, 60, 8, 0.0, 0.55, true}),
     [](const auto& sheet) { return sheet.param.name; });
 
 /// The comparison sees a lens that is a hundredth thicker.
@@ -230,6 +245,54 @@ TEST(ImageThickLensProbe, SeesOtherLenses) {
   s.focal_length *= 1.01;
   const StoredImage other = lentray_render(text_of(our_scene(s), s.columns, s.rows));
   EXPECT_FALSE(reaches(ours, other, Grade::exact));
+}
+
+/// Antialias_Angle=2 is the mean of two sheets with the places of its directions: those of a sheet with
+/// twice the pixels a lens.
+TEST(ImageThickLensProbe, AveragesDirectionsToo) {
+  GlassSheet s{"", 1.124, 3.03, 1.6, 15, 4, 60, 8};
+  const StoredImage mean = lentray_render(text_of(our_scene(s), s.columns, s.rows),
+                                          {"Antialias_Angle=2", "File_Gamma=1"});
+  s.pixels *= 2;
+  s.columns *= 2;
+  const StoredImage fine =
+      lentray_render(text_of(our_scene(s), s.columns, s.rows), {"File_Gamma=1"});
+  double largest = 0.0;
+  for (std::uint32_t row = 0; row < mean.height; ++row) {
+    for (std::uint32_t column = 0; column < mean.width; ++column) {
+      const auto one = core::level(mean, column, row);
+      const auto left = core::level(fine, 2 * column, row);
+      const auto right = core::level(fine, 2 * column + 1, row);
+      for (std::size_t i = 0; i < 3; ++i) {
+        largest = std::max(largest, std::fabs(one[i] - 0.5 * (left[i] + right[i])));
+      }
+    }
+  }
+  EXPECT_LE(largest, 1.5);  // of 255: each is rounded
+}
+
+/// A view is its columns of the sheet.
+TEST(ImageThickLensProbe, AViewIsAPartOfTheSheet) {
+  const GlassSheet s{"", 1.124, 3.03, 1.6, 15, 4, 60, 8};
+  const StoredImage sheet = lentray_render(text_of(our_scene(s), s.columns, s.rows));
+  const StoredImage view = lentray_render(text_of(our_scene(s), s.columns, s.rows), {"View=4"});
+  ASSERT_EQ(view.width, 4u);
+  for (std::uint32_t row = 0; row < view.height; ++row) {
+    for (std::uint32_t lens = 0; lens < 4; ++lens) {
+      EXPECT_EQ(core::level(view, lens, row), core::level(sheet, 15 * lens + 4, row));
+    }
+  }
+}
+
+TEST(ErrorThickLens, HasNoReferenceInLentrayDiff) {
+  const std::string scene = (source_folder() / "scenes/demo.pov").string();
+  const tool::RunResult result =
+      run_diff({scene, "Lenticular=On", "Lens_Model=thick", "+W30", "+H20"});
+  EXPECT_NE(result.status, 0);
+  EXPECT_NE(result.output.find("there is no reference for the lens model thick: there are ones for "
+                               "paraxial and pinhole"),
+            std::string::npos)
+      << result.output;
 }
 
 }  // namespace

@@ -10,7 +10,9 @@
 #include <string>
 #include <vector>
 
+#include "camera/lens_request.h"
 #include "camera/thick_lenticular.h"
+#include "camera/thin_lens.h"
 
 namespace lentray::camera {
 namespace {
@@ -437,6 +439,21 @@ TEST(UnitCameraThickLenticular, ReportsItsRays) {
   EXPECT_EQ(std::get<double>(value("lens.rays")), 8.0);
   EXPECT_EQ(std::get<double>(value("lens.spilled_rays")), camera.shares().spilled);
   EXPECT_EQ(std::get<double>(value("lens.dark_rays")), camera.shares().dark);
+}
+
+TEST(ErrorCameraThickLens, HasNoFocalBlur) {
+  const ThickLenticular camera(thick(1.124, 3.03, 1.6), SheetPlacement{}, 45, 6);
+  BlurRequest blur;
+  blur.aperture = 0.4;
+  try {
+    (void)lens_of_statement(camera, blur);
+    FAIL() << "no error";
+  } catch (const CameraError& error) {
+    EXPECT_STREQ(
+        error.what(),
+        "the lens model thick has no focal blur: leave out the aperture, or take the model "
+        "paraxial or pinhole");
+  }
 }
 
 TEST(ErrorCameraThickLens, NoSuchLens) {
