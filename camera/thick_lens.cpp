@@ -35,13 +35,14 @@ LensRayEnd ThickLens::through(const Point& point, double offset, double rise,
   double sine = 0.0;
   if (!incidence(point, offset, sine)) return LensRayEnd::kHidden;
   // With T the tangent in the air against the normal, S the sine in the glass, the cross-section's
-  // index N^2 = n^2 + (n^2 - 1) (rise cos t)^2 and cos t = (inwards + T across)/(R sqrt(1 + T^2)),
-  // T^2/(1 + T^2) = N^2 S^2 is a quadratic equation for T. Its root on S's side nearest to 0 holds.
+  // index n'^2 = n^2 + (n^2 - 1) (rise cos t)^2 and cos t = (inwards + T across)/(R sqrt(1 + T^2)),
+  // T^2/(1 + T^2) = n'^2 S^2 is a quadratic equation for T. Its root on S's side nearest to 0 holds.
   const double n2 = m_ior * m_ior, skew = (n2 - 1.0) * rise * rise;
   const double s = sine / m_radius, nx = point.across / m_radius, nz = point.inwards / m_radius;
   const double c = n2 + skew * nz * nz, b = skew * nz * nx;
   const double a = 1.0 - s * s * (n2 + skew * nx * nx);
-  const double root = std::sqrt(std::max(0.0, s * s * b * b + a * c)) - s * b;
+  const double under = s * s * b * b + a * c;
+  const double root = under >= 0.0 ? std::sqrt(under) - s * b : 0.0;  // 0: there is none
   if (!(root > 0.0)) {
     // A ray that goes on through other lenses may rise less steeply here, and leave.
     const bool may_leave = rise != 0.0 && m_ior * std::fabs(s) < 1.0;
@@ -119,7 +120,7 @@ LensRayEnd ThickLens::follow(const Point& point, double sine, double ior, SheetE
 
 LensRayEnd ThickLens::spill(const Point& point, double sine, double rise, SheetExit& out) const {
   if (rise == 0.0) return follow(point, sine, m_ior, out);
-  // (rise cos t)^2 of the ray that leaves at last, and so N^2, is the same in all lenses on its way:
+  // (rise cos t)^2 of the ray that leaves at last, and so the index, is the same in all lenses on its way:
   // a number from 0 to rise^2 that makes itself. It is found between parts of that range, which are
   // smaller and smaller towards 0, where the ray grazes the sheet.
   constexpr int kEven = 16, kGrazing = 12, kHalvings = 60;

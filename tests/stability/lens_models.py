@@ -284,7 +284,7 @@ def draw(all_sweeps, path):
         data.append("\n".join(f"{abs(v):.6g} {max(e.paraxial, 1e-9):.6g} {max(e.pinhole, 1e-9):.6g} {max(e.blur, 1e-9):.6g}"
                               for v, e in points))
     across = [at_infinity(lens, o) for lens in (PAPER, widest(0.8)) for o in offsets(lens._replace(pixels=60))]
-    plots.append("unset logscale\nset xlabel 'place behind the lens, pitches'\nset ylabel 'pixels of the print'\n"
+    plots.append("unset logscale\nset key bottom left\nset xlabel 'place behind the lens, pitches'\nset ylabel 'pixels of the print'\n"
                  f"plot [-0.5:0.5] [-2:2] 'data' index {len(data)} using 1:2 with lines lw 2 lc 1 title 'paraxial', "
                  f"'' index {len(data)} using 1:3 with lines lw 2 lc 2 title 'pinhole', "
                  f"'' index {len(data)} using 1:4 with lines lw 2 lc 3 title 'blur of thick', "
@@ -298,38 +298,44 @@ def draw(all_sweeps, path):
             + "\n".join(plots), data, path)
 
 
-SECTION = """`thick` follows K rays a pixel through a round surface ([lens.md](lens.md#formulae)). The other two models have one
-ray each. Their errors here are those of the mean direction: how far their ray is from the mean of {points} rays of
-the thick lens, root of the mean square over the pixels of a lens, V infinite. *Blur* is the spread of the thick
-lens's own rays (rms), which neither model has. *Pixels of the print* are steps of the slope from one pixel to the
-next; they tell of what is far from the sheet. *Pixels of a view* are as wide as a lens.
+SECTION = """`thick` follows K rays a pixel through a round surface ([lens.md](lens.md#formulae)). The other
+two models have one ray each. An error here is how far that ray is from the mean of {points} rays of the
+thick lens: the root of the mean square over the pixels of a lens, or the largest. *Blur* is the spread of
+the thick lens's own rays (rms), which neither model has. V is infinite. *Pixels of the print* are steps of
+the slope from one pixel to the next, and tell of what is far from the sheet. *Pixels of a view* are as wide
+as a lens.
 
-![Errors of the models against pitch, focal length, index, place behind the lens and depth](stability/lens_models.png)
+![Errors against pitch, focal length, index, depth and the place behind the lens](stability/lens_models.png)
 
-f = 3.03 mm, n = 1.6, 15 pixels a lens where nothing else is said. Pixels of the print:
+f = 3.03 mm, n = 1.6 and 15 pixels a lens where nothing else is said. R = f (n - 1)/n is the radius of the
+lens's surface, so that P = 2R is the widest lens, a half circle. Pixels of the print:
 
 {table}
 
-- The widest lens is a half circle, P = 2R with R = f (n - 1)/n. `thick` refuses wider ones.
-- **`paraxial`** is off most at the edges of a lens.
-- **`pinhole`** has Snell's law, so that it has the right direction through the vertex. It lacks what the round
-  surface does to the outer parts of the lens.
-- **Near total reflection** and near half circles both fail: light from the outer pixels does not leave the outer
-  parts of the lens. Those rays are dark, and the mean of the rest moves by several pixels.
+- **`paraxial`** is off most at the edges of a lens, the more the higher the index is.
+- **`pinhole`** has the direction through the vertex right, by Snell's law. What it lacks is that the outer
+  parts of a round lens bend light more. It stays within {pinhole_worst} pixels in all of these settings.
+- **Blur** is the larger part of the error: wide lenses do not focus. One ray is then sharper than the real
+  sheet, and no antialiasing brings this back.
+- **Near total reflection**, which the outer parts of lenses meet from two thirds of the widest on, rays are dark:
+  in the outer pixels of the widest lenses a quarter of them. The cheaper models show these pixels too bright
+  by as much.
 
 At a depth behind the sheet, in pixels of a view:
 
 {depths}
 
-- **Near the sheet** a pixel shows the width of its lens: rays that are even over the lens have a blur of 0.289. The
-  single rays of the cheaper models sample it in the middle. Antialiasing (`+A`) takes the width into account.
-- **Far from it** the errors grow with the depth. A pixel of the print is as many pixels of a view as the parallax
-  that the sheet's report tells of.
+- **Near the sheet** only the width of the lens counts, over which a pixel's rays are spread evenly: 0.289.
+  The single ray lies in the middle of it; `+A` takes places over the whole width.
+- **Far from it** errors and blur grow with the depth. Before the sheet they are much the same, but the rays
+  of a pixel first come together there: the blur is least some way before the sheet, 16 mm with the
+  paper's lens.
 
-Where each may be used, by a quarter of a pixel of the print: `paraxial` for pitches up to {paraxial_part} of the
-widest, `pinhole` up to {pinhole_part}. Blur is below a whole pixel up to {blur_part}; beyond, and where the blur of the
-real sheet is to be seen, `thick` is the model to take. Both cheaper models remain exact for what they
-are: pictures to compare with other renderers.
+Where each may be used. Within a quarter of a pixel of the print everywhere, the mean direction of `paraxial`
+is right up to {paraxial_part} of the widest pitch, that of `pinhole` up to {pinhole_part}. The blur is
+below a quarter of a pixel up to {sharp_part}, and below one pixel up to {blur_part}. Beyond that, and wherever the
+blur and darkness of the real sheet are to be seen, only `thick` shows them. The report's *cheapest model*
+compares `paraxial` with Snell's law through the vertex; it says nothing of blur.
 """
 
 
@@ -354,9 +360,12 @@ def main():
         sys.exit("That is more than 1e-12.")
     all_sweeps = sweeps()
     half_circle = 2.0 * radius(PAPER)
-    text = SECTION.format(points=POINTS, table=table(), depths=depth_table(), **{
-        f"{model}_part": f"{last_within(all_sweeps['pitch'], f'{model}_most', most) / half_circle:.2g}"
-        for model, most in (("paraxial", 0.25), ("pinhole", 0.25), ("blur", 1.0))})
+    worst = max(errors.pinhole_most for name in ("pitch", "focal length", "index") for _, errors in all_sweeps[name])
+    limits = {"paraxial": ("paraxial_most", 0.25), "pinhole": ("pinhole_most", 0.25), "sharp": ("blur_most", 0.25),
+              "blur": ("blur_most", 1.0)}
+    parts = {f"{name}_part": f"{last_within(all_sweeps['pitch'], *limit) / half_circle:.2g}"
+             for name, limit in limits.items()}
+    text = SECTION.format(points=POINTS, table=table(), depths=depth_table(), pinhole_worst=f"{worst:.2g}", **parts)
     print(text)
     if args.write:
         draw(all_sweeps, CHARTS / "lens_models.png")
