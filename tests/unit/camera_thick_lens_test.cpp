@@ -14,7 +14,7 @@
 #include "camera/thick_lenticular.h"
 #include "camera/thin_lens.h"
 
-namespace lentray::camera {
+namespace lentray::camera::thick_test {
 namespace {
 
 using core::Ray;
@@ -471,4 +471,4 @@ TEST(ErrorCameraThickLens, NoSuchLens) {
 }
 
 }  // namespace
-}  // namespace lentray::camera
+}  // namespace lentray::camera::thick_test

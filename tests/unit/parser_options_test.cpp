@@ -95,7 +95,8 @@ TEST_F(UnitParserOptions, TheFirstDefaultIniIsReadBeforeTheCommandLine) {
   EXPECT_EQ(o.height, 44);
   // What a system-wide file asks for and is not there yet must not stop a run.
   ASSERT_EQ(o.warnings.size(), 1u);
-  EXPECT_NE(o.warnings[0].find("first.ini:2: option Real_Time_Raytracing=on: not yet"), std::string::npos);
+  EXPECT_NE(o.warnings[0].find("first.ini:2: option Real_Time_Raytracing=on: not yet"),
+            std::string::npos);
 }
 
 TEST_F(UnitParserOptions, IniSections) {
