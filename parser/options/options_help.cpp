@@ -118,7 +118,8 @@ constexpr OptionHelp kSheet[] = {
      ""},
     {"Lens_Front", "n", "How far before the sheet rays begin, in scene units.", ""},
     {"Lens_Model", "paraxial|pinhole|thick",
-     "Directions linear in the offset, by Snell's law, or of rays through a round lens.", ""},
+     "Directions linear in the offset, by Snell's law, or of several rays through a round lens.",
+     ""},
     {"Lens_Rays", "n", "Rays a pixel of the model thick (16).", ""},
     {"View", "j", "That view alone, counted from 0: a quick look.", ""},
 };
