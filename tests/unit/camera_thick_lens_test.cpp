@@ -30,7 +30,7 @@ Triple scaled(const Triple& a, Real by) { return {a[0] * by, a[1] * by, a[2] * b
 Triple sum(const Triple& a, const Triple& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
 Triple unit(const Triple& a) { return scaled(a, 1.0L / std::sqrt(dot(a, a))); }
 
-struct Expected {
+struct ThickExpected {
   Real across = 0.0L, depth = 0.0L, slope = 0.0L, rise = 0.0L;
   Real least_cosine = 1.0L;  ///< of the angles in the air, whose inverse magnifies rounding
   int lenses = 1;
@@ -44,10 +44,10 @@ class Glass {
         m_radius(m_focal * (m_ior - 1.0L) / m_ior) {}
 
   /// From the print at `offset` towards the surface at `across` and up by `climb`. Nothing: dark.
-  std::optional<Expected> from_print(Real offset, Real across, Real climb) const {
+  std::optional<ThickExpected> from_print(Real offset, Real across, Real climb) const {
     const Real depth = m_radius - std::sqrt(m_radius * m_radius - across * across);
     Triple place{offset, 0.0L, m_focal}, way = unit({across - offset, climb, depth - m_focal});
-    Expected out;
+    ThickExpected out;
     bool in_glass = true;
     for (int step = 0; step < 100; ++step) {
       Real lens = 0.0L;
@@ -95,7 +95,8 @@ class Glass {
   }
 
   /// Refraction at a surface, or total reflection.
-  bool cross(const Triple& place, Real lens, bool& in_glass, Triple& way, Expected& out) const {
+  bool cross(const Triple& place, Real lens, bool& in_glass, Triple& way,
+             ThickExpected& out) const {
     const Triple outwards{(place[0] - lens) / m_radius, 0.0L, (place[2] - m_radius) / m_radius};
     const Triple normal = in_glass ? outwards : scaled(outwards, -1.0L);
     const Real ratio = in_glass ? m_ior : 1.0L / m_ior;
@@ -116,11 +117,11 @@ class Glass {
 };
 
 /// The rays that rise by `rise` outside, found by their climb in the glass, in parts of its range.
-std::vector<Expected> expected_rays(const LensParameters& lens, double offset, double across,
-                                    double rise, int parts) {
+std::vector<ThickExpected> expected_rays(const LensParameters& lens, double offset, double across,
+                                         double rise, int parts) {
   const Glass glass(lens);
-  std::vector<Expected> out;
-  const auto add = [&](const std::optional<Expected>& ray) {
+  std::vector<ThickExpected> out;
+  const auto add = [&](const std::optional<ThickExpected>& ray) {
     if (ray && std::fabs(ray->rise - rise) <= 1e-14L / ray->least_cosine) out.push_back(*ray);
   };
   if (rise == 0.0) {
@@ -128,7 +129,7 @@ std::vector<Expected> expected_rays(const LensParameters& lens, double offset, d
     return out;
   }
   enum State { kLess, kMore, kDark };
-  std::optional<Expected> ray;
+  std::optional<ThickExpected> ray;
   const auto state_at = [&](Real climb) {
     ray = glass.from_print(offset, across, climb);
     if (!ray) return kDark;
@@ -165,7 +166,7 @@ struct Tally {
 };
 
 /// Places in mm; slopes as angles. Of rays that graze a surface, less.
-double difference(const SheetExit& got, const Expected& want) {
+double difference(const SheetExit& got, const ThickExpected& want) {
   const Real scale = std::max(1.0L, want.slope * want.slope);
   return static_cast<double>(
       std::max({std::fabs(got.across - want.across), std::fabs(got.depth - want.depth),
@@ -189,7 +190,7 @@ Tally compare(const LensParameters& parameters, int first = -45, int last = 45) 
           ++(end == LensRayEnd::kReturns     ? tally.returned
              : end == LensRayEnd::kReflected ? tally.reflected
                                              : tally.hidden);
-          for (const Expected& want : expected_rays(parameters, offset, across, rise, 48)) {
+          for (const ThickExpected& want : expected_rays(parameters, offset, across, rise, 48)) {
             ADD_FAILURE() << where << " has a ray, slope " << want.slope;
           }
           continue;
@@ -198,7 +199,7 @@ Tally compare(const LensParameters& parameters, int first = -45, int last = 45) 
         double error = kInf;
         for (const int parts : {48, 3000}) {  // some shine through a narrow gap
           if (error < 1.0) break;
-          for (const Expected& want : expected_rays(parameters, offset, across, rise, parts)) {
+          for (const ThickExpected& want : expected_rays(parameters, offset, across, rise, parts)) {
             const bool same_end = (end == LensRayEnd::kLeaves) == (want.lenses == 1);
             if (same_end) error = std::min(error, difference(got, want));
           }

@@ -311,7 +311,7 @@ TEST(UnitChartMatrix, OnlySomeKindsAndQuick) {
   EXPECT_FALSE(ids_of(settings_of(r), Kind::antialiasing).empty()) << "they are crossed";
 }
 
-Point done(const Setting& setting, double seconds, double rms) {
+Point chart_settings_done(const Setting& setting, double seconds, double rms) {
   Point p{setting};
   p.state = State::done;
   p.cpu_s = {seconds};
@@ -320,13 +320,14 @@ Point done(const Setting& setting, double seconds, double rms) {
 }
 
 TEST(UnitChartMatrix, CrossesTheFrontsOfTheKinds) {
-  const std::vector<Point> points{done({"plain", "p", Kind::exact, {}, true}, 1, 9),
-                                  done({"a1", "A1", Kind::antialiasing, {"+R1"}}, 1, 8),
-                                  done({"a2", "A2", Kind::antialiasing, {"+R2"}}, 2, 9),
-                                  done({"a3", "A3", Kind::antialiasing, {"+R3"}}, 3, 2),
-                                  done({"b1", "B1", Kind::area_light, {"S=1"}}, 2, 5),
-                                  Point{{"b2", "B2", Kind::area_light, {"S=2"}}},
-                                  done({"l", "L", Kind::lens_model, {"M=1"}}, 2, 5)};
+  const std::vector<Point> points{
+      chart_settings_done({"plain", "p", Kind::exact, {}, true}, 1, 9),
+      chart_settings_done({"a1", "A1", Kind::antialiasing, {"+R1"}}, 1, 8),
+      chart_settings_done({"a2", "A2", Kind::antialiasing, {"+R2"}}, 2, 9),
+      chart_settings_done({"a3", "A3", Kind::antialiasing, {"+R3"}}, 3, 2),
+      chart_settings_done({"b1", "B1", Kind::area_light, {"S=1"}}, 2, 5),
+      Point{{"b2", "B2", Kind::area_light, {"S=2"}}},
+      chart_settings_done({"l", "L", Kind::lens_model, {"M=1"}}, 2, 5)};
   const std::vector<Setting> out = combined_settings(points, false);
   ASSERT_EQ(out.size(), 2u);
   EXPECT_EQ(out[0].id, "both-a1-b1");
@@ -342,7 +343,7 @@ TEST(UnitChartMatrix, CrossesCoarsely) {
   for (const Kind kind : {Kind::antialiasing, Kind::area_light, Kind::media, Kind::depth}) {
     for (int i = 0; i < 9; ++i) {
       const std::string id = std::string(name_of(kind)) + std::to_string(i);
-      points.push_back(done({id, id, kind, {id}}, i + 1.0, 9.0 - i));
+      points.push_back(chart_settings_done({id, id, kind, {id}}, i + 1.0, 9.0 - i));
     }
   }
   const std::vector<Setting> all = combined_settings(points, false);
