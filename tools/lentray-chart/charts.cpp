@@ -437,7 +437,7 @@ std::string file(const Chart& chart, const std::string& type) {
         "set label 1 'No setting has a time and an error yet.' at graph 0.5, graph 0.5 center\n" +
         "plot NaN notitle\n";
   } else {
-    script += "set key at screen " + number(477 / width) + ", screen " + number(78 / height) +
+    script += "set key at screen " + number(477 / width) + ", screen " + number(66 / height) +
               " center center horizontal maxrows 3 samplen 2 noenhanced font ',12' textcolor rgb " +
               colour(kText) + "\n" + error_script(view, left, error_plot(view), false);
   }
