@@ -221,6 +221,17 @@ TEST(UnitChartCharts, StockIsASymbolOfItsOwn) {
   EXPECT_NE(error_chart(chart, Subject::settings, Window::wide).find(star), std::string::npos);
 }
 
+TEST(UnitChartCharts, LabelsAreShort) {
+  const Chart chart = chart_of(
+      {plain(8.0, 2.0), done("aa-method1-depth3-threshold0-1", Kind::antialiasing, 4.0, 3.0),
+       done("depth-2", Kind::depth, 2.0, 5.0),
+       done("a-name-that-nobody-would-read-in-a-chart", Kind::media, 1.0, 9.0)});
+  const std::string svg = error_chart(chart, Subject::settings, Window::wide);
+  for (const char* label : {"plain", "aa-m1-d3-t0-1", "depth-2", "a-name-that-nobody-wou.."}) {
+    EXPECT_NE(svg.find("<text>" + std::string(label) + "</text>"), std::string::npos) << label;
+  }
+}
+
 TEST(UnitChartCharts, LensModelsHaveAChartOfTheirOwn) {
   Chart chart = chart_of({plain(1.0, 2.0), done("thin", Kind::lens_model, 2.0, 3.0)});
   EXPECT_EQ(places(error_chart(chart, Subject::settings, Window::wide)).size(), 2u);
@@ -430,6 +441,29 @@ TEST_F(UnitChartPageOf, StrangersTextStaysText) {
   const json data = data_of(text);
   EXPECT_EQ(data["points"][1]["options"][0],
             "</script><script>alert(1)</script> \"ü\" & \x01 \xef\xbf\xbd '");
+}
+
+TEST_F(UnitChartPageOf, NotesSayWhatIsAmiss) {
+  Chart chart = chart_of({plain(1.0, 2.0)});
+  EXPECT_EQ(page(chart, options()).find("class=\"is-warning note\""), std::string::npos);
+  chart.reference.is_converged = false;
+  chart.stock_reason = "it is not installed";
+  chart.noise = "jitter";
+  const std::string text = page(chart, options());
+  for (const char* words :
+       {"The reference is not converged;", "Nothing of POV-Ray: it is not installed",
+        "The pictures have random noise: jitter"}) {
+    EXPECT_NE(text.find(words), std::string::npos) << words;
+  }
+}
+
+TEST_F(UnitChartPageOf, WithoutGnuplotThereIsTheRest) {
+  const std::string path = std::getenv("PATH");
+  ::setenv("PATH", m_folder.path().c_str(), 1);
+  const std::string text = page(chart_of({plain(1.0, 2.0)}), options());
+  ::setenv("PATH", path.c_str(), 1);
+  EXPECT_NE(text.find("No chart: cannot start 'gnuplot'"), std::string::npos);
+  EXPECT_NE(text.find("data-go=\"plain\""), std::string::npos);
 }
 
 TEST_F(UnitChartPageOf, LoadsNothingFromElsewhere) {

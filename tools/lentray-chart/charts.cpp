@@ -208,6 +208,20 @@ std::string block(const std::string& name, const std::string& rows) {
   return "$" + name + " << EOD\n" + rows + "EOD\n";
 }
 
+/// A setting's id for a label: long ones have their words shortened, then their end.
+std::string label_of(const Setting& setting) {
+  constexpr std::size_t kLong = 16, kMost = 24;
+  if (setting.is_plain) return "plain";
+  std::string text = setting.id;
+  for (const auto& [word, letter] :
+       {std::pair{"method", "m"}, {"depth", "d"}, {"threshold", "t"}, {"quality", "q"}}) {
+    const std::size_t at = text.find(word);
+    if (text.size() > kLong && at != std::string::npos)
+      text.replace(at, std::string(word).size(), letter);
+  }
+  return text.size() <= kMost ? text : text.substr(0, kMost - 2) + "..";
+}
+
 /// The ends first, then what halves what is left: few labels tell of the whole front.
 std::vector<LabelWish> spread(const std::vector<LabelWish>& wishes) {
   if (wishes.size() < 3) return wishes;
@@ -229,9 +243,13 @@ std::string labels_script(const ErrorView& view, const Frame& frame, std::size_t
   for (const Mark& mark : view.marks) {
     const Spot at{frame.x(view.time.part(mark.x)), frame.y(view.error.part(mark.y))};
     spots.push_back(at);
+    if (has_stock(*mark.point)) {
+      spots.push_back({frame.x(view.time.part(std::max(kLeastSeconds, *mark.point->stock_cpu_s))),
+                       frame.y(view.error.part(mark.point->stock_error->rms))});
+    }
     const Setting& setting = mark.point->setting;
     if (!mark.point->on_front && !setting.is_plain) continue;
-    wishes.push_back({at, setting.is_plain ? "plain" : setting.id.substr(0, 24), setting.is_plain});
+    wishes.push_back({at, label_of(setting), setting.is_plain});
   }
   std::string out;
   for (const PlacedLabel& label : placed_labels(
@@ -419,7 +437,7 @@ std::string file(const Chart& chart, const std::string& type) {
         "set label 1 'No setting has a time and an error yet.' at graph 0.5, graph 0.5 center\n" +
         "plot NaN notitle\n";
   } else {
-    script += "set key at screen " + number(477 / width) + ", screen " + number(78 / height) +
+    script += "set key at screen " + number(477 / width) + ", screen " + number(66 / height) +
               " center center horizontal maxrows 3 samplen 2 noenhanced font ',12' textcolor rgb " +
               colour(kText) + "\n" + error_script(view, left, error_plot(view), false);
   }

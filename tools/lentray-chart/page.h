@@ -19,8 +19,8 @@ namespace lentray::chart {
 
 struct PageOptions {
   std::filesystem::path folder;  ///< the chart's
-  std::size_t most_bytes =
-      20'000'000;           ///< of the page; its charts and text take up to 3 kB a setting of them
+  /// Of the page; at least 100,000 and 4,000 a setting, which its frame, charts and text take.
+  std::size_t most_bytes = 20'000'000;
   bool is_finished = true;  ///< no setting is to come
 };
 
