@@ -191,6 +191,7 @@ esac""")
     row = rows["accelerator-grid"]
     check(row["state"] == "failed" and row["reason"] == "there is no grid today" and row["cpu_s"] == "", f"a failing setting: {row}")
     check(rows["order-rows"]["state"] == "done", "the others go on")
+    check("accelerator grid: failed: there is no grid today" in done.stderr, f"a failure is told of: {done.stderr}")
     check(done.returncode == 1 and "shadow cache off changes the picture, by up to " in done.stderr, f"a broken promise: {done.stderr}")
     check(f"stock POV-Ray is left out: cannot start '{none}': is it installed?" in done.stderr, f"no stock: {done.stderr}")
 
@@ -229,6 +230,52 @@ def bare_machine(check, chart):
     lost = chart.run("--out", "lost", *SIZE, *FEW, "--only", "exact", "--no-stock", "--lentray", never, "--budget", "1s")
     check(lost.returncode == 1 and "reference: there is none: no reference today" in lost.stderr, f"{lost.stderr}")
     check("no setting has a time and an error" in lost.stdout, f"{lost.stdout}")
+
+
+def odd_stock(check, chart):
+    """Programs that are no POV-Ray, or one that cannot render."""
+    none = chart.run("--out", "odd-stock", *SIZE, *FEW, "--only", "quality", "--povray", "/bin/true")
+    check(none.returncode == 0 and "stock POV-Ray is left out: '/bin/true' is no POV-Ray 3" in none.stderr, f"{none.stderr}")
+    broken = chart.folder / "povray-broken"
+    broken.write_text('#!/bin/sh\necho "POV-Ray 3.7.0 of no use"\ncase "$*" in --version) ;; *) exit 1 ;; esac\n')
+    broken.chmod(0o755)
+    lost = chart.run("--out", "odd-stock", *SIZE, *FEW, "--only", "quality", "--povray", broken)
+    check(lost.returncode == 0 and "stock POV-Ray is left out: " in lost.stderr and "of no use" in lost.stderr, f"{lost.stderr}")
+    sheet = ["Lenticular=On", "Lens_Pixels=6", *SIZE, *FEW, "--only", "lens_model"]
+    views = chart.run("--out", "odd-sheet", *sheet, "--povray", broken)
+    check("stock POV-Ray is left out: of the sheet: " in views.stderr, f"{views.stderr}")
+    mesh = chart.run("--out", "mesh", *sheet, "Lens_Model=pinhole", "+A0.3")
+    check("stock POV-Ray is left out: stock antialiases no mesh_camera" in mesh.stderr, f"{mesh.stderr}")
+
+
+def references(check, chart):
+    """One that converges at once, one that cannot get better, and one that takes too long."""
+    flat = chart.folder / "flat.pov"
+    flat.write_text("#version 3.7; global_settings { assumed_gamma 1 } camera { location 0 } background { rgb 0.5 }")
+    options = ["--quick", "--repeats", "1", "--no-stock", "+W20", "+H15", "--only", "exact"]
+    command = [chart.binaries / "lentray-chart", "flat.pov", "--out", "flat", *options]
+    done = subprocess.run(command, cwd=chart.folder, capture_output=True, text=True, check=False, timeout=300)
+    check(done.returncode == 0 and "reference: converged, it changes by 0/255" in done.stderr, f"{done.stderr}")
+    plain = chart.rows("flat")["plain"]
+    check(plain["rms"] == "0" and plain["psnr"] == "inf" and plain["told_apart"] == "yes", f"an error of 0: {plain}")
+    poor = chart.wrapper("lentray-poor", 'case "$*" in --help=all) echo "  Width=n"; exit 0 ;; esac')
+    ended = chart.run("--out", "poor", *options, "--lentray", poor)
+    check("reference: NOT converged (more samples are not possible): it changes by " in ended.stderr, f"{ended.stderr}")
+    steps = [line for line in ended.stderr.splitlines() if line.startswith("reference, ")]
+    changes = [float(line.split("changes by ")[1].split("/")[0]) for line in steps]
+    check(len(changes) == 4 and sorted(changes, reverse=True) == changes, f"steps change less and less: {steps}")
+    busy = chart.wrapper("lentray-busy", 'case "$*" in *reference-next*) while :; do :; done ;; esac')
+    slow = chart.run("--out", "busy", *options, "--reference-limit", "1s", "--lentray", busy)
+    check(slow.returncode == 1 and "reference: there is none: it passed the limit of 1.0 s" in slow.stderr, f"{slow.stderr}")
+    sleepy = chart.wrapper("lentray-sleepy", f'case "$*" in *--explain*) touch "{chart.folder}/asleep"; sleep 60 ;; esac')
+    with subprocess.Popen(chart.command("--out", "asleep-out", *options, "--lentray", sleepy), cwd=chart.folder,
+                          stdin=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True) as child:
+        until = time.time() + 60
+        while not (chart.folder / "asleep").exists() and time.time() < until:
+            time.sleep(0.01)
+        child.send_signal(signal.SIGTERM)
+        _, said = child.communicate(timeout=60)
+    check(child.returncode == 3 and "stopped; the same command begins again" in said, f"a stop at once: {child.returncode}, {said}")
 
 
 def bar(check, chart):
@@ -279,6 +326,8 @@ def main():
         failing_settings(check, other)
         bare_machine(check, other)
         bar(check, other)
+        odd_stock(check, other)
+        references(check, other)
         sheets(check, other)
         bad_scenes(check, other)
     print(f"{check.passed} passed, {check.failed} failed")

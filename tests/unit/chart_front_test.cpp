@@ -81,6 +81,22 @@ TEST(UnitChartFront, ASettingIsDominatedByTheFastestThatIsBetterInBoth) {
   EXPECT_EQ(chart.points[0].command, " +Rslow");
 }
 
+/// Their times differ from the plain one's by chance, or by little.
+TEST(UnitChartFront, ExactSettingsAreOnNoFrontAndChosenLast) {
+  Chart chart;
+  Point plain = point("plain", 2.0, 1.0, Kind::exact);
+  plain.setting.is_plain = true;
+  chart.points = {plain, point("rows", 1.9, 1.0, Kind::exact), point("coarse", 1.0, 3.0)};
+  derive(chart);
+  EXPECT_TRUE(chart.points[0].on_front && chart.points[2].on_front);
+  EXPECT_FALSE(chart.points[1].on_front);
+  EXPECT_EQ(chart.points[0].dominated_by + chart.points[1].dominated_by, "");
+  EXPECT_EQ(choose_by_budget(chart, 5.0).point, &chart.points[0]);
+  EXPECT_EQ(choose_by_budget(chart, 1.95).point, &chart.points[1]);
+  EXPECT_EQ(choose_by_budget(chart, 1.5).point, &chart.points[2]);
+  EXPECT_EQ(choose_by_error(chart, 1.0).point, &chart.points[0]);
+}
+
 TEST(UnitChartFront, ErrorsBelowTenTimesTheReferencesChangeAreNotToldApart) {
   Chart chart;
   chart.reference.change = 0.1;

@@ -369,12 +369,12 @@ TEST(UnitChartReference, RaisesAllThatApplies) {
   const auto first = reference_step(r, 0, false), second = reference_step(r, 1, false);
   ASSERT_TRUE(first && second);
   for (const char* option :
-       {"Antialias_Grid=3", "Area_Light_Samples=4", "Area_Light_Adaptive=off", "Blur_Samples=16",
-        "Media_Method=3", "Media_Samples=10", "Max_Trace_Level=24", "Adc_Bailout=0.001", "+Q9"}) {
+       {"Antialias_Grid=3", "Area_Light_Samples=4", "Area_Light_Adaptive=off", "Blur_Samples=32",
+        "Media_Method=3", "Media_Samples=20", "Max_Trace_Level=24", "Adc_Bailout=0.001", "+Q9"}) {
     EXPECT_TRUE(has_option(*first, option)) << option;
   }
-  for (const char* option : {"Antialias_Grid=4", "Area_Light_Samples=6", "Blur_Samples=32",
-                             "Media_Samples=20", "Max_Trace_Level=48", "Adc_Bailout=0.0005"}) {
+  for (const char* option : {"Antialias_Grid=4", "Area_Light_Samples=6", "Blur_Samples=45",
+                             "Media_Samples=28", "Max_Trace_Level=48", "Adc_Bailout=0.0005"}) {
     EXPECT_TRUE(has_option(*second, option)) << option;
   }
   EXPECT_EQ(first->work, 1.0);

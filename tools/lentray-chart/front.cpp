@@ -13,8 +13,14 @@ namespace {
 
 bool is_known(const Point& p) { return p.state == State::done && p.error && !p.cpu_s.empty(); }
 
+/// Exact settings have the plain one's error, and differ from it in time alone.
+bool is_exact(const Point& p) { return p.setting.kind == Kind::exact && !p.setting.is_plain; }
+
+/// Other lens models are other pictures, and exact settings may be added to any other: the ones have a
+/// front of their own, the others none.
 bool shares_a_front(const Point& a, const Point& b) {
-  return (a.setting.kind == Kind::lens_model) == (b.setting.kind == Kind::lens_model);
+  return !is_exact(a) && !is_exact(b) &&
+         (a.setting.kind == Kind::lens_model) == (b.setting.kind == Kind::lens_model);
 }
 
 bool dominates(const Point& a, const Point& b) {
@@ -42,10 +48,15 @@ std::string error_text(double rms) {
   return text;
 }
 
+/// Exact settings last: they are chosen where nothing else of their error is fast enough.
 std::vector<const Point*> candidates(const Chart& chart) {
   std::vector<const Point*> out;
-  for (const Point& p : chart.points) {
-    if (is_known(p) && p.setting.kind != Kind::lens_model) out.push_back(&p);
+  for (const bool exact : {false, true}) {
+    for (const Point& p : chart.points) {
+      if (is_known(p) && p.setting.kind != Kind::lens_model && is_exact(p) == exact) {
+        out.push_back(&p);
+      }
+    }
   }
   return out;
 }
@@ -73,7 +84,7 @@ void derive(Chart& chart) {
     const Reference& reference = is_lens ? *chart.lens_reference : chart.reference;
     p.told_apart = p.error->rms >= 10.0 * reference.change;
     const Point* const better = dominator(chart, p);
-    p.on_front = better == nullptr;
+    p.on_front = better == nullptr && !is_exact(p);
     if (better != nullptr) p.dominated_by = better->setting.id;
   }
 }
@@ -83,7 +94,9 @@ Choice choose_by_budget(const Chart& chart, double seconds) {
   for (const Point* p : candidates(chart)) {
     if (fastest == nullptr || p->seconds() < fastest->seconds()) fastest = p;
     if (p->seconds() > seconds) continue;
-    const auto key = [](const Point& q) { return std::pair(q.error->rms, q.seconds()); };
+    const auto key = [](const Point& q) {
+      return std::tuple(q.error->rms, is_exact(q), q.seconds());
+    };
     if (best == nullptr || key(*p) < key(*best)) best = p;
   }
   if (best != nullptr) return chosen(*best);
@@ -97,7 +110,7 @@ Choice choose_by_error(const Chart& chart, double rms) {
   const Point *best = nullptr, *least = nullptr;
   for (const Point* p : candidates(chart)) {
     if (least == nullptr || p->error->rms < least->error->rms) least = p;
-    if (p->error->rms > rms) continue;
+    if (p->error->rms > rms || is_exact(*p)) continue;
     const auto key = [](const Point& q) { return std::pair(q.seconds(), q.error->rms); };
     if (best == nullptr || key(*p) < key(*best)) best = p;
   }

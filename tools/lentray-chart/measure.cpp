@@ -178,6 +178,7 @@ void compare_sheet_with_stock(Session& session) {
     chart.stock_reason =
         "stock antialiases no mesh_camera, which this lens model needs; lentray-diff compares the "
         "sheet with the mean of many pictures";
+    session.progress.tell("stock POV-Ray is left out: " + chart.stock_reason);
     return;
   }
   const fs::path figures = session.folder.own("stock.json");

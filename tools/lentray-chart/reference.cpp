@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 
 namespace lentray::chart {
 namespace {
@@ -23,7 +24,7 @@ class Ladder {
   std::optional<ReferenceStep> step() {
     antialiasing();
     if (m.facts.area_lights) area_lights();
-    if (m.facts.focal_blur) samples("Blur_Samples", "blur samples", 16.0, 2.0, 4096);
+    if (m.facts.focal_blur) samples("Blur_Samples", "blur samples", 32.0, kRoot, 4096, kRoot);
     media();
     lens();
     depth();
@@ -33,6 +34,8 @@ class Ladder {
   }
 
  private:
+  static constexpr double kRoot = std::numbers::sqrt2;
+
   void say(const std::string& text) { m_out.what += (m_out.what.empty() ? "" : "; ") + text; }
 
   void antialiasing() {
@@ -57,8 +60,9 @@ class Ladder {
     m_out.work *= work;
   }
 
-  /// From `first` on, times `factor` a step; up to `most`.
-  void samples(const char* option, const char* label, double first, double factor, int most) {
+  /// From `first` on, times `factor` a step, which is `work` times the rays; up to `most`.
+  void samples(const char* option, const char* label, double first, double factor, int most,
+               double work) {
     if (!m.abilities.has(option)) return;
     const auto at = [&](int step) {
       return std::min(std::round(first * std::pow(factor, step)), double(most));
@@ -66,11 +70,11 @@ class Ladder {
     const std::string number = text_of(at(m_step));
     m_out.options.push_back(std::string(option) + "=" + number);
     say(number + " " + label);
-    grow(at(m_step) > at(m_step - 1), 2.0);
+    grow(at(m_step) > at(m_step - 1), work);
   }
 
   void area_lights() {
-    samples("Area_Light_Samples", "samples of area lights each way", 4.0, std::sqrt(2.0), 1000);
+    samples("Area_Light_Samples", "samples of area lights each way", 4.0, kRoot, 1000, 2.0);
     if (m.abilities.has("Area_Light_Adaptive")) {
       m_out.options.emplace_back("Area_Light_Adaptive=off");
     }
@@ -79,7 +83,7 @@ class Ladder {
   void media() {
     if (!m.facts.media || !m.abilities.has("Media_Method")) return;
     m_out.options.insert(m_out.options.end(), {"Media_Method=3", "Media_Intervals=4"});
-    samples("Media_Samples", "media samples in 4 intervals", 10.0, 2.0, 5000);
+    samples("Media_Samples", "media samples in 4 intervals", 20.0, kRoot, 5000, kRoot);
   }
 
   void lens() {
@@ -90,7 +94,7 @@ class Ladder {
       say(has_thick ? "lens model thick" : "lens model pinhole");
     }
     if (has_thick && (m_of_lens_models || m.facts.lens_model == "thick")) {
-      samples("Lens_Rays", "rays behind a lens", 32.0, 2.0, 1024);
+      samples("Lens_Rays", "rays behind a lens", 32.0, 2.0, 1024, 2.0);
     }
   }
 

@@ -15,7 +15,8 @@ struct ReferenceStep {
   double work = 1.0;                 ///< about how many times the work of the step before
 };
 
-/// Step 0, 1, ... of what the scene uses: about twice the samples of each kind from step to step. Nothing where no
+/// Step 0, 1, ... of what the scene uses: twice the samples of pixels and area lights from step to step; of focal blur and
+/// media, whose samples also grow with those of the pixel, the root of it. Nothing where no
 /// step is left. `of_lens_models`: with the truest lens model there is, instead of the user's own.
 std::optional<ReferenceStep> reference_step(const MatrixRequest& request, int step,
                                             bool of_lens_models);
