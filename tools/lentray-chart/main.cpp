@@ -16,6 +16,7 @@
 #include "tools/common/standard_streams.h"
 #include "tools/common/version.h"
 #include "tools/lentray-chart/arguments.h"
+#include "tools/lentray-chart/charts.h"
 #include "tools/lentray-chart/compare.h"
 #include "tools/lentray-chart/front.h"
 #include "tools/lentray-chart/measure.h"
@@ -222,6 +223,12 @@ class Charting {
     tool::write_whole(m_folder.file("index.html"), page(chart(), options));
     std::cout << front_table(chart());
     Status status = kDone;
+    try {
+      tool::write_whole(m_folder.file("chart.svg"), chart_svg(chart()));
+      tool::write_whole(m_folder.file("chart.png"), chart_png(chart()));
+    } catch (const std::runtime_error& error) {  // no gnuplot: the page tells it as well
+      m_progress.say(std::string("lentray-chart: no chart.svg and chart.png: ") + error.what());
+    }
     for (const std::string& line : broken_promises(chart())) {
       m_progress.say("lentray-chart: " + line);
       status = kError;

@@ -230,6 +230,9 @@ function duration(text) {
 
 const errorOf = (point) => point.error.rms;
 const timeOf = (point) => point.seconds;
+/** Exact settings come last: they differ from the plain one in time alone. */
+const isExact = (point) => point.kind === "exact" && !point.plain;
+const plainFirst = (point) => (isExact(point) ? 1e12 : 0) + timeOf(point);
 /** The first in the order of `first`, and of `then` where that is equal. */
 function least(list, first, then) {
   return list.reduce((best, one) => !best || first(one) < first(best) ||
@@ -249,14 +252,14 @@ function showChoice() {
   if (budget) {
     const most = duration(budget), near = least(all, timeOf, errorOf);
     out.push(most === null ? choiceBox(null, "Within the time", "A time is expected, such as 30s, 2min or 500ms.")
-      : choiceBox(least(all.filter((point) => point.seconds <= most), errorOf, timeOf), `Within ${seconds(most)}`,
+      : choiceBox(least(all.filter((point) => point.seconds <= most), errorOf, plainFirst), `Within ${seconds(most)}`,
         near ? `Nothing is as fast. The fastest, ${near.label}, takes ${seconds(near.seconds)}.`
           : "Nothing is measured."));
   }
   if (limit) {
     const most = Number(limit.replace(",", ".")), near = least(all, errorOf, timeOf);
     out.push(!(most >= 0) ? choiceBox(null, "Within the error", "An error in 1/255 is expected, such as 1 or 0.5.")
-      : choiceBox(least(all.filter((point) => errorOf(point) <= most), timeOf, errorOf), `Within ${most} / 255`,
+      : choiceBox(least(all.filter((point) => errorOf(point) <= most && !isExact(point)), timeOf, errorOf), `Within ${most} / 255`,
         near ? `Nothing is as exact. The least error, of ${near.label}, is ${figure(errorOf(near))} / 255.`
           : "Nothing is measured."));
   }
