@@ -14,7 +14,7 @@ namespace {
 
 struct Words {
   std::string global = "max_trace_level 5";
-  std::string area = "4, 4 adaptive 1";
+  std::string area = "9, 9 adaptive 3";
   std::string blur = "blur_samples 19 variance 0.01 confidence 0.9";
 };
 
@@ -55,9 +55,9 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(OverrideCase{"Max_Trace_Level=2", {.global = "max_trace_level 2"}},
                       OverrideCase{"Adc_Bailout=0.3",
                                    {.global = "max_trace_level 5 adc_bailout 0.3"}},
-                      OverrideCase{"Area_Light_Samples=7", {.area = "7, 7 adaptive 1"}},
-                      OverrideCase{"Area_Light_Adaptive=0", {.area = "4, 4 adaptive 0"}},
-                      OverrideCase{"Area_Light_Adaptive=off", {.area = "4, 4"}},
+                      OverrideCase{"Area_Light_Samples=5", {.area = "5, 5 adaptive 3"}},
+                      OverrideCase{"Area_Light_Adaptive=0", {.area = "9, 9 adaptive 0"}},
+                      OverrideCase{"Area_Light_Adaptive=off", {.area = "9, 9"}},
                       OverrideCase{"Blur_Samples=5",
                                    {.blur = "blur_samples 5, 5 variance 0.01 confidence 0.9"}}));
 

@@ -1,6 +1,7 @@
 // lentray-chart: which settings are on the front, which one is chosen, and what the table says of them.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <random>
 #include <sstream>

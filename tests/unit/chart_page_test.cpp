@@ -28,7 +28,7 @@ using nlohmann::json;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-Error error_of(double rms) {
+Error page_error_of(double rms) {
   Error error;
   error.rms = rms;
   error.psnr = rms > 0.0 ? 20.0 * std::log10(255.0 / rms) : kInfinity;
@@ -45,7 +45,7 @@ Point done(const std::string& id, Kind kind, double seconds, double rms) {
   p.setting.options = {"+X" + id};
   p.state = State::done;
   p.cpu_s = {0.9 * seconds, seconds, 1.2 * seconds};
-  p.error = error_of(rms);
+  p.error = page_error_of(rms);
   return p;
 }
 
@@ -59,7 +59,7 @@ Point plain(double seconds, double rms) {
 
 Point exact(const std::string& id, double seconds, double rms) {
   Point p = done(id, Kind::exact, seconds, rms);
-  p.from_plain = error_of(0.0);
+  p.from_plain = page_error_of(0.0);
   return p;
 }
 
@@ -68,7 +68,7 @@ bool is_better(const Point& a, const Point& b) {
   return is_no_worse && (a.seconds() < b.seconds() || a.error->rms < b.error->rms);
 }
 
-void derive(Chart& chart) {
+void derive_page_chart(Chart& chart) {
   for (Point& p : chart.points) {
     if (p.state != State::done || !p.error) continue;
     p.told_apart = p.error->rms >= 10.0 * chart.reference.change;
@@ -92,7 +92,7 @@ Chart chart_of(std::vector<Point> points) {
   chart.reference.options = {"+A0.0", "+R9"};
   chart.reference.steps = {{"4 samples", 0.5}, {"16 samples", 0.01}};
   chart.points = std::move(points);
-  derive(chart);
+  derive_page_chart(chart);
   return chart;
 }
 
@@ -217,7 +217,7 @@ TEST(UnitChartCharts, StockIsASymbolOfItsOwn) {
   const std::string star = "#errors-wide-gpPt2' transform";
   EXPECT_EQ(error_chart(chart, Subject::settings, Window::wide).find(star), std::string::npos);
   chart.points[0].stock_cpu_s = 7.0;
-  chart.points[0].stock_error = error_of(2.1);
+  chart.points[0].stock_error = page_error_of(2.1);
   EXPECT_NE(error_chart(chart, Subject::settings, Window::wide).find(star), std::string::npos);
 }
 
@@ -318,7 +318,7 @@ TEST(UnitChartPage, VerdictsOfEveryState) {
   EXPECT_EQ(verdict_of(1), "on the front");
   EXPECT_EQ(verdict_of(2), "same picture; better in words is better");
   EXPECT_EQ(verdict_of(3), "on the front; error not told apart");
-  chart.points[2].from_plain = error_of(1.0);
+  chart.points[2].from_plain = page_error_of(1.0);
   EXPECT_EQ(verdict_of(2), "NOT the plain picture; better in words is better");
   chart.points[0].dominated_by = "gone";
   EXPECT_EQ(verdict_of(0), "gone is better");
@@ -604,15 +604,15 @@ TEST_F(UnitChartPageForBrowser, Write) {
   own.setting.options = {""};
   points.push_back(shown(own, 1));
   points[0].stock_cpu_s = 14.0;
-  points[0].stock_error = error_of(4.3);
-  points[0].from_stock = error_of(0.4);
+  points[0].stock_error = page_error_of(4.3);
+  points[0].from_stock = page_error_of(0.4);
   points[0].stock_picture = points[0].picture;
   const auto add = [&](const char* id, const char* label, Kind kind, double seconds, double rms,
                        int samples, double shadow = 0.0) {
     Point p = done(id, kind, seconds, rms);
     p.setting.label = label;
     points.push_back(shown(p, samples, shadow));
-    points.back().from_plain = error_of(4.0);
+    points.back().from_plain = page_error_of(4.0);
     points.back().error->perceived = rms / 3;
   };
   add("aa-1-2", "antialiasing, method 1, 2 x 2 samples", Kind::antialiasing, 4.6, 2.0, 2);
@@ -644,7 +644,7 @@ TEST_F(UnitChartPageForBrowser, Write) {
     p.difference = points[0].difference;
     points.push_back(p);
   }
-  points.back().from_plain = error_of(0.5);
+  points.back().from_plain = page_error_of(0.5);
   Point failed = done("failed", Kind::media, 1.0, 1.0);
   failed.setting.label = "<img src=x onerror=\"window.harm=1\">";
   failed.state = State::failed;
