@@ -14,11 +14,12 @@ namespace {
 
 struct Words {
   std::string global = "max_trace_level 5";
-  std::string area = "9, 9 adaptive 3";
+  std::string area = "9, 9 adaptive 1";
   std::string blur = "blur_samples 19 variance 0.01 confidence 0.9";
 };
 
-/// Two mirrors that face each other, glass, an area light and a camera out of focus.
+/// Two mirrors that face each other, glass, an area light with a small ball before it and a camera out of
+/// focus.
 SceneText scene_overrides_scene_of(const Words& words) {
   return {.sdl = "#version 3.7; global_settings { assumed_gamma 1 " + words.global + R"( }
 camera { location <0, 1.5, -4> look_at <0, 0.6, 0> aperture 0.5 focal_point <0, 0.6, -1> )" +
@@ -28,6 +29,7 @@ light_source { <-3, 6, -4> 1 area_light x*2, z*2, )" +
 plane { y, 0 pigment { checker rgb 1 rgb <0.2, 0.4, 0.8> } }
 box { <-2, 0, 1>, <2, 2, 1.1> pigment { rgb 0.2 } finish { reflection 0.8 } }
 box { <-2, 0, -5>, <2, 2, -4.9> pigment { rgb 0.2 } finish { reflection 0.8 } }
+sphere { <-2, 3, -2.5>, 0.12 pigment { rgb 1 } }
 sphere { <0, 0.6, 0>, 0.6 pigment { rgbf <1, 0.9, 0.8, 0.9> } finish { reflection 0.1 }
   interior { ior 1.5 } }
 )",
@@ -55,7 +57,7 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(OverrideCase{"Max_Trace_Level=2", {.global = "max_trace_level 2"}},
                       OverrideCase{"Adc_Bailout=0.3",
                                    {.global = "max_trace_level 5 adc_bailout 0.3"}},
-                      OverrideCase{"Area_Light_Samples=5", {.area = "5, 5 adaptive 3"}},
+                      OverrideCase{"Area_Light_Samples=5", {.area = "5, 5 adaptive 1"}},
                       OverrideCase{"Area_Light_Adaptive=0", {.area = "9, 9 adaptive 0"}},
                       OverrideCase{"Area_Light_Adaptive=off", {.area = "9, 9"}},
                       OverrideCase{"Blur_Samples=5",
