@@ -8,6 +8,7 @@
 #include "camera/sheet_collisions.h"
 #include "camera/sheet_report.h"
 #include "camera/text.h"
+#include "camera/thick_lenticular.h"
 #include "core/base/bounds.h"
 
 namespace lentray::camera {
@@ -102,7 +103,11 @@ Sheet finish(const LensParameters& lens, const SheetPlacement& place, std::uint3
     }
   }
   Sheet sheet;
-  sheet.camera = std::make_unique<Lenticular>(lens, place, width, height);
+  if (lens.model == LensModel::kThick) {
+    sheet.camera = std::make_unique<ThickLenticular>(lens, place, width, height);
+  } else {
+    sheet.camera = std::make_unique<Lenticular>(lens, place, width, height);
+  }
   sheet.report = std::move(report);
   for (std::string& line : report_of(*sheet.camera, probe)) sheet.report.push_back(std::move(line));
   sheet.warnings = sheet.camera->warnings();
@@ -110,6 +115,15 @@ Sheet finish(const LensParameters& lens, const SheetPlacement& place, std::uint3
   for (std::string& line : met.notes) sheet.report.push_back(std::move(line));
   for (std::string& line : met.warnings) sheet.warnings.push_back(std::move(line));
   return sheet;
+}
+
+/// What was asked for in vain.
+void add_warnings(const LensRequest& asked, Sheet& sheet) {
+  if (asked.rays && sheet.camera->sheet().lens().model != LensModel::kThick) {
+    sheet.warnings.push_back(
+        "the number of rays (lens_rays, Lens_Rays) has no effect: only the lens model thick has "
+        "several");
+  }
 }
 
 double eye_in_scene(const LensParameters& lens, const SheetPlacement& place, std::uint32_t width) {
@@ -126,7 +140,9 @@ Sheet sheet_of_statement(const Projection& projection, const LensRequest& reques
   if (!asked.model) asked.model = LensModel::kPinhole;
   const LensParameters lens = resolve(asked, width, nullptr);
   place.front = asked.front.value_or(std::min(place.width, eye_in_scene(lens, place, width)));
-  return finish(lens, place, width, height, {}, probe);
+  Sheet sheet = finish(lens, place, width, height, {}, probe);
+  add_warnings(asked, sheet);
+  return sheet;
 }
 
 Sheet sheet_of_camera(std::string_view kind, const Projection& projection,
@@ -159,7 +175,9 @@ Sheet sheet_of_camera(std::string_view kind, const Projection& projection,
     lens = resolve(conversion.lens, width, &eye);
   }
   place.front = conversion.lens.front.value_or(std::min(depth, eye_in_scene(lens, place, width)));
-  return finish(lens, place, width, height, std::move(report), probe);
+  Sheet sheet = finish(lens, place, width, height, std::move(report), probe);
+  add_warnings(conversion.lens, sheet);
+  return sheet;
 }
 
 }  // namespace lentray::camera

@@ -55,6 +55,7 @@ void LensRequest::override_by(const LensRequest& other) {
   if (other.front) front = other.front;
   if (other.view_distance) view_distance = other.view_distance;
   if (other.model) model = other.model;
+  if (other.rays) rays = other.rays;
 }
 
 LensParameters resolve(const LensRequest& request, std::uint32_t width, const EyeInScene* eye) {
@@ -72,6 +73,7 @@ LensParameters resolve(const LensRequest& request, std::uint32_t width, const Ey
   lens.pixels = request.pixels.value_or(lens.pixels);
   const bool finite = eye || lens.is_finite();
   lens.model = request.model.value_or(finite ? LensModel::kParaxial : LensModel::kPinhole);
+  lens.rays = request.rays.value_or(lens.rays);
   if (const std::string why = complaint(lens); !why.empty()) throw CameraError(why);
   if (request.print_dpi) {
     if (!(*request.print_dpi > 0.0) || !std::isfinite(*request.print_dpi)) {

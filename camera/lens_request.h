@@ -3,6 +3,7 @@
 // Errors: CameraError, worded for the user.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <stdexcept>
 
@@ -21,6 +22,7 @@ struct LensRequest {
   std::optional<double> front;          ///< scene units before the sheet
   std::optional<double> view_distance;  ///< mm; 0 or infinite: the paper's camera
   std::optional<LensModel> model;
+  std::optional<std::uint32_t> rays;  ///< K of the thick model
 
   /// What `other` says replaces what was said here; saying a pitch replaces a pitch given as lines
   /// an inch too, and N replaces a print resolution.

@@ -3,16 +3,37 @@
 #include <algorithm>
 #include <cmath>
 
+#include "camera/text.h"
+
 namespace lentray::camera {
 
 const char* name_of(LensModel model) {
-  return model == LensModel::kParaxial ? "paraxial" : "pinhole";
+  switch (model) {
+    case LensModel::kParaxial: return "paraxial";
+    case LensModel::kPinhole: return "pinhole";
+    case LensModel::kThick: break;
+  }
+  return "thick";
 }
 
 double LensParameters::print_pitch() const {
   // f/(nV) is 0 for an infinite V.
   return pitch * (1.0 + focal_length / (ior * view_distance));
 }
+
+namespace {
+
+std::string complaint_of_thick(const LensParameters& lens) {
+  if (lens.rays < 1 || lens.rays > kMostLensRays) {
+    return "the rays of a lens must be 1 to " + std::to_string(kMostLensRays);
+  }
+  if (0.5 * lens.pitch <= lens.radius()) return {};
+  return "there is no such lens: its surface would have a radius of " + format(lens.radius()) +
+         " mm, f (n - 1)/n, so it can be " + format(2.0 * lens.radius()) +
+         " mm wide at most, not " + format(lens.pitch) + " mm";
+}
+
+}  // namespace
 
 std::string complaint(const LensParameters& lens) {
   const auto positive = [](double value) { return std::isfinite(value) && value > 0.0; };
@@ -36,7 +57,7 @@ std::string complaint(const LensParameters& lens) {
   if (finite && (lens.view_distance < kLeast || lens.view_distance > kFarthestEye)) {
     return "the viewing distance must be 1e-6 to 1e12 mm";
   }
-  return {};
+  return lens.model == LensModel::kThick ? complaint_of_thick(lens) : std::string();
 }
 
 double pixels_for_dpi(const LensParameters& lens, double dpi) {

@@ -17,6 +17,7 @@ namespace lentray::camera {
 enum class LensModel {
   kParaxial,  ///< tan t = n o/f: slopes linear in the offset
   kPinhole,   ///< sin t = n sin t_in: Snell's law through a pinhole
+  kThick,     ///< several rays a pixel through a round surface (camera/thick_lens.h)
 };
 const char* name_of(LensModel model);
 
@@ -29,6 +30,7 @@ struct LensParameters {
   double pixels = 15.0;              ///< N, pixels a lens; may be fractional
   double view_distance = kInfinity;  ///< V, mm
   LensModel model = LensModel::kPinhole;
+  std::uint32_t rays = 16;  ///< K, rays a pixel of the thick model
 
   bool is_finite() const { return view_distance < kInfinity; }
   /// P' = P (1 + f/(nV)): the pitch of the printed strips.
@@ -38,15 +40,21 @@ struct LensParameters {
   /// Pixels an inch of the print, along a row.
   double print_dpi() const { return 25.4 / pixel_size(); }
   double lenses_per_inch() const { return 25.4 / pitch; }
+  /// R = f (n - 1)/n: of the round surface that focuses on the print, mm.
+  double radius() const { return focal_length * (ior - 1.0) / ior; }
 };
 
-/// Why the parameters describe no sheet, or empty. Lenses must be at least a pixel wide.
+constexpr std::uint32_t kMostLensRays = 1024;
+
+/// Why the parameters describe no sheet, or empty. Lenses must be at least a pixel wide, and those of
+/// the thick model no wider than the circle that their surface is part of.
 std::string complaint(const LensParameters& lens);
 
 /// N for a print resolution: N = P' DPI / 25.4.
 double pixels_for_dpi(const LensParameters& lens, double dpi);
 
-/// Where a pixel column lies under its lens.
+/// Where a pixel column lies under its lens. The thick model's slope is that of the ray through the
+/// lens's vertex, which Snell's law gives as it gives the pinhole's.
 struct LensColumn {
   double lens = 0.0;  ///< i = floor((k + 1/2)/N); between whole numbers: beside a lens's axis
   double axis = 0.0;  ///< x_i, mm from the sheet's middle
@@ -55,7 +63,7 @@ struct LensColumn {
   double cell_offset = 0.0;  ///< e = X_k - c_i
   double lens_offset = 0.0;  ///< o = X_k - x_i
   double slope = 0.0;        ///< tan t; 0 when dark
-  bool dark = false;         ///< total internal reflection: the pixel shows nothing
+  bool dark = false;         ///< total internal reflection: that ray shows nothing
 };
 
 class LensSheet {

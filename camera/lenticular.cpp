@@ -103,14 +103,22 @@ std::vector<std::string> Lenticular::warnings() const {
         "distance, " +
         format(m_place.front) + " scene units");
   }
-  if (m_sheet.dark_columns() > 0) {
-    out.push_back(std::to_string(dark_pixels()) + " pixels (" +
-                  std::to_string(m_sheet.dark_columns()) +
-                  " columns) show nothing, for their light is totally reflected inside the sheet; "
-                  "the widest usable lens pitch is " +
-                  format(m_sheet.widest_pitch()) + " mm");
-  }
+  if (dark_pixels() > 0) out.push_back(dark_warning());
   return out;
+}
+
+std::string Lenticular::dark_warning() const {
+  return std::to_string(dark_pixels()) + " pixels (" + std::to_string(m_sheet.dark_columns()) +
+         " columns) show nothing, for their light is totally reflected inside the sheet; "
+         "the widest usable lens pitch is " +
+         format(m_sheet.widest_pitch()) + " mm";
+}
+
+std::vector<std::string> Lenticular::model_report() const {
+  const LensParameters& lens = m_sheet.lens();
+  if (!lens.is_finite() || lens.model == LensModel::kParaxial) return {};
+  return {"Rays miss the eyes of their views by at most " + format(m_sheet.largest_eye_miss()) +
+          " pixels (Snell's law)"};
 }
 
 Properties Lenticular::describe() const {
@@ -164,6 +172,11 @@ core::PixelPlace SheetView::on_sheet(const core::PixelPlace& place) const {
 
 bool SheetView::ray_at(const core::PixelPlace& place, core::Ray& out) const {
   return m_lenticular.ray_at(on_sheet(place), out);
+}
+
+bool SheetView::one_ray_at(const core::PixelPlace& place, std::uint32_t index,
+                           core::Ray& out) const {
+  return m_lenticular.one_ray_at(on_sheet(place), index, out);
 }
 
 bool SheetView::sight(const core::PixelPlace& place, core::Ray& out) const {

@@ -29,7 +29,7 @@ struct SheetPlacement {
   double front = 0.0;  ///< lens_front, scene units
 };
 
-class Lenticular final : public Camera {
+class Lenticular : public Camera {
  public:
   /// lens_front beyond the eye is clamped to it; front_was_clamped() tells.
   Lenticular(const LensParameters& lens, const SheetPlacement& placement, std::uint32_t width,
@@ -55,8 +55,14 @@ class Lenticular final : public Camera {
   double eye_distance() const { return 1.0 / m_inverse_distance; }
   /// Height Y of a place in the image's rows, scene units from the sheet's middle.
   double row_height(double row) const { return (0.5 - row / m_height) * m_place.height; }
+  /// The slope of a row's rays along up: Y/V + eye_slope_y.
+  double rise(double row) const {
+    return row_height(row) * m_inverse_distance + m_place.eye_slope_y;
+  }
   /// Pixels that show nothing.
-  std::uint64_t dark_pixels() const { return std::uint64_t{m_sheet.dark_columns()} * m_height; }
+  virtual std::uint64_t dark_pixels() const {
+    return std::uint64_t{m_sheet.dark_columns()} * m_height;
+  }
   /// The print's size in mm, and its resolution in pixels an inch both ways.
   double print_width() const { return m_sheet.print_width(); }
   double print_height() const;
@@ -64,6 +70,14 @@ class Lenticular final : public Camera {
   double print_dpi_y() const { return m_height * 25.4 / print_height(); }
   /// What a user should be told: clamped front, dark pixels.
   std::vector<std::string> warnings() const;
+  /// Lines of the report about the lens model.
+  virtual std::vector<std::string> model_report() const;
+
+ protected:
+  /// What a user should be told of dark pixels, of which there are some.
+  virtual std::string dark_warning() const;
+  /// 1/V in scene units; 0 when V is infinite.
+  double inverse_distance() const { return m_inverse_distance; }
 
  private:
   struct Column {
@@ -94,6 +108,10 @@ class SheetView final : public Camera {
   bool ray(double column, double row, core::Ray& ray) const override;
   bool ray_at(const core::PixelPlace& place, core::Ray& out) const override;
   bool sight(const core::PixelPlace& place, core::Ray& out) const override;
+  std::uint32_t rays_a_place() const override { return m_lenticular.rays_a_place(); }
+  bool one_ray_at(const core::PixelPlace& place, std::uint32_t index,
+                  core::Ray& out) const override;
+  bool missing_rays_are_black() const override { return m_lenticular.missing_rays_are_black(); }
   std::string_view name() const override { return "lenticular"; }
   std::uint32_t width() const override { return m_width; }
   std::uint32_t height() const override { return m_lenticular.height(); }

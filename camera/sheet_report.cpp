@@ -70,10 +70,7 @@ std::vector<std::string> lens_lines(const Lenticular& sheet) {
   out.push_back("Paraxial rays are off Snell's law by at most " + format(columns.paraxial_error()) +
                 " pixels of the print; the cheapest model within " + format(kModelTolerance) +
                 " pixels is " + name_of(columns.cheapest_model(kModelTolerance)));
-  if (lens.is_finite() && lens.model == LensModel::kPinhole) {
-    out.push_back("Rays miss the eyes of their views by at most " +
-                  format(columns.largest_eye_miss()) + " pixels (Snell's law)");
-  }
+  for (std::string& line : sheet.model_report()) out.push_back(std::move(line));
   return out;
 }
 

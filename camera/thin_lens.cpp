@@ -27,6 +27,12 @@ Disc disc_of(const Vec3& up, const Vec3& axis, double aperture) {
 /// `camera_depth`: of an infinite viewing distance's discs; depths are behind the sheet.
 ThinLens lens_of_sheet(const Lenticular& sheet, double aperture, double camera_depth,
                        double focus) {
+  if (sheet.sheet().lens().model == LensModel::kThick) {
+    throw CameraError(
+        "the lens model thick has no focal blur: leave out the aperture, or take the model "
+        "paraxial "
+        "or pinhole");
+  }
   const SheetPlacement& place = sheet.placement();
   const Disc disc = disc_of(place.up, place.normal, aperture);
   const double behind = sheet.sheet().lens().is_finite() ? sheet.eye_distance() : -camera_depth;

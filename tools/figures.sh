@@ -84,6 +84,8 @@ figures() {
   $1 shapes docs/stability.md '(1 h)' 'python3 tests/stability/shapes.py'
   $1 media docs/stability.md '(5 min)' \
     'python3 tests/stability/media.py build/release/bin/lentray --write'
+  $1 lens-models docs/stability.md '(1 min)' \
+    'python3 tests/stability/lens_models.py build/release/bin/lentray --write'
   $1 noisy-scenes docs/media.md '(10 min)' \
     'python3 tests/bench/noisy_scenes.py build/release/bin/lentray --write'
 

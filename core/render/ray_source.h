@@ -45,11 +45,13 @@ class RaySource {
   }
   /// How many rays a place has, each of which counts alike: their mean is seen.
   virtual std::uint32_t rays_a_place() const { return 1; }
-  /// One of them; false: it is none, and does not count.
+  /// One of them; false: it is none. Whether that counts, missing_rays_are_black() says.
   virtual bool one_ray_at(const PixelPlace& place, [[maybe_unused]] std::uint32_t index,
                           Ray& out) const {
     return ray_at(place, out);
   }
+  /// A ray of a place that is none counts as a black one. Otherwise it does not count.
+  virtual bool missing_rays_are_black() const { return false; }
   /// How a camera with an aperture blurs; null: all rays of a place are one. Lives as long as it.
   virtual const FocalBlur* blur() const { return nullptr; }
   /// Ray through a place of a pixel's area from a point of the aperture, in the aperture's own units

@@ -37,10 +37,13 @@ bool Sampler::direction(const PixelPlace& place, std::uint64_t key, Radiance& ou
 
 bool Sampler::of_several_rays(const PixelPlace& place, std::uint64_t key, Radiance& out) {
   Radiance sum;
-  int count = 0;
+  int count = 0, black = 0;
   for (std::uint32_t i = 0; i < m_camera.rays_a_place(); ++i) {
     Ray ray;
-    if (!m_camera.one_ray_at(place, i, ray)) continue;
+    if (!m_camera.one_ray_at(place, i, ray)) {
+      if (m_camera.missing_rays_are_black()) ++black;
+      continue;
+    }
     Radiance one;
     trace(ray, place, part_key(key, i), one);
     sum.rgb += one.rgb;
@@ -49,7 +52,7 @@ bool Sampler::of_several_rays(const PixelPlace& place, std::uint64_t key, Radian
   }
   out = {Rgb(), 1.0f};
   if (count == 0) return false;
-  const float share = 1.0f / static_cast<float>(count);
+  const float share = 1.0f / static_cast<float>(count + black);
   out = {sum.rgb * share, sum.transmit * share};
   return true;
 }

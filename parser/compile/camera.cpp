@@ -18,7 +18,7 @@ camera::LensModel model_of(LensModel model) {
     case LensModel::kPinhole: return camera::LensModel::kPinhole;
     case LensModel::kThick: break;
   }
-  throw camera::CameraError("lens_model thick: not yet (there are paraxial and pinhole)");
+  return camera::LensModel::kThick;
 }
 
 /// Stock keeps corners and normals in single precision; far points of the scene show it.
@@ -106,6 +106,7 @@ CameraRequest camera_request(const CameraDesc& camera, const TextureSettings& se
   request.lens.front = lens.front;
   request.lens.view_distance = lens.view_distance;
   if (lens.model) request.lens.model = model_of(*lens.model);
+  if (lens.rays) request.lens.rays = static_cast<std::uint32_t>(*lens.rays);
   return request;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "camera/lens_sheet.h"
 #include "core/base/tiny.h"
 #include "parser/grammar/helpers.h"
 #include "parser/grammar/object.h"
@@ -291,6 +292,8 @@ class CameraReader {
     } else if (word == "lens_model") {
       m_parser.next();
       lens.model = read_lens_model();
+    } else if (word == "lens_rays") {
+      lens.rays = read_lens_rays();
     } else {
       return false;
     }
@@ -311,6 +314,18 @@ class CameraReader {
     return model;
   }
 
+  int read_lens_rays() {
+    constexpr int kMost = camera::kMostLensRays;
+    m_parser.next();
+    const Location where = m_parser.location();
+    const double value = m_parser.parse_float();
+    if (!(value >= 1.0 && value <= kMost && std::floor(value) == value)) {
+      m_parser.fail_at(where,
+                       "lens_rays must be a whole number from 1 to " + std::to_string(kMost) + ".");
+    }
+    return static_cast<int>(value);
+  }
+
   [[noreturn]] void fail_word() {
     std::string words =
         "one of perspective, orthographic, fisheye, ultra_wide_angle, omnimax, panoramic, "
@@ -320,7 +335,7 @@ class CameraReader {
     if (m_camera.kind == CameraKind::kLenticular) {
       words +=
           ", lens_pitch, lens_lpi, lens_focal_length, lens_ior, lens_pixels, print_dpi, "
-          "lens_front, view_distance, lens_model";
+          "lens_front, view_distance, lens_model, lens_rays";
     }
     m_parser.fail_expected(words + " or }");
   }

@@ -52,11 +52,8 @@ void add_lens(const RenderOptions& o, Lines& out) {
   out.number("Print_DPI", o.lens.print_dpi);
   out.number("Lens_Front", o.lens.front);
   out.number("View_Distance", o.lens.view_distance);
-  if (o.lens.model) {
-    out.add(
-        "Lens_Model",
-        std::string_view(*o.lens.model == camera::LensModel::kParaxial ? "paraxial" : "pinhole"));
-  }
+  if (o.lens.model) out.add("Lens_Model", std::string_view(camera::name_of(*o.lens.model)));
+  out.number("Lens_Rays", o.lens.rays);
   out.number("Sheet_Distance", o.sheet_distance);
   out.number("View", o.view);
 }

@@ -130,7 +130,9 @@ constexpr OptionHelp kSheet[] = {
      "looks.",
      ""},
     {"Lens_Front", "n", "How far before the sheet rays begin, in scene units.", ""},
-    {"Lens_Model", "paraxial|pinhole", "Directions linear in the offset, or by Snell's law.", ""},
+    {"Lens_Model", "paraxial|pinhole|thick",
+     "Directions linear in the offset, by Snell's law, or of rays through a round lens.", ""},
+    {"Lens_Rays", "n", "Rays a pixel of the model thick (16).", ""},
     {"View", "j", "That view alone, counted from 0: a quick look.", ""},
 };
 constexpr OptionHelp kWork[] = {
@@ -316,7 +318,7 @@ are POV-Ray's, on the command line or in INI files (file.ini, file.ini[part]).
 Lens sheet (lengths in mm):
   Lenticular=On           make a sheet of the scene's camera
   Lens_Pitch= | Lens_LPI= | Lens_Pixels= | Print_DPI=
-  Lens_Focal_Length=  Lens_IOR=  Lens_Model=paraxial|pinhole
+  Lens_Focal_Length=  Lens_IOR=  Lens_Model=paraxial|pinhole|thick  Lens_Rays=n
   View_Distance=n|inf  Sheet_Distance=n  View=j (that view alone)
 )";
 }

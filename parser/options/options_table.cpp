@@ -271,9 +271,9 @@ void set_text(Options& o, const Given& g) {
   o.*member = g.value;
 }
 
-/// A name of a list; names that come later answer "not yet".
-void choose(Options& o, const Given& g, std::string& out, const char* what,
-            std::span<const std::string_view> there, std::span<const std::string_view> coming) {
+/// A name of a list.
+void choose(const Given& g, std::string& out, const char* what,
+            std::span<const std::string_view> there) {
   std::string known;
   for (const std::string_view name : there) {
     if (same_word(name, g.value)) {
@@ -281,11 +281,6 @@ void choose(Options& o, const Given& g, std::string& out, const char* what,
       return;
     }
     known += (known.empty() ? "" : ", ") + std::string(name);
-  }
-  for (const std::string_view name : coming) {
-    if (!same_word(name, g.value)) continue;
-    not_yet(o, g, std::string(what) + " '" + std::string(name) + "' (there are " + known + ")");
-    return;
   }
   refuse(g, std::string("unknown ") + what + ": there are " + known);
 }
@@ -297,26 +292,29 @@ void set_order(Options& o, const Given& g) {
   const std::size_t bracket = std::min(g.value.find('('), g.value.size());
   Given name = g;
   name.value = g.value.substr(0, bracket);
-  choose(o, name, o.pixel_order, "pixel order", kThere, {});
+  choose(name, o.pixel_order, "pixel order", kThere);
   o.pixel_order += g.value.substr(bracket);
 }
 void set_cache(Options& o, const Given& g) {
   constexpr std::string_view kThere[] = {"auto", "off",           "last", "depth",
                                          "tree", "neighbourhood", "grid", "cascade"};
-  choose(o, g, o.shadow_cache, "shadow cache", kThere, {});
+  choose(g, o.shadow_cache, "shadow cache", kThere);
 }
 void set_accelerator(Options& o, const Given& g) {
   constexpr std::string_view kThere[] = {"bvh", "grid", "list"};
-  choose(o, g, o.accelerator, "accelerator", kThere, {});
+  choose(g, o.accelerator, "accelerator", kThere);
 }
 void set_model(Options& o, const Given& g) {
-  constexpr std::string_view kThere[] = {"paraxial", "pinhole"};
-  constexpr std::string_view kComing[] = {"thick"};
+  constexpr std::string_view kThere[] = {"paraxial", "pinhole", "thick"};
   std::string name;
-  choose(o, g, name, "lens model", kThere, kComing);
-  if (!name.empty()) {
-    o.lens.model = name == "paraxial" ? camera::LensModel::kParaxial : camera::LensModel::kPinhole;
+  choose(g, name, "lens model", kThere);
+  for (const auto model :
+       {camera::LensModel::kParaxial, camera::LensModel::kPinhole, camera::LensModel::kThick}) {
+    if (name == camera::name_of(model)) o.lens.model = model;
   }
+}
+void set_rays(Options& o, const Given& g) {
+  o.lens.rays = static_cast<std::uint32_t>(whole_number(g, 1, camera::kMostLensRays));
 }
 
 void set_view_distance(Options& o, const Given& g) {
@@ -607,6 +605,7 @@ constexpr OptionRow kTable[] = {
     {"Sheet_Distance", "", set_sheet},
     {"Lens_Front", "", set_front},
     {"Lens_Model", "", set_model},
+    {"Lens_Rays", "", set_rays},
     {"View", "", set_view},
     {"Shadow_Log", "", set_bool<&Options::shadow_log>},
     {"Pixel_Order", "", set_order},

@@ -76,6 +76,17 @@ TEST(ImageIdentical, FractionalLensesIntegral) {
       {identical_scene_file("demo.pov"), "Lenticular=On", "Lens_Pixels=12.5", "+W120", "+H90"});
 }
 
+TEST(ImageIdentical, ThickLensesIntegral) {
+  expect_identical({scene_file("demo.pov"), "Lenticular=On", "Lens_Model=thick", "Lens_Rays=3",
+                    "Lens_Pixels=6", "+W60", "+H40"},
+                   Ways::kHalf);
+  // Some rays show nothing; antialiased.
+  expect_identical(
+      {scene_file("demo.pov"), "Lenticular=On", "Lens_Model=thick", "Lens_Rays=4", "Lens_Pitch=2.2",
+       "Lens_Pixels=6", "Antialias_Angle=2", "+A0.2", "+R2", "+W48", "+H24"},
+      Ways::kHalf);
+}
+
 TEST(ImageIdentical, DemoInItsOwnCamera) {
   expect_identical({identical_scene_file("demo.pov"), "+W120", "+H90"});
 }

@@ -250,7 +250,7 @@ class ErrorProgram : public ImageProgram {
 };
 
 TEST_F(ErrorProgram, OptionsThatAreNotThereYet) {
-  expect({"scene.pov", "Lens_Model=thick", "Lenticular=On"}, "not yet: lens model 'thick'");
+  expect({"scene.pov", "Real_Time_Raytracing=on"}, "not yet: real-time raytracing");
 }
 
 TEST_F(ErrorProgram, NoSceneAtAll) { expect({"+W10"}, "no scene was named"); }
@@ -263,6 +263,8 @@ TEST_F(ErrorProgram, CamerasWithoutASheet) {
 TEST_F(ErrorProgram, ContradictoryLens) {
   expect({"scene.pov", "Lenticular=On", "Lens_Pixels=15", "Print_DPI=100"}, "contradict");
   expect({"scene.pov", "View=3"}, "needs a lens sheet");
+  expect({"scene.pov", "Lenticular=On", "Lens_Model=thick", "Lens_Pitch=3"},
+         "there is no such lens: its surface would have a radius of 1.13625 mm");
 }
 
 }  // namespace

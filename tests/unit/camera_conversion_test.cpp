@@ -209,6 +209,53 @@ TEST(UnitCameraConversion, StatementDefaults) {
   EXPECT_TRUE(has_line(finite.report, "Rays miss the eyes"));
 }
 
+TEST(UnitCameraConversion, TheThickLensHasRays) {
+  Conversion conversion;
+  conversion.lens.model = LensModel::kThick;
+  const Sheet usual = sheet_of_camera("perspective", plain_camera(), conversion, 600, 30, {});
+  EXPECT_EQ(usual.camera->rays_a_place(), 16u);
+  EXPECT_TRUE(usual.camera->missing_rays_are_black());
+  EXPECT_TRUE(usual.warnings.empty());
+  EXPECT_TRUE(has_line(usual.report, "Each pixel is the mean of 16 rays"));
+  EXPECT_TRUE(has_line(usual.report, "Rays miss the eyes"));
+  LensRequest scene, options;
+  scene.rays = 5;
+  options.rays = 7;
+  options.model = LensModel::kThick;
+  scene.override_by({});
+  EXPECT_EQ(scene.rays, 5u);
+  scene.override_by(options);
+  const Sheet sheet = sheet_of_statement(plain_camera(), scene, 600, 30, {});
+  EXPECT_EQ(sheet.camera->rays_a_place(), 7u);
+}
+
+TEST(ErrorCameraConversion, RaysOfOtherModels) {
+  LensRequest request;
+  request.rays = 5;
+  const Sheet statement = sheet_of_statement(plain_camera(), request, 600, 30, {});
+  Conversion conversion;
+  conversion.lens = request;
+  const Sheet converted = sheet_of_camera("perspective", plain_camera(), conversion, 600, 30, {});
+  for (const Sheet* sheet : {&statement, &converted}) {
+    EXPECT_EQ(sheet->camera->rays_a_place(), 1u);
+    EXPECT_FALSE(sheet->camera->missing_rays_are_black());
+    ASSERT_EQ(sheet->warnings.size(), 1u);
+    EXPECT_EQ(sheet->warnings[0],
+              "the number of rays (lens_rays, Lens_Rays) has no effect: only the lens model thick "
+              "has several");
+  }
+}
+
+TEST(ErrorCameraConversion, ALensThatIsTooWide) {
+  LensRequest request;
+  request.model = LensModel::kThick;
+  request.pitch = 3.0;
+  EXPECT_NE(message([&] {
+              (void)sheet_of_statement(plain_camera(), request, 600, 30, {});
+            }).find("it can be 2.2725 mm wide at most, not 3 mm"),
+            std::string::npos);
+}
+
 TEST(ErrorCameraConversion, RefusalsAreByName) {
   for (const char* kind : {"fisheye", "ultra_wide_angle", "omnimax", "panoramic", "spherical",
                            "cylinder", "mesh_camera", "user_defined"}) {

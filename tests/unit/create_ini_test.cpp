@@ -48,6 +48,7 @@ TEST(UnitParserCreateIni, AsksForTheSameRunAgain) {
        "+GFfatal.txt"},
       {"a.pov", "+K0.1", "+MV3.5"},
       {"a.pov", "+KFI3", "+KFF12", "+KI0.5", "+KF2", "+SF0.5", "+EF11", "+STP2", "+KC"},
+      {"a.pov", "Lenticular=On", "Lens_Model=thick", "Lens_Rays=5"},
       {"a.pov",
        "Lenticular=On",
        "Lens_Pitch=0.7",

@@ -145,6 +145,13 @@ TEST(UnitParserCamera, Lenticular) {
   expect_near(c.right, {8, 0, 0});
 }
 
+TEST(UnitParserCamera, ThickLens) {
+  const CameraDesc c = camera_of("lenticular lens_model thick lens_rays 5");
+  EXPECT_EQ(c.lens.model, LensModel::kThick);
+  EXPECT_EQ(c.lens.rays, 5);
+  EXPECT_FALSE(camera_of("lenticular lens_model thick").lens.rays.has_value());
+}
+
 /// The words of the sheet stay free for identifiers, even where they are used as words.
 TEST(UnitParserCamera, LensWordsAreContextual) {
   const CameraDesc c = camera_of("lenticular lens_pitch lens_pitch * 2 lens_model paraxial",
@@ -178,6 +185,12 @@ TEST(ErrorParserCamera, CylinderType) {
 TEST(ErrorParserCamera, LensModel) {
   EXPECT_NE(failure("camera { lenticular lens_model banana }").find("paraxial, pinhole, thick"),
             std::string::npos);
+}
+TEST(ErrorParserCamera, LensRays) {
+  for (const char* value : {"0", "1.5", "1025", "-3"}) {
+    EXPECT_EQ(failure(std::string("camera { lenticular lens_rays ") + value + " }"),
+              "lens_rays must be a whole number from 1 to 1024.");
+  }
 }
 TEST(ErrorParserCamera, LensValueOutOfRange) {
   EXPECT_EQ(failure("camera { lenticular lens_pitch 0 }"), "lens_pitch must be greater than 0.");

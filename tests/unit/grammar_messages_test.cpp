@@ -97,12 +97,10 @@ const Program kPrograms[] = {
     {"camera { lenticular lens_pitch 0 }", "lens_pitch must be greater than 0"},
     {"camera { lenticular lens_pixels 0 }", "lens_pixels must be at least "},
     {"camera { lenticular lens_model round }", "a lens model: one of paraxial, pinhole, thick"},
-    {"camera { lenticular lens_pitch 1 lens_focal_length 2 lens_pixels 4 print_dpi 300 lens_model "
-     "thick } sphere { 0, 1 }",
-     "lens_model thick: not yet (there are paraxial and pinhole)"},
+    {"camera { lenticular lens_rays 0 }", "lens_rays must be a whole number from 1 to 1024."},
     {"camera { lenticular lens 2 }",
      ", lens_pitch, lens_lpi, lens_focal_length, lens_ior, lens_pixels, print_dpi, lens_front, "
-     "view_distance, lens_model or }"},
+     "view_distance, lens_model, lens_rays or }"},
     {"camera { locaton x }",
      "one of perspective, orthographic, fisheye, ultra_wide_angle, omnimax, panoramic, spherical, "
      "cylinder, mesh_camera, lenticular, location, direction, right, up, sky, look_at, angle, "

@@ -86,7 +86,7 @@ TEST_F(UnitParserOptions, LaterOptionsOverrideEarlierOnes) {
 }
 
 TEST_F(UnitParserOptions, TheFirstDefaultIniIsReadBeforeTheCommandLine) {
-  write("first.ini", "Width=11\nLens_Model=thick\n");
+  write("first.ini", "Width=11\nReal_Time_Raytracing=on\n");
   write("second.ini", "Width=22\nHeight=33\n");
   OptionSources sources;
   sources.default_ini_files = {"missing.ini", "first.ini", "second.ini"};
@@ -95,7 +95,7 @@ TEST_F(UnitParserOptions, TheFirstDefaultIniIsReadBeforeTheCommandLine) {
   EXPECT_EQ(o.height, 44);
   // What a system-wide file asks for and is not there yet must not stop a run.
   ASSERT_EQ(o.warnings.size(), 1u);
-  EXPECT_NE(o.warnings[0].find("first.ini:2: option Lens_Model=thick: not yet"), std::string::npos);
+  EXPECT_NE(o.warnings[0].find("first.ini:2: option Real_Time_Raytracing=on: not yet"), std::string::npos);
 }
 
 TEST_F(UnitParserOptions, IniSections) {
@@ -189,6 +189,10 @@ TEST_F(UnitParserOptions, LensOptions) {
   EXPECT_EQ(o.sheet_distance, 12.0);
   EXPECT_EQ(o.lens.front, 0.0);
   EXPECT_EQ(o.lens.model, camera::LensModel::kPinhole);
+  EXPECT_FALSE(o.lens.rays.has_value());
+  const RenderOptions thick = read({"Lens_Model=Thick", "Lens_Rays=1024"});
+  EXPECT_EQ(thick.lens.model, camera::LensModel::kThick);
+  EXPECT_EQ(thick.lens.rays, 1024u);
   EXPECT_EQ(o.view, 3u);
   EXPECT_EQ(o.pixel_order, "columns");
   EXPECT_EQ(read({"Pixel_Order=Strips(4,8)"}).pixel_order, "strips(4,8)");
@@ -325,7 +329,10 @@ TEST_F(ErrorParserOptions, BadValues) {
   expect_message({"Lens_Pitch=-1"}, "greater than 0");
   expect_message({"Lens_IOR=0.5"}, "at least 1");
   expect_message({"Lens_Pixels=0.5"}, "at least one pixel");
-  expect_message({"Lens_Model=fancy"}, "unknown lens model: there are paraxial, pinhole");
+  expect_message({"Lens_Model=fancy"}, "unknown lens model: there are paraxial, pinhole, thick");
+  expect_message({"Lens_Rays=0"}, "a whole number from 1 to 1024 is expected");
+  expect_message({"Lens_Rays=1025"}, "a whole number from 1 to 1024 is expected");
+  expect_message({"Lens_Rays=2.5"}, "a whole number is expected");
   expect_message({"Shadow_Cache=big"},
                  "unknown shadow cache: there are auto, off, last, depth, "
                  "tree, neighbourhood, grid, cascade");
@@ -388,7 +395,6 @@ TEST_F(ErrorParserOptions, NotYetByName) {
   expect_message({"+FTg"}, "unknown output type");
   expect_message({"+FE", "Grayscale_Output=on"}, "there is grey in PNG, PPM and TIFF files only");
   expect_message({"+THx"}, "unknown way of dithering");
-  expect_message({"Lens_Model=thick"}, "not yet: lens model 'thick' (there are paraxial, pinhole)");
   EXPECT_EQ(read({"Pixel_Order=Adaptive"}).pixel_order, "adaptive");
   EXPECT_EQ(read({"Accelerator=Grid"}).accelerator, "grid");
   expect_message({"Accelerator=octree"}, "unknown accelerator: there are bvh, grid, list");

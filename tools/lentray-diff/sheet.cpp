@@ -109,7 +109,12 @@ std::optional<Sheet> sheet_of(const json& statistics) {
   s.pixels = number(lens, "pixels");
   s.view_distance = distance(lens, "view_distance_mm");
   s.front = number(lens, lens.contains("front") ? "front" : "lens_front");
-  s.paraxial = member(lens, "model").get<std::string>() == "paraxial";
+  const auto model = member(lens, "model").get<std::string>();
+  if (model != "paraxial" && model != "pinhole") {
+    throw std::runtime_error("there is no reference for the lens model " + model +
+                             ": there are ones for paraxial and pinhole");
+  }
+  s.paraxial = model == "paraxial";
   if (const auto slope = lens.find("eye_slope"); slope != lens.end()) {
     s.eye_slope_x = slope->at(0).get<double>();
     s.eye_slope_y = slope->at(1).get<double>();

@@ -16,7 +16,7 @@ namespace {
 bool asks_for_lens(const parser::RenderOptions& o) {
   return o.lens.pitch || o.lens.lpi || o.lens.focal_length || o.lens.ior || o.lens.pixels ||
          o.lens.print_dpi || o.lens.front || o.lens.view_distance || o.lens.model ||
-         o.sheet_distance;
+         o.lens.rays || o.sheet_distance;
 }
 
 camera::Sheet make_sheet(const parser::CameraRequest& request, const parser::RenderOptions& options,

@@ -8,6 +8,24 @@
 #include "core/image/writer.h"
 
 namespace lentray::tool {
+namespace {
+
+void dump_ray(const camera::Camera& camera, std::uint32_t column, std::uint32_t row,
+              std::uint32_t index, std::FILE* out) {
+  core::Ray r;
+  const core::PixelPlace centre{.column = static_cast<std::int32_t>(column),
+                                .row = static_cast<std::int32_t>(row)};
+  const bool shows = camera.rays_a_place() > 1 ? camera.one_ray_at(centre, index, r)
+                                               : camera.ray(column + 0.5, row + 0.5, r);
+  if (!shows) {
+    std::fprintf(out, "%u %u dark\n", column, row);
+    return;
+  }
+  std::fprintf(out, "%u %u %.17g %.17g %.17g %.17g %.17g %.17g\n", column, row, r.origin.x,
+               r.origin.y, r.origin.z, r.direction.x, r.direction.y, r.direction.z);
+}
+
+}  // namespace
 
 void dump_rays(const camera::Camera& camera, const std::string& path) {
   std::optional<core::FileSwap> swap;
@@ -25,13 +43,9 @@ void dump_rays(const camera::Camera& camera, const std::string& path) {
                std::string(camera.name()).c_str(), camera.width(), camera.height());
   for (std::uint32_t row = 0; row < camera.height(); ++row) {
     for (std::uint32_t column = 0; column < camera.width(); ++column) {
-      core::Ray r;
-      if (!camera.ray(column + 0.5, row + 0.5, r)) {
-        std::fprintf(out, "%u %u dark\n", column, row);
-        continue;
+      for (std::uint32_t index = 0; index < camera.rays_a_place(); ++index) {
+        dump_ray(camera, column, row, index, out);
       }
-      std::fprintf(out, "%u %u %.17g %.17g %.17g %.17g %.17g %.17g\n", column, row, r.origin.x,
-                   r.origin.y, r.origin.z, r.direction.x, r.direction.y, r.direction.z);
     }
   }
   const bool failed = std::fflush(out) != 0 || std::ferror(out) != 0;

@@ -1,4 +1,4 @@
-// --dump-rays: every camera ray as text (docs/lens.md). Throws core::ImageError if the file
+// --dump-rays: every camera ray as text, several of a pixel one after the other (docs/lens.md). Throws core::ImageError if the file
 // cannot be written; what stood in its place is whole then.
 #pragma once
 

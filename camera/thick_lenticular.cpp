@@ -1,0 +1,158 @@
+#include "camera/thick_lenticular.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "camera/text.h"
+
+namespace lentray::camera {
+
+ThickLenticular::ThickLenticular(const LensParameters& lens, const SheetPlacement& placement,
+                                 std::uint32_t width, std::uint32_t height)
+    : Lenticular(lens, placement, width, height), m_lens(lens), m_shares(count_shares()),
+      m_dark_pixels(count_dark_pixels()) {}
+
+LensColumn ThickLenticular::column_at(const core::PixelPlace& place) const {
+  const bool is_inside =
+      place.column >= 0 && static_cast<std::uint32_t>(place.column) < sheet().width();
+  if (is_inside && place.across == 0.0 && place.turn == 0.0) {
+    return sheet().column(static_cast<std::uint32_t>(place.column));
+  }
+  return sheet().beside(place.column, place.across, place.turn);
+}
+
+void ThickLenticular::place_ray(const LensColumn& column, const SheetExit& exit, double row,
+                                core::Ray& out) const {
+  const SheetPlacement& p = placement();
+  const core::Vec3 v = p.right * exit.slope + p.normal + p.up * rise(row);
+  const core::Vec3 leaves = p.centre + p.right * ((column.axis + exit.across) * scale()) +
+                            p.normal * (exit.depth * scale()) + p.up * row_height(row);
+  out.origin = leaves - v * (p.front + exit.depth * scale());
+  out.direction = core::normalized(v);
+}
+
+bool ThickLenticular::through_vertex(const LensColumn& column, double row, core::Ray& out) const {
+  SheetExit exit;
+  const LensRayEnd end = m_lens.leave_vertex(column.lens_offset, rise(row), exit);
+  if (!shows(end)) return false;
+  place_ray(column, exit, row, out);
+  return true;
+}
+
+bool ThickLenticular::ray(double column, double row, core::Ray& ray) const {
+  const double last = static_cast<double>(sheet().width() - 1);
+  const double whole = std::clamp(std::floor(column), 0.0, last);
+  const auto k = static_cast<std::uint32_t>(whole);
+  if (column == whole + 0.5) return through_vertex(sheet().column(k), row, ray);
+  // Between centres a place stays under the lens its pixel belongs to.
+  return through_vertex(sheet().place(column, sheet().lens_of(k)), row, ray);
+}
+
+bool ThickLenticular::ray_at(const core::PixelPlace& place, core::Ray& out) const {
+  return through_vertex(column_at(place), place.row + 0.5 + place.down, out);
+}
+
+bool ThickLenticular::one_ray_at(const core::PixelPlace& place, std::uint32_t index,
+                                 core::Ray& out) const {
+  const LensColumn column = column_at(place);
+  const double row = place.row + 0.5 + place.down;
+  SheetExit exit;
+  const LensRayEnd end = m_lens.leave(column.lens_offset, index, rise(row), exit);
+  if (!shows(end)) return false;
+  place_ray(column, exit, row, out);
+  return true;
+}
+
+bool ThickLenticular::sight(const core::PixelPlace& place, core::Ray& out) const {
+  if (!ray_at(place, out)) return false;
+  const SheetPlacement& p = placement();
+  out.direction = out.direction / core::dot(out.direction, p.normal);
+  out.origin += out.direction * p.front;
+  return true;
+}
+
+RayShares ThickLenticular::count_shares() const {
+  constexpr std::uint64_t kMostRays = std::uint64_t{1} << 20;
+  const std::uint64_t rays = std::uint64_t{sheet().width()} * m_lens.rays();
+  const std::uint64_t step = rays / kMostRays + 1;  // of columns: whole sheets but for huge ones
+  const double rise_there = rise(0.5 * height());
+  std::uint64_t all = 0, spilled = 0, dark = 0;
+  for (std::uint64_t k = 0; k < sheet().width(); k += step) {
+    const double offset = sheet().column(static_cast<std::uint32_t>(k)).lens_offset;
+    for (std::uint32_t j = 0; j < m_lens.rays(); ++j) {
+      SheetExit exit;
+      const LensRayEnd end = m_lens.leave(offset, j, rise_there, exit);
+      ++all;
+      if (end == LensRayEnd::kSpills || end == LensRayEnd::kReturns) ++spilled;
+      if (!shows(end)) ++dark;
+    }
+  }
+  const auto count = static_cast<double>(all);
+  return {static_cast<double>(spilled) / count, static_cast<double>(dark) / count};
+}
+
+bool ThickLenticular::is_never_dark(const LensColumn& column) const {
+  // The more a ray rises, the more it bends. One that leaves straight from its lens with the least
+  // and with the most rise does so with all between.
+  const double first = rise(0.5), last = rise(height() - 0.5);
+  const double most = std::max(std::fabs(first), std::fabs(last));
+  const double least = first * last <= 0.0 ? 0.0 : std::min(std::fabs(first), std::fabs(last));
+  for (std::uint32_t j = 0; j < m_lens.rays(); ++j) {
+    SheetExit exit;
+    if (m_lens.leave(column.lens_offset, j, most, exit) == LensRayEnd::kLeaves &&
+        m_lens.leave(column.lens_offset, j, least, exit) == LensRayEnd::kLeaves) {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool ThickLenticular::is_dark(const LensColumn& column, double rise_there) const {
+  for (std::uint32_t j = 0; j < m_lens.rays(); ++j) {
+    SheetExit exit;
+    if (shows(m_lens.leave(column.lens_offset, j, rise_there, exit))) return false;
+  }
+  return true;
+}
+
+std::uint64_t ThickLenticular::count_dark_pixels() const {
+  std::uint64_t dark = 0;
+  for (std::uint32_t k = 0; k < sheet().width(); ++k) {
+    const LensColumn& column = sheet().column(k);
+    if (is_never_dark(column)) continue;
+    if (inverse_distance() == 0.0) {
+      if (is_dark(column, rise(0.5))) dark += height();
+      continue;
+    }
+    for (std::uint32_t row = 0; row < height(); ++row) {
+      if (is_dark(column, rise(row + 0.5))) ++dark;
+    }
+  }
+  return dark;
+}
+
+std::string ThickLenticular::dark_warning() const {
+  return std::to_string(m_dark_pixels) +
+         " pixels show nothing, for none of their rays leaves the sheet: they are totally "
+         "reflected "
+         "inside it, or come back to the print";
+}
+
+std::vector<std::string> ThickLenticular::model_report() const {
+  std::vector<std::string> out = Lenticular::model_report();
+  const auto percent = [](double share) { return format(100.0 * share) + " %"; };
+  out.push_back("Each pixel is the mean of " + std::to_string(m_lens.rays()) + " rays; of those, " +
+                percent(m_shares.spilled) + " spill into the next lens, and " +
+                percent(m_shares.dark) + " show nothing (middle row)");
+  return out;
+}
+
+Properties ThickLenticular::describe() const {
+  Properties out = Lenticular::describe();
+  out.emplace_back("lens.rays", static_cast<double>(m_lens.rays()));
+  out.emplace_back("lens.spilled_rays", m_shares.spilled);
+  out.emplace_back("lens.dark_rays", m_shares.dark);
+  return out;
+}
+
+}  // namespace lentray::camera
