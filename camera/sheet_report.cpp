@@ -62,18 +62,18 @@ std::string size_text(double width, double height) {
 
 /// By how much the sheet differs from what was asked for.
 std::string size_line(const Lenticular& sheet, const SheetSize& size) {
-  const auto differs = [](double is, double asked, const char* more, const char* less) {
-    const double by = is - asked;
-    return std::fabs(by) < 5e-4 ? "exactly as " + std::string(more).substr(0, 4)
-                                : brief(std::fabs(by)) + " mm " + (by > 0.0 ? more : less);
+  constexpr double kNothing = 5e-4;  // mm
+  const auto differs = [](double by, const char* as, const char* more, const char* less) {
+    return std::fabs(by) < kNothing ? std::string("as ") + as + " as asked for"
+                                    : brief(std::fabs(by)) + " mm " + (by > 0.0 ? more : less);
   };
   const double lenses = sheet.sheet().lenses();
   const bool whole = std::fabs(lenses - std::round(lenses)) < 0.5 / sheet.sheet().lens().pixels;
   return "Rounded to whole pixels, " + std::to_string(sheet.width()) + " x " +
          std::to_string(sheet.height()) + ", for a sheet of " + format(size.width) + " x " +
          format(size.height) +
-         " mm: " + differs(sheet.sheet().sheet_width(), size.width, "wider", "narrower") + ", " +
-         differs(sheet.sheet_height(), size.height, "higher", "lower") +
+         " mm: " + differs(sheet.sheet().sheet_width() - size.width, "wide", "wider", "narrower") +
+         ", " + differs(sheet.sheet_height() - size.height, "high", "higher", "lower") +
          (whole ? "" : "; the last lens is cut");
 }
 
@@ -104,12 +104,12 @@ std::vector<std::string> data_lines(const LensParameters& lens, const LensReques
 std::string model_line(const Lenticular& sheet, const LensRequest& asked) {
   const LensSheet& columns = sheet.sheet();
   const LensModel model = columns.lens().model;
-  const double tolerance = asked.tolerance.value_or(kModelTolerance);
   const std::string error = format(columns.paraxial_error()) + " pixels of the print";
   const std::string off = "off Snell's law by at most " + error;
   std::string out = std::string("Lens model ") + name_of(model);
   if (asked.automatic_model) {
-    return out + ", the cheapest within " + format(tolerance) + " pixels: paraxial rays are " + off;
+    return out + ", the cheapest within " + format(asked.tolerance.value_or(kModelTolerance)) +
+           " pixels: paraxial rays are " + off;
   }
   if (model == LensModel::kParaxial) {
     return out + ": " +
@@ -118,7 +118,7 @@ std::string model_line(const Lenticular& sheet, const LensRequest& asked) {
            "its rays are " + off;
   }
   return out + ": paraxial rays would be " + off +
-         (columns.paraxial_error() <= tolerance ? ", so that paraxial would do" : "");
+         (columns.paraxial_error() <= kModelTolerance ? ", so that paraxial would do" : "");
 }
 
 /// What a lens and its model are worth.

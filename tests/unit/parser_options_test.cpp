@@ -95,7 +95,8 @@ TEST_F(UnitParserOptions, TheFirstDefaultIniIsReadBeforeTheCommandLine) {
   EXPECT_EQ(o.height, 44);
   // What a system-wide file asks for and is not there yet must not stop a run.
   ASSERT_EQ(o.warnings.size(), 1u);
-  EXPECT_NE(o.warnings[0].find("first.ini:2: option Real_Time_Raytracing=on: not yet"), std::string::npos);
+  EXPECT_NE(o.warnings[0].find("first.ini:2: option Real_Time_Raytracing=on: not yet"),
+            std::string::npos);
 }
 
 TEST_F(UnitParserOptions, IniSections) {
@@ -329,7 +330,8 @@ TEST_F(ErrorParserOptions, BadValues) {
   expect_message({"Lens_Pitch=-1"}, "greater than 0");
   expect_message({"Lens_IOR=0.5"}, "at least 1");
   expect_message({"Lens_Pixels=0.5"}, "at least one pixel");
-  expect_message({"Lens_Model=fancy"}, "unknown lens model: there are paraxial, pinhole, thick");
+  expect_message({"Lens_Model=fancy"},
+                 "unknown lens model: there are paraxial, pinhole, thick, auto");
   expect_message({"Lens_Rays=0"}, "a whole number from 1 to 1024 is expected");
   expect_message({"Lens_Rays=1025"}, "a whole number from 1 to 1024 is expected");
   expect_message({"Lens_Rays=2.5"}, "a whole number is expected");
