@@ -151,7 +151,8 @@ constexpr OptionHelp kSheet[] = {
      ""},
     {"Lens_Front", "n", "How far before the sheet rays begin, in scene units.", ""},
     {"Lens_Model", "paraxial|pinhole|thick|auto",
-     "Directions linear in the offset, by Snell's law, or of rays through a round lens. auto is "
+     "Directions linear in the offset, by Snell's law, or of several rays through a round lens. "
+     "auto is "
      "paraxial where that is near enough to Snell's law, else pinhole.",
      ""},
     {"Lens_Tolerance", "n", "How near, in pixels of the print (0.25).", ""},

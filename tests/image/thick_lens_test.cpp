@@ -17,7 +17,7 @@
 
 #include "tests/support/render.h"
 
-namespace lentray::test {
+namespace lentray::test::thick_lens {
 namespace {
 
 /// A sheet across z, its middle at the origin. Scene units are mm.
@@ -296,4 +296,4 @@ TEST(ErrorThickLens, HasNoReferenceInLentrayDiff) {
 }
 
 }  // namespace
-}  // namespace lentray::test
+}  // namespace lentray::test::thick_lens

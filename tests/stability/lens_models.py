@@ -203,7 +203,8 @@ INDICES = [1.26 + 0.02 * i for i in range(0, 38)]
 DEPTHS = [10.0**(-1.0 + 0.1 * i) for i in range(0, 41)]
 SHOWN = [("the paper's lens", PAPER), ("60 lpi, 0.7 mm thick", Lens(25.4 / 60.0, 0.7, 1.57, 10)),
          ("a quarter of the widest", widest(0.25)), ("half the widest", widest(0.5)),
-         ("0.8 of the widest", widest(0.8)), ("0.95 of the widest", widest(0.95)), ("the widest, half circles", widest(1.0)),
+         ("0.8 of the widest", widest(0.8)), ("0.95 of the widest", widest(0.95)),
+         ("the widest, half circles", widest(1.0)),
          ("n = 1.9, 0.8 of the widest", widest(0.8, ior=1.9))]
 
 
@@ -259,8 +260,8 @@ def gnuplot(size, script, data, path):
     with tempfile.TemporaryDirectory() as folder:
         where = pathlib.Path(folder)
         (where / "data").write_text("\n\n\n".join(data) + "\n")
-        (where / "script").write_text(f"set terminal pngcairo noenhanced size {size} font 'sans,11'\nset output 'chart'\n"
-                                      f"set grid\n{script}\n")
+        (where / "script").write_text(f"set terminal pngcairo noenhanced size {size} font 'sans,11'\n"
+                                      f"set output 'chart'\nset grid\n{script}\n")
         subprocess.run(["gnuplot", "script"], cwd=where, check=True)
         path.write_bytes((where / "chart").read_bytes())
 
@@ -279,12 +280,13 @@ def draw(all_sweeps, path):
         scale = "set logscale xy" if is_depth or name == "focal length" else "unset logscale x\nset logscale y"
         low = 1e-4 if is_depth else 1e-3
         plots.append(f"{scale}\nset xlabel '{titles[name]}'\nset ylabel '{label}'\nplot [] [{low}:10] "
-                     + ", ".join(f"'data' index {len(data)} using 1:{column} with lines lw 2 lc {column - 1} title '{title}'"
-                                 for column, title in LINES))
-        data.append("\n".join(f"{abs(v):.6g} {max(e.paraxial, 1e-9):.6g} {max(e.pinhole, 1e-9):.6g} {max(e.blur, 1e-9):.6g}"
+                     + ", ".join(f"'data' index {len(data)} using 1:{column} with lines lw 2 lc {column - 1} "
+                                 f"title '{title}'" for column, title in LINES))
+        data.append("\n".join(f"{abs(v):.6g} " + " ".join(f"{max(error, 1e-9):.6g}" for error in e[:3])
                               for v, e in points))
     across = [at_infinity(lens, o) for lens in (PAPER, widest(0.8)) for o in offsets(lens._replace(pixels=60))]
-    plots.append("unset logscale\nset key bottom left\nset xlabel 'place behind the lens, pitches'\nset ylabel 'pixels of the print'\n"
+    plots.append("unset logscale\nset key bottom left\nset xlabel 'place behind the lens, pitches'\n"
+                 "set ylabel 'pixels of the print'\n"
                  f"plot [-0.5:0.5] [-2:2] 'data' index {len(data)} using 1:2 with lines lw 2 lc 1 title 'paraxial', "
                  f"'' index {len(data)} using 1:3 with lines lw 2 lc 2 title 'pinhole', "
                  f"'' index {len(data)} using 1:4 with lines lw 2 lc 3 title 'blur of thick', "
