@@ -67,7 +67,9 @@ class LensSolver {
     find_pitch();
     find_ior();
     find_thickness();
+    check_length(m_thickness, "lens thickness");
     if (!m_pitch) find_pitch_from_angle();
+    check_length(m_pitch, "lens pitch");
     m_out.pitch = *m_pitch;
     m_out.ior = *m_ior;
     m_out.thickness = *m_thickness;

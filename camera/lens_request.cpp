@@ -51,6 +51,16 @@ void LensRequest::override_by(const LensRequest& other) {
 
 namespace {
 
+void check_dpi(const std::optional<double>& dpi) {
+  constexpr double kMost = 1e9;
+  if (!dpi) return;
+  if (!(*dpi > 0.0))
+    throw CameraError("the print's resolution must be greater than 0 pixels an inch");
+  if (!(*dpi <= kMost)) {
+    throw CameraError("the print's resolution must be 1e9 pixels an inch at most");
+  }
+}
+
 /// All but N and a V that is the scene's.
 LensParameters begin(const LensRequest& request) {
   LensParameters lens;
@@ -66,9 +76,7 @@ LensParameters begin(const LensRequest& request) {
     if (*request.view_distance > 0.0) lens.view_distance = *request.view_distance;
   }
   lens.pixels = request.pixels.value_or(lens.pixels);
-  if (request.print_dpi && (!(*request.print_dpi > 0.0) || !std::isfinite(*request.print_dpi))) {
-    throw CameraError("the print's resolution must be greater than 0 pixels an inch");
-  }
+  check_dpi(request.print_dpi);
   return lens;
 }
 
@@ -102,6 +110,12 @@ LensParameters resolve(const LensRequest& request, std::uint32_t width, const Ey
 }
 
 ExactPixels exact_pixels(const LensRequest& request, const SheetSize& size) {
+  constexpr double kLeast = 1e-6, kMost = 1e6;
+  for (const double mm : {size.width, size.height}) {
+    if (mm >= kLeast && mm <= kMost) continue;
+    throw CameraError("the sheet must be 1e-6 to 1e6 mm wide and high");
+  }
+  check_dpi(size.dpi_down);
   LensParameters lens = begin(request);
   if (request.print_dpi) {
     const double pixels = pixels_for_dpi(lens, *request.print_dpi);

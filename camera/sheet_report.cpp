@@ -166,9 +166,6 @@ bool are_in_zone(const Viewing& viewing, double pixels) {
   return viewing.right >= 0.0 && viewing.left <= pixels;
 }
 
-/// Both eyes' pixels are one.
-bool are_together(const Viewing& viewing) { return viewing.left - viewing.right < 1.0; }
-
 std::vector<std::string> viewing_lines(const Lenticular& sheet) {
   const LensParameters& lens = sheet.sheet().lens();
   const Viewing viewing = viewing_of(sheet);
@@ -274,10 +271,11 @@ std::vector<std::string> viewing_warnings(const Lenticular& sheet, const LensReq
             " mm between two eyes: depth is reversed; " +
             brief(lens.view_distance * kEyesApart / viewing.zone) + " mm is the least distance"};
   }
-  if (are_together(viewing)) {
-    return {"at " + format(lens.view_distance) + " mm a view is " +
-            brief(viewing.zone / lens.pixels) + " mm wide, more than the " + brief(kEyesApart) +
-            " mm between two eyes: both see the same view, without depth"};
+  const double view = viewing.zone / lens.pixels;
+  if (std::isfinite(view) && view > kEyesApart) {
+    return {"at " + format(lens.view_distance) + " mm a view is " + brief(view) +
+            " mm wide, more than the " + brief(kEyesApart) +
+            " mm between two eyes: there is little depth or none"};
   }
   return {};
 }

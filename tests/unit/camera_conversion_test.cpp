@@ -305,7 +305,7 @@ TEST(UnitCameraConversion, ASheetHasTheSizeThatWasAskedFor) {
   EXPECT_NEAR(sheet.camera->print_dpi_y(), 254.0, 1e-9);
   EXPECT_TRUE(has_line(sheet.report,
                        "Rounded to whole pixels, 1003 x 702, for a sheet of 100 x 70 "
-                       "mm: 0.01246 mm narrower, 0.01873 mm lower; the last lens is "
+                       "mm: 0.01246 mm narrower, 0.01869 mm lower; the last lens is "
                        "cut"));
   // Other rows an inch, and rows that fill the sheet.
   conversion.lens.size->dpi_down = 127.0;

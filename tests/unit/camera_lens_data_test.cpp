@@ -92,8 +92,8 @@ TEST(UnitCameraLensData, AThicknessIsWherePixelsLie) {
 
 TEST(UnitCameraLensData, WikipediasExample) {
   // The article has 64.6 degrees; its formula gives 64.42, Snell's law at the vertex 65.11.
-  EXPECT_NEAR(viewing_angle(0.33665, 0.457, 1.557, 0.1905), 64.4170, 1e-4);
-  EXPECT_NEAR(viewing_angle(0.33665, 0.457, 1.557), 65.1143, 1e-4);
+  EXPECT_NEAR(viewing_angle(0.33665, 0.457, 1.557, 0.1905), 64.41662, 1e-5);
+  EXPECT_NEAR(viewing_angle(0.33665, 0.457, 1.557), 65.11436, 1e-5);
   const SolvedLens lens =
       solve({.pitch = 0.33665, .thickness = 0.457, .radius = 0.1905, .ior = 1.557, .angle = 64.6});
   EXPECT_TRUE(lens_data_notes(lens,

@@ -138,7 +138,7 @@ TEST(UnitCameraSheetReport, NearestAndFarthestVisiblePoints) {
   EXPECT_TRUE(camera_sheet_report_has_line(open.report, "Background, infinitely far: parallax "));
   // Small steps from view to view are not remarked upon, large ones are.
   EXPECT_FALSE(camera_sheet_report_has_line(sheet_of(plane_at({0, 0, 1}, 0.1)).report, "jumps"));
-  EXPECT_TRUE(camera_sheet_report_has_line(sheet_of(plane_at({0, 0, 1}, 50.0)).report,
+  EXPECT_TRUE(camera_sheet_report_has_line(sheet_of(plane_at({0, 0, 1}, 400.0)).report,
                                            "over all views; the eye sees jumps"));
   EXPECT_TRUE(
       camera_sheet_report_has_line(sheet_of(ball_at({1, 2, 2}, 1.0), from_infinity()).report,
@@ -263,7 +263,7 @@ TEST(UnitCameraSheetReport, WhatTheEyesSee) {
   LensRequest parallel = lens;
   parallel.view_distance = 0.0;
   const Sheet far = sheet_of_statement(plain_camera(), parallel, 2362, 30, {});
-  EXPECT_TRUE(camera_sheet_report_has_line(far.report, "Viewing angle 63.02 degrees"))
+  EXPECT_TRUE(camera_sheet_report_has_line(far.report, "Viewing angle 62.97 degrees"))
       << all(far.report);
   EXPECT_FALSE(camera_sheet_report_has_line(far.report, "left eye"));
 }
@@ -303,7 +303,7 @@ TEST(ErrorCameraSheetReport, EyesThatSeeNoDepth) {
       warnings(50.0), "less than the 65 mm between two eyes: depth is reversed; "))
       << all(warnings(50.0));
   EXPECT_TRUE(camera_sheet_report_has_line(
-      warnings(1000.0), "more than the 65 mm between two eyes: both see the same view"))
+      warnings(1000.0), "more than the 65 mm between two eyes: there is little depth or none"))
       << all(warnings(1000.0));
   EXPECT_TRUE(warnings(400.0).empty());
   EXPECT_TRUE(warnings(0.0).empty());
@@ -370,7 +370,7 @@ TEST(UnitCameraSheetReport, TheThickModelIsOutOfFocusToo) {
     EXPECT_TRUE(sheet.camera->one_ray_at(place, 1, b));
     return core::length(core::cross(a.direction, b.direction));
   };
-  EXPECT_LT(spread(0.5), 1e-3);  // n R/(n - 1) is the thickness
+  EXPECT_LT(spread(0.5), 3e-3);  // n R/(n - 1) is the thickness
   EXPECT_GT(spread(0.3), 2e-2);
   EXPECT_GT(spread(0.9), 2e-2);
 }

@@ -193,11 +193,14 @@ TEST_F(ErrorSheetOptions, SheetSizes) {
   expect_message(with({"Lens_Pixels=15", "+W2000"}), "at 15 pixels a lens (2362 pixels)");
   expect_message(with({"+W100"}), "a lens must be at least one pixel wide");
   expect_message(with({"Print_DPI=20"}), "a lens must be at least one pixel wide");
-  expect_message(with({"Print_DPI=1e300"}), "a lens must be a million pixels wide at most");
-  expect_message(with({"Print_DPI=1e10"}), "a lens must be a million pixels wide at most");
-  expect_message(with({"Lens_Pitch=0.635", "Sheet_Width=1e300"}), "2147483647 are the most");
-  expect_message(with({"Print_DPI=1e9"}), "columns: 2147483647 are the most");
-  expect_message(with({"Print_DPI=600x1e12"}), "rows: 2147483647 are the most");
+  expect_message(with({"Print_DPI=1e300"}), "resolution must be 1e9 pixels an inch at most");
+  expect_message(with({"Print_DPI=1e9"}), "a lens must be a million pixels wide at most");
+  expect_message(with({"Lens_Pitch=0.635", "Sheet_Width=1e300"}),
+                 "the sheet must be 1e-6 to 1e6 mm wide and high");
+  expect_message(with({"Print_DPI=3e7", "Sheet_Width=10m"}), "columns: 2147483647 are the most");
+  expect_message(with({"Print_DPI=600x1e9"}), "rows: 2147483647 are the most");
+  expect_message(with({"Print_DPI=600x1e300"}), "resolution must be 1e9 pixels an inch at most");
+  expect_message(with({"Sheet_Height=1e-300"}), "the sheet must be 1e-6 to 1e6 mm wide and high");
   expect_message(with({"Sheet_Width=1um"}), "less than one of its columns");
   expect_message(with({"Sheet_Height=1um"}), "less than one of its rows");
   expect_message(with({"Lens_Pitch=0.7"}), "contradict each other");
@@ -258,10 +261,10 @@ TEST_F(UnitSheetOptions, LensSheetsOfUsers) {
   const std::string list =
       lens_sheet_list(read({"+Lthere", "--lens-sheets"}), sources.lens_sheet_files);
   for (const char* part :
-       {"our 60             60.02       0.65       -   1.55     48  there/lens_sheets.ini",
-        "far one               50          -       -      -      -  there/sheets.ini",
-        "75lpi-0.457mm      75.45      0.457  0.1905  1.557   64.6  Wikipedia",
-        "200lpi               200       0.18       -   1.59      -  nominal"}) {
+       {"our 60             60.02      0.65       -   1.55     48  there/lens_sheets.ini",
+        "far one               50         -       -      -      -  there/sheets.ini",
+        "75lpi-0.457mm      75.45     0.457  0.1905  1.557   64.6  Wikipedia",
+        "200lpi               200      0.18       -   1.59      -  nominal"}) {
     EXPECT_NE(list.find(part), std::string::npos) << list;
   }
 }
