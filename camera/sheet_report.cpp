@@ -125,9 +125,10 @@ std::string model_line(const Lenticular& sheet, const LensRequest& asked) {
 std::vector<std::string> lens_lines(const Lenticular& sheet, const LensRequest& asked) {
   const LensParameters& lens = sheet.sheet().lens();
   std::vector<std::string> out;
-  out.push_back("Lens pitch " + format(lens.pitch) + " mm, focal length " +
-                format(lens.focal_length) + " mm, index " + format(lens.ior) + ", model " +
-                name_of(lens.model) + ", viewing distance " +
+  out.push_back("Lens pitch " + format(lens.pitch) + " mm, " +
+                (asked.thickness ? "thickness " : "focal length ") + format(lens.focal_length) +
+                " mm, index " + format(lens.ior) + ", model " + name_of(lens.model) +
+                ", viewing distance " +
                 (lens.is_finite() ? format(lens.view_distance) + " mm" : "infinite"));
   for (std::string& line : data_lines(lens, asked)) out.push_back(std::move(line));
   out.push_back(model_line(sheet, asked));

@@ -34,7 +34,8 @@ std::int64_t whole(double exact, const char* what) {
 /// A number of pixels that was given too.
 void expect(std::int64_t given, double exact, const char* name, double mm,
             const std::string& resolution) {
-  if (std::fabs(static_cast<double>(given) - exact) <= 1.0) return;
+  constexpr double kAPixel = 1.0 + 1e-6;
+  if (std::fabs(static_cast<double>(given) - exact) <= kAPixel) return;
   throw OptionError(std::string(name) + "=" + std::to_string(given) + " and Sheet_" + name + "=" +
                     format(mm) + "mm at " + resolution + " (" + format(std::round(exact)) +
                     " pixels) contradict each other: leave out one of them");
