@@ -93,8 +93,59 @@ double sheet_distance(const Projection& p, const Conversion& conversion, const V
   return distance;
 }
 
-Sheet finish(const LensParameters& lens, const SheetPlacement& place, std::uint32_t width,
-             std::uint32_t height, std::vector<std::string> report, const SceneProbe& probe) {
+/// The sheet's height in mm, where one was asked for: to a whole number of the print's rows.
+void set_height(const LensParameters& lens, const SheetSize& size, std::uint32_t rows,
+                SheetPlacement& place) {
+  const double larger = lens.print_pitch() / lens.pitch;
+  place.height_mm = size.rows_fill_it
+                        ? size.height
+                        : rows * 25.4 / size.dpi_down.value_or(lens.print_dpi()) / larger;
+}
+
+/// A sheet that is not as wide as asked for is of another lens than the picture's columns are.
+void check_width(const Lenticular& camera, const LensRequest& asked) {
+  const LensSheet& sheet = camera.sheet();
+  const bool has_scenes_eye = sheet.lens().is_finite() && !asked.view_distance;
+  const double pixel = sheet.lens().pitch / sheet.lens().pixels;
+  if (has_scenes_eye || std::fabs(sheet.sheet_width() - asked.size->width) <= 1.5 * pixel) return;
+  throw CameraError(
+      "the scene's own lens makes the sheet " + format(sheet.sheet_width()) + " mm wide, not " +
+      format(asked.size->width) +
+      " mm: give its lens data and view_distance as options, from which the picture's "
+      "columns follow");
+}
+
+/// The picture fills the sheet, so one of another shape is stretched.
+void warn_of_shape(const Projection& p, const SheetSize& size, std::uint32_t width,
+                   std::uint32_t height, std::vector<std::string>& warnings) {
+  constexpr double kNoticeable = 0.005;
+  const double of_picture = core::length(p.right) / core::length(p.up);
+  const double of_sheet = size.width / size.height;
+  const double stretch = of_sheet / of_picture - 1.0;
+  if (std::fabs(stretch) <= kNoticeable) return;
+  const bool square = std::fabs(width / (height * of_sheet) - 1.0) <= kNoticeable;
+  warnings.push_back("the camera's picture is " + brief(of_picture) +
+                     " times as wide as high, the sheet " + brief(of_sheet) +
+                     " times: things look " + brief(100.0 * std::fabs(stretch)) + " % too " +
+                     (stretch > 0.0 ? "wide" : "narrow") + " (" +
+                     (square ? std::string("right x*image_width/image_height")
+                             : "up y right " + brief(of_sheet) + "*x") +
+                     " in the camera would fit)");
+}
+
+/// What Lens_Model=auto stands for.
+void choose_model(const LensRequest& asked, const SheetPlacement& place, std::uint32_t width,
+                  LensParameters& lens) {
+  if (!asked.automatic_model) return;
+  lens.model = LensSheet(lens, width, place.eye_slope_x)
+                   .cheapest_model(asked.tolerance.value_or(kModelTolerance));
+}
+
+Sheet finish(LensParameters lens, SheetPlacement place, const LensRequest& asked,
+             std::uint32_t width, std::uint32_t height, std::vector<std::string> report,
+             const SceneProbe& probe) {
+  choose_model(asked, place, width, lens);
+  if (asked.size) set_height(lens, *asked.size, height, place);
   constexpr double kFarthest = 1e30;  // scene units; squares of such numbers are finite
   for (const double size : {place.width, place.height, 1.0 / place.width, 1.0 / place.height,
                             place.front, core::length(place.centre)}) {
@@ -108,9 +159,15 @@ Sheet finish(const LensParameters& lens, const SheetPlacement& place, std::uint3
   } else {
     sheet.camera = std::make_unique<Lenticular>(lens, place, width, height);
   }
+  if (asked.size) check_width(*sheet.camera, asked);
   sheet.report = std::move(report);
-  for (std::string& line : report_of(*sheet.camera, probe)) sheet.report.push_back(std::move(line));
+  for (std::string& line : report_of(*sheet.camera, asked, probe)) {
+    sheet.report.push_back(std::move(line));
+  }
   sheet.warnings = sheet.camera->warnings();
+  for (std::string& line : viewing_warnings(*sheet.camera, asked)) {
+    sheet.warnings.push_back(std::move(line));
+  }
   Collisions met = collisions_of(*sheet.camera, probe);
   for (std::string& line : met.notes) sheet.report.push_back(std::move(line));
   for (std::string& line : met.warnings) sheet.warnings.push_back(std::move(line));
@@ -118,7 +175,14 @@ Sheet finish(const LensParameters& lens, const SheetPlacement& place, std::uint3
 }
 
 /// What was asked for in vain.
-void add_warnings(const LensRequest& asked, Sheet& sheet) {
+void add_warnings(const LensRequest& asked, const Projection& projection, Sheet& sheet) {
+  if (asked.size) {
+    warn_of_shape(projection, *asked.size, sheet.camera->width(), sheet.camera->height(),
+                  sheet.warnings);
+  }
+  if (asked.tolerance && !asked.automatic_model) {
+    sheet.warnings.push_back("Lens_Tolerance has no effect: it is what Lens_Model=auto goes by");
+  }
   if (asked.rays && sheet.camera->sheet().lens().model != LensModel::kThick) {
     sheet.warnings.push_back(
         "the number of rays (lens_rays, Lens_Rays) has no effect: only the lens model thick has "
@@ -137,11 +201,11 @@ Sheet sheet_of_statement(const Projection& projection, const LensRequest& reques
   SheetPlacement place = placement_of(projection);
   LensRequest asked = request;
   if (!asked.view_distance) asked.view_distance = 0.0;
-  if (!asked.model) asked.model = LensModel::kPinhole;
+  if (!asked.model && !asked.automatic_model) asked.model = LensModel::kPinhole;
   const LensParameters lens = resolve(asked, width, nullptr);
   place.front = asked.front.value_or(std::min(place.width, eye_in_scene(lens, place, width)));
-  Sheet sheet = finish(lens, place, width, height, {}, probe);
-  add_warnings(asked, sheet);
+  Sheet sheet = finish(lens, place, request, width, height, {}, probe);
+  add_warnings(request, projection, sheet);
   return sheet;
 }
 
@@ -175,8 +239,8 @@ Sheet sheet_of_camera(std::string_view kind, const Projection& projection,
     lens = resolve(conversion.lens, width, &eye);
   }
   place.front = conversion.lens.front.value_or(std::min(depth, eye_in_scene(lens, place, width)));
-  Sheet sheet = finish(lens, place, width, height, std::move(report), probe);
-  add_warnings(conversion.lens, sheet);
+  Sheet sheet = finish(lens, place, conversion.lens, width, height, std::move(report), probe);
+  add_warnings(conversion.lens, projection, sheet);
   return sheet;
 }
 

@@ -10,19 +10,6 @@ namespace {
 /// Two ways to say one thing agree when they differ by no more than printed digits do.
 bool agree(double a, double b) { return std::fabs(a - b) <= 1e-4 * std::fabs(b); }
 
-double pitch_of(const LensRequest& request, double fallback) {
-  if (request.lpi && !(*request.lpi > 0.0)) {
-    throw CameraError("the number of lenses an inch must be greater than 0");
-  }
-  if (request.pitch && request.lpi && !agree(*request.pitch, 25.4 / *request.lpi)) {
-    throw CameraError("lens pitch " + format(*request.pitch) + " mm and " + format(*request.lpi) +
-                      " lenses an inch (" + format(25.4 / *request.lpi) +
-                      " mm) contradict each other: give one of them");
-  }
-  if (request.pitch) return *request.pitch;
-  return request.lpi ? 25.4 / *request.lpi : fallback;
-}
-
 /// N from the print's resolution. With the eye given in scene units V itself depends on N
 /// (the sheet is W/N lenses wide): N (1 - a w / (n v W)) = a P with a = DPI/25.4 and f in w.
 double pixels_of_dpi(const LensParameters& lens, double dpi, std::uint32_t width,
@@ -42,43 +29,68 @@ double pixels_of_dpi(const LensParameters& lens, double dpi, std::uint32_t width
 }  // namespace
 
 void LensRequest::override_by(const LensRequest& other) {
-  if (other.pitch || other.lpi) {
-    pitch = other.pitch;
-    lpi = other.lpi;
-  }
+  LensData::override_by(other);
   if (other.pixels || other.print_dpi) {
     pixels = other.pixels;
     print_dpi = other.print_dpi;
   }
-  if (other.focal_length) focal_length = other.focal_length;
-  if (other.ior) ior = other.ior;
   if (other.front) front = other.front;
   if (other.view_distance) view_distance = other.view_distance;
-  if (other.model) model = other.model;
+  if (other.model || other.automatic_model) {
+    model = other.model;
+    automatic_model = other.automatic_model;
+  }
+  if (other.tolerance) tolerance = other.tolerance;
   if (other.rays) rays = other.rays;
+  if (other.size) size = other.size;
+  if (!other.sheet_name.empty()) {
+    sheet_name = other.sheet_name;
+    sheet_is_nominal = other.sheet_is_nominal;
+  }
 }
 
-LensParameters resolve(const LensRequest& request, std::uint32_t width, const EyeInScene* eye) {
+namespace {
+
+void check_dpi(const std::optional<double>& dpi) {
+  constexpr double kMost = 1e9;
+  if (!dpi) return;
+  if (!(*dpi > 0.0))
+    throw CameraError("the print's resolution must be greater than 0 pixels an inch");
+  if (!(*dpi <= kMost)) {
+    throw CameraError("the print's resolution must be 1e9 pixels an inch at most");
+  }
+}
+
+/// All but N and a V that is the scene's.
+LensParameters begin(const LensRequest& request) {
   LensParameters lens;
-  lens.pitch = pitch_of(request, lens.pitch);
-  lens.focal_length = request.focal_length.value_or(lens.focal_length);
-  lens.ior = request.ior.value_or(lens.ior);
+  const SolvedLens solved = solve(request);
+  lens.pitch = solved.pitch;
+  lens.focal_length = solved.thickness;
+  lens.ior = solved.ior;
+  lens.surface_radius = solved.radius;
   if (request.view_distance) {
     if (*request.view_distance < 0.0 || std::isnan(*request.view_distance)) {
       throw CameraError("the viewing distance must not be negative");
     }
     if (*request.view_distance > 0.0) lens.view_distance = *request.view_distance;
-    eye = nullptr;
   }
   lens.pixels = request.pixels.value_or(lens.pixels);
+  check_dpi(request.print_dpi);
+  return lens;
+}
+
+}  // namespace
+
+LensParameters resolve(const LensRequest& request, std::uint32_t width, const EyeInScene* eye) {
+  LensParameters lens = begin(request);
+  if (request.view_distance) eye = nullptr;
   const bool finite = eye || lens.is_finite();
-  lens.model = request.model.value_or(finite ? LensModel::kParaxial : LensModel::kPinhole);
+  const bool paraxial = finite || request.automatic_model;
+  lens.model = request.model.value_or(paraxial ? LensModel::kParaxial : LensModel::kPinhole);
   lens.rays = request.rays.value_or(lens.rays);
   if (const std::string why = complaint(lens); !why.empty()) throw CameraError(why);
   if (request.print_dpi) {
-    if (!(*request.print_dpi > 0.0) || !std::isfinite(*request.print_dpi)) {
-      throw CameraError("the print's resolution must be greater than 0 pixels an inch");
-    }
     const double pixels = pixels_of_dpi(lens, *request.print_dpi, width, eye);
     if (request.pixels && !agree(*request.pixels, pixels)) {
       throw CameraError(format(*request.pixels) + " pixels a lens and " +
@@ -95,6 +107,24 @@ LensParameters resolve(const LensRequest& request, std::uint32_t width, const Ey
   if (const std::string why = complaint(lens); !why.empty())
     throw CameraError(why);  // of what was computed
   return lens;
+}
+
+ExactPixels exact_pixels(const LensRequest& request, const SheetSize& size) {
+  constexpr double kLeast = 1e-6, kMost = 1e6;
+  for (const double mm : {size.width, size.height}) {
+    if (mm >= kLeast && mm <= kMost) continue;
+    throw CameraError("the sheet must be 1e-6 to 1e6 mm wide and high");
+  }
+  check_dpi(size.dpi_down);
+  LensParameters lens = begin(request);
+  if (request.print_dpi) {
+    const double pixels = pixels_for_dpi(lens, *request.print_dpi);
+    if (!request.pixels) lens.pixels = pixels;
+  }
+  if (const std::string why = complaint(lens); !why.empty()) throw CameraError(why);
+  const double larger = lens.print_pitch() / lens.pitch;
+  const double dpi_down = size.dpi_down.value_or(lens.print_dpi());
+  return {size.width / lens.pitch * lens.pixels, size.height * larger * dpi_down / 25.4};
 }
 
 }  // namespace lentray::camera

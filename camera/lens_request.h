@@ -1,31 +1,44 @@
 // What a scene or a command line asked of a lens sheet, and how it becomes LensParameters.
 // Lengths in mm, front in scene units; what was not said stays empty.
-// Errors: CameraError, worded for the user.
+// Errors: CameraError, worded for the user. Pure; any number of threads.
 #pragma once
 
 #include <cstdint>
 #include <optional>
-#include <stdexcept>
+#include <string>
 
+#include "camera/lens_data.h"
 #include "camera/lens_sheet.h"
 
 namespace lentray::camera {
 
-/// A camera that cannot be had, and why.
-class CameraError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
+/// The part of a print pixel by which a lens model may differ from Snell's law and still be called
+/// good enough, unless another is asked for.
+inline constexpr double kModelTolerance = 0.25;
+
+/// The size of the lens sheet that the picture's pixels were chosen for, mm.
+struct SheetSize {
+  double width = 0.0, height = 0.0;
+  /// The print's rows an inch; empty: as many as there are columns an inch.
+  std::optional<double> dpi_down;
+  /// The number of rows was asked for besides: they are as high as the sheet makes them.
+  bool rows_fill_it = false;
 };
 
-struct LensRequest {
-  std::optional<double> pitch, lpi, focal_length, ior, pixels, print_dpi;
+struct LensRequest : LensData {
+  std::optional<double> pixels, print_dpi;
   std::optional<double> front;          ///< scene units before the sheet
   std::optional<double> view_distance;  ///< mm; 0 or infinite: the paper's camera
   std::optional<LensModel> model;
+  bool automatic_model = false;       ///< the cheapest one within the tolerance, instead of `model`
+  std::optional<double> tolerance;    ///< of it, pixels of the print
   std::optional<std::uint32_t> rays;  ///< K of the thick model
+  std::optional<SheetSize> size;
+  std::string sheet_name;         ///< of the lens profile that data are from; empty: none
+  bool sheet_is_nominal = false;  ///< that profile's data are computed, not measured
 
   /// What `other` says replaces what was said here; saying a pitch replaces a pitch given as lines
-  /// an inch too, and N replaces a print resolution.
+  /// an inch too, and N replaces a print resolution. Lens data: LensData::override_by().
   void override_by(const LensRequest& other);
 };
 
@@ -37,7 +50,15 @@ struct EyeInScene {
 
 /// Pitch against LPI and N against DPI may both be given only if they agree.
 /// `eye`: where V comes from when no view_distance was asked for (null: V is infinite then).
-/// The model defaults to paraxial for a converted camera with finite V, to pinhole otherwise.
+/// The model defaults to paraxial for a converted camera with finite V, to pinhole otherwise; an
+/// automatic one is paraxial here.
 LensParameters resolve(const LensRequest& request, std::uint32_t width, const EyeInScene* eye);
+
+/// Columns and rows of the print of a sheet, not rounded. Where no view_distance is asked for, the
+/// print is taken to be as large as the sheet.
+struct ExactPixels {
+  double columns = 0.0, rows = 0.0;
+};
+ExactPixels exact_pixels(const LensRequest& request, const SheetSize& size);
 
 }  // namespace lentray::camera

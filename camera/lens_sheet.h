@@ -24,13 +24,14 @@ const char* name_of(LensModel model);
 /// A sheet as its maker describes it.
 struct LensParameters {
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  double pitch = 1.124;              ///< P, mm
-  double focal_length = 3.03;        ///< f, mm, measured in the lens material
-  double ior = 1.6;                  ///< n; 1: no refraction
-  double pixels = 15.0;              ///< N, pixels a lens; may be fractional
+  double pitch = 1.124;        ///< P, mm
+  double focal_length = 3.03;  ///< f, mm, from the lens's vertex to the print, in the material
+  double ior = 1.6;            ///< n; 1: no refraction
+  double pixels = 15.0;        ///< N, pixels a lens; may be fractional
   double view_distance = kInfinity;  ///< V, mm
   LensModel model = LensModel::kPinhole;
-  std::uint32_t rays = 16;  ///< K, rays a pixel of the thick model
+  std::uint32_t rays = 16;      ///< K, rays a pixel of the thick model
+  double surface_radius = 0.0;  ///< of the thick model's surface, mm; 0: it focuses on the print
 
   bool is_finite() const { return view_distance < kInfinity; }
   /// P' = P (1 + f/(nV)): the pitch of the printed strips.
@@ -40,8 +41,10 @@ struct LensParameters {
   /// Pixels an inch of the print, along a row.
   double print_dpi() const { return 25.4 / pixel_size(); }
   double lenses_per_inch() const { return 25.4 / pitch; }
-  /// R = f (n - 1)/n: of the round surface that focuses on the print, mm.
-  double radius() const { return focal_length * (ior - 1.0) / ior; }
+  /// R of the round surface, mm; without one of its own f (n - 1)/n, which focuses on the print.
+  double radius() const {
+    return surface_radius > 0.0 ? surface_radius : focal_length * (ior - 1.0) / ior;
+  }
 };
 
 constexpr std::uint32_t kMostLensRays = 1024;

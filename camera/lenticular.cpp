@@ -90,9 +90,13 @@ core::PixelLattice Lenticular::lattice(std::uint32_t width) const {
   return out;
 }
 
+double Lenticular::sheet_height() const {
+  return m_place.height_mm > 0.0 ? m_place.height_mm : m_place.height / m_scale;
+}
+
 double Lenticular::print_height() const {
   const LensParameters& lens = m_sheet.lens();
-  return m_place.height / m_scale * (lens.print_pitch() / lens.pitch);
+  return sheet_height() * (lens.print_pitch() / lens.pitch);
 }
 
 std::vector<std::string> Lenticular::warnings() const {
@@ -137,7 +141,7 @@ Properties Lenticular::describe() const {
           {"lens.lenses", m_sheet.lenses()},
           {"lens.views", static_cast<double>(m_sheet.views())},
           {"lens.sheet_width_mm", m_sheet.sheet_width()},
-          {"lens.sheet_height_mm", m_place.height / m_scale},
+          {"lens.sheet_height_mm", sheet_height()},
           {"lens.print_width_mm", print_width()},
           {"lens.print_height_mm", print_height()},
           {"lens.print_dpi_x", print_dpi_x()},

@@ -26,7 +26,8 @@ struct SheetPlacement {
   double width = 1.0, height = 1.0;  ///< scene units
   /// Slopes of the line eye - sheet's middle: -e_x/V, -e_y/V for an eye whose foot is (e_x, e_y).
   double eye_slope_x = 0.0, eye_slope_y = 0.0;
-  double front = 0.0;  ///< lens_front, scene units
+  double front = 0.0;      ///< lens_front, scene units
+  double height_mm = 0.0;  ///< of the sheet; 0: as high to its width as in the scene
 };
 
 class Lenticular : public Camera {
@@ -63,6 +64,7 @@ class Lenticular : public Camera {
   virtual std::uint64_t dark_pixels() const {
     return std::uint64_t{m_sheet.dark_columns()} * m_height;
   }
+  double sheet_height() const;  ///< mm
   /// The print's size in mm, and its resolution in pixels an inch both ways.
   double print_width() const { return m_sheet.print_width(); }
   double print_height() const;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "camera/text.h"
 #include "core/base/bounds.h"
@@ -43,7 +44,8 @@ DepthRange visible_depths(const Lenticular& sheet, const SceneProbe& probe) {
 std::string parallax_text(const Lenticular& sheet, double step) {
   if (!std::isfinite(step)) return "at the eyes, which is no parallax";
   const double sweep = step * (sheet.sheet().lens().pixels - 1.0);
-  return "parallax " + format(step) + " pixels a view, " + format(sweep) + " over all views";
+  return "parallax " + format(step) + " pixels a view, " + format(sweep) + " over all views" +
+         (std::fabs(step) > kMostParallax ? "; the eye sees jumps" : "");
 }
 
 std::string parallax_line(const Lenticular& sheet, const char* which, double depth) {
@@ -58,20 +60,159 @@ std::string size_text(double width, double height) {
          format(height / 25.4) + " in)";
 }
 
-/// What a lens and its model are worth.
-std::vector<std::string> lens_lines(const Lenticular& sheet) {
-  const LensSheet& columns = sheet.sheet();
-  const LensParameters& lens = columns.lens();
+/// By how much the sheet differs from what was asked for.
+std::string size_line(const Lenticular& sheet, const SheetSize& size) {
+  constexpr double kNothing = 5e-4;  // mm
+  const auto differs = [](double by, const char* as, const char* more, const char* less) {
+    return std::fabs(by) < kNothing ? std::string("as ") + as + " as asked for"
+                                    : brief(std::fabs(by)) + " mm " + (by > 0.0 ? more : less);
+  };
+  const double lenses = sheet.sheet().lenses();
+  const bool whole = std::fabs(lenses - std::round(lenses)) < 0.5 / sheet.sheet().lens().pixels;
+  return "Rounded to whole pixels, " + std::to_string(sheet.width()) + " x " +
+         std::to_string(sheet.height()) + ", for a sheet of " + format(size.width) + " x " +
+         format(size.height) +
+         " mm: " + differs(sheet.sheet().sheet_width() - size.width, "wide", "wider", "narrower") +
+         ", " + differs(sheet.sheet_height() - size.height, "high", "higher", "lower") +
+         (whole ? "" : "; the last lens is cut");
+}
+
+/// Where the lens data are from.
+std::vector<std::string> data_lines(const LensParameters& lens, const LensRequest& asked) {
   std::vector<std::string> out;
-  out.push_back("Lens pitch " + format(lens.pitch) + " mm, focal length " +
-                format(lens.focal_length) + " mm, index " + format(lens.ior) + ", model " +
-                name_of(lens.model) + ", viewing distance " +
+  if (asked.sheet_is_nominal) {
+    out.push_back("Lens_Sheet=" + asked.sheet_name +
+                  " is nominal: its thickness is computed, so measure yours");
+  }
+  for (std::string& note : solve(asked).notes) out.push_back(std::move(note));
+  if (lens.surface_radius <= 0.0 || lens.ior <= 1.0) return out;
+  const double focus = lens.ior * lens.surface_radius / (lens.ior - 1.0);
+  const double off = focus - lens.focal_length;
+  // The cone of a far eye's light, as wide as the lens, is not yet or no longer a point.
+  const double blur = lens.pitch * std::fabs(off) / focus / lens.pixel_size();
+  if (std::fabs(off) <= kLensDataTolerance * lens.focal_length) {
+    out.push_back("The lenses focus on the sheet's back");
+  } else {
+    out.push_back("The lenses focus " + brief(std::fabs(off)) + " mm " +
+                  (off > 0.0 ? "behind" : "before") + " the sheet's back: an eye sees " +
+                  brief(blur) + " pixels of the print at once");
+  }
+  return out;
+}
+
+/// The model, why it is taken, and what another would do.
+std::string model_line(const Lenticular& sheet, const LensRequest& asked) {
+  const LensSheet& columns = sheet.sheet();
+  const LensModel model = columns.lens().model;
+  const std::string error = format(columns.paraxial_error()) + " pixels of the print";
+  const std::string off = "off Snell's law by at most " + error;
+  std::string out = std::string("Lens model ") + name_of(model);
+  if (asked.automatic_model) {
+    return out + ", the cheapest within " + format(asked.tolerance.value_or(kModelTolerance)) +
+           " pixels: paraxial rays are " + off;
+  }
+  if (model == LensModel::kParaxial) {
+    return out + ": " +
+           (columns.lens().is_finite() ? "each view is a picture that any renderer can make, "
+                                       : "") +
+           "its rays are " + off;
+  }
+  return out + ": paraxial rays would be " + off +
+         (columns.paraxial_error() <= kModelTolerance ? ", so that paraxial would do" : "");
+}
+
+/// What a lens and its model are worth.
+std::vector<std::string> lens_lines(const Lenticular& sheet, const LensRequest& asked) {
+  const LensParameters& lens = sheet.sheet().lens();
+  std::vector<std::string> out;
+  out.push_back("Lens pitch " + format(lens.pitch) + " mm, " +
+                (asked.thickness ? "thickness " : "focal length ") + format(lens.focal_length) +
+                " mm, index " + format(lens.ior) + ", model " + name_of(lens.model) +
+                ", viewing distance " +
                 (lens.is_finite() ? format(lens.view_distance) + " mm" : "infinite"));
-  out.push_back("Paraxial rays are off Snell's law by at most " + format(columns.paraxial_error()) +
-                " pixels of the print; the cheapest model within " + format(kModelTolerance) +
-                " pixels is " + name_of(columns.cheapest_model(kModelTolerance)));
+  for (std::string& line : data_lines(lens, asked)) out.push_back(std::move(line));
+  out.push_back(model_line(sheet, asked));
   for (std::string& line : sheet.model_report()) out.push_back(std::move(line));
   return out;
+}
+
+/// What eyes at a finite viewing distance see of the lens in the sheet's middle, by Snell's law.
+struct Viewing {
+  double angle = 0.0;              ///< degrees
+  double zone = 0.0;               ///< width at the eye, mm; infinite with an angle of 180
+  double left = 0.0, right = 0.0;  ///< the pixels that the eyes see, from 0 to N in the zone
+};
+
+Viewing viewing_of(const Lenticular& sheet) {
+  LensParameters lens = sheet.sheet().lens();
+  lens.model = LensModel::kPinhole;
+  Viewing out;
+  out.angle = viewing_angle(lens.print_pitch(), lens.focal_length, lens.ior);
+  if (!lens.is_finite()) return out;
+  double edge = 0.0;
+  out.zone = slope_of(lens, 0.5 * lens.print_pitch(), edge) ? 2.0 * lens.view_distance * edge
+                                                            : LensParameters::kInfinity;
+  const double oblique = sheet.placement().eye_slope_x;
+  const double shift = oblique * lens.focal_length / lens.ior;
+  const auto pixel_at = [&](double eye) {
+    const double offset = offset_of(lens, oblique - eye / lens.view_distance) - shift;
+    return (offset / lens.print_pitch() + 0.5) * lens.pixels;
+  };
+  out.left = pixel_at(-0.5 * kEyesApart);
+  out.right = pixel_at(0.5 * kEyesApart);
+  return out;
+}
+
+bool are_in_zone(const Viewing& viewing, double pixels) {
+  return viewing.right >= 0.0 && viewing.left <= pixels;
+}
+
+std::vector<std::string> viewing_lines(const Lenticular& sheet) {
+  const LensParameters& lens = sheet.sheet().lens();
+  const Viewing viewing = viewing_of(sheet);
+  std::vector<std::string> out;
+  out.push_back("Viewing angle " + brief(viewing.angle) + " degrees");
+  if (!lens.is_finite()) return out;
+  if (std::isfinite(viewing.zone)) {
+    out.back() += "; at " + brief(lens.view_distance) + " mm the zone to view it from is " +
+                  brief(viewing.zone) + " mm wide, and a view " +
+                  brief(viewing.zone / lens.pixels) + " mm";
+  }
+  if (!are_in_zone(viewing, lens.pixels)) return out;
+  if (sheet.sheet().views() > 0) {
+    const auto view = [&](double pixel) {
+      return std::to_string(
+          std::min<std::uint32_t>(static_cast<std::uint32_t>(pixel), sheet.sheet().views() - 1));
+    };
+    out.push_back("The left eye sees view " + view(viewing.left) + ", the right eye view " +
+                  view(viewing.right) + " of 0 to " + view(lens.pixels));
+  } else {
+    const auto place = [](double pixel) {
+      char text[32];
+      std::snprintf(text, sizeof text, "%.1f", pixel);
+      return std::string(text);
+    };
+    out.push_back("The left eye sees place " + place(viewing.left) + ", the right eye place " +
+                  place(viewing.right) + " of the " + brief(lens.pixels) +
+                  " pixels behind each lens");
+  }
+  return out;
+}
+
+/// What a print still needs to be told.
+std::vector<std::string> missing_lines(const Lenticular& sheet, const LensRequest& asked) {
+  std::string list;
+  const auto add = [&list](const char* text) {
+    list += (list.empty() ? "" : ", ") + std::string(text);
+  };
+  if (asked.is_empty()) add("Lens_Sheet or Lens_LPI (your sheet's)");
+  if (!asked.print_dpi) add("Print_DPI (your printer's)");
+  if (!asked.size) add("Sheet_Width and Sheet_Height");
+  if (!asked.view_distance && sheet.sheet().lens().is_finite()) {
+    add("View_Distance (yours; this is the scene's camera's)");
+  }
+  if (list.empty()) return {};
+  return {"For a print say also: " + list};
 }
 
 std::vector<std::string> depth_lines(const Lenticular& sheet, const SceneProbe& probe) {
@@ -100,20 +241,44 @@ double parallax(const Lenticular& sheet, double depth) {
   return step * behind / (1.0 + behind / lens.view_distance) / lens.pitch;
 }
 
-std::vector<std::string> report_of(const Lenticular& sheet, const SceneProbe& probe) {
+std::vector<std::string> report_of(const Lenticular& sheet, const LensRequest& asked,
+                                   const SceneProbe& probe) {
   const LensParameters& lens = sheet.sheet().lens();
   std::vector<std::string> out;
-  out.push_back("Lens sheet " +
-                size_text(sheet.sheet().sheet_width(), sheet.placement().height / sheet.scale()) +
+  const auto append = [&out](std::vector<std::string> lines) {
+    for (std::string& line : lines) out.push_back(std::move(line));
+  };
+  out.push_back("Lens sheet " + size_text(sheet.sheet().sheet_width(), sheet.sheet_height()) +
                 ", " + format(sheet.sheet().lenses()) + " lenses, " +
                 format(lens.lenses_per_inch()) + " lpi, " + format(lens.pixels) + " pixels a lens");
   out.push_back("Print " + size_text(sheet.print_width(), sheet.print_height()) + ", " +
                 format(sheet.print_dpi_x()) + " x " + format(sheet.print_dpi_y()) + " ppi, pitch " +
                 format(lens.print_pitch()) + " mm");
-  for (std::string& line : lens_lines(sheet)) out.push_back(std::move(line));
-  if (!probe) return out;
-  for (std::string& line : depth_lines(sheet, probe)) out.push_back(std::move(line));
+  if (asked.size) out.push_back(size_line(sheet, *asked.size));
+  append(lens_lines(sheet, asked));
+  append(viewing_lines(sheet));
+  if (probe) append(depth_lines(sheet, probe));
+  append(missing_lines(sheet, asked));
   return out;
+}
+
+std::vector<std::string> viewing_warnings(const Lenticular& sheet, const LensRequest& asked) {
+  const LensParameters& lens = sheet.sheet().lens();
+  if (!asked.view_distance || !lens.is_finite()) return {};
+  const Viewing viewing = viewing_of(sheet);
+  if (!are_in_zone(viewing, lens.pixels)) {
+    return {"at " + format(lens.view_distance) + " mm the zone to view the sheet from is " +
+            brief(viewing.zone) + " mm wide, less than the " + brief(kEyesApart) +
+            " mm between two eyes: depth is reversed; " +
+            brief(lens.view_distance * kEyesApart / viewing.zone) + " mm is the least distance"};
+  }
+  const double view = viewing.zone / lens.pixels;
+  if (std::isfinite(view) && view > kEyesApart) {
+    return {"at " + format(lens.view_distance) + " mm a view is " + brief(view) +
+            " mm wide, more than the " + brief(kEyesApart) +
+            " mm between two eyes: there is little depth or none"};
+  }
+  return {};
 }
 
 }  // namespace lentray::camera

@@ -15,6 +15,13 @@ inline std::string format(double value) {
   return buffer;
 }
 
+/// Up to four, for figures that nobody computes with.
+inline std::string brief(double value) {
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, "%.4g", value);
+  return buffer;
+}
+
 /// "x,y,z" with every digit, so that it reads back as the same vector.
 inline std::string text_of(const core::Vec3& v) {
   char buffer[96];

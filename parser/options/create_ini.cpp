@@ -42,17 +42,29 @@ class Lines {
   std::string m_text;
 };
 
+/// The data of a lens sheet that was named stand for its name.
 void add_lens(const RenderOptions& o, Lines& out) {
   out.add("Lenticular", o.lenticular);
   out.number("Lens_Pitch", o.lens.pitch);
   out.number("Lens_LPI", o.lens.lpi);
-  out.number("Lens_Focal_Length", o.lens.focal_length);
+  out.number("Lens_Thickness", o.lens.thickness);
+  out.number("Lens_Radius", o.lens.radius);
   out.number("Lens_IOR", o.lens.ior);
+  out.number("Lens_Angle", o.lens.angle);
+  out.number("Lens_Focal_Length", o.lens.focal_length);
   out.number("Lens_Pixels", o.lens.pixels);
-  out.number("Print_DPI", o.lens.print_dpi);
+  if (o.print_dpi_down) {
+    out.add("Print_DPI", text_of(*o.lens.print_dpi) + "x" + text_of(*o.print_dpi_down));
+  } else {
+    out.number("Print_DPI", o.lens.print_dpi);
+  }
+  out.number("Sheet_Width", o.sheet_width);
+  out.number("Sheet_Height", o.sheet_height);
   out.number("Lens_Front", o.lens.front);
   out.number("View_Distance", o.lens.view_distance);
   if (o.lens.model) out.add("Lens_Model", std::string_view(camera::name_of(*o.lens.model)));
+  if (o.lens.automatic_model) out.add("Lens_Model", std::string_view("auto"));
+  out.number("Lens_Tolerance", o.lens.tolerance);
   out.number("Lens_Rays", o.lens.rays);
   out.number("Sheet_Distance", o.sheet_distance);
   out.number("View", o.view);
@@ -64,8 +76,9 @@ void add_picture(const RenderOptions& o, Lines& out) {
   }
   out.name("Include_Header", o.include_header);
   if (o.language_version != 0) out.number("Version", o.language_version / 100.0);
-  out.number("Width", static_cast<double>(o.width));
-  out.number("Height", static_cast<double>(o.height));
+  // What follows from a lens sheet's size does so again.
+  if (!o.sheet_width || o.width_given) out.number("Width", static_cast<double>(o.width));
+  if (!o.sheet_height || o.height_given) out.number("Height", static_cast<double>(o.height));
   out.number("Start_Column", o.start_column);
   out.number("End_Column", o.end_column);
   out.number("Start_Row", o.start_row);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <string_view>
+#include <vector>
 
 namespace lentray::parser {
 
@@ -54,9 +55,6 @@ double number(const GivenOption& given) {
   return value;
 }
 
-namespace {
-
-/// The number a text begins with, and what is behind it.
 double leading_number(const GivenOption& given, std::string_view& rest) {
   std::string_view text = given.value;
   while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
@@ -67,6 +65,8 @@ double leading_number(const GivenOption& given, std::string_view& rest) {
   rest = text.substr(static_cast<std::size_t>(end - text.data()));
   return value;
 }
+
+namespace {
 
 double cut(RenderOptions& options, const GivenOption& given, double value, std::string_view rest,
            double least, double most) {
@@ -99,6 +99,55 @@ double positive(const GivenOption& given) {
   const double value = number(given);
   if (!(value > 0.0)) refuse(given, "a number greater than 0 is expected");
   return value;
+}
+
+std::string_view choice(const GivenOption& given, const char* what,
+                        std::span<const std::string_view> there) {
+  std::string known;
+  for (const std::string_view name : there) {
+    if (same_word(name, given.value)) return name;
+    known += (known.empty() ? "" : ", ") + std::string(name);
+  }
+  refuse(given, std::string("unknown ") + what + ": there are " + known);
+}
+
+namespace {
+
+/// Slips of the pen between two names, letter case ignored: letters missing, added, changed, or
+/// two neighbours exchanged.
+std::size_t slips(std::string_view a, std::string_view b) {
+  const auto same = [&](std::size_t i, std::size_t j) {
+    return same_word(a.substr(i, 1), b.substr(j, 1));
+  };
+  std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+  for (std::size_t i = 0; i <= a.size(); ++i) {
+    for (std::size_t j = 0; j <= b.size(); ++j) {
+      if (i == 0 || j == 0) {
+        d[i][j] = i + j;
+        continue;
+      }
+      d[i][j] = std::min(
+          {d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + (same(i - 1, j - 1) ? 0 : 1)});
+      if (i > 1 && j > 1 && same(i - 1, j - 2) && same(i - 2, j - 1)) {
+        d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
+      }
+    }
+  }
+  return d[a.size()][b.size()];
+}
+
+}  // namespace
+
+std::string_view near_name(std::string_view written, std::span<const std::string_view> names) {
+  std::string_view best;
+  std::size_t fewest = std::max<std::size_t>(1, written.size() / 4) + 1;
+  for (const std::string_view name : names) {
+    const std::size_t n = slips(written, name);
+    if (n >= fewest) continue;
+    fewest = n;
+    best = name;
+  }
+  return best;
 }
 
 void not_yet(RenderOptions& options, const GivenOption& given, const std::string& what) {

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
+#include <string_view>
 
 #include "parser/options/options.h"
 
@@ -29,6 +31,14 @@ std::int64_t cut_whole(RenderOptions& options, const GivenOption& given, std::in
                        std::int64_t most);
 double cut_number(RenderOptions& options, const GivenOption& given, double least, double most);
 double positive(const GivenOption& given);
+/// The number that a text begins with, and what is behind it.
+double leading_number(const GivenOption& given, std::string_view& rest);
+/// A name of a list, letter case ignored. `what` is for the message: "lens model".
+std::string_view choice(const GivenOption& given, const char* what,
+                        std::span<const std::string_view> there);
+/// The name that is nearest to what was written, if one is near at all; else empty. One or a few
+/// letters may be missing, added, changed or exchanged; letter case is ignored.
+std::string_view near_name(std::string_view written, std::span<const std::string_view> names);
 /// An error, or a warning when a default INI file asked for it.
 void not_yet(RenderOptions& options, const GivenOption& given, const std::string& what);
 

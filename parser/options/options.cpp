@@ -7,7 +7,9 @@
 #include <filesystem>
 
 #include "core/base/memory_limit.h"
+#include "parser/options/lens_sheets.h"
 #include "parser/options/options_table.h"
+#include "parser/options/sheet_size.h"
 
 namespace lentray::parser {
 namespace {
@@ -25,40 +27,11 @@ bool is_file(const fs::path& path) {
   return fs::is_regular_file(path, error);
 }
 
-/// Slips of the pen between two names, letter case ignored: letters missing, added, changed, or
-/// two neighbours exchanged.
-std::size_t slips(std::string_view a, std::string_view b) {
-  const auto same = [&](std::size_t i, std::size_t j) {
-    return same_word(a.substr(i, 1), b.substr(j, 1));
-  };
-  std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
-  for (std::size_t i = 0; i <= a.size(); ++i) {
-    for (std::size_t j = 0; j <= b.size(); ++j) {
-      if (i == 0 || j == 0) {
-        d[i][j] = i + j;
-        continue;
-      }
-      d[i][j] = std::min(
-          {d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + (same(i - 1, j - 1) ? 0 : 1)});
-      if (i > 1 && j > 1 && same(i - 1, j - 2) && same(i - 2, j - 1)) {
-        d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
-      }
-    }
-  }
-  return d[a.size()][b.size()];
-}
-
 /// The option's name that is nearest, if it is near at all.
-std::string_view near_name(std::string_view name) {
-  std::string_view best;
-  std::size_t fewest = std::max<std::size_t>(1, name.size() / 4) + 1;
-  for (const OptionRow& row : option_table()) {
-    const std::size_t n = slips(name, row.name);
-    if (n >= fewest) continue;
-    fewest = n;
-    best = row.name;
-  }
-  return best;
+std::string_view near_option(std::string_view name) {
+  std::vector<std::string_view> names;
+  for (const OptionRow& row : option_table()) names.push_back(row.name);
+  return near_name(name, names);
 }
 
 class OptionsReader {
@@ -80,7 +53,7 @@ void OptionsReader::named(const std::string& name, GivenOption given, int depth)
   for (const OptionRow& row : option_table()) {
     if (!row.name.empty() && same_word(row.name, name)) return row.apply(m_options, given);
   }
-  const std::string_view near = near_name(name);
+  const std::string_view near = near_option(name);
   const std::string message = given.where + "unknown option '" + name + "'" +
                               (near.empty() ? "" : "; did you mean " + std::string(near) + "?");
   if (!given.from_defaults) throw OptionError(message);
@@ -176,6 +149,7 @@ bool long_option(std::span<const std::string> arguments, std::size_t& at, Render
   const std::size_t equals = text.find('=');
   const std::string name = text.substr(0, equals);
   if (name == "--explain") return options.explain = true;
+  if (name == "--lens-sheets") return options.list_lens_sheets = true;
   if (name == "--parse-only") return options.parse_only = true;
   if (name == "--dump") return options.dump = true;
   if (name == "--dump-rays") {
@@ -188,8 +162,8 @@ bool long_option(std::span<const std::string> arguments, std::size_t& at, Render
     return true;
   }
   throw OptionError("unknown option '" + text +
-                    "'; there are --help, --help=all, --version, --parse-only, --dump, --explain "
-                    "and --dump-rays FILE");
+                    "'; there are --help, --help=all, --version, --parse-only, --dump, --explain, "
+                    "--dump-rays FILE and --lens-sheets");
 }
 
 bool looks_like_option(const std::string& text, std::size_t& equals) {
@@ -287,7 +261,9 @@ std::string first_ini(const std::vector<std::string>& names, std::size_t from) {
 
 }  // namespace
 
-RenderOptions read_options(std::span<const std::string> arguments, const OptionSources& sources) {
+namespace {
+
+RenderOptions read_all(std::span<const std::string> arguments, const OptionSources& sources) {
   const std::vector<std::string>& inis = sources.default_ini_files;
   const std::string ini = first_ini(inis, 0);
   RenderOptions options = read_with(ini, arguments, sources);
@@ -299,6 +275,16 @@ RenderOptions read_options(std::span<const std::string> arguments, const OptionS
   options.restrict_io = true;
   options.warnings.emplace_back(
       "Restrict_IO=On: the current folder's povray.ini is not read; name it to have it read");
+  return options;
+}
+
+}  // namespace
+
+RenderOptions read_options(std::span<const std::string> arguments, const OptionSources& sources) {
+  RenderOptions options = read_all(arguments, sources);
+  if (options.help || options.version || options.list_lens_sheets) return options;
+  apply_lens_sheet(options, sources.lens_sheet_files);
+  fit_picture_to_sheet(options);
   return options;
 }
 

@@ -47,6 +47,7 @@ struct RenderOptions {
 
   // Picture.
   std::int64_t width = 160, height = 120;
+  bool width_given = false, height_given = false;  ///< not only by a default INI file
   int quality = 9;
   SceneOverrides overrides;
   int threads = 0;     ///< 0: all of the machine
@@ -102,6 +103,9 @@ struct RenderOptions {
   bool lenticular = false;  ///< make a sheet of the scene's camera
   camera::LensRequest lens;
   std::optional<double> sheet_distance;  ///< scene units
+  std::string lens_sheet;                ///< the profile that lens data are from; empty: none
+  std::optional<double> sheet_width, sheet_height;  ///< mm, of the lens sheet
+  std::optional<double> print_dpi_down;  ///< rows an inch, where they are not as the columns
   std::optional<std::uint32_t> view;     ///< that view alone
 
   // Ours besides.
@@ -118,16 +122,22 @@ struct RenderOptions {
   bool writes_to_disk = true;  ///< what the scene writes; else it stays in memory
   bool shadow_log = false;     ///< runs, blockers and costs of shadow rays go into the statistics
   bool parse_only = false, dump = false, explain = false, help = false, help_all = false,
-       version = false;
+       version = false, list_lens_sheets = false;
 
   std::vector<std::string> warnings;  ///< about the options themselves
 };
+
+/// Where lens_sheets.ini is looked for besides the current folder and the library paths:
+/// ~/.config/lentray, and where POV-Ray's own INI files are.
+std::vector<std::string> installed_lens_sheet_files();
 
 struct OptionSources {
   /// INI files read before the command line (the first that exists); usually default_ini_files().
   std::vector<std::string> default_ini_files;
   /// Folders that end the list of library paths where they exist: POV-Ray's own include files.
   std::vector<std::string> standard_libraries;
+  /// Lens sheets of users (parser/options/lens_sheets.h).
+  std::vector<std::string> lens_sheet_files = installed_lens_sheet_files();
 };
 
 /// The default INI file that whoever sends a scene could send along.
@@ -137,7 +147,7 @@ inline constexpr const char* kFolderIni = "povray.ini";
 /// put POV-Ray's include files.
 OptionSources installed_sources();
 
-/// argv without the program's name.
+/// argv without the program's name. A lens sheet's size has become columns and rows.
 RenderOptions read_options(std::span<const std::string> arguments, const OptionSources& sources);
 
 /// "a.json" of frame 07 is "a07.json".

@@ -51,14 +51,15 @@ constexpr OptionHelp kPicture[] = {
     {"Quality", "n",
      "0 to 11 (9). Below 9 the picture gets simpler: without reflection, shadows, textures.", ""},
     {"Max_Trace_Level", "n",
-     "How deep reflected and transmitted rays are followed, 1 to 256, whatever the scene says.", ""},
+     "How deep reflected and transmitted rays are followed, 1 to 256, whatever the scene says.",
+     ""},
     {"Adc_Bailout", "n", "Share of a pixel below which they are not followed, likewise.", ""},
     {"Area_Light_Samples", "n",
      "Lights along each axis of an area light that has more than one, 2 to 1000, likewise.", ""},
     {"Area_Light_Adaptive", "n|off",
      "Halvings of area lights before samples are left out; off: none is left out. Likewise.", ""},
-    {"Blur_Samples", "n", "Rays of a sample of focal blur, 1 to 65536: the least and the most, likewise.",
-     ""},
+    {"Blur_Samples", "n",
+     "Rays of a sample of focal blur, 1 to 65536: the least and the most, likewise.", ""},
     {"Media_Method", "1|2|3", "How media are sampled, whatever the scene says.", ""},
     {"Media_Intervals", "n", "Pieces of a ray's way through media, likewise.", ""},
     {"Media_Samples", "n", "Samples in each piece, likewise: the least and the most.", ""},
@@ -117,12 +118,31 @@ constexpr OptionHelp kAntialiasing[] = {
 };
 constexpr OptionHelp kSheet[] = {
     {"Lenticular", kSwitch, "Make an integral image: a lens sheet of the scene's camera.", ""},
-    {"Lens_Pitch", "mm", "Width of a lens (1.124).", ""},
+    {"Lens_Sheet", "name|list",
+     "A lens sheet by its name, which stands for the lens data below; they override it. list shows "
+     "all there are.",
+     ""},
+    {"Lens_Pitch", "mm",
+     "Width of a lens (1.124). All lengths in mm may have a unit behind them: mm, cm, m, um, in or "
+     "inch.",
+     ""},
     {"Lens_LPI", "n", "The same as lenses an inch.", ""},
-    {"Lens_Focal_Length", "mm", "From the lens to the print, in the lens's material (3.03).", ""},
+    {"Lens_Thickness", "mm", "From the lenses to the print: the sheet's thickness.", ""},
+    {"Lens_Radius", "mm", "Of the round surface; tells where the lenses focus.", ""},
     {"Lens_IOR", "n", "Refractive index of the material (1.6).", ""},
+    {"Lens_Angle", "degrees", "The full viewing angle; without a thickness it tells that.", ""},
+    {"Lens_Focal_Length", "mm",
+     "From the lens to the print, in the lens's material; with a thickness, to where it focuses "
+     "(3.03; at another pitch, of the same shape).",
+     ""},
     {"Lens_Pixels", "n", "Pixels a lens (15).", ""},
-    {"Print_DPI", "n", "The same as the print's resolution.", ""},
+    {"Print_DPI", "n[xn]",
+     "The same as the print's resolution in pixels an inch; with x along rows and downwards.", ""},
+    {"Sheet_Width", "mm",
+     "Of the lens sheet. With the height and a resolution it gives the picture its columns and "
+     "rows.",
+     ""},
+    {"Sheet_Height", "mm", "Of the lens sheet.", ""},
     {"View_Distance", "mm|inf",
      "From the sheet to the eye; without it the distance of the camera's own eye.", ""},
     {"Sheet_Distance", "n",
@@ -130,9 +150,12 @@ constexpr OptionHelp kSheet[] = {
      "looks.",
      ""},
     {"Lens_Front", "n", "How far before the sheet rays begin, in scene units.", ""},
-    {"Lens_Model", "paraxial|pinhole|thick",
-     "Directions linear in the offset, by Snell's law, or of several rays through a round lens.",
+    {"Lens_Model", "paraxial|pinhole|thick|auto",
+     "Directions linear in the offset, by Snell's law, or of several rays through a round lens. "
+     "auto is "
+     "paraxial where that is near enough to Snell's law, else pinhole.",
      ""},
+    {"Lens_Tolerance", "n", "How near, in pixels of the print (0.25).", ""},
     {"Lens_Rays", "n", "Rays a pixel of the model thick (16).", ""},
     {"View", "j", "That view alone, counted from 0: a quick look.", ""},
 };
@@ -213,6 +236,7 @@ constexpr OptionHelp kSafety[] = {
     {"--dump", "", "Writes what the scene says as JSON; renders nothing.", ""},
     {"--explain", "", "Says what the scene needs of the renderer; renders nothing.", ""},
     {"--dump-rays", "file", "Writes every camera ray; renders nothing.", ""},
+    {"--lens-sheets", "", "Lists the lens sheets that there are, as Lens_Sheet=list does.", ""},
     {"--help", "", "The usual options. --help=all: this text.", ""},
     {"--version", "", "The program's version.", ""},
 };
@@ -316,11 +340,11 @@ are POV-Ray's, on the command line or in INI files (file.ini, file.ini[part]).
   --parse-only            reads the scene and reports; renders nothing
   --help=all --version    all options; the manual page has them too
 
-Lens sheet (lengths in mm):
+Lens sheet (lengths in mm, or with cm, in and others behind them):
   Lenticular=On           make a sheet of the scene's camera
-  Lens_Pitch= | Lens_LPI= | Lens_Pixels= | Print_DPI=
-  Lens_Focal_Length=  Lens_IOR=  Lens_Model=paraxial|pinhole|thick  Lens_Rays=n
-  View_Distance=n|inf  Sheet_Distance=n  View=j (that view alone)
+  Sheet_Width=  Sheet_Height=  Print_DPI= | Lens_Pixels=   instead of +W +H
+  Lens_Sheet=name|list    or Lens_Pitch= | Lens_LPI=  Lens_Thickness=  Lens_IOR=
+  View_Distance=n|inf  Lens_Model=auto  View=j (that view alone)
 )";
 }
 
@@ -348,6 +372,11 @@ Files:
       titles stand in brackets. The first is taken of $POVINI, ./povray.ini,
       ~/.povray/3.7/povray.ini, /usr/local/etc/povray/3.7/povray.ini and
       /etc/povray/3.7/povray.ini.
+  lens_sheets.ini
+      Lens sheets for Lens_Sheet=: a section [name] for each, with Lens_LPI,
+      Lens_Thickness and other lens data, one a line. It is looked for in the
+      current folder, in library paths, in ~/.config/lentray, and where
+      povray.ini is.
   povray.conf
       Whether INI files may run commands, and with Restrict_IO=On what scenes
       may read and write: /etc/povray/3.7/povray.conf,

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "parser/options/option_values.h"
+#include "parser/options/sheet_options.h"
 
 namespace lentray::parser {
 namespace {
@@ -271,20 +272,6 @@ void set_text(Options& o, const Given& g) {
   o.*member = g.value;
 }
 
-/// A name of a list.
-void choose(const Given& g, std::string& out, const char* what,
-            std::span<const std::string_view> there) {
-  std::string known;
-  for (const std::string_view name : there) {
-    if (same_word(name, g.value)) {
-      out = std::string(name);
-      return;
-    }
-    known += (known.empty() ? "" : ", ") + std::string(name);
-  }
-  refuse(g, std::string("unknown ") + what + ": there are " + known);
-}
-
 void set_order(Options& o, const Given& g) {
   constexpr std::string_view kThere[] = {"auto",   "rows",  "views",      "columns", "combined",
                                          "strips", "tiles", "serpentine", "hilbert", "adaptive"};
@@ -292,60 +279,17 @@ void set_order(Options& o, const Given& g) {
   const std::size_t bracket = std::min(g.value.find('('), g.value.size());
   Given name = g;
   name.value = g.value.substr(0, bracket);
-  choose(name, o.pixel_order, "pixel order", kThere);
+  o.pixel_order = choice(name, "pixel order", kThere);
   o.pixel_order += g.value.substr(bracket);
 }
 void set_cache(Options& o, const Given& g) {
   constexpr std::string_view kThere[] = {"auto", "off",           "last", "depth",
                                          "tree", "neighbourhood", "grid", "cascade"};
-  choose(g, o.shadow_cache, "shadow cache", kThere);
+  o.shadow_cache = choice(g, "shadow cache", kThere);
 }
 void set_accelerator(Options& o, const Given& g) {
   constexpr std::string_view kThere[] = {"bvh", "grid", "list"};
-  choose(g, o.accelerator, "accelerator", kThere);
-}
-void set_model(Options& o, const Given& g) {
-  constexpr std::string_view kThere[] = {"paraxial", "pinhole", "thick"};
-  std::string name;
-  choose(g, name, "lens model", kThere);
-  for (const auto model :
-       {camera::LensModel::kParaxial, camera::LensModel::kPinhole, camera::LensModel::kThick}) {
-    if (name == camera::name_of(model)) o.lens.model = model;
-  }
-}
-void set_rays(Options& o, const Given& g) {
-  o.lens.rays = static_cast<std::uint32_t>(whole_number(g, 1, camera::kMostLensRays));
-}
-
-void set_view_distance(Options& o, const Given& g) {
-  const bool infinite =
-      same_word(g.value, "inf") || same_word(g.value, "infinity") || same_word(g.value, "infinite");
-  const double v = infinite ? 0.0 : number(g);
-  if (v < 0.0) refuse(g, "a distance in mm, 0 or inf is expected");
-  o.lens.view_distance = v;
-}
-void set_pitch(Options& o, const Given& g) { o.lens.pitch = positive(g); }
-void set_lpi(Options& o, const Given& g) { o.lens.lpi = positive(g); }
-void set_focal(Options& o, const Given& g) { o.lens.focal_length = positive(g); }
-void set_ior(Options& o, const Given& g) {
-  o.lens.ior = number(g);
-  if (*o.lens.ior < 1.0) refuse(g, "a refractive index of at least 1 is expected");
-}
-void set_pixels(Options& o, const Given& g) {
-  o.lens.pixels = number(g);
-  if (*o.lens.pixels < 1.0) refuse(g, "at least one pixel a lens is expected");
-}
-void set_dpi(Options& o, const Given& g) { o.lens.print_dpi = positive(g); }
-void set_front(Options& o, const Given& g) {
-  o.lens.front = number(g);
-  if (*o.lens.front < 0.0) refuse(g, "a distance of 0 or more is expected");
-}
-void set_sheet(Options& o, const Given& g) {
-  o.sheet_distance = number(g);
-  if (*o.sheet_distance < 0.0) refuse(g, "a distance of 0 or more is expected");
-}
-void set_view(Options& o, const Given& g) {
-  o.view = static_cast<std::uint32_t>(whole_number(g, 0, 1'000'000));
+  o.accelerator = choice(g, "accelerator", kThere);
 }
 /// A number greater than 0 and the letters behind it, such as 1.5 GiB.
 struct Quantity {
@@ -414,8 +358,14 @@ std::int64_t size(Options& o, const Given& g) {
   }
   return value;
 }
-void set_width(Options& o, const Given& g) { o.width = size(o, g); }
-void set_height(Options& o, const Given& g) { o.height = size(o, g); }
+void set_width(Options& o, const Given& g) {
+  o.width = size(o, g);
+  o.width_given = o.width_given || !g.from_defaults;
+}
+void set_height(Options& o, const Given& g) {
+  o.height = size(o, g);
+  o.height_given = o.height_given || !g.from_defaults;
+}
 void set_quality(Options& o, const Given& g) {
   o.quality = static_cast<int>(cut_whole(o, g, 0, 11));
 }
@@ -595,18 +545,25 @@ constexpr OptionRow kTable[] = {
     {"Strict", "", set_bool<&Options::strict>},
     // Lentray's own.
     {"Lenticular", "", set_bool<&Options::lenticular>},
-    {"Lens_Pitch", "", set_pitch},
-    {"Lens_LPI", "", set_lpi},
-    {"Lens_Focal_Length", "", set_focal},
-    {"Lens_IOR", "", set_ior},
-    {"Lens_Pixels", "", set_pixels},
-    {"Print_DPI", "", set_dpi},
-    {"View_Distance", "", set_view_distance},
-    {"Sheet_Distance", "", set_sheet},
-    {"Lens_Front", "", set_front},
-    {"Lens_Model", "", set_model},
-    {"Lens_Rays", "", set_rays},
-    {"View", "", set_view},
+    {"Lens_Sheet", "", sheet_option::sheet},
+    {"Lens_Pitch", "", sheet_option::pitch},
+    {"Lens_LPI", "", sheet_option::lpi},
+    {"Lens_Thickness", "", sheet_option::thickness},
+    {"Lens_Radius", "", sheet_option::radius},
+    {"Lens_IOR", "", sheet_option::ior},
+    {"Lens_Angle", "", sheet_option::angle},
+    {"Lens_Focal_Length", "", sheet_option::focal_length},
+    {"Lens_Pixels", "", sheet_option::pixels},
+    {"Print_DPI", "", sheet_option::print_dpi},
+    {"Sheet_Width", "", sheet_option::width},
+    {"Sheet_Height", "", sheet_option::height},
+    {"View_Distance", "", sheet_option::view_distance},
+    {"Sheet_Distance", "", sheet_option::sheet_distance},
+    {"Lens_Front", "", sheet_option::front},
+    {"Lens_Model", "", sheet_option::model},
+    {"Lens_Tolerance", "", sheet_option::tolerance},
+    {"Lens_Rays", "", sheet_option::rays},
+    {"View", "", sheet_option::view},
     {"Shadow_Log", "", set_bool<&Options::shadow_log>},
     {"Pixel_Order", "", set_order},
     {"Shadow_Cache", "", set_cache},

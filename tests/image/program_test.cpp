@@ -263,8 +263,9 @@ TEST_F(ErrorProgram, CamerasWithoutASheet) {
 TEST_F(ErrorProgram, ContradictoryLens) {
   expect({"scene.pov", "Lenticular=On", "Lens_Pixels=15", "Print_DPI=100"}, "contradict");
   expect({"scene.pov", "View=3"}, "needs a lens sheet");
-  expect({"scene.pov", "Lenticular=On", "Lens_Model=thick", "Lens_Pitch=3"},
-         "there is no such lens: its surface would have a radius of 1.13625 mm");
+  expect(
+      {"scene.pov", "Lenticular=On", "Lens_Model=thick", "Lens_Pitch=3", "Lens_Focal_Length=3.03"},
+      "there is no such lens: its surface would have a radius of 1.13625 mm");
 }
 
 }  // namespace

@@ -250,10 +250,113 @@ TEST(ErrorCameraConversion, ALensThatIsTooWide) {
   LensRequest request;
   request.model = LensModel::kThick;
   request.pitch = 3.0;
+  request.focal_length = 3.03;
   EXPECT_NE(message([&] {
               (void)sheet_of_statement(plain_camera(), request, 600, 30, {});
             }).find("it can be 2.2725 mm wide at most, not 3 mm"),
             std::string::npos);
+}
+
+/// Lenses of five pixels of 0.1 mm, seen from infinitely far.
+LensRequest sized_request() {
+  LensRequest lens;
+  lens.pitch = 0.5;
+  lens.thickness = 1.5;
+  lens.print_dpi = 254.0;  // 0.1 mm
+  lens.view_distance = 0.0;
+  return lens;
+}
+
+TEST(UnitCameraConversion, PixelsOfASheetsSize) {
+  LensRequest lens = sized_request();
+  SheetSize size{100.0, 70.0, {}, false};
+  ExactPixels exact = exact_pixels(lens, size);
+  EXPECT_NEAR(exact.columns, 1000.0, 1e-9);
+  EXPECT_NEAR(exact.rows, 700.0, 1e-9);
+  // From an eye at V the print is 1 + f/(nV) times as large.
+  lens.view_distance = 300.0;
+  exact = exact_pixels(lens, size);
+  const double larger = 1.0 + 1.5 / (1.6 * 300.0);
+  EXPECT_NEAR(exact.columns, 1000.0 * larger, 1e-9);
+  EXPECT_NEAR(exact.rows, 700.0 * larger, 1e-9);
+  size.dpi_down = 127.0;
+  EXPECT_NEAR(exact_pixels(lens, size).rows, 350.0 * larger, 1e-9);
+  // Pixels a lens instead: the resolution follows.
+  lens.print_dpi.reset();
+  lens.pixels = 7.5;
+  size.dpi_down.reset();
+  exact = exact_pixels(lens, size);
+  EXPECT_NEAR(exact.columns, 1500.0, 1e-9);
+  EXPECT_NEAR(exact.rows, 1050.0, 1e-9);
+}
+
+TEST(UnitCameraConversion, ASheetHasTheSizeThatWasAskedFor) {
+  Conversion conversion;
+  conversion.lens = sized_request();
+  conversion.lens.view_distance = 300.0;
+  conversion.lens.size = SheetSize{100.0, 70.0, {}, false};
+  const double larger = 1.0 + 1.5 / (1.6 * 300.0);
+  const Sheet sheet = sheet_of_camera("perspective", plain_camera(), conversion, 1003, 702, {});
+  EXPECT_NEAR(sheet.camera->sheet().sheet_width(), 100.3 / larger, 1e-9);
+  EXPECT_NEAR(sheet.camera->sheet_height(), 70.2 / larger, 1e-9);
+  EXPECT_NEAR(sheet.camera->print_width(), 100.3, 1e-9);
+  EXPECT_NEAR(sheet.camera->print_height(), 70.2, 1e-9);
+  EXPECT_NEAR(sheet.camera->print_dpi_x(), 254.0, 1e-9);
+  EXPECT_NEAR(sheet.camera->print_dpi_y(), 254.0, 1e-9);
+  EXPECT_TRUE(has_line(sheet.report,
+                       "Rounded to whole pixels, 1003 x 702, for a sheet of 100 x 70 "
+                       "mm: 0.01246 mm narrower, 0.01869 mm lower; the last lens is "
+                       "cut"));
+  // Other rows an inch, and rows that fill the sheet.
+  conversion.lens.size->dpi_down = 127.0;
+  EXPECT_NEAR(sheet_of_camera("perspective", plain_camera(), conversion, 1003, 351, {})
+                  .camera->print_dpi_y(),
+              127.0, 1e-9);
+  conversion.lens.size->dpi_down.reset();
+  conversion.lens.size->rows_fill_it = true;
+  EXPECT_EQ(sheet_of_camera("perspective", plain_camera(), conversion, 1003, 55, {})
+                .camera->sheet_height(),
+            70.0);
+}
+
+TEST(ErrorCameraConversion, APictureOfAnotherShapeThanTheSheet) {
+  Conversion conversion;
+  conversion.lens = sized_request();
+  conversion.lens.size = SheetSize{100.0, 70.0, {}, false};
+  // plain_camera() is 4 : 3.
+  const Sheet wide = sheet_of_camera("perspective", plain_camera(), conversion, 1000, 700, {});
+  ASSERT_EQ(wide.warnings.size(), 1u);
+  EXPECT_EQ(
+      wide.warnings[0],
+      "the camera's picture is 1.333 times as wide as high, the sheet 1.429 times: things look "
+      "7.143 % too wide (right x*image_width/image_height in the camera would fit)");
+  conversion.lens.size = SheetSize{100.0, 100.0, 127.0, false};
+  const Sheet narrow = sheet_of_camera("perspective", plain_camera(), conversion, 1000, 500, {});
+  ASSERT_EQ(narrow.warnings.size(), 1u);
+  EXPECT_EQ(
+      narrow.warnings[0],
+      "the camera's picture is 1.333 times as wide as high, the sheet 1 times: things look 25 % "
+      "too narrow (up y right 1*x in the camera would fit)");
+  conversion.lens.size = SheetSize{100.0, 75.0, {}, false};
+  EXPECT_TRUE(
+      sheet_of_camera("perspective", plain_camera(), conversion, 1000, 750, {}).warnings.empty());
+}
+
+TEST(ErrorCameraConversion, AScenesOwnLensOfAnotherSize) {
+  LensRequest lens = sized_request();
+  lens.size = SheetSize{100.0, 75.0, {}, false};
+  EXPECT_EQ(message([&] { (void)sheet_of_statement(plain_camera(), lens, 1000, 750, {}); }), "");
+  EXPECT_EQ(message([&] { (void)sheet_of_statement(plain_camera(), lens, 900, 750, {}); }),
+            "the scene's own lens makes the sheet 90 mm wide, not 100 mm: give its lens data and "
+            "view_distance as options, from which the picture's columns follow");
+  // Of a converted camera whose own eye is the viewer's, the print has that size.
+  Conversion conversion;
+  conversion.lens = lens;
+  conversion.lens.view_distance.reset();
+  const Sheet eye = sheet_of_camera("perspective", plain_camera(), conversion, 1000, 750, {});
+  EXPECT_NEAR(eye.camera->print_width(), 100.0, 1e-9);
+  EXPECT_LT(eye.camera->sheet().sheet_width(), 99.9);
+  EXPECT_TRUE(has_line(eye.report, " mm narrower, "));
 }
 
 TEST(ErrorCameraConversion, RefusalsAreByName) {

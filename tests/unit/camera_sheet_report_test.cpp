@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
 
 #include "camera/conversion.h"
 #include "camera/sheet_collisions.h"
@@ -135,6 +136,10 @@ TEST(UnitCameraSheetReport, NearestAndFarthestVisiblePoints) {
   EXPECT_FALSE(camera_sheet_report_has_line(sheet.report, "Background"));
   const Sheet open = sheet_of(ball_at({1, 2, 2}, 1.0));
   EXPECT_TRUE(camera_sheet_report_has_line(open.report, "Background, infinitely far: parallax "));
+  // Small steps from view to view are not remarked upon, large ones are.
+  EXPECT_FALSE(camera_sheet_report_has_line(sheet_of(plane_at({0, 0, 1}, 0.1)).report, "jumps"));
+  EXPECT_TRUE(camera_sheet_report_has_line(sheet_of(plane_at({0, 0, 1}, 400.0)).report,
+                                           "over all views; the eye sees jumps"));
   EXPECT_TRUE(
       camera_sheet_report_has_line(sheet_of(ball_at({1, 2, 2}, 1.0), from_infinity()).report,
                                    "Background, infinitely far: it moves along with the eye"));
@@ -163,14 +168,211 @@ TEST(UnitCameraSheetReport, ErrorOfTheParaxialModel) {
   EXPECT_GT(LensSheet(lens, 600).paraxial_error(), LensSheet(lens, 45).paraxial_error());
 }
 
-TEST(UnitCameraSheetReport, NamesTheCheapestModel) {
-  EXPECT_TRUE(camera_sheet_report_has_line(
-      sheet_of({}, from_infinity()).report,
-      "at most 0.158104 pixels of the print; the cheapest model within 0.25 "
-      "pixels is paraxial"));
+/// One line tells the model and never advises against itself.
+TEST(UnitCameraSheetReport, TellsTheModelAndWhatAnotherWouldDo) {
+  EXPECT_TRUE(camera_sheet_report_has_line(sheet_of({}, from_infinity()).report,
+                                           "Lens model pinhole: paraxial rays would be off Snell's "
+                                           "law by at most 0.158104 pixels of the "
+                                           "print, so that paraxial would do"));
   Conversion fine = from_infinity();
   fine.lens.pixels = 30.0;
-  EXPECT_TRUE(camera_sheet_report_has_line(sheet_of({}, fine).report, "pixels is pinhole"));
+  const auto report = sheet_of({}, fine).report;
+  EXPECT_TRUE(
+      camera_sheet_report_has_line(report, "Lens model pinhole: paraxial rays would be off"));
+  EXPECT_FALSE(camera_sheet_report_has_line(report, "paraxial would do"));
+  EXPECT_TRUE(camera_sheet_report_has_line(
+      sheet_of({}).report,
+      "Lens model paraxial: each view is a picture that any renderer can make, its rays are off "
+      "Snell's law by at most "));
+  fine.lens.model = LensModel::kParaxial;
+  EXPECT_TRUE(camera_sheet_report_has_line(sheet_of({}, fine).report,
+                                           "Lens model paraxial: its rays are off Snell's law"));
+}
+
+TEST(UnitCameraSheetReport, AnAutomaticModelKeepsTheTolerance) {
+  Conversion conversion = from_infinity();
+  conversion.lens.automatic_model = true;
+  const Sheet paraxial = sheet_of({}, conversion);
+  EXPECT_EQ(paraxial.camera->sheet().lens().model, LensModel::kParaxial);
+  EXPECT_TRUE(camera_sheet_report_has_line(paraxial.report,
+                                           "Lens model paraxial, the cheapest within 0.25 pixels: "
+                                           "paraxial rays are off Snell's law by at "
+                                           "most 0.158104 pixels of the print"))
+      << all(paraxial.report);
+  conversion.lens.tolerance = 0.1;
+  const Sheet pinhole = sheet_of({}, conversion);
+  EXPECT_EQ(pinhole.camera->sheet().lens().model, LensModel::kPinhole);
+  EXPECT_TRUE(camera_sheet_report_has_line(pinhole.report,
+                                           "Lens model pinhole, the cheapest within 0.1 pixels"));
+  EXPECT_TRUE(pinhole.warnings.empty());
+  // Of a near eye paraxial rays are further off: with V finite it chooses too, and of a statement.
+  Conversion near;
+  near.lens.automatic_model = true;
+  EXPECT_EQ(sheet_of({}, near).camera->sheet().lens().model, LensModel::kPinhole);
+  near.lens.tolerance = 1000.0;
+  EXPECT_EQ(sheet_of({}, near).camera->sheet().lens().model, LensModel::kParaxial);
+  LensRequest statement;
+  statement.automatic_model = true;
+  EXPECT_EQ(sheet_of_statement(plain_camera(), statement, 600, 30, {}).camera->sheet().lens().model,
+            LensModel::kParaxial);
+  statement.automatic_model = false;
+  statement.tolerance = 1.0;
+  EXPECT_TRUE(camera_sheet_report_has_line(
+      sheet_of_statement(plain_camera(), statement, 600, 30, {}).warnings,
+      "Lens_Tolerance has no effect"));
+}
+
+/// A sheet of 40 lenses an inch, 100 x 75 mm, of 15 pixels a lens.
+LensRequest camera_sheet_report_print(double distance) {
+  LensRequest lens;
+  lens.lpi = 40.0;
+  lens.thickness = 0.9;
+  lens.ior = 1.57;
+  lens.pixels = 15.0;
+  lens.view_distance = distance;
+  return lens;
+}
+
+TEST(UnitCameraSheetReport, WhatTheEyesSee) {
+  const LensRequest lens = camera_sheet_report_print(400.0);
+  const Sheet sheet = sheet_of_statement(plain_camera(), lens, 2362, 30, {});
+  // tan t of the edge of a strip P' wide, by Snell's law.
+  const double strip = 0.635 * (1.0 + 0.9 / (1.57 * 400.0));
+  const double out = std::asin(1.57 * std::sin(std::atan(0.5 * strip / 0.9)));
+  char text[160];
+  std::snprintf(
+      text, sizeof text,
+      "Viewing angle %.4g degrees; at 400 mm the zone to view it from is %.4g mm wide, and "
+      "a view %.4g mm",
+      out * 360.0 / M_PI, 800.0 * std::tan(out), 800.0 * std::tan(out) / 15.0);
+  EXPECT_TRUE(camera_sheet_report_has_line(sheet.report, text)) << text << all(sheet.report);
+  // The strip's place that the left eye sees, 32.5 mm beside the middle: right of the lens's axis.
+  const double inside = std::asin(std::sin(std::atan(32.5 / 400.0)) / 1.57);
+  const double place = 0.9 * std::tan(inside) / (strip / 15.0);  // pixels from the strip's middle
+  const int left = static_cast<int>(7.5 + place), right = static_cast<int>(7.5 - place);
+  std::snprintf(text, sizeof text, "The left eye sees view %d, the right eye view %d of 0 to 14",
+                left, right);
+  EXPECT_TRUE(camera_sheet_report_has_line(sheet.report, text)) << text << all(sheet.report);
+  EXPECT_GT(left, right);
+  EXPECT_TRUE(sheet.warnings.empty()) << all(sheet.warnings);
+  LensRequest fractional = lens;
+  fractional.pixels = 15.5;
+  EXPECT_TRUE(camera_sheet_report_has_line(
+      sheet_of_statement(plain_camera(), fractional, 2362, 30, {}).report,
+      "of the 15.5 pixels behind each lens"));
+  LensRequest parallel = lens;
+  parallel.view_distance = 0.0;
+  const Sheet far = sheet_of_statement(plain_camera(), parallel, 2362, 30, {});
+  EXPECT_TRUE(camera_sheet_report_has_line(far.report, "Viewing angle 62.97 degrees"))
+      << all(far.report);
+  EXPECT_FALSE(camera_sheet_report_has_line(far.report, "left eye"));
+}
+
+/// The views that the report names for the eyes are those whose own eyes are nearest to them.
+TEST(UnitCameraSheetReport, TheEyesViewsAreThoseWhoseRaysMeetThere) {
+  LensRequest lens = camera_sheet_report_print(400.0);
+  lens.model = LensModel::kPinhole;
+  const Sheet sheet = sheet_of_statement(plain_camera(), lens, 2362 / 15 * 15, 30, {});
+  const LensSheet& columns = sheet.camera->sheet();
+  const std::uint32_t middle = columns.lens_count() / 2;
+  int left = 0, right = 0;
+  double left_miss = 1e9, right_miss = 1e9;
+  for (std::uint32_t view = 0; view < 15; ++view) {
+    std::uint32_t column = 0;
+    ASSERT_TRUE(columns.view_column(view, middle, column));
+    // Where the pixel's ray comes from, at the eyes' distance.
+    const double x = columns.column(column).axis - 400.0 * columns.column(column).slope;
+    if (std::fabs(x + 32.5) < left_miss) left = static_cast<int>(view);
+    if (std::fabs(x - 32.5) < right_miss) right = static_cast<int>(view);
+    left_miss = std::min(left_miss, std::fabs(x + 32.5));
+    right_miss = std::min(right_miss, std::fabs(x - 32.5));
+  }
+  EXPECT_TRUE(camera_sheet_report_has_line(
+      sheet.report, "left eye sees view " + std::to_string(left) + ", the right eye view " +
+                        std::to_string(right)))
+      << left << " " << right << "\n"
+      << all(sheet.report);
+}
+
+TEST(ErrorCameraSheetReport, EyesThatSeeNoDepth) {
+  const auto warnings = [](double distance) {
+    return sheet_of_statement(plain_camera(), camera_sheet_report_print(distance), 2362, 30, {})
+        .warnings;
+  };
+  EXPECT_TRUE(camera_sheet_report_has_line(
+      warnings(50.0), "less than the 65 mm between two eyes: depth is reversed; "))
+      << all(warnings(50.0));
+  EXPECT_TRUE(camera_sheet_report_has_line(
+      warnings(1000.0), "more than the 65 mm between two eyes: there is little depth or none"))
+      << all(warnings(1000.0));
+  EXPECT_TRUE(warnings(400.0).empty());
+  EXPECT_TRUE(warnings(0.0).empty());
+}
+
+TEST(UnitCameraSheetReport, WhatAPrintStillNeeds) {
+  EXPECT_TRUE(camera_sheet_report_has_line(
+      sheet_of({}).report,
+      "For a print say also: Lens_Sheet or Lens_LPI (your sheet's), Print_DPI (your printer's), "
+      "Sheet_Width and Sheet_Height, View_Distance (yours; this is the scene's camera's)"));
+  LensRequest all_said = camera_sheet_report_print(400.0);
+  all_said.pixels.reset();
+  all_said.print_dpi = 600.0;
+  all_said.size = SheetSize{100.0, 75.0, {}, false};
+  const ExactPixels exact = exact_pixels(all_said, *all_said.size);
+  const Sheet sheet = sheet_of_statement(plain_camera(), all_said,
+                                         static_cast<std::uint32_t>(std::lround(exact.columns)),
+                                         static_cast<std::uint32_t>(std::lround(exact.rows)), {});
+  EXPECT_FALSE(camera_sheet_report_has_line(sheet.report, "For a print")) << all(sheet.report);
+}
+
+TEST(UnitCameraSheetReport, WhereTheLensesFocus) {
+  LensRequest lens;
+  lens.pitch = 0.33665;
+  lens.thickness = 0.457;
+  lens.radius = 0.1905;
+  lens.ior = 1.557;
+  // 1.557 x 0.1905/0.557 = 0.53250: the light of a far eye, P wide at the lens, is still
+  // P (0.53250 - 0.457)/0.53250 wide on the back: 14.18 % of the 15 pixels.
+  const Sheet behind = sheet_of_statement(plain_camera(), lens, 600, 30, {});
+  EXPECT_TRUE(camera_sheet_report_has_line(
+      behind.report,
+      "The lenses focus 0.0755 mm behind the sheet's back: an eye sees 2.127 pixels of the print"))
+      << all(behind.report);
+  lens.thickness = 0.6;
+  EXPECT_TRUE(
+      camera_sheet_report_has_line(sheet_of_statement(plain_camera(), lens, 600, 30, {}).report,
+                                   "The lenses focus 0.0675 mm before"));
+  lens.thickness = 0.53;
+  EXPECT_TRUE(
+      camera_sheet_report_has_line(sheet_of_statement(plain_camera(), lens, 600, 30, {}).report,
+                                   "The lenses focus on the sheet's back"));
+  lens.sheet_name = "40lpi";
+  lens.sheet_is_nominal = true;
+  EXPECT_TRUE(camera_sheet_report_has_line(
+      sheet_of_statement(plain_camera(), lens, 600, 30, {}).report, "Lens_Sheet=40lpi is nominal"));
+}
+
+/// The thick model has the radius that was given: out of focus, a pixel's rays spread.
+TEST(UnitCameraSheetReport, TheThickModelIsOutOfFocusToo) {
+  const auto spread = [](double radius) {
+    LensRequest lens;
+    lens.pitch = 0.2;
+    lens.thickness = 1.5;
+    lens.radius = radius;
+    lens.ior = 1.5;
+    lens.model = LensModel::kThick;
+    lens.rays = 2;
+    const Sheet sheet = sheet_of_statement(plain_camera(), lens, 45, 1, {});
+    core::PixelPlace place;
+    place.column = 22;
+    core::Ray a, b;
+    EXPECT_TRUE(sheet.camera->one_ray_at(place, 0, a));
+    EXPECT_TRUE(sheet.camera->one_ray_at(place, 1, b));
+    return core::length(core::cross(a.direction, b.direction));
+  };
+  EXPECT_LT(spread(0.5), 3e-3);  // n R/(n - 1) is the thickness
+  EXPECT_GT(spread(0.3), 2e-2);
+  EXPECT_GT(spread(0.9), 2e-2);
 }
 
 TEST(UnitCameraSheetReport, PinholeTellsHowFarRaysMissTheEye) {

@@ -47,8 +47,8 @@ TEST(UnitCoreJulia, QuaternionsHaveTwoFunctions) {
 }
 
 /// x, y or z of a ball of radius 1.
-struct Ball final : Function {
-  explicit Ball(int axis_) : axis(axis_) {}
+struct SampledBall final : Function {
+  explicit SampledBall(int axis_) : axis(axis_) {}
   int axis;
   std::size_t parameters() const override { return 2; }
   std::string not_yet() const override { return {}; }
@@ -61,7 +61,7 @@ struct Ball final : Function {
 TEST(UnitCoreParametric, BoundsAreTheSurfacesNotTheContainers) {
   ParametricSettings set;
   for (int axis = 0; axis < 3; ++axis) {
-    set.functions[static_cast<std::size_t>(axis)] = std::make_shared<Ball>(axis);
+    set.functions[static_cast<std::size_t>(axis)] = std::make_shared<SampledBall>(axis);
   }
   set.hi = {3.14159265358979, 6.28318530717959};
   set.box_lo = Vec3(-5.0);
@@ -79,7 +79,7 @@ TEST(UnitCoreParametric, BoundsAreTheSurfacesNotTheContainers) {
     // A ray that runs along a range meets it early: its hit's point of the surface is what holds.
     const double where[] = {hit.u, hit.v};
     Vec3 p;
-    for (int axis = 0; axis < 3; ++axis) p[axis] = Ball(axis).evaluate(where);
+    for (int axis = 0; axis < 3; ++axis) p[axis] = SampledBall(axis).evaluate(where);
     EXPECT_LT(length(cross(p - ray.origin, ray.direction)), 0.02);
     EXPECT_TRUE(ball.bounds().contains(p));
     EXPECT_GT(std::fabs(dot(normalized(ball.normal(p, hit)), p)), 0.99);
@@ -90,7 +90,7 @@ TEST(UnitCoreParametric, BoundsAreTheSurfacesNotTheContainers) {
 TEST(UnitCoreParametric, RaysThatHardlyMoveAlongAnAxisHit) {
   ParametricSettings set;
   for (int axis = 0; axis < 3; ++axis) {
-    set.functions[static_cast<std::size_t>(axis)] = std::make_shared<Ball>(axis);
+    set.functions[static_cast<std::size_t>(axis)] = std::make_shared<SampledBall>(axis);
   }
   set.hi = {3.14159265358979, 6.28318530717959};
   set.box_lo = Vec3(-1.5);
@@ -131,7 +131,7 @@ void expect_hits_with_long_directions(const Shape& shape) {
 TEST(UnitCoreParametric, ScaledDownItDoesNotVanish) {
   ParametricSettings set;
   for (int axis = 0; axis < 3; ++axis) {
-    set.functions[static_cast<std::size_t>(axis)] = std::make_shared<Ball>(axis);
+    set.functions[static_cast<std::size_t>(axis)] = std::make_shared<SampledBall>(axis);
   }
   set.hi = {3.14159265358979, 6.28318530717959};
   set.box_lo = Vec3(-1.1);

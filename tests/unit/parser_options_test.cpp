@@ -330,7 +330,8 @@ TEST_F(ErrorParserOptions, BadValues) {
   expect_message({"Lens_Pitch=-1"}, "greater than 0");
   expect_message({"Lens_IOR=0.5"}, "at least 1");
   expect_message({"Lens_Pixels=0.5"}, "at least one pixel");
-  expect_message({"Lens_Model=fancy"}, "unknown lens model: there are paraxial, pinhole, thick");
+  expect_message({"Lens_Model=fancy"},
+                 "unknown lens model: there are paraxial, pinhole, thick, auto");
   expect_message({"Lens_Rays=0"}, "a whole number from 1 to 1024 is expected");
   expect_message({"Lens_Rays=1025"}, "a whole number from 1 to 1024 is expected");
   expect_message({"Lens_Rays=2.5"}, "a whole number is expected");

@@ -14,9 +14,9 @@ namespace lentray::tool {
 namespace {
 
 bool asks_for_lens(const parser::RenderOptions& o) {
-  return o.lens.pitch || o.lens.lpi || o.lens.focal_length || o.lens.ior || o.lens.pixels ||
-         o.lens.print_dpi || o.lens.front || o.lens.view_distance || o.lens.model || o.lens.rays ||
-         o.sheet_distance;
+  return !o.lens.is_empty() || o.lens.pixels || o.lens.print_dpi || o.lens.front ||
+         o.lens.view_distance || o.lens.model || o.lens.automatic_model || o.lens.tolerance ||
+         o.lens.rays || o.sheet_distance;
 }
 
 camera::Sheet make_sheet(const parser::CameraRequest& request, const parser::RenderOptions& options,
@@ -86,7 +86,11 @@ CameraSetup make_camera(const parser::CameraRequest& request, const parser::Rend
     if (request.normal) {
       setup.ordinary = std::make_unique<camera::Bent>(std::move(setup.ordinary), request.normal);
     }
-    if (asks_for_lens(options)) {
+    if (options.lens.size) {
+      setup.warnings.push_back(
+          "the picture has the columns and rows of the lens sheet, but without Lenticular=On it is "
+          "none");
+    } else if (asks_for_lens(options)) {
       setup.warnings.push_back("the lens options have no effect without Lenticular=On");
     }
     return setup;

@@ -13,6 +13,7 @@
 
 #include "camera/lens_request.h"
 #include "core/image/writer.h"
+#include "parser/options/lens_sheets.h"
 #include "parser/options/options.h"
 #include "parser/options/options_help.h"
 #include "parser/source/build_error.h"
@@ -109,6 +110,13 @@ int run_main(int argc, char** argv) {
     return static_cast<int>(tool::kDone);
   });
   if (status != tool::kDone) return status;
+  if (options.list_lens_sheets && !options.help && !options.version) {
+    return guarded([&] {
+      const auto files = parser::installed_lens_sheet_files();
+      std::fputs(parser::lens_sheet_list(options, files).c_str(), stdout);
+      return static_cast<int>(tool::kDone);
+    });
+  }
   if (options.help || options.version) {
     tell(options, called_as_povray(argc > 0 ? argv[0] : ""));
     return tool::kDone;

@@ -1,0 +1,92 @@
+#include "parser/options/sheet_options.h"
+
+#include "parser/options/length.h"
+
+namespace lentray::parser::sheet_option {
+
+using Options = RenderOptions;
+using Given = GivenOption;
+
+void pitch(Options& o, const Given& g) { o.lens.pitch = positive_length_mm(g); }
+void lpi(Options& o, const Given& g) { o.lens.lpi = positive(g); }
+void focal_length(Options& o, const Given& g) { o.lens.focal_length = positive_length_mm(g); }
+void thickness(Options& o, const Given& g) { o.lens.thickness = positive_length_mm(g); }
+void radius(Options& o, const Given& g) { o.lens.radius = positive_length_mm(g); }
+
+void ior(Options& o, const Given& g) {
+  o.lens.ior = number(g);
+  if (*o.lens.ior < 1.0) refuse(g, "a refractive index of at least 1 is expected");
+}
+
+void angle(Options& o, const Given& g) {
+  o.lens.angle = number(g);
+  if (!(*o.lens.angle > 0.0 && *o.lens.angle < 180.0)) {
+    refuse(g, "an angle greater than 0 and less than 180 degrees is expected");
+  }
+}
+
+void sheet(Options& o, const Given& g) {
+  if (same_word(g.value, "list")) {
+    o.list_lens_sheets = true;
+    return;
+  }
+  if (g.value.empty())
+    refuse(g, "the name of a lens sheet is expected; Lens_Sheet=list shows them");
+  o.lens_sheet = g.value;
+}
+
+void pixels(Options& o, const Given& g) {
+  o.lens.pixels = number(g);
+  if (*o.lens.pixels < 1.0) refuse(g, "at least one pixel a lens is expected");
+}
+
+void print_dpi(Options& o, const Given& g) {
+  const std::size_t times = g.value.find_first_of("xX");
+  Given along = g, down = g;
+  along.value = g.value.substr(0, times);
+  o.lens.print_dpi = positive(along);
+  o.print_dpi_down.reset();
+  if (times == std::string::npos) return;
+  down.value = g.value.substr(times + 1);
+  o.print_dpi_down = positive(down);
+}
+
+void width(Options& o, const Given& g) { o.sheet_width = positive_length_mm(g); }
+void height(Options& o, const Given& g) { o.sheet_height = positive_length_mm(g); }
+
+void view_distance(Options& o, const Given& g) {
+  const bool infinite =
+      same_word(g.value, "inf") || same_word(g.value, "infinity") || same_word(g.value, "infinite");
+  const double v = infinite ? 0.0 : length_mm(g);
+  if (v < 0.0) refuse(g, "a distance in mm, 0 or inf is expected");
+  o.lens.view_distance = v;
+}
+
+void sheet_distance(Options& o, const Given& g) {
+  o.sheet_distance = scene_length(g, "View_Distance");
+}
+
+void front(Options& o, const Given& g) { o.lens.front = scene_length(g, "View_Distance"); }
+
+void model(Options& o, const Given& g) {
+  constexpr std::string_view kThere[] = {"paraxial", "pinhole", "thick", "auto"};
+  const std::string_view name = choice(g, "lens model", kThere);
+  o.lens.automatic_model = name == "auto";
+  o.lens.model.reset();
+  for (const auto model :
+       {camera::LensModel::kParaxial, camera::LensModel::kPinhole, camera::LensModel::kThick}) {
+    if (name == camera::name_of(model)) o.lens.model = model;
+  }
+}
+
+void tolerance(Options& o, const Given& g) { o.lens.tolerance = positive(g); }
+
+void rays(Options& o, const Given& g) {
+  o.lens.rays = static_cast<std::uint32_t>(whole_number(g, 1, camera::kMostLensRays));
+}
+
+void view(Options& o, const Given& g) {
+  o.view = static_cast<std::uint32_t>(whole_number(g, 0, 1'000'000));
+}
+
+}  // namespace lentray::parser::sheet_option

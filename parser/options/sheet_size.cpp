@@ -1,0 +1,90 @@
+#include "parser/options/sheet_size.h"
+
+#include <cmath>
+#include <limits>
+
+#include "camera/lens_request.h"
+#include "camera/text.h"
+
+namespace lentray::parser {
+namespace {
+
+using camera::format;
+
+/// What sets the number of pixels, for messages.
+std::string resolution_text(const RenderOptions& o) {
+  if (o.lens.print_dpi) return format(*o.lens.print_dpi) + " pixels an inch";
+  return format(*o.lens.pixels) + " pixels a lens";
+}
+
+/// The whole number next to it.
+std::int64_t whole(double exact, const char* what) {
+  constexpr double kMost = std::numeric_limits<std::int32_t>::max();
+  if (!(exact <= kMost)) {
+    throw OptionError(std::string("the print would have ") + format(exact) + " " + what +
+                      ": 2147483647 are the most; a smaller sheet or Print_DPI has fewer");
+  }
+  if (exact < 0.5) {
+    throw OptionError(std::string("the print would have less than one of its ") + what +
+                      ": a larger sheet or Print_DPI has more");
+  }
+  return std::llround(exact);
+}
+
+/// A number of pixels that was given too.
+void expect(std::int64_t given, double exact, const char* name, double mm,
+            const std::string& resolution) {
+  constexpr double kAPixel = 1.0 + 1e-6;
+  if (std::fabs(static_cast<double>(given) - exact) <= kAPixel) return;
+  throw OptionError(std::string(name) + "=" + std::to_string(given) + " and Sheet_" + name + "=" +
+                    format(mm) + "mm at " + resolution + " (" + format(std::round(exact)) +
+                    " pixels) contradict each other: leave out one of them");
+}
+
+void fit(RenderOptions& o, double width, double height) {
+  camera::SheetSize size{width, height, o.print_dpi_down, false};
+  const bool resolved = o.lens.print_dpi || o.lens.pixels;
+  if (!resolved && (o.width_given || o.height_given)) {
+    const double pitch = camera::solve(o.lens).pitch;
+    o.lens.pixels = (o.width_given ? static_cast<double>(o.width) / width
+                                   : static_cast<double>(o.height) / height) *
+                    pitch;
+  }
+  size.rows_fill_it = o.height_given && (o.width_given || resolved) && !o.lens.print_dpi;
+  const camera::ExactPixels exact = camera::exact_pixels(o.lens, size);
+  const std::string along = resolved ? resolution_text(o) : "";
+  if (!o.width_given) {
+    o.width = whole(exact.columns, "columns");
+  } else if (resolved) {
+    expect(o.width, exact.columns, "Width", width, along);
+  }
+  if (!o.height_given) {
+    o.height = whole(exact.rows, "rows");
+  } else if (o.lens.print_dpi) {
+    const double down = o.print_dpi_down.value_or(*o.lens.print_dpi);
+    expect(o.height, exact.rows, "Height", height, format(down) + " pixels an inch");
+  }
+  o.lens.size = size;
+}
+
+}  // namespace
+
+void fit_picture_to_sheet(RenderOptions& o) {
+  if (o.sheet_width.has_value() != o.sheet_height.has_value()) {
+    throw OptionError(std::string(o.sheet_width ? "Sheet_Width needs Sheet_Height"
+                                                : "Sheet_Height needs Sheet_Width") +
+                      " too: they are the sizes of the lens sheet");
+  }
+  if (!o.sheet_width) {
+    if (!o.print_dpi_down) return;
+    throw OptionError(
+        "a second number of Print_DPI, for pixels downwards, needs Sheet_Width and Sheet_Height");
+  }
+  try {
+    fit(o, *o.sheet_width, *o.sheet_height);
+  } catch (const camera::CameraError& error) {
+    throw OptionError(error.what());
+  }
+}
+
+}  // namespace lentray::parser
