@@ -36,6 +36,10 @@ std::string size_text(double width, double height) {
   return mm(width) + " x " + mm(height) + " mm";
 }
 
+std::string decibels(double value) {
+  return std::isfinite(value) ? mm(std::round(value)) : "infinite";
+}
+
 /// As it is printed.
 Page finished(Page page, const Arguments& a) {
   if (a.horizontal) page = turned(std::move(page));
@@ -112,8 +116,7 @@ class SheetRun {
     if (m_a.print_pitch) change_pitch();
     const SheetArt art = sheet_art(std::move(m_image), m_data, m_style);
     if (art.cut_columns > 0) {
-      say("left out: " + std::to_string(art.cut_columns) +
-          " columns at the right, of a lens that the picture has not whole");
+      say("left out at the right: " + std::to_string(art.cut_columns) + " pixels of a cut lens");
     }
     say("picture: " + std::to_string(art.trim_right - art.trim_left) + " x " +
         std::to_string(art.trim_bottom - art.trim_top) + " pixels, " +
@@ -136,21 +139,22 @@ class SheetRun {
   }
 
   void change_pitch() {
+    // A cut lens has not all of its views.
+    const std::uint32_t whole = whole_lens_columns(m_image.width, m_data.pixels);
+    const std::uint32_t width = m_image.width, height = m_image.height;
+    m_image = rearranged(std::move(m_image), continued_columns(0, whole, width, m_data.pixels),
+                         continued_rows(0, height, height));
     const double pixels = *m_a.print_pitch * m_data.dpi_x / kInch;
-    const double lenses = std::floor(m_image.width / m_data.pixels + 1e-9);
+    const double lenses = std::floor(width / m_data.pixels + 1e-9);
     const double ratio = *m_a.print_pitch / m_data.print_pitch();
     const std::string options = render_options(m_data, *m_a.print_pitch, lenses, m_image.height);
     Repitched made = repitched(m_image, m_data.pixels, pixels);
-    char error[240];
-    std::snprintf(
-        error, sizeof error,
-        "--pitch: strips of %.6g pixels are made of views of %.6g: directions are up to "
-        "%.2f of these pixels off; beside a new render about %.0f to %.0f dB PSNR, where "
-        "colours jump from view to view and where they change smoothly; the sheet is %.3g "
-        "%% %s",
-        pixels, m_data.pixels, made.largest_offset, made.step_psnr, made.smooth_psnr,
-        std::fabs(ratio - 1.0) * 100.0, ratio < 1.0 ? "narrower" : "wider");
-    say(error);
+    say("--pitch: strips of " + format(pixels) + " pixels are made of views of " +
+        format(m_data.pixels) + ": directions are up to " + mm(made.largest_offset) +
+        " of these pixels off; beside a new render about " + decibels(made.step_psnr) + " to " +
+        decibels(made.smooth_psnr) +
+        " dB PSNR, as colours jump from view to view or change smoothly; the sheet is " +
+        mm(std::fabs(ratio - 1.0) * 100.0) + " % " + (ratio < 1.0 ? "narrower" : "wider"));
     if (options.empty()) {
       say("exact: a new render with Lens_Pixels=" + format(pixels) +
           "; the picture does not tell its lens");
@@ -175,7 +179,7 @@ class SheetRun {
   void write_tiles(const SheetArt& art) {
     SheetStyle whole_style = m_style;
     whole_style.paper.reset();
-    whole_style.margin = 0.0;
+    whole_style.margin = 1.0;  // marks do not end at the edge of a window
     const SheetPage sheet = sheet_page(art, m_data, whole_style);
     const Page& whole = sheet.page;
     const TilePlan plan =

@@ -20,7 +20,7 @@ struct GivenLensData {
 struct LensOfPicture {
   double pitch = 0.0, focal_length = 0.0, ior = 1.0;
   double view_distance = 0.0;  ///< 0: infinite
-  std::string model;
+  std::string model{};
 };
 
 struct LensData {

@@ -29,7 +29,7 @@ std::int64_t lens_start(std::int64_t lens, double pixels) {
 }
 
 std::vector<Mix> mixes(std::uint32_t width, double from, double to) {
-  const auto lenses = static_cast<std::int64_t>(std::llround(std::ceil((width - 0.5) / from)));
+  const auto lenses = static_cast<std::int64_t>(std::floor((width - 0.5) / from)) + 1;
   std::vector<Mix> all;
   for (std::int64_t lens = 0; lens < lenses; ++lens) {
     const double first = static_cast<double>(lens_start(lens, from));

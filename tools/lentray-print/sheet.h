@@ -45,9 +45,9 @@ SheetArt sheet_art(core::StoredImage image, const LensData& data, const SheetSty
 
 struct SheetPage {
   Page page;
-  Box art;                               ///< where the picture and its bleed are
-  std::int64_t column = 0;               ///< of the page's grid, where the picture's lens 0 begins
-  std::vector<std::int64_t> boundaries;  ///< columns between lenses, of the trimmed sheet
+  Box art{};                ///< where the picture and its bleed are
+  std::int64_t column = 0;  ///< of the page's grid, where the picture's lens 0 begins
+  std::vector<std::int64_t> boundaries{};  ///< columns between lenses, of the trimmed sheet
 };
 
 /// The size of page that the sheet needs.
