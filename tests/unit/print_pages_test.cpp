@@ -1,6 +1,7 @@
 // Parts of lentray-print: gratings, letters, pages and their turns, sheets, tiles, pictures for another pitch.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -67,7 +68,7 @@ TEST(UnitPrintLines, SharesAddUpExactly) {
   EXPECT_NEAR(sum, 10000.0 * inked_share(lines, 0.0, 10000.0), 1e-7);
   EXPECT_NEAR(sum / 10000.0, 0.5, 1e-3);
   // A line of half a period in the middle of the period that begins at the origin.
-  EXPECT_EQ(inked_share(lines, 3.3, 3.3 + 0.25 * 15.037), 0.0);
+  EXPECT_NEAR(inked_share(lines, 3.3, 3.3 + 0.25 * 15.037), 0.0, 1e-12);
   EXPECT_NEAR(inked_share(lines, 3.3 + 0.25 * 15.037, 3.3 + 0.75 * 15.037), 1.0, 1e-12);
 }
 
@@ -233,7 +234,7 @@ TEST(UnitPrintSheet, WholeLensesAlone) {
 }
 
 TEST(UnitPrintSheet, BleedGoesOnViewByView) {
-  const core::StoredImage picture = numbered_picture(150, 20);
+  const core::StoredImage picture = numbered_picture(150, 100);
   SheetStyle style;
   style.bleed = 1.0;  // 0.635 mm a lens: 2 lenses
   const SheetArt art = sheet_art(picture, lens_of_pixels(15.0), style);
@@ -265,8 +266,11 @@ TEST(UnitPrintSheet, FractionalLensesGoOnAtTheSamePlace) {
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const double k = static_cast<double>(i) - 31.0 + 0.5, from = columns[i] + 0.5;
     const double phase = k / pixels - std::floor(k / pixels);
-    EXPECT_NEAR(from / pixels - std::floor(from / pixels), phase, 0.51 / pixels) << i;
-    if (k > 0) EXPECT_EQ(from, k);
+    // The nearest that the lens has; at its edge that may be a pixel off.
+    EXPECT_NEAR(from / pixels - std::floor(from / pixels), phase, 1.01 / pixels) << i;
+    if (k > 0) {
+      EXPECT_EQ(from, k);
+    }
   }
 }
 

@@ -332,14 +332,16 @@ Brings integral images to paper, and measures lens sheets. The file is a .pdf,
 .tif or .png of exact size: print it at 100 %, without fitting it to the page,
 at the resolution that was asked for.
 
-pitch-test draws gratings of lines about the lenses' pitch, each with its number.
-Seen through the lens sheet from the final distance, the one that turns dark or
-light as a whole has the pitch that sheet, printer and distance have together.
-phase-test draws them in cells whose lines are shifted, which tells where the
-lenses stand. eye-test draws rows that are black to the left eye and white to the
-right from the distance beside them. sheet puts an integral image of lentray on a
-page, with marks for laying the lens sheet on and for cutting. Its strips are
-printed as they are, never resampled, unless --pitch asks for it.
+pitch-test draws gratings of lines about the lenses' pitch, each with its
+number. Seen through the lens sheet from the final distance, the one that turns
+dark or light as a whole has the pitch that sheet, printer and distance have
+together. phase-test draws them in cells whose lines are shifted, which tells
+where the lenses stand. eye-test draws rows that are black to the left eye and
+white to the right from the distance beside them.
+
+sheet puts an integral image of lentray on a page, with marks for laying the
+lens sheet on and for cutting. Its strips are printed as they are, never
+resampled, unless --pitch asks for it.
 
 Lengths have a unit: mm, cm, m or in.
 
@@ -350,14 +352,14 @@ Of all commands:
   --lens-pitch P       the same as a length: 0.635mm
   --dpi D              the printer's pixels an inch: of tests (600), or where a
                        picture does not tell
-  --mirror             as seen from the back, for printing on the lens sheet's back
+  --mirror             as seen from behind, for printing on the lens sheet's back
   --horizontal         turned by 90 degrees clockwise: lenses that lie across
   --help, --version
 
 Of tests:
   --size WxH           the page, or its paper's name (200x100mm; A4, letter)
-  --span S, --step T   gratings from L - S to L + S by T lines an inch (0.5 by 0.1;
-                       of phase-test 0.2 by 0.1)
+  --span S, --step T   gratings from L - S to L + S by T lines an inch (0.5 by
+                       0.1; of phase-test 0.2 by 0.1)
   --bands N            as many gratings over the span, instead of a step
   --fine               the second print: --span 0.1 --step 0.01
   --edges grey|hard    pixels that an edge crosses are grey, by their share (the
@@ -370,25 +372,26 @@ Of tests:
 
 Of sheets:
   --paper NAME         the page: A0 to A6, A3+, letter, legal, tabloid, or WxH such
-                       as 300x200mm, upright or across; without it as large as it
-                       takes
+                       as 300x200mm, upright or across; without it as large as
+                       it takes
   --margin M           blank border of the page (5mm)
-  --bleed B            what is printed beyond the cut: whole lenses at the sides (0mm)
+  --bleed B            what is printed beyond the cut, at the sides whole lenses
+                       (0mm)
   --bleed-from edge|picture
                        it goes on from the picture's edge, view by view (the
                        default), or is the outer part of the picture itself
   --marks all|crop|none
-                       gratings of the strips' pitch and bars round the picture, crop
-                       marks and label; crop marks alone; nothing (all)
-  --background C       white, black or #rrggbb; marks are black or white, whichever
-                       shows (white)
-  --tiles              cuts a sheet that is larger than the paper into pages, between
-                       lenses; pages of .tif and .png are files of their own
+                       gratings of the strips' pitch and bars round the picture,
+                       crop marks and label; crop marks alone; nothing (all)
+  --background C       white, black or #rrggbb; marks are black or white, as
+                       shows better (white)
+  --tiles              cuts a sheet that is larger than the paper into pages,
+                       between lenses; .tif and .png have a file for each page
   --overlap O          of neighbouring tiles (10mm)
-  --pitch P            the pitch that a test has measured: 39.87lpi or 0.637mm. The
-                       strips are made of the views that the picture has. That is not
-                       exact: the error is told, and the options of lentray that
-                       render it exactly
+  --pitch P            the pitch that a test has measured: 39.87lpi or 0.637mm.
+                       The strips are made of the views that the picture has.
+                       That is not exact: the error is told, and the options of
+                       lentray that render it exactly
   --pixels N           pixels a lens, where the picture does not tell
   --dpi-y D            its pixels an inch from top to bottom, where they differ
   --bits 8|16          a channel (as the picture has)

@@ -50,6 +50,10 @@ std::string rectangle(const Box& box, double page_height) {
          number(points(box.right())) + " " + number(points(page_height - box.top)) + "]";
 }
 
+/// Pixels by which a picture ends within its place on either side. Renderers widen a picture to all pixels of theirs that
+/// it touches: were it a hair too large, they would draw it a pixel wider, and resample it for that.
+constexpr double kInset = 0.002;
+
 /// The operators that draw a page, pictures by their number.
 std::string operators(const Page& page) {
   const auto y = [&page](double mm) { return number(points(page.height - mm)); };
@@ -60,10 +64,10 @@ std::string operators(const Page& page) {
   }
   for (std::size_t i = 0; i < page.pictures.size(); ++i) {
     const Picture& p = page.pictures[i];
-    const double width = p.image.width * page.pixel_width();
-    const double height = p.image.height * page.pixel_height();
-    const double left = static_cast<double>(p.column) * page.pixel_width();
-    const double bottom = static_cast<double>(p.row) * page.pixel_height() + height;
+    const double width = (p.image.width - 2.0 * kInset) * page.pixel_width();
+    const double height = (p.image.height - 2.0 * kInset) * page.pixel_height();
+    const double left = (static_cast<double>(p.column) + kInset) * page.pixel_width();
+    const double bottom = (static_cast<double>(p.row) + kInset) * page.pixel_height() + height;
     out += "q " + number(points(width)) + " 0 0 " + number(points(height)) + " " +
            number(points(left)) + " " + y(bottom) + " cm /P" + std::to_string(i) + " Do Q\n";
   }

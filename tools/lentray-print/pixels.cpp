@@ -149,7 +149,7 @@ std::vector<std::uint32_t> continued_columns(std::int64_t first, std::uint32_t c
   for (std::int64_t k = first; k < first + std::int64_t{count}; ++k) {
     const std::int64_t lens = lens_of_column(k, lens_pixels);
     const std::int64_t nearest = std::clamp(lens, std::int64_t{0}, last_lens);
-    // The column at most half a pixel off the same place in that lens's strip.
+    // The column nearest to the same place in that lens's strip.
     std::int64_t column =
         std::llround(static_cast<double>(k) + static_cast<double>(nearest - lens) * lens_pixels);
     if (lens_of_column(column, lens_pixels) < nearest) ++column;
