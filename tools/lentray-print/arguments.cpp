@@ -346,13 +346,13 @@ resampled, unless --pitch asks for it.
 Lengths have a unit: mm, cm, m or in.
 
 Of all commands:
-  --out FILE           what is written: .pdf, .tif or .png. It appears when it is
-                       whole, and what stood there before stays until then
+  --out FILE           what is written: .pdf, .tif or .png. It appears when it
+                       is whole, and what stood there before stays until then
   --lpi L              lenses an inch
   --lens-pitch P       the same as a length: 0.635mm
   --dpi D              the printer's pixels an inch: of tests (600), or where a
                        picture does not tell
-  --mirror             as seen from behind, for printing on the lens sheet's back
+  --mirror             as seen from behind, for prints on the lens sheet's back
   --horizontal         turned by 90 degrees clockwise: lenses that lie across
   --help, --version
 
@@ -371,9 +371,9 @@ Of tests:
   --ior N              its refractive index (1.56)
 
 Of sheets:
-  --paper NAME         the page: A0 to A6, A3+, letter, legal, tabloid, or WxH such
-                       as 300x200mm, upright or across; without it as large as
-                       it takes
+  --paper NAME         the page: A0 to A6, A3+, letter, legal, tabloid, or WxH
+                       such as 300x200mm, upright or across; without it as large
+                       as it takes
   --margin M           blank border of the page (5mm)
   --bleed B            what is printed beyond the cut, at the sides whole lenses
                        (0mm)
@@ -399,12 +399,12 @@ Of sheets:
 Examples:
   lentray-print pitch-test --lpi 40 --dpi 600 --size A4 --out pitch.pdf
   lentray-print pitch-test --lpi 39.9 --fine --dpi 600 --size A4 --out fine.pdf
-  lentray scene.pov +W3000 +H2400 Lenticular=On Lens_LPI=40 Print_DPI=600 +Os.png
+  lentray a.pov +W3000 +H2400 Lenticular=On Lens_LPI=40 Print_DPI=600 +Os.png
   lentray-print sheet s.png --bleed 3mm --paper A4 --out s.pdf
   lentray-print sheet s.png --pitch 39.87lpi --paper A4 --out s.pdf
 
-Exit status: 0 done, 1 something is wrong with the options or the picture, or the
-file could not be written.
+Exit status: 0 done, 1 something is wrong with the options or the picture, or
+the file could not be written.
 )";
 }
 

@@ -145,13 +145,14 @@ class SheetRun {
     m_image = rearranged(std::move(m_image), continued_columns(0, whole, width, m_data.pixels),
                          continued_rows(0, height, height));
     const double pixels = *m_a.print_pitch * m_data.dpi_x / kInch;
-    const double lenses = std::floor(width / m_data.pixels + 1e-9);
+    // The cut one counts too: the scene is as wide as the sheet.
+    const double lenses = width / m_data.pixels;
     const double ratio = *m_a.print_pitch / m_data.print_pitch();
     const std::string options = render_options(m_data, *m_a.print_pitch, lenses, m_image.height);
     Repitched made = repitched(m_image, m_data.pixels, pixels);
     say("--pitch: strips of " + format(pixels) + " pixels are made of views of " +
         format(m_data.pixels) + ": directions are up to " + mm(made.largest_offset) +
-        " of these pixels off; beside a new render about " + decibels(made.step_psnr) + " to " +
+        " of these pixels off; the interpolation has about " + decibels(made.step_psnr) + " to " +
         decibels(made.smooth_psnr) +
         " dB PSNR, as colours jump from view to view or change smoothly; the sheet is " +
         mm(std::fabs(ratio - 1.0) * 100.0) + " % " + (ratio < 1.0 ? "narrower" : "wider"));

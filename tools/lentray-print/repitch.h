@@ -26,7 +26,7 @@ struct Repitched {
 Repitched repitched(const core::StoredImage& image, double from, double to);
 
 /// The options of lentray that render a picture of `width` x `height` pixels whose strips have that pitch, for the lens
-/// that the data tell of; empty if they tell of none. `lenses`: whole ones that stay.
+/// that the data tell of; empty if they tell of none. `lenses`: of the picture, the cut one by its share.
 std::string render_options(const LensData& data, double print_pitch, double lenses,
                            std::uint32_t height);
 
