@@ -19,7 +19,7 @@ namespace {
 constexpr double kEdge = 6.0;                              ///< blank border of the page
 constexpr double kTitle = 3.0, kText = 1.8, kLabel = 2.2;  ///< heights of letters
 constexpr double kRulerRoom = 11.0;
-constexpr double kLeastBand = 2.5, kMostBand = 12.0, kBandGap = 0.6;
+constexpr double kLeastBand = 2.5, kMostBand = 25.0, kBandGap = 0.6;
 
 std::string with_decimals(double value, int decimals) {
   char text[48];
@@ -193,7 +193,7 @@ Page pitch_test(const TestPaper& paper, std::vector<double> lpis) {
 }
 
 Page phase_test(const TestPaper& paper, std::vector<double> lpis, int phases) {
-  constexpr double kCellGap = 1.2, kHead = 3.6;
+  constexpr double kCellGap = 1.2, kHead = 3.6, kLeastPeriods = 1.5;
   const int decimals = round_to_labels(lpis);
   Page page =
       test_page(paper, "Phase test about " + with_decimals(lpis[lpis.size() / 2], decimals) +
@@ -212,7 +212,9 @@ Page phase_test(const TestPaper& paper, std::vector<double> lpis, int phases) {
           std::to_string(phases) + " of a lens.");
   field.top += kHead;
   const BandColumns whole = band_columns(page, field.left + label + 2.0, field.right);
-  const double cell = (whole.right - whole.left) / phases, gap = kCellGap / page.pixel_width();
+  const double cell = (whole.right - whole.left) / phases,
+               gap = std::max(kCellGap / page.pixel_width(),
+                              kLeastPeriods * paper.dpi / lpis.front());
   if (!(cell - gap >= 8.0 * paper.dpi / lpis.front())) {
     throw PageError(std::to_string(phases) +
                     " cells of 8 lenses side by side do not fit on a page of " +
