@@ -60,6 +60,36 @@ double positive_length_mm(const GivenOption& given) {
   return mm;
 }
 
+double size_mm(const GivenOption& given) {
+  constexpr double kLongestMm = 1e5;
+  const double mm = length_mm(given);
+  if (mm < 0.0) refuse(given, "a length of 0 or more is expected");
+  if (mm > kLongestMm) refuse(given, "a length of at most 100 m is expected");
+  return mm;
+}
+
+double positive_size_mm(const GivenOption& given) {
+  const double mm = size_mm(given);
+  if (!(mm > 0.0)) refuse(given, "a length greater than 0 is expected");
+  return mm;
+}
+
+Extent extent_mm(const GivenOption& given) {
+  const std::size_t cross = given.value.find('x');
+  if (cross == std::string::npos) {
+    refuse(given, "a width and a height are expected, such as 200x100mm");
+  }
+  GivenOption width = given, height = given;
+  width.value = given.value.substr(0, cross);
+  height.value = given.value.substr(cross + 1);
+  std::string_view unit;
+  (void)leading_number(height, unit);
+  std::string_view own_unit;
+  (void)leading_number(width, own_unit);
+  if (without_blanks(own_unit).empty()) width.value += std::string(unit);
+  return {positive_size_mm(width), positive_size_mm(height)};
+}
+
 double scene_length(const GivenOption& given, const char* instead) {
   std::string_view rest;
   const double value = leading_number(given, rest);

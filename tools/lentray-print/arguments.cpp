@@ -1,0 +1,411 @@
+#include "tools/lentray-print/arguments.h"
+
+#include <charconv>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string_view>
+
+#include "camera/text.h"
+#include "parser/options/ini.h"
+#include "parser/options/own_option.h"
+#include "tools/lentray-print/page.h"
+#include "tools/lentray-print/paper.h"
+
+namespace lentray::print {
+
+using camera::format;
+using parser::GivenOption;
+using parser::OptionError;
+
+namespace {
+
+constexpr unsigned kPitch = 1, kPhase = 2, kEye = 4, kSheet = 8;
+constexpr unsigned kTests = kPitch | kPhase | kEye, kAll = kTests | kSheet;
+
+struct CommandName {
+  std::string_view name;
+  Command command;
+  unsigned bit;
+};
+constexpr CommandName kCommands[] = {{"pitch-test", Command::pitch_test, kPitch},
+                                     {"phase-test", Command::phase_test, kPhase},
+                                     {"eye-test", Command::eye_test, kEye},
+                                     {"sheet", Command::sheet, kSheet}};
+
+double number_within(const GivenOption& given, double least, double most) {
+  const double value = parser::number(given);
+  if (!(value >= least && value <= most)) {
+    parser::refuse(given,
+                   "a number from " + format(least) + " to " + format(most) + " is expected");
+  }
+  return value;
+}
+
+double length_within(const GivenOption& given, double least, double most) {
+  const double value = parser::size_mm(given);
+  if (!(value >= least && value <= most)) {
+    parser::refuse(given,
+                   "a length from " + format(least) + " to " + format(most) + " mm is expected");
+  }
+  return value;
+}
+
+constexpr double kLeastLpi = 1.0, kMostLpi = 1000.0;
+
+double lens_pitch(const GivenOption& given) {
+  return length_within(given, kInch / kMostLpi, kInch / kLeastLpi);
+}
+
+/// "39.87lpi" or "0.637mm".
+double pitch_of(const GivenOption& given) {
+  constexpr std::string_view kUnit = "lpi";
+  if (!given.value.ends_with(kUnit)) {
+    if (given.value.find_first_not_of("0123456789.+- ") == std::string::npos) {
+      parser::refuse(given, "a pitch with its unit is expected, such as 39.87lpi or 0.637mm");
+    }
+    return lens_pitch(given);
+  }
+  GivenOption lpi = given;
+  lpi.value.resize(lpi.value.size() - kUnit.size());
+  while (lpi.value.ends_with(' ')) lpi.value.pop_back();
+  return kInch / number_within(lpi, kLeastLpi, kMostLpi);
+}
+
+parser::Extent page_size(const GivenOption& given) {
+  if (const auto named = paper_named(given.value)) return *named;
+  if (given.value.find('x') == std::string::npos) {
+    parser::refuse(
+        given, "the name of a paper or its size is expected: " + paper_names() + ", or 200x100mm");
+  }
+  return parser::extent_mm(given);
+}
+
+Colour colour_of(const GivenOption& given) {
+  if (given.value == "white") return kWhite;
+  if (given.value == "black") return {};
+  unsigned value = 0;
+  const char* const begin = given.value.data();
+  const auto [end, error] =
+      std::from_chars(begin + 1, begin + given.value.size(), value, given.value.empty() ? 10 : 16);
+  if (given.value.size() != 7 || given.value[0] != '#' || error != std::errc() ||
+      end != begin + given.value.size()) {
+    parser::refuse(given, "white, black or a colour such as #c0c0c0 is expected");
+  }
+  return {(value >> 16) / 255.0, (value >> 8 & 255u) / 255.0, (value & 255u) / 255.0};
+}
+
+Marks marks_of(const GivenOption& given) {
+  if (given.value == "all") return Marks::all;
+  if (given.value == "crop") return Marks::crop;
+  if (given.value != "none") parser::refuse(given, "there are all, crop and none");
+  return Marks::none;
+}
+
+/// The first of two words or the second.
+bool is_second(const GivenOption& given, std::string_view first, std::string_view second) {
+  if (given.value != first && given.value != second) {
+    parser::refuse(given, "there are " + std::string(first) + " and " + std::string(second));
+  }
+  return given.value == second;
+}
+
+std::filesystem::path file_name(const GivenOption& given) {
+  if (given.value.empty()) parser::refuse(given, "the name of a file is expected");
+  return given.value;
+}
+
+struct ValueOption {
+  std::string_view name;  ///< of two words: Lens_Pitch
+  unsigned commands;
+  void (*apply)(Arguments& a, const GivenOption& given);
+};
+
+constexpr double kMostDpi = 50000.0;
+
+constexpr ValueOption kValues[] = {
+    {"Out", kAll, [](Arguments& a, const GivenOption& g) { a.out = file_name(g); }},
+    {"Lpi", kAll,
+     [](Arguments& a, const GivenOption& g) {
+       a.lens.lens_pitch = kInch / number_within(g, kLeastLpi, kMostLpi);
+     }},
+    {"Lens_Pitch", kAll,
+     [](Arguments& a, const GivenOption& g) { a.lens.lens_pitch = lens_pitch(g); }},
+    {"Dpi", kAll,
+     [](Arguments& a, const GivenOption& g) { a.lens.dpi_x = number_within(g, 10.0, kMostDpi); }},
+    {"Size", kTests, [](Arguments& a, const GivenOption& g) { a.size = page_size(g); }},
+    {"Span", kPitch | kPhase,
+     [](Arguments& a, const GivenOption& g) { a.span = number_within(g, 1e-4, kMostLpi); }},
+    {"Step", kPitch | kPhase,
+     [](Arguments& a, const GivenOption& g) { a.step = number_within(g, 1e-4, kMostLpi); }},
+    {"Bands", kPitch | kPhase,
+     [](Arguments& a, const GivenOption& g) {
+       a.bands = static_cast<int>(parser::whole_number(g, 1, 200));
+     }},
+    {"Edges", kTests,
+     [](Arguments& a, const GivenOption& g) { a.hard_edges = is_second(g, "grey", "hard"); }},
+    {"Phases", kPhase,
+     [](Arguments& a, const GivenOption& g) {
+       a.phases = static_cast<int>(parser::whole_number(g, 2, 64));
+     }},
+    {"Distance", kEye,
+     [](Arguments& a, const GivenOption& g) { a.distance = length_within(g, 10.0, 1e5); }},
+    {"Eyes", kEye,
+     [](Arguments& a, const GivenOption& g) { a.separation = length_within(g, 1.0, 1000.0); }},
+    {"Focal_Length", kEye,
+     [](Arguments& a, const GivenOption& g) { a.focal_length = length_within(g, 1e-3, 1000.0); }},
+    {"Ior", kEye, [](Arguments& a, const GivenOption& g) { a.ior = number_within(g, 1.0, 4.0); }},
+    {"Pixels", kSheet,
+     [](Arguments& a, const GivenOption& g) { a.lens.pixels = number_within(g, 1.0, 1e5); }},
+    {"Dpi_Y", kSheet,
+     [](Arguments& a, const GivenOption& g) { a.lens.dpi_y = number_within(g, 10.0, kMostDpi); }},
+    {"Paper", kSheet,
+     [](Arguments& a, const GivenOption& g) {
+       a.style.paper = page_size(g);
+       a.paper = g.value;
+     }},
+    {"Margin", kSheet,
+     [](Arguments& a, const GivenOption& g) { a.margin = length_within(g, 0.0, 1000.0); }},
+    {"Bleed", kSheet,
+     [](Arguments& a, const GivenOption& g) { a.style.bleed = length_within(g, 0.0, 200.0); }},
+    {"Bleed_From", kSheet,
+     [](Arguments& a, const GivenOption& g) {
+       a.style.bleed_of_picture = is_second(g, "edge", "picture");
+     }},
+    {"Marks", kSheet, [](Arguments& a, const GivenOption& g) { a.style.marks = marks_of(g); }},
+    {"Background", kSheet,
+     [](Arguments& a, const GivenOption& g) { a.style.background = colour_of(g); }},
+    {"Overlap", kSheet,
+     [](Arguments& a, const GivenOption& g) { a.overlap = length_within(g, 0.0, 1000.0); }},
+    {"Pitch", kSheet, [](Arguments& a, const GivenOption& g) { a.print_pitch = pitch_of(g); }},
+    {"Bits", kSheet,
+     [](Arguments& a, const GivenOption& g) {
+       a.bits = static_cast<int>(parser::whole_number(g, 8, 16));
+       if (a.bits != 8 && a.bits != 16) parser::refuse(g, "there are 8 and 16");
+     }},
+};
+
+struct Switch {
+  std::string_view name;
+  unsigned commands;
+  bool Arguments::*member;
+};
+constexpr Switch kSwitches[] = {{"--fine", kPitch | kPhase, &Arguments::fine},
+                                {"--mirror", kAll, &Arguments::mirror},
+                                {"--horizontal", kAll, &Arguments::horizontal},
+                                {"--tiles", kSheet, &Arguments::tiles}};
+
+std::string options_of(unsigned command) {
+  std::string all;
+  for (const ValueOption& row : kValues) {
+    if (row.commands & command) all += " " + parser::long_name(row.name);
+  }
+  for (const Switch& row : kSwitches) {
+    if (row.commands & command) all += " " + std::string(row.name);
+  }
+  return all + " --help --version";
+}
+
+/// The words behind the command.
+class Reading {
+ public:
+  Reading(Arguments& arguments, const CommandName& command) : m_out(arguments), m_command(command) {
+    for (const ValueOption& row : kValues) m_names.push_back(row.name);
+  }
+
+  void word(const std::vector<std::string>& words, std::size_t& at) {
+    const std::string& text = words[at];
+    if (!text.starts_with("--")) {
+      picture(text);
+      return;
+    }
+    for (const Switch& row : kSwitches) {
+      if (text != row.name) continue;
+      check_command(text, row.commands);
+      m_out.*row.member = true;
+      return;
+    }
+    const auto own = parser::own_option(words, at, m_names);
+    if (!own) {
+      throw OptionError("unknown option '" + text.substr(0, text.find('=')) + "'; " +
+                        std::string(m_command.name) + " has" + options_of(m_command.bit));
+    }
+    const ValueOption& row = kValues[own->index];
+    const std::string name = parser::long_name(row.name);
+    check_command(name, row.commands);
+    row.apply(m_out, own->given);
+    if (row.name == "Lpi" || row.name == "Lens_Pitch") {
+      if (!m_pitch_by.empty() && m_pitch_by != name) {
+        throw OptionError("--lpi and --lens-pitch say the same thing: give one of them");
+      }
+      m_pitch_by = name;
+    }
+  }
+
+ private:
+  void picture(const std::string& text) {
+    if (m_command.bit != kSheet) {
+      throw OptionError(std::string(m_command.name) + " takes no picture, but '" + text +
+                        "' is given");
+    }
+    if (!m_out.image.empty()) {
+      throw OptionError("one picture at a time: '" + m_out.image.string() + "' and '" + text +
+                        "' are given");
+    }
+    m_out.image = text;
+  }
+
+  void check_command(const std::string& name, unsigned commands) const {
+    if (commands & m_command.bit) return;
+    throw OptionError(name + " is no option of " + std::string(m_command.name) + ", which has" +
+                      options_of(m_command.bit));
+  }
+
+  Arguments& m_out;
+  const CommandName& m_command;
+  std::vector<std::string_view> m_names;
+  std::string m_pitch_by;
+};
+
+/// What the options can only be judged on together.
+void check_together(Arguments& a) {
+  if (a.out.empty()) throw OptionError("--out FILE is missing: a .pdf, .tif or .png");
+  if (a.command == Command::sheet) {
+    if (a.image.empty())
+      throw OptionError("sheet needs a picture: lentray-print sheet PICTURE --out FILE");
+    if (a.tiles && !a.style.paper) throw OptionError("--tiles needs --paper");
+    a.style.margin = a.margin.value_or(a.style.margin);
+    return;
+  }
+  if (!a.lens.lens_pitch)
+    throw OptionError("--lpi L is missing, or --lens-pitch: the lenses of the sheet");
+  if (a.command == Command::eye_test && a.focal_length == 0.0) {
+    throw OptionError(
+        "--focal-length F is missing: of the lens in its material, about the sheet's thickness");
+  }
+  if (a.bands && a.step) throw OptionError("--bands and --step exclude each other");
+  if (a.fine && (a.bands || a.step || a.span)) {
+    throw OptionError("--fine stands for --span 0.1 --step 0.01: leave these and --bands out");
+  }
+}
+
+}  // namespace
+
+Arguments parse_arguments(const std::vector<std::string>& words) {
+  Arguments a;
+  const CommandName* command = nullptr;
+  std::optional<Reading> reading;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const std::string& word = words[i];
+    if (word == "--help" || word == "-?") {
+      a.help = true;
+    } else if (word == "--version") {
+      a.version = true;
+    } else if (command) {
+      reading->word(words, i);
+    } else {
+      for (const CommandName& row : kCommands) {
+        if (word == row.name) command = &row;
+      }
+      if (!command) {
+        throw OptionError("unknown command '" + word +
+                          "'; there are pitch-test, phase-test, eye-test and sheet");
+      }
+      a.command = command->command;
+      reading.emplace(a, *command);
+    }
+  }
+  if (a.help || a.version) return a;
+  if (!command) throw OptionError("no command is given; lentray-print --help tells of all");
+  check_together(a);
+  return a;
+}
+
+std::string usage() {
+  return R"(usage: lentray-print pitch-test --lpi L [--dpi D] --out FILE
+       lentray-print phase-test --lpi L [--dpi D] --out FILE
+       lentray-print eye-test --lpi L --focal-length F --distance V --out FILE
+       lentray-print sheet PICTURE --out FILE
+
+Brings integral images to paper, and measures lens sheets. The file is a .pdf,
+.tif or .png of exact size: print it at 100 %, without fitting it to the page,
+at the resolution that was asked for.
+
+pitch-test draws gratings of lines about the lenses' pitch, each with its
+number. Seen through the lens sheet from the final distance, the one that turns
+dark or light as a whole has the pitch that sheet, printer and distance have
+together. phase-test draws them in cells whose lines are shifted, which tells
+where the lenses stand. eye-test draws rows that are black to the left eye and
+white to the right from the distance beside them.
+
+sheet puts an integral image of lentray on a page, with marks for laying the
+lens sheet on and for cutting. Its strips are printed as they are, never
+resampled, unless --pitch asks for it.
+
+Lengths have a unit: mm, cm, m or in.
+
+Of all commands:
+  --out FILE           what is written: .pdf, .tif or .png. It appears when it
+                       is whole, and what stood there before stays until then
+  --lpi L              lenses an inch
+  --lens-pitch P       the same as a length: 0.635mm
+  --dpi D              the printer's pixels an inch: of tests (600), or where a
+                       picture does not tell
+  --mirror             as seen from behind, for prints on the lens sheet's back
+  --horizontal         turned by 90 degrees clockwise: lenses that lie across
+  --help, --version
+
+Of tests:
+  --size WxH           the page, or its paper's name (200x100mm; A4, letter)
+  --span S, --step T   gratings from L - S to L + S by T lines an inch (0.5 by
+                       0.1; of phase-test 0.2 by 0.1)
+  --bands N            as many gratings over the span, instead of a step
+  --fine               the second print: --span 0.1 --step 0.01
+  --edges grey|hard    pixels that an edge crosses are grey, by their share (the
+                       default), or black or white
+  --phases N           shifts of phase-test, of a lens (8)
+  --distance V         from the sheet to the eyes, of eye-test (500mm)
+  --eyes E             between the eyes (65mm)
+  --focal-length F     of the lens, in its material: about the sheet's thickness
+  --ior N              its refractive index (1.56)
+
+Of sheets:
+  --paper NAME         the page: A0 to A6, A3+, letter, legal, tabloid, or WxH
+                       such as 300x200mm, upright or across; without it as large
+                       as it takes
+  --margin M           blank border of the page (5mm)
+  --bleed B            what is printed beyond the cut, at the sides whole lenses
+                       (0mm)
+  --bleed-from edge|picture
+                       it goes on from the picture's edge, view by view (the
+                       default), or is the outer part of the picture itself
+  --marks all|crop|none
+                       gratings of the strips' pitch and bars round the picture,
+                       crop marks and label; crop marks alone; nothing (all)
+  --background C       white, black or #rrggbb; marks are black or white, as
+                       shows better (white)
+  --tiles              cuts a sheet that is larger than the paper into pages,
+                       between lenses; .tif and .png have a file for each page
+  --overlap O          of neighbouring tiles (10mm)
+  --pitch P            the pitch that a test has measured: 39.87lpi or 0.637mm.
+                       The strips are made of the views that the picture has.
+                       That is not exact: the error is told, and the options of
+                       lentray that render it exactly
+  --pixels N           pixels a lens, where the picture does not tell
+  --dpi-y D            its pixels an inch from top to bottom, where they differ
+  --bits 8|16          a channel (as the picture has)
+
+Examples:
+  lentray-print pitch-test --lpi 40 --dpi 600 --size A4 --out pitch.pdf
+  lentray-print pitch-test --lpi 39.9 --fine --dpi 600 --size A4 --out fine.pdf
+  lentray a.pov +W3000 +H2400 Lenticular=On Lens_LPI=40 Print_DPI=600 +Os.png
+  lentray-print sheet s.png --bleed 3mm --paper A4 --out s.pdf
+  lentray-print sheet s.png --pitch 39.87lpi --paper A4 --out s.pdf
+
+Exit status: 0 done, 1 something is wrong with the options or the picture, or
+the file could not be written.
+)";
+}
+
+}  // namespace lentray::print

@@ -1,0 +1,49 @@
+// The command line of lentray-print: a command, its options (`--name value` or `--name=value`), and the picture of
+// `sheet`. Lengths carry their unit and are kept in mm. Errors: parser::OptionError, worded for the user. Pure.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "parser/options/length.h"
+#include "tools/lentray-print/lens_data.h"
+#include "tools/lentray-print/sheet.h"
+
+namespace lentray::print {
+
+enum class Command { pitch_test, phase_test, eye_test, sheet };
+
+struct Arguments {
+  bool help = false, version = false;
+  Command command = Command::sheet;
+  std::filesystem::path image, out;
+
+  // Of all commands.
+  GivenLensData lens;  ///< --lpi, --lens-pitch, --pixels, --dpi, --dpi-y
+  bool mirror = false, horizontal = false;
+
+  // Of test pages.
+  std::optional<parser::Extent> size;
+  std::optional<double> span, step;  ///< lines an inch
+  std::optional<int> bands;
+  bool fine = false, hard_edges = false;
+  int phases = 8;
+  double distance = 500.0, separation = 65.0;
+  double focal_length = 0.0, ior = 1.56;
+
+  // Of sheets.
+  SheetStyle style;
+  std::string paper;             ///< as the user wrote it
+  std::optional<double> margin;  ///< without it, the style's
+  bool tiles = false;
+  double overlap = 10.0;
+  std::optional<double> print_pitch;  ///< --pitch, mm
+  int bits = 0;                       ///< 8 or 16; 0: the picture's
+};
+
+Arguments parse_arguments(const std::vector<std::string>& words);
+std::string usage();
+
+}  // namespace lentray::print

@@ -1,0 +1,150 @@
+#include "tools/lentray-print/lens_data.h"
+
+#include <charconv>
+#include <cmath>
+
+#include "camera/text.h"
+#include "tools/lentray-print/page.h"
+#include "tools/lentray-print/page_error.h"
+
+namespace lentray::print {
+
+using camera::format;
+
+namespace {
+
+constexpr double kSame = 1e-6;  ///< relative
+
+/// What a file says under lentray's name: a PNG file's or OpenEXR file's own entry, a line of a TIFF file's
+/// description.
+std::optional<std::string> field_of(const core::StoredImage& image, const std::string& name) {
+  const std::string key = "lentray:lens." + name;
+  if (const auto own = image.attributes.find(key); own != image.attributes.end())
+    return own->second;
+  const auto text = image.attributes.find("ImageDescription");
+  if (text == image.attributes.end()) return std::nullopt;
+  const std::string lines = "\n" + text->second + "\n", start = "\n" + key + "=";
+  const std::size_t at = lines.find(start);
+  if (at == std::string::npos) return std::nullopt;
+  const std::size_t value = at + start.size();
+  return lines.substr(value, lines.find('\n', value) - value);
+}
+
+std::optional<double> number_in(const std::optional<std::string>& text) {
+  if (!text) return std::nullopt;
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text->data(), text->data() + text->size(), value);
+  if (error != std::errc() || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+std::optional<double> positive_field(const core::StoredImage& image, const std::string& name) {
+  const std::optional<double> value = number_in(field_of(image, name));
+  return value && *value > 0.0 ? value : std::nullopt;
+}
+
+std::optional<double> resolution(const core::StoredImage& image, const char* name) {
+  const auto found = image.attributes.find(name);
+  if (found == image.attributes.end()) return std::nullopt;
+  const auto unit = image.attributes.find("ResolutionUnit");
+  std::optional<double> value = number_in(found->second);
+  if (!value || !(*value > 0.0)) return std::nullopt;
+  if (unit != image.attributes.end() && unit->second == "cm") value = *value * 2.54;
+  return value;
+}
+
+bool differs(double a, double b) { return std::fabs(a - b) > kSame * std::fabs(b); }
+
+void check_same(const std::string& name, const char* option, const std::optional<double>& given,
+                const std::optional<double>& told, const std::string& what) {
+  if (!given || !told || !differs(*given, *told)) return;
+  throw PageError("'" + name + "' says " + format(*told) + " " + what + ", which " + option + " " +
+                  format(*given) + " contradicts; a picture for another print is rendered anew");
+}
+
+std::optional<LensOfPicture> lens_of(const core::StoredImage& image) {
+  const auto pitch = positive_field(image, "pitch_mm"),
+             f = positive_field(image, "focal_length_mm");
+  const auto ior = positive_field(image, "ior");
+  if (!pitch || !f || !ior) return std::nullopt;
+  LensOfPicture lens{*pitch, *f, *ior};
+  lens.view_distance = positive_field(image, "view_distance_mm").value_or(0.0);
+  lens.model = field_of(image, "model").value_or("pinhole");
+  return lens;
+}
+
+/// Interlaced strips survive neither.
+void check_untouched(const core::StoredImage& image, double pixels, const std::string& name) {
+  const std::optional<double> lenses = positive_field(image, "lenses");
+  if (!lenses) return;
+  const double width = std::round(*lenses * pixels);
+  if (width == image.width) return;
+  throw PageError(
+      "'" + name + "' was rendered " + format(width) + " pixels wide and has " +
+      std::to_string(image.width) +
+      " now: resizing and cropping destroy the strips behind the lenses; render it anew");
+}
+
+void check_range(const LensData& data, const std::string& name) {
+  const auto is_beyond = [](double value, double least, double most) {
+    return !(value >= least && value <= most);
+  };
+  if (is_beyond(data.pixels, 1.0, 1e5)) {
+    throw PageError("'" + name + "': " + format(data.pixels) +
+                    " pixels a lens; 1 to 100000 are possible");
+  }
+  if (is_beyond(data.dpi_x, 1.0, 1e5) || is_beyond(data.dpi_y, 1.0, 1e5)) {
+    throw PageError("'" + name + "': a resolution of " + format(data.dpi_x) + " x " +
+                    format(data.dpi_y) + " dpi; 1 to 100000 are possible");
+  }
+}
+
+}  // namespace
+
+double LensData::print_pitch() const { return pixels * kInch / dpi_x; }
+double LensData::print_lpi() const { return dpi_x / pixels; }
+
+LensData lens_data_of(const core::StoredImage& image, const GivenLensData& given,
+                      const std::string& name) {
+  if (field_of(image, "view")) {
+    throw PageError("'" + name + "' is a single view; an integral image is needed");
+  }
+  LensData data;
+  const std::optional<double> told_pixels = positive_field(image, "pixels");
+  std::optional<double> told_x = positive_field(image, "print_dpi_x");
+  std::optional<double> told_y = positive_field(image, "print_dpi_y");
+  check_same(name, "--pixels", given.pixels, told_pixels, "pixels a lens");
+  check_same(name, "--dpi", given.dpi_x, told_x, "pixels an inch");
+  check_same(name, "--dpi-y", given.dpi_y, told_y, "pixels an inch from top to bottom");
+  // Other programs change a file's resolution without asking: what the user says counts more.
+  const std::optional<double> dpi_x = told_x        ? told_x
+                                      : given.dpi_x ? given.dpi_x
+                                                    : resolution(image, "XResolution");
+  if (!dpi_x) {
+    throw PageError("'" + name + "' does not say at what resolution it is printed; give --dpi D");
+  }
+  data.dpi_x = *dpi_x;
+  data.dpi_y = told_y        ? *told_y
+               : given.dpi_y ? *given.dpi_y
+               : given.dpi_x ? *given.dpi_x
+                             : resolution(image, "YResolution").value_or(data.dpi_x);
+  std::optional<double> pixels = told_pixels ? told_pixels : given.pixels;
+  data.lens = lens_of(image);
+  if (given.lens_pitch && data.lens && differs(*given.lens_pitch, data.lens->pitch)) {
+    throw PageError("'" + name + "' was rendered for lenses of " + format(data.lens->pitch) +
+                    " mm, not of " + format(*given.lens_pitch) +
+                    " mm; --pitch fits it to a measured pitch");
+  }
+  if (!pixels && given.lens_pitch) pixels = *given.lens_pitch * data.dpi_x / kInch;
+  if (!pixels) {
+    throw PageError(
+        "'" + name +
+        "' has no lens data of lentray; give --pixels N, the pixels a lens, or --lpi L");
+  }
+  data.pixels = *pixels;
+  check_range(data, name);
+  check_untouched(image, data.pixels, name);
+  return data;
+}
+
+}  // namespace lentray::print

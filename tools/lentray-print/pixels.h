@@ -1,0 +1,35 @@
+// Pictures rearranged pixel by pixel: no sample is changed but where a function says so.
+// Errors: core::NoRoom (core/base/memory_limit.h) where memory does not hold the result. Pure.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/image/reader.h"
+#include "tools/lentray-print/page.h"
+
+namespace lentray::print {
+
+/// Column x of the result is column `columns[x]` of the picture, and likewise rows.
+core::StoredImage rearranged(core::StoredImage image, const std::vector<std::uint32_t>& columns,
+                             const std::vector<std::uint32_t>& rows);
+core::StoredImage mirrored(core::StoredImage image);
+/// A quarter turn clockwise.
+core::StoredImage turned(core::StoredImage image);
+
+/// Grey or RGB of `bits` 8 or 16: alpha is laid over the background, floats become sRGB's values.
+core::StoredImage as_printed(core::StoredImage image, int bits, Colour background);
+
+/// The columns of an integral image that stand for columns `first` .. `first + count - 1`, which may lie beyond its
+/// edges: there each view goes on with its outermost pixel, the one at the same place behind the nearest lens.
+/// `lens_pixels`: N. `width`: the image's columns, whole lenses.
+std::vector<std::uint32_t> continued_columns(std::int64_t first, std::uint32_t count,
+                                             std::uint32_t width, double lens_pixels);
+/// Rows beyond the edges are the outermost ones.
+std::vector<std::uint32_t> continued_rows(std::int64_t first, std::uint32_t count,
+                                          std::uint32_t height);
+
+/// Columns that belong to whole lenses: those of lenses 0 .. floor(width/N) - 1.
+std::uint32_t whole_lens_columns(std::uint32_t width, double lens_pixels);
+
+}  // namespace lentray::print

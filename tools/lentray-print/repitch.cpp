@@ -1,0 +1,149 @@
+#include "tools/lentray-print/repitch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <vector>
+
+#include "core/base/memory_limit.h"
+#include "tools/lentray-print/page.h"
+#include "tools/lentray-print/page_error.h"
+
+namespace lentray::print {
+
+using core::StoredImage;
+
+namespace {
+
+/// Where a column's colour comes from: (1 - share) of `left`, `share` of `right`.
+struct Mix {
+  std::uint32_t left = 0, right = 0;
+  double share = 0.0;
+  double offset = 0.0;  ///< from the nearer of the two, pixels
+};
+
+/// The first column of a lens: the one from which (k + 1/2)/N is at least its number.
+std::int64_t lens_start(std::int64_t lens, double pixels) {
+  return static_cast<std::int64_t>(std::ceil(static_cast<double>(lens) * pixels - 0.5));
+}
+
+std::vector<Mix> mixes(std::uint32_t width, double from, double to) {
+  const auto lenses = static_cast<std::int64_t>(std::floor((width - 0.5) / from)) + 1;
+  std::vector<Mix> all;
+  for (std::int64_t lens = 0; lens < lenses; ++lens) {
+    const double first = static_cast<double>(lens_start(lens, from));
+    const double last =
+        std::min<double>(width, static_cast<double>(lens_start(lens + 1, from))) - 1.0;
+    for (std::int64_t k = lens_start(lens, to); k < lens_start(lens + 1, to); ++k) {
+      const double place = (static_cast<double>(k) + 0.5) / to * from - 0.5;
+      const double within = std::clamp(place, first, last);
+      const double left = std::floor(within);
+      const double share = within - left;
+      all.push_back({static_cast<std::uint32_t>(left),
+                     static_cast<std::uint32_t>(std::min(left + 1.0, last)), share,
+                     std::min(share, 1.0 - share) + std::fabs(place - within)});
+    }
+  }
+  return all;
+}
+
+/// The mean square of what a pixel differs from the mean of its neighbours under the same lens, values 0 to 1.
+double neighbour_error(const StoredImage& image, double pixels) {
+  constexpr std::uint32_t kRows = 97;  // of which it is taken, evenly
+  const double most = static_cast<double>((1u << image.bits) - 1u);
+  const std::uint32_t step = std::max(1u, image.height / kRows);
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (std::uint32_t row = 0; row < image.height; row += step) {
+    for (std::uint32_t k = 1; k + 1 < image.width; ++k) {
+      const double before = std::floor((k - 0.5) / pixels), after = std::floor((k + 1.5) / pixels);
+      if (before != after) continue;
+      for (int c = 0; c < image.channels; ++c) {
+        const double mean = (double{image.at(k - 1, row, c)} + image.at(k + 1, row, c)) / 2.0;
+        const double error = (image.at(k, row, c) - mean) / most;
+        sum += error * error;
+        ++count;
+      }
+    }
+  }
+  return count == 0 ? 0.0 : sum / static_cast<double>(count);
+}
+
+double decibels(double mean_square) {
+  return mean_square > 0.0 ? -10.0 * std::log10(mean_square)
+                           : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
+
+Repitched repitched(const StoredImage& image, double from, double to) {
+  if (!(to >= 1.0)) {
+    throw PageError("at that pitch a lens is less than one pixel of the print wide");
+  }
+  const std::vector<Mix> all = mixes(image.width, from, to);
+  Repitched out;
+  out.pixels = to;
+  StoredImage& result = out.image;
+  result.width = static_cast<std::uint32_t>(all.size());
+  result.height = image.height;
+  result.channels = image.channels;
+  result.bits = image.bits;
+  result.attributes = image.attributes;
+  const std::size_t count = all.size() * image.height * static_cast<std::size_t>(image.channels);
+  core::check_room(static_cast<double>(count) * image.bits / 8);
+  const auto fill = [&](auto& samples) {
+    std::size_t to_sample = 0;
+    for (std::uint32_t row = 0; row < image.height; ++row) {
+      for (const Mix& mix : all) {
+        for (int c = 0; c < image.channels; ++c) {
+          const double value = (1.0 - mix.share) * image.at(mix.left, row, c) +
+                               mix.share * image.at(mix.right, row, c);
+          samples[to_sample++] =
+              static_cast<std::decay_t<decltype(samples[0])>>(std::lround(value));
+        }
+      }
+    }
+  };
+  if (image.bits == 8) {
+    fill(result.samples.store<std::uint8_t>(count));
+  } else {
+    fill(result.samples.store<std::uint16_t>(count));
+  }
+  // Linear interpolation at a share t between two columns, beside the same from twice as far at 1/2: t (1 - t) of the
+  // error where values bend, 2 t (1 - t) of its square where they jump.
+  double smooth = 0.0, step = 0.0;
+  for (const Mix& mix : all) {
+    const double t = mix.share * (1.0 - mix.share);
+    smooth += t * t;
+    step += 2.0 * t;
+    out.largest_offset = std::max(out.largest_offset, mix.offset);
+  }
+  const double error = neighbour_error(image, from);
+  const auto columns = static_cast<double>(std::max<std::size_t>(1, all.size()));
+  out.smooth_psnr = decibels(error * smooth / columns);
+  out.step_psnr = decibels(error * step / columns);
+  return out;
+}
+
+std::string render_options(const LensData& data, double print_pitch, double lenses,
+                           std::uint32_t height) {
+  if (!data.lens) return {};
+  const LensOfPicture& lens = *data.lens;
+  const double pixels = print_pitch * data.dpi_x / kInch;
+  const double widening =
+      lens.view_distance > 0.0 ? lens.focal_length / (lens.ior * lens.view_distance) : 0.0;
+  const double pitch = print_pitch / (1.0 + widening);
+  char text[320];
+  std::snprintf(text, sizeof text,
+                "+W%lld +H%u Lenticular=On Lens_Pitch=%.15g Lens_Pixels=%.15g "
+                "Lens_Focal_Length=%.15g Lens_IOR=%.15g Lens_Model=%s View_Distance=",
+                std::llround(lenses * pixels), height, pitch, pixels, lens.focal_length, lens.ior,
+                lens.model.c_str());
+  std::string out = text;
+  if (!(lens.view_distance > 0.0)) return out + "inf";
+  std::snprintf(text, sizeof text, "%.15g", lens.view_distance);
+  return out + text;
+}
+
+}  // namespace lentray::print
