@@ -51,14 +51,15 @@ constexpr OptionHelp kPicture[] = {
     {"Quality", "n",
      "0 to 11 (9). Below 9 the picture gets simpler: without reflection, shadows, textures.", ""},
     {"Max_Trace_Level", "n",
-     "How deep reflected and transmitted rays are followed, 1 to 256, whatever the scene says.", ""},
+     "How deep reflected and transmitted rays are followed, 1 to 256, whatever the scene says.",
+     ""},
     {"Adc_Bailout", "n", "Share of a pixel below which they are not followed, likewise.", ""},
     {"Area_Light_Samples", "n",
      "Lights along each axis of an area light that has more than one, 2 to 1000, likewise.", ""},
     {"Area_Light_Adaptive", "n|off",
      "Halvings of area lights before samples are left out; off: none is left out. Likewise.", ""},
-    {"Blur_Samples", "n", "Rays of a sample of focal blur, 1 to 65536: the least and the most, likewise.",
-     ""},
+    {"Blur_Samples", "n",
+     "Rays of a sample of focal blur, 1 to 65536: the least and the most, likewise.", ""},
     {"Media_Method", "1|2|3", "How media are sampled, whatever the scene says.", ""},
     {"Media_Intervals", "n", "Pieces of a ray's way through media, likewise.", ""},
     {"Media_Samples", "n", "Samples in each piece, likewise: the least and the most.", ""},
@@ -134,7 +135,21 @@ constexpr OptionHelp kSheet[] = {
      "Directions linear in the offset, by Snell's law, or of several rays through a round lens.",
      ""},
     {"Lens_Rays", "n", "Rays a pixel of the model thick (16).", ""},
-    {"View", "j", "That view alone, counted from 0: a quick look.", ""},
+    {"View", "j", "That view alone, counted from 0: a quick look, one pixel a lens.", ""},
+    {"Views", "M",
+     "Pictures of M views at equal steps over a lens's width, each as large as +W +H say and with "
+     "the "
+     "view's number in its name; with View=j that one alone.",
+     ""},
+    {"View_Size", "WxH", "Their size, while +W +H stay those of the integral image.", ""},
+    {"View_Clock", "a..b", "The clock of the first and the last of these views (that of +K).", ""},
+    {"Quilt", "CxR|portrait|go|16-portrait|27-landscape|27-portrait|32-landscape|32-portrait",
+     "One picture of C x R views for a light-field display, the leftmost camera's lower left; a "
+     "display's name brings its size and aspect too.",
+     ""},
+    {"Quilt_Tile", "WxH", "Size of each of its views (of +W +H, which is the whole quilt's).", ""},
+    {"Quilt_Aspect", "n", "Width by height of the display (as the scene's camera).", ""},
+    {"View_Cone", "degrees", "Angle between a quilt's outermost cameras (35).", ""},
 };
 constexpr OptionHelp kWork[] = {
     {"Work_Threads", "n", "Threads (all of the machine).", ""},
@@ -321,6 +336,7 @@ Lens sheet (lengths in mm):
   Lens_Pitch= | Lens_LPI= | Lens_Pixels= | Print_DPI=
   Lens_Focal_Length=  Lens_IOR=  Lens_Model=paraxial|pinhole|thick  Lens_Rays=n
   View_Distance=n|inf  Sheet_Distance=n  View=j (that view alone)
+  Views=M (pictures of M views)  Quilt=CxR|display  View_Cone=degrees
 )";
 }
 
