@@ -330,7 +330,8 @@ Options:
 Sheet:
   --lens-pixels N        pixels a lens
   --lens-pitch MM        width of a lens
-  --lens-focal-length MM from the lens to the print, in the lens's material
+  --lens-focal-length MM
+                         from the lens to the print, in the lens's material
   --lens-ior N           refractive index of the material
   --lens-model NAME      paraxial, pinhole or thick
   --view-distance MM     from the sheet to the eye the print is for; inf: infinite
