@@ -120,8 +120,8 @@ TEST(UnitViewsTool, InterlacedViewsComeApartAgain) {
     for (std::uint32_t j = 0; j < 6; ++j)
       back.put(j, view_of(image, sheet.lenses, j, 6), "v" + std::to_string(j));
     for (std::uint32_t k = 0; k < 96; ++k) {
-      if (n == 6.0) EXPECT_EQ(back.result().at(k, 1, 0), image.at(k, 1, 0));
-      EXPECT_NEAR(back.result().at(k, 1, 0), image.at(k, 1, 0), 1.0f);
+      const float most_off = n == 6.0 ? 0.0f : 1.0f;
+      EXPECT_NEAR(back.result().at(k, 1, 0), image.at(k, 1, 0), most_off);
     }
   }
 }

@@ -126,7 +126,7 @@ class Reader {
     for (std::size_t i = 0; i < words.size(); ++i) {
       if (flag(words[i])) continue;
       if (const auto own = parser::own_option(words, i, kNames)) {
-        kApply[own->index](*this, own->given);
+        apply(own->index, own->given);
       } else if (words[i].starts_with("-")) {
         throw OptionError("unknown option '" + words[i].substr(0, words[i].find('=')) +
                           "'; lentray-views --help tells of all options");
@@ -145,45 +145,48 @@ class Reader {
       "Pair",     "Wiggle",     "Delay",        "Out",         "Count",      "Size",
       "Filter",   "Like",       "Aspect",       "Lens_Pixels", "Lens_Pitch", "Lens_Focal_Length",
       "Lens_IOR", "Lens_Model", "View_Distance"};
-  static constexpr Apply kApply[] = {
-      [](Reader& r, const GivenOption& g) {
-        r.choose(Task::kViews, "--view");
-        const std::uint32_t view = whole(g, 0);
-        r.m_out.range = Range{view, view};
-      },
-      [](Reader& r, const GivenOption& g) {
-        set_range(r.m_out, g);
-        r.m_some_views = true;
-      },
-      [](Reader& r, const GivenOption& g) {
-        r.choose(Task::kLens, "--lens");
-        r.m_out.lens = whole(g, 0);
-      },
-      [](Reader& r, const GivenOption& g) {
-        r.choose(Task::kQuilt, "--quilt");
-        set_quilt(r.m_out, g);
-      },
-      [](Reader& r, const GivenOption& g) { set_eye(r.m_out, g); },
-      [](Reader& r, const GivenOption& g) { r.m_out.eyes = parser::positive(g); },
-      [](Reader& r, const GivenOption& g) { set_pair(r.m_out, g); },
-      [](Reader& r, const GivenOption& g) {
-        r.choose(Task::kWiggle, "--wiggle");
-        set_file(r.m_out.out, g);
-      },
-      [](Reader& r, const GivenOption& g) { set_delay(r.m_out, g); },
-      [](Reader& r, const GivenOption& g) { set_file(r.m_out.out, g); },
-      [](Reader& r, const GivenOption& g) { r.m_out.count = whole(g, 1); },
-      [](Reader& r, const GivenOption& g) { r.m_out.size = size_in(g); },
-      [](Reader& r, const GivenOption& g) { set_filter(r.m_out, g); },
-      [](Reader& r, const GivenOption& g) { set_file(r.m_out.like, g); },
-      [](Reader& r, const GivenOption& g) { r.m_out.sheet.aspect = parser::positive(g); },
-      [](Reader& r, const GivenOption& g) { set_pixels(r.m_out, g); },
-      [](Reader& r, const GivenOption& g) { r.m_out.sheet.pitch = parser::positive(g); },
-      [](Reader& r, const GivenOption& g) { r.m_out.sheet.focal_length = parser::positive(g); },
-      [](Reader& r, const GivenOption& g) { r.m_out.sheet.ior = parser::positive(g); },
-      [](Reader& r, const GivenOption& g) { set_model(r.m_out, g); },
-      [](Reader& r, const GivenOption& g) { set_distance(r.m_out, g); }};
-  static_assert(std::size(kNames) == std::size(kApply));
+  void apply(std::size_t index, const GivenOption& given) {
+    static constexpr Apply kApply[] = {
+        [](Reader& r, const GivenOption& g) {
+          r.choose(Task::kViews, "--view");
+          const std::uint32_t view = whole(g, 0);
+          r.m_out.range = Range{view, view};
+        },
+        [](Reader& r, const GivenOption& g) {
+          set_range(r.m_out, g);
+          r.m_some_views = true;
+        },
+        [](Reader& r, const GivenOption& g) {
+          r.choose(Task::kLens, "--lens");
+          r.m_out.lens = whole(g, 0);
+        },
+        [](Reader& r, const GivenOption& g) {
+          r.choose(Task::kQuilt, "--quilt");
+          set_quilt(r.m_out, g);
+        },
+        [](Reader& r, const GivenOption& g) { set_eye(r.m_out, g); },
+        [](Reader& r, const GivenOption& g) { r.m_out.eyes = parser::positive(g); },
+        [](Reader& r, const GivenOption& g) { set_pair(r.m_out, g); },
+        [](Reader& r, const GivenOption& g) {
+          r.choose(Task::kWiggle, "--wiggle");
+          set_file(r.m_out.out, g);
+        },
+        [](Reader& r, const GivenOption& g) { set_delay(r.m_out, g); },
+        [](Reader& r, const GivenOption& g) { set_file(r.m_out.out, g); },
+        [](Reader& r, const GivenOption& g) { r.m_out.count = whole(g, 1); },
+        [](Reader& r, const GivenOption& g) { r.m_out.size = size_in(g); },
+        [](Reader& r, const GivenOption& g) { set_filter(r.m_out, g); },
+        [](Reader& r, const GivenOption& g) { set_file(r.m_out.like, g); },
+        [](Reader& r, const GivenOption& g) { r.m_out.sheet.aspect = parser::positive(g); },
+        [](Reader& r, const GivenOption& g) { set_pixels(r.m_out, g); },
+        [](Reader& r, const GivenOption& g) { r.m_out.sheet.pitch = parser::positive(g); },
+        [](Reader& r, const GivenOption& g) { r.m_out.sheet.focal_length = parser::positive(g); },
+        [](Reader& r, const GivenOption& g) { r.m_out.sheet.ior = parser::positive(g); },
+        [](Reader& r, const GivenOption& g) { set_model(r.m_out, g); },
+        [](Reader& r, const GivenOption& g) { set_distance(r.m_out, g); }};
+    static_assert(std::size(kNames) == std::size(kApply));
+    kApply[index](*this, given);
+  }
 
   bool flag(const std::string& word) {
     if (word == "--help" || word == "-?") {

@@ -27,12 +27,20 @@ class IntegralSource final : public Source {
  public:
   IntegralSource(const Arguments& arguments, std::uint32_t count)
       : m_arguments(arguments), m_integral(open_integral(arguments.pictures[0], arguments.sheet)) {
-    m_count = count > 0 ? count : camera::usual_views(m_integral.sheet.lenses);
+    const camera::LensSheet& lenses = m_integral.sheet.lenses;
+    m_count = count > 0 ? count : camera::usual_views(lenses);
+    // What becomes one picture has one width: without a last lens that lacks some views.
+    if (arguments.task != Task::kViews) m_width = camera::view_width(lenses, m_count - 1, m_count);
   }
   std::uint32_t count() const override { return m_count; }
   StoredImage view(std::uint32_t view) const override {
-    return in_size(view_of(m_integral.image, m_integral.sheet.lenses, view, m_count), m_arguments,
-                   m_integral);
+    StoredImage strip = view_of(m_integral.image, m_integral.sheet.lenses, view, m_count);
+    if (m_width > 0 && strip.width > m_width) {
+      StoredImage part = blank_like(strip, m_width, strip.height);
+      copy_pixels(strip, {0, 0, m_width, strip.height}, part, 0, 0);
+      strip = std::move(part);
+    }
+    return in_size(strip, m_arguments, m_integral);
   }
   Pair pair() const override {
     if (m_arguments.pair) {
@@ -60,7 +68,7 @@ class IntegralSource final : public Source {
 
   const Arguments& m_arguments;
   Integral m_integral;
-  std::uint32_t m_count = 0;
+  std::uint32_t m_count = 0, m_width = 0;  ///< 0: as each view has it
 };
 
 class PictureSource final : public Source {
@@ -121,7 +129,9 @@ StoredImage in_size(const StoredImage& strip, const Arguments& arguments,
     return resized(strip, arguments.size->width, arguments.size->height, arguments.filter);
   }
   if (!arguments.square) return strip;
-  const double width = strip.height * need_aspect(integral.sheet, integral.name);
+  // A last lens that is cut counts as a whole one, or not at all.
+  const double width = strip.height * need_aspect(integral.sheet, integral.name) * strip.width /
+                       integral.sheet.lenses.lenses();
   return resized(strip, static_cast<std::uint32_t>(std::max(1.0, std::round(width))), strip.height,
                  arguments.filter);
 }

@@ -162,6 +162,12 @@ camera::Sheet cone_sheet(const parser::CameraRequest& request, const parser::Ren
   return make_sheet(request, o, probe);
 }
 
+/// A line of a sheet's report that tells of places and parallax, and not of the lens.
+bool is_of_scene(const std::string& line) {
+  return line.find(" visible point ") != std::string::npos || line.starts_with("Background") ||
+         line.starts_with("Sheet distance") || line.starts_with("Larger than the sheet");
+}
+
 std::string quilt_line(const parser::RenderOptions& o, double aspect) {
   const parser::QuiltGrid& grid = *o.views.quilt;
   const std::string columns = std::to_string(grid.columns), rows = std::to_string(grid.rows);
@@ -211,7 +217,9 @@ void make_quilt(const parser::CameraRequest& request, const parser::RenderOption
   setup.view = std::make_shared<camera::Quilt>(std::move(tiles), o.views.quilt->columns, about);
   setup.report.push_back(quilt_line(o, aspect));
   if (of_cone) setup.report.push_back(cone_line(*setup.sheet, degrees));
-  for (std::string& line : sheet.report) setup.report.push_back(std::move(line));
+  for (std::string& line : sheet.report) {
+    if (!of_cone || is_of_scene(line)) setup.report.push_back(std::move(line));
+  }
   if (of_cone && asks_for_lens_itself(o)) {
     setup.warnings.push_back(
         "the lens options have no effect on a quilt: Views= makes it of the views of the sheet");
@@ -250,6 +258,8 @@ CameraSetup make_camera(const parser::CameraRequest& asked, const parser::Render
     setup.report = std::move(sheet.report);
     for (std::string& text : sheet.warnings) setup.warnings.push_back(std::move(text));
     if (const auto view = parser::rendered_view(options)) {
+      // Of several pictures the first one tells of the sheet.
+      if (options.animation.views.count > 0 && *view > 0) setup.report.clear();
       setup.view = options.views.count ? picture_of_view(*setup.sheet, options, *view, setup.report)
                                        : strip_of(*setup.sheet, *view);
     }
