@@ -156,21 +156,43 @@ Properties Lenticular::describe() const {
           {"lens.dark_pixels", static_cast<double>(dark_pixels())}};
 }
 
+std::int64_t view_column(double lens_pixels, std::uint32_t view, std::uint32_t views,
+                         std::int64_t lens) {
+  const auto i = static_cast<double>(lens);
+  if (lens_pixels == views) return lens * views + view;
+  const auto column =
+      static_cast<std::int64_t>(std::floor(lens_pixels * (i + (view + 0.5) / views)));
+  const double owner = std::floor((static_cast<double>(column) + 0.5) / lens_pixels);
+  return owner < i ? column + 1 : owner > i ? column - 1 : column;
+}
+
+std::uint32_t usual_views(const LensSheet& sheet) {
+  return static_cast<std::uint32_t>(std::floor(sheet.lens().pixels));
+}
+
+std::uint32_t view_width(const LensSheet& sheet, std::uint32_t view, std::uint32_t views) {
+  const std::uint32_t last = sheet.lens_count() - 1;
+  return last + (view_column(sheet.lens().pixels, view, views, last) < sheet.width() ? 1 : 0);
+}
+
 SheetView::SheetView(const Lenticular& lenticular, std::uint32_t view)
-    : m_lenticular(lenticular), m_view(view), m_width(lenticular.sheet().view_width(view)) {}
+    : m_lenticular(lenticular), m_view(view), m_views(usual_views(lenticular.sheet())),
+      m_width(view_width(lenticular.sheet(), view, m_views)) {}
 
 bool SheetView::ray(double column, double row, core::Ray& ray) const {
   const double last = static_cast<double>(m_width - 1);
   const double lens = std::clamp(std::floor(column), 0.0, last);
   // Within a pixel the view's picture runs across the lens's N pixels' worth of sheet; only the
   // centre is a ray of the sheet, so finer places fall on it.
-  return m_lenticular.ray(lens * m_lenticular.sheet().views() + m_view + 0.5, row, ray);
+  const std::int64_t k = view_column(m_lenticular.sheet().lens().pixels, m_view, m_views,
+                                     static_cast<std::int64_t>(lens));
+  return m_lenticular.ray(static_cast<double>(k) + 0.5, row, ray);
 }
 
 core::PixelPlace SheetView::on_sheet(const core::PixelPlace& place) const {
   core::PixelPlace out = place;
-  out.column = place.column * static_cast<std::int32_t>(m_lenticular.sheet().views()) +
-               static_cast<std::int32_t>(m_view);
+  out.column = static_cast<std::int32_t>(
+      view_column(m_lenticular.sheet().lens().pixels, m_view, m_views, place.column));
   return out;
 }
 
@@ -190,6 +212,7 @@ bool SheetView::sight(const core::PixelPlace& place, core::Ray& out) const {
 Properties SheetView::describe() const {
   Properties out = m_lenticular.describe();
   out.emplace_back("lens.view", static_cast<double>(m_view));
+  out.emplace_back("lens.view_count", static_cast<double>(m_views));
   return out;
 }
 

@@ -102,10 +102,21 @@ class Lenticular : public Camera {
   std::vector<Column> m_columns;
 };
 
-/// One view of a sheet: pixel i is what lens i shows in view j. Whole N only.
+/// The column that view j of `views` has behind a lens, of the sheet or beyond its edges: the one that
+/// holds the print offset ((j + 1/2)/views - 1/2) P', or, where the lens does not own that one, the
+/// lens's own beside it. With whole N and as many views it is i N + j.
+std::int64_t view_column(double lens_pixels, std::uint32_t view, std::uint32_t views,
+                         std::int64_t lens);
+/// N if it is whole, else floor(N).
+std::uint32_t usual_views(const LensSheet& sheet);
+/// Lenses that have the view: all, but perhaps a last one that is cut.
+std::uint32_t view_width(const LensSheet& sheet, std::uint32_t view, std::uint32_t views);
+
+/// One view of a sheet, of usual_views(): pixel i is what lens i shows in view j, at its own column
+/// (view_column()).
 class SheetView final : public Camera {
  public:
-  /// The sheet must outlive the view and must have it (j < views()).
+  /// The sheet must outlive the view and must have it: j < usual_views(), and view_width() above 0.
   SheetView(const Lenticular& lenticular, std::uint32_t view);
   bool ray(double column, double row, core::Ray& ray) const override;
   bool ray_at(const core::PixelPlace& place, core::Ray& out) const override;
@@ -123,7 +134,7 @@ class SheetView final : public Camera {
   core::PixelPlace on_sheet(const core::PixelPlace& place) const;
 
   const Lenticular& m_lenticular;
-  std::uint32_t m_view, m_width;
+  std::uint32_t m_view, m_views, m_width;
 };
 
 }  // namespace lentray::camera

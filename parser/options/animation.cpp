@@ -21,14 +21,40 @@ int subset(std::optional<double> given, int count, int otherwise) {
   return static_cast<int>(is_part ? count * *given : *given);
 }
 
+/// With zeros before, as many digits as the largest number has.
+std::string padded(std::string digits, std::size_t count) {
+  if (digits.size() < count) digits.insert(0, count - digits.size(), '0');
+  return digits;
+}
+
+std::vector<AnimationFrame> frames_of_views(const ViewFrames& views) {
+  const std::size_t digits = std::to_string(views.count - 1).size();
+  std::vector<AnimationFrame> out;
+  for (std::uint32_t view = 0; view < views.count; ++view) {
+    out.push_back({views.still, padded(std::to_string(view), digits)});
+    if (views.clocks) {
+      out.back().clock = still_clock(view_clock(*views.clocks, view, views.count), true);
+    }
+  }
+  return out;
+}
+
 }  // namespace
 
+double view_clock(const std::pair<double, double>& clocks, std::uint32_t view,
+                  std::uint32_t count) {
+  if (count < 2) return clocks.first;
+  return clocks.first + (clocks.second - clocks.first) * view / (count - 1);
+}
+
 bool is_animation(const AnimationOptions& options) {
+  if (options.views.count > 0) return true;
   const int first = options.initial_frame.value_or(0), last = options.final_frame.value_or(0);
   return !(first == 0 && last == 0) && !(first == 1 && last == 1);
 }
 
 std::vector<AnimationFrame> frames_of(const AnimationOptions& options) {
+  if (options.views.count > 0) return frames_of_views(options.views);
   const int initial = options.initial_frame.value_or(1);
   const int last = std::max(options.final_frame.value_or(1), initial);
   const int end = options.cyclic ? last + 1 : last;  // where the final clock is reached
@@ -48,11 +74,10 @@ std::vector<AnimationFrame> frames_of(const AnimationOptions& options) {
   const std::size_t digits = std::to_string(end).size();
   std::vector<AnimationFrame> out;
   for (long long number = from; number <= to; number += options.step) {
-    AnimationFrame frame{all, std::to_string(number)};
+    AnimationFrame frame{all, padded(std::to_string(number), digits)};
     frame.clock.frame_number = static_cast<int>(number);
     frame.clock.clock =
         static_cast<float>(delta * static_cast<double>(number - initial) + initial_clock);
-    if (frame.digits.size() < digits) frame.digits.insert(0, digits - frame.digits.size(), '0');
     out.push_back(std::move(frame));
   }
   return out;

@@ -3,20 +3,13 @@
 // the digits of names measured on stock (tests/unit/parser_animation_test). Pure functions.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace lentray::parser {
-
-struct AnimationOptions {
-  std::optional<int> initial_frame{}, final_frame{};
-  std::optional<double> initial_clock{}, final_clock{};
-  /// Frames; what is above 0 and below 1 is a part of all.
-  std::optional<double> subset_start{}, subset_end{};
-  int step = 1;
-  bool cyclic = false;  ///< the frame after the last one would be the first
-};
 
 /// What a scene sees of the animation. A still has all 0, but perhaps a clock.
 struct FrameClock {
@@ -26,6 +19,24 @@ struct FrameClock {
   double initial_clock = 0.0, final_clock = 0.0, clock_delta = 0.0;
 };
 
+/// Pictures of one lens sheet, a view each, made one after another as frames are (docs/views.md).
+struct ViewFrames {
+  std::uint32_t count = 0;  ///< 0: there are none
+  FrameClock still{};       ///< of every view, unless
+  std::optional<std::pair<double, double>>
+      clocks{};  ///< the first view's and the last view's clock
+};
+
+struct AnimationOptions {
+  std::optional<int> initial_frame{}, final_frame{};
+  std::optional<double> initial_clock{}, final_clock{};
+  /// Frames; what is above 0 and below 1 is a part of all.
+  std::optional<double> subset_start{}, subset_end{};
+  int step = 1;
+  bool cyclic = false;  ///< the frame after the last one would be the first
+  ViewFrames views{};   ///< instead of a clock's frames
+};
+
 /// A frame's clock, and the digits that its picture's name ends in: "07" of 12.
 struct AnimationFrame {
   FrameClock clock;
@@ -33,14 +44,17 @@ struct AnimationFrame {
 };
 
 /// Whether there is a loop at all. As stock: unless both first and last frame are 0 or not given, or
-/// both are 1.
+/// both are 1. Views of a sheet are a loop too.
 bool is_animation(const AnimationOptions& options);
 
 /// All frames of an animation in order, at least one. An animation of one frame has its
-/// initial clock (in stock it is 0/0).
+/// initial clock (in stock it is 0/0). The digits of views begin at 0.
 std::vector<AnimationFrame> frames_of(const AnimationOptions& options);
 
 /// A still's: `given`: Clock= or +K was.
 FrameClock still_clock(double clock, bool given);
+
+/// The clock of view j of `count`: evenly from the first view's to the last one's.
+double view_clock(const std::pair<double, double>& clocks, std::uint32_t view, std::uint32_t count);
 
 }  // namespace lentray::parser

@@ -42,6 +42,23 @@ class Lines {
   std::string m_text;
 };
 
+void add_views(const ViewOptions& views, Lines& out) {
+  out.number("Views", views.count);
+  if (views.quilt) {
+    out.add("Quilt",
+            std::to_string(views.quilt->columns) + "x" + std::to_string(views.quilt->rows));
+  }
+  if (views.size) {
+    out.add("View_Size",
+            std::to_string(views.size->width) + "x" + std::to_string(views.size->height));
+  }
+  out.number("Quilt_Aspect", views.aspect);
+  out.number("View_Cone", views.cone);
+  if (views.clocks) {
+    out.add("View_Clock", text_of(views.clocks->first) + ".." + text_of(views.clocks->second));
+  }
+}
+
 /// The data of a lens sheet that was named stand for its name.
 void add_lens(const RenderOptions& o, Lines& out) {
   out.add("Lenticular", o.lenticular);
@@ -68,6 +85,7 @@ void add_lens(const RenderOptions& o, Lines& out) {
   out.number("Lens_Rays", o.lens.rays);
   out.number("Sheet_Distance", o.sheet_distance);
   out.number("View", o.view);
+  add_views(o.views, out);
 }
 
 void add_picture(const RenderOptions& o, Lines& out) {

@@ -10,6 +10,7 @@
 #include "parser/options/lens_sheets.h"
 #include "parser/options/options_table.h"
 #include "parser/options/sheet_size.h"
+#include "parser/options/view_options_reader.h"
 
 namespace lentray::parser {
 namespace {
@@ -236,6 +237,7 @@ RenderOptions read_with(const std::string& default_ini, std::span<const std::str
   if (options.grayscale && !has_grey) {
     throw OptionError("Grayscale_Output: there is grey in PNG, PPM and TIFF files only");
   }
+  settle_views(options);
   if (options.all_console) {
     options.debug_console = options.warning_console = options.statistic_console =
         options.render_console = options.fatal_console = *options.all_console;
@@ -317,6 +319,12 @@ std::string output_path(const RenderOptions& options, core::FileType& type) {
     name.resize(name.size() - end.size());
   }
   return folder + name + options.frame_digits + std::string(end);
+}
+
+std::optional<std::uint32_t> rendered_view(const RenderOptions& options) {
+  if (options.view || options.animation.views.count == 0) return options.view;
+  // Before the first one the options as a whole are asked.
+  return static_cast<std::uint32_t>(std::strtoul(options.frame_digits.c_str(), nullptr, 10));
 }
 
 std::string frame_path(const RenderOptions& options, const std::string& path) {

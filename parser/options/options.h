@@ -19,6 +19,7 @@
 #include "parser/options/animation.h"
 #include "parser/options/ini.h"
 #include "parser/options/scene_overrides.h"
+#include "parser/options/view_options.h"
 
 namespace lentray::parser {
 
@@ -107,6 +108,7 @@ struct RenderOptions {
   std::optional<double> sheet_width, sheet_height;  ///< mm, of the lens sheet
   std::optional<double> print_dpi_down;  ///< rows an inch, where they are not as the columns
   std::optional<std::uint32_t> view;     ///< that view alone
+  ViewOptions views;
 
   // Ours besides.
   std::string pixel_order = "auto", shadow_cache = "auto", accelerator = "bvh";
@@ -149,6 +151,10 @@ OptionSources installed_sources();
 
 /// argv without the program's name. A lens sheet's size has become columns and rows.
 RenderOptions read_options(std::span<const std::string> arguments, const OptionSources& sources);
+
+/// View=, or that of the picture being made where Views= asks for one picture a view: there
+/// frame_digits are the view's number.
+std::optional<std::uint32_t> rendered_view(const RenderOptions& options);
 
 /// "a.json" of frame 07 is "a07.json".
 std::string frame_path(const RenderOptions& options, const std::string& path);

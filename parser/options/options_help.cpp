@@ -157,7 +157,21 @@ constexpr OptionHelp kSheet[] = {
      ""},
     {"Lens_Tolerance", "n", "How near, in pixels of the print (0.25).", ""},
     {"Lens_Rays", "n", "Rays a pixel of the model thick (16).", ""},
-    {"View", "j", "That view alone, counted from 0: a quick look.", ""},
+    {"View", "j", "That view alone, counted from 0: a quick look, one pixel a lens.", ""},
+    {"Views", "M",
+     "Pictures of M views at equal steps over a lens's width, each as large as +W +H say and with "
+     "the "
+     "view's number in its name; with View=j that one alone.",
+     ""},
+    {"View_Size", "WxH", "Their size, while +W +H stay those of the integral image.", ""},
+    {"View_Clock", "a..b", "The clock of the first and the last of these views (that of +K).", ""},
+    {"Quilt", "CxR|portrait|go|16-portrait|27-landscape|27-portrait|32-landscape|32-portrait",
+     "One picture of C x R views for a light-field display, the leftmost camera's lower left; a "
+     "display's name brings its size and aspect too.",
+     ""},
+    {"Quilt_Tile", "WxH", "Size of each of its views (of +W +H, which is the whole quilt's).", ""},
+    {"Quilt_Aspect", "n", "Width by height of the display (as the scene's camera).", ""},
+    {"View_Cone", "degrees", "Angle between a quilt's outermost cameras (35).", ""},
 };
 constexpr OptionHelp kWork[] = {
     {"Work_Threads", "n", "Threads (all of the machine).", ""},
@@ -345,6 +359,7 @@ Lens sheet (lengths in mm, or with cm, in and others behind them):
   Sheet_Width=  Sheet_Height=  Print_DPI= | Lens_Pixels=   instead of +W +H
   Lens_Sheet=name|list    or Lens_Pitch= | Lens_LPI=  Lens_Thickness=  Lens_IOR=
   View_Distance=n|inf  Lens_Model=auto  View=j (that view alone)
+  Views=M (pictures of M views)  Quilt=CxR|display  View_Cone=degrees
 )";
 }
 

@@ -10,6 +10,7 @@
 
 #include "parser/options/option_values.h"
 #include "parser/options/sheet_options.h"
+#include "parser/options/view_options_reader.h"
 
 namespace lentray::parser {
 namespace {
@@ -291,6 +292,17 @@ void set_accelerator(Options& o, const Given& g) {
   constexpr std::string_view kThere[] = {"bvh", "grid", "list"};
   o.accelerator = choice(g, "accelerator", kThere);
 }
+void set_views(Options& o, const Given& g) {
+  o.views.count = static_cast<std::uint32_t>(whole_number(g, 1, kMostViews));
+}
+void set_view_size(Options& o, const Given& g) { o.views.size = size_of(g); }
+void set_quilt(Options& o, const Given& g) { o.views.quilt = quilt_of(g); }
+void set_quilt_aspect(Options& o, const Given& g) { o.views.aspect = positive(g); }
+void set_view_cone(Options& o, const Given& g) {
+  o.views.cone = positive(g);
+  if (*o.views.cone >= 180.0) refuse(g, "an angle below 180 degrees is expected");
+}
+void set_view_clock(Options& o, const Given& g) { o.views.clocks = clocks_of(g); }
 /// A number greater than 0 and the letters behind it, such as 1.5 GiB.
 struct Quantity {
   double number = 0.0;
@@ -564,6 +576,13 @@ constexpr OptionRow kTable[] = {
     {"Lens_Tolerance", "", sheet_option::tolerance},
     {"Lens_Rays", "", sheet_option::rays},
     {"View", "", sheet_option::view},
+    {"Views", "", set_views},
+    {"View_Size", "", set_view_size},
+    {"View_Clock", "", set_view_clock},
+    {"Quilt", "", set_quilt},
+    {"Quilt_Tile", "", set_view_size},
+    {"Quilt_Aspect", "", set_quilt_aspect},
+    {"View_Cone", "", set_view_cone},
     {"Shadow_Log", "", set_bool<&Options::shadow_log>},
     {"Pixel_Order", "", set_order},
     {"Shadow_Cache", "", set_cache},

@@ -10,7 +10,7 @@ fail() { echo "FAILED: $*"; exit 1; }
 cmake --install "$1" --prefix "$folder/first" >/dev/null
 mv "$folder/first" "$folder/its place"
 cd "$folder"
-for file in bin/lentray bin/lentray-batch bin/lentray-merge bin/lentray-diff bin/lentray-model bin/lentray-grouping bin/lentray-print lib/lentray/lentray_openimageio.so \
+for file in bin/lentray bin/lentray-batch bin/lentray-merge bin/lentray-diff bin/lentray-model bin/lentray-grouping bin/lentray-print bin/lentray-views bin/lentray-chart lib/lentray/lentray_openimageio.so \
             share/man/man1/lentray.1.gz share/man/man1/lentray-diff.1.gz share/man/man1/lentray-model.1.gz \
             share/man/man1/lentray-grouping.1.gz share/bash-completion/completions/lentray \
             share/zsh/vendor-completions/_lentray share/doc/lentray/LICENSE share/doc/lentray/README.md \

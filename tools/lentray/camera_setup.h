@@ -15,10 +15,10 @@
 namespace lentray::tool {
 
 struct CameraSetup {
-  std::unique_ptr<camera::Camera> ordinary;   ///< or
-  std::shared_ptr<camera::Lenticular> sheet;  ///< a lens sheet, and perhaps
-  std::shared_ptr<camera::SheetView> view;    ///< one view of it
-  std::unique_ptr<camera::Camera> blurred;    ///< the sheet or its view with an aperture, or null
+  std::unique_ptr<camera::Camera> ordinary;    ///< or
+  std::shared_ptr<camera::Lenticular> sheet;   ///< a lens sheet, and perhaps
+  std::shared_ptr<const camera::Camera> view;  ///< one view of it, or a quilt of them
+  std::unique_ptr<camera::Camera> blurred;     ///< the sheet or its view with an aperture, or null
   std::vector<std::string> report, warnings;
 
   const camera::Camera& camera() const {

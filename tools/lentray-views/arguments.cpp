@@ -1,0 +1,360 @@
+#include "tools/lentray-views/arguments.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <string_view>
+
+#include "camera/lens_sheet.h"
+#include "parser/options/ini.h"
+#include "parser/options/own_option.h"
+#include "tools/lentray-views/moving.h"
+
+namespace lentray::views {
+
+using parser::GivenOption;
+using parser::OptionError;
+
+namespace {
+
+std::uint32_t whole(const GivenOption& given, std::uint32_t least) {
+  return static_cast<std::uint32_t>(parser::whole_number(given, least, 1'000'000));
+}
+
+/// Two whole numbers with something between them.
+std::optional<std::array<std::uint32_t, 2>> two_numbers(std::string_view text,
+                                                        std::string_view mark) {
+  std::array<std::uint32_t, 2> out{};
+  const std::size_t at = text.find(mark);
+  if (at == std::string_view::npos) return std::nullopt;
+  const std::string_view parts[] = {text.substr(0, at), text.substr(at + mark.size())};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const char* const end = parts[i].data() + parts[i].size();
+    const auto [stop, error] = std::from_chars(parts[i].data(), end, out[i]);
+    if (error != std::errc() || stop != end || out[i] > 1'000'000) return std::nullopt;
+  }
+  return out;
+}
+
+void set_range(Arguments& a, const GivenOption& given) {
+  const auto ends = two_numbers(given.value, "..");
+  if (!ends || (*ends)[1] < (*ends)[0]) {
+    parser::refuse(given, "a first and a last view are expected, such as 0..14");
+  }
+  a.range = Range{(*ends)[0], (*ends)[1]};
+}
+
+void set_pair(Arguments& a, const GivenOption& given) {
+  const auto both = two_numbers(given.value, ",");
+  if (!both) parser::refuse(given, "the left and the right eye's view are expected, such as 9,5");
+  a.pair = Range{(*both)[0], (*both)[1]};
+}
+
+Size size_in(const GivenOption& given) {
+  const auto both = two_numbers(given.value, "x");
+  if (!both || (*both)[0] == 0 || (*both)[1] == 0) {
+    parser::refuse(given, "a size such as 420x560 is expected");
+  }
+  return {(*both)[0], (*both)[1]};
+}
+
+void set_quilt(Arguments& a, const GivenOption& given) {
+  const auto both = two_numbers(given.value, "x");
+  if (!both || (*both)[0] == 0 || (*both)[1] == 0 || (*both)[0] > 1000 || (*both)[1] > 1000) {
+    parser::refuse(given, "columns x rows of views are expected, such as 8x6");
+  }
+  a.columns = (*both)[0];
+  a.rows = (*both)[1];
+}
+
+void set_eye(Arguments& a, const GivenOption& given) {
+  const std::size_t comma = given.value.find(',');
+  const auto part = [&](std::string text) {
+    GivenOption one = given;
+    one.value = std::move(text);
+    return parser::number(one);
+  };
+  Eye eye;
+  eye.angle = part(given.value.substr(0, comma));
+  if (!(std::fabs(eye.angle) < 90.0)) {
+    parser::refuse(given, "an angle between -90 and 90 degrees is expected");
+  }
+  if (comma != std::string::npos) eye.distance = part(given.value.substr(comma + 1));
+  if (comma != std::string::npos && !(eye.distance > 0.0)) {
+    parser::refuse(given, "the eye's distance must be greater than 0 mm");
+  }
+  a.eye = eye;
+}
+
+void set_filter(Arguments& a, const GivenOption& given) {
+  const auto filter = filter_named(given.value);
+  if (!filter) parser::refuse(given, "there are " + std::string(kFilterNames));
+  a.filter = *filter;
+}
+
+void set_model(Arguments& a, const GivenOption& given) {
+  for (const auto model :
+       {camera::LensModel::kParaxial, camera::LensModel::kPinhole, camera::LensModel::kThick}) {
+    if (given.value == camera::name_of(model)) a.sheet.model = model;
+  }
+  if (!a.sheet.model) parser::refuse(given, "there are paraxial, pinhole and thick");
+}
+
+void set_distance(Arguments& a, const GivenOption& given) {
+  a.sheet.view_distance = given.value == "inf" ? 0.0 : parser::number(given);
+  if (*a.sheet.view_distance < 0.0) parser::refuse(given, "a distance of 0 or more is expected");
+}
+
+void set_delay(Arguments& a, const GivenOption& given) {
+  a.delay = static_cast<int>(parser::whole_number(given, 10, kLongestDelay));
+}
+
+void set_pixels(Arguments& a, const GivenOption& given) {
+  a.sheet.pixels = parser::number(given);
+  if (*a.sheet.pixels < 1.0) parser::refuse(given, "at least one pixel a lens is expected");
+}
+
+void set_file(std::filesystem::path& file, const GivenOption& given) {
+  if (given.value.empty()) parser::refuse(given, "the name of a file is expected");
+  file = given.value;
+}
+
+/// Reads the command line word by word.
+class Reader {
+ public:
+  Arguments read(const std::vector<std::string>& words) {
+    for (std::size_t i = 0; i < words.size(); ++i) {
+      if (flag(words[i])) continue;
+      if (const auto own = parser::own_option(words, i, kNames)) {
+        apply(own->index, own->given);
+      } else if (words[i].starts_with("-")) {
+        throw OptionError("unknown option '" + words[i].substr(0, words[i].find('=')) +
+                          "'; lentray-views --help tells of all options");
+      } else {
+        m_out.pictures.emplace_back(words[i]);
+      }
+    }
+    if (!m_out.help && !m_out.version) check();
+    return m_out;
+  }
+
+ private:
+  using Apply = void (*)(Reader&, const GivenOption&);
+  static constexpr std::string_view kNames[] = {
+      "View",     "Views",      "Lens",         "Quilt",       "Eye",        "Eyes",
+      "Pair",     "Wiggle",     "Delay",        "Out",         "Count",      "Size",
+      "Filter",   "Like",       "Aspect",       "Lens_Pixels", "Lens_Pitch", "Lens_Focal_Length",
+      "Lens_IOR", "Lens_Model", "View_Distance"};
+  void apply(std::size_t index, const GivenOption& given) {
+    static constexpr Apply kApply[] = {
+        [](Reader& r, const GivenOption& g) {
+          r.choose(Task::kViews, "--view");
+          const std::uint32_t view = whole(g, 0);
+          r.m_out.range = Range{view, view};
+        },
+        [](Reader& r, const GivenOption& g) {
+          set_range(r.m_out, g);
+          r.m_some_views = true;
+        },
+        [](Reader& r, const GivenOption& g) {
+          r.choose(Task::kLens, "--lens");
+          r.m_out.lens = whole(g, 0);
+        },
+        [](Reader& r, const GivenOption& g) {
+          r.choose(Task::kQuilt, "--quilt");
+          set_quilt(r.m_out, g);
+        },
+        [](Reader& r, const GivenOption& g) { set_eye(r.m_out, g); },
+        [](Reader& r, const GivenOption& g) { r.m_out.eyes = parser::positive(g); },
+        [](Reader& r, const GivenOption& g) { set_pair(r.m_out, g); },
+        [](Reader& r, const GivenOption& g) {
+          r.choose(Task::kWiggle, "--wiggle");
+          set_file(r.m_out.out, g);
+        },
+        [](Reader& r, const GivenOption& g) { set_delay(r.m_out, g); },
+        [](Reader& r, const GivenOption& g) { set_file(r.m_out.out, g); },
+        [](Reader& r, const GivenOption& g) { r.m_out.count = whole(g, 1); },
+        [](Reader& r, const GivenOption& g) { r.m_out.size = size_in(g); },
+        [](Reader& r, const GivenOption& g) { set_filter(r.m_out, g); },
+        [](Reader& r, const GivenOption& g) { set_file(r.m_out.like, g); },
+        [](Reader& r, const GivenOption& g) { r.m_out.sheet.aspect = parser::positive(g); },
+        [](Reader& r, const GivenOption& g) { set_pixels(r.m_out, g); },
+        [](Reader& r, const GivenOption& g) { r.m_out.sheet.pitch = parser::positive(g); },
+        [](Reader& r, const GivenOption& g) { r.m_out.sheet.focal_length = parser::positive(g); },
+        [](Reader& r, const GivenOption& g) { r.m_out.sheet.ior = parser::positive(g); },
+        [](Reader& r, const GivenOption& g) { set_model(r.m_out, g); },
+        [](Reader& r, const GivenOption& g) { set_distance(r.m_out, g); }};
+    static_assert(std::size(kNames) == std::size(kApply));
+    kApply[index](*this, given);
+  }
+
+  bool flag(const std::string& word) {
+    if (word == "--help" || word == "-?") {
+      m_out.help = true;
+    } else if (word == "--version") {
+      m_out.version = true;
+    } else if (word == "--all") {
+      choose(Task::kViews, "--all");
+    } else if (word == "--stereo") {
+      choose(Task::kStereo, "--stereo");
+    } else if (word == "--interlace") {
+      choose(Task::kInterlace, "--interlace");
+    } else if (word == "--between") {
+      m_out.between = true;
+    } else if (word == "--from-left") {
+      m_out.from_left = true;
+    } else if (word == "--square") {
+      m_out.square = true;
+    } else if (word.starts_with("--anaglyph")) {
+      return anaglyph_flag(word);
+    } else {
+      return false;
+    }
+    return true;
+  }
+
+  bool anaglyph_flag(const std::string& word) {
+    choose(Task::kAnaglyph, "--anaglyph");
+    if (word == "--anaglyph" || word == "--anaglyph=dubois") return true;
+    if (word != "--anaglyph=plain") {
+      throw OptionError("'" + word + "': there are --anaglyph=dubois and --anaglyph=plain");
+    }
+    m_out.anaglyph = Anaglyph::kPlain;
+    return true;
+  }
+
+  void choose(Task task, const std::string& name) {
+    if (!m_task.empty() && m_task != name) {
+      throw OptionError(m_task + " and " + name + " are two tasks: give one of them");
+    }
+    m_task = name;
+    m_out.task = task;
+  }
+
+  /// What the options can only be judged on together.
+  void check() {
+    Arguments& a = m_out;
+    if (a.pictures.empty()) {
+      throw OptionError("no picture is given; lentray-views --help tells of all options");
+    }
+    if (m_some_views && a.task == Task::kDescribe) a.task = Task::kViews;
+    if (m_some_views && (m_task == "--view" || m_task == "--all")) {
+      throw OptionError("--views and " + m_task + " contradict each other: give one of them");
+    }
+    if (m_some_views && a.task != Task::kViews && a.task != Task::kWiggle) {
+      throw OptionError("--views does not go with " + m_task);
+    }
+    if (a.eye && a.task == Task::kDescribe) a.task = Task::kEye;
+    const bool has_eyes = a.task == Task::kStereo || a.task == Task::kAnaglyph;
+    if (a.eye && !has_eyes && a.task != Task::kEye) {
+      throw OptionError("--eye does not go with " + m_task);
+    }
+    if (a.pair && !has_eyes) throw OptionError("--pair is of --stereo and --anaglyph");
+    if (a.pair && a.eye) throw OptionError("--pair and --eye contradict each other");
+    if (a.square && a.size) throw OptionError("--square and --size contradict each other");
+    check_interlace();
+  }
+
+  void check_interlace() const {
+    const Arguments& a = m_out;
+    const bool one = a.task == Task::kViews || a.task == Task::kLens || a.task == Task::kEye ||
+                     a.task == Task::kDescribe;
+    if (one && a.pictures.size() > 1) {
+      throw OptionError("'" + a.pictures[1].string() + "': one integral image is expected");
+    }
+    if (a.task != Task::kInterlace) {
+      if (!a.like.empty()) throw OptionError("--like is of --interlace");
+      return;
+    }
+    if (a.pictures.size() < 2) throw OptionError("--interlace wants two pictures or more");
+    if (a.like.empty() && !a.sheet.pixels) {
+      throw OptionError("--interlace wants --like IMAGE, or --lens-pixels N");
+    }
+    if (a.square) throw OptionError("--square is of views, not of --interlace");
+  }
+
+  Arguments m_out;
+  std::string m_task;
+  bool m_some_views = false;
+};
+
+}  // namespace
+
+Arguments parse_arguments(const std::vector<std::string>& words) { return Reader().read(words); }
+
+std::string usage() {
+  return R"(usage: lentray-views IMAGE [task] [options]
+       lentray-views VIEW... [task] [options]
+       lentray-views --interlace VIEW... [options]
+
+Takes integral images for lens sheets apart, and puts them together. IMAGE is a
+picture that lentray made with Lenticular=On, or any interlaced picture. What it
+says of its sheet is used; options below say what it does not. VIEW... are ready
+pictures, rendered or taken with a camera, all of one size.
+
+View j is what all lenses show at one place behind them, a pixel a lens. View 0
+is seen from the right, the last one from the left. Where the number of pixels a
+lens is not whole, a view has the nearest pixel of each lens.
+
+Without a task the sheet of IMAGE is told.
+
+Tasks:
+  --view J               one view
+  --views A..B           views A to B, a file each
+  --all                  all views
+  --lens I               the pixels behind lens I, counted from 0
+  --eye ANGLE[,MM]       what an eye sees through the sheet that looks at its
+                         middle from ANGLE degrees to the right, from MM before it
+                         (the sheet's own viewing distance)
+  --quilt CxR            C x R views in one picture, the leftmost camera's lower
+                         left, as light-field displays want it
+  --stereo               two views side by side, the left eye's on the left
+  --anaglyph[=plain]     two views for red and cyan glasses: colours by Dubois'
+                         matrix, or plainly red of one and green and blue of the other
+  --wiggle FILE          the views to and fro, as FILE.gif or as an animated FILE.png
+  --interlace            the integral image of the pictures
+
+Options:
+  --out FILE             the picture: .png, .tif, .exr or .jpg. Of several views
+                         each gets its number before the end, or where # stands
+  --size WxH             size of each view, or of the integral image
+  --square               views in square pixels instead of a pixel a lens
+  --filter NAME          box, triangle, mitchell or lanczos3 where sizes change
+                         (lanczos3)
+  --count M              M views at equal steps over the lens (the pixels a lens,
+                         rounded down; of a quilt all it has)
+  --between              --eye: colours between pixels of the print, not the nearest
+  --eyes MM              --stereo, --anaglyph: between both eyes (65)
+  --pair L,R             instead: the views of the left and of the right eye
+  --delay MS             --wiggle: how long a view is shown (100)
+  --from-left            VIEW... begins with the leftmost camera's picture
+  --like IMAGE           --interlace: for the same sheet as IMAGE, and as large
+
+Sheet:
+  --lens-pixels N        pixels a lens
+  --lens-pitch MM        width of a lens
+  --lens-focal-length MM
+                         from the lens to the print, in the lens's material
+  --lens-ior N           refractive index of the material
+  --lens-model NAME      paraxial, pinhole or thick
+  --view-distance MM     from the sheet to the eye the print is for; inf: infinite
+  --aspect N             width of the sheet, or of a quilt's display, by its height
+  --help, --version
+
+Examples:
+  lentray scene.pov Lenticular=On +W1200 +H900 +Osheet.png
+  lentray-views sheet.png
+      What the sheet is: lenses, views, sizes.
+  lentray-views sheet.png --all --square --out view##.png
+      Its 15 views as pictures to look at.
+  lentray-views sheet.png --wiggle sheet.gif --square
+  lentray-views sheet.png --eye 10,400 --out right.png
+  lentray-views --interlace front.jpg back.jpg --lens-pixels 12 --size 2400x1600
+      A flip print: each picture has six of twelve pixels.
+
+Exit status: 0 done, 1 something is wrong with the pictures or could not be
+written.
+)";
+}
+
+}  // namespace lentray::views

@@ -1,0 +1,62 @@
+#include "tools/lentray-views/interlace.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "camera/text.h"
+#include "core/image/writer.h"
+#include "tools/lentray-views/picture.h"
+
+namespace lentray::views {
+
+using core::ImageError;
+
+Interlacer::Interlacer(const InterlacePlan& plan)
+    : m_plan(plan), m_lenses(0), m_columns(plan.views) {
+  if (!(plan.pixels >= 1.0) || plan.pixels > plan.width) {
+    throw ImageError("an integral image of " + std::to_string(plan.width) +
+                     " columns has no lens of " + camera::format(plan.pixels) + " pixels");
+  }
+  if (plan.views > plan.pixels) {
+    throw ImageError("a lens of " + camera::format(plan.pixels) + " pixels has no room for " +
+                     std::to_string(plan.views) + " views");
+  }
+  for (std::uint32_t k = 0; k < plan.width; ++k) {
+    const double at = (k + 0.5) / plan.pixels, lens = std::floor(at);
+    const auto view = static_cast<std::uint32_t>((at - lens) * plan.views);
+    m_columns[std::min(view, plan.views - 1)].push_back(k);
+    m_lens.push_back(static_cast<std::uint32_t>(lens));
+  }
+  m_lenses = m_lens.back() + 1;
+}
+
+void Interlacer::put(std::uint32_t view, const core::StoredImage& picture,
+                     const std::string& name) {
+  if (m_first.width == 0) {
+    m_first = blank_like(picture, 0, 0);
+    m_first.width = picture.width;
+    m_first.height = picture.height;
+    m_first_name = name;
+    m_result = blank_like(picture, m_plan.width, m_plan.height);
+  } else if (const std::string how = other_kind(m_first, picture); !how.empty()) {
+    // A view of a last lens that is cut is a pixel narrower.
+    const bool is_cut = picture.height == m_first.height && picture.channels == m_first.channels &&
+                        picture.bits == m_first.bits && m_first.width == m_lenses &&
+                        picture.width + 1 == m_lenses;
+    if (!is_cut) {
+      throw ImageError("'" + m_first_name + "' and '" + name +
+                       "' are not views of one sheet: they have " + how);
+    }
+  }
+  const bool is_strip = picture.height == m_plan.height &&
+                        (picture.width == m_lenses || picture.width + 1 == m_lenses);
+  const core::StoredImage strip = is_strip ? picture
+                                           : resized(picture, m_lenses, m_plan.height,
+                                                     m_plan.filter, m_plan.width / m_plan.pixels);
+  for (const std::uint32_t k : m_columns[view]) {
+    const std::uint32_t column = std::min(m_lens[k], strip.width - 1);
+    copy_pixels(strip, {column, 0, 1, m_plan.height}, m_result, k, 0);
+  }
+}
+
+}  // namespace lentray::views

@@ -1,0 +1,112 @@
+#include "tools/lentray-views/sheet.h"
+
+#include <cstdlib>
+
+#include "camera/text.h"
+#include "core/image/writer.h"
+
+namespace lentray::views {
+namespace {
+
+using camera::LensModel;
+using camera::LensParameters;
+using core::ImageError;
+
+/// Takes the user's word, or else the file's; false: nobody says it.
+bool take(const std::optional<double>& said, const Facts& facts, const char* name,
+          const std::string& about, double& value) {
+  if (said) {
+    value = *said;
+    return true;
+  }
+  if (!facts.contains(name)) return false;
+  value = number_in(facts, name, about);
+  return true;
+}
+
+std::optional<LensModel> model_in(const Facts& facts) {
+  const auto found = facts.find("lens.model");
+  if (found == facts.end()) return std::nullopt;
+  for (const auto model : {LensModel::kParaxial, LensModel::kPinhole, LensModel::kThick}) {
+    if (found->second == camera::name_of(model)) return model;
+  }
+  return std::nullopt;
+}
+
+/// Horizontal slope of the line from the eye to the sheet's middle: the first of three numbers.
+double eye_slope_in(const Facts& facts) {
+  const auto found = facts.find("lens.eye_slope");
+  return found == facts.end() ? 0.0 : std::strtod(found->second.c_str(), nullptr);
+}
+
+double aspect_in(const core::StoredImage& image, const Facts& facts, const std::string& about) {
+  const double width = number_in(facts, "lens.sheet_width_mm", about),
+               height = number_in(facts, "lens.sheet_height_mm", about);
+  if (width > 0.0 && height > 0.0) return width / height;
+  const auto dots = [&](const char* name) {
+    const auto found = image.attributes.find(name);
+    return found == image.attributes.end() ? 0.0 : std::strtod(found->second.c_str(), nullptr);
+  };
+  const double x = dots("XResolution"), y = dots("YResolution");
+  return x > 0.0 && y > 0.0 ? image.width / x / (image.height / y) : 0.0;
+}
+
+void refuse_other_pictures(const Facts& facts, const std::string& about) {
+  if (facts.contains("quilt.columns")) {
+    throw ImageError(about + " is a quilt, and no integral image");
+  }
+  const auto view = facts.find("lens.view");
+  if (view != facts.end()) {
+    throw ImageError(about + " is view " + view->second + " of a sheet, and no integral image");
+  }
+}
+
+}  // namespace
+
+Sheet sheet_of(const core::StoredImage& image, const SheetOptions& options,
+               const std::string& name) {
+  const std::string about = "'" + name + "'";
+  const Facts facts = facts_of(image);
+  refuse_other_pictures(facts, about);
+  LensParameters lens;
+  std::string missing;
+  const auto need = [&](bool known, const char* option) {
+    if (!known) missing += (missing.empty() ? "" : ", ") + std::string(option);
+  };
+  if (!take(options.pixels, facts, "lens.pixels", about, lens.pixels)) {
+    throw ImageError(about + " does not say how many pixels a lens has: --lens-pixels N tells");
+  }
+  need(take(options.pitch, facts, "lens.pitch_mm", about, lens.pitch), "--lens-pitch");
+  need(take(options.focal_length, facts, "lens.focal_length_mm", about, lens.focal_length),
+       "--lens-focal-length");
+  need(take(options.ior, facts, "lens.ior", about, lens.ior), "--lens-ior");
+  double distance = 0.0;
+  need(take(options.view_distance, facts, "lens.view_distance_mm", about, distance),
+       "--view-distance");
+  if (distance > 0.0) lens.view_distance = distance;
+  const auto model = options.model ? options.model : model_in(facts);
+  // As lentray itself chooses.
+  lens.model = model.value_or(lens.is_finite() ? LensModel::kParaxial : LensModel::kPinhole);
+  if (const std::string why = camera::complaint(lens); !why.empty()) {
+    throw ImageError(about + ": " + why);
+  }
+  if (lens.pixels > image.width) {
+    throw ImageError(about + " is " + std::to_string(image.width) +
+                     " pixels wide, which is less than a lens of " + camera::format(lens.pixels));
+  }
+  return {camera::LensSheet(lens, image.width, eye_slope_in(facts)), missing,
+          options.aspect.value_or(aspect_in(image, facts, about))};
+}
+
+void need_optics(const Sheet& sheet, const std::string& name) {
+  if (sheet.missing.empty()) return;
+  throw ImageError("'" + name + "' does not say all of its lenses: give " + sheet.missing);
+}
+
+double need_aspect(const Sheet& sheet, const std::string& name) {
+  if (sheet.aspect > 0.0) return sheet.aspect;
+  throw ImageError("'" + name +
+                   "' does not say how large its sheet is: give --aspect, its width by its height");
+}
+
+}  // namespace lentray::views

@@ -1,0 +1,36 @@
+// The lens sheet that an integral image is printed for: what its file says of it, or what the user does.
+// Lengths in mm. Errors: core::ImageError, worded for the user. Threads: any number.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "camera/lens_sheet.h"
+#include "tools/lentray-views/picture.h"
+
+namespace lentray::views {
+
+/// What a user says of a sheet; it goes before what the file says.
+struct SheetOptions {
+  std::optional<double> pixels, pitch, focal_length, ior, view_distance;  ///< V: 0 is infinite
+  std::optional<camera::LensModel> model;
+  std::optional<double> aspect;  ///< width of the sheet by its height
+};
+
+struct Sheet {
+  camera::LensSheet lenses;
+  std::string missing;  ///< of the optics, as options that would tell; empty: all is known
+  double aspect = 0.0;  ///< width of the sheet by its height; 0: unknown
+};
+
+/// `name` is the file's, for messages. Throws where N is not known, is beyond the picture's width, or
+/// where the picture is a view or a quilt by its own words.
+Sheet sheet_of(const core::StoredImage& image, const SheetOptions& options,
+               const std::string& name);
+
+/// Throws if the optics of the sheet are not known.
+void need_optics(const Sheet& sheet, const std::string& name);
+/// Width by height. Throws if it is not known.
+double need_aspect(const Sheet& sheet, const std::string& name);
+
+}  // namespace lentray::views

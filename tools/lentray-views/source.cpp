@@ -1,0 +1,151 @@
+#include "tools/lentray-views/source.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "camera/lenticular.h"
+#include "core/image/reader.h"
+#include "core/image/writer.h"
+
+namespace lentray::views {
+namespace {
+
+using core::ImageError;
+using core::StoredImage;
+
+constexpr double kArmsLength = 400.0;  // mm: of two eyes before a sheet for infinitely distant ones
+
+void check_view(std::uint32_t view, std::uint32_t count) {
+  if (view < count) return;
+  throw ImageError("there is no view " + std::to_string(view) + ": the views are 0 to " +
+                   std::to_string(count - 1));
+}
+
+class IntegralSource final : public Source {
+ public:
+  IntegralSource(const Arguments& arguments, std::uint32_t count)
+      : m_arguments(arguments), m_integral(open_integral(arguments.pictures[0], arguments.sheet)) {
+    const camera::LensSheet& lenses = m_integral.sheet.lenses;
+    m_count = count > 0 ? count : camera::usual_views(lenses);
+    // What becomes one picture has one width: without a last lens that lacks some views.
+    if (arguments.task != Task::kViews) m_width = camera::view_width(lenses, m_count - 1, m_count);
+  }
+  std::uint32_t count() const override { return m_count; }
+  StoredImage view(std::uint32_t view) const override {
+    StoredImage strip = view_of(m_integral.image, m_integral.sheet.lenses, view, m_count);
+    if (m_width > 0 && strip.width > m_width) {
+      StoredImage part = blank_like(strip, m_width, strip.height);
+      copy_pixels(strip, {0, 0, m_width, strip.height}, part, 0, 0);
+      strip = std::move(part);
+    }
+    return in_size(strip, m_arguments, m_integral);
+  }
+  Pair pair() const override {
+    if (m_arguments.pair) {
+      return {view(m_arguments.pair->first), view(m_arguments.pair->last)};
+    }
+    need_optics(m_integral.sheet, m_integral.name);
+    Eye middle = eye_of(m_arguments, m_integral);
+    if (middle.distance <= 0.0) middle.distance = kArmsLength;
+    return {seen(middle, -0.5), seen(middle, 0.5)};
+  }
+  double aspect() const override { return m_integral.sheet.aspect; }
+  const Facts& facts() const override { return m_integral.facts; }
+
+ private:
+  /// By an eye of two, `side` of their distance to the right.
+  StoredImage seen(const Eye& middle, double side) const {
+    const double radian = std::numbers::pi / 180.0;
+    Eye eye = middle;
+    eye.angle =
+        std::atan(std::tan(middle.angle * radian) + side * m_arguments.eyes / middle.distance) /
+        radian;
+    return in_size(seen_by(m_integral.image, m_integral.sheet.lenses, eye, m_arguments.between),
+                   m_arguments, m_integral);
+  }
+
+  const Arguments& m_arguments;
+  Integral m_integral;
+  std::uint32_t m_count = 0, m_width = 0;  ///< 0: as each view has it
+};
+
+class PictureSource final : public Source {
+ public:
+  explicit PictureSource(const Arguments& arguments)
+      : m_arguments(arguments), m_paths(arguments.pictures) {
+    if (arguments.square) {
+      throw ImageError(
+          "--square is of integral images: these pictures have a size, --size another");
+    }
+    if (arguments.from_left) std::ranges::reverse(m_paths);
+    m_facts = facts_of(core::read_image(m_paths[0]));
+    for (const char* one : {"lens.view", "lens.view_offset_mm"}) m_facts.erase(one);
+  }
+  std::uint32_t count() const override { return static_cast<std::uint32_t>(m_paths.size()); }
+  StoredImage view(std::uint32_t view) const override {
+    check_view(view, count());
+    StoredImage image = core::read_image(m_paths[view]);
+    if (!m_arguments.size) return image;
+    return resized(image, m_arguments.size->width, m_arguments.size->height, m_arguments.filter);
+  }
+  Pair pair() const override {
+    if (m_arguments.pair) return {view(m_arguments.pair->first), view(m_arguments.pair->last)};
+    if (count() != 2) {
+      throw ImageError("of these " + std::to_string(count()) +
+                       " pictures --pair L,R tells the left and the right eye's");
+    }
+    // As they were named: the left eye's first.
+    const bool turned = m_arguments.from_left;
+    return {view(turned ? 1 : 0), view(turned ? 0 : 1)};
+  }
+  double aspect() const override {
+    if (m_arguments.sheet.aspect) return *m_arguments.sheet.aspect;
+    const double width = number_in(m_facts, "lens.sheet_width_mm", m_paths[0].string()),
+                 height = number_in(m_facts, "lens.sheet_height_mm", m_paths[0].string());
+    return width > 0.0 && height > 0.0 ? width / height : 0.0;
+  }
+  const Facts& facts() const override { return m_facts; }
+
+ private:
+  const Arguments& m_arguments;
+  std::vector<std::filesystem::path> m_paths;  ///< by view
+  Facts m_facts;
+};
+
+}  // namespace
+
+Integral open_integral(const std::filesystem::path& path, const SheetOptions& options) {
+  StoredImage image = core::read_image(path);
+  Sheet sheet = sheet_of(image, options, path.string());
+  Facts facts = facts_of(image);
+  return {std::move(image), std::move(sheet), std::move(facts), path.string()};
+}
+
+StoredImage in_size(const StoredImage& strip, const Arguments& arguments,
+                    const Integral& integral) {
+  if (arguments.size) {
+    return resized(strip, arguments.size->width, arguments.size->height, arguments.filter);
+  }
+  if (!arguments.square) return strip;
+  // A last lens that is cut counts as a whole one, or not at all.
+  const double width = strip.height * need_aspect(integral.sheet, integral.name) * strip.width /
+                       integral.sheet.lenses.lenses();
+  return resized(strip, static_cast<std::uint32_t>(std::max(1.0, std::round(width))), strip.height,
+                 arguments.filter);
+}
+
+Eye eye_of(const Arguments& arguments, const Integral& integral) {
+  Eye eye = arguments.eye.value_or(Eye{});
+  const camera::LensParameters& lens = integral.sheet.lenses.lens();
+  if (eye.distance <= 0.0 && lens.is_finite()) eye.distance = lens.view_distance;
+  return eye;
+}
+
+std::unique_ptr<Source> open_source(const Arguments& arguments, std::uint32_t count) {
+  if (arguments.pictures.size() > 1) return std::make_unique<PictureSource>(arguments);
+  return std::make_unique<IntegralSource>(arguments, count);
+}
+
+}  // namespace lentray::views

@@ -1,0 +1,291 @@
+#include "tools/lentray-views/tasks.h"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <vector>
+
+#include "camera/lenticular.h"
+#include "camera/text.h"
+#include "core/image/writer.h"
+#include "tools/common/process.h"
+#include "tools/lentray-views/interlace.h"
+#include "tools/lentray-views/moving.h"
+#include "tools/lentray-views/source.h"
+
+namespace lentray::views {
+namespace {
+
+namespace fs = std::filesystem;
+using core::ImageError;
+using core::StoredImage;
+
+std::string number_text(std::uint32_t number, std::size_t digits) {
+  std::string text = std::to_string(number);
+  if (text.size() < digits) text.insert(0, digits - text.size(), '0');
+  return text;
+}
+
+/// The name that is asked for, or the first picture's with that end, in the current folder.
+fs::path out_or(const Arguments& a, const std::string& end) {
+  if (!a.out.empty()) return a.out;
+  return a.pictures[0].stem().string() + end + ".png";
+}
+
+/// Files are asked for before anything is computed, and no picture takes the place of its source.
+void check_place(const Arguments& a, const fs::path& out) {
+  std::vector<fs::path> sources = a.pictures;
+  if (!a.like.empty()) sources.push_back(a.like);
+  for (const fs::path& source : sources) {
+    std::error_code error;
+    if (fs::equivalent(source, out, error)) {
+      throw ImageError(
+          "'" + out.string() +
+          "' is one of the pictures it would be made of: give another name with --out");
+    }
+  }
+  core::check_writable(out);
+}
+
+/// Of one of several views: # becomes the number, or it stands before the extension.
+fs::path numbered(const fs::path& pattern, std::uint32_t view, std::uint32_t count) {
+  std::string name = pattern.filename().string();
+  const std::size_t digits = std::to_string(count - 1).size(), first = name.find('#');
+  if (first != std::string::npos) {
+    const std::size_t end = std::min(name.find_first_not_of('#', first), name.size());
+    name.replace(first, end - first, number_text(view, std::max(digits, end - first)));
+    return pattern.parent_path() / name;
+  }
+  return pattern.parent_path() /
+         (pattern.stem().string() + number_text(view, digits) + pattern.extension().string());
+}
+
+/// Reads back as the same number.
+std::string exact(double value) {
+  char text[32];
+  return {text, std::to_chars(text, text + sizeof text, value).ptr};
+}
+
+std::string wrote(const fs::path& path, const StoredImage& image) {
+  return path.string() + ": " + std::to_string(image.width) + " x " + std::to_string(image.height) +
+         " pixels\n";
+}
+
+std::string describe(const Arguments& a) {
+  const Integral integral = open_integral(a.pictures[0], a.sheet);
+  const camera::LensSheet& sheet = integral.sheet.lenses;
+  const camera::LensParameters& lens = sheet.lens();
+  std::string out = integral.name + ": " + std::to_string(integral.image.width) + " x " +
+                    std::to_string(integral.image.height) + " pixels, " +
+                    camera::format(sheet.lenses()) + " lenses of " + camera::format(lens.pixels) +
+                    " pixels\n";
+  out += "Views 0 to " + std::to_string(camera::usual_views(sheet) - 1) + ", lenses 0 to " +
+         std::to_string(sheet.lens_count() - 1) + "\n";
+  if (!integral.sheet.missing.empty()) {
+    return out + "Nothing is known of " + integral.sheet.missing + "\n";
+  }
+  return out + "Lens pitch " + camera::format(lens.pitch) + " mm, focal length " +
+         camera::format(lens.focal_length) + " mm, index " + camera::format(lens.ior) + ", model " +
+         camera::name_of(lens.model) + ", viewing distance " +
+         (lens.is_finite() ? camera::format(lens.view_distance) + " mm" : "infinite") + "\n";
+}
+
+About about_view(const Facts& facts, std::uint32_t view, std::uint32_t count) {
+  About about{facts, {}};
+  about.facts["lens.view"] = std::to_string(view);
+  about.facts["lens.view_count"] = std::to_string(count);
+  return about;
+}
+
+std::string write_views(const Arguments& a) {
+  const auto source = open_source(a, a.count.value_or(0));
+  const std::uint32_t count = source->count();
+  const Range range = a.range.value_or(Range{0, count - 1});
+  if (range.last >= count) {
+    throw ImageError("there is no view " + std::to_string(range.last) + ": the views are 0 to " +
+                     std::to_string(count - 1));
+  }
+  const bool is_one = range.first == range.last && !a.out.empty() &&
+                      a.out.filename().string().find('#') == std::string::npos;
+  std::string said;
+  for (std::uint32_t view = range.first; view <= range.last; ++view) {
+    const fs::path path = is_one ? a.out : numbered(out_or(a, "_view"), view, count);
+    check_place(a, path);
+    const StoredImage image = source->view(view);
+    write_picture(image, path, about_view(source->facts(), view, count));
+    said += wrote(path, image);
+  }
+  return said;
+}
+
+std::string write_one(const Arguments& a, const StoredImage& image, const fs::path& path,
+                      const About& about) {
+  check_place(a, path);
+  write_picture(image, path, about);
+  return wrote(path, image);
+}
+
+std::string write_lens(const Arguments& a) {
+  const Integral integral = open_integral(a.pictures[0], a.sheet);
+  About about{integral.facts, {}};
+  about.facts["lens.lens"] = std::to_string(a.lens);
+  return write_one(a, lens_of(integral.image, integral.sheet.lenses, a.lens),
+                   out_or(a, "_lens" + std::to_string(a.lens)), about);
+}
+
+void add_eye(const Eye& eye, Facts& facts) {
+  facts["eye.angle_degrees"] = exact(eye.angle);
+  facts["eye.distance_mm"] = exact(eye.distance);
+}
+
+std::string write_eye(const Arguments& a) {
+  const Integral integral = open_integral(a.pictures[0], a.sheet);
+  need_optics(integral.sheet, integral.name);
+  const Eye eye = eye_of(a, integral);
+  const StoredImage seen = seen_by(integral.image, integral.sheet.lenses, eye, a.between);
+  About about{integral.facts, {}};
+  add_eye(eye, about.facts);
+  return write_one(a, in_size(seen, a, integral), out_or(a, "_eye"), about);
+}
+
+std::string write_quilt(const Arguments& a) {
+  const std::uint32_t count = a.columns * a.rows;
+  if (a.count && *a.count != count) {
+    throw ImageError("--count " + std::to_string(*a.count) + " and a quilt of " +
+                     std::to_string(count) + " views contradict each other");
+  }
+  const auto source = open_source(a, count);
+  if (source->count() != count) {
+    throw ImageError("a quilt of " + std::to_string(a.columns) + " x " + std::to_string(a.rows) +
+                     " views wants as many pictures, not " + std::to_string(source->count()));
+  }
+  std::vector<StoredImage> tiles;
+  for (std::uint32_t i = 0; i < count; ++i) tiles.push_back(source->view(count - 1 - i));
+  const double known = source->aspect();
+  const double aspect = known > 0.0 ? known : double(tiles[0].width) / tiles[0].height;
+  About about{source->facts(), {}};
+  about.facts["lens.view_count"] = std::to_string(count);
+  about.facts["quilt.columns"] = std::to_string(a.columns);
+  about.facts["quilt.rows"] = std::to_string(a.rows);
+  about.facts["quilt.aspect"] = camera::format(aspect);
+  return write_one(a, quilt_of(tiles, a.columns),
+                   out_or(a, quilt_suffix(a.columns, a.rows, aspect)), about);
+}
+
+std::string write_pair(const Arguments& a) {
+  const auto source = open_source(a, a.count.value_or(0));
+  const Source::Pair pair = source->pair();
+  About about{source->facts(), {}};
+  if (a.task == Task::kStereo) {
+    about.facts["stereo"] = "left, right";
+    return write_one(a, side_by_side(pair.left, pair.right), out_or(a, "_stereo"), about);
+  }
+  about.facts["stereo"] = "red-cyan anaglyph";
+  return write_one(a, anaglyph(pair.left, pair.right, a.anaglyph), out_or(a, "_anaglyph"), about);
+}
+
+std::string write_wiggle(const Arguments& a) {
+  std::string end = a.out.extension().string();
+  std::ranges::transform(end, end.begin(), [](unsigned char c) { return std::tolower(c); });
+  if (end != ".gif" && end != ".png") {
+    throw ImageError("cannot write '" + a.out.string() +
+                     "': moving pictures are .gif and .png files");
+  }
+  check_place(a, a.out);
+  const auto source = open_source(a, a.count.value_or(0));
+  const Range range = a.range.value_or(Range{0, source->count() - 1});
+  if (range.last >= source->count()) {
+    throw ImageError("there is no view " + std::to_string(range.last) + ": the views are 0 to " +
+                     std::to_string(source->count() - 1));
+  }
+  // To and fro; both ends are shown once.
+  std::vector<StoredImage> frames;
+  for (std::uint32_t view = range.first; view <= range.last; ++view) {
+    frames.push_back(source->view(view));
+    if (const std::string how = other_kind(frames[0], frames.back()); !how.empty()) {
+      throw ImageError("these views do not go together: they have " + how);
+    }
+  }
+  for (std::uint32_t view = range.last; view-- > range.first + 1;) {
+    frames.push_back(frames[view - range.first]);
+  }
+  tool::write_whole(a.out, end == ".gif" ? gif_of(frames, a.delay) : apng_of(frames, a.delay));
+  return a.out.string() + ": " + std::to_string(frames.size()) + " frames of " +
+         std::to_string(frames[0].width) + " x " + std::to_string(frames[0].height) + " pixels\n";
+}
+
+/// The size and sheet of --like, or of --lens-pixels and --size.
+InterlacePlan plan_of(const Arguments& a, About& about) {
+  InterlacePlan plan;
+  plan.views = static_cast<std::uint32_t>(a.pictures.size());
+  plan.filter = a.filter;
+  about.description = "integral image for a lenticular sheet";
+  if (!a.like.empty()) {
+    const Integral like = open_integral(a.like, a.sheet);
+    plan.pixels = like.sheet.lenses.lens().pixels;
+    plan.width = like.image.width;
+    plan.height = like.image.height;
+    about.facts = like.facts;
+    const auto dots = [&](const char* name) {
+      const auto found = like.image.attributes.find(name);
+      return found == like.image.attributes.end() ? 0.0
+                                                  : std::strtod(found->second.c_str(), nullptr);
+    };
+    about.dpi_x = dots("XResolution");
+    about.dpi_y = dots("YResolution");
+    if (a.size) throw ImageError("--size and --like contradict each other");
+    return plan;
+  }
+  plan.pixels = *a.sheet.pixels;
+  if (a.size) {
+    plan.width = a.size->width;
+    plan.height = a.size->height;
+  } else {
+    // A pixel of the pictures is a lens.
+    const StoredImage first = core::read_image(a.pictures[0]);
+    const double width = std::round(first.width * plan.pixels);
+    if (width > 1e6) {
+      throw ImageError("a lens for each of " + std::to_string(first.width) +
+                       " columns makes the sheet too wide: --size WxH tells its pixels");
+    }
+    plan.width = static_cast<std::uint32_t>(width);
+    plan.height = first.height;
+  }
+  about.facts["lens.pixels"] = exact(plan.pixels);
+  return plan;
+}
+
+std::string write_interlaced(const Arguments& a) {
+  const fs::path out = out_or(a, "_sheet");
+  check_place(a, out);
+  About about;
+  const InterlacePlan plan = plan_of(a, about);
+  Interlacer interlacer(plan);
+  for (std::uint32_t i = 0; i < plan.views; ++i) {
+    const fs::path& path = a.pictures[i];
+    interlacer.put(a.from_left ? plan.views - 1 - i : i, core::read_image(path), path.string());
+  }
+  return write_one(a, interlacer.result(), out, about);
+}
+
+}  // namespace
+
+std::string do_task(const Arguments& arguments) {
+  switch (arguments.task) {
+    case Task::kDescribe: break;
+    case Task::kViews: return write_views(arguments);
+    case Task::kLens: return write_lens(arguments);
+    case Task::kQuilt: return write_quilt(arguments);
+    case Task::kEye: return write_eye(arguments);
+    case Task::kStereo:
+    case Task::kAnaglyph: return write_pair(arguments);
+    case Task::kWiggle: return write_wiggle(arguments);
+    case Task::kInterlace: return write_interlaced(arguments);
+  }
+  return describe(arguments);
+}
+
+}  // namespace lentray::views
