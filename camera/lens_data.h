@@ -21,13 +21,13 @@ class CameraError : public std::runtime_error {
 };
 
 struct LensData {
-  std::optional<double> pitch;         ///< width of a lens, mm
-  std::optional<double> lpi;           ///< the same as lenses an inch
-  std::optional<double> focal_length;  ///< from the vertex, in the material, mm
-  std::optional<double> thickness;     ///< from the vertex to the print, mm
-  std::optional<double> radius;        ///< of the round surface, mm
-  std::optional<double> ior;           ///< refractive index
-  std::optional<double> angle;         ///< the full viewing angle in the air, degrees
+  std::optional<double> pitch{};         ///< width of a lens, mm
+  std::optional<double> lpi{};           ///< the same as lenses an inch
+  std::optional<double> focal_length{};  ///< from the vertex, in the material, mm
+  std::optional<double> thickness{};     ///< from the vertex to the print, mm
+  std::optional<double> radius{};        ///< of the round surface, mm
+  std::optional<double> ior{};           ///< refractive index
+  std::optional<double> angle{};         ///< the full viewing angle in the air, degrees
 
   bool is_empty() const {
     return !pitch && !lpi && !focal_length && !thickness && !radius && !ior && !angle;

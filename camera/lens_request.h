@@ -20,7 +20,7 @@ inline constexpr double kModelTolerance = 0.25;
 struct SheetSize {
   double width = 0.0, height = 0.0;
   /// The print's rows an inch; empty: as many as there are columns an inch.
-  std::optional<double> dpi_down;
+  std::optional<double> dpi_down{};
   /// The number of rows was asked for besides: they are as high as the sheet makes them.
   bool rows_fill_it = false;
 };

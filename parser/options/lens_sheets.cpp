@@ -51,6 +51,7 @@ void append_file(const std::string& path, std::vector<LensProfile>& out) {
   std::ostringstream text;
   if (in) text << in.rdbuf();
   if (!in) throw OptionError("cannot read the INI file '" + path + "'");
+  (void)ini_lines(text.str(), path, {path, "", false});  // says which labels are none
   std::vector<std::string> labels;
   for (std::string& label : ini_labels(text.str())) {
     const auto same = [&label](const std::string& known) { return same_word(known, label); };

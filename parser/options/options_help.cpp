@@ -357,7 +357,7 @@ are POV-Ray's, on the command line or in INI files (file.ini, file.ini[part]).
 Lens sheet (lengths in mm, or with cm, in and others behind them):
   Lenticular=On           make a sheet of the scene's camera
   Sheet_Width=  Sheet_Height=  Print_DPI= | Lens_Pixels=   instead of +W +H
-  Lens_Sheet=name|list    or Lens_Pitch= | Lens_LPI=  Lens_Thickness=  Lens_IOR=
+  Lens_Sheet=name|list    or Lens_Pitch= | Lens_LPI= Lens_Thickness= Lens_IOR=
   View_Distance=n|inf  Lens_Model=auto  View=j (that view alone)
   Views=M (pictures of M views)  Quilt=CxR|display  View_Cone=degrees
 )";

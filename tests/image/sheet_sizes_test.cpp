@@ -79,7 +79,7 @@ TEST_F(ImageSheetSizes, AScenesPrintInOneCommand) {
     for (const char* part :
          {"Lens sheet 100.05 x 70.0949 mm", "Print 100.2 x 70.2 mm", "127 x 127 ppi",
           "Rounded to whole pixels, 501 x 351, for a sheet of 100 x 70 mm: 0.04993 mm wider, "
-          "0.09486 mm higher",
+          "0.09486 mm higher; the last lens is cut",
           "Viewing angle 59.96 degrees; at 400 mm the zone to view it from is ",
           "The left eye sees place "}) {
       EXPECT_TRUE(sheet_sizes_has(result.output, part)) << part << "\n" << result.output;

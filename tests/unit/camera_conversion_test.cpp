@@ -205,7 +205,8 @@ TEST(UnitCameraConversion, StatementDefaults) {
   near.view_distance = 30.0;  // nearer than the sheet is wide
   const Sheet finite = sheet_of_statement(p, near, 600, 30, {});
   EXPECT_NEAR(finite.camera->placement().front, 30.0 * finite.camera->scale(), 1e-14);
-  EXPECT_TRUE(finite.warnings.empty());
+  ASSERT_EQ(finite.warnings.size(), 1u);  // not of lens_front
+  EXPECT_NE(finite.warnings[0].find("depth is reversed"), std::string::npos);
   EXPECT_TRUE(has_line(finite.report, "Rays miss the eyes"));
 }
 
@@ -303,10 +304,10 @@ TEST(UnitCameraConversion, ASheetHasTheSizeThatWasAskedFor) {
   EXPECT_NEAR(sheet.camera->print_height(), 70.2, 1e-9);
   EXPECT_NEAR(sheet.camera->print_dpi_x(), 254.0, 1e-9);
   EXPECT_NEAR(sheet.camera->print_dpi_y(), 254.0, 1e-9);
-  EXPECT_TRUE(has_line(sheet.report,
-                       "Rounded to whole pixels, 1003 x 702, for a sheet of 100 x 70 "
-                       "mm: 0.01246 mm narrower, 0.01869 mm lower; the last lens is "
-                       "cut"));
+  EXPECT_TRUE(
+      has_line(sheet.report,
+               "Rounded to whole pixels, 1003 x 702, for a sheet of 100 x 70 mm: 0.01246 mm "
+               "narrower, 0.01869 mm lower"));
   // Other rows an inch, and rows that fill the sheet.
   conversion.lens.size->dpi_down = 127.0;
   EXPECT_NEAR(sheet_of_camera("perspective", plain_camera(), conversion, 1003, 351, {})

@@ -98,7 +98,7 @@ TEST(UnitCameraLensData, WikipediasExample) {
       solve({.pitch = 0.33665, .thickness = 0.457, .radius = 0.1905, .ior = 1.557, .angle = 64.6});
   EXPECT_TRUE(lens_data_notes(lens,
                               "Viewing angle 64.6 degrees as given; the other data make it "
-                              "64.42, 0.284 % off"))
+                              "64.42, 0.2847 % off"))
       << lens.notes.back();
   // Both formulae agree for a narrow lens.
   EXPECT_NEAR(viewing_angle(0.1, 3.0, 1.5, 1.0) / viewing_angle(0.1, 3.0, 1.5), 1.0, 1e-3);

@@ -336,12 +336,12 @@ TEST(UnitCameraSheetReport, WhereTheLensesFocus) {
   const Sheet behind = sheet_of_statement(plain_camera(), lens, 600, 30, {});
   EXPECT_TRUE(camera_sheet_report_has_line(
       behind.report,
-      "The lenses focus 0.0755 mm behind the sheet's back: an eye sees 2.127 pixels of the print"))
+      "The lenses focus 0.07551 mm behind the sheet's back: an eye sees 2.127 pixels of the print"))
       << all(behind.report);
   lens.thickness = 0.6;
   EXPECT_TRUE(
       camera_sheet_report_has_line(sheet_of_statement(plain_camera(), lens, 600, 30, {}).report,
-                                   "The lenses focus 0.0675 mm before"));
+                                   "The lenses focus 0.06749 mm before"));
   lens.thickness = 0.53;
   EXPECT_TRUE(
       camera_sheet_report_has_line(sheet_of_statement(plain_camera(), lens, 600, 30, {}).report,
