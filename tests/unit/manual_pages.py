@@ -11,7 +11,8 @@ import shutil
 import subprocess
 import sys
 
-PROGRAMS = ("lentray", "lentray-batch", "lentray-diff", "lentray-merge", "lentray-model", "lentray-grouping", "lentray-chart")
+PROGRAMS = ("lentray", "lentray-batch", "lentray-diff", "lentray-merge", "lentray-model", "lentray-grouping", "lentray-chart",
+            "lentray-print")
 failed = 0
 
 
