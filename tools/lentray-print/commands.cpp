@@ -55,6 +55,7 @@ std::vector<double> lpis_of(const Arguments& a) {
   if (a.bands) {
     if (*a.bands == 1) return {nominal};
     std::vector<double> all;
+    all.reserve(static_cast<std::size_t>(*a.bands));
     for (int i = 0; i < *a.bands; ++i)
       all.push_back(nominal + span * (2.0 * i / (*a.bands - 1) - 1.0));
     return all;
