@@ -10,7 +10,7 @@ packages="
   libtbb-dev libboost-dev libboost-program-options-dev nlohmann-json3-dev
   libopenimageio-dev openimageio-tools libopenexr-dev libpng-dev zlib1g-dev libgif-dev libjpeg-dev libfreetype-dev
   libgtest-dev libbenchmark-dev libembree-dev gnuplot-nox libjxl-devtools valgrind dpkg-dev
-  file
+  file poppler-utils
   povray povray-includes povray-examples"
 
 if [ "${1:-}" = --all ]; then

@@ -12,7 +12,7 @@ import subprocess
 import sys
 
 PROGRAMS = ("lentray", "lentray-batch", "lentray-diff", "lentray-merge", "lentray-model", "lentray-grouping", "lentray-chart",
-            "lentray-views")
+            "lentray-print", "lentray-views")
 failed = 0
 
 

@@ -55,6 +55,7 @@ std::vector<double> lpis_of(const Arguments& a) {
   if (a.bands) {
     if (*a.bands == 1) return {nominal};
     std::vector<double> all;
+    all.reserve(static_cast<std::size_t>(*a.bands));
     for (int i = 0; i < *a.bands; ++i)
       all.push_back(nominal + span * (2.0 * i / (*a.bands - 1) - 1.0));
     return all;
@@ -97,12 +98,12 @@ Page test_page_of(const Arguments& a) {
 }
 
 Report run_test(const Arguments& a) {
-  const Page page = finished(test_page_of(a), a);
+  Page page = finished(test_page_of(a), a);
   Report report;
-  constexpr int kBits = 8;
-  report.warnings = write_pages({{"", [&page] { return page; }}}, a.out, kBits);
   report.lines.push_back(a.out.string() + ": " + page.title + "; page " +
                          size_text(page.width, page.height));
+  constexpr int kBits = 8;
+  report.warnings = write_pages({{"", [&page] { return std::move(page); }}}, a.out, kBits);
   return report;
 }
 
@@ -114,7 +115,7 @@ class SheetRun {
   Report run() {
     read();
     if (m_a.print_pitch) change_pitch();
-    const SheetArt art = sheet_art(std::move(m_image), m_data, m_style);
+    SheetArt art = sheet_art(std::move(m_image), m_data, m_style);
     if (art.cut_columns > 0) {
       say("left out at the right: " + std::to_string(art.cut_columns) + " pixels of a cut lens");
     }
@@ -123,7 +124,7 @@ class SheetRun {
         std::to_string(art.end_lens - art.first_lens) + " lenses of " + format(m_data.pixels) +
         " pixels, strips " + mm(m_data.print_pitch()) + " mm apart (" + format(m_data.print_lpi()) +
         " lpi), " + format(m_data.dpi_x) + " x " + format(m_data.dpi_y) + " dpi");
-    m_a.tiles ? write_tiles(art) : write_page(art);
+    m_a.tiles ? write_tiles(std::move(art)) : write_page(std::move(art));
     return std::move(m_report);
   }
 
@@ -166,22 +167,21 @@ class SheetRun {
     m_data.pixels = pixels;
   }
 
-  void write_page(const SheetArt& art) {
-    const SheetPage sheet = sheet_page(art, m_data, m_style);
-    const Page page = finished(sheet.page, m_a);
-    m_report.warnings = write_pages({{"", [&page] { return page; }}}, m_a.out, m_bits);
+  void write_page(SheetArt art) {
+    Page page = finished(sheet_page(std::move(art), m_data, m_style).page, m_a);
     say("trimmed: " + size_text(page.trim.width, page.trim.height) + " at " + mm(page.trim.left) +
         ", " + mm(page.trim.top) + " mm" +
         (m_style.bleed > 0.0 ? "; with bleed " + size_text(page.bleed.width, page.bleed.height)
                              : std::string()));
     say(m_a.out.string() + ": page " + size_text(page.width, page.height));
+    m_report.warnings = write_pages({{"", [&page] { return std::move(page); }}}, m_a.out, m_bits);
   }
 
-  void write_tiles(const SheetArt& art) {
+  void write_tiles(SheetArt art) {
     SheetStyle whole_style = m_style;
     whole_style.paper.reset();
     whole_style.margin = 1.0;  // marks do not end at the edge of a window
-    const SheetPage sheet = sheet_page(art, m_data, whole_style);
+    const SheetPage sheet = sheet_page(std::move(art), m_data, whole_style);
     const Page& whole = sheet.page;
     const TilePlan plan =
         tile_plan(whole, sheet.boundaries,

@@ -16,7 +16,7 @@ namespace lentray::print {
 struct PageSource {
   std::string
       suffix;  ///< of its file's name before the extension, where pages are files of their own
-  std::function<Page()> make;
+  std::function<Page()> make;  ///< called once
 };
 
 /// Throws core::ImageError for any but .pdf, .tif, .tiff and .png.

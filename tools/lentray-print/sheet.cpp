@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <utility>
 
 #include "camera/text.h"
 #include "tools/lentray-print/letters.h"
@@ -242,7 +242,7 @@ parser::Extent needed_extent(const SheetArt& art, const LensData& data, const Sh
           py * (art.image.height + 2.0 * std::ceil((room.down + style.margin) / py - 1e-9))};
 }
 
-SheetPage sheet_page(const SheetArt& art, const LensData& data, const SheetStyle& style) {
+SheetPage sheet_page(SheetArt art, const LensData& data, const SheetStyle& style) {
   const parser::Extent needed = needed_extent(art, data, style);
   parser::Extent extent = needed;
   if (style.paper) {
@@ -273,7 +273,7 @@ SheetPage sheet_page(const SheetArt& art, const LensData& data, const SheetStyle
   const double px = page.pixel_width(), py = page.pixel_height();
   sheet.art = {static_cast<double>(left) * px, static_cast<double>(top) * py, art.image.width * px,
                art.image.height * py};
-  page.pictures.push_back({art.image, left, top});
+  page.pictures.push_back({std::move(art.image), left, top});
   page.trim = {static_cast<double>(sheet.column + art.trim_left) * px,
                static_cast<double>(row + art.trim_top) * py,
                static_cast<double>(art.trim_right - art.trim_left) * px,

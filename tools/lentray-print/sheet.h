@@ -53,6 +53,6 @@ struct SheetPage {
 /// The size of page that the sheet needs.
 parser::Extent needed_extent(const SheetArt& art, const LensData& data, const SheetStyle& style);
 /// On style.paper, upright or across, whichever holds it; PageError if neither does.
-SheetPage sheet_page(const SheetArt& art, const LensData& data, const SheetStyle& style);
+SheetPage sheet_page(SheetArt art, const LensData& data, const SheetStyle& style);
 
 }  // namespace lentray::print
