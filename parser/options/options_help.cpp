@@ -143,9 +143,10 @@ constexpr OptionHelp kSheet[] = {
      ""},
     {"View_Size", "WxH", "Their size, while +W +H stay those of the integral image.", ""},
     {"View_Clock", "a..b", "The clock of the first and the last of these views (that of +K).", ""},
-    {"Quilt", "CxR|portrait|go|16-portrait|27-landscape|27-portrait|32-landscape|32-portrait",
-     "One picture of C x R views for a light-field display, the leftmost camera's lower left; a "
-     "display's name brings its size and aspect too.",
+    {"Quilt", "CxR|display",
+     "One picture of C x R views for a light-field display, the leftmost camera's lower left; the "
+     "display's name brings its size and aspect too: portrait, go, 16-portrait, 27-landscape, "
+     "27-portrait, 32-landscape, 32-portrait.",
      ""},
     {"Quilt_Tile", "WxH", "Size of each of its views (of +W +H, which is the whole quilt's).", ""},
     {"Quilt_Aspect", "n", "Width by height of the display (as the scene's camera).", ""},
@@ -335,8 +336,7 @@ Lens sheet (lengths in mm):
   Lenticular=On           make a sheet of the scene's camera
   Lens_Pitch= | Lens_LPI= | Lens_Pixels= | Print_DPI=
   Lens_Focal_Length=  Lens_IOR=  Lens_Model=paraxial|pinhole|thick  Lens_Rays=n
-  View_Distance=n|inf  Sheet_Distance=n  View=j (that view alone)
-  Views=M (pictures of M views)  Quilt=CxR|display  View_Cone=degrees
+  View_Distance=n|inf  Sheet_Distance=n  View=j  Views=M  Quilt=CxR (views alone)
 )";
 }
 
