@@ -102,9 +102,9 @@ class Lenticular : public Camera {
   std::vector<Column> m_columns;
 };
 
-/// The column that view j of `views` has behind a lens, of the sheet or beyond its edges: the one that
-/// holds the print offset ((j + 1/2)/views - 1/2) P', or, where the lens does not own that one, the
-/// lens's own beside it. With whole N and as many views it is i N + j.
+/// The column that view j of `views` has behind a lens, of the sheet or beyond its edges: the one
+/// that holds the print offset ((j + 1/2)/views - 1/2) P', or, where the lens does not own that
+/// one, the lens's own beside it. With whole N and as many views it is i N + j.
 std::int64_t view_column(double lens_pixels, std::uint32_t view, std::uint32_t views,
                          std::int64_t lens);
 /// N if it is whole, else floor(N).

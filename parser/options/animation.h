@@ -1,4 +1,5 @@
-// The frames of an animation: which there are, and the clock and constants that a scene sees in each.
+// The frames of an animation: which there are, and the clock and constants that a scene sees in
+// each.
 // Source: reference manual 3.7, "Animation Options"; when the loop runs, cyclic clocks, subsets and
 // the digits of names measured on stock (tests/unit/parser_animation_test). Pure functions.
 #pragma once
@@ -43,8 +44,8 @@ struct AnimationFrame {
   std::string digits;
 };
 
-/// Whether there is a loop at all. As stock: unless both first and last frame are 0 or not given, or
-/// both are 1. Views of a sheet are a loop too.
+/// Whether there is a loop at all. As stock: unless both first and last frame are 0 or not given,
+/// or both are 1. Views of a sheet are a loop too.
 bool is_animation(const AnimationOptions& options);
 
 /// All frames of an animation in order, at least one. An animation of one frame has its

@@ -165,9 +165,10 @@ constexpr OptionHelp kSheet[] = {
      ""},
     {"View_Size", "WxH", "Their size, while +W +H stay those of the integral image.", ""},
     {"View_Clock", "a..b", "The clock of the first and the last of these views (that of +K).", ""},
-    {"Quilt", "CxR|portrait|go|16-portrait|27-landscape|27-portrait|32-landscape|32-portrait",
-     "One picture of C x R views for a light-field display, the leftmost camera's lower left; a "
-     "display's name brings its size and aspect too.",
+    {"Quilt", "CxR|display",
+     "One picture of C x R views for a light-field display, the leftmost camera's lower left; the "
+     "display's name brings its size and aspect too: portrait, go, 16-portrait, 27-landscape, "
+     "27-portrait, 32-landscape, 32-portrait.",
      ""},
     {"Quilt_Tile", "WxH", "Size of each of its views (of +W +H, which is the whole quilt's).", ""},
     {"Quilt_Aspect", "n", "Width by height of the display (as the scene's camera).", ""},
@@ -358,8 +359,7 @@ Lens sheet (lengths in mm, or with cm, in and others behind them):
   Lenticular=On           make a sheet of the scene's camera
   Sheet_Width=  Sheet_Height=  Print_DPI= | Lens_Pixels=   instead of +W +H
   Lens_Sheet=name|list    or Lens_Pitch= | Lens_LPI= Lens_Thickness= Lens_IOR=
-  View_Distance=n|inf  Lens_Model=auto  View=j (that view alone)
-  Views=M (pictures of M views)  Quilt=CxR|display  View_Cone=degrees
+  View_Distance=n|inf  Lens_Model=auto  View=j  Views=M  Quilt=CxR (views alone)
 )";
 }
 

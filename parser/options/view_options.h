@@ -1,5 +1,5 @@
-// What a command line asks of the views of a lens sheet, and of quilts (docs/views.md). What was not
-// said stays empty. Plain data.
+// What a command line asks of the views of a lens sheet, and of quilts (docs/views.md). What was
+// not said stays empty. Plain data.
 #pragma once
 
 #include <cstdint>

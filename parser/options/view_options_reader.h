@@ -17,8 +17,8 @@ QuiltGrid quilt_of(const GivenOption& given);
 /// "0..1".
 std::pair<double, double> clocks_of(const GivenOption& given);
 
-/// Refuses options about views that contradict each other. Gives a quilt's tiles their size: in cone
-/// quilts width and height become the tile's, so that this is what a scene sees. Makes Views=
+/// Refuses options about views that contradict each other. Gives a quilt's tiles their size: in
+/// cone quilts width and height become the tile's, so that this is what a scene sees. Makes Views=
 /// without View= and Quilt= a loop of pictures, and gives View= its clock.
 void settle_views(RenderOptions& options);
 

@@ -1,5 +1,5 @@
-// Views and quilts by the programs: lentray renders them, lentray-views takes integral images apart and
-// puts them together. What a view is, is worked out here by a few lines of its own.
+// Views and quilts by the programs: lentray renders them, lentray-views takes integral images apart
+// and puts them together. What a view is, is worked out here by a few lines of its own.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -257,7 +257,8 @@ TEST_F(ImageViews, QuiltsForDisplaysAreNamedByThem) {
   EXPECT_TRUE(is_there("sheet_qs4x2a0.75.png"));
 }
 
-/// The outermost cameras of a cone, on a line, sheared towards the sheet; the picture as wide as the display.
+/// The outermost cameras of a cone, on a line, sheared towards the sheet; the picture as wide as
+/// the display.
 TEST_F(ImageViews, AQuiltHasTheCamerasOfItsCone) {
   const auto told =
       lentray({"Quilt=3x2", "Quilt_Tile=90x120", "Quilt_Aspect=0.75", "View_Cone=40", "+Oq.png"});

@@ -83,7 +83,8 @@ TEST(UnitViewsCamera, ALastLensThatIsCutLacksViews) {
   EXPECT_EQ(view_width(part, 1, 2), 2u);
 }
 
-/// With as many columns as lenses and as many views as pixels, a sized view has the rays of the sheet.
+/// With as many columns as lenses and as many views as pixels, a sized view has the rays of the
+/// sheet.
 TEST(UnitViewsCamera, SizedViewsMeetTheSheet) {
   constexpr double kInf = LensParameters::kInfinity;
   for (const auto& lens :
@@ -114,7 +115,8 @@ TEST(UnitViewsCamera, SizedViewsMeetTheSheet) {
   }
 }
 
-/// Paraxial from a finite distance: all rays of a view run from its eye to the pixel's place in the sheet.
+/// Paraxial from a finite distance: all rays of a view run from its eye to the pixel's place in the
+/// sheet.
 TEST(UnitViewsCamera, AParaxialViewIsThePictureOfItsEye) {
   const LensParameters lens = views_lens(7.37, 350.0, LensModel::kParaxial);
   const auto sheet = views_sheet(lens, 100, 30);

@@ -1,5 +1,5 @@
-// The parts of lentray-views: columns and eyes, sizes, quilts and anaglyphs, interlacing, and the bytes of
-// moving pictures, which a reader of this test takes apart.
+// The parts of lentray-views: columns and eyes, sizes, quilts and anaglyphs, interlacing, and the
+// bytes of moving pictures, which a reader of this test takes apart.
 #include <gif_lib.h>
 #include <gtest/gtest.h>
 #include <zlib.h>

@@ -42,7 +42,7 @@ std::string packed(const StoredImage& frame) {
   std::string out(size, '\0');
   if (compress2(reinterpret_cast<Bytef*>(out.data()), &size,
                 reinterpret_cast<const Bytef*>(rows.data()), static_cast<uLong>(rows.size()),
-                Z_BEST_COMPRESSION) != Z_OK) {
+                Z_DEFAULT_COMPRESSION) != Z_OK) {
     throw core::ImageError("a frame of the moving picture could not be packed");
   }
   out.resize(size);

@@ -1,6 +1,6 @@
-// Ready pictures to an integral image: column k, behind lens i at the place c = (k + 1/2)/N - i of its
-// cell, is column i of view floor(c M) in the size of one pixel a lens. So each of M views has N/M pixels
-// of a lens, up to one; a flip print has two views.
+// Ready pictures to an integral image: column k, behind lens i at the place c = (k + 1/2)/N - i of
+// its cell, is column i of view floor(c M) in the size of one pixel a lens. So each of M views has
+// N/M pixels of a lens, up to one; a flip print has two views.
 // Errors: core::ImageError, worded for the user. One thread an object.
 #pragma once
 
@@ -24,8 +24,8 @@ class Interlacer {
  public:
   /// Throws if a lens is wider than the picture or has fewer pixels than there are views.
   explicit Interlacer(const InterlacePlan& plan);
-  /// All pictures have one size and kind. A picture of the sheet's height that has a pixel a lens is
-  /// taken as it is; others are resized. `name` is for messages.
+  /// All pictures have one size and kind. A picture of the sheet's height that has a pixel a lens
+  /// is taken as it is; others are resized. `name` is for messages.
   void put(std::uint32_t view, const core::StoredImage& picture, const std::string& name);
   const core::StoredImage& result() const { return m_result; }
 

@@ -1,4 +1,4 @@
-// lentray-views: views, quilts and moving pictures of integral images, and integral images of views.
+// lentray-views: views, quilts and moving pictures of integral images, and the way back.
 #include <exception>
 #include <iostream>
 

@@ -1,5 +1,5 @@
-// Pictures in memory as their files store them, the light that they stand for, and files of the same
-// samples with what is known of the lens sheet.
+// Pictures in memory as their files store them, the light that they stand for, and files of the
+// same samples with what is known of the lens sheet.
 // Errors: core::ImageError, worded for the user. Threads: any number.
 #pragma once
 
@@ -13,8 +13,8 @@
 
 namespace lentray::views {
 
-/// What lentray wrote into a picture, by name: "lens.pixels". PNG and OpenEXR files have it as texts of
-/// their own, TIFF and JPEG files as lines of their description.
+/// What lentray wrote into a picture, by name: "lens.pixels". PNG and OpenEXR files have it as
+/// texts of their own, TIFF and JPEG files as lines of their description.
 using Facts = std::map<std::string, std::string>;
 Facts facts_of(const core::StoredImage& image);
 /// `about`, for messages: a number that the facts hold; 0 without it. Throws if it is no number.
@@ -57,8 +57,8 @@ struct About {
   std::string description;          ///< empty: none
   double dpi_x = 0.0, dpi_y = 0.0;  ///< 0: no resolution
 };
-/// PNG, TIFF, OpenEXR or JPEG by the name's extension. Samples are written as they are where the file
-/// takes them; the file appears whole or not at all.
+/// PNG, TIFF, OpenEXR or JPEG by the name's extension. Samples are written as they are where the
+/// file takes them; the file appears whole or not at all.
 void write_picture(const core::StoredImage& image, const std::filesystem::path& path,
                    const About& about);
 

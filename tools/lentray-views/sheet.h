@@ -1,5 +1,5 @@
-// The lens sheet that an integral image is printed for: what its file says of it, or what the user does.
-// Lengths in mm. Errors: core::ImageError, worded for the user. Threads: any number.
+// The lens sheet that an integral image is printed for: what its file says of it, or what the user
+// does. Lengths in mm. Errors: core::ImageError, worded for the user. Threads: any number.
 #pragma once
 
 #include <optional>
@@ -23,8 +23,8 @@ struct Sheet {
   double aspect = 0.0;  ///< width of the sheet by its height; 0: unknown
 };
 
-/// `name` is the file's, for messages. Throws where N is not known, is beyond the picture's width, or
-/// where the picture is a view or a quilt by its own words.
+/// `name` is the file's, for messages. Throws where N is not known, is beyond the picture's width,
+/// or where the picture is a view or a quilt by its own words.
 Sheet sheet_of(const core::StoredImage& image, const SheetOptions& options,
                const std::string& name);
 

@@ -1,5 +1,5 @@
-// Where views come from: an integral image, or ready pictures. In every case view 0 is the rightmost
-// camera's. Errors: core::ImageError, worded for the user. One thread.
+// Where views come from: an integral image, or ready pictures. In every case view 0 is the
+// rightmost camera's. Errors: core::ImageError, worded for the user. One thread.
 #pragma once
 
 #include <memory>

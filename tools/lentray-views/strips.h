@@ -26,9 +26,9 @@ struct Eye {
   double distance = 0.0;  ///< mm from the sheet; 0: infinite
 };
 
-/// For each lens the print that the lens model shows in the direction of the eye, be it its own strip or
-/// that of a lens beside it; black where the print has ended. `between`: linear between the middles of
-/// pixels instead of the nearest pixel.
+/// For each lens the print that the lens model shows in the direction of the eye, be it its own
+/// strip or that of a lens beside it; black where the print has ended. `between`: linear between
+/// the middles of pixels instead of the nearest pixel.
 core::StoredImage seen_by(const core::StoredImage& integral, const camera::LensSheet& sheet,
                           const Eye& eye, bool between);
 

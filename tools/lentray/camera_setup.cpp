@@ -145,8 +145,8 @@ camera::LensRequest cone_lens(const camera::LensParameters& like, double degrees
   return out;
 }
 
-/// The sheet of a quilt's cone: a pixel of a tile is as wide as a lens, so that the report's parallax
-/// is in pixels of the tile.
+/// The sheet of a quilt's cone: a pixel of a tile is as wide as a lens, so that the report's
+/// parallax is in pixels of the tile.
 camera::Sheet cone_sheet(const parser::CameraRequest& request, const parser::RenderOptions& options,
                          const camera::SceneProbe& probe) {
   const std::uint32_t views = options.views.quilt->views();
