@@ -15,9 +15,9 @@ struct Antialiasing {
   /// depth x depth samples, at the middles of its cells
   int method = 0;
   double threshold = 0.3;  ///< 0..1, of the sum over red, green, blue and transparency
-  int depth = 3;           ///< methods 1 and 3: depth x depth samples; method 2: halvings of a pixel
-  double jitter = 1.0;     ///< 0: none
-  double gamma = 2.5;      ///< in which colours are compared; 0: as they are
+  int depth = 3;        ///< methods 1 and 3: depth x depth samples; method 2: halvings of a pixel
+  double jitter = 1.0;  ///< 0: none
+  double gamma = 2.5;   ///< in which colours are compared; 0: as they are
 
   /// Pixels are compared with one another.
   bool compares() const { return method == 1 || method == 2; }

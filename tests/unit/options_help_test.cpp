@@ -64,7 +64,9 @@ TEST(UnitOptionsHelp, EveryOptionOfStocksIsComparedWithStock) {
   bool own = false;
   for (const OptionRow& row : option_table()) {
     own = own || row.name == "Restrict_IO";  // ours from here on, but for Light_Buffer
-    if (row.name == "Antialias_Angle" || row.name == "Antialias_Grid" || (own && row.switch_name.empty())) continue;
+    if (row.name == "Antialias_Angle" || row.name == "Antialias_Grid" ||
+        (own && row.switch_name.empty()))
+      continue;
     const bool named = text.find(std::string(row.name) + "=") != text.npos;
     const bool switched =
         !row.switch_name.empty() && (text.find("+" + std::string(row.switch_name)) != text.npos ||
