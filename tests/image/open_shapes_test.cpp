@@ -154,11 +154,11 @@ TEST_P(ImageOpenBounds, OfCsg) {
   };
   const std::string rest =
       " bounded_by { " + GetParam().sdl + "} } pigment { rgbt <.2,.8,.9,.6> } }";
-  EXPECT_TRUE(open_shapes_looks_the_same(
+  EXPECT_TRUE(looks_the_same(
       "merge { box { <-1.2,-.8,0>, <1.2,1.53,1.2> } sphere { <.2,.6,0>, .7 }" + rest));
-  EXPECT_TRUE(open_shapes_looks_the_same(
+  EXPECT_TRUE(looks_the_same(
       "difference { box { <-1.2,-.8,0>, <1.2,1.53,1.2> } sphere { <.2,.6,0>, .7 }" + rest));
-  EXPECT_TRUE(open_shapes_looks_the_same("box { <-1.2,-.8,0>, <1.2,1.53,1.2>" + rest));
+  EXPECT_TRUE(looks_the_same("box { <-1.2,-.8,0>, <1.2,1.53,1.2>" + rest));
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -510,7 +510,7 @@ TEST_F(ImagePrint, WhatFailsLeavesTheFileThatWasThere) {
   fails({"sheet", "s.png", "--paper", "30x20mm", "--out", "a.pdf"}, "the sheet needs ");
   fails({"sheet", "s.png", "--paper", "20x20mm", "--tiles", "--out", "a.pdf"},
         "paper of 20 x 20 mm is too small");
-  fails({"sheet", "s.png", "--bleed", "nan", "--out", "a.pdf"}, "option --bleed nan: a length");
+  fails({"sheet", "s.png", "--bleed", "nan", "--out", "a.pdf"}, "option --bleed nan: a number");
   fails({"sheet", "s.png", "--pixels", "14", "--out", "a.pdf"}, "'s.png' says 15 pixels a lens");
   fails({"sheet", "s.png", "--pitch", "900lpi", "--out", "a.pdf"},
         "at that pitch a lens is less than one pixel of the print wide");

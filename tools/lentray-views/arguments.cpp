@@ -309,7 +309,8 @@ Tasks:
   --quilt CxR            C x R views in one picture, the leftmost camera's lower
                          left, as light-field displays want it
   --stereo               two views side by side, the left eye's on the left
-  --anaglyph[=plain]     two views for red and cyan glasses: colours by Dubois'
+  --anaglyph, --anaglyph=plain
+                         two views for red and cyan glasses: colours by Dubois'
                          matrix, or plainly red of one and green and blue of the other
   --wiggle FILE          the views to and fro, as FILE.gif or as an animated FILE.png
   --interlace            the integral image of the pictures
