@@ -359,7 +359,7 @@ Lens sheet (lengths in mm, or with cm, in and others behind them):
   Lenticular=On           make a sheet of the scene's camera
   Sheet_Width=  Sheet_Height=  Print_DPI= | Lens_Pixels=   instead of +W +H
   Lens_Sheet=name|list    or Lens_Pitch= | Lens_LPI= Lens_Thickness= Lens_IOR=
-  View_Distance=n|inf  Lens_Model=auto   Views alone: View=j  Views=M  Quilt=CxR
+  View_Distance=n|inf  Lens_Model=auto  Views alone: View=j  Views=M  Quilt=CxR
 )";
 }
 
