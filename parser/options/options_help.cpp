@@ -336,7 +336,7 @@ Lens sheet (lengths in mm):
   Lenticular=On           make a sheet of the scene's camera
   Lens_Pitch= | Lens_LPI= | Lens_Pixels= | Print_DPI=
   Lens_Focal_Length=  Lens_IOR=  Lens_Model=paraxial|pinhole|thick  Lens_Rays=n
-  View_Distance=n|inf  Sheet_Distance=n  View=j  Views=M  Quilt=CxR (views)
+  View_Distance=n|inf  Sheet_Distance=n  View=j  Views=M  Quilt=CxR (views alone)
 )";
 }
 
