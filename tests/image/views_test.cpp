@@ -378,6 +378,25 @@ TEST_F(ImageViews, PhotographsBecomeASheet) {
   EXPECT_NE(told.output.find("Nothing is known of --lens-pitch"), std::string::npos);
 }
 
+/// Box is left out, which has ties where pictures grow.
+TEST_F(ImageViews, FiltersAreThoseOfOpenImageIO) {
+  render("a.exr", {"+W60", "+H90", "+FE32"});
+  for (const char* filter : {"triangle", "mitchell", "lanczos3"}) {
+    for (const char* size : {"25x77", "97x211"}) {
+      expect_done({"a.exr", "--lens-pixels", "1", "--view", "0", "--size", size, "--filter", filter,
+                   "--out", "ours.exr"});
+      const auto theirs = tool::run_program(
+          {"oiiotool", "a.exr", std::string("--resize:filter=") + filter, size, "-o", "theirs.exr"},
+          m_folder.path(), 100);
+      ASSERT_EQ(theirs.status, 0) << theirs.output;
+      const StoredImage a = read("ours.exr"), b = read("theirs.exr");
+      ASSERT_EQ(a.samples.size(), b.samples.size());
+      for (std::size_t i = 0; i < a.samples.size(); ++i)
+        ASSERT_NEAR(a.samples[i], b.samples[i], 1e-4) << filter << " " << size;
+    }
+  }
+}
+
 TEST_F(ErrorViews, EveryMessage) {
   render("sheet.png", kWhole);
   render("plain.png", {"+W80", "+H60"});
