@@ -46,6 +46,15 @@ figures() {
      oiiotool out/plain.png --cut 80x60+60+40 out/edges.png --cut 80x60+60+40
        out/angles.png --cut 80x60+60+40 --mosaic:pad=1 3x1
        --resize:filter=box 1452x360 -o docs/antialiasing.png'
+  $1 accuracy-sheet docs/accuracy.md '(15 min)' \
+    'lentray-chart scenes/spd_balls.pov --out build/charts/balls_sheet Declare=Lenticular_Camera=1
+       +W150 +H150 --budget 1s --error 3 --reference-limit 8min'
+  $1 accuracy-woodbox docs/accuracy.md '(15 min)' \
+    'lentray-chart /usr/share/doc/povray/examples/advanced/woodbox.pov --out build/charts/woodbox
+       +W120 +H90 --budget 2s --error 1 --reference-limit 8min'
+  $1 accuracy-focalblur docs/accuracy.md '(15 min)' \
+    'lentray-chart /usr/share/doc/povray/examples/camera/focalblur.pov --out build/charts/focalblur
+       +W160 +H120 --budget 2s --error 1 --reference-limit 8min'
   $1 antialiasing docs/rendering.md '(20 min)' 'python3 tests/compat/antialiasing.py'
   $1 blur-convergence docs/rendering.md '(20 min)' 'python3 tests/bench/blur_convergence.py'
   $1 auto-cost docs/rendering.md '(30 min)' \

@@ -6,32 +6,18 @@
 #include "core/render/film_centres.h"
 #include "core/render/film_corners.h"
 #include "core/render/film_grid.h"
+#include "core/render/film_one_pass.h"
 
 namespace lentray::core {
 namespace {
 
 /// One sample a pixel.
-class PlainBand final : public FilmBand {
+class PlainBand final : public OnePassBand {
  public:
-  /// Rows [first, end); the image begins with row `top`.
-  PlainBand(const FilmSetup& setup, const BandOrders& orders, std::uint32_t first,
-            std::uint32_t end, std::uint32_t top, Image& image)
-      : m_setup(setup), m_order(orders.band(first, end)), m_top(top), m_image(image) {
-    recall_colours(setup, 0, first, end, top, image);
-  }
-  std::size_t stages() const override { return 1; }
-  std::size_t jobs(std::size_t) const override { return m_order->jobs(); }
-
-  bool work(std::size_t, std::size_t job, FilmThread& thread) override {
-    m_order->pixels(job, thread.pixels);
-    leave_out(m_setup.known(0), thread.pixels);
-    if (!trace(thread)) return false;
-    if (m_setup.keeps()) keep_colours(m_setup, 0, m_top, m_image, thread);
-    return true;
-  }
+  using OnePassBand::OnePassBand;
 
  private:
-  bool trace(FilmThread& thread) {
+  bool trace(FilmThread& thread) override {
     const bool alpha = m_setup.alpha;
     const std::uint32_t top = m_top;
     Image& image = m_image;
@@ -46,28 +32,6 @@ class PlainBand final : public FilmBand {
     const auto stop = [cancel](const Pixel&) { return cancel->load(std::memory_order_relaxed); };
     return thread.sampler.centres(thread.pixels, thread.counters, keep, stop);
   }
-
-  const FilmSetup& m_setup;
-  const std::unique_ptr<PixelOrder> m_order;
-  const std::uint32_t m_top;
-  Image& m_image;
-};
-
-class PlainFilm final : public Film {
- public:
-  PlainFilm(FilmSetup setup, const BandOrders& orders)
-      : m_setup(std::move(setup)), m_orders(orders) {}
-  std::unique_ptr<FilmBand> band(std::uint32_t top, std::uint32_t bottom,
-                                 Image& image) const override {
-    const std::uint32_t first = std::max(top, m_setup.region.top);
-    const std::uint32_t end = std::min(bottom, m_setup.region.bottom);
-    if (first >= end || m_setup.region.left >= m_setup.region.right) return nullptr;
-    return std::make_unique<PlainBand>(m_setup, m_orders, first, end, top, image);
-  }
-
- private:
-  const FilmSetup m_setup;
-  const BandOrders& m_orders;
 };
 
 }  // namespace
@@ -101,7 +65,7 @@ std::unique_ptr<Film> Film::make(FilmSetup setup, const BandOrders& orders) {
     case 1: return make_film_of_centres(std::move(setup), orders);
     case 2: return make_film_of_corners(std::move(setup), orders);
     case 3: return make_film_of_grids(std::move(setup), orders);
-    default: return std::make_unique<PlainFilm>(std::move(setup), orders);
+    default: return std::make_unique<OnePassFilm<PlainBand>>(std::move(setup), orders);
   }
 }
 

@@ -1,5 +1,4 @@
-// The page and the charts of lentray-chart: every state of a setting, escaping, size, missing pictures, and charts of
-// few, equal or perfect settings.
+// The page of lentray-chart: every state of a setting, escaping, size, missing pictures.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,13 +10,12 @@
 #include <random>
 
 #include "core/image/reader.h"
+#include "tests/unit/chart_samples.h"
 #include "tools/common/inline_svg.h"
 #include "tools/common/page_text.h"
 #include "tools/common/process.h"
-#include "tools/lentray-chart/charts.h"
 #include "tools/lentray-chart/page.h"
 #include "tools/lentray-chart/page_data.h"
-#include "tools/lentray-chart/page_labels.h"
 #include "tools/lentray-chart/page_sections.h"
 
 namespace lentray::chart {
@@ -26,262 +24,11 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-Error page_error_of(double rms) {
-  Error error;
-  error.rms = rms;
-  error.psnr = rms > 0.0 ? 20.0 * std::log10(255.0 / rms) : kInfinity;
-  error.share = std::min(1.0, rms / 20.0);
-  error.largest = std::min(255.0, 30.0 * rms);
-  return error;
-}
-
-Point done(const std::string& id, Kind kind, double seconds, double rms) {
-  Point p;
-  p.setting.id = id;
-  p.setting.label = id + " in words";
-  p.setting.kind = kind;
-  p.setting.options = {"+X" + id};
-  p.state = State::done;
-  p.cpu_s = {0.9 * seconds, seconds, 1.2 * seconds};
-  p.error = page_error_of(rms);
-  return p;
-}
-
-Point plain(double seconds, double rms) {
-  Point p = done("plain", Kind::exact, seconds, rms);
-  p.setting.label = "your options";
-  p.setting.options.clear();
-  p.setting.is_plain = true;
-  return p;
-}
-
-Point exact(const std::string& id, double seconds, double rms) {
-  Point p = done(id, Kind::exact, seconds, rms);
-  p.from_plain = page_error_of(0.0);
-  return p;
-}
-
-bool is_better(const Point& a, const Point& b) {
-  const bool is_no_worse = a.seconds() <= b.seconds() && a.error->rms <= b.error->rms;
-  return is_no_worse && (a.seconds() < b.seconds() || a.error->rms < b.error->rms);
-}
-
-void derive_page_chart(Chart& chart) {
-  for (Point& p : chart.points) {
-    if (p.state != State::done || !p.error) continue;
-    p.told_apart = p.error->rms >= 10.0 * chart.reference.change;
-    p.on_front = true;
-    for (const Point& other : chart.points) {
-      if (other.state != State::done || !other.error || !is_better(other, p)) continue;
-      p.on_front = false;
-      p.dominated_by = other.setting.id;
-    }
-  }
-}
-
-Chart chart_of(std::vector<Point> points) {
-  Chart chart;
-  chart.scene = "scene.pov";
-  chart.command = "lentray scene.pov";
-  chart.width = 64;
-  chart.height = 48;
-  chart.reference.change = 0.01;
-  chart.reference.is_converged = true;
-  chart.reference.options = {"+A0.0", "+R9"};
-  chart.reference.steps = {{"4 samples", 0.5}, {"16 samples", 0.01}};
-  chart.points = std::move(points);
-  derive_page_chart(chart);
-  return chart;
-}
-
 std::size_t count_of(const std::string& text, const std::string& what) {
   std::size_t count = 0;
   for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1))
     ++count;
   return count;
-}
-
-/// Of the circles on top of the symbols, by id.
-std::map<std::string, std::pair<double, double>> places(const std::string& svg) {
-  std::map<std::string, std::pair<double, double>> out;
-  const std::string mark = "data-id=\"";
-  for (std::size_t at = svg.find(mark); at != std::string::npos; at = svg.find(mark, at + 1)) {
-    const std::size_t from = at + mark.size();
-    const auto number = [&](const char* name) {
-      return std::atof(svg.c_str() + svg.find(name, from) + std::string(name).size());
-    };
-    out[svg.substr(from, svg.find('"', from) - from)] = {number("cx=\""), number("cy=\"")};
-  }
-  return out;
-}
-
-/// Where gnuplot put symbols of that point type, to a tenth of a pixel.
-bool has_symbol_at(const std::string& svg, const std::pair<double, double>& place) {
-  const std::string mark = "transform='translate(";
-  for (std::size_t at = svg.find(mark); at != std::string::npos; at = svg.find(mark, at + 1)) {
-    double x = 0.0, y = 0.0;
-    if (std::sscanf(svg.c_str() + at + mark.size(), "%lf,%lf", &x, &y) != 2) continue;
-    if (std::abs(x - place.first) < 0.4 && std::abs(y - place.second) < 0.4) return true;
-  }
-  return false;
-}
-
-// --- charts
-
-TEST(UnitChartCharts, CirclesLieOnSymbols) {
-  const Chart chart =
-      chart_of({plain(2.0, 5.0), done("fast", Kind::quality, 0.5, 20.0),
-                done("good", Kind::antialiasing, 8.0, 0.7), done("worse", Kind::depth, 9.0, 6.0),
-                exact("exact-slow", 3.0, 5.0)});
-  for (const Window window : {Window::wide, Window::narrow}) {
-    const std::string svg = error_chart(chart, Subject::settings, window);
-    const auto all = places(svg);
-    ASSERT_EQ(all.size(), 4u) << "the exact one, which is slower, is not there";
-    for (const auto& [id, place] : all) EXPECT_TRUE(has_symbol_at(svg, place)) << id;
-    EXPECT_LT(all.at("fast").first, all.at("plain").first);
-    EXPECT_LT(all.at("plain").first, all.at("good").first);
-    EXPECT_LT(all.at("fast").second, all.at("plain").second) << "more error is higher";
-    EXPECT_LT(all.at("plain").second, all.at("good").second);
-    const std::string times = exact_chart(chart, window);
-    const auto exact_places = places(times);
-    ASSERT_EQ(exact_places.size(), 2u);
-    for (const auto& [id, place] : exact_places) EXPECT_TRUE(has_symbol_at(times, place)) << id;
-    EXPECT_LT(exact_places.at("plain").first, exact_places.at("exact-slow").first);
-    EXPECT_LT(exact_places.at("plain").second, exact_places.at("exact-slow").second);
-  }
-}
-
-TEST(UnitChartCharts, NothingToDraw) {
-  Point failed = done("failed", Kind::quality, 1.0, 1.0), waiting = failed, untimed = failed,
-        unknown = failed, odd = failed;
-  failed.state = State::failed;
-  waiting.state = State::waiting;
-  untimed.cpu_s.clear();
-  unknown.error.reset();
-  odd.error->rms = std::nan("");
-  for (const auto& points : {std::vector<Point>{}, {failed, waiting, untimed, unknown, odd}}) {
-    Chart chart;
-    chart.points = points;
-    EXPECT_EQ(error_chart(chart, Subject::settings, Window::wide), "");
-    EXPECT_EQ(exact_chart(chart, Window::narrow), "");
-    EXPECT_NE(chart_svg(chart).find("No setting has a time and an error yet."), std::string::npos);
-  }
-}
-
-TEST(UnitChartCharts, OnePoint) {
-  const Chart chart = chart_of({plain(1.5, 3.0)});
-  const auto all = places(error_chart(chart, Subject::settings, Window::wide));
-  ASSERT_EQ(all.size(), 1u);
-  EXPECT_GT(all.at("plain").first, 66.0);
-  EXPECT_LT(all.at("plain").first, 708.0);
-  EXPECT_EQ(exact_chart(chart, Window::wide), "") << "there is nothing to hold it against";
-}
-
-TEST(UnitChartCharts, EqualTimesAndErrors) {
-  const Chart chart = chart_of(
-      {plain(1.0, 2.0), done("same", Kind::depth, 1.0, 2.0), done("less", Kind::depth, 1.0, 1.0)});
-  const auto all = places(error_chart(chart, Subject::settings, Window::wide));
-  ASSERT_EQ(all.size(), 3u);
-  EXPECT_EQ(all.at("plain"), all.at("same"));
-  EXPECT_EQ(all.at("plain").first, all.at("less").first);
-}
-
-TEST(UnitChartCharts, NoErrorStandsAtTheFoot) {
-  const Chart chart = chart_of({plain(1.0, 2.0), done("perfect", Kind::antialiasing, 4.0, 0.0)});
-  const std::string svg = error_chart(chart, Subject::settings, Window::wide);
-  const auto all = places(svg);
-  EXPECT_TRUE(has_symbol_at(svg, all.at("perfect")));
-  EXPECT_GT(all.at("perfect").second, all.at("plain").second + 40.0);
-  EXPECT_LT(all.at("perfect").second, 430.0) << "within the axes";
-  EXPECT_NE(svg.find("<text>0</text>"), std::string::npos) << "the axis says 0";
-  const Chart perfect = chart_of({plain(1.0, 0.0), exact("as-good", 2.0, 0.0)});
-  EXPECT_EQ(places(error_chart(perfect, Subject::settings, Window::wide)).size(), 1u);
-}
-
-TEST(UnitChartCharts, NotToldApartIsHollowInABand) {
-  Chart chart = chart_of({plain(1.0, 2.0), done("close", Kind::antialiasing, 4.0, 0.05)});
-  ASSERT_FALSE(chart.points[1].told_apart);
-  const std::string svg = error_chart(chart, Subject::settings, Window::wide);
-  EXPECT_NE(svg.find("fill = 'var(--band)'"), std::string::npos);
-  EXPECT_NE(svg.find("#errors-wide-gpPt3'"), std::string::npos) << "a hollow square";
-  EXPECT_EQ(svg.find("#errors-wide-gpPt4' transform"), std::string::npos) << "a full one";
-  chart.reference.change = 0.0;
-  EXPECT_EQ(error_chart(chart, Subject::settings, Window::wide).find("var(--band)"),
-            std::string::npos);
-}
-
-TEST(UnitChartCharts, StockIsASymbolOfItsOwn) {
-  Chart chart = chart_of({plain(1.0, 2.0)});
-  const std::string star = "#errors-wide-gpPt2' transform";
-  EXPECT_EQ(error_chart(chart, Subject::settings, Window::wide).find(star), std::string::npos);
-  chart.points[0].stock_cpu_s = 7.0;
-  chart.points[0].stock_error = page_error_of(2.1);
-  EXPECT_NE(error_chart(chart, Subject::settings, Window::wide).find(star), std::string::npos);
-}
-
-TEST(UnitChartCharts, LabelsAreShort) {
-  const Chart chart = chart_of(
-      {plain(8.0, 2.0), done("aa-method1-depth3-threshold0-1", Kind::antialiasing, 4.0, 3.0),
-       done("depth-2", Kind::depth, 2.0, 5.0),
-       done("a-name-that-nobody-would-read-in-a-chart", Kind::media, 1.0, 9.0)});
-  const std::string svg = error_chart(chart, Subject::settings, Window::wide);
-  for (const char* label : {"plain", "aa-m1-d3-t0-1", "depth-2", "a-name-that-nobody-wou.."}) {
-    EXPECT_NE(svg.find("<text>" + std::string(label) + "</text>"), std::string::npos) << label;
-  }
-}
-
-TEST(UnitChartCharts, LensModelsHaveAChartOfTheirOwn) {
-  Chart chart = chart_of({plain(1.0, 2.0), done("thin", Kind::lens_model, 2.0, 3.0)});
-  EXPECT_EQ(places(error_chart(chart, Subject::settings, Window::wide)).size(), 2u);
-  EXPECT_EQ(error_chart(chart, Subject::lens_models, Window::wide), "");
-  chart.lens_reference = Reference{};
-  EXPECT_EQ(places(error_chart(chart, Subject::settings, Window::wide)).count("thin"), 0u);
-  EXPECT_EQ(places(error_chart(chart, Subject::lens_models, Window::wide)).count("thin"), 1u);
-  EXPECT_TRUE(can_be_chosen(chart.points[0]));
-  EXPECT_FALSE(can_be_chosen(chart.points[1]));
-}
-
-TEST(UnitChartCharts, Files) {
-  Chart chart = chart_of(
-      {plain(2.0, 5.0), done("good", Kind::antialiasing, 8.0, 0.7), exact("list", 3.0, 5.0)});
-  chart.scene = "it's 100% <odd>\n.pov";
-  EXPECT_EQ(chart_png(chart).substr(1, 3), "PNG");
-  const std::string svg = chart_svg(chart);
-  EXPECT_NE(svg.find("it's 100% &lt;odd> .pov"), std::string::npos);
-  EXPECT_EQ(svg.find("POV-Ray"), std::string::npos) << "no stock, no word of it";
-  EXPECT_NE(svg.find("list in words"), std::string::npos);
-}
-
-TEST(UnitChartLabels, AreClearOfPointsAndEachOther) {
-  std::vector<LabelWish> wishes;
-  std::vector<Spot> spots;
-  std::mt19937 random(7);
-  std::uniform_real_distribution<double> x(0, 800), y(0, 500);
-  for (int i = 0; i < 40; ++i) {
-    spots.push_back({x(random), y(random)});
-    wishes.push_back({spots.back(), "setting-" + std::to_string(i), i == 39});
-  }
-  const auto placed = placed_labels(wishes, spots, {0, 0, 800, 500}, 12);
-  ASSERT_EQ(placed.size(), 12u);
-  EXPECT_EQ(placed[0].text, "setting-39") << "it comes first";
-  for (const PlacedLabel& a : placed) {
-    const double right = a.left + label_width(a.text);
-    EXPECT_GE(a.left, 0.0);
-    EXPECT_LE(right, 800.0);
-    for (const Spot& s : spots) {
-      EXPECT_FALSE(s.x > a.left && s.x < right && std::abs(s.y - a.middle) < kLabelHeight / 2);
-    }
-    for (const PlacedLabel& b : placed) {
-      if (&a == &b) continue;
-      EXPECT_FALSE(a.left < b.left + label_width(b.text) && b.left < right &&
-                   std::abs(a.middle - b.middle) < kLabelHeight - 0.01)
-          << a.text << ' ' << b.text;
-    }
-  }
-  EXPECT_TRUE(
-      placed_labels({{{5, 5}, "far too long for this", false}}, {}, {0, 0, 50, 20}, 9).empty());
 }
 
 // --- what pages share
@@ -311,15 +58,16 @@ TEST(UnitPageText, FramesAndCuts) {
 // --- sections
 
 TEST(UnitChartPage, VerdictsOfEveryState) {
-  Chart chart = chart_of({plain(2.0, 5.0), done("better", Kind::depth, 1.0, 4.0),
-                          exact("list", 3.0, 5.0), done("close", Kind::antialiasing, 9.0, 0.05)});
+  Chart chart = sample_chart({plain_point(2.0, 5.0), sample_point("better", Kind::depth, 1.0, 4.0),
+                              exact_point("list", 3.0, 5.0),
+                              sample_point("close", Kind::antialiasing, 9.0, 0.05)});
   const auto verdict_of = [&](std::size_t i) { return verdict(chart, chart.points[i]); };
   EXPECT_EQ(verdict_of(0), "better in words is better");
   EXPECT_EQ(verdict_of(1), "on the front");
-  EXPECT_EQ(verdict_of(2), "same picture; better in words is better");
+  EXPECT_EQ(verdict_of(2), "same picture");
   EXPECT_EQ(verdict_of(3), "on the front; error not told apart");
-  chart.points[2].from_plain = page_error_of(1.0);
-  EXPECT_EQ(verdict_of(2), "NOT the plain picture; better in words is better");
+  chart.points[2].from_plain = sample_error(1.0);
+  EXPECT_EQ(verdict_of(2), "NOT the plain picture");
   chart.points[0].dominated_by = "gone";
   EXPECT_EQ(verdict_of(0), "gone is better");
   chart.points[0].dominated_by.clear();
@@ -334,7 +82,8 @@ TEST(UnitChartPage, VerdictsOfEveryState) {
 }
 
 TEST(UnitChartPage, StatusAndFilters) {
-  Chart chart = chart_of({plain(2.0, 5.0), done("a", Kind::area_light, 1.0, 4.0)});
+  Chart chart =
+      sample_chart({plain_point(2.0, 5.0), sample_point("a", Kind::area_light, 1.0, 4.0)});
   EXPECT_EQ(status_line(chart, true), "2 of 2 settings are measured.");
   chart.points[1].state = State::failed;
   EXPECT_EQ(status_line(chart, false), "1 of 2 settings are measured, 1 failed. Still running.");
@@ -347,7 +96,7 @@ TEST(UnitChartPage, StatusAndFilters) {
 }
 
 TEST(UnitChartPage, RowsSortByWhatTheyMean) {
-  Chart chart = chart_of({plain(2.0, 0.0)});
+  Chart chart = sample_chart({plain_point(2.0, 0.0)});
   chart.points[0].stock_cpu_s = 14.0;
   chart.points[0].error->perceived = 0.25;
   const std::string row = table_rows(chart);
@@ -422,8 +171,8 @@ TEST_F(UnitChartPageOf, EmptyChart) {
 
 TEST_F(UnitChartPageOf, StrangersTextStaysText) {
   const std::string bad = "</script><script>alert(1)</script> \"ü\" & \x01 \xff '";
-  Chart chart = chart_of(
-      {plain(1.0, 2.0), done("a", Kind::depth, 2.0, 1.0), done("b", Kind::depth, 3.0, 1.0)});
+  Chart chart = sample_chart({plain_point(1.0, 2.0), sample_point("a", Kind::depth, 2.0, 1.0),
+                              sample_point("b", Kind::depth, 3.0, 1.0)});
   chart.scene = chart.command = chart.machine = chart.noise = chart.stock_reason = bad;
   for (Point& p : chart.points)
     p.setting.label = p.command = p.reason = p.picture = p.stock_picture = bad;
@@ -444,7 +193,7 @@ TEST_F(UnitChartPageOf, StrangersTextStaysText) {
 }
 
 TEST_F(UnitChartPageOf, NotesSayWhatIsAmiss) {
-  Chart chart = chart_of({plain(1.0, 2.0)});
+  Chart chart = sample_chart({plain_point(1.0, 2.0)});
   EXPECT_EQ(page(chart, options()).find("class=\"is-warning note\""), std::string::npos);
   chart.reference.is_converged = false;
   chart.stock_reason = "it is not installed";
@@ -460,14 +209,14 @@ TEST_F(UnitChartPageOf, NotesSayWhatIsAmiss) {
 TEST_F(UnitChartPageOf, WithoutGnuplotThereIsTheRest) {
   const std::string path = std::getenv("PATH");
   ::setenv("PATH", m_folder.path().c_str(), 1);
-  const std::string text = page(chart_of({plain(1.0, 2.0)}), options());
+  const std::string text = page(sample_chart({plain_point(1.0, 2.0)}), options());
   ::setenv("PATH", path.c_str(), 1);
   EXPECT_NE(text.find("No chart: cannot start 'gnuplot'"), std::string::npos);
   EXPECT_NE(text.find("data-go=\"plain\""), std::string::npos);
 }
 
 TEST_F(UnitChartPageOf, LoadsNothingFromElsewhere) {
-  const std::string text = page(chart_of({plain(1.0, 2.0)}), options());
+  const std::string text = page(sample_chart({plain_point(1.0, 2.0)}), options());
   EXPECT_NE(text.find("default-src 'none'"), std::string::npos);
   for (const char* what : {"src=\"http", "href=\"http", "@import", "url("}) {
     EXPECT_EQ(text.find(what), std::string::npos) << what;
@@ -475,9 +224,9 @@ TEST_F(UnitChartPageOf, LoadsNothingFromElsewhere) {
 }
 
 TEST_F(UnitChartPageOf, EveryStateOfASetting) {
-  Chart chart =
-      chart_of({plain(1.0, 2.0), done("fails", Kind::quality, 1.0, 1.0),
-                done("waits", Kind::quality, 1.0, 1.0), done("perfect", Kind::depth, 3.0, 0.0)});
+  Chart chart = sample_chart({plain_point(1.0, 2.0), sample_point("fails", Kind::quality, 1.0, 1.0),
+                              sample_point("waits", Kind::quality, 1.0, 1.0),
+                              sample_point("perfect", Kind::depth, 3.0, 0.0)});
   chart.points[1].state = State::failed;
   chart.points[1].reason = "it said no";
   chart.points[2].state = State::waiting;
@@ -500,8 +249,8 @@ TEST_F(UnitChartPageOf, EveryStateOfASetting) {
 }
 
 TEST_F(UnitChartPageOf, PicturesAreThereOnceAndMissingOnesAreTold) {
-  Chart chart =
-      chart_of({plain(1.0, 2.0), exact("list", 2.0, 2.0), done("lost", Kind::depth, 3.0, 1.0)});
+  Chart chart = sample_chart({plain_point(1.0, 2.0), exact_point("list", 2.0, 2.0),
+                              sample_point("lost", Kind::depth, 3.0, 1.0)});
   write_noise("pictures/plain.png", 64, 48, 1);
   write_noise("pictures/list.png", 64, 48, 2);
   write_noise("pictures/reference.png", 64, 48, 3);
@@ -523,11 +272,12 @@ TEST_F(UnitChartPageOf, PicturesAreThereOnceAndMissingOnesAreTold) {
 }
 
 TEST_F(UnitChartPageOf, StaysBelowItsSize) {
-  std::vector<Point> points{plain(1.0, 2.0)};
+  std::vector<Point> points{plain_point(1.0, 2.0)};
   for (int i = 0; i < 40; ++i) {
-    points.push_back(done("s" + std::to_string(i), Kind::antialiasing, 1.0 + i, 2.0 / (1 + i)));
+    points.push_back(
+        sample_point("s" + std::to_string(i), Kind::antialiasing, 1.0 + i, 2.0 / (1 + i)));
   }
-  Chart chart = chart_of(std::move(points));
+  Chart chart = sample_chart(std::move(points));
   chart.width = 320;
   chart.height = 240;
   unsigned seed = 0;
@@ -600,19 +350,19 @@ class UnitChartPageForBrowser : public UnitChartPageOf {
 
 TEST_F(UnitChartPageForBrowser, Write) {
   std::vector<Point> points;
-  Point own = plain(2.1, 4.2);
+  Point own = plain_point(2.1, 4.2);
   own.setting.options = {""};
   points.push_back(shown(own, 1));
   points[0].stock_cpu_s = 14.0;
-  points[0].stock_error = page_error_of(4.3);
-  points[0].from_stock = page_error_of(0.4);
+  points[0].stock_error = sample_error(4.3);
+  points[0].from_stock = sample_error(0.4);
   points[0].stock_picture = points[0].picture;
   const auto add = [&](const char* id, const char* label, Kind kind, double seconds, double rms,
                        int samples, double shadow = 0.0) {
-    Point p = done(id, kind, seconds, rms);
+    Point p = sample_point(id, kind, seconds, rms);
     p.setting.label = label;
     points.push_back(shown(p, samples, shadow));
-    points.back().from_plain = page_error_of(4.0);
+    points.back().from_plain = sample_error(4.0);
     points.back().error->perceived = rms / 3;
   };
   add("aa-1-2", "antialiasing, method 1, 2 x 2 samples", Kind::antialiasing, 4.6, 2.0, 2);
@@ -638,23 +388,23 @@ TEST_F(UnitChartPageForBrowser, Write) {
                                                   {"shadow cache off", 2.3},
                                                   {"pixel order columns", 2.0}};
   for (const auto& [label, seconds] : times) {
-    Point p = exact("exact-" + std::to_string(points.size()), seconds, 4.2);
+    Point p = exact_point("exact-" + std::to_string(points.size()), seconds, 4.2);
     p.setting.label = label;
     p.picture = points[0].picture;
     p.difference = points[0].difference;
     points.push_back(p);
   }
-  points.back().from_plain = page_error_of(0.5);
-  Point failed = done("failed", Kind::media, 1.0, 1.0);
+  points.back().from_plain = sample_error(0.5);
+  Point failed = sample_point("failed", Kind::media, 1.0, 1.0);
   failed.setting.label = "<img src=x onerror=\"window.harm=1\">";
   failed.state = State::failed;
   failed.reason = "<script>window.harm=2</script> is no option " + std::string(300, 'w');
   points.push_back(failed);
-  Point lost = done("lost", Kind::depth, 3.0, 3.9);
+  Point lost = sample_point("lost", Kind::depth, 3.0, 3.9);
   lost.setting.label = "a picture that is not there";
   lost.picture = "pictures/lost.png";
   points.push_back(lost);
-  Chart chart = chart_of(std::move(points));
+  Chart chart = sample_chart(std::move(points));
   chart.scene = "a <scene>.pov";
   chart.command = "lentray 'a scene.pov' +W320 +H240";
   chart.width = 320;

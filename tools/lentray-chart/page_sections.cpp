@@ -186,10 +186,11 @@ std::string legend(const Chart& chart) {
 std::string verdict(const Chart& chart, const Point& p) {
   if (p.state == State::failed) return "failed: " + tool::cut_text(p.reason, 160);
   if (p.state == State::waiting) return "waiting";
-  std::string text;
+  // Exact settings differ in time alone: no other is better or worse.
   if (p.setting.kind == Kind::exact && !p.setting.is_plain && p.from_plain) {
-    text = p.from_plain->rms > 0.0 ? "NOT the plain picture; " : "same picture; ";
+    return p.from_plain->largest > 0.0 ? "NOT the plain picture" : "same picture";
   }
+  std::string text;
   if (p.on_front) {
     text += "on the front";
   } else if (!p.dominated_by.empty()) {
