@@ -19,6 +19,9 @@ figures() {
      python3 tests/bench/primitives.py --runs 9 --json build/primitives.json
        mesh_million union csg_parts isosurface_noise text;
      python3 tests/bench/primitives.py --json build/primitives.json --table'
+  $1 paths docs/performance.md '(3 min)' \
+    'python3 tests/bench/same_cost.py build/release build/release --before-option Specialised_Paths=Off --only spd;
+     python3 tests/bench/same_cost.py build/release build/release --before-option Specialised_Paths=Off --only corpus'
   $1 parse-speed docs/performance.md '(10 min)' 'python3 tests/bench/parse_speed.py --runs 9'
   $1 antialiasing-cost docs/performance.md '(20 min)' 'python3 tests/compat/antialiasing.py --cost'
   $1 embree docs/notes.md '(5 min)' \
@@ -79,6 +82,7 @@ figures() {
        --caches off,last,tree,neighbourhood,grid,cascade,auto;
      lentray-grouping $S +W300 +H300 --caches auto --accelerators buffer --repeats 9
        --orders rows,views,columns,strips,tiles,serpentine,hilbert,adaptive,auto'
+  $1 grouping-examples docs/paper.md '(10 min)' 'tests/bench/grouping_examples.py --write'
   $1 mosaic docs/paper.md '(10 min)' \
     'lentray-grouping scenes/mosaic.pov +W300 +H300 -UL Declare=Lights=8
        --orders rows,views,columns --caches last --repeats 9 --sizes 40,60'
