@@ -149,6 +149,10 @@ def check_other_programs(page):
     expect("'no.png': a preview is a .html file" in complaint, complaint)
     complaint = page.program("lentray-views", "near.png", "--preview", "no.html", "--page-limit", "0.01", status=1)
     expect("before it has a picture: raise --page-limit" in complaint, complaint)
+    frame = int(complaint.split(" kB before")[0].rsplit(" ", 1)[1])
+    complaint = page.program("lentray-views", "near.png", "--preview", "no.html", "--page-limit", (frame + 1) / 1000,
+                             status=1)
+    expect("the picture does not go into a page of that size: raise --page-limit" in complaint, complaint)
     complaint = page.program("lentray-views", "near.png", "near.png", "--preview", "no.html", status=1)
     expect("one integral image is expected" in complaint, complaint)
     expect(not (page.folder / "no.html").exists() and not (page.folder / "no.png").exists(), "files of what failed")
@@ -267,6 +271,18 @@ def check_device_that_tells_nothing(page):
     page.js("window.addEventListener('deviceorientation', e => e.stopImmediatePropagation(), true); device.click()")
     page.wait("return document.getElementById('device-said').textContent.includes('https')", "and why")
     equal(page.js("return device.getAttribute('aria-pressed')"), "false", "off again")
+    page.js("DeviceOrientationEvent.requestPermission = async () => 'denied'; device.click()")
+    page.wait("return document.getElementById('device-said').textContent.includes('does not allow')", "it is forbidden")
+    equal(page.js("return device.getAttribute('aria-pressed')"), "false", "still off")
+
+
+def check_broken_page(page):
+    text = (page.folder / "near.html").read_text(encoding="utf-8")
+    (page.folder / "broken.html").write_text(text.replace("image/png;base64,iVBOR", "image/png;base64,AAAAA"),
+                                             encoding="utf-8")
+    page.url = (page.folder / "broken.html").as_uri()
+    page.open()
+    page.wait("return said.textContent.includes('cannot show the pictures')", "the page says so")
 
 
 def check_true_size(page):
