@@ -79,6 +79,8 @@ def views(check, folder, binaries):
         check({name: row["picture"] for name, row in rows.items()} == {f"a#{j}": f"a{j}.png" for j in range(3)}, f"{rows}")
         check([row["frame"] for _, row in sorted(rows.items())] == [0, 1, 2], f"{rows}")
         check(all("lens_pixels" not in row for row in rows.values()), "a view is no integral image")
+        if "--compare" in options:
+            check(all("integral image" in row["verdict"]["note"] for row in rows.values()), f"not compared: {rows}")
         again = tools.run(binaries, scenes, "--out", out, "--lentray", program, *words, *options)
         check(len(tools.calls(log)) == 3, f"views {options} again: {again.stderr}")
 

@@ -311,6 +311,10 @@ void Job::rendered(const tool::Ended& ended, bool stopped) {
   if (ended.status != 0) return fail(ended);
   m_row.state = State::done;
   m_row.reason.clear();
+  if (is_view() && m_plan.arguments.compare) {
+    m_row.verdict.emplace();
+    m_row.verdict->note = "views of Views= are not; their integral image can be";
+  }
   publish();
   m_has_picture = true;
   read_statistics();
@@ -424,7 +428,7 @@ void Job::views_split(const tool::Ended& ended) {
 }
 
 bool Job::needs_comparison() const {
-  if (m_band || !m_plan.arguments.compare || m_row.verdict) return false;
+  if (m_band || !m_plan.arguments.compare || m_row.verdict || is_view()) return false;
   return m_has_picture || m_is_over;
 }
 

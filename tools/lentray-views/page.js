@@ -93,7 +93,8 @@ function anaglyphOf(left, right) {
 function put(canvas, pixels) {
   if (canvas.width !== data.count) canvas.width = data.count;
   if (canvas.height !== data.rows) canvas.height = data.rows;
-  canvas.getContext("2d").putImageData(new ImageData(new Uint8ClampedArray(pixels.buffer), data.count, data.rows), 0, 0);
+  const bytes = new Uint8ClampedArray(pixels.buffer);
+  canvas.getContext("2d").putImageData(new ImageData(bytes, data.count, data.rows), 0, 0);
 }
 
 /** The angle of an eye of two, `side` of their distance to the right of the middle between them. */
