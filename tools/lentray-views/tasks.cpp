@@ -1,7 +1,6 @@
 #include "tools/lentray-views/tasks.h"
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
@@ -11,6 +10,7 @@
 #include "camera/lenticular.h"
 #include "camera/text.h"
 #include "core/image/writer.h"
+#include "parser/options/ini.h"
 #include "tools/common/process.h"
 #include "tools/lentray-views/interlace.h"
 #include "tools/lentray-views/moving.h"
@@ -70,11 +70,6 @@ Range range_of(const Arguments& a, std::uint32_t count) {
   if (range.last < count) return range;
   throw ImageError("there is no view " + std::to_string(range.last) + ": the views are 0 to " +
                    std::to_string(count - 1));
-}
-
-std::string small_letters(std::string text) {
-  std::ranges::transform(text, text.begin(), [](unsigned char c) { return std::tolower(c); });
-  return text;
 }
 
 /// Reads back as the same number.
@@ -198,8 +193,9 @@ std::string write_pair(const Arguments& a) {
 }
 
 std::string write_wiggle(const Arguments& a) {
-  const std::string end = small_letters(a.out.extension().string());
-  if (end != ".gif" && end != ".png") {
+  const std::string end = a.out.extension().string();
+  const bool is_gif = parser::same_word(end, ".gif");
+  if (!is_gif && !parser::same_word(end, ".png")) {
     throw ImageError("cannot write '" + a.out.string() +
                      "': moving pictures are .gif and .png files");
   }
@@ -217,14 +213,14 @@ std::string write_wiggle(const Arguments& a) {
   for (std::uint32_t view = range.last; view-- > range.first + 1;) {
     frames.push_back(frames[view - range.first]);
   }
-  tool::write_whole(a.out, end == ".gif" ? gif_of(frames, a.delay) : apng_of(frames, a.delay));
+  tool::write_whole(a.out, is_gif ? gif_of(frames, a.delay) : apng_of(frames, a.delay));
   return a.out.string() + ": " + std::to_string(frames.size()) + " frames of " +
          std::to_string(frames[0].width) + " x " + std::to_string(frames[0].height) + " pixels\n";
 }
 
 std::string write_preview(const Arguments& a) {
-  const std::string end = small_letters(a.out.extension().string());
-  if (end != ".html" && end != ".htm") {
+  const std::string end = a.out.extension().string();
+  if (!parser::same_word(end, ".html") && !parser::same_word(end, ".htm")) {
     throw ImageError("cannot write '" + a.out.string() + "': a preview is a .html file");
   }
   check_place(a, a.out);
