@@ -49,6 +49,17 @@ figures() {
      oiiotool out/plain.png --cut 80x60+60+40 out/edges.png --cut 80x60+60+40
        out/angles.png --cut 80x60+60+40 --mosaic:pad=1 3x1
        --resize:filter=box 1452x360 -o docs/antialiasing.png'
+  $1 print-pictures docs/print.md '(5 min)' \
+    'lentray scenes/demo.pov Lenticular=On Lens_LPI=40 Lens_Thickness=1.9mm Lens_IOR=1.57
+       Sheet_Width=100mm Sheet_Height=75mm Print_DPI=600 View_Distance=40cm +A0.1 +Oout/sheet.png;
+     oiiotool out/sheet.png --cut 90x60+1000+1000 --resize:filter=box 720x480 -o docs/print/strip.png;
+     lentray-views out/sheet.png --stereo --size 192x144 --out docs/print/eyes.png;
+     lentray-print pitch-test --lpi 40 --dpi 600 --size A4 --out out/pitch.pdf;
+     pdftoppm -r 50 -gray -png -singlefile out/pitch.pdf docs/print/pitch;
+     lentray-print sheet out/sheet.png --bleed 3mm --out out/page.pdf;
+     pdftoppm -r 68 -png -singlefile out/page.pdf docs/print/page'
+  $1 quilt-picture docs/views.md '(1 min)' \
+    'lentray scenes/demo.pov Quilt=5x3 Quilt_Tile=64x48 View_Cone=25 +A0.1 +Odocs/display/quilt.png'
   $1 accuracy-sheet docs/accuracy.md '(15 min)' \
     'lentray-chart scenes/spd_balls.pov --out build/charts/balls_sheet Declare=Lenticular_Camera=1
        +W150 +H150 --budget 1s --error 3 --reference-limit 8min'
