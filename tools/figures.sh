@@ -46,6 +46,11 @@ figures() {
      oiiotool out/plain.png --cut 80x60+60+40 out/edges.png --cut 80x60+60+40
        out/angles.png --cut 80x60+60+40 --mosaic:pad=1 3x1
        --resize:filter=box 1452x360 -o docs/antialiasing.png'
+  $1 depth-drawing docs/depth.md '1 s' \
+    'lentray /usr/share/doc/povray/examples/advanced/woodbox.pov Lenticular=On +W960 +H300
+       --depth-view docs/depth.svg' docs/depth.svg
+  $1 depth-table docs/depth.md '(5 min)' \
+    'build/release/bin/test_image --gtest_filter="*SlowDepth*" | grep "^|"' SlowDepth
   $1 accuracy-sheet docs/accuracy.md '(15 min)' \
     'lentray-chart scenes/spd_balls.pov --out build/charts/balls_sheet Declare=Lenticular_Camera=1
        +W150 +H150 --budget 1s --error 3 --reference-limit 8min'
