@@ -14,30 +14,21 @@ namespace {
 /// A factor below it is none that anybody wants.
 constexpr double kLeastFactor = 1e-6;
 
-double most_parallax(const Lenticular& sheet, const DepthSurvey& seen) {
-  if (!seen.has_points()) return 0.0;
-  return std::max(std::fabs(largest_parallax(sheet, seen.nearest)),
-                  std::fabs(largest_parallax(sheet, seen.farthest)));
-}
-
 std::string budget_text(const DepthBudget& budget, double pixels) {
   return "Depth_Budget " + format(budget.value) +
          (budget.is_mm ? " mm, which is " + brief(pixels) + " pixels a view" : " pixels a view");
 }
 
-/// The factor with which that is seen keeps `pixels`. With Snell's law, views that are closer together
-/// are also more evenly apart, so that a few steps are needed.
-double factor_for(double pixels, LensParameters lens, const DepthSurvey& seen,
-                  const SheetMaker& make) {
-  constexpr int kSteps = 8;
-  const bool is_linear = lens.model == LensModel::kParaxial;
-  if (!is_linear) lens.model = LensModel::kPinhole;  // the middle ray of a thick lens is that one's
-  for (int i = 0; i < kSteps && lens.depth_factor >= kLeastFactor; ++i) {
-    const double most = most_parallax(*make(lens), seen);
-    lens.depth_factor *= pixels / most;
-    if (is_linear || std::fabs(most / pixels - 1.0) < 1e-6) break;
+/// Why no factor will do, of points that move by so much without one.
+std::string trouble(const LensParameters& lens, double step) {
+  if (std::isfinite(step)) {
+    return "depth would be nothing, for a visible point moves by " + brief(step) +
+           " pixels a view; a larger budget, or for points near to the eyes Lens_Front, helps";
   }
-  return lens.depth_factor;
+  return std::string("with the lens model ") + name_of(lens.model) + " and an eye as near as " +
+         brief(lens.view_distance) +
+         " mm, rays of neighbouring views part before a visible point; a larger View_Distance, "
+         "Lens_Model=paraxial or Lens_Front helps";
 }
 
 /// What of the sky: it is not counted.
@@ -46,7 +37,7 @@ std::string sky_line(const Lenticular& sheet, double budget) {
     return "The background is not within the budget: it is infinitely far and moves along with the "
            "eye";
   }
-  const double step = largest_parallax(sheet, core::Bounds::kInf);
+  const double step = parallax(sheet, core::Bounds::kInf);
   if (step <= budget)
     return "The background is within the budget: " + brief(step) + " pixels a view";
   return "The background is not within the budget: it moves by " + brief(step) + " pixels a view";
@@ -66,21 +57,25 @@ FittedDepth fit_depth(const DepthBudget& budget, const LensParameters& lens, con
   LensParameters tried = lens;
   std::unique_ptr<Lenticular> sheet = make(tried);
   DepthSurvey seen = survey_depth(*sheet, probe);
-  double most = most_parallax(*sheet, seen);
+  double most = seen.largest_step();
   const double before = most;
-  for (int i = 0; i < kTries && most > pixels; ++i) {
+  // With Snell's law views that are closer together are also more evenly apart, so that the first factor
+  // is too small.
+  const auto is_fit = [&] {
+    const bool is_tight =
+        lens.model == LensModel::kParaxial || tried.depth_factor == 1.0 || most >= 0.99 * pixels;
+    return most <= pixels && is_tight;
+  };
+  for (int i = 0; i < kTries && !is_fit(); ++i) {
     // A little less, for rounding and for what lies between the rays of a survey.
-    const double margin = seen.is_whole ? 2e-6 : 2e-3;
-    tried.depth_factor = factor_for(pixels * (1.0 - margin), tried, seen, make);
+    const double margin = seen.is_whole ? 2e-6 : 5e-3;
+    tried.depth_factor = std::min(1.0, tried.depth_factor * pixels / most * (1.0 - margin));
     if (!(tried.depth_factor >= kLeastFactor)) {
-      throw CameraError(
-          budget_text(budget, pixels) + ": depth would be nothing, for a visible point moves by " +
-          (std::isfinite(before) ? brief(before) + " pixels a view" : "more than can be told") +
-          "; a larger budget, or for points near to the eyes Lens_Front, helps");
+      throw CameraError(budget_text(budget, pixels) + ": " + trouble(lens, before));
     }
     sheet = make(tried);
     seen = survey_depth(*sheet, probe);
-    most = most_parallax(*sheet, seen);
+    most = seen.largest_step();
   }
   out.factor = tried.depth_factor;
   const std::string text = budget_text(budget, pixels);

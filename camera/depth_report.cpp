@@ -50,10 +50,7 @@ std::string background_line(const Lenticular& sheet, double share) {
 /// With Snell's law outer views are farther apart than those in the middle.
 void add_outer_views(const Lenticular& sheet, const DepthSurvey& seen, Lines& out) {
   if (sheet.sheet().lens().model == LensModel::kParaxial) return;
-  double most = 0.0;
-  for (const double depth : {seen.nearest, seen.farthest}) {
-    most = std::max(most, std::fabs(largest_parallax(sheet, depth)));
-  }
+  const double most = seen.largest_step();
   if (!std::isfinite(most)) return;
   out.push_back("Between outer views, which Snell's law draws apart, parallax is up to " +
                 brief(most) + " pixels a view");

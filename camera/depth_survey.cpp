@@ -8,6 +8,8 @@
 #include <unordered_map>
 #include <utility>
 
+#include "camera/parallax.h"
+
 namespace lentray::camera {
 namespace {
 
@@ -30,7 +32,7 @@ class Surveyor {
  public:
   Surveyor(const Lenticular& sheet, const SceneProbe& probe, std::uint64_t most_rays)
       : m_sheet(sheet), m_probe(probe), m_most(most_rays), m_views(usual_views(sheet.sheet())),
-        m_lenses(sheet.sheet().lens_count()) {}
+        m_lenses(sheet.sheet().lens_count()), m_bends(column_bends(sheet.sheet())) {}
 
   DepthSurvey run() {
     const std::uint64_t pixels = std::uint64_t{m_sheet.width()} * m_sheet.height();
@@ -74,14 +76,17 @@ class Surveyor {
     const PlanPoint point{core::dot(from_middle, place.right),
                           core::dot(from_middle, place.normal)};
     const std::size_t index = index_of(*hit);
-    add(point, m_gathered[index].object);
+    add(point, m_bends[static_cast<std::size_t>(column)], m_gathered[index].object);
     return {false, point.depth, index};
   }
 
-  void add(const PlanPoint& point, SeenObject& object) {
+  void add(const PlanPoint& point, double bend, SeenObject& object) {
     constexpr std::size_t kMostPoints = 512;
     object.nearest = std::min(object.nearest, point.depth);
     object.farthest = std::max(object.farthest, point.depth);
+    const double step = parallax_at_bend(m_sheet, point.depth, bend);
+    m_out.least_step = std::min(m_out.least_step, step);
+    m_out.most_step = std::max(m_out.most_step, step);
     m_out.nearest = std::min(m_out.nearest, point.depth);
     m_out.farthest = std::max(m_out.farthest, point.depth);
     object.outline.push_back(point);
@@ -198,20 +203,25 @@ class Surveyor {
 
   Looked best_beside(const Looked& at, const SurveyGrid& step, double sign) {
     Looked best = at;
-    const auto try_at = [&](std::int64_t across, std::int64_t down, std::int64_t turn) {
-      const SheetPixel pixel{at.pixel.lens + across * step.lenses, at.pixel.row + down * step.rows,
-                             at.pixel.view + turn * step.views};
+    const auto try_pixel = [&](std::int64_t across, std::int64_t down, std::int64_t turn) {
+      const SheetPixel pixel{at.pixel.lens + across, at.pixel.row + down, at.pixel.view + turn};
       if (!has(pixel)) return;
       const Met met = look(column_of(pixel), pixel.row);
       if (met.depth && sign * *met.depth < sign * best.depth) best = {pixel, *met.depth};
     };
     for (const std::int64_t across : {-1, 0, 1}) {
       for (const std::int64_t down : {-1, 0, 1}) {
-        if (across != 0 || down != 0) try_at(across, down, 0);
+        if (across != 0 || down != 0) try_pixel(across * step.lenses, down * step.rows, 0);
       }
     }
-    try_at(0, 0, -1);
-    try_at(0, 0, 1);
+    // The same point in another view lies as many lenses beside as its parallax says.
+    const double lenses = parallax(m_sheet, at.depth) * static_cast<double>(step.views);
+    const bool near = std::fabs(lenses) < static_cast<double>(m_lenses);
+    const std::int64_t beside = near ? std::llround(lenses) : 0;
+    for (const std::int64_t turn : {-1, 1}) {
+      for (const std::int64_t more : {-1, 0, 1})
+        try_pixel(-turn * beside + more, 0, turn * step.views);
+    }
     return best;
   }
 
@@ -231,6 +241,7 @@ class Surveyor {
   const SceneProbe& m_probe;
   const std::uint64_t m_most;
   const std::int64_t m_views, m_lenses;
+  const std::vector<double> m_bends;  ///< by column
   DepthSurvey m_out;
   std::vector<Gathered> m_gathered;
   std::unordered_map<const void*, std::size_t> m_by_id;

@@ -7,6 +7,8 @@
 // and next to none of these may be missed. The same sheet and scene give the same survey.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -35,12 +37,18 @@ struct SeenObject {
 
 struct DepthSurvey {
   double nearest = core::Bounds::kInf, farthest = -core::Bounds::kInf;
+  /// Parallax of what was met, between the neighbouring views that met it: pixels of a view.
+  double least_step = core::Bounds::kInf, most_step = -core::Bounds::kInf;
   double background = 0.0;          ///< share of the picture where rays meet nothing
   std::vector<SeenObject> objects;  ///< the nearest first
   std::uint64_t rays = 0;
   bool is_whole = false;  ///< every pixel was looked at
 
   bool has_points() const { return nearest <= farthest; }
+  /// The most parallax either way; 0 without points.
+  double largest_step() const {
+    return has_points() ? std::max(std::fabs(least_step), std::fabs(most_step)) : 0.0;
+  }
 };
 
 DepthSurvey survey_depth(const Lenticular& sheet, const SceneProbe& probe,

@@ -6,38 +6,6 @@
 #include "core/base/bounds.h"
 
 namespace lentray::camera {
-namespace {
-
-/// Pixels a view of a point `depth` behind the sheet, where directions change by `bend` a mm of the
-/// print. A step of e in a cell moves what a lens shows of the depth z by z bend e, and the lens that
-/// shows the point is another then, whose own direction differs: x f/(nV) of the print.
-double parallax_where(const Lenticular& sheet, double depth, double bend) {
-  const LensParameters& lens = sheet.sheet().lens();
-  const double step = lens.pixel_size() * lens.depth_factor * bend / lens.pitch;
-  // 1/V as the lens models have it; 0 when V is infinite.
-  const double turn = bend * lens.focal_length / (lens.ior * lens.view_distance);
-  if (std::isinf(depth)) return turn > 0.0 ? step / turn : core::Bounds::kInf;
-  const double behind = depth / sheet.scale();  // mm
-  const double under = 1.0 + behind * turn;
-  return under > 0.0 ? step * behind / under : -core::Bounds::kInf;
-}
-
-/// The most that directions change a mm of the print, from a column of a lens to the next.
-double steepest_bend(const LensSheet& sheet) {
-  const LensParameters& lens = sheet.lens();
-  double most = lens.ior / lens.focal_length;
-  if (lens.model == LensModel::kParaxial) return most;
-  for (std::uint32_t k = 1; k < sheet.width(); ++k) {
-    const LensColumn &a = sheet.column(k - 1), &b = sheet.column(k);
-    const double step = b.lens_offset - a.lens_offset;
-    if (a.lens != b.lens || a.dark || b.dark || !(step > 0.0)) continue;
-    most = std::max(most, (b.slope - a.slope) / step);
-  }
-  return most;
-}
-
-}  // namespace
-
 double parallax(const Lenticular& sheet, double depth) {
   const LensParameters& lens = sheet.sheet().lens();
   const double step =
@@ -47,8 +15,30 @@ double parallax(const Lenticular& sheet, double depth) {
   return step * behind / (1.0 + behind / lens.view_distance) / lens.pitch;
 }
 
-double largest_parallax(const Lenticular& sheet, double depth) {
-  return parallax_where(sheet, depth, steepest_bend(sheet.sheet()));
+std::vector<double> column_bends(const LensSheet& sheet) {
+  const LensParameters& lens = sheet.lens();
+  std::vector<double> out(sheet.width(), lens.ior / lens.focal_length);
+  if (lens.model == LensModel::kParaxial) return out;
+  for (std::uint32_t k = 1; k < sheet.width(); ++k) {
+    const LensColumn &a = sheet.column(k - 1), &b = sheet.column(k);
+    const double step = b.lens_offset - a.lens_offset;
+    if (a.lens != b.lens || a.dark || b.dark || !(step > 0.0)) continue;
+    const double bend = (b.slope - a.slope) / step;
+    out[k - 1] = std::max(out[k - 1], bend);
+    out[k] = std::max(out[k], bend);
+  }
+  return out;
+}
+
+// A step of e in a cell moves what a lens shows of the depth z by z bend e. Another lens shows the point
+// then, whose own direction differs: by x f/(nV) of the print.
+double parallax_at_bend(const Lenticular& sheet, double depth, double bend) {
+  const LensParameters& lens = sheet.sheet().lens();
+  const double step = lens.pixel_size() * lens.depth_factor * bend / lens.pitch;
+  const double turn = bend * lens.focal_length / (lens.ior * lens.view_distance);  // 0: V infinite
+  const double behind = depth / sheet.scale();                                     // mm
+  const double under = 1.0 + behind * turn;
+  return under > 0.0 ? step * behind / under : -core::Bounds::kInf;
 }
 
 DepthInterval depths_within(const Lenticular& sheet, double pixels) {

@@ -11,6 +11,8 @@
 // F. Durand, H. Pfister, "Antialiasing for Automultiscopic 3D Displays" (2006).
 #pragma once
 
+#include <vector>
+
 #include "camera/lenticular.h"
 
 namespace lentray::camera {
@@ -20,9 +22,13 @@ namespace lentray::camera {
 /// behind the sheet, where things move along with the eye. Infinite depths have one when V is finite.
 double parallax(const Lenticular& sheet, double depth);
 
-/// The most of any two neighbouring views: with Snell's law outer views are farther apart. Infinite
-/// where the depth is at the eyes.
-double largest_parallax(const Lenticular& sheet, double depth);
+/// How much the directions of a lens's pixels change a mm of the print, by column: to the neighbour on
+/// that side where they change more. With the paraxial model n/f; with Snell's law outer views are
+/// farther apart.
+std::vector<double> column_bends(const LensSheet& sheet);
+/// parallax() where directions change by `bend` a mm. Infinite where rays of neighbouring views part or
+/// meet before the point, as they may near the eyes.
+double parallax_at_bend(const Lenticular& sheet, double depth, double bend);
 
 /// Parallax from view to view, in pixels of a view, beyond which the eye sees jumps and double edges.
 /// Source: pop3dart.com, "Depth: it's all about parallax and sequence length".

@@ -193,8 +193,8 @@ INSTANTIATE_TEST_SUITE_P(
                       "lights/parallel_lights.pov", "lights/spotlite.pov", "objects/chesmsh.pov",
                       "objects/csg/cliptst2.pov", "objects/torus1.pov",
                       "textures/finishes/arches.pov", "textures/finishes/cluster.pov"),
-    [](const auto& info) {
-      std::string name = fs::path(info.param).stem().string();
+    [](const auto& example) {
+      std::string name = fs::path(example.param).stem().string();
       std::replace_if(
           name.begin(), name.end(), [](char c) { return !std::isalnum(c); }, '_');
       return name;

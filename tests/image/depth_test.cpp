@@ -57,7 +57,7 @@ bool depth_says(const tool::RunResult& result, const std::string& part) {
 }
 
 TEST_F(ImageDepth, NamesWhatStandsOutByItsPlace) {
-  const auto result = depth({"+W600", "+H300"});
+  const auto result = depth({"+W600", "+H300", "Lens_Pixels=7"});
   ASSERT_EQ(result.status, 0) << result.output;
   for (const char* part :
        {"sphere at a.pov:7:1: -", "Ball at a.pov:6:1: ", "; jumps", "Background, ",
@@ -136,7 +136,7 @@ TEST_F(ImageDepth, ABudgetHoldsForSheetsViewsAndQuilts) {
   EXPECT_EQ(sheet.attributes.at("lentray:lens.depth_factor"),
             view.attributes.at("lentray:lens.depth_factor"));
   for (const std::string model : {"pinhole", "thick"}) {
-    render({"Lens_Model=" + model, "+O" + model + ".png", "+H10"});
+    render({"Lens_Model=" + model, "+O" + model + ".png", "+H10", "View_Distance=200"});
     EXPECT_LT(std::stod(core::read_image(m_folder / (model + ".png"))
                             .attributes.at("lentray:lens.depth_factor")),
               0.5);
@@ -223,6 +223,9 @@ TEST_F(ErrorDepth, NoSheetNoDepth) {
 TEST_F(ErrorDepth, BadBudgets) {
   expect_refused({"Lenticular=On", "Depth_Budget=0"}, "a parallax greater than 0 is expected");
   expect_refused({"Lenticular=On", "Depth_Budget=1e300"}, "at most a million pixels a view");
+  expect_refused(
+      {"Lenticular=On", "Depth_Budget=0.3", "Lens_Model=pinhole", "Lens_Pixels=8", "+W320"},
+      "rays of neighbouring views part before a visible point");
   // So small that the eyes would be one.
   expect_refused({"Lenticular=On", "Depth_Budget=1e-300"}, "depth would be nothing");
 }

@@ -43,8 +43,7 @@ TEST(UnitCameraDepthBudget, ABudgetIsKeptAndTheFactorIsNoSmallerThanItMustBe) {
     parallel.lens.model = model;
     const Sheet s = depth_sheet(probe, parallel);
     const DepthSurvey found = survey_depth(*s.camera, probe, std::uint64_t{1} << 40);
-    const double most = std::max(std::fabs(largest_parallax(*s.camera, found.nearest)),
-                                 largest_parallax(*s.camera, found.farthest));
+    const double most = found.largest_step();
     EXPECT_LE(most, 0.5);
     EXPECT_GT(most, 0.49);
   }

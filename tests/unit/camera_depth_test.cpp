@@ -107,15 +107,22 @@ TEST(UnitCameraDepth, TheLargestParallaxIsThatOfOuterViews) {
     most = std::max(most, (columns.column(k).slope - columns.column(k - 1).slope) /
                               (columns.lens().pitch * sheet.camera->scale()));
   }
-  EXPECT_NEAR(largest_parallax(*sheet.camera, 1.0), most, 1e-9);
-  EXPECT_NEAR(largest_parallax(*sheet.camera, -1.0), -most, 1e-9);
-  EXPECT_GT(most, 1.01 * parallax(*sheet.camera, 1.0));
-  EXPECT_TRUE(std::isinf(largest_parallax(*sheet.camera, core::Bounds::kInf)));
-  const Sheet paraxial = depth_sheet({});
-  for (const double depth : {-5.0, 3.0, core::Bounds::kInf}) {
-    EXPECT_NEAR(largest_parallax(*paraxial.camera, depth), parallax(*paraxial.camera, depth), 1e-9);
+  for (const double depth : {1.0, -1.0}) {  // of the sheet at z = -10
+    const DepthSurvey seen = survey_depth(*sheet.camera, depth_scene({}, depth - 10.0));
+    EXPECT_NEAR(depth > 0.0 ? seen.most_step : -seen.least_step, most, 1e-9);
+    EXPECT_NEAR(seen.largest_step(), most, 1e-9);
   }
-  EXPECT_LT(largest_parallax(*paraxial.camera, -11.0), -1e9);  // behind the eye
+  EXPECT_GT(most, 1.01 * parallax(*sheet.camera, 1.0));
+  const Sheet paraxial = depth_sheet({});
+  for (const double depth : {-5.0, 3.0}) {
+    const DepthSurvey seen = survey_depth(*paraxial.camera, depth_scene({}, depth));
+    EXPECT_NEAR(seen.least_step, parallax(*paraxial.camera, depth), 1e-9);
+    EXPECT_NEAR(seen.most_step, seen.least_step, 1e-9);
+  }
+  const double bend = 1.6 / 3.03;
+  EXPECT_NEAR(parallax_at_bend(*paraxial.camera, 4.0, bend), parallax(*paraxial.camera, 4.0),
+              1e-12);
+  EXPECT_LT(parallax_at_bend(*paraxial.camera, -11.0, bend), -1e9);  // behind the eye
 }
 
 TEST(UnitCameraDepth, ASurveyFindsTheExtremesOfLargeSheets) {
