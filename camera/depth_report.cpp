@@ -109,32 +109,41 @@ void add_objects(const Lenticular& sheet, const DepthSurvey& seen, Lines& out) {
   out.push_back("Sharp all over: " + rest);
 }
 
-void add_proposal(const Lenticular& sheet, const std::optional<SheetStand>& stand,
-                  const DepthSurvey& seen, Lines& out) {
-  const auto balanced = balanced_stand(sheet, stand, seen);
-  if (!balanced) return;
-  const std::string figures = "the nearest point would have " + brief(balanced->nearest_step) +
-                              ", the farthest " + brief(balanced->farthest_step) + " pixels a view";
+/// "Sheet_Distance=7.5 instead of 9: the nearest point would have -0.9, the farthest 0.9 pixels a view".
+std::string stand_text(const std::optional<SheetStand>& stand, const BalancedStand& balanced) {
+  const std::string figures = ": the nearest point would have " + brief(balanced.nearest_step) +
+                              ", the farthest " + brief(balanced.farthest_step) + " pixels a view";
   if (!stand) {
-    out.push_back("Balanced if the camera's location moved by " + brief(balanced->moved) +
-                  " along its direction: " + figures);
-  } else if (balanced->distance < 0.0) {
-    out.push_back("Balanced only with a sheet behind the camera, by " + brief(-balanced->distance));
-  } else {
-    out.push_back("Proposed: Sheet_Distance=" + format(balanced->distance) + " instead of " +
-                  format(stand->distance) + ": " + figures);
+    return "the camera's location moved by " + brief(balanced.moved) + " along its direction" +
+           figures;
   }
+  if (balanced.distance < 0.0) {
+    return "only a sheet behind the camera, by " + brief(-balanced.distance) + figures;
+  }
+  return "Sheet_Distance=" + format(balanced.distance) + " instead of " + format(stand->distance) +
+         figures;
+}
+
+void add_proposals(const Lenticular& sheet, const std::optional<SheetStand>& stand,
+                   const DepthSurvey& seen, Lines& out) {
+  const auto all = balanced_stand(sheet, stand, seen.nearest, seen.farthest);
+  if (!all) return;
+  out.push_back("Proposed, for all that is visible: " + stand_text(stand, *all));
+  const auto most = balanced_stand(sheet, stand, seen.near_part, seen.far_part);
+  if (!most) return;
+  out.push_back("For all but the nearest and the farthest twentieth of that: " +
+                stand_text(stand, *most));
 }
 
 }  // namespace
 
 std::optional<BalancedStand> balanced_stand(const Lenticular& sheet,
-                                            const std::optional<SheetStand>& stand,
-                                            const DepthSurvey& seen) {
-  if (!seen.has_points() || !(seen.nearest < seen.farthest)) return std::nullopt;
+                                            const std::optional<SheetStand>& stand, double nearest,
+                                            double farthest) {
+  if (!(nearest < farthest)) return std::nullopt;
   const bool grows = stand && stand->grows;
   const double now = stand ? stand->distance * stand->along : 0.0;
-  const double from = now + seen.nearest, to = now + seen.farthest;
+  const double from = now + nearest, to = now + farthest;
   const double eye = sheet.eye_distance();
   // The parallax of a depth from the camera if the sheet stood at `at`, in pixels of a view; a sheet
   // that grows has its eye and its millimetres grow along.
@@ -177,7 +186,7 @@ std::vector<std::string> depth_report(const Lenticular& sheet,
   add_ranges(sheet, out);
   out.push_back(survey_line(sheet, seen));
   add_objects(sheet, seen, out);
-  add_proposal(sheet, stand, seen, out);
+  add_proposals(sheet, stand, seen, out);
   return out;
 }
 

@@ -110,6 +110,7 @@ class Surveyor {
     ++m_counted;
     if (met.depth) {
       ++m_gathered[met.object].pixels;
+      m_depths.push_back(*met.depth);
     } else {
       ++m_open;
     }
@@ -235,6 +236,11 @@ class Surveyor {
       m_out.objects.push_back(std::move(g.object));
     }
     std::ranges::stable_sort(m_out.objects, {}, &SeenObject::nearest);
+    if (m_depths.empty()) return;
+    constexpr std::size_t kPart = 20;
+    std::ranges::sort(m_depths);
+    m_out.near_part = m_depths[m_depths.size() / kPart];
+    m_out.far_part = m_depths[m_depths.size() - 1 - m_depths.size() / kPart];
   }
 
   const Lenticular& m_sheet;
@@ -246,6 +252,7 @@ class Surveyor {
   std::vector<Gathered> m_gathered;
   std::unordered_map<const void*, std::size_t> m_by_id;
   std::map<std::string, std::size_t> m_by_name;
+  std::vector<double> m_depths;  ///< of the pixels that count
   std::uint64_t m_counted = 0, m_open = 0;
 };
 

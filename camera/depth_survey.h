@@ -37,6 +37,8 @@ struct SeenObject {
 
 struct DepthSurvey {
   double nearest = core::Bounds::kInf, farthest = -core::Bounds::kInf;
+  /// Depths that leave out the nearest and the farthest twentieth of the pixels that show an object.
+  double near_part = 0.0, far_part = 0.0;
   /// Parallax of what was met, between the neighbouring views that met it: pixels of a view.
   double least_step = core::Bounds::kInf, most_step = -core::Bounds::kInf;
   double background = 0.0;          ///< share of the picture where rays meet nothing

@@ -182,7 +182,7 @@ std::unique_ptr<core::Object> ObjectBuilder::build_whole(const ObjectDesc& objec
   if (csg) {
     Inherited for_children = looks;
     for_children.on_list = is_split;
-    for_children.in_named = from.in_named || object.copied;
+    if (!from.named && object.copied) for_children.named = &object;
     out = build_csg(object, *csg, to_world, for_children);
   } else {
     out = build_leaf(object, to_world, looks);
@@ -196,8 +196,9 @@ std::unique_ptr<core::Object> ObjectBuilder::build_whole(const ObjectDesc& objec
   set_limits(
       object, outer, standing, [&](const ObjectDesc& region) { return geometry(region, outer); },
       *out);
-  if (m_places && from.on_list && from.in_whole && !from.in_named && !is_split) {
-    m_places->parts.push_back({out.get(), {object.where, object.keyword}});
+  if (m_places && from.on_list && from.in_whole && !is_split) {
+    const ObjectDesc& called = from.named ? *from.named : object;
+    m_places->parts.push_back({out.get(), {called.where, called.keyword}});
   }
   if (m_cutaways) m_cutaways->record(*out, object, object.texture ? looks.texture : nullptr);
   return out;

@@ -58,7 +58,7 @@ class ObjectBuilder {
     const LightScope* lights = nullptr;  ///< null: in no light_group
     std::optional<bool> shared_hollow;   ///< of all that have the same interior
     bool in_whole = false;               ///< is a part of something
-    bool in_named = false;               ///< of something that comes from an identifier
+    const ObjectDesc* named = nullptr;   ///< the outermost around it that comes from an identifier
     bool on_list =
         false;  ///< hangs directly in the scene's list: stock drops needless bounds there
   };

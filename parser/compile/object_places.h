@@ -23,7 +23,7 @@ struct ObjectPlace {
 struct ObjectPlaces {
   /// In the order of core::SceneParts::objects, which core::Object::whole() counts.
   std::vector<ObjectPlace> wholes;
-  /// Of unions that the scene is split at, unless they come from an identifier.
+  /// Parts of unions that the scene is split at. Those of one from an identifier have its place.
   std::vector<std::pair<const core::Object*, ObjectPlace>> parts;
 
   /// To be called once the scene is built, before place_of().

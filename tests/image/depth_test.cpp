@@ -59,9 +59,9 @@ bool depth_says(const tool::RunResult& result, const std::string& part) {
 TEST_F(ImageDepth, NamesWhatStandsOutByItsPlace) {
   const auto result = depth({"+W600", "+H300", "Lens_Pixels=7"});
   ASSERT_EQ(result.status, 0) << result.output;
-  for (const char* part :
-       {"sphere at a.pov:7:1: -", "Ball at a.pov:6:1: ", "; jumps", "Background, ",
-        "Found with a ray through each of 180000 pixels", "Proposed: Sheet_Distance="}) {
+  for (const char* part : {"sphere at a.pov:7:1: -", "Ball at a.pov:6:1: ", "; jumps",
+                           "Background, ", "Found with a ray through each of 180000 pixels",
+                           "Proposed, for all that is visible: Sheet_Distance="}) {
     EXPECT_TRUE(depth_says(result, part)) << part << "\n" << result.output;
   }
   // What a sheet cuts is named too, in every report.
@@ -74,7 +74,8 @@ TEST_F(ImageDepth, TheProposedDistanceHasTheFiguresThatWereTold) {
   const auto before = depth({"+W600", "+H300"});
   std::smatch found;
   const std::regex pattern(
-      "Proposed: Sheet_Distance=([0-9.]+) instead of 5: the nearest point would have (-[0-9.]+), "
+      "Proposed, for all that is visible: Sheet_Distance=([0-9.]+) instead of 5: the nearest point "
+      "would have (-[0-9.]+), "
       "the "
       "farthest ([0-9.]+) pixels a view");
   ASSERT_TRUE(std::regex_search(before.output, found, pattern)) << before.output;
@@ -105,7 +106,7 @@ TEST_F(ImageDepth, TheOtherCamerasHaveTheirReports) {
   tool::write_text(m_folder / "l.pov", text);
   const auto own = lentray({"--depth", "+W300", "+H100"}, "l.pov");
   EXPECT_EQ(own.status, 0) << own.output;
-  EXPECT_TRUE(depth_says(own, "Balanced if the camera's location moved by ")) << own.output;
+  EXPECT_TRUE(depth_says(own, "visible: the camera's location moved by ")) << own.output;
   for (const auto* result : {&parallel, &orthographic, &own}) {
     EXPECT_FALSE(depth_says(*result, "nan")) << result->output;
     EXPECT_FALSE(depth_says(*result, "inf ")) << result->output;

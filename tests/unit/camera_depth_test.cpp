@@ -135,6 +135,9 @@ TEST(UnitCameraDepth, ASurveyFindsTheExtremesOfLargeSheets) {
   EXPECT_LT(seen.rays, 100'000u);
   EXPECT_NEAR(seen.nearest, -3.25, 1e-3);
   EXPECT_NEAR(seen.farthest, 20.0, 1e-9);
+  // The balls are less than a twentieth.
+  EXPECT_NEAR(seen.near_part, 20.0, 1e-9);
+  EXPECT_NEAR(seen.far_part, 20.0, 1e-9);
   EXPECT_EQ(seen.background, 0.0);
   ASSERT_EQ(seen.objects.size(), 3u);
   EXPECT_EQ(seen.objects[0].name, "near");

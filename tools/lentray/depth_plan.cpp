@@ -44,7 +44,7 @@ DepthPlan::DepthPlan(const camera::Lenticular& sheet, const camera::DepthSurvey&
   for (const camera::SeenObject& object : seen.objects) {
     for (const PlanPoint& p : cut(object.outline)) include(p.x);
   }
-  if (sheet.sheet().lens().is_finite()) {
+  if (m_has_eyes) {
     const ViewingPlan viewing = viewing_plan(sheet);
     for (const double side : {-0.5, 0.5}) {
       include(viewing.middle + side * viewing.zone);
@@ -64,13 +64,15 @@ DepthPlan::DepthPlan(const camera::Lenticular& sheet, const camera::DepthSurvey&
 void DepthPlan::choose_depths(const camera::Lenticular& sheet, const camera::DepthSurvey& seen) {
   const camera::SheetPlacement& place = sheet.placement();
   const camera::DepthInterval sharp = camera::depths_within(sheet, camera::kSharpParallax);
-  m_near = seen.has_points() ? std::min(0.0, seen.nearest) : 0.0;
-  if (sheet.sheet().lens().is_finite()) m_near = std::min(m_near, -sheet.eye_distance());
-  const double size = std::max({place.width, place.height, -m_near});
-  m_near = std::min(m_near, std::max(sharp.nearest, -size));
-  const double most = 3.0 * size;
-  m_far = std::min(std::max(sharp.farthest, 0.1 * size), most);
-  if (seen.has_points()) m_far = std::max(m_far, std::min(seen.farthest, most));
+  const double size = std::max(place.width, place.height), most = 2.5 * size;
+  m_near = std::max(sharp.nearest, -0.5 * size);
+  m_far = std::min(sharp.farthest, 0.5 * size);
+  if (seen.has_points()) {
+    m_near = std::min(m_near, std::max(seen.nearest, -most));
+    m_far = std::max(m_far, std::min(seen.farthest, most));
+  }
+  m_has_eyes = sheet.sheet().lens().is_finite() && sheet.eye_distance() <= 3.0 * size;
+  if (m_has_eyes) m_near = std::min(m_near, -sheet.eye_distance());
   const double margin = 0.05 * (m_far - m_near);
   m_near -= margin;
   m_far += margin;
@@ -93,7 +95,8 @@ std::vector<double> round_ticks(double from, double to) {
   const double ten = std::pow(10.0, std::floor(std::log10(rough)));
   const double step = ten * (rough < 2.0 * ten ? 2.0 : rough < 5.0 * ten ? 5.0 : 10.0);
   std::vector<double> out;
-  for (double i = std::ceil(from / step); i * step <= to; i += 1.0) out.push_back(i * step + 0.0);  // no -0
+  for (double i = std::ceil(from / step); i * step <= to; i += 1.0)
+    out.push_back(i * step + 0.0);  // no -0
   return out;
 }
 

@@ -21,9 +21,11 @@ ViewingPlan viewing_plan(const camera::Lenticular& sheet);
 
 class DepthPlan {
  public:
-  /// Holds the sheet, where it is viewed from and all that is seen up to far().
+  /// Holds the sheet, where it is viewed from unless that is far away, and what is seen up to far().
   DepthPlan(const camera::Lenticular& sheet, const camera::DepthSurvey& seen);
 
+  /// The eyes are near enough to be drawn.
+  bool has_eyes() const { return m_has_eyes; }
   double x(double scene) const { return kLeft + (scene - m_x0) * m_scale_x; }
   double y(double depth) const { return kTop + (m_far - depth) * m_scale_z; }
   double near() const { return m_near; }
@@ -42,6 +44,7 @@ class DepthPlan {
  private:
   void choose_depths(const camera::Lenticular& sheet, const camera::DepthSurvey& seen);
 
+  bool m_has_eyes = false;
   double m_x0 = 0.0, m_x1 = 1.0, m_near = -1.0, m_far = 1.0;
   double m_scale_x = 1.0, m_scale_z = 1.0;
 };

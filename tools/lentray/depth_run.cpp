@@ -45,8 +45,9 @@ DepthText depth_of(const CameraSetup& setup, const camera::SceneProbe& probe,
 }
 
 void say_depth(const DepthText& text, const std::string& file) {
-  if (file != "-") std::fputs(text.report.c_str(), stdout);
+  // First what is kept.
   if (!text.drawing.empty()) write_text_file(file, text.drawing);
+  if (file != "-") std::fputs(text.report.c_str(), stdout);
 }
 
 }  // namespace lentray::tool

@@ -144,7 +144,7 @@ std::string range_text(const camera::Lenticular& sheet, const DepthPlan& plan) {
     out += svg_text(x1 - 6.0, plan.y(depth) + (depth < 0.0 ? 13.0 : -4.0), "jumps beyond",
                     "text-anchor=\"end\" class=\"small\"");
   }
-  return out + svg_text(x1 - 6.0, top + 14.0, "sharp", "text-anchor=\"end\" class=\"small\"");
+  return out + svg_text(x0 + 6.0, 0.5 * (top + bottom) + 4.0, "sharp", "class=\"small\"");
 }
 
 std::string sheet_text(const camera::Lenticular& sheet, const DepthPlan& plan) {
@@ -164,6 +164,7 @@ std::string viewing_text(const camera::Lenticular& sheet, const DepthPlan& plan)
     out += svg_line(plan.x(middle), y, plan.x(middle + (edge - middle) * reach), plan.y(plan.far()),
                     "sight");
   }
+  if (!plan.has_eyes()) return out;
   out += svg_line(plan.x(middle - 0.5 * viewing.zone), y, plan.x(middle + 0.5 * viewing.zone), y,
                   "zone");
   for (const double x : viewing.viewpoints)
@@ -231,10 +232,15 @@ std::string key_text(const camera::Lenticular& sheet, const DepthPlan& plan, dou
     out += svg_text(DepthPlan::kLeft, y, text, "class=\"small\"");
     y += 16.0;
   };
-  if (sheet.sheet().lens().is_finite()) {
+  if (plan.has_eyes()) {
     add("Below: the zone to view the sheet from, the eyes of the views (ticks), two eyes 65 mm "
         "apart "
         "(rings)");
+  } else if (sheet.sheet().lens().is_finite()) {
+    const ViewingPlan viewing = viewing_plan(sheet);
+    add("The eyes are too far away to be drawn: " + camera::brief(-viewing.depth) +
+        " before the sheet, in a zone " + camera::brief(viewing.zone) + " wide; two eyes are " +
+        camera::brief(viewing.eyes_apart) + " apart");
   } else {
     add("The viewer is infinitely far below");
   }
