@@ -64,7 +64,7 @@ DepthPlan::DepthPlan(const camera::Lenticular& sheet, const camera::DepthSurvey&
 void DepthPlan::choose_depths(const camera::Lenticular& sheet, const camera::DepthSurvey& seen) {
   const camera::SheetPlacement& place = sheet.placement();
   const camera::DepthInterval sharp = camera::depths_within(sheet, camera::kSharpParallax);
-  const double size = std::max(place.width, place.height), most = 2.5 * size;
+  const double size = std::max(place.width, place.height), most = 1.5 * size;
   m_near = std::max(sharp.nearest, -0.5 * size);
   m_far = std::min(sharp.farthest, 0.5 * size);
   if (seen.has_points()) {

@@ -9,10 +9,19 @@
 #include "tools/lentray/output.h"
 
 namespace lentray::tool {
+namespace {
+
+/// Pictures of views of one scene: all have the same sheet.
+bool is_of_views(const parser::RenderOptions& o) {
+  return o.animation.views.count > 0 && !o.animation.views.clocks;
+}
+
+}  // namespace
 
 std::string depth_file(const parser::RenderOptions& options) {
   const std::string& file = options.depth_view;
-  return file.empty() || file == "-" ? file : parser::frame_path(options, file);
+  return file.empty() || file == "-" || is_of_views(options) ? file
+                                                             : parser::frame_path(options, file);
 }
 
 DepthText depth_of(const CameraSetup& setup, const camera::SceneProbe& probe,
@@ -24,6 +33,7 @@ DepthText depth_of(const CameraSetup& setup, const camera::SceneProbe& probe,
         "Quilt "
         "out, or give Views=");
   }
+  if (is_of_views(options) && parser::rendered_view(options).value_or(0) > 0) return {};
   const camera::DepthSurvey seen = camera::survey_depth(*setup.sheet, probe);
   DepthText out;
   out.report = "Depth\n";

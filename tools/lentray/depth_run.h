@@ -17,7 +17,7 @@ struct DepthText {
 /// Where the drawing goes, of a frame with its number in the name; empty: nowhere. "-": standard output.
 std::string depth_file(const parser::RenderOptions& options);
 
-/// Throws camera::CameraError where there is no lens sheet.
+/// Of views of one sheet the first has the texts. Throws camera::CameraError where there is no lens sheet.
 DepthText depth_of(const CameraSetup& setup, const camera::SceneProbe& probe,
                    const parser::RenderOptions& options);
 

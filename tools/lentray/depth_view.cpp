@@ -265,9 +265,9 @@ std::string depth_view(const camera::Lenticular& sheet, const camera::DepthSurve
                        const std::string& title) {
   const DepthPlan plan(sheet, seen);
   const std::vector<Drawn> drawn = chosen(sheet, seen);
-  std::string inside = range_text(sheet, plan) + objects_text(plan, drawn);
+  std::string inside =
+      range_text(sheet, plan) + sheet_text(sheet, plan) + objects_text(plan, drawn);
   if (sheet.sheet().lens().is_finite()) inside += viewing_text(sheet, plan);
-  inside += sheet_text(sheet, plan);
   const double left = plan.x(plan.left());
   double y = plan.y(plan.near()) + 56.0;
   std::string below = key_text(sheet, plan, y);
