@@ -118,7 +118,7 @@ struct RenderOptions {
   double max_memory = 0.0;        ///< bytes; 0: half of the machine's
   std::uint32_t band_height = 0;  ///< rows; 0: as the memory allows
   std::string statistics_file, dump_rays;
-  std::string depth_view;  ///< file that --depth-view draws; empty: none
+  std::string depth_view;   ///< file that --depth-view draws; empty: none
   bool count_tests = true;  ///< tests of bounds and shapes go into the statistics
   std::string
       dependencies_file;  ///< which files the scene reads, writes and looks for; empty: nowhere

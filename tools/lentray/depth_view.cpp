@@ -254,7 +254,7 @@ std::string key_text(const camera::Lenticular& sheet, const DepthPlan& plan, dou
 constexpr const char* kStyle =
     "<style>text{font:13px sans-serif;fill:#222}"
     ".small{font-size:11px;fill:#555}.head{font-weight:bold}.title{font-size:16px;font-weight:bold}"
-    ".frame{fill:none;stroke:#999}.axis{stroke:#999}.sharp{fill:#dcefdc}"
+    ".frame{fill:none;stroke:#999}.axis{stroke:#999}.sharp{fill:#f4efd6}"
     ".jumps{stroke:#b06000;stroke-dasharray:6 4}.sheet{stroke:#000;stroke-width:4}"
     ".zone{stroke:#36c;stroke-width:2}.view{stroke:#36c}.eye{fill:#fff;stroke:#36c;stroke-width:2}"
     ".sight{stroke:#bbb;stroke-dasharray:2 3}.number{fill:#fff;fill-opacity:.85}</style>\n";
