@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "camera/depth_budget.h"
 #include "camera/orthographic.h"
 #include "camera/perspective.h"
 #include "camera/sheet_collisions.h"
@@ -141,6 +142,14 @@ void choose_model(const LensRequest& asked, const SheetPlacement& place, std::ui
                    .cheapest_model(asked.tolerance.value_or(kModelTolerance));
 }
 
+std::unique_ptr<Lenticular> make_sheet(const LensParameters& lens, const SheetPlacement& place,
+                                       std::uint32_t width, std::uint32_t height) {
+  if (lens.model == LensModel::kThick) {
+    return std::make_unique<ThickLenticular>(lens, place, width, height);
+  }
+  return std::make_unique<Lenticular>(lens, place, width, height);
+}
+
 Sheet finish(LensParameters lens, SheetPlacement place, const LensRequest& asked,
              std::uint32_t width, std::uint32_t height, std::vector<std::string> report,
              const SceneProbe& probe) {
@@ -153,12 +162,15 @@ Sheet finish(LensParameters lens, SheetPlacement place, const LensRequest& asked
       throw CameraError("the sheet is too large, too small or too far away to be computed");
     }
   }
-  Sheet sheet;
-  if (lens.model == LensModel::kThick) {
-    sheet.camera = std::make_unique<ThickLenticular>(lens, place, width, height);
-  } else {
-    sheet.camera = std::make_unique<Lenticular>(lens, place, width, height);
+  if (asked.depth_budget) {
+    FittedDepth fitted = fit_depth(
+        *asked.depth_budget, lens,
+        [&](const LensParameters& l) { return make_sheet(l, place, width, height); }, probe);
+    lens.depth_factor = fitted.factor;
+    for (std::string& line : fitted.report) report.push_back(std::move(line));
   }
+  Sheet sheet;
+  sheet.camera = make_sheet(lens, place, width, height);
   if (asked.size) check_width(*sheet.camera, asked);
   sheet.report = std::move(report);
   for (std::string& line : report_of(*sheet.camera, asked, probe)) {
@@ -240,6 +252,8 @@ Sheet sheet_of_camera(std::string_view kind, const Projection& projection,
   }
   place.front = conversion.lens.front.value_or(std::min(depth, eye_in_scene(lens, place, width)));
   Sheet sheet = finish(lens, place, conversion.lens, width, height, std::move(report), probe);
+  sheet.stand = SheetStand{distance, core::dot(projection.direction, place.normal) / size,
+                           kind == "perspective"};
   add_warnings(conversion.lens, projection, sheet);
   return sheet;
 }

@@ -17,11 +17,21 @@
 
 namespace lentray::camera {
 
+/// Where the sheet of a converted camera stands.
+struct SheetStand {
+  double distance = 0.0;  ///< Sheet_Distance: scene units along the camera's direction
+  double along = 1.0;     ///< of the sheet's normal in a unit of that
+  bool grows = false;     ///< the sheet's size is proportional to the distance
+};
+
 /// A sheet and what is to be said about it: report lines and warnings.
 struct Sheet {
   std::unique_ptr<Lenticular> camera;
   std::vector<std::string> report;
   std::vector<std::string> warnings;
+  /// Where it stands from a camera, and whether its size grows with that distance (perspective); empty
+  /// for `lenticular` in a scene.
+  std::optional<SheetStand> stand{};
 };
 
 /// `camera { lenticular }`: location is the sheet's middle, right and up its size. A direction

@@ -43,6 +43,7 @@ void LensRequest::override_by(const LensRequest& other) {
   if (other.tolerance) tolerance = other.tolerance;
   if (other.rays) rays = other.rays;
   if (other.size) size = other.size;
+  if (other.depth_budget) depth_budget = other.depth_budget;
   if (!other.sheet_name.empty()) {
     sheet_name = other.sheet_name;
     sheet_is_nominal = other.sheet_is_nominal;

@@ -25,6 +25,12 @@ struct SheetSize {
   bool rows_fill_it = false;
 };
 
+/// The most parallax that a visible point may have from one view to the next.
+struct DepthBudget {
+  double value = 0.0;
+  bool is_mm = false;  ///< on the print; else pixels of a view, which are lens widths
+};
+
 struct LensRequest : LensData {
   std::optional<double> pixels, print_dpi;
   std::optional<double> front;          ///< scene units before the sheet
@@ -34,6 +40,7 @@ struct LensRequest : LensData {
   std::optional<double> tolerance;    ///< of it, pixels of the print
   std::optional<std::uint32_t> rays;  ///< K of the thick model
   std::optional<SheetSize> size;
+  std::optional<DepthBudget> depth_budget;
   std::string sheet_name;         ///< of the lens profile that data are from; empty: none
   bool sheet_is_nominal = false;  ///< that profile's data are computed, not measured
 

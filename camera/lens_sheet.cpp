@@ -134,8 +134,8 @@ LensColumn LensSheet::at(double cells, double lens) const {
       c.axis * (1.0 + m_lens.focal_length / (m_lens.ior * m_lens.view_distance)) + m_shift;
   c.cell_offset = cells * print_pitch;
   c.centre = c.cell_centre + c.cell_offset;
-  c.lens_offset =
-      c.cell_offset + m_shift + c.axis * m_lens.focal_length / (m_lens.ior * m_lens.view_distance);
+  c.lens_offset = c.cell_offset * m_lens.depth_factor + m_shift +
+                  c.axis * m_lens.focal_length / (m_lens.ior * m_lens.view_distance);
   c.dark = !slope_of(m_lens, c.lens_offset, c.slope);
   return c;
 }
@@ -176,7 +176,8 @@ double LensSheet::largest_eye_miss() const {
   double largest = 0.0;
   for (const LensColumn& c : m_columns) {
     double middle = 0.0;  // slope of the same view's ray through the sheet's middle
-    if (c.dark || !slope_of(m_lens, c.cell_offset + m_shift, middle)) continue;
+    if (c.dark || !slope_of(m_lens, c.cell_offset * m_lens.depth_factor + m_shift, middle))
+      continue;
     const double wanted = offset_of(m_lens, middle + c.axis / m_lens.view_distance);
     largest = std::max(largest, std::fabs(c.lens_offset - wanted) / m_lens.pixel_size());
   }

@@ -32,6 +32,9 @@ struct LensParameters {
   LensModel model = LensModel::kPinhole;
   std::uint32_t rays = 16;      ///< K, rays a pixel of the thick model
   double surface_radius = 0.0;  ///< of the thick model's surface, mm; 0: it focuses on the print
+  /// What offsets from the middle of a cell are multiplied by before the model asks where they look:
+  /// below 1 the eyes of the views stand closer together, and depth is compressed. The print stays.
+  double depth_factor = 1.0;
 
   bool is_finite() const { return view_distance < kInfinity; }
   /// P' = P (1 + f/(nV)): the pitch of the printed strips.
@@ -64,7 +67,7 @@ struct LensColumn {
   double cell_centre = 0.0;  ///< c_i, in the print
   double centre = 0.0;       ///< X_k, in the print
   double cell_offset = 0.0;  ///< e = X_k - c_i
-  double lens_offset = 0.0;  ///< o = X_k - x_i
+  double lens_offset = 0.0;  ///< o = X_k - x_i; with a depth factor e is multiplied by it
   double slope = 0.0;        ///< tan t; 0 when dark
   bool dark = false;         ///< total internal reflection: that ray shows nothing
 };

@@ -146,6 +146,7 @@ Properties Lenticular::describe() const {
           {"lens.print_height_mm", print_height()},
           {"lens.print_dpi_x", print_dpi_x()},
           {"lens.print_dpi_y", print_dpi_y()},
+          {"lens.depth_factor", lens.depth_factor},
           {"lens.scene_units_per_mm", m_scale},
           {"lens.front", m_place.front},
           {"lens.centre", m_place.centre},

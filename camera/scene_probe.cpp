@@ -1,6 +1,7 @@
 #include "camera/scene_probe.h"
 
 #include <memory>
+#include <utility>
 
 #include "core/accel/hierarchy.h"
 #include "core/object/leaf.h"
@@ -9,9 +10,10 @@
 
 namespace lentray::camera {
 
-SceneProbe probe_of(const core::Scene& scene) {
+SceneProbe probe_of(const core::Scene& scene, ObjectNamer namer) {
   auto arena = std::make_shared<core::HitArena>();
-  return [&scene, arena](const core::Ray& ray, double limit) -> std::optional<ProbeHit> {
+  const auto names = std::make_shared<const ObjectNamer>(std::move(namer));
+  return [&scene, arena, names](const core::Ray& ray, double limit) -> std::optional<ProbeHit> {
     core::Hit hit;
     if (!scene.hierarchy().nearest(ray, core::kMinHitDistance * scene.tolerance_scale(), limit,
                                    core::RayKind::kCamera, hit, *arena, nullptr)) {
@@ -19,7 +21,8 @@ SceneProbe probe_of(const core::Scene& scene) {
     }
     const core::Object* object = hit.object;
     if (!object) object = hit.leaf;
-    return ProbeHit{hit.t, std::string(object->name()), object, object->bounds()};
+    return ProbeHit{
+        hit.t, std::string(object->name()), object, object->bounds(), object->whole(), names.get()};
   };
 }
 

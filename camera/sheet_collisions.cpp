@@ -55,18 +55,21 @@ void on_rectangle(const SceneProbe& probe, const Vec3& centre, const Vec3& acros
   }
 }
 
-/// Objects, counted by kind.
+/// Objects, counted by name.
 class ObjectList {
  public:
   void add(const ProbeHit& hit) {
-    if (m_seen.insert(hit.id).second || !hit.id) ++m_counts[hit.object];
+    if (m_seen.insert(hit.id).second || !hit.id) ++m_counts[hit.name()];
   }
   bool has(const void* id) const { return id && m_seen.count(id) > 0; }
   bool empty() const { return m_counts.empty(); }
-  /// "2 sphere, box".
+  /// "2 sphere at a.pov:3:5, box at a.pov:9:1"; of many the first.
   std::string text() const {
+    constexpr std::size_t kMost = 8;
     std::string out;
+    std::size_t told = 0;
     for (const auto& [name, count] : m_counts) {
+      if (told++ == kMost) return out + " and " + std::to_string(m_counts.size() - kMost) + " more";
       out += out.empty() ? "" : ", ";
       out += (count > 1 && !m_seen.count(nullptr) ? std::to_string(count) + " " : "") + name;
     }
@@ -81,8 +84,8 @@ class ObjectList {
 /// The slope of a view's rays through the sheet's middle; `side` -1: the first view, 1: the last.
 double slope_of_view(const Lenticular& sheet, int side) {
   const LensParameters& lens = sheet.sheet().lens();
-  const double outermost =
-      lens.ior * lens.print_pitch() / (2.0 * lens.focal_length) * (1.0 - 1.0 / lens.pixels);
+  const double outermost = lens.ior * lens.print_pitch() / (2.0 * lens.focal_length) *
+                           (1.0 - 1.0 / lens.pixels) * lens.depth_factor;
   return sheet.placement().eye_slope_x + side * outermost;
 }
 

@@ -233,14 +233,6 @@ std::vector<std::string> depth_lines(const Lenticular& sheet, const SceneProbe& 
 
 }  // namespace
 
-double parallax(const Lenticular& sheet, double depth) {
-  const LensParameters& lens = sheet.sheet().lens();
-  const double step = lens.ior * lens.pixel_size() / lens.focal_length;  // slope a view
-  if (std::isinf(depth)) return step * lens.view_distance / lens.pitch;
-  const double behind = depth / sheet.scale();  // mm
-  return step * behind / (1.0 + behind / lens.view_distance) / lens.pitch;
-}
-
 std::vector<std::string> report_of(const Lenticular& sheet, const LensRequest& asked,
                                    const SceneProbe& probe) {
   const LensParameters& lens = sheet.sheet().lens();

@@ -60,6 +60,11 @@ figures() {
      pdftoppm -r 68 -png -singlefile out/page.pdf docs/print/page'
   $1 quilt-picture docs/views.md '(1 min)' \
     'lentray scenes/demo.pov Quilt=5x3 Quilt_Tile=64x48 View_Cone=25 +A0.1 +Odocs/display/quilt.png'
+  $1 depth-drawing docs/depth.md '1 s' \
+    'lentray /usr/share/doc/povray/examples/advanced/woodbox.pov Lenticular=On +W960 +H300
+       --depth-view docs/depth.svg' docs/depth.svg
+  $1 depth-table docs/depth.md '(5 min)' \
+    'build/release/bin/test_image --gtest_filter="*SlowDepth*" | grep "^|"' SlowDepth
   $1 accuracy-sheet docs/accuracy.md '(15 min)' \
     'lentray-chart scenes/spd_balls.pov --out build/charts/balls_sheet Declare=Lenticular_Camera=1
        +W150 +H150 --budget 1s --error 3 --reference-limit 8min'

@@ -73,6 +73,7 @@ void ObjectBuilder::add_to_list(const ObjectDesc& object, const core::Transform&
         m_parts->settings.adc_bailout);
   }
   m_parts->objects.push_back(std::move(built));
+  if (m_places) m_places->wholes.push_back({object.where, object.keyword});
 }
 
 std::unique_ptr<core::Object> ObjectBuilder::geometry(const ObjectDesc& object,
@@ -181,6 +182,7 @@ std::unique_ptr<core::Object> ObjectBuilder::build_whole(const ObjectDesc& objec
   if (csg) {
     Inherited for_children = looks;
     for_children.on_list = is_split;
+    if (!from.named && object.copied) for_children.named = &object;
     out = build_csg(object, *csg, to_world, for_children);
   } else {
     out = build_leaf(object, to_world, looks);
@@ -194,6 +196,10 @@ std::unique_ptr<core::Object> ObjectBuilder::build_whole(const ObjectDesc& objec
   set_limits(
       object, outer, standing, [&](const ObjectDesc& region) { return geometry(region, outer); },
       *out);
+  if (m_places && from.on_list && from.in_whole && !is_split) {
+    const ObjectDesc& called = from.named ? *from.named : object;
+    m_places->parts.push_back({out.get(), {called.where, called.keyword}});
+  }
   if (m_cutaways) m_cutaways->record(*out, object, object.texture ? looks.texture : nullptr);
   return out;
 }

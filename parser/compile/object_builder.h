@@ -12,6 +12,7 @@
 
 #include "core/scene/scene.h"
 #include "parser/compile/cutaways.h"
+#include "parser/compile/object_places.h"
 #include "parser/compile/slope_watches.h"
 #include "parser/compile/texture_compiler.h"
 #include "parser/descriptions/object.h"
@@ -35,6 +36,8 @@ class ObjectBuilder {
 
   /// False: so few objects and lights that stock asks each. To be set before the first is added.
   void set_has_hierarchy(bool has) { m_has_hierarchy = has; }
+  /// Gets the places of the objects of the parts' list; null: nobody wants them.
+  void set_places(ObjectPlaces* places) { m_places = places; }
   /// One statement of the scene level: appends to the parts.
   void add(const ObjectDesc& object, const Ref<TextureDesc>& default_texture);
 
@@ -55,6 +58,7 @@ class ObjectBuilder {
     const LightScope* lights = nullptr;  ///< null: in no light_group
     std::optional<bool> shared_hollow;   ///< of all that have the same interior
     bool in_whole = false;               ///< is a part of something
+    const ObjectDesc* named = nullptr;   ///< the outermost around it that comes from an identifier
     bool on_list =
         false;  ///< hangs directly in the scene's list: stock drops needless bounds there
   };
@@ -93,6 +97,7 @@ class ObjectBuilder {
   TextureCompiler* m_textures = nullptr;
   NotYet& m_not_yet;
   bool m_has_hierarchy = true;
+  ObjectPlaces* m_places = nullptr;
   TextLayout m_texts;
   SlopeWatches m_slope_watches;
   Ref<TextureDesc> m_default;

@@ -160,6 +160,7 @@ core::SceneParts build_scene(const SceneDesc& scene, Diagnostics& diagnostics,
   NotYet not_yet;
   ObjectBuilder builder(parts, textures, not_yet);
   builder.set_has_hierarchy(has_hierarchy(scene));
+  builder.set_places(options.places);
   try {
     for (const SceneObject& object : scene.objects) {
       builder.add(*object.object, object.default_texture);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/scene/scene.h"
+#include "parser/compile/object_places.h"
 #include "parser/compile/texture_compiler.h"
 #include "parser/descriptions/scene.h"
 #include "parser/source/diagnostics.h"
@@ -12,6 +13,7 @@ struct BuildOptions {
   int quality = 9;     ///< +Q
   bool alpha = false;  ///< +UA
   SceneOverrides overrides{};
+  ObjectPlaces* places = nullptr;  ///< gets those of SceneParts::objects; null: nobody wants them
 };
 
 /// Features that are kept and not rendered yet go to SceneParts::not_rendered, sorted, and are

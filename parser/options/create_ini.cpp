@@ -84,6 +84,10 @@ void add_lens(const RenderOptions& o, Lines& out) {
   out.number("Lens_Tolerance", o.lens.tolerance);
   out.number("Lens_Rays", o.lens.rays);
   out.number("Sheet_Distance", o.sheet_distance);
+  if (o.lens.depth_budget) {
+    const camera::DepthBudget& budget = *o.lens.depth_budget;
+    out.add("Depth_Budget", text_of(budget.value) + (budget.is_mm ? "mm" : ""));
+  }
   out.number("View", o.view);
   add_views(o.views, out);
 }

@@ -140,6 +140,20 @@ void OptionsReader::bare(const std::string& text, const GivenOption& given, int 
                     (name.has_label ? "" : " and no scene of that name"));
 }
 
+/// The file that `--name FILE` or `--name=FILE` tells.
+std::string file_of(std::span<const std::string> arguments, std::size_t& at,
+                    const std::string& name) {
+  const std::size_t equals = arguments[at].find('=');
+  std::string file;
+  if (equals != std::string::npos) {
+    file = arguments[at].substr(equals + 1);
+  } else if (at + 1 < arguments.size()) {
+    file = arguments[++at];
+  }
+  if (file.empty()) throw OptionError(name + " needs the name of a file");
+  return file;
+}
+
 /// `--name`, `--name VALUE` and `--name=VALUE`; true if it was one.
 bool long_option(std::span<const std::string> arguments, std::size_t& at, RenderOptions& options) {
   const std::string& text = arguments[at];
@@ -153,18 +167,18 @@ bool long_option(std::span<const std::string> arguments, std::size_t& at, Render
   if (name == "--lens-sheets") return options.list_lens_sheets = true;
   if (name == "--parse-only") return options.parse_only = true;
   if (name == "--dump") return options.dump = true;
+  if (name == "--depth") return options.depth = true;
+  if (name == "--depth-view") {
+    options.depth_view = file_of(arguments, at, name);
+    return options.depth = true;
+  }
   if (name == "--dump-rays") {
-    if (equals != std::string::npos) {
-      options.dump_rays = text.substr(equals + 1);
-    } else if (at + 1 < arguments.size()) {
-      options.dump_rays = arguments[++at];
-    }
-    if (options.dump_rays.empty()) throw OptionError("--dump-rays needs the name of a file");
+    options.dump_rays = file_of(arguments, at, name);
     return true;
   }
   throw OptionError("unknown option '" + text +
                     "'; there are --help, --help=all, --version, --parse-only, --dump, --explain, "
-                    "--dump-rays FILE and --lens-sheets");
+                    "--depth, --depth-view FILE, --dump-rays FILE and --lens-sheets");
 }
 
 bool looks_like_option(const std::string& text, std::size_t& equals) {

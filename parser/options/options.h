@@ -118,13 +118,14 @@ struct RenderOptions {
   double max_memory = 0.0;        ///< bytes; 0: half of the machine's
   std::uint32_t band_height = 0;  ///< rows; 0: as the memory allows
   std::string statistics_file, dump_rays;
+  std::string depth_view;   ///< file that --depth-view draws; empty: none
   bool count_tests = true;  ///< tests of bounds and shapes go into the statistics
   std::string
       dependencies_file;  ///< which files the scene reads, writes and looks for; empty: nowhere
   bool writes_to_disk = true;  ///< what the scene writes; else it stays in memory
   bool shadow_log = false;     ///< runs, blockers and costs of shadow rays go into the statistics
-  bool parse_only = false, dump = false, explain = false, help = false, help_all = false,
-       version = false, list_lens_sheets = false;
+  bool parse_only = false, dump = false, explain = false, depth = false, help = false,
+       help_all = false, version = false, list_lens_sheets = false;
 
   std::vector<std::string> warnings;  ///< about the options themselves
 };

@@ -149,6 +149,11 @@ constexpr OptionHelp kSheet[] = {
      "From the camera to the sheet, in scene units; without it the sheet stands where the camera "
      "looks.",
      ""},
+    {"Depth_Budget", "n|mm",
+     "The most that visible points may move from one view to the next: in pixels of a view, or "
+     "with a "
+     "unit on the print. The eyes of the views are brought closer together until they do.",
+     ""},
     {"Lens_Front", "n", "How far before the sheet rays begin, in scene units.", ""},
     {"Lens_Model", "paraxial|pinhole|thick|auto",
      "Directions linear in the offset, by Snell's law, or of several rays through a round lens. "
@@ -250,6 +255,11 @@ constexpr OptionHelp kSafety[] = {
      "Reads the scene, says what is wrong with it, renders nothing and leaves nothing behind.", ""},
     {"--dump", "", "Writes what the scene says as JSON; renders nothing.", ""},
     {"--explain", "", "Says what the scene needs of the renderer; renders nothing.", ""},
+    {"--depth", "",
+     "Says how deep the scene is behind a lens sheet and how much of it the sheet shows sharply; "
+     "renders nothing.",
+     ""},
+    {"--depth-view", "file", "The same, and draws it as SVG, seen from above.", ""},
     {"--dump-rays", "file", "Writes every camera ray; renders nothing.", ""},
     {"--lens-sheets", "", "Lists the lens sheets that there are, as Lens_Sheet=list does.", ""},
     {"--help", "", "The usual options. --help=all: this text.", ""},

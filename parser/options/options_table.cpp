@@ -571,6 +571,7 @@ constexpr OptionRow kTable[] = {
     {"Sheet_Height", "", sheet_option::height},
     {"View_Distance", "", sheet_option::view_distance},
     {"Sheet_Distance", "", sheet_option::sheet_distance},
+    {"Depth_Budget", "", sheet_option::depth_budget},
     {"Lens_Front", "", sheet_option::front},
     {"Lens_Model", "", sheet_option::model},
     {"Lens_Tolerance", "", sheet_option::tolerance},

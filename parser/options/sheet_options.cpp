@@ -1,5 +1,7 @@
 #include "parser/options/sheet_options.h"
 
+#include <algorithm>
+
 #include "parser/options/length.h"
 
 namespace lentray::parser::sheet_option {
@@ -64,6 +66,20 @@ void view_distance(Options& o, const Given& g) {
 
 void sheet_distance(Options& o, const Given& g) {
   o.sheet_distance = scene_length(g, "View_Distance");
+}
+
+void depth_budget(Options& o, const Given& g) {
+  constexpr double kMostPixels = 1e6;
+  std::string_view unit;
+  const double value = leading_number(g, unit);
+  if (!(value > 0.0)) {
+    refuse(g,
+           "a parallax greater than 0 is expected: pixels a view, or with a unit mm on the print");
+  }
+  unit.remove_prefix(std::min(unit.find_first_not_of(" \t"), unit.size()));
+  const bool is_mm = !unit.empty() && !same_word(unit, "px");
+  if (!is_mm && value > kMostPixels) refuse(g, "at most a million pixels a view are expected");
+  o.lens.depth_budget = camera::DepthBudget{is_mm ? positive_size_mm(g) : value, is_mm};
 }
 
 void front(Options& o, const Given& g) { o.lens.front = scene_length(g, "View_Distance"); }

@@ -24,6 +24,8 @@ void height(RenderOptions& o, const GivenOption& g);
 /// mm or inf.
 void view_distance(RenderOptions& o, const GivenOption& g);
 void sheet_distance(RenderOptions& o, const GivenOption& g);
+/// Pixels of a view, or a length on the print with its unit.
+void depth_budget(RenderOptions& o, const GivenOption& g);
 void front(RenderOptions& o, const GivenOption& g);
 void model(RenderOptions& o, const GivenOption& g);
 void tolerance(RenderOptions& o, const GivenOption& g);

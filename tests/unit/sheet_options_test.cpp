@@ -67,6 +67,39 @@ TEST_F(UnitSheetOptions, LensData) {
   EXPECT_FALSE(read({"Lens_Model=auto", "Lens_Model=thick"}).lens.automatic_model);
 }
 
+TEST_F(UnitSheetOptions, ADepthBudgetIsInPixelsOrOnThePrint) {
+  EXPECT_FALSE(read({}).lens.depth_budget);
+  for (const auto& [text, value, is_mm] : std::vector<std::tuple<const char*, double, bool>>{
+           {"1.5", 1.5, false}, {"2px", 2.0, false}, {"1 mm", 1.0, true}, {"0.1cm", 1.0, true}}) {
+    const auto budget = read({std::string("Depth_Budget=") + text}).lens.depth_budget;
+    ASSERT_TRUE(budget) << text;
+    EXPECT_NEAR(budget->value, value, 1e-12) << text;
+    EXPECT_EQ(budget->is_mm, is_mm) << text;
+  }
+}
+
+TEST_F(ErrorSheetOptions, DepthBudgets) {
+  for (const char* value : {"0", "-1", "0mm", "-2mm"}) {
+    expect_message({std::string("Depth_Budget=") + value},
+                   "a parallax greater than 0 is expected: pixels a view, or with a unit mm on the "
+                   "print");
+  }
+  for (const char* value : {"nan", "inf", "wide", "", "1e999"}) {
+    expect_message({std::string("Depth_Budget=") + value}, "a number is expected");
+  }
+  expect_message({"Depth_Budget=1e300"}, "at most a million pixels a view are expected");
+  expect_message({"Depth_Budget=1e300mm"}, "a length of at most 100 m is expected");
+  expect_message({"Depth_Budget=1km"}, "mm, cm");
+}
+
+TEST_F(UnitSheetOptions, DepthIsAskedForWithAndWithoutADrawing) {
+  EXPECT_FALSE(read({}).depth);
+  EXPECT_TRUE(read({"--depth"}).depth);
+  EXPECT_TRUE(read({"--depth-view=a.svg"}).depth);
+  EXPECT_EQ(read({"--depth-view", "a.svg"}).depth_view, "a.svg");
+  expect_message({"--depth-view"}, "--depth-view needs the name of a file");
+}
+
 TEST_F(UnitSheetOptions, LengthsHaveUnits) {
   for (const auto& [text, mm] : std::vector<std::pair<const char*, double>>{{"40", 40.0},
                                                                             {"40mm", 40.0},

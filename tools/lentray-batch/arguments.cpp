@@ -214,7 +214,7 @@ class Parsing {
   void check_lentrays() const {
     const parser::RenderOptions options = parser::read_options(m_out.for_lentray, {});
     if (options.help || options.version || options.parse_only || options.dump || options.explain ||
-        !options.dump_rays.empty()) {
+        options.depth || !options.dump_rays.empty()) {
       throw OptionError("a batch renders; what else lentray does is done with lentray itself");
     }
     for (const std::string& folder : options.library_paths) {

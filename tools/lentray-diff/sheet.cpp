@@ -24,12 +24,13 @@ std::uint32_t Sheet::lens_of(std::uint32_t column) const {
 }
 
 double Sheet::cell_offset(std::uint32_t view) const {
-  return ((view + 0.5) / pixels - 0.5) * print_pitch();
+  return ((view + 0.5) / pixels - 0.5) * print_pitch() * depth_factor;
 }
 
 std::optional<double> Sheet::slope(std::uint32_t column, const PixelOffset& place) const {
   const std::uint32_t lens = lens_of(column);
-  const double cell = ((column + 0.5 + place.turn) / pixels - (lens + 0.5)) * print_pitch();
+  const double cell =
+      ((column + 0.5 + place.turn) / pixels - (lens + 0.5)) * print_pitch() * depth_factor;
   const double along =
       is_finite() ? axis(lens + place.across) * focal_length / (ior * view_distance) : 0.0;
   const double offset = cell + along + print_shift();
@@ -108,6 +109,7 @@ std::optional<Sheet> sheet_of(const json& statistics) {
   s.ior = number(lens, "ior");
   s.pixels = number(lens, "pixels");
   s.view_distance = distance(lens, "view_distance_mm");
+  if (lens.contains("depth_factor")) s.depth_factor = number(lens, "depth_factor");
   s.front = number(lens, lens.contains("front") ? "front" : "lens_front");
   const auto model = member(lens, "model").get<std::string>();
   if (model != "paraxial" && model != "pinhole") {

@@ -32,6 +32,7 @@ struct Sheet {
   double front = 0.0;                                          ///< lens_front, scene units
   double pitch = 1.124, focal_length = 3.03, ior = 1.6, pixels = 15.0;
   double view_distance = 0.0;  ///< V, mm; infinite: infinity
+  double depth_factor = 1.0;   ///< of offsets in a cell, before the model asks where they look
   bool paraxial = false;
   std::uint32_t columns = 0, rows = 0;  ///< the integral image, W x H
 
@@ -44,7 +45,7 @@ struct Sheet {
   std::uint32_t lens_of(std::uint32_t column) const;
   double axis(double lens) const { return (lens + 0.5 - lenses() / 2.0) * pitch; }
   double row_height(std::uint32_t row) const { return (0.5 - (row + 0.5) / rows) * height; }
-  /// e_j of view j, mm: the same for every lens.
+  /// e_j of view j, mm: the same for every lens; times the depth factor.
   double cell_offset(std::uint32_t view) const;
   /// What the print is moved to the side for an eye that is not before the middle, mm: f/n
   /// eye_slope_x; with V infinite, what the model sees along eye_slope_x.

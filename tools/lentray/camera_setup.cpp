@@ -23,7 +23,8 @@ bool asks_for_lens_itself(const parser::RenderOptions& o) {
 }
 
 bool asks_for_lens(const parser::RenderOptions& o) {
-  return asks_for_lens_itself(o) || o.lens.front || o.lens.view_distance || o.sheet_distance;
+  return asks_for_lens_itself(o) || o.lens.front || o.lens.view_distance || o.sheet_distance ||
+         o.lens.depth_budget;
 }
 
 camera::Sheet make_sheet(const parser::CameraRequest& request, const parser::RenderOptions& options,
@@ -163,13 +164,15 @@ camera::Sheet cone_sheet(const parser::CameraRequest& request, const parser::Ren
   with_lens({});
   // The eye's distance in mm is known once there is a sheet.
   with_lens(make_sheet(request, o, probe).camera->sheet().lens());
+  o.lens.depth_budget = options.lens.depth_budget;
   return make_sheet(request, o, probe);
 }
 
 /// A line of a sheet's report that tells of places and parallax, and not of the lens.
 bool is_of_scene(const std::string& line) {
   return line.find(" visible point ") != std::string::npos || line.starts_with("Background") ||
-         line.starts_with("Sheet distance") || line.starts_with("Larger than the sheet");
+         line.starts_with("Sheet distance") || line.starts_with("Larger than the sheet") ||
+         line.starts_with("Depth_Budget") || line.starts_with("The background");
 }
 
 std::string quilt_line(const parser::RenderOptions& o, double aspect) {
@@ -203,8 +206,15 @@ void make_quilt(const parser::CameraRequest& request, const parser::RenderOption
   const bool of_cone = !o.views.count;
   const double degrees = o.views.cone.value_or(parser::kUsualViewCone);
   if (of_cone && views < 2) throw camera::CameraError("a quilt has at least two views");
+  if (of_cone && o.lens.depth_budget && o.lens.depth_budget->is_mm) {
+    throw camera::CameraError(
+        "Depth_Budget in mm is of a print; of a quilt it is a number of pixels of its tiles, "
+        "without "
+        "a unit");
+  }
   camera::Sheet sheet = of_cone ? cone_sheet(request, o, probe) : make_sheet(request, o, probe);
   setup.sheet = std::move(sheet.camera);
+  setup.stand = sheet.stand;
   for (std::string& text : sheet.warnings) setup.warnings.push_back(std::move(text));
   const camera::SheetPlacement& place = setup.sheet->placement();
   const double aspect = o.views.aspect.value_or(place.width / place.height);
@@ -217,6 +227,9 @@ void make_quilt(const parser::CameraRequest& request, const parser::RenderOption
   camera::Properties about{{"camera", std::string("quilt")}};
   if (!of_cone) about = setup.sheet->describe();
   about.emplace_back("quilt.aspect", aspect);
+  if (const double factor = setup.sheet->sheet().lens().depth_factor; of_cone && factor != 1.0) {
+    about.emplace_back("quilt.depth_factor", factor);
+  }
   if (of_cone) about.emplace_back("quilt.view_cone_degrees", degrees);
   setup.view = std::make_shared<camera::Quilt>(std::move(tiles), o.views.quilt->columns, about);
   setup.report.push_back(quilt_line(o, aspect));
@@ -228,6 +241,12 @@ void make_quilt(const parser::CameraRequest& request, const parser::RenderOption
     setup.warnings.push_back(
         "the lens options have no effect on a quilt: Views= makes it of the views of the sheet");
   }
+}
+
+/// Frames of a clock, or views with clocks of their own.
+bool has_frames(const parser::RenderOptions& o) {
+  return o.animation.views.count > 0 ? o.animation.views.clocks.has_value()
+                                     : parser::is_animation(o.animation);
 }
 
 void blur_sheet(const parser::CameraRequest& request, CameraSetup& setup) {
@@ -259,6 +278,7 @@ CameraSetup make_camera(const parser::CameraRequest& asked, const parser::Render
   } else {
     camera::Sheet sheet = make_sheet(request, options, probe);
     setup.sheet = std::move(sheet.camera);
+    setup.stand = sheet.stand;
     setup.report = std::move(sheet.report);
     for (std::string& text : sheet.warnings) setup.warnings.push_back(std::move(text));
     if (const auto view = parser::rendered_view(options)) {
@@ -267,6 +287,10 @@ CameraSetup make_camera(const parser::CameraRequest& asked, const parser::Render
       setup.view = options.views.count ? picture_of_view(*setup.sheet, options, *view, setup.report)
                                        : strip_of(*setup.sheet, *view);
     }
+  }
+  if (options.lens.depth_budget && has_frames(options)) {
+    setup.warnings.push_back(
+        "Depth_Budget: each frame has its own factor, so that depth may change between frames");
   }
   if (request.blur) blur_sheet(request, setup);
   return setup;

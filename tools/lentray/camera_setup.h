@@ -3,10 +3,12 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "camera/camera.h"
+#include "camera/conversion.h"
 #include "camera/lenticular.h"
 #include "camera/scene_probe.h"
 #include "parser/compile/camera.h"
@@ -19,6 +21,7 @@ struct CameraSetup {
   std::shared_ptr<camera::Lenticular> sheet;   ///< a lens sheet, and perhaps
   std::shared_ptr<const camera::Camera> view;  ///< one view of it, or a quilt of them
   std::unique_ptr<camera::Camera> blurred;     ///< the sheet or its view with an aperture, or null
+  std::optional<camera::SheetStand> stand{};   ///< of a sheet that was made of a camera
   std::vector<std::string> report, warnings;
 
   const camera::Camera& camera() const {

@@ -29,6 +29,7 @@
 #include "shadow/tester_factory.h"
 #include "tools/common/machine.h"
 #include "tools/lentray/camera_setup.h"
+#include "tools/lentray/depth_run.h"
 #include "tools/lentray/explain.h"
 #include "tools/lentray/identity.h"
 #include "tools/lentray/output.h"
@@ -78,6 +79,7 @@ struct Run {
   std::vector<std::string> not_rendered{};
   std::vector<core::WatchedSlope> slopes{};
   CameraSetup camera{};
+  DepthText depth{};    ///< with --depth
   Identity identity{};  ///< of this picture; its files once the scene is read
   shadow::RunReport report{};
 };
@@ -95,6 +97,9 @@ void check_order(const RenderOptions& o) {
 void check_outputs(Run& run) {
   const RenderOptions& o = run.options;
   if (!o.dump_rays.empty() && o.dump_rays != "-") core::check_writable(o.dump_rays);
+  if (const std::string file = depth_file(o); !file.empty() && file != "-") {
+    core::check_writable(file);
+  }
   if (!renders(o)) return;
   if (o.shadow_log && o.statistics_file.empty()) {
     throw parser::OptionError("Shadow_Log goes into the statistics: name a Statistics_File");
@@ -189,6 +194,12 @@ void override_blur(const RenderOptions& o, parser::SceneDesc& scene) {
   scene.camera->blur_samples = scene.camera->blur_samples_min = *o.overrides.blur_samples;
 }
 
+/// What is said of lens sheets names objects.
+bool may_have_sheet(const RenderOptions& o, const parser::SceneDesc& scene) {
+  return o.lenticular || o.views.quilt ||
+         (scene.camera && scene.camera->kind == parser::CameraKind::kLenticular);
+}
+
 /// Text -> descriptions -> compiled scene and camera.
 void compile_scene(Run& run, const std::string& path, SceneDisk& disk) {
   const RenderOptions& o = run.options;
@@ -203,8 +214,10 @@ void compile_scene(Run& run, const std::string& path, SceneDisk& disk) {
   run.report.parse_cpu_s = parsed - before;
   override_blur(o, description);
 
-  core::SceneParts parts =
-      parser::build_scene(description, diagnostics, {o.quality, o.alpha, o.overrides});
+  parser::ObjectPlaces places;
+  parser::BuildOptions build{o.quality, o.alpha, o.overrides};
+  if (may_have_sheet(o, description)) build.places = &places;
+  core::SceneParts parts = parser::build_scene(description, diagnostics, build);
   description.objects = {};  // their memory is used again by what is built next
   run.not_rendered = parts.not_rendered;
   run.slopes = parts.slopes;
@@ -225,9 +238,15 @@ void compile_scene(Run& run, const std::string& path, SceneDisk& disk) {
                                                  {.quality = o.quality, .overrides = o.overrides});
   const auto request =
       parser::camera_request(description.camera.value_or(parser::CameraDesc{}), textures);
-  run.camera = make_camera(request, o, camera::probe_of(*run.scene));
+  const auto probe = camera::probe_of(*run.scene, [&](const camera::ProbeHit& hit) {
+    const parser::ObjectPlace* const place = places.place_of(hit.id, hit.whole);
+    return place ? parser::object_name(*place, sources) : hit.object;
+  });
+  places.sort_parts();
+  run.camera = make_camera(request, o, probe);
   for (std::string& text : run.camera.warnings) run.warnings.add("warning: " + text);
   run.camera.warnings.clear();
+  if (o.depth) run.depth = depth_of(run.camera, probe, o);
 }
 
 void read_scene(Run& run, const std::string& path) {
@@ -417,7 +436,7 @@ void leave_to_system(std::unique_ptr<core::Scene> scene) {
 }  // namespace
 
 bool renders(const RenderOptions& o) {
-  return !o.explain && !o.parse_only && !o.dump && o.dump_rays.empty();
+  return !o.explain && !o.depth && !o.parse_only && !o.dump && o.dump_rays.empty();
 }
 
 Status run_picture(const Picture& what, const std::atomic<bool>& cancel, TextStreams& texts,
@@ -445,8 +464,9 @@ Status run_picture(const Picture& what, const std::atomic<bool>& cancel, TextStr
   refuse_if_strict(options, run.not_rendered);
   if (options.explain) {
     std::fputs(explanation(*run.scene, run.camera, run.not_rendered).c_str(), stdout);
-    return kDone;
   }
+  if (options.depth) say_depth(run.depth, depth_file(options));
+  if (options.explain || options.depth) return kDone;
   for (const std::string& line : run.camera.report) {
     texts.write(parser::Stream::kRender, line + "\n");
   }
