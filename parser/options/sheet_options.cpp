@@ -1,5 +1,6 @@
 #include "parser/options/sheet_options.h"
 
+#include "camera/slanted_sheet.h"
 #include "parser/options/length.h"
 
 namespace lentray::parser::sheet_option {
@@ -38,6 +39,11 @@ void sheet(Options& o, const Given& g) {
 void pixels(Options& o, const Given& g) {
   o.lens.pixels = number(g);
   if (*o.lens.pixels < 1.0) refuse(g, "at least one pixel a lens is expected");
+}
+
+void slant(Options& o, const Given& g) {
+  o.lens.slant = camera::tangent_of_slant(g.value);
+  if (!o.lens.slant) refuse(g, camera::kSlantExpected);
 }
 
 void print_dpi(Options& o, const Given& g) {

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "camera/lens_sheet.h"
+#include "camera/slanted_sheet.h"
 #include "parser/options/ini.h"
 #include "parser/options/own_option.h"
 #include "tools/lentray-views/moving.h"
@@ -105,6 +106,11 @@ void set_distance(Arguments& a, const GivenOption& given) {
   if (*a.sheet.view_distance < 0.0) parser::refuse(given, "a distance of 0 or more is expected");
 }
 
+void set_slant(Arguments& a, const GivenOption& given) {
+  a.sheet.slant = camera::tangent_of_slant(given.value);
+  if (!a.sheet.slant) parser::refuse(given, camera::kSlantExpected);
+}
+
 void set_delay(Arguments& a, const GivenOption& given) {
   a.delay = static_cast<int>(parser::whole_number(given, 10, kLongestDelay));
 }
@@ -141,10 +147,10 @@ class Reader {
  private:
   using Apply = void (*)(Reader&, const GivenOption&);
   static constexpr std::string_view kNames[] = {
-      "View",     "Views",      "Lens",         "Quilt",       "Eye",        "Eyes",
-      "Pair",     "Wiggle",     "Delay",        "Out",         "Count",      "Size",
-      "Filter",   "Like",       "Aspect",       "Lens_Pixels", "Lens_Pitch", "Lens_Focal_Length",
-      "Lens_IOR", "Lens_Model", "View_Distance"};
+      "View",     "Views",      "Lens",          "Quilt",       "Eye",        "Eyes",
+      "Pair",     "Wiggle",     "Delay",         "Out",         "Count",      "Size",
+      "Filter",   "Like",       "Aspect",        "Lens_Pixels", "Lens_Pitch", "Lens_Focal_Length",
+      "Lens_IOR", "Lens_Model", "View_Distance", "Lens_Slant"};
   void apply(std::size_t index, const GivenOption& given) {
     static constexpr Apply kApply[] = {
         [](Reader& r, const GivenOption& g) {
@@ -183,7 +189,8 @@ class Reader {
         [](Reader& r, const GivenOption& g) { r.m_out.sheet.focal_length = parser::positive(g); },
         [](Reader& r, const GivenOption& g) { r.m_out.sheet.ior = parser::positive(g); },
         [](Reader& r, const GivenOption& g) { set_model(r.m_out, g); },
-        [](Reader& r, const GivenOption& g) { set_distance(r.m_out, g); }};
+        [](Reader& r, const GivenOption& g) { set_distance(r.m_out, g); },
+        [](Reader& r, const GivenOption& g) { set_slant(r.m_out, g); }};
     static_assert(std::size(kNames) == std::size(kApply));
     kApply[index](*this, given);
   }
@@ -337,6 +344,7 @@ Sheet:
   --lens-focal-length MM
                          from the lens to the print, in the lens's material
   --lens-ior N           refractive index of the material
+  --lens-slant DEGREES   of the lenses, or its tangent as a fraction (1/6)
   --lens-model NAME      paraxial, pinhole or thick
   --view-distance MM     from the sheet to the eye the print is for; inf: infinite
   --aspect N             width of the sheet, or of a quilt's display, by its height

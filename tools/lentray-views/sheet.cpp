@@ -1,6 +1,8 @@
 #include "tools/lentray-views/sheet.h"
 
+#include <cmath>
 #include <cstdlib>
+#include <numbers>
 
 #include "camera/text.h"
 #include "core/image/writer.h"
@@ -37,6 +39,13 @@ std::optional<LensModel> model_in(const Facts& facts) {
 double eye_slope_in(const Facts& facts) {
   const auto found = facts.find("lens.eye_slope");
   return found == facts.end() ? 0.0 : std::strtod(found->second.c_str(), nullptr);
+}
+
+/// The second of the three.
+double eye_slope_up_in(const Facts& facts) {
+  const auto found = facts.find("lens.eye_slope");
+  const std::size_t comma = found == facts.end() ? std::string::npos : found->second.find(',');
+  return comma == std::string::npos ? 0.0 : std::strtod(found->second.c_str() + comma + 1, nullptr);
 }
 
 double aspect_in(const core::StoredImage& image, const Facts& facts, const std::string& about) {
@@ -84,6 +93,12 @@ Sheet sheet_of(const core::StoredImage& image, const SheetOptions& options,
   need(take(options.view_distance, facts, "lens.view_distance_mm", about, distance),
        "--view-distance");
   if (distance > 0.0) lens.view_distance = distance;
+  double degrees = 0.0;
+  if (options.slant) {
+    lens.slant = *options.slant;
+  } else if (take({}, facts, "lens.slant_deg", about, degrees)) {
+    lens.slant = std::tan(degrees * std::numbers::pi / 180.0);
+  }
   const auto model = options.model ? options.model : model_in(facts);
   // As lentray itself chooses.
   lens.model = model.value_or(lens.is_finite() ? LensModel::kParaxial : LensModel::kPinhole);
@@ -94,8 +109,17 @@ Sheet sheet_of(const core::StoredImage& image, const SheetOptions& options,
     throw ImageError(about + " is " + std::to_string(image.width) +
                      " pixels wide, which is less than a lens of " + camera::format(lens.pixels));
   }
-  return {camera::LensSheet(lens, image.width, eye_slope_in(facts)), missing,
-          options.aspect.value_or(aspect_in(image, facts, about))};
+  Sheet out{camera::LensSheet(lens, image.width, eye_slope_in(facts)), missing,
+            options.aspect.value_or(aspect_in(image, facts, about))};
+  if (lens.slant != 0.0) {
+    // Of a sheet of which nobody tells how high it is, pixels are square.
+    const double width = out.lenses.sheet_width();
+    const double height =
+        out.aspect > 0.0 ? width / out.aspect : width * image.height / image.width;
+    out.slanted.emplace(lens, camera::SlantedPrint{image.width, image.height, height,
+                                                   eye_slope_in(facts), eye_slope_up_in(facts)});
+  }
+  return out;
 }
 
 void need_optics(const Sheet& sheet, const std::string& name) {
