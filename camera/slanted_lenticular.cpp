@@ -211,13 +211,7 @@ std::vector<std::string> SlantedLenticular::model_report() const {
                 " degrees, a tangent of " + brief(sheet().lens().slant) +
                 ": their tops lean to the " + (sheet().lens().slant > 0.0 ? "right" : "left") +
                 "; the pitch is measured across them, pixels a lens along a row");
-  if (m_lens) {
-    const auto percent = [](double share) { return format(100.0 * share) + " %"; };
-    out.push_back("Each pixel is the mean of " + std::to_string(m_lens->rays()) +
-                  " rays; of those, " + percent(m_shares.spilled) +
-                  " spill into the next lens, and " + percent(m_shares.dark) +
-                  " show nothing (middle row)");
-  }
+  if (m_lens) out.push_back(shares_line(m_lens->rays(), m_shares));
   return out;
 }
 
