@@ -128,7 +128,7 @@ INSTANTIATE_TEST_SUITE_P(
                      .pixels = 6.283,
                      .distance = 200.0,
                      .eye_slope_x = -0.1,
-                     .eye_slope_y = 0.1}},
+                     .eye_slope_y = -0.1}},
         SlantedCase{"thick", {.model = Model::kThick, .slant = kThird, .rows = 24, .rays = 5}},
         SlantedCase{"thick_fractional",
                     {.model = Model::kThick,

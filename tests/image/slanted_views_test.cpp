@@ -85,8 +85,9 @@ TEST_F(ImageSlantedViews, TakenOutTheyAreTheRenderedOnes) {
 /// A view in any size is what stock's own camera sees from the view's eye.
 TEST_F(ImageSlantedViews, PicturesOfViewsAreStocks) {
   for (const int view : {0, 2}) {
-    const StoredImage ours = lentray_render(text_of(sheet_scene(m_sheet), 80, 45),
-                                            {"Views=4", "View=" + std::to_string(view)});
+    const StoredImage ours =
+        lentray_render(text_of(sheet_scene(m_sheet), m_sheet.columns, m_sheet.rows),
+                       {"Views=4", "View=" + std::to_string(view), "View_Size=80x45"});
     const SlantReal e =
         ((view + 0.5L) / 4 - 0.5L) * m_sheet.print_pitch() / std::cos(m_sheet.angle());
     const SlantReal aside = m_sheet.ior * e / m_sheet.focal_length;
@@ -140,7 +141,7 @@ TEST_F(ErrorSlantedViews, EveryMessage) {
     expect(run("lentray-views", {"sheet.png", "--lens-slant", bad, "--view", "0"}),
            "an angle of -80 to 80 degrees (9.46) or its tangent as a fraction (1/6) is expected");
   }
-  expect(run("lentray-print", {"sheet.png", "--out", "page.pdf"}),
+  expect(run("lentray-print", {"sheet", "sheet.png", "--out", "page.pdf"}),
          "'sheet.png' is for lenses slanted by 16.6992 degrees; pages are for upright ones");
   expect(run_diff({(m_folder / "scene.pov").string(), "+W30", "+H20"}),
          "there is no reference for slanted lenses (Lens_Slant)");

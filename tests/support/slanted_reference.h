@@ -141,11 +141,11 @@ inline std::optional<SlantRay> slant_ray(const SlantReference& s, int column, in
   // Steep lines are totally reflected: towards the middle there are some that are not.
   if (thick && !slant_stays_inside(s, p.lens_offset, across)) return std::nullopt;
   if (!off(0.0L)) return std::nullopt;
-  for (int i = 0; i < 20000 && !off(low); ++i) low *= 0.999L;
-  for (int i = 0; i < 20000 && !off(high); ++i) high *= 0.999L;
+  for (int i = 0; i < 2000 && !off(low); ++i) low *= 0.99L;
+  for (int i = 0; i < 2000 && !off(high); ++i) high *= 0.99L;
   if (!off(low) || !off(high) || *off(low) * *off(high) > 0.0L) return std::nullopt;
   const bool grows = *off(high) > 0.0L;
-  for (int i = 0; i < 200; ++i) {
+  for (int i = 0; i < 130; ++i) {
     const SlantReal middle = 0.5L * (low + high);
     ((*off(middle) > 0.0L) == grows ? high : low) = middle;
   }
