@@ -68,7 +68,8 @@ std::string size_line(const Lenticular& sheet, const SheetSize& size) {
                                     : brief(std::fabs(by)) + " mm " + (by > 0.0 ? more : less);
   };
   const double lenses = sheet.sheet().lenses();
-  const bool whole = std::fabs(lenses - std::round(lenses)) < 0.5 / sheet.sheet().lens().pixels;
+  const bool whole = sheet.sheet().is_slanted() ||
+                     std::fabs(lenses - std::round(lenses)) < 0.5 / sheet.sheet().lens().pixels;
   return "Rounded to whole pixels, " + std::to_string(sheet.width()) + " x " +
          std::to_string(sheet.height()) + ", for a sheet of " + format(size.width) + " x " +
          format(size.height) +

@@ -49,13 +49,14 @@ class ImageSlantedViews : public ::testing::Test {
   }
   StoredImage picture(const std::string& name) { return core::read_image(m_folder / name); }
 
-  /// tan a = 0.3 and N = 7.37: no place hangs between two pixels.
+  /// tan a = 0.3, pixels higher than wide, and an N with which no place hangs between two pixels.
   SlantReference m_sheet{.model = Model::kParaxial,
                          .slant = 16.69924423399362,
-                         .pixels = 7.37,
+                         .pixels = 7.3713,
                          .distance = 300.0,
                          .columns = 118,
-                         .rows = 60};
+                         .rows = 36,
+                         .row_by_column = 1.5};
   tool::TemporaryFolder m_folder;
 };
 using ErrorSlantedViews = ImageSlantedViews;
@@ -123,6 +124,22 @@ TEST_F(ImageSlantedViews, AreSaidInTheFile) {
                         "left"),
             std::string::npos)
       << report;
+}
+
+/// What has no lenses says that it takes no notice of a slant.
+TEST_F(ErrorSlantedViews, OptionsThatDoNotGoTogether) {
+  tool::write_text(m_folder / "plain.pov", world_of(m_sheet) + "camera { location <0,0,-20> }\n");
+  const auto warning = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"plain.pov", "Lens_Slant=1/3", "+Oplain.png", "+W32", "+H24"});
+    const auto result = run("lentray", more);
+    EXPECT_EQ(result.status, 0) << result.output;
+    return result.output;
+  };
+  EXPECT_NE(warning({}).find("the lens options have no effect without Lenticular=On"),
+            std::string::npos);
+  EXPECT_NE(
+      warning({"Quilt=2x2", "Quilt_Tile=32x24"}).find("the lens options have no effect on a quilt"),
+      std::string::npos);
 }
 
 TEST_F(ErrorSlantedViews, EveryMessage) {
