@@ -60,6 +60,16 @@ std::int64_t SlantedSheet::nearest_lens(std::int64_t place, std::int32_t row) co
   return static_cast<std::int64_t>(std::floor(at + 0.5 + kOnBoundary));
 }
 
+std::int64_t SlantedSheet::nearest_place(std::int64_t lens, std::int32_t row) const {
+  const double at = static_cast<double>(lens) + shift(row + 0.5) / m_lens.pixels;
+  return static_cast<std::int64_t>(std::floor(at + 0.5 + kOnBoundary));
+}
+
+double SlantedSheet::part_of_cell(std::int64_t column, std::int32_t row) const {
+  const double at = (static_cast<double>(column) + 0.5 - shift(row + 0.5)) / m_lens.pixels;
+  return std::max(0.0, at - static_cast<double>(lens_of(column, row)));
+}
+
 std::uint32_t SlantedSheet::view_column(std::uint32_t view, std::uint32_t views, std::int64_t place,
                                         std::int32_t row) const {
   const double moved = shift(row + 0.5);

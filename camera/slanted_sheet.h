@@ -68,6 +68,10 @@ class SlantedSheet {
   SlantedPlace place(double column, double row, std::int64_t lens, double across = 0.0) const;
   /// The lens whose axis is nearest to (i + 1/2 - L/2) P/cos a, place i of a row.
   std::int64_t nearest_lens(std::int64_t place, std::int32_t row) const;
+  /// The place of a row that is nearest to a lens's axis; it may lie beyond the sheet's edges.
+  std::int64_t nearest_place(std::int64_t lens, std::int32_t row) const;
+  /// The part of its cell at which a pixel of a row lies, 0 at the cell's left edge, below 1.
+  double part_of_cell(std::int64_t column, std::int32_t row) const;
   /// The column whose pixel view j of `views` shows at place i of a row: of the nearest lens, the
   /// pixel that is nearest to the print offset ((j + 1/2)/views - 1/2) P'. Beyond the picture's edges it is that of the next lens within.
   std::uint32_t view_column(std::uint32_t view, std::uint32_t views, std::int64_t place,

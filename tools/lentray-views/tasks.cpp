@@ -231,7 +231,7 @@ InterlacePlan plan_of(const Arguments& a, About& about) {
   about.description = "integral image for a lenticular sheet";
   if (!a.like.empty()) {
     const Integral like = open_integral(a.like, a.sheet);
-    refuse_slanted(like.sheet, like.name, "pictures are interlaced for upright ones only");
+    plan.slanted = like.sheet.slanted;
     plan.pixels = like.sheet.lenses.lens().pixels;
     plan.width = like.image.width;
     plan.height = like.image.height;
