@@ -133,6 +133,13 @@ TEST_F(ImageSlantedViews, InterlacedTheyAreTheSheet) {
   }
   EXPECT_NE(run("lentray-views", {"again.png"}).output.find("slanted by 18.43 degrees"),
             std::string::npos);
+  // The same without a sheet to go by; its pixels are 1.5 times as high as wide.
+  words.erase(words.begin() + 1, words.begin() + 5);
+  words.insert(words.end(), {"--out", "alone.png", "--lens-pixels", "7", "--lens-slant", "1/3",
+                             "--size", "118x36", "--aspect", number(118.0 / 36.0 / 1.5)});
+  const auto alone = run("lentray-views", words);
+  ASSERT_EQ(alone.status, 0) << alone.output;
+  EXPECT_TRUE(reaches(picture("alone.png"), again, Grade::exact));
 }
 
 TEST_F(ImageSlantedViews, AreSaidInTheFile) {

@@ -72,6 +72,16 @@ void refuse_other_pictures(const Facts& facts, const std::string& about) {
 
 }  // namespace
 
+std::optional<camera::SlantedSheet> slanted_sheet(const LensParameters& lens, std::uint32_t columns,
+                                                  std::uint32_t rows, double aspect,
+                                                  double eye_slope_x, double eye_slope_y) {
+  if (lens.slant == 0.0) return std::nullopt;
+  // Of a sheet of which nobody tells how high it is, pixels are square.
+  const double width = camera::LensSheet(lens, columns).sheet_width();
+  const double height = aspect > 0.0 ? width / aspect : width * rows / columns;
+  return camera::SlantedSheet(lens, {columns, rows, height, eye_slope_x, eye_slope_y});
+}
+
 Sheet sheet_of(const core::StoredImage& image, const SheetOptions& options,
                const std::string& name) {
   const std::string about = "'" + name + "'";
@@ -111,14 +121,8 @@ Sheet sheet_of(const core::StoredImage& image, const SheetOptions& options,
   }
   Sheet out{camera::LensSheet(lens, image.width, eye_slope_in(facts)), missing,
             options.aspect.value_or(aspect_in(image, facts, about))};
-  if (lens.slant != 0.0) {
-    // Of a sheet of which nobody tells how high it is, pixels are square.
-    const double width = out.lenses.sheet_width();
-    const double height =
-        out.aspect > 0.0 ? width / out.aspect : width * image.height / image.width;
-    out.slanted.emplace(lens, camera::SlantedPrint{image.width, image.height, height,
-                                                   eye_slope_in(facts), eye_slope_up_in(facts)});
-  }
+  out.slanted = slanted_sheet(lens, image.width, image.height, out.aspect, eye_slope_in(facts),
+                              eye_slope_up_in(facts));
   return out;
 }
 

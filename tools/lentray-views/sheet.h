@@ -26,6 +26,13 @@ struct Sheet {
   std::optional<camera::SlantedSheet> slanted{};  ///< where its lenses are
 };
 
+/// Where the lenses of a picture of that size are, if they are slanted. `aspect`: the sheet's width by its
+/// height; 0: pixels are square.
+std::optional<camera::SlantedSheet> slanted_sheet(const camera::LensParameters& lens,
+                                                  std::uint32_t columns, std::uint32_t rows,
+                                                  double aspect, double eye_slope_x = 0.0,
+                                                  double eye_slope_y = 0.0);
+
 /// `name` is the file's, for messages. Throws where N is not known, is beyond the picture's width,
 /// or where the picture is a view or a quilt by its own words.
 Sheet sheet_of(const core::StoredImage& image, const SheetOptions& options,

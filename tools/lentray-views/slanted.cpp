@@ -90,6 +90,19 @@ StoredImage seen_by(const StoredImage& integral, const Sheet& sheet, const Eye& 
   return slanted_seen(integral, *sheet.slanted, width, eye, between);
 }
 
+std::optional<SlantedSheet> slanted_sheet(double pixels, double tangent, std::uint32_t columns,
+                                          std::uint32_t rows, std::optional<double> aspect) {
+  camera::LensParameters lens;
+  lens.pixels = pixels;
+  lens.slant = tangent;
+  return slanted_sheet(lens, columns, rows, aspect.value_or(0.0));
+}
+
+std::string slant_text(const Sheet& sheet) {
+  if (!sheet.slanted) return {};
+  return ", slanted by " + camera::brief(camera::slant_degrees(sheet.lenses.lens())) + " degrees";
+}
+
 void refuse_slanted(const Sheet& sheet, const std::string& name, const std::string& what) {
   if (!sheet.slanted) return;
   throw core::ImageError("'" + name + "' is for lenses slanted by " +

@@ -5,6 +5,8 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <string>
 
 #include "tools/lentray-views/sheet.h"
 #include "tools/lentray-views/strips.h"
@@ -16,6 +18,13 @@ core::StoredImage view_of(const core::StoredImage& integral, const Sheet& sheet,
 /// The eye of a slanted sheet is as high as the eye that the print is for.
 core::StoredImage seen_by(const core::StoredImage& integral, const Sheet& sheet, const Eye& eye,
                           bool between);
+/// Lenses of so many pixels with that tangent, behind a picture of that size. Without the sheet's width
+/// by its height pixels are square. Empty: the tangent is 0.
+std::optional<camera::SlantedSheet> slanted_sheet(double pixels, double tangent,
+                                                  std::uint32_t columns, std::uint32_t rows,
+                                                  std::optional<double> aspect);
+/// ", slanted by 9.462 degrees", or nothing.
+std::string slant_text(const Sheet& sheet);
 /// Throws of a slanted sheet: `what` its lenses do not have.
 void refuse_slanted(const Sheet& sheet, const std::string& name, const std::string& what);
 

@@ -92,10 +92,7 @@ std::string describe(const Arguments& a) {
          camera::format(lens.focal_length) + " mm, index " + camera::format(lens.ior) + ", model " +
          camera::name_of(lens.model) + ", viewing distance " +
          (lens.is_finite() ? camera::format(lens.view_distance) + " mm" : "infinite") +
-         (integral.sheet.slanted
-              ? ", slanted by " + camera::brief(camera::slant_degrees(lens)) + " degrees"
-              : std::string()) +
-         "\n";
+         slant_text(integral.sheet) + "\n";
 }
 
 About about_view(const Facts& facts, std::uint32_t view, std::uint32_t count) {
@@ -262,6 +259,11 @@ InterlacePlan plan_of(const Arguments& a, About& about) {
     plan.height = first.height;
   }
   about.facts["lens.pixels"] = exact(plan.pixels);
+  if (a.sheet.slant && *a.sheet.slant != 0.0) {
+    plan.slanted =
+        slanted_sheet(plan.pixels, *a.sheet.slant, plan.width, plan.height, a.sheet.aspect);
+    about.facts["lens.slant_deg"] = exact(camera::slant_degrees(plan.slanted->lens()));
+  }
   return plan;
 }
 
