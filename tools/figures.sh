@@ -19,6 +19,9 @@ figures() {
      python3 tests/bench/primitives.py --runs 9 --json build/primitives.json
        mesh_million union csg_parts isosurface_noise text;
      python3 tests/bench/primitives.py --json build/primitives.json --table'
+  $1 paths docs/performance.md '(3 min)' \
+    'python3 tests/bench/same_cost.py build/release build/release --before-option Specialised_Paths=Off --only spd;
+     python3 tests/bench/same_cost.py build/release build/release --before-option Specialised_Paths=Off --only corpus'
   $1 parse-speed docs/performance.md '(10 min)' 'python3 tests/bench/parse_speed.py --runs 9'
   $1 antialiasing-cost docs/performance.md '(20 min)' 'python3 tests/compat/antialiasing.py --cost'
   $1 embree docs/notes.md '(5 min)' \
@@ -46,6 +49,17 @@ figures() {
      oiiotool out/plain.png --cut 80x60+60+40 out/edges.png --cut 80x60+60+40
        out/angles.png --cut 80x60+60+40 --mosaic:pad=1 3x1
        --resize:filter=box 1452x360 -o docs/antialiasing.png'
+  $1 print-pictures docs/print.md '(5 min)' \
+    'lentray scenes/demo.pov Lenticular=On Lens_LPI=40 Lens_Thickness=1.9mm Lens_IOR=1.57
+       Sheet_Width=100mm Sheet_Height=75mm Print_DPI=600 View_Distance=40cm +A0.1 +Oout/sheet.png;
+     oiiotool out/sheet.png --cut 90x60+1000+1000 --resize:filter=box 720x480 -o docs/print/strip.png;
+     lentray-views out/sheet.png --stereo --size 192x144 --out docs/print/eyes.png;
+     lentray-print pitch-test --lpi 40 --dpi 600 --size A4 --out out/pitch.pdf;
+     pdftoppm -r 50 -gray -png -singlefile out/pitch.pdf docs/print/pitch;
+     lentray-print sheet out/sheet.png --bleed 3mm --out out/page.pdf;
+     pdftoppm -r 68 -png -singlefile out/page.pdf docs/print/page'
+  $1 quilt-picture docs/views.md '(1 min)' \
+    'lentray scenes/demo.pov Quilt=5x3 Quilt_Tile=64x48 View_Cone=25 +A0.1 +Odocs/display/quilt.png'
   $1 accuracy-sheet docs/accuracy.md '(15 min)' \
     'lentray-chart scenes/spd_balls.pov --out build/charts/balls_sheet Declare=Lenticular_Camera=1
        +W150 +H150 --budget 1s --error 3 --reference-limit 8min'
@@ -55,6 +69,7 @@ figures() {
   $1 accuracy-focalblur docs/accuracy.md '(15 min)' \
     'lentray-chart /usr/share/doc/povray/examples/camera/focalblur.pov --out build/charts/focalblur
        +W160 +H120 --budget 2s --error 1 --reference-limit 8min'
+  $1 accuracy-promises docs/accuracy.md '(5 min)' 'tests/chart/promises.py --write'
   $1 antialiasing docs/rendering.md '(20 min)' 'python3 tests/compat/antialiasing.py'
   $1 blur-convergence docs/rendering.md '(20 min)' 'python3 tests/bench/blur_convergence.py'
   $1 auto-cost docs/rendering.md '(30 min)' \
@@ -78,6 +93,7 @@ figures() {
        --caches off,last,tree,neighbourhood,grid,cascade,auto;
      lentray-grouping $S +W300 +H300 --caches auto --accelerators buffer --repeats 9
        --orders rows,views,columns,strips,tiles,serpentine,hilbert,adaptive,auto'
+  $1 grouping-examples docs/paper.md '(10 min)' 'tests/bench/grouping_examples.py --write'
   $1 mosaic docs/paper.md '(10 min)' \
     'lentray-grouping scenes/mosaic.pov +W300 +H300 -UL Declare=Lights=8
        --orders rows,views,columns --caches last --repeats 9 --sizes 40,60'

@@ -108,7 +108,7 @@ LENTRAY_SIMD unsigned signs(V v) {
   using Bits = std::conditional_t<sizeof(V{}[0]) == 8, Long2, Int4>;
   const auto bits = Bits(v);
   unsigned result = 0;
-  for (int i = 0; i < kLanes<V>; ++i) result |= (bits[i] < 0 ? 1u : 0u) << i;
+  for (int i = 0; i < kLanes<V>; ++i) result += bits[i] < 0 ? 1u << i : 0u;
   return result;
 }
 template <Whole V>
@@ -116,7 +116,7 @@ LENTRAY_SIMD32 unsigned signs(V v) {
   using Bits = std::conditional_t<sizeof(V{}[0]) == 8, Long4, Int8>;
   const auto bits = Bits(v);
   unsigned result = 0;
-  for (int i = 0; i < kLanes<V>; ++i) result |= (bits[i] < 0 ? 1u : 0u) << i;
+  for (int i = 0; i < kLanes<V>; ++i) result += bits[i] < 0 ? 1u << i : 0u;
   return result;
 }
 /// Without their signs.

@@ -1,8 +1,9 @@
-#include <jpeglib.h>
-#include <cstddef>
 #include <cstdio>
 
+#include <jpeglib.h>  // needs FILE
+
 #include <array>
+#include <cstddef>
 #include <stdexcept>
 
 #include "core/image/format_readers.h"

@@ -57,6 +57,34 @@ def sheets(check, folder, binaries):
         check(same.returncode == 0 and "equal" in same.stdout, f"view {j}: {same.stdout}")
 
 
+def views(check, folder, binaries):
+    """Views= of lentray: a row and a picture for each view, none of them twice."""
+    scenes, by_hand = folder / "views", folder / "views-by-hand"
+    by_hand.mkdir()
+    scenes.mkdir()
+    (scenes / "a.pov").write_text(MOVING)
+    words = ["Lenticular=On", "Lens_Pixels=6", "+W120", "+H60", "Views=3", "View_Clock=0..1", "View_Size=40x30"]
+    told = subprocess.run([binaries / "lentray", "a.pov", *words, f"+O{by_hand}/a.png"], cwd=scenes, check=True,
+                          capture_output=True, text=True).stderr
+    check("View 3 of 3 (number 2), clock 1" in told and "Frame" not in told, f"progress of views: {told}")
+    program, log = tools.logged_lentray(folder, binaries)
+    for options in ([], ["--frames"], ["--views", "--compare"]):
+        out = folder / ("views-out" + "".join(options))
+        log.unlink(missing_ok=True)
+        done = tools.run(binaries, scenes, "--out", out, "--lentray", program, *words, *options)
+        made = {name: sum_ for name, sum_ in tools.pictures(out).items() if not name.startswith("compare/")}
+        check(done.returncode == 0 and made == tools.pictures(by_hand), f"views: {options}, {sorted(made)}, {done.stderr}")
+        check(len(tools.calls(log)) == 3, f"views {options}: {len(tools.calls(log))} runs")
+        rows = tools.rows(out)
+        check({name: row["picture"] for name, row in rows.items()} == {f"a#{j}": f"a{j}.png" for j in range(3)}, f"{rows}")
+        check([row["frame"] for _, row in sorted(rows.items())] == [0, 1, 2], f"{rows}")
+        check(all("lens_pixels" not in row for row in rows.values()), "a view is no integral image")
+        if "--compare" in options:
+            check(all("integral image" in row["verdict"]["note"] for row in rows.values()), f"not compared: {rows}")
+        again = tools.run(binaries, scenes, "--out", out, "--lentray", program, *words, *options)
+        check(len(tools.calls(log)) == 3, f"views {options} again: {again.stderr}")
+
+
 def out_of_date(check, folder, binaries):
     scenes, out = folder / "dates", folder / "dates-out"
     tools.write_scenes(scenes, 3)
@@ -121,7 +149,7 @@ def main():
     check = tools.Checks()
     with tempfile.TemporaryDirectory() as temporary:
         folder = pathlib.Path(temporary)
-        for part in (frames, sheets, out_of_date, stops):
+        for part in (frames, sheets, views, out_of_date, stops):
             part(check, folder, binaries)
     check.end()
 

@@ -176,6 +176,8 @@ TEST_F(ErrorSlantedViews, EveryMessage) {
   };
   expect(run("lentray-views", {"sheet.png", "--lens", "3"}),
          "'sheet.png' is for lenses slanted by 16.7 degrees: no columns lie behind one of them");
+  expect(run("lentray-views", {"sheet.png", "--preview", "page.html"}),
+         "'sheet.png' is for lenses slanted by 16.7 degrees: a page shows the views of upright");
   expect(run("lentray-views", {"sheet.png", "--view", "7"}), "there is no view 7");
   for (const char* bad : {"steep", "90", "1/0", "1e300"}) {
     expect(run("lentray-views", {"sheet.png", "--lens-slant", bad, "--view", "0"}),

@@ -332,7 +332,6 @@ class UnitChartPageForBrowser : public UnitChartPageOf {
     }
     write(p.picture, own);
     write(p.difference, errors);
-    p.command = "lentray 'a scene.pov' +W320 +H240 " + p.setting.options[0];
     return p;
   }
   void write(const std::string& file, const std::vector<double>& greys) const {
@@ -353,7 +352,7 @@ TEST_F(UnitChartPageForBrowser, Write) {
   Point own = plain_point(2.1, 4.2);
   own.setting.options = {""};
   points.push_back(shown(own, 1));
-  points[0].stock_cpu_s = 14.0;
+  points[0].stock_runs = {14.0};
   points[0].stock_error = sample_error(4.3);
   points[0].from_stock = sample_error(0.4);
   points[0].stock_picture = points[0].picture;
@@ -407,6 +406,7 @@ TEST_F(UnitChartPageForBrowser, Write) {
   Chart chart = sample_chart(std::move(points));
   chart.scene = "a <scene>.pov";
   chart.command = "lentray 'a scene.pov' +W320 +H240";
+  derive(chart);
   chart.width = 320;
   chart.height = 240;
   chart.machine = "a processor, 1 thread";

@@ -20,9 +20,18 @@ constexpr double kStart = 0.03;  ///< seconds that starting a program takes
 constexpr double kLongestProbe =
     60.0;  ///< seconds of a coarse render; what takes longer is taken for that much
 
-double pixels(const parser::RenderOptions& o) {
-  return static_cast<double>(o.width) * static_cast<double>(o.height);
+struct PictureSize {
+  double width = 0.0, height = 0.0;
+};
+/// Of a view its own size, not that of the integral image.
+PictureSize size_of(const parser::RenderOptions& o) {
+  if (o.animation.views.count > 0 && o.views.size) {
+    return {static_cast<double>(o.views.size->width), static_cast<double>(o.views.size->height)};
+  }
+  return {static_cast<double>(o.width), static_cast<double>(o.height)};
 }
+
+double pixels(const parser::RenderOptions& o) { return size_of(o).width * size_of(o).height; }
 
 Estimate bare(const Job& job) {
   Estimate e;
@@ -34,7 +43,8 @@ Estimate bare(const Job& job) {
   const bool passes_on = o.dither && (o.dither_type == core::DitherMethod::line ||
                                       o.dither_type == core::DitherMethod::plane ||
                                       o.dither_type == core::DitherMethod::floyd_steinberg);
-  if (!is_part && !passes_on && o.type == core::FileType::png) e.rows = o.height;
+  if (!is_part && !passes_on && o.type == core::FileType::png)
+    e.rows = static_cast<std::int64_t>(size_of(o).height);
   if (o.antialias) {
     core::Antialiasing how;
     how.method = o.sampling_method;
@@ -56,8 +66,10 @@ Coarse start(const Plan& plan, const Job& job, const std::string& place) {
   const auto fewer = [](double size, double least) {
     return std::min(size, std::max(least, std::ceil(size / kCoarse)));
   };
-  const double width = fewer(static_cast<double>(o.width), kLeastWidth),
-               height = fewer(static_cast<double>(o.height), kLeastHeight);
+  const double width = fewer(size_of(o).width, kLeastWidth),
+               height = fewer(size_of(o).height, kLeastHeight);
+  const std::string columns = std::to_string(static_cast<int>(width)),
+                    rows = std::to_string(static_cast<int>(height));
   Coarse coarse;
   coarse.job = &job;
   coarse.statistics = place + ".json";
@@ -68,12 +80,15 @@ Coarse start(const Plan& plan, const Job& job, const std::string& place) {
   launch.command = {plan.arguments.lentray.string()};
   for (const std::string& word : job.words()) launch.command.push_back(word);
   for (const std::string& word :
-       {"+I" + job.scene().source.filename().string(),
-        "+W" + std::to_string(static_cast<int>(width)),
-        "+H" + std::to_string(static_cast<int>(height)), std::string("-F"), std::string("-V"),
+       {"+I" + job.scene().source.filename().string(), std::string("-F"), std::string("-V"),
         std::string("+WT1"), std::string("Count_Tests=Off"), std::string("Scene_Writes=memory"),
         "Statistics_File=" + coarse.statistics}) {
     launch.command.push_back(word);
+  }
+  if (o.animation.views.count > 0) {  // the sheet stays as it is
+    launch.command.push_back("View_Size=" + columns + "x" + rows);
+  } else {
+    launch.command.insert(launch.command.end(), {"+W" + columns, "+H" + rows});
   }
   coarse.child = std::make_unique<tool::Child>(launch);
   return coarse;

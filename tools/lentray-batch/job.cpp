@@ -117,6 +117,15 @@ Job::Job(const Plan& plan, Scene scene, const parser::RenderOptions& options,
   m_row.picture = band_picture(m_row.picture, m_band->index);
 }
 
+std::vector<parser::AnimationFrame> pictures_of(const parser::RenderOptions& options) {
+  std::vector<parser::AnimationFrame> frames = parser::frames_of(options.animation);
+  if (options.animation.views.count > 0) {
+    for (std::size_t i = 0; i < frames.size(); ++i)
+      frames[i].clock.frame_number = static_cast<int>(i);
+  }
+  return frames;
+}
+
 std::string band_picture(const std::string& picture, int index) {
   return ".lentray-batch/bands/" + picture + "." + std::to_string(index) +
          fs::path(picture).extension().string();
@@ -230,7 +239,9 @@ bool Job::can_go_on() const {
 std::vector<std::string> Job::words() const {
   std::vector<std::string> words = m_plan.arguments.for_lentray;
   if (m_plan.arguments.scene_ini && !m_scene.ini.empty()) words.push_back(m_scene.ini.string());
-  if (m_frame) {
+  if (is_view()) {
+    words.push_back("View=" + std::to_string(m_frame->clock.frame_number));
+  } else if (m_frame) {
     for (const char* which : {"+SF", "+EF"})
       words.push_back(which + std::to_string(m_frame->clock.frame_number));
   } else if (parser::is_animation(m_options.animation)) {
@@ -246,7 +257,9 @@ tool::Launch Job::render(int threads, double memory) {
   const bool goes_on = can_go_on();
   launch.command = {m_plan.arguments.lentray.string()};
   for (const std::string& word : words()) launch.command.push_back(word);
-  const fs::path picture = root() / (m_scene.name + core::extension_of(m_options.type));
+  // Lentray adds the digits of frames, not those of a view that is made alone.
+  const fs::path picture = root() / (m_scene.name + (is_view() ? m_frame->digits : "") +
+                                     core::extension_of(m_options.type));
   fs::create_directories(picture.parent_path());
   launch.command.insert(launch.command.end(),
                         {"+I" + m_scene.source.filename().string(), "+O" + picture.string(),
@@ -263,7 +276,7 @@ tool::Launch Job::render(int threads, double memory) {
                          "Statistics_File=" + run_file("statistics").string(),
                          "Dependencies_File=" + run_file("read").string(), "Scene_Writes=memory"});
   if (goes_on) launch.command.emplace_back("+C");
-  if (m_frame) {  // the names of files of frames end in their digits
+  if (m_frame && !is_view()) {  // the names of files of frames end in their digits
     for (const char* kind : {"statistics", "read"}) {
       std::error_code error;
       fs::remove(run_file(kind), error);
@@ -281,7 +294,7 @@ void Job::rendered(const tool::Ended& ended, bool stopped) {
   m_row.cpu += ended.cpu;
   m_row.memory = std::max(m_row.memory, ended.memory);
   m_row.status = ended.status;
-  if (m_frame) {
+  if (m_frame && !is_view()) {
     // Lentray adds the frame's digits to both names.
     for (const char* kind : {"statistics", "read"}) {
       const fs::path plain = run_file(kind);
@@ -298,6 +311,10 @@ void Job::rendered(const tool::Ended& ended, bool stopped) {
   if (ended.status != 0) return fail(ended);
   m_row.state = State::done;
   m_row.reason.clear();
+  if (is_view() && m_plan.arguments.compare) {
+    m_row.verdict.emplace();
+    m_row.verdict->note = "views of Views= are not; their integral image can be";
+  }
   publish();
   m_has_picture = true;
   read_statistics();
@@ -379,7 +396,8 @@ void Job::read_statistics() {
   time.at("render_cpu_s").get_to(m_row.rendering);
   time.at("write_cpu_s").get_to(m_row.writing);
   all.at("not_rendered").get_to(m_row.left_out);
-  m_row.lens_pixels = m_options.view ? 0.0 : all.value("/lens/pixels"_json_pointer, 0.0);
+  const bool is_other = m_options.view || is_view() || m_options.views.quilt;
+  m_row.lens_pixels = is_other ? 0.0 : all.value("/lens/pixels"_json_pointer, 0.0);
 }
 
 bool Job::needs_views() const {
@@ -410,7 +428,7 @@ void Job::views_split(const tool::Ended& ended) {
 }
 
 bool Job::needs_comparison() const {
-  if (m_band || !m_plan.arguments.compare || m_row.verdict) return false;
+  if (m_band || !m_plan.arguments.compare || m_row.verdict || is_view()) return false;
   return m_has_picture || m_is_over;
 }
 

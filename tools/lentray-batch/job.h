@@ -98,6 +98,7 @@ class Job {
   void fail(const tool::Ended& ended);
   bool files_are_current() const;
   bool can_go_on() const;
+  bool is_view() const { return m_frame && m_options.animation.views.count > 0; }
 
   const Plan& m_plan;
   const Scene m_scene;
@@ -110,6 +111,9 @@ class Job {
   bool m_views_failed = false;
 };
 
+/// The pictures of a scene that has more than one: frames of an animation, or the views of `Views=`, whose frame number
+/// is here that of the view.
+std::vector<parser::AnimationFrame> pictures_of(const parser::RenderOptions& options);
 /// Where a band of a picture is kept until all are there, relative to the batch's folder.
 std::string band_picture(const std::string& picture, int index);
 /// The scene's options: the batch's, then those of scene.ini. Throws parser::OptionError.

@@ -39,12 +39,13 @@ std::string command_of(const std::vector<std::string>& words) {
   return out;
 }
 
-/// The jobs of a scene: one, or one a frame.
+/// The jobs of a scene: one, or one a frame, or one a view.
 std::vector<std::unique_ptr<Job>> jobs_of(const Plan& plan, const Scene& scene) {
   const parser::RenderOptions options = options_of(plan, scene);
   std::vector<std::unique_ptr<Job>> jobs;
-  if (plan.arguments.frames && parser::is_animation(options.animation)) {
-    for (const parser::AnimationFrame& frame : parser::frames_of(options.animation)) {
+  const bool has_views = options.animation.views.count > 0;
+  if (has_views || (plan.arguments.frames && parser::is_animation(options.animation))) {
+    for (const parser::AnimationFrame& frame : pictures_of(options)) {
       jobs.push_back(std::make_unique<Job>(plan, scene, options, frame));
     }
   } else {

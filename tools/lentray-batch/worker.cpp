@@ -63,7 +63,7 @@ std::unique_ptr<Job> job_of(const Plan& plan, const Work& work) {
   const parser::RenderOptions options = options_of(plan, work.scene);
   std::optional<parser::AnimationFrame> frame;
   if (work.frame) {
-    for (const parser::AnimationFrame& f : parser::frames_of(options.animation)) {
+    for (const parser::AnimationFrame& f : pictures_of(options)) {
       if (f.clock.frame_number == *work.frame) frame = f;
     }
   }

@@ -1,6 +1,7 @@
 #include "tools/lentray-diff/workshop.h"
 
 #include <algorithm>
+#include <csignal>
 #include <sstream>
 #include <stdexcept>
 
@@ -101,7 +102,10 @@ StoredImage Workshop::render(const fs::path& folder, const fs::path& scene,
   }
   for (const char* fixed : {"-D", "-P", "-V", "+WT1"}) command.emplace_back(fixed);
   for (const fs::path& earlier : made(folder)) fs::remove(earlier);
-  const tool::RunResult result = tool::run_program(command, folder, m_options.seconds);
+  tool::RunResult result = tool::run_program(command, folder, m_options.seconds);
+  // Stock crashes now and then while it reads a scene that it can render.
+  constexpr int crashed = 128 + SIGSEGV;
+  if (result.status == crashed) result = tool::run_program(command, folder, m_options.seconds);
   if (result.timed_out) throw std::runtime_error("stock POV-Ray took too long");
   const std::vector<fs::path> pictures = made(folder);  // of a frame: its number stands in the name
   if (result.status != 0 || pictures.size() != 1) {

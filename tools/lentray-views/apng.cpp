@@ -62,13 +62,22 @@ std::string frame_control(std::uint32_t sequence, const StoredImage& frame, int 
          std::string(2, '\0');
 }
 
+/// What a PNG file of such pictures begins with.
+std::string beginning(const StoredImage& first) {
+  return "\x89PNG\r\n\x1a\n" + chunk("IHDR", header(first)) + chunk("sRGB", std::string(1, '\0')) +
+         chunk("gAMA", big_bytes(45455));
+}
+
 }  // namespace
+
+std::string png_of(const StoredImage& image) {
+  return beginning(image) + chunk("IDAT", packed(image)) + chunk("IEND", "");
+}
 
 std::string apng_of(const std::vector<StoredImage>& frames, int delay) {
   const StoredImage first = for_viewers(frames[0]);
   std::string out =
-      "\x89PNG\r\n\x1a\n" + chunk("IHDR", header(first)) + chunk("sRGB", std::string(1, '\0')) +
-      chunk("gAMA", big_bytes(45455)) +
+      beginning(first) +
       chunk("acTL", big_bytes(static_cast<std::uint32_t>(frames.size())) + big_bytes(0));
   std::uint32_t sequence = 0;
   for (std::size_t i = 0; i < frames.size(); ++i) {

@@ -150,7 +150,7 @@ class Reader {
       "View",     "Views",      "Lens",          "Quilt",       "Eye",        "Eyes",
       "Pair",     "Wiggle",     "Delay",         "Out",         "Count",      "Size",
       "Filter",   "Like",       "Aspect",        "Lens_Pixels", "Lens_Pitch", "Lens_Focal_Length",
-      "Lens_IOR", "Lens_Model", "View_Distance", "Lens_Slant"};
+      "Lens_IOR", "Lens_Model", "View_Distance", "Lens_Slant",  "Preview",    "Page_Limit"};
   void apply(std::size_t index, const GivenOption& given) {
     static constexpr Apply kApply[] = {
         [](Reader& r, const GivenOption& g) {
@@ -190,7 +190,12 @@ class Reader {
         [](Reader& r, const GivenOption& g) { r.m_out.sheet.ior = parser::positive(g); },
         [](Reader& r, const GivenOption& g) { set_model(r.m_out, g); },
         [](Reader& r, const GivenOption& g) { set_distance(r.m_out, g); },
-        [](Reader& r, const GivenOption& g) { set_slant(r.m_out, g); }};
+        [](Reader& r, const GivenOption& g) { set_slant(r.m_out, g); },
+        [](Reader& r, const GivenOption& g) {
+          r.choose(Task::kPreview, "--preview");
+          set_file(r.m_out.out, g);
+        },
+        [](Reader& r, const GivenOption& g) { r.m_out.page_limit = parser::positive(g); }};
     static_assert(std::size(kNames) == std::size(kApply));
     kApply[index](*this, given);
   }
@@ -253,7 +258,7 @@ class Reader {
     }
     if (a.eye && a.task == Task::kDescribe) a.task = Task::kEye;
     const bool has_eyes = a.task == Task::kStereo || a.task == Task::kAnaglyph;
-    if (a.eye && !has_eyes && a.task != Task::kEye) {
+    if (a.eye && !has_eyes && a.task != Task::kEye && a.task != Task::kPreview) {
       throw OptionError("--eye does not go with " + m_task);
     }
     if (a.pair && !has_eyes) throw OptionError("--pair is of --stereo and --anaglyph");
@@ -265,7 +270,7 @@ class Reader {
   void check_interlace() const {
     const Arguments& a = m_out;
     const bool one = a.task == Task::kViews || a.task == Task::kLens || a.task == Task::kEye ||
-                     a.task == Task::kDescribe;
+                     a.task == Task::kDescribe || a.task == Task::kPreview;
     if (one && a.pictures.size() > 1) {
       throw OptionError("'" + a.pictures[1].string() + "': one integral image is expected");
     }
@@ -288,82 +293,5 @@ class Reader {
 }  // namespace
 
 Arguments parse_arguments(const std::vector<std::string>& words) { return Reader().read(words); }
-
-std::string usage() {
-  return R"(usage: lentray-views IMAGE [task] [options]
-       lentray-views VIEW... [task] [options]
-       lentray-views --interlace VIEW... [options]
-
-Takes integral images for lens sheets apart, and puts them together. IMAGE is a
-picture that lentray made with Lenticular=On, or any interlaced picture. What it
-says of its sheet is used; options below say what it does not. VIEW... are ready
-pictures, rendered or taken with a camera, all of one size.
-
-View j is what all lenses show at one place behind them, a pixel a lens. View 0
-is seen from the right, the last one from the left. Where the number of pixels a
-lens is not whole, a view has the nearest pixel of each lens.
-
-Without a task the sheet of IMAGE is told.
-
-Tasks:
-  --view J               one view
-  --views A..B           views A to B, a file each
-  --all                  all views
-  --lens I               the pixels behind lens I, counted from 0
-  --eye ANGLE[,MM]       what an eye sees through the sheet that looks at its
-                         middle from ANGLE degrees to the right, from MM before it
-                         (the sheet's own viewing distance)
-  --quilt CxR            C x R views in one picture, the leftmost camera's lower
-                         left, as light-field displays want it
-  --stereo               two views side by side, the left eye's on the left
-  --anaglyph, --anaglyph=plain
-                         two views for red and cyan glasses: colours by Dubois'
-                         matrix, or plainly red of one and green and blue of the other
-  --wiggle FILE          the views to and fro, as FILE.gif or as an animated FILE.png
-  --interlace            the integral image of the pictures
-
-Options:
-  --out FILE             the picture: .png, .tif, .exr or .jpg. Of several views
-                         each gets its number before the end, or where # stands
-  --size WxH             size of each view, or of the integral image
-  --square               views in square pixels instead of a pixel a lens
-  --filter NAME          box, triangle, mitchell or lanczos3 where sizes change
-                         (lanczos3)
-  --count M              M views at equal steps over the lens (the pixels a lens,
-                         rounded down; of a quilt all it has)
-  --between              --eye: colours between pixels of the print, not the nearest
-  --eyes MM              --stereo, --anaglyph: between both eyes (65)
-  --pair L,R             instead: the views of the left and of the right eye
-  --delay MS             --wiggle: how long a view is shown (100)
-  --from-left            VIEW... begins with the leftmost camera's picture
-  --like IMAGE           --interlace: for the same sheet as IMAGE, and as large
-
-Sheet:
-  --lens-pixels N        pixels a lens
-  --lens-pitch MM        width of a lens
-  --lens-focal-length MM
-                         from the lens to the print, in the lens's material
-  --lens-ior N           refractive index of the material
-  --lens-slant DEGREES   of the lenses, or its tangent as a fraction (1/6)
-  --lens-model NAME      paraxial, pinhole or thick
-  --view-distance MM     from the sheet to the eye the print is for; inf: infinite
-  --aspect N             width of the sheet, or of a quilt's display, by its height
-  --help, --version
-
-Examples:
-  lentray scene.pov Lenticular=On +W1200 +H900 +Osheet.png
-  lentray-views sheet.png
-      What the sheet is: lenses, views, sizes.
-  lentray-views sheet.png --all --square --out view##.png
-      Its 15 views as pictures to look at.
-  lentray-views sheet.png --wiggle sheet.gif --square
-  lentray-views sheet.png --eye 10,400 --out right.png
-  lentray-views --interlace front.jpg back.jpg --lens-pixels 12 --size 2400x1600
-      A flip print: each picture has six of twelve pixels.
-
-Exit status: 0 done, 1 something is wrong with the pictures or could not be
-written.
-)";
-}
 
 }  // namespace lentray::views

@@ -14,7 +14,18 @@
 
 namespace lentray::views {
 
-enum class Task { kDescribe, kViews, kLens, kQuilt, kEye, kStereo, kAnaglyph, kWiggle, kInterlace };
+enum class Task {
+  kDescribe,
+  kViews,
+  kLens,
+  kQuilt,
+  kEye,
+  kStereo,
+  kAnaglyph,
+  kWiggle,
+  kPreview,
+  kInterlace
+};
 
 struct Size {
   std::uint32_t width = 0, height = 0;
@@ -39,8 +50,9 @@ struct Arguments {
   double eyes = 65.0;         ///< mm between two eyes
   std::optional<Range> pair;  ///< views of the left and the right eye
   Anaglyph anaglyph = Anaglyph::kDubois;
-  int delay = 100;         ///< ms
-  bool from_left = false;  ///< pictures are from the leftmost camera to the rightmost
+  int delay = 100;           ///< ms
+  double page_limit = 20.0;  ///< MB of a preview
+  bool from_left = false;    ///< pictures are from the leftmost camera to the rightmost
   bool square = false;
   std::optional<Size> size;  ///< of each view, or of the integral image
   Filter filter = Filter::kLanczos3;

@@ -1,6 +1,5 @@
 #include "tools/lentray-views/join.h"
 
-#include <array>
 #include <cmath>
 
 #include "camera/text.h"
@@ -11,7 +10,7 @@ namespace lentray::views {
 namespace {
 
 using core::StoredImage;
-using Matrix = std::array<std::array<float, 3>, 3>;
+using Matrix = ColourMatrix;
 
 constexpr Matrix kDuboisLeft = {
     {{0.437f, 0.449f, 0.164f}, {-0.062f, -0.062f, -0.024f}, {-0.048f, -0.050f, -0.017f}}};
@@ -60,10 +59,14 @@ StoredImage side_by_side(const StoredImage& left, const StoredImage& right) {
   return out;
 }
 
+const ColourMatrix& matrix_of(Anaglyph way, bool is_left) {
+  if (way == Anaglyph::kDubois) return is_left ? kDuboisLeft : kDuboisRight;
+  return is_left ? kPlainLeft : kPlainRight;
+}
+
 StoredImage anaglyph(const StoredImage& left, const StoredImage& right, Anaglyph way) {
   check_alike(left, right);
-  const Matrix& of_left = way == Anaglyph::kDubois ? kDuboisLeft : kPlainLeft;
-  const Matrix& of_right = way == Anaglyph::kDubois ? kDuboisRight : kPlainRight;
+  const Matrix &of_left = matrix_of(way, true), &of_right = matrix_of(way, false);
   const Light a = light_of(left), b = light_of(right);
   Light out{left.width, left.height, 3, {}};
   out.values.reserve(std::size_t{3} * left.width * left.height);

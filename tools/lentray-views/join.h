@@ -4,6 +4,7 @@
 // Least-Squares Projection Method", 2009 (site.uottawa.ca/~edubois/anaglyph), for red and cyan.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -25,6 +26,9 @@ enum class Anaglyph {
   kDubois,  ///< red and cyan with the least error of colour, by a matrix in linear light
   kPlain,   ///< the left eye's red, the right eye's green and blue
 };
+using ColourMatrix = std::array<std::array<float, 3>, 3>;
+/// What an eye's red, green and blue add to those of the anaglyph, in linear light.
+const ColourMatrix& matrix_of(Anaglyph way, bool is_left);
 /// RGB; what is below or above the samples' range is cut.
 core::StoredImage anaglyph(const core::StoredImage& left, const core::StoredImage& right,
                            Anaglyph way);

@@ -1,7 +1,6 @@
 #include "tools/lentray-views/tasks.h"
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
@@ -11,9 +10,11 @@
 #include "camera/lenticular.h"
 #include "camera/text.h"
 #include "core/image/writer.h"
+#include "parser/options/ini.h"
 #include "tools/common/process.h"
 #include "tools/lentray-views/interlace.h"
 #include "tools/lentray-views/moving.h"
+#include "tools/lentray-views/preview.h"
 #include "tools/lentray-views/slanted.h"
 #include "tools/lentray-views/source.h"
 
@@ -64,6 +65,14 @@ fs::path numbered(const fs::path& pattern, std::uint32_t view, std::uint32_t cou
          (pattern.stem().string() + number_text(view, digits) + pattern.extension().string());
 }
 
+/// The views that are asked for, of `count`.
+Range range_of(const Arguments& a, std::uint32_t count) {
+  const Range range = a.range.value_or(Range{0, count - 1});
+  if (range.last < count) return range;
+  throw ImageError("there is no view " + std::to_string(range.last) + ": the views are 0 to " +
+                   std::to_string(count - 1));
+}
+
 /// Reads back as the same number.
 std::string exact(double value) {
   char text[32];
@@ -105,11 +114,7 @@ About about_view(const Facts& facts, std::uint32_t view, std::uint32_t count) {
 std::string write_views(const Arguments& a) {
   const auto source = open_source(a, a.count.value_or(0));
   const std::uint32_t count = source->count();
-  const Range range = a.range.value_or(Range{0, count - 1});
-  if (range.last >= count) {
-    throw ImageError("there is no view " + std::to_string(range.last) + ": the views are 0 to " +
-                     std::to_string(count - 1));
-  }
+  const Range range = range_of(a, count);
   const bool is_one = range.first == range.last && !a.out.empty() &&
                       a.out.filename().string().find('#') == std::string::npos;
   std::string said;
@@ -191,19 +196,15 @@ std::string write_pair(const Arguments& a) {
 }
 
 std::string write_wiggle(const Arguments& a) {
-  std::string end = a.out.extension().string();
-  std::ranges::transform(end, end.begin(), [](unsigned char c) { return std::tolower(c); });
-  if (end != ".gif" && end != ".png") {
+  const std::string end = a.out.extension().string();
+  const bool is_gif = parser::same_word(end, ".gif");
+  if (!is_gif && !parser::same_word(end, ".png")) {
     throw ImageError("cannot write '" + a.out.string() +
                      "': moving pictures are .gif and .png files");
   }
   check_place(a, a.out);
   const auto source = open_source(a, a.count.value_or(0));
-  const Range range = a.range.value_or(Range{0, source->count() - 1});
-  if (range.last >= source->count()) {
-    throw ImageError("there is no view " + std::to_string(range.last) + ": the views are 0 to " +
-                     std::to_string(source->count() - 1));
-  }
+  const Range range = range_of(a, source->count());
   // To and fro; both ends are shown once.
   std::vector<StoredImage> frames;
   for (std::uint32_t view = range.first; view <= range.last; ++view) {
@@ -215,9 +216,20 @@ std::string write_wiggle(const Arguments& a) {
   for (std::uint32_t view = range.last; view-- > range.first + 1;) {
     frames.push_back(frames[view - range.first]);
   }
-  tool::write_whole(a.out, end == ".gif" ? gif_of(frames, a.delay) : apng_of(frames, a.delay));
+  tool::write_whole(a.out, is_gif ? gif_of(frames, a.delay) : apng_of(frames, a.delay));
   return a.out.string() + ": " + std::to_string(frames.size()) + " frames of " +
          std::to_string(frames[0].width) + " x " + std::to_string(frames[0].height) + " pixels\n";
+}
+
+std::string write_preview(const Arguments& a) {
+  const std::string end = a.out.extension().string();
+  if (!parser::same_word(end, ".html") && !parser::same_word(end, ".htm")) {
+    throw ImageError("cannot write '" + a.out.string() + "': a preview is a .html file");
+  }
+  check_place(a, a.out);
+  const Preview preview = preview_of(open_integral(a.pictures[0], a.sheet), a);
+  tool::write_whole(a.out, preview.page);
+  return a.out.string() + ": " + preview.told + "\n";
 }
 
 /// The size and sheet of --like, or of --lens-pixels and --size.
@@ -292,6 +304,7 @@ std::string do_task(const Arguments& arguments) {
     case Task::kStereo:
     case Task::kAnaglyph: return write_pair(arguments);
     case Task::kWiggle: return write_wiggle(arguments);
+    case Task::kPreview: return write_preview(arguments);
     case Task::kInterlace: return write_interlaced(arguments);
   }
   return describe(arguments);

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "camera/text.h"
 #include "parser/options/animation.h"
 #include "parser/options/create_ini.h"
 #include "parser/restrictions/povray_conf.h"
@@ -18,8 +19,16 @@ namespace {
 using parser::CommandKind;
 using parser::RenderOptions;
 
-std::string frame_line(const parser::FrameClock& clock, std::size_t number, std::size_t count) {
+/// Of a frame, or of a view: "View 3 of 8 (number 2)".
+std::string frame_line(const RenderOptions& one, const parser::FrameClock& clock,
+                       std::size_t number, std::size_t count) {
   char text[128];
+  if (one.animation.views.count > 0) {
+    std::snprintf(text, sizeof text, "View %zu of %zu (number %u)", number, count,
+                  parser::rendered_view(one).value_or(0));
+    if (!clock.clock_on) return std::string(text) + "\n";
+    return text + (", clock " + camera::format(clock.clock)) + "\n";
+  }
   std::snprintf(text, sizeof text, "Frame %d (%zu of %zu), clock %g\n", clock.frame_number, number,
                 count, clock.clock);
   return text;
@@ -86,7 +95,8 @@ class Loop {
     RenderOptions one = m_options;
     one.frame_digits = frame.digits;
     if (m_frames.is_animation && one.verbose) {
-      m_texts.write(parser::Stream::kRender, frame_line(frame.clock, i + 1, m_frames.list.size()));
+      m_texts.write(parser::Stream::kRender,
+                    frame_line(one, frame.clock, i + 1, m_frames.list.size()));
     }
     const bool is_last = i + 1 == m_frames.list.size();
     return run_picture({one, frame.clock, m_scene, is_last, m_frames.is_animation}, m_cancel,

@@ -1,0 +1,222 @@
+#!/usr/bin/env python3
+"""Runs the commands of docs/tutorial-print.md and docs/tutorial-display.md as they stand there, one after another in an
+empty folder, and looks at what they leave.
+
+    tutorials.py [--bin build/release/bin] [--full] [word ...]
+
+Pictures are smaller than on the pages, unless --full. With words only the pages whose name has one. Of the commands that
+fetch and build, what they name must exist; the programs are those of --bin.
+"""
+import argparse
+import json
+import os
+import pathlib
+import re
+import shlex
+import shutil
+import struct
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+MOST_COMMANDS = 5  # from nothing to the page to print
+MOST_PICTURE = 100_000  # bytes
+# Options of the pages and smaller ones. Each must be on a page, or it is out of date.
+SMALLER = {
+    "Print_DPI=600": "Print_DPI=200", "+A0.1": "-A", "+W1200": "+W240", "+H900": "+H180", "Quilt=portrait":
+    "Quilt=portrait Quilt_Tile=21x28", "Quilt_Tile=400x300": "Quilt_Tile=40x30", "View_Size=400x300": "View_Size=80x60",
+}
+
+
+class Wrong(Exception):
+    """What is not as a page says."""
+
+
+def expect(is_so, what):
+    if not is_so:
+        raise Wrong(what)
+
+
+def commands_of(page):
+    """The lines of its code blocks, joined where they end in a backslash."""
+    lines = re.findall(r"^    (\S.*|  +\S.*)$", page.read_text(encoding="utf-8"), re.M)
+    return [line.strip() for line in re.sub(r"\s*\\\n\s*", " ", "\n".join(lines)).split("\n")]
+
+
+def check_links(page):
+    """Pages, parts of pages and pictures that it names."""
+    text = page.read_text(encoding="utf-8")
+    for target in re.findall(r"\]\(([^)]+)\)", text):
+        name, _, part = target.partition("#")
+        if "://" in name:
+            continue
+        file = page.parent / name if name else page
+        expect(file.exists(), f"{page.name}: there is no {name}")
+        if file.suffix == ".png":
+            expect(file.stat().st_size < MOST_PICTURE, f"{name}: {file.stat().st_size} bytes")
+        if part:
+            heads = re.findall(r"^#+ (.*)$", file.read_text(encoding="utf-8"), re.M)
+            anchors = [re.sub(r"[^\w\- ]", "", head.lower()).replace(" ", "-") for head in heads]
+            expect(part in anchors, f"{page.name}: {name} has no part #{part}")
+
+
+def check_fetching(command):
+    """What the commands that fetch and build name."""
+    words = shlex.split(command)
+    if words[:2] == ["git", "clone"]:
+        expect(words[3:] == ["lentray", "&&", "cd", "lentray"], f"'{command}': into a folder, and there")
+        return
+    for part in command.split("&&"):
+        words = shlex.split(part)
+        if words[0].startswith("tools/"):
+            expect(os.access(ROOT / words[0], os.X_OK), f"there is no {words[0]}")
+        elif words[0] == "cmake":
+            presets = json.loads((ROOT / "CMakePresets.json").read_text(encoding="utf-8"))
+            kind = "buildPresets" if "--build" in words else "configurePresets"
+            names = [preset["name"] for preset in presets[kind]]
+            expect(words[words.index("--preset") + 1] in names, f"'{part}': there are {names}")
+            for target in words[words.index("--target") + 1:] if "--target" in words else []:
+                expect((ROOT / "tools" / target / "main.cpp").exists(), f"there is no program {target}")
+        else:
+            expect(words == ["PATH=$PWD/build/release/bin:$PATH"], f"'{part}' is not known here")
+
+
+class Tutorial:
+    """A folder in which the commands of a page run."""
+
+    def __init__(self, folder, binaries, is_full):
+        self.folder, self.is_full, self.used = folder, is_full, set()
+        self.environment = {**os.environ, "PATH": f"{binaries}:{os.environ['PATH']}", "HOME": str(folder)}
+        (folder / "scenes").symlink_to(ROOT / "scenes")
+
+    def smaller(self, command):
+        if self.is_full:
+            return command
+        words = command.split(" ")
+        self.used.update(word for word in words if word in SMALLER)
+        return " ".join(SMALLER.get(word, word) for word in words)
+
+    def run(self, command):
+        """What it says; its status must be 0."""
+        run = subprocess.run(["bash", "-c", self.smaller(command)], cwd=self.folder, env=self.environment, text=True,
+                             stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
+        expect(run.returncode == 0, f"'{command}' has status {run.returncode}: {run.stdout[-600:]}")
+        return run.stdout
+
+    def run_page(self, page):
+        """What each command says, by command."""
+        told = {}
+        for command in commands_of(page):
+            if command.startswith(("git ", "tools/")):
+                check_fetching(command)
+                told[command] = ""
+            else:
+                expect(command.startswith(("lentray ", "lentray-")), f"{page.name}: '{command}' is no command")
+                told[command] = self.run(command)
+        return told
+
+    def size(self, name):
+        """Width and height of a PNG or GIF file."""
+        head = (self.folder / name).read_bytes()[:24]
+        if head.startswith(b"GIF89a"):
+            return struct.unpack("<HH", head[6:10])
+        expect(head.startswith(b"\x89PNG"), f"{name} is no PNG")
+        return struct.unpack(">II", head[16:24])
+
+
+def said_by(told, *words):
+    """What the command that has these words said."""
+    found = [text for command, text in told.items() if all(word in command for word in words)]
+    expect(len(found) == 1, f"{len(found)} commands with {words}")
+    return found[0]
+
+
+def check_pdf(file):
+    if not shutil.which("pdfinfo"):
+        return
+    told = subprocess.run(["pdfinfo", file], text=True, capture_output=True, check=True).stdout
+    size = re.search(r"Page size: +([\d.]+) x ([\d.]+) pts", told)
+    millimetres = sorted(float(points) / 72 * 25.4 for points in size.groups())
+    expect(abs(millimetres[0] - 210) < 0.01 and abs(millimetres[1] - 297) < 0.01, f"{file.name}: {told}")
+
+
+def check_print(tutorial, page):
+    told = tutorial.run_page(page)
+    commands = list(told)
+    last = next(i for i, command in enumerate(commands) if command.startswith("lentray-print sheet"))
+    looks = [command for command in commands[:last] if command.startswith("lentray-views")]
+    expect(last + 1 - len(looks) <= MOST_COMMANDS, f"{last + 1 - len(looks)} commands to the page: {commands}")
+    text = page.read_text(encoding="utf-8")
+    band = re.search(r"Here that was the band of ([\d.]+)\.", text)[1]
+    report = said_by(told, "Lens_LPI=")
+    pitch = float(re.search(r"pitch ([\d.]+) mm", report)[1])
+    expect(abs(25.4 / pitch - float(band)) < 0.005, f"strips of {25.4 / pitch} lpi, not {band}: {report}")
+    expect(f"pitch {pitch:.3f} mm*" in text, f"the page names another pitch than {pitch}")
+    sheet = re.search(r"Lens sheet ([\d.]+) x ([\d.]+) mm", report)
+    expect(abs(float(sheet[1]) - 100) < 0.1 and abs(float(sheet[2]) - 75) < 0.1, report)
+    expect("Nearest visible point" in report and "the eye sees jumps" in report, report)
+    for name in ("pitch.pdf", "sheet.pdf"):
+        check_pdf(tutorial.folder / name)
+    expect(tutorial.size("eyes.png") == (720, 270), "the two eyes' pictures")
+    expect("<canvas" in (tutorial.folder / "sheet.html").read_text(encoding="utf-8"), "the preview")
+
+
+def check_display(tutorial, page):
+    told = tutorial.run_page(page)
+    for name, size in (("demo_qs8x6a0.75.png", (3360, 3360)), ("demo_qs5x3a1.3333.png", (2000, 900))):
+        expect((tutorial.folder / name).exists(), f"there is no {name}")
+        if tutorial.is_full:
+            expect(tutorial.size(name) == size, f"{name}: {tutorial.size(name)}")
+    # The names of the page are those that the report tells.
+    for grid, end in (("Quilt=portrait", "_qs8x6a0.75"), ("Quilt=5x3", "_qs5x3a1.3333")):
+        expect(end in said_by(told, grid), said_by(told, grid))
+    if tutorial.is_full:
+        expect("80 lenses of 15 pixels" in told["lentray-views sheet.png"], told["lentray-views sheet.png"])
+    expect("of 15 pixels" in told["lentray-views sheet.png"], told["lentray-views sheet.png"])
+    for name in ("sheet_qs5x3a1.33333.png", "views_qs5x3a1.3333.png"):
+        width, height = tutorial.size(name)
+        expect(width % 5 == 0 and height % 3 == 0, f"{name}: {width} x {height}")
+    expect(tutorial.size("demo.gif") == (320, 240), "the GIF")
+    expect(b"acTL" in (tutorial.folder / "demo.png").read_bytes()[:200], "the animated PNG")
+    for name in ("sheet_stereo.png", "sheet_anaglyph.png", "view_stereo.png", "sheet.html"):
+        expect((tutorial.folder / name).stat().st_size > 1000, f"{name} is small")
+    width, height = tutorial.size("sheet_stereo.png")
+    expect(abs(width / 2 / height - 4 / 3) < 0.02, f"square pixels: {width} x {height}")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("words", nargs="*", metavar="word")
+    parser.add_argument("--bin", type=pathlib.Path, default=ROOT / "build/release/bin")
+    parser.add_argument("--full", action="store_true")
+    args = parser.parse_args()
+    failed, used = 0, set()
+    for name, check in (("print", check_print), ("display", check_display)):
+        if args.words and not any(word in name for word in args.words):
+            continue
+        page = ROOT / f"docs/tutorial-{name}.md"
+        try:
+            check_links(page)
+            with tempfile.TemporaryDirectory() as folder:
+                tutorial = Tutorial(pathlib.Path(folder), args.bin.resolve(), args.full)
+                check(tutorial, page)
+                used |= tutorial.used
+            print(f"{page.name}: good")
+        except Wrong as wrong:
+            failed += 1
+            print(f"{page.name}: {wrong}")
+    for name in ("glossary", "print", "views"):
+        try:
+            check_links(ROOT / f"docs/{name}.md")
+        except Wrong as wrong:
+            failed += 1
+            print(wrong)
+    if not args.words and not args.full and used != set(SMALLER):
+        failed += 1
+        print(f"no page has {set(SMALLER) - used}")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
