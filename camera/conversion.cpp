@@ -8,6 +8,7 @@
 #include "camera/perspective.h"
 #include "camera/sheet_collisions.h"
 #include "camera/sheet_report.h"
+#include "camera/slanted_lenticular.h"
 #include "camera/text.h"
 #include "camera/thick_lenticular.h"
 #include "core/base/bounds.h"
@@ -107,7 +108,7 @@ void set_height(const LensParameters& lens, const SheetSize& size, std::uint32_t
 void check_width(const Lenticular& camera, const LensRequest& asked) {
   const LensSheet& sheet = camera.sheet();
   const bool has_scenes_eye = sheet.lens().is_finite() && !asked.view_distance;
-  const double pixel = sheet.lens().pitch / sheet.lens().pixels;
+  const double pixel = sheet.sheet_width() / sheet.width();
   if (has_scenes_eye || std::fabs(sheet.sheet_width() - asked.size->width) <= 1.5 * pixel) return;
   throw CameraError(
       "the scene's own lens makes the sheet " + format(sheet.sheet_width()) + " mm wide, not " +
@@ -144,6 +145,9 @@ void choose_model(const LensRequest& asked, const SheetPlacement& place, std::ui
 
 std::unique_ptr<Lenticular> make_sheet(const LensParameters& lens, const SheetPlacement& place,
                                        std::uint32_t width, std::uint32_t height) {
+  if (lens.slant != 0.0) {
+    return std::make_unique<SlantedLenticular>(lens, place, width, height);
+  }
   if (lens.model == LensModel::kThick) {
     return std::make_unique<ThickLenticular>(lens, place, width, height);
   }
@@ -203,7 +207,8 @@ void add_warnings(const LensRequest& asked, const Projection& projection, Sheet&
 }
 
 double eye_in_scene(const LensParameters& lens, const SheetPlacement& place, std::uint32_t width) {
-  return lens.view_distance * place.width / (width / lens.pixels * lens.pitch);
+  return lens.view_distance * place.width /
+         (width / lens.pixels * lens.pitch / lens.slant_cosine());
 }
 
 }  // namespace

@@ -11,7 +11,8 @@ namespace {
 bool agree(double a, double b) { return std::fabs(a - b) <= 1e-4 * std::fabs(b); }
 
 /// N from the print's resolution. With the eye given in scene units V itself depends on N
-/// (the sheet is W/N lenses wide): N (1 - a w / (n v W)) = a P with a = DPI/25.4 and f in w.
+/// (the sheet is W/N lenses wide): N (1 - a w / (n v W)) = a P with a = DPI/25.4 and f in w; P is along
+/// a row.
 double pixels_of_dpi(const LensParameters& lens, double dpi, std::uint32_t width,
                      const EyeInScene* eye) {
   if (!eye) return pixels_for_dpi(lens, dpi);
@@ -23,7 +24,7 @@ double pixels_of_dpi(const LensParameters& lens, double dpi, std::uint32_t width
                       " pixels an inch lets the eye of this camera "
                       "see one view: ask for lens pixels instead");
   }
-  return per_mm * lens.pitch / (1.0 - loss);
+  return per_mm * lens.pitch / lens.slant_cosine() / (1.0 - loss);
 }
 
 }  // namespace
@@ -34,6 +35,7 @@ void LensRequest::override_by(const LensRequest& other) {
     pixels = other.pixels;
     print_dpi = other.print_dpi;
   }
+  if (other.slant) slant = other.slant;
   if (other.front) front = other.front;
   if (other.view_distance) view_distance = other.view_distance;
   if (other.model || other.automatic_model) {
@@ -77,6 +79,7 @@ LensParameters begin(const LensRequest& request) {
     if (*request.view_distance > 0.0) lens.view_distance = *request.view_distance;
   }
   lens.pixels = request.pixels.value_or(lens.pixels);
+  lens.slant = request.slant.value_or(0.0);
   check_dpi(request.print_dpi);
   return lens;
 }
@@ -102,7 +105,8 @@ LensParameters resolve(const LensRequest& request, std::uint32_t width, const Ey
     if (lens.pixels < 1.0) throw CameraError("a lens must be at least one pixel wide");
   }
   if (eye) {
-    const double per_mm = eye->sheet_width / (width / lens.pixels * lens.pitch);
+    const double per_mm =
+        eye->sheet_width / (width / lens.pixels * lens.pitch / lens.slant_cosine());
     lens.view_distance = eye->distance / per_mm;
   }
   if (const std::string why = complaint(lens); !why.empty())
@@ -125,7 +129,8 @@ ExactPixels exact_pixels(const LensRequest& request, const SheetSize& size) {
   if (const std::string why = complaint(lens); !why.empty()) throw CameraError(why);
   const double larger = lens.print_pitch() / lens.pitch;
   const double dpi_down = size.dpi_down.value_or(lens.print_dpi());
-  return {size.width / lens.pitch * lens.pixels, size.height * larger * dpi_down / 25.4};
+  return {size.width / lens.pitch * lens.pixels * lens.slant_cosine(),
+          size.height * larger * dpi_down / 25.4};
 }
 
 }  // namespace lentray::camera

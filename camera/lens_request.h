@@ -33,6 +33,7 @@ struct DepthBudget {
 
 struct LensRequest : LensData {
   std::optional<double> pixels, print_dpi;
+  std::optional<double> slant;          ///< tan a of the lenses (LensParameters::slant)
   std::optional<double> front;          ///< scene units before the sheet
   std::optional<double> view_distance;  ///< mm; 0 or infinite: the paper's camera
   std::optional<LensModel> model;

@@ -57,11 +57,14 @@ std::string complaint(const LensParameters& lens) {
   if (finite && (lens.view_distance < kLeast || lens.view_distance > kFarthestEye)) {
     return "the viewing distance must be 1e-6 to 1e12 mm";
   }
+  if (!(std::fabs(lens.slant) <= kSteepestSlant)) {
+    return "the slant of the lenses must be -80 to 80 degrees";
+  }
   return lens.model == LensModel::kThick ? complaint_of_thick(lens) : std::string();
 }
 
 double pixels_for_dpi(const LensParameters& lens, double dpi) {
-  return lens.print_pitch() * dpi / 25.4;
+  return lens.print_pitch() * dpi / 25.4 / lens.slant_cosine();
 }
 
 bool slope_of(const LensParameters& lens, double lens_offset, double& slope) {
@@ -141,6 +144,7 @@ LensColumn LensSheet::at(double cells, double lens) const {
 }
 
 std::uint32_t LensSheet::views() const {
+  if (is_slanted()) return 0;
   return std::floor(m_lens.pixels) == m_lens.pixels ? static_cast<std::uint32_t>(m_lens.pixels) : 0;
 }
 

@@ -7,6 +7,7 @@
 // holds every formula, tests/image/rays_test the rays against stock.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -35,14 +36,18 @@ struct LensParameters {
   /// What offsets from the middle of a cell are multiplied by before the model asks where they look:
   /// below 1 the eyes of the views stand closer together, and depth is compressed. The print stays.
   double depth_factor = 1.0;
+  /// tan a of the lenses against the picture's columns; positive: their tops lean to the right. Pitches
+  /// are measured across the lenses, N along a row (camera/slanted_sheet.h).
+  double slant = 0.0;
 
   bool is_finite() const { return view_distance < kInfinity; }
   /// P' = P (1 + f/(nV)): the pitch of the printed strips.
   double print_pitch() const;
-  /// Pixel size P'/N in mm.
+  double slant_cosine() const { return 1.0 / std::sqrt(1.0 + slant * slant); }  ///< cos a
+  /// P'/N in mm: a pixel's size across the lenses.
   double pixel_size() const { return print_pitch() / pixels; }
   /// Pixels an inch of the print, along a row.
-  double print_dpi() const { return 25.4 / pixel_size(); }
+  double print_dpi() const { return 25.4 / pixel_size() * slant_cosine(); }
   double lenses_per_inch() const { return 25.4 / pitch; }
   /// R of the round surface, mm; without one of its own f (n - 1)/n, which focuses on the print.
   double radius() const {
@@ -50,13 +55,21 @@ struct LensParameters {
   }
 };
 
+/// The slope of light along a lens, for each slope T across it: at_zero + lean T.
+struct SlopeAlong {
+  double at_zero = 0.0, lean = 0.0;
+  double at(double across) const { return at_zero + lean * across; }
+};
+
 constexpr std::uint32_t kMostLensRays = 1024;
+/// The tangent of 80 degrees, rounded up.
+constexpr double kSteepestSlant = 5.67128182;
 
 /// Why the parameters describe no sheet, or empty. Lenses must be at least a pixel wide, and those of
 /// the thick model no wider than the circle that their surface is part of.
 std::string complaint(const LensParameters& lens);
 
-/// N for a print resolution: N = P' DPI / 25.4.
+/// N for a print resolution: N = P' DPI / (25.4 cos a).
 double pixels_for_dpi(const LensParameters& lens, double dpi);
 
 /// Where a pixel column lies under its lens. The thick model's slope is that of the ray through the
@@ -72,6 +85,8 @@ struct LensColumn {
   bool dark = false;         ///< total internal reflection: that ray shows nothing
 };
 
+/// Of a slanted sheet it has the sizes, and the columns of the row at its middle height, their offsets
+/// and slopes across the lenses.
 class LensSheet {
  public:
   /// `eye_slope`: horizontal slope of the line from the eye (finite or not) to the sheet's middle,
@@ -87,10 +102,11 @@ class LensSheet {
   double lenses() const { return m_lenses; }
   /// Lenses that own at least one pixel.
   std::uint32_t lens_count() const { return static_cast<std::uint32_t>(m_columns.back().lens) + 1; }
-  /// L P: the sheet's width in mm.
-  double sheet_width() const { return m_lenses * m_lens.pitch; }
-  /// L P': the print's width in mm.
-  double print_width() const { return m_lenses * m_lens.print_pitch(); }
+  bool is_slanted() const { return m_lens.slant != 0.0; }
+  /// L P / cos a: the sheet's width in mm.
+  double sheet_width() const { return m_lenses * m_lens.pitch / m_lens.slant_cosine(); }
+  /// L P' / cos a: the print's width in mm.
+  double print_width() const { return m_lenses * m_lens.print_pitch() / m_lens.slant_cosine(); }
 
   const LensColumn& column(std::uint32_t k) const { return m_columns[k]; }
   /// A place that need not be a pixel's centre, under a given lens (for finer sampling).
@@ -105,7 +121,7 @@ class LensSheet {
   /// whose offset in its cell is nearest.
   std::int64_t left_of(std::int64_t k) const;
 
-  /// Whole N: the number of views; 0 when N is fractional.
+  /// Whole N: the number of views; 0 when N is fractional or the sheet slanted.
   std::uint32_t views() const;
   /// The column of view j behind a lens; false when the lens is cut there. Whole N only.
   bool view_column(std::uint32_t view, std::uint32_t lens, std::uint32_t& column) const;

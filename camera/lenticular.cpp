@@ -7,9 +7,19 @@
 
 namespace lentray::camera {
 
+namespace {
+
+/// The eye's slope across the lenses.
+double across_lenses(const LensParameters& lens, const SheetPlacement& place) {
+  if (lens.slant == 0.0) return place.eye_slope_x;
+  return (place.eye_slope_x - place.eye_slope_y * lens.slant) * lens.slant_cosine();
+}
+
+}  // namespace
+
 Lenticular::Lenticular(const LensParameters& lens, const SheetPlacement& placement,
                        std::uint32_t width, std::uint32_t height)
-    : m_sheet(lens, width, placement.eye_slope_x), m_place(placement), m_height(height),
+    : m_sheet(lens, width, across_lenses(lens, placement)), m_place(placement), m_height(height),
       m_scale(placement.width / m_sheet.sheet_width()),
       m_inverse_distance(1.0 / (lens.view_distance * m_scale)) {
   if (m_place.front * m_inverse_distance > 1.0) {
@@ -73,6 +83,29 @@ bool Lenticular::sight(const core::PixelPlace& place, core::Ray& out) const {
   const double y = row_height(place.row + 0.5 + place.down);
   out = {c.axis + m_place.up * y, c.slope + m_place.up * (y * m_inverse_distance)};
   return true;
+}
+
+core::PixelPlace Lenticular::strip_place(std::uint32_t view, std::uint32_t views,
+                                         const core::PixelPlace& place) const {
+  core::PixelPlace out = place;
+  out.column =
+      static_cast<std::int32_t>(view_column(m_sheet.lens().pixels, view, views, place.column));
+  return out;
+}
+
+core::PixelPlace Lenticular::place_at(double at, double row, double cell) const {
+  const double pixels = m_sheet.lens().pixels;
+  // The axis of lens i is at i + 1/2.
+  const double lens =
+      std::clamp(std::floor(at), 0.0, static_cast<double>(m_sheet.lens_count() - 1));
+  const double first = std::ceil(lens * pixels - 0.5);  // column that the lens owns
+  core::PixelPlace out;
+  out.column = static_cast<std::int32_t>(first);
+  out.across = at - 0.5 - lens;
+  out.turn = (lens + 0.5 + cell) * pixels - first - 0.5;
+  out.row = static_cast<std::int32_t>(std::floor(row));
+  out.down = row - out.row - 0.5;
+  return out;
 }
 
 core::PixelLattice Lenticular::lattice(std::uint32_t width) const {
@@ -172,6 +205,9 @@ std::uint32_t usual_views(const LensSheet& sheet) {
 }
 
 std::uint32_t view_width(const LensSheet& sheet, std::uint32_t view, std::uint32_t views) {
+  if (sheet.is_slanted()) {
+    return std::max(1u, static_cast<std::uint32_t>(std::floor(sheet.lenses() + 0.5)));
+  }
   const std::uint32_t last = sheet.lens_count() - 1;
   return last + (view_column(sheet.lens().pixels, view, views, last) < sheet.width() ? 1 : 0);
 }
@@ -181,6 +217,12 @@ SheetView::SheetView(const Lenticular& lenticular, std::uint32_t view)
       m_width(view_width(lenticular.sheet(), view, m_views)) {}
 
 bool SheetView::ray(double column, double row, core::Ray& ray) const {
+  if (m_lenticular.sheet().is_slanted()) {
+    core::PixelPlace place;
+    place.column = static_cast<std::int32_t>(std::floor(column));
+    place.row = static_cast<std::int32_t>(std::floor(row));
+    return ray_at(place, ray);
+  }
   const double last = static_cast<double>(m_width - 1);
   const double lens = std::clamp(std::floor(column), 0.0, last);
   // Within a pixel the view's picture runs across the lens's N pixels' worth of sheet; only the
@@ -191,10 +233,7 @@ bool SheetView::ray(double column, double row, core::Ray& ray) const {
 }
 
 core::PixelPlace SheetView::on_sheet(const core::PixelPlace& place) const {
-  core::PixelPlace out = place;
-  out.column = static_cast<std::int32_t>(
-      view_column(m_lenticular.sheet().lens().pixels, m_view, m_views, place.column));
-  return out;
+  return m_lenticular.strip_place(m_view, m_views, place);
 }
 
 bool SheetView::ray_at(const core::PixelPlace& place, core::Ray& out) const {

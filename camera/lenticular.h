@@ -60,6 +60,13 @@ class Lenticular : public Camera {
   double rise(double row) const {
     return row_height(row) * m_inverse_distance + m_place.eye_slope_y;
   }
+  /// The pixel that view j of `views` shows at a place of its picture of one pixel a lens.
+  virtual core::PixelPlace strip_place(std::uint32_t view, std::uint32_t views,
+                                       const core::PixelPlace& place) const;
+  /// The place whose lens's axis passes `at`, in lenses along a row from the sheet's left edge, at a
+  /// place in the image's rows. It has the print offset `cell`, in cells from the cell's middle.
+  virtual core::PixelPlace place_at(double at, double row, double cell) const;
+
   /// Pixels that show nothing.
   virtual std::uint64_t dark_pixels() const {
     return std::uint64_t{m_sheet.dark_columns()} * m_height;

@@ -84,7 +84,8 @@ class ObjectList {
 /// The slope of a view's rays through the sheet's middle; `side` -1: the first view, 1: the last.
 double slope_of_view(const Lenticular& sheet, int side) {
   const LensParameters& lens = sheet.sheet().lens();
-  const double outermost = lens.ior * lens.print_pitch() / (2.0 * lens.focal_length) *
+  const double outermost = lens.ior * lens.print_pitch() /
+                           (2.0 * lens.focal_length * lens.slant_cosine()) *
                            (1.0 - 1.0 / lens.pixels) * lens.depth_factor;
   return sheet.placement().eye_slope_x + side * outermost;
 }

@@ -68,7 +68,8 @@ std::string size_line(const Lenticular& sheet, const SheetSize& size) {
                                     : brief(std::fabs(by)) + " mm " + (by > 0.0 ? more : less);
   };
   const double lenses = sheet.sheet().lenses();
-  const bool whole = std::fabs(lenses - std::round(lenses)) < 0.5 / sheet.sheet().lens().pixels;
+  const bool whole = sheet.sheet().is_slanted() ||
+                     std::fabs(lenses - std::round(lenses)) < 0.5 / sheet.sheet().lens().pixels;
   return "Rounded to whole pixels, " + std::to_string(sheet.width()) + " x " +
          std::to_string(sheet.height()) + ", for a sheet of " + format(size.width) + " x " +
          format(size.height) +
@@ -143,19 +144,29 @@ struct Viewing {
   double left = 0.0, right = 0.0;  ///< the pixels that the eyes see, from 0 to N in the zone
 };
 
+/// The angle, in degrees, whose tangents are larger by 1/cosine.
+double widened(double degrees, double cosine) {
+  constexpr double kHalf = 0.5 * 3.14159265358979323846 / 180.0;
+  return std::atan(std::tan(degrees * kHalf) / cosine) / kHalf;
+}
+
 Viewing viewing_of(const Lenticular& sheet) {
   LensParameters lens = sheet.sheet().lens();
   lens.model = LensModel::kPinhole;
   Viewing out;
   out.angle = viewing_angle(lens.print_pitch(), lens.focal_length, lens.ior);
+  // The eyes lie on a level line, which runs across slanted lenses at their angle.
+  const double cosine = lens.slant_cosine();
+  if (lens.slant != 0.0) out.angle = widened(out.angle, cosine);
   if (!lens.is_finite()) return out;
   double edge = 0.0;
-  out.zone = slope_of(lens, 0.5 * lens.print_pitch(), edge) ? 2.0 * lens.view_distance * edge
-                                                            : LensParameters::kInfinity;
-  const double oblique = sheet.placement().eye_slope_x;
+  out.zone = slope_of(lens, 0.5 * lens.print_pitch(), edge)
+                 ? 2.0 * lens.view_distance * edge / cosine
+                 : LensParameters::kInfinity;
+  const double oblique = sheet.sheet().eye_slope();
   const double shift = oblique * lens.focal_length / lens.ior;
   const auto pixel_at = [&](double eye) {
-    const double offset = offset_of(lens, oblique - eye / lens.view_distance) - shift;
+    const double offset = offset_of(lens, oblique - eye * cosine / lens.view_distance) - shift;
     return (offset / lens.print_pitch() + 0.5) * lens.pixels;
   };
   out.left = pixel_at(-0.5 * kEyesApart);

@@ -26,19 +26,9 @@ SizedView::SizedView(const Lenticular& sheet, std::uint32_t view, std::uint32_t 
       m_rows_a_row(static_cast<double>(sheet.height()) / height) {}
 
 core::PixelPlace SizedView::on_sheet(const core::PixelPlace& place) const {
-  const double pixels = m_sheet.sheet().lens().pixels;
-  // In lenses from the sheet's left edge; the axis of lens i is at i + 1/2.
-  const double at = (place.column + 0.5 + place.across) * m_lenses_a_column;
-  const double lens =
-      std::clamp(std::floor(at), 0.0, static_cast<double>(m_sheet.sheet().lens_count() - 1));
-  const double first = std::ceil(lens * pixels - 0.5);  // column that the lens owns
-  core::PixelPlace out;
-  out.column = static_cast<std::int32_t>(first);
-  out.across = at - 0.5 - lens;
-  out.turn = (lens + 0.5 + m_offset) * pixels - first - 0.5 + place.turn * pixels / m_views;
-  const double row = (place.row + 0.5 + place.down) * m_rows_a_row;
-  out.row = static_cast<std::int32_t>(std::floor(row));
-  out.down = row - out.row - 0.5;
+  core::PixelPlace out = m_sheet.place_at((place.column + 0.5 + place.across) * m_lenses_a_column,
+                                          (place.row + 0.5 + place.down) * m_rows_a_row, m_offset);
+  out.turn += place.turn * m_sheet.sheet().lens().pixels / m_views;
   return out;
 }
 

@@ -30,23 +30,31 @@ bool ThickLens::incidence(const Point& point, double offset, double& sine) const
   return true;
 }
 
-LensRayEnd ThickLens::through(const Point& point, double offset, double rise,
+LensRayEnd ThickLens::through(const Point& point, double offset, const SlopeAlong& along,
                               SheetExit& out) const {
   double sine = 0.0;
   if (!incidence(point, offset, sine)) return LensRayEnd::kHidden;
   // With T the tangent in the air against the normal, S the sine in the glass, the cross-section's
   // index n'^2 = n^2 + (n^2 - 1) (rise cos t)^2 and cos t = (inwards + T across)/(R sqrt(1 + T^2)),
   // T^2/(1 + T^2) = n'^2 S^2 is a quadratic equation for T. Its root on S's side nearest to 0 holds.
+  // It stays one where the rise is linear in tan t: rise cos t = (g + h T)/sqrt(1 + T^2).
+  const double rise = along.at_zero;
   const double n2 = m_ior * m_ior, skew = (n2 - 1.0) * rise * rise;
   const double s = sine / m_radius, nx = point.across / m_radius, nz = point.inwards / m_radius;
-  const double c = n2 + skew * nz * nz, b = skew * nz * nx;
-  const double a = 1.0 - s * s * (n2 + skew * nx * nx);
+  double c = n2 + skew * nz * nz, b = skew * nz * nx;
+  double a = 1.0 - s * s * (n2 + skew * nx * nx);
+  if (along.lean != 0.0) {
+    const double g = rise * nz - along.lean * nx, h = rise * nx + along.lean * nz;
+    c = n2 + (n2 - 1.0) * g * g;
+    b = (n2 - 1.0) * g * h;
+    a = 1.0 - s * s * (n2 + (n2 - 1.0) * h * h);
+  }
   const double under = s * s * b * b + a * c;
   const double root = under >= 0.0 ? std::sqrt(under) - s * b : 0.0;  // 0: there is none
   if (!(root > 0.0)) {
     // A ray that goes on through other lenses may rise less steeply here, and leave.
-    const bool may_leave = rise != 0.0 && m_ior * std::fabs(s) < 1.0;
-    return may_leave ? spill(point, sine, rise, out) : LensRayEnd::kReflected;
+    const bool may_leave = (rise != 0.0 || along.lean != 0.0) && m_ior * std::fabs(s) < 1.0;
+    return may_leave ? spill(point, sine, along, out) : LensRayEnd::kReflected;
   }
   const double tangent = s * c / root;
   const double x = tangent * nz - nx, z = nz + tangent * nx;
@@ -55,7 +63,7 @@ LensRayEnd ThickLens::through(const Point& point, double offset, double rise,
     out = {point.across, point.depth, x / z};
     return LensRayEnd::kLeaves;
   }
-  return spill(point, sine, rise, out);
+  return spill(point, sine, along, out);
 }
 
 bool ThickLens::meets_next_lens(const AirRay& ray) const {
@@ -118,14 +126,16 @@ LensRayEnd ThickLens::follow(const Point& point, double sine, double ior, SheetE
   return LensRayEnd::kReturns;
 }
 
-LensRayEnd ThickLens::spill(const Point& point, double sine, double rise, SheetExit& out) const {
-  if (rise == 0.0) return follow(point, sine, m_ior, out);
+LensRayEnd ThickLens::spill(const Point& point, double sine, const SlopeAlong& along,
+                            SheetExit& out) const {
+  const double rise = along.at_zero;
+  if (rise == 0.0 && along.lean == 0.0) return follow(point, sine, m_ior, out);
   // (rise cos t)^2 of the ray that leaves at last, and so the index, is the same in all lenses on its way:
-  // a number from 0 to rise^2 that makes itself. It is found between parts of that range, which are
+  // a number from 0 to rise^2 (and the square of what it leans) that makes itself. It is found between parts of that range, which are
   // smaller and smaller towards 0, where the ray grazes the sheet.
   constexpr int kEven = 16, kGrazing = 12, kHalvings = 60;
   constexpr double kSolved = 1e-13;
-  const double n2 = m_ior * m_ior, whole = rise * rise;
+  const double n2 = m_ior * m_ior, whole = rise * rise + along.lean * along.lean;
   const auto edge = [&](int part) {
     if (part == 0) return 0.0;
     return part > kGrazing ? whole * (part - kGrazing) / kEven
@@ -138,7 +148,8 @@ LensRayEnd ThickLens::spill(const Point& point, double sine, double rise, SheetE
     end = follow(point, sine, std::sqrt(n2 + (n2 - 1.0) * guess), out);
     if (end == LensRayEnd::kReturns) dark = end;
     if (!shows(end)) return Guess::kDark;
-    off = whole / (1.0 + out.slope * out.slope) - guess;
+    const double there = along.at(out.slope);
+    off = (along.lean == 0.0 ? whole : there * there) / (1.0 + out.slope * out.slope) - guess;
     return off >= 0.0 ? Guess::kSmall : Guess::kLarge;
   };
   Guess last = try_out(0.0);

@@ -8,7 +8,8 @@
 //
 // A ray that rises along the lenses, by `rise` for each mm of depth, is skew. Refraction keeps n times
 // the unit direction's part along the lenses, so the cross-section sees a flat ray in a lens of index
-// sqrt((n^2 - q^2)/(1 - q^2)), where q is that part in the air.
+// sqrt((n^2 - q^2)/(1 - q^2)), where q is that part in the air. Where eyes lie on a line that is not
+// perpendicular to the lenses, a ray's rise grows with its slope across them (SlopeAlong).
 //
 // Units: mm; slopes are tangents against the sheet's normal. Positive offsets look towards +right.
 // Immutable, any number of threads. Source: Snell's law in vector form; docs/lens.md, "Formulae";
@@ -51,11 +52,16 @@ class ThickLens {
   /// The ray of a lens offset (mm) through a point of the aperture, from the left, that rises by
   /// `rise`. `out` says nothing for a ray that shows nothing.
   LensRayEnd leave(double offset, std::uint32_t point, double rise, SheetExit& out) const {
-    return through(m_points[point], offset, rise, out);
+    return through(m_points[point], offset, {rise, 0.0}, out);
+  }
+  /// The ray whose rise depends on its slope across the lens.
+  LensRayEnd leave(double offset, std::uint32_t point, const SlopeAlong& along,
+                   SheetExit& out) const {
+    return through(m_points[point], offset, along, out);
   }
   /// The same through the lens's vertex.
   LensRayEnd leave_vertex(double offset, double rise, SheetExit& out) const {
-    return through(m_vertex, offset, rise, out);
+    return through(m_vertex, offset, {rise, 0.0}, out);
   }
 
  private:
@@ -71,7 +77,8 @@ class ThickLens {
   };
 
   Point point_at(double across) const;
-  LensRayEnd through(const Point& point, double offset, double rise, SheetExit& out) const;
+  LensRayEnd through(const Point& point, double offset, const SlopeAlong& along,
+                     SheetExit& out) const;
   /// The sine of the angle in the glass against the normal, times R; false if the straight way from the
   /// print to the point leaves the glass.
   bool incidence(const Point& point, double offset, double& sine) const;
@@ -80,7 +87,7 @@ class ThickLens {
   LensRayEnd follow(const Point& point, double sine, double ior, SheetExit& out) const;
   void enter_next_lens(AirRay& ray, double side) const;
   bool pass_lens(AirRay& ray, double ior) const;
-  LensRayEnd spill(const Point& point, double sine, double rise, SheetExit& out) const;
+  LensRayEnd spill(const Point& point, double sine, const SlopeAlong& along, SheetExit& out) const;
 
   double m_pitch, m_focal_length, m_ior, m_radius;
   double m_edge;  ///< depth of the edge between two lenses

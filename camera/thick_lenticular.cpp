@@ -138,12 +138,16 @@ std::string ThickLenticular::dark_warning() const {
          "inside it, or come back to the print";
 }
 
+std::string shares_line(std::uint32_t rays, const RayShares& shares) {
+  const auto percent = [](double share) { return format(100.0 * share) + " %"; };
+  return "Each pixel is the mean of " + std::to_string(rays) + " rays; of those, " +
+         percent(shares.spilled) + " spill into the next lens, and " + percent(shares.dark) +
+         " show nothing (middle row)";
+}
+
 std::vector<std::string> ThickLenticular::model_report() const {
   std::vector<std::string> out = Lenticular::model_report();
-  const auto percent = [](double share) { return format(100.0 * share) + " %"; };
-  out.push_back("Each pixel is the mean of " + std::to_string(m_lens.rays()) + " rays; of those, " +
-                percent(m_shares.spilled) + " spill into the next lens, and " +
-                percent(m_shares.dark) + " show nothing (middle row)");
+  out.push_back(shares_line(m_lens.rays(), m_shares));
   return out;
 }
 

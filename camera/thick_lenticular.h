@@ -20,6 +20,9 @@ struct RayShares {
   double dark = 0.0;     ///< show nothing
 };
 
+/// The report's line of them.
+std::string shares_line(std::uint32_t rays, const RayShares& shares);
+
 class ThickLenticular final : public Lenticular {
  public:
   ThickLenticular(const LensParameters& lens, const SheetPlacement& placement, std::uint32_t width,

@@ -1,6 +1,8 @@
 #include "parser/compile/camera.h"
 
+#include <cmath>
 #include <map>
+#include <numbers>
 #include <utility>
 
 #include "core/base/color.h"
@@ -106,6 +108,7 @@ CameraRequest camera_request(const CameraDesc& camera, const TextureSettings& se
   request.lens.front = lens.front;
   request.lens.view_distance = lens.view_distance;
   if (lens.model) request.lens.model = model_of(*lens.model);
+  if (lens.slant) request.lens.slant = std::tan(*lens.slant * std::numbers::pi / 180.0);
   if (lens.rays) request.lens.rays = static_cast<std::uint32_t>(*lens.rays);
   return request;
 }

@@ -42,7 +42,8 @@ struct LensDesc {
   std::optional<double> front;          ///< scene units before the sheet
   std::optional<double> view_distance;  ///< mm; 0: infinity
   std::optional<LensModel> model;
-  std::optional<int> rays;  ///< of the thick model
+  std::optional<int> rays;      ///< of the thick model
+  std::optional<double> slant;  ///< degrees
 };
 
 struct CameraDesc {

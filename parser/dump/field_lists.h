@@ -16,8 +16,8 @@ LENTRAY_FIELDS(RainbowDesc, where, direction, up, angle, width, distance, jitter
 LENTRAY_FIELDS(SkySphereDesc, where, pigments, transform, emission)
 
 // Camera and light.
-LENTRAY_FIELDS(LensDesc, pitch, lpi, focal_length, ior, pixels, print_dpi, front, view_distance,
-               model, rays)
+LENTRAY_FIELDS(LensDesc, slant, pitch, lpi, focal_length, ior, pixels, print_dpi, front,
+               view_distance, model, rays)
 LENTRAY_FIELDS(CameraDesc, where, kind, cylinder_type, location, direction, right, up, sky, look_at,
                has_look_at, has_right, has_up, has_angle, angle, horizontal_angle, vertical_angle,
                transform, lens, aperture, blur_samples, blur_samples_min, confidence, variance,

@@ -294,6 +294,8 @@ class CameraReader {
       lens.model = read_lens_model();
     } else if (word == "lens_rays") {
       lens.rays = read_lens_rays();
+    } else if (word == "lens_slant") {
+      lens.slant = read_lens_slant();
     } else {
       return false;
     }
@@ -326,6 +328,17 @@ class CameraReader {
     return static_cast<int>(value);
   }
 
+  double read_lens_slant() {
+    constexpr double kSteepest = 80.0;
+    m_parser.next();
+    const Location where = m_parser.location();
+    const double value = m_parser.parse_float();
+    if (!(std::fabs(value) <= kSteepest)) {
+      m_parser.fail_at(where, "lens_slant must be an angle of -80 to 80 degrees.");
+    }
+    return value;
+  }
+
   [[noreturn]] void fail_word() {
     std::string words =
         "one of perspective, orthographic, fisheye, ultra_wide_angle, omnimax, panoramic, "
@@ -335,7 +348,7 @@ class CameraReader {
     if (m_camera.kind == CameraKind::kLenticular) {
       words +=
           ", lens_pitch, lens_lpi, lens_focal_length, lens_ior, lens_pixels, print_dpi, "
-          "lens_front, view_distance, lens_model, lens_rays";
+          "lens_front, view_distance, lens_model, lens_rays, lens_slant";
     }
     m_parser.fail_expected(words + " or }");
   }

@@ -70,6 +70,7 @@ void add_lens(const RenderOptions& o, Lines& out) {
   out.number("Lens_Angle", o.lens.angle);
   out.number("Lens_Focal_Length", o.lens.focal_length);
   out.number("Lens_Pixels", o.lens.pixels);
+  if (o.lens.slant) out.add("Lens_Slant", text_of(*o.lens.slant) + "/1");
   if (o.print_dpi_down) {
     out.add("Print_DPI", text_of(*o.lens.print_dpi) + "x" + text_of(*o.print_dpi_down));
   } else {

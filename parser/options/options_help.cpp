@@ -136,6 +136,11 @@ constexpr OptionHelp kSheet[] = {
      "(3.03; at another pitch, of the same shape).",
      ""},
     {"Lens_Pixels", "n", "Pixels a lens (15).", ""},
+    {"Lens_Slant", "degrees|n/n",
+     "Slant of the lenses, as an angle or as its tangent (1/6); above 0 their tops lean to the "
+     "right "
+     "(0).",
+     ""},
     {"Print_DPI", "n[xn]",
      "The same as the print's resolution in pixels an inch; with x along rows and downwards.", ""},
     {"Sheet_Width", "mm",

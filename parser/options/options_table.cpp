@@ -566,6 +566,7 @@ constexpr OptionRow kTable[] = {
     {"Lens_Angle", "", sheet_option::angle},
     {"Lens_Focal_Length", "", sheet_option::focal_length},
     {"Lens_Pixels", "", sheet_option::pixels},
+    {"Lens_Slant", "", sheet_option::slant},
     {"Print_DPI", "", sheet_option::print_dpi},
     {"Sheet_Width", "", sheet_option::width},
     {"Sheet_Height", "", sheet_option::height},

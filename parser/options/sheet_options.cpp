@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "camera/slanted_sheet.h"
 #include "parser/options/length.h"
 
 namespace lentray::parser::sheet_option {
@@ -40,6 +41,11 @@ void sheet(Options& o, const Given& g) {
 void pixels(Options& o, const Given& g) {
   o.lens.pixels = number(g);
   if (*o.lens.pixels < 1.0) refuse(g, "at least one pixel a lens is expected");
+}
+
+void slant(Options& o, const Given& g) {
+  o.lens.slant = camera::tangent_of_slant(g.value);
+  if (!o.lens.slant) refuse(g, camera::kSlantExpected);
 }
 
 void print_dpi(Options& o, const Given& g) {

@@ -17,6 +17,8 @@ void angle(RenderOptions& o, const GivenOption& g);
 /// A name, or `list`.
 void sheet(RenderOptions& o, const GivenOption& g);
 void pixels(RenderOptions& o, const GivenOption& g);
+/// Degrees, or a tangent as a fraction.
+void slant(RenderOptions& o, const GivenOption& g);
 /// Pixels an inch along rows, and perhaps x and those downwards.
 void print_dpi(RenderOptions& o, const GivenOption& g);
 void width(RenderOptions& o, const GivenOption& g);

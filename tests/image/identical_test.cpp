@@ -87,6 +87,19 @@ TEST(ImageIdentical, ThickLensesIntegral) {
                    Ways::kHalf);
 }
 
+TEST(ImageIdentical, SlantedLensesIntegral) {
+  expect_identical({identical_scene_file("demo.pov"), "Lenticular=On", "Lens_Slant=1/3",
+                    "Lens_Pixels=7.37", "+W100", "+H60"},
+                   Ways::kHalf);
+  expect_identical({identical_scene_file("demo.pov"), "Lenticular=On", "Lens_Slant=-20",
+                    "Lens_Model=thick", "Lens_Rays=2", "Lens_Pixels=6", "View_Distance=inf",
+                    "Antialias_Angle=2", "+A0.2", "+R2", "+W48", "+H30"},
+                   Ways::kHalf);
+  expect_identical({identical_scene_file("demo.pov"), "Lenticular=On", "Lens_Slant=1/6", "+AM2",
+                    "+A0.1", "+R2", "Lens_Pixels=6", "+W48", "+H30"},
+                   Ways::kHalf);
+}
+
 TEST(ImageIdentical, DemoInItsOwnCamera) {
   expect_identical({identical_scene_file("demo.pov"), "+W120", "+H90"});
 }

@@ -15,6 +15,7 @@
 #include <set>
 #include <sstream>
 
+#include "tests/support/mesh_rows.h"
 #include "tests/support/render.h"
 
 namespace lentray::test::thick_lens {
@@ -180,17 +181,6 @@ std::string stock_scene(const GlassSheet& s) {
   }
   out << "} }\n";
   return out.str();
-}
-
-/// Stock 3.7 shows the first row of a mesh_camera twice.
-StoredImage without_first_row(const StoredImage& image) {
-  StoredImage out = image;
-  --out.height;
-  const std::size_t row = std::size_t{image.width} * static_cast<std::size_t>(image.channels);
-  out.samples = {};
-  out.samples.resize(row * out.height);
-  for (std::size_t i = 0; i < row * out.height; ++i) out.samples[i] = image.samples[i + row];
-  return out;
 }
 
 SceneText text_of(const std::string& sdl, int width, int height) {

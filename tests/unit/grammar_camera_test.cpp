@@ -150,6 +150,8 @@ TEST(UnitParserCamera, ThickLens) {
   EXPECT_EQ(c.lens.model, LensModel::kThick);
   EXPECT_EQ(c.lens.rays, 5);
   EXPECT_FALSE(camera_of("lenticular lens_model thick").lens.rays.has_value());
+  EXPECT_EQ(camera_of("lenticular lens_slant -12.5").lens.slant, -12.5);
+  EXPECT_FALSE(c.lens.slant.has_value());
 }
 
 /// The words of the sheet stay free for identifiers, even where they are used as words.

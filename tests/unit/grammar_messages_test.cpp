@@ -98,9 +98,12 @@ const Program kPrograms[] = {
     {"camera { lenticular lens_pixels 0 }", "lens_pixels must be at least "},
     {"camera { lenticular lens_model round }", "a lens model: one of paraxial, pinhole, thick"},
     {"camera { lenticular lens_rays 0 }", "lens_rays must be a whole number from 1 to 1024."},
+    {"camera { lenticular lens_slant 90 }", "lens_slant must be an angle of -80 to 80 degrees."},
+    {"camera { lenticular lens_slant -1e300 }",
+     "lens_slant must be an angle of -80 to 80 degrees."},
     {"camera { lenticular lens 2 }",
      ", lens_pitch, lens_lpi, lens_focal_length, lens_ior, lens_pixels, print_dpi, lens_front, "
-     "view_distance, lens_model, lens_rays or }"},
+     "view_distance, lens_model, lens_rays, lens_slant or }"},
     {"camera { locaton x }",
      "one of perspective, orthographic, fisheye, ultra_wide_angle, omnimax, panoramic, spherical, "
      "cylinder, mesh_camera, lenticular, location, direction, right, up, sky, look_at, angle, "

@@ -248,8 +248,20 @@ TEST_F(ErrorSheetOptions, LensData) {
   expect_message({"Lens_LPI=0"}, "greater than 0");
   expect_message({"Lens_LPI=inf"}, "a number is expected");
   expect_message({"Lens_Tolerance=0"}, "greater than 0");
+  for (const char* bad : {"nan", "90", "-90", "1e300", "steep", "1/0", "1/nan", "10/1", ""}) {
+    expect_message({std::string("Lens_Slant=") + bad},
+                   "an angle of -80 to 80 degrees (9.46) or its tangent as a fraction (1/6) is "
+                   "expected");
+  }
   expect_message({"Lens_Sheet="},
                  "the name of a lens sheet is expected; Lens_Sheet=list shows them");
+}
+
+TEST_F(UnitSheetOptions, Slant) {
+  EXPECT_EQ(read({"Lens_Slant=-1/6"}).lens.slant, -1.0 / 6.0);
+  EXPECT_NEAR(*read({"Lens_Slant=9.46232"}).lens.slant, 1.0 / 6.0, 1e-7);
+  EXPECT_EQ(read({"Lens_Slant=0"}).lens.slant, 0.0);
+  EXPECT_FALSE(read({}).lens.slant);
 }
 
 TEST_F(UnitSheetOptions, LensSheetsByName) {

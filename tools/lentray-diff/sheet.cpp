@@ -111,6 +111,9 @@ std::optional<Sheet> sheet_of(const json& statistics) {
   s.view_distance = distance(lens, "view_distance_mm");
   if (lens.contains("depth_factor")) s.depth_factor = number(lens, "depth_factor");
   s.front = number(lens, lens.contains("front") ? "front" : "lens_front");
+  if (const auto slant = lens.find("slant_deg"); slant != lens.end() && *slant != 0.0) {
+    throw std::runtime_error("there is no reference for slanted lenses (Lens_Slant)");
+  }
   const auto model = member(lens, "model").get<std::string>();
   if (model != "paraxial" && model != "pinhole") {
     throw std::runtime_error("there is no reference for the lens model " + model +

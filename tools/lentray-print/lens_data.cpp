@@ -109,6 +109,11 @@ LensData lens_data_of(const core::StoredImage& image, const GivenLensData& given
   if (field_of(image, "view")) {
     throw PageError("'" + name + "' is a single view; an integral image is needed");
   }
+  if (const auto slant = number_in(field_of(image, "slant_deg")); slant && *slant != 0.0) {
+    throw PageError("'" + name + "' is for lenses slanted by " + format(*slant) +
+                    " degrees; pages are for upright ones: print the picture itself at its "
+                    "resolution, without scaling");
+  }
   LensData data;
   const std::optional<double> told_pixels = positive_field(image, "pixels");
   std::optional<double> told_x = positive_field(image, "print_dpi_x");

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "camera/lens_sheet.h"
+#include "camera/slanted_sheet.h"
 #include "parser/options/ini.h"
 #include "parser/options/own_option.h"
 #include "tools/lentray-views/moving.h"
@@ -105,6 +106,11 @@ void set_distance(Arguments& a, const GivenOption& given) {
   if (*a.sheet.view_distance < 0.0) parser::refuse(given, "a distance of 0 or more is expected");
 }
 
+void set_slant(Arguments& a, const GivenOption& given) {
+  a.sheet.slant = camera::tangent_of_slant(given.value);
+  if (!a.sheet.slant) parser::refuse(given, camera::kSlantExpected);
+}
+
 void set_delay(Arguments& a, const GivenOption& given) {
   a.delay = static_cast<int>(parser::whole_number(given, 10, kLongestDelay));
 }
@@ -144,7 +150,7 @@ class Reader {
       "View",     "Views",      "Lens",          "Quilt",       "Eye",        "Eyes",
       "Pair",     "Wiggle",     "Delay",         "Out",         "Count",      "Size",
       "Filter",   "Like",       "Aspect",        "Lens_Pixels", "Lens_Pitch", "Lens_Focal_Length",
-      "Lens_IOR", "Lens_Model", "View_Distance", "Preview",     "Page_Limit"};
+      "Lens_IOR", "Lens_Model", "View_Distance", "Lens_Slant",  "Preview",    "Page_Limit"};
   void apply(std::size_t index, const GivenOption& given) {
     static constexpr Apply kApply[] = {
         [](Reader& r, const GivenOption& g) {
@@ -184,6 +190,7 @@ class Reader {
         [](Reader& r, const GivenOption& g) { r.m_out.sheet.ior = parser::positive(g); },
         [](Reader& r, const GivenOption& g) { set_model(r.m_out, g); },
         [](Reader& r, const GivenOption& g) { set_distance(r.m_out, g); },
+        [](Reader& r, const GivenOption& g) { set_slant(r.m_out, g); },
         [](Reader& r, const GivenOption& g) {
           r.choose(Task::kPreview, "--preview");
           set_file(r.m_out.out, g);

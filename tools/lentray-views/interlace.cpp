@@ -28,6 +28,25 @@ Interlacer::Interlacer(const InterlacePlan& plan)
     m_lens.push_back(static_cast<std::uint32_t>(lens));
   }
   m_lenses = m_lens.back() + 1;
+  if (plan.slanted) {
+    m_lenses = static_cast<std::uint32_t>(std::max(1.0, std::floor(plan.slanted->lenses() + 0.5)));
+  }
+}
+
+void Interlacer::put_slanted(std::uint32_t view, const core::StoredImage& strip) {
+  const camera::SlantedSheet& sheet = *m_plan.slanted;
+  constexpr double kRounding = 1e-9;  // of a place between two views
+  for (std::uint32_t y = 0; y < m_plan.height; ++y) {
+    const auto row = static_cast<std::int32_t>(y);
+    for (std::uint32_t k = 0; k < m_plan.width; ++k) {
+      const auto own =
+          static_cast<std::uint32_t>(sheet.part_of_cell(k, row) * m_plan.views + kRounding);
+      if (std::min(own, m_plan.views - 1) != view) continue;
+      const std::int64_t place = sheet.nearest_place(sheet.lens_of(k, row), row);
+      const auto from = std::clamp<std::int64_t>(place, 0, std::int64_t{strip.width} - 1);
+      copy_pixels(strip, {static_cast<std::uint32_t>(from), y, 1, 1}, m_result, k, y);
+    }
+  }
 }
 
 void Interlacer::put(std::uint32_t view, const core::StoredImage& picture,
@@ -53,6 +72,10 @@ void Interlacer::put(std::uint32_t view, const core::StoredImage& picture,
   const core::StoredImage strip = is_strip ? picture
                                            : resized(picture, m_lenses, m_plan.height,
                                                      m_plan.filter, m_plan.width / m_plan.pixels);
+  if (m_plan.slanted) {
+    put_slanted(view, strip);
+    return;
+  }
   for (const std::uint32_t k : m_columns[view]) {
     const std::uint32_t column = std::min(m_lens[k], strip.width - 1);
     copy_pixels(strip, {column, 0, 1, m_plan.height}, m_result, k, 0);

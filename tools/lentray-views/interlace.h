@@ -1,13 +1,16 @@
 // Ready pictures to an integral image: column k, behind lens i at the place c = (k + 1/2)/N - i of
 // its cell, is column i of view floor(c M) in the size of one pixel a lens. So each of M views has
-// N/M pixels of a lens, up to one; a flip print has two views.
+// N/M pixels of a lens, up to one; a flip print has two views. Behind slanted lenses i is the place of
+// the row that is nearest to the lens's axis, and c its own for each row.
 // Errors: core::ImageError, worded for the user. One thread an object.
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "camera/slanted_sheet.h"
 #include "core/image/reader.h"
 #include "tools/lentray-views/resize.h"
 
@@ -18,6 +21,7 @@ struct InterlacePlan {
   std::uint32_t width = 0, height = 0;
   std::uint32_t views = 0;  ///< M
   Filter filter = Filter::kLanczos3;
+  std::optional<camera::SlantedSheet> slanted{};  ///< of that width and height
 };
 
 class Interlacer {
@@ -30,6 +34,8 @@ class Interlacer {
   const core::StoredImage& result() const { return m_result; }
 
  private:
+  void put_slanted(std::uint32_t view, const core::StoredImage& strip);
+
   const InterlacePlan m_plan;
   std::uint32_t m_lenses;                             ///< that own a pixel
   std::vector<std::vector<std::uint32_t>> m_columns;  ///< of each view

@@ -10,6 +10,7 @@
 #include "tools/lentray-views/join.h"
 #include "tools/lentray-views/page_sources.h"
 #include "tools/lentray-views/page_strips.h"
+#include "tools/lentray-views/slanted.h"
 
 namespace lentray::views {
 namespace {
@@ -89,6 +90,7 @@ json page_data(const Integral& integral, const Arguments& a, const PageStrips& s
 }  // namespace
 
 Preview preview_of(const Integral& integral, const Arguments& arguments) {
+  refuse_slanted(integral.sheet, integral.name, "a page shows the views of upright ones only");
   need_optics(integral.sheet, integral.name);
   need_aspect(integral.sheet, integral.name);
   const auto limit = static_cast<std::size_t>(std::min(arguments.page_limit, 2000.0) * 1e6);

@@ -1,6 +1,8 @@
 #include "tools/lentray-views/sheet.h"
 
+#include <cmath>
 #include <cstdlib>
+#include <numbers>
 
 #include "camera/text.h"
 #include "core/image/writer.h"
@@ -39,6 +41,13 @@ double eye_slope_in(const Facts& facts) {
   return found == facts.end() ? 0.0 : std::strtod(found->second.c_str(), nullptr);
 }
 
+/// The second of the three.
+double eye_slope_up_in(const Facts& facts) {
+  const auto found = facts.find("lens.eye_slope");
+  const std::size_t comma = found == facts.end() ? std::string::npos : found->second.find(',');
+  return comma == std::string::npos ? 0.0 : std::strtod(found->second.c_str() + comma + 1, nullptr);
+}
+
 double aspect_in(const core::StoredImage& image, const Facts& facts, const std::string& about) {
   const double width = number_in(facts, "lens.sheet_width_mm", about),
                height = number_in(facts, "lens.sheet_height_mm", about);
@@ -63,6 +72,16 @@ void refuse_other_pictures(const Facts& facts, const std::string& about) {
 
 }  // namespace
 
+std::optional<camera::SlantedSheet> slanted_sheet(const LensParameters& lens, std::uint32_t columns,
+                                                  std::uint32_t rows, double aspect,
+                                                  double eye_slope_x, double eye_slope_y) {
+  if (lens.slant == 0.0) return std::nullopt;
+  // Of a sheet of which nobody tells how high it is, pixels are square.
+  const double width = camera::LensSheet(lens, columns).sheet_width();
+  const double height = aspect > 0.0 ? width / aspect : width * rows / columns;
+  return camera::SlantedSheet(lens, {columns, rows, height, eye_slope_x, eye_slope_y});
+}
+
 Sheet sheet_of(const core::StoredImage& image, const SheetOptions& options,
                const std::string& name) {
   const std::string about = "'" + name + "'";
@@ -84,6 +103,12 @@ Sheet sheet_of(const core::StoredImage& image, const SheetOptions& options,
   need(take(options.view_distance, facts, "lens.view_distance_mm", about, distance),
        "--view-distance");
   if (distance > 0.0) lens.view_distance = distance;
+  double degrees = 0.0;
+  if (options.slant) {
+    lens.slant = *options.slant;
+  } else if (take({}, facts, "lens.slant_deg", about, degrees)) {
+    lens.slant = std::tan(degrees * std::numbers::pi / 180.0);
+  }
   const auto model = options.model ? options.model : model_in(facts);
   // As lentray itself chooses.
   lens.model = model.value_or(lens.is_finite() ? LensModel::kParaxial : LensModel::kPinhole);
@@ -94,8 +119,11 @@ Sheet sheet_of(const core::StoredImage& image, const SheetOptions& options,
     throw ImageError(about + " is " + std::to_string(image.width) +
                      " pixels wide, which is less than a lens of " + camera::format(lens.pixels));
   }
-  return {camera::LensSheet(lens, image.width, eye_slope_in(facts)), missing,
-          options.aspect.value_or(aspect_in(image, facts, about))};
+  Sheet out{camera::LensSheet(lens, image.width, eye_slope_in(facts)), missing,
+            options.aspect.value_or(aspect_in(image, facts, about))};
+  out.slanted = slanted_sheet(lens, image.width, image.height, out.aspect, eye_slope_in(facts),
+                              eye_slope_up_in(facts));
+  return out;
 }
 
 void need_optics(const Sheet& sheet, const std::string& name) {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "camera/lens_sheet.h"
+#include "camera/slanted_sheet.h"
 #include "tools/lentray-views/picture.h"
 
 namespace lentray::views {
@@ -14,6 +15,7 @@ namespace lentray::views {
 struct SheetOptions {
   std::optional<double> pixels, pitch, focal_length, ior, view_distance;  ///< V: 0 is infinite
   std::optional<camera::LensModel> model;
+  std::optional<double> slant;   ///< its tangent
   std::optional<double> aspect;  ///< width of the sheet by its height
 };
 
@@ -21,7 +23,15 @@ struct Sheet {
   camera::LensSheet lenses;
   std::string missing;  ///< of the optics, as options that would tell; empty: all is known
   double aspect = 0.0;  ///< width of the sheet by its height; 0: unknown
+  std::optional<camera::SlantedSheet> slanted{};  ///< where its lenses are
 };
+
+/// Where the lenses of a picture of that size are, if they are slanted. `aspect`: the sheet's width by its
+/// height; 0: pixels are square.
+std::optional<camera::SlantedSheet> slanted_sheet(const camera::LensParameters& lens,
+                                                  std::uint32_t columns, std::uint32_t rows,
+                                                  double aspect, double eye_slope_x = 0.0,
+                                                  double eye_slope_y = 0.0);
 
 /// `name` is the file's, for messages. Throws where N is not known, is beyond the picture's width,
 /// or where the picture is a view or a quilt by its own words.

@@ -8,6 +8,7 @@
 #include "camera/lenticular.h"
 #include "core/image/reader.h"
 #include "core/image/writer.h"
+#include "tools/lentray-views/slanted.h"
 
 namespace lentray::views {
 namespace {
@@ -34,7 +35,7 @@ class IntegralSource final : public Source {
   }
   std::uint32_t count() const override { return m_count; }
   StoredImage view(std::uint32_t view) const override {
-    StoredImage strip = view_of(m_integral.image, m_integral.sheet.lenses, view, m_count);
+    StoredImage strip = view_of(m_integral.image, m_integral.sheet, view, m_count);
     if (m_width > 0 && strip.width > m_width) {
       StoredImage part = blank_like(strip, m_width, strip.height);
       copy_pixels(strip, {0, 0, m_width, strip.height}, part, 0, 0);
@@ -62,7 +63,7 @@ class IntegralSource final : public Source {
     eye.angle =
         std::atan(std::tan(middle.angle * radian) + side * m_arguments.eyes / middle.distance) /
         radian;
-    return in_size(seen_by(m_integral.image, m_integral.sheet.lenses, eye, m_arguments.between),
+    return in_size(seen_by(m_integral.image, m_integral.sheet, eye, m_arguments.between),
                    m_arguments, m_integral);
   }
 

@@ -15,6 +15,7 @@
 #include "tools/lentray-views/interlace.h"
 #include "tools/lentray-views/moving.h"
 #include "tools/lentray-views/preview.h"
+#include "tools/lentray-views/slanted.h"
 #include "tools/lentray-views/source.h"
 
 namespace lentray::views {
@@ -99,7 +100,8 @@ std::string describe(const Arguments& a) {
   return out + "Lens pitch " + camera::format(lens.pitch) + " mm, focal length " +
          camera::format(lens.focal_length) + " mm, index " + camera::format(lens.ior) + ", model " +
          camera::name_of(lens.model) + ", viewing distance " +
-         (lens.is_finite() ? camera::format(lens.view_distance) + " mm" : "infinite") + "\n";
+         (lens.is_finite() ? camera::format(lens.view_distance) + " mm" : "infinite") +
+         slant_text(integral.sheet) + "\n";
 }
 
 About about_view(const Facts& facts, std::uint32_t view, std::uint32_t count) {
@@ -135,6 +137,7 @@ std::string write_one(const Arguments& a, const StoredImage& image, const fs::pa
 
 std::string write_lens(const Arguments& a) {
   const Integral integral = open_integral(a.pictures[0], a.sheet);
+  refuse_slanted(integral.sheet, integral.name, "no columns lie behind one of them alone");
   About about{integral.facts, {}};
   about.facts["lens.lens"] = std::to_string(a.lens);
   return write_one(a, lens_of(integral.image, integral.sheet.lenses, a.lens),
@@ -150,7 +153,7 @@ std::string write_eye(const Arguments& a) {
   const Integral integral = open_integral(a.pictures[0], a.sheet);
   need_optics(integral.sheet, integral.name);
   const Eye eye = eye_of(a, integral);
-  const StoredImage seen = seen_by(integral.image, integral.sheet.lenses, eye, a.between);
+  const StoredImage seen = seen_by(integral.image, integral.sheet, eye, a.between);
   About about{integral.facts, {}};
   add_eye(eye, about.facts);
   return write_one(a, in_size(seen, a, integral), out_or(a, "_eye"), about);
@@ -237,6 +240,7 @@ InterlacePlan plan_of(const Arguments& a, About& about) {
   about.description = "integral image for a lenticular sheet";
   if (!a.like.empty()) {
     const Integral like = open_integral(a.like, a.sheet);
+    plan.slanted = like.sheet.slanted;
     plan.pixels = like.sheet.lenses.lens().pixels;
     plan.width = like.image.width;
     plan.height = like.image.height;
@@ -267,6 +271,11 @@ InterlacePlan plan_of(const Arguments& a, About& about) {
     plan.height = first.height;
   }
   about.facts["lens.pixels"] = exact(plan.pixels);
+  if (a.sheet.slant && *a.sheet.slant != 0.0) {
+    plan.slanted =
+        slanted_sheet(plan.pixels, *a.sheet.slant, plan.width, plan.height, a.sheet.aspect);
+    about.facts["lens.slant_deg"] = exact(camera::slant_degrees(plan.slanted->lens()));
+  }
   return plan;
 }
 

@@ -64,6 +64,7 @@ Sheet:
   --lens-focal-length MM
                          from the lens to the print, in the lens's material
   --lens-ior N           refractive index of the material
+  --lens-slant DEGREES   of the lenses, or its tangent as a fraction (1/6)
   --lens-model NAME      paraxial, pinhole or thick
   --view-distance MM     from the sheet to the eye the print is for; inf: infinite
   --aspect N             width of the sheet, or of a quilt's display, by its height

@@ -19,7 +19,7 @@ namespace {
 /// What a lens is like.
 bool asks_for_lens_itself(const parser::RenderOptions& o) {
   return !o.lens.is_empty() || o.lens.pixels || o.lens.print_dpi || o.lens.model ||
-         o.lens.automatic_model || o.lens.tolerance || o.lens.rays;
+         o.lens.automatic_model || o.lens.tolerance || o.lens.rays || o.lens.slant;
 }
 
 bool asks_for_lens(const parser::RenderOptions& o) {
@@ -143,6 +143,7 @@ camera::LensRequest cone_lens(const camera::LensParameters& like, double degrees
   out.ior = lens.ior;
   out.pixels = lens.pixels;
   out.model = lens.model;
+  out.slant = 0.0;
   return out;
 }
 

@@ -1,0 +1,113 @@
+#include "tools/lentray-views/slanted.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "camera/lenticular.h"
+#include "camera/text.h"
+#include "core/image/writer.h"
+#include "tools/lentray-views/picture.h"
+
+namespace lentray::views {
+namespace {
+
+using camera::SlantedSheet;
+using core::StoredImage;
+
+StoredImage slanted_view(const StoredImage& integral, const SlantedSheet& sheet,
+                         std::uint32_t width, std::uint32_t view, std::uint32_t count) {
+  if (view >= count) {
+    throw core::ImageError("there is no view " + std::to_string(view) + ": the views are 0 to " +
+                           std::to_string(count - 1));
+  }
+  StoredImage out = blank_like(integral, width, integral.height);
+  for (std::uint32_t row = 0; row < integral.height; ++row) {
+    for (std::uint32_t i = 0; i < width; ++i) {
+      const auto column = sheet.view_column(view, count, i, static_cast<std::int32_t>(row));
+      copy_pixels(integral, {column, row, 1, 1}, out, i, row);
+    }
+  }
+  return out;
+}
+
+/// The place in the print that an eye sees at a place of a row, in pixels, 0 at the middle of the first.
+double seen_column(const SlantedSheet& sheet, const Eye& eye, std::uint32_t place,
+                   std::uint32_t row) {
+  const double middle = row + 0.5;
+  const auto lens = static_cast<double>(sheet.nearest_lens(place, static_cast<std::int32_t>(row)));
+  const double axis = sheet.axis_of(lens);
+  const double x = sheet.x_of(axis, sheet.row_height(middle));
+  const double slope = (eye.distance > 0.0 ? x / eye.distance : 0.0) -
+                       std::tan(eye.angle * std::numbers::pi / 180.0);
+  const double offset = sheet.offset_seen(slope, sheet.rise(middle));
+  return sheet.column_at(offset - sheet.offset_of_cell(axis), lens, middle) - 0.5;
+}
+
+StoredImage slanted_seen(const StoredImage& integral, const SlantedSheet& sheet,
+                         std::uint32_t width, const Eye& eye, bool between) {
+  const auto is_in = [&](double column) { return column >= 0.0 && column < integral.width; };
+  if (!between) {
+    StoredImage out = blank_like(integral, width, integral.height);
+    for (std::uint32_t row = 0; row < integral.height; ++row) {
+      for (std::uint32_t i = 0; i < width; ++i) {
+        const double column = std::floor(seen_column(sheet, eye, i, row) + 0.5);
+        if (!is_in(column)) continue;
+        copy_pixels(integral, {static_cast<std::uint32_t>(column), row, 1, 1}, out, i, row);
+      }
+    }
+    return out;
+  }
+  const Light from = light_of(integral);
+  Light to{width, integral.height, from.channels, {}};
+  to.values.resize(std::size_t{width} * integral.height * static_cast<std::size_t>(to.channels));
+  for (std::uint32_t row = 0; row < integral.height; ++row) {
+    for (std::uint32_t i = 0; i < width; ++i) {
+      const double place = seen_column(sheet, eye, i, row), left = std::floor(place);
+      const auto share = static_cast<float>(place - left);
+      for (const auto& [column, weight] :
+           {std::pair(left, 1.0f - share), std::pair(left + 1.0, share)}) {
+        if (!is_in(column) || weight == 0.0f) continue;
+        const float* const pixel = from.pixel(static_cast<std::uint32_t>(column), row);
+        for (int c = 0; c < to.channels; ++c) to.pixel(i, row)[c] += weight * pixel[c];
+      }
+    }
+  }
+  return stored(to, integral);
+}
+
+}  // namespace
+
+StoredImage view_of(const StoredImage& integral, const Sheet& sheet, std::uint32_t view,
+                    std::uint32_t count) {
+  if (!sheet.slanted) return view_of(integral, sheet.lenses, view, count);
+  const std::uint32_t width = camera::view_width(sheet.lenses, 0, count);
+  return slanted_view(integral, *sheet.slanted, width, view, count);
+}
+
+StoredImage seen_by(const StoredImage& integral, const Sheet& sheet, const Eye& eye, bool between) {
+  if (!sheet.slanted) return seen_by(integral, sheet.lenses, eye, between);
+  const std::uint32_t width = camera::view_width(sheet.lenses, 0, 1);
+  return slanted_seen(integral, *sheet.slanted, width, eye, between);
+}
+
+std::optional<SlantedSheet> slanted_sheet(double pixels, double tangent, std::uint32_t columns,
+                                          std::uint32_t rows, std::optional<double> aspect) {
+  camera::LensParameters lens;
+  lens.pixels = pixels;
+  lens.slant = tangent;
+  return slanted_sheet(lens, columns, rows, aspect.value_or(0.0));
+}
+
+std::string slant_text(const Sheet& sheet) {
+  if (!sheet.slanted) return {};
+  return ", slanted by " + camera::brief(camera::slant_degrees(sheet.lenses.lens())) + " degrees";
+}
+
+void refuse_slanted(const Sheet& sheet, const std::string& name, const std::string& what) {
+  if (!sheet.slanted) return;
+  throw core::ImageError("'" + name + "' is for lenses slanted by " +
+                         camera::brief(camera::slant_degrees(sheet.lenses.lens())) +
+                         " degrees: " + what);
+}
+
+}  // namespace lentray::views
