@@ -31,6 +31,13 @@ double pixels_of_dpi(const LensParameters& lens, double dpi, std::uint32_t width
 
 void LensRequest::override_by(const LensRequest& other) {
   LensData::override_by(other);
+  if (other.print_lpi) {
+    print_lpi = other.print_lpi;
+    pitch.reset();
+    lpi.reset();
+  } else if (other.pitch || other.lpi) {
+    print_lpi.reset();
+  }
   if (other.pixels || other.print_dpi) {
     pixels = other.pixels;
     print_dpi = other.print_dpi;
@@ -65,7 +72,8 @@ void check_dpi(const std::optional<double>& dpi) {
 }
 
 /// All but N and a V that is the scene's.
-LensParameters begin(const LensRequest& request) {
+LensParameters begin(const LensRequest& asked) {
+  const LensRequest request = with_lens_pitch(asked);
   LensParameters lens;
   const SolvedLens solved = solve(request);
   lens.pitch = solved.pitch;
@@ -85,6 +93,35 @@ LensParameters begin(const LensRequest& request) {
 }
 
 }  // namespace
+
+LensRequest with_lens_pitch(const LensRequest& request) {
+  if (!request.print_lpi) return request;
+  if (request.pitch || request.lpi) {
+    throw CameraError(
+        "Print_LPI tells the lenses' pitch, and so does Lens_Pitch or Lens_LPI: give one of them");
+  }
+  if (!(*request.print_lpi >= 1e-4 && *request.print_lpi <= 1e7)) {
+    throw CameraError("Print_LPI must be 0.0001 to 10000000 strips an inch");
+  }
+  if (!request.view_distance) {
+    throw CameraError("Print_LPI needs a View_Distance: which strips fit depends on it");
+  }
+  const double strip = 25.4 / *request.print_lpi, distance = *request.view_distance;
+  LensRequest out = request;
+  out.print_lpi.reset();
+  out.pitch = strip;
+  if (!(distance > 0.0) || std::isinf(distance)) return out;
+  // Without a thickness that is said, it follows from the pitch.
+  constexpr int kMostSteps = 100;
+  for (int i = 0; i < kMostSteps; ++i) {
+    const SolvedLens lens = solve(out);
+    const double next = strip / (1.0 + lens.thickness / (lens.ior * distance));
+    const bool is_found = std::fabs(next - *out.pitch) <= 1e-15 * next;
+    out.pitch = next;
+    if (is_found) break;
+  }
+  return out;
+}
 
 LensParameters resolve(const LensRequest& request, std::uint32_t width, const EyeInScene* eye) {
   LensParameters lens = begin(request);

@@ -32,6 +32,9 @@ struct DepthBudget {
 };
 
 struct LensRequest : LensData {
+  /// Strips an inch of the print that fit the sheet from the viewing distance, as a pitch test finds
+  /// them, instead of a pitch of the lenses.
+  std::optional<double> print_lpi;
   std::optional<double> pixels, print_dpi;
   std::optional<double> slant;          ///< tan a of the lenses (LensParameters::slant)
   std::optional<double> front;          ///< scene units before the sheet
@@ -46,9 +49,14 @@ struct LensRequest : LensData {
   bool sheet_is_nominal = false;  ///< that profile's data are computed, not measured
 
   /// What `other` says replaces what was said here; saying a pitch replaces a pitch given as lines
-  /// an inch too, and N replaces a print resolution. Lens data: LensData::override_by().
+  /// an inch or as that of the print too, and N replaces a print resolution. Lens data:
+  /// LensData::override_by().
   void override_by(const LensRequest& other);
 };
+
+/// With the lenses' pitch P that print_lpi stands for, if it was said: P (1 + t/(nV)) is 25.4 mm over
+/// print_lpi. The viewing distance V must be said too.
+LensRequest with_lens_pitch(const LensRequest& request);
 
 /// The eye of a camera that is made into a sheet: V follows from the scene instead of from mm.
 struct EyeInScene {

@@ -85,7 +85,11 @@ std::vector<std::string> data_lines(const LensParameters& lens, const LensReques
     out.push_back("Lens_Sheet=" + asked.sheet_name +
                   " is nominal: its thickness is computed, so measure yours");
   }
-  for (std::string& note : solve(asked).notes) out.push_back(std::move(note));
+  if (asked.print_lpi) {
+    out.push_back("Print_LPI=" + format(*asked.print_lpi) + ": lenses of " +
+                  format(lens.lenses_per_inch()) + " lpi");
+  }
+  for (std::string& note : solve(with_lens_pitch(asked)).notes) out.push_back(std::move(note));
   if (lens.surface_radius <= 0.0 || lens.ior <= 1.0) return out;
   const double focus = lens.ior * lens.surface_radius / (lens.ior - 1.0);
   const double off = focus - lens.focal_length;
@@ -216,7 +220,7 @@ std::vector<std::string> missing_lines(const Lenticular& sheet, const LensReques
   const auto add = [&list](const char* text) {
     list += (list.empty() ? "" : ", ") + std::string(text);
   };
-  if (asked.is_empty()) add("Lens_Sheet or Lens_LPI (your sheet's)");
+  if (asked.is_empty() && !asked.print_lpi) add("Lens_Sheet or Lens_LPI (your sheet's)");
   if (!asked.print_dpi) add("Print_DPI (your printer's)");
   if (!asked.size) add("Sheet_Width and Sheet_Height");
   if (!asked.view_distance && sheet.sheet().lens().is_finite()) {

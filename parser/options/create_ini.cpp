@@ -64,6 +64,7 @@ void add_lens(const RenderOptions& o, Lines& out) {
   out.add("Lenticular", o.lenticular);
   out.number("Lens_Pitch", o.lens.pitch);
   out.number("Lens_LPI", o.lens.lpi);
+  out.number("Print_LPI", o.lens.print_lpi);
   out.number("Lens_Thickness", o.lens.thickness);
   out.number("Lens_Radius", o.lens.radius);
   out.number("Lens_IOR", o.lens.ior);

@@ -127,6 +127,10 @@ constexpr OptionHelp kSheet[] = {
      "inch.",
      ""},
     {"Lens_LPI", "n", "The same as lenses an inch.", ""},
+    {"Print_LPI", "n",
+     "Instead of a pitch: the strips an inch that a pitch test found, from the distance of "
+     "View_Distance.",
+     ""},
     {"Lens_Thickness", "mm", "From the lenses to the print: the sheet's thickness.", ""},
     {"Lens_Radius", "mm", "Of the round surface; tells where the lenses focus.", ""},
     {"Lens_IOR", "n", "Refractive index of the material (1.6).", ""},

@@ -560,6 +560,7 @@ constexpr OptionRow kTable[] = {
     {"Lens_Sheet", "", sheet_option::sheet},
     {"Lens_Pitch", "", sheet_option::pitch},
     {"Lens_LPI", "", sheet_option::lpi},
+    {"Print_LPI", "", sheet_option::print_lpi},
     {"Lens_Thickness", "", sheet_option::thickness},
     {"Lens_Radius", "", sheet_option::radius},
     {"Lens_IOR", "", sheet_option::ior},

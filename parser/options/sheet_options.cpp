@@ -12,6 +12,7 @@ using Given = GivenOption;
 
 void pitch(Options& o, const Given& g) { o.lens.pitch = positive_length_mm(g); }
 void lpi(Options& o, const Given& g) { o.lens.lpi = positive(g); }
+void print_lpi(Options& o, const Given& g) { o.lens.print_lpi = positive(g); }
 void focal_length(Options& o, const Given& g) { o.lens.focal_length = positive_length_mm(g); }
 void thickness(Options& o, const Given& g) { o.lens.thickness = positive_length_mm(g); }
 void radius(Options& o, const Given& g) { o.lens.radius = positive_length_mm(g); }

@@ -9,6 +9,7 @@ namespace lentray::parser::sheet_option {
 
 void pitch(RenderOptions& o, const GivenOption& g);
 void lpi(RenderOptions& o, const GivenOption& g);
+void print_lpi(RenderOptions& o, const GivenOption& g);
 void focal_length(RenderOptions& o, const GivenOption& g);
 void thickness(RenderOptions& o, const GivenOption& g);
 void radius(RenderOptions& o, const GivenOption& g);

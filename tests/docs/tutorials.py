@@ -149,7 +149,7 @@ def check_print(tutorial, page):
     expect(last + 1 - len(looks) <= MOST_COMMANDS, f"{last + 1 - len(looks)} commands to the page: {commands}")
     text = page.read_text(encoding="utf-8")
     band = re.search(r"Here that was the band of ([\d.]+)\.", text)[1]
-    report = said_by(told, "Lens_LPI=")
+    report = said_by(told, "Print_LPI=")
     pitch = float(re.search(r"pitch ([\d.]+) mm", report)[1])
     expect(abs(25.4 / pitch - float(band)) < 0.005, f"strips of {25.4 / pitch} lpi, not {band}: {report}")
     expect(f"pitch {pitch:.3f} mm*" in text, f"the page names another pitch than {pitch}")

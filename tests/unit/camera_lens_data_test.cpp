@@ -230,5 +230,64 @@ TEST(UnitCameraLensProfiles, EveryCommonSheetIsALens) {
   }
 }
 
+LensRequest measured_strips(double lpi) {
+  LensRequest request;
+  request.print_lpi = lpi;
+  request.thickness = 1.9;
+  request.ior = 1.57;
+  request.view_distance = 400.0;
+  return request;
+}
+
+TEST(UnitLensRequest, StripsOfAPitchTestTellTheLenses) {
+  LensRequest request = measured_strips(39.8);
+  const LensParameters lens = resolve(request, 1000, nullptr);
+  EXPECT_NEAR(lens.print_pitch(), 25.4 / 39.8, 1e-15);
+  EXPECT_NEAR(lens.lenses_per_inch(), 39.8 * (1.0 + 1.9 / (1.57 * 400.0)), 1e-12);
+  request.thickness.reset();  // follows from the pitch, which follows from it
+  EXPECT_NEAR(resolve(request, 1000, nullptr).print_pitch(), 25.4 / 39.8, 1e-15);
+  request.view_distance = 2.0;  // nearer than any eye
+  EXPECT_NEAR(resolve(request, 1000, nullptr).print_pitch(), 25.4 / 39.8, 1e-13);
+  for (const double far : {0.0, kLensDataInf}) {
+    request.view_distance = far;
+    EXPECT_DOUBLE_EQ(resolve(request, 1000, nullptr).lenses_per_inch(), 39.8);
+  }
+}
+
+TEST(UnitLensRequest, StripsReplaceAPitchAndTheOtherWayRound) {
+  LensRequest sheet;
+  sheet.lpi = 40.0;
+  sheet.override_by(measured_strips(39.8));
+  EXPECT_FALSE(sheet.lpi);
+  EXPECT_EQ(sheet.print_lpi, 39.8);
+  LensRequest pitch;
+  pitch.pitch = 0.6;
+  sheet.override_by(pitch);
+  EXPECT_FALSE(sheet.print_lpi);
+  EXPECT_EQ(sheet.pitch, 0.6);
+}
+
+TEST(UnitLensRequest, BadStripsAreRefused) {
+  const auto message = [](const LensRequest& request) -> std::string {
+    try {
+      resolve(request, 1000, nullptr);
+    } catch (const CameraError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  LensRequest twice = measured_strips(39.8);
+  twice.lpi = 40.0;
+  EXPECT_EQ(
+      message(twice),
+      "Print_LPI tells the lenses' pitch, and so does Lens_Pitch or Lens_LPI: give one of them");
+  LensRequest nowhere = measured_strips(39.8);
+  nowhere.view_distance.reset();
+  EXPECT_EQ(message(nowhere), "Print_LPI needs a View_Distance: which strips fit depends on it");
+  for (const double bad : {0.0, -1.0, 1e300, kLensDataInf, kLensDataNan}) {
+    EXPECT_EQ(message(measured_strips(bad)), "Print_LPI must be 0.0001 to 10000000 strips an inch");
+  }
+}
+
 }  // namespace
 }  // namespace lentray::camera

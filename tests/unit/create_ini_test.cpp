@@ -52,6 +52,7 @@ TEST(UnitParserCreateIni, AsksForTheSameRunAgain) {
       {"a.pov", "Lenticular=On", "Depth_Budget=1.25"},
       {"a.pov", "Lenticular=On", "Depth_Budget=0.5mm"},
       {"a.pov", "Lenticular=On", "Lens_Slant=-1/3"},
+      {"a.pov", "Lenticular=On", "Print_LPI=39.8", "View_Distance=40cm"},
       {"a.pov", "Lenticular=On", "Lens_Sheet=75lpi-0.457mm", "Sheet_Width=10cm", "Sheet_Height=70",
        "Print_DPI=1440x720", "View_Distance=40cm", "Lens_Model=auto", "Lens_Tolerance=0.5"},
       {"a.pov", "Lenticular=On", "Lens_LPI=40", "Lens_Angle=50", "Sheet_Width=100",
