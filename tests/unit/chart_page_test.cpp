@@ -14,6 +14,7 @@
 #include "tools/common/inline_svg.h"
 #include "tools/common/page_text.h"
 #include "tools/common/process.h"
+#include "tools/lentray-chart/charts.h"
 #include "tools/lentray-chart/page.h"
 #include "tools/lentray-chart/page_data.h"
 #include "tools/lentray-chart/page_sections.h"
