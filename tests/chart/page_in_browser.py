@@ -8,29 +8,21 @@ The page is written by test_unit. With words only the checks whose name has one.
 Debian 12: apt install chromium chromium-driver python3-selenium
 Status: 0 all as it should be, 1 something is not, 77 there is no browser to ask.
 """
-import argparse
-import importlib.util
 import os
 import pathlib
 import subprocess
 import sys
-import tempfile
 import time
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-# How a page is opened and asked is that of the batches' page; it ends with 77 where there is no selenium.
-SPEC = importlib.util.spec_from_file_location("batch_page", ROOT / "tests/batch/page_in_browser.py")
-batch_page = importlib.util.module_from_spec(SPEC)
-SPEC.loader.exec_module(batch_page)
-ActionChains, Keys = batch_page.ActionChains, batch_page.Keys
-expect, equal = batch_page.expect, batch_page.equal
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from browser import CONTRAST, ActionChains, Keys, Page, equal, expect, run  # noqa: E402
 
 SETTINGS = 24
 FIRST_OF_FRONT = "quality-1"
 NARROW, WIDE = 390, 1280
 
 
-class Page(batch_page.Page):
+class ChartPage(Page):
     """The page of a chart."""
 
     def rows(self):
@@ -301,7 +293,7 @@ def check_contrast(page):
             page.open(address, dark=dark)
             if address == "#kind=failed":
                 page.js("document.querySelector('.go[data-go=failed]').click()")
-            equal(page.js(batch_page.CONTRAST), [], f"contrast below 4.5 ({'dark' if dark else 'light'}, {address})")
+            equal(page.js(CONTRAST), [], f"contrast below 4.5 ({'dark' if dark else 'light'}, {address})")
         symbols = page.js("""const channel = (v) => (v /= 255, v <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4);
             const light = (c) => { const n = c.match(/[\\d.]+/g).map(Number);
               return 0.2126 * channel(n[0]) + 0.7152 * channel(n[1]) + 0.0722 * channel(n[2]); };
@@ -342,34 +334,10 @@ def screenshots(page, folder):
         page.driver.save_screenshot(str(folder / f"{name}.png"))
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("words", nargs="*", metavar="word")
-    parser.add_argument("--bin", type=pathlib.Path, default=ROOT / "build/release/bin")
-    parser.add_argument("--screenshots", type=pathlib.Path, metavar="FOLDER")
-    args = parser.parse_args()
-    checks = {name[6:]: check for name, check in globals().items() if name.startswith("check_")}
-    failed = 0
-    driver = batch_page.browser()
-    try:
-        with tempfile.TemporaryDirectory() as folder:
-            write_page(args.bin / "test_unit", pathlib.Path(folder))
-            page = Page(driver, pathlib.Path(folder, "index.html").as_uri())
-            for name, check in checks.items():
-                if args.words and not any(word in name for word in args.words):
-                    continue
-                try:
-                    check(page)
-                    print(f"{name}: good")
-                except Exception as error:  # the next check may tell more
-                    failed += 1
-                    print(f"{name}: {type(error).__name__}: {error}")
-            if args.screenshots:
-                screenshots(page, args.screenshots)
-    finally:
-        driver.quit()
-    return 1 if failed else 0
+def begin(driver, programs, folder):
+    write_page(programs / "test_unit", folder)
+    return ChartPage(driver, (folder / "index.html").as_uri())
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(run(__doc__, globals(), begin, screenshots))

@@ -8,21 +8,13 @@ With words only the checks whose name has one.
 Debian 12: apt install chromium chromium-driver python3-selenium
 Status: 0 all as it should be, 1 something is not, 77 there is no browser to ask.
 """
-import argparse
 import base64
-import importlib.util
 import pathlib
 import subprocess
 import sys
-import tempfile
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-# How a page is opened and asked is that of the batches' page; it ends with 77 where there is no selenium.
-SPEC = importlib.util.spec_from_file_location("batch_page", ROOT / "tests/batch/page_in_browser.py")
-batch_page = importlib.util.module_from_spec(SPEC)
-SPEC.loader.exec_module(batch_page)
-ActionChains, Keys = batch_page.ActionChains, batch_page.Keys
-expect, equal = batch_page.expect, batch_page.equal
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from browser import CONTRAST, ROOT, ActionChains, Keys, Page, equal, expect, run  # noqa: E402
 
 NARROW, WIDE = 320, 1280
 SHEETS = {
@@ -60,7 +52,7 @@ image.src = link;
 """
 
 
-class Page(batch_page.Page):
+class PreviewPage(Page):
     """The page of a preview, and the programs beside it."""
 
     def __init__(self, driver, bin_folder, folder):
@@ -352,7 +344,7 @@ def check_widths_and_looks(page):
             expect(page.js("return stage.scrollWidth <= stage.clientWidth"), f"it fits at {width}{address}")
     for dark in (False, True):
         page.show("small", "#mode=pair&distance=60", dark=dark)
-        equal(page.js(batch_page.CONTRAST.replace('"h1, ', '"figcaption, label, select, output, h1, ')), [],
+        equal(page.js(CONTRAST.replace('"h1, ', '"figcaption, label, select, output, h1, ')), [],
               f"contrast below 4.5 ({'dark' if dark else 'light'})")
     script = """return [...document.querySelectorAll("button, input, select, [role]")].filter(e =>
         !e.textContent.trim() && !e.getAttribute('aria-label') && !e.labels?.length && e.role !== 'status')
@@ -408,34 +400,11 @@ def screenshots(page, folder):
         page.driver.save_screenshot(str(folder / f"{name}.png"))
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("words", nargs="*", metavar="word")
-    parser.add_argument("--bin", type=pathlib.Path, default=ROOT / "build/release/bin")
-    parser.add_argument("--screenshots", type=pathlib.Path, metavar="FOLDER")
-    args = parser.parse_args()
-    checks = {name[6:]: check for name, check in globals().items() if name.startswith("check_")}
-    failed = 0
-    driver = batch_page.browser()
-    try:
-        with tempfile.TemporaryDirectory() as folder:
-            page = Page(driver, args.bin.resolve(), pathlib.Path(folder))
-            make_files(page)
-            for name, check in checks.items():
-                if args.words and not any(word in name for word in args.words):
-                    continue
-                try:
-                    check(page)
-                    print(f"{name}: good")
-                except Exception as error:  # the next check may tell more
-                    failed += 1
-                    print(f"{name}: {type(error).__name__}: {error}")
-            if args.screenshots:
-                screenshots(page, args.screenshots)
-    finally:
-        driver.quit()
-    return 1 if failed else 0
+def begin(driver, programs, folder):
+    page = PreviewPage(driver, programs, folder)
+    make_files(page)
+    return page
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(run(__doc__, globals(), begin, screenshots))
