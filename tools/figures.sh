@@ -68,9 +68,9 @@ figures() {
   $1 accuracy-sheet docs/accuracy.md '(15 min)' \
     'lentray-chart scenes/spd_balls.pov --out build/charts/balls_sheet Declare=Lenticular_Camera=1
        +W150 +H150 --budget 1s --error 3 --reference-limit 8min'
-  $1 accuracy-woodbox docs/accuracy.md '(15 min)' \
-    'lentray-chart /usr/share/doc/povray/examples/advanced/woodbox.pov --out build/charts/woodbox
-       +W120 +H90 --budget 2s --error 1 --reference-limit 8min'
+  $1 accuracy-shadows docs/accuracy.md '(10 min)' \
+    'lentray-chart /usr/share/doc/povray/examples/lights/shadows.pov --out build/charts/shadows
+       +W160 +H120 --budget 2s --error 0.5 --reference-limit 8min'
   $1 accuracy-focalblur docs/accuracy.md '(15 min)' \
     'lentray-chart /usr/share/doc/povray/examples/camera/focalblur.pov --out build/charts/focalblur
        +W160 +H120 --budget 2s --error 1 --reference-limit 8min'

@@ -369,14 +369,16 @@ TEST(UnitChartReference, RaisesAllThatApplies) {
   const auto first = reference_step(r, 0, false), second = reference_step(r, 1, false);
   ASSERT_TRUE(first && second);
   for (const char* option :
-       {"Antialias_Grid=3", "Area_Light_Samples=4", "Area_Light_Adaptive=off", "Blur_Samples=32",
+       {"Antialias_Grid=3", "Area_Light_Samples=4", "Area_Light_Adaptive=off", "Blur_Samples=64",
         "Media_Method=3", "Media_Samples=20", "Max_Trace_Level=24", "Adc_Bailout=0.001", "+Q9"}) {
     EXPECT_TRUE(has_option(*first, option)) << option;
   }
-  for (const char* option : {"Antialias_Grid=4", "Area_Light_Samples=6", "Blur_Samples=45",
+  for (const char* option : {"Antialias_Grid=4", "Area_Light_Samples=6", "Blur_Samples=128",
                              "Media_Samples=28", "Max_Trace_Level=48", "Adc_Bailout=0.0005"}) {
     EXPECT_TRUE(has_option(*second, option)) << option;
   }
+  EXPECT_TRUE(has_option(*reference_step(r, 4, false), "Antialias_Grid=7"))
+      << "blur grows, pixels slowly";
   EXPECT_EQ(first->work, 1.0);
   EXPECT_GT(second->work, 4.0);
   EXPECT_FALSE(has_option(*first, "Lens_Model=thick"));

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <numbers>
+#include <span>
 
 namespace lentray::chart {
 namespace {
@@ -24,7 +25,7 @@ class Ladder {
   std::optional<ReferenceStep> step() {
     antialiasing();
     if (m.facts.area_lights) area_lights();
-    if (m.facts.focal_blur) samples("Blur_Samples", "blur samples", 32.0, kRoot, 4096, kRoot);
+    if (m.facts.focal_blur) samples("Blur_Samples", "blur samples", 64.0, 2.0, 32768, 2.0);
     media();
     lens();
     depth();
@@ -40,12 +41,17 @@ class Ladder {
 
   void antialiasing() {
     static constexpr std::array kEvery{3, 4, 6, 8, 11, 16, 23, 32, 45, 64};
+    // All samples of a picture share their points of the lens, so more of them are no better than
+    // more points; and each ray has a place of its own in the pixel.
+    static constexpr std::array kBlurred{3, 4, 5, 6, 7, 8, 9, 10, 11, 12};
     static constexpr std::array kRefined{3, 5, 7, 9};
     const bool every = m.abilities.has("Antialias_Grid");
-    const int last = static_cast<int>(every ? kEvery.size() : kRefined.size()) - 1;
+    const std::span<const int> depths = !every               ? std::span<const int>(kRefined)
+                                        : m.facts.focal_blur ? std::span<const int>(kBlurred)
+                                                             : std::span<const int>(kEvery);
+    const int last = static_cast<int>(depths.size()) - 1;
     const auto depth_at = [&](int step) {
-      const auto i = static_cast<std::size_t>(std::clamp(step, 0, last));
-      return every ? kEvery[i] : kRefined[i];
+      return depths[static_cast<std::size_t>(std::clamp(step, 0, last))];
     };
     const std::string depth = std::to_string(depth_at(m_step));
     m_out.options = every ? std::vector<std::string>{"Antialias_Grid=" + depth}
