@@ -73,7 +73,8 @@ class SlantedSheet {
   /// The part of its cell at which a pixel of a row lies, 0 at the cell's left edge, below 1.
   double part_of_cell(std::int64_t column, std::int32_t row) const;
   /// The column whose pixel view j of `views` shows at place i of a row: of the nearest lens, the
-  /// pixel that is nearest to the print offset ((j + 1/2)/views - 1/2) P'. Beyond the picture's edges it is that of the next lens within.
+  /// pixel that is nearest to the print offset ((j + 1/2)/views - 1/2) P'. Beyond the picture's edges it
+  /// is that of the next lens within.
   std::uint32_t view_column(std::uint32_t view, std::uint32_t views, std::int64_t place,
                             std::int32_t row) const;
 

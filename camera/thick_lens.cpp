@@ -131,8 +131,8 @@ LensRayEnd ThickLens::spill(const Point& point, double sine, const SlopeAlong& a
   const double rise = along.at_zero;
   if (rise == 0.0 && along.lean == 0.0) return follow(point, sine, m_ior, out);
   // (rise cos t)^2 of the ray that leaves at last, and so the index, is the same in all lenses on its way:
-  // a number from 0 to rise^2 (and the square of what it leans) that makes itself. It is found between parts of that range, which are
-  // smaller and smaller towards 0, where the ray grazes the sheet.
+  // a number from 0 to rise^2 (and the square of what it leans) that makes itself. It is found between
+  // parts of that range, which are smaller and smaller towards 0, where the ray grazes the sheet.
   constexpr int kEven = 16, kGrazing = 12, kHalvings = 60;
   constexpr double kSolved = 1e-13;
   const double n2 = m_ior * m_ior, whole = rise * rise + along.lean * along.lean;

@@ -17,6 +17,7 @@ ViewingPlan viewing_plan(const camera::Lenticular& sheet) {
   out.depth = -distance;
   out.middle = -sheet.placement().eye_slope_x * distance;
   out.eyes_apart = camera::kEyesApart * sheet.scale();
+  const double cosine = lens.slant_cosine();  // eyes lie on a level line, slanted lenses do not
   const std::uint32_t views = camera::usual_views(sheet.sheet());
   const std::int64_t lens_number = sheet.sheet().lens_count() / 2;
   for (std::uint32_t j = 0; j < views; ++j) {
@@ -24,11 +25,13 @@ ViewingPlan viewing_plan(const camera::Lenticular& sheet) {
     if (k >= sheet.sheet().width()) continue;
     const camera::LensColumn& column = sheet.sheet().column(static_cast<std::uint32_t>(k));
     if (!column.dark)
-      out.viewpoints.push_back(column.axis * sheet.scale() - distance * column.slope);
+      out.viewpoints.push_back((column.axis * sheet.scale() - distance * column.slope) / cosine);
   }
   lens.model = camera::LensModel::kPinhole;  // what real lenses do
   double edge = 0.0;
-  if (camera::slope_of(lens, 0.5 * lens.print_pitch(), edge)) out.zone = 2.0 * distance * edge;
+  if (camera::slope_of(lens, 0.5 * lens.print_pitch(), edge)) {
+    out.zone = 2.0 * distance * edge / cosine;
+  }
   return out;
 }
 
