@@ -6,7 +6,9 @@
 #include "camera/depth_survey.h"
 #include "camera/parallax.h"
 #include "camera/sheet_views.h"
+#include "camera/slanted_lenticular.h"
 #include "tests/unit/depth_scene.h"
+#include "tests/unit/slanted_sheets.h"
 
 namespace lentray::camera {
 namespace {
@@ -59,6 +61,33 @@ TEST(UnitCameraDepth, AFactorBringsTheViewsTogetherByAsMuch) {
 }
 
 /// Views in other sizes and quilts look through the same lenses.
+/// Neighbouring pixels of a row differ in slope, so what they show of a depth lies apart.
+TEST(UnitCameraDepth, SlantedSheetsHaveTheParallaxOfTheirRays) {
+  for (const test::SlantReference& reference : {kSlantedSheets[0], kSlantedSheets[2]}) {
+    for (const double factor : {1.0, 0.4}) {
+      LensParameters lens = slanted_lens(reference);
+      lens.depth_factor = factor;
+      const SlantedLenticular sheet(lens, slanted_placement(reference, 0.05, 1.0), 120, 40);
+      const SheetPlacement& place = sheet.placement();
+      const auto slope = [&](double column) {
+        Ray ray;
+        EXPECT_TRUE(sheet.ray(column, 20.5, ray));
+        return core::dot(ray.direction, place.right) / core::dot(ray.direction, place.normal);
+      };
+      // Three pixels beside one another lie under two lenses at most.
+      double step = slope(61.5) - slope(60.5);
+      if (step < 0.0) step = slope(62.5) - slope(61.5);
+      ASSERT_GT(step, 0.0);
+      const double lens_width = place.width / sheet.sheet().lenses();
+      for (const double depth : {-1.5, 0.7, 3.0}) {
+        const double far = 1.0 + depth / sheet.scale() / lens.view_distance;
+        EXPECT_NEAR(parallax(sheet, depth), step * depth / far / lens_width, 1e-9)
+            << reference.slant << ", " << factor << ", " << depth;
+      }
+    }
+  }
+}
+
 TEST(UnitCameraDepth, ViewsOfOtherSizesHaveTheFactorToo) {
   const Sheet sheet = depth_sheet({});
   LensParameters lens = sheet.camera->sheet().lens();
