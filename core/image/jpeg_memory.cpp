@@ -1,7 +1,9 @@
 // jpeg_of() of core/image/thumbnail.h.
-#include <jpeglib.h>
-#include <cstddef>
 #include <cstdio>
+
+#include <jpeglib.h>  // needs FILE
+
+#include <cstddef>
 #include <cstdlib>
 
 #include <array>
