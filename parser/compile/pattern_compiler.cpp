@@ -8,6 +8,7 @@
 #include "core/pattern/density_grid.h"
 #include "core/pattern/fractal.h"
 #include "core/pattern/organic.h"
+#include "core/pattern/pavement.h"
 #include "core/pattern/shapes.h"
 #include "core/pattern/surface_patterns.h"
 #include "core/pattern/tiles.h"
@@ -96,6 +97,10 @@ core::PatternPtr compile_tiles(const PatternDesc& p) {
     case PatternKind::kCubic: return core::make_cubic();
     case PatternKind::kCells: return core::make_cells();
     case PatternKind::kTiling: return core::make_tiling(p.own->tiling);
+    case PatternKind::kPavement:
+      return core::make_pavement({p.own->pavement_sides, p.own->pavement_tiles,
+                                  p.own->pavement_pattern, p.own->pavement_exterior,
+                                  p.own->pavement_interior, p.own->pavement_form});
     // Mortar is kept a little thinner than asked, so that bricks of its size still show.
     case PatternKind::kBrick:
       return core::make_brick(p.own->brick_size, single(p.own->mortar - 2e-10));

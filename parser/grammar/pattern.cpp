@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/base/vec3.h"
+#include "core/pattern/pavement.h"
 #include "parser/grammar/helpers.h"
 #include "parser/grammar/nesting.h"
 
@@ -273,23 +274,16 @@ const PatternRule* find_rule(const Token& token) {
 }
 
 void check_pavement(Parser& parser, const PatternParameters& p) {
-  static constexpr int kTriangles[] = {1, 1, 1, 3, 4, 12};
-  static constexpr int kSquares[] = {1, 1, 2, 5, 12, 35};
-  static constexpr int kHexagons[] = {1, 1, 3, 7, 22};
-  const int* counts = kTriangles;
-  int most = 6;
-  if (p.pavement_sides == 4) {
-    counts = kSquares;
-  } else if (p.pavement_sides == 6) {
-    counts = kHexagons;
-    most = 5;
-  } else if (p.pavement_sides != 3) {
+  const int sides = p.pavement_sides;
+  if (sides != 3 && sides != 4 && sides != 6) {
     parser.fail("number_of_sides of pavement is 3, 4 or 6");
   }
+  int most = 1;
+  while (core::pavement_patterns(sides, most + 1) > 0) ++most;
   if (p.pavement_tiles < 1 || p.pavement_tiles > most) {
     parser.fail("number_of_tiles of this pavement is between 1 and " + std::to_string(most));
   }
-  const int patterns = counts[p.pavement_tiles - 1];
+  const int patterns = core::pavement_patterns(sides, p.pavement_tiles);
   if (p.pavement_pattern < 1 || p.pavement_pattern > patterns) {
     parser.fail("pattern of this pavement is between 1 and " + std::to_string(patterns));
   }
