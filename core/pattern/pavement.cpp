@@ -141,7 +141,7 @@ class SquarePavement final : public Pattern {
       if (cell.walls[i]) value = std::max(value, 1 - a);
       if (cell.corners[i] == Corner::kHollow) {
         const bool turn = cell.corners[(i + 2) % 4] == Corner::kPointed;
-        if (turn && m_looks.form >= 0 && m_looks.form <= 2) return at_turn(a, b);
+        if (turn && m_looks.form != 3) return at_turn(a, b);
         value = std::max(value, at_hollow(a, b));
       } else if (cell.corners[i] == Corner::kPointed) {
         value = std::max(value, at_point(a, b));
@@ -239,10 +239,9 @@ class TrianglePavement final : public Pattern {
   }
   double at_hollow(const Weights& w, std::size_t corner) const {
     switch (m_looks.interior) {
-      case 0: return 3 * w[corner] - 2;
       case 1: return 1.5 * nearness(w, corner) - 0.5;
       case 2: return 1 - 3 * from_corner(w, corner);
-      default: return 0.0;
+      default: return 3 * w[corner] - 2;
     }
   }
   double at_point(const Weights& w, std::size_t corner, double otherwise) const {
@@ -283,8 +282,15 @@ PatternPtr make_pavement(const Pavement& pavement) {
     throw std::invalid_argument("no pavement of number " + std::to_string(pavement.pattern));
   }
   const PavementWalls& walls = all[static_cast<std::size_t>(pavement.pattern - 1)];
-  if (pavement.sides == 4) return std::make_unique<SquarePavement>(pavement, walls);
-  return std::make_unique<TrianglePavement>(pavement, walls);
+  Pavement looks = pavement;
+  const auto among = [](int number, int count) {
+    return static_cast<std::uint8_t>(number) % count;
+  };
+  looks.exterior = among(pavement.exterior, 3);
+  looks.interior = among(pavement.interior, 3);
+  looks.form = among(pavement.form, pavement.sides == 4 ? 4 : 3);
+  if (pavement.sides == 4) return std::make_unique<SquarePavement>(looks, walls);
+  return std::make_unique<TrianglePavement>(looks, walls);
 }
 
 }  // namespace lentray::core

@@ -41,7 +41,7 @@ class TextureCompiler {
   /// Null below the quality that shows media.
   std::shared_ptr<const core::Medium> medium(const Ref<MediaDesc>& medium);
 
-  /// Names of what was asked for and is not rendered yet ("pattern pavement", "subsurface").
+  /// Names of what was asked for and is not rendered yet ("subsurface").
   const std::set<std::string>& not_yet() const;
   /// Whether a finish so far has crand.
   bool has_crand() const;

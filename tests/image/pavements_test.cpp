@@ -103,12 +103,14 @@ TEST_P(ImagePavements, EveryTileHasStocksPictureWithItsCornersCutOff) {
 
 TEST_P(ImagePavements, EveryLookHasStocksPicture) {
   std::vector<Pavement> looks;
-  // Stock refuses none; beyond what its manual names they are as if not given, or sharp.
+  // Stock refuses none: beyond what its manual names they begin again.
   for (const int exterior : {0, 1, 2, 3}) {
     for (const int interior : {0, 1, 2, 3}) {
       for (const int form : {0, 1, 2, 3, 4}) looks.push_back(rich(exterior, interior, form));
     }
   }
+  for (const int number : {-1, -2, -3, 5, 7, 256, 300})
+    looks.push_back(rich(number, number, number));
   EXPECT_TRUE(same_as_stock(panels(looks)));
 }
 

@@ -158,10 +158,10 @@ TEST(UnitMaterialPigment, IdenticalDescriptionsAreCompiledOnce) {
 }
 
 TEST(UnitMaterialPigment, WhatIsNotRenderedYetIsNamedWhenUsed) {
-  const LooksText text("pigment { pavement }");
+  const LooksText text("finish { subsurface { translucency .5 } }");
   TextureCompiler compiler(TextureSettings{});
   compiler.texture(text.object().texture, nullptr);
-  EXPECT_EQ(compiler.not_yet().count("pattern pavement"), 1u);
+  EXPECT_EQ(compiler.not_yet().count("subsurface"), 1u);
 }
 
 TEST(UnitMaterialBlendMap, UnsortedEntriesAreSearchedAsInStock) {
