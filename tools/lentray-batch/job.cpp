@@ -1,6 +1,8 @@
 #include "tools/lentray-batch/job.h"
 
 #include <algorithm>
+#include <array>
+#include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <ctime>
@@ -60,11 +62,11 @@ std::string key_of(const Plan& plan, const parser::RenderOptions& o,
   return hexadecimal(parser::checksum(text));
 }
 
-/// Even what a program says finds no room there.
-bool is_full(const fs::path& folder) {
-  std::error_code error;
-  const fs::space_info space = fs::space(folder, error);
-  return !error && space.available < 65536;
+/// Disks, quotas and limits of a file's size.
+bool tells_of_no_room(const std::string& reason) {
+  return std::ranges::any_of(std::array{ENOSPC, EDQUOT, EFBIG}, [&](int error) {
+    return reason.find(std::strerror(error)) != std::string::npos;
+  }) || reason.find("no space") != std::string::npos;
 }
 
 json read_json(const fs::path& path) {
@@ -153,10 +155,34 @@ fs::path Job::root() const {
 /// was at it too.
 void Job::publish() {
   if (m_plan.scratch.empty()) return;
-  const fs::path made = root() / (m_scene.name + (m_frame ? m_frame->digits : "") +
-                                  core::extension_of(m_options.type));
   fs::create_directories(picture_path().parent_path());
-  fs::rename(made, picture_path());
+  fs::rename(made_picture(), picture_path());
+}
+
+/// Where the program writes it.
+fs::path Job::made_picture() const {
+  return root() /
+         (m_scene.name + (m_frame ? m_frame->digits : "") + core::extension_of(m_options.type));
+}
+
+double Job::room() const {
+  constexpr double kJournal = 24.0;  ///< bytes a pixel, of the colours; of samples as many
+  double pixels = static_cast<double>(m_options.width) * static_cast<double>(m_options.height);
+  if (is_view() && m_options.views.size) {
+    pixels = static_cast<double>(m_options.views.size->width) *
+             static_cast<double>(m_options.views.size->height);
+  }
+  if (m_band) {
+    pixels *= static_cast<double>(m_band->last_row - m_band->first_row + 1) /
+              static_cast<double>(m_options.height);
+  }
+  const double sample = m_options.bits > 16 ? 4.0 : m_options.bits > 8 ? 2.0 : 1.0;
+  return pixels * (4.0 * sample + kJournal * (m_options.antialias ? 2.0 : 1.0));
+}
+
+bool Job::drop_journal() const {
+  std::error_code error;
+  return fs::remove(made_picture().string() + ".lentray-state", error);
 }
 
 void Job::publish_statistics(const Row& band) const {
@@ -199,7 +225,8 @@ bool Job::fits(const Row& row) const {
 
 bool Job::is_up_to_date(const Row* known) const {
   if (known == nullptr || known->picture != m_row.picture) return false;
-  if (known->state == State::failed && (m_plan.arguments.retry || known->limits != limits()))
+  if (known->state == State::failed &&
+      (m_plan.arguments.retry || known->lacks_room || known->limits != limits()))
     return false;
   return fits(*known);
 }
@@ -311,6 +338,7 @@ void Job::rendered(const tool::Ended& ended, bool stopped) {
   if (ended.status != 0) return fail(ended);
   m_row.state = State::done;
   m_row.reason.clear();
+  m_row.lacks_room = false;
   if (is_view() && m_plan.arguments.compare) {
     m_row.verdict.emplace();
     m_row.verdict->note = "views of Views= are not; their integral image can be";
@@ -331,7 +359,7 @@ void Job::fail(const tool::Ended& ended) {
     if (is_error) reason = line;
   }
   if (ended.status > 128) reason = signal_text(ended.status - 128);
-  if (reason.empty() && is_full(m_plan.arguments.out))
+  if (reason.empty() && ended.status == 1 && m_row.messages.empty())  // which found no room either
     reason = "no space is left on the disk of '" + m_plan.arguments.out.string() + "'";
   if (reason.empty() && ended.status == 126) reason = "the folder of the scene cannot be entered";
   if (reason.empty()) reason = "exit status " + std::to_string(ended.status);
@@ -346,6 +374,7 @@ void Job::give_up(const std::string& reason) {
   m_has_picture = false;
   m_row.state = State::failed;
   m_row.reason = reason;
+  m_row.lacks_room = tells_of_no_room(reason);
   m_row.limits = limits();
   m_row.finished = utc_now();
   if (m_row.files.empty()) {

@@ -72,6 +72,12 @@ class Job {
   void rendered(const tool::Ended& ended, bool stopped);
   /// The run took more memory than it was given, and may be given more.
   bool lacked_memory() const { return m_lacked_memory; }
+  /// The run found too little room on the disk.
+  bool lacked_room() const { return m_is_over && m_row.lacks_room; }
+  /// The bytes that picture and journal may need, at most about.
+  double room() const;
+  /// What an earlier run kept of the picture goes. False: there is nothing.
+  bool drop_journal() const;
   tool::Launch split_views();
   void views_split(const tool::Ended& ended);
   tool::Launch compare(int processes);
@@ -91,6 +97,7 @@ class Job {
   void publish();
   void move_from_scratch(const std::string& picture) const;
   std::filesystem::path picture_path() const;
+  std::filesystem::path made_picture() const;
   std::string limits() const;
   void read_dependencies(std::int64_t since);
   void read_statistics();

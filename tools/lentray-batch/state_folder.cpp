@@ -4,6 +4,7 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <stdexcept>
@@ -15,7 +16,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr off_t kReserve = 4 << 20;  ///< bytes: some thousand rows
+constexpr std::size_t kMostReserved = 4 << 20;  ///< bytes: some thousand rows
+constexpr std::size_t kFrame = 96 << 10;        ///< bytes of a page without pictures
+constexpr std::size_t kPicture = 60 << 10;      ///< of a row and a small picture, which is there twice
 
 [[noreturn]] void fail(const fs::path& place, int error) {
   throw std::runtime_error("cannot write into the folder '" + place.string() +
@@ -34,11 +37,15 @@ StateFolder::StateFolder(const fs::path& out, Access access) : m_path(out / ".le
   if (::flock(m_lock, LOCK_EX | LOCK_NB) != 0) {
     throw std::runtime_error("another lentray-batch works in '" + out.string() + "'");
   }
-  const int reserve = ::open((m_path / "reserve").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-  if (reserve < 0) fail(out, errno);
+}
+
+void StateFolder::reserve(std::size_t pictures) const {
+  const int file = ::open((m_path / "reserve").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  if (file < 0) return;
   // Where there is no room for it there may be room for pictures all the same.
-  (void)::posix_fallocate(reserve, 0, kReserve);
-  ::close(reserve);
+  (void)::posix_fallocate(
+      file, 0, static_cast<off_t>(std::min(kMostReserved, kFrame + pictures * kPicture)));
+  ::close(file);
 }
 
 StateFolder::~StateFolder() {
@@ -72,7 +79,7 @@ void StateFolder::forget_others(const std::string& name, const std::string& key)
   }
 }
 
-bool StateFolder::free_reserve() {
+bool StateFolder::free_reserve() const {
   std::error_code error;
   return fs::remove(m_path / "reserve", error);
 }

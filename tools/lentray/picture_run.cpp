@@ -406,22 +406,28 @@ bool render(Run& run, const std::atomic<bool>& cancel, bool is_frame) {
   std::optional<ProgressBar> bar;
   if (o.verbose) bar.emplace("Rendering");
   const double before = cpu_seconds();
-  PictureFile picture(run.output, run.type, o, run.scene->settings(), run.camera);
-  run.report.counters = core::render_frame(*run.scene, camera, shape, *orders, *asked, frame,
-                                           picture, bar ? &*bar : nullptr);
-  if (cancel.load()) {
+  std::optional<PictureFile> picture(std::in_place, run.output, run.type, o, run.scene->settings(),
+                                     run.camera, journal ? &*journal : nullptr);
+  bool is_cut_off = false;
+  try {
+    run.report.counters = core::render_frame(*run.scene, camera, shape, *orders, *asked, frame,
+                                             *picture, bar ? &*bar : nullptr);
+    is_cut_off = cancel.load();
+    if (!is_cut_off) picture->finish();
+  } catch (const core::ImageError&) {
+    bar.reset();
+    picture.reset();  // what was kept last finds the room of its file
+    if (journal) tell_of_journal(run, *journal);
+    throw;
+  }
+  if (is_cut_off) {
     if (journal) tell_of_journal(run, *journal);
     return false;
   }
   run.report.shadow_log = log.lights();
-  picture.finish();
   if (journal) journal->finish(is_frame);
-  if (journal && !journal->trouble().empty()) {
-    run.warnings.add("warning: '" + journal_path(run.output) + "' could not be written (" +
-                     journal->trouble() +
-                     "): had this run been cut off, +C would not have gone on with it");
-  }
-  run.report.write_cpu_s = picture.cpu_seconds();
+  if (journal && !journal->trouble().empty()) run.warnings.add("warning: " + journal->trouble());
+  run.report.write_cpu_s = picture->cpu_seconds();
   run.report.render_cpu_s = cpu_seconds() - before - run.report.write_cpu_s;
   return true;
 }
