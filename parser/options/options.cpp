@@ -45,14 +45,23 @@ class OptionsReader {
   void bare(const std::string& text, const GivenOption& given, int depth);
 
  private:
+  void apply(const OptionRow& row, const GivenOption& given);
   std::string find(const std::string& name) const;
   RenderOptions& m_options;
 };
 
+void OptionsReader::apply(const OptionRow& row, const GivenOption& given) {
+  row.apply(m_options, given);
+  if (row.name.empty()) return;
+  std::string where = given.where;
+  if (where.ends_with(": ")) where.resize(where.size() - 2);
+  m_options.said[std::string(row.name)] = {given.shown, where};
+}
+
 void OptionsReader::named(const std::string& name, GivenOption given, int depth) {
   if (same_word(name, "Include_Ini")) return bare(given.value, given, depth + 1);
   for (const OptionRow& row : option_table()) {
-    if (!row.name.empty() && same_word(row.name, name)) return row.apply(m_options, given);
+    if (!row.name.empty() && same_word(row.name, name)) return apply(row, given);
   }
   const std::string_view near = near_option(name);
   const std::string message = given.where + "unknown option '" + name + "'" +
@@ -77,7 +86,7 @@ void OptionsReader::switched(const std::string& text, GivenOption given) {
                       "'; a scene file is named as +Ifile or by its name alone");
   }
   given.value = unquoted(body.substr(best->switch_name.size()));
-  best->apply(m_options, given);
+  apply(*best, given);
 }
 
 /// An INI file is looked for as it is named, with .ini added, and then along the library paths.

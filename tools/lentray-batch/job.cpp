@@ -7,11 +7,13 @@
 #include <cstring>
 #include <ctime>
 #include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "core/image/reader.h"
 #include "parser/files/watched_files.h"
 #include "parser/options/create_ini.h"
+#include "tools/common/json_text.h"
 #include "tools/common/messages.h"
 #include "tools/common/process.h"
 #include "tools/lentray-batch/stamps.h"
@@ -71,7 +73,8 @@ bool tells_of_no_room(const std::string& reason) {
 
 json read_json(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
-  return file ? json::parse(file, nullptr, false) : json();
+  if (!file) return {};
+  return tool::json_if_any(std::string(std::istreambuf_iterator<char>(file), {}));
 }
 
 std::string signal_text(int signal) {

@@ -10,6 +10,7 @@
 #include "parser/files/watched_files.h"
 #include "tools/common/child.h"
 #include "tools/common/duration.h"
+#include "tools/common/json_text.h"
 #include "tools/common/machine.h"
 #include "tools/common/process.h"
 #include "tools/common/shell_words.h"
@@ -64,7 +65,7 @@ class Charting {
                              {"version", tool::kVersion},
                              {"scene", fs::absolute(m_arguments.scene).lexically_normal().string()},
                              {"options", m_arguments.for_lentray}};
-    return all.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+    return tool::json_text(all);
   }
 
   void prepare() {
