@@ -55,8 +55,7 @@ std::size_t ByteFile::read(void* bytes, std::size_t size) {
   char* const to = static_cast<char*>(bytes);
   std::memset(to, 0, size);
   for (std::size_t done = 0; done < size;) {
-    const ssize_t got =
-        ::pread(m_file, to + done, size - done, static_cast<off_t>(m_start + done));
+    const ssize_t got = ::pread(m_file, to + done, size - done, static_cast<off_t>(m_start + done));
     if (got < 0 && errno == EINTR) continue;
     if (got < 0) fail();
     if (got == 0) break;

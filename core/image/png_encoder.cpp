@@ -23,9 +23,7 @@ class PngEncoder final : public PictureEncoder {
     png_set_write_fn(m_png, this, write, nullptr);
     start(spec);
   }
-  ~PngEncoder() override {
-    png_destroy_write_struct(&m_png, &m_info);
-  }
+  ~PngEncoder() override { png_destroy_write_struct(&m_png, &m_info); }
   PngEncoder(const PngEncoder&) = delete;
   PngEncoder& operator=(const PngEncoder&) = delete;
 

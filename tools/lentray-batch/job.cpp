@@ -13,6 +13,7 @@
 #include "core/image/reader.h"
 #include "parser/files/watched_files.h"
 #include "parser/options/create_ini.h"
+#include "tools/common/companion.h"
 #include "tools/common/json_text.h"
 #include "tools/common/messages.h"
 #include "tools/common/process.h"
@@ -84,6 +85,13 @@ std::string signal_text(int signal) {
 }
 
 }  // namespace
+
+std::string word_of(const Scene& scene) {
+  const std::string name = scene.source.filename().string();
+  // Blanks and quotes at the ends are no part of an option's value.
+  const bool has_end = name.find_first_of(" \t\"'") == 0;
+  return (has_end ? "+I./" : "+I") + name;
+}
 
 parser::RenderOptions options_of(const Plan& plan, const Scene& scene) {
   std::vector<std::string> words = plan.arguments.for_lentray;
@@ -185,7 +193,7 @@ double Job::room() const {
 
 bool Job::drop_journal() const {
   std::error_code error;
-  return fs::remove(made_picture().string() + ".lentray-state", error);
+  return fs::remove(tool::journal_path(made_picture().string()), error);
 }
 
 void Job::publish_statistics(const Row& band) const {
@@ -244,7 +252,7 @@ void Job::adopt(const Row& known) {
 /// The picture is there, younger than what its scene read, and that has not changed: only the row is missing.
 bool Job::adopt_left_over() {
   const std::int64_t read = modified(run_file("read")), picture = modified(picture_path());
-  if (read == 0 || picture < read || modified(picture_path().string() + ".lentray-state") != 0)
+  if (read == 0 || picture < read || modified(tool::journal_path(picture_path().string())) != 0)
     return false;
   read_dependencies(read);
   if (!files_are_current()) return false;
@@ -259,7 +267,7 @@ bool Job::adopt_left_over() {
 }
 
 bool Job::can_go_on() const {
-  if (!m_plan.scratch.empty() || modified(picture_path().string() + ".lentray-state") == 0)
+  if (!m_plan.scratch.empty() || modified(tool::journal_path(picture_path().string())) == 0)
     return false;
   Job then = *this;
   then.read_dependencies(modified(run_file("read")));
@@ -292,7 +300,7 @@ tool::Launch Job::render(int threads, double memory) {
                                      core::extension_of(m_options.type));
   fs::create_directories(picture.parent_path());
   launch.command.insert(launch.command.end(),
-                        {"+I" + m_scene.source.filename().string(), "+O" + picture.string(),
+                        {word_of(m_scene), "+O" + picture.string(),
                          "+WT" + std::to_string(threads)});
   if (m_band) {
     launch.command.insert(launch.command.end(), {"+SR" + std::to_string(m_band->first_row),

@@ -121,6 +121,8 @@ class Job {
 /// The pictures of a scene that has more than one: frames of an animation, or the views of `Views=`, whose frame number
 /// is here that of the view.
 std::vector<parser::AnimationFrame> pictures_of(const parser::RenderOptions& options);
+/// The word that names a scene in its own folder.
+std::string word_of(const Scene& scene);
 /// Where a band of a picture is kept until all are there, relative to the batch's folder.
 std::string band_picture(const std::string& picture, int index);
 /// The scene's options: the batch's, then those of scene.ini. Throws parser::OptionError.

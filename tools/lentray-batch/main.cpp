@@ -7,6 +7,7 @@
 #include <set>
 #include <thread>
 
+#include "parser/base/shown.h"
 #include "parser/files/watched_files.h"
 #include "parser/options/options.h"
 #include "tools/common/duration.h"
@@ -222,7 +223,7 @@ class Batch {
       write_page(true);
     } catch (const std::exception& error) {
       has_page = false;
-      std::fprintf(stderr, "lentray-batch: %s\n", error.what());
+      std::fprintf(stderr, "lentray-batch: %s\n", parser::shown_text(error.what()).c_str());
     }
     if (!a.table.empty())
       tool::write_whole(a.table, table(rows(), command_of(a.words), stock_version()));
@@ -300,7 +301,7 @@ int run_main(const std::vector<std::string>& words) {
     if (!arguments.worker.empty()) return do_task(arguments);
     return Batch(arguments).run();
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "lentray-batch: %s\n", error.what());
+    std::fprintf(stderr, "lentray-batch: %s\n", parser::shown_text(error.what()).c_str());
     return kNoBatch;
   }
 }

@@ -10,6 +10,8 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "tools/common/companion.h"
+
 namespace lentray::batch {
 
 namespace fs = std::filesystem;
@@ -55,9 +57,17 @@ StateFolder::~StateFolder() {
   ::close(m_lock);
 }
 
+/// Of the files of a picture's runs. Names of scenes may be as long as names can be.
+fs::path StateFolder::begin_of(const std::string& name) const {
+  const std::string whole = (m_path / "runs" / name).string();
+  const std::string longest_end(48, '.');  // key and kind
+  const std::string with_end = tool::companion_path(whole, longest_end);
+  return with_end.substr(0, with_end.size() - longest_end.size());
+}
+
 fs::path StateFolder::file(const std::string& name, const std::string& key,
                            const std::string& kind) const {
-  const fs::path place = m_path / "runs" / (name + "." + key + "." + kind);
+  const fs::path place = begin_of(name).string() + "." + key + "." + kind;
   std::error_code error;
   fs::create_directories(place.parent_path(), error);
   if (error) fail(place.parent_path(), error.value());
@@ -65,7 +75,7 @@ fs::path StateFolder::file(const std::string& name, const std::string& key,
 }
 
 void StateFolder::forget_others(const std::string& name, const std::string& key) const {
-  const fs::path place = m_path / "runs" / name;
+  const fs::path place = begin_of(name);
   const std::string begin = place.filename().string() + ".", ours = begin + key + ".";
   std::error_code error;
   for (fs::directory_iterator at(place.parent_path(), error), end; !error && at != end;

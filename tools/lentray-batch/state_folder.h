@@ -29,6 +29,8 @@ class StateFolder {
   bool free_reserve() const;
 
  private:
+  std::filesystem::path begin_of(const std::string& name) const;
+
   std::filesystem::path m_path;
   int m_lock = -1;
 };

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "parser/base/shown.h"
 #include "parser/files/watched_files.h"
 #include "tools/common/child.h"
 #include "tools/common/duration.h"
@@ -278,7 +279,7 @@ int run_main(const std::vector<std::string>& words) {
     std::cerr << "lentray-chart: stopped; the same command begins again" << std::endl;
     return kStopped;
   } catch (const std::exception& e) {
-    std::cerr << "lentray-chart: " << e.what() << std::endl;
+    std::cerr << "lentray-chart: " << parser::shown_text(e.what()) << std::endl;
     return kError;
   }
 }

@@ -11,6 +11,7 @@
 #include "core/image/display.h"
 #include "core/image/file_swap.h"
 #include "core/image/reader.h"
+#include "parser/base/shown.h"
 #include "parser/options/options.h"
 #include "tools/common/json_text.h"
 #include "tools/common/machine.h"
@@ -288,7 +289,7 @@ int run_main(const std::vector<std::string>& words) {
     if (!arguments.wrappers.empty()) return only_write_wrappers(arguments);
     return compare_and_report(arguments);
   } catch (const std::exception& e) {
-    std::cerr << "lentray-diff: " << e.what() << std::endl;
+    std::cerr << "lentray-diff: " << parser::shown_text(e.what()) << std::endl;
     return kError;
   }
 }

@@ -101,8 +101,6 @@ void forget_at(const std::string& path) {
 
 }  // namespace
 
-std::string journal_path(const std::string& picture) { return picture + ".lentray-state"; }
-
 PictureJournal::PictureJournal(std::string picture, std::uint32_t width, std::uint32_t height,
                                Identity identity, std::chrono::milliseconds silence)
     : m_path(journal_path(picture)), m_width(width), m_height(height),

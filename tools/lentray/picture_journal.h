@@ -22,12 +22,10 @@
 
 #include "core/image/spare_room.h"
 #include "core/render/picture_ledger.h"
+#include "tools/common/companion.h"
 #include "tools/lentray/identity.h"
 
 namespace lentray::tool {
-
-/// Of the picture at that path.
-std::string journal_path(const std::string& picture);
 
 class PictureJournal final : public core::PictureLedger, public core::SpareRoom {
  public:
