@@ -83,8 +83,8 @@ class LensSolver {
  private:
   void note(std::string line) { m_out.notes.push_back(std::move(line)); }
   static std::vector<std::string> depth_options() {
-    return {"Lens_Thickness", "Lens_Focal_Length", "Lens_Radius", "Lens_Angle", "Lens_IOR",
-            "Lens_Pitch", "Lens_LPI"};
+    return {"Lens_Thickness", "Lens_Focal_Length", "Lens_Radius", "Lens_Angle",
+            "Lens_IOR",       "Lens_Pitch",        "Lens_LPI"};
   }
   bool has_depth() const { return m_data.thickness || m_data.focal_length || m_data.radius; }
 
@@ -95,8 +95,8 @@ class LensSolver {
       // Printed digits may differ; more would be whole lenses across a sheet.
       if (m_pitch && std::fabs(*m_pitch - pitch) > 1e-4 * pitch) {
         throw CameraError("lens pitch " + format(*m_pitch) + " mm and " + format(*m_data.lpi) +
-                          " lenses an inch (" + format(pitch) +
-                          " mm) contradict each other: give one of them",
+                              " lenses an inch (" + format(pitch) +
+                              " mm) contradict each other: give one of them",
                           {"Lens_Pitch", "Lens_LPI"});
       }
       if (!m_pitch) m_pitch = pitch;
@@ -111,13 +111,12 @@ class LensSolver {
     if (!m_ior && m_pitch && m_data.angle && depth && !m_data.radius) {
       m_ior = std::sin(0.5 * *m_data.angle * kDegree) / half_sine(*m_pitch, *depth);
       if (!(*m_ior >= 1.0 && *m_ior <= kMostMaterialIor)) {
-        throw CameraError("a viewing angle of " + format(*m_data.angle) + " degrees and " +
-                          format(*depth) +
-                          " mm from lens to print contradict each other: they would "
-                          "need a refractive index of " +
-                          format(*m_ior),
-                          {"Lens_Angle", "Lens_Thickness", "Lens_Focal_Length", "Lens_Pitch",
-                           "Lens_LPI"});
+        throw CameraError(
+            "a viewing angle of " + format(*m_data.angle) + " degrees and " + format(*depth) +
+                " mm from lens to print contradict each other: they would "
+                "need a refractive index of " +
+                format(*m_ior),
+            {"Lens_Angle", "Lens_Thickness", "Lens_Focal_Length", "Lens_Pitch", "Lens_LPI"});
       }
       m_angle_is_used = true;
       note("Refractive index " + brief(*m_ior) + ", from the viewing angle");
@@ -136,9 +135,9 @@ class LensSolver {
     if (m_data.focal_length) {
       if (!agree(*m_data.focal_length, focus)) {
         throw CameraError("a lens focal length of " + format(*m_data.focal_length) +
-                          " mm and the " + format(focus) + " mm that follow from the radius " +
-                          format(*m_data.radius) + " mm and the index " + format(*m_ior) +
-                          " contradict each other: leave out one of them",
+                              " mm and the " + format(focus) + " mm that follow from the radius " +
+                              format(*m_data.radius) + " mm and the index " + format(*m_ior) +
+                              " contradict each other: leave out one of them",
                           {"Lens_Focal_Length", "Lens_Radius", "Lens_IOR"});
       }
       note("Focal length " + brief(*m_data.focal_length) +
@@ -187,16 +186,16 @@ class LensSolver {
     const double radius = *m_data.radius, half = 0.5 * m_out.pitch;
     if (radius < half) {
       throw CameraError("a lens radius of " + format(radius) + " mm and a pitch of " +
-                        format(m_out.pitch) + " mm contradict each other: such lenses are " +
-                        format(2.0 * radius) + " mm wide at most",
+                            format(m_out.pitch) + " mm contradict each other: such lenses are " +
+                            format(2.0 * radius) + " mm wide at most",
                         {"Lens_Radius", "Lens_Pitch", "Lens_LPI"});
     }
     const double bulge = radius - std::sqrt((radius - half) * (radius + half));
     if (bulge >= m_out.thickness) {
       throw CameraError("a lens radius of " + format(radius) + " mm and a thickness of " +
-                        format(m_out.thickness) +
-                        " mm contradict each other: the lenses alone are " + format(bulge) +
-                        " mm high",
+                            format(m_out.thickness) +
+                            " mm contradict each other: the lenses alone are " + format(bulge) +
+                            " mm high",
                         {"Lens_Radius", "Lens_Thickness", "Lens_Pitch", "Lens_LPI"});
     }
   }
@@ -211,9 +210,10 @@ class LensSolver {
     }
     if (!agree(*m_data.angle, nearest)) {
       throw CameraError("a viewing angle of " + format(*m_data.angle) + " degrees and the " +
-                        format(nearest) + " degrees that follow from pitch " + format(m_out.pitch) +
-                        " mm, thickness " + format(m_out.thickness) + " mm and index " +
-                        format(m_out.ior) + " contradict each other: leave out one of them",
+                            format(nearest) + " degrees that follow from pitch " +
+                            format(m_out.pitch) + " mm, thickness " + format(m_out.thickness) +
+                            " mm and index " + format(m_out.ior) +
+                            " contradict each other: leave out one of them",
                         {"Lens_Angle", "Lens_Pitch", "Lens_LPI", "Lens_Thickness",
                          "Lens_Focal_Length", "Lens_Radius", "Lens_IOR"});
     }

@@ -21,8 +21,8 @@ double pixels_of_dpi(const LensParameters& lens, double dpi, std::uint32_t width
       per_mm * lens.focal_length * eye->sheet_width / (lens.ior * eye->distance * width);
   if (loss >= 1.0) {
     throw CameraError("no sheet at " + format(dpi) +
-                      " pixels an inch lets the eye of this camera "
-                      "see one view: ask for lens pixels instead",
+                          " pixels an inch lets the eye of this camera "
+                          "see one view: ask for lens pixels instead",
                       {"Print_DPI", kCameraToo});
   }
   return per_mm * lens.pitch / lens.slant_cosine() / (1.0 - loss);
@@ -66,7 +66,8 @@ void check_dpi(const std::optional<double>& dpi) {
   constexpr double kMost = 1e9;
   if (!dpi) return;
   if (!(*dpi > 0.0))
-    throw CameraError("the print's resolution must be greater than 0 pixels an inch", {"Print_DPI"});
+    throw CameraError("the print's resolution must be greater than 0 pixels an inch",
+                      {"Print_DPI"});
   if (!(*dpi <= kMost)) {
     throw CameraError("the print's resolution must be 1e9 pixels an inch at most", {"Print_DPI"});
   }
@@ -76,10 +77,10 @@ void check_dpi(const std::optional<double>& dpi) {
 void check(const LensParameters& lens) {
   const std::string why = complaint(lens);
   if (why.empty()) return;
-  throw CameraError(why, {"Lens_Pitch", "Lens_LPI", "Print_LPI", "Lens_Thickness",
-                          "Lens_Focal_Length", "Lens_Radius", "Lens_IOR", "Lens_Angle",
-                          "Lens_Pixels", "Print_DPI", "View_Distance", "Lens_Model", "Lens_Rays",
-                          "Lens_Slant"});
+  throw CameraError(
+      why, {"Lens_Pitch", "Lens_LPI", "Print_LPI", "Lens_Thickness", "Lens_Focal_Length",
+            "Lens_Radius", "Lens_IOR", "Lens_Angle", "Lens_Pixels", "Print_DPI", "View_Distance",
+            "Lens_Model", "Lens_Rays", "Lens_Slant"});
 }
 
 /// All but N and a V that is the scene's.
@@ -148,12 +149,13 @@ LensParameters resolve(const LensRequest& request, std::uint32_t width, const Ey
     const double pixels = pixels_of_dpi(lens, *request.print_dpi, width, eye);
     if (request.pixels && !agree(*request.pixels, pixels)) {
       throw CameraError(format(*request.pixels) + " pixels a lens and " +
-                        format(*request.print_dpi) + " pixels an inch (" + format(pixels) +
-                        " pixels a lens) contradict each other: give one of them",
+                            format(*request.print_dpi) + " pixels an inch (" + format(pixels) +
+                            " pixels a lens) contradict each other: give one of them",
                         {"Lens_Pixels", "Print_DPI"});
     }
     if (!request.pixels) lens.pixels = pixels;
-    if (lens.pixels < 1.0) throw CameraError("a lens must be at least one pixel wide", {"Print_DPI"});
+    if (lens.pixels < 1.0)
+      throw CameraError("a lens must be at least one pixel wide", {"Print_DPI"});
   }
   if (eye) {
     const double per_mm =

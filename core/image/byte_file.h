@@ -1,7 +1,8 @@
 // A file to write bytes to, for encoders. Errors: std::runtime_error with the system's reason.
 //
-// Where the disk or the quota has no room left, and there is spare room, what does not fit is held in memory until it is
-// known how much that is: spare room is given up only where all fits then. One thread.
+// Where the disk or the quota has no room left, and there is spare room, what does not fit is
+// held in memory until it is known how much that is: spare room is given up only where all fits
+// then. One thread.
 #pragma once
 
 #include <cstddef>

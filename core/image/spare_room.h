@@ -1,5 +1,5 @@
-// Room on a disk that something holds which is worth less than a picture: it is given up where the picture would
-// not fit otherwise. Any thread.
+// Room on a disk that something holds which is worth less than a picture: it is given up where
+// the picture would not fit otherwise. Any thread.
 #pragma once
 
 #include <cstdint>

@@ -19,7 +19,11 @@ std::size_t utf8_length(std::string_view text, std::size_t at) {
   const unsigned char first = byte_at(text, at), second = byte_at(text, at + 1);
   if (at >= text.size()) return 0;
   if (first < 0x80) return 1;
-  const std::size_t length = first < 0xC2 ? 0 : first < 0xE0 ? 2 : first < 0xF0 ? 3 : first < 0xF5 ? 4 : 0;
+  const std::size_t length = first < 0xC2   ? 0
+                             : first < 0xE0 ? 2
+                             : first < 0xF0 ? 3
+                             : first < 0xF5 ? 4
+                                            : 0;
   for (std::size_t i = 1; i < length; ++i) {
     if ((byte_at(text, at + i) & 0xC0) != 0x80) return 0;
   }
@@ -52,7 +56,8 @@ std::string bytes_of_utf8(std::string_view text) {
   out.reserve(text.size());
   for (std::size_t at = 0; at < text.size();) {
     if (is_byte_character(text, at)) {
-      out += static_cast<char>(0x80 | (byte_at(text, at + 1) & 1) << 6 | (byte_at(text, at + 2) & 0x3F));
+      out += static_cast<char>(0x80 | (byte_at(text, at + 1) & 1) << 6 |
+                               (byte_at(text, at + 2) & 0x3F));
       at += 3;
     } else {
       out += text[at++];

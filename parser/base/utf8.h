@@ -1,8 +1,8 @@
 // Names of files in texts that must be UTF-8, such as JSON. A name is bytes, which may be no UTF-8.
 //
-// A byte b that is no part of a character becomes the character U+EF00 + b (U+EF80 to U+EFFF), and so
-// do the bytes of these characters themselves where a name has them. Every name has one such text,
-// and no two names have the same. Pure functions.
+// A byte b that is no part of a character becomes the character U+EF00 + b (U+EF80 to U+EFFF),
+// and so do the bytes of these characters themselves where a name has them. Every name has one
+// such text, and no two names have the same. Pure functions.
 #pragma once
 
 #include <cstddef>

@@ -9,6 +9,7 @@
 #include "core/base/memory_limit.h"
 #include "parser/options/lens_sheets.h"
 #include "parser/options/options_table.h"
+#include "parser/options/said_options.h"
 #include "parser/options/sheet_size.h"
 #include "parser/options/view_options_reader.h"
 
@@ -227,6 +228,17 @@ OptionSources installed_sources() {
 
 namespace {
 
+/// What does not go together is told with the places of what was said.
+void settle(RenderOptions& options) {
+  try {
+    settle_views(options);
+  } catch (const OptionError& error) {
+    const std::vector<std::string> names{"View",  "Views",      "View_Size",    "View_Clock",
+                                         "Quilt", "Quilt_Tile", "Quilt_Aspect", "View_Cone"};
+    throw OptionError(with_said(error.what(), options, names));
+  }
+}
+
 RenderOptions read_with(const std::string& default_ini, std::span<const std::string> arguments,
                         const OptionSources& sources) {
   RenderOptions options;
@@ -260,7 +272,7 @@ RenderOptions read_with(const std::string& default_ini, std::span<const std::str
   if (options.grayscale && !has_grey) {
     throw OptionError("Grayscale_Output: there is grey in PNG, PPM and TIFF files only");
   }
-  settle_views(options);
+  settle(options);
   if (options.all_console) {
     options.debug_console = options.warning_console = options.statistic_console =
         options.render_console = options.fatal_console = *options.all_console;

@@ -1,6 +1,7 @@
 // Options as they were said, for messages about what came of them. Pure functions.
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string>
 
@@ -8,15 +9,13 @@
 
 namespace lentray::parser {
 
-/// "Lens_Radius=0.1 in sheet.ini:3, Lens_Pitch=1": those of the names that were said, each as it was said last, with
-/// the lens sheet by name where one of them is a lens's. Empty: none was.
-struct SaidText {
-  std::string text;
-  std::size_t count = 0;  ///< of the names
-};
-SaidText said_text(const RenderOptions& options, std::span<const std::string> names);
+/// How many of the names were said.
+std::size_t said_count(const RenderOptions& options, std::span<const std::string> names);
 
-/// The same behind a message, in brackets.
-std::string with_said(const std::string& message, const SaidText& said);
+/// The message, and behind it in brackets those of the names that were said, each as it was said
+/// last: "(Lens_Radius=0.1 in sheet.ini:3, Lens_Pitch=1)". Of a lens that was not said to its
+/// end, the lens sheet's name too.
+std::string with_said(const std::string& message, const RenderOptions& options,
+                      std::span<const std::string> names);
 
 }  // namespace lentray::parser

@@ -26,12 +26,12 @@ std::int64_t whole(const RenderOptions& o, double exact, const char* what) {
     throw OptionError(with_said(std::string("the print would have ") + format(exact) + " " + what +
                                     ": 2147483647 are the most; a smaller sheet or Print_DPI has "
                                     "fewer",
-                                said_text(o, names)));
+                                o, names));
   }
   if (exact < 0.5) {
     throw OptionError(with_said(std::string("the print would have less than one of its ") + what +
                                     ": a larger sheet or Print_DPI has more",
-                                said_text(o, names)));
+                                o, names));
   }
   return std::llround(exact);
 }
@@ -47,7 +47,7 @@ void expect(const RenderOptions& o, std::int64_t given, double exact, const char
                                   name + "=" + format(mm) + "mm at " + resolution + " (" +
                                   format(std::round(exact)) +
                                   " pixels) contradict each other: leave out one of them",
-                              said_text(o, names)));
+                              o, names));
 }
 
 void fit(RenderOptions& o, double width, double height) {
@@ -84,19 +84,19 @@ void fit_picture_to_sheet(RenderOptions& o) {
     throw OptionError(with_said(std::string(o.sheet_width ? "Sheet_Width needs Sheet_Height"
                                                           : "Sheet_Height needs Sheet_Width") +
                                     " too: they are the sizes of the lens sheet",
-                                said_text(o, names)));
+                                o, names));
   }
   if (!o.sheet_width) {
     if (!o.print_dpi_down) return;
     const std::vector<std::string> names{"Print_DPI"};
     throw OptionError(with_said(
-        "a second number of Print_DPI, for pixels downwards, needs Sheet_Width and Sheet_Height",
-        said_text(o, names)));
+        "a second number of Print_DPI, for pixels downwards, needs Sheet_Width and Sheet_Height", o,
+        names));
   }
   try {
     fit(o, *o.sheet_width, *o.sheet_height);
   } catch (const camera::CameraError& error) {
-    throw OptionError(with_said(error.what(), said_text(o, error.about())));
+    throw OptionError(with_said(error.what(), o, error.about()));
   }
 }
 

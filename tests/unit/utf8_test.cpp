@@ -12,9 +12,9 @@
 namespace lentray {
 namespace {
 
+using nlohmann::json;
 using parser::bytes_of_utf8;
 using parser::utf8_of_bytes;
-using nlohmann::json;
 
 bool is_utf8(const std::string& text) {
   for (std::size_t at = 0; at < text.size();) {
@@ -26,8 +26,11 @@ bool is_utf8(const std::string& text) {
 }
 
 TEST(UnitUtf8, WhatIsUtf8StaysAsItIs) {
-  for (const char* text : {"", "scene.pov", "\xC3\x9C" "berblick", "a\nb\\c\"", "\xE2\x80\xAE",
-                           "\xF0\x9F\x98\x80", "\xEE\xBC\x80", "\xEF\xBF\xBD"}) {
+  for (const char* text :
+       {"", "scene.pov",
+        "\xC3\x9C"
+        "berblick",
+        "a\nb\\c\"", "\xE2\x80\xAE", "\xF0\x9F\x98\x80", "\xEE\xBC\x80", "\xEF\xBF\xBD"}) {
     EXPECT_EQ(utf8_of_bytes(text), text);
     EXPECT_EQ(bytes_of_utf8(text), text);
   }
@@ -35,8 +38,9 @@ TEST(UnitUtf8, WhatIsUtf8StaysAsItIs) {
 
 TEST(UnitUtf8, EveryOtherByteHasACharacter) {
   EXPECT_EQ(utf8_of_bytes("caf\xE9"), "caf\xEE\xBF\xA9");  // U+EFE9
-  for (const char* none : {"\x80", "\xFF", "\xC0\x80", "\xE2\x82", "\xED\xA0\x80", "\xF5\x80\x80\x80",
-                           "\xF0\x80\x80\x80", "a\xE9z", "\xEE\xBE\x80", "\xEE\xBF\xBF"}) {
+  for (const char* none :
+       {"\x80", "\xFF", "\xC0\x80", "\xE2\x82", "\xED\xA0\x80", "\xF5\x80\x80\x80",
+        "\xF0\x80\x80\x80", "a\xE9z", "\xEE\xBE\x80", "\xEE\xBF\xBF"}) {
     const std::string text = utf8_of_bytes(none);
     EXPECT_NE(text, none);
     EXPECT_TRUE(is_utf8(text));
@@ -73,7 +77,9 @@ TEST(UnitUtf8, JsonOfAnyBytesComesBack) {
 }
 
 TEST(UnitUtf8, MessagesShowBytesAndMarksOfDirection) {
-  EXPECT_EQ(parser::shown_name("caf\xE9 \x9B" "31m \xC3\xA9"), "caf\\xe9 \\x9b31m \xC3\xA9");
+  EXPECT_EQ(parser::shown_name("caf\xE9 \x9B"
+                               "31m \xC3\xA9"),
+            "caf\\xe9 \\x9b31m \xC3\xA9");
   EXPECT_EQ(parser::shown_text("\xE2\x80\xAEgnp.\xE2\x81\xA6"), "\\u202egnp.\\u2066");
   EXPECT_EQ(parser::shown_bytes("\xE9\n\xC3\xA9"), "\\xe9\n\xC3\xA9");
   const parser::ShownLine line = parser::shown_line("\xE9\x9B\xE2\x80\xAE#", 6);

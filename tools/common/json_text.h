@@ -1,5 +1,5 @@
-// JSON of values whose strings may be any bytes, such as names of files: as text they are written as
-// parser/base/utf8.h says, and read back as they were. Pure functions.
+// JSON of values whose strings may be any bytes, such as names of files: as text they are written
+// as parser/base/utf8.h says, and read back as they were. Pure functions.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -67,9 +67,10 @@ std::string key_of(const Plan& plan, const parser::RenderOptions& o,
 
 /// Disks, quotas and limits of a file's size.
 bool tells_of_no_room(const std::string& reason) {
-  return std::ranges::any_of(std::array{ENOSPC, EDQUOT, EFBIG}, [&](int error) {
-    return reason.find(std::strerror(error)) != std::string::npos;
-  }) || reason.find("no space") != std::string::npos;
+  return std::ranges::any_of(
+             std::array{ENOSPC, EDQUOT, EFBIG},
+             [&](int error) { return reason.find(std::strerror(error)) != std::string::npos; }) ||
+         reason.find("no space") != std::string::npos;
 }
 
 json read_json(const fs::path& path) {
@@ -299,9 +300,8 @@ tool::Launch Job::render(int threads, double memory) {
   const fs::path picture = root() / (m_scene.name + (is_view() ? m_frame->digits : "") +
                                      core::extension_of(m_options.type));
   fs::create_directories(picture.parent_path());
-  launch.command.insert(launch.command.end(),
-                        {word_of(m_scene), "+O" + picture.string(),
-                         "+WT" + std::to_string(threads)});
+  launch.command.insert(launch.command.end(), {word_of(m_scene), "+O" + picture.string(),
+                                               "+WT" + std::to_string(threads)});
   if (m_band) {
     launch.command.insert(launch.command.end(), {"+SR" + std::to_string(m_band->first_row),
                                                  "+ER" + std::to_string(m_band->last_row)});

@@ -205,9 +205,10 @@ class Batch {
     if (ended->status == 0) return;
     const std::string said = tool::last_error(tool::read_text(log));
     throw NoPage("the page could not be written: " +
-                 (!said.empty()             ? said
-                  : ended->status > 128     ? "ended by signal " + std::to_string(ended->status - 128)
-                                            : std::string("no space is left on the disk, or too little memory")));
+                 (!said.empty() ? said
+                  : ended->status > 128
+                      ? "ended by signal " + std::to_string(ended->status - 128)
+                      : std::string("no space is left on the disk, or too little memory")));
   }
 
   Status finish(bool is_done) {

@@ -18,9 +18,7 @@ namespace lentray::batch {
 
 namespace {
 
-std::string line_of(const Row& row) {
-  return tool::json_text(to_json(row)) + "\n";
-}
+std::string line_of(const Row& row) { return tool::json_text(to_json(row)) + "\n"; }
 
 }  // namespace
 

@@ -53,9 +53,9 @@ std::string name_of(const Item& item) {
 void RunFolder::write(const std::vector<std::string>& words,
                       const std::vector<std::vector<Work>>& tasks) const {
   for (const char* folder : {"results", "scratch", "logs"}) fs::create_directories(m_path / folder);
-  tool::write_whole(m_path / "command.json",
-                    tool::json_text(
-                        {{"words", words}, {"folder", fs::current_path().string()}}, 1));
+  tool::write_whole(
+      m_path / "command.json",
+      tool::json_text({{"words", words}, {"folder", fs::current_path().string()}}, 1));
   std::string lines;
   for (const std::vector<Work>& task : tasks) {
     json list = json::array();

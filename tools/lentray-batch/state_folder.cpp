@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::size_t kMostReserved = 4 << 20;  ///< bytes: some thousand rows
 constexpr std::size_t kFrame = 96 << 10;        ///< bytes of a page without pictures
-constexpr std::size_t kPicture = 60 << 10;      ///< of a row and a small picture, which is there twice
+constexpr std::size_t kPicture = 60 << 10;  ///< of a row and a small picture, which is there twice
 
 [[noreturn]] void fail(const fs::path& place, int error) {
   throw std::runtime_error("cannot write into the folder '" + place.string() +

@@ -76,7 +76,8 @@ void run_stock(Session& session, Point& p) {
     session.progress.say("stock POV-Ray is left out: " + session.chart().stock_reason);
     return;
   }
-  p.stock_runs.push_back(tool::parse_json(tool::read_text(figures)).at("stock_cpu_s").get<double>());
+  p.stock_runs.push_back(
+      tool::parse_json(tool::read_text(figures)).at("stock_cpu_s").get<double>());
   p.stock_picture = prefix + "-stock.png";
 }
 

@@ -26,8 +26,8 @@ std::vector<fs::path> made(const fs::path& folder) {
 
 /// Stock does not find files whose names are no UTF-8; others would end the string of an INI file or a scene.
 bool is_plain(const std::string& path) {
-  return std::ranges::all_of(
-      path, [](char c) { return c >= ' ' && c <= '~' && c != '"' && c != '\\'; });
+  return std::ranges::all_of(path,
+                             [](char c) { return c >= ' ' && c <= '~' && c != '"' && c != '\\'; });
 }
 
 }  // namespace
@@ -98,8 +98,8 @@ StoredImage Workshop::render(const fs::path& folder, const fs::path& scene,
   // An option file in the folder, for paths with spaces in them.
   std::ostringstream ini;
   ini << "Input_File_Name=\"" << scene.string() << "\"\nOutput_File_Name=\"" << picture.string()
-      << "\"\nLibrary_Path=\"" << m_root.string() << "\"\nLibrary_Path=\""
-      << m_folder.string() << "\"\n";
+      << "\"\nLibrary_Path=\"" << m_root.string() << "\"\nLibrary_Path=\"" << m_folder.string()
+      << "\"\n";
   for (const fs::path& p : m_options.library_paths)
     ini << "Library_Path=\"" << p.string() << "\"\n";
   tool::write_text(folder / "stock.ini", ini.str());

@@ -69,8 +69,7 @@ void refuse_views(const parser::RenderOptions& o) {
   if (const auto view = o.view) what = "View=" + std::to_string(*view);
   if (const auto views = o.views.count) what = "Views=" + std::to_string(*views);
   if (!what.empty()) {
-    throw camera::CameraError(what + " needs a lens sheet: add Lenticular=On",
-                              {"View", "Views"});
+    throw camera::CameraError(what + " needs a lens sheet: add Lenticular=On", {"View", "Views"});
   }
 }
 
@@ -106,7 +105,7 @@ std::shared_ptr<const camera::Camera> strip_of(const camera::Lenticular& sheet,
   const std::uint32_t views = camera::usual_views(sheet.sheet());
   if (view >= views || camera::view_width(sheet.sheet(), view, views) == 0) {
     throw camera::CameraError("there is no view " + std::to_string(view) + ": the views are 0 to " +
-                              std::to_string(views - 1),
+                                  std::to_string(views - 1),
                               {"View", "Lens_Pixels", "Print_DPI"});
   }
   return std::make_shared<camera::SheetView>(sheet, view);

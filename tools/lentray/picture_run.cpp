@@ -186,8 +186,7 @@ void write_dependencies(const Run& run, const SceneDisk& disk) {
                      {"read", disk.seen()},
                      {"missing", disk.watched().missing()},
                      {"written", disk.watched().written()}};
-  write_text_file(parser::frame_path(o, o.dependencies_file),
-                  json_text(std::move(out), 1) + "\n");
+  write_text_file(parser::frame_path(o, o.dependencies_file), json_text(std::move(out), 1) + "\n");
 }
 
 /// Blur_Samples holds where the scene has focal blur.
@@ -499,7 +498,8 @@ Status run_picture(const Picture& what, const std::atomic<bool>& cancel, TextStr
   if (!options.statistics_file.empty()) {
     nlohmann::json all = statistics(run.report, options, run.camera, run.scene->settings());
     all["not_rendered"] = run.not_rendered;
-    write_text_file(parser::frame_path(options, options.statistics_file), json_text(std::move(all), 2) + "\n");
+    write_text_file(parser::frame_path(options, options.statistics_file),
+                    json_text(std::move(all), 2) + "\n");
   }
   const std::string text = summary(run.report, run.output);
   if (options.verbose) {
