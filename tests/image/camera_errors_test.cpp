@@ -13,9 +13,9 @@ namespace {
 struct Case {
   std::string camera;  ///< the third line of the scene
   std::vector<std::string> options;
-  std::string message;            ///< a part of it
-  bool has_place = true;          ///< of the statement
-  std::vector<std::string> said;  ///< those options that the message names
+  std::string message;              ///< a part of it
+  bool has_place = true;            ///< of the statement
+  std::vector<std::string> said{};  ///< those options that the message names
 };
 void PrintTo(const Case& c, std::ostream* out) { *out << c.camera << ": " << c.message; }
 
@@ -201,7 +201,7 @@ TEST_P(ErrorCameraPlaces, NameTheStatementAndTheOptions) {
 }
 
 TEST_P(ErrorCameraPlaces, NameTheLinesOfIniFiles) {
-  if (GetParam().options.empty()) GTEST_SKIP() << "no options";
+  if (GetParam().options.empty()) return;
   std::string lines = "; a lens sheet\n";
   for (const std::string& option : GetParam().options) lines += option + "\n";
   tool::write_text(m_folder / "o.ini", lines);
