@@ -43,7 +43,7 @@ const Case kOfStatement[] = {
     {kSheet + "lens_model thick lens_pitch 3 lens_focal_length 1 }", {}, "there is no such lens"},
     {kSheet + "lens_pitch 1e-9 }", {}, "the lens pitch must be"},
     {kSheet + "lens_ior 400 }", {}, "refractive index of the lens must be 100"},
-    {kSheet + "right x+y }", {}, "not perpendicular to `up`"},
+    {"camera { lenticular location -6*z right x+y up y direction z }", {}, "not perpendicular to"},
     {kSheet + "aperture 1 blur_samples 4 focal_point 0 lens_model thick lens_pitch .5 }",
      {},
      "no focal blur"},
