@@ -90,7 +90,7 @@ double sheet_distance(const Projection& p, const Conversion& conversion, const V
         "unknown: give Sheet_Distance");
   }
   if (!(distance > 0.0) || !std::isfinite(distance)) {
-    throw CameraError("Sheet_Distance must be greater than 0");
+    throw CameraError("Sheet_Distance must be greater than 0", {"Sheet_Distance"});
   }
   return distance;
 }
@@ -112,9 +112,10 @@ void check_width(const Lenticular& camera, const LensRequest& asked) {
   if (has_scenes_eye || std::fabs(sheet.sheet_width() - asked.size->width) <= 1.5 * pixel) return;
   throw CameraError(
       "the scene's own lens makes the sheet " + format(sheet.sheet_width()) + " mm wide, not " +
-      format(asked.size->width) +
-      " mm: give its lens data and view_distance as options, from which the picture's "
-      "columns follow");
+          format(asked.size->width) +
+          " mm: give its lens data and view_distance as options, from which the picture's "
+          "columns follow",
+      {"Sheet_Width", "Sheet_Height", kCameraToo});
 }
 
 /// The picture fills the sheet, so one of another shape is stretched.
@@ -163,7 +164,8 @@ Sheet finish(LensParameters lens, SheetPlacement place, const LensRequest& asked
   for (const double size : {place.width, place.height, 1.0 / place.width, 1.0 / place.height,
                             place.front, core::length(place.centre)}) {
     if (!(std::fabs(size) < kFarthest)) {
-      throw CameraError("the sheet is too large, too small or too far away to be computed");
+      throw CameraError("the sheet is too large, too small or too far away to be computed",
+                        {"Sheet_Distance", "Lens_Front", kCameraToo});
     }
   }
   if (asked.depth_budget) {
@@ -231,7 +233,8 @@ Sheet sheet_of_camera(std::string_view kind, const Projection& projection,
                       const SceneProbe& probe) {
   if (kind != "perspective" && kind != "orthographic") {
     throw CameraError("a `" + std::string(kind) +
-                      "` camera has no lens sheet: only perspective and orthographic ones have");
+                          "` camera has no lens sheet: only perspective and orthographic ones have",
+                      {"Lenticular", "Quilt", kCameraToo});
   }
   SheetPlacement place = placement_of(projection);
   const double size = core::length(projection.direction);
@@ -240,7 +243,8 @@ Sheet sheet_of_camera(std::string_view kind, const Projection& projection,
   LensParameters lens;
   if (kind == "orthographic") {
     distance = conversion.sheet_distance.value_or(0.0);
-    if (distance < 0.0) throw CameraError("Sheet_Distance must not be negative");
+    if (distance < 0.0)
+      throw CameraError("Sheet_Distance must not be negative", {"Sheet_Distance"});
     LensRequest asked = conversion.lens;
     if (!asked.view_distance) asked.view_distance = 0.0;
     lens = resolve(asked, width, nullptr);

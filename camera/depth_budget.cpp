@@ -71,7 +71,8 @@ FittedDepth fit_depth(const DepthBudget& budget, const LensParameters& lens, con
     const double margin = seen.is_whole ? 2e-6 : 5e-3;
     tried.depth_factor = std::min(1.0, tried.depth_factor * pixels / most * (1.0 - margin));
     if (!(tried.depth_factor >= kLeastFactor)) {
-      throw CameraError(budget_text(budget, pixels) + ": " + trouble(lens, before));
+      throw CameraError(budget_text(budget, pixels) + ": " + trouble(lens, before),
+                        {"Depth_Budget", "View_Distance", "Lens_Model", kCameraToo});
     }
     sheet = make(tried);
     seen = survey_depth(*sheet, probe);

@@ -18,37 +18,39 @@ double half_sine(double pitch, double thickness) {
   return 0.5 * pitch / std::hypot(0.5 * pitch, thickness);
 }
 
-void check_length(const std::optional<double>& value, const std::string& name) {
+void check_length(const std::optional<double>& value, const std::string& name,
+                  const std::vector<std::string>& about) {
   constexpr double kLeast = 1e-6, kMost = 1e6;
   if (!value) return;
-  if (!(*value > 0.0)) throw CameraError("the " + name + " must be greater than 0 mm");
+  if (!(*value > 0.0)) throw CameraError("the " + name + " must be greater than 0 mm", about);
   if (!(*value >= kLeast && *value <= kMost)) {
-    throw CameraError("the " + name + " must be 1e-6 to 1e6 mm");
+    throw CameraError("the " + name + " must be 1e-6 to 1e6 mm", about);
   }
 }
 
 void check(const LensData& data) {
-  check_length(data.pitch, "lens pitch");
-  check_length(data.focal_length, "lens focal length");
-  check_length(data.thickness, "lens thickness");
-  check_length(data.radius, "lens radius");
+  check_length(data.pitch, "lens pitch", {"Lens_Pitch"});
+  check_length(data.focal_length, "lens focal length", {"Lens_Focal_Length"});
+  check_length(data.thickness, "lens thickness", {"Lens_Thickness"});
+  check_length(data.radius, "lens radius", {"Lens_Radius"});
   if (data.lpi) {
     if (!(*data.lpi > 0.0))
-      throw CameraError("the number of lenses an inch must be greater than 0");
+      throw CameraError("the number of lenses an inch must be greater than 0", {"Lens_LPI"});
     if (!(*data.lpi >= 1e-4 && *data.lpi <= 1e7)) {
-      throw CameraError("the number of lenses an inch must be 1e-4 to 1e7");
+      throw CameraError("the number of lenses an inch must be 1e-4 to 1e7", {"Lens_LPI"});
     }
   }
   if (data.ior) {
     if (!(*data.ior >= 1.0))
-      throw CameraError("the refractive index of the lens must be at least 1");
+      throw CameraError("the refractive index of the lens must be at least 1", {"Lens_IOR"});
     if (!(*data.ior <= kMostIor)) {
-      throw CameraError("the refractive index of the lens must be 100 at most");
+      throw CameraError("the refractive index of the lens must be 100 at most", {"Lens_IOR"});
     }
   }
   if (data.angle && !(*data.angle > 0.0 && *data.angle < 180.0)) {
     throw CameraError(
-        "the viewing angle of the lens must be greater than 0 and less than 180 degrees");
+        "the viewing angle of the lens must be greater than 0 and less than 180 degrees",
+        {"Lens_Angle"});
   }
 }
 
@@ -67,9 +69,9 @@ class LensSolver {
     find_pitch();
     find_ior();
     find_thickness();
-    check_length(m_thickness, "lens thickness");
+    check_length(m_thickness, "lens thickness", depth_options());
     if (!m_pitch) find_pitch_from_angle();
-    check_length(m_pitch, "lens pitch");
+    check_length(m_pitch, "lens pitch", {"Lens_Pitch", "Lens_LPI", "Lens_Thickness", "Lens_Angle"});
     m_out.pitch = *m_pitch;
     m_out.ior = *m_ior;
     m_out.thickness = *m_thickness;
@@ -80,6 +82,10 @@ class LensSolver {
 
  private:
   void note(std::string line) { m_out.notes.push_back(std::move(line)); }
+  static std::vector<std::string> depth_options() {
+    return {"Lens_Thickness", "Lens_Focal_Length", "Lens_Radius", "Lens_Angle",
+            "Lens_IOR",       "Lens_Pitch",        "Lens_LPI"};
+  }
   bool has_depth() const { return m_data.thickness || m_data.focal_length || m_data.radius; }
 
   void find_pitch() {
@@ -89,8 +95,9 @@ class LensSolver {
       // Printed digits may differ; more would be whole lenses across a sheet.
       if (m_pitch && std::fabs(*m_pitch - pitch) > 1e-4 * pitch) {
         throw CameraError("lens pitch " + format(*m_pitch) + " mm and " + format(*m_data.lpi) +
-                          " lenses an inch (" + format(pitch) +
-                          " mm) contradict each other: give one of them");
+                              " lenses an inch (" + format(pitch) +
+                              " mm) contradict each other: give one of them",
+                          {"Lens_Pitch", "Lens_LPI"});
       }
       if (!m_pitch) m_pitch = pitch;
     }
@@ -104,11 +111,12 @@ class LensSolver {
     if (!m_ior && m_pitch && m_data.angle && depth && !m_data.radius) {
       m_ior = std::sin(0.5 * *m_data.angle * kDegree) / half_sine(*m_pitch, *depth);
       if (!(*m_ior >= 1.0 && *m_ior <= kMostMaterialIor)) {
-        throw CameraError("a viewing angle of " + format(*m_data.angle) + " degrees and " +
-                          format(*depth) +
-                          " mm from lens to print contradict each other: they would "
-                          "need a refractive index of " +
-                          format(*m_ior));
+        throw CameraError(
+            "a viewing angle of " + format(*m_data.angle) + " degrees and " + format(*depth) +
+                " mm from lens to print contradict each other: they would "
+                "need a refractive index of " +
+                format(*m_ior),
+            {"Lens_Angle", "Lens_Thickness", "Lens_Focal_Length", "Lens_Pitch", "Lens_LPI"});
       }
       m_angle_is_used = true;
       note("Refractive index " + brief(*m_ior) + ", from the viewing angle");
@@ -120,15 +128,17 @@ class LensSolver {
   std::optional<double> focus() {
     if (!m_data.radius) return m_data.focal_length;
     if (*m_ior == 1.0) {
-      throw CameraError("a lens with a radius needs a refractive index greater than 1");
+      throw CameraError("a lens with a radius needs a refractive index greater than 1",
+                        {"Lens_Radius", "Lens_IOR"});
     }
     const double focus = *m_ior * *m_data.radius / (*m_ior - 1.0);
     if (m_data.focal_length) {
       if (!agree(*m_data.focal_length, focus)) {
         throw CameraError("a lens focal length of " + format(*m_data.focal_length) +
-                          " mm and the " + format(focus) + " mm that follow from the radius " +
-                          format(*m_data.radius) + " mm and the index " + format(*m_ior) +
-                          " contradict each other: leave out one of them");
+                              " mm and the " + format(focus) + " mm that follow from the radius " +
+                              format(*m_data.radius) + " mm and the index " + format(*m_ior) +
+                              " contradict each other: leave out one of them",
+                          {"Lens_Focal_Length", "Lens_Radius", "Lens_IOR"});
       }
       note("Focal length " + brief(*m_data.focal_length) +
            " mm as given; radius and index make it " + brief(focus) + " mm, " +
@@ -176,15 +186,17 @@ class LensSolver {
     const double radius = *m_data.radius, half = 0.5 * m_out.pitch;
     if (radius < half) {
       throw CameraError("a lens radius of " + format(radius) + " mm and a pitch of " +
-                        format(m_out.pitch) + " mm contradict each other: such lenses are " +
-                        format(2.0 * radius) + " mm wide at most");
+                            format(m_out.pitch) + " mm contradict each other: such lenses are " +
+                            format(2.0 * radius) + " mm wide at most",
+                        {"Lens_Radius", "Lens_Pitch", "Lens_LPI"});
     }
     const double bulge = radius - std::sqrt((radius - half) * (radius + half));
     if (bulge >= m_out.thickness) {
       throw CameraError("a lens radius of " + format(radius) + " mm and a thickness of " +
-                        format(m_out.thickness) +
-                        " mm contradict each other: the lenses alone are " + format(bulge) +
-                        " mm high");
+                            format(m_out.thickness) +
+                            " mm contradict each other: the lenses alone are " + format(bulge) +
+                            " mm high",
+                        {"Lens_Radius", "Lens_Thickness", "Lens_Pitch", "Lens_LPI"});
     }
   }
 
@@ -198,9 +210,12 @@ class LensSolver {
     }
     if (!agree(*m_data.angle, nearest)) {
       throw CameraError("a viewing angle of " + format(*m_data.angle) + " degrees and the " +
-                        format(nearest) + " degrees that follow from pitch " + format(m_out.pitch) +
-                        " mm, thickness " + format(m_out.thickness) + " mm and index " +
-                        format(m_out.ior) + " contradict each other: leave out one of them");
+                            format(nearest) + " degrees that follow from pitch " +
+                            format(m_out.pitch) + " mm, thickness " + format(m_out.thickness) +
+                            " mm and index " + format(m_out.ior) +
+                            " contradict each other: leave out one of them",
+                        {"Lens_Angle", "Lens_Pitch", "Lens_LPI", "Lens_Thickness",
+                         "Lens_Focal_Length", "Lens_Radius", "Lens_IOR"});
     }
     note("Viewing angle " + brief(*m_data.angle) + " degrees as given; the other data make it " +
          brief(nearest) + ", " + part_text(*m_data.angle, nearest) + " off");

@@ -10,6 +10,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace lentray::camera {
@@ -17,8 +18,18 @@ namespace lentray::camera {
 /// A camera that cannot be had, and why.
 class CameraError : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  /// `about`: the options that it may come from, by their names; those of a lens are also words of the camera
+  /// statement, in small letters. None: it comes from the statement alone.
+  explicit CameraError(const std::string& why, std::vector<std::string> about = {})
+      : std::runtime_error(why), m_about(std::move(about)) {}
+  const std::vector<std::string>& about() const { return m_about; }
+
+ private:
+  std::vector<std::string> m_about;
 };
+
+/// An option in CameraError::about() whose error is of the statement besides.
+inline constexpr const char* kCameraToo = "camera";
 
 struct LensData {
   std::optional<double> pitch{};         ///< width of a lens, mm

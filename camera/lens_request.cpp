@@ -21,8 +21,9 @@ double pixels_of_dpi(const LensParameters& lens, double dpi, std::uint32_t width
       per_mm * lens.focal_length * eye->sheet_width / (lens.ior * eye->distance * width);
   if (loss >= 1.0) {
     throw CameraError("no sheet at " + format(dpi) +
-                      " pixels an inch lets the eye of this camera "
-                      "see one view: ask for lens pixels instead");
+                          " pixels an inch lets the eye of this camera "
+                          "see one view: ask for lens pixels instead",
+                      {"Print_DPI", kCameraToo});
   }
   return per_mm * lens.pitch / lens.slant_cosine() / (1.0 - loss);
 }
@@ -65,10 +66,21 @@ void check_dpi(const std::optional<double>& dpi) {
   constexpr double kMost = 1e9;
   if (!dpi) return;
   if (!(*dpi > 0.0))
-    throw CameraError("the print's resolution must be greater than 0 pixels an inch");
+    throw CameraError("the print's resolution must be greater than 0 pixels an inch",
+                      {"Print_DPI"});
   if (!(*dpi <= kMost)) {
-    throw CameraError("the print's resolution must be 1e9 pixels an inch at most");
+    throw CameraError("the print's resolution must be 1e9 pixels an inch at most", {"Print_DPI"});
   }
+}
+
+/// Whatever a lens is made of.
+void check(const LensParameters& lens) {
+  const std::string why = complaint(lens);
+  if (why.empty()) return;
+  throw CameraError(
+      why, {"Lens_Pitch", "Lens_LPI", "Print_LPI", "Lens_Thickness", "Lens_Focal_Length",
+            "Lens_Radius", "Lens_IOR", "Lens_Angle", "Lens_Pixels", "Print_DPI", "View_Distance",
+            "Lens_Model", "Lens_Rays", "Lens_Slant"});
 }
 
 /// All but N and a V that is the scene's.
@@ -82,7 +94,7 @@ LensParameters begin(const LensRequest& asked) {
   lens.surface_radius = solved.radius;
   if (request.view_distance) {
     if (*request.view_distance < 0.0 || std::isnan(*request.view_distance)) {
-      throw CameraError("the viewing distance must not be negative");
+      throw CameraError("the viewing distance must not be negative", {"View_Distance"});
     }
     if (*request.view_distance > 0.0) lens.view_distance = *request.view_distance;
   }
@@ -98,13 +110,15 @@ LensRequest with_lens_pitch(const LensRequest& request) {
   if (!request.print_lpi) return request;
   if (request.pitch || request.lpi) {
     throw CameraError(
-        "Print_LPI tells the lenses' pitch, and so does Lens_Pitch or Lens_LPI: give one of them");
+        "Print_LPI tells the lenses' pitch, and so does Lens_Pitch or Lens_LPI: give one of them",
+        {"Print_LPI", "Lens_Pitch", "Lens_LPI"});
   }
   if (!(*request.print_lpi >= 1e-4 && *request.print_lpi <= 1e7)) {
-    throw CameraError("Print_LPI must be 0.0001 to 10000000 strips an inch");
+    throw CameraError("Print_LPI must be 0.0001 to 10000000 strips an inch", {"Print_LPI"});
   }
   if (!request.view_distance) {
-    throw CameraError("Print_LPI needs a View_Distance: which strips fit depends on it");
+    throw CameraError("Print_LPI needs a View_Distance: which strips fit depends on it",
+                      {"Print_LPI"});
   }
   const double strip = 25.4 / *request.print_lpi, distance = *request.view_distance;
   LensRequest out = request;
@@ -130,24 +144,25 @@ LensParameters resolve(const LensRequest& request, std::uint32_t width, const Ey
   const bool paraxial = finite || request.automatic_model;
   lens.model = request.model.value_or(paraxial ? LensModel::kParaxial : LensModel::kPinhole);
   lens.rays = request.rays.value_or(lens.rays);
-  if (const std::string why = complaint(lens); !why.empty()) throw CameraError(why);
+  check(lens);
   if (request.print_dpi) {
     const double pixels = pixels_of_dpi(lens, *request.print_dpi, width, eye);
     if (request.pixels && !agree(*request.pixels, pixels)) {
       throw CameraError(format(*request.pixels) + " pixels a lens and " +
-                        format(*request.print_dpi) + " pixels an inch (" + format(pixels) +
-                        " pixels a lens) contradict each other: give one of them");
+                            format(*request.print_dpi) + " pixels an inch (" + format(pixels) +
+                            " pixels a lens) contradict each other: give one of them",
+                        {"Lens_Pixels", "Print_DPI"});
     }
     if (!request.pixels) lens.pixels = pixels;
-    if (lens.pixels < 1.0) throw CameraError("a lens must be at least one pixel wide");
+    if (lens.pixels < 1.0)
+      throw CameraError("a lens must be at least one pixel wide", {"Print_DPI"});
   }
   if (eye) {
     const double per_mm =
         eye->sheet_width / (width / lens.pixels * lens.pitch / lens.slant_cosine());
     lens.view_distance = eye->distance / per_mm;
   }
-  if (const std::string why = complaint(lens); !why.empty())
-    throw CameraError(why);  // of what was computed
+  check(lens);  // what was computed
   return lens;
 }
 
@@ -155,7 +170,8 @@ ExactPixels exact_pixels(const LensRequest& request, const SheetSize& size) {
   constexpr double kLeast = 1e-6, kMost = 1e6;
   for (const double mm : {size.width, size.height}) {
     if (mm >= kLeast && mm <= kMost) continue;
-    throw CameraError("the sheet must be 1e-6 to 1e6 mm wide and high");
+    throw CameraError("the sheet must be 1e-6 to 1e6 mm wide and high",
+                      {"Sheet_Width", "Sheet_Height"});
   }
   check_dpi(size.dpi_down);
   LensParameters lens = begin(request);
@@ -163,7 +179,7 @@ ExactPixels exact_pixels(const LensRequest& request, const SheetSize& size) {
     const double pixels = pixels_for_dpi(lens, *request.print_dpi);
     if (!request.pixels) lens.pixels = pixels;
   }
-  if (const std::string why = complaint(lens); !why.empty()) throw CameraError(why);
+  check(lens);
   const double larger = lens.print_pitch() / lens.pitch;
   const double dpi_down = size.dpi_down.value_or(lens.print_dpi());
   return {size.width / lens.pitch * lens.pixels * lens.slant_cosine(),

@@ -31,7 +31,8 @@ ThinLens lens_of_sheet(const Lenticular& sheet, double aperture, double camera_d
     throw CameraError(
         "the lens model thick has no focal blur: leave out the aperture, or take the model "
         "paraxial "
-        "or pinhole");
+        "or pinhole",
+        {"Lens_Model", kCameraToo});
   }
   const SheetPlacement& place = sheet.placement();
   const Disc disc = disc_of(place.up, place.normal, aperture);

@@ -25,6 +25,7 @@ struct PictureSpec {
   bool srgb = true;
   double file_gamma = 1.0;  ///< unless srgb
   ImageMetadata metadata{};
+  SpareRoom* spare = nullptr;  ///< that gives way to the file; null: there is none
 };
 
 class PictureEncoder {

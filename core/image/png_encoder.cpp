@@ -2,13 +2,10 @@
 #include <zlib.h>
 
 #include <bit>
-#include <cerrno>
 #include <cmath>
-#include <cstdio>
-#include <cstring>
 #include <string>
-#include <vector>
 
+#include "core/image/byte_file.h"
 #include "core/image/picture_encoder.h"
 #include "core/image/png_errors.h"
 
@@ -18,20 +15,15 @@ namespace {
 class PngEncoder final : public PictureEncoder {
  public:
   /// What throws here is followed by the destructor, for the other constructor is through.
-  PngEncoder(const std::filesystem::path& path, const PictureSpec& spec) : PngEncoder(spec) {
-    m_file = std::fopen(path.c_str(), "wbe");
-    if (!m_file) throw std::runtime_error(std::strerror(errno));
-    std::setvbuf(m_file, m_buffer.data(), _IOFBF, m_buffer.size());
-    m_png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &m_complaint, png_fails, png_warns);
+  PngEncoder(const std::filesystem::path& path, const PictureSpec& spec)
+      : PngEncoder(path, spec, spec.spare) {
+    m_png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, png_fails, png_warns);
     m_info = m_png ? png_create_info_struct(m_png) : nullptr;
     if (!m_info) throw std::runtime_error("out of memory");
     png_set_write_fn(m_png, this, write, nullptr);
     start(spec);
   }
-  ~PngEncoder() override {
-    png_destroy_write_struct(&m_png, &m_info);
-    if (m_file) std::fclose(m_file);
-  }
+  ~PngEncoder() override { png_destroy_write_struct(&m_png, &m_info); }
   PngEncoder(const PngEncoder&) = delete;
   PngEncoder& operator=(const PngEncoder&) = delete;
 
@@ -42,22 +34,17 @@ class PngEncoder final : public PictureEncoder {
 
   void close() override {
     png_write_end(m_png, m_info);
-    std::FILE* file = m_file;
-    m_file = nullptr;
-    if (std::fclose(file) != 0) throw std::runtime_error(std::strerror(errno));
+    m_file.close();
   }
 
  private:
-  explicit PngEncoder(const PictureSpec& spec)
+  PngEncoder(const std::filesystem::path& path, const PictureSpec& spec, SpareRoom* spare)
       : m_row_bytes(std::size_t{spec.width} * static_cast<std::size_t>(spec.channels) *
                     static_cast<std::size_t>(spec.bits / 8)),
-        m_buffer(std::size_t{1} << 18) {}
+        m_file(path, spare) {}
 
   static void write(png_structp png, png_bytep data, png_size_t size) {
-    auto& self = *static_cast<PngEncoder*>(png_get_io_ptr(png));
-    if (std::fwrite(data, 1, size, self.m_file) == size) return;
-    self.m_complaint = std::strerror(errno);
-    png_error(png, "cannot write");
+    static_cast<PngEncoder*>(png_get_io_ptr(png))->m_file.write(data, size);
   }
 
   void start(const PictureSpec& spec) {
@@ -105,9 +92,7 @@ class PngEncoder final : public PictureEncoder {
   }
 
   const std::size_t m_row_bytes;
-  std::vector<char> m_buffer;
-  std::string m_complaint;  ///< the system's word, which tells more than libpng's
-  std::FILE* m_file = nullptr;
+  ByteFile m_file;
   png_structp m_png = nullptr;
   png_infop m_info = nullptr;
 };

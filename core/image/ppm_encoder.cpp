@@ -11,7 +11,8 @@ namespace {
 class PpmEncoder final : public PictureEncoder {
  public:
   PpmEncoder(const std::filesystem::path& path, const PictureSpec& spec)
-      : m_file(path), m_row(std::size_t{spec.width} * static_cast<std::size_t>(spec.channels)),
+      : m_file(path, spec.spare),
+        m_row(std::size_t{spec.width} * static_cast<std::size_t>(spec.channels)),
         m_wide(spec.bits == 16) {
     const int levels = spec.levels != 0 ? spec.levels : spec.bits;
     m_file.write(spec.channels == 1 ? "P5\n" : "P6\n");

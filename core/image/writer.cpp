@@ -88,7 +88,7 @@ class OpenPicture {
 };
 
 PictureSpec spec_of(std::uint32_t width, std::uint32_t height, const ImageFormat& format,
-                    const ImageMetadata& metadata, const fs::path& path) {
+                    const ImageMetadata& metadata, const fs::path& path, SpareRoom* spare) {
   check_size(width, height, 1, 1, path);
   const StoredAs stored = stored_as(format);
   return {.type = format.type,
@@ -102,7 +102,8 @@ PictureSpec spec_of(std::uint32_t width, std::uint32_t height, const ImageFormat
           .tagged = true,
           .srgb = format.srgb,
           .file_gamma = format.file_gamma,
-          .metadata = metadata};
+          .metadata = metadata,
+          .spare = spare};
 }
 
 template <typename Value>
@@ -185,9 +186,11 @@ struct PictureWriter::Parts {
 };
 
 PictureWriter::PictureWriter(const fs::path& path, std::uint32_t width, std::uint32_t height,
-                             const ImageFormat& format, const ImageMetadata& metadata)
+                             const ImageFormat& format, const ImageMetadata& metadata,
+                             SpareRoom* spare)
     : m_parts(new Parts{width, SampleRows(format, width),
-                        OpenPicture(path, spec_of(width, height, format, metadata, path))}) {}
+                        OpenPicture(path, spec_of(width, height, format, metadata, path, spare))}) {
+}
 
 PictureWriter::~PictureWriter() = default;
 

@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "core/image/image.h"
+#include "core/image/spare_room.h"
 
 namespace lentray::core {
 
@@ -77,8 +78,10 @@ void check_writable(const std::filesystem::path& path);
 /// Destroyed before finish() it leaves nothing behind. One call at a time, from any thread.
 class PictureWriter {
  public:
+  /// `spare`, or null, is given up where the picture would find no room otherwise.
   PictureWriter(const std::filesystem::path& path, std::uint32_t width, std::uint32_t height,
-                const ImageFormat& format, const ImageMetadata& metadata = {});
+                const ImageFormat& format, const ImageMetadata& metadata = {},
+                SpareRoom* spare = nullptr);
   ~PictureWriter();
   void put(const Image& band);
   /// The picture is in its place. Throws if rows are missing.

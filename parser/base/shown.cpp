@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "parser/base/utf8.h"
+
 namespace lentray::parser {
 namespace {
 
@@ -15,19 +17,38 @@ bool is_upper_control(std::string_view text, std::size_t i) {
   return next >= 0x80 && next < 0xA0;
 }
 
+/// U+200E, U+200F, U+202A to U+202E, U+2066 to U+2069: their number; 0: the character is another.
+unsigned direction_mark(std::string_view text, std::size_t i) {
+  if (i + 2 >= text.size() || text[i] != '\xE2') return 0;
+  const unsigned second = static_cast<unsigned char>(text[i + 1]);
+  const unsigned third = static_cast<unsigned char>(text[i + 2]);
+  const unsigned mark = 0x2000 + ((second & 0x3F) << 6) + (third & 0x3F);
+  const bool is_one = mark == 0x200E || mark == 0x200F || (mark >= 0x202A && mark <= 0x202E) ||
+                      (mark >= 0x2066 && mark <= 0x2069);
+  return is_one ? mark : 0;
+}
+
+void append_escape(std::string& to, const char* how, unsigned number) {
+  char escape[16];
+  std::snprintf(escape, sizeof escape, how, number);
+  to += escape;
+}
+
 std::string escaped(std::string_view text, std::string_view kept) {
   std::string shown;
   shown.reserve(text.size());
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const bool is_upper = is_upper_control(text, i);
-    if (!is_upper && (!is_control(text[i]) || kept.find(text[i]) != std::string_view::npos)) {
-      shown += text[i];
-      continue;
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t length = std::max<std::size_t>(utf8_length(text, i), 1);
+    const bool is_kept = is_control(text[i]) && kept.find(text[i]) != std::string_view::npos;
+    const bool is_none = utf8_length(text, i) == 0;
+    if (const unsigned mark = direction_mark(text, i)) {
+      append_escape(shown, "\\u%04x", mark);
+    } else if (!is_kept && (is_none || is_control(text[i]) || is_upper_control(text, i))) {
+      append_escape(shown, "\\x%02x", static_cast<unsigned char>(text[i + length - 1]));
+    } else {
+      shown.append(text.substr(i, length));
     }
-    if (is_upper) ++i;
-    char escape[8];
-    std::snprintf(escape, sizeof escape, "\\x%02x", static_cast<unsigned char>(text[i]));
-    shown += escape;
+    i += length;
   }
   return shown;
 }
@@ -41,6 +62,18 @@ std::string shown_name(std::string_view name) {
   constexpr std::size_t kMost = 400;
   if (name.size() <= kMost) return escaped(name, "");
   return escaped(name.substr(0, kMost), "") + "...";
+}
+
+std::string shown_bytes(std::string_view text) {
+  std::string shown;
+  shown.reserve(text.size());
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t length = utf8_length(text, i);
+    if (length == 0) append_escape(shown, "\\x%02x", static_cast<unsigned char>(text[i]));
+    shown.append(text.substr(i, length));
+    i += std::max<std::size_t>(length, 1);
+  }
+  return shown;
 }
 
 std::string shown_text(std::string_view text) { return escaped(text, "\n\t\r\b"); }
@@ -62,11 +95,18 @@ ShownLine shown_line(std::string_view line, std::size_t column) {
   if (begin > 0) out.line = out.indent = "...";
   std::fill(out.indent.begin(), out.indent.end(), ' ');
   for (std::size_t i = begin; i < end; ++i) {
-    const bool is_upper = is_upper_control(line, i);
-    if (is_upper) ++i;
-    const char shown = is_upper || (is_control(line[i]) && line[i] != '\t') ? '?' : line[i];
-    out.line += shown;
-    if (i < at) out.indent += shown == '\t' ? '\t' : ' ';
+    const std::size_t length = utf8_length(line, i);
+    const bool is_mark = direction_mark(line, i) != 0;
+    const bool is_none = length == 0 || (i + length > end && length > 1);
+    if (is_mark || is_none || is_upper_control(line, i) ||
+        (is_control(line[i]) && line[i] != '\t')) {
+      out.line += '?';
+      if (i < at) out.indent += ' ';
+      if (!is_none) i += length - 1;
+      continue;
+    }
+    out.line += line[i];
+    if (i < at) out.indent += line[i] == '\t' ? '\t' : ' ';
   }
   for (std::size_t i = std::max(end, begin); i < at; ++i) out.indent += ' ';
   if (end < line.size()) out.line += "...";

@@ -1,5 +1,6 @@
 // Text of scenes and files as messages and the console show it: control characters as \x1b, which could forge lines
-// or steer a terminal, and lengths that a reader can take in. Threads: any number.
+// or steer a terminal, marks that turn the direction of what follows as \u202e, bytes that are no UTF-8 as \xe9, and
+// lengths that a reader can take in. Threads: any number.
 #pragma once
 
 #include <cstddef>
@@ -10,6 +11,9 @@ namespace lentray::parser {
 
 /// A name for messages, on one line.
 std::string shown_name(std::string_view name);
+
+/// The bytes that are no UTF-8 alone: for pages, which show the others themselves.
+std::string shown_bytes(std::string_view text);
 
 /// What a scene says (#debug and kin) for the console: ends of lines, tabs, backspaces and returns stay.
 std::string shown_text(std::string_view text);

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "camera/text.h"
+#include "parser/options/said_options.h"
 #include "parser/options/sheet_options.h"
 
 namespace lentray::parser {
@@ -120,9 +121,12 @@ void apply_lens_sheet(RenderOptions& o, std::span<const std::string> files) {
     std::vector<std::string_view> names;
     for (const LensProfile& sheet : sheets) names.emplace_back(sheet.name);
     const std::string_view near = near_name(o.lens_sheet, names);
-    throw OptionError("there is no lens sheet '" + o.lens_sheet + "'" +
+    const std::vector<std::string> said{"Lens_Sheet"};
+    throw OptionError(
+        with_said("there is no lens sheet '" + o.lens_sheet + "'" +
                       (near.empty() ? "" : "; did you mean " + std::string(near) + "?") +
-                      " (Lens_Sheet=list shows all)");
+                      " (Lens_Sheet=list shows all)",
+                  o, said));
   }
   camera::LensRequest lens;
   static_cast<camera::LensData&>(lens) = found->data;

@@ -9,6 +9,7 @@
 #include "core/base/memory_limit.h"
 #include "parser/options/lens_sheets.h"
 #include "parser/options/options_table.h"
+#include "parser/options/said_options.h"
 #include "parser/options/sheet_size.h"
 #include "parser/options/view_options_reader.h"
 
@@ -45,14 +46,23 @@ class OptionsReader {
   void bare(const std::string& text, const GivenOption& given, int depth);
 
  private:
+  void apply(const OptionRow& row, const GivenOption& given);
   std::string find(const std::string& name) const;
   RenderOptions& m_options;
 };
 
+void OptionsReader::apply(const OptionRow& row, const GivenOption& given) {
+  row.apply(m_options, given);
+  if (row.name.empty()) return;
+  std::string where = given.where;
+  if (where.ends_with(": ")) where.resize(where.size() - 2);
+  m_options.said[std::string(row.name)] = {given.shown, where};
+}
+
 void OptionsReader::named(const std::string& name, GivenOption given, int depth) {
   if (same_word(name, "Include_Ini")) return bare(given.value, given, depth + 1);
   for (const OptionRow& row : option_table()) {
-    if (!row.name.empty() && same_word(row.name, name)) return row.apply(m_options, given);
+    if (!row.name.empty() && same_word(row.name, name)) return apply(row, given);
   }
   const std::string_view near = near_option(name);
   const std::string message = given.where + "unknown option '" + name + "'" +
@@ -77,7 +87,7 @@ void OptionsReader::switched(const std::string& text, GivenOption given) {
                       "'; a scene file is named as +Ifile or by its name alone");
   }
   given.value = unquoted(body.substr(best->switch_name.size()));
-  best->apply(m_options, given);
+  apply(*best, given);
 }
 
 /// An INI file is looked for as it is named, with .ini added, and then along the library paths.
@@ -218,6 +228,17 @@ OptionSources installed_sources() {
 
 namespace {
 
+/// What does not go together is told with the places of what was said.
+void settle(RenderOptions& options) {
+  try {
+    settle_views(options);
+  } catch (const OptionError& error) {
+    const std::vector<std::string> names{"View",  "Views",      "View_Size",    "View_Clock",
+                                         "Quilt", "Quilt_Tile", "Quilt_Aspect", "View_Cone"};
+    throw OptionError(with_said(error.what(), options, names));
+  }
+}
+
 RenderOptions read_with(const std::string& default_ini, std::span<const std::string> arguments,
                         const OptionSources& sources) {
   RenderOptions options;
@@ -251,7 +272,7 @@ RenderOptions read_with(const std::string& default_ini, std::span<const std::str
   if (options.grayscale && !has_grey) {
     throw OptionError("Grayscale_Output: there is grey in PNG, PPM and TIFF files only");
   }
-  settle_views(options);
+  settle(options);
   if (options.all_console) {
     options.debug_console = options.warning_console = options.statistic_console =
         options.render_console = options.fatal_console = *options.all_console;

@@ -8,6 +8,8 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -128,6 +130,12 @@ struct RenderOptions {
        help_all = false, version = false, list_lens_sheets = false;
 
   std::vector<std::string> warnings;  ///< about the options themselves
+  /// By their names, for messages: the last time that each was said.
+  struct Said {
+    std::string text;   ///< "Lens_Radius=0.1"
+    std::string where;  ///< "sheet.ini:3"; empty: on the command line
+  };
+  std::map<std::string, Said, std::less<>> said;
 };
 
 /// Where lens_sheets.ini is looked for besides the current folder and the library paths:

@@ -5,6 +5,7 @@
 
 #include "camera/lens_request.h"
 #include "camera/text.h"
+#include "parser/options/said_options.h"
 
 namespace lentray::parser {
 namespace {
@@ -18,27 +19,35 @@ std::string resolution_text(const RenderOptions& o) {
 }
 
 /// The whole number next to it.
-std::int64_t whole(double exact, const char* what) {
+std::int64_t whole(const RenderOptions& o, double exact, const char* what) {
   constexpr double kMost = std::numeric_limits<std::int32_t>::max();
+  const std::vector<std::string> names{"Sheet_Width", "Sheet_Height", "Print_DPI", "Lens_Pixels"};
   if (!(exact <= kMost)) {
-    throw OptionError(std::string("the print would have ") + format(exact) + " " + what +
-                      ": 2147483647 are the most; a smaller sheet or Print_DPI has fewer");
+    throw OptionError(with_said(std::string("the print would have ") + format(exact) + " " + what +
+                                    ": 2147483647 are the most; a smaller sheet or Print_DPI has "
+                                    "fewer",
+                                o, names));
   }
   if (exact < 0.5) {
-    throw OptionError(std::string("the print would have less than one of its ") + what +
-                      ": a larger sheet or Print_DPI has more");
+    throw OptionError(with_said(std::string("the print would have less than one of its ") + what +
+                                    ": a larger sheet or Print_DPI has more",
+                                o, names));
   }
   return std::llround(exact);
 }
 
 /// A number of pixels that was given too.
-void expect(std::int64_t given, double exact, const char* name, double mm,
+void expect(const RenderOptions& o, std::int64_t given, double exact, const char* name, double mm,
             const std::string& resolution) {
   constexpr double kAPixel = 1.0 + 1e-6;
   if (std::fabs(static_cast<double>(given) - exact) <= kAPixel) return;
-  throw OptionError(std::string(name) + "=" + std::to_string(given) + " and Sheet_" + name + "=" +
-                    format(mm) + "mm at " + resolution + " (" + format(std::round(exact)) +
-                    " pixels) contradict each other: leave out one of them");
+  const std::vector<std::string> names{name, std::string("Sheet_") + name, "Print_DPI",
+                                       "Lens_Pixels"};
+  throw OptionError(with_said(std::string(name) + "=" + std::to_string(given) + " and Sheet_" +
+                                  name + "=" + format(mm) + "mm at " + resolution + " (" +
+                                  format(std::round(exact)) +
+                                  " pixels) contradict each other: leave out one of them",
+                              o, names));
 }
 
 void fit(RenderOptions& o, double width, double height) {
@@ -54,15 +63,15 @@ void fit(RenderOptions& o, double width, double height) {
   const camera::ExactPixels exact = camera::exact_pixels(o.lens, size);
   const std::string along = resolved ? resolution_text(o) : "";
   if (!o.width_given) {
-    o.width = whole(exact.columns, "columns");
+    o.width = whole(o, exact.columns, "columns");
   } else if (resolved) {
-    expect(o.width, exact.columns, "Width", width, along);
+    expect(o, o.width, exact.columns, "Width", width, along);
   }
   if (!o.height_given) {
-    o.height = whole(exact.rows, "rows");
+    o.height = whole(o, exact.rows, "rows");
   } else if (o.lens.print_dpi) {
     const double down = o.print_dpi_down.value_or(*o.lens.print_dpi);
-    expect(o.height, exact.rows, "Height", height, format(down) + " pixels an inch");
+    expect(o, o.height, exact.rows, "Height", height, format(down) + " pixels an inch");
   }
   o.lens.size = size;
 }
@@ -71,19 +80,23 @@ void fit(RenderOptions& o, double width, double height) {
 
 void fit_picture_to_sheet(RenderOptions& o) {
   if (o.sheet_width.has_value() != o.sheet_height.has_value()) {
-    throw OptionError(std::string(o.sheet_width ? "Sheet_Width needs Sheet_Height"
-                                                : "Sheet_Height needs Sheet_Width") +
-                      " too: they are the sizes of the lens sheet");
+    const std::vector<std::string> names{"Sheet_Width", "Sheet_Height"};
+    throw OptionError(with_said(std::string(o.sheet_width ? "Sheet_Width needs Sheet_Height"
+                                                          : "Sheet_Height needs Sheet_Width") +
+                                    " too: they are the sizes of the lens sheet",
+                                o, names));
   }
   if (!o.sheet_width) {
     if (!o.print_dpi_down) return;
-    throw OptionError(
-        "a second number of Print_DPI, for pixels downwards, needs Sheet_Width and Sheet_Height");
+    const std::vector<std::string> names{"Print_DPI"};
+    throw OptionError(with_said(
+        "a second number of Print_DPI, for pixels downwards, needs Sheet_Width and Sheet_Height", o,
+        names));
   }
   try {
     fit(o, *o.sheet_width, *o.sheet_height);
   } catch (const camera::CameraError& error) {
-    throw OptionError(error.what());
+    throw OptionError(with_said(error.what(), o, error.about()));
   }
 }
 

@@ -98,14 +98,17 @@ def folder_of_another(check, folder, binaries):
 def disk_that_fills(check, folder, binaries):
     disk = folder / "disk"
     disk.mkdir()
-    if os.getuid() != 0 or subprocess.run(["mount", "-t", "tmpfs", "-o", "size=9m", "none", disk], check=False).returncode != 0:
+    many = folder / "many"
+    tools.write_scenes(many, 24)
+    options = ["+W400", "+H400", "+FN16"]
+    subprocess.run([binaries / "lentray", f"+I{many}/scene00.pov", f"+O{folder}/size.png", "-V", *options], check=True)
+    # Eight pictures, and what a batch keeps for rows and page.
+    size = 8 * (folder / "size.png").stat().st_size + (2 << 20)
+    if os.getuid() != 0 or subprocess.run(["mount", "-t", "tmpfs", "-o", f"size={size}", "none", disk], check=False).returncode != 0:
         print("left out: a disk that fills needs the right to mount one")
         return
     try:
-        many = folder / "many"
-        # On a slow machine two pictures with their journals and swapped rows need 5 MB: the first must fit. 24 never do.
-        tools.write_scenes(many, 24)
-        done = tools.run(binaries, many, "--out", disk / "out", "+W400", "+H400", "+FN16", "--quiet")
+        done = tools.run(binaries, many, "--out", disk / "out", *options, "--quiet")
         rows = tools.rows(disk / "out")
         failed = [row for row in rows.values() if row["state"] == "failed"]
         check(done.returncode == 1, f"a full disk: status {done.returncode}: {done.stderr[-300:]}")

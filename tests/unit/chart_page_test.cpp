@@ -190,7 +190,7 @@ TEST_F(UnitChartPageOf, StrangersTextStaysText) {
   EXPECT_EQ(text.find('\x01'), std::string::npos);
   const json data = data_of(text);
   EXPECT_EQ(data["points"][1]["options"][0],
-            "</script><script>alert(1)</script> \"ü\" & \x01 \xef\xbf\xbd '");
+            "</script><script>alert(1)</script> \"ü\" & \x01 \xEE\xBF\xBF '");
 }
 
 TEST_F(UnitChartPageOf, NotesSayWhatIsAmiss) {

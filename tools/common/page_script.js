@@ -4,9 +4,12 @@ const byId = (id) => document.getElementById(id);
 
 // Text. Names and messages are strangers': they become text nodes only.
 
+/** Bytes of names that are no UTF-8 come as U+EF80 to U+EFFF. */
+const bytesOf = (text) => text.replace(/[\uef80-\uefff]/g, (c) => "\\x" + (c.charCodeAt(0) - 0xef00).toString(16));
+
 /** Control characters as pictures of them, direction marks without effect. */
 function clean(text) {
-  return String(text).replace(/[\u0000-\u0008\u000b-\u001f\u007f]/g, (c) => c === "\u007f" ? "\u2421"
+  return bytesOf(String(text)).replace(/[\u0000-\u0008\u000b-\u001f\u007f]/g, (c) => c === "\u007f" ? "\u2421"
     : String.fromCharCode(0x2400 + c.charCodeAt(0))).replace(/[\u200e\u200f\u202a-\u202e\u2066-\u2069]/g, "\ufffd");
 }
 
@@ -47,7 +50,17 @@ const tileOf = (label, value, kind) => element("div", { class: kind }, element("
 const jpeg = (base64) => "data:image/jpeg;base64," + base64;
 const link = (href, text) => element("a", { href, target: "_blank", rel: "noopener" }, text);
 
-function quoted(word) { return /^[\w@%+=:,./-]+$/.test(word) ? word : "'" + word.replaceAll("'", "'\\''") + "'"; }
+/** For a shell: with ends of lines, bytes and direction marks as escapes, where there are such. */
+function quoted(word) {
+  if (/^[\w@%+=:,./-]+$/.test(word)) return word;
+  if (!/[\u0000-\u001f\u007f-\u009f\u200e\u200f\u202a-\u202e\u2066-\u2069\uef80-\uefff]/.test(word)) {
+    return "'" + word.replaceAll("'", "'\\''") + "'";
+  }
+  const escaped = bytesOf(word.replace(/[\\']/g, "\\$&")).replace(/[\u0000-\u001f\u007f]/g,
+      (c) => "\\x" + c.charCodeAt(0).toString(16).padStart(2, "0"));
+  return "$'" + escaped.replace(/[\u0080-\u009f\u200e\u200f\u202a-\u202e\u2066-\u2069]/g,
+      (c) => "\\u" + c.charCodeAt(0).toString(16).padStart(4, "0")) + "'";
+}
 
 function copy(text, button) {
   const tell = (word) => { button.textContent = word; setTimeout(() => { button.textContent = "Copy"; }, 1500); };

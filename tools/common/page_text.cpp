@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 
+#include "parser/base/shown.h"
+#include "tools/common/json_text.h"
 #include "tools/common/page_sources.h"
 
 namespace lentray::tool {
@@ -10,10 +12,8 @@ namespace lentray::tool {
 using nlohmann::json;
 
 std::string html_text(const std::string& text) {
-  // JSON's way repairs what is no UTF-8.
-  const std::string repaired = json(text).dump(-1, ' ', false, json::error_handler_t::replace);
   std::string safe;
-  for (const char c : json::parse(repaired).get<std::string>()) {
+  for (const char c : parser::shown_bytes(text)) {
     switch (c) {
       case '&': safe += "&amp;"; break;
       case '<': safe += "&lt;"; break;
@@ -26,7 +26,7 @@ std::string html_text(const std::string& text) {
 }
 
 std::string script_text(const json& data) {
-  const std::string text = data.dump(-1, ' ', true, json::error_handler_t::replace);
+  const std::string text = json_text(data, -1, true);
   std::string safe;
   safe.reserve(text.size() + text.size() / 64);
   for (const char c : text) {

@@ -1,7 +1,7 @@
 // Text for HTML pages that hold everything they need: escaping, links, base64, and the frame that pages share.
 //
 // A page has style and script in it, loads nothing, and follows the light or dark look that the reader prefers. Its
-// text is UTF-8; what is no UTF-8 becomes U+FFFD. Errors: none. Threads: any number; all functions are pure.
+// text is UTF-8; bytes of names that are none are shown as \xe9. Errors: none. Threads: any number; all functions are pure.
 #pragma once
 
 #include <filesystem>

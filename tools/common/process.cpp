@@ -116,9 +116,13 @@ std::string read_text(const fs::path& path) {
 }
 
 void write_text(const fs::path& path, const std::string& text) {
+  errno = 0;
   std::ofstream file(path, std::ios::binary);
   file << text;
-  if (!file.flush()) throw std::runtime_error("cannot write '" + path.string() + "'");
+  if (!file.flush()) {
+    const std::string why = errno != 0 ? std::string(": ") + std::strerror(errno) : "";
+    throw std::runtime_error("cannot write '" + path.string() + "'" + why);
+  }
 }
 
 void write_whole(const fs::path& place, const std::string& bytes) {

@@ -67,6 +67,7 @@ Row joined(const std::vector<Row>& bands) {
     if (b.state == State::failed && row.state != State::failed) {
       row.state = State::failed;
       row.reason = b.reason;
+      row.lacks_room = b.lacks_room;
       row.status = b.status;
       row.messages = b.messages;
     }

@@ -80,8 +80,8 @@ Coarse start(const Plan& plan, const Job& job, const std::string& place) {
   launch.command = {plan.arguments.lentray.string()};
   for (const std::string& word : job.words()) launch.command.push_back(word);
   for (const std::string& word :
-       {"+I" + job.scene().source.filename().string(), std::string("-F"), std::string("-V"),
-        std::string("+WT1"), std::string("Count_Tests=Off"), std::string("Scene_Writes=memory"),
+       {word_of(job.scene()), std::string("-F"), std::string("-V"), std::string("+WT1"),
+        std::string("Count_Tests=Off"), std::string("Scene_Writes=memory"),
         "Statistics_File=" + coarse.statistics}) {
     launch.command.push_back(word);
   }

@@ -1,15 +1,20 @@
 #include "tools/lentray-batch/job.h"
 
 #include <algorithm>
+#include <array>
+#include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <ctime>
 #include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "core/image/reader.h"
 #include "parser/files/watched_files.h"
 #include "parser/options/create_ini.h"
+#include "tools/common/companion.h"
+#include "tools/common/json_text.h"
 #include "tools/common/messages.h"
 #include "tools/common/process.h"
 #include "tools/lentray-batch/stamps.h"
@@ -60,16 +65,18 @@ std::string key_of(const Plan& plan, const parser::RenderOptions& o,
   return hexadecimal(parser::checksum(text));
 }
 
-/// Even what a program says finds no room there.
-bool is_full(const fs::path& folder) {
-  std::error_code error;
-  const fs::space_info space = fs::space(folder, error);
-  return !error && space.available < 65536;
+/// Disks, quotas and limits of a file's size.
+bool tells_of_no_room(const std::string& reason) {
+  return std::ranges::any_of(
+             std::array{ENOSPC, EDQUOT, EFBIG},
+             [&](int error) { return reason.find(std::strerror(error)) != std::string::npos; }) ||
+         reason.find("no space") != std::string::npos;
 }
 
 json read_json(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
-  return file ? json::parse(file, nullptr, false) : json();
+  if (!file) return {};
+  return tool::json_if_any(std::string(std::istreambuf_iterator<char>(file), {}));
 }
 
 std::string signal_text(int signal) {
@@ -79,6 +86,13 @@ std::string signal_text(int signal) {
 }
 
 }  // namespace
+
+std::string word_of(const Scene& scene) {
+  const std::string name = scene.source.filename().string();
+  // Blanks and quotes at the ends are no part of an option's value.
+  const bool has_end = name.find_first_of(" \t\"'") == 0;
+  return (has_end ? "+I./" : "+I") + name;
+}
 
 parser::RenderOptions options_of(const Plan& plan, const Scene& scene) {
   std::vector<std::string> words = plan.arguments.for_lentray;
@@ -153,10 +167,34 @@ fs::path Job::root() const {
 /// was at it too.
 void Job::publish() {
   if (m_plan.scratch.empty()) return;
-  const fs::path made = root() / (m_scene.name + (m_frame ? m_frame->digits : "") +
-                                  core::extension_of(m_options.type));
   fs::create_directories(picture_path().parent_path());
-  fs::rename(made, picture_path());
+  fs::rename(made_picture(), picture_path());
+}
+
+/// Where the program writes it.
+fs::path Job::made_picture() const {
+  return root() /
+         (m_scene.name + (m_frame ? m_frame->digits : "") + core::extension_of(m_options.type));
+}
+
+double Job::room() const {
+  constexpr double kJournal = 24.0;  ///< bytes a pixel, of the colours; of samples as many
+  double pixels = static_cast<double>(m_options.width) * static_cast<double>(m_options.height);
+  if (is_view() && m_options.views.size) {
+    pixels = static_cast<double>(m_options.views.size->width) *
+             static_cast<double>(m_options.views.size->height);
+  }
+  if (m_band) {
+    pixels *= static_cast<double>(m_band->last_row - m_band->first_row + 1) /
+              static_cast<double>(m_options.height);
+  }
+  const double sample = m_options.bits > 16 ? 4.0 : m_options.bits > 8 ? 2.0 : 1.0;
+  return pixels * (4.0 * sample + kJournal * (m_options.antialias ? 2.0 : 1.0));
+}
+
+bool Job::drop_journal() const {
+  std::error_code error;
+  return fs::remove(tool::journal_path(made_picture().string()), error);
 }
 
 void Job::publish_statistics(const Row& band) const {
@@ -199,7 +237,8 @@ bool Job::fits(const Row& row) const {
 
 bool Job::is_up_to_date(const Row* known) const {
   if (known == nullptr || known->picture != m_row.picture) return false;
-  if (known->state == State::failed && (m_plan.arguments.retry || known->limits != limits()))
+  if (known->state == State::failed &&
+      (m_plan.arguments.retry || known->lacks_room || known->limits != limits()))
     return false;
   return fits(*known);
 }
@@ -214,7 +253,7 @@ void Job::adopt(const Row& known) {
 /// The picture is there, younger than what its scene read, and that has not changed: only the row is missing.
 bool Job::adopt_left_over() {
   const std::int64_t read = modified(run_file("read")), picture = modified(picture_path());
-  if (read == 0 || picture < read || modified(picture_path().string() + ".lentray-state") != 0)
+  if (read == 0 || picture < read || modified(tool::journal_path(picture_path().string())) != 0)
     return false;
   read_dependencies(read);
   if (!files_are_current()) return false;
@@ -229,7 +268,7 @@ bool Job::adopt_left_over() {
 }
 
 bool Job::can_go_on() const {
-  if (!m_plan.scratch.empty() || modified(picture_path().string() + ".lentray-state") == 0)
+  if (!m_plan.scratch.empty() || modified(tool::journal_path(picture_path().string())) == 0)
     return false;
   Job then = *this;
   then.read_dependencies(modified(run_file("read")));
@@ -261,9 +300,8 @@ tool::Launch Job::render(int threads, double memory) {
   const fs::path picture = root() / (m_scene.name + (is_view() ? m_frame->digits : "") +
                                      core::extension_of(m_options.type));
   fs::create_directories(picture.parent_path());
-  launch.command.insert(launch.command.end(),
-                        {"+I" + m_scene.source.filename().string(), "+O" + picture.string(),
-                         "+WT" + std::to_string(threads)});
+  launch.command.insert(launch.command.end(), {word_of(m_scene), "+O" + picture.string(),
+                                               "+WT" + std::to_string(threads)});
   if (m_band) {
     launch.command.insert(launch.command.end(), {"+SR" + std::to_string(m_band->first_row),
                                                  "+ER" + std::to_string(m_band->last_row)});
@@ -311,6 +349,7 @@ void Job::rendered(const tool::Ended& ended, bool stopped) {
   if (ended.status != 0) return fail(ended);
   m_row.state = State::done;
   m_row.reason.clear();
+  m_row.lacks_room = false;
   if (is_view() && m_plan.arguments.compare) {
     m_row.verdict.emplace();
     m_row.verdict->note = "views of Views= are not; their integral image can be";
@@ -331,7 +370,7 @@ void Job::fail(const tool::Ended& ended) {
     if (is_error) reason = line;
   }
   if (ended.status > 128) reason = signal_text(ended.status - 128);
-  if (reason.empty() && is_full(m_plan.arguments.out))
+  if (reason.empty() && ended.status == 1 && m_row.messages.empty())  // which found no room either
     reason = "no space is left on the disk of '" + m_plan.arguments.out.string() + "'";
   if (reason.empty() && ended.status == 126) reason = "the folder of the scene cannot be entered";
   if (reason.empty()) reason = "exit status " + std::to_string(ended.status);
@@ -346,6 +385,7 @@ void Job::give_up(const std::string& reason) {
   m_has_picture = false;
   m_row.state = State::failed;
   m_row.reason = reason;
+  m_row.lacks_room = tells_of_no_room(reason);
   m_row.limits = limits();
   m_row.finished = utc_now();
   if (m_row.files.empty()) {

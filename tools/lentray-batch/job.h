@@ -72,6 +72,12 @@ class Job {
   void rendered(const tool::Ended& ended, bool stopped);
   /// The run took more memory than it was given, and may be given more.
   bool lacked_memory() const { return m_lacked_memory; }
+  /// The run found too little room on the disk.
+  bool lacked_room() const { return m_is_over && m_row.lacks_room; }
+  /// The bytes that picture and journal may need, at most about.
+  double room() const;
+  /// What an earlier run kept of the picture goes. False: there is nothing.
+  bool drop_journal() const;
   tool::Launch split_views();
   void views_split(const tool::Ended& ended);
   tool::Launch compare(int processes);
@@ -91,6 +97,7 @@ class Job {
   void publish();
   void move_from_scratch(const std::string& picture) const;
   std::filesystem::path picture_path() const;
+  std::filesystem::path made_picture() const;
   std::string limits() const;
   void read_dependencies(std::int64_t since);
   void read_statistics();
@@ -114,6 +121,8 @@ class Job {
 /// The pictures of a scene that has more than one: frames of an animation, or the views of `Views=`, whose frame number
 /// is here that of the view.
 std::vector<parser::AnimationFrame> pictures_of(const parser::RenderOptions& options);
+/// The word that names a scene in its own folder.
+std::string word_of(const Scene& scene);
 /// Where a band of a picture is kept until all are there, relative to the batch's folder.
 std::string band_picture(const std::string& picture, int index);
 /// The scene's options: the batch's, then those of scene.ini. Throws parser::OptionError.

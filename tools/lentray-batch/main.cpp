@@ -7,6 +7,7 @@
 #include <set>
 #include <thread>
 
+#include "parser/base/shown.h"
 #include "parser/files/watched_files.h"
 #include "parser/options/options.h"
 #include "tools/common/duration.h"
@@ -31,6 +32,10 @@ namespace {
 namespace fs = std::filesystem;
 
 enum Status : int { kAll = 0, kSome = 1, kNoBatch = 2, kStopped = 3 };
+
+struct NoPage : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
 
 /// As a reader would type it.
 std::string command_of(const std::vector<std::string>& words) {
@@ -73,10 +78,17 @@ class Batch {
     for (const std::string& warning : m_warnings) progress.say(warning);
     if (m_plan.arguments.slurm && !on_cluster(progress)) return false;
     m_manifest.reserve(m_jobs.size());
+    m_state.reserve(m_jobs.size());
     Scheduler scheduler(
         m_plan, [this](const Row& row) { m_manifest.put(row); }, progress);
     for (std::unique_ptr<Job>& job : m_jobs) scheduler.add(std::move(job));
-    scheduler.now_and_then([this] { write_page(false); });
+    scheduler.now_and_then([this] {
+      try {
+        write_page(false);
+      } catch (const NoPage&) {
+        // The last one tells what is wrong, if it still is.
+      }
+    });
     return scheduler.run();
   }
 
@@ -190,9 +202,13 @@ class Batch {
       if (tool::wait_for_news(std::chrono::milliseconds(200)) != 0)
         throw std::runtime_error("stopped while the page was made; the same command makes it");
     }
-    if (ended->status != 0)
-      throw std::runtime_error("the page could not be written: " +
-                               tool::last_error(tool::read_text(log)));
+    if (ended->status == 0) return;
+    const std::string said = tool::last_error(tool::read_text(log));
+    throw NoPage("the page could not be written: " +
+                 (!said.empty() ? said
+                  : ended->status > 128
+                      ? "ended by signal " + std::to_string(ended->status - 128)
+                      : std::string("no space is left on the disk, or too little memory")));
   }
 
   Status finish(bool is_done) {
@@ -203,11 +219,12 @@ class Batch {
     }
     const Arguments& a = m_plan.arguments;
     bool has_page = true;
+    m_state.free_reserve();
     try {
       write_page(true);
     } catch (const std::exception& error) {
       has_page = false;
-      std::fprintf(stderr, "lentray-batch: %s\n", error.what());
+      std::fprintf(stderr, "lentray-batch: %s\n", parser::shown_text(error.what()).c_str());
     }
     if (!a.table.empty())
       tool::write_whole(a.table, table(rows(), command_of(a.words), stock_version()));
@@ -285,7 +302,7 @@ int run_main(const std::vector<std::string>& words) {
     if (!arguments.worker.empty()) return do_task(arguments);
     return Batch(arguments).run();
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "lentray-batch: %s\n", error.what());
+    std::fprintf(stderr, "lentray-batch: %s\n", parser::shown_text(error.what()).c_str());
     return kNoBatch;
   }
 }

@@ -11,15 +11,14 @@
 #include <stdexcept>
 #include <utility>
 
+#include "tools/common/json_text.h"
 #include "tools/common/process.h"
 
 namespace lentray::batch {
 
 namespace {
 
-std::string line_of(const Row& row) {
-  return to_json(row).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
-}
+std::string line_of(const Row& row) { return tool::json_text(to_json(row)) + "\n"; }
 
 }  // namespace
 
@@ -28,7 +27,7 @@ Manifest::Manifest(const std::filesystem::path& out, StateFolder& state)
   std::ifstream file(m_path, std::ios::binary);
   for (std::string line; std::getline(file, line);) {
     m_is_cut = file.eof();
-    const nlohmann::json parsed = nlohmann::json::parse(line, nullptr, false);
+    const nlohmann::json parsed = tool::json_if_any(line);
     if (parsed.is_discarded()) continue;
     try {
       Row row = row_of(parsed);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "parser/base/shown.h"
 #include "tools/common/duration.h"
 
 namespace lentray::batch {
@@ -28,7 +29,7 @@ void BatchProgress::clear() const {
 
 void BatchProgress::say(const std::string& line) {
   clear();
-  std::fprintf(stderr, "%s\n", line.c_str());
+  std::fprintf(stderr, "%s\n", parser::shown_name(line).c_str());
 }
 
 void BatchProgress::finished(const Row& row) {

@@ -71,6 +71,7 @@ json to_json(const Row& r) {
   if (r.frame) out["frame"] = *r.frame;
   put_if_given(out, "band", r.band);
   put_if_given(out, "reason", r.reason);
+  put_if_given(out, "lacks_room", r.lacks_room);
   put_if_given(out, "command", r.command);
   put_if_given(out, "status", r.status);
   put_if_given(out, "messages", r.messages);
@@ -108,6 +109,7 @@ Row row_of(const json& from) try {
   if (const auto at = from.find("frame"); at != from.end()) r.frame = at->get<int>();
   take(from, "band", r.band);
   take(from, "reason", r.reason);
+  take(from, "lacks_room", r.lacks_room);
   take(from, "command", r.command);
   take(from, "status", r.status);
   take(from, "messages", r.messages);

@@ -49,6 +49,7 @@ struct Row {
   std::string band;          ///< "2/16": rows of the picture alone, the third of 16 parts
   State state = State::failed;
   std::string reason;                 ///< one line
+  bool lacks_room = false;            ///< it failed for want of room on the disk
   std::vector<std::string> command;   ///< as it was run, in the scene's folder
   int status = 0;                     ///< exit status; 128 + n: ended by signal n
   std::vector<std::string> messages;  ///< lines that the program wrote, progress apart

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "tools/common/json_text.h"
 #include "tools/common/process.h"
 
 namespace lentray::batch {
@@ -12,8 +13,6 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 namespace {
-
-constexpr auto kReplace = json::error_handler_t::replace;
 
 json to_json(const Work& work) {
   const Item& i = work.item;
@@ -54,20 +53,20 @@ std::string name_of(const Item& item) {
 void RunFolder::write(const std::vector<std::string>& words,
                       const std::vector<std::vector<Work>>& tasks) const {
   for (const char* folder : {"results", "scratch", "logs"}) fs::create_directories(m_path / folder);
-  tool::write_whole(m_path / "command.json",
-                    json{{"words", words}, {"folder", fs::current_path().string()}}.dump(
-                        1, ' ', false, kReplace));
+  tool::write_whole(
+      m_path / "command.json",
+      tool::json_text({{"words", words}, {"folder", fs::current_path().string()}}, 1));
   std::string lines;
   for (const std::vector<Work>& task : tasks) {
     json list = json::array();
     for (const Work& work : task) list.push_back(to_json(work));
-    lines += list.dump(-1, ' ', false, kReplace) + "\n";
+    lines += tool::json_text(list) + "\n";
   }
   tool::write_whole(m_path / "tasks.jsonl", lines);
 }
 
 std::vector<std::string> RunFolder::words(fs::path& folder) const {
-  const json all = json::parse(tool::read_text(m_path / "command.json"));
+  const json all = tool::parse_json(tool::read_text(m_path / "command.json"));
   folder = all.at("folder").get<std::string>();
   return all.at("words").get<std::vector<std::string>>();
 }
@@ -80,7 +79,7 @@ std::vector<Work> RunFolder::task(std::size_t number) const {
       throw std::runtime_error("'" + m_path.string() + "' has no task " + std::to_string(number));
   }
   std::vector<Work> out;
-  for (const json& work : json::parse(line)) out.push_back(work_of(work));
+  for (const json& work : tool::parse_json(line)) out.push_back(work_of(work));
   return out;
 }
 
@@ -98,7 +97,7 @@ std::map<std::string, Row> RunFolder::results() const {
        at.increment(error)) {
     std::ifstream file(at->path(), std::ios::binary);
     for (std::string line; std::getline(file, line);) {
-      const json parsed = json::parse(line, nullptr, false);
+      const json parsed = tool::json_if_any(line);
       if (parsed.is_discarded()) continue;  // being written
       try {
         Row row = row_of(parsed);

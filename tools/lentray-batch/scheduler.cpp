@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <csignal>
 #include <exception>
+#include <filesystem>
 
 #include "tools/common/duration.h"
 
@@ -58,11 +59,46 @@ bool Scheduler::start(Job& job, Kind kind) try {
     case Kind::comparison: launch = job.compare(1); break;
   }
   m_running.push_back({&job, kind, std::make_unique<tool::Child>(launch), false, false, "", 0.0});
+  if (m_running.size() > 1) {
+    for (Running& run : m_running) run.had_company = true;
+  }
   return true;
 } catch (const std::exception& error) {
   job.give_up(error.what());
-  finish(job);
+  if (!can_be_tried_again(job, !m_running.empty())) finish(job);
   return false;
+}
+
+/// Alone a picture is begun in any case.
+bool Scheduler::has_room_for(const Job& job) const {
+  if (m_running.empty()) return true;
+  std::error_code error;
+  const auto disk = std::filesystem::space(m_plan.arguments.out, error);
+  if (error) return true;
+  double needed = job.room();
+  for (const Running& run : m_running) needed += run.job->room();
+  return needed <= static_cast<double>(disk.available);
+}
+
+/// True if the job waits for another run, because its last one found too little room on the disk.
+bool Scheduler::can_be_tried_again(Job& job, bool had_company) {
+  constexpr int kMostTimes = 3;
+  if (!job.lacked_room() || m_lacked_room[&job] >= kMostTimes) return false;
+  if (!had_company && !make_room_for(job)) return false;
+  ++m_lacked_room[&job];
+  job.try_again();
+  had_company ? m_alone.push_back(&job) : m_alone.push_front(&job);
+  return true;
+}
+
+/// What others have kept, and after that the reserve. False: there is nothing to be had.
+bool Scheduler::make_room_for(const Job& job) const {
+  bool is_made = false;
+  for (const std::unique_ptr<Job>& other : m_jobs) {
+    if (other.get() != &job && other->needs_picture()) is_made |= other->drop_journal();
+    if (other.get() != &job && other->lacked_room()) is_made |= other->drop_journal();
+  }
+  return is_made || m_plan.state->free_reserve();
 }
 
 void Scheduler::fill() {
@@ -78,8 +114,10 @@ void Scheduler::fill() {
     Job* const job = take(m_after);
     start(*job, job->needs_views() ? Kind::views : Kind::comparison);
   }
-  while (free() && !m_small.empty()) start(*take(m_small), Kind::small);
+  while (free() && !m_small.empty() && has_room_for(*m_small.front()))
+    start(*take(m_small), Kind::small);
   while (m_running.empty() && !m_large.empty()) start(*take(m_large), Kind::large);
+  while (m_running.empty() && !m_alone.empty()) start(*take(m_alone), Kind::large);
 }
 
 void Scheduler::set_back(Running& run) {
@@ -154,6 +192,7 @@ void Scheduler::ended(Running& run, const tool::Ended& how) {
         m_large.push_back(&job);
         return;
       }
+      if (can_be_tried_again(job, run.had_company)) return;
       break;
     }
   }
@@ -198,7 +237,9 @@ bool Scheduler::run() {
   constexpr std::chrono::seconds kTell{60};
   for (;;) {
     fill();
-    if (m_running.empty() && m_small.empty() && m_large.empty() && m_after.empty()) return true;
+    if (m_running.empty() && m_small.empty() && m_large.empty() && m_after.empty() &&
+        m_alone.empty())
+      return true;
     m_progress.running(m_running.size());
     if (tool::wait_for_news(kPatience) != 0) {
       stop_all();

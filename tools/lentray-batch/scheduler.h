@@ -3,11 +3,14 @@
 // Every picture begins small: one thread, with others beside it. One that takes longer than kSmall seconds, or more
 // memory than its share, is stopped and gone on with when the small ones are done: alone, with all processors and the
 // whole memory that a scene may take. Views and comparisons take a processor each. Rows are handed on as
-// pictures are finished. Errors: none of a scene ends the run. One thread.
+// pictures are finished. Pictures run side by side as far as the disk has room for them and their journals. One that
+// finds too little beside others is tried again alone; what waiting pictures have kept there gives way to it.
+// Errors: none of a scene ends the run. One thread.
 #pragma once
 
 #include <deque>
 #include <functional>
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -38,11 +41,15 @@ class Scheduler {
     bool is_set_back = false;  ///< to be gone on with later
     std::string over;          ///< why it is ended for good
     double asked_at = 0.0;     ///< seconds after its start
+    bool had_company = false;  ///< others ran at the same time
   };
 
   int slots() const;
   void fill();
   bool start(Job& job, Kind kind);
+  bool has_room_for(const Job& job) const;
+  bool can_be_tried_again(Job& job, bool had_company);
+  bool make_room_for(const Job& job) const;
   void next(Job& job);
   void reap();
   void ended(Running& run, const tool::Ended& how);
@@ -58,6 +65,8 @@ class Scheduler {
   BatchProgress& m_progress;
   std::vector<std::unique_ptr<Job>> m_jobs;
   std::deque<Job*> m_small, m_large, m_after;  ///< m_after: views and comparisons
+  std::deque<Job*> m_alone;                    ///< found too little room on the disk
+  std::map<const Job*, int> m_lacked_room;     ///< how often
   std::vector<Running> m_running;
   std::function<void()> m_now_and_then;
   std::chrono::steady_clock::time_point m_watched{}, m_told;

@@ -4,10 +4,13 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <stdexcept>
 #include <system_error>
+
+#include "tools/common/companion.h"
 
 namespace lentray::batch {
 
@@ -15,7 +18,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr off_t kReserve = 4 << 20;  ///< bytes: some thousand rows
+constexpr std::size_t kMostReserved = 4 << 20;  ///< bytes: some thousand rows
+constexpr std::size_t kFrame = 96 << 10;        ///< bytes of a page without pictures
+constexpr std::size_t kPicture = 60 << 10;  ///< of a row and a small picture, which is there twice
 
 [[noreturn]] void fail(const fs::path& place, int error) {
   throw std::runtime_error("cannot write into the folder '" + place.string() +
@@ -34,11 +39,15 @@ StateFolder::StateFolder(const fs::path& out, Access access) : m_path(out / ".le
   if (::flock(m_lock, LOCK_EX | LOCK_NB) != 0) {
     throw std::runtime_error("another lentray-batch works in '" + out.string() + "'");
   }
-  const int reserve = ::open((m_path / "reserve").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-  if (reserve < 0) fail(out, errno);
+}
+
+void StateFolder::reserve(std::size_t pictures) const {
+  const int file = ::open((m_path / "reserve").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  if (file < 0) return;
   // Where there is no room for it there may be room for pictures all the same.
-  (void)::posix_fallocate(reserve, 0, kReserve);
-  ::close(reserve);
+  (void)::posix_fallocate(
+      file, 0, static_cast<off_t>(std::min(kMostReserved, kFrame + pictures * kPicture)));
+  ::close(file);
 }
 
 StateFolder::~StateFolder() {
@@ -48,9 +57,17 @@ StateFolder::~StateFolder() {
   ::close(m_lock);
 }
 
+/// Of the files of a picture's runs. Names of scenes may be as long as names can be.
+fs::path StateFolder::begin_of(const std::string& name) const {
+  const std::string whole = (m_path / "runs" / name).string();
+  const std::string longest_end(48, '.');  // key and kind
+  const std::string with_end = tool::companion_path(whole, longest_end);
+  return with_end.substr(0, with_end.size() - longest_end.size());
+}
+
 fs::path StateFolder::file(const std::string& name, const std::string& key,
                            const std::string& kind) const {
-  const fs::path place = m_path / "runs" / (name + "." + key + "." + kind);
+  const fs::path place = begin_of(name).string() + "." + key + "." + kind;
   std::error_code error;
   fs::create_directories(place.parent_path(), error);
   if (error) fail(place.parent_path(), error.value());
@@ -58,7 +75,7 @@ fs::path StateFolder::file(const std::string& name, const std::string& key,
 }
 
 void StateFolder::forget_others(const std::string& name, const std::string& key) const {
-  const fs::path place = m_path / "runs" / name;
+  const fs::path place = begin_of(name);
   const std::string begin = place.filename().string() + ".", ours = begin + key + ".";
   std::error_code error;
   for (fs::directory_iterator at(place.parent_path(), error), end; !error && at != end;
@@ -72,7 +89,7 @@ void StateFolder::forget_others(const std::string& name, const std::string& key)
   }
 }
 
-bool StateFolder::free_reserve() {
+bool StateFolder::free_reserve() const {
   std::error_code error;
   return fs::remove(m_path / "reserve", error);
 }

@@ -23,10 +23,14 @@ class StateFolder {
                              const std::string& kind) const;
   /// Of all keys of that picture but this one.
   void forget_others(const std::string& name, const std::string& key) const;
+  /// Keeps room on the disk for the rows and the page of so many pictures, where there is as much.
+  void reserve(std::size_t pictures) const;
   /// Gives the reserve back to a disk that is full, so that rows and page can still be written. False: it is gone already.
-  bool free_reserve();
+  bool free_reserve() const;
 
  private:
+  std::filesystem::path begin_of(const std::string& name) const;
+
   std::filesystem::path m_path;
   int m_lock = -1;
 };

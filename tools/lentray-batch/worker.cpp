@@ -12,6 +12,7 @@
 #include <string>
 
 #include "parser/files/watched_files.h"
+#include "tools/common/json_text.h"
 #include "tools/common/machine.h"
 #include "tools/lentray-batch/run_folder.h"
 #include "tools/lentray-batch/scheduler.h"
@@ -50,8 +51,7 @@ void share_of_node(Plan& plan) {
 }
 
 void append(const fs::path& file, const Row& row) {
-  const std::string line =
-      to_json(row).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+  const std::string line = tool::json_text(to_json(row)) + "\n";
   const int out = ::open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
   const bool is_written =
       out >= 0 && ::write(out, line.data(), line.size()) == static_cast<ssize_t>(line.size());

@@ -7,9 +7,11 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "parser/base/shown.h"
 #include "parser/files/watched_files.h"
 #include "tools/common/child.h"
 #include "tools/common/duration.h"
+#include "tools/common/json_text.h"
 #include "tools/common/machine.h"
 #include "tools/common/process.h"
 #include "tools/common/shell_words.h"
@@ -64,7 +66,7 @@ class Charting {
                              {"version", tool::kVersion},
                              {"scene", fs::absolute(m_arguments.scene).lexically_normal().string()},
                              {"options", m_arguments.for_lentray}};
-    return all.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+    return tool::json_text(all);
   }
 
   void prepare() {
@@ -277,7 +279,7 @@ int run_main(const std::vector<std::string>& words) {
     std::cerr << "lentray-chart: stopped; the same command begins again" << std::endl;
     return kStopped;
   } catch (const std::exception& e) {
-    std::cerr << "lentray-chart: " << e.what() << std::endl;
+    std::cerr << "lentray-chart: " << parser::shown_text(e.what()) << std::endl;
     return kError;
   }
 }

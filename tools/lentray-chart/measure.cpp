@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "tools/common/duration.h"
+#include "tools/common/json_text.h"
 #include "tools/common/process.h"
 
 namespace lentray::chart {
@@ -75,7 +76,8 @@ void run_stock(Session& session, Point& p) {
     session.progress.say("stock POV-Ray is left out: " + session.chart().stock_reason);
     return;
   }
-  p.stock_runs.push_back(json::parse(tool::read_text(figures)).at("stock_cpu_s").get<double>());
+  p.stock_runs.push_back(
+      tool::parse_json(tool::read_text(figures)).at("stock_cpu_s").get<double>());
   p.stock_picture = prefix + "-stock.png";
 }
 
@@ -192,7 +194,7 @@ void compare_sheet_with_stock(Session& session) {
     session.progress.say("stock POV-Ray is left out: " + chart.stock_reason);
     return;
   }
-  const json all = json::parse(tool::read_text(figures));
+  const json all = tool::parse_json(tool::read_text(figures));
   const json& whole = all.at("whole");
   Error e;
   e.psnr = std::numeric_limits<double>::infinity();

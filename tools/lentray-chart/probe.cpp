@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "tools/common/json_text.h"
 #include "tools/common/process.h"
 #include "tools/lentray-chart/errors.h"
 
@@ -15,7 +16,7 @@ using nlohmann::json;
 namespace {
 
 FilesRead files_in(const fs::path& dependencies) {
-  const json all = json::parse(tool::read_text(dependencies));
+  const json all = tool::parse_json(tool::read_text(dependencies));
   FilesRead files;
   const auto absolute = [](const std::string& path) {
     return fs::absolute(path).lexically_normal().string();
@@ -52,7 +53,7 @@ class SmallPictures {
 
   /// Of the picture before.
   json statistics() const {
-    return json::parse(tool::read_text(m_session.folder.own("statistics.json")));
+    return tool::parse_json(tool::read_text(m_session.folder.own("statistics.json")));
   }
 
  private:

@@ -2,6 +2,8 @@
 
 #include <system_error>
 
+#include "tools/common/companion.h"
+
 namespace lentray::chart {
 
 namespace fs = std::filesystem;
@@ -38,7 +40,7 @@ Outcome Session::render(const std::vector<std::string>& options, const std::stri
              {"+O" + place, "+FN16", "Statistics_File=" + folder.own("statistics.json").string()});
   const auto forget_unfinished = [&] {
     std::error_code ignored;
-    fs::remove(place + ".lentray-state", ignored);
+    fs::remove(tool::journal_path(place), ignored);
   };
   try {
     Outcome outcome = lentray(all, cpu_limit);

@@ -12,6 +12,7 @@
 #include <system_error>
 
 #include "parser/files/watched_files.h"
+#include "tools/common/json_text.h"
 #include "tools/common/process.h"
 
 namespace lentray::chart {
@@ -192,12 +193,12 @@ std::string text_of(const ChartState& state) {
                  {"missing", state.files.missing},
                  {"facts", json_of(state.facts)},
                  {"chart", json_of(state.chart)}};
-  return all.dump(1, ' ', false, json::error_handler_t::replace) + "\n";
+  return tool::json_text(all, 1) + "\n";
 }
 
 ChartState state_of(const std::string& text) {
   try {
-    const json all = json::parse(text);
+    const json all = tool::parse_json(text);
     ChartState state;
     all.at("key").get_to(state.key);
     all.at("matrix").get_to(state.matrix);

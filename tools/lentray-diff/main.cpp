@@ -11,7 +11,9 @@
 #include "core/image/display.h"
 #include "core/image/file_swap.h"
 #include "core/image/reader.h"
+#include "parser/base/shown.h"
 #include "parser/options/options.h"
+#include "tools/common/json_text.h"
 #include "tools/common/machine.h"
 #include "tools/common/process.h"
 #include "tools/common/standard_streams.h"
@@ -50,7 +52,7 @@ fs::path program_beside_us(const char* name) {
 
 Ours render_ours(const Arguments& a) {
   if (!a.ours.empty()) {
-    const json statistics = json::parse(tool::read_text(a.statistics));
+    const json statistics = tool::parse_json(tool::read_text(a.statistics));
     return {core::read_image(a.ours), statistics, statistics.at("time").at("wall_s").get<double>()};
   }
   const tool::TemporaryFolder folder;
@@ -72,7 +74,7 @@ Ours render_ours(const Arguments& a) {
   if (result.status != 0) {
     throw std::runtime_error("lentray ended with status " + std::to_string(result.status));
   }
-  return {core::read_image(picture), json::parse(tool::read_text(statistics)), taken.count()};
+  return {core::read_image(picture), tool::parse_json(tool::read_text(statistics)), taken.count()};
 }
 
 /// How stock makes the reference.
@@ -235,7 +237,7 @@ int render_stock_alone(const Arguments& a) {
                  {"stock_wall_s", taken.count()},
                  {"stock_cpu_s", tool::cpu_seconds_of_children()}};
   core::FileSwap swap(a.json);
-  tool::write_text(swap.temporary(), all.dump(2) + "\n");
+  tool::write_text(swap.temporary(), tool::json_text(all, 2) + "\n");
   swap.commit();
   return kReached;
 }
@@ -255,7 +257,7 @@ int compare_and_report(const Arguments& a) {
     all["asked"] = std::string(core::name_of(a.asked));
     all["reached"] = reached;
     core::FileSwap swap(a.json);
-    tool::write_text(swap.temporary(), all.dump(2) + "\n");
+    tool::write_text(swap.temporary(), tool::json_text(all, 2) + "\n");
     swap.commit();
   }
   std::cout << "grade " << core::name_of(result.whole.grade) << "; " << core::name_of(a.asked)
@@ -287,7 +289,7 @@ int run_main(const std::vector<std::string>& words) {
     if (!arguments.wrappers.empty()) return only_write_wrappers(arguments);
     return compare_and_report(arguments);
   } catch (const std::exception& e) {
-    std::cerr << "lentray-diff: " << e.what() << std::endl;
+    std::cerr << "lentray-diff: " << parser::shown_text(e.what()) << std::endl;
     return kError;
   }
 }

@@ -24,6 +24,12 @@ std::vector<fs::path> made(const fs::path& folder) {
   return out;
 }
 
+/// Stock does not find files whose names are no UTF-8; others would end the string of an INI file or a scene.
+bool is_plain(const std::string& path) {
+  return std::ranges::all_of(path,
+                             [](char c) { return c >= ' ' && c <= '~' && c != '"' && c != '\\'; });
+}
+
 }  // namespace
 
 Workshop::Workshop(const fs::path& scene, const StockOptions& options) : m_options(options) {
@@ -33,6 +39,14 @@ Workshop::Workshop(const fs::path& scene, const StockOptions& options) : m_optio
   m_scene = fs::absolute(scene);
   m_root = options.keep.empty() ? m_temporary.path() : fs::absolute(options.keep);
   fs::create_directories(m_root);
+  m_named = m_scene;
+  m_folder = m_scene.parent_path();
+  if (is_plain(m_scene.string())) return;
+  m_named = m_root / "its-scene.pov";
+  m_folder = m_root / "its-folder";
+  for (const fs::path& link : {m_named, m_folder}) fs::remove(link);
+  fs::create_symlink(m_scene, m_named);
+  fs::create_directory_symlink(m_scene.parent_path(), m_folder);
 }
 
 Included Workshop::included() {
@@ -40,8 +54,8 @@ Included Workshop::included() {
   copy_includes(text, 0);
   bool changed = false;
   const std::string readable = without_lenticular(text, changed);
-  if (!changed) return {version_directive(text), m_scene.string()};
-  const fs::path copy = m_root / ("plain-" + m_scene.filename().string());
+  if (!changed) return {version_directive(text), m_named.string()};
+  const fs::path copy = m_root / ("plain-" + m_named.filename().string());
   tool::write_text(copy, readable);
   return {version_directive(text), copy.string()};
 }
@@ -57,7 +71,7 @@ StoredImage Workshop::render_text(const std::string& name, const std::string& te
 StoredImage Workshop::render_scene(const Shot& shot) const {
   const fs::path folder = m_root / "picture";
   fs::create_directories(folder);
-  return render(folder, m_scene, shot);
+  return render(folder, m_named, shot);
 }
 
 void Workshop::copy_includes(const std::string& text, int depth) {
@@ -84,8 +98,8 @@ StoredImage Workshop::render(const fs::path& folder, const fs::path& scene,
   // An option file in the folder, for paths with spaces in them.
   std::ostringstream ini;
   ini << "Input_File_Name=\"" << scene.string() << "\"\nOutput_File_Name=\"" << picture.string()
-      << "\"\nLibrary_Path=\"" << m_root.string() << "\"\nLibrary_Path=\""
-      << m_scene.parent_path().string() << "\"\n";
+      << "\"\nLibrary_Path=\"" << m_root.string() << "\"\nLibrary_Path=\"" << m_folder.string()
+      << "\"\n";
   for (const fs::path& p : m_options.library_paths)
     ini << "Library_Path=\"" << p.string() << "\"\n";
   tool::write_text(folder / "stock.ini", ini.str());

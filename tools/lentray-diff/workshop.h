@@ -44,6 +44,8 @@ class Workshop {
   const StockOptions& m_options;
   tool::TemporaryFolder m_temporary;
   std::filesystem::path m_scene, m_root;
+  std::filesystem::path m_named,
+      m_folder;  ///< the scene and its folder, by names that stock can read
 };
 
 /// The output's lines that tell what went wrong.

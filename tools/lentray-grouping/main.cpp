@@ -6,6 +6,7 @@
 #include <iostream>
 
 #include "core/image/writer.h"
+#include "parser/base/shown.h"
 #include "tools/common/gnuplot.h"
 #include "tools/common/process.h"
 #include "tools/common/standard_streams.h"
@@ -50,7 +51,7 @@ int run_main(const std::vector<std::string>& words) {
     for (const std::string& word : words) command += " " + word;
     return experiment(arguments, command);
   } catch (const std::exception& e) {
-    std::cerr << "lentray-grouping: " << e.what() << std::endl;
+    std::cerr << "lentray-grouping: " << parser::shown_text(e.what()) << std::endl;
     return kError;
   }
 }

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "tools/common/json_text.h"
 #include "tools/common/process.h"
 
 namespace lentray::grouping {
@@ -49,7 +50,7 @@ json render(const Arguments& arguments, const Trial& trial, const fs::path& fold
   add(more);
   const tool::RunResult result = tool::run_program(command);
   if (result.status != 0) throw std::runtime_error("lentray failed:\n" + result.output);
-  return json::parse(tool::read_text(folder / "s.json"));
+  return tool::parse_json(tool::read_text(folder / "s.json"));
 }
 
 /// Counts, and the picture's bytes.

@@ -2,6 +2,7 @@
 #include <exception>
 #include <iostream>
 
+#include "parser/base/shown.h"
 #include "tools/common/standard_streams.h"
 #include "tools/common/version.h"
 #include "tools/lentray-merge/arguments.h"
@@ -31,7 +32,7 @@ int run_main(const std::vector<std::string>& words) {
     join(parts, arguments.out);
     return kDone;
   } catch (const std::exception& e) {
-    std::cerr << "lentray-merge: " << e.what() << std::endl;
+    std::cerr << "lentray-merge: " << parser::shown_text(e.what()) << std::endl;
     return kError;
   }
 }

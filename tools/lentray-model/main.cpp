@@ -10,6 +10,7 @@
 #include <mutex>
 
 #include "core/image/writer.h"
+#include "parser/base/shown.h"
 #include "tools/common/gnuplot.h"
 #include "tools/common/process.h"
 #include "tools/common/standard_streams.h"
@@ -107,7 +108,7 @@ int run_main(const std::vector<std::string>& words) {
     }
     return model(arguments);
   } catch (const std::exception& e) {
-    std::cerr << "lentray-model: " << e.what() << std::endl;
+    std::cerr << "lentray-model: " << parser::shown_text(e.what()) << std::endl;
     return kError;
   }
 }

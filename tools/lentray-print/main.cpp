@@ -2,6 +2,7 @@
 #include <exception>
 #include <iostream>
 
+#include "parser/base/shown.h"
 #include "tools/common/standard_streams.h"
 #include "tools/common/version.h"
 #include "tools/lentray-print/arguments.h"
@@ -29,7 +30,7 @@ int run_main(const std::vector<std::string>& words) {
       std::cerr << "lentray-print: warning: " << warning << std::endl;
     return kDone;
   } catch (const std::exception& e) {
-    std::cerr << "lentray-print: " << e.what() << std::endl;
+    std::cerr << "lentray-print: " << parser::shown_text(e.what()) << std::endl;
     return kError;
   }
 }

@@ -2,6 +2,7 @@
 #include <exception>
 #include <iostream>
 
+#include "parser/base/shown.h"
 #include "tools/common/standard_streams.h"
 #include "tools/common/version.h"
 #include "tools/lentray-views/arguments.h"
@@ -26,7 +27,7 @@ int run_main(const std::vector<std::string>& words) {
   } catch (const std::bad_alloc&) {
     std::cerr << "lentray-views: there is not enough memory for these pictures\n";
   } catch (const std::exception& e) {
-    std::cerr << "lentray-views: " << e.what() << "\n";
+    std::cerr << "lentray-views: " << parser::shown_text(e.what()) << "\n";
   }
   return kError;
 }

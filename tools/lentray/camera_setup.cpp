@@ -69,7 +69,7 @@ void refuse_views(const parser::RenderOptions& o) {
   if (const auto view = o.view) what = "View=" + std::to_string(*view);
   if (const auto views = o.views.count) what = "Views=" + std::to_string(*views);
   if (!what.empty()) {
-    throw camera::CameraError(what + " needs a lens sheet: add Lenticular=On");
+    throw camera::CameraError(what + " needs a lens sheet: add Lenticular=On", {"View", "Views"});
   }
 }
 
@@ -105,7 +105,8 @@ std::shared_ptr<const camera::Camera> strip_of(const camera::Lenticular& sheet,
   const std::uint32_t views = camera::usual_views(sheet.sheet());
   if (view >= views || camera::view_width(sheet.sheet(), view, views) == 0) {
     throw camera::CameraError("there is no view " + std::to_string(view) + ": the views are 0 to " +
-                              std::to_string(views - 1));
+                                  std::to_string(views - 1),
+                              {"View", "Lens_Pixels", "Print_DPI"});
   }
   return std::make_shared<camera::SheetView>(sheet, view);
 }
@@ -206,12 +207,13 @@ void make_quilt(const parser::CameraRequest& request, const parser::RenderOption
   const std::uint32_t views = o.views.quilt->views();
   const bool of_cone = !o.views.count;
   const double degrees = o.views.cone.value_or(parser::kUsualViewCone);
-  if (of_cone && views < 2) throw camera::CameraError("a quilt has at least two views");
+  if (of_cone && views < 2) throw camera::CameraError("a quilt has at least two views", {"Quilt"});
   if (of_cone && o.lens.depth_budget && o.lens.depth_budget->is_mm) {
     throw camera::CameraError(
         "Depth_Budget in mm is of a print; of a quilt it is a number of pixels of its tiles, "
         "without "
-        "a unit");
+        "a unit",
+        {"Depth_Budget", "Quilt"});
   }
   camera::Sheet sheet = of_cone ? cone_sheet(request, o, probe) : make_sheet(request, o, probe);
   setup.sheet = std::move(sheet.camera);

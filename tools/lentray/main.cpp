@@ -13,6 +13,7 @@
 
 #include "camera/lens_request.h"
 #include "core/image/writer.h"
+#include "parser/base/shown.h"
 #include "parser/options/lens_sheets.h"
 #include "parser/options/options.h"
 #include "parser/options/options_help.h"
@@ -49,7 +50,7 @@ std::optional<tool::TextStreams> g_texts;
 /// What ended the run is said whatever the options are.
 int fail(const char* prefix, const std::string& text, int status) {
   const std::string whole = line(prefix + text);
-  std::fputs(whole.c_str(), stderr);
+  std::fputs(parser::shown_text(whole).c_str(), stderr);
   if (g_texts) g_texts->log(Stream::kFatal, whole);
   return status;
 }

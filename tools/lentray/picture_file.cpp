@@ -66,11 +66,11 @@ core::ImageMetadata metadata(const CameraSetup& setup) {
 
 PictureFile::PictureFile(const std::string& path, core::FileType type,
                          const parser::RenderOptions& options, const core::SceneSettings& settings,
-                         const CameraSetup& camera) {
+                         const CameraSetup& camera, core::SpareRoom* spare) {
   if (path.empty()) return;
-  m_writer =
-      std::make_unique<core::PictureWriter>(path, camera.camera().width(), camera.camera().height(),
-                                            format_of(type, options, settings), metadata(camera));
+  m_writer = std::make_unique<core::PictureWriter>(
+      path, camera.camera().width(), camera.camera().height(), format_of(type, options, settings),
+      metadata(camera), spare);
 }
 
 void PictureFile::put(const core::Image& band, std::uint32_t) {

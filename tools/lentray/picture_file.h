@@ -16,9 +16,10 @@ namespace lentray::tool {
 class PictureFile final : public core::BandSink {
  public:
   /// `path` "-": standard output; empty: nowhere. Bands hold colours of the scene's working
-  /// space, which `settings` tells.
+  /// space, which `settings` tells. `spare`, or null, gives way to the file on a full disk.
   PictureFile(const std::string& path, core::FileType type, const parser::RenderOptions& options,
-              const core::SceneSettings& settings, const CameraSetup& camera);
+              const core::SceneSettings& settings, const CameraSetup& camera,
+              core::SpareRoom* spare);
 
   void put(const core::Image& band, std::uint32_t top) override;
   /// The file is in its place; without this nothing is left behind.

@@ -101,8 +101,6 @@ void forget_at(const std::string& path) {
 
 }  // namespace
 
-std::string journal_path(const std::string& picture) { return picture + ".lentray-state"; }
-
 PictureJournal::PictureJournal(std::string picture, std::uint32_t width, std::uint32_t height,
                                Identity identity, std::chrono::milliseconds silence)
     : m_path(journal_path(picture)), m_width(width), m_height(height),
@@ -168,19 +166,26 @@ void PictureJournal::read_records(std::uint64_t offset) {
     m_places.push_back(place);
     offset += sizeof head + bytes.size();
   }
-  if (::ftruncate(m_file, static_cast<off_t>(offset)) != 0 || ::lseek(m_file, 0, SEEK_END) < 0)
-    m_is_off = true;
+  m_whole = offset;
+  if (::ftruncate(m_file, static_cast<off_t>(offset)) != 0) m_is_off = true;
+}
+
+void PictureJournal::read(const Place& place, std::string& bytes) const {
+  bytes.resize(place.count * kBytes);
+  if (!read_at(m_file, place.offset, bytes.data(), bytes.size())) {
+    throw parser::OptionError("cannot read '" + m_path + "': " + std::strerror(errno));
+  }
 }
 
 void PictureJournal::recall(std::size_t stage, std::uint32_t top, std::uint32_t bottom,
                             const std::function<void(const core::Pixel&, const float*)>& tell) {
-  std::string bytes;
+  const std::lock_guard lock(m_mutex);
+  m_recalled[stage] = std::max(m_recalled[stage], bottom);
+  std::string read_now;
   for (const Place& place : m_places) {
     if (place.stage != stage || place.last_row < top || place.first_row >= bottom) continue;
-    bytes.resize(place.count * kBytes);
-    if (!read_at(m_file, place.offset, bytes.data(), bytes.size())) {
-      throw parser::OptionError("cannot read '" + m_path + "': " + std::strerror(errno));
-    }
+    if (place.bytes.empty()) read(place, read_now);
+    const std::string& bytes = place.bytes.empty() ? read_now : place.bytes;
     const char* const values = bytes.data() + place.count * sizeof(core::Pixel);
     for (std::uint32_t i = 0; i < place.count; ++i) {
       core::Pixel pixel;
@@ -217,17 +222,16 @@ void PictureJournal::add(std::size_t stage, const std::vector<core::Pixel>& pixe
 /// Takes the file from an earlier run, unless that is still at it.
 void PictureJournal::begin() {
   m_file = open_journal(m_path, O_RDWR | O_CREAT);
+  m_whole = 0;
   if (m_file < 0 || !is_regular(m_file)) {
-    m_trouble = m_file < 0 ? std::strerror(errno) : "it is no regular file";
-    m_is_off = true;
+    give_up(m_file < 0 ? std::strerror(errno) : "it is no regular file");
   } else if (::flock(m_file, LOCK_EX | LOCK_NB) != 0) {
-    m_trouble = "another run is at the same picture";
-    m_is_off = true;
+    give_up("another run is at the same picture");
   } else if (::ftruncate(m_file, 0) != 0) {
-    m_trouble = std::strerror(errno);
-    m_is_off = true;
+    give_up(std::strerror(errno));
   } else {
     write(start_text(m_identity, false));
+    if (m_is_off) (void)::unlink(m_path.c_str());
   }
   if (m_is_off && m_file >= 0) {
     ::close(m_file);
@@ -235,18 +239,26 @@ void PictureJournal::begin() {
   }
 }
 
+void PictureJournal::give_up(const std::string& why) {
+  m_trouble = why;
+  m_is_off = true;
+}
+
+/// All of it, or nothing.
 void PictureJournal::write(const std::string& bytes) {
-  for (std::size_t done = 0; done < bytes.size();) {
-    const ssize_t wrote = ::write(m_file, bytes.data() + done, bytes.size() - done);
+  std::size_t done = 0;
+  while (done < bytes.size()) {
+    const ssize_t wrote = ::pwrite(m_file, bytes.data() + done, bytes.size() - done,
+                                   static_cast<off_t>(m_whole + done));
     if (wrote < 0 && errno == EINTR) continue;
-    if (wrote > 0) {
-      done += static_cast<std::size_t>(wrote);
-      continue;
+    if (wrote <= 0) {
+      give_up(std::strerror(errno));
+      [[maybe_unused]] const int cut = ::ftruncate(m_file, static_cast<off_t>(m_whole));
+      return;
     }
-    m_trouble = std::strerror(errno);
-    m_is_off = true;
-    return;
+    done += static_cast<std::size_t>(wrote);
   }
+  m_whole += done;
 }
 
 void PictureJournal::flush() {
@@ -257,20 +269,57 @@ void PictureJournal::flush() {
 }
 
 bool PictureJournal::keep() {
+  const std::lock_guard lock(m_mutex);
   flush();
-  return m_file >= 0 && !m_is_off;
+  return m_file >= 0;
 }
 
 void PictureJournal::finish(bool say_so) {
   m_pending.clear();
   if (say_so && m_file < 0) begin();
-  if (say_so && m_file >= 0 && ::ftruncate(m_file, 0) == 0 && ::lseek(m_file, 0, SEEK_SET) == 0) {
+  if (say_so && m_file >= 0 && ::ftruncate(m_file, 0) == 0) {
+    m_whole = 0;
     write(start_text(m_identity, true));
   }
   if (m_file >= 0) ::close(m_file);
   m_file = -1;
   m_is_off = true;
   if (!say_so) forget_at(m_path);
+}
+
+std::uint64_t PictureJournal::bytes() {
+  constexpr std::uint64_t kBlock = 512;
+  const std::lock_guard lock(m_mutex);
+  struct stat about {};
+  const bool is_there =
+      m_file >= 0 ? ::fstat(m_file, &about) == 0 : ::lstat(m_path.c_str(), &about) == 0;
+  return is_there && S_ISREG(about.st_mode) ? static_cast<std::uint64_t>(about.st_blocks) * kBlock
+                                            : 0;
+}
+
+void PictureJournal::give() {
+  const std::lock_guard lock(m_mutex);
+  m_pending.clear();
+  m_is_off = true;
+  if (m_file < 0) return forget_at(m_path);
+  for (Place& place : m_places) {
+    if (place.last_row >= m_recalled[place.stage]) read(place, place.bytes);
+  }
+  std::erase_if(m_places, [](const Place& place) { return place.bytes.empty(); });
+  m_is_given = true;
+  if (::ftruncate(m_file, 0) != 0) m_trouble = std::strerror(errno);
+  (void)::unlink(m_path.c_str());
+  ::close(m_file);
+  m_file = -1;
+}
+
+std::string PictureJournal::trouble() const {
+  const std::string name = "'" + m_path + "' ";
+  const std::string so = ": had this run been cut off, +C would not have gone on with it";
+  if (m_is_given) return name + "was given up, for the picture needed its room" + so;
+  if (m_trouble.empty()) return "";
+  if (m_whole > 0) return name + "could not be written to its end (" + m_trouble + ")";
+  return name + "could not be written (" + m_trouble + ")" + so;
 }
 
 void PictureJournal::forget(const std::string& picture) { forget_at(journal_path(picture)); }

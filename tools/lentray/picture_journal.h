@@ -6,7 +6,8 @@
 // second: a quick picture never has the file. 24 bytes a pixel; twice as many with antialiasing.
 // A finished picture has no journal, but for the frames of an animation: theirs say that they are finished until
 // the whole animation is.
-// Errors: parser::OptionError. A journal that cannot be written is given up with a warning.
+// The picture comes first: a journal that finds no room grows no more, and one whose room the picture needs is
+// given up. Errors: parser::OptionError. A journal that cannot be written is given up with a warning.
 // Threads: as the ledger; the rest one thread.
 #pragma once
 
@@ -19,15 +20,14 @@
 #include <string>
 #include <vector>
 
+#include "core/image/spare_room.h"
 #include "core/render/picture_ledger.h"
+#include "tools/common/companion.h"
 #include "tools/lentray/identity.h"
 
 namespace lentray::tool {
 
-/// Of the picture at that path.
-std::string journal_path(const std::string& picture);
-
-class PictureJournal final : public core::PictureLedger {
+class PictureJournal final : public core::PictureLedger, public core::SpareRoom {
  public:
   /// Nothing is kept before `silence` has passed.
   PictureJournal(std::string picture, std::uint32_t width, std::uint32_t height, Identity identity,
@@ -49,8 +49,8 @@ class PictureJournal final : public core::PictureLedger {
   void finish(bool say_so);
   /// The run is cut off in order: writes what is not written yet. False: there is nothing to go on with.
   bool keep();
-  /// Why the journal was given up; empty: it was not.
-  const std::string& trouble() const { return m_trouble; }
+  /// What is to be said of a journal that is not what it should be, as a sentence; empty: nothing.
+  std::string trouble() const;
 
   const core::PixelSet* known(std::size_t stage) const override { return m_known[stage].get(); }
   void recall(std::size_t stage, std::uint32_t top, std::uint32_t bottom,
@@ -59,25 +59,35 @@ class PictureJournal final : public core::PictureLedger {
   void add(std::size_t stage, const std::vector<core::Pixel>& pixels,
            const std::vector<float>& values) override;
 
+  /// That the journal takes, or the one that an earlier run left.
+  std::uint64_t bytes() override;
+  /// Nothing is kept any more on the disk. What recall() may be asked for yet is held in memory.
+  void give() override;
+
  private:
   using Clock = std::chrono::steady_clock;
   /// Where the pixels of a record are in the file.
   struct Place {
     std::uint64_t offset = 0;
     std::uint32_t stage = 0, count = 0, first_row = 0, last_row = 0;
+    std::string bytes{};  ///< instead of the file's, once that is given up
   };
 
   void begin();
   void read_records(std::uint64_t offset);
+  void read(const Place& place, std::string& bytes) const;
   void write(const std::string& bytes);
   void flush();
+  void give_up(const std::string& why);
 
   const std::string m_path;
   const std::uint32_t m_width, m_height;
   const Identity m_identity;
   const Clock::time_point m_speaks;  ///< from then on
   int m_file = -1;
-  bool m_goes_on = false;
+  std::uint64_t m_whole = 0;  ///< bytes of the file that are whole records
+  bool m_goes_on = false, m_is_given = false;
+  std::uint32_t m_recalled[kStages]{};  ///< rows above are not asked for again
   std::unique_ptr<core::PixelSet> m_known[kStages];
   std::vector<Place> m_places;
   std::mutex m_mutex;

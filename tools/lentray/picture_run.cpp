@@ -21,13 +21,16 @@
 #include "parser/compile/scene.h"
 #include "parser/dump/scene_json.h"
 #include "parser/read_scene.h"
+#include "parser/source/build_error.h"
 #include "parser/source/diagnostics.h"
 #include "shadow/pixel_orders.h"
 #include "shadow/report.h"
 #include "shadow/run_log.h"
 #include "shadow/run_meter.h"
 #include "shadow/tester_factory.h"
+#include "tools/common/json_text.h"
 #include "tools/common/machine.h"
+#include "tools/lentray/camera_place.h"
 #include "tools/lentray/camera_setup.h"
 #include "tools/lentray/depth_run.h"
 #include "tools/lentray/explain.h"
@@ -161,8 +164,7 @@ void parse_alone(Run& run, const std::string& path) {
   run.warnings.say();
   refuse_if_strict(o, parts.not_rendered);
   if (o.dump) {
-    const auto json = parser::scene_json(scene, sources);
-    std::puts(json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
+    std::puts(json_text(parser::scene_json(scene, sources), 1).c_str());
   }
   if (!o.verbose) return;
   std::fprintf(stderr, "Parsed: %zu objects and lights, %zu warnings, %.3f s\n",
@@ -184,8 +186,7 @@ void write_dependencies(const Run& run, const SceneDisk& disk) {
                      {"read", disk.seen()},
                      {"missing", disk.watched().missing()},
                      {"written", disk.watched().written()}};
-  write_text_file(parser::frame_path(o, o.dependencies_file),
-                  out.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+  write_text_file(parser::frame_path(o, o.dependencies_file), json_text(std::move(out), 1) + "\n");
 }
 
 /// Blur_Samples holds where the scene has focal blur.
@@ -236,14 +237,20 @@ void compile_scene(Run& run, const std::string& path, SceneDisk& disk) {
 
   const auto textures = parser::texture_settings(description, run.scene->settings(),
                                                  {.quality = o.quality, .overrides = o.overrides});
-  const auto request =
-      parser::camera_request(description.camera.value_or(parser::CameraDesc{}), textures);
   const auto probe = camera::probe_of(*run.scene, [&](const camera::ProbeHit& hit) {
     const parser::ObjectPlace* const place = places.place_of(hit.id, hit.whole);
     return place ? parser::object_name(*place, sources) : hit.object;
   });
   places.sort_parts();
-  run.camera = make_camera(request, o, probe);
+  try {
+    run.camera = make_camera(
+        parser::camera_request(description.camera.value_or(parser::CameraDesc{}), textures), o,
+        probe);
+  } catch (const camera::CameraError& error) {
+    fail_with_place(error, description.camera, o, diagnostics);
+  } catch (const parser::BuildError& error) {  // of a bokeh or a normal
+    diagnostics.fail(error.where(), error.what());
+  }
   for (std::string& text : run.camera.warnings) run.warnings.add("warning: " + text);
   run.camera.warnings.clear();
   if (o.depth) run.depth = depth_of(run.camera, probe, o);
@@ -406,22 +413,28 @@ bool render(Run& run, const std::atomic<bool>& cancel, bool is_frame) {
   std::optional<ProgressBar> bar;
   if (o.verbose) bar.emplace("Rendering");
   const double before = cpu_seconds();
-  PictureFile picture(run.output, run.type, o, run.scene->settings(), run.camera);
-  run.report.counters = core::render_frame(*run.scene, camera, shape, *orders, *asked, frame,
-                                           picture, bar ? &*bar : nullptr);
-  if (cancel.load()) {
+  std::optional<PictureFile> picture(std::in_place, run.output, run.type, o, run.scene->settings(),
+                                     run.camera, journal ? &*journal : nullptr);
+  bool is_cut_off = false;
+  try {
+    run.report.counters = core::render_frame(*run.scene, camera, shape, *orders, *asked, frame,
+                                             *picture, bar ? &*bar : nullptr);
+    is_cut_off = cancel.load();
+    if (!is_cut_off) picture->finish();
+  } catch (const core::ImageError&) {
+    bar.reset();
+    picture.reset();  // what was kept last finds the room of its file
+    if (journal) tell_of_journal(run, *journal);
+    throw;
+  }
+  if (is_cut_off) {
     if (journal) tell_of_journal(run, *journal);
     return false;
   }
   run.report.shadow_log = log.lights();
-  picture.finish();
   if (journal) journal->finish(is_frame);
-  if (journal && !journal->trouble().empty()) {
-    run.warnings.add("warning: '" + journal_path(run.output) + "' could not be written (" +
-                     journal->trouble() +
-                     "): had this run been cut off, +C would not have gone on with it");
-  }
-  run.report.write_cpu_s = picture.cpu_seconds();
+  if (journal && !journal->trouble().empty()) run.warnings.add("warning: " + journal->trouble());
+  run.report.write_cpu_s = picture->cpu_seconds();
   run.report.render_cpu_s = cpu_seconds() - before - run.report.write_cpu_s;
   return true;
 }
@@ -485,7 +498,8 @@ Status run_picture(const Picture& what, const std::atomic<bool>& cancel, TextStr
   if (!options.statistics_file.empty()) {
     nlohmann::json all = statistics(run.report, options, run.camera, run.scene->settings());
     all["not_rendered"] = run.not_rendered;
-    write_text_file(parser::frame_path(options, options.statistics_file), all.dump(2) + "\n");
+    write_text_file(parser::frame_path(options, options.statistics_file),
+                    json_text(std::move(all), 2) + "\n");
   }
   const std::string text = summary(run.report, run.output);
   if (options.verbose) {

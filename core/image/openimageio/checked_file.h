@@ -4,17 +4,18 @@
 
 #include <OpenImageIO/filesystem.h>
 
-#include <cstdio>
 #include <filesystem>
+#include <optional>
 #include <string>
-#include <vector>
+
+#include "core/image/byte_file.h"
 
 namespace lentray::core {
 
 class CheckedFile final : public OIIO::Filesystem::IOProxy {
  public:
   /// Empties the file; failing to open it is a complaint, too.
-  explicit CheckedFile(const std::filesystem::path& path);
+  CheckedFile(const std::filesystem::path& path, SpareRoom* spare);
   ~CheckedFile() override;
   CheckedFile(const CheckedFile&) = delete;
   CheckedFile& operator=(const CheckedFile&) = delete;
@@ -34,10 +35,11 @@ class CheckedFile final : public OIIO::Filesystem::IOProxy {
   void flush() const override;
 
  private:
-  void note(bool failed) const;
-  std::vector<char> m_buffer;
-  std::FILE* m_file = nullptr;
-  mutable std::string m_complaint;  // flushing is const to OpenImageIO
+  template <class Work>
+  bool done(Work work) const;
+  // Flushing is const to OpenImageIO.
+  mutable std::optional<ByteFile> m_file;
+  mutable std::string m_complaint;
 };
 
 }  // namespace lentray::core
