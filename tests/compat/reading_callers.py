@@ -67,7 +67,7 @@ def cuemol(povray):
                                "Quality=11", "Antialias=On", "Antialias_Depth=3", "Antialias_Threshold=0.1",
                                "Jitter=Off", "+V")
     bar = [int(share) for _, _, share in re.findall(r"Rendered (\d+) of (\d+) pixels \((\d+)%\)", said)]
-    return status, "out.png" in povray.left, bool(bar), bar[-1:], bar == sorted(bar)
+    return status, "out.png" in povray.left, bool(bar), bar[-1:]
 
 
 def farm(povray):
