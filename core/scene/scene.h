@@ -45,9 +45,10 @@ struct SkySphere {
   Rgb emission{1.0f, 1.0f, 1.0f};
 };
 
-/// An isosurface's statement ("scene.pov:5:1") and the slopes that its copies see.
+/// The slopes that the copies of an isosurface see, and what a warning about its statement begins
+/// with ("scene.pov:5:1: warning: ").
 struct WatchedSlope {
-  std::string place;
+  std::string heading;
   std::shared_ptr<const SlopeWatch> watch;
 };
 

@@ -27,7 +27,8 @@ class SlopeWatches {
   std::vector<core::WatchedSlope> named(const Diagnostics& diagnostics) const {
     std::vector<core::WatchedSlope> all;
     for (const auto& [key, watch] : m_watches) {
-      all.push_back({diagnostics.place({std::get<0>(key), std::get<1>(key)}), watch});
+      all.push_back(
+          {diagnostics.heading({std::get<0>(key), std::get<1>(key)}, "warning").before, watch});
     }
     return all;
   }

@@ -169,6 +169,7 @@ void add_file(const RenderOptions& o, Lines& out) {
 void add_texts(const RenderOptions& o, Lines& out) {
   out.add("Verbose", o.verbose);
   out.number("Warning_Level", o.warning_level);
+  if (o.stock_messages) out.add("Stock_Messages", *o.stock_messages);
   out.add("Debug_Console", o.debug_console);
   out.add("Fatal_Console", o.fatal_console);
   out.add("Render_Console", o.render_console);

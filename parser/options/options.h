@@ -93,6 +93,7 @@ struct RenderOptions {
   // Messages.
   bool verbose = true;     ///< progress
   int warning_level = 10;  ///< 0: no warnings
+  std::optional<bool> stock_messages;  ///< in POV-Ray's form; none: by the program's name
   bool debug_console = true, warning_console = true, statistic_console = true,
        render_console = true, fatal_console = true;
   std::optional<bool> all_console;  ///< if given, it holds for those five

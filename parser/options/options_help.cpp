@@ -213,6 +213,11 @@ constexpr OptionHelp kWork[] = {
 constexpr OptionHelp kMessages[] = {
     {"Verbose", kSwitch, "Progress (on).", ""},
     {"Warning_Level", "n", "0 to 10; 0: no warnings.", ""},
+    {"Stock_Messages", kSwitch,
+     "Progress, errors and warnings have POV-Ray's form, for programs that read them (off; on "
+     "where "
+     "lentray is called as povray).",
+     ""},
     {"All_Console", kSwitch,
      "All five texts below go to the terminal. A switch of these may bring the name of a file that "
      "the text goes to as well, as +GAlog.txt.",
@@ -390,7 +395,8 @@ Renders POV-Ray scenes, also as integral images for lenticular sheets. Options
 are POV-Ray's, with the same spelling and meaning: Name=Value or a switch, on
 the command line or in INI files. Later ones override earlier ones; letter case
 of names does not matter; a value in brackets is what holds without the option.
-Called as povray, it answers --version and --help as POV-Ray does.
+Called as povray, it answers --version and --help as POV-Ray does, and what it
+says has POV-Ray's form (Stock_Messages).
 )";
   for (const OptionGroup& group : kGroups) {
     out += "\n" + std::string(group.title) + ":\n";

@@ -61,6 +61,7 @@ void set_stream_file(Options& o, const Given& g) {
     if (same_word(g.value, word)) o.*file = usual.text;
   }
 }
+void set_stock_messages(Options& o, const Given& g) { o.stock_messages = truth(o, g); }
 void set_create_ini(Options& o, const Given& g) {
   o.create_ini = g.sign != '-';
   o.ini_file = g.value;
@@ -527,6 +528,7 @@ constexpr OptionRow kTable[] = {
     // Messages.
     {"Verbose", "V", set_bool<&Options::verbose>},
     {"Warning_Level", "WL", set_level},
+    {"Stock_Messages", "", set_stock_messages},
     {"Debug_Console", "GD", set_console<&Options::debug_console, &Options::debug_file>},
     {"Fatal_Console", "GF", set_console<&Options::fatal_console, &Options::fatal_file>},
     {"Render_Console", "GR", set_console<&Options::render_console, &Options::render_file>},

@@ -47,6 +47,12 @@ constexpr std::size_t kPlacesShown = 8;  // of one warning
 
 }  // namespace
 
+Heading own_heading(const SourceManager& sources, const Location& where,
+                    std::string_view severity) {
+  const std::string place = where.file == 0 ? "lentray" : sources.place(where);
+  return {place + ": " + std::string(severity) + ": ", ""};
+}
+
 Diagnostics::Diagnostics(const SourceManager& sources) : m_sources(sources) {
   for (Sink& sink : m_sinks) sink = to_standard_error;
 }
@@ -66,8 +72,10 @@ void Diagnostics::write(Stream stream, std::string_view text) {
 
 std::string Diagnostics::format(const Location& where, std::string_view severity,
                                 std::string_view message, std::span<const StackEntry> stack) const {
-  std::string text = place(where) + ": " + std::string(severity) + ": " +
-                     shown_message(shown_text(message)) + "\n" + excerpt(m_sources, where);
+  const Heading around = heading(where, severity);
+  message = message.substr(0, message.find_last_not_of('\n') + 1);
+  std::string text = around.before + shown_message(shown_text(message)) + "\n" + around.after +
+                     excerpt(m_sources, where);
   for (std::size_t i = 0; i < stack.size(); ++i) {
     if (stack.size() > kStackShown && i == kStackShown / 2) {
       const std::size_t skipped = stack.size() - kStackShown;

@@ -47,6 +47,17 @@ class ParseError : public std::runtime_error {
   Diagnostic m_diagnostic;
 };
 
+/// What stands around the first line of a message about a scene.
+struct Heading {
+  std::string before;  ///< "scene.pov:3:14: error: "
+  std::string after;   ///< a line between the message and the scene's; empty: none
+};
+/// `severity` is "error" or "warning".
+using HeadingMaker = Heading (*)(const SourceManager&, const Location&, std::string_view severity);
+
+/// "scene.pov:3:14: error: "; "lentray: error: " for nowhere.
+Heading own_heading(const SourceManager& sources, const Location& where, std::string_view severity);
+
 class Diagnostics {
  public:
   using Sink = std::function<void(std::string_view)>;
@@ -56,6 +67,12 @@ class Diagnostics {
   /// Sends a stream elsewhere; an empty sink silences it. Warnings are collected all the same.
   void connect(Stream stream, Sink sink);
   void write(Stream stream, std::string_view text);
+
+  /// own_heading unless this is called.
+  void set_headings(HeadingMaker make) { m_make_heading = make; }
+  Heading heading(const Location& where, std::string_view severity) const {
+    return m_make_heading(m_sources, where, severity);
+  }
 
   /// The same warning at the same place (in a loop, a macro) is given once, and at eight places at
   /// most; report_repeats() tells how many more there are (and forgets them).
@@ -77,12 +94,13 @@ class Diagnostics {
 
   /// "scene.pov:3:14"; "lentray" for nowhere.
   std::string place(const Location& where) const;
-  /// "scene.pov:3:14: error: ..." with line, caret and stack.
+  /// Heading and message, with line, caret and stack.
   std::string format(const Location& where, std::string_view severity, std::string_view message,
                      std::span<const StackEntry> stack) const;
 
  private:
   const SourceManager& m_sources;
+  HeadingMaker m_make_heading = own_heading;
   Sink m_sinks[kStreams];
   std::vector<Diagnostic> m_warnings;
   std::set<std::string> m_given;                // places and messages of the warnings

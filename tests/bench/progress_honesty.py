@@ -92,7 +92,7 @@ def run(program, scene, options, threads):
             first = time.monotonic()
             for line in process.stderr:
                 now = time.monotonic() - first
-                if found := re.match(r"Rendering: (\d+) %(?:, (.*) left)?", line):
+                if found := re.match(r"Rendering: (\d+)%(?:, (.*) left)?", line):
                     lines.append((now, cpu_seconds(process.pid), int(found.group(1)),
                                   seconds(found.group(2) or "0 s")))
         if process.returncode != 0:

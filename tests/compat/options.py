@@ -369,6 +369,34 @@ frame_skips.ini
 group("Others", "scene.pov\nscene\n+Q9 scene.pov\n--help\n-help\n-h\n-?\n--version\n-version\n--generation\n+ZZ\nNo_Such=1\nWidth\n", bare=True)
 
 # Differences that stay, by line, with the reason.
+READ = """## Lines that programs read
+
+With `Stock_Messages=On`, and without that option wherever lentray is called by a name that begins
+with `povray` (a link, say), standard error has POV-Ray's form. `tests/compat/reading_callers.py`
+reads it as programs do that exist: CueMol, LeoCAD, an extension of Visual Studio Code,
+povray-jupyter, Emacs's pov-mode, povrayer, Spack. Each shows the same with stock and with lentray.
+
+| line | in stock's form |
+|---|---|
+| `Rendered 5760 of 307200 pixels (1%)` | with `+V`, each ended by a carriage return, the last by a new line too; the last tells 100%. The first comes after a second, then five a second. The number is the share of the work, in pixels: pixels cost unequal time. With `+C`, what remains to be done is the whole |
+| `Rendering frame 2 of 10` | before each picture of an animation, once; stock tells the first one twice |
+| `==== [Parsing...] ====`, `==== [Rendering...] ====` | yes |
+| `File 'a.pov' line 3: Parse Error: ...`, `... Parse Warning: ...` | file and line as stock's; the message is lentray's. It stays on one line, where stock breaks it at 80 columns. The lines behind it tell the column (` in column 5`, with the one blank that stock's second lines begin with), the scene's line with a caret, and the includes and macros |
+| `Parse Error: ...`, `Parse Warning: ...` | what has no place in the scene, as a scene that is not there. Once rendering has begun: `Render Error: ...`, `Render Warning: ...` |
+| `Possible Parse Error: ...` | no: a file that is not there is a Parse Error |
+| `Fatal error in parser: Cannot parse input.`, `Render failed` | behind an error; while rendering it is `Fatal error in renderer: The picture is not whole.` |
+| `Problem with option setting` and the command line | before what is wrong with an option, where lentray is called as povray |
+| `Render cancelled by user`, `POV-Ray finished` | the last line, an empty one behind it |
+| `File already rendered and continue requested; skipping.` | with `+C` |
+| `Parser Options`, `Image Output Options` | `Input file`, `Clock value`, `Image resolution` (rows and columns of whole pictures only), `Output file` (without JPEG's quality), `Continued trace`; no other lines, no `Information Output Options` |
+| `Parser Time`, `Render Options`, `Render Statistics`, `Render Time` | times with their threads and CPU seconds, `Quality`, `Antialiasing`, `Image Resolution`, `Pixels`, `Samples`, `Rays` (all but shadow rays), `Reflected Rays`, `Refracted Rays`. `Shadow Rays`, `Shadowed Rays` and `Peak Memory` are lentray's own. No objects, tests of shapes or maximum level |
+| the first lines | `POV-Ray 3.7.0 compatible: Lentray`, and that it is not POV-Ray; no authors or libraries |
+
+Statuses are stock's: 0, 1 for what failed, 2 for what was stopped. `-V` leaves out the first row
+alone. The five texts go to the console and to files as stock's do: the first three rows and the
+ends of a run belong to none of the five, come with `-GA` too, and go to no file. But an error is
+told whatever `-GF` and `-GA` say."""
+
 KNOWN = {
     "ends.ini": "status 1, as the manual says; stock has 0",
     "+RFO": "not there yet: radiosity",
@@ -446,7 +474,7 @@ def document(results):
                 shown += ", which says `" + FILES[line.text].strip().replace("\r", "").replace("\n", "` `") + "`"
             out.append(f"| {shown} | {note} |")
         out.append("")
-    return "\n".join(out)
+    return "\n".join(out + [READ])
 
 
 def main():

@@ -194,7 +194,7 @@ TEST_F(ImageProgram, WhatAPictureWillLackIsSaidBeforeItIsRendered) {
                    "#version 3.7; global_settings { assumed_gamma 1 } light_source { -9*z, 1 }\n"
                    "sphere { 5*z, 1 pigment { rgb 1 } } global_settings { radiosity { } }\n");
   const std::string text = lentray({"lacks.pov", "+W16", "+H12"}).output;
-  EXPECT_LT(text.find("left out of the picture: radiosity"), text.find("Rendering: 100 %")) << text;
+  EXPECT_LT(text.find("left out of the picture: radiosity"), text.find("Rendering: 100%")) << text;
   for (const bool parses : {false, true}) {
     std::vector<std::string> arguments{"lacks.pov", "+W16", "+H12", "Strict=On", "+Ostrict.png"};
     if (parses) arguments.push_back("--parse-only");
@@ -219,7 +219,7 @@ TEST_F(ImageProgram, ASummaryAtTheEnd) {
 }
 
 TEST_F(ImageProgram, ProgressOnlyWhenWanted) {
-  EXPECT_NE(lentray({"scene.pov", "+W16", "+H12"}).output.find("Rendering: 100 %"),
+  EXPECT_NE(lentray({"scene.pov", "+W16", "+H12"}).output.find("Rendering: 100%"),
             std::string::npos);
   EXPECT_EQ(lentray({"scene.pov", "+W16", "+H12", "-V"}).output, "");
 }

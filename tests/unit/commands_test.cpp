@@ -29,7 +29,8 @@ class UnitCommands : public ::testing::Test {
   Action run(CommandKind kind, PovrayConf::Shellout shellout = PovrayConf::Shellout::kAllowed) {
     m_options.warning_console = m_options.render_console = false;
     TextStreams texts(m_options);
-    Commands commands(m_options, {conf_of(shellout)}, texts);
+    const auto form = make_message_form(false, texts);
+    Commands commands(m_options, {conf_of(shellout)}, *form);
     return commands.run(kind, {"o.png", "s", 7, 0.5, 4, 3});
   }
   std::string texts() const { return tool::read_text(m_folder / "texts"); }

@@ -47,6 +47,7 @@ TEST(UnitParserCreateIni, AsksForTheSameRunAgain) {
        "-GS",
        "+GFfatal.txt"},
       {"a.pov", "+K0.1", "+MV3.5"},
+      {"a.pov", "Stock_Messages=On"},
       {"a.pov", "+KFI3", "+KFF12", "+KI0.5", "+KF2", "+SF0.5", "+EF11", "+STP2", "+KC"},
       {"a.pov", "Lenticular=On", "Lens_Model=thick", "Lens_Rays=5"},
       {"a.pov", "Lenticular=On", "Depth_Budget=1.25"},

@@ -42,7 +42,7 @@ std::function<void(double)> progress_line(bool renders) {
     const int percent = static_cast<int>(100.0 * part);
     if (percent <= last) return;
     last = percent;
-    std::fprintf(stderr, "\rmeasured %d %%%s", percent, percent >= 100 ? "\n" : "");
+    std::fprintf(stderr, "\rmeasured %d%%%s", percent, percent >= 100 ? "\n" : "");
   };
 }
 

@@ -98,8 +98,8 @@ std::string expanded(const std::string& command, const CommandContext& c) {
 }
 
 Commands::Commands(const parser::RenderOptions& options,
-                   const std::vector<parser::PovrayConf>& confs, TextStreams& texts)
-    : m_options(options), m_texts(texts) {
+                   const std::vector<parser::PovrayConf>& confs, const MessageForm& form)
+    : m_options(options), m_form(form) {
   std::string names;
   for (std::size_t i = 0; i < parser::kCommands; ++i) {
     if (!options.commands[i].text.empty())
@@ -114,9 +114,10 @@ Commands::Commands(const parser::RenderOptions& options,
   for (const parser::PovrayConf& conf : confs) {
     if (conf.shellout == parser::PovrayConf::Shellout::kForbidden) where = conf.path;
   }
-  texts.write(parser::Stream::kWarning, "warning: " + names +
-                                            ": not run; 'allowed' below [Shellout Security] in " +
-                                            where + " would permit it\n");
+  form.texts().write(parser::Stream::kWarning,
+                     form.warning(names + ": not run; 'allowed' below [Shellout Security] in " +
+                                  where + " would permit it") +
+                         "\n");
 }
 
 Action Commands::run(CommandKind kind, const CommandContext& context) {
@@ -125,7 +126,7 @@ Action Commands::run(CommandKind kind, const CommandContext& context) {
   try {
     run_now(kind, context);
   } catch (const parser::OptionError& error) {
-    m_texts.write(parser::Stream::kWarning, std::string("warning: ") + error.what() + "\n");
+    m_form.texts().write(parser::Stream::kWarning, m_form.warning(error.what()) + "\n");
   }
   return Action::kGoOn;
 }
@@ -142,7 +143,7 @@ Action Commands::run_now(CommandKind kind, const CommandContext& context) {
       (m_allowed ? "ended with status " + std::to_string(status) : "may not run");
   if (command.action == 'F') throw parser::OptionError(what + ", which is to be a fatal error");
   if (kind == CommandKind::kUserAbort) return Action::kGoOn;
-  m_texts.write(parser::Stream::kRender, what + ": its action is " + command.action + "\n");
+  m_form.texts().write(parser::Stream::kRender, what + ": its action is " + command.action + "\n");
   return action_of(command.action);
 }
 

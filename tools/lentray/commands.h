@@ -10,7 +10,7 @@
 
 #include "parser/options/options.h"
 #include "parser/restrictions/povray_conf.h"
-#include "tools/lentray/text_streams.h"
+#include "tools/lentray/message_form.h"
 
 namespace lentray::tool {
 
@@ -30,7 +30,7 @@ class Commands {
  public:
   /// Warns at once of commands that no povray.conf allows; they are then never run.
   Commands(const parser::RenderOptions& options, const std::vector<parser::PovrayConf>& confs,
-           TextStreams& texts);
+           const MessageForm& form);
   /// Runs the command of that kind, if there is one, and waits for its end. Fatal_Error_Command never throws
   /// and has no action; that of User_Abort_Command goes on with the abort.
   Action run(parser::CommandKind kind, const CommandContext& context);
@@ -39,7 +39,7 @@ class Commands {
   Action run_now(parser::CommandKind kind, const CommandContext& context);
 
   const parser::RenderOptions& m_options;
-  TextStreams& m_texts;
+  const MessageForm& m_form;
   bool m_allowed = false;
 };
 

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <memory>
 #include <new>
 #include <optional>
 #include <stdexcept>
@@ -21,8 +22,11 @@
 #include "parser/source/diagnostics.h"
 #include "tools/common/standard_streams.h"
 #include "tools/common/version.h"
+#include "tools/lentray/message_form.h"
+#include "tools/lentray/picture_run.h"
 #include "tools/lentray/run.h"
 #include "tools/lentray/run_guard.h"
+#include "tools/lentray/stock_form.h"
 #include "tools/lentray/text_streams.h"
 #include "tools/lentray/warnings.h"
 
@@ -40,22 +44,25 @@ void keep_memory() {
 
 using parser::Stream;
 
-std::string line(const std::string& text) {
-  return text.empty() || text.back() != '\n' ? text + "\n" : text;
-}
+std::string line(const std::string& text) { return text.ends_with('\n') ? text : text + "\n"; }
 
-/// Where texts go once the options are known.
+/// Where texts go and how they look once the options are known.
 std::optional<tool::TextStreams> g_texts;
+std::unique_ptr<tool::MessageForm> g_form;
 
 /// What ended the run is said whatever the options are.
-int fail(const char* prefix, const std::string& text, int status) {
-  const std::string whole = line(prefix + text);
-  std::fputs(parser::shown_text(whole).c_str(), stderr);
-  if (g_texts) g_texts->log(Stream::kFatal, whole);
+int fail(const std::string& text, int status = tool::kUserError) {
+  std::fputs(parser::shown_text(text).c_str(), stderr);
+  if (g_texts) g_texts->log(Stream::kFatal, text);
   return status;
 }
 
-constexpr const char* kError = "lentray: ";
+/// What is wrong has no place in the scene.
+int fail_nowhere(const std::string& text, int status = tool::kUserError) {
+  return fail(line(g_form ? g_form->error(text) : "lentray: " + text), status);
+}
+
+constexpr const char* kNoMemory = "there is not enough memory for this scene and picture";
 
 /// Runs `work`; what it throws becomes a message and an exit status.
 template <typename Work>
@@ -63,23 +70,23 @@ int guarded(Work work) {
   try {
     return work();
   } catch (const parser::ParseError& error) {
-    return fail("", error.what(), tool::kUserError);
+    return fail(line(error.what()));
   } catch (const parser::OptionError& error) {
-    return fail(kError, error.what(), tool::kUserError);
+    return fail_nowhere(error.what());
   } catch (const camera::CameraError& error) {
-    return fail(kError, error.what(), tool::kUserError);
+    return fail_nowhere(error.what());
   } catch (const core::ImageError& error) {
-    return fail(kError, error.what(), tool::kUserError);
+    return fail_nowhere(error.what());
   } catch (const parser::BuildError& error) {
-    return fail(kError, error.what(), tool::kUserError);
+    return fail_nowhere(error.what());
   } catch (const std::bad_alloc&) {
-    return fail(kError, "there is not enough memory for this scene and picture", tool::kUserError);
+    return fail_nowhere(kNoMemory);
   } catch (const std::length_error&) {  // more than any memory holds
-    return fail(kError, "there is not enough memory for this scene and picture", tool::kUserError);
+    return fail_nowhere(kNoMemory);
   } catch (const std::system_error& error) {
-    return fail(kError, error.what(), tool::kUserError);
+    return fail_nowhere(error.what());
   } catch (const std::exception& error) {
-    return fail("lentray: internal error: ", error.what(), tool::kInternalError);
+    return fail_nowhere(std::string("internal error: ") + error.what(), tool::kInternalError);
   }
 }
 
@@ -94,20 +101,48 @@ void tell(const parser::RenderOptions& options, bool as_povray) {
   if (options.help) {
     std::fputs((options.help_all ? parser::full_help_text() : parser::help_text()).c_str(), out);
   } else if (as_povray) {
-    std::fprintf(out,
-                 "POV-Ray %s compatible: Lentray %s\n\nThis is not POV-Ray, but a renderer that "
-                 "reads its scenes and options.\n",
-                 tool::kPovRayVersion, tool::kVersion);
+    std::fputs(tool::stock_title().c_str(), out);
   } else {
     std::fprintf(out, "Lentray %s\n", tool::kVersion);
   }
 }
 
+/// The pictures, with guards and warnings around them.
+int run_guarded(const parser::RenderOptions& options) {
+  tool::Warnings warnings(*g_form, options.warning_level);
+  for (const std::string& text : options.warnings) warnings.tell(text);
+  warnings.say();
+  tool::RunGuard guard;
+  if (options.max_time > 0.0) guard.limit_time(options.max_time);
+  const int status = guarded([&] {
+    try {
+      return static_cast<int>(tool::run(options, guard.asked(), *g_form, warnings));
+    } catch (...) {
+      // Warnings first: they often tell what the error is about.
+      warnings.say();
+      throw;
+    }
+  });
+  if (status == tool::kAborted) {
+    guard.asked() ? tool::tell_stopped()
+                  : (void)std::fputs("lentray: stopped by a command\n", stderr);
+  }
+  if (status == tool::kDone && !g_texts->trouble().empty()) return fail_nowhere(g_texts->trouble());
+  return status;
+}
+
 int run_main(int argc, char** argv) {
+  const std::string program = argc > 0 ? argv[0] : "";
+  const bool as_povray = called_as_povray(program);
   const std::vector<std::string> arguments(argv + 1, argv + argc);
   parser::RenderOptions options;
   int status = guarded([&] {
-    options = parser::read_options(arguments, parser::installed_sources());
+    try {
+      options = parser::read_options(arguments, parser::installed_sources());
+    } catch (...) {
+      if (as_povray) std::fputs(tool::stock_option_problem(program, arguments).c_str(), stderr);
+      throw;
+    }
     return static_cast<int>(tool::kDone);
   });
   if (status != tool::kDone) return status;
@@ -119,34 +154,18 @@ int run_main(int argc, char** argv) {
     });
   }
   if (options.help || options.version) {
-    tell(options, called_as_povray(argc > 0 ? argv[0] : ""));
+    tell(options, as_povray);
     return tool::kDone;
   }
   status = guarded([&] {
     g_texts.emplace(options);
+    g_form = tool::make_message_form(options.stock_messages.value_or(as_povray), *g_texts);
     return static_cast<int>(tool::kDone);
   });
   if (status != tool::kDone) return status;
-  tool::Warnings warnings(*g_texts, options.warning_level);
-  for (const std::string& text : options.warnings) warnings.add("warning: " + text);
-  warnings.say();
-  tool::RunGuard guard;
-  if (options.max_time > 0.0) guard.limit_time(options.max_time);
-  status = guarded([&] {
-    try {
-      return static_cast<int>(tool::run(options, guard.asked(), *g_texts, warnings));
-    } catch (...) {
-      // Warnings first: they often tell what the error is about.
-      warnings.say();
-      throw;
-    }
-  });
-  if (status == tool::kAborted) {
-    guard.asked() ? tool::tell_stopped()
-                  : (void)std::fputs("lentray: stopped by a command\n", stderr);
-  }
-  if (status == tool::kDone && !g_texts->trouble().empty())
-    return fail(kError, g_texts->trouble(), tool::kUserError);
+  if (tool::renders(options)) g_form->begin_run();
+  status = run_guarded(options);
+  if (tool::renders(options)) g_form->end_run(status);
   return status;
 }
 

@@ -38,12 +38,10 @@
 #include "tools/lentray/output.h"
 #include "tools/lentray/picture_file.h"
 #include "tools/lentray/picture_journal.h"
-#include "tools/lentray/progress_bar.h"
 #include "tools/lentray/quality.h"
 #include "tools/lentray/ray_dump.h"
 #include "tools/lentray/run_summary.h"
 #include "tools/lentray/scene_disk.h"
-#include "tools/lentray/text_streams.h"
 
 namespace lentray::tool {
 namespace {
@@ -74,7 +72,7 @@ double bytes_a_row(const RenderOptions& o, std::uint32_t width) {
 struct Run {
   const RenderOptions& options;
   const parser::FrameClock& clock;
-  TextStreams& texts;
+  MessageForm& form;
   Warnings& warnings;
   std::string output;  ///< where the picture goes; empty: nowhere
   core::FileType type = core::FileType::png;
@@ -130,12 +128,13 @@ parser::ParserOptions parser_options(const RenderOptions& o, const parser::Frame
 }
 
 void connect(parser::Diagnostics& diagnostics, Run& run) {
+  diagnostics.set_headings(run.form.headings());
   diagnostics.connect(parser::Stream::kWarning,
                       [&run](std::string_view text) { run.warnings.add(std::string(text)); });
   for (const auto stream :
        {parser::Stream::kDebug, parser::Stream::kRender, parser::Stream::kStatistics}) {
-    diagnostics.connect(stream,
-                        [&run, stream](std::string_view text) { run.texts.write(stream, text); });
+    diagnostics.connect(
+        stream, [&run, stream](std::string_view text) { run.form.texts().write(stream, text); });
   }
 }
 
@@ -251,7 +250,7 @@ void compile_scene(Run& run, const std::string& path, SceneDisk& disk) {
   } catch (const parser::BuildError& error) {  // of a bokeh or a normal
     diagnostics.fail(error.where(), error.what());
   }
-  for (std::string& text : run.camera.warnings) run.warnings.add("warning: " + text);
+  for (std::string& text : run.camera.warnings) run.warnings.tell(text);
   run.camera.warnings.clear();
   if (o.depth) run.depth = depth_of(run.camera, probe, o);
 }
@@ -323,16 +322,22 @@ std::optional<core::PixelRegion> region_of(const RenderOptions& o, const core::F
   return region;
 }
 
+std::uint64_t pixels_of(const std::optional<core::PixelRegion>& region,
+                        const core::FrameShape& shape) {
+  if (!region) return std::uint64_t{shape.width} * shape.height;
+  return std::uint64_t{region->right - region->left} * (region->bottom - region->top);
+}
+
 /// What the picture told about the numbers it was given.
 void report_slopes(Run& run) {
   for (const core::WatchedSlope& slope : run.slopes) {
     const std::string advice = slope.watch->advice();
-    if (!advice.empty()) run.warnings.add(slope.place + ": warning: " + advice);
+    if (!advice.empty()) run.warnings.add(slope.heading + advice);
   }
   if (const std::uint64_t cut = run.report.counters.cut_rays; cut > 0) {
-    run.warnings.add("warning: " + std::to_string(cut) +
-                     " rays met more surfaces behind one another "
-                     "than there is memory for, and ended there");
+    run.warnings.tell(std::to_string(cut) +
+                      " rays met more surfaces behind one another "
+                      "than there is memory for, and ended there");
   }
 }
 
@@ -361,14 +366,15 @@ bool is_there_already(Run& run, const std::string& scene) {
     }
   }
   if (!exists || (earlier && !earlier->is_finished)) return false;
-  run.texts.write(parser::Stream::kRender, run.output + ": there already, and kept (+C)\n");
+  run.form.keep_picture(run.output);
   return true;
 }
 
 void tell_of_journal(Run& run, PictureJournal& journal) {
   if (!journal.keep()) return;
-  run.texts.write(parser::Stream::kRender, "What is done is kept in '" + journal_path(run.output) +
-                                               "': +C goes on with it\n");
+  run.form.texts().write(
+      parser::Stream::kRender,
+      "What is done is kept in '" + journal_path(run.output) + "': +C goes on with it\n");
 }
 
 /// False if the run was cancelled.
@@ -410,15 +416,17 @@ bool render(Run& run, const std::atomic<bool>& cancel, bool is_frame) {
   run.report.tests_counted = frame.count_tests;
   run.report.width = shape.width;
   run.report.height = shape.height;
-  std::optional<ProgressBar> bar;
-  if (o.verbose) bar.emplace("Rendering");
+  run.form.begin_rendering(o, run.report, pixels_of(frame.region, shape));
+  std::unique_ptr<core::Progress> bar;
+  if (o.verbose) bar = run.form.progress();
   const double before = cpu_seconds();
   std::optional<PictureFile> picture(std::in_place, run.output, run.type, o, run.scene->settings(),
                                      run.camera, journal ? &*journal : nullptr);
   bool is_cut_off = false;
   try {
     run.report.counters = core::render_frame(*run.scene, camera, shape, *orders, *asked, frame,
-                                             *picture, bar ? &*bar : nullptr);
+                                             *picture, bar.get());
+    bar.reset();
     is_cut_off = cancel.load();
     if (!is_cut_off) picture->finish();
   } catch (const core::ImageError&) {
@@ -433,7 +441,7 @@ bool render(Run& run, const std::atomic<bool>& cancel, bool is_frame) {
   }
   run.report.shadow_log = log.lights();
   if (journal) journal->finish(is_frame);
-  if (journal && !journal->trouble().empty()) run.warnings.add("warning: " + journal->trouble());
+  if (journal && !journal->trouble().empty()) run.warnings.tell(journal->trouble());
   run.report.write_cpu_s = picture->cpu_seconds();
   run.report.render_cpu_s = cpu_seconds() - before - run.report.write_cpu_s;
   return true;
@@ -452,11 +460,11 @@ bool renders(const RenderOptions& o) {
   return !o.explain && !o.depth && !o.parse_only && !o.dump && o.dump_rays.empty();
 }
 
-Status run_picture(const Picture& what, const std::atomic<bool>& cancel, TextStreams& texts,
+Status run_picture(const Picture& what, const std::atomic<bool>& cancel, MessageForm& form,
                    Warnings& warnings) {
   const auto start = Clock::now();
   const RenderOptions& options = what.options;
-  Run run{options, what.clock, texts, warnings, {}};
+  Run run{options, what.clock, form, warnings, {}};
   core::limit_memory(options.max_memory > 0.0 ? options.max_memory : machine_memory());
   // Building the scene takes no more threads than rendering it.
   std::optional<tbb::global_control> threads;
@@ -472,6 +480,7 @@ Status run_picture(const Picture& what, const std::atomic<bool>& cancel, TextStr
   }
   run.identity = identity_of(options, what.clock);
   if (renders(options) && is_there_already(run, what.scene)) return kDone;
+  if (renders(options)) form.begin_reading(options, what.clock, run.output);
   read_scene(run, what.scene);
   warnings.say();
   refuse_if_strict(options, run.not_rendered);
@@ -481,7 +490,7 @@ Status run_picture(const Picture& what, const std::atomic<bool>& cancel, TextStr
   if (options.depth) say_depth(run.depth, depth_file(options));
   if (options.explain || options.depth) return kDone;
   for (const std::string& line : run.camera.report) {
-    texts.write(parser::Stream::kRender, line + "\n");
+    form.texts().write(parser::Stream::kRender, line + "\n");
   }
   if (!options.dump_rays.empty()) {
     dump_rays(run.camera.camera(), options.dump_rays);
@@ -501,12 +510,7 @@ Status run_picture(const Picture& what, const std::atomic<bool>& cancel, TextStr
     write_text_file(parser::frame_path(options, options.statistics_file),
                     json_text(std::move(all), 2) + "\n");
   }
-  const std::string text = summary(run.report, run.output);
-  if (options.verbose) {
-    texts.write(parser::Stream::kStatistics, text);
-  } else {
-    texts.log(parser::Stream::kStatistics, text);
-  }
+  form.end_picture(options, run.report, run.output);
   if (what.is_last) leave_to_system(std::move(run.scene));
   return kDone;
 }

@@ -11,8 +11,8 @@
 
 #include "parser/options/animation.h"
 #include "parser/options/options.h"
+#include "tools/lentray/message_form.h"
 #include "tools/lentray/run.h"
-#include "tools/lentray/text_streams.h"
 #include "tools/lentray/warnings.h"
 
 namespace lentray::tool {
@@ -28,7 +28,7 @@ struct Picture {
 /// Whether a run with these options makes pictures, rather than tells about the scene.
 bool renders(const parser::RenderOptions& options);
 
-Status run_picture(const Picture& picture, const std::atomic<bool>& cancel, TextStreams& texts,
+Status run_picture(const Picture& picture, const std::atomic<bool>& cancel, MessageForm& form,
                    Warnings& warnings);
 
 }  // namespace lentray::tool

@@ -34,9 +34,9 @@ void ProgressBar::advance(double fraction_done, double seconds_left) {
   m_steps = steps;
   const int percent = steps * 100 / kSteps;
   if (steps == kSteps) {
-    std::fprintf(stderr, "%s: %d %%\n", m_what.c_str(), percent);
+    std::fprintf(stderr, "%s: %d%%\n", m_what.c_str(), percent);
   } else {
-    std::fprintf(stderr, "%s: %d %%, %s left\n", m_what.c_str(), percent,
+    std::fprintf(stderr, "%s: %d%%, %s left\n", m_what.c_str(), percent,
                  duration_text(seconds_left).c_str());
   }
 }
@@ -44,7 +44,7 @@ void ProgressBar::advance(double fraction_done, double seconds_left) {
 void ProgressBar::draw(double seconds_left) const {
   constexpr int kWidth = 40;
   const int full = static_cast<int>(m_done * kWidth);
-  std::fprintf(stderr, "\r%s [%.*s%*s] %3d %%  %s left \033[K", m_what.c_str(), full,
+  std::fprintf(stderr, "\r%s [%.*s%*s] %3d%%  %s left \033[K", m_what.c_str(), full,
                "########################################", kWidth - full, "",
                static_cast<int>(m_done * 100.0), duration_text(seconds_left).c_str());
   std::fflush(stderr);

@@ -3,7 +3,6 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "camera/text.h"
 #include "parser/options/animation.h"
 #include "parser/options/create_ini.h"
 #include "parser/restrictions/povray_conf.h"
@@ -18,21 +17,6 @@ namespace {
 
 using parser::CommandKind;
 using parser::RenderOptions;
-
-/// Of a frame, or of a view: "View 3 of 8 (number 2)".
-std::string frame_line(const RenderOptions& one, const parser::FrameClock& clock,
-                       std::size_t number, std::size_t count) {
-  char text[128];
-  if (one.animation.views.count > 0) {
-    std::snprintf(text, sizeof text, "View %zu of %zu (number %u)", number, count,
-                  parser::rendered_view(one).value_or(0));
-    if (!clock.clock_on) return std::string(text) + "\n";
-    return text + (", clock " + camera::format(clock.clock)) + "\n";
-  }
-  std::snprintf(text, sizeof text, "Frame %d (%zu of %zu), clock %g\n", clock.frame_number, number,
-                count, clock.clock);
-  return text;
-}
 
 CommandContext command_context(const RenderOptions& o, const parser::FrameClock& clock) {
   CommandContext context;
@@ -62,8 +46,8 @@ Frames frames_of(const RenderOptions& o) {
 class Loop {
  public:
   Loop(const RenderOptions& options, const std::string& scene, const std::atomic<bool>& cancel,
-       TextStreams& texts, Warnings& warnings)
-      : m_options(options), m_scene(scene), m_cancel(cancel), m_texts(texts), m_warnings(warnings),
+       MessageForm& form, Warnings& warnings)
+      : m_options(options), m_scene(scene), m_cancel(cancel), m_form(form), m_warnings(warnings),
         m_frames(frames_of(options)) {}
 
   Status without_commands() {
@@ -94,13 +78,10 @@ class Loop {
     const parser::AnimationFrame& frame = m_frames.list[i];
     RenderOptions one = m_options;
     one.frame_digits = frame.digits;
-    if (m_frames.is_animation && one.verbose) {
-      m_texts.write(parser::Stream::kRender,
-                    frame_line(one, frame.clock, i + 1, m_frames.list.size()));
-    }
+    if (m_frames.is_animation) m_form.begin_frame(one, frame.clock, i + 1, m_frames.list.size());
     const bool is_last = i + 1 == m_frames.list.size();
     return run_picture({one, frame.clock, m_scene, is_last, m_frames.is_animation}, m_cancel,
-                       m_texts, m_warnings);
+                       m_form, m_warnings);
   }
 
   /// Frames say that they are finished only while there is one that is not.
@@ -153,21 +134,21 @@ class Loop {
   const RenderOptions& m_options;
   const std::string& m_scene;
   const std::atomic<bool>& m_cancel;
-  TextStreams& m_texts;
+  MessageForm& m_form;
   Warnings& m_warnings;
   const Frames m_frames;
 };
 
 }  // namespace
 
-Status run(const RenderOptions& options, const std::atomic<bool>& cancel, TextStreams& texts,
+Status run(const RenderOptions& options, const std::atomic<bool>& cancel, MessageForm& form,
            Warnings& warnings) {
   const SceneFile file(options);
   if (const std::string ini = parser::ini_path(options); !ini.empty())
     write_text_file(ini, parser::ini_text(options));
-  Loop loop(options, file.path(), cancel, texts, warnings);
+  Loop loop(options, file.path(), cancel, form, warnings);
   if (!renders(options)) return loop.without_commands();
-  Commands commands(options, parser::installed_confs(), texts);
+  Commands commands(options, parser::installed_confs(), form);
   return loop.with_commands(commands);
 }
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "parser/options/options.h"
-#include "tools/lentray/text_streams.h"
+#include "tools/lentray/message_form.h"
 #include "tools/lentray/warnings.h"
 
 namespace lentray::tool {
@@ -17,7 +17,7 @@ enum Status : int { kDone = 0, kUserError = 1, kAborted = 2, kInternalError = 3 
 
 /// `cancel` set from outside ends the run with kAborted and leaves no file behind.
 /// `warnings`: what was not said when run() throws, the caller says.
-Status run(const parser::RenderOptions& options, const std::atomic<bool>& cancel,
-           TextStreams& texts, Warnings& warnings);
+Status run(const parser::RenderOptions& options, const std::atomic<bool>& cancel, MessageForm& form,
+           Warnings& warnings);
 
 }  // namespace lentray::tool

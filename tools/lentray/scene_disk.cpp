@@ -22,7 +22,7 @@ std::unique_ptr<parser::Files> restricted(const parser::RenderOptions& o, const 
   folders.installed = parser::installed_sources().standard_libraries;
   std::vector<parser::PovrayConf> confs = parser::installed_confs();
   for (const parser::PovrayConf& conf : confs) {
-    for (const std::string& text : conf.warnings) warnings.add("warning: " + text);
+    for (const std::string& text : conf.warnings) warnings.tell(text);
   }
   return std::make_unique<parser::RestrictedFiles>(parser::FileRules(folders, std::move(confs)));
 }

@@ -6,20 +6,23 @@
 #include <string>
 #include <vector>
 
-#include "tools/lentray/text_streams.h"
+#include "tools/lentray/message_form.h"
 
 namespace lentray::tool {
 
 class Warnings {
  public:
   /// Level 0: none is said.
-  Warnings(TextStreams& texts, int level) : m_texts(texts), m_level(level) {}
+  Warnings(const MessageForm& form, int level) : m_form(form), m_level(level) {}
+  /// About a place in the scene, with its heading.
   void add(const std::string& text) { m_waiting.push_back(text); }
+  /// About anything else.
+  void tell(const std::string& text) { add(m_form.warning(text)); }
   /// Says what was added since the last call.
   void say();
 
  private:
-  TextStreams& m_texts;
+  const MessageForm& m_form;
   const int m_level;
   std::vector<std::string> m_waiting;
   std::set<std::string> m_said;
