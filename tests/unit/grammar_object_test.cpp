@@ -217,10 +217,10 @@ TEST(UnitParserObject, ExtentInsideTrace) {
   EXPECT_EQ(s.shape<SphereShape>(1).radius, 10.0);
 }
 
-/// A shape without geometry yet answers nothing; what a scene makes of that does not stop it.
+/// trace() that meets nothing answers the origin; what a scene makes of that does not stop it.
 TEST(UnitParserObject, GuessesMayBeDegenerate) {
   const SceneText s(
-      "#declare A = isosurface { function { pattern { pavement } } }"
+      "#declare A = sphere { y*50, 1 }"
       "#declare P = trace(A, z*5, -z); cylinder { P, trace(A, z*6, -z), 1 }");
   EXPECT_EQ(s.scene.objects.size(), 1u);
   EXPECT_TRUE(s.warned("Degenerate cylinder"));
