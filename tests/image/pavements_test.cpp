@@ -130,7 +130,7 @@ TEST_P(ImagePavements, HaveStocksPictureInNormalsAndMaps) {
       {.sdl = "#version 3.7; global_settings { assumed_gamma 1 }\n"
               "camera { location <2, 9, -12> look_at 0 } light_source { <20, 50, -30> rgb 1 }\n"
               "plane { y, 0 pigment { rgb .7 } normal { " +
-              words + " .6 turbulence .2 rotate 20*y } " + plain + "}\n" +
+              words + " bump_size .6 turbulence .2 rotate 20*y } " + plain + "}\n" +
               "sphere { <-3, 2, 0>, 2 texture { " + words +
               " frequency 2 texture_map { [.3 pigment { rgb x } " + plain +
               "] [.6 pigment { checker } " + plain + "] } rotate 30*x scale .4 } }\n" +
