@@ -134,7 +134,7 @@ TEST_P(ImagePavements, HaveStocksPictureInNormalsAndMaps) {
               "sphere { <-3, 2, 0>, 2 texture { " + words +
               " frequency 2 texture_map { [.3 pigment { rgb x } " + plain +
               "] [.6 pigment { checker } " + plain + "] } rotate 30*x scale .4 } }\n" +
-              "cylinder { 0, 3*y, 1.7 hollow pigment { rgbt 1 } interior { media { emission .3 "
+              "cylinder { .2*y, 3*y, 1.7 hollow pigment { rgbt 1 } interior { media { emission .3 "
               "density { " +
               words + " color_map { [0 rgb 0] [1 rgb <1, 2, 0>] } scale .6 } } } translate 4*x }",
        .width = 120,
