@@ -92,13 +92,13 @@ class ImagePavements : public ::testing::TestWithParam<int> {
 };
 
 TEST_P(ImagePavements, EveryTileHasStocksPicture) {
-  EXPECT_TRUE(same_as_stock(panels(all_tiles(GetParam()))));
+  EXPECT_TRUE(lentray::test::same_as_stock(panels(all_tiles(GetParam()))));
 }
 
 TEST_P(ImagePavements, EveryTileHasStocksPictureWithItsCornersCutOff) {
   std::vector<Pavement> all = all_tiles(GetParam());
   for (Pavement& p : all) p.exterior = p.interior = p.form = 1;
-  EXPECT_TRUE(same_as_stock(panels(all)));
+  EXPECT_TRUE(lentray::test::same_as_stock(panels(all)));
 }
 
 TEST_P(ImagePavements, EveryLookHasStocksPicture) {
@@ -111,7 +111,7 @@ TEST_P(ImagePavements, EveryLookHasStocksPicture) {
   }
   for (const int number : {-1, -2, -3, 5, 7, 256, 300})
     looks.push_back(rich(number, number, number));
-  EXPECT_TRUE(same_as_stock(panels(looks)));
+  EXPECT_TRUE(lentray::test::same_as_stock(panels(looks)));
 }
 
 TEST_P(ImagePavements, HaveTheValuesOfStock) { expect_stocks_values(""); }
@@ -126,15 +126,15 @@ TEST_P(ImagePavements, HaveTheValuesOfStockTurned) {
 TEST_P(ImagePavements, HaveStocksPictureInNormalsAndMaps) {
   const std::string words = pavement_words(rich(2, 2, 2));
   const std::string plain = "finish { ambient .2 diffuse .8 } ";
-  EXPECT_TRUE(same_as_stock(
+  EXPECT_TRUE(lentray::test::same_as_stock(
       {.sdl = "#version 3.7; global_settings { assumed_gamma 1 }\n"
               "camera { location <2, 9, -12> look_at 0 } light_source { <20, 50, -30> rgb 1 }\n"
               "plane { y, 0 pigment { rgb .7 } normal { " +
-              words + " .6 turbulence .2 rotate 20*y } " + plain + "}\n" +
+              words + " bump_size .6 turbulence .2 rotate 20*y } " + plain + "}\n" +
               "sphere { <-3, 2, 0>, 2 texture { " + words +
               " frequency 2 texture_map { [.3 pigment { rgb x } " + plain +
               "] [.6 pigment { checker } " + plain + "] } rotate 30*x scale .4 } }\n" +
-              "cylinder { 0, 3*y, 1.7 hollow pigment { rgbt 1 } interior { media { emission .3 "
+              "cylinder { .2*y, 3*y, 1.7 hollow pigment { rgbt 1 } interior { media { emission .3 "
               "density { " +
               words + " color_map { [0 rgb 0] [1 rgb <1, 2, 0>] } scale .6 } } } translate 4*x }",
        .width = 120,

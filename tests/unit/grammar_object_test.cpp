@@ -217,15 +217,6 @@ TEST(UnitParserObject, ExtentInsideTrace) {
   EXPECT_EQ(s.shape<SphereShape>(1).radius, 10.0);
 }
 
-/// A shape without geometry yet answers nothing; what a scene makes of that does not stop it.
-TEST(UnitParserObject, GuessesMayBeDegenerate) {
-  const SceneText s(
-      "#declare A = isosurface { function { pattern { pavement } } }"
-      "#declare P = trace(A, z*5, -z); cylinder { P, trace(A, z*6, -z), 1 }");
-  EXPECT_EQ(s.scene.objects.size(), 1u);
-  EXPECT_TRUE(s.warned("Degenerate cylinder"));
-}
-
 TEST(UnitParserObject, PatchPointsByName) {
   const SceneText s(
       "#declare P = <1, 2, 3>; bicubic_patch { type 0 u_steps 2 v_steps 2"
