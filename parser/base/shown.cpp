@@ -1,6 +1,7 @@
 #include "parser/base/shown.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdio>
 
 namespace lentray::parser {
@@ -8,32 +9,61 @@ namespace {
 
 bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; }
 
-/// C1, which terminals heed too: two bytes of UTF-8.
-bool is_upper_control(std::string_view text, std::size_t i) {
-  if (text[i] != '\xC2' || i + 1 >= text.size()) return false;
-  const auto next = static_cast<unsigned char>(text[i + 1]);
-  return next >= 0x80 && next < 0xA0;
+/// Bytes behind the first of a character of UTF-8.
+bool is_inside_character(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
+
+/// What stands at a place of a text: a character of UTF-8, or a byte that is none.
+struct Letter {
+  std::size_t size = 1;
+  std::uint32_t code = 0;
+  bool is_utf8 = false;
+};
+
+Letter letter_at(std::string_view text, std::size_t i) {
+  const auto first = static_cast<unsigned char>(text[i]);
+  const std::size_t size = first < 0x80   ? 1
+                           : first < 0xC2 ? 0
+                           : first < 0xE0 ? 2
+                           : first < 0xF0 ? 3
+                           : first < 0xF5 ? 4
+                                          : 0;
+  Letter out{1, first, false};
+  if (size == 0 || i + size > text.size()) return out;
+  std::uint32_t code = size == 1 ? first : first & (0x7Fu >> size);
+  for (std::size_t k = 1; k < size; ++k) {
+    if (!is_inside_character(text[i + k])) return out;
+    code = code << 6 | (static_cast<unsigned char>(text[i + k]) & 0x3F);
+  }
+  return {size, code, true};
+}
+
+/// C1, which terminals heed too, as characters and as bytes of texts that are not UTF-8.
+bool is_upper_control(const Letter& letter) { return letter.code >= 0x80 && letter.code < 0xA0; }
+
+/// Characters that turn the direction of what follows: text is then shown in another order than it has.
+bool turns_direction(const Letter& letter) {
+  const std::uint32_t c = letter.code;
+  return letter.is_utf8 && ((c >= 0x202A && c <= 0x202E) || (c >= 0x2066 && c <= 0x2069) ||
+                            c == 0x200E || c == 0x200F || c == 0x061C);
 }
 
 std::string escaped(std::string_view text, std::string_view kept) {
   std::string shown;
   shown.reserve(text.size());
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const bool is_upper = is_upper_control(text, i);
-    if (!is_upper && (!is_control(text[i]) || kept.find(text[i]) != std::string_view::npos)) {
-      shown += text[i];
-      continue;
+  for (std::size_t i = 0; i < text.size();) {
+    const Letter letter = letter_at(text, i);
+    char escape[12] = "";
+    if (turns_direction(letter)) {
+      std::snprintf(escape, sizeof escape, "\\u%04x", letter.code);
+    } else if (is_upper_control(letter) ||
+               (is_control(text[i]) && kept.find(text[i]) == std::string_view::npos)) {
+      std::snprintf(escape, sizeof escape, "\\x%02x", letter.code);
     }
-    if (is_upper) ++i;
-    char escape[8];
-    std::snprintf(escape, sizeof escape, "\\x%02x", static_cast<unsigned char>(text[i]));
-    shown += escape;
+    shown += escape[0] != 0 ? std::string_view(escape) : text.substr(i, letter.size);
+    i += letter.size;
   }
   return shown;
 }
-
-/// Bytes behind the first of a character of UTF-8.
-bool is_inside_character(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
 
 }  // namespace
 
@@ -61,12 +91,16 @@ ShownLine shown_line(std::string_view line, std::size_t column) {
   while (end < line.size() && end > at && is_inside_character(line[end])) --end;
   if (begin > 0) out.line = out.indent = "...";
   std::fill(out.indent.begin(), out.indent.end(), ' ');
-  for (std::size_t i = begin; i < end; ++i) {
-    const bool is_upper = is_upper_control(line, i);
-    if (is_upper) ++i;
-    const char shown = is_upper || (is_control(line[i]) && line[i] != '\t') ? '?' : line[i];
+  for (std::size_t i = begin; i < end;) {
+    const Letter letter = letter_at(line, i);
+    const bool is_hidden = is_upper_control(letter) || turns_direction(letter) ||
+                           (is_control(line[i]) && line[i] != '\t');
+    const std::string_view shown = is_hidden ? "?" : line.substr(i, letter.size);
     out.line += shown;
-    if (i < at) out.indent += shown == '\t' ? '\t' : ' ';
+    // As many blanks as bytes.
+    for (std::size_t k = 0; k < shown.size() && i + k < at; ++k)
+      out.indent += shown == "\t" ? '\t' : ' ';
+    i += letter.size;
   }
   for (std::size_t i = std::max(end, begin); i < at; ++i) out.indent += ' ';
   if (end < line.size()) out.line += "...";

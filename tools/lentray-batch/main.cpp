@@ -7,6 +7,8 @@
 #include <set>
 #include <thread>
 
+#include "core/image/run_files.h"
+#include "core/image/writer.h"
 #include "parser/files/watched_files.h"
 #include "parser/options/options.h"
 #include "tools/common/duration.h"
@@ -63,6 +65,7 @@ class Batch {
 
   Status run() {
     find();
+    check_outputs();
     return finish(render());
   }
 
@@ -74,7 +77,12 @@ class Batch {
     if (m_plan.arguments.slurm && !on_cluster(progress)) return false;
     m_manifest.reserve(m_jobs.size());
     Scheduler scheduler(
-        m_plan, [this](const Row& row) { m_manifest.put(row); }, progress);
+        m_plan,
+        [this](const Row& row) {
+          note_inputs(row);
+          m_manifest.put(row);
+        },
+        progress);
     for (std::unique_ptr<Job>& job : m_jobs) scheduler.add(std::move(job));
     scheduler.now_and_then([this] { write_page(false); });
     return scheduler.run();
@@ -110,6 +118,8 @@ class Batch {
     Scan scan = find_scenes(m_plan.arguments.inputs, m_plan.arguments.out, m_manifest.names());
     for (const std::string& text : scan.warnings) m_warnings.push_back("warning: " + text);
     for (const Scene& scene : scan.scenes) {
+      core::note_input(scene.source);
+      core::note_input(scene.ini);
       if (!scene.part_of.empty()) {
         put(row_without_job(m_plan, scene, State::skipped,
                             "a part of " + scene.part_of + ": it has no camera of its own"));
@@ -118,7 +128,7 @@ class Batch {
       try {
         for (std::unique_ptr<Job>& job : jobs_of(m_plan, scene)) add(std::move(job));
       } catch (const parser::OptionError& error) {
-        put(row_without_job(m_plan, scene, State::failed, error.what()));
+        put(row_without_job(m_plan, scene, State::failed, tool::one_line(error.what())));
       }
     }
     // Rows of scenes that are gone go too; those of other inputs stay.
@@ -128,6 +138,23 @@ class Batch {
       if (!m_names.contains(name) && !fs::exists(row.source, error)) gone.push_back(name);
     }
     for (const std::string& name : gone) m_manifest.drop(name);
+  }
+
+  /// None is a scene, and none is another's.
+  void check_outputs() const {
+    for (const auto& [name, row] : m_manifest.rows()) note_inputs(row);
+    const fs::path& out = m_plan.arguments.out;
+    core::claim_output(out / "manifest.jsonl", "the manifest");
+    core::claim_output(out / "index.html", "the page");
+    const fs::path& table = m_plan.arguments.table;
+    if (table.empty()) return;
+    core::check_writable(table);
+    core::claim_output(table, "--table");
+  }
+
+  static void note_inputs(const Row& row) {
+    core::note_input(row.source);
+    for (const auto& [path, stamp] : row.files) core::note_input(path);
   }
 
   void put(const Row& row) {

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "core/image/run_files.h"
 #include "parser/files/watched_files.h"
 #include "tools/common/child.h"
 #include "tools/common/duration.h"
@@ -40,7 +41,9 @@ class Charting {
 
   Status run() {
     try {
+      core::note_input(m_arguments.scene);
       prepare();
+      for (const auto& [path, sum] : m_session.state.files) core::note_input(path);
       render();
       return finish();
     } catch (const Stopped&) {

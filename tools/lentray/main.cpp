@@ -13,15 +13,18 @@
 
 #include "camera/lens_request.h"
 #include "core/image/writer.h"
+#include "parser/base/shown.h"
 #include "parser/options/lens_sheets.h"
 #include "parser/options/options.h"
 #include "parser/options/options_help.h"
+#include "parser/restrictions/scene_word_rules.h"
 #include "parser/source/build_error.h"
 #include "parser/source/diagnostics.h"
 #include "tools/common/standard_streams.h"
 #include "tools/common/version.h"
 #include "tools/lentray/run.h"
 #include "tools/lentray/run_guard.h"
+#include "tools/lentray/scene_disk.h"
 #include "tools/lentray/text_streams.h"
 #include "tools/lentray/warnings.h"
 
@@ -49,7 +52,7 @@ std::optional<tool::TextStreams> g_texts;
 /// What ended the run is said whatever the options are.
 int fail(const char* prefix, const std::string& text, int status) {
   const std::string whole = line(prefix + text);
-  std::fputs(whole.c_str(), stderr);
+  std::fputs(parser::shown_text(whole).c_str(), stderr);
   if (g_texts) g_texts->log(Stream::kFatal, whole);
   return status;
 }
@@ -107,6 +110,8 @@ int run_main(int argc, char** argv) {
   parser::RenderOptions options;
   int status = guarded([&] {
     options = parser::read_options(arguments, parser::installed_sources());
+    if (!options.help && !options.version) tool::judge_options(options);
+    parser::drop_scene_writes(options);
     return static_cast<int>(tool::kDone);
   });
   if (status != tool::kDone) return status;
@@ -140,6 +145,11 @@ int run_main(int argc, char** argv) {
       throw;
     }
   });
+  const int kept = guarded([&] {
+    g_texts->keep();
+    return static_cast<int>(tool::kDone);
+  });
+  if (status == tool::kDone) status = kept;
   if (status == tool::kAborted) {
     guard.asked() ? tool::tell_stopped()
                   : (void)std::fputs("lentray: stopped by a command\n", stderr);

@@ -10,6 +10,7 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "core/image/run_files.h"
 #include "parser/files/watched_files.h"
 #include "parser/options/options.h"
 
@@ -219,6 +220,9 @@ void PictureJournal::begin() {
   m_file = open_journal(m_path, O_RDWR | O_CREAT);
   if (m_file < 0 || !is_regular(m_file)) {
     m_trouble = m_file < 0 ? std::strerror(errno) : "it is no regular file";
+    m_is_off = true;
+  } else if (core::is_input(m_path)) {
+    m_trouble = "the scene reads it";
     m_is_off = true;
   } else if (::flock(m_file, LOCK_EX | LOCK_NB) != 0) {
     m_trouble = "another run is at the same picture";

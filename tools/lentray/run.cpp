@@ -4,6 +4,8 @@
 #include <filesystem>
 
 #include "camera/text.h"
+#include "core/image/run_files.h"
+#include "core/image/writer.h"
 #include "parser/options/animation.h"
 #include "parser/options/create_ini.h"
 #include "parser/restrictions/povray_conf.h"
@@ -74,6 +76,14 @@ class Loop {
     return kDone;
   }
 
+  /// Once, when it is known that the scene does not read that file.
+  void write_ini() {
+    const std::string ini = parser::ini_path(m_options);
+    if (ini.empty() || m_has_ini) return;
+    m_has_ini = true;
+    write_text_file(ini, parser::ini_text(m_options));
+  }
+
   Status with_commands(Commands& commands) {
     const CommandContext scene = command_context(m_options, m_frames.list.front().clock);
     try {
@@ -99,8 +109,12 @@ class Loop {
                     frame_line(one, frame.clock, i + 1, m_frames.list.size()));
     }
     const bool is_last = i + 1 == m_frames.list.size();
-    return run_picture({one, frame.clock, m_scene, is_last, m_frames.is_animation}, m_cancel,
-                       m_texts, m_warnings);
+    return run_picture({one, frame.clock, m_scene, is_last, m_frames.is_animation,
+                        [this] {
+                          m_texts.keep();
+                          write_ini();
+                        }},
+                       m_cancel, m_texts, m_warnings);
   }
 
   /// Frames say that they are finished only while there is one that is not.
@@ -156,19 +170,33 @@ class Loop {
   TextStreams& m_texts;
   Warnings& m_warnings;
   const Frames m_frames;
+  bool m_has_ini = false;
 };
+
+Status run_loop(const RenderOptions& options, Loop& loop, TextStreams& texts) {
+  if (!renders(options)) return loop.without_commands();
+  Commands commands(options, parser::installed_confs(), texts);
+  return loop.with_commands(commands);
+}
 
 }  // namespace
 
 Status run(const RenderOptions& options, const std::atomic<bool>& cancel, TextStreams& texts,
            Warnings& warnings) {
   const SceneFile file(options);
-  if (const std::string ini = parser::ini_path(options); !ini.empty())
-    write_text_file(ini, parser::ini_text(options));
+  if (const std::string ini = parser::ini_path(options); !ini.empty()) {
+    core::check_writable(ini);
+    core::claim_output(ini, "Create_Ini");
+  }
   Loop loop(options, file.path(), cancel, texts, warnings);
-  if (!renders(options)) return loop.without_commands();
-  Commands commands(options, parser::installed_confs(), texts);
-  return loop.with_commands(commands);
+  try {
+    const Status status = run_loop(options, loop, texts);
+    loop.write_ini();
+    return status;
+  } catch (...) {
+    loop.write_ini();  // as in stock, of a scene with errors too
+    throw;
+  }
 }
 
 }  // namespace lentray::tool
