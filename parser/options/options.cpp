@@ -53,7 +53,7 @@ class OptionsReader {
   void apply(const OptionRow& row, const GivenOption& given);
   void name_scene(const std::string& name, const GivenOption& given);
   void check_scenes_ini(const std::string& path, const GivenOption& given) const;
-  std::string find(const std::string& name) const;
+  std::string find(const std::string& name, const GivenOption& given) const;
   RenderOptions& m_options;
   const bool m_restricted;
 };
@@ -130,9 +130,11 @@ void OptionsReader::switched(const std::string& text, GivenOption given) {
 }
 
 /// An INI file is looked for as it is named, with .ini added, and then along the library paths.
-std::string OptionsReader::find(const std::string& name) const {
+std::string OptionsReader::find(const std::string& name, const GivenOption& given) const {
   std::vector<std::string> folders{""};
   if (fs::path(name).is_relative()) {
+    // The current folder may be another than that of a scene's own file.
+    if (given.from_scene) folders.push_back(m_options.scene_ini_folder);
     folders.insert(folders.end(), m_options.library_paths.begin(), m_options.library_paths.end());
   }
   for (const std::string& folder : folders) {
@@ -179,7 +181,7 @@ void OptionsReader::bare(const std::string& text, const GivenOption& given, int 
   if (!name.has_label && ends_with(name.file, ".pov")) {
     return name_scene(name.file, given);
   }
-  const std::string path = find(name.file);
+  const std::string path = find(name.file, given);
   if (!path.empty()) {
     if (given.from_scene) check_scenes_ini(path, given);
     return file(name, path, given, depth);

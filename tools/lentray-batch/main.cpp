@@ -116,6 +116,12 @@ class Batch {
   /// Scenes, and of each what is to be done.
   void find() {
     Scan scan = find_scenes(m_plan.arguments.inputs, m_plan.arguments.out, m_manifest.names());
+    // What the user restricts stock does not know.
+    if (m_plan.arguments.compare &&
+        parser::read_options(m_plan.arguments.for_lentray, {}).restrict_io) {
+      m_warnings.emplace_back(
+          "warning: --compare: stock POV-Ray obeys povray.conf alone, not Restrict_IO=On");
+    }
     for (const std::string& text : scan.warnings) m_warnings.push_back("warning: " + text);
     for (const Scene& scene : scan.scenes) {
       core::note_input(scene.source);
