@@ -43,7 +43,7 @@ class Charting {
     try {
       core::note_input(m_arguments.scene);
       prepare();
-      for (const auto& [path, sum] : m_session.state.files) core::note_input(path);
+      for (const auto& [path, sum] : m_session.state.files.read) core::note_input(path);
       render();
       return finish();
     } catch (const Stopped&) {
