@@ -8,13 +8,16 @@
 #include <atomic>
 #include <cerrno>
 #include <cstring>
+#include <ctime>
 #include <mutex>
 #include <set>
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <utility>
 #include <vector>
 
+#include "core/image/run_files.h"
 #include "core/image/writer.h"
 
 namespace lentray::core {
@@ -62,6 +65,22 @@ void remove_left_over(const fs::path& folder, const std::string& stem) {
 
 }  // namespace
 
+int open_device(const fs::path& place) {
+  constexpr int kLooks = 50;
+  constexpr timespec kBetween{0, 20'000'000};
+  for (int look = 1;; ++look) {
+    const int file = ::open(place.c_str(), O_WRONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
+    if (file >= 0) {
+      const int flags = ::fcntl(file, F_GETFL);
+      (void)::fcntl(file, F_SETFL, flags & ~O_NONBLOCK);
+      return file;
+    }
+    if (errno != ENXIO) return -1;
+    if (look == kLooks) fail(place, "nobody reads from that pipe");
+    ::nanosleep(&kBetween, nullptr);
+  }
+}
+
 std::string shown_place(const fs::path& place) {
   return place == kStandardOutput ? "to standard output" : "'" + place.string() + "'";
 }
@@ -75,6 +94,7 @@ void check_writable(const fs::path& wanted) {
   if (!fs::exists(folder, error))
     fail(wanted, "the folder '" + folder.string() + "' does not exist");
   if (!fs::is_directory(folder, error)) fail(wanted, "'" + folder.string() + "' is not a folder");
+  check_not_input(place);
   if (fs::exists(place, error)) {
     if (::access(place.c_str(), W_OK) != 0) fail(wanted, std::strerror(errno));
     if (is_device(place)) return;
@@ -110,6 +130,8 @@ FileSwap::FileSwap(const fs::path& place) : m_place(place) {
     check_writable(place);
     m_place = resolved(place);
     m_device = is_device(m_place);
+    // Before the work: the pipe of nobody is an error at once.
+    if (m_device && (m_to = open_device(m_place)) < 0) fail(m_place, std::strerror(errno));
   }
   make_temporary();
 }
@@ -120,6 +142,7 @@ FileSwap::~FileSwap() {
   temporaries().files.erase(m_temporary);
   if (!m_committed) fs::remove(m_temporary, ignored);
   ::close(m_lock);
+  if (m_to >= 0) ::close(m_to);
 }
 
 void FileSwap::make_temporary() {
@@ -154,7 +177,7 @@ void FileSwap::make_temporary() {
 void FileSwap::copy_to_device() {
   const bool out = m_place == kStandardOutput;
   const int from = ::open(m_temporary.c_str(), O_RDONLY | O_CLOEXEC);
-  const int to = out ? STDOUT_FILENO : ::open(m_place.c_str(), O_WRONLY | O_CLOEXEC);
+  const int to = out ? STDOUT_FILENO : std::exchange(m_to, -1);
   std::string why = from < 0 || to < 0 ? std::strerror(errno) : "";
   std::vector<char> buffer(1 << 18);
   while (why.empty()) {
@@ -182,8 +205,10 @@ void FileSwap::commit() {
   std::error_code error;
   struct stat before {};
   if (::stat(m_place.c_str(), &before) == 0) (void)::fchmod(m_lock, before.st_mode & 07777);
+  check_not_input(m_place);
   fs::rename(m_temporary, m_place, error);
   if (error) fail(m_place, error.message());
+  note_made(m_place);
   m_committed = true;
 }
 

@@ -14,6 +14,10 @@ namespace lentray::core {
 /// "'a.png'" or "to standard output", to follow "cannot write ".
 std::string shown_place(const std::filesystem::path& place);
 
+/// Opens a pipe or device for writing: -1 and errno if that fails. A pipe that nobody reads is waited for a
+/// second at most; then ImageError.
+int open_device(const std::filesystem::path& place);
+
 class FileSwap {
  public:
   /// Makes an empty temporary file. Symbolic links are followed. A device such as /dev/null, and
@@ -36,6 +40,7 @@ class FileSwap {
   std::filesystem::path m_place, m_temporary;
   bool m_device = false, m_committed = false;
   int m_lock = -1;  ///< open file
+  int m_to = -1;    ///< the device
 };
 
 }  // namespace lentray::core

@@ -14,6 +14,7 @@
 #include "core/image/palette_bitmaps.h"
 #include "core/image/palette_tiff.h"
 #include "core/image/png_chunks.h"
+#include "core/image/run_files.h"
 
 namespace lentray::core {
 namespace {
@@ -117,6 +118,8 @@ StoredImage read_image(const NamedFile& file) {
   if (!std::filesystem::is_regular_file(named.path, error)) fail("there is no such file");
   const OpenFile opened(std::fopen(named.path.c_str(), "rbe"));
   if (!opened) fail(std::strerror(errno));
+  // A handle's file is known already to whoever holds it.
+  if (named.name == named.path) note_input(named.path);
   try {
     return read(named, opened.get());
   } catch (const std::exception& e) {

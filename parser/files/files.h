@@ -53,7 +53,8 @@ class Files {
   virtual std::unique_ptr<FileWriter> open(const std::string& path, bool append) = 0;
 };
 
-/// The disk; one for all, safe from any thread. Pipes and devices can be written, not read.
+/// The disk; one for all, safe from any thread. Pipes can be
+/// written, not read; of devices those that do nothing.
 Files& disk_files();
 
 }  // namespace lentray::parser

@@ -5,6 +5,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "core/image/run_files.h"
+
 namespace lentray::parser {
 namespace {
 
@@ -169,6 +171,7 @@ IniSection read_ini(const std::string& path, const IniName& name,
   std::ostringstream text;
   if (in) text << in.rdbuf();
   if (!in) throw OptionError("cannot read the INI file '" + path + "'");
+  core::note_input(path);
   IniSection out = ini_lines(text.str(), path, name);
   if (out.is_there) return out;
   std::string known;

@@ -9,6 +9,7 @@
 
 #include "camera/text.h"
 #include "parser/options/said_options.h"
+#include "core/image/run_files.h"
 #include "parser/options/sheet_options.h"
 
 namespace lentray::parser {
@@ -52,6 +53,7 @@ void append_file(const std::string& path, std::vector<LensProfile>& out) {
   std::ostringstream text;
   if (in) text << in.rdbuf();
   if (!in) throw OptionError("cannot read the INI file '" + path + "'");
+  core::note_input(path);
   (void)ini_lines(text.str(), path, {path, "", false});  // says which labels are none
   std::vector<std::string> labels;
   for (std::string& label : ini_labels(text.str())) {
@@ -72,6 +74,9 @@ std::vector<std::string> all_files(const RenderOptions& o, std::span<const std::
   std::vector<std::string> out;
   if (!o.restrict_io) out.emplace_back(kLensSheetFile);
   for (const std::string& folder : o.library_paths) {
+    const bool is_strangers = std::ranges::any_of(
+        o.scene_words, [&](const SceneWord& word) { return word.value == folder; });
+    if (o.restrict_io && is_strangers) continue;
     out.push_back((fs::path(folder) / kLensSheetFile).string());
   }
   out.insert(out.end(), files.begin(), files.end());

@@ -18,6 +18,7 @@ struct GivenOption {
   std::string value;
   char sign = 0;               ///< '+' or '-' of a switch; 0: Name=Value
   bool from_defaults = false;  ///< of a default INI file
+  bool from_scene = false;     ///< of an INI file that came with the scene
 };
 
 [[noreturn]] void refuse(const GivenOption& given, const std::string& why);

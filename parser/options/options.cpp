@@ -7,9 +7,11 @@
 #include <filesystem>
 
 #include "core/base/memory_limit.h"
+#include "parser/base/shown.h"
 #include "parser/options/lens_sheets.h"
 #include "parser/options/options_table.h"
 #include "parser/options/said_options.h"
+#include "parser/options/scene_words.h"
 #include "parser/options/sheet_size.h"
 #include "parser/options/view_options_reader.h"
 
@@ -38,25 +40,67 @@ std::string_view near_option(std::string_view name) {
 
 class OptionsReader {
  public:
-  explicit OptionsReader(RenderOptions& options) : m_options(options) {}
+  /// `restricted`: by the user's own words.
+  OptionsReader(RenderOptions& options, bool restricted)
+      : m_options(options), m_restricted(restricted) {}
 
   void named(const std::string& name, GivenOption given, int depth);
   void switched(const std::string& text, GivenOption given);
   void file(const IniName& name, const std::string& path, GivenOption given, int depth);
   void bare(const std::string& text, const GivenOption& given, int depth);
+  void scene_file(const std::string& path);
 
  private:
   void apply(const OptionRow& row, const GivenOption& given);
-  std::string find(const std::string& name) const;
+  void name_scene(const std::string& name, const GivenOption& given);
+  void check_scenes_ini(const std::string& path, const GivenOption& given) const;
+  std::string find(const std::string& name, const GivenOption& given) const;
   RenderOptions& m_options;
+  const bool m_restricted;
 };
 
+/// What an INI file of the scene's names is remembered, to be judged when all is known.
+template <class Work>
+void watched(RenderOptions& options, const GivenOption& given, const Work& work) {
+  if (!given.from_scene) return work();
+  const FileNames before = file_names(options);
+  work();
+  add_scene_words(options, before, given.where + "option " + given.shown);
+}
+
 void OptionsReader::apply(const OptionRow& row, const GivenOption& given) {
-  row.apply(m_options, given);
+  watched(m_options, given, [&] { row.apply(m_options, given); });
   if (row.name.empty()) return;
   std::string where = given.where;
   if (where.ends_with(": ")) where.resize(where.size() - 2);
   m_options.said[std::string(row.name)] = {given.shown, where};
+}
+
+void OptionsReader::name_scene(const std::string& name, const GivenOption& given) {
+  watched(m_options, given, [&] { m_options.input = name; });
+}
+
+/// An INI file that came with a scene, and what it includes, lie where it came from: what they say gets into
+/// messages.
+void OptionsReader::check_scenes_ini(const std::string& path, const GivenOption& given) const {
+  if (!m_restricted) return;
+  std::error_code error;
+  const std::string& name = m_options.scene_ini_folder;
+  const fs::path folder = fs::canonical(name.empty() ? "." : name, error);
+  const fs::path place = fs::canonical(path, error);
+  const auto [end, at] = std::mismatch(folder.begin(), folder.end(), place.begin(), place.end());
+  if (!error && end == folder.end()) return;
+  throw OptionError(given.where + "Restrict_IO: the INI file '" + shown_name(path) +
+                    "' is refused: an INI file that came with a scene, and what it includes, lie "
+                    "in its folder");
+}
+
+void OptionsReader::scene_file(const std::string& path) {
+  GivenOption given;
+  given.from_scene = true;
+  m_options.scene_ini_folder = fs::path(path).parent_path().string();
+  check_scenes_ini(path, given);
+  file({path, "", false}, path, given, 1);
 }
 
 void OptionsReader::named(const std::string& name, GivenOption given, int depth) {
@@ -91,9 +135,11 @@ void OptionsReader::switched(const std::string& text, GivenOption given) {
 }
 
 /// An INI file is looked for as it is named, with .ini added, and then along the library paths.
-std::string OptionsReader::find(const std::string& name) const {
+std::string OptionsReader::find(const std::string& name, const GivenOption& given) const {
   std::vector<std::string> folders{""};
   if (fs::path(name).is_relative()) {
+    // The current folder may be another than that of a scene's own file.
+    if (given.from_scene) folders.push_back(m_options.scene_ini_folder);
     folders.insert(folders.end(), m_options.library_paths.begin(), m_options.library_paths.end());
   }
   for (const std::string& folder : folders) {
@@ -114,6 +160,7 @@ void OptionsReader::file(const IniName& name, const std::string& path, GivenOpti
   for (const IniLine& line : read_ini(path, name, m_options.warnings).lines) {
     GivenOption next;
     next.from_defaults = given.from_defaults;
+    next.from_scene = given.from_scene;
     next.where = path + ":" + std::to_string(line.line) + ": ";
     switch (line.kind) {
       case IniLine::Kind::kOption:
@@ -125,7 +172,10 @@ void OptionsReader::file(const IniName& name, const std::string& path, GivenOpti
         next.shown = line.text;
         switched(line.text, next);
         break;
-      case IniLine::Kind::kNested: bare(line.text, next, depth + 1); break;
+      case IniLine::Kind::kNested:
+        next.shown = line.text;
+        bare(line.text, next, depth + 1);
+        break;
     }
   }
 }
@@ -134,16 +184,17 @@ void OptionsReader::file(const IniName& name, const std::string& path, GivenOpti
 void OptionsReader::bare(const std::string& text, const GivenOption& given, int depth) {
   const IniName name = ini_name(text);
   if (!name.has_label && ends_with(name.file, ".pov")) {
-    m_options.input = name.file;
-    return;
+    return name_scene(name.file, given);
   }
-  const std::string path = find(name.file);
-  if (!path.empty()) return file(name, path, given, depth);
+  const std::string path = find(name.file, given);
+  if (!path.empty()) {
+    if (given.from_scene) check_scenes_ini(path, given);
+    return file(name, path, given, depth);
+  }
   if (!name.has_label) {
     for (const char* end : {".pov", ".POV"}) {
       if (!is_file(name.file + end)) continue;
-      m_options.input = name.file + end;
-      return;
+      return name_scene(name.file + end, given);
     }
   }
   throw OptionError(given.where + "there is no INI file '" + name.file + "'" +
@@ -188,7 +239,8 @@ bool long_option(std::span<const std::string> arguments, std::size_t& at, Render
   }
   throw OptionError("unknown option '" + text +
                     "'; there are --help, --help=all, --version, --parse-only, --dump, --explain, "
-                    "--depth, --depth-view FILE, --dump-rays FILE and --lens-sheets");
+                    "--depth, --depth-view FILE, --dump-rays FILE, --lens-sheets and "
+                    "--scene-ini FILE");
 }
 
 bool looks_like_option(const std::string& text, std::size_t& equals) {
@@ -198,6 +250,14 @@ bool looks_like_option(const std::string& text, std::size_t& equals) {
     if (!std::isalnum(static_cast<unsigned char>(text[i])) && text[i] != '_') return false;
   }
   return true;
+}
+
+/// A scene with a = in its name: no option is called so.
+bool is_scene_name(const std::string& text, std::size_t equals) {
+  const std::string_view name = std::string_view(text).substr(0, equals);
+  const bool is_option = std::ranges::any_of(
+      option_table(), [&](const OptionRow& row) { return same_word(row.name, name); });
+  return !is_option && (ends_with(text, ".pov") || is_file(text));
 }
 
 /// Of types whose names choose them: TIFF, which stock has not, and OpenEXR. Empty: none.
@@ -239,10 +299,19 @@ void settle(RenderOptions& options) {
   }
 }
 
-RenderOptions read_with(const std::string& default_ini, std::span<const std::string> arguments,
-                        const OptionSources& sources) {
+constexpr const char* kSceneIni = "--scene-ini";
+
+bool is_scene_ini(const std::string& text) {
+  return text == kSceneIni || text.starts_with(std::string(kSceneIni) + "=");
+}
+
+/// Whose words are read, and what is known of the user's by then.
+enum class Words { kUsers, kAll, kAllRestricted };
+
+RenderOptions read_words(const std::string& default_ini, std::span<const std::string> arguments,
+                         Words whose) {
   RenderOptions options;
-  OptionsReader reader(options);
+  OptionsReader reader(options, whose == Words::kAllRestricted);
   if (!default_ini.empty()) {
     GivenOption given;
     given.from_defaults = true;
@@ -254,19 +323,28 @@ RenderOptions read_with(const std::string& default_ini, std::span<const std::str
     given.shown = text;
     std::size_t equals = 0;
     if (text.empty()) continue;
-    if (arguments.size() == 1 && (text == "+H" || text == "+h" || text == "-h")) {
+    if (is_scene_ini(text)) {
+      const std::string file = file_of(arguments, at, kSceneIni);
+      if (whose != Words::kUsers) reader.scene_file(file);
+    } else if (arguments.size() == 1 && (text == "+H" || text == "+h" || text == "-h")) {
       options.help = true;
     } else if (long_option(arguments, at, options)) {
       continue;
     } else if ((text.front() == '+' || text.front() == '-') && text.size() > 1) {
       reader.switched(text, given);
-    } else if (looks_like_option(text, equals)) {
+    } else if (looks_like_option(text, equals) && !is_scene_name(text, equals)) {
       given.value = unquoted(text.substr(equals + 1));
       reader.named(text.substr(0, equals), given, 0);
     } else {
       reader.bare(text, given, 1);
     }
   }
+  return options;
+}
+
+RenderOptions read_with(const std::string& default_ini, std::span<const std::string> arguments,
+                        const OptionSources& sources, Words whose) {
+  RenderOptions options = read_words(default_ini, arguments, whose);
   const bool has_grey = options.type == core::FileType::png ||
                         options.type == core::FileType::ppm || options.type == core::FileType::tiff;
   if (options.grayscale && !has_grey) {
@@ -303,12 +381,17 @@ namespace {
 RenderOptions read_all(std::span<const std::string> arguments, const OptionSources& sources) {
   const std::vector<std::string>& inis = sources.default_ini_files;
   const std::string ini = first_ini(inis, 0);
-  RenderOptions options = read_with(ini, arguments, sources);
+  // What the user restricted, before or behind, holds for all that the scene's own INI file says.
+  const bool restricted = std::ranges::any_of(arguments, is_scene_ini) &&
+                          read_words(ini, arguments, Words::kUsers).restrict_io;
+  RenderOptions options =
+      read_with(ini, arguments, sources, restricted ? Words::kAllRestricted : Words::kAll);
+  if (restricted) options.restrict_io = true;
   if (!options.restrict_io || ini != kFolderIni) return options;
   // It may have come with the scene, and could name folders, files and commands.
   const auto folders = std::find(inis.begin(), inis.end(), kFolderIni);
   options = read_with(first_ini(inis, static_cast<std::size_t>(folders - inis.begin()) + 1),
-                      arguments, sources);
+                      arguments, sources, Words::kAllRestricted);
   options.restrict_io = true;
   options.warnings.emplace_back(
       "Restrict_IO=On: the current folder's povray.ini is not read; name it to have it read");

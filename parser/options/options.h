@@ -21,6 +21,7 @@
 #include "parser/options/animation.h"
 #include "parser/options/ini.h"
 #include "parser/options/scene_overrides.h"
+#include "parser/options/scene_words.h"
 #include "parser/options/view_options.h"
 
 namespace lentray::parser {
@@ -130,6 +131,8 @@ struct RenderOptions {
   bool parse_only = false, dump = false, explain = false, depth = false, help = false,
        help_all = false, version = false, list_lens_sheets = false;
 
+  std::string scene_ini_folder;        ///< of --scene-ini
+  std::vector<SceneWord> scene_words;  ///< the files that it named
   std::vector<std::string> warnings;  ///< about the options themselves
   /// By their names, for messages: the last time that each was said.
   struct Said {

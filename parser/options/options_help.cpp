@@ -275,6 +275,10 @@ constexpr OptionHelp kSafety[] = {
      ""},
     {"--depth-view", "file", "The same, and draws it as SVG, seen from above.", ""},
     {"--dump-rays", "file", "Writes every camera ray; renders nothing.", ""},
+    {"--scene-ini", "file",
+     "An INI file that came with the scene: with Restrict_IO=On it may name what the scene may "
+     "(security.md).",
+     ""},
     {"--lens-sheets", "", "Lists the lens sheets that there are, as Lens_Sheet=list does.", ""},
     {"--help", "", "The usual options. --help=all: this text.", ""},
     {"--version", "", "The program's version.", ""},

@@ -40,6 +40,16 @@ void set_bool(Options& o, const Given& g) {
   o.*member = truth(o, g);
 }
 
+/// On stays on, whoever says what later.
+void set_restrict_io(Options& o, const Given& g) {
+  if (truth(o, g)) {
+    o.restrict_io = true;
+  } else if (o.restrict_io) {
+    o.warnings.push_back(g.where + "option " + g.shown +
+                         ": it stays on, since it was turned on before");
+  }
+}
+
 /// Switches of text streams may name a file that the text goes to, whether the console is on or off.
 template <bool Options::*console, std::string Options::*file>
 void set_console(Options& o, const Given& g) {
@@ -326,6 +336,7 @@ Quantity quantity(const Given& g) {
 void set_scene_writes(Options& o, const Given& g) {
   if (!same_word(g.value, "disk") && !same_word(g.value, "memory"))
     refuse(g, "disk or memory is expected");
+  if (g.from_scene && same_word(g.value, "disk")) return;  // the user's to say
   o.writes_to_disk = same_word(g.value, "disk");
 }
 /// Seconds, or with a unit: s, m or h.
@@ -555,7 +566,7 @@ constexpr OptionRow kTable[] = {
     {"Post_Frame_Return", "", set_return<CommandKind::kPostFrame>},
     {"User_Abort_Return", "", set_return<CommandKind::kUserAbort>},
     {"Fatal_Error_Return", "", set_return<CommandKind::kFatalError>},
-    {"Restrict_IO", "", set_bool<&Options::restrict_io>},
+    {"Restrict_IO", "", set_restrict_io},
     {"Strict", "", set_bool<&Options::strict>},
     // Lentray's own.
     {"Lenticular", "", set_bool<&Options::lenticular>},

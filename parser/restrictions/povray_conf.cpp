@@ -6,6 +6,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "core/image/run_files.h"
 #include "parser/options/ini.h"
 
 namespace lentray::parser {
@@ -160,6 +161,7 @@ std::vector<PovrayConf> installed_confs() {
     std::ostringstream text;
     if (kind == fs::file_type::regular) {
       if (std::ifstream in(place, std::ios::binary); in && text << in.rdbuf()) {
+        core::note_input(place);
         confs.push_back(parse_povray_conf(text.str(), place, folders));
         continue;
       }

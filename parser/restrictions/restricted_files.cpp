@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <filesystem>
 
+#include "core/image/run_files.h"
 #include "parser/base/shown.h"
 #include "parser/files/loose_path.h"
 
@@ -62,6 +63,7 @@ std::optional<std::string> RestrictedFiles::find_loosely(const std::string& fold
 std::optional<std::string> RestrictedFiles::read(const std::string& path) const {
   const Descriptor held = judged(path);
   const Descriptor file = held ? reopen(held, O_RDONLY) : Descriptor();
+  if (file) core::note_input(status_of(file), path);
   return file ? read_all(file) : std::nullopt;
 }
 
@@ -73,6 +75,7 @@ std::string RestrictedFiles::hold(const std::string& path) {
   Descriptor held = judged(path);
   if (!held) refuse(path, "", "it is not there any more");
   const struct stat status = status_of(held);
+  core::note_input(status, path);
   const auto [at, is_new] = m_held.try_emplace({status.st_dev, status.st_ino}, std::move(held));
   return handle_of(at->second);
 }

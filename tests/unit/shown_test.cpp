@@ -15,6 +15,31 @@ TEST(UnitShown, ControlCharactersAreEscaped) {
             "gr\xC3\xBC\xC3\x9F \\x9b31m");
 }
 
+TEST(UnitShown, BytesThatAreControlsOfTerminalsAreEscaped) {
+  EXPECT_EQ(shown_text("a\x9b[31m"), "a\\x9b[31m");
+  EXPECT_EQ(shown_name("\x80\x85\x9f\xa0"), "\\x80\\x85\\x9f\xa0");
+  EXPECT_EQ(shown_text("\xE0\x82\x9B"), "\\x9b") << "a longer form of it";
+  EXPECT_EQ(shown_text("\xE2\x82\xAC \xC3\x9F \xF0\x9F\x98\x80"),
+            "\xE2\x82\xAC \xC3\x9F \xF0\x9F\x98\x80");
+  EXPECT_EQ(shown_text("caf\xE9 \xE2\x82"), "caf\xE9 \xE2\\x82") << "cut off, and Latin-1";
+  EXPECT_EQ(shown_line("a\x9b"
+                       "b\xE2\x80\xAE"
+                       "c",
+                       7)
+                .line,
+            "a?b?c");
+}
+
+TEST(UnitShown, TextCannotBeTurnedRound) {
+  EXPECT_EQ(shown_text("a\xE2\x80\xAE"
+                       "gnp.exe"),
+            "a\\u202egnp.exe");
+  for (const char* turn :
+       {"\xE2\x80\xAA", "\xE2\x80\xAD", "\xE2\x81\xA6", "\xE2\x81\xA9", "\xE2\x80\x8F", "\xD8\x9C"})
+    EXPECT_EQ(shown_name(turn).substr(0, 2), "\\u") << turn;
+  EXPECT_EQ(shown_text("\xD7\xA9\xD7\x9C"), "\xD7\xA9\xD7\x9C") << "Hebrew itself stays";
+}
+
 TEST(UnitShown, LongNamesAndMessagesAreCut) {
   EXPECT_LT(shown_name(std::string(1'000'000, 'x')).size(), 500u);
   EXPECT_LT(shown_message(std::string(50'000'000, 'x')).size(), 4100u);

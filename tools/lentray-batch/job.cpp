@@ -96,7 +96,8 @@ std::string word_of(const Scene& scene) {
 
 parser::RenderOptions options_of(const Plan& plan, const Scene& scene) {
   std::vector<std::string> words = plan.arguments.for_lentray;
-  if (plan.arguments.scene_ini && !scene.ini.empty()) words.push_back(scene.ini.string());
+  if (plan.arguments.scene_ini && !scene.ini.empty())
+    words.insert(words.end(), {"--scene-ini", scene.ini.string()});
   return parser::read_options(words, {});
 }
 
@@ -277,7 +278,8 @@ bool Job::can_go_on() const {
 
 std::vector<std::string> Job::words() const {
   std::vector<std::string> words = m_plan.arguments.for_lentray;
-  if (m_plan.arguments.scene_ini && !m_scene.ini.empty()) words.push_back(m_scene.ini.string());
+  if (m_plan.arguments.scene_ini && !m_scene.ini.empty())
+    words.insert(words.end(), {"--scene-ini", m_scene.ini.string()});
   if (is_view()) {
     words.push_back("View=" + std::to_string(m_frame->clock.frame_number));
   } else if (m_frame) {

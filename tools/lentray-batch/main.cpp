@@ -8,6 +8,8 @@
 #include <thread>
 
 #include "parser/base/shown.h"
+#include "core/image/run_files.h"
+#include "core/image/writer.h"
 #include "parser/files/watched_files.h"
 #include "parser/options/options.h"
 #include "tools/common/duration.h"
@@ -68,6 +70,7 @@ class Batch {
 
   Status run() {
     find();
+    check_outputs();
     return finish(render());
   }
 
@@ -80,7 +83,12 @@ class Batch {
     m_manifest.reserve(m_jobs.size());
     m_state.reserve(m_jobs.size());
     Scheduler scheduler(
-        m_plan, [this](const Row& row) { m_manifest.put(row); }, progress);
+        m_plan,
+        [this](const Row& row) {
+          note_inputs(row);
+          m_manifest.put(row);
+        },
+        progress);
     for (std::unique_ptr<Job>& job : m_jobs) scheduler.add(std::move(job));
     scheduler.now_and_then([this] {
       try {
@@ -120,8 +128,16 @@ class Batch {
   /// Scenes, and of each what is to be done.
   void find() {
     Scan scan = find_scenes(m_plan.arguments.inputs, m_plan.arguments.out, m_manifest.names());
+    // What the user restricts stock does not know.
+    if (m_plan.arguments.compare &&
+        parser::read_options(m_plan.arguments.for_lentray, {}).restrict_io) {
+      m_warnings.emplace_back(
+          "warning: --compare: stock POV-Ray obeys povray.conf alone, not Restrict_IO=On");
+    }
     for (const std::string& text : scan.warnings) m_warnings.push_back("warning: " + text);
     for (const Scene& scene : scan.scenes) {
+      core::note_input(scene.source);
+      core::note_input(scene.ini);
       if (!scene.part_of.empty()) {
         put(row_without_job(m_plan, scene, State::skipped,
                             "a part of " + scene.part_of + ": it has no camera of its own"));
@@ -130,7 +146,7 @@ class Batch {
       try {
         for (std::unique_ptr<Job>& job : jobs_of(m_plan, scene)) add(std::move(job));
       } catch (const parser::OptionError& error) {
-        put(row_without_job(m_plan, scene, State::failed, error.what()));
+        put(row_without_job(m_plan, scene, State::failed, tool::one_line(error.what())));
       }
     }
     // Rows of scenes that are gone go too; those of other inputs stay.
@@ -140,6 +156,23 @@ class Batch {
       if (!m_names.contains(name) && !fs::exists(row.source, error)) gone.push_back(name);
     }
     for (const std::string& name : gone) m_manifest.drop(name);
+  }
+
+  /// None is a scene, and none is another's.
+  void check_outputs() const {
+    for (const auto& [name, row] : m_manifest.rows()) note_inputs(row);
+    const fs::path& out = m_plan.arguments.out;
+    core::claim_output(out / "manifest.jsonl", "the manifest");
+    core::claim_output(out / "index.html", "the page");
+    const fs::path& table = m_plan.arguments.table;
+    if (table.empty()) return;
+    core::check_writable(table);
+    core::claim_output(table, "--table");
+  }
+
+  static void note_inputs(const Row& row) {
+    core::note_input(row.source);
+    for (const auto& [path, stamp] : row.files) core::note_input(path);
   }
 
   void put(const Row& row) {

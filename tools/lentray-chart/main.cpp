@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "parser/base/shown.h"
+#include "core/image/run_files.h"
 #include "parser/files/watched_files.h"
 #include "tools/common/child.h"
 #include "tools/common/duration.h"
@@ -42,7 +43,9 @@ class Charting {
 
   Status run() {
     try {
+      core::note_input(m_arguments.scene);
       prepare();
+      for (const auto& [path, sum] : m_session.state.files.read) core::note_input(path);
       render();
       return finish();
     } catch (const Stopped&) {

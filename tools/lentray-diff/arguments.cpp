@@ -89,6 +89,11 @@ class Parsing {
         {"--write-wrappers", [&](const std::string& v) { m_out.wrappers = v; }},
         {"--samples", [&](const std::string& v) { samples(v); }},
         {"--bits", [&](const std::string& v) { bits(v); }},
+        {"--scene-ini",
+         [&](const std::string& v) {
+           m_out.for_lentray.insert(m_out.for_lentray.end(), {"--scene-ini", v});
+           on_ini(v, 0);
+         }},
         {"--time-limit",
          [&](const std::string& v) { m_out.stock.seconds = positive_number(name, v); }}};
     const auto found = table.find(name);
@@ -297,6 +302,7 @@ Antialias_Angle=n it is the mean of n times as many views.
                    the pictures only -stock and -heat are written
   --stock-alone    stock's picture of the scene's own camera, for where
                    lentray has none
+  --scene-ini FILE an INI file that came with the scene, passed on as such
   --lentray FILE   the lentray to use (default: the one beside this program)
   --povray FILE    the stock POV-Ray to use (default: povray)
 

@@ -12,6 +12,7 @@
 #include "core/image/file_swap.h"
 #include "core/image/reader.h"
 #include "parser/base/shown.h"
+#include "core/image/run_files.h"
 #include "parser/options/options.h"
 #include "tools/common/json_text.h"
 #include "tools/common/machine.h"
@@ -50,20 +51,27 @@ fs::path program_beside_us(const char* name) {
   return fs::read_symlink("/proc/self/exe").parent_path() / name;
 }
 
+/// No output takes their place.
+void note_what_was_read(const json& dependencies) {
+  for (const auto& [path, sum] : dependencies.at("read").items()) core::note_input(path);
+}
+
 Ours render_ours(const Arguments& a) {
   if (!a.ours.empty()) {
     const json statistics = tool::parse_json(tool::read_text(a.statistics));
     return {core::read_image(a.ours), statistics, statistics.at("time").at("wall_s").get<double>()};
   }
   const tool::TemporaryFolder folder;
-  const fs::path picture = folder / "ours.png", statistics = folder / "statistics.json";
+  const fs::path picture = folder / "ours.png", statistics = folder / "statistics.json",
+                 read = folder / "read.json";
   std::vector<std::string> command{
       (a.lentray.empty() ? program_beside_us("lentray") : a.lentray).string()};
   command.insert(command.end(), a.for_lentray.begin(), a.for_lentray.end());
   for (const std::string& word :
        {"+I" + a.scene.string(), "+O" + picture.string(),
         std::string(a.stock.bits == 16 ? "+FN16" : "+FN8"), std::string("-V"),
-        "+WT" + std::to_string(a.stock.processes), "Statistics_File=" + statistics.string()}) {
+        "+WT" + std::to_string(a.stock.processes), "Statistics_File=" + statistics.string(),
+        "Dependencies_File=" + read.string()}) {
     command.push_back(word);
   }
   for (const std::string& word : words(a.stock.antialiasing)) command.push_back(word);
@@ -74,6 +82,7 @@ Ours render_ours(const Arguments& a) {
   if (result.status != 0) {
     throw std::runtime_error("lentray ended with status " + std::to_string(result.status));
   }
+  note_what_was_read(tool::parse_json(tool::read_text(read)));
   return {core::read_image(picture), tool::parse_json(tool::read_text(statistics)), taken.count()};
 }
 
@@ -204,6 +213,17 @@ LensComparison compare_pair(const Pair& pair) {
   return result;
 }
 
+/// The pictures that are written, by the end of their names.
+std::vector<std::string> kinds_of_pictures(const Arguments& a) {
+  if (a.stock_alone) return {"stock"};
+  if (!a.write_pictures) return {};
+  std::vector<std::string> kinds{"heat"};
+  if (a.pictures.empty()) kinds.emplace_back("stock");
+  if (a.pictures.empty() && a.ours.empty()) kinds.emplace_back("ours");
+  if (a.ours.empty()) kinds.emplace_back("side");
+  return kinds;
+}
+
 void write_pictures(const Arguments& a, const Pair& pair, const Pair& seen) {
   const auto put = [&](const char* kind, const StoredImage& image) {
     fs::path path = a.prefix;
@@ -212,11 +232,27 @@ void write_pictures(const Arguments& a, const Pair& pair, const Pair& seen) {
     std::cout << "  " << path.string() << "\n";
   };
   std::cout << "pictures:\n";
-  const bool has_ours = a.pictures.empty() && a.ours.empty();
-  if (has_ours) put("ours", pair.ours);
-  if (a.pictures.empty()) put("stock", pair.stock);
+  const std::vector<std::string> kinds = kinds_of_pictures(a);
+  const auto has = [&](const char* kind) { return std::ranges::find(kinds, kind) != kinds.end(); };
+  if (has("ours")) put("ours", pair.ours);
+  if (has("stock")) put("stock", pair.stock);
   put("heat", heat_map(seen.ours, seen.stock));
-  if (a.ours.empty()) put("side", side_by_side(seen.ours, seen.stock));
+  if (has("side")) put("side", side_by_side(seen.ours, seen.stock));
+}
+
+/// Files are asked for before anything is rendered, and none is an input.
+void check_outputs(const Arguments& a) {
+  for (const fs::path& input : a.pictures) core::note_input(input);
+  for (const fs::path& input : {a.scene, a.ours, a.statistics}) core::note_input(input);
+  if (!a.json.empty()) {
+    core::check_writable(a.json);
+    core::claim_output(a.json, "--json");
+  }
+  for (const std::string& kind : kinds_of_pictures(a)) {
+    const std::string place = a.prefix.string() + "-" + kind + ".png";
+    core::check_writable(place);
+    core::claim_output(place, "the picture " + kind);
+  }
 }
 
 /// Stock's picture, and what it took.
@@ -229,6 +265,7 @@ int render_stock_alone(const Arguments& a) {
   const StoredImage picture = stock_picture(a.scene, static_cast<std::uint32_t>(options.width),
                                             static_cast<std::uint32_t>(options.height), stock);
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  check_outputs(a);
   const fs::path place = a.prefix.string() + "-stock.png";
   core::write_stored(picture, place);
   std::cout << place.string() << std::endl;
@@ -243,12 +280,12 @@ int render_stock_alone(const Arguments& a) {
 }
 
 int compare_and_report(const Arguments& a) {
-  if (!a.json.empty()) core::check_writable(a.json);
-  if (a.write_pictures) core::check_writable(a.prefix.string() + "-ours.png");
+  check_outputs(a);
   const Pair pair = a.pictures.empty() ? render_both(a) : read_both(a);
   const Pair seen = shown(pair, !a.pictures.empty());
   const LensComparison result = compare_pair(seen);
   const bool reached = reaches(result, a.asked);
+  check_outputs(a);  // now that all inputs are known
   std::cout << table(result, a.all_lenses);
   if (a.write_pictures) write_pictures(a, pair, seen);
   if (!a.json.empty()) {

@@ -5,6 +5,7 @@
 #include <exception>
 #include <iostream>
 
+#include "core/image/run_files.h"
 #include "core/image/writer.h"
 #include "parser/base/shown.h"
 #include "tools/common/gnuplot.h"
@@ -19,8 +20,13 @@ namespace {
 enum Status : int { kDone = 0, kError = 1, kDiffer = 2 };
 
 int experiment(const Arguments& arguments, const std::string& command) {
-  for (const auto& place : {arguments.csv, arguments.html, arguments.gains}) {
-    if (!place.empty()) core::check_writable(place);
+  for (const std::string& scene : arguments.scenes) core::note_input(scene);
+  for (const auto& [place, what] : {std::pair{arguments.csv, "the table"},
+                                    {arguments.html, "the page"},
+                                    {arguments.gains, "the gains"}}) {
+    if (place.empty()) continue;
+    core::check_writable(place);
+    core::claim_output(place, what);
   }
   if (!arguments.html.empty()) tool::check_gnuplot();
   const bool terminal = ::isatty(STDERR_FILENO) != 0;

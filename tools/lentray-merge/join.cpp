@@ -8,6 +8,7 @@
 
 #include "core/image/file_swap.h"
 #include "core/image/picture_encoder.h"
+#include "core/image/run_files.h"
 #include "core/image/writer.h"
 #include "tools/lentray-merge/png_head.h"
 #include "tools/lentray-merge/png_rows.h"
@@ -43,6 +44,7 @@ class Joiner {
         throw ImageError(quoted(part.path) + " has " + std::to_string(m_spec.height) +
                          " rows, and cannot have " + text_of({*part.rows}));
       }
+      core::note_input(part.path);
       m_readers.push_back(std::make_unique<PngRows>(part.path, m_row_bytes));
     }
     check_rows();

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/image/run_files.h"
 #include "core/image/writer.h"
 #include "tools/common/gnuplot.h"
 #include "tools/common/process.h"
@@ -217,8 +218,11 @@ void check_figures(const Arguments& a) {
   if (a.figures.empty()) return;
   check_gnuplot();
   for (const std::string& name : a.figures) {
-    core::check_writable(chart_place(a, name, a.format));
-    if (!shows_grid(name)) core::check_writable(chart_place(a, name, "csv"));
+    for (const std::string& kind : {a.format, std::string("csv")}) {
+      if (kind == "csv" && shows_grid(name)) continue;
+      core::check_writable(chart_place(a, name, kind));
+      core::claim_output(chart_place(a, name, kind), "figure " + name + " as " + kind);
+    }
     if (shows_grid(name) && (a.a.values().size() < 2 || a.d.values().size() < 2)) {
       throw std::runtime_error("figure " + name +
                                " is a surface: it needs two values or more of A "

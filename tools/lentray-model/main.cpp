@@ -9,6 +9,7 @@
 #include <memory>
 #include <mutex>
 
+#include "core/image/run_files.h"
 #include "core/image/writer.h"
 #include "parser/base/shown.h"
 #include "tools/common/gnuplot.h"
@@ -28,8 +29,10 @@ enum Status : int { kDone = 0, kError = 1, kDiffer = 2 };
 
 /// Files are asked for before anything is computed, so that no work is lost on them.
 void check_outputs(const Arguments& a) {
-  for (const auto& place : {a.csv, a.deviations}) {
-    if (!place.empty() && place != "-") core::check_writable(place);
+  for (const auto& [place, what] : {std::pair{a.csv, "CSV"}, {a.deviations, "the deviations"}}) {
+    if (place.empty() || place == "-") continue;
+    core::check_writable(place);
+    core::claim_output(place, what);
   }
   check_figures(a);
 }

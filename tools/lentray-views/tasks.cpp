@@ -9,6 +9,7 @@
 
 #include "camera/lenticular.h"
 #include "camera/text.h"
+#include "core/image/run_files.h"
 #include "core/image/writer.h"
 #include "parser/options/ini.h"
 #include "tools/common/process.h"
@@ -39,16 +40,8 @@ fs::path out_or(const Arguments& a, const std::string& end) {
 
 /// Files are asked for before anything is computed, and no picture takes the place of its source.
 void check_place(const Arguments& a, const fs::path& out) {
-  std::vector<fs::path> sources = a.pictures;
-  if (!a.like.empty()) sources.push_back(a.like);
-  for (const fs::path& source : sources) {
-    std::error_code error;
-    if (fs::equivalent(source, out, error)) {
-      throw ImageError(
-          "'" + out.string() +
-          "' is one of the pictures it would be made of: give another name with --out");
-    }
-  }
+  for (const fs::path& source : a.pictures) core::note_input(source);
+  if (!a.like.empty()) core::note_input(a.like);
   core::check_writable(out);
 }
 
@@ -117,10 +110,13 @@ std::string write_views(const Arguments& a) {
   const Range range = range_of(a, count);
   const bool is_one = range.first == range.last && !a.out.empty() &&
                       a.out.filename().string().find('#') == std::string::npos;
+  const auto path_of = [&](std::uint32_t view) {
+    return is_one ? a.out : numbered(out_or(a, "_view"), view, count);
+  };
+  for (std::uint32_t view = range.first; view <= range.last; ++view) check_place(a, path_of(view));
   std::string said;
   for (std::uint32_t view = range.first; view <= range.last; ++view) {
-    const fs::path path = is_one ? a.out : numbered(out_or(a, "_view"), view, count);
-    check_place(a, path);
+    const fs::path path = path_of(view);
     const StoredImage image = source->view(view);
     write_picture(image, path, about_view(source->facts(), view, count));
     said += wrote(path, image);

@@ -18,6 +18,7 @@
 #include "parser/options/lens_sheets.h"
 #include "parser/options/options.h"
 #include "parser/options/options_help.h"
+#include "parser/restrictions/scene_word_rules.h"
 #include "parser/source/build_error.h"
 #include "parser/source/diagnostics.h"
 #include "tools/common/standard_streams.h"
@@ -26,6 +27,7 @@
 #include "tools/lentray/picture_run.h"
 #include "tools/lentray/run.h"
 #include "tools/lentray/run_guard.h"
+#include "tools/lentray/scene_disk.h"
 #include "tools/lentray/stock_form.h"
 #include "tools/lentray/text_streams.h"
 #include "tools/lentray/warnings.h"
@@ -127,7 +129,6 @@ int run_guarded(const parser::RenderOptions& options) {
     guard.asked() ? tool::tell_stopped()
                   : (void)std::fputs("lentray: stopped by a command\n", stderr);
   }
-  if (status == tool::kDone && !g_texts->trouble().empty()) return fail_nowhere(g_texts->trouble());
   return status;
 }
 
@@ -143,6 +144,8 @@ int run_main(int argc, char** argv) {
       if (as_povray) std::fputs(tool::stock_option_problem(program, arguments).c_str(), stderr);
       throw;
     }
+    if (!options.help && !options.version) tool::judge_options(options);
+    parser::drop_scene_writes(options);
     return static_cast<int>(tool::kDone);
   });
   if (status != tool::kDone) return status;
@@ -165,6 +168,12 @@ int run_main(int argc, char** argv) {
   if (status != tool::kDone) return status;
   if (tool::renders(options)) g_form->begin_run();
   status = run_guarded(options);
+  const int kept = guarded([&] {
+    g_texts->keep();
+    return static_cast<int>(tool::kDone);
+  });
+  if (status == tool::kDone) status = kept;
+  if (status == tool::kDone && !g_texts->trouble().empty()) status = fail_nowhere(g_texts->trouble());
   if (tool::renders(options)) g_form->end_run(status);
   return status;
 }

@@ -10,6 +10,7 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "core/image/run_files.h"
 #include "parser/files/watched_files.h"
 #include "parser/options/options.h"
 
@@ -225,6 +226,8 @@ void PictureJournal::begin() {
   m_whole = 0;
   if (m_file < 0 || !is_regular(m_file)) {
     give_up(m_file < 0 ? std::strerror(errno) : "it is no regular file");
+  } else if (core::is_input(m_path)) {
+    give_up("the scene reads it");
   } else if (::flock(m_file, LOCK_EX | LOCK_NB) != 0) {
     give_up("another run is at the same picture");
   } else if (::ftruncate(m_file, 0) != 0) {

@@ -15,6 +15,7 @@
 
 #include "camera/scene_probe.h"
 #include "core/base/memory_limit.h"
+#include "core/image/run_files.h"
 #include "core/render/focal_blur.h"
 #include "core/render/frame.h"
 #include "core/scene/scene.h"
@@ -95,24 +96,30 @@ void check_order(const RenderOptions& o) {
 }
 
 /// Files are asked for before anything is read, so that no work is lost on them.
+void check_output(const std::string& place, std::string_view what) {
+  if (place.empty() || place == "-") return;
+  core::check_writable(place);
+  core::claim_output(place, what);
+}
+
 void check_outputs(Run& run) {
   const RenderOptions& o = run.options;
-  if (!o.dump_rays.empty() && o.dump_rays != "-") core::check_writable(o.dump_rays);
-  if (const std::string file = depth_file(o); !file.empty() && file != "-") {
-    core::check_writable(file);
-  }
+  judge_options(o);
+  check_output(o.dump_rays, "--dump-rays");
+  check_output(depth_file(o), "--depth-view");
   if (!renders(o)) return;
   if (o.shadow_log && o.statistics_file.empty()) {
     throw parser::OptionError("Shadow_Log goes into the statistics: name a Statistics_File");
   }
   const auto width = static_cast<std::uint32_t>(o.width);
   parser::check_picture_size(o.width, o.height, bytes_a_row(o, width), machine_memory());
-  if (!o.statistics_file.empty()) core::check_writable(parser::frame_path(o, o.statistics_file));
+  if (!o.statistics_file.empty())
+    check_output(parser::frame_path(o, o.statistics_file), "Statistics_File");
   if (!o.dependencies_file.empty())
-    core::check_writable(parser::frame_path(o, o.dependencies_file));
+    check_output(parser::frame_path(o, o.dependencies_file), "Dependencies_File");
   if (!o.output_to_file) return;
   run.output = parser::output_path(o, run.type);
-  if (run.output != "-") core::check_writable(run.output);
+  check_output(run.output, "the picture");
 }
 
 parser::ParserOptions parser_options(const RenderOptions& o, const parser::FrameClock& clock) {
@@ -147,8 +154,9 @@ void refuse_if_strict(const RenderOptions& o, const std::vector<std::string>& no
 }
 
 /// --parse-only, --dump: text -> descriptions, checked as far as they can be without rendering.
-void parse_alone(Run& run, const std::string& path) {
+void parse_alone(Run& run, const Picture& what) {
   const RenderOptions& o = run.options;
+  const std::string& path = what.scene;
   SceneDisk disk(o, path, run.warnings);
   parser::SourceManager sources(disk.files());
   parser::Diagnostics diagnostics(sources);
@@ -160,6 +168,7 @@ void parse_alone(Run& run, const std::string& path) {
   const double seconds = cpu_seconds() - before;
   const core::SceneParts parts =
       parser::build_scene(scene, diagnostics, {o.quality, o.alpha, o.overrides});
+  if (what.is_read) what.is_read();
   run.warnings.say();
   refuse_if_strict(o, parts.not_rendered);
   if (o.dump) {
@@ -475,13 +484,15 @@ Status run_picture(const Picture& what, const std::atomic<bool>& cancel, Message
   check_order(options);
   check_outputs(run);
   if (options.parse_only || options.dump) {
-    parse_alone(run, what.scene);
+    parse_alone(run, what);
     return kDone;
   }
   run.identity = identity_of(options, what.clock);
   if (renders(options) && is_there_already(run, what.scene)) return kDone;
   if (renders(options)) form.begin_reading(options, what.clock, run.output);
   read_scene(run, what.scene);
+  check_outputs(run);  // now that all inputs are known
+  if (what.is_read) what.is_read();
   warnings.say();
   refuse_if_strict(options, run.not_rendered);
   if (options.explain) {

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -20,9 +21,10 @@ namespace lentray::tool {
 struct Picture {
   const parser::RenderOptions& options;
   const parser::FrameClock& clock;
-  const std::string& scene;  ///< path of the file
-  bool is_last = true;       ///< the program ends after it
-  bool is_frame = false;     ///< of an animation
+  const std::string& scene;         ///< path of the file
+  bool is_last = true;              ///< the program ends after it
+  bool is_frame = false;            ///< of an animation
+  std::function<void()> is_read{};  ///< called when all that the scene reads is known
 };
 
 /// Whether a run with these options makes pictures, rather than tells about the scene.

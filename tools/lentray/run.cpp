@@ -3,6 +3,8 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "core/image/run_files.h"
+#include "core/image/writer.h"
 #include "parser/options/animation.h"
 #include "parser/options/create_ini.h"
 #include "parser/restrictions/povray_conf.h"
@@ -58,6 +60,14 @@ class Loop {
     return kDone;
   }
 
+  /// Once, when it is known that the scene does not read that file.
+  void write_ini() {
+    const std::string ini = parser::ini_path(m_options);
+    if (ini.empty() || m_has_ini) return;
+    m_has_ini = true;
+    write_text_file(ini, parser::ini_text(m_options));
+  }
+
   Status with_commands(Commands& commands) {
     const CommandContext scene = command_context(m_options, m_frames.list.front().clock);
     try {
@@ -80,8 +90,12 @@ class Loop {
     one.frame_digits = frame.digits;
     if (m_frames.is_animation) m_form.begin_frame(one, frame.clock, i + 1, m_frames.list.size());
     const bool is_last = i + 1 == m_frames.list.size();
-    return run_picture({one, frame.clock, m_scene, is_last, m_frames.is_animation}, m_cancel,
-                       m_form, m_warnings);
+    return run_picture({one, frame.clock, m_scene, is_last, m_frames.is_animation,
+                        [this] {
+                          m_form.texts().keep();
+                          write_ini();
+                        }},
+                       m_cancel, m_form, m_warnings);
   }
 
   /// Frames say that they are finished only while there is one that is not.
@@ -137,19 +151,33 @@ class Loop {
   MessageForm& m_form;
   Warnings& m_warnings;
   const Frames m_frames;
+  bool m_has_ini = false;
 };
+
+Status run_loop(const RenderOptions& options, Loop& loop, MessageForm& form) {
+  if (!renders(options)) return loop.without_commands();
+  Commands commands(options, parser::installed_confs(), form);
+  return loop.with_commands(commands);
+}
 
 }  // namespace
 
 Status run(const RenderOptions& options, const std::atomic<bool>& cancel, MessageForm& form,
            Warnings& warnings) {
   const SceneFile file(options);
-  if (const std::string ini = parser::ini_path(options); !ini.empty())
-    write_text_file(ini, parser::ini_text(options));
+  if (const std::string ini = parser::ini_path(options); !ini.empty()) {
+    core::check_writable(ini);
+    core::claim_output(ini, "Create_Ini");
+  }
   Loop loop(options, file.path(), cancel, form, warnings);
-  if (!renders(options)) return loop.without_commands();
-  Commands commands(options, parser::installed_confs(), form);
-  return loop.with_commands(commands);
+  try {
+    const Status status = run_loop(options, loop, form);
+    loop.write_ini();
+    return status;
+  } catch (...) {
+    loop.write_ini();  // as in stock, of a scene with errors too
+    throw;
+  }
 }
 
 }  // namespace lentray::tool

@@ -16,6 +16,7 @@
 #include "core/base/memory_limit.h"
 #include "core/image/file_swap.h"
 #include "tools/lentray/run.h"
+#include "tools/lentray/text_streams.h"
 
 namespace lentray::tool {
 namespace {
@@ -47,6 +48,7 @@ double most_memory() {
 
 [[noreturn]] void end(Status status) {
   core::FileSwap::remove_temporaries();
+  TextStreams::keep_at_end();
   ::_exit(status);
 }
 

@@ -1,33 +1,30 @@
 #include "tools/lentray/scene_disk.h"
 
-#include <filesystem>
-
 #include "parser/files/memory_writes.h"
 #include "parser/restrictions/povray_conf.h"
 #include "parser/restrictions/restricted_files.h"
+#include "parser/restrictions/scene_word_rules.h"
 
 namespace lentray::tool {
 namespace {
 
-namespace fs = std::filesystem;
-
 std::unique_ptr<parser::Files> restricted(const parser::RenderOptions& o, const std::string& scene,
                                           Warnings& warnings) {
-  parser::UsersFolders folders;
-  folders.scene = fs::path(scene).parent_path().string();
-  core::FileType type = o.type;
-  const std::string output = o.output_to_file ? parser::output_path(o, type) : "";
-  if (output != "-") folders.output = fs::path(output).parent_path().string();
-  folders.libraries = o.library_paths;
-  folders.installed = parser::installed_sources().standard_libraries;
   std::vector<parser::PovrayConf> confs = parser::installed_confs();
   for (const parser::PovrayConf& conf : confs) {
     for (const std::string& text : conf.warnings) warnings.tell(text);
   }
-  return std::make_unique<parser::RestrictedFiles>(parser::FileRules(folders, std::move(confs)));
+  return std::make_unique<parser::RestrictedFiles>(
+      parser::FileRules(parser::users_folders(o, scene), std::move(confs)));
 }
 
 }  // namespace
+
+void judge_options(const parser::RenderOptions& o) {
+  if (!o.restrict_io) return;
+  parser::judge_scene_words(
+      o, parser::FileRules(parser::users_folders(o, o.input), parser::installed_confs()));
+}
 
 SceneDisk::SceneDisk(const parser::RenderOptions& options, const std::string& scene,
                      Warnings& warnings)

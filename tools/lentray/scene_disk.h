@@ -15,6 +15,9 @@
 
 namespace lentray::tool {
 
+/// With Restrict_IO=On: what the scene's own INI file named is judged by the rules for the scene. OptionError.
+void judge_options(const parser::RenderOptions& options);
+
 class SceneDisk {
  public:
   /// `warnings` gets what is wrong with povray.conf.

@@ -6,6 +6,8 @@
 #include <fstream>
 #include <iostream>
 
+#include "core/image/run_files.h"
+
 namespace lentray::tool {
 
 namespace fs = std::filesystem;
@@ -26,6 +28,7 @@ std::string found(const parser::RenderOptions& options) {
       const auto status = fs::status(path, error);
       if (!fs::exists(status) || fs::is_directory(status)) continue;
       if (!std::ifstream(path)) throw OptionError("cannot read the scene '" + path.string() + "'");
+      core::note_input(path);
       return path.string();
     }
   }

@@ -5,7 +5,9 @@
 
 #include <array>
 #include <cstdio>
+#include <list>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <string_view>
 
@@ -16,8 +18,18 @@ namespace lentray::tool {
 
 class TextStreams {
  public:
-  /// Opens the files. Throws parser::OptionError if one cannot be written.
+  /// Opens the files. Throws parser::OptionError if one cannot be written, core::ImageError if it is a file that the
+  /// run reads. What stands in a file stays until keep(), for the scene may include it.
   explicit TextStreams(const parser::RenderOptions& options);
+  ~TextStreams();
+  TextStreams(const TextStreams&) = delete;
+  TextStreams& operator=(const TextStreams&) = delete;
+
+  /// The scene is read: what was said so far goes to its files, and what is said from now on at once. Throws
+  /// core::ImageError if the run has read one of them, and leaves that one as it is.
+  void keep();
+  /// The same for a program that is ended in the middle of its work. Any thread.
+  static void keep_at_end();
 
   /// To the console as well, unless the stream is off there.
   void write(parser::Stream stream, std::string_view text);
@@ -30,15 +42,21 @@ class TextStreams {
   struct Close {
     void operator()(std::FILE* file) const { std::fclose(file); }
   };
+  /// A file on the disk; two streams may share it.
   struct File {
-    std::unique_ptr<std::FILE, Close> file;
     std::string name;
+    std::unique_ptr<std::FILE, Close> file;
+    bool waits = false;  ///< `file` is a temporary one, which keep() copies
   };
-  static File open(const std::string& name, bool append);
+  File* open(const std::string& name);
+  void keep(File& file);
 
+  const bool m_append;
   std::array<bool, parser::kStreams> m_console{};
-  std::array<File, parser::kStreams> m_files;
-  File m_all;
+  std::array<File*, parser::kStreams> m_files{};
+  File* m_all = nullptr;
+  std::list<File> m_opened;
+  std::mutex m_keeping;
 };
 
 }  // namespace lentray::tool
