@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "camera/lens_request.h"
+#include "core/base/deep_threads.h"
 #include "core/image/writer.h"
 #include "parser/options/lens_sheets.h"
 #include "parser/options/options.h"
@@ -154,5 +155,8 @@ int run_main(int argc, char** argv) {
 int main(int argc, char** argv) {
   tool::hold_standard_streams();
   keep_memory();
-  return tool::finish_standard_output("lentray", run_main(argc, argv));
+  int status = tool::kInternalError;
+  // Scenes nest objects, looks and expressions in each other as deep as they like.
+  core::run_on_deep_stack([&] { status = run_main(argc, argv); });
+  return tool::finish_standard_output("lentray", status);
 }
