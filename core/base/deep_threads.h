@@ -9,8 +9,8 @@
 namespace lentray::core {
 
 /// What one level of objects or looks in each other takes of the stack at most, whatever goes through
-/// them: reading, building, tracing, destroying (`UnitDeepScenes`).
-constexpr std::size_t kStackBytesALevel = std::size_t{4} << 10;
+/// them: reading, building, tracing, destroying (`ImageNestedScenes`).
+constexpr std::size_t kStackBytesALevel = std::size_t{32} << 10;
 
 /// The stack that the caller runs on; it grows downwards. Empty if the system does not tell.
 struct StackRange {

@@ -40,8 +40,8 @@ std::shared_ptr<core::Interior> compile_interior(const Ref<InteriorDesc>& interi
   if (texture && !texture->layers.back().is_patterned()) {
     finish = texture->layers.back().finish.get();
   }
-  const bool from_finish = finish && (finish->ior || finish->caustics ||
-                                      finish->refraction.value_or(1.0) != 1.0);
+  const bool from_finish =
+      finish && (finish->ior || finish->caustics || finish->refraction.value_or(1.0) != 1.0);
   if (!interior && !from_finish) return nullptr;
   auto result = std::make_shared<core::Interior>();
   if (interior) {

@@ -78,9 +78,9 @@ class NormalReader {
   }
   void report(Parser& parser) const {
     if (m_null == 0) return;
-    const std::string which = m_null == 1 ? "a normal of a mesh has no length"
-                                          : std::to_string(m_null) +
-                                                " normals of a mesh have no length, the first here";
+    const std::string which =
+        m_null == 1 ? "a normal of a mesh has no length"
+                    : std::to_string(m_null) + " normals of a mesh have no length, the first here";
     parser.warn_at(m_first, which + ": <1, 0, 0> instead");
   }
 

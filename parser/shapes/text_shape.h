@@ -17,7 +17,8 @@ namespace lentray::parser {
 struct PlacedGlyph {
   std::shared_ptr<const core::Outline> outline;  ///< null: a blank, nothing to see
   core::Vec3 offset;
-  core::Vec2 lo, hi;  ///< the box that the font gives the glyph, offset included; a blank's is a point
+  core::Vec2 lo,
+      hi;  ///< the box that the font gives the glyph, offset included; a blank's is a point
 };
 
 /// Keeps the fonts it has opened, with the outlines of their glyphs: texts share them. One thread.
