@@ -27,7 +27,7 @@ const std::string kNestedMore =
     "sphere { <3*sin(I/20),2*cos(I/17),I/900>, .1 pigment { rgb <.3,.6,1> } }";
 
 TEST(ImageNestedScenes, ElevenHundredAsInStock) {
-  for (const std::string turn :
+  for (const std::string& turn :
        {"union { object { A } " + kNestedMore + " }", "merge { object { A } " + kNestedMore + " }",
         "union { object { A } " + kNestedMore + " rotate 0.1*y }"}) {
     SceneText scene;
