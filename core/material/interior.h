@@ -16,6 +16,7 @@ struct Interior {
   double dispersion = 1.0;                 ///< ior of violet over ior of red
   int dispersion_samples = kDefaultBands;  ///< bands that light is split into
   double caustics = 0.0;
+  float passed = 1.0f;  ///< the part of the light that a surface lets through; may exceed 1
   double fade_distance = 0.0, fade_power = 0.0;
   Rgb fade_colour;
   std::vector<std::shared_ptr<const Medium>> media;

@@ -129,7 +129,7 @@ Counters render_frame(const Scene& scene, const RaySource& camera, const FrameSh
   Work work{
       scene, camera, shadows, options, watch ? &*watch : nullptr, BandQueue(bands, *film, sink)};
   // Not tasks of oneTBB: they wait for each other.
-  run_on_threads(frame_threads(options), [&work] { run(work); });
+  run_on_threads(frame_threads(options), scene.deepest(), [&work] { run(work); });
   watch.reset();
   if (work.failure) std::rethrow_exception(work.failure);
   if (progress && !(options.cancel && options.cancel->load())) progress->advance(1.0, 0.0);

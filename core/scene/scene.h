@@ -65,6 +65,7 @@ struct SceneParts {
   std::vector<std::unique_ptr<const LightSelection>> light_selections;  ///< likewise
   std::vector<std::string> not_rendered;  ///< features parsed and kept but not rendered yet
   std::vector<WatchedSlope> slopes;       ///< to report on after rendering
+  std::size_t deepest = 1;                ///< most levels of objects and looks in each other
 };
 
 struct CompileOptions {
@@ -84,6 +85,7 @@ class Scene {
   Scene& operator=(const Scene&) = delete;
 
   const SceneSettings& settings() const { return m_parts.settings; }
+  std::size_t deepest() const { return m_parts.deepest; }
   const std::vector<Light>& lights() const { return m_parts.lights; }
   /// Indices of those that no light_group has.
   const std::vector<std::uint32_t>& global_lights() const { return m_global_lights; }

@@ -198,8 +198,11 @@ bool PathIntegrator<kFeatures>::add_transmitted(const LayerSum& sum, const Surfa
       m_start_interiors ? enter(interior, m_atmosphere_ior, onward.state.inside) : Bend();
 
   Rgb fade(1.0f);
-  if (interior.interior && at.state.inside.contains(interior.key)) {
-    fade = fade_in_interior(*interior.interior, at.context.hit->t);
+  if (interior.interior) {
+    fade = Rgb(interior.interior->passed);
+    if (at.state.inside.contains(interior.key)) {
+      fade *= fade_in_interior(*interior.interior, at.context.hit->t);
+    }
   }
   Radiance seen;
   const bool disperses = !(std::fabs(bend.dispersion - 1.0) < kTiny);

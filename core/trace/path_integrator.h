@@ -86,7 +86,7 @@ class PathIntegrator final : public Integrator {
   std::vector<std::unique_ptr<ShadingBuffers>> m_buffers;  ///< one a surface on the way
   std::size_t m_depth = 0;                                 ///< surfaces on the way
   std::size_t m_deepest = std::numeric_limits<std::size_t>::max();  ///< known when the stack ends
-  const std::uintptr_t m_stack_end = middle_of_stack();
+  const std::uintptr_t m_stack_end = own_stack().middle();
 };
 
 /// The path of exactly these features (a superset of what the scene needs); for Integrator::make and

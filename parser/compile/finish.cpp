@@ -40,7 +40,8 @@ std::shared_ptr<core::Interior> compile_interior(const Ref<InteriorDesc>& interi
   if (texture && !texture->layers.back().is_patterned()) {
     finish = texture->layers.back().finish.get();
   }
-  const bool from_finish = finish && (finish->ior || finish->caustics);
+  const bool from_finish =
+      finish && (finish->ior || finish->caustics || finish->refraction.value_or(1.0) != 1.0);
   if (!interior && !from_finish) return nullptr;
   auto result = std::make_shared<core::Interior>();
   if (interior) {
@@ -63,6 +64,7 @@ std::shared_ptr<core::Interior> compile_interior(const Ref<InteriorDesc>& interi
       result->dispersion = 1.0;
     }
     if (finish->caustics) result->caustics = single(*finish->caustics);
+    if (finish->refraction) result->passed = static_cast<float>(*finish->refraction);
   }
   return result;
 }

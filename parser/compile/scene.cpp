@@ -152,6 +152,7 @@ core::SceneParts build_scene(const SceneDesc& scene, Diagnostics& diagnostics,
                              const BuildOptions& options) {
   core::SceneParts parts;
   parts.settings = build_settings(scene, options);
+  parts.deepest = scene.deepest;
   warn_about_gamma(scene, diagnostics);
 
   const TextureSettings for_textures = texture_settings(scene, parts.settings, options);

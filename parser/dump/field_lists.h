@@ -98,6 +98,6 @@ LENTRAY_FIELDS(ObjectDesc, where, keyword, shape, transform, texture, rare, boun
 LENTRAY_FIELDS(SceneObject, object, default_texture, default_importance)
 LENTRAY_FIELDS(SceneDesc, objects, dropped, camera, global, background, has_background,
                background_version, fogs, rainbows, sky_sphere, atmosphere_media, atmosphere_ior,
-               language_version)
+               deepest, language_version)
 
 }  // namespace lentray::parser

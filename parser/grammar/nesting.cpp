@@ -105,13 +105,14 @@ void hold_map(Nesting& nesting, const DensityMapDesc* map) {
 void keep_nesting(Parser& parser, Nesting& place, const Nesting& counted, const Location& where,
                   std::string_view what) {
   const Limits& limits = parser.options().limits;
-  if (counted.depth > limits.value_depth) {
+  if (counted.depth > parser.most_levels()) {
     parser.fail_at(where, std::string(what) + " within each other, more than " +
-                              std::to_string(limits.value_depth) + " deep");
+                              std::to_string(parser.most_levels()) + " deep");
   }
   if (counted.parts > limits.object_parts) {
     parser.fail_at(where, std::string(what) + " made of too many others");
   }
+  parser.note_levels(counted.depth);
   place = counted;
 }
 

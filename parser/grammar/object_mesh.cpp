@@ -1,7 +1,9 @@
 // mesh and mesh2. Source: reference manual 3.7, "Mesh", "Mesh2".
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <string>
 #include <unordered_map>
 
 #include "parser/grammar/helpers.h"
@@ -61,9 +63,36 @@ class TexturePool {
   std::unordered_map<const TextureDesc*, std::uint32_t> m_index;
 };
 
+/// Reads normals. Those of no length become <1, 0, 0>, as in stock, and are told of once a mesh.
+class NormalReader {
+ public:
+  Vec3 read(Parser& parser) {
+    constexpr double kNothing = 1e-10;
+    const Location where = parser.location();
+    const Vec3 normal = parser.parse_vector();
+    const bool is_null = std::fabs(normal.x) < kNothing && std::fabs(normal.y) < kNothing &&
+                         std::fabs(normal.z) < kNothing;
+    if (!is_null) return normal;
+    if (m_null++ == 0) m_first = where;
+    return {1.0, 0.0, 0.0};
+  }
+  void report(Parser& parser) const {
+    if (m_null == 0) return;
+    const std::string which =
+        m_null == 1 ? "a normal of a mesh has no length"
+                    : std::to_string(m_null) + " normals of a mesh have no length, the first here";
+    parser.warn_at(m_first, which + ": <1, 0, 0> instead");
+  }
+
+ private:
+  std::size_t m_null = 0;
+  Location m_first;
+};
+
 /// What is under construction while a `mesh` is read.
 struct MeshReader {
   MeshShape mesh;
+  NormalReader normal_reader;
   PointPool vertices{mesh.vertices}, normals{mesh.normals};
   TexturePool textures{mesh.textures};
 
@@ -75,7 +104,7 @@ struct MeshReader {
       corners[i] = vertices.index(parser.parse_vector());
       parser.parse_comma();
       if (!smooth) continue;
-      corner_normals[i] = normals.index(parser.parse_vector());
+      corner_normals[i] = normals.index(normal_reader.read(parser));
       parser.parse_comma();
     }
     if (parser.accept(Keyword::kUvVectors)) {
@@ -182,6 +211,7 @@ core::MeshTriple parse_indexed_face(Parser& parser, MeshShape& mesh) {
 
 struct Mesh2Reader {
   MeshShape mesh;
+  NormalReader normal_reader;
   std::vector<std::array<int, 3>> normal_indices, uv_indices;
   bool has_normal_indices = false, has_uv_indices = false;
 
@@ -191,7 +221,7 @@ struct Mesh2Reader {
       parse_list(parser, mesh.vertices, [&] { return parser.parse_vector(); });
       if (mesh.vertices.empty()) parser.fail("No vertices in triangle mesh.");
     } else if (parser.accept(Keyword::kNormalVectors)) {
-      parse_counted(parser, [&](int) { mesh.normals.push_back(parser.parse_vector()); });
+      parse_counted(parser, [&](int) { mesh.normals.push_back(normal_reader.read(parser)); });
     } else if (parser.accept(Keyword::kUvVectors)) {
       parse_counted(parser, [&](int) { mesh.uvs.push_back(parse_uv(parser)); });
     } else if (parser.accept(Keyword::kTextureList)) {
@@ -269,6 +299,7 @@ ShapeDesc parse_mesh(Parser& parser, Context& context) {
       break;
     }
   }
+  reader.normal_reader.report(parser);
   if (reader.mesh.faces.empty()) parser.fail_expected("triangle or smooth_triangle");
   return std::make_shared<const MeshShape>(std::move(reader.mesh));
 }
@@ -277,6 +308,7 @@ ShapeDesc parse_mesh2(Parser& parser, Context& context) {
   Mesh2Reader reader;
   while (reader.accept_block(parser, context)) {
   }
+  reader.normal_reader.report(parser);
   reader.connect(parser);
   return std::make_shared<const MeshShape>(std::move(reader.mesh));
 }

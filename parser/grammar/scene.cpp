@@ -134,6 +134,7 @@ SceneDesc parse_scene(Parser& parser, Grammar& grammar) {
   while (!parser.at_end()) read_statement(parser, grammar, scene);
   if (scene.objects.empty() && scene.dropped == 0) parser.warn("there are no objects in the scene");
   scene.language_version = rendered_version(parser);
+  scene.deepest = parser.deepest();
   warn_about_version(parser);
   return scene;
 }

@@ -30,7 +30,7 @@ Value copy_within(const Value& value, std::size_t& elements, std::size_t depth) 
 Value Directives::copy_value(const Value& value) {
   std::size_t elements = m_in.options.limits.array_elements;
   try {
-    return copy_within(value, elements, m_in.options.limits.value_depth);
+    return copy_within(value, elements, m_in.options.limits.array_depth);
   } catch (const ArrayTooBig&) {
     m_in.fail(m_in.tokens.location(),
               "the array to be copied has too many elements, or arrays within arrays");

@@ -1,17 +1,41 @@
 #include "parser/interpreter/interpreter.h"
 
+#include <algorithm>
 #include <filesystem>
 
+#include "core/base/deep_threads.h"
+#include "core/base/memory_limit.h"
 #include "parser/base/shown.h"
 #include "parser/tokens/keywords.h"
 
 namespace lentray::parser {
+namespace {
+
+/// What the memory has room for, beside what nests.
+double room() { return core::memory_limit() / 4.0; }
+
+/// Of nested statements and expressions.
+std::uintptr_t stack_budget() {
+  constexpr double kMost = 1 << 30, kPart = 5.0 / 8.0;
+  const double stack = static_cast<double>(core::own_stack().bytes);
+  return static_cast<std::uintptr_t>(std::min({kMost, kPart * stack, room()}));
+}
+
+std::size_t levels_that_fit() {
+  const std::size_t levels = core::own_stack().levels();
+  const double bytes = static_cast<double>(levels) * core::kStackBytesALevel;
+  return bytes > room() ? static_cast<std::size_t>(room() / core::kStackBytesALevel) : levels;
+}
+
+}  // namespace
+
 Interpreter::Interpreter(SourceManager& sources_, Diagnostics& diagnostics_,
                          const ParserOptions& options_, Productions& productions_, Parser& parser_)
     : sources(sources_), diagnostics(diagnostics_), options(options_), productions(productions_),
       parser(parser_), tokens(*this, stream, symbols), expressions(*this), functions(*this),
       directives(*this), files(*this) {
-  m_stack_base = stack_address();
+  m_stack_end = stack_address() - std::min(stack_budget(), stack_address());
+  most_levels = std::min(options.limits.nested, levels_that_fit());
   if (options.language_version > 0) {
     version = options.language_version;
     version_set = has_own_version = true;

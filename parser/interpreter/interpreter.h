@@ -94,6 +94,9 @@ struct Interpreter {
   /// Fails if no file can have this name.
   void check_file_name(const std::string& name, const Location& where);
 
+  std::size_t most_levels = 0;  ///< of objects and looks in each other
+  std::size_t deepest = 1;      ///< of them that were read
+
   /// Defines what every scene finds declared, and the Declare= options.
   void declare_constants();
 
@@ -102,8 +105,7 @@ struct Interpreter {
 
   /// Fails when the program's own stack gets short: endless recursion through statements.
   void guard_stack() {
-    const std::uintptr_t here = stack_address();
-    if (m_stack_base > here && m_stack_base - here > kStackBudget) stack_exhausted();
+    if (stack_address() < m_stack_end) stack_exhausted();
   }
   /// Counts a turn of a loop, a call of a macro or an include; fails when there were too many.
   void count_turn() {
@@ -119,14 +121,13 @@ struct Interpreter {
   [[noreturn]] void too_many_turns();
   [[noreturn]] void stack_exhausted();
 
-  /// Of the usual 8 MB; what lies deeper is recursion without an end, and a message beats a crash.
-  static constexpr std::uintptr_t kStackBudget = 5 << 20;
   /// Not the address of a variable: sanitizers may keep those elsewhere.
   static std::uintptr_t stack_address() {
     return reinterpret_cast<std::uintptr_t>(__builtin_frame_address(0));
   }
 
-  std::uintptr_t m_stack_base;
+  /// What lies below is recursion without an end, and a message beats a crash.
+  std::uintptr_t m_stack_end;
   std::uint64_t m_turns = 0;
   bool m_warned_of_names = false;
 };

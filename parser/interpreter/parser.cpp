@@ -1,5 +1,6 @@
 #include "parser/interpreter/parser.h"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "parser/base/shown.h"
@@ -48,6 +49,12 @@ void Parser::expect(Keyword keyword) { m_impl->in.tokens.expect(keyword); }
 void Parser::expect(Punct punct) {
   m_impl->in.guard_stack();  // a brace opens whatever can hold its like
   m_impl->in.tokens.expect(punct);
+}
+
+std::size_t Parser::most_levels() const { return m_impl->in.most_levels; }
+std::size_t Parser::deepest() const { return m_impl->in.deepest; }
+void Parser::note_levels(std::size_t levels) {
+  m_impl->in.deepest = std::max(m_impl->in.deepest, levels);
 }
 
 bool Parser::at_word(std::string_view word) {

@@ -129,6 +129,10 @@ class Parser {
   bool has_own_version() const;       ///< not only its include files have one
   bool is_version_late() const;       ///< the scene's file says something before its #version
   const ParserOptions& options() const;
+  /// How many objects or looks may be in each other: as the limits, the stack and the memory permit.
+  std::size_t most_levels() const;
+  void note_levels(std::size_t levels);
+  std::size_t deepest() const;  ///< the most that were noted
   Diagnostics& diagnostics();
   SourceManager& sources();
   /// What srgb colours and pictures become, less than 0: sRGB; the statement that reads assumed_gamma sets it.

@@ -3,7 +3,6 @@
 #include <new>
 #include <utility>
 
-#include "core/object/csg.h"
 #include "core/object/leaf.h"
 #include "core/shape/prism.h"
 #include "parser/shapes/shapes.h"
@@ -24,16 +23,7 @@ std::vector<const FunctionDesc*> functions_of(const ObjectDesc& object) {
   return all;
 }
 
-std::unique_ptr<core::Object> text_geometry(const TextShape& text) {
-  TextLayout fonts;
-  auto glyphs = text_glyphs(fonts, text, core::Transform());
-  if (glyphs.empty()) return nullptr;
-  return std::make_unique<core::Csg>(core::CsgKind::kUnion, std::move(glyphs));
-}
-
 std::unique_ptr<core::Object> leaf_geometry(const ObjectDesc& object, bool& is_whole) {
-  if (const auto* text = std::get_if<Sparse<TextShape>>(&object.shape))
-    return text_geometry(**text);
   std::unique_ptr<core::Shape> shape;
   if (missing_function(object).empty()) {
     const bool is_mesh = std::holds_alternative<std::shared_ptr<const MeshShape>>(object.shape);
@@ -60,12 +50,29 @@ std::vector<std::unique_ptr<core::Object>> text_glyphs(TextLayout& fonts, const 
                                                        const core::Transform& to_world) {
   std::vector<std::unique_ptr<core::Object>> glyphs;
   for (const PlacedGlyph& glyph : fonts.place(text)) {
+    if (!glyph.outline) continue;
     auto shape = std::make_unique<core::Prism>("text", glyph.outline, core::Prism::Sweep::kAlongZ,
                                                0.0, text.thickness, false);
     glyphs.push_back(std::make_unique<core::Leaf>(
         std::move(shape), core::Transform::translation(glyph.offset).then(to_world)));
   }
   return glyphs;
+}
+
+core::Bounds text_box(const TextShape& text, const Location& where) {
+  try {
+    TextLayout fonts;
+    core::Bounds box;
+    for (const PlacedGlyph& glyph : fonts.place(text)) {
+      box.include(core::Vec3{glyph.lo.u, glyph.lo.v, 0.0});
+      box.include(core::Vec3{glyph.hi.u, glyph.hi.v, text.thickness});
+    }
+    return box;
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw BuildError(where, error.what());
+  }
 }
 
 std::unique_ptr<core::Object> shape_geometry(const ObjectDesc& object, bool& is_whole) {

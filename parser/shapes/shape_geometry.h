@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/bounds.h"
 #include "core/base/transform.h"
 #include "core/object/object.h"
 #include "parser/descriptions/object.h"
@@ -20,9 +21,13 @@ std::string missing_function(const ObjectDesc& object);
 std::vector<std::unique_ptr<core::Object>> text_glyphs(TextLayout& fonts, const TextShape& text,
                                                        const core::Transform& to_world);
 
-/// In the space of its statement: without looks, clips and bounds, and not moved. A text is the union
-/// of its glyphs. Null if there is no geometry (CSG, lights, a text without glyphs) or none is
-/// rendered yet, for which `is_whole` becomes false. Throws BuildError.
+/// The boxes that the font gives the glyphs, in the space of the statement; empty without a glyph.
+/// Throws BuildError at `where`.
+core::Bounds text_box(const TextShape& text, const Location& where);
+
+/// In the space of its statement: without looks, clips and bounds, and not moved. Null if there is no
+/// geometry (CSG, lights, texts) or none is rendered yet, for which `is_whole` becomes false. Throws
+/// BuildError.
 std::unique_ptr<core::Object> shape_geometry(const ObjectDesc& object, bool& is_whole);
 
 }  // namespace lentray::parser

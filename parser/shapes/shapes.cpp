@@ -82,16 +82,13 @@ bool has_open_edges(const core::MeshData& data) {
   return false;
 }
 
-/// The kernel's form of a mesh. Stock replaces null normals by <1, 0, 0>.
+/// The kernel's form of a mesh.
 core::MeshData mesh_data(const MeshShape& mesh) {
   core::MeshData data;
   data.vertices = mesh.vertices;
   data.uvs = mesh.uvs;
   data.normals.reserve(mesh.normals.size());
-  for (const Vec3& n : mesh.normals) {
-    const Vec3 unit = normalized(n);
-    data.normals.push_back(unit == Vec3{} ? Vec3{1.0, 0.0, 0.0} : unit);
-  }
+  for (const Vec3& n : mesh.normals) data.normals.push_back(normalized(n));
   data.faces = mesh.faces;
   data.face_normals = mesh.face_normals;
   data.face_uvs = mesh.face_uvs;

@@ -126,6 +126,7 @@ class TextLayout::Font {
   struct Glyph {
     bool is_there = false;
     double bearing = 0.0, advance = 0.0;
+    double width = 0.0, top = 0.0, height = 0.0;   ///< of its box, which starts at `bearing`
     std::shared_ptr<const core::Outline> outline;  ///< null: nothing to see
   };
 
@@ -140,8 +141,13 @@ class TextLayout::Font {
     const auto [at, is_new] = m_glyphs.try_emplace(index);
     if (!is_new || FT_Load_Glyph(face(), index, FT_LOAD_NO_SCALE) != 0) return at->second;
     const FT_Glyph_Metrics& metrics = face()->glyph->metrics;
-    at->second = {true, static_cast<double>(metrics.horiBearingX),
-                  static_cast<double>(metrics.horiAdvance), outline_of(face()->glyph, em())};
+    at->second = {true,
+                  static_cast<double>(metrics.horiBearingX),
+                  static_cast<double>(metrics.horiAdvance),
+                  static_cast<double>(metrics.width),
+                  static_cast<double>(metrics.horiBearingY),
+                  static_cast<double>(metrics.height),
+                  outline_of(face()->glyph, em())};
     return at->second;
   }
 
@@ -170,7 +176,12 @@ std::vector<PlacedGlyph> TextLayout::place(const TextShape& text) {
     if (!first) FT_Get_Kerning(face, before, index, FT_KERNING_UNSCALED, &kerning);
     // The space left of the first character does not count.
     const double start = first ? -glyph.bearing : static_cast<double>(kerning.x);
-    if (glyph.outline) glyphs.push_back({glyph.outline, pen + core::Vec3{start / em, 0.0, 0.0}});
+    const core::Vec3 place = pen + core::Vec3{start / em, 0.0, 0.0};
+    const Vec2 corner{place.x + glyph.bearing / em, place.y + (glyph.top - glyph.height) / em};
+    glyphs.push_back({glyph.outline,
+                      place,
+                      corner,
+                      {corner.u + glyph.width / em, corner.v + glyph.height / em}});
     pen.x += (glyph.advance + start) / em;
     pen += core::Vec3{text.offset.x, text.offset.y, 0.0};
     before = index;

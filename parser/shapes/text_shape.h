@@ -8,14 +8,17 @@
 #include <string>
 #include <vector>
 
+#include "core/base/vec3.h"
 #include "core/shape/outline.h"
 #include "parser/descriptions/object.h"
 
 namespace lentray::parser {
 
 struct PlacedGlyph {
-  std::shared_ptr<const core::Outline> outline;
+  std::shared_ptr<const core::Outline> outline;  ///< null: a blank, nothing to see
   core::Vec3 offset;
+  core::Vec2 lo,
+      hi;  ///< the box that the font gives the glyph, offset included; a blank's is a point
 };
 
 /// Keeps the fonts it has opened, with the outlines of their glyphs: texts share them. One thread.
@@ -23,8 +26,7 @@ class TextLayout {
  public:
   TextLayout();
   ~TextLayout();
-  /// Throws std::runtime_error if the font cannot be read. Glyphs without an outline (the space) are
-  /// left out.
+  /// Throws std::runtime_error if the font cannot be read.
   std::vector<PlacedGlyph> place(const TextShape& text);
 
  private:

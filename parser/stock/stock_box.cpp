@@ -341,6 +341,11 @@ class BoxFinder {
   }
   Bounds leaf(const LatheShape& s, const ObjectDesc& o) { return of_points(s, o); }
   Bounds leaf(const PrismShape& s, const ObjectDesc& o) { return of_points(s, o); }
+  /// Of the boxes that the font gives its glyphs, blanks too. Without a glyph it is taken for infinite.
+  static Bounds leaf(const Sparse<TextShape>& s, const ObjectDesc& o) {
+    const Bounds box = text_box(*s, o.where);
+    return box.is_empty() ? everything() : moved(kept(box), *o.transform);
+  }
   /// That of its container.
   Bounds leaf(const Sparse<ParametricShape>& s, const ObjectDesc& o) {
     if (s->container.sphere)

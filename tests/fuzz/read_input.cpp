@@ -14,7 +14,7 @@ parser::Limits small_limits() {
   limits.array_elements = 20'000;
   limits.string_bytes = 20'000;
   limits.nesting = 1000;
-  limits.value_depth = 200;
+  limits.array_depth = limits.nested = 200;
   limits.function_calls = 1e3;
   limits.function_terms = 100;
   limits.layers = 50;

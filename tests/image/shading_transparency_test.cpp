@@ -41,6 +41,35 @@ TEST(ImageShadingTransparency, GlassWithMirrorFinish) {
             "max_trace_level 10")));
 }
 
+// What a finish of old scenes says: each surface multiplies the light that goes through.
+TEST(ImageShadingTransparency, RefractionOfAFinish) {
+  const auto box = [](const std::string& finish, const std::string& more = "") {
+    return glass(
+        "box { <-1.2, 0.2, -0.3>, <1, 1.8, 0.2> pigment { rgbf <0.5, 1, 0.9, 0.6> } finish { " +
+        finish + " } " + more + " rotate 20*y }");
+  };
+  for (const char* finish : {"refraction 0", "refraction 0.5", "refraction 1.2 ior 1.3",
+                             "refraction 1.4 reflection 0.2", "refraction 0.8 ior 1.8"}) {
+    EXPECT_TRUE(same_as_stock(box(finish))) << finish;
+  }
+  EXPECT_TRUE(
+      same_as_stock(box("refraction 0.7", "interior { ior 1.2 fade_distance 1 fade_power 1 }")));
+  EXPECT_TRUE(
+      same_as_stock(glass("union { sphere { <-0.8, 1, 0>, 0.6 } box { <0, 0.3, 0>, 1 } pigment "
+                          "{ rgbt 0.8 } finish { refraction 1.3 } }")));
+  EXPECT_TRUE(same_as_stock(
+      glass("sphere { <0, 1, 0>, 0.9 texture { pigment { rgbt 0.9 } finish { refraction 0.5 } } "
+            "texture { pigment { rgbt <1, 0.5, 0, 0.8> } finish { refraction 0.9 } } }")));
+}
+
+TEST(ImageShadingTransparency, RefractionOfAFinishBeforeVersion31) {
+  SceneText scene = glass(
+      "sphere { <0, 1, 0>, 0.9 pigment { rgbf <0.2, 0.5, 0.6, 0.8> }"
+      " finish { phong 1 reflection 0.3 refraction 1.2 ior 1.8 } }");
+  scene.sdl.replace(0, std::string("#version 3.7;").size(), "#version 3.0;");
+  EXPECT_TRUE(same_as_stock(scene));
+}
+
 TEST(ImageShadingTransparency, TotalInternalReflection) {
   EXPECT_TRUE(same_as_stock(
       glass("box { -0.8, 0.8 rotate <20, 35, 10> translate 1*y pigment { rgbt <0.9, 1, 1, 0.95> }"

@@ -488,7 +488,7 @@ std::string messages_of(const fs::path& folder, const std::string& text) {
   }
   parser::ParserOptions options;
   options.limits.turns = 2000;
-  options.limits.value_depth = 100;
+  options.limits.nested = 100;
   options.limits.layers = 50;
   options.limits.object_parts = 1e3;
   std::string all;

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "camera/lens_request.h"
+#include "core/base/deep_threads.h"
 #include "core/image/writer.h"
 #include "parser/base/shown.h"
 #include "parser/options/lens_sheets.h"
@@ -183,5 +184,8 @@ int run_main(int argc, char** argv) {
 int main(int argc, char** argv) {
   tool::hold_standard_streams();
   keep_memory();
-  return tool::finish_standard_output("lentray", run_main(argc, argv));
+  int status = tool::kInternalError;
+  // Scenes nest objects, looks and expressions in each other as deep as they like.
+  core::run_on_deep_stack([&] { status = run_main(argc, argv); });
+  return tool::finish_standard_output("lentray", status);
 }
