@@ -1,6 +1,7 @@
 #include "tools/common/colour_profile.h"
 
 #include <lcms2.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
@@ -167,14 +168,14 @@ void convert_to_srgb(StoredImage& image, const std::string& profile) {
   const bool is_linear = image.bits == 32;
   const auto kind = kind_of(image.channels);
   const Transform transform = transform_from(profile, kind, kind, is_linear);
-  std::vector<float> values, converted;
-  for (std::uint32_t y = 0; y < image.height; ++y) {
+  tbb::parallel_for(std::uint32_t{0}, image.height, [&](std::uint32_t y) {
+    std::vector<float> values;
     Row row(image, y);
     row.get(values);
-    converted.resize(values.size());
+    std::vector<float> converted(values.size());
     cmsDoTransform(transform.get(), values.data(), converted.data(), image.width);
     row.set(converted);
-  }
+  });
   image.gamma = is_linear ? 1.0 : -1.0;
   image.entries.clear();
 }
