@@ -8,7 +8,7 @@ set -eu
 packages="
   cmake ninja-build g++ ccache git python3
   libtbb-dev libboost-dev libboost-program-options-dev nlohmann-json3-dev
-  libopenimageio-dev openimageio-tools libopenexr-dev libpng-dev zlib1g-dev libgif-dev libjpeg-dev libfreetype-dev
+  libopenimageio-dev openimageio-tools libopenexr-dev libpng-dev zlib1g-dev libgif-dev libjpeg-dev liblcms2-dev libfreetype-dev
   libgtest-dev libbenchmark-dev libembree-dev gnuplot-nox libjxl-devtools valgrind dpkg-dev
   file poppler-utils
   povray povray-includes povray-examples"

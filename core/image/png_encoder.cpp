@@ -57,7 +57,9 @@ class PngEncoder final : public PictureEncoder {
     // the time of zlib's default and gives files of the same size.
     png_set_filter(m_png, PNG_FILTER_TYPE_BASE, PNG_FILTER_UP);
     png_set_compression_strategy(m_png, Z_RLE);
-    if (spec.tagged) {
+    if (!spec.metadata.profile.empty()) {
+      put_profile(spec.metadata.profile);
+    } else if (spec.tagged) {
       constexpr double kLikeSrgb = 2.2;
       png_set_gAMA(m_png, m_info, 1.0 / (spec.srgb ? kLikeSrgb : spec.file_gamma));
       if (spec.srgb) png_set_sRGB(m_png, m_info, PNG_sRGB_INTENT_PERCEPTUAL);
@@ -80,6 +82,17 @@ class PngEncoder final : public PictureEncoder {
     for (const auto& [name, value] : data.fields) add_text(name, value);
     png_write_info(m_png, m_info);
     if (spec.bits == 16 && std::endian::native == std::endian::little) png_set_swap(m_png);
+  }
+
+  /// libpng puts profiles to tests of its own, and leaves out with a warning what fails.
+  void put_profile(const std::string& profile) {
+    png_set_benign_errors(m_png, 1);
+    png_set_iCCP(m_png, m_info, "ICC profile", PNG_COMPRESSION_TYPE_BASE,
+                 reinterpret_cast<png_const_bytep>(profile.data()),
+                 static_cast<png_uint_32>(profile.size()));
+    if (png_get_valid(m_png, m_info, PNG_INFO_iCCP) == 0) {
+      throw std::runtime_error("PNG does not take this colour profile; .tif and .jpg do");
+    }
   }
 
   void add_text(const std::string& name, const std::string& value) {

@@ -26,6 +26,8 @@ struct StoredImage {
   /// which the samples cannot tell.
   std::vector<std::uint8_t> entries;
   std::map<std::string, std::string> attributes;  ///< whatever the file says of itself, as text
+  /// The ICC profile that the samples' colours are of; empty: sRGB, or what `gamma` says. read_image() leaves it empty.
+  std::string profile{};
 
   std::size_t place(std::uint32_t column, std::uint32_t row, int channel) const {
     return (std::size_t{row} * width + column) * static_cast<std::size_t>(channels) +

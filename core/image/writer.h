@@ -54,6 +54,8 @@ struct ImageMetadata {
   /// Name and value of what is to be found in the file later, such as "lentray:lens_pitch".
   /// PNG: text chunks; OpenEXR: attributes; TIFF: lines "name=value" of the description.
   std::vector<std::pair<std::string, std::string>> fields;
+  /// An ICC profile, which says alone what colours the samples are of. PNG, TIFF and JPEG.
+  std::string profile{};
 };
 
 /// What a file of that format holds.

@@ -184,6 +184,12 @@ constexpr ValueOption kValues[] = {
        a.bits = static_cast<int>(parser::whole_number(g, 8, 16));
        if (a.bits != 8 && a.bits != 16) parser::refuse(g, "there are 8 and 16");
      }},
+    {"Profile", kSheet,
+     [](Arguments& a, const GivenOption& g) {
+       const auto profiles = tool::profiles_named(g.value);
+       if (!profiles) parser::refuse(g, tool::kProfilesExpected);
+       a.profiles = *profiles;
+     }},
 };
 
 struct Switch {
@@ -395,6 +401,9 @@ Of sheets:
   --pixels N           pixels a lens, where the picture does not tell
   --dpi-y D            its pixels an inch from top to bottom, where they differ
   --bits 8|16          a channel (as the picture has)
+  --profile srgb|keep  a picture with a colour profile is converted to sRGB (the
+                       default), or stays as it is, and the profile goes into
+                       the file
 
 Examples:
   lentray-print pitch-test --lpi 40 --dpi 600 --size A4 --out pitch.pdf

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "parser/options/length.h"
+#include "tools/common/photo_reader.h"
 #include "tools/lentray-print/lens_data.h"
 #include "tools/lentray-print/sheet.h"
 
@@ -41,6 +42,7 @@ struct Arguments {
   double overlap = 10.0;
   std::optional<double> print_pitch;  ///< --pitch, mm
   int bits = 0;                       ///< 8 or 16; 0: the picture's
+  tool::Profiles profiles = tool::Profiles::kSrgb;
 };
 
 Arguments parse_arguments(const std::vector<std::string>& words);

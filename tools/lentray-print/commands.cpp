@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "camera/text.h"
-#include "core/image/reader.h"
 #include "core/image/writer.h"
 #include "parser/options/ini.h"
 #include "tools/lentray-print/page_error.h"
@@ -110,7 +109,8 @@ Report run_test(const Arguments& a) {
 /// One run of `sheet`.
 class SheetRun {
  public:
-  explicit SheetRun(const Arguments& arguments) : m_a(arguments), m_style(arguments.style) {}
+  explicit SheetRun(const Arguments& arguments)
+      : m_a(arguments), m_reader(arguments.profiles), m_style(arguments.style) {}
 
   Report run() {
     read();
@@ -125,6 +125,7 @@ class SheetRun {
         " pixels, strips " + mm(m_data.print_pitch()) + " mm apart (" + format(m_data.print_lpi()) +
         " lpi), " + format(m_data.dpi_x) + " x " + format(m_data.dpi_y) + " dpi");
     m_a.tiles ? write_tiles(std::move(art)) : write_page(std::move(art));
+    for (const std::string& warning : m_reader.warnings()) m_report.warnings.push_back(warning);
     return std::move(m_report);
   }
 
@@ -132,7 +133,8 @@ class SheetRun {
   void say(const std::string& line) { m_report.lines.push_back(line); }
 
   void read() {
-    core::StoredImage image = core::read_image(m_a.image);
+    core::StoredImage image = m_reader.read(m_a.image);
+    tool::use_srgb_curve(image);
     m_data = lens_data_of(image, m_a.lens, m_a.image.string());
     m_bits = m_a.bits != 0 ? m_a.bits : image.bits == 8 ? 8 : 16;
     m_image = as_printed(std::move(image), m_bits, m_style.background);
@@ -204,6 +206,7 @@ class SheetRun {
   }
 
   const Arguments& m_a;
+  tool::PhotoReader m_reader;
   SheetStyle m_style;
   core::StoredImage m_image;
   LensData m_data;

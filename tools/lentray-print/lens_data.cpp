@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "camera/text.h"
+#include "tools/common/sheet_facts.h"
 #include "tools/lentray-print/page.h"
 #include "tools/lentray-print/page_error.h"
 
@@ -15,19 +16,10 @@ namespace {
 
 constexpr double kSame = 1e-6;  ///< relative
 
-/// What a file says under lentray's name: a PNG file's or OpenEXR file's own entry, a line of a TIFF file's
-/// description.
 std::optional<std::string> field_of(const core::StoredImage& image, const std::string& name) {
-  const std::string key = "lentray:lens." + name;
-  if (const auto own = image.attributes.find(key); own != image.attributes.end())
-    return own->second;
-  const auto text = image.attributes.find("ImageDescription");
-  if (text == image.attributes.end()) return std::nullopt;
-  const std::string lines = "\n" + text->second + "\n", start = "\n" + key + "=";
-  const std::size_t at = lines.find(start);
-  if (at == std::string::npos) return std::nullopt;
-  const std::size_t value = at + start.size();
-  return lines.substr(value, lines.find('\n', value) - value);
+  const tool::Facts facts = tool::facts_of(image);
+  const auto found = facts.find("lens." + name);
+  return found == facts.end() ? std::nullopt : std::optional(found->second);
 }
 
 std::optional<double> number_in(const std::optional<std::string>& text) {
@@ -71,18 +63,6 @@ std::optional<LensOfPicture> lens_of(const core::StoredImage& image) {
   lens.view_distance = positive_field(image, "view_distance_mm").value_or(0.0);
   lens.model = field_of(image, "model").value_or("pinhole");
   return lens;
-}
-
-/// Interlaced strips survive neither.
-void check_untouched(const core::StoredImage& image, double pixels, const std::string& name) {
-  const std::optional<double> lenses = positive_field(image, "lenses");
-  if (!lenses) return;
-  const double width = std::round(*lenses * pixels);
-  if (width == image.width) return;
-  throw PageError(
-      "'" + name + "' was rendered " + format(width) + " pixels wide and has " +
-      std::to_string(image.width) +
-      " now: resizing and cropping destroy the strips behind the lenses; render it anew");
 }
 
 void check_range(const LensData& data, const std::string& name) {
@@ -148,7 +128,10 @@ LensData lens_data_of(const core::StoredImage& image, const GivenLensData& given
   }
   data.pixels = *pixels;
   check_range(data, name);
-  check_untouched(image, data.pixels, name);
+  if (const std::string damage = tool::damage_of(image, tool::facts_of(image), name);
+      !damage.empty()) {
+    throw PageError(damage);
+  }
   return data;
 }
 

@@ -64,6 +64,8 @@ struct Page {
   /// Of the page as pixels: the nearest whole numbers.
   std::uint32_t columns() const;
   std::uint32_t rows() const;
+  /// The ICC profile that its pictures have, all one; empty: sRGB.
+  std::string profile() const { return pictures.empty() ? "" : pictures[0].image.profile; }
 };
 
 /// An empty page. Its ink is black or white, whichever shows better.

@@ -62,6 +62,13 @@ std::unique_ptr<core::PictureWriter> write_pixels(const Page& page, const fs::pa
   metadata.dpi_y = page.dpi_y;
   metadata.software = std::string("Lentray ") + tool::kVersion;
   metadata.description = page.title;
+  metadata.profile = page.profile();
+  if (!metadata.profile.empty() && page.pictures[0].image.channels == 1) {
+    throw core::ImageError(
+        "cannot write '" + path.string() +
+        "': pixels of a page are colours, and the picture's profile is of greys: "
+        "--profile srgb converts it, and a .pdf keeps it");
+  }
   const std::uint32_t width = page.columns(), height = page.rows();
   auto writer = std::make_unique<core::PictureWriter>(path, width, height, format, metadata);
   for (std::uint32_t row = 0; row < height; row += kRowsAtOnce)

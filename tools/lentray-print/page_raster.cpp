@@ -156,6 +156,7 @@ core::StoredImage stored_window(const Page& page, const Window& window, int bits
   image.height = window.height;
   image.channels = 3;
   image.bits = bits;
+  image.profile = page.profile();
   const std::size_t count = std::size_t{3} * window.width * window.height;
   core::check_room(static_cast<double>(count) * bits / 8);
   const auto fill = [&](auto& samples) {

@@ -174,15 +174,25 @@ struct PdfFile::Parts {
     write(text + "\nendobj\n");
   }
 
+  int put_profile(const core::StoredImage& image) {
+    const int object = new_number();
+    put(object, "<</N " + std::to_string(image.channels) + "/Length " +
+                    std::to_string(image.profile.size()) + ">>\nstream\n" + image.profile +
+                    "\nendstream");
+    return object;
+  }
+
   int put_picture(const core::StoredImage& image) {
-    const int object = new_number(), length = new_number();
     const std::string channels = std::to_string(image.channels);
+    const std::string colours =
+        image.profile.empty() ? std::string("/Device") + (image.channels == 1 ? "Gray" : "RGB")
+                              : "[/ICCBased " + std::to_string(put_profile(image)) + " 0 R]";
+    const int object = new_number(), length = new_number();
     begin(object);
     write("<</Type/XObject/Subtype/Image/Width " + std::to_string(image.width) + "/Height " +
           std::to_string(image.height) + "/BitsPerComponent " + std::to_string(image.bits) +
-          "/ColorSpace/Device" + (image.channels == 1 ? "Gray" : "RGB") +
-          "/Filter/FlateDecode/DecodeParms<</Predictor 12/Colors " + channels +
-          "/BitsPerComponent " + std::to_string(image.bits) + "/Columns " +
+          "/ColorSpace" + colours + "/Filter/FlateDecode/DecodeParms<</Predictor 12/Colors " +
+          channels + "/BitsPerComponent " + std::to_string(image.bits) + "/Columns " +
           std::to_string(image.width) + ">>/Length " + std::to_string(length) + " 0 R>>\nstream\n");
     const std::uint64_t start = offset;
     PictureRows rows(image);

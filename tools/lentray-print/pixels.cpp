@@ -110,6 +110,7 @@ StoredImage as_printed(StoredImage image, int bits, Colour background) {
   const bool is_grey = image.channels < 3 && (!has_alpha || background == kWhite);
   out.channels = is_grey ? 1 : 3;
   out.attributes = std::move(image.attributes);
+  out.profile = std::move(image.profile);
   const double behind[] = {background.red, background.green, background.blue};
   const float most = image.bits == 32 ? 1.0f : static_cast<float>((1u << image.bits) - 1u);
   const std::size_t pixels = std::size_t{image.width} * image.height;

@@ -90,6 +90,7 @@ Repitched repitched(const StoredImage& image, double from, double to) {
   result.channels = image.channels;
   result.bits = image.bits;
   result.attributes = image.attributes;
+  result.profile = image.profile;
   const std::size_t count = all.size() * image.height * static_cast<std::size_t>(image.channels);
   core::check_room(static_cast<double>(count) * image.bits / 8);
   const auto fill = [&](auto& samples) {

@@ -120,6 +120,19 @@ void set_pixels(Arguments& a, const GivenOption& given) {
   if (*a.sheet.pixels < 1.0) parser::refuse(given, "at least one pixel a lens is expected");
 }
 
+void set_profiles(Arguments& a, const GivenOption& given) {
+  const auto profiles = tool::profiles_named(given.value);
+  if (!profiles) parser::refuse(given, tool::kProfilesExpected);
+  a.profiles = *profiles;
+}
+
+void set_order(Arguments& a, const GivenOption& given) {
+  a.given_order = given.value == "given";
+  if (!a.given_order && given.value != "natural") {
+    parser::refuse(given, "there are natural and given");
+  }
+}
+
 void set_file(std::filesystem::path& file, const GivenOption& given) {
   if (given.value.empty()) parser::refuse(given, "the name of a file is expected");
   file = given.value;
@@ -150,7 +163,8 @@ class Reader {
       "View",     "Views",      "Lens",          "Quilt",       "Eye",        "Eyes",
       "Pair",     "Wiggle",     "Delay",         "Out",         "Count",      "Size",
       "Filter",   "Like",       "Aspect",        "Lens_Pixels", "Lens_Pitch", "Lens_Focal_Length",
-      "Lens_IOR", "Lens_Model", "View_Distance", "Lens_Slant",  "Preview",    "Page_Limit"};
+      "Lens_IOR", "Lens_Model", "View_Distance", "Lens_Slant",  "Preview",    "Page_Limit",
+      "Profile",  "Order"};
   void apply(std::size_t index, const GivenOption& given) {
     static constexpr Apply kApply[] = {
         [](Reader& r, const GivenOption& g) {
@@ -195,7 +209,9 @@ class Reader {
           r.choose(Task::kPreview, "--preview");
           set_file(r.m_out.out, g);
         },
-        [](Reader& r, const GivenOption& g) { r.m_out.page_limit = parser::positive(g); }};
+        [](Reader& r, const GivenOption& g) { r.m_out.page_limit = parser::positive(g); },
+        [](Reader& r, const GivenOption& g) { set_profiles(r.m_out, g); },
+        [](Reader& r, const GivenOption& g) { set_order(r.m_out, g); }};
     static_assert(std::size(kNames) == std::size(kApply));
     kApply[index](*this, given);
   }
@@ -213,6 +229,8 @@ class Reader {
       choose(Task::kInterlace, "--interlace");
     } else if (word == "--between") {
       m_out.between = true;
+    } else if (word == "--one-zone") {
+      m_out.one_zone = true;
     } else if (word == "--from-left") {
       m_out.from_left = true;
     } else if (word == "--square") {
@@ -262,8 +280,15 @@ class Reader {
       throw OptionError("--eye does not go with " + m_task);
     }
     if (a.pair && !has_eyes) throw OptionError("--pair is of --stereo and --anaglyph");
+    if (a.one_zone && (!has_eyes || a.pair)) {
+      throw OptionError("--one-zone is of --stereo and --anaglyph, of eyes before a sheet");
+    }
     if (a.pair && a.eye) throw OptionError("--pair and --eye contradict each other");
     if (a.square && a.size) throw OptionError("--square and --size contradict each other");
+    const bool is_for_screens = a.task == Task::kWiggle || a.task == Task::kPreview;
+    if (a.profiles == tool::Profiles::kKeep && is_for_screens) {
+      throw OptionError("--profile keep does not go with " + m_task + ", which has sRGB alone");
+    }
     check_interlace();
   }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "tools/common/photo_reader.h"
 #include "tools/lentray-views/join.h"
 #include "tools/lentray-views/resize.h"
 #include "tools/lentray-views/sheet.h"
@@ -49,10 +50,13 @@ struct Arguments {
   bool between = false;       ///< colours between pixels of the print
   double eyes = 65.0;         ///< mm between two eyes
   std::optional<Range> pair;  ///< views of the left and the right eye
+  bool one_zone = false;      ///< both eyes look into one zone
   Anaglyph anaglyph = Anaglyph::kDubois;
   int delay = 100;           ///< ms
   double page_limit = 20.0;  ///< MB of a preview
   bool from_left = false;    ///< pictures are from the leftmost camera to the rightmost
+  bool given_order = false;  ///< pictures stay in the order that they are given in
+  tool::Profiles profiles = tool::Profiles::kSrgb;
   bool square = false;
   std::optional<Size> size;  ///< of each view, or of the integral image
   Filter filter = Filter::kLanczos3;

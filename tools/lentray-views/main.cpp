@@ -21,7 +21,11 @@ int run_main(const std::vector<std::string>& words) {
     } else if (arguments.version) {
       std::cout << "lentray-views " << tool::kVersion << "\n";
     } else {
-      std::cout << do_task(arguments);
+      const Report report = do_task(arguments);
+      std::cout << report.said;
+      for (const std::string& warning : report.warnings) {
+        std::cerr << "lentray-views: warning: " << warning << "\n";
+      }
     }
     return kDone;
   } catch (const std::bad_alloc&) {

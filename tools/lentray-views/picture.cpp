@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <sstream>
 #include <string_view>
 
 #include "core/image/file_swap.h"
@@ -53,6 +52,7 @@ StoredImage fit_for(FileType type, const StoredImage& image) {
   StoredImage like;
   like.channels = image.channels;
   like.gamma = image.gamma;
+  like.profile = image.profile;
   like.bits = type == FileType::exr ? 32 : type == FileType::jpeg ? 8 : std::min(image.bits, 16);
   if (image.bits == 32 && like.bits != 32) like.bits = 8;
   if (like.bits == image.bits && !(type == FileType::jpeg && has_alpha(image.channels)))
@@ -88,6 +88,7 @@ core::PictureSpec spec_for(FileType type, const StoredImage& image, const About&
   spec.metadata.description = about.description;
   spec.metadata.dpi_x = about.dpi_x;
   spec.metadata.dpi_y = about.dpi_y;
+  spec.metadata.profile = image.profile;
   for (const auto& [name, value] : about.facts) {
     spec.metadata.fields.emplace_back(std::string(kOurs) + name, value);
   }
@@ -125,22 +126,6 @@ std::string kind_text(const StoredImage& image) {
 
 }  // namespace
 
-Facts facts_of(const StoredImage& image) {
-  Facts out;
-  for (const auto& [name, value] : image.attributes) {
-    if (name.starts_with(kOurs)) out[name.substr(kOurs.size())] = value;
-  }
-  const auto description = image.attributes.find("ImageDescription");
-  if (description == image.attributes.end()) return out;
-  std::istringstream lines(description->second);
-  for (std::string line; std::getline(lines, line);) {
-    const std::size_t equals = line.find('=');
-    if (!line.starts_with(kOurs) || equals == std::string::npos) continue;
-    out[line.substr(kOurs.size(), equals - kOurs.size())] = line.substr(equals + 1);
-  }
-  return out;
-}
-
 double number_in(const Facts& facts, const std::string& name, const std::string& about) {
   const auto found = facts.find(name);
   if (found == facts.end()) return 0.0;
@@ -161,6 +146,7 @@ StoredImage blank_like(const StoredImage& like, std::uint32_t width, std::uint32
   out.bits = like.bits;
   out.gamma = like.gamma;
   out.premultiplied = like.premultiplied;
+  out.profile = like.profile;
   make_room(out);
   return out;
 }
@@ -180,6 +166,7 @@ std::string other_kind(const StoredImage& a, const StoredImage& b) {
   };
   if (a.width != b.width || a.height != b.height) return size(a) + " and " + size(b) + " pixels";
   if (a.channels != b.channels || a.bits != b.bits) return kind_text(a) + " and " + kind_text(b);
+  if (a.profile != b.profile) return "different colour profiles; --profile srgb converts them";
   return {};
 }
 
@@ -250,6 +237,10 @@ void write_picture(const StoredImage& image, const std::filesystem::path& path,
   if (type != FileType::png && type != FileType::tiff && type != FileType::exr &&
       type != FileType::jpeg) {
     throw ImageError("cannot write '" + path.string() + "': there are .png, .tif, .exr and .jpg");
+  }
+  if (type == FileType::exr && !image.profile.empty()) {
+    throw ImageError("cannot write '" + path.string() +
+                     "': OpenEXR holds no colour profile; .png, .tif and .jpg do");
   }
   const StoredImage fitting = fit_for(type, image);
   core::FileSwap swap(path);

@@ -5,18 +5,16 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <map>
 #include <string>
 #include <vector>
 
 #include "core/image/reader.h"
+#include "tools/common/sheet_facts.h"
 
 namespace lentray::views {
 
-/// What lentray wrote into a picture, by name: "lens.pixels". PNG and OpenEXR files have it as
-/// texts of their own, TIFF and JPEG files as lines of their description.
-using Facts = std::map<std::string, std::string>;
-Facts facts_of(const core::StoredImage& image);
+using tool::Facts;
+using tool::facts_of;
 /// `about`, for messages: a number that the facts hold; 0 without it. Throws if it is no number.
 double number_in(const Facts& facts, const std::string& name, const std::string& about);
 

@@ -70,6 +70,16 @@ void refuse_other_pictures(const Facts& facts, const std::string& about) {
   }
 }
 
+/// Who tells the pixels a lens knows what became of the picture.
+void refuse_damaged(const core::StoredImage& image, const Facts& facts, const SheetOptions& options,
+                    const std::string& name) {
+  if (options.pixels) return;
+  const std::string damage = tool::damage_of(image, facts, name);
+  if (!damage.empty()) {
+    throw ImageError(damage + " (or --lens-pixels N tells the pixels a lens that it has now)");
+  }
+}
+
 }  // namespace
 
 std::optional<camera::SlantedSheet> slanted_sheet(const LensParameters& lens, std::uint32_t columns,
@@ -87,6 +97,7 @@ Sheet sheet_of(const core::StoredImage& image, const SheetOptions& options,
   const std::string about = "'" + name + "'";
   const Facts facts = facts_of(image);
   refuse_other_pictures(facts, about);
+  refuse_damaged(image, facts, options, name);
   LensParameters lens;
   std::string missing;
   const auto need = [&](bool known, const char* option) {

@@ -34,7 +34,7 @@ std::optional<camera::SlantedSheet> slanted_sheet(const camera::LensParameters& 
                                                   double eye_slope_y = 0.0);
 
 /// `name` is the file's, for messages. Throws where N is not known, is beyond the picture's width,
-/// or where the picture is a view or a quilt by its own words.
+/// or where the picture is a view or a quilt by its own words, or was resized or cropped and no option tells N.
 Sheet sheet_of(const core::StoredImage& image, const SheetOptions& options,
                const std::string& name);
 

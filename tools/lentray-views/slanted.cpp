@@ -30,9 +30,12 @@ StoredImage slanted_view(const StoredImage& integral, const SlantedSheet& sheet,
   return out;
 }
 
-/// The place in the print that an eye sees at a place of a row, in pixels, 0 at the middle of the first.
-double seen_column(const SlantedSheet& sheet, const Eye& eye, std::uint32_t place,
-                   std::uint32_t row) {
+struct SeenPlace {
+  double lens = 0.0;         ///< that is nearest to a place of a row
+  double cell_offset = 0.0;  ///< of the print that it shows, mm across it
+};
+SeenPlace seen_place(const SlantedSheet& sheet, const Eye& eye, std::uint32_t place,
+                     std::uint32_t row) {
   const double middle = row + 0.5;
   const auto lens = static_cast<double>(sheet.nearest_lens(place, static_cast<std::int32_t>(row)));
   const double axis = sheet.axis_of(lens);
@@ -40,7 +43,14 @@ double seen_column(const SlantedSheet& sheet, const Eye& eye, std::uint32_t plac
   const double slope = (eye.distance > 0.0 ? x / eye.distance : 0.0) -
                        std::tan(eye.angle * std::numbers::pi / 180.0);
   const double offset = sheet.offset_seen(slope, sheet.rise(middle));
-  return sheet.column_at(offset - sheet.offset_of_cell(axis), lens, middle) - 0.5;
+  return {lens, offset - sheet.offset_of_cell(axis)};
+}
+
+/// The place in the print that an eye sees at a place of a row, in pixels, 0 at the middle of the first.
+double seen_column(const SlantedSheet& sheet, const Eye& eye, std::uint32_t place,
+                   std::uint32_t row) {
+  const SeenPlace seen = seen_place(sheet, eye, place, row);
+  return sheet.column_at(seen.cell_offset, seen.lens, row + 0.5) - 0.5;
 }
 
 StoredImage slanted_seen(const StoredImage& integral, const SlantedSheet& sheet,
@@ -88,6 +98,23 @@ StoredImage seen_by(const StoredImage& integral, const Sheet& sheet, const Eye& 
   if (!sheet.slanted) return seen_by(integral, sheet.lenses, eye, between);
   const std::uint32_t width = camera::view_width(sheet.lenses, 0, 1);
   return slanted_seen(integral, *sheet.slanted, width, eye, between);
+}
+
+std::vector<double> cells_seen(const Sheet& sheet, const Eye& eye) {
+  std::vector<double> out;
+  if (sheet.slanted) {
+    const std::uint32_t row = sheet.slanted->print().height / 2;
+    for (std::uint32_t i = 0; i < camera::view_width(sheet.lenses, 0, 1); ++i) {
+      const SeenPlace seen = seen_place(*sheet.slanted, eye, i, row);
+      out.push_back(seen.cell_offset / sheet.lenses.lens().print_pitch() + 0.5);
+    }
+    return out;
+  }
+  for (const double place : places_seen(sheet.lenses, eye)) {
+    const auto lens = static_cast<double>(out.size());
+    out.push_back((place + 0.5) / sheet.lenses.lens().pixels - lens);
+  }
+  return out;
 }
 
 std::optional<SlantedSheet> slanted_sheet(double pixels, double tangent, std::uint32_t columns,

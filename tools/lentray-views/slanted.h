@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "tools/lentray-views/sheet.h"
 #include "tools/lentray-views/strips.h"
@@ -18,6 +19,9 @@ core::StoredImage view_of(const core::StoredImage& integral, const Sheet& sheet,
 /// The eye of a slanted sheet is as high as the eye that the print is for.
 core::StoredImage seen_by(const core::StoredImage& integral, const Sheet& sheet, const Eye& eye,
                           bool between);
+/// What the lenses show to an eye, of a slanted sheet those of its middle row: 0 to 1 are places in the
+/// lens's own cell from its left edge, other whole numbers are the cells beside it.
+std::vector<double> cells_seen(const Sheet& sheet, const Eye& eye);
 /// Lenses of so many pixels with that tangent, behind a picture of that size. Without the sheet's width
 /// by its height pixels are square. Empty: the tangent is 0.
 std::optional<camera::SlantedSheet> slanted_sheet(double pixels, double tangent,

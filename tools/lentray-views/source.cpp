@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include "camera/lenticular.h"
-#include "core/image/reader.h"
 #include "core/image/writer.h"
 #include "tools/lentray-views/slanted.h"
+#include "tools/lentray-views/zones.h"
 
 namespace lentray::views {
 namespace {
@@ -26,8 +25,9 @@ void check_view(std::uint32_t view, std::uint32_t count) {
 
 class IntegralSource final : public Source {
  public:
-  IntegralSource(const Arguments& arguments, std::uint32_t count)
-      : m_arguments(arguments), m_integral(open_integral(arguments.pictures[0], arguments.sheet)) {
+  IntegralSource(const Arguments& arguments, std::uint32_t count, tool::PhotoReader& reader)
+      : m_arguments(arguments),
+        m_integral(open_integral(arguments.pictures[0], arguments.sheet, reader)) {
     const camera::LensSheet& lenses = m_integral.sheet.lenses;
     m_count = count > 0 ? count : camera::usual_views(lenses);
     // What becomes one picture has one width: without a last lens that lacks some views.
@@ -47,22 +47,27 @@ class IntegralSource final : public Source {
     if (m_arguments.pair) {
       return {view(m_arguments.pair->first), view(m_arguments.pair->last)};
     }
-    need_optics(m_integral.sheet, m_integral.name);
-    Eye middle = eye_of(m_arguments, m_integral);
-    if (middle.distance <= 0.0) middle.distance = kArmsLength;
-    return {seen(middle, -0.5), seen(middle, 0.5)};
+    const EyePair eyes = eyes_of_pair();
+    return {seen(eyes.left), seen(eyes.right)};
+  }
+  std::vector<std::string> warnings() const override {
+    const bool is_pair = m_arguments.task == Task::kStereo || m_arguments.task == Task::kAnaglyph;
+    if (!is_pair) return {};
+    if (m_arguments.pair) return warnings_of_views(*m_arguments.pair);
+    return warnings_of_eyes(m_integral.sheet, eyes_of_pair());
   }
   double aspect() const override { return m_integral.sheet.aspect; }
   const Facts& facts() const override { return m_integral.facts; }
 
  private:
-  /// By an eye of two, `side` of their distance to the right.
-  StoredImage seen(const Eye& middle, double side) const {
-    const double radian = std::numbers::pi / 180.0;
-    Eye eye = middle;
-    eye.angle =
-        std::atan(std::tan(middle.angle * radian) + side * m_arguments.eyes / middle.distance) /
-        radian;
+  EyePair eyes_of_pair() const {
+    need_optics(m_integral.sheet, m_integral.name);
+    Eye middle = eye_of(m_arguments, m_integral);
+    if (middle.distance <= 0.0) middle.distance = kArmsLength;
+    return m_arguments.one_zone ? eyes_in_one_zone(m_integral.sheet, middle, m_arguments.eyes)
+                                : eyes_beside(middle, m_arguments.eyes);
+  }
+  StoredImage seen(const Eye& eye) const {
     return in_size(seen_by(m_integral.image, m_integral.sheet, eye, m_arguments.between),
                    m_arguments, m_integral);
   }
@@ -74,20 +79,20 @@ class IntegralSource final : public Source {
 
 class PictureSource final : public Source {
  public:
-  explicit PictureSource(const Arguments& arguments)
-      : m_arguments(arguments), m_paths(arguments.pictures) {
+  PictureSource(const Arguments& arguments, tool::PhotoReader& reader)
+      : m_arguments(arguments), m_reader(reader), m_paths(arguments.pictures) {
     if (arguments.square) {
       throw ImageError(
           "--square is of integral images: these pictures have a size, --size another");
     }
     if (arguments.from_left) std::ranges::reverse(m_paths);
-    m_facts = facts_of(core::read_image(m_paths[0]));
+    m_facts = facts_of(m_reader.read(m_paths[0]));
     for (const char* one : {"lens.view", "lens.view_offset_mm"}) m_facts.erase(one);
   }
   std::uint32_t count() const override { return static_cast<std::uint32_t>(m_paths.size()); }
   StoredImage view(std::uint32_t view) const override {
     check_view(view, count());
-    StoredImage image = core::read_image(m_paths[view]);
+    StoredImage image = m_reader.read(m_paths[view]);
     if (!m_arguments.size) return image;
     return resized(image, m_arguments.size->width, m_arguments.size->height, m_arguments.filter);
   }
@@ -101,6 +106,11 @@ class PictureSource final : public Source {
     const bool turned = m_arguments.from_left;
     return {view(turned ? 1 : 0), view(turned ? 0 : 1)};
   }
+  std::vector<std::string> warnings() const override {
+    const bool is_pair = m_arguments.task == Task::kStereo || m_arguments.task == Task::kAnaglyph;
+    return is_pair && m_arguments.pair ? warnings_of_views(*m_arguments.pair)
+                                       : std::vector<std::string>();
+  }
   double aspect() const override {
     if (m_arguments.sheet.aspect) return *m_arguments.sheet.aspect;
     const double width = number_in(m_facts, "lens.sheet_width_mm", m_paths[0].string()),
@@ -111,16 +121,22 @@ class PictureSource final : public Source {
 
  private:
   const Arguments& m_arguments;
+  tool::PhotoReader& m_reader;
   std::vector<std::filesystem::path> m_paths;  ///< by view
   Facts m_facts;
 };
 
 }  // namespace
 
-Integral open_integral(const std::filesystem::path& path, const SheetOptions& options) {
-  StoredImage image = core::read_image(path);
+Integral open_integral(const std::filesystem::path& path, const SheetOptions& options,
+                       tool::PhotoReader& reader) {
+  StoredImage image = reader.read(path);
   Sheet sheet = sheet_of(image, options, path.string());
   Facts facts = facts_of(image);
+  if (const std::string change = tool::height_change_of(image, facts, path.string());
+      !change.empty() && !options.pixels) {
+    reader.warn(change);
+  }
   return {std::move(image), std::move(sheet), std::move(facts), path.string()};
 }
 
@@ -144,9 +160,10 @@ Eye eye_of(const Arguments& arguments, const Integral& integral) {
   return eye;
 }
 
-std::unique_ptr<Source> open_source(const Arguments& arguments, std::uint32_t count) {
-  if (arguments.pictures.size() > 1) return std::make_unique<PictureSource>(arguments);
-  return std::make_unique<IntegralSource>(arguments, count);
+std::unique_ptr<Source> open_source(const Arguments& arguments, std::uint32_t count,
+                                    tool::PhotoReader& reader) {
+  if (arguments.pictures.size() > 1) return std::make_unique<PictureSource>(arguments, reader);
+  return std::make_unique<IntegralSource>(arguments, count, reader);
 }
 
 }  // namespace lentray::views

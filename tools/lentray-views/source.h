@@ -4,7 +4,9 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
+#include "tools/common/photo_reader.h"
 #include "tools/lentray-views/arguments.h"
 #include "tools/lentray-views/picture.h"
 
@@ -25,11 +27,15 @@ class Source {
   virtual double aspect() const = 0;
   /// What is known of the sheet.
   virtual const Facts& facts() const = 0;
+  /// What a user should be told of what was asked for.
+  virtual std::vector<std::string> warnings() const { return {}; }
 };
 
 /// By the arguments' pictures: one is an integral image, several are views. `count`: views it shall
 /// have; 0: the usual ones.
-std::unique_ptr<Source> open_source(const Arguments& arguments, std::uint32_t count);
+/// Arguments and reader must outlive it.
+std::unique_ptr<Source> open_source(const Arguments& arguments, std::uint32_t count,
+                                    tool::PhotoReader& reader);
 
 /// An integral image whose sheet is known.
 struct Integral {
@@ -38,7 +44,8 @@ struct Integral {
   Facts facts;
   std::string name;
 };
-Integral open_integral(const std::filesystem::path& path, const SheetOptions& options);
+Integral open_integral(const std::filesystem::path& path, const SheetOptions& options,
+                       tool::PhotoReader& reader);
 
 /// A strip of a pixel a lens in the size that is asked for: --size, --square, or as it is.
 core::StoredImage in_size(const core::StoredImage& strip, const Arguments& arguments,

@@ -15,7 +15,10 @@ namespace {
 
 using core::StoredImage;
 
-/// Places in the print in pixels, 0 at the middle of the first one, by lens.
+bool is_in(double column, std::uint32_t width) { return column >= 0.0 && column < width; }
+
+}  // namespace
+
 std::vector<double> places_seen(const camera::LensSheet& sheet, const Eye& eye) {
   const camera::LensParameters& lens = sheet.lens();
   const double tangent = std::tan(eye.angle * std::numbers::pi / 180.0);
@@ -28,10 +31,6 @@ std::vector<double> places_seen(const camera::LensSheet& sheet, const Eye& eye) 
   }
   return out;
 }
-
-bool is_in(double column, std::uint32_t width) { return column >= 0.0 && column < width; }
-
-}  // namespace
 
 StoredImage view_of(const StoredImage& integral, const camera::LensSheet& sheet, std::uint32_t view,
                     std::uint32_t count) {

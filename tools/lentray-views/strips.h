@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "camera/lens_sheet.h"
 #include "core/image/reader.h"
@@ -31,5 +32,8 @@ struct Eye {
 /// the middles of pixels instead of the nearest pixel.
 core::StoredImage seen_by(const core::StoredImage& integral, const camera::LensSheet& sheet,
                           const Eye& eye, bool between);
+
+/// For each lens the place in the print that the eye sees, in pixels: 0 is the middle of the first column.
+std::vector<double> places_seen(const camera::LensSheet& sheet, const Eye& eye);
 
 }  // namespace lentray::views

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <utility>
 #include <vector>
 
 #include "camera/lenticular.h"
@@ -12,6 +13,8 @@
 #include "core/image/run_files.h"
 #include "core/image/writer.h"
 #include "parser/options/ini.h"
+#include "tools/common/natural_order.h"
+#include "tools/common/photo_reader.h"
 #include "tools/common/process.h"
 #include "tools/lentray-views/interlace.h"
 #include "tools/lentray-views/moving.h"
@@ -77,8 +80,8 @@ std::string wrote(const fs::path& path, const StoredImage& image) {
          " pixels\n";
 }
 
-std::string describe(const Arguments& a) {
-  const Integral integral = open_integral(a.pictures[0], a.sheet);
+std::string describe(const Arguments& a, tool::PhotoReader& reader) {
+  const Integral integral = open_integral(a.pictures[0], a.sheet, reader);
   const camera::LensSheet& sheet = integral.sheet.lenses;
   const camera::LensParameters& lens = sheet.lens();
   std::string out = integral.name + ": " + std::to_string(integral.image.width) + " x " +
@@ -104,8 +107,8 @@ About about_view(const Facts& facts, std::uint32_t view, std::uint32_t count) {
   return about;
 }
 
-std::string write_views(const Arguments& a) {
-  const auto source = open_source(a, a.count.value_or(0));
+std::string write_views(const Arguments& a, tool::PhotoReader& reader) {
+  const auto source = open_source(a, a.count.value_or(0), reader);
   const std::uint32_t count = source->count();
   const Range range = range_of(a, count);
   const bool is_one = range.first == range.last && !a.out.empty() &&
@@ -131,8 +134,8 @@ std::string write_one(const Arguments& a, const StoredImage& image, const fs::pa
   return wrote(path, image);
 }
 
-std::string write_lens(const Arguments& a) {
-  const Integral integral = open_integral(a.pictures[0], a.sheet);
+std::string write_lens(const Arguments& a, tool::PhotoReader& reader) {
+  const Integral integral = open_integral(a.pictures[0], a.sheet, reader);
   refuse_slanted(integral.sheet, integral.name, "no columns lie behind one of them alone");
   About about{integral.facts, {}};
   about.facts["lens.lens"] = std::to_string(a.lens);
@@ -145,8 +148,8 @@ void add_eye(const Eye& eye, Facts& facts) {
   facts["eye.distance_mm"] = exact(eye.distance);
 }
 
-std::string write_eye(const Arguments& a) {
-  const Integral integral = open_integral(a.pictures[0], a.sheet);
+std::string write_eye(const Arguments& a, tool::PhotoReader& reader) {
+  const Integral integral = open_integral(a.pictures[0], a.sheet, reader);
   need_optics(integral.sheet, integral.name);
   const Eye eye = eye_of(a, integral);
   const StoredImage seen = seen_by(integral.image, integral.sheet, eye, a.between);
@@ -155,13 +158,13 @@ std::string write_eye(const Arguments& a) {
   return write_one(a, in_size(seen, a, integral), out_or(a, "_eye"), about);
 }
 
-std::string write_quilt(const Arguments& a) {
+std::string write_quilt(const Arguments& a, tool::PhotoReader& reader) {
   const std::uint32_t count = a.columns * a.rows;
   if (a.count && *a.count != count) {
     throw ImageError("--count " + std::to_string(*a.count) + " and a quilt of " +
                      std::to_string(count) + " views contradict each other");
   }
-  const auto source = open_source(a, count);
+  const auto source = open_source(a, count, reader);
   if (source->count() != count) {
     throw ImageError("a quilt of " + std::to_string(a.columns) + " x " + std::to_string(a.rows) +
                      " views wants as many pictures, not " + std::to_string(source->count()));
@@ -179,9 +182,10 @@ std::string write_quilt(const Arguments& a) {
                    out_or(a, quilt_suffix(a.columns, a.rows, aspect)), about);
 }
 
-std::string write_pair(const Arguments& a) {
-  const auto source = open_source(a, a.count.value_or(0));
+std::string write_pair(const Arguments& a, tool::PhotoReader& reader) {
+  const auto source = open_source(a, a.count.value_or(0), reader);
   const Source::Pair pair = source->pair();
+  for (const std::string& warning : source->warnings()) reader.warn(warning);
   About about{source->facts(), {}};
   if (a.task == Task::kStereo) {
     about.facts["stereo"] = "left, right";
@@ -191,7 +195,7 @@ std::string write_pair(const Arguments& a) {
   return write_one(a, anaglyph(pair.left, pair.right, a.anaglyph), out_or(a, "_anaglyph"), about);
 }
 
-std::string write_wiggle(const Arguments& a) {
+std::string write_wiggle(const Arguments& a, tool::PhotoReader& reader) {
   const std::string end = a.out.extension().string();
   const bool is_gif = parser::same_word(end, ".gif");
   if (!is_gif && !parser::same_word(end, ".png")) {
@@ -199,7 +203,7 @@ std::string write_wiggle(const Arguments& a) {
                      "': moving pictures are .gif and .png files");
   }
   check_place(a, a.out);
-  const auto source = open_source(a, a.count.value_or(0));
+  const auto source = open_source(a, a.count.value_or(0), reader);
   const Range range = range_of(a, source->count());
   // To and fro; both ends are shown once.
   std::vector<StoredImage> frames;
@@ -217,25 +221,25 @@ std::string write_wiggle(const Arguments& a) {
          std::to_string(frames[0].width) + " x " + std::to_string(frames[0].height) + " pixels\n";
 }
 
-std::string write_preview(const Arguments& a) {
+std::string write_preview(const Arguments& a, tool::PhotoReader& reader) {
   const std::string end = a.out.extension().string();
   if (!parser::same_word(end, ".html") && !parser::same_word(end, ".htm")) {
     throw ImageError("cannot write '" + a.out.string() + "': a preview is a .html file");
   }
   check_place(a, a.out);
-  const Preview preview = preview_of(open_integral(a.pictures[0], a.sheet), a);
+  const Preview preview = preview_of(open_integral(a.pictures[0], a.sheet, reader), a);
   tool::write_whole(a.out, preview.page);
   return a.out.string() + ": " + preview.told + "\n";
 }
 
 /// The size and sheet of --like, or of --lens-pixels and --size.
-InterlacePlan plan_of(const Arguments& a, About& about) {
+InterlacePlan plan_of(const Arguments& a, About& about, tool::PhotoReader& reader) {
   InterlacePlan plan;
   plan.views = static_cast<std::uint32_t>(a.pictures.size());
   plan.filter = a.filter;
   about.description = "integral image for a lenticular sheet";
   if (!a.like.empty()) {
-    const Integral like = open_integral(a.like, a.sheet);
+    const Integral like = open_integral(a.like, a.sheet, reader);
     plan.slanted = like.sheet.slanted;
     plan.pixels = like.sheet.lenses.lens().pixels;
     plan.width = like.image.width;
@@ -257,7 +261,7 @@ InterlacePlan plan_of(const Arguments& a, About& about) {
     plan.height = a.size->height;
   } else {
     // A pixel of the pictures is a lens.
-    const StoredImage first = core::read_image(a.pictures[0]);
+    const StoredImage first = reader.read(a.pictures[0]);
     const double width = std::round(first.width * plan.pixels);
     if (width > 1e6) {
       throw ImageError("a lens for each of " + std::to_string(first.width) +
@@ -275,35 +279,50 @@ InterlacePlan plan_of(const Arguments& a, About& about) {
   return plan;
 }
 
-std::string write_interlaced(const Arguments& a) {
+std::string write_interlaced(const Arguments& a, tool::PhotoReader& reader) {
   const fs::path out = out_or(a, "_sheet");
   check_place(a, out);
   About about;
-  const InterlacePlan plan = plan_of(a, about);
+  const InterlacePlan plan = plan_of(a, about, reader);
   Interlacer interlacer(plan);
   for (std::uint32_t i = 0; i < plan.views; ++i) {
     const fs::path& path = a.pictures[i];
-    interlacer.put(a.from_left ? plan.views - 1 - i : i, core::read_image(path), path.string());
+    interlacer.put(a.from_left ? plan.views - 1 - i : i, reader.read(path), path.string());
   }
   return write_one(a, interlacer.result(), out, about);
 }
 
-}  // namespace
-
-std::string do_task(const Arguments& arguments) {
+std::string run_task(const Arguments& arguments, tool::PhotoReader& reader) {
   switch (arguments.task) {
     case Task::kDescribe: break;
-    case Task::kViews: return write_views(arguments);
-    case Task::kLens: return write_lens(arguments);
-    case Task::kQuilt: return write_quilt(arguments);
-    case Task::kEye: return write_eye(arguments);
+    case Task::kViews: return write_views(arguments, reader);
+    case Task::kLens: return write_lens(arguments, reader);
+    case Task::kQuilt: return write_quilt(arguments, reader);
+    case Task::kEye: return write_eye(arguments, reader);
     case Task::kStereo:
-    case Task::kAnaglyph: return write_pair(arguments);
-    case Task::kWiggle: return write_wiggle(arguments);
-    case Task::kPreview: return write_preview(arguments);
-    case Task::kInterlace: return write_interlaced(arguments);
+    case Task::kAnaglyph: return write_pair(arguments, reader);
+    case Task::kWiggle: return write_wiggle(arguments, reader);
+    case Task::kPreview: return write_preview(arguments, reader);
+    case Task::kInterlace: return write_interlaced(arguments, reader);
   }
-  return describe(arguments);
+  return describe(arguments, reader);
+}
+
+}  // namespace
+
+Report do_task(const Arguments& given) {
+  Arguments arguments = given;
+  Report report;
+  if (!given.given_order) {
+    if (auto files = tool::natural_order_instead(given.pictures)) {
+      arguments.pictures = std::move(*files);
+      report.said = tool::natural_order_line(arguments.pictures) + "\n";
+    }
+  }
+  tool::PhotoReader reader(arguments.profiles);
+  report.said += run_task(arguments, reader);
+  report.warnings = reader.warnings();
+  return report;
 }
 
 }  // namespace lentray::views

@@ -3,12 +3,16 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "tools/lentray-views/arguments.h"
 
 namespace lentray::views {
 
-/// What is to be said on standard output: the sheet, or the names of the files that were written.
-std::string do_task(const Arguments& arguments);
+struct Report {
+  std::string said;  ///< lines: the sheet, or the names of the files that were written
+  std::vector<std::string> warnings{};
+};
+Report do_task(const Arguments& arguments);
 
 }  // namespace lentray::views

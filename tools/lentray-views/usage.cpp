@@ -11,7 +11,8 @@ std::string usage() {
 Takes integral images for lens sheets apart, and puts them together. IMAGE is a
 picture that lentray made with Lenticular=On, or any interlaced picture. What it
 says of its sheet is used; options below say what it does not. VIEW... are ready
-pictures, rendered or taken with a camera, all of one size.
+pictures, rendered or taken with a camera, all of one size. Photographs stand upright as
+their files say.
 
 View j is what all lenses show at one place behind them, a pixel a lens. View 0
 is seen from the right, the last one from the left. Where the number of pixels a
@@ -49,12 +50,19 @@ Options:
   --count M              M views at equal steps over the lens (the pixels a lens,
                          rounded down; of a quilt all it has)
   --between              --eye: colours between pixels of the print, not the nearest
+  --one-zone             --stereo, --anaglyph: both eyes look into one zone of the sheet,
+                         moved to the side and closer together as that takes. In two
+                         zones depth is reversed, which is warned of
   --eyes MM              --stereo, --anaglyph, --preview: between both eyes (65)
   --pair L,R             instead: the views of the left and of the right eye
   --delay MS             --wiggle: how long a view is shown (100)
   --page-limit MB        --preview: how large the page may be (20). Where the pixels
                          as they are do not fit they become JPEG, and then fewer
                          rows; both is told
+  --order natural|given  IMG_1, IMG_10, IMG_2, as shells have them, become IMG_1, IMG_2,
+                         IMG_10, which is told (natural); other orders stay anyway
+  --profile srgb|keep    pictures with a colour profile are converted to sRGB (srgb), or
+                         stay as they are, and the profile goes into the file
   --from-left            VIEW... begins with the leftmost camera's picture
   --like IMAGE           --interlace: for the same sheet as IMAGE, and as large
 

@@ -77,6 +77,11 @@ OIIO::ImageSpec spec_of(const PictureSpec& picture) {
   }
   put_colour_space(spec, picture);
   put_metadata(spec, picture.type, picture.metadata);
+  if (const std::string& profile = picture.metadata.profile; !profile.empty()) {
+    spec.attribute("ICCProfile",
+                   OIIO::TypeDesc(OIIO::TypeDesc::UINT8, static_cast<int>(profile.size())),
+                   profile.data());
+  }
   return spec;
 }
 

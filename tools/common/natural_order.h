@@ -1,0 +1,24 @@
+// Files that a shell has put in order letter by letter, IMG_1, IMG_10, IMG_2, in the order in which they were numbered.
+// Errors: none. Pure, but for the user's locale.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace lentray::tool {
+
+/// Runs of digits count as numbers; what is alike by that is compared letter by letter.
+bool is_before_naturally(std::string_view a, std::string_view b);
+
+/// The files in natural order, if they are in the order that a shell puts them in and that is another one. Else they are
+/// in natural order already, or somebody chose the order: nothing.
+std::optional<std::vector<std::filesystem::path>> natural_order_instead(
+    const std::vector<std::filesystem::path>& files);
+
+/// "pictures taken in natural order: a1.png, a2.png, ..., a12.png".
+std::string natural_order_line(const std::vector<std::filesystem::path>& files);
+
+}  // namespace lentray::tool
