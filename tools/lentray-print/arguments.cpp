@@ -124,6 +124,48 @@ struct ValueOption {
 
 constexpr double kMostDpi = 50000.0;
 
+double dpi_of(const GivenOption& given) { return number_within(given, 10.0, kMostDpi); }
+
+/// "720", or "1440x720": across the lenses, and along them. As Print_DPI of lentray has it.
+void take_dpi(Arguments& a, const GivenOption& given) {
+  const std::size_t times = given.value.find_first_of("xX");
+  GivenOption across = given, along = given;
+  across.value = given.value.substr(0, times);
+  a.lens.dpi_x = dpi_of(across);
+  a.dpi_says_both = times != std::string::npos;
+  if (!a.dpi_says_both) return;
+  along.value = given.value.substr(times + 1);
+  a.lens.dpi_y = dpi_of(along);
+}
+
+constexpr int kMostPictures = 1000;
+
+/// "3x4": columns and rows.
+LayoutGrid grid_of(const GivenOption& given) {
+  const std::size_t times = given.value.find_first_of("xX");
+  if (times == std::string::npos) {
+    parser::refuse(given, "columns x rows of pictures are expected, such as 3x4");
+  }
+  GivenOption columns = given, rows = given;
+  columns.value = given.value.substr(0, times);
+  rows.value = given.value.substr(times + 1);
+  const LayoutGrid grid{
+      .columns = static_cast<int>(parser::whole_number(columns, 1, kMostPictures)),
+      .rows = static_cast<int>(parser::whole_number(rows, 1, kMostPictures))};
+  if (grid.places() > kMostPictures) parser::refuse(given, "1000 pictures are possible");
+  return grid;
+}
+
+/// "8", or "3x4".
+void take_copies(Arguments& a, const GivenOption& given) {
+  a.copies_grid.reset();
+  if (given.value.find_first_of("xX") != std::string::npos) {
+    a.copies_grid = grid_of(given);
+  } else {
+    a.copies = static_cast<int>(parser::whole_number(given, 1, kMostPictures));
+  }
+}
+
 constexpr ValueOption kValues[] = {
     {"Out", kAll, [](Arguments& a, const GivenOption& g) { a.out = file_name(g); }},
     {"Lpi", kAll,
@@ -132,8 +174,7 @@ constexpr ValueOption kValues[] = {
      }},
     {"Lens_Pitch", kAll,
      [](Arguments& a, const GivenOption& g) { a.lens.lens_pitch = lens_pitch(g); }},
-    {"Dpi", kAll,
-     [](Arguments& a, const GivenOption& g) { a.lens.dpi_x = number_within(g, 10.0, kMostDpi); }},
+    {"Dpi", kAll, take_dpi},
     {"Size", kTests, [](Arguments& a, const GivenOption& g) { a.size = page_size(g); }},
     {"Span", kPitch | kPhase,
      [](Arguments& a, const GivenOption& g) { a.span = number_within(g, 1e-4, kMostLpi); }},
@@ -158,8 +199,19 @@ constexpr ValueOption kValues[] = {
     {"Ior", kEye, [](Arguments& a, const GivenOption& g) { a.ior = number_within(g, 1.0, 4.0); }},
     {"Pixels", kSheet,
      [](Arguments& a, const GivenOption& g) { a.lens.pixels = number_within(g, 1.0, 1e5); }},
-    {"Dpi_Y", kSheet,
-     [](Arguments& a, const GivenOption& g) { a.lens.dpi_y = number_within(g, 10.0, kMostDpi); }},
+    {"Dpi_Y", kAll,
+     [](Arguments& a, const GivenOption& g) {
+       a.lens.dpi_y = dpi_of(g);
+       a.has_dpi_y = true;
+     }},
+    {"Copies", kSheet, take_copies},
+    {"Grid", kSheet, [](Arguments& a, const GivenOption& g) { a.grid = grid_of(g); }},
+    {"Gap", kSheet,
+     [](Arguments& a, const GivenOption& g) { a.style.gap = length_within(g, 0.0, 1000.0); }},
+    {"Seen", kSheet,
+     [](Arguments& a, const GivenOption& g) {
+       a.style.is_seen_together = is_second(g, "apart", "together");
+     }},
     {"Paper", kSheet,
      [](Arguments& a, const GivenOption& g) {
        a.style.paper = page_size(g);
@@ -249,11 +301,7 @@ class Reading {
       throw OptionError(std::string(m_command.name) + " takes no picture, but '" + text +
                         "' is given");
     }
-    if (!m_out.image.empty()) {
-      throw OptionError("one picture at a time: '" + m_out.image.string() + "' and '" + text +
-                        "' are given");
-    }
-    m_out.image = text;
+    m_out.images.push_back(text);
   }
 
   void check_command(const std::string& name, unsigned commands) const {
@@ -268,11 +316,25 @@ class Reading {
   std::string m_pitch_by;
 };
 
+void check_pictures(const Arguments& a) {
+  if (a.grid && a.copies_grid) {
+    throw OptionError("--copies CxR tells the grid already: leave --grid out");
+  }
+  if (a.images.size() * static_cast<std::size_t>(a.copies) > kMostPictures) {
+    throw OptionError(std::to_string(a.images.size()) + " pictures " + std::to_string(a.copies) +
+                      " times each: 1000 are possible");
+  }
+}
+
 /// What the options can only be judged on together.
 void check_together(Arguments& a) {
   if (a.out.empty()) throw OptionError("--out FILE is missing: a .pdf, .tif or .png");
+  if (a.dpi_says_both && a.has_dpi_y) {
+    throw OptionError("--dpi has two numbers, across the lenses and along them: leave --dpi-y out");
+  }
   if (a.command == Command::sheet) {
-    if (a.image.empty())
+    check_pictures(a);
+    if (a.images.empty())
       throw OptionError("sheet needs a picture: lentray-print sheet PICTURE --out FILE");
     if (a.tiles && !a.style.paper) throw OptionError("--tiles needs --paper");
     a.style.margin = a.margin.value_or(a.style.margin);
