@@ -60,37 +60,34 @@ class Marking {
   }
 
   void put_lines_beside() {
-    const auto row_at = [this](double mm) { return std::llround(mm / m_page.pixel_height()); };
-    const std::int64_t top = row_at(m_sheet.all_cut.top) + row_at(kCorner);
-    const std::int64_t bottom = row_at(m_sheet.all_cut.bottom()) - row_at(kCorner);
-    if (bottom - top < row_at(kCorner)) return;
-    const auto height = static_cast<std::uint32_t>(bottom - top);
     const std::int64_t before = m_sheet.lenses.lens_of(column_at(m_sheet.all.left));
     const std::int64_t behind = std::max(
         m_sheet.end_lens - before, m_sheet.lenses.lens_of(column_at(m_sheet.all.right()) - 1) + 1);
     const std::int64_t left = before - m_room.gap_lenses, right = behind + m_room.gap_lenses;
     const Grating sides[] = {between(left - m_room.line_lenses, left),
                              between(right, right + m_room.line_lenses)};
-    for (const Grating& side : sides) m_page.pictures.push_back(grating(side, top, height, m_page));
-    const double from = static_cast<double>(top) * m_page.pixel_height();
-    const double length = height * m_page.pixel_height();
-    m_page.bars.push_back({sides[0].left * m_page.pixel_width() - kMarkGap - m_room.bar_width, from,
-                           m_room.bar_width, length});
-    m_page.bars.push_back(
-        {sides[1].right * m_page.pixel_width() + kMarkGap, from, m_room.bar_width, length});
+    const double px = m_page.pixel_width(), py = m_page.pixel_height();
+    for (const Piece& rows : free_rows()) {
+      const auto height = static_cast<std::uint32_t>(rows.end - rows.begin);
+      for (const Grating& side : sides)
+        m_page.pictures.push_back(grating(side, rows.begin, height, m_page));
+      const double from = static_cast<double>(rows.begin) * py, length = height * py;
+      m_page.bars.push_back(
+          {sides[0].left * px - kMarkGap - m_room.bar_width, from, m_room.bar_width, length});
+      m_page.bars.push_back({sides[1].right * px + kMarkGap, from, m_room.bar_width, length});
+    }
   }
 
   void put_lines_above() {
-    const std::int64_t corner = whole_in(kCorner, m_data.print_pitch());
-    const std::int64_t first = corner, end = m_sheet.end_lens - corner;
-    if (end <= first) return;
-    const Grating all = between(first, end);
     const auto rows = static_cast<std::uint32_t>(
         std::max(1LL, std::llround(kLinesDepth / m_page.pixel_height())));
     const auto above = std::llround((m_sheet.all.top - kMarkGap) / m_page.pixel_height());
     const auto below = std::llround((m_sheet.all.bottom() + kMarkGap) / m_page.pixel_height());
-    m_page.pictures.push_back(grating(all, above - rows, rows, m_page));
-    m_page.pictures.push_back(grating(all, below, rows, m_page));
+    for (const Piece& lenses : free_lenses()) {
+      const Grating all = between(lenses.begin, lenses.end);
+      m_page.pictures.push_back(grating(all, above - rows, rows, m_page));
+      m_page.pictures.push_back(grating(all, below, rows, m_page));
+    }
   }
 
   /// As many facts as there is room for.
@@ -123,18 +120,67 @@ class Marking {
   }
 
  private:
+  /// Rows or lenses, from one to before another.
+  struct Piece {
+    std::int64_t begin, end;
+  };
+
   std::int64_t column_at(double mm) const { return std::llround(mm / m_page.pixel_width()); }
+  std::int64_t row_at(double mm) const { return std::llround(mm / m_page.pixel_height()); }
+
+  /// Between the crop marks at the sides.
+  std::vector<Piece> free_rows() const {
+    std::vector<std::int64_t> cuts;
+    for (const Box& cut : m_sheet.cuts) {
+      cuts.push_back(row_at(cut.top));
+      cuts.push_back(row_at(cut.bottom()));
+    }
+    std::ranges::sort(cuts);
+    std::vector<Piece> out;
+    for (std::size_t i = 1; i < cuts.size(); ++i) {
+      const Piece piece{cuts[i - 1] + row_at(kCorner), cuts[i] - row_at(kCorner)};
+      if (piece.end - piece.begin >= row_at(kCorner)) out.push_back(piece);
+    }
+    return out;
+  }
+
+  /// Between the crop marks above and below, in whole lenses.
+  std::vector<Piece> free_lenses() const {
+    const core::LensColumns& lenses = m_sheet.lenses;
+    std::vector<double> cuts;  // in lenses; those of the edges are lens edges
+    for (const Box& cut : m_sheet.cuts) {
+      for (const double x : {cut.left, cut.right()})
+        cuts.push_back((x / m_page.pixel_width() - lenses.origin) / lenses.pixels);
+    }
+    std::ranges::sort(cuts);
+    const double corner = kCorner / m_data.print_pitch(), pixel = 0.5 / lenses.pixels;
+    std::vector<Piece> out;
+    for (std::size_t i = 1; i < cuts.size(); ++i) {
+      // Cuts are whole pixels, up to half a one beside the lens's edge.
+      const Piece piece{static_cast<std::int64_t>(std::ceil(cuts[i - 1] + corner - pixel)),
+                        static_cast<std::int64_t>(std::floor(cuts[i] - corner + pixel))};
+      const bool is_gap = m_sheet.cuts.size() > 1 && (cuts[i] - cuts[i - 1]) < 3.0 * corner;
+      if (piece.end > piece.begin && !is_gap) out.push_back(piece);
+    }
+    return out;
+  }
 
   /// A mark from a place away from its picture: along a row if it is level, else along a column.
   void put_crop(double from, int direction, double along, bool is_level) {
-    const double length = free_length(from, direction, along, m_sheet.art, is_level);
+    const Box& all = m_sheet.all_cut;
+    const double first = is_level ? all.top : all.left,
+                 last = is_level ? all.bottom() : all.right();
+    constexpr double kSame = 1e-6;
+    // Those between corners end with the gratings, before the label.
+    const bool is_corner = std::fabs(along - first) < kSame || std::fabs(along - last) < kSame;
+    const double length = std::min(free_length(from, direction, along, m_sheet.art, is_level),
+                                   is_corner ? kCropLength : kLinesDepth);
     if (length < kLeastCrop) return;
     const double begin = direction > 0 ? from : from - length, side = along - kCropWidth / 2.0;
     const Box mark =
         is_level ? Box{begin, side, length, kCropWidth} : Box{side, begin, kCropWidth, length};
     // Neighbours in a grid have theirs in common.
     const auto is_same = [&mark](const Box& bar) {
-      constexpr double kSame = 1e-6;
       return std::fabs(bar.left - mark.left) < kSame && std::fabs(bar.top - mark.top) < kSame &&
              std::fabs(bar.width - mark.width) < kSame &&
              std::fabs(bar.height - mark.height) < kSame;

@@ -28,8 +28,8 @@ MarkRoom mark_room(const LensData& data, Marks marks);
 
 /// What is marked, on the page.
 struct MarkedSheet {
-  std::vector<Box> cuts{};   ///< what is cut out
-  std::vector<Box> art{};       ///< the same with its bleed
+  std::vector<Box> cuts{};    ///< what is cut out
+  std::vector<Box> art{};     ///< the same with its bleed
   Box all_cut{}, all{};       ///< what holds all of them
   core::LensColumns lenses;   ///< in the page's columns
   std::int64_t end_lens = 0;  ///< of all that is cut out; it begins with lens 0

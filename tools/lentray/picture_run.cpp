@@ -41,6 +41,7 @@
 #include "tools/lentray/run_summary.h"
 #include "tools/lentray/scene_disk.h"
 #include "tools/lentray/text_streams.h"
+#include "tools/lentray/view_cameras.h"
 
 namespace lentray::tool {
 namespace {
@@ -98,6 +99,9 @@ void check_outputs(Run& run) {
   const RenderOptions& o = run.options;
   if (!o.dump_rays.empty() && o.dump_rays != "-") core::check_writable(o.dump_rays);
   if (const std::string file = depth_file(o); !file.empty() && file != "-") {
+    core::check_writable(file);
+  }
+  if (const std::string file = view_cameras_file(o); !file.empty() && file != "-") {
     core::check_writable(file);
   }
   if (!renders(o)) return;
@@ -462,6 +466,7 @@ Status run_picture(const Picture& what, const std::atomic<bool>& cancel, TextStr
   read_scene(run, what.scene);
   warnings.say();
   refuse_if_strict(options, run.not_rendered);
+  write_view_cameras(run.camera, options);
   if (options.explain) {
     std::fputs(explanation(*run.scene, run.camera, run.not_rendered).c_str(), stdout);
   }
