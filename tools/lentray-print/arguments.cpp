@@ -388,7 +388,7 @@ std::string usage() {
   return R"(usage: lentray-print pitch-test --lpi L [--dpi D] --out FILE
        lentray-print phase-test --lpi L [--dpi D] --out FILE
        lentray-print eye-test --lpi L --focal-length F --distance V --out FILE
-       lentray-print sheet PICTURE --out FILE
+       lentray-print sheet PICTURE... --out FILE
 
 Brings integral images to paper, and measures lens sheets. The file is a .pdf,
 .tif or .png of exact size: print it at 100 %, without fitting it to the page,
@@ -401,9 +401,11 @@ together. phase-test draws them in cells whose lines are shifted, which tells
 where the lenses stand. eye-test draws rows that are black to the left eye and
 white to the right from the distance beside them.
 
-sheet puts an integral image of lentray on a page, with marks for laying the
-lens sheet on and for cutting. Its strips are printed as they are, never
-resampled, unless --pitch asks for it.
+sheet puts integral images of lentray on a page, with marks for laying the
+lens sheet on and for cutting. Strips are printed as they are, never resampled,
+unless --pitch asks for it. Several pictures, or copies, lie on one lens sheet:
+each stands at whole lenses of it. Where these are no whole pixels, its pixels
+are the mean of two.
 
 Lengths have a unit: mm, cm, m or in.
 
@@ -412,8 +414,10 @@ Of all commands:
                        is whole, and what stood there before stays until then
   --lpi L              lenses an inch
   --lens-pitch P       the same as a length: 0.635mm
-  --dpi D              the printer's pixels an inch: of tests (600), or where a
-                       picture does not tell
+  --dpi D|DxE          the printer's pixels an inch: of tests (600), or where a
+                       picture does not tell. DxE: D across the lenses, where
+                       the views lie, and E along them, as Print_DPI has it
+  --dpi-y E            the same as that E
   --mirror             as seen from behind, for prints on the lens sheet's back
   --horizontal         turned by 90 degrees clockwise: lenses that lie across
   --help, --version
@@ -433,6 +437,16 @@ Of tests:
   --ior N              its refractive index (1.56)
 
 Of sheets:
+  --copies N|CxR       of each picture; CxR: as many columns and rows of places,
+                       which the pictures fill in turn (1)
+  --grid CxR           columns and rows of pictures (as few as it takes, and as
+                       the paper has room)
+  --gap G              between pictures, at least; up to 1 mm more where they
+                       then stand at whole pixels (5mm, or what bleed takes)
+  --seen apart|together
+                       pictures are cut apart, and each is right for an eye
+                       before its own middle (the default); or the sheet stays
+                       whole, and one eye sees all of it
   --paper NAME         the page: A0 to A6, A3+, letter, legal, tabloid, or WxH
                        such as 300x200mm, upright or across; without it as large
                        as it takes
@@ -455,7 +469,6 @@ Of sheets:
                        That is not exact: the error is told, and the options of
                        lentray that render it exactly
   --pixels N           pixels a lens, where the picture does not tell
-  --dpi-y D            its pixels an inch from top to bottom, where they differ
   --bits 8|16          a channel (as the picture has)
 
 Examples:

@@ -15,7 +15,7 @@ namespace {
 using camera::Lenticular;
 using camera::ViewCamera;
 using core::Vec3;
-using nlohmann::json;
+using json = nlohmann::ordered_json;
 
 bool is_of_one_sheet(const parser::RenderOptions& o) {
   return o.animation.views.count > 0 && !o.animation.views.clocks;
