@@ -24,7 +24,7 @@ sphere { <-0.9,-0.3,-0.8>, 0.5 pigment { rgb <0.2,0.5,1> } }
 constexpr const char* kAskew =
     "camera { location <1,1.5,-5> look_at <0,0.2,0> right x*4/3 sky <0.2,1,0> }\n";
 constexpr const char* kRightHanded = "camera { location <0,0.5,-5> right -x*4/3 look_at 0 }\n";
-constexpr const char* kParallel =
+constexpr const char* kFromFar =
     "camera { orthographic location <0,1,-5> look_at 0 right x*4 up y*3 }\n";
 
 std::string sdl_vector(const json& v) {
@@ -65,7 +65,8 @@ class ImageViewCameras : public ::testing::Test {
   /// Stock's picture by a camera of the file.
   static StoredImage by_stock(const json& one) {
     const json& p = one["povray"];
-    SceneText scene{.sdl = kCameraScene};
+    SceneText scene;
+    scene.sdl = kCameraScene;
     scene.sdl += "camera { " + one["projection"].get<std::string>() + " location " +
                  sdl_vector(p["location"]) + " direction " + sdl_vector(p["direction"]) +
                  " right " + sdl_vector(p["right"]) + " up " + sdl_vector(p["up"]) + " }\n";
@@ -83,7 +84,7 @@ TEST_F(ImageViewCameras, TilesOfQuiltsAreStocksPictures) {
       {kAskew, {"Quilt_Aspect=0.75", "View_Cone=50", "Sheet_Distance=4"}},
       {kAskew, {"View_Distance=inf"}},
       {kRightHanded, {}},
-      {kParallel, {}}};
+      {kFromFar, {}}};
   for (const auto& [camera, more] : cases) {
     std::vector<std::string> words{"Quilt=3x2", "Quilt_Tile=64x48", "+Oq.png"};
     words.insert(words.end(), more.begin(), more.end());

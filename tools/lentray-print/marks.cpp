@@ -170,9 +170,9 @@ class Marking {
     const Box& all = m_sheet.all_cut;
     const double first = is_level ? all.top : all.left,
                  last = is_level ? all.bottom() : all.right();
-    constexpr double kSame = 1e-6;
+    constexpr double kTouch = 1e-6;
     // Those between corners end with the gratings, before the label.
-    const bool is_corner = std::fabs(along - first) < kSame || std::fabs(along - last) < kSame;
+    const bool is_corner = std::fabs(along - first) < kTouch || std::fabs(along - last) < kTouch;
     const double length = std::min(free_length(from, direction, along, m_sheet.art, is_level),
                                    is_corner ? kCropLength : kLinesDepth);
     if (length < kLeastCrop) return;
@@ -181,9 +181,9 @@ class Marking {
         is_level ? Box{begin, side, length, kCropWidth} : Box{side, begin, kCropWidth, length};
     // Neighbours in a grid have theirs in common.
     const auto is_same = [&mark](const Box& bar) {
-      return std::fabs(bar.left - mark.left) < kSame && std::fabs(bar.top - mark.top) < kSame &&
-             std::fabs(bar.width - mark.width) < kSame &&
-             std::fabs(bar.height - mark.height) < kSame;
+      return std::fabs(bar.left - mark.left) < kTouch && std::fabs(bar.top - mark.top) < kTouch &&
+             std::fabs(bar.width - mark.width) < kTouch &&
+             std::fabs(bar.height - mark.height) < kTouch;
     };
     if (std::ranges::none_of(m_page.bars, is_same)) m_page.bars.push_back(mark);
   }

@@ -19,7 +19,7 @@ using camera::format;
 
 namespace {
 
-std::string decibels(double value) {
+std::string decibel_text(double value) {
   return std::isfinite(value) ? short_number(std::round(value)) : "infinite";
 }
 
@@ -37,8 +37,8 @@ struct SheetSource {
 };
 
 bool is_other(double a, double b) {
-  constexpr double kSame = 1e-6;
-  return std::fabs(a - b) > kSame * std::fabs(b);
+  constexpr double kAlike = 1e-6;
+  return std::fabs(a - b) > kAlike * std::fabs(b);
 }
 
 /// One lens sheet has one pitch, one direction and one viewer.
@@ -243,7 +243,7 @@ class SheetRun {
     say(about(source) + "--pitch: strips of " + format(m_data.pixels) +
         " pixels are made of views of " + format(source.data.pixels) + ": directions are up to " +
         short_number(made.largest_offset) + " of these pixels off; the interpolation has about " +
-        decibels(made.step_psnr) + " to " + decibels(made.smooth_psnr) +
+        decibel_text(made.step_psnr) + " to " + decibel_text(made.smooth_psnr) +
         " dB PSNR, as colours jump from view to view or change smoothly; the sheet is " +
         short_number(std::fabs(ratio - 1.0) * 100.0) + " % " +
         (ratio < 1.0 ? "narrower" : "wider"));

@@ -15,13 +15,13 @@ namespace {
 using camera::Lenticular;
 using camera::ViewCamera;
 using core::Vec3;
-using json = nlohmann::ordered_json;
+using Json = nlohmann::ordered_json;
 
 bool is_of_one_sheet(const parser::RenderOptions& o) {
   return o.animation.views.count > 0 && !o.animation.views.clocks;
 }
 
-json numbers(const Vec3& v) { return json::array({v.x, v.y, v.z}); }
+Json vector_json(const Vec3& v) { return Json::array({v.x, v.y, v.z}); }
 
 /// Which views there are and how large their pictures are.
 struct ViewSet {
@@ -48,12 +48,12 @@ std::shared_ptr<const camera::Camera> camera_of(const Lenticular& sheet, const V
 
 /// A perspective's window seen from its eye: sides as slopes, angles, and the shift of the window beside the line
 /// through the eye along the normal, in widths and heights of it.
-void add_frustum(json& out, const ViewCamera& camera) {
+void add_frustum(Json& out, const ViewCamera& camera) {
   const double width = core::length(camera.right), height = core::length(camera.up);
   const double x = dot(camera.towards, camera.right) / width / camera.distance;
   const double y = dot(camera.towards, camera.up) / height / camera.distance;
   if (!camera.is_perspective) {
-    out["slope"] = json::array({x, y});
+    out["slope"] = Json::array({x, y});
     return;
   }
   const double half_x = 0.5 * width / camera.distance, half_y = 0.5 * height / camera.distance;
@@ -61,43 +61,43 @@ void add_frustum(json& out, const ViewCamera& camera) {
   out["frustum"] = {
       {"left", x - half_x}, {"right", x + half_x}, {"bottom", y - half_y}, {"top", y + half_y}};
   out["field_of_view_degrees"] =
-      json::array({kDegrees * std::atan(half_x), kDegrees * std::atan(half_y)});
-  out["shift"] = json::array({0.5 * x / half_x, 0.5 * y / half_y});
+      Json::array({kDegrees * std::atan(half_x), kDegrees * std::atan(half_y)});
+  out["shift"] = Json::array({0.5 * x / half_x, 0.5 * y / half_y});
 }
 
-json camera_json(const ViewCamera& camera) {
+Json camera_json(const ViewCamera& camera) {
   const char* const kind = camera.is_perspective ? "perspective" : "orthographic";
-  json out{{"projection", kind},
-           {"location", numbers(camera.eye)},
-           {"look_direction", numbers(camera.normal)},
-           {"right", numbers(core::normalized(camera.right))},
-           {"up", numbers(core::normalized(camera.up))},
+  Json out{{"projection", kind},
+           {"location", vector_json(camera.eye)},
+           {"look_direction", vector_json(camera.normal)},
+           {"right", vector_json(core::normalized(camera.right))},
+           {"up", vector_json(core::normalized(camera.up))},
            {"distance", camera.distance},
            {"largest_miss", camera.miss},
            {"povray",
-            {{"location", numbers(camera.eye)},
-             {"direction", numbers(camera.towards)},
-             {"right", numbers(camera.right)},
-             {"up", numbers(camera.up)}}}};
+            {{"location", vector_json(camera.eye)},
+             {"direction", vector_json(camera.towards)},
+             {"right", vector_json(camera.right)},
+             {"up", vector_json(camera.up)}}}};
   if (camera.start > 1e-12 * camera.distance) out["near"] = camera.start;
   add_frustum(out, camera);
   return out;
 }
 
-json sheet_json(const Lenticular& sheet) {
+Json sheet_json(const Lenticular& sheet) {
   const camera::SheetPlacement& place = sheet.placement();
-  return {{"centre", numbers(place.centre)},
-          {"normal", numbers(place.normal)},
-          {"right", numbers(place.right)},
-          {"up", numbers(place.up)},
+  return {{"centre", vector_json(place.centre)},
+          {"normal", vector_json(place.normal)},
+          {"right", vector_json(place.right)},
+          {"up", vector_json(place.up)},
           {"width", place.width},
           {"height", place.height}};
 }
 
-json quilt_json(const parser::RenderOptions& o, const Lenticular& sheet) {
+Json quilt_json(const parser::RenderOptions& o, const Lenticular& sheet) {
   const camera::SheetPlacement& place = sheet.placement();
   const parser::QuiltGrid& grid = *o.views.quilt;
-  json out{{"columns", grid.columns},
+  Json out{{"columns", grid.columns},
            {"rows", grid.rows},
            {"width", grid.columns * o.views.size->width},
            {"height", grid.rows * o.views.size->height},
@@ -109,7 +109,7 @@ json quilt_json(const parser::RenderOptions& o, const Lenticular& sheet) {
 }
 
 /// Where camera `number`, the leftmost one 0, has its tile: from the lower left, and in pixels from the upper left.
-json tile_json(const parser::RenderOptions& o, std::uint32_t number) {
+Json tile_json(const parser::RenderOptions& o, std::uint32_t number) {
   const parser::QuiltGrid& grid = *o.views.quilt;
   const std::uint32_t column = number % grid.columns, row = number / grid.columns;
   return {{"column", column},
@@ -118,25 +118,25 @@ json tile_json(const parser::RenderOptions& o, std::uint32_t number) {
           {"top", (grid.rows - 1 - row) * o.views.size->height}};
 }
 
-json all_cameras(const CameraSetup& setup, const parser::RenderOptions& o) {
+Json all_cameras(const CameraSetup& setup, const parser::RenderOptions& o) {
   const Lenticular& sheet = *setup.sheet;
   const camera::SheetPlacement& place = sheet.placement();
   const ViewSet set = views_of(sheet, o);
   const bool is_left = dot(cross(place.right, place.up), place.normal) > 0.0;
-  json out{{"program", std::string("lentray ") + kVersion},
+  Json out{{"program", std::string("lentray ") + kVersion},
            {"scene", o.input == "-" ? std::string() : o.input},
            {"units", "scene units"},
            {"handedness", is_left ? "left" : "right"},
            {"sheet", sheet_json(sheet)}};
   if (o.views.quilt) out["quilt"] = quilt_json(o, sheet);
-  json cameras = json::array();
+  Json cameras = Json::array();
   for (std::uint32_t number = 0; number < set.count; ++number) {
     const std::uint32_t view = set.count - 1 - number;
     const auto picture = camera_of(sheet, set, view);
     const double lenses = set.is_strips ? picture->width() : sheet.sheet().lenses();
     const ViewCamera camera = camera::view_camera(sheet, *picture, lenses);
-    json one{{"number", number}, {"view", view}};
-    one["size"] = json::array({picture->width(), picture->height()});
+    Json one{{"number", number}, {"view", view}};
+    one["size"] = Json::array({picture->width(), picture->height()});
     if (o.views.quilt) one["tile"] = tile_json(o, number);
     if (camera.is_dark) {
       one["dark"] = true;
@@ -165,7 +165,7 @@ void write_view_cameras(const CameraSetup& setup, const parser::RenderOptions& o
   if (is_of_one_sheet(o) && parser::rendered_view(o).value_or(0) > 0) return;
   write_text_file(
       view_cameras_file(o),
-      all_cameras(setup, o).dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+      all_cameras(setup, o).dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace lentray::tool
