@@ -59,7 +59,8 @@ ViewCamera view_camera(const Lenticular& sheet, const Camera& view, double lense
   out.distance = out.is_perspective ? sheet.eye_distance() : place.front;
   out.start = out.is_perspective ? out.distance - place.front : 0.0;
   out.eye = (out.is_perspective ? place.centre : window) - line * out.distance;
-  out.towards = window - out.eye;
+  // Parallel rays may start in the sheet.
+  out.towards = out.is_perspective ? window - out.eye : line;
   return out;
 }
 

@@ -290,7 +290,7 @@ TEST_F(ImagePrintSeveral, WhatDoesNotGoTogether) {
   fails({"--grid", "1x1"}, "a grid of 1 x 1 has no room for 2 pictures");
   fails({"--copies", "1x1"}, "a grid of 1 x 1 has no room for 2 pictures");
   fails({"--bleed", "3mm", "--gap", "5mm"}, "give --gap 6mm or more");
-  fails({"--copies", "20", "--paper", "A6"}, " of 40 pictures with their gaps and marks; --tiles");
+  fails({"--copies", "60", "--paper", "A6"}, " of 120 pictures with their gaps and marks; --tiles");
   tool::write_text(m_folder / "a.pov",
                    "#version 3.7;\ncamera { location -5*z look_at 0 }\nbackground { rgb 1 }\n");
   const auto render = [&](const std::string& pixels, const std::string& name,

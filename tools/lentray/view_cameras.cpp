@@ -50,8 +50,9 @@ std::shared_ptr<const camera::Camera> camera_of(const Lenticular& sheet, const V
 /// through the eye along the normal, in widths and heights of it.
 void add_frustum(Json& out, const ViewCamera& camera) {
   const double width = core::length(camera.right), height = core::length(camera.up);
-  const double x = dot(camera.towards, camera.right) / width / camera.distance;
-  const double y = dot(camera.towards, camera.up) / height / camera.distance;
+  const double ahead = dot(camera.towards, camera.normal);
+  const double x = dot(camera.towards, camera.right) / width / ahead;
+  const double y = dot(camera.towards, camera.up) / height / ahead;
   if (!camera.is_perspective) {
     out["slope"] = Json::array({x, y});
     return;
