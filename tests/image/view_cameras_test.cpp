@@ -13,11 +13,12 @@ namespace {
 
 using nlohmann::json;
 
+/// Nothing of it is before where rays start, from which stock sees it too.
 constexpr const char* kCameraScene = R"(#version 3.7;
 global_settings { assumed_gamma 1 }
 light_source { <5,8,-6> rgb 1 }
 background { rgb <0.2,0.3,0.5> }
-plane { y, -1.2 pigment { checker rgb 0.9 rgb <0.4,0.5,0.2> } }
+plane { z, 2.6 pigment { checker rgb 0.9 rgb <0.4,0.5,0.2> } }
 sphere { <0.6,0,1.5>, 0.9 pigment { rgb <1,0.6,0.1> } finish { phong 0.4 } }
 sphere { <-0.9,-0.3,-0.8>, 0.5 pigment { rgb <0.2,0.5,1> } }
 )";
