@@ -108,9 +108,7 @@ LensColumn LensSheet::place(double column, std::int64_t lens) const {
   return at(column / m_lens.pixels - static_cast<double>(lens) - 0.5, static_cast<double>(lens));
 }
 
-std::int64_t LensSheet::lens_of(std::int64_t k) const {
-  return static_cast<std::int64_t>(std::floor((static_cast<double>(k) + 0.5) / m_lens.pixels));
-}
+std::int64_t LensSheet::lens_of(std::int64_t k) const { return columns().lens_of(k); }
 
 LensColumn LensSheet::beside(std::int64_t k, double across, double turn) const {
   const auto lens = static_cast<double>(lens_of(k));

@@ -13,6 +13,8 @@
 #include <string>
 #include <vector>
 
+#include "core/numeric/lens_columns.h"
+
 namespace lentray::camera {
 
 enum class LensModel {
@@ -98,10 +100,14 @@ class LensSheet {
   const LensParameters& lens() const { return m_lens; }
   double eye_slope() const { return m_eye_slope; }
   std::uint32_t width() const { return static_cast<std::uint32_t>(m_columns.size()); }
-  /// L = W/N: fractional when the last lens is cut.
+  /// L = W/N: fractional when the last lens is cut, or where the picture was rounded to whole pixels.
   double lenses() const { return m_lenses; }
   /// Lenses that own at least one pixel.
   std::uint32_t lens_count() const { return static_cast<std::uint32_t>(m_columns.back().lens) + 1; }
+  /// The columns behind each lens; of a slanted sheet those at its middle height.
+  core::LensColumns columns() const { return {m_lens.pixels}; }
+  /// L as it is told to people: whole unless the last lens is cut.
+  double counted_lenses() const { return columns().counted(width()); }
   bool is_slanted() const { return m_lens.slant != 0.0; }
   /// L P / cos a: the sheet's width in mm.
   double sheet_width() const { return m_lenses * m_lens.pitch / m_lens.slant_cosine(); }

@@ -98,7 +98,8 @@ core::PixelPlace Lenticular::place_at(double at, double row, double cell) const 
   // The axis of lens i is at i + 1/2.
   const double lens =
       std::clamp(std::floor(at), 0.0, static_cast<double>(m_sheet.lens_count() - 1));
-  const double first = std::ceil(lens * pixels - 0.5);  // column that the lens owns
+  const auto first =
+      static_cast<double>(core::LensColumns{pixels}.first_column(static_cast<std::int64_t>(lens)));
   core::PixelPlace out;
   out.column = static_cast<std::int32_t>(first);
   out.across = at - 0.5 - lens;
@@ -196,8 +197,8 @@ std::int64_t view_column(double lens_pixels, std::uint32_t view, std::uint32_t v
   if (lens_pixels == views) return lens * views + view;
   const auto column =
       static_cast<std::int64_t>(std::floor(lens_pixels * (i + (view + 0.5) / views)));
-  const double owner = std::floor((static_cast<double>(column) + 0.5) / lens_pixels);
-  return owner < i ? column + 1 : owner > i ? column - 1 : column;
+  const std::int64_t owner = core::LensColumns{lens_pixels}.lens_of(column);
+  return owner < lens ? column + 1 : owner > lens ? column - 1 : column;
 }
 
 std::uint32_t usual_views(const LensSheet& sheet) {

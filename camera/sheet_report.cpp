@@ -67,15 +67,14 @@ std::string size_line(const Lenticular& sheet, const SheetSize& size) {
     return std::fabs(by) < kNothing ? std::string("as ") + as + " as asked for"
                                     : brief(std::fabs(by)) + " mm " + (by > 0.0 ? more : less);
   };
-  const double lenses = sheet.sheet().lenses();
-  const bool whole = sheet.sheet().is_slanted() ||
-                     std::fabs(lenses - std::round(lenses)) < 0.5 / sheet.sheet().lens().pixels;
+  const bool cut =
+      !sheet.sheet().is_slanted() && sheet.sheet().columns().is_last_cut(sheet.width());
   return "Rounded to whole pixels, " + std::to_string(sheet.width()) + " x " +
          std::to_string(sheet.height()) + ", for a sheet of " + format(size.width) + " x " +
          format(size.height) +
          " mm: " + differs(sheet.sheet().sheet_width() - size.width, "wide", "wider", "narrower") +
          ", " + differs(sheet.sheet_height() - size.height, "high", "higher", "lower") +
-         (whole ? "" : "; the last lens is cut");
+         (cut ? "; the last lens is cut" : "");
 }
 
 /// Where the lens data are from.
@@ -256,7 +255,7 @@ std::vector<std::string> report_of(const Lenticular& sheet, const LensRequest& a
     for (std::string& line : lines) out.push_back(std::move(line));
   };
   out.push_back("Lens sheet " + size_text(sheet.sheet().sheet_width(), sheet.sheet_height()) +
-                ", " + format(sheet.sheet().lenses()) + " lenses, " +
+                ", " + format(sheet.sheet().counted_lenses()) + " lenses, " +
                 format(lens.lenses_per_inch()) + " lpi, " + format(lens.pixels) + " pixels a lens");
   out.push_back("Print " + size_text(sheet.print_width(), sheet.print_height()) + ", " +
                 format(sheet.print_dpi_x()) + " x " + format(sheet.print_dpi_y()) + " ppi, pitch " +

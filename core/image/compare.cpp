@@ -6,6 +6,8 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "core/numeric/lens_columns.h"
+
 namespace lentray::core {
 
 namespace {
@@ -156,10 +158,10 @@ LensComparison compare_lenses(const StoredImage& a, const StoredImage& b, double
   if (!(lens_pixels >= 1.0)) throw std::invalid_argument("a lens has at least one pixel");
   LensComparison result;
   result.whole = compare(a, b, Columns::all(a.width));
-  const auto lens_of = [&](std::uint32_t k) { return std::floor((k + 0.5) / lens_pixels); };
+  const LensColumns columns{lens_pixels};
   for (std::uint32_t begin = 0; begin < a.width;) {
     std::uint32_t end = begin + 1;
-    while (end < a.width && lens_of(end) == lens_of(begin)) ++end;
+    while (end < a.width && columns.lens_of(end) == columns.lens_of(begin)) ++end;
     result.lenses.push_back(compare(a, b, Columns::range(begin, end), kLensAllowance));
     begin = end;
   }

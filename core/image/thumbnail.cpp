@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "core/image/srgb.h"
+#include "core/numeric/lens_columns.h"
 
 namespace lentray::core {
 namespace {
@@ -189,10 +190,9 @@ std::vector<Thumbnail> averages(const StoredImage& image,
 }  // namespace
 
 std::vector<std::uint32_t> view_columns(std::uint32_t width, double lens_pixels, double view) {
-  constexpr double kRounding = 1e-9;
   if (!(lens_pixels >= 1.0)) throw std::invalid_argument("a lens of less than a pixel");
-  const auto lenses =
-      static_cast<std::size_t>(std::max(1.0, std::floor(width / lens_pixels + kRounding)));
+  const auto lenses = static_cast<std::size_t>(
+      std::max<std::int64_t>(1, LensColumns{lens_pixels}.whole_lenses(width)));
   std::vector<std::uint32_t> columns;
   for (std::size_t lens = 0; lens < lenses; ++lens) {
     const double column = std::floor(view + lens_pixels * static_cast<double>(lens) + 0.5);

@@ -211,6 +211,7 @@ void add_work(const RenderOptions& o, Lines& out) {
   out.name("Statistics_File", o.statistics_file);
   out.add("Shadow_Log", o.shadow_log);
   out.add("Count_Tests", o.count_tests);
+  out.name("View_Cameras", o.view_cameras);
   out.name("Dependencies_File", o.dependencies_file);
   out.add("Scene_Writes", std::string_view(o.writes_to_disk ? "disk" : "memory"));
   out.add("Restrict_IO", o.restrict_io);

@@ -124,6 +124,7 @@ struct RenderOptions {
   std::string statistics_file, dump_rays;
   std::string depth_view;   ///< file that --depth-view draws; empty: none
   bool count_tests = true;  ///< tests of bounds and shapes go into the statistics
+  std::string view_cameras;  ///< file of the cameras of views; empty: none
   std::string
       dependencies_file;  ///< which files the scene reads, writes and looks for; empty: nowhere
   bool writes_to_disk = true;  ///< what the scene writes; else it stays in memory

@@ -187,6 +187,10 @@ constexpr OptionHelp kSheet[] = {
     {"Quilt_Tile", "WxH", "Size of each of its views (of +W +H, which is the whole quilt's).", ""},
     {"Quilt_Aspect", "n", "Width by height of the display (as the scene's camera).", ""},
     {"View_Cone", "degrees", "Angle between a quilt's outermost cameras (35).", ""},
+    {"View_Cameras", "file",
+     "The cameras of the quilt's tiles or of the sheet's views, as JSON for other programs; with "
+     "--explain without rendering.",
+     ""},
 };
 constexpr OptionHelp kWork[] = {
     {"Work_Threads", "n", "Threads (all of the machine).", ""},

@@ -599,6 +599,7 @@ constexpr OptionRow kTable[] = {
     {"Quilt_Tile", "", set_view_size},
     {"Quilt_Aspect", "", set_quilt_aspect},
     {"View_Cone", "", set_view_cone},
+    {"View_Cameras", "", set_text<&Options::view_cameras>},
     {"Shadow_Log", "", set_bool<&Options::shadow_log>},
     {"Pixel_Order", "", set_order},
     {"Shadow_Cache", "", set_cache},

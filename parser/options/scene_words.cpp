@@ -50,6 +50,7 @@ constexpr FileOption kFileOptions[] = {
     text_file<&Options::all_file>("All_File"),
     text_file<&Options::statistics_file>("Statistics_File"),
     text_file<&Options::dependencies_file>("Dependencies_File"),
+    text_file<&Options::view_cameras>("View_Cameras"),
     {"commands", FileUse::kRuns, commands},
 };
 

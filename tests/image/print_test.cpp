@@ -421,8 +421,13 @@ TEST_F(ImagePrint, TilesTogetherAreTheWhole) {
 
 TEST_F(ImagePrint, MeasuredPitchBesideTheNewRender) {
   render_sheet({"View_Distance=400", "+FN16"});
-  expect_print({"sheet", "s.png", "--pitch", "39.8lpi", "--marks", "none", "--margin", "0mm",
-                "--out", "made.png"});
+  // 39 lenses of 15.0433 pixels become wider by two pixels in all, so that the fit, which leaves the middle where it
+  // is, begins its first strip with a whole column as the new render does.
+  const double lpi = 600.0 / (15.0 * (1.0 + 1.8 / (1.56 * 400.0)) + 1.0 / 19.5);
+  char pitch[32];
+  std::snprintf(pitch, sizeof pitch, "%.12glpi", lpi);
+  expect_print({"sheet", "s.png", "--pitch", pitch, "--marks", "none", "--margin", "0mm", "--out",
+                "made.png"});
   const auto told = numbers_in(m_report, R"(about ([0-9]+) to ([0-9]+) dB PSNR)");
   ASSERT_EQ(told.size(), 2u) << m_report;
   // The command that is told renders the same sheet.
@@ -434,7 +439,7 @@ TEST_F(ImagePrint, MeasuredPitchBesideTheNewRender) {
   const auto run = run_lentray(words, m_folder.path());
   ASSERT_EQ(run.status, 0) << run.output;
   const StoredImage made = read("made.png"), fresh = read("new.png");
-  EXPECT_NEAR(std::stod(fresh.attributes.at("lentray:lens.print_pitch_mm")) / (25.4 / 39.8), 1.0,
+  EXPECT_NEAR(std::stod(fresh.attributes.at("lentray:lens.print_pitch_mm")) / (25.4 / lpi), 1.0,
               1e-9);
   EXPECT_NEAR(std::stod(fresh.attributes.at("lentray:lens.print_dpi_x")) / 600.0, 1.0, 1e-9);
   ASSERT_EQ(made.height, fresh.height);

@@ -114,7 +114,7 @@ TEST(UnitThumbnail, ColumnsOfViews) {
   EXPECT_EQ(core::view_columns(15, 5.0, 0.0), (Columns{0, 5, 10}));
   EXPECT_EQ(core::view_columns(15, 5.0, 2.0), (Columns{2, 7, 12}));
   EXPECT_EQ(core::view_columns(18, 5.0, 4.0), (Columns{4, 9, 14})) << "the cut lens is left out";
-  EXPECT_EQ(core::view_columns(14, 4.7, 0.0), (Columns{0, 5}));
+  EXPECT_EQ(core::view_columns(14, 4.7, 0.0), (Columns{0, 5, 9}));
   EXPECT_EQ(core::view_columns(15, 4.7, 1.85), (Columns{2, 7, 11}));
   EXPECT_EQ(core::view_columns(3, 5.0, 4.0), (Columns{2})) << "less than a lens";
   EXPECT_THROW(core::view_columns(3, 0.5, 0.0), std::invalid_argument);

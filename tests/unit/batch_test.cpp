@@ -312,7 +312,8 @@ TEST_F(UnitBatch, ViewsAreColumnsOfTheSheet) {
   const core::StoredImage view = view_of(image, 4.0, 1);
   ASSERT_EQ(view.width, 3u);
   for (std::uint32_t i = 0; i < 3; ++i) EXPECT_EQ(view.at(i, 0, 0), static_cast<float>(4 * i + 1));
-  EXPECT_EQ(view_of(image, 2.5, 1).width, 4u) << "whole lenses";
+  EXPECT_EQ(view_of(image, 2.5, 1).width, 5u) << "no column is missing";
+  EXPECT_EQ(view_of(image, 2.6, 1).width, 4u) << "whole lenses";
   EXPECT_EQ(view_names("a/b.png", 3.0),
             (std::vector<std::string>{"a/b-views/view00.png", "a/b-views/view01.png",
                                       "a/b-views/view02.png"}));

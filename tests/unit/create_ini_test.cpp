@@ -87,6 +87,7 @@ TEST(UnitParserCreateIni, AsksForTheSameRunAgain) {
        "Statistics_File=s.json",
        "Count_Tests=Off",
        "Dependencies_File=d.json",
+       "View_Cameras=v.json",
        "Scene_Writes=memory",
        "Restrict_IO=On"}};
   for (const auto& arguments : runs) {

@@ -95,7 +95,8 @@ TEST(UnitPrintArguments, Sheet) {
                        "1cm",     "--pixels", "15.5",         "--dpi",
                        "600",     "--dpi-y",  "300",          "--bits",
                        "16"});
-  EXPECT_EQ(a.image, "a.png");
+  ASSERT_EQ(a.images.size(), 1u);
+  EXPECT_EQ(a.images[0], "a.png");
   EXPECT_EQ(a.style.paper->height, 420.0);
   EXPECT_EQ(a.style.bleed, 3.0);
   EXPECT_TRUE(a.style.bleed_of_picture);
@@ -114,6 +115,31 @@ TEST(UnitPrintArguments, Sheet) {
   EXPECT_TRUE(parse_arguments({"--version"}).version);
 }
 
+TEST(UnitPrintArguments, SeveralPictures) {
+  const Arguments a = parse_arguments({"sheet", "a.png", "b.png", "--copies", "4", "--grid", "2x4",
+                                       "--gap=3mm", "--seen=together", "--out=s.pdf"});
+  EXPECT_EQ(a.images.size(), 2u);
+  EXPECT_EQ(a.copies, 4);
+  EXPECT_EQ(*a.grid, (LayoutGrid{2, 4}));
+  EXPECT_EQ(*a.style.gap, 3.0);
+  EXPECT_TRUE(a.style.is_seen_together);
+  const Arguments b = parse_arguments({"sheet", "a.png", "--copies", "3x5", "--out=s.pdf"});
+  EXPECT_EQ(*b.copies_grid, (LayoutGrid{3, 5}));
+  EXPECT_EQ(b.copies, 1);
+}
+
+/// Across the lenses first, as Print_DPI of lentray has it.
+TEST(UnitPrintArguments, TwoResolutions) {
+  for (const char* command : {"pitch-test", "phase-test", "eye-test"}) {
+    const Arguments a = parse_arguments({command, "--lpi", "40", "--dpi", "1440x720", "--out=p.pdf",
+                                         command == std::string("eye-test") ? "--focal-length=2mm"
+                                                                            : "--mirror"});
+    EXPECT_EQ(*a.lens.dpi_x, 1440.0);
+    EXPECT_EQ(*a.lens.dpi_y, 720.0);
+  }
+  EXPECT_EQ(*parse_arguments({"sheet", "a.png", "--dpi=720X360.5", "--out=p.pdf"}).lens.dpi_y, 360.5);
+}
+
 TEST(UnitPrintArguments, WrongTogether) {
   EXPECT_EQ(print_error({}), "no command is given; lentray-print --help tells of all");
   EXPECT_EQ(print_error({"print"}),
@@ -124,8 +150,12 @@ TEST(UnitPrintArguments, WrongTogether) {
             "--lpi L is missing, or --lens-pitch: the lenses of the sheet");
   EXPECT_EQ(print_error({"sheet", "--out", "a.pdf"}),
             "sheet needs a picture: lentray-print sheet PICTURE --out FILE");
-  EXPECT_EQ(print_error({"sheet", "a.png", "b.png", "--out", "a.pdf"}),
-            "one picture at a time: 'a.png' and 'b.png' are given");
+  EXPECT_EQ(print_error({"sheet", "a.png", "--dpi=720x360", "--dpi-y=360", "--out=a.pdf"}),
+            "--dpi has two numbers, across the lenses and along them: leave --dpi-y out");
+  EXPECT_EQ(print_error({"sheet", "a.png", "--copies=2x3", "--grid=3x2", "--out=a.pdf"}),
+            "--copies CxR tells the grid already: leave --grid out");
+  EXPECT_EQ(print_error({"sheet", "a.png", "b.png", "--copies=501", "--out=a.pdf"}),
+            "2 pictures 501 times each: 1000 are possible");
   EXPECT_EQ(print_error({"pitch-test", "a.png"}),
             "pitch-test takes no picture, but 'a.png' is given");
   EXPECT_EQ(print_error({"sheet", "a.png", "--out", "a.pdf", "--tiles"}), "--tiles needs --paper");
@@ -163,6 +193,15 @@ TEST(UnitPrintArguments, WrongValues) {
     refused("pitch-test", "--dpi", value, "a number from 10 to 50000 is expected");
   for (const char* value : {"0", "-1", "1e300"})
     refused("pitch-test", "--step", value, "a number from 0.0001 to 1000 is expected");
+  for (const char* value : {"720x", "x720", "720x0", "9x720"}) {
+    EXPECT_EQ(print_error({"eye-test", "--dpi", value}).find(std::string("option --dpi ") + value),
+              0u);
+  }
+  refused("sheet", "--grid", "3", "columns x rows of pictures are expected, such as 3x4");
+  refused("sheet", "--grid", "100x100", "1000 pictures are possible");
+  refused("sheet", "--copies", "0", "a whole number from 1 to 1000 is expected");
+  refused("sheet", "--seen", "alone", "there are apart and together");
+  refused("sheet", "--gap", "2m", "a length from 0 to 1000 mm is expected");
   refused("pitch-test", "--bands", "0", "a whole number from 1 to 200 is expected");
   refused("pitch-test", "--bands", "1e300", "a whole number is expected");
   refused("pitch-test", "--edges", "soft", "there are grey and hard");

@@ -220,16 +220,22 @@ TEST(UnitPrintTests, LeftEyeBlackRightEyeWhite) {
 }
 
 TEST(UnitPrintSheet, WholeLensesAlone) {
-  EXPECT_EQ(whole_lens_columns(150, 15.0), 150u);
-  EXPECT_EQ(whole_lens_columns(151, 15.0), 150u);
-  EXPECT_EQ(whole_lens_columns(164, 15.0), 150u);
-  EXPECT_EQ(whole_lens_columns(14, 15.0), 0u);
-  EXPECT_EQ(whole_lens_columns(2400, 15.1839), 2399u);
-  const SheetArt art = sheet_art(numbered_picture(161, 8), lens_of_pixels(15.5), {});
+  const auto whole = [](std::uint32_t width, double pixels) {
+    return of_whole_lenses(numbered_picture(width, 2), pixels).width;
+  };
+  EXPECT_EQ(whole(150, 15.0), 150u);
+  EXPECT_EQ(whole(151, 15.0), 150u);
+  EXPECT_EQ(whole(164, 15.0), 150u);
+  EXPECT_EQ(whole(2400, 15.1839), 2399u);
+  // 100 lenses are 1197.0075 and 1793.2752 columns: what is missing is rounding.
+  EXPECT_EQ(whole(1197, 11.970075), 1197u);
+  EXPECT_EQ(whole(1793, 17.932752), 1793u);
+  EXPECT_EQ(whole(1196, 11.970075), 1185u);
+  const SheetArt art =
+      sheet_art(of_whole_lenses(numbered_picture(161, 8), 15.5), lens_of_pixels(15.5), {});
   EXPECT_EQ(art.end_lens, 10);
   EXPECT_EQ(art.image.width, 155u);
-  EXPECT_EQ(art.cut_columns, 6u);
-  EXPECT_EQ(page_error([] { sheet_art(numbered_picture(10, 8), lens_of_pixels(15.0), {}); }),
+  EXPECT_EQ(page_error([] { of_whole_lenses(numbered_picture(10, 8), 15.0); }),
             "the picture is 10 pixels wide, less than a lens of 15");
 }
 
@@ -262,7 +268,7 @@ TEST(UnitPrintSheet, BleedGoesOnViewByView) {
 
 TEST(UnitPrintSheet, FractionalLensesGoOnAtTheSamePlace) {
   const double pixels = 15.3;
-  const std::vector<std::uint32_t> columns = continued_columns(-31, 60, 306, pixels);
+  const std::vector<std::uint32_t> columns = continued_columns(-31, 60, 306, {pixels});
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const double k = static_cast<double>(i) - 31.0 + 0.5, from = columns[i] + 0.5;
     const double phase = k / pixels - std::floor(k / pixels);
@@ -333,10 +339,10 @@ TEST(UnitPrintTiles, TogetherTheyAreTheWhole) {
 
 TEST(UnitPrintRepitch, SamePitchIsTheSamePicture) {
   const core::StoredImage picture = numbered_picture(153, 9);
-  const Repitched same = repitched(picture, 15.3, 15.3);
+  const Repitched same = repitched(picture, 15.3, {15.3});
   EXPECT_TRUE(same_samples(same.image, picture));
   EXPECT_NEAR(same.largest_offset, 0.0, 1e-9);
-  EXPECT_EQ(page_error([&] { repitched(picture, 15.3, 0.5); }),
+  EXPECT_EQ(page_error([&] { repitched(picture, 15.3, {0.5}); }),
             "at that pitch a lens is less than one pixel of the print wide");
 }
 
@@ -354,7 +360,7 @@ TEST(UnitPrintRepitch, LinearViewsStayLinear) {
   };
   for (int k = 0; k < 200; ++k)
     samples[static_cast<std::size_t>(k)] = static_cast<std::uint16_t>(std::lround(value(k, 20.0)));
-  const Repitched made = repitched(picture, 20.0, 17.3);
+  const Repitched made = repitched(picture, 20.0, {17.3});
   EXPECT_EQ(made.image.width, 173u);
   for (std::uint32_t k = 0; k < 173; ++k) {
     const double expected = value(k, 17.3);

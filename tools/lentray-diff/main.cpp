@@ -11,8 +11,9 @@
 #include "core/image/display.h"
 #include "core/image/file_swap.h"
 #include "core/image/reader.h"
-#include "parser/base/shown.h"
 #include "core/image/run_files.h"
+#include "core/numeric/lens_columns.h"
+#include "parser/base/shown.h"
 #include "parser/options/options.h"
 #include "tools/common/json_text.h"
 #include "tools/common/machine.h"
@@ -106,7 +107,8 @@ std::string describe(const Sheet& s, Way way, const StockOptions& stock) {
   if (s.is_finite()) std::snprintf(distance, sizeof distance, "V = %.6g mm", s.view_distance);
   std::snprintf(text, sizeof text,
                 "integral image %u x %u: %.6g lenses of %.6g pixels, %s, %s; stock by ", s.columns,
-                s.rows, s.lenses(), s.pixels, distance, s.paraxial ? "paraxial" : "pinhole");
+                s.rows, core::LensColumns{s.pixels}.counted(s.columns), s.pixels, distance,
+                s.paraxial ? "paraxial" : "pinhole");
   return text + reference(way, stock);
 }
 

@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "core/numeric/lens_columns.h"
+
 namespace lentray::diff {
 
 using core::Vec3;
@@ -20,7 +22,7 @@ double Sheet::print_pitch() const {
 }
 
 std::uint32_t Sheet::lens_of(std::uint32_t column) const {
-  return static_cast<std::uint32_t>(std::floor((column + 0.5) / pixels));
+  return static_cast<std::uint32_t>(core::LensColumns{pixels}.lens_of(column));
 }
 
 double Sheet::cell_offset(std::uint32_t view) const {

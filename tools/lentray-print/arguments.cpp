@@ -124,6 +124,48 @@ struct ValueOption {
 
 constexpr double kMostDpi = 50000.0;
 
+double dpi_of(const GivenOption& given) { return number_within(given, 10.0, kMostDpi); }
+
+/// "720", or "1440x720": across the lenses, and along them. As Print_DPI of lentray has it.
+void take_dpi(Arguments& a, const GivenOption& given) {
+  const std::size_t times = given.value.find_first_of("xX");
+  GivenOption across = given, along = given;
+  across.value = given.value.substr(0, times);
+  a.lens.dpi_x = dpi_of(across);
+  a.dpi_says_both = times != std::string::npos;
+  if (!a.dpi_says_both) return;
+  along.value = given.value.substr(times + 1);
+  a.lens.dpi_y = dpi_of(along);
+}
+
+constexpr int kMostPictures = 1000;
+
+/// "3x4": columns and rows.
+LayoutGrid grid_of(const GivenOption& given) {
+  const std::size_t times = given.value.find_first_of("xX");
+  if (times == std::string::npos) {
+    parser::refuse(given, "columns x rows of pictures are expected, such as 3x4");
+  }
+  GivenOption columns = given, rows = given;
+  columns.value = given.value.substr(0, times);
+  rows.value = given.value.substr(times + 1);
+  const LayoutGrid grid{
+      .columns = static_cast<int>(parser::whole_number(columns, 1, kMostPictures)),
+      .rows = static_cast<int>(parser::whole_number(rows, 1, kMostPictures))};
+  if (grid.places() > kMostPictures) parser::refuse(given, "1000 pictures are possible");
+  return grid;
+}
+
+/// "8", or "3x4".
+void take_copies(Arguments& a, const GivenOption& given) {
+  a.copies_grid.reset();
+  if (given.value.find_first_of("xX") != std::string::npos) {
+    a.copies_grid = grid_of(given);
+  } else {
+    a.copies = static_cast<int>(parser::whole_number(given, 1, kMostPictures));
+  }
+}
+
 constexpr ValueOption kValues[] = {
     {"Out", kAll, [](Arguments& a, const GivenOption& g) { a.out = file_name(g); }},
     {"Lpi", kAll,
@@ -132,8 +174,7 @@ constexpr ValueOption kValues[] = {
      }},
     {"Lens_Pitch", kAll,
      [](Arguments& a, const GivenOption& g) { a.lens.lens_pitch = lens_pitch(g); }},
-    {"Dpi", kAll,
-     [](Arguments& a, const GivenOption& g) { a.lens.dpi_x = number_within(g, 10.0, kMostDpi); }},
+    {"Dpi", kAll, take_dpi},
     {"Size", kTests, [](Arguments& a, const GivenOption& g) { a.size = page_size(g); }},
     {"Span", kPitch | kPhase,
      [](Arguments& a, const GivenOption& g) { a.span = number_within(g, 1e-4, kMostLpi); }},
@@ -158,8 +199,19 @@ constexpr ValueOption kValues[] = {
     {"Ior", kEye, [](Arguments& a, const GivenOption& g) { a.ior = number_within(g, 1.0, 4.0); }},
     {"Pixels", kSheet,
      [](Arguments& a, const GivenOption& g) { a.lens.pixels = number_within(g, 1.0, 1e5); }},
-    {"Dpi_Y", kSheet,
-     [](Arguments& a, const GivenOption& g) { a.lens.dpi_y = number_within(g, 10.0, kMostDpi); }},
+    {"Dpi_Y", kAll,
+     [](Arguments& a, const GivenOption& g) {
+       a.lens.dpi_y = dpi_of(g);
+       a.has_dpi_y = true;
+     }},
+    {"Copies", kSheet, take_copies},
+    {"Grid", kSheet, [](Arguments& a, const GivenOption& g) { a.grid = grid_of(g); }},
+    {"Gap", kSheet,
+     [](Arguments& a, const GivenOption& g) { a.style.gap = length_within(g, 0.0, 1000.0); }},
+    {"Seen", kSheet,
+     [](Arguments& a, const GivenOption& g) {
+       a.style.is_seen_together = is_second(g, "apart", "together");
+     }},
     {"Paper", kSheet,
      [](Arguments& a, const GivenOption& g) {
        a.style.paper = page_size(g);
@@ -255,11 +307,7 @@ class Reading {
       throw OptionError(std::string(m_command.name) + " takes no picture, but '" + text +
                         "' is given");
     }
-    if (!m_out.image.empty()) {
-      throw OptionError("one picture at a time: '" + m_out.image.string() + "' and '" + text +
-                        "' are given");
-    }
-    m_out.image = text;
+    m_out.images.push_back(text);
   }
 
   void check_command(const std::string& name, unsigned commands) const {
@@ -274,11 +322,25 @@ class Reading {
   std::string m_pitch_by;
 };
 
+void check_pictures(const Arguments& a) {
+  if (a.grid && a.copies_grid) {
+    throw OptionError("--copies CxR tells the grid already: leave --grid out");
+  }
+  if (a.images.size() * static_cast<std::size_t>(a.copies) > kMostPictures) {
+    throw OptionError(std::to_string(a.images.size()) + " pictures " + std::to_string(a.copies) +
+                      " times each: 1000 are possible");
+  }
+}
+
 /// What the options can only be judged on together.
 void check_together(Arguments& a) {
   if (a.out.empty()) throw OptionError("--out FILE is missing: a .pdf, .tif or .png");
+  if (a.dpi_says_both && a.has_dpi_y) {
+    throw OptionError("--dpi has two numbers, across the lenses and along them: leave --dpi-y out");
+  }
   if (a.command == Command::sheet) {
-    if (a.image.empty())
+    check_pictures(a);
+    if (a.images.empty())
       throw OptionError("sheet needs a picture: lentray-print sheet PICTURE --out FILE");
     if (a.tiles && !a.style.paper) throw OptionError("--tiles needs --paper");
     a.style.margin = a.margin.value_or(a.style.margin);
@@ -332,7 +394,7 @@ std::string usage() {
   return R"(usage: lentray-print pitch-test --lpi L [--dpi D] --out FILE
        lentray-print phase-test --lpi L [--dpi D] --out FILE
        lentray-print eye-test --lpi L --focal-length F --distance V --out FILE
-       lentray-print sheet PICTURE --out FILE
+       lentray-print sheet PICTURE... --out FILE
 
 Brings integral images to paper, and measures lens sheets. The file is a .pdf,
 .tif or .png of exact size: print it at 100 %, without fitting it to the page,
@@ -345,9 +407,11 @@ together. phase-test draws them in cells whose lines are shifted, which tells
 where the lenses stand. eye-test draws rows that are black to the left eye and
 white to the right from the distance beside them.
 
-sheet puts an integral image of lentray on a page, with marks for laying the
-lens sheet on and for cutting. Its strips are printed as they are, never
-resampled, unless --pitch asks for it.
+sheet puts integral images of lentray on a page, with marks for laying the
+lens sheet on and for cutting. Strips are printed as they are, never resampled,
+unless --pitch asks for it. Several pictures, or copies, lie on one lens sheet:
+each stands at whole lenses of it. Where these are no whole pixels, its pixels
+are the mean of two.
 
 Lengths have a unit: mm, cm, m or in.
 
@@ -356,8 +420,10 @@ Of all commands:
                        is whole, and what stood there before stays until then
   --lpi L              lenses an inch
   --lens-pitch P       the same as a length: 0.635mm
-  --dpi D              the printer's pixels an inch: of tests (600), or where a
-                       picture does not tell
+  --dpi D|DxE          the printer's pixels an inch: of tests (600), or where a
+                       picture does not tell. DxE: D across the lenses, where
+                       the views lie, and E along them, as Print_DPI has it
+  --dpi-y E            the same as that E
   --mirror             as seen from behind, for prints on the lens sheet's back
   --horizontal         turned by 90 degrees clockwise: lenses that lie across
   --help, --version
@@ -377,6 +443,16 @@ Of tests:
   --ior N              its refractive index (1.56)
 
 Of sheets:
+  --copies N|CxR       of each picture; CxR: as many columns and rows of places,
+                       which the pictures fill in turn (1)
+  --grid CxR           columns and rows of pictures (as few as it takes, and as
+                       the paper has room)
+  --gap G              between pictures, at least; up to 1 mm more where they
+                       then stand at whole pixels (5mm, or what bleed takes)
+  --seen apart|together
+                       pictures are cut apart, and each is right for an eye
+                       before its own middle (the default); or the sheet stays
+                       whole, and one eye sees all of it
   --paper NAME         the page: A0 to A6, A3+, letter, legal, tabloid, or WxH
                        such as 300x200mm, upright or across; without it as large
                        as it takes
@@ -399,7 +475,6 @@ Of sheets:
                        That is not exact: the error is told, and the options of
                        lentray that render it exactly
   --pixels N           pixels a lens, where the picture does not tell
-  --dpi-y D            its pixels an inch from top to bottom, where they differ
   --bits 8|16          a channel (as the picture has)
   --profile srgb|keep  a picture with a colour profile is converted to sRGB (the
                        default), or stays as it is, and the profile goes into

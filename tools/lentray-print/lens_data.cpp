@@ -84,13 +84,17 @@ void check_range(const LensData& data, const std::string& name) {
 double LensData::print_pitch() const { return pixels * kInch / dpi_x; }
 double LensData::print_lpi() const { return dpi_x / pixels; }
 
+double slant_in(const core::StoredImage& image) {
+  return number_in(field_of(image, "slant_deg")).value_or(0.0);
+}
+
 LensData lens_data_of(const core::StoredImage& image, const GivenLensData& given,
                       const std::string& name) {
   if (field_of(image, "view")) {
     throw PageError("'" + name + "' is a single view; an integral image is needed");
   }
-  if (const auto slant = number_in(field_of(image, "slant_deg")); slant && *slant != 0.0) {
-    throw PageError("'" + name + "' is for lenses slanted by " + format(*slant) +
+  if (const double slant = slant_in(image); slant != 0.0) {
+    throw PageError("'" + name + "' is for lenses slanted by " + format(slant) +
                     " degrees; pages are for upright ones: print the picture itself at its "
                     "resolution, without scaling");
   }

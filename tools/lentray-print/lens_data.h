@@ -21,6 +21,11 @@ struct LensOfPicture {
   double pitch = 0.0, focal_length = 0.0, ior = 1.0;
   double view_distance = 0.0;  ///< 0: infinite
   std::string model{};
+
+  /// f/(nV): by how much strips are wider apart than lenses.
+  double widening() const {
+    return view_distance > 0.0 ? focal_length / (ior * view_distance) : 0.0;
+  }
 };
 
 struct LensData {
@@ -31,6 +36,9 @@ struct LensData {
   double print_pitch() const;  ///< of the strips in the print, mm
   double print_lpi() const;
 };
+
+/// The lenses' slant in degrees as the file tells it; 0: upright, or it does not tell.
+double slant_in(const core::StoredImage& image);
 
 /// `name`: the file's, for messages. Refuses single views, pictures that were resized or cropped after they were
 /// rendered, and options that contradict the file.

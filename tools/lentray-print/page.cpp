@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "camera/text.h"
 #include "tools/lentray-print/letters.h"
 #include "tools/lentray-print/pixels.h"
 
@@ -34,6 +35,11 @@ Page page_of(double width, double height, double dpi_x, double dpi_y, Colour bac
   const double bright = 0.3 * background.red + 0.59 * background.green + 0.11 * background.blue;
   if (bright < 0.5) page.ink = kWhite;
   return page;
+}
+
+std::string dpi_text(double dpi_x, double dpi_y) {
+  const std::string down = dpi_y == dpi_x ? std::string() : " x " + camera::format(dpi_y);
+  return camera::format(dpi_x) + down + " dpi";
 }
 
 void add_text(Page& page, std::string_view text, Point foot, double height, Align align) {

@@ -71,6 +71,9 @@ struct Page {
 /// An empty page. Its ink is black or white, whichever shows better.
 Page page_of(double width, double height, double dpi_x, double dpi_y, Colour background = kWhite);
 
+/// "600 dpi", or "720 x 1440 dpi" where they differ.
+std::string dpi_text(double dpi_x, double dpi_y);
+
 enum class Align { left, centre, right };
 /// `foot`: of the text on its base line. `height`: of capital letters.
 void add_text(Page& page, std::string_view text, Point foot, double height,

@@ -5,9 +5,11 @@
 #include <cstddef>
 #include <numeric>
 
+#include "camera/text.h"
 #include "core/base/memory_limit.h"
 #include "core/image/quantiser.h"
 #include "core/image/srgb.h"
+#include "tools/lentray-print/page_error.h"
 
 namespace lentray::print {
 
@@ -41,11 +43,6 @@ std::vector<std::uint32_t> counted(std::uint32_t count) {
 
 void check_room_of(std::size_t samples, std::size_t bytes) {
   core::check_room(static_cast<double>(samples) * static_cast<double>(bytes));
-}
-
-/// The lens that a column lies behind: floor((k + 1/2)/N).
-std::int64_t lens_of_column(std::int64_t column, double lens_pixels) {
-  return static_cast<std::int64_t>(std::floor((static_cast<double>(column) + 0.5) / lens_pixels));
 }
 
 }  // namespace
@@ -144,17 +141,17 @@ StoredImage as_printed(StoredImage image, int bits, Colour background) {
 }
 
 std::vector<std::uint32_t> continued_columns(std::int64_t first, std::uint32_t count,
-                                             std::uint32_t width, double lens_pixels) {
-  const std::int64_t last_lens = lens_of_column(std::int64_t{width} - 1, lens_pixels);
+                                             std::uint32_t width, const core::LensColumns& lenses) {
+  const std::int64_t last_lens = lenses.lens_of(std::int64_t{width} - 1);
   std::vector<std::uint32_t> columns;
   for (std::int64_t k = first; k < first + std::int64_t{count}; ++k) {
-    const std::int64_t lens = lens_of_column(k, lens_pixels);
+    const std::int64_t lens = lenses.lens_of(k);
     const std::int64_t nearest = std::clamp(lens, std::int64_t{0}, last_lens);
     // The column nearest to the same place in that lens's strip.
     std::int64_t column =
-        std::llround(static_cast<double>(k) + static_cast<double>(nearest - lens) * lens_pixels);
-    if (lens_of_column(column, lens_pixels) < nearest) ++column;
-    if (lens_of_column(column, lens_pixels) > nearest) --column;
+        std::llround(static_cast<double>(k) + static_cast<double>(nearest - lens) * lenses.pixels);
+    if (lenses.lens_of(column) < nearest) ++column;
+    if (lenses.lens_of(column) > nearest) --column;
     columns.push_back(
         static_cast<std::uint32_t>(std::clamp(column, std::int64_t{0}, std::int64_t{width} - 1)));
   }
@@ -171,12 +168,18 @@ std::vector<std::uint32_t> continued_rows(std::int64_t first, std::uint32_t coun
   return rows;
 }
 
-std::uint32_t whole_lens_columns(std::uint32_t width, double lens_pixels) {
-  // A hair of tolerance: L = W/N is computed, and N may be the nearest number to what was meant.
-  const auto lenses = static_cast<std::int64_t>(std::floor(width / lens_pixels + 1e-9));
-  std::uint32_t columns = width;
-  while (columns > 0 && lens_of_column(std::int64_t{columns} - 1, lens_pixels) >= lenses) --columns;
-  return columns;
+StoredImage of_whole_lenses(StoredImage image, double lens_pixels) {
+  const core::LensColumns lenses{lens_pixels};
+  const std::int64_t whole = lenses.whole_lenses(image.width);
+  if (whole == 0) {
+    throw PageError("the picture is " + std::to_string(image.width) +
+                    " pixels wide, less than a lens of " + camera::format(lens_pixels));
+  }
+  const auto columns = static_cast<std::uint32_t>(lenses.first_column(whole));
+  if (columns == image.width) return image;
+  const std::uint32_t width = image.width, height = image.height;
+  return rearranged(std::move(image), continued_columns(0, columns, width, lenses),
+                    continued_rows(0, height, height));
 }
 
 }  // namespace lentray::print

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/image/reader.h"
+#include "core/numeric/lens_columns.h"
 #include "tools/lentray-print/page.h"
 
 namespace lentray::print {
@@ -22,14 +23,14 @@ core::StoredImage as_printed(core::StoredImage image, int bits, Colour backgroun
 
 /// The columns of an integral image that stand for columns `first` .. `first + count - 1`, which may lie beyond its
 /// edges: there each view goes on with its outermost pixel, the one at the same place behind the nearest lens.
-/// `lens_pixels`: N. `width`: the image's columns, whole lenses.
+/// `width`: the image's columns, whole lenses.
 std::vector<std::uint32_t> continued_columns(std::int64_t first, std::uint32_t count,
-                                             std::uint32_t width, double lens_pixels);
+                                             std::uint32_t width, const core::LensColumns& lenses);
 /// Rows beyond the edges are the outermost ones.
 std::vector<std::uint32_t> continued_rows(std::int64_t first, std::uint32_t count,
                                           std::uint32_t height);
 
-/// Columns that belong to whole lenses: those of lenses 0 .. floor(width/N) - 1.
-std::uint32_t whole_lens_columns(std::uint32_t width, double lens_pixels);
+/// The image without what lies behind a last lens that is cut.
+core::StoredImage of_whole_lenses(core::StoredImage image, double lens_pixels);
 
 }  // namespace lentray::print

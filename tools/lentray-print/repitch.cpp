@@ -23,20 +23,18 @@ struct Mix {
   double offset = 0.0;  ///< from the nearer of the two, pixels
 };
 
-/// The first column of a lens: the one from which (k + 1/2)/N is at least its number.
-std::int64_t lens_start(std::int64_t lens, double pixels) {
-  return static_cast<std::int64_t>(std::ceil(static_cast<double>(lens) * pixels - 0.5));
-}
-
-std::vector<Mix> mixes(std::uint32_t width, double from, double to) {
-  const auto lenses = static_cast<std::int64_t>(std::floor((width - 0.5) / from)) + 1;
+std::vector<Mix> mixes(std::uint32_t width, const core::LensColumns& from,
+                       const core::LensColumns& to) {
+  const std::int64_t lenses = from.lens_of(std::int64_t{width} - 1) + 1;
   std::vector<Mix> all;
   for (std::int64_t lens = 0; lens < lenses; ++lens) {
-    const double first = static_cast<double>(lens_start(lens, from));
+    const double first = static_cast<double>(from.first_column(lens));
     const double last =
-        std::min<double>(width, static_cast<double>(lens_start(lens + 1, from))) - 1.0;
-    for (std::int64_t k = lens_start(lens, to); k < lens_start(lens + 1, to); ++k) {
-      const double place = (static_cast<double>(k) + 0.5) / to * from - 0.5;
+        std::min<double>(width, static_cast<double>(from.first_column(lens + 1))) - 1.0;
+    const std::int64_t end = to.first_column(lens + 1);
+    for (std::int64_t k = to.first_column(lens); k < end; ++k) {
+      const double place =
+          (static_cast<double>(k) + 0.5 - to.origin) / to.pixels * from.pixels - 0.5;
       const double within = std::clamp(place, first, last);
       const double left = std::floor(within);
       const double share = within - left;
@@ -53,12 +51,12 @@ double neighbour_error(const StoredImage& image, double pixels) {
   constexpr std::uint32_t kRows = 97;  // of which it is taken, evenly
   const double most = static_cast<double>((1u << image.bits) - 1u);
   const std::uint32_t step = std::max(1u, image.height / kRows);
+  const core::LensColumns lenses{pixels};
   double sum = 0.0;
   std::size_t count = 0;
   for (std::uint32_t row = 0; row < image.height; row += step) {
     for (std::uint32_t k = 1; k + 1 < image.width; ++k) {
-      const double before = std::floor((k - 0.5) / pixels), after = std::floor((k + 1.5) / pixels);
-      if (before != after) continue;
+      if (lenses.lens_of(k - 1) != lenses.lens_of(k + 1)) continue;
       for (int c = 0; c < image.channels; ++c) {
         const double mean = (double{image.at(k - 1, row, c)} + image.at(k + 1, row, c)) / 2.0;
         const double error = (image.at(k, row, c) - mean) / most;
@@ -77,13 +75,12 @@ double decibels(double mean_square) {
 
 }  // namespace
 
-Repitched repitched(const StoredImage& image, double from, double to) {
-  if (!(to >= 1.0)) {
+Repitched repitched(const StoredImage& image, double from, const core::LensColumns& to) {
+  if (!(to.pixels >= 1.0)) {
     throw PageError("at that pitch a lens is less than one pixel of the print wide");
   }
-  const std::vector<Mix> all = mixes(image.width, from, to);
+  const std::vector<Mix> all = mixes(image.width, {from}, to);
   Repitched out;
-  out.pixels = to;
   StoredImage& result = out.image;
   result.width = static_cast<std::uint32_t>(all.size());
   result.height = image.height;
@@ -132,9 +129,7 @@ std::string render_options(const LensData& data, double print_pitch, double lens
   if (!data.lens) return {};
   const LensOfPicture& lens = *data.lens;
   const double pixels = print_pitch * data.dpi_x / kInch;
-  const double widening =
-      lens.view_distance > 0.0 ? lens.focal_length / (lens.ior * lens.view_distance) : 0.0;
-  const double pitch = print_pitch / (1.0 + widening);
+  const double pitch = print_pitch / (1.0 + lens.widening());
   char text[320];
   std::snprintf(text, sizeof text,
                 "+W%lld +H%u Lenticular=On Lens_Pitch=%.15g Lens_Pixels=%.15g "

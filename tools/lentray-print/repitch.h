@@ -7,13 +7,13 @@
 #include <string>
 
 #include "core/image/reader.h"
+#include "core/numeric/lens_columns.h"
 #include "tools/lentray-print/lens_data.h"
 
 namespace lentray::print {
 
 struct Repitched {
   core::StoredImage image;
-  double pixels = 0.0;  ///< N of the result
   /// How far the direction of a result's pixel is from the nearest that the picture has, at most, in its pixels.
   double largest_offset = 0.0;
   /// Of the interpolation beside a new render: if colours change smoothly from view to view, and if they change in
@@ -21,9 +21,10 @@ struct Repitched {
   double smooth_psnr = 0.0, step_psnr = 0.0;
 };
 
-/// `image`: whole lenses of `from` pixels. Each lens keeps its strip, which gets `to` pixels: a pixel is the linear
-/// mean of the two whose places under the lens are nearest, of the same lens.
-Repitched repitched(const core::StoredImage& image, double from, double to);
+/// `image`: whole lenses of `from` pixels, the first of which begin with lens 0. Each lens keeps its strip, which gets
+/// the columns that `to` has for it: a pixel is the linear mean of the two whose places under the lens are nearest, of
+/// the same lens. Lens 0 begins at column 0, so to.origin is above -1/2 and 1/2 at most.
+Repitched repitched(const core::StoredImage& image, double from, const core::LensColumns& to);
 
 /// The options of lentray that render a picture of `width` x `height` pixels whose strips have that pitch, for the lens
 /// that the data tell of; empty if they tell of none. `lenses`: of the picture, the cut one by its share.

@@ -129,7 +129,7 @@ Page test_page(const TestPaper& paper, const std::string& title) {
     throw PageError("a page of " + format(paper.width) + " x " + format(paper.height) +
                     " mm is too small for a test; 60 x 40 mm is the least");
   }
-  Page page = page_of(paper.width, paper.height, paper.dpi, paper.dpi);
+  Page page = page_of(paper.width, paper.height, paper.dpi, paper.dpi_down());
   page.title = title;
   return page;
 }
@@ -160,7 +160,8 @@ Page pitch_test(const TestPaper& paper, std::vector<double> lpis) {
   const int decimals = round_to_labels(lpis);
   const std::string range =
       with_decimals(lpis.front(), decimals) + " to " + with_decimals(lpis.back(), decimals);
-  Page page = test_page(paper, "Pitch test " + range + " lpi, " + format(paper.dpi) + " dpi");
+  Page page =
+      test_page(paper, "Pitch test " + range + " lpi, " + dpi_text(paper.dpi, paper.dpi_down()));
   double label = text_width("lpi", kLabel);
   for (const double lpi : lpis) {
     check_lines(lpi, paper.dpi);
@@ -197,7 +198,7 @@ Page phase_test(const TestPaper& paper, std::vector<double> lpis, int phases) {
   const int decimals = round_to_labels(lpis);
   Page page =
       test_page(paper, "Phase test about " + with_decimals(lpis[lpis.size() / 2], decimals) +
-                           " lpi, " + format(paper.dpi) + " dpi");
+                           " lpi, " + dpi_text(paper.dpi, paper.dpi_down()));
   double label = 0.0;
   for (const double lpi : lpis) {
     check_lines(lpi, paper.dpi);
@@ -245,9 +246,9 @@ Page phase_test(const TestPaper& paper, std::vector<double> lpis, int phases) {
 }
 
 Page eye_test(const TestPaper& paper, const EyeTest& test) {
-  Page page =
-      test_page(paper, "Eye test " + format(test.distance) + " mm, lenses of " +
-                           format(kInch / test.lens_pitch) + " lpi, " + format(paper.dpi) + " dpi");
+  Page page = test_page(paper, "Eye test " + format(test.distance) + " mm, lenses of " +
+                                   format(kInch / test.lens_pitch) + " lpi, " +
+                                   dpi_text(paper.dpi, paper.dpi_down()));
   constexpr double kShares[] = {0.8, 0.9, 1.0, 1.1, 1.2};
   const double depth =
       test.focal_length / test.ior;  // of the print behind the lens, as the eye sees it

@@ -14,8 +14,11 @@ namespace lentray::print {
 
 struct TestPaper {
   double width = 200.0, height = 100.0;
-  double dpi = 600.0;
-  bool is_hard = false;  ///< no grey: each edge at the nearest pixel
+  double dpi = 600.0;      ///< across the lenses
+  double dpi_along = 0.0;  ///< along them; 0: the same
+  bool is_hard = false;    ///< no grey: each edge at the nearest pixel
+
+  double dpi_down() const { return dpi_along > 0.0 ? dpi_along : dpi; }
 };
 
 /// As many decimals as tell all of them apart and give them exactly; the values are rounded to these (4 at most).

@@ -5,6 +5,7 @@
 
 #include "camera/text.h"
 #include "core/image/writer.h"
+#include "core/numeric/lens_columns.h"
 #include "tools/lentray-views/picture.h"
 
 namespace lentray::views {
@@ -22,8 +23,8 @@ Interlacer::Interlacer(const InterlacePlan& plan)
                      std::to_string(plan.views) + " views");
   }
   for (std::uint32_t k = 0; k < plan.width; ++k) {
-    const double at = (k + 0.5) / plan.pixels, lens = std::floor(at);
-    const auto view = static_cast<std::uint32_t>((at - lens) * plan.views);
+    const auto lens = static_cast<double>(core::LensColumns{plan.pixels}.lens_of(k));
+    const auto view = static_cast<std::uint32_t>(((k + 0.5) / plan.pixels - lens) * plan.views);
     m_columns[std::min(view, plan.views - 1)].push_back(k);
     m_lens.push_back(static_cast<std::uint32_t>(lens));
   }

@@ -37,7 +37,7 @@ std::string page_tiles(const Integral& integral) {
   const camera::LensSheet& sheet = integral.sheet.lenses;
   const camera::LensParameters& lens = sheet.lens();
   const double width = sheet.sheet_width(), height = width / integral.sheet.aspect;
-  return page_tile("lenses", shown(sheet.lenses())) +
+  return page_tile("lenses", shown(sheet.counted_lenses())) +
          page_tile("pixels a lens", shown(lens.pixels)) +
          page_tile("sheet, mm", shown(width) + " \xC3\x97 " + shown(height)) +
          page_tile("made for an eye at",

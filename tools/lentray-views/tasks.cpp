@@ -86,8 +86,8 @@ std::string describe(const Arguments& a, tool::PhotoReader& reader) {
   const camera::LensParameters& lens = sheet.lens();
   std::string out = integral.name + ": " + std::to_string(integral.image.width) + " x " +
                     std::to_string(integral.image.height) + " pixels, " +
-                    camera::format(sheet.lenses()) + " lenses of " + camera::format(lens.pixels) +
-                    " pixels\n";
+                    camera::format(sheet.counted_lenses()) + " lenses of " +
+                    camera::format(lens.pixels) + " pixels\n";
   out += "Views 0 to " + std::to_string(camera::usual_views(sheet) - 1) + ", lenses 0 to " +
          std::to_string(sheet.lens_count() - 1) + "\n";
   if (!integral.sheet.missing.empty()) {

@@ -43,6 +43,7 @@
 #include "tools/lentray/ray_dump.h"
 #include "tools/lentray/run_summary.h"
 #include "tools/lentray/scene_disk.h"
+#include "tools/lentray/view_cameras.h"
 
 namespace lentray::tool {
 namespace {
@@ -107,6 +108,7 @@ void check_outputs(Run& run) {
   judge_options(o);
   check_output(o.dump_rays, "--dump-rays");
   check_output(depth_file(o), "--depth-view");
+  check_output(view_cameras_file(o), "View_Cameras");
   if (!renders(o)) return;
   if (o.shadow_log && o.statistics_file.empty()) {
     throw parser::OptionError("Shadow_Log goes into the statistics: name a Statistics_File");
@@ -495,6 +497,7 @@ Status run_picture(const Picture& what, const std::atomic<bool>& cancel, Message
   if (what.is_read) what.is_read();
   warnings.say();
   refuse_if_strict(options, run.not_rendered);
+  write_view_cameras(run.camera, options);
   if (options.explain) {
     std::fputs(explanation(*run.scene, run.camera, run.not_rendered).c_str(), stdout);
   }

@@ -1,0 +1,20 @@
+#include "tools/lentray-print/report_text.h"
+
+#include <cstdio>
+
+namespace lentray::print {
+
+std::string short_number(double value) {
+  char text[48];
+  std::snprintf(text, sizeof text, "%.3f", value);
+  std::string out = text;
+  out.erase(out.find_last_not_of('0') + 1);
+  if (out.back() == '.') out.pop_back();
+  return out;
+}
+
+std::string size_text(double width, double height) {
+  return short_number(width) + " x " + short_number(height) + " mm";
+}
+
+}  // namespace lentray::print

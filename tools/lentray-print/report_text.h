@@ -1,0 +1,13 @@
+// Numbers and sizes for the lines that lentray-print says. Pure.
+#pragma once
+
+#include <string>
+
+namespace lentray::print {
+
+/// With three decimals at most.
+std::string short_number(double value);
+/// "25.4 x 12.7 mm"
+std::string size_text(double width, double height);
+
+}  // namespace lentray::print
