@@ -69,6 +69,19 @@ std::string shown_name(std::string_view name) {
   return escaped(name.substr(0, kMost), "") + "...";
 }
 
+std::string shown_bytes(std::string_view text) {
+  std::string shown;
+  shown.reserve(text.size());
+  for (std::size_t i = 0; i < text.size();) {
+    const Letter letter = letter_at(text, i);
+    char escape[8] = "";
+    if (!letter.is_utf8) std::snprintf(escape, sizeof escape, "\\x%02x", letter.code & 0xFF);
+    shown += escape[0] != 0 ? std::string_view(escape) : text.substr(i, letter.size);
+    i += letter.size;
+  }
+  return shown;
+}
+
 std::string shown_text(std::string_view text) { return escaped(text, "\n\t\r\b"); }
 
 std::string shown_message(std::string text) {

@@ -21,7 +21,7 @@ TEST(UnitShown, BytesThatAreControlsOfTerminalsAreEscaped) {
   EXPECT_EQ(shown_text("\xE0\x82\x9B"), "\\x9b") << "a longer form of it";
   EXPECT_EQ(shown_text("\xE2\x82\xAC \xC3\x9F \xF0\x9F\x98\x80"),
             "\xE2\x82\xAC \xC3\x9F \xF0\x9F\x98\x80");
-  EXPECT_EQ(shown_text("caf\xE9 \xE2\x82"), "caf\xE9 \xE2\\x82") << "cut off, and Latin-1";
+  EXPECT_EQ(shown_text("caf\xE9 \xE2\x82"), "caf\\xe9 \\xe2\\x82") << "cut off, and Latin-1";
   EXPECT_EQ(shown_line("a\x9b"
                        "b\xE2\x80\xAE"
                        "c",
