@@ -17,8 +17,8 @@ TEST(UnitShown, ControlCharactersAreEscaped) {
 
 TEST(UnitShown, BytesThatAreControlsOfTerminalsAreEscaped) {
   EXPECT_EQ(shown_text("a\x9b[31m"), "a\\x9b[31m");
-  EXPECT_EQ(shown_name("\x80\x85\x9f\xa0"), "\\x80\\x85\\x9f\xa0");
-  EXPECT_EQ(shown_text("\xE0\x82\x9B"), "\\x9b") << "a longer form of it";
+  EXPECT_EQ(shown_name("\x80\x85\x9f\xa0"), "\\x80\\x85\\x9f\\xa0");
+  EXPECT_EQ(shown_text("\xE0\x82\x9B"), "\\xe0\\x82\\x9b") << "a longer form of it";
   EXPECT_EQ(shown_text("\xE2\x82\xAC \xC3\x9F \xF0\x9F\x98\x80"),
             "\xE2\x82\xAC \xC3\x9F \xF0\x9F\x98\x80");
   EXPECT_EQ(shown_text("caf\xE9 \xE2\x82"), "caf\\xe9 \\xe2\\x82") << "cut off, and Latin-1";
