@@ -51,7 +51,7 @@ TEST(ImageNestedScenes, ThousandsOfLevels) {
   };
   for (const auto& [first, turn, shown] : cases) {
     const tool::TemporaryFolder folder;
-    tool::write_text(folder / "scene.pov", nested_scene(first, turn, shown, 9'000));
+    tool::write_text(folder / "scene.pov", nested_scene(first, turn, shown, 5'000));
     const tool::RunResult result =
         run_lentray({"+Iscene.pov", "+Oscene.png", "+W12", "+H9", "-D"}, folder.path());
     EXPECT_EQ(result.status, 0) << turn << "\n" << result.output;
