@@ -8,8 +8,8 @@
 #include <sstream>
 
 #include "camera/text.h"
-#include "parser/options/said_options.h"
 #include "core/image/run_files.h"
+#include "parser/options/said_options.h"
 #include "parser/options/sheet_options.h"
 
 namespace lentray::parser {

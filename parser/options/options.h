@@ -92,8 +92,8 @@ struct RenderOptions {
   std::array<ShellCommand, kCommands> commands;  ///< by CommandKind
 
   // Messages.
-  bool verbose = true;     ///< progress
-  int warning_level = 10;  ///< 0: no warnings
+  bool verbose = true;                 ///< progress
+  int warning_level = 10;              ///< 0: no warnings
   std::optional<bool> stock_messages;  ///< in POV-Ray's form; none: by the program's name
   bool debug_console = true, warning_console = true, statistic_console = true,
        render_console = true, fatal_console = true;
@@ -122,8 +122,8 @@ struct RenderOptions {
   double max_memory = 0.0;        ///< bytes; 0: half of the machine's
   std::uint32_t band_height = 0;  ///< rows; 0: as the memory allows
   std::string statistics_file, dump_rays;
-  std::string depth_view;   ///< file that --depth-view draws; empty: none
-  bool count_tests = true;  ///< tests of bounds and shapes go into the statistics
+  std::string depth_view;    ///< file that --depth-view draws; empty: none
+  bool count_tests = true;   ///< tests of bounds and shapes go into the statistics
   std::string view_cameras;  ///< file of the cameras of views; empty: none
   std::string
       dependencies_file;  ///< which files the scene reads, writes and looks for; empty: nowhere
@@ -134,7 +134,7 @@ struct RenderOptions {
 
   std::string scene_ini_folder;        ///< of --scene-ini
   std::vector<SceneWord> scene_words;  ///< the files that it named
-  std::vector<std::string> warnings;  ///< about the options themselves
+  std::vector<std::string> warnings;   ///< about the options themselves
   /// By their names, for messages: the last time that each was said.
   struct Said {
     std::string text;   ///< "Lens_Radius=0.1"

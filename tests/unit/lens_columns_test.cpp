@@ -19,7 +19,7 @@ TEST(UnitLensColumns, RoundingCostsNoLens) {
                         {1197, 11.9700, 100},   {1196, 11.970075, 99}, {1193, 11.9356, 99},
                         {1793, 17.932752, 100},  // 40.15 lpi at 720 dpi
                         {150, 15.0, 10},        {149, 15.0, 9},        {151, 15.0, 10},
-                        {1003, 10.03499, 100},   {1003, 10.0351, 99},   {1003, 10.0301, 100}};
+                        {1003, 10.03499, 100},  {1003, 10.0351, 99},   {1003, 10.0301, 100}};
   for (const Case& one : cases) {
     EXPECT_EQ(LensColumns{one.pixels}.whole_lenses(one.width), one.lenses)
         << one.width << " columns, N " << one.pixels;

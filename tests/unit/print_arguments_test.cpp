@@ -131,13 +131,14 @@ TEST(UnitPrintArguments, SeveralPictures) {
 /// Across the lenses first, as Print_DPI of lentray has it.
 TEST(UnitPrintArguments, TwoResolutions) {
   for (const char* command : {"pitch-test", "phase-test", "eye-test"}) {
-    const Arguments a = parse_arguments({command, "--lpi", "40", "--dpi", "1440x720", "--out=p.pdf",
-                                         command == std::string("eye-test") ? "--focal-length=2mm"
-                                                                            : "--mirror"});
+    const Arguments a =
+        parse_arguments({command, "--lpi", "40", "--dpi", "1440x720", "--out=p.pdf",
+                         command == std::string("eye-test") ? "--focal-length=2mm" : "--mirror"});
     EXPECT_EQ(*a.lens.dpi_x, 1440.0);
     EXPECT_EQ(*a.lens.dpi_y, 720.0);
   }
-  EXPECT_EQ(*parse_arguments({"sheet", "a.png", "--dpi=720X360.5", "--out=p.pdf"}).lens.dpi_y, 360.5);
+  EXPECT_EQ(*parse_arguments({"sheet", "a.png", "--dpi=720X360.5", "--out=p.pdf"}).lens.dpi_y,
+            360.5);
 }
 
 TEST(UnitPrintArguments, WrongTogether) {

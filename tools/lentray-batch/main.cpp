@@ -7,9 +7,9 @@
 #include <set>
 #include <thread>
 
-#include "parser/base/shown.h"
 #include "core/image/run_files.h"
 #include "core/image/writer.h"
+#include "parser/base/shown.h"
 #include "parser/files/watched_files.h"
 #include "parser/options/options.h"
 #include "tools/common/duration.h"

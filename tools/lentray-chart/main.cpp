@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "parser/base/shown.h"
 #include "core/image/run_files.h"
+#include "parser/base/shown.h"
 #include "parser/files/watched_files.h"
 #include "tools/common/child.h"
 #include "tools/common/duration.h"

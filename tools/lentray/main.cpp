@@ -174,7 +174,8 @@ int run_main(int argc, char** argv) {
     return static_cast<int>(tool::kDone);
   });
   if (status == tool::kDone) status = kept;
-  if (status == tool::kDone && !g_texts->trouble().empty()) status = fail_nowhere(g_texts->trouble());
+  if (status == tool::kDone && !g_texts->trouble().empty())
+    status = fail_nowhere(g_texts->trouble());
   if (tool::renders(options)) g_form->end_run(status);
   return status;
 }

@@ -435,8 +435,8 @@ bool render(Run& run, const std::atomic<bool>& cancel, bool is_frame) {
                                      run.camera, journal ? &*journal : nullptr);
   bool is_cut_off = false;
   try {
-    run.report.counters = core::render_frame(*run.scene, camera, shape, *orders, *asked, frame,
-                                             *picture, bar.get());
+    run.report.counters =
+        core::render_frame(*run.scene, camera, shape, *orders, *asked, frame, *picture, bar.get());
     bar.reset();
     is_cut_off = cancel.load();
     if (!is_cut_off) picture->finish();

@@ -164,9 +164,8 @@ void write_view_cameras(const CameraSetup& setup, const parser::RenderOptions& o
         "View_Cameras= tells the cameras of views: add Lenticular=On, or Quilt=");
   }
   if (is_of_one_sheet(o) && parser::rendered_view(o).value_or(0) > 0) return;
-  write_text_file(
-      view_cameras_file(o),
-      all_cameras(setup, o).dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+  write_text_file(view_cameras_file(o),
+                  all_cameras(setup, o).dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace lentray::tool
