@@ -32,7 +32,7 @@ struct SheetPlacement {
 
 class Lenticular : public Camera {
  public:
-  /// lens_front beyond the eye is clamped to it; front_was_clamped() tells.
+  /// lens_front beyond the eye is clamped to it.
   Lenticular(const LensParameters& lens, const SheetPlacement& placement, std::uint32_t width,
              std::uint32_t height);
   bool ray(double column, double row, core::Ray& ray) const override;
@@ -49,7 +49,6 @@ class Lenticular : public Camera {
 
   const LensSheet& sheet() const { return m_sheet; }
   const SheetPlacement& placement() const { return m_place; }
-  bool front_was_clamped() const { return m_clamped; }
   /// s: scene units a millimetre.
   double scale() const { return m_scale; }
   /// V in scene units; infinite as it may be.

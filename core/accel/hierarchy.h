@@ -9,7 +9,6 @@
 
 #include <cstddef>
 #include <memory>
-#include <span>
 #include <vector>
 
 #include "core/accel/accelerator.h"
@@ -17,13 +16,6 @@
 #include "core/object/object.h"
 
 namespace lentray::core {
-
-/// What nearest() is asked for a ray; distances in multiples of its direction.
-struct NearestQuery {
-  Ray ray;
-  double t_min = 0.0, t_max = Bounds::kInf;
-  RayKind kind = RayKind::kCamera;
-};
 
 class Hierarchy {
  public:
@@ -38,18 +30,6 @@ class Hierarchy {
   /// does not depend on the order of traversal.
   bool nearest(const Ray& ray, double t_min, double t_max, RayKind kind, Hit& hit, HitArena& arena,
                Counters* counters) const;
-
-  /// Of a block of rays, one after the other, each as above. As many hits as rays; a ray that meets
-  /// nothing has a hit without an object.
-  void nearest(std::span<const NearestQuery> queries, std::span<Hit> out, HitArena& arena,
-               Counters* counters) const {
-    for (std::size_t i = 0; i < queries.size(); ++i) {
-      const NearestQuery& q = queries[i];
-      Hit hit;
-      const bool found = nearest(q.ray, q.t_min, q.t_max, q.kind, hit, arena, counters);
-      out[i] = found ? hit : Hit{};
-    }
-  }
 
   /// Any opaque object (Object::is_opaque) hit with t_min < t < t_max, or null. Shadow rays.
   const Object* any_opaque(const Ray& ray, double t_min, double t_max, HitArena& arena,

@@ -313,17 +313,6 @@ double roots_bound(const double* c, int order) {
   return 2.0 * bound;
 }
 
-int solve_unbounded(const double* c, int order, double roots[4]) {
-  while (order > 2 && c[0] == 0.0) {
-    ++c;
-    --order;
-  }
-  if (order == 2) return solve_quadratic(c[0], c[1], c[2], roots);
-  const double bound = roots_bound(c, order);
-  if (!std::isfinite(bound)) return solve_unbounded(c + 1, order - 1, roots);
-  return solve_between(c, order, -bound, bound, roots);
-}
-
 }  // namespace
 
 int solve_quadratic(double a, double b, double c, double roots[2]) {
@@ -345,16 +334,6 @@ int solve_quadratic(double a, double b, double c, double roots[2]) {
   if (roots[0] > roots[1]) std::swap(roots[0], roots[1]);
   return 2;
 }
-
-int solve_cubic(double a, double b, double c, double d, double roots[3]) {
-  const double coefficients[4] = {a, b, c, d};
-  double found[4];
-  const int n = solve_unbounded(coefficients, 3, found);
-  std::copy(found, found + n, roots);
-  return n;
-}
-
-int solve_quartic(const double c[5], double roots[4]) { return solve_unbounded(c, 4, roots); }
 
 int solve_between(const double* c, int order, double lo, double hi, double* roots,
                   bool first_alone) {

@@ -11,10 +11,6 @@ namespace lentray::core {
 
 /// a x2 + b x + c. Returns the number of roots, 0 also where a = b = 0.
 int solve_quadratic(double a, double b, double c, double roots[2]);
-/// a x3 + b x2 + c x + d.
-int solve_cubic(double a, double b, double c, double d, double roots[3]);
-/// c[0] x4 + ... + c[4].
-int solve_quartic(const double c[5], double roots[4]);
 /// The roots in [lo, hi], both finite, of c[0] x^order + ... + c[order], order 1 to 36; at most
 /// `order` of them. Who needs the first alone may say so: more of them may come all the same.
 int solve_between(const double* c, int order, double lo, double hi, double* roots,

@@ -1,9 +1,7 @@
 // Where camera rays come from; camera/ implements it. World space. Immutable, any number of threads.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
-#include <span>
 
 #include "core/base/ray.h"
 #include "core/render/pixel_lattice.h"
@@ -20,12 +18,6 @@ struct PixelPlace {
   double turn = 0.0;
 };
 
-/// The ray of a place.
-struct PlaceRay {
-  Ray ray;  ///< says nothing unless the pixel shows something
-  bool shows = false;
-};
-
 class FocalBlur;
 
 class RaySource {
@@ -38,10 +30,6 @@ class RaySource {
   /// Ray through a place of a pixel's area. At a pixel's centre the same as ray(), bit for bit.
   virtual bool ray_at(const PixelPlace& place, Ray& out) const {
     return ray(place.column + 0.5 + place.across, place.row + 0.5 + place.down, out);
-  }
-  /// Of a block of places, one after the other, each as ray_at() has it. As many rays as places.
-  void rays(std::span<const PixelPlace> places, std::span<PlaceRay> out) const {
-    for (std::size_t i = 0; i < places.size(); ++i) out[i].shows = ray_at(places[i], out[i].ray);
   }
   /// How many rays a place has, each of which counts alike: their mean is seen.
   virtual std::uint32_t rays_a_place() const { return 1; }

@@ -12,7 +12,6 @@ class Torus final : public Shape {
   Torus(double major, double minor);
 
   double major_radius() const { return m_major; }
-  double minor_radius() const { return m_minor; }
 
   ShapeTraits traits() const override { return {.name = "torus", .has_uv = true}; }
   Bounds bounds() const override;

@@ -1,5 +1,12 @@
-// The light that arrives at any point, on a surface or in the air: light after light, what of its
-// colour is left by everything that stands in the way. World space; colours linear. One a thread.
+// The light that arrives at any point, on a surface or in the air, in three steps: *collect* the
+// lights that may reach the point, *ask* what their shadow rays pass, *resolve* what is left into a
+// sum. World space; colours linear. One a thread.
+// collect() needs neither objects nor random numbers, and what ask() finds of a light without area
+// is the same whatever was asked before. So many points may be collected and their shadow rays
+// asked in any order, as long as each point is resolved in the order of its lights. Area lights
+// are asked when their turn comes to be resolved: which samples are taken depends on what others
+// have met, and their jitter is drawn in the order of the lights. What is collected of one is the
+// ray to its middle, which tells its axes.
 // Source: reference manual 3.7, "Light Source", "Area Lights", "Light Groups".
 #pragma once
 
@@ -23,10 +30,10 @@ namespace lentray::core {
 
 /// A light with what is asked first of it, side by side.
 struct LightSource {
-  LightSource(const Light& l, const LightBuffer* b)
+  LightSource(const Light& l, std::uint32_t i, const LightBuffer* b)
       : position(l.position), colour(l.colour), straight(is_straight(l)), even(is_even(l)),
         shadowless(l.shadowless), by_area(l.illuminates_by_area()),
-        may_be_hindered(!l.shadowless || l.projector), light(l), buffer(b) {}
+        may_be_hindered(!l.shadowless || l.projector), index(i), light(l), buffer(b) {}
   /// Certain without a square root that it is behind a surface. `to` leads to its position.
   bool surely_behind(const Vec3& to, const Vec3& normal) const {
     return straight && !by_area && dot(normal, to) < 0.0;
@@ -35,12 +42,20 @@ struct LightSource {
   Rgb colour;
   bool straight, even, shadowless, by_area;
   bool may_be_hindered;  ///< not all of it arrives everywhere
+  std::uint32_t index;   ///< into Scene::lights()
   const Light& light;
   const LightBuffer* buffer;  ///< null: the hierarchy answers for it
 };
 
 /// The lights that light something: two lists of their indices, in stock's order.
 using LightLists = std::array<std::span<const std::uint32_t>, 2>;
+
+/// A light that may reach a point.
+struct IncomingLight {
+  const LightSource* source;
+  LightRay ray;  ///< to the light's position
+  Rgb colour;    ///< collected: while nothing stands in the way; asked: what arrives
+};
 
 /// A point whose light is asked for. Of a ray: how far it has come and what it travels in.
 struct LitPoint {
@@ -70,7 +85,8 @@ class LightLoop {
       : m_context(context), m_scene(context.scene), m_shadows(shadows),
         m_tolerance(kShadowTolerance * context.scene.tolerance_scale()) {
     for (std::size_t i = 0; i < m_scene.lights().size(); ++i) {
-      m_sources.emplace_back(m_scene.lights()[i], m_scene.light_buffer(i));
+      m_sources.emplace_back(m_scene.lights()[i], static_cast<std::uint32_t>(i),
+                             m_scene.light_buffer(i));
     }
   }
 
@@ -87,13 +103,30 @@ class LightLoop {
   void look_ahead(const LightLists& lists, const Vec3& normal, const Hit& hit, bool from_behind,
                   const Vec3& point, LightsAtPoint& known) const;
 
-  /// Calls the receiver for each light of the lists:
-  ///   bool receiver.may_face(source, to)     false: nothing of the light is wanted; cheap
-  ///   bool receiver.faces(source, direction) the same, with the unit direction to the light
-  ///   receiver.receive(source, ray, colour)  what arrives of it, if that is not black
-  template <class Receiver>
-  [[gnu::always_inline]] void at(const LitPoint& lit, const LightLists& lists, LightsAtPoint& known,
-                                 Receiver&& receiver) {
+  /// The lights of the lists, in their order, but for those that are dark at the point or unwanted:
+  ///   bool facing.may_face(source, to)     false: nothing of the light is wanted; cheap
+  ///   bool facing.faces(source, direction) the same, with the unit direction to the light
+  /// Writes from `out` on, where there is room for all of the lists; returns the end.
+  template <class Facing>
+  [[gnu::always_inline]] IncomingLight* collect(const Vec3& point, const LightLists& lists,
+                                                const Facing& facing, IncomingLight* out) const {
+    for (const std::span<const std::uint32_t> lights : lists) {
+      for (const std::uint32_t i : lights) {
+        const LightSource& source = m_sources[i];
+        const Vec3 to = source.position - point;
+        if (!facing.may_face(source, to)) continue;
+        out->ray = source.straight ? ray_along(to) : light_ray(source.light, point);
+        out->colour = source.even ? source.colour : light_colour(source.light, point, out->ray);
+        if (is_dark(out->colour) || !facing.faces(source, out->ray.direction)) continue;
+        out->source = &source;
+        ++out;
+      }
+    }
+    return out;
+  }
+
+  /// The query of a point seen by the context's pixel, for ask(), which completes it.
+  ShadowQuery query_at(const LitPoint& lit) const {
     ShadowQuery query;
     query.ray.origin = lit.point;
     query.depth = lit.level;
@@ -102,45 +135,53 @@ class LightLoop {
     query.row = m_context.pixel.row;
     query.inside = &lit.inside;
     query.from_air = lit.in_air;
-    for (const std::span<const std::uint32_t> lights : lists) {
-      for (const std::uint32_t i : lights) {
-        const LightSource& source = m_sources[i];
-        const Vec3 to = source.position - lit.point;
-        if (!receiver.may_face(source, to)) continue;
-        const LightRay ray = source.straight ? ray_along(to) : light_ray(source.light, lit.point);
-        Rgb colour = source.even ? source.colour : light_colour(source.light, lit.point, ray);
-        if (is_dark(colour) || !receiver.faces(source, ray.direction)) continue;
-        if (source.may_be_hindered) {
-          colour = arriving(i, colour, ray, query, known);
-          if (is_dark(colour)) continue;
-        }
-        receiver.receive(source, ray, colour);
+    return query;
+  }
+  /// Takes from the colour what does not arrive.
+  void ask(IncomingLight& incoming, ShadowQuery& query, LightsAtPoint& known) {
+    if (!incoming.source->may_be_hindered) return;
+    const std::uint32_t light = incoming.source->index;
+    if constexpr (kAskedAgain) {
+      if (known.is_known[light]) {
+        incoming.colour = known.arriving[light];
+        return;
       }
+    }
+    query.light = light;
+    if (kArea && incoming.source->light.has_area) {
+      incoming.colour = of_area(incoming.colour, incoming.ray, query);
+    } else {
+      incoming.colour = of_point(incoming.colour, incoming.ray, query, known);
+    }
+    if constexpr (kAskedAgain) {
+      known.arriving[light] = incoming.colour;
+      known.is_known[light] = 1;
+    }
+  }
+
+  /// Gives what arrives to receiver.receive(incoming).
+  template <class Receiver>
+  [[gnu::always_inline]] static void resolve(const IncomingLight& incoming, Receiver& receiver) {
+    if (!is_dark(incoming.colour)) receiver.receive(incoming);
+  }
+
+  /// The three steps for one point. The receiver does not ask this loop.
+  template <class Facing, class Receiver>
+  [[gnu::always_inline]] void at(const LitPoint& lit, const LightLists& lists, LightsAtPoint& known,
+                                 const Facing& facing, Receiver& receiver) {
+    const std::size_t most = lists[0].size() + lists[1].size();
+    if (m_incoming.size() < most) m_incoming.resize(most);
+    IncomingLight* const begin = m_incoming.data();
+    IncomingLight* const end = collect(lit.point, lists, facing, begin);
+    if (begin == end) return;
+    ShadowQuery query = query_at(lit);
+    for (IncomingLight* incoming = begin; incoming != end; ++incoming) {
+      ask(*incoming, query, known);
+      resolve(*incoming, receiver);
     }
   }
 
  private:
-  /// What is left of a light's colour; fills in the query.
-  Rgb arriving(std::uint32_t light, const Rgb& colour, const LightRay& ray, ShadowQuery& query,
-               LightsAtPoint& known) {
-    if constexpr (kAskedAgain) {
-      if (known.is_known[light]) return known.arriving[light];
-    }
-    query.light = light;
-    Rgb result;
-    if constexpr (kArea) {
-      result = m_scene.lights()[light].has_area ? of_area(colour, ray, query)
-                                                : of_point(colour, ray, query, known);
-    } else {
-      result = of_point(colour, ray, query, known);
-    }
-    if constexpr (kAskedAgain) {
-      known.arriving[light] = result;
-      known.is_known[light] = 1;
-    }
-    return result;
-  }
-
   Rgb of_point(const Rgb& colour, const LightRay& ray, ShadowQuery& query,
                const LightsAtPoint& known) {
     const LightBuffer::Spot& spot = known.spots[query.light];
@@ -184,8 +225,9 @@ class LightLoop {
   ThreadContext& m_context;
   const Scene& m_scene;
   ShadowTester& m_shadows;
-  const double m_tolerance;            ///< kShadowTolerance in this scene
-  std::vector<LightSource> m_sources;  ///< one a light of the scene
+  const double m_tolerance;               ///< kShadowTolerance in this scene
+  std::vector<LightSource> m_sources;     ///< one a light of the scene
+  std::vector<IncomingLight> m_incoming;  ///< of one point
 };
 
 template <bool kArea, bool kAskedAgain>

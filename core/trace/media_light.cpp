@@ -43,25 +43,27 @@ class MediaLight::Probe final : public MediaProbe {
  private:
   /// The lights, each weighed by how much of it goes on along the ray.
   Rgb arriving(const Vec3& place, double distance) {
-    struct Receiver {
+    struct Facing {
       const Probe& probe;
       const double distance;
-      const Light* const first;
-      Rgb sum{};
       bool may_face(const LightSource& source, const Vec3&) const {
-        const auto& part = probe.m_owner.m_part_of[&source.light - first];
+        const auto& part = probe.m_owner.m_part_of[source.index];
         return part && part->holds(distance);
       }
       bool faces(const LightSource&, const Vec3&) const { return true; }
-      void receive(const LightSource&, const LightRay& ray, const Rgb& colour) {
-        sum += probe.m_directed
-                   ? colour * probe.phase(dot(ray.direction, probe.m_state.ray.direction))
-                   : colour;
+    };
+    struct Receiver {
+      const Probe& probe;
+      Rgb sum{};
+      void receive(const IncomingLight& light) {
+        const Vec3& seen_along = probe.m_state.ray.direction;
+        sum += probe.m_directed ? light.colour * probe.phase(dot(light.ray.direction, seen_along))
+                                : light.colour;
       }
     };
-    Receiver receiver{*this, distance, m_owner.m_context.scene.lights().data()};
+    Receiver receiver{*this};
     m_owner.m_lights.at({place, m_level, m_state.place, m_state.inside, true}, m_lists,
-                        m_owner.m_at_point, receiver);
+                        m_owner.m_at_point, Facing{*this, distance}, receiver);
     return receiver.sum;
   }
   /// The mean of all media, also of those that do not scatter: as in stock.

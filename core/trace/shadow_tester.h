@@ -3,10 +3,8 @@
 // must give the same answer to the same query, whatever was asked before.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <span>
 
 #include "core/accel/light_buffer.h"
 #include "core/base/color.h"
@@ -45,10 +43,6 @@ class ShadowTester {
  public:
   virtual ~ShadowTester() = default;
   virtual Visibility visibility(const ShadowQuery& query) = 0;
-  /// Of a block of queries, one after the other.
-  virtual void visibilities(std::span<const ShadowQuery> queries, std::span<Visibility> out) {
-    for (std::size_t i = 0; i < queries.size(); ++i) out[i] = visibility(queries[i]);
-  }
 };
 
 /// Makes one tester a thread (const: called from many threads).

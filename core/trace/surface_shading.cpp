@@ -99,83 +99,86 @@ Mirror SurfaceShading<kFeatures>::mirror_of(const Finish& finish, const Rgb& pig
   return mirror;
 }
 
+/// Which lights a layer wants.
+template <unsigned kFeatures>
+struct SurfaceShading<kFeatures>::Facing {
+  const Vec3& normal;
+  const bool one_sided, front_only;
+
+  bool is_behind(double cosine) const { return one_sided && cosine < kGrazing; }
+  bool may_face(const LightSource& source, const Vec3& to) const {
+    return !(front_only && source.surely_behind(to, normal));
+  }
+  bool faces(const LightSource& source, const Vec3& direction) const {
+    return !(front_only && is_behind(dot(normal, direction))) || (kArea && source.by_area);
+  }
+};
+
+/// Sums what a layer makes of the lights that arrive.
+template <unsigned kFeatures>
+struct SurfaceShading<kFeatures>::Receiver {
+  SurfaceShading& shading;
+  const Facing& facing;
+  const Finish& finish;
+  const Rgb& pigment;
+  const double opacity;
+  const Surface& surface;
+  const bool shines;
+  Rgb sum{};
+
+  void receive(const IncomingLight& light) {
+    if (kArea && light.source->by_area) {
+      receive_points(light);
+    } else {
+      receive_from(*light.source, light.ray, light.colour);
+    }
+  }
+  /// Of each point of an area light, with the shadow that all of the light has.
+  void receive_points(const IncomingLight& all) {
+    const LightSource& source = *all.source;
+    const AreaLight& area = source.light.area;
+    const AreaAxes axes = area_axes(area, all.ray.direction);
+    const Rgb share = all.colour * (1.0f / static_cast<float>(area.size1 * area.size2));
+    for (int v = 0; v < area.size2; ++v) {
+      for (int u = 0; u < area.size1; ++u) {
+        const Vec3 offset = jittered_area_offset(
+            area, axes, u, v, [this] { return shading.m_context.random.next(); });
+        const LightRay one = light_ray(source.light, surface.point(), offset);
+        if (facing.front_only && facing.is_behind(dot(facing.normal, one.direction))) continue;
+        receive_from(
+            source, one,
+            share * static_cast<float>(light_attenuation(source.light, surface.point(), one)));
+      }
+    }
+  }
+  void receive_from(const LightSource& source, const LightRay& ray, const Rgb& light) {
+    const double cosine = dot(facing.normal, ray.direction);
+    const bool behind = facing.is_behind(cosine);
+    Rgb share =
+        diffuse_light(finish, cosine, light, pigment, behind ? finish.diffuse_back : finish.diffuse,
+                      opacity, finish.crand > 0.0 ? shading.m_context.random.next() : 0.0);
+    if (shines && !source.shadowless && !behind) {
+      share += highlights(finish,
+                          {ray.direction, surface.ray().direction, facing.normal, light, pigment});
+    }
+    if (finish.irid > 0.0) share *= shading.film(finish, facing.normal, ray.direction, surface);
+    sum += share;
+  }
+};
+
 /// Diffuse light and highlights of all lights.
 template <unsigned kFeatures>
 Rgb SurfaceShading<kFeatures>::lit(const Finish& finish, const Rgb& pigment, const Vec3& normal,
                                    double opacity, const Surface& at, LightsAtPoint& known) {
-  struct Receiver {
-    SurfaceShading& shading;
-    const Finish& finish;
-    const Rgb& pigment;
-    const Vec3& normal;
-    const double opacity;
-    const Surface& surface;
-    const bool one_sided, front_only, shines;
-    bool behind = false;
-    double cosine = 0.0;
-    Rgb sum{};
-
-    bool may_face(const LightSource& source, const Vec3& to) const {
-      return !(front_only && source.surely_behind(to, normal));
-    }
-    bool faces(const LightSource& source, const Vec3& direction) {
-      cosine = dot(normal, direction);
-      behind = one_sided && cosine < kGrazing;
-      return !(behind && front_only) || (kArea && source.by_area);
-    }
-    void receive(const LightSource& source, const LightRay& ray, const Rgb& light) {
-      if (kArea && source.by_area) {
-        receive_points(source, ray, light);
-      } else {
-        receive_from(source, ray, light);
-      }
-    }
-    /// Of each point of an area light, with the shadow that all of the light has.
-    void receive_points(const LightSource& source, const LightRay& ray, const Rgb& all) {
-      const AreaLight& area = source.light.area;
-      const AreaAxes axes = area_axes(area, ray.direction);
-      const Rgb share = all * (1.0f / static_cast<float>(area.size1 * area.size2));
-      for (int v = 0; v < area.size2; ++v) {
-        for (int u = 0; u < area.size1; ++u) {
-          const Vec3 offset = jittered_area_offset(
-              area, axes, u, v, [this] { return shading.m_context.random.next(); });
-          const LightRay one = light_ray(source.light, surface.point(), offset);
-          faces(source, one.direction);
-          if (behind && front_only) continue;
-          receive_from(
-              source, one,
-              share * static_cast<float>(light_attenuation(source.light, surface.point(), one)));
-        }
-      }
-    }
-    void receive_from(const LightSource& source, const LightRay& ray, const Rgb& light) {
-      Rgb share = diffuse_light(finish, cosine, light, pigment,
-                                behind ? finish.diffuse_back : finish.diffuse, opacity,
-                                finish.crand > 0.0 ? shading.m_context.random.next() : 0.0);
-      if (shines && !source.shadowless && !behind) {
-        share +=
-            highlights(finish, {ray.direction, surface.ray().direction, normal, light, pigment});
-      }
-      if (finish.irid > 0.0) share *= shading.film(finish, normal, ray.direction, surface);
-      sum += share;
-    }
-  };
   if (finish.diffuse == 0.0 && finish.diffuse_back == 0.0 && finish.specular == 0.0 &&
       finish.phong == 0.0) {
     return {};
   }
   const bool one_sided = !at.looks.double_illuminate;
-  Receiver receiver{*this,
-                    finish,
-                    pigment,
-                    normal,
-                    opacity,
-                    at,
-                    one_sided,
-                    one_sided && finish.diffuse_back == 0.0,
-                    has_highlights(finish)};
+  const Facing facing{normal, one_sided, one_sided && finish.diffuse_back == 0.0};
+  Receiver receiver{*this, facing, finish, pigment, opacity, at, has_highlights(finish)};
   m_lights.at({at.point(), at.level, at.state.place, at.state.inside}, m_lights.lights_of(at.looks),
-              known, receiver);
+              known, facing, receiver);
   return receiver.sum;
 }
 

@@ -70,6 +70,8 @@ class SurfaceShading {
   static constexpr bool kLayers = (kFeatures & kPathLayers) != 0;
   static constexpr bool kArea = (kFeatures & kPathArea) != 0;
 
+  struct Facing;
+  struct Receiver;
   void shade_layer(const TextureLayer& layer, Surface& at, LayerSum& sum, ShadingBuffers& buffers);
   Mirror mirror_of(const Finish& finish, const Rgb& pigment, const Vec3& normal, const Surface& at,
                    const LayerSum& sum) const;

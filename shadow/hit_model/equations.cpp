@@ -23,20 +23,6 @@ double half_fan(const camera::LensParameters& lens, double distance, Alpha kind)
 
 }  // namespace
 
-double total_cost(double hits, double misses, double hit_cost, double miss_cost) {
-  return hits * hit_cost + misses * miss_cost;
-}
-
-double total_cost_slow_search(double all_rays, double hits, double miss_cost) {
-  return all_rays * miss_cost - hits * miss_cost;
-}
-
-double rays(double blocked, double unblocked) { return blocked + unblocked; }
-
-double best_cost(double unblocked, double miss_cost) { return unblocked * miss_cost; }
-
-double worst_cost(double unblocked, double miss_cost) { return 2.0 * unblocked * miss_cost; }
-
 const char* name_of(Alpha alpha) { return alpha == Alpha::kPrinted ? "printed" : "refracted"; }
 
 double fan_angle(const camera::LensParameters& lens, Alpha kind) {

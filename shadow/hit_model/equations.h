@@ -1,12 +1,12 @@
-// The paper's closed forms, equations 1 to 19, as they are printed, with what print and text
+// The paper's closed forms of hits, equations 6 to 19, as they are printed, with what print and text
 // leave open decided as docs/paper.md says. How far they are from the truth is enumeration.h's to
-// say.
+// say. (Equations 1 to 5 are what hits and misses cost.)
 //
 // The paper: Youssef, Aggoun, Wolf, McCormick, "Pixels Grouping and Shadow Cache for Faster
 // Integral 3D Ray-Tracing". Its camera: viewing distance infinite, whole N, every ray of a lens
 // through one point (the pinhole). Its shadow: a rectangle on a plane facing the sheet.
 //
-// Units: mm, radians, pixels; costs in any one unit. Pure functions, any number of threads; no
+// Units: mm, radians, pixels. Pure functions, any number of threads; no
 // errors: arguments outside the range of validity that each function names give a number all the
 // same, which means nothing.
 #pragma once
@@ -16,28 +16,6 @@
 #include "camera/lens_sheet.h"
 
 namespace lentray::shadow::paper {
-
-// Costs -----------------------------------------------------------------------------------------
-
-/// (1) Ct = Nh Ch + Nm Cm: what shadow rays cost. `hits`, `misses`: rays that the cache answers,
-/// and that it does not. Always valid.
-double total_cost(double hits, double misses, double hit_cost, double miss_cost);
-
-/// (2) Ct = N Cm - Nh Cm. Ch is left out: valid for Cm >> Ch.
-double total_cost_slow_search(double all_rays, double hits, double miss_cost);
-
-/// (3) N = Mh + Mm: rays blocked by the one object that casts the shadow, and the others.
-double rays(double blocked, double unblocked);
-
-/// (4) Ct = Mm Cm: all blocked pixels one after another. The text before it has Nh = N - Mh, which
-/// must be N - Mm. Valid for Cm >> Ch and many blocked rays (the first of them misses too).
-double best_cost(double unblocked, double miss_cost);
-
-/// (5) Ct = 2 Mm Cm: blocked and unblocked pixels alternate, and every unblocked one empties the
-/// cache. The text before it has Nh = N - 2 Mh, which must be N - 2 Mm. Valid for Cm >> Ch and
-/// Mm <= Mh. Not what a cache costs that keeps its entry, as lentray's do: there (4) holds for any
-/// order, as long as one object casts all shadows.
-double worst_cost(double unblocked, double miss_cost);
 
 // One lens --------------------------------------------------------------------------------------
 

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <zlib.h>
 
+#include <algorithm>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -195,7 +197,14 @@ std::string file(const std::string& name) {
                 pixels());
 }
 
+constexpr const char* kWithPalette[] = {
+    "palette.tga",    "packed.tga",      "palette16.tga",  "palette.bmp",      "twins.png",
+    "twins.gif",      "twins_clear.gif", "twins.tga",      "twins_packed.tga", "twins.bmp",
+    "twins_runs.bmp", "twins4.bmp",      "twins_runs4.bmp"};
+constexpr const char* kWithoutPalette[] = {"colours16.tga", "greys.tga"};
+
 class ImagePaletteFiles : public ::testing::TestWithParam<const char*> {};
+using ImagePaletteFilesEntries = ImagePaletteFiles;
 
 TEST_P(ImagePaletteFiles, HeightsAndColours) {
   const std::string name = GetParam(), type = name.substr(name.size() - 3);
@@ -213,9 +222,8 @@ TEST_P(ImagePaletteFiles, HeightsAndColours) {
 }
 
 /// Entries by number, in the order they are given in; transparency as a pattern; textures by entry.
-TEST_P(ImagePaletteFiles, EntriesByNumber) {
+TEST_P(ImagePaletteFilesEntries, ByNumber) {
   const std::string name = GetParam(), type = name.substr(name.size() - 3);
-  if (name == "colours16.tga" || name == "greys.tga") return;  // have no palette
   const std::string glow = " finish { ambient 1 diffuse 0 }",
                     file_words = type + " \"" + name + "\" ";
   const auto wall = [](int column, const std::string& looks) {
@@ -242,7 +250,8 @@ TEST_P(ImagePaletteFiles, EntriesByNumber) {
 /// Both programs take an entry of the palette and refuse one behind its last, and any of a picture without one.
 TEST_P(ImagePaletteFiles, EntriesThatAreNotThere) {
   const std::string name = GetParam(), type = name.substr(name.size() - 3);
-  const bool has_palette = name != "colours16.tga" && name != "greys.tga";
+  const bool has_palette = std::find(std::begin(kWithoutPalette), std::end(kWithoutPalette),
+                                     name) == std::end(kWithoutPalette);
   const tool::TemporaryFolder folder;
   tool::write_text(folder / name, file(name));
   for (const std::string entry : {"filter all", "transmit 15,", "filter 16,"}) {
@@ -326,17 +335,18 @@ TEST(ImagePaletteFilesNone, GreyMapsThatAreDecoded) {
                              .files = {{"greys.pgm", map}}}));
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, ImagePaletteFiles,
-                         ::testing::Values("palette.tga", "packed.tga", "palette16.tga",
-                                           "colours16.tga", "greys.tga", "palette.bmp", "twins.png",
-                                           "twins.gif", "twins_clear.gif", "twins.tga",
-                                           "twins_packed.tga", "twins.bmp", "twins_runs.bmp",
-                                           "twins4.bmp", "twins_runs4.bmp"),
-                         [](const auto& one) {
-                           std::string name = one.param;
-                           name[name.find('.')] = '_';
-                           return name;
-                         });
+std::string palette_files_name(const ::testing::TestParamInfo<const char*>& one) {
+  std::string name = one.param;
+  name[name.find('.')] = '_';
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, ImagePaletteFiles, ::testing::ValuesIn(kWithPalette),
+                         palette_files_name);
+INSTANTIATE_TEST_SUITE_P(None, ImagePaletteFiles, ::testing::ValuesIn(kWithoutPalette),
+                         palette_files_name);
+INSTANTIATE_TEST_SUITE_P(Each, ImagePaletteFilesEntries, ::testing::ValuesIn(kWithPalette),
+                         palette_files_name);
 
 }  // namespace
 }  // namespace lentray::test

@@ -27,21 +27,6 @@ Across across(double size, double distance, double start = 0.3) {
   return {-66.0 * 1.124, 133, start, size, distance};
 }
 
-TEST(UnitShadowEquations, Costs) {
-  EXPECT_EQ(total_cost(7, 3, 2, 100), 314);            // (1)
-  EXPECT_EQ(total_cost_slow_search(10, 7, 100), 300);  // (2)
-  EXPECT_EQ(total_cost_slow_search(10, 7, 100), total_cost(7, 3, 0, 100))
-      << "(2) is (1) without Ch";
-  EXPECT_EQ(rays(6, 4), 10);  // (3)
-  // (4) and (5) come from (2) with the hits N - Mm and N - 2 Mm; the printed N - Mh and N - 2 Mh
-  // do not give them.
-  const double n = rays(60, 40), cm = 100;
-  EXPECT_EQ(best_cost(40, cm), total_cost_slow_search(n, n - 40, cm));
-  EXPECT_NE(best_cost(40, cm), total_cost_slow_search(n, n - 60, cm));
-  EXPECT_EQ(worst_cost(40, cm), total_cost_slow_search(n, n - 2 * 40, cm));
-  EXPECT_EQ(worst_cost(40, cm), 2 * best_cost(40, cm)) << "twice the cost, says the text";
-}
-
 TEST(UnitShadowEquations, AnglesOfALens) {
   EXPECT_NEAR(fan_angle(lens(), Alpha::kPrinted) / kDegree, 21.02, 0.005);    // (6)
   EXPECT_NEAR(fan_angle(lens(), Alpha::kRefracted) / kDegree, 33.93, 0.005);  // (6) with n
