@@ -16,6 +16,7 @@
 #include "core/light/light_ray.h"
 #include "core/object/leaf.h"
 #include "core/scene/tolerances.h"
+#include "core/trace/random_key.h"
 #include "core/trace/shadow_tester.h"
 #include "core/trace/thread_context.h"
 
@@ -23,10 +24,10 @@ namespace lentray::core {
 
 /// A light with what is asked first of it, side by side.
 struct LightSource {
-  LightSource(const Light& l, const LightBuffer* b)
+  LightSource(const Light& l, std::uint32_t i, const LightBuffer* b)
       : position(l.position), colour(l.colour), straight(is_straight(l)), even(is_even(l)),
         shadowless(l.shadowless), by_area(l.illuminates_by_area()),
-        may_be_hindered(!l.shadowless || l.projector), light(l), buffer(b) {}
+        may_be_hindered(!l.shadowless || l.projector), index(i), light(l), buffer(b) {}
   /// Certain without a square root that it is behind a surface. `to` leads to its position.
   bool surely_behind(const Vec3& to, const Vec3& normal) const {
     return straight && !by_area && dot(normal, to) < 0.0;
@@ -35,6 +36,7 @@ struct LightSource {
   Rgb colour;
   bool straight, even, shadowless, by_area;
   bool may_be_hindered;  ///< not all of it arrives everywhere
+  std::uint32_t index;   ///< into Scene::lights()
   const Light& light;
   const LightBuffer* buffer;  ///< null: the hierarchy answers for it
 };
@@ -45,10 +47,11 @@ using LightLists = std::array<std::span<const std::uint32_t>, 2>;
 /// A point whose light is asked for. Of a ray: how far it has come and what it travels in.
 struct LitPoint {
   const Vec3& point;
-  int level;                    ///< trace level of the ray, 1: camera ray
-  std::uint32_t tree_place;     ///< as ShadowQuery's
-  const InteriorStack& inside;  ///< of the ray
-  bool in_air = false;          ///< lies on no surface
+  int level;                 ///< trace level of the ray, 1: camera ray
+  std::uint32_t tree_place;  ///< as ShadowQuery's
+  InteriorsId inside;        ///< of the ray
+  std::uint64_t key;         ///< of the random numbers of the point
+  bool in_air = false;       ///< lies on no surface
 };
 
 /// What is known of the lights at one point: where it lies in their buffers, and what arrives of them,
@@ -70,7 +73,8 @@ class LightLoop {
       : m_context(context), m_scene(context.scene), m_shadows(shadows),
         m_tolerance(kShadowTolerance * context.scene.tolerance_scale()) {
     for (std::size_t i = 0; i < m_scene.lights().size(); ++i) {
-      m_sources.emplace_back(m_scene.lights()[i], m_scene.light_buffer(i));
+      m_sources.emplace_back(m_scene.lights()[i], static_cast<std::uint32_t>(i),
+                             m_scene.light_buffer(i));
     }
   }
 
@@ -100,7 +104,8 @@ class LightLoop {
     query.tree_place = lit.tree_place;
     query.column = m_context.pixel.column;
     query.row = m_context.pixel.row;
-    query.inside = &lit.inside;
+    query.inside = lit.inside;
+    query.key = lit.key;
     query.from_air = lit.in_air;
     for (const std::span<const std::uint32_t> lights : lists) {
       for (const std::uint32_t i : lights) {
@@ -173,7 +178,8 @@ class LightLoop {
       query.sample = sample;
       return colour * left(query);
     };
-    auto random_number = [this] { return m_context.random.next(); };
+    RandomSequence places(branch_key(query.key, query.light), RandomSequence::Use::kLightArea);
+    auto random_number = [&] { return places.next(); };
     const AreaAxes axes = area_axes(source.area, ray.direction);
     return AreaSampler(source.area, axes, m_context.area, probe, random_number).colour();
   }

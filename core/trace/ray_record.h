@@ -1,0 +1,116 @@
+// What a ray has met: the light that a surface, or the sky, sends along it by itself, and the rays that
+// go on from the surface with how what they see adds to it. Whoever follows these, in whatever order,
+// gets the same bits. A buffer that is used from ray to ray; world space, colours linear.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/object/attributes.h"
+#include "core/trace/radiance.h"
+#include "core/trace/ray_state.h"
+#include "core/trace/reflectance.h"
+
+namespace lentray::core {
+
+/// A ray that goes on from a surface, and what becomes of the light that it brings.
+struct OnwardRay {
+  enum class Way : std::uint8_t {
+    kMirror,
+    kThrough,
+    kTotalReflection,  ///< instead of kThrough
+    kBand,             ///< through, one of the bands of dispersed light
+    kLastBand,
+  };
+  RayState state;
+  Way way;
+  Rgb share;                  ///< factor: of the mirror; of what the interior left
+  Rgb tint = Rgb(1.0f);       ///< factor of mirror images: a thin film
+  Rgb filter = Rgb(1.0f);     ///< factor of what comes through: the layers
+  Rgb hue = Rgb(1.0f);        ///< factor of a band
+  float band_share = 1.0f;    ///< of one band in all
+  double exponent = 1.0;      ///< of a mirror image
+  double transparency = 0.0;  ///< of the layers, for what comes through
+};
+
+/// Adds what the rays that go on from a texture brought, in their order.
+class LightSum {
+ public:
+  explicit LightSum(const Radiance& own) : m_sum(own) {}
+  void add(const OnwardRay& from, const Radiance& seen) {
+    switch (from.way) {
+      case OnwardRay::Way::kMirror: return add_image(from, seen.rgb * from.tint);
+      case OnwardRay::Way::kThrough:
+        m_sum.rgb += from.share * seen.rgb * from.filter;
+        m_sum.transmit = static_cast<float>(grey(from.share) * seen.transmit * from.transparency);
+        return;
+      case OnwardRay::Way::kTotalReflection:
+        m_sum.rgb += from.share * (seen.rgb * from.tint);
+        return;
+      case OnwardRay::Way::kBand: m_bands += seen.rgb * from.tint * from.hue; return;
+      case OnwardRay::Way::kLastBand:
+        m_bands += seen.rgb * from.tint * from.hue;
+        m_sum.rgb += from.share * (m_bands * from.band_share) * from.filter;
+        return;
+    }
+  }
+  const Radiance& total() const { return m_sum; }
+
+ private:
+  void add_image(const OnwardRay& from, Rgb image) {
+    if (from.exponent != 1.0) {
+      for (int c = 0; c < 3; ++c) {
+        image[c] = static_cast<float>(std::pow(image[c], from.exponent));
+      }
+    }
+    m_sum.rgb += from.share * image;
+  }
+
+  Radiance m_sum;
+  Rgb m_bands;
+};
+
+struct RayRecord {
+  /// One of several textures of a place.
+  struct Part {
+    Radiance own;
+    double weight;
+    std::size_t rays;  ///< of those that go on, in their order
+  };
+  const Attributes* looks;  ///< of the surface; null: the sky
+  double length;            ///< of the ray
+  int level;                ///< trace level, 1: camera ray
+  Radiance own;             ///< without those that go on
+  std::vector<Part> parts;  ///< empty: one texture, whose light is `own`
+  std::vector<OnwardRay> onward;
+
+  /// What arrives at the ray's end, where `see(OnwardRay) -> Radiance` is what arrives at the start of
+  /// one that goes on; called for each, in order.
+  template <class See>
+  Radiance gather(See&& see) const {
+    const std::span<const OnwardRay> all = onward;
+    if (parts.empty()) return gather(own, all, see);
+    Radiance sum;
+    std::size_t first = 0;
+    for (const Part& part : parts) {
+      const Radiance light = gather(part.own, all.subspan(first, part.rays), see);
+      first += part.rays;
+      sum.rgb += times(light.rgb, part.weight);
+      sum.transmit += static_cast<float>(light.transmit * part.weight);
+    }
+    return sum;
+  }
+
+ private:
+  template <class See>
+  static Radiance gather(const Radiance& own, std::span<const OnwardRay> rays, See& see) {
+    LightSum sum(own);
+    for (const OnwardRay& ray : rays) sum.add(ray, see(ray));
+    return sum.total();
+  }
+};
+
+}  // namespace lentray::core
