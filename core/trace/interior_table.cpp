@@ -52,7 +52,7 @@ InteriorsId InteriorTable::find(InteriorsId id, const InteriorEntry& entry) {
   return found;
 }
 
-InteriorsId InteriorTable::remove(InteriorsId id, std::uintptr_t key) {
+InteriorsId InteriorTable::remove_among(InteriorsId id, std::uintptr_t key) {
   InteriorsId outermost = InteriorsId::kOpen;
   for (InteriorsId i = id; i != InteriorsId::kOpen; i = around(i)) {
     if (back(i).key == key) outermost = i;

@@ -57,7 +57,10 @@ class InteriorTable {
     return latest != InteriorsId::kOpen && is_entry(latest, entry) ? latest : find(id, entry);
   }
   /// Without the outermost entry of that key; the same number if there is none.
-  InteriorsId remove(InteriorsId id, std::uintptr_t key);
+  InteriorsId remove(InteriorsId id, std::uintptr_t key) {
+    if (size(id) == 1) return back(id).key == key ? InteriorsId::kOpen : id;
+    return remove_among(id, key);
+  }
 
   /// To be called where no number is in use, between camera rays: true if they count no more, since there
   /// were very many of them.
@@ -75,6 +78,7 @@ class InteriorTable {
   bool is_entry(InteriorsId id, const InteriorEntry& entry) const {
     return back(id).key == entry.key && back(id).hollow == entry.hollow;
   }
+  InteriorsId remove_among(InteriorsId id, std::uintptr_t key);
   InteriorsId find(InteriorsId id, const InteriorEntry& entry);
   InteriorsId& slot(InteriorsId id, const InteriorEntry& entry);
   void clear();

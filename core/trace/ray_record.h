@@ -25,48 +25,55 @@ struct OnwardRay {
     kBand,             ///< through, one of the bands of dispersed light
     kLastBand,
   };
+  OnwardRay() {}  // not defaulted: that would clear all
   RayState state;
+  Rgb share;  ///< factor: of the mirror; of what the interior before the surface left
   Way way;
-  Rgb share;                  ///< factor: of the mirror; of what the interior left
-  Rgb tint = Rgb(1.0f);       ///< factor of mirror images: a thin film
-  Rgb filter = Rgb(1.0f);     ///< factor of what comes through: the layers
-  Rgb hue = Rgb(1.0f);        ///< factor of a band
-  float band_share = 1.0f;    ///< of one band in all
-  double exponent = 1.0;      ///< of a mirror image
-  double transparency = 0.0;  ///< of the layers, for what comes through
+  bool tinted;      ///< a mirror image in a thin film
+  Rgb tint;         ///< factor of the film, if so
+  Rgb filter;       ///< factor of what comes through: the layers
+  Rgb hue;          ///< factor of a band
+  float band_part;  ///< of a band, of all light
+  double exponent;  ///< of a mirror image
+  double clear;     ///< the part of the background that the layers let through
 };
 
 /// Adds what the rays that go on from a texture brought, in their order.
 class LightSum {
  public:
   explicit LightSum(const Radiance& own) : m_sum(own) {}
-  void add(const OnwardRay& from, const Radiance& seen) {
+  [[gnu::always_inline]] void add(const OnwardRay& from, const Radiance& seen) {
     switch (from.way) {
-      case OnwardRay::Way::kMirror: return add_image(from, seen.rgb * from.tint);
+      case OnwardRay::Way::kMirror: return add_image(from, seen.rgb);
       case OnwardRay::Way::kThrough:
         m_sum.rgb += from.share * seen.rgb * from.filter;
-        m_sum.transmit = static_cast<float>(grey(from.share) * seen.transmit * from.transparency);
+        m_sum.transmit = static_cast<float>(grey(from.share) * seen.transmit * from.clear);
         return;
-      case OnwardRay::Way::kTotalReflection:
-        m_sum.rgb += from.share * (seen.rgb * from.tint);
-        return;
-      case OnwardRay::Way::kBand: m_bands += seen.rgb * from.tint * from.hue; return;
-      case OnwardRay::Way::kLastBand:
-        m_bands += seen.rgb * from.tint * from.hue;
-        m_sum.rgb += from.share * (m_bands * from.band_share) * from.filter;
-        return;
+      default: return add_rare(from, seen.rgb);
     }
   }
   const Radiance& total() const { return m_sum; }
 
  private:
   void add_image(const OnwardRay& from, Rgb image) {
+    if (from.tinted) image *= from.tint;
     if (from.exponent != 1.0) {
       for (int c = 0; c < 3; ++c) {
         image[c] = static_cast<float>(std::pow(image[c], from.exponent));
       }
     }
     m_sum.rgb += from.share * image;
+  }
+  [[gnu::noinline]] void add_rare(const OnwardRay& from, Rgb seen) {
+    if (from.tinted) seen *= from.tint;
+    if (from.way == OnwardRay::Way::kTotalReflection) {
+      m_sum.rgb += from.share * seen;
+      return;
+    }
+    m_bands += seen * from.hue;
+    if (from.way == OnwardRay::Way::kLastBand) {
+      m_sum.rgb += from.share * (m_bands * from.band_part) * from.filter;
+    }
   }
 
   Radiance m_sum;

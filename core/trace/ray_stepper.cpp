@@ -3,14 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/accel/hierarchy.h"
 #include "core/base/tiny.h"
 #include "core/scene/tolerances.h"
 #include "core/trace/random_key.h"
 #include "core/trace/reflectance.h"
 #include "core/trace/refraction.h"
-#include "core/trace/segment.h"
-#include "core/trace/sky.h"
 #include "core/trace/spectrum.h"
 #include "core/trace/surface_textures.h"
 
@@ -51,25 +48,6 @@ RayState RayStepper<kFeatures>::begin(const Ray& ray, Pixel pixel, std::uint64_t
   }
   if (m_start_interiors) state.inside = m_start_interiors->at(ray.origin, m_context.interiors);
   return state;
-}
-
-template <unsigned kFeatures>
-void RayStepper<kFeatures>::step(const RayState& state, RayRecord& record) {
-  record.parts.clear();
-  record.onward.clear();
-  Hit hit;
-  if (!m_hierarchy.nearest(state.ray, m_min_distance, Bounds::kInf, state.kind, hit,
-                           m_context.arena, m_context.tests)) {
-    record.looks = nullptr;
-    record.length = kOpenAir;
-    record.level = state.level + 1;
-    record.own = sky_radiance(m_scene, state.ray.direction, state.kind == RayKind::kReflection);
-    return;
-  }
-  record.looks = &hit.leaf->attributes();
-  record.length = hit.t;
-  record.level = state.level + (state.straight_on ? 0 : 1);
-  shade(state, hit, record);
 }
 
 template <unsigned kFeatures>
@@ -136,6 +114,7 @@ template <unsigned kFeatures>
 OnwardRay& RayStepper<kFeatures>::add_ray(const Surface& at, float weight, RayRecord& record) {
   const std::size_t branch = record.onward.size();
   OnwardRay& onward = record.onward.emplace_back();
+  onward.tinted = false;
   onward.state.ray.origin = at.point();
   onward.state.key = branch_key(at.state.key, branch);
   onward.state.wavelength = at.state.wavelength;
@@ -169,7 +148,8 @@ void RayStepper<kFeatures>::reflect(const Vec3& normal, const Finish& film, cons
   state.place = next_place(2 * at.state.place);
   state.kind = RayKind::kReflection;
   state.wavelength = at.state.wavelength;
-  if (film.irid > 0.0) onward.tint = m_shading.film(film, normal, state.ray.direction, at);
+  onward.tinted = film.irid > 0.0;
+  if (onward.tinted) onward.tint = m_shading.film(film, normal, state.ray.direction, at);
 }
 
 template <unsigned kFeatures>
@@ -193,7 +173,7 @@ bool RayStepper<kFeatures>::add_transmitted(const LayerSum& sum, const Surface& 
     through.way = OnwardRay::Way::kThrough;
     through.share = fade;
     through.filter = filter;
-    through.transparency = sum.transparency;
+    through.clear = sum.transparency;
     through.state.inside = inside;
     through.state.place = next_place(2 * at.state.place + 1);
     through.state.kind = std::max(at.state.kind, RayKind::kTransmitted);
@@ -206,7 +186,7 @@ bool RayStepper<kFeatures>::add_transmitted(const LayerSum& sum, const Surface& 
       OnwardRay& through = add_through();
       through.way = band + 1 < bend.bands ? OnwardRay::Way::kBand : OnwardRay::Way::kLastBand;
       through.hue = band_hue(band, bend.bands);
-      through.band_share = 1.0f / static_cast<float>(bend.bands);
+      through.band_part = 1.0f / static_cast<float>(bend.bands);
       const double wavelength = band_wavelength(band, bend.bands);
       through.state.wavelength = wavelength;
       refract(sum, dispersed_ior(bend.ior, bend.dispersion, wavelength), at, through);

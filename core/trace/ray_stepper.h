@@ -7,18 +7,19 @@
 #include <cstdint>
 #include <memory>
 
+#include "core/accel/hierarchy.h"
 #include "core/base/pixel.h"
 #include "core/trace/media_light.h"
 #include "core/trace/path_features.h"
 #include "core/trace/ray_record.h"
 #include "core/trace/ray_state.h"
+#include "core/trace/segment.h"
+#include "core/trace/sky.h"
 #include "core/trace/start_interiors.h"
 #include "core/trace/surface_shading.h"
 #include "core/trace/thread_context.h"
 
 namespace lentray::core {
-
-class Hierarchy;
 
 template <unsigned kFeatures>
 class RayStepper {
@@ -32,7 +33,23 @@ class RayStepper {
     return state.level >= m_max_level || state.weight < m_bailout;
   }
   /// Fills the record with what the ray meets.
-  void step(const RayState& state, RayRecord& record);
+  void step(const RayState& state, RayRecord& record) {
+    if constexpr (kLayers) record.parts.clear();
+    record.onward.clear();
+    Hit hit;
+    if (m_hierarchy.nearest(state.ray, m_min_distance, Bounds::kInf, state.kind, hit,
+                            m_context.arena, m_context.tests)) {
+      record.looks = &hit.leaf->attributes();
+      record.length = hit.t;
+      record.level = state.level + (state.straight_on ? 0 : 1);
+      shade(state, hit, record);
+    } else {
+      record.looks = nullptr;
+      record.length = kOpenAir;
+      record.level = state.level + 1;
+      record.own = sky_radiance(m_scene, state.ray.direction, state.kind == RayKind::kReflection);
+    }
+  }
   /// Changes the light that RayRecord::gather() found into what arrives at the ray's origin.
   void arrive(const RayState& state, const RayRecord& record, Radiance& light) {
     if (m_media && record.looks) {
