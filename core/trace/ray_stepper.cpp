@@ -28,8 +28,8 @@ std::uint32_t next_place(std::uint32_t tree_place) { return std::min(tree_place,
 template <unsigned kFeatures>
 RayStepper<kFeatures>::RayStepper(ThreadContext& context, ShadowTester& shadows)
     : m_context(context), m_scene(context.scene), m_hierarchy(m_scene.hierarchy()),
-      m_shading(context, shadows), m_buffers(m_shading.lights()),
-      m_max_level(m_scene.settings().max_trace_level), m_bailout(m_scene.settings().adc_bailout),
+      m_shading(context, shadows), m_max_level(m_scene.settings().max_trace_level),
+      m_bailout(m_scene.settings().adc_bailout),
       m_min_distance(kMinHitDistance * m_scene.tolerance_scale()),
       m_atmosphere_ior(m_scene.settings().atmosphere_ior),
       m_mirror_images(m_scene.settings().mirror_images),
@@ -72,41 +72,51 @@ void RayStepper<kFeatures>::shade(const RayState& state, const Hit& hit, RayReco
              normal, point,         record.level,
              0,      from_behind};
   if (at.looks.uv_mapping) at.texture_point = texture_point(at.context);
-  m_shading.begin(at, m_buffers);
+  ShadingBuffers& buffers = m_shaded < m_buffers.size() ? *m_buffers[m_shaded] : add_buffers();
+  ++m_shaded;
+  m_shading.begin(at, buffers);
   if constexpr (kLayers) {
-    shade_textures(at, record);
+    shade_textures(at, buffers, record);
   } else {
-    record.own = shade_texture(*at.looks.texture->everywhere(), at, record);
+    record.own = shade_texture(*at.looks.texture->everywhere(), at, buffers, record);
   }
+  --m_shaded;
 }
 
 template <unsigned kFeatures>
-void RayStepper<kFeatures>::shade_textures(Surface& at, RayRecord& record) {
-  const WeightedTextures& textures = m_buffers.textures;
-  textures_at(at.context, at.from_behind, m_bailout, m_buffers.textures);
+ShadingBuffers& RayStepper<kFeatures>::add_buffers() {
+  m_buffers.push_back(std::make_unique<ShadingBuffers>(m_shading.lights()));
+  return *m_buffers.back();
+}
+
+template <unsigned kFeatures>
+void RayStepper<kFeatures>::shade_textures(Surface& at, ShadingBuffers& buffers,
+                                           RayRecord& record) {
+  const WeightedTextures& textures = buffers.textures;
+  textures_at(at.context, at.from_behind, m_bailout, buffers.textures);
   if (textures.size() == 1 && textures.front().weight == 1.0) {
-    record.own = shade_texture(*textures.front().texture, at, record);
+    record.own = shade_texture(*textures.front().texture, at, buffers, record);
     return;
   }
   record.own = {};
   for (const WeightedTexture& texture : textures) {
     at.context.normal = at.normal;
     const std::size_t before = record.onward.size();
-    const Radiance own = shade_texture(*texture.texture, at, record);
+    const Radiance own = shade_texture(*texture.texture, at, buffers, record);
     record.parts.push_back({own, texture.weight, record.onward.size() - before});
   }
 }
 
 template <unsigned kFeatures>
 Radiance RayStepper<kFeatures>::shade_texture(const LayeredTexture& texture, Surface& at,
-                                              RayRecord& record) {
+                                              ShadingBuffers& buffers, RayRecord& record) {
   LayerSum sum;
-  m_shading.shade(texture, at, m_buffers, sum);
+  m_shading.shade(texture, at, buffers, sum);
   bool total_reflection = false;
   if (kTransparency && sum.transparency > m_bailout) {
     total_reflection = add_transmitted(sum, at, record);
   }
-  if constexpr (kReflection) add_mirrors(sum, total_reflection, at, record);
+  if constexpr (kReflection) add_mirrors(sum, total_reflection, at, buffers, record);
   return {sum.light};
 }
 
@@ -125,9 +135,10 @@ OnwardRay& RayStepper<kFeatures>::add_ray(const Surface& at, float weight, RayRe
 
 template <unsigned kFeatures>
 void RayStepper<kFeatures>::add_mirrors(const LayerSum& sum, bool total_reflection,
-                                        const Surface& at, RayRecord& record) {
+                                        const Surface& at, const ShadingBuffers& buffers,
+                                        RayRecord& record) {
   for (std::size_t i = 0; m_mirror_images && i < sum.layers; ++i) {
-    const Mirror& mirror = m_buffers.mirrors[i];
+    const Mirror& mirror = buffers.mirrors[i];
     if (mirror.colour.is_black()) continue;
     if (total_reflection && nearly_equal(sum.top_normal, mirror.normal)) continue;
     OnwardRay& image = add_ray(at, mirror.weight, record);

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "core/accel/hierarchy.h"
 #include "core/base/pixel.h"
@@ -64,11 +65,13 @@ class RayStepper {
   static constexpr bool kLayers = (kFeatures & kPathLayers) != 0;
 
   void shade(const RayState& state, const Hit& hit, RayRecord& record);
-  void shade_textures(Surface& at, RayRecord& record);
+  ShadingBuffers& add_buffers();
+  void shade_textures(Surface& at, ShadingBuffers& buffers, RayRecord& record);
   /// The texture's own light; adds the rays that go on from it.
-  Radiance shade_texture(const LayeredTexture& texture, Surface& at, RayRecord& record);
+  Radiance shade_texture(const LayeredTexture& texture, Surface& at, ShadingBuffers& buffers,
+                         RayRecord& record);
   void add_mirrors(const LayerSum& sum, bool total_reflection, const Surface& at,
-                   RayRecord& record);
+                   const ShadingBuffers& buffers, RayRecord& record);
   /// Adds what goes through the surface; true on total internal reflection.
   bool add_transmitted(const LayerSum& sum, const Surface& at, RayRecord& record);
   /// Turns a ray that goes through, with that ior before the surface over behind it. True on total
@@ -84,15 +87,16 @@ class RayStepper {
   const Scene& m_scene;
   const Hierarchy& m_hierarchy;
   SurfaceShading<kFeatures> m_shading;
-  ShadingBuffers m_buffers;
   const int m_max_level;
   const double m_bailout;
   const double m_min_distance;  ///< kMinHitDistance in this scene
   const double m_atmosphere_ior;
   const bool m_mirror_images;
-  const Atmosphere* m_air;                            ///< null: clear
-  std::unique_ptr<MediaLight> m_media;                ///< null: the scene has no media
-  std::unique_ptr<StartInteriors> m_start_interiors;  ///< null: the scene has no interiors
+  const Atmosphere* m_air;                                 ///< null: clear
+  std::unique_ptr<MediaLight> m_media;                     ///< null: the scene has no media
+  std::unique_ptr<StartInteriors> m_start_interiors;       ///< null: the scene has no interiors
+  std::vector<std::unique_ptr<ShadingBuffers>> m_buffers;  ///< one a surface that is being shaded
+  std::size_t m_shaded = 0;  ///< of these: several where shading itself asks for the light of rays
 };
 
 }  // namespace lentray::core
