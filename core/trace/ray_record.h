@@ -97,9 +97,14 @@ struct RayRecord {
   /// What arrives at the ray's end, where `see(OnwardRay) -> Radiance` is what arrives at the start of
   /// one that goes on; called for each, in order.
   template <class See>
-  Radiance gather(See&& see) const {
+  [[gnu::always_inline]] Radiance gather(See&& see) const {
+    return parts.empty() ? gather(own, onward, see) : gather_parts(see);
+  }
+
+ private:
+  template <class See>
+  [[gnu::noinline]] Radiance gather_parts(See& see) const {
     const std::span<const OnwardRay> all = onward;
-    if (parts.empty()) return gather(own, all, see);
     Radiance sum;
     std::size_t first = 0;
     for (const Part& part : parts) {
@@ -110,10 +115,9 @@ struct RayRecord {
     }
     return sum;
   }
-
- private:
   template <class See>
-  static Radiance gather(const Radiance& own, std::span<const OnwardRay> rays, See& see) {
+  [[gnu::always_inline]] static Radiance gather(const Radiance& own,
+                                                std::span<const OnwardRay> rays, See& see) {
     LightSum sum(own);
     for (const OnwardRay& ray : rays) sum.add(ray, see(ray));
     return sum.total();

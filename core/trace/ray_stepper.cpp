@@ -63,6 +63,19 @@ void RayStepper<kFeatures>::pass_open_air(const RayState& state, const RayRecord
 }
 
 template <unsigned kFeatures>
+[[gnu::always_inline]] inline Radiance RayStepper<kFeatures>::shade_texture(
+    const LayeredTexture& texture, Surface& at, ShadingBuffers& buffers, RayRecord& record) {
+  LayerSum sum;
+  m_shading.shade(texture, at, buffers, sum);
+  bool total_reflection = false;
+  if (kTransparency && sum.transparency > m_bailout) {
+    total_reflection = add_transmitted(sum, at, record);
+  }
+  if constexpr (kReflection) add_mirrors(sum, total_reflection, at, buffers, record);
+  return {sum.light};
+}
+
+template <unsigned kFeatures>
 void RayStepper<kFeatures>::shade(const RayState& state, const Hit& hit, RayRecord& record) {
   const Vec3 point = state.ray.at(hit.t);
   Vec3 normal = hit.leaf->normal(point, hit.shape);
@@ -108,20 +121,9 @@ void RayStepper<kFeatures>::shade_textures(Surface& at, ShadingBuffers& buffers,
 }
 
 template <unsigned kFeatures>
-Radiance RayStepper<kFeatures>::shade_texture(const LayeredTexture& texture, Surface& at,
-                                              ShadingBuffers& buffers, RayRecord& record) {
-  LayerSum sum;
-  m_shading.shade(texture, at, buffers, sum);
-  bool total_reflection = false;
-  if (kTransparency && sum.transparency > m_bailout) {
-    total_reflection = add_transmitted(sum, at, record);
-  }
-  if constexpr (kReflection) add_mirrors(sum, total_reflection, at, buffers, record);
-  return {sum.light};
-}
-
-template <unsigned kFeatures>
-OnwardRay& RayStepper<kFeatures>::add_ray(const Surface& at, float weight, RayRecord& record) {
+[[gnu::always_inline]] inline OnwardRay& RayStepper<kFeatures>::add_ray(const Surface& at,
+                                                                        float weight,
+                                                                        RayRecord& record) {
   const std::size_t branch = record.onward.size();
   OnwardRay& onward = record.onward.emplace_back();
   onward.tinted = false;
@@ -141,6 +143,8 @@ void RayStepper<kFeatures>::add_mirrors(const LayerSum& sum, bool total_reflecti
     const Mirror& mirror = buffers.mirrors[i];
     if (mirror.colour.is_black()) continue;
     if (total_reflection && nearly_equal(sum.top_normal, mirror.normal)) continue;
+    ++m_context.counters.reflected_rays;
+    if (is_cut(at.level, mirror.weight)) continue;
     OnwardRay& image = add_ray(at, mirror.weight, record);
     image.way = OnwardRay::Way::kMirror;
     image.share = mirror.colour;
@@ -152,7 +156,6 @@ void RayStepper<kFeatures>::add_mirrors(const LayerSum& sum, bool total_reflecti
 template <unsigned kFeatures>
 void RayStepper<kFeatures>::reflect(const Vec3& normal, const Finish& film, const Surface& at,
                                     OnwardRay& onward) {
-  ++m_context.counters.reflected_rays;
   RayState& state = onward.state;
   state.ray.direction = normalized(mirrored(at.ray().direction, normal, at.normal));
   state.inside = at.state.inside;
@@ -205,17 +208,19 @@ bool RayStepper<kFeatures>::add_transmitted(const LayerSum& sum, const Surface& 
     return false;
   }
   OnwardRay& through = add_through();
+  bool total_reflection = false;
   if (std::fabs(bend.ior - 1.0) < kTiny && !disperses) {
     ++m_context.counters.refracted_rays;
     through.state.ray.direction = at.ray().direction;
     through.state.straight_on = true;
-    return false;
+  } else {
+    const double ior =
+        disperses ? dispersed_ior(bend.ior, bend.dispersion, at.state.wavelength) : bend.ior;
+    total_reflection = refract(sum, ior, at, through);
+    if (total_reflection) through.way = OnwardRay::Way::kTotalReflection;  // no layer filters it
   }
-  const double ior =
-      disperses ? dispersed_ior(bend.ior, bend.dispersion, at.state.wavelength) : bend.ior;
-  if (!refract(sum, ior, at, through)) return false;
-  through.way = OnwardRay::Way::kTotalReflection;  // the layers do not filter it
-  return true;
+  if (is_cut(through.state)) record.onward.pop_back();
+  return total_reflection;
 }
 
 template <unsigned kFeatures>
@@ -227,6 +232,7 @@ bool RayStepper<kFeatures>::refract(const LayerSum& sum, double ior, const Surfa
   cosine = std::fabs(cosine);
   const double under_root = 1.0 + ior * ior * (cosine * cosine - 1.0);
   if (under_root < 0.0) {
+    ++m_context.counters.reflected_rays;
     reflect(sum.top_normal, *sum.top_finish, at, onward);
     return true;
   }

@@ -30,9 +30,7 @@ class RayStepper {
   /// A camera ray of a pixel's sample.
   RayState begin(const Ray& ray, Pixel pixel, std::uint64_t key);
   /// Whether a ray counts too little, or has too many levels above it, to be followed: it sees nothing.
-  bool is_cut(const RayState& state) const {
-    return state.level >= m_max_level || state.weight < m_bailout;
-  }
+  bool is_cut(const RayState& state) const { return is_cut(state.level, state.weight); }
   /// Fills the record with what the ray meets.
   void step(const RayState& state, RayRecord& record) {
     if constexpr (kLayers) record.parts.clear();
@@ -60,6 +58,8 @@ class RayStepper {
   }
 
  private:
+  bool is_cut(int level, float weight) const { return level >= m_max_level || weight < m_bailout; }
+
   static constexpr bool kTransparency = (kFeatures & kPathTransparency) != 0;
   static constexpr bool kReflection = (kFeatures & kPathReflection) != 0;
   static constexpr bool kLayers = (kFeatures & kPathLayers) != 0;
