@@ -66,7 +66,7 @@ const BreadthScene kScenes[] = {
      "fog_offset 0.4 fog_alt 0.5 turbulence 0.3 } sphere { <0, 1, 0>, 1 pigment { rgbt 0.7 } "
      "finish "
      "{ reflection 0.4 } }"},
-    {"rainbows with jitter", 3, true,
+    {"rainbows with jitter", 2, true,
      "rainbow { angle 40 width 30 distance 20 direction <0, -0.2, 1> jitter 0.4 color_map { [0 "
      "rgbt "
      "<1, 0, 0, 0.4>] [0.5 rgbt <0, 1, 0, 0.4>] [1 rgbt <0, 0, 1, 0.4>] } } sphere { <0, 1, 0>, 1 "
@@ -79,7 +79,7 @@ const BreadthScene kScenes[] = {
      "light_source { <1, 5, -2>, rgb 0.7 area_light 2*x, 2*z, 5, 5 adaptive 1 jitter } sphere { "
      "<0, "
      "1, 0>, 0.8 pigment { rgbt 0.5 } finish { reflection 0.5 } }"},
-    {"area illumination", 3, true,
+    {"area illumination", 2, true,
      "light_source { <1, 4, -2>, rgb 0.7 area_light 2*x, 2*z, 3, 3 jitter circular orient "
      "area_illumination on } sphere { <0, 1, 0>, 0.8 pigment { rgb 0.6 } finish { reflection 0.5 "
      "crand 0.2 phong 0.5 } }"},
@@ -94,7 +94,7 @@ const BreadthScene kScenes[] = {
      "} "
      "interior { ior 1.1 media { absorption <1, 2, 3> method 2 samples 4 jitter 1 density { bozo } "
      "} } }"},
-    {"area lights in media", 3, true,
+    {"area lights in media", 2, true,
      "light_source { <1, 4, -1>, rgb 0.9 area_light x, z, 4, 4 adaptive 0 jitter } media { "
      "scattering { 4, rgb 0.15 } samples 5 } sphere { <0, 1, 0>, 0.7 pigment { rgb 0.5 } finish { "
      "reflection 0.5 } }"},
