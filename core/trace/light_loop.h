@@ -23,6 +23,7 @@
 #include "core/light/light_ray.h"
 #include "core/object/leaf.h"
 #include "core/scene/tolerances.h"
+#include "core/trace/random_key.h"
 #include "core/trace/shadow_tester.h"
 #include "core/trace/thread_context.h"
 
@@ -60,10 +61,11 @@ struct IncomingLight {
 /// A point whose light is asked for. Of a ray: how far it has come and what it travels in.
 struct LitPoint {
   const Vec3& point;
-  int level;                    ///< trace level of the ray, 1: camera ray
-  std::uint32_t tree_place;     ///< as ShadowQuery's
-  const InteriorStack& inside;  ///< of the ray
-  bool in_air = false;          ///< lies on no surface
+  int level;                 ///< trace level of the ray, 1: camera ray
+  std::uint32_t tree_place;  ///< as ShadowQuery's
+  InteriorsId inside;        ///< of the ray
+  std::uint64_t key;         ///< of the random numbers of the point
+  bool in_air = false;       ///< lies on no surface
 };
 
 /// What is known of the lights at one point: where it lies in their buffers, and what arrives of them,
@@ -133,7 +135,8 @@ class LightLoop {
     query.tree_place = lit.tree_place;
     query.column = m_context.pixel.column;
     query.row = m_context.pixel.row;
-    query.inside = &lit.inside;
+    query.inside = lit.inside;
+    query.key = lit.key;
     query.from_air = lit.in_air;
     return query;
   }
@@ -214,7 +217,8 @@ class LightLoop {
       query.sample = sample;
       return colour * left(query);
     };
-    auto random_number = [this] { return m_context.random.next(); };
+    RandomSequence places(branch_key(query.key, query.light), RandomSequence::Use::kLightArea);
+    auto random_number = [&] { return places.next(); };
     const AreaAxes axes = area_axes(source.area, ray.direction);
     return AreaSampler(source.area, axes, m_context.area, probe, random_number).colour();
   }

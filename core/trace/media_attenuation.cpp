@@ -43,11 +43,16 @@ class Probe final : public MediaProbe {
 
 }  // namespace
 
-void add_media(const InteriorStack& inside, MediaList& list) {
-  for (const InteriorEntry& entry : inside) {
-    if (!entry.interior) continue;
-    for (const auto& medium : entry.interior->media) list.push_back(medium.get());
+void add_media(const InteriorTable& table, InteriorsId inside, MediaList& list) {
+  const auto before = static_cast<std::ptrdiff_t>(list.size());
+  for (; inside != InteriorsId::kOpen; inside = table.around(inside)) {
+    const Interior* interior = table.back(inside).interior;
+    if (!interior) continue;
+    for (auto medium = interior->media.rbegin(); medium != interior->media.rend(); ++medium) {
+      list.push_back(medium->get());
+    }
   }
+  std::reverse(list.begin() + before, list.end());
 }
 
 const Medium& leading(const MediaList& list) {

@@ -7,7 +7,7 @@
 
 #include "core/base/segment.h"
 #include "core/material/medium.h"
-#include "core/trace/interior_stack.h"
+#include "core/trace/interior_table.h"
 #include "core/trace/media_sampling.h"
 
 namespace lentray::core {
@@ -15,7 +15,8 @@ namespace lentray::core {
 /// Media that fill one place together.
 using MediaList = std::vector<const Medium*>;
 
-void add_media(const InteriorStack& inside, MediaList& list);
+/// Those of the interiors, outermost first.
+void add_media(const InteriorTable& table, InteriorsId inside, MediaList& list);
 /// Of these, the one whose sampling settings hold for all: with the most intervals, the first of such.
 const Medium& leading(const MediaList& list);
 double least_aa_threshold(const MediaList& list);

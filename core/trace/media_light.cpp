@@ -2,8 +2,12 @@
 
 #include <algorithm>
 
+#include "core/trace/random_key.h"
+
 namespace lentray::core {
 namespace {
+
+enum Passage : std::uint64_t { kInteriors, kAir };  ///< each has random numbers of its own
 
 bool any_scatters(const MediaList& media) {
   return std::any_of(media.begin(), media.end(), [](const Medium* m) { return m->scatters(); });
@@ -20,9 +24,12 @@ bool any_directed(const MediaList& media) {
 /// A point of the media: what they emit there, and what they scatter of each light.
 class MediaLight::Probe final : public MediaProbe {
  public:
-  Probe(MediaLight& owner, const RayState& state, int level, const LightLists& lists)
+  Probe(MediaLight& owner, const RayState& state, int level, const LightLists& lists,
+        std::uint64_t key)
       : m_owner(owner), m_state(state), m_level(level), m_lists(lists),
-        m_scatters(any_scatters(owner.m_media)), m_directed(any_directed(owner.m_media)) {}
+        m_scatters(any_scatters(owner.m_media)), m_directed(any_directed(owner.m_media)),
+        m_random(key, RandomSequence::Use::kMedia),
+        m_light_key(RandomSequence::use_key(key, RandomSequence::Use::kMediaLights)) {}
 
   MediaPoint at(double distance, bool lit) override {
     MediaPoint point;
@@ -38,7 +45,7 @@ class MediaLight::Probe final : public MediaProbe {
       point.source += scattering * arriving(place, distance);
     return point;
   }
-  double random() override { return m_owner.m_context.random.next(); }
+  double random() override { return m_random.next(); }
 
  private:
   /// The lights, each weighed by how much of it goes on along the ray.
@@ -62,7 +69,8 @@ class MediaLight::Probe final : public MediaProbe {
       }
     };
     Receiver receiver{*this};
-    m_owner.m_lights.at({place, m_level, m_state.place, m_state.inside, true}, m_lists,
+    const std::uint64_t key = branch_key(m_light_key, m_lit_points++);
+    m_owner.m_lights.at({place, m_level, m_state.place, m_state.inside, key, true}, m_lists,
                         m_owner.m_at_point, Facing{*this, distance}, receiver);
     return receiver.sum;
   }
@@ -78,6 +86,9 @@ class MediaLight::Probe final : public MediaProbe {
   const int m_level;
   const LightLists& m_lists;
   const bool m_scatters, m_directed;
+  RandomSequence m_random;
+  const std::uint64_t m_light_key;
+  std::uint64_t m_lit_points = 0;  ///< so far
 };
 
 MediaLight::MediaLight(ThreadContext& context, ShadowTester& shadows)
@@ -86,28 +97,29 @@ MediaLight::MediaLight(ThreadContext& context, ShadowTester& shadows)
 
 void MediaLight::pass_interiors(const RayState& state, double length, int level,
                                 const Attributes& looks, Radiance& light) {
-  if (state.inside.empty() || !state.inside.is_hollow()) return;
+  const InteriorTable& table = m_context.interiors;
+  if (state.inside == InteriorsId::kOpen || !table.is_hollow(state.inside)) return;
   m_media.clear();
-  add_media(state.inside, m_media);
-  pass(state, length, level, &looks, light);
+  add_media(table, state.inside, m_media);
+  pass(state, length, level, &looks, branch_key(state.key, kInteriors), light);
 }
 
 void MediaLight::pass_air(const RayState& state, double length, int level, const Attributes* looks,
                           Radiance& light) {
   m_media.clear();
   for (const auto& medium : m_context.scene.atmosphere().media) m_media.push_back(medium.get());
-  pass(state, length, level, looks, light);
+  pass(state, length, level, looks, branch_key(state.key, kAir), light);
 }
 
 void MediaLight::pass(const RayState& state, double length, int level, const Attributes* looks,
-                      Radiance& light) {
+                      std::uint64_t key, Radiance& light) {
   if (m_media.empty()) return;
   const LightLists lists =
       looks ? m_lights.lights_of(*looks) : LightLists{m_context.scene.global_lights()};
   find_lit_parts(lists, state.ray, length);
   const Medium& first = leading(m_media);
   m_cutter.cut(first.sampling, first.densities.empty(), length, m_lit, m_intervals);
-  Probe probe(*this, state, level, lists);
+  Probe probe(*this, state, level, lists, key);
   const SamplingPlan plan{first.sampling, least_aa_threshold(m_media), first.variance_limits};
   if (first.sampling.method == SamplingMethod::kAdaptive) {
     sample_adaptively(plan, probe, m_intervals);

@@ -27,8 +27,9 @@ class MediaLight {
 
  private:
   class Probe;
+  /// `key`: of the random numbers.
   void pass(const RayState& state, double length, int level, const Attributes* looks,
-            Radiance& light);
+            std::uint64_t key, Radiance& light);
   void find_lit_parts(const LightLists& lists, const Ray& ray, double length);
 
   ThreadContext& m_context;

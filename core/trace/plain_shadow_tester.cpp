@@ -9,6 +9,7 @@
 #include "core/scene/scene.h"
 #include "core/scene/tolerances.h"
 #include "core/trace/reflectance.h"
+#include "core/trace/refraction.h"
 #include "core/trace/segment.h"
 #include "core/trace/surface_textures.h"
 
@@ -38,7 +39,7 @@ PlainShadowTester::PlainShadowTester(ThreadContext& context, bool count_hits)
       m_media(context.scene.needs().media), m_dimmed_by_air(context.scene.needs().dimming_air),
       m_by_place(context.scene.needs().textures_by_place ||
                  context.scene.needs().interior_textures),
-      m_bailout(context.scene.settings().adc_bailout) {}
+      m_bailout(context.scene.settings().adc_bailout), m_table(context.interiors) {}
 
 Visibility PlainShadowTester::search(const ShadowQuery& query) {
   const double reach = query.distance - m_tolerance;
@@ -113,8 +114,7 @@ Rgb PlainShadowTester::filter_through(const ShadowQuery& query, const LightBuffe
   const bool air = m_dimmed_by_air && light.dimmed_by_air;
   find_filters(query.ray, buffer, spot, reach);
   if (m_hits.empty() && !air) return Rgb(1.0f);
-  m_inside.clear();
-  if (m_interiors && query.inside) m_inside = *query.inside;
+  m_inside = m_interiors ? query.inside : InteriorsId::kOpen;
   Rgb filter(1.0f);
   Ray ray = query.ray;
   double last = filter_found(ray, light, filter);
@@ -126,7 +126,7 @@ Rgb PlainShadowTester::filter_through(const ShadowQuery& query, const LightBuffe
   }
   if (air && !filter.is_black()) {
     const double rest = reach + m_tolerance - last;
-    if (rest > m_tolerance && m_inside.is_hollow()) {
+    if (rest > m_tolerance && m_table.is_hollow(m_inside)) {
       filter *= left_by_air({{ray.at(last), ray.direction}, rest});
     }
   }
@@ -142,7 +142,7 @@ double PlainShadowTester::filter_found(const Ray& ray, const Light& light, Rgb& 
     if (!(at.t - last > m_tolerance)) continue;
     const Hit& hit = m_hits[at.index];
     const InteriorEntry entry = interior_of(hit.leaf->attributes(), hit.object);
-    const bool leaves = m_interiors && m_inside.contains(entry.key);
+    const bool leaves = m_interiors && m_table.contains(m_inside, entry.key);
     const double length = at.t - last;
     filter *= surface_filter(hit, ray, length, leaves);
     if (filter.is_black()) break;
@@ -151,8 +151,9 @@ double PlainShadowTester::filter_found(const Ray& ray, const Light& light, Rgb& 
       if (m_media) filter *= left_by_interiors(way);
       if (light.dimmed_by_air) filter *= left_by_air(way);
     }
-    if (leaves) m_inside.remove(entry.key);
-    if (m_interiors && !leaves) m_inside.push(entry);
+    if (m_interiors) {
+      m_inside = leaves ? m_table.remove(m_inside, entry.key) : m_table.push(m_inside, entry);
+    }
     last = at.t;
     if (m_begins_anew) break;
   }
@@ -160,9 +161,9 @@ double PlainShadowTester::filter_found(const Ray& ray, const Light& light, Rgb& 
 }
 
 Rgb PlainShadowTester::left_by_interiors(const Segment& way) {
-  if (m_inside.empty() || !m_inside.is_hollow()) return Rgb(1.0f);
+  if (m_inside == InteriorsId::kOpen || !m_table.is_hollow(m_inside)) return Rgb(1.0f);
   m_media_here.clear();
-  add_media(m_inside, m_media_here);
+  add_media(m_table, m_inside, m_media_here);
   return m_attenuation.left(m_media_here, way);
 }
 
@@ -172,7 +173,7 @@ Rgb PlainShadowTester::left_by_air(const Segment& way) {
   m_media_here.clear();
   for (const auto& medium : air.media) m_media_here.push_back(medium.get());
   const Rgb left = m_attenuation.left(m_media_here, way);
-  return m_inside.is_hollow() ? left * left_by_fogs(air, way) : left;
+  return m_table.is_hollow(m_inside) ? left * left_by_fogs(air, way) : left;
 }
 
 std::optional<Rgb> PlainShadowTester::plain_filter(const Attributes& looks) const {

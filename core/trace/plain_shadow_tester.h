@@ -11,7 +11,7 @@
 
 #include "core/light/light.h"
 #include "core/material/texture.h"
-#include "core/trace/interior_stack.h"
+#include "core/trace/interior_table.h"
 #include "core/trace/media_attenuation.h"
 #include "core/trace/shadow_tester.h"
 #include "core/trace/thread_context.h"
@@ -73,7 +73,8 @@ class PlainShadowTester final : public ShadowTester {
   bool m_by_place;  ///< textures that differ from place to place or on the inside
   double m_bailout;
   LightBuffer::Spot m_spot;  ///< of the query, where it has none
-  InteriorStack m_inside;
+  InteriorTable& m_table;
+  InteriorsId m_inside = InteriorsId::kOpen;  ///< on the way of the query
   std::vector<Hit> m_hits;
   struct Place {
     double t, entry;             ///< entry: of the object's box, where distances tie

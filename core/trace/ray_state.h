@@ -1,30 +1,29 @@
 // A ray on its way through the scene, and a place on a surface that it has met. World space.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 
 #include "core/base/ray.h"
 #include "core/object/leaf.h"
 #include "core/pattern/surface_context.h"
-#include "core/trace/interior_stack.h"
+#include "core/trace/interior_table.h"
 #include "core/trace/shadow_tester.h"
 
 namespace lentray::core {
 
-/// A ray with what it carries. The ray is borrowed: a copy made right after it was written would wait
-/// for it.
+/// A ray with what it carries: a value, to be followed now or later.
 struct RayState {
-  explicit RayState(const Ray& r) : ray(r) {}
-  /// Not an aggregate: that would clear the whole stack first.
-  RayState(const Ray& r, const InteriorStack& in, std::uint32_t tree_place, RayKind ray_kind)
-      : ray(r), inside(in), place(std::min(tree_place, kTreePlaces - 1)), kind(ray_kind) {}
-  const Ray& ray;
-  InteriorStack inside;
-  std::uint32_t place = 1;  ///< in the ray tree, see ShadowQuery
-  RayKind kind = RayKind::kCamera;
-  double wavelength = kWhite;  ///< nm, of the band of light that dispersion left
   static constexpr double kWhite = 0.0;
+
+  Ray ray;
+  std::uint64_t key;           ///< of its random numbers (random_key.h): its place in the ray tree
+  double wavelength = kWhite;  ///< nm, of the band of light that dispersion left
+  float weight = 1.0f;         ///< its share of the pixel
+  int level = 0;               ///< trace levels above it
+  InteriorsId inside = InteriorsId::kOpen;  ///< of the thread's table
+  std::uint32_t place = 1;                  ///< in the ray tree, for caches: see ShadowQuery
+  RayKind kind = RayKind::kCamera;
+  bool straight_on = false;  ///< went through a surface unbent: what it meets takes no level more
 };
 
 /// A place on a surface that is shaded. Members without initialisers: all are given.
@@ -34,9 +33,9 @@ struct Surface {
   SurfaceContext context;  ///< patterns of a layer see the normal of the one above
   Vec3 normal;             ///< unit, facing the ray
   Vec3 texture_point;
-  float weight;  ///< the ray's share of the pixel
-  int level;
-  bool from_behind;  ///< the ray leaves the surface's solid
+  int level;            ///< trace level, 1: camera ray
+  std::uint32_t layer;  ///< layers shaded so far, of all textures
+  bool from_behind;     ///< the ray leaves the surface's solid
 
   const Ray& ray() const { return state.ray; }
   const Vec3& point() const { return context.point; }

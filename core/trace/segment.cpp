@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/tiny.h"
+#include "core/trace/random_key.h"
 
 namespace lentray::core {
 namespace {
@@ -37,7 +38,7 @@ double left_by(const Fog& fog, const Ray& ray, double depth) {
 }
 
 /// Where in its band the ray is, 0..1, or less than 0; and how much the arc's end fades it.
-double place_in_band(const Rainbow& bow, const Ray& ray, SampleRandom& random, double& fade) {
+double place_in_band(const Rainbow& bow, const Ray& ray, std::uint64_t key, double& fade) {
   const double x = dot(ray.direction, bow.right), y = dot(ray.direction, bow.up);
   const double around = std::sqrt(x * x + y * y);
   const double angle = std::acos(std::clamp(around > 0.0 ? y / around : y, -1.0, 1.0));
@@ -45,7 +46,10 @@ double place_in_band(const Rainbow& bow, const Ray& ray, SampleRandom& random, d
   const double ahead = dot(ray.direction, bow.antisolar);
   if (!(ahead >= 0.0)) return -1.0;
   double place = (std::acos(std::min(ahead, 1.0)) - bow.angle) / bow.width;
-  if (bow.jitter > 0.0) place += (2.0 * random.next() - 1.0) * bow.jitter;
+  if (bow.jitter > 0.0) {
+    const double random = RandomSequence(key, RandomSequence::Use::kRainbow).next();
+    place += (2.0 * random - 1.0) * bow.jitter;
+  }
   if (!(place >= 0.0 && place <= 1.0 - kTiny)) return -1.0;
   fade = 0.0;
   const double fading = bow.arc_angle - bow.falloff_angle;
@@ -72,14 +76,15 @@ double share_left(const Fog& fog, const Segment& segment) {
 
 }  // namespace
 
-void pass_rainbows(const Atmosphere& air, const Segment& segment, SampleRandom& random,
+void pass_rainbows(const Atmosphere& air, const Segment& segment, std::uint64_t key,
                    Radiance& light) {
   Rgb sum;
   float transmit = 1.0f;
   int met = 0;
+  std::uint64_t number = 0;
   for (const Rainbow& bow : air.rainbows) {
     double fade = 0.0;
-    const double place = place_in_band(bow, segment.ray, random, fade);
+    const double place = place_in_band(bow, segment.ray, branch_key(key, number++), fade);
     if (place < 0.0) continue;
     const auto entry = bow.colours.find(place);
     const auto mix = [f = static_cast<float>(entry.fraction)](float a, float b) {

@@ -3,10 +3,11 @@
 // Source: reference manual 3.7, "Fog", "Rainbow".
 #pragma once
 
+#include <cstdint>
+
 #include "core/base/segment.h"
 #include "core/scene/atmosphere.h"
 #include "core/trace/radiance.h"
-#include "core/trace/random_key.h"
 
 namespace lentray::core {
 
@@ -14,8 +15,9 @@ namespace lentray::core {
 inline constexpr double kOpenAir = 1e7;
 
 /// Both change `light`, which enters at the segment's far end, into what leaves at the ray's origin.
-/// Rainbows come first, then media, then fogs. `random`: of the sample, for rainbows with jitter.
-void pass_rainbows(const Atmosphere& air, const Segment& segment, SampleRandom& random,
+/// Rainbows come first, then media, then fogs. `key`: of the ray's random numbers, for
+/// rainbows with jitter.
+void pass_rainbows(const Atmosphere& air, const Segment& segment, std::uint64_t key,
                    Radiance& light);
 void pass_fogs(const Atmosphere& air, const Segment& segment, Radiance& light);
 /// What fogs leave of light that a shadow ray asks for.

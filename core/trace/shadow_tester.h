@@ -10,10 +10,10 @@
 #include "core/base/color.h"
 #include "core/base/counters.h"
 #include "core/object/object.h"
+#include "core/trace/interiors_id.h"
 
 namespace lentray::core {
 
-class InteriorStack;
 struct ThreadContext;
 
 inline constexpr std::uint32_t kTreePlaces = 64;
@@ -31,7 +31,8 @@ struct ShadowQuery {
   std::uint32_t column = 0, row = 0;  ///< of the pixel, for caches that follow the image
   /// Of the ray's origin in the light's buffer where that is known; null: to be found.
   const LightBuffer::Spot* spot = nullptr;
-  const InteriorStack* inside = nullptr;  ///< of the ray that is shaded; null: nowhere special
+  InteriorsId inside = InteriorsId::kOpen;  ///< of the ray that is shaded, of the thread's table
+  std::uint64_t key = 0;                    ///< of the random numbers of the ray's origin
 };
 
 struct Visibility {

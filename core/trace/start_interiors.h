@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/scene/scene.h"
-#include "core/trace/interior_stack.h"
+#include "core/trace/interior_table.h"
 
 namespace lentray::core {
 
@@ -15,24 +15,29 @@ class StartInteriors {
  public:
   explicit StartInteriors(const Scene& scene) : m_scene(scene) {}
 
-  const InteriorStack& at(const Vec3& start) {
-    if (m_known && start == m_start) return m_inside;
-    m_start = start;
-    m_known = true;
-    m_inside.clear();
-    m_scene.containing(start, m_objects);
-    for (const Object* object : m_objects) {
-      m_inside.push(interior_of(object->attributes(), object));
-    }
-    return m_inside;
+  InteriorsId at(const Vec3& start, InteriorTable& table) {
+    if (!m_known || !(start == m_start)) find(start);
+    InteriorsId inside = InteriorsId::kOpen;
+    for (const InteriorEntry& entry : m_entries) inside = table.push(inside, entry);
+    return inside;
   }
 
  private:
+  void find(const Vec3& start) {
+    m_start = start;
+    m_known = true;
+    m_entries.clear();
+    m_scene.containing(start, m_objects);
+    for (const Object* object : m_objects) {
+      m_entries.push_back(interior_of(object->attributes(), object));
+    }
+  }
+
   const Scene& m_scene;
   std::vector<const Object*> m_objects;
   Vec3 m_start;
   bool m_known = false;
-  InteriorStack m_inside;
+  std::vector<InteriorEntry> m_entries;
 };
 
 }  // namespace lentray::core

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/trace/random_key.h"
 #include "core/trace/reflectance.h"
+#include "core/trace/refraction.h"
 
 namespace lentray::core {
 namespace {
@@ -40,6 +42,7 @@ void SurfaceShading<kFeatures>::shade(const LayeredTexture& texture, Surface& at
        layer != layers.rend() && sum.transparency > m_settings.adc_bailout; ++layer) {
     shade_layer(*layer, at, sum, buffers);
     ++sum.layers;
+    ++at.layer;
   }
 }
 
@@ -88,12 +91,13 @@ Mirror SurfaceShading<kFeatures>::mirror_of(const Finish& finish, const Rgb& pig
   if (!reflects(finish)) return mirror;
   const double cosine = -dot(at.ray().direction, normal);
   const double ior = finish.reflection_fresnel
-                         ? relative_ior(at.interior(), at.state.inside, m_settings.atmosphere_ior)
+                         ? relative_ior(at.interior(), m_context.interiors, at.state.inside,
+                                        m_settings.atmosphere_ior)
                          : 1.0;
   const Reflectivity share = reflectivity(finish, cosine, ior, pigment);
   mirror.normal = normal;
   mirror.colour = share.colour;
-  mirror.weight = static_cast<float>(at.weight * sum.transparency) * share.weight;
+  mirror.weight = static_cast<float>(at.state.weight * sum.transparency) * share.weight;
   mirror.exponent = 1.0 / finish.reflection_exponent;
   mirror.finish = &finish;
   return mirror;
@@ -139,24 +143,33 @@ struct SurfaceShading<kFeatures>::Receiver {
     const AreaLight& area = source.light.area;
     const AreaAxes axes = area_axes(area, all.ray.direction);
     const Rgb share = all.colour * (1.0f / static_cast<float>(area.size1 * area.size2));
+    RandomSequence places(key_of(source), RandomSequence::Use::kLightPoints);
     for (int v = 0; v < area.size2; ++v) {
       for (int u = 0; u < area.size1; ++u) {
-        const Vec3 offset = jittered_area_offset(
-            area, axes, u, v, [this] { return shading.m_context.random.next(); });
+        const Vec3 offset = jittered_area_offset(area, axes, u, v, [&] { return places.next(); });
         const LightRay one = light_ray(source.light, surface.point(), offset);
         if (facing.front_only && facing.is_behind(dot(facing.normal, one.direction))) continue;
         receive_from(
             source, one,
-            share * static_cast<float>(light_attenuation(source.light, surface.point(), one)));
+            share * static_cast<float>(light_attenuation(source.light, surface.point(), one)),
+            static_cast<std::uint32_t>(v * area.size1 + u));
       }
     }
   }
-  void receive_from(const LightSource& source, const LightRay& ray, const Rgb& light) {
+  /// The key of what is random about a light on this layer.
+  std::uint64_t key_of(const LightSource& source) const {
+    return branch_key(branch_key(surface.state.key, surface.layer), source.index);
+  }
+  double grain(const LightSource& source, std::uint32_t point) const {
+    return RandomSequence(branch_key(key_of(source), point), RandomSequence::Use::kCrand).next();
+  }
+  void receive_from(const LightSource& source, const LightRay& ray, const Rgb& light,
+                    std::uint32_t point = 0) {
     const double cosine = dot(facing.normal, ray.direction);
     const bool behind = facing.is_behind(cosine);
     Rgb share =
         diffuse_light(finish, cosine, light, pigment, behind ? finish.diffuse_back : finish.diffuse,
-                      opacity, finish.crand > 0.0 ? shading.m_context.random.next() : 0.0);
+                      opacity, finish.crand > 0.0 ? grain(source, point) : 0.0);
     if (shines && !source.shadowless && !behind) {
       share += highlights(finish,
                           {ray.direction, surface.ray().direction, facing.normal, light, pigment});
@@ -177,8 +190,8 @@ Rgb SurfaceShading<kFeatures>::lit(const Finish& finish, const Rgb& pigment, con
   const bool one_sided = !at.looks.double_illuminate;
   const Facing facing{normal, one_sided, one_sided && finish.diffuse_back == 0.0};
   Receiver receiver{*this, facing, finish, pigment, opacity, at, has_highlights(finish)};
-  m_lights.at({at.point(), at.level, at.state.place, at.state.inside}, m_lights.lights_of(at.looks),
-              known, facing, receiver);
+  m_lights.at({at.point(), at.level, at.state.place, at.state.inside, at.state.key},
+              m_lights.lights_of(at.looks), known, facing, receiver);
   return receiver.sum;
 }
 

@@ -35,7 +35,7 @@ struct LayerSum {
   std::size_t layers = 0;  ///< shaded so far
 };
 
-/// Buffers of one surface on the way, used again from ray to ray.
+/// Buffers of the surface that is shaded, used again from ray to ray.
 struct ShadingBuffers {
   explicit ShadingBuffers(std::size_t light_count) : lights(light_count) {}
   WeightedTextures textures;

@@ -1,5 +1,5 @@
-// What one thread traces with: scratch that grows and is used again, counters, and the random numbers
-// of the sample that is traced. One a thread; it outlives what is made with it.
+// What one thread traces with: scratch that grows and is used again, counters, and the interiors its
+// rays lie in. One a thread; it outlives what is made with it.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 #include "core/light/area_light.h"
 #include "core/object/hit.h"
 #include "core/scene/scene.h"
-#include "core/trace/random_key.h"
+#include "core/trace/interior_table.h"
 
 namespace lentray::core {
 
@@ -27,8 +27,8 @@ struct ThreadContext {
   Counters counters;
   Counters* const tests;  ///< where tests are counted; null: nowhere
   AreaScratch area;
+  InteriorTable interiors;
   Pixel pixel;  ///< of the sample
-  SampleRandom random{RandomSequence::Use::kShading};
 };
 
 }  // namespace lentray::core

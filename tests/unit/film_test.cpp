@@ -29,8 +29,8 @@ TEST(UnitCoreRandomKey, PixelsSamplesAndUsesHaveNumbersOfTheirOwn) {
   }
   EXPECT_EQ(keys.size(), 22u * 22 * 12);
   EXPECT_EQ(sample_key(7, 3, 0), std::uint64_t{3} << 32 | 7);
-  RandomSequence shading(5, RandomSequence::Use::kShading), film(5, RandomSequence::Use::kFilm);
-  EXPECT_NE(shading.next(), film.next());
+  RandomSequence crand(5, RandomSequence::Use::kCrand), film(5, RandomSequence::Use::kFilm);
+  EXPECT_NE(crand.next(), film.next());
   double sum = 0.0;
   for (std::uint32_t i = 0; i < 4000; ++i) {
     const double value = RandomSequence(sample_key(1, 1, i), RandomSequence::Use::kFilm).next();
@@ -39,6 +39,24 @@ TEST(UnitCoreRandomKey, PixelsSamplesAndUsesHaveNumbersOfTheirOwn) {
     sum += value;
   }
   EXPECT_NEAR(sum / 4000, 0.5, 0.02);
+}
+
+/// All keys of a tree of rays of so many levels, and of the lights of each ray's surface.
+void add_branches(std::uint64_t key, int levels, std::multiset<std::uint64_t>& keys) {
+  keys.insert(RandomSequence::use_key(key, RandomSequence::Use::kMedia));
+  for (std::uint64_t light = 0; light < 4; ++light) {
+    keys.insert(RandomSequence::use_key(branch_key(key, light), RandomSequence::Use::kLightArea));
+  }
+  for (std::uint64_t branch = 0; levels > 0 && branch < 4; ++branch) {
+    add_branches(branch_key(key, branch), levels - 1, keys);
+  }
+}
+
+TEST(UnitCoreRandomKey, RaysOfATreeHaveNumbersOfTheirOwn) {
+  std::multiset<std::uint64_t> keys;
+  for (std::int32_t pixel = 0; pixel < 4; ++pixel) add_branches(sample_key(pixel, 9, 0), 4, keys);
+  EXPECT_EQ(keys.size(), 4u * 5 * (1 + 4 + 16 + 64 + 256));
+  EXPECT_EQ(std::set<std::uint64_t>(keys.begin(), keys.end()).size(), keys.size());
 }
 
 TEST(UnitCorePixelLattice, OfAnOrdinaryPicture) {

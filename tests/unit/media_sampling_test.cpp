@@ -28,7 +28,7 @@ class Line final : public MediaProbe {
 
  private:
   Function m_source, m_extinction;
-  RandomSequence m_random{7, RandomSequence::Use::kShading};
+  RandomSequence m_random{7, RandomSequence::Use::kMedia};
 };
 
 MediaSum sampled(const MediumSampling& sampling, double length, MediaProbe& probe) {

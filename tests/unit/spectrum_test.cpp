@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/trace/interior_stack.h"
+#include "core/trace/refraction.h"
 
 namespace lentray::core::test {
 namespace {
@@ -40,18 +40,19 @@ TEST(UnitSpectrum, SurfacesBendByWhatLiesOnBothSides) {
   core.dispersion = 1.3;
   core.dispersion_samples = 12;
   const InteriorEntry outer{2, &glass, true}, inner{4, &core, true};
-  InteriorStack stack;
-  Bend bend = enter(outer, 1.0, stack);
+  InteriorTable table;
+  InteriorsId stack = InteriorsId::kOpen;
+  Bend bend = enter(outer, 1.0, table, stack);
   EXPECT_DOUBLE_EQ(bend.dispersion, 1.0 / 1.1);
   EXPECT_EQ(bend.bands, 7);
-  bend = enter(inner, 1.0, stack);
+  bend = enter(inner, 1.0, table, stack);
   EXPECT_DOUBLE_EQ(bend.dispersion, 1.1 / 1.3);
   EXPECT_EQ(bend.bands, 12);
-  bend = enter(inner, 1.0, stack);
+  bend = enter(inner, 1.0, table, stack);
   EXPECT_DOUBLE_EQ(bend.dispersion, 1.3 / 1.1);
-  bend = enter(outer, 1.0, stack);
+  bend = enter(outer, 1.0, table, stack);
   EXPECT_DOUBLE_EQ(bend.dispersion, 1.1);
-  EXPECT_TRUE(stack.empty());
+  EXPECT_EQ(stack, InteriorsId::kOpen);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "core/trace/interior_stack.h"
+#include "core/trace/refraction.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,32 +16,37 @@ float channel(double colour, double depth, double power) {
 
 }  // namespace
 
-Bend enter(const InteriorEntry& entry, double atmosphere_ior, InteriorStack& inside) {
+Bend enter(const InteriorEntry& entry, double atmosphere_ior, InteriorTable& table,
+           InteriorsId& inside) {
   const double ior = entry.ior(atmosphere_ior), dispersion = entry.dispersion();
-  if (inside.empty()) {
-    inside.push(entry);
+  if (inside == InteriorsId::kOpen) {
+    inside = table.push(inside, entry);
     return {atmosphere_ior / ior, 1.0 / dispersion, entry.bands()};
   }
-  if (inside.back().key == entry.key) {
-    inside.remove(entry.key);
-    if (inside.empty()) return {ior / atmosphere_ior, dispersion, entry.bands()};
-    const InteriorEntry& around = inside.back();
+  if (table.back(inside).key == entry.key) {
+    inside = table.remove(inside, entry.key);
+    if (inside == InteriorsId::kOpen) return {ior / atmosphere_ior, dispersion, entry.bands()};
+    const InteriorEntry& around = table.back(inside);
     return {ior / around.ior(atmosphere_ior), dispersion / around.dispersion(),
             std::max(entry.bands(), around.bands())};
   }
-  if (inside.remove(entry.key)) return {};
-  const InteriorEntry around = inside.back();
-  inside.push(entry);
+  const InteriorsId left = table.remove(inside, entry.key);
+  if (left != inside) {
+    inside = left;
+    return {};
+  }
+  const InteriorEntry around = table.back(inside);
+  inside = table.push(inside, entry);
   return {around.ior(atmosphere_ior) / ior, around.dispersion() / dispersion, entry.bands()};
 }
 
-double relative_ior(const InteriorEntry& entry, const InteriorStack& inside,
+double relative_ior(const InteriorEntry& entry, const InteriorTable& table, InteriorsId inside,
                     double atmosphere_ior) {
   const double ior = entry.ior(atmosphere_ior);
-  if (inside.empty()) return ior / atmosphere_ior;
-  const double innermost = inside.back().ior(atmosphere_ior);
-  if (!inside.contains(entry.key)) return ior / innermost;
-  return (inside.size() == 1 ? atmosphere_ior : innermost) / ior;
+  if (inside == InteriorsId::kOpen) return ior / atmosphere_ior;
+  const double innermost = table.back(inside).ior(atmosphere_ior);
+  if (!table.contains(inside, entry.key)) return ior / innermost;
+  return (table.size(inside) == 1 ? atmosphere_ior : innermost) / ior;
 }
 
 Rgb fade_in_interior(const Interior& interior, double depth) {

@@ -1,0 +1,262 @@
+#include "core/trace/ray_stepper.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/tiny.h"
+#include "core/scene/tolerances.h"
+#include "core/trace/random_key.h"
+#include "core/trace/reflectance.h"
+#include "core/trace/refraction.h"
+#include "core/trace/spectrum.h"
+#include "core/trace/surface_textures.h"
+
+namespace lentray::core {
+namespace {
+
+constexpr double kUnitSlack = 1e-14;  ///< of the squared length of a direction
+
+bool nearly_equal(const Vec3& a, const Vec3& b) {
+  return std::fabs(a.x - b.x) <= kTiny && std::fabs(a.y - b.y) <= kTiny &&
+         std::fabs(a.z - b.z) <= kTiny;
+}
+
+std::uint32_t next_place(std::uint32_t tree_place) { return std::min(tree_place, kTreePlaces - 1); }
+
+}  // namespace
+
+template <unsigned kFeatures>
+RayStepper<kFeatures>::RayStepper(ThreadContext& context, ShadowTester& shadows)
+    : m_context(context), m_scene(context.scene), m_hierarchy(m_scene.hierarchy()),
+      m_shading(context, shadows), m_max_level(m_scene.settings().max_trace_level),
+      m_bailout(m_scene.settings().adc_bailout),
+      m_min_distance(kMinHitDistance * m_scene.tolerance_scale()),
+      m_atmosphere_ior(m_scene.settings().atmosphere_ior),
+      m_mirror_images(m_scene.settings().mirror_images),
+      m_air(m_scene.needs().atmosphere ? &m_scene.atmosphere() : nullptr) {
+  if (m_scene.needs().media) m_media = std::make_unique<MediaLight>(context, shadows);
+  if (m_scene.needs().interiors) m_start_interiors = std::make_unique<StartInteriors>(m_scene);
+}
+
+template <unsigned kFeatures>
+RayState RayStepper<kFeatures>::begin(const Ray& ray, Pixel pixel, std::uint64_t key) {
+  m_context.pixel = pixel;
+  ++m_context.counters.camera_rays;
+  RayState state{ray, key};
+  if (std::fabs(length_squared(ray.direction) - 1.0) > kUnitSlack) {
+    state.ray.direction = normalized(ray.direction);
+  }
+  if (m_start_interiors) state.inside = m_start_interiors->at(ray.origin, m_context.interiors);
+  return state;
+}
+
+template <unsigned kFeatures>
+void RayStepper<kFeatures>::pass_open_air(const RayState& state, const RayRecord& record,
+                                          Radiance& light) {
+  if (!m_context.interiors.is_hollow(state.inside)) return;
+  const Segment segment{state.ray, record.length};
+  if (!m_air->rainbows.empty()) pass_rainbows(*m_air, segment, state.key, light);
+  if (!m_air->media.empty()) {
+    m_media->pass_air(state, record.length, record.level, record.looks, light);
+  }
+  if (!m_air->fogs.empty()) pass_fogs(*m_air, segment, light);
+}
+
+template <unsigned kFeatures>
+[[gnu::always_inline]] inline Radiance RayStepper<kFeatures>::shade_texture(
+    const LayeredTexture& texture, Surface& at, ShadingBuffers& buffers, RayRecord& record) {
+  LayerSum sum;
+  m_shading.shade(texture, at, buffers, sum);
+  bool total_reflection = false;
+  if (kTransparency && sum.transparency > m_bailout) {
+    total_reflection = add_transmitted(sum, at, record);
+  }
+  if constexpr (kReflection) add_mirrors(sum, total_reflection, at, buffers, record);
+  return {sum.light};
+}
+
+template <unsigned kFeatures>
+void RayStepper<kFeatures>::shade(const RayState& state, const Hit& hit, RayRecord& record) {
+  const Vec3 point = state.ray.at(hit.t);
+  Vec3 normal = hit.leaf->normal(point, hit.shape);
+  const bool from_behind = dot(normal, state.ray.direction) > 0.0;
+  if (from_behind) normal = -normal;
+  Surface at{state,  *record.looks, {point, normal, state.ray.direction, &hit},
+             normal, point,         record.level,
+             0,      from_behind};
+  if (at.looks.uv_mapping) at.texture_point = texture_point(at.context);
+  ShadingBuffers& buffers = m_shaded < m_buffers.size() ? *m_buffers[m_shaded] : add_buffers();
+  ++m_shaded;
+  m_shading.begin(at, buffers);
+  if constexpr (kLayers) {
+    shade_textures(at, buffers, record);
+  } else {
+    record.own = shade_texture(*at.looks.texture->everywhere(), at, buffers, record);
+  }
+  --m_shaded;
+}
+
+template <unsigned kFeatures>
+ShadingBuffers& RayStepper<kFeatures>::add_buffers() {
+  m_buffers.push_back(std::make_unique<ShadingBuffers>(m_shading.lights()));
+  return *m_buffers.back();
+}
+
+template <unsigned kFeatures>
+void RayStepper<kFeatures>::shade_textures(Surface& at, ShadingBuffers& buffers,
+                                           RayRecord& record) {
+  const WeightedTextures& textures = buffers.textures;
+  textures_at(at.context, at.from_behind, m_bailout, buffers.textures);
+  if (textures.size() == 1 && textures.front().weight == 1.0) {
+    record.own = shade_texture(*textures.front().texture, at, buffers, record);
+    return;
+  }
+  record.own = {};
+  for (const WeightedTexture& texture : textures) {
+    at.context.normal = at.normal;
+    const std::size_t before = record.onward.size();
+    const Radiance own = shade_texture(*texture.texture, at, buffers, record);
+    record.parts.push_back({own, texture.weight, record.onward.size() - before});
+  }
+}
+
+template <unsigned kFeatures>
+[[gnu::always_inline]] inline OnwardRay& RayStepper<kFeatures>::add_ray(const Surface& at,
+                                                                        float weight,
+                                                                        RayRecord& record) {
+  const std::size_t branch = record.onward.size();
+  OnwardRay& onward = record.onward.emplace_back();
+  onward.tinted = false;
+  onward.state.ray.origin = at.point();
+  onward.state.key = branch_key(at.state.key, branch);
+  onward.state.wavelength = at.state.wavelength;
+  onward.state.weight = weight;
+  onward.state.level = at.level;
+  return onward;
+}
+
+template <unsigned kFeatures>
+void RayStepper<kFeatures>::add_mirrors(const LayerSum& sum, bool total_reflection,
+                                        const Surface& at, const ShadingBuffers& buffers,
+                                        RayRecord& record) {
+  for (std::size_t i = 0; m_mirror_images && i < sum.layers; ++i) {
+    const Mirror& mirror = buffers.mirrors[i];
+    if (mirror.colour.is_black()) continue;
+    if (total_reflection && nearly_equal(sum.top_normal, mirror.normal)) continue;
+    ++m_context.counters.reflected_rays;
+    if (is_cut(at.level, mirror.weight)) continue;
+    OnwardRay& image = add_ray(at, mirror.weight, record);
+    image.way = OnwardRay::Way::kMirror;
+    image.share = mirror.colour;
+    image.exponent = mirror.exponent;
+    reflect(mirror.normal, *mirror.finish, at, image);
+  }
+}
+
+template <unsigned kFeatures>
+void RayStepper<kFeatures>::reflect(const Vec3& normal, const Finish& film, const Surface& at,
+                                    OnwardRay& onward) {
+  RayState& state = onward.state;
+  state.ray.direction = normalized(mirrored(at.ray().direction, normal, at.normal));
+  state.inside = at.state.inside;
+  state.place = next_place(2 * at.state.place);
+  state.kind = RayKind::kReflection;
+  state.wavelength = at.state.wavelength;
+  onward.tinted = film.irid > 0.0;
+  if (onward.tinted) onward.tint = m_shading.film(film, normal, state.ray.direction, at);
+}
+
+template <unsigned kFeatures>
+bool RayStepper<kFeatures>::add_transmitted(const LayerSum& sum, const Surface& at,
+                                            RayRecord& record) {
+  const Rgb& filter = sum.filter;
+  const float most = greatest({std::fabs(filter.r), std::fabs(filter.g), std::fabs(filter.b)});
+  const InteriorEntry interior = at.interior();
+  InteriorsId inside = at.state.inside;
+  const Bend bend =
+      m_start_interiors ? enter(interior, m_atmosphere_ior, m_context.interiors, inside) : Bend();
+  Rgb fade(1.0f);
+  if (interior.interior) {
+    fade = Rgb(interior.interior->passed);
+    if (m_context.interiors.contains(at.state.inside, interior.key)) {
+      fade *= fade_in_interior(*interior.interior, at.hit().t);
+    }
+  }
+  const auto add_through = [&]() -> OnwardRay& {
+    OnwardRay& through = add_ray(at, at.state.weight * most, record);
+    through.way = OnwardRay::Way::kThrough;
+    through.share = fade;
+    through.filter = filter;
+    through.clear = sum.transparency;
+    through.state.inside = inside;
+    through.state.place = next_place(2 * at.state.place + 1);
+    through.state.kind = std::max(at.state.kind, RayKind::kTransmitted);
+    return through;
+  };
+
+  const bool disperses = !(std::fabs(bend.dispersion - 1.0) < kTiny);
+  if (disperses && at.state.wavelength == RayState::kWhite) {
+    for (int band = 0; band < bend.bands; ++band) {
+      OnwardRay& through = add_through();
+      through.way = band + 1 < bend.bands ? OnwardRay::Way::kBand : OnwardRay::Way::kLastBand;
+      through.hue = band_hue(band, bend.bands);
+      through.band_part = 1.0f / static_cast<float>(bend.bands);
+      const double wavelength = band_wavelength(band, bend.bands);
+      through.state.wavelength = wavelength;
+      refract(sum, dispersed_ior(bend.ior, bend.dispersion, wavelength), at, through);
+    }
+    return false;
+  }
+  OnwardRay& through = add_through();
+  bool total_reflection = false;
+  if (std::fabs(bend.ior - 1.0) < kTiny && !disperses) {
+    ++m_context.counters.refracted_rays;
+    through.state.ray.direction = at.ray().direction;
+    through.state.straight_on = true;
+  } else {
+    const double ior =
+        disperses ? dispersed_ior(bend.ior, bend.dispersion, at.state.wavelength) : bend.ior;
+    total_reflection = refract(sum, ior, at, through);
+    if (total_reflection) through.way = OnwardRay::Way::kTotalReflection;  // no layer filters it
+  }
+  if (is_cut(through.state)) record.onward.pop_back();
+  return total_reflection;
+}
+
+template <unsigned kFeatures>
+bool RayStepper<kFeatures>::refract(const LayerSum& sum, double ior, const Surface& at,
+                                    OnwardRay& onward) {
+  const Vec3& incoming = at.ray().direction;
+  double cosine = dot(incoming, sum.top_normal);
+  const Vec3 normal = cosine <= 0.0 ? sum.top_normal : -sum.top_normal;
+  cosine = std::fabs(cosine);
+  const double under_root = 1.0 + ior * ior * (cosine * cosine - 1.0);
+  if (under_root < 0.0) {
+    ++m_context.counters.reflected_rays;
+    reflect(sum.top_normal, *sum.top_finish, at, onward);
+    return true;
+  }
+  ++m_context.counters.refracted_rays;
+  onward.state.ray.direction = incoming * ior + normal * (ior * cosine - std::sqrt(under_root));
+  return false;
+}
+
+template class RayStepper<0>;
+template class RayStepper<1>;
+template class RayStepper<2>;
+template class RayStepper<3>;
+template class RayStepper<4>;
+template class RayStepper<5>;
+template class RayStepper<6>;
+template class RayStepper<7>;
+template class RayStepper<8>;
+template class RayStepper<9>;
+template class RayStepper<10>;
+template class RayStepper<11>;
+template class RayStepper<12>;
+template class RayStepper<13>;
+template class RayStepper<14>;
+template class RayStepper<15>;
+static_assert(kAllPaths == 16);
+
+}  // namespace lentray::core

@@ -1,0 +1,102 @@
+// One step of a ray: finds what it meets, has the surface shaded, and says which rays go on from there;
+// then, once their light is known, passes it all through the air between. It follows no ray itself:
+// that is the integrator's. World space. One a thread; no allocation per ray once its buffers have grown.
+// Source: where adc_bailout and max_trace_level cut is stock's (tests/image/shading_depth_test.cpp).
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/accel/hierarchy.h"
+#include "core/base/pixel.h"
+#include "core/trace/media_light.h"
+#include "core/trace/path_features.h"
+#include "core/trace/ray_record.h"
+#include "core/trace/ray_state.h"
+#include "core/trace/segment.h"
+#include "core/trace/sky.h"
+#include "core/trace/start_interiors.h"
+#include "core/trace/surface_shading.h"
+#include "core/trace/thread_context.h"
+
+namespace lentray::core {
+
+template <unsigned kFeatures>
+class RayStepper {
+ public:
+  RayStepper(ThreadContext& context, ShadowTester& shadows);
+
+  /// A camera ray of a pixel's sample.
+  RayState begin(const Ray& ray, Pixel pixel, std::uint64_t key);
+  /// Whether a ray counts too little, or has too many levels above it, to be followed: it sees nothing.
+  bool is_cut(const RayState& state) const { return is_cut(state.level, state.weight); }
+  /// Fills the record with what the ray meets.
+  void step(const RayState& state, RayRecord& record) {
+    if constexpr (kLayers) record.parts.clear();
+    record.onward.clear();
+    Hit hit;
+    if (m_hierarchy.nearest(state.ray, m_min_distance, Bounds::kInf, state.kind, hit,
+                            m_context.arena, m_context.tests)) {
+      record.looks = &hit.leaf->attributes();
+      record.length = hit.t;
+      record.level = state.level + (state.straight_on ? 0 : 1);
+      shade(state, hit, record);
+    } else {
+      record.looks = nullptr;
+      record.length = kOpenAir;
+      record.level = state.level + 1;
+      record.own = sky_radiance(m_scene, state.ray.direction, state.kind == RayKind::kReflection);
+    }
+  }
+  /// Changes the light that RayRecord::gather() found into what arrives at the ray's origin.
+  void arrive(const RayState& state, const RayRecord& record, Radiance& light) {
+    if (m_media && record.looks) {
+      m_media->pass_interiors(state, record.length, record.level, *record.looks, light);
+    }
+    if (m_air) pass_open_air(state, record, light);
+  }
+
+ private:
+  bool is_cut(int level, float weight) const { return level >= m_max_level || weight < m_bailout; }
+
+  static constexpr bool kTransparency = (kFeatures & kPathTransparency) != 0;
+  static constexpr bool kReflection = (kFeatures & kPathReflection) != 0;
+  static constexpr bool kLayers = (kFeatures & kPathLayers) != 0;
+
+  void shade(const RayState& state, const Hit& hit, RayRecord& record);
+  ShadingBuffers& add_buffers();
+  void shade_textures(Surface& at, ShadingBuffers& buffers, RayRecord& record);
+  /// The texture's own light; adds the rays that go on from it.
+  Radiance shade_texture(const LayeredTexture& texture, Surface& at, ShadingBuffers& buffers,
+                         RayRecord& record);
+  void add_mirrors(const LayerSum& sum, bool total_reflection, const Surface& at,
+                   const ShadingBuffers& buffers, RayRecord& record);
+  /// Adds what goes through the surface; true on total internal reflection.
+  bool add_transmitted(const LayerSum& sum, const Surface& at, RayRecord& record);
+  /// Turns a ray that goes through, with that ior before the surface over behind it. True on total
+  /// internal reflection: then it is that of the mirror image.
+  bool refract(const LayerSum& sum, double ior, const Surface& at, OnwardRay& onward);
+  /// Makes a ray that of the mirror image. `film`: the finish whose thin film tints it.
+  void reflect(const Vec3& normal, const Finish& film, const Surface& at, OnwardRay& onward);
+  static OnwardRay& add_ray(const Surface& at, float weight, RayRecord& record);
+  /// Fog, rainbows and media of the air on the ray, if it is in the open.
+  void pass_open_air(const RayState& state, const RayRecord& record, Radiance& light);
+
+  ThreadContext& m_context;
+  const Scene& m_scene;
+  const Hierarchy& m_hierarchy;
+  SurfaceShading<kFeatures> m_shading;
+  const int m_max_level;
+  const double m_bailout;
+  const double m_min_distance;  ///< kMinHitDistance in this scene
+  const double m_atmosphere_ior;
+  const bool m_mirror_images;
+  const Atmosphere* m_air;                                 ///< null: clear
+  std::unique_ptr<MediaLight> m_media;                     ///< null: the scene has no media
+  std::unique_ptr<StartInteriors> m_start_interiors;       ///< null: the scene has no interiors
+  std::vector<std::unique_ptr<ShadingBuffers>> m_buffers;  ///< one a surface that is being shaded
+  std::size_t m_shaded = 0;  ///< of these: several where shading itself asks for the light of rays
+};
+
+}  // namespace lentray::core

@@ -1,0 +1,30 @@
+// What a surface between interiors does to a ray that passes it. Pure but for the table's own numbers.
+// Source: reference manual 3.7, "Interior"; the order of nested and overlapping ones is stock's.
+#pragma once
+
+#include "core/base/color.h"
+#include "core/trace/interior_table.h"
+
+namespace lentray::core {
+
+/// What refraction at a surface depends on: before it over behind it.
+struct Bend {
+  double ior = 1.0, dispersion = 1.0;
+  int bands = kDefaultBands;  ///< that light is split into, if dispersion is not 1
+};
+
+/// Changes `inside` as a ray passes the surface of that interior. Nested objects count as cut out of
+/// those around them. Where objects overlap, the one that was entered last fills the overlap, and leaving
+/// the other one there bends nothing.
+Bend enter(const InteriorEntry& entry, double atmosphere_ior, InteriorTable& table,
+           InteriorsId& inside);
+
+/// For the Fresnel term: the ior behind the surface over the ior before it. Leaving a nested object
+/// compares with the innermost interior, which is most often the object itself, as in stock.
+double relative_ior(const InteriorEntry& entry, const InteriorTable& table, InteriorsId inside,
+                    double atmosphere_ior);
+
+/// What is left of light after `depth` in an interior, as seen by rays (shadows need a fade power).
+Rgb fade_in_interior(const Interior& interior, double depth);
+
+}  // namespace lentray::core
