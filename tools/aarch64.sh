@@ -31,7 +31,7 @@ if ! command -v mmdebstrap >/dev/null || ! command -v qemu-aarch64-static >/dev/
 fi
 
 # The libraries of the build, not of the benchmarks.
-packages=$(tools/setup.sh --list | tr ' ' '\n' | grep -E '^(lib.*|zlib1g|nlohmann-json3)-dev$|^openimageio-tools$' |
+packages=$(tools/setup.sh --list --tests | tr ' ' '\n' | grep -E '^(lib.*|zlib1g|nlohmann-json3)-dev$|^openimageio-tools$' |
   grep -vE '^lib(benchmark|embree)-dev$')
 wanted=$(printf '%s\n' $packages | sort)
 if [ "$(cat "$root/packages" 2>/dev/null)" != "$wanted" ]; then

@@ -4,7 +4,7 @@
 set -eu
 cd "$(dirname "$0")/.."
 
-tools/setup.sh
+tools/setup.sh --package
 cmake --preset release -DLENTRAY_TESTS=OFF -B build/package
 cmake --build build/package
 rm -f build/package/*.deb

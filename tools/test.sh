@@ -61,6 +61,6 @@ if [ $# -gt 0 ]; then
   preset=$1
   shift
 fi
-tools/setup.sh
+tools/setup.sh --tests
 build "$preset"
 run_tests "$preset" -LE slow "$@"

@@ -27,13 +27,18 @@ std::string padded(std::string digits, std::size_t count) {
   return digits;
 }
 
-std::vector<AnimationFrame> frames_of_views(const ViewFrames& views) {
-  const std::size_t digits = std::to_string(views.count - 1).size();
+std::vector<AnimationFrame> frames_of_views(const AnimationOptions& options) {
+  const ViewFrames& views = options.views;
+  const int count = static_cast<int>(views.count);
+  const std::size_t digits = std::to_string(count - 1).size();
+  const int from = subset(options.subset_start, count, 0);
+  const int to = std::min(subset(options.subset_end, count, count - 1), count - 1);
   std::vector<AnimationFrame> out;
-  for (std::uint32_t view = 0; view < views.count; ++view) {
+  for (long long view = from; view <= to; view += options.step) {
     out.push_back({views.still, padded(std::to_string(view), digits)});
     if (views.clocks) {
-      out.back().clock = still_clock(view_clock(*views.clocks, view, views.count), true);
+      const double clock = view_clock(*views.clocks, static_cast<std::uint32_t>(view), views.count);
+      out.back().clock = still_clock(clock, true);
     }
   }
   return out;
@@ -54,7 +59,7 @@ bool is_animation(const AnimationOptions& options) {
 }
 
 std::vector<AnimationFrame> frames_of(const AnimationOptions& options) {
-  if (options.views.count > 0) return frames_of_views(options.views);
+  if (options.views.count > 0) return frames_of_views(options);
   const int initial = options.initial_frame.value_or(1);
   const int last = std::max(options.final_frame.value_or(1), initial);
   const int end = options.cyclic ? last + 1 : last;  // where the final clock is reached

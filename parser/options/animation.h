@@ -49,7 +49,7 @@ struct AnimationFrame {
 bool is_animation(const AnimationOptions& options);
 
 /// All frames of an animation in order, at least one. An animation of one frame has its
-/// initial clock (in stock it is 0/0). The digits of views begin at 0.
+/// initial clock (in stock it is 0/0). The digits of views begin at 0; a subset may leave none.
 std::vector<AnimationFrame> frames_of(const AnimationOptions& options);
 
 /// A still's: `given`: Clock= or +K was.

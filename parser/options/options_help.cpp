@@ -31,7 +31,7 @@ constexpr OptionHelp kAnimation[] = {
     {"Initial_Clock", "n", "The clock in the first frame (0).", ""},
     {"Final_Clock", "n", "The clock in the last frame (1).", ""},
     {"Subset_Start_Frame", "n",
-     "Render from this frame on; a number below 1 is a part of the frames.", ""},
+     "Render from this frame, or view of Views=, on; a number below 1 is a part of them.", ""},
     {"Subset_End_Frame", "n", "Render up to this frame, or part.", ""},
     {"Frame_Step", "n", "Render every n-th frame.", ""},
     {"Cyclic_Animation", kSwitch, "The last frame does not repeat the first.", ""},

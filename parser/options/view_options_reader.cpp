@@ -145,6 +145,12 @@ void settle_views(RenderOptions& o) {
         "name one View=");
   }
   o.animation.views = {*v.count, still_clock(o.clock, o.clock_given), v.clocks};
+  AnimationOptions first = o.animation;
+  first.step = static_cast<int>(*v.count);  // one of them is enough to know
+  if (frames_of(first).empty()) {
+    throw OptionError("Subset_Start_Frame and Subset_End_Frame leave no view: the views are 0 to " +
+                      std::to_string(*v.count - 1));
+  }
 }
 
 }  // namespace lentray::parser

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <numeric>
+#include <sstream>
 
 #include "parser/options/options.h"
 #include "tools/common/messages.h"
@@ -12,6 +13,7 @@
 #include "tools/lentray-batch/arguments.h"
 #include "tools/lentray-batch/job.h"
 #include "tools/lentray-batch/manifest.h"
+#include "tools/lentray-batch/run_log.h"
 #include "tools/lentray-batch/scan.h"
 #include "tools/lentray-batch/stamps.h"
 #include "tools/lentray-batch/state_folder.h"
@@ -142,6 +144,38 @@ TEST_F(UnitBatch, NamesAreUniqueAndStay) {
   const Names known{{place("z/s.pov"), "s"}, {place("gone.pov"), "y/s"}};
   EXPECT_EQ(names({m_folder / "y/s.pov", m_folder / "z"}, known),
             (Names{{"y/s.pov", "s-2"}, {"z/s.pov", "s"}}));
+}
+
+TEST_F(UnitBatch, ALogIsTakenApartByViews) {
+  const std::string log =
+      "a.pov:3:1: warning: old\nLens sheet\nView 3 of 12, 4 x 4 pixels\nits own\n"
+      "View 4 of 12, 4 x 4 pixels\nViewed\n";
+  const auto lines = [&log](std::optional<int> view) {
+    std::istringstream text(log);
+    return log_lines(text, view);
+  };
+  using Lines = std::vector<std::string>;
+  const Lines all{"a.pov:3:1: warning: old", "Lens sheet"};
+  EXPECT_EQ(lines(3), (Lines{all[0], all[1], "View 3 of 12, 4 x 4 pixels", "its own"}));
+  EXPECT_EQ(lines(4), (Lines{all[0], all[1], "View 4 of 12, 4 x 4 pixels", "Viewed"}));
+  EXPECT_EQ(lines(5), (Lines{all[0], all[1], "Viewed"}));
+  EXPECT_EQ(lines(std::nullopt).size(), 6u);
+}
+
+/// Only files of another key, whether of a picture or of views, and not those of scenes of like names.
+TEST_F(UnitBatch, FilesOfEarlierRunsAreForgotten) {
+  const StateFolder state(m_folder / "out");
+  const std::string key(16, 'a'), other(16, 'b');
+  std::vector<fs::path> stay{state.file("s#", key, "log"), state.file("s#", key + "07", "log"),
+                             state.file("s#.ccccccccccccccccc-", other, "log"),
+                             state.file("s", other, "log")};
+  std::vector<fs::path> go{state.file("s#", other, "log"), state.file("s#", other + "07", "read")};
+  for (const auto* files : {&stay, &go}) {
+    for (const fs::path& file : *files) tool::write_text(file, "");
+  }
+  state.forget_others("s#", key);
+  for (const fs::path& file : stay) EXPECT_TRUE(fs::exists(file)) << file;
+  for (const fs::path& file : go) EXPECT_FALSE(fs::exists(file)) << file;
 }
 
 Row full_row() {

@@ -36,6 +36,22 @@ TEST(UnitViewsOptions, PicturesOfViewsAreALoop) {
   EXPECT_FALSE(rendered_view(views_read({"a.pov"})).has_value());
 }
 
+TEST(UnitViewsOptions, ASubsetOfTheViews) {
+  const auto digits = [](const std::vector<std::string>& words) {
+    std::string out;
+    for (const AnimationFrame& frame : frames_of(views_read(words).animation))
+      out += frame.digits + " ";
+    return out;
+  };
+  EXPECT_EQ(digits({"a.pov", "Views=12", "+SF3", "+EF5"}), "03 04 05 ");
+  EXPECT_EQ(digits({"a.pov", "Views=12", "+SF10"}), "10 11 ");
+  EXPECT_EQ(digits({"a.pov", "Views=12", "+EF0"}), "00 ");
+  EXPECT_EQ(digits({"a.pov", "Views=12", "+SF0.5", "+STP3", "+EF90"}), "06 09 ");
+  const auto clocks =
+      frames_of(views_read({"a.pov", "Views=5", "View_Clock=0..1", "+SF3"}).animation);
+  EXPECT_EQ(clocks.front().clock.clock, 0.75);
+}
+
 TEST(UnitViewsOptions, TheClockRunsOverTheViews) {
   const auto frames = frames_of(views_read({"a.pov", "Views=5", "View_Clock=-1..1"}).animation);
   ASSERT_EQ(frames.size(), 5u);
@@ -104,6 +120,8 @@ TEST(ErrorViewsOptions, EveryMessage) {
       {{"Quilt=8x6", "View_Clock=0..1"}, "View_Clock= does not go with Quilt="},
       {{"Quilt=8x6", "Views=15"}, "Views=15 and a quilt of 8 x 6 views contradict each other"},
       {{"Quilt=8x6", "Views=48", "View_Cone=30"}, "View_Cone= and Views= contradict each other"},
+      {{"Views=5", "+SF5"}, "leave no view: the views are 0 to 4"},
+      {{"Views=5", "+SF3", "+EF2"}, "leave no view: the views are 0 to 4"},
       {{"View_Cone=30"}, "View_Cone= is of quilts"},
       {{"Quilt=8x6", "View_Cone=180"}, "an angle below 180 degrees is expected"},
       {{"Quilt_Aspect=1"}, "Quilt_Aspect= is of quilts"},

@@ -277,7 +277,8 @@ memory: the folders stay as they are.
   --grade G        exact, match or close: what every scene must reach
   --table FILE     the comparison as a Markdown table
   --jobs N         scenes at a time (as many as there are processors)
-  --time-limit T   seconds a scene may take (90, 90s, 10m, 2h; no limit)
+  --time-limit T   seconds a picture may take, each view of Views= too (90, 90s,
+                   10m, 2h; no limit)
   --memory-limit M bytes a scene may take (800M, 2G; half of the machine's)
   --no-scene-ini   scene.ini is not read
   --retry          tries again what failed, though nothing has changed

@@ -72,7 +72,8 @@ Coarse start(const Plan& plan, const Job& job, const std::string& place) {
                     rows = std::to_string(static_cast<int>(height));
   Coarse coarse;
   coarse.job = &job;
-  coarse.statistics = place + ".json";
+  // Lentray adds the digits of frames and views.
+  coarse.statistics = place + (job.frame() ? job.frame()->digits : "") + ".json";
   coarse.scale = pixels(o) / (width * height);
   tool::Launch launch;
   launch.folder = job.scene().source.parent_path();
@@ -82,7 +83,7 @@ Coarse start(const Plan& plan, const Job& job, const std::string& place) {
   for (const std::string& word :
        {word_of(job.scene()), std::string("-F"), std::string("-V"), std::string("+WT1"),
         std::string("Count_Tests=Off"), std::string("Scene_Writes=memory"),
-        "Statistics_File=" + coarse.statistics}) {
+        "Statistics_File=" + place + ".json"}) {
     launch.command.push_back(word);
   }
   if (o.animation.views.count > 0) {  // the sheet stays as it is

@@ -4,6 +4,7 @@
 #include <array>
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <ctime>
 #include <fstream>
@@ -17,6 +18,7 @@
 #include "tools/common/json_text.h"
 #include "tools/common/messages.h"
 #include "tools/common/process.h"
+#include "tools/lentray-batch/run_log.h"
 #include "tools/lentray-batch/stamps.h"
 #include "tools/lentray-batch/views.h"
 
@@ -28,6 +30,12 @@ using nlohmann::json;
 namespace {
 
 constexpr std::size_t kMostMessages = 200;
+
+/// As lentray names the files of a frame, or of a view.
+fs::path numbered(fs::path path, const std::string& digits) {
+  const std::string extension = path.extension().string();
+  return path.replace_extension() += digits + extension;
+}
 
 std::string hexadecimal(std::uint64_t value) {
   char text[17];
@@ -124,6 +132,7 @@ Job::Job(const Plan& plan, Scene scene, const parser::RenderOptions& options,
   m_row.source = m_scene.source.string();
   m_row.attempts = 0;
   m_row.key = key_of(plan, m_options, m_frame);
+  m_scene_key = key_of(plan, m_options, std::nullopt);
   m_row.picture =
       m_scene.name + (m_frame ? m_frame->digits : "") + core::extension_of(m_options.type);
   if (!m_band) return;
@@ -135,8 +144,8 @@ Job::Job(const Plan& plan, Scene scene, const parser::RenderOptions& options,
 std::vector<parser::AnimationFrame> pictures_of(const parser::RenderOptions& options) {
   std::vector<parser::AnimationFrame> frames = parser::frames_of(options.animation);
   if (options.animation.views.count > 0) {
-    for (std::size_t i = 0; i < frames.size(); ++i)
-      frames[i].clock.frame_number = static_cast<int>(i);
+    for (parser::AnimationFrame& view : frames)
+      view.clock.frame_number = std::atoi(view.digits.c_str());
   }
   return frames;
 }
@@ -146,16 +155,26 @@ std::string band_picture(const std::string& picture, int index) {
          fs::path(picture).extension().string();
 }
 
+/// A run's files of a frame or view are named as lentray names them, which makes several of them in one run.
 fs::path Job::kept_file(const char* kind) const {
+  if (m_frame && !m_band)
+    return numbered(m_plan.state->file(m_scene.name + "#", m_scene_key, kind), m_frame->digits);
   return m_plan.state->file(m_row.name, m_row.key, kind);
 }
 
-fs::path Job::run_file(const char* kind) const {
-  if (m_plan.scratch.empty()) return kept_file(kind);
-  fs::path place = root() / "runs" / m_row.name;
+/// The name that lentray is given.
+fs::path Job::given_file(const char* kind) const {
+  if (m_plan.scratch.empty()) {
+    return m_frame ? m_plan.state->file(m_scene.name + "#", m_scene_key, kind) : kept_file(kind);
+  }
+  fs::path place = root() / "runs" / (m_frame ? m_scene.name + "#" : m_row.name);
   place += std::string(".") + kind;
   fs::create_directories(place.parent_path());
   return place;
+}
+
+fs::path Job::run_file(const char* kind) const {
+  return m_frame ? numbered(given_file(kind), m_frame->digits) : given_file(kind);
 }
 
 /// Below it files are made.
@@ -178,8 +197,8 @@ fs::path Job::made_picture() const {
          (m_scene.name + (m_frame ? m_frame->digits : "") + core::extension_of(m_options.type));
 }
 
-double Job::room() const {
-  constexpr double kJournal = 24.0;  ///< bytes a pixel, of the colours; of samples as many
+double Job::room(bool with_journal) const {
+  constexpr double kColours = 24.0;  ///< bytes of a pixel in the journal; of samples as many
   double pixels = static_cast<double>(m_options.width) * static_cast<double>(m_options.height);
   if (is_view() && m_options.views.size) {
     pixels = static_cast<double>(m_options.views.size->width) *
@@ -190,12 +209,19 @@ double Job::room() const {
               static_cast<double>(m_options.height);
   }
   const double sample = m_options.bits > 16 ? 4.0 : m_options.bits > 8 ? 2.0 : 1.0;
-  return pixels * (4.0 * sample + kJournal * (m_options.antialias ? 2.0 : 1.0));
+  const double journal = with_journal ? kColours * (m_options.antialias ? 2.0 : 1.0) : 0.0;
+  return pixels * (4.0 * sample + journal);
 }
 
 bool Job::drop_journal() const {
   std::error_code error;
   return fs::remove(tool::journal_path(made_picture().string()), error);
+}
+
+void Job::drop_picture() const {
+  std::error_code error;
+  fs::remove(made_picture(), error);
+  drop_journal();
 }
 
 void Job::publish_statistics(const Row& band) const {
@@ -254,11 +280,15 @@ void Job::adopt(const Row& known) {
 /// The picture is there, younger than what its scene read, and that has not changed: only the row is missing.
 bool Job::adopt_left_over() {
   const std::int64_t read = modified(run_file("read")), picture = modified(picture_path());
-  if (read == 0 || picture < read || modified(tool::journal_path(picture_path().string())) != 0)
+  if (read == 0 || picture < read) return false;
+  // Statistics are younger than the picture. Journals of frames and views stay for a while.
+  const bool has_statistics = modified(run_file("statistics")) >= picture;
+  if (!has_statistics && m_options.lenticular) return false;
+  if (modified(tool::journal_path(picture_path().string())) != 0 && !(m_frame && has_statistics))
     return false;
   read_dependencies(read);
   if (!files_are_current()) return false;
-  if (modified(run_file("statistics")) < picture && m_options.lenticular) return false;
+  drop_journal();
   m_row.state = State::done;
   m_has_picture = true;
   m_row.attempts = 1;
@@ -269,64 +299,97 @@ bool Job::adopt_left_over() {
 }
 
 bool Job::can_go_on() const {
-  if (!m_plan.scratch.empty() || modified(tool::journal_path(picture_path().string())) == 0)
+  const std::int64_t read = modified(run_file("read"));
+  if (!m_plan.scratch.empty() || modified(tool::journal_path(picture_path().string())) == 0 ||
+      modified(picture_path()) >= read)
     return false;
   Job then = *this;
-  then.read_dependencies(modified(run_file("read")));
+  then.read_dependencies(read);
   return then.files_are_current();
 }
 
-std::vector<std::string> Job::words() const {
+bool Job::is_view_after(const Job& earlier) const {
+  return is_view() && earlier.is_view() && !m_options.animation.views.clocks && !m_band &&
+         !earlier.m_band && m_scene.source == earlier.m_scene.source &&
+         m_frame->clock.frame_number ==
+             earlier.m_frame->clock.frame_number + m_options.animation.step;
+}
+
+std::vector<std::string> Job::words(const Job* last) const {
   std::vector<std::string> words = m_plan.arguments.for_lentray;
   if (m_plan.arguments.scene_ini && !m_scene.ini.empty())
     words.insert(words.end(), {"--scene-ini", m_scene.ini.string()});
-  if (is_view()) {
-    words.push_back("View=" + std::to_string(m_frame->clock.frame_number));
-  } else if (m_frame) {
-    for (const char* which : {"+SF", "+EF"})
-      words.push_back(which + std::to_string(m_frame->clock.frame_number));
+  if (m_frame) {
+    const Job& end = last != nullptr ? *last : *this;
+    words.push_back("+SF" + std::to_string(m_frame->clock.frame_number));
+    words.push_back("+EF" + std::to_string(end.m_frame->clock.frame_number));
   } else if (parser::is_animation(m_options.animation)) {
     words.insert(words.end(), {"+KFI1", "+KFF1"});
   }
   return words;
 }
 
-tool::Launch Job::render(int threads, double memory) {
+/// As by hand, but for what the batch needs for itself.
+std::vector<std::string> Job::command(const Job& last, int threads) const {
+  std::vector<std::string> command{m_plan.arguments.lentray.string()};
+  for (std::string& word : words(&last)) command.push_back(std::move(word));
+  // Lentray adds the digits of frames and views.
+  const fs::path picture = root() / (m_scene.name + core::extension_of(m_options.type));
+  command.insert(command.end(),
+                 {word_of(m_scene), "+O" + picture.string(), "+WT" + std::to_string(threads)});
+  if (m_band) {
+    command.insert(command.end(), {"+SR" + std::to_string(m_band->first_row),
+                                   "+ER" + std::to_string(m_band->last_row)});
+  }
+  return command;
+}
+
+tool::Launch Job::render(const Job& last, bool goes_on, int threads, double memory) const {
   tool::Launch launch;
   launch.folder = m_scene.source.parent_path();
   launch.log = run_file("log");
-  const bool goes_on = can_go_on();
-  launch.command = {m_plan.arguments.lentray.string()};
-  for (const std::string& word : words()) launch.command.push_back(word);
-  // Lentray adds the digits of frames, not those of a view that is made alone.
-  const fs::path picture = root() / (m_scene.name + (is_view() ? m_frame->digits : "") +
-                                     core::extension_of(m_options.type));
-  fs::create_directories(picture.parent_path());
-  launch.command.insert(launch.command.end(), {word_of(m_scene), "+O" + picture.string(),
-                                               "+WT" + std::to_string(threads)});
-  if (m_band) {
-    launch.command.insert(launch.command.end(), {"+SR" + std::to_string(m_band->first_row),
-                                                 "+ER" + std::to_string(m_band->last_row)});
-  }
-  m_row.command = launch.command;  // as by hand, but for what the batch needs for itself
+  fs::create_directories(made_picture().parent_path());
+  launch.command = command(last, threads);
   char bytes[32];
   std::snprintf(bytes, sizeof bytes, "%.0f", memory);
-  launch.command.insert(launch.command.end(),
-                        {"-V", "-D", "-P", "Count_Tests=Off", "Max_Memory=" + std::string(bytes),
-                         "Statistics_File=" + run_file("statistics").string(),
-                         "Dependencies_File=" + run_file("read").string(), "Scene_Writes=memory"});
+  launch.command.insert(
+      launch.command.end(),
+      {"-V", "-D", "-P", "Count_Tests=Off", "Max_Memory=" + std::string(bytes),
+       "Statistics_File=" + given_file("statistics").string(),
+       "Dependencies_File=" + given_file("read").string(), "Scene_Writes=memory"});
   if (goes_on) launch.command.emplace_back("+C");
-  if (m_frame && !is_view()) {  // the names of files of frames end in their digits
-    for (const char* kind : {"statistics", "read"}) {
-      std::error_code error;
-      fs::remove(run_file(kind), error);
-    }
+  return launch;
+}
+
+void Job::prepare(const tool::Launch& launch) {
+  if (m_frame) {
+    m_plan.state->forget_others(m_scene.name + "#", m_scene_key);
+  } else {
+    m_plan.state->forget_others(m_row.name, m_row.key);
   }
-  m_plan.state->forget_others(m_row.name, m_row.key);
+  m_log = launch.log;
   m_started = now();
+}
+
+void Job::begin(int threads) {
+  m_row.command = command(*this, threads);
   m_lacked_memory = false;
   ++m_row.attempts;
-  return launch;
+}
+
+/// Its statistics come last.
+bool Job::is_made() const { return modified(run_file("statistics")) >= m_started; }
+bool Job::is_read() const { return modified(run_file("read")) >= m_started; }
+
+tool::Ended Job::part() const {
+  tool::Ended part;
+  const json all = read_json(run_file("statistics"));
+  const json& time = all.at("time");
+  part.wall = time.at("wall_s");
+  for (const char* what : {"parse_cpu_s", "compile_cpu_s", "render_cpu_s", "write_cpu_s"})
+    part.cpu += time.at(what).get<double>();
+  part.memory = all.at("memory").at("peak_bytes");
+  return part;
 }
 
 void Job::rendered(const tool::Ended& ended, bool stopped) {
@@ -334,17 +397,6 @@ void Job::rendered(const tool::Ended& ended, bool stopped) {
   m_row.cpu += ended.cpu;
   m_row.memory = std::max(m_row.memory, ended.memory);
   m_row.status = ended.status;
-  if (m_frame && !is_view()) {
-    // Lentray adds the frame's digits to both names.
-    for (const char* kind : {"statistics", "read"}) {
-      const fs::path plain = run_file(kind);
-      fs::path numbered = plain;
-      numbered.replace_extension();
-      numbered += m_frame->digits + plain.extension().string();
-      std::error_code error;
-      fs::rename(numbered, plain, error);
-    }
-  }
   read_log();
   read_dependencies(m_started);
   if (stopped && ended.status == 2) return;
@@ -357,6 +409,7 @@ void Job::rendered(const tool::Ended& ended, bool stopped) {
     m_row.verdict->note = "views of Views= are not; their integral image can be";
   }
   publish();
+  if (m_frame) drop_journal();  // that it is finished the row tells
   m_has_picture = true;
   read_statistics();
   if (!m_plan.scratch.empty()) fs::rename(run_file("statistics"), kept_file("statistics"));
@@ -395,11 +448,23 @@ void Job::give_up(const std::string& reason) {
   }
 }
 
+void Job::fail_as(const Row& view) {
+  Row row = view;
+  std::swap(row, m_row);
+  m_row.name = row.name;
+  m_row.frame = row.frame;
+  m_row.key = row.key;
+  m_row.picture = row.picture;
+  m_row.wall = m_row.cpu = 0.0;
+  m_row.command = command(*this, 1);
+  give_up(view.reason);
+}
+
 void Job::read_log() {
-  std::ifstream file(run_file("log"), std::ios::binary);
+  std::ifstream file(m_log.empty() ? run_file("log") : m_log, std::ios::binary);
   m_row.messages.clear();
   m_row.warnings = 0;
-  for (std::string line; std::getline(file, line);) {
+  for (const std::string& line : log_lines(file, m_row.frame)) {
     if (line.find("warning:") != std::string::npos) ++m_row.warnings;
     if (m_row.messages.size() >= kMostMessages) continue;
     m_row.messages.push_back(tool::one_line(line));

@@ -1,7 +1,8 @@
 // One picture of a batch: what is to be run for it, and what became of that.
 //
-// A picture is made by one run of lentray or, where that is stopped to be gone on with by more threads, by several.
-// Then come its views, and stock's picture beside it. The row is complete when all has been done.
+// A picture is made by a run of lentray, which may make views of the same scene besides
+// (tools/lentray-batch/picture_run.h), or by several, where one is stopped to be gone on with. Then come its views, and
+// stock's picture beside it. The row is complete when all has been done.
 // Errors: parser::OptionError where the scene's own options cannot be. One thread.
 #pragma once
 
@@ -51,8 +52,10 @@ class Job {
   const Scene& scene() const { return m_scene; }
   const parser::RenderOptions& options() const { return m_options; }
   const std::optional<parser::AnimationFrame>& frame() const { return m_frame; }
-  /// The options of its runs: the batch's, scene.ini, and its frame.
-  std::vector<std::string> words() const;
+  /// The options of its runs: the batch's, scene.ini, and its frame, or those up to the one of `last`.
+  std::vector<std::string> words(const Job* last = nullptr) const;
+  /// One run may make this view after that picture, without reading the scene again.
+  bool is_view_after(const Job& earlier) const;
 
   /// True if `known` (may be null) is a row of this very picture and nothing of it has changed. What --compare and
   /// --views ask for may still be missing.
@@ -67,17 +70,28 @@ class Job {
   bool needs_views() const;
   bool needs_comparison() const;
 
-  tool::Launch render(int threads, double memory);
+  /// The run of this picture, and of the views up to `last`. `goes_on`: with what an earlier run kept of one of them.
+  tool::Launch render(const Job& last, bool goes_on, int threads, double memory) const;
+  bool can_go_on() const;
+  /// That run is about to be started; it comes to this picture; is done with it, and goes on with others.
+  void prepare(const tool::Launch& launch);
+  void begin(int threads);
+  bool is_made() const;
+  /// What the picture took of the run.
+  tool::Ended part() const;
+  /// The run has read the scene.
+  bool is_read() const;
   /// `stopped`: it was asked to, to be gone on with.
   void rendered(const tool::Ended& ended, bool stopped);
   /// The run took more memory than it was given, and may be given more.
   bool lacked_memory() const { return m_lacked_memory; }
   /// The run found too little room on the disk.
   bool lacked_room() const { return m_is_over && m_row.lacks_room; }
-  /// The bytes that picture and journal may need, at most about.
-  double room() const;
+  /// The bytes that the picture may need, and its journal, at most about.
+  double room(bool with_journal = true) const;
   /// What an earlier run kept of the picture goes. False: there is nothing.
   bool drop_journal() const;
+  void drop_picture() const;
   tool::Launch split_views();
   void views_split(const tool::Ended& ended);
   tool::Launch compare(int processes);
@@ -86,11 +100,15 @@ class Job {
   void publish_statistics(const Row& band) const;
   /// It is not to be run any more; or is, after all.
   void give_up(const std::string& reason);
+  /// As that view of the same scene did.
+  void fail_as(const Row& view);
   void try_again() { m_is_over = false; }
   /// Seconds that all runs for the picture took.
   double seconds() const { return m_row.wall; }
 
  private:
+  std::vector<std::string> command(const Job& last, int threads) const;
+  std::filesystem::path given_file(const char* kind) const;
   std::filesystem::path run_file(const char* kind) const;
   std::filesystem::path kept_file(const char* kind) const;
   std::filesystem::path root() const;
@@ -104,7 +122,6 @@ class Job {
   void read_log();
   void fail(const tool::Ended& ended);
   bool files_are_current() const;
-  bool can_go_on() const;
   bool is_view() const { return m_frame && m_options.animation.views.count > 0; }
 
   const Plan& m_plan;
@@ -112,8 +129,10 @@ class Job {
   const parser::RenderOptions m_options;
   const std::optional<parser::AnimationFrame> m_frame;
   const std::optional<Band> m_band;
+  std::string m_scene_key;  ///< of all frames or views
   Row m_row;
-  std::int64_t m_started = 0;
+  std::filesystem::path m_log;  ///< of the run that makes it, or made it
+  std::int64_t m_started = 0;   ///< of that run
   bool m_has_picture = false, m_is_over = false, m_lacked_memory = false;
   bool m_views_failed = false;
 };

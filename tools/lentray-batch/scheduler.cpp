@@ -27,6 +27,12 @@ int Scheduler::slots() const {
   return m_plan.arguments.jobs > 0 ? m_plan.arguments.jobs : m_plan.processors;
 }
 
+int Scheduler::free_slots() const {
+  int taken = 0;
+  for (const Running& running : m_running) taken += running.threads;
+  return slots() - taken;
+}
+
 void Scheduler::add(std::unique_ptr<Job> job) {
   next(*job);
   m_jobs.push_back(std::move(job));
@@ -35,7 +41,8 @@ void Scheduler::add(std::unique_ptr<Job> job) {
 /// Puts a job where it waits for what it needs next.
 void Scheduler::next(Job& job) {
   if (job.needs_picture()) {
-    (slots() == 1 ? m_large : m_small).push_back(&job);
+    auto& queue = slots() == 1 ? m_large : m_small;
+    if (queue.empty() || !queue.back().take(job)) queue.emplace_back(job);
   } else if (job.needs_views() || job.needs_comparison()) {
     m_after.push_back(&job);
   } else {
@@ -49,45 +56,48 @@ void Scheduler::finish(Job& job) {
   m_news = true;
 }
 
-bool Scheduler::start(Job& job, Kind kind) try {
-  const double share = std::min(m_plan.memory_limit(), kMostMemory * m_plan.memory / slots());
+void Scheduler::start(PictureRun run, Kind kind, int threads) try {
+  const double share =
+      std::min(m_plan.memory_limit(), kMostMemory * m_plan.memory * threads / slots());
   tool::Launch launch;
   switch (kind) {
-    case Kind::small: launch = job.render(1, share); break;
-    case Kind::large: launch = job.render(m_plan.processors, m_plan.memory_limit()); break;
-    case Kind::views: launch = job.split_views(); break;
-    case Kind::comparison: launch = job.compare(1); break;
+    case Kind::small: launch = run.launch(threads, share); break;
+    case Kind::large: launch = run.launch(m_plan.processors, m_plan.memory_limit()); break;
+    case Kind::views: launch = run.job().split_views(); break;
+    case Kind::comparison: launch = run.job().compare(1); break;
   }
-  m_running.push_back({&job, kind, std::make_unique<tool::Child>(launch), false, false, "", 0.0});
+  m_running.push_back({run, kind, threads, std::make_unique<tool::Child>(launch)});
   if (m_running.size() > 1) {
-    for (Running& run : m_running) run.had_company = true;
+    for (Running& running : m_running) running.had_company = true;
   }
-  return true;
 } catch (const std::exception& error) {
-  job.give_up(error.what());
-  if (!can_be_tried_again(job, !m_running.empty())) finish(job);
-  return false;
+  Running none{std::move(run), kind, threads, nullptr};
+  none.run.job().give_up(error.what());
+  if (can_be_tried_again(none.run, !m_running.empty())) return;
+  finish(none.run.job());
+  try_others(none, false);
 }
 
 /// Alone a picture is begun in any case.
-bool Scheduler::has_room_for(const Job& job) const {
+bool Scheduler::has_room_for(const PictureRun& run) const {
   if (m_running.empty()) return true;
   std::error_code error;
   const auto disk = std::filesystem::space(m_plan.arguments.out, error);
   if (error) return true;
-  double needed = job.room();
-  for (const Running& run : m_running) needed += run.job->room();
+  double needed = run.room();
+  for (const Running& running : m_running) needed += running.run.room();
   return needed <= static_cast<double>(disk.available);
 }
 
-/// True if the job waits for another run, because its last one found too little room on the disk.
-bool Scheduler::can_be_tried_again(Job& job, bool had_company) {
+/// True if the run waits for another one, because it found too little room on the disk.
+bool Scheduler::can_be_tried_again(PictureRun& run, bool had_company) {
   constexpr int kMostTimes = 3;
+  Job& job = run.job();
   if (!job.lacked_room() || m_lacked_room[&job] >= kMostTimes) return false;
   if (!had_company && !make_room_for(job)) return false;
   ++m_lacked_room[&job];
   job.try_again();
-  had_company ? m_alone.push_back(&job) : m_alone.push_front(&job);
+  had_company ? m_alone.push_back(run) : m_alone.push_front(run);
   return true;
 }
 
@@ -102,47 +112,58 @@ bool Scheduler::make_room_for(const Job& job) const {
 }
 
 void Scheduler::fill() {
-  const auto free = [this] { return static_cast<int>(m_running.size()) < slots(); };
-  const auto is_large = [](const Running& run) { return run.kind == Kind::large; };
+  const auto is_large = [](const Running& running) { return running.kind == Kind::large; };
   if (std::ranges::any_of(m_running, is_large)) return;
-  const auto take = [this](std::deque<Job*>& queue) {
-    Job* const job = queue.front();
+  const auto take = [](auto& queue) {
+    auto first = std::move(queue.front());
     queue.pop_front();
-    return job;
+    return first;
   };
-  while (free() && !m_after.empty()) {
+  while (free_slots() > 0 && !m_after.empty()) {
     Job* const job = take(m_after);
-    start(*job, job->needs_views() ? Kind::views : Kind::comparison);
+    start(PictureRun(*job), job->needs_views() ? Kind::views : Kind::comparison);
   }
-  while (free() && !m_small.empty() && has_room_for(*m_small.front()))
-    start(*take(m_small), Kind::small);
-  while (m_running.empty() && !m_large.empty()) start(*take(m_large), Kind::large);
-  while (m_running.empty() && !m_alone.empty()) start(*take(m_alone), Kind::large);
+  while (free_slots() > 0 && !m_small.empty() && has_room_for(m_small.front())) {
+    const int share = free_slots() / static_cast<int>(m_small.size());
+    const int threads = std::clamp(share, 1, m_plan.processors);
+    // What has the machine to itself need not be stopped for it.
+    const bool is_alone = m_running.empty() && m_small.size() == 1;
+    start(take(m_small), is_alone ? Kind::large : Kind::small, threads);
+    if (is_alone) return;
+  }
+  while (m_running.empty() && !m_large.empty()) start(take(m_large), Kind::large);
+  while (m_running.empty() && !m_alone.empty()) start(take(m_alone), Kind::large);
 }
 
-void Scheduler::set_back(Running& run) {
-  run.is_set_back = true;
-  run.is_asked = true;
-  run.asked_at = run.child->seconds();
-  run.child->ask_to_stop();
+void Scheduler::set_back(Running& running) {
+  running.is_set_back = true;
+  running.is_asked = true;
+  running.asked_at = running.child->seconds();
+  running.child->ask_to_stop();
 }
 
-void Scheduler::watch_time(Running& run) {
+void Scheduler::watch_time(Running& running) {
   const double limit = m_plan.arguments.time_limit;
-  if (run.is_asked) {
-    if (run.child->seconds() > run.asked_at + kGrace) run.child->kill();
+  const double seconds = running.child->seconds();
+  if (running.is_asked) {
+    if (seconds > running.asked_at + kGrace) running.child->kill();
     return;
   }
-  const bool renders = run.kind == Kind::small || run.kind == Kind::large;
-  const double taken = run.child->seconds() + (renders ? run.job->seconds() : 0.0);
+  const bool renders = is_of_pictures(running.kind);
+  const double of_picture = renders ? running.run.seconds_of_picture(seconds) : seconds;
+  const double taken = of_picture + (renders ? running.run.job().seconds() : 0.0);
+  // What is left of a scene's views has others' processors once these are idle.
+  const bool others_are_idle = m_small.empty() && free_slots() > 0;
   if (limit > 0.0 && taken > (renders ? limit : kStockTime * limit)) {
-    run.over = "longer than " + tool::duration_text(renders ? limit : kStockTime * limit) +
-               " (--time-limit)";
-    run.is_asked = true;
-    run.asked_at = run.child->seconds();
-    run.child->ask_to_stop();
-  } else if (run.kind == Kind::small && run.child->seconds() > kSmall) {
-    set_back(run);
+    running.over = "longer than " + tool::duration_text(renders ? limit : kStockTime * limit) +
+                   " (--time-limit)";
+    running.is_asked = true;
+    running.asked_at = seconds;
+    running.child->ask_to_stop();
+  } else if (running.kind == Kind::small &&
+             (of_picture > kSmall ||
+              (seconds > kSmall && others_are_idle && running.run.is_worth_stopping()))) {
+    set_back(running);
   }
 }
 
@@ -151,12 +172,12 @@ void Scheduler::watch_memory() {
   double all = 0.0;
   Running* largest = nullptr;
   double most = 0.0;
-  for (Running& run : m_running) {
-    const auto bytes = static_cast<double>(run.child->resident_bytes());
+  for (Running& running : m_running) {
+    const auto bytes = static_cast<double>(running.child->resident_bytes());
     all += bytes;
-    if (run.is_asked || bytes <= most) continue;
+    if (running.is_asked || bytes <= most) continue;
     most = bytes;
-    largest = &run;
+    largest = &running;
   }
   if (largest == nullptr) return;
   const bool is_over = most > 1.2 * m_plan.memory_limit() + 2e8;
@@ -169,62 +190,98 @@ void Scheduler::watch_memory() {
 
 void Scheduler::watch() {
   constexpr std::chrono::milliseconds kOften{200};
-  for (Running& run : m_running) watch_time(run);
+  for (Running& running : m_running) watch_time(running);
   if (Clock::now() - m_watched < kOften) return;
   m_watched = Clock::now();
   watch_memory();
 }
 
-void Scheduler::ended(Running& run, const tool::Ended& how) {
-  Job& job = *run.job;
-  switch (run.kind) {
+/// Views that are done while their run goes on, or was.
+void Scheduler::collect(Running& running) {
+  if (!is_of_pictures(running.kind)) return;
+  while (Job* const job = running.run.made()) next(*job);
+}
+
+void Scheduler::ended(Running& running, tool::Ended how) {
+  Job& job = running.run.job();
+  switch (running.kind) {
     case Kind::views: job.views_split(how); break;
     case Kind::comparison:
-      job.compared(run.over.empty() ? how : tool::Ended{137, how.wall, how.cpu, how.memory});
+      if (!running.over.empty()) how.status = 137;
+      job.compared(how);
       break;
     case Kind::small:
-    case Kind::large: {
-      const bool is_set_back = run.is_set_back && how.status != 0 && run.over.empty();
-      job.rendered(how, is_set_back);
-      if (!run.over.empty() && how.status != 0) job.give_up(run.over);
-      if (is_set_back || (run.kind == Kind::small && job.lacked_memory())) {
-        job.try_again();
-        m_large.push_back(&job);
-        return;
-      }
-      if (can_be_tried_again(job, run.had_company)) return;
-      break;
-    }
+    case Kind::large: picture_ended(running, how); return;
   }
   next(job);
+}
+
+/// It was at its last picture, or ended early.
+void Scheduler::picture_ended(Running& running, const tool::Ended& how) {
+  PictureRun& run = running.run;
+  Job& job = run.job();
+  const bool is_set_back = running.is_set_back && how.status != 0 && running.over.empty();
+  if (how.status == 0 && run.jobs().size() > 1) {
+    job.give_up("lentray ended before this view");
+  } else {
+    job.rendered(run.rest(how), is_set_back);
+  }
+  if (!running.over.empty() && how.status != 0) job.give_up(running.over);
+  if (is_set_back || (running.kind == Kind::small && job.lacked_memory())) {
+    job.try_again();
+    m_large.push_back(run);
+    return;
+  }
+  if (can_be_tried_again(run, running.had_company)) return;
+  next(job);
+  try_others(running, how.status > 128 || !running.over.empty());
+}
+
+/// The first of a run's pictures has ended it.
+void Scheduler::try_others(Running& running, bool was_ended) {
+  PictureRun& run = running.run;
+  const Row first = run.job().row();
+  const bool is_lost = first.state == State::failed && run.is_of_scene(was_ended, first.reason);
+  run.drop_first();
+  if (run.jobs().empty()) return;
+  if (!is_lost) {
+    (running.kind == Kind::small ? m_small : m_large).push_front(run);
+    return;
+  }
+  for (Job* job : run.jobs()) {
+    job->fail_as(first);
+    next(*job);
+  }
 }
 
 void Scheduler::reap() {
   for (std::size_t i = 0; i < m_running.size();) {
     const auto how = m_running[i].child->ended();
+    collect(m_running[i]);
     if (!how) {
       ++i;
       continue;
     }
-    Running run = std::move(m_running[i]);
+    Running running = std::move(m_running[i]);
     m_running.erase(m_running.begin() + static_cast<std::ptrdiff_t>(i));
-    ended(run, *how);
+    ended(running, *how);
   }
 }
 
 /// What runs is asked to stop, and keeps what it has: the next batch goes on with it.
 void Scheduler::stop_all() {
-  for (Running& run : m_running) run.child->ask_to_stop();
+  for (Running& running : m_running) running.child->ask_to_stop();
   const auto until = Clock::now() + std::chrono::milliseconds(1500);
   while (!m_running.empty() && Clock::now() < until) {
     if (tool::wait_for_news(std::chrono::milliseconds(50)) != 0) break;  // a second signal
-    std::erase_if(m_running, [this](Running& run) {
-      const auto how = run.child->ended();
+    std::erase_if(m_running, [this](Running& running) {
+      const auto how = running.child->ended();
+      collect(running);
       if (!how) return false;
-      const bool renders = run.kind == Kind::small || run.kind == Kind::large;
-      if (renders && how->status == 0) {
-        run.job->rendered(*how, false);
-        if (!run.job->needs_views() && !run.job->needs_comparison()) finish(*run.job);
+      if (is_of_pictures(running.kind) && how->status == 0) {
+        Job& job = running.run.job();
+        job.rendered(running.run.rest(*how), false);
+        if (!job.needs_views() && !job.needs_comparison()) finish(job);
       }
       return true;
     });

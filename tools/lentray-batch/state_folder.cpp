@@ -76,14 +76,16 @@ fs::path StateFolder::file(const std::string& name, const std::string& key,
 
 void StateFolder::forget_others(const std::string& name, const std::string& key) const {
   const fs::path place = begin_of(name);
-  const std::string begin = place.filename().string() + ".", ours = begin + key + ".";
+  const std::string begin = place.filename().string() + ".", ours = begin + key;
   std::error_code error;
   for (fs::directory_iterator at(place.parent_path(), error), end; !error && at != end;
        at.increment(error)) {
     const std::string file = at->path().filename().string();
-    // "<name>.<16 digits>.<kind>"
-    const std::size_t dot = file.find('.', begin.size());
-    if (!file.starts_with(begin) || file.starts_with(ours) || dot != begin.size() + 16) continue;
+    // "<name>.<16 digits>.<kind>", of frames and views "<name>.<16 digits><number>.<kind>"
+    const std::size_t end_of_key = file.find_first_not_of("0123456789abcdef", begin.size());
+    if (!file.starts_with(begin) || file.starts_with(ours) || end_of_key == std::string::npos ||
+        file[end_of_key] != '.' || end_of_key < begin.size() + 16)
+      continue;
     std::error_code ignored;
     fs::remove(at->path(), ignored);
   }
