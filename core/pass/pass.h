@@ -1,5 +1,5 @@
-// Work before the picture whose result the whole picture reads, such as a map of light. A pass is made with
-// all that it works on and with the place of its result, which others read when run() has
+// Work before the picture whose result the whole picture reads, such as a map of light. A pass is
+// made with all that it works on and with the place of its result, which others read when run() has
 // returned and nobody changes. The same bits for every number of threads.
 // Errors: what run() throws reaches the caller of PassList::run(). One thread calls.
 #pragma once

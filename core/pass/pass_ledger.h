@@ -1,5 +1,5 @@
-// What passes have committed, kept outside so that a run that is cut off can be gone on with. Records are
-// bytes, the passes' own, and come back in the order in which they were kept.
+// What passes have committed, kept outside so that a run that is cut off can be gone on with.
+// Records are bytes, the passes' own, and come back in the order in which they were kept.
 // Threads: one at a time.
 #pragma once
 

@@ -1,5 +1,5 @@
-// Progress over passes and the film, one after the other, each with a foreseen amount of work. Nothing is
-// said in the first second, then several times a second.
+// Progress over passes and the film, one after the other, each with a foreseen amount of work.
+// Nothing is said in the first second, then several times a second.
 // Threads: one at a time, but the film's advance(fraction, seconds_left) from any.
 #pragma once
 

@@ -1,6 +1,6 @@
 // Jobs that are made on many threads and committed one by one, in the order of their numbers. Who
-// brings the result that is next commits it and those behind it that are there; who is too far ahead
-// waits. Threads: any number.
+// brings the result that is next commits it and those behind it that are there; who is too far
+// ahead waits. Threads: any number.
 #pragma once
 
 #include <condition_variable>

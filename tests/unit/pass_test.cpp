@@ -1,5 +1,5 @@
-// Passes: jobs on many threads with commits in order, progress over passes and film, cancelling, records that a pass
-// goes on with.
+// Passes: jobs on many threads with commits in order, progress over passes and film, cancelling, and
+// records that a pass goes on with.
 #include <gtest/gtest.h>
 
 #include <atomic>
