@@ -29,6 +29,9 @@ class PathIntegrator final : public Integrator {
 
   using Integrator::trace;
   Radiance trace(const Ray& ray, Pixel pixel, std::uint64_t key) override;
+  Radiance along(const RayState& state, float weight, int level) override {
+    return follow(state, weight, level);
+  }
 
  private:
   static constexpr bool kTransparency = (kFeatures & kPathTransparency) != 0;
