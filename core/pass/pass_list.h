@@ -25,13 +25,6 @@ struct PassOptions {
   PassLedger* ledger = nullptr;               ///< keeps what is committed; goes on with it
 };
 
-/// What is told of a pass at the end. Seconds: on the clock, and of all threads.
-struct PassReport {
-  std::string name{};
-  double wall_s = 0.0, cpu_s = 0.0;
-  PassNumbers numbers{};
-};
-
 class PassList {
  public:
   /// It outlives the list.

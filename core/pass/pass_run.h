@@ -17,15 +17,13 @@
 #include "core/pass/pass_ledger.h"
 #include "core/pass/pass_progress.h"
 #include "core/pass/pass_queue.h"
+#include "core/pass/pass_report.h"
 #include "core/pass/pass_team.h"
 
 namespace lentray::core {
 
 /// Ends a pass that is cancelled; caught by PassList::run().
 struct PassCancelled {};
-
-/// Numbers of the statistics by name, in the order in which they are counted.
-using PassNumbers = std::vector<std::pair<std::string, double>>;
 
 class PassRun {
  public:
