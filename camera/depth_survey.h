@@ -1,5 +1,5 @@
 // What a lens sheet shows, by depth: its nearest and farthest visible point, and how deep each object
-// lies. Depths are scene units behind the sheet, negative before it. One thread.
+// lies. Depths are scene units behind the sheet, negative before it. A pass (core/pass/pass.h).
 //
 // A picture of at most twice kSurveyRays pixels is looked at pixel by pixel. Of a larger one a grid of its
 // pixels is looked at, in several views. From the nearest and the farthest of them a search goes on to
@@ -16,6 +16,7 @@
 #include "camera/lenticular.h"
 #include "camera/scene_probe.h"
 #include "core/base/bounds.h"
+#include "core/pass/pass.h"
 
 namespace lentray::camera {
 
@@ -53,6 +54,25 @@ struct DepthSurvey {
   }
 };
 
+class DepthSurveyPass final : public core::Pass {
+ public:
+  /// `probe` is asked by many threads; the sheet and it outlive the pass.
+  DepthSurveyPass(const Lenticular& sheet, const SceneProbe& probe,
+                  std::uint64_t most_rays = kSurveyRays)
+      : m_sheet(sheet), m_probe(probe), m_most(most_rays) {}
+  std::string name() const override { return "depth survey"; }
+  double work() const override;
+  void run(core::PassRun& run) override;
+  const DepthSurvey& result() const { return m_result; }
+
+ private:
+  const Lenticular& m_sheet;
+  const SceneProbe& m_probe;
+  const std::uint64_t m_most;
+  DepthSurvey m_result;
+};
+
+/// The pass alone, on one thread.
 DepthSurvey survey_depth(const Lenticular& sheet, const SceneProbe& probe,
                          std::uint64_t most_rays = kSurveyRays);
 

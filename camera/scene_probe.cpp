@@ -11,12 +11,12 @@
 namespace lentray::camera {
 
 SceneProbe probe_of(const core::Scene& scene, ObjectNamer namer) {
-  auto arena = std::make_shared<core::HitArena>();
   const auto names = std::make_shared<const ObjectNamer>(std::move(namer));
-  return [&scene, arena, names](const core::Ray& ray, double limit) -> std::optional<ProbeHit> {
+  return [&scene, names](const core::Ray& ray, double limit) -> std::optional<ProbeHit> {
+    thread_local core::HitArena arena;
     core::Hit hit;
     if (!scene.hierarchy().nearest(ray, core::kMinHitDistance * scene.tolerance_scale(), limit,
-                                   core::RayKind::kCamera, hit, *arena, nullptr)) {
+                                   core::RayKind::kCamera, hit, arena, nullptr)) {
       return std::nullopt;
     }
     const core::Object* object = hit.object;

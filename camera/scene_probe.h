@@ -1,5 +1,6 @@
 // The question a camera asks of a scene before there is a picture: what does a ray meet first?
-// World space; distances in multiples of the ray's direction. Called on one thread.
+// World space; distances in multiples of the ray's direction. Threads: any number ask probe_of()'s;
+// names are asked for by one at a time.
 #pragma once
 
 #include <cstdint>

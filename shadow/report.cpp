@@ -62,6 +62,19 @@ json log_json(const std::vector<LightRuns>& lights) {
           {"runs", {{"count", all.runs}, {"longest", all.longest}, {"by_length", by_length}}}};
 }
 
+json passes_json(const std::vector<core::PassReport>& passes) {
+  json out = json::array();
+  for (const core::PassReport& pass : passes) {
+    json numbers = json::object();
+    for (const auto& [name, value] : pass.numbers) numbers[name] = value;
+    out.push_back({{"name", pass.name},
+                   {"wall_s", pass.wall_s},
+                   {"cpu_s", pass.cpu_s},
+                   {"numbers", std::move(numbers)}});
+  }
+  return out;
+}
+
 }  // namespace
 
 json to_json(const RunReport& report) {
@@ -89,6 +102,7 @@ json to_json(const RunReport& report) {
   if (!report.shadow_log.empty()) out["shadow"]["log"] = log_json(report.shadow_log);
   out["lights"] = std::move(lights);
   if (report.tests_counted) out["tests"] = tests_json(report);
+  if (!report.passes.empty()) out["passes"] = passes_json(report.passes);
   out["time"] = {{"parse_cpu_s", report.parse_cpu_s},
                  {"compile_cpu_s", report.compile_cpu_s},
                  {"render_cpu_s", report.render_cpu_s},

@@ -10,6 +10,7 @@
 
 #include "camera/lens_sheet.h"
 #include "core/base/counters.h"
+#include "core/pass/pass_report.h"
 #include "shadow/run_log.h"
 
 namespace lentray::shadow {
@@ -30,6 +31,7 @@ struct RunReport {
   std::string pixel_order = "rows", shadow_cache = "off", accelerator = "bvh";
   std::optional<LensReport> lens;            ///< none for an ordinary camera
   core::Counters counters;                   ///< merged over the threads
+  std::vector<core::PassReport> passes;      ///< before the film
   std::uint32_t band_height = 0, bands = 0;  ///< rows in a band, and how many bands there are
   std::vector<LightRuns> shadow_log;         ///< one a light; empty: there was no log
   bool tests_counted = false;                ///< counters' tests are filled

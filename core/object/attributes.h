@@ -3,7 +3,9 @@
 // Source: reference manual 3.7, "Object Modifiers".
 #pragma once
 
+#include <compare>
 #include <cstdint>
+#include <optional>
 
 namespace lentray::core {
 
@@ -19,15 +21,28 @@ enum class RayKind : std::uint8_t {
   kShadow,       ///< skips no_shadow
 };
 
+/// What passes ask of an object (radiosity, photons); most objects have the defaults.
+struct PassFlags {
+  double importance = 1.0;     ///< of radiosity, 0..1
+  double photon_target = 0.0;  ///< its factor of the photons' spacing; 0: it is no target
+  std::optional<bool> photon_reflection, photon_refraction;  ///< empty: not said
+  bool photon_collect = true, photon_pass_through = false;
+  auto operator<=>(const PassFlags&) const = default;
+};
+
 /// Looks and switches of an object, after inheritance through CSG is resolved.
 struct Attributes {
   const Texture* texture = nullptr;           ///< owned by the scene; never null after compiling
   const Texture* interior_texture = nullptr;  ///< null: the same as `texture`
   const Interior* interior = nullptr;         ///< null: none was given
   const LightSelection* lights = nullptr;     ///< null: the global ones; owned by the scene
-  bool no_shadow = false, no_image = false, no_reflection = false;
-  bool hollow = false, double_illuminate = false;
-  bool uv_mapping = false;  ///< textures lie in texture coordinates
+  std::uint32_t pass_flags = 0;               ///< their number in Scene::pass_flags()
+  bool no_shadow : 1 = false, no_image : 1 = false, no_reflection : 1 = false;
+  bool no_radiosity : 1 = false;
+  bool hollow : 1 = false, double_illuminate : 1 = false;
+  bool uv_mapping : 1 = false;  ///< textures lie in texture coordinates
 };
+// There may be a million of them.
+static_assert(sizeof(Attributes) == 4 * sizeof(void*) + 8);
 
 }  // namespace lentray::core

@@ -57,7 +57,7 @@ FilmSetup film_setup(const Scene* scene, const RaySource& camera, const FrameSha
 
 /// One thread's share: takes jobs in order while there are any.
 void take_jobs(Work& work) {
-  ThreadContext context(work.scene, work.options.count_tests);
+  ThreadContext context(work.scene, work.options.count_tests, work.options.illumination);
   const std::unique_ptr<ShadowTester> tester = work.shadows.make(context);
   const std::unique_ptr<Integrator> integrator = Integrator::make(context, *tester);
   Sampler sampler(work.camera, {work.options.angles, work.options.alpha}, *integrator);

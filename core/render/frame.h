@@ -18,12 +18,15 @@
 
 namespace lentray::core {
 
+struct Illumination;
+
 struct FrameOptions {
   int threads = 0;           ///< 0: all of the machine
   bool count_tests = false;  ///< fill bounds and primitive tests (Statistics_File)
   bool alpha = false;        ///< +UA, for a scene with SceneSettings::alpha
   Antialiasing antialiasing{};
-  int angles = 1;                       ///< Antialias_Angle, see SamplerOptions
+  int angles = 1;                              ///< Antialias_Angle, see SamplerOptions
+  const Illumination* illumination = nullptr;  ///< what passes left (core/pass); null: none
   std::optional<PixelRegion> region{};  ///< the pixels that are rendered; the others are black
   PictureLedger* ledger =
       nullptr;  ///< what is known of the picture, and what becomes known; or null

@@ -24,7 +24,8 @@ WorkProber::WorkProber(const Scene& scene, const RaySource& camera,
                        const ShadowTesterFactory& shadows, const FrameOptions& options,
                        const FilmSetup& film, const WorkCells& cells)
     : m_film(film), m_region(Film::traced_region(film)), m_cells(cells),
-      m_context(scene, options.count_tests), m_tester(shadows.unwatched().make(m_context)),
+      m_context(scene, options.count_tests, options.illumination),
+      m_tester(shadows.unwatched().make(m_context)),
       m_integrator(Integrator::make(m_context, *m_tester)),
       m_sampler(camera, {options.angles, options.alpha}, *m_integrator) {
   m_clock = 1.0;

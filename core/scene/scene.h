@@ -63,6 +63,7 @@ struct SceneParts {
   std::vector<std::shared_ptr<const Texture>> textures;  ///< owners of what Attributes point at
   std::vector<std::shared_ptr<const Interior>> interiors;
   std::vector<std::unique_ptr<const LightSelection>> light_selections;  ///< likewise
+  std::vector<PassFlags> pass_flags{{}};                                ///< likewise; 0: defaults
   std::vector<std::string> not_rendered;  ///< features parsed and kept but not rendered yet
   std::vector<WatchedSlope> slopes;       ///< to report on after rendering
   std::size_t deepest = 1;                ///< most levels of objects and looks in each other
@@ -91,6 +92,10 @@ class Scene {
   const std::vector<std::uint32_t>& global_lights() const { return m_global_lights; }
   const SkySphere* sky_sphere() const { return m_parts.sky_sphere.get(); }
   const Atmosphere& atmosphere() const { return m_parts.atmosphere; }
+  /// What passes ask of an object, by Attributes::pass_flags.
+  const PassFlags& pass_flags(const Attributes& looks) const {
+    return m_parts.pass_flags[looks.pass_flags];
+  }
   const Hierarchy& hierarchy() const { return *m_hierarchy; }
   /// Of that light, or null: the hierarchy answers for it.
   const LightBuffer* light_buffer(std::size_t light) const { return m_light_buffers[light].get(); }

@@ -10,6 +10,7 @@
 
 #include "core/base/pixel.h"
 #include "core/base/ray.h"
+#include "core/trace/follow.h"
 #include "core/trace/radiance.h"
 #include "core/trace/shadow_tester.h"
 
@@ -17,9 +18,8 @@ namespace lentray::core {
 
 struct ThreadContext;
 
-class Integrator {
+class Integrator : public Follow {
  public:
-  virtual ~Integrator() = default;
   /// The light along a camera ray of a pixel; `key` is the sample's (core/trace/random_key.h).
   virtual Radiance trace(const Ray& ray, Pixel pixel, std::uint64_t key) = 0;
   /// Of the pixel's sample 0.

@@ -22,6 +22,9 @@ class PathIntegrator final : public Integrator {
 
   using Integrator::trace;
   Radiance trace(const Ray& ray, Pixel pixel, std::uint64_t key) override;
+  Radiance along(const RayState& state, float weight, int level) override {
+    return follow(state, weight, level);
+  }
 
  private:
   Radiance follow(const RayState& state);

@@ -13,16 +13,19 @@
 
 namespace lentray::core {
 
+struct Illumination;
+
 struct ThreadContext {
   /// `count_tests`: whether tests of bounds and primitives are counted too.
-  ThreadContext(const Scene& s, bool count_tests)
-      : scene(s), tests(count_tests ? &counters : nullptr) {
+  ThreadContext(const Scene& s, bool count_tests, const Illumination* light = nullptr)
+      : scene(s), illumination(light), tests(count_tests ? &counters : nullptr) {
     counters.lights.resize(s.lights().size());
   }
   ThreadContext(const ThreadContext&) = delete;
   ThreadContext& operator=(const ThreadContext&) = delete;
 
   const Scene& scene;
+  const Illumination* const illumination;  ///< what passes left; null: there were none
   HitArena arena;
   Counters counters;
   Counters* const tests;  ///< where tests are counted; null: nowhere

@@ -44,6 +44,17 @@ std::optional<bool> shared_hollow(const ObjectDesc& object, std::optional<bool> 
   return std::nullopt;
 }
 
+/// What a part says itself, over what it has from the objects around it: those tell first.
+void take_photons(const PhotonFlags& own, core::PassFlags& flags) {
+  const bool is_refracting_target =
+      flags.photon_target > 0.0 && flags.photon_refraction.value_or(false);
+  if (own.pass_through && !is_refracting_target) flags.photon_pass_through = true;
+  if (!own.collect) flags.photon_collect = false;
+  if (!flags.photon_reflection) flags.photon_reflection = own.reflection;
+  if (!flags.photon_refraction) flags.photon_refraction = own.refraction;
+  if (own.target && flags.photon_target == 0.0) flags.photon_target = own.density;
+}
+
 }  // namespace
 
 ObjectBuilder::ObjectBuilder(core::SceneParts& parts, TextureCompiler& textures, NotYet& not_yet)
@@ -51,12 +62,13 @@ ObjectBuilder::ObjectBuilder(core::SceneParts& parts, TextureCompiler& textures,
 
 ObjectBuilder::ObjectBuilder(NotYet& not_yet) : m_not_yet(not_yet) {}
 
-void ObjectBuilder::add(const ObjectDesc& object, const Ref<TextureDesc>& default_texture) {
-  m_default = default_texture ? default_texture : standard_texture();
+void ObjectBuilder::add(const SceneObject& object) {
+  m_default = object.default_texture ? object.default_texture : standard_texture();
   m_last = {};
   Inherited nothing;
   nothing.on_list = true;
-  add_to_list(object, core::Transform(), nothing);
+  nothing.pass.importance = object.default_importance;
+  add_to_list(*object.object, core::Transform(), nothing);
 }
 
 void ObjectBuilder::add_to_list(const ObjectDesc& object, const core::Transform& outer,
@@ -99,6 +111,7 @@ ObjectBuilder::Inherited ObjectBuilder::resolve(const ObjectDesc& object,
   looks.no_shadow = from.no_shadow || object.no_shadow;
   looks.no_image = from.no_image || object.no_image;
   looks.no_reflection = from.no_reflection || object.no_reflection;
+  looks.no_radiosity = from.no_radiosity || object.no_radiosity;
   if (object.hollow) looks.hollow = object.hollow;
   if (object.rare->interior || !from.in_whole)
     looks.shared_hollow = shared_hollow(object, from.hollow);
@@ -111,6 +124,8 @@ ObjectBuilder::Inherited ObjectBuilder::resolve(const ObjectDesc& object,
   looks.uv_mapping = object.uv_mapping || (!object.texture && from.uv_mapping);
   if (object.texture) looks.texture = moved(object.texture, texture_move);
   const RareParts& rare = *object.rare;
+  if (rare.radiosity_importance) looks.pass.importance = *rare.radiosity_importance;
+  if (rare.photons.given) take_photons(rare.photons, looks.pass);
   if (rare.interior_texture) looks.interior_texture = moved(rare.interior_texture, texture_move);
   if (rare.interior || (object.texture && !from.interior)) {
     Ref<InteriorDesc> interior = rare.interior;
@@ -137,6 +152,7 @@ core::Attributes ObjectBuilder::attributes(const Inherited& looks) {
   a.no_shadow = looks.no_shadow;
   a.no_image = looks.no_image;
   a.no_reflection = looks.no_reflection;
+  a.no_radiosity = looks.no_radiosity;
   a.hollow = looks.shared_hollow.value_or(false);
   a.uv_mapping = looks.uv_mapping;
   a.double_illuminate = looks.double_illuminate.value_or(false);
@@ -145,7 +161,16 @@ core::Attributes ObjectBuilder::attributes(const Inherited& looks) {
   a.texture = compile(looks.texture);
   if (looks.interior_texture) a.interior_texture = compile(looks.interior_texture);
   if (looks.lights) a.lights = selection(*looks.lights);
+  a.pass_flags = number_of(looks.pass);
   return a;
+}
+
+std::uint32_t ObjectBuilder::number_of(const core::PassFlags& flags) {
+  if (flags == core::PassFlags()) return 0;
+  const auto [at, is_new] =
+      m_pass_flags.try_emplace(flags, static_cast<std::uint32_t>(m_parts->pass_flags.size()));
+  if (is_new) m_parts->pass_flags.push_back(flags);
+  return at->second;
 }
 
 std::unique_ptr<core::Object> ObjectBuilder::build(const ObjectDesc& object,

@@ -16,6 +16,7 @@
 #include "parser/compile/slope_watches.h"
 #include "parser/compile/texture_compiler.h"
 #include "parser/descriptions/object.h"
+#include "parser/descriptions/scene.h"
 #include "parser/shapes/text_shape.h"
 #include "parser/source/diagnostics.h"
 
@@ -39,7 +40,7 @@ class ObjectBuilder {
   /// Gets the places of the objects of the parts' list; null: nobody wants them.
   void set_places(ObjectPlaces* places) { m_places = places; }
   /// One statement of the scene level: appends to the parts.
-  void add(const ObjectDesc& object, const Ref<TextureDesc>& default_texture);
+  void add(const SceneObject& object);
 
   /// Geometry alone of one object; null if nothing of it is rendered.
   std::unique_ptr<core::Object> geometry(const ObjectDesc& object,
@@ -54,7 +55,8 @@ class ObjectBuilder {
     const core::Interior* interior = nullptr;
     std::optional<bool> hollow, double_illuminate;
     bool uv_mapping = false;
-    bool no_shadow = false, no_image = false, no_reflection = false;
+    bool no_shadow = false, no_image = false, no_reflection = false, no_radiosity = false;
+    core::PassFlags pass;
     const LightScope* lights = nullptr;  ///< null: in no light_group
     std::optional<bool> shared_hollow;   ///< of all that have the same interior
     bool in_whole = false;               ///< is a part of something
@@ -87,6 +89,7 @@ class ObjectBuilder {
   const core::LightSelection* selection(const LightScope& scope);
   Inherited resolve(const ObjectDesc& object, const core::Transform& outer, const Inherited& from);
   core::Attributes attributes(const Inherited& looks);
+  std::uint32_t number_of(const core::PassFlags& flags);
   const core::Texture* compile(const Ref<TextureDesc>& texture);
   Ref<TextureDesc> moved(const Ref<TextureDesc>& texture, const core::Transform& transform);
   void note(const std::string& feature, const Location& where) {
@@ -111,6 +114,7 @@ class ObjectBuilder {
   Last m_last;
   /// Textures by origin and transform, so that equal parts share what is compiled.
   std::map<std::pair<Ref<TextureDesc>, core::Matrix>, Ref<TextureDesc>> m_moved;
+  std::map<core::PassFlags, std::uint32_t> m_pass_flags;
   std::map<std::pair<bool, std::vector<std::uint32_t>>, const core::LightSelection*> m_selections;
 };
 

@@ -164,7 +164,7 @@ core::SceneParts build_scene(const SceneDesc& scene, Diagnostics& diagnostics,
   builder.set_places(options.places);
   try {
     for (const SceneObject& object : scene.objects) {
-      builder.add(*object.object, object.default_texture);
+      builder.add(object);
     }
     override_area_lights(options.overrides, parts.lights);
     if (scene.sky_sphere) parts.sky_sphere = build_sky(*scene.sky_sphere, textures);

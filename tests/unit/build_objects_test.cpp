@@ -92,6 +92,61 @@ TEST(UnitBuildObjects, SwitchesAreInherited) {
   EXPECT_TRUE(children[1]->attributes().double_illuminate);  // the CSG overrides
 }
 
+const core::PassFlags& pass_flags(const core::SceneParts& parts, const core::Object& object) {
+  return parts.pass_flags.at(object.attributes().pass_flags);
+}
+
+/// Equal pictures of stock's: a part's own importance holds for it, and no_radiosity of the whole.
+TEST(UnitBuildObjects, RadiosityFlagsAreInherited) {
+  SceneText s(
+      "union { sphere { 0, 1 } sphere { 3, 1 radiosity { importance .2 } } "
+      "radiosity { importance .5 } no_radiosity }"
+      "sphere { 0, 1 no_radiosity off } "
+      "#default { radiosity { importance .3 } } union { sphere { 0, 1 } sphere { 0, 2 } }"
+      "sphere { 0, 1 radiosity { importance 1 } }");
+  const core::SceneParts parts = s.build();
+  const auto& children = csg(*parts.objects.at(0)).children();
+  EXPECT_EQ(pass_flags(parts, *parts.objects[0]).importance, 0.5);
+  EXPECT_EQ(pass_flags(parts, *children[0]).importance, 0.5);
+  EXPECT_EQ(pass_flags(parts, *children[1]).importance, 0.2);
+  EXPECT_TRUE(children[0]->attributes().no_radiosity && children[1]->attributes().no_radiosity);
+  EXPECT_FALSE(parts.objects[1]->attributes().no_radiosity);
+  EXPECT_EQ(parts.objects[1]->attributes().pass_flags, 0u);
+  EXPECT_EQ(pass_flags(parts, *csg(*parts.objects[2]).children()[0]).importance, 0.3);
+  EXPECT_EQ(pass_flags(parts, *parts.objects[3]).importance, 1.0);
+  EXPECT_EQ(parts.pass_flags.size(), 4u);  // equal ones are one
+}
+
+/// Likewise: of photons the whole says first whether it is a target, reflects and refracts; what
+/// does not collect in a part or in the whole does not.
+TEST(UnitBuildObjects, PhotonFlagsAreInherited) {
+  SceneText s(
+      "merge { sphere { 0, 1 } sphere { 3, 1 photons { target 2 refraction off reflection on "
+      "collect off pass_through } } photons { target .5 refraction on } }"
+      "merge { sphere { 0, 1 photons { target 3 } } box { 0, 1 photons { collect on } } "
+      "photons { target 0 collect off pass_through } }"
+      "sphere { 0, 1 photons { pass_through reflection off } }");
+  const core::SceneParts parts = s.build();
+  const auto& first = csg(*parts.objects.at(0)).children();
+  core::PassFlags whole;
+  whole.photon_target = 0.5;
+  whole.photon_refraction = true;
+  EXPECT_EQ(pass_flags(parts, *parts.objects[0]), whole);
+  EXPECT_EQ(pass_flags(parts, *first[0]), whole);
+  whole.photon_reflection = true;
+  whole.photon_collect = false;
+  EXPECT_EQ(pass_flags(parts, *first[1]), whole);
+  const auto& second = csg(*parts.objects.at(1)).children();
+  EXPECT_EQ(pass_flags(parts, *parts.objects[1]).photon_target, 0.0);
+  EXPECT_EQ(pass_flags(parts, *second[0]).photon_target, 3.0);
+  EXPECT_FALSE(pass_flags(parts, *second[1]).photon_collect);
+  EXPECT_TRUE(pass_flags(parts, *second[1]).photon_pass_through);
+  core::PassFlags passed;
+  passed.photon_pass_through = true;
+  passed.photon_reflection = false;
+  EXPECT_EQ(pass_flags(parts, *parts.objects[2]), passed);
+}
+
 TEST(UnitBuildObjects, InteriorsAreSharedThroughCsgAndOwnElsewhere) {
   SceneText s(
       "#declare I = interior { ior 1.5 }"

@@ -1,12 +1,15 @@
 // Depth of a lens sheet: parallax with a depth factor, sharp ranges, the survey of what is visible.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "camera/depth_survey.h"
 #include "camera/parallax.h"
 #include "camera/sheet_views.h"
 #include "camera/slanted_lenticular.h"
+#include "core/pass/pass_list.h"
 #include "tests/unit/depth_scene.h"
 #include "tests/unit/slanted_sheets.h"
 
@@ -186,6 +189,53 @@ TEST(UnitCameraDepth, ASurveyFindsTheExtremesOfLargeSheets) {
   EXPECT_EQ(whole.rays, 2400u * 1800u);
   EXPECT_NEAR(whole.nearest, seen.nearest, 1e-4);
   EXPECT_NEAR(whole.objects[0].share, seen.objects[0].share, 0.002);
+}
+
+bool same(const DepthSurvey& a, const DepthSurvey& b) {
+  const auto same_object = [](const SeenObject& x, const SeenObject& y) {
+    return x.name == y.name && x.nearest == y.nearest && x.farthest == y.farthest &&
+           x.share == y.share && x.outline == y.outline;
+  };
+  return a.nearest == b.nearest && a.farthest == b.farthest && a.near_part == b.near_part &&
+         a.far_part == b.far_part && a.least_step == b.least_step && a.most_step == b.most_step &&
+         a.background == b.background && a.rays == b.rays && a.is_whole == b.is_whole &&
+         std::ranges::equal(a.objects, b.objects, same_object);
+}
+
+TEST(UnitCameraDepth, ASurveyIsTheSameOnAnyNumberOfThreads) {
+  std::vector<DepthBall> balls;
+  const char* const names[] = {"a", "b", "c", "d", "e", "f"};
+  for (int i = 0; i < 6; ++i) balls.push_back({{i - 3.0, 0.7 * i, 1.7 * i - 4.0}, 0.6, names[i]});
+  const SceneProbe probe = depth_scene(balls, 20.0);
+  const Sheet sheet = depth_sheet(probe, {}, 1200, 300);
+  for (const std::uint64_t most : {kSurveyRays, std::uint64_t{1} << 13}) {
+    const DepthSurvey one = survey_depth(*sheet.camera, probe, most);
+    EXPECT_EQ(one.is_whole, most == kSurveyRays);
+    EXPECT_GE(one.objects.size(), 5u);
+    for (const unsigned threads : {2u, 5u}) {
+      DepthSurveyPass pass(*sheet.camera, probe, most);
+      core::PassList passes;
+      passes.add(pass);
+      ASSERT_TRUE(passes.run({.threads = threads}));
+      EXPECT_TRUE(same(pass.result(), one)) << threads;
+      EXPECT_EQ(passes.reports().at(0).numbers.at(0).second, static_cast<double>(one.rays));
+    }
+  }
+}
+
+TEST(UnitCameraDepth, ASurveyIsCancelled) {
+  std::atomic<bool> cancel{false};
+  std::atomic<int> rays{0};
+  const SceneProbe probe = [&](const core::Ray&, double) -> std::optional<ProbeHit> {
+    if (++rays == 1000) cancel = true;
+    return std::nullopt;
+  };
+  const Sheet sheet = depth_sheet(depth_scene({}, 20.0), {}, 600, 400);
+  DepthSurveyPass pass(*sheet.camera, probe);
+  core::PassList passes;
+  passes.add(pass);
+  EXPECT_FALSE(passes.run({.threads = 2, .cancel = &cancel}));
+  EXPECT_LT(rays, 4000);
 }
 
 TEST(UnitCameraDepth, TheBackgroundHasItsShare) {

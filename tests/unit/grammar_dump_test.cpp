@@ -86,6 +86,14 @@ TEST_P(UnitDumpSays, WhatTheSceneSays) {
   EXPECT_EQ(scene[pointer].dump(), GetParam().value) << scene.dump(1);
 }
 
+/// What stock does, not what its manual says.
+INSTANTIATE_TEST_SUITE_P(
+    PhotonDefaults, UnitDumpSays,
+    ::testing::Values(Said{"global_settings { photons { } }", "/global/photons/autostop", "0.5"},
+                      Said{"global_settings { photons { } }", "/global/photons/expand_increase",
+                           "0.2"},
+                      Said{"global_settings { photons { } }", "/global/photons/expand_min", "35"}));
+
 #define LENTRAY_MEDIA(words) \
   "sphere { 0, 1 hollow interior { media { density { rgb 1 } " words " } } }"
 // Statements of which the rendering comes later are kept whole.

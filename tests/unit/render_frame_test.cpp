@@ -12,10 +12,13 @@
 #include <set>
 #include <stdexcept>
 #include <thread>
+#include <vector>
 
 #include "core/object/leaf.h"
 #include "core/shape/sphere.h"
+#include "core/trace/illumination.h"
 #include "core/trace/plain_shadow_tester.h"
+#include "core/trace/thread_context.h"
 
 using namespace lentray::core;
 
@@ -143,6 +146,27 @@ TEST(UnitCoreFrame, SameBitsForAnyOrderBandAndNumberOfThreads) {
       EXPECT_GT(c.bounds_tests, 0u);
       EXPECT_EQ(c.tests_by_type.at("sphere"), c.primitive_tests);
     }
+  }
+}
+
+TEST(UnitCoreFrame, ThreadsHaveWhatPassesLeft) {
+  struct Spy final : ShadowTesterFactory {
+    std::unique_ptr<ShadowTester> make(ThreadContext& context) const override {
+      const std::lock_guard lock(mutex);
+      seen.push_back(context.illumination);
+      return std::make_unique<PlainShadowTester>(context);
+    }
+    mutable std::mutex mutex;
+    mutable std::vector<const Illumination*> seen;
+  };
+  const auto scene = ball_scene();
+  const Illumination light;
+  for (const Illumination* given : {&light, static_cast<const Illumination*>(nullptr)}) {
+    Spy spy;
+    RenderFrameWhole whole;
+    render_frame(*scene, RenderFrameWindow(), {64, 64, 20}, RenderFrameRowBands(), spy,
+                 {.threads = 2, .illumination = given}, whole, nullptr);
+    EXPECT_EQ(spy.seen, (std::vector<const Illumination*>{given, given}));
   }
 }
 

@@ -58,6 +58,20 @@ TEST(UnitShadowReport, HasTheKeysOfTheStatistics) {
     EXPECT_TRUE(j["time"][key].is_number()) << key;
   }
   EXPECT_FALSE(j.contains("lens"));
+  EXPECT_FALSE(j.contains("passes"));
+}
+
+TEST(UnitShadowReport, PassesHaveTheirNumbers) {
+  shadow::RunReport r = shadow_report_sample();
+  r.passes = {{"first", 1.5, 2.5, {{"samples", 12.0}, {"share", 0.25}}}, {"second", 0.5, 0.5, {}}};
+  const nlohmann::json j = shadow::to_json(r);
+  ASSERT_EQ(j["passes"].size(), 2u);
+  EXPECT_EQ(j["passes"][0]["name"], "first");
+  EXPECT_EQ(j["passes"][0]["wall_s"], 1.5);
+  EXPECT_EQ(j["passes"][0]["cpu_s"], 2.5);
+  EXPECT_EQ(j["passes"][0]["numbers"]["samples"], 12);
+  EXPECT_EQ(j["passes"][0]["numbers"]["share"], 0.25);
+  EXPECT_EQ(j["passes"][1]["name"], "second");
 }
 
 TEST(UnitShadowReport, LensKeysAndTheInfiniteViewingDistance) {

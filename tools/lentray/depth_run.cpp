@@ -2,11 +2,15 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 
 #include "camera/depth_report.h"
 #include "camera/depth_survey.h"
+#include "core/pass/pass_list.h"
+#include "core/render/frame.h"
 #include "tools/lentray/depth_view.h"
 #include "tools/lentray/output.h"
+#include "tools/lentray/progress_bar.h"
 
 namespace lentray::tool {
 namespace {
@@ -25,7 +29,8 @@ std::string depth_file(const parser::RenderOptions& options) {
 }
 
 DepthText depth_of(const CameraSetup& setup, const camera::SceneProbe& probe,
-                   const parser::RenderOptions& options) {
+                   const parser::RenderOptions& options, std::size_t levels,
+                   const std::atomic<bool>& cancel) {
   if (!setup.sheet) throw camera::CameraError("--depth needs a lens sheet: add Lenticular=On");
   if (options.views.quilt && !options.views.count) {
     throw camera::CameraError(
@@ -34,7 +39,19 @@ DepthText depth_of(const CameraSetup& setup, const camera::SceneProbe& probe,
         "out, or give Views=");
   }
   if (is_of_views(options) && parser::rendered_view(options).value_or(0) > 0) return {};
-  const camera::DepthSurvey seen = camera::survey_depth(*setup.sheet, probe);
+  camera::DepthSurveyPass survey(*setup.sheet, probe);
+  core::PassList passes;
+  passes.add(survey);
+  std::optional<ProgressBar> bar;
+  if (options.verbose) bar.emplace("Depth");
+  if (!passes.run({.threads = core::frame_threads({.threads = options.threads}),
+                   .levels = levels,
+                   .cancel = &cancel,
+                   .progress = bar ? &*bar : nullptr})) {
+    return {};
+  }
+  bar.reset();
+  const camera::DepthSurvey& seen = survey.result();
   DepthText out;
   out.report = "Depth\n";
   for (const std::string& line : setup.report) {

@@ -19,6 +19,7 @@
 #include "core/render/focal_blur.h"
 #include "core/render/frame.h"
 #include "core/scene/scene.h"
+#include "core/trace/illumination.h"
 #include "parser/compile/scene.h"
 #include "parser/dump/scene_json.h"
 #include "parser/read_scene.h"
@@ -37,6 +38,8 @@
 #include "tools/lentray/explain.h"
 #include "tools/lentray/identity.h"
 #include "tools/lentray/output.h"
+#include "tools/lentray/pass_file.h"
+#include "tools/lentray/pass_run.h"
 #include "tools/lentray/picture_file.h"
 #include "tools/lentray/picture_journal.h"
 #include "tools/lentray/quality.h"
@@ -76,6 +79,7 @@ struct Run {
   const parser::FrameClock& clock;
   MessageForm& form;
   Warnings& warnings;
+  const std::atomic<bool>& cancel;
   std::string output;  ///< where the picture goes; empty: nowhere
   core::FileType type = core::FileType::png;
   std::unique_ptr<core::Scene> scene{};
@@ -263,7 +267,7 @@ void compile_scene(Run& run, const std::string& path, SceneDisk& disk) {
   }
   for (std::string& text : run.camera.warnings) run.warnings.tell(text);
   run.camera.warnings.clear();
-  if (o.depth) run.depth = depth_of(run.camera, probe, o);
+  if (o.depth) run.depth = depth_of(run.camera, probe, o, run.scene->deepest(), run.cancel);
 }
 
 void read_scene(Run& run, const std::string& path) {
@@ -381,11 +385,13 @@ bool is_there_already(Run& run, const std::string& scene) {
   return true;
 }
 
+void tell_of_file(Run& run, const std::string& file) {
+  run.form.texts().write(parser::Stream::kRender,
+                         "What is done is kept in '" + file + "': +C goes on with it\n");
+}
+
 void tell_of_journal(Run& run, PictureJournal& journal) {
-  if (!journal.keep()) return;
-  run.form.texts().write(
-      parser::Stream::kRender,
-      "What is done is kept in '" + journal_path(run.output) + "': +C goes on with it\n");
+  if (journal.keep()) tell_of_file(run, journal_path(run.output));
 }
 
 /// False if the run was cancelled.
@@ -430,13 +436,24 @@ bool render(Run& run, const std::atomic<bool>& cancel, bool is_frame) {
   run.form.begin_rendering(o, run.report, pixels_of(frame.region, shape));
   std::unique_ptr<core::Progress> bar;
   if (o.verbose) bar = run.form.progress();
+  core::PassList passes;
+  core::Illumination light;  // that passes leave
+  const auto film_work = static_cast<double>(pixels_of(frame.region, shape));
+  const std::string passes_of = journal ? run.output : "";
+  const PassesDone done =
+      run_passes(passes, {o, *run.scene, passes_of, run.identity, cancel, bar.get(), film_work});
+  if (!done.trouble.empty()) run.warnings.tell(done.trouble);
+  if (!done.kept_in.empty()) tell_of_file(run, done.kept_in);
+  if (!done.is_whole) return false;
+  run.report.passes = passes.reports();
+  if (!passes.is_empty()) frame.illumination = &light;
   const double before = cpu_seconds();
   std::optional<PictureFile> picture(std::in_place, run.output, run.type, o, run.scene->settings(),
                                      run.camera, journal ? &*journal : nullptr);
   bool is_cut_off = false;
   try {
-    run.report.counters =
-        core::render_frame(*run.scene, camera, shape, *orders, *asked, frame, *picture, bar.get());
+    run.report.counters = core::render_frame(*run.scene, camera, shape, *orders, *asked, frame,
+                                             *picture, passes.film_progress());
     bar.reset();
     is_cut_off = cancel.load();
     if (!is_cut_off) picture->finish();
@@ -452,6 +469,7 @@ bool render(Run& run, const std::atomic<bool>& cancel, bool is_frame) {
   }
   run.report.shadow_log = log.lights();
   if (journal) journal->finish(is_frame);
+  if (journal && !passes.is_empty()) PassFile::forget(run.output);
   if (journal && !journal->trouble().empty()) run.warnings.tell(journal->trouble());
   run.report.write_cpu_s = picture->cpu_seconds();
   run.report.render_cpu_s = cpu_seconds() - before - run.report.write_cpu_s;
@@ -475,7 +493,7 @@ Status run_picture(const Picture& what, const std::atomic<bool>& cancel, Message
                    Warnings& warnings) {
   const auto start = Clock::now();
   const RenderOptions& options = what.options;
-  Run run{options, what.clock, form, warnings, {}};
+  Run run{options, what.clock, form, warnings, cancel, {}};
   core::limit_memory(options.max_memory > 0.0 ? options.max_memory : machine_memory());
   // Building the scene takes no more threads than rendering it.
   std::optional<tbb::global_control> threads;
@@ -501,6 +519,7 @@ Status run_picture(const Picture& what, const std::atomic<bool>& cancel, Message
   if (options.explain) {
     std::fputs(explanation(*run.scene, run.camera, run.not_rendered).c_str(), stdout);
   }
+  if (options.depth && cancel) return kAborted;
   if (options.depth) say_depth(run.depth, depth_file(options));
   if (options.explain || options.depth) return kDone;
   for (const std::string& line : run.camera.report) {
