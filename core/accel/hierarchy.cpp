@@ -76,8 +76,9 @@ struct Best {
 /// Who wins where both are met at once.
 [[gnu::noinline, gnu::cold]] bool wins_tie(const ObjectEntry& e, const ObjectEntry& over,
                                            const Ray& ray) {
-  const double enters = entry_distance(e.object->bounds(), ray);
-  const double other = entry_distance(over.object->bounds(), ray);
+  // As floats: by how much bounds are larger than what they hold does not count.
+  const auto enters = static_cast<float>(entry_distance(e.object->bounds(), ray));
+  const auto other = static_cast<float>(entry_distance(over.object->bounds(), ray));
   return enters < other || (enters == other && e.index < over.index);
 }
 
