@@ -6,8 +6,10 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "core/accel/object_tree.h"
+#include "core/numeric/box_ray.h"
 #include "core/object/leaf.h"
 
 namespace lentray::core {
@@ -57,16 +59,28 @@ struct NoTally : CountNothing {
   void test(std::uint8_t, std::uint32_t = 1) {}
 };
 
-/// Nearest hit so far. Equal distances: the object first in the scene wins.
+/// Nearest hit so far. Of equal distances wins the object whose box the ray enters first, as in stock: what is left
+/// before what is entered. Then the object first in the scene, infinite ones before others.
 struct Best {
   double t;
-  std::uint32_t index = 0;  ///< 0 before anything is found: the limit itself is out of reach
+  double reach;  ///< below which hits count: just beyond t, so that equal distances are found
   const ObjectEntry* entry = nullptr;
   bool from_pack = false;
   double u = 0.0, v = 0.0;
 
-  bool beats(double at, std::uint32_t i) const { return at < t || (at == t && i < index); }
+  explicit Best(double limit) : t(limit), reach(limit) {}  // the limit itself is out of reach
+  Best(double at, const ObjectEntry& e)
+      : t(at), reach(std::nextafter(at, std::numeric_limits<double>::infinity())), entry(&e) {}
 };
+
+/// Who wins where both are met at once.
+[[gnu::noinline, gnu::cold]] bool wins_tie(const ObjectEntry& e, const ObjectEntry& over,
+                                           const Ray& ray) {
+  // As floats: by how much bounds are larger than what they hold does not count.
+  const auto enters = static_cast<float>(entry_distance(e.object->bounds(), ray));
+  const auto other = static_cast<float>(entry_distance(over.object->bounds(), ray));
+  return enters < other || (enters == other && e.index < over.index);
+}
 
 template <class T>
 struct NearestSearch {
@@ -77,23 +91,31 @@ struct NearestSearch {
   RayQuery query;
   T& tally;
   Best best;
+  Hit spare = {};
+  Hit *next = &hit, *held = &spare;  ///< of objects: filled by the next, held by the best
 
   double limit() const { return best.t; }
+  bool beats(double t, const ObjectEntry& e) const {
+    return t < best.t || (t == best.t && best.entry && wins_tie(e, *best.entry, ray));
+  }
   bool object(const ObjectEntry& e) {
     if (e.flags & unseen) return false;
     tally.test(e.type);
-    const double reach = e.index < best.index
-                             ? std::nextafter(best.t, std::numeric_limits<double>::infinity())
-                             : best.t;
-    if (e.object->nearest(ray, t_min, reach, hit, query)) best = {hit.t, e.index, &e};
+    if (!e.object->nearest(ray, t_min, best.reach, *next, query) || !beats(next->t, e))
+      return false;
+    std::swap(next, held);
+    best = Best(held->t, e);
     return false;
   }
   bool lanes(unsigned mask, const PackHits& hits, const ObjectEntry* entries) {
     for (; mask != 0; mask &= mask - 1) {
       const int i = std::countr_zero(mask);
       const ObjectEntry& e = entries[i];
-      if ((e.flags & unseen) || !best.beats(hits.t[i], e.index)) continue;
-      best = {hits.t[i], e.index, &e, true, hits.u[i], hits.v[i]};
+      if ((e.flags & unseen) || !beats(hits.t[i], e)) continue;
+      best = Best(hits.t[i], e);
+      best.from_pack = true;
+      best.u = hits.u[i];
+      best.v = hits.v[i];
     }
     return false;
   }
@@ -103,6 +125,8 @@ struct NearestSearch {
       hit.t = best.t;
       hit.leaf = static_cast<const Leaf*>(best.entry->object);
       hit.shape = {best.t, 0, best.u, best.v};
+    } else if (held != &hit) {
+      hit = *held;
     }
     hit.object = best.entry->object;
     return true;
@@ -186,10 +210,10 @@ struct Hierarchy::Impl {
                           hit,
                           {arena, kind},
                           tally,
-                          {std::min(t_max, kFarthest)}};
+                          Best(std::min(t_max, kFarthest))};
     all->search<true>(what);
     if (!what.best.entry && t_max > kFarthest && may_see_afar(ray)) {
-      what.best.t = t_max;
+      what.best = Best(t_max);
       what.unseen |= kNear;
       all->search<true>(what);
     }

@@ -26,8 +26,8 @@ class Hierarchy {
   ~Hierarchy();
 
   /// Nearest hit with t_min < t < t_max, and at most kFarthest unless is_seen_afar(). Ties (equal t)
-  /// go to an infinite object, then to the object first in the scene, so that the answer
-  /// does not depend on the order of traversal.
+  /// go to the object whose box the ray enters first, then to an infinite one, then to the object
+  /// first in the scene, so that the answer does not depend on the order of traversal.
   bool nearest(const Ray& ray, double t_min, double t_max, RayKind kind, Hit& hit, HitArena& arena,
                Counters* counters) const;
 

@@ -23,7 +23,7 @@ namespace lentray::core {
 /// An object with what a search asks first, side by side.
 struct ObjectEntry {
   const Object* object = nullptr;
-  std::uint32_t index = 0;  ///< who comes first of equal distances; never 0 twice
+  std::uint32_t index = 0;  ///< who comes first where all else is equal; never 0 twice
   std::uint8_t flags = 0, type = 0;
 };
 

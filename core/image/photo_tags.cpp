@@ -2,7 +2,6 @@
 
 #include <zlib.h>
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <fstream>
@@ -10,6 +9,7 @@
 #include <sstream>
 #include <string_view>
 
+#include "core/image/stream_bytes.h"
 #include "core/image/tiff_tags.h"
 
 namespace lentray::core {
@@ -25,19 +25,6 @@ enum Tag : std::uint16_t {
   kProfile = 34675,
   kInteroperability = 40965
 };
-
-std::uint32_t big_endian(std::string_view bytes) {
-  std::uint32_t value = 0;
-  for (const char byte : bytes) value = value << 8 | static_cast<unsigned char>(byte);
-  return value;
-}
-
-std::string read_part(std::istream& file, std::size_t size) {
-  std::string out(size, '\0');
-  file.read(out.data(), static_cast<std::streamsize>(size));
-  out.resize(static_cast<std::size_t>(std::max<std::streamsize>(file.gcount(), 0)));
-  return out;
-}
 
 /// What a TIFF file and a block of Exif have both.
 void take_directory(TiffTags& block, PhotoTags& tags) {
@@ -113,8 +100,8 @@ class JpegSegments {
     } else if (mark == kApp0 && bytes.starts_with(kJfif) && bytes.size() >= 12 && !m_has_exif) {
       const int unit = bytes[7];
       const double scale = unit == 1 ? 1.0 : unit == 2 ? 2.54 : 0.0;
-      m_tags.dpi_x = big_endian(bytes.substr(8, 2)) * scale;
-      m_tags.dpi_y = big_endian(bytes.substr(10, 2)) * scale;
+      m_tags.dpi_x = static_cast<double>(big_endian(bytes.substr(8, 2))) * scale;
+      m_tags.dpi_y = static_cast<double>(big_endian(bytes.substr(10, 2))) * scale;
     }
   }
 
@@ -148,23 +135,23 @@ std::string unpacked_profile(std::string_view chunk) {
 }
 
 Chromaticities chromaticities_of(std::string_view chunk) {
-  const auto at = [&](std::size_t i) { return big_endian(chunk.substr(4 * i, 4)) / 100000.0; };
+  const auto at = [&](std::size_t i) {
+    return static_cast<double>(big_endian(chunk.substr(4 * i, 4))) / 100000.0;
+  };
   return {at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7)};
 }
 
 PhotoTags tags_of_png(std::istream& file) {
-  constexpr std::streamoff kSignature = 8, kAround = 12;  // length, name and checksum of a chunk
-  constexpr std::uint32_t kMost = 1u << 26;
+  constexpr std::uint64_t kSignature = 8, kAround = 12;  // length, name and checksum of a chunk
+  constexpr std::uint64_t kMost = std::uint64_t{1} << 26;
   PhotoTags tags;
   bool is_srgb = false;
-  for (std::streamoff at = kSignature;;) {
-    file.clear();
-    file.seekg(at);
-    const std::string head = read_part(file, 8);
+  for (std::uint64_t at = kSignature;;) {
+    const std::string head = read_part(file, at, 8);
     if (head.size() < 8) break;
-    const std::uint32_t length = big_endian(std::string_view(head).substr(0, 4));
+    const std::uint64_t length = big_endian(std::string_view(head).substr(0, 4));
     const std::string_view name = std::string_view(head).substr(4);
-    at += kAround + static_cast<std::streamoff>(length);
+    at += kAround + length;
     is_srgb = is_srgb || name == "sRGB";
     if (length > kMost) continue;
     if (name == "eXIf") {

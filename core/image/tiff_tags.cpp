@@ -1,7 +1,8 @@
 #include "core/image/tiff_tags.h"
 
 #include <algorithm>
-#include <array>
+
+#include "core/image/stream_bytes.h"
 
 namespace lentray::core {
 namespace {
@@ -44,16 +45,9 @@ TiffTags::TiffTags(std::istream& file) : m_file(file) {
 }
 
 std::uint64_t TiffTags::value(std::uint64_t at, int size) {
-  std::array<char, 8> bytes{};
-  m_file.clear();
-  m_file.seekg(static_cast<std::streamoff>(at));
-  if (!m_file.read(bytes.data(), size)) return 0;
-  std::uint64_t out = 0;
-  for (int i = 0; i < size; ++i) {
-    const int next = m_is_big_endian ? i : size - 1 - i;
-    out = out << 8 | static_cast<unsigned char>(bytes[static_cast<std::size_t>(next)]);
-  }
-  return out;
+  const std::string bytes = read_part(m_file, at, static_cast<std::size_t>(size));
+  if (bytes.size() < static_cast<std::size_t>(size)) return 0;
+  return m_is_big_endian ? big_endian(bytes) : little_endian(bytes);
 }
 
 std::optional<TiffTags::Entry> TiffTags::find(std::uint64_t directory, std::uint16_t tag) {
@@ -94,11 +88,7 @@ std::optional<std::string> TiffTags::bytes(std::uint64_t directory, std::uint16_
   const auto entry = find(directory, tag);
   constexpr std::uint64_t kMost = std::uint64_t{1} << 26;
   if (!entry || size_of_type(entry->type) != 1 || entry->count > kMost) return std::nullopt;
-  std::string out(entry->count, '\0');
-  m_file.clear();
-  m_file.seekg(static_cast<std::streamoff>(entry->place));
-  m_file.read(out.data(), static_cast<std::streamsize>(out.size()));
-  out.resize(static_cast<std::size_t>(m_file.gcount()));
+  std::string out = read_part(m_file, entry->place, entry->count);
   while (entry->type == kText && out.ends_with('\0')) out.pop_back();
   return out;
 }

@@ -1,6 +1,7 @@
 // A ray made ready for tests against boxes. Any space.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/bounds.h"
@@ -30,5 +31,17 @@ struct BoxRay {
 
   Vec3 origin, inverse;
 };
+
+/// Where the ray enters the box: 0 inside, and for infinite ones.
+inline double entry_distance(const Bounds& box, const Ray& ray) {
+  if (!box.is_finite()) return 0.0;
+  double entry = 0.0;
+  for (int a = 0; a < 3; ++a) {
+    const double d = ray.direction[a];
+    if (d == 0.0) continue;
+    entry = std::max(entry, ((d > 0.0 ? box.lo[a] : box.hi[a]) - ray.origin[a]) / d);
+  }
+  return entry;
+}
 
 }  // namespace lentray::core

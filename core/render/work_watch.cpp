@@ -4,6 +4,7 @@
 #include <chrono>
 #include <utility>
 
+#include "core/base/deep_threads.h"
 #include "core/render/work_estimate.h"
 #include "core/render/work_pace.h"
 #include "core/render/work_prober.h"
@@ -51,7 +52,9 @@ WorkWatch::WorkWatch(const Scene& scene, const RaySource& camera,
   for (std::size_t stage = 0; stage < WorkCells::kStages; ++stage) {
     if (const PixelSet* known = m_film.known(stage)) m_cells.leave_out(*known, stage);
   }
-  m_thread = std::jthread([this](std::stop_token stop) { run(std::move(stop)); });
+  m_thread = std::jthread([this](std::stop_token stop) {
+    run_on_threads(1, m_scene.deepest(), [this, &stop] { run(std::move(stop)); });
+  });
 }
 
 WorkWatch::~WorkWatch() {
@@ -66,6 +69,7 @@ bool WorkWatch::wait(std::stop_token& stop, double seconds) {
 }
 
 void WorkWatch::run(std::stop_token stop) {
+  if (own_stack().levels() < m_scene.deepest()) return;  // the system gives no stack for probes
   try {
     follow(stop);
   } catch (...) {

@@ -1,6 +1,6 @@
 // Tells a progress bar, several times a second, how far a frame is and how long it will take. It
 // begins when the frame has lasted a second, and spends less than a hundredth of the work on probes.
-// A thread of its own, from when it is made until it goes away.
+// A thread of its own, from when it is made until it goes away, with a stack as deep as the frame's.
 #pragma once
 
 #include <condition_variable>

@@ -40,7 +40,8 @@ void Cone::hull(std::vector<Vec3>& points) const {
 
 /// The crossings of the whole line, 0 to 2, ascending; none if none is beyond t_min. Between its ends' planes the cone is
 /// convex, so that its solid is one stretch of the line: f = (distance from axis)^2 - radius^2
-/// is not positive there.
+/// is not positive there. An end's crossing is that of its plane to the last bit, so that one that stands on a
+/// plane ties with it.
 int Cone::crossings(const Ray& ray, double t_min, Crossing out[2]) const {
   if (is_degenerate()) return 0;
   // Start at the point nearest to the centre, so that far origins do not cost digits.
@@ -56,12 +57,16 @@ int Cone::crossings(const Ray& ray, double t_min, Crossing out[2]) const {
   double root[2];
   const int n = solve_quadratic(a, b, c, root);
   if (n == 0 && c > 0.0) return 0;
-  if (n == 2 && a > 0.0 && !(root[1] + shift > t_min)) return 0;
+  const bool rising =
+      n > 0 && (a == 0.0 ? b > 0.0 : 2.0 * a * root[0] + b > 0.0);  // f at the first
+  for (int i = 0; i < n; ++i) root[i] += shift;
+  if (n == 2 && a > 0.0 && !(root[1] > t_min)) return 0;
   Crossing in{-Bounds::kInf, kSide}, leave{Bounds::kInf, kSide};
   if (dz == 0.0) {
     if (oz < 0.0 || oz > m_length) return 0;
   } else {
-    const double base = -oz / dz, cap = (m_length - oz) / dz;
+    const double above = dot(to_base, m_axis);
+    const double base = above / dz, cap = (above + m_length) / dz;
     const bool up = dz > 0.0;
     in = up ? Crossing{base, kBase} : Crossing{cap, kCap};
     leave = up ? Crossing{cap, kCap} : Crossing{base, kBase};
@@ -76,22 +81,19 @@ int Cone::crossings(const Ray& ray, double t_min, Crossing out[2]) const {
                  after = leave.t - std::max(root[1], in.t);
     (before > after ? hi : lo) = before > after ? root[0] : root[1];
   } else if (n == 1) {
-    const bool rising = a == 0.0 ? b > 0.0 : (2.0 * a * root[0] + b) > 0.0;
     (rising ? hi : lo) = root[0];
     if (a > 0.0 && b == 0.0) lo = hi = root[0];
   }
   if (m_open) {
     int kept = 0;
     for (int i = 0; i < n; ++i) {
-      if (root[i] >= in.t && root[i] <= leave.t) out[kept++] = {root[i] + shift, kSide};
+      if (root[i] >= in.t && root[i] <= leave.t) out[kept++] = {root[i], kSide};
     }
     return kept;
   }
   if (lo > in.t) in = {lo, kSide};
   if (hi < leave.t) leave = {hi, kSide};
   if (!(in.t <= leave.t) || !std::isfinite(in.t) || !std::isfinite(leave.t)) return 0;
-  in.t += shift;
-  leave.t += shift;
   out[0] = in;
   out[1] = leave;
   return 2;

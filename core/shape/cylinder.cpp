@@ -32,7 +32,8 @@ void Cylinder::hull(std::vector<Vec3>& points) const {
 }
 
 /// The crossings of the whole line, 0 to 2, ascending; none if none is beyond t_min. A closed cylinder is convex: what lies
-/// between the side's two crossings and between the ends' planes is one stretch of the line.
+/// between the side's two crossings and between the ends' planes is one stretch of the line. An end's crossing is
+/// that of its plane to the last bit, so that one that stands on a plane ties with it.
 int Cylinder::crossings(const Ray& ray, double t_min, Crossing out[2]) const {
   if (is_degenerate()) return 0;
   // Start at the point nearest to the centre, so that far origins do not cost digits.
@@ -51,34 +52,31 @@ int Cylinder::crossings(const Ray& ray, double t_min, Crossing out[2]) const {
     const double h = m_radius * m_radius - dot(foot, foot);
     if (!(h >= 0.0)) return 0;
     const double half = std::sqrt(h / a);
-    in.t = middle - half;
-    leave.t = middle + half;
-    if (!(leave.t + shift > t_min)) return 0;
+    in.t = shift + (middle - half);
+    leave.t = shift + (middle + half);
+    if (!(leave.t > t_min)) return 0;
   } else if (dot(op, op) > m_radius * m_radius) {
     return 0;
   }
   if (m_open) {
     int n = 0;
-    for (Crossing side : {in, leave}) {
-      const double z = oz + dz * side.t;
-      if (!(z >= 0.0 && z <= m_length)) continue;
-      side.t += shift;
-      out[n++] = side;
+    for (const Crossing& side : {in, leave}) {
+      const double z = oz + dz * (side.t - shift);
+      if (z >= 0.0 && z <= m_length) out[n++] = side;
     }
     return n;
   }
   if (dz == 0.0) {
     if (oz < 0.0 || oz > m_length) return 0;
   } else {
-    const double base = -oz / dz, cap = (m_length - oz) / dz;
+    const double above = dot(to_base, m_axis);
+    const double base = above / dz, cap = (above + m_length) / dz;
     const bool up = dz > 0.0;
     const double first = up ? base : cap, last = up ? cap : base;
     if (first > in.t) in = {first, up ? kBase : kCap};
     if (last < leave.t) leave = {last, up ? kCap : kBase};
   }
   if (!(in.t <= leave.t)) return 0;
-  in.t += shift;
-  leave.t += shift;
   out[0] = in;
   out[1] = leave;
   return 2;

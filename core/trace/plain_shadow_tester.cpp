@@ -5,6 +5,7 @@
 
 #include "core/accel/hierarchy.h"
 #include "core/accel/light_buffer.h"
+#include "core/numeric/box_ray.h"
 #include "core/object/leaf.h"
 #include "core/scene/scene.h"
 #include "core/scene/tolerances.h"
@@ -14,22 +15,6 @@
 #include "core/trace/surface_textures.h"
 
 namespace lentray::core {
-namespace {
-
-/// Where the ray enters the box: 0 inside, and for infinite ones.
-double entry_distance(const Bounds& box, const Ray& ray) {
-  if (!box.is_finite()) return 0.0;
-  double entry = 0.0;
-  for (int a = 0; a < 3; ++a) {
-    const double d = ray.direction[a];
-    if (d == 0.0) continue;
-    entry = std::max(entry, ((d > 0.0 ? box.lo[a] : box.hi[a]) - ray.origin[a]) / d);
-  }
-  return entry;
-}
-
-}  // namespace
-
 PlainShadowTester::PlainShadowTester(ThreadContext& context, bool count_hits)
     : m_context(context), m_tolerance(kShadowTolerance * context.scene.tolerance_scale()),
       m_hierarchy(context.scene.hierarchy()), m_test_counters(context.tests),

@@ -20,11 +20,9 @@ ObjectQuery::ObjectQuery(const ObjectDesc& object) {
     if (whole) set_gates_alone(object, *whole);
     if (whole && core::is_seen_afar(*whole)) made.farthest = core::Bounds::kInf;
     made.object = std::move(whole);
-    made.is_whole = missing.empty();
     slot.made = std::make_shared<const CompiledSlot::Compiled>(std::move(made));
   }
   m_object = slot.made->object;
-  m_is_whole = slot.made->is_whole;
   m_farthest = slot.made->farthest;
 }
 

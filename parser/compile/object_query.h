@@ -13,8 +13,6 @@ namespace lentray::parser {
 class ObjectQuery {
  public:
   explicit ObjectQuery(const ObjectDesc& object);
-  /// False: parts of the object have no geometry yet, the answers leave them out.
-  bool is_whole() const { return m_is_whole; }
   bool inside(const core::Vec3& point) const;
   /// The nearest hit and its normal; false, with point and normal null, if there is none.
   bool trace(const core::Vec3& origin, const core::Vec3& direction, core::Vec3& point,
@@ -22,7 +20,6 @@ class ObjectQuery {
 
  private:
   std::shared_ptr<const core::Object> m_object;  ///< null: nothing of it is rendered
-  bool m_is_whole = true;
   double m_farthest = core::kFarthest;
 };
 

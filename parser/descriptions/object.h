@@ -35,7 +35,6 @@ using core::Vec3;
 struct CompiledSlot {
   struct Compiled {
     std::shared_ptr<const core::Object> object;
-    bool is_whole = true;               ///< false: parts of it have no geometry yet
     double farthest = core::kFarthest;  ///< up to which trace() sees it
   };
   std::shared_ptr<const Compiled> made;  ///< null: not tried yet

@@ -14,9 +14,6 @@ struct Context {
   CameraDesc default_camera;
   /// `#default { radiosity { importance n } }`.
   double default_importance = 1.0;
-  /// trace() or the like has asked an object that holds shapes without geometry yet: the answers
-  /// are guesses, and what they make degenerate is no fault of the scene.
-  bool has_guesses = false;
 };
 
 }  // namespace lentray::parser

@@ -17,12 +17,6 @@ bool is_degenerate(const std::array<Vec3, 3>& p) {
   return length_squared(cross(p[1] - p[0], p[2] - p[0])) == 0.0;
 }
 
-/// Stops at a shape without extent, unless guesses may have made it so.
-void fail_degenerate(Parser& parser, const Context& context, const char* message) {
-  if (!context.has_guesses) parser.fail(message);
-  parser.warn(message);
-}
-
 }  // namespace
 
 bool is_patch(const ObjectDesc& object) {
@@ -55,16 +49,16 @@ ShapeDesc parse_box(Parser& parser, Context&) {
   return s;
 }
 
-ShapeDesc parse_plane(Parser& parser, Context& context) {
+ShapeDesc parse_plane(Parser& parser, Context&) {
   PlaneShape s;
   s.normal = parser.parse_vector();
   parser.parse_comma();
-  if (length(s.normal) < kTiny) fail_degenerate(parser, context, "Degenerate plane normal.");
+  if (length(s.normal) < kTiny) parser.fail("Degenerate plane normal.");
   s.distance = parser.parse_float();
   return s;
 }
 
-ShapeDesc parse_cylinder(Parser& parser, Context& context) {
+ShapeDesc parse_cylinder(Parser& parser, Context&) {
   CylinderShape s;
   s.base = parser.parse_vector();
   parser.parse_comma();
@@ -73,12 +67,12 @@ ShapeDesc parse_cylinder(Parser& parser, Context& context) {
   s.radius = parser.parse_float();
   s.open = parser.accept(Keyword::kOpen);
   if (length(s.cap - s.base) < kTiny) {
-    fail_degenerate(parser, context, "Degenerate cylinder, base point = apex point.");
+    parser.fail("Degenerate cylinder, base point = apex point.");
   }
   return s;
 }
 
-ShapeDesc parse_cone(Parser& parser, Context& context) {
+ShapeDesc parse_cone(Parser& parser, Context&) {
   ConeShape s;
   s.base = parser.parse_vector();
   parser.parse_comma();
@@ -89,7 +83,7 @@ ShapeDesc parse_cone(Parser& parser, Context& context) {
   s.cap_radius = parser.parse_float();
   s.open = parser.accept(Keyword::kOpen);
   if (length(s.cap - s.base) < kTiny) {
-    fail_degenerate(parser, context, "Degenerate cone, base point = apex point.");
+    parser.fail("Degenerate cone, base point = apex point.");
   }
   return s;
 }

@@ -1,5 +1,6 @@
 #include "parser/grammar/productions.h"
 
+#include "parser/compile/object_query.h"
 #include "parser/grammar/atmosphere.h"
 #include "parser/grammar/camera.h"
 #include "parser/grammar/object.h"
@@ -50,25 +51,18 @@ void Grammar::set_default(Parser& parser) {
   }
 }
 
-ObjectQuery Grammar::query(const ObjectDesc& object) {
-  ObjectQuery query(object);
-  if (!query.is_whole()) m_context.has_guesses = true;
-  return query;
-}
-
 bool Grammar::inside(const ObjectDesc& object, const core::Vec3& point) {
-  return query(object).inside(point);
+  return ObjectQuery(object).inside(point);
 }
 
 bool Grammar::trace(const ObjectDesc& object, const core::Vec3& origin, const core::Vec3& direction,
                     core::Vec3& point, core::Vec3& normal) {
-  return query(object).trace(origin, direction, point, normal);
+  return ObjectQuery(object).trace(origin, direction, point, normal);
 }
 
 void Grammar::extent(const ObjectDesc& object, core::Vec3& lo, core::Vec3& hi) {
   bool is_whole = true;
   const core::Bounds box = stock_box(object, is_whole);
-  if (!is_whole) m_context.has_guesses = true;
   lo = box.lo;
   hi = box.hi;
 }

@@ -2,7 +2,6 @@
 // expressions call back. One Grammar a scene; not thread-safe.
 #pragma once
 
-#include "parser/compile/object_query.h"
 #include "parser/grammar/context.h"
 #include "parser/interpreter/parser.h"
 
@@ -22,8 +21,6 @@ class Grammar final : public Productions {
   Ref<FunctionDesc> pattern_function(Parser& parser) override;
 
  private:
-  ObjectQuery query(const ObjectDesc& object);
-
   Context m_context;
 };
 

@@ -1,5 +1,6 @@
 #include "parser/shapes/text_shape.h"
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <stdexcept>
@@ -177,11 +178,11 @@ std::vector<PlacedGlyph> TextLayout::place(const TextShape& text) {
     // The space left of the first character does not count.
     const double start = first ? -glyph.bearing : static_cast<double>(kerning.x);
     const core::Vec3 place = pen + core::Vec3{start / em, 0.0, 0.0};
+    // Stock's box of what reaches to the left of the pen is as wide as from there on.
+    const double width = glyph.width + std::max(0.0, -glyph.bearing);
     const Vec2 corner{place.x + glyph.bearing / em, place.y + (glyph.top - glyph.height) / em};
-    glyphs.push_back({glyph.outline,
-                      place,
-                      corner,
-                      {corner.u + glyph.width / em, corner.v + glyph.height / em}});
+    glyphs.push_back(
+        {glyph.outline, place, corner, {corner.u + width / em, corner.v + glyph.height / em}});
     pen.x += (glyph.advance + start) / em;
     pen += core::Vec3{text.offset.x, text.offset.y, 0.0};
     before = index;

@@ -13,7 +13,7 @@ struct Limits {
   std::size_t string_bytes = 100'000'000;    ///< of one string
   std::size_t nesting = 10'000;              ///< macros and includes within each other
   std::size_t array_depth = 1'000;           ///< arrays in arrays
-  std::size_t nested = 20'000;               ///< objects or looks in each other; see most_levels()
+  std::size_t nested = 1'000'000;            ///< objects or looks in each other; see most_levels()
   std::size_t layers = 10'000;               ///< of one texture
   std::size_t function_depth = 200;          ///< functions calling functions
   std::size_t function_operands = 10'000;    ///< in the text of one function

@@ -23,8 +23,8 @@ void end_ball(ObjectDesc& object, const Transform& since) {
   }
 }
 
-/// A box of a box is larger only where both were turned.
-void turn_csg(ObjectDesc& object, const Transform& since, const Transform& step) {
+/// A box of a box is larger only where both were turned. A text was turned before it was moved at all.
+void turn_box(ObjectDesc& object, const Transform& since, const Transform& step) {
   const PlacementSteps& steps = *object.transform->steps;
   if (steps.empty()) {
     const Transform before = object.transform->then(since);
@@ -70,8 +70,8 @@ void note_step(ObjectDesc& object, const Transform& since, const TransformStep& 
   if (std::holds_alternative<SphereShape>(object.shape) ||
       std::holds_alternative<SphereSweepShape>(object.shape)) {
     if (!step.keeps_balls) end_ball(object, since);
-  } else if (object.csg()) {
-    turn_csg(object, since, step.transform);
+  } else if (object.csg() || std::holds_alternative<Sparse<TextShape>>(object.shape)) {
+    turn_box(object, since, step.transform);
   } else if (is_quadric(object)) {
     turn_quadric(object, since, step.transform);
   }

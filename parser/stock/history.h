@@ -1,5 +1,5 @@
 // The order in which an object was placed and clipped, kept as far as stock's boxes depend on it: a ball stays a
-// ball until it is stretched, the box of a turned CSG is turned again, a quadric's box is found when it is clipped.
+// ball until it is stretched, the box of a turned CSG or text is turned again, a quadric's box is found when it is clipped.
 // Nothing is kept of objects with a usual history. Geometry comes later, see stock_box.h.
 // Source: measured on stock (tests/compat/language/objects.cases, extents.cases). Errors: none. One thread.
 #pragma once

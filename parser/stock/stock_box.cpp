@@ -219,8 +219,11 @@ class BoxFinder {
     }
     if (box.is_empty() || is_long(box)) return everything();
     box = kept(box);
-    const PlacementSteps& steps = *o.transform->steps;
-    if (steps.empty()) return moved(box, *o.transform);
+    return moved_by_steps(box, *o.transform);
+  }
+  static Bounds moved_by_steps(Bounds box, const Placement& placement) {
+    const PlacementSteps& steps = *placement.steps;
+    if (steps.empty()) return moved(box, placement);
     for (const PlacementStep& step : steps) box = moved(box, step.transform);
     return box;
   }
@@ -341,10 +344,16 @@ class BoxFinder {
   }
   Bounds leaf(const LatheShape& s, const ObjectDesc& o) { return of_points(s, o); }
   Bounds leaf(const PrismShape& s, const ObjectDesc& o) { return of_points(s, o); }
-  /// Of the boxes that the font gives its glyphs, blanks too. Without a glyph it is taken for infinite.
+  /// Of the boxes that the font gives its glyphs, blanks too, a little thicker than the text. Stock turns each text a
+  /// little to begin with. Without a glyph it is taken for infinite.
   static Bounds leaf(const Sparse<TextShape>& s, const ObjectDesc& o) {
-    const Bounds box = text_box(*s, o.where);
-    return box.is_empty() ? everything() : moved(kept(box), *o.transform);
+    constexpr double kThicker = 1e-6, kTurn = 0.001;
+    Bounds box = text_box(*s, o.where);
+    if (box.is_empty()) return everything();
+    box.lo.z -= kThicker;
+    box.hi.z += kThicker;
+    static const Transform kTurned = Transform::rotation(Vec3(kTurn));
+    return moved_by_steps(moved(kept(box), kTurned), *o.transform);
   }
   /// That of its container.
   Bounds leaf(const Sparse<ParametricShape>& s, const ObjectDesc& o) {

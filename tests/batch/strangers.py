@@ -5,30 +5,24 @@ Each attack is an INI file beside a scene, rendered by lentray-batch and by lent
 changes, none outside is read, no command runs; a refusal tells the line of the INI file. What the rules permit is
 rendered. The folder is not below /tmp, where Debian's povray.conf lets scenes write.
 """
-import argparse
 import json
 import os
 import pathlib
-import subprocess
+import sys
 import tempfile
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from world import Folders, expect, programs, verdict  # noqa: E402
 
 SCENE = "camera{location -5*z look_at 0} light_source{<2,4,-8>,1} sphere{0,1}\n"
 SECRET = "// SECRET\n"
-failed = 0
 
 
-def expect(condition, *what):
-    global failed
-    if not condition:
-        failed += 1
-        print("FAILED:", *what)
-
-
-class World:
+class World(Folders):
     """Folders strangers (scene and ini), victim (outside), home (a povray.conf that permits nothing)."""
 
     def __init__(self, root, binaries):
-        self.root, self.bin = pathlib.Path(root), binaries
+        super().__init__(root, binaries)
         for folder in ("strangers/sub", "victim/lib", "home/.povray/3.7", "work"):
             (self.root / folder).mkdir(parents=True)
         (self.root / "home/.povray/3.7/povray.conf").write_text("[File I/O Security]\nrestricted\n[Shellout Security]\nallowed\n")
@@ -51,9 +45,7 @@ class World:
         (self.root / "strangers/a.ini").write_text(ini.replace("ROOT", str(self.root)))
 
     def run(self, program, *words, cwd="work"):
-        done = subprocess.run([self.bin / program, *words], cwd=self.root / cwd, capture_output=True, text=True, errors="replace",
-                              env=dict(os.environ, HOME=str(self.root / "home"), POVINI=""), timeout=120)
-        return done.returncode, done.stdout + done.stderr
+        return super().run(program, *words, cwd=cwd)
 
     def batch(self, *words):
         status, said = self.run("lentray-batch", "../strangers", "--out", "out", "+W8", "+H6", "--quiet", *words)
@@ -181,16 +173,13 @@ def links_of_pictures(place, binaries):
 
 
 def main():
-    parser = argparse.ArgumentParser()
-    parser.add_argument("--bin", required=True, type=pathlib.Path)
-    binaries = parser.parse_args().bin.resolve()
+    binaries = programs()
     with tempfile.TemporaryDirectory(dir=binaries.parent) as place:
         attacks(place, binaries)
         permitted(place, binaries)
         sticky(place, binaries)
         links_of_pictures(place, binaries)
-    print("failed:", failed) if failed else print("strangers' INI files: all hold")
-    return 1 if failed else 0
+    return verdict("strangers' INI files: all hold")
 
 
 if __name__ == "__main__":

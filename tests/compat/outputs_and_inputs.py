@@ -4,12 +4,15 @@
 Every kind of input, every kind of output, by its name, a longer path, a link and a hard link: an error, and nothing
 is touched. Also two outputs of one run that are one file, and pipes that nobody reads.
 """
-import argparse
 import os
 import pathlib
 import subprocess
+import sys
 import tempfile
 import time
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from world import Folders, expect, programs, verdict  # noqa: E402
 
 SCENE = """#debug "said\\n"
 #include "a.inc"
@@ -18,19 +21,11 @@ sphere{0,1 pigment{image_map{png "map.png"}}} text{ttf "font.ttf" "a" 1,0}
 """
 FONTS = ("/usr/share/povray-3.7/include/timrom.ttf", "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf")
 FONT = next((font for font in FONTS if os.path.exists(font)), "")
-failed = 0
 
 
-def expect(condition, *what):
-    global failed
-    if not condition:
-        failed += 1
-        print("FAILED:", *what)
-
-
-class World:
+class World(Folders):
     def __init__(self, root, binaries):
-        self.root, self.bin = pathlib.Path(root), binaries
+        super().__init__(root, binaries)
         self.put("a.pov", SCENE if FONT else SCENE.split("text{")[0])
         self.put("plain.pov", "camera{location -5*z look_at 0} light_source{<2,4,-8>,1} sphere{0,1}\n")
         self.put("a.inc", "#declare A = 1;\n")
@@ -46,11 +41,6 @@ class World:
 
     def put(self, name, text):
         (self.root / name).write_text(text)
-
-    def run(self, program, *words, seconds=120):
-        done = subprocess.run([self.bin / program, *map(str, words)], cwd=self.root, capture_output=True, text=True, errors="replace",
-                              env=dict(os.environ, HOME=str(self.root / "home"), POVINI=""), timeout=seconds)
-        return done.returncode, done.stdout + done.stderr
 
     def contents(self):
         return {str(p): p.read_bytes() for p in self.root.rglob("*") if p.is_file()}
@@ -195,14 +185,11 @@ def words_with_equals(world):
 
 
 def main():
-    parser = argparse.ArgumentParser()
-    parser.add_argument("--bin", required=True, type=pathlib.Path)
-    binaries = parser.parse_args().bin.resolve()
+    binaries = programs()
     for check in (texts_of_lentray, pictures_of_lentray, other_programs, two_outputs, pipes, words_with_equals):
         with tempfile.TemporaryDirectory() as root:
             check(World(root, binaries))
-    print("failed:", failed) if failed else print("no output is an input")
-    return 1 if failed else 0
+    return verdict("no output is an input")
 
 
 if __name__ == "__main__":

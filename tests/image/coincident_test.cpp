@@ -1,4 +1,5 @@
-// Parts of CSG whose surfaces coincide. Merged or intersected, stock shows specks and holes there, as rounding
+// Surfaces that coincide, of objects and of parts of CSG. Of objects shows the one whose box the ray enters first.
+// Parts of CSG: merged or intersected, stock shows specks and holes there, as rounding
 // decides which surface is within the other; the reference is its picture of the solid that they make. What is cut
 // away with a wall of its own on a wall of the rest keeps that wall, in both.
 #include <gtest/gtest.h>
@@ -84,6 +85,44 @@ TEST(ImageCoincidentWalls, StayWhereTheyAreCut) {
                                 "cylinder { -y, y, 1 } cylinder { -.5*y, 1.5*y, 1 }",
                                 "torus { .7, .3 } torus { .7, .3 }"}) {
     EXPECT_TRUE(same_as_stock(coincident_scene("difference { " + cut + " rotate 20*y }"))) << cut;
+  }
+}
+
+/// What is clear and stands on a table, in either order: a ray leaves it before it comes to the table.
+TEST(ImageCoincidentObjects, GlassOnATable) {
+  const std::string checks = "pigment { checker rgb <.8,.6,.3> rgb <.3,.1,.1> scale .4 } }";
+  const std::string glass =
+      "texture { pigment { rgbf <.9,1,.95,.9> } finish { reflection .05 } } interior { ior 1.4 } }";
+  const std::string glow = "hollow pigment { rgbt 1 } interior { media { emission .5 } } }";
+  const std::string parts[] = {"box { <-.8,-.7,-.8>, <.8,.4,.8> " + glass,
+                               "box { <-.8,-.7,-.8>, <.8,.4,.8> " + glow,
+                               "prism { -.7, .4, 4 <-.8,-.8>, <.8,-.8>, <0,.8>, <-.8,-.8> " + glow};
+  for (const std::string& table :
+       {"box { <-2,-1,-2>, <2,-.7,2> " + checks,
+        "union { box { <-2,-1,-2>, <2,-.7,2> } box { <-2,-2,-2>, <-1.7,-.7,2> } " + checks}) {
+    for (const std::string& part : parts) {
+      for (const std::string& both : {table + part, part + table}) {
+        const SceneText scene = coincident_scene(both);
+        EXPECT_TRUE(same_as_stock(scene)) << both;
+        const StoredImage picture = lentray_render(scene);
+        for (const char* accelerator : {"Accelerator=list", "Accelerator=grid"})
+          EXPECT_TRUE(same_bits(picture, lentray_render(scene, {accelerator}))) << both;
+      }
+    }
+  }
+}
+
+/// Round ends are where their planes are, to the last bit: no specks of a floor below the end.
+TEST(ImageCoincidentObjects, RoundEndsOnAFloor) {
+  const std::string floor = "plane { y, 0 pigment { checker rgb .9 rgb .2 } } ";
+  const std::string glow = "hollow pigment { rgbt 1 } interior { media { emission .3 } } }";
+  for (const std::string part : {"cylinder { 0, 1.3*y, .8 ", "cone { 0, .9, 1.3*y, .3 "}) {
+    const StoredImage together = lentray_render(coincident_scene(floor + part + glow));
+    // Of the plane and what stands on it a ray comes to the plane first, as if the solid went on below.
+    const std::string deeper =
+        part[1] == 'y' ? "cylinder { -y, 1.3*y, .8 " : "cone { -1.3*y, 1.5, 1.3*y, .3 ";
+    const StoredImage through = lentray_render(coincident_scene(floor + deeper + glow));
+    EXPECT_TRUE(reaches(together, through, Grade::exact)) << part;
   }
 }
 

@@ -58,5 +58,16 @@ TEST(ImageNestedScenes, ThousandsOfLevels) {
   }
 }
 
+/// Who waits for a picture of more than a second is told how far it is: what finds that out meets the same depth.
+TEST(ImageNestedScenes, ProgressOfDeepMerges) {
+  const tool::TemporaryFolder folder;
+  tool::write_text(folder / "scene.pov",
+                   nested_scene(kNestedBall, "merge { object { A } " + kNestedMore + " }",
+                                "object { A }", 25'000));
+  const tool::RunResult result =
+      run_lentray({"+Iscene.pov", "+Oscene.png", "+W12", "+H9", "-D"}, folder.path());
+  EXPECT_EQ(result.status, 0) << result.output;
+}
+
 }  // namespace
 }  // namespace lentray::test

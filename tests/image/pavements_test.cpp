@@ -2,23 +2,17 @@
 // values, number by number. Stock has them in pigments, normals and maps: a grey ramp shows them.
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "core/pattern/pavement.h"
-#include "parser/compile/pattern_compiler.h"
 #include "tests/image/stock_values.h"
-#include "tests/unit/material_reading.h"
 
 namespace lentray::parser::test {
 namespace {
 
 using core::Pavement;
-
-constexpr const char* kGreys = " color_map { [0 rgb 0] [1 rgb 1] } ";
 
 std::string pavement_words(const Pavement& p) {
   std::ostringstream words;
@@ -67,27 +61,8 @@ class ImagePavements : public ::testing::TestWithParam<int> {
     return {GetParam(), 5, GetParam() == 3 ? 3 : 16, exterior, interior, form};
   }
   static void expect_stocks_values(const std::string& transforms) {
-    for (const int look : {0, 1, 2}) {
-      const std::string text = pavement_words(rich(look, look, look)) + kGreys + transforms;
-      const auto stock = stock_values("pigment { " + text + " }", "", {"V.red"});
-      const LooksText read("pigment { " + text + " }");
-      const TextureSettings settings;
-      std::set<std::string> not_yet;
-      const PatternBuild build{settings, not_yet, nullptr, nullptr};
-      const core::PlacedPattern ours = compile_placed(read.pattern(), core::Placement(), build);
-      EXPECT_TRUE(not_yet.empty());
-      const auto points = sample_points();
-      for (std::size_t i = 0; i < points.size(); ++i) {
-        if (at_corner(points[i])) continue;
-        expect_same(ours.value(ours.placement.inwards(points[i])), stock[i], 2e-6, points[i]);
-      }
-    }
-  }
-
- private:
-  /// Of cells, where neighbours' values differ.
-  static bool at_corner(const core::Vec3& p) {
-    return 2 * p.x == std::floor(2 * p.x) && 2 * p.z == std::floor(2 * p.z);
+    for (const int look : {0, 1, 2})
+      expect_stocks_tiles(pavement_words(rich(look, look, look)), transforms);
   }
 };
 

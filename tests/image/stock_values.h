@@ -7,12 +7,15 @@
 #include <fstream>
 #include <iomanip>
 #include <random>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "core/base/vec3.h"
+#include "parser/compile/pattern_compiler.h"
 #include "tests/support/render.h"
+#include "tests/unit/material_reading.h"
 
 namespace lentray::parser::test {
 
@@ -58,6 +61,28 @@ inline std::vector<double> stock_values(const std::string& function, const std::
 inline void expect_same(double ours, double stock, double tolerance, const core::Vec3& at) {
   if (std::isnan(ours) && std::isnan(stock)) return;
   EXPECT_NEAR(ours, stock, tolerance) << "at " << at.x << ' ' << at.y << ' ' << at.z;
+}
+
+/// For values of pigments: a grey ramp shows a pattern's as floats.
+inline constexpr const char* kGreys = " color_map { [0 rgb 0] [1 rgb 1] } ";
+
+/// The pattern of the words, with these transforms after it, has stock's values. Points of whole and half
+/// numbers are left out: they are on edges and corners of many tiles.
+inline void expect_stocks_tiles(const std::string& words, const std::string& transforms) {
+  const std::string text = "pigment { " + words + kGreys + transforms + " }";
+  const auto stock = stock_values(text, "", {"V.red"});
+  const LooksText read(text);
+  const TextureSettings settings;
+  std::set<std::string> not_yet;
+  const PatternBuild build{settings, not_yet, nullptr, nullptr};
+  const core::PlacedPattern ours = compile_placed(read.pattern(), core::Placement(), build);
+  EXPECT_TRUE(not_yet.empty());
+  const auto points = sample_points();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const core::Vec3 twice = 2.0 * points[i];
+    if (twice.x == std::floor(twice.x) && twice.z == std::floor(twice.z)) continue;
+    expect_same(ours.value(ours.placement.inwards(points[i])), stock[i], 2e-6, points[i]);
+  }
 }
 
 }  // namespace lentray::parser::test

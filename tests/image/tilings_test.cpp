@@ -2,44 +2,19 @@
 // pigments only: a grey ramp shows their values as floats.
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <iomanip>
-#include <set>
 #include <sstream>
 #include <string>
 
-#include "parser/compile/pattern_compiler.h"
 #include "tests/image/stock_values.h"
-#include "tests/unit/material_reading.h"
 
 namespace lentray::parser::test {
 namespace {
 
-constexpr const char* kRamp = " color_map { [0 rgb 0] [1 rgb 1] } ";
-
 class ImageTilings : public ::testing::TestWithParam<int> {
  protected:
-  /// The tiling with these transforms after it has stock's values.
   static void expect_stocks(const std::string& transforms) {
-    const std::string text = "tiling " + std::to_string(GetParam()) + kRamp + transforms;
-    const auto stock = stock_values("pigment { " + text + " }", "", {"V.red"});
-    const LooksText read("pigment { " + text + " }");
-    const TextureSettings settings;
-    std::set<std::string> not_yet;
-    const PatternBuild build{settings, not_yet, nullptr, nullptr};
-    const core::PlacedPattern ours = compile_placed(read.pattern(), core::Placement(), build);
-    EXPECT_TRUE(not_yet.empty());
-    const auto points = sample_points();
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      if (on_edge(points[i])) continue;
-      expect_same(ours.value(ours.placement.inwards(points[i])), stock[i], 2e-6, points[i]);
-    }
-  }
-
- private:
-  /// The points of whole and half numbers are on edges and corners of many tiles.
-  static bool on_edge(const core::Vec3& p) {
-    return 2 * p.x == std::floor(2 * p.x) && 2 * p.z == std::floor(2 * p.z);
+    expect_stocks_tiles("tiling " + std::to_string(GetParam()), transforms);
   }
 };
 

@@ -34,11 +34,20 @@ void replace(json& value, std::string (*made)(std::string_view)) {
   }
 }
 
+bool is_deeper(const json& value, std::size_t levels) {
+  if (!value.is_structured()) return false;
+  return levels == 0 || std::ranges::any_of(value, [levels](const json& part) {
+           return is_deeper(part, levels - 1);
+         });
+}
+
 }  // namespace
 
 std::string json_text(json value, int indent, bool ascii) {
   replace(value, parser::utf8_of_bytes);
-  return value.dump(indent, ' ', ascii);
+  // Indented text grows with the square of the depth.
+  constexpr std::size_t kMostIndented = 1'000;
+  return value.dump(is_deeper(value, kMostIndented) ? -1 : indent, ' ', ascii);
 }
 
 json parse_json(std::string_view text) {

@@ -8,7 +8,7 @@
 
 namespace lentray::tool {
 
-/// `indent` as in nlohmann::json::dump(); `ascii`: characters beyond ASCII are escaped.
+/// `indent` as in nlohmann::json::dump(), but what nests more than 1,000 deep is one line; `ascii`: characters beyond ASCII are escaped.
 std::string json_text(nlohmann::json value, int indent = -1, bool ascii = false);
 
 /// Throws nlohmann::json::exception.
