@@ -86,13 +86,15 @@ TEST_P(UnitDumpSays, WhatTheSceneSays) {
   EXPECT_EQ(scene[pointer].dump(), GetParam().value) << scene.dump(1);
 }
 
-/// What stock does, not what its manual says.
+/// Defaults are left out: what stock does, not what its manual says.
 INSTANTIATE_TEST_SUITE_P(
     PhotonDefaults, UnitDumpSays,
-    ::testing::Values(Said{"global_settings { photons { } }", "/global/photons/autostop", "0.5"},
-                      Said{"global_settings { photons { } }", "/global/photons/expand_increase",
-                           "0.2"},
-                      Said{"global_settings { photons { } }", "/global/photons/expand_min", "35"}));
+    ::testing::Values(Said{"global_settings { photons { autostop .5 expand_thresholds .2, 35 } }",
+                           "/global/photons", "{}"},
+                      Said{"global_settings { photons { autostop 0 } }", "/global/photons/autostop",
+                           "0.0"},
+                      Said{"global_settings { photons { expand_thresholds .2, 40 } }",
+                           "/global/photons/expand_min", "40"}));
 
 #define LENTRAY_MEDIA(words) \
   "sphere { 0, 1 hollow interior { media { density { rgb 1 } " words " } } }"
