@@ -6,12 +6,14 @@
 namespace lentray::parser {
 
 SceneDesc read_descriptions(const std::string& path, SourceManager& sources,
-                            Diagnostics& diagnostics, const ParserOptions& options) {
+                            Diagnostics& diagnostics, const ParserOptions& options,
+                            PictureReads* reads) {
   Grammar grammar;
   Parser parser(sources, diagnostics, options, grammar);
   parser.open(path);
   SceneDesc scene = parse_scene(parser, grammar);
   parser.finish();
+  if (reads) *reads = parser.reads();
   return scene;
 }
 

@@ -24,8 +24,10 @@ struct ReadScene {
 ReadScene read_scene(const std::string& path, SourceManager& sources, Diagnostics& diagnostics,
                      const ParserOptions& options, const BuildOptions& build = {});
 
-/// The descriptions alone.
+/// The descriptions alone. `reads`: gets what of its picture the scene has asked for; null: nobody
+/// wants to know.
 SceneDesc read_descriptions(const std::string& path, SourceManager& sources,
-                            Diagnostics& diagnostics, const ParserOptions& options);
+                            Diagnostics& diagnostics, const ParserOptions& options,
+                            PictureReads* reads = nullptr);
 
 }  // namespace lentray::parser

@@ -81,7 +81,8 @@ double tolerance_scale_of(const std::vector<std::unique_ptr<Object>>& objects) {
 
 }  // namespace
 
-Scene::Scene(SceneParts parts, const CompileOptions& options) : m_parts(std::move(parts)) {
+Scene::Scene(SceneParts parts, const CompileOptions& options)
+    : m_parts(std::move(parts)), m_accelerator(options.accelerator) {
   Splitter split;
   std::uint32_t whole = 0;
   for (auto& object : m_parts.objects) split.add(std::move(object), whole++);
@@ -97,9 +98,13 @@ Scene::Scene(SceneParts parts, const CompileOptions& options) : m_parts(std::mov
   m_solids = std::make_unique<SolidIndex>(m_parts.objects);
   m_hierarchy = std::make_unique<Hierarchy>(m_parts.objects, options.accelerator);
   m_light_buffers.resize(m_parts.lights.size());
-  if (options.light_buffer_pixels == 0 || options.accelerator != Accelerator::kBvh) return;
-  if (!worth_buffers(m_parts.objects.size(), options.light_buffer_pixels)) return;
-  const std::uint32_t cells = buffer_cells(m_parts.objects.size(), options.light_buffer_pixels);
+}
+
+void Scene::build_light_buffers(std::uint64_t camera_rays) {
+  for (auto& buffer : m_light_buffers) buffer.reset();
+  if (m_accelerator != Accelerator::kBvh) return;
+  if (!worth_buffers(m_parts.objects.size(), camera_rays)) return;
+  const std::uint32_t cells = buffer_cells(m_parts.objects.size(), camera_rays);
   for (std::size_t i = 0; i < m_light_buffers.size(); ++i) {
     const Light& light = m_parts.lights[i];
     if (!suits_buffer(light)) continue;

@@ -1,5 +1,5 @@
 // The compiled scene: immutable, flat, everything the kernel asks while rendering.
-// World space. Built once (scene_compiler), then shared const by all threads.
+// World space. Built once (parser/compile), then shared const by all threads.
 #pragma once
 
 #include <cstdint>
@@ -72,9 +72,6 @@ struct SceneParts {
 struct CompileOptions {
   bool general_path = false;  ///< no specialisation, at the same bits: to see what it saves
   Accelerator accelerator = Accelerator::kBvh;
-  /// Light_Buffer: cells of directions about each light, for about so many camera rays;
-  /// 0: none. Only beside the hierarchy: who asks for a grid or a list asks for its search.
-  std::uint64_t light_buffer_pixels = 0;
 };
 
 class Scene {
@@ -82,6 +79,11 @@ class Scene {
   Scene(SceneParts parts,
         const CompileOptions& options);  ///< compiles: splits unions, builds the hierarchy
   ~Scene();
+  /// Light_Buffer: cells of directions about each light, as fine as pays for so many camera rays,
+  /// in place of those there were. Only beside the hierarchy: who asks for a grid or a list asks
+  /// for its search. The one thing that changes in a scene: between pictures, never while one is
+  /// rendered.
+  void build_light_buffers(std::uint64_t camera_rays);
   Scene(const Scene&) = delete;
   Scene& operator=(const Scene&) = delete;
 
@@ -114,6 +116,7 @@ class Scene {
   SceneParts m_parts;
   std::unique_ptr<SolidIndex> m_solids;
   std::unique_ptr<Hierarchy> m_hierarchy;
+  const Accelerator m_accelerator;
   std::vector<std::unique_ptr<LightBuffer>> m_light_buffers;  ///< one a light, null where none
   std::vector<std::uint32_t> m_global_lights;
   Needs m_needs;

@@ -131,7 +131,10 @@ void warn_about_version(Parser& parser) {
 
 SceneDesc parse_scene(Parser& parser, Grammar& grammar) {
   SceneDesc scene;
-  while (!parser.at_end()) read_statement(parser, grammar, scene);
+  while (!parser.at_end()) {
+    parser.stop_if_asked();
+    read_statement(parser, grammar, scene);
+  }
   if (scene.objects.empty() && scene.dropped == 0) parser.warn("there are no objects in the scene");
   scene.language_version = rendered_version(parser);
   scene.deepest = parser.deepest();

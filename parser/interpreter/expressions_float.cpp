@@ -20,8 +20,14 @@ bool Expressions::keyword_float(Keyword keyword, double& value) {
     case Keyword::kFalse:
     case Keyword::kNo:
     case Keyword::kOff: value = 0.0; return true;
-    case Keyword::kClock: value = m_in.options.frame.clock; return true;
-    case Keyword::kClockOn: value = m_in.options.frame.clock_on ? 1.0 : 0.0; return true;
+    case Keyword::kClock:
+      m_in.reads.clock = true;
+      value = m_in.options.frame.clock;
+      return true;
+    case Keyword::kClockOn:
+      m_in.reads.clock = true;
+      value = m_in.options.frame.clock_on ? 1.0 : 0.0;
+      return true;
     case Keyword::kVersion: value = m_in.version / 100.0; return true;
     case Keyword::kNow: {
       // Days since the year 2000 began.

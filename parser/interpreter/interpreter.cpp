@@ -154,15 +154,20 @@ void Interpreter::declare_constants() {
     symbols.declare_global(names.intern(name)).reset(std::move(value));
   };
   const auto number = [&](std::string_view name, double x) { declare(name, Number::scalar(x)); };
+  const auto watched = [&](std::string_view name, double x, bool& was_read) {
+    Symbol& symbol = symbols.declare_global(names.intern(name));
+    symbol.reset(Number::scalar(x));
+    symbol.edit_extras().was_read = &was_read;
+  };
   const FrameClock& frame = options.frame;
-  number("clock_delta", frame.clock_delta);
-  number("frame_number", frame.frame_number);
-  number("initial_frame", frame.initial_frame);
-  number("final_frame", frame.final_frame);
-  number("initial_clock", frame.initial_clock);
-  number("final_clock", frame.final_clock);
-  number("image_width", options.image_width);
-  number("image_height", options.image_height);
+  watched("clock_delta", frame.clock_delta, reads.clock);
+  watched("frame_number", frame.frame_number, reads.frames);
+  watched("initial_frame", frame.initial_frame, reads.frames);
+  watched("final_frame", frame.final_frame, reads.frames);
+  watched("initial_clock", frame.initial_clock, reads.clock);
+  watched("final_clock", frame.final_clock, reads.clock);
+  watched("image_width", options.image_width, reads.width);
+  watched("image_height", options.image_height, reads.height);
   for (const auto& [name, text] : options.declares) {
     char* end = nullptr;
     const double x = std::strtod(text.c_str(), &end);

@@ -15,6 +15,7 @@
 #include "parser/interpreter/script_files.h"
 #include "parser/interpreter/token_reader.h"
 #include "parser/source/build_error.h"
+#include "parser/source/cancelled.h"
 #include "parser/tokens/names.h"
 #include "parser/tokens/token_stream.h"
 #include "parser/values/symbols.h"
@@ -30,6 +31,7 @@ struct Interpreter {
   const ParserOptions options;
   Productions& productions;
   Parser& parser;
+  PictureReads reads{};
 
   NameTable names;
   TokenStream stream;
@@ -107,8 +109,12 @@ struct Interpreter {
   void guard_stack() {
     if (stack_address() < m_stack_end) stack_exhausted();
   }
+  void stop_if_asked() const {
+    if (options.cancel && options.cancel->load(std::memory_order_relaxed)) throw Cancelled();
+  }
   /// Counts a turn of a loop, a call of a macro or an include; fails when there were too many.
   void count_turn() {
+    stop_if_asked();
     if (++m_turns > options.limits.turns) too_many_turns();
   }
 

@@ -39,6 +39,8 @@ void Parser::open(const std::string& path) {
 
 const Token& Parser::peek() { return m_impl->in.tokens.peek(); }
 Token Parser::next() { return m_impl->in.tokens.next(); }
+void Parser::stop_if_asked() const { m_impl->in.stop_if_asked(); }
+const PictureReads& Parser::reads() const { return m_impl->in.reads; }
 bool Parser::at_end() { return peek().kind == TokenKind::kEnd; }
 bool Parser::at(Keyword keyword) { return m_impl->in.tokens.at(keyword); }
 bool Parser::at(Punct punct) { return m_impl->in.tokens.at(punct); }

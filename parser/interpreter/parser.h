@@ -6,6 +6,7 @@
 // productions (parser/grammar) -> descriptions (parser/descriptions) -> compile (parser/compile).
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -15,6 +16,7 @@
 
 #include "core/base/transform.h"
 #include "parser/options/animation.h"
+#include "parser/options/picture_reads.h"
 #include "parser/source/diagnostics.h"
 #include "parser/source/limits.h"
 #include "parser/source/source.h"
@@ -58,6 +60,8 @@ struct ParserOptions {
   /// The scene will not be rendered: of objects that cannot go wrong only the number is kept.
   bool only_check = false;
   bool raw_expressions = true;  ///< false: every expression by the grammar, to compare the two
+  /// Set from outside to stop soon: Cancelled is thrown. Null: nobody asks.
+  const std::atomic<bool>* cancel = nullptr;
 };
 
 class Parser {
@@ -73,6 +77,8 @@ class Parser {
   const Token& peek();
   Token next();
   bool at_end();  ///< end of the scene
+  /// Throws Cancelled. Between statements; turns of loops and calls of macros ask by themselves.
+  void stop_if_asked() const;
   /// After the end: what the scene has written is on the disk, or this fails.
   void finish();
   bool at(Keyword keyword);
@@ -129,6 +135,7 @@ class Parser {
   bool has_own_version() const;       ///< not only its include files have one
   bool is_version_late() const;       ///< the scene's file says something before its #version
   const ParserOptions& options() const;
+  const PictureReads& reads() const;  ///< so far
   /// How many objects or looks may be in each other: as the limits, the stack and the memory permit.
   std::size_t most_levels() const;
   void note_levels(std::size_t levels);

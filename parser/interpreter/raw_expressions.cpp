@@ -169,6 +169,7 @@ const Value* RawExpressions::identifier_value() {
   if (!visible) return nullptr;
   Symbol& symbol = visible->target();
   if (symbol.macro() || symbol.deprecated()) return nullptr;
+  symbol.note_read();
   const Value* value = symbol.extras ? &symbol.resolve() : &symbol.value;
   ++m_at;
   if (is(Punct::kLeftSquare) && !element(value)) return nullptr;

@@ -129,6 +129,7 @@ bool TokenReader::identifier(const Token& raw) {
         return true;
       }
     }
+    if (!plain_names) symbol.note_read();
     if (symbol.deprecated() && !plain_names) {
       m_in.warn(raw.where, symbol.deprecated()->text);
       if (symbol.deprecated()->once) symbol.extras->deprecated.reset();

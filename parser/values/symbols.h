@@ -46,6 +46,7 @@ struct SymbolExtras {
       alias_array;  ///< a parameter: the array one of whose elements was passed
   std::size_t alias_index = 0;
   std::unique_ptr<Deprecation> deprecated;
+  bool* was_read = nullptr;  ///< set whenever the name is read; null: nobody wants to know
 };
 
 struct Symbol;
@@ -70,6 +71,9 @@ struct Symbol {
   const Macro* macro() const { return extras ? extras->macro.get() : nullptr; }
   ScriptFile* file() const { return extras ? extras->file.get() : nullptr; }
   ArrayValue* alias_array() const { return extras ? extras->alias_array.get() : nullptr; }
+  void note_read() const {
+    if (extras && extras->was_read) *extras->was_read = true;
+  }
   const Deprecation* deprecated() const { return extras ? extras->deprecated.get() : nullptr; }
 
   /// Makes it hold this value and nothing else; it stays in its scope.
@@ -91,7 +95,8 @@ struct Symbol {
 
   /// Its value is its own, and nothing happens when its name is read.
   bool is_plain() const {
-    return !alias && (!extras || !(extras->macro || extras->alias_array || extras->deprecated));
+    return !alias && (!extras || !(extras->macro || extras->alias_array || extras->deprecated ||
+                                   extras->was_read));
   }
 
   /// The symbol itself behind references.

@@ -127,7 +127,19 @@ INSTANTIATE_TEST_SUITE_P(Signals, ImageStopSignal,
                                            std::pair{SIGINT, "a.exr"}, std::pair{SIGTERM, "a.png"},
                                            std::pair{SIGHUP, "a.png"}));
 
-// Reading and a dear pixel are not asked whether they should stop; they are ended.
+// A reading stops by itself: what it has read so far is still written down. The program is not
+// ended from outside.
+TEST_F(ImageStop, AReadingStopsInOrder) {
+  tool::write_text(m_folder / "reads.pov", "#while (1) #end\n");
+  Running run({"reads.pov", "-V", "-GA", "Dependencies_File=d.json"}, m_folder.path());
+  std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  run.signal(SIGTERM);
+  EXPECT_EQ(run.wait(), 2) << text("log");
+  EXPECT_EQ(text("log"), "lentray: stopped; no picture was written\n");
+  EXPECT_NE(text("d.json").find("reads.pov"), std::string::npos);
+}
+
+// Building and a dear pixel are not asked whether they should stop; they are ended.
 TEST_F(ImageStop, WhateverItIsAtTheRunEndsSoon) {
   tool::write_text(m_folder / "reads.pov", "#while (1) #end\n");
   tool::write_text(

@@ -179,6 +179,59 @@ TEST_F(ImageViews, TheClockRunsOverTheViews) {
       read("v2.png"), render("still.png", {"Lenticular=On", "Views=3", "View=2", "+W64", "+H48"})));
 }
 
+/// The scene says so each time it is read.
+TEST_F(ImageViews, ViewsAreMadeOfOneReading) {
+  const auto readings = [&](const std::vector<std::string>& words, const std::string& more) {
+    tool::write_text(
+        m_folder / "counts.pov",
+        kViewsScene + more + "#fopen F \"readings\" append #write(F, \"x\") #fclose F\n");
+    std::filesystem::remove(m_folder / "readings");
+    EXPECT_EQ(lentray(views_with({"Lenticular=On", "+W32", "+H24", "+Ov.png"}, words), "counts.pov")
+                  .status,
+              0);
+    return tool::read_text(m_folder / "readings");
+  };
+  EXPECT_EQ(readings({"Views=3"}, ""), "x");
+  EXPECT_EQ(readings({"Views=3", "View_Clock=0..1"}, ""), "xxx")
+      << "its cylinder asks for the clock";
+  EXPECT_EQ(readings({"Views=3", "View_Clock=0..0"}, ""), "x") << "which is the same for all";
+  EXPECT_EQ(readings({"+KFI1", "+KFF2"}, ""), "xx");
+  // What each picture leaves besides.
+  const auto result = lentray({"Lenticular=On", "Views=2", "+W32", "+H24", "+Ov.png",
+                               "Statistics_File=s.json", "Dependencies_File=d.json"},
+                              "counts.pov");
+  EXPECT_EQ(result.status, 0) << result.output;
+  for (const char* name : {"s0.json", "s1.json", "d0.json", "d1.json"})
+    EXPECT_TRUE(is_there(name)) << name;
+  EXPECT_EQ(tool::read_text(m_folder / "d0.json"), tool::read_text(m_folder / "d1.json"));
+}
+
+/// With all that depends on what was read: focal blur, slanted lenses, names of objects, going on.
+TEST_F(ImageViews, ViewsOfOneReadingAreThoseOfTheirOwn) {
+  tool::write_text(m_folder / "blur.pov",
+                   std::string("#declare Camera = camera { location <0,0,-5> look_at 0 right x*4/3 "
+                               "aperture 0.3 blur_samples 7 focal_point 0 }\n") +
+                       kViewsScene);
+  for (const char* slant : {"Lens_Slant=0", "Lens_Slant=9"}) {
+    const std::vector<std::string> words{"Lenticular=On", "Lens_Pixels=8", slant,   "+W64",
+                                         "+H40",          "Views=4",       "+FN16", "+A0.2"};
+    ASSERT_EQ(lentray(views_with(words, {"+Oall.png"}), "blur.pov").status, 0);
+    for (const char* j : {"0", "1", "3"}) {
+      EXPECT_TRUE(
+          same_bits(read(std::string("all") + j + ".png"),
+                    render("one.png", views_with(words, {std::string("View=") + j}), "blur.pov")))
+          << slant << " " << j;
+    }
+  }
+  // The first view is there already, and the others are of a reading without it.
+  const std::vector<std::string> words{"Lenticular=On", "+W64", "+H40", "Views=3", "+C", "+Ov.png"};
+  ASSERT_EQ(lentray(words).status, 0);
+  const StoredImage last = read("v2.png");
+  for (const char* name : {"v1.png", "v2.png"}) std::filesystem::remove(m_folder / name);
+  ASSERT_EQ(lentray(words).status, 0);
+  EXPECT_TRUE(same_bits(read("v2.png"), last));
+}
+
 TEST_F(ImageViews, ToViewsAndBackTheSheetIsTheSame) {
   const StoredImage sheet = render("sheet.png", kWhole);
   expect_done({"sheet.png", "--all", "--out", "v##.png"});

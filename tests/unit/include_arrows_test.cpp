@@ -83,6 +83,13 @@ std::string fault(const std::string& file, const std::string& included) {
   if (kMayInclude.count(to) != 0 && kMayInclude.at(from).count(to) == 0) {
     return from + " must not know " + to;
   }
+  // What programs share knows none of them.
+  const bool is_shared = file.starts_with("tools/common/") || file.starts_with("tools/session/");
+  const bool is_session = included.starts_with("tools/session/");
+  if (is_shared && to == "tools" && !included.starts_with("tools/common/") &&
+      !(is_session && file.starts_with("tools/session/"))) {
+    return "what programs share must not know a program";
+  }
   if (room_of(included) > room_of(file) && room_of(file) >= 0) {
     return "a room must not know one above it";
   }
@@ -157,6 +164,9 @@ TEST(UnitHouseArrows, TheRulesCanFail) {
   EXPECT_EQ(fault("core/base/simd.h", "immintrin.h"), "");
   EXPECT_EQ(fault("tools/lentray/main.cpp", "parser/interpreter/parser.h"), "");
   EXPECT_EQ(fault("core/base/ray.h", "vector"), "");
+  EXPECT_NE(fault("tools/session/session.cpp", "tools/lentray/run.h"), "");
+  EXPECT_NE(fault("tools/common/csv.cpp", "tools/session/session.h"), "");
+  EXPECT_EQ(fault("tools/session/film.cpp", "tools/common/machine.h"), "");
   EXPECT_NE(fault("core/shape/box.h", "core/object/object.h"), "");
   EXPECT_NE(fault("parser/compile/scene.h", "parser/grammar/scene.h"), "");
   EXPECT_EQ(fault("core/object/leaf.h", "core/shape/shape.h"), "");

@@ -1,6 +1,6 @@
 // The file by which passes are gone on with: what comes back, what a killed run leaves, what is
 // refused.
-#include "tools/lentray/pass_file.h"
+#include "tools/session/pass_file.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -1,4 +1,4 @@
-#include "tools/lentray/picture_journal.h"
+#include "tools/session/picture_journal.h"
 
 #include <gtest/gtest.h>
 

@@ -10,7 +10,7 @@ namespace lentray::tool {
 /// beginning and its checksum.
 std::string companion_path(const std::string& path, const std::string& end);
 
-/// The journal of the picture at that path (tools/lentray/picture_journal.h).
+/// The journal of the picture at that path (tools/session/picture_journal.h).
 std::string journal_path(const std::string& picture);
 
 }  // namespace lentray::tool

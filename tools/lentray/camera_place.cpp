@@ -7,9 +7,9 @@
 
 namespace lentray::tool {
 
-void fail_with_place(const camera::CameraError& error,
-                     const std::optional<parser::CameraDesc>& camera,
-                     const parser::RenderOptions& options, parser::Diagnostics& diagnostics) {
+void fail_with_place(const camera::CameraError& error, Session& session,
+                     const parser::RenderOptions& options) {
+  const parser::CameraDesc* const camera = session.camera_statement();
   const std::size_t said = parser::said_count(options, error.about());
   const std::string text = parser::with_said(error.what(), options, error.about());
   const bool names_camera =
@@ -21,8 +21,7 @@ void fail_with_place(const camera::CameraError& error,
   }
   // What a lens sheet's own statement does not say is said by options, and the other way round.
   const bool is_sheet = camera->kind == parser::CameraKind::kLenticular;
-  if (is_of_statement || (is_sheet && said < error.about().size()))
-    diagnostics.fail(camera->where, text);
+  if (is_of_statement || (is_sheet && said < error.about().size())) session.fail_at_camera(text);
   throw camera::CameraError(text);
 }
 

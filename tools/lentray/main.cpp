@@ -22,16 +22,17 @@
 #include "parser/restrictions/scene_word_rules.h"
 #include "parser/source/build_error.h"
 #include "parser/source/diagnostics.h"
+#include "tools/common/machine.h"
 #include "tools/common/standard_streams.h"
 #include "tools/common/version.h"
 #include "tools/lentray/message_form.h"
 #include "tools/lentray/picture_run.h"
 #include "tools/lentray/run.h"
-#include "tools/lentray/run_guard.h"
-#include "tools/lentray/scene_disk.h"
 #include "tools/lentray/stock_form.h"
 #include "tools/lentray/text_streams.h"
 #include "tools/lentray/warnings.h"
+#include "tools/session/run_guard.h"
+#include "tools/session/scene_disk.h"
 
 namespace {
 
@@ -115,7 +116,8 @@ int run_guarded(const parser::RenderOptions& options) {
   tool::Warnings warnings(*g_form, options.warning_level);
   for (const std::string& text : options.warnings) warnings.tell(text);
   warnings.say();
-  tool::RunGuard guard;
+  tool::RunGuard guard(tool::TextStreams::keep_at_end);
+  guard.limit_memory(options.max_memory > 0.0 ? options.max_memory : tool::machine_memory());
   if (options.max_time > 0.0) guard.limit_time(options.max_time);
   const int status = guarded([&] {
     try {

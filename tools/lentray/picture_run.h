@@ -1,14 +1,14 @@
-// One picture, a still or a frame: read the scene, build and compile it, place the camera, render,
-// write. Everything that can be refused is refused before rendering starts. Messages go to standard
-// error; warnings are said before rendering, and what comes later at the end.
-// Errors, each worded for the user: parser::OptionError, parser::ParseError, camera::CameraError,
+// One picture, a still or a frame: read the scene unless the picture before has, place the camera,
+// render, write. Everything that can be refused is refused before rendering starts. Messages go to
+// standard error; warnings are said before rendering, and what comes later at the end. Errors, each
+// worded for the user: parser::OptionError, parser::ParseError, camera::CameraError,
 // core::ImageError. One thread calls.
 #pragma once
 
 #include <atomic>
 #include <functional>
+#include <memory>
 #include <string>
-#include <vector>
 
 #include "parser/options/animation.h"
 #include "parser/options/options.h"
@@ -18,13 +18,17 @@
 
 namespace lentray::tool {
 
+/// A scene that was read, with what it was read from.
+struct SceneInUse;
+
 struct Picture {
   const parser::RenderOptions& options;
   const parser::FrameClock& clock;
-  const std::string& scene;         ///< path of the file
-  bool is_last = true;              ///< the program ends after it
-  bool is_frame = false;            ///< of an animation
-  std::function<void()> is_read{};  ///< called when all that the scene reads is known
+  const std::string& scene;           ///< path of the file
+  std::shared_ptr<SceneInUse>& kept;  ///< of the picture before; becomes that of this one
+  bool is_last = true;                ///< the program ends after it
+  bool is_frame = false;              ///< of an animation
+  std::function<void()> is_read{};    ///< called when all that the scene reads is known
 };
 
 /// Whether a run with these options makes pictures, rather than tells about the scene.

@@ -2,17 +2,18 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <memory>
 
 #include "core/image/run_files.h"
 #include "core/image/writer.h"
 #include "parser/options/animation.h"
 #include "parser/options/create_ini.h"
 #include "parser/restrictions/povray_conf.h"
+#include "tools/common/text_file.h"
 #include "tools/lentray/commands.h"
-#include "tools/lentray/output.h"
-#include "tools/lentray/picture_journal.h"
 #include "tools/lentray/picture_run.h"
-#include "tools/lentray/scene_file.h"
+#include "tools/session/picture_journal.h"
+#include "tools/session/scene_file.h"
 
 namespace lentray::tool {
 namespace {
@@ -43,8 +44,8 @@ Frames frames_of(const RenderOptions& o) {
   return {{{parser::still_clock(o.clock, o.clock_given), ""}}, false};
 }
 
-/// One run of the program over its frames. Every frame reads the scene afresh, for it may read what the
-/// frame before wrote.
+/// One run of the program over its frames. Every frame reads the scene afresh, for it may read what
+/// the frame before wrote; views of one sheet are pictures of one reading.
 class Loop {
  public:
   Loop(const RenderOptions& options, const std::string& scene, const std::atomic<bool>& cancel,
@@ -90,7 +91,7 @@ class Loop {
     one.frame_digits = frame.digits;
     if (m_frames.is_animation) m_form.begin_frame(one, frame.clock, i + 1, m_frames.list.size());
     const bool is_last = i + 1 == m_frames.list.size();
-    return run_picture({one, frame.clock, m_scene, is_last, m_frames.is_animation,
+    return run_picture({one, frame.clock, m_scene, m_kept, is_last, m_frames.is_animation,
                         [this] {
                           m_form.texts().keep();
                           write_ini();
@@ -151,6 +152,7 @@ class Loop {
   MessageForm& m_form;
   Warnings& m_warnings;
   const Frames m_frames;
+  std::shared_ptr<SceneInUse> m_kept;
   bool m_has_ini = false;
 };
 

@@ -4,31 +4,9 @@
 #include <cstdarg>
 #include <cstdint>
 #include <cstdio>
-#include <nlohmann/json.hpp>
-
-#include "tools/lentray/output.h"
 
 namespace lentray::tool {
 namespace {
-
-shadow::LensReport lens_report(const camera::Lenticular& sheet) {
-  shadow::LensReport out;
-  out.parameters = sheet.sheet().lens();
-  out.lenses = sheet.sheet().lenses();
-  out.views = sheet.sheet().views();
-  out.lens_front = sheet.placement().front;
-  out.scene_units_per_mm = sheet.scale();
-  out.sheet_width = sheet.sheet().sheet_width();
-  out.sheet_height = sheet.placement().height / sheet.scale();
-  return out;
-}
-
-/// Of the space in which colours are computed: a power, "sRGB", or null where they go to the file as
-/// they are.
-nlohmann::json working_gamma(const core::SceneSettings& settings) {
-  if (settings.assumed_gamma > 0.0) return settings.assumed_gamma;
-  return settings.assumed_gamma_set ? nlohmann::json("sRGB") : nlohmann::json();
-}
 
 /// 1234567 as "1,234,567".
 std::string grouped(std::uint64_t number) {
@@ -66,20 +44,6 @@ std::string pass_line(const core::PassReport& pass) {
 }
 
 }  // namespace
-
-nlohmann::json statistics(const shadow::RunReport& report, const parser::RenderOptions& o,
-                          const CameraSetup& camera, const core::SceneSettings& settings) {
-  shadow::RunReport whole = report;
-  whole.scene = o.input;
-  whole.pixel_order = o.pixel_order;
-  whole.shadow_cache = o.shadow_cache;
-  whole.accelerator = o.accelerator;
-  if (camera.sheet) whole.lens = lens_report(*camera.sheet);
-  nlohmann::json out = shadow::to_json(whole);
-  out["image"]["working_gamma"] = working_gamma(settings);
-  if (camera.sheet) out["lens"].update(lens_json(camera.camera()));
-  return out;
-}
 
 std::string summary(const shadow::RunReport& report, const std::string& output) {
   const core::Counters& c = report.counters;

@@ -1,0 +1,304 @@
+#include "tools/session/camera_setup.h"
+
+#include <cmath>
+#include <utility>
+
+#include "camera/bent.h"
+#include "camera/blurred.h"
+#include "camera/conversion.h"
+#include "camera/curved.h"
+#include "camera/orthographic.h"
+#include "camera/perspective.h"
+#include "camera/sheet_views.h"
+#include "camera/text.h"
+#include "camera/thin_lens.h"
+
+namespace lentray::tool {
+namespace {
+
+/// What a lens is like.
+bool asks_for_lens_itself(const CameraOptions& o) {
+  return !o.lens.is_empty() || o.lens.pixels || o.lens.print_dpi || o.lens.model ||
+         o.lens.automatic_model || o.lens.tolerance || o.lens.rays || o.lens.slant;
+}
+
+bool asks_for_lens(const CameraOptions& o) {
+  return asks_for_lens_itself(o) || o.lens.front || o.lens.view_distance || o.sheet_distance ||
+         o.lens.depth_budget;
+}
+
+camera::Sheet make_sheet(const parser::CameraRequest& request, const CameraOptions& options,
+                         const camera::SceneProbe& probe) {
+  const std::uint32_t width = options.width, height = options.height;
+  if (request.kind != "lenticular") {
+    const camera::Conversion conversion{options.lens, options.sheet_distance};
+    return camera::sheet_of_camera(request.kind, request.projection, conversion, width, height,
+                                   probe);
+  }
+  camera::LensRequest lens = request.lens;
+  lens.override_by(options.lens);
+  camera::Sheet sheet = camera::sheet_of_statement(request.projection, lens, width, height, probe);
+  if (options.sheet_distance) {
+    sheet.warnings.push_back("Sheet_Distance has no effect: the scene's own camera is lenticular");
+  }
+  return sheet;
+}
+
+std::unique_ptr<camera::Camera> make_ordinary(const parser::CameraRequest& request,
+                                              const CameraOptions& options) {
+  const std::uint32_t width = options.width, height = options.height;
+  if (request.kind == "perspective") {
+    return std::make_unique<camera::Perspective>(request.projection, width, height);
+  }
+  if (request.kind == "orthographic") {
+    return std::make_unique<camera::Orthographic>(request.projection, width, height);
+  }
+  if (const auto kind = camera::curved_kind(request.kind, request.cylinder_type)) {
+    return std::make_unique<camera::Curved>(*kind, request.projection, request.angles, width,
+                                            height);
+  }
+  if (request.mesh) return std::make_unique<camera::MeshCamera>(*request.mesh, width, height);
+  throw camera::CameraError("the camera kind `" + request.kind + "`: not yet");
+}
+
+/// Views of a sheet that was not asked for.
+void refuse_views(const CameraOptions& o) {
+  std::string what;
+  if (const auto view = o.view) what = "View=" + std::to_string(*view);
+  if (const auto views = o.views.count) what = "Views=" + std::to_string(*views);
+  if (!what.empty()) {
+    throw camera::CameraError(what + " needs a lens sheet: add Lenticular=On", {"View", "Views"});
+  }
+}
+
+/// The ordinary camera that a scene has.
+CameraSetup ordinary_setup(const parser::CameraRequest& request, const CameraOptions& options) {
+  refuse_views(options);
+  CameraSetup setup;
+  setup.ordinary = make_ordinary(request, options);
+  if (request.blur && request.mesh) {
+    setup.warnings.push_back("a mesh_camera has no aperture: its picture is not blurred");
+  } else if (request.blur) {
+    setup.ordinary = std::make_unique<camera::Blurred>(
+        std::move(setup.ordinary), camera::lens_of_camera(request.projection, *request.blur),
+        request.blur->samples);
+  }
+  if (request.normal) {
+    setup.ordinary = std::make_unique<camera::Bent>(std::move(setup.ordinary), request.normal);
+  }
+  if (options.lens.size) {
+    setup.warnings.push_back(
+        "the picture has the columns and rows of the lens sheet, but without Lenticular=On it is "
+        "none");
+  } else if (asks_for_lens(options)) {
+    setup.warnings.push_back("the lens options have no effect without Lenticular=On");
+  }
+  return setup;
+}
+
+/// The strip of one view, one pixel a lens.
+std::shared_ptr<const camera::Camera> strip_of(const camera::Lenticular& sheet,
+                                               std::uint32_t view) {
+  const std::uint32_t views = camera::usual_views(sheet.sheet());
+  if (view >= views || camera::view_width(sheet.sheet(), view, views) == 0) {
+    throw camera::CameraError("there is no view " + std::to_string(view) + ": the views are 0 to " +
+                                  std::to_string(views - 1),
+                              {"View", "Lens_Pixels", "Print_DPI"});
+  }
+  return std::make_shared<camera::SheetView>(sheet, view);
+}
+
+/// The size of each of the pictures of Views=.
+parser::PixelSize view_size(const CameraOptions& o) {
+  return o.views.size.value_or(parser::PixelSize{o.width, o.height});
+}
+
+std::string size_text(const parser::PixelSize& size) {
+  return std::to_string(size.width) + " x " + std::to_string(size.height) + " pixels";
+}
+
+/// One of Views=, in its size.
+std::shared_ptr<const camera::Camera> picture_of_view(const camera::Lenticular& sheet,
+                                                      const CameraOptions& o, std::uint32_t view,
+                                                      std::vector<std::string>& report) {
+  const parser::PixelSize size = view_size(o);
+  const double offset = ((view + 0.5) / *o.views.count - 0.5) * sheet.sheet().lens().print_pitch();
+  report.push_back("View " + std::to_string(view) + " of " + std::to_string(*o.views.count) + ", " +
+                   size_text(size) + ", at the print offset " + camera::format(offset) + " mm");
+  return camera::make_view(sheet, view, *o.views.count, size.width, size.height);
+}
+
+/// The lens whose views are the cameras of a quilt's cone. `like` has the same size in scene units.
+camera::LensRequest cone_lens(const camera::LensParameters& like, double degrees,
+                              std::uint32_t views) {
+  const camera::LensParameters lens =
+      camera::lens_of_cone(degrees, views, like.pitch, like.view_distance);
+  camera::LensRequest out;
+  out.pitch = lens.pitch;
+  out.focal_length = lens.focal_length;
+  out.ior = lens.ior;
+  out.pixels = lens.pixels;
+  out.model = lens.model;
+  out.slant = 0.0;
+  return out;
+}
+
+/// The sheet of a quilt's cone: a pixel of a tile is as wide as a lens, so that the report's
+/// parallax is in pixels of the tile.
+camera::Sheet cone_sheet(const parser::CameraRequest& request, const CameraOptions& options,
+                         const camera::SceneProbe& probe) {
+  const std::uint32_t views = options.views.quilt->views();
+  CameraOptions o = options;
+  o.width = options.width * views;
+  const double degrees = options.views.cone.value_or(parser::kUsualViewCone);
+  const auto with_lens = [&](const camera::LensParameters& like) {
+    const auto distance = options.lens.view_distance;
+    const auto front = options.lens.front;
+    o.lens = cone_lens(like, degrees, views);
+    o.lens.view_distance = distance;
+    o.lens.front = front;
+  };
+  with_lens({});
+  // The eye's distance in mm is known once there is a sheet.
+  with_lens(make_sheet(request, o, probe).camera->sheet().lens());
+  o.lens.depth_budget = options.lens.depth_budget;
+  return make_sheet(request, o, probe);
+}
+
+/// A line of a sheet's report that tells of places and parallax, and not of the lens.
+bool is_of_scene(const std::string& line) {
+  return line.find(" visible point ") != std::string::npos || line.starts_with("Background") ||
+         line.starts_with("Sheet distance") || line.starts_with("Larger than the sheet") ||
+         line.starts_with("Depth_Budget") || line.starts_with("The background");
+}
+
+std::string quilt_line(const CameraOptions& o, double aspect) {
+  const parser::QuiltGrid& grid = *o.views.quilt;
+  const std::string columns = std::to_string(grid.columns), rows = std::to_string(grid.rows);
+  return "Quilt of " + columns + " x " + rows + " views, " + size_text(*o.views.size) +
+         " each; displays want its file's name to end in _qs" + columns + "x" + rows + "a" +
+         camera::format(aspect);
+}
+
+std::string cone_line(const camera::Lenticular& sheet, double degrees) {
+  const std::string text = "Its cameras look over " + camera::format(degrees) + " degrees";
+  const double distance = sheet.eye_distance();
+  if (!sheet.sheet().lens().is_finite()) return text + ", along parallel rays";
+  constexpr double kHalf = 0.5 * 3.14159265358979323846 / 180.0;
+  return text + ": " + camera::format(2.0 * distance * std::tan(kHalf * degrees)) +
+         " scene units from the first to the last, " + camera::format(distance) +
+         " before the sheet";
+}
+
+/// The scene's picture, as high as it is and as wide as the display.
+void fit_to_display(const CameraOptions& o, camera::Projection& projection) {
+  if (!o.views.aspect) return;
+  const double width = core::length(projection.right), height = core::length(projection.up);
+  if (width > 0.0) projection.right = projection.right * (*o.views.aspect * height / width);
+}
+
+void make_quilt(const parser::CameraRequest& request, const CameraOptions& o,
+                const camera::SceneProbe& probe, CameraSetup& setup) {
+  const std::uint32_t views = o.views.quilt->views();
+  const bool of_cone = !o.views.count;
+  const double degrees = o.views.cone.value_or(parser::kUsualViewCone);
+  if (of_cone && views < 2) throw camera::CameraError("a quilt has at least two views", {"Quilt"});
+  if (of_cone && o.lens.depth_budget && o.lens.depth_budget->is_mm) {
+    throw camera::CameraError(
+        "Depth_Budget in mm is of a print; of a quilt it is a number of pixels of its tiles, "
+        "without "
+        "a unit",
+        {"Depth_Budget", "Quilt"});
+  }
+  camera::Sheet sheet = of_cone ? cone_sheet(request, o, probe) : make_sheet(request, o, probe);
+  setup.sheet = std::move(sheet.camera);
+  setup.stand = sheet.stand;
+  for (std::string& text : sheet.warnings) setup.warnings.push_back(std::move(text));
+  const camera::SheetPlacement& place = setup.sheet->placement();
+  const double aspect = o.views.aspect.value_or(place.width / place.height);
+  std::vector<std::shared_ptr<const camera::Camera>> tiles;
+  for (std::uint32_t i = 0; i < views; ++i) {
+    // The leftmost camera first: the view through the cells' right edges.
+    tiles.push_back(camera::make_view(*setup.sheet, views - 1 - i, views, o.views.size->width,
+                                      o.views.size->height));
+  }
+  camera::Properties about{{"camera", std::string("quilt")}};
+  if (!of_cone) about = setup.sheet->describe();
+  about.emplace_back("quilt.aspect", aspect);
+  if (const double factor = setup.sheet->sheet().lens().depth_factor; of_cone && factor != 1.0) {
+    about.emplace_back("quilt.depth_factor", factor);
+  }
+  if (of_cone) about.emplace_back("quilt.view_cone_degrees", degrees);
+  setup.view = std::make_shared<camera::Quilt>(std::move(tiles), o.views.quilt->columns, about);
+  setup.report.push_back(quilt_line(o, aspect));
+  if (of_cone) setup.report.push_back(cone_line(*setup.sheet, degrees));
+  for (std::string& line : sheet.report) {
+    if (!of_cone || is_of_scene(line)) setup.report.push_back(std::move(line));
+  }
+  if (of_cone && asks_for_lens_itself(o)) {
+    setup.warnings.push_back(
+        "the lens options have no effect on a quilt: Views= makes it of the views of the sheet");
+  }
+}
+
+/// The view that is asked for, if one is.
+void take_view(const CameraOptions& o, CameraSetup& setup) {
+  if (!o.view) return;
+  setup.view = o.views.count ? picture_of_view(*setup.sheet, o, *o.view, setup.report)
+                             : strip_of(*setup.sheet, *o.view);
+}
+
+void blur_sheet(const parser::CameraRequest& request, CameraSetup& setup) {
+  const camera::ThinLens lens =
+      request.kind == "lenticular"
+          ? camera::lens_of_statement(*setup.sheet, *request.blur)
+          : camera::lens_of_conversion(*setup.sheet, request.projection, *request.blur);
+  std::shared_ptr<const camera::Camera> sharp = setup.sheet;
+  if (setup.view) sharp = setup.view;
+  setup.blurred = std::make_unique<camera::Blurred>(std::move(sharp), lens, request.blur->samples);
+}
+
+}  // namespace
+
+CameraSetup make_camera(const parser::CameraRequest& asked, const CameraOptions& options,
+                        const camera::SceneProbe& probe) {
+  const bool is_quilt = options.views.quilt.has_value();
+  if (asked.kind != "lenticular" && !options.lenticular && !is_quilt) {
+    return ordinary_setup(asked, options);
+  }
+  parser::CameraRequest request = asked;
+  if (is_quilt) fit_to_display(options, request.projection);
+  CameraSetup setup;
+  if (request.normal) {
+    setup.warnings.push_back("the camera's normal bends no rays of a lens sheet: it is left out");
+  }
+  if (is_quilt) {
+    make_quilt(request, options, probe, setup);
+  } else {
+    camera::Sheet sheet = make_sheet(request, options, probe);
+    setup.sheet = std::move(sheet.camera);
+    setup.stand = sheet.stand;
+    setup.report = std::move(sheet.report);
+    for (std::string& text : sheet.warnings) setup.warnings.push_back(std::move(text));
+    if (!options.is_first_view) setup.report.clear();
+    take_view(options, setup);
+  }
+  if (options.lens.depth_budget && options.is_animated) {
+    setup.warnings.push_back(
+        "Depth_Budget: each frame has its own factor, so that depth may change between frames");
+  }
+  if (request.blur) blur_sheet(request, setup);
+  return setup;
+}
+
+CameraSetup another_view(const CameraSetup& sheet, const parser::CameraRequest& request,
+                         const CameraOptions& options) {
+  CameraSetup setup;
+  setup.sheet = sheet.sheet;
+  setup.stand = sheet.stand;
+  take_view(options, setup);
+  if (request.blur) blur_sheet(request, setup);
+  return setup;
+}
+
+}  // namespace lentray::tool

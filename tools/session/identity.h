@@ -1,0 +1,33 @@
+// What a picture depends on: the program, the options that decide its pixels, its frame's clock,
+// and the files that were read. A picture is gone on with (+C) only if all of it is as it was. One
+// thread.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+
+#include "parser/options/animation.h"
+#include "parser/options/options.h"
+
+namespace lentray::tool {
+
+struct Identity {
+  std::string program;                         ///< changes whenever the program does
+  std::string options;                         ///< lines
+  std::map<std::string, std::uint64_t> files;  ///< checksums by path; the scene's path is ""
+
+  std::string text() const;
+  /// Of text(); throws std::invalid_argument.
+  static Identity of_text(const std::string& text);
+};
+
+/// Without files.
+Identity identity_of(const parser::RenderOptions& options, const parser::FrameClock& clock);
+
+/// What is different now, ready to follow "the picture cannot be gone on with: "; empty: nothing.
+std::string difference(const Identity& then, const Identity& now);
+/// The same before the scene is read: its files are looked at again.
+std::string difference_of_files(const Identity& then, const std::string& scene);
+
+}  // namespace lentray::tool

@@ -1,0 +1,219 @@
+#include "tools/session/pass_file.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+#include "core/image/run_files.h"
+#include "parser/files/watched_files.h"
+#include "parser/options/options.h"
+#include "tools/common/companion.h"
+
+namespace lentray::tool {
+namespace {
+
+constexpr std::chrono::milliseconds kBetween{500};  ///< two writes
+constexpr std::size_t kMostPending = 4 << 20;       ///< bytes
+constexpr std::uint32_t kMostPasses = 64;
+
+/// How a file begins; the identity's text follows.
+struct Start {
+  char magic[16] = "lentray passes";
+  std::uint64_t version = 1, size = 0, sum = 0;  ///< of the identity's text
+};
+/// Before a record's bytes.
+struct Head {
+  std::uint32_t mark = 0x4c525041, pass = 0;
+  std::uint64_t size = 0, sum = 0;
+};
+
+std::string passes_path(const std::string& picture) {
+  return companion_path(picture, ".lentray-passes");
+}
+
+template <class T>
+void append(const T& head, std::string_view rest, std::string& out) {
+  out.append(reinterpret_cast<const char*>(&head), sizeof head).append(rest);
+}
+
+/// A head from the front of `bytes`, which loses it; false if there is no whole one.
+template <class T>
+bool take(std::string_view& bytes, T& head) {
+  if (bytes.size() < sizeof head) return false;
+  std::memcpy(&head, bytes.data(), sizeof head);
+  bytes.remove_prefix(sizeof head);
+  return true;
+}
+
+/// The bytes behind a head, if they are what it says.
+template <class T>
+bool take_rest(std::string_view& bytes, const T& head, std::string_view& rest) {
+  if (bytes.size() < head.size) return false;
+  rest = bytes.substr(0, head.size);
+  bytes.remove_prefix(head.size);
+  return parser::checksum(rest) == head.sum;
+}
+
+std::string start_text(const std::string& identity) {
+  Start start;
+  start.size = identity.size();
+  start.sum = parser::checksum(identity);
+  std::string out;
+  append(start, identity, out);
+  return out;
+}
+
+bool take_start(std::string_view& bytes, std::string_view& identity) {
+  Start start;
+  return take(bytes, start) && std::memcmp(start.magic, Start{}.magic, sizeof start.magic) == 0 &&
+         start.version == Start{}.version && take_rest(bytes, start, identity);
+}
+
+std::string bytes_of(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+void forget_at(const std::string& path) {
+  struct stat about {};
+  if (::lstat(path.c_str(), &about) != 0 || !S_ISREG(about.st_mode)) return;
+  const std::string bytes = bytes_of(path);
+  std::string_view rest = bytes, identity;
+  if (take_start(rest, identity)) (void)::unlink(path.c_str());
+}
+
+}  // namespace
+
+PassFile::PassFile(const std::string& picture, const Identity& identity,
+                   std::chrono::milliseconds silence)
+    : m_path(passes_path(picture)), m_part(m_path + ".part"), m_identity(identity.text()),
+      m_speaks(Clock::now() + silence) {}
+
+PassFile::~PassFile() {
+  flush();
+  if (m_file >= 0) ::close(m_file);
+}
+
+void PassFile::forget(const std::string& picture) {
+  forget_at(passes_path(picture));
+  forget_at(passes_path(picture) + ".part");
+}
+
+void PassFile::go_on() {
+  m_is_whole = read(m_path, false);
+  if (!m_is_whole) read(m_part, true);
+}
+
+bool PassFile::read(const std::string& path, bool is_part) {
+  const int file = ::open(path.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
+  struct stat about {};
+  if (file < 0) return false;
+  std::string bytes;
+  if (::fstat(file, &about) == 0 && S_ISREG(about.st_mode)) bytes = bytes_of(path);
+  std::string_view rest = bytes, identity;
+  if (!take_start(rest, identity)) {
+    ::close(file);
+    return false;
+  }
+  std::string why;
+  try {
+    why = difference(Identity::of_text(std::string(identity)), Identity::of_text(m_identity));
+  } catch (const std::invalid_argument&) {
+    why = "another version of the program began it";
+  }
+  if (why.empty() && is_part && ::flock(file, LOCK_EX | LOCK_NB) != 0) why = "another run is at it";
+  if (!why.empty()) {
+    ::close(file);
+    throw parser::OptionError("the passes of the picture cannot be gone on with: " + why + " ('" +
+                              path + "' keeps what was done; without +C they are begun anew)");
+  }
+  std::size_t whole = bytes.size() - rest.size();
+  Head head;
+  for (std::string_view record; take(rest, head); whole = bytes.size() - rest.size()) {
+    if (head.mark != Head{}.mark || head.pass >= kMostPasses || !take_rest(rest, head, record))
+      break;
+    if (m_earlier.size() <= head.pass) m_earlier.resize(head.pass + 1);
+    m_earlier[head.pass].emplace_back(record);
+  }
+  if (!is_part) {
+    ::close(file);
+    return whole == bytes.size();
+  }
+  m_file = file;
+  if (::ftruncate(file, static_cast<off_t>(whole)) != 0 || ::lseek(file, 0, SEEK_END) < 0)
+    give_up(std::strerror(errno));
+  return true;
+}
+
+void PassFile::begin(std::size_t pass) {
+  m_pass = static_cast<std::uint32_t>(pass);
+  m_recalled = 0;
+}
+
+bool PassFile::recall(std::string& record) {
+  if (m_pass >= m_earlier.size() || m_recalled >= m_earlier[m_pass].size()) return false;
+  record = std::move(m_earlier[m_pass][m_recalled++]);
+  return true;
+}
+
+void PassFile::keep(std::string_view record) {
+  if (m_is_off || m_is_whole) return;
+  append(Head{.pass = m_pass, .size = record.size(), .sum = parser::checksum(record)}, record,
+         m_pending);
+  const Clock::time_point now = Clock::now();
+  if (now < m_speaks || (m_pending.size() < kMostPending && now - m_flushed < kBetween)) return;
+  m_flushed = now;
+  flush();
+}
+
+void PassFile::finish() {
+  if (m_file < 0 || m_is_off) {  // quick passes are made again sooner than read
+    m_pending.clear();
+    return;
+  }
+  flush();
+  if (!m_is_off && std::rename(m_part.c_str(), m_path.c_str()) != 0) give_up(std::strerror(errno));
+}
+
+bool PassFile::write() {
+  flush();
+  return m_file >= 0 && !m_is_off;
+}
+
+void PassFile::give_up(const std::string& why) {
+  m_trouble = "'" + m_part + "' could not be written (" + why + ")";
+  m_is_off = true;
+}
+
+void PassFile::flush() {
+  if (m_pending.empty() || m_is_off || (m_file < 0 && Clock::now() < m_speaks)) return;
+  if (m_file < 0) {
+    struct stat about {};
+    m_file = ::open(m_part.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666);
+    if (m_file < 0) return give_up(std::strerror(errno));
+    if (::fstat(m_file, &about) != 0 || !S_ISREG(about.st_mode))
+      return give_up("it is no regular file");
+    if (core::is_input(m_part)) return give_up("the scene reads it");
+    if (::flock(m_file, LOCK_EX | LOCK_NB) != 0)
+      return give_up("another run is at the same picture");
+    if (::ftruncate(m_file, 0) != 0) return give_up(std::strerror(errno));
+    m_pending.insert(0, start_text(m_identity));
+  }
+  for (std::string_view rest = m_pending; !rest.empty();) {
+    const ssize_t wrote = ::write(m_file, rest.data(), rest.size());
+    if (wrote < 0 && errno == EINTR) continue;
+    if (wrote <= 0) return give_up(std::strerror(errno));
+    rest.remove_prefix(static_cast<std::size_t>(wrote));
+  }
+  m_pending.clear();
+}
+
+}  // namespace lentray::tool

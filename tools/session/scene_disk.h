@@ -1,0 +1,40 @@
+// The disk as a run's scene sees it: all of it, or what the rules of Restrict_IO permit; and for
+// runs that render nothing and leave nothing behind, with what the scene writes kept in memory. One
+// thread.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "parser/files/files.h"
+#include "parser/files/watched_files.h"
+#include "parser/options/options.h"
+
+namespace lentray::tool {
+
+/// With Restrict_IO=On: what the scene's own INI file named is judged by the rules for the scene.
+/// OptionError.
+void judge_options(const parser::RenderOptions& options);
+
+class SceneDisk {
+ public:
+  SceneDisk(const parser::RenderOptions& options, const std::string& scene);
+  /// What is wrong with povray.conf.
+  const std::vector<std::string>& warnings() const { return m_warnings; }
+  /// Must outlive whatever reads the scene's pictures and fonts.
+  parser::Files& files() { return *m_watched; }
+  /// Checksums of what was read, by path.
+  const std::map<std::string, std::uint64_t>& seen() const { return m_watched->seen(); }
+  const parser::WatchedFiles& watched() const { return *m_watched; }
+
+ private:
+  std::vector<std::string> m_warnings;
+  std::unique_ptr<parser::Files> m_restricted, m_memory;
+  parser::Files* m_files;
+  std::optional<parser::WatchedFiles> m_watched;
+};
+
+}  // namespace lentray::tool
