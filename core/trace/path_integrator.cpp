@@ -8,6 +8,7 @@
 #include "core/accel/hierarchy.h"
 #include "core/base/tiny.h"
 #include "core/scene/tolerances.h"
+#include "core/trace/indirect_light.h"
 #include "core/trace/reflectance.h"
 #include "core/trace/segment.h"
 #include "core/trace/sky.h"
@@ -19,6 +20,11 @@ namespace {
 
 constexpr double kUnitSlack = 1e-14;  ///< of the squared length of a direction
 
+/// The one at the pixel's centre (random_key.h).
+bool is_first_sample(Pixel pixel, std::uint64_t key) {
+  return key == std::bit_cast<std::uint64_t>(pixel);
+}
+
 bool nearly_equal(const Vec3& a, const Vec3& b) {
   return std::fabs(a.x - b.x) <= kTiny && std::fabs(a.y - b.y) <= kTiny &&
          std::fabs(a.z - b.z) <= kTiny;
@@ -27,15 +33,16 @@ bool nearly_equal(const Vec3& a, const Vec3& b) {
 }  // namespace
 
 template <unsigned kFeatures>
-PathIntegrator<kFeatures>::PathIntegrator(ThreadContext& context, ShadowTester& shadows)
+PathIntegrator<kFeatures>::PathIntegrator(ThreadContext& context, ShadowTester& shadows,
+                                          const PathRules& rules)
     : m_context(context), m_scene(context.scene), m_hierarchy(m_scene.hierarchy()),
-      m_shading(context, shadows), m_max_level(m_scene.settings().max_trace_level),
-      m_bailout(m_scene.settings().adc_bailout),
-      m_min_distance(kMinHitDistance * m_scene.tolerance_scale()),
+      m_shading(context, shadows, rules), m_max_level(m_scene.settings().max_trace_level),
+      m_bailout(rules.adc_bailout), m_min_distance(kMinHitDistance * m_scene.tolerance_scale()),
       m_atmosphere_ior(m_scene.settings().atmosphere_ior),
       m_mirror_images(m_scene.settings().mirror_images),
-      m_air(m_scene.needs().atmosphere ? &m_scene.atmosphere() : nullptr) {
-  if (m_scene.needs().media) m_media = std::make_unique<MediaLight>(context, shadows);
+      m_air(m_scene.needs().atmosphere && rules.volumes ? &m_scene.atmosphere() : nullptr) {
+  if (m_scene.needs().media && rules.volumes)
+    m_media = std::make_unique<MediaLight>(context, shadows);
   if (m_scene.needs().interiors) m_start_interiors = std::make_unique<StartInteriors>(m_scene);
 }
 
@@ -46,6 +53,7 @@ Radiance PathIntegrator<kFeatures>::trace(const Ray& ray, Pixel pixel, std::uint
   if (!is_unit) unit = {ray.origin, normalized(ray.direction)};
   m_context.pixel = pixel;
   m_context.random.begin(key);
+  if (m_context.indirect) m_context.indirect->begin(pixel, is_first_sample(pixel, key), key);
   ++m_context.counters.camera_rays;
   RayState state(is_unit ? ray : unit);
   if (m_start_interiors) state.inside = m_start_interiors->at(ray.origin);
@@ -61,17 +69,50 @@ Radiance PathIntegrator<kFeatures>::follow(const RayState& state, float weight, 
     return {};
   }
   Hit hit;
-  if (!m_hierarchy.nearest(state.ray, m_min_distance, Bounds::kInf, state.kind, hit,
-                           m_context.arena, m_context.tests)) {
-    Radiance sky = sky_radiance(m_scene, state.ray.direction, state.kind == RayKind::kReflection);
+  const bool met = m_hierarchy.nearest(state.ray, m_min_distance, Bounds::kInf, state.kind, hit,
+                                       m_context.arena, m_context.tests);
+  return seen_at(state, met ? &hit : nullptr, weight, level, straight_on);
+}
+
+template <unsigned kFeatures>
+GatheredRay PathIntegrator<kFeatures>::gather(const GatherRay& from) {
+  GatheredRay seen;
+  if (m_depth >= m_deepest) {
+    ++m_context.counters.cut_rays;
+    return seen;
+  }
+  RayState state(from.ray);
+  state.kind = RayKind::kGather;
+  Hit hit;
+  const bool met = m_hierarchy.nearest(state.ray, m_min_distance, Bounds::kInf, state.kind, hit,
+                                       m_context.arena, m_context.tests);
+  seen.importance = static_cast<float>(met ? m_scene.pass_flags(hit.leaf->attributes()).importance
+                                           : m_scene.settings().radiosity->default_importance);
+  if (met) seen.distance = hit.t;
+  if (seen.importance < from.least_importance) return seen;
+  const SampleRandom random = m_context.random;
+  m_context.random.begin(from.key);
+  // However deep the gathers are, each sees as far as its own ray.
+  const int most = std::exchange(m_max_level, std::max(m_max_level, from.level + 1));
+  seen.light = seen_at(state, met ? &hit : nullptr, from.weight, from.level, false).rgb;
+  m_max_level = most;
+  m_context.random = random;
+  return seen;
+}
+
+template <unsigned kFeatures>
+Radiance PathIntegrator<kFeatures>::seen_at(const RayState& state, const Hit* hit, float weight,
+                                            int level, bool straight_on) {
+  if (!hit) {
+    Radiance sky = sky_radiance(m_scene, state.ray.direction, state.kind >= RayKind::kReflection);
     if (m_air) pass_open_air(state, kOpenAir, level + 1, nullptr, sky);
     return sky;
   }
   if (!straight_on) ++level;
-  Radiance seen = shade(state, hit, weight, level);
-  const Attributes& looks = hit.leaf->attributes();
-  if (m_media) m_media->pass_interiors(state, hit.t, level, looks, seen);
-  if (m_air) pass_open_air(state, hit.t, level, &looks, seen);
+  Radiance seen = shade(state, *hit, weight, level);
+  const Attributes& looks = hit->leaf->attributes();
+  if (m_media) m_media->pass_interiors(state, hit->t, level, looks, seen);
+  if (m_air) pass_open_air(state, hit->t, level, &looks, seen);
   return seen;
 }
 
@@ -109,6 +150,7 @@ Radiance PathIntegrator<kFeatures>::shade(const RayState& state, const Hit& hit,
              {point, normal, state.ray.direction, &hit},
              normal,
              point,
+             1.0,
              weight,
              level,
              from_behind};
@@ -134,6 +176,7 @@ Radiance PathIntegrator<kFeatures>::shade_textures(Surface& at, ShadingBuffers& 
   Radiance sum;
   for (const WeightedTexture& part : buffers.textures) {
     at.context.normal = at.normal;
+    at.texture_weight = part.weight;
     const Radiance seen = shade_texture(*part.texture, at, buffers);
     sum.rgb += times(seen.rgb, part.weight);
     sum.transmit += static_cast<float>(seen.transmit * part.weight);
@@ -180,7 +223,7 @@ Rgb PathIntegrator<kFeatures>::mirror_image(const Vec3& normal, float weight, co
   const Vec3& incoming = at.ray().direction;
   ++m_context.counters.reflected_rays;
   const Ray ray{at.point(), normalized(mirrored(incoming, normal, at.normal))};
-  RayState next(ray, at.state.inside, 2 * at.state.place, RayKind::kReflection);
+  RayState next(ray, at.state.inside, 2 * at.state.place, reflected(at.state.kind));
   next.wavelength = at.state.wavelength;
   Rgb seen = follow(next, weight, at.level).rgb;
   if (film.irid > 0.0) seen *= m_shading.film(film, normal, ray.direction, at);
@@ -270,11 +313,12 @@ unsigned path_features(const Needs& needs) {
 
 namespace {
 
-using Maker = std::unique_ptr<Integrator> (*)(ThreadContext&, ShadowTester&);
+using Maker = std::unique_ptr<Integrator> (*)(ThreadContext&, ShadowTester&, const PathRules&);
 
 template <unsigned kFeatures>
-std::unique_ptr<Integrator> make_one(ThreadContext& context, ShadowTester& shadows) {
-  return std::make_unique<PathIntegrator<kFeatures>>(context, shadows);
+std::unique_ptr<Integrator> make_one(ThreadContext& context, ShadowTester& shadows,
+                                     const PathRules& rules) {
+  return std::make_unique<PathIntegrator<kFeatures>>(context, shadows, rules);
 }
 
 template <unsigned... kFeatures>
@@ -286,13 +330,20 @@ constexpr std::array<Maker, sizeof...(kFeatures)> all_makers(
 }  // namespace
 
 std::unique_ptr<Integrator> make_path_integrator(unsigned features, ThreadContext& context,
-                                                 ShadowTester& shadows) {
+                                                 ShadowTester& shadows, const PathRules& rules) {
   static constexpr auto kMakers = all_makers(std::make_integer_sequence<unsigned, kAllPaths>{});
-  return kMakers.at(features)(context, shadows);
+  return kMakers.at(features)(context, shadows, rules);
 }
 
 std::unique_ptr<Integrator> Integrator::make(ThreadContext& context, ShadowTester& shadows) {
-  return make_path_integrator(path_features(context.scene.needs()), context, shadows);
+  return make(context, shadows, PathRules{context.scene.settings().adc_bailout});
+}
+
+std::unique_ptr<Integrator> Integrator::make(ThreadContext& context, ShadowTester& shadows,
+                                             const PathRules& rules) {
+  unsigned features = path_features(context.scene.needs());
+  if (!rules.area_lights) features &= ~static_cast<unsigned>(kPathArea);
+  return make_path_integrator(features, context, shadows, rules);
 }
 
 }  // namespace lentray::core

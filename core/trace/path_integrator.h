@@ -25,10 +25,11 @@ class Hierarchy;
 template <unsigned kFeatures>
 class PathIntegrator final : public Integrator {
  public:
-  PathIntegrator(ThreadContext& context, ShadowTester& shadows);
+  PathIntegrator(ThreadContext& context, ShadowTester& shadows, const PathRules& rules);
 
   using Integrator::trace;
   Radiance trace(const Ray& ray, Pixel pixel, std::uint64_t key) override;
+  GatheredRay gather(const GatherRay& ray) override;
   Radiance along(const RayState& state, float weight, int level) override {
     return follow(state, weight, level);
   }
@@ -40,6 +41,9 @@ class PathIntegrator final : public Integrator {
 
   /// `level` counts the levels above this ray; one that goes straight on takes none itself.
   Radiance follow(const RayState& state, float weight, int level, bool straight_on = false);
+  /// What the ray brings from what it has met; `hit`: null: the sky.
+  Radiance seen_at(const RayState& state, const Hit* hit, float weight, int level,
+                   bool straight_on);
   Radiance shade(const RayState& state, const Hit& hit, float weight, int level);
   Radiance shade_textures(Surface& at, ShadingBuffers& buffers);
   Radiance shade_texture(const LayeredTexture& texture, Surface& at, ShadingBuffers& buffers);
@@ -56,8 +60,7 @@ class PathIntegrator final : public Integrator {
     float weight;
     Onward(const Surface& at, float share)
         : ray{at.point(), at.ray().direction},
-          state(ray, at.state.inside, 2 * at.state.place + 1,
-                std::max(at.state.kind, RayKind::kTransmitted)),
+          state(ray, at.state.inside, 2 * at.state.place + 1, transmitted(at.state.kind)),
           weight(share) {
       state.wavelength = at.state.wavelength;
     }
@@ -78,7 +81,7 @@ class PathIntegrator final : public Integrator {
   const Scene& m_scene;
   const Hierarchy& m_hierarchy;
   SurfaceShading<kFeatures> m_shading;
-  const int m_max_level;
+  int m_max_level;
   const double m_bailout;
   const double m_min_distance;  ///< kMinHitDistance in this scene
   const double m_atmosphere_ior;
@@ -95,6 +98,6 @@ class PathIntegrator final : public Integrator {
 /// The path of exactly these features (a superset of what the scene needs); for Integrator::make and
 /// for the test that paths agree.
 std::unique_ptr<Integrator> make_path_integrator(unsigned features, ThreadContext& context,
-                                                 ShadowTester& shadows);
+                                                 ShadowTester& shadows, const PathRules& rules);
 
 }  // namespace lentray::core

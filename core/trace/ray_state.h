@@ -34,7 +34,8 @@ struct Surface {
   SurfaceContext context;  ///< patterns of a layer see the normal of the one above
   Vec3 normal;             ///< unit, facing the ray
   Vec3 texture_point;
-  float weight;  ///< the ray's share of the pixel
+  double texture_weight;  ///< of the texture that is shaded, among those that blend there
+  float weight;           ///< the ray's share of the pixel
   int level;
   bool from_behind;  ///< the ray leaves the surface's solid
 

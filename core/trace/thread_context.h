@@ -13,6 +13,7 @@
 
 namespace lentray::core {
 
+class IndirectLight;
 struct Illumination;
 
 struct ThreadContext {
@@ -30,7 +31,8 @@ struct ThreadContext {
   Counters counters;
   Counters* const tests;  ///< where tests are counted; null: nowhere
   AreaScratch area;
-  Pixel pixel;  ///< of the sample
+  IndirectLight* indirect = nullptr;  ///< null: light sources alone light surfaces
+  Pixel pixel;                        ///< of the sample
   SampleRandom random{RandomSequence::Use::kShading};
 };
 

@@ -43,6 +43,7 @@
 #include "tools/lentray/picture_file.h"
 #include "tools/lentray/picture_journal.h"
 #include "tools/lentray/quality.h"
+#include "tools/lentray/radiosity_run.h"
 #include "tools/lentray/ray_dump.h"
 #include "tools/lentray/run_summary.h"
 #include "tools/lentray/scene_disk.h"
@@ -86,6 +87,8 @@ struct Run {
   std::vector<std::string> not_rendered{};
   std::vector<core::WatchedSlope> slopes{};
   CameraSetup camera{};
+  core::Vec3 eye{};  ///< radiosity_eye() of its camera
+  std::optional<RadiosityRun> radiosity{};
   DepthText depth{};    ///< with --depth
   Identity identity{};  ///< of this picture; its files once the scene is read
   shadow::RunReport report{};
@@ -257,9 +260,10 @@ void compile_scene(Run& run, const std::string& path, SceneDisk& disk) {
   });
   places.sort_parts();
   try {
-    run.camera = make_camera(
-        parser::camera_request(description.camera.value_or(parser::CameraDesc{}), textures), o,
-        probe);
+    const auto request =
+        parser::camera_request(description.camera.value_or(parser::CameraDesc{}), textures);
+    run.eye = radiosity_eye(request);
+    run.camera = make_camera(request, o, probe);
   } catch (const camera::CameraError& error) {
     fail_with_place(error, description.camera, o, diagnostics);
   } catch (const parser::BuildError& error) {  // of a bokeh or a normal
@@ -438,6 +442,8 @@ bool render(Run& run, const std::atomic<bool>& cancel, bool is_frame) {
   if (o.verbose) bar = run.form.progress();
   core::PassList passes;
   core::Illumination light;  // that passes leave
+  run.radiosity.emplace(*run.scene, run.camera, run.eye, *testers, light);
+  if (run.radiosity->pass()) passes.add(*run.radiosity->pass());
   const auto film_work = static_cast<double>(pixels_of(frame.region, shape));
   const std::string passes_of = journal ? run.output : "";
   const PassesDone done =
@@ -445,6 +451,9 @@ bool render(Run& run, const std::atomic<bool>& cancel, bool is_frame) {
   if (!done.trouble.empty()) run.warnings.tell(done.trouble);
   if (!done.kept_in.empty()) tell_of_file(run, done.kept_in);
   if (!done.is_whole) return false;
+  if (std::string warning = run.radiosity->warning(light); !warning.empty()) {
+    run.warnings.tell(warning);
+  }
   run.report.passes = passes.reports();
   if (!passes.is_empty()) frame.illumination = &light;
   const double before = cpu_seconds();
@@ -540,8 +549,12 @@ Status run_picture(const Picture& what, const std::atomic<bool>& cancel, Message
   if (!options.statistics_file.empty()) {
     nlohmann::json all = statistics(run.report, options, run.camera, run.scene->settings());
     all["not_rendered"] = run.not_rendered;
+    if (run.scene->settings().radiosity) all["radiosity"] = run.radiosity->json();
     write_text_file(parser::frame_path(options, options.statistics_file),
                     json_text(std::move(all), 2) + "\n");
+  }
+  if (const std::string samples = run.radiosity->text(); !samples.empty()) {
+    form.texts().write(parser::Stream::kStatistics, samples);
   }
   form.end_picture(options, run.report, run.output);
   if (what.is_last) leave_to_system(std::move(run.scene));
