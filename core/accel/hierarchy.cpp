@@ -20,15 +20,16 @@ enum Flag : std::uint8_t {
   kNoReflection = 2,
   kNoShadow = 4,
   kTransparent = 8,
-  kNear = 16
+  kNear = 16,
+  kNoRadiosity = 32
 };
 
 std::uint8_t flags_of(const Object& object) {
   const Attributes& a = object.attributes();
   return static_cast<std::uint8_t>(
       (a.no_image ? kNoImage : 0) | (a.no_reflection ? kNoReflection : 0) |
-      (a.no_shadow ? kNoShadow : 0) | (object.is_opaque() ? 0 : kTransparent) |
-      (is_seen_afar(object) ? 0 : kNear));
+      (a.no_radiosity ? kNoRadiosity : 0) | (a.no_shadow ? kNoShadow : 0) |
+      (object.is_opaque() ? 0 : kTransparent) | (is_seen_afar(object) ? 0 : kNear));
 }
 
 constexpr std::uint8_t unseen_by(RayKind kind) {
@@ -36,6 +37,9 @@ constexpr std::uint8_t unseen_by(RayKind kind) {
     case RayKind::kCamera:
     case RayKind::kTransmitted: return kNoImage;
     case RayKind::kReflection: return kNoReflection;
+    case RayKind::kGather: return kNoRadiosity;
+    case RayKind::kGatherTransmitted: return kNoRadiosity | kNoImage;
+    case RayKind::kGatherReflection: return kNoRadiosity | kNoReflection;
     case RayKind::kShadow: return kNoShadow;
   }
   return 0;

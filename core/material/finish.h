@@ -10,6 +10,7 @@ struct Finish {
   Rgb ambient{0.1f, 0.1f, 0.1f};
   Rgb emission;
   double diffuse = 0.6, diffuse_back = 0.0;  ///< `diffuse f, b`
+  double albedo_factor = 1.0;                ///< in both of them; indirect light goes without it
   double brilliance = 1.0;
   double phong = 0.0, phong_size = 40.0;
   double specular = 0.0, roughness_exponent = 20.0;  ///< exponent is 1 / roughness

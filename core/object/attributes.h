@@ -18,8 +18,22 @@ enum class RayKind : std::uint8_t {
   kCamera,       ///< not yet through anything; skips no_image
   kTransmitted,  ///< gone on through surfaces alone; skips no_image
   kReflection,   ///< reflected once or more; skips no_reflection
-  kShadow,       ///< skips no_shadow
+  // The same of rays that gather light for a surface, which skip no_radiosity too. The first of them skips
+  // that alone.
+  kGather,
+  kGatherTransmitted,
+  kGatherReflection,
+  kShadow,  ///< skips no_shadow
 };
+
+/// Of a ray that goes on straight or bent, and of one that is mirrored.
+constexpr RayKind transmitted(RayKind kind) {
+  if (kind == RayKind::kCamera) return RayKind::kTransmitted;
+  return kind == RayKind::kGather ? RayKind::kGatherTransmitted : kind;
+}
+constexpr RayKind reflected(RayKind kind) {
+  return kind >= RayKind::kGather ? RayKind::kGatherReflection : RayKind::kReflection;
+}
 
 /// What passes ask of an object (radiosity, photons); most objects have the defaults.
 struct PassFlags {

@@ -100,6 +100,9 @@ bool Csg::is_unseen(std::size_t child, RayKind kind) const {
     case RayKind::kCamera: return looks.no_image && m_kind == CsgKind::kMerge;
     case RayKind::kTransmitted: return looks.no_image;
     case RayKind::kReflection: return looks.no_reflection;
+    case RayKind::kGather: return looks.no_radiosity;
+    case RayKind::kGatherTransmitted: return looks.no_radiosity || looks.no_image;
+    case RayKind::kGatherReflection: return looks.no_radiosity || looks.no_reflection;
     case RayKind::kShadow: break;
   }
   return false;
@@ -178,7 +181,10 @@ bool Csg::inside(const Vec3& p) const {
 
 bool Csg::hides_parts() const {
   for (std::size_t i = 0; i < m_children.size(); ++i) {
-    if (is_unseen(i, RayKind::kTransmitted) || is_unseen(i, RayKind::kReflection)) return true;
+    if (is_unseen(i, RayKind::kTransmitted) || is_unseen(i, RayKind::kReflection) ||
+        is_unseen(i, RayKind::kGather)) {
+      return true;
+    }
   }
   return false;
 }

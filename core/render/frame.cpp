@@ -12,6 +12,8 @@
 #include "core/base/deep_threads.h"
 #include "core/render/work_meter.h"
 #include "core/render/work_watch.h"
+#include "core/trace/illumination.h"
+#include "core/trace/indirect_light.h"
 #include "core/trace/integrator.h"
 #include "core/trace/thread_context.h"
 
@@ -59,6 +61,7 @@ FilmSetup film_setup(const Scene* scene, const RaySource& camera, const FrameSha
 void take_jobs(Work& work) {
   ThreadContext context(work.scene, work.options.count_tests, work.options.illumination);
   const std::unique_ptr<ShadowTester> tester = work.shadows.make(context);
+  const std::unique_ptr<IndirectLight> indirect = make_indirect_light(context, *tester);
   const std::unique_ptr<Integrator> integrator = Integrator::make(context, *tester);
   Sampler sampler(work.camera, {work.options.angles, work.options.alpha}, *integrator);
   std::optional<WorkMeter> meter;

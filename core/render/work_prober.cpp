@@ -1,4 +1,5 @@
 #include "core/render/work_prober.h"
+#include "core/trace/illumination.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,6 +27,7 @@ WorkProber::WorkProber(const Scene& scene, const RaySource& camera,
     : m_film(film), m_region(Film::traced_region(film)), m_cells(cells),
       m_context(scene, options.count_tests, options.illumination),
       m_tester(shadows.unwatched().make(m_context)),
+      m_indirect(make_indirect_light(m_context, *m_tester)),
       m_integrator(Integrator::make(m_context, *m_tester)),
       m_sampler(camera, {options.angles, options.alpha}, *m_integrator) {
   m_clock = 1.0;

@@ -9,6 +9,7 @@
 #include "core/render/film.h"
 #include "core/render/frame.h"
 #include "core/render/work_estimate.h"
+#include "core/trace/indirect_light.h"
 #include "core/trace/thread_context.h"
 
 namespace lentray::core {
@@ -34,6 +35,7 @@ class WorkProber {
   const WorkCells& m_cells;
   ThreadContext m_context;
   const std::unique_ptr<ShadowTester> m_tester;
+  const std::unique_ptr<IndirectLight> m_indirect;  ///< null: there is none
   const std::unique_ptr<Integrator> m_integrator;
   Sampler m_sampler;
   double m_clock = 0.0;                 ///< what reading the clock twice takes

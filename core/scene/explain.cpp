@@ -125,6 +125,12 @@ std::string explain(const Scene& scene) {
   line(out, "trace level") << needs.greatest_depth << " at most (max_trace_level "
                            << scene.settings().max_trace_level << ")\n";
 
+  if (const auto& radiosity = scene.settings().radiosity) {
+    line(out, "radiosity") << radiosity->count << " rays a sample, " << radiosity->recursion_limit
+                           << (radiosity->recursion_limit == 1 ? " bounce" : " bounces")
+                           << ", error_bound " << radiosity->error_bound << '\n';
+  }
+
   const Hierarchy::Shape shape = scene.hierarchy().statistics();
   const bool tree = shape.nodes > 0 || shape.objects == shape.infinite;
   out << (tree ? "Bounding hierarchy\n" : shape.cells > 0 ? "Grid\n" : "List\n");

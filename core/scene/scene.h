@@ -4,11 +4,13 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/accel/accelerator.h"
 #include "core/base/color.h"
+#include "core/irradiance/settings.h"
 #include "core/light/light.h"
 #include "core/material/interior.h"
 #include "core/material/texture.h"
@@ -30,7 +32,8 @@ struct SceneSettings {
   Rgb ambient_light{1.0f, 1.0f, 1.0f};
   double assumed_gamma = 1.0;  ///< 1: linear; scene colours are decoded by the parser already
   bool assumed_gamma_set = false;
-  Colour background;          ///< opaque unless `alpha`
+  std::optional<RadiositySettings> radiosity;  ///< none: light sources alone light surfaces
+  Colour background;                           ///< opaque unless `alpha`
   bool alpha = false;         ///< +UA: the picture is as clear as what its rays see of the sky
   bool mirror_images = true;  ///< false: reflection dims what conserves energy, shows nothing
   double atmosphere_ior = 1.0;

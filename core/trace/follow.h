@@ -12,10 +12,9 @@ struct RayState;
 class Follow {
  public:
   virtual ~Follow() = default;
-  /// `state`: the ray, whose direction is unit, with its kind and the interiors around its start.
-  /// `weight`: its share of the pixel; black below adc_bailout. `level`: levels of the ray tree above
-  /// it; black from max_trace_level on.
-  virtual Radiance along(const RayState& state, float weight, int level) = 0;
+  /// The ray's direction is unit; its state says the share of the pixel that it has (black below
+  /// adc_bailout) and the levels of the ray tree above it (black from max_trace_level on).
+  virtual Radiance along(const RayState& state) = 0;
 };
 
 }  // namespace lentray::core

@@ -6,10 +6,17 @@
 
 namespace lentray::core {
 
+class IndirectLight;
 class IrradianceCache;
+class ShadowTester;
+struct ThreadContext;
 
 struct Illumination {
   std::shared_ptr<const IrradianceCache> irradiance{};  ///< of radiosity
 };
+
+/// What the context's illumination gives to surfaces, which then ask it; null: nothing. It lives as long as
+/// rays are traced.
+std::unique_ptr<IndirectLight> make_indirect_light(ThreadContext& context, ShadowTester& shadows);
 
 }  // namespace lentray::core

@@ -1,13 +1,26 @@
 #include "core/trace/path_integrator.h"
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <utility>
 
+#include "core/trace/indirect_light.h"
+
 namespace lentray::core {
+namespace {
+
+/// The one at the pixel's centre (random_key.h).
+bool is_first_sample(Pixel pixel, std::uint64_t key) {
+  return key == std::bit_cast<std::uint64_t>(pixel);
+}
+
+}  // namespace
 
 template <unsigned kFeatures>
 Radiance PathIntegrator<kFeatures>::trace(const Ray& ray, Pixel pixel, std::uint64_t key) {
   m_context.interiors.forget_if_large();
+  if (m_context.indirect) m_context.indirect->begin(pixel, is_first_sample(pixel, key), key);
   return follow(m_stepper.begin(ray, pixel, key));
 }
 
@@ -20,6 +33,39 @@ Radiance PathIntegrator<kFeatures>::follow(const RayState& state) {
   }
   RayRecord& record = enter_ray();
   m_stepper.step(state, record);
+  return leave_ray(state, record);
+}
+
+template <unsigned kFeatures>
+GatheredRay PathIntegrator<kFeatures>::gather(const GatherRay& from) {
+  GatheredRay seen;
+  if (m_depth >= m_deepest) {
+    ++m_context.counters.cut_rays;
+    return seen;
+  }
+  RayState state{from.ray, from.key};
+  state.weight = from.weight;
+  state.level = from.level;
+  state.kind = RayKind::kGather;
+  Hit hit;
+  const bool met = m_stepper.meet(state, hit);
+  const Scene& scene = m_context.scene;
+  seen.importance = static_cast<float>(met ? scene.pass_flags(hit.leaf->attributes()).importance
+                                           : scene.settings().radiosity->default_importance);
+  if (met) seen.distance = hit.t;
+  if (seen.importance < from.least_importance) return seen;
+  // However deep the gathers are, each sees as far as its own ray.
+  const int most = m_stepper.most_levels();
+  m_stepper.set_most_levels(std::max(most, from.level + 1));
+  RayRecord& record = enter_ray();
+  m_stepper.see(state, met ? &hit : nullptr, record);
+  seen.light = leave_ray(state, record).rgb;
+  m_stepper.set_most_levels(most);
+  return seen;
+}
+
+template <unsigned kFeatures>
+Radiance PathIntegrator<kFeatures>::leave_ray(const RayState& state, const RayRecord& record) {
   Radiance seen = record.gather([this](const OnwardRay& onward) { return follow(onward.state); });
   m_stepper.arrive(state, record, seen);
   --m_depth;
@@ -51,11 +97,12 @@ unsigned path_features(const Needs& needs) {
 
 namespace {
 
-using Maker = std::unique_ptr<Integrator> (*)(ThreadContext&, ShadowTester&);
+using Maker = std::unique_ptr<Integrator> (*)(ThreadContext&, ShadowTester&, const PathRules&);
 
 template <unsigned kFeatures>
-std::unique_ptr<Integrator> make_one(ThreadContext& context, ShadowTester& shadows) {
-  return std::make_unique<PathIntegrator<kFeatures>>(context, shadows);
+std::unique_ptr<Integrator> make_one(ThreadContext& context, ShadowTester& shadows,
+                                     const PathRules& rules) {
+  return std::make_unique<PathIntegrator<kFeatures>>(context, shadows, rules);
 }
 
 template <unsigned... kFeatures>
@@ -67,13 +114,20 @@ constexpr std::array<Maker, sizeof...(kFeatures)> all_makers(
 }  // namespace
 
 std::unique_ptr<Integrator> make_path_integrator(unsigned features, ThreadContext& context,
-                                                 ShadowTester& shadows) {
+                                                 ShadowTester& shadows, const PathRules& rules) {
   static constexpr auto kMakers = all_makers(std::make_integer_sequence<unsigned, kAllPaths>{});
-  return kMakers.at(features)(context, shadows);
+  return kMakers.at(features)(context, shadows, rules);
 }
 
 std::unique_ptr<Integrator> Integrator::make(ThreadContext& context, ShadowTester& shadows) {
-  return make_path_integrator(path_features(context.scene.needs()), context, shadows);
+  return make(context, shadows, PathRules{context.scene.settings().adc_bailout});
+}
+
+std::unique_ptr<Integrator> Integrator::make(ThreadContext& context, ShadowTester& shadows,
+                                             const PathRules& rules) {
+  unsigned features = path_features(context.scene.needs());
+  if (!rules.area_lights) features &= ~static_cast<unsigned>(kPathArea);
+  return make_path_integrator(features, context, shadows, rules);
 }
 
 }  // namespace lentray::core

@@ -17,18 +17,19 @@ namespace lentray::core {
 template <unsigned kFeatures>
 class PathIntegrator final : public Integrator {
  public:
-  PathIntegrator(ThreadContext& context, ShadowTester& shadows)
-      : m_context(context), m_stepper(context, shadows) {}
+  PathIntegrator(ThreadContext& context, ShadowTester& shadows, const PathRules& rules)
+      : m_context(context), m_stepper(context, shadows, rules) {}
 
   using Integrator::trace;
   Radiance trace(const Ray& ray, Pixel pixel, std::uint64_t key) override;
-  Radiance along(const RayState& state, float weight, int level) override {
-    return follow(state, weight, level);
-  }
+  GatheredRay gather(const GatherRay& ray) override;
+  Radiance along(const RayState& state) override { return follow(state); }
 
  private:
   Radiance follow(const RayState& state);
   RayRecord& enter_ray();
+  /// What the ray brings, once its record is filled.
+  Radiance leave_ray(const RayState& state, const RayRecord& record);
 
   ThreadContext& m_context;
   RayStepper<kFeatures> m_stepper;
@@ -41,6 +42,6 @@ class PathIntegrator final : public Integrator {
 /// The path of exactly these features (a superset of what the scene needs); for Integrator::make and
 /// for the test that paths agree.
 std::unique_ptr<Integrator> make_path_integrator(unsigned features, ThreadContext& context,
-                                                 ShadowTester& shadows);
+                                                 ShadowTester& shadows, const PathRules& rules);
 
 }  // namespace lentray::core

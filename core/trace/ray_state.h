@@ -33,9 +33,10 @@ struct Surface {
   SurfaceContext context;  ///< patterns of a layer see the normal of the one above
   Vec3 normal;             ///< unit, facing the ray
   Vec3 texture_point;
-  int level;            ///< trace level, 1: camera ray
-  std::uint32_t layer;  ///< layers shaded so far, of all textures
-  bool from_behind;     ///< the ray leaves the surface's solid
+  double texture_weight;  ///< of the texture that is shaded, among those that blend there
+  int level;              ///< trace level, 1: camera ray
+  std::uint32_t layer;    ///< layers shaded so far, of all textures
+  bool from_behind;       ///< the ray leaves the surface's solid
 
   const Ray& ray() const { return state.ray; }
   const Vec3& point() const { return context.point; }

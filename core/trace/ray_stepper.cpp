@@ -26,15 +26,16 @@ std::uint32_t next_place(std::uint32_t tree_place) { return std::min(tree_place,
 }  // namespace
 
 template <unsigned kFeatures>
-RayStepper<kFeatures>::RayStepper(ThreadContext& context, ShadowTester& shadows)
+RayStepper<kFeatures>::RayStepper(ThreadContext& context, ShadowTester& shadows,
+                                  const PathRules& rules)
     : m_context(context), m_scene(context.scene), m_hierarchy(m_scene.hierarchy()),
-      m_shading(context, shadows), m_max_level(m_scene.settings().max_trace_level),
-      m_bailout(m_scene.settings().adc_bailout),
-      m_min_distance(kMinHitDistance * m_scene.tolerance_scale()),
+      m_shading(context, shadows, rules), m_max_level(m_scene.settings().max_trace_level),
+      m_bailout(rules.adc_bailout), m_min_distance(kMinHitDistance * m_scene.tolerance_scale()),
       m_atmosphere_ior(m_scene.settings().atmosphere_ior),
       m_mirror_images(m_scene.settings().mirror_images),
-      m_air(m_scene.needs().atmosphere ? &m_scene.atmosphere() : nullptr) {
-  if (m_scene.needs().media) m_media = std::make_unique<MediaLight>(context, shadows);
+      m_air(m_scene.needs().atmosphere && rules.volumes ? &m_scene.atmosphere() : nullptr) {
+  if (m_scene.needs().media && rules.volumes)
+    m_media = std::make_unique<MediaLight>(context, shadows);
   if (m_scene.needs().interiors) m_start_interiors = std::make_unique<StartInteriors>(m_scene);
 }
 
@@ -81,9 +82,15 @@ void RayStepper<kFeatures>::shade(const RayState& state, const Hit& hit, RayReco
   Vec3 normal = hit.leaf->normal(point, hit.shape);
   const bool from_behind = dot(normal, state.ray.direction) > 0.0;
   if (from_behind) normal = -normal;
-  Surface at{state,  *record.looks, {point, normal, state.ray.direction, &hit},
-             normal, point,         record.level,
-             0,      from_behind};
+  Surface at{state,
+             *record.looks,
+             {point, normal, state.ray.direction, &hit},
+             normal,
+             point,
+             1.0,
+             record.level,
+             0,
+             from_behind};
   if (at.looks.uv_mapping) at.texture_point = texture_point(at.context);
   ShadingBuffers& buffers = m_shaded < m_buffers.size() ? *m_buffers[m_shaded] : add_buffers();
   ++m_shaded;
@@ -114,6 +121,7 @@ void RayStepper<kFeatures>::shade_textures(Surface& at, ShadingBuffers& buffers,
   record.own = {};
   for (const WeightedTexture& texture : textures) {
     at.context.normal = at.normal;
+    at.texture_weight = texture.weight;
     const std::size_t before = record.onward.size();
     const Radiance own = shade_texture(*texture.texture, at, buffers, record);
     record.parts.push_back({own, texture.weight, record.onward.size() - before});
@@ -160,7 +168,7 @@ void RayStepper<kFeatures>::reflect(const Vec3& normal, const Finish& film, cons
   state.ray.direction = normalized(mirrored(at.ray().direction, normal, at.normal));
   state.inside = at.state.inside;
   state.place = next_place(2 * at.state.place);
-  state.kind = RayKind::kReflection;
+  state.kind = reflected(at.state.kind);
   state.wavelength = at.state.wavelength;
   onward.tinted = film.irid > 0.0;
   if (onward.tinted) onward.tint = m_shading.film(film, normal, state.ray.direction, at);
@@ -190,7 +198,7 @@ bool RayStepper<kFeatures>::add_transmitted(const LayerSum& sum, const Surface& 
     through.clear = sum.transparency;
     through.state.inside = inside;
     through.state.place = next_place(2 * at.state.place + 1);
-    through.state.kind = std::max(at.state.kind, RayKind::kTransmitted);
+    through.state.kind = transmitted(at.state.kind);
     return through;
   };
 

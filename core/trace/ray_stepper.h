@@ -12,6 +12,7 @@
 #include "core/base/pixel.h"
 #include "core/trace/media_light.h"
 #include "core/trace/path_features.h"
+#include "core/trace/path_rules.h"
 #include "core/trace/ray_record.h"
 #include "core/trace/ray_state.h"
 #include "core/trace/segment.h"
@@ -25,28 +26,39 @@ namespace lentray::core {
 template <unsigned kFeatures>
 class RayStepper {
  public:
-  RayStepper(ThreadContext& context, ShadowTester& shadows);
+  RayStepper(ThreadContext& context, ShadowTester& shadows, const PathRules& rules);
 
   /// A camera ray of a pixel's sample.
   RayState begin(const Ray& ray, Pixel pixel, std::uint64_t key);
   /// Whether a ray counts too little, or has too many levels above it, to be followed: it sees nothing.
   bool is_cut(const RayState& state) const { return is_cut(state.level, state.weight); }
+  /// The most levels that rays may have above them: the scene's, or others of who sets it.
+  int most_levels() const { return m_max_level; }
+  void set_most_levels(int levels) { m_max_level = levels; }
+  /// What the ray meets first; false: nothing.
+  bool meet(const RayState& state, Hit& hit) {
+    return m_hierarchy.nearest(state.ray, m_min_distance, Bounds::kInf, state.kind, hit,
+                               m_context.arena, m_context.tests);
+  }
   /// Fills the record with what the ray meets.
   void step(const RayState& state, RayRecord& record) {
+    Hit hit;
+    see(state, meet(state, hit) ? &hit : nullptr, record);
+  }
+  /// The same of a ray that has met this; null: nothing.
+  void see(const RayState& state, const Hit* hit, RayRecord& record) {
     if constexpr (kLayers) record.parts.clear();
     record.onward.clear();
-    Hit hit;
-    if (m_hierarchy.nearest(state.ray, m_min_distance, Bounds::kInf, state.kind, hit,
-                            m_context.arena, m_context.tests)) {
-      record.looks = &hit.leaf->attributes();
-      record.length = hit.t;
+    if (hit) {
+      record.looks = &hit->leaf->attributes();
+      record.length = hit->t;
       record.level = state.level + (state.straight_on ? 0 : 1);
-      shade(state, hit, record);
+      shade(state, *hit, record);
     } else {
       record.looks = nullptr;
       record.length = kOpenAir;
       record.level = state.level + 1;
-      record.own = sky_radiance(m_scene, state.ray.direction, state.kind == RayKind::kReflection);
+      record.own = sky_radiance(m_scene, state.ray.direction, state.kind >= RayKind::kReflection);
     }
   }
   /// Changes the light that RayRecord::gather() found into what arrives at the ray's origin.
@@ -87,7 +99,7 @@ class RayStepper {
   const Scene& m_scene;
   const Hierarchy& m_hierarchy;
   SurfaceShading<kFeatures> m_shading;
-  const int m_max_level;
+  int m_max_level;
   const double m_bailout;
   const double m_min_distance;  ///< kMinHitDistance in this scene
   const double m_atmosphere_ior;

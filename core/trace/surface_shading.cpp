@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/trace/indirect_light.h"
 #include "core/trace/random_key.h"
 #include "core/trace/reflectance.h"
 #include "core/trace/refraction.h"
@@ -26,8 +27,9 @@ float opacity_of(const Colour& c, bool legacy) {
 }  // namespace
 
 template <unsigned kFeatures>
-SurfaceShading<kFeatures>::SurfaceShading(ThreadContext& context, ShadowTester& shadows)
-    : m_context(context), m_settings(context.scene.settings()),
+SurfaceShading<kFeatures>::SurfaceShading(ThreadContext& context, ShadowTester& shadows,
+                                          const PathRules& rules)
+    : m_context(context), m_settings(context.scene.settings()), m_rules(rules),
       m_legacy_opacity(m_settings.language_version < kOpacityByAlphaSince),
       m_lights(context, shadows) {}
 
@@ -39,7 +41,7 @@ void SurfaceShading<kFeatures>::shade(const LayeredTexture& texture, Surface& at
     if (buffers.mirrors.size() < layers.size()) buffers.mirrors.resize(layers.size());
   }
   for (auto layer = layers.rbegin();
-       layer != layers.rend() && sum.transparency > m_settings.adc_bailout; ++layer) {
+       layer != layers.rend() && sum.transparency > m_rules.adc_bailout; ++layer) {
     shade_layer(*layer, at, sum, buffers);
     ++sum.layers;
     ++at.layer;
@@ -67,6 +69,7 @@ void SurfaceShading<kFeatures>::shade_layer(const TextureLayer& layer, Surface& 
   const double opacity = kTransparency || kLayers ? opacity_of(colour, m_legacy_opacity) : 1.0;
   Rgb own = times(colour.rgb * finish.ambient * m_settings.ambient_light, opacity);
   own += times(colour.rgb * finish.emission, opacity);
+  if (m_context.indirect) own += indirectly_lit(finish, colour.rgb, normal, opacity, at, sum);
   own += lit(finish, colour.rgb, normal, opacity, at, buffers.lights);
   sum.light += own * sum.filter;
 
@@ -101,6 +104,33 @@ Mirror SurfaceShading<kFeatures>::mirror_of(const Finish& finish, const Rgb& pig
   mirror.exponent = 1.0 / finish.reflection_exponent;
   mirror.finish = &finish;
   return mirror;
+}
+
+template <unsigned kFeatures>
+[[gnu::noinline]] Rgb SurfaceShading<kFeatures>::indirectly_lit(const Finish& finish,
+                                                                const Rgb& pigment,
+                                                                const Vec3& normal, double opacity,
+                                                                const Surface& at, LayerSum& sum) {
+  IndirectLight& indirect = *m_context.indirect;
+  if (!indirect.is_wanted()) return {};
+  const bool is_first = at.state.kind == RayKind::kGather;
+  const auto on_side = [&](double diffuse, double side, LayerSum::Indirect& known) {
+    const double share = grey(sum.filter * pigment) * opacity * diffuse;
+    if (!known.is_known && share > m_rules.adc_bailout) {
+      known = {indirect.at({at.point(), at.normal * side, normal * side, at.state.weight * share}),
+               true};
+    }
+    if (!known.is_known) return Rgb();
+    indirect.take_share(known.answer.number,
+                        times(pigment * sum.filter, opacity * diffuse * at.texture_weight),
+                        is_first);
+    return times(pigment * known.answer.light, opacity * diffuse);
+  };
+  Rgb light = on_side(finish.diffuse / finish.albedo_factor, 1.0, sum.front);
+  if (finish.diffuse_back != 0.0) {
+    light += on_side(finish.diffuse_back / finish.albedo_factor, -1.0, sum.back);
+  }
+  return light;
 }
 
 /// Which lights a layer wants.
@@ -183,13 +213,15 @@ struct SurfaceShading<kFeatures>::Receiver {
 template <unsigned kFeatures>
 Rgb SurfaceShading<kFeatures>::lit(const Finish& finish, const Rgb& pigment, const Vec3& normal,
                                    double opacity, const Surface& at, LightsAtPoint& known) {
+  if (!m_rules.lights) return {};
   if (finish.diffuse == 0.0 && finish.diffuse_back == 0.0 && finish.specular == 0.0 &&
       finish.phong == 0.0) {
     return {};
   }
   const bool one_sided = !at.looks.double_illuminate;
   const Facing facing{normal, one_sided, one_sided && finish.diffuse_back == 0.0};
-  Receiver receiver{*this, facing, finish, pigment, opacity, at, has_highlights(finish)};
+  Receiver receiver{
+      *this, facing, finish, pigment, opacity, at, m_rules.highlights && has_highlights(finish)};
   m_lights.at({at.point(), at.level, at.state.place, at.state.inside, at.state.key},
               m_lights.lights_of(at.looks), known, facing, receiver);
   return receiver.sum;

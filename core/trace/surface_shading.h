@@ -10,8 +10,10 @@
 #include <vector>
 
 #include "core/material/texture.h"
+#include "core/trace/indirect_light.h"
 #include "core/trace/light_loop.h"
 #include "core/trace/path_features.h"
+#include "core/trace/path_rules.h"
 #include "core/trace/ray_state.h"
 
 namespace lentray::core {
@@ -33,6 +35,12 @@ struct LayerSum {
   Vec3 top_normal;
   const Finish* top_finish = nullptr;
   std::size_t layers = 0;  ///< shaded so far
+  /// Indirect light on the front and the back, which all layers share; asked for once.
+  struct Indirect {
+    IndirectAnswer answer{};
+    bool is_known = false;
+  };
+  Indirect front, back;
 };
 
 /// Buffers of the surface that is shaded, used again from ray to ray.
@@ -46,7 +54,7 @@ struct ShadingBuffers {
 template <unsigned kFeatures>
 class SurfaceShading {
  public:
-  SurfaceShading(ThreadContext& context, ShadowTester& shadows);
+  SurfaceShading(ThreadContext& context, ShadowTester& shadows, const PathRules& rules);
 
   std::size_t lights() const { return m_lights.lights(); }
   /// To be called before anything else of a surface.
@@ -75,11 +83,15 @@ class SurfaceShading {
   void shade_layer(const TextureLayer& layer, Surface& at, LayerSum& sum, ShadingBuffers& buffers);
   Mirror mirror_of(const Finish& finish, const Rgb& pigment, const Vec3& normal, const Surface& at,
                    const LayerSum& sum) const;
+  /// The light of other surfaces.
+  Rgb indirectly_lit(const Finish& finish, const Rgb& pigment, const Vec3& normal, double opacity,
+                     const Surface& at, LayerSum& sum);
   Rgb lit(const Finish& finish, const Rgb& pigment, const Vec3& normal, double opacity,
           const Surface& at, LightsAtPoint& known);
 
   ThreadContext& m_context;
   const SceneSettings& m_settings;
+  const PathRules m_rules;
   const bool m_legacy_opacity;
   LightLoop<kArea, kLayers> m_lights;
 };

@@ -13,6 +13,7 @@
 
 namespace lentray::core {
 
+class IndirectLight;
 struct Illumination;
 
 struct ThreadContext {
@@ -31,7 +32,8 @@ struct ThreadContext {
   Counters* const tests;  ///< where tests are counted; null: nowhere
   AreaScratch area;
   InteriorTable interiors;
-  Pixel pixel;  ///< of the sample
+  IndirectLight* indirect = nullptr;  ///< null: light sources alone light surfaces
+  Pixel pixel;                        ///< of the sample
 };
 
 }  // namespace lentray::core

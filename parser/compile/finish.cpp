@@ -10,6 +10,7 @@ core::Finish compile_finish(const FinishDesc& finish, std::set<std::string>& not
   result.emission = finish.emission;
   result.diffuse = single(finish.diffuse);
   result.diffuse_back = single(finish.diffuse_back);
+  result.albedo_factor = finish.albedo_factor;
   result.brilliance = single(finish.brilliance);
   result.phong = single(finish.phong);
   result.phong_size = single(finish.phong_size);

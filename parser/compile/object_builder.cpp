@@ -67,7 +67,10 @@ void ObjectBuilder::add(const SceneObject& object) {
   m_last = {};
   Inherited nothing;
   nothing.on_list = true;
-  nothing.pass.importance = object.default_importance;
+  // One for all objects, the last that was said.
+  nothing.pass.importance = m_parts->settings.radiosity
+                                ? m_parts->settings.radiosity->default_importance
+                                : object.default_importance;
   add_to_list(*object.object, core::Transform(), nothing);
 }
 

@@ -10,7 +10,7 @@
 namespace lentray::parser {
 namespace {
 
-constexpr int kAirQuality = 9;
+constexpr int kAirQuality = 9, kRadiosityQuality = 9;
 
 /// Without +UA a background that is clear is laid over black; its filter is passed over, as in stock. With it, one
 /// from before #version 3.7 is seen in mirrors only, as if there were none.
@@ -47,6 +47,11 @@ core::SceneSettings build_settings(const SceneDesc& scene, const BuildOptions& o
   s.noise_generator = g.noise_generator.value_or(scene.language_version < 350 ? 1 : 2);
   s.atmosphere_ior = scene.atmosphere_ior;
   set_background(scene, options.alpha, s);
+  if (g.radiosity && options.quality >= kRadiosityQuality) {
+    s.radiosity = g.radiosity;
+    // From then on radiosity takes the place of `ambient`.
+    if (scene.language_version >= 370) s.ambient_light = core::Rgb(0.0f);
+  }
   return s;
 }
 
@@ -80,7 +85,6 @@ void note_missing(const SceneDesc& scene, NotYet& not_yet) {
     if (used) not_yet.try_emplace(feature, where);
   };
   const GlobalDesc& g = scene.global;
-  note(g.radiosity.has_value(), "radiosity", g.where);
   note(g.photons.has_value() && (g.photons->count > 0 || g.photons->spacing > 0.0) &&
            g.photons->gather_max > 0,
        "photons", g.where);

@@ -26,6 +26,7 @@ struct FinishDesc {
   core::Rgb ambient{0.1f, 0.1f, 0.1f};
   core::Rgb emission;
   double diffuse = 0.6, diffuse_back = 0.0;
+  double albedo_factor = 1.0;   ///< of `diffuse albedo`, in both
   bool diffuse_albedo = false;  ///< only while the block is read; so the two below
   double brilliance = 1.0;
   double phong = 0.0, phong_size = 40.0;

@@ -7,19 +7,12 @@
 
 #include "core/base/color.h"
 #include "core/base/vec3.h"
+#include "core/irradiance/settings.h"
 #include "parser/source/source.h"
 
 namespace lentray::parser {
 
-/// Kept; rendered later.
-struct RadiositySettings {
-  double adc_bailout = 0.01, brightness = 1.0, error_bound = 1.8, gray_threshold = 0.0;
-  double low_error_factor = 0.5, maximum_reuse = 0.2, minimum_reuse = 0.015, max_sample = -1.0;
-  double pretrace_start = 0.08, pretrace_end = 0.04;
-  int count = 35, direction_pool = 1600, nearest_count = 5, nearest_count_adaptive = 0;
-  int recursion_limit = 2;
-  bool always_sample = false, media = false, normal = false, subsurface = false;
-};
+using core::RadiositySettings;
 
 /// Kept; rendered later. autostop 0.5 and expand_thresholds 0.2, 35 are what stock does where they are
 /// left out; its manual has 0 and 40.

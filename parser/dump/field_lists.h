@@ -34,10 +34,10 @@ LENTRAY_FIELDS(LightDesc, where, kind, parallel, position, colour, point_at, rad
 // Looks.
 LENTRAY_FIELDS(ReflectionDesc, minimum, maximum, block, fresnel, falloff, metallic)
 LENTRAY_FIELDS(SubsurfaceDesc, translucency, anisotropy)
-LENTRAY_FIELDS(FinishDesc, where, ambient, emission, diffuse, diffuse_back, diffuse_albedo,
-               brilliance, phong, phong_size, phong_albedo, specular, roughness, specular_albedo,
-               metallic, reflection, reflection_exponent, conserve_energy, crand, irid,
-               irid_thickness, irid_turbulence, subsurface, ior, caustics, refraction)
+LENTRAY_FIELDS(FinishDesc, where, ambient, emission, diffuse, diffuse_back, albedo_factor,
+               diffuse_albedo, brilliance, phong, phong_size, phong_albedo, specular, roughness,
+               specular_albedo, metallic, reflection, reflection_exponent, conserve_energy, crand,
+               irid, irid_thickness, irid_turbulence, subsurface, ior, caustics, refraction)
 LENTRAY_FIELDS(SlopePoint, height, slope)
 LENTRAY_FIELDS(ColourMapDesc, where, entries)
 LENTRAY_FIELDS(PigmentMapDesc, where, entries)
@@ -79,7 +79,7 @@ LENTRAY_FIELDS(InteriorDesc, where, ior, ior_given, dispersion, dispersion_sampl
 LENTRAY_FIELDS(RadiositySettings, adc_bailout, brightness, error_bound, gray_threshold,
                low_error_factor, maximum_reuse, minimum_reuse, max_sample, pretrace_start,
                pretrace_end, count, direction_pool, nearest_count, nearest_count_adaptive,
-               recursion_limit, always_sample, media, normal, subsurface)
+               recursion_limit, always_sample, media, normal, subsurface, default_importance)
 LENTRAY_FIELDS(PhotonSettings, spacing, jitter, autostop, expand_increase, adc_bailout, radius,
                radius_multiplier, media_radius, media_radius_multiplier, media_factor, count,
                gather_min, gather_max, expand_min, media_steps, max_trace_level, load_file,

@@ -161,11 +161,9 @@ bool accept_other_word(Parser& parser, FinishDesc& finish) {
 /// What `albedo` asked for holds for the numbers of this block only: an identifier with
 /// modifications starts from the scaled numbers.
 void apply_albedo(FinishDesc& finish) {
-  if (finish.diffuse_albedo) {
-    const double factor = (finish.brilliance + 1.0) / 2.0;
-    finish.diffuse *= factor;
-    finish.diffuse_back *= factor;
-  }
+  finish.albedo_factor = finish.diffuse_albedo ? (finish.brilliance + 1.0) / 2.0 : 1.0;
+  finish.diffuse *= finish.albedo_factor;
+  finish.diffuse_back *= finish.albedo_factor;
   if (finish.phong_albedo) finish.phong *= (finish.phong_size + 1.0) / 2.0;
   if (finish.specular_albedo && finish.roughness != 0.0) {
     const double exponent = 1.0 / finish.roughness;

@@ -138,6 +138,9 @@ SceneDesc parse_scene(Parser& parser, Grammar& grammar) {
   if (scene.objects.empty() && scene.dropped == 0) parser.warn("there are no objects in the scene");
   scene.language_version = rendered_version(parser);
   scene.deepest = parser.deepest();
+  if (scene.global.radiosity) {
+    scene.global.radiosity->default_importance = grammar.context().default_importance;
+  }
   warn_about_version(parser);
   return scene;
 }

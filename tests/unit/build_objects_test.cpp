@@ -254,14 +254,14 @@ TEST(UnitBuildScene, NotRenderedIsNamedOnce) {
   SceneText s(
       "#declare Lit = finish { subsurface { translucency 1 } }"
       "sphere { 0, 1 finish { Lit } } plane { y, 0 finish { Lit } }"
-      "global_settings { radiosity { } }");
+      "global_settings { photons { count 100 } }");
   const core::SceneParts parts = s.build();
-  EXPECT_EQ(parts.not_rendered, (std::vector<std::string>{"radiosity", "subsurface"}));
+  EXPECT_EQ(parts.not_rendered, (std::vector<std::string>{"photons", "subsurface"}));
   int warnings = 0;
   for (const Diagnostic& d : s.diagnostics().warnings()) {
     if (d.message.find("subsurface") != std::string::npos) {
       ++warnings;
-      EXPECT_NE(d.message.find("radiosity"), std::string::npos);
+      EXPECT_NE(d.message.find("photons"), std::string::npos);
     }
   }
   EXPECT_EQ(warnings, 1);

@@ -15,7 +15,6 @@
 namespace lentray::parser::test {
 namespace {
 
-using core::Ray;
 using core::Vec3;
 
 /// A scene and what a thread traces it with.
@@ -25,9 +24,11 @@ struct Traced {
         tracer(core::Integrator::make(context, tester)) {}
   core::Radiance along(const Vec3& from, const Vec3& direction, float weight = 1.0f,
                        int level = 0) {
-    const Ray ray{from, core::normalized(direction)};
+    core::RayState state{{from, core::normalized(direction)}, 0};
+    state.weight = weight;
+    state.level = level;
     core::Follow& follow = *tracer;
-    return follow.along(core::RayState(ray), weight, level);
+    return follow.along(state);
   }
   SceneText text;
   core::Scene scene;

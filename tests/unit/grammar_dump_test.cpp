@@ -174,7 +174,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(UnitKept, OneWarningNamesThemAll) {
   SceneText read(
-      "global_settings { radiosity { } photons { count 100 } subsurface { } }\n"
+      "global_settings { photons { count 100 } subsurface { } }\n"
       "sphere { 0, 1 finish { subsurface { } } }");
   read.build();
   int warnings = 0;
@@ -185,7 +185,7 @@ TEST(UnitKept, OneWarningNamesThemAll) {
     text = d.message;
   }
   EXPECT_EQ(warnings, 1);
-  for (const char* feature : {"photons", "radiosity", "subsurface"}) {
+  for (const char* feature : {"photons", "subsurface"}) {
     EXPECT_NE(text.find(feature), std::string::npos) << feature << " in: " << text;
   }
 }

@@ -323,7 +323,8 @@ TEST(UnitCoreIntegrator, EveryPathThatHoldsTheSceneGivesTheSameBits) {
       if ((features & needed) != needed) continue;
       ThreadContext context(*scene, false);
       PlainShadowTester tester(context);
-      const auto tracer = make_path_integrator(features, context, tester);
+      const auto tracer =
+          make_path_integrator(features, context, tester, {scene->settings().adc_bailout});
       const std::vector<Radiance> seen = integrator_picture(*tracer);
       if (reference.empty()) reference = seen;
       EXPECT_TRUE(integrator_same(seen, reference)) << "scene " << what << ", path " << features;

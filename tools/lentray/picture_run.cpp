@@ -19,6 +19,7 @@
 #include "tools/lentray/sheet_files.h"
 #include "tools/session/explain.h"
 #include "tools/session/identity.h"
+#include "tools/session/pass_file.h"
 #include "tools/session/picture_file.h"
 #include "tools/session/picture_journal.h"
 #include "tools/session/ray_dump.h"
@@ -243,11 +244,13 @@ bool is_there_already(Run& run, const std::string& scene) {
   return true;
 }
 
+void tell_of_file(Run& run, const std::string& file) {
+  run.form.texts().write(parser::Stream::kRender,
+                         "What is done is kept in '" + file + "': +C goes on with it\n");
+}
+
 void tell_of_journal(Run& run, PictureJournal& journal) {
-  if (!journal.keep()) return;
-  run.form.texts().write(
-      parser::Stream::kRender,
-      "What is done is kept in '" + journal_path(run.output) + "': +C goes on with it\n");
+  if (journal.keep()) tell_of_file(run, journal_path(run.output));
 }
 
 /// False if the run was cancelled.
@@ -261,6 +264,11 @@ bool render(Run& run, Session& session, const std::atomic<bool>& cancel, bool is
     if (o.continues) journal->go_on();
   }
   PictureJournal* const kept = journal ? &*journal : nullptr;
+  std::optional<PassFile> passes;
+  if (journal && session.has_passes()) {
+    passes.emplace(run.output, run.identity);
+    if (o.continues) passes->go_on();
+  }
   run.form.begin_rendering(o, plan.report, plan.pixels);
   std::unique_ptr<core::Progress> bar;
   if (o.verbose) bar = run.form.progress();
@@ -269,7 +277,8 @@ bool render(Run& run, Session& session, const std::atomic<bool>& cancel, bool is
                                      run.camera, kept);
   bool is_cut_off = false;
   try {
-    run.report = session.render(plan, {*picture, bar.get(), kept, &cancel});
+    run.report =
+        session.render(plan, {*picture, bar.get(), kept, passes ? &*passes : nullptr, &cancel});
     run.report.render_cpu_s -= picture->cpu_seconds();
     bar.reset();
     is_cut_off = cancel.load();
@@ -280,11 +289,14 @@ bool render(Run& run, Session& session, const std::atomic<bool>& cancel, bool is
     if (journal) tell_of_journal(run, *journal);
     throw;
   }
+  if (passes && !passes->trouble().empty()) run.warnings.tell(passes->trouble());
   if (is_cut_off) {
     if (journal) tell_of_journal(run, *journal);
+    if (passes && passes->write()) tell_of_file(run, passes->part());
     return false;
   }
   if (journal) journal->finish(is_frame);
+  if (passes) PassFile::forget(run.output);
   if (journal && !journal->trouble().empty()) run.warnings.tell(journal->trouble());
   run.report.write_cpu_s = picture->cpu_seconds();
   return true;
@@ -293,6 +305,10 @@ bool render(Run& run, Session& session, const std::atomic<bool>& cancel, bool is
 /// What the picture told about the numbers it was given.
 void report_advice(Run& run, const Session& session) {
   for (const std::string& text : session.advice()) run.warnings.add(text);
+  if (const RadiosityRun* const radiosity = session.radiosity()) {
+    if (const std::string text = radiosity->warning(); !text.empty()) run.warnings.tell(text);
+    run.form.texts().write(parser::Stream::kStatistics, radiosity->text());
+  }
   if (const std::uint64_t cut = run.report.counters.cut_rays; cut > 0) {
     run.warnings.tell(std::to_string(cut) +
                       " rays met more surfaces behind one another "
@@ -308,6 +324,7 @@ void write_statistics(const Run& run, const Session& session) {
   report.accelerator = o.accelerator;
   nlohmann::json all = statistics(std::move(report), run.camera, session.scene().settings());
   all["not_rendered"] = session.not_rendered();
+  if (session.radiosity()) all["radiosity"] = session.radiosity()->json();
   write_text_file(parser::frame_path(o, o.statistics_file), json_text(std::move(all), 2) + "\n");
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "camera/scene_probe.h"
+#include "core/pass/pass_list.h"
 #include "core/render/focal_blur.h"
 #include "core/render/frame.h"
 #include "parser/options/options.h"
@@ -180,6 +181,8 @@ Plan Session::plan(const CameraSetup& camera, const FilmSettings& film) {
   return plan;
 }
 
+bool Session::has_passes() const { return m_scene->settings().radiosity.has_value(); }
+
 shadow::RunReport Session::render(const Plan& plan, const Outlets& outlets) {
   const FilmSettings& film = plan.film;
   const camera::LensSheet* const lenses = lenses_of(plan.camera);
@@ -207,9 +210,27 @@ shadow::RunReport Session::render(const Plan& plan, const Outlets& outlets) {
       shadow::make_band_orders(film.pixel_order, {columns.left, columns.right}, lenses, &meter);
 
   shadow::RunReport report = plan.report;
+  core::PassList passes;
+  if (has_passes()) {
+    frame.illumination = &m_light;
+    if (!m_radiosity || !m_radiosity->serves(plan.camera)) {
+      m_radiosity.emplace(*m_scene, plan.camera, radiosity_eye(*m_camera), *testers, m_light);
+      passes.add(m_radiosity->pass());
+    }
+  }
+  if (!passes.run({.threads = core::frame_threads(frame),
+                   .levels = m_scene->deepest(),
+                   .cancel = outlets.cancel,
+                   .progress = outlets.progress,
+                   .film_work = static_cast<double>(plan.pixels),
+                   .ledger = outlets.passes})) {
+    m_radiosity.reset();  // half done
+    return report;
+  }
+  report.passes = passes.reports();
   const double before = cpu_seconds();
   report.counters = core::render_frame(*m_scene, camera, plan.shape, *orders, *asked, frame,
-                                       outlets.sink, outlets.progress);
+                                       outlets.sink, passes.film_progress());
   report.render_cpu_s = cpu_seconds() - before;
   report.shadow_log = log.lights();
   return report;

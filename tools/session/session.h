@@ -13,15 +13,18 @@
 #include <string>
 #include <vector>
 
+#include "core/pass/pass_ledger.h"
 #include "core/render/band_sink.h"
 #include "core/render/picture_ledger.h"
 #include "core/render/progress.h"
 #include "core/scene/scene.h"
+#include "core/trace/illumination.h"
 #include "parser/compile/scene.h"
 #include "parser/interpreter/parser.h"
 #include "shadow/report.h"
 #include "tools/session/camera_setup.h"
 #include "tools/session/film.h"
+#include "tools/session/radiosity_run.h"
 
 namespace lentray::tool {
 
@@ -51,6 +54,7 @@ struct Outlets {
   core::BandSink& sink;
   core::Progress* progress = nullptr;
   core::PictureLedger* ledger = nullptr;  ///< to go on with the picture later
+  core::PassLedger* passes = nullptr;     ///< the same of the work before it
   const std::atomic<bool>* cancel = nullptr;
 };
 
@@ -81,8 +85,12 @@ class Session {
   void prepare(const camera::Camera& camera);
   /// `camera` and `film` must outlive the plan.
   Plan plan(const CameraSetup& camera, const FilmSettings& film);
+  /// Whether work comes before pictures. It is done once for all that look at one lens sheet.
+  bool has_passes() const;
   /// After a cancel the sink lacks bands, and the report says little.
   shadow::RunReport render(const Plan& plan, const Outlets& outlets);
+  /// Of the last picture; null: the scene has none.
+  const RadiosityRun* radiosity() const { return m_radiosity ? &*m_radiosity : nullptr; }
   /// What pictures have told about numbers that the scene gives, as warnings with their headings.
   std::vector<std::string> advice() const;
 
@@ -97,6 +105,8 @@ class Session {
   std::uint64_t m_rays_a_pixel = 1;  ///< at most, without antialiasing
   std::unique_ptr<core::Scene> m_scene;
   std::uint64_t m_prepared_rays = 0;  ///< that the light buffers were made for
+  core::Illumination m_light;         ///< that passes have left
+  std::optional<RadiosityRun> m_radiosity;
   std::vector<core::WatchedSlope> m_slopes;
   std::vector<std::string> m_not_rendered;
   double m_read_cpu_s = 0.0, m_build_cpu_s = 0.0;  ///< that no plan has yet

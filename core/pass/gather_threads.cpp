@@ -1,0 +1,48 @@
+#include "core/pass/gather_threads.h"
+
+#include "core/scene/scene.h"
+#include "core/trace/path_rules.h"
+
+namespace lentray::core {
+namespace {
+
+/// Camera rays need no light of their own: all they are for is where they ask for indirect light.
+PathRules unlit(const Scene& scene) {
+  PathRules rules{scene.settings().adc_bailout};
+  rules.lights = false;
+  return rules;
+}
+
+}  // namespace
+
+GatherThreads::Thread::Thread(const Scene& scene, const ShadowTesterFactory& factory)
+    : context(scene, false), shadows(factory.make(context)),
+      camera(Integrator::make(context, *shadows, unlit(scene))),
+      gatherer(make_gatherer(context, *shadows)) {
+  context.indirect = &recorder;
+}
+
+GatherThreads::Thread& GatherThreads::thread(unsigned number) {
+  std::unique_ptr<Thread>& thread = m_threads[number];
+  if (!thread) thread = std::make_unique<Thread>(m_scene, m_shadows);
+  return *thread;
+}
+
+void GatherThreads::trace(std::span<const GatherRay> rays, bool asks,
+                          std::span<GatherRecord> records) {
+  m_run.each(rays.size(), [&](unsigned number, std::size_t ray) {
+    Thread& own = thread(number);
+    own.recorder.record_to(records[ray], asks);
+    records[ray].seen = own.gatherer->gather(rays[ray]);
+  });
+}
+
+void GatherThreads::look(std::span<const PassRay> rays, std::span<GatherRecord> records) {
+  m_run.each(rays.size(), [&](unsigned number, std::size_t ray) {
+    Thread& own = thread(number);
+    own.recorder.record_to(records[ray], true);
+    if (rays[ray].shows) own.camera->trace(rays[ray].ray, rays[ray].pixel);
+  });
+}
+
+}  // namespace lentray::core

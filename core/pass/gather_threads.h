@@ -1,0 +1,50 @@
+// The threads of a radiosity pass: each traces camera rays and rays of gathers, and notes what their
+// surfaces ask. World space.
+// Errors: PassCancelled. The leader of the pass calls.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/pass/pass_run.h"
+#include "core/trace/query_recorder.h"
+#include "core/trace/radiosity_light.h"
+#include "core/trace/thread_context.h"
+
+namespace lentray::core {
+
+/// A camera ray of the pass.
+struct PassRay {
+  Ray ray;
+  Pixel pixel;
+  bool shows = false;  ///< false: there is none
+};
+
+class GatherThreads final : public GatherTeam {
+ public:
+  /// `shadows` outlives it.
+  GatherThreads(const Scene& scene, const ShadowTesterFactory& shadows, PassRun& run)
+      : m_scene(scene), m_shadows(shadows), m_run(run), m_threads(run.threads()) {}
+  void trace(std::span<const GatherRay> rays, bool asks, std::span<GatherRecord> records) override;
+  /// What is asked behind camera rays; the light they bring is nobody's.
+  void look(std::span<const PassRay> rays, std::span<GatherRecord> records);
+
+ private:
+  struct Thread {
+    Thread(const Scene& scene, const ShadowTesterFactory& factory);
+    ThreadContext context;
+    std::unique_ptr<ShadowTester> shadows;
+    std::unique_ptr<Integrator> camera, gatherer;
+    QueryRecorder recorder;
+  };
+  /// That number's, made on its own thread.
+  Thread& thread(unsigned number);
+
+  const Scene& m_scene;
+  const ShadowTesterFactory& m_shadows;
+  PassRun& m_run;
+  std::vector<std::unique_ptr<Thread>> m_threads;
+};
+
+}  // namespace lentray::core

@@ -1,0 +1,110 @@
+// The light that reaches a surface from other surfaces: put together from samples nearby, or gathered by
+// rays of its own where there are too few. World space; colours linear. One a thread.
+//
+// In a picture the samples are given and stay as they are; what is gathered there serves its own place
+// alone. A pass makes them: what it gathers becomes a sample.
+// Source: reference manual 3.7, "Radiosity"; the rules are those that replay stock's pictures
+// (tests/image/radiosity_test.cpp).
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/irradiance/irradiance_cache.h"
+#include "core/trace/indirect_light.h"
+#include "core/trace/integrator.h"
+#include "core/trace/query_recorder.h"
+
+namespace lentray::core {
+
+struct ThreadContext;
+
+/// Of one depth.
+struct GatherCounts {
+  std::uint64_t queries = 0, gathers = 0, rays = 0;
+  double found = 0.0;          ///< samples that were found for the queries
+  std::uint64_t not_kept = 0;  ///< gathers so near to something that they serve no other place
+  GatherCounts& operator-=(const GatherCounts& o) {
+    queries -= o.queries;
+    gathers -= o.gathers;
+    rays -= o.rays;
+    not_kept -= o.not_kept;
+    found -= o.found;
+    return *this;
+  }
+};
+
+/// Traces rays before it is known what indirect light their surfaces get.
+class GatherTeam {
+ public:
+  virtual ~GatherTeam() = default;
+  /// As many records as rays; the random numbers of each ray are those of its key. `asks`: whether
+  /// surfaces want indirect light.
+  virtual void trace(std::span<const GatherRay> rays, bool asks,
+                     std::span<GatherRecord> records) = 0;
+};
+
+/// Traces the rays of gathers, under radiosity's own rules.
+std::unique_ptr<Integrator> make_gatherer(ThreadContext& context, ShadowTester& shadows);
+
+class RadiosityLight final : public IndirectLight {
+ public:
+  /// For a picture.
+  RadiosityLight(ThreadContext& context, ShadowTester& shadows, const IrradianceCache& cache);
+  /// For a pass, which makes the samples. `is_last`: they are looked for as the picture does.
+  RadiosityLight(ThreadContext& context, ShadowTester& shadows, IrradianceCache& cache,
+                 bool is_last, GatherTeam& team);
+  ~RadiosityLight() override;
+
+  void begin(Pixel pixel, bool is_centre, std::uint64_t key) override;
+  bool is_wanted() const override { return m_depth < m_cache.depths(); }
+  IndirectAnswer at(const IndirectQuery& query) override;
+
+  /// By depth, since it was made.
+  const std::vector<GatherCounts>& counts() const { return m_counts; }
+  /// What was gathered for the first depth since the last beginning of a ray.
+  std::vector<GatheredLight> take_gathered() { return std::move(m_gathered); }
+
+ private:
+  RadiosityLight(ThreadContext& context, ShadowTester& shadows, const IrradianceCache& cache,
+                 IrradianceCache* growing, bool is_last, GatherTeam* team);
+  /// The rays of a gather, summed up.
+  struct Sum;
+
+  GatheredLight gathered_for(const IndirectQuery& query, const Vec3& normal);
+  GatheredLight gather(const IndirectQuery& query, const Vec3& normal);
+  void aim(const IndirectQuery& query, const Vec3& normal, Sum& sum);
+  void shoot();
+  void add_up(Sum& sum);
+  bool keep(const IndirectQuery& query, const Sum& sum, GatheredLight& light);
+
+  ThreadContext& m_context;
+  const IrradianceCache& m_cache;
+  IrradianceCache* const m_growing;  ///< null: what is gathered is not kept
+  const RadiositySettings& m_settings;
+  const bool m_is_last;
+  const double m_error_bound;
+  std::unique_ptr<Integrator> m_rays;  ///< that gather
+  GatherTeam* const m_team;            ///< null: this thread traces all
+  struct Depth {
+    DepthRules rules;
+    DirectionCycle cycle;
+    std::vector<GatherRay> rays{};  ///< of the gather on the way
+    std::vector<GatherRecord> records{};
+    std::vector<double> qualities{};
+  };
+  Depth& here() { return m_depths[static_cast<std::size_t>(m_depth)]; }
+  std::vector<Depth> m_depths;
+  std::vector<GatherCounts> m_counts;
+  int m_depth = 0;            ///< gathers on the way
+  double m_quality = 1.0;     ///< the least of the samples that the ray used
+  PixelSight m_sight;         ///< of the pixel
+  std::size_t m_answers = 0;  ///< that it had of m_sight
+  std::uint64_t m_key = 0;
+  std::uint64_t m_gathers = 0;  ///< since the ray began
+  std::vector<GatheredLight> m_gathered;
+};
+
+}  // namespace lentray::core
