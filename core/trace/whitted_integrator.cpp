@@ -1,4 +1,4 @@
-#include "core/trace/path_integrator.h"
+#include "core/trace/whitted_integrator.h"
 
 #include <array>
 #include <utility>
@@ -6,13 +6,13 @@
 namespace lentray::core {
 
 template <unsigned kFeatures>
-Radiance PathIntegrator<kFeatures>::trace(const Ray& ray, Pixel pixel, std::uint64_t key) {
+Radiance WhittedIntegrator<kFeatures>::trace(const Ray& ray, Pixel pixel, std::uint64_t key) {
   m_context.interiors.forget_if_large();
   return follow(m_stepper.begin(ray, pixel, key));
 }
 
 template <unsigned kFeatures>
-Radiance PathIntegrator<kFeatures>::follow(const RayState& state) {
+Radiance WhittedIntegrator<kFeatures>::follow(const RayState& state) {
   if (m_stepper.is_cut(state)) return {};
   if (m_depth >= m_deepest) {
     ++m_context.counters.cut_rays;
@@ -27,7 +27,7 @@ Radiance PathIntegrator<kFeatures>::follow(const RayState& state) {
 }
 
 template <unsigned kFeatures>
-RayRecord& PathIntegrator<kFeatures>::enter_ray() {
+RayRecord& WhittedIntegrator<kFeatures>::enter_ray() {
   if (m_depth == m_records.size()) {
     m_records.push_back(std::make_unique<RayRecord>());
     // Clear surfaces do not count as levels, so that there may be any number of them. Half of the
@@ -55,7 +55,7 @@ using Maker = std::unique_ptr<Integrator> (*)(ThreadContext&, ShadowTester&);
 
 template <unsigned kFeatures>
 std::unique_ptr<Integrator> make_one(ThreadContext& context, ShadowTester& shadows) {
-  return std::make_unique<PathIntegrator<kFeatures>>(context, shadows);
+  return std::make_unique<WhittedIntegrator<kFeatures>>(context, shadows);
 }
 
 template <unsigned... kFeatures>
@@ -66,14 +66,14 @@ constexpr std::array<Maker, sizeof...(kFeatures)> all_makers(
 
 }  // namespace
 
-std::unique_ptr<Integrator> make_path_integrator(unsigned features, ThreadContext& context,
-                                                 ShadowTester& shadows) {
+std::unique_ptr<Integrator> make_whitted_integrator(unsigned features, ThreadContext& context,
+                                                    ShadowTester& shadows) {
   static constexpr auto kMakers = all_makers(std::make_integer_sequence<unsigned, kAllPaths>{});
   return kMakers.at(features)(context, shadows);
 }
 
 std::unique_ptr<Integrator> Integrator::make(ThreadContext& context, ShadowTester& shadows) {
-  return make_path_integrator(path_features(context.scene.needs()), context, shadows);
+  return make_whitted_integrator(path_features(context.scene.needs()), context, shadows);
 }
 
 }  // namespace lentray::core
