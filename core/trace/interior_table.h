@@ -1,7 +1,7 @@
-// The interiors that rays travel in, as numbers: equal stacks have equal numbers, so that a ray carries
-// four bytes. Every object has an interior: without an `interior` statement it is a plain one with the
-// ior of the atmosphere, told apart by the object of the source: parts of a union share it.
-// One a thread; no allocation once it has grown.
+// The interiors that rays travel in, as numbers: equal stacks have equal numbers, so that a ray
+// carries four bytes. Every object has an interior: without an `interior` statement it is a plain
+// one with the ior of the atmosphere, told apart by the object of the source: parts of a union
+// share it. One a thread; no allocation once it has grown.
 // Source: reference manual 3.7, "Interior"; the order of nested and overlapping ones is stock's.
 #pragma once
 
@@ -32,8 +32,8 @@ inline InteriorEntry interior_of(const Attributes& attributes, const Object* obj
           attributes.hollow};  // no address is odd
 }
 
-/// Stacks of interiors, any number deep. Numbers hold until forget_if_large(); references to entries
-/// until the next push() or remove().
+/// Stacks of interiors, any number deep. Numbers hold until forget_if_large(); references to
+/// entries until the next push() or remove().
 class InteriorTable {
  public:
   InteriorTable();
@@ -62,8 +62,8 @@ class InteriorTable {
     return remove_among(id, key);
   }
 
-  /// To be called where no number is in use, between camera rays: true if they count no more, since there
-  /// were very many of them.
+  /// To be called where no number is in use, between camera rays: true if they count no more, since
+  /// there were very many of them.
   bool forget_if_large();
 
  private:

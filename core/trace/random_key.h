@@ -1,6 +1,6 @@
-// Random numbers that depend on nothing but what they are for: a pixel, one of its samples, the place
-// of a ray in the tree of rays, a use, a dimension. So a picture has the same bits for every order of
-// work, be it depth first or breadth first. Pure functions.
+// Random numbers that depend on nothing but what they are for: a pixel, one of its samples, the
+// place of a ray in the tree of rays, a use, a dimension. So a picture has the same bits for every
+// order of work, be it depth first or breadth first. Pure functions.
 // Source: splitmix64 (Steele, Lea and Flood, OOPSLA 2014).
 #pragma once
 

@@ -1,6 +1,6 @@
-// What a ray has met: the light that a surface, or the sky, sends along it by itself, and the rays that
-// go on from the surface with how what they see adds to it. Whoever follows these, in whatever order,
-// gets the same bits. A buffer that is used from ray to ray; world space, colours linear.
+// What a ray has met: the light that a surface, or the sky, sends along it by itself, and the rays
+// that go on from the surface with how what they see adds to it. Whoever follows these, in whatever
+// order, gets the same bits. A buffer that is used from ray to ray; world space, colours linear.
 #pragma once
 
 #include <cmath>
@@ -94,8 +94,8 @@ struct RayRecord {
   std::vector<Part> parts;  ///< empty: one texture, whose light is `own`
   std::vector<OnwardRay> onward;
 
-  /// What arrives at the ray's end, where `see(OnwardRay) -> Radiance` is what arrives at the start of
-  /// one that goes on; called for each, in order.
+  /// What arrives at the ray's end, where `see(OnwardRay) -> Radiance` is what arrives at the start
+  /// of one that goes on; called for each, in order.
   template <class See>
   [[gnu::always_inline]] Radiance gather(See&& see) const {
     return parts.empty() ? gather(own, onward, see) : gather_parts(see);

@@ -1,7 +1,9 @@
-// One step of a ray: finds what it meets, has the surface shaded, and says which rays go on from there;
-// then, once their light is known, passes it all through the air between. It follows no ray itself:
-// that is the integrator's. World space. One a thread; no allocation per ray once its buffers have grown.
-// Source: where adc_bailout and max_trace_level cut is stock's (tests/image/shading_depth_test.cpp).
+// One step of a ray: finds what it meets, has the surface shaded, and says which rays go on from
+// there; then, once their light is known, passes it all through the air between. It follows no ray
+// itself: that is the integrator's. World space. One a thread; no allocation per ray once its
+// buffers have grown.
+// Source: where adc_bailout and max_trace_level cut is stock's
+// (tests/image/shading_depth_test.cpp).
 #pragma once
 
 #include <cstdint>
@@ -30,7 +32,8 @@ class RayStepper {
 
   /// A camera ray of a pixel's sample.
   RayState begin(const Ray& ray, Pixel pixel, std::uint64_t key);
-  /// Whether a ray counts too little, or has too many levels above it, to be followed: it sees nothing.
+  /// Whether a ray counts too little, or has too many levels above it, to be followed: it sees
+  /// nothing.
   bool is_cut(const RayState& state) const { return is_cut(state.level, state.weight); }
   /// The most levels that rays may have above them: the scene's, or others of who sets it.
   int most_levels() const { return m_max_level; }

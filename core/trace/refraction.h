@@ -1,4 +1,5 @@
-// What a surface between interiors does to a ray that passes it. Pure but for the table's own numbers.
+// What a surface between interiors does to a ray that passes it. Pure but for the table's own
+// numbers.
 // Source: reference manual 3.7, "Interior"; the order of nested and overlapping ones is stock's.
 #pragma once
 
@@ -13,9 +14,9 @@ struct Bend {
   int bands = kDefaultBands;  ///< that light is split into, if dispersion is not 1
 };
 
-/// Changes `inside` as a ray passes the surface of that interior. Nested objects count as cut out of
-/// those around them. Where objects overlap, the one that was entered last fills the overlap, and leaving
-/// the other one there bends nothing.
+/// Changes `inside` as a ray passes the surface of that interior. Nested objects count as cut out
+/// of those around them. Where objects overlap, the one that was entered last fills the overlap,
+/// and leaving the other one there bends nothing.
 Bend enter(const InteriorEntry& entry, double atmosphere_ior, InteriorTable& table,
            InteriorsId& inside);
 

@@ -13,9 +13,9 @@
 #include "core/shape/box.h"
 #include "core/shape/plane.h"
 #include "core/shape/sphere.h"
-#include "core/trace/path_integrator.h"
 #include "core/trace/plain_shadow_tester.h"
 #include "core/trace/thread_context.h"
+#include "core/trace/whitted_integrator.h"
 #include "shadow/cache_policy.h"
 #include "shadow/direction_policy.h"
 #include "shadow/neighbourhood.h"
@@ -324,7 +324,7 @@ TEST(UnitCoreIntegrator, EveryPathThatHoldsTheSceneGivesTheSameBits) {
       ThreadContext context(*scene, false);
       PlainShadowTester tester(context);
       const auto tracer =
-          make_path_integrator(features, context, tester, {scene->settings().adc_bailout});
+          make_whitted_integrator(features, context, tester, {scene->settings().adc_bailout});
       const std::vector<Radiance> seen = integrator_picture(*tracer);
       if (reference.empty()) reference = seen;
       EXPECT_TRUE(integrator_same(seen, reference)) << "scene " << what << ", path " << features;

@@ -1,5 +1,5 @@
-// The integrator behind Integrator::make: follows a camera ray and all that goes on from it, depth first.
-// One a thread; no allocation per ray once its buffers have grown.
+// The integrator behind Integrator::make: follows a camera ray and all that goes on from it, depth
+// first. One a thread; no allocation per ray once its buffers have grown.
 #pragma once
 
 #include <cstddef>
@@ -15,9 +15,9 @@
 namespace lentray::core {
 
 template <unsigned kFeatures>
-class PathIntegrator final : public Integrator {
+class WhittedIntegrator final : public Integrator {
  public:
-  PathIntegrator(ThreadContext& context, ShadowTester& shadows, const PathRules& rules)
+  WhittedIntegrator(ThreadContext& context, ShadowTester& shadows, const PathRules& rules)
       : m_context(context), m_stepper(context, shadows, rules) {}
 
   using Integrator::trace;
@@ -41,7 +41,7 @@ class PathIntegrator final : public Integrator {
 
 /// The path of exactly these features (a superset of what the scene needs); for Integrator::make and
 /// for the test that paths agree.
-std::unique_ptr<Integrator> make_path_integrator(unsigned features, ThreadContext& context,
-                                                 ShadowTester& shadows, const PathRules& rules);
+std::unique_ptr<Integrator> make_whitted_integrator(unsigned features, ThreadContext& context,
+                                                    ShadowTester& shadows, const PathRules& rules);
 
 }  // namespace lentray::core

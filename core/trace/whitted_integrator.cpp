@@ -1,4 +1,4 @@
-#include "core/trace/path_integrator.h"
+#include "core/trace/whitted_integrator.h"
 
 #include <algorithm>
 #include <array>
@@ -18,14 +18,14 @@ bool is_first_sample(Pixel pixel, std::uint64_t key) {
 }  // namespace
 
 template <unsigned kFeatures>
-Radiance PathIntegrator<kFeatures>::trace(const Ray& ray, Pixel pixel, std::uint64_t key) {
+Radiance WhittedIntegrator<kFeatures>::trace(const Ray& ray, Pixel pixel, std::uint64_t key) {
   m_context.interiors.forget_if_large();
   if (m_context.indirect) m_context.indirect->begin(pixel, is_first_sample(pixel, key), key);
   return follow(m_stepper.begin(ray, pixel, key));
 }
 
 template <unsigned kFeatures>
-Radiance PathIntegrator<kFeatures>::follow(const RayState& state) {
+Radiance WhittedIntegrator<kFeatures>::follow(const RayState& state) {
   if (m_stepper.is_cut(state)) return {};
   if (m_depth >= m_deepest) {
     ++m_context.counters.cut_rays;
@@ -37,7 +37,7 @@ Radiance PathIntegrator<kFeatures>::follow(const RayState& state) {
 }
 
 template <unsigned kFeatures>
-GatheredRay PathIntegrator<kFeatures>::gather(const GatherRay& from) {
+GatheredRay WhittedIntegrator<kFeatures>::gather(const GatherRay& from) {
   GatheredRay seen;
   if (m_depth >= m_deepest) {
     ++m_context.counters.cut_rays;
@@ -65,7 +65,7 @@ GatheredRay PathIntegrator<kFeatures>::gather(const GatherRay& from) {
 }
 
 template <unsigned kFeatures>
-Radiance PathIntegrator<kFeatures>::leave_ray(const RayState& state, const RayRecord& record) {
+Radiance WhittedIntegrator<kFeatures>::leave_ray(const RayState& state, const RayRecord& record) {
   Radiance seen = record.gather([this](const OnwardRay& onward) { return follow(onward.state); });
   m_stepper.arrive(state, record, seen);
   --m_depth;
@@ -73,7 +73,7 @@ Radiance PathIntegrator<kFeatures>::leave_ray(const RayState& state, const RayRe
 }
 
 template <unsigned kFeatures>
-RayRecord& PathIntegrator<kFeatures>::enter_ray() {
+RayRecord& WhittedIntegrator<kFeatures>::enter_ray() {
   if (m_depth == m_records.size()) {
     m_records.push_back(std::make_unique<RayRecord>());
     // Clear surfaces do not count as levels, so that there may be any number of them. Half of the
@@ -102,7 +102,7 @@ using Maker = std::unique_ptr<Integrator> (*)(ThreadContext&, ShadowTester&, con
 template <unsigned kFeatures>
 std::unique_ptr<Integrator> make_one(ThreadContext& context, ShadowTester& shadows,
                                      const PathRules& rules) {
-  return std::make_unique<PathIntegrator<kFeatures>>(context, shadows, rules);
+  return std::make_unique<WhittedIntegrator<kFeatures>>(context, shadows, rules);
 }
 
 template <unsigned... kFeatures>
@@ -113,8 +113,8 @@ constexpr std::array<Maker, sizeof...(kFeatures)> all_makers(
 
 }  // namespace
 
-std::unique_ptr<Integrator> make_path_integrator(unsigned features, ThreadContext& context,
-                                                 ShadowTester& shadows, const PathRules& rules) {
+std::unique_ptr<Integrator> make_whitted_integrator(unsigned features, ThreadContext& context,
+                                                    ShadowTester& shadows, const PathRules& rules) {
   static constexpr auto kMakers = all_makers(std::make_integer_sequence<unsigned, kAllPaths>{});
   return kMakers.at(features)(context, shadows, rules);
 }
@@ -127,7 +127,7 @@ std::unique_ptr<Integrator> Integrator::make(ThreadContext& context, ShadowTeste
                                              const PathRules& rules) {
   unsigned features = path_features(context.scene.needs());
   if (!rules.area_lights) features &= ~static_cast<unsigned>(kPathArea);
-  return make_path_integrator(features, context, shadows, rules);
+  return make_whitted_integrator(features, context, shadows, rules);
 }
 
 }  // namespace lentray::core
