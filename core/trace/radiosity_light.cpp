@@ -144,6 +144,7 @@ GatheredLight RadiosityLight::gather(const IndirectQuery& query, const Vec3& nor
   Sum sum;
   aim(query, normal, sum);
   shoot();
+  m_has_gathered = true;
   add_up(sum);
   GatherCounts& counts = m_counts[static_cast<std::size_t>(m_depth)];
   ++counts.gathers;
@@ -179,19 +180,27 @@ void RadiosityLight::shoot() {
   depth.qualities.assign(depth.rays.size(), 1.0);
   const bool asks = m_depth + 1 < m_cache.depths();
   if (m_team) m_team->trace(depth.rays, asks, {depth.records.data(), depth.rays.size()});
-  if (m_team && !asks) return;
+  if (m_team && !asks) {
+    if (!depth.rays.empty()) m_importance = depth.records[depth.rays.size() - 1].seen.importance;
+    return;
+  }
   ++m_depth;
   for (std::size_t i = 0; i < depth.rays.size(); ++i) {
     m_quality = 1.0;
+    m_has_gathered = false;
     GatherRecord& record = depth.records[i];
     if (m_team && record.is_whole && !m_settings.media) {
+      m_importance = record.seen.importance;
       for (const RecordedQuery& asked : record.queries) {
         record.seen.light += asked.share * at(asked.query).light;
       }
     } else {
       record.seen = m_rays->gather(depth.rays[i]);
+      if (!m_has_gathered) m_importance = record.seen.importance;
     }
     depth.qualities[i] = m_quality;
+    // As in stock, what the last ray of gathers on its way met counts for a ray.
+    record.seen.importance = m_importance;
   }
   --m_depth;
 }

@@ -98,10 +98,12 @@ class RadiosityLight final : public IndirectLight {
   Depth& here() { return m_depths[static_cast<std::size_t>(m_depth)]; }
   std::vector<Depth> m_depths;
   std::vector<GatherCounts> m_counts;
-  int m_depth = 0;            ///< gathers on the way
-  double m_quality = 1.0;     ///< the least of the samples that the ray used
-  PixelSight m_sight;         ///< of the pixel
-  std::size_t m_answers = 0;  ///< that it had of m_sight
+  int m_depth = 0;              ///< gathers on the way
+  double m_quality = 1.0;       ///< the least of the samples that the ray used
+  float m_importance = 1.0f;    ///< of what the last gather's ray met
+  bool m_has_gathered = false;  ///< since the ray on the way began
+  PixelSight m_sight;           ///< of the pixel
+  std::size_t m_answers = 0;    ///< that it had of m_sight
   std::uint64_t m_key = 0;
   std::uint64_t m_gathers = 0;  ///< since the ray began
   std::vector<GatheredLight> m_gathered;
