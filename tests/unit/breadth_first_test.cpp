@@ -161,7 +161,8 @@ std::vector<Radiance> depth_first(const Scene& scene, std::uint32_t sample) {
 class BreadthFirst {
  public:
   explicit BreadthFirst(const Scene& scene)
-      : m_context(scene, false), m_shadows(m_context), m_stepper(m_context, m_shadows) {}
+      : m_context(scene, false), m_shadows(m_context),
+        m_stepper(m_context, m_shadows, {scene.settings().adc_bailout}) {}
 
   std::vector<Radiance> picture(std::uint32_t sample) {
     m_levels.assign(1, {});
