@@ -1,5 +1,6 @@
-// What passes leave for shading (core/pass): light that was gathered before the picture. Const, shared by all
-// threads and by all pictures of a scene; a member that is null: the scene has none of it.
+// What passes leave for shading (core/pass): light that was gathered before the picture. Const,
+// shared by all threads and by all pictures of a scene; a member that is null: the scene has none
+// of it.
 #pragma once
 
 #include <memory>
