@@ -161,6 +161,31 @@ TEST(ImageRadiosityTruth, ThreadsOrdersAndBandsGiveTheSameBits) {
   EXPECT_TRUE(same_bits(lentray_render(scene, {"+WT3", "Band_Height=8"}), one));
 }
 
+/// The sheet, its views together and one of them alone: the pass is over the sheet.
+TEST(ImageRadiosityTruth, ViewsOfASheetShareOnePass) {
+  const tool::TemporaryFolder folder;
+  tool::write_text(folder / "a.pov", room(kUsual));
+  const auto render = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), {"+Ia.pov", "-V", "-A", "Lenticular=On", "Lens_Pixels=3", "+W60",
+                                 "+H40", "View_Size=40x30"});
+    const auto result = run_lentray(words, folder.path());
+    EXPECT_EQ(result.status, 0) << result.output;
+  };
+  const auto passes = [&](const char* file) {
+    return nlohmann::json::parse(tool::read_text(folder / file))
+        .value("passes", nlohmann::json::array())
+        .size();
+  };
+  render({"Views=3", "+Oall.png", "Statistics_File=all.json"});
+  EXPECT_EQ(passes("all0.json"), 1u);
+  EXPECT_EQ(passes("all1.json"), 0u);
+  EXPECT_EQ(passes("all2.json"), 0u);
+  render({"Views=3", "+SF1", "+EF1", "+Oone.png", "Statistics_File=one.json"});
+  EXPECT_EQ(passes("one1.json"), 1u);
+  EXPECT_TRUE(
+      same_bits(core::read_image(folder / "one1.png"), core::read_image(folder / "all1.png")));
+}
+
 TEST(ImageRadiosityTruth, SceneWithoutSurfacesIsItsSky) {
   EXPECT_TRUE(same_as_stock(
       scene_of("#version 3.7; global_settings { assumed_gamma 1 radiosity { } } background { rgb "
