@@ -43,7 +43,7 @@ double fresnel(double cosine, double relative_ior) {
 
 }  // namespace
 
-Rgb metal_highlight(const Finish& finish, const Illumination& on) {
+Rgb metal_highlight(const Finish& finish, const LayerLight& on) {
   return on.light * metal_tint(finish.metallic, dot(on.normal, on.towards_light), on.pigment);
 }
 

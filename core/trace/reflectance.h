@@ -41,7 +41,7 @@ inline Rgb diffuse_light(const Finish& finish, double cosine, const Rgb& light, 
 }
 
 /// One light on one layer.
-struct Illumination {
+struct LayerLight {
   Vec3 towards_light;
   Vec3 eye;     ///< direction of the ray that looks
   Vec3 normal;  ///< of the layer, facing the eye
@@ -64,7 +64,7 @@ inline double power(double x, double exponent) {
     if (left == 0) return result;
   }
 }
-inline double phong_intensity(const Finish& finish, const Illumination& on) {
+inline double phong_intensity(const Finish& finish, const LayerLight& on) {
   const Vec3 mirrored = on.eye + on.normal * (-2.0 * dot(on.eye, on.normal));
   const double cosine = dot(mirrored, on.towards_light);
   if (!(cosine > 0.0)) return 0.0;
@@ -72,7 +72,7 @@ inline double phong_intensity(const Finish& finish, const Illumination& on) {
   if (finish.phong_size >= 60.0 && cosine <= 0.0008) return 0.0;
   return finish.phong * power(cosine, finish.phong_size);
 }
-inline double specular_intensity(const Finish& finish, const Illumination& on) {
+inline double specular_intensity(const Finish& finish, const LayerLight& on) {
   const Vec3 halfway = (on.towards_light - on.eye) * 0.5;
   const double size = length(halfway);
   if (!(size > 0.0)) return 0.0;
@@ -81,9 +81,9 @@ inline double specular_intensity(const Finish& finish, const Illumination& on) {
   return finish.specular * power(cosine, finish.roughness_exponent);
 }
 /// The light as a metal's highlights show it.
-Rgb metal_highlight(const Finish& finish, const Illumination& on);
+Rgb metal_highlight(const Finish& finish, const LayerLight& on);
 /// phong and specular, metallic or not.
-[[gnu::always_inline]] inline Rgb highlights(const Finish& finish, const Illumination& on) {
+[[gnu::always_inline]] inline Rgb highlights(const Finish& finish, const LayerLight& on) {
   Rgb sum;
   const Rgb light = finish.metallic > 0.0 ? metal_highlight(finish, on) : on.light;
   if (finish.phong > 0.0) sum += times(light, phong_intensity(finish, on));

@@ -19,9 +19,9 @@ using namespace lentray::core;
 
 namespace {
 
-class OneColour final : public Pigment {
+class RadiosityColour final : public Pigment {
  public:
-  explicit OneColour(const Colour& c) : m_colour(c) {}
+  explicit RadiosityColour(const Colour& c) : m_colour(c) {}
   Colour colour(const Vec3&, const SurfaceContext&) const override { return m_colour; }
   bool is_opaque() const override { return m_colour.is_opaque(); }
   const Colour* constant() const override { return &m_colour; }
@@ -49,7 +49,7 @@ struct GatherStage {
   void add(std::unique_ptr<Shape> shape, const Finish& finish, double importance = 1.0,
            const Colour& colour = Colour{Rgb(1.0f)}) {
     parts.textures.push_back(std::make_shared<LayeredTexture>(
-        std::vector<TextureLayer>{{std::make_shared<OneColour>(colour), finish}}));
+        std::vector<TextureLayer>{{std::make_shared<RadiosityColour>(colour), finish}}));
     Attributes looks;
     looks.texture = parts.textures.back().get();
     PassFlags flags;

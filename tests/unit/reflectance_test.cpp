@@ -6,8 +6,8 @@ using namespace lentray::core;
 
 namespace {
 
-Illumination face_on() {
-  Illumination on;
+LayerLight face_on() {
+  LayerLight on;
   on.towards_light = {0, 1, 0};
   on.eye = {0, -1, 0};
   on.normal = {0, 1, 0};
@@ -47,7 +47,7 @@ TEST(UnitCoreReflectance, WholePowersAreAsNearAsOthers) {
 }
 
 TEST(UnitCoreReflectance, PhongIsAPowerOfTheMirrorAngle) {
-  Illumination on = face_on();
+  LayerLight on = face_on();
   on.towards_light = {0.6, 0.8, 0};
   Finish finish;
   finish.phong = 0.5;
@@ -56,7 +56,7 @@ TEST(UnitCoreReflectance, PhongIsAPowerOfTheMirrorAngle) {
 }
 
 TEST(UnitCoreReflectance, SpecularUsesTheHalfwayVector) {
-  Illumination on = face_on();
+  LayerLight on = face_on();
   on.towards_light = {0.6, 0.8, 0};
   Finish finish;
   finish.specular = 1.0;
@@ -65,7 +65,7 @@ TEST(UnitCoreReflectance, SpecularUsesTheHalfwayVector) {
 }
 
 TEST(UnitCoreReflectance, MetallicTintsTheHighlightFaceOn) {
-  Illumination on = face_on();
+  LayerLight on = face_on();
   Finish finish;
   finish.specular = 1.0;
   finish.metallic = 1.0;

@@ -3,7 +3,7 @@
 #include <cstdio>
 
 #include "camera/text.h"
-#include "tools/lentray/progress_bar.h"
+#include "tools/common/progress_bar.h"
 #include "tools/lentray/run_summary.h"
 #include "tools/lentray/stock_form.h"
 

@@ -18,6 +18,7 @@
 #include "tools/lentray/camera_place.h"
 #include "tools/lentray/sheet_files.h"
 #include "tools/session/explain.h"
+#include "tools/session/going_on.h"
 #include "tools/session/identity.h"
 #include "tools/session/pass_file.h"
 #include "tools/session/picture_file.h"
@@ -144,18 +145,8 @@ void parse_alone(Run& run, const Picture& what, const std::atomic<bool>& cancel)
 void write_dependencies(const Run& run, const SceneDisk& disk) {
   const RenderOptions& o = run.options;
   if (o.dependencies_file.empty()) return;
-  nlohmann::json out{{"program", run.identity.program},
-                     {"read", disk.seen()},
-                     {"missing", disk.watched().missing()},
-                     {"written", disk.watched().written()}};
-  write_text_file(parser::frame_path(o, o.dependencies_file), json_text(std::move(out), 1) + "\n");
-}
-
-/// Checksums as a journal has them.
-std::map<std::string, std::uint64_t> files_of(const SceneDisk& disk, const std::string& scene) {
-  std::map<std::string, std::uint64_t> out;
-  for (const auto& [file, sum] : disk.seen()) out[file == scene ? "" : file] = sum;
-  return out;
+  write_text_file(parser::frame_path(o, o.dependencies_file),
+                  json_text(disk.dependencies(run.identity.program), 1) + "\n");
 }
 
 /// Pictures of views share a scene, unless it asks for a clock that is another now. A command
@@ -170,7 +161,7 @@ bool can_share(const Picture& what, const Reading& reading) {
   if (!has_command(parser::CommandKind::kPreFrame) && !has_command(parser::CommandKind::kPostFrame))
     return true;
   Identity then;
-  then.files = files_of(what.kept->disk, what.scene);
+  then.files = what.kept->disk.checksums();
   return difference_of_files(then, what.scene).empty();
 }
 
@@ -212,34 +203,16 @@ void find_scene(Run& run, const Picture& what, const std::atomic<bool>& cancel) 
     read_scene(run, what, std::move(reading));
   }
   write_dependencies(run, what.kept->disk);
-  run.identity.files = files_of(what.kept->disk, what.scene);
+  run.identity.files = what.kept->disk.checksums();
 }
 
-bool goes_to_file(const Run& run) {
-  std::error_code error;
-  const auto status = std::filesystem::status(run.output, error);
-  return !run.output.empty() && run.output != "-" &&
-         (!std::filesystem::exists(status) || std::filesystem::is_regular_file(status));
-}
-
-/// With +C. True if the picture is there already; throws if what was begun is of something else.
+/// With +C.
 bool is_there_already(Run& run, const std::string& scene) {
-  if (!run.options.continues || !goes_to_file(run)) return false;
-  const bool exists = std::filesystem::exists(run.output);
-  const auto earlier = PictureJournal::earlier(run.output);
-  if (earlier) {
-    Identity now = run.identity;
-    now.files = earlier->identity.files;
-    std::string why = difference(earlier->identity, now);
-    if (why.empty() && run.options.input != "-")
-      why = difference_of_files(earlier->identity, scene);
-    if (!why.empty()) {
-      throw parser::OptionError("'" + run.output + "' cannot be gone on with: " + why +
-                                (earlier->is_finished ? " since the frame was made" : "") +
-                                " (without +C everything is begun anew)");
-    }
+  const RenderOptions& o = run.options;
+  if (!o.continues || !is_file_place(run.output) ||
+      !is_finished(run.output, run.identity, o.input == "-" ? "" : scene)) {
+    return false;
   }
-  if (!exists || (earlier && !earlier->is_finished)) return false;
   run.form.keep_picture(run.output);
   return true;
 }
@@ -259,7 +232,7 @@ bool render(Run& run, Session& session, const std::atomic<bool>& cancel, bool is
   const FilmSettings film = film_settings(o);
   const Plan plan = session.plan(run.camera, film);
   std::optional<PictureJournal> journal;
-  if (goes_to_file(run)) {
+  if (is_file_place(run.output)) {
     journal.emplace(run.output, plan.shape.width, plan.shape.height, run.identity);
     if (o.continues) journal->go_on();
   }

@@ -5,11 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "camera/depth_survey.h"
-#include "core/pass/pass_list.h"
-#include "core/render/frame.h"
+#include "tools/common/progress_bar.h"
 #include "tools/common/text_file.h"
-#include "tools/lentray/progress_bar.h"
 #include "tools/session/depth_text.h"
 #include "tools/session/requests.h"
 #include "tools/session/view_cameras.h"
@@ -47,24 +44,16 @@ void check_depth(const CameraSetup& setup, const RenderOptions& o) {
 bool say_depth(const CameraSetup& setup, const Session& session, const RenderOptions& o,
                const std::atomic<bool>& cancel) {
   if (is_told_already(o)) return true;
-  const camera::SceneProbe probe = session.probe();
-  camera::DepthSurveyPass survey(*setup.sheet, probe);
-  core::PassList passes;
-  passes.add(survey);
   std::optional<ProgressBar> bar;
   if (o.verbose) bar.emplace("Depth");
-  if (!passes.run({.threads = core::frame_threads({.threads = o.threads}),
-                   .levels = session.scene().deepest(),
-                   .cancel = &cancel,
-                   .progress = bar ? &*bar : nullptr})) {
-    return false;
-  }
-  bar.reset();
   const std::string title = scene_name(o), file = sheet_file(o, o.depth_view);
-  const DepthText text = depth_text(setup, survey.result(), file.empty() ? nullptr : &title);
+  const auto text = depth_text(session, setup, file.empty() ? nullptr : &title, o.threads, cancel,
+                               bar ? &*bar : nullptr);
+  bar.reset();
+  if (!text) return false;
   // First what is kept.
-  if (!text.drawing.empty()) write_text_file(file, text.drawing);
-  if (file != "-") std::fputs(text.report.c_str(), stdout);
+  if (!text->drawing.empty()) write_text_file(file, text->drawing);
+  if (file != "-") std::fputs(text->report.c_str(), stdout);
   return true;
 }
 

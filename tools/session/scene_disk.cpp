@@ -1,5 +1,7 @@
 #include "tools/session/scene_disk.h"
 
+#include <nlohmann/json.hpp>
+
 #include "parser/files/memory_writes.h"
 #include "parser/restrictions/povray_conf.h"
 #include "parser/restrictions/restricted_files.h"
@@ -27,7 +29,7 @@ void judge_options(const parser::RenderOptions& o) {
 }
 
 SceneDisk::SceneDisk(const parser::RenderOptions& options, const std::string& scene)
-    : m_files(&parser::disk_files()) {
+    : m_scene(scene), m_files(&parser::disk_files()) {
   if (options.restrict_io) {
     m_restricted = restricted(options, scene, m_warnings);
     m_files = m_restricted.get();
@@ -37,6 +39,19 @@ SceneDisk::SceneDisk(const parser::RenderOptions& options, const std::string& sc
     m_files = m_memory.get();
   }
   m_watched.emplace(*m_files);
+}
+
+std::map<std::string, std::uint64_t> SceneDisk::checksums() const {
+  std::map<std::string, std::uint64_t> out;
+  for (const auto& [file, sum] : m_watched->seen()) out[file == m_scene ? "" : file] = sum;
+  return out;
+}
+
+nlohmann::json SceneDisk::dependencies(const nlohmann::json& program) const {
+  return {{"program", program},
+          {"read", m_watched->seen()},
+          {"missing", m_watched->missing()},
+          {"written", m_watched->written()}};
 }
 
 }  // namespace lentray::tool

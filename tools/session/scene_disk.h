@@ -5,6 +5,7 @@
 
 #include <map>
 #include <memory>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,11 +27,13 @@ class SceneDisk {
   const std::vector<std::string>& warnings() const { return m_warnings; }
   /// Must outlive whatever reads the scene's pictures and fonts.
   parser::Files& files() { return *m_watched; }
-  /// Checksums of what was read, by path.
-  const std::map<std::string, std::uint64_t>& seen() const { return m_watched->seen(); }
-  const parser::WatchedFiles& watched() const { return *m_watched; }
+  /// Of what was read, by path; the scene's own under "", as identities have it.
+  std::map<std::string, std::uint64_t> checksums() const;
+  /// What a Dependencies_File says: read, missing and written files. `program`: its checksum.
+  nlohmann::json dependencies(const nlohmann::json& program) const;
 
  private:
+  const std::string m_scene;
   std::vector<std::string> m_warnings;
   std::unique_ptr<parser::Files> m_restricted, m_memory;
   parser::Files* m_files;

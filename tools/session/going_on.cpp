@@ -1,0 +1,33 @@
+#include "tools/session/going_on.h"
+
+#include <filesystem>
+
+#include "parser/options/options.h"
+#include "tools/session/picture_journal.h"
+
+namespace lentray::tool {
+
+bool is_file_place(const std::string& picture) {
+  std::error_code error;
+  const auto status = std::filesystem::status(picture, error);
+  return !picture.empty() && picture != "-" &&
+         (!std::filesystem::exists(status) || std::filesystem::is_regular_file(status));
+}
+
+bool is_finished(const std::string& picture, const Identity& identity, const std::string& scene) {
+  const auto earlier = PictureJournal::earlier(picture);
+  if (earlier) {
+    Identity now = identity;
+    now.files = earlier->identity.files;
+    std::string why = difference(earlier->identity, now);
+    if (why.empty() && !scene.empty()) why = difference_of_files(earlier->identity, scene);
+    if (!why.empty()) {
+      throw parser::OptionError("'" + picture + "' cannot be gone on with: " + why +
+                                (earlier->is_finished ? " since the frame was made" : "") +
+                                " (without +C everything is begun anew)");
+    }
+  }
+  return std::filesystem::exists(picture) && (!earlier || earlier->is_finished);
+}
+
+}  // namespace lentray::tool

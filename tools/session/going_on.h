@@ -1,0 +1,19 @@
+// Going on with pictures (+C): what of a run's pictures is there already. One thread.
+#pragma once
+
+#include <string>
+
+#include "tools/session/identity.h"
+
+namespace lentray::tool {
+
+/// Whether a picture there can be gone on with later: a regular file, or nothing yet. Empty and "-" are no
+/// files.
+bool is_file_place(const std::string& picture);
+
+/// Whether the picture is finished. Throws parser::OptionError if what was begun there is of something
+/// else. `identity`: the picture's, without its files; `scene`: its file, empty if that can be read once
+/// only.
+bool is_finished(const std::string& picture, const Identity& identity, const std::string& scene);
+
+}  // namespace lentray::tool
