@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
-#include <limits>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
@@ -63,6 +64,9 @@ struct NoTally : CountNothing {
   void test(std::uint8_t, std::uint32_t = 1) {}
 };
 
+/// The double after a distance, which is positive and finite.
+double next_up(double t) { return std::bit_cast<double>(std::bit_cast<std::uint64_t>(t) + 1); }
+
 /// Nearest hit so far. Of equal distances wins the object whose box the ray enters first, as in stock: what is left
 /// before what is entered. Then the object first in the scene, infinite ones before others.
 struct Best {
@@ -73,8 +77,7 @@ struct Best {
   double u = 0.0, v = 0.0;
 
   explicit Best(double limit) : t(limit), reach(limit) {}  // the limit itself is out of reach
-  Best(double at, const ObjectEntry& e)
-      : t(at), reach(std::nextafter(at, std::numeric_limits<double>::infinity())), entry(&e) {}
+  Best(double at, const ObjectEntry& e) : t(at), reach(next_up(at)), entry(&e) {}
 };
 
 /// Who wins where both are met at once.

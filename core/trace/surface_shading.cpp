@@ -161,11 +161,10 @@ struct SurfaceShading<kFeatures>::Receiver {
   Rgb sum{};
 
   void receive(const IncomingLight& light) {
-    if (kArea && light.source->by_area) {
-      receive_points(light);
-    } else {
-      receive_from(*light.source, light.ray, light.colour);
+    if constexpr (kArea) {
+      if (light.source->by_area) return receive_points(light);
     }
+    receive_from(*light.source, light.ray, light.colour);
   }
   /// Of each point of an area light, with the shadow that all of the light has.
   void receive_points(const IncomingLight& all) {
@@ -193,8 +192,8 @@ struct SurfaceShading<kFeatures>::Receiver {
   double grain(const LightSource& source, std::uint32_t point) const {
     return RandomSequence(branch_key(key_of(source), point), RandomSequence::Use::kCrand).next();
   }
-  void receive_from(const LightSource& source, const LightRay& ray, const Rgb& light,
-                    std::uint32_t point = 0) {
+  [[gnu::always_inline]] void receive_from(const LightSource& source, const LightRay& ray,
+                                           const Rgb& light, std::uint32_t point = 0) {
     const double cosine = dot(facing.normal, ray.direction);
     const bool behind = facing.is_behind(cosine);
     Rgb share =

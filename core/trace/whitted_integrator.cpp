@@ -25,6 +25,27 @@ Radiance WhittedIntegrator<kFeatures>::trace(const Ray& ray, Pixel pixel, std::u
 }
 
 template <unsigned kFeatures>
+[[gnu::always_inline]] inline Radiance WhittedIntegrator<kFeatures>::leave_ray(
+    const RayState& state, const RayRecord& record) {
+  Radiance seen = record.gather([this](const OnwardRay& onward) { return follow(onward.state); });
+  m_stepper.arrive(state, record, seen);
+  --m_depth;
+  return seen;
+}
+
+template <unsigned kFeatures>
+[[gnu::always_inline]] inline RayRecord& WhittedIntegrator<kFeatures>::enter_ray() {
+  if (m_depth == m_records.size()) {
+    m_records.push_back(std::make_unique<RayRecord>());
+    // Clear surfaces do not count as levels, so that there may be any number of them. Half of the
+    // stack is for steps that take more of it than these.
+    const auto here = reinterpret_cast<std::uintptr_t>(__builtin_frame_address(0));
+    if (here < m_stack_end) m_deepest = m_depth + 1;
+  }
+  return *m_records[m_depth++];
+}
+
+template <unsigned kFeatures>
 Radiance WhittedIntegrator<kFeatures>::follow(const RayState& state) {
   if (m_stepper.is_cut(state)) return {};
   if (m_depth >= m_deepest) {
@@ -62,26 +83,6 @@ GatheredRay WhittedIntegrator<kFeatures>::gather(const GatherRay& from) {
   seen.light = leave_ray(state, record).rgb;
   m_stepper.set_most_levels(most);
   return seen;
-}
-
-template <unsigned kFeatures>
-Radiance WhittedIntegrator<kFeatures>::leave_ray(const RayState& state, const RayRecord& record) {
-  Radiance seen = record.gather([this](const OnwardRay& onward) { return follow(onward.state); });
-  m_stepper.arrive(state, record, seen);
-  --m_depth;
-  return seen;
-}
-
-template <unsigned kFeatures>
-RayRecord& WhittedIntegrator<kFeatures>::enter_ray() {
-  if (m_depth == m_records.size()) {
-    m_records.push_back(std::make_unique<RayRecord>());
-    // Clear surfaces do not count as levels, so that there may be any number of them. Half of the
-    // stack is for steps that take more of it than these.
-    const auto here = reinterpret_cast<std::uintptr_t>(__builtin_frame_address(0));
-    if (here < m_stack_end) m_deepest = m_depth + 1;
-  }
-  return *m_records[m_depth++];
 }
 
 unsigned path_features(const Needs& needs) {
