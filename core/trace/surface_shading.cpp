@@ -160,7 +160,7 @@ struct SurfaceShading<kFeatures>::Receiver {
   const bool shines;
   Rgb sum{};
 
-  void receive(const IncomingLight& light) {
+  [[gnu::always_inline]] void receive(const IncomingLight& light) {
     if constexpr (kArea) {
       if (light.source->by_area) return receive_points(light);
     }
