@@ -23,22 +23,18 @@ std::vector<PixelBlock> pixel_blocks(std::uint32_t width, std::uint32_t height) 
   return blocks;
 }
 
+/// A level follows as long as the one before it is coarser than the end.
 std::vector<PretraceLevel> pretrace_levels(const RadiositySettings& settings, std::uint32_t width,
                                            std::uint32_t height) {
-  constexpr double kRounding = 1e-10;
-  constexpr int kMostLevels = 125;
+  constexpr double kSame = 1.0 + 7e-11;  ///< quotient of spacings that rounding alone tells apart
   const double side = std::max(width, height);
-  double start = side * settings.pretrace_start;
   const double end = std::max(1.0, side * settings.pretrace_end);
-  int count =
-      static_cast<int>(std::floor(std::log(start / end) / std::log(2.0) + (1.0 - kRounding))) + 1;
-  if (count > kMostLevels) {
-    count = kMostLevels;
-    start = std::ldexp(end, count);
-  }
   std::vector<PretraceLevel> levels;
-  const auto spacing = [&](int i) { return std::max(std::ldexp(start, -i), end); };
-  for (int i = 0; i < count; ++i) levels.push_back({i, spacing(i), spacing(i + 1)});
+  double before = 2.0 * side * settings.pretrace_start;
+  for (; before > end * kSame; before *= 0.5) {
+    levels.push_back({static_cast<int>(levels.size()), std::max(before * 0.5, end),
+                      std::max(before * 0.25, end)});
+  }
   return levels;
 }
 
@@ -62,7 +58,7 @@ JitterRun::JitterRun(const JitterCycle& cycle, const PretraceLevel& level,
                      const PretraceBlock& block)
     : m_numbers(cycle.numbers()) {
   constexpr std::size_t kLevelStep = 17, kBlockStep = 13;
-  m_at = ((static_cast<std::size_t>(level.index) + 1) * kLevelStep + block.serial * kBlockStep) %
+  m_at = ((static_cast<std::size_t>(level.index) + 1) * kLevelStep + block.number * kBlockStep) %
          m_numbers.size();
 }
 
@@ -71,26 +67,57 @@ double JitterRun::next() {
   return m_numbers[m_at];
 }
 
+namespace {
+
+/// A stretch of an axis, in pixels.
+struct Stretch {
+  double begin, end;
+};
+/// One of `parts` equal parts of the pixels from `first` up to `end`.
+Stretch part_of(std::uint32_t first, std::uint32_t end, std::uint32_t part, std::uint32_t parts) {
+  const double length = end - first;
+  const double begin = first + length * part / parts;
+  return {begin, begin + length / parts};
+}
+
+/// The multiples of the spacing in a stretch, added up from the first that belongs to the block.
+std::vector<double> lattice(std::uint32_t block_begin, const Stretch& stretch, double spacing) {
+  std::vector<double> all;
+  double at = std::ceil((block_begin - 0.5) / spacing) * spacing;
+  while (at < stretch.begin) at += spacing;
+  for (; at < stretch.end; at += spacing) all.push_back(at);
+  return all;
+}
+
+/// How many parts of a level's part the next one has along a side of the block.
+std::uint32_t cuts(std::uint32_t pixels, std::uint32_t parts, double spacing) {
+  constexpr std::uint32_t kLeastPlaces = 4;  ///< along a part's side
+  const auto places = static_cast<std::uint32_t>((pixels + spacing - 1.0) / spacing);
+  return std::max(1u, places / (parts * kLeastPlaces));
+}
+
+}  // namespace
+
 std::vector<PretracePlace> pretrace_places(const PretraceLevel& level, const PretraceBlock& block,
                                            const PretracePart& part, JitterRun& jitter) {
+  constexpr double kMostJitter = 1.0;
   const PixelBlock& pixels = block.pixels;
-  const double spacing = level.spacing;
-  const double reach = std::min(1.0, spacing / 2.0), middle = (spacing - 1.0) / 2.0;
-  const auto first = [&](std::uint32_t edge) {
-    return std::ceil((edge - 0.5) / spacing) * spacing;
+  const double spacing = level.spacing, jittered = std::min(kMostJitter, spacing / 2.0);
+  const auto columns =
+      lattice(pixels.left, part_of(pixels.left, pixels.right, part.column, block.across), spacing);
+  const auto rows =
+      lattice(pixels.top, part_of(pixels.top, pixels.bottom, part.row, block.down), spacing);
+  // In the middle of the pixels from one multiple to the next.
+  const auto placed = [&](double at) {
+    return at + (spacing - 1.0) / 2.0 + jittered * jitter.next() + 0.5;
   };
-  const double width = pixels.right - pixels.left, height = pixels.bottom - pixels.top;
-  const double left = pixels.left + width * part.column / block.across;
-  const double top = pixels.top + height * part.row / block.down;
-  const double right = left + width / block.across, bottom = top + height / block.down;
   std::vector<PretracePlace> places;
-  for (double y = first(pixels.top); y < bottom; y += spacing) {
-    if (y < top) continue;
-    for (double x = first(pixels.left); x < right; x += spacing) {
-      if (x < left) continue;
-      const double row = y + middle + reach * jitter.next();
-      const double column = x + middle + reach * jitter.next();
-      places.push_back({column + 0.5, row + 0.5});
+  places.reserve(rows.size() * columns.size());
+  for (const double y : rows) {
+    for (const double x : columns) {
+      PretracePlace& place = places.emplace_back();
+      place.row = placed(y);
+      place.column = placed(x);
     }
   }
   return places;
@@ -98,26 +125,23 @@ std::vector<PretracePlace> pretrace_places(const PretraceLevel& level, const Pre
 
 bool goes_on(const PartFindings& found, int enough) {
   constexpr std::size_t kFew = 9;  ///< places that tell nothing
-  if (found.places < kFew) return true;
-  if (found.queries == 0) return false;
-  return enough == 0 || found.samples / static_cast<double>(found.queries) < enough;
+  const auto served = [&] {
+    return enough > 0 && found.samples / static_cast<double>(found.queries) >= enough;
+  };
+  return found.places < kFew || (found.queries > 0 && !served());
 }
 
 void end_level(PretraceBlock& block, const PretraceLevel& level,
                const std::vector<PretracePart>& wanted, int enough) {
-  constexpr double kSide = 4.0;  ///< places along a part's side, at least
-  const auto cuts = [&](std::uint32_t pixels, std::uint32_t parts) {
-    const double places = std::floor((pixels + level.next - 1.0) / level.next);
-    return enough == 0 ? 1u : std::max(1u, static_cast<std::uint32_t>(places / (parts * kSide)));
-  };
-  const std::uint32_t across = cuts(block.pixels.right - block.pixels.left, block.across);
-  const std::uint32_t down = cuts(block.pixels.bottom - block.pixels.top, block.down);
+  const PixelBlock& pixels = block.pixels;
+  const bool is_cut = enough > 0;
+  const std::uint32_t across =
+      is_cut ? cuts(pixels.right - pixels.left, block.across, level.next) : 1;
+  const std::uint32_t down = is_cut ? cuts(pixels.bottom - pixels.top, block.down, level.next) : 1;
   block.parts.clear();
   for (const PretracePart& part : wanted) {
-    for (std::uint32_t row = 0; row < down; ++row) {
-      for (std::uint32_t column = 0; column < across; ++column) {
-        block.parts.push_back({part.column * across + column, part.row * down + row});
-      }
+    for (std::uint32_t i = 0; i < across * down; ++i) {
+      block.parts.push_back({part.column * across + i % across, part.row * down + i / across});
     }
   }
   block.across *= across;

@@ -37,7 +37,7 @@ struct PretracePart {
 /// A block with what of it the next level looks at.
 struct PretraceBlock {
   PixelBlock pixels;
-  std::size_t serial = 0;              ///< of the picture's blocks
+  std::size_t number = 0;              ///< among the picture's blocks
   std::uint32_t across = 1, down = 1;  ///< parts
   std::vector<PretracePart> parts{{}};
 };
