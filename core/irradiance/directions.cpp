@@ -39,45 +39,41 @@ std::vector<Vec3> cosine_weighted_directions(std::size_t count) {
   return directions;
 }
 
+Hemisphere::Hemisphere(const Vec3& normal) : m_normal(normal) {
+  constexpr double kAlongAxis = 0.9;
+  const Vec3 aside = std::fabs(normal.z) > kAlongAxis ? Vec3(0.0, 1.0, 0.0) : Vec3(0.0, 0.0, 1.0);
+  m_x = normalized(cross(normal, aside));
+  m_z = normalized(cross(m_x, normal));
+}
+
+Vec3 Hemisphere::turned(const Vec3& direction) const {
+  constexpr double kUpright = 0.999;
+  if (std::fabs(m_normal.y) > kUpright) return m_normal.y > 0.0 ? direction : -direction;
+  return m_x * direction.x + m_normal * direction.y + m_z * direction.z;
+}
+
 GatherDirections::GatherDirections(DirectionCycle& cycle, const Vec3& surface_normal,
                                    const Vec3& normal, unsigned rays)
-    : m_cycle(cycle), m_surface_normal(surface_normal), m_layer_normal(normal),
-      m_rays(std::min<std::size_t>(rays, cycle.length())) {
-  aim(is_same(surface_normal, normal));
-}
-
-void GatherDirections::aim(bool about_surface) {
+    : m_cycle(cycle), m_surface_normal(surface_normal),
+      m_about_surface(is_same(surface_normal, normal)),
+      m_hemisphere(m_about_surface ? surface_normal : normal) {
   constexpr std::size_t kTries = 5;  ///< for each ray, about a perturbed normal
-  constexpr double kAlongAxis = 0.9;
-  m_about_surface = about_surface;
-  m_left = about_surface ? m_cycle.length() : std::min(m_rays * kTries, m_cycle.length());
-  m_y = about_surface ? m_surface_normal : m_layer_normal;
-  const Vec3 aside = std::fabs(m_y.z) > kAlongAxis ? Vec3(0.0, 1.0, 0.0) : Vec3(0.0, 0.0, 1.0);
-  m_x = normalized(cross(m_y, aside));
-  m_z = normalized(cross(m_x, m_y));
-}
-
-Vec3 GatherDirections::turned(const Vec3& direction) const {
-  constexpr double kUpright = 0.999;
-  if (m_y.y > kUpright) return direction;
-  if (m_y.y < -kUpright) return -direction;
-  return m_x * direction.x + m_y * direction.y + m_z * direction.z;
-}
-
-bool GatherDirections::take(Vec3& direction) {
-  while (m_left > 0) {
-    --m_left;
-    direction = turned(m_cycle.next());
-    if (m_about_surface || dot(direction, m_surface_normal) > 0.0) return true;
-  }
-  return false;
+  const std::size_t all = cycle.length();
+  m_left = m_about_surface ? all : std::min(all, kTries * std::min<std::size_t>(all, rays));
 }
 
 bool GatherDirections::next(Vec3& direction) {
-  if (take(direction)) return true;
-  if (m_about_surface) return false;
-  aim(true);
-  return take(direction);
+  for (;;) {
+    if (m_left == 0) {
+      if (m_about_surface || m_cycle.length() == 0) return false;
+      m_about_surface = true;
+      m_hemisphere = Hemisphere(m_surface_normal);
+      m_left = m_cycle.length();
+    }
+    --m_left;
+    direction = m_hemisphere.turned(m_cycle.next());
+    if (m_about_surface || dot(direction, m_surface_normal) > 0.0) return true;
+  }
 }
 
 }  // namespace lentray::core

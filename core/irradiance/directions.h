@@ -34,6 +34,17 @@ class DirectionCycle {
   std::size_t m_next = 0;
 };
 
+/// The half of all directions about a normal.
+class Hemisphere {
+ public:
+  explicit Hemisphere(const Vec3& normal);
+  /// One about the y axis, turned. Where the normal is near that axis the direction stays as it is.
+  Vec3 turned(const Vec3& direction) const;
+
+ private:
+  Vec3 m_x, m_normal, m_z;
+};
+
 /// The directions of one gather. About a perturbed normal, those that lie behind the surface itself are
 /// passed over; where they are too many, the rest are about the surface's own normal.
 class GatherDirections {
@@ -47,16 +58,11 @@ class GatherDirections {
   bool about_surface() const { return m_about_surface; }
 
  private:
-  void aim(bool about_surface);
-  Vec3 turned(const Vec3& direction) const;
-  bool take(Vec3& direction);
-
   DirectionCycle& m_cycle;
-  const Vec3 m_surface_normal, m_layer_normal;
-  const std::size_t m_rays;
-  bool m_about_surface = true;
+  const Vec3 m_surface_normal;
+  bool m_about_surface;
+  Hemisphere m_hemisphere;
   std::size_t m_left = 0;  ///< directions that may still be tried
-  Vec3 m_x, m_y, m_z;
 };
 
 }  // namespace lentray::core

@@ -14,10 +14,23 @@ namespace {
 
 constexpr double kSamplesAWeight = 4.0;  ///< a sum of weights of 1 counts as so many samples
 constexpr double kLowWeight = 0.25;      ///< of a ray, from which on errors are borne more easily
-constexpr double kNowhereNear = 2e10;    ///< the distance of the nearest thing if there is none
-constexpr double kTooNear = 1e-4;        ///< of the greatest length of reuse
 
-double greatest_channel(const Rgb& c) { return std::max({c.r, c.g, c.b}); }
+/// What samples gave with what was gathered besides, each by its weight.
+Reuse joined(const Reuse& found, const GatheredLight& more) {
+  if (!(found.weight > 0.0)) return {more.quality, more.light};
+  const double all = found.weight + more.quality;
+  return {all, (found.light * static_cast<float>(found.weight) +
+                more.light * static_cast<float>(more.quality)) *
+                   (1.0f / static_cast<float>(all))};
+}
+
+/// As the scene wants it: by gray_threshold and brightness.
+Rgb toned(const Rgb& light, const RadiositySettings& settings) {
+  const auto greyness = static_cast<float>(settings.gray_threshold);
+  const auto brightness = static_cast<float>(settings.brightness);
+  if (!(greyness > 0.0f)) return light * brightness;
+  return (light * (1.0f - greyness) + Rgb(greyness * grey(light))) * brightness;
+}
 
 }  // namespace
 
@@ -29,33 +42,6 @@ std::unique_ptr<Integrator> make_gatherer(ThreadContext& context, ShadowTester& 
   rules.volumes = settings.media;
   return Integrator::make(context, shadows, rules);
 }
-
-struct RadiosityLight::Sum {
-  unsigned rays = 0, about_surface = 0;
-  double quality = 0.0, inverse_distances = 0.0;
-  double red = 0.0, green = 0.0, blue = 0.0;  ///< times the qualities
-  double nearest = kNowhereNear;
-  Vec3 to_nearest;
-
-  void add(const Rgb& light, double share) {
-    quality += share;
-    red += share * light.r;
-    green += share * light.g;
-    blue += share * light.b;
-  }
-  void meet(const Vec3& direction, double distance) {
-    if (distance < nearest) {
-      nearest = distance;
-      to_nearest = direction;
-    }
-    inverse_distances += 1.0 / distance;
-  }
-  Rgb light() const {
-    const double whole = quality == 0.0 ? 1.0 : quality;
-    return {static_cast<float>(red / whole), static_cast<float>(green / whole),
-            static_cast<float>(blue / whole)};
-  }
-};
 
 RadiosityLight::RadiosityLight(ThreadContext& context, ShadowTester& shadows,
                                const IrradianceCache& cache, IrradianceCache* growing, bool is_last,
@@ -89,39 +75,33 @@ void RadiosityLight::begin(Pixel pixel, bool is_centre, std::uint64_t key) {
 }
 
 IndirectAnswer RadiosityLight::at(const IndirectQuery& query) {
-  const DepthRules& rules = here().rules;
-  ++m_counts[static_cast<std::size_t>(m_depth)].queries;
   const Vec3& normal = m_settings.normal ? query.layer_normal : query.surface_normal;
-  double error = m_error_bound;
-  if (query.weight < kLowWeight) error += kLowWeight - query.weight;
-  const ReuseQuery place{query.point, normal, error * rules.error_factor,
-                         m_is_last && m_depth == 0};
-  Reuse found =
-      m_cache.store(m_depth).find(place, m_depth == 0 ? m_sight.samples : SampleStore::kAll);
-  m_counts[static_cast<std::size_t>(m_depth)].found += kSamplesAWeight * found.weight;
-  const bool enough = kSamplesAWeight * found.weight >= rules.wanted ||
-                      (m_is_last && !m_settings.always_sample && found.weight > 0.0);
-  if (!enough) {
+  Reuse known = reuse(query, normal);
+  if (!is_enough(known)) {
     const double before = m_quality;
     const GatheredLight more = gathered_for(query, normal);
     m_quality = std::max(before, more.quality);
-    const auto all = static_cast<float>(found.weight + more.quality);
-    if (found.weight > 0.0) {
-      found.light = (found.light * static_cast<float>(found.weight) +
-                     more.light * static_cast<float>(more.quality)) *
-                    (1.0f / all);
-    } else {
-      found.light = more.light;
-    }
-    found.weight += more.quality;
+    known = joined(known, more);
   }
-  m_quality = std::min(m_quality, kSamplesAWeight * found.weight / rules.wanted);
-  Rgb light = found.light;
-  if (m_settings.gray_threshold > 0.0) {
-    const auto share = static_cast<float>(m_settings.gray_threshold);
-    light = light * (1.0f - share) + Rgb(share * grey(light));
-  }
-  return {light * static_cast<float>(m_settings.brightness)};
+  m_quality = std::min(m_quality, kSamplesAWeight * known.weight / here().rules.wanted);
+  return {toned(known.light, m_settings)};
+}
+
+Reuse RadiosityLight::reuse(const IndirectQuery& query, const Vec3& normal) {
+  const bool is_first = m_depth == 0;
+  const double tolerated = m_error_bound + std::max(0.0, kLowWeight - query.weight);
+  const Reuse found = m_cache.store(m_depth).find(
+      {query.point, normal, tolerated * here().rules.error_factor, m_is_last && is_first},
+      is_first ? m_sight.samples : SampleStore::kAll);
+  GatherCounts& counts = m_counts[static_cast<std::size_t>(m_depth)];
+  ++counts.queries;
+  counts.found += kSamplesAWeight * found.weight;
+  return found;
+}
+
+bool RadiosityLight::is_enough(const Reuse& found) const {
+  if (m_is_last && !m_settings.always_sample && found.weight > 0.0) return true;
+  return kSamplesAWeight * found.weight >= m_depths[static_cast<std::size_t>(m_depth)].rules.wanted;
 }
 
 /// What the pass gathered for the pixel, if it did; else what is gathered now.
@@ -141,36 +121,37 @@ GatheredLight RadiosityLight::gathered_for(const IndirectQuery& query, const Vec
 }
 
 GatheredLight RadiosityLight::gather(const IndirectQuery& query, const Vec3& normal) {
-  Sum sum;
-  aim(query, normal, sum);
+  const unsigned about_surface = aim(query, normal);
   shoot();
   m_has_gathered = true;
-  add_up(sum);
+  const GatherSum sum = sum_up();
   GatherCounts& counts = m_counts[static_cast<std::size_t>(m_depth)];
   ++counts.gathers;
-  counts.rays += sum.rays;
-  GatheredLight light;
-  light.light = sum.light();
-  light.quality = sum.rays > 0 ? sum.quality / sum.rays : 0.0;
-  light.is_kept = m_growing && sum.rays > 0 && keep(query, sum, light);
+  counts.rays += sum.rays();
+  GatheredLight light{sum.light(), sum.quality()};
+  const bool by_surface = !m_settings.normal || 2 * about_surface > sum.rays();
+  light.is_kept =
+      m_growing && keep(query.point, by_surface ? query.surface_normal : query.layer_normal, sum);
   if (!light.is_kept) ++counts.not_kept;
   return light;
 }
 
-void RadiosityLight::aim(const IndirectQuery& query, const Vec3& normal, Sum& sum) {
+/// How many of the rays are about the surface's own normal.
+unsigned RadiosityLight::aim(const IndirectQuery& query, const Vec3& normal) {
   Depth& depth = here();
   const DepthRules& rules = depth.rules;
   GatherDirections directions(depth.cycle, query.surface_normal, normal, rules.rays);
   const std::uint64_t key = mixed(m_key ^ mixed(m_gathers++));
   GatherRay ray{{query.point, {}}, static_cast<float>(rules.gather_weight), rules.gather_level};
   depth.rays.clear();
+  unsigned about_surface = 0;
   for (unsigned i = 0; i < rules.rays && directions.next(ray.ray.direction); ++i) {
-    if (directions.about_surface()) ++sum.about_surface;
+    if (directions.about_surface()) ++about_surface;
     ray.least_importance = static_cast<float>(i) / static_cast<float>(rules.rays - 1);
     ray.key = part_key(key, i);
     depth.rays.push_back(ray);
   }
-  sum.rays = static_cast<unsigned>(depth.rays.size());
+  return about_surface;
 }
 
 /// The rays that only ask at their first surface are traced beforehand. Media may dim what comes from there.
@@ -205,39 +186,26 @@ void RadiosityLight::shoot() {
   --m_depth;
 }
 
-void RadiosityLight::add_up(Sum& sum) {
+GatherSum RadiosityLight::sum_up() {
   const Depth& depth = here();
-  const double all = depth.rules.rays;
+  GatherSum sum(depth.rules.rays, m_settings.max_sample);
   for (std::size_t i = 0; i < depth.rays.size(); ++i) {
-    const GatherRay& ray = depth.rays[i];
-    const GatheredRay& seen = depth.records[i].seen;
-    sum.meet(ray.ray.direction, seen.distance);
-    if (seen.importance < ray.least_importance) continue;
-    double share = depth.qualities[i];
-    if (seen.importance < 1.0f) share *= all / (std::floor(seen.importance * (all - 1.0)) + 1.0);
-    const double most = greatest_channel(seen.light);
-    const bool is_much = m_settings.max_sample > 0.0 && most > m_settings.max_sample;
-    sum.add(is_much ? seen.light * static_cast<float>(m_settings.max_sample / most) : seen.light,
-            share);
+    sum.add(depth.rays[i], depth.records[i].seen, depth.qualities[i]);
   }
+  return sum;
 }
 
 /// Makes a sample of it unless something is so near that it would serve no other place.
-bool RadiosityLight::keep(const IndirectQuery& query, const Sum& sum, GatheredLight& light) {
-  const double factor = length(m_cache.eye() - query.point) * here().rules.error_factor;
-  const double most = factor * m_settings.maximum_reuse;
-  if (!(sum.nearest > most * kTooNear) || !is_finite(query.point) || !std::isfinite(most)) {
-    return false;
-  }
-  double radius = sum.inverse_distances > 0.0 ? sum.rays / sum.inverse_distances
-                                              : std::numeric_limits<double>::infinity();
-  radius = std::min(std::max(radius, factor * m_settings.minimum_reuse), most);
-  if (!(static_cast<float>(radius) > 0.0f)) return false;
-  const bool about_surface = !m_settings.normal || sum.about_surface > sum.rays - sum.about_surface;
-  m_growing->store(m_depth).add(
-      {query.point, about_surface ? query.surface_normal : query.layer_normal, sum.to_nearest,
-       light.light, static_cast<float>(radius), static_cast<float>(sum.nearest),
-       static_cast<float>(light.quality)});
+bool RadiosityLight::keep(const Vec3& point, const Vec3& normal, const GatherSum& sum) {
+  constexpr double kTooNear = 1e-4;  ///< of the greatest length of reuse
+  const double unit = length(m_cache.eye() - point) * here().rules.error_factor;
+  const double least = unit * m_settings.minimum_reuse, most = unit * m_settings.maximum_reuse;
+  if (sum.rays() == 0 || !is_finite(point) || !std::isfinite(most)) return false;
+  const auto radius = static_cast<float>(std::min(most, std::max(least, sum.mean_distance())));
+  if (!(sum.nearest() > kTooNear * most) || !(radius > 0.0f)) return false;
+  m_growing->store(m_depth).add({point, normal, sum.to_nearest(), sum.light(), radius,
+                                 static_cast<float>(sum.nearest()),
+                                 static_cast<float>(sum.quality())});
   return true;
 }
 

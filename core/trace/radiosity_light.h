@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "core/irradiance/irradiance_cache.h"
+#include "core/trace/gather_sum.h"
 #include "core/trace/indirect_light.h"
 #include "core/trace/integrator.h"
 #include "core/trace/query_recorder.h"
@@ -70,15 +71,15 @@ class RadiosityLight final : public IndirectLight {
  private:
   RadiosityLight(ThreadContext& context, ShadowTester& shadows, const IrradianceCache& cache,
                  IrradianceCache* growing, bool is_last, GatherTeam* team);
-  /// The rays of a gather, summed up.
-  struct Sum;
-
+  /// Samples nearby, and whether that will do.
+  Reuse reuse(const IndirectQuery& query, const Vec3& normal);
+  bool is_enough(const Reuse& found) const;
   GatheredLight gathered_for(const IndirectQuery& query, const Vec3& normal);
   GatheredLight gather(const IndirectQuery& query, const Vec3& normal);
-  void aim(const IndirectQuery& query, const Vec3& normal, Sum& sum);
+  unsigned aim(const IndirectQuery& query, const Vec3& normal);
   void shoot();
-  void add_up(Sum& sum);
-  bool keep(const IndirectQuery& query, const Sum& sum, GatheredLight& light);
+  GatherSum sum_up();
+  bool keep(const Vec3& point, const Vec3& normal, const GatherSum& sum);
 
   ThreadContext& m_context;
   const IrradianceCache& m_cache;
