@@ -2,20 +2,16 @@
 // keep it. Reading is thread-safe while nobody adds.
 //
 // Stock keeps samples in an octree whose cells reach half a side beyond themselves, and sees a sample from
-// within its cell alone, also where it would reach farther: pictures depend on it, so it holds here. The
-// search itself is by a grid for each order of size of what samples reach, so that one cell a grid is
-// looked into.
+// within its cell alone, also where it would reach farther: pictures depend on it, so it holds here.
 #pragma once
 
-#include <array>
+#include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
-#include <map>
-#include <unordered_map>
 #include <vector>
 
 #include "core/irradiance/sample.h"
+#include "core/irradiance/sample_grid.h"
 #include "core/irradiance/settings.h"
 
 namespace lentray::core {
@@ -41,27 +37,23 @@ class SampleStore {
   std::size_t bytes() const;
 
  private:
-  /// From where a sample is seen: less than `half` beside the middle on each axis.
+  /// From where a sample is seen: less than `half` beside the middle on each axis, which is told beyond
+  /// SampleGrid::kOrigin.
   struct Region {
     Vec3 middle;
     double half;
-  };
-  struct CellHash {
-    std::size_t operator()(const std::array<std::int64_t, 3>& cell) const;
-  };
-  using Cell = std::array<std::int64_t, 3>;
-  struct Grid {
-    double side;
-    std::unordered_map<Cell, std::vector<std::uint32_t>, CellHash> cells;
+    bool holds(const Vec3& beyond) const {
+      return std::fabs(beyond.x - middle.x) < half && std::fabs(beyond.y - middle.y) < half &&
+             std::fabs(beyond.z - middle.z) < half;
+    }
   };
 
   Region region_of(const IrradianceSample& sample) const;
 
   const double m_octree_factor;  ///< a sample's radius to the half side of its box
-  const double m_reach_factor;   ///< a sample's radius to the farthest place that may use it
   std::vector<IrradianceSample> m_samples;
   std::vector<Region> m_regions;  ///< of each sample
-  std::map<int, Grid> m_grids;    ///< by the binary logarithm of the side
+  SampleGrid m_grid;
 };
 
 }  // namespace lentray::core
