@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/base/color.h"
@@ -17,6 +18,12 @@ struct AreaLight {
   int adaptive = -1;  ///< -1: every sample is tested
   bool jitter = false, circular = false, orient = false;
   bool area_illumination = false;  ///< every point of the grid illuminates, not the position alone
+};
+
+/// `photons { }` of a light. Source: reference manual 3.7, "Using Photon Mapping in Your Scene".
+struct LightPhotons {
+  std::optional<bool> reflection, refraction;  ///< empty: not said
+  bool area = false;                           ///< area_light: from every point of the grid
 };
 
 struct Light {
@@ -37,7 +44,8 @@ struct Light {
   const Object* projector = nullptr;
   bool lights_media = true;    ///< media_interaction
   bool dimmed_by_air = false;  ///< media_attenuation: fog and media of the air dim it
-  bool grouped = false;        ///< of a light_group: lights only what selects it
+  LightPhotons photons;
+  bool grouped = false;  ///< of a light_group: lights only what selects it
 
   bool illuminates_by_area() const { return has_area && area.area_illumination; }
 };
