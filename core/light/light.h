@@ -20,12 +20,6 @@ struct AreaLight {
   bool area_illumination = false;  ///< every point of the grid illuminates, not the position alone
 };
 
-/// `photons { }` of a light. Source: reference manual 3.7, "Using Photon Mapping in Your Scene".
-struct LightPhotons {
-  std::optional<bool> reflection, refraction;  ///< empty: not said
-  bool area = false;                           ///< area_light: from every point of the grid
-};
-
 struct Light {
   enum class Kind { kPoint, kSpot, kCylinder };
   Kind kind = Kind::kPoint;
@@ -44,8 +38,9 @@ struct Light {
   const Object* projector = nullptr;
   bool lights_media = true;    ///< media_interaction
   bool dimmed_by_air = false;  ///< media_attenuation: fog and media of the air dim it
-  LightPhotons photons;
-  bool grouped = false;  ///< of a light_group: lights only what selects it
+  bool grouped = false;        ///< of a light_group: lights only what selects it
+  std::optional<bool> photon_reflection, photon_refraction;  ///< empty: not said
+  bool photon_area = false;  ///< photons come from all points of an area light
 
   bool illuminates_by_area() const { return has_area && area.area_illumination; }
 };

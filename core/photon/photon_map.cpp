@@ -16,37 +16,38 @@ double density(const FoundPhotons& found) {
 
 }  // namespace
 
-PhotonMap::PhotonMap(PhotonTree tree, Place place, const GatherRules& rules, CRandom& random)
-    : m_tree(std::move(tree)), m_rules(rules) {
+PhotonMap::PhotonMap(PhotonTree tree, Place place, const PhotonSettings& settings, CRandom& random)
+    : m_tree(std::move(tree)), m_settings(settings) {
   if (is_empty()) return;
   const bool in_media = place == Place::kMedia;
-  m_radius = in_media ? rules.media_radius : rules.radius;
+  m_radius = in_media ? settings.media_radius : settings.radius;
   if (!(m_radius > 0.0)) {
-    m_radius = in_media ? media_gather_radius(m_tree, rules.most, random)
-                        : surface_gather_radius(m_tree, rules.most, random);
+    m_radius = in_media ? media_gather_radius(m_tree, settings.gather_max, random)
+                        : surface_gather_radius(m_tree, settings.gather_max, random);
   }
-  m_radius *= in_media ? 2.0 * rules.media_radius_factor : rules.radius_factor;
+  m_radius *= in_media ? 2.0 * settings.media_radius_multiplier : settings.radius_multiplier;
 }
 
 void PhotonMap::gather(const Vec3& point, const Vec3* normal, FoundPhotons& found,
                        FoundPhotons& spare) const {
-  PhotonSearch search{point, normal, m_radius, static_cast<std::size_t>(m_rules.most)};
+  PhotonSearch search{point, normal, m_radius, static_cast<std::size_t>(m_settings.gather_max)};
   m_tree.find(search, found);
-  if (found.list.size() >= static_cast<std::size_t>(m_rules.least)) return;
+  if (found.list.size() >= static_cast<std::size_t>(m_settings.gather_min)) return;
   search.radius *= kFarther;
   m_tree.find(search, spare);
   const double near = found.list.empty() ? kNoDensity : density(found);
-  const bool as_dense = (density(spare) - near) / near < m_rules.expand_increase;
+  const bool as_dense = (density(spare) - near) / near < m_settings.expand_increase;
   const bool are_few =
-      !spare.list.empty() && spare.list.size() < static_cast<std::size_t>(m_rules.expand_below);
+      !spare.list.empty() && spare.list.size() < static_cast<std::size_t>(m_settings.expand_min);
   if (as_dense || are_few) std::swap(found, spare);
 }
 
-std::shared_ptr<const PhotonLight> make_photon_light(PhotonMaps maps, const GatherRules& rules) {
+std::shared_ptr<const PhotonLight> make_photon_light(PhotonMaps maps,
+                                                     const PhotonSettings& settings) {
   CRandom random;
   const auto order = maps.are_trees ? PhotonTree::Order::kOfTree : PhotonTree::Order::kOfShooting;
-  PhotonMap surface({std::move(maps.surface), order}, PhotonMap::Place::kSurface, rules, random);
-  PhotonMap media({std::move(maps.media), order}, PhotonMap::Place::kMedia, rules, random);
+  PhotonMap surface({std::move(maps.surface), order}, PhotonMap::Place::kSurface, settings, random);
+  PhotonMap media({std::move(maps.media), order}, PhotonMap::Place::kMedia, settings, random);
   return std::make_shared<const PhotonLight>(PhotonLight{std::move(surface), std::move(media)});
 }
 

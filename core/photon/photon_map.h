@@ -11,25 +11,15 @@
 #include "core/photon/c_random.h"
 #include "core/photon/photon_maps.h"
 #include "core/photon/photon_tree.h"
+#include "core/photon/settings.h"
 
 namespace lentray::core {
-
-/// What a scene says of gathering; defaults are stock's.
-struct GatherRules {
-  int least = 20, most = 100;    ///< `gather`; `most` is at least 1
-  double expand_increase = 0.2;  ///< `expand_thresholds`: how much denser is no more of the same
-  int expand_below = 35;         ///< so few photons are taken from farther off, dense or not
-  double radius = -1.0;          ///< of surfaces; not positive: found by how dense photons lie
-  double radius_factor = 1.0;    ///< on either
-  double media_radius = -1.0;    ///< the same in media, where stock doubles it
-  double media_radius_factor = 1.0;
-};
 
 class PhotonMap {
  public:
   enum class Place { kSurface, kMedia };
   /// `random`: decides at which photons the density is measured.
-  PhotonMap(PhotonTree tree, Place place, const GatherRules& rules, CRandom& random);
+  PhotonMap(PhotonTree tree, Place place, const PhotonSettings& settings, CRandom& random);
 
   bool is_empty() const { return m_tree.is_empty(); }
   const PhotonTree& tree() const { return m_tree; }
@@ -40,7 +30,7 @@ class PhotonMap {
 
  private:
   PhotonTree m_tree;
-  GatherRules m_rules;
+  PhotonSettings m_settings;
   double m_radius = 0.0;
 };
 
@@ -48,6 +38,7 @@ class PhotonMap {
 struct PhotonLight {
   PhotonMap surface, media;
 };
-std::shared_ptr<const PhotonLight> make_photon_light(PhotonMaps maps, const GatherRules& rules);
+std::shared_ptr<const PhotonLight> make_photon_light(PhotonMaps maps,
+                                                     const PhotonSettings& settings);
 
 }  // namespace lentray::core

@@ -33,7 +33,6 @@ core::Light build_light(const LightDesc& light, const core::Transform& to_world)
   out.fade_power = light.fade_power;
   out.lights_media = light.media_interaction;
   out.dimmed_by_air = light.media_interaction && light.media_attenuation;
-  out.photons = {light.photons.reflection, light.photons.refraction, light.photons.area_light};
   out.has_area = light.has_area;
   if (light.has_area) {
     out.area.axis1 = to_world.vector(light.axis1);

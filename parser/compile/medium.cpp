@@ -75,8 +75,8 @@ std::shared_ptr<const core::Medium> compile_medium(
   medium->emission = media.emission;
   medium->scattering = media.scattering.colour;
   medium->extinction_of_scattering = single(media.scattering.extinction);
-  medium->collects_photons = !media.ignore_photons;
   medium->phase = phase_of(media.scattering);
+  medium->collects_photons = !media.ignore_photons;
   medium->sampling = sampling_of(media, instead);
   medium->variance_limits = core::find_variance_limits(medium->sampling);
   std::vector<Ref<DensityDesc>> densities = media.densities;
