@@ -8,8 +8,9 @@
 
 namespace lentray::core {
 
-/// In the order in which they were shot.
 struct PhotonMaps {
+  /// In the order of a PhotonTree, as files have them; else in the order in which they were shot.
+  bool are_trees = false;
   std::vector<Photon> surface;  ///< on surfaces
   std::vector<Photon> media;    ///< in media
 };
