@@ -1,12 +1,15 @@
 #include "core/pass/photon_pass.h"
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "core/light/area_light.h"
 #include "core/light/light_ray.h"
+#include "core/photon/photon_map.h"
+#include "core/photon/rings.h"
 #include "core/photon/units.h"
 #include "core/scene/scene.h"
 #include "core/trace/photon_path.h"
@@ -62,7 +65,9 @@ class PhotonPass::Shooting {
   void run() {
     m_report.units = m_units.size();
     std::uint64_t draw = 0;
-    for (const PhotonUnit& unit : m_units) draw = shoot(unit, draw);
+    for (const PhotonUnit& unit : m_units) {
+      if (!m_report.is_full) draw = shoot(unit, draw);
+    }
   }
 
  private:
@@ -127,8 +132,7 @@ class PhotonPass::Shooting {
     std::uint64_t draw = part.draw;
     double turn = part.turn;
     for (std::uint32_t i = 0; i < part.size; ++i, turn += part.turn_step, draw += 2) {
-      const RingPlace place =
-          jittered(part, turn, unit.step, m_settings.jitter, m_cycle, draw);
+      const RingPlace place = jittered(part, turn, unit.step, m_settings.jitter, m_cycle, draw);
       met = shoot_from_area(unit, light, place, draw, by) || met;
     }
     std::vector<Told> told;
@@ -165,9 +169,9 @@ class PhotonPass::Shooting {
     const auto before = behind_projector(light, ray, by.context.arena);
     if (!before) return false;
     ray.origin = ray.at(*before);
-    return by.path.shoot({ray, times(light.colour, share), *before, light, unit.target + 1,
-                          unit.spread, key},
-                         by.caught);
+    return by.path.shoot(
+        {ray, times(light.colour, share), *before, light, unit.target + 1, unit.spread, key},
+        by.caught);
   }
 
   const Scene& m_scene;
@@ -186,12 +190,14 @@ double PhotonPass::work() const {
   const PhotonSettings& settings = *m_scene.settings().photons;
   const auto& lights = m_scene.lights();
   const auto& targets = m_scene.photon_targets();
-  return expected_photons(lights, photon_units(lights, targets,
-                                               photon_spacing(lights, targets, settings)));
+  return expected_photons(lights,
+                          photon_units(lights, targets, photon_spacing(lights, targets, settings)));
 }
 
 void PhotonPass::run(PassRun& run) {
-  Shooting(m_scene, m_most, m_report, m_photons, run).run();
+  PhotonMaps photons;
+  Shooting(m_scene, m_most, m_report, photons, run).run();
+  m_result.photons = make_photon_light(std::move(photons), *m_scene.settings().photons);
   run.count("shot", static_cast<double>(m_report.shot));
   run.count("surface", static_cast<double>(m_report.surface));
   run.count("media", static_cast<double>(m_report.media));

@@ -5,11 +5,10 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
+#include <string>
 
 #include "core/pass/pass.h"
-#include "core/photon/photon_maps.h"
-#include "core/photon/rings.h"
+#include "core/trace/illumination.h"
 
 namespace lentray::core {
 
@@ -26,22 +25,20 @@ class PhotonPass final : public Pass {
   /// At most so many photons are kept.
   static constexpr std::uint64_t kMostPhotons = 200'000'000;
 
-  /// Of a scene with photons, which outlives it. `most`: kept at most.
-  explicit PhotonPass(const Scene& scene, std::uint64_t most = kMostPhotons)
-      : m_scene(scene), m_most(most) {}
+  /// Of a scene with photons, which outlives it as `result` does, which gets their map. `most`: kept at most.
+  PhotonPass(const Scene& scene, Illumination& result, std::uint64_t most = kMostPhotons)
+      : m_scene(scene), m_result(result), m_most(most) {}
   std::string name() const override { return "photons"; }
   double work() const override;
   void run(PassRun& run) override;
   const PhotonReport& report() const { return m_report; }
-  /// In the order in which they came to rest; may be taken away.
-  PhotonMaps& photons() { return m_photons; }
 
  private:
   class Shooting;
   const Scene& m_scene;
+  Illumination& m_result;
   const std::uint64_t m_most;
   PhotonReport m_report;
-  PhotonMaps m_photons;
 };
 
 }  // namespace lentray::core

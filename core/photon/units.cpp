@@ -70,7 +70,8 @@ double photon_spacing(std::span<const Light> lights, std::span<const PhotonTarge
   double wanted = 0.0;
   each_pair(lights, targets, [&](std::uint32_t l, std::uint32_t t) {
     const PhotonTarget& target = targets[t];
-    const bool refracted = refracts(lights[l], target), both = refracted && reflects(lights[l], target);
+    const bool refracted = refracts(lights[l], target),
+               both = refracted && reflects(lights[l], target);
     const double across = target.radius / (target.factor * settings.spacing);
     double photons = across * across * kPi;
     if (both) photons *= 1.5;
@@ -84,8 +85,8 @@ double expected_photons(std::span<const Light> lights, std::span<const PhotonUni
   double sum = 0.0;
   for (const PhotonUnit& unit : units) {
     const Light& light = lights[unit.light];
-    const double area = light.parallel ? kPi * unit.end * unit.end
-                                       : 2.0 * kPi * (1.0 - std::cos(unit.end));
+    const double area =
+        light.parallel ? kPi * unit.end * unit.end : 2.0 * kPi * (1.0 - std::cos(unit.end));
     sum += area / (unit.step * unit.step) * photons_at_once(light);
   }
   return sum;

@@ -61,8 +61,7 @@ void PhotonMedia::pass(const Piece& piece, const PhotonShot& shot, Rgb& power,
       if (!leaves) continue;
       const double way = piece.way + along;
       const double share = steps.factor * shot.spread * (shot.light.parallel ? 1.0 : way);
-      out.push_back(
-          make_photon(at, piece.ray.origin, weighed(times(power, share), way, shot)));
+      out.push_back(make_photon(at, piece.ray.origin, weighed(times(power, share), way, shot)));
     }
     // An interval too short for a step takes all light, as in stock.
     depth += steps.count == 0 ? Rgb(Bounds::kInf) : times(sum, 1.0 / steps.count);

@@ -65,8 +65,8 @@ struct PhotonPath::Layers {
 
 PhotonPath::PhotonPath(ThreadContext& context)
     : m_context(context), m_scene(context.scene), m_settings(*m_scene.settings().photons),
-      m_min_distance(kMinHitDistance * m_scene.tolerance_scale()), m_stack_end(own_stack().middle()),
-      m_start_interiors(m_scene), m_media(context) {}
+      m_min_distance(kMinHitDistance * m_scene.tolerance_scale()),
+      m_stack_end(own_stack().middle()), m_start_interiors(m_scene), m_media(context) {}
 
 bool PhotonPath::shoot(const PhotonShot& shot, PhotonMaps& out) {
   m_context.interiors.forget_if_large();
@@ -193,8 +193,7 @@ void PhotonPath::see_layer(const TextureLayer& layer, const Meeting& at, const L
                          ? relative_ior(at.interior(), m_context.interiors, leg.inside,
                                         m_scene.settings().atmosphere_ior)
                          : 1.0;
-  const Reflectivity share =
-      reflectivity(finish, -dot(leg.ray.direction, normal), ior, colour.rgb);
+  const Reflectivity share = reflectivity(finish, -dot(leg.ray.direction, normal), ior, colour.rgb);
   layers.mirrors.push_back({share.colour,
                             static_cast<float>(leg.weight * layers.transparency) * share.weight,
                             1.0 / finish.reflection_exponent, normal});
