@@ -41,6 +41,8 @@ constexpr std::uint8_t unseen_by(RayKind kind) {
     case RayKind::kGather: return kNoRadiosity;
     case RayKind::kGatherTransmitted: return kNoRadiosity | kNoImage;
     case RayKind::kGatherReflection: return kNoRadiosity | kNoReflection;
+    case RayKind::kPhoton: return kNoShadow | kNoImage;
+    case RayKind::kPhotonReflection: return kNoShadow | kNoReflection;
     case RayKind::kShadow: return kNoShadow;
   }
   return 0;

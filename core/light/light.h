@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/base/color.h"
@@ -38,6 +39,8 @@ struct Light {
   bool lights_media = true;    ///< media_interaction
   bool dimmed_by_air = false;  ///< media_attenuation: fog and media of the air dim it
   bool grouped = false;        ///< of a light_group: lights only what selects it
+  std::optional<bool> photon_reflection, photon_refraction;  ///< empty: not said
+  bool photon_area = false;  ///< photons come from all points of an area light
 
   bool illuminates_by_area() const { return has_area && area.area_illumination; }
 };

@@ -63,10 +63,14 @@ LightRay directed_light_ray(const Light& light, const Vec3& from, const Vec3& of
   return ray;
 }
 
+double beam_factor(const Light& light, const Vec3& from, const LightRay& ray) {
+  if (light.kind == Light::Kind::kSpot) return spot_factor(light, ray);
+  if (light.kind == Light::Kind::kCylinder) return cylinder_factor(light, from);
+  return 1.0;
+}
+
 double light_attenuation(const Light& light, const Vec3& from, const LightRay& ray) {
-  double factor = 1.0;
-  if (light.kind == Light::Kind::kSpot) factor = spot_factor(light, ray);
-  if (light.kind == Light::Kind::kCylinder) factor = cylinder_factor(light, from);
+  double factor = beam_factor(light, from, ray);
   if (factor > 0.0 && light.fade_power > 0.0 && std::fabs(light.fade_distance) > kTiny) {
     factor *= 2.0 / (1.0 + std::pow(ray.distance / light.fade_distance, light.fade_power));
   }

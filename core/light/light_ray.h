@@ -33,7 +33,9 @@ inline LightRay light_ray(const Light& light, const Vec3& from, const Vec3& offs
   return ray_along(light.position + offset - from);
 }
 
-/// Factor of the cone, the cylinder and of fading; 0 outside.
+/// Factor of the cone or the cylinder; 0 outside.
+double beam_factor(const Light& light, const Vec3& from, const LightRay& ray);
+/// The same and of fading.
 double light_attenuation(const Light& light, const Vec3& from, const LightRay& ray);
 
 /// Whether a light has one colour everywhere, for a loop over lights: one that illuminates by its area

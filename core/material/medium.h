@@ -44,6 +44,7 @@ struct Medium {
   Rgb absorption, emission, scattering;
   double extinction_of_scattering = 1.0;  ///< how much of what is scattered the ray loses
   PhaseFunction phase;
+  bool collects_photons = true;
   MediumSampling sampling;
   std::vector<double> variance_limits;  ///< find_variance_limits(sampling)
   /// Multiplied; amounts are multiplied by the product. Those that take little time come first: what is

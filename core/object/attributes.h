@@ -23,6 +23,9 @@ enum class RayKind : std::uint8_t {
   kGather,
   kGatherTransmitted,
   kGatherReflection,
+  // Photons, which skip no_shadow, and besides no_image until they are reflected, then no_reflection.
+  kPhoton,
+  kPhotonReflection,
   kShadow,  ///< skips no_shadow
 };
 
@@ -32,6 +35,7 @@ constexpr RayKind transmitted(RayKind kind) {
   return kind == RayKind::kGather ? RayKind::kGatherTransmitted : kind;
 }
 constexpr RayKind reflected(RayKind kind) {
+  if (kind >= RayKind::kPhoton) return RayKind::kPhotonReflection;
   return kind >= RayKind::kGather ? RayKind::kGatherReflection : RayKind::kReflection;
 }
 
@@ -41,6 +45,8 @@ struct PassFlags {
   double photon_target = 0.0;  ///< its factor of the photons' spacing; 0: it is no target
   std::optional<bool> photon_reflection, photon_refraction;  ///< empty: not said
   bool photon_collect = true, photon_pass_through = false;
+  /// The target that it is or is a part of, in Scene::photon_targets(), from 1; 0: none.
+  std::uint32_t photon_target_number = 0;
   auto operator<=>(const PassFlags&) const = default;
 };
 

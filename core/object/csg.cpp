@@ -98,7 +98,9 @@ bool Csg::is_unseen(std::size_t child, RayKind kind) const {
   const Attributes& looks = m_children[child]->attributes();
   switch (kind) {
     case RayKind::kCamera: return looks.no_image && m_kind == CsgKind::kMerge;
-    case RayKind::kTransmitted: return looks.no_image;
+    case RayKind::kTransmitted:
+    case RayKind::kPhoton: return looks.no_image;
+    case RayKind::kPhotonReflection:
     case RayKind::kReflection: return looks.no_reflection;
     case RayKind::kGather: return looks.no_radiosity;
     case RayKind::kGatherTransmitted: return looks.no_radiosity || looks.no_image;

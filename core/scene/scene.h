@@ -16,6 +16,9 @@
 #include "core/material/texture.h"
 #include "core/numeric/slope_watch.h"
 #include "core/object/object.h"
+#include "core/photon/photon_maps.h"
+#include "core/photon/settings.h"
+#include "core/photon/target.h"
 #include "core/scene/atmosphere.h"
 #include "core/scene/needs.h"
 
@@ -32,8 +35,10 @@ struct SceneSettings {
   Rgb ambient_light{1.0f, 1.0f, 1.0f};
   double assumed_gamma = 1.0;  ///< 1: linear; scene colours are decoded by the parser already
   bool assumed_gamma_set = false;
-  std::optional<RadiositySettings> radiosity;  ///< none: light sources alone light surfaces
-  Colour background;                           ///< opaque unless `alpha`
+  std::optional<RadiositySettings> radiosity;        ///< none: light sources alone light surfaces
+  std::optional<PhotonSettings> photons;             ///< none: there are no photons
+  std::shared_ptr<const PhotonMaps> loaded_photons;  ///< null: they are shot
+  Colour background;                                 ///< opaque unless `alpha`
   bool alpha = false;         ///< +UA: the picture is as clear as what its rays see of the sky
   bool mirror_images = true;  ///< false: reflection dims what conserves energy, shows nothing
   double atmosphere_ior = 1.0;
@@ -67,9 +72,10 @@ struct SceneParts {
   std::vector<std::shared_ptr<const Interior>> interiors;
   std::vector<std::unique_ptr<const LightSelection>> light_selections;  ///< likewise
   std::vector<PassFlags> pass_flags{{}};                                ///< likewise; 0: defaults
-  std::vector<std::string> not_rendered;  ///< features parsed and kept but not rendered yet
-  std::vector<WatchedSlope> slopes;       ///< to report on after rendering
-  std::size_t deepest = 1;                ///< most levels of objects and looks in each other
+  std::vector<PhotonTarget> photon_targets;  ///< in the order in which they are shot at
+  std::vector<std::string> not_rendered;     ///< features parsed and kept but not rendered yet
+  std::vector<WatchedSlope> slopes;          ///< to report on after rendering
+  std::size_t deepest = 1;                   ///< most levels of objects and looks in each other
 };
 
 struct CompileOptions {
@@ -101,6 +107,7 @@ class Scene {
   const PassFlags& pass_flags(const Attributes& looks) const {
     return m_parts.pass_flags[looks.pass_flags];
   }
+  const std::vector<PhotonTarget>& photon_targets() const { return m_parts.photon_targets; }
   const Hierarchy& hierarchy() const { return *m_hierarchy; }
   /// Of that light, or null: the hierarchy answers for it.
   const LightBuffer* light_buffer(std::size_t light) const { return m_light_buffers[light].get(); }

@@ -10,10 +10,12 @@ namespace lentray::core {
 class IndirectLight;
 class IrradianceCache;
 class ShadowTester;
+struct PhotonLight;
 struct ThreadContext;
 
 struct Illumination {
   std::shared_ptr<const IrradianceCache> irradiance{};  ///< of radiosity
+  std::shared_ptr<const PhotonLight> photons{};
 };
 
 /// What the context's illumination gives to surfaces, which then ask it; null: nothing. It lives as long as

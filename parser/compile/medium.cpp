@@ -76,6 +76,7 @@ std::shared_ptr<const core::Medium> compile_medium(
   medium->scattering = media.scattering.colour;
   medium->extinction_of_scattering = single(media.scattering.extinction);
   medium->phase = phase_of(media.scattering);
+  medium->collects_photons = !media.ignore_photons;
   medium->sampling = sampling_of(media, instead);
   medium->variance_limits = core::find_variance_limits(medium->sampling);
   std::vector<Ref<DensityDesc>> densities = media.densities;

@@ -2,27 +2,25 @@
 // Source: reference manual 3.7, "Global Settings".
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "core/base/color.h"
 #include "core/base/vec3.h"
 #include "core/irradiance/settings.h"
+#include "core/photon/photon_maps.h"
+#include "core/photon/settings.h"
 #include "parser/source/source.h"
 
 namespace lentray::parser {
 
+using core::PhotonSettings;
 using core::RadiositySettings;
 
-/// Kept; rendered later. autostop 0.5 and expand_thresholds 0.2, 35 are what stock does where they are
-/// left out; its manual has 0 and 40.
-struct PhotonSettings {
-  double spacing = 1.0, jitter = 0.4, autostop = 0.5, expand_increase = 0.2;
-  double adc_bailout = -1.0, radius = -1.0, radius_multiplier = 1.0;
-  double media_radius = -1.0, media_radius_multiplier = 1.0, media_factor = 1.0;
-  int count = 0, gather_min = 20, gather_max = 100, expand_min = 35, media_steps = 0;
-  int max_trace_level = -1;
-  std::string load_file, save_file;
+/// What a file of photons holds; null: none was read.
+struct LoadedPhotons {
+  std::shared_ptr<const core::PhotonMaps> maps;
 };
 
 /// Kept; rendered later.
@@ -45,6 +43,7 @@ struct GlobalDesc {
   double mm_per_unit = 10.0;
   std::optional<RadiositySettings> radiosity;
   std::optional<PhotonSettings> photons;
+  LoadedPhotons loaded_photons;  ///< of load_file
   std::optional<SubsurfaceSettings> subsurface;
 };
 

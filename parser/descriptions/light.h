@@ -12,7 +12,7 @@
 
 namespace lentray::parser {
 
-/// `photons { ... }` of an object or light: kept; rendered later.
+/// `photons { ... }` of an object or light.
 struct PhotonFlags {
   bool given = false;
   bool target = false;
