@@ -12,13 +12,13 @@ namespace lentray::core {
 
 namespace {
 
-constexpr std::uint32_t kBox = 8;
+constexpr std::uint32_t kBox = 8, kNoiseBlock = 16;
 // Differences of quantised values are whole on their own scale; this only absorbs rounding.
 constexpr double kSlack = 1e-6;
 
-double psnr_of(double squares, double values) {
-  if (squares == 0.0) return std::numeric_limits<double>::infinity();
-  return 10.0 * std::log10(255.0 * 255.0 * values / squares);
+double psnr_of(double mean_square) {
+  if (mean_square == 0.0) return std::numeric_limits<double>::infinity();
+  return 10.0 * std::log10(255.0 * 255.0 / mean_square);
 }
 
 void check_sizes(const StoredImage& a, const StoredImage& b) {
@@ -29,41 +29,59 @@ void check_sizes(const StoredImage& a, const StoredImage& b) {
   throw std::invalid_argument("the pictures differ in size: " + size(a) + " and " + size(b));
 }
 
-/// Squared differences of the means of 8 x 8 blocks, summed over blocks and channels.
-class BoxFilter {
+/// Sums of a - b over blocks of 8 x 8 pixels.
+class BlockSums {
  public:
-  BoxFilter(const StoredImage& a, const StoredImage& b, const Columns& columns)
-      : m_a(a), m_b(b), m_columns(columns) {}
-
-  double psnr() const {
-    double squares = 0.0, values = 0.0;
-    const auto width = static_cast<std::uint32_t>(m_columns.list.size());
-    for (std::uint32_t y = 0; y < m_a.height; y += kBox) {
-      for (std::uint32_t x = 0; x < width; x += kBox) {
-        squares += block(x, std::min(x + kBox, width), y, std::min(y + kBox, m_a.height));
-        values += 3.0;
-      }
-    }
-    return psnr_of(squares, values);
-  }
-
- private:
-  double block(std::uint32_t x0, std::uint32_t x1, std::uint32_t y0, std::uint32_t y1) const {
-    std::array<double, 3> sum{};
-    for (std::uint32_t y = y0; y < y1; ++y) {
-      for (std::uint32_t x = x0; x < x1; ++x) {
-        const auto p = level(m_a, m_columns.list[x], y), q = level(m_b, m_columns.list[x], y);
+  BlockSums(const StoredImage& a, const StoredImage& b, const Columns& columns)
+      : m_columns(static_cast<std::uint32_t>(columns.list.size())), m_rows(a.height),
+        m_across((m_columns + kBox - 1) / kBox), m_down((m_rows + kBox - 1) / kBox),
+        m_sums(std::size_t{m_across} * m_down) {
+    for (std::uint32_t y = 0; y < m_rows; ++y) {
+      for (std::uint32_t x = 0; x < m_columns; ++x) {
+        const auto p = level(a, columns.list[x], y), q = level(b, columns.list[x], y);
+        auto& sum = m_sums[std::size_t{y / kBox} * m_across + x / kBox];
         for (int c = 0; c < 3; ++c) sum[c] += p[c] - q[c];
       }
     }
-    const double count = double(x1 - x0) * double(y1 - y0);
-    double squares = 0.0;
-    for (const double s : sum) squares += (s / count) * (s / count);
-    return squares;
   }
 
-  const StoredImage &m_a, &m_b;
-  const Columns& m_columns;
+  /// Mean square of the means of blocks of `side` x `side`, a multiple of 8.
+  double mean_square(std::uint32_t side) const {
+    double squares = 0.0;
+    std::size_t blocks = 0;
+    for (std::uint32_t y = 0; y < m_rows; y += side) {
+      for (std::uint32_t x = 0; x < m_columns; x += side, ++blocks) {
+        const double count =
+            double(std::min(side, m_columns - x)) * double(std::min(side, m_rows - y));
+        for (const double sum : block(x / kBox, y / kBox, side / kBox))
+          squares += (sum / count) * (sum / count);
+      }
+    }
+    return squares / (3.0 * static_cast<double>(blocks));
+  }
+
+  BlockDifference difference() const {
+    BlockDifference d{.rms = std::sqrt(mean_square(kNoiseBlock)), .bias = 0.0};
+    for (const double sum : block(0, 0, std::max(m_across, m_down))) {
+      const double bias = sum / (double(m_columns) * double(m_rows));
+      if (std::abs(bias) > std::abs(d.bias)) d.bias = bias;
+    }
+    return d;
+  }
+
+ private:
+  std::array<double, 3> block(std::uint32_t column, std::uint32_t row, std::uint32_t size) const {
+    std::array<double, 3> all{};
+    for (std::uint32_t y = row; y < std::min(row + size, m_down); ++y) {
+      for (std::uint32_t x = column; x < std::min(column + size, m_across); ++x) {
+        for (int c = 0; c < 3; ++c) all[c] += m_sums[std::size_t{y} * m_across + x][c];
+      }
+    }
+    return all;
+  }
+
+  std::uint32_t m_columns, m_rows, m_across, m_down;
+  std::vector<std::array<double, 3>> m_sums;
 };
 
 Grade grade_of(const Comparison& c, std::uint64_t allowance) {
@@ -80,6 +98,7 @@ std::string_view name_of(Grade grade) {
   switch (grade) {
     case Grade::exact: return "exact";
     case Grade::match: return "match";
+    case Grade::noise: return "noise";
     case Grade::close: return "close";
     case Grade::fails: break;
   }
@@ -87,7 +106,7 @@ std::string_view name_of(Grade grade) {
 }
 
 std::optional<Grade> grade_named(std::string_view name) {
-  for (const Grade g : {Grade::fails, Grade::close, Grade::match, Grade::exact}) {
+  for (const Grade g : {Grade::fails, Grade::close, Grade::noise, Grade::match, Grade::exact}) {
     if (name == name_of(g)) return g;
   }
   return std::nullopt;
@@ -147,8 +166,10 @@ Comparison compare(const StoredImage& a, const StoredImage& b, const Columns& co
   }
   if (result.pixels == 0) throw std::invalid_argument("no pixels to compare");
   result.mean = sum / static_cast<double>(result.pixels);
-  result.psnr = psnr_of(squares, 3.0 * static_cast<double>(result.pixels));
-  result.smooth_psnr = BoxFilter(a, b, columns).psnr();
+  result.psnr = psnr_of(squares / (3.0 * static_cast<double>(result.pixels)));
+  const BlockSums sums(a, b, columns);
+  result.smooth_psnr = psnr_of(sums.mean_square(kBox));
+  result.blocks = sums.difference();
   result.grade = grade_of(result, allowance);
   return result;
 }
@@ -170,8 +191,11 @@ LensComparison compare_lenses(const StoredImage& a, const StoredImage& b, double
     for (std::uint32_t j = 0; j < views; ++j) {
       result.views.push_back(compare(a, b, Columns::every(j, views, a.width)));
     }
-    // Neighbours in an interlaced picture are not neighbours on screen: the box filter of the
-    // whole is that of its views together.
+    // Neighbours in an interlaced picture are not neighbours on screen: the blocks of the
+    // whole are those of its views together.
+    std::vector<BlockDifference> blocks;
+    for (const Comparison& v : result.views) blocks.push_back(v.blocks);
+    result.whole.blocks = root_mean_square(blocks);
     double squares = 0.0, pixels = 0.0;
     for (const Comparison& v : result.views) {
       squares += double(v.pixels) * std::pow(10.0, -v.smooth_psnr / 10.0);
@@ -184,11 +208,52 @@ LensComparison compare_lenses(const StoredImage& a, const StoredImage& b, double
   return result;
 }
 
+BlockDifference root_mean_square(std::span<const BlockDifference> differences) {
+  BlockDifference sum;
+  for (const BlockDifference& d : differences) {
+    sum.rms += d.rms * d.rms;
+    sum.bias += d.bias * d.bias;
+  }
+  const auto count = static_cast<double>(differences.size());
+  return {std::sqrt(sum.rms / count), std::sqrt(sum.bias / count)};
+}
+
+bool is_within(const BlockDifference& difference, const BlockDifference& noise) {
+  constexpr double kTimes = 1.5, kRms = 0.3, kBias = 0.2;
+  return difference.rms <= std::max(kRms, kTimes * noise.rms) &&
+         std::abs(difference.bias) <= std::max(kBias, kTimes * noise.bias);
+}
+
+void grade_by_noise(LensComparison& result, const StoredImage& stock,
+                    std::span<const StoredImage> others) {
+  const auto grade = [](Comparison& c, const BlockDifference& noise) {
+    c.noise = noise;
+    if (c.grade < Grade::match) c.grade = is_within(c.blocks, noise) ? Grade::noise : Grade::fails;
+  };
+  const auto noise_of = [&](const Columns& columns) {
+    std::vector<BlockDifference> all;
+    for (const StoredImage& other : others) {
+      check_sizes(stock, other);
+      all.push_back(BlockSums(stock, other, columns).difference());
+    }
+    return root_mean_square(all);
+  };
+  if (result.views.empty()) return grade(result.whole, noise_of(Columns::all(stock.width)));
+  const auto views = static_cast<std::uint32_t>(result.views.size());
+  std::vector<BlockDifference> noises;
+  for (std::uint32_t j = 0; j < views; ++j) {
+    noises.push_back(noise_of(Columns::every(j, views, stock.width)));
+    grade(result.views[j], noises.back());
+  }
+  grade(result.whole, root_mean_square(noises));
+}
+
 bool reaches(const LensComparison& result, Grade asked) {
   const Grade part = std::min(asked, Grade::match);
   const auto good = [&](const Comparison& c) { return c.grade >= part; };
+  const bool with_lenses = !result.whole.noise;
   return result.whole.grade >= asked &&
-         std::all_of(result.lenses.begin(), result.lenses.end(), good) &&
+         (!with_lenses || std::all_of(result.lenses.begin(), result.lenses.end(), good)) &&
          std::all_of(result.views.begin(), result.views.end(), good);
 }
 

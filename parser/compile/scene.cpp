@@ -28,6 +28,14 @@ void set_background(const SceneDesc& scene, bool alpha, core::SceneSettings& s) 
   }
 }
 
+void override_radiosity(const RadiosityOverrides& instead, core::RadiositySettings& r) {
+  r.count = instead.count.value_or(r.count);
+  r.error_bound = instead.error_bound.value_or(r.error_bound);
+  r.nearest_count = instead.nearest_count.value_or(r.nearest_count);
+  r.nearest_count_adaptive = std::min(r.nearest_count_adaptive, r.nearest_count - 1);
+  r.recursion_limit = instead.recursion_limit.value_or(r.recursion_limit);
+}
+
 core::SceneSettings build_settings(const SceneDesc& scene, const BuildOptions& options) {
   core::SceneSettings s;
   const GlobalDesc& g = scene.global;
@@ -50,6 +58,7 @@ core::SceneSettings build_settings(const SceneDesc& scene, const BuildOptions& o
   set_background(scene, options.alpha, s);
   if (g.radiosity && options.quality >= kRadiosityQuality) {
     s.radiosity = g.radiosity;
+    override_radiosity(instead.radiosity, *s.radiosity);
     // From then on radiosity takes the place of `ambient`.
     if (scene.language_version >= 370) s.ambient_light = core::Rgb(0.0f);
   }

@@ -118,6 +118,10 @@ void add_picture(const RenderOptions& o, Lines& out) {
     out.number("Area_Light_Adaptive", instead.area_light_adaptive);
   }
   out.number("Blur_Samples", instead.blur_samples);
+  out.number("Radiosity_Count", instead.radiosity.count);
+  out.number("Radiosity_Error_Bound", instead.radiosity.error_bound);
+  out.number("Radiosity_Nearest_Count", instead.radiosity.nearest_count);
+  out.number("Radiosity_Recursion_Limit", instead.radiosity.recursion_limit);
   out.number("Media_Method", o.overrides.media.method);
   out.number("Media_Intervals", o.overrides.media.intervals);
   out.number("Media_Samples", o.overrides.media.samples);

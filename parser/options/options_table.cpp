@@ -406,6 +406,14 @@ void set_bailout(Options& o, const Given& g) {
   o.overrides.adc_bailout = number(g);
   if (!(*o.overrides.adc_bailout >= 0.0)) refuse(g, "a number from 0 on is expected");
 }
+template <std::optional<int> RadiosityOverrides::*member, int kMost>
+void set_radiosity(Options& o, const Given& g) {
+  o.overrides.radiosity.*member = static_cast<int>(whole_number(g, 1, kMost));
+}
+void set_error_bound(Options& o, const Given& g) {
+  o.overrides.radiosity.error_bound = number(g);
+  if (!(*o.overrides.radiosity.error_bound > 0.0)) refuse(g, "a number greater than 0 is expected");
+}
 constexpr int kMostMediaSamples = 1'000'000;
 template <std::optional<int> MediaSettings::*member, int kMost>
 void set_media(Options& o, const Given& g) {
@@ -609,6 +617,10 @@ constexpr OptionRow kTable[] = {
     {"Blur_Samples", "", set_override<&SceneOverrides::blur_samples, 1, 65536>},
     {"Max_Trace_Level", "", set_override<&SceneOverrides::max_trace_level, 1, 256>},
     {"Adc_Bailout", "", set_bailout},
+    {"Radiosity_Count", "", set_radiosity<&RadiosityOverrides::count, 1600>},
+    {"Radiosity_Error_Bound", "", set_error_bound},
+    {"Radiosity_Nearest_Count", "", set_radiosity<&RadiosityOverrides::nearest_count, 20>},
+    {"Radiosity_Recursion_Limit", "", set_radiosity<&RadiosityOverrides::recursion_limit, 20>},
     {"Media_Method", "", set_media<&MediaSettings::method, 3>},
     {"Media_Intervals", "", set_media<&MediaSettings::intervals, kMostMediaSamples>},
     {"Media_Samples", "", set_media<&MediaSettings::samples, kMostMediaSamples>},

@@ -12,8 +12,15 @@ struct MediaSettings {
   std::optional<double> confidence;
 };
 
+struct RadiosityOverrides {
+  std::optional<int> count;  ///< 1..1600
+  std::optional<double> error_bound;
+  std::optional<int> nearest_count, recursion_limit;  ///< 1..20
+};
+
 struct SceneOverrides {
   MediaSettings media;
+  RadiosityOverrides radiosity;
   std::optional<int> area_light_samples;  ///< along each axis that has more than one; 1..1000
   /// Of area lights: halvings of the grid before corners that are alike end it; -1: all samples.
   std::optional<int> area_light_adaptive;

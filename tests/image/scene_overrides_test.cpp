@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -63,14 +64,41 @@ INSTANTIATE_TEST_SUITE_P(
                       OverrideCase{"Blur_Samples=5",
                                    {.blur = "blur_samples 5, 5 variance 0.01 confidence 0.9"}}));
 
+SceneText scene_overrides_radiosity(const std::string& settings) {
+  return {.sdl = "#version 3.7; global_settings { assumed_gamma 1 radiosity { " + settings + R"( } }
+camera { location <0, 1.5, -4> look_at <0, 0.6, 0> }
+background { rgb <0.5, 0.6, 0.8> }
+plane { y, 0 pigment { rgb <0.9, 0.5, 0.4> } }
+box { <-1, 0, 0>, <1, 1, 1> pigment { rgb <0.4, 0.8, 0.5> } }
+)",
+          .width = 60,
+          .height = 45,
+          .bits = 16};
+}
+
+TEST(ImageSceneOverridesOfRadiosity, HaveThePictureOfASceneThatSaysSo) {
+  const StoredImage plain = lentray_render(scene_overrides_radiosity("count 20"));
+  for (const auto& [option, settings] :
+       {std::pair{"Radiosity_Count=45", "count 45"},
+        std::pair{"Radiosity_Error_Bound=0.4", "count 20 error_bound 0.4"},
+        std::pair{"Radiosity_Nearest_Count=9", "count 20 nearest_count 9"},
+        std::pair{"Radiosity_Recursion_Limit=1", "count 20 recursion_limit 1"}}) {
+    const StoredImage by_option = lentray_render(scene_overrides_radiosity("count 20"), {option});
+    EXPECT_FALSE(same_bits(plain, by_option)) << option << " shows in this scene";
+    EXPECT_TRUE(same_bits(by_option, lentray_render(scene_overrides_radiosity(settings))))
+        << option;
+  }
+}
+
 TEST(ImageSceneOverridesAlone, TurnNothingOn) {
   const SceneText scene{.sdl =
                             "camera { location -4*z look_at 0 } light_source { -9*z 1 }\n"
                             "sphere { 0, 1 pigment { rgb 1 } }\n",
                         .bits = 16};
-  EXPECT_TRUE(same_bits(lentray_render(scene),
-                        lentray_render(scene, {"Area_Light_Samples=5", "Area_Light_Adaptive=2",
-                                               "Blur_Samples=9", "Max_Trace_Level=9"})));
+  EXPECT_TRUE(same_bits(
+      lentray_render(scene),
+      lentray_render(scene, {"Area_Light_Samples=5", "Area_Light_Adaptive=2", "Blur_Samples=9",
+                             "Max_Trace_Level=9", "Radiosity_Count=99"})));
 }
 
 TEST(ImageAntialiasGrid, IsTheMeanOfAPictureWithMorePixels) {

@@ -82,7 +82,10 @@ TEST_F(UnitBatch, BadOptionsAreNamed) {
       {{scene, out, "--time-limit", "3d"}, "--time-limit: unknown unit 'd': there are s, m and h"},
       {{scene, out, "--memory-limit", "3X"},
        "--memory-limit: unknown unit 'X': there are K, M, G and T"},
-      {{scene, out, "--grade", "perfect"}, "--grade: 'perfect'; there are exact, match, close"},
+      {{scene, out, "--grade", "perfect"},
+       "--grade: 'perfect'; there are exact, match, noise, close"},
+      {{scene, out, "--compare", "--noise", "loud"}, "--noise: 'loud'; there are auto, on, off"},
+      {{scene, out, "--noise", "on"}, "--noise is stock's: it needs --compare"},
       {{scene, out, "--table", "t.md"}, "--table shows grades: it needs --compare"},
       {{scene, out, "--sbatch", "-p x"}, "--sbatch gives options to Slurm: it needs --slurm"},
       {{scene, out, "+Ox.png"},
@@ -202,6 +205,11 @@ Row full_row() {
   row.verdict->grade = "match";
   row.verdict->psnr = 41.5;
   row.verdict->view_grades = {{"exact", 3}};
+  row.verdict->block_rms = 0.5;
+  row.verdict->bias = -0.25;
+  row.verdict->noise_rms = 0.375;
+  row.verdict->noise_bias = 0.0;
+  row.verdict->noise_cpu = 9.5;
   row.key = "0123456789abcdef";
   row.files["/x/a/b.pov"] = {10, 20, 0xffffffffffffffff};
   row.missing = {"/x/a/c.inc"};
@@ -213,6 +221,8 @@ TEST_F(UnitBatch, RowsSurviveAsJson) {
   EXPECT_EQ(to_json(row_of(json)), json);
   EXPECT_EQ(row_of(json).files.at("/x/a/b.pov").sum, 0xffffffffffffffff);
   EXPECT_EQ(row_of(json).verdict->psnr, 41.5);
+  EXPECT_EQ(row_of(json).verdict->noise_rms, 0.375);
+  EXPECT_EQ(row_of(json).verdict->noise_bias, 0.0);
   EXPECT_THROW(row_of({{"name", "x"}}), std::invalid_argument);
   EXPECT_THROW(row_of({{"name", "x"}, {"source", "y"}, {"state", "odd"}}), std::invalid_argument);
 }
@@ -368,14 +378,17 @@ TEST_F(UnitBatch, TableCountsGrades) {
   row.verdict->grade = "fails";
   row.reason = "broken";
   row.left_out.clear();
+  row.verdict->noise_rms.reset();
   rows.push_back(row);
   row.name = "part";
   row.verdict.reset();
   rows.push_back(row);
   const std::string text = table(rows, "lentray-batch x", "3.7");
   EXPECT_NE(text.find("| match | 1 |"), std::string::npos);
-  EXPECT_NE(text.find("| a/b#07 | match | 41.5 | 0.00 % | media |"), std::string::npos) << text;
-  EXPECT_NE(text.find("| c/d | fails |  |  | broken |"), std::string::npos) << text;
+  EXPECT_NE(text.find("| a/b#07 | match | 41.5 | 0.00 % | 0.50, 0.38 | -0.25, 0.00 | media |"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find("| c/d | fails |  |  |  |  | broken |"), std::string::npos) << text;
   EXPECT_NE(text.find("Not compared: part."), std::string::npos);
 }
 

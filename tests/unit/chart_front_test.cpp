@@ -231,7 +231,7 @@ TEST(UnitChartTable, TheFrontIsListedFastestFirst) {
 
 TEST(UnitChartFront, KindsHaveNames) {
   for (const char* name : {"lens_model", "antialiasing", "area_light", "focal_blur", "media",
-                           "depth", "quality", "combined", "exact"}) {
+                           "radiosity", "depth", "quality", "combined", "exact"}) {
     ASSERT_TRUE(kind_named(name)) << name;
     EXPECT_STREQ(name_of(*kind_named(name)), name);
   }

@@ -141,6 +141,7 @@ Needs
                         media
   not needed            clipping, dispersion, focal blur
   trace level           9 at most (max_trace_level 12)
+  radiosity             35 rays a sample, 2 bounces, error_bound 1.8
 Bounding hierarchy
 )";
 
@@ -150,12 +151,16 @@ TEST(UnitChartFacts, ComeFromTheExplanation) {
   EXPECT_EQ(f.objects, 17u);
   EXPECT_EQ(f.depth, 9);
   EXPECT_EQ(f.max_trace_level, 12);
+  EXPECT_EQ(f.radiosity_count, 35);
+  EXPECT_EQ(f.radiosity_bounces, 2);
+  EXPECT_EQ(f.radiosity_error, 1.8);
   const SceneFacts other = facts_of(
       "Camera\n  lenticular, 60 x 45 pixels\nNeeds\n  used        fog, rainbows or media of the "
       "air\n  not needed  area lights, media\n  trace level 1 at most (max_trace_level 5)\n");
   EXPECT_TRUE(other.is_sheet && !other.area_lights && !other.media);
   EXPECT_EQ(other.depth, 1);
   EXPECT_EQ(facts_of("").depth, 1);
+  EXPECT_EQ(facts_of("").radiosity_count, 0);
 }
 
 TEST(UnitChartFacts, AbilitiesComeFromTheHelp) {
@@ -181,6 +186,8 @@ TEST(UnitChartFacts, NoiseIsExplained) {
 constexpr const char* kAllOptions =
     "Antialias_Grid=n Specialised_Paths=on|off Area_Light_Adaptive=n|off Area_Light_Samples=n "
     "Blur_Samples=n Media_Method=1|2|3 Media_Samples=n "
+    "Radiosity_Count=n Radiosity_Error_Bound=n Radiosity_Nearest_Count=n "
+    "Radiosity_Recursion_Limit=n "
     "Max_Trace_Level=n Adc_Bailout=n Lens_Rays=n Lens_Model=paraxial|pinhole|thick";
 
 MatrixRequest everything() {
@@ -232,6 +239,10 @@ TEST(UnitChartMatrix, HasEveryKindThatTheSceneUses) {
                          "paths-general",
                          "blur-samples-37",
                          "media-method3-intervals1-samples10",
+                         "radiosity-count-400",
+                         "radiosity-error-bound-0-25",
+                         "radiosity-nearest-count-10",
+                         "radiosity-recursion-limit-1",
                          "trace-level-2",
                          "adc-bailout-0-01",
                          "quality-5",
@@ -245,6 +256,7 @@ TEST(UnitChartMatrix, HasEveryKindThatTheSceneUses) {
                          "threads-2"}) {
     EXPECT_TRUE(has(id)) << id;
   }
+  EXPECT_FALSE(has("radiosity-count-35")) << "the scene's own";
   EXPECT_FALSE(has("aa-off")) << "the user's own";
   EXPECT_FALSE(has("quality-9"));
 }
@@ -255,7 +267,7 @@ TEST(UnitChartMatrix, LeavesOutWhatTheSceneHasNoUseFor) {
   r.facts.objects = 5000;
   const std::vector<Setting> all = settings_of(r);
   for (const Kind kind : {Kind::lens_model, Kind::area_light, Kind::focal_blur, Kind::media,
-                          Kind::depth, Kind::quality, Kind::combined}) {
+                          Kind::radiosity, Kind::depth, Kind::quality, Kind::combined}) {
     EXPECT_TRUE(ids_of(all, kind).empty()) << name_of(kind);
   }
   EXPECT_FALSE(ids_of(all, Kind::antialiasing).empty());
@@ -370,11 +382,14 @@ TEST(UnitChartReference, RaisesAllThatApplies) {
   ASSERT_TRUE(first && second);
   for (const char* option :
        {"Antialias_Grid=3", "Area_Light_Samples=4", "Area_Light_Adaptive=off", "Blur_Samples=64",
-        "Media_Method=3", "Media_Samples=20", "Max_Trace_Level=24", "Adc_Bailout=0.001", "+Q9"}) {
+        "Media_Method=3", "Media_Samples=20", "Radiosity_Count=200", "Radiosity_Error_Bound=0.25",
+        "Radiosity_Recursion_Limit=3", "Max_Trace_Level=24", "Adc_Bailout=0.001", "+Q9"}) {
     EXPECT_TRUE(has_option(*first, option)) << option;
   }
-  for (const char* option : {"Antialias_Grid=4", "Area_Light_Samples=6", "Blur_Samples=128",
-                             "Media_Samples=28", "Max_Trace_Level=48", "Adc_Bailout=0.0005"}) {
+  for (const char* option :
+       {"Antialias_Grid=4", "Area_Light_Samples=6", "Blur_Samples=128", "Media_Samples=28",
+        "Radiosity_Count=400", "Radiosity_Recursion_Limit=4", "Max_Trace_Level=48",
+        "Adc_Bailout=0.0005"}) {
     EXPECT_TRUE(has_option(*second, option)) << option;
   }
   EXPECT_TRUE(has_option(*reference_step(r, 4, false), "Antialias_Grid=7"))

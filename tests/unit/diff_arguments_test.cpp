@@ -75,7 +75,10 @@ TEST_F(UnitDiffArguments, IniFilesAreReadForStock) {
 }
 
 TEST_F(UnitDiffArguments, OwnOptions) {
-  const Arguments a = parse({"--grade", "exact", "--json=x.json", "--threads", "3", "--bits=16"});
+  const Arguments a =
+      parse({"--grade", "exact", "--json=x.json", "--threads", "3", "--bits=16", "--noise", "off"});
+  EXPECT_EQ(a.noise, AskNoise::never);
+  EXPECT_EQ(parse({}).noise, AskNoise::where_it_is);
   EXPECT_EQ(a.asked, core::Grade::exact);
   EXPECT_EQ(a.json, "x.json");
   EXPECT_EQ(a.stock.processes, 3);
@@ -92,6 +95,7 @@ TEST_F(UnitDiffArguments, TwoPictures) {
 TEST_F(UnitDiffArguments, Refused) {
   EXPECT_THROW(parse({"--grade", "good"}), parser::OptionError);
   EXPECT_THROW(parse({"--grade"}), parser::OptionError);
+  EXPECT_THROW(parse({"--noise", "loud"}), parser::OptionError);
   EXPECT_THROW(parse({"--nonsense"}), parser::OptionError);
   EXPECT_THROW(parse({"other.pov"}), parser::OptionError);
   EXPECT_THROW(parse({"b.png"}), parser::OptionError);

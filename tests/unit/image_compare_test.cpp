@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <vector>
 
 namespace lentray::core {
 namespace {
@@ -101,6 +102,83 @@ TEST(UnitImageCompare, GreyAndAlpha) {
   EXPECT_EQ(whole(grey, rgba).largest, 0.0);
 }
 
+TEST(UnitImageCompare, BlocksAre16AndBiasIsSigned) {
+  // 40 x 20: blocks of 16, 16 and 8 columns, 16 and 4 rows.
+  const StoredImage a = image_compare_flat(40, 20, 100);
+  StoredImage b = a;
+  for (std::uint32_t y = 16; y < 20; ++y) {
+    for (std::uint32_t x = 32; x < 40; ++x)
+      b.at(x, y, 2) += 6.0f;  // one of six blocks, one channel
+  }
+  const BlockDifference d = whole(a, b).blocks;
+  EXPECT_NEAR(d.rms, std::sqrt(36.0 / 18.0), 1e-9);
+  EXPECT_NEAR(d.bias, -6.0 * 32 / 800, 1e-9);
+  b = a;
+  for (std::uint32_t i = 0; i < 800; ++i) b.samples[3 * i] += i % 2 ? 5.0f : -5.0f;
+  EXPECT_NEAR(whole(a, b).blocks.rms, 0.0, 1e-9);
+}
+
+TEST(UnitImageCompare, NoiseIsStocksOwn) {
+  EXPECT_TRUE(is_within({0.3, -0.2}, {0.0, 0.0}));
+  EXPECT_FALSE(is_within({0.31, 0.0}, {0.2, 0.0}));
+  EXPECT_FALSE(is_within({0.0, -0.21}, {0.0, 0.1}));
+  EXPECT_TRUE(is_within({1.49, 0.74}, {1.0, 0.5}));
+  EXPECT_FALSE(is_within({1.51, 0.0}, {1.0, 0.5}));
+  EXPECT_FALSE(is_within({0.0, 0.76}, {1.0, 0.5}));
+  const BlockDifference r = root_mean_square(std::vector<BlockDifference>{{3.0, -1.0}, {4.0, 7.0}});
+  EXPECT_NEAR(r.rms, std::sqrt(12.5), 1e-12);
+  EXPECT_NEAR(r.bias, 5.0, 1e-12);
+}
+
+/// A picture whose left half is `by` brighter, and right half as much darker.
+StoredImage image_compare_halves(float by) {
+  StoredImage image = image_compare_flat(64, 32, 100);
+  for (std::uint32_t y = 0; y < 32; ++y) {
+    for (std::uint32_t x = 0; x < 64; ++x) image.at(x, y, 0) += x < 32 ? by : -by;
+  }
+  return image;
+}
+
+TEST(UnitImageCompare, GradeByNoise) {
+  const StoredImage stock = image_compare_halves(0.0f);
+  // Blocks off by 10 in one channel of three: S = 10/sqrt 3, so that 15 is allowed.
+  const std::vector<StoredImage> others(3, image_compare_halves(10.0f));
+  const auto graded = [&](float by) {
+    LensComparison c;
+    c.whole = whole(image_compare_halves(by), stock);
+    grade_by_noise(c, stock, others);
+    return c;
+  };
+  EXPECT_EQ(graded(1.0f).whole.grade, Grade::exact);
+  EXPECT_EQ(graded(14.9f).whole.grade, Grade::noise);
+  EXPECT_NEAR(graded(14.9f).whole.noise->rms, 10.0 / std::sqrt(3.0), 1e-6);
+  EXPECT_EQ(graded(15.1f).whole.grade, Grade::fails);  // which was close
+  EXPECT_TRUE(reaches(graded(14.9f), Grade::noise));
+  EXPECT_FALSE(reaches(graded(14.9f), Grade::match));
+}
+
+TEST(UnitImageCompare, EachViewHasItsOwnNoise) {
+  const StoredImage stock = image_compare_flat(64, 32, 100);
+  const auto with_view = [&](std::uint32_t view, float by) {
+    StoredImage image = stock;
+    for (std::uint32_t y = 0; y < 32; ++y) {
+      for (std::uint32_t x = view; x < 64; x += 2) image.at(x, y, 1) += by;
+    }
+    return image;
+  };
+  const std::vector<StoredImage> others(3, with_view(1, 10.0f));
+  LensComparison c = compare_lenses(with_view(1, 12.0f), stock, 2);
+  EXPECT_LT(c.lenses[0].grade, Grade::match);
+  grade_by_noise(c, stock, others);
+  EXPECT_EQ(c.views[0].grade, Grade::exact);
+  EXPECT_EQ(c.views[1].grade, Grade::noise);
+  EXPECT_TRUE(reaches(c, Grade::noise));  // lenses are not asked
+  c = compare_lenses(with_view(0, 12.0f), stock, 2);
+  grade_by_noise(c, stock, others);
+  EXPECT_EQ(c.views[0].grade, Grade::fails);
+  EXPECT_FALSE(reaches(c, Grade::noise));
+}
+
 TEST(UnitImageCompare, LensesAndViews) {
   const StoredImage a = image_compare_flat(44, 20, 100);  // N = 15: lenses of 15, 15 and 14 columns
   StoredImage b = a;
@@ -146,7 +224,7 @@ TEST(ErrorImageCompare, DifferentSizes) {
 }
 
 TEST(UnitImageCompare, Names) {
-  for (const Grade g : {Grade::fails, Grade::close, Grade::match, Grade::exact}) {
+  for (const Grade g : {Grade::fails, Grade::close, Grade::noise, Grade::match, Grade::exact}) {
     EXPECT_EQ(grade_named(name_of(g)), g);
   }
   EXPECT_FALSE(grade_named("good"));

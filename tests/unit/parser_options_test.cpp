@@ -381,6 +381,9 @@ TEST_F(UnitParserOptions, Antialiasing) {
   expect_message({"Blur_Samples=0"}, "a whole number from 1 to 65536");
   expect_message({"Adc_Bailout=-0.1"}, "a number from 0 on is expected");
   expect_message({"Adc_Bailout=nan"}, "number");
+  expect_message({"Radiosity_Count=1601"}, "a whole number from 1 to 1600");
+  expect_message({"Radiosity_Error_Bound=0"}, "a number greater than 0 is expected");
+  expect_message({"Radiosity_Recursion_Limit=21"}, "a whole number from 1 to 20");
 }
 
 TEST_F(UnitParserOptions, PartsOfThePicture) {

@@ -104,6 +104,7 @@ class Parsing {
         {"--time-limit", [&](const std::string& v) { m_out.time_limit = seconds_of(name, v); }},
         {"--memory-limit", [&](const std::string& v) { m_out.memory_limit = bytes_of(name, v); }},
         {"--grade", [&](const std::string& v) { grade(v); }},
+        {"--noise", [&](const std::string& v) { noise(v); }},
         {"--table", [&](const std::string& v) { m_out.table = fs::absolute(v); }},
         {"--lentray", [&](const std::string& v) { m_out.lentray = v; }},
         {"--sbatch", [&](const std::string& v) { m_out.sbatch = v; }},
@@ -140,9 +141,15 @@ class Parsing {
   void grade(const std::string& name) {
     m_out.asked = core::grade_named(name);
     if (!m_out.asked || *m_out.asked == core::Grade::fails) {
-      throw OptionError("--grade: '" + name + "'; there are exact, match, close");
+      throw OptionError("--grade: '" + name + "'; there are exact, match, noise, close");
     }
     m_out.compare = true;
+  }
+
+  void noise(const std::string& word) {
+    if (word != "auto" && word != "on" && word != "off")
+      throw OptionError("--noise: '" + word + "'; there are auto, on, off");
+    m_out.noise = word;
   }
 
   void other(const std::string& word) {
@@ -233,6 +240,8 @@ class Parsing {
       throw OptionError("--out DIR is missing: the folder for pictures, manifest and page");
     m_out.out = fs::absolute(m_out.out).lexically_normal();
     if (!m_out.out.has_filename()) m_out.out = m_out.out.parent_path();
+    if (!m_out.noise.empty() && !m_out.compare)
+      throw OptionError("--noise is stock's: it needs --compare");
     if (!m_out.table.empty() && !m_out.compare)
       throw OptionError("--table shows grades: it needs --compare");
     refuse_what_the_batch_decides();
@@ -274,7 +283,10 @@ memory: the folders stay as they are.
   --views          the views of integral images besides, as pictures
   --compare        stock POV-Ray's picture beside each, its grade, the
                    difference, the ratio of times
-  --grade G        exact, match or close: what every scene must reach
+  --grade G        exact, match, noise or close: what every scene must reach
+  --noise W        auto, on or off: stock renders three times more where a
+                   picture is short of match, to tell its own noise (of scenes
+                   with radiosity)
   --table FILE     the comparison as a Markdown table
   --jobs N         scenes at a time (as many as there are processors)
   --time-limit T   seconds a picture may take, each view of Views= too (90, 90s,

@@ -37,6 +37,7 @@ struct Arguments {
   std::string povray = "povray";
   std::optional<core::Grade> asked;  ///< what every scene must reach
   std::filesystem::path table;       ///< Markdown; empty: none
+  std::string noise;                 ///< lentray-diff's --noise; empty: its default
 };
 
 Arguments parse_arguments(const std::vector<std::string>& words);

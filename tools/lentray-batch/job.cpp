@@ -20,6 +20,7 @@
 #include "tools/common/process.h"
 #include "tools/lentray-batch/run_log.h"
 #include "tools/lentray-batch/stamps.h"
+#include "tools/lentray-batch/verdict.h"
 #include "tools/lentray-batch/views.h"
 
 namespace lentray::batch {
@@ -552,6 +553,12 @@ tool::Launch Job::compare(int processes) {
       {"+I" + m_scene.source.string(), "--output=" + prefix.string(),
        "--threads=" + std::to_string(processes), "--povray=" + m_plan.arguments.povray,
        "--json=" + run_file("verdict").string()});
+  if (m_plan.arguments.time_limit > 0.0) {
+    launch.command.push_back("--time-limit=" +
+                             std::to_string(kStocksTimes * m_plan.arguments.time_limit));
+  }
+  if (!m_plan.arguments.noise.empty())
+    launch.command.push_back("--noise=" + m_plan.arguments.noise);
   if (m_has_picture) {
     launch.command.insert(
         launch.command.end(),
@@ -579,17 +586,8 @@ void Job::compared(const tool::Ended& ended) {
     v.stock = begin + "-stock.png";
     v.grade = "fails";
     if (m_has_picture) {
-      const json& whole = all.at("whole");
       v.difference = begin + "-heat.png";
-      v.grade = whole.at("grade") == "fails" ? "differs" : whole.at("grade").get<std::string>();
-      if (!whole.at("psnr").is_null()) v.psnr = whole.at("psnr").get<double>();
-      v.beyond_1 = whole.at("beyond_1").get<double>();
-      v.beyond_2 = whole.at("beyond_2").get<double>();
-      v.largest = whole.at("largest").get<double>();
-      for (const json& lens : all.value("lenses", json::array()))
-        ++v.lens_grades[lens.at("grade").get<std::string>()];
-      for (const json& view : all.value("views", json::array()))
-        ++v.view_grades[view.at("grade").get<std::string>()];
+      take_figures(all, v);
     }
   }
   m_row.verdict = v;

@@ -35,6 +35,9 @@ struct Plan {
   }
 };
 
+/// How many times a scene's limit one picture of stock's may take.
+inline constexpr double kStocksTimes = 5.0;
+
 /// Rows of a picture that a job makes alone.
 struct Band {
   int index = 0, count = 1;

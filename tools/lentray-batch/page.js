@@ -5,7 +5,7 @@
 const data = JSON.parse(document.getElementById("data").textContent);
 const rows = data.rows, cards = data.cards, summary = data.summary;
 
-const kGrades = ["exact", "match", "close", "differs", "fails"];
+const kGrades = ["exact", "match", "noise", "close", "differs", "fails"];
 
 // The headline.
 

@@ -7,7 +7,8 @@
 namespace lentray::batch {
 namespace {
 
-constexpr std::array<std::string_view, 5> kGrades{"exact", "match", "close", "differs", "fails"};
+constexpr std::array<std::string_view, 6> kGrades{"exact", "match",   "noise",
+                                                  "close", "differs", "fails"};
 
 /// A frame's row is named "scene#12".
 std::string card_name(const Row& row) {

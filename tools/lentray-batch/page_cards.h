@@ -38,9 +38,9 @@ struct Summary {
 };
 Summary summary_of(const std::vector<Row>& rows, const std::vector<Card>& cards);
 
-/// From exact, 0, to fails, 4; -1: no grade.
+/// From exact, 0, to fails, 5; -1: no grade.
 int badness(const std::string& grade);
 /// Grades that the filter "differs" shows.
-inline bool is_differing(const Card& card) { return badness(card.grade) >= 3; }
+inline bool is_differing(const Card& card) { return badness(card.grade) > badness("close"); }
 
 }  // namespace lentray::batch

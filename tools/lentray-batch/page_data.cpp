@@ -74,6 +74,13 @@ json verdict_data(const Row& row, const PageOptions& options, const TextLimits& 
   put_share(out, "beyond_1", v.beyond_1);
   put_share(out, "beyond_2", v.beyond_2);
   put_share(out, "largest", v.largest);
+  if (v.noise_rms) {
+    put_share(out, "block_rms", v.block_rms);
+    put_share(out, "bias", v.bias);
+    put_share(out, "noise_rms", *v.noise_rms);
+    put_share(out, "noise_bias", v.noise_bias.value_or(0.0));
+    put_seconds(out, "noise_cpu", v.noise_cpu);
+  }
   put_seconds(out, "stock_cpu", v.stock_cpu);
   put_seconds(out, "stock_wall", v.stock_wall);
   if (row.cpu > 0.0 && v.stock_cpu > 0.0) out["ratio"] = v.stock_cpu / row.cpu;

@@ -274,8 +274,13 @@ function comparisonOf(row) {
     ["beyond 1/255", v.grade && v.grade !== "fails" ? `${percent(v.beyond_1 || 0)} of the pixels` : ""],
     ["beyond 2/255", v.grade && v.grade !== "fails" ? `${percent(v.beyond_2 || 0)} of the pixels` : ""],
     ["largest", v.largest ? `${fixed(v.largest, v.largest % 1 ? 2 : 0)} / 255` : ""],
+    ["blocks of 16 × 16", v.noise_rms !== undefined &&
+      `${fixed(v.block_rms || 0, 2)} / 255; stock against itself ${fixed(v.noise_rms, 2)}`],
+    ["bias", v.noise_rms !== undefined &&
+      `${fixed(v.bias || 0, 2)} / 255; stock against itself ${fixed(v.noise_bias || 0, 2)}`],
     ["lenses", gradesText(v.lens_grades)], ["views", gradesText(v.view_grades)],
-    ["processor, stock", v.stock_cpu && seconds(v.stock_cpu)], ["stock over ours", v.ratio && times(v.ratio)]]));
+    ["processor, stock", v.stock_cpu && seconds(v.stock_cpu)],
+    ["processor, stock's noise", v.noise_cpu && seconds(v.noise_cpu)], ["stock over ours", v.ratio && times(v.ratio)]]));
 }
 
 function factsOf(card, row, setFrame) {

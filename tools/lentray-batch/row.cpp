@@ -29,6 +29,11 @@ void take(const json& from, const char* name, T& value) {
   if (const auto at = from.find(name); at != from.end()) value = at->get<T>();
 }
 
+template <typename T>
+void take_optional(const json& from, const char* name, std::optional<T>& value) {
+  if (const auto at = from.find(name); at != from.end()) value = at->get<T>();
+}
+
 json to_json(const Verdict& v) {
   json out{{"grade", v.grade}};
   put_if_given(out, "note", v.note);
@@ -36,6 +41,11 @@ json to_json(const Verdict& v) {
   put_if_given(out, "beyond_1", v.beyond_1);
   put_if_given(out, "beyond_2", v.beyond_2);
   put_if_given(out, "largest", v.largest);
+  put_if_given(out, "block_rms", v.block_rms);
+  put_if_given(out, "bias", v.bias);
+  if (v.noise_rms) out["noise_rms"] = *v.noise_rms;
+  if (v.noise_bias) out["noise_bias"] = *v.noise_bias;
+  put_if_given(out, "noise_cpu_s", v.noise_cpu);
   put_if_given(out, "stock_cpu_s", v.stock_cpu);
   put_if_given(out, "stock_wall_s", v.stock_wall);
   put_if_given(out, "stock", v.stock);
@@ -49,10 +59,15 @@ Verdict verdict_of(const json& from) {
   Verdict v;
   take(from, "grade", v.grade);
   take(from, "note", v.note);
-  if (const auto at = from.find("psnr"); at != from.end()) v.psnr = at->get<double>();
+  take_optional(from, "psnr", v.psnr);
+  take_optional(from, "noise_rms", v.noise_rms);
+  take_optional(from, "noise_bias", v.noise_bias);
   take(from, "beyond_1", v.beyond_1);
   take(from, "beyond_2", v.beyond_2);
   take(from, "largest", v.largest);
+  take(from, "block_rms", v.block_rms);
+  take(from, "bias", v.bias);
+  take(from, "noise_cpu_s", v.noise_cpu);
   take(from, "stock_cpu_s", v.stock_cpu);
   take(from, "stock_wall_s", v.stock_wall);
   take(from, "stock", v.stock);
@@ -106,7 +121,7 @@ Row row_of(const json& from) try {
   from.at("name").get_to(r.name);
   from.at("source").get_to(r.source);
   r.state = state_named(from.at("state").get<std::string>());
-  if (const auto at = from.find("frame"); at != from.end()) r.frame = at->get<int>();
+  take_optional(from, "frame", r.frame);
   take(from, "band", r.band);
   take(from, "reason", r.reason);
   take(from, "lacks_room", r.lacks_room);

@@ -28,13 +28,16 @@ struct FileStamp {
 /// Stock's picture beside ours.
 struct Verdict {
   std::string
-      grade;  ///< exact, match, close, differs; fails: only stock has a picture; empty: stock has none
+      grade;  ///< exact, match, noise, close, differs; fails: only stock has a picture; empty: stock has none
   std::string note;            ///< why there is no grade, or what to expect of it
   std::optional<double> psnr;  ///< dB; none: the pictures are equal, or were not compared
   double beyond_1 = 0.0,
          beyond_2 = 0.0;  ///< shares of the pixels that differ by more than 1/255, 2/255
   double largest = 0.0;   ///< difference, in 1/255
+  double block_rms = 0.0, bias = 0.0;           ///< of 16 x 16 means, in 1/255
+  std::optional<double> noise_rms, noise_bias;  ///< of stock's own pictures, where they count
   double stock_cpu = 0.0, stock_wall = 0.0;
+  double noise_cpu = 0.0;  ///< of the pictures that tell its noise, besides
   std::string stock,
       difference;  ///< pictures; the difference is scaled as tools/lentray-diff/report.h says
   /// Of an integral image: how many lenses and views have each grade.

@@ -15,7 +15,8 @@ using Clock = std::chrono::steady_clock;
 constexpr double kSmall = 20.0;       ///< seconds of one processor
 constexpr double kGrace = 3.0;        ///< seconds between asking and killing
 constexpr double kMostMemory = 0.85;  ///< of the machine's, of all runs together
-constexpr double kStockTime = 5.0;    ///< how many times a scene's limit stock may take
+constexpr double kStockTime =
+    4.0 * kStocksTimes;  ///< of a scene's limit: stock's picture, and three for its noise
 
 }  // namespace
 

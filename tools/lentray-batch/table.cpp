@@ -9,8 +9,8 @@
 namespace lentray::batch {
 namespace {
 
-constexpr std::array<std::string_view, 5> kGradeOrder{"exact", "match", "close", "differs",
-                                                      "fails"};
+constexpr std::array<std::string_view, 6> kGradeOrder{"exact", "match",   "noise",
+                                                      "close", "differs", "fails"};
 
 std::string number(const char* how, double value) {
   char text[64];
@@ -37,6 +37,11 @@ std::string line(const Row& row) {
   if (compared) out += v.psnr ? number("%.1f", *v.psnr) : "equal";
   out += " | ";
   if (compared) out += number("%.2f %%", 100.0 * v.beyond_1);
+  out += " | ";
+  if (v.noise_rms) out += number("%.2f", v.block_rms) + ", " + number("%.2f", *v.noise_rms);
+  out += " | ";
+  if (v.noise_rms)
+    out += number("%.2f", v.bias) + ", " + number("%.2f", v.noise_bias.value_or(0.0));
   return out + " | " + cell(row.left_out.empty() ? row.reason : joined(row.left_out)) + " |\n";
 }
 
@@ -86,8 +91,12 @@ std::string table(const std::vector<Row>& rows, const std::string& command,
         "\nWhat lentray does not render yet, and says so, by the number of scenes that use it:\n" +
         counts(list, "");
   out +=
-      "\nBeyond: share of the pixels that differ by more than 1/255.\n\n"
-      "| scene | grade | PSNR dB | beyond | not rendered yet |\n|---|---|---:|---:|---|\n" +
+      "\nBeyond: share of the pixels that differ by more than 1/255. Blocks, bias: by how much "
+      "means of 16 x 16\n"
+      "pixels and of all differ from stock's, and S, by how much stock's own do; in 1/255, where "
+      "stock's noise counts.\n\n"
+      "| scene | grade | PSNR dB | beyond | blocks, S | bias, S | not rendered yet |\n"
+      "|---|---|---:|---:|---:|---:|---|\n" +
       lines;
   if (!without.empty()) out += "\nNot compared: " + joined(without) + ".\n";
   return out;

@@ -19,6 +19,7 @@ enum class Kind {
   area_light,    ///< samples of area lights
   focal_blur,    ///< samples of the aperture
   media,         ///< method, intervals, samples
+  radiosity,     ///< count, error_bound, nearest_count, recursion_limit
   depth,         ///< max_trace_level, adc_bailout
   quality,       ///< +Q
   combined,      ///< several of those at once

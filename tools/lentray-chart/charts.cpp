@@ -24,15 +24,16 @@ struct KindLook {
 };
 
 /// In the order of Kind. Points of lines alone are thin where others are hollow.
-constexpr std::array<KindLook, 9> kLooks{{{7, 6, 0x0072b2, "var(--series-1)"},
-                                          {5, 4, 0xc74f00, "var(--series-2)"},
-                                          {9, 8, 0x8a6100, "var(--series-5)"},
-                                          {13, 12, 0x00795a, "var(--series-3)"},
-                                          {11, 10, 0xa3468b, "var(--series-4)"},
-                                          {2, 2, 0x4c6fff, "var(--series-6)"},
-                                          {1, 1, 0x5c636e, "var(--series-8)"},
-                                          {15, 14, 0xb01030, "var(--series-7)"},
-                                          {7, 6, 0x333435, "var(--text)"}}};
+constexpr std::array<KindLook, 10> kLooks{{{7, 6, 0x0072b2, "var(--series-1)"},
+                                           {5, 4, 0xc74f00, "var(--series-2)"},
+                                           {9, 8, 0x8a6100, "var(--series-5)"},
+                                           {13, 12, 0x00795a, "var(--series-3)"},
+                                           {11, 10, 0xa3468b, "var(--series-4)"},
+                                           {3, 3, 0x5f7a00, "var(--series-9)"},
+                                           {2, 2, 0x4c6fff, "var(--series-6)"},
+                                           {1, 1, 0x5c636e, "var(--series-8)"},
+                                           {15, 14, 0xb01030, "var(--series-7)"},
+                                           {7, 6, 0x333435, "var(--text)"}}};
 constexpr std::size_t kKinds = kLooks.size();
 
 std::size_t place_of(Kind kind) { return static_cast<std::size_t>(kind); }
@@ -557,11 +558,16 @@ std::string exact_chart(const Chart& chart, Window window) {
 }
 
 std::string symbol_of(Kind kind, bool is_hollow) {
-  static constexpr std::array<const char*, 9> kShapes{
-      "<circle cx=\"8\" cy=\"8\" r=\"5\"/>", "<rect x=\"3.5\" y=\"3.5\" width=\"9\" height=\"9\"/>",
-      "<path d=\"M8 2.5 13.5 12.5H2.5z\"/>", "<path d=\"M8 2 14 8 8 14 2 8z\"/>",
-      "<path d=\"M8 13.5 2.5 3.5h11z\"/>",   "<path d=\"M3 3l10 10M13 3 3 13\"/>",
-      "<path d=\"M8 2v12M2 8h12\"/>",        "<path d=\"M8 2l6 4.4-2.3 7H4.3L2 6.4z\"/>",
+  static constexpr std::array<const char*, 10> kShapes{
+      "<circle cx=\"8\" cy=\"8\" r=\"5\"/>",
+      "<rect x=\"3.5\" y=\"3.5\" width=\"9\" height=\"9\"/>",
+      "<path d=\"M8 2.5 13.5 12.5H2.5z\"/>",
+      "<path d=\"M8 2 14 8 8 14 2 8z\"/>",
+      "<path d=\"M8 13.5 2.5 3.5h11z\"/>",
+      "<path d=\"M8 2v12M2.8 5l10.4 6M13.2 5 2.8 11\"/>",
+      "<path d=\"M3 3l10 10M13 3 3 13\"/>",
+      "<path d=\"M8 2v12M2 8h12\"/>",
+      "<path d=\"M8 2l6 4.4-2.3 7H4.3L2 6.4z\"/>",
       "<circle cx=\"8\" cy=\"8\" r=\"5\"/>"};
   const KindLook& look = kLooks[place_of(kind)];
   const std::string css = look.css;

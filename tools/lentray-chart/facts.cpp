@@ -36,6 +36,22 @@ std::set<std::string> list_of(const std::string& text, const std::string& label)
   return items;
 }
 
+/// The number behind some words of a line.
+double number_behind(const std::string& line, const std::string& words) {
+  const std::size_t at = line.find(words);
+  return at == std::string::npos ? 0.0 : std::strtod(line.c_str() + at + words.size(), nullptr);
+}
+
+/// "  radiosity  35 rays a sample, 2 bounces, error_bound 1.8"
+void look_at_radiosity(const std::string& text, SceneFacts& facts) {
+  const std::size_t begin = text.find("\n  radiosity ");
+  if (begin == std::string::npos) return;
+  const std::string line = text.substr(begin + 1, text.find('\n', begin + 1) - begin - 1);
+  facts.radiosity_count = static_cast<int>(number_behind(line, "radiosity "));
+  facts.radiosity_bounces = static_cast<int>(number_behind(line, "a sample, "));
+  facts.radiosity_error = number_behind(line, "error_bound ");
+}
+
 /// The number behind a label at the beginning of a line.
 long number_of(const std::string& text, const std::string& label, long otherwise) {
   const std::size_t at = text.find("\n  " + label + " ");
@@ -82,6 +98,7 @@ SceneFacts facts_of(const std::string& explanation) {
   facts.media = used.contains("media");
   facts.objects = static_cast<std::size_t>(std::max(0L, number_of(text, "objects", 0)));
   facts.depth = static_cast<int>(number_of(text, "trace level", 1));
+  look_at_radiosity(text, facts);
   const std::size_t level = text.find("(max_trace_level ");
   if (level != std::string::npos) {
     facts.max_trace_level = std::max(1, std::atoi(text.c_str() + level + 17));

@@ -28,8 +28,11 @@ struct SceneFacts {
   bool is_sheet = false;
   std::string lens_model{};  ///< of a sheet
   bool area_lights = false, media = false, focal_blur = false;
-  std::size_t objects = 0;  ///< after splitting unions
-  int depth = 1;            ///< the deepest trace level that can matter
+  int radiosity_count = 0;  ///< rays of a sample; 0: no radiosity
+  int radiosity_bounces = 0;
+  double radiosity_error = 0.0;  ///< error_bound
+  std::size_t objects = 0;       ///< after splitting unions
+  int depth = 1;                 ///< the deepest trace level that can matter
   int max_trace_level = 5;
   /// +Q levels below the user's own whose picture differs from those of all levels above them, falling.
   std::vector<int> quality_levels{};

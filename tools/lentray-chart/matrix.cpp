@@ -46,6 +46,7 @@ class Matrix {
     if (wants(Kind::area_light)) area_lights();
     if (wants(Kind::focal_blur)) focal_blur();
     if (wants(Kind::media)) media();
+    if (wants(Kind::radiosity)) radiosity();
     if (wants(Kind::depth)) depth();
     if (wants(Kind::quality)) quality();
     if (wants(Kind::exact)) exact();
@@ -178,6 +179,23 @@ class Matrix {
     for (const int intervals : {3, 10, 30}) one(2, intervals, 1);
   }
 
+  void radiosity() {
+    const SceneFacts& facts = m.facts;
+    if (facts.radiosity_count == 0) return;
+    const auto each = [&](const char* name, const char* words, double own,
+                          std::vector<double> values) {
+      std::erase(values, own);
+      sweep(Kind::radiosity, std::string("Radiosity_") + name, "radiosity-" + id_of(words),
+            std::string("radiosity, ") + words, values);
+    };
+    each("Count", "count", facts.radiosity_count,
+         some({10, 35, 100, 200, 400, 800, 1600}, {35, 200, 800}));
+    each("Error_Bound", "error bound", facts.radiosity_error,
+         some({2, 1, 0.5, 0.25, 0.12}, {1, 0.25}));
+    each("Nearest_Count", "nearest count", 0, some({1, 4, 10, 20}, {10}));
+    each("Recursion_Limit", "recursion limit", facts.radiosity_bounces, some({1, 2, 3, 5}, {1, 3}));
+  }
+
   void depth() {
     if (m.facts.depth <= 1) return;
     std::vector<double> levels;
@@ -261,7 +279,7 @@ std::vector<Setting> settings_of(const MatrixRequest& request) { return Matrix(r
 std::vector<Setting> combined_settings(const std::vector<Point>& points, bool quick) {
   std::vector<std::vector<const Point*>> kinds;
   for (const Kind kind : {Kind::antialiasing, Kind::area_light, Kind::focal_blur, Kind::media,
-                          Kind::depth, Kind::quality}) {
+                          Kind::radiosity, Kind::depth, Kind::quality}) {
     std::vector<const Point*> levels = levels_of(points, kind);
     if (levels.empty()) continue;
     levels.insert(levels.begin(), nullptr);  // as the user has it

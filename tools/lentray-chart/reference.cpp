@@ -27,6 +27,7 @@ class Ladder {
     if (m.facts.area_lights) area_lights();
     if (m.facts.focal_blur) samples("Blur_Samples", "blur samples", 64.0, 2.0, 32768, 2.0);
     media();
+    radiosity();
     lens();
     depth();
     m_out.options.emplace_back("+Q9");
@@ -90,6 +91,20 @@ class Ladder {
     if (!m.facts.media || !m.abilities.has("Media_Method")) return;
     m_out.options.insert(m_out.options.end(), {"Media_Method=3", "Media_Intervals=4"});
     samples("Media_Samples", "media samples in 4 intervals", 20.0, kRoot, 5000, kRoot);
+  }
+
+  /// Samples that lie closer, with more rays each and one bounce more.
+  void radiosity() {
+    if (m.facts.radiosity_count == 0 || !m.abilities.has("Radiosity_Count")) return;
+    samples("Radiosity_Count", "rays of a sample of radiosity", 200.0, 2.0, 1600, 2.0);
+    constexpr int kMostSteps = 6;  ///< an error bound of 0.03
+    const int bounces = std::min(m.facts.radiosity_bounces + 1 + m_step, 20);
+    const std::string error = text_of(0.25 * std::pow(1.0 / kRoot, std::min(m_step, kMostSteps)));
+    m_out.options.insert(m_out.options.end(),
+                         {"Radiosity_Error_Bound=" + error, "Radiosity_Nearest_Count=10",
+                          "Radiosity_Recursion_Limit=" + std::to_string(bounces)});
+    say("error bound " + error + ", " + std::to_string(bounces) + " bounces");
+    grow(m_step <= kMostSteps, 2.0);
   }
 
   void lens() {

@@ -16,8 +16,8 @@ struct ReferenceStep {
 };
 
 /// Step 0, 1, ... of what the scene uses: twice the samples of pixels and area lights from step to step; of focal blur and
-/// media, whose samples also grow with those of the pixel, the root of it. Nothing where no
-/// step is left. `of_lens_models`: with the truest lens model there is, instead of the user's own.
+/// media, whose samples also grow with those of the pixel, the root of it; of radiosity
+/// twice the rays and the samples, and one more bounce. Nothing where no step is left. `of_lens_models`: with the truest lens model there is, instead of the user's own.
 std::optional<ReferenceStep> reference_step(const MatrixRequest& request, int step,
                                             bool of_lens_models);
 

@@ -110,6 +110,9 @@ json json_of(const SceneFacts& f) {
           {"area_lights", f.area_lights},
           {"media", f.media},
           {"focal_blur", f.focal_blur},
+          {"radiosity_count", f.radiosity_count},
+          {"radiosity_bounces", f.radiosity_bounces},
+          {"radiosity_error", f.radiosity_error},
           {"objects", f.objects},
           {"depth", f.depth},
           {"max_trace_level", f.max_trace_level},
@@ -125,6 +128,9 @@ SceneFacts facts_in(const json& j) {
   j.at("area_lights").get_to(f.area_lights);
   j.at("media").get_to(f.media);
   j.at("focal_blur").get_to(f.focal_blur);
+  j.at("radiosity_count").get_to(f.radiosity_count);
+  j.at("radiosity_bounces").get_to(f.radiosity_bounces);
+  j.at("radiosity_error").get_to(f.radiosity_error);
   j.at("objects").get_to(f.objects);
   j.at("depth").get_to(f.depth);
   j.at("max_trace_level").get_to(f.max_trace_level);

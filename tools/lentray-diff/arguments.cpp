@@ -87,6 +87,7 @@ class Parsing {
         {"--ours", [&](const std::string& v) { m_out.ours = v; }},
         {"--statistics", [&](const std::string& v) { m_out.statistics = v; }},
         {"--write-wrappers", [&](const std::string& v) { m_out.wrappers = v; }},
+        {"--noise", [&](const std::string& v) { noise(v); }},
         {"--samples", [&](const std::string& v) { samples(v); }},
         {"--bits", [&](const std::string& v) { bits(v); }},
         {"--scene-ini",
@@ -111,9 +112,18 @@ class Parsing {
   void grade(const std::string& name) {
     const auto grade = core::grade_named(lower(name));
     if (!grade || *grade == core::Grade::fails) {
-      throw OptionError("--grade: '" + name + "'; there are exact, match, close");
+      throw OptionError("--grade: '" + name + "'; there are exact, match, noise, close");
     }
     m_out.asked = *grade;
+  }
+
+  void noise(const std::string& value) {
+    const std::map<std::string, AskNoise> words{
+        {"auto", AskNoise::where_it_is}, {"on", AskNoise::always}, {"off", AskNoise::never}};
+    const auto found = words.find(lower(value));
+    if (found == words.end())
+      throw OptionError("--noise: '" + value + "'; there are auto, on, off");
+    m_out.noise = found->second;
   }
 
   void samples(const std::string& value) {
@@ -280,9 +290,13 @@ antialias a mesh_camera (fractional Lens_Pixels; Snell's law at a finite
 View_Distance): there the reference is the mean of many samples. With
 Antialias_Angle=n it is the mean of n times as many views.
 
-  --grade G        exact, match (default) or close: what the whole must reach;
-                   every lens and view must reach match at least (or G, if that
-                   is less)
+  --grade G        exact, match (default), noise or close: what the whole must
+                   reach; every lens and view must reach match at least (or G,
+                   if that is less)
+  --noise W        auto (default), on or off: stock renders three times more, in
+                   other orders, where a picture is short of match; within what
+                   stock differs from itself it has the grade noise, else it
+                   fails. auto: of scenes with radiosity
   --json FILE      all figures as JSON
   --output PREFIX  pictures PREFIX-ours, -stock, -heat, -side.png
                    (default: SCENE-diff)

@@ -14,6 +14,10 @@
 
 namespace lentray::diff {
 
+/// Whether stock renders again in other orders, so that its noise is known: where the scene has light that depends on
+/// them, always, never.
+enum class AskNoise { where_it_is, always, never };
+
 struct Arguments {
   bool help = false, version = false;
   std::filesystem::path scene;                  ///< empty when two pictures are compared
@@ -21,6 +25,7 @@ struct Arguments {
   std::optional<double> lens_pixels;            ///< Lens_Pixels=, for two pictures
   std::optional<std::uint32_t> view;            ///< View=
   core::Grade asked = core::Grade::match;
+  AskNoise noise = AskNoise::where_it_is;
   std::filesystem::path prefix;  ///< of the pictures that are written
   std::filesystem::path json;
   std::filesystem::path wrappers;  ///< only write wrapper scenes into that folder

@@ -21,6 +21,7 @@
 #include "tools/common/standard_streams.h"
 #include "tools/common/version.h"
 #include "tools/lentray-diff/arguments.h"
+#include "tools/lentray-diff/noise.h"
 #include "tools/lentray-diff/report.h"
 #include "tools/lentray-diff/sampling.h"
 #include "tools/lentray-diff/sheet.h"
@@ -34,12 +35,15 @@ using core::LensComparison;
 using core::StoredImage;
 using nlohmann::json;
 
+constexpr int kStocksBlock = 32;  ///< where nothing else is asked for
 constexpr int kReached = 0, kBelow = 1, kError = 2;
 
 struct Pair {
   StoredImage ours, stock;
   double lens_pixels = 0.0;  ///< 0: no integral image
   json about;
+  StockRender render_stock;  ///< once more, where its noise counts; else empty
+  StockOptions options;
 };
 
 struct Ours {
@@ -126,6 +130,17 @@ void say_what_to_expect(const StockOptions& stock, bool sampled) {
   }
 }
 
+/// Stock's picture, and what it took.
+StoredImage timed(const StockRender& render, const StockOptions& options, json& about) {
+  const auto start = std::chrono::steady_clock::now();
+  const double cpu_before = tool::cpu_seconds_of_children();
+  StoredImage picture = render(options);
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  about["stock_wall_s"] = taken.count();
+  about["stock_cpu_s"] = tool::cpu_seconds_of_children() - cpu_before;
+  return picture;
+}
+
 Pair render_both(const Arguments& given) {
   Arguments a = given;
   const parser::RenderOptions options = parser::read_options(a.for_lentray, {});
@@ -138,15 +153,18 @@ Pair render_both(const Arguments& given) {
                 {"width", ours.picture.width},
                 {"height", ours.picture.height},
                 {"lentray_wall_s", ours.seconds}};
-  const auto start = std::chrono::steady_clock::now();
-  const double cpu_before = tool::cpu_seconds_of_children();
+  const bool noisy = has_noise(a.noise, ours.statistics);
+  if (has_noise(AskNoise::where_it_is, ours.statistics)) a.stock.block = kStocksBlock;
   const std::optional<Sheet> sheet = sheet_of(ours.statistics);
+  StockRender render;
   if (!sheet) {
     a.stock.antialiasing.angles = 1;
     say_what_to_expect(a.stock, false);
-    std::cout << a.scene.string() << ": " << ours.picture.width << " x " << ours.picture.height
-              << ", in its own camera\n";
-    pair.stock = stock_picture(a.scene, ours.picture.width, ours.picture.height, a.stock);
+    const std::uint32_t width = ours.picture.width, height = ours.picture.height;
+    std::cout << a.scene.string() << ": " << width << " x " << height << ", in its own camera\n";
+    render = [scene = a.scene, width, height](const StockOptions& how) {
+      return stock_picture(scene, width, height, how);
+    };
     pair.about["way"] = "the scene's own camera";
   } else {
     const Way way = best_way(*sheet);
@@ -155,17 +173,15 @@ Pair render_both(const Arguments& given) {
     pair.about["samples_a_pixel"] = samples_a_pixel(way, a.stock);
     pair.about["way"] = name_of(way);
     pair.about["lens"] = ours.statistics["lens"];
-    if (a.view) {
-      std::cout << "view " << *a.view << " alone\n";
-      pair.stock = stock_view(a.scene, *sheet, *a.view, a.stock);
-    } else {
-      pair.stock = stock_integral(a.scene, *sheet, way, a.stock);
-      pair.lens_pixels = sheet->pixels;
-    }
+    if (a.view) std::cout << "view " << *a.view << " alone\n";
+    render = [scene = a.scene, sheet = *sheet, way, view = a.view](const StockOptions& how) {
+      return view ? stock_view(scene, sheet, *view, how) : stock_integral(scene, sheet, way, how);
+    };
+    if (!a.view) pair.lens_pixels = sheet->pixels;
   }
-  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-  pair.about["stock_wall_s"] = taken.count();
-  pair.about["stock_cpu_s"] = tool::cpu_seconds_of_children() - cpu_before;
+  pair.stock = timed(render, a.stock, pair.about);
+  if (noisy) pair.render_stock = render;
+  pair.options = a.stock;
   pair.ours = std::move(ours.picture);
   return pair;
 }
@@ -206,6 +222,26 @@ Pair shown(Pair pair, bool are_files) {
     pair.stock = core::displayed(pair.stock);
   }
   return pair;
+}
+
+/// Where noise counts and the pictures do not match, stock's noise grades them.
+void grade_by_stocks_noise(const Pair& pair, const Pair& seen, LensComparison& result,
+                           json& about) {
+  if (!pair.render_stock || core::reaches(result, core::Grade::match)) return;
+  const double cpu_before = tool::cpu_seconds_of_children();
+  std::vector<StoredImage> others = in_other_orders(pair.render_stock, pair.options);
+  for (StoredImage& other : others) {
+    Pair with_other;
+    with_other.ours = pair.ours;
+    with_other.stock = std::move(other);
+    other = shown(std::move(with_other), false).stock;
+  }
+  core::grade_by_noise(result, seen.stock, others);
+  const double cpu = tool::cpu_seconds_of_children() - cpu_before;
+  about["noise_pictures"] = others.size();
+  about["noise_cpu_s"] = cpu;
+  std::cout << "stock rendered " << others.size() << " times more for its noise, " << cpu
+            << " s of processors\n";
 }
 
 LensComparison compare_pair(const Pair& pair) {
@@ -285,14 +321,16 @@ int compare_and_report(const Arguments& a) {
   check_outputs(a);
   const Pair pair = a.pictures.empty() ? render_both(a) : read_both(a);
   const Pair seen = shown(pair, !a.pictures.empty());
-  const LensComparison result = compare_pair(seen);
+  LensComparison result = compare_pair(seen);
+  json about = pair.about;
+  grade_by_stocks_noise(pair, seen, result, about);
   const bool reached = reaches(result, a.asked);
   check_outputs(a);  // now that all inputs are known
   std::cout << table(result, a.all_lenses);
   if (a.write_pictures) write_pictures(a, pair, seen);
   if (!a.json.empty()) {
     json all = to_json(result);
-    all.update(pair.about);
+    all.update(about);
     all["asked"] = std::string(core::name_of(a.asked));
     all["reached"] = reached;
     core::FileSwap swap(a.json);

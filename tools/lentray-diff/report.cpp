@@ -60,12 +60,18 @@ std::string decibels(double psnr) {
 }
 
 std::string line(const std::string& name, const Comparison& c) {
-  char text[160];
-  std::snprintf(text, sizeof text, "%-10s %9llu %8.2f %9.4f %8.3f %% %8.3f %%  %s  %s\n",
+  char text[200];
+  std::snprintf(text, sizeof text, "%-10s %9llu %8.2f %9.4f %8.3f %% %8.3f %%  %s  %s",
                 name.c_str(), static_cast<unsigned long long>(c.pixels), c.largest, c.mean,
                 100.0 * c.share_beyond_1(), 100.0 * c.share_beyond_2(), decibels(c.psnr).c_str(),
                 std::string(core::name_of(c.grade)).c_str());
-  return text;
+  std::string out = text;
+  if (c.noise) {
+    std::snprintf(text, sizeof text, "  blocks %.2f, S %.2f; bias %.2f, S %.2f", c.blocks.rms,
+                  c.noise->rms, c.blocks.bias, c.noise->bias);
+    out += text;
+  }
+  return out + "\n";
 }
 
 std::string tally(const char* what, const std::vector<Comparison>& parts) {
@@ -96,14 +102,18 @@ nlohmann::json number_or_null(double value) {
 }
 
 nlohmann::json to_json(const Comparison& c) {
-  return {{"pixels", c.pixels},
-          {"largest", c.largest},
-          {"mean", c.mean},
-          {"beyond_1", c.share_beyond_1()},
-          {"beyond_2", c.share_beyond_2()},
-          {"psnr", number_or_null(c.psnr)},
-          {"smooth_psnr", number_or_null(c.smooth_psnr)},
-          {"grade", std::string(core::name_of(c.grade))}};
+  nlohmann::json out{{"pixels", c.pixels},
+                     {"largest", c.largest},
+                     {"mean", c.mean},
+                     {"beyond_1", c.share_beyond_1()},
+                     {"beyond_2", c.share_beyond_2()},
+                     {"psnr", number_or_null(c.psnr)},
+                     {"smooth_psnr", number_or_null(c.smooth_psnr)},
+                     {"block_rms", c.blocks.rms},
+                     {"bias", c.blocks.bias},
+                     {"grade", std::string(core::name_of(c.grade))}};
+  if (c.noise) out.update({{"noise_rms", c.noise->rms}, {"noise_bias", c.noise->bias}});
+  return out;
 }
 
 nlohmann::json to_json(const std::vector<Comparison>& parts) {

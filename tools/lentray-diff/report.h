@@ -20,7 +20,8 @@ core::StoredImage side_by_side(const core::StoredImage& ours, const core::Stored
 std::string table(const core::LensComparison& result, bool all_lenses);
 
 /// Keys: whole, views[], lenses[]; each pixels, largest, mean (1/255), beyond_1, beyond_2 (shares),
-/// psnr, smooth_psnr (dB, null: equal), grade.
+/// psnr, smooth_psnr (dB, null: equal), block_rms, bias (1/255), grade; where stock's noise counts, noise_rms and
+/// noise_bias.
 nlohmann::json to_json(const core::LensComparison& result);
 
 }  // namespace lentray::diff

@@ -21,9 +21,11 @@ struct StockOptions {
   int processes = 1;  ///< at the same time
   int bits = 8;       ///< 8 or 16
   Antialiasing antialiasing;
-  int samples = 8;                                   ///< antialiased mesh_camera: samples each way
-  ColourSpaces colours;                              ///< for means
-  double seconds = 0.0;                              ///< time limit of a process, 0: none
+  int block = 0;         ///< +BS; 0: stock's own, but for antialiasing one as large as the picture
+  int threads = 1;       ///< +WT
+  int samples = 8;       ///< antialiased mesh_camera: samples each way
+  ColourSpaces colours;  ///< for means
+  double seconds = 0.0;  ///< time limit of a process, 0: none
   std::vector<std::filesystem::path> library_paths;  ///< besides the scene's folder, absolute
   std::vector<std::string> arguments;                ///< passed on, such as Declare=Size=2
   std::filesystem::path keep;                        ///< where wrappers and pictures stay; or empty

@@ -111,10 +111,13 @@ StoredImage Workshop::render(const fs::path& folder, const fs::path& scene,
        words(shot.antialiased ? m_options.antialiasing : Antialiasing())) {
     command.push_back(word);
   }
-  if (shot.antialiased) {  // method 1 begins anew in each block
+  if (m_options.block > 0) {
+    command.push_back("+BS" + std::to_string(m_options.block));
+  } else if (shot.antialiased) {  // method 1 begins anew in each block
     command.push_back("+BS" + std::to_string(std::max({shot.width, shot.height, 32u})));
   }
-  for (const char* fixed : {"-D", "-P", "-V", "+WT1"}) command.emplace_back(fixed);
+  command.push_back("+WT" + std::to_string(m_options.threads));
+  for (const char* fixed : {"-D", "-P", "-V"}) command.emplace_back(fixed);
   for (const fs::path& earlier : made(folder)) fs::remove(earlier);
   tool::RunResult result = tool::run_program(command, folder, m_options.seconds);
   // Stock crashes now and then while it reads a scene that it can render.
