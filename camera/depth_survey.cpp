@@ -271,7 +271,7 @@ DepthSurvey survey_depth(const Lenticular& sheet, const SceneProbe& probe,
   DepthSurveyPass pass(sheet, probe, most_rays);
   core::PassList passes;
   passes.add(pass);
-  passes.run({});
+  passes.run({.threads = probe.threads(), .levels = probe.levels()});
   return pass.result();
 }
 

@@ -72,7 +72,7 @@ class DepthSurveyPass final : public core::Pass {
   DepthSurvey m_result;
 };
 
-/// The pass alone, on one thread.
+/// The pass alone, on the probe's threads.
 DepthSurvey survey_depth(const Lenticular& sheet, const SceneProbe& probe,
                          std::uint64_t most_rays = kSurveyRays);
 

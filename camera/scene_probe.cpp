@@ -10,9 +10,9 @@
 
 namespace lentray::camera {
 
-SceneProbe probe_of(const core::Scene& scene, ObjectNamer namer) {
+SceneProbe probe_of(const core::Scene& scene, ObjectNamer namer, unsigned threads) {
   const auto names = std::make_shared<const ObjectNamer>(std::move(namer));
-  return [&scene, names](const core::Ray& ray, double limit) -> std::optional<ProbeHit> {
+  const auto ask = [&scene, names](const core::Ray& ray, double limit) -> std::optional<ProbeHit> {
     thread_local core::HitArena arena;
     core::Hit hit;
     if (!scene.hierarchy().nearest(ray, core::kMinHitDistance * scene.tolerance_scale(), limit,
@@ -24,6 +24,7 @@ SceneProbe probe_of(const core::Scene& scene, ObjectNamer namer) {
     return ProbeHit{
         hit.t, std::string(object->name()), object, object->bounds(), object->whole(), names.get()};
   };
+  return {ask, threads, scene.deepest()};
 }
 
 }  // namespace lentray::camera

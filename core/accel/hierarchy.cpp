@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <utility>
 
 #include "core/accel/object_tree.h"
 #include "core/numeric/box_ray.h"
@@ -76,7 +75,8 @@ struct Best {
   double reach;  ///< below which hits count: just beyond t, so that equal distances are found
   const ObjectEntry* entry = nullptr;
   bool from_pack = false;
-  double u = 0.0, v = 0.0;
+  double u, v;         ///< if so
+  double asked_below;  ///< else: the reach when it was found
 
   explicit Best(double limit) : t(limit), reach(limit) {}  // the limit itself is out of reach
   Best(double at, const ObjectEntry& e) : t(at), reach(next_up(at)), entry(&e) {}
@@ -100,8 +100,6 @@ struct NearestSearch {
   RayQuery query;
   T& tally;
   Best best;
-  Hit spare = {};
-  Hit *next = &hit, *held = &spare;  ///< of objects: filled by the next, held by the best
 
   double limit() const { return best.t; }
   bool beats(double t, const ObjectEntry& e) const {
@@ -110,11 +108,20 @@ struct NearestSearch {
   bool object(const ObjectEntry& e) {
     if (e.flags & unseen) return false;
     tally.test(e.type);
-    if (!e.object->nearest(ray, t_min, best.reach, *next, query) || !beats(next->t, e))
+    const double reach = best.reach;
+    if (!e.object->nearest(ray, t_min, reach, hit, query)) return false;
+    if (!beats(hit.t, e)) {
+      find_again();
       return false;
-    std::swap(next, held);
-    best = Best(held->t, e);
+    }
+    best = Best(hit.t, e);
+    best.asked_below = reach;
     return false;
+  }
+  /// The best one's hit, over which another was written: the same question has the same answer.
+  [[gnu::noinline, gnu::cold]] void find_again() {
+    if (!best.entry || best.from_pack) return;
+    best.entry->object->nearest(ray, t_min, best.asked_below, hit, query);
   }
   bool lanes(unsigned mask, const PackHits& hits, const ObjectEntry* entries) {
     for (; mask != 0; mask &= mask - 1) {
@@ -134,8 +141,6 @@ struct NearestSearch {
       hit.t = best.t;
       hit.leaf = static_cast<const Leaf*>(best.entry->object);
       hit.shape = {best.t, 0, best.u, best.v};
-    } else if (held != &hit) {
-      hit = *held;
     }
     hit.object = best.entry->object;
     return true;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/pass/pass_run.h"
+#include "core/trace/integrator.h"
 #include "core/trace/query_recorder.h"
 #include "core/trace/radiosity_light.h"
 #include "core/trace/thread_context.h"
@@ -35,7 +36,8 @@ class GatherThreads final : public GatherTeam {
     Thread(const Scene& scene, const ShadowTesterFactory& factory);
     ThreadContext context;
     std::unique_ptr<ShadowTester> shadows;
-    std::unique_ptr<Integrator> camera, gatherer;
+    std::unique_ptr<Integrator> camera;
+    std::unique_ptr<Follow> gatherer;
     QueryRecorder recorder;
   };
   /// That number's, made on its own thread.

@@ -114,14 +114,7 @@ class LightLoop {
                                                 const Facing& facing, IncomingLight* out) const {
     for (const std::span<const std::uint32_t> lights : lists) {
       for (const std::uint32_t i : lights) {
-        const LightSource& source = m_sources[i];
-        const Vec3 to = source.position - point;
-        if (!facing.may_face(source, to)) continue;
-        out->ray = source.straight ? ray_along(to) : light_ray(source.light, point);
-        out->colour = source.even ? source.colour : light_colour(source.light, point, out->ray);
-        if (is_dark(out->colour) || !facing.faces(source, out->ray.direction)) continue;
-        out->source = &source;
-        ++out;
+        if (may_reach(m_sources[i], point, facing, *out)) ++out;
       }
     }
     return out;
@@ -172,19 +165,30 @@ class LightLoop {
   template <class Facing, class Receiver>
   [[gnu::always_inline]] void at(const LitPoint& lit, const LightLists& lists, LightsAtPoint& known,
                                  const Facing& facing, Receiver& receiver) {
-    const std::size_t most = lists[0].size() + lists[1].size();
-    if (m_incoming.size() < most) m_incoming.resize(most);
-    IncomingLight* const begin = m_incoming.data();
-    IncomingLight* const end = collect(lit.point, lists, facing, begin);
-    if (begin == end) return;
     ShadowQuery query = query_at(lit);
-    for (IncomingLight* incoming = begin; incoming != end; ++incoming) {
-      ask(*incoming, query, known);
-      resolve(*incoming, receiver);
+    for (const std::span<const std::uint32_t> lights : lists) {
+      for (const std::uint32_t i : lights) {
+        IncomingLight incoming;
+        if (!may_reach(m_sources[i], lit.point, facing, incoming)) continue;
+        ask(incoming, query, known);
+        resolve(incoming, receiver);
+      }
     }
   }
 
  private:
+  /// Collects one light; false: it is dark at the point, or unwanted.
+  template <class Facing>
+  [[gnu::always_inline]] static bool may_reach(const LightSource& source, const Vec3& point,
+                                               const Facing& facing, IncomingLight& out) {
+    const Vec3 to = source.position - point;
+    if (!facing.may_face(source, to)) return false;
+    out.source = &source;
+    out.ray = source.straight ? ray_along(to) : light_ray(source.light, point);
+    out.colour = source.even ? source.colour : light_colour(source.light, point, out.ray);
+    return !is_dark(out.colour) && facing.faces(source, out.ray.direction);
+  }
+
   Rgb of_point(const Rgb& colour, const LightRay& ray, ShadowQuery& query,
                const LightsAtPoint& known) {
     const LightBuffer::Spot& spot = known.spots[query.light];
@@ -229,9 +233,8 @@ class LightLoop {
   ThreadContext& m_context;
   const Scene& m_scene;
   ShadowTester& m_shadows;
-  const double m_tolerance;               ///< kShadowTolerance in this scene
-  std::vector<LightSource> m_sources;     ///< one a light of the scene
-  std::vector<IncomingLight> m_incoming;  ///< of one point
+  const double m_tolerance;            ///< kShadowTolerance in this scene
+  std::vector<LightSource> m_sources;  ///< one a light of the scene
 };
 
 template <bool kArea, bool kAskedAgain>

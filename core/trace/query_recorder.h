@@ -5,8 +5,8 @@
 
 #include <vector>
 
+#include "core/trace/follow.h"
 #include "core/trace/indirect_light.h"
-#include "core/trace/integrator.h"
 
 namespace lentray::core {
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/trace/integrator.h"
 #include "core/trace/path_rules.h"
 #include "core/trace/random_key.h"
 #include "core/trace/thread_context.h"
@@ -34,7 +35,7 @@ Rgb toned(const Rgb& light, const RadiositySettings& settings) {
 
 }  // namespace
 
-std::unique_ptr<Integrator> make_gatherer(ThreadContext& context, ShadowTester& shadows) {
+std::unique_ptr<Follow> make_gatherer(ThreadContext& context, ShadowTester& shadows) {
   const RadiositySettings& settings = *context.scene.settings().radiosity;
   PathRules rules{settings.adc_bailout};
   rules.highlights = false;

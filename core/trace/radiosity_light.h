@@ -13,10 +13,11 @@
 #include <vector>
 
 #include "core/irradiance/irradiance_cache.h"
+#include "core/trace/follow.h"
 #include "core/trace/gather_sum.h"
 #include "core/trace/indirect_light.h"
-#include "core/trace/integrator.h"
 #include "core/trace/query_recorder.h"
+#include "core/trace/shadow_tester.h"
 
 namespace lentray::core {
 
@@ -48,7 +49,7 @@ class GatherTeam {
 };
 
 /// Traces the rays of gathers, under radiosity's own rules.
-std::unique_ptr<Integrator> make_gatherer(ThreadContext& context, ShadowTester& shadows);
+std::unique_ptr<Follow> make_gatherer(ThreadContext& context, ShadowTester& shadows);
 
 class RadiosityLight final : public IndirectLight {
  public:
@@ -87,8 +88,8 @@ class RadiosityLight final : public IndirectLight {
   const RadiositySettings& m_settings;
   const bool m_is_last;
   const double m_error_bound;
-  std::unique_ptr<Integrator> m_rays;  ///< that gather
-  GatherTeam* const m_team;            ///< null: this thread traces all
+  std::unique_ptr<Follow> m_rays;  ///< that gather
+  GatherTeam* const m_team;        ///< null: this thread traces all
   struct Depth {
     DepthRules rules;
     DirectionCycle cycle;

@@ -69,7 +69,9 @@ void SurfaceShading<kFeatures>::shade_layer(const TextureLayer& layer, Surface& 
   const double opacity = kTransparency || kLayers ? opacity_of(colour, m_legacy_opacity) : 1.0;
   Rgb own = times(colour.rgb * finish.ambient * m_settings.ambient_light, opacity);
   own += times(colour.rgb * finish.emission, opacity);
-  if (m_context.indirect) own += indirectly_lit(finish, colour.rgb, normal, opacity, at, sum);
+  if (m_context.indirect) {
+    own += indirectly_lit(finish, colour.rgb, normal, opacity, at, buffers, sum);
+  }
   own += lit(finish, colour.rgb, normal, opacity, at, buffers.lights);
   sum.light += own * sum.filter;
 
@@ -107,29 +109,29 @@ Mirror SurfaceShading<kFeatures>::mirror_of(const Finish& finish, const Rgb& pig
 }
 
 template <unsigned kFeatures>
-[[gnu::noinline]] Rgb SurfaceShading<kFeatures>::indirectly_lit(const Finish& finish,
-                                                                const Rgb& pigment,
-                                                                const Vec3& normal, double opacity,
-                                                                const Surface& at, LayerSum& sum) {
+[[gnu::noinline]] Rgb SurfaceShading<kFeatures>::indirectly_lit(
+    const Finish& finish, const Rgb& pigment, const Vec3& normal, double opacity, const Surface& at,
+    ShadingBuffers& buffers, LayerSum& sum) {
   IndirectLight& indirect = *m_context.indirect;
   if (!indirect.is_wanted()) return {};
   const bool is_first = at.state.kind == RayKind::kGather;
-  const auto on_side = [&](double diffuse, double side, LayerSum::Indirect& known) {
+  const auto on_side = [&](double diffuse, std::size_t side) {
+    IndirectAnswer& answer = buffers.indirect[side];
+    bool& is_known = sum.is_indirect_known[side];
     const double share = grey(sum.filter * pigment) * opacity * diffuse;
-    if (!known.is_known && share > m_rules.adc_bailout) {
-      known = {indirect.at({at.point(), at.normal * side, normal * side, at.state.weight * share}),
-               true};
+    if (!is_known && share > m_rules.adc_bailout) {
+      const double sign = side == 0 ? 1.0 : -1.0;
+      answer = indirect.at({at.point(), at.normal * sign, normal * sign, at.state.weight * share});
+      is_known = true;
     }
-    if (!known.is_known) return Rgb();
-    indirect.take_share(known.answer.number,
+    if (!is_known) return Rgb();
+    indirect.take_share(answer.number,
                         times(pigment * sum.filter, opacity * diffuse * at.texture_weight),
                         is_first);
-    return times(pigment * known.answer.light, opacity * diffuse);
+    return times(pigment * answer.light, opacity * diffuse);
   };
-  Rgb light = on_side(finish.diffuse / finish.albedo_factor, 1.0, sum.front);
-  if (finish.diffuse_back != 0.0) {
-    light += on_side(finish.diffuse_back / finish.albedo_factor, -1.0, sum.back);
-  }
+  Rgb light = on_side(finish.diffuse / finish.albedo_factor, 0);
+  if (finish.diffuse_back != 0.0) light += on_side(finish.diffuse_back / finish.albedo_factor, 1);
   return light;
 }
 

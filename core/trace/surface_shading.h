@@ -5,6 +5,7 @@
 // measured on stock (tests/image/shading_depth_test.cpp).
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -35,12 +36,8 @@ struct LayerSum {
   Vec3 top_normal;
   const Finish* top_finish = nullptr;
   std::size_t layers = 0;  ///< shaded so far
-  /// Indirect light on the front and the back, which all layers share; asked for once.
-  struct Indirect {
-    IndirectAnswer answer{};
-    bool is_known = false;
-  };
-  Indirect front, back;
+  /// Whether ShadingBuffers::indirect is known, which all layers share.
+  std::array<bool, 2> is_indirect_known{};
 };
 
 /// Buffers of the surface that is shaded, used again from ray to ray.
@@ -49,6 +46,7 @@ struct ShadingBuffers {
   WeightedTextures textures;
   std::vector<Mirror> mirrors;  ///< one a layer, if the path has mirrors
   LightsAtPoint lights;
+  std::array<IndirectAnswer, 2> indirect;  ///< of the front and the back
 };
 
 template <unsigned kFeatures>
@@ -85,7 +83,7 @@ class SurfaceShading {
                    const LayerSum& sum) const;
   /// The light of other surfaces.
   Rgb indirectly_lit(const Finish& finish, const Rgb& pigment, const Vec3& normal, double opacity,
-                     const Surface& at, LayerSum& sum);
+                     const Surface& at, ShadingBuffers& buffers, LayerSum& sum);
   Rgb lit(const Finish& finish, const Rgb& pigment, const Vec3& normal, double opacity,
           const Surface& at, LightsAtPoint& known);
 

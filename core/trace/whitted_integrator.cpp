@@ -71,9 +71,12 @@ GatheredRay WhittedIntegrator<kFeatures>::gather(const GatherRay& from) {
   Hit hit;
   const bool met = m_stepper.meet(state, hit);
   const Scene& scene = m_context.scene;
-  seen.importance = static_cast<float>(met ? scene.pass_flags(hit.leaf->attributes()).importance
-                                           : scene.settings().radiosity->default_importance);
-  if (met) seen.distance = hit.t;
+  if (met) {
+    seen.importance = static_cast<float>(scene.pass_flags(hit.leaf->attributes()).importance);
+    seen.distance = hit.t;
+  } else if (const auto& radiosity = scene.settings().radiosity) {
+    seen.importance = static_cast<float>(radiosity->default_importance);
+  }
   if (seen.importance < from.least_importance) return seen;
   // However deep the gathers are, each sees as far as its own ray.
   const int most = m_stepper.most_levels();

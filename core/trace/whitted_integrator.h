@@ -23,7 +23,6 @@ class WhittedIntegrator final : public Integrator {
   using Integrator::trace;
   Radiance trace(const Ray& ray, Pixel pixel, std::uint64_t key) override;
   GatheredRay gather(const GatherRay& ray) override;
-  Radiance along(const RayState& state) override { return follow(state); }
 
  private:
   Radiance follow(const RayState& state);

@@ -69,9 +69,10 @@ void ObjectBuilder::add(const SceneObject& object) {
   Inherited nothing;
   nothing.on_list = true;
   // One for all objects, the last that was said.
-  nothing.pass.importance = m_parts->settings.radiosity
+  const double importance = m_parts->settings.radiosity
                                 ? m_parts->settings.radiosity->default_importance
                                 : object.default_importance;
+  nothing.pass_flags = number_of({.importance = importance});
   add_to_list(*object.object, core::Transform(), nothing);
 }
 
@@ -128,8 +129,9 @@ ObjectBuilder::Inherited ObjectBuilder::resolve(const ObjectDesc& object,
   looks.uv_mapping = object.uv_mapping || (!object.texture && from.uv_mapping);
   if (object.texture) looks.texture = moved(object.texture, texture_move);
   const RareParts& rare = *object.rare;
-  if (rare.radiosity_importance) looks.pass.importance = *rare.radiosity_importance;
-  if (rare.photons.given) take_photons(rare.photons, looks.pass);
+  if (rare.radiosity_importance || rare.photons.given) {
+    looks.pass_flags = pass_flags_over(from.pass_flags, rare);
+  }
   if (rare.interior_texture) looks.interior_texture = moved(rare.interior_texture, texture_move);
   if (rare.interior || (object.texture && !from.interior)) {
     Ref<InteriorDesc> interior = rare.interior;
@@ -161,20 +163,19 @@ const core::Texture* ObjectBuilder::compile(const Ref<TextureDesc>& texture) {
 }
 
 core::Attributes ObjectBuilder::attributes(const Inherited& looks) {
-  core::Attributes a;
-  a.no_shadow = looks.no_shadow;
-  a.no_image = looks.no_image;
-  a.no_reflection = looks.no_reflection;
-  a.no_radiosity = looks.no_radiosity;
-  a.hollow = looks.shared_hollow.value_or(false);
-  a.uv_mapping = looks.uv_mapping;
-  a.double_illuminate = looks.double_illuminate.value_or(false);
-  a.interior = looks.interior;
+  core::Attributes a{.interior = looks.interior,
+                     .pass_flags = looks.pass_flags,
+                     .no_shadow = looks.no_shadow,
+                     .no_image = looks.no_image,
+                     .no_reflection = looks.no_reflection,
+                     .no_radiosity = looks.no_radiosity,
+                     .hollow = looks.shared_hollow.value_or(false),
+                     .double_illuminate = looks.double_illuminate.value_or(false),
+                     .uv_mapping = looks.uv_mapping};
   if (!m_parts) return a;
   a.texture = compile(looks.texture);
   if (looks.interior_texture) a.interior_texture = compile(looks.interior_texture);
   if (looks.lights) a.lights = selection(*looks.lights);
-  a.pass_flags = number_of(looks.pass);
   return a;
 }
 
@@ -184,6 +185,13 @@ std::uint32_t ObjectBuilder::number_of(const core::PassFlags& flags) {
       m_pass_flags.try_emplace(flags, static_cast<std::uint32_t>(m_parts->pass_flags.size()));
   if (is_new) m_parts->pass_flags.push_back(flags);
   return at->second;
+}
+
+std::uint32_t ObjectBuilder::pass_flags_over(std::uint32_t around, const RareParts& own) {
+  core::PassFlags flags = m_parts->pass_flags[around];
+  if (own.radiosity_importance) flags.importance = *own.radiosity_importance;
+  if (own.photons.given) take_photons(own.photons, flags);
+  return number_of(flags);
 }
 
 std::unique_ptr<core::Object> ObjectBuilder::build(const ObjectDesc& object,

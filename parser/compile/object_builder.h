@@ -56,7 +56,7 @@ class ObjectBuilder {
     std::optional<bool> hollow, double_illuminate;
     bool uv_mapping = false;
     bool no_shadow = false, no_image = false, no_reflection = false, no_radiosity = false;
-    core::PassFlags pass;
+    std::uint32_t pass_flags = 0;        ///< their number in the parts
     const LightScope* lights = nullptr;  ///< null: in no light_group
     std::optional<bool> shared_hollow;   ///< of all that have the same interior
     bool in_whole = false;               ///< is a part of something
@@ -91,6 +91,7 @@ class ObjectBuilder {
   void take_aim(const ObjectDesc& object, const core::Transform& outer, Inherited& looks);
   core::Attributes attributes(const Inherited& looks);
   std::uint32_t number_of(const core::PassFlags& flags);
+  std::uint32_t pass_flags_over(std::uint32_t around, const RareParts& own);
   const core::Texture* compile(const Ref<TextureDesc>& texture);
   Ref<TextureDesc> moved(const Ref<TextureDesc>& texture, const core::Transform& transform);
   void note(const std::string& feature, const Location& where) {

@@ -211,6 +211,16 @@ TEST_F(ImageDepth, ViewsOfASheetHaveOneReport) {
   EXPECT_TRUE(fs::exists(m_folder / "v.svg"));
 }
 
+TEST_F(ImageDepth, SomeViewsOfASheetHaveOneReportToo) {
+  const auto result = lentray(
+      {"Lenticular=On", "+W300", "+H100", "Views=15", "+SF5", "+EF9", "--depth-view", "v.svg"});
+  ASSERT_EQ(result.status, 0) << result.output;
+  const std::size_t first = result.output.find("Nearest visible point");
+  EXPECT_NE(first, std::string::npos);
+  EXPECT_EQ(result.output.find("Nearest visible point", first + 1), std::string::npos);
+  EXPECT_TRUE(fs::exists(m_folder / "v.svg"));
+}
+
 TEST_F(ImageDepth, FramesAreWarnedOf) {
   const auto result = lentray({"Lenticular=On", "+W60", "+H10", "Depth_Budget=0.5", "+KFF2", "-V"});
   EXPECT_EQ(result.status, 0) << result.output;

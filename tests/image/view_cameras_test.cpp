@@ -158,6 +158,24 @@ TEST_F(ImageViewCameras, PicturesOfViewsAreStocksPictures) {
   }
 }
 
+/// A farm's part of the views.
+TEST_F(ImageViewCameras, SomeViewsTellOfAllOnce) {
+  const std::vector<std::string> sheet{"Lenticular=On", "+W60",    "+H10", "Views=4",
+                                       "View_Size=8x6", "+Ov.png", "+SF2"};
+  for (const std::string last : {"+EF2", "+EF3"}) {
+    std::vector<std::string> words = sheet;
+    words.push_back(last);
+    expect_done(kAskew, words);
+    EXPECT_FALSE(std::filesystem::exists(m_folder / "v1.png"));
+    EXPECT_EQ(told()["cameras"].size(), 4u);
+    std::filesystem::remove(m_folder / "c.json");
+  }
+  std::vector<std::string> words = sheet;
+  words.push_back("View_Cameras=-");
+  const auto result = lentray(words);
+  EXPECT_EQ(json::parse(result.output)["cameras"].size(), 4u) << "and no more than once";
+}
+
 TEST_F(ImageViewCameras, WithoutASheetThereAreNone) {
   tool::write_text(m_folder / "a.pov", std::string(kCameraScene) + kAskew);
   const auto result = lentray({"--explain"});

@@ -183,6 +183,7 @@ TEST(UnitCoreHierarchyRules, PlanesTieAndEndAsOtherObjectsDo) {
       objects.push_back(plane(1, clipped_first));
       objects.push_back(plane(-1, !clipped_first));
       objects.push_back(plane(-1, false));
+      objects.push_back(plane(-1, true));
       const Hierarchy tree(objects, accelerator);
       HitArena arena;
       Hit hit;

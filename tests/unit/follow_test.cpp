@@ -1,4 +1,4 @@
-// The light along any ray, as passes and shading ask for it.
+// The light along rays that gather, as passes and shading ask for it.
 #include "core/trace/follow.h"
 
 #include <cmath>
@@ -8,7 +8,6 @@
 
 #include "core/trace/integrator.h"
 #include "core/trace/plain_shadow_tester.h"
-#include "core/trace/ray_state.h"
 #include "core/trace/thread_context.h"
 #include "tests/unit/scene_text.h"
 
@@ -22,13 +21,9 @@ struct Traced {
   explicit Traced(const std::string& sdl)
       : text(sdl), scene(text.build(), {}), context(scene, false), tester(context),
         tracer(core::Integrator::make(context, tester)) {}
-  core::Radiance along(const Vec3& from, const Vec3& direction, float weight = 1.0f,
-                       int level = 0) {
-    core::RayState state{{from, core::normalized(direction)}, 0};
-    state.weight = weight;
-    state.level = level;
+  core::Rgb along(const Vec3& from, const Vec3& direction, float weight = 1.0f, int level = 0) {
     core::Follow& follow = *tracer;
-    return follow.along(state);
+    return follow.gather({{from, core::normalized(direction)}, weight, level}).light;
   }
   SceneText text;
   core::Scene scene;
@@ -46,7 +41,7 @@ double gathered(Traced& scene, const Vec3& point) {
       const double r = std::sqrt((i + 0.5) / kRings);
       const double phi = 2.0 * std::numbers::pi * (j + 0.5) / kSectors;
       const Vec3 to{r * std::cos(phi), std::sqrt(1.0 - r * r), r * std::sin(phi)};
-      sum += static_cast<double>(scene.along(point, to).rgb.g);
+      sum += static_cast<double>(scene.along(point, to).g);
     }
   }
   return sum / (kRings * kSectors);
@@ -60,18 +55,31 @@ TEST(UnitFollow, GathersTheLightOfABall) {
   EXPECT_NEAR(gathered(scene, {0, 1e-3, 0}), 0.8 * 0.25, 1e-3);
 }
 
-TEST(UnitFollow, EndsWhereCameraRaysDo) {
+TEST(UnitFollow, WhatGoesOnEndsWhereThatOfCameraRaysDoes) {
   Traced scene(
       "global_settings { max_trace_level 3 adc_bailout 0.1 } background { rgb 0.5 } "
       "plane { y, 0 pigment { rgb 0 } finish { ambient 0 diffuse 0 reflection 1 } }");
   const Vec3 from{0, 1, 0}, down{0.1, -1, 0};
-  EXPECT_FLOAT_EQ(scene.along(from, down).rgb.r, 0.5f);
-  EXPECT_FLOAT_EQ(scene.along(from, down, 1.0f, 1).rgb.r, 0.5f);
-  EXPECT_FLOAT_EQ(scene.along(from, down, 1.0f, 2).rgb.r, 0.0f);  // the image is on level 3
-  EXPECT_FLOAT_EQ(scene.along(from, -down, 1.0f, 2).rgb.r, 0.5f);
-  EXPECT_FLOAT_EQ(scene.along(from, -down, 1.0f, 3).rgb.r, 0.0f);
-  EXPECT_FLOAT_EQ(scene.along(from, -down, 0.1f).rgb.r, 0.5f);
-  EXPECT_FLOAT_EQ(scene.along(from, -down, 0.09f).rgb.r, 0.0f);
+  EXPECT_FLOAT_EQ(scene.along(from, down).r, 0.5f);
+  EXPECT_FLOAT_EQ(scene.along(from, down, 1.0f, 1).r, 0.5f);
+  EXPECT_FLOAT_EQ(scene.along(from, down, 1.0f, 2).r, 0.0f);  // the image is on level 3
+  EXPECT_FLOAT_EQ(scene.along(from, down, 0.1f).r, 0.5f);
+  EXPECT_FLOAT_EQ(scene.along(from, down, 0.09f).r, 0.0f);
+  // The ray itself always sees.
+  EXPECT_FLOAT_EQ(scene.along(from, -down, 1.0f, 7).r, 0.5f);
+  EXPECT_FLOAT_EQ(scene.along(from, -down, 0.09f).r, 0.5f);
+  EXPECT_FLOAT_EQ(scene.along(from, down, 1.0f, 2).r, 0.0f) << "that of another is not changed";
+}
+
+TEST(UnitFollow, TellsHowFarTheRayCame) {
+  Traced scene("sphere { <0, 5, 0>, 1 pigment { rgb 1 } finish { ambient 0.5 } }");
+  core::Follow& follow = *scene.tracer;
+  const core::GatheredRay met = follow.gather({{{0, 0, 0}, {0, 1, 0}}, 1.0f, 0});
+  EXPECT_DOUBLE_EQ(met.distance, 4.0);
+  EXPECT_FLOAT_EQ(met.importance, 1.0f);
+  const core::GatheredRay sky = follow.gather({{{0, 0, 0}, {0, -1, 0}}, 1.0f, 0});
+  EXPECT_EQ(sky.distance, core::Bounds::kInf);
+  EXPECT_FLOAT_EQ(sky.importance, 1.0f) << "without radiosity, too";
 }
 
 TEST(UnitFollow, IsWhatTheCameraSees) {
@@ -85,10 +93,10 @@ TEST(UnitFollow, IsWhatTheCameraSees) {
   for (int i = 0; i < 400; ++i) {
     const Vec3 from{0, 1.5, -5};
     const Vec3 to = core::normalized({0.1 * (i % 20) - 1.0, 0.05 * (i / 20) - 0.7, 1.0});
-    const core::Radiance camera = scene.tracer->trace({from, to}, {});
-    const core::Radiance asked = scene.along(from, to);
-    EXPECT_EQ(asked.rgb, camera.rgb) << i;
-    seen.insert(asked.rgb.g);
+    const core::Rgb camera = scene.tracer->trace({from, to}, {}).rgb;
+    const core::Rgb asked = scene.along(from, to);
+    EXPECT_EQ(asked, camera) << i;
+    seen.insert(asked.g);
   }
   EXPECT_GT(seen.size(), 150u);
 }

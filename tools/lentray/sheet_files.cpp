@@ -17,7 +17,7 @@ namespace {
 using parser::RenderOptions;
 
 bool is_told_already(const RenderOptions& o) {
-  return has_views_of_one_sheet(o) && parser::rendered_view(o).value_or(0) > 0;
+  return has_views_of_one_sheet(o) && !is_first_view(o);
 }
 
 std::string scene_name(const RenderOptions& o) {

@@ -68,7 +68,7 @@ CameraOptions camera_options(const RenderOptions& o) {
   out.sheet_distance = o.sheet_distance;
   out.view = parser::rendered_view(o);
   out.views = o.views;
-  out.is_first_view = o.animation.views.count == 0 || out.view.value_or(0) == 0;
+  out.is_first_view = is_first_view(o);
   out.is_animated = has_frames(o);
   return out;
 }
@@ -114,6 +114,14 @@ core::ImageFormat image_format(const parser::RenderOptions& options, core::FileT
     format.file_gamma = format.working_gamma = options.display_gamma;
   }
   return format;
+}
+
+bool is_first_view(const RenderOptions& o) {
+  if (o.animation.views.count == 0 || o.frame_digits.empty()) return true;
+  parser::AnimationOptions first = o.animation;
+  first.step = static_cast<int>(first.views.count);  // one of them is enough to know
+  const std::vector<parser::AnimationFrame> frames = parser::frames_of(first);
+  return !frames.empty() && frames.front().digits == o.frame_digits;
 }
 
 bool has_views_of_one_sheet(const RenderOptions& o) {

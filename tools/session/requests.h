@@ -21,6 +21,8 @@ FilmSettings film_settings(const parser::RenderOptions& options);
 core::ImageFormat image_format(const parser::RenderOptions& options, core::FileType type,
                                const core::SceneSettings& settings);
 
+/// Of the views that are rendered, which need not begin at 0; a picture that is none, too.
+bool is_first_view(const parser::RenderOptions& options);
 /// One picture a view of the one sheet, and not of a clock that runs over them.
 bool has_views_of_one_sheet(const parser::RenderOptions& options);
 

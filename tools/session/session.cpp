@@ -130,11 +130,14 @@ CameraSetup Session::another_view(const CameraSetup& first, const CameraOptions&
 }
 
 camera::SceneProbe Session::probe() const {
-  return camera::probe_of(*m_scene, [this](const camera::ProbeHit& hit) {
-    const parser::ObjectPlace* const place =
-        m_text ? m_text->places.place_of(hit.id, hit.whole) : nullptr;
-    return place ? parser::object_name(*place, m_text->sources) : hit.object;
-  });
+  return camera::probe_of(
+      *m_scene,
+      [this](const camera::ProbeHit& hit) {
+        const parser::ObjectPlace* const place =
+            m_text ? m_text->places.place_of(hit.id, hit.whole) : nullptr;
+        return place ? parser::object_name(*place, m_text->sources) : hit.object;
+      },
+      core::frame_threads({.threads = m_reading.threads}));
 }
 
 const parser::CameraDesc* Session::camera_statement() const {
