@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <ostream>
 #include <type_traits>
 
 namespace lentray::core {
@@ -32,7 +33,20 @@ std::vector<Photon> read_list(std::string_view& bytes) {
   return photons;
 }
 
+void write_list(std::ostream& out, const std::vector<Photon>& photons) {
+  const auto count = static_cast<std::int32_t>(photons.size());
+  out.write(reinterpret_cast<const char*>(&count), sizeof(count));
+  out.write(reinterpret_cast<const char*>(photons.data()),
+            static_cast<std::streamsize>(photons.size() * sizeof(Photon)));
+}
+
 }  // namespace
+
+void write_photon_file(std::ostream& out, const std::vector<Photon>& surface,
+                       const std::vector<Photon>& media) {
+  write_list(out, surface);
+  write_list(out, media);
+}
 
 PhotonMaps read_photon_file(std::string_view bytes) {
   PhotonMaps maps;

@@ -3,9 +3,11 @@
 // Source: files that POV-Ray 3.7 wrote.
 #pragma once
 
+#include <iosfwd>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/photon/photon_maps.h"
 
@@ -15,6 +17,10 @@ namespace lentray::core {
 struct BadPhotonFile : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
+
+/// Both in the order of their trees, as the file has them.
+void write_photon_file(std::ostream& out, const std::vector<Photon>& surface,
+                       const std::vector<Photon>& media);
 
 /// Throws BadPhotonFile.
 PhotonMaps read_photon_file(std::string_view bytes);

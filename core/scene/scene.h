@@ -16,6 +16,7 @@
 #include "core/material/texture.h"
 #include "core/numeric/slope_watch.h"
 #include "core/object/object.h"
+#include "core/photon/photon_maps.h"
 #include "core/photon/settings.h"
 #include "core/photon/target.h"
 #include "core/scene/atmosphere.h"
@@ -34,9 +35,10 @@ struct SceneSettings {
   Rgb ambient_light{1.0f, 1.0f, 1.0f};
   double assumed_gamma = 1.0;  ///< 1: linear; scene colours are decoded by the parser already
   bool assumed_gamma_set = false;
-  std::optional<RadiositySettings> radiosity;  ///< none: light sources alone light surfaces
-  std::optional<PhotonSettings> photons;       ///< none: no photons are shot
-  Colour background;                           ///< opaque unless `alpha`
+  std::optional<RadiositySettings> radiosity;        ///< none: light sources alone light surfaces
+  std::optional<PhotonSettings> photons;             ///< none: there are no photons
+  std::shared_ptr<const PhotonMaps> loaded_photons;  ///< null: they are shot
+  Colour background;                                 ///< opaque unless `alpha`
   bool alpha = false;         ///< +UA: the picture is as clear as what its rays see of the sky
   bool mirror_images = true;  ///< false: reflection dims what conserves energy, shows nothing
   double atmosphere_ior = 1.0;

@@ -234,18 +234,14 @@ bool RayStepper<kFeatures>::add_transmitted(const LayerSum& sum, const Surface& 
 template <unsigned kFeatures>
 bool RayStepper<kFeatures>::refract(const LayerSum& sum, double ior, const Surface& at,
                                     OnwardRay& onward) {
-  const Vec3& incoming = at.ray().direction;
-  double cosine = dot(incoming, sum.top_normal);
-  const Vec3 normal = cosine <= 0.0 ? sum.top_normal : -sum.top_normal;
-  cosine = std::fabs(cosine);
-  const double under_root = 1.0 + ior * ior * (cosine * cosine - 1.0);
-  if (under_root < 0.0) {
+  const std::optional<Vec3> bent = refracted(at.ray().direction, sum.top_normal, ior);
+  if (!bent) {
     ++m_context.counters.reflected_rays;
     reflect(sum.top_normal, *sum.top_finish, at, onward);
     return true;
   }
   ++m_context.counters.refracted_rays;
-  onward.state.ray.direction = incoming * ior + normal * (ior * cosine - std::sqrt(under_root));
+  onward.state.ray.direction = *bent;
   return false;
 }
 

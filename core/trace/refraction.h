@@ -3,6 +3,9 @@
 // Source: reference manual 3.7, "Interior"; the order of nested and overlapping ones is stock's.
 #pragma once
 
+#include <cmath>
+#include <optional>
+
 #include "core/base/color.h"
 #include "core/trace/interior_table.h"
 
@@ -19,6 +22,17 @@ struct Bend {
 /// and leaving the other one there bends nothing.
 Bend enter(const InteriorEntry& entry, double atmosphere_ior, InteriorTable& table,
            InteriorsId& inside);
+
+/// The direction behind a surface of a unit direction before it; empty on total internal reflection. `ior`:
+/// before the surface over behind it. Unit if the normal is.
+inline std::optional<Vec3> refracted(const Vec3& incoming, Vec3 normal, double ior) {
+  double cosine = dot(incoming, normal);
+  if (cosine > 0.0) normal = -normal;
+  cosine = std::fabs(cosine);
+  const double under_root = 1.0 + ior * ior * (cosine * cosine - 1.0);
+  if (under_root < 0.0) return std::nullopt;
+  return incoming * ior + normal * (ior * cosine - std::sqrt(under_root));
+}
 
 /// For the Fresnel term: the ior behind the surface over the ior before it. Leaving a nested object
 /// compares with the innermost interior, which is most often the object itself, as in stock.

@@ -45,6 +45,9 @@ core::Light build_light(const LightDesc& light, const core::Transform& to_world)
     out.area.orient = light.orient;
     out.area.area_illumination = light.area_illumination;
   }
+  out.photon_reflection = light.photons.reflection;
+  out.photon_refraction = light.photons.refraction;
+  out.photon_area = light.photons.area_light;
   return out;
 }
 

@@ -10,6 +10,7 @@
 #include "core/shape/isosurface.h"
 #include "parser/compile/light_scope.h"
 #include "parser/compile/lights.h"
+#include "parser/compile/photons.h"
 #include "parser/shapes/blob_fields.h"
 #include "parser/shapes/shape_geometry.h"
 #include "parser/shapes/shapes.h"
@@ -142,6 +143,15 @@ ObjectBuilder::Inherited ObjectBuilder::resolve(const ObjectDesc& object,
   return looks;
 }
 
+/// Photons are shot at the outermost object that is a target and hangs together.
+void ObjectBuilder::take_aim(const ObjectDesc& object, const core::Transform& outer,
+                             Inherited& looks) {
+  if (!m_parts || !(looks.pass.photon_target > 0.0) || looks.pass.photon_target_number > 0) return;
+  if (looks.lights && !looks.lights->global()) return;
+  m_parts->photon_targets.push_back(photon_target(object, outer, looks.pass));
+  looks.pass.photon_target_number = static_cast<std::uint32_t>(m_parts->photon_targets.size());
+}
+
 const core::Texture* ObjectBuilder::compile(const Ref<TextureDesc>& texture) {
   if (m_last.made && m_last.texture == texture) return m_last.made;
   const std::shared_ptr<const core::Texture> made = m_textures->texture(texture, m_default);
@@ -202,11 +212,12 @@ std::unique_ptr<core::Object> ObjectBuilder::build_whole(const ObjectDesc& objec
     }
     return nullptr;
   }
-  const Inherited looks = resolve(object, outer, from);
+  Inherited looks = resolve(object, outer, from);
   const CsgShape* csg = object.csg();
   std::unique_ptr<core::Object> out;
   // The parts of an unclipped union of the scene's list come to hang in the list themselves.
   const bool is_split = from.on_list && splits_on_list(object);
+  if (!is_split) take_aim(object, outer, looks);
   if (csg) {
     Inherited for_children = looks;
     for_children.on_list = is_split;

@@ -88,6 +88,7 @@ class ObjectBuilder {
                       const Inherited& from);
   const core::LightSelection* selection(const LightScope& scope);
   Inherited resolve(const ObjectDesc& object, const core::Transform& outer, const Inherited& from);
+  void take_aim(const ObjectDesc& object, const core::Transform& outer, Inherited& looks);
   core::Attributes attributes(const Inherited& looks);
   std::uint32_t number_of(const core::PassFlags& flags);
   const core::Texture* compile(const Ref<TextureDesc>& texture);

@@ -4,13 +4,14 @@
 
 #include "parser/compile/atmosphere.h"
 #include "parser/compile/object_builder.h"
+#include "parser/compile/photons.h"
 #include "parser/source/build_error.h"
 #include "parser/stock/gates.h"
 
 namespace lentray::parser {
 namespace {
 
-constexpr int kAirQuality = 9, kRadiosityQuality = 9;
+constexpr int kAirQuality = 9, kRadiosityQuality = 9, kPhotonQuality = 9;
 
 /// Without +UA a background that is clear is laid over black; its filter is passed over, as in stock. With it, one
 /// from before #version 3.7 is seen in mirrors only, as if there were none.
@@ -52,6 +53,10 @@ core::SceneSettings build_settings(const SceneDesc& scene, const BuildOptions& o
     // From then on radiosity takes the place of `ambient`.
     if (scene.language_version >= 370) s.ambient_light = core::Rgb(0.0f);
   }
+  if (options.quality >= kPhotonQuality) {
+    s.photons = photon_settings(g, s);
+    if (s.photons) s.loaded_photons = g.loaded_photons.maps;
+  }
   return s;
 }
 
@@ -85,9 +90,6 @@ void note_missing(const SceneDesc& scene, NotYet& not_yet) {
     if (used) not_yet.try_emplace(feature, where);
   };
   const GlobalDesc& g = scene.global;
-  note(g.photons.has_value() && (g.photons->count > 0 || g.photons->spacing > 0.0) &&
-           g.photons->gather_max > 0,
-       "photons", g.where);
   note(g.subsurface.has_value(), "subsurface", g.where);
 }
 
@@ -182,6 +184,7 @@ core::SceneParts build_scene(const SceneDesc& scene, Diagnostics& diagnostics,
     diagnostics.fail(error.where(), error.what());
   }
   warn_of_random_numbers(parts, textures, diagnostics);
+  check_photons(scene.global, parts, diagnostics);
   parts.slopes = builder.slope_watches().named(diagnostics);
   note_missing(scene, not_yet);
   for (const std::string& feature : textures.not_yet()) not_yet.try_emplace(feature, Location{});

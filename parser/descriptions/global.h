@@ -2,12 +2,14 @@
 // Source: reference manual 3.7, "Global Settings".
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "core/base/color.h"
 #include "core/base/vec3.h"
 #include "core/irradiance/settings.h"
+#include "core/photon/photon_maps.h"
 #include "core/photon/settings.h"
 #include "parser/source/source.h"
 
@@ -15,6 +17,11 @@ namespace lentray::parser {
 
 using core::PhotonSettings;
 using core::RadiositySettings;
+
+/// What a file of photons holds; null: none was read.
+struct LoadedPhotons {
+  std::shared_ptr<const core::PhotonMaps> maps;
+};
 
 /// Kept; rendered later.
 struct SubsurfaceSettings {
@@ -36,6 +43,7 @@ struct GlobalDesc {
   double mm_per_unit = 10.0;
   std::optional<RadiositySettings> radiosity;
   std::optional<PhotonSettings> photons;
+  LoadedPhotons loaded_photons;  ///< of load_file
   std::optional<SubsurfaceSettings> subsurface;
 };
 

@@ -87,7 +87,7 @@ LENTRAY_FIELDS(PhotonSettings, spacing, jitter, autostop, expand_increase, adc_b
 LENTRAY_FIELDS(SubsurfaceSettings, samples_diffuse, samples_single, radiosity)
 LENTRAY_FIELDS(GlobalDesc, where, assumed_gamma, gamma_is_srgb, assumed_gamma_version,
                max_trace_level, adc_bailout, ambient_light, irid_wavelength, number_of_waves,
-               noise_generator, mm_per_unit, radiosity, photons, subsurface)
+               noise_generator, mm_per_unit, radiosity, photons, loaded_photons, subsurface)
 
 // Objects and the whole.
 LENTRAY_FIELDS(RareParts, interior_texture, interior, clipped_by, bounded_by, radiosity_importance,

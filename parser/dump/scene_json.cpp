@@ -81,6 +81,7 @@ class Dumper {
   // No part of what the scene says.
   Json other(const CompiledSlot&) { return {}; }
   Json other(const Nesting&) { return {}; }
+  Json other(const LoadedPhotons&) { return {}; }
   template <typename T>
   Json other(const Sparse<T>& v) {
     return value(*v);

@@ -1,7 +1,12 @@
 #include "parser/grammar/global.h"
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <string>
 
+#include "core/photon/photon_file.h"
 #include "parser/base/shown.h"
 #include "parser/grammar/helpers.h"
 
@@ -179,7 +184,34 @@ void parse_radiosity(Parser& parser, GlobalDesc& global) {
   }
 }
 
-bool accept_photon_setting(Parser& parser, PhotonSettings& p) {
+std::shared_ptr<const core::PhotonMaps> load_photons(Parser& parser, const std::string& name,
+                                                     const Location& where) {
+  const auto found = parser.find_to_open(name, where);
+  if (!found) parser.fail_at(where, "cannot find the photon file '" + shown_name(name) + "'");
+  std::ifstream file(found->handle, std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  try {
+    return std::make_shared<const core::PhotonMaps>(core::read_photon_file(bytes));
+  } catch (const core::BadPhotonFile& bad) {
+    parser.fail_at(where, "cannot use the photon file '" + shown_name(name) + "': " + bad.what());
+  }
+}
+
+/// The last of load_file and save_file holds.
+void accept_photon_file(Parser& parser, PhotonSettings& p, GlobalDesc& global, bool loads) {
+  const Location where = parser.location();
+  const std::string name = parser.parse_string();
+  if (loads ? !p.save_file.empty() : !p.load_file.empty()) {
+    parser.warn_at(where, std::string("photons are either loaded or saved: this ") +
+                              (loads ? "load_file" : "save_file") + " holds");
+  }
+  p.load_file = loads ? name : std::string();
+  p.save_file = loads ? std::string() : name;
+  global.loaded_photons.maps = loads ? load_photons(parser, name, where) : nullptr;
+  if (!loads) parser.check_writable(name, where);
+}
+
+bool accept_photon_setting(Parser& parser, PhotonSettings& p, GlobalDesc& global) {
   if (parser.accept(Keyword::kRadius)) {
     p.radius = optional_float(parser, -1.0);
     parser.parse_comma();
@@ -214,20 +246,15 @@ bool accept_photon_setting(Parser& parser, PhotonSettings& p) {
   } else if (parser.accept(Keyword::kMaxTraceLevel)) {
     p.max_trace_level = parser.parse_int();
   } else if (parser.accept(Keyword::kLoadFile)) {
-    const Location where = parser.location();
-    p.load_file = parser.parse_string();
-    if (!parser.find_file(p.load_file, where)) {
-      parser.fail_at(where, "cannot find the photon file '" + shown_name(p.load_file) + "'");
-    }
+    accept_photon_file(parser, p, global, true);
   } else if (parser.accept(Keyword::kSaveFile)) {
-    const Location where = parser.location();
-    p.save_file = parser.parse_string();
-    parser.check_writable(p.save_file, where);
+    accept_photon_file(parser, p, global, false);
   } else if (parser.accept(Keyword::kMedia)) {
     p.media_steps = parser.parse_int();
     check(parser, p.media_steps >= 0, "The steps of photons' media must not be negative.");
     parser.parse_comma();
     p.media_factor = optional_float(parser, 1.0);
+    check(parser, p.media_factor > 0.0, "The factor of photons' media must be greater than 0.");
   } else {
     return false;
   }
@@ -238,7 +265,7 @@ void parse_photons(Parser& parser, GlobalDesc& global) {
   PhotonSettings& p = global.photons.emplace();
   parser.expect(Punct::kLeftCurly);
   while (!parser.at(Punct::kRightCurly)) {
-    if (!accept_photon_setting(parser, p)) {
+    if (!accept_photon_setting(parser, p, global)) {
       parser.fail_expected(
           "one of radius, spacing, expand_thresholds, gather, jitter, count, autostop, "
           "adc_bailout, max_trace_level, load_file, save_file, media or }");

@@ -278,6 +278,10 @@ bool render(Run& run, Session& session, const std::atomic<bool>& cancel, bool is
 /// What the picture told about the numbers it was given.
 void report_advice(Run& run, const Session& session) {
   for (const std::string& text : session.advice()) run.warnings.add(text);
+  if (const PhotonRun* const photons = session.photons()) {
+    if (const std::string text = photons->warning(); !text.empty()) run.warnings.tell(text);
+    run.form.texts().write(parser::Stream::kStatistics, photons->text());
+  }
   if (const RadiosityRun* const radiosity = session.radiosity()) {
     if (const std::string text = radiosity->warning(); !text.empty()) run.warnings.tell(text);
     run.form.texts().write(parser::Stream::kStatistics, radiosity->text());
@@ -297,6 +301,7 @@ void write_statistics(const Run& run, const Session& session) {
   report.accelerator = o.accelerator;
   nlohmann::json all = statistics(std::move(report), run.camera, session.scene().settings());
   all["not_rendered"] = session.not_rendered();
+  if (session.photons()) all["photons"] = session.photons()->json();
   if (session.radiosity()) all["radiosity"] = session.radiosity()->json();
   write_text_file(parser::frame_path(o, o.statistics_file), json_text(std::move(all), 2) + "\n");
 }

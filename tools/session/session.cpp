@@ -181,7 +181,10 @@ Plan Session::plan(const CameraSetup& camera, const FilmSettings& film) {
   return plan;
 }
 
-bool Session::has_passes() const { return m_scene->settings().radiosity.has_value(); }
+bool Session::has_passes() const {
+  const core::SceneSettings& settings = m_scene->settings();
+  return settings.radiosity || (settings.photons && !settings.loaded_photons);
+}
 
 shadow::RunReport Session::render(const Plan& plan, const Outlets& outlets) {
   const FilmSettings& film = plan.film;
@@ -211,8 +214,14 @@ shadow::RunReport Session::render(const Plan& plan, const Outlets& outlets) {
 
   shadow::RunReport report = plan.report;
   core::PassList passes;
-  if (has_passes()) {
-    frame.illumination = &m_light;
+  const core::SceneSettings& settings = m_scene->settings();
+  if (settings.radiosity || settings.photons) frame.illumination = &m_light;
+  const bool shoots = settings.photons && !m_photons;
+  if (shoots) {
+    m_photons.emplace(*m_scene, m_light);
+    if (m_photons->pass()) passes.add(*m_photons->pass());
+  }
+  if (settings.radiosity) {
     if (!m_radiosity || !m_radiosity->serves(plan.camera)) {
       m_radiosity.emplace(*m_scene, plan.camera, radiosity_eye(*m_camera), *testers, m_light);
       passes.add(m_radiosity->pass());
@@ -225,8 +234,10 @@ shadow::RunReport Session::render(const Plan& plan, const Outlets& outlets) {
                    .film_work = static_cast<double>(plan.pixels),
                    .ledger = outlets.passes})) {
     m_radiosity.reset();  // half done
+    if (shoots) m_photons.reset();
     return report;
   }
+  if (shoots) m_photons->save();
   report.passes = passes.reports();
   const double before = cpu_seconds();
   report.counters = core::render_frame(*m_scene, camera, plan.shape, *orders, *asked, frame,

@@ -24,6 +24,7 @@
 #include "shadow/report.h"
 #include "tools/session/camera_setup.h"
 #include "tools/session/film.h"
+#include "tools/session/photon_run.h"
 #include "tools/session/radiosity_run.h"
 
 namespace lentray::tool {
@@ -89,6 +90,8 @@ class Session {
   bool has_passes() const;
   /// After a cancel the sink lacks bands, and the report says little.
   shadow::RunReport render(const Plan& plan, const Outlets& outlets);
+  /// Of all pictures; null: the scene has none, or none yet.
+  const PhotonRun* photons() const { return m_photons ? &*m_photons : nullptr; }
   /// Of the last picture; null: the scene has none.
   const RadiosityRun* radiosity() const { return m_radiosity ? &*m_radiosity : nullptr; }
   /// What pictures have told about numbers that the scene gives, as warnings with their headings.
@@ -106,6 +109,7 @@ class Session {
   std::unique_ptr<core::Scene> m_scene;
   std::uint64_t m_prepared_rays = 0;  ///< that the light buffers were made for
   core::Illumination m_light;         ///< that passes have left
+  std::optional<PhotonRun> m_photons;
   std::optional<RadiosityRun> m_radiosity;
   std::vector<core::WatchedSlope> m_slopes;
   std::vector<std::string> m_not_rendered;

@@ -1,0 +1,114 @@
+#include "core/photon/units.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "core/base/tiny.h"
+
+namespace lentray::core {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+bool shoots(const Light& light) { return !light.shadowless && !light.grouped; }
+
+bool refracts(const Light& light, const PhotonTarget& target) {
+  return photons_go_on(target.refraction, light.photon_refraction);
+}
+bool reflects(const Light& light, const PhotonTarget& target) {
+  return photons_go_on(target.reflection, light.photon_reflection);
+}
+
+/// `see(light, target)` for each pair that has photons, by indices.
+template <class See>
+void each_pair(std::span<const Light> lights, std::span<const PhotonTarget> targets, See&& see) {
+  for (std::uint32_t l = 0; l < lights.size(); ++l) {
+    if (!shoots(lights[l])) continue;
+    for (std::uint32_t t = 0; t < targets.size(); ++t) {
+      if (refracts(lights[l], targets[t]) || reflects(lights[l], targets[t])) see(l, t);
+    }
+  }
+}
+
+/// How far out rings go: to the edge of the target's ball, or all around from inside of it.
+double end_of_rings(const Light& light, const PhotonTarget& target) {
+  if (light.parallel) return target.radius;
+  const double distance = length(target.centre - light.position);
+  return distance >= target.radius ? std::asin(target.radius / distance) : kPi;
+}
+
+PhotonUnit make_unit(std::span<const Light> lights, std::span<const PhotonTarget> targets,
+                     std::uint32_t l, std::uint32_t t, double spacing) {
+  const Light& light = lights[l];
+  const PhotonTarget& target = targets[t];
+  PhotonUnit unit{l, t, target.factor * spacing, 0.0, end_of_rings(light, target)};
+  if (!light.parallel) {
+    const double distance = length(target.centre - light.position);
+    unit.spread /= distance < kTiny ? target.radius : distance;
+  }
+  if (light.has_area && light.photon_area) {
+    unit.spread *= std::sqrt(static_cast<double>(light.area.size1 * light.area.size2));
+  }
+  unit.step = light.parallel ? unit.spread : std::atan(unit.spread);
+  return unit;
+}
+
+}  // namespace
+
+std::vector<PhotonUnit> photon_units(std::span<const Light> lights,
+                                     std::span<const PhotonTarget> targets, double spacing) {
+  std::vector<PhotonUnit> units;
+  each_pair(lights, targets, [&](std::uint32_t light, std::uint32_t target) {
+    units.push_back(make_unit(lights, targets, light, target, spacing));
+  });
+  return units;
+}
+
+double photon_spacing(std::span<const Light> lights, std::span<const PhotonTarget> targets,
+                      const PhotonSettings& settings) {
+  if (settings.count <= 0) return settings.spacing;
+  double wanted = 0.0;
+  each_pair(lights, targets, [&](std::uint32_t l, std::uint32_t t) {
+    const PhotonTarget& target = targets[t];
+    const bool refracted = refracts(lights[l], target),
+               both = refracted && reflects(lights[l], target);
+    const double across = target.radius / (target.factor * settings.spacing);
+    double photons = across * across * kPi;
+    if (both) photons *= 1.5;
+    if (target.collects && refracted) photons *= both ? 3.0 : 2.0;
+    wanted += photons * 0.5;
+  });
+  return settings.spacing * std::sqrt(wanted / settings.count);
+}
+
+double expected_photons(std::span<const Light> lights, std::span<const PhotonUnit> units) {
+  double sum = 0.0;
+  for (const PhotonUnit& unit : units) {
+    const Light& light = lights[unit.light];
+    const double area =
+        light.parallel ? kPi * unit.end * unit.end : 2.0 * kPi * (1.0 - std::cos(unit.end));
+    sum += area / (unit.step * unit.step) * photons_at_once(light);
+  }
+  return sum;
+}
+
+PhotonAim photon_aim(const Light& light, const Vec3& from, const Vec3& centre) {
+  constexpr double kUpright = 0.1;
+  const Vec3 to = centre - from;
+  if (length(to) < kTiny && !light.parallel) return {{0, 0, 1}, {0, 1, 0}};
+  const Vec3 along = normalized(to);
+  const bool upright = std::fabs(std::fabs(along.z) - 1.0) < kUpright;
+  const Vec3 up = upright ? Vec3(0, 1, 0) : Vec3(0, 0, 1);
+  return {along, normalized(cross(light.parallel ? light.direction : along, up))};
+}
+
+Ray photon_ray(const Light& light, const Vec3& from, const Vec3& centre, double out, double turn) {
+  const PhotonAim aim = photon_aim(light, from, centre);
+  const Vec3& axis = light.parallel ? light.direction : aim.along;
+  const Vec3 outwards = aim.left * std::cos(turn) + cross(axis, aim.left) * std::sin(turn);
+  if (!light.parallel) return {from, axis * std::cos(out) - outwards * std::sin(out)};
+  const double before = dot(axis, centre - from);
+  return {centre - axis * before + outwards * out, axis};
+}
+
+}  // namespace lentray::core

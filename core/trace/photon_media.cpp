@@ -1,0 +1,72 @@
+#include "core/trace/photon_media.h"
+
+#include <algorithm>
+
+#include "core/trace/random_key.h"
+
+namespace lentray::core {
+
+bool PhotonMedia::find_media(InteriorsId inside) {
+  const InteriorTable& table = m_context.interiors;
+  m_media.clear();
+  if (inside == InteriorsId::kOpen || !table.is_hollow(inside)) return false;
+  add_media(table, inside, m_media);
+  return !m_media.empty();
+}
+
+void PhotonMedia::pass(const Piece& piece, Rgb& power) {
+  if (find_media(piece.inside)) power *= m_attenuation.left(m_media, {piece.ray, piece.length});
+}
+
+void PhotonMedia::find_lit_parts(const Piece& piece) {
+  m_lit.clear();
+  for (const std::uint32_t i : m_context.scene.global_lights()) {
+    const Light& light = m_context.scene.lights()[i];
+    if (!light.lights_media) continue;
+    if (const auto part = lit_part(light, piece.ray, piece.length)) m_lit.push_back(*part);
+  }
+}
+
+PhotonMedia::Steps PhotonMedia::steps_in(const MediaInterval& interval, const Piece& piece,
+                                         const PhotonShot& shot) const {
+  const PhotonSettings& settings = *m_context.scene.settings().photons;
+  const double apart = shot.spread * (shot.light.parallel ? 1.0 : piece.way);
+  const double steps = interval.length / (apart * settings.media_factor);
+  if (steps < settings.media_steps + 1.0) return {static_cast<int>(steps), settings.media_factor};
+  return {settings.media_steps, interval.length / (apart * settings.media_steps)};
+}
+
+void PhotonMedia::pass(const Piece& piece, const PhotonShot& shot, Rgb& power,
+                       std::vector<Photon>& out) {
+  const auto any = [this](auto&& has) { return std::any_of(m_media.begin(), m_media.end(), has); };
+  if (!find_media(piece.inside) || !any([](const Medium* m) { return m->dims(); })) return;
+  const bool leaves = any([](const Medium* m) { return m->scatters(); }) &&
+                      any([](const Medium* m) { return m->collects_photons; });
+  find_lit_parts(piece);
+  const Medium& first = leading(m_media);
+  m_cutter.cut(first.sampling, first.densities.empty(), piece.length, m_lit, m_intervals);
+  RandomSequence random(piece.key, RandomSequence::Use::kMedia);
+  const double jitter = m_context.scene.settings().photons->jitter;
+  Rgb depth;
+  for (const MediaInterval& interval : m_intervals) {
+    const Steps steps = steps_in(interval, piece, shot);
+    Rgb sum;
+    for (int i = 0; i < steps.count; ++i) {
+      const double place = (i + 0.5 + (random.next() - 0.5) * jitter) / steps.count;
+      const double along = interval.from + place * interval.length;
+      const Vec3 at = piece.ray.at(along);
+      for (const Medium* medium : m_media) {
+        sum += times(medium->density(at) * medium->extinction(), interval.length);
+      }
+      if (!leaves) continue;
+      const double way = piece.way + along;
+      const double share = steps.factor * shot.spread * (shot.light.parallel ? 1.0 : way);
+      out.push_back(make_photon(at, piece.ray.origin, weighed(times(power, share), way, shot)));
+    }
+    // An interval too short for a step takes all light, as in stock.
+    depth += steps.count == 0 ? Rgb(Bounds::kInf) : times(sum, 1.0 / steps.count);
+  }
+  power *= transmittance(depth);
+}
+
+}  // namespace lentray::core

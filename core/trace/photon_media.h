@@ -1,0 +1,51 @@
+// What media in interiors make of a photon on its way, and the photons that it leaves in them. World space;
+// power linear. One a thread.
+// Source: reference manual 3.7, "Photons and Media"; steps and weights are those that replay stock's files
+// of photons. Random numbers are the photon's own, stock's come from a cycle.
+#pragma once
+
+#include <vector>
+
+#include "core/photon/photon.h"
+#include "core/trace/media_attenuation.h"
+#include "core/trace/photon_shot.h"
+#include "core/trace/thread_context.h"
+
+namespace lentray::core {
+
+class PhotonMedia {
+ public:
+  explicit PhotonMedia(ThreadContext& context) : m_context(context) {}
+
+  /// A piece of a photon's way.
+  struct Piece {
+    Ray ray;
+    double length;
+    double way;  ///< from the light to its start
+    InteriorsId inside;
+    std::uint64_t key;
+  };
+  /// Dims what passes it.
+  void pass(const Piece& piece, Rgb& power);
+  /// The same, and leaves photons.
+  void pass(const Piece& piece, const PhotonShot& shot, Rgb& power, std::vector<Photon>& out);
+
+ private:
+  bool find_media(InteriorsId inside);
+  void find_lit_parts(const Piece& piece);
+  /// Of an interval.
+  struct Steps {
+    int count;
+    double factor;  ///< of the distance of photons: of their weight
+  };
+  Steps steps_in(const MediaInterval& interval, const Piece& piece, const PhotonShot& shot) const;
+
+  ThreadContext& m_context;
+  MediaAttenuation m_attenuation;
+  MediaList m_media;
+  std::vector<RayPart> m_lit;
+  IntervalCutter m_cutter;
+  std::vector<MediaInterval> m_intervals;
+};
+
+}  // namespace lentray::core

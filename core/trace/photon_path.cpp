@@ -1,0 +1,282 @@
+#include "core/trace/photon_path.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/accel/hierarchy.h"
+#include "core/base/deep_threads.h"
+#include "core/scene/tolerances.h"
+#include "core/trace/random_key.h"
+#include "core/trace/refraction.h"
+#include "core/trace/spectrum.h"
+#include "core/trace/surface_textures.h"
+
+namespace lentray::core {
+namespace {
+
+bool nearly_equal(const Vec3& a, const Vec3& b) {
+  const Vec3 d = a - b;
+  return std::fabs(d.x) <= kTiny && std::fabs(d.y) <= kTiny && std::fabs(d.z) <= kTiny;
+}
+
+/// Photons of lights outside all light groups light it.
+bool is_lit(const Attributes& looks) { return !looks.lights || looks.lights->global; }
+
+}  // namespace
+
+/// On the way to a surface.
+struct PhotonPath::Leg {
+  Ray ray;
+  Rgb power;
+  double way;  ///< from the light to the ray's origin
+  std::uint64_t key;
+  float weight = 1.0f;
+  int level = 0;
+  InteriorsId inside = InteriorsId::kOpen;
+  RayKind kind = RayKind::kPhoton;
+  bool passed = false;  ///< what it left lets photons pass on their way to the target
+  double wavelength = RayState::kWhite;
+};
+
+/// What a leg meets.
+struct PhotonPath::Meeting {
+  const Hit& hit;
+  const Attributes& looks;
+  const PassFlags& flags;
+  Vec3 point, normal;  ///< the normal faces the ray
+  bool passes;
+  InteriorEntry interior() const { return interior_of(looks, hit.object); }
+};
+
+/// What the layers of a texture do with photons.
+struct PhotonPath::Layers {
+  struct Mirror {
+    Rgb colour;
+    float weight;
+    double exponent;
+    Vec3 normal;
+  };
+  Rgb filter{1.0f, 1.0f, 1.0f};
+  double transparency = 1.0;
+  Vec3 top_normal;
+  std::vector<Mirror> mirrors;
+};
+
+PhotonPath::PhotonPath(ThreadContext& context)
+    : m_context(context), m_scene(context.scene), m_settings(*m_scene.settings().photons),
+      m_min_distance(kMinHitDistance * m_scene.tolerance_scale()),
+      m_stack_end(own_stack().middle()), m_start_interiors(m_scene), m_media(context) {}
+
+bool PhotonPath::shoot(const PhotonShot& shot, PhotonMaps& out) {
+  m_context.interiors.forget_if_large();
+  m_shot = &shot;
+  m_out = &out;
+  m_met_target = false;
+  Leg leg{shot.ray, shot.power, shot.way, shot.key};
+  if (m_scene.needs().interiors) {
+    leg.inside = m_start_interiors.at(shot.ray.origin, m_context.interiors);
+  }
+  follow(leg);
+  return m_met_target;
+}
+
+bool PhotonPath::is_wanted(const Leg& leg, const PassFlags& flags, bool& passes) {
+  passes = false;
+  if (leg.level > 0 && !leg.passed) return true;
+  if (flags.photon_target_number == m_shot->target) {
+    m_met_target = true;
+    return true;
+  }
+  passes = flags.photon_pass_through;
+  return passes;
+}
+
+void PhotonPath::follow(const Leg& leg) {
+  if (leg.level >= m_settings.max_trace_level || leg.weight < m_settings.adc_bailout) return;
+  if (reinterpret_cast<std::uintptr_t>(__builtin_frame_address(0)) < m_stack_end) {
+    ++m_context.counters.cut_rays;
+    return;
+  }
+  Hit hit;
+  if (!m_scene.hierarchy().nearest(leg.ray, m_min_distance, Bounds::kInf, leg.kind, hit,
+                                   m_context.arena, m_context.tests)) {
+    return;
+  }
+  const Attributes& looks = hit.leaf->attributes();
+  const PassFlags& flags = m_scene.pass_flags(looks);
+  bool passes = false;
+  if (!is_wanted(leg, flags, passes)) return;
+  const Vec3 point = leg.ray.at(hit.t);
+  Vec3 normal = hit.leaf->normal(point, hit.shape);
+  const bool from_behind = dot(normal, leg.ray.direction) > 0.0;
+  if (from_behind) normal = -normal;
+  const Meeting at{hit, looks, flags, point, normal, passes};
+  if (const LayeredTexture* all = looks.texture->everywhere(); all && !looks.interior_texture) {
+    return arrive(at, *all, leg);
+  }
+  WeightedTextures textures;
+  textures_at({point, normal, leg.ray.direction, &hit}, from_behind, m_settings.adc_bailout,
+              textures);
+  for (std::size_t i = 0; i < textures.size(); ++i) {
+    Leg part = leg;
+    part.power = times(leg.power, textures[i].weight);
+    part.key = branch_key(leg.key, i);
+    arrive(at, *textures[i].texture, part);
+  }
+}
+
+/// What is left of its power by the interior that it comes out of.
+Rgb PhotonPath::faded(const Meeting& at, const Leg& leg) const {
+  const InteriorEntry interior = at.interior();
+  if (!interior.interior) return leg.power;
+  Rgb left(interior.interior->passed);
+  if (interior.interior->fade_power > 0.0 &&
+      m_context.interiors.contains(leg.inside, interior.key)) {
+    left *= fade_in_interior(*interior.interior, at.hit.t);
+  }
+  return leg.power * left;
+}
+
+void PhotonPath::arrive(const Meeting& at, const LayeredTexture& texture, Leg leg) {
+  const bool is_behind_target = leg.level > 0 && !leg.passed;
+  const PhotonMedia::Piece piece{leg.ray, at.hit.t, leg.way, leg.inside, leg.key};
+  if (is_behind_target && m_settings.media_steps > 0) {
+    m_media.pass(piece, *m_shot, leg.power, m_out->media);
+  } else {
+    m_media.pass(piece, leg.power);
+  }
+  leg.power = faded(at, leg);
+  leg.way += at.hit.t;
+  ++leg.level;
+  if (is_behind_target && at.flags.photon_collect && is_lit(at.looks)) {
+    m_out->surface.push_back(
+        make_photon(at.point, leg.ray.origin, weighed(leg.power, leg.way, *m_shot)));
+  }
+  if (leg.level >= m_settings.max_trace_level) return;
+  const Light& light = m_shot->light;
+  const bool refracts =
+      at.passes || photons_go_on(at.flags.photon_refraction, light.photon_refraction);
+  const bool reflects =
+      !at.passes && photons_go_on(at.flags.photon_reflection, light.photon_reflection);
+  if (!refracts && !reflects) return;
+  const Layers layers = see_layers(at, texture, leg);
+  bool total_reflection = false;
+  if (refracts && layers.transparency > m_settings.adc_bailout) {
+    total_reflection = refract(at, layers, leg);
+  }
+  if (reflects) mirror_layers(at, layers, total_reflection, leg);
+}
+
+PhotonPath::Layers PhotonPath::see_layers(const Meeting& at, const LayeredTexture& texture,
+                                          const Leg& leg) const {
+  Layers layers;
+  SurfaceContext context{at.point, at.normal, leg.ray.direction, &at.hit};
+  for (auto layer = texture.layers().rbegin();
+       layer != texture.layers().rend() && layers.transparency > m_settings.adc_bailout; ++layer) {
+    see_layer(*layer, at, leg, context, layers);
+  }
+  return layers;
+}
+
+void PhotonPath::see_layer(const TextureLayer& layer, const Meeting& at, const Leg& leg,
+                           SurfaceContext& context, Layers& layers) const {
+  const Finish& finish = layer.finish;
+  const Vec3 place = texture_point(context);
+  Colour colour = layer.pigment->colour(place, context);
+  if (layer.normal) context.normal = layer.normal->perturb(place, at.normal, context);
+  const Vec3 normal = layer.normal ? context.normal : at.normal;
+  if (layers.mirrors.empty()) layers.top_normal = normal;
+  // As in stock a layer's own colour has been through those above it when it filters.
+  colour.rgb *= layers.filter;
+  const double ior = finish.reflection_fresnel
+                         ? relative_ior(at.interior(), m_context.interiors, leg.inside,
+                                        m_scene.settings().atmosphere_ior)
+                         : 1.0;
+  const Reflectivity share = reflectivity(finish, -dot(leg.ray.direction, normal), ior, colour.rgb);
+  layers.mirrors.push_back({share.colour,
+                            static_cast<float>(leg.weight * layers.transparency) * share.weight,
+                            1.0 / finish.reflection_exponent, normal});
+  layers.filter *= passed(colour);
+  if (finish.conserve_energy) {
+    for (int c = 0; c < 3; ++c) layers.filter[c] *= std::min(1.0f, 1.0f - share.colour[c]);
+  }
+  layers.transparency = std::min(1.0, static_cast<double>(std::fabs(grey(layers.filter))));
+}
+
+bool PhotonPath::refract(const Meeting& at, const Layers& layers, const Leg& leg) {
+  const double air = m_scene.settings().atmosphere_ior;
+  Leg onward = leg;
+  onward.passed = at.passes;
+  onward.ray.origin = at.point;
+  onward.weight = leg.weight * std::max(0.0f, greatest(layers.filter));
+  const Bend bent = m_scene.needs().interiors
+                        ? enter(at.interior(), air, m_context.interiors, onward.inside)
+                        : Bend();
+  const bool disperses = !(std::fabs(bent.dispersion - 1.0) < kTiny);
+  if (std::fabs(bent.ior - 1.0) < kTiny && !disperses) {
+    onward.power *= layers.filter;
+    follow(onward);
+    return false;
+  }
+  if (!disperses) return bend(at, layers, bent.ior, leg, onward);
+  if (leg.wavelength != RayState::kWhite) {
+    return bend(at, layers, dispersed_ior(bent.ior, bent.dispersion, leg.wavelength), leg, onward);
+  }
+  for (int band = 0; band < bent.bands; ++band) {
+    Leg before = leg;
+    before.power *= band_hue(band, bent.bands) * (1.0f / static_cast<float>(bent.bands));
+    onward.power = before.power;
+    onward.wavelength = band_wavelength(band, bent.bands);
+    onward.key = branch_key(leg.key, static_cast<std::uint64_t>(band) + 1);
+    bend(at, layers, dispersed_ior(bent.ior, bent.dispersion, onward.wavelength), before, onward);
+  }
+  return false;
+}
+
+bool PhotonPath::bend(const Meeting& at, const Layers& layers, double ior, const Leg& before,
+                      Leg onward) {
+  const auto direction = refracted(before.ray.direction, layers.top_normal, ior);
+  if (!direction) {
+    // What no layer filters goes back, as heavy as what would have gone on.
+    Leg back = before;
+    back.weight = onward.weight;
+    mirror(at, layers.top_normal, std::move(back));
+    return true;
+  }
+  onward.ray.direction = *direction;
+  onward.power *= layers.filter;
+  follow(onward);
+  return false;
+}
+
+void PhotonPath::mirror(const Meeting& at, const Vec3& normal, Leg onward) {
+  onward.ray = {at.point, normalized(mirrored(onward.ray.direction, normal, at.normal))};
+  onward.passed = at.passes;
+  onward.kind = reflected(onward.kind);
+  onward.key = branch_key(onward.key, 0);
+  follow(onward);
+}
+
+/// As in stock all layers reflect by the normal of the lowest that was seen.
+void PhotonPath::mirror_layers(const Meeting& at, const Layers& layers, bool total_reflection,
+                               const Leg& leg) {
+  const Vec3 lowest_normal = layers.mirrors.back().normal;
+  for (std::size_t i = 0; i < layers.mirrors.size(); ++i) {
+    const Layers::Mirror& layer = layers.mirrors[i];
+    if (layer.colour.is_black()) continue;
+    if (total_reflection && nearly_equal(layers.top_normal, layer.normal)) continue;
+    Leg onward = leg;
+    if (layer.exponent != 1.0) {
+      for (int c = 0; c < 3; ++c) {
+        onward.power[c] = static_cast<float>(std::pow(leg.power[c], layer.exponent));
+      }
+    }
+    onward.power *= layer.colour;
+    onward.weight = layer.weight * greatest(layer.colour);
+    onward.key = branch_key(leg.key, i);
+    mirror(at, lowest_normal, onward);
+  }
+}
+
+}  // namespace lentray::core

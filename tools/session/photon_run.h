@@ -1,0 +1,36 @@
+// Photons of a scene's pictures: shot before the first of them or loaded, saved if the scene wants it, and
+// what is told of them. One map serves all pictures of a session. One thread.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+
+#include "core/pass/photon_pass.h"
+
+namespace lentray::tool {
+
+class PhotonRun {
+ public:
+  /// Of a scene with photons, which outlives it as `light` does, which gets them: now those that were loaded,
+  /// from the pass those that are shot.
+  PhotonRun(const core::Scene& scene, core::Illumination& light);
+  /// Null: they were loaded.
+  core::PhotonPass* pass() { return m_pass ? &*m_pass : nullptr; }
+  /// Writes the scene's save_file, once they are shot. Trouble is a warning.
+  void save();
+
+  /// What a user may want to know of them, each in a line; empty: nothing.
+  std::string warning() const;
+  /// How many there are, as a table.
+  std::string text() const;
+  nlohmann::json json() const;
+
+ private:
+  const core::Scene& m_scene;
+  const core::Illumination& m_light;
+  std::optional<core::PhotonPass> m_pass;
+  std::string m_trouble;
+};
+
+}  // namespace lentray::tool
