@@ -15,8 +15,9 @@ PathRules unlit(const Scene& scene) {
 
 }  // namespace
 
-GatherThreads::Thread::Thread(const Scene& scene, const ShadowTesterFactory& factory)
-    : context(scene, false), shadows(factory.make(context)),
+GatherThreads::Thread::Thread(const Scene& scene, const Illumination& light,
+                              const ShadowTesterFactory& factory)
+    : context(scene, false, &light), shadows(factory.make(context)),
       camera(Integrator::make(context, *shadows, unlit(scene))),
       gatherer(make_gatherer(context, *shadows)) {
   context.indirect = &recorder;
@@ -24,7 +25,7 @@ GatherThreads::Thread::Thread(const Scene& scene, const ShadowTesterFactory& fac
 
 GatherThreads::Thread& GatherThreads::thread(unsigned number) {
   std::unique_ptr<Thread>& thread = m_threads[number];
-  if (!thread) thread = std::make_unique<Thread>(m_scene, m_shadows);
+  if (!thread) thread = std::make_unique<Thread>(m_scene, m_light, m_shadows);
   return *thread;
 }
 

@@ -23,16 +23,17 @@ struct PassRay {
 
 class GatherThreads final : public GatherTeam {
  public:
-  /// `shadows` outlives it.
-  GatherThreads(const Scene& scene, const ShadowTesterFactory& shadows, PassRun& run)
-      : m_scene(scene), m_shadows(shadows), m_run(run), m_threads(run.threads()) {}
+  /// `light`: what earlier passes left. All outlive it.
+  GatherThreads(const Scene& scene, const Illumination& light, const ShadowTesterFactory& shadows,
+                PassRun& run)
+      : m_scene(scene), m_light(light), m_shadows(shadows), m_run(run), m_threads(run.threads()) {}
   void trace(std::span<const GatherRay> rays, bool asks, std::span<GatherRecord> records) override;
   /// What is asked behind camera rays; the light they bring is nobody's.
   void look(std::span<const PassRay> rays, std::span<GatherRecord> records);
 
  private:
   struct Thread {
-    Thread(const Scene& scene, const ShadowTesterFactory& factory);
+    Thread(const Scene& scene, const Illumination& light, const ShadowTesterFactory& factory);
     ThreadContext context;
     std::unique_ptr<ShadowTester> shadows;
     std::unique_ptr<Integrator> camera, gatherer;
@@ -42,6 +43,7 @@ class GatherThreads final : public GatherTeam {
   Thread& thread(unsigned number);
 
   const Scene& m_scene;
+  const Illumination& m_light;
   const ShadowTesterFactory& m_shadows;
   PassRun& m_run;
   std::vector<std::unique_ptr<Thread>> m_threads;

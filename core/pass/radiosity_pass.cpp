@@ -14,11 +14,12 @@ namespace lentray::core {
 
 class RadiosityPass::Levels {
  public:
-  Levels(const RadiosityPassSetup& setup, IrradianceCache& cache, RadiosityReport& report,
-         PassRun& run)
+  /// `light`: what earlier passes left.
+  Levels(const RadiosityPassSetup& setup, const Illumination& light, IrradianceCache& cache,
+         RadiosityReport& report, PassRun& run)
       : m_setup(setup), m_cache(cache), m_report(report), m_run(run),
-        m_threads(setup.scene, setup.shadows.unwatched(), run), m_context(setup.scene, false),
-        m_shadows(setup.shadows.unwatched().make(m_context)),
+        m_threads(setup.scene, light, setup.shadows.unwatched(), run),
+        m_context(setup.scene, false, &light), m_shadows(setup.shadows.unwatched().make(m_context)),
         m_blocks(pretrace_blocks(setup.width, setup.height)) {}
 
   void run() {
@@ -165,7 +166,7 @@ double RadiosityPass::work() const {
 
 void RadiosityPass::run(PassRun& run) {
   auto cache = std::make_shared<IrradianceCache>(*m_setup.scene.settings().radiosity, m_setup.eye);
-  Levels(m_setup, *cache, m_report, run).run();
+  Levels(m_setup, m_result, *cache, m_report, run).run();
   run.count("bytes", static_cast<double>(cache->bytes()));
   m_result.irradiance = std::move(cache);
 }

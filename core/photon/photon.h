@@ -19,7 +19,8 @@ struct Photon {
   std::uint8_t axis = 0;             ///< 0..2: of the map's tree, which splits there
   std::int8_t latitude = 0;          ///< of the way back, towards y; 127: pi
   std::int8_t longitude = 0;         ///< about y, from x towards z; 127: pi
-  std::uint8_t unused = 0;           ///< makes the size that of stock's files
+  /// Of the map's tree: how far behind it the photon is listed that splits, on whose wrong side it lies.
+  std::int8_t hidden_by = 0;
 
   friend bool operator==(const Photon&, const Photon&) = default;
 };

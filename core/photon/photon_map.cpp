@@ -11,7 +11,7 @@ constexpr double kFarther = 3.0;      ///< radii, if too few were found
 constexpr double kNoDensity = 1e-16;  ///< stands for that of no photons
 
 double density(const FoundPhotons& found) {
-  return static_cast<double>(found.list.size()) / (found.radius * found.radius);
+  return static_cast<double>(found.size()) / (found.radius() * found.radius());
 }
 
 }  // namespace
@@ -32,13 +32,13 @@ void PhotonMap::gather(const Vec3& point, const Vec3* normal, FoundPhotons& foun
                        FoundPhotons& spare) const {
   PhotonSearch search{point, normal, m_radius, static_cast<std::size_t>(m_settings.gather_max)};
   m_tree.find(search, found);
-  if (found.list.size() >= static_cast<std::size_t>(m_settings.gather_min)) return;
+  if (found.size() >= static_cast<std::size_t>(m_settings.gather_min)) return;
   search.radius *= kFarther;
   m_tree.find(search, spare);
-  const double near = found.list.empty() ? kNoDensity : density(found);
+  const double near = found.is_empty() ? kNoDensity : density(found);
   const bool as_dense = (density(spare) - near) / near < m_settings.expand_increase;
   const bool are_few =
-      !spare.list.empty() && spare.list.size() < static_cast<std::size_t>(m_settings.expand_min);
+      !spare.is_empty() && spare.size() < static_cast<std::size_t>(m_settings.expand_min);
   if (as_dense || are_few) std::swap(found, spare);
 }
 

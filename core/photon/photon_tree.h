@@ -23,15 +23,25 @@ struct PhotonSearch {
   std::size_t most;  ///< so many, at least 1
 };
 
-/// A buffer that is used from search to search.
-struct FoundPhotons {
+/// In an order that depends on tree and search alone. A buffer that is used from search to search.
+class FoundPhotons {
+ public:
   struct One {
     double distance;  ///< squared, as the search measures it
     std::uint32_t number;
   };
-  std::vector<One> list;  ///< in an order that depends on tree and search alone
-  double radius =
-      0.0;  ///< within which they are all: that of the search, or where they are many, less
+  const One* begin() const { return m_room.data(); }
+  const One* end() const { return m_room.data() + m_size; }
+  std::size_t size() const { return m_size; }
+  bool is_empty() const { return m_size == 0; }
+  /// Within which they are all: that of the search, or where there are more, the farthest's.
+  double radius() const { return m_radius; }
+
+ private:
+  friend class PhotonTree;
+  std::vector<One> m_room;  ///< may be longer than what was found
+  std::size_t m_size = 0;
+  double m_radius = 0.0;
 };
 
 class PhotonTree {
@@ -52,6 +62,8 @@ class PhotonTree {
 
  private:
   void split(std::size_t begin, std::size_t end);
+  /// Of photons on the wrong side of one that splits: buckets pass them by where the tree would, too.
+  void note_hidden(std::size_t begin, std::size_t end);
   template <bool kFlattened>
   void find_in(const PhotonSearch& search, FoundPhotons& found) const;
 

@@ -9,6 +9,7 @@ namespace lentray::core {
 
 class IndirectLight;
 class IrradianceCache;
+class PhotonMap;
 class ShadowTester;
 struct PhotonLight;
 struct ThreadContext;
@@ -21,5 +22,9 @@ struct Illumination {
 /// What the context's illumination gives to surfaces, which then ask it; null: nothing. It lives as long as
 /// rays are traced.
 std::unique_ptr<IndirectLight> make_indirect_light(ThreadContext& context, ShadowTester& shadows);
+
+/// The photons that light surfaces and media; null: there are none.
+const PhotonMap* surface_photons(const ThreadContext& context);
+const PhotonMap* media_photons(const ThreadContext& context);
 
 }  // namespace lentray::core

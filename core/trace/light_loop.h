@@ -66,6 +66,7 @@ struct LitPoint {
   InteriorsId inside;        ///< of the ray
   std::uint64_t key;         ///< of the random numbers of the point
   bool in_air = false;       ///< lies on no surface
+  bool collects = true;      ///< may be lit by photons
 };
 
 /// What is known of the lights at one point: where it lies in their buffers, and what arrives of them,
@@ -138,6 +139,7 @@ class LightLoop {
     query.inside = lit.inside;
     query.key = lit.key;
     query.from_air = lit.in_air;
+    query.collects = lit.collects;
     return query;
   }
   /// Takes from the colour what does not arrive.

@@ -1,8 +1,12 @@
 #include "core/trace/media_light.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
+#include "core/trace/illumination.h"
 #include "core/trace/random_key.h"
+#include "core/trace/reflectance.h"
 
 namespace lentray::core {
 namespace {
@@ -11,6 +15,11 @@ enum Passage : std::uint64_t { kInteriors, kAir };  ///< each has random numbers
 
 bool any_scatters(const MediaList& media) {
   return std::any_of(media.begin(), media.end(), [](const Medium* m) { return m->scatters(); });
+}
+
+bool any_collects(const MediaList& media) {
+  return std::any_of(media.begin(), media.end(),
+                     [](const Medium* m) { return m->collects_photons; });
 }
 
 bool any_directed(const MediaList& media) {
@@ -28,7 +37,7 @@ class MediaLight::Probe final : public MediaProbe {
         std::uint64_t key)
       : m_owner(owner), m_state(state), m_level(level), m_lists(lists),
         m_scatters(any_scatters(owner.m_media)), m_directed(any_directed(owner.m_media)),
-        m_random(key, RandomSequence::Use::kMedia),
+        m_collects(any_collects(owner.m_media)), m_random(key, RandomSequence::Use::kMedia),
         m_light_key(RandomSequence::use_key(key, RandomSequence::Use::kMediaLights)) {}
 
   MediaPoint at(double distance, bool lit) override {
@@ -41,8 +50,9 @@ class MediaLight::Probe final : public MediaProbe {
       point.extinction += density * medium->extinction();
       scattering += density * medium->scattering;
     }
-    if (lit && m_scatters && !scattering.is_black())
-      point.source += scattering * arriving(place, distance);
+    if (!m_scatters || scattering.is_black()) return point;
+    if (lit) point.source += scattering * arriving(place, distance);
+    if (m_owner.m_photons) point.source += scattering * brought_by_photons(place);
     return point;
   }
   double random() override { return m_random.next(); }
@@ -63,16 +73,29 @@ class MediaLight::Probe final : public MediaProbe {
       const Probe& probe;
       Rgb sum{};
       void receive(const IncomingLight& light) {
-        const Vec3& seen_along = probe.m_state.ray.direction;
-        sum += probe.m_directed ? light.colour * probe.phase(dot(light.ray.direction, seen_along))
-                                : light.colour;
+        sum += probe.going_on(light.colour, light.ray.direction);
       }
     };
     Receiver receiver{*this};
     const std::uint64_t key = branch_key(m_light_key, m_lit_points++);
-    m_owner.m_lights.at({place, m_level, m_state.place, m_state.inside, key, true}, m_lists,
-                        m_owner.m_at_point, Facing{*this, distance}, receiver);
+    m_owner.m_lights.at({place, m_level, m_state.place, m_state.inside, key, true, m_collects},
+                        m_lists, m_owner.m_at_point, Facing{*this, distance}, receiver);
     return receiver.sum;
+  }
+  Rgb brought_by_photons(const Vec3& place) {
+    FoundPhotons& found = m_owner.m_found;
+    m_owner.m_photons->gather(place, nullptr, found, m_owner.m_more);
+    if (found.is_empty() || !(found.radius() > 0.0)) return {};
+    Rgb sum;
+    for (const FoundPhotons::One& one : found) {
+      const Photon& photon = m_owner.m_photons->tree()[one.number];
+      sum += going_on(power_of(photon), way_back(photon));
+    }
+    return times(sum, 3.0 / (4.0 * std::numbers::pi * std::pow(found.radius(), 3.0)));
+  }
+  /// What goes on along the ray of light that comes from there.
+  Rgb going_on(const Rgb& light, const Vec3& from) const {
+    return m_directed ? light * phase(dot(from, m_state.ray.direction)) : light;
   }
   /// The mean of all media, also of those that do not scatter: as in stock.
   float phase(double cosine) const {
@@ -85,15 +108,15 @@ class MediaLight::Probe final : public MediaProbe {
   const RayState& m_state;
   const int m_level;
   const LightLists& m_lists;
-  const bool m_scatters, m_directed;
+  const bool m_scatters, m_directed, m_collects;
   RandomSequence m_random;
   const std::uint64_t m_light_key;
   std::uint64_t m_lit_points = 0;  ///< so far
 };
 
 MediaLight::MediaLight(ThreadContext& context, ShadowTester& shadows)
-    : m_context(context), m_lights(context, shadows), m_at_point(context.scene.lights().size()),
-      m_part_of(context.scene.lights().size()) {}
+    : m_context(context), m_lights(context, shadows), m_photons(media_photons(context)),
+      m_at_point(context.scene.lights().size()), m_part_of(context.scene.lights().size()) {}
 
 void MediaLight::pass_interiors(const RayState& state, double length, int level,
                                 const Attributes& looks, Radiance& light) {

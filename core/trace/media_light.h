@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/photon/photon_map.h"
 #include "core/trace/light_loop.h"
 #include "core/trace/media_attenuation.h"
 #include "core/trace/media_sampling.h"
@@ -34,6 +35,8 @@ class MediaLight {
 
   ThreadContext& m_context;
   LightLoop<true, false> m_lights;
+  const PhotonMap* const m_photons;  ///< null: there are none
+  FoundPhotons m_found, m_more;
   LightsAtPoint m_at_point;
   MediaList m_media;
   std::vector<std::optional<RayPart>> m_part_of;  ///< of each light of the scene

@@ -9,6 +9,7 @@
 #include "core/object/leaf.h"
 #include "core/scene/scene.h"
 #include "core/scene/tolerances.h"
+#include "core/trace/illumination.h"
 #include "core/trace/reflectance.h"
 #include "core/trace/refraction.h"
 #include "core/trace/segment.h"
@@ -22,6 +23,7 @@ PlainShadowTester::PlainShadowTester(ThreadContext& context, bool count_hits)
       m_begins_anew(context.scene.needs().shadows_begin_anew),
       m_interiors(context.scene.needs().interiors), m_counts_hits(count_hits),
       m_media(context.scene.needs().media), m_dimmed_by_air(context.scene.needs().dimming_air),
+      m_photons(surface_photons(context) != nullptr),
       m_by_place(context.scene.needs().textures_by_place ||
                  context.scene.needs().interior_textures),
       m_bailout(context.scene.settings().adc_bailout), m_table(context.interiors) {}
@@ -99,6 +101,7 @@ Rgb PlainShadowTester::filter_through(const ShadowQuery& query, const LightBuffe
   const bool air = m_dimmed_by_air && light.dimmed_by_air;
   find_filters(query.ray, buffer, spot, reach);
   if (m_hits.empty() && !air) return Rgb(1.0f);
+  m_collects = m_photons && query.collects;
   m_inside = m_interiors ? query.inside : InteriorsId::kOpen;
   Rgb filter(1.0f);
   Ray ray = query.ray;
@@ -126,6 +129,10 @@ double PlainShadowTester::filter_found(const Ray& ray, const Light& light, Rgb& 
   for (const Place& at : m_order) {
     if (!(at.t - last > m_tolerance)) continue;
     const Hit& hit = m_hits[at.index];
+    if (m_collects && is_for_photons(hit, light)) {
+      filter = Rgb(0.0f);
+      break;
+    }
     const InteriorEntry entry = interior_of(hit.leaf->attributes(), hit.object);
     const bool leaves = m_interiors && m_table.contains(m_inside, entry.key);
     const double length = at.t - last;
@@ -159,6 +166,12 @@ Rgb PlainShadowTester::left_by_air(const Segment& way) {
   for (const auto& medium : air.media) m_media_here.push_back(medium.get());
   const Rgb left = m_attenuation.left(m_media_here, way);
   return m_table.is_hollow(m_inside) ? left * left_by_fogs(air, way) : left;
+}
+
+bool PlainShadowTester::is_for_photons(const Hit& hit, const Light& light) const {
+  const PassFlags& flags = m_context.scene.pass_flags(hit.leaf->attributes());
+  return flags.photon_target > 0.0 &&
+         photons_go_on(flags.photon_refraction, light.photon_refraction);
 }
 
 std::optional<Rgb> PlainShadowTester::plain_filter(const Attributes& looks) const {

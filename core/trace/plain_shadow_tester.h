@@ -57,6 +57,8 @@ class PlainShadowTester final : public ShadowTester {
                      const LightBuffer::Spot* spot, double reach);
   /// Where it is the same at every point of the hit's texture.
   std::optional<Rgb> plain_filter(const Attributes& looks) const;
+  /// Whether light comes through there as photons, and in no other way.
+  bool is_for_photons(const Hit& hit, const Light& light) const;
   Rgb surface_filter(const Hit& hit, const Ray& ray, double depth, bool inside);
   /// What media in the solids around leave of the light on a piece of its way.
   Rgb left_by_interiors(const Segment& way);
@@ -70,7 +72,9 @@ class PlainShadowTester final : public ShadowTester {
   bool m_any_transparent, m_begins_anew;
   bool m_interiors, m_counts_hits;
   bool m_media, m_dimmed_by_air;
-  bool m_by_place;  ///< textures that differ from place to place or on the inside
+  bool m_photons;           ///< light surfaces
+  bool m_collects = false;  ///< these bring the query's light through their targets
+  bool m_by_place;          ///< textures that differ from place to place or on the inside
   double m_bailout;
   LightBuffer::Spot m_spot;  ///< of the query, where it has none
   InteriorTable& m_table;

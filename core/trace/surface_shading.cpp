@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/photon/photon_map.h"
+#include "core/trace/illumination.h"
 #include "core/trace/indirect_light.h"
+#include "core/trace/photon_light.h"
 #include "core/trace/random_key.h"
 #include "core/trace/reflectance.h"
 #include "core/trace/refraction.h"
@@ -24,13 +27,18 @@ float opacity_of(const Colour& c, bool legacy) {
   return 1.0f - c.filter - c.transmit;
 }
 
+bool shows_light(const Finish& finish) {
+  return finish.diffuse != 0.0 || finish.diffuse_back != 0.0 || finish.specular != 0.0 ||
+         finish.phong != 0.0;
+}
+
 }  // namespace
 
 template <unsigned kFeatures>
 SurfaceShading<kFeatures>::SurfaceShading(ThreadContext& context, ShadowTester& shadows,
                                           const PathRules& rules)
-    : m_context(context), m_settings(context.scene.settings()), m_rules(rules),
-      m_legacy_opacity(m_settings.language_version < kOpacityByAlphaSince),
+    : m_context(context), m_photons(surface_photons(context)), m_settings(context.scene.settings()),
+      m_rules(rules), m_legacy_opacity(m_settings.language_version < kOpacityByAlphaSince),
       m_lights(context, shadows) {}
 
 template <unsigned kFeatures>
@@ -71,6 +79,7 @@ void SurfaceShading<kFeatures>::shade_layer(const TextureLayer& layer, Surface& 
   own += times(colour.rgb * finish.emission, opacity);
   if (m_context.indirect) own += indirectly_lit(finish, colour.rgb, normal, opacity, at, sum);
   own += lit(finish, colour.rgb, normal, opacity, at, buffers.lights);
+  if (m_photons) own += lit_by_photons(finish, colour.rgb, normal, opacity, at, sum, buffers);
   sum.light += own * sum.filter;
 
   if constexpr (kTransparency || kLayers) {
@@ -213,17 +222,36 @@ template <unsigned kFeatures>
 Rgb SurfaceShading<kFeatures>::lit(const Finish& finish, const Rgb& pigment, const Vec3& normal,
                                    double opacity, const Surface& at, LightsAtPoint& known) {
   if (!m_rules.lights) return {};
-  if (finish.diffuse == 0.0 && finish.diffuse_back == 0.0 && finish.specular == 0.0 &&
-      finish.phong == 0.0) {
-    return {};
-  }
+  if (!shows_light(finish)) return {};
   const bool one_sided = !at.looks.double_illuminate;
   const Facing facing{normal, one_sided, one_sided && finish.diffuse_back == 0.0};
   Receiver receiver{
       *this, facing, finish, pigment, opacity, at, m_rules.highlights && has_highlights(finish)};
-  m_lights.at({at.point(), at.level, at.state.place, at.state.inside, at.state.key},
+  m_lights.at({at.point(), at.level, at.state.place, at.state.inside, at.state.key, false,
+               m_photons && collects_photons(at)},
               m_lights.lights_of(at.looks), known, facing, receiver);
   return receiver.sum;
+}
+
+template <unsigned kFeatures>
+bool SurfaceShading<kFeatures>::collects_photons(const Surface& at) const {
+  return m_context.scene.pass_flags(at.looks).photon_collect;
+}
+
+template <unsigned kFeatures>
+[[gnu::noinline]] Rgb SurfaceShading<kFeatures>::lit_by_photons(const Finish& finish,
+                                                                const Rgb& pigment,
+                                                                const Vec3& normal, double opacity,
+                                                                const Surface& at, LayerSum& sum,
+                                                                ShadingBuffers& buffers) {
+  if (!m_rules.lights || !shows_light(finish) || !collects_photons(at)) return {};
+  if (!sum.has_photons) {
+    m_photons->gather(at.point(), &normal, buffers.photons, buffers.more_photons);
+    sum.has_photons = true;
+  }
+  const bool shines = m_rules.highlights && has_highlights(finish);
+  return light_of_photons(m_photons->tree(), buffers.photons,
+                          {finish, pigment, normal, opacity, shines, at}, m_settings);
 }
 
 template <unsigned kFeatures>

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/material/texture.h"
+#include "core/photon/photon_tree.h"
 #include "core/trace/indirect_light.h"
 #include "core/trace/light_loop.h"
 #include "core/trace/path_features.h"
@@ -41,6 +42,7 @@ struct LayerSum {
     bool is_known = false;
   };
   Indirect front, back;
+  bool has_photons = false;  ///< they are gathered; all layers share them
 };
 
 /// Buffers of the surface that is shaded, used again from ray to ray.
@@ -49,7 +51,10 @@ struct ShadingBuffers {
   WeightedTextures textures;
   std::vector<Mirror> mirrors;  ///< one a layer, if the path has mirrors
   LightsAtPoint lights;
+  FoundPhotons photons, more_photons;
 };
+
+class PhotonMap;
 
 template <unsigned kFeatures>
 class SurfaceShading {
@@ -89,7 +94,13 @@ class SurfaceShading {
   Rgb lit(const Finish& finish, const Rgb& pigment, const Vec3& normal, double opacity,
           const Surface& at, LightsAtPoint& known);
 
+  /// Of the photons that came to rest nearby.
+  Rgb lit_by_photons(const Finish& finish, const Rgb& pigment, const Vec3& normal, double opacity,
+                     const Surface& at, LayerSum& sum, ShadingBuffers& buffers);
+  bool collects_photons(const Surface& at) const;
+
   ThreadContext& m_context;
+  const PhotonMap* const m_photons;  ///< null: there are none
   const SceneSettings& m_settings;
   const PathRules m_rules;
   const bool m_legacy_opacity;
