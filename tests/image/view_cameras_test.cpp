@@ -173,7 +173,9 @@ TEST_F(ImageViewCameras, SomeViewsTellOfAllOnce) {
   std::vector<std::string> words = sheet;
   words.push_back("View_Cameras=-");
   const auto result = lentray(words);
-  EXPECT_EQ(json::parse(result.output)["cameras"].size(), 4u) << "and no more than once";
+  const std::size_t first = result.output.find("\"cameras\"");
+  EXPECT_NE(first, std::string::npos) << result.output;
+  EXPECT_EQ(result.output.find("\"cameras\"", first + 1), std::string::npos) << result.output;
 }
 
 TEST_F(ImageViewCameras, WithoutASheetThereAreNone) {

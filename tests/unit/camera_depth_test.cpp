@@ -219,6 +219,8 @@ TEST(UnitCameraDepth, ASurveyIsTheSameOnAnyNumberOfThreads) {
       ASSERT_TRUE(passes.run({.threads = threads}));
       EXPECT_TRUE(same(pass.result(), one)) << threads;
       EXPECT_EQ(passes.reports().at(0).numbers.at(0).second, static_cast<double>(one.rays));
+      const auto ask = [&](const core::Ray& ray, double limit) { return probe(ray, limit); };
+      EXPECT_TRUE(same(survey_depth(*sheet.camera, {ask, threads}, most), one)) << threads;
     }
   }
 }
