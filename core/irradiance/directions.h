@@ -23,6 +23,7 @@ class DirectionCycle {
       : m_directions(std::move(directions)) {}
   std::size_t length() const { return m_directions->size(); }
   void begin_at(std::size_t place) { m_next = place % length(); }
+  std::size_t place() const { return m_next; }
   const Vec3& next() {
     const Vec3& direction = (*m_directions)[m_next];
     if (++m_next == length()) m_next = 0;

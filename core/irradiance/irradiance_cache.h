@@ -51,6 +51,9 @@ class IrradianceCache {
   void begin_sights(std::uint32_t width, std::uint32_t height);
   void see(Pixel pixel, std::size_t samples, std::vector<GatheredLight> gathered);
   PixelSight sight(Pixel pixel) const;
+  /// Of the pictures whose pixels were given; 0: none were.
+  std::uint32_t seen_width() const { return m_width; }
+  std::uint32_t seen_height() const { return m_height; }
 
  private:
   const RadiositySettings m_settings;

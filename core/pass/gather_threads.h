@@ -5,6 +5,8 @@
 
 #include <memory>
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/pass/pass_run.h"
@@ -29,6 +31,8 @@ class GatherThreads final : public GatherTeam {
                 PassRun& run)
       : m_scene(scene), m_light(light), m_shadows(shadows), m_run(run), m_threads(run.threads()) {}
   void trace(std::span<const GatherRay> rays, bool asks, std::span<GatherRecord> records) override;
+  bool recall(std::string& record) override { return m_run.recall(record); }
+  void keep(std::string_view record) override { m_run.keep(record); }
   /// What is asked behind camera rays; the light they bring is nobody's.
   void look(std::span<const PassRay> rays, std::span<GatherRecord> records);
 

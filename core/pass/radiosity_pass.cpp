@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/memory_limit.h"
 #include "core/irradiance/pretrace.h"
 #include "core/pass/gather_threads.h"
 #include "core/scene/scene.h"
@@ -11,6 +12,24 @@
 #include "core/trace/thread_context.h"
 
 namespace lentray::core {
+
+namespace {
+
+constexpr double kBytesASample = 400.0;  ///< with its places in the grids of its store
+
+double most_samples(const RadiosityPassSetup& setup) {
+  if (setup.most_samples > 0) return static_cast<double>(setup.most_samples);
+  return memory_limit() / kBytesASample;
+}
+
+std::string too_many(double most, bool was_asked) {
+  return "radiosity makes more samples than " +
+         (was_asked ? "Radiosity_Samples=" : std::string("the memory holds, some ")) +
+         std::to_string(static_cast<std::uint64_t>(most)) +
+         "; a larger error_bound, minimum_reuse or pretrace_end makes fewer";
+}
+
+}  // namespace
 
 class RadiosityPass::Levels {
  public:
@@ -20,7 +39,7 @@ class RadiosityPass::Levels {
       : m_setup(setup), m_cache(cache), m_report(report), m_run(run),
         m_threads(setup.scene, light, setup.shadows.unwatched(), run),
         m_context(setup.scene, false, &light), m_shadows(setup.shadows.unwatched().make(m_context)),
-        m_blocks(pretrace_blocks(setup.width, setup.height)) {}
+        m_blocks(pretrace_blocks(setup.width, setup.height)), m_most_samples(most_samples(setup)) {}
 
   void run() {
     const auto levels = pretrace_levels(m_cache.settings(), m_setup.width, m_setup.height);
@@ -47,8 +66,16 @@ class RadiosityPass::Levels {
     return static_cast<double>(m_setup.width) * m_setup.height / (spacing * spacing);
   }
   void advance(std::size_t places) {
+    check_samples();
     m_done += static_cast<double>(places);
     m_run.advance(std::min(1.0, m_done / m_all));
+  }
+  void check_samples() const {
+    std::uint64_t count = 0;
+    for (int depth = 0; depth < m_cache.depths(); ++depth)
+      count += m_cache.store(depth).samples().size();
+    if (static_cast<double>(count) > m_most_samples)
+      throw NoRoom(too_many(m_most_samples, m_setup.most_samples > 0));
   }
   /// Of places instead of pixels.
   double last_spacing() const {
@@ -155,6 +182,7 @@ class RadiosityPass::Levels {
   std::vector<PretraceBlock> m_blocks;
   std::vector<GatherCounts> m_counted;  ///< by depth, before this level
   const JitterCycle m_jitter;
+  const double m_most_samples;
   double m_all = 0.0, m_done = 0.0;  ///< places
 };
 
@@ -166,6 +194,9 @@ double RadiosityPass::work() const {
 
 void RadiosityPass::run(PassRun& run) {
   auto cache = std::make_shared<IrradianceCache>(*m_setup.scene.settings().radiosity, m_setup.eye);
+  for (const DepthSample& known : m_known) {
+    if (known.depth < cache->depths()) cache->store(known.depth).add(known.sample);
+  }
   Levels(m_setup, m_result, *cache, m_report, run).run();
   run.count("bytes", static_cast<double>(cache->bytes()));
   m_result.irradiance = std::move(cache);

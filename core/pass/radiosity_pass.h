@@ -7,8 +7,10 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "core/irradiance/stock_samples.h"
 #include "core/pass/pass.h"
 #include "core/render/ray_source.h"
 #include "core/trace/illumination.h"
@@ -25,6 +27,8 @@ struct RadiosityPassSetup {
   Vec3 eye;                             ///< from which the lengths of reuse are measured
   /// Whether the last level has a place in each pixel; else it has some 250,000.
   bool sees_every_pixel = true;
+  /// Samples at most; 0: as the memory allows. More end the pass with NoRoom (core/base/memory_limit.h).
+  std::uint64_t most_samples = 0;
   const ShadowTesterFactory& shadows;
 };
 
@@ -43,6 +47,8 @@ class RadiosityPass final : public Pass {
   /// All that it is given outlives it; `result` gets the samples.
   RadiosityPass(const RadiosityPassSetup& setup, Illumination& result)
       : m_setup(setup), m_result(result) {}
+  /// Samples that are there before it begins; those of deeper stores than the scene's are not used.
+  void begin_with(std::vector<DepthSample> samples) { m_known = std::move(samples); }
   std::string name() const override { return "radiosity"; }
   double work() const override;
   void run(PassRun& run) override;
@@ -52,6 +58,7 @@ class RadiosityPass final : public Pass {
   class Levels;
   const RadiosityPassSetup m_setup;
   Illumination& m_result;
+  std::vector<DepthSample> m_known;
   RadiosityReport m_report;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 #include <utility>
 
 #include "core/trace/integrator.h"
@@ -116,9 +117,33 @@ GatheredLight RadiosityLight::gathered_for(const IndirectQuery& query, const Vec
   if (!m_growing) {  // what other places gathered must not count
     for (Depth& depth : m_depths) depth.cycle.begin_at(mixed(m_key ^ m_gathers));
   }
-  const GatheredLight light = gather(query, normal);
-  if (m_growing) m_gathered.push_back(light);
+  if (!m_growing) return gather(query, normal);
+  const GatheredLight light = gather_or_recall(query, normal);
+  m_gathered.push_back(light);
   return light;
+}
+
+/// A pass does again what an earlier run of it did, but for the rays.
+GatheredLight RadiosityLight::gather_or_recall(const IndirectQuery& query, const Vec3& normal) {
+  GatherState state;
+  if (std::string record; m_team->recall(record)) {
+    if (!take_gather(record, state, *m_growing))
+      throw std::runtime_error("what was kept of the radiosity pass is damaged");
+    for (std::size_t i = 0; i < m_depths.size(); ++i) m_depths[i].cycle.begin_at(state.places[i]);
+    m_counts = state.counts;
+    m_gathers = state.gathers;
+    m_importance = state.importance;
+    m_has_gathered = true;
+    return state.light;
+  }
+  const std::vector<std::size_t> before = sizes_of(m_cache);
+  state.light = gather(query, normal);
+  state.gathers = m_gathers;
+  state.importance = m_importance;
+  for (const Depth& depth : m_depths) state.places.push_back(depth.cycle.place());
+  state.counts = m_counts;
+  m_team->keep(bytes_of(state, m_cache, before));
+  return state.light;
 }
 
 GatheredLight RadiosityLight::gather(const IndirectQuery& query, const Vec3& normal) {

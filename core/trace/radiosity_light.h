@@ -10,10 +10,13 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/irradiance/irradiance_cache.h"
 #include "core/trace/follow.h"
+#include "core/trace/gather_record.h"
 #include "core/trace/gather_sum.h"
 #include "core/trace/indirect_light.h"
 #include "core/trace/query_recorder.h"
@@ -23,21 +26,6 @@ namespace lentray::core {
 
 struct ThreadContext;
 
-/// Of one depth.
-struct GatherCounts {
-  std::uint64_t queries = 0, gathers = 0, rays = 0;
-  double found = 0.0;          ///< samples that were found for the queries
-  std::uint64_t not_kept = 0;  ///< gathers so near to something that they serve no other place
-  GatherCounts& operator-=(const GatherCounts& o) {
-    queries -= o.queries;
-    gathers -= o.gathers;
-    rays -= o.rays;
-    not_kept -= o.not_kept;
-    found -= o.found;
-    return *this;
-  }
-};
-
 /// Traces rays before it is known what indirect light their surfaces get.
 class GatherTeam {
  public:
@@ -46,6 +34,10 @@ class GatherTeam {
   /// surfaces want indirect light.
   virtual void trace(std::span<const GatherRay> rays, bool asks,
                      std::span<GatherRecord> records) = 0;
+  /// What an earlier run kept of the next gather of the first depth; false: nothing.
+  virtual bool recall([[maybe_unused]] std::string& record) { return false; }
+  /// Keeps one for a later run. Only when all have been recalled.
+  virtual void keep([[maybe_unused]] std::string_view record) {}
 };
 
 /// Traces the rays of gathers, under radiosity's own rules.
@@ -76,6 +68,7 @@ class RadiosityLight final : public IndirectLight {
   Reuse reuse(const IndirectQuery& query, const Vec3& normal);
   bool is_enough(const Reuse& found) const;
   GatheredLight gathered_for(const IndirectQuery& query, const Vec3& normal);
+  GatheredLight gather_or_recall(const IndirectQuery& query, const Vec3& normal);
   GatheredLight gather(const IndirectQuery& query, const Vec3& normal);
   unsigned aim(const IndirectQuery& query, const Vec3& normal);
   void shoot();

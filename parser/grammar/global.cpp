@@ -115,21 +115,26 @@ constexpr std::array kRadiositySwitches{
 
 /// Stock changes the one that the scene did not set, and says so.
 void check_reuse(Parser& parser, RadiositySettings& r, bool set_minimum, bool set_maximum) {
-  if (r.maximum_reuse > r.minimum_reuse &&
-      !(set_minimum != set_maximum && r.maximum_reuse < 2.0 * r.minimum_reuse)) {
-    return;
-  }
+  if (r.maximum_reuse >= 2.0 * r.minimum_reuse) return;
+  std::string text = "radiosity: maximum_reuse should be much larger than minimum_reuse";
   if (set_maximum && set_minimum) {
-    parser.fail("Radiosity maximum_reuse must be larger than minimum_reuse.");
-  }
-  if (set_maximum) {
+    check(parser, r.maximum_reuse > r.minimum_reuse,
+          "Radiosity maximum_reuse must be larger than minimum_reuse.");
+  } else if (set_maximum) {
     r.minimum_reuse = 0.5 * r.maximum_reuse;
+    text += "; minimum_reuse has been adjusted.";
   } else {
     r.maximum_reuse = 2.0 * r.minimum_reuse;
+    text += "; maximum_reuse has been adjusted.";
   }
-  parser.diagnostics().warn(
-      {}, "radiosity: maximum_reuse should be much larger than minimum_reuse; " +
-              std::string(set_maximum ? "minimum_reuse" : "maximum_reuse") + " has been adjusted.");
+  parser.diagnostics().warn({}, text);
+}
+
+void check_pool(Parser& parser, const RadiositySettings& r) {
+  constexpr int kMostDirections = 10'000'000;
+  check(parser, r.direction_pool >= r.count, "The pool of directions must hold the count.");
+  check(parser, r.direction_pool <= kMostDirections,
+        "Radiosity has at most 10,000,000 directions.");
 }
 
 void parse_radiosity(Parser& parser, GlobalDesc& global) {
@@ -154,8 +159,9 @@ void parse_radiosity(Parser& parser, GlobalDesc& global) {
       r.count = parser.parse_int();
       check(parser, r.count > 0, "Radiosity count must be a positive number.");
       parser.parse_comma();
-      r.direction_pool = static_cast<int>(optional_float(parser, std::max(1600, r.count)));
-      check(parser, r.direction_pool >= r.count, "The pool of directions must hold the count.");
+      r.direction_pool =
+          static_cast<int>(std::clamp(optional_float(parser, std::max(1600, r.count)), 0.0, 2e9));
+      check_pool(parser, r);
     } else if (parser.accept(Keyword::kNearestCount)) {
       r.nearest_count = parser.parse_int();
       check(parser, r.nearest_count >= 1 && r.nearest_count <= kMostNearest,
@@ -178,6 +184,8 @@ void parse_radiosity(Parser& parser, GlobalDesc& global) {
                            " or }");
     }
   }
+  check(parser, r.pretrace_end <= r.pretrace_start,
+        "Radiosity pretrace_end must not be greater than pretrace_start.");
   check_reuse(parser, r, set_minimum, set_maximum);
   if (parser.language_version() < 350) {
     parser.warn("since 3.5 a radiosity { } in global_settings turns radiosity on");

@@ -94,19 +94,16 @@ void add_lens(const RenderOptions& o, Lines& out) {
   add_views(o.views, out);
 }
 
-void add_picture(const RenderOptions& o, Lines& out) {
+void add_names(const RenderOptions& o, Lines& out) {
   for (const auto& [name, value] : o.declares) {
     out.add("Declare", name + "=" + (is_number(value) ? value : '"' + value + '"'));
   }
   out.name("Include_Header", o.include_header);
   if (o.language_version != 0) out.number("Version", o.language_version / 100.0);
-  // What follows from a lens sheet's size does so again.
-  if (!o.sheet_width || o.width_given) out.number("Width", static_cast<double>(o.width));
-  if (!o.sheet_height || o.height_given) out.number("Height", static_cast<double>(o.height));
-  out.number("Start_Column", o.start_column);
-  out.number("End_Column", o.end_column);
-  out.number("Start_Row", o.start_row);
-  out.number("End_Row", o.end_row);
+}
+
+/// What light and surfaces are, wherever they are seen from.
+void add_light(const RenderOptions& o, Lines& out) {
   out.number("Quality", o.quality);
   const SceneOverrides& instead = o.overrides;
   out.number("Max_Trace_Level", instead.max_trace_level);
@@ -117,7 +114,6 @@ void add_picture(const RenderOptions& o, Lines& out) {
   } else {
     out.number("Area_Light_Adaptive", instead.area_light_adaptive);
   }
-  out.number("Blur_Samples", instead.blur_samples);
   out.number("Radiosity_Count", instead.radiosity.count);
   out.number("Radiosity_Error_Bound", instead.radiosity.error_bound);
   out.number("Radiosity_Nearest_Count", instead.radiosity.nearest_count);
@@ -127,6 +123,19 @@ void add_picture(const RenderOptions& o, Lines& out) {
   out.number("Media_Samples", o.overrides.media.samples);
   out.number("Media_Confidence", o.overrides.media.confidence);
   out.add("Output_Alpha", o.alpha);
+}
+
+void add_picture(const RenderOptions& o, Lines& out) {
+  add_names(o, out);
+  // What follows from a lens sheet's size does so again.
+  if (!o.sheet_width || o.width_given) out.number("Width", static_cast<double>(o.width));
+  if (!o.sheet_height || o.height_given) out.number("Height", static_cast<double>(o.height));
+  out.number("Start_Column", o.start_column);
+  out.number("End_Column", o.end_column);
+  out.number("Start_Row", o.start_row);
+  out.number("End_Row", o.end_row);
+  add_light(o, out);
+  out.number("Blur_Samples", o.overrides.blur_samples);
   out.add("Antialias", o.antialias);
   out.number("Sampling_Method", o.sampling_method);
   out.number("Antialias_Threshold", o.antialias_threshold);
@@ -209,6 +218,11 @@ void add_work(const RenderOptions& o, Lines& out) {
   out.add("Accelerator", o.accelerator);
   out.add("Specialised_Paths", o.specialised_paths);
   out.add("Light_Buffer", o.light_buffer);
+  out.name("Radiosity_File_Name", o.radiosity_file);
+  out.add("Radiosity_From_File", o.radiosity_from_file);
+  out.add("Radiosity_To_File", o.radiosity_to_file);
+  if (o.radiosity_samples > 0)
+    out.number("Radiosity_Samples", static_cast<double>(o.radiosity_samples));
   if (o.max_time > 0.0) out.number("Max_Time", o.max_time);
   if (o.max_memory > 0.0) out.number("Max_Memory", o.max_memory);
   if (o.band_height > 0) out.number("Band_Height", o.band_height);
@@ -234,6 +248,13 @@ std::string ini_text(const RenderOptions& o) {
   add_work(o, out);
   add_texts(o, out);
   add_commands(o, out);
+  return out.take();
+}
+
+std::string light_lines(const RenderOptions& o) {
+  Lines out;
+  add_names(o, out);
+  add_light(o, out);
   return out.take();
 }
 

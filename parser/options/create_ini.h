@@ -15,6 +15,9 @@ std::string ini_text(const RenderOptions& options);
 /// Those lines that decide what colours the pixels get, the frame's clock apart.
 std::string picture_lines(const RenderOptions& options);
 
+/// Those of them that decide what light there is, wherever it is seen from.
+std::string light_lines(const RenderOptions& options);
+
 /// Those that decide how a picture's file holds them, its name apart.
 std::string file_lines(const RenderOptions& options);
 

@@ -86,6 +86,12 @@ struct RenderOptions {
   int antialias_angles = 1;    ///< directions averaged within a pixel of a lens sheet
   int antialias_grid = 0;      ///< n x n samples in every pixel, instead of antialiasing; 0: no
 
+  // Radiosity.
+  /// Where samples or whole passes are kept (tools/session/radiosity_store.h); a folder where it ends in '/'.
+  std::string radiosity_file = "object.rca";
+  bool radiosity_from_file = false, radiosity_to_file = false;
+  std::uint64_t radiosity_samples = 0;  ///< at most; 0: as the memory allows
+
   // Safety.
   bool strict = false;                           ///< what a picture would lack is an error
   bool restrict_io = false;                      ///< rules for what a scene reads and writes

@@ -72,6 +72,17 @@ constexpr OptionHelp kPicture[] = {
     {"Media_Confidence", "n",
      "0 to less than 1, likewise: how sure methods 1 and 2 have to be that samples are enough.",
      ""},
+    {"Radiosity_File_Name", "file|folder/",
+     "Where radiosity is kept: samples as POV-Ray's where the name ends in .rca, else the whole "
+     "pass; "
+     "in a folder, each pass under a name of its own (object.rca).",
+     ""},
+    {"Radiosity_From_File", kSwitch, "What is kept there is used.", ""},
+    {"Radiosity_To_File", kSwitch,
+     "Radiosity is kept there; with Radiosity_From_File, what is not there yet.", ""},
+    {"Radiosity_Samples", "n",
+     "Samples that radiosity may make before the run ends with a message (as the memory allows).",
+     ""},
     {"Output_File_Name", "file",
      "The picture, or a folder for it; - is standard output. Without it the picture has the "
      "scene's name and lies beside it.",
@@ -294,11 +305,8 @@ constexpr OptionHelp kSafety[] = {
     {"--version", "", "The program's version.", ""},
 };
 constexpr OptionHelp kIgnored[] = {
-    {"Radiosity_File_Name", "file", "Not yet.", ""},
-    {"Radiosity_From_File", kSwitch, "Not yet but off.", ""},
-    {"Radiosity_To_File", kSwitch, "Not yet but off.", ""},
     {"Radiosity_Vain_Pretrace", kSwitch, "", ""},
-    {"High_Reproducibility", kSwitch, "", ""},
+    {"High_Reproducibility", kSwitch, "Radiosity repeats anyway.", ""},
     {"Display", kSwitch, "No picture is shown while it is rendered.", ""},
     {"Video_Mode", "x", "", ""},
     {"Palette", "x", "", ""},

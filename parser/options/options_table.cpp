@@ -30,10 +30,6 @@ template <Word what>
 void only_off(Options& o, const Given& g) {
   if (truth(o, g)) not_yet(o, g, what.text);
 }
-template <Word what>
-void later(Options& o, const Given& g) {
-  not_yet(o, g, what.text);
-}
 
 template <bool Options::*member>
 void set_bool(Options& o, const Given& g) {
@@ -459,6 +455,24 @@ void set_display(Options&, const Given& g) {
   if (g.sign != 0 && g.value.size() > 2) refuse(g, "unknown switch");
 }
 
+void set_radiosity_file(Options& o, const Given& g) {
+  if (g.value.empty()) refuse(g, "the name of a file or folder is expected");
+  o.radiosity_file = g.value;
+}
+/// The name of +RFobject.rca begins as the switch +RFO does.
+template <bool Options::*member>
+void set_radiosity_switch(Options& o, const Given& g) {
+  if (g.sign == 0 || g.value.empty()) {
+    o.*member = truth(o, g);
+  } else {
+    o.radiosity_file = g.shown.substr(3);
+  }
+}
+void set_radiosity_samples(Options& o, const Given& g) {
+  o.radiosity_samples =
+      static_cast<std::uint64_t>(whole_number(g, 1, std::numeric_limits<std::int32_t>::max()));
+}
+
 constexpr OptionRow kTable[] = {
     // Scene.
     {"Input_File_Name", "I", set_text<&Options::input>},
@@ -512,9 +526,9 @@ constexpr OptionRow kTable[] = {
     {"Jitter_Amount", "", set_jitter_amount},
     {"Antialias_Angle", "", set_angles},
     {"Antialias_Grid", "", set_grid},
-    {"Radiosity_File_Name", "RF", later<"radiosity">},
-    {"Radiosity_From_File", "RFI", only_off<"radiosity">},
-    {"Radiosity_To_File", "RFO", only_off<"radiosity">},
+    {"Radiosity_File_Name", "RF", set_radiosity_file},
+    {"Radiosity_From_File", "RFI", set_radiosity_switch<&Options::radiosity_from_file>},
+    {"Radiosity_To_File", "RFO", set_radiosity_switch<&Options::radiosity_to_file>},
     {"Radiosity_Vain_Pretrace", "RVP", ignore},
     {"High_Reproducibility", "HR", ignore},
     // How stock works inside: no such things here, and no effect on the picture.
@@ -625,6 +639,7 @@ constexpr OptionRow kTable[] = {
     {"Media_Intervals", "", set_media<&MediaSettings::intervals, kMostMediaSamples>},
     {"Media_Samples", "", set_media<&MediaSettings::samples, kMostMediaSamples>},
     {"Media_Confidence", "", set_media_confidence},
+    {"Radiosity_Samples", "", set_radiosity_samples},
     {"Specialised_Paths", "", set_bool<&Options::specialised_paths>},
     {"Light_Buffer", "UL", set_bool<&Options::light_buffer>},
     {"Max_Memory", "", set_memory},

@@ -399,7 +399,6 @@ told whatever `-GF` and `-GA` say."""
 
 KNOWN = {
     "ends.ini": "status 1, as the manual says; stock has 0",
-    "+RFO": "not there yet: radiosity",
     "+W0": "refused; stock crashes and leaves its state",
     "+WT0": "one thread; stock renders nothing",
     "Create_Ini=on": "a switch, as the manual says; stock takes the name of a file",

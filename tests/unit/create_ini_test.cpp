@@ -93,6 +93,10 @@ TEST(UnitParserCreateIni, AsksForTheSameRunAgain) {
        "Dependencies_File=d.json",
        "View_Cameras=v.json",
        "Scene_Writes=memory",
+       "+RFI",
+       "+RFO",
+       "+RFkept/",
+       "Radiosity_Samples=500",
        "Restrict_IO=On"}};
   for (const auto& arguments : runs) {
     const tool::TemporaryFolder folder;

@@ -532,6 +532,24 @@ TEST_F(UnitParserOptions, OptionsOfAnimationsThatAreOffDoNothing) {
   expect_message({"Clockless_Animation=on"}, "not yet: animation without a clock");
 }
 
+TEST_F(UnitParserOptions, RadiosityFiles) {
+  const RenderOptions none = read({"a.pov"});
+  EXPECT_EQ(none.radiosity_file, "object.rca");
+  EXPECT_FALSE(none.radiosity_from_file || none.radiosity_to_file);
+  const RenderOptions o = read({"+RFI", "+RFO", "-RFI", "+RFa b.rca"});
+  EXPECT_FALSE(o.radiosity_from_file);
+  EXPECT_TRUE(o.radiosity_to_file);
+  EXPECT_EQ(o.radiosity_file, "a b.rca");
+  for (const char* name : {"object.rca", "Inside/", "x"}) {
+    const RenderOptions named = read({std::string("+RF") + name});
+    EXPECT_EQ(named.radiosity_file, name);
+    EXPECT_FALSE(named.radiosity_from_file || named.radiosity_to_file);
+  }
+  EXPECT_EQ(read({"Radiosity_To_File=on", "Radiosity_Samples=7"}).radiosity_samples, 7u);
+  expect_message({"+RF"}, "the name of a file or folder is expected");
+  expect_message({"Radiosity_Samples=0"}, "Radiosity_Samples");
+}
+
 TEST_F(UnitParserOptions, EmptyNamesSayThatThereIsNone) {
   const RenderOptions o = read(
       {"+Ia.pov", "Include_Header=a.inc", "Include_Header=", "Output_File_Name=", "Library_Path="});

@@ -359,6 +359,11 @@ tool::Launch Job::render(const Job& last, bool goes_on, int threads, double memo
        "Statistics_File=" + given_file("statistics").string(),
        "Dependencies_File=" + given_file("read").string(), "Scene_Writes=memory"});
   if (goes_on) launch.command.emplace_back("+C");
+  // The first run that needs a pass of radiosity keeps it for the others.
+  if (!m_options.radiosity_from_file && !m_options.radiosity_to_file) {
+    launch.command.insert(launch.command.end(),
+                          {"+RFI", "+RFO", "+RF" + m_plan.state->radiosity_folder()});
+  }
   return launch;
 }
 

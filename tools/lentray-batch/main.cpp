@@ -253,6 +253,7 @@ class Batch {
     const Arguments& a = m_plan.arguments;
     bool has_page = true;
     m_state.free_reserve();
+    m_state.forget_radiosity();
     try {
       write_page(true);
     } catch (const std::exception& error) {

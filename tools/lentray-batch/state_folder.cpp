@@ -50,6 +50,11 @@ void StateFolder::reserve(std::size_t pictures) const {
   ::close(file);
 }
 
+void StateFolder::forget_radiosity() const {
+  std::error_code error;
+  fs::remove_all(radiosity_folder(), error);
+}
+
 StateFolder::~StateFolder() {
   if (m_lock < 0) return;
   std::error_code error;

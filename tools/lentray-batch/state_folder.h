@@ -21,6 +21,9 @@ class StateFolder {
   /// A file of the run of a picture under that key, such as "log"; its folder is made.
   std::filesystem::path file(const std::string& name, const std::string& key,
                              const std::string& kind) const;
+  /// Where runs keep passes of radiosity, which pictures share; '/' ends it.
+  std::string radiosity_folder() const { return (m_path / "radiosity" / "").string(); }
+  void forget_radiosity() const;
   /// Of all keys of that picture but this one.
   void forget_others(const std::string& name, const std::string& key) const;
   /// Keeps room on the disk for the rows and the page of so many pictures, where there is as much.

@@ -14,6 +14,7 @@
 
 #include "camera/lens_request.h"
 #include "core/base/deep_threads.h"
+#include "core/base/memory_limit.h"
 #include "core/image/writer.h"
 #include "parser/base/shown.h"
 #include "parser/options/lens_sheets.h"
@@ -82,6 +83,8 @@ int guarded(Work work) {
   } catch (const core::ImageError& error) {
     return fail_nowhere(error.what());
   } catch (const parser::BuildError& error) {
+    return fail_nowhere(error.what());
+  } catch (const core::NoRoom& error) {
     return fail_nowhere(error.what());
   } catch (const std::bad_alloc&) {
     return fail_nowhere(kNoMemory);

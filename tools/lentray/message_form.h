@@ -12,6 +12,7 @@
 #include "parser/source/diagnostics.h"
 #include "shadow/report.h"
 #include "tools/lentray/text_streams.h"
+#include "tools/session/radiosity_run.h"
 
 namespace lentray::tool {
 
@@ -42,6 +43,8 @@ class MessageForm {
   virtual void begin_rendering(const parser::RenderOptions&, const shadow::RunReport&,
                                std::uint64_t /*pixels*/) {}
   virtual std::unique_ptr<core::Progress> progress() const = 0;
+  /// What is said of the samples of radiosity.
+  virtual std::string radiosity(const RadiosityRun& run) const { return run.text(); }
   virtual void end_picture(const parser::RenderOptions& options, const shadow::RunReport& report,
                            const std::string& output) = 0;
   /// With +C: instead of all from begin_reading() on.

@@ -9,6 +9,8 @@
 
 #include "core/image/run_files.h"
 #include "parser/dump/scene_json.h"
+#include "parser/files/watched_files.h"
+#include "parser/options/create_ini.h"
 #include "parser/read_scene.h"
 #include "parser/source/cancelled.h"
 #include "shadow/pixel_orders.h"
@@ -23,6 +25,7 @@
 #include "tools/session/pass_file.h"
 #include "tools/session/picture_file.h"
 #include "tools/session/picture_journal.h"
+#include "tools/session/radiosity_store.h"
 #include "tools/session/ray_dump.h"
 #include "tools/session/requests.h"
 #include "tools/session/scene_disk.h"
@@ -90,6 +93,7 @@ void check_outputs(Run& run) {
   if (!o.dependencies_file.empty())
     check_output(parser::frame_path(o, o.dependencies_file), "Dependencies_File");
   if (!o.output_to_file) return;
+  check_output(RadiosityStore::output(o), "Radiosity_File_Name");
   run.output = parser::output_path(o, run.type);
   check_output(run.output, "the picture");
 }
@@ -204,6 +208,10 @@ void find_scene(Run& run, const Picture& what, const std::atomic<bool>& cancel) 
   }
   write_dependencies(run, what.kept->disk);
   run.identity.files = what.kept->disk.checksums();
+  if (const std::string file = RadiosityStore::input(run.options); !file.empty()) {
+    if (!run.options.radiosity_to_file) core::note_input(file);
+    if (const auto sum = parser::file_checksum(file)) run.identity.files[file] = *sum;
+  }
 }
 
 /// With +C.
@@ -215,6 +223,18 @@ bool is_there_already(Run& run, const std::string& scene) {
   }
   run.form.keep_picture(run.output);
   return true;
+}
+
+/// Null: the scene has no radiosity, or none is kept.
+std::unique_ptr<RadiosityStore> radiosity_store(const Run& run, const Session& session) {
+  const RenderOptions& o = run.options;
+  if (!session.has_passes() || !(o.radiosity_from_file || o.radiosity_to_file)) return nullptr;
+  Identity identity = run.identity;
+  identity.options = parser::light_lines(o) + session.radiosity_lines(run.camera);
+  identity.files.erase(RadiosityStore::input(o));
+  auto store = std::make_unique<RadiosityStore>(o, identity);
+  store->read();
+  return store;
 }
 
 void tell_of_file(Run& run, const std::string& file) {
@@ -242,6 +262,7 @@ bool render(Run& run, Session& session, const std::atomic<bool>& cancel, bool is
     passes.emplace(run.output, run.identity);
     if (o.continues) passes->go_on();
   }
+  const std::unique_ptr<RadiosityStore> store = radiosity_store(run, session);
   run.form.begin_rendering(o, plan.report, plan.pixels);
   std::unique_ptr<core::Progress> bar;
   if (o.verbose) bar = run.form.progress();
@@ -250,8 +271,8 @@ bool render(Run& run, Session& session, const std::atomic<bool>& cancel, bool is
                                      run.camera, kept);
   bool is_cut_off = false;
   try {
-    run.report =
-        session.render(plan, {*picture, bar.get(), kept, passes ? &*passes : nullptr, &cancel});
+    run.report = session.render(
+        plan, {*picture, bar.get(), kept, passes ? &*passes : nullptr, &cancel, store.get()});
     run.report.render_cpu_s -= picture->cpu_seconds();
     bar.reset();
     is_cut_off = cancel.load();
@@ -272,6 +293,10 @@ bool render(Run& run, Session& session, const std::atomic<bool>& cancel, bool is
   if (passes) PassFile::forget(run.output);
   if (journal && !journal->trouble().empty()) run.warnings.tell(journal->trouble());
   run.report.write_cpu_s = picture->cpu_seconds();
+  if (store) {
+    store->finish();
+    for (const std::string& text : store->warnings()) run.warnings.tell(text);
+  }
   return true;
 }
 
@@ -284,7 +309,7 @@ void report_advice(Run& run, const Session& session) {
   }
   if (const RadiosityRun* const radiosity = session.radiosity()) {
     if (const std::string text = radiosity->warning(); !text.empty()) run.warnings.tell(text);
-    run.form.texts().write(parser::Stream::kStatistics, radiosity->text());
+    run.form.texts().write(parser::Stream::kStatistics, run.form.radiosity(*radiosity));
   }
   if (const std::uint64_t cut = run.report.counters.cut_rays; cut > 0) {
     run.warnings.tell(std::to_string(cut) +

@@ -10,6 +10,7 @@
 #include "parser/base/shown.h"
 #include "tools/common/version.h"
 #include "tools/lentray/run.h"
+#include "tools/lentray/stock_radiosity.h"
 
 namespace lentray::tool {
 namespace {
@@ -194,6 +195,10 @@ void StockForm::begin_rendering(const RenderOptions& o, const shadow::RunReport&
 
 std::unique_ptr<core::Progress> StockForm::progress() const {
   return std::make_unique<PixelLines>(m_pixels);
+}
+
+std::string StockForm::radiosity(const RadiosityRun& run) const {
+  return stock_radiosity_text(run.report());
 }
 
 void StockForm::end_picture(const RenderOptions&, const shadow::RunReport& report,

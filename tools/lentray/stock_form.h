@@ -29,6 +29,7 @@ class StockForm final : public MessageForm {
   void begin_rendering(const parser::RenderOptions& options, const shadow::RunReport& report,
                        std::uint64_t pixels) override;
   std::unique_ptr<core::Progress> progress() const override;
+  std::string radiosity(const RadiosityRun& run) const override;
   void end_picture(const parser::RenderOptions& options, const shadow::RunReport& report,
                    const std::string& output) override;
   void keep_picture(const std::string& output) override;

@@ -3,6 +3,7 @@
 #include <sstream>
 
 #include "core/scene/explain.h"
+#include "tools/session/radiosity_lattice.h"
 
 namespace lentray::tool {
 
@@ -13,6 +14,7 @@ std::string explanation(const core::Scene& scene, const CameraSetup& setup,
       << setup.camera().height() << " pixels\n";
   for (const std::string& line : setup.report) out << "  " << line << "\n";
   out << core::explain(scene);
+  if (scene.settings().radiosity) out << radiosity_plan(scene, lattice_of(setup));
   if (!not_rendered.empty()) {
     out << "Missing from the picture\n";
     for (const std::string& feature : not_rendered) out << "  " << feature << "\n";

@@ -26,11 +26,12 @@ struct FilmSettings {
   PartOfPicture part{};
 
   std::string pixel_order = "auto", shadow_cache = "auto";
-  int threads = 0;                ///< 0: all of the machine
-  std::uint32_t band_height = 0;  ///< rows; 0: as the memory allows
-  double max_memory = 0.0;        ///< bytes, of the scene and the bands; 0: half of the machine's
-  bool count_tests = false;       ///< of bounds and shapes
-  bool log_shadows = false;       ///< runs, blockers and costs of shadow rays
+  int threads = 0;                           ///< 0: all of the machine
+  std::uint64_t most_radiosity_samples = 0;  ///< 0: as the memory allows
+  std::uint32_t band_height = 0;             ///< rows; 0: as the memory allows
+  double max_memory = 0.0;   ///< bytes, of the scene and the bands; 0: half of the machine's
+  bool count_tests = false;  ///< of bounds and shapes
+  bool log_shadows = false;  ///< runs, blockers and costs of shadow rays
 };
 
 /// Bytes of a band's row, with a share for the encoder.

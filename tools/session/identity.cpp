@@ -71,6 +71,8 @@ std::string Identity::text() const {
   return out;
 }
 
+std::string Identity::sum() const { return hexadecimal(parser::checksum(text())); }
+
 Identity Identity::of_text(const std::string& text) {
   Identity out;
   std::istringstream lines(text);

@@ -18,6 +18,8 @@ struct Identity {
   std::map<std::string, std::uint64_t> files;  ///< checksums by path; the scene's path is ""
 
   std::string text() const;
+  /// Of the text, as a word.
+  std::string sum() const;
   /// Of text(); throws std::invalid_argument.
   static Identity of_text(const std::string& text);
 };

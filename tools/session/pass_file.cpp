@@ -8,14 +8,13 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <stdexcept>
 
+#include "core/base/byte_text.h"
 #include "core/image/run_files.h"
-#include "parser/files/watched_files.h"
 #include "parser/options/options.h"
 #include "tools/common/companion.h"
+#include "tools/session/summed_bytes.h"
 
 namespace lentray::tool {
 namespace {
@@ -24,68 +23,25 @@ constexpr std::chrono::milliseconds kBetween{500};  ///< two writes
 constexpr std::size_t kMostPending = 4 << 20;       ///< bytes
 constexpr std::uint32_t kMostPasses = 64;
 
-/// How a file begins; the identity's text follows.
-struct Start {
-  char magic[16] = "lentray passes";
-  std::uint64_t version = 1, size = 0, sum = 0;  ///< of the identity's text
-};
-/// Before a record's bytes.
+/// Of the file.
+constexpr FileMark kMark{"lentray passes", 1};
+/// Before a record.
 struct Head {
   std::uint32_t mark = 0x4c525041, pass = 0;
-  std::uint64_t size = 0, sum = 0;
 };
 
 std::string passes_path(const std::string& picture) {
   return companion_path(picture, ".lentray-passes");
 }
 
-template <class T>
-void append(const T& head, std::string_view rest, std::string& out) {
-  out.append(reinterpret_cast<const char*>(&head), sizeof head).append(rest);
-}
-
-/// A head from the front of `bytes`, which loses it; false if there is no whole one.
-template <class T>
-bool take(std::string_view& bytes, T& head) {
-  if (bytes.size() < sizeof head) return false;
-  std::memcpy(&head, bytes.data(), sizeof head);
-  bytes.remove_prefix(sizeof head);
-  return true;
-}
-
-/// The bytes behind a head, if they are what it says.
-template <class T>
-bool take_rest(std::string_view& bytes, const T& head, std::string_view& rest) {
-  if (bytes.size() < head.size) return false;
-  rest = bytes.substr(0, head.size);
-  bytes.remove_prefix(head.size);
-  return parser::checksum(rest) == head.sum;
-}
-
-std::string start_text(const std::string& identity) {
-  Start start;
-  start.size = identity.size();
-  start.sum = parser::checksum(identity);
-  std::string out;
-  append(start, identity, out);
-  return out;
-}
-
 bool take_start(std::string_view& bytes, std::string_view& identity) {
-  Start start;
-  return take(bytes, start) && std::memcmp(start.magic, Start{}.magic, sizeof start.magic) == 0 &&
-         start.version == Start{}.version && take_rest(bytes, start, identity);
-}
-
-std::string bytes_of(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
+  return take_mark(bytes, kMark) && take_summed(bytes, identity);
 }
 
 void forget_at(const std::string& path) {
   struct stat about {};
   if (::lstat(path.c_str(), &about) != 0 || !S_ISREG(about.st_mode)) return;
-  const std::string bytes = bytes_of(path);
+  const std::string bytes = file_bytes(path);
   std::string_view rest = bytes, identity;
   if (take_start(rest, identity)) (void)::unlink(path.c_str());
 }
@@ -117,7 +73,7 @@ bool PassFile::read(const std::string& path, bool is_part) {
   struct stat about {};
   if (file < 0) return false;
   std::string bytes;
-  if (::fstat(file, &about) == 0 && S_ISREG(about.st_mode)) bytes = bytes_of(path);
+  if (::fstat(file, &about) == 0 && S_ISREG(about.st_mode)) bytes = file_bytes(path);
   std::string_view rest = bytes, identity;
   if (!take_start(rest, identity)) {
     ::close(file);
@@ -137,9 +93,8 @@ bool PassFile::read(const std::string& path, bool is_part) {
   }
   std::size_t whole = bytes.size() - rest.size();
   Head head;
-  for (std::string_view record; take(rest, head); whole = bytes.size() - rest.size()) {
-    if (head.mark != Head{}.mark || head.pass >= kMostPasses || !take_rest(rest, head, record))
-      break;
+  for (std::string_view record; core::take_bytes(rest, head); whole = bytes.size() - rest.size()) {
+    if (head.mark != Head{}.mark || head.pass >= kMostPasses || !take_summed(rest, record)) break;
     if (m_earlier.size() <= head.pass) m_earlier.resize(head.pass + 1);
     m_earlier[head.pass].emplace_back(record);
   }
@@ -166,8 +121,8 @@ bool PassFile::recall(std::string& record) {
 
 void PassFile::keep(std::string_view record) {
   if (m_is_off || m_is_whole) return;
-  append(Head{.pass = m_pass, .size = record.size(), .sum = parser::checksum(record)}, record,
-         m_pending);
+  core::append_bytes(Head{.pass = m_pass}, m_pending);
+  append_summed(record, m_pending);
   const Clock::time_point now = Clock::now();
   if (now < m_speaks || (m_pending.size() < kMostPending && now - m_flushed < kBetween)) return;
   m_flushed = now;
@@ -205,7 +160,10 @@ void PassFile::flush() {
     if (::flock(m_file, LOCK_EX | LOCK_NB) != 0)
       return give_up("another run is at the same picture");
     if (::ftruncate(m_file, 0) != 0) return give_up(std::strerror(errno));
-    m_pending.insert(0, start_text(m_identity));
+    std::string start;
+    core::append_bytes(kMark, start);
+    append_summed(m_identity, start);
+    m_pending.insert(0, start);
   }
   for (std::string_view rest = m_pending; !rest.empty();) {
     const ssize_t wrote = ::write(m_file, rest.data(), rest.size());

@@ -4,45 +4,52 @@
 #include <iomanip>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <utility>
 
 #include "core/irradiance/irradiance_cache.h"
 #include "core/scene/scene.h"
-#include "tools/session/camera_setup.h"
+#include "tools/session/radiosity_lattice.h"
 
 namespace lentray::tool {
 namespace {
 
-/// Of pictures with more pixels, and of lens sheets, not each is looked at before the picture.
-constexpr double kMostPixels = 1e6;
-
-core::RadiosityPassSetup pass_setup(const core::Scene& scene, const camera::Camera& camera,
-                                    bool is_sheet, const core::Vec3& eye,
-                                    const core::ShadowTesterFactory& shadows) {
-  const bool is_large = static_cast<double>(camera.width()) * camera.height() > kMostPixels;
+core::RadiosityPassSetup pass_setup(const core::Scene& scene, const RadiosityLattice& lattice,
+                                    const core::Vec3& eye, const core::ShadowTesterFactory& shadows,
+                                    std::uint64_t most_samples) {
   return {.scene = scene,
-          .camera = camera,
-          .width = camera.width(),
-          .height = camera.height(),
+          .camera = lattice.camera,
+          .width = lattice.camera.width(),
+          .height = lattice.camera.height(),
           .eye = eye,
-          .sees_every_pixel = !is_sheet && !is_large,
+          .sees_every_pixel = lattice.sees_every_pixel,
+          .most_samples = most_samples,
           .shadows = shadows};
 }
 
 }  // namespace
 
-core::Vec3 radiosity_eye(const parser::CameraRequest& request) {
-  const camera::Projection& p = request.projection;
-  if (request.kind != "lenticular") return p.location;
-  return p.location - core::normalized(p.direction) * core::length(p.right);
-}
-
 RadiosityRun::RadiosityRun(const core::Scene& scene, const CameraSetup& setup,
                            const core::Vec3& eye, const core::ShadowTesterFactory& shadows,
-                           core::Illumination& light)
-    : m_scene(scene), m_light(light), m_sheet(setup.sheet),
-      m_pass(
-          pass_setup(scene, m_sheet ? *m_sheet : setup.camera(), m_sheet != nullptr, eye, shadows),
-          light) {}
+                           core::Illumination& light, std::uint64_t most_samples)
+    : m_scene(scene), m_eye(eye), m_light(light), m_sheet(setup.sheet),
+      m_pass(pass_setup(scene, lattice_of(setup), eye, shadows, most_samples), light) {}
+
+core::Pass* RadiosityRun::begin(RadiosityStore* store) {
+  if (!store) return &m_pass;
+  SavedRadiosity saved = store->pass(*m_scene.settings().radiosity, m_eye);
+  m_file = store->used();
+  if (!saved.cache) {
+    m_pass.begin_with(store->samples());
+    return &m_pass;
+  }
+  m_light.irradiance = std::move(saved.cache);
+  m_saved = std::move(saved.report);
+  return nullptr;
+}
+
+void RadiosityRun::keep(RadiosityStore& store) const {
+  store.keep(*m_light.irradiance, m_pass.report());
+}
 
 std::string RadiosityRun::warning() const {
   if (!m_light.irradiance || !m_light.irradiance->is_dark()) return {};
@@ -55,9 +62,12 @@ std::string RadiosityRun::warning() const {
 
 std::string RadiosityRun::text() const {
   constexpr int kColumn = 10;
-  const core::RadiosityReport& report = m_pass.report();
+  const core::RadiosityReport& report = this->report();
   std::ostringstream out;
-  out << "Samples of radiosity\n  level" << std::setw(kColumn) << "places";
+  out << "Samples of radiosity";
+  if (!m_file.empty())
+    out << (m_saved ? ", of the pass in '" : ", besides those in '") << m_file << "'";
+  out << "\n  level" << std::setw(kColumn) << "places";
   for (std::size_t depth = 0; depth < report.levels.front().depths.size(); ++depth) {
     out << std::setw(kColumn) << "depth " + std::to_string(depth);
   }
@@ -75,7 +85,7 @@ std::string RadiosityRun::text() const {
 
 nlohmann::json RadiosityRun::json() const {
   nlohmann::json levels = nlohmann::json::array();
-  for (const core::RadiosityReport::Level& level : m_pass.report().levels) {
+  for (const core::RadiosityReport::Level& level : report().levels) {
     nlohmann::json depths = nlohmann::json::array();
     for (const core::GatherCounts& depth : level.depths) {
       depths.push_back({{"queries", depth.queries},
@@ -85,7 +95,12 @@ nlohmann::json RadiosityRun::json() const {
     }
     levels.push_back({{"places", level.places}, {"depths", depths}});
   }
-  return {{"levels", levels}, {"sees_every_pixel", m_pass.report().sees_pixels}};
+  nlohmann::json out{{"levels", levels},
+                     {"sees_every_pixel", report().sees_pixels},
+                     {"bytes", m_light.irradiance->bytes()},
+                     {"is_kept_pass", m_saved.has_value()}};
+  if (!m_file.empty()) out["from_file"] = m_file;
+  return out;
 }
 
 }  // namespace lentray::tool

@@ -83,6 +83,7 @@ FilmSettings film_settings(const RenderOptions& o) {
   out.pixel_order = o.pixel_order;
   out.shadow_cache = o.shadow_cache;
   out.threads = o.threads;
+  out.most_radiosity_samples = o.radiosity_samples;
   out.band_height = o.band_height;
   out.max_memory = o.max_memory;
   out.count_tests = !o.statistics_file.empty() && o.count_tests;

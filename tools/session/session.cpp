@@ -3,6 +3,7 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <sstream>
 #include <tuple>
 #include <utility>
 
@@ -20,6 +21,7 @@
 #include "shadow/tester_factory.h"
 #include "tools/common/machine.h"
 #include "tools/session/quality.h"
+#include "tools/session/radiosity_lattice.h"
 
 namespace lentray::tool {
 namespace {
@@ -189,6 +191,24 @@ bool Session::has_passes() const {
   return settings.radiosity || (settings.photons && !settings.loaded_photons);
 }
 
+std::string Session::radiosity_lines(const CameraSetup& camera) const {
+  std::ostringstream out;
+  out.precision(17);
+  const parser::ParserOptions& own = m_reading.parser;
+  const parser::FrameClock& f = own.frame;
+  if (m_reads.clock) {
+    out << "clock " << f.clock << " of " << f.initial_clock << " to " << f.final_clock << ", delta "
+        << f.clock_delta << ", on " << f.clock_on << "\n";
+  }
+  if (m_reads.frames) {
+    out << "frame " << f.frame_number << " of " << f.initial_frame << " to " << f.final_frame
+        << "\n";
+  }
+  if (m_reads.width) out << "image_width " << own.image_width << "\n";
+  if (m_reads.height) out << "image_height " << own.image_height << "\n";
+  return out.str() + identity_lines(lattice_of(camera), radiosity_eye(*m_camera));
+}
+
 shadow::RunReport Session::render(const Plan& plan, const Outlets& outlets) {
   const FilmSettings& film = plan.film;
   const camera::LensSheet* const lenses = lenses_of(plan.camera);
@@ -226,8 +246,9 @@ shadow::RunReport Session::render(const Plan& plan, const Outlets& outlets) {
   }
   if (settings.radiosity) {
     if (!m_radiosity || !m_radiosity->serves(plan.camera)) {
-      m_radiosity.emplace(*m_scene, plan.camera, radiosity_eye(*m_camera), *testers, m_light);
-      passes.add(m_radiosity->pass());
+      m_radiosity.emplace(*m_scene, plan.camera, radiosity_eye(*m_camera), *testers, m_light,
+                          film.most_radiosity_samples);
+      if (core::Pass* const pass = m_radiosity->begin(outlets.radiosity)) passes.add(*pass);
     }
   }
   if (!passes.run({.threads = core::frame_threads(frame),
@@ -242,6 +263,7 @@ shadow::RunReport Session::render(const Plan& plan, const Outlets& outlets) {
   }
   if (shoots) m_photons->save();
   report.passes = passes.reports();
+  if (outlets.radiosity && !passes.is_empty()) m_radiosity->keep(*outlets.radiosity);
   const double before = cpu_seconds();
   report.counters = core::render_frame(*m_scene, camera, plan.shape, *orders, *asked, frame,
                                        outlets.sink, passes.film_progress());

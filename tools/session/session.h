@@ -57,6 +57,7 @@ struct Outlets {
   core::PictureLedger* ledger = nullptr;  ///< to go on with the picture later
   core::PassLedger* passes = nullptr;     ///< the same of the work before it
   const std::atomic<bool>* cancel = nullptr;
+  RadiosityStore* radiosity = nullptr;  ///< that was read: where radiosity is kept
 };
 
 class Session {
@@ -88,6 +89,8 @@ class Session {
   Plan plan(const CameraSetup& camera, const FilmSettings& film);
   /// Whether work comes before pictures. It is done once for all that look at one lens sheet.
   bool has_passes() const;
+  /// What the radiosity of such a picture depends on besides files and options, as lines of an identity.
+  std::string radiosity_lines(const CameraSetup& camera) const;
   /// After a cancel the sink lacks bands, and the report says little.
   shadow::RunReport render(const Plan& plan, const Outlets& outlets);
   /// Of all pictures; null: the scene has none, or none yet.

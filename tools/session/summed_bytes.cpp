@@ -1,0 +1,38 @@
+#include "tools/session/summed_bytes.h"
+
+#include <cstring>
+#include <fstream>
+#include <iterator>
+
+#include "core/base/byte_text.h"
+#include "parser/files/watched_files.h"
+
+namespace lentray::tool {
+
+bool take_mark(std::string_view& bytes, const FileMark& mark) {
+  FileMark there;
+  return core::take_bytes(bytes, there) &&
+         std::memcmp(there.kind, mark.kind, sizeof mark.kind) == 0 && there.version == mark.version;
+}
+
+void append_summed(std::string_view piece, std::string& out) {
+  core::append_bytes(std::uint64_t{piece.size()}, out);
+  core::append_bytes(parser::checksum(piece), out);
+  out.append(piece);
+}
+
+bool take_summed(std::string_view& bytes, std::string_view& piece) {
+  std::uint64_t size = 0, sum = 0;
+  if (!core::take_bytes(bytes, size) || !core::take_bytes(bytes, sum) || bytes.size() < size)
+    return false;
+  piece = bytes.substr(0, size);
+  bytes.remove_prefix(size);
+  return parser::checksum(piece) == sum;
+}
+
+std::string file_bytes(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+}  // namespace lentray::tool

@@ -1,0 +1,27 @@
+// What the program's own files are made of: a mark that says what kind of file it is, and pieces with their
+// lengths and checksums. Bytes are of this machine's kind. Errors: none; what is not whole is not taken.
+// Threads: any.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace lentray::tool {
+
+/// How a file begins.
+struct FileMark {
+  char kind[16];
+  std::uint64_t version;
+};
+/// From the front of `bytes`, which loses it. False if they do not begin so.
+bool take_mark(std::string_view& bytes, const FileMark& mark);
+
+void append_summed(std::string_view piece, std::string& out);
+/// The same of a piece.
+bool take_summed(std::string_view& bytes, std::string_view& piece);
+
+/// All of a file; empty if it cannot be read.
+std::string file_bytes(const std::string& path);
+
+}  // namespace lentray::tool
