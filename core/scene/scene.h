@@ -18,6 +18,7 @@
 #include "core/object/object.h"
 #include "core/scene/atmosphere.h"
 #include "core/scene/needs.h"
+#include "core/subsurface/settings.h"
 
 namespace lentray::core {
 
@@ -32,8 +33,10 @@ struct SceneSettings {
   Rgb ambient_light{1.0f, 1.0f, 1.0f};
   double assumed_gamma = 1.0;  ///< 1: linear; scene colours are decoded by the parser already
   bool assumed_gamma_set = false;
-  std::optional<RadiositySettings> radiosity;  ///< none: light sources alone light surfaces
-  Colour background;                           ///< opaque unless `alpha`
+  std::optional<RadiositySettings> radiosity;    ///< none: light sources alone light surfaces
+  std::optional<SubsurfaceSettings> subsurface;  ///< none: translucent surfaces are as others
+  double mm_per_unit = 10.0;                     ///< positive
+  Colour background;                             ///< opaque unless `alpha`
   bool alpha = false;         ///< +UA: the picture is as clear as what its rays see of the sky
   bool mirror_images = true;  ///< false: reflection dims what conserves energy, shows nothing
   double atmosphere_ior = 1.0;

@@ -3,7 +3,10 @@
 // Source: reference manual 3.7, "Interior"; the order of nested and overlapping ones is stock's.
 #pragma once
 
+#include <cmath>
+
 #include "core/base/color.h"
+#include "core/base/vec3.h"
 #include "core/trace/interior_table.h"
 
 namespace lentray::core {
@@ -19,6 +22,16 @@ struct Bend {
 /// and leaving the other one there bends nothing.
 Bend enter(const InteriorEntry& entry, double atmosphere_ior, InteriorTable& table,
            InteriorsId& inside);
+
+/// The direction behind a surface; both unit. `normal` faces the ray; `ior`: before the surface over behind it.
+/// False, and `onward` as it was, on total internal reflection.
+inline bool refracted(const Vec3& incoming, const Vec3& normal, double ior, Vec3& onward) {
+  const double cosine = std::fabs(dot(incoming, normal));
+  const double under_root = 1.0 + ior * ior * (cosine * cosine - 1.0);
+  if (under_root < 0.0) return false;
+  onward = incoming * ior + normal * (ior * cosine - std::sqrt(under_root));
+  return true;
+}
 
 /// For the Fresnel term: the ior behind the surface over the ior before it. Leaving a nested object
 /// compares with the innermost interior, which is most often the object itself, as in stock.

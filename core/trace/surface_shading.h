@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "core/material/texture.h"
@@ -15,6 +16,7 @@
 #include "core/trace/path_features.h"
 #include "core/trace/path_rules.h"
 #include "core/trace/ray_state.h"
+#include "core/trace/subsurface_light.h"
 
 namespace lentray::core {
 
@@ -41,6 +43,8 @@ struct LayerSum {
     bool is_known = false;
   };
   Indirect front, back;
+  bool is_scattered = false;     ///< indirect light is part of the subsurface light
+  bool is_seen_through = false;  ///< ShadingBuffers::unscattered has rays
 };
 
 /// Buffers of the surface that is shaded, used again from ray to ray.
@@ -49,6 +53,7 @@ struct ShadingBuffers {
   WeightedTextures textures;
   std::vector<Mirror> mirrors;  ///< one a layer, if the path has mirrors
   LightsAtPoint lights;
+  std::vector<UnscatteredRay> unscattered;
 };
 
 template <unsigned kFeatures>
@@ -86,6 +91,9 @@ class SurfaceShading {
   /// The light of other surfaces.
   Rgb indirectly_lit(const Finish& finish, const Rgb& pigment, const Vec3& normal, double opacity,
                      const Surface& at, LayerSum& sum);
+  /// In place of the diffuse light of lights.
+  Rgb scattered(const SubsurfaceFinish& finish, const Rgb& pigment, const Surface& at,
+                LayerSum& sum, ShadingBuffers& buffers);
   Rgb lit(const Finish& finish, const Rgb& pigment, const Vec3& normal, double opacity,
           const Surface& at, LightsAtPoint& known);
 
@@ -94,6 +102,7 @@ class SurfaceShading {
   const PathRules m_rules;
   const bool m_legacy_opacity;
   LightLoop<kArea, kLayers> m_lights;
+  std::unique_ptr<SubsurfaceLight<kArea>> m_subsurface;  ///< null: there is none
 };
 
 }  // namespace lentray::core

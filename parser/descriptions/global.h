@@ -8,11 +8,13 @@
 #include "core/base/color.h"
 #include "core/base/vec3.h"
 #include "core/irradiance/settings.h"
+#include "core/subsurface/settings.h"
 #include "parser/source/source.h"
 
 namespace lentray::parser {
 
 using core::RadiositySettings;
+using core::SubsurfaceSettings;
 
 /// Kept; rendered later. autostop 0.5 and expand_thresholds 0.2, 35 are what stock does where they are
 /// left out; its manual has 0 and 40.
@@ -23,12 +25,6 @@ struct PhotonSettings {
   int count = 0, gather_min = 20, gather_max = 100, expand_min = 35, media_steps = 0;
   int max_trace_level = -1;
   std::string load_file, save_file;
-};
-
-/// Kept; rendered later.
-struct SubsurfaceSettings {
-  int samples_diffuse = 50, samples_single = 50;
-  bool radiosity = false;
 };
 
 struct GlobalDesc {

@@ -251,18 +251,12 @@ TEST(UnitBuildObjects, LooksLikeIsAnObjectWithoutShadow) {
 }
 
 TEST(UnitBuildScene, NotRenderedIsNamedOnce) {
-  SceneText s(
-      "#declare Lit = finish { subsurface { translucency 1 } }"
-      "sphere { 0, 1 finish { Lit } } plane { y, 0 finish { Lit } }"
-      "global_settings { photons { count 100 } }");
+  SceneText s("sphere { 0, 1 } plane { y, 0 } global_settings { photons { count 100 } }");
   const core::SceneParts parts = s.build();
-  EXPECT_EQ(parts.not_rendered, (std::vector<std::string>{"photons", "subsurface"}));
+  EXPECT_EQ(parts.not_rendered, (std::vector<std::string>{"photons"}));
   int warnings = 0;
   for (const Diagnostic& d : s.diagnostics().warnings()) {
-    if (d.message.find("subsurface") != std::string::npos) {
-      ++warnings;
-      EXPECT_NE(d.message.find("photons"), std::string::npos);
-    }
+    if (d.message.find("photons") != std::string::npos) ++warnings;
   }
   EXPECT_EQ(warnings, 1);
   EXPECT_EQ(parts.objects.size(), 2u);
