@@ -4,18 +4,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/numeric/radical_inverse.h"
+
 namespace lentray::core {
 namespace {
-
-/// The digits of a number, mirrored at the point.
-double radical_inverse(std::size_t number, unsigned base) {
-  double result = 0.0, place = 1.0 / base;
-  for (; number != 0; number /= base) {
-    result += static_cast<double>(number % base) * place;
-    place /= base;
-  }
-  return result;
-}
 
 /// As stock tells equal normals: a component differs by more.
 constexpr double kSameNormal = 1e-6;

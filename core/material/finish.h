@@ -2,9 +2,17 @@
 // Source: reference manual 3.7, "Finish"; linear colours, angles' cosines without unit.
 #pragma once
 
+#include <optional>
+
 #include "core/base/color.h"
 
 namespace lentray::core {
+
+/// Light that enters a solid, is scattered in it, and leaves it elsewhere.
+struct SubsurfaceFinish {
+  Rgb translucency;              ///< mm that light goes between two scatterings; positive
+  double diffuse, diffuse_back;  ///< as written: the colour, as without subsurface light
+};
 
 struct Finish {
   Rgb ambient{0.1f, 0.1f, 0.1f};
@@ -23,6 +31,8 @@ struct Finish {
   bool conserve_energy = false;
   double crand = 0.0;
   double irid = 0.0, irid_thickness = 0.0, irid_turbulence = 0.0;  ///< thin film interference
+  /// In place of the diffuse light of light sources: both values of `diffuse` are 0 then.
+  std::optional<SubsurfaceFinish> subsurface;
 };
 
 }  // namespace lentray::core

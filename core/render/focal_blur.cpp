@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/numeric/radical_inverse.h"
+
 namespace lentray::core {
 namespace {
 
@@ -52,13 +54,6 @@ std::vector<Vec2> hexagons(int rings) {
     }
   }
   return points;
-}
-
-/// Element i of van der Corput's sequence in a base: both together are Halton's of the square.
-double radical_inverse(std::uint64_t i, unsigned base) {
-  double value = 0.0, digit = 1.0 / base;
-  for (; i > 0; i /= base, digit /= base) value += static_cast<double>(i % base) * digit;
-  return value;
 }
 
 /// Halton's sequence on (0..1)^2.

@@ -29,6 +29,7 @@ constexpr Feature kFeatures[] = {
     {"layered textures", &Needs::layered_textures},
     {"textures by place", &Needs::textures_by_place},
     {"interior textures", &Needs::interior_textures},
+    {"subsurface light", &Needs::subsurface},
     {"highlights", &Needs::highlights},
     {"area lights", &Needs::area_lights},
     {"area illumination", &Needs::area_illumination},

@@ -23,6 +23,7 @@ struct Needs {
   bool interiors = false;
   bool reflection = false;
   bool layered_textures = false, textures_by_place = false, interior_textures = false;
+  bool subsurface = false;  ///< any finish with subsurface light
   bool highlights = false;  ///< phong or specular
   bool area_lights = false, spot_lights = false, fading_lights = false, shadowless_lights = false;
   bool area_illumination = false, projected_lights = false;

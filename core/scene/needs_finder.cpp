@@ -86,7 +86,7 @@ class Finder {
     // Air is where no solid is.
     if (m_needs.atmosphere || m_needs.media) m_needs.interiors = true;
     if (m_parts.settings.atmosphere_ior != 1.0 && m_needs.transparency) m_needs.refraction = true;
-    m_needs.greatest_depth = m_needs.reflection || m_needs.transparency
+    m_needs.greatest_depth = m_needs.reflection || m_needs.transparency || m_needs.subsurface
                                  ? std::max(1, m_parts.settings.max_trace_level)
                                  : 1;
     return std::move(m_needs);
@@ -171,6 +171,7 @@ class Finder {
     if (!finish.reflection_max.is_black() || !finish.reflection_min.is_black()) {
       m_needs.reflection = true;
     }
+    if (finish.subsurface) m_needs.subsurface = true;
     if (finish.phong != 0.0 || finish.specular != 0.0) m_needs.highlights = true;
   }
 
@@ -221,6 +222,7 @@ Needs everything_needed(Needs found, const SceneSettings& settings) {
                                &Needs::layered_textures,
                                &Needs::textures_by_place,
                                &Needs::interior_textures,
+                               &Needs::subsurface,
                                &Needs::highlights,
                                &Needs::area_lights,
                                &Needs::spot_lights,

@@ -21,6 +21,7 @@
 #include "core/photon/target.h"
 #include "core/scene/atmosphere.h"
 #include "core/scene/needs.h"
+#include "core/subsurface/settings.h"
 
 namespace lentray::core {
 
@@ -38,6 +39,8 @@ struct SceneSettings {
   std::optional<RadiositySettings> radiosity;        ///< none: light sources alone light surfaces
   std::optional<PhotonSettings> photons;             ///< none: there are no photons
   std::shared_ptr<const PhotonMaps> loaded_photons;  ///< null: they are shot
+  std::optional<SubsurfaceSettings> subsurface;      ///< none: translucent surfaces are as others
+  double mm_per_unit = 10.0;                         ///< positive
   Colour background;                                 ///< opaque unless `alpha`
   bool alpha = false;         ///< +UA: the picture is as clear as what its rays see of the sky
   bool mirror_images = true;  ///< false: reflection dims what conserves energy, shows nothing

@@ -19,6 +19,7 @@ struct GatherRay {
   int level;                      ///< levels above it
   float least_importance = 0.0f;  ///< of what it may meet: less is not shaded
   std::uint64_t key = 0;          ///< of its random numbers
+  std::uint8_t scattered = 0;     ///< as RayState's
 };
 struct GatheredRay {
   Rgb light;

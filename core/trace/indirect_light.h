@@ -16,6 +16,7 @@ struct IndirectQuery {
   Vec3 point;
   Vec3 surface_normal, layer_normal;  ///< unit, on the side that is lit
   double weight;                      ///< greatest share of the pixel that the light can have
+  std::uint8_t scattered = 0;         ///< as RayState's
 };
 
 struct IndirectAnswer {

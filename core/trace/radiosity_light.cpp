@@ -41,6 +41,7 @@ std::unique_ptr<Follow> make_gatherer(ThreadContext& context, ShadowTester& shad
   PathRules rules{settings.adc_bailout};
   rules.highlights = false;
   rules.area_lights = false;
+  rules.subsurface = settings.subsurface;
   rules.volumes = settings.media;
   return Integrator::make(context, shadows, rules);
 }
@@ -169,6 +170,7 @@ unsigned RadiosityLight::aim(const IndirectQuery& query, const Vec3& normal) {
   GatherDirections directions(depth.cycle, query.surface_normal, normal, rules.rays);
   const std::uint64_t key = mixed(m_key ^ mixed(m_gathers++));
   GatherRay ray{{query.point, {}}, static_cast<float>(rules.gather_weight), rules.gather_level};
+  ray.scattered = query.scattered;
   depth.rays.clear();
   unsigned about_surface = 0;
   for (unsigned i = 0; i < rules.rays && directions.next(ray.ray.direction); ++i) {

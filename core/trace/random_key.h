@@ -48,6 +48,7 @@ class RandomSequence {
     kFilm = 0x66696c6d,             ///< the place of a sample in its pixel
     kAperture = 0x61706572,         ///< the point of a camera's aperture a ray starts at
     kShadowMedia = 0x6d65646961,    ///< media in the way of a shadow ray
+    kSubsurface = 0x73756273,       ///< where subsurface light enters and is scattered
     kPixelPlace = 0x706c616365,     ///< the places in a pixel of the rays of one blurred sample
   };
   /// The key of what has random numbers of its own in one use.

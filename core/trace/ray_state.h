@@ -23,7 +23,8 @@ struct RayState {
   InteriorsId inside = InteriorsId::kOpen;  ///< of the thread's table
   std::uint32_t place = 1;                  ///< in the ray tree, for caches: see ShadowQuery
   RayKind kind = RayKind::kCamera;
-  bool straight_on = false;  ///< went through a surface unbent: what it meets takes no level more
+  bool straight_on = false;    ///< went through a surface unbent: what it meets takes no level more
+  std::uint8_t scattered = 0;  ///< surfaces above it whose subsurface light it is part of
 };
 
 /// A place on a surface that is shaded. Members without initialisers: all are given.

@@ -73,6 +73,8 @@ template <unsigned kFeatures>
     total_reflection = add_transmitted(sum, at, record);
   }
   if constexpr (kReflection) add_mirrors(sum, total_reflection, at, buffers, record);
+  if (sum.is_seen_through) [[unlikely]]
+    add_unscattered(at, buffers, record);
   return {sum.light};
 }
 
@@ -140,6 +142,7 @@ template <unsigned kFeatures>
   onward.state.wavelength = at.state.wavelength;
   onward.state.weight = weight;
   onward.state.level = at.level;
+  onward.state.scattered = at.state.scattered;
   return onward;
 }
 
@@ -159,6 +162,27 @@ void RayStepper<kFeatures>::add_mirrors(const LayerSum& sum, bool total_reflecti
     image.exponent = mirror.exponent;
     reflect(mirror.normal, *mirror.finish, at, image);
   }
+}
+
+/// What translucent layers let through without scattering it. As in stock these rays lie in no interior.
+template <unsigned kFeatures>
+[[gnu::noinline]] void RayStepper<kFeatures>::add_unscattered(const Surface& at,
+                                                              ShadingBuffers& buffers,
+                                                              RayRecord& record) {
+  for (const UnscatteredRay& through : buffers.unscattered) {
+    const float weight = greatest(through.left);
+    if (is_cut(at.level, weight)) continue;
+    OnwardRay& onward = add_ray(at, weight, record);
+    onward.way = OnwardRay::Way::kMirror;  // added as such an image is
+    onward.share = through.left * through.share;
+    onward.exponent = 1.0;
+    onward.state.ray = through.ray;
+    onward.state.wavelength = RayState::kWhite;
+    onward.state.place = next_place(2 * at.state.place + 1);
+    onward.state.kind = RayKind::kTransmitted;
+    onward.state.scattered = static_cast<std::uint8_t>(at.state.scattered + 1);
+  }
+  buffers.unscattered.clear();
 }
 
 template <unsigned kFeatures>

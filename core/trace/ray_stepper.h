@@ -87,6 +87,7 @@ class RayStepper {
                          RayRecord& record);
   void add_mirrors(const LayerSum& sum, bool total_reflection, const Surface& at,
                    const ShadingBuffers& buffers, RayRecord& record);
+  void add_unscattered(const Surface& at, ShadingBuffers& buffers, RayRecord& record);
   /// Adds what goes through the surface; true on total internal reflection.
   bool add_transmitted(const LayerSum& sum, const Surface& at, RayRecord& record);
   /// Turns a ray that goes through, with that ior before the surface over behind it. True on total

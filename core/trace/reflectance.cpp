@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "core/base/tiny.h"
+#include "core/material/fresnel.h"
 #include "core/noise/noise.h"
 
 namespace lentray::core {
@@ -28,17 +29,6 @@ Rgb metal_tint(double metallic, double cosine, const Rgb& pigment) {
 
 Rgb mix(const Rgb& from, const Rgb& to, double part) {
   return times(to, part) + times(from, 1.0 - part);
-}
-
-// Unpolarised light at a dielectric; 1 beyond the critical angle.
-double fresnel(double cosine, double relative_ior) {
-  const double under_root = square(relative_ior) + square(cosine) - 1.0;
-  if (!(under_root > 0.0)) return 1.0;
-  const double g = std::sqrt(under_root);
-  const double sum = g + cosine, difference = g - cosine;
-  const double across = 0.5 * (square(difference) / square(sum));
-  const double f = across * (1.0 + square(cosine * sum - 1.0) / square(cosine * difference + 1.0));
-  return std::min(1.0, std::max(0.0, f));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "core/base/color.h"
+#include "core/base/vec3.h"
 #include "core/trace/interior_table.h"
 
 namespace lentray::core {

@@ -39,7 +39,11 @@ SurfaceShading<kFeatures>::SurfaceShading(ThreadContext& context, ShadowTester& 
                                           const PathRules& rules)
     : m_context(context), m_photons(surface_photons(context)), m_settings(context.scene.settings()),
       m_rules(rules), m_legacy_opacity(m_settings.language_version < kOpacityByAlphaSince),
-      m_lights(context, shadows) {}
+      m_lights(context, shadows) {
+  if (context.scene.needs().subsurface && rules.subsurface) {
+    m_subsurface = std::make_unique<SubsurfaceLight<kArea>>(context, shadows, rules);
+  }
+}
 
 template <unsigned kFeatures>
 void SurfaceShading<kFeatures>::shade(const LayeredTexture& texture, Surface& at,
@@ -77,6 +81,8 @@ void SurfaceShading<kFeatures>::shade_layer(const TextureLayer& layer, Surface& 
   const double opacity = kTransparency || kLayers ? opacity_of(colour, m_legacy_opacity) : 1.0;
   Rgb own = times(colour.rgb * finish.ambient * m_settings.ambient_light, opacity);
   own += times(colour.rgb * finish.emission, opacity);
+  if (finish.subsurface) [[unlikely]]
+    own += scattered(*finish.subsurface, colour.rgb, at, sum, buffers);
   if (m_context.indirect) {
     own += indirectly_lit(finish, colour.rgb, normal, opacity, at, buffers, sum);
   }
@@ -122,7 +128,7 @@ template <unsigned kFeatures>
     const Finish& finish, const Rgb& pigment, const Vec3& normal, double opacity, const Surface& at,
     ShadingBuffers& buffers, LayerSum& sum) {
   IndirectLight& indirect = *m_context.indirect;
-  if (!indirect.is_wanted()) return {};
+  if (!indirect.is_wanted() || sum.is_scattered) return {};
   const bool is_first = at.state.kind == RayKind::kGather;
   const auto on_side = [&](double diffuse, std::size_t side) {
     IndirectAnswer& answer = buffers.indirect[side];
@@ -130,7 +136,8 @@ template <unsigned kFeatures>
     const double share = grey(sum.filter * pigment) * opacity * diffuse;
     if (!is_known && share > m_rules.adc_bailout) {
       const double sign = side == 0 ? 1.0 : -1.0;
-      answer = indirect.at({at.point(), at.normal * sign, normal * sign, at.state.weight * share});
+      answer = indirect.at({at.point(), at.normal * sign, normal * sign, at.state.weight * share,
+                            at.state.scattered});
       is_known = true;
     }
     if (!is_known) return Rgb();
@@ -139,8 +146,31 @@ template <unsigned kFeatures>
                         is_first);
     return times(pigment * answer.light, opacity * diffuse);
   };
-  Rgb light = on_side(finish.diffuse / finish.albedo_factor, 0);
-  if (finish.diffuse_back != 0.0) light += on_side(finish.diffuse_back / finish.albedo_factor, 1);
+  double diffuse = finish.diffuse / finish.albedo_factor;
+  double diffuse_back = finish.diffuse_back / finish.albedo_factor;
+  if (finish.subsurface) {
+    diffuse = finish.subsurface->diffuse;
+    diffuse_back = finish.subsurface->diffuse_back;
+  }
+  Rgb light = on_side(diffuse, 0);
+  if (diffuse_back != 0.0) light += on_side(diffuse_back, 1);
+  return light;
+}
+
+template <unsigned kFeatures>
+[[gnu::noinline]] Rgb SurfaceShading<kFeatures>::scattered(const SubsurfaceFinish& finish,
+                                                           const Rgb& pigment, const Surface& at,
+                                                           LayerSum& sum, ShadingBuffers& buffers) {
+  if (!m_subsurface) return {};
+  UnscatteredRay through;
+  const Rgb light =
+      m_subsurface->at(at, finish, pigment, times(sum.filter, at.texture_weight), through);
+  sum.is_scattered = m_settings.subsurface->radiosity;
+  if (!through.left.is_black()) {
+    through.share = sum.filter;
+    buffers.unscattered.push_back(through);
+    sum.is_seen_through = true;
+  }
   return light;
 }
 

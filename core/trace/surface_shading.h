@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "core/material/texture.h"
@@ -17,6 +18,7 @@
 #include "core/trace/path_features.h"
 #include "core/trace/path_rules.h"
 #include "core/trace/ray_state.h"
+#include "core/trace/subsurface_light.h"
 
 namespace lentray::core {
 
@@ -39,7 +41,9 @@ struct LayerSum {
   std::size_t layers = 0;  ///< shaded so far
   /// Whether ShadingBuffers::indirect is known, which all layers share.
   std::array<bool, 2> is_indirect_known{};
-  bool has_photons = false;  ///< they are gathered; all layers share them
+  bool has_photons = false;      ///< they are gathered; all layers share them
+  bool is_scattered = false;     ///< indirect light is part of the subsurface light
+  bool is_seen_through = false;  ///< ShadingBuffers::unscattered has rays
 };
 
 /// Buffers of the surface that is shaded, used again from ray to ray.
@@ -50,6 +54,7 @@ struct ShadingBuffers {
   LightsAtPoint lights;
   std::array<IndirectAnswer, 2> indirect;  ///< of the front and the back
   FoundPhotons photons, more_photons;
+  std::vector<UnscatteredRay> unscattered;
 };
 
 class PhotonMap;
@@ -89,6 +94,9 @@ class SurfaceShading {
   /// The light of other surfaces.
   Rgb indirectly_lit(const Finish& finish, const Rgb& pigment, const Vec3& normal, double opacity,
                      const Surface& at, ShadingBuffers& buffers, LayerSum& sum);
+  /// In place of the diffuse light of lights.
+  Rgb scattered(const SubsurfaceFinish& finish, const Rgb& pigment, const Surface& at,
+                LayerSum& sum, ShadingBuffers& buffers);
   Rgb lit(const Finish& finish, const Rgb& pigment, const Vec3& normal, double opacity,
           const Surface& at, LightsAtPoint& known);
 
@@ -103,6 +111,7 @@ class SurfaceShading {
   const PathRules m_rules;
   const bool m_legacy_opacity;
   LightLoop<kArea, kLayers> m_lights;
+  std::unique_ptr<SubsurfaceLight<kArea>> m_subsurface;  ///< null: there is none
 };
 
 }  // namespace lentray::core

@@ -68,6 +68,7 @@ GatheredRay WhittedIntegrator<kFeatures>::gather(const GatherRay& from) {
   state.weight = from.weight;
   state.level = from.level;
   state.kind = RayKind::kGather;
+  state.scattered = from.scattered;
   Hit hit;
   const bool met = m_stepper.meet(state, hit);
   const Scene& scene = m_context.scene;

@@ -1,10 +1,25 @@
 #include "parser/compile/finish.h"
 
+#include <algorithm>
+
 #include "parser/compile/pattern_compiler.h"
 
 namespace lentray::parser {
 
-core::Finish compile_finish(const FinishDesc& finish, std::set<std::string>& not_yet) {
+namespace {
+
+core::SubsurfaceFinish subsurface_of(const FinishDesc& finish, double least_translucency) {
+  core::Rgb translucency = finish.subsurface->translucency;
+  for (int c = 0; c < 3; ++c) {
+    translucency[c] = std::max(translucency[c], static_cast<float>(least_translucency));
+  }
+  return {translucency, single(finish.diffuse) / finish.albedo_factor,
+          single(finish.diffuse_back) / finish.albedo_factor};
+}
+
+}  // namespace
+
+core::Finish compile_finish(const FinishDesc& finish, std::optional<double> least_translucency) {
   core::Finish result;
   result.ambient = finish.ambient;
   result.emission = finish.emission;
@@ -31,7 +46,10 @@ core::Finish compile_finish(const FinishDesc& finish, std::set<std::string>& not
   result.irid = single(finish.irid);
   result.irid_thickness = single(finish.irid_thickness);
   result.irid_turbulence = single(finish.irid_turbulence);
-  if (finish.subsurface) not_yet.insert("subsurface");
+  if (finish.subsurface && least_translucency) {
+    result.subsurface = subsurface_of(finish, *least_translucency);
+    result.diffuse = result.diffuse_back = 0.0;
+  }
   return result;
 }
 

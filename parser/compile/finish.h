@@ -2,8 +2,7 @@
 #pragma once
 
 #include <memory>
-#include <set>
-#include <string>
+#include <optional>
 
 #include "core/material/finish.h"
 #include "core/material/interior.h"
@@ -12,7 +11,9 @@
 
 namespace lentray::parser {
 
-core::Finish compile_finish(const FinishDesc& finish, std::set<std::string>& not_yet);
+/// `least_translucency`: what less is taken for, mm; none: the scene wants no subsurface light.
+core::Finish compile_finish(const FinishDesc& finish,
+                            std::optional<double> least_translucency = std::nullopt);
 /// All but the media. Null if neither gives anything; an old scene's `ior` in the texture's finish wins,
 /// as in stock.
 std::shared_ptr<core::Interior> compile_interior(const Ref<InteriorDesc>& interior,

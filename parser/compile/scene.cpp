@@ -11,7 +11,8 @@
 namespace lentray::parser {
 namespace {
 
-constexpr int kAirQuality = 9, kRadiosityQuality = 9, kPhotonQuality = 9;
+constexpr int kAirQuality = 9, kRadiosityQuality = 9, kPhotonQuality = 9, kSubsurfaceQuality = 9;
+constexpr double kLeastTranslucency = 1e-4;  ///< in units of the scene
 
 /// Without +UA a background that is clear is laid over black; its filter is passed over, as in stock. With it, one
 /// from before #version 3.7 is seen in mirrors only, as if there were none.
@@ -66,6 +67,8 @@ core::SceneSettings build_settings(const SceneDesc& scene, const BuildOptions& o
     s.photons = photon_settings(g, s);
     if (s.photons) s.loaded_photons = g.loaded_photons.maps;
   }
+  if (g.subsurface && options.quality >= kSubsurfaceQuality) s.subsurface = g.subsurface;
+  if (g.mm_per_unit > 0.0) s.mm_per_unit = g.mm_per_unit;
   return s;
 }
 
@@ -88,19 +91,13 @@ TextureSettings texture_settings(const SceneDesc& scene, const core::SceneSettin
   t.number_of_waves = scene.global.number_of_waves;
   t.language_version = scene.language_version;
   t.noise_generator = settings.noise_generator;
+  // Rays need some room below a surface.
+  if (settings.subsurface) t.least_translucency = kLeastTranslucency * settings.mm_per_unit;
   t.media = options.overrides.media;
   return t;
 }
 
 namespace {
-
-void note_missing(const SceneDesc& scene, NotYet& not_yet) {
-  const auto note = [&](bool used, const char* feature, const Location& where) {
-    if (used) not_yet.try_emplace(feature, where);
-  };
-  const GlobalDesc& g = scene.global;
-  note(g.subsurface.has_value(), "subsurface", g.where);
-}
 
 std::unique_ptr<core::SkySphere> build_sky(const SkySphereDesc& sky, TextureCompiler& textures) {
   auto out = std::make_unique<core::SkySphere>();
@@ -144,6 +141,7 @@ void warn_of_random_numbers(const core::SceneParts& parts, const TextureCompiler
             "those of two such runs");
   };
   warn(textures.has_crand(), "crand");
+  warn(textures.has_subsurface(), "subsurface light");
   warn(std::any_of(parts.lights.begin(), parts.lights.end(),
                    [](const core::Light& light) { return light.has_area && light.area.jitter; }),
        "jitter of area lights");
@@ -151,6 +149,19 @@ void warn_of_random_numbers(const core::SceneParts& parts, const TextureCompiler
   warn(std::any_of(parts.atmosphere.rainbows.begin(), parts.atmosphere.rainbows.end(),
                    [](const core::Rainbow& rainbow) { return rainbow.jitter > 0.0; }),
        "jitter of rainbows");
+}
+
+void warn_about_subsurface(const SceneDesc& scene, const TextureCompiler& textures,
+                           Diagnostics& diagnostics) {
+  if (!textures.has_subsurface()) return;
+  if (!(scene.global.mm_per_unit > 0.0)) {
+    diagnostics.warn(scene.global.where, "mm_per_unit is not greater than 0: 10 is used.");
+  }
+  if (const FinishDesc* finish = textures.too_opaque()) {
+    diagnostics.warn(finish->where,
+                     "translucency is too little for subsurface light: a ten thousandth of a unit "
+                     "of the scene is used.");
+  }
 }
 
 bool has_hierarchy(const SceneDesc& scene) {
@@ -194,8 +205,8 @@ core::SceneParts build_scene(const SceneDesc& scene, Diagnostics& diagnostics,
   }
   warn_of_random_numbers(parts, textures, diagnostics);
   check_photons(scene.global, parts, diagnostics);
+  warn_about_subsurface(scene, textures, diagnostics);
   parts.slopes = builder.slope_watches().named(diagnostics);
-  note_missing(scene, not_yet);
   for (const std::string& feature : textures.not_yet()) not_yet.try_emplace(feature, Location{});
 
   for (const auto& [feature, where] : not_yet) {

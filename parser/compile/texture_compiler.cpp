@@ -60,7 +60,8 @@ class Cache {
 struct TextureCompiler::Impl {
   TextureSettings settings;
   std::set<std::string> not_yet;
-  bool has_crand = false;
+  bool has_crand = false, has_subsurface = false;
+  Ref<FinishDesc> too_opaque;
   PictureReader pictures;
   PatternBuild build;
   Cache<TextureDesc, core::Texture> textures;
@@ -209,7 +210,13 @@ core::TextureLayer TextureCompiler::Impl::compile_layer(const TextureLayerDesc& 
                                                         const core::Placement& outer) {
   core::TextureLayer result;
   result.pigment = compile(layer.pigment, outer);
-  result.finish = compile_finish(*layer.finish, not_yet);
+  result.finish = compile_finish(*layer.finish, settings.least_translucency);
+  if (result.finish.subsurface) {
+    has_subsurface = true;
+    const bool is_as_written =
+        result.finish.subsurface->translucency == layer.finish->subsurface->translucency;
+    if (!too_opaque && !is_as_written) too_opaque = layer.finish;
+  }
   has_crand = has_crand || result.finish.crand > 0.0;
   result.normal = compile(layer.normal);
   // A kept scale leaves the length free; the tracer wants it 1.
@@ -305,6 +312,8 @@ std::shared_ptr<const core::Medium> TextureCompiler::medium(const Ref<MediaDesc>
   });
 }
 
+bool TextureCompiler::has_subsurface() const { return m_impl->has_subsurface; }
+const FinishDesc* TextureCompiler::too_opaque() const { return m_impl->too_opaque.get(); }
 const std::set<std::string>& TextureCompiler::not_yet() const { return m_impl->not_yet; }
 bool TextureCompiler::has_crand() const { return m_impl->has_crand; }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -20,7 +21,8 @@ struct TextureSettings {
   int noise_generator = 2;   ///< global_settings; 3.7's default is 2
   int number_of_waves = 10;  ///< global_settings
   int language_version = 370;
-  MediaSettings media;  ///< what holds instead of the scene's own
+  std::optional<double> least_translucency;  ///< mm; none: no subsurface light
+  MediaSettings media;                       ///< what holds instead of the scene's own
 };
 
 class TextureCompiler {
@@ -41,10 +43,14 @@ class TextureCompiler {
   /// Null below the quality that shows media.
   std::shared_ptr<const core::Medium> medium(const Ref<MediaDesc>& medium);
 
-  /// Names of what was asked for and is not rendered yet ("subsurface").
+  /// Names of what was asked for and is not rendered yet.
   const std::set<std::string>& not_yet() const;
   /// Whether a finish so far has crand.
   bool has_crand() const;
+  /// Whether one has subsurface light.
+  bool has_subsurface() const;
+  /// The first finish so far whose translucency is too little to be had; null: none.
+  const FinishDesc* too_opaque() const;
 
  private:
   struct Impl;

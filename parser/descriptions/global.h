@@ -11,22 +11,18 @@
 #include "core/irradiance/settings.h"
 #include "core/photon/photon_maps.h"
 #include "core/photon/settings.h"
+#include "core/subsurface/settings.h"
 #include "parser/source/source.h"
 
 namespace lentray::parser {
 
 using core::PhotonSettings;
 using core::RadiositySettings;
+using core::SubsurfaceSettings;
 
 /// What a file of photons holds; null: none was read.
 struct LoadedPhotons {
   std::shared_ptr<const core::PhotonMaps> maps;
-};
-
-/// Kept; rendered later.
-struct SubsurfaceSettings {
-  int samples_diffuse = 50, samples_single = 50;
-  bool radiosity = false;
 };
 
 struct GlobalDesc {

@@ -123,6 +123,25 @@ TEST(ImageIdentical, FocalBlur) {
   expect_identical({scene, "Lenticular=On", "Lens_Pixels=6", "Antialias_Angle=2", "+W36", "+H20"});
 }
 
+const char* const kTranslucent = R"(#version 3.7;
+global_settings { assumed_gamma 1 mm_per_unit 20 subsurface { samples 8, 3 radiosity on }
+  radiosity { count 8 error_bound 1 recursion_limit 1 subsurface on } }
+camera { location <0.3,2,-6> look_at <0,0.7,0> angle 40 }
+light_source { <3,9,-4> rgb 0.7 }
+light_source { <-5,6,-3> rgb 0.5 area_light x*2, z*2, 4, 4 adaptive 1 jitter }
+plane { y, 0 pigment { rgb 0.7 } finish { reflection 0.2 } }
+sphere { <-1,0.8,0>, 0.8 pigment { agate } finish { subsurface { translucency <9,5,2> } }
+  interior { ior 1.3 } }
+sphere { <0.7,0.6,-1.4>, 0.6 pigment { rgb <0.6,1,0.8> filter 0.5 } finish { subsurface {
+  translucency 20 } } interior { ior 1.3 } }
+)";
+
+TEST(ImageIdentical, SubsurfaceLight) {
+  const tool::TemporaryFolder folder;
+  tool::write_text(folder / "translucent.pov", kTranslucent);
+  expect_identical({"+I" + (folder / "translucent.pov").string(), "+W24", "+H18"}, Ways::kHalf);
+}
+
 /// A sheet without thickness tilted so that it rises from 3e-4 to 4e-3 above a plane, under the light: across the
 /// distance below which blockers are not seen. A cache that tests what it remembers otherwise
 /// than the full search does lets the order of pixels show here; stock's does.

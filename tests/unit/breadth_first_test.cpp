@@ -36,6 +36,12 @@ const BreadthScene kScenes[] = {
     {"clear panes", 8, false,
      "#for (I, 0, 9) box { <-2, 0, I/4>, <2, 2, I/4 + 0.1> pigment { rgbt <1, 1, 1, 0.8> } } "
      "#end"},
+    {"subsurface light", 3, true,
+     "global_settings { mm_per_unit 10 subsurface { samples 6, 3 } }"
+     "sphere { <0, 1, 0>, 1 pigment { rgb 0.9 } finish { reflection 0.3 subsurface { translucency "
+     "60 } } interior { ior 1.3 } }"
+     "sphere { <1, 1, 2>, 1 pigment { rgb <0.9, 0.5, 0.3> } finish { subsurface { translucency 30 "
+     "} } interior { ior 1.2 } }"},
     {"dispersion", 4, false,
      "prism { linear_spline 0, 3, 4 <-1, 0>, <1, 0>, <0, 1.5>, <-1, 0> pigment { rgbf 1 } "
      "interior { ior 1.5 dispersion 1.1 } finish { reflection 0.1 } }"

@@ -172,21 +172,5 @@ INSTANTIATE_TEST_SUITE_P(
             "/objects/0/object/shape",
             R"({"parameter":[0.1,0.2,0.3,0.4],"slice":[0.0,0.0,1.0,1.0],"slice_distance":0.2,"precision":9.0,"max_iteration":5,"hypercomplex":true,"function":"exp"})"}));
 
-TEST(UnitKept, OneWarningNamesThemAll) {
-  SceneText read(
-      "global_settings { subsurface { } }\n"
-      "sphere { 0, 1 finish { subsurface { } } }");
-  read.build();
-  int warnings = 0;
-  std::string text;
-  for (const Diagnostic& d : read.diagnostics().warnings()) {
-    if (d.message.find("not rendered yet") == std::string::npos) continue;
-    ++warnings;
-    text = d.message;
-  }
-  EXPECT_EQ(warnings, 1);
-  EXPECT_NE(text.find("subsurface"), std::string::npos) << text;
-}
-
 }  // namespace
 }  // namespace lentray::parser::test

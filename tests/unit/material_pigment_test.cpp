@@ -157,13 +157,6 @@ TEST(UnitMaterialPigment, IdenticalDescriptionsAreCompiledOnce) {
   EXPECT_TRUE(compiler.not_yet().empty());
 }
 
-TEST(UnitMaterialPigment, WhatIsNotRenderedYetIsNamedWhenUsed) {
-  const LooksText text("finish { subsurface { translucency .5 } }");
-  TextureCompiler compiler(TextureSettings{});
-  compiler.texture(text.object().texture, nullptr);
-  EXPECT_EQ(compiler.not_yet().count("subsurface"), 1u);
-}
-
 TEST(UnitMaterialBlendMap, UnsortedEntriesAreSearchedAsInStock) {
   // The first entry that reaches the value counts, with the entry before it.
   const core::BlendMap<double> map({{0.0, 0.0}, {0.6, 6.0}, {0.4, 4.0}, {1.0, 10.0}});

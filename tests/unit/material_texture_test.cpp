@@ -9,8 +9,7 @@ namespace lentray::parser::test {
 namespace {
 
 core::Finish finish_of(const std::string& text) {
-  std::set<std::string> not_yet;
-  return compile_finish(LooksText("pigment { rgb 1 } finish { " + text + " }").finish(), not_yet);
+  return compile_finish(LooksText("pigment { rgb 1 } finish { " + text + " }").finish());
 }
 
 core::WeightedTextures resolved(const LooksText& text, const core::Vec3& point,

@@ -1,0 +1,14 @@
+// What a scene asks of subsurface light. Plain values; defaults are stock's.
+// Source: reference manual 3.7, "Subsurface Light Transport".
+#pragma once
+
+namespace lentray::core {
+
+/// `subsurface { }` of global_settings.
+struct SubsurfaceSettings {
+  int samples_diffuse = 50;  ///< of light that is scattered many times; not positive: none of it
+  int samples_single = 50;   ///< of light that is scattered once, a channel
+  bool radiosity = false;    ///< whether the light of other surfaces is scattered too
+};
+
+}  // namespace lentray::core
