@@ -136,7 +136,7 @@ TEST_F(ImageRadiosityFiles, PartsOfAPictureShareIt) {
       nlohmann::json::parse(tool::read_text(folder / "a.json")).at("radiosity").at("is_kept_pass"));
 }
 
-TEST_F(ImageRadiosityFiles, SheetViewsAndQuiltShareIt) {
+TEST_F(ImageRadiosityFiles, ASheetAndItsViewsShareIt) {
   const std::vector<std::string> sheet{"+Ia.pov", "Lenticular=On", "Lens_Pixels=3",
                                        "+W60",    "+H40",          "+RFI",
                                        "+RFO",    "+RFkept/",      "Statistics_File=a.json"};
@@ -153,7 +153,6 @@ TEST_F(ImageRadiosityFiles, SheetViewsAndQuiltShareIt) {
   EXPECT_TRUE(is_kept({"+Oagain.png"}, "a.json"));
   EXPECT_TRUE(is_kept({"+Oview.png", "View=1"}, "a.json"));
   EXPECT_TRUE(is_kept({"+Oall.png", "Views=3", "View_Size=40x30"}, "a0.json"));
-  EXPECT_TRUE(is_kept({"+Oquilt.png", "Quilt=3x1", "View_Size=40x30"}, "a.json"));
   EXPECT_TRUE(
       same_bits(core::read_image(folder / "sheet.png"), core::read_image(folder / "again.png")));
   EXPECT_FALSE(is_kept({"+Oother.png", "Lens_Pixels=4"}, "a.json"));
