@@ -42,11 +42,11 @@ constexpr FileOption kFileOptions[] = {
     {"Output_File_Name", FileUse::kWrites, name_in<&Options::output>},
     {"Create_Ini", FileUse::kWrites, [](const Options& o) { return one(ini_path(o)); },
      [](Options& o) { o.create_ini = false; }},
-    {"Radiosity_File_Name", FileUse::kWrites,
-     [](const Options& o) { return o.radiosity_to_file ? one(o.radiosity_file) : Names{}; },
-     [](Options& o) { o.radiosity_to_file = false; }},
-    {"Radiosity_From_File", FileUse::kReads,
-     [](const Options& o) { return o.radiosity_from_file ? one(o.radiosity_file) : Names{}; }},
+    {"Radiosity_File_Name", FileUse::kWrites, name_in<&Options::radiosity_file>,
+     [](Options& o) {
+       o.radiosity_file = Options{}.radiosity_file;
+       o.radiosity_to_file = false;
+     }},
     text_file<&Options::debug_file>("Debug_File"),
     text_file<&Options::fatal_file>("Fatal_File"),
     text_file<&Options::render_file>("Render_File"),

@@ -136,7 +136,7 @@ TEST_F(ImageRadiosityFiles, PartsOfAPictureShareIt) {
       nlohmann::json::parse(tool::read_text(folder / "a.json")).at("radiosity").at("is_kept_pass"));
 }
 
-TEST_F(ImageRadiosityFiles, SheetViewsAndQuiltShareIt) {
+TEST_F(ImageRadiosityFiles, ASheetAndItsViewsShareIt) {
   const std::vector<std::string> sheet{"+Ia.pov", "Lenticular=On", "Lens_Pixels=3",
                                        "+W60",    "+H40",          "+RFI",
                                        "+RFO",    "+RFkept/",      "Statistics_File=a.json"};
@@ -153,7 +153,6 @@ TEST_F(ImageRadiosityFiles, SheetViewsAndQuiltShareIt) {
   EXPECT_TRUE(is_kept({"+Oagain.png"}, "a.json"));
   EXPECT_TRUE(is_kept({"+Oview.png", "View=1"}, "a.json"));
   EXPECT_TRUE(is_kept({"+Oall.png", "Views=3", "View_Size=40x30"}, "a0.json"));
-  EXPECT_TRUE(is_kept({"+Oquilt.png", "Quilt=2x2", "View_Size=40x30"}, "a.json"));
   EXPECT_TRUE(
       same_bits(core::read_image(folder / "sheet.png"), core::read_image(folder / "again.png")));
   EXPECT_FALSE(is_kept({"+Oother.png", "Lens_Pixels=4"}, "a.json"));
@@ -220,6 +219,50 @@ TEST_F(ImageRadiosityFiles, StocksFormTellsSamplesAsStockDoes) {
   const std::string by_us = run({"+Ia.pov", "-F", "Stock_Messages=On", "+WT1"}).output;
   EXPECT_NE(numbers(by_stock), "");
   EXPECT_EQ(numbers(by_us), numbers(by_stock));
+}
+
+/// A batch that was stopped goes on with the views that it lacks, and with their radiosity.
+TEST_F(ImageRadiosityFiles, RunsOfABatchShareIt) {
+  fs::create_directory(folder / "in");
+  fs::rename(folder / "a.pov", folder / "in/a.pov");
+  const std::vector<std::string> command{program("lentray-batch").string(),
+                                         "in",
+                                         "--out",
+                                         "out",
+                                         "--jobs",
+                                         "1",
+                                         "-A",
+                                         "Lenticular=On",
+                                         "+W240",
+                                         "+H160",
+                                         "Lens_Pixels=8",
+                                         "Views=8",
+                                         "View_Size=240x160"};
+  {
+    tool::Launch launch;
+    launch.command = command;
+    launch.folder = folder.path();
+    launch.log = folder / "log";
+    tool::Child child(launch);
+    while (!child.ended() && !is_there("out/a1.png"))
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    child.ask_to_stop();
+    while (!child.ended()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  ASSERT_FALSE(is_there("out/a7.png")) << "it was over too soon";
+  EXPECT_FALSE(fs::is_empty(folder / "out/.lentray-batch/radiosity"));
+  const tool::RunResult rest = tool::run_program(command, folder.path());
+  EXPECT_EQ(rest.status, 0) << rest.output;
+  std::size_t kept = 0;
+  for (const auto& file : fs::directory_iterator(folder / "out/.lentray-batch/runs")) {
+    const std::string name = file.path().filename().string();
+    if (!name.ends_with("7.statistics")) continue;
+    ++kept;
+    EXPECT_TRUE(
+        nlohmann::json::parse(tool::read_text(file.path())).at("radiosity").at("is_kept_pass"));
+  }
+  EXPECT_EQ(kept, 1u);
+  EXPECT_FALSE(is_there("out/.lentray-batch/radiosity"));
 }
 
 /// Killed in the middle, again and again, and gone on with.

@@ -209,7 +209,7 @@ void find_scene(Run& run, const Picture& what, const std::atomic<bool>& cancel) 
   write_dependencies(run, what.kept->disk);
   run.identity.files = what.kept->disk.checksums();
   if (const std::string file = RadiosityStore::input(run.options); !file.empty()) {
-    if (!run.options.radiosity_to_file) core::note_input(file);
+    core::note_input(file);
     if (const auto sum = parser::file_checksum(file)) run.identity.files[file] = *sum;
   }
 }
@@ -226,12 +226,13 @@ bool is_there_already(Run& run, const std::string& scene) {
 }
 
 /// Null: the scene has no radiosity, or none is kept.
-std::unique_ptr<RadiosityStore> radiosity_store(const Run& run, const Session& session) {
+std::unique_ptr<RadiosityStore> radiosity_store(const Run& run, const SceneInUse& scene) {
+  const Session& session = *scene.session;
   const RenderOptions& o = run.options;
   if (!session.has_passes() || !(o.radiosity_from_file || o.radiosity_to_file)) return nullptr;
-  Identity identity = run.identity;
-  identity.options = parser::light_lines(o) + session.radiosity_lines(run.camera);
-  identity.files.erase(RadiosityStore::input(o));
+  const Identity identity{run.identity.program,
+                          parser::light_lines(o) + session.radiosity_lines(run.camera),
+                          scene.disk.checksums()};
   auto store = std::make_unique<RadiosityStore>(o, identity);
   store->read();
   return store;
@@ -247,7 +248,8 @@ void tell_of_journal(Run& run, PictureJournal& journal) {
 }
 
 /// False if the run was cancelled.
-bool render(Run& run, Session& session, const std::atomic<bool>& cancel, bool is_frame) {
+bool render(Run& run, SceneInUse& scene, const std::atomic<bool>& cancel, bool is_frame) {
+  Session& session = *scene.session;
   const RenderOptions& o = run.options;
   const FilmSettings film = film_settings(o);
   const Plan plan = session.plan(run.camera, film);
@@ -262,7 +264,7 @@ bool render(Run& run, Session& session, const std::atomic<bool>& cancel, bool is
     passes.emplace(run.output, run.identity);
     if (o.continues) passes->go_on();
   }
-  const std::unique_ptr<RadiosityStore> store = radiosity_store(run, session);
+  const std::unique_ptr<RadiosityStore> store = radiosity_store(run, scene);
   run.form.begin_rendering(o, plan.report, plan.pixels);
   std::unique_ptr<core::Progress> bar;
   if (o.verbose) bar = run.form.progress();
@@ -376,7 +378,7 @@ Status make_picture(Run& run, const Picture& what, const std::atomic<bool>& canc
   write_view_cameras(run.camera, o);
   if (const auto status = tell(run, session, cancel)) return *status;
   session.drop_text();
-  if (!render(run, session, cancel, what.is_frame)) return kAborted;
+  if (!render(run, *what.kept, cancel, what.is_frame)) return kAborted;
   report_advice(run, session);
   run.warnings.say();
   run.report.wall_s = std::chrono::duration<double>(Clock::now() - start).count();

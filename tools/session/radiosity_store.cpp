@@ -43,8 +43,8 @@ std::string RadiosityStore::output(const parser::RenderOptions& o) {
 }
 
 std::string RadiosityStore::input(const parser::RenderOptions& o) {
-  return o.radiosity_from_file && !is_folder(o.radiosity_file) && is_stock(o.radiosity_file) &&
-                 is_there(o.radiosity_file)
+  return o.radiosity_from_file && !o.radiosity_to_file && !is_folder(o.radiosity_file) &&
+                 is_stock(o.radiosity_file) && is_there(o.radiosity_file)
              ? o.radiosity_file
              : "";
 }

@@ -31,7 +31,7 @@ class RadiosityStore {
   RadiosityStore(const parser::RenderOptions& options, const Identity& identity);
   /// The file that the run writes at the end of a pass or picture; empty: none that is known beforehand.
   static std::string output(const parser::RenderOptions& options);
-  /// The file of samples that pictures depend on; empty: none.
+  /// The file of samples that pictures depend on; empty: none, or one that pictures add to.
   static std::string input(const parser::RenderOptions& options);
 
   /// Reads what there is.
