@@ -53,7 +53,7 @@ class Radius {
   double density(double radius) {
     const Photon& photon = m_tree.photons()[m_random.next() % m_tree.size()];
     const Vec3 place(photon.place[0], photon.place[1], photon.place[2]);
-    m_tree.find({place, nullptr, radius, m_most}, m_found);
+    m_tree.find({place, nullptr, radius, m_most, true}, m_found);
     if (!(m_found.radius() > 0.0)) return 0.0;
     return Room::density(static_cast<double>(m_found.size()), m_found.radius());
   }

@@ -36,8 +36,10 @@ std::vector<Photon> read_list(std::string_view& bytes) {
 void write_list(std::ostream& out, const std::vector<Photon>& photons) {
   const auto count = static_cast<std::int32_t>(photons.size());
   out.write(reinterpret_cast<const char*>(&count), sizeof(count));
-  out.write(reinterpret_cast<const char*>(photons.data()),
-            static_cast<std::streamsize>(photons.size() * sizeof(Photon)));
+  for (Photon photon : photons) {
+    photon.hidden_by = 0;
+    out.write(reinterpret_cast<const char*>(&photon), sizeof(photon));
+  }
 }
 
 }  // namespace

@@ -148,6 +148,7 @@ class Nearest {
 
 PhotonTree::PhotonTree(std::vector<Photon> photons, Order order) : m_photons(std::move(photons)) {
   if (order == Order::kOfShooting) split(0, m_photons.size());
+  for (Photon& photon : m_photons) photon.hidden_by = 0;
   note_hidden(0, m_photons.size());
 }
 
@@ -192,6 +193,7 @@ void PhotonTree::find_in(const PhotonSearch& search, FoundPhotons& found) const 
   constexpr std::size_t kDeepest = 64;  ///< halvings of a number of photons
   std::array<Range, kDeepest> behind;
   std::size_t waiting = 0;
+  const std::size_t bucket_size = search.one_by_one ? 0 : kBucket;
   const Vec3& point = search.point;
   const Vec3 normal = kFlattened ? *search.normal : Vec3();
   const auto way_to = [&point](const Photon& photon) {
@@ -208,7 +210,7 @@ void PhotonTree::find_in(const PhotonSearch& search, FoundPhotons& found) const 
     Range range = behind[--waiting];
     if (!(range.gap < nearest.limit())) continue;
     while (range.begin < range.end) {
-      if (range.end - range.begin <= kBucket && nearest.takes(range.end - range.begin)) {
+      if (range.end - range.begin <= bucket_size && nearest.takes(range.end - range.begin)) {
         const std::size_t count = range.end - range.begin;
         const Photon* const bucket = m_photons.data() + range.begin;
         std::array<double, kBucket> distances, gaps;

@@ -21,6 +21,8 @@ struct PhotonSearch {
   const Vec3* normal;
   double radius;     ///< nearer than this
   std::size_t most;  ///< so many, at least 1
+  /// Slower, and now and then another photon is missed: exactly stock's search.
+  bool one_by_one = false;
 };
 
 /// In an order that depends on tree and search alone. A buffer that is used from search to search.
