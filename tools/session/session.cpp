@@ -237,7 +237,6 @@ shadow::RunReport Session::render(const Plan& plan, const Outlets& outlets) {
     if (shoots) m_photons.reset();
     return report;
   }
-  if (shoots) m_photons->save();
   report.passes = passes.reports();
   const double before = cpu_seconds();
   report.counters = core::render_frame(*m_scene, camera, plan.shape, *orders, *asked, frame,
