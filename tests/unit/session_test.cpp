@@ -111,6 +111,23 @@ TEST(UnitSession, ThreadsAndBandsChangeNoBit) {
   }
 }
 
+TEST(UnitSession, PhotonsAreShotOnceForAllPictures) {
+  OpenSession open(
+      "#version 3.7; global_settings { assumed_gamma 1 photons { spacing .1 } }\n"
+      "camera { location <0,1,-5> look_at 0 } light_source { <3,5,-5>, 1 }\n"
+      "plane { y, -1 pigment { rgb 1 } } sphere { 0, 1 pigment { rgbf 1 } "
+      "interior { ior 1.5 } photons { target refraction on } }");
+  EXPECT_TRUE(open.session->has_passes());
+  EXPECT_EQ(open.session->photons(), nullptr);
+  const CameraSetup sheet = open.session->camera(session_view(0));
+  const std::vector<float> first = open.render(sheet);
+  ASSERT_EQ(open.report.passes.size(), 1u);
+  EXPECT_EQ(open.report.passes[0].name, "photons");
+  open.render(open.session->another_view(sheet, session_view(3)));
+  EXPECT_TRUE(open.report.passes.empty());
+  EXPECT_EQ(open.render(sheet), first);
+}
+
 TEST(UnitSession, LightBuffersAreThoseOfTheLargestPicture) {
   OpenSession all(kSessionScene);
   core::Scene const& scene = all.session->scene();

@@ -1,5 +1,6 @@
 #include "tools/lentray/picture_run.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
@@ -302,10 +303,20 @@ bool render(Run& run, SceneInUse& scene, const std::atomic<bool>& cancel, bool i
   return true;
 }
 
+/// Those that were shot for this picture, later ones share.
+void save_photons(Run& run, const PhotonRun& photons) {
+  const auto& passes = run.report.passes;
+  const bool are_new = std::any_of(passes.begin(), passes.end(),
+                                   [](const auto& pass) { return pass.name == "photons"; });
+  if (!are_new) return;
+  if (const std::string trouble = photons.save(); !trouble.empty()) run.warnings.tell(trouble);
+}
+
 /// What the picture told about the numbers it was given.
 void report_advice(Run& run, const Session& session) {
   for (const std::string& text : session.advice()) run.warnings.add(text);
   if (const PhotonRun* const photons = session.photons()) {
+    save_photons(run, *photons);
     if (const std::string text = photons->warning(); !text.empty()) run.warnings.tell(text);
     run.form.texts().write(parser::Stream::kStatistics, photons->text());
   }

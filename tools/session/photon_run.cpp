@@ -26,13 +26,12 @@ PhotonRun::PhotonRun(const core::Scene& scene, core::Illumination& light)
   }
 }
 
-void PhotonRun::save() {
+std::string PhotonRun::save() const {
   const std::string& name = m_scene.settings().photons->save_file;
-  if (name.empty() || !m_pass) return;
+  if (name.empty() || !m_pass) return {};
   const core::PhotonLight& light = *m_light.photons;
   if (light.surface.is_empty() && light.media.is_empty()) {
-    m_trouble = "there are no photons to save in '" + name + "'";
-    return;
+    return "there are no photons to save in '" + name + "'";
   }
   try {
     core::FileSwap swap(name);
@@ -42,12 +41,12 @@ void PhotonRun::save() {
     if (!out) throw core::ImageError("cannot write " + core::shown_place(name));
     swap.commit();
   } catch (const core::ImageError& error) {
-    m_trouble = std::string("the photons are not saved: ") + error.what();
+    return std::string("the photons are not saved: ") + error.what();
   }
+  return {};
 }
 
 std::string PhotonRun::warning() const {
-  if (!m_trouble.empty()) return m_trouble;
   if (!m_pass) return {};
   const core::PhotonReport& report = m_pass->report();
   if (report.is_full) {

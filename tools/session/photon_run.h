@@ -1,5 +1,4 @@
-// Photons of a scene's pictures: shot before the first of them or loaded, saved if the scene wants it, and
-// what is told of them. One map serves all pictures of a session. One thread.
+// Photons of a scene's pictures: shot before the first of them or loaded, and what is told of them. One map serves all pictures of a session. One thread.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -17,8 +16,8 @@ class PhotonRun {
   PhotonRun(const core::Scene& scene, core::Illumination& light);
   /// Null: they were loaded.
   core::PhotonPass* pass() { return m_pass ? &*m_pass : nullptr; }
-  /// Writes the scene's save_file, once they are shot. Trouble is a warning.
-  void save();
+  /// Writes the scene's save_file, if it wants one. Returns what went wrong; empty: nothing.
+  std::string save() const;
 
   /// What a user may want to know of them, each in a line; empty: nothing.
   std::string warning() const;
@@ -30,7 +29,6 @@ class PhotonRun {
   const core::Scene& m_scene;
   const core::Illumination& m_light;
   std::optional<core::PhotonPass> m_pass;
-  std::string m_trouble;
 };
 
 }  // namespace lentray::tool

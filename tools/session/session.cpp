@@ -261,7 +261,6 @@ shadow::RunReport Session::render(const Plan& plan, const Outlets& outlets) {
     if (shoots) m_photons.reset();
     return report;
   }
-  if (shoots) m_photons->save();
   report.passes = passes.reports();
   if (outlets.radiosity && !passes.is_empty()) m_radiosity->keep(*outlets.radiosity);
   const double before = cpu_seconds();
