@@ -20,6 +20,14 @@ bool nearly_equal(const Vec3& a, const Vec3& b) {
   return std::fabs(d.x) <= kTiny && std::fabs(d.y) <= kTiny && std::fabs(d.z) <= kTiny;
 }
 
+/// Whether no photon can go on from it.
+bool ends_photons(const LayeredTexture& texture) {
+  const auto& layers = texture.layers();
+  return texture.is_opaque() && std::all_of(layers.begin(), layers.end(), [](const auto& layer) {
+           return layer.finish.reflection_max.is_black() && layer.finish.reflection_min.is_black();
+         });
+}
+
 /// Photons of lights outside all light groups light it.
 bool is_lit(const Attributes& looks) { return !looks.lights || looks.lights->global; }
 
@@ -159,7 +167,7 @@ void PhotonPath::arrive(const Meeting& at, const LayeredTexture& texture, Leg le
       at.passes || photons_go_on(at.flags.photon_refraction, light.photon_refraction);
   const bool reflects =
       !at.passes && photons_go_on(at.flags.photon_reflection, light.photon_reflection);
-  if (!refracts && !reflects) return;
+  if ((!refracts && !reflects) || ends_photons(texture)) return;
   const Layers layers = see_layers(at, texture, leg);
   bool total_reflection = false;
   if (refracts && layers.transparency > m_settings.adc_bailout) {
@@ -183,7 +191,11 @@ void PhotonPath::see_layer(const TextureLayer& layer, const Meeting& at, const L
                            SurfaceContext& context, Layers& layers) const {
   const Finish& finish = layer.finish;
   const Vec3 place = texture_point(context);
-  Colour colour = layer.pigment->colour(place, context);
+  // What is opaque passes nothing, whatever its colour.
+  Colour colour;
+  if (finish.reflection_metallic != 0.0 || !layer.pigment->is_opaque()) {
+    colour = layer.pigment->colour(place, context);
+  }
   if (layer.normal) context.normal = layer.normal->perturb(place, at.normal, context);
   const Vec3 normal = layer.normal ? context.normal : at.normal;
   if (layers.mirrors.empty()) layers.top_normal = normal;

@@ -158,6 +158,8 @@ const Program kPrograms[] = {
      "The numbers of expand_thresholds must not be negative: 0 is used."},
     {"global_settings { photons { count 5 media -1 } }",
      "The steps of photons' media must not be negative."},
+    {"global_settings { photons { count 5 media 1, 0 } }",
+     "The factor of photons' media must be greater than 0."},
     {"global_settings { photons { cuont 5 } }",
      "one of radius, spacing, expand_thresholds, gather, jitter, count, autostop, adc_bailout, "
      "max_trace_level, load_file, save_file, media or }"},
@@ -165,6 +167,23 @@ const Program kPrograms[] = {
      "The first number of gather must not be greater than the second."},
     {"global_settings { photons { count 5 gather 0, 0 } }", "gather is 0: there are no photons."},
     {"global_settings { photons { load_file \"none\" } }", "cannot find the photon file 'none'"},
+    {"global_settings { photons { load_file \"bad.df3\" } }",
+     "cannot use the photon file 'bad.df3': it ends before its photons"},
+    {"global_settings { photons { save_file \"a.ph\" save_file \"b.ph\" load_file \"empty.ph\" } }",
+     "photons are either loaded or saved: this load_file holds"},
+    {"global_settings { photons { spacing 0 } }",
+     "no photons are shot: their spacing must be greater than 0"},
+    {"global_settings { photons { spacing 1 } }", "no photons are shot: no object is a target"},
+    {"global_settings { photons { spacing 1 } } sphere { 0, 1 photons { target } }",
+     "no photons are shot: there is no light that shoots them; shadowless ones and those of light "
+     "groups do not"},
+    {"global_settings { photons { spacing 1 } } sphere { 0, 1 photons { target } } "
+     "light_source { 9 1 }",
+     "neither targets nor lights have reflection or refraction of photons on"},
+    {"global_settings { photons { spacing 1e-6 } } light_source { 9 1 } "
+     "sphere { 0, 1 photons { target reflection on } }",
+     "photons would be shot, 1e+09 are the most: a greater spacing or a smaller count shoots "
+     "fewer"},
     {"global_settings { subsurface { sample 1 } }", "samples, radiosity or }"},
     // lights
     {"light_source { 0 radius 5 }",
@@ -534,6 +553,7 @@ TEST(GrammarMessages, EachIsHeard) {
   tool::write_text(folder / "bad.ttf", "no font");
   tool::write_text(folder / "two.gif", std::string("GIF89a\1\0\1\0\200\0\0", 13) + "abcdef");
   tool::write_text(folder / "bad.df3", "no");
+  tool::write_text(folder / "empty.ph", std::string(8, '\0'));
   tool::write_text(folder / "odd.df3", std::string("\0\2\0\1\0\1", 6) + "abcde");
   const fs::path before = fs::current_path();
   fs::current_path(folder.path());
