@@ -29,6 +29,8 @@ class GatherThreads final : public GatherTeam {
   void trace(std::span<const GatherRay> rays, bool asks, std::span<GatherRecord> records) override;
   /// What is asked behind camera rays; the light they bring is nobody's.
   void look(std::span<const PassRay> rays, std::span<GatherRecord> records);
+  /// Adds the rays that were traced to the pass's numbers.
+  void count_rays();
 
  private:
   struct Thread {
