@@ -19,6 +19,7 @@ std::size_t IrradianceCache::bytes() const {
   for (const auto& [pixel, gathered] : m_gathered) {
     bytes += sizeof(pixel) + sizeof(gathered) + gathered.size() * sizeof(GatheredLight);
   }
+  bytes += m_answered.size() * sizeof(Range) + m_answers.capacity() * sizeof(KnownAnswer);
   return bytes;
 }
 
@@ -39,13 +40,28 @@ void IrradianceCache::see(Pixel pixel, std::size_t samples, std::vector<Gathered
   const std::size_t place = std::size_t{pixel.row} * m_width + pixel.column;
   m_seen[place] = static_cast<std::uint32_t>(samples);
   if (!gathered.empty()) m_gathered.emplace(place, std::move(gathered));
+  m_seen_last = place;
+}
+
+void IrradianceCache::answer(std::span<const KnownAnswer> answers) {
+  if (answers.empty()) return;
+  m_answered.resize(m_seen.size());
+  m_answered[m_seen_last] = {static_cast<std::uint32_t>(m_answers.size()),
+                             static_cast<std::uint32_t>(answers.size())};
+  m_answers.insert(m_answers.end(), answers.begin(), answers.end());
 }
 
 PixelSight IrradianceCache::sight(Pixel pixel) const {
   if (pixel.column >= m_width || pixel.row >= m_height) return {};
   const std::size_t place = std::size_t{pixel.row} * m_width + pixel.column;
-  const auto found = m_gathered.find(place);
-  return {m_seen[place], found == m_gathered.end() ? nullptr : &found->second};
+  PixelSight sight{m_seen[place]};
+  if (const auto found = m_gathered.find(place); found != m_gathered.end())
+    sight.gathered = &found->second;
+  if (!m_answered.empty()) {
+    const Range& range = m_answered[place];
+    sight.answers = {m_answers.data() + range.first, range.count};
+  }
+  return sight;
 }
 
 }  // namespace lentray::core

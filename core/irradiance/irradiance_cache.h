@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <unordered_map>
 #include <vector>
 
@@ -25,11 +26,19 @@ struct GatheredLight {
   bool is_kept = false;  ///< as a sample
 };
 
+/// A query of a pixel's centre and what the pass answered.
+struct KnownAnswer {
+  std::uint64_t query;  ///< of its place: another ray's is another
+  Rgb light;
+  bool was_gathered;  ///< the next of what was gathered for the pixel is in it
+};
+
 /// What a pixel's centre found.
 struct PixelSight {
   std::size_t samples = SampleStore::kAll;  ///< of the first depth it sees so many
   const std::vector<GatheredLight>* gathered =
-      nullptr;  ///< for its queries in order; null: nothing
+      nullptr;                             ///< for its queries in order; null: nothing
+  std::span<const KnownAnswer> answers{};  ///< in the order of its queries; none: not known
 };
 
 class IrradianceCache {
@@ -50,6 +59,8 @@ class IrradianceCache {
   /// Of pictures of that size, whose pixels then are given in order of the pass.
   void begin_sights(std::uint32_t width, std::uint32_t height);
   void see(Pixel pixel, std::size_t samples, std::vector<GatheredLight> gathered);
+  /// Of the pixel seen last.
+  void answer(std::span<const KnownAnswer> answers);
   PixelSight sight(Pixel pixel) const;
   /// Of the pictures whose pixels were given; 0: none were.
   std::uint32_t seen_width() const { return m_width; }
@@ -63,6 +74,12 @@ class IrradianceCache {
   std::uint32_t m_width = 0, m_height = 0;
   std::vector<std::uint32_t> m_seen;  ///< samples, of each pixel
   std::unordered_map<std::size_t, std::vector<GatheredLight>> m_gathered;  ///< by pixel
+  struct Range {
+    std::uint32_t first = 0, count = 0;
+  };
+  std::size_t m_seen_last = 0;    ///< pixel
+  std::vector<Range> m_answered;  ///< of m_answers, of each pixel; empty: none are known
+  std::vector<KnownAnswer> m_answers;
 };
 
 }  // namespace lentray::core

@@ -68,6 +68,9 @@ void SampleGrid::put(std::uint32_t index, const IrradianceSample& sample, const 
   four.y[lane] = static_cast<float>(at.y - static_cast<double>(place[1]));
   four.z[lane] = static_cast<float>(at.z - static_cast<double>(place[2]));
   four.radius[lane] = static_cast<float>(sample.radius * grid.inverse);
+  const bool grows = sample.nearest > sample.radius && !(sample.to_nearest == Vec3());
+  four.longest[lane] =
+      grows ? static_cast<float>(sample.nearest * grid.inverse) : four.radius[lane];
   four.nx[lane] = static_cast<float>(sample.normal.x);
   four.ny[lane] = static_cast<float>(sample.normal.y);
   four.nz[lane] = static_cast<float>(sample.normal.z);

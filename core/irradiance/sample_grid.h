@@ -44,6 +44,7 @@ class SampleGrid {
   /// Places from the cell's corner and radii in sides.
   struct alignas(16) Four {
     float x[4], y[4], z[4], radius[4];
+    float longest[4];           ///< radius towards anything
     float nx[4], ny[4], nz[4];  ///< normals
     std::uint32_t index[4];
   };
@@ -57,18 +58,26 @@ class SampleGrid {
       return ((place[0] ^ p[0]) | (place[1] ^ p[1]) | (place[2] ^ p[2])) == 0 && exponent == e;
     }
   };
+  static Float4 roots(Float4 v) {
+    return Float4{std::sqrt(v[0]), std::sqrt(v[1]), std::sqrt(v[2]), std::sqrt(v[3])};
+  }
   /// What is asked, in the unit of the fours.
   struct Target {
-    Float4 x, y, z, nx, ny, nz, reach, slack, least_cosine;
-    /// The lanes that may be of use.
+    Float4 x, y, z, nx, ny, nz, most, slack;
+    /// The lanes that may be of use: those not too far for how much they are turned, nor too far in front.
     unsigned among(const Four& four) const {
+      constexpr float kRounding = 1e-6f, kInFront = 0.101f;
       const Float4 dx = simd::float4_at(four.x) - x, dy = simd::float4_at(four.y) - y,
                    dz = simd::float4_at(four.z) - z;
-      const Float4 farthest = simd::float4_at(four.radius) * reach + slack;
-      const Float4 cosine = simd::float4_at(four.nx) * nx + simd::float4_at(four.ny) * ny +
-                            simd::float4_at(four.nz) * nz;
-      const Int4 is_near = dx * dx + dy * dy + dz * dz <= farthest * farthest;
-      return simd::signs(is_near & (cosine >= least_cosine));
+      const Float4 mx = simd::float4_at(four.nx), my = simd::float4_at(four.ny),
+                   mz = simd::float4_at(four.nz);
+      const Float4 off = (1.0f - kRounding) - (mx * nx + my * ny + mz * nz);
+      const Float4 turned = 2.0f * roots(simd::max(off, simd::float4(0.0f)));
+      const Float4 distance = roots(dx * dx + dy * dy + dz * dz);
+      const Int4 is_near = (distance <= simd::float4_at(four.radius) * most + slack) &
+                           (distance <= simd::float4_at(four.longest) * (most - turned) + slack);
+      const Float4 in_front = dx * (mx + nx) + dy * (my + ny) + dz * (mz + nz);
+      return simd::signs(is_near & (in_front <= kInFront * distance + 4.0f * slack));
     }
   };
 
@@ -123,13 +132,12 @@ template <class Take>
 void SampleGrid::near(const ReuseQuery& query, std::size_t limit, Take&& take) const {
   constexpr double kWider = 1.0 + 1e-5, kRounding = 1e-5;  // above those of floats
   constexpr double kOff = 0x1p-50;  // of two places: what is rounded away beyond the origin
-  const double most = query.error_bound * kWider;
+  constexpr double kSame = 2e-6;    // scene units: between such places there is no direction
   const Vec3 beyond = beyond_origin(query.point);
-  const double off = kOff * (std::fabs(beyond.x) + std::fabs(beyond.y) + std::fabs(beyond.z));
+  const double off =
+      kSame + kOff * (std::fabs(beyond.x) + std::fabs(beyond.y) + std::fabs(beyond.z));
   Target target;
-  target.reach = simd::float4(static_cast<float>(most));
-  // An error of turning alone, 2 sqrt(1 - cosine), that is too much.
-  target.least_cosine = simd::float4(static_cast<float>(1.0 - kRounding - most * most / 4.0));
+  target.most = simd::float4(static_cast<float>(query.error_bound * kWider));
   target.nx = simd::float4(static_cast<float>(query.normal.x));
   target.ny = simd::float4(static_cast<float>(query.normal.y));
   target.nz = simd::float4(static_cast<float>(query.normal.z));

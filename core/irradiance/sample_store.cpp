@@ -32,25 +32,55 @@ void SampleStore::add(const IrradianceSample& sample) {
   m_regions.push_back(region);
 }
 
-Reuse SampleStore::find(const ReuseQuery& query, std::size_t limit) const {
-  Reuse found;
-  double red = 0.0, green = 0.0, blue = 0.0;
-  const Vec3 beyond = SampleGrid::beyond_origin(query.point);
-  m_grid.near(query, limit, [&](std::uint32_t index) {
-    const IrradianceSample& sample = m_samples[index];
-    const double weight = reuse_weight(sample, query) * sample.quality;
-    if (!(weight > 0.0) || !m_regions[index].holds(beyond)) return;
-    found.weight += weight;
-    red += weight * sample.light.r;
-    green += weight * sample.light.g;
-    blue += weight * sample.light.b;
-  });
-  if (found.weight > 0.0) {
-    found.light =
-        Rgb(static_cast<float>(red / found.weight), static_cast<float>(green / found.weight),
-            static_cast<float>(blue / found.weight));
+namespace {
+
+/// The weighted mean of samples.
+class ReuseSum {
+ public:
+  void add(const IrradianceSample& sample, double weight) {
+    m_weight += weight;
+    m_red += weight * sample.light.r;
+    m_green += weight * sample.light.g;
+    m_blue += weight * sample.light.b;
   }
-  return found;
+  Reuse mean() const {
+    if (!(m_weight > 0.0)) return {};
+    return {m_weight,
+            Rgb(static_cast<float>(m_red / m_weight), static_cast<float>(m_green / m_weight),
+                static_cast<float>(m_blue / m_weight))};
+  }
+
+ private:
+  double m_weight = 0.0, m_red = 0.0, m_green = 0.0, m_blue = 0.0;
+};
+
+}  // namespace
+
+Reuse SampleStore::find(const ReuseQuery& query, std::size_t limit) const {
+  const Vec3 beyond = SampleGrid::beyond_origin(query.point);
+  const ReuseRule rule(query);
+  ReuseSum sum;
+  const auto add = [&](std::uint32_t index, double weight) {
+    const IrradianceSample& sample = m_samples[index];
+    if (weight > 0.0 && m_regions[index].holds(beyond)) sum.add(sample, weight * sample.quality);
+  };
+  const auto add_two = [&](std::uint32_t first, std::uint32_t second) {
+    const Double2 weights = rule.weights(m_samples[first], m_samples[second]);
+    add(first, weights[0]);
+    add(second, weights[1]);
+  };
+  constexpr std::uint32_t kNone = 0xffffffff;
+  std::uint32_t waits = kNone;  // until there are two
+  m_grid.near(query, limit, [&](std::uint32_t index) {
+    if (waits == kNone) {
+      waits = index;
+      return;
+    }
+    add_two(waits, index);
+    waits = kNone;
+  });
+  if (waits != kNone) add(waits, rule.weights(m_samples[waits], m_samples[waits])[0]);
+  return sum.mean();
 }
 
 std::size_t SampleStore::bytes() const {

@@ -46,4 +46,18 @@ void GatherThreads::look(std::span<const PassRay> rays, std::span<GatherRecord> 
   });
 }
 
+void GatherThreads::count_rays() {
+  Counters all;
+  all.lights.resize(m_scene.lights().size());
+  for (const auto& thread : m_threads) {
+    if (thread) all.merge(thread->context.counters);
+  }
+  std::uint64_t shadow_rays = 0;
+  for (const ShadowCounts& light : all.lights) shadow_rays += light.rays;
+  m_run.count("camera_rays", static_cast<double>(all.camera_rays));
+  m_run.count("reflected_rays", static_cast<double>(all.reflected_rays));
+  m_run.count("refracted_rays", static_cast<double>(all.refracted_rays));
+  m_run.count("shadow_rays", static_cast<double>(shadow_rays));
+}
+
 }  // namespace lentray::core

@@ -35,6 +35,8 @@ class GatherThreads final : public GatherTeam {
   void keep(std::string_view record) override { m_run.keep(record); }
   /// What is asked behind camera rays; the light they bring is nobody's.
   void look(std::span<const PassRay> rays, std::span<GatherRecord> records);
+  /// Adds the rays that were traced to the pass's numbers.
+  void count_rays();
 
  private:
   struct Thread {

@@ -59,6 +59,7 @@ class RadiosityPass::Levels {
       m_blocks = pretrace_blocks(m_setup.width, m_setup.height);
       look_ahead({static_cast<int>(levels.size()), last, last}, 0);
     }
+    m_threads.count_rays();
   }
 
  private:
@@ -124,6 +125,7 @@ class RadiosityPass::Levels {
         const std::size_t samples = m_cache.store(0).samples().size();
         ask(i);
         m_cache.see(m_rays[i].pixel, samples, m_light->take_gathered());
+        m_cache.answer(m_light->answered());
       }
       done.places += centres.size();
       advance(centres.size());

@@ -1,6 +1,7 @@
 #include "core/trace/radiosity_light.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -16,6 +17,15 @@ namespace {
 
 constexpr double kSamplesAWeight = 4.0;  ///< a sum of weights of 1 counts as so many samples
 constexpr double kLowWeight = 0.25;      ///< of a ray, from which on errors are borne more easily
+
+/// Of the place and what the answer depends on.
+std::uint64_t hash_of(const IndirectQuery& query) {
+  std::uint64_t hash = std::bit_cast<std::uint64_t>(query.weight);
+  for (const Vec3* v : {&query.point, &query.surface_normal, &query.layer_normal}) {
+    for (const double x : {v->x, v->y, v->z}) hash = mixed(hash ^ std::bit_cast<std::uint64_t>(x));
+  }
+  return hash;
+}
 
 /// What samples gave with what was gathered besides, each by its weight.
 Reuse joined(const Reuse& found, const GatheredLight& more) {
@@ -71,13 +81,42 @@ RadiosityLight::~RadiosityLight() = default;
 
 void RadiosityLight::begin(Pixel pixel, bool is_centre, std::uint64_t key) {
   m_gathered.clear();
+  m_answered.clear();
   m_answers = 0;
+  m_known = 0;
   m_gathers = 0;
   m_key = key;
   m_sight = is_centre && !m_growing ? m_cache.sight(pixel) : PixelSight{};
 }
 
 IndirectAnswer RadiosityLight::at(const IndirectQuery& query) {
+  if (m_depth > 0) return found_out(query);
+  if (!m_growing) {
+    const KnownAnswer* known = known_answer(query);
+    return known ? IndirectAnswer{known->light} : found_out(query);
+  }
+  const std::size_t gathered = m_gathered.size();
+  const IndirectAnswer answer = found_out(query);
+  m_answered.push_back({hash_of(query), answer.light, m_gathered.size() > gathered});
+  return answer;
+}
+
+const KnownAnswer* RadiosityLight::known_answer(const IndirectQuery& query) {
+  if (m_known >= m_sight.answers.size()) return nullptr;
+  const KnownAnswer& next = m_sight.answers[m_known];
+  if (next.query != hash_of(query)) return nullptr;
+  ++m_known;
+  if (next.was_gathered) next_gathered();
+  return &next;
+}
+
+const GatheredLight& RadiosityLight::next_gathered() {
+  const GatheredLight& next = (*m_sight.gathered)[m_answers++];
+  if (next.is_kept) ++m_sight.samples;
+  return next;
+}
+
+IndirectAnswer RadiosityLight::found_out(const IndirectQuery& query) {
   const Vec3& normal = m_settings.normal ? query.layer_normal : query.surface_normal;
   Reuse known = reuse(query, normal);
   if (!is_enough(known)) {
@@ -110,11 +149,7 @@ bool RadiosityLight::is_enough(const Reuse& found) const {
 /// What the pass gathered for the pixel, if it did; else what is gathered now.
 GatheredLight RadiosityLight::gathered_for(const IndirectQuery& query, const Vec3& normal) {
   if (m_depth > 0) return gather(query, normal);
-  if (m_sight.gathered && m_answers < m_sight.gathered->size()) {
-    const GatheredLight& known = (*m_sight.gathered)[m_answers++];
-    if (known.is_kept) ++m_sight.samples;
-    return known;
-  }
+  if (m_sight.gathered && m_answers < m_sight.gathered->size()) return next_gathered();
   if (!m_growing) {  // what other places gathered must not count
     for (Depth& depth : m_depths) depth.cycle.begin_at(mixed(m_key ^ m_gathers));
   }

@@ -60,10 +60,17 @@ class RadiosityLight final : public IndirectLight {
   const std::vector<GatherCounts>& counts() const { return m_counts; }
   /// What was gathered for the first depth since the last beginning of a ray.
   std::vector<GatheredLight> take_gathered() { return std::move(m_gathered); }
+  /// What was answered to the first depth since then.
+  std::span<const KnownAnswer> answered() const { return m_answered; }
 
  private:
   RadiosityLight(ThreadContext& context, ShadowTester& shadows, const IrradianceCache& cache,
                  IrradianceCache* growing, bool is_last, GatherTeam* team);
+  /// What the pass answered to that query of the pixel's centre; null: it did not.
+  const KnownAnswer* known_answer(const IndirectQuery& query);
+  IndirectAnswer found_out(const IndirectQuery& query);
+  /// The next of what was gathered for the pixel.
+  const GatheredLight& next_gathered();
   /// Samples nearby, and whether that will do.
   Reuse reuse(const IndirectQuery& query, const Vec3& normal);
   bool is_enough(const Reuse& found) const;
@@ -98,10 +105,12 @@ class RadiosityLight final : public IndirectLight {
   float m_importance = 1.0f;    ///< of what the last gather's ray met
   bool m_has_gathered = false;  ///< since the ray on the way began
   PixelSight m_sight;           ///< of the pixel
-  std::size_t m_answers = 0;    ///< that it had of m_sight
+  std::size_t m_answers = 0;    ///< that it had of m_sight's gathered ones
+  std::size_t m_known = 0;      ///< of its answers
   std::uint64_t m_key = 0;
   std::uint64_t m_gathers = 0;  ///< since the ray began
   std::vector<GatheredLight> m_gathered;
+  std::vector<KnownAnswer> m_answered;
 };
 
 }  // namespace lentray::core
