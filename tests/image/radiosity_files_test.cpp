@@ -265,37 +265,45 @@ TEST_F(ImageRadiosityFiles, RunsOfABatchShareIt) {
   EXPECT_FALSE(is_there("out/.lentray-batch/radiosity"));
 }
 
-/// Killed in the middle, again and again, and gone on with.
+/// Kills a run as soon as it has kept more of its pass. False: it came to its end.
+bool kill_in_the_middle(const std::vector<std::string>& command, const fs::path& folder) {
+  const fs::path part = folder / "a.png.lentray-passes.part";
+  const auto size = [&] {
+    std::error_code error;
+    const std::uintmax_t bytes = fs::file_size(part, error);
+    return error ? 0 : bytes;
+  };
+  const std::uintmax_t before = size();
+  tool::Launch launch;
+  launch.command = command;
+  launch.folder = folder;
+  launch.log = folder / "log";
+  tool::Child child(launch);
+  while (size() <= before) {
+    if (child.ended()) return false;
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  child.kill();
+  while (!child.ended()) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  return true;
+}
+
+/// What a run has kept is there a second after its start at the earliest, so the pass takes a while.
 TEST(SlowRadiosityGoingOn, KilledTwentyTimesItHasTheBitsOfOneRun) {
   const tool::TemporaryFolder folder;
   tool::write_text(folder / "a.pov",
-                   kept_room("count 200 error_bound 0.12 recursion_limit 3 nearest_count 10"));
-  const std::vector<std::string> words{
-      program("lentray").string(), "+Ia.pov", "-V", "-A", "+W160", "+H120", "+WT2"};
-  const auto with = [&](std::vector<std::string> more) {
-    more.insert(more.begin(), words.begin(), words.end());
+                   kept_room("count 1200 error_bound 0.12 recursion_limit 3 nearest_count 10"));
+  const auto command = [](std::vector<std::string> more) {
+    more.insert(more.begin(),
+                {program("lentray").string(), "+Ia.pov", "-V", "-A", "+W160", "+H120"});
     return more;
   };
-  ASSERT_EQ(tool::run_program(with({"+Owhole.png"}), folder.path()).status, 0);
-  int killed = 0;
+  ASSERT_EQ(tool::run_program(command({"+Owhole.png", "+WT2"}), folder.path()).status, 0);
   for (int run = 0; run < 20; ++run) {
-    tool::Launch launch;
-    launch.folder = folder.path();
-    launch.log = folder / "log";
-    launch.command = with({"+Oa.png", "+C"});
-    tool::Child child(launch);
-    std::optional<tool::Ended> ended;
-    const auto until =
-        std::chrono::steady_clock::now() + std::chrono::milliseconds(1700 + 100 * run);
-    while (!(ended = child.ended()) && std::chrono::steady_clock::now() < until)
-      std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    if (ended) break;
-    child.kill();
-    while (!child.ended()) std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    ++killed;
+    ASSERT_TRUE(kill_in_the_middle(command({"+Oa.png", "+C", "+WT1"}), folder.path()))
+        << "run " << run << " was over too soon";
   }
-  EXPECT_EQ(killed, 20) << "it was over too soon";
-  ASSERT_EQ(tool::run_program(with({"+Oa.png", "+C"}), folder.path()).status, 0);
+  ASSERT_EQ(tool::run_program(command({"+Oa.png", "+C", "+WT2"}), folder.path()).status, 0);
   EXPECT_TRUE(
       same_bits(core::read_image(folder / "a.png"), core::read_image(folder / "whole.png")));
 }
