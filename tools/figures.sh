@@ -75,6 +75,7 @@ figures() {
     'lentray-chart /usr/share/doc/povray/examples/camera/focalblur.pov --out build/charts/focalblur
        +W160 +H120 --budget 2s --error 1 --reference-limit 8min'
   $1 accuracy-promises docs/accuracy.md '(5 min)' 'tests/chart/promises.py --write'
+  $1 subsurface-truth docs/global.md '10 s' 'python3 tests/bench/subsurface_truth.py lentray povray'
   $1 antialiasing docs/rendering.md '(20 min)' 'python3 tests/compat/antialiasing.py'
   $1 blur-convergence docs/rendering.md '(20 min)' 'python3 tests/bench/blur_convergence.py'
   $1 radiosity-truths docs/global.md '(2 min)' 'python3 tests/bench/radiosity_truths.py'
