@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "core/base/tiny.h"
+#include "core/base/transform.h"
 
 namespace lentray::core {
 namespace {
@@ -105,10 +106,14 @@ PhotonAim photon_aim(const Light& light, const Vec3& from, const Vec3& centre) {
 Ray photon_ray(const Light& light, const Vec3& from, const Vec3& centre, double out, double turn) {
   const PhotonAim aim = photon_aim(light, from, centre);
   const Vec3& axis = light.parallel ? light.direction : aim.along;
-  const Vec3 outwards = aim.left * std::cos(turn) + cross(axis, aim.left) * std::sin(turn);
-  if (!light.parallel) return {from, axis * std::cos(out) - outwards * std::sin(out)};
-  const double before = dot(axis, centre - from);
-  return {centre - axis * before + outwards * out, axis};
+  // In stock's order of operations: rounding decides which of two photons of a plane the map parts first.
+  const Transform turned = Transform::axis_rotation(axis, turn);
+  if (!light.parallel) {
+    return {from, turned.point(aim.left * -std::sin(out) + axis * std::cos(out))};
+  }
+  const Vec3 to = centre - from;
+  const double before = dot(axis, normalized(to)) * length(to);
+  return {centre - axis * before + turned.point(aim.left * out), axis};
 }
 
 }  // namespace lentray::core

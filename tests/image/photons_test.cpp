@@ -101,7 +101,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"TargetsBehindEachOther", scene_of(glass("sphere { <0.6, 2.2, -0.4>, 0.35") + ball())},
         Case{
             "LightInside",
-            scene_of(glass("sphere { <0, 1.1, 0>, 0.9"), "spacing 0.05",
+            scene_of(glass("sphere { <0, 1.1, 0>, 0.9"), "spacing 0.015",
                      "light_source { <0.1, 1.2, 0> rgb 0.7 photons { refraction on reflection on } "
                      "}")},
         Case{"TranslucentCsg",
