@@ -135,9 +135,10 @@ TEST(UnitPhotonPass, CancelsSoon) {
 }
 
 TEST(UnitPhotonFile, IsWrittenAndRead) {
-  const Shot shot = shoot(scene_of("spacing .1"), 1);
+  Shot shot = shoot(scene_of("spacing .1"), 1);
   std::ostringstream out;
   core::write_photon_file(out, shot.surface, shot.media);
+  for (core::Photon& photon : shot.surface) photon.hidden_by = 0;  // found anew when it is read
   const core::PhotonMaps read = core::read_photon_file(out.str());
   EXPECT_EQ(read.surface, shot.surface);
   EXPECT_TRUE(read.media.empty());
