@@ -1,5 +1,5 @@
 // Depth_Budget: how much closer together the eyes of the views must stand so that no visible point moves
-// by more than a given distance from one view to the next. One thread.
+// by more than a given distance from one view to the next. One thread calls; surveys run on the probe's threads.
 //
 // The parallax of a point is proportional to the depth factor (LensParameters::depth_factor). Eyes that
 // stand elsewhere may see other points, so the sheet is surveyed again with the factor that was found.

@@ -216,8 +216,8 @@ struct Hierarchy::Impl {
     return 2.0 * (reach + std::fabs(o.x) + std::fabs(o.y) + std::fabs(o.z)) > kFarthest;
   }
   template <class T>
-  bool nearest(const Ray& ray, double t_min, double t_max, RayKind kind, Hit& hit, HitArena& arena,
-               T& tally) const {
+  [[gnu::always_inline]] bool nearest(const Ray& ray, double t_min, double t_max, RayKind kind,
+                                      Hit& hit, HitArena& arena, T& tally) const {
     NearestSearch<T> what{ray,
                           t_min,
                           static_cast<std::uint8_t>(unseen_by(kind) & any_flags),

@@ -14,8 +14,6 @@
 namespace lentray::core {
 namespace {
 
-constexpr double kUnitSlack = 1e-14;  ///< of the squared length of a direction
-
 bool nearly_equal(const Vec3& a, const Vec3& b) {
   return std::fabs(a.x - b.x) <= kTiny && std::fabs(a.y - b.y) <= kTiny &&
          std::fabs(a.z - b.z) <= kTiny;
@@ -37,18 +35,6 @@ RayStepper<kFeatures>::RayStepper(ThreadContext& context, ShadowTester& shadows,
   if (m_scene.needs().media && rules.volumes)
     m_media = std::make_unique<MediaLight>(context, shadows);
   if (m_scene.needs().interiors) m_start_interiors = std::make_unique<StartInteriors>(m_scene);
-}
-
-template <unsigned kFeatures>
-RayState RayStepper<kFeatures>::begin(const Ray& ray, Pixel pixel, std::uint64_t key) {
-  m_context.pixel = pixel;
-  ++m_context.counters.camera_rays;
-  RayState state{ray, key};
-  if (std::fabs(length_squared(ray.direction) - 1.0) > kUnitSlack) {
-    state.ray.direction = normalized(ray.direction);
-  }
-  if (m_start_interiors) state.inside = m_start_interiors->at(ray.origin, m_context.interiors);
-  return state;
 }
 
 template <unsigned kFeatures>

@@ -6,6 +6,7 @@
 // (tests/image/shading_depth_test.cpp).
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -31,7 +32,17 @@ class RayStepper {
   RayStepper(ThreadContext& context, ShadowTester& shadows, const PathRules& rules);
 
   /// A camera ray of a pixel's sample.
-  RayState begin(const Ray& ray, Pixel pixel, std::uint64_t key);
+  RayState begin(const Ray& ray, Pixel pixel, std::uint64_t key) {
+    constexpr double kUnitSlack = 1e-14;  // of the squared length of a direction
+    m_context.pixel = pixel;
+    ++m_context.counters.camera_rays;
+    RayState state{ray, key};
+    if (std::fabs(length_squared(ray.direction) - 1.0) > kUnitSlack) {
+      state.ray.direction = normalized(ray.direction);
+    }
+    if (m_start_interiors) state.inside = m_start_interiors->at(ray.origin, m_context.interiors);
+    return state;
+  }
   /// Whether a ray counts too little, or has too many levels above it, to be followed: it sees
   /// nothing.
   bool is_cut(const RayState& state) const { return is_cut(state.level, state.weight); }
