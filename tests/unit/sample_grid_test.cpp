@@ -25,7 +25,7 @@ struct GridStage {
       case 1: point = {2.0, a + 2.0, b}, normal = {-1.0, 0.0, 0.0}; break;
       default: normal = any_direction(), point = normal * 0.7 + Vec3(0.0, 0.7, 0.0);
     }
-    point *= scale;
+    point = (point + normal * (0.03 * number() - 0.015)) * scale;
   }
   IrradianceSample sample() {
     IrradianceSample one;
@@ -52,7 +52,7 @@ TEST_P(UnitSampleGrid, LeavesOutNoneThatIsOfUse) {
   SampleStore store(settings, 0);
   for (int i = 0; i < 600; ++i) store.add(stage.sample());
   int found = 0;
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < 5000; ++i) {
     // The bound is the greatest for which the octree's cells hold all that the rule wants.
     ReuseQuery query{{}, {}, i % 2 == 0 ? 0.6 : 0.25, i % 3 == 0};
     stage.place(query.point, query.normal);
