@@ -7,6 +7,7 @@ namespace lentray::core {
 namespace {
 
 constexpr double kOctreeOrigin = -1e7;  ///< of each axis
+constexpr double kMostCells = 1e9;      ///< along an axis: cells are not smaller
 constexpr double kDeepOverfill = 8.0;   ///< boxes of deeper samples are smaller: fewer are found
 constexpr double kLightLowWeight =
     0.25;  ///< what the error bound grows by at most, see error_bound_at
@@ -38,7 +39,11 @@ SampleStore::SampleStore(const RadiositySettings& settings, int depth)
 /// The smallest cell of the octree that holds the sample's box.
 SampleStore::Region SampleStore::region_of(const IrradianceSample& sample) const {
   const double radius = sample.radius * m_octree_factor;
-  double side = std::exp2(std::floor(std::log2(2.0 * radius)));
+  const Vec3 least = sample.point - Vec3(radius);
+  const double farthest =
+      std::max({std::fabs(least.x), std::fabs(least.y), std::fabs(least.z)}) - kOctreeOrigin;
+  double side = std::exp2(
+      std::max(std::floor(std::log2(2.0 * radius)), std::ceil(std::log2(farthest / kMostCells))));
   const Vec3 place = sample.point - Vec3(kOctreeOrigin);
   for (;; side *= 2.0) {
     Vec3 middle;
