@@ -1,9 +1,20 @@
 #include "core/irradiance/sample_store.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace lentray::core {
 namespace {
 
 constexpr double kDeepOverfill = 8.0;  ///< boxes of deeper samples are smaller: fewer are found
+constexpr double kMostCells = 1e9;     ///< along an axis: cells are not smaller
+
+/// Of the cells near a box that begins at `least`.
+double least_side(const Vec3& least) {
+  const double farthest = std::max({std::fabs(least.x), std::fabs(least.y), std::fabs(least.z)});
+  const double beyond = farthest - SampleGrid::kOrigin;
+  return std::exp2(std::ceil(std::log2(beyond / kMostCells)));
+}
 
 }  // namespace
 
@@ -15,7 +26,9 @@ SampleStore::SampleStore(const RadiositySettings& settings, int depth)
 SampleStore::Region SampleStore::region_of(const IrradianceSample& sample) const {
   const double radius = sample.radius * m_octree_factor;
   const Vec3 beyond = SampleGrid::beyond_origin(sample.point);
-  Region region{{}, std::ldexp(1.0, std::ilogb(2.0 * radius))};
+  Region region{{},
+                std::max(std::ldexp(1.0, std::ilogb(2.0 * radius)),
+                         least_side(sample.point - Vec3(radius)))};
   const auto place = [&](double at) { return (std::floor(at / region.half) + 0.5) * region.half; };
   const Vec3 low = SampleGrid::beyond_origin(sample.point - Vec3(radius));
   const Vec3 high = SampleGrid::beyond_origin(sample.point + Vec3(radius));
