@@ -74,6 +74,7 @@ INSTANTIATE_TEST_SUITE_P(
         Edge{"DimGlass",
              "sphere { <-0.8, 0.8, -0.7>, 0.6 pigment { rgbt 1 } "
              "interior { fade_distance 0.3 fade_power 2 fade_color <0.3, 0.8, 0.3> } }"},
+        Edge{"Quality", "", "pretrace_start 1 pretrace_end 1"},
         Edge{"ColoursAndBrightness", "", "gray_threshold 0.7 brightness 1.4"}),
     [](const auto& one) { return std::string(one.param.name); });
 
