@@ -15,7 +15,7 @@ namespace lentray::core {
 
 namespace {
 
-constexpr double kBytesASample = 400.0;  ///< with its places in the grids of its store
+constexpr double kBytesASample = 1500.0;  ///< with its places in the grids of its store
 
 double most_samples(const RadiosityPassSetup& setup) {
   if (setup.most_samples > 0) return static_cast<double>(setup.most_samples);
