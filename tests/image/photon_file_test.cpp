@@ -97,7 +97,8 @@ INSTANTIATE_TEST_SUITE_P(
                     "light_source { <-3, 6, -4> rgb x photons { refraction on reflection off } }"
                     "union { sphere { -x, .7 } cylinder { <1, -.5, 0>, <1.2, .9, .4>, .4 } "
                     "split_union off pigment { rgbf 1 } interior { ior 1.4 fade_distance .5 "
-                    "fade_power 2 fade_color <.2, .9, .3> } photons { target reflection on } "
+                    "fade_power 2 fade_color <.2, .9, .3> } finish { reflection .2 } "
+                    "photons { target reflection on refraction on } "
                     "rotate 30*y }"},
         PhotonScene{"AreaLight", "spacing .1",
                     "light_source { <3, 8, -4> rgb 1 area_light 2*x, 2*z, 3, 4 "
