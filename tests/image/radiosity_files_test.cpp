@@ -78,6 +78,15 @@ TEST_F(ImageRadiosityFiles, OursLightsBothAlike) {
   EXPECT_TRUE(reaches(ours({"+RFI", "+RFmine.rca"}), reference, Grade::exact));
 }
 
+TEST_F(ImageRadiosityFiles, PhotonsAloneLeaveNone) {
+  write("a.pov", std::string("#version 3.7; global_settings { assumed_gamma 1 photons { count 200 } }") +
+                     kKeptRoom +
+                     "sphere { <-0.8, 0.5, 0>, 0.4 pigment { rgbt 1 } interior { ior 1.5 }"
+                     " photons { target refraction on } }");
+  ours({"+RFO", "+RFI"});
+  EXPECT_FALSE(is_there("object.rca"));
+}
+
 TEST_F(ImageRadiosityFiles, OursIsStocks) {
   stock({"+RFO", "+RFstock.rca"});
   ours({"+RFO", "+RFours.rca"});

@@ -230,7 +230,8 @@ bool is_there_already(Run& run, const std::string& scene) {
 std::unique_ptr<RadiosityStore> radiosity_store(const Run& run, const SceneInUse& scene) {
   const Session& session = *scene.session;
   const RenderOptions& o = run.options;
-  if (!session.has_passes() || !(o.radiosity_from_file || o.radiosity_to_file)) return nullptr;
+  if (!session.scene().settings().radiosity) return nullptr;
+  if (!o.radiosity_from_file && !o.radiosity_to_file) return nullptr;
   const Identity identity{run.identity.program,
                           parser::light_lines(o) + session.radiosity_lines(run.camera),
                           scene.disk.checksums()};

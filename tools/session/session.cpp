@@ -244,12 +244,12 @@ shadow::RunReport Session::render(const Plan& plan, const Outlets& outlets) {
     m_photons.emplace(*m_scene, m_light);
     if (m_photons->pass()) passes.add(*m_photons->pass());
   }
-  if (settings.radiosity) {
-    if (!m_radiosity || !m_radiosity->serves(plan.camera)) {
-      m_radiosity.emplace(*m_scene, plan.camera, radiosity_eye(*m_camera), *testers, m_light,
-                          film.most_radiosity_samples);
-      if (core::Pass* const pass = m_radiosity->begin(outlets.radiosity)) passes.add(*pass);
-    }
+  core::Pass* gathers = nullptr;
+  if (settings.radiosity && (!m_radiosity || !m_radiosity->serves(plan.camera))) {
+    m_radiosity.emplace(*m_scene, plan.camera, radiosity_eye(*m_camera), *testers, m_light,
+                        film.most_radiosity_samples);
+    gathers = m_radiosity->begin(outlets.radiosity);
+    if (gathers) passes.add(*gathers);
   }
   if (!passes.run({.threads = core::frame_threads(frame),
                    .levels = m_scene->deepest(),
@@ -262,7 +262,7 @@ shadow::RunReport Session::render(const Plan& plan, const Outlets& outlets) {
     return report;
   }
   report.passes = passes.reports();
-  if (outlets.radiosity && !passes.is_empty()) m_radiosity->keep(*outlets.radiosity);
+  if (outlets.radiosity && gathers) m_radiosity->keep(*outlets.radiosity);
   const double before = cpu_seconds();
   report.counters = core::render_frame(*m_scene, camera, plan.shape, *orders, *asked, frame,
                                        outlets.sink, passes.film_progress());
