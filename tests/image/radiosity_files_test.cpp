@@ -79,10 +79,11 @@ TEST_F(ImageRadiosityFiles, OursLightsBothAlike) {
 }
 
 TEST_F(ImageRadiosityFiles, PhotonsAloneLeaveNone) {
-  write("a.pov", std::string("#version 3.7; global_settings { assumed_gamma 1 photons { count 200 } }") +
-                     kKeptRoom +
-                     "sphere { <-0.8, 0.5, 0>, 0.4 pigment { rgbt 1 } interior { ior 1.5 }"
-                     " photons { target refraction on } }");
+  write("a.pov",
+        std::string("#version 3.7; global_settings { assumed_gamma 1 photons { count 200 } }") +
+            kKeptRoom +
+            "sphere { <-0.8, 0.5, 0>, 0.4 pigment { rgbt 1 } interior { ior 1.5 }"
+            " photons { target refraction on } }");
   ours({"+RFO", "+RFI"});
   EXPECT_FALSE(is_there("object.rca"));
 }
