@@ -148,10 +148,13 @@ ObjectBuilder::Inherited ObjectBuilder::resolve(const ObjectDesc& object,
 /// Photons are shot at the outermost object that is a target and hangs together.
 void ObjectBuilder::take_aim(const ObjectDesc& object, const core::Transform& outer,
                              Inherited& looks) {
-  if (!m_parts || !(looks.pass.photon_target > 0.0) || looks.pass.photon_target_number > 0) return;
+  if (!m_parts || looks.pass_flags == 0) return;
+  core::PassFlags flags = m_parts->pass_flags[looks.pass_flags];
+  if (!(flags.photon_target > 0.0) || flags.photon_target_number > 0) return;
   if (looks.lights && !looks.lights->global()) return;
-  m_parts->photon_targets.push_back(photon_target(object, outer, looks.pass));
-  looks.pass.photon_target_number = static_cast<std::uint32_t>(m_parts->photon_targets.size());
+  m_parts->photon_targets.push_back(photon_target(object, outer, flags));
+  flags.photon_target_number = static_cast<std::uint32_t>(m_parts->photon_targets.size());
+  looks.pass_flags = number_of(flags);
 }
 
 const core::Texture* ObjectBuilder::compile(const Ref<TextureDesc>& texture) {
