@@ -67,6 +67,7 @@ struct LitPoint {
   std::uint64_t key;         ///< of the random numbers of the point
   bool in_air = false;       ///< lies on no surface
   bool collects = true;      ///< may be lit by photons
+  bool volumes = true;       ///< fog and media dim what arrives
 };
 
 /// What is known of the lights at one point: where it lies in their buffers, and what arrives of them,
@@ -133,6 +134,7 @@ class LightLoop {
     query.key = lit.key;
     query.from_air = lit.in_air;
     query.collects = lit.collects;
+    query.volumes = lit.volumes;
     return query;
   }
   /// Takes from the colour what does not arrive.

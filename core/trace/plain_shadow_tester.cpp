@@ -98,10 +98,11 @@ void PlainShadowTester::order_filters(const Ray& ray) {
 Rgb PlainShadowTester::filter_through(const ShadowQuery& query, const LightBuffer* buffer,
                                       const LightBuffer::Spot* spot, double reach) {
   const Light& light = m_context.scene.lights()[query.light];
-  const bool air = m_dimmed_by_air && light.dimmed_by_air;
+  const bool air = m_dimmed_by_air && light.dimmed_by_air && query.volumes;
   find_filters(query.ray, buffer, spot, reach);
   if (m_hits.empty() && !air) return Rgb(1.0f);
   m_collects = m_photons && query.collects;
+  m_volumes = query.volumes && (m_media || m_dimmed_by_air);
   m_inside = m_interiors ? query.inside : InteriorsId::kOpen;
   Rgb filter(1.0f);
   Ray ray = query.ray;
@@ -138,7 +139,7 @@ double PlainShadowTester::filter_found(const Ray& ray, const Light& light, Rgb& 
     const double length = at.t - last;
     filter *= surface_filter(hit, ray, length, leaves);
     if (filter.is_black()) break;
-    if (m_media || m_dimmed_by_air) {
+    if (m_volumes) {
       const Segment way{{ray.at(last), ray.direction}, length};
       if (m_media) filter *= left_by_interiors(way);
       if (light.dimmed_by_air) filter *= left_by_air(way);

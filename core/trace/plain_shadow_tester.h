@@ -74,6 +74,7 @@ class PlainShadowTester final : public ShadowTester {
   bool m_media, m_dimmed_by_air;
   bool m_photons;           ///< light surfaces
   bool m_collects = false;  ///< these bring the query's light through their targets
+  bool m_volumes = false;   ///< some may dim the query's light
   bool m_by_place;          ///< textures that differ from place to place or on the inside
   double m_bailout;
   LightBuffer::Spot m_spot;  ///< of the query, where it has none

@@ -260,7 +260,7 @@ Rgb SurfaceShading<kFeatures>::lit(const Finish& finish, const Rgb& pigment, con
   Receiver receiver{
       *this, facing, finish, pigment, opacity, at, m_rules.highlights && has_highlights(finish)};
   m_lights.at({at.point(), at.level, at.state.place, at.state.inside, at.state.key, false,
-               m_photons && collects_photons(at)},
+               m_photons && collects_photons(at), m_rules.volumes},
               m_lights.lights_of(at.looks), known, facing, receiver);
   return receiver.sum;
 }

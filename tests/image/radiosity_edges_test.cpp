@@ -51,6 +51,9 @@ TEST_P(ImageRadiosityEdges, IsStocks) {
 
 constexpr const char* kFog = "fog { distance 6 rgb <0.5, 0.5, 0.6> }";
 constexpr const char* kDimAir = "media { absorption 0.15 method 3 samples 8 }";
+constexpr const char* kFogInTheWay =
+    "fog { distance 6 rgb <0.5, 0.5, 0.6> } light_source { <-1, 2, -2> rgb 0.5 media_attenuation "
+    "on }";
 constexpr const char* kDimBall =
     "sphere { <-0.8, 0.8, -0.7>, 0.6 pigment { rgbt 1 } "
     "interior { media { absorption <0.5, 1, 2> } } hollow }";
@@ -70,6 +73,8 @@ INSTANTIATE_TEST_SUITE_P(
         Edge{"Fog", kFog}, Edge{"FogGathered", kFog, "media on"}, Edge{"DimAir", kDimAir},
         Edge{"DimAirGathered", kDimAir, "media on"},
         Edge{"BrightAir", "media { scattering { 1, 0.06 } method 3 samples 8 }"},
+        Edge{"DimBall", kDimBall}, Edge{"FogInTheWay", kFogInTheWay},
+        Edge{"FogInTheWayGathered", kFogInTheWay, "media on"},
         Edge{"DimBallGathered", kDimBall, "media on"},
         Edge{"DimGlass",
              "sphere { <-0.8, 0.8, -0.7>, 0.6 pigment { rgbt 1 } "
