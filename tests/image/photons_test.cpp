@@ -6,7 +6,7 @@
 
 #include "tests/support/render.h"
 
-namespace lentray::test {
+namespace lentray::test::photons {
 namespace {
 
 constexpr const char* kLamp =
@@ -139,4 +139,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& one) { return std::string(one.param.name); });
 
 }  // namespace
-}  // namespace lentray::test
+}  // namespace lentray::test::photons

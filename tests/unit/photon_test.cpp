@@ -14,7 +14,7 @@
 #include "core/photon/photon_tree.h"
 #include "core/trace/random_key.h"
 
-namespace lentray::core {
+namespace lentray::core::photon_test {
 namespace {
 
 /// Photons on a floor, or in a cube, that come from above.
@@ -167,4 +167,4 @@ TEST(UnitPhotonMap, PhotonsAtOnePlaceGiveNoRadius) {
 }
 
 }  // namespace
-}  // namespace lentray::core
+}  // namespace lentray::core::photon_test
