@@ -119,9 +119,9 @@ TEST(ImageSubsurfaceRules, WhatStockCannotRenderIsAsNearAsCanBe) {
   const SceneText nearly = translucent(
       "sphere { 0, 1 pigment { rgb 0.8 } finish { subsurface { translucency 0.002 } } interior { "
       "ior 1.2 } }");
-  const StoredImage picture = lentray_render(opaque);
+  const StoredImage solid = lentray_render(opaque);
   EXPECT_LT(
-      core::compare(picture, lentray_render(nearly), core::Columns::all(picture.width)).blocks.rms,
+      core::compare(solid, lentray_render(nearly), core::Columns::all(solid.width)).blocks.rms,
       0.5);
   const SceneText red = translucent(
       "sphere { 0, 1 pigment { rgb <0.8, 0, 0> } finish { subsurface { translucency 1 } } "

@@ -26,7 +26,7 @@ ChartState full_state() {
   s.key = "k";
   s.matrix = "quick media";
   s.files = {{{"/a.pov", 18446744073709551615u}}, {"/b.inc"}};
-  s.facts = {320, 240, true, "thick", true, true, true, 17, 9, 12, {7, 4}};
+  s.facts = {320, 240, true, "thick", true, true, true, 40, 2, 0.5, 17, 9, 12, {7, 4}};
   Chart& c = s.chart;
   c.scene = "a b.pov";
   c.command = "lentray 'a b.pov'";
