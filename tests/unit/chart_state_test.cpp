@@ -75,6 +75,9 @@ TEST(UnitChartState, IsReadBackAsItWas) {
   EXPECT_TRUE(back.chart.reference.is_converged && back.chart.lens_reference);
   EXPECT_EQ(back.facts.quality_levels, s.facts.quality_levels);
   EXPECT_EQ(back.facts.lens_model, "thick");
+  EXPECT_EQ(back.facts.radiosity_count, 40);
+  EXPECT_EQ(back.facts.radiosity_bounces, 2);
+  EXPECT_EQ(back.facts.radiosity_error, 0.5);
 }
 
 TEST(UnitChartState, DamagedTextIsRefused) {
