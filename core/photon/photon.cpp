@@ -16,9 +16,11 @@ std::uint8_t mantissa(float channel) {
   return static_cast<std::uint8_t>(static_cast<int>(std::max(channel, -1e6f)));
 }
 
-std::int8_t angle_byte(double angle) {
+/// Of the angle that has this cosine, below 0 if it turns to a side below 0.
+std::int8_t angle_byte(double cosine, double side) {
+  const double angle = std::acos(cosine);
   if (std::isnan(angle)) return 0;  // straight up or down: it has no longitude
-  return static_cast<std::int8_t>(angle * kHalfTurn / std::numbers::pi);
+  return static_cast<std::int8_t>((side < 0.0 ? -angle : angle) * kHalfTurn / std::numbers::pi);
 }
 
 /// Sines and cosines of all bytes.
@@ -68,12 +70,11 @@ Rgb unpacked(const std::array<std::uint8_t, 4>& rgbe) {
 Photon make_photon(const Vec3& place, const Vec3& origin, const Rgb& power) {
   const Vec3 back = normalized(origin - place);
   const double level = std::sqrt(back.x * back.x + back.z * back.z);
-  const double longitude = std::acos(back.x / level), latitude = std::acos(level);
   return {{static_cast<float>(place.x), static_cast<float>(place.y), static_cast<float>(place.z)},
           packed(power),
           0,
-          angle_byte(back.y < 0.0 ? -latitude : latitude),
-          angle_byte(back.z < 0.0 ? -longitude : longitude)};
+          angle_byte(level, back.y),
+          angle_byte(back.x / level, back.z)};
 }
 
 Vec3 way_back(const Photon& photon) {

@@ -3,15 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+#include <cstddef>
+#include <functional>
 #include <utility>
 
 namespace lentray::core {
 namespace {
 
 constexpr double kFlattening = 16.0;
-constexpr std::size_t kBucket = 12;  ///< so few photons are all looked at: cheaper than to choose
-constexpr std::size_t kAPair = 2;    ///< of two photons the first splits, wherever the other lies
+constexpr std::size_t kBucket = 12;   ///< so few photons are all looked at: cheaper than to choose
+constexpr std::ptrdiff_t kAPair = 2;  ///< of two photons the first splits, wherever the other lies
 
 /// The middle of begin .. end - 1; of an even number the first of two.
 constexpr std::size_t middle(std::size_t begin, std::size_t end) { return (begin + end - 1) / 2; }
@@ -24,59 +25,64 @@ std::size_t widest_axis(const Photon* begin, const Photon* end) {
       most[axis] = std::max(most[axis], photon->place[axis]);
     }
   }
-  std::size_t widest = 0;
-  for (const std::size_t axis : {std::size_t{1}, std::size_t{2}}) {
-    if (most[axis] - least[axis] > most[widest] - least[widest]) widest = axis;
-  }
-  return widest;
+  std::array<float, 3> extents;
+  std::transform(most.begin(), most.end(), least.begin(), extents.begin(), std::minus<>());
+  return static_cast<std::size_t>(std::max_element(extents.begin(), extents.end()) -
+                                  extents.begin());
 }
 
-/// Quickselect (Hoare) with the median of three as Sedgewick has it: changes the order of photons so that the one
-/// at `wanted` parts lesser coordinates from greater ones. Which of the others come first depends on each
-/// step, and stock's radius depends on that: its steps are these.
+/// Quickselect with a median of three: changes the order of photons so that the wanted one parts lesser
+/// coordinates from greater ones. In which order it leaves the others decides in part what stock's radius
+/// is, so it moves the same photons as stock.
 class Selection {
  public:
-  Selection(Photon* photons, std::size_t axis) : m_photons(photons), m_axis(axis) {}
+  explicit Selection(std::size_t axis) : m_axis(axis) {}
 
-  void place(std::size_t first, std::size_t last, std::size_t wanted) {
-    while (first < last) {
-      const std::size_t pivot = partition(first, last);
-      if (wanted == pivot) return;
+  void place(Photon* begin, Photon* end, const Photon* wanted) const {
+    while (end - begin > kAPair) {
+      Photon* const pivot = partition(begin, end);
       if (wanted < pivot) {
-        last = pivot - 1;
+        end = pivot;
+      } else if (pivot < wanted) {
+        begin = pivot + 1;
       } else {
-        first = pivot + 1;
+        return;
       }
     }
+    // As in stock the greater of two comes first.
+    if (end - begin == kAPair && !(at(begin[0]) > at(begin[1]))) std::swap(begin[0], begin[1]);
   }
 
  private:
-  float at(std::size_t i) const { return m_photons[i].place[m_axis]; }
-  void swap(std::size_t i, std::size_t j) { std::swap(m_photons[i], m_photons[j]); }
-  void swap_if_greater(std::size_t i, std::size_t j) {
-    if (at(i) > at(j)) swap(i, j);
+  float at(const Photon& photon) const { return photon.place[m_axis]; }
+
+  /// Moves the greatest of first, middle and last to the end, the least to the second place and the median
+  /// to the first one.
+  void order_three(Photon* begin, Photon* end) const {
+    Photon *const second = begin + 1, *const last = end - 1;
+    std::swap(begin[(last - begin) / 2], *second);
+    Photon* greatest = at(*second) > at(*last) ? second : last;
+    if (at(*begin) > at(*greatest)) greatest = begin;
+    std::swap(*greatest, *last);
+    if (at(*second) > at(*begin)) std::swap(*second, *begin);
   }
-  /// Where the median of three came to lie between those that are no greater and those that are no less.
-  std::size_t partition(std::size_t first, std::size_t last) {
-    const std::size_t second = first + 1;
-    swap((first + last) / 2, second);
-    swap_if_greater(second, last);
-    swap_if_greater(first, last);
-    swap_if_greater(second, first);
-    const float pivot = at(first);
-    std::size_t up = second, down = last;
-    while (up <= down) {
-      do ++up;
-      while (up <= last && at(up) < pivot);
-      do --down;
-      while (at(down) > pivot);  // ends at the pivot
-      if (up < down) swap(up, down);
+  /// More than a pair. Where the median of three came to lie: before it nothing is greater, behind it
+  /// nothing less.
+  Photon* partition(Photon* begin, Photon* end) const {
+    order_three(begin, end);
+    const float median = at(*begin);
+    // Not seen yet: from `low` to before `high`.
+    Photon *low = begin + 2, *high = end - 1;
+    while (true) {
+      while (low < high && at(*low) < median) ++low;
+      while (low < high && at(high[-1]) > median) --high;
+      if (high - low < 2) break;
+      std::swap(*low++, *--high);
     }
-    swap(first, down);
-    return down;
+    std::swap(*begin, low[-1]);
+    return low - 1;
   }
 
-  Photon* const m_photons;
   const std::size_t m_axis;
 };
 
@@ -157,7 +163,9 @@ void PhotonTree::split(std::size_t begin, std::size_t end) {
   Photon* const photons = m_photons.data();
   const std::size_t axis = widest_axis(photons + begin, photons + end);
   const std::size_t mid = middle(begin, end);
-  if (end - begin > kAPair) Selection(photons, axis).place(begin, end - 1, mid);
+  if (static_cast<std::ptrdiff_t>(end - begin) > kAPair) {
+    Selection(axis).place(photons + begin, photons + end, photons + mid);
+  }
   photons[mid].axis = static_cast<std::uint8_t>(axis);
   split(begin, mid);
   split(mid + 1, end);

@@ -23,11 +23,8 @@ PhotonCycle::PhotonCycle() {
 }
 
 void RingCutter::begin_ring() {
-  if (m_out < kTiny) {
-    m_turn_step = 2.0 * kPi;
-  } else {
-    m_turn_step = m_unit.step / (m_parallel ? m_out : std::sin(m_out));
-  }
+  const double radius = m_parallel ? m_out : std::sin(m_out);
+  m_turn_step = m_out < kTiny ? 2.0 * kPi : m_unit.step / radius;
   m_turn = -kPi + m_turn_step * m_cycle.at(m_draw++) * 0.5;
   m_last_turn = kPi - m_turn_step / 2.0 + (m_turn + kPi);
   m_in_ring = true;

@@ -31,6 +31,11 @@ void each_pair(std::span<const Light> lights, std::span<const PhotonTarget> targ
   }
 }
 
+/// Of the light's area.
+double photon_points(const Light& light) {
+  return light.has_area && light.photon_area ? light.area.size1 * light.area.size2 : 1;
+}
+
 /// How far out rings go: to the edge of the target's ball, or all around from inside of it.
 double end_of_rings(const Light& light, const PhotonTarget& target) {
   if (light.parallel) return target.radius;
@@ -38,20 +43,24 @@ double end_of_rings(const Light& light, const PhotonTarget& target) {
   return distance >= target.radius ? std::asin(target.radius / distance) : kPi;
 }
 
+/// How many photons a target gets and leaves: half of those that are shot at it arrive. What both reflects
+/// and refracts makes more of them, the more so if it collects them itself.
+double guessed_photons(const Light& light, const PhotonTarget& target, double spacing) {
+  const bool refracted = refracts(light, target);
+  const double ways = refracted && reflects(light, target) ? 1.5 : 1.0;
+  const double stays = refracted && target.collects ? ways : 0.5;
+  const double across = target.radius / (target.factor * spacing);
+  return across * across * kPi * ways * stays;
+}
+
 PhotonUnit make_unit(std::span<const Light> lights, std::span<const PhotonTarget> targets,
                      std::uint32_t l, std::uint32_t t, double spacing) {
   const Light& light = lights[l];
   const PhotonTarget& target = targets[t];
-  PhotonUnit unit{l, t, target.factor * spacing, 0.0, end_of_rings(light, target)};
-  if (!light.parallel) {
-    const double distance = length(target.centre - light.position);
-    unit.spread /= distance < kTiny ? target.radius : distance;
-  }
-  if (light.has_area && light.photon_area) {
-    unit.spread *= std::sqrt(static_cast<double>(light.area.size1 * light.area.size2));
-  }
-  unit.step = light.parallel ? unit.spread : std::atan(unit.spread);
-  return unit;
+  const double distance = length(target.centre - light.position);
+  const double way = light.parallel ? 1.0 : distance < kTiny ? target.radius : distance;
+  const double spread = target.factor * spacing / way * std::sqrt(photon_points(light));
+  return {l, t, spread, light.parallel ? spread : std::atan(spread), end_of_rings(light, target)};
 }
 
 }  // namespace
@@ -70,14 +79,7 @@ double photon_spacing(std::span<const Light> lights, std::span<const PhotonTarge
   if (settings.count <= 0) return settings.spacing;
   double wanted = 0.0;
   each_pair(lights, targets, [&](std::uint32_t l, std::uint32_t t) {
-    const PhotonTarget& target = targets[t];
-    const bool refracted = refracts(lights[l], target),
-               both = refracted && reflects(lights[l], target);
-    const double across = target.radius / (target.factor * settings.spacing);
-    double photons = across * across * kPi;
-    if (both) photons *= 1.5;
-    if (target.collects && refracted) photons *= both ? 3.0 : 2.0;
-    wanted += photons * 0.5;
+    wanted += guessed_photons(lights[l], targets[t], settings.spacing);
   });
   return settings.spacing * std::sqrt(wanted / settings.count);
 }
@@ -94,12 +96,11 @@ double expected_photons(std::span<const Light> lights, std::span<const PhotonUni
 }
 
 PhotonAim photon_aim(const Light& light, const Vec3& from, const Vec3& centre) {
-  constexpr double kUpright = 0.1;
+  constexpr double kUpright = 0.9;
   const Vec3 to = centre - from;
   if (length(to) < kTiny && !light.parallel) return {{0, 0, 1}, {0, 1, 0}};
   const Vec3 along = normalized(to);
-  const bool upright = std::fabs(std::fabs(along.z) - 1.0) < kUpright;
-  const Vec3 up = upright ? Vec3(0, 1, 0) : Vec3(0, 0, 1);
+  const Vec3 up = std::fabs(along.z) >= kUpright ? Vec3(0, 1, 0) : Vec3(0, 0, 1);
   return {along, normalized(cross(light.parallel ? light.direction : along, up))};
 }
 

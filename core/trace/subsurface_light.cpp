@@ -155,7 +155,7 @@ Rgb SubsurfaceLight<kArea>::at(const Surface& surface, const SubsurfaceFinish& f
   return light;
 }
 
-/// Where directions begin: as deep as light gets on average, but nearer to this side than to the other.
+/// Where directions begin: a mean free path deep, but in what is thin no deeper than its middle.
 template <bool kArea>
 Vec3 SubsurfaceLight<kArea>::below(const Exit& exit) {
   const Surface& surface = exit.surface;
@@ -164,7 +164,7 @@ Vec3 SubsurfaceLight<kArea>::below(const Exit& exit) {
   Hit other;
   if (nearest({surface.point(), inwards}, m_min_distance, 2.0 * depth, other)) {
     const bool is_same = interior_of(other.leaf->attributes(), other.object).key == exit.interior;
-    depth = is_same ? other.t / 2.0 : std::min(depth, other.t - kTiny);
+    depth = std::min(depth, is_same ? other.t / 2.0 : other.t - kTiny);
   }
   return surface.point() + inwards * depth;
 }
