@@ -488,6 +488,15 @@ const Program kPrograms[] = {
      "the repeat of this black_hole is too small; it is made larger"},
     {PIGMENT("bozo warp { scale 2 }"), "a kind of warp"},
     {PIGMENT("bozo warp { spherical phong }"), "a word of this warp or }"},
+#define TRANSLUCENT(mm, far)                         \
+  "global_settings { subsurface { } mm_per_unit " mm \
+  " } sphere { 0, 1 pigment { rgb 0.8 } finish { subsurface { translucency " far " } } }"
+    {TRANSLUCENT("10", "1"), "subsurface light"},
+    {TRANSLUCENT("0", "1"), "mm_per_unit is not greater than 0: 10 is used."},
+    {TRANSLUCENT("10", "0"),
+     "translucency is too little for subsurface light: a ten thousandth of a unit of the scene is "
+     "used."},
+#undef TRANSLUCENT
     {PIGMENT("density_file df3 \"none.df3\""), "cannot find the density file \"none.df3\""},
     {PIGMENT("density_file df3 \"bad.df3\""), "cannot read the density file \"bad.df3\""},
     {PIGMENT("density_file df3 \"odd.df3\""),
