@@ -72,14 +72,14 @@ double next_up(double t) { return std::bit_cast<double>(std::bit_cast<std::uint6
 /// before what is entered. Then the object first in the scene, infinite ones before others.
 struct Best {
   double t;
-  double reach;  ///< below which hits count: just beyond t, so that equal distances are found
   const ObjectEntry* entry = nullptr;
   bool from_pack = false;
   double u, v;         ///< if so
   double asked_below;  ///< else: the reach when it was found
 
-  explicit Best(double limit) : t(limit), reach(limit) {}  // the limit itself is out of reach
-  Best(double at, const ObjectEntry& e) : t(at), reach(next_up(at)), entry(&e) {}
+  explicit Best(double limit) : t(limit) {}
+  /// Below which hits count: equal distances are found, but the limit itself is out of reach.
+  double reach() const { return entry ? next_up(t) : t; }
 };
 
 /// Who wins where both are met at once.
@@ -108,13 +108,15 @@ struct NearestSearch {
   bool object(const ObjectEntry& e) {
     if (e.flags & unseen) return false;
     tally.test(e.type);
-    const double reach = best.reach;
+    const double reach = best.reach();
     if (!e.object->nearest(ray, t_min, reach, hit, query)) return false;
     if (!beats(hit.t, e)) {
       find_again();
       return false;
     }
-    best = Best(hit.t, e);
+    best.t = hit.t;
+    best.entry = &e;
+    best.from_pack = false;
     best.asked_below = reach;
     return false;
   }
@@ -128,12 +130,20 @@ struct NearestSearch {
       const int i = std::countr_zero(mask);
       const ObjectEntry& e = entries[i];
       if ((e.flags & unseen) || !beats(hits.t[i], e)) continue;
-      best = Best(hits.t[i], e);
-      best.from_pack = true;
-      best.u = hits.u[i];
-      best.v = hits.v[i];
+      take(e, hits.t[i], hits.u[i], hits.v[i]);
     }
     return false;
+  }
+  bool plane(double t, const ObjectEntry& e) {
+    if (!(e.flags & unseen)) take(e, t, 0.0, 0.0);
+    return false;
+  }
+  void take(const ObjectEntry& e, double t, double u, double v) {
+    best.t = t;
+    best.entry = &e;
+    best.from_pack = true;
+    best.u = u;
+    best.v = v;
   }
   bool finish() {
     if (!best.entry) return false;
@@ -170,6 +180,10 @@ struct AnySearch {
       return true;
     }
     return false;
+  }
+  bool plane(double, const ObjectEntry& e) {
+    found = e.object;
+    return true;
   }
 };
 

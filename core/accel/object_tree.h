@@ -90,18 +90,15 @@ class ObjectTree {
     }
     return false;
   }
-  /// The infinite objects, planes first; true ends the search.
+  /// The infinite objects, planes first; true ends the search. Nothing is found before planes, which come in the
+  /// scene's order: of equal distances the first has won.
   template <class Search>
   bool unbounded(Search& what) const {
     for (std::size_t i = 0; i < m_planes.size(); ++i) {
       const ObjectEntry& e = m_unbounded[i];
       what.tally.test(e.type);
       const double t = plane_crossing(m_planes[i].normal, m_planes[i].distance, what.ray);
-      if (!(t > what.t_min && t <= what.limit())) continue;
-      PackHits hits;
-      hits.t[0] = t;
-      hits.u[0] = hits.v[0] = 0.0;
-      if (what.lanes(1u, hits, &e)) return true;
+      if (t > what.t_min && t < what.limit() && what.plane(t, e)) return true;
     }
     return each(m_unbounded.data() + m_planes.size(),
                 static_cast<std::uint32_t>(m_unbounded.size() - m_planes.size()), what);

@@ -62,7 +62,7 @@ class RayStepper {
   /// The same of a ray that has met this; null: nothing.
   void see(const RayState& state, const Hit* hit, RayRecord& record) {
     if constexpr (kLayers) record.parts.clear();
-    record.onward.clear();
+    if constexpr (kGoesOn) record.onward.clear();
     if (hit) {
       record.looks = &hit->leaf->attributes();
       record.length = hit->t;
@@ -82,6 +82,9 @@ class RayStepper {
     }
     if (m_air) pass_open_air(state, record, light);
   }
+
+  /// Whether any rays go on from surfaces.
+  static constexpr bool kGoesOn = (kFeatures & (kPathTransparency | kPathReflection)) != 0;
 
  private:
   bool is_cut(int level, float weight) const { return level >= m_max_level || weight < m_bailout; }

@@ -177,7 +177,7 @@ template <unsigned kFeatures>
 /// Which lights a layer wants.
 template <unsigned kFeatures>
 struct SurfaceShading<kFeatures>::Facing {
-  const Vec3& normal;
+  const Vec3 normal;
   const bool one_sided, front_only;
 
   bool is_behind(double cosine) const { return one_sided && cosine < kGrazing; }

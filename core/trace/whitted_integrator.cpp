@@ -18,16 +18,11 @@ bool is_first_sample(Pixel pixel, std::uint64_t key) {
 }  // namespace
 
 template <unsigned kFeatures>
-Radiance WhittedIntegrator<kFeatures>::trace(const Ray& ray, Pixel pixel, std::uint64_t key) {
-  m_context.interiors.forget_if_large();
-  if (m_context.indirect) m_context.indirect->begin(pixel, is_first_sample(pixel, key), key);
-  return follow(m_stepper.begin(ray, pixel, key));
-}
-
-template <unsigned kFeatures>
 [[gnu::always_inline]] inline Radiance WhittedIntegrator<kFeatures>::leave_ray(
     const RayState& state, const RayRecord& record) {
-  Radiance seen = record.gather([this](const OnwardRay& onward) { return follow(onward.state); });
+  Radiance seen = RayStepper<kFeatures>::kGoesOn || !record.parts.empty()
+                      ? record.gather([this](const OnwardRay& r) { return follow(r.state); })
+                      : record.own;
   m_stepper.arrive(state, record, seen);
   --m_depth;
   return seen;
@@ -46,7 +41,8 @@ template <unsigned kFeatures>
 }
 
 template <unsigned kFeatures>
-Radiance WhittedIntegrator<kFeatures>::follow(const RayState& state) {
+[[gnu::always_inline]] inline Radiance WhittedIntegrator<kFeatures>::follow_here(
+    const RayState& state) {
   if (m_stepper.is_cut(state)) return {};
   if (m_depth >= m_deepest) {
     ++m_context.counters.cut_rays;
@@ -55,6 +51,18 @@ Radiance WhittedIntegrator<kFeatures>::follow(const RayState& state) {
   RayRecord& record = enter_ray();
   m_stepper.step(state, record);
   return leave_ray(state, record);
+}
+
+template <unsigned kFeatures>
+Radiance WhittedIntegrator<kFeatures>::follow(const RayState& state) {
+  return follow_here(state);
+}
+
+template <unsigned kFeatures>
+Radiance WhittedIntegrator<kFeatures>::trace(const Ray& ray, Pixel pixel, std::uint64_t key) {
+  m_context.interiors.forget_if_large();
+  if (m_context.indirect) m_context.indirect->begin(pixel, is_first_sample(pixel, key), key);
+  return follow_here(m_stepper.begin(ray, pixel, key));
 }
 
 template <unsigned kFeatures>

@@ -26,6 +26,8 @@ class WhittedIntegrator final : public Integrator {
 
  private:
   Radiance follow(const RayState& state);
+  /// The same without a call: most pictures have little more than camera rays.
+  Radiance follow_here(const RayState& state);
   RayRecord& enter_ray();
   /// What the ray brings, once its record is filled.
   Radiance leave_ray(const RayState& state, const RayRecord& record);
