@@ -192,15 +192,17 @@ TEST_F(ImageProgram, ExplainNamesWhatIsNeeded) {
 TEST_F(ImageProgram, WhatAPictureWillLackIsSaidBeforeItIsRendered) {
   tool::write_text(path("lacks.pov"),
                    "#version 3.7; global_settings { assumed_gamma 1 } light_source { -9*z, 1 }\n"
-                   "sphere { 5*z, 1 pigment { rgb 1 } } global_settings { subsurface { } }\n");
+                   "sphere { 5*z, 1 pigment { image_map { function 0, 2 { x } } } }\n");
   const std::string text = lentray({"lacks.pov", "+W16", "+H12"}).output;
-  EXPECT_LT(text.find("left out of the picture: subsurface"), text.find("Rendering: 100%")) << text;
+  EXPECT_LT(text.find("left out of the picture: image 'function'"), text.find("Rendering: 100%"))
+      << text;
   for (const bool parses : {false, true}) {
     std::vector<std::string> arguments{"lacks.pov", "+W16", "+H12", "Strict=On", "+Ostrict.png"};
     if (parses) arguments.push_back("--parse-only");
     const auto strict = lentray(arguments);
     EXPECT_EQ(strict.status, 1);
-    EXPECT_NE(strict.output.find("Strict=On: the picture would lack subsurface"), std::string::npos)
+    EXPECT_NE(strict.output.find("Strict=On: the picture would lack image 'function'"),
+              std::string::npos)
         << strict.output;
     EXPECT_FALSE(exists("strict.png"));
   }
