@@ -55,7 +55,7 @@ class LightSum {
   const Radiance& total() const { return m_sum; }
 
  private:
-  void add_image(const OnwardRay& from, Rgb image) {
+  [[gnu::always_inline]] void add_image(const OnwardRay& from, Rgb image) {
     if (from.tinted) image *= from.tint;
     if (from.exponent != 1.0) {
       for (int c = 0; c < 3; ++c) {
