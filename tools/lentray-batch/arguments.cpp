@@ -286,7 +286,7 @@ memory: the folders stay as they are.
   --grade G        exact, match, noise or close: what every scene must reach
   --noise W        auto, on or off: stock renders three times more where a
                    picture is short of match, to tell its own noise (of scenes
-                   with radiosity)
+                   with radiosity, photons or subsurface light)
   --table FILE     the comparison as a Markdown table
   --jobs N         scenes at a time (as many as there are processors)
   --time-limit T   seconds a picture may take, each view of Views= too (90, 90s,

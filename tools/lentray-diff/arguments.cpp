@@ -296,7 +296,8 @@ Antialias_Angle=n it is the mean of n times as many views.
   --noise W        auto (default), on or off: stock renders three times more, in
                    other orders, where a picture is short of match; within what
                    stock differs from itself it has the grade noise, else it
-                   fails. auto: of scenes with radiosity
+                   fails. auto: of scenes with radiosity, photons or
+                   subsurface light
   --json FILE      all figures as JSON
   --output PREFIX  pictures PREFIX-ours, -stock, -heat, -side.png
                    (default: SCENE-diff)

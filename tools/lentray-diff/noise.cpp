@@ -11,7 +11,7 @@ namespace lentray::diff {
 namespace {
 
 /// Members of the statistics of scenes whose light depends on the order in stock.
-constexpr std::array kSources{"radiosity"};
+constexpr std::array kSources{"radiosity", "photons", "subsurface"};
 
 std::vector<StockOptions> other_orders(const StockOptions& options) {
   std::vector<StockOptions> orders(3, options);

@@ -341,6 +341,10 @@ void write_statistics(const Run& run, const Session& session) {
   nlohmann::json all = statistics(std::move(report), run.camera, session.scene().settings());
   all["not_rendered"] = session.not_rendered();
   if (session.photons()) all["photons"] = session.photons()->json();
+  if (const auto& subsurface = session.scene().settings().subsurface) {
+    all["subsurface"] = {{"samples_diffuse", subsurface->samples_diffuse},
+                         {"samples_single", subsurface->samples_single}};
+  }
   if (session.radiosity()) all["radiosity"] = session.radiosity()->json();
   write_text_file(parser::frame_path(o, o.statistics_file), json_text(std::move(all), 2) + "\n");
 }
