@@ -174,8 +174,9 @@ LENTRAY_AVX2 inline unsigned intersect_avx2(const SpherePack& pack, const PackRa
   return simd::signs(met & in);
 }
 
-LENTRAY_AVX2 inline unsigned intersect_avx2(const TrianglePack& pack, const PackRay& r,
-                                            double t_min, double t_max, PackHits& hits) {
+[[gnu::always_inline]] LENTRAY_AVX2 inline unsigned intersect_avx2(const TrianglePack& pack,
+                                                                   const PackRay& r, double t_min,
+                                                                   double t_max, PackHits& hits) {
   const ShearedRay& s = *r.sheared;
   const Double4 ox = simd::double4(s.origin[s.kx]), oy = simd::double4(s.origin[s.ky]),
                 oz = simd::double4(s.origin[s.kz]);

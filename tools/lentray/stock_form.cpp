@@ -10,7 +10,7 @@
 #include "parser/base/shown.h"
 #include "tools/common/version.h"
 #include "tools/lentray/run.h"
-#include "tools/lentray/stock_radiosity.h"
+#include "tools/session/stock_radiosity.h"
 
 namespace lentray::tool {
 namespace {

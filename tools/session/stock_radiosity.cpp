@@ -1,4 +1,4 @@
-#include "tools/lentray/stock_radiosity.h"
+#include "tools/session/stock_radiosity.h"
 
 #include <cstdarg>
 #include <cstdint>
