@@ -99,7 +99,7 @@ GatheredRay WhittedIntegrator<kFeatures>::gather(const GatherRay& from) {
 
 unsigned path_features(const Needs& needs) {
   unsigned features = 0;
-  if (needs.transparency || needs.refraction) features |= kPathTransparency;
+  if (needs.transparency || needs.refraction || needs.subsurface) features |= kPathTransparency;
   if (needs.reflection) features |= kPathReflection;
   if (needs.layered_textures || needs.textures_by_place || needs.interior_textures) {
     features |= kPathLayers;
