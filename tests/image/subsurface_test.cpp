@@ -59,6 +59,24 @@ INSTANTIATE_TEST_SUITE_P(
              "} pigment { rgb <0.6, 0.8, 0.9> } finish { diffuse 0.9 subsurface { translucency "
              "<0.5, 2, 6> } } interior { ior 2 } rotate 30*y }",
              kMoreSamples},
+        Case{"BlendedAndLayered",
+             "sphere { -0.9*x + z, 0.9 texture { bozo texture_map { [0.4 pigment { rgb <0.9, 0.5, "
+             "0.3> } finish { subsurface { translucency 2 } }] [0.6 pigment { rgb <0.3, 0.5, 0.9> "
+             "} finish { subsurface { translucency <1, 2, 3> } }] } scale 0.4 } interior { ior 1.4 "
+             "} } sphere { <0.8, -0.2, -0.3>, 0.7 texture { pigment { rgb <0.9, 0.9, 0.8> } finish "
+             "{ subsurface { translucency 30 } } } texture { pigment { gradient y color_map { [0.5 "
+             "rgb <0.2, 0.8, 0.2>] [0.5 rgbt 1] } scale 0.3 } } interior { ior 1.2 } }"},
+        Case{"ClearAndSeenThroughEachOther",
+             "sphere { <0, 0, -0.5>, 0.8 pigment { rgb 0.9 } finish { diffuse 0.9 subsurface { "
+             "translucency 60 } } interior { ior 1.1 } } sphere { <0.6, 0, 1.6>, 1 pigment { rgb "
+             "<0.9, 0.4, 0.2> } finish { subsurface { translucency 40 } } interior { ior 1.1 } }"},
+        Case{"Radiosity", kBall,
+             "subsurface { samples 50, 20 } radiosity { count 60 error_bound 0.6 }"}),
+    [](const auto& one) { return std::string(one.param.name); });
+
+INSTANTIATE_TEST_SUITE_P(
+    Slow, ImageSubsurface,
+    ::testing::Values(
         Case{"ScaleAndLights",
              "light_source { <4, 3, -3> rgb <0.7, 0.5, 0.4> spotlight point_at 0 radius 8 falloff "
              "14 area_light x, y, 3, 3 fade_distance 4 fade_power 2 } merge { sphere { -0.5*x, 0.8 "
@@ -69,13 +87,6 @@ INSTANTIATE_TEST_SUITE_P(
              "light_source { <4, 3, -3> rgb 0.7 area_light x*3, y*3, 3, 3 area_illumination on "
              "fade_distance 4 fade_power 2 } sphere { 0, 1 pigment { rgb 0.8 } finish { subsurface "
              "{ translucency 2 } } interior { ior 1.3 } } box { <0.5, 0.5, -2>, <1, 1, -1.5> }"},
-        Case{"BlendedAndLayered",
-             "sphere { -0.9*x + z, 0.9 texture { bozo texture_map { [0.4 pigment { rgb <0.9, 0.5, "
-             "0.3> } finish { subsurface { translucency 2 } }] [0.6 pigment { rgb <0.3, 0.5, 0.9> "
-             "} finish { subsurface { translucency <1, 2, 3> } }] } scale 0.4 } interior { ior 1.4 "
-             "} } sphere { <0.8, -0.2, -0.3>, 0.7 texture { pigment { rgb <0.9, 0.9, 0.8> } finish "
-             "{ subsurface { translucency 30 } } } texture { pigment { gradient y color_map { [0.5 "
-             "rgb <0.2, 0.8, 0.2>] [0.5 rgbt 1] } scale 0.3 } } interior { ior 1.2 } }"},
         Case{"LightGroup",
              "light_group { light_source { <3, 2, -3> rgb <0, 0.3, 0.6> } sphere { 0, 1 pigment { "
              "rgb 0.9 } finish { subsurface { translucency 1 } } interior { ior 1.3 } } "
@@ -88,12 +99,6 @@ INSTANTIATE_TEST_SUITE_P(
              "diffuse 0 specular 0.6 } } sphere { <-1.4, -0.5, -0.8>, 0.3 pigment { rgb <0.9, 0.9, "
              "0.4> } finish { subsurface { translucency 2 } } interior { ior 1.3 } }",
              kMoreSamples},
-        Case{"ClearAndSeenThroughEachOther",
-             "sphere { <0, 0, -0.5>, 0.8 pigment { rgb 0.9 } finish { diffuse 0.9 subsurface { "
-             "translucency 60 } } interior { ior 1.1 } } sphere { <0.6, 0, 1.6>, 1 pigment { rgb "
-             "<0.9, 0.4, 0.2> } finish { subsurface { translucency 40 } } interior { ior 1.1 } }"},
-        Case{"Radiosity", kBall,
-             "subsurface { samples 50, 20 } radiosity { count 60 error_bound 0.6 }"},
         Case{"RadiosityIsScattered", kBall,
              "subsurface { samples 20, 10 radiosity on } radiosity { count 40 error_bound 0.6 }"},
         Case{"RadiositySeesScattered", kBall,
