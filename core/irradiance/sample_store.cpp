@@ -26,9 +26,9 @@ SampleStore::SampleStore(const RadiositySettings& settings, int depth)
 SampleStore::Region SampleStore::region_of(const IrradianceSample& sample) const {
   const double radius = sample.radius * m_octree_factor;
   const Vec3 beyond = SampleGrid::beyond_origin(sample.point);
-  Region region{{},
-                std::max(std::ldexp(1.0, std::ilogb(2.0 * radius)),
-                         least_side(sample.point - Vec3(radius)))};
+  Region region{
+      {},
+      std::max(std::ldexp(1.0, std::ilogb(2.0 * radius)), least_side(sample.point - Vec3(radius)))};
   const auto place = [&](double at) { return (std::floor(at / region.half) + 0.5) * region.half; };
   const Vec3 low = SampleGrid::beyond_origin(sample.point - Vec3(radius));
   const Vec3 high = SampleGrid::beyond_origin(sample.point + Vec3(radius));

@@ -94,7 +94,8 @@ TEST(UnitRadiosityLines, OthersArePassedOver) {
       "\n\nP\nC1 0 0 0 7ffe7f .1 .1 .1 1 2\nC0 0 0 0 7ffe7f .1 .1 .1 1 2 7f7f7f\n" +
       "C1 0 0 0 7f7f7f .1 .1 .1 1 2 7f7f7f\nC1 0 0 0 7ffe7f .1 .1 .1 0 2 7f7f7f\n" +
       "C1 0 0 nan 7ffe7f .1 .1 .1 1 2 7f7f7f\nC1 1e30 0 0 7ffe7f .1 .1 .1 1e-9 2 7f7f7f\n" +
-      "C1 0 0 0 7ffe7x .1 .1 .1 1 2 7f7f7f\nC1 0 0 0 7ffe7f .1 .1 .1 1 2 7f7f7f 3\n" + good + "\n\n");
+      "C1 0 0 0 7ffe7x .1 .1 .1 1 2 7f7f7f\nC1 0 0 0 7ffe7f .1 .1 .1 1 2 7f7f7f 3\n" + good +
+      "\n\n");
   EXPECT_EQ(read.samples.size(), 2u);
   EXPECT_EQ(read.passed_over, 9u);
   EXPECT_EQ(read.first_passed_over, 3u);
