@@ -19,7 +19,7 @@ SceneDesc read_descriptions(const std::string& path, SourceManager& sources,
 
 ReadScene read_scene(const std::string& path, SourceManager& sources, Diagnostics& diagnostics,
                      const ParserOptions& options, const BuildOptions& build) {
-  const SceneDesc scene = read_descriptions(path, sources, diagnostics, options);
+  SceneDesc scene = read_descriptions(path, sources, diagnostics, options);
   ReadScene out;
   out.parts = build_scene(scene, diagnostics, build);
   out.has_camera = scene.camera.has_value();

@@ -23,6 +23,7 @@ figures() {
     'python3 tests/bench/same_cost.py build/release build/release --before-option Specialised_Paths=Off --only spd;
      python3 tests/bench/same_cost.py build/release build/release --before-option Specialised_Paths=Off --only corpus'
   $1 parse-speed docs/performance.md '(10 min)' 'python3 tests/bench/parse_speed.py --runs 9'
+  $1 building docs/performance.md '(10 min)' 'python3 tests/bench/building.py'
   $1 antialiasing-cost docs/performance.md '(20 min)' 'python3 tests/compat/antialiasing.py --cost'
   $1 embree docs/notes.md '(5 min)' \
     'cmake --preset release -B build/bench -DLENTRAY_BENCHMARKS=ON;

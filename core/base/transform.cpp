@@ -21,6 +21,24 @@ Matrix product(const Matrix& a, const Matrix& b) {
   return r;
 }
 
+/// All numbers without a branch: most that are asked are the identity.
+bool is_identity_matrix(const Matrix& m) {
+  static_assert(sizeof(Matrix) == 12 * sizeof(double));
+  const double* const a = m[0].data();
+  const double* const b = kIdentity[0].data();
+  std::uint64_t differ = 0;  // all bits but the sign are 0 where two numbers are equal
+  for (int i = 0; i < 12; ++i) differ |= std::bit_cast<std::uint64_t>(a[i] - b[i]) << 1;
+  return differ == 0;
+}
+
+/// The same numbers as the product with the identity, which has no negative zeros.
+Matrix times_identity(Matrix m) {
+  for (auto& row : m) {
+    for (double& x : row) x += 0.0;
+  }
+  return m;
+}
+
 bool invert(const Matrix& m, Matrix& out) {
   const Vec3 a{m[0][0], m[0][1], m[0][2]}, b{m[1][0], m[1][1], m[1][2]},
       c{m[2][0], m[2][1], m[2][2]};
@@ -104,8 +122,13 @@ Transform Transform::matrix(const Matrix& rows) {
 
 Transform Transform::then(const Transform& next) const {
   Transform t;
-  t.m_rows = product(m_rows, next.m_rows);
-  t.m_inverse = product(next.m_inverse, m_inverse);
+  if (is_identity_matrix(m_rows) && is_identity_matrix(m_inverse)) {
+    t.m_rows = times_identity(next.m_rows);
+    t.m_inverse = times_identity(next.m_inverse);
+  } else {
+    t.m_rows = product(m_rows, next.m_rows);
+    t.m_inverse = product(next.m_inverse, m_inverse);
+  }
   t.m_singular = m_singular || next.m_singular;
   return t;
 }
@@ -118,14 +141,6 @@ Transform Transform::inverse() const {
   return t;
 }
 
-/// All numbers without a branch: most that are asked are the identity.
-bool Transform::is_identity() const {
-  static_assert(sizeof(Matrix) == 12 * sizeof(double));
-  const double* const a = m_rows[0].data();
-  const double* const b = kIdentity[0].data();
-  std::uint64_t differ = 0;  // all bits but the sign are 0 where two numbers are equal
-  for (int i = 0; i < 12; ++i) differ |= std::bit_cast<std::uint64_t>(a[i] - b[i]) << 1;
-  return differ == 0;
-}
+bool Transform::is_identity() const { return is_identity_matrix(m_rows); }
 
 }  // namespace lentray::core

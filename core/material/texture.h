@@ -36,8 +36,8 @@ class Texture {
 };
 
 struct TextureLayer {
-  std::shared_ptr<const Pigment> pigment;
-  Finish finish;
+  std::shared_ptr<const Pigment> pigment;  ///< never null
+  std::shared_ptr<const Finish> finish;    ///< the same; layers that answer light alike share it
   std::shared_ptr<const NormalPerturbation> normal = nullptr;  ///< null: the surface's own normal
 };
 

@@ -7,23 +7,22 @@ Leaf::Leaf(std::unique_ptr<Shape> shape, const Transform& to_world) : m_shape(st
     if (auto moved = m_shape->baked(to_world)) {
       m_shape = std::move(moved);
     } else {
-      m_transform = std::make_unique<const Transform>(to_world);
+      m_moved.reset(new Moved{to_world, m_shape->bounds_in(to_world)});
     }
   }
   set_convexity(m_shape->traits().convexity);
-  m_box = m_transform ? m_shape->bounds_in(*m_transform) : m_shape->bounds();
-  set_ball(m_transform ? smaller(transformed(m_shape->ball(), *m_transform),
-                                 ball_around(m_shape->bounds(), *m_transform))
-                       : m_shape->ball());
+  set_ball(m_moved ? smaller(transformed(m_shape->ball(), m_moved->transform),
+                             ball_around(m_shape->bounds(), m_moved->transform))
+                   : m_shape->ball());
 }
 
 void Leaf::clips_have_changed() {
   Ball kept;
   for (const auto& clip : clips()) kept = smaller(kept, clip->solid_ball());
-  m_shape->keep_within(m_transform ? transformed(kept, m_transform->inverse()) : kept);
+  m_shape->keep_within(m_moved ? transformed(kept, m_moved->transform.inverse()) : kept);
 }
 
-Bounds Leaf::bounds() const { return limited(m_box); }
+Bounds Leaf::bounds() const { return limited(box()); }
 
 Bounds Leaf::solid_bounds() const {
   if (const Bounds* gate = solid_gate()) return *gate;
@@ -32,7 +31,7 @@ Bounds Leaf::solid_bounds() const {
   if (is_inverse() || traits.solid_is_unbounded) {
     b = Bounds::everything();
   } else if (traits.is_solid) {
-    b = m_box;
+    b = box();
   }
   for (const auto& clip : clips()) {
     if (!clip->is_gated()) b.intersect(clip->solid_bounds());
@@ -42,7 +41,7 @@ Bounds Leaf::solid_bounds() const {
 
 Bounds Leaf::void_bounds() const {
   if (!is_inverse() || !clips().empty()) return Bounds::everything();
-  return m_shape->traits().solid_is_unbounded ? Bounds::everything() : m_box;
+  return m_shape->traits().solid_is_unbounded ? Bounds::everything() : box();
 }
 
 Ball Leaf::solid_ball() const {
@@ -57,15 +56,15 @@ void Leaf::set_inverse(bool inverse) {
   const ShapeTraits traits = m_shape->traits();
   if (traits.is_solid) {
     Object::set_inverse(inverse);
-    m_turns_normal = inverse && traits.inverse_turns_normal;
+    set_turns_normal(inverse && traits.inverse_turns_normal);
   } else if (inverse && traits.inverse_turns_normal) {
-    m_turns_normal =
-        !m_turns_normal;  // is_inverse() stays false, so that every inversion asks for true
+    // is_inverse() stays false, so that every inversion asks for true.
+    set_turns_normal(!turns_normal());
   }
 }
 
 bool Leaf::shape_nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const {
-  if (!m_transform) return m_shape->nearest(ray, t_min, t_max, hit);
+  if (!m_moved) return m_shape->nearest(ray, t_min, t_max, hit);
   return m_shape->nearest(to_shape(ray), t_min, t_max, hit);
 }
 
@@ -75,7 +74,7 @@ bool Leaf::nearest(const Ray& ray, double t_min, double t_max, Hit& hit,
   if (!gates().empty() && !passes_gates(ray, query)) return false;
   ShapeHit found;
   const bool is_there = !clips().empty() ? unclipped_nearest(ray, t_min, t_max, found, query)
-                        : m_transform    ? m_shape->nearest(to_shape(ray), t_min, t_max, found)
+                        : m_moved        ? m_shape->nearest(to_shape(ray), t_min, t_max, found)
                                          : m_shape->nearest(ray, t_min, t_max, found);
   if (!is_there) return false;
   hit.t = found.t;
@@ -94,7 +93,7 @@ bool Leaf::unclipped_nearest(const Ray& ray, double t_min, double t_max, ShapeHi
   }
   ShapeHits& all = query.arena.shape_hits;
   all.clear();
-  m_shape->all(m_transform ? to_shape(ray) : ray, t_min, t_max, all);
+  m_shape->all(m_moved ? to_shape(ray) : ray, t_min, t_max, all);
   bool is_there = false;
   for (const ShapeHit& one : all) {
     if (!(one.t < t_max) || !passes_clips(ray.at(one.t))) continue;
@@ -111,7 +110,7 @@ bool Leaf::any(const Ray& ray, double t_min, double t_max, const RayQuery& query
     Hit hit;
     return Leaf::nearest(ray, t_min, t_max, hit, query);
   }
-  if (!m_transform) return m_shape->any(ray, t_min, t_max);
+  if (!m_moved) return m_shape->any(ray, t_min, t_max);
   return m_shape->any(to_shape(ray), t_min, t_max);
 }
 
@@ -121,7 +120,7 @@ void Leaf::gather(const Ray& ray, std::vector<Hit>& hits, const RayQuery& query,
   if (!gates().empty() && !passes_gates(ray, query)) return;
   ShapeHits& list = query.arena.shape_hits;
   list.clear();
-  ask(m_transform ? to_shape(ray) : ray, list);
+  ask(m_moved ? to_shape(ray) : ray, list);
   for (const ShapeHit& found : list) {
     if (!clips().empty() && !passes_clips(ray.at(found.t))) continue;
     hits.push_back({found.t, this, nullptr, found});
@@ -145,23 +144,23 @@ void Leaf::all_alone(const Ray& ray, double t_min, double t_max, std::vector<Hit
 
 bool Leaf::inside(const Vec3& p) const {
   if (!clips().empty() && !passes_clips(p)) return false;
-  const Vec3 q = m_transform ? m_transform->inverse_point(p) : p;
+  const Vec3 q = m_moved ? m_moved->transform.inverse_point(p) : p;
   return is_inverse() ? m_shape->outside(q) : m_shape->inside(q);
 }
 
 Vec3 Leaf::normal(const Vec3& world_point, const ShapeHit& hit) const {
-  if (m_transform) {
-    const Vec3 n =
-        m_transform->normal(m_shape->normal(m_transform->inverse_point(world_point), hit));
-    return normalized(m_turns_normal ? -n : n);
+  if (m_moved) {
+    const Vec3 n = m_moved->transform.normal(
+        m_shape->normal(m_moved->transform.inverse_point(world_point), hit));
+    return normalized(turns_normal() ? -n : n);
   }
   const Vec3 n = m_shape->normal(world_point, hit);
-  return normalized(m_turns_normal ? -n : n);
+  return normalized(turns_normal() ? -n : n);
 }
 
 Vec2 Leaf::uv(const Vec3& world_point, const ShapeHit& hit) const {
-  if (!m_shape->traits().has_uv || !m_transform) return m_shape->uv(world_point, hit);
-  return m_shape->uv(m_transform->inverse_point(world_point), hit);
+  if (!m_shape->traits().has_uv || !m_moved) return m_shape->uv(world_point, hit);
+  return m_shape->uv(m_moved->transform.inverse_point(world_point), hit);
 }
 
 }  // namespace lentray::core

@@ -40,9 +40,8 @@ class Leaf final : public Object {
   }
 
   const Shape& shape() const { return *m_shape; }
-  const Transform* transform() const {
-    return m_transform.get();
-  }  ///< null: shape is in world space
+  /// Null: the shape is in world space.
+  const Transform* transform() const { return m_moved ? &m_moved->transform : nullptr; }
   /// Unit shading normal at a hit of this leaf, world space.
   Vec3 normal(const Vec3& world_point, const ShapeHit& hit) const;
   Vec2 uv(const Vec3& world_point, const ShapeHit& hit) const;
@@ -56,15 +55,22 @@ class Leaf final : public Object {
   bool unclipped_nearest(const Ray&, double t_min, double t_max, ShapeHit&, const RayQuery&) const;
   /// The direction keeps its length, so that t is the same in both spaces.
   Ray to_shape(const Ray& ray) const {
-    return {m_transform->inverse_point(ray.origin), m_transform->inverse_vector(ray.direction)};
+    const Transform& t = m_moved->transform;
+    return {t.inverse_point(ray.origin), t.inverse_vector(ray.direction)};
   }
   Ball surface_ball() const override { return first_ball(); }
   void clips_have_changed() override;
 
+  /// Of the shape, in the world.
+  Bounds box() const { return m_moved ? m_moved->box : m_shape->bounds(); }
+
+  /// Apart: most are baked, and it is large.
+  struct Moved {
+    Transform transform;
+    Bounds box;  ///< of the shape, in the world
+  };
   std::unique_ptr<Shape> m_shape;
-  std::unique_ptr<const Transform> m_transform;  ///< apart: few have one, and it is large
-  Bounds m_box;                                  ///< of the shape, in the world
-  bool m_turns_normal = false;
+  std::unique_ptr<const Moved> m_moved;  ///< null: the shape is in world space
 };
 
 }  // namespace lentray::core

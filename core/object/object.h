@@ -55,7 +55,7 @@ class Object {
   virtual bool inside(const Vec3& p) const = 0;
   /// Every primitive below, itself included (for what looks and types occur).
   virtual void leaves(std::vector<const Leaf*>& out) const = 0;
-  /// Shape::drop_shortcuts() of all shapes below, and the same of CSG. Bounds stay as they are.
+  /// Shape::drop_shortcuts() of all shapes below, and the same of CSG. Bounds may become infinite.
   virtual void drop_shortcuts() = 0;
 
   /// A ray whose line misses it misses the object. It holds all of the surface but what stands out
@@ -129,6 +129,9 @@ class Object {
   void set_ball(const Ball& ball) { m_ball = ball; }
   void set_convexity(Convexity convexity) { m_convexity = convexity; }
   const Ball& first_ball() const { return m_limits ? m_limits->first_ball : m_ball; }
+  /// Of a leaf: whether the normal of its shape points the wrong way.
+  bool turns_normal() const { return m_turns_normal; }
+  void set_turns_normal(bool turns) { m_turns_normal = turns; }
 
  private:
   /// Apart: few objects have any, and there may be a million of these.
@@ -147,6 +150,7 @@ class Object {
   Ball m_ball;
   Attributes m_attributes;
   std::unique_ptr<Limits> m_limits;
+  bool m_turns_normal = false;
   bool m_inverse = false;
   bool m_opaque = false;
   Convexity m_convexity = Convexity::kNone;

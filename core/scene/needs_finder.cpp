@@ -157,14 +157,17 @@ class Finder {
   }
 
   void look_at_texture(const Texture& texture) {
+    if (const LayeredTexture* stack = texture.everywhere()) return look_at_stack(*stack);
     if (!m_seen.insert(&texture).second) return;
-    if (!dynamic_cast<const LayeredTexture*>(&texture)) m_needs.textures_by_place = true;
+    m_needs.textures_by_place = true;
     std::vector<const LayeredTexture*> stacks;
     texture.collect(stacks);
-    for (const LayeredTexture* stack : stacks) {
-      if (stack->layers().size() > 1) m_needs.layered_textures = true;
-      for (const TextureLayer& layer : stack->layers()) look_at_finish(layer.finish);
-    }
+    for (const LayeredTexture* stack : stacks) look_at_stack(*stack);
+  }
+
+  void look_at_stack(const LayeredTexture& stack) {
+    if (stack.layers().size() > 1) m_needs.layered_textures = true;
+    for (const TextureLayer& layer : stack.layers()) look_at_finish(*layer.finish);
   }
 
   void look_at_finish(const Finish& finish) {

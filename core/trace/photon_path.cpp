@@ -24,7 +24,8 @@ bool nearly_equal(const Vec3& a, const Vec3& b) {
 bool ends_photons(const LayeredTexture& texture) {
   const auto& layers = texture.layers();
   return texture.is_opaque() && std::all_of(layers.begin(), layers.end(), [](const auto& layer) {
-           return layer.finish.reflection_max.is_black() && layer.finish.reflection_min.is_black();
+           return layer.finish->reflection_max.is_black() &&
+                  layer.finish->reflection_min.is_black();
          });
 }
 
@@ -189,7 +190,7 @@ PhotonPath::Layers PhotonPath::see_layers(const Meeting& at, const LayeredTextur
 
 void PhotonPath::see_layer(const TextureLayer& layer, const Meeting& at, const Leg& leg,
                            SurfaceContext& context, Layers& layers) const {
-  const Finish& finish = layer.finish;
+  const Finish& finish = *layer.finish;
   const Vec3 place = texture_point(context);
   // What is opaque passes nothing, whatever its colour.
   Colour colour;

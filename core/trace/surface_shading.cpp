@@ -63,7 +63,7 @@ void SurfaceShading<kFeatures>::shade(const LayeredTexture& texture, Surface& at
 template <unsigned kFeatures>
 void SurfaceShading<kFeatures>::shade_layer(const TextureLayer& layer, Surface& at, LayerSum& sum,
                                             ShadingBuffers& buffers) {
-  const Finish& finish = layer.finish;
+  const Finish& finish = *layer.finish;
   const Colour* constant = layer.pigment->constant();
   const Colour colour = constant ? *constant : layer.pigment->colour(at.texture_point, at.context);
   if (layer.normal) {

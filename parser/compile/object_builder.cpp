@@ -65,7 +65,6 @@ ObjectBuilder::ObjectBuilder(NotYet& not_yet) : m_not_yet(not_yet) {}
 
 void ObjectBuilder::add(const SceneObject& object) {
   m_default = object.default_texture ? object.default_texture : standard_texture();
-  m_last = {};
   Inherited nothing;
   nothing.on_list = true;
   // One for all objects, the last that was said.
@@ -74,6 +73,8 @@ void ObjectBuilder::add(const SceneObject& object) {
                                 : object.default_importance;
   nothing.pass_flags = number_of({.importance = importance});
   add_to_list(*object.object, core::Transform(), nothing);
+  m_last = {};
+  m_moved.clear();
 }
 
 void ObjectBuilder::add_to_list(const ObjectDesc& object, const core::Transform& outer,
@@ -159,10 +160,8 @@ void ObjectBuilder::take_aim(const ObjectDesc& object, const core::Transform& ou
 
 const core::Texture* ObjectBuilder::compile(const Ref<TextureDesc>& texture) {
   if (m_last.made && m_last.texture == texture) return m_last.made;
-  const std::shared_ptr<const core::Texture> made = m_textures->texture(texture, m_default);
-  if (m_owned.insert(made.get()).second) m_parts->textures.push_back(made);
-  m_last = {texture, made.get()};
-  return made.get();
+  m_last = {texture, m_textures->texture(texture, m_default).get()};
+  return m_last.made;
 }
 
 core::Attributes ObjectBuilder::attributes(const Inherited& looks) {

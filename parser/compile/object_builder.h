@@ -6,7 +6,6 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -107,7 +106,6 @@ class ObjectBuilder {
   SlopeWatches m_slope_watches;
   Ref<TextureDesc> m_default;
   std::shared_ptr<Cutaways> m_cutaways;  ///< of the object being built; null: it has none
-  std::set<const core::Texture*> m_owned;
   /// What was compiled last, with the default as it is: most objects look like the one before.
   struct Last {
     Ref<TextureDesc> texture;

@@ -29,7 +29,7 @@ std::optional<core::Turbulence> own_turbulence(const PatternDesc& pattern) {
       pattern.placement.front().kind != WarpDesc::Kind::kClassicTurbulence) {
     return std::nullopt;
   }
-  return compile_turbulence(pattern.placement.front().turbulence);
+  return compile_turbulence(pattern.placement.front().own->turbulence);
 }
 
 /// These shift by turbulence in their own formula, and not in space.
@@ -38,29 +38,29 @@ bool shifts_itself(PatternKind kind) {
 }
 
 core::WarpPtr compile_warp(const WarpDesc& warp, PatternKind pattern) {
+  const WarpParameters& own = *warp.own;
   switch (warp.kind) {
     case WarpDesc::Kind::kTransform:
-      return warp.transform.is_identity() ? nullptr : core::make_transform_warp(warp.transform);
+      return warp.transform->is_identity() ? nullptr : core::make_transform_warp(*warp.transform);
     case WarpDesc::Kind::kClassicTurbulence:
       if (shifts_itself(pattern)) return nullptr;
       [[fallthrough]];
     case WarpDesc::Kind::kTurbulence:
-      if (warp.turbulence.amount == core::Vec3{}) return nullptr;
-      return core::make_turbulence_warp(compile_turbulence(warp.turbulence));
+      if (own.turbulence.amount == core::Vec3{}) return nullptr;
+      return core::make_turbulence_warp(compile_turbulence(own.turbulence));
     case WarpDesc::Kind::kRepeat:
-      return core::make_repeat_warp(warp.axis, single(warp.width), warp.flip, warp.offset);
+      return core::make_repeat_warp(own.axis, single(own.width), own.flip, own.offset);
     case WarpDesc::Kind::kBlackHole:
-      return core::make_black_hole_warp({warp.centre, warp.repeat, warp.uncertainty, warp.radius,
-                                         warp.strength, warp.power, warp.inverse, warp.repeats,
-                                         warp.uncertain});
+      return core::make_black_hole_warp({own.centre, own.repeat, own.uncertainty, own.radius,
+                                         own.strength, own.power, own.inverse, own.repeats,
+                                         own.uncertain});
     case WarpDesc::Kind::kSpherical:
-      return core::make_spherical_warp(warp.orientation, warp.distance_exponent);
+      return core::make_spherical_warp(own.orientation, own.distance_exponent);
     case WarpDesc::Kind::kToroidal:
-      return core::make_toroidal_warp(warp.orientation, warp.distance_exponent, warp.major_radius);
-    case WarpDesc::Kind::kPlanar:
-      return core::make_planar_warp(warp.orientation, warp.plane_offset);
+      return core::make_toroidal_warp(own.orientation, own.distance_exponent, own.major_radius);
+    case WarpDesc::Kind::kPlanar: return core::make_planar_warp(own.orientation, own.plane_offset);
     case WarpDesc::Kind::kCylindrical:
-      return core::make_cylindrical_warp(warp.orientation, warp.distance_exponent);
+      return core::make_cylindrical_warp(own.orientation, own.distance_exponent);
     case WarpDesc::Kind::kCubic: return core::make_cubic_warp();
   }
   return nullptr;

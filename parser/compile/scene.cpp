@@ -174,7 +174,7 @@ bool has_hierarchy(const SceneDesc& scene) {
 
 }  // namespace
 
-core::SceneParts build_scene(const SceneDesc& scene, Diagnostics& diagnostics,
+core::SceneParts build_scene(SceneDesc& scene, Diagnostics& diagnostics,
                              const BuildOptions& options) {
   core::SceneParts parts;
   parts.settings = build_settings(scene, options);
@@ -189,9 +189,12 @@ core::SceneParts build_scene(const SceneDesc& scene, Diagnostics& diagnostics,
   builder.set_has_hierarchy(has_hierarchy(scene));
   builder.set_places(options.places);
   try {
-    for (const SceneObject& object : scene.objects) {
+    for (SceneObject& object : scene.objects) {
       builder.add(object);
+      object = {};  // its memory is used again by what is built next
+      textures.forget_unused();
     }
+    scene.objects = {};
     override_area_lights(options.overrides, parts.lights);
     if (scene.sky_sphere) parts.sky_sphere = build_sky(*scene.sky_sphere, textures);
     if (options.quality >= kAirQuality) {
@@ -203,6 +206,7 @@ core::SceneParts build_scene(const SceneDesc& scene, Diagnostics& diagnostics,
   } catch (const BuildError& error) {
     diagnostics.fail(error.where(), error.what());
   }
+  for (auto& texture : textures.take_textures()) parts.textures.push_back(std::move(texture));
   warn_of_random_numbers(parts, textures, diagnostics);
   check_photons(scene.global, parts, diagnostics);
   warn_about_subsurface(scene, textures, diagnostics);

@@ -23,7 +23,9 @@ struct BuildOptions {
 /// sRGB file: `assumed_gamma srgb` (assumed_gamma_set), or none given before #version 3.7 (not
 /// set: stock then does no gamma handling at all, whatever File_Gamma says). None given from
 /// #version 3.7 on is 1.
-core::SceneParts build_scene(const SceneDesc& scene, Diagnostics& diagnostics,
+///
+/// The objects of the scene are used up: `objects` is empty afterwards.
+core::SceneParts build_scene(SceneDesc& scene, Diagnostics& diagnostics,
                              const BuildOptions& options = {});
 
 /// What the scene's textures are compiled with; `settings` of the scene that was built.

@@ -1,5 +1,8 @@
 #include "parser/compile/texture_compiler.h"
 
+#include <array>
+#include <bit>
+#include <cstdint>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -23,12 +26,12 @@ constexpr int kNormalQuality = 8;
 constexpr int kMediaQuality = 9;
 
 /// The pigment's own colour, whatever the light.
-core::Finish unlit_finish() {
+std::shared_ptr<const core::Finish> unlit_finish() {
   core::Finish finish;
   finish.ambient = {};
   finish.emission = core::Rgb(1.0f);
   finish.diffuse = 0.0;
-  return finish;
+  return std::make_shared<const core::Finish>(finish);
 }
 
 /// The space of texture coordinates, wherever the pattern lies.
@@ -38,21 +41,43 @@ core::Colour first_colour(const PigmentDesc& pigment) {
   return pigment.colour_map ? pigment.colour_map->entries.front().item : pigment.colour;
 }
 
-/// What a description was compiled to. Holds the description, so that its address stays its own.
+/// Where a plain texture is looked for.
+std::uint8_t place_of(const core::Colour& colour, const core::Finish* finish) {
+  auto mixed = static_cast<std::uint64_t>(reinterpret_cast<std::uintptr_t>(finish));
+  for (const float x : {colour.rgb.r, colour.rgb.g, colour.rgb.b, colour.filter, colour.transmit}) {
+    mixed = (mixed ^ std::bit_cast<std::uint32_t>(x)) * 0x9e3779b97f4a7c15u;
+    mixed ^= mixed >> 32;
+  }
+  return static_cast<std::uint8_t>(mixed);
+}
+
+/// What a description was compiled to. Holds the description, so that its address stays its own. One
+/// to which only who asks refers is not kept: nobody will ask for it again.
 template <typename Desc, typename Compiled>
 class Cache {
  public:
   template <typename Compile>
   std::shared_ptr<const Compiled> get(const Ref<Desc>& desc, Compile compile) {
+    if (desc.use_count() == 1) return compile();
     const auto found = m_entries.find(desc.get());
     if (found != m_entries.end()) return found->second.second;
     auto compiled = compile();
     m_entries.emplace(desc.get(), std::pair(desc, compiled));
+    m_new.push_back(desc.get());
     return compiled;
+  }
+  /// Of those that are new since the last call.
+  void forget_unused() {
+    for (const Desc* desc : m_new) {
+      const auto found = m_entries.find(desc);
+      if (found->second.first.use_count() == 1) m_entries.erase(found);
+    }
+    m_new.clear();
   }
 
  private:
   std::unordered_map<const Desc*, std::pair<Ref<Desc>, std::shared_ptr<const Compiled>>> m_entries;
+  std::vector<const Desc*> m_new;
 };
 
 }  // namespace
@@ -67,7 +92,16 @@ struct TextureCompiler::Impl {
   Cache<TextureDesc, core::Texture> textures;
   Cache<PigmentDesc, core::Pigment> pigments;
   Cache<NormalDesc, core::NormalPerturbation> normals;
+  Cache<FinishDesc, core::Finish> finishes;
   Cache<MediaDesc, core::Medium> media;
+  std::vector<core::TexturePtr> made;  ///< all that was asked for
+  /// Some of the plain textures that were made: most scenes have few, on many objects.
+  struct Plain {
+    core::Colour colour;
+    std::shared_ptr<const core::Finish> finish;
+    core::TexturePtr made;
+  };
+  std::array<Plain, 256> plain;
 
   explicit Impl(const TextureSettings& s)
       : settings(s), pictures(not_yet), build{settings, not_yet,
@@ -84,11 +118,34 @@ struct TextureCompiler::Impl {
   core::NormalPtr compile_fresh(const NormalDesc& normal);
   core::NormalPtr compile_pattern_normal(const NormalDesc& normal);
   core::DisplacementPtr compile_displacement(const NormalDesc& normal);
+  std::shared_ptr<const core::Finish> compile(const Ref<FinishDesc>& finish);
   core::TexturePtr compile(const Ref<TextureDesc>& texture, const core::Placement& outer);
   core::TexturePtr compile_fresh(const TextureDesc& texture, const core::Placement& outer);
   core::TexturePtr compile_patterned(const TextureLayerDesc& layer, const core::Placement& outer);
   core::TextureLayer compile_layer(const TextureLayerDesc& layer, const core::Placement& outer);
+  bool is_plain(const TextureDesc& texture) const;
+  core::TexturePtr compile_plain(const TextureLayerDesc& layer);
 };
+
+/// Whether it is one colour everywhere, as most are.
+bool TextureCompiler::Impl::is_plain(const TextureDesc& texture) const {
+  const TextureLayerDesc& layer = texture.layers.front();
+  return settings.quality > kQuickColourQuality && texture.layers.size() == 1 &&
+         !layer.is_patterned() && !layer.normal &&
+         layer.pigment->pattern.kind == PatternKind::kPlain;
+}
+
+core::TexturePtr TextureCompiler::Impl::compile_plain(const TextureLayerDesc& layer) {
+  const core::Colour& colour = layer.pigment->colour;
+  auto finish = compile(layer.finish);
+  Plain& same = plain[place_of(colour, finish.get())];
+  if (!same.made || same.finish != finish || same.colour != colour) {
+    std::vector<core::TextureLayer> one{{core::make_plain_pigment(colour), finish}};
+    made.push_back(std::make_shared<core::LayeredTexture>(std::move(one)));
+    same = {colour, std::move(finish), made.back()};
+  }
+  return same.made;
+}
 
 core::PigmentPtr TextureCompiler::Impl::compile(const Ref<PigmentDesc>& pigment,
                                                 const core::Placement& outer) {
@@ -206,18 +263,25 @@ core::NormalPtr TextureCompiler::Impl::compile_fresh(const NormalDesc& normal) {
                                core::BlendMap(std::move(entries)), normal.no_bump_scale);
 }
 
+std::shared_ptr<const core::Finish> TextureCompiler::Impl::compile(const Ref<FinishDesc>& finish) {
+  return finishes.get(finish, [&] {
+    auto made =
+        std::make_shared<const core::Finish>(compile_finish(*finish, settings.least_translucency));
+    if (made->subsurface) {
+      has_subsurface = true;
+      const bool is_as_written = made->subsurface->translucency == finish->subsurface->translucency;
+      if (!too_opaque && !is_as_written) too_opaque = finish;
+    }
+    has_crand = has_crand || made->crand > 0.0;
+    return made;
+  });
+}
+
 core::TextureLayer TextureCompiler::Impl::compile_layer(const TextureLayerDesc& layer,
                                                         const core::Placement& outer) {
   core::TextureLayer result;
   result.pigment = compile(layer.pigment, outer);
-  result.finish = compile_finish(*layer.finish, settings.least_translucency);
-  if (result.finish.subsurface) {
-    has_subsurface = true;
-    const bool is_as_written =
-        result.finish.subsurface->translucency == layer.finish->subsurface->translucency;
-    if (!too_opaque && !is_as_written) too_opaque = layer.finish;
-  }
-  has_crand = has_crand || result.finish.crand > 0.0;
+  result.finish = compile(layer.finish);
   result.normal = compile(layer.normal);
   // A kept scale leaves the length free; the tracer wants it 1.
   if (result.normal && (!outer.is_none() || layer.normal->no_bump_scale)) {
@@ -228,7 +292,7 @@ core::TextureLayer TextureCompiler::Impl::compile_layer(const TextureLayerDesc& 
 
 core::TexturePtr TextureCompiler::Impl::compile_patterned(const TextureLayerDesc& layer,
                                                           const core::Placement& outer) {
-  const PatternDesc& pattern = layer.pattern;
+  const PatternDesc& pattern = *layer.pattern;
   if (pattern.kind == PatternKind::kUvMapping) {
     // Where the point lies does not matter then, but normals follow the transforms.
     return compile(layer.map->entries.front().item,
@@ -280,7 +344,21 @@ TextureCompiler::~TextureCompiler() = default;
 
 std::shared_ptr<const core::Texture> TextureCompiler::texture(const Ref<TextureDesc>& texture,
                                                               const Ref<TextureDesc>& fallback) {
-  return m_impl->compile(texture ? texture : fallback, core::Placement());
+  const Ref<TextureDesc>& desc = texture ? texture : fallback;
+  if (m_impl->is_plain(*desc)) return m_impl->compile_plain(desc->layers.front());
+  return m_impl->textures.get(desc, [&] {
+    m_impl->made.push_back(m_impl->compile_fresh(*desc, core::Placement()));
+    return m_impl->made.back();
+  });
+}
+
+std::vector<core::TexturePtr> TextureCompiler::take_textures() { return std::move(m_impl->made); }
+
+void TextureCompiler::forget_unused() {
+  m_impl->textures.forget_unused();  // they refer to the others
+  m_impl->pigments.forget_unused();
+  m_impl->normals.forget_unused();
+  m_impl->finishes.forget_unused();
 }
 
 std::shared_ptr<const core::Pigment> TextureCompiler::pigment(const Ref<PigmentDesc>& pigment) {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "core/material/interior.h"
 #include "core/material/pigment.h"
@@ -33,6 +34,8 @@ class TextureCompiler {
   /// Null gives the `fallback`, which then must not be null.
   std::shared_ptr<const core::Texture> texture(const Ref<TextureDesc>& texture,
                                                const Ref<TextureDesc>& fallback);
+  /// The owners of all textures that were made so far.
+  std::vector<std::shared_ptr<const core::Texture>> take_textures();
   std::shared_ptr<const core::Pigment> pigment(const Ref<PigmentDesc>& pigment);
   /// Null where there is nothing to perturb, or below the quality that shows it.
   std::shared_ptr<const core::NormalPerturbation> normal(const Ref<NormalDesc>& normal);
@@ -42,6 +45,9 @@ class TextureCompiler {
 
   /// Null below the quality that shows media.
   std::shared_ptr<const core::Medium> medium(const Ref<MediaDesc>& medium);
+
+  /// To be called now and then: lets go of descriptions that nobody else refers to any more.
+  void forget_unused();
 
   /// Names of what was asked for and is not rendered yet.
   const std::set<std::string>& not_yet() const;

@@ -10,15 +10,21 @@
 
 namespace lentray::parser {
 
+inline bool operator==(const Location& a, const Location& b) {
+  return a.file == b.file && a.offset == b.offset;
+}
+
 struct ReflectionDesc {
   core::Rgb minimum, maximum;
   bool block = false;  ///< reflection { ... }: varies by angle
   bool fresnel = false;
   double falloff = 1.0, metallic = 0.0;
+  bool operator==(const ReflectionDesc&) const = default;
 };
 
 struct SubsurfaceDesc {
   core::Rgb translucency, anisotropy;
+  bool operator==(const SubsurfaceDesc&) const = default;
 };
 
 struct FinishDesc {
@@ -42,6 +48,7 @@ struct FinishDesc {
   std::optional<SubsurfaceDesc> subsurface;
   /// Old scenes give refraction here; they go to the interior of what bears the texture.
   std::optional<double> ior, caustics, refraction;
+  bool operator==(const FinishDesc&) const = default;
 };
 
 }  // namespace lentray::parser

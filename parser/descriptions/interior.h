@@ -28,7 +28,6 @@ struct MaterialDesc {
   Ref<InteriorDesc> interior;
 };
 
-Ref<InteriorDesc> transformed(const Ref<InteriorDesc>& interior, const core::Transform& transform);
-Ref<MaterialDesc> transformed(const Ref<MaterialDesc>& material, const core::Transform& transform);
+Ref<InteriorDesc> transformed(Ref<InteriorDesc> interior, const core::Transform& transform);
 
 }  // namespace lentray::parser

@@ -17,6 +17,6 @@ struct NormalDesc {
   Ref<NormalMapDesc> normal_map;
 };
 
-Ref<NormalDesc> transformed(const Ref<NormalDesc>& normal, const core::Transform& transform);
+Ref<NormalDesc> transformed(Ref<NormalDesc> normal, const core::Transform& transform);
 
 }  // namespace lentray::parser

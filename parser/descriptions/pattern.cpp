@@ -19,12 +19,13 @@ TurbulenceDesc& PatternDesc::classic_turbulence() {
     warp.kind = WarpDesc::Kind::kClassicTurbulence;
     placement.insert(placement.begin(), warp);
   }
-  return placement.front().turbulence;
+  return placement.front().own.edit().turbulence;
 }
 
 void PatternDesc::transform(const core::Transform& by) {
   if (!placement.empty() && placement.back().kind == WarpDesc::Kind::kTransform) {
-    placement.back().transform = placement.back().transform.then(by);
+    core::Transform& last = placement.back().transform.edit();
+    last = last.then(by);
     return;
   }
   WarpDesc warp;

@@ -37,6 +37,22 @@ struct TurbulenceDesc {
   double lambda = 2.0, omega = 0.5;
 };
 
+/// What warps have that are no transforms.
+struct WarpParameters {
+  TurbulenceDesc turbulence;
+  // repeat
+  int axis = 0;
+  double width = 0.0;
+  core::Vec3 flip{1, 1, 1}, offset;
+  // black_hole
+  core::Vec3 centre, repeat, uncertainty;
+  double radius = 1.0, strength = 1.0, power = 2.0;
+  bool inverse = false, repeats = false, uncertain = false;
+  // mappings
+  core::Vec3 orientation{0, 0, 1};
+  double distance_exponent = 0.0, major_radius = 1.0, plane_offset = 0.0;
+};
+
 struct WarpDesc {
   enum class Kind {
     kTransform,
@@ -51,19 +67,8 @@ struct WarpDesc {
     kCubic
   };
   Kind kind = Kind::kTransform;
-  core::Transform transform;
-  TurbulenceDesc turbulence;
-  // repeat
-  int axis = 0;
-  double width = 0.0;
-  core::Vec3 flip{1, 1, 1}, offset;
-  // black_hole
-  core::Vec3 centre, repeat, uncertainty;
-  double radius = 1.0, strength = 1.0, power = 2.0;
-  bool inverse = false, repeats = false, uncertain = false;
-  // mappings
-  core::Vec3 orientation{0, 0, 1};
-  double distance_exponent = 0.0, major_radius = 1.0, plane_offset = 0.0;
+  Sparse<core::Transform> transform;
+  Sparse<WarpParameters> own;
 };
 
 /// image_map, bump_map, image_pattern, material_map: a picture as a pattern. The file is looked up

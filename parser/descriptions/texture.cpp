@@ -1,17 +1,18 @@
 #include "parser/descriptions/texture.h"
 
+#include <utility>
+
+#include "parser/base/edit.h"
 #include "parser/descriptions/interior.h"
 
 namespace lentray::parser {
 namespace {
 
-/// A copy with its pattern transformed; null stays null.
+/// With its pattern transformed; null stays null.
 template <typename Desc>
-std::shared_ptr<Desc> moved(const Ref<Desc>& original, const core::Transform& transform) {
-  if (!original) return nullptr;
-  auto copy = std::make_shared<Desc>(*original);
-  copy->pattern.transform(transform);
-  return copy;
+Ref<Desc> moved(Ref<Desc> desc, const core::Transform& transform) {
+  if (desc) edit(desc).pattern.transform(transform);
+  return desc;
 }
 
 }  // namespace
@@ -24,39 +25,38 @@ core::Colour to_colour(const Number& number) {
   return colour;
 }
 
-Ref<PigmentDesc> transformed(const Ref<PigmentDesc>& pigment, const core::Transform& transform) {
-  return moved(pigment, transform);
+Ref<PigmentDesc> transformed(Ref<PigmentDesc> pigment, const core::Transform& transform) {
+  return moved(std::move(pigment), transform);
 }
 
-Ref<NormalDesc> transformed(const Ref<NormalDesc>& normal, const core::Transform& transform) {
-  return moved(normal, transform);
+Ref<NormalDesc> transformed(Ref<NormalDesc> normal, const core::Transform& transform) {
+  return moved(std::move(normal), transform);
 }
 
-Ref<DensityDesc> transformed(const Ref<DensityDesc>& density, const core::Transform& transform) {
-  return moved(density, transform);
+Ref<DensityDesc> transformed(Ref<DensityDesc> density, const core::Transform& transform) {
+  return moved(std::move(density), transform);
 }
 
-Ref<TextureDesc> transformed(const Ref<TextureDesc>& texture, const core::Transform& transform) {
+Ref<TextureDesc> transformed(Ref<TextureDesc> texture, const core::Transform& transform) {
   if (!texture || transform.is_identity()) return texture;
-  auto copy = std::make_shared<TextureDesc>(*texture);
-  for (TextureLayerDesc& layer : copy->layers) {
+  for (TextureLayerDesc& layer : edit(texture).layers) {
     if (layer.is_patterned()) {
       // Entries of a map are looked up at points that went through the pattern's placement.
-      layer.pattern.transform(transform);
+      layer.pattern.edit().transform(transform);
     } else {
-      layer.pigment = transformed(layer.pigment, transform);
-      layer.normal = transformed(layer.normal, transform);
+      layer.pigment = transformed(std::move(layer.pigment), transform);
+      layer.normal = transformed(std::move(layer.normal), transform);
     }
   }
-  return copy;
+  return texture;
 }
 
-Ref<TextureDesc> layered(const Ref<TextureDesc>& below, const Ref<TextureDesc>& above) {
+Ref<TextureDesc> layered(Ref<TextureDesc> below, Ref<TextureDesc> above) {
   if (!below) return above;
   if (!above) return below;
-  auto both = std::make_shared<TextureDesc>(*below);
-  both->layers.insert(both->layers.end(), above->layers.begin(), above->layers.end());
-  return both;
+  auto& layers = edit(below).layers;
+  layers.insert(layers.end(), above->layers.begin(), above->layers.end());
+  return below;
 }
 
 Ref<TextureDesc> standard_texture() {
@@ -68,27 +68,18 @@ Ref<TextureDesc> standard_texture() {
   return texture;
 }
 
-Ref<MediaDesc> transformed(const Ref<MediaDesc>& media, const core::Transform& transform) {
+Ref<MediaDesc> transformed(Ref<MediaDesc> media, const core::Transform& transform) {
   if (!media) return nullptr;
-  auto copy = std::make_shared<MediaDesc>(*media);
-  for (Ref<DensityDesc>& density : copy->densities) density = transformed(density, transform);
-  return copy;
+  for (Ref<DensityDesc>& density : edit(media).densities)
+    density = transformed(std::move(density), transform);
+  return media;
 }
 
-Ref<InteriorDesc> transformed(const Ref<InteriorDesc>& interior, const core::Transform& transform) {
+Ref<InteriorDesc> transformed(Ref<InteriorDesc> interior, const core::Transform& transform) {
   if (!interior || interior->media.empty()) return interior;
-  auto copy = std::make_shared<InteriorDesc>(*interior);
-  for (Ref<MediaDesc>& media : copy->media) media = transformed(media, transform);
-  return copy;
-}
-
-Ref<MaterialDesc> transformed(const Ref<MaterialDesc>& material, const core::Transform& transform) {
-  if (!material) return nullptr;
-  auto copy = std::make_shared<MaterialDesc>(*material);
-  copy->texture = transformed(material->texture, transform);
-  copy->interior_texture = transformed(material->interior_texture, transform);
-  copy->interior = transformed(material->interior, transform);
-  return copy;
+  for (Ref<MediaDesc>& media : edit(interior).media)
+    media = transformed(std::move(media), transform);
+  return interior;
 }
 
 }  // namespace lentray::parser

@@ -18,7 +18,7 @@ struct TextureLayerDesc {
   Ref<NormalDesc> normal;    ///< null: the surface's own
   Ref<FinishDesc> finish;    ///< never null in a plain layer
   /// Patterned when `map` is set; the three above are unused then.
-  PatternDesc pattern;
+  Sparse<PatternDesc> pattern;
   Ref<TextureMapDesc> map;
   bool is_patterned() const { return map != nullptr; }
 };
@@ -29,9 +29,9 @@ struct TextureDesc {
 };
 
 /// The texture after one more transform, pigments and normals included.
-Ref<TextureDesc> transformed(const Ref<TextureDesc>& texture, const core::Transform& transform);
+Ref<TextureDesc> transformed(Ref<TextureDesc> texture, const core::Transform& transform);
 /// The layers of `above` over those of `below`; either may be null.
-Ref<TextureDesc> layered(const Ref<TextureDesc>& below, const Ref<TextureDesc>& above);
+Ref<TextureDesc> layered(Ref<TextureDesc> below, Ref<TextureDesc> above);
 /// The default texture of a scene that has no #default: black pigment, default finish.
 Ref<TextureDesc> standard_texture();
 

@@ -46,9 +46,10 @@ LENTRAY_FIELDS(SlopeMapDesc, where, entries)
 LENTRAY_FIELDS(TextureMapDesc, where, entries)
 LENTRAY_FIELDS(DensityMapDesc, where, entries)
 LENTRAY_FIELDS(TurbulenceDesc, amount, octaves, lambda, omega)
-LENTRAY_FIELDS(WarpDesc, kind, transform, turbulence, axis, width, flip, offset, centre, repeat,
-               uncertainty, radius, strength, power, inverse, repeats, uncertain, orientation,
-               distance_exponent, major_radius, plane_offset)
+LENTRAY_FIELDS(WarpParameters, turbulence, axis, width, flip, offset, centre, repeat, uncertainty,
+               radius, strength, power, inverse, repeats, uncertain, orientation, distance_exponent,
+               major_radius, plane_offset)
+LENTRAY_FIELDS(WarpDesc, kind, transform, own)
 LENTRAY_FIELDS(ImageDesc, type, name, path, where, function, function_width, function_height, gamma,
                working_gamma, decoding, premultiplied, once, map_type, interpolate, use, repeat,
                offset, filter_all, transmit_all, filters, transmits)

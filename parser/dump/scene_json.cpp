@@ -150,7 +150,8 @@ class Dumper {
     Json out = Json::object();
     Fields<T>::visit(v, [&](const char* name, const auto& member) {
       Json made = value(member);
-      if constexpr (std::is_same_v<decltype(member), const Sparse<RareParts>&>)
+      if constexpr (std::is_same_v<decltype(member), const Sparse<RareParts>&> ||
+                    std::is_same_v<decltype(member), const Sparse<WarpParameters>&>)
         return out.update(made);
       if (made != unset.at(name)) out[name] = std::move(made);
     });

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "parser/base/recycled.h"
 #include "parser/grammar/helpers.h"
 #include "parser/grammar/pattern.h"
 
@@ -174,8 +175,8 @@ void apply_albedo(FinishDesc& finish) {
 
 }  // namespace
 
-Ref<FinishDesc> parse_finish_block(Parser& parser, Ref<FinishDesc> base) {
-  auto finish = std::make_shared<FinishDesc>();
+Ref<FinishDesc> parse_finish_block(Parser& parser, MaterialContext& context, Ref<FinishDesc> base) {
+  auto finish = make_recycled<FinishDesc>();
   const Location where = parser.location();
   parser.expect(Punct::kLeftCurly);
   if (const auto known = parser.accept_value<Ref<FinishDesc>>()) {
@@ -192,11 +193,13 @@ Ref<FinishDesc> parse_finish_block(Parser& parser, Ref<FinishDesc> base) {
             "one of ambient, emission, diffuse, brilliance, crand, phong, phong_size, "
             "specular, roughness, metallic, reflection, reflection_exponent, conserve_energy, "
             "irid, subsurface");
-  return finish;
+  // A statement in a loop mostly says the same every time.
+  if (!context.last_finish || *context.last_finish != *finish) context.last_finish = finish;
+  return context.last_finish;
 }
 
 Ref<FinishDesc> parse_finish(Parser& parser, MaterialContext& context) {
-  return parse_finish_block(parser, default_layer(context).finish);
+  return parse_finish_block(parser, context, default_layer(context).finish);
 }
 
 }  // namespace lentray::parser

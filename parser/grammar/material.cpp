@@ -1,6 +1,6 @@
 #include "parser/grammar/material.h"
 
-#include "parser/base/recycled.h"
+#include "parser/base/edit.h"
 #include "parser/grammar/helpers.h"
 #include "parser/grammar/nesting.h"
 #include "parser/grammar/pattern.h"
@@ -33,52 +33,46 @@ Ref<PigmentDesc> filter_as_transmit(const Ref<PigmentDesc>& pigment) {
 }
 
 /// A texture over what is there. Patterned textures cannot be layered.
-void add_texture(Parser& parser, Ref<TextureDesc>& below, const Ref<TextureDesc>& above) {
+void add_texture(Parser& parser, Ref<TextureDesc>& below, Ref<TextureDesc> above) {
   if (below && (!is_layerable(below) || !is_layerable(above))) {
     parser.fail("a texture with a texture_map, tiles or material_map cannot be layered");
   }
-  below = layered(below, above);
+  below = layered(std::move(below), std::move(above));
   check_layers(parser, *below);
   if (parser.language_version() > 310 || below->layers.size() < 2) return;
   // Until 3.1 the layers above another let light through untinted.
-  auto copy = std::make_shared<TextureDesc>(*below);
-  for (std::size_t i = 1; i < copy->layers.size(); ++i) {
-    if (copy->layers[i].pigment) {
-      copy->layers[i].pigment = filter_as_transmit(copy->layers[i].pigment);
-    }
+  auto& layers = edit(below).layers;
+  for (std::size_t i = 1; i < layers.size(); ++i) {
+    if (layers[i].pigment) layers[i].pigment = filter_as_transmit(layers[i].pigment);
   }
-  below = copy;
 }
 
 /// The topmost layer of an object's own texture, which starts as the default.
-TextureLayerDesc& top_layer(Parser& parser, MaterialContext& context, Ref<TextureDesc>& texture,
-                            std::shared_ptr<TextureDesc>& copy) {
-  copy = make_recycled<TextureDesc>(texture ? *texture : *context.default_texture);
-  if (copy->layers.back().is_patterned()) {
+TextureLayerDesc& top_layer(Parser& parser, MaterialContext& context, Ref<TextureDesc>& texture) {
+  if (!texture) texture = context.default_texture;
+  if (texture->layers.back().is_patterned()) {
     parser.fail("a texture with a texture_map, tiles or material_map has no single part to change");
   }
-  return copy->layers.back();
+  return edit(texture).layers.back();
 }
 
 bool accept_part(Parser& parser, MaterialContext& context, Ref<TextureDesc>& texture) {
-  std::shared_ptr<TextureDesc> copy;
   if (parser.accept(Keyword::kPigment)) {
-    TextureLayerDesc& layer = top_layer(parser, context, texture, copy);
+    TextureLayerDesc& layer = top_layer(parser, context, texture);
     parser.expect(Punct::kLeftCurly);
     layer.pigment = parse_pigment_body(parser, context, layer.pigment);
     end_block(parser, kPigmentWords);
   } else if (parser.accept(Keyword::kNormal)) {
-    TextureLayerDesc& layer = top_layer(parser, context, texture, copy);
+    TextureLayerDesc& layer = top_layer(parser, context, texture);
     parser.expect(Punct::kLeftCurly);
     layer.normal = parse_normal_body(parser, context, layer.normal);
     end_block(parser, kNormalWords);
   } else if (parser.accept(Keyword::kFinish)) {
-    TextureLayerDesc& layer = top_layer(parser, context, texture, copy);
-    layer.finish = parse_finish_block(parser, layer.finish);
+    TextureLayerDesc& layer = top_layer(parser, context, texture);
+    layer.finish = parse_finish_block(parser, context, layer.finish);
   } else {
     return false;
   }
-  texture = copy;
   return true;
 }
 
@@ -90,11 +84,7 @@ void accept_object_colour(Parser& parser, Looks& looks) {
     parser.warn("a color in an object is ignored; it belongs in a pigment");
     return;
   }
-  auto texture = std::make_shared<TextureDesc>(*looks.texture);
-  auto pigment = std::make_shared<PigmentDesc>(*texture->layers.back().pigment);
-  pigment->quick_colour = colour;
-  texture->layers.back().pigment = pigment;
-  looks.texture = texture;
+  edit(edit(looks.texture).layers.back().pigment).quick_colour = colour;
 }
 
 /// A word of colours or a colour's name: a plain vector is no colour here.
@@ -139,8 +129,8 @@ Ref<MaterialDesc> parse_material(Parser& parser, MaterialContext& context) {
       material->interior = parse_interior(parser, context, material->interior);
     } else if (const auto transform = parser.accept_transforms()) {
       // Stock leaves the interior texture where it is.
-      material->texture = transformed(material->texture, *transform);
-      material->interior = transformed(material->interior, *transform);
+      material->texture = transformed(std::move(material->texture), *transform);
+      material->interior = transformed(std::move(material->interior), *transform);
     } else {
       break;
     }
@@ -174,9 +164,9 @@ bool accept_looks(Parser& parser, MaterialContext& context, Looks& looks) {
 }
 
 void transform_looks(Looks& looks, const core::Transform& transform) {
-  looks.texture = transformed(looks.texture, transform);
-  looks.interior_texture = transformed(looks.interior_texture, transform);
-  looks.interior = transformed(looks.interior, transform);
+  looks.texture = transformed(std::move(looks.texture), transform);
+  looks.interior_texture = transformed(std::move(looks.interior_texture), transform);
+  looks.interior = transformed(std::move(looks.interior), transform);
 }
 
 std::optional<Value> accept_material_value(Parser& parser, MaterialContext& context) {

@@ -17,6 +17,7 @@ namespace lentray::parser {
 struct MaterialContext {
   MaterialContext() : default_texture(standard_texture()) {}
   Ref<TextureDesc> default_texture;  ///< changed by #default
+  Ref<FinishDesc> last_finish;       ///< the last that was read; null: none
   /// One object or object identifier, for the patterns `object` and `potential`.
   std::function<Ref<ObjectDesc>(Parser&)> parse_object;
   bool in_default = false;  ///< inside #default: a normal need not have a pattern

@@ -27,7 +27,7 @@ class DensityTarget final : public PatternTarget {
     auto map = std::make_shared<DensityMapDesc>();
     map->where = parser.location();
     for (int i = 0; i < count; ++i) {
-      Ref<DensityDesc> item = std::make_shared<const DensityDesc>();
+      Ref<DensityDesc> item = std::make_shared<DensityDesc>();
       if (parser.accept(Keyword::kDensity)) {
         item = parse_density(parser, m_context);
         parser.parse_comma();
@@ -143,7 +143,8 @@ bool accept_media_word(Parser& parser, MaterialContext& context, MediaDesc& medi
   } else if (parser.accept(Keyword::kDensity)) {
     media.densities.push_back(parse_density(parser, context));
   } else if (const auto transform = parser.accept_transforms()) {
-    for (Ref<DensityDesc>& density : media.densities) density = transformed(density, *transform);
+    for (Ref<DensityDesc>& density : media.densities)
+      density = transformed(std::move(density), *transform);
   } else {
     return false;
   }

@@ -63,7 +63,7 @@ Nesting nesting_of(const TextureDesc& texture) {
   Nesting nesting;
   for (const TextureLayerDesc& layer : texture.layers) {
     if (layer.is_patterned()) {
-      nesting.hold(layer.pattern.nesting);
+      nesting.hold(layer.pattern->nesting);
     } else {
       if (layer.pigment) nesting.hold(layer.pigment->pattern.nesting);
       if (layer.normal) nesting.hold(layer.normal->pattern.nesting);

@@ -1,6 +1,6 @@
 #include "parser/grammar/object.h"
 
-#include "parser/base/recycled.h"
+#include "parser/base/edit.h"
 #include "parser/grammar/helpers.h"
 #include "parser/grammar/light.h"
 #include "parser/grammar/nesting.h"
@@ -53,13 +53,15 @@ Ref<ObjectDesc> parse_shape_block(Parser& parser, Context& context, const ShapeE
 Ref<ObjectDesc> parse_object_block(Parser& parser, Context& context, const Location& where) {
   parser.expect(Punct::kLeftCurly);
   const auto named = parser.accept_value<Ref<ObjectDesc>>();
-  auto object = std::make_shared<ObjectDesc>(named ? **named : *expect_object(parser, context));
-  if (named) object->copied = true;
-  object->reopened = true;
-  object->where = where;
-  parse_object_modifiers(parser, context, *object);
-  measure(parser, *object);
-  return object;
+  Ref<ObjectDesc> whole = named ? *named : expect_object(parser, context);
+  ObjectDesc& object = edit(whole);
+  object.compiled.made.reset();
+  if (named) object.copied = true;
+  object.reopened = true;
+  object.where = where;
+  parse_object_modifiers(parser, context, object);
+  measure(parser, object);
+  return whole;
 }
 
 }  // namespace
@@ -88,10 +90,8 @@ Ref<ObjectDesc> accept_object(Parser& parser, Context& context) {
   if (parser.accept(Keyword::kLightSource)) return parse_light_source(parser, context, where);
   if (parser.accept(Keyword::kLightGroup)) return parse_light_group(parser, context, where);
   if (auto named = parser.accept_value<Ref<ObjectDesc>>()) {
-    if (!(*named)->csg() || (*named)->copied) return *named;
-    auto copy = std::make_shared<ObjectDesc>(**named);
-    copy->copied = true;
-    return copy;
+    if ((*named)->csg() && !(*named)->copied) edit(*named).copied = true;
+    return *named;
   }
   return nullptr;
 }

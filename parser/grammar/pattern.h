@@ -78,7 +78,7 @@ Ref<TextureDesc> parse_old_texture_body(Parser& parser, MaterialContext& context
 /// The patterned kinds of texture.
 TextureLayerDesc parse_tiles(Parser& parser, MaterialContext& context);
 TextureLayerDesc parse_material_map(Parser& parser, MaterialContext& context);
-Ref<FinishDesc> parse_finish_block(Parser& parser, Ref<FinishDesc> base);
+Ref<FinishDesc> parse_finish_block(Parser& parser, MaterialContext& context, Ref<FinishDesc> base);
 Ref<DensityDesc> parse_density_body(Parser& parser, MaterialContext& context);
 /// The default of pigment, normal and finish in force.
 const TextureLayerDesc& default_layer(const MaterialContext& context);

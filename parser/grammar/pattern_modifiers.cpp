@@ -170,12 +170,12 @@ void refuse_foreign_word(Parser& parser) {
 }
 
 /// `orientation` and `dist_exp` of a mapping warp.
-bool accept_mapping_word(Parser& parser, WarpDesc& warp) {
+bool accept_mapping_word(Parser& parser, WarpDesc::Kind kind, WarpParameters& warp) {
   if (parser.accept(Keyword::kOrientation)) {
     warp.orientation = core::normalized(parser.parse_vector());
   } else if (parser.accept(Keyword::kDistExp)) {
     warp.distance_exponent = parser.parse_float();
-  } else if (warp.kind == WarpDesc::Kind::kToroidal && parser.accept(Keyword::kMajorRadius)) {
+  } else if (kind == WarpDesc::Kind::kToroidal && parser.accept(Keyword::kMajorRadius)) {
     warp.major_radius = parser.parse_float();
   } else {
     return false;
@@ -183,7 +183,7 @@ bool accept_mapping_word(Parser& parser, WarpDesc& warp) {
   return true;
 }
 
-void parse_repeat(Parser& parser, WarpDesc& warp) {
+void parse_repeat(Parser& parser, WarpParameters& warp) {
   const core::Vec3 step = parser.parse_vector();
   int axes = 0;
   for (int axis = 0; axis < 3; ++axis) {
@@ -207,7 +207,7 @@ void parse_repeat(Parser& parser, WarpDesc& warp) {
 }
 
 /// Repeated holes must lie inside their blocks, wherever turbulence moves them: stock makes room.
-void fit_black_hole(Parser& parser, WarpDesc& warp) {
+void fit_black_hole(Parser& parser, WarpParameters& warp) {
   if (!warp.repeats) return;
   for (int axis = 0; axis < 3; ++axis) {
     if (!(warp.repeat[axis] > 0.0)) continue;
@@ -219,7 +219,7 @@ void fit_black_hole(Parser& parser, WarpDesc& warp) {
   }
 }
 
-void parse_black_hole(Parser& parser, WarpDesc& warp) {
+void parse_black_hole(Parser& parser, WarpParameters& warp) {
   warp.centre = parser.parse_vector();
   parser.parse_comma();
   warp.radius = parser.parse_float();
@@ -246,7 +246,7 @@ void parse_black_hole(Parser& parser, WarpDesc& warp) {
   }
 }
 
-void parse_warp_turbulence(Parser& parser, WarpDesc& warp) {
+void parse_warp_turbulence(Parser& parser, WarpParameters& warp) {
   warp.turbulence.amount = parser.parse_vector();
   for (;;) {
     if (parser.accept(Keyword::kOctaves)) {
@@ -265,22 +265,23 @@ void parse_warp_turbulence(Parser& parser, WarpDesc& warp) {
 
 WarpDesc parse_warp(Parser& parser) {
   WarpDesc warp;
+  WarpParameters& own = warp.own.edit();
   parser.expect(Punct::kLeftCurly);
   if (parser.accept(Keyword::kTurbulence)) {
     warp.kind = WarpDesc::Kind::kTurbulence;
-    parse_warp_turbulence(parser, warp);
+    parse_warp_turbulence(parser, own);
   } else if (parser.accept(Keyword::kRepeat)) {
     warp.kind = WarpDesc::Kind::kRepeat;
-    parse_repeat(parser, warp);
+    parse_repeat(parser, own);
   } else if (parser.accept(Keyword::kBlackHole)) {
     warp.kind = WarpDesc::Kind::kBlackHole;
-    parse_black_hole(parser, warp);
+    parse_black_hole(parser, own);
   } else if (parser.accept(Keyword::kPlanar)) {
     warp.kind = WarpDesc::Kind::kPlanar;
     if (parser.at_expression()) {
-      warp.orientation = core::normalized(parser.parse_vector());
+      own.orientation = core::normalized(parser.parse_vector());
       parser.parse_comma();
-      warp.plane_offset = parser.parse_float();
+      own.plane_offset = parser.parse_float();
     }
   } else if (parser.accept(Keyword::kCubic)) {
     warp.kind = WarpDesc::Kind::kCubic;
@@ -294,7 +295,7 @@ WarpDesc parse_warp(Parser& parser) {
     } else {
       parser.fail_expected("a kind of warp");
     }
-    while (accept_mapping_word(parser, warp)) {
+    while (accept_mapping_word(parser, warp.kind, own)) {
     }
   }
   end_block(parser, "a word of this warp");

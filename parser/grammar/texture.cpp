@@ -1,5 +1,6 @@
 #include "parser/descriptions/texture.h"
 
+#include "parser/base/edit.h"
 #include "parser/grammar/helpers.h"
 #include "parser/grammar/nesting.h"
 #include "parser/grammar/pattern.h"
@@ -13,7 +14,7 @@ class TextureTarget final : public PatternTarget {
       : m_layer(layer), m_context(context) {}
 
   std::string_view statement() const override { return "texture"; }
-  PatternDesc& pattern() override { return m_layer.pattern; }
+  PatternDesc& pattern() override { return m_layer.pattern.edit(); }
   bool has_map() const override { return m_layer.map != nullptr; }
   void hold(Nesting& nesting) const override { hold_map(nesting, m_layer.map.get()); }
 
@@ -39,10 +40,10 @@ class TextureTarget final : public PatternTarget {
 
   bool accept_own_modifier(Parser& parser) override {
     if (!parser.at(Keyword::kTextureMap)) return false;
-    check_map_allowed(parser, m_layer.pattern, "texture_map", true);
+    check_map_allowed(parser, *m_layer.pattern, "texture_map", true);
     parser.next();
     m_layer.map =
-        parse_texture_map(parser, m_context, m_layer.pattern.kind == PatternKind::kAverage);
+        parse_texture_map(parser, m_context, m_layer.pattern->kind == PatternKind::kAverage);
     return true;
   }
 
@@ -79,7 +80,7 @@ bool accept_part(Parser& parser, MaterialContext& context, TextureLayerDesc& lay
     layer.normal = parse_normal_body(parser, context, base);
     end_block(parser, kNormalWords);
   } else if (parser.accept(Keyword::kFinish)) {
-    layer.finish = parse_finish_block(parser, layer.finish);
+    layer.finish = parse_finish_block(parser, context, layer.finish);
   } else {
     return false;
   }
@@ -89,15 +90,13 @@ bool accept_part(Parser& parser, MaterialContext& context, TextureLayerDesc& lay
 void keep_bump_scale(TextureDesc& texture) {
   for (TextureLayerDesc& layer : texture.layers) {
     if (!layer.normal) continue;
-    auto normal = std::make_shared<NormalDesc>(*layer.normal);
-    normal->no_bump_scale = true;
-    layer.normal = normal;
+    edit(layer.normal).no_bump_scale = true;
   }
 }
 
 void parse_transforms(Parser& parser, Ref<TextureDesc>& texture) {
   while (const auto transform = parser.accept_transforms()) {
-    texture = transformed(texture, *transform);
+    texture = transformed(std::move(texture), *transform);
   }
 }
 
@@ -113,7 +112,7 @@ Ref<TextureDesc> parse_patterned(Parser& parser, MaterialContext& context) {
   } else {
     TextureTarget target(layer, context);
     parse_pattern_body(parser, context, target);
-    if (layer.pattern.kind == PatternKind::kPlain) return nullptr;
+    if (layer.pattern->kind == PatternKind::kPlain) return nullptr;
     if (!layer.map) parser.fail("a texture with a pattern needs a texture_map");
   }
   layer.where = texture->where;
@@ -138,16 +137,15 @@ Ref<TextureDesc> parse_texture_body(Parser& parser, MaterialContext& context) {
     parse_transforms(parser, texture);
     return texture;
   }
-  auto copy = std::make_shared<TextureDesc>(*texture);
-  copy->where = where;
+  edit(texture).where = where;
   // Parts replace those of the topmost layer; transforms reach all of them.
-  modified |= accept_part_names(parser, copy->layers.back());
+  modified |= accept_part_names(parser, edit(texture).layers.back());
   bool keep_bumps = false;
   for (;;) {
-    if (accept_part(parser, context, copy->layers.back())) {
+    if (accept_part(parser, context, edit(texture).layers.back())) {
       modified = true;
     } else if (const auto transform = parser.accept_transforms()) {
-      copy = std::make_shared<TextureDesc>(*transformed(copy, *transform));
+      texture = transformed(std::move(texture), *transform);
       modified = true;
     } else if (parser.accept(Keyword::kNoBumpScale)) {
       keep_bumps = true;
@@ -155,11 +153,11 @@ Ref<TextureDesc> parse_texture_body(Parser& parser, MaterialContext& context) {
       break;
     }
   }
-  if (keep_bumps) keep_bump_scale(*copy);
+  if (keep_bumps) keep_bump_scale(edit(texture));
   if (!modified) {
     if (auto patterned = parse_patterned(parser, context)) return patterned;
   }
-  return copy;
+  return texture;
 }
 
 Ref<TextureDesc> parse_texture(Parser& parser, MaterialContext& context) {
@@ -174,23 +172,25 @@ namespace {
 /// Completes a layer of tiles or of a material_map.
 void set_map(Parser& parser, TextureLayerDesc& layer, std::shared_ptr<const TextureMapDesc> map) {
   layer.map = std::move(map);
-  Nesting nesting = held_by(layer.pattern);
+  PatternDesc& pattern = layer.pattern.edit();
+  Nesting nesting = held_by(pattern);
   hold_map(nesting, layer.map.get());
-  keep_nesting(parser, layer.pattern.nesting, nesting, layer.pattern.where, "textures");
+  keep_nesting(parser, pattern.nesting, nesting, pattern.where, "textures");
 }
 
 }  // namespace
 
 TextureLayerDesc parse_tiles(Parser& parser, MaterialContext& context) {
   TextureLayerDesc layer;
-  layer.pattern.kind = PatternKind::kTiles;
-  layer.pattern.where = parser.location();
-  layer.pattern.frequency = 0.0;
+  PatternDesc& pattern = layer.pattern.edit();
+  pattern.kind = PatternKind::kTiles;
+  pattern.where = parser.location();
+  pattern.frequency = 0.0;
   parser.expect(Punct::kLeftCurly);
   const auto read_layers = [&] {
     Ref<TextureDesc> tile;
     while (parser.accept(Keyword::kTexture)) {
-      tile = layered(tile, parse_texture(parser, context));
+      tile = layered(std::move(tile), parse_texture(parser, context));
       check_layers(parser, *tile);
     }
     if (!tile) parser.fail_expected("the texture of a tile");
@@ -202,7 +202,7 @@ TextureLayerDesc parse_tiles(Parser& parser, MaterialContext& context) {
   const Ref<TextureDesc> second = read_layers();
   parser.expect(Punct::kRightCurly);
   auto map = std::make_shared<TextureMapDesc>();
-  map->where = layer.pattern.where;
+  map->where = pattern.where;
   map->entries = {{0.0, second}, {1.0, first}};
   set_map(parser, layer, map);
   return layer;
@@ -210,16 +210,17 @@ TextureLayerDesc parse_tiles(Parser& parser, MaterialContext& context) {
 
 TextureLayerDesc parse_material_map(Parser& parser, MaterialContext& context) {
   TextureLayerDesc layer;
-  layer.pattern.kind = PatternKind::kMaterialMap;
-  layer.pattern.where = parser.location();
-  layer.pattern.frequency = 0.0;
+  PatternDesc& pattern = layer.pattern.edit();
+  pattern.kind = PatternKind::kMaterialMap;
+  pattern.where = parser.location();
+  pattern.frequency = 0.0;
   parser.expect(Punct::kLeftCurly);
   auto image = parse_image_source(parser);
   while (accept_image_modifier(parser, *image)) {
   }
-  layer.pattern.own.edit().image = image;
+  pattern.own.edit().image = image;
   auto map = std::make_shared<TextureMapDesc>();
-  map->where = layer.pattern.where;
+  map->where = pattern.where;
   do {
     parser.expect(Keyword::kTexture);
     map->entries.push_back(

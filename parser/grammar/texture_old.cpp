@@ -177,7 +177,7 @@ bool accept_block(Parser& parser, MaterialContext& context, OldTexture& old) {
     old.normal = std::make_shared<NormalDesc>(*parse_normal_body(parser, context, old.normal));
     parser.expect(Punct::kRightCurly);
   } else if (parser.accept(Keyword::kFinish)) {
-    old.finish = std::make_shared<FinishDesc>(*parse_finish_block(parser, old.finish));
+    old.finish = std::make_shared<FinishDesc>(*parse_finish_block(parser, context, old.finish));
   } else if (const auto pigment = parser.accept_value<Ref<PigmentDesc>>()) {
     old.pigment = std::make_shared<PigmentDesc>(**pigment);
   } else if (const auto normal = parser.accept_value<Ref<NormalDesc>>()) {

@@ -27,15 +27,15 @@ void move(ObjectDesc& object, const TransformStep& step) {
   const core::Transform& transform = step.transform;
   object.transform.edit().add(transform);
   if (!object.uv_mapping) {
-    if (object.texture) object.texture = transformed(object.texture, transform);
+    if (object.texture) object.texture = transformed(std::move(object.texture), transform);
   }
   if (!object.rare.is_stored()) return;
   RareParts& rare = object.rare.edit();
   if (!object.uv_mapping && rare.interior_texture) {
-    rare.interior_texture = transformed(rare.interior_texture, transform);
+    rare.interior_texture = transformed(std::move(rare.interior_texture), transform);
   }
   if (rare.interior && !rare.interior->media.empty())
-    rare.interior = transformed(rare.interior, transform);
+    rare.interior = transformed(std::move(rare.interior), transform);
   for (Ref<ObjectDesc>& clip : rare.clipped_by) clip = moved(clip, step);
   for (Ref<ObjectDesc>& bound : rare.bounded_by) bound = moved(bound, step);
 }

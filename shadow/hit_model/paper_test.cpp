@@ -42,6 +42,7 @@ std::unique_ptr<core::Scene> make_scene(const PaperSheet& sheet, const Enumerati
   core::SceneParts parts;
   core::TextureLayer white;
   white.pigment = core::make_plain_pigment({core::Rgb(1.0f), 0, 0});
+  white.finish = std::make_shared<core::Finish>();
   parts.textures.push_back(std::make_shared<core::LayeredTexture>(std::vector{white}));
   const core::Texture* texture = parts.textures.front().get();
 

@@ -74,8 +74,7 @@ class DenseScene {
     options.image_height = height;
     options.library_paths = {fs::path(path).parent_path().string(), "/usr/share/povray-3.7/include",
                              "/usr/share/povray/include"};
-    const parser::SceneDesc description =
-        parser::read_descriptions(path, sources, diagnostics, options);
+    parser::SceneDesc description = parser::read_descriptions(path, sources, diagnostics, options);
     m_scene = std::make_unique<core::Scene>(parser::build_scene(description, diagnostics),
                                             core::CompileOptions{});
     m_camera =

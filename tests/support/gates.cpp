@@ -67,7 +67,7 @@ std::size_t rays_that_gates_turn_away(const std::string& sdl, const Vec3& eye) {
   }
   parser::ParserOptions options;
   options.library_paths = {"/usr/share/povray/include", "/usr/share/povray-3.7/include"};
-  const parser::SceneDesc scene =
+  parser::SceneDesc scene =
       parser::read_descriptions((folder / "gates.pov").string(), sources, diagnostics, options);
   const core::SceneParts parts = parser::build_scene(scene, diagnostics);
   const std::vector<double> gated = distances(parts, eye);

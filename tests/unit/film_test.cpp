@@ -127,8 +127,10 @@ std::unique_ptr<Scene> disc_scene(float ambient) {
   SceneParts parts;
   TextureLayer layer;
   layer.pigment = std::make_shared<White>();
-  layer.finish.ambient = Rgb(ambient);
-  layer.finish.diffuse = 0.0f;
+  Finish finish;
+  finish.ambient = Rgb(ambient);
+  finish.diffuse = 0.0;
+  layer.finish = std::make_shared<Finish>(finish);
   parts.textures.push_back(std::make_shared<LayeredTexture>(std::vector{layer}));
   auto leaf = std::make_unique<Leaf>(std::make_unique<Sphere>(Vec3{0, 0, 0}, 1.3), Transform());
   Attributes looks;

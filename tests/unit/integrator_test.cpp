@@ -66,7 +66,7 @@ struct Builder {
     return parts.textures.back().get();
   }
   const Texture* plain(const Colour& c, const Finish& f = dull()) {
-    return texture({{std::make_shared<PlainPigment>(c), f}});
+    return texture({{std::make_shared<PlainPigment>(c), std::make_shared<Finish>(f)}});
   }
   const Interior* interior(const Interior& i) {
     parts.interiors.push_back(std::make_shared<Interior>(i));
@@ -123,7 +123,7 @@ void furnish(Builder& b, bool transparency, bool reflection, bool layers, bool a
   floor.ambient = Rgb(0.1f);
   b.add(std::make_unique<Plane>(Vec3{0, 1, 0}, 0.0),
         b.texture({{std::make_shared<StripedPigment>(rgb(0.9f, 0.8f, 0.7f), rgb(0.3f, 0.4f, 0.6f)),
-                    floor}}));
+                    std::make_shared<Finish>(floor)}}));
   Finish shiny = dull();
   shiny.diffuse = 0.4;
   shiny.specular = 0.5;
@@ -147,10 +147,11 @@ void furnish(Builder& b, bool transparency, bool reflection, bool layers, bool a
   }
   if (layers) {
     b.add(std::make_unique<Box>(Vec3{0.5, 0, 0.8}, Vec3{1.8, 1.4, 1.5}),
-          b.texture({{std::make_shared<PlainPigment>(rgb(0.3f, 0.9f, 0.3f)), dull()},
+          b.texture({{std::make_shared<PlainPigment>(rgb(0.3f, 0.9f, 0.3f)),
+                      std::make_shared<Finish>(dull())},
                      {std::make_shared<StripedPigment>(Colour{{1, 0.2f, 0.2f}, 0.6f, 0.1f},
                                                        rgb(0.1f, 0.1f, 0.7f)),
-                      shiny}}));
+                      std::make_shared<Finish>(shiny)}}));
   }
   b.light({-4, 6, -5}, Rgb(0.8f));
   Light& second = b.light({4, 7, -3}, {0.4f, 0.4f, 0.5f});

@@ -171,7 +171,7 @@ TEST(UnitMaterialTexture, TurbulenceOutsideWarpsIsNearestThePattern) {
   const auto& placement = text.pattern().placement;
   ASSERT_EQ(placement.size(), 2u);
   EXPECT_EQ(placement[0].kind, WarpDesc::Kind::kClassicTurbulence);
-  EXPECT_EQ(placement[0].turbulence.octaves, 3);
+  EXPECT_EQ(placement[0].own->turbulence.octaves, 3);
 }
 
 TEST(UnitMaterialTexture, MaterialBringsTextureAndInterior) {

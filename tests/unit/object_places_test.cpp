@@ -20,7 +20,7 @@ std::vector<std::string> names_in(const std::string& text) {
     diagnostics.connect(s, [](std::string_view) {});
   }
   const std::string path = (folder / "a.pov").string();
-  const SceneDesc description = read_descriptions(path, sources, diagnostics, {});
+  SceneDesc description = read_descriptions(path, sources, diagnostics, {});
   ObjectPlaces places;
   BuildOptions build;
   build.places = &places;

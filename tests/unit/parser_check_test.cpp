@@ -19,7 +19,8 @@ parser::SceneDesc checked(const std::string& text) {
   ParserOptions options;
   options.only_check = true;
   SceneDesc scene = read_descriptions(folder / "scene.pov", sources, diagnostics, options);
-  build_scene(scene, diagnostics);
+  SceneDesc used_up = scene;
+  build_scene(used_up, diagnostics);
   return scene;
 }
 

@@ -48,8 +48,8 @@ struct GatherStage {
   RadiositySettings& settings() { return *parts.settings.radiosity; }
   void add(std::unique_ptr<Shape> shape, const Finish& finish, double importance = 1.0,
            const Colour& colour = Colour{Rgb(1.0f)}) {
-    parts.textures.push_back(std::make_shared<LayeredTexture>(
-        std::vector<TextureLayer>{{std::make_shared<RadiosityColour>(colour), finish}}));
+    parts.textures.push_back(std::make_shared<LayeredTexture>(std::vector<TextureLayer>{
+        {std::make_shared<RadiosityColour>(colour), std::make_shared<Finish>(finish)}}));
     Attributes looks;
     looks.texture = parts.textures.back().get();
     PassFlags flags;

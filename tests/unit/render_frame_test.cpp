@@ -100,6 +100,7 @@ std::unique_ptr<Scene> ball_scene(bool clear = false) {
   parts.settings.background = {Rgb(0.25f, 0.5f, 0.75f), 0, clear ? 1.0f : 0.0f};
   TextureLayer layer;
   layer.pigment = std::make_shared<Wavy>();
+  layer.finish = std::make_shared<Finish>();
   parts.textures.push_back(std::make_shared<LayeredTexture>(std::vector{layer}));
   for (const Vec3& c : {Vec3{0, 0, 0}, Vec3{0.8, 0.8, -0.8}}) {
     auto leaf = std::make_unique<Leaf>(std::make_unique<Sphere>(c, 1.0), Transform());

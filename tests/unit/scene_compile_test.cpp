@@ -35,7 +35,7 @@ class SceneBuilder {
     std::vector<TextureLayer> stack(static_cast<std::size_t>(layers));
     for (TextureLayer& layer : stack) {
       layer.pigment = std::make_shared<OneColour>(Colour{Rgb(0.5f), 0.0f, transmit});
-      layer.finish = finish;
+      layer.finish = std::make_shared<Finish>(finish);
     }
     parts.textures.push_back(std::make_shared<LayeredTexture>(std::move(stack)));
     return parts.textures.back().get();

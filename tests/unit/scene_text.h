@@ -37,7 +37,10 @@ class SceneText {
   SceneText(const SceneText&) = delete;
   SceneText& operator=(const SceneText&) = delete;
 
-  core::SceneParts build() { return build_scene(scene, m_diagnostics); }
+  core::SceneParts build() {
+    SceneDesc used_up = scene;
+    return build_scene(used_up, m_diagnostics);
+  }
   const ObjectDesc& object(std::size_t i = 0) const { return *scene.objects.at(i).object; }
   template <typename Shape>
   const Shape& shape(std::size_t i = 0) const {

@@ -130,19 +130,19 @@ void parse_alone(Run& run, const Picture& what, const std::atomic<bool>& cancel)
   const double before = cpu_seconds();
   Reading reading = reading_of(o, run.clock, what.scene, &cancel);
   reading.parser.only_check = !o.dump;
-  const parser::SceneDesc scene =
+  parser::SceneDesc scene =
       parser::read_descriptions(what.scene, sources, diagnostics, reading.parser);
   const double seconds = cpu_seconds() - before;
+  const std::size_t objects = scene.objects.size() + scene.dropped;
+  const std::string dump = o.dump ? json_text(parser::scene_json(scene, sources), 1) : "";
   const core::SceneParts parts = parser::build_scene(scene, diagnostics, reading.build);
   if (what.is_read) what.is_read();
   run.warnings.say();
   refuse_if_strict(o, parts.not_rendered);
-  if (o.dump) {
-    std::puts(json_text(parser::scene_json(scene, sources), 1).c_str());
-  }
+  if (o.dump) std::puts(dump.c_str());
   if (!o.verbose) return;
-  std::fprintf(stderr, "Parsed: %zu objects and lights, %zu warnings, %.3f s\n",
-               scene.objects.size() + scene.dropped, diagnostics.warnings().size(), seconds);
+  std::fprintf(stderr, "Parsed: %zu objects and lights, %zu warnings, %.3f s\n", objects,
+               diagnostics.warnings().size(), seconds);
 }
 
 /// The picture's files are known as soon as the scene is read, and those of one that cannot be read

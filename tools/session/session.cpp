@@ -89,7 +89,6 @@ void Session::read() {
   build.places = m_reading.names_objects || has_sheet ? &m_text->places : nullptr;
   stop_if_asked();
   core::SceneParts parts = parser::build_scene(description, diagnostics, build);
-  description.objects = {};  // their memory is used again by what is built next
   m_not_rendered = parts.not_rendered;
   m_slopes = parts.slopes;
   reduce(parts, m_reading.build.quality);
