@@ -25,9 +25,9 @@ ReadScene read_scene(const std::string& path, SourceManager& sources, Diagnostic
                      const ParserOptions& options, const BuildOptions& build = {});
 
 /// The descriptions alone. `reads`: gets what of its picture the scene has asked for; null: nobody
-/// wants to know.
+/// wants to know. `only_read`: the same of the bytes that reading held besides: tokens, symbols, values.
 SceneDesc read_descriptions(const std::string& path, SourceManager& sources,
                             Diagnostics& diagnostics, const ParserOptions& options,
-                            PictureReads* reads = nullptr);
+                            PictureReads* reads = nullptr, std::uint64_t* only_read = nullptr);
 
 }  // namespace lentray::parser

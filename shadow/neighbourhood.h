@@ -16,8 +16,9 @@ namespace lentray::shadow {
 class Neighbourhood {
  public:
   static constexpr std::string_view kName = "neighbourhood";
-  explicit Neighbourhood(const core::Scene& scene)
-      : m_blocks(scene.lights().size() * core::kTreePlaces) {}
+  explicit Neighbourhood(const core::Scene& scene) : Neighbourhood(scene.lights().size()) {}
+  /// For the first so many lights.
+  explicit Neighbourhood(std::size_t lights) : m_blocks(lights * core::kTreePlaces) {}
 
   /// The slots of a point; those of the next column and row lie behind them. Null before anything was
   /// blocked at its place in the ray tree.

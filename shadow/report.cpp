@@ -110,6 +110,9 @@ json to_json(const RunReport& report) {
                  {"wall_s", report.wall_s}};
   out["threads"] = report.threads;
   out["memory"] = {{"peak_bytes", report.peak_bytes}};
+  for (const core::MemoryStage& stage : report.memory) {
+    out["memory"]["stages"][std::string(stage.name)] = stage.bytes;
+  }
   return out;
 }
 

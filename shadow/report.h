@@ -10,6 +10,7 @@
 
 #include "camera/lens_sheet.h"
 #include "core/base/counters.h"
+#include "core/base/memory_stages.h"
 #include "core/pass/pass_report.h"
 #include "shadow/run_log.h"
 
@@ -39,6 +40,7 @@ struct RunReport {
   double wall_s = 0.0;
   int threads = 1;
   std::uint64_t peak_bytes = 0;
+  core::MemoryStages memory;  ///< what of it the stages before the film hold
 };
 
 nlohmann::json to_json(const RunReport& report);

@@ -1,5 +1,9 @@
 #include "core/accel/light_buffer.h"
 
+#include <algorithm>
+#include <cmath>
+
+#include "core/accel/light_buffer_builder.h"
 #include "core/shape/box.h"
 #include "core/shape/plane.h"
 #include "core/shape/polygon.h"
@@ -31,7 +35,20 @@ struct NoTally {
   void outside() const {}
 };
 
+constexpr double kNearLight = 1e-5;  ///< of the light's coordinates: nearer, rounding counts
+
 }  // namespace
+
+LightBuffer::LightBuffer(const Vec3& light)
+    : m_light(light),
+      m_least_distance(kNearLight * std::max({std::fabs(light.x), std::fabs(light.y),
+                                              std::fabs(light.z), 1.0})) {}
+
+LightBuffer::LightBuffer(const Vec3& light, const LightCasters& casters, double tolerance,
+                         std::uint32_t cells)
+    : LightBuffer(light) {
+  LightBufferBuilder(casters, tolerance).build(*this, cells);
+}
 
 template <class Count>
 const Object* LightBuffer::plane_blocker(const Ray& ray, double t_min, double t_max,

@@ -10,9 +10,9 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <memory>
 #include <vector>
 
+#include "core/accel/light_casters.h"
 #include "core/accel/light_drawing.h"
 #include "core/accel/light_raster.h"
 #include "core/accel/light_volume.h"
@@ -23,11 +23,12 @@ namespace lentray::core {
 
 class LightBuffer {
  public:
-  /// Borrows the objects, whose opacity and no_shadow are taken now. `tolerance`: hits nearer to
-  /// an end of a shadow ray than this do not count (kShadowTolerance). `cells`: at most about so
-  /// many in all.
-  LightBuffer(const Vec3& light, const std::vector<std::unique_ptr<Object>>& objects,
-              double tolerance, std::uint32_t cells);
+  /// Borrows the objects of the casters. `tolerance`: hits nearer to an end of a shadow ray than this
+  /// do not count (kShadowTolerance). `cells`: at most about so many in all.
+  LightBuffer(const Vec3& light, const LightCasters& casters, double tolerance,
+              std::uint32_t cells);
+  /// To be built: nothing else may be asked for before.
+  explicit LightBuffer(const Vec3& light);
 
   /// True if so much stands behind one another that the hierarchy is the better choice.
   bool crowded() const { return m_crowded; }
@@ -89,7 +90,7 @@ class LightBuffer {
     double distance;
     const Object* object;
   };
-  class Builder;
+  friend class LightBufferBuilder;
   /// Outside: the ray's line does not come near, as with a volume.
   enum class Probe : std::uint8_t { kOutside, kMisses, kBlocks };
 
@@ -106,7 +107,7 @@ class LightBuffer {
 
   Vec3 m_light;
   bool m_crowded = false;
-  double m_tolerance, m_least_distance;
+  double m_least_distance;
   std::vector<Caster> m_casters;       ///< by distance
   std::vector<LightVolume> m_volumes;  ///< of the casters
   double m_reach = 0.0;                ///< of the volumes

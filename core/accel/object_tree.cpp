@@ -94,8 +94,7 @@ void ObjectTree::build_tree() {
   WideBvh::Options options;
   options.kinds = kinds;
   options.kind_costs = kCosts;
-  m_tree = WideBvh(m_boxes, options);
-  m_boxes = {};
+  m_tree = WideBvh(std::move(m_boxes), options);
   std::vector<ObjectEntry> placed;
   placed.reserve(m_tree.order().size());
   for (const std::uint32_t part : m_tree.order()) placed.push_back(m_entries[part]);
@@ -109,6 +108,7 @@ void ObjectTree::build_tree() {
   m_tree.relabel([&](std::uint32_t first, std::uint32_t count) {
     return code_of(first, count, static_cast<Kind>(kinds[m_tree.order()[first]]));
   });
+  m_tree.drop_order();
 }
 
 /// Whether the ray comes near the box between 0 and the limit, rounding counted in.

@@ -538,7 +538,8 @@ WideFrame frame_of(const Bounds& bulk, const Bounds& all) {
 
 }  // namespace
 
-void WideBvh::build(std::span<const Bounds> boxes, const Options& options) {
+void WideBvh::build(std::span<const Bounds> boxes, const Options& options,
+                    std::vector<Bounds>* own) {
   m_order.reserve(boxes.size());
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     if (boxes[i].is_empty()) continue;
@@ -551,12 +552,36 @@ void WideBvh::build(std::span<const Bounds> boxes, const Options& options) {
   }
   m_frame = frame_of(bulk_of(boxes, m_order, m_bounds), m_bounds);
   BinaryBuilder builder(boxes, m_order, m_frame, options);
+  if (own) *own = {};
   const std::uint32_t root = builder.run();
   for (std::uint32_t i = 0; i < m_order.size(); ++i) m_order[i] = builder.part_at(i);
   builder.drop_items();  // the memory serves what is made next
   WideCollapser(builder, m_nodes, m_statistics).emit(root);
   m_statistics.nodes = m_nodes.size();
   m_statistics.parts = m_order.size();
+}
+
+unsigned WideBvh::touched_portable(const WideNode& node, const float low[3], const float high[3]) {
+  unsigned touched = 0;
+  for (int i = 0; i < WideNode::kWidth; ++i) {
+    bool in = true;
+    for (int a = 0; a < 3; ++a) {
+      in = in && node.planes[a][0][i] <= high[a] && node.planes[a][1][i] >= low[a];
+    }
+    touched |= static_cast<unsigned>(in) << i;
+  }
+  return touched;
+}
+
+LENTRAY_AVX2 unsigned WideBvh::touched_avx2(const WideNode& node, const float low[3],
+                                            const float high[3]) {
+  auto in = simd::float8_at(node.planes[0][0]) <= simd::float8(high[0]);
+  in &= simd::float8_at(node.planes[0][1]) >= simd::float8(low[0]);
+  for (int a = 1; a < 3; ++a) {
+    in &= simd::float8_at(node.planes[a][0]) <= simd::float8(high[a]);
+    in &= simd::float8_at(node.planes[a][1]) >= simd::float8(low[a]);
+  }
+  return simd::signs(in);
 }
 
 void WideBvh::open_boxes() {

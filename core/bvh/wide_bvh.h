@@ -181,10 +181,14 @@ class WideBvh {
   /// Boxes must be finite. Parts with an empty box are left out.
   explicit WideBvh(std::span<const Bounds> boxes) { build(boxes, Options{}); }
   WideBvh(std::span<const Bounds> boxes, const Options& options) { build(boxes, options); }
+  /// The same of boxes that nobody needs any more: their memory serves while it is built.
+  WideBvh(std::vector<Bounds>&& boxes, const Options& options) { build(boxes, options, &boxes); }
 
   /// order()[place] is the part (its index among the boxes given) at a place of a leaf. Callers
   /// may keep their parts in that order and use places directly.
   const std::vector<std::uint32_t>& order() const { return m_order; }
+  /// Who has placed the parts and relabelled the leaves needs it no more.
+  void drop_order() { m_order = {}; }
   const Bounds& bounds() const { return m_bounds; }
   bool empty() const { return m_nodes.empty(); }
   std::size_t memory() const;
@@ -253,7 +257,13 @@ class WideBvh {
   static constexpr int kMaxDepth = 80;
   static constexpr int kStack = kMaxDepth * (WideNode::kWidth - 1) + WideNode::kWidth;
 
-  void build(std::span<const Bounds> boxes, const Options& options);
+  /// Lets the list that `own` points to go when the boxes are not needed any more.
+  void build(std::span<const Bounds> boxes, const Options& options,
+             std::vector<Bounds>* own = nullptr);
+  /// A bit for each of the node's boxes that the one from `low` to `high` touches.
+  static unsigned touched_portable(const WideNode& node, const float low[3], const float high[3]);
+  LENTRAY_AVX2 static unsigned touched_avx2(const WideNode& node, const float low[3],
+                                            const float high[3]);
   template <class Leaf>
   static constexpr bool kTakesPlaces =
       std::is_invocable_v<Leaf&, std::uint32_t, std::uint32_t, double&>;
@@ -417,12 +427,11 @@ bool WideBvh::at_point(const Vec3& point, Leaf&& leaf) const {
       continue;
     }
     const WideNode& node = m_nodes[at];
-    for (int i = WideNode::kWidth - 1; i >= 0; --i) {
-      bool in = true;
-      for (int a = 0; a < 3; ++a) {
-        in = in && node.planes[a][0][i] <= high[a] && node.planes[a][1][i] >= low[a];
-      }
-      if (in) stack[top++] = node.child[i];
+    unsigned in = has_avx2() ? touched_avx2(node, low, high) : touched_portable(node, low, high);
+    while (in != 0) {
+      const int i = std::bit_width(in) - 1;
+      in ^= 1u << i;
+      stack[top++] = node.child[i];
     }
   }
   return false;

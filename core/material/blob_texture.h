@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/material/texture.h"
-#include "core/shape/blob.h"
+#include "core/shape/blob_fields.h"
 
 namespace lentray::core {
 
@@ -17,15 +17,15 @@ class BlobTexture final : public Texture {
     std::shared_ptr<const Texture> texture;
   };
   /// Shares below `least` are left out, as adc_bailout says.
-  BlobTexture(std::vector<Element> elements, double least)
-      : m_elements(std::move(elements)), m_least(least) {}
+  BlobTexture(std::vector<Element> elements, double least);
   void resolve(const Vec3& point, const SurfaceContext& surface, double weight,
                WeightedTextures& out) const override;
   bool is_opaque() const override;
   void collect(std::vector<const LayeredTexture*>& out) const override;
 
  private:
-  std::vector<Element> m_elements;
+  BlobFields m_fields;
+  std::vector<std::shared_ptr<const Texture>> m_textures;  ///< one a field
   double m_least;
 };
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "core/numeric/box_ray.h"
 #include "core/object/csg_search.h"
@@ -67,6 +68,37 @@ struct Csg::Chord {
     to += slack;
   }
   bool has(double t) const { return t >= from && t <= to; }
+};
+
+/// Between which t of a ray many convex parts overlap: where it has entered the last of them and not left
+/// the first.
+struct Csg::Overlap {
+  double enter[2] = {-Bounds::kInf, -Bounds::kInf};  ///< the two last, and of whom the last is
+  double leave[2] = {Bounds::kInf, Bounds::kInf};    ///< the two first, likewise
+  std::size_t enterer = kNobody, leaver = kNobody;
+
+  void add(std::size_t part, double from, double to) {
+    if (from > enter[0]) {
+      enter[1] = std::exchange(enter[0], from);
+      enterer = part;
+    } else {
+      enter[1] = std::max(enter[1], from);
+    }
+    if (to < leave[0]) {
+      leave[1] = std::exchange(leave[0], to);
+      leaver = part;
+    } else {
+      leave[1] = std::min(leave[1], to);
+    }
+  }
+  bool is_empty(double slack) const { return enter[0] - slack > leave[0] + slack; }
+  bool may_hold(double t, double slack) const {
+    return t >= enter[0] - slack && t <= leave[0] + slack;
+  }
+  /// Whether all others hold the part's surface there.
+  bool surely_holds(std::size_t part, double t, double slack) const {
+    return t > enter[part == enterer] + slack && t < leave[part == leaver] - slack;
+  }
 };
 
 Csg::Csg(CsgKind kind, std::vector<std::unique_ptr<Object>> children)
@@ -312,6 +344,45 @@ void Csg::for_boxes_met(const Ray& ray, double t_min, double t_max, Visit&& visi
   return list;
 }
 
+/// Calls visit(child, hit) for the whole's crossings, some of them beyond t_max, until it answers true.
+/// What lies clearly in all parts or beyond one of them, by more than rounding, needs no inside().
+template <class Visit>
+[[gnu::noinline]] void Csg::for_kept_of_overlap(const Ray& ray, double t_min, double t_max,
+                                                const RayQuery& query, Visit&& visit) const {
+  constexpr double kShare = 1e-9, kOfPlace = 1e-11;
+  const auto size = [](const Vec3& v) { return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z); };
+  const double of_place = kOfPlace * size(ray.origin) / size(ray.direction);
+  Overlap overlap;
+  double far = 0.0, slack = 0.0;
+  ScratchHits scratch(query.arena);
+  std::vector<Hit>& hits = *scratch;
+  for (std::size_t i = 0; i < m_children.size(); ++i) {
+    const std::size_t first = hits.size();
+    m_children[i]->all(ray, t_min, Bounds::kInf, hits, query);
+    if (hits.size() == first) return;  // nowhere beyond t_min
+    double from = Bounds::kInf, to = -Bounds::kInf;
+    for (std::size_t k = first; k < hits.size(); ++k) {
+      hits[k].place = static_cast<std::uint32_t>(i);
+      from = std::min(from, hits[k].t);
+      to = std::max(to, hits[k].t);
+    }
+    far = std::max({far, std::fabs(from), std::fabs(to)});
+    slack = 2.0 * kShare * far + of_place;
+    overlap.add(i, hits.size() - first > 1 ? from : -Bounds::kInf, to);
+    if (overlap.is_empty(slack) || overlap.enter[0] - slack > t_max) return;
+  }
+  Hidden hidden;
+  for (Hit& hit : hits) {
+    const std::size_t part = std::exchange(hit.place, 0);
+    if (!overlap.may_hold(hit.t, slack)) continue;
+    if (!overlap.surely_holds(part, hit.t, slack) &&
+        !keeps(part, ray, hit.t, nullptr, hidden, query)) {
+      continue;
+    }
+    if (visit(part, hit)) return;
+  }
+}
+
 bool Csg::nearest(const Ray& ray, double t_min, double t_max, Hit& hit,
                   const RayQuery& query) const {
   if (ball().is_missed_by(ray)) return false;
@@ -333,6 +404,16 @@ bool Csg::kept_nearest(const Ray& ray, double t_min, double t_max, Hit& hit,
                        const RayQuery& query) const {
   const bool keep_all = m_kind == CsgKind::kUnion;
   std::size_t owner = kNobody;
+  if (m_core == kOverlap) [[unlikely]] {
+    for_kept_of_overlap(ray, t_min, t_max, query, [&](std::size_t part, const Hit& next) {
+      if (!(next.t < t_max || (next.t == t_max && owner != kNobody && part > owner))) return false;
+      hit = next;
+      t_max = next.t;
+      owner = part;
+      return false;
+    });
+    return owner != kNobody;
+  }
   Hidden hidden;
   ScratchHits scratch(query.arena);
   for_children_met(ray, t_min, t_max, query, [&](std::size_t i, double& limit, const Chord* chord) {
@@ -363,6 +444,12 @@ bool Csg::any(const Ray& ray, double t_min, double t_max, const RayQuery& query)
   if (!gates().empty() && !passes_gates(ray, query)) return false;
   const bool keep_all = m_kind == CsgKind::kUnion && clips().empty();
   bool found = false;
+  if (m_core == kOverlap) [[unlikely]] {
+    for_kept_of_overlap(ray, t_min, t_max, query, [&](std::size_t, const Hit& h) {
+      return found = h.t < t_max && passes_clips(ray.at(h.t));
+    });
+    return found;
+  }
   Hidden hidden;
   ScratchHits scratch(query.arena);
   for_children_met(ray, t_min, t_max, query, [&](std::size_t i, double&, const Chord* chord) {
@@ -381,6 +468,12 @@ void Csg::all(const Ray& ray, double t_min, double t_max, std::vector<Hit>& hits
               const RayQuery& query) const {
   if (ball().is_missed_by(ray)) return;
   if (!gates().empty() && !passes_gates(ray, query)) return;
+  if (m_core == kOverlap) [[unlikely]] {
+    return for_kept_of_overlap(ray, t_min, t_max, query, [&](std::size_t, const Hit& h) {
+      if (h.t < t_max && passes_clips(ray.at(h.t))) hits.push_back(h);
+      return false;
+    });
+  }
   Hidden hidden;
   for_children_met(ray, t_min, t_max, query, [&](std::size_t i, double&, const Chord* chord) {
     // Where nothing can be dropped the child's hits need no list of their own.

@@ -62,9 +62,10 @@ class Csg final : public Object {
   };
   struct Search;
   struct Chord;
+  struct Overlap;
   struct Hidden;
   static constexpr std::size_t kNobody = ~std::size_t{0};
-  static constexpr std::size_t kHidden = kNobody - 1;
+  static constexpr std::size_t kHidden = kNobody - 1, kOverlap = kNobody - 2;
 
   /// Calls visit(child, t_max&, chord) for the children that the ray may meet.
   template <class Visit>
@@ -76,6 +77,10 @@ class Csg final : public Object {
                                     const Chord* chord, std::vector<Hit>& list,
                                     const RayQuery& query) const;
   void choose_tests();
+  bool is_overlap() const;
+  template <class Visit>
+  void for_kept_of_overlap(const Ray& ray, double t_min, double t_max, const RayQuery& query,
+                           Visit&& visit) const;
   bool hides_parts() const;
   bool is_unseen(std::size_t child, RayKind kind) const;
   bool child_inside(std::size_t child, const Vec3& p) const;
@@ -102,8 +107,9 @@ class Csg final : public Object {
   bool m_kept_whole = false;
   bool m_closed = false;     ///< all children are
   bool m_asks_boxes = true;  ///< of few children; else their own tests turn rays away as well
-  /// Of an intersection of few: a closed part, in whose solid all that is kept lies. Else nobody, or
-  /// kHidden where some rays do not see some parts of what is joined.
+  /// Of an intersection of few: a closed part, in whose solid all that is kept lies. Else nobody,
+  /// kHidden where some rays do not see some parts of what is joined, or kOverlap of an intersection of
+  /// many convex parts, and of what such a one turns into when it is inverted.
   std::size_t m_core = kNobody;
   mutable std::vector<Fence> m_fences;  ///< one a child; of many that are joined, made by search()
   std::unique_ptr<Search> m_search;     ///< where there are many children

@@ -3,8 +3,10 @@
 #include <memory>
 #include <mutex>
 #include <numbers>
+#include <typeinfo>
 
 #include "core/object/csg_search.h"
+#include "core/object/leaf.h"
 
 namespace lentray::core {
 namespace {
@@ -92,7 +94,10 @@ void Csg::open_parts(const Bounds& whole) {
 void Csg::choose_tests() {
   m_core = hides_parts() ? kHidden : kNobody;
   m_closed = false;
-  if (m_search) return;
+  if (m_search) {
+    if (m_core == kNobody && is_overlap()) m_core = kOverlap;
+    return;
+  }
   // A ball that is hardly larger than the box turns rays away for less.
   constexpr double kMuchLarger = 3.0;
   const auto is_tight = [](const auto& child) {
@@ -115,6 +120,17 @@ void Csg::choose_tests() {
     least = radius;
     m_core = i;
   }
+}
+
+/// Whether the surface is that of a solid in which all parts, or all their inverses, overlap.
+bool Csg::is_overlap() const {
+  if (m_gated_parts || m_kind == CsgKind::kUnion || m_kind == CsgKind::kDifference) return false;
+  return std::ranges::all_of(m_children, [this](const auto& child) {
+    if (typeid(*child) != typeid(Leaf) || child->is_inverse() != joins(m_kind)) return false;
+    const auto& leaf = static_cast<const Leaf&>(*child);
+    return leaf.shape().traits().convexity == Convexity::kConvex && leaf.clips().empty() &&
+           leaf.gates().empty();
+  });
 }
 
 bool Csg::is_closed() const { return m_closed && clips().empty() && gates().empty(); }

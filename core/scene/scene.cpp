@@ -1,13 +1,19 @@
 #include "core/scene/scene.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <typeinfo>
 #include <utility>
 
 #include "core/accel/hierarchy.h"
 #include "core/accel/light_buffer.h"
+#include "core/accel/light_buffer_builder.h"
 #include "core/accel/test_cost.h"
+#include "core/base/memory_limit.h"
 #include "core/object/csg.h"
+#include "core/scene/many_lights.h"
 #include "core/scene/needs_finder.h"
 #include "core/scene/solid_index.h"
 #include "core/scene/tolerances.h"
@@ -62,11 +68,36 @@ bool worth_buffers(std::size_t objects, std::uint64_t pixels) {
   return objects <= kFew || pixels >= kPixelsAnObject * objects;
 }
 
-/// More objects and more pixels are worth finer cells.
-std::uint32_t buffer_cells(std::size_t objects, std::uint64_t pixels) {
-  constexpr std::uint64_t kLeast = 1u << 10, kMost = 1u << 18;
+/// More objects and more pixels are worth finer cells; of many lights all together get no more than a few
+/// would: what does not stay in the processor's caches is slower than coarse cells.
+std::uint32_t buffer_cells(std::size_t objects, std::uint64_t pixels, std::size_t lights) {
+  constexpr std::uint64_t kLeast = 1u << 10, kMost = 1u << 18, kFewLights = 16;
   const std::uint64_t wanted = std::min<std::uint64_t>(6 * objects + 8192, pixels / 24);
-  return static_cast<std::uint32_t>(std::clamp(wanted, kLeast, kMost));
+  const std::uint64_t shares = std::max<std::uint64_t>(lights, kFewLights);
+  return static_cast<std::uint32_t>(std::clamp(wanted, kLeast, kMost) * kFewLights / shares);
+}
+
+/// Whether they take no more than half of what Max_Memory leaves, about.
+bool has_room(std::size_t lights, std::size_t objects, std::uint32_t cells) {
+  constexpr double kBytesAnObject = 150.0, kBytesACell = 64.0, kShare = 0.5, kSmall = 1e7;
+  const double bytes =
+      static_cast<double>(lights) *
+      (kBytesAnObject * static_cast<double>(objects) + kBytesACell * static_cast<double>(cells));
+  return bytes < kSmall || bytes < kShare * (memory_limit() - resident_bytes());
+}
+
+/// Fills a buffer for each of the lights, on all threads where there is much to do.
+template <class Fill>
+void each_light(std::size_t lights, std::size_t casters, Fill&& fill) {
+#ifdef __SANITIZE_THREAD__
+  // What oneTBB's library synchronises inside is not seen.
+  constexpr std::size_t kMuch = ~std::size_t{0};
+#else
+  constexpr std::size_t kMuch = 1u << 16;
+#endif
+  if (lights == 1 || lights * casters < kMuch) return fill(0, lights);
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, lights),
+                    [&](const auto& range) { fill(range.begin(), range.end()); });
 }
 
 double tolerance_scale_of(const std::vector<std::unique_ptr<Object>>& objects) {
@@ -104,14 +135,22 @@ void Scene::build_light_buffers(std::uint64_t camera_rays) {
   for (auto& buffer : m_light_buffers) buffer.reset();
   if (m_accelerator != Accelerator::kBvh) return;
   if (!worth_buffers(m_parts.objects.size(), camera_rays)) return;
-  const std::uint32_t cells = buffer_cells(m_parts.objects.size(), camera_rays);
+  std::vector<std::size_t> suited;
   for (std::size_t i = 0; i < m_light_buffers.size(); ++i) {
-    const Light& light = m_parts.lights[i];
-    if (!suits_buffer(light)) continue;
-    auto buffer = std::make_unique<LightBuffer>(light.position, m_parts.objects,
-                                                kShadowTolerance * m_tolerance_scale, cells);
-    if (!buffer->crowded()) m_light_buffers[i] = std::move(buffer);
+    if (suits_buffer(m_parts.lights[i])) suited.push_back(i);
   }
+  if (suited.empty() || has_many_lights(*this)) return;
+  const std::uint32_t cells = buffer_cells(m_parts.objects.size(), camera_rays, suited.size());
+  if (!has_room(suited.size(), m_parts.objects.size(), cells)) return;
+  const LightCasters casters(m_parts.objects);
+  each_light(suited.size(), casters.size(), [&](std::size_t first, std::size_t end) {
+    LightBufferBuilder builder(casters, kShadowTolerance * m_tolerance_scale);
+    for (std::size_t i = first; i < end; ++i) {
+      auto buffer = std::make_unique<LightBuffer>(m_parts.lights[suited[i]].position);
+      builder.build(*buffer, cells);
+      if (!buffer->crowded()) m_light_buffers[suited[i]] = std::move(buffer);
+    }
+  });
 }
 
 Scene::~Scene() = default;

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "core/numeric/bounds_help.h"
-#include "core/numeric/box_ray.h"
 #include "core/numeric/roots.h"
 #include "core/shape/crossings.h"
 
@@ -14,10 +13,6 @@ namespace lentray::core {
 class Blob::Reaches : public boost::container::small_vector<Blob::Reach, 24> {};
 
 namespace {
-
-constexpr std::size_t kMany = 9;  // fields from which a hierarchy over them pays
-
-using Found = boost::container::small_vector<std::uint32_t, 48>;
 
 // In line, for rays have to be moved to the space of each field they may meet.
 Vec3 vector_into(const Matrix& m, const Vec3& v) {
@@ -42,21 +37,9 @@ void clip(double p, double d, double lo, double hi, double& from, double& to) {
 
 }  // namespace
 
-double BlobField::at(const Vec3& local) const {
-  const double along = std::clamp(local.z, 0.0, length);
-  const double z = local.z - along;
-  const double share = (local.x * local.x + local.y * local.y + z * z) / (radius * radius);
-  return share < 1.0 ? strength * (1.0 - share) * (1.0 - share) : 0.0;
-}
-
 Blob::Blob(double threshold, std::vector<BlobField> fields)
     : m_threshold(threshold), m_fields(std::move(fields)) {
   for (const BlobField& f : m_fields) {
-    const Vec3 end{0.0, 0.0, f.length};
-    m_boxes.push_back(widened(support_bounds(f.to_blob, [&](const Vec3& d) {
-      return std::max(0.0, dot(d, end)) + f.radius * length(d);
-    })));
-    m_reach.include(m_boxes.back());
     // Of the inverse's square the largest sum of a row bounds the largest stretch.
     const Vec3 axes[3] = {f.to_blob.inverse_vector({1, 0, 0}), f.to_blob.inverse_vector({0, 1, 0}),
                           f.to_blob.inverse_vector({0, 0, 1})};
@@ -71,55 +54,9 @@ Blob::Blob(double threshold, std::vector<BlobField> fields)
     m_rounds.push_back({f.to_blob.point({}), scale > 0.0 ? 1.0 / (scale * scale) : 0.0});
   }
   m_bounds = bounds_in(Transform());
-  if (m_fields.size() < kMany || !m_reach.is_finite()) return;
-  WideBvh::Options options;
-  options.max_leaf = 1;  // its box is tested then
-  m_search = WideBvh(m_boxes, options);
 }
 
-void Blob::drop_shortcuts() {
-  m_boxes.assign(m_boxes.size(), Bounds::everything());
-  m_search = WideBvh();
-}
-
-template <class Visit>
-void Blob::for_fields(const Ray& ray, double t_min, Visit&& visit) const {
-  if (m_search.order().empty()) {
-    const BoxRay box_ray(ray);
-    for (std::uint32_t i = 0; i < m_fields.size(); ++i) {
-      if (box_ray.meets(m_boxes[i], t_min, Bounds::kInf)) visit(i);
-    }
-    return;
-  }
-  const auto add = [&](std::uint32_t place, double&) {
-    visit(m_search.order()[WideBvh::first_of(place)]);
-    return false;
-  };
-  CountNothing nothing;
-  if (has_avx2()) {
-    m_search.traverse_avx2<false>(ray, t_min, Bounds::kInf, add, nothing);
-  } else {
-    m_search.traverse_portable(ray, t_min, Bounds::kInf, add, nothing);
-  }
-}
-
-template <class Visit>
-void Blob::for_fields(const Vec3& p, Visit&& visit) const {
-  if (m_search.order().empty()) {
-    for (std::size_t i = 0; i < m_fields.size(); ++i) {
-      if (m_boxes[i].contains(p)) visit(m_fields[i]);
-    }
-    return;
-  }
-  Found found;
-  m_search.at_point(p, [&](std::uint32_t first, std::uint32_t) {
-    const std::uint32_t i = m_search.order()[first];
-    if (m_boxes[i].contains(p)) found.push_back(i);
-    return false;
-  });
-  std::sort(found.begin(), found.end());
-  for (const std::uint32_t i : found) visit(m_fields[i]);
-}
+void Blob::drop_shortcuts() { m_fields.drop_shortcuts(); }
 
 /// Whether the fields can add up to the threshold anywhere in the box.
 bool Blob::may_hold(const Vec3& centre, const Vec3& half) const {
@@ -152,13 +89,13 @@ bool Blob::may_hold(const Vec3& centre, const Vec3& half) const {
 Bounds Blob::bounds_in(const Transform& t) const {
   constexpr double kFine = 1.0 / 64.0;
   constexpr int kTests = 2500, kFewest = 32, kMost = 2000;
-  if (!m_reach.is_finite()) return transformed(m_reach, t);
+  if (!m_fields.reach().is_finite()) return transformed(m_fields.reach(), t);
   const int budget = std::clamp(kTests / static_cast<int>(m_fields.size()), kFewest, kMost);
-  const Vec3 size = m_reach.hi - m_reach.lo;
+  const Vec3 size = m_fields.reach().hi - m_fields.reach().lo;
   return support_bounds(t, [&](const Vec3& d) {
     const double wide = std::fabs(d.x) * size.x + std::fabs(d.y) * size.y + std::fabs(d.z) * size.z;
     return searched_support(
-        m_reach, d, kFine * wide, budget,
+        m_fields.reach(), d, kFine * wide, budget,
         [&](const Vec3& centre, const Vec3& half) { return may_hold(centre, half); });
   });
 }
@@ -220,13 +157,14 @@ bool Blob::may_hold(const Reach* const* active, std::size_t count, double from, 
 template <class Visit>
 void Blob::crossings(const Ray& from_afar, double t_min, double t_max, Visit&& visit) const {
   // Counted from the point nearest to the blob, so that far origins do not cost digits.
-  const double shift = dot(m_reach.centre() - from_afar.origin, from_afar.direction) /
+  const double shift = dot(m_fields.reach().centre() - from_afar.origin, from_afar.direction) /
                        dot(from_afar.direction, from_afar.direction);
   const Ray ray{from_afar.at(shift), from_afar.direction};
   t_min -= shift;
   t_max -= shift;
   Reaches reaches;
-  for_fields(ray, t_min, [&](std::uint32_t field) { find_reaches(field, ray, t_min, reaches); });
+  m_fields.on_ray(ray, t_min,
+                  [&](std::uint32_t field) { find_reaches(field, ray, t_min, reaches); });
   if (reaches.empty()) return;
   // In the order of their beginnings; those that have begun and not ended are `active`.
   boost::container::small_vector<const Reach*, 24> order(reaches.size(),
@@ -293,13 +231,15 @@ void Blob::all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) cons
 bool Blob::inside(const Vec3& p) const {
   constexpr double kSlack = 1e-6;
   double sum = 0.0;
-  for_fields(p, [&](const BlobField& field) { sum += field.at(field.to_blob.inverse_point(p)); });
+  m_fields.at_point(
+      p, [&](std::uint32_t i) { sum += m_fields[i].at(m_fields[i].to_blob.inverse_point(p)); });
   return sum > m_threshold - kSlack;
 }
 
 Vec3 Blob::normal(const Vec3& p, const ShapeHit&) const {
   Vec3 sum;
-  for_fields(p, [&](const BlobField& field) {
+  m_fields.at_point(p, [&](std::uint32_t i) {
+    const BlobField& field = m_fields[i];
     Vec3 at = field.to_blob.inverse_point(p);
     at.z -= std::clamp(at.z, 0.0, field.length);
     const double share = length_squared(at) / (field.radius * field.radius);

@@ -6,20 +6,10 @@
 #include <algorithm>
 #include <vector>
 
-#include "core/bvh/wide_bvh.h"
+#include "core/shape/blob_fields.h"
 #include "core/shape/shape.h"
 
 namespace lentray::core {
-
-/// One element in its own space: a sphere of that radius about the origin, or a cylinder along z
-/// from 0 to `length`.
-struct BlobField {
-  double radius = 1.0, strength = 1.0;
-  double length = 0.0;  ///< 0: a sphere
-  Transform to_blob;
-  /// Field at a point of the element's own space; 0 beyond its reach.
-  double at(const Vec3& local) const;
-};
 
 class Blob final : public Shape {
  public:
@@ -56,12 +46,6 @@ class Blob final : public Shape {
     Vec3 centre;
     double scale = 0.0;  ///< 1 / radius^2; 0: it is none
   };
-  /// Calls visit(i) for the fields that the ray may reach beyond t_min, in any order.
-  template <class Visit>
-  void for_fields(const Ray& ray, double t_min, Visit&& visit) const;
-  /// Calls visit(field) for those that the point may be in, in order.
-  template <class Visit>
-  void for_fields(const Vec3& p, Visit&& visit) const;
   bool may_hold(const Vec3& centre, const Vec3& half) const;
   void find_reaches(std::uint32_t field, const Ray& ray, double t_min, Reaches& out) const;
   bool may_hold(const Reach* const* active, std::size_t count, double from, double to) const;
@@ -70,13 +54,10 @@ class Blob final : public Shape {
   void crossings(const Ray& from_afar, double t_min, double t_max, Visit&& visit) const;
 
   double m_threshold;
-  std::vector<BlobField> m_fields;
+  BlobFields m_fields;
   std::vector<Round> m_rounds;  ///< one a field
   std::vector<double>
       m_scales;  ///< how much longer at most than in the blob's a length is in a field's space
-  std::vector<Bounds> m_boxes;  ///< of each field, a little wider
-  WideBvh m_search;             ///< over them, where there are many
-  Bounds m_reach;               ///< of all fields
   Bounds m_bounds;
 };
 

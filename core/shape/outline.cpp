@@ -262,6 +262,32 @@ double Outline::farthest(const Vec2& n) const {
   return far;
 }
 
+/// A closed way that only ever turns to one side, and along either axis goes forth and back once.
+bool Outline::is_convex() const {
+  double side = 0.0;
+  int turns_u = 0, turns_v = 0;
+  const auto turns = [](double before, double after) { return before * after < 0.0 ? 1 : 0; };
+  Vec2 last{}, last_moved{};  // slopes; of the latter each part that is not 0
+  for (std::size_t i = 0; i <= m_pieces.size(); ++i) {
+    const CurvePiece &piece = m_pieces[i % m_pieces.size()],
+                     &next = m_pieces[(i + 1) % m_pieces.size()];
+    const bool is_straight =
+        piece.a.u == 0.0 && piece.a.v == 0.0 && piece.b.u == 0.0 && piece.b.v == 0.0;
+    if (!is_straight || piece.end.u != next.d.u || piece.end.v != next.d.v) return false;
+    const Vec2 slope = piece.c;
+    if (slope.u == 0.0 && slope.v == 0.0) continue;
+    const double turn = last.u * slope.v - last.v * slope.u;
+    if (turn * side < 0.0) return false;
+    if (turn != 0.0) side = turn;
+    turns_u += turns(last_moved.u, slope.u);
+    turns_v += turns(last_moved.v, slope.v);
+    if (slope.u != 0.0) last_moved.u = slope.u;
+    if (slope.v != 0.0) last_moved.v = slope.v;
+    last = slope;
+  }
+  return side != 0.0 && turns_u <= 2 && turns_v <= 2;
+}
+
 void Outline::drop_boxes() {
   m_lo = {-kInf, -kInf};
   m_hi = {kInf, kInf};
@@ -287,7 +313,7 @@ bool Outline::contains_counted(double u, double v) const {
 
 bool Outline::is_odd(double v, double from, double to) const {
   bool odd = false;
-  m_search.along({{from, v}, {std::min(to, m_hi.u), v}, 0.0, true}, [&](std::size_t i) {
+  const auto look = [&](std::size_t i) {
     const PlaneBox& box = m_boxes[i];
     if (v < box.lo.v || v > box.hi.v || from > box.hi.u || to < box.lo.u) return true;
     const CurvePiece& piece = m_pieces[i];
@@ -302,7 +328,13 @@ bool Outline::is_odd(double v, double from, double to) const {
       odd ^= u > from && u <= to;
     }
     return true;
-  });
+  };
+  constexpr std::size_t kFew = 8;  // to look at all costs less than to search
+  if (m_pieces.size() <= kFew) {
+    for (std::size_t i = 0; i < m_pieces.size(); ++i) look(i);
+  } else {
+    m_search.along({{from, v}, {std::min(to, m_hi.u), v}, 0.0, true}, look);
+  }
   return odd;
 }
 

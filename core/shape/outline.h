@@ -56,6 +56,8 @@ class Outline {
   /// those certainly beyond one that does may be left out. Any order.
   template <class Visit>
   void first_crossings(double a, double b, double c, const PlaneWay& way, Visit&& visit) const;
+  /// Whether it is one convex polygon.
+  bool is_convex() const;
   const std::vector<CurvePiece>& pieces() const { return m_pieces; }
   /// As Shape::drop_shortcuts(); lo() and hi() become infinite.
   void drop_boxes();

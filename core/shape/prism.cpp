@@ -19,6 +19,7 @@ Prism::Prism(std::string_view name, std::shared_ptr<const Outline> outline, Swee
              double from, double to, bool open)
     : m_name(name), m_outline(std::move(outline)), m_sweep(sweep), m_from(std::min(from, to)),
       m_to(std::max(from, to)), m_farther(std::fabs(from) + std::fabs(to)), m_open(open),
+      m_convex(!open && sweep != Sweep::kConic && m_outline->is_convex()),
       m_reach(widened(Prism::bounds())) {}
 
 Bounds Prism::bounds() const {

@@ -21,7 +21,9 @@ class Prism final : public Shape {
   Prism(std::string_view name, std::shared_ptr<const Outline> outline, Sweep sweep, double from,
         double to, bool open);
 
-  ShapeTraits traits() const override { return {.name = m_name}; }
+  ShapeTraits traits() const override {
+    return {.name = m_name, .convexity = m_convex ? Convexity::kConvex : Convexity::kNone};
+  }
   Bounds bounds() const override;
   Bounds bounds_in(const Transform& t) const override;
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
@@ -56,7 +58,7 @@ class Prism final : public Shape {
   Sweep m_sweep;
   double m_from, m_to;
   double m_farther;  ///< not less than both, of either sign
-  bool m_open;
+  bool m_open, m_convex;
   Bounds m_reach;  ///< a little more than bounds()
 };
 

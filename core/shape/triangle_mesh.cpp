@@ -57,8 +57,7 @@ TriangleMesh::TriangleMesh(MeshData data) : m_data(std::move(data)) {
   m_bounds = padded(m_bounds);
   WideBvh::Options options;
   options.pack = options.max_leaf = kPack;
-  m_bvh = WideBvh(boxes, options);
-  boxes = {};  // their memory serves what is made next
+  m_bvh = WideBvh(std::move(boxes), options);
   const std::vector<std::uint32_t>& order = m_bvh.order();
   m_dropped = m_data.faces.size() - order.size();
   std::vector<MeshTriple> faces;
@@ -68,6 +67,7 @@ TriangleMesh::TriangleMesh(MeshData data) : m_data(std::move(data)) {
   for (MeshTriples* list : {&m_data.face_normals, &m_data.face_uvs, &m_data.face_textures}) {
     *list = in_order(*list, order);
   }
+  m_bvh.drop_order();
   fill_packs();
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/accel/hierarchy.h"
+#include "core/accel/light_buffer.h"
 #include "core/object/csg.h"
 #include "core/object/leaf.h"
 #include "core/scene/explain.h"
@@ -87,6 +88,28 @@ TEST(UnitCoreScene, SmallPicturesOfManyObjectsHaveNoLightBuffers) {
   EXPECT_TRUE(has_buffer(200, 1000));
   EXPECT_TRUE(has_buffer(1500, 15000));
   EXPECT_FALSE(has_buffer(1500, 14999));
+}
+
+TEST(UnitCoreScene, ManyLightsShareTheCellsOfFewAndVeryManyHaveNone) {
+  const auto bytes = [](int lights) {
+    SceneBuilder b;
+    b.parts.objects.push_back(b.ball(0, b.texture(0)));
+    Light light;
+    for (int i = 0; i < lights; ++i) {
+      light.position = {5.0 + i, 20, 0};
+      b.parts.lights.push_back(light);
+    }
+    const auto scene = b.compile();
+    scene->build_light_buffers(10'000'000);
+    std::size_t sum = 0;
+    for (std::size_t i = 0; i < scene->lights().size(); ++i) {
+      if (const LightBuffer* buffer = scene->light_buffer(i)) sum += buffer->memory();
+    }
+    return sum;
+  };
+  EXPECT_GT(bytes(16), 15 * bytes(1));
+  EXPECT_LT(bytes(160), 3 * bytes(16));
+  EXPECT_EQ(bytes(600), 0u);
 }
 
 TEST(UnitCoreScene, UnionsAreSplitWhereTheirSurfaceIsThatOfTheirParts) {

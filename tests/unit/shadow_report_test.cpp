@@ -27,6 +27,7 @@ shadow::RunReport shadow_report_sample() {
   r.bands = 3;
   r.threads = 2;
   r.peak_bytes = 1 << 20;
+  r.memory = {{"descriptions", 3000}, {"light_buffers", 200}};
   r.wall_s = 1.5;
   return r;
 }
@@ -53,6 +54,8 @@ TEST(UnitShadowReport, HasTheKeysOfTheStatistics) {
   EXPECT_EQ(j["tests"]["by_type"]["sphere"], 13);
   EXPECT_EQ(j["threads"], 2);
   EXPECT_EQ(j["memory"]["peak_bytes"], 1 << 20);
+  EXPECT_EQ(j["memory"]["stages"]["descriptions"], 3000);
+  EXPECT_EQ(j["memory"]["stages"]["light_buffers"], 200);
   for (const char* key :
        {"parse_cpu_s", "compile_cpu_s", "render_cpu_s", "write_cpu_s", "wall_s"}) {
     EXPECT_TRUE(j["time"][key].is_number()) << key;

@@ -1,9 +1,11 @@
 #include "tools/lentray/run_summary.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdarg>
 #include <cstdint>
 #include <cstdio>
+#include <string>
 
 namespace lentray::tool {
 namespace {
@@ -43,6 +45,20 @@ std::string pass_line(const core::PassReport& pass) {
   return out;
 }
 
+/// ": descriptions 12 MB, light buffers 3 MB", of those that are large enough to matter.
+std::string stages_text(const core::MemoryStages& stages) {
+  constexpr std::uint64_t kMatters = 1'000'000;
+  std::string out;
+  for (const core::MemoryStage& stage : stages) {
+    if (stage.bytes < kMatters) continue;
+    std::string name(stage.name);
+    std::ranges::replace(name, '_', ' ');
+    out += (out.empty() ? ": " : ", ") + name +
+           format(" %.0f MB", static_cast<double>(stage.bytes) * 1e-6);
+  }
+  return out;
+}
+
 }  // namespace
 
 std::string summary(const shadow::RunReport& report, const std::string& output) {
@@ -63,7 +79,8 @@ std::string summary(const shadow::RunReport& report, const std::string& output) 
       "\nSeconds: reading %.2f, building %.2f, rendering %.2f (CPU, %d thread%s), writing %.2f\n",
       report.parse_cpu_s, report.compile_cpu_s, report.render_cpu_s, report.threads,
       report.threads == 1 ? "" : "s", report.write_cpu_s);
-  out += format("Memory:  %.0f MB at most\n", static_cast<double>(report.peak_bytes) * 1e-6);
+  out += format("Memory:  %.0f MB at most", static_cast<double>(report.peak_bytes) * 1e-6);
+  out += stages_text(report.memory) + "\n";
   return out + (output.empty() ? "No file" : output) +
          format(": %u x %u pixels in %.2f s\n", report.width, report.height, report.wall_s);
 }

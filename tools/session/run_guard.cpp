@@ -14,6 +14,7 @@
 #include <thread>
 
 #include "core/base/memory_limit.h"
+#include "core/base/memory_stages.h"
 #include "core/image/file_swap.h"
 
 namespace lentray::tool {
@@ -55,10 +56,10 @@ constexpr int kUserError = 1, kAborted = 2;  ///< as POV-Ray has them
 
 void end_if_too_large() {
   if (core::resident_bytes() <= most_memory()) return;
-  std::fprintf(
-      stderr,
-      "lentray: the scene and the picture take more memory than is allowed (Max_Memory): %s\n",
-      core::memory_text(core::memory_limit()).c_str());
+  std::fprintf(stderr,
+               "lentray: the scene and the picture take more memory than is allowed (Max_Memory): "
+               "%s, while %s\n",
+               core::memory_text(core::memory_limit()).c_str(), core::current_stage());
   end(kUserError);
 }
 

@@ -8,6 +8,10 @@
 #include <utility>
 
 #include "camera/scene_probe.h"
+#include "core/accel/hierarchy.h"
+#include "core/accel/light_buffer.h"
+#include "core/base/memory_stages.h"
+#include "core/material/picture.h"
 #include "core/pass/pass_list.h"
 #include "core/render/focal_blur.h"
 #include "core/render/frame.h"
@@ -46,6 +50,14 @@ void with_threads(int threads, Work work) {
   tbb::task_arena(std::min(threads, tbb::this_task_arena::max_concurrency())).execute(work);
 }
 
+std::uint64_t light_buffer_bytes(const core::Scene& scene) {
+  std::uint64_t bytes = 0;
+  for (std::size_t i = 0; i < scene.lights().size(); ++i) {
+    if (const core::LightBuffer* const buffer = scene.light_buffer(i)) bytes += buffer->memory();
+  }
+  return bytes;
+}
+
 /// One view of a sheet is an ordinary picture.
 const camera::LensSheet* lenses_of(const CameraSetup& camera) {
   return camera.sheet && !camera.view ? &camera.sheet->sheet() : nullptr;
@@ -77,8 +89,12 @@ void Session::read() {
     if (cancel && cancel->load()) throw parser::Cancelled();
   };
   const double before = cpu_seconds();
+  const std::uint64_t held_before = core::heap_bytes();
+  std::uint64_t only_read = 0;
+  core::begin_stage("the scene was read");
   description = parser::read_descriptions(m_reading.scene, m_text->sources, diagnostics,
-                                          m_reading.parser, &m_reads);
+                                          m_reading.parser, &m_reads, &only_read);
+  m_memory = {{"tokens", only_read}, {"descriptions", core::heap_bytes_since(held_before)}};
   const double read = cpu_seconds();
   override_blur(m_reading.build.overrides, description);
   m_rays_a_pixel = rays_a_pixel(description);
@@ -88,12 +104,21 @@ void Session::read() {
       description.camera && description.camera->kind == parser::CameraKind::kLenticular;
   build.places = m_reading.names_objects || has_sheet ? &m_text->places : nullptr;
   stop_if_asked();
+  core::begin_stage("its objects were built");
+  const std::uint64_t pictures_before = core::Picture::bytes_of_all();
   core::SceneParts parts = parser::build_scene(description, diagnostics, build);
   m_not_rendered = parts.not_rendered;
   m_slopes = parts.slopes;
   reduce(parts, m_reading.build.quality);
   stop_if_asked();
+  const std::uint64_t pictures = core::Picture::bytes_of_all() - pictures_before;
+  const std::uint64_t built = core::heap_bytes_since(held_before);
+  m_memory.push_back({"pictures", pictures});
+  m_memory.push_back({"objects", built - std::min(built, pictures)});
+  core::begin_stage("its hierarchy was built");
   m_scene = std::make_unique<core::Scene>(std::move(parts), m_reading.compile);
+  m_memory.push_back({"hierarchy", m_scene->hierarchy().memory()});
+  core::begin_stage("the picture was made");
   m_text->places.sort_parts();
   m_read_cpu_s = read - before;
   m_build_cpu_s = cpu_seconds() - read;
@@ -180,6 +205,8 @@ Plan Session::plan(const CameraSetup& camera, const FilmSettings& film) {
   report.tests_counted = film.count_tests;
   report.pixel_order = film.pixel_order;
   report.shadow_cache = film.shadow_cache;
+  report.memory = m_memory;
+  report.memory.push_back({"light_buffers", light_buffer_bytes(*m_scene)});
   report.parse_cpu_s = std::exchange(m_read_cpu_s, 0.0);
   report.compile_cpu_s = std::exchange(m_build_cpu_s, 0.0);
   return plan;

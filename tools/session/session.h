@@ -116,6 +116,7 @@ class Session {
   std::optional<RadiosityRun> m_radiosity;
   std::vector<core::WatchedSlope> m_slopes;
   std::vector<std::string> m_not_rendered;
+  core::MemoryStages m_memory;                     ///< of reading and building
   double m_read_cpu_s = 0.0, m_build_cpu_s = 0.0;  ///< that no plan has yet
 };
 

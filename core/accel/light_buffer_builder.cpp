@@ -1,13 +1,12 @@
 // How a light buffer is built: casters by distance, grids for each face, and what each object's
 // outline leaves in the cells.
+#include "core/accel/light_buffer_builder.h"
+
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
-#include <typeinfo>
 #include <utility>
 
-#include "core/accel/light_buffer.h"
-#include "core/accel/light_drawing.h"
 #include "core/accel/light_outline.h"
 #include "core/shape/plane.h"
 #include "core/shape/sphere.h"
@@ -17,7 +16,6 @@ namespace {
 
 constexpr std::size_t kMostPerCell = 16;   ///< entries, about: beyond, a hierarchy is faster
 constexpr std::uint32_t kMostInCell = 48;  ///< the same of a single one, at most 255
-constexpr double kNearLight = 1e-5;        ///< of the light's coordinates: nearer, rounding counts
 
 double distance_of(const Bounds& box) {  // from the origin
   const auto axis = [](double lo, double hi) { return std::max({lo, -hi, 0.0}); };
@@ -60,58 +58,9 @@ std::vector<LightWindow> nested_windows(const std::vector<Shown>& shown) {
 
 }  // namespace
 
-class LightBuffer::Builder {
- public:
-  explicit Builder(LightBuffer& buffer) : m_buffer(buffer), m_drawing(buffer.m_light) {}
-  void add(const Object& object, std::size_t place_if_infinite, std::size_t place_if_finite);
-  void build(std::uint32_t cells);
-
- private:
-  /// `box` is relative to the light.
-  struct Placed {
-    Caster caster;
-    Bounds box;
-    double distance;
-  };
-  struct Shown {  ///< a caster on a face
-    std::uint32_t caster;
-    LightWindow window;
-  };
-  struct Found {  ///< an entry with its cell
-    std::uint32_t cell;
-    Entry entry;
-  };
-  struct Dark {  ///< of a cell
-    float full_w = std::numeric_limits<float>::infinity();
-    std::uint32_t cover = 0;  ///< what blocks all beyond
-  };
-
-  bool is_crowd(std::uint32_t cells) const;
-  void add_grids(int face, std::uint32_t cells);
-  void fill(Grid& grid);
-  void keep(Grid& grid);
-  void sort_cell(Entry* first, Entry* last) const;
-  static LightDrawing::Subject subject_of(const Placed& placed) {
-    return {*placed.caster.object, placed.caster.shape, placed.caster.kind, placed.box,
-            placed.distance};
-  }
-
-  LightBuffer& m_buffer;
-  LightDrawing m_drawing;
-  std::vector<Placed> m_placed;
-  std::vector<std::uint8_t> m_drawn;  ///< of the casters: has its volume
-  // Of the face and the grid that are being filled.
-  std::vector<Shown> m_shown;
-  std::vector<LightCell> m_touched;
-  std::vector<Found> m_found;
-  std::vector<Dark> m_dark;
-  std::vector<Entry> m_sorted;
-  std::vector<std::uint32_t> m_next;
-};
-
 /// True if it is certain before anything is drawn: casters so small that they darken no whole cell
 /// drop nothing behind them, and there are too many. Looks at some of them.
-bool LightBuffer::Builder::is_crowd(std::uint32_t cells) const {
+bool LightBufferBuilder::is_crowd(std::uint32_t cells) const {
   constexpr std::size_t kLooked = 2048;
   constexpr double kSure = 0.6;     // drawing touches half as many again as their windows
   constexpr double kLargest = 9.0;  // cells: what covers one has at least so many
@@ -146,61 +95,60 @@ bool LightBuffer::Builder::is_crowd(std::uint32_t cells) const {
   return false;
 }
 
-void LightBuffer::Builder::add(const Object& object, std::size_t place_if_infinite,
-                               std::size_t place_if_finite) {
-  if (object.attributes().no_shadow) return;
-  const Bounds bounds = object.bounds();
-  if (bounds.is_empty()) return;
-  const Bounds box = relative(bounds, m_buffer.m_light);
-  const double distance = bounds.is_finite() ? distance_of(box) : 0.0;
-  const Shape* shape = plain_shape(object);
-  const std::size_t place = bounds.is_finite() ? place_if_finite : place_if_infinite;
-  const Caster caster{
-      &object, shape, light_kind(shape), object.is_opaque(), static_cast<std::uint32_t>(place), 0};
-  if (shape && typeid(*shape) == typeid(Plane) && object.is_opaque()) {
-    const auto& plane = static_cast<const Plane&>(*shape);
-    m_buffer.m_planes.push_back({plane.unit_normal(), plane.distance(), &object});
-  } else if (!(distance > 2.0 * m_buffer.m_least_distance)) {  // no number is not greater
-    (object.is_opaque() ? m_buffer.m_always_opaque : m_buffer.m_always_transparent)
-        .push_back(caster);
+void LightBufferBuilder::place(const LightCaster& from) {
+  const Bounds box = relative(from.bounds, m_buffer->m_light);
+  const double distance = from.bounds.is_finite() ? distance_of(box) : 0.0;
+  const LightBuffer::Caster caster{from.object, from.shape, from.kind, from.opaque, from.place, 0};
+  if (from.plane) {
+    m_buffer->m_planes.push_back({from.plane->unit_normal(), from.plane->distance(), from.object});
+  } else if (!(distance > 2.0 * m_buffer->m_least_distance)) {  // no number is not greater
+    (from.opaque ? m_buffer->m_always_opaque : m_buffer->m_always_transparent).push_back(caster);
   } else {
     m_placed.push_back({caster, box, distance});
   }
 }
 
-void LightBuffer::Builder::build(std::uint32_t cells) {
+void LightBufferBuilder::build(LightBuffer& buffer, std::uint32_t cells) {
+  m_buffer = &buffer;
+  m_drawing = LightDrawing(buffer.m_light);
+  m_placed.clear();
+  for (const LightCaster& caster : m_all) place(caster);
   if (is_crowd(cells)) {
-    m_buffer.m_crowded = true;
+    m_buffer->m_crowded = true;
     return;
   }
   std::stable_sort(m_placed.begin(), m_placed.end(),
                    [](const Placed& a, const Placed& b) { return a.distance < b.distance; });
   Bounds all;
+  m_buffer->m_casters.reserve(m_placed.size());
   for (const Placed& p : m_placed) {
     all.include(p.box);
-    m_buffer.m_casters.push_back(p.caster);
+    m_buffer->m_casters.push_back(p.caster);
     if (p.caster.kind != LightKind::kSphere) continue;
     const auto& sphere = static_cast<const Sphere&>(*p.caster.shape);
-    m_buffer.m_casters.back().sphere = static_cast<std::uint32_t>(m_buffer.m_spheres.size());
-    m_buffer.m_spheres.push_back({sphere.centre(), sphere.radius2()});
+    m_buffer->m_casters.back().sphere = static_cast<std::uint32_t>(m_buffer->m_spheres.size());
+    m_buffer->m_spheres.push_back({sphere.centre(), sphere.radius2()});
   }
+  m_entries.clear();
   m_drawn.assign(m_placed.size(), 0);
-  m_buffer.m_volumes.resize(m_placed.size());
-  m_buffer.m_reach = all.is_empty() ? 0.0 : 2.0 * farthest_of(all);
-  for (int face = 0; face < LightFace::kFaces && !m_buffer.m_crowded; ++face) {
+  m_buffer->m_volumes.resize(m_placed.size());
+  m_buffer->m_reach = all.is_empty() ? 0.0 : 2.0 * farthest_of(all);
+  for (int face = 0; face < LightFace::kFaces && !m_buffer->m_crowded; ++face) {
     if (!all.is_empty() && !window_of(all, face).is_empty()) add_grids(face, cells);
   }
+  m_buffer->m_entries.assign(m_entries.begin(), m_entries.end());
 }
 
-void LightBuffer::Builder::add_grids(int face, std::uint32_t cells) {
+void LightBufferBuilder::add_grids(int face, std::uint32_t cells) {
   m_shown.clear();
   for (std::uint32_t i = 0; i < m_placed.size(); ++i) {
     const LightWindow window = window_of(m_placed[i].box, face);
     if (!window.is_empty()) m_shown.push_back({i, window});
   }
   const std::vector<LightWindow> windows = nested_windows(m_shown);
-  std::vector<Grid>& grids = m_buffer.m_faces[static_cast<std::size_t>(face)];
-  for (auto window = windows.rbegin(); window != windows.rend() && !m_buffer.m_crowded; ++window) {
+  std::vector<Grid>& grids = m_buffer->m_faces[static_cast<std::size_t>(face)];
+  grids.reserve(windows.size());
+  for (auto window = windows.rbegin(); window != windows.rend() && !m_buffer->m_crowded; ++window) {
     // Cells about square; the outer grids hold little.
     constexpr double kOuter = 0.25;
     const double width = std::max(window->hi[0] - window->lo[0], 1e-6);
@@ -216,9 +164,9 @@ void LightBuffer::Builder::add_grids(int face, std::uint32_t cells) {
   }
 }
 
-void LightBuffer::Builder::fill(Grid& grid) {
+void LightBufferBuilder::fill(Grid& grid) {
   LightOutline drawn(grid.raster);
-  const LightVolumes volumes(m_buffer.m_reach);
+  const LightVolumes volumes(m_buffer->m_reach);
   m_found.clear();
   m_found.reserve(kMostPerCell * grid.cells.size());  // what is not touched costs nothing
   m_dark.assign(grid.cells.size(), {});
@@ -228,10 +176,10 @@ void LightBuffer::Builder::fill(Grid& grid) {
     m_drawing.outline(subject, shown.window, drawn, m_touched);
     if (m_touched.empty()) continue;
     if (!std::exchange(m_drawn[shown.caster], 1)) {
-      m_buffer.m_volumes[shown.caster] = m_drawing.volume(subject, volumes);
+      m_buffer->m_volumes[shown.caster] = m_drawing.volume(subject, volumes);
     }
     if (m_found.size() > kMostPerCell * grid.cells.size()) {
-      m_buffer.m_crowded = true;
+      m_buffer->m_crowded = true;
       return;
     }
     const bool opaque = m_placed[shown.caster].caster.opaque;
@@ -241,9 +189,8 @@ void LightBuffer::Builder::fill(Grid& grid) {
       if (near > cell.full_w) continue;
       m_found.push_back({t.cell, {near, shown.caster}});
       // A hit within the tolerance of the light would not count.
-      if (!opaque || !(t.full_w < Bounds::kInf) || !(t.near_w > 2.0 * m_buffer.m_tolerance))
-        continue;
-      const float full = up(t.full_w + 2.0 * m_buffer.m_tolerance);
+      if (!opaque || !(t.full_w < Bounds::kInf) || !(t.near_w > 2.0 * m_tolerance)) continue;
+      const float full = up(t.full_w + 2.0 * m_tolerance);
       if (full < cell.full_w) cell = {full, shown.caster};
     }
   }
@@ -251,7 +198,7 @@ void LightBuffer::Builder::fill(Grid& grid) {
 }
 
 /// Opaque ones first, near ones first.
-void LightBuffer::Builder::sort_cell(Entry* first, Entry* last) const {
+void LightBufferBuilder::sort_cell(Entry* first, Entry* last) const {
   const auto before = [&](const Entry& a, const Entry& b) {
     const bool opaque = m_placed[a.caster].caster.opaque;
     if (opaque != m_placed[b.caster].caster.opaque) return opaque;
@@ -267,7 +214,7 @@ void LightBuffer::Builder::sort_cell(Entry* first, Entry* last) const {
 }
 
 /// Sorts what was found into the cells, without what lies beyond their darkness.
-void LightBuffer::Builder::keep(Grid& grid) {
+void LightBufferBuilder::keep(Grid& grid) {
   const auto hidden = [&](const Found& e) { return e.entry.near_w > m_dark[e.cell].full_w; };
   m_next.assign(grid.cells.size() + 1, 0);
   for (const Found& e : m_found) m_next[e.cell + 1] += !hidden(e);
@@ -276,13 +223,12 @@ void LightBuffer::Builder::keep(Grid& grid) {
   for (const Found& e : m_found) {
     if (!hidden(e)) m_sorted[m_next[e.cell]++] = e.entry;
   }
-  std::vector<Entry>& entries = m_buffer.m_entries;
-  entries.reserve(entries.size() + m_sorted.size() + grid.cells.size() / 4);
+  std::vector<Entry>& entries = m_entries;
   std::uint32_t at = 0;
   for (std::uint32_t c = 0; c < grid.cells.size(); ++c) {
     const std::uint32_t end = m_next[c];
     if (at == end) continue;
-    Cell& cell = grid.cells[c];
+    LightBuffer::Cell& cell = grid.cells[c];
     cell.crowded = end - at > kMostInCell;
     if (cell.crowded) {
       at = end;
@@ -298,18 +244,6 @@ void LightBuffer::Builder::keep(Grid& grid) {
       entries.push_back(entry);
     }
   }
-}
-
-LightBuffer::LightBuffer(const Vec3& light, const std::vector<std::unique_ptr<Object>>& objects,
-                         double tolerance, std::uint32_t cells)
-    : m_light(light), m_tolerance(tolerance) {
-  const double size = std::max({std::fabs(light.x), std::fabs(light.y), std::fabs(light.z), 1.0});
-  m_least_distance = kNearLight * size;
-  Builder builder(*this);
-  for (std::size_t i = 0; i < objects.size(); ++i) {
-    builder.add(*objects[i], i, i + objects.size());  // as the hierarchy's
-  }
-  builder.build(cells);
 }
 
 }  // namespace lentray::core

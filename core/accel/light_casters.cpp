@@ -1,0 +1,25 @@
+#include "core/accel/light_casters.h"
+
+#include <typeinfo>
+
+#include "core/shape/plane.h"
+
+namespace lentray::core {
+
+LightCasters::LightCasters(const std::vector<std::unique_ptr<Object>>& objects) {
+  m_list.reserve(objects.size());
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    const Object& object = *objects[i];
+    if (object.attributes().no_shadow) continue;
+    const Bounds bounds = object.bounds();
+    if (bounds.is_empty()) continue;
+    const Shape* shape = plain_shape(object);
+    const bool opaque = object.is_opaque();
+    const bool is_plane = opaque && shape && typeid(*shape) == typeid(Plane);
+    const std::size_t place = bounds.is_finite() ? i + objects.size() : i;  // as the hierarchy's
+    m_list.push_back({&object, shape, is_plane ? static_cast<const Plane*>(shape) : nullptr, bounds,
+                      static_cast<std::uint32_t>(place), light_kind(shape), opaque});
+  }
+}
+
+}  // namespace lentray::core
