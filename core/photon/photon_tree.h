@@ -6,6 +6,7 @@
 // photon_test.cpp has it.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -49,8 +50,8 @@ class FoundPhotons {
 class PhotonTree {
  public:
   enum class Order { kOfShooting, kOfTree };
-  /// kOfTree: they lie as a tree left them, with their axes.
-  PhotonTree(std::vector<Photon> photons, Order order);
+  /// kOfTree: they lie as a tree left them, with their axes. `portable`: no AVX2 even where there is any.
+  PhotonTree(std::vector<Photon> photons, Order order, bool portable = false);
 
   bool is_empty() const { return m_photons.empty(); }
   std::size_t size() const { return m_photons.size(); }
@@ -64,12 +65,22 @@ class PhotonTree {
 
  private:
   void split(std::size_t begin, std::size_t end);
-  /// Of photons on the wrong side of one that splits: buckets pass them by where the tree would, too.
+  /// The box around a range's photons.
+  struct Box {
+    std::array<float, 3> least, most;
+    /// The square of the distance to a point, not greater than that of any photon in it, rounding included.
+    double gap(const Vec3& point) const;
+  };
+  /// Notes boxes of ranges down to buckets, numbered as a heap, and in these the photons on the wrong side of
+  /// one that splits: buckets pass them by where the tree would, too.
+  Box note(std::size_t begin, std::size_t end, std::size_t number);
   void note_hidden(std::size_t begin, std::size_t end);
   template <bool kFlattened>
   void find_in(const PhotonSearch& search, FoundPhotons& found) const;
 
   std::vector<Photon> m_photons;
+  std::vector<Box> m_boxes;
+  bool m_avx2;
 };
 
 }  // namespace lentray::core

@@ -44,13 +44,14 @@ StoredImage picture_of(const RunResult& result, const fs::path& picture, const s
   return core::read_image(picture);
 }
 
-void keep(const StoredImage& ours, const StoredImage& stock) {
+void keep(const SceneText& scene, const StoredImage& ours, const StoredImage& stock) {
   const char* folder = std::getenv("LENTRAY_KEEP");
   const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
   if (folder == nullptr || test == nullptr) return;
   fs::create_directories(folder);
   std::string stem = std::string(test->test_suite_name()) + "." + test->name();
   for (char& c : stem) c = c == '/' ? '.' : c;  // parameterised tests have slashes in their names
+  tool::write_text(fs::path(folder) / (stem + ".pov"), scene.sdl);
   core::write_stored(ours, fs::path(folder) / (stem + "-ours.png"));
   core::write_stored(stock, fs::path(folder) / (stem + "-stock.png"));
 }
@@ -138,7 +139,7 @@ std::string describe(const Comparison& c) {
   try {
     const StoredImage stock = stock_render(scene);
     const StoredImage ours = lentray_render(scene);
-    keep(ours, stock);
+    keep(scene, ours, stock);
     return reaches(ours, stock, asked);
   } catch (const std::exception& e) {
     return ::testing::AssertionFailure() << e.what();

@@ -124,6 +124,28 @@ TEST_P(UnitPhotonTree, BucketsFindWhatStepsFind) {
   EXPECT_LE(others, kSearches / 200);
 }
 
+TEST_P(UnitPhotonTree, EveryProcessorFindsTheSame) {
+  const auto photons = scattered(5000, GetParam());
+  const PhotonTree tree(photons, PhotonTree::Order::kOfShooting);
+  const PhotonTree portable(photons, PhotonTree::Order::kOfShooting, true);
+  const Vec3 normal(0.6, 0.8, 0.0);
+  FoundPhotons one, other;
+  RandomSequence random(7, RandomSequence::Use::kFilm);
+  for (std::size_t most = 1; most < 150; ++most) {
+    const PhotonSearch search{{random.next(), GetParam() ? 0.0 : random.next(), random.next()},
+                              GetParam() ? &normal : nullptr,
+                              0.5 * random.next(),
+                              most};
+    tree.find(search, one);
+    portable.find(search, other);
+    EXPECT_EQ(one.radius(), other.radius());
+    ASSERT_TRUE(std::equal(one.begin(), one.end(), other.begin(), other.end(),
+                           [](const auto& a, const auto& b) {
+                             return a.number == b.number && a.distance == b.distance;
+                           }));
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Each, UnitPhotonTree, ::testing::Values(true, false),
                          [](const auto& one) { return one.param ? "OnFloor" : "InCube"; });
 

@@ -2,7 +2,8 @@
 
 #include <cstring>
 #include <fstream>
-#include <iterator>
+#include <sstream>
+#include <utility>
 
 #include "core/base/byte_text.h"
 #include "parser/files/watched_files.h"
@@ -31,8 +32,10 @@ bool take_summed(std::string_view& bytes, std::string_view& piece) {
 }
 
 std::string file_bytes(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
+  const std::ifstream in(path, std::ios::binary);
+  std::ostringstream bytes;
+  bytes << in.rdbuf();
+  return std::move(bytes).str();
 }
 
 }  // namespace lentray::tool
