@@ -12,8 +12,21 @@ bool PhotonMedia::find_media(InteriorsId inside) {
   return !m_media.empty();
 }
 
-void PhotonMedia::pass(const Piece& piece, Rgb& power) {
-  if (find_media(piece.inside)) power *= m_attenuation.left(m_media, {piece.ray, piece.length});
+void PhotonMedia::pass(const Piece& piece, MediaDraws& draws, Rgb& power) {
+  if (!find_media(piece.inside)) return;
+  find_intervals(piece);
+  const MediumSampling& sampling = leading(m_media).sampling;
+  const int places = sampling.method == SamplingMethod::kAdaptive
+                         ? 2 * (sampling.min_samples / 2 + 1) + 1
+                         : sampling.min_samples;
+  draws.next += m_intervals.size() * static_cast<std::size_t>(places);
+  if (!draws.only_counted) power *= m_attenuation.left(m_media, {piece.ray, piece.length});
+}
+
+void PhotonMedia::find_intervals(const Piece& piece) {
+  find_lit_parts(piece);
+  const Medium& first = leading(m_media);
+  m_cutter.cut(first.sampling, first.densities.empty(), piece.length, m_lit, m_intervals);
 }
 
 void PhotonMedia::find_lit_parts(const Piece& piece) {
@@ -40,9 +53,7 @@ void PhotonMedia::pass(const Piece& piece, const PhotonShot& shot, MediaDraws& d
   if (!find_media(piece.inside) || !any([](const Medium* m) { return m->dims(); })) return;
   const bool leaves = any([](const Medium* m) { return m->scatters(); }) &&
                       any([](const Medium* m) { return m->collects_photons; });
-  find_lit_parts(piece);
-  const Medium& first = leading(m_media);
-  m_cutter.cut(first.sampling, first.densities.empty(), piece.length, m_lit, m_intervals);
+  find_intervals(piece);
   const double jitter = m_context.scene.settings().photons->jitter;
   Rgb depth;
   for (const MediaInterval& interval : m_intervals) {

@@ -16,7 +16,7 @@
 namespace lentray::core {
 
 /// The random numbers by which photons are strewn along their way through media: one a place, from a cycle that
-/// goes on from photon to photon and from unit to unit.
+/// goes on from photon to photon and from unit to unit. Media that only dim take some, too, one a sample.
 struct MediaDraws {
   const PhotonCycle& cycle;
   std::uint64_t next = 0;
@@ -36,7 +36,7 @@ class PhotonMedia {
     InteriorsId inside;
   };
   /// Dims what passes it.
-  void pass(const Piece& piece, Rgb& power);
+  void pass(const Piece& piece, MediaDraws& draws, Rgb& power);
   /// The same, and leaves photons.
   void pass(const Piece& piece, const PhotonShot& shot, MediaDraws& draws, Rgb& power,
             std::vector<Photon>& out);
@@ -44,6 +44,7 @@ class PhotonMedia {
  private:
   bool find_media(InteriorsId inside);
   void find_lit_parts(const Piece& piece);
+  void find_intervals(const Piece& piece);
   /// Of an interval.
   struct Steps {
     int count;

@@ -150,7 +150,7 @@ void PhotonPath::arrive(const Meeting& at, const LayeredTexture& texture, Leg le
   if (is_behind_target && m_settings.media_steps > 0) {
     m_media.pass(piece, *m_shot, *m_draws, leg.power, m_out->media);
   } else {
-    m_media.pass(piece, leg.power);
+    m_media.pass(piece, *m_draws, leg.power);
   }
   leg.power = faded(at, leg);
   leg.way += at.hit.t;
