@@ -109,8 +109,8 @@ class PhotonPass::Shooting {
         commit);
   }
 
-  /// The first random number in media of each part, and of what comes behind them. They depend on all photons
-  /// before, so these are followed once more where media keep some.
+  /// The first random number in media of each part, and of what comes behind them. They depend on
+  /// all photons before, so these are followed once more where media keep some.
   std::vector<std::uint64_t> media_draws_of(const PhotonUnit& unit,
                                             const std::vector<RingPart>& parts) {
     std::vector<std::uint64_t> first(parts.size() + 1, m_media_draw);

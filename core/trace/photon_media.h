@@ -15,12 +15,14 @@
 
 namespace lentray::core {
 
-/// The random numbers by which photons are strewn along their way through media: one a place, from a cycle that
-/// goes on from photon to photon and from unit to unit. Media that only dim take some, too, one a sample.
+/// The random numbers by which photons are strewn along their way through media: one a place, from
+/// a cycle that goes on from photon to photon and from unit to unit. Media that only dim take some,
+/// too, one a sample.
 struct MediaDraws {
   const PhotonCycle& cycle;
   std::uint64_t next = 0;
-  /// Nothing is strewn or dimmed, for only how many numbers are taken is wanted: that depends on the ways alone.
+  /// Nothing is strewn or dimmed, for only how many numbers are taken is wanted: that depends on
+  /// the ways alone.
   bool only_counted = false;
 };
 

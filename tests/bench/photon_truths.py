@@ -41,7 +41,7 @@ PANE = "box { <-2, 0, -2>, <2, 0.3, 2>"
 
 
 def render(program, size, **scene):
-    scene = {"spacing": 0.01, "gathered": 0.05, "settings": "", "beam": "cylinder radius 1 falloff 1 tightness 0", "light": 1, "ior": IOR, **scene}
+    scene = {"settings": "", "beam": "cylinder radius 1 falloff 1 tightness 0", "ior": IOR, **scene}
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         (folder / "scene.pov").write_text(SCENE.format(**scene))

@@ -1,5 +1,5 @@
-// Pictures with photons and subsurface light: the same bits in parts, from saved and loaded photons, and when a run was
-// killed. Threads, orders, caches and bands: identical_test.cpp.
+// Pictures with photons and subsurface light: the same bits in parts, from saved and loaded
+// photons, and when a run was killed. Threads, orders, caches and bands: identical_test.cpp.
 #include <gtest/gtest.h>
 
 #include <cstdint>

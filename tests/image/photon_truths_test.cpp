@@ -1,5 +1,6 @@
-// Light of photons beside truths that need no renderer: a pane of glass, and energy, focus and caustic of a ball of
-// glass. Spacings and lights are powers of two, so that the eight bits of a photon hold its power.
+// Light of photons beside truths that need no renderer: a pane of glass, and energy, focus and
+// caustic of a ball of glass. Spacings and lights are powers of two, so that the eight bits of a
+// photon hold its power.
 #include <gtest/gtest.h>
 
 #include <algorithm>

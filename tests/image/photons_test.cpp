@@ -17,8 +17,8 @@ constexpr const char* kGlass =
 
 constexpr const char* kSettings = "spacing 0.03";
 
-/// A floor and a wall with something that bends or mirrors light. The floor is not at 0: what roundings leave of a photon's
-/// height there decides its place in the tree.
+/// A floor and a wall with something that bends or mirrors light. The floor is not at 0: what
+/// roundings leave of a photon's height there decides its place in the tree.
 SceneText scene_of(const std::string& things, const std::string& settings = kSettings,
                    const std::string& lights = kLamp) {
   SceneText scene;

@@ -13,7 +13,8 @@
 
 namespace lentray::test {
 
-/// Kills a run that writes `a.png` as soon as it has kept more of its passes. False: it came to its end.
+/// Kills a run that writes `a.png` as soon as it has kept more of its passes. False: it came to its
+/// end.
 inline bool kill_in_the_middle(const std::vector<std::string>& command,
                                const std::filesystem::path& folder) {
   const std::filesystem::path part = folder / "a.png.lentray-passes.part";
