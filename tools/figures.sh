@@ -79,6 +79,7 @@ figures() {
   $1 subsurface-truth docs/global.md '10 s' 'python3 tests/bench/subsurface_truth.py lentray povray'
   $1 antialiasing docs/rendering.md '(20 min)' 'python3 tests/compat/antialiasing.py'
   $1 blur-convergence docs/rendering.md '(20 min)' 'python3 tests/bench/blur_convergence.py'
+  $1 photon-truths docs/global.md '(2 min)' 'python3 tests/bench/photon_truths.py'
   $1 radiosity-truths docs/global.md '(2 min)' 'python3 tests/bench/radiosity_truths.py'
   $1 radiosity-sharing docs/global.md '(5 min)' 'python3 tests/bench/radiosity_sharing.py'
   $1 auto-cost docs/rendering.md '(30 min)' \

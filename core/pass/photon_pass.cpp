@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -13,7 +14,6 @@
 #include "core/photon/units.h"
 #include "core/scene/scene.h"
 #include "core/trace/photon_path.h"
-#include "core/trace/random_key.h"
 
 namespace lentray::core {
 namespace {
@@ -64,9 +64,8 @@ class PhotonPass::Shooting {
 
   void run() {
     m_report.units = m_units.size();
-    std::uint64_t draw = 0;
     for (const PhotonUnit& unit : m_units) {
-      if (!m_report.is_full) draw = shoot(unit, draw);
+      if (!m_report.is_full) shoot(unit);
     }
   }
 
@@ -84,15 +83,16 @@ class PhotonPass::Shooting {
   }
   const Light& light_of(const PhotonUnit& unit) const { return m_scene.lights()[unit.light]; }
 
-  /// Returns the cycle's next number.
-  std::uint64_t shoot(const PhotonUnit& unit, std::uint64_t draw) {
+  void shoot(const PhotonUnit& unit) {
     std::vector<RingPart> parts;
-    RingCutter cutter(unit, light_of(unit).parallel, m_cycle, draw);
+    RingCutter cutter(unit, light_of(unit).parallel, m_cycle, m_draw);
     while (auto part = cutter.next()) parts.push_back(*part);
+    const std::vector<std::uint64_t> media_draws = media_draws_of(unit, parts);
     bool met = false, met_in_ring = false;
     const auto commit = [&](std::size_t number, const std::vector<Told>& told) {
       const RingPart& part = parts[number];
-      draw = part.next_draw();
+      m_draw = part.next_draw();
+      m_media_draw = media_draws[number + 1];
       if (!take(told, met_in_ring)) return false;
       if (!part.ends_ring) return true;
       met = met || met_in_ring;
@@ -102,9 +102,26 @@ class PhotonPass::Shooting {
     };
     m_run.in_order_kept<Told>(
         parts.size(),
-        [&](unsigned number, std::size_t part) { return shoot(unit, parts[part], thread(number)); },
+        [&](unsigned number, std::size_t part) {
+          MediaDraws draws{m_cycle, media_draws[part]};
+          return told_of(unit, parts[part], draws, thread(number));
+        },
         commit);
-    return draw;
+  }
+
+  /// The first random number in media of each part, and of what comes behind them. They depend on
+  /// all photons before, so these are followed once more where media keep some.
+  std::vector<std::uint64_t> media_draws_of(const PhotonUnit& unit,
+                                            const std::vector<RingPart>& parts) {
+    std::vector<std::uint64_t> first(parts.size() + 1, m_media_draw);
+    if (m_settings.media_steps <= 0 || !m_scene.needs().media) return first;
+    m_run.each(parts.size(), [&](unsigned number, std::size_t part) {
+      MediaDraws draws{m_cycle, 0, true};
+      shoot(unit, parts[part], draws, thread(number));
+      first[part + 1] = draws.next;
+    });
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    return first;
   }
 
   /// False: there are enough.
@@ -124,43 +141,50 @@ class PhotonPass::Shooting {
     return !m_report.is_full;
   }
 
-  std::vector<Told> shoot(const PhotonUnit& unit, const RingPart& part, Thread& by) {
+  std::vector<Told> told_of(const PhotonUnit& unit, const RingPart& part, MediaDraws& draws,
+                            Thread& by) {
+    const bool met = shoot(unit, part, draws, by);
+    std::vector<Told> told;
+    told.reserve(by.caught.surface.size() + by.caught.media.size() + 2);
+    for (const Photon& photon : by.caught.surface) told.push_back({photon, Told::kSurface});
+    for (const Photon& photon : by.caught.media) told.push_back({photon, Told::kMedia});
+    const auto at_once = static_cast<unsigned>(photons_at_once(light_of(unit)));
+    told.push_back({{}, Told::kShot, part.size * at_once});
+    if (met) told.push_back({{}, Told::kMet});
+    return told;
+  }
+
+  /// Fills what the thread has caught. True if any met the target.
+  bool shoot(const PhotonUnit& unit, const RingPart& part, MediaDraws& draws, Thread& by) {
     by.caught.surface.clear();
     by.caught.media.clear();
-    const Light& light = light_of(unit);
     bool met = false;
     std::uint64_t draw = part.draw;
     double turn = part.turn;
     for (std::uint32_t i = 0; i < part.size; ++i, turn += part.turn_step, draw += 2) {
       const RingPlace place = jittered(part, turn, unit.step, m_settings.jitter, m_cycle, draw);
-      met = shoot_from_area(unit, light, place, draw, by) || met;
+      met = shoot_from_area(unit, place, draws, by) || met;
     }
-    std::vector<Told> told;
-    told.reserve(by.caught.surface.size() + by.caught.media.size() + 2);
-    for (const Photon& photon : by.caught.surface) told.push_back({photon, Told::kSurface});
-    for (const Photon& photon : by.caught.media) told.push_back({photon, Told::kMedia});
-    told.push_back({{}, Told::kShot, part.size * static_cast<unsigned>(photons_at_once(light))});
-    if (met) told.push_back({{}, Told::kMet});
-    return told;
+    return met;
   }
 
   /// One photon, or one from each point of an area light.
-  bool shoot_from_area(const PhotonUnit& unit, const Light& light, const RingPlace& place,
-                       std::uint64_t draw, Thread& by) {
+  bool shoot_from_area(const PhotonUnit& unit, const RingPlace& place, MediaDraws& draws,
+                       Thread& by) {
+    const Light& light = light_of(unit);
     const bool is_area = photons_at_once(light) > 1;
     const int size1 = is_area ? light.area.size1 : 1, size2 = is_area ? light.area.size2 : 1;
     bool met = false;
     for (int u = 0; u < size1; ++u) {
       for (int v = 0; v < size2; ++v) {
-        const std::uint64_t key = mixed(mixed(draw) ^ static_cast<std::uint64_t>(u * size2 + v));
-        met = shoot_one(unit, light, start_of(light, u, v), place, key, by) || met;
+        met = shoot_one(unit, light, start_of(light, u, v), place, draws, by) || met;
       }
     }
     return met;
   }
 
   bool shoot_one(const PhotonUnit& unit, const Light& light, const Vec3& from,
-                 const RingPlace& place, std::uint64_t key, Thread& by) {
+                 const RingPlace& place, MediaDraws& draws, Thread& by) {
     const PhotonTarget& target = m_scene.photon_targets()[unit.target];
     Ray ray = photon_ray(light, from, target.centre, place.out, place.turn);
     const double share =
@@ -170,7 +194,7 @@ class PhotonPass::Shooting {
     if (!before) return false;
     ray.origin = ray.at(*before);
     return by.path.shoot(
-        {ray, times(light.colour, share), *before, light, unit.target + 1, unit.spread, key},
+        {ray, times(light.colour, share), *before, light, unit.target + 1, unit.spread}, draws,
         by.caught);
   }
 
@@ -182,6 +206,7 @@ class PhotonPass::Shooting {
   PassRun& m_run;
   std::vector<std::unique_ptr<Thread>> m_threads;
   const PhotonCycle m_cycle;
+  std::uint64_t m_draw = 0, m_media_draw = 0;  ///< the cycle's next numbers
   const std::vector<PhotonUnit> m_units;
   const double m_expected;
 };

@@ -1,17 +1,30 @@
 // What media in interiors make of a photon on its way, and the photons that it leaves in them. World space;
 // power linear. One a thread.
 // Source: reference manual 3.7, "Photons and Media"; steps and weights are those that replay stock's files
-// of photons. Random numbers are the photon's own, stock's come from a cycle.
+// of photons.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "core/photon/photon.h"
+#include "core/photon/rings.h"
 #include "core/trace/media_attenuation.h"
 #include "core/trace/photon_shot.h"
 #include "core/trace/thread_context.h"
 
 namespace lentray::core {
+
+/// The random numbers by which photons are strewn along their way through media: one a place, from
+/// a cycle that goes on from photon to photon and from unit to unit. Media that only dim take some,
+/// too, one a sample.
+struct MediaDraws {
+  const PhotonCycle& cycle;
+  std::uint64_t next = 0;
+  /// Nothing is strewn or dimmed, for only how many numbers are taken is wanted: that depends on
+  /// the ways alone.
+  bool only_counted = false;
+};
 
 class PhotonMedia {
  public:
@@ -23,16 +36,17 @@ class PhotonMedia {
     double length;
     double way;  ///< from the light to its start
     InteriorsId inside;
-    std::uint64_t key;
   };
   /// Dims what passes it.
-  void pass(const Piece& piece, Rgb& power);
+  void pass(const Piece& piece, MediaDraws& draws, Rgb& power);
   /// The same, and leaves photons.
-  void pass(const Piece& piece, const PhotonShot& shot, Rgb& power, std::vector<Photon>& out);
+  void pass(const Piece& piece, const PhotonShot& shot, MediaDraws& draws, Rgb& power,
+            std::vector<Photon>& out);
 
  private:
   bool find_media(InteriorsId inside);
   void find_lit_parts(const Piece& piece);
+  void find_intervals(const Piece& piece);
   /// Of an interval.
   struct Steps {
     int count;

@@ -7,7 +7,6 @@
 #include "core/accel/hierarchy.h"
 #include "core/base/deep_threads.h"
 #include "core/scene/tolerances.h"
-#include "core/trace/random_key.h"
 #include "core/trace/refraction.h"
 #include "core/trace/spectrum.h"
 #include "core/trace/surface_textures.h"
@@ -39,7 +38,6 @@ struct PhotonPath::Leg {
   Ray ray;
   Rgb power;
   double way;  ///< from the light to the ray's origin
-  std::uint64_t key;
   float weight = 1.0f;
   int level = 0;
   InteriorsId inside = InteriorsId::kOpen;
@@ -77,12 +75,13 @@ PhotonPath::PhotonPath(ThreadContext& context)
       m_min_distance(kMinHitDistance * m_scene.tolerance_scale()),
       m_stack_end(own_stack().middle()), m_start_interiors(m_scene), m_media(context) {}
 
-bool PhotonPath::shoot(const PhotonShot& shot, PhotonMaps& out) {
+bool PhotonPath::shoot(const PhotonShot& shot, MediaDraws& draws, PhotonMaps& out) {
   m_context.interiors.forget_if_large();
   m_shot = &shot;
+  m_draws = &draws;
   m_out = &out;
   m_met_target = false;
-  Leg leg{shot.ray, shot.power, shot.way, shot.key};
+  Leg leg{shot.ray, shot.power, shot.way};
   if (m_scene.needs().interiors) {
     leg.inside = m_start_interiors.at(shot.ray.origin, m_context.interiors);
   }
@@ -130,7 +129,6 @@ void PhotonPath::follow(const Leg& leg) {
   for (std::size_t i = 0; i < textures.size(); ++i) {
     Leg part = leg;
     part.power = times(leg.power, textures[i].weight);
-    part.key = branch_key(leg.key, i);
     arrive(at, *textures[i].texture, part);
   }
 }
@@ -149,11 +147,11 @@ Rgb PhotonPath::faded(const Meeting& at, const Leg& leg) const {
 
 void PhotonPath::arrive(const Meeting& at, const LayeredTexture& texture, Leg leg) {
   const bool is_behind_target = leg.level > 0 && !leg.passed;
-  const PhotonMedia::Piece piece{leg.ray, at.hit.t, leg.way, leg.inside, leg.key};
+  const PhotonMedia::Piece piece{leg.ray, at.hit.t, leg.way, leg.inside};
   if (is_behind_target && m_settings.media_steps > 0) {
-    m_media.pass(piece, *m_shot, leg.power, m_out->media);
+    m_media.pass(piece, *m_shot, *m_draws, leg.power, m_out->media);
   } else {
-    m_media.pass(piece, leg.power);
+    m_media.pass(piece, *m_draws, leg.power);
   }
   leg.power = faded(at, leg);
   leg.way += at.hit.t;
@@ -241,7 +239,6 @@ bool PhotonPath::refract(const Meeting& at, const Layers& layers, const Leg& leg
     before.power *= band_hue(band, bent.bands) * (1.0f / static_cast<float>(bent.bands));
     onward.power = before.power;
     onward.wavelength = band_wavelength(band, bent.bands);
-    onward.key = branch_key(leg.key, static_cast<std::uint64_t>(band) + 1);
     bend(at, layers, dispersed_ior(bent.ior, bent.dispersion, onward.wavelength), before, onward);
   }
   return false;
@@ -267,7 +264,6 @@ void PhotonPath::mirror(const Meeting& at, const Vec3& normal, Leg onward) {
   onward.ray = {at.point, normalized(mirrored(onward.ray.direction, normal, at.normal))};
   onward.passed = at.passes;
   onward.kind = reflected(onward.kind);
-  onward.key = branch_key(onward.key, 0);
   follow(onward);
 }
 
@@ -287,7 +283,6 @@ void PhotonPath::mirror_layers(const Meeting& at, const Layers& layers, bool tot
     }
     onward.power *= layer.colour;
     onward.weight = layer.weight * greatest(layer.colour);
-    onward.key = branch_key(leg.key, i);
     mirror(at, lowest_normal, onward);
   }
 }

@@ -24,7 +24,7 @@ class PhotonPath {
   explicit PhotonPath(ThreadContext& context);
 
   /// Appends what the photon leaves. True if it met its target.
-  bool shoot(const PhotonShot& shot, PhotonMaps& out);
+  bool shoot(const PhotonShot& shot, MediaDraws& draws, PhotonMaps& out);
 
  private:
   struct Leg;
@@ -54,6 +54,7 @@ class PhotonPath {
   StartInteriors m_start_interiors;
   PhotonMedia m_media;
   const PhotonShot* m_shot = nullptr;
+  MediaDraws* m_draws = nullptr;
   PhotonMaps* m_out = nullptr;
   bool m_met_target = false;
 };

@@ -20,7 +20,6 @@ struct PhotonShot {
   const Light& light;
   std::uint32_t target;  ///< its number, from 1
   double spread;         ///< PhotonUnit::spread
-  std::uint64_t key;     ///< of its random numbers
 };
 
 /// Of power that has come so far from the light: as many photons as reach a piece of surface there carry

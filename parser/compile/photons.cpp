@@ -17,13 +17,13 @@ constexpr double kMostShot = 1e9;
 /// the box of their turned box.
 core::Bounds box_of(const ObjectDesc& object, const core::Transform& outer) {
   bool is_whole = true;
-  if (outer.is_identity()) return stock_box(object, is_whole);
+  if (outer.is_identity()) return kept_stock_box(object, is_whole);
   const bool is_single = !object.csg() && object.rare->clipped_by.empty() &&
                          object.rare->bounded_by.empty() && object.transform->steps->empty();
-  if (!is_single) return core::transformed(stock_box(object, is_whole), outer);
+  if (!is_single) return kept_stock_box(core::transformed(kept_stock_box(object, is_whole), outer));
   ObjectDesc moved = object;
   moved.transform.edit().add(outer);
-  return stock_box(moved, is_whole);
+  return kept_stock_box(moved, is_whole);
 }
 
 bool shoots_none(const core::Light& light) { return light.shadowless || light.grouped; }

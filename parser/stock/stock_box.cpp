@@ -100,10 +100,11 @@ class BoxFinder {
  public:
   explicit BoxFinder(bool& is_whole) : m_is_whole(is_whole) {}
 
-  Bounds of(const ObjectDesc& object) {
+  Bounds of(const ObjectDesc& object) { return rounded(kept_of(object)); }
+  Bounds kept_of(const ObjectDesc& object) {
     Bounds box =
         kept(std::visit([&](const auto& shape) { return leaf(shape, object); }, object.shape));
-    if (!heeds_regions(object)) return rounded(box);
+    if (!heeds_regions(object)) return box;
     for (const auto* regions : {&object.rare->bounded_by, &object.rare->clipped_by}) {
       Bounds common = everything();
       for (const Ref<ObjectDesc>& region : *regions) {
@@ -112,7 +113,7 @@ class BoxFinder {
       common = kept(common);
       if (!regions->empty() && volume(common) < volume(box)) box = common;
     }
-    return rounded(box);
+    return box;
   }
 
  private:
@@ -404,6 +405,12 @@ class BoxFinder {
 core::Bounds stock_box(const ObjectDesc& object, bool& is_whole) {
   return BoxFinder(is_whole).of(object);
 }
+
+core::Bounds kept_stock_box(const ObjectDesc& object, bool& is_whole) {
+  return BoxFinder(is_whole).kept_of(object);
+}
+
+core::Bounds kept_stock_box(const core::Bounds& box) { return kept(box); }
 
 bool heeds_regions(const ObjectDesc& object) {
   return object.reopened ||

@@ -12,6 +12,10 @@ namespace lentray::parser {
 
 /// Infinite sides are at +-1e10. `is_whole` becomes false if parts have no geometry yet.
 core::Bounds stock_box(const ObjectDesc& object, bool& is_whole);
+/// The same as stock keeps it: single precision of a corner and of the lengths of the sides. The
+/// far corner, which is their sum, is not rounded.
+core::Bounds kept_stock_box(const ObjectDesc& object, bool& is_whole);
+core::Bounds kept_stock_box(const core::Bounds& box);
 /// False: what bounds or clips the object has no part in its box, which stock finds later: that of blobs,
 /// height fields and julia fractals in their own braces.
 bool heeds_regions(const ObjectDesc& object);

@@ -142,6 +142,23 @@ TEST(ImageIdentical, SubsurfaceLight) {
   expect_identical({"+I" + (folder / "translucent.pov").string(), "+W24", "+H18"}, Ways::kHalf);
 }
 
+const char* const kShot = R"(#version 3.7;
+global_settings { assumed_gamma 1 photons { spacing 0.1 media 8 } }
+camera { location <0,2.5,-4.5> look_at <0,0.4,0> angle 45 }
+light_source { <1.5,5,-1> rgb 1 photons { reflection on refraction on } }
+plane { y, 0 pigment { rgb <0.9,0.85,0.8> } }
+sphere { <0,1.2,0>, 0.5 pigment { rgbf <1,0.9,0.8,0.95> } finish { reflection 0.1 }
+  interior { ior 1.5 } photons { target reflection on refraction on } }
+box { <-0.8,0.01,-1>, <0.8,0.6,1> hollow pigment { rgbt 1 } photons { pass_through }
+  interior { media { scattering { 1, 0.5 } samples 3 density { bozo scale 0.3 } } } }
+)";
+
+TEST(ImageIdentical, Photons) {
+  const tool::TemporaryFolder folder;
+  tool::write_text(folder / "shot.pov", kShot);
+  expect_identical({"+I" + (folder / "shot.pov").string(), "+W24", "+H18"}, Ways::kHalf);
+}
+
 /// A sheet without thickness tilted so that it rises from 3e-4 to 4e-3 above a plane, under the light: across the
 /// distance below which blockers are not seen. A cache that tests what it remembers otherwise
 /// than the full search does lets the order of pixels show here; stock's does.

@@ -132,7 +132,7 @@ INSTANTIATE_TEST_SUITE_P(
                     "normal { bumps .3 scale .2 } } texture { pigment { rgbf <1, .9, 1, .9> } "
                     "finish { reflection { .1, .6 fresnel metallic 1 } conserve_energy } } "
                     "interior { ior 1.5 } photons { target refraction on reflection on } }"},
-        PhotonScene{"Media", "spacing .1 jitter 0 media 60, 1",
+        PhotonScene{"Media", "spacing .1 media 60, 1",
                     "light_source { <2, 10, -3> rgb 1 }"
                     "sphere { 0, 3 hollow pigment { rgbt 1 } photons { pass_through } interior { "
                     "media { scattering { 1, .1 } method 3 samples 4 } } }"
@@ -157,6 +157,27 @@ TEST(ImagePhotonShooting, DispersionShootsAsManyAsStock) {
   for (std::size_t i = 0; i < ours.surface.size(); ++i)
     elsewhere += is_same_place(ours.surface[i], stock.surface[i]) ? 0 : 1;
   EXPECT_LE(elsewhere, ours.surface.size() / 100);
+  const auto power = [](const core::PhotonMaps& maps) {
+    core::Rgb sum;
+    for (const core::Photon& photon : maps.surface) sum += core::power_of(photon);
+    return sum;
+  };
+  const core::Rgb all = power(ours), wanted = power(stock);
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(all[c] / wanted[c], 1.0f, 0.02f) << c;
+}
+
+/// Of two lights and a target, through two media: the random numbers go on from unit to unit.
+TEST(ImagePhotonShooting, PhotonsInMediaLieWhereStocksDo) {
+  const PhotonScene scene{
+      "TwoInMedia", "spacing .12 media 20, 1.5",
+      "light_source { <2, 10, -3> rgb 1 } light_source { <-4, 8, -3> rgb x }"
+      "sphere { 0, 3 hollow pigment { rgbt 1 } photons { pass_through } interior { "
+      "media { scattering { 1, .1 } method 3 samples 4 density { bozo scale .5 } } } }"
+      "sphere { .2*y, .8 pigment { rgbf 1 } interior { ior 1.5 } "
+      "photons { target refraction on reflection on } }"};
+  const core::PhotonMaps stock = saved(scene, true), ours = saved(scene, false);
+  EXPECT_GT(stock.media.size(), 500u);
+  expect_same(ours.media, stock.media);
 }
 
 TEST(ImagePhotonShooting, LoadedPhotonsAreThoseThatWereSaved) {

@@ -7,6 +7,7 @@
 #include <csignal>
 #include <thread>
 
+#include "tests/support/pass_kills.h"
 #include "tests/support/render.h"
 #include "tools/common/child.h"
 
@@ -273,29 +274,6 @@ TEST_F(ImageRadiosityFiles, RunsOfABatchShareIt) {
   }
   EXPECT_EQ(kept, 1u);
   EXPECT_FALSE(is_there("out/.lentray-batch/radiosity"));
-}
-
-/// Kills a run as soon as it has kept more of its pass. False: it came to its end.
-bool kill_in_the_middle(const std::vector<std::string>& command, const fs::path& folder) {
-  const fs::path part = folder / "a.png.lentray-passes.part";
-  const auto size = [&] {
-    std::error_code error;
-    const std::uintmax_t bytes = fs::file_size(part, error);
-    return error ? 0 : bytes;
-  };
-  const std::uintmax_t before = size();
-  tool::Launch launch;
-  launch.command = command;
-  launch.folder = folder;
-  launch.log = folder / "log";
-  tool::Child child(launch);
-  while (size() <= before) {
-    if (child.ended()) return false;
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  }
-  child.kill();
-  while (!child.ended()) std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  return true;
 }
 
 /// What a run has kept is there a second after its start at the earliest, so the pass takes a while.
